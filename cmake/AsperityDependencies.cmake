@@ -1,0 +1,74 @@
+# Everything from outside is found here and given one name of the form Asperity::<Library>.
+
+find_package(MPI REQUIRED COMPONENTS C CXX)
+
+# Trilinos 14 and newer exports Trilinos::all_libs; 13 only sets variables. Either becomes
+# Asperity::Trilinos.
+find_package(Trilinos REQUIRED COMPONENTS
+  Tpetra Belos MueLu Ifpack2 Amesos2 Zoltan2 Teuchos Kokkos KokkosKernels)
+if(TARGET Trilinos::all_libs)
+  add_library(Asperity::Trilinos INTERFACE IMPORTED)
+  target_link_libraries(Asperity::Trilinos INTERFACE Trilinos::all_libs MPI::MPI_CXX)
+else()
+  add_library(Asperity::Trilinos INTERFACE IMPORTED)
+  target_include_directories(Asperity::Trilinos SYSTEM INTERFACE
+    ${Trilinos_INCLUDE_DIRS} ${Trilinos_TPL_INCLUDE_DIRS})
+  target_link_directories(Asperity::Trilinos INTERFACE ${Trilinos_LIBRARY_DIRS})
+  target_link_libraries(Asperity::Trilinos INTERFACE ${Trilinos_LIBRARIES} MPI::MPI_CXX)
+endif()
+
+# Friction needs Kokkos alone. Debian's Kokkos::kokkos (from Trilinos 13) names an include directory
+# that does not exist, so there the library is named by hand.
+if(TARGET Kokkos::kokkos AND TARGET Trilinos::all_libs)
+  add_library(Asperity::Kokkos ALIAS Kokkos::kokkos)
+else()
+  find_library(ASPERITY_KOKKOS_CORE NAMES kokkoscore trilinos_kokkoscore
+    HINTS ${Trilinos_LIBRARY_DIRS} REQUIRED)
+  add_library(Asperity::Kokkos INTERFACE IMPORTED)
+  target_include_directories(Asperity::Kokkos SYSTEM INTERFACE ${Trilinos_INCLUDE_DIRS})
+  target_link_libraries(Asperity::Kokkos INTERFACE ${ASPERITY_KOKKOS_CORE})
+  find_file(ASPERITY_KOKKOS_CONFIG KokkosCore_config.h
+    HINTS ${Trilinos_INCLUDE_DIRS} NO_DEFAULT_PATH REQUIRED)
+  file(STRINGS "${ASPERITY_KOKKOS_CONFIG}" kokkos_openmp REGEX "^#define KOKKOS_ENABLE_OPENMP")
+  if(kokkos_openmp)
+    find_package(OpenMP REQUIRED COMPONENTS CXX)
+    target_link_libraries(Asperity::Kokkos INTERFACE OpenMP::OpenMP_CXX)
+    target_link_libraries(Asperity::Trilinos INTERFACE OpenMP::OpenMP_CXX)
+  endif()
+endif()
+
+set(HDF5_PREFER_PARALLEL ON)
+find_package(HDF5 REQUIRED COMPONENTS C)
+if(NOT HDF5_IS_PARALLEL)
+  message(FATAL_ERROR "HDF5 was found without MPI. On Debian: apt-get install libhdf5-openmpi-dev")
+endif()
+add_library(Asperity::HDF5 INTERFACE IMPORTED)
+target_include_directories(Asperity::HDF5 SYSTEM INTERFACE ${HDF5_C_INCLUDE_DIRS})
+target_link_libraries(Asperity::HDF5 INTERFACE ${HDF5_C_LIBRARIES} MPI::MPI_C)
+
+find_path(METIS_INCLUDE_DIR metis.h REQUIRED)
+find_library(METIS_LIBRARY metis REQUIRED)
+add_library(Asperity::METIS INTERFACE IMPORTED)
+target_include_directories(Asperity::METIS SYSTEM INTERFACE ${METIS_INCLUDE_DIR})
+target_link_libraries(Asperity::METIS INTERFACE ${METIS_LIBRARY})
+
+find_package(muparser REQUIRED)
+find_package(Eigen3 3.3 REQUIRED NO_MODULE)
+
+if(ASPERITY_ENABLE_TESTS)
+  find_package(GTest REQUIRED)
+endif()
+
+# Only asperity-mesh links Gmsh, whose licence (GPL) would otherwise be ours.
+if(ASPERITY_ENABLE_MESH_TOOL)
+  find_path(GMSH_INCLUDE_DIR gmsh.h)
+  find_library(GMSH_LIBRARY gmsh)
+  if(GMSH_INCLUDE_DIR AND GMSH_LIBRARY)
+    add_library(Asperity::Gmsh INTERFACE IMPORTED)
+    target_include_directories(Asperity::Gmsh SYSTEM INTERFACE ${GMSH_INCLUDE_DIR})
+    target_link_libraries(Asperity::Gmsh INTERFACE ${GMSH_LIBRARY})
+  else()
+    message(STATUS "The Gmsh library was not found; asperity-mesh is left out. "
+      "On Debian: apt-get install libgmsh-dev")
+  endif()
+endif()

@@ -1,0 +1,11 @@
+option(ASPERITY_ENABLE_TESTS "Build the tests" ON)
+option(ASPERITY_ENABLE_MESH_TOOL "Build asperity-mesh, which links the Gmsh library (GPL)" ON)
+option(ASPERITY_WARNINGS_AS_ERRORS "Treat compiler warnings as errors" OFF)
+
+set(CMAKE_POSITION_INDEPENDENT_CODE ON)
+set(CMAKE_EXPORT_COMPILE_COMMANDS ON)
+
+find_program(ASPERITY_CCACHE ccache)
+if(ASPERITY_CCACHE AND NOT CMAKE_CXX_COMPILER_LAUNCHER)
+  set(CMAKE_CXX_COMPILER_LAUNCHER "${ASPERITY_CCACHE}")
+endif()

@@ -1,0 +1,106 @@
+# tests/support/TestMain.cpp starts MPI and Kokkos around every GoogleTest program.
+add_library(asperity_test_main OBJECT "${PROJECT_SOURCE_DIR}/tests/support/TestMain.cpp")
+asperity_compile_options(asperity_test_main)
+target_compile_features(asperity_test_main PUBLIC cxx_std_17)
+target_link_libraries(asperity_test_main PUBLIC Asperity::Kokkos GTest::gtest MPI::MPI_CXX)
+
+# Open MPI refuses root, as which containers run, and spins while it waits, which starves ranks that
+# share a core. Other MPIs are started plainly.
+set(ASPERITY_TEST_ENVIRONMENT OMPI_ALLOW_RUN_AS_ROOT=1 OMPI_ALLOW_RUN_AS_ROOT_CONFIRM=1)
+set(ASPERITY_MPI_OPTIONS "")
+execute_process(COMMAND "${MPIEXEC_EXECUTABLE}" --version
+  OUTPUT_VARIABLE mpiexec_version ERROR_QUIET)
+if(mpiexec_version MATCHES "Open MPI|OpenRTE")
+  set(ASPERITY_MPI_OPTIONS --oversubscribe --bind-to none --mca mpi_yield_when_idle 1)
+endif()
+
+# asperity_add_test(<level>.<package>.<Name> SOURCES <file>... PACKAGES <package>...
+#                   [LIBRARIES <target>...] [RANKS <n>...] [LABELS <label>...] [TIMEOUT <seconds>])
+#
+# A GoogleTest program, run once for each number of ranks as <level>.<package>.<Name>_MPI_<n>.
+# Labels: the level, and short (the default), medium or long.
+function(asperity_add_test name)
+  cmake_parse_arguments(TEST "" "TIMEOUT" "SOURCES;PACKAGES;LIBRARIES;RANKS;LABELS" ${ARGN})
+  if(NOT TEST_SOURCES)
+    message(FATAL_ERROR "asperity_add_test(${name}): SOURCES is empty")
+  endif()
+  if(TEST_UNPARSED_ARGUMENTS)
+    message(FATAL_ERROR "asperity_add_test(${name}): unknown arguments ${TEST_UNPARSED_ARGUMENTS}")
+  endif()
+  string(REGEX MATCH "^[a-z]+" level "${name}")
+  if(NOT TEST_RANKS)
+    set(TEST_RANKS 1)
+  endif()
+  if(NOT TEST_LABELS)
+    set(TEST_LABELS short)
+  endif()
+  if(NOT TEST_TIMEOUT)
+    set(TEST_TIMEOUT 120)
+  endif()
+  list(TRANSFORM TEST_PACKAGES PREPEND asperity_ OUTPUT_VARIABLE packages)
+  add_executable(${name} ${TEST_SOURCES})
+  asperity_compile_options(${name})
+  target_include_directories(${name} PRIVATE "${PROJECT_SOURCE_DIR}/tests")
+  target_link_libraries(${name} PRIVATE asperity_test_main ${packages} ${TEST_LIBRARIES})
+  foreach(ranks IN LISTS TEST_RANKS)
+    asperity_add_mpi_command(${name}_MPI_${ranks} RANKS ${ranks} COMMAND $<TARGET_FILE:${name}>)
+    set_tests_properties(${name}_MPI_${ranks} PROPERTIES
+      LABELS "${level};${TEST_LABELS}" TIMEOUT ${TEST_TIMEOUT} PROCESSORS ${ranks})
+  endforeach()
+endfunction()
+
+# asperity_add_mpi_command(<name> RANKS <n> COMMAND <command>...): a test that runs COMMAND, under
+# mpirun for more than one rank. Labels and time limit are set by the caller.
+function(asperity_add_mpi_command name)
+  cmake_parse_arguments(RUN "" "RANKS" "COMMAND" ${ARGN})
+  if(RUN_RANKS GREATER 1)
+    add_test(NAME ${name} COMMAND ${MPIEXEC_EXECUTABLE} ${ASPERITY_MPI_OPTIONS}
+      ${MPIEXEC_NUMPROC_FLAG} ${RUN_RANKS} ${RUN_COMMAND})
+  else()
+    add_test(NAME ${name} COMMAND ${RUN_COMMAND})
+  endif()
+  set_tests_properties(${name} PROPERTIES ENVIRONMENT "${ASPERITY_TEST_ENVIRONMENT}")
+endfunction()
+
+# asperity_add_python_test(<level>.<name> SCRIPT <file> [ARGUMENTS <argument>...]
+#                          [ENVIRONMENT <name=value>...] [LABELS <label>...]
+#                          [TIMEOUT <seconds>] [PROCESSORS <n>])
+#
+# Runs a Python script in a folder of its own, where the files of its last run may lie. It finds in
+# its environment ASPERITY_SOURCE_DIR, ASPERITY_BUILD_DIR (programs in drivers/), ASPERITY_MPIEXEC
+# (the command before the number of ranks) and tests/support on PYTHONPATH.
+function(asperity_add_python_test name)
+  cmake_parse_arguments(TEST "" "SCRIPT;TIMEOUT;PROCESSORS" "ARGUMENTS;ENVIRONMENT;LABELS" ${ARGN})
+  if(NOT TEST_SCRIPT OR TEST_UNPARSED_ARGUMENTS)
+    message(FATAL_ERROR "asperity_add_python_test(${name}): SCRIPT '${TEST_SCRIPT}' is missing, or "
+      "unknown arguments '${TEST_UNPARSED_ARGUMENTS}'")
+  endif()
+  if(NOT ASPERITY_PYTHON)
+    message(FATAL_ERROR "Tests need Python 3: set ASPERITY_PYTHON, or ASPERITY_ENABLE_TESTS=OFF")
+  endif()
+  get_filename_component(script "${TEST_SCRIPT}" ABSOLUTE)
+  if(NOT EXISTS "${script}")
+    message(FATAL_ERROR "asperity_add_python_test(${name}): there is no ${script}")
+  endif()
+  string(REGEX MATCH "^[a-z]+" level "${name}")
+  if(NOT TEST_LABELS)
+    set(TEST_LABELS short)
+  endif()
+  if(NOT TEST_TIMEOUT)
+    set(TEST_TIMEOUT 120)
+  endif()
+  if(NOT TEST_PROCESSORS)
+    set(TEST_PROCESSORS 1)
+  endif()
+  set(folder "${CMAKE_CURRENT_BINARY_DIR}/${name}")
+  file(MAKE_DIRECTORY "${folder}")
+  add_test(NAME ${name} COMMAND "${ASPERITY_PYTHON}" "${script}" ${TEST_ARGUMENTS}
+    WORKING_DIRECTORY "${folder}")
+  set(mpiexec "${MPIEXEC_EXECUTABLE} ${ASPERITY_MPI_OPTIONS} ${MPIEXEC_NUMPROC_FLAG}")
+  string(REPLACE ";" " " mpiexec "${mpiexec}")
+  set_tests_properties(${name} PROPERTIES
+    LABELS "${level};${TEST_LABELS}" TIMEOUT ${TEST_TIMEOUT} PROCESSORS ${TEST_PROCESSORS}
+    ENVIRONMENT "${ASPERITY_TEST_ENVIRONMENT};ASPERITY_SOURCE_DIR=${PROJECT_SOURCE_DIR};\
+ASPERITY_BUILD_DIR=${PROJECT_BINARY_DIR};ASPERITY_MPIEXEC=${mpiexec};PYTHONDONTWRITEBYTECODE=1;\
+PYTHONPATH=${PROJECT_SOURCE_DIR}/tests/support;${TEST_ENVIRONMENT}")
+endfunction()

@@ -1,0 +1,150 @@
+#!/usr/bin/env bash
+# From a bare Debian 12 to earthquakes: installs what is missing, configures, builds, and then
+#
+#   bash cmake/quickstart.sh run     simulates xml/wedge_2d.xml and draws the figures
+#   bash cmake/quickstart.sh test    runs the default suite of tests
+#
+# Options
+#   --build DIR     where to build                    (default: build, beside README.md)
+#   --output DIR    where `run` puts its results      (default: results/wedge_2d)
+#   --jobs N        compilers that run side by side   (default: by cores and memory)
+#   --no-install    install nothing; CMake says what it does not find
+#
+# A Trilinos of your own is taken from Trilinos_ROOT or CMAKE_PREFIX_PATH instead of Debian's.
+set -euo pipefail
+
+top=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
+build=$top/build
+output=$top/results/wedge_2d
+jobs=
+install=yes # read by quickstart_packages.sh
+mode=
+
+usage()
+{
+  sed -n '2,13s/^# \{0,1\}//p' "${BASH_SOURCE[0]}"
+}
+
+fail()
+{
+  printf '\nquickstart: %s\n' "$*" >&2
+  exit 1
+}
+
+absolute()
+{
+  case "$1" in
+    /*) printf '%s\n' "$1" ;;
+    *) printf '%s/%s\n' "$PWD" "$1" ;;
+  esac
+}
+
+parse_arguments()
+{
+  while [ $# -gt 0 ]; do
+    case "$1" in
+      run | test) mode=$1 ;;
+      --build | --output | --jobs)
+        [ $# -ge 2 ] || fail "$1 needs a value. See --help."
+        case "$1" in
+          --build) build=$(absolute "$2") ;;
+          --output) output=$(absolute "$2") ;;
+          --jobs) jobs=$2 ;;
+        esac
+        shift ;;
+      --no-install) install=no ;;
+      -h | --help) usage; exit 0 ;;
+      *) fail "unknown argument '$1'. See --help." ;;
+    esac
+    shift
+  done
+  [ -n "$mode" ] || { usage >&2; exit 1; }
+  [ -z "$jobs" ] || [[ $jobs =~ ^[1-9][0-9]*$ ]] || fail "--jobs $jobs is not a positive number."
+}
+
+phase_count=0
+phase_start=0
+phase()
+{
+  phase_count=$((phase_count + 1))
+  phase_start=$SECONDS
+  printf '\n[%d/4] %s\n' "$phase_count" "$*"
+}
+
+phase_done()
+{
+  printf '      %d s\n' "$((SECONDS - phase_start))"
+}
+
+# A file that includes MueLu takes about 1 GB to compile.
+default_jobs()
+{
+  local cores kilobytes limit
+  cores=$(nproc)
+  kilobytes=$(sed -n 's/^MemAvailable: *\([0-9]*\) kB/\1/p' /proc/meminfo)
+  if read -r limit 2> /dev/null < /sys/fs/cgroup/memory.max && [[ $limit =~ ^[0-9]+$ ]]; then
+    limit=$((limit / 1024))
+    kilobytes=$((limit < kilobytes ? limit : kilobytes))
+  fi
+  local fitting=$((kilobytes / 1500000))
+  fitting=$((fitting < 1 ? 1 : fitting))
+  printf '%d\n' "$((fitting < cores ? fitting : cores))"
+}
+
+configure()
+{
+  phase "Configure ($build)"
+  command -v cmake > /dev/null || fail 'there is no cmake on PATH.'
+  local -a generator=()
+  if [ ! -f "$build/CMakeCache.txt" ]; then
+    generator=(-DCMAKE_BUILD_TYPE=Release)
+    ! command -v ninja > /dev/null || generator+=(-G Ninja)
+  fi
+  cmake -S "$top" -B "$build" "${generator[@]}" -DASPERITY_ENABLE_TESTS=ON
+  phase_done
+}
+
+compile()
+{
+  jobs=${jobs:-$(default_jobs)}
+  phase "Build ($jobs at a time)"
+  cmake --build "$build" --parallel "$jobs" "$@"
+  phase_done
+}
+
+simulate()
+{
+  phase "Simulate $output"
+  "$build/drivers/asperity" "$top/xml/wedge_2d.xml" --output "$output" --overwrite
+  phase_done
+  printf '\nFigures\n'
+  "$build/drivers/asperity-plot" "$output"
+  printf '\nDone in %d s. The results are in %s\n' "$SECONDS" "$output"
+}
+
+# Nothing is printed after ctest's own summary.
+run_tests()
+{
+  phase "Test (after $SECONDS s)"
+  ctest --test-dir "$build" --label-exclude '^(benchmark|performance)$' \
+    --parallel "$(nproc)" --output-on-failure
+}
+
+# shellcheck source=cmake/quickstart_packages.sh
+. "$top/cmake/quickstart_packages.sh"
+parse_arguments "$@"
+
+# In a container one is root, and may not read another process's memory.
+export OMPI_ALLOW_RUN_AS_ROOT=1 OMPI_ALLOW_RUN_AS_ROOT_CONFIRM=1
+export OMPI_MCA_btl_vader_single_copy_mechanism=none
+
+packages
+configure
+case "$mode" in
+  run)
+    compile --target asperity
+    simulate ;;
+  test)
+    compile
+    run_tests ;;
+esac

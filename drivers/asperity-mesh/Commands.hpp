@@ -1,0 +1,17 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+// The commands of asperity-mesh; `words` is what follows their names. InputError if anything in
+// them or in the files they name is wrong.
+
+// IN.msh OUT.h5 [--overwrite]
+void convert(std::vector<std::string> const& words);
+
+// OUT.h5 [--overwrite] [--<parameter> VALUE]...
+void makeWedge(std::vector<std::string> const& words);
+std::string wedgeOptions(); // the parameters for --help, a line each
+
+// FILE.h5
+void printInfo(std::vector<std::string> const& words);

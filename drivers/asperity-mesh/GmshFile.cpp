@@ -1,0 +1,288 @@
+#include "GmshFile.hpp"
+
+#include "base/Errors.hpp"
+#include "mesh/SimplexGeometry.hpp"
+
+#include <gmsh.h>
+
+#include <fstream>
+#include <numeric>
+#include <set>
+#include <unordered_map>
+
+using asperity::GlobalMesh;
+using asperity::InputError;
+using asperity::Point;
+namespace model = gmsh::model;
+
+namespace
+{
+using Tag = std::size_t;
+
+// In the words of Gmsh's own interface.
+char const* entityName(int dimension)
+{
+  constexpr char const* names[] = {"Point", "Curve", "Surface", "Volume"};
+  return names[dimension];
+}
+
+// Gmsh takes any other text for a script and would run it.
+void requireMeshFormat(std::string const& file_name, std::string const& where)
+{
+  std::ifstream file(file_name);
+  ASPERITY_REQUIRE(file.is_open(), where << " cannot be opened. Is it there, and may you read it?");
+  std::string line;
+  std::getline(file, line);
+  ASPERITY_REQUIRE(line.rfind("$MeshFormat", 0) == 0,
+                   where << " is no mesh of Gmsh's: it does not begin with $MeshFormat.");
+}
+
+void openWithGmsh(std::string const& file_name, std::string const& where)
+{
+  const auto fail = [&](std::string const& reason) {
+    throw InputError(where + " cannot be read by Gmsh: " + reason + ".");
+  };
+  // Gmsh before 4.9 throws strings.
+  try {
+    gmsh::open(file_name);
+  } catch (std::string const& reason) {
+    fail(reason);
+  } catch (std::exception const& error) {
+    fail(error.what());
+  }
+}
+
+struct Group
+{
+  std::string name;
+  std::vector<int> entities;
+};
+
+std::vector<Group> physicalGroups(int dimension, std::string const& where)
+{
+  gmsh::vectorpair tags;
+  model::getPhysicalGroups(tags, dimension);
+  std::vector<Group> groups;
+  for (auto const& [dim, tag] : tags) {
+    Group group;
+    model::getPhysicalName(dim, tag, group.name);
+    model::getEntitiesForPhysicalGroup(dim, tag, group.entities);
+    ASPERITY_REQUIRE(!group.name.empty(), where << ": physical " << entityName(dim) << " " << tag
+                                                << " has no name. In Gmsh's script: Physical "
+                                                << entityName(dim) << "(\"name\", " << tag
+                                                << ") = {...};");
+    groups.push_back(group);
+  }
+  ASPERITY_REQUIRE(!groups.empty(), where << " has no physical " << entityName(dimension)
+                                          << ". Regions and boundaries get their names from them: "
+                                          << "Physical " << entityName(dimension)
+                                          << "(\"name\") = {...};");
+  return groups;
+}
+
+// Vertices of the simplices of an entity, (num_simplices) x (dimension + 1).
+std::vector<Tag> simplices(int dimension, int entity, std::string const& where)
+{
+  const int wanted = std::array<int, 4>{15, 1, 2, 4}[dimension]; // Gmsh's linear simplices
+  std::vector<int> types;
+  std::vector<std::vector<Tag>> tags, vertices;
+  model::mesh::getElements(types, tags, vertices, dimension, entity);
+  std::vector<Tag> all;
+  for (std::size_t i = 0; i < types.size(); ++i) {
+    if (types[i] != wanted) {
+      std::string name;
+      int dim = 0, order = 0, num_nodes = 0, num_primary = 0;
+      std::vector<double> coordinates;
+      model::mesh::getElementProperties(types[i], name, dim, order, num_nodes, coordinates,
+                                        num_primary);
+      throw InputError(where + " has cells of type '" + name + "', the first with tag " +
+                       std::to_string(tags[i].front()) +
+                       ". Only triangles and tetrahedra of first order are understood.");
+    }
+    all.insert(all.end(), vertices[i].begin(), vertices[i].end());
+  }
+  return all;
+}
+
+template <int Dim>
+class Import
+{
+public:
+  explicit Import(std::string const& where) : where_(where) {}
+
+  GlobalMesh<Dim> run()
+  {
+    readCells();
+    readVertices();
+    readBoundaries();
+    asperity::mesh::orientCells(mesh_);
+    asperity::mesh::orientFacets(mesh_);
+    asperity::mesh::checkMesh(mesh_, where_);
+    return mesh_;
+  }
+
+private:
+  void readCells()
+  {
+    std::map<int, std::string> region_of_entity;
+    for (auto const& group : physicalGroups(Dim, where_)) {
+      const int region = regionNumber(group.name);
+      for (int entity : group.entities) {
+        const auto [known, is_new] = region_of_entity.emplace(entity, group.name);
+        ASPERITY_REQUIRE(is_new || known->second == group.name,
+                         where_ << ": " << entityName(Dim) << " " << entity
+                                << " is in two regions, '" << known->second << "' and '"
+                                << group.name << "'.");
+        if (is_new) {
+          addCells(simplices(Dim, entity, where_), region);
+        }
+      }
+    }
+    requireNamed(region_of_entity);
+  }
+
+  void requireNamed(std::map<int, std::string> const& region_of_entity) const
+  {
+    gmsh::vectorpair entities;
+    model::getEntities(entities, Dim);
+    for (auto const& [dim, entity] : entities) {
+      ASPERITY_REQUIRE(region_of_entity.count(entity) > 0 || simplices(dim, entity, where_).empty(),
+                       where_ << ": " << entityName(dim) << " " << entity
+                              << " has cells but is in no physical " << entityName(dim) << '.');
+    }
+  }
+
+  int regionNumber(std::string const& name)
+  {
+    auto& names = mesh_.region_names;
+    const auto found = std::find(names.begin(), names.end(), name);
+    const auto number = static_cast<int>(found - names.begin());
+    if (found == names.end()) {
+      names.push_back(name);
+    }
+    return number;
+  }
+
+  void addCells(std::vector<Tag> const& vertices, int region)
+  {
+    cell_vertices_.insert(cell_vertices_.end(), vertices.begin(), vertices.end());
+    mesh_.cell_regions.insert(mesh_.cell_regions.end(), vertices.size() / (Dim + 1), region);
+  }
+
+  // Those of cells alone: Gmsh's files also hold the points that lines and arcs were made from.
+  void readVertices()
+  {
+    const std::set<Tag> used(cell_vertices_.begin(), cell_vertices_.end());
+    std::unordered_map<Tag, std::array<double, 3>> coordinates;
+    std::vector<Tag> tags;
+    std::vector<double> xyz, parameters;
+    model::mesh::getNodes(tags, xyz, parameters, -1, -1, false, false);
+    for (std::size_t i = 0; i < tags.size(); ++i) {
+      coordinates[tags[i]] = {xyz[3 * i], xyz[3 * i + 1], xyz[3 * i + 2]};
+    }
+    for (Tag tag : used) {
+      const auto found = coordinates.find(tag);
+      ASPERITY_REQUIRE(found != coordinates.end(),
+                       where_ << ": a cell has node " << tag << ", which has no coordinates.");
+      number_[tag] = static_cast<int>(mesh_.vertices.size());
+      addVertex(found->second);
+    }
+    for (std::size_t i = 0; i < cell_vertices_.size(); i += Dim + 1) {
+      mesh_.cells.push_back(simplex<Dim + 1>(&cell_vertices_[i]));
+    }
+    if (Dim == 2) {
+      requirePlane(used, coordinates);
+    }
+  }
+
+  void addVertex(std::array<double, 3> const& xyz)
+  {
+    Point<Dim> vertex;
+    std::copy_n(xyz.begin(), Dim, vertex.begin());
+    mesh_.vertices.push_back(vertex);
+  }
+
+  void requirePlane(std::set<Tag> const& used,
+                    std::unordered_map<Tag, std::array<double, 3>> const& coordinates) const
+  {
+    double size = 0.0;
+    for (auto const& vertex : mesh_.vertices) {
+      size = std::max(size, asperity::mesh::distance<Dim>(vertex, mesh_.vertices.front()));
+    }
+    for (Tag tag : used) {
+      const double z = coordinates.at(tag)[2];
+      ASPERITY_REQUIRE(std::abs(z) <= 1e-9 * size,
+                       where_ << ": node " << tag << " has z = " << z
+                              << ". A two-dimensional mesh lies in the plane z = 0.");
+    }
+  }
+
+  template <std::size_t N>
+  std::array<int, N> simplex(Tag const* tags) const
+  {
+    std::array<int, N> vertices;
+    std::transform(tags, tags + N, vertices.begin(), [&](Tag tag) { return number_.at(tag); });
+    return vertices;
+  }
+
+  void readBoundaries()
+  {
+    for (auto const& group : physicalGroups(Dim - 1, where_)) {
+      auto& facets = mesh_.boundaries[group.name];
+      for (int entity : group.entities) {
+        const auto vertices = simplices(Dim - 1, entity, where_);
+        requireInCells(vertices, group.name);
+        for (std::size_t i = 0; i < vertices.size(); i += Dim) {
+          facets.push_back(simplex<Dim>(&vertices[i]));
+        }
+      }
+    }
+  }
+
+  void requireInCells(std::vector<Tag> const& vertices, std::string const& boundary) const
+  {
+    for (Tag tag : vertices) {
+      ASPERITY_REQUIRE(number_.count(tag) > 0, where_ << ": boundary '" << boundary << "' has node "
+                                                      << tag << ", which belongs to no cell.");
+    }
+  }
+
+  std::string const& where_;
+  GlobalMesh<Dim> mesh_;
+  std::vector<Tag> cell_vertices_;      // (num_cells) x (Dim + 1), Gmsh's tags
+  std::unordered_map<Tag, int> number_; // of the vertex with this tag
+};
+} // namespace
+
+GmshFile::GmshFile(std::string const& file_name) : where_("Mesh file '" + file_name + "'")
+{
+  requireMeshFormat(file_name, where_);
+  constexpr bool read_configuration = false;
+  gmsh::initialize(0, nullptr, read_configuration);
+  gmsh::option::setNumber("General.Terminal", 0);
+  try {
+    openWithGmsh(file_name, where_);
+  } catch (...) {
+    gmsh::finalize();
+    throw;
+  }
+}
+
+GmshFile::~GmshFile() { gmsh::finalize(); }
+
+int GmshFile::dimension() const
+{
+  std::vector<int> types;
+  std::vector<std::vector<Tag>> tags, vertices;
+  model::mesh::getElements(types, tags, vertices, 3);
+  return types.empty() ? 2 : 3;
+}
+
+template <int Dim>
+GlobalMesh<Dim> GmshFile::mesh() const
+{
+  return Import<Dim>(where_).run();
+}
+
+template GlobalMesh<2> GmshFile::mesh() const;
+template GlobalMesh<3> GmshFile::mesh() const;

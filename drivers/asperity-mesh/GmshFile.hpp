@@ -1,0 +1,30 @@
+#pragma once
+
+#include "mesh/GlobalMesh.hpp"
+
+#include <string>
+
+// A mesh of Gmsh's, in any of its .msh formats. There can be one at a time, since Gmsh's library
+// keeps its data to itself.
+class GmshFile
+{
+public:
+  // InputError if there is no such file, or Gmsh cannot read it.
+  explicit GmshFile(std::string const& file_name);
+  ~GmshFile();
+  GmshFile(GmshFile const&) = delete;
+  GmshFile& operator=(GmshFile const&) = delete;
+
+  // 3 if there are cells with a volume, or else 2.
+  int dimension() const;
+
+  // Physical groups of cells become regions, those of facets boundaries, by their names; vertices
+  // keep the order of Gmsh's tags, cells and facets are oriented. InputError unless the mesh
+  // consists of linear simplices, each in one named group, in the plane z = 0 if it is
+  // two-dimensional.
+  template <int Dim>
+  asperity::GlobalMesh<Dim> mesh() const;
+
+private:
+  std::string where_;
+};

@@ -1,0 +1,1 @@
+"""Figures from what a run of Asperity leaves on disk."""

@@ -1,0 +1,84 @@
+"""What the maps over position and time share: the two panels, their axes and titles."""
+
+from typing import List, Tuple
+
+import numpy as np
+from matplotlib.axes import Axes
+from matplotlib.figure import Figure
+
+from . import raster, style, units
+from .history import History
+from .run import Run
+from .windows import View
+
+COLUMNS = 1400   # of the picture of several cycles, about one for a pixel
+POSITIONS = 500  # its rows
+
+
+def panels(view: View) -> Tuple[Figure, List[Axes]]:
+    """One panel for the cycles and, if the view has one, a second for the rupture."""
+    count = 1 if view.zoom is None else 2
+    widths = [1.0] if count == 1 else [1.25, 1.0]
+    figure, axes = style.panels(1, count, (11.0, 4.6), sharey=True,
+                                gridspec_kw={"width_ratios": widths})
+    for panel in axes[0]:
+        for spine in panel.spines.values():
+            spine.set_visible(True)
+    return figure, list(axes[0])
+
+
+def colours(axes: Axes, times: np.ndarray, history: History, values: np.ndarray, unit: units.Unit,
+            **options):
+    """Colours for `values` (times, nodes) between the limits `times` of their cells."""
+    limits = raster.edges((history.position[0], history.position[-1]), POSITIONS)
+    picture = raster.along(history.position, values, raster.centres(limits))
+    return axes.pcolormesh(times, unit(limits), picture.T, rasterized=True, **options)
+
+
+def time_axes(axes: List[Axes], view: View) -> None:
+    """Titles and labels of the time axes; the zoom counts from the event's onset."""
+    label_cycles(axes[0], view)
+    if view.zoom is not None:
+        unit = zoom_unit(view)
+        axes[1].set_xlim(unit(np.array(view.zoom) - view.onset))
+        axes[1].set_xlabel(f"Time since the onset of event {view.number} [{unit.name}]")
+        axes[1].set_title(zoom_title(view))
+
+
+def label_cycles(axes: Axes, view: View) -> None:
+    unit = cycles_unit(view)
+    axes.set_xlim(unit(view.cycles))
+    axes.set_xlabel(f"Time [{unit.name}]")
+    axes.set_title(cycles_title(view))
+    if view.zoom is not None:
+        # A small mark on the time axis says where the zoom is.
+        axes.plot(unit(view.onset), 1.0, marker="v", color=style.DARK, markersize=5,
+                  transform=axes.get_xaxis_transform(), clip_on=False, zorder=5)
+
+
+def cycles_title(view: View) -> str:
+    length = units.text(view.cycles[1] - view.cycles[0], "s")
+    events = style.counted(view.num_events, "event")
+    return f"The whole run: {events} in {length}" if view.whole_run else f"{events} in {length}"
+
+
+def zoom_title(view: View) -> str:
+    start = units.text(view.onset, "s", 5)
+    return f"Zoom into event {view.number} at {start} (▾), lasting " \
+           f"{units.text(view.end - view.onset, 's')}"
+
+
+def cycles_unit(view: View) -> units.Unit:
+    return units.duration(view.cycles[1])
+
+
+def zoom_unit(view: View) -> units.Unit:
+    return units.duration(max(abs(view.zoom[0] - view.onset), view.zoom[1] - view.onset))
+
+
+def position_axis(axes: List[Axes], history: History, run: Run, place: str) -> units.Unit:
+    """Labels the shared axis of positions and returns its unit."""
+    unit = units.length(history.position)
+    axes[0].set_ylabel(style.position_label(run, place, unit))
+    axes[0].set_ylim(unit(history.position[0]), unit(history.position[-1]))
+    return unit

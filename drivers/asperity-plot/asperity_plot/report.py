@@ -1,0 +1,88 @@
+"""Draws the figures of a run one by one and says on the terminal what came of it."""
+
+import sys
+from argparse import Namespace
+from pathlib import Path
+from typing import List, Optional
+
+from . import boxes, energy, iterations, slip, slip_rate, style, surface, windows
+from .errors import InputError, NothingToShow
+from .run import Run
+
+FIGURES = {  # name: (module with draw(run, view), the file it needs)
+    "slip_rate": (slip_rate, "fault.h5"),
+    "surface": (surface, "surface.h5"),
+    "events": (boxes, "events.csv"),
+    "iterations": (iterations, "steps.csv"),
+    "slip": (slip, "fault.h5"),
+    "energy": (energy, "steps.csv"),
+}
+
+
+def report(options: Namespace) -> int:
+    """Exit status: 0, or 2 if the input is at fault; what is not affected is drawn all the same."""
+    try:
+        run = Run(options.directory)
+        view = windows.choose(run, options.window)
+        folder = _make_folder(options.output or options.directory / "figures")
+    except InputError as error:
+        return _status([str(error)])
+    style.use()
+    errors: List[str] = []
+    for name in options.figures or FIGURES:
+        try:
+            path = _draw(name, run, view, folder, options)
+            if path is not None:
+                print(path)
+        except NothingToShow as reason:
+            print(f"No figure '{name}': {reason}.")
+        except InputError as error:
+            errors.append(str(error))
+    _print_summary(run)
+    return _status(errors)
+
+
+def _draw(name: str, run: Run, view: windows.View, folder: Path,
+          options: Namespace) -> Optional[Path]:
+    module, file = FIGURES[name]
+    if options.figures is None and not run.has(file):
+        raise NothingToShow(f"the run has no {file}")
+    path = folder / f"{name}.png"
+    try:
+        return style.save(module.draw(run, view), path, options.dpi)
+    except OSError as error:
+        raise InputError(f"{path} cannot be written ({error}). Choose another place with "
+                         "--output.") from error
+
+
+def _make_folder(folder: Path) -> Path:
+    try:
+        folder.mkdir(parents=True, exist_ok=True)
+    except OSError as error:
+        raise InputError(f"{folder} cannot be made ({error}). Choose another place with "
+                         "--output.") from error
+    return folder
+
+
+def _print_summary(run: Run) -> None:
+    """The table of the run's events, if it has a sound one."""
+    try:
+        if not run.has("events.csv"):
+            return
+        rows = boxes.summary(run)
+        count = style.counted(len(run.events), "event")
+    except InputError:
+        return
+    unfinished = len(run.events) - len(run.complete_events)
+    remark = ", the last of them cut off by the end of the run" if unfinished else ""
+    print(f"\n{count[0].upper()}{count[1:]}{remark}.")
+    if rows:
+        print(f"{'':<17}{'number':>7}{'quartile':>12}{'median':>12}{'quartile':>12}")
+    for name, count, low, median, high in rows:
+        print(f"{name:<17}{count:>7}{low:>12}{median:>12}{high:>12}")
+
+
+def _status(errors: List[str]) -> int:
+    for message in dict.fromkeys(errors):
+        print(f"asperity-plot: {message}", file=sys.stderr)
+    return 2 if errors else 0

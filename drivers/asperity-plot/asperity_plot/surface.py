@@ -1,0 +1,50 @@
+"""Vertical displacement of the free surface relative to its average over the time shown."""
+
+import numpy as np
+from matplotlib.colors import Normalize
+
+from . import maps, raster, style, units
+from .errors import NothingToShow
+from .run import Run
+from .windows import View
+
+FIELD = "displacement"
+
+
+def draw(run: Run, view: View):
+    """The figure; NothingToShow if the history has a single row."""
+    surface = run.surface
+    if surface.time.size < 2:
+        raise NothingToShow("surface.h5 has a single time")
+    components = surface.components(FIELD)
+    upwards = run.upwards(components) if components > 1 else None
+    limits = raster.edges(view.cycles, maps.COLUMNS)
+    # The columns are even in time, so their plain mean is the average over time.
+    cycles = raster.interpolated(surface, FIELD, raster.centres(limits), upwards)
+    average = cycles.mean(axis=0)
+    cycles -= average
+    unit = units.prefixed(cycles, "m")
+    norm = _norm(unit(cycles))
+    figure, axes = maps.panels(view)
+    length = maps.position_axis(axes, surface, run, "surface")
+    colours = {"norm": norm, "cmap": style.SURFACE_COLOURS}
+    mesh = maps.colours(axes[0], maps.cycles_unit(view)(limits), surface, unit(cycles), length,
+                        **colours)
+    if view.zoom is not None:
+        limits = raster.edges(view.zoom, maps.COLUMNS // 2)
+        zoom = raster.interpolated(surface, FIELD, raster.centres(limits), upwards)
+        times = maps.zoom_unit(view)(limits - view.onset)
+        maps.colours(axes[1], times, surface, unit(zoom - average), length, **colours)
+    maps.time_axes(axes, view)
+    bar = figure.colorbar(mesh, ax=axes, pad=0.02, aspect=28, extend="both")
+    what = "Uplift" if components > 1 else "Displacement"
+    bar.set_label(f"{what} relative to the time average [{unit.name}]")
+    style.title(figure, "Vertical displacement of the surface relative to its time average"
+                if components > 1 else "Displacement of the surface relative to its time average")
+    return figure
+
+
+def _norm(values: np.ndarray) -> Normalize:
+    """Symmetric colours; a few extreme points, as at the run's start, do not set the scale."""
+    size = float(np.percentile(np.abs(values), 99.5)) or 1.0
+    return Normalize(-size, size)

@@ -1,0 +1,51 @@
+// asperity DECK.xml [--set "Path/To/Parameter=value"]... [--output DIR] [--restart FILE] [--validate]
+#include "base/MpiSession.hpp"
+#include "scenario/DeckReader.hpp"
+#include "scenario/Simulation.hpp"
+
+#include <iostream>
+
+namespace
+{
+int runDeck(asperity::CommandLine const& command_line,
+            asperity::RCP<const asperity::Communicator> const& communicator)
+{
+  // 3. Read the deck and build what it describes.
+  auto const deck = asperity::scenario::readCompleteDeck(command_line);
+  asperity::scenario::Simulation simulation(deck, command_line, communicator);
+  if (command_line.validate) {
+    if (communicator->getRank() == 0) {
+      std::cout << command_line.deck << " is valid.\n";
+    }
+    return asperity::exit_done;
+  }
+  // 4. Run it; it reports by itself.
+  return simulation.run();
+}
+} // namespace
+
+int main(int argc, char** argv)
+{
+  // 1. Start MPI and Kokkos.
+  asperity::MpiSession parallel(argc, argv);
+  auto const communicator = parallel.communicator();
+  return asperity::runGuarded(*communicator, [&] {
+    // 2. What is asked for?
+    auto const command_line = asperity::parseCommandLine(argc, argv);
+    const bool speaks = communicator->getRank() == 0;
+    if (command_line.help) {
+      if (speaks) {
+        asperity::printHelp(std::cout);
+      }
+      return int(asperity::exit_done);
+    }
+    if (command_line.print_parameters) {
+      if (speaks) {
+        asperity::printParameters(*asperity::scenario::deckParameters("Regularised", "Ageing"), std::cout,
+                                  command_line.format);
+      }
+      return int(asperity::exit_done);
+    }
+    return runDeck(command_line, communicator);
+  });
+}

@@ -1,0 +1,43 @@
+#pragma once
+
+#include <sstream>
+#include <stdexcept>
+#include <string>
+
+namespace asperity
+{
+// The user's input is at fault; the message says what, where, the allowed range and what to try.
+class InputError : public std::runtime_error
+{
+public:
+  using std::runtime_error::runtime_error;
+};
+
+// A solve failed in a way that smaller steps did not cure.
+class SolveError : public std::runtime_error
+{
+public:
+  using std::runtime_error::runtime_error;
+};
+} // namespace asperity
+
+// ASPERITY_REQUIRE(dt > 0, "Time Stepping / Largest Step = " << dt << " is outside (0, inf).")
+#define ASPERITY_REQUIRE(condition, message)                                                       \
+  do {                                                                                             \
+    if (!(condition)) {                                                                            \
+      std::ostringstream asperity_message;                                                         \
+      asperity_message << message;                                                                 \
+      throw ::asperity::InputError(asperity_message.str());                                        \
+    }                                                                                              \
+  } while (false)
+
+// A mistake of ours, not of the user's.
+#define ASPERITY_ASSERT(condition)                                                                 \
+  do {                                                                                             \
+    if (!(condition)) {                                                                            \
+      std::ostringstream asperity_message;                                                         \
+      asperity_message << __FILE__ << ':' << __LINE__ << ": internal error, " #condition           \
+                       << " does not hold. Please report it with the deck.";                       \
+      throw std::logic_error(asperity_message.str());                                              \
+    }                                                                                              \
+  } while (false)

@@ -1,0 +1,53 @@
+#pragma once
+
+#include "base/Types.hpp"
+
+#include <functional>
+#include <string>
+
+namespace asperity
+{
+// MPI, Kokkos and Tpetra from construction to destruction, in the order that is safe:
+//
+//   int main(int argc, char** argv)
+//   {
+//     asperity::MpiSession session(argc, argv);
+//     return asperity::runGuarded(*session.communicator(), [&] { ...; return 0; });
+//   }
+//
+// Kokkos is given only arguments that start with --kokkos, which are removed from argv (--help
+// stays ours). What was started by somebody else is left running. Tpetra objects must die before
+// the session: keep them inside the guarded function.
+class MpiSession
+{
+public:
+  MpiSession(int& argc, char**& argv);
+  ~MpiSession();
+  MpiSession(MpiSession const&) = delete;
+  MpiSession& operator=(MpiSession const&) = delete;
+
+  RCP<const Communicator> const& communicator() const { return communicator_; }
+
+private:
+  bool owns_mpi_ = false;
+  RCP<const Communicator> communicator_;
+};
+
+// Exit statuses of the programs.
+enum ExitStatus
+{
+  exit_done = 0,
+  exit_other = 1,
+  exit_input = 2,
+  exit_solve = 3,
+  exit_signal = 4
+};
+
+// Runs `body` on every rank and returns the exit status of the program, the same on all ranks: the
+// largest that `body` returned, or after an exception 2 (InputError), 3 (SolveError) or 1 (others),
+// as the lowest rank that threw has it. Its message goes to stderr, once: "<program>: <message>".
+// If some rank has thrown and others have not come to their end `patience` seconds later, they may
+// be waiting for it: MPI_Abort with the same status. Collective.
+int runGuarded(Communicator const& communicator, std::function<int()> const& body,
+               std::string const& program = "asperity", double patience = 2.0);
+} // namespace asperity

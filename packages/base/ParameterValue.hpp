@@ -1,0 +1,50 @@
+#pragma once
+
+#include <Teuchos_ParameterEntry.hpp>
+#include <Teuchos_ParameterList.hpp>
+
+#include <optional>
+#include <string>
+#include <vector>
+
+// Looking into a ParameterEntry without marking it as used.
+namespace asperity
+{
+template <class T>
+bool holds(Teuchos::ParameterEntry const& entry)
+{
+  return entry.getAny(false).type() == typeid(T);
+}
+
+// The entry must hold a T.
+template <class T>
+T const& get(Teuchos::ParameterEntry const& entry)
+{
+  return Teuchos::any_cast<T>(entry.getAny(false));
+}
+
+// The value alone: documentation and validator stay.
+template <class T>
+void replaceValue(Teuchos::ParameterEntry& entry, T const& value)
+{
+  entry.getAny(false) = Teuchos::any(value);
+}
+
+// In their order.
+std::vector<std::string> namesIn(Teuchos::ParameterList const& list);
+
+// Of an entry with an int or a double.
+std::optional<double> numberIn(Teuchos::ParameterEntry const& entry);
+
+// As a deck would write it: 0.015, true, {1, 2}; plain text of strings; "a list" of lists.
+std::string plainText(Teuchos::ParameterEntry const& entry);
+
+// For messages: strings in quotes.
+std::string valueText(Teuchos::ParameterEntry const& entry);
+
+// "a real number", "an integer", "a text", ...
+std::string typeText(Teuchos::ParameterEntry const& entry);
+
+// The type's name in XML: "double", "Array(int)", ...; "" for lists and types Teuchos cannot write.
+std::string xmlType(Teuchos::ParameterEntry const& entry);
+} // namespace asperity

@@ -1,0 +1,30 @@
+#pragma once
+
+#include "base/Types.hpp"
+
+#include <csignal>
+
+namespace asperity
+{
+// While it lives, SIGTERM and SIGINT raise a flag instead of ending the process, so that a run can
+// leave a last checkpoint. A second SIGINT ends the process at once. One object at a time; the
+// handlers that were there before come back with its end.
+class StopSignals
+{
+public:
+  StopSignals();
+  ~StopSignals();
+  StopSignals(StopSignals const&) = delete;
+  StopSignals& operator=(StopSignals const&) = delete;
+
+  // The last signal this rank received, 0 if none.
+  int received() const;
+
+  // The largest signal number any rank received, the same on all ranks; 0 if none. Collective.
+  int agreed(Communicator const& communicator) const;
+
+private:
+  struct sigaction previous_terminate_;
+  struct sigaction previous_interrupt_;
+};
+} // namespace asperity

@@ -1,0 +1,35 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace asperity
+{
+// The shortest decimal that reads back as the same double: 0.1, 3e+10, inf, nan.
+std::string formatNumber(double value);
+
+// Six digits at most, for messages and tables: 0.333333
+std::string formatShort(double value);
+
+// "850 ns", "12.5 ms", "48.3 s", "3 min 20 s", "2 h 5 min", "3 d 4 h", "12.5 years", "1.2 million
+// years"; a year has 365.25 days.
+std::string formatDuration(double seconds);
+
+// Without blanks at both ends.
+std::string trimmed(std::string const& text);
+
+// The pieces between the separators, each trimmed; one empty piece for an empty text.
+std::vector<std::string> split(std::string const& text, char separator);
+
+// "'a', 'b', 'c'"; "none" if there are none.
+std::string quotedNames(std::vector<std::string> const& names);
+
+// "'a', 'b' or 'c'"
+std::string quotedAlternatives(std::vector<std::string> const& names);
+
+// The number the whole text says, if it says one: finite, no letters after it, an exponent if
+// wanted.
+std::optional<double> readNumber(std::string const& text);
+std::optional<int> readInteger(std::string const& text);
+} // namespace asperity

@@ -1,0 +1,31 @@
+#include "dynamics/Body.hpp"
+
+#include <Tpetra_CrsMatrix.hpp>
+#include <Tpetra_Vector.hpp>
+
+namespace asperity::dynamics
+{
+RCP<Vector> Body::vector() const
+{
+  return rcp(new Vector(dofs->owned()));
+}
+
+void Body::residual(Vector const& l, Vector const& u, Vector const& v, Vector const& a,
+                    Vector& result) const
+{
+  Tpetra::deep_copy(result, l);
+  matrices.mass->apply(a, result, Teuchos::NO_TRANS, -1, 1);
+  matrices.viscosity->apply(v, result, Teuchos::NO_TRANS, -1, 1);
+  matrices.stiffness->apply(u, result, Teuchos::NO_TRANS, -1, 1);
+}
+
+void Body::clearFixed(Vector& x) const
+{
+  auto values = x.getLocalViewHost(Tpetra::Access::ReadWrite);
+  for (int dof = 0; dof < numOwnedDofs(); ++dof) {
+    if (fixed[dof]) {
+      values(dof, 0) = 0;
+    }
+  }
+}
+} // namespace asperity::dynamics

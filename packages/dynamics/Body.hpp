@@ -1,0 +1,31 @@
+#pragma once
+
+#include "base/Types.hpp"
+#include "fem/BodyMatrices.hpp"
+
+#include <functional>
+#include <memory>
+#include <vector>
+
+namespace asperity::dynamics
+{
+// All that is linear: M u'' + C u' + K u = load(t) + friction and reaction forces (Pipping 2014, eq. 14), in nodal frames.
+struct Body
+{
+  std::shared_ptr<const fem::DofMap> dofs;
+  fem::BodyMatrices matrices;
+  std::vector<char> fixed;          // (num local dofs), where the velocity is prescribed
+  RCP<const MultiVector> near_null_space; // rigid body motions on the owned dofs, in nodal frames
+
+  // Both fill a vector of owned dofs for the time t [s].
+  std::function<void(double, Vector&)> load;
+  std::function<void(double, Vector&)> prescribed_velocity; // zero at free dofs
+
+  int numOwnedDofs() const { return dofs->numOwnedNodes() * dofs->components(); }
+  RCP<Vector> vector() const;
+  // l - M a - C v - K u
+  void residual(Vector const& l, Vector const& u, Vector const& v, Vector const& a,
+                Vector& result) const;
+  void clearFixed(Vector& x) const;
+};
+} // namespace asperity::dynamics

@@ -1,0 +1,45 @@
+#pragma once
+
+#include <cmath>
+#include <cstdint>
+
+namespace asperity::dynamics
+{
+// Time as a count of ticks, so that centuries and milliseconds add without loss: step sizes are
+// largest_step 2^-level, 0 <= level <= finest_level, and one tick is the finest of them.
+class DyadicTime
+{
+public:
+  using Ticks = std::int64_t;
+
+  // largest_step in s; finest_level <= 60.
+  DyadicTime(double largest_step, int finest_level)
+      : largest_step_(largest_step)
+      , finest_level_(finest_level)
+  {
+  }
+
+  int finestLevel() const { return finest_level_; }
+  Ticks ticks(int level) const { return Ticks(1) << (finest_level_ - level); }
+  double stepSize(int level) const { return std::ldexp(largest_step_, -level); }
+  double seconds(Ticks ticks) const
+  {
+    // The product of a whole number below 2^53 and a power of two times largest_step is rounded once.
+    return std::ldexp(static_cast<double>(ticks), -finest_level_) * largest_step_;
+  }
+  // The first count of ticks at or after a time.
+  Ticks reaching(double seconds) const
+  {
+    return static_cast<Ticks>(std::ceil(std::ldexp(seconds / largest_step_, finest_level_)));
+  }
+  // Whether a time fits into the count.
+  bool reaches(double seconds) const
+  {
+    return std::ldexp(seconds / largest_step_, finest_level_) < 9.0e18;
+  }
+
+private:
+  double largest_step_;
+  int finest_level_;
+};
+} // namespace asperity::dynamics

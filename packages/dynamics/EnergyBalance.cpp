@@ -1,0 +1,126 @@
+#include "dynamics/EnergyBalance.hpp"
+
+#include <Teuchos_CommHelpers.hpp>
+#include <Tpetra_CrsMatrix.hpp>
+
+namespace asperity::dynamics
+{
+EnergyBalance::EnergyBalance(Body const& body, Fault const& fault, DyadicTime const& clock)
+    : body_(body)
+    , fault_(fault)
+    , clock_(clock)
+    , before_(snapshot())
+    , after_(snapshot())
+    , du_(body.vector())
+    , work_(body.vector())
+    , mean_(body.vector())
+    , v_("asperity::dynamics::v", fault.numNodes(), fault.num_tangents)
+    , gradient_("asperity::dynamics::gradient", fault.numNodes(), fault.num_tangents)
+    , hessian_("asperity::dynamics::hessian", fault.numNodes(), fault.num_tangents, fault.num_tangents)
+    , kinked_("asperity::dynamics::kinked", fault.numNodes())
+{
+  for (int node = 0; node < fault.numNodes(); ++node) {
+    if (!fault.fixed[node]) {
+      fault_dofs_.insert(fault_dofs_.end(), fault.dofs[node].begin(), fault.dofs[node].end());
+    }
+  }
+  for (int dof = 0; dof < body.numOwnedDofs(); ++dof) {
+    if (body.fixed[dof]) {
+      fixed_dofs_.push_back(dof);
+    }
+  }
+}
+
+EnergyBalance::Snapshot EnergyBalance::snapshot() const
+{
+  return {body_.vector(), body_.vector(), body_.vector(), body_.vector()};
+}
+
+void EnergyBalance::fill(State const& state, Snapshot& result)
+{
+  Tpetra::deep_copy(*result.u, *state.u);
+  Tpetra::deep_copy(*result.v, *state.v);
+  body_.load(clock_.seconds(state.time), *result.load);
+
+  // work = l - M a - C v - K u: what friction and reactions hold; kept where they act.
+  Tpetra::deep_copy(*work_, *result.load);
+  body_.matrices.mass->apply(*state.a, *work_, Teuchos::NO_TRANS, -1, 1);
+  body_.matrices.viscosity->apply(*state.v, *work_, Teuchos::NO_TRANS, -1, 1);
+  body_.matrices.stiffness->apply(*state.u, *mean_);
+  work_->update(-1, *mean_, 1);
+  result.elastic = 0.5 * mean_->dot(*state.u);
+  body_.matrices.mass->apply(*state.v, *mean_);
+  result.kinetic = 0.5 * mean_->dot(*state.v);
+
+  fault_.gather(*state.v, v_);
+  fault_.friction->linearise(v_, state.alpha_of_rate, gradient_, hessian_, kinked_);
+  auto const gradient = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace(), gradient_);
+  auto const v = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace(), v_);
+  auto const residual = work_->getLocalViewHost(Tpetra::Access::ReadOnly);
+  result.force->putScalar(0);
+  auto const force = result.force->getLocalViewHost(Tpetra::Access::ReadWrite);
+  for (int node = 0; node < fault_.numNodes(); ++node) {
+    bool sliding = false;
+    for (int k = 0; k < fault_.num_tangents; ++k) {
+      sliding = sliding || v(node, k) != 0;
+    }
+    for (int k = 0; k < fault_.num_tangents; ++k) {
+      const int dof = fault_.dofs[node][k];
+      force(dof, 0) = sliding ? gradient(node, k) : residual(dof, 0);
+    }
+  }
+  for (int dof : fixed_dofs_) {
+    force(dof, 0) = residual(dof, 0);
+  }
+}
+
+double EnergyBalance::dotOver(std::vector<int> const& dofs, Vector const& x, Vector const& y) const
+{
+  auto const xs = x.getLocalViewHost(Tpetra::Access::ReadOnly);
+  auto const ys = y.getLocalViewHost(Tpetra::Access::ReadOnly);
+  double mine = 0;
+  for (int dof : dofs) {
+    mine += xs(dof, 0) * ys(dof, 0);
+  }
+  double all = mine;
+  auto const& communicator = *body_.dofs->communicator();
+  if (communicator.getSize() > 1) {
+    Teuchos::reduceAll(communicator, Teuchos::REDUCE_SUM, mine, Teuchos::outArg(all));
+  }
+  return all;
+}
+
+void EnergyBalance::start(State const& state, Energy const& so_far)
+{
+  fill(state, before_);
+  energy_ = so_far;
+  energy_.kinetic = before_.kinetic;
+  energy_.elastic = before_.elastic;
+}
+
+Energy const& EnergyBalance::advance(State const& state)
+{
+  fill(state, after_);
+  du_->update(1, *after_.u, -1, *before_.u, 0);
+
+  mean_->update(0.5, *before_.load, 0.5, *after_.load, 0);
+  const double load = mean_->dot(*du_);
+  mean_->update(0.5, *before_.force, 0.5, *after_.force, 0);
+  const double friction = dotOver(fault_dofs_, *mean_, *du_);
+  const double boundary = -dotOver(fixed_dofs_, *mean_, *du_);
+  mean_->update(0.5, *before_.v, 0.5, *after_.v, 0);
+  body_.matrices.viscosity->apply(*mean_, *work_);
+  const double viscous = work_->dot(*du_);
+
+  const double change = after_.kinetic - before_.kinetic + after_.elastic - before_.elastic;
+  energy_.kinetic = after_.kinetic;
+  energy_.elastic = after_.elastic;
+  energy_.load_work += load;
+  energy_.boundary_work += boundary;
+  energy_.friction_work += friction;
+  energy_.viscous_work += viscous;
+  energy_.defect += change - (load + boundary - friction - viscous);
+  std::swap(before_, after_);
+  return energy_;
+}
+} // namespace asperity::dynamics

@@ -1,0 +1,61 @@
+#pragma once
+
+#include "dynamics/Body.hpp"
+#include "dynamics/Fault.hpp"
+#include "dynamics/State.hpp"
+
+namespace asperity::dynamics
+{
+// Energies and works per unit of thickness [J/m in 2D]; the works since the start of the run.
+struct Energy
+{
+  double kinetic = 0;
+  double elastic = 0;       // 1/2 u'Ku
+  double load_work = 0;     // by gravity and tractions
+  double boundary_work = 0; // by whatever moves the prescribed boundaries
+  double friction_work = 0; // dissipated on the fault
+  double viscous_work = 0;  // dissipated in the body
+  // Change of kinetic and elastic energy minus all of the above. With Newmark, beta = 1/4, this is what the solvers
+  // leave over; for other schemes it contains what they dissipate numerically.
+  double defect = 0;
+};
+
+// The balance of energy from step to step, with du = u1 - u0 and means over the ends of the step
+// (verification.md; exact for Newmark with beta = 1/4):
+//   change of (1/2 v'Mv + 1/2 u'Ku) = du . (mean l - C mean v - mean f)
+// f are the friction forces of the last rate problem and the reactions of prescribed dofs.
+class EnergyBalance
+{
+public:
+  EnergyBalance(Body const& body, Fault const& fault, DyadicTime const& clock);
+
+  // Begins at a state, with the works done so far (after a restart).
+  void start(State const& state, Energy const& so_far);
+  // Adds the step to the given state. All ranks together.
+  Energy const& advance(State const& state);
+  Energy const& energy() const { return energy_; }
+  // Friction forces on the fault and reactions at fixed dofs, at the last state [N per unit of thickness].
+  Vector const& force() const { return *before_.force; }
+
+private:
+  struct Snapshot
+  {
+    RCP<Vector> u, v, load, force;
+    double kinetic = 0, elastic = 0;
+  };
+  Snapshot snapshot() const;
+  void fill(State const& state, Snapshot& result);
+  double dotOver(std::vector<int> const& dofs, Vector const& x, Vector const& y) const;
+
+  Body const& body_;
+  Fault const& fault_;
+  DyadicTime clock_;
+  std::vector<int> fault_dofs_, fixed_dofs_; // disjoint
+  Snapshot before_, after_;
+  RCP<Vector> du_, work_, mean_;
+  friction::BlockView v_, gradient_;
+  friction::HessianView hessian_;
+  friction::FlagView kinked_;
+  Energy energy_;
+};
+} // namespace asperity::dynamics

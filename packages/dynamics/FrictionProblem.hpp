@@ -1,0 +1,33 @@
+#pragma once
+
+#include "friction/FrictionKernels.hpp"
+
+namespace asperity::dynamics
+{
+// Friction at given states, as the nodal problem of TNNMG.
+struct FrictionProblem
+{
+  friction::FrictionKernels const& kernels;
+  friction::ConstNodeView alpha;
+
+  int minimise(friction::IndexView const& nodes, friction::ConstNodeView const& curvature,
+               friction::ConstBlockView const& r, friction::BlockView const& v) const
+  {
+    return kernels.minimise(nodes, curvature, r, alpha, v);
+  }
+  void linearise(friction::ConstBlockView const& v, friction::BlockView const& gradient,
+                 friction::HessianView const& hessian, friction::FlagView const& kinked) const
+  {
+    kernels.linearise(v, alpha, gradient, hessian, kinked);
+  }
+  double slope(friction::ConstBlockView const& v, friction::ConstBlockView const& d, double t) const
+  {
+    return kernels.slope(v, d, t, alpha);
+  }
+  friction::FrictionKernels::Difference difference(friction::ConstBlockView const& v,
+                                                   friction::ConstBlockView const& d) const
+  {
+    return kernels.difference(v, d, alpha);
+  }
+};
+} // namespace asperity::dynamics

@@ -1,0 +1,34 @@
+#pragma once
+
+#include "base/Types.hpp"
+#include "dynamics/DyadicTime.hpp"
+#include "friction/Types.hpp"
+
+#include <Tpetra_Vector.hpp>
+
+namespace asperity::dynamics
+{
+// Everything the future depends on, at one time. Vectors of owned dofs in nodal frames.
+struct State
+{
+  DyadicTime::Ticks time = 0;
+  RCP<Vector> u, v, a;        // m, m/s, m/s^2
+  friction::NodeView alpha;   // (num fault nodes)
+  // The state the velocity was computed with: alpha of the last rate problem.
+  friction::NodeView alpha_of_rate;
+
+  State clone() const
+  {
+    State copy;
+    copy.time = time;
+    copy.u = rcp(new Vector(*u, Teuchos::Copy));
+    copy.v = rcp(new Vector(*v, Teuchos::Copy));
+    copy.a = rcp(new Vector(*a, Teuchos::Copy));
+    copy.alpha = friction::NodeView("asperity::dynamics::alpha", alpha.extent(0));
+    copy.alpha_of_rate = friction::NodeView("asperity::dynamics::alphaOfRate", alpha.extent(0));
+    Kokkos::deep_copy(copy.alpha, alpha);
+    Kokkos::deep_copy(copy.alpha_of_rate, alpha_of_rate);
+    return copy;
+  }
+};
+} // namespace asperity::dynamics

@@ -1,0 +1,41 @@
+#pragma once
+
+#include "dynamics/DyadicTime.hpp"
+#include "dynamics/RateSolver.hpp"
+#include "dynamics/RateUpdate.hpp"
+
+#include <list>
+#include <map>
+#include <memory>
+
+namespace asperity::dynamics
+{
+// One solver for each step size: Z = (lambda_M/tau) M + C + (tau/lambda_K) K depends on nothing else. Set up when
+// first asked for; the least recently used ones go when the memory budget is exceeded.
+class StepSolvers
+{
+public:
+  StepSolvers(Body const& body, Fault const& fault, RateUpdate const& update,
+              DyadicTime const& clock, RateSolverSettings const& settings, std::size_t budget_bytes);
+
+  // The reference is valid until the next call.
+  RateSolver& at(int level);
+
+  int setups() const { return setups_; }
+  double setupSeconds() const { return setup_seconds_; }
+  std::size_t bytes() const { return bytes_; }
+
+private:
+  Body const& body_;
+  Fault const& fault_;
+  RateUpdate update_;
+  DyadicTime clock_;
+  RateSolverSettings settings_;
+  std::size_t budget_bytes_;
+  std::size_t bytes_ = 0;
+  std::map<int, std::unique_ptr<RateSolver>> solvers_;
+  std::list<int> recent_; // levels, the last used one first
+  int setups_ = 0;
+  double setup_seconds_ = 0;
+};
+} // namespace asperity::dynamics

@@ -1,0 +1,78 @@
+#pragma once
+
+#include "base/Types.hpp"
+#include "fem/DofMap.hpp"
+#include "fem/NodalFrames.hpp"
+#include "mesh/Mesh.hpp"
+
+#include <functional>
+#include <map>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace asperity::fem
+{
+// The velocity of a boundary in one direction is prescribed: v . d = velocity(x, t).
+template <int Dim>
+struct VelocityCondition
+{
+  std::string name;      // for messages, e.g. "Boundary Conditions / Backstop"
+  std::string boundary;
+  // The components of d along the axes; empty: the inward normal of the boundary at each node.
+  std::vector<double> direction;
+  // m/s; empty: zero (a wall that the body slides along, or bilateral contact).
+  std::function<double(Point<Dim> const&, double)> velocity;
+};
+
+// Conditions of all boundaries, turned into nodal frames and fixed dofs.
+//
+// At a node the directions of its conditions are orthonormalised in the order given; the frame's last rows are these
+// directions, its first rows the remaining (tangential) ones. Where the directions are axes the frame is the identity.
+// More conditions than directions must agree with one another, or an InputError names both.
+template <int Dim>
+class Constraints
+{
+public:
+  // sample_times: when conditions that share a direction are compared [s].
+  Constraints(Mesh<Dim> const& mesh, DofMap const& dofs,
+              std::vector<VelocityCondition<Dim>> conditions,
+              std::vector<double> const& sample_times);
+
+  NodalFrames const& frames() const { return frames_; }
+  // (num local dofs) nonzero where the velocity is prescribed, for owned and ghost dofs.
+  std::vector<char> const& fixed() const { return fixed_; }
+  // v(owned dofs): the prescribed velocity at time t [s] in nodal frames, zero at free dofs.
+  void prescribedVelocity(double t, Vector& v) const;
+
+private:
+  struct Direction
+  {
+    std::vector<double> vector;
+    int condition;
+  };
+  // velocity of row = sum of coefficients times the conditions' velocities
+  struct FixedRow
+  {
+    int dof;
+    int node;
+    std::vector<std::pair<int, double>> terms;
+  };
+  using NodalDirections = std::map<int, std::vector<Direction>>;
+
+  NodalDirections collect(Mesh<Dim> const& mesh) const;
+  void constrain(Mesh<Dim> const& mesh, DofMap const& dofs, int node,
+                 std::vector<Direction> const& directions, std::vector<double> const& sample_times);
+  void requireAgreement(Mesh<Dim> const& mesh, int node, int condition,
+                        std::vector<std::pair<int, double>> const& terms,
+                        std::vector<double> const& sample_times) const;
+  double velocity(int condition, Point<Dim> const& x, double t) const;
+  void shareWithGhosts(DofMap const& dofs);
+
+  std::vector<VelocityCondition<Dim>> conditions_;
+  NodalFrames frames_;
+  std::vector<char> fixed_;
+  std::vector<FixedRow> rows_;
+  std::vector<Point<Dim>> owned_vertices_;
+};
+} // namespace asperity::fem

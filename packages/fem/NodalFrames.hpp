@@ -1,0 +1,65 @@
+#pragma once
+
+#include <array>
+#include <vector>
+
+namespace asperity::fem
+{
+// An orthonormal frame at each local node. Components of vectors are taken along its rows, so that a condition
+// on a direction (the normal of a dipping fault, say) becomes a condition on one component.
+// components <= 3; row r, column c of the frame of a node is entry(node, r, c); identity until set.
+class NodalFrames
+{
+public:
+  using Matrix = std::array<double, 9>; // row-major, the leading components x components block is used
+
+  NodalFrames(int num_nodes, int components)
+      : components_(components)
+      , frames_(num_nodes, identity(components))
+  {
+  }
+
+  static Matrix identity(int components)
+  {
+    Matrix matrix{};
+    for (int c = 0; c < components; ++c) {
+      matrix[c * components + c] = 1;
+    }
+    return matrix;
+  }
+
+  int components() const { return components_; }
+  int numNodes() const { return static_cast<int>(frames_.size()); }
+  Matrix const& frame(int node) const { return frames_[node]; }
+  void set(int node, Matrix const& frame) { frames_[node] = frame; }
+  double entry(int node, int row, int column) const
+  {
+    return frames_[node][row * components_ + column];
+  }
+
+  // local = frame * global; both of length components.
+  void toFrame(int node, double const* global, double* local) const
+  {
+    for (int r = 0; r < components_; ++r) {
+      local[r] = 0;
+      for (int c = 0; c < components_; ++c) {
+        local[r] += entry(node, r, c) * global[c];
+      }
+    }
+  }
+
+  void fromFrame(int node, double const* local, double* global) const
+  {
+    for (int c = 0; c < components_; ++c) {
+      global[c] = 0;
+      for (int r = 0; r < components_; ++r) {
+        global[c] += entry(node, r, c) * local[r];
+      }
+    }
+  }
+
+private:
+  int components_;
+  std::vector<Matrix> frames_;
+};
+} // namespace asperity::fem

@@ -1,0 +1,64 @@
+#pragma once
+
+#include "friction/Types.hpp"
+
+namespace asperity::friction
+{
+// The nodal friction functional (Pipping 2014, §4) with one law at every node of the fault,
+//
+//   psi_i(w) = weight_i [ sigma_n_i mubar(c_i |w|, alpha_i) / c_i + cohesion_i |w| ],
+//
+// mubar(V, alpha) the integral of mu(., alpha) from 0 to V, c_i the slip factor, so that
+//
+//   d psi_i / d|w| = weight_i [ sigma_n_i mu(c_i |w|, alpha_i) + cohesion_i ].
+//
+// psi_i is a power in W, in two dimensions per metre of thickness.
+//
+// All views lie on the device, velocities in m/s, T = 1 or 2 (else std::invalid_argument). The
+// kernels run in the default instance of ExecutionSpace and have finished on return if they return
+// a number. They allocate nothing. A caller that launches often keeps views of the very types named
+// here, since turning a view into one of constant values counts references.
+class FrictionKernels
+{
+public:
+  struct Difference
+  {
+    double change;    // sum of psi_i(v_i + d_i) - psi_i(v_i)
+    double magnitude; // sum of the magnitudes of its terms, to measure its rounding by
+  };
+
+  virtual ~FrictionKernels() = default;
+
+  // For each node i of `nodes`: v_i := argmin_w curvature_i/2 |w|^2 - <r_i, w> + psi_i(w).
+  //
+  // The minimiser is a multiple of r_i. Its length s solves
+  //   curvature_i s + weight_i (sigma_n_i mu(c_i s) + cohesion_i) = |r_i|
+  // up to the rounding of this equation; s = 0 if |r_i| <= weight_i cohesion_i, or if the slip rate
+  // would be below 1e-300 m/s. The v_i given serves as first guess.
+  // curvature(num_nodes) > 0 in N s/m, r(num_nodes, T) in N.
+  // Returns the number of nodes without a solution, where v_i is left alone: curvature not
+  // positive, anything not finite, or no convergence.
+  virtual int minimise(IndexView const& nodes, ConstNodeView const& curvature,
+                       ConstBlockView const& r, ConstNodeView const& alpha,
+                       BlockView const& v) const = 0;
+
+  // Gradient [N] and Hessian [N s/m] of psi_i at v_i. kinked_i = 1 where psi_i has no second
+  // derivative (v_i = 0 with cohesion, the kink of a law) or none that is a finite number: there
+  // the Hessian is zero and the gradient the subgradient of least norm.
+  virtual void linearise(ConstBlockView const& v, ConstNodeView const& alpha,
+                         BlockView const& gradient, HessianView const& hessian,
+                         FlagView const& kinked) const = 0;
+
+  // Sum over all nodes of the one-sided directional derivative psi_i'(v_i + t d_i; d_i).
+  virtual double slope(ConstBlockView const& v, ConstBlockView const& d, double t,
+                       ConstNodeView const& alpha) const = 0;
+
+  // Sum over all nodes of psi_i(v_i + d_i) - psi_i(v_i), from the integral of mu between the two.
+  virtual Difference difference(ConstBlockView const& v, ConstBlockView const& d,
+                                ConstNodeView const& alpha) const = 0;
+
+  // mu_i := mu(c_i |v_i|, alpha_i).
+  virtual void coefficient(ConstBlockView const& v, ConstNodeView const& alpha,
+                           NodeView const& mu) const = 0;
+};
+} // namespace asperity::friction

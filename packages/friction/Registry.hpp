@@ -1,0 +1,29 @@
+#pragma once
+
+#include "friction/FrictionKernels.hpp"
+#include "friction/Parameter.hpp"
+#include "friction/StateKernels.hpp"
+
+#include <memory>
+#include <string>
+#include <vector>
+
+// All laws by name: those of this package and those that other libraries or programs have
+// registered (see Registration.hpp). A name nobody registered throws std::out_of_range, which lists
+// the known ones.
+namespace asperity::friction
+{
+std::vector<std::string> frictionLawNames(); // sorted
+std::vector<Parameter> const& frictionLawParameters(std::string const& name);
+
+// Throws std::invalid_argument if the shapes of the views do not fit each other or the law's table.
+std::unique_ptr<FrictionKernels> makeFrictionKernels(std::string const& name,
+                                                     FaultData const& fault);
+
+std::vector<std::string> stateLawNames(); // sorted
+std::vector<Parameter> const& stateLawParameters(std::string const& name);
+
+// parameters(num_parameters, num_nodes), rows in the order of the law's table, read once.
+// Throws std::invalid_argument if the number of rows is another one.
+std::unique_ptr<StateKernels> makeStateKernels(std::string const& name, ParameterView parameters);
+} // namespace asperity::friction

@@ -1,0 +1,37 @@
+#pragma once
+
+#include <Kokkos_Core.hpp>
+
+// Views over the nodes of the fault. Every array is indexed by the node's local number.
+namespace asperity::friction
+{
+using ExecutionSpace = Kokkos::DefaultExecutionSpace;
+using MemorySpace = ExecutionSpace::memory_space;
+
+using NodeView = Kokkos::View<double*, MemorySpace>; // (num_nodes)
+using ConstNodeView = Kokkos::View<const double*, MemorySpace>;
+using IndexView = Kokkos::View<const int*, MemorySpace>;         // (any number of nodes)
+using FlagView = Kokkos::View<int*, MemorySpace>;                // (num_nodes), 0 or 1
+using ParameterView = Kokkos::View<const double**, MemorySpace>; // (num_parameters, num_nodes)
+
+// Tangential vectors: T = 1 component in two dimensions and antiplane, 2 in three.
+using BlockView = Kokkos::View<double**, Kokkos::LayoutRight, MemorySpace>; // (num_nodes, T)
+using ConstBlockView = Kokkos::View<const double**, Kokkos::LayoutRight, MemorySpace>;
+using HessianView = Kokkos::View<double***, Kokkos::LayoutRight, MemorySpace>; // (num_nodes, T, T)
+
+// What friction needs to know about the fault, apart from velocity and state. The views are shared
+// with the caller; weight, sigma_n, cohesion and slip_factor may change between two calls of a
+// kernel, the parameters are read once, when the kernels are made.
+struct FaultData
+{
+  ConstNodeView weight;   // integral of the node's basis function over the fault, m^(d-1)
+  ConstNodeView sigma_n;  // normal stress, compression, >= 0, Pa
+  ConstNodeView cohesion; // >= 0, Pa
+
+  // Slip rate V = slip_factor |v_t|: 1 against a rigid foundation, 2 where the body is one half of
+  // an antisymmetric whole. Without entries: 1 everywhere.
+  ConstNodeView slip_factor;
+
+  ParameterView parameters; // rows in the order of the law's table
+};
+} // namespace asperity::friction

@@ -1,0 +1,83 @@
+#pragma once
+
+#include "friction/Types.hpp"
+#include "friction/detail/NodePotential.hpp"
+
+#include <cstddef>
+#include <iterator>
+#include <stdexcept>
+#include <string>
+
+namespace asperity::friction::detail
+{
+// A view that does not count references: its memory has to be kept alive by another one.
+template <class View>
+using Unmanaged = Kokkos::View<typename View::data_type, typename View::array_layout,
+                               typename View::device_type, Kokkos::MemoryTraits<Kokkos::Unmanaged>>;
+
+template <class Law>
+using LawView = Kokkos::View<const Law*, MemorySpace>;
+
+// The laws at all nodes, read from the columns of `parameters` once: laws(num_nodes).
+// Throws std::invalid_argument if the number of rows is not that of the law's table.
+template <class Law>
+LawView<Law> loadLaws(ParameterView const& parameters)
+{
+  constexpr std::size_t expected = std::size(Law::parameters);
+  if (parameters.extent(0) != expected) {
+    throw std::invalid_argument(std::string("asperity::friction: ") + Law::name + " has " +
+                                std::to_string(expected) + " parameters, given are " +
+                                std::to_string(parameters.extent(0)) + " rows.");
+  }
+  const Kokkos::View<Law*, MemorySpace> laws(
+    Kokkos::view_alloc("asperity::friction::laws", Kokkos::WithoutInitializing),
+    parameters.extent(1));
+  Kokkos::parallel_for(
+    "asperity::friction::loadLaws",
+    Kokkos::RangePolicy<ExecutionSpace>(0, static_cast<int>(laws.extent(0))),
+    KOKKOS_LAMBDA(int node) { laws(node) = Law::load(parameters, node); });
+  ExecutionSpace().fence();
+  return laws;
+}
+
+// What the kernels copy to the device: psi at a node, when its state is known.
+template <class Law>
+struct FaultNodes
+{
+  using Potential = NodePotential<typename Law::Curve>;
+
+  Unmanaged<LawView<Law>> laws;
+  Unmanaged<ConstNodeView> weight;
+  Unmanaged<ConstNodeView> sigma_n;
+  Unmanaged<ConstNodeView> cohesion;
+  Unmanaged<ConstNodeView> slip_factor;
+
+  KOKKOS_INLINE_FUNCTION Potential potential(int node, double alpha) const
+  {
+    return {weight(node), sigma_n(node), cohesion(node), slip_factor(node), laws(node).at(alpha)};
+  }
+
+  int size() const { return static_cast<int>(laws.extent(0)); }
+};
+
+// Points into `laws` and `fault`. A slip factor that is left out becomes 1 in `fault`.
+// Throws std::invalid_argument if the views are for different numbers of nodes.
+template <class Law>
+FaultNodes<Law> makeFaultNodes(LawView<Law> const& laws, FaultData& fault)
+{
+  const std::size_t num_nodes = laws.extent(0);
+  if (fault.slip_factor.extent(0) == 0) {
+    const NodeView ones("asperity::friction::slip_factor", num_nodes);
+    Kokkos::deep_copy(ones, 1.0);
+    fault.slip_factor = ones;
+  }
+  for (auto const& view : {fault.weight, fault.sigma_n, fault.cohesion, fault.slip_factor}) {
+    if (view.extent(0) != num_nodes) {
+      throw std::invalid_argument(std::string("asperity::friction: ") + Law::name + ": " +
+                                  view.label() + " has " + std::to_string(view.extent(0)) +
+                                  " entries, the fault " + std::to_string(num_nodes) + " nodes.");
+    }
+  }
+  return {laws, fault.weight, fault.sigma_n, fault.cohesion, fault.slip_factor};
+}
+} // namespace asperity::friction::detail

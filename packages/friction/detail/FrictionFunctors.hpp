@@ -1,0 +1,158 @@
+#pragma once
+
+#include "friction/detail/FaultNodes.hpp"
+
+// One functor for each kernel of FrictionKernels, whose comments say what they compute. v, r, d,
+// gradient (num_nodes, T), the others (num_nodes). Their views do not count references, which would
+// take longer than the work at one node.
+namespace asperity::friction::detail
+{
+template <class Law, int T>
+struct Minimise
+{
+  FaultNodes<Law> fault;
+  Unmanaged<IndexView> nodes;
+  Unmanaged<ConstNodeView> curvature;
+  Unmanaged<ConstBlockView> r;
+  Unmanaged<ConstNodeView> alpha;
+  Unmanaged<BlockView> v;
+
+  KOKKOS_INLINE_FUNCTION void operator()(int k, int& num_failed) const
+  {
+    const int node = nodes(k);
+    double force[T], rate[T];
+    for (int j = 0; j < T; ++j) {
+      force[j] = r(node, j);
+      rate[j] = v(node, j);
+    }
+    const double load = length(force);
+    const auto solution =
+      fault.potential(node, alpha(node)).minimise(curvature(node), load, length(rate));
+    if (!solution.converged) {
+      ++num_failed;
+      return;
+    }
+    for (int j = 0; j < T; ++j) {
+      v(node, j) = solution.V == 0 ? 0 : solution.V * (force[j] / load);
+    }
+  }
+};
+
+template <class Law, int T>
+struct Linearise
+{
+  FaultNodes<Law> fault;
+  Unmanaged<ConstBlockView> v;
+  Unmanaged<ConstNodeView> alpha;
+  Unmanaged<BlockView> gradient;
+  Unmanaged<HessianView> hessian;
+  Unmanaged<FlagView> kinked;
+
+  KOKKOS_INLINE_FUNCTION void operator()(int node) const
+  {
+    double unit[T] = {};
+    for (int j = 0; j < T; ++j) {
+      unit[j] = v(node, j);
+    }
+    const double s = length(unit);
+    for (int j = 0; j < T && s > 0; ++j) {
+      unit[j] /= s;
+    }
+    const auto potential = fault.potential(node, alpha(node));
+    const double force = s > 0 ? potential.derivative(s) : 0;
+    const double radial = potential.secondDerivative(s);
+    const double transverse = s > 0 ? force / s : radial;
+    const bool smooth =
+      isFinite(radial) && (T == 1 || isFinite(transverse)) && !potential.kinkedAt(s);
+    kinked(node) = !smooth;
+    for (int j = 0; j < T; ++j) {
+      gradient(node, j) = force * unit[j];
+      for (int k = 0; k < T; ++k) {
+        const double along = s > 0 ? unit[j] * unit[k] : (j == k);
+        const double across = T == 1 ? 0 : (j == k) - along;
+        hessian(node, j, k) = smooth ? radial * along + (T == 1 ? 0 : transverse * across) : 0;
+      }
+    }
+  }
+};
+
+template <class Law, int T>
+struct Slope
+{
+  FaultNodes<Law> fault;
+  Unmanaged<ConstBlockView> v;
+  Unmanaged<ConstBlockView> d;
+  double t;
+  Unmanaged<ConstNodeView> alpha;
+
+  KOKKOS_INLINE_FUNCTION void operator()(int node, double& sum) const
+  {
+    double direction[T], rate[T];
+    for (int j = 0; j < T; ++j) {
+      direction[j] = d(node, j);
+      rate[j] = v(node, j) + t * direction[j];
+    }
+    const double s = length(rate);
+    double growth = 0; // of |v + t d| with t, from above
+    for (int j = 0; j < T && s > 0; ++j) {
+      growth += rate[j] / s * direction[j];
+    }
+    if (s == 0) {
+      growth = length(direction);
+    }
+    sum += fault.potential(node, alpha(node)).derivative(s) * growth;
+  }
+};
+
+// |v + d| - |v| = <d, 2 v + d> / (|v| + |v + d|) keeps its digits however small d is.
+template <class Law, int T>
+struct Differences
+{
+  FaultNodes<Law> fault;
+  Unmanaged<ConstBlockView> v;
+  Unmanaged<ConstBlockView> d;
+  Unmanaged<ConstNodeView> alpha;
+
+  KOKKOS_INLINE_FUNCTION void operator()(int node, double& change, double& magnitude) const
+  {
+    double before[T], after[T];
+    for (int j = 0; j < T; ++j) {
+      before[j] = v(node, j);
+      after[j] = before[j] + d(node, j);
+    }
+    const double s = length(before);
+    const double sum = s + length(after);
+    if (sum == 0) {
+      return;
+    }
+    double growth = 0, terms = 0;
+    for (int j = 0; j < T; ++j) {
+      const double term = (2 * before[j] + d(node, j)) / sum * d(node, j);
+      growth += term;
+      terms += math::fabs(term);
+    }
+    const double force = fault.potential(node, alpha(node)).meanDerivative(s, growth);
+    change += force * growth;
+    magnitude += force * terms;
+  }
+};
+
+template <class Law, int T>
+struct Coefficient
+{
+  FaultNodes<Law> fault;
+  Unmanaged<ConstBlockView> v;
+  Unmanaged<ConstNodeView> alpha;
+  Unmanaged<NodeView> mu;
+
+  KOKKOS_INLINE_FUNCTION void operator()(int node) const
+  {
+    double rate[T];
+    for (int j = 0; j < T; ++j) {
+      rate[j] = v(node, j);
+    }
+    const auto curve = fault.laws(node).at(alpha(node));
+    mu(node) = curve.mu(fault.slip_factor(node) * length(rate));
+  }
+};
+} // namespace asperity::friction::detail

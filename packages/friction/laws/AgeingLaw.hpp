@@ -1,0 +1,41 @@
+#pragma once
+
+#include "friction/laws/StateParameters.hpp"
+
+namespace asperity::friction
+{
+// The ageing law d(alpha)/dt = (V* exp(-alpha) - V) / L, Pipping 2014, (2); d(theta)/dt = 1 - V
+// theta / L. Host and device; V >= 0 in m/s, dt >= 0 in s.
+struct AgeingLaw
+{
+  static constexpr char const* name = "Ageing";
+  static constexpr auto const& parameters = StateParameters::table;
+
+  StateParameters state;
+
+  KOKKOS_INLINE_FUNCTION static AgeingLaw load(ParameterView const& table, int node)
+  {
+    return {StateParameters::load(table, node)};
+  }
+
+  // d(alpha)/dt in 1/s.
+  KOKKOS_INLINE_FUNCTION double rate(double V, double alpha) const
+  {
+    return (state.reference_rate * math::exp(-alpha) - V) / state.slip_distance;
+  }
+
+  // alpha after dt at constant V. With q = V dt / L,
+  //   exp(alpha1) = exp(alpha0 - q) + (V* dt / L) (1 - exp(-q)) / q,
+  // what is left of the old contact and what has healed since, added as logarithms.
+  KOKKOS_INLINE_FUNCTION double flow(double V, double dt, double alpha0) const
+  {
+    const double q = V * dt / state.slip_distance;
+    const double left = alpha0 - q;
+    const double ageing = q > 0 ? -math::expm1(-q) / q : 1;
+    const double healed = math::log(state.reference_rate * dt / state.slip_distance * ageing);
+    return detail::larger(left, healed) + math::log1p(math::exp(-math::fabs(left - healed)));
+  }
+
+  KOKKOS_INLINE_FUNCTION double steadyState(double V) const { return -state.logRatio(V); }
+};
+} // namespace asperity::friction

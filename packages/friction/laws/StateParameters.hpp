@@ -1,0 +1,34 @@
+#pragma once
+
+#include "friction/Parameter.hpp"
+#include "friction/Types.hpp"
+#include "friction/detail/Math.hpp"
+
+namespace asperity::friction
+{
+// The parameters of the ageing and the slip law.
+struct StateParameters
+{
+  static constexpr Parameter table[] = {
+    {"L", "m", no_default, 0, infinity, false, false,
+     "Characteristic slip distance over which the state forgets the previous slip rate."},
+    reference_slip_rate,
+  };
+
+  double slip_distance;           // L, m
+  double reference_rate;          // V*, m/s
+  double log_reference_slip_rate; // log(V* s/m)
+
+  // Reads column `node` of parameters(num_parameters, num_nodes), rows in the order of the table.
+  KOKKOS_INLINE_FUNCTION static StateParameters load(ParameterView const& parameters, int node)
+  {
+    return {parameters(0, node), parameters(1, node), math::log(parameters(1, node))};
+  }
+
+  // log(V / V*), without the underflow of the ratio; -infinity at V = 0.
+  KOKKOS_INLINE_FUNCTION double logRatio(double V) const
+  {
+    return math::log(V) - log_reference_slip_rate;
+  }
+};
+} // namespace asperity::friction

@@ -1,0 +1,78 @@
+#pragma once
+
+#include "friction/laws/DirectEffect.hpp"
+
+namespace asperity::friction
+{
+// mu(V, alpha) = a max(log(V / V_alpha), 0), Pipping 2014, (6): no friction below V_alpha, where
+// the law has a kink. Host and device; V >= 0 in m/s, any alpha.
+struct TruncatedLaw
+{
+  static constexpr char const* name = "Truncated";
+  static constexpr auto const& parameters = DirectEffect::table;
+
+  // The law at one state, a function of the slip rate alone.
+  struct Curve
+  {
+    double a;
+    double shift;
+
+    KOKKOS_INLINE_FUNCTION double logRatio(double V) const { return math::log(V) + shift; }
+
+    KOKKOS_INLINE_FUNCTION double mu(double V) const { return a * detail::larger(logRatio(V), 0); }
+
+    // dmu/dV in s/m, at the kink the one from above.
+    KOKKOS_INLINE_FUNCTION double derivative(double V) const { return logRatio(V) < 0 ? 0 : a / V; }
+
+    KOKKOS_INLINE_FUNCTION Response response(double V) const
+    {
+      const double x = logRatio(V);
+      return x < 0 ? Response{0, 0, 0} : Response{a * x, a, 0};
+    }
+
+    // The average of mu between V and V + h, mu(V) for h = 0; V + h >= 0. Times h it is the
+    // difference of mubar, to the relative rounding of this difference.
+    KOKKOS_INLINE_FUNCTION double mean(double V, double h) const
+    {
+      const double low = detail::larger(detail::smaller(V, V + h), 0);
+      const double width = math::fabs(h);
+      const double x0 = logRatio(low);
+      const double x1 = logRatio(low + width);
+      if (x0 >= 0) {
+        return a * detail::meanLog(low, width, x0, x1);
+      }
+      return x1 > 0 ? a * (1 + low / width) * meanFromKink(x1) : 0;
+    }
+
+    // The slip rate of the kink, V_alpha; 0 or infinite where it is no double.
+    KOKKOS_INLINE_FUNCTION double kink() const { return math::exp(-shift); }
+
+    // True within the rounding of x(V), which is a difference.
+    KOKKOS_INLINE_FUNCTION bool kinkedAt(double V) const
+    {
+      const double rounding = 4 * detail::epsilon * (1 + math::fabs(shift));
+      return math::fabs(logRatio(V)) <= rounding;
+    }
+
+  private:
+    // The integral of log(V / V_alpha) from V_alpha to V1 over V1: x - 1 + exp(-x), at x = x1 > 0.
+    KOKKOS_INLINE_FUNCTION static double meanFromKink(double x)
+    {
+      const double growth = math::expm1(detail::smaller(x, 1));
+      if (growth <= detail::series_until) {
+        return growth / (1 + growth) * detail::meanLogGrowth(growth);
+      }
+      return x - 1 + math::exp(-x);
+    }
+  };
+
+  DirectEffect effect;
+
+  KOKKOS_INLINE_FUNCTION static TruncatedLaw load(ParameterView const& parameters, int node)
+  {
+    return {DirectEffect::load(parameters, node)};
+  }
+
+  KOKKOS_INLINE_FUNCTION Curve at(double alpha) const { return {effect.a, effect.shift(alpha)}; }
+};
+} // namespace asperity::friction

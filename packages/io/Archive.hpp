@@ -1,0 +1,57 @@
+#pragma once
+
+#include <cstdint>
+#include <map>
+#include <string>
+#include <type_traits>
+#include <variant>
+#include <vector>
+
+namespace asperity::io
+{
+// What one rank needs to go on exactly where it stopped: values by path, for example
+// "state/velocity". A path may hold an integer, a double, a string or a vector of the first two.
+class Archive
+{
+public:
+  using Value = std::variant<std::int64_t, double, std::string, std::vector<double>,
+                             std::vector<std::int64_t>>;
+
+  // Replaces what the path held. Every integral type is kept as int64.
+  template <class T>
+  void set(std::string const& path, T const& value)
+  {
+    if constexpr (std::is_integral_v<T>)
+      values_[path] = static_cast<std::int64_t>(value);
+    else
+      values_[path] = Value(value);
+  }
+
+  // archive.get<double>("time"); InputError if the path is missing or holds another type.
+  template <class T>
+  T const& get(std::string const& path) const
+  {
+    Value const& value = at(path);
+    if (T const* found = std::get_if<T>(&value)) {
+      return *found;
+    }
+    throwWrongType(path, value);
+  }
+  std::int64_t getInteger(std::string const& path) const { return get<std::int64_t>(path); }
+  double getDouble(std::string const& path) const { return get<double>(path); }
+
+  bool has(std::string const& path) const { return values_.count(path) > 0; }
+
+  // All values of `part` under `path`, and the archive of what lies under `path`.
+  void insert(std::string const& path, Archive const& part);
+  Archive child(std::string const& path) const;
+
+  std::map<std::string, Value> const& values() const { return values_; }
+
+private:
+  Value const& at(std::string const& path) const;
+  [[noreturn]] static void throwWrongType(std::string const& path, Value const& value);
+
+  std::map<std::string, Value> values_;
+};
+} // namespace asperity::io

@@ -1,0 +1,50 @@
+#pragma once
+
+#include "base/Types.hpp"
+#include "io/Archive.hpp"
+
+#include <cstdint>
+#include <filesystem>
+#include <fstream>
+#include <string>
+
+namespace asperity::io
+{
+// A table in text, written by rank 0, that a restart cuts back to where the checkpoint was made.
+class CsvFile
+{
+public:
+  // Nothing is touched before the first row or flush; then the file begins with the header.
+  CsvFile(std::filesystem::path file, std::string header, RCP<const Communicator> comm);
+
+  // Without the end of the line. Ignored on other ranks.
+  void writeRow(std::string const& row);
+
+  // On disk afterwards. Collective; InputError on every rank if writing has failed.
+  void flush();
+
+  // How much has been written; call flush first.
+  void save(Archive& archive) const;
+
+  // Removes what was written after the archive. InputError if the file is shorter or has another
+  // header. Collective.
+  void restore(Archive const& archive);
+
+private:
+  void open();
+  void writeLine(std::string const& line);
+
+  std::filesystem::path file_;
+  std::string header_;
+  RCP<const Communicator> comm_;
+  std::ofstream stream_;
+  std::int64_t num_bytes_ = 0;
+};
+
+// Numbers as the tables have them: times so that they read back exactly, others with 8 digits.
+std::string exactNumber(double value); // %.17g
+std::string shortNumber(double value); // %.8g
+
+// "slip [m]", or the name alone if there is no unit ("" or "-").
+std::string columnName(std::string const& name, std::string const& unit);
+} // namespace asperity::io

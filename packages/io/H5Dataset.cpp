@@ -1,0 +1,228 @@
+#include "io/H5.hpp"
+
+#include "io/detail/H5Calls.hpp"
+
+#include <algorithm>
+#include <functional>
+#include <numeric>
+
+namespace asperity::io::h5
+{
+namespace
+{
+hid_t native(Type type)
+{
+  switch (type) {
+  case Type::int8: return H5T_NATIVE_INT8;
+  case Type::int64: return H5T_NATIVE_INT64;
+  case Type::float32: return H5T_NATIVE_FLOAT;
+  case Type::float64: break;
+  }
+  return H5T_NATIVE_DOUBLE;
+}
+
+Handle parentsAreMade(std::string const& what)
+{
+  Handle properties = makeProperties(H5P_LINK_CREATE, what);
+  check(H5Pset_create_intermediate_group(properties.get(), 1), "Making groups for " + what);
+  return properties;
+}
+
+Shape withRows(hsize_t rows, Shape const& row_shape)
+{
+  Shape shape{rows};
+  shape.insert(shape.end(), row_shape.begin(), row_shape.end());
+  return shape;
+}
+
+// Selects `num_rows` rows from `first` on.
+void selectRows(Handle const& space, Shape shape, hsize_t first, hsize_t num_rows,
+                std::string const& what)
+{
+  Shape start(shape.size(), 0);
+  start[0] = first;
+  shape[0] = num_rows;
+  check(H5Sselect_hyperslab(space.get(), H5S_SELECT_SET, start.data(), nullptr, shape.data(),
+                            nullptr),
+        "Selecting rows of " + what);
+}
+} // namespace
+
+Type Dataset::type() const
+{
+  const Handle type(H5Dget_type(handle_.get()), H5Tclose, "Asking the type of " + what_);
+  const std::size_t size = H5Tget_size(type.get());
+  if (H5Tget_class(type.get()) == H5T_FLOAT) {
+    return size == 4 ? Type::float32 : Type::float64;
+  }
+  return size == 1 ? Type::int8 : Type::int64;
+}
+
+Shape Dataset::shape() const
+{
+  const Handle space(H5Dget_space(handle_.get()), H5Sclose, "Asking the shape of " + what_);
+  Shape shape(std::max(0, H5Sget_simple_extent_ndims(space.get())));
+  check(H5Sget_simple_extent_dims(space.get(), shape.data(), nullptr),
+        "Asking the shape of " + what_);
+  return shape;
+}
+
+std::size_t Dataset::numValues() const
+{
+  const Shape all = shape();
+  return std::accumulate(all.begin(), all.end(), std::size_t(1), std::multiplies<>());
+}
+
+void Dataset::write(double const* values)
+{
+  check(H5Dwrite(handle_.get(), H5T_NATIVE_DOUBLE, H5S_ALL, H5S_ALL, H5P_DEFAULT, values),
+        "Writing " + what_);
+}
+
+void Dataset::write(std::int64_t const* values)
+{
+  check(H5Dwrite(handle_.get(), H5T_NATIVE_INT64, H5S_ALL, H5S_ALL, H5P_DEFAULT, values),
+        "Writing " + what_);
+}
+
+void Dataset::write(std::int8_t const* values)
+{
+  check(H5Dwrite(handle_.get(), H5T_NATIVE_INT8, H5S_ALL, H5S_ALL, H5P_DEFAULT, values),
+        "Writing " + what_);
+}
+
+std::vector<double> Dataset::readDoubles() const
+{
+  std::vector<double> values(numValues());
+  check(H5Dread(handle_.get(), H5T_NATIVE_DOUBLE, H5S_ALL, H5S_ALL, H5P_DEFAULT, values.data()),
+        "Reading " + what_);
+  return values;
+}
+
+std::vector<std::int64_t> Dataset::readIntegers() const
+{
+  std::vector<std::int64_t> values(numValues());
+  check(H5Dread(handle_.get(), H5T_NATIVE_INT64, H5S_ALL, H5S_ALL, H5P_DEFAULT, values.data()),
+        "Reading " + what_);
+  return values;
+}
+
+std::string Dataset::readBytes() const
+{
+  std::string values(numValues(), '\0');
+  check(H5Dread(handle_.get(), H5T_NATIVE_INT8, H5S_ALL, H5S_ALL, H5P_DEFAULT, values.data()),
+        "Reading " + what_);
+  return values;
+}
+
+void Dataset::append(double const* values, hsize_t num_rows)
+{
+  appendRaw(values, H5T_NATIVE_DOUBLE, num_rows);
+}
+
+void Dataset::append(std::int64_t const* values, hsize_t num_rows)
+{
+  appendRaw(values, H5T_NATIVE_INT64, num_rows);
+}
+
+void Dataset::appendRaw(void const* values, hid_t memory_type, hsize_t num_rows)
+{
+  Shape extended = shape();
+  const hsize_t first = extended[0];
+  extended[0] += num_rows;
+  check(H5Dset_extent(handle_.get(), extended.data()), "Extending " + what_);
+  const Handle file_space(H5Dget_space(handle_.get()), H5Sclose, "Asking the shape of " + what_);
+  selectRows(file_space, extended, first, num_rows, what_);
+  extended[0] = num_rows;
+  const Handle memory_space = makeSpace(extended, extended, what_);
+  check(H5Dwrite(handle_.get(), memory_type, memory_space.get(), file_space.get(), H5P_DEFAULT,
+                 values),
+        "Writing " + what_);
+}
+
+Group Group::createGroup(std::string const& path)
+{
+  const Handle links = parentsAreMade(describe(path));
+  return Group(Handle(H5Gcreate2(handle_.get(), path.c_str(), links.get(), H5P_DEFAULT,
+                                 H5P_DEFAULT),
+                      H5Gclose, "Creating " + describe(path)),
+               describe(path));
+}
+
+Group Group::openGroup(std::string const& path) const
+{
+  return Group(Handle(H5Gopen2(handle_.get(), path.c_str(), H5P_DEFAULT), H5Gclose,
+                      "Opening " + describe(path)),
+               describe(path));
+}
+
+Dataset Group::openDataset(std::string const& path) const
+{
+  return Dataset(Handle(H5Dopen2(handle_.get(), path.c_str(), H5P_DEFAULT), H5Dclose,
+                        "Opening " + describe(path)),
+                 describe(path));
+}
+
+Dataset Group::createWith(std::string const& path, Type type, Handle const& space,
+                          Handle const& properties)
+{
+  const Handle links = parentsAreMade(describe(path));
+  return Dataset(Handle(H5Dcreate2(handle_.get(), path.c_str(), native(type), space.get(),
+                                   links.get(), properties.get(), H5P_DEFAULT),
+                        H5Dclose, "Creating " + describe(path)),
+                 describe(path));
+}
+
+Dataset Group::create(std::string const& path, Type type, Shape const& shape)
+{
+  return createWith(path, type, makeSpace(shape, shape, describe(path)),
+                    makeProperties(H5P_DATASET_CREATE, describe(path)));
+}
+
+Dataset Group::createExtendable(std::string const& path, Type type, Shape const& row_shape,
+                                hsize_t rows_per_chunk)
+{
+  const int compression_level = 4;
+  const std::string what = describe(path);
+  const Handle properties = makeProperties(H5P_DATASET_CREATE, what);
+  const Shape chunk = withRows(rows_per_chunk, row_shape);
+  check(H5Pset_chunk(properties.get(), static_cast<int>(chunk.size()), chunk.data()),
+        "Chunking " + what);
+  check(H5Pset_shuffle(properties.get()), "Shuffling " + what);
+  check(H5Pset_deflate(properties.get(), compression_level), "Compressing " + what);
+  return createWith(path, type,
+                    makeSpace(withRows(0, row_shape), withRows(H5S_UNLIMITED, row_shape), what),
+                    properties);
+}
+
+Dataset Group::createVirtual(std::string const& path, Type type, Shape const& row_shape,
+                             std::vector<VirtualPart> const& parts)
+{
+  hsize_t num_rows = 0;
+  for (auto const& part : parts) {
+    num_rows += part.num_rows;
+  }
+  const Shape shape = withRows(num_rows, row_shape);
+  if (num_rows == 0) {
+    return create(path, type, shape);
+  }
+  const std::string what = describe(path);
+  const Handle space = makeSpace(shape, shape, what);
+  const Handle properties = makeProperties(H5P_DATASET_CREATE, what);
+  hsize_t first = 0;
+  for (auto const& part : parts) {
+    if (part.num_rows == 0) {
+      continue; // a selection of nothing is refused
+    }
+    const Shape part_shape = withRows(part.num_rows, row_shape);
+    const Handle source = makeSpace(part_shape, part_shape, what);
+    selectRows(space, shape, first, part.num_rows, what);
+    check(H5Pset_virtual(properties.get(), space.get(), part.file.c_str(), path.c_str(),
+                         source.get()),
+          "Mapping " + part.file + " into " + what);
+    first += part.num_rows;
+  }
+  H5Sselect_all(space.get());
+  return createWith(path, type, space, properties);
+}
+} // namespace asperity::io::h5

@@ -1,0 +1,186 @@
+#include "io/Location.hpp"
+
+#include "base/Errors.hpp"
+#include "base/NearestName.hpp"
+#include "io/detail/CurveOrder.hpp"
+#include "io/detail/Gather.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+
+namespace asperity::io
+{
+namespace
+{
+// Length, area or volume of the simplex with these N corners, by orthogonalising its edges.
+template <int Dim, std::size_t N>
+double measure(Mesh<Dim> const& mesh, std::array<int, N> const& corners)
+{
+  double product = 1;
+  std::vector<Point<Dim>> directions;
+  for (std::size_t k = 1; k < N; ++k) {
+    Point<Dim> edge;
+    for (int d = 0; d < Dim; ++d) {
+      edge[d] = mesh.vertices[corners[k]][d] - mesh.vertices[corners[0]][d];
+    }
+    for (auto const& direction : directions) {
+      double along = 0;
+      for (int d = 0; d < Dim; ++d) {
+        along += edge[d] * direction[d];
+      }
+      for (int d = 0; d < Dim; ++d) {
+        edge[d] -= along * direction[d];
+      }
+    }
+    double square = 0;
+    for (int d = 0; d < Dim; ++d) {
+      square += edge[d] * edge[d];
+    }
+    const double length = std::sqrt(square);
+    product *= length / static_cast<double>(k);
+    for (int d = 0; d < Dim; ++d) {
+      edge[d] /= length;
+    }
+    directions.push_back(edge);
+  }
+  return product;
+}
+
+// An element belongs to the rank that owns its vertex of least global id.
+template <int Dim, class Element>
+bool isOwned(Mesh<Dim> const& mesh, Element const& element)
+{
+  const int least = *std::min_element(element.begin(), element.end(), [&](int left, int right) {
+    return mesh.global_ids[left] < mesh.global_ids[right];
+  });
+  return least < mesh.num_owned;
+}
+
+// Fills all but numbers, positions and connectivity.
+template <int Dim, class Element>
+Location ownedNodes(std::string const& name, Mesh<Dim> const& mesh,
+                    std::vector<Element> const& elements, RCP<const Communicator> const& comm)
+{
+  std::map<int, double> weight_of_vertex;
+  for (auto const& element : elements) {
+    const double share = measure(mesh, element) / static_cast<double>(element.size());
+    for (const int vertex : element) {
+      if (vertex < mesh.num_owned) {
+        weight_of_vertex[vertex] += share;
+      }
+    }
+  }
+  Location location;
+  location.name = name;
+  location.dimension = Dim;
+  location.nodes_per_element = static_cast<int>(Element().size());
+  location.comm = comm;
+  for (auto const& entry : weight_of_vertex) {
+    auto const& point = mesh.vertices[entry.first];
+    location.vertices.push_back(entry.first);
+    location.vertex_ids.push_back(mesh.global_ids[entry.first]);
+    location.weights.push_back(entry.second);
+    location.coordinates.insert(location.coordinates.end(), point.begin(), point.end());
+  }
+  return location;
+}
+
+// `order`: the global ids of all nodes of the location by number, on every rank.
+template <int Dim, class Element>
+void number(Location& location, Mesh<Dim> const& mesh, std::vector<Element> const& elements,
+            std::vector<GlobalOrdinal> const& order)
+{
+  std::map<GlobalOrdinal, GlobalOrdinal> number_of_id;
+  for (std::size_t i = 0; i < order.size(); ++i) {
+    number_of_id[order[i]] = static_cast<GlobalOrdinal>(i);
+  }
+  location.num_global_nodes = static_cast<GlobalOrdinal>(order.size());
+  for (const GlobalOrdinal id : location.vertex_ids) {
+    location.node_numbers.push_back(number_of_id.at(id));
+  }
+  for (auto const& element : elements) {
+    if (isOwned(mesh, element)) {
+      for (const int vertex : element) {
+        location.connectivity.push_back(number_of_id.at(mesh.global_ids[vertex]));
+      }
+    }
+  }
+}
+
+std::vector<GlobalOrdinal> orderById(Location const& location)
+{
+  std::vector<GlobalOrdinal> ids = detail::gatherToAll(location.vertex_ids, *location.comm);
+  std::sort(ids.begin(), ids.end());
+  return ids;
+}
+
+detail::CurveOrder orderAlong(Location const& location, Mesh<2> const& mesh,
+                              std::vector<Mesh<2>::Facet> const& facets)
+{
+  std::vector<GlobalOrdinal> ends;
+  for (auto const& facet : facets) {
+    if (isOwned(mesh, facet)) {
+      ends.push_back(mesh.global_ids[facet[0]]);
+      ends.push_back(mesh.global_ids[facet[1]]);
+    }
+  }
+  const auto all_ends = detail::gatherToAll(ends, *location.comm);
+  const auto all_ids = detail::gatherToAll(location.vertex_ids, *location.comm);
+  const auto all_coordinates = detail::gatherToAll(location.coordinates, *location.comm);
+
+  std::vector<detail::Segment> segments;
+  for (std::size_t i = 0; i < all_ends.size(); i += 2) {
+    segments.push_back({all_ends[i], all_ends[i + 1]});
+  }
+  std::map<GlobalOrdinal, detail::PlanePoint> coordinates;
+  for (std::size_t i = 0; i < all_ids.size(); ++i) {
+    coordinates[all_ids[i]] = {all_coordinates[2 * i], all_coordinates[2 * i + 1]};
+  }
+  return detail::orderCurve(segments, coordinates);
+}
+} // namespace
+
+template <int Dim>
+Location boundaryLocation(std::string const& name, Mesh<Dim> const& mesh,
+                          std::string const& boundary, RCP<const Communicator> const& comm)
+{
+  std::vector<std::string> known;
+  for (auto const& entry : mesh.boundaries) {
+    known.push_back(entry.first);
+  }
+  const auto found = mesh.boundaries.find(boundary);
+  ASPERITY_REQUIRE(found != mesh.boundaries.end(), "The mesh has no boundary '"
+                     << boundary << "' to be the " << name << "." << didYouMean(boundary, known));
+  auto const& facets = found->second;
+  Location location = ownedNodes(name, mesh, facets, comm);
+  const double nodes = detail::sumOverRanks(static_cast<double>(location.numOwned()), *comm);
+  ASPERITY_REQUIRE(nodes > 0, "The boundary '" << boundary << "', to be the " << name
+                                << ", has no facets. Check the mesh.");
+  if constexpr (Dim == 2) {
+    const detail::CurveOrder order = orderAlong(location, mesh, facets);
+    number(location, mesh, facets, order.vertex_ids);
+    for (const GlobalOrdinal node : location.node_numbers) {
+      location.positions.push_back(order.positions[node]);
+    }
+  } else {
+    number(location, mesh, facets, orderById(location));
+  }
+  return location;
+}
+
+template <int Dim>
+Location volumeLocation(Mesh<Dim> const& mesh, RCP<const Communicator> const& comm)
+{
+  Location location = ownedNodes("volume", mesh, mesh.cells, comm);
+  number(location, mesh, mesh.cells, orderById(location));
+  return location;
+}
+
+template Location boundaryLocation(std::string const&, Mesh<2> const&, std::string const&,
+                                   RCP<const Communicator> const&);
+template Location boundaryLocation(std::string const&, Mesh<3> const&, std::string const&,
+                                   RCP<const Communicator> const&);
+template Location volumeLocation(Mesh<2> const&, RCP<const Communicator> const&);
+template Location volumeLocation(Mesh<3> const&, RCP<const Communicator> const&);
+} // namespace asperity::io

@@ -1,0 +1,97 @@
+#pragma once
+
+#include "base/Registry.hpp"
+#include "base/Types.hpp"
+#include "io/Archive.hpp"
+#include "io/FieldRegistry.hpp"
+#include "io/Location.hpp"
+
+#include <Teuchos_ParameterList.hpp>
+
+#include <cstdint>
+#include <filesystem>
+#include <map>
+#include <memory>
+#include <string>
+
+namespace asperity::io
+{
+// An accepted step, or the initial state as step 0. The same on every rank.
+struct StepInfo
+{
+  std::int64_t step = 0;
+  double time = 0;           // at the end of the step [s]
+  double step_size = 0;      // [s]
+  double peak_slip_rate = 0; // maximum over the fault [m/s]
+  bool is_last = false;      // the run has reached its final time
+};
+
+// What an output may use. Registry and locations must outlive the outputs.
+struct OutputContext
+{
+  std::filesystem::path directory;
+  RCP<const Communicator> comm;
+  FieldRegistry const& fields;
+  std::map<std::string, Location> const& locations; // by name
+
+  // InputError that says what to change in the deck if there is no such location.
+  Location const& location(std::string const& name) const;
+};
+
+// Something that a run leaves on disk. All functions are collective.
+class Output
+{
+public:
+  virtual ~Output() = default;
+
+  // After every accepted step, and once before the first one.
+  virtual void write(StepInfo const& step) = 0;
+
+  // Everything written so far is complete and readable on disk afterwards. Called before a
+  // checkpoint; `index` counts the checkpoints from 0.
+  virtual void closeSegment(int index) = 0;
+
+  // At the end of the run, after the last closeSegment and the last checkpoint.
+  virtual void finish() = 0;
+
+  // What write needs from the past. restore brings the files back to the state of the archive.
+  virtual void save(Archive& archive) const = 0;
+  virtual void restore(Archive const& archive) = 0;
+};
+
+// A kind of output, registered under the name of its list in the deck's list `Output`.
+class OutputKind
+{
+public:
+  virtual ~OutputKind() = default;
+
+  // With the bool `Enabled` among them, and one sentence that says what is written.
+  virtual Teuchos::RCP<const Teuchos::ParameterList> validParameters() const = 0;
+  virtual std::string meaning() const = 0;
+
+  // `parameters` has been completed and validated. Collective.
+  virtual std::unique_ptr<Output> make(Teuchos::ParameterList const& parameters,
+                                       OutputContext const& context) const = 0;
+};
+
+// Of a class with static validParameters(), static meaning() and a constructor
+// (ParameterList const&, OutputContext const&). At the bottom of its file:
+//   ASPERITY_REGISTER(OutputRegistry, "Fault History", OutputKindOf<FaultHistory>)
+template <class Type>
+class OutputKindOf : public OutputKind
+{
+public:
+  Teuchos::RCP<const Teuchos::ParameterList> validParameters() const override
+  {
+    return Type::validParameters();
+  }
+  std::string meaning() const override { return Type::meaning(); }
+  std::unique_ptr<Output> make(Teuchos::ParameterList const& parameters,
+                               OutputContext const& context) const override
+  {
+    return std::make_unique<Type>(parameters, context);
+  }
+};
+
+using OutputRegistry = Registry<OutputKind>;
+} // namespace asperity::io

@@ -1,0 +1,26 @@
+#pragma once
+
+#include "base/Types.hpp"
+
+#include <filesystem>
+#include <vector>
+
+namespace asperity::io
+{
+enum class ExistingResult
+{
+  refuse,    // InputError if the directory holds the result of a run
+  overwrite, // remove the files of the earlier run, and no other file
+  keep       // a restart continues it
+};
+
+// Makes the directory if there is none and checks that it can be written. InputError on every rank,
+// with every existing file untouched, if that fails or if an existing result would be lost.
+// Collective; rank 0 alone touches the disk.
+void prepareOutputDirectory(std::filesystem::path const& directory, ExistingResult existing,
+                            Communicator const& comm);
+
+// The files in `directory` that a run writes: parameters.xml, run.log, steps.csv, events.csv,
+// checkpoint.h5, the indices <name>.h5 and <name>.xdmf and their segments.
+std::vector<std::filesystem::path> resultFiles(std::filesystem::path const& directory);
+} // namespace asperity::io

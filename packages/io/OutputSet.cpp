@@ -1,0 +1,89 @@
+#include "io/OutputSet.hpp"
+
+#include "base/Parameters.hpp"
+#include "io/outputs/EventCatalogue.hpp"
+
+namespace asperity::io
+{
+Teuchos::RCP<const Teuchos::ParameterList> OutputSet::validParameters()
+{
+  auto list = Teuchos::rcp(new ParameterList("Output"));
+  declare(*list);
+  return list;
+}
+
+void OutputSet::declare(Teuchos::ParameterList& list)
+{
+  Declare parameters(list);
+  for (auto const& name : OutputRegistry::instance().names()) {
+    const auto kind = OutputRegistry::instance().create(name, "Output");
+    parameters.sublist(name, kind->validParameters(), kind->meaning());
+  }
+}
+
+OutputSet::OutputSet(Teuchos::ParameterList const& parameters, OutputContext const& context)
+{
+  for (auto const& name : OutputRegistry::instance().names()) {
+    const auto kind = OutputRegistry::instance().create(name, "Output");
+    ParameterList list = parameters.isSublist(name) ? parameters.sublist(name) : ParameterList();
+    completeAndValidate(list, *kind->validParameters(), "Asperity / Output / " + name);
+    if (list.get<bool>("Enabled")) {
+      entries_.push_back({name, kind->make(list, context)});
+    }
+  }
+}
+
+OutputSet::~OutputSet() = default;
+
+void OutputSet::write(StepInfo const& step)
+{
+  for (auto& entry : entries_) {
+    entry.output->write(step);
+  }
+}
+
+void OutputSet::closeSegment()
+{
+  for (auto& entry : entries_) {
+    entry.output->closeSegment(num_closed_segments_);
+  }
+  ++num_closed_segments_;
+}
+
+Archive OutputSet::save() const
+{
+  Archive archive;
+  archive.set("num_closed_segments", num_closed_segments_);
+  for (auto const& entry : entries_) {
+    Archive part;
+    entry.output->save(part);
+    archive.insert(entry.name, part);
+  }
+  return archive;
+}
+
+void OutputSet::restore(Archive const& archive)
+{
+  num_closed_segments_ = static_cast<int>(archive.getInteger("num_closed_segments"));
+  for (auto& entry : entries_) {
+    entry.output->restore(archive.child(entry.name));
+  }
+}
+
+void OutputSet::finish()
+{
+  for (auto& entry : entries_) {
+    entry.output->finish();
+  }
+}
+
+EventCatalogue const* OutputSet::events() const
+{
+  for (auto const& entry : entries_) {
+    if (auto const* catalogue = dynamic_cast<EventCatalogue const*>(entry.output.get())) {
+      return catalogue;
+    }
+  }
+  return nullptr;
+}
+} // namespace asperity::io

@@ -1,0 +1,69 @@
+#pragma once
+
+#include "base/Types.hpp"
+
+#include <chrono>
+#include <cstdint>
+#include <filesystem>
+#include <fstream>
+#include <ostream>
+#include <string>
+
+namespace asperity::io
+{
+// How far a run has come.
+struct Progress
+{
+  double time = 0;            // simulated [s]
+  double final_time = 0;      // [s]
+  double step_size = 0;       // [s]
+  double peak_slip_rate = 0;  // [m/s]
+  std::int64_t step = 0;
+  int fixed_point_iterations = 0;
+  std::int64_t num_events = 0;
+};
+
+// Tells the user how the run goes: on a terminal one line that updates in place, elsewhere a line
+// every 30 s of wall time and at each 5 % of simulated time. DIR/run.log always gets the latter,
+// and all messages. Only rank 0 writes; elsewhere every function returns at once.
+class RunLog
+{
+public:
+  struct Style
+  {
+    bool in_place = false;          // a terminal: one line, rewritten
+    int width = 80;                 // columns of the terminal
+    double seconds_per_line = 30;   // wall time between lines
+    double seconds_per_update = 0.1;
+  };
+  // Of standard output: in_place if it is a terminal, with its width.
+  static Style detectStyle();
+
+  // Appends to `file` if `append`, that is after a restart, else starts a new one. InputError on
+  // every rank if the file cannot be opened.
+  RunLog(std::filesystem::path const& file, bool append, Communicator const& comm);
+  RunLog(std::filesystem::path const& file, bool append, Communicator const& comm,
+         std::ostream& terminal, Style const& style);
+  ~RunLog();
+
+  void progress(Progress const& progress);
+  void message(std::string const& text);
+
+private:
+  using Clock = std::chrono::steady_clock;
+
+  static double secondsSince(Clock::time_point begin);
+  std::string timeLeft(double fraction) const; // "" as long as there is nothing to judge by
+  void updateLine(std::string line);
+  void clearLine();
+
+  bool active_;
+  std::ofstream file_;
+  std::ostream& terminal_;
+  Style style_;
+  Clock::time_point start_, last_line_, last_update_;
+  double first_fraction_ = -1; // of the simulated time, at the first progress of this process
+  int last_twentieth_ = 0;
+  bool line_is_open_ = false;
+};
+} // namespace asperity::io

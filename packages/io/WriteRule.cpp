@@ -1,0 +1,84 @@
+#include "io/WriteRule.hpp"
+
+#include <Teuchos_Array.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace asperity::io
+{
+namespace
+{
+// A fault at rest has no logarithm of its slip rate.
+double logOfRate(double rate)
+{
+  return std::log(std::max(rate, std::numeric_limits<double>::min()));
+}
+} // namespace
+
+void WriteRule::declare(Declare& parameters, int every_n_steps, double rate_change_factor)
+{
+  parameters
+    .integer("Every n Steps", every_n_steps, Range::atLeast(0),
+             "Write a row when this many steps were accepted since the last one; 0: not for this "
+             "reason.")
+    .real("Rate Change Factor", rate_change_factor, "-", Range::atLeast(0),
+          "Write a row when the peak slip rate has changed by this factor since the last one; at "
+          "most 1: not for this reason.")
+    .realArray("Times", std::vector<double>{}, "s", Range::any(),
+               "Write a row at the first accepted step at or past each of these times.");
+}
+
+WriteRule::WriteRule(Teuchos::ParameterList const& parameters)
+  : every_n_steps_(parameters.get<int>("Every n Steps"))
+{
+  const double factor = parameters.get<double>("Rate Change Factor");
+  log_rate_change_ = factor > 1 ? std::log(factor) : std::numeric_limits<double>::infinity();
+  times_ = parameters.get<Teuchos::Array<double>>("Times").toVector();
+  std::sort(times_.begin(), times_.end());
+}
+
+bool WriteRule::isDue(StepInfo const& step)
+{
+  const bool is_due = hasReason(step);
+  if (is_due) {
+    has_row_ = true;
+    last_row_ = step;
+  }
+  last_time_ = step.time;
+  return is_due;
+}
+
+bool WriteRule::hasReason(StepInfo const& step) const
+{
+  if (!has_row_ || step.is_last) {
+    return true;
+  }
+  if (every_n_steps_ > 0 && step.step - last_row_.step >= every_n_steps_) {
+    return true;
+  }
+  const double change = logOfRate(step.peak_slip_rate) - logOfRate(last_row_.peak_slip_rate);
+  if (std::abs(change) >= log_rate_change_) {
+    return true;
+  }
+  const auto next = std::upper_bound(times_.begin(), times_.end(), last_time_);
+  return next != times_.end() && *next <= step.time;
+}
+
+void WriteRule::save(Archive& archive) const
+{
+  archive.set("has_row", has_row_);
+  archive.set("last_row/step", last_row_.step);
+  archive.set("last_row/peak_slip_rate", last_row_.peak_slip_rate);
+  archive.set("last_time", last_time_);
+}
+
+void WriteRule::restore(Archive const& archive)
+{
+  has_row_ = archive.getInteger("has_row") != 0;
+  last_row_.step = archive.getInteger("last_row/step");
+  last_row_.peak_slip_rate = archive.getDouble("last_row/peak_slip_rate");
+  last_time_ = archive.getDouble("last_time");
+}
+} // namespace asperity::io

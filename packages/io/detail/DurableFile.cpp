@@ -1,0 +1,41 @@
+#include "io/detail/DurableFile.hpp"
+
+#include "base/Errors.hpp"
+
+#include <cerrno>
+#include <cstring>
+#include <fcntl.h>
+#include <unistd.h>
+
+namespace asperity::io::detail
+{
+std::filesystem::path temporaryName(std::filesystem::path const& file)
+{
+  return file.string() + ".part";
+}
+
+void synchronise(std::filesystem::path const& file)
+{
+  const int descriptor = ::open(file.c_str(), O_RDONLY);
+  const bool opened = descriptor >= 0;
+  // Some file systems cannot synchronise folders and say EINVAL; that is not a failure to write.
+  const bool written = opened && (::fsync(descriptor) == 0 || errno == EINVAL);
+  const int error = errno;
+  if (opened) {
+    ::close(descriptor);
+  }
+  ASPERITY_REQUIRE(written, file.string() << " cannot be written to the disk: "
+                              << std::strerror(error) << ". Is the disk full?");
+}
+
+void commit(std::filesystem::path const& file)
+{
+  const auto temporary = temporaryName(file);
+  synchronise(temporary);
+  std::error_code error;
+  std::filesystem::rename(temporary, file, error);
+  ASPERITY_REQUIRE(!error, file.string() << " cannot be replaced: " << error.message() << ".");
+  const auto folder = file.parent_path();
+  synchronise(folder.empty() ? std::filesystem::path(".") : folder);
+}
+} // namespace asperity::io::detail

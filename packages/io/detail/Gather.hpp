@@ -1,0 +1,25 @@
+#pragma once
+
+#include "base/Types.hpp"
+
+#include <functional>
+#include <vector>
+
+namespace asperity::io::detail
+{
+// The ranks' vectors one after the other, on rank 0 or on all; empty elsewhere. T is double,
+// GlobalOrdinal or char. Collective.
+template <class T>
+std::vector<T> gatherToRoot(std::vector<T> const& mine, Communicator const& comm);
+
+template <class T>
+std::vector<T> gatherToAll(std::vector<T> const& mine, Communicator const& comm);
+
+// Runs `work` on rank 0 alone. What it throws is thrown on every rank: InputError as itself, the
+// rest as std::runtime_error. Collective.
+void onRoot(Communicator const& comm, std::function<void()> const& work);
+
+double maxOverRanks(double value, Communicator const& comm);
+double minOverRanks(double value, Communicator const& comm);
+double sumOverRanks(double value, Communicator const& comm);
+} // namespace asperity::io::detail

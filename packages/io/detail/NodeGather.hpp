@@ -1,0 +1,34 @@
+#pragma once
+
+#include "io/Location.hpp"
+
+#include <vector>
+
+namespace asperity::io::detail
+{
+// Collects nodal values of a location on rank 0, in the order of the node numbers.
+class NodeGather
+{
+public:
+  explicit NodeGather(Location const& location);
+
+  // mine: (num_rows, num_owned, num_components) of this rank; on rank 0 the result is (num_rows,
+  // num_global_nodes, num_components), elsewhere it is empty. Collective.
+  template <class T>
+  std::vector<T> operator()(std::vector<T> const& mine, std::size_t num_rows,
+                            std::size_t num_components) const;
+
+private:
+  Location const& location_;
+  std::vector<GlobalOrdinal> numbers_; // rank 0: of all nodes, rank by rank
+  std::vector<std::size_t> counts_;    // rank 0: of nodes, by rank
+};
+
+// A whole location on rank 0, by node number; empty elsewhere.
+struct WholeGeometry
+{
+  std::vector<double> coordinates, positions, weights;
+  std::vector<GlobalOrdinal> vertex_ids, connectivity;
+};
+WholeGeometry gatherGeometry(Location const& location, NodeGather const& gather);
+} // namespace asperity::io::detail

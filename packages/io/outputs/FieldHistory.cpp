@@ -1,0 +1,64 @@
+#include "io/outputs/FieldHistory.hpp"
+
+#include <Teuchos_Array.hpp>
+
+namespace asperity::io
+{
+namespace
+{
+std::vector<Field const*> chosenFields(std::string const& location,
+                                       Teuchos::ParameterList const& parameters,
+                                       OutputContext const& context)
+{
+  std::vector<Field const*> fields;
+  for (auto const& name : parameters.get<Teuchos::Array<std::string>>("Fields")) {
+    fields.push_back(&context.fields.field(location, name));
+  }
+  return fields;
+}
+} // namespace
+
+Teuchos::RCP<const Teuchos::ParameterList> FieldHistory::parametersWith(Defaults const& defaults)
+{
+  Declare parameters;
+  parameters.boolean("Enabled", defaults.enabled, "Whether to write this output.")
+    .textArray("Fields", defaults.fields, "Names of the fields to write.")
+    .choice("Precision", std::string("Single"), {"Single", "Double"},
+            "Of the fields in the file; times and coordinates are always double.");
+  WriteRule::declare(parameters, defaults.every_n_steps, defaults.rate_change_factor);
+  return parameters.list();
+}
+
+FieldHistory::FieldHistory(std::string const& location, Teuchos::ParameterList const& parameters,
+                           OutputContext const& context)
+  : rule_(parameters),
+    series_({context.directory, location,
+             parameters.get<std::string>("Precision") == "Single"},
+            context.location(location), chosenFields(location, parameters, context))
+{
+}
+
+void FieldHistory::write(StepInfo const& step)
+{
+  if (rule_.isDue(step)) {
+    series_.append(step);
+  }
+}
+
+void FieldHistory::closeSegment(int index) { series_.closeSegment(index); }
+
+void FieldHistory::save(Archive& archive) const
+{
+  Archive rule, series;
+  rule_.save(rule);
+  series_.save(series);
+  archive.insert("rule", rule);
+  archive.insert("series", series);
+}
+
+void FieldHistory::restore(Archive const& archive)
+{
+  rule_.restore(archive.child("rule"));
+  series_.restore(archive.child("series"));
+}
+} // namespace asperity::io

@@ -1,0 +1,31 @@
+#include "io/outputs/FieldHistory.hpp"
+
+namespace asperity::io
+{
+namespace
+{
+class VolumeSnapshots : public FieldHistory
+{
+public:
+  static Teuchos::RCP<const Teuchos::ParameterList> validParameters()
+  {
+    Defaults defaults;
+    defaults.enabled = false; // large
+    defaults.fields = {"displacement"};
+    return parametersWith(defaults);
+  }
+
+  static std::string meaning()
+  {
+    return "Fields in the body at chosen times: volume.h5, volume.xdmf.";
+  }
+
+  VolumeSnapshots(Teuchos::ParameterList const& parameters, OutputContext const& context)
+    : FieldHistory("volume", parameters, context)
+  {
+  }
+};
+} // namespace
+
+ASPERITY_REGISTER(OutputRegistry, "Volume Snapshots", OutputKindOf<VolumeSnapshots>)
+} // namespace asperity::io

@@ -1,0 +1,39 @@
+#pragma once
+
+#include "mesh/Mesh.hpp"
+
+namespace asperity
+{
+// A whole conforming mesh of simplices, the same on every rank that has it: what generators make
+// and files hold. Members as in Mesh, with global vertex numbers.
+template <int Dim>
+struct GlobalMesh
+{
+  using Cell = std::array<int, Dim + 1>;
+  using Facet = std::array<int, Dim>;
+
+  std::vector<Point<Dim>> vertices; // (num_vertices) in m
+  std::vector<Cell> cells;          // positively oriented
+  std::vector<int> cell_regions;    // (num_cells), index into region_names
+  std::vector<std::string> region_names;
+  std::map<std::string, std::vector<Facet>> boundaries; // outward orientation, as in Mesh
+};
+
+namespace mesh
+{
+// InputError that starts with `where` (a file or a parameter list) unless the mesh is one: finite
+// coordinates, vertex numbers and regions in range, every cell positively oriented, every vertex in
+// a cell, no facet in more than two cells, every facet of a boundary in exactly one cell.
+template <int Dim>
+void checkMesh(GlobalMesh<Dim> const& mesh, std::string const& where);
+
+// Gives the facets of the boundaries outward orientation. Those that are no facet of a cell stay as
+// they are, for checkMesh to name them.
+template <int Dim>
+void orientFacets(GlobalMesh<Dim>& mesh);
+
+// Swaps two vertices of every cell with negative volume; returns how many there were.
+template <int Dim>
+int orientCells(GlobalMesh<Dim>& mesh);
+} // namespace mesh
+} // namespace asperity

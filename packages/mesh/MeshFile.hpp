@@ -1,0 +1,35 @@
+#pragma once
+
+#include "mesh/GlobalMesh.hpp"
+
+// Meshes in HDF5:
+//
+//   /                           attributes format = "asperity-mesh", version = 1, dimension
+//   /vertices                   (num_vertices, dimension)    coordinates in m
+//   /cells                      (num_cells, dimension + 1)   vertex numbers from 0, positively
+//                                                            oriented
+//   /cell_regions               (num_cells)                  index into region_names
+//   /region_names               (num_regions)                strings
+//   /boundaries/<name>/facets   (num_facets, dimension)      vertex numbers, in any order
+//
+// Coordinates may be integers or floating point numbers of any size, all others integers of any
+// size; strings may have fixed or variable length.
+namespace asperity::mesh
+{
+// Overwrites. The file is complete or not there: it is written under another name and then renamed.
+// InputError if it cannot be written.
+template <int Dim>
+void writeMesh(GlobalMesh<Dim> const& mesh, std::string const& file_name);
+
+// A checked mesh (checkMesh). InputError with the name of the file if it is missing, malformed,
+// truncated, of another dimension, or no mesh.
+template <int Dim>
+GlobalMesh<Dim> readMesh(std::string const& file_name);
+
+// Rank 0 reads, and every rank returns the same mesh or throws the same InputError. Collective.
+template <int Dim>
+GlobalMesh<Dim> readMesh(std::string const& file_name, Communicator const& communicator);
+
+// The attribute `dimension`, 2 or 3; InputError as readMesh.
+int meshDimension(std::string const& file_name);
+} // namespace asperity::mesh

@@ -1,0 +1,156 @@
+#include "mesh/MeshQuality.hpp"
+
+#include "base/Errors.hpp"
+#include "base/NearestName.hpp"
+#include "mesh/SimplexGeometry.hpp"
+#include "mesh/detail/FacetTable.hpp"
+
+#include <limits>
+
+namespace asperity::mesh
+{
+namespace
+{
+template <int Dim, class AnyMesh>
+std::vector<double> diameters(AnyMesh const& mesh)
+{
+  std::vector<double> result;
+  result.reserve(mesh.cells.size());
+  for (auto const& cell : mesh.cells) {
+    result.push_back(longestEdge(corners<Dim>(mesh.vertices, cell)));
+  }
+  return result;
+}
+
+// Angles between facets, which in 2D are edges: pi less the angle between their outward normals.
+template <int Dim>
+double smallestAngle(GlobalMesh<Dim> const& mesh, typename GlobalMesh<Dim>::Cell const& cell)
+{
+  std::array<Point<Dim>, Dim + 1> normals;
+  for (int corner = 0; corner <= Dim; ++corner) {
+    const auto facet = detail::oppositeFacet(cell, corner);
+    normals[corner] = facetNormal(corners<Dim>(mesh.vertices, facet));
+  }
+  double smallest = std::acos(-1.0);
+  for (int i = 0; i <= Dim; ++i) {
+    for (int j = 0; j < i; ++j) {
+      const double cosine = std::clamp(-dot<Dim>(normals[i], normals[j]), -1.0, 1.0);
+      smallest = std::min(smallest, std::acos(cosine));
+    }
+  }
+  return smallest;
+}
+
+template <class AnyMesh>
+auto const& findBoundary(AnyMesh const& mesh, std::string const& name)
+{
+  const auto found = mesh.boundaries.find(name);
+  if (found == mesh.boundaries.end()) {
+    std::vector<std::string> names;
+    for (auto const& boundary : mesh.boundaries) {
+      names.push_back(boundary.first);
+    }
+    throw InputError("The mesh has no boundary '" + name + "'." + didYouMean(name, names));
+  }
+  return found->second;
+}
+
+template <class AnyMesh>
+std::vector<int> verticesOfBoundary(AnyMesh const& mesh, std::string const& name)
+{
+  std::vector<int> vertices;
+  for (auto const& facet : findBoundary(mesh, name)) {
+    vertices.insert(vertices.end(), facet.begin(), facet.end());
+  }
+  std::sort(vertices.begin(), vertices.end());
+  vertices.erase(std::unique(vertices.begin(), vertices.end()), vertices.end());
+  return vertices;
+}
+} // namespace
+
+template <int Dim>
+std::vector<double> cellDiameters(GlobalMesh<Dim> const& mesh)
+{
+  return diameters<Dim>(mesh);
+}
+
+template <int Dim>
+std::vector<double> cellDiameters(Mesh<Dim> const& mesh)
+{
+  return diameters<Dim>(mesh);
+}
+
+template <int Dim>
+CellSizes cellSizes(GlobalMesh<Dim> const& mesh)
+{
+  const auto all = cellDiameters(mesh);
+  CellSizes sizes;
+  if (all.empty()) {
+    return sizes;
+  }
+  sizes.smallest_diameter = *std::min_element(all.begin(), all.end());
+  sizes.largest_diameter = *std::max_element(all.begin(), all.end());
+  sizes.smallest_angle = std::acos(-1.0);
+  for (auto const& cell : mesh.cells) {
+    sizes.measure += signedMeasure(corners<Dim>(mesh.vertices, cell));
+    sizes.smallest_angle = std::min(sizes.smallest_angle, smallestAngle(mesh, cell));
+  }
+  return sizes;
+}
+
+template <int Dim>
+std::vector<typename Mesh<Dim>::Facet> const& boundaryFacets(GlobalMesh<Dim> const& mesh,
+                                                             std::string const& name)
+{
+  return findBoundary(mesh, name);
+}
+
+template <int Dim>
+std::vector<typename Mesh<Dim>::Facet> const& boundaryFacets(Mesh<Dim> const& mesh,
+                                                             std::string const& name)
+{
+  return findBoundary(mesh, name);
+}
+
+template <int Dim>
+std::vector<int> boundaryVertices(GlobalMesh<Dim> const& mesh, std::string const& name)
+{
+  return verticesOfBoundary(mesh, name);
+}
+
+template <int Dim>
+std::vector<int> boundaryVertices(Mesh<Dim> const& mesh, std::string const& name)
+{
+  return verticesOfBoundary(mesh, name);
+}
+
+template <int Dim>
+double shortestEdge(GlobalMesh<Dim> const& mesh, std::string const& boundary)
+{
+  double shortest = std::numeric_limits<double>::infinity();
+  for (auto const& facet : findBoundary(mesh, boundary)) {
+    const auto points = corners<Dim>(mesh.vertices, facet);
+    for (int i = 0; i < Dim; ++i) {
+      for (int j = 0; j < i; ++j) {
+        shortest = std::min(shortest, distance<Dim>(points[i], points[j]));
+      }
+    }
+  }
+  return shortest;
+}
+
+#define ASPERITY_INSTANTIATE(Dim)                                                                  \
+  template std::vector<double> cellDiameters(GlobalMesh<Dim> const&);                              \
+  template std::vector<double> cellDiameters(Mesh<Dim> const&);                                    \
+  template CellSizes cellSizes(GlobalMesh<Dim> const&);                                            \
+  template std::vector<Mesh<Dim>::Facet> const& boundaryFacets(GlobalMesh<Dim> const&,             \
+                                                               std::string const&);                \
+  template std::vector<Mesh<Dim>::Facet> const& boundaryFacets(Mesh<Dim> const&,                   \
+                                                               std::string const&);                \
+  template std::vector<int> boundaryVertices(GlobalMesh<Dim> const&, std::string const&);          \
+  template std::vector<int> boundaryVertices(Mesh<Dim> const&, std::string const&);                \
+  template double shortestEdge(GlobalMesh<Dim> const&, std::string const&);
+ASPERITY_INSTANTIATE(2)
+ASPERITY_INSTANTIATE(3)
+#undef ASPERITY_INSTANTIATE
+} // namespace asperity::mesh

@@ -1,0 +1,20 @@
+#pragma once
+
+#include "mesh/GlobalMesh.hpp"
+
+namespace asperity::mesh
+{
+struct RectangleShape
+{
+  double width = 1.0;  // m
+  double height = 1.0; // m
+  int cells_x = 1;     // columns of two triangles each
+  int cells_y = 1;
+  Point<2> lower_left = {0.0, 0.0};
+};
+
+// Right triangles, two a rectangle, with diagonals that alternate as on a chessboard. Vertices row
+// by row from the lower left: number (i, j) is j (cells_x + 1) + i. Boundaries `bottom`, `top`,
+// `left`, `right`; region `body`. InputError if the shape is none.
+GlobalMesh<2> rectangleMesh(RectangleShape const& shape);
+} // namespace asperity::mesh

@@ -1,0 +1,32 @@
+#pragma once
+
+#include "mesh/GlobalMesh.hpp"
+
+namespace asperity::mesh
+{
+// The subduction wedge of Pipping 2014, fig. 5.2 and A.1: a right triangle between surface, back
+// and base, turned by th = atan(height / length) so that the base lies along x and the trench tip
+// at (0, 0). Gravity points along (sin th, -cos th). Lengths in m.
+struct WedgeShape
+{
+  double length = 1.0;             // of the surface
+  double height = 0.27;            // of the right face
+  double zone_width = 0.20;        // of the seismogenic zone, along the base
+  double zone_end = 0.35;          // its lower end, measured along the surface from the trench
+  double cell_size = 0.002;        // largest diameter of a cell at the seismogenic zone
+  double growth_factor = 8.0;      // s
+  double growth_length = 0.10;     // l
+  double viscous_thickness = 0.06; // of region `lower`, vertically from the deepest point
+
+  double angle() const;      // th in rad
+  double baseLength() const; // sqrt(length^2 + height^2)
+  double zoneLeft() const;   // ends of the seismogenic zone on the base, x in m
+  double zoneRight() const;
+  Point<2> gravityDirection() const;
+};
+
+// Cells are bisected while they exceed (s d / l + 1) times the cell size, d being the distance of
+// the cell from the seismogenic zone. Boundaries `base`, `right`, `surface`; regions `upper` and
+// `lower`. InputError if the shape is none.
+GlobalMesh<2> wedgeMesh(WedgeShape const& shape = {});
+} // namespace asperity::mesh

@@ -1,0 +1,91 @@
+#include "scenario/DeckReader.hpp"
+
+#include "base/NearestName.hpp"
+#include "friction/Registry.hpp"
+#include "io/OutputSet.hpp"
+#include "scenario/BoundarySetup.hpp"
+#include "scenario/BulkSetup.hpp"
+#include "scenario/FrictionSetup.hpp"
+#include "scenario/MeshSetup.hpp"
+#include "scenario/Problem.hpp"
+#include "scenario/SolverSetup.hpp"
+#include "scenario/TimeSetup.hpp"
+
+#include <algorithm>
+#include <sstream>
+
+namespace asperity::scenario
+{
+namespace
+{
+RCP<const ParameterList> outputParameters()
+{
+  auto list = rcp(new ParameterList(*io::OutputSet::validParameters()));
+  Declare(*list).integer("Checkpoint Every n Steps", 5000, Range::atLeast(1),
+                         "Accepted steps between two checkpoints.");
+  return list;
+}
+
+// The law a deck names, or the default; an unknown name is refused here, since the valid parameters depend on it.
+std::string lawOf(ParameterList const& deck, std::string const& name, std::string const& standard,
+                  std::vector<std::string> const& known)
+{
+  if (!deck.isSublist("Friction") || !deck.sublist("Friction").isType<std::string>(name)) {
+    return standard;
+  }
+  auto const law = deck.sublist("Friction").get<std::string>(name);
+  ASPERITY_REQUIRE(std::find(known.begin(), known.end(), law) != known.end(),
+                   "Asperity / Friction / " << name << " = '" << law << "' is unknown."
+                                            << didYouMean(law, known));
+  return law;
+}
+
+RCP<const ParameterList> parametersFor(ParameterList const& deck)
+{
+  return deckParameters(lawOf(deck, "Law", "Regularised", friction::frictionLawNames()),
+                        lawOf(deck, "State Evolution", "Ageing", friction::stateLawNames()));
+}
+} // namespace
+
+RCP<const ParameterList> deckParameters(std::string const& law, std::string const& state_law)
+{
+  auto const list =
+    Declare()
+      .sublist("Mesh", meshParameters(), "Where the body is.")
+      .sublist("Bulk", bulkParameters(), "What the body is made of.")
+      .sublist("Friction", frictionParameters(law, state_law), "What happens on the fault.")
+      .openSublist("Boundary Conditions", boundaryParameters(), "One list of any name for each condition.")
+      .sublist("Initial State", initialStateParameters(), "How the run starts.")
+      .sublist("Time Stepping", timeParameters(), "How it goes on.")
+      .sublist("Coupling", dynamics::CouplingSettings::validParameters(), "The fixed point of rate and state.")
+      .sublist("TNNMG", solverParameters(), "The solver of the rate problems.")
+      .sublist("Output", outputParameters(), "What the run leaves.")
+      .list();
+  list->setName("Asperity");
+  return list;
+}
+
+RCP<ParameterList> readCompleteDeck(CommandLine const& command_line)
+{
+  auto deck = readDeck(command_line.deck);
+  for (auto const& overlay : command_line.overlays) {
+    overlayDeck(*deck, overlay);
+  }
+  for (auto const& assignment : command_line.overrides) {
+    applyOverride(*deck, *parametersFor(*deck), assignment);
+  }
+  completeAndValidate(*deck, *parametersFor(*deck), "Asperity");
+  return deck;
+}
+
+std::string fingerprint(ParameterList const& deck)
+{
+  ParameterList relevant(deck);
+  relevant.remove("Output");
+  relevant.sublist("Time Stepping").remove("Final Time");
+  std::ostringstream text;
+  text.precision(17);
+  relevant.print(text, ParameterList::PrintOptions().showTypes(false).showFlags(false));
+  return text.str();
+}
+} // namespace asperity::scenario

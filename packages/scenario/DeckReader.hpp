@@ -1,0 +1,19 @@
+#pragma once
+
+#include "base/CommandLine.hpp"
+#include "base/Parameters.hpp"
+#include "base/Types.hpp"
+
+#include <string>
+
+namespace asperity::scenario
+{
+// All parameters of a deck with the given laws.
+RCP<const ParameterList> deckParameters(std::string const& law, std::string const& state_law);
+
+// The deck of a command line: read, overlaid, overridden, checked and completed. InputError otherwise.
+RCP<ParameterList> readCompleteDeck(CommandLine const& command_line);
+
+// What must not change between a run and its restart: everything but the output and the final time.
+std::string fingerprint(ParameterList const& deck);
+} // namespace asperity::scenario

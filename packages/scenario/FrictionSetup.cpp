@@ -1,0 +1,173 @@
+#include "scenario/FrictionSetup.hpp"
+
+#include "friction/Registry.hpp"
+
+#include <Teuchos_CommHelpers.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <set>
+
+namespace asperity::scenario
+{
+namespace
+{
+const std::string path = "Asperity / Friction";
+
+Range rangeOf(friction::Parameter const& parameter)
+{
+  const bool bounded = std::isfinite(parameter.upper);
+  if (!bounded) {
+    return parameter.lower_closed ? Range::atLeast(parameter.lower) : Range::above(parameter.lower);
+  }
+  if (parameter.lower_closed) {
+    return parameter.upper_closed ? Range::closed(parameter.lower, parameter.upper)
+                                  : Range::closedOpen(parameter.lower, parameter.upper);
+  }
+  return parameter.upper_closed ? Range::openClosed(parameter.lower, parameter.upper)
+                                : Range::open(parameter.lower, parameter.upper);
+}
+
+void declareTable(Declare& declare, std::vector<friction::Parameter> const& table,
+                  std::set<std::string>& known)
+{
+  for (auto const& parameter : table) {
+    if (!known.insert(parameter.name).second) {
+      continue; // shared by both laws
+    }
+    const DefaultOr<FieldValue> value = parameter.required()
+                                          ? DefaultOr<FieldValue>(required)
+                                          : DefaultOr<FieldValue>(FieldValue(parameter.default_value));
+    declare.field(parameter.name, value, parameter.unit, rangeOf(parameter), parameter.meaning);
+    if (std::string(parameter.name) == "a") {
+      declare.hint("Check the sign; typical values are 0.005 to 0.03.");
+    }
+  }
+}
+
+friction::ParameterView valuesOfTable(std::vector<friction::Parameter> const& table,
+                                      ParameterList const& list, Mesh<2> const& mesh,
+                                      std::vector<int> const& nodes)
+{
+  Kokkos::View<double**, friction::MemorySpace> values("asperity::scenario::lawParameters",
+                                                       table.size(), nodes.size());
+  auto const host = Kokkos::create_mirror_view(values);
+  for (std::size_t row = 0; row < table.size(); ++row) {
+    const Field field(list, table[row].name, path, {});
+    for (std::size_t node = 0; node < nodes.size(); ++node) {
+      auto const& x = mesh.vertices[nodes[node]];
+      host(row, node) = field({x[0], x[1], 0}, 0, 0);
+    }
+  }
+  Kokkos::deep_copy(values, host);
+  return values;
+}
+
+// The component of a nodal frame along the fault: the one across it has been laid along the normal.
+int tangentialComponent(fem::NodalFrames const& frames, int node, Point<2> const& normal)
+{
+  if (frames.components() == 1) {
+    return 0;
+  }
+  const double along_first = frames.entry(node, 0, 0) * normal[0] + frames.entry(node, 0, 1) * normal[1];
+  return std::abs(along_first) < 0.5 ? 0 : 1;
+}
+
+friction::NodeView toDevice(std::vector<double> const& values, std::string const& label)
+{
+  friction::NodeView view(label, values.size());
+  auto const host = Kokkos::create_mirror_view(view);
+  std::copy(values.begin(), values.end(), host.data());
+  Kokkos::deep_copy(view, host);
+  return view;
+}
+} // namespace
+
+RCP<const ParameterList> frictionParameters(std::string const& law, std::string const& state_law)
+{
+  Declare declare;
+  declare
+    .choice("Law", "Regularised", friction::frictionLawNames(),
+            "Friction coefficient as a function of slip rate and state.")
+    .choice("State Evolution", "Ageing", friction::stateLawNames(), "How the state evolves.");
+  std::set<std::string> known;
+  declareTable(declare, friction::frictionLawParameters(law), known);
+  declareTable(declare, friction::stateLawParameters(state_law), known);
+  declare
+    .field("Cohesion", 0., "Pa", Range::atLeast(0), "Shear stress that the fault bears without normal stress.")
+    .field("Normal Stress", optional, "Pa", Range::atLeast(0),
+           "Normal stress, positive in compression; left out, it is that of the static solution under gravity.")
+    .real("Normal Stress Factor", 1., "-", Range::atLeast(0), "Multiplies the normal stress.")
+    .field("Shear Traction", 0., "Pa", Range::any(),
+           "Shear traction on the fault besides that of the deformation, along the tangent of its frame: along +x "
+           "on a fault below the body.");
+  return declare.list();
+}
+
+friction::NodeView valuesAtNodes(Field const& field, Mesh<2> const& mesh, std::vector<int> const& nodes)
+{
+  std::vector<double> values;
+  if (field.isDataset()) {
+    std::vector<long long> ids;
+    for (int node : nodes) {
+      ids.push_back(mesh.global_ids[node]);
+    }
+    values = field.values(ids);
+  } else {
+    for (int node : nodes) {
+      auto const& x = mesh.vertices[node];
+      values.push_back(field({x[0], x[1], 0}, 0, 0));
+    }
+  }
+  return toDevice(values, "asperity::scenario::fieldAtNodes");
+}
+
+dynamics::Fault makeFault(ParameterList const& list, Mesh<2> const& mesh,
+                          fem::BoundaryNodes<2> const& boundary, fem::DofMap const& dofs,
+                          fem::Constraints<2> const& constraints)
+{
+  dynamics::Fault fault;
+  fault.num_tangents = 1;
+  fault.communicator = dofs.communicator();
+  for (std::size_t i = 0; i < boundary.nodes.size(); ++i) {
+    const int node = boundary.nodes[i];
+    const int dof = dofs.dof(node, tangentialComponent(constraints.frames(), node, boundary.normals[i]));
+    fault.dofs.push_back({dof});
+    fault.fixed.push_back(constraints.fixed()[dof] ? 1 : 0);
+  }
+  double mine = 0;
+  for (double weight : boundary.weights) {
+    mine += weight;
+  }
+  Teuchos::reduceAll(*fault.communicator, Teuchos::REDUCE_SUM, mine, Teuchos::outArg(fault.total_weight));
+  fault.data.weight = toDevice(boundary.weights, "asperity::scenario::weight");
+  fault.data.cohesion = valuesAtNodes(Field(list, "Cohesion", path, {}), mesh, boundary.nodes);
+  fault.data.sigma_n = friction::NodeView("asperity::scenario::normalStress", boundary.nodes.size());
+
+  auto const law = list.get<std::string>("Law");
+  auto const state_law = list.get<std::string>("State Evolution");
+  fault.data.parameters = valuesOfTable(friction::frictionLawParameters(law), list, mesh, boundary.nodes);
+  fault.state = friction::makeStateKernels(
+    state_law, valuesOfTable(friction::stateLawParameters(state_law), list, mesh, boundary.nodes));
+  return fault;
+}
+
+void setNormalStress(dynamics::Fault& fault, ParameterList const& list, Mesh<2> const& mesh,
+                     std::vector<int> const& nodes, NormalStress& stress)
+{
+  if (list.isParameter("Normal Stress") || list.isSublist("Normal Stress")) {
+    auto const given = valuesAtNodes(Field(list, "Normal Stress", path, {}), mesh, nodes);
+    auto const host = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace(), given);
+    stress.values.assign(host.data(), host.data() + host.extent(0));
+  }
+  const double factor = list.get<double>("Normal Stress Factor");
+  int tensile = 0;
+  for (double& value : stress.values) {
+    tensile += value < 0 ? 1 : 0;
+    value = factor * std::max(value, 0.);
+  }
+  stress.num_tensile = fault.sumOverRanks(tensile);
+  fault.data.sigma_n = toDevice(stress.values, "asperity::scenario::normalStress");
+  fault.friction = friction::makeFrictionKernels(list.get<std::string>("Law"), fault.data);
+}
+} // namespace asperity::scenario

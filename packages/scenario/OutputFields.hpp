@@ -1,0 +1,28 @@
+#pragma once
+
+#include "dynamics/EnergyBalance.hpp"
+#include "dynamics/StepControl.hpp"
+#include "io/FieldRegistry.hpp"
+#include "io/Location.hpp"
+#include "scenario/Problem.hpp"
+
+#include <map>
+
+namespace asperity::scenario
+{
+// What outputs read while a run goes on; the simulation keeps it up to date.
+struct RunView
+{
+  dynamics::State const* state = nullptr;
+  dynamics::EnergyBalance const* balance = nullptr;
+  dynamics::AcceptedStep step;
+  dynamics::SolveCount count; // of the last step alone
+};
+
+// Fault, volume and, where the deck names one, the free surface. Collective.
+std::map<std::string, io::Location> makeLocations(Problem const& problem);
+
+// Registers all fields and scalars. Problem and view must outlive the registry.
+void registerFields(io::FieldRegistry& registry, Problem const& problem, RunView const& view,
+                    std::map<std::string, io::Location> const& locations);
+} // namespace asperity::scenario

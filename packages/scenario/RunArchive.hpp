@@ -1,0 +1,22 @@
+#pragma once
+
+#include "dynamics/EnergyBalance.hpp"
+#include "dynamics/StepControl.hpp"
+#include "io/Archive.hpp"
+
+namespace asperity::scenario
+{
+// The parts of a run in a checkpoint. `like` gives the shapes of a state that is read.
+void save(io::Archive& archive, std::string const& path, dynamics::State const& state);
+dynamics::State loadState(io::Archive const& archive, std::string const& path, dynamics::State const& like);
+
+void save(io::Archive& archive, std::string const& path, dynamics::ControlMemory const& memory);
+dynamics::ControlMemory loadControl(io::Archive const& archive, std::string const& path,
+                                    dynamics::State const& like);
+
+void save(io::Archive& archive, std::string const& path, dynamics::SolveCount const& count);
+dynamics::SolveCount loadCount(io::Archive const& archive, std::string const& path);
+
+void save(io::Archive& archive, std::string const& path, dynamics::Energy const& energy);
+dynamics::Energy loadEnergy(io::Archive const& archive, std::string const& path);
+} // namespace asperity::scenario

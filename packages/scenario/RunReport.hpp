@@ -1,0 +1,32 @@
+#pragma once
+
+#include "base/Parameters.hpp"
+#include "dynamics/CoupledStep.hpp"
+#include "dynamics/EnergyBalance.hpp"
+#include "io/outputs/EventCatalogue.hpp"
+#include "scenario/Problem.hpp"
+
+#include <string>
+#include <vector>
+
+namespace asperity::scenario
+{
+// What is about to be computed, one line each. Collective.
+std::vector<std::string> describe(Problem const& problem, ParameterList const& deck);
+
+struct RunSummary
+{
+  bool finished = false;
+  double time = 0; // reached [s]
+  std::int64_t num_steps = 0;
+  std::int64_t forced_steps = 0; // accepted although the smallest step did not meet the tolerance
+  dynamics::SolveCount count;
+  dynamics::Energy energy;
+  int setups = 0;
+  double setup_seconds = 0;
+  std::string directory;
+};
+
+// The closing paragraphs: events, effort, energy. `events` may be null.
+std::string summarise(RunSummary const& summary, io::EventCatalogue const* events);
+} // namespace asperity::scenario

@@ -1,0 +1,204 @@
+#include "scenario/Simulation.hpp"
+
+#include "base/MpiSession.hpp"
+#include "base/Signals.hpp"
+#include "base/Text.hpp"
+#include "io/Checkpoint.hpp"
+#include "io/OutputDirectory.hpp"
+#include "io/outputs/EventCatalogue.hpp"
+#include "scenario/DeckReader.hpp"
+#include "scenario/RunArchive.hpp"
+#include "scenario/RunReport.hpp"
+#include "scenario/SolverSetup.hpp"
+#include "scenario/TimeSetup.hpp"
+
+namespace asperity::scenario
+{
+namespace
+{
+dynamics::SolveCount difference(dynamics::SolveCount const& now, dynamics::SolveCount const& before)
+{
+  dynamics::SolveCount result;
+  result.coupled_steps = now.coupled_steps - before.coupled_steps;
+  result.rate_problems = now.rate_problems - before.rate_problems;
+  result.tnnmg_iterations = now.tnnmg_iterations - before.tnnmg_iterations;
+  result.corrections = now.corrections - before.corrections;
+  result.correction_iterations = now.correction_iterations - before.correction_iterations;
+  result.v_cycles = now.v_cycles - before.v_cycles;
+  result.rises = now.rises - before.rises;
+  result.failures = now.failures - before.failures;
+  return result;
+}
+
+io::ExistingResult existingResult(CommandLine const& command_line)
+{
+  if (!command_line.restart.empty()) {
+    return io::ExistingResult::keep;
+  }
+  return command_line.overwrite ? io::ExistingResult::overwrite : io::ExistingResult::refuse;
+}
+} // namespace
+
+std::filesystem::path outputDirectory(CommandLine const& command_line)
+{
+  if (!command_line.output.empty()) {
+    return command_line.output;
+  }
+  return std::filesystem::path("results") / std::filesystem::path(command_line.deck).stem();
+}
+
+Simulation::Simulation(RCP<ParameterList> const& deck, CommandLine const& command_line,
+                       RCP<const Communicator> const& communicator)
+    : deck_(deck)
+    , communicator_(communicator)
+    , directory_(outputDirectory(command_line))
+    , problem_(*deck, communicator)
+    , clock_(makeClock(deck->sublist("Time Stepping")))
+    , end_(clock_.reaching(finalTime(deck->sublist("Time Stepping"))))
+    , balance_(problem_.body, problem_.fault, clock_)
+    , state_(problem_.initial.clone())
+    , locations_(makeLocations(problem_))
+    , restart_(command_line.restart)
+    , checkpoint_interval_(deck->sublist("Output").get<int>("Checkpoint Every n Steps"))
+{
+  auto const update = makeRateUpdate(deck->sublist("Time Stepping"));
+  solvers_ = std::make_unique<dynamics::StepSolvers>(problem_.body, problem_.fault, update, clock_, problem_.solver,
+                                                     memoryBudget(deck->sublist("TNNMG")));
+  coupled_step_ = std::make_unique<dynamics::CoupledStep>(
+    problem_.body, problem_.fault, update, clock_, dynamics::CouplingSettings::from(deck->sublist("Coupling")),
+    *solvers_);
+  control_ = makeStepControl(deck->sublist("Time Stepping"), *coupled_step_, problem_.fault, clock_);
+  view_.state = &state_;
+  view_.balance = &balance_;
+  registerFields(registry_, problem_, view_, locations_);
+  if (problem_.boundary.surface.empty()) {
+    deck->sublist("Output").sublist("Surface History").set("Enabled", false);
+  }
+  if (command_line.validate) {
+    return;
+  }
+  io::prepareOutputDirectory(directory_, existingResult(command_line), *communicator);
+  log_ = std::make_unique<io::RunLog>(directory_ / "run.log", !restart_.empty(), *communicator);
+  outputs_ = std::make_unique<io::OutputSet>(deck->sublist("Output"),
+                                             io::OutputContext{directory_, communicator, registry_, locations_});
+  if (communicator->getRank() == 0) {
+    writeParameters(*deck, (directory_ / "parameters.xml").string());
+  }
+}
+
+Simulation::~Simulation() = default;
+
+bool Simulation::atEnd() const
+{
+  return state_.time >= end_;
+}
+
+io::StepInfo Simulation::stepInfo() const
+{
+  io::StepInfo info;
+  info.step = control_->memory().num_steps;
+  info.time = clock_.seconds(state_.time);
+  info.step_size = info.step > 0 ? clock_.stepSize(view_.step.level) : 0;
+  info.peak_slip_rate = problem_.fault.peakSlipRate(*state_.v);
+  info.is_last = atEnd();
+  return info;
+}
+
+int Simulation::run()
+{
+  const StopSignals signals;
+  for (auto const& line : describe(problem_, *deck_)) {
+    log_->message(line);
+  }
+  begin();
+  try {
+    while (!atEnd()) {
+      advance();
+      if (signals.agreed(*communicator_) != 0) {
+        writeCheckpoint();
+        report(false);
+        return exit_signal;
+      }
+      if (control_->memory().num_steps % checkpoint_interval_ == 0) {
+        writeCheckpoint();
+      }
+    }
+  } catch (SolveError const& error) {
+    writeCheckpoint();
+    report(false);
+    throw;
+  }
+  writeCheckpoint();
+  outputs_->finish();
+  report(true);
+  return exit_done;
+}
+
+void Simulation::begin()
+{
+  if (restart_.empty()) {
+    balance_.start(state_, {});
+    outputs_->write(stepInfo());
+    return;
+  }
+  auto const archive = io::readCheckpoint(restart_, fingerprint(*deck_), *communicator_);
+  state_ = loadState(archive, "state", problem_.initial);
+  control_->restore(loadControl(archive, "control", problem_.initial));
+  count_ = loadCount(archive, "count");
+  forced_steps_ = archive.getInteger("forced_steps");
+  balance_.start(state_, loadEnergy(archive, "energy"));
+  outputs_->restore(archive.child("outputs"));
+  log_->message("Restarted from " + restart_ + " at t = " + formatShort(clock_.seconds(state_.time)) + " s.");
+}
+
+void Simulation::advance()
+{
+  auto const before = count_;
+  view_.step = control_->advance(state_, count_);
+  view_.count = difference(count_, before);
+  forced_steps_ += view_.step.within_tolerance ? 0 : 1;
+  balance_.advance(state_);
+  auto const info = stepInfo();
+  outputs_->write(info);
+
+  io::Progress progress;
+  progress.time = info.time;
+  progress.final_time = clock_.seconds(end_);
+  progress.step_size = info.step_size;
+  progress.peak_slip_rate = info.peak_slip_rate;
+  progress.step = info.step;
+  progress.fixed_point_iterations = view_.step.iterations;
+  if (auto const* events = outputs_->events()) {
+    progress.num_events = static_cast<std::int64_t>(events->events().size()) + events->eventInProgress();
+  }
+  log_->progress(progress);
+}
+
+void Simulation::writeCheckpoint()
+{
+  outputs_->closeSegment();
+  io::Archive archive;
+  save(archive, "state", state_);
+  save(archive, "control", control_->memory());
+  save(archive, "count", count_);
+  save(archive, "energy", balance_.energy());
+  archive.set("forced_steps", forced_steps_);
+  archive.insert("outputs", outputs_->save());
+  io::writeCheckpoint(directory_ / "checkpoint.h5", archive, fingerprint(*deck_), *communicator_);
+}
+
+void Simulation::report(bool finished)
+{
+  RunSummary summary;
+  summary.finished = finished;
+  summary.time = clock_.seconds(state_.time);
+  summary.num_steps = control_->memory().num_steps;
+  summary.forced_steps = forced_steps_;
+  summary.count = count_;
+  summary.energy = balance_.energy();
+  summary.setups = solvers_->setups();
+  summary.setup_seconds = solvers_->setupSeconds();
+  summary.directory = directory_.string();
+  log_->message(summarise(summary, outputs_->events()));
+}
+} // namespace asperity::scenario

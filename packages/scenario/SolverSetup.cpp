@@ -1,0 +1,46 @@
+#include "scenario/SolverSetup.hpp"
+
+#include "tnnmg/MueLuCorrection.hpp"
+
+namespace asperity::scenario
+{
+namespace
+{
+// Beyond this the fill of a factor in two dimensions costs more than a few V-cycles.
+constexpr long long largest_direct = 100000;
+} // namespace
+
+RCP<const ParameterList> solverParameters()
+{
+  auto list = tnnmg::TnnmgSettings::validParameters();
+  Declare(*list)
+    .choice("Linear Correction", "Auto", {"Auto", "Direct", "MueLu"},
+            "Direct: sparse Cholesky of Z once for each step size and a Schur complement on the fault; one rank. "
+            "MueLu: algebraic multigrid. Auto: Direct on one rank for small problems.")
+    .real("Memory Budget", 2000., "MB", Range::positive(),
+          "Solvers of different step sizes are kept up to this; the least recently used go first.")
+    .sublist("MueLu Correction", tnnmg::MueLuCorrection::validParameters(), "The multigrid correction.");
+  return list;
+}
+
+dynamics::RateSolverSettings makeSolverSettings(ParameterList const& list, int num_ranks,
+                                                long long num_unknowns)
+{
+  auto const choice = list.get<std::string>("Linear Correction");
+  ASPERITY_REQUIRE(choice != "Direct" || num_ranks == 1,
+                   "Asperity / TNNMG / Linear Correction = Direct works on one rank, not on "
+                     << num_ranks << ". Choose MueLu or Auto.");
+  dynamics::RateSolverSettings settings;
+  settings.tnnmg = tnnmg::TnnmgSettings::from(list);
+  const bool direct =
+    choice == "Direct" || (choice == "Auto" && num_ranks == 1 && num_unknowns <= largest_direct);
+  settings.correction = direct ? dynamics::Correction::direct : dynamics::Correction::multigrid;
+  settings.multigrid = list.sublist("MueLu Correction");
+  return settings;
+}
+
+std::size_t memoryBudget(ParameterList const& list)
+{
+  return static_cast<std::size_t>(list.get<double>("Memory Budget") * 1e6);
+}
+} // namespace asperity::scenario

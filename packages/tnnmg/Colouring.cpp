@@ -1,0 +1,201 @@
+#include "tnnmg/Colouring.hpp"
+
+#include <Teuchos_CommHelpers.hpp>
+#include <Tpetra_CrsGraph.hpp>
+#include <Tpetra_CrsMatrix.hpp>
+#include <Tpetra_Import.hpp>
+#include <Tpetra_Map.hpp>
+#include <Tpetra_Vector.hpp>
+
+#include <algorithm>
+#include <cstdint>
+#include <set>
+#include <utility>
+
+namespace asperity::tnnmg
+{
+namespace
+{
+using ColourVector = Tpetra::Vector<int, LocalOrdinal, GlobalOrdinal>;
+using IdVector = Tpetra::Vector<GlobalOrdinal, LocalOrdinal, GlobalOrdinal>;
+using HostDofs = Kokkos::View<const LocalOrdinal**, Kokkos::LayoutRight, Kokkos::HostSpace>;
+using Weight = std::pair<std::uint64_t, GlobalOrdinal>; // the id decides where hashes collide
+
+constexpr int uncoloured = -1;
+
+// The finaliser of splitmix64 (Steele, Lea, Flood 2014): neighbouring ids get unrelated weights.
+Weight weightOf(GlobalOrdinal id)
+{
+  auto x = static_cast<std::uint64_t>(id) + 0x9e3779b97f4a7c15ULL;
+  x = (x ^ (x >> 30)) * 0xbf58476d1ce4e5b9ULL;
+  x = (x ^ (x >> 27)) * 0x94d049bb133111ebULL;
+  return {x ^ (x >> 31), id};
+}
+
+// Neighbours and weights of this rank's rows, by local columns.
+struct Neighbourhood
+{
+  explicit Neighbourhood(CrsGraph const& graph)
+    : offsets(1, 0)
+  {
+    const auto local = graph.getLocalGraphHost();
+    const auto rows = graph.getRowMap()->getLocalMap();
+    const auto columns = graph.getColMap()->getLocalMap();
+    for (std::size_t column = 0; column < graph.getNodeNumCols(); ++column) {
+      weights.push_back(weightOf(columns.getGlobalElement(static_cast<int>(column))));
+    }
+    for (std::size_t row = 0; row < graph.getNodeNumRows(); ++row) {
+      const GlobalOrdinal id = rows.getGlobalElement(static_cast<int>(row));
+      own_weights.push_back(weightOf(id));
+      const LocalOrdinal own_column = columns.getLocalElement(id); // invalid without a self loop
+      for (auto k = local.row_map(row); k < local.row_map(row + 1); ++k) {
+        if (local.entries(k) != own_column) {
+          neighbours.push_back(local.entries(k));
+        }
+      }
+      offsets.push_back(neighbours.size());
+    }
+  }
+
+  // The smallest colour that no neighbour has, if all uncoloured neighbours are lighter; uncoloured otherwise.
+  template <class Colours>
+  int choose(int row, Colours const& colours) const
+  {
+    std::vector<bool> taken(offsets[row + 1] - offsets[row] + 1, false);
+    for (auto k = offsets[row]; k < offsets[row + 1]; ++k) {
+      const int colour = colours(neighbours[k], 0);
+      if (colour == uncoloured && weights[neighbours[k]] > own_weights[row]) {
+        return uncoloured;
+      }
+      if (colour != uncoloured && static_cast<std::size_t>(colour) < taken.size()) {
+        taken[colour] = true;
+      }
+    }
+    return static_cast<int>(std::find(taken.begin(), taken.end(), false) - taken.begin());
+  }
+
+  std::vector<std::size_t> offsets;
+  std::vector<LocalOrdinal> neighbours; // local columns, without the row itself
+  std::vector<Weight> weights, own_weights; // of columns, of rows
+};
+
+template <class Number>
+Number sumOverRanks(CrsGraph const& graph, Number mine)
+{
+  Number sum = 0;
+  Teuchos::reduceAll(*graph.getComm(), Teuchos::REDUCE_SUM, 1, &mine, &sum);
+  return sum;
+}
+
+// One round of Jones and Plassmann: all nodes that are heavier than their uncoloured neighbours choose.
+// A round sees the colours of the round before, wherever the neighbour lives. Returns how many nodes chose.
+int colourHeaviest(CrsGraph const& graph, Neighbourhood const& neighbourhood, ColourVector const& seen,
+                   ColourVector& colours)
+{
+  const auto before = seen.getLocalViewHost(Tpetra::Access::ReadOnly);
+  auto after = colours.getLocalViewHost(Tpetra::Access::ReadWrite);
+  int num_chosen = 0;
+  for (int row = 0; row < static_cast<int>(graph.getNodeNumRows()); ++row) {
+    if (after(row, 0) == uncoloured) {
+      after(row, 0) = neighbourhood.choose(row, before);
+      num_chosen += after(row, 0) != uncoloured;
+    }
+  }
+  return num_chosen;
+}
+
+Colouring gather(CrsGraph const& graph, ColourVector const& colours)
+{
+  Colouring result;
+  const auto host = colours.getLocalViewHost(Tpetra::Access::ReadOnly);
+  for (std::size_t row = 0; row < graph.getNodeNumRows(); ++row) {
+    result.colour.push_back(host(row, 0));
+  }
+  int mine = 0;
+  for (int colour : result.colour) {
+    mine = std::max(mine, colour + 1);
+  }
+  Teuchos::reduceAll(*graph.getComm(), Teuchos::REDUCE_MAX, 1, &mine, &result.num_colours);
+  result.rows.resize(result.num_colours);
+  for (std::size_t row = 0; row < result.colour.size(); ++row) {
+    result.rows[result.colour[row]].push_back(static_cast<LocalOrdinal>(row));
+  }
+  return result;
+}
+// For each column of Z the id of the nonlinear node it belongs to, which is that of the node's first dof, or -1.
+IdVector nodesOfColumns(CrsMatrix const& Z, HostDofs const& dofs)
+{
+  IdVector of_dof(Z.getDomainMap());
+  of_dof.putScalar(-1);
+  {
+    auto host = of_dof.getLocalViewHost(Tpetra::Access::ReadWrite);
+    for (int node = 0; node < dofs.extent_int(0); ++node) {
+      for (int t = 0; t < dofs.extent_int(1); ++t) {
+        host(dofs(node, t), 0) = Z.getRowMap()->getGlobalElement(dofs(node, 0));
+      }
+    }
+  }
+  IdVector of_column(Z.getColMap());
+  of_column.doImport(of_dof, Import(Z.getDomainMap(), Z.getColMap()), Tpetra::INSERT);
+  return of_column;
+}
+
+std::set<GlobalOrdinal> neighboursOf(int node, CrsMatrix const& Z, HostDofs const& dofs, IdVector const& of_column)
+{
+  const auto host = of_column.getLocalViewHost(Tpetra::Access::ReadOnly);
+  const auto local = Z.getLocalMatrixHost();
+  std::set<GlobalOrdinal> neighbours;
+  for (int t = 0; t < dofs.extent_int(1); ++t) {
+    const auto row = local.rowConst(dofs(node, t));
+    for (int k = 0; k < row.length; ++k) {
+      if (const GlobalOrdinal id = host(row.colidx(k), 0); id >= 0) {
+        neighbours.insert(id);
+      }
+    }
+  }
+  return neighbours;
+}
+} // namespace
+
+Colouring colourNodes(CrsGraph const& graph)
+{
+  const Neighbourhood neighbourhood(graph);
+  ColourVector colours(graph.getDomainMap());
+  ColourVector seen(graph.getColMap());
+  colours.putScalar(uncoloured);
+  auto num_left = sumOverRanks(graph, static_cast<long long>(graph.getNodeNumRows()));
+  while (num_left > 0) {
+    if (graph.getImporter().is_null()) {
+      Tpetra::deep_copy(seen, colours);
+    } else {
+      seen.doImport(colours, *graph.getImporter(), Tpetra::INSERT);
+    }
+    const int num_chosen = colourHeaviest(graph, neighbourhood, seen, colours);
+    num_left -= sumOverRanks(graph, static_cast<long long>(num_chosen));
+  }
+  return gather(graph, colours);
+}
+
+Colouring colourNodes(CrsMatrix const& Z, NonlinearDofView const& dofs)
+{
+  const HostDofs host = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace(), dofs);
+  const auto of_column = nodesOfColumns(Z, host);
+  std::vector<GlobalOrdinal> ids;
+  std::vector<std::vector<GlobalOrdinal>> neighbours;
+  std::size_t longest_row = 1;
+  for (int node = 0; node < host.extent_int(0); ++node) {
+    const auto found = neighboursOf(node, Z, host, of_column);
+    ids.push_back(Z.getRowMap()->getGlobalElement(host(node, 0)));
+    neighbours.emplace_back(found.begin(), found.end());
+    longest_row = std::max(longest_row, found.size());
+  }
+  const auto num_global = Teuchos::OrdinalTraits<Tpetra::global_size_t>::invalid(); // to be computed
+  const RCP<const Map> map = rcp(new Map(num_global, Teuchos::arrayViewFromVector(ids), 0, Z.getComm()));
+  CrsGraph graph(map, longest_row);
+  for (std::size_t node = 0; node < ids.size(); ++node) {
+    graph.insertGlobalIndices(ids[node], Teuchos::arrayViewFromVector(neighbours[node]));
+  }
+  graph.fillComplete();
+  return colourNodes(graph);
+}
+} // namespace asperity::tnnmg

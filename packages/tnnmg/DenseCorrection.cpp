@@ -1,0 +1,161 @@
+#include "tnnmg/DenseCorrection.hpp"
+
+#include <Eigen/Cholesky>
+#include <Eigen/Core>
+#include <Tpetra_CrsMatrix.hpp>
+#include <Tpetra_Map.hpp>
+#include <Tpetra_Vector.hpp>
+
+namespace asperity::tnnmg
+{
+namespace
+{
+// More iterations than this cost more than a new factorisation of a few hundred unknowns.
+constexpr int max_iterations = 8;
+} // namespace
+
+struct DenseCorrection::Implementation
+{
+  Eigen::MatrixXd Z;
+  std::vector<std::vector<int>> dofs; // of each node
+  Eigen::LLT<Eigen::MatrixXd> factor;
+  bool has_factor = false;
+
+  // Of the current solve: H by node, and 1 on the dofs that take part.
+  NonlinearBlocks blocks;
+  Eigen::VectorXd mask;
+
+  void read(NonlinearBlocks const& new_blocks)
+  {
+    blocks = new_blocks;
+    mask.setOnes(Z.rows());
+    for (std::size_t node = 0; node < dofs.size(); ++node) {
+      if (blocks.truncated(node)) {
+        for (int dof : dofs[node]) {
+          mask(dof) = 0;
+        }
+      }
+    }
+  }
+
+  template <class Add>
+  void forEachHessianEntry(Add const& add) const
+  {
+    for (std::size_t node = 0; node < dofs.size(); ++node) {
+      if (!blocks.truncated(node)) {
+        for (std::size_t k = 0; k < dofs[node].size(); ++k) {
+          for (std::size_t l = 0; l < dofs[node].size(); ++l) {
+            add(dofs[node][k], dofs[node][l], blocks.hessian(node, k, l));
+          }
+        }
+      }
+    }
+  }
+
+  bool factorise()
+  {
+    Eigen::MatrixXd A = Z;
+    forEachHessianEntry([&](int row, int column, double value) { A(row, column) += value; });
+    for (int dof = 0; dof < A.rows(); ++dof) {
+      if (mask(dof) == 0) {
+        const double diagonal = A(dof, dof);
+        A.row(dof).setZero();
+        A.col(dof).setZero();
+        A(dof, dof) = diagonal;
+      }
+    }
+    factor.compute(A);
+    has_factor = factor.info() == Eigen::Success;
+    return has_factor;
+  }
+
+  Eigen::VectorXd apply(Eigen::VectorXd const& x) const
+  {
+    Eigen::VectorXd y = Z.selfadjointView<Eigen::Lower>() * x;
+    forEachHessianEntry([&](int row, int column, double value) { y(row) += value * x(column); });
+    return y.cwiseProduct(mask);
+  }
+
+  Eigen::VectorXd precondition(Eigen::VectorXd const& x) const
+  {
+    return factor.solve(x).cwiseProduct(mask);
+  }
+
+  // Preconditioned conjugate gradients from c = 0 with the kept factor.
+  CorrectionResult iterate(Eigen::VectorXd r, double relative_tolerance, Eigen::VectorXd& c) const
+  {
+    CorrectionResult result;
+    const double target = relative_tolerance * r.norm();
+    c.setZero(r.size());
+    Eigen::VectorXd z = precondition(r);
+    Eigen::VectorXd direction = z;
+    double rz = r.dot(z);
+    result.converged = r.norm() <= target;
+    while (!result.converged && result.iterations < max_iterations && rz > 0) {
+      ++result.iterations;
+      const Eigen::VectorXd image = apply(direction);
+      const double step = rz / direction.dot(image);
+      c += step * direction;
+      r -= step * image;
+      result.converged = r.norm() <= target;
+      z = precondition(r);
+      const double rz_next = r.dot(z);
+      direction = z + rz_next / rz * direction;
+      rz = rz_next;
+    }
+    return result;
+  }
+};
+
+DenseCorrection::DenseCorrection(CrsMatrix const& Z, NonlinearDofView const& nonlinear)
+    : implementation_(std::make_unique<Implementation>())
+{
+  auto& self = *implementation_;
+  auto const local = Z.getLocalMatrixHost();
+  self.Z.setZero(local.numRows(), local.numRows());
+  for (int row = 0; row < local.numRows(); ++row) {
+    for (auto k = local.graph.row_map(row); k < local.graph.row_map(row + 1); ++k) {
+      self.Z(row, local.graph.entries(k)) = local.values(k);
+    }
+  }
+  auto const dofs = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace(), nonlinear);
+  for (std::size_t node = 0; node < dofs.extent(0); ++node) {
+    auto& rows = self.dofs.emplace_back();
+    for (std::size_t k = 0; k < dofs.extent(1); ++k) {
+      rows.push_back(dofs(node, k));
+    }
+  }
+}
+
+DenseCorrection::~DenseCorrection() = default;
+
+void DenseCorrection::reset()
+{
+  implementation_->has_factor = false;
+}
+
+CorrectionResult DenseCorrection::solve(NonlinearBlocks const& blocks, Vector const& r,
+                                        double relative_tolerance, Vector& c)
+{
+  auto& self = *implementation_;
+  self.read(blocks);
+  auto const r_view = r.getLocalViewHost(Tpetra::Access::ReadOnly);
+  auto const c_view = c.getLocalViewHost(Tpetra::Access::OverwriteAll);
+  const Eigen::VectorXd right =
+    Eigen::Map<const Eigen::VectorXd>(r_view.data(), self.Z.rows()).cwiseProduct(self.mask);
+  Eigen::Map<Eigen::VectorXd> solution(c_view.data(), self.Z.rows());
+
+  CorrectionResult result;
+  if (self.has_factor) {
+    Eigen::VectorXd iterate;
+    result = self.iterate(right, relative_tolerance, iterate);
+    solution = iterate;
+  }
+  if (!result.converged) {
+    result.converged = self.factorise();
+    solution = result.converged ? Eigen::VectorXd(self.precondition(right))
+                                : Eigen::VectorXd(Eigen::VectorXd::Zero(right.size()));
+  }
+  return result;
+}
+} // namespace asperity::tnnmg

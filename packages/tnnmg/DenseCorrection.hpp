@@ -1,0 +1,27 @@
+#pragma once
+
+#include "tnnmg/LinearCorrection.hpp"
+
+#include <memory>
+
+namespace asperity::tnnmg
+{
+// The linear correction for a small matrix that couples all its dofs (a Schur complement on the fault), on one rank:
+// a dense Cholesky factorisation of Z + H, kept until reset(). While it is kept, it preconditions conjugate gradients
+// for the Hessians that follow, and is renewed when these need too many iterations.
+class DenseCorrection final : public LinearCorrection
+{
+public:
+  // Z in CRS form; nonlinear(num_nodes, T) its rows. The entries are copied.
+  DenseCorrection(CrsMatrix const& Z, NonlinearDofView const& nonlinear);
+  ~DenseCorrection() override;
+
+  CorrectionResult solve(NonlinearBlocks const& blocks, Vector const& r, double relative_tolerance,
+                         Vector& c) override;
+  void reset() override;
+
+private:
+  struct Implementation;
+  std::unique_ptr<Implementation> implementation_;
+};
+} // namespace asperity::tnnmg

@@ -1,0 +1,119 @@
+#include "tnnmg/GaussSeidel.hpp"
+
+#include <Tpetra_Import.hpp>
+#include <Tpetra_Map.hpp>
+
+#include <string>
+
+namespace asperity::tnnmg
+{
+namespace
+{
+using Policy = Kokkos::RangePolicy<Kokkos::DefaultExecutionSpace>;
+
+// Labels are made once: a sweep launches hundreds of kernels.
+const std::string label_residual = "asperity::tnnmg::modelResidual";
+const std::string label_gather = "asperity::tnnmg::gather";
+const std::string label_scatter = "asperity::tnnmg::scatter";
+} // namespace
+
+NodeView nodalCurvature(CrsMatrix const& Z, NonlinearNodes const& nodes)
+{
+  NodeView curvature("asperity::tnnmg::curvature", nodes.numNodes());
+  auto const matrix = Z.getLocalMatrixDevice();
+  auto const dofs = nodes.dofs;
+  const int size = nodes.blockSize();
+  Kokkos::parallel_for(
+    "asperity::tnnmg::nodalCurvature", Policy(0, nodes.numNodes()), KOKKOS_LAMBDA(int node) {
+      double block[3][3] = {};
+      for (int k = 0; k < size; ++k) {
+        const int row = dofs(node, k);
+        for (auto e = matrix.graph.row_map(row); e < matrix.graph.row_map(row + 1); ++e) {
+          for (int l = 0; l < size; ++l) {
+            if (matrix.graph.entries(e) == dofs(node, l)) {
+              block[k][l] = matrix.values(e);
+            }
+          }
+        }
+      }
+      // Exact for one and two components; Gershgorin's bound, which is no smaller, for three.
+      if (size == 1) {
+        curvature(node) = block[0][0];
+      } else if (size == 2) {
+        const double mean = (block[0][0] + block[1][1]) / 2;
+        const double half = (block[0][0] - block[1][1]) / 2;
+        curvature(node) = mean + Kokkos::Experimental::sqrt(half * half + block[0][1] * block[0][1]);
+      } else {
+        for (int k = 0; k < size; ++k) {
+          double sum = 0;
+          for (int l = 0; l < size; ++l) {
+            sum += block[k][l] < 0 ? -block[k][l] : block[k][l];
+          }
+          curvature(node) = sum > curvature(node) ? sum : curvature(node);
+        }
+      }
+    });
+  return curvature;
+}
+
+void modelResidual(CrsMatrix const& Z, NonlinearNodes const& nodes, IndexView const& which,
+                   ConstNodeView const& curvature, Vector const& b, Vector const& v_columns,
+                   BlockView const& residual)
+{
+  auto const matrix = Z.getLocalMatrixDevice();
+  auto const right_side = b.getLocalViewDevice(Tpetra::Access::ReadOnly);
+  auto const v = v_columns.getLocalViewDevice(Tpetra::Access::ReadOnly);
+  auto const dofs = nodes.dofs;
+  const int size = nodes.blockSize();
+  Kokkos::parallel_for(
+    label_residual, Policy(0, which.extent(0)), KOKKOS_LAMBDA(int i) {
+      const int node = which(i);
+      for (int k = 0; k < size; ++k) {
+        const int row = dofs(node, k);
+        double sum = 0;
+        for (auto e = matrix.graph.row_map(row); e < matrix.graph.row_map(row + 1); ++e) {
+          sum += matrix.values(e) * v(matrix.graph.entries(e), 0);
+        }
+        residual(node, k) = right_side(row, 0) - sum + curvature(node) * v(row, 0);
+      }
+    });
+}
+
+void gather(NonlinearNodes const& nodes, Vector const& v, BlockView const& blocks)
+{
+  auto const values = v.getLocalViewDevice(Tpetra::Access::ReadOnly);
+  auto const dofs = nodes.dofs;
+  const int size = nodes.blockSize();
+  Kokkos::parallel_for(
+    label_gather, Policy(0, nodes.numNodes()), KOKKOS_LAMBDA(int node) {
+      for (int k = 0; k < size; ++k) {
+        blocks(node, k) = values(dofs(node, k), 0);
+      }
+    });
+}
+
+void scatter(NonlinearNodes const& nodes, IndexView const& which, ConstBlockView const& blocks,
+             Vector& v)
+{
+  auto const values = v.getLocalViewDevice(Tpetra::Access::ReadWrite);
+  auto const dofs = nodes.dofs;
+  const int size = nodes.blockSize();
+  Kokkos::parallel_for(
+    label_scatter, Policy(0, which.extent(0)), KOKKOS_LAMBDA(int i) {
+      const int node = which(i);
+      for (int k = 0; k < size; ++k) {
+        values(dofs(node, k), 0) = blocks(node, k);
+      }
+    });
+}
+
+void shareGhosts(CrsMatrix const& Z, Vector& v_columns)
+{
+  auto const importer = Z.getGraph()->getImporter();
+  if (importer.is_null()) {
+    return;
+  }
+  const Vector owned(*v_columns.offsetView(Z.getDomainMap(), 0)->getVector(0), Teuchos::Copy);
+  v_columns.doImport(owned, *importer, Tpetra::INSERT);
+}
+} // namespace asperity::tnnmg

@@ -1,0 +1,167 @@
+#include "tnnmg/MueLuCorrection.hpp"
+
+#include "base/Timers.hpp"
+#include "tnnmg/detail/MultigridConjugateGradients.hpp"
+#include "tnnmg/detail/MultigridParameters.hpp"
+#include "tnnmg/detail/MultigridPreconditioner.hpp"
+#include "tnnmg/detail/MultigridSymmetry.hpp"
+
+#include <Tpetra_CrsMatrix.hpp>
+#include <Tpetra_Map.hpp>
+#include <Tpetra_Vector.hpp>
+
+namespace asperity::tnnmg
+{
+namespace
+{
+// The trial of a kept hierarchy, whose cost a rebuild has in four V-cycles.
+constexpr double trial_tolerance = 1e-4;
+constexpr int trial_iterations = 8;
+
+RCP<const MultiVector> withoutRows(MultiVector const& vectors, RowView const& rows)
+{
+  const auto result = rcp(new MultiVector(vectors, Teuchos::Copy));
+  const auto values = result->getLocalViewDevice(Tpetra::Access::ReadWrite);
+  Kokkos::parallel_for(
+    "asperity::tnnmg::withoutRows",
+    Kokkos::RangePolicy<Kokkos::DefaultExecutionSpace>(0, rows.extent_int(0)), KOKKOS_LAMBDA(int k) {
+      for (int column = 0; column < values.extent_int(1); ++column) {
+        values(rows(k), column) = 0;
+      }
+    });
+  return result;
+}
+
+// Steepest descent with the preconditioner's direction: the energy goes down with every cycle, even where the bare
+// cycle would overshoot.
+detail::IterationResult descend(detail::Operator const& A, detail::Operator const& B, Vector const& r, double relative_tolerance,
+                                int num_cycles, Vector& c)
+{
+  detail::IterationResult result;
+  Vector residual(r, Teuchos::Copy);
+  Vector direction(r.getMap());
+  Vector image(r.getMap());
+  const double target = relative_tolerance * r.norm2();
+  c.putScalar(0);
+  result.converged = r.norm2() <= target;
+  while (!result.converged && result.iterations < num_cycles) {
+    B.apply(residual, direction);
+    A.apply(direction, image);
+    const double step = residual.dot(direction) / direction.dot(image);
+    c.update(step, direction, 1);
+    residual.update(-step, image, 1);
+    ++result.iterations;
+    result.converged = residual.norm2() <= target;
+  }
+  return result;
+}
+} // namespace
+
+struct MueLuCorrection::Implementation
+{
+  using Parameters = detail::MultigridParameters;
+
+  Implementation(MultigridProblem const& problem, Teuchos::ParameterList const& list)
+    : parameters(list, problem.components),
+      nodes(std::make_shared<detail::MultigridNodes>(
+        detail::makeNodes(*problem.Z, problem.nonlinear, problem.constrained))),
+      A(rcp(new detail::MultigridOperator(problem.Z, nodes))), residual(problem.Z->getRowMap())
+  {
+    TimedScope scope(setup_timer);
+    preconditioner = rcp(new detail::MultigridPreconditioner(
+      A, problem.Z, withoutRows(*problem.near_null_space, problem.constrained), nodes, parameters.muelu));
+    ++statistics.setups;
+    detail::requireSymmetric(*preconditioner, *nodes);
+    rebuilds = parameters.hierarchy == Parameters::Hierarchy::rebuild ||
+               (parameters.hierarchy == Parameters::Hierarchy::automatic && !withstandsTruncation());
+  }
+
+  // Whether Z's hierarchy still serves when all nodes are truncated, for a right hand side of all frequencies.
+  bool withstandsTruncation()
+  {
+    Kokkos::deep_copy(nodes->removed, 1);
+    preconditioner->setup();
+    Vector r = detail::pseudorandomVector(residual.getMap(), 0, *nodes);
+    Vector c(residual.getMap());
+    const auto trial = detail::conjugateGradients(A, preconditioner, r, trial_tolerance, trial_iterations,
+                                                  parameters.belos, c);
+    return trial.converged;
+  }
+
+  void prepare(NonlinearBlocks const& blocks)
+  {
+    TimedScope scope(setup_timer);
+    nodes->set(blocks);
+    if (rebuilds && preconditioner->outdated() > parameters.outdated_share) {
+      preconditioner->rebuild();
+      ++statistics.rebuilds;
+    } else {
+      preconditioner->setup();
+    }
+  }
+
+  detail::IterationResult iterate(double relative_tolerance, Vector& c)
+  {
+    if (parameters.method == Parameters::Method::v_cycles) {
+      return descend(*A, *preconditioner, residual, relative_tolerance, parameters.v_cycles, c);
+    }
+    return detail::conjugateGradients(A, preconditioner, residual, relative_tolerance,
+                                      parameters.max_iterations, parameters.belos, c);
+  }
+
+  Parameters parameters;
+  std::shared_ptr<detail::MultigridNodes> nodes;
+  RCP<const detail::MultigridOperator> A;
+  RCP<detail::MultigridPreconditioner> preconditioner;
+  Vector residual;
+  bool rebuilds = false; // the hierarchy follows the truncated nodes
+  Timer setup_timer;
+  MultigridStatistics statistics;
+};
+
+Teuchos::RCP<const Teuchos::ParameterList> MueLuCorrection::validParameters()
+{
+  return detail::MultigridParameters::valid();
+}
+
+MueLuCorrection::MueLuCorrection(MultigridProblem const& problem, Teuchos::ParameterList const& parameters)
+  : implementation_(std::make_unique<Implementation>(problem, parameters))
+{
+}
+
+MueLuCorrection::~MueLuCorrection() = default;
+
+CorrectionResult MueLuCorrection::solve(NonlinearBlocks const& blocks, Vector const& r, double relative_tolerance,
+                                        Vector& c)
+{
+  auto& self = *implementation_;
+  self.prepare(blocks);
+  self.residual.assign(r);
+  self.nodes->project(self.residual);
+  const int cycles_before = self.preconditioner->numCycles();
+  const auto outcome = self.iterate(relative_tolerance, c);
+  self.nodes->project(c);
+
+  CorrectionResult result;
+  result.converged = outcome.converged;
+  result.iterations = outcome.iterations;
+  result.v_cycles = self.preconditioner->numCycles() - cycles_before;
+  ++self.statistics.solves;
+  self.statistics.iterations += result.iterations;
+  self.statistics.v_cycles += result.v_cycles;
+  return result;
+}
+
+void MueLuCorrection::reset()
+{
+  TimedScope scope(implementation_->setup_timer);
+  implementation_->preconditioner->rebuildFromZ();
+}
+
+MultigridStatistics MueLuCorrection::statistics() const
+{
+  auto result = implementation_->statistics;
+  result.setup_seconds = implementation_->setup_timer.seconds();
+  return result;
+}
+} // namespace asperity::tnnmg

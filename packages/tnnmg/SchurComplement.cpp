@@ -1,0 +1,210 @@
+#include "tnnmg/SchurComplement.hpp"
+
+#include "base/Errors.hpp"
+
+#include <Eigen/OrderingMethods>
+#include <Eigen/SparseCholesky>
+#include <Tpetra_CrsMatrix.hpp>
+#include <Tpetra_Map.hpp>
+#include <Tpetra_Vector.hpp>
+
+namespace asperity::tnnmg
+{
+namespace
+{
+using Sparse = Eigen::SparseMatrix<double, Eigen::ColMajor, int>;
+
+Sparse toEigen(CrsMatrix const& Z)
+{
+  auto const local = Z.getLocalMatrixHost();
+  std::vector<Eigen::Triplet<double>> entries;
+  entries.reserve(local.nnz());
+  for (int row = 0; row < local.numRows(); ++row) {
+    for (auto k = local.graph.row_map(row); k < local.graph.row_map(row + 1); ++k) {
+      if (local.values(k) != 0) {
+        entries.emplace_back(row, local.graph.entries(k), local.values(k));
+      }
+    }
+  }
+  Sparse matrix(local.numRows(), local.numRows());
+  matrix.setFromTriplets(entries.begin(), entries.end());
+  return matrix;
+}
+
+// position[row] in an order that keeps the factor sparse and puts the given rows last.
+std::vector<int> eliminationOrder(Sparse const& Z, std::vector<int> const& last)
+{
+  const int size = static_cast<int>(Z.rows());
+  std::vector<int> number(size, 0);
+  for (int row : last) {
+    number[row] = -1;
+  }
+  int num_first = 0;
+  for (int row = 0; row < size; ++row) {
+    if (number[row] == 0) {
+      number[row] = num_first++;
+    }
+  }
+  std::vector<Eigen::Triplet<double>> entries;
+  for (int column = 0; column < size; ++column) {
+    for (Sparse::InnerIterator entry(Z, column); entry; ++entry) {
+      if (number[entry.row()] >= 0 && number[column] >= 0) {
+        entries.emplace_back(number[entry.row()], number[column], 1.);
+      }
+    }
+  }
+  Sparse first(num_first, num_first);
+  first.setFromTriplets(entries.begin(), entries.end());
+  Eigen::PermutationMatrix<Eigen::Dynamic, Eigen::Dynamic, int> order(num_first);
+  Eigen::AMDOrdering<int>()(first, order); // order.indices()(k) is the row eliminated as number k
+  std::vector<int> place(num_first);
+  for (int k = 0; k < num_first; ++k) {
+    place[order.indices()(k)] = k;
+  }
+  std::vector<int> position(size);
+  for (int row = 0; row < size; ++row) {
+    position[row] = number[row] >= 0 ? place[number[row]] : 0;
+  }
+  for (std::size_t i = 0; i < last.size(); ++i) {
+    position[last[i]] = num_first + static_cast<int>(i);
+  }
+  return position;
+}
+
+Sparse permuted(Sparse const& Z, std::vector<int> const& position)
+{
+  Eigen::PermutationMatrix<Eigen::Dynamic, Eigen::Dynamic, int> permutation(Z.rows());
+  for (int row = 0; row < Z.rows(); ++row) {
+    permutation.indices()(row) = position[row];
+  }
+  Sparse result(Z.rows(), Z.cols());
+  result.selfadjointView<Eigen::Lower>() = Z.selfadjointView<Eigen::Lower>().twistedBy(permutation);
+  return result;
+}
+
+RCP<const CrsMatrix> fullMatrix(Eigen::MatrixXd const& S, RCP<const Communicator> const& communicator)
+{
+  const int size = static_cast<int>(S.rows());
+  auto const map = rcp(new Map(size, 0, communicator));
+  auto matrix = rcp(new CrsMatrix(map, map, size));
+  std::vector<int> columns(size);
+  std::vector<double> values(size);
+  for (int row = 0; row < size; ++row) {
+    for (int column = 0; column < size; ++column) {
+      columns[column] = column;
+      values[column] = S(row, column);
+    }
+    matrix->insertLocalValues(row, size, values.data(), columns.data());
+  }
+  matrix->fillComplete(map, map);
+  return matrix;
+}
+} // namespace
+
+// L by columns, each with its diagonal entry first; x holds permuted vectors.
+struct SchurComplement::Factor
+{
+  std::vector<int> position; // of every row of Z
+  int num_eliminated = 0;
+  Sparse L;
+  std::vector<double> half_solved; // L_I^-1 b_I in its first num_eliminated entries
+  mutable std::vector<double> work;
+};
+
+SchurComplement::SchurComplement(CrsMatrix const& Z, std::vector<int> const& rows)
+    : factor_(std::make_unique<Factor>())
+{
+  ASPERITY_ASSERT(Z.getRowMap()->getComm()->getSize() == 1);
+  auto const matrix = toEigen(Z);
+  auto& factor = *factor_;
+  factor.position = eliminationOrder(matrix, rows);
+  const int size = static_cast<int>(matrix.rows());
+  const int kept = static_cast<int>(rows.size());
+  factor.num_eliminated = size - kept;
+  {
+    Eigen::SimplicialLLT<Sparse, Eigen::Lower, Eigen::NaturalOrdering<int>> cholesky(
+      permuted(matrix, factor.position));
+    if (cholesky.info() != Eigen::Success) {
+      throw SolveError("The matrix of a rate problem is not positive definite: some part of the body can move "
+                       "without resistance. Check the moduli and the boundary conditions.");
+    }
+    factor.L = cholesky.matrixL();
+  }
+  factor.half_solved.resize(size);
+  factor.work.resize(size);
+
+  Eigen::MatrixXd L_F = Eigen::MatrixXd::Zero(kept, kept);
+  for (int column = 0; column < kept; ++column) {
+    for (Sparse::InnerIterator entry(factor.L, factor.num_eliminated + column); entry; ++entry) {
+      L_F(entry.row() - factor.num_eliminated, column) = entry.value();
+    }
+  }
+  matrix_ = fullMatrix(L_F * L_F.transpose(), Z.getRowMap()->getComm());
+}
+
+SchurComplement::~SchurComplement() = default;
+
+void SchurComplement::condense(Vector const& b, Vector& b_kept)
+{
+  auto& factor = *factor_;
+  auto& x = factor.half_solved;
+  auto const values = b.getLocalViewHost(Tpetra::Access::ReadOnly);
+  const int size = static_cast<int>(x.size());
+  for (int row = 0; row < size; ++row) {
+    x[factor.position[row]] = values(row, 0);
+  }
+  const int* starts = factor.L.outerIndexPtr();
+  const int* rows = factor.L.innerIndexPtr();
+  const double* entries = factor.L.valuePtr();
+  for (int column = 0; column < factor.num_eliminated; ++column) {
+    const int diagonal = starts[column];
+    const double solved = x[column] / entries[diagonal];
+    x[column] = solved;
+    if (solved != 0) {
+      for (int k = diagonal + 1; k < starts[column + 1]; ++k) {
+        x[rows[k]] -= entries[k] * solved;
+      }
+    }
+  }
+  auto const kept = b_kept.getLocalViewHost(Tpetra::Access::OverwriteAll);
+  for (int i = factor.num_eliminated; i < size; ++i) {
+    kept(i - factor.num_eliminated, 0) = x[i];
+  }
+}
+
+void SchurComplement::expand(Vector const& v_kept, Vector& v) const
+{
+  auto const& factor = *factor_;
+  auto& x = factor.work;
+  auto const kept = v_kept.getLocalViewHost(Tpetra::Access::ReadOnly);
+  const int size = static_cast<int>(x.size());
+  for (int i = factor.num_eliminated; i < size; ++i) {
+    x[i] = kept(i - factor.num_eliminated, 0);
+  }
+  const int* starts = factor.L.outerIndexPtr();
+  const int* rows = factor.L.innerIndexPtr();
+  const double* entries = factor.L.valuePtr();
+  for (int column = factor.num_eliminated - 1; column >= 0; --column) {
+    const int diagonal = starts[column];
+    double sum = factor.half_solved[column];
+    for (int k = diagonal + 1; k < starts[column + 1]; ++k) {
+      sum -= entries[k] * x[rows[k]];
+    }
+    x[column] = sum / entries[diagonal];
+  }
+  auto const values = v.getLocalViewHost(Tpetra::Access::OverwriteAll);
+  for (int row = 0; row < size; ++row) {
+    values(row, 0) = x[factor.position[row]];
+  }
+}
+
+std::size_t SchurComplement::factorEntries() const
+{
+  return factor_->L.nonZeros();
+}
+
+std::size_t SchurComplement::bytes() const
+{
+  return factorEntries() * (sizeof(double) + sizeof(int)) + matrix_->getNodeNumEntries() * 16;
+}
+} // namespace asperity::tnnmg

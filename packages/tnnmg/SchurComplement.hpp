@@ -1,0 +1,41 @@
+#pragma once
+
+#include "base/Types.hpp"
+
+#include <memory>
+#include <vector>
+
+namespace asperity::tnnmg
+{
+// Sparse Cholesky factorisation of Z on one rank, with chosen rows (those of the fault) last:
+//
+//   P Z P^T = [L_I    0 ] [L_I^T  L_FI^T]      S = Z_FF - Z_FI Z_II^-1 Z_IF = L_F L_F^T
+//             [L_FI  L_F] [0      L_F^T ]
+//
+// Since only the fault is nonlinear, minimising J over all other dofs leaves a problem of the same form with Z
+// replaced by S, and half a solve before and after it.
+class SchurComplement
+{
+public:
+  // Z symmetric positive definite, on one rank; rows: the local rows to keep. SolveError if Z is not definite.
+  SchurComplement(CrsMatrix const& Z, std::vector<int> const& rows);
+  ~SchurComplement();
+
+  // S as a full matrix in CRS form, in the order of `rows`.
+  RCP<const CrsMatrix> const& matrix() const { return matrix_; }
+
+  // b (all rows) -> b_F - Z_FI Z_II^-1 b_I (the kept rows). Keeps L_I^-1 b_I for expand.
+  void condense(Vector const& b, Vector& b_kept);
+
+  // The minimiser over all other dofs, for the b of the last condense and given values on the kept rows.
+  void expand(Vector const& v_kept, Vector& v) const;
+
+  std::size_t factorEntries() const; // of L
+  std::size_t bytes() const;
+
+private:
+  struct Factor;
+  std::unique_ptr<Factor> factor_;
+  RCP<const CrsMatrix> matrix_;
+};
+} // namespace asperity::tnnmg

@@ -1,0 +1,139 @@
+#pragma once
+
+#include "tnnmg/GaussSeidel.hpp"
+#include "tnnmg/LineSearch.hpp"
+#include "tnnmg/NonlinearNodes.hpp"
+#include "tnnmg/TnnmgSettings.hpp"
+#include "tnnmg/TnnmgVectors.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <memory>
+
+namespace asperity::tnnmg
+{
+struct TnnmgResult
+{
+  bool converged = false;
+  int iterations = 0;
+  int corrections = 0;
+  int correction_iterations = 0; // of conjugate gradients
+  int v_cycles = 0;
+  int rises = 0;         // half steps after which J was larger by more than rounding
+  double last_change = 0; // energy norm
+  int failed_nodes = 0;   // on any rank
+};
+
+// Truncated nonsmooth Newton multigrid (Graeser and Kornhuber 2009; Pipping 2014, ch. 4): minimises
+//   J(v) = 1/2 <Z v, v> - <b, v> + sum over nonlinear nodes of psi_i(v_i),   psi_i convex,
+// by iterations that each lower J: a nonlinear Gauss-Seidel sweep over the nonlinear nodes, truncation of the nodes
+// where psi has no useful second derivative, a linear correction for all dofs, and a line search.
+//
+// NodalProblem (host object, its members launch kernels; views as in NonlinearNodes.hpp):
+//   int minimise(IndexView nodes, ConstNodeView curvature, ConstBlockView r, BlockView v) const
+//       v_i = argmin curvature_i/2 |w|^2 - <r_i, w> + psi_i(w) for the given nodes; number of failures
+//   void linearise(ConstBlockView v, BlockView gradient, HessianView hessian, FlagView kinked) const
+//   double slope(ConstBlockView v, ConstBlockView d, double t) const   sum of psi_i'(v_i + t d_i; d_i)
+//   {double change, magnitude;} difference(ConstBlockView v, ConstBlockView d) const
+//       sum of psi_i(v_i + d_i) - psi_i(v_i), accurate for small d, and the sum of the magnitudes of its terms
+template <class NodalProblem>
+class Tnnmg
+{
+public:
+  // Z is fill-complete; its column map starts with the owned rows, in the order of the domain map.
+  Tnnmg(RCP<const CrsMatrix> Z, NonlinearNodes nodes, std::shared_ptr<LinearCorrection> correction,
+        TnnmgSettings const& settings)
+      : Z_(Z)
+      , nodes_(std::move(nodes))
+      , correction_(std::move(correction))
+      , settings_(settings)
+      , curvature_(nodalCurvature(*Z, nodes_))
+      , vectors_(*Z)
+      , blocks_(nodes_)
+  {
+  }
+
+  // v: the initial guess, overwritten by the solution. b and v on Z's domain map. All ranks together.
+  TnnmgResult solve(NodalProblem const& problem, Vector const& b, Vector& v);
+
+private:
+  void smooth(NodalProblem const& problem, Vector const& b, TnnmgResult& result);
+  void correct(NodalProblem const& problem, TnnmgResult& result);
+  double moveAlong(NodalProblem const& problem, double step);
+
+  RCP<const CrsMatrix> Z_;
+  NonlinearNodes nodes_;
+  std::shared_ptr<LinearCorrection> correction_;
+  TnnmgSettings settings_;
+  NodeView curvature_;
+  detail::TnnmgVectors vectors_;
+  detail::TnnmgBlocks blocks_;
+};
+
+template <class NodalProblem>
+TnnmgResult Tnnmg<NodalProblem>::solve(NodalProblem const& problem, Vector const& b, Vector& v)
+{
+  TnnmgResult result;
+  vectors_.start(*Z_, b, v);
+  gather(nodes_, *vectors_.v, blocks_.v);
+  while (result.iterations < settings_.max_iterations && !result.converged) {
+    ++result.iterations;
+    vectors_.beginIteration();
+    smooth(problem, b, result);
+    correct(problem, result);
+    result.last_change = vectors_.energyOfChange();
+    result.converged = result.last_change <=
+                       std::max(settings_.absolute_tolerance,
+                                settings_.relative_tolerance * vectors_.energyNorm(b));
+  }
+  result.failed_nodes = detail::sumOverRanks(*Z_, result.failed_nodes);
+  result.converged = result.converged && result.failed_nodes == 0 && std::isfinite(result.last_change);
+  Tpetra::deep_copy(v, *vectors_.v);
+  return result;
+}
+
+template <class NodalProblem>
+void Tnnmg<NodalProblem>::smooth(NodalProblem const& problem, Vector const& b, TnnmgResult& result)
+{
+  Kokkos::deep_copy(blocks_.before, blocks_.v);
+  for (int sweep = 0; sweep < settings_.sweeps; ++sweep) {
+    result.failed_nodes += gaussSeidel(*Z_, nodes_, curvature_, problem, b, *vectors_.v_columns,
+                                       blocks_.v, blocks_.residual);
+  }
+  blocks_.differenceTo(blocks_.before, blocks_.d);
+  auto const nonlinear = problem.difference(blocks_.before, blocks_.d);
+  result.rises += vectors_.finishSweeps(*Z_, b, nonlinear.change, nonlinear.magnitude);
+}
+
+template <class NodalProblem>
+void Tnnmg<NodalProblem>::correct(NodalProblem const& problem, TnnmgResult& result)
+{
+  problem.linearise(blocks_.v, blocks_.gradient, blocks_.hessian, blocks_.truncated);
+  blocks_.truncate(nodes_, curvature_, settings_.stiff);
+  vectors_.newtonResidual(nodes_, blocks_.gradient);
+  auto const solved = correction_->solve({blocks_.hessian, blocks_.truncated}, *vectors_.newton_residual,
+                                         settings_.correction_tolerance, *vectors_.c);
+  ++result.corrections;
+  result.correction_iterations += solved.iterations;
+  result.v_cycles += solved.v_cycles;
+
+  gather(nodes_, *vectors_.c, blocks_.d);
+  auto const along = vectors_.derivativeAlongCorrection(*Z_);
+  auto const slope = [&](double t) {
+    return detail::sumOverRanks(*Z_, problem.slope(blocks_.v, blocks_.d, t)) + along.start +
+           t * along.curvature;
+  };
+  const double start = slope(0);
+  double step = findSignChange(slope, start, 1e-2).step;
+  auto change = vectors_.changeAlong(*Z_, problem, blocks_, step);
+  if (change.change > 0 && step > 0) {
+    // The slope at the step found was small but positive; where it is not, J is below its start for certain.
+    step = findSignChange(slope, start, 0.).step;
+    change = vectors_.changeAlong(*Z_, problem, blocks_, step);
+  }
+  result.rises += change.rises();
+  vectors_.move(step);
+  shareGhosts(*Z_, *vectors_.v_columns);
+  gather(nodes_, *vectors_.v, blocks_.v);
+}
+} // namespace asperity::tnnmg

@@ -1,0 +1,21 @@
+#pragma once
+
+#include <Teuchos_ParameterList.hpp>
+#include <Teuchos_RCP.hpp>
+
+namespace asperity::tnnmg
+{
+// When an iteration is the last, and how much each does. Read from the deck's list `TNNMG`.
+struct TnnmgSettings
+{
+  double absolute_tolerance = 1e-8;   // energy norm of Z of the last change [W^(1/2) m^(-1/2) in 2D]
+  double relative_tolerance = 1e-10;  // of that change, relative to the energy norm of v
+  int max_iterations = 50;
+  int sweeps = 1;                     // of Gauss-Seidel in each iteration
+  double correction_tolerance = 1e-3; // relative residual of the linear correction
+  double stiff = 1e6; // a node whose Hessian exceeds this multiple of its curvature is truncated
+
+  static Teuchos::RCP<Teuchos::ParameterList> validParameters();
+  static TnnmgSettings from(Teuchos::ParameterList const& parameters);
+};
+} // namespace asperity::tnnmg

@@ -1,0 +1,188 @@
+#include "tnnmg/TnnmgVectors.hpp"
+
+#include "tnnmg/GaussSeidel.hpp"
+
+#include <Teuchos_CommHelpers.hpp>
+#include <Tpetra_Map.hpp>
+
+#include <cmath>
+
+namespace asperity::tnnmg::detail
+{
+namespace
+{
+using Policy = Kokkos::RangePolicy<Kokkos::DefaultExecutionSpace>;
+
+// sum of (|b_i| + |b_i - r_i|) |d_i|: the terms of <Z v - b, d> before they cancel. This rank's part.
+double magnitudeOfLinearTerms(Vector const& b, Vector const& r, Vector const& d)
+{
+  auto const bs = b.getLocalViewDevice(Tpetra::Access::ReadOnly);
+  auto const rs = r.getLocalViewDevice(Tpetra::Access::ReadOnly);
+  auto const ds = d.getLocalViewDevice(Tpetra::Access::ReadOnly);
+  double sum = 0;
+  Kokkos::parallel_reduce(
+    "asperity::tnnmg::magnitude", Policy(0, bs.extent(0)),
+    KOKKOS_LAMBDA(int i, double& partial) {
+      const double Zv = bs(i, 0) - rs(i, 0);
+      partial += ((bs(i, 0) < 0 ? -bs(i, 0) : bs(i, 0)) + (Zv < 0 ? -Zv : Zv)) *
+                 (ds(i, 0) < 0 ? -ds(i, 0) : ds(i, 0));
+    },
+    sum);
+  return sum;
+}
+} // namespace
+
+double sumOverRanks(CrsMatrix const& Z, double value)
+{
+  auto const communicator = Z.getRowMap()->getComm();
+  if (communicator->getSize() == 1) {
+    return value;
+  }
+  double sum = 0;
+  Teuchos::reduceAll(*communicator, Teuchos::REDUCE_SUM, value, Teuchos::outArg(sum));
+  return sum;
+}
+
+int sumOverRanks(CrsMatrix const& Z, int value)
+{
+  return static_cast<int>(sumOverRanks(Z, static_cast<double>(value)));
+}
+
+TnnmgBlocks::TnnmgBlocks(NonlinearNodes const& nodes)
+    : v("asperity::tnnmg::v", nodes.numNodes(), nodes.blockSize())
+    , before("asperity::tnnmg::before", nodes.numNodes(), nodes.blockSize())
+    , d("asperity::tnnmg::d", nodes.numNodes(), nodes.blockSize())
+    , scaled("asperity::tnnmg::scaled", nodes.numNodes(), nodes.blockSize())
+    , residual("asperity::tnnmg::residual", nodes.numNodes(), nodes.blockSize())
+    , gradient("asperity::tnnmg::gradient", nodes.numNodes(), nodes.blockSize())
+    , hessian("asperity::tnnmg::hessian", nodes.numNodes(), nodes.blockSize(), nodes.blockSize())
+    , truncated("asperity::tnnmg::truncated", nodes.numNodes())
+{
+}
+
+void TnnmgBlocks::differenceTo(BlockView const& reference, BlockView const& result) const
+{
+  auto const current = v;
+  const int size = static_cast<int>(v.extent(1));
+  Kokkos::parallel_for(
+    "asperity::tnnmg::difference", Policy(0, v.extent(0)), KOKKOS_LAMBDA(int node) {
+      for (int k = 0; k < size; ++k) {
+        result(node, k) = current(node, k) - reference(node, k);
+      }
+    });
+}
+
+void TnnmgBlocks::truncate(NonlinearNodes const& nodes, ConstNodeView const& curvature,
+                           double stiff) const
+{
+  auto const flags = truncated;
+  auto const H = hessian;
+  auto const fixed = nodes.fixed;
+  const int size = nodes.blockSize();
+  Kokkos::parallel_for(
+    "asperity::tnnmg::truncate", Policy(0, nodes.numNodes()), KOKKOS_LAMBDA(int node) {
+      bool keep = flags(node) == 0 && fixed(node) == 0;
+      for (int k = 0; k < size; ++k) {
+        keep = keep && H(node, k, k) <= stiff * curvature(node);
+      }
+      flags(node) = keep ? 0 : 1;
+    });
+}
+
+TnnmgVectors::TnnmgVectors(CrsMatrix const& Z)
+    : v_columns(rcp(new Vector(Z.getColMap())))
+    , v(v_columns->offsetViewNonConst(Z.getDomainMap(), 0)->getVectorNonConst(0))
+    , v_before(rcp(new Vector(Z.getDomainMap())))
+    , r(rcp(new Vector(Z.getDomainMap())))
+    , r_before(rcp(new Vector(Z.getDomainMap())))
+    , newton_residual(rcp(new Vector(Z.getDomainMap())))
+    , c(rcp(new Vector(Z.getDomainMap())))
+    , Zc(rcp(new Vector(Z.getDomainMap())))
+    , b_copy(rcp(new Vector(Z.getDomainMap())))
+{
+}
+
+void TnnmgVectors::start(CrsMatrix const& Z, Vector const& b, Vector const& guess)
+{
+  Tpetra::deep_copy(*v, guess);
+  Tpetra::deep_copy(*b_copy, b);
+  shareGhosts(Z, *v_columns);
+  Tpetra::deep_copy(*r, b);
+  Z.apply(*v, *r, Teuchos::NO_TRANS, -1, 1);
+}
+
+void TnnmgVectors::beginIteration()
+{
+  Tpetra::deep_copy(*v_before, *v);
+  Tpetra::deep_copy(*r_before, *r);
+}
+
+int TnnmgVectors::finishSweeps(CrsMatrix const& Z, Vector const& b, double nonlinear_change,
+                               double magnitude)
+{
+  Tpetra::deep_copy(*r, b);
+  Z.apply(*v, *r, Teuchos::NO_TRANS, -1, 1);
+  // With Z d = r_before - r, <Z v - b + 1/2 Z d, d> = -1/2 <r_before + r, d>.
+  c->update(1, *v, -1, *v_before, 0);
+  Zc->update(1, *r_before, 1, *r, 0);
+  const double linear = -0.5 * Zc->dot(*c);
+  const double terms = sumOverRanks(
+    Z, magnitude + (magnitudeOfLinearTerms(b, *r_before, *c) + magnitudeOfLinearTerms(b, *r, *c)) / 2);
+  return EnergyChange{linear + sumOverRanks(Z, nonlinear_change), terms}.rises();
+}
+
+void TnnmgVectors::newtonResidual(NonlinearNodes const& nodes, ConstBlockView const& gradient)
+{
+  Tpetra::deep_copy(*newton_residual, *r);
+  auto const values = newton_residual->getLocalViewDevice(Tpetra::Access::ReadWrite);
+  auto const dofs = nodes.dofs;
+  const int size = nodes.blockSize();
+  Kokkos::parallel_for(
+    "asperity::tnnmg::newtonResidual", Policy(0, nodes.numNodes()), KOKKOS_LAMBDA(int node) {
+      for (int k = 0; k < size; ++k) {
+        values(dofs(node, k), 0) -= gradient(node, k);
+      }
+    });
+}
+
+TnnmgVectors::Along TnnmgVectors::derivativeAlongCorrection(CrsMatrix const& Z)
+{
+  Z.apply(*c, *Zc);
+  along_ = {-r->dot(*c), Zc->dot(*c)};
+  return along_;
+}
+
+EnergyChange TnnmgVectors::linearChange(double step) const
+{
+  EnergyChange result;
+  result.change = step * (along_.start + step / 2 * along_.curvature);
+  double mine = magnitudeOfLinearTerms(*b_copy, *r, *c);
+  double all = mine;
+  auto const communicator = v->getMap()->getComm();
+  if (communicator->getSize() > 1) {
+    Teuchos::reduceAll(*communicator, Teuchos::REDUCE_SUM, mine, Teuchos::outArg(all));
+  }
+  result.magnitude = step * (all + step / 2 * along_.curvature);
+  return result;
+}
+
+void TnnmgVectors::move(double step)
+{
+  v->update(step, *c, 1);
+  r->update(-step, *Zc, 1);
+}
+
+double TnnmgVectors::energyOfChange() const
+{
+  // Z (v - v_before) = r_before - r
+  Vector change(*v, Teuchos::Copy);
+  change.update(-1, *v_before, 1);
+  const double square = r_before->dot(change) - r->dot(change);
+  return std::isfinite(square) ? std::sqrt(std::max(square, 0.)) : square;
+}
+
+double TnnmgVectors::energyNorm(Vector const& b) const
+{
+  return std::sqrt(std::max(b.dot(*v) - r->dot(*v), 0.));
+}
+} // namespace asperity::tnnmg::detail

@@ -1,0 +1,92 @@
+#pragma once
+
+#include "tnnmg/NonlinearNodes.hpp"
+
+#include <Tpetra_CrsMatrix.hpp>
+#include <Tpetra_Vector.hpp>
+
+// The vectors of a TNNMG iteration and the arithmetic on them that does not see the nonlinearity.
+namespace asperity::tnnmg::detail
+{
+// All ranks together; on one rank it costs nothing.
+double sumOverRanks(CrsMatrix const& Z, double value);
+int sumOverRanks(CrsMatrix const& Z, int value);
+
+// A change of J and the sum of the magnitudes of the terms it was added up from.
+struct EnergyChange
+{
+  double change = 0;
+  double magnitude = 0;
+  // Whether J is larger by more than rounding explains.
+  int rises() const { return change > 10 * 2.220446049250313e-16 * magnitude ? 1 : 0; }
+};
+
+// Values at the nonlinear nodes.
+struct TnnmgBlocks
+{
+  explicit TnnmgBlocks(NonlinearNodes const& nodes);
+
+  void differenceTo(BlockView const& reference, BlockView const& result) const; // result = v - reference
+  // Adds to the kinked nodes those that are held, and those whose Hessian exceeds stiff * curvature.
+  void truncate(NonlinearNodes const& nodes, ConstNodeView const& curvature, double stiff) const;
+
+  BlockView v, before, d, scaled, residual, gradient;
+  HessianView hessian;
+  FlagView truncated;
+};
+
+struct TnnmgVectors
+{
+  explicit TnnmgVectors(CrsMatrix const& Z);
+
+  void start(CrsMatrix const& Z, Vector const& b, Vector const& guess);
+  void beginIteration();
+  // After sweeps that changed v: renews the residual; 1 if J rose. The nonlinear part of the change is this rank's.
+  int finishSweeps(CrsMatrix const& Z, Vector const& b, double nonlinear_change, double magnitude);
+  // newton_residual = b - Z v - gradient
+  void newtonResidual(NonlinearNodes const& nodes, ConstBlockView const& gradient);
+
+  struct Along
+  {
+    double start;     // <Z v - b, c>
+    double curvature; // <Z c, c>
+  };
+  Along derivativeAlongCorrection(CrsMatrix const& Z);
+
+  // J(v + step c) - J(v); blocks.d holds c at the nonlinear nodes.
+  template <class NodalProblem>
+  EnergyChange changeAlong(CrsMatrix const& Z, NodalProblem const& problem, TnnmgBlocks const& blocks,
+                           double step) const;
+  void move(double step); // v += step c
+
+  double energyOfChange() const;               // of v - v_before, in the norm of Z
+  double energyNorm(Vector const& b) const;    // of v
+
+  RCP<Vector> v_columns, v; // v is the owned part of v_columns
+  RCP<Vector> v_before, r, r_before, newton_residual, c, Zc, b_copy;
+
+private:
+  EnergyChange linearChange(double step) const;
+  Along along_{};
+};
+
+template <class NodalProblem>
+EnergyChange TnnmgVectors::changeAlong(CrsMatrix const& Z, NodalProblem const& problem,
+                                       TnnmgBlocks const& blocks, double step) const
+{
+  auto const scaled = blocks.scaled;
+  auto const d = blocks.d;
+  const int size = static_cast<int>(d.extent(1));
+  Kokkos::parallel_for(
+    "asperity::tnnmg::scale",
+    Kokkos::RangePolicy<Kokkos::DefaultExecutionSpace>(0, d.extent(0)), KOKKOS_LAMBDA(int node) {
+      for (int k = 0; k < size; ++k) {
+        scaled(node, k) = step * d(node, k);
+      }
+    });
+  auto const nonlinear = problem.difference(blocks.v, scaled);
+  auto const linear = linearChange(step);
+  return {linear.change + sumOverRanks(Z, nonlinear.change),
+          linear.magnitude + sumOverRanks(Z, nonlinear.magnitude)};
+}
+} // namespace asperity::tnnmg::detail

@@ -1,0 +1,36 @@
+#pragma once
+
+#include "base/Types.hpp"
+
+#include <Teuchos_ParameterList.hpp>
+
+#include <memory>
+
+namespace asperity::tnnmg::detail
+{
+// A MueLu hierarchy with CoarseCholesky on its coarsest level.
+class MultigridHierarchy
+{
+public:
+  // What MueLu is told, in its own spelling, unless the user overrides it. components are those of a node.
+  static Teuchos::ParameterList defaults(int components);
+
+  // A: symmetric positive definite. near_null_space: zero at rows without off-diagonal entries.
+  MultigridHierarchy(RCP<const CrsMatrix> A, RCP<const MultiVector> near_null_space,
+                     Teuchos::ParameterList const& muelu);
+  ~MultigridHierarchy();
+
+  // Keeps the prolongators and repeats the Galerkin products with a matrix of the same graph, stored zeros included.
+  void rebuild(RCP<const CrsMatrix> A);
+
+  // z = one V-cycle for A z = r, from zero.
+  void apply(MultiVector const& r, MultiVector& z) const;
+
+private:
+  struct Implementation;
+
+  void setCoarseSolver();
+
+  std::unique_ptr<Implementation> implementation_;
+};
+} // namespace asperity::tnnmg::detail

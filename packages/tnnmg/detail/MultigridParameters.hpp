@@ -1,0 +1,36 @@
+#pragma once
+
+#include <Teuchos_ParameterList.hpp>
+#include <Teuchos_RCP.hpp>
+
+namespace asperity::tnnmg::detail
+{
+// The choices of MueLuCorrection.
+struct MultigridParameters
+{
+  enum class Method
+  {
+    conjugate_gradients,
+    v_cycles
+  };
+  enum class Hierarchy
+  {
+    automatic,
+    keep,
+    rebuild
+  };
+
+  Method method = Method::conjugate_gradients;
+  int max_iterations = 0;
+  int v_cycles = 0;
+  Hierarchy hierarchy = Hierarchy::automatic;
+  double outdated_share = 0;    // of the nonlinear nodes
+  Teuchos::ParameterList muelu; // complete
+  Teuchos::ParameterList belos;
+
+  static Teuchos::RCP<const Teuchos::ParameterList> valid();
+
+  // Throws InputError where the list is not valid. components: of a node.
+  MultigridParameters(Teuchos::ParameterList const& given, int components);
+};
+} // namespace asperity::tnnmg::detail

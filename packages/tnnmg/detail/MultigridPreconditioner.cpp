@@ -1,0 +1,159 @@
+#include "tnnmg/detail/MultigridPreconditioner.hpp"
+
+#include "base/Errors.hpp"
+#include "tnnmg/detail/MultigridNodeBlock.hpp"
+
+#include <Teuchos_CommHelpers.hpp>
+#include <Tpetra_CrsMatrix.hpp>
+#include <Tpetra_Map.hpp>
+#include <Tpetra_MultiVector.hpp>
+
+#include <utility>
+
+namespace asperity::tnnmg::detail
+{
+namespace
+{
+using Execution = Kokkos::DefaultExecutionSpace;
+
+// A Hessian so much larger than Z's block leaves the V-cycle, where it would only cost digits.
+constexpr double stiff = 1e3;
+} // namespace
+
+MultigridPreconditioner::MultigridPreconditioner(RCP<const MultigridOperator> A, RCP<const CrsMatrix> Z,
+                                                 RCP<const MultiVector> near_null_space,
+                                                 std::shared_ptr<const MultigridNodes> nodes,
+                                                 Teuchos::ParameterList const& muelu)
+  : A_(std::move(A)), Z_(std::move(Z)), nodes_(std::move(nodes)), smoother_(*Z_, nodes_),
+    hierarchy_(Z_, near_null_space, muelu), excluded_("asperity::tnnmg::excluded", nodes_->size()),
+    reference_("asperity::tnnmg::reference", nodes_->size(), nodes_->tangents(), nodes_->tangents()),
+    scaling_("asperity::tnnmg::scaling", nodes_->size(), nodes_->tangents(), nodes_->tangents()),
+    residual_(rcp(new MultiVector(Z_->getRowMap(), 1))), cycle_(rcp(new MultiVector(Z_->getRowMap(), 1)))
+{
+  Kokkos::deep_copy(reference_, nodes_->diagonal);
+  setup();
+}
+
+void MultigridPreconditioner::setup()
+{
+  smoother_.setup();
+  const auto diagonal = nodes_->diagonal;
+  const auto hessian = nodes_->hessian;
+  const auto removed = nodes_->removed;
+  const auto excluded = excluded_;
+  const auto reference = reference_;
+  const auto scaling = scaling_;
+  Kokkos::parallel_for(
+    "asperity::tnnmg::scaleBlocks", Kokkos::RangePolicy<Execution>(0, nodes_->size()), KOKKOS_LAMBDA(int node) {
+      if (removed(node) || excluded(node)) {
+        NodeBlock(diagonal.extent_int(1)).store(scaling, node);
+        return;
+      }
+      NodeBlock block(diagonal, node);
+      block += NodeBlock(hessian, node);
+      const NodeBlock to = inverseOfLower(cholesky(block));
+      const NodeBlock from = transpose(cholesky(NodeBlock(reference, node)));
+      transposedProduct(to, from).store(scaling, node);
+    });
+}
+
+FlagView MultigridPreconditioner::unfit() const
+{
+  const FlagView result("asperity::tnnmg::unfit", nodes_->size());
+  const auto diagonal = nodes_->diagonal;
+  const auto hessian = nodes_->hessian;
+  const auto removed = nodes_->removed;
+  Kokkos::parallel_for(
+    "asperity::tnnmg::unfit", Kokkos::RangePolicy<Execution>(0, nodes_->size()), KOKKOS_LAMBDA(int node) {
+      result(node) = removed(node) || NodeBlock(hessian, node).trace() > stiff * NodeBlock(diagonal, node).trace();
+    });
+  return result;
+}
+
+double MultigridPreconditioner::outdated() const
+{
+  const auto now = unfit();
+  const auto before = excluded_;
+  int changed = 0;
+  Kokkos::parallel_reduce(
+    "asperity::tnnmg::outdated", Kokkos::RangePolicy<Execution>(0, nodes_->size()),
+    KOKKOS_LAMBDA(int node, int& sum) { sum += now(node) != before(node); }, changed);
+  const double mine[2] = {static_cast<double>(changed), static_cast<double>(nodes_->size())};
+  double all[2] = {0, 0};
+  Teuchos::reduceAll(*Z_->getComm(), Teuchos::REDUCE_SUM, 2, mine, all);
+  return all[1] > 0 ? all[0] / all[1] : 0.0;
+}
+
+void MultigridPreconditioner::rebuild()
+{
+  if (!truncated_) {
+    truncated_.emplace(Z_);
+  }
+  excluded_ = unfit();
+  truncated_->fill(*nodes_, excluded_);
+  hierarchy_.rebuild(truncated_->matrix());
+  const auto diagonal = nodes_->diagonal;
+  const auto hessian = nodes_->hessian;
+  const auto reference = reference_;
+  Kokkos::parallel_for(
+    "asperity::tnnmg::reference", Kokkos::RangePolicy<Execution>(0, nodes_->size()), KOKKOS_LAMBDA(int node) {
+      NodeBlock block(diagonal, node);
+      block += NodeBlock(hessian, node);
+      block.store(reference, node);
+    });
+  setup();
+}
+
+void MultigridPreconditioner::rebuildFromZ()
+{
+  if (!truncated_) {
+    return;
+  }
+  truncated_.reset();
+  hierarchy_.rebuild(Z_);
+  Kokkos::deep_copy(excluded_, 0);
+  Kokkos::deep_copy(reference_, nodes_->diagonal);
+  setup();
+}
+
+// z = G^T-sweep(S V S^T (r - A z)) after z = G-sweep(r): the sum of symmetric positive semidefinite parts.
+void MultigridPreconditioner::apply(MultiVector const& r, MultiVector& z, Teuchos::ETransp, double alpha,
+                                    double beta) const
+{
+  ASPERITY_ASSERT(alpha == 1 && beta == 0);
+  z.putScalar(0);
+  smoother_.sweep(MultigridSmoother::Order::forward, r, z);
+  A_->apply(z, *residual_);
+  residual_->update(1, r, -1);
+  scale(*residual_, true);
+  hierarchy_.apply(*residual_, *cycle_);
+  ++num_cycles_;
+  scale(*cycle_, false);
+  z.update(1, *cycle_, 1);
+  smoother_.sweep(MultigridSmoother::Order::backward, r, z);
+}
+
+// x = S x, or S^T x, and zero at constrained dofs.
+void MultigridPreconditioner::scale(MultiVector& x, bool transposed) const
+{
+  {
+    const auto values = x.getLocalViewDevice(Tpetra::Access::ReadWrite);
+    const auto dofs = nodes_->dofs;
+    const auto scaling = scaling_;
+    Kokkos::parallel_for(
+      "asperity::tnnmg::scale", Kokkos::RangePolicy<Execution>(0, nodes_->size()), KOKKOS_LAMBDA(int node) {
+        double result[max_tangents] = {};
+        for (int s = 0; s < dofs.extent_int(1); ++s) {
+          for (int t = 0; t < dofs.extent_int(1); ++t) {
+            const double entry = transposed ? scaling(node, t, s) : scaling(node, s, t);
+            result[s] += entry * values(dofs(node, t), 0);
+          }
+        }
+        for (int s = 0; s < dofs.extent_int(1); ++s) {
+          values(dofs(node, s), 0) = result[s];
+        }
+      });
+  }
+  nodes_->project(x);
+}
+} // namespace asperity::tnnmg::detail

@@ -1,0 +1,68 @@
+"""A package includes itself and the packages its asperity_add_package line names, nothing else."""
+
+import re
+
+from . import source
+
+_LINE = re.compile(r"^\s*asperity_add_package\(\s*(\w+)([^)]*)\)", re.MULTILINE)
+_QUOTED = re.compile(r'^\s*#\s*include\s+"([^"]+)"', re.MULTILINE)
+_ANGLED = re.compile(r"^\s*#\s*include\s+<([^>]+)>", re.MULTILINE)
+
+# What the design promises whatever the lines say: package -> packages it never includes.
+FORBIDDEN = {
+    "friction": {"base", "mesh", "fem", "tnnmg", "dynamics", "io", "scenario"},
+    "tnnmg": {"mesh", "fem", "friction", "dynamics", "io", "scenario"},
+    "io": {"friction", "tnnmg", "dynamics", "scenario"},
+}
+
+
+def declared_packages(root):
+    """{package: the packages it may include}, in the order of CMakeLists.txt."""
+    packages = {}
+    for name, arguments in _LINE.findall((root / "CMakeLists.txt").read_text()):
+        listed = re.search(r"\bPACKAGES\b(.*?)(\bLIBRARIES\b|$)", arguments, re.DOTALL)
+        packages[name] = set(listed.group(1).split()) if listed else set()
+    return packages
+
+
+def check(root):
+    packages = declared_packages(root)
+    if not packages:
+        return ["CMakeLists.txt:1: no asperity_add_package line was found"]
+    return list(_lines(packages)) + list(_sources(root, packages))
+
+
+def _lines(packages):
+    known = set()
+    for name, allowed in packages.items():
+        for other in sorted(allowed - known):
+            yield f"CMakeLists.txt:1: {name} names {other}, which does not stand before it"
+        for other in sorted(allowed & FORBIDDEN.get(name, set())):
+            yield f"CMakeLists.txt:1: {name} may not know {other}"
+        known.add(name)
+
+
+def _sources(root, packages):
+    for path in source.files(root, ["packages"], source.CXX):
+        name = path.relative_to(root).parts[1]
+        if name not in packages:
+            yield source.breach(root, path, 1, f"no asperity_add_package line names {name}")
+            continue
+        text = source.without_comments(path.read_text())
+        for match in _QUOTED.finditer(text):
+            other = match.group(1).split("/")[0]
+            if other != name and other not in packages[name]:
+                allowed = ", ".join(sorted(packages[name])) or "no other package"
+                message = f'includes "{match.group(1)}"; {name} may include {allowed}'
+                yield source.breach(root, path, source.line_of(text, match.start(1)), message)
+        if name == "friction":
+            yield from _beyond_kokkos(root, path, text)
+
+
+# Headers of the C++ standard library have no suffix.
+def _beyond_kokkos(root, path, text):
+    for match in _ANGLED.finditer(text):
+        header = match.group(1)
+        if "." in header and not header.startswith("Kokkos_"):
+            message = f"includes <{header}>; friction stands on Kokkos and the standard library"
+            yield source.breach(root, path, source.line_of(text, match.start(1)), message)

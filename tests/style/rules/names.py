@@ -1,0 +1,23 @@
+"""Names say what a thing is: no Manager, Helper or Utils, neither as a file nor as a type."""
+
+import re
+
+from . import source
+
+_EMPTY = re.compile(r"manager|helper|utils|utilities", re.IGNORECASE)
+_TYPE = re.compile(r"\b(?:class|struct|enum class|namespace|using)\s+(\w+)")
+
+
+def check(root):
+    breaches = []
+    for path in source.files(root, ["packages", "drivers", "tests", "cmake"]):
+        if _EMPTY.search(path.name):
+            breaches.append(source.breach(root, path, 1, f"the name '{path.name}' says nothing"))
+        if path.suffix in source.CXX:
+            text = source.without_comments(path.read_text())
+            for match in _TYPE.finditer(text):
+                if _EMPTY.search(match.group(1)):
+                    message = f"the name '{match.group(1)}' says nothing"
+                    breaches.append(
+                        source.breach(root, path, source.line_of(text, match.start()), message))
+    return breaches

@@ -1,0 +1,82 @@
+#include "base/CommandLine.hpp"
+
+#include "unit/base/Refusal.hpp"
+
+#include <sstream>
+
+namespace
+{
+using namespace asperity;
+using asperity::test::expectParts;
+using asperity::test::refusal;
+
+CommandLine parse(std::vector<char const*> arguments)
+{
+  arguments.insert(arguments.begin(), "asperity");
+  return parseCommandLine(static_cast<int>(arguments.size()), arguments.data());
+}
+
+std::string refused(std::vector<char const*> const& arguments)
+{
+  return refusal([&] { parse(arguments); });
+}
+
+TEST(CommandLine, EveryOption)
+{
+  const auto line =
+    parse({"--set", "Friction/a=0.1", "deck.xml", "--set=b/c=x == 1", "--output", "out",
+           "--restart=a.h5", "--validate", "--overwrite", "--overlay", "short.xml"});
+  EXPECT_EQ(line.deck, "deck.xml");
+  EXPECT_EQ(line.overrides, (std::vector<std::string>{"Friction/a=0.1", "b/c=x == 1"}));
+  EXPECT_EQ(line.overlays, (std::vector<std::string>{"short.xml"}));
+  EXPECT_EQ(line.output, "out");
+  EXPECT_EQ(line.restart, "a.h5");
+  EXPECT_TRUE(line.validate && line.overwrite);
+  EXPECT_FALSE(line.print_parameters || line.help);
+}
+
+TEST(CommandLine, WithoutOptions)
+{
+  const auto line = parse({"deck.xml"});
+  EXPECT_TRUE(line.output.empty() && line.restart.empty() && line.overrides.empty());
+  EXPECT_FALSE(line.validate || line.overwrite);
+}
+
+TEST(CommandLine, WithoutADeck)
+{
+  EXPECT_EQ(parse({"--print-parameters"}).format, ParameterFormat::text);
+  EXPECT_EQ(parse({"--print-parameters", "--format=xml"}).format, ParameterFormat::xml);
+  EXPECT_TRUE(parse({"--help"}).help);
+  EXPECT_TRUE(parse({"-h"}).help);
+  expectParts(refused({}), {"No deck", "--help"});
+  expectParts(refused({"--validate"}), {"No deck"});
+}
+
+TEST(CommandLine, KokkosOptionsPass)
+{
+  EXPECT_EQ(parse({"--kokkos-num-threads=4", "deck.xml", "--kokkos-disable-warnings"}).deck,
+            "deck.xml");
+}
+
+TEST(CommandLine, Refusals)
+{
+  expectParts(refused({"deck.xml", "--overwirte"}), {"--overwirte is unknown", "'--overwrite'"});
+  expectParts(refused({"deck.xml", "--colour"}), {"--colour is unknown"});
+  expectParts(refused({"deck.xml", "-x"}), {"-x is unknown"});
+  expectParts(refused({"deck.xml", "--output"}), {"--output wants a value"});
+  expectParts(refused({"deck.xml", "--output", "--validate"}), {"--output wants a value"});
+  expectParts(refused({"deck.xml", "--output="}), {"--output wants a value"});
+  expectParts(refused({"deck.xml", "--validate=yes"}), {"--validate takes no value", "'yes'"});
+  expectParts(refused({"one.xml", "two.xml"}), {"'one.xml'", "'two.xml'", "--overlay"});
+  expectParts(refused({"--print-parameters", "--format=xlm"}), {"'xlm' is unknown", "'xml'"});
+}
+
+TEST(CommandLine, HelpNamesEveryOption)
+{
+  std::ostringstream out;
+  printHelp(out);
+  expectParts(out.str(),
+              {"--set", "--overlay", "--output", "--restart", "--overwrite", "--validate",
+               "--print-parameters", "--format", "--help", "--kokkos", "Exit status"});
+}
+} // namespace

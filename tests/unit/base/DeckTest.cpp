@@ -1,0 +1,222 @@
+#include "base/Deck.hpp"
+
+#include "unit/base/Refusal.hpp"
+
+#include <sstream>
+
+namespace
+{
+using namespace asperity;
+using asperity::test::array;
+using asperity::test::expectParts;
+using asperity::test::refusal;
+using asperity::test::TemporaryDirectory;
+using Teuchos::Array;
+
+// A deck with this between its root's tags, read.
+Teuchos::RCP<ParameterList> readContent(std::string const& content)
+{
+  const TemporaryDirectory directory;
+  return readDeck(directory.write("deck.xml", "<ParameterList name=\"Asperity\">\n" + content +
+                                                "</ParameterList>\n"));
+}
+
+std::string refusedText(std::string const& text)
+{
+  const TemporaryDirectory directory;
+  const auto file = directory.write("deck.xml", text);
+  return refusal([&] { readDeck(file); });
+}
+
+std::string refusedContent(std::string const& content)
+{
+  return refusal([&] { readContent(content); });
+}
+
+TEST(Deck, ReadsEveryType)
+{
+  const auto list = readContent(R"xml(
+    <!-- all of them -->
+    <Parameter name="i" type="int" value="-3"/>
+    <Parameter name="d" type="double" value=" 1e-3 "/>
+    <Parameter name="b" type="bool" value="true"/>
+    <Parameter name="s" type="string" value="x &lt; 0.3 &amp;&amp; y &gt; 1 ? 1 : 2"/>
+    <Parameter name="ad" type="Array(double)" value="{1, 2.5}"/>
+    <Parameter name="ai" type="Array(int)" value="{}"/>
+    <Parameter name="as" type="Array(string)" value="{one, two}"/>
+    <Parameter name="ll" type="long long" value="12345678901"/>
+    <ParameterList name="Sub"><Parameter name="a" type="int" value="1"/></ParameterList>)xml");
+  EXPECT_EQ(list->get<int>("i"), -3);
+  EXPECT_EQ(list->get<double>("d"), 1e-3);
+  EXPECT_TRUE(list->get<bool>("b"));
+  EXPECT_EQ(list->get<std::string>("s"), "x < 0.3 && y > 1 ? 1 : 2");
+  EXPECT_EQ(list->get<Array<double>>("ad"), array<double>({1, 2.5}));
+  EXPECT_EQ(list->get<Array<int>>("ai").size(), 0);
+  EXPECT_EQ(list->get<Array<std::string>>("as"), array<std::string>({"one", "two"}));
+  EXPECT_EQ(list->get<long long>("ll"), 12345678901LL);
+  EXPECT_EQ(list->sublist("Sub").get<int>("a"), 1);
+}
+
+TEST(Deck, MissingFileAndDirectory)
+{
+  const TemporaryDirectory directory;
+  expectParts(refusal([&] { readDeck(directory.file("none.xml")); }),
+              {"There is no deck", "none.xml"});
+  expectParts(refusal([&] { readDeck(directory.file("")); }), {"is a directory"});
+}
+
+TEST(Deck, MalformedFilesNameFileAndLine)
+{
+  expectParts(refusedText(""), {"deck.xml", "empty"});
+  expectParts(refusedText("hello\n"), {"deck.xml", "line 1"});
+  expectParts(
+    refusedText(
+      "<ParameterList name=\"Asperity\">\n<ParameterList name=\"a\">\n</ParameterList>\n"),
+    {"deck.xml", "line", "'ParameterList'"});
+  expectParts(refusedText("<ParameterList name=\"Asperity\">\n</ParameterLis>\n"),
+              {"deck.xml", "line 2", "'ParameterLis'"});
+  expectParts(
+    refusedText(
+      "<ParameterList name=\"Asperity\">\n<Parameter name=\"a value=\"1\"/>\n</ParameterList>"),
+    {"deck.xml", "line 2"});
+  expectParts(refusedContent("<Parameter name=\"a\" type=\"string\" value=\"x < 1 ? 2 : 3\"/>\n"),
+              {"line 2", "write &lt; for <"});
+  expectParts(refusedContent("<!-- two -- hyphens -->\n"), {"line 2", "must not contain '--'"});
+}
+
+TEST(Deck, MalformedMessageIsOneLineWithoutTheToolkitsHeader)
+{
+  const auto message = refusedText("hello\n");
+  EXPECT_EQ(message.find('\n'), std::string::npos) << message;
+  EXPECT_EQ(message.find("Throw"), std::string::npos) << message;
+}
+
+TEST(Deck, WrongRoot)
+{
+  expectParts(refusedText("<ParameterList name=\"Tremor\"></ParameterList>"),
+              {"deck.xml", "<ParameterList name=\"Asperity\">", "Tremor"});
+  expectParts(refusedText("<ParameterList></ParameterList>"),
+              {"<ParameterList name=\"Asperity\">"});
+  expectParts(refusedText("<html name=\"Asperity\"></html>"), {"<html"});
+}
+
+TEST(Deck, EntriesThatSayTooLittleOrTooMuch)
+{
+  expectParts(refusedContent("<Parametr name=\"a\"/>"),
+              {"Asperity: <Parametr> is unknown", "<Parameter>"});
+  expectParts(refusedContent("<Parameter type=\"int\" value=\"1\"/>"), {"no attribute 'name'"});
+  expectParts(refusedContent("<Parameter name=\"a\" value=\"1\"/>"),
+              {"Asperity / a", "no attribute 'type'"});
+  expectParts(refusedContent("<Parameter name=\"a\" type=\"int\"/>"),
+              {"Asperity / a", "no attribute 'value'"});
+  expectParts(refusedContent("<Parameter name=\"a\" type=\"integral\" value=\"1\"/>"),
+              {"Asperity / a", "integral"});
+  expectParts(
+    refusedContent("<ParameterList name=\"F\"><Parameter name=\"a\" type=\"int\" value=\"1\"/>"
+                   "<Parameter name=\"a\" type=\"int\" value=\"2\"/></ParameterList>"),
+    {"Asperity / F / a is given twice"});
+}
+
+TEST(Deck, ValuesThatAreNotOfTheirType)
+{
+  const auto refused = [](std::string const& type, std::string const& value) {
+    return refusedContent("<Parameter name=\"a\" type=\"" + type + "\" value=\"" + value + "\"/>");
+  };
+  expectParts(refused("double", "1.0x"), {"Asperity / a", "'1.0x'", "'double'"});
+  expectParts(refused("double", ""), {"Asperity / a", "'double'"});
+  expectParts(refused("double", "nan"), {"'nan'", "'double'"});
+  expectParts(refused("int", "1.5"), {"'1.5'", "'int'"});
+  expectParts(refused("int", "99999999999"), {"'99999999999'", "'int'"});
+  expectParts(refused("bool", "maybe"), {"'maybe'", "'bool'"});
+  expectParts(refused("Array(double)", "{1, two}"), {"'{1, two}'", "'Array(double)'"});
+  expectParts(refused("Array(int)", "1, 2"), {"'1, 2'", "'Array(int)'"});
+}
+
+TEST(Deck, OverlayReplacesAndExtends)
+{
+  const TemporaryDirectory directory;
+  const auto list =
+    readContent("<Parameter name=\"a\" type=\"int\" value=\"1\"/><ParameterList name=\"F\">"
+                "<Parameter name=\"b\" type=\"int\" value=\"2\"/>"
+                "<Parameter name=\"c\" type=\"double\" value=\"3\"/></ParameterList>");
+  overlayDeck(*list,
+              directory.write("short.xml",
+                              "<ParameterList name=\"Asperity\"><ParameterList name=\"F\">"
+                              "<Parameter name=\"c\" type=\"string\" value=\"3 + x\"/>"
+                              "<Parameter name=\"d\" type=\"int\" value=\"4\"/></ParameterList>"
+                              "<ParameterList name=\"a\"/></ParameterList>"));
+  EXPECT_TRUE(list->isSublist("a"));
+  EXPECT_EQ(list->sublist("F").get<int>("b"), 2);
+  EXPECT_EQ(list->sublist("F").get<std::string>("c"), "3 + x");
+  EXPECT_EQ(list->sublist("F").get<int>("d"), 4);
+}
+
+TEST(Deck, WrittenListReadsBackTheSame)
+{
+  const auto valid =
+    Declare()
+      .real("tenth", 0.1, "m", Range::any(), "A number.")
+      .real("small", 1e-300, "m", Range::any(), "A number.")
+      .field("field", "x < 1 && \"y\" > 2", "m", Range::any(), "An expression.")
+      .realArray("array", std::vector<double>{0.1, 1.0 / 3.0}, "m", Range::any(), "Some.")
+      .textArray("words", std::vector<std::string>{"a", "b c"}, "Some.")
+      .integer("count", 7, Range::any(), "Some.")
+      .sublist("Sub", Declare().boolean("flag", true, "Flag.").list(), "List.")
+      .list();
+  ParameterList list("Asperity");
+  list.sublist("field").set("upper", 1);
+  completeAndValidate(list, *valid, "Asperity");
+  const TemporaryDirectory directory;
+  writeParameters(list, directory.file("parameters.xml"));
+  const auto again = readDeck(directory.file("parameters.xml"));
+  EXPECT_TRUE(Teuchos::haveSameValues(list, *again, true));
+  completeAndValidate(*again, *valid, "Asperity");
+  EXPECT_TRUE(Teuchos::haveSameValues(list, *again, true));
+  EXPECT_EQ(again->get<double>("tenth"), 0.1);
+  EXPECT_EQ(again->get<double>("small"), 1e-300);
+  EXPECT_EQ(again->get<Array<double>>("array")[1], 1.0 / 3.0);
+}
+
+TEST(Deck, WritingWhereNothingCanBeWritten)
+{
+  expectParts(
+    refusal([] { writeParameters(ParameterList("Asperity"), "/nowhere/at/all/parameters.xml"); }),
+    {"/nowhere/at/all/parameters.xml", "cannot be written"});
+}
+
+Teuchos::RCP<ParameterList> printedParameters()
+{
+  return Declare()
+    .real("Step", 0.5, "s", Range::above(0), "The step.")
+    .hint("Try 1e-3.")
+    .field("Density", required, "kg/m^3", Range::positive(), "Mass density -- of rock.")
+    .openSublist("Regions", Declare().text("<region>", required, "Condition.").list(),
+                 "Regions of the body.")
+    .choiceOfLists("Law", "A", {{"A", Declare().integer("n", 1, Range::atLeast(1), "N.").list()}},
+                   "The law.")
+    .list();
+}
+
+TEST(PrintParameters, TextHasDefaultUnitRangeAndMeaning)
+{
+  std::ostringstream out;
+  printParameters(*printedParameters(), out, ParameterFormat::text);
+  expectParts(out.str(), {"Asperity\n", "Step", "default 0.5", "(0, inf) s", "Unit: s.",
+                          "The step.", "Try 1e-3.", "Density", "required", "Mass density",
+                          "Asperity / Regions", "<region>", "'A'", "Asperity / A", "[1, inf)"});
+}
+
+TEST(PrintParameters, XmlIsADeck)
+{
+  std::ostringstream out;
+  printParameters(*printedParameters(), out, ParameterFormat::xml);
+  expectParts(out.str(), {"The step.", "(0, inf) s", "Mass density - - of rock.", "<region>"});
+  const TemporaryDirectory directory;
+  const auto deck = readDeck(directory.write("deck.xml", out.str()));
+  EXPECT_EQ(deck->get<double>("Step"), 0.5);
+  EXPECT_FALSE(deck->isParameter("Density")); // required: the user's to give
+  deck->set("Density", 1.0);
+  completeAndValidate(*deck, *printedParameters(), "Asperity");
+  EXPECT_EQ(deck->sublist("A").get<int>("n"), 1);
+}
+} // namespace

@@ -1,0 +1,58 @@
+#include "base/Signals.hpp"
+
+#include <Teuchos_DefaultMpiComm.hpp>
+#include <gtest/gtest.h>
+
+#include <csignal>
+#include <stdexcept>
+
+namespace
+{
+using namespace asperity;
+
+TEST(Signals, AllRanksLearnOfASignalToOne)
+{
+  const Teuchos::MpiComm<int> communicator(MPI_COMM_WORLD);
+  const int last = communicator.getSize() - 1;
+  StopSignals signals;
+  EXPECT_EQ(signals.agreed(communicator), 0);
+  if (communicator.getRank() == last) {
+    std::raise(SIGTERM);
+  }
+  EXPECT_EQ(signals.received(), communicator.getRank() == last ? SIGTERM : 0);
+  EXPECT_EQ(signals.agreed(communicator), SIGTERM);
+}
+
+TEST(Signals, InterruptIsNotedOnceAndEndsTheProcessTheSecondTime)
+{
+  StopSignals signals;
+  std::raise(SIGINT);
+  EXPECT_EQ(signals.received(), SIGINT);
+  struct sigaction action;
+  sigaction(SIGINT, nullptr, &action);
+  EXPECT_NE(action.sa_handler, SIG_DFL);
+}
+
+volatile std::sig_atomic_t caught_by_previous = 0;
+extern "C" void previousHandler(int) { caught_by_previous = 1; }
+
+TEST(Signals, PreviousHandlersComeBack)
+{
+  const auto original = std::signal(SIGTERM, previousHandler);
+  {
+    StopSignals signals;
+    std::raise(SIGTERM);
+    EXPECT_EQ(caught_by_previous, 0);
+  }
+  std::raise(SIGTERM);
+  EXPECT_EQ(caught_by_previous, 1);
+  std::signal(SIGTERM, original);
+  EXPECT_EQ(StopSignals().received(), 0);
+}
+
+TEST(Signals, OneWatcherAtATime)
+{
+  StopSignals signals;
+  EXPECT_THROW(StopSignals(), std::logic_error);
+}
+} // namespace

@@ -1,0 +1,172 @@
+#include "base/NearestName.hpp"
+#include "base/Registry.hpp"
+#include "base/Text.hpp"
+#include "base/Timers.hpp"
+
+#include "unit/base/Refusal.hpp"
+
+#include <limits>
+#include <sstream>
+#include <thread>
+
+namespace
+{
+using namespace asperity;
+using asperity::test::expectParts;
+using asperity::test::refusal;
+
+struct Animal
+{
+  explicit Animal(int age_in) : age(age_in) {}
+  virtual ~Animal() = default;
+  virtual std::string sound() const = 0;
+  int age;
+};
+struct Cat : Animal
+{
+  using Animal::Animal;
+  std::string sound() const override { return "meow"; }
+};
+struct Dog : Animal
+{
+  using Animal::Animal;
+  std::string sound() const override { return "woof"; }
+};
+using AnimalRegistry = Registry<Animal, int>;
+ASPERITY_REGISTER(AnimalRegistry, "Dog", Dog)
+ASPERITY_REGISTER(AnimalRegistry, "Cat", Cat)
+
+TEST(Registry, NamesAreSortedAndPluginsMade)
+{
+  auto const& registry = AnimalRegistry::instance();
+  EXPECT_EQ(registry.names(), (std::vector<std::string>{"Cat", "Dog"}));
+  EXPECT_TRUE(registry.contains("Cat"));
+  EXPECT_FALSE(registry.contains("Cow"));
+  const auto dog = registry.create("Dog", "Asperity / Pets", 3);
+  EXPECT_EQ(dog->sound(), "woof");
+  EXPECT_EQ(dog->age, 3);
+}
+
+TEST(Registry, UnknownNameWithTheNearest)
+{
+  expectParts(refusal([] { AnimalRegistry::instance().create("Dgo", "Asperity / Pets", 1); }),
+              {"Asperity / Pets", "'Dgo' is unknown", "'Dog'"});
+}
+
+TEST(Registry, TheSameNameTwiceIsOurMistake)
+{
+  Registry<Animal, int> registry;
+  registry.add("Cat", [](int age) { return std::make_unique<Cat>(age); });
+  EXPECT_THROW(registry.add("Cat", [](int age) { return std::make_unique<Cat>(age); }),
+               std::logic_error);
+}
+
+TEST(NearestName, Distances)
+{
+  EXPECT_EQ(editDistance("", "abc"), 3u);
+  EXPECT_EQ(editDistance("abc", ""), 3u);
+  EXPECT_EQ(editDistance("kitten", "sitting"), 3u);
+  EXPECT_EQ(editDistance("Largets", "Largest"), 1u);
+  EXPECT_EQ(editDistance("ABC", "abc"), 0u);
+}
+
+TEST(NearestName, OnlyNamesThatAreNear)
+{
+  const std::vector<std::string> names = {"Largest Step", "Smallest Step", "Tolerance"};
+  EXPECT_EQ(nearestName("Larges Step", names), "Largest Step");
+  EXPECT_EQ(nearestName("largest step", names), "Largest Step");
+  EXPECT_EQ(nearestName("Colour", names), "");
+  EXPECT_EQ(nearestName("c", {"a", "b"}), ""); // nothing in common
+  EXPECT_EQ(didYouMean("Tolerence", names), " Did you mean 'Tolerance'?");
+  EXPECT_EQ(didYouMean("Colour", {"a", "b"}), " Valid names are 'a', 'b'.");
+}
+
+TEST(Text, Numbers)
+{
+  EXPECT_EQ(formatNumber(0.1), "0.1");
+  EXPECT_EQ(formatNumber(1.0), "1");
+  EXPECT_EQ(formatNumber(-std::numeric_limits<double>::infinity()), "-inf");
+  EXPECT_EQ(std::stod(formatNumber(1.0 / 3.0)), 1.0 / 3.0);
+  EXPECT_EQ(formatShort(1.0 / 3.0), "0.333333");
+  EXPECT_EQ(readNumber(" +1.5e3 "), 1500.0);
+  EXPECT_FALSE(readNumber("1.5 m") || readNumber("") || readNumber("inf") || readNumber("+") ||
+               readNumber("+-1"));
+  EXPECT_EQ(readInteger("-12"), -12);
+  EXPECT_FALSE(readInteger("1.0") || readInteger("3000000000") || readInteger(""));
+}
+
+TEST(Text, Durations)
+{
+  EXPECT_EQ(formatDuration(0), "0 s");
+  EXPECT_EQ(formatDuration(850e-9), "850 ns");
+  EXPECT_EQ(formatDuration(2.5e-6), "2.5 us");
+  EXPECT_EQ(formatDuration(12.5e-3), "12.5 ms");
+  EXPECT_EQ(formatDuration(48.3), "48.3 s");
+  EXPECT_EQ(formatDuration(59.98), "1 min");
+  EXPECT_EQ(formatDuration(200), "3 min 20 s");
+  EXPECT_EQ(formatDuration(3599.8), "1 h");
+  EXPECT_EQ(formatDuration(7500), "2 h 5 min");
+  EXPECT_EQ(formatDuration(3 * 86400.0 + 4 * 3600.0), "3 d 4 h");
+  EXPECT_EQ(formatDuration(12.5 * 365.25 * 86400), "12.5 years");
+  EXPECT_EQ(formatDuration(2500 * 365.25 * 86400), "2500 years");
+  EXPECT_EQ(formatDuration(1.2e6 * 365.25 * 86400), "1.2 million years");
+  EXPECT_EQ(formatDuration(-200), "-3 min 20 s");
+  EXPECT_EQ(formatDuration(std::numeric_limits<double>::infinity()), "inf s");
+}
+
+TEST(Text, Pieces)
+{
+  EXPECT_EQ(trimmed("  a b\n"), "a b");
+  EXPECT_EQ(trimmed("  "), "");
+  EXPECT_EQ(split("a / b/", '/'), (std::vector<std::string>{"a", "b", ""}));
+  EXPECT_EQ(split("", '/'), (std::vector<std::string>{""}));
+  EXPECT_EQ(quotedNames({"a", "b"}), "'a', 'b'");
+  EXPECT_EQ(quotedAlternatives({"a", "b", "c"}), "'a', 'b' or 'c'");
+}
+
+TEST(Timers, AccumulateAndPrint)
+{
+  Timers timers;
+  Timer& work = timers["work"];
+  for (int i = 0; i < 3; ++i) {
+    TimedScope scope(work);
+    std::this_thread::sleep_for(std::chrono::milliseconds(2));
+  }
+  timers["idle"];
+  EXPECT_EQ(&work, &timers["work"]);
+  EXPECT_EQ(work.count(), 3);
+  EXPECT_GE(work.seconds(), 6e-3);
+  std::ostringstream table;
+  timers.print(table);
+  expectParts(table.str(), {"Work", "work", " ms"});
+  EXPECT_EQ(table.str().find("idle"), std::string::npos);
+}
+
+TEST(Timers, LongestFirst)
+{
+  Timers timers;
+  timers["short"].add(std::chrono::milliseconds(1));
+  timers["long"].add(std::chrono::seconds(100));
+  std::ostringstream table;
+  timers.print(table);
+  EXPECT_LT(table.str().find("long"), table.str().find("short"));
+  expectParts(table.str(), {"1 min 40 s"});
+}
+
+// The best of several, because other programs may use the core at the same time.
+TEST(Timers, CostLittle)
+{
+  Timer timer;
+  double best = 1.0;
+  for (int attempt = 0; attempt < 20; ++attempt) {
+    const auto start = std::chrono::steady_clock::now();
+    for (int i = 0; i < 10000; ++i) {
+      TimedScope scope(timer);
+    }
+    const std::chrono::duration<double> elapsed = std::chrono::steady_clock::now() - start;
+    best = std::min(best, elapsed.count() / 10000);
+  }
+  EXPECT_LT(best, 200e-9);
+  RecordProperty("nanoseconds_per_scope", static_cast<int>(best * 1e9));
+}
+} // namespace

@@ -1,0 +1,112 @@
+#include "friction/Registry.hpp"
+#include "unit/friction/Views.hpp"
+
+#include <gtest/gtest.h>
+
+#include <stdexcept>
+
+namespace asperity::friction::test
+{
+namespace
+{
+using Names = std::vector<std::string>;
+
+Names parameterNames(std::vector<Parameter> const& parameters)
+{
+  Names names;
+  for (auto const& parameter : parameters) {
+    names.push_back(parameter.name);
+  }
+  return names;
+}
+
+template <class Call>
+std::string messageOfOutOfRange(Call const& call)
+{
+  try {
+    call();
+  } catch (std::out_of_range const& error) {
+    return error.what();
+  }
+  return "";
+}
+
+TEST(Registry, HoldsTheLawsOfThisPackage)
+{
+  EXPECT_EQ(frictionLawNames(), (Names{"Regularised", "Truncated"}));
+  EXPECT_EQ(stateLawNames(), (Names{"Ageing", "Slip"}));
+}
+
+TEST(Registry, HasATableOfParametersForEachLaw)
+{
+  for (auto const& name : frictionLawNames()) {
+    EXPECT_EQ(parameterNames(frictionLawParameters(name)),
+              (Names{"a", "b", "Reference Slip Rate", "Reference Friction Coefficient"}));
+  }
+  for (auto const& name : stateLawNames()) {
+    EXPECT_EQ(parameterNames(stateLawParameters(name)), (Names{"L", "Reference Slip Rate"}));
+  }
+  auto const& a = frictionLawParameters("Truncated")[0];
+  EXPECT_TRUE(a.required());
+  EXPECT_FALSE(a.allows(0));
+  EXPECT_TRUE(a.allows(0.01));
+  auto const& b = frictionLawParameters("Truncated")[1];
+  EXPECT_TRUE(b.allows(0));
+  EXPECT_FALSE(b.allows(-1e-9));
+  EXPECT_FALSE(b.allows(std::numeric_limits<double>::infinity()));
+  EXPECT_FALSE(b.allows(std::numeric_limits<double>::quiet_NaN()));
+}
+
+TEST(Registry, NamesTheKnownLawsWhereOneIsUnknown)
+{
+  const ParameterView none;
+  for (auto const& message :
+       {messageOfOutOfRange([] { frictionLawParameters("Regularized"); }),
+        messageOfOutOfRange([] { makeFrictionKernels("Regularized", FaultData()); })}) {
+    EXPECT_EQ(message, "'Regularized' is no friction law; known are 'Regularised', 'Truncated'.");
+  }
+  for (auto const& message : {messageOfOutOfRange([] { stateLawParameters("Aging"); }),
+                              messageOfOutOfRange([&none] { makeStateKernels("Aging", none); })}) {
+    EXPECT_EQ(message, "'Aging' is no state law; known are 'Ageing', 'Slip'.");
+  }
+}
+
+TEST(Registry, RefusesViewsThatDoNotFit)
+{
+  const auto two = toDevice(Values{1, 1}), three = toDevice(Values{1, 1, 1});
+  const auto parameters = parametersOf({{0.01, 0.015, 1e-6, 0.6}, {0.01, 0.015, 1e-6, 0.6}});
+  EXPECT_NO_THROW(makeFrictionKernels("Truncated", {two, two, two, two, parameters}));
+  EXPECT_THROW(makeFrictionKernels("Truncated", {two, three, two, two, parameters}),
+               std::invalid_argument);
+  EXPECT_THROW(makeFrictionKernels("Truncated", {two, two, two, three, parameters}),
+               std::invalid_argument);
+  EXPECT_THROW(
+    makeFrictionKernels("Truncated", {two, two, two, two, parametersOf({{1, 1}, {1, 1}})}),
+    std::invalid_argument);
+  EXPECT_THROW(makeStateKernels("Slip", parameters), std::invalid_argument);
+}
+
+TEST(Registry, ASlipFactorThatIsLeftOutIsOne)
+{
+  const auto one = toDevice(Values{1});
+  const auto parameters = parametersOf({{0.01, 0.015, 1e-6, 0.6}});
+  const auto v = toDevice(std::vector<Values>{{1e-3}});
+  const NodeView with("with", 1), without("without", 1);
+  makeFrictionKernels("Regularised", {one, one, one, one, parameters})->coefficient(v, one, with);
+  makeFrictionKernels("Regularised", {one, one, one, {}, parameters})->coefficient(v, one, without);
+  EXPECT_GT(toHost(with)(0), 0.6);
+  EXPECT_EQ(toHost(with)(0), toHost(without)(0));
+}
+
+TEST(Registry, AFaultMayHaveNoNodesOnThisRank)
+{
+  const Kokkos::View<double**, MemorySpace> parameters("parameters", 4, 0);
+  const NodeView none("none", 0);
+  const auto kernels = makeFrictionKernels("Regularised", {none, none, none, {}, parameters});
+  const BlockView v("v", 0, 2);
+  EXPECT_EQ(kernels->minimise(IndexView(), none, v, none, v), 0);
+  EXPECT_EQ(kernels->difference(v, v, none).change, 0);
+  EXPECT_EQ(kernels->slope(v, v, 1, none), 0);
+}
+} // namespace
+} // namespace asperity::friction::test

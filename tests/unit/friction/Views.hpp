@@ -1,0 +1,67 @@
+#pragma once
+
+#include "friction/Types.hpp"
+
+#include <vector>
+
+// Between vectors on the host and views on the device.
+namespace asperity::friction::test
+{
+using Values = std::vector<double>;
+
+inline NodeView toDevice(Values const& values)
+{
+  const NodeView view("values", values.size());
+  const auto host = Kokkos::create_mirror_view(view);
+  for (std::size_t i = 0; i < values.size(); ++i) {
+    host(i) = values[i];
+  }
+  Kokkos::deep_copy(view, host);
+  return view;
+}
+
+// One row of T values for each node.
+inline BlockView toDevice(std::vector<Values> const& rows)
+{
+  const BlockView view("rows", rows.size(), rows.at(0).size());
+  const auto host = Kokkos::create_mirror_view(view);
+  for (std::size_t i = 0; i < rows.size(); ++i) {
+    for (std::size_t j = 0; j < rows[i].size(); ++j) {
+      host(i, j) = rows[i][j];
+    }
+  }
+  Kokkos::deep_copy(view, host);
+  return view;
+}
+
+// parameters(num_parameters, num_nodes) from one row of parameters for each node.
+inline ParameterView parametersOf(std::vector<Values> const& nodes)
+{
+  const Kokkos::View<double**, MemorySpace> view("parameters", nodes.at(0).size(), nodes.size());
+  const auto host = Kokkos::create_mirror_view(view);
+  for (std::size_t i = 0; i < nodes.size(); ++i) {
+    for (std::size_t k = 0; k < nodes[i].size(); ++k) {
+      host(k, i) = nodes[i][k];
+    }
+  }
+  Kokkos::deep_copy(view, host);
+  return view;
+}
+
+template <class View>
+auto toHost(View const& view)
+{
+  return Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace(), view);
+}
+
+inline IndexView allNodes(int num_nodes)
+{
+  const Kokkos::View<int*, MemorySpace> nodes("nodes", num_nodes);
+  const auto host = Kokkos::create_mirror_view(nodes);
+  for (int i = 0; i < num_nodes; ++i) {
+    host(i) = i;
+  }
+  Kokkos::deep_copy(nodes, host);
+  return nodes;
+}
+} // namespace asperity::friction::test

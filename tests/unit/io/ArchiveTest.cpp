@@ -1,0 +1,69 @@
+#include "io/Archive.hpp"
+#include "io/detail/ArchiveBytes.hpp"
+#include "unit/io/Support.hpp"
+
+#include <cstring>
+#include <limits>
+
+using namespace asperity;
+using io::Archive;
+
+TEST(Archive, KeepsEveryKindOfValue)
+{
+  Archive archive;
+  archive.set("count", 3);
+  archive.set("flag", true);
+  archive.set("time", 0.1);
+  archive.set("name", std::string("wedge"));
+  archive.set("state/velocity", std::vector<double>{1, 2});
+  archive.set("state/steps", std::vector<std::int64_t>{-1, std::int64_t(1) << 60});
+  EXPECT_EQ(archive.getInteger("count"), 3);
+  EXPECT_EQ(archive.getInteger("flag"), 1);
+  EXPECT_EQ(archive.getDouble("time"), 0.1);
+  EXPECT_EQ(archive.get<std::string>("name"), "wedge");
+  EXPECT_EQ(archive.get<std::vector<double>>("state/velocity"), (std::vector<double>{1, 2}));
+  EXPECT_EQ(archive.get<std::vector<std::int64_t>>("state/steps")[1], std::int64_t(1) << 60);
+}
+
+TEST(Archive, MissingAndMistypedValuesAreNamed)
+{
+  Archive archive;
+  archive.set("time", 0.1);
+  EXPECT_TRUE(test::contains(test::inputError([&] { archive.getDouble("tame"); }), "'tame'"));
+  const auto message = test::inputError([&] { archive.getInteger("time"); });
+  EXPECT_TRUE(test::contains(message, "a number as 'time'")) << message;
+}
+
+TEST(Archive, ChildHoldsWhatWasInserted)
+{
+  Archive part;
+  part.set("a/b", 1);
+  Archive archive;
+  archive.set("outputs-before", 2); // sorts next to "outputs/", but is no part of it
+  archive.set("outputs0", 3);
+  archive.insert("outputs", part);
+  EXPECT_EQ(archive.child("outputs").values(), part.values());
+  EXPECT_TRUE(archive.has("outputs/a/b"));
+}
+
+TEST(Archive, BytesReadBackExactly)
+{
+  const double infinity = std::numeric_limits<double>::infinity();
+  Archive archive;
+  archive.set("zero", -0.0);
+  archive.set("numbers", std::vector<double>{5e-324, -infinity, 1.0 / 3});
+  archive.set("empty", std::vector<std::int64_t>{});
+  archive.set("text", std::string("a\0b", 3));
+  const auto bytes = io::detail::toBytes(archive);
+  const Archive copy = io::detail::fromBytes(bytes);
+  EXPECT_EQ(copy.values(), archive.values());
+  EXPECT_TRUE(std::signbit(copy.getDouble("zero")));
+}
+
+TEST(Archive, ChecksumSeesASingleBit)
+{
+  std::vector<char> bytes(1000, 'x');
+  const auto before = io::detail::checksum(bytes);
+  bytes[500] ^= 1;
+  EXPECT_NE(io::detail::checksum(bytes), before);
+}

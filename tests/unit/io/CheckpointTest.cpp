@@ -1,0 +1,129 @@
+#include "io/Checkpoint.hpp"
+#include "io/H5.hpp"
+#include "unit/io/Support.hpp"
+
+#include <cmath>
+#include <cstring>
+#include <limits>
+
+using namespace asperity;
+using io::Archive;
+using test::world;
+
+namespace
+{
+// Another one on every rank, with values that are easily lost.
+Archive stateOfRank()
+{
+  const int rank = world()->getRank();
+  Archive archive;
+  archive.set("step", (std::int64_t(1) << 53) + 1 + rank);
+  archive.set("time", std::nextafter(0.1, 1.0) + rank);
+  archive.set("name", std::string("rank\0", 5) + std::to_string(rank));
+  archive.set("state/velocity", std::vector<double>(10 * rank + 1, 5e-324));
+  archive.set("state/alpha", std::vector<double>{-0.0, 1e308, -1.0 / 3});
+  archive.set("state/none", std::vector<double>{});
+  archive.set("outputs/Event Catalogue/ruptured", std::vector<std::int64_t>{0, 1, -1});
+  return archive;
+}
+
+class Checkpoint : public ::testing::Test
+{
+protected:
+  void SetUp() override { io::writeCheckpoint(file, stateOfRank(), "deck 1", *world()); }
+
+  std::string errorOfReading(std::string const& fingerprint = "deck 1")
+  {
+    return test::inputError([&] { io::readCheckpoint(file, fingerprint, *world()); });
+  }
+
+  test::TemporaryDirectory directory;
+  std::filesystem::path file = directory / "checkpoint.h5";
+};
+} // namespace
+
+TEST_F(Checkpoint, ReadsBackBitForBit)
+{
+  const Archive copy = io::readCheckpoint(file, "deck 1", *world());
+  EXPECT_EQ(io::Archive(copy).values(), stateOfRank().values());
+  EXPECT_TRUE(std::signbit(copy.get<std::vector<double>>("state/alpha")[0]));
+}
+
+TEST_F(Checkpoint, IsReplacedAndLeavesNoTemporaryFile)
+{
+  Archive later = stateOfRank();
+  later.set("time", 7.0);
+  io::writeCheckpoint(file, later, "deck 1", *world());
+  EXPECT_EQ(io::readCheckpoint(file, "deck 1", *world()).getDouble("time"), 7.0);
+  const auto files = std::filesystem::directory_iterator(directory.path());
+  EXPECT_EQ(std::distance(begin(files), end(files)), 1);
+}
+
+TEST_F(Checkpoint, SurvivesAKilledWrite)
+{
+  test::write(directory / "checkpoint.h5.part", "half a file");
+  EXPECT_EQ(io::readCheckpoint(file, "deck 1", *world()).values(), stateOfRank().values());
+  io::writeCheckpoint(file, stateOfRank(), "deck 1", *world());
+  EXPECT_FALSE(std::filesystem::exists(directory / "checkpoint.h5.part"));
+}
+
+TEST_F(Checkpoint, MissingFileIsRefused)
+{
+  file = directory / "none.h5";
+  EXPECT_TRUE(test::contains(errorOfReading(), "There is no checkpoint"));
+}
+
+TEST_F(Checkpoint, OtherDeckIsRefused)
+{
+  EXPECT_TRUE(test::contains(errorOfReading("deck 2"), "belongs to another deck"));
+}
+
+TEST_F(Checkpoint, TruncatedFileIsRefused)
+{
+  test::onRankZero([&] { std::filesystem::resize_file(file, 3000); });
+  EXPECT_TRUE(test::contains(errorOfReading(), "damaged"));
+}
+
+TEST_F(Checkpoint, SomethingElseIsRefused)
+{
+  test::write(file, "no HDF5 at all");
+  EXPECT_TRUE(test::contains(errorOfReading(), "not a checkpoint of Asperity"));
+  test::onRankZero([&] { io::h5::File::create(file).setAttribute("format", std::string("x")); });
+  EXPECT_TRUE(test::contains(errorOfReading(), "not a checkpoint of Asperity"));
+}
+
+TEST_F(Checkpoint, AChangedValueIsNoticed)
+{
+  test::onRankZero([&] {
+    std::string bytes = test::contents(file);
+    const double written = 1e308;
+    const auto place = bytes.find(std::string(reinterpret_cast<char const*>(&written), 8));
+    ASSERT_NE(place, std::string::npos);
+    bytes[place] ^= 1;
+    std::ofstream(file, std::ios::binary) << bytes;
+  });
+  EXPECT_TRUE(test::contains(errorOfReading(), "is damaged: the values of rank 0 differ"));
+}
+
+TEST_F(Checkpoint, OtherVersionAndNumberOfRanksAreRefused)
+{
+  const auto writeHeader = [&](std::int64_t version, std::int64_t num_ranks) {
+    test::onRankZero([&] {
+      auto h5 = io::h5::File::create(file);
+      h5.setAttribute("format", std::string("asperity checkpoint"));
+      h5.setAttribute("format_version", version);
+      h5.setAttribute("num_ranks", num_ranks);
+      h5.setAttribute("fingerprint", std::string("deck 1"));
+    });
+  };
+  writeHeader(99, world()->getSize());
+  EXPECT_TRUE(test::contains(errorOfReading(), "has format version 99, but 1 is read"));
+  writeHeader(1, 17);
+  EXPECT_TRUE(test::contains(errorOfReading(), "Restart with mpirun -np 17"));
+}
+
+TEST_F(Checkpoint, FolderThatDoesNotExistIsAnErrorOnEveryRank)
+{
+  EXPECT_THROW(io::writeCheckpoint(directory / "none/checkpoint.h5", stateOfRank(), "", *world()),
+               std::runtime_error);
+}

@@ -1,0 +1,51 @@
+#include "io/FieldRegistry.hpp"
+#include "unit/io/Support.hpp"
+
+using namespace asperity;
+using io::Field;
+using io::FieldRegistry;
+using io::Scalar;
+
+namespace
+{
+Field field(std::string const& location, std::string const& name)
+{
+  return {name, "m", "A test.", location, 1, [](std::vector<double>& values) { values = {1}; }};
+}
+} // namespace
+
+TEST(FieldRegistry, FindsByLocationAndName)
+{
+  FieldRegistry registry;
+  registry.add(field("fault", "slip"));
+  Field const& slip = registry.field("fault", "slip");
+  for (int i = 0; i < 100; ++i) { // references stay valid
+    registry.add(field("surface", "slip" + std::to_string(i)));
+  }
+  EXPECT_EQ(&slip, &registry.field("fault", "slip"));
+  EXPECT_TRUE(registry.hasField("surface", "slip7"));
+  EXPECT_FALSE(registry.hasField("volume", "slip7"));
+  EXPECT_EQ(registry.fieldNames("fault"), std::vector<std::string>{"slip"});
+}
+
+TEST(FieldRegistry, UnknownNamesGetTheNearest)
+{
+  FieldRegistry registry;
+  registry.add(field("fault", "slip_rate"));
+  registry.add(field("fault", "alpha"));
+  registry.add(Scalar{"fixed_point_iterations", "", "A test.", [] { return 3.0; }});
+  const auto message = test::inputError([&] { registry.field("fault", "slip rate"); });
+  EXPECT_TRUE(test::contains(message, "'slip rate' on the fault")) << message;
+  EXPECT_TRUE(test::contains(message, "'slip_rate'?")) << message;
+  EXPECT_TRUE(test::contains(test::inputError([&] { registry.scalar("fixed_point_iteration"); }),
+                             "Did you mean 'fixed_point_iterations'?"));
+  EXPECT_EQ(registry.scalar("fixed_point_iterations").value(), 3.0);
+}
+
+TEST(FieldRegistry, ANameIsGivenOnce)
+{
+  FieldRegistry registry;
+  registry.add(field("fault", "slip"));
+  registry.add(field("surface", "slip"));
+  EXPECT_THROW(registry.add(field("fault", "slip")), std::logic_error);
+}

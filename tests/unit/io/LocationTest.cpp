@@ -1,0 +1,155 @@
+#include "io/Location.hpp"
+#include "io/detail/CurveOrder.hpp"
+#include "io/detail/NodeGather.hpp"
+#include "unit/io/Support.hpp"
+
+#include <cmath>
+#include <numeric>
+
+using namespace asperity;
+using namespace asperity::io;
+using test::world;
+
+namespace
+{
+constexpr int num_base = 7;
+
+double sumOverRanks(std::vector<double> const& values)
+{
+  const double mine = std::accumulate(values.begin(), values.end(), 0.0);
+  double sum = 0;
+  Teuchos::reduceAll(*world(), Teuchos::REDUCE_SUM, mine, Teuchos::outArg(sum));
+  return sum;
+}
+} // namespace
+
+TEST(Location, FaultNodesFollowTheOwnedVerticesAndAreNumberedByPosition)
+{
+  const auto mesh = test::stripMesh(num_base);
+  const Location fault = boundaryLocation("fault", mesh, "base", world());
+  EXPECT_TRUE(fault.isCurve());
+  EXPECT_EQ(fault.num_global_nodes, num_base);
+  EXPECT_TRUE(std::is_sorted(fault.vertices.begin(), fault.vertices.end()));
+  for (std::size_t i = 0; i < fault.numOwned(); ++i) {
+    EXPECT_LT(fault.vertices[i], mesh.num_owned);
+    EXPECT_EQ(fault.vertex_ids[i], mesh.global_ids[fault.vertices[i]]);
+    EXPECT_EQ(fault.node_numbers[i], num_base - 1 - fault.vertex_ids[i]);
+    EXPECT_NEAR(fault.positions[i], fault.coordinates[2 * i], 1e-15);
+    EXPECT_EQ(fault.coordinates[2 * i + 1], 0);
+  }
+}
+
+TEST(Location, WeightsAddUpToTheMeasure)
+{
+  const auto mesh = test::stripMesh(num_base);
+  const Location fault = boundaryLocation("fault", mesh, "base", world());
+  EXPECT_NEAR(sumOverRanks(fault.weights), 1, 1e-14);
+  for (std::size_t i = 0; i < fault.numOwned(); ++i) {
+    const int number = static_cast<int>(fault.node_numbers[i]);
+    const double left = test::stripPosition(std::max(0, number - 1), num_base);
+    const double right = test::stripPosition(std::min(num_base - 1, number + 1), num_base);
+    EXPECT_NEAR(fault.weights[i], (right - left) / 2, 1e-15);
+  }
+  EXPECT_NEAR(sumOverRanks(volumeLocation(mesh, world()).weights), 1, 1e-14);
+}
+
+TEST(Location, FilesDoNotDependOnTheRanks)
+{
+  const auto mesh = test::stripMesh(num_base);
+  const Location surface = boundaryLocation("surface", mesh, "surface", world());
+  const detail::NodeGather gather(surface);
+  const auto whole = detail::gatherGeometry(surface, gather);
+  const Location volume = volumeLocation(mesh, world());
+  const auto body = detail::gatherGeometry(volume, detail::NodeGather(volume));
+  if (world()->getRank() > 0) {
+    EXPECT_TRUE(whole.coordinates.empty() && body.connectivity.empty());
+    return;
+  }
+  ASSERT_EQ(whole.positions.size(), std::size_t(num_base));
+  for (int i = 0; i < num_base; ++i) { // begins at the smaller x although facets run against it
+    EXPECT_NEAR(whole.positions[i], test::stripPosition(i, num_base), 1e-15);
+    EXPECT_EQ(whole.coordinates[2 * i + 1], 1);
+    EXPECT_EQ(whole.vertex_ids[i], 2 * num_base - 1 - i);
+  }
+  ASSERT_EQ(whole.connectivity.size(), std::size_t(2 * (num_base - 1)));
+  for (int i = 0; i + 1 < num_base; ++i) { // each segment once, its orientation kept
+    EXPECT_EQ(whole.connectivity[2 * i], i + 1);
+    EXPECT_EQ(whole.connectivity[2 * i + 1], i);
+  }
+  EXPECT_EQ(body.connectivity.size(), std::size_t(3 * 2 * (num_base - 1)));
+  EXPECT_EQ(body.vertex_ids.size(), std::size_t(2 * num_base));
+  EXPECT_TRUE(std::is_sorted(body.vertex_ids.begin(), body.vertex_ids.end()));
+}
+
+TEST(Location, GatherPutsRowsAndComponentsInOrder)
+{
+  const Location fault = boundaryLocation("fault", test::stripMesh(num_base), "base", world());
+  const detail::NodeGather gather(fault);
+  std::vector<double> mine;
+  for (int row = 0; row < 3; ++row) {
+    for (const GlobalOrdinal number : fault.node_numbers) {
+      for (int component = 0; component < 2; ++component) {
+        mine.push_back(100.0 * row + 10.0 * number + component);
+      }
+    }
+  }
+  const auto whole = gather(mine, 3, 2);
+  ASSERT_EQ(whole.size(), world()->getRank() == 0 ? std::size_t(3 * num_base * 2) : 0u);
+  for (std::size_t i = 0; i < whole.size(); ++i) {
+    const std::size_t row = i / (2 * num_base), node = i / 2 % num_base;
+    EXPECT_EQ(whole[i], 100.0 * row + 10.0 * node + i % 2);
+  }
+}
+
+TEST(Location, UnknownOrEmptyBoundariesAreRefused)
+{
+  auto mesh = test::stripMesh(num_base);
+  mesh.boundaries["left"] = {};
+  EXPECT_TRUE(test::contains(
+    test::inputError([&] { boundaryLocation("fault", mesh, "bas", world()); }),
+    "no boundary 'bas' to be the fault. Did you mean 'base'?"));
+  EXPECT_TRUE(test::contains(
+    test::inputError([&] { boundaryLocation("surface", mesh, "left", world()); }),
+    "'left', to be the surface, has no facets"));
+}
+
+TEST(Location, TrianglesOfATetrahedron)
+{
+  Mesh<3> mesh; // held by rank 0; the others have nothing
+  mesh.num_global_vertices = 4;
+  mesh.boundaries["base"] = {};
+  if (world()->getRank() == 0) {
+    mesh.vertices = {{0, 0, 0}, {2, 0, 0}, {0, 3, 0}, {0.5, 0.25, 4}};
+    mesh.global_ids = {0, 1, 2, 3};
+    mesh.num_owned = 4;
+    mesh.cells = {{0, 1, 2, 3}};
+    mesh.boundaries["base"] = {{0, 2, 1}};
+  }
+  const Location fault = boundaryLocation("fault", mesh, "base", world());
+  EXPECT_FALSE(fault.isCurve());
+  EXPECT_TRUE(fault.positions.empty());
+  EXPECT_EQ(fault.num_global_nodes, 3);
+  EXPECT_NEAR(sumOverRanks(fault.weights), 3, 1e-14);
+  EXPECT_NEAR(sumOverRanks(volumeLocation(mesh, world()).weights), 4, 1e-14);
+}
+
+TEST(CurveOrder, ClosedAndSeparatePieces)
+{
+  const std::map<GlobalOrdinal, detail::PlanePoint> square{
+    {10, {0, 0}}, {11, {1, 0}}, {12, {1, 1}}, {13, {0, 1}}};
+  const auto closed = detail::orderCurve({{12, 13}, {10, 11}, {13, 10}, {11, 12}}, square);
+  EXPECT_EQ(closed.vertex_ids.front(), 10);
+  EXPECT_EQ(closed.positions, (std::vector<double>{0, 1, 2, 3}));
+  const auto pieces = detail::orderCurve({{12, 13}, {10, 11}}, square); // y = 1 and y = 0
+  EXPECT_EQ(pieces.vertex_ids, (std::vector<GlobalOrdinal>{10, 11, 13, 12}));
+  EXPECT_EQ(pieces.positions, (std::vector<double>{0, 1, 1, 2}));
+}
+
+TEST(CurveOrder, BranchesAreRefused)
+{
+  const std::map<GlobalOrdinal, detail::PlanePoint> star{
+    {0, {0, 0}}, {1, {1, 0}}, {2, {0, 1}}, {3, {-1, 0}}};
+  const auto message =
+    test::inputError([&] { detail::orderCurve({{0, 1}, {0, 2}, {0, 3}}, star); });
+  EXPECT_TRUE(test::contains(message, "branches at x = 0, y = 0 m: 3 segments")) << message;
+}

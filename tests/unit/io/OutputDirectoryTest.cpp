@@ -1,0 +1,111 @@
+#include "io/OutputDirectory.hpp"
+#include "unit/io/Support.hpp"
+
+#include <map>
+#include <unistd.h>
+
+using namespace asperity;
+using io::ExistingResult;
+using test::world;
+
+namespace
+{
+namespace fs = std::filesystem;
+
+// Every file below the directory with its contents.
+std::map<std::string, std::string> everything(fs::path const& directory)
+{
+  std::map<std::string, std::string> files;
+  for (auto const& entry : fs::recursive_directory_iterator(directory)) {
+    files[entry.path().string()] = entry.is_regular_file() ? test::contents(entry.path()) : "";
+  }
+  return files;
+}
+
+void makeResult(fs::path const& directory)
+{
+  test::onRankZero([&] { fs::create_directories(directory / "segments"); });
+  for (auto const& name : {"run.log", "fault.h5", "events.csv", "segments/fault_000001.h5",
+                           "segments/volume_1234567.h5", "checkpoint.h5.part"}) {
+    test::write(directory / name, name);
+  }
+}
+
+std::string refusal(fs::path const& directory, ExistingResult existing = ExistingResult::refuse)
+{
+  return test::inputError([&] { io::prepareOutputDirectory(directory, existing, *world()); });
+}
+} // namespace
+
+TEST(OutputDirectory, IsMadeWithItsParents)
+{
+  test::TemporaryDirectory directory;
+  io::prepareOutputDirectory(directory / "a/b", ExistingResult::refuse, *world());
+  EXPECT_TRUE(fs::is_directory(directory / "a/b"));
+  EXPECT_TRUE(fs::is_empty(directory / "a/b"));
+}
+
+TEST(OutputDirectory, ForeignFilesAreNoResult)
+{
+  test::TemporaryDirectory directory;
+  test::write(directory / "notes.txt", "mine");
+  io::prepareOutputDirectory(directory.path(), ExistingResult::refuse, *world());
+  EXPECT_EQ(test::contents(directory / "notes.txt"), "mine");
+}
+
+TEST(OutputDirectory, ExistingResultIsRefusedAndUntouched)
+{
+  test::TemporaryDirectory directory;
+  makeResult(directory.path());
+  const auto before = everything(directory.path());
+  world()->barrier();
+  const auto message = refusal(directory.path());
+  EXPECT_TRUE(test::contains(message, "--overwrite")) << message;
+  EXPECT_TRUE(test::contains(message, "--output DIR")) << message;
+  EXPECT_EQ(everything(directory.path()), before);
+}
+
+TEST(OutputDirectory, OneSegmentIsAResult)
+{
+  test::TemporaryDirectory directory;
+  test::onRankZero([&] { fs::create_directory(directory / "segments"); });
+  test::write(directory / "segments/surface_000000.h5", "x");
+  EXPECT_TRUE(test::contains(refusal(directory.path()), "surface_000000.h5"));
+}
+
+TEST(OutputDirectory, OverwriteRemovesOnlyWhatARunWrites)
+{
+  test::TemporaryDirectory directory;
+  makeResult(directory.path());
+  test::write(directory / "notes.txt", "mine");
+  test::write(directory / "segments/notes_12.h5", "mine");
+  io::prepareOutputDirectory(directory.path(), ExistingResult::overwrite, *world());
+  const std::map<std::string, std::string> expected{
+    {(directory / "notes.txt").string(), "mine"},
+    {(directory / "segments").string(), ""},
+    {(directory / "segments/notes_12.h5").string(), "mine"}};
+  EXPECT_EQ(everything(directory.path()), expected);
+}
+
+TEST(OutputDirectory, RestartKeepsEverything)
+{
+  test::TemporaryDirectory directory;
+  makeResult(directory.path());
+  const auto before = everything(directory.path());
+  world()->barrier();
+  io::prepareOutputDirectory(directory.path(), ExistingResult::keep, *world());
+  EXPECT_EQ(everything(directory.path()), before);
+}
+
+TEST(OutputDirectory, WhatCannotBeMadeOrWrittenIsRefused)
+{
+  test::TemporaryDirectory directory;
+  test::write(directory / "file", "text");
+  EXPECT_TRUE(test::contains(refusal(directory / "file"), "cannot be made"));
+  EXPECT_TRUE(test::contains(refusal(directory / "file/below"), "cannot be made"));
+  EXPECT_EQ(test::contents(directory / "file"), "text");
+  EXPECT_TRUE(test::contains(refusal(""), "is empty"));
+  if (fs::is_directory("/proc/self")) { // nobody can write there, root neither
+    EXPECT_TRUE(test::contains(refusal("/proc/self"), "cannot be written"));
+  }
+}

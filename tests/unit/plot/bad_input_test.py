@@ -1,0 +1,133 @@
+"""What is wrong with a result is said once on standard error, with exit status 2."""
+
+import contextlib
+import io
+import os
+import shutil
+import subprocess
+import sys
+import tempfile
+import unittest
+from pathlib import Path
+
+import h5py
+
+import synthetic_run
+from asperity_plot import cli
+
+
+class BadInput(unittest.TestCase):
+    @classmethod
+    def setUpClass(cls):
+        cls.temporary = tempfile.TemporaryDirectory()
+        cls.addClassCleanup(cls.temporary.cleanup)
+        synthetic_run.write_run(Path(cls.temporary.name) / "sound", 2, nodes=20)
+
+    def setUp(self):
+        self.folder = Path(self.temporary.name) / self.id().rsplit(".", maxsplit=1)[-1] / "run"
+        shutil.copytree(Path(self.temporary.name) / "sound", self.folder)
+
+    def plot(self, *arguments: str):
+        """Exit status, standard output and error."""
+        out, err = io.StringIO(), io.StringIO()
+        with contextlib.redirect_stdout(out), contextlib.redirect_stderr(err):
+            status = cli.main([*arguments, "--dpi", "40"])
+        return status, out.getvalue(), err.getvalue()
+
+    def expect(self, *words: str, figures: str = "", folder: Path = None) -> None:
+        """One message with `words`, and exit status 2."""
+        arguments = ["--figures", figures] if figures else []
+        status, _, err = self.plot(str(folder or self.folder), *arguments)
+        self.assertEqual(status, 2, err)
+        self.assertEqual(err.count("asperity-plot: "), 1, err)
+        for word in words:
+            self.assertIn(word, err)
+
+    def test_no_such_directory(self):
+        self.expect("/nowhere/at/all", "not a directory", folder=Path("/nowhere/at/all"))
+
+    def test_no_result_in_it(self):
+        self.expect("holds no result", folder=self.folder.parent)
+
+    def test_damaged_history(self):
+        data = (self.folder / "fault.h5").read_bytes()
+        (self.folder / "fault.h5").write_bytes(data[:600])
+        self.expect("fault.h5", "cannot be opened", figures="slip_rate,slip")
+
+    def test_damaged_segment(self):
+        path = self.folder / "segments" / "surface_000001.h5"
+        path.write_bytes(path.read_bytes()[:600])
+        self.expect("surface_000001.h5", figures="surface")
+
+    def test_missing_field_spares_the_other_figures(self):
+        with h5py.File(self.folder / "fault.h5", "a") as file:
+            del file["fields/slip"]
+        self.expect("no dataset 'fields/slip'", "slip_rate", figures="slip,energy")
+        self.assertTrue((self.folder / "figures" / "energy.png").exists())
+
+    def test_damaged_table(self):
+        with open(self.folder / "steps.csv", "a", encoding="utf-8") as file:
+            file.write("17,not a number\n")
+        self.expect("steps.csv is damaged", figures="iterations,energy")
+
+    def test_missing_column(self):
+        text = (self.folder / "steps.csv").read_text()
+        (self.folder / "steps.csv").write_text(text.replace("fixed_point_iterations", "sweeps"))
+        self.expect("no column 'fixed_point_iterations'", figures="iterations")
+
+    def test_damaged_parameters(self):
+        (self.folder / "parameters.xml").write_text("<ParameterList")
+        self.expect("parameters.xml cannot be read as XML", figures="slip_rate")
+
+    def test_output_that_cannot_be_made(self):
+        folder = self.folder / "steps.csv" / "figures"
+        status, _, err = self.plot(str(self.folder), "--output", str(folder))
+        self.assertEqual(status, 2)
+        self.assertIn("Choose another place with --output", err)
+
+    def test_dots_out_of_range(self):
+        err = io.StringIO()
+        with contextlib.redirect_stderr(err):
+            self.assertEqual(cli.main([str(self.folder), "--dpi", "5"]), 2)
+        self.assertIn("--dpi 5 is outside [30, 1200]", err.getvalue())
+
+    def test_file_asked_for_but_absent(self):
+        (self.folder / "surface.h5").unlink()
+        self.expect("surface.h5 does not exist", figures="surface")
+
+    def test_file_not_asked_for_and_absent(self):
+        for name in ("fault.h5", "surface.h5", "steps.csv"):
+            (self.folder / name).unlink()
+        self.expect("holds no time step yet")
+
+    def test_tables_alone_have_their_figures(self):
+        for name in ("fault.h5", "surface.h5"):
+            (self.folder / name).unlink()
+        status, out, err = self.plot(str(self.folder))
+        self.assertEqual((status, err), (0, ""))
+        self.assertIn("No figure 'surface': the run has no surface.h5.", out)
+        self.assertTrue((self.folder / "figures" / "iterations.png").exists())
+
+    def start(self, *arguments: str, **environment: str) -> subprocess.CompletedProcess:
+        """asperity-plot in a process of its own."""
+        return subprocess.run([sys.executable, "-m", "asperity_plot", *arguments], text=True,
+                              capture_output=True, env={**os.environ, **environment}, check=False)
+
+    def test_unknown_figure(self):
+        result = self.start(str(self.folder), "--figures", "slip_rat")
+        self.assertEqual(result.returncode, 2)
+        self.assertIn("no figure 'slip_rat'; there are slip_rate, surface", result.stderr)
+
+    def test_missing_modules(self):
+        broken = self.folder / "modules" / "h5py.py"
+        broken.parent.mkdir()
+        broken.write_text("raise ImportError('not here')\n")
+        path = os.pathsep.join([str(broken.parent), os.environ["PYTHONPATH"]])
+        result = self.start(str(self.folder), PYTHONPATH=path)
+        self.assertEqual(result.returncode, 2)
+        self.assertIn("apt-get install python3-h5py", result.stderr)
+        self.assertNotIn("Traceback", result.stderr)
+
+
+if __name__ == "__main__":
+    unittest.main()

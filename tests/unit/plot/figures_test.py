@@ -1,0 +1,143 @@
+"""The figures of synthetic runs: that they come into being, and that they show the data."""
+
+import contextlib
+import io
+import tempfile
+import unittest
+from pathlib import Path
+from unittest import mock
+
+import numpy as np
+from matplotlib import pyplot
+from matplotlib.collections import QuadMesh
+from matplotlib.image import imread
+
+import synthetic_run
+from asperity_plot import boxes, cli, energy, iterations, maps, raster, slip, slip_rate, style
+from asperity_plot import surface, windows
+from asperity_plot.run import Run
+
+
+def shown(axes) -> np.ndarray:
+    """The values of the map in `axes`, (positions, times)."""
+    mesh = next(child for child in axes.get_children() if isinstance(child, QuadMesh))
+    columns = mesh.get_coordinates().shape[1] - 1
+    return np.asarray(mesh.get_array()).reshape(-1, columns)
+
+
+class Figures(unittest.TestCase):
+    @classmethod
+    def setUpClass(cls):
+        cls.temporary = tempfile.TemporaryDirectory()
+        cls.addClassCleanup(cls.temporary.cleanup)
+        cls.folder = Path(cls.temporary.name)
+        for name, count, wedge in (("many", 7, True), ("one", 1, False), ("none", 0, True)):
+            synthetic_run.write_run(cls.folder / name, count, nodes=50, wedge=wedge)
+        style.use()
+        for name, size in (("COLUMNS", 400), ("POSITIONS", 150)):
+            coarse = mock.patch.object(maps, name, size)
+            coarse.start()
+            cls.addClassCleanup(coarse.stop)
+
+    def tearDown(self):
+        pyplot.close("all")
+
+    def plot(self, name: str, *options: str):
+        """Exit status, standard output and error of asperity-plot."""
+        out, err = io.StringIO(), io.StringIO()
+        with contextlib.redirect_stdout(out), contextlib.redirect_stderr(err):
+            status = cli.main([str(self.folder / name), "--dpi", "60", *options])
+        return status, out.getvalue(), err.getvalue()
+
+    def test_all_figures(self):
+        status, out, err = self.plot("many")
+        self.assertEqual((status, err), (0, ""))
+        for name in cli.FIGURES:
+            path = self.folder / "many" / "figures" / f"{name}.png"
+            self.assertIn(str(path), out)
+            self.assertGreater(imread(path)[..., :3].std(), 0.03, name)
+        self.assertIn("7 events", out)
+        self.assertRegex(out, r"Recurrence time +6 ")
+        self.assertRegex(out, r"Peak slip rate +7 ")
+
+    def test_one_event_on_a_fault_that_is_no_wedge(self):
+        status, out, err = self.plot("one")
+        self.assertEqual((status, err), (0, ""))
+        self.assertIn("1 event.", out)
+        self.assertEqual(len(list((self.folder / "one" / "figures").glob("*.png"))), 6)
+
+    def test_no_event(self):
+        status, out, err = self.plot("none")
+        self.assertEqual((status, err), (0, ""))
+        self.assertIn("No figure 'events': the run has no complete event.", out)
+        self.assertIn("No event.", out)
+        self.assertTrue((self.folder / "none" / "figures" / "slip_rate.png").exists())
+
+    def test_choice_of_figures_window_and_folder(self):
+        target = self.folder / "elsewhere" / "deep"
+        status, out, _ = self.plot("many", "--figures", "surface,events", "--output", str(target),
+                                   "--window", "20", "50")
+        self.assertEqual(status, 0)
+        self.assertEqual({path.name for path in target.iterdir()}, {"surface.png", "events.png"})
+        self.assertNotIn("slip_rate", out)
+
+    def view(self, name: str):
+        run = Run(self.folder / name)
+        return run, windows.choose(run, None)
+
+    def test_slip_rate_shows_the_fastest_point(self):
+        run, view = self.view("many")
+        axes = slip_rate.draw(run, view).axes
+        rates = run.fault.read("slip_rate", slice(None))
+        inside = (run.fault.time >= view.cycles[0]) & (run.fault.time <= view.cycles[1])
+        fastest = np.log10(rates[inside].max())
+        self.assertLess(abs(shown(axes[0]).max() - fastest), 0.05)
+        inside = (run.fault.time >= view.zoom[0]) & (run.fault.time <= view.zoom[1])
+        self.assertLess(abs(shown(axes[1]).max() - np.log10(rates[inside].max())), 0.05)
+        self.assertIn(f"event {view.number}", axes[1].get_title())
+        self.assertIn("[ms]", axes[1].get_xlabel())
+        self.assertIn("seismogenic zone", [text.get_text() for text in axes[1].texts])
+
+    def test_surface_shows_the_component_against_gravity_without_its_average(self):
+        run, view = self.view("many")
+        values = shown(surface.draw(run, view).axes[0])
+        np.testing.assert_allclose(values.mean(axis=1), 0.0, atol=1e-9 * np.abs(values).max())
+        columns = raster.centres(raster.edges(view.cycles, values.shape[1]))
+        where = raster.centres(raster.edges((0.0, 1.0), values.shape[0]))
+        expected = synthetic_run.uplift(columns, where, synthetic_run.event_times(7))
+        expected = 1e6 * (expected - expected.mean(axis=0)).T
+        error = np.abs(values - expected)
+        self.assertLess(np.median(error), 0.01 * np.abs(expected).max())
+
+    def test_boxes_are_those_of_the_table(self):
+        run, view = self.view("many")
+        self.assertEqual([row[1] for row in boxes.summary(run)], [6, 7, 7, 7, 7])
+        titles = [axes.get_title(loc="right") for axes in boxes.draw(run, view).axes]
+        median = np.median(np.diff(run.events["onset"]))
+        self.assertEqual(titles[0], f"median {median:.1f} s")
+
+    def test_iterations_show_every_step_of_the_zoom(self):
+        run, view = self.view("many")
+        zoom = iterations.draw(run, view).axes[4]
+        time = zoom.lines[0].get_xdata()
+        steps = run.steps
+        inside = (steps["time"] >= view.zoom[0]) & (steps["time"] <= view.zoom[1])
+        self.assertGreater(np.count_nonzero(inside), 50)
+        self.assertLessEqual(abs(time.size - np.count_nonzero(inside)), 2)
+        expected = steps["fixed_point_iterations"][inside].max()
+        self.assertEqual(zoom.lines[0].get_ydata().max(), expected)
+
+    def test_slip_profiles_one_for_each_event(self):
+        run, view = self.view("many")
+        lines = slip.draw(run, view).axes[0].lines
+        self.assertEqual(len(lines), 7)
+        self.assertTrue(np.all(lines[-1].get_ydata() > lines[0].get_ydata()))
+
+    def test_energy_closes_as_written(self):
+        run, view = self.view("many")
+        relative = energy.draw(run, view).axes[1].lines[0].get_ydata()
+        self.assertAlmostEqual(relative.max(), 1e-9, delta=1e-11)
+
+
+if __name__ == "__main__":
+    unittest.main()
