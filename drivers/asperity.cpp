@@ -1,5 +1,6 @@
-// asperity DECK.xml [--set "Path/To/Parameter=value"]... [--output DIR] [--restart FILE] [--validate]
-#include "base/MpiSession.hpp"
+// asperity DECK.xml [--set "Path/To/Parameter=value"]... [--output DIR] [--restart FILE]
+// [--validate]
+#include "base/MpiScope.hpp"
 #include "scenario/DeckReader.hpp"
 #include "scenario/Simulation.hpp"
 
@@ -27,7 +28,7 @@ int runDeck(asperity::CommandLine const& command_line,
 int main(int argc, char** argv)
 {
   // 1. Start MPI and Kokkos.
-  asperity::MpiSession parallel(argc, argv);
+  asperity::MpiScope parallel(argc, argv);
   auto const communicator = parallel.communicator();
   return asperity::runGuarded(*communicator, [&] {
     // 2. What is asked for?
@@ -41,8 +42,8 @@ int main(int argc, char** argv)
     }
     if (command_line.print_parameters) {
       if (speaks) {
-        asperity::printParameters(*asperity::scenario::deckParameters("Regularised", "Ageing"), std::cout,
-                                  command_line.format);
+        asperity::printParameters(*asperity::scenario::deckParameters("Regularised", "Ageing"),
+                                  std::cout, command_line.format);
       }
       return int(asperity::exit_done);
     }

@@ -1,7 +1,7 @@
 #include "Commands.hpp"
 
 #include "base/Errors.hpp"
-#include "base/MpiSession.hpp"
+#include "base/MpiScope.hpp"
 #include "base/NearestName.hpp"
 
 #include <functional>

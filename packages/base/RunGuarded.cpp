@@ -1,5 +1,5 @@
 #include "base/Errors.hpp"
-#include "base/MpiSession.hpp"
+#include "base/MpiScope.hpp"
 
 #include <Teuchos_DefaultMpiComm.hpp>
 #include <mpi.h>

@@ -10,7 +10,8 @@
 #include <Tpetra_MultiVector_fwd.hpp>
 #include <Tpetra_Vector_fwd.hpp>
 
-// The one place that fixes Tpetra's template arguments (double, 32-bit local and 64-bit global ids).
+// The one place that fixes Tpetra's template arguments (double, 32-bit local and 64-bit global
+// ids).
 namespace asperity
 {
 using Teuchos::RCP;

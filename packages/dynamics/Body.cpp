@@ -5,10 +5,7 @@
 
 namespace asperity::dynamics
 {
-RCP<Vector> Body::vector() const
-{
-  return rcp(new Vector(dofs->owned()));
-}
+RCP<Vector> Body::vector() const { return rcp(new Vector(dofs->owned())); }
 
 void Body::residual(Vector const& l, Vector const& u, Vector const& v, Vector const& a,
                     Vector& result) const

@@ -9,12 +9,13 @@
 
 namespace asperity::dynamics
 {
-// All that is linear: M u'' + C u' + K u = load(t) + friction and reaction forces (Pipping 2014, eq. 14), in nodal frames.
+// All that is linear: M u'' + C u' + K u = load(t) + friction and reaction forces (Pipping 2014,
+// eq. 14), in nodal frames.
 struct Body
 {
   std::shared_ptr<const fem::DofMap> dofs;
   fem::BodyMatrices matrices;
-  std::vector<char> fixed;          // (num local dofs), where the velocity is prescribed
+  std::vector<char> fixed;                // (num local dofs), where the velocity is prescribed
   RCP<const MultiVector> near_null_space; // rigid body motions on the owned dofs, in nodal frames
 
   // Both fill a vector of owned dofs for the time t [s].

@@ -13,7 +13,8 @@ Teuchos::RCP<Teuchos::ParameterList> CouplingSettings::validParameters()
   const CouplingSettings defaults;
   return Declare()
     .real("Tolerance", defaults.tolerance, "-", Range::positive(),
-          "Change of alpha between two fixed point iterates, as root mean square over the fault, at which the "
+          "Change of alpha between two fixed point iterates, as root mean square over the fault, "
+          "at which the "
           "coupling of rate and state counts as resolved.")
     .integer("Maximum Iterations", defaults.max_iterations, Range::atLeast(1),
              "Fixed point iterations after which the step is rejected and halved.")
@@ -65,8 +66,8 @@ CoupledStep::CoupledStep(Body const& body, Fault const& fault, RateUpdate const&
 {
 }
 
-// b = l(t1) + M a^ - K u^ - Z v_D on the free dofs, v_D the prescribed velocity: the rate problem is solved for
-// w = v1 - v_D, which is zero at fixed dofs.
+// b = l(t1) + M a^ - K u^ - Z v_D on the free dofs, v_D the prescribed velocity: the rate problem
+// is solved for w = v1 - v_D, which is zero at fixed dofs.
 void CoupledStep::rightSide(State const& from, double t1, double tau)
 {
   body_.prescribed_velocity(t1, *prescribed_);

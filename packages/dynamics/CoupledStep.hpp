@@ -47,15 +47,17 @@ struct CoupledResult
   bool solved() const { return status == StepStatus::solved; }
 };
 
-// One time step: the fixed point alpha -> rate problem -> V -> state flow -> alpha (Pipping 2014, problem 4.3).
+// One time step: the fixed point alpha -> rate problem -> V -> state flow -> alpha (Pipping 2014,
+// problem 4.3).
 class CoupledStep
 {
 public:
   CoupledStep(Body const& body, Fault const& fault, RateUpdate const& update,
               DyadicTime const& clock, CouplingSettings const& settings, StepSolvers& solvers);
 
-  // From `from` over a step of the given level to `to`, which must have the shapes of `from`. `to` holds a guess of
-  // v and alpha on entry; where the step fails its content is of no use. All ranks together.
+  // From `from` over a step of the given level to `to`, which must have the shapes of `from`. `to`
+  // holds a guess of v and alpha on entry; where the step fails its content is of no use. All ranks
+  // together.
   CoupledResult solve(State const& from, int level, State& to, SolveCount& count);
 
 private:

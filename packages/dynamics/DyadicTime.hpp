@@ -24,7 +24,8 @@ public:
   double stepSize(int level) const { return std::ldexp(largest_step_, -level); }
   double seconds(Ticks ticks) const
   {
-    // The product of a whole number below 2^53 and a power of two times largest_step is rounded once.
+    // The product of a whole number below 2^53 and a power of two times largest_step is rounded
+    // once.
     return std::ldexp(static_cast<double>(ticks), -finest_level_) * largest_step_;
   }
   // The first count of ticks at or after a time.

@@ -16,7 +16,8 @@ EnergyBalance::EnergyBalance(Body const& body, Fault const& fault, DyadicTime co
     , mean_(body.vector())
     , v_("asperity::dynamics::v", fault.numNodes(), fault.num_tangents)
     , gradient_("asperity::dynamics::gradient", fault.numNodes(), fault.num_tangents)
-    , hessian_("asperity::dynamics::hessian", fault.numNodes(), fault.num_tangents, fault.num_tangents)
+    , hessian_("asperity::dynamics::hessian", fault.numNodes(), fault.num_tangents,
+               fault.num_tangents)
     , kinked_("asperity::dynamics::kinked", fault.numNodes())
 {
   for (int node = 0; node < fault.numNodes(); ++node) {

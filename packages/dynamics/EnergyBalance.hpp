@@ -15,8 +15,8 @@ struct Energy
   double boundary_work = 0; // by whatever moves the prescribed boundaries
   double friction_work = 0; // dissipated on the fault
   double viscous_work = 0;  // dissipated in the body
-  // Change of kinetic and elastic energy minus all of the above. With Newmark, beta = 1/4, this is what the solvers
-  // leave over; for other schemes it contains what they dissipate numerically.
+  // Change of kinetic and elastic energy minus all of the above. With Newmark, beta = 1/4, this is
+  // what the solvers leave over; for other schemes it contains what they dissipate numerically.
   double defect = 0;
 };
 
@@ -34,7 +34,8 @@ public:
   // Adds the step to the given state. All ranks together.
   Energy const& advance(State const& state);
   Energy const& energy() const { return energy_; }
-  // Friction forces on the fault and reactions at fixed dofs, at the last state [N per unit of thickness].
+  // Friction forces on the fault and reactions at fixed dofs, at the last state [N per unit of
+  // thickness].
   Vector const& force() const { return *before_.force; }
 
 private:

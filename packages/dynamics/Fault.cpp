@@ -35,8 +35,8 @@ void Fault::slipRate(friction::ConstBlockView const& v0, friction::ConstBlockVie
   const int size = num_tangents;
   const double factor = slip_factor;
   Kokkos::parallel_for(
-    "asperity::dynamics::slipRate",
-    Kokkos::RangePolicy<friction::ExecutionSpace>(0, numNodes()), KOKKOS_LAMBDA(int node) {
+    "asperity::dynamics::slipRate", Kokkos::RangePolicy<friction::ExecutionSpace>(0, numNodes()),
+    KOKKOS_LAMBDA(int node) {
       double square = 0;
       double largest = 0;
       for (int k = 0; k < size; ++k) {
@@ -45,9 +45,8 @@ void Fault::slipRate(friction::ConstBlockView const& v0, friction::ConstBlockVie
         largest = largest > (v < 0 ? -v : v) ? largest : (v < 0 ? -v : v);
       }
       // The square of a slow rate underflows; of one component it is not needed.
-      V(node) = factor * (size == 1 || largest < 1e-140
-                            ? largest
-                            : Kokkos::Experimental::sqrt(square));
+      V(node) =
+        factor * (size == 1 || largest < 1e-140 ? largest : Kokkos::Experimental::sqrt(square));
     });
 }
 
@@ -74,8 +73,7 @@ double Fault::distance(friction::ConstNodeView const& a, friction::ConstNodeView
   auto const weight = data.weight;
   double mine = 0;
   Kokkos::parallel_reduce(
-    "asperity::dynamics::distance",
-    Kokkos::RangePolicy<friction::ExecutionSpace>(0, numNodes()),
+    "asperity::dynamics::distance", Kokkos::RangePolicy<friction::ExecutionSpace>(0, numNodes()),
     KOKKOS_LAMBDA(int node, double& sum) {
       const double difference = a(node) - b(node);
       sum += weight(node) * difference * difference;

@@ -17,7 +17,7 @@ struct Fault
   int num_tangents = 1;               // T
   double slip_factor = 1;             // slip = slip_factor times the tangential displacement
   friction::FaultData data;
-  double total_weight = 0;            // over all ranks: the measure of the fault
+  double total_weight = 0; // over all ranks: the measure of the fault
   RCP<const Communicator> communicator;
   std::unique_ptr<friction::FrictionKernels> friction;
   std::unique_ptr<friction::StateKernels> state;
@@ -27,8 +27,8 @@ struct Fault
   // Tangential components of v at the fault nodes.
   void gather(Vector const& v, friction::BlockView const& blocks) const;
   // Slip rates |lambda v0 + (1 - lambda) v1| slip_factor, thesis eq. (25). Views over the nodes.
-  void slipRate(friction::ConstBlockView const& v0, friction::ConstBlockView const& v1, double lambda,
-                friction::NodeView const& V) const;
+  void slipRate(friction::ConstBlockView const& v0, friction::ConstBlockView const& v1,
+                double lambda, friction::NodeView const& V) const;
   // Largest slip rate over all ranks.
   double peakSlipRate(Vector const& v) const;
   // Root mean square of a - b over the fault, over all ranks.

@@ -7,7 +7,8 @@
 
 namespace asperity::dynamics
 {
-RCP<Vector> staticDisplacement(Body const& body, RateSolverSettings const& settings, Vector const& load)
+RCP<Vector> staticDisplacement(Body const& body, RateSolverSettings const& settings,
+                               Vector const& load)
 {
   Vector b(load, Teuchos::Copy);
   body.clearFixed(b);
@@ -41,8 +42,8 @@ RestingFault restingFault(Fault const& fault, std::string const& law, Vector con
   friction::NodeView cohesion("asperity::dynamics::cohesionAtRest", size);
   auto const given = fault.data.cohesion;
   Kokkos::parallel_for(
-    "asperity::dynamics::restingFault",
-    Kokkos::RangePolicy<friction::ExecutionSpace>(0, size), KOKKOS_LAMBDA(int node) {
+    "asperity::dynamics::restingFault", Kokkos::RangePolicy<friction::ExecutionSpace>(0, size),
+    KOKKOS_LAMBDA(int node) {
       bool moving = false;
       for (int k = 0; k < tangents; ++k) {
         moving = moving || blocks(node, k) != 0;
@@ -66,9 +67,10 @@ RestingFault restingFault(Fault const& fault, std::string const& law, Vector con
 }
 } // namespace
 
-RCP<Vector> initialAcceleration(Body const& body, Fault const& fault, RateSolverSettings const& settings,
-                                std::string const& law, Vector const& load, Vector const& prescribed,
-                                Vector const& u, Vector const& v, friction::ConstNodeView const& alpha)
+RCP<Vector> initialAcceleration(Body const& body, Fault const& fault,
+                                RateSolverSettings const& settings, std::string const& law,
+                                Vector const& load, Vector const& prescribed, Vector const& u,
+                                Vector const& v, friction::ConstNodeView const& alpha)
 {
   auto const resting = restingFault(fault, law, v, alpha);
   auto b = body.vector();
@@ -83,19 +85,21 @@ RCP<Vector> initialAcceleration(Body const& body, Fault const& fault, RateSolver
     }
   }
   body.clearFixed(*b);
-  // The rounding of l - K u, which may be large forces in balance, would set a body at rest in motion.
+  // The rounding of l - K u, which may be large forces in balance, would set a body at rest in
+  // motion.
   auto const scale = std::max(load.normInf(), 1e-300);
   auto a = body.vector();
   if (b->normInf() > 1e-12 * scale) {
     RateSolverSettings mass_settings = settings;
     mass_settings.tnnmg.absolute_tolerance = 0;
     mass_settings.tnnmg.relative_tolerance = 1e-12;
-    auto const solver =
-      makeRateSolver(fem::combine(body.matrices, 1, 0, 0, body.fixed), body, resting.fault, mass_settings);
+    auto const solver = makeRateSolver(fem::combine(body.matrices, 1, 0, 0, body.fixed), body,
+                                       resting.fault, mass_settings);
     solver->begin(*b, *a);
     auto const result = solver->solve({*resting.fault.friction, alpha});
     if (!result.converged) {
-      throw SolveError("The initial acceleration was not found: TNNMG did not converge on the balance of momentum.");
+      throw SolveError("The initial acceleration was not found: TNNMG did not converge on the "
+                       "balance of momentum.");
     }
     solver->velocity(*a);
   }

@@ -22,7 +22,8 @@ std::vector<int> rowsOf(Fault const& fault)
   return rows;
 }
 
-// All dofs but those of the fault are eliminated, exactly, before and after TNNMG runs on the fault.
+// All dofs but those of the fault are eliminated, exactly, before and after TNNMG runs on the
+// fault.
 class CondensedRateSolver final : public RateSolver
 {
 public:
@@ -140,8 +141,8 @@ std::unique_ptr<RateSolver> makeRateSolver(RCP<const CrsMatrix> const& Z, Body c
   return std::make_unique<FullRateSolver>(Z, body, fault, settings);
 }
 
-void solveLinear(RCP<const CrsMatrix> const& Z, Body const& body, RateSolverSettings const& settings,
-                 Vector const& b, Vector& x)
+void solveLinear(RCP<const CrsMatrix> const& Z, Body const& body,
+                 RateSolverSettings const& settings, Vector const& b, Vector& x)
 {
   if (settings.correction == Correction::direct) {
     tnnmg::SchurComplement factor(*Z, {});
@@ -157,7 +158,8 @@ void solveLinear(RCP<const CrsMatrix> const& Z, Body const& body, RateSolverSett
   if (!result.converged) {
     std::ostringstream message;
     message << "The static problem was not solved: conjugate gradients stopped after "
-            << result.iterations << " iterations. Check that the boundary conditions hold the body, "
+            << result.iterations
+            << " iterations. Check that the boundary conditions hold the body, "
             << "and raise the iteration limit in TNNMG / MueLu Correction.";
     throw SolveError(message.str());
   }

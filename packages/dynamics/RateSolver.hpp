@@ -14,7 +14,8 @@ namespace asperity::dynamics
 // How the linear correction of TNNMG is found; see README.md.
 enum class Correction
 {
-  direct, // sparse Cholesky of Z, the friction Hessian by the Schur complement on the fault; one rank
+  // Sparse Cholesky of Z, the friction Hessian by the Schur complement on the fault; one rank.
+  direct,
   multigrid
 };
 
@@ -25,7 +26,8 @@ struct RateSolverSettings
   Teuchos::ParameterList multigrid; // of MueLuCorrection, completed
 };
 
-// Solves rate problems (Pipping 2014, problem 4.2) with one matrix Z and one right side, but changing states:
+// Solves rate problems (Pipping 2014, problem 4.2) with one matrix Z and one right side, but
+// changing states:
 //   w = argmin 1/2 <Z w, w> - <b, w> + sum of psi_i(w_i, alpha_i), w = 0 at fixed dofs.
 class RateSolver
 {
@@ -47,6 +49,6 @@ std::unique_ptr<RateSolver> makeRateSolver(RCP<const CrsMatrix> const& Z, Body c
                                            Fault const& fault, RateSolverSettings const& settings);
 
 // x = Z^-1 b without friction, to 1e-12 of |b| with multigrid. SolveError if that fails.
-void solveLinear(RCP<const CrsMatrix> const& Z, Body const& body, RateSolverSettings const& settings,
-                 Vector const& b, Vector& x);
+void solveLinear(RCP<const CrsMatrix> const& Z, Body const& body,
+                 RateSolverSettings const& settings, Vector const& b, Vector& x);
 } // namespace asperity::dynamics

@@ -8,7 +8,8 @@
 
 namespace asperity::dynamics
 {
-// How displacement and acceleration at the end of a step follow from the velocity there (Pipping 2014, table 3.1):
+// How displacement and acceleration at the end of a step follow from the velocity there (Pipping
+// 2014, table 3.1):
 //
 //   u1 = u^ + tau w_K v1,      u^ = u0 + tau c_v v0 + tau^2 c_a a0,      w_K = 1 / lambda_K
 //   a1 = lambda_M / tau v1 - a^,    a^ = d_v / tau v0 + d_a a0
@@ -18,8 +19,8 @@ namespace asperity::dynamics
 struct RateUpdate
 {
   std::string name;
-  double mass_weight = 0;      // lambda_M
-  double stiffness_weight = 0; // 1 / lambda_K
+  double mass_weight = 0;                                                // lambda_M
+  double stiffness_weight = 0;                                           // 1 / lambda_K
   double velocity_in_displacement = 0, acceleration_in_displacement = 0; // c_v, c_a
   double velocity_in_acceleration = 0, acceleration_in_acceleration = 0; // d_v, d_a
 

@@ -12,8 +12,8 @@ namespace asperity::dynamics
 struct State
 {
   DyadicTime::Ticks time = 0;
-  RCP<Vector> u, v, a;        // m, m/s, m/s^2
-  friction::NodeView alpha;   // (num fault nodes)
+  RCP<Vector> u, v, a;      // m, m/s, m/s^2
+  friction::NodeView alpha; // (num fault nodes)
   // The state the velocity was computed with: alpha of the last rate problem.
   friction::NodeView alpha_of_rate;
 

@@ -11,10 +11,10 @@ namespace
 char const* reason(StepStatus status)
 {
   switch (status) {
-    case StepStatus::rate_problem_failed: return "a rate problem did not converge";
-    case StepStatus::state_failed: return "the state could not be updated";
-    case StepStatus::fixed_point_failed: return "the fixed point iteration did not converge";
-    default: return "it was solved";
+  case StepStatus::rate_problem_failed: return "a rate problem did not converge";
+  case StepStatus::state_failed: return "the state could not be updated";
+  case StepStatus::fixed_point_failed: return "the fixed point iteration did not converge";
+  default: return "it was solved";
   }
 }
 
@@ -35,14 +35,14 @@ State blend(double weight, State const& a, State const& b)
   auto const alpha = result.alpha;
   auto const other = b.alpha;
   Kokkos::parallel_for(
-    "asperity::dynamics::blend",
-    Kokkos::RangePolicy<friction::ExecutionSpace>(0, alpha.extent(0)),
+    "asperity::dynamics::blend", Kokkos::RangePolicy<friction::ExecutionSpace>(0, alpha.extent(0)),
     KOKKOS_LAMBDA(int node) { alpha(node) = weight * alpha(node) + (1 - weight) * other(node); });
   return result;
 }
 } // namespace
 
-PrescribedSteps::PrescribedSteps(CoupledStep& step, DyadicTime const& clock, std::vector<int> levels)
+PrescribedSteps::PrescribedSteps(CoupledStep& step, DyadicTime const& clock,
+                                 std::vector<int> levels)
     : step_(step)
     , clock_(clock)
     , levels_(std::move(levels))
@@ -116,7 +116,8 @@ AcceptedStep StepDoubling::advance(State& current, SolveCount& count)
   return accepted;
 }
 
-// Doubles the trial as long as its double agrees with two of it. `next` continues the trial where that is known.
+// Doubles the trial as long as its double agrees with two of it. `next` continues the trial where
+// that is known.
 bool StepDoubling::coarsen(State const& current, std::optional<Trial>& next, double& error,
                            SolveCount& count)
 {
@@ -144,7 +145,8 @@ bool StepDoubling::coarsen(State const& current, std::optional<Trial>& next, dou
   return coarsened;
 }
 
-// Halves the trial until it agrees with two steps of half its size. False if the smallest step does not.
+// Halves the trial until it agrees with two steps of half its size. False if the smallest step does
+// not.
 bool StepDoubling::refine(State const& current, std::optional<Trial>& next, double& error,
                           SolveCount& count)
 {

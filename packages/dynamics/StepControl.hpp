@@ -12,15 +12,15 @@ namespace asperity::dynamics
 // A solved step that has not been accepted.
 struct Trial
 {
-  State state; // at its end
+  State state;        // at its end
   int iterations = 0; // of the fixed point
 };
 
 struct AcceptedStep
 {
   int level = 0;
-  int iterations = 0;         // of the fixed point, in the step that was accepted
-  double error = 0;           // of alpha, estimated, root mean square over the fault
+  int iterations = 0;           // of the fixed point, in the step that was accepted
+  double error = 0;             // of alpha, estimated, root mean square over the fault
   bool within_tolerance = true; // false: even the smallest step did not meet it
 };
 
@@ -68,8 +68,9 @@ struct StepDoublingSettings
   int first_level = 0;
 };
 
-// Pipping 2014, A.3: a step is fine enough if two steps of half its size lead to nearly the same alpha. The coarsest
-// such step is accepted, starting from twice the last size; the finer ones already computed become the next trials.
+// Pipping 2014, A.3: a step is fine enough if two steps of half its size lead to nearly the same
+// alpha. The coarsest such step is accepted, starting from twice the last size; the finer ones
+// already computed become the next trials.
 class StepDoubling final : public StepControl
 {
 public:

@@ -37,8 +37,7 @@ RateSolver& StepSolvers::at(int level)
     recent_.pop_back();
   }
   ++setups_;
-  setup_seconds_ +=
-    std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  setup_seconds_ += std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   return *solver;
 }
 } // namespace asperity::dynamics

@@ -10,13 +10,15 @@
 
 namespace asperity::dynamics
 {
-// One solver for each step size: Z = (lambda_M/tau) M + C + (tau/lambda_K) K depends on nothing else. Set up when
-// first asked for; the least recently used ones go when the memory budget is exceeded.
+// One solver for each step size: Z = (lambda_M/tau) M + C + (tau/lambda_K) K depends on nothing
+// else. Set up when first asked for; the least recently used ones go when the memory budget is
+// exceeded.
 class StepSolvers
 {
 public:
   StepSolvers(Body const& body, Fault const& fault, RateUpdate const& update,
-              DyadicTime const& clock, RateSolverSettings const& settings, std::size_t budget_bytes);
+              DyadicTime const& clock, RateSolverSettings const& settings,
+              std::size_t budget_bytes);
 
   // The reference is valid until the next call.
   RateSolver& at(int level);

@@ -205,8 +205,8 @@ RCP<Vector> assembleGravity(Mesh<Dim> const& mesh, DofMap const& dofs, NodalFram
   auto values = load->getLocalViewHost(Tpetra::Access::OverwriteAll);
   Kokkos::deep_copy(values, 0.);
   for (std::size_t cell = 0; cell < mesh.cells.size(); ++cell) {
-    const double share = materials[cell].density *
-                         simplexOf(mesh, static_cast<int>(cell)).measure / (Dim + 1);
+    const double share =
+      materials[cell].density * simplexOf(mesh, static_cast<int>(cell)).measure / (Dim + 1);
     for (int p : mesh.cells[cell]) {
       if (p < mesh.num_owned) {
         std::array<double, Components> local{};
@@ -235,9 +235,9 @@ RCP<CrsMatrix> combine(BodyMatrices const& body, double factor_mass, double fact
       for (auto entry = rows(row); entry < rows(row + 1); ++entry) {
         const int column = local.graph.entries(entry);
         const bool kept = column == row || (!fixed[row] && !fixed[column]);
-        local.values(entry) = kept ? factor_mass * m(entry) + factor_viscosity * c(entry) +
-                                       factor_stiffness * k(entry)
-                                   : 0;
+        local.values(entry) =
+          kept ? factor_mass * m(entry) + factor_viscosity * c(entry) + factor_stiffness * k(entry)
+               : 0;
       }
     }
   }

@@ -10,8 +10,9 @@
 
 namespace asperity::fem
 {
-// Consistent mass M [kg/m^(3-Dim)], viscosity C and stiffness K of P1 elements in nodal frames, without any boundary
-// condition, on one common graph (Pipping 2014, eq. 14). Components is 1 (antiplane) or Dim.
+// Consistent mass M [kg/m^(3-Dim)], viscosity C and stiffness K of P1 elements in nodal frames,
+// without any boundary condition, on one common graph (Pipping 2014, eq. 14). Components is 1
+// (antiplane) or Dim.
 struct BodyMatrices
 {
   RCP<const CrsMatrix> mass;
@@ -19,19 +20,21 @@ struct BodyMatrices
   RCP<const CrsMatrix> stiffness;
 };
 
-// materials(num_cells). Collective, but needs no communication: every rank has all cells of its rows.
+// materials(num_cells). Collective, but needs no communication: every rank has all cells of its
+// rows.
 template <int Dim, int Components>
 BodyMatrices assembleBody(Mesh<Dim> const& mesh, DofMap const& dofs, NodalFrames const& frames,
                           std::vector<Material> const& materials);
 
-// The load of a body force density * acceleration, acceleration(Components) in m/s^2 along the axes.
+// The load of a body force density * acceleration, acceleration(Components) in m/s^2 along the
+// axes.
 template <int Dim, int Components>
 RCP<Vector> assembleGravity(Mesh<Dim> const& mesh, DofMap const& dofs, NodalFrames const& frames,
                             std::vector<Material> const& materials,
                             std::array<double, Components> const& acceleration);
 
-// factor_mass M + factor_viscosity C + factor_stiffness K with the rows and columns of fixed dofs replaced by their
-// diagonal entry. fixed(num local dofs) holds for owned and ghost dofs.
+// factor_mass M + factor_viscosity C + factor_stiffness K with the rows and columns of fixed dofs
+// replaced by their diagonal entry. fixed(num local dofs) holds for owned and ghost dofs.
 RCP<CrsMatrix> combine(BodyMatrices const& body, double factor_mass, double factor_viscosity,
                        double factor_stiffness, std::vector<char> const& fixed);
 } // namespace asperity::fem

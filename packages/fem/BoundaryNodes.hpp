@@ -12,9 +12,9 @@ namespace asperity::fem
 template <int Dim>
 struct BoundaryNodes
 {
-  std::vector<int> nodes;                 // (num_nodes) local vertex numbers, ascending
-  std::vector<double> weights;            // (num_nodes) integral of the nodal basis function [m^(Dim-1)]
-  std::vector<Point<Dim>> normals;        // (num_nodes) unit outward normals, averaged over the facets
+  std::vector<int> nodes;          // (num_nodes) local vertex numbers, ascending
+  std::vector<double> weights;     // (num_nodes) integral of the nodal basis function [m^(Dim-1)]
+  std::vector<Point<Dim>> normals; // (num_nodes) unit outward normals, averaged over the facets
 };
 
 // InputError if the mesh has no such boundary, or none of its facets on any rank.

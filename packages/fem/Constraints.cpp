@@ -104,8 +104,9 @@ typename Constraints<Dim>::NodalDirections Constraints<Dim>::collect(Mesh<Dim> c
   for (std::size_t i = 0; i < conditions_.size(); ++i) {
     auto const& condition = conditions_[i];
     auto const boundary = mesh.boundaries.find(condition.boundary);
-    ASPERITY_REQUIRE(boundary != mesh.boundaries.end(),
-                     condition.name << ": the mesh has no boundary '" << condition.boundary << "'.");
+    ASPERITY_REQUIRE(boundary != mesh.boundaries.end(), condition.name
+                                                          << ": the mesh has no boundary '"
+                                                          << condition.boundary << "'.");
     std::map<int, std::vector<double>> normals;
     for (auto const& facet : boundary->second) {
       auto const outward = facetNormal<Dim>(mesh, facet);

@@ -17,7 +17,7 @@ namespace asperity::fem
 template <int Dim>
 struct VelocityCondition
 {
-  std::string name;      // for messages, e.g. "Boundary Conditions / Backstop"
+  std::string name; // for messages, e.g. "Boundary Conditions / Backstop"
   std::string boundary;
   // The components of d along the axes; empty: the inward normal of the boundary at each node.
   std::vector<double> direction;
@@ -27,9 +27,10 @@ struct VelocityCondition
 
 // Conditions of all boundaries, turned into nodal frames and fixed dofs.
 //
-// At a node the directions of its conditions are orthonormalised in the order given; the frame's last rows are these
-// directions, its first rows the remaining (tangential) ones. Where the directions are axes the frame is the identity.
-// More conditions than directions must agree with one another, or an InputError names both.
+// At a node the directions of its conditions are orthonormalised in the order given; the frame's
+// last rows are these directions, its first rows the remaining (tangential) ones. Where the
+// directions are axes the frame is the identity. More conditions than directions must agree with
+// one another, or an InputError names both.
 template <int Dim>
 class Constraints
 {

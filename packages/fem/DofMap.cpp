@@ -8,8 +8,8 @@ namespace asperity::fem
 {
 namespace
 {
-RCP<const Map> mapOfNodes(std::vector<GlobalOrdinal> const& global_ids, int num_nodes, int components,
-                          RCP<const Communicator> const& communicator)
+RCP<const Map> mapOfNodes(std::vector<GlobalOrdinal> const& global_ids, int num_nodes,
+                          int components, RCP<const Communicator> const& communicator)
 {
   std::vector<GlobalOrdinal> dofs;
   dofs.reserve(static_cast<std::size_t>(num_nodes) * components);

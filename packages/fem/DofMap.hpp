@@ -8,8 +8,8 @@ namespace asperity::fem
 {
 // Degrees of freedom of a vector field with the same number of components at every vertex.
 //
-// Locally, dof = vertex * components + component, over owned and ghost vertices alike; the owned ones come
-// first. Globally, dof = global vertex id * components + component.
+// Locally, dof = vertex * components + component, over owned and ghost vertices alike; the owned
+// ones come first. Globally, dof = global vertex id * components + component.
 class DofMap
 {
 public:

@@ -3,7 +3,8 @@
 namespace asperity::fem
 {
 // An isotropic Kelvin-Voigt body, constant in a cell:
-//   sigma = B : eps(u) + A : eps(u'),  B = (bulk - 2/3 shear) tr + 2 shear, A likewise with the viscosities.
+//   sigma = B : eps(u) + A : eps(u'),  B = (bulk - 2/3 shear) tr + 2 shear,
+// A likewise with the viscosities.
 // In plane strain the moduli are those of three dimensions; antiplane uses the shear values alone.
 struct Material
 {

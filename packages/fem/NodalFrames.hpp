@@ -5,13 +5,15 @@
 
 namespace asperity::fem
 {
-// An orthonormal frame at each local node. Components of vectors are taken along its rows, so that a condition
-// on a direction (the normal of a dipping fault, say) becomes a condition on one component.
-// components <= 3; row r, column c of the frame of a node is entry(node, r, c); identity until set.
+// An orthonormal frame at each local node. Components of vectors are taken along its rows, so that
+// a condition on a direction (the normal of a dipping fault, say) becomes a condition on one
+// component. components <= 3; row r, column c of the frame of a node is entry(node, r, c); identity
+// until set.
 class NodalFrames
 {
 public:
-  using Matrix = std::array<double, 9>; // row-major, the leading components x components block is used
+  using Matrix =
+    std::array<double, 9>; // row-major, the leading components x components block is used
 
   NodalFrames(int num_nodes, int components)
       : components_(components)

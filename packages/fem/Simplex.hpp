@@ -11,8 +11,8 @@ namespace asperity::fem
 template <int Dim>
 struct Simplex
 {
-  double measure = 0;                              // m^Dim, positive for a positively oriented cell
-  std::array<Point<Dim>, Dim + 1> gradients{};     // 1/m
+  double measure = 0;                          // m^Dim, positive for a positively oriented cell
+  std::array<Point<Dim>, Dim + 1> gradients{}; // 1/m
   Point<Dim> centroid{};
 };
 
@@ -48,7 +48,8 @@ inline Simplex<3> simplexOf<3>(Mesh<3> const& mesh, int cell)
     }
   }
   auto const cross = [](Point<3> const& a, Point<3> const& b) {
-    return Point<3>{a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
+    return Point<3>{a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2],
+                    a[0] * b[1] - a[1] * b[0]};
   };
   Simplex<3> simplex;
   auto const face = cross(edge[1], edge[2]);
@@ -65,7 +66,8 @@ inline Simplex<3> simplexOf<3>(Mesh<3> const& mesh, int cell)
   return simplex;
 }
 
-// Area-weighted outward normal of a boundary facet of a body: its length is the facet's measure [m^(Dim-1)].
+// Area-weighted outward normal of a boundary facet of a body: its length is the facet's measure
+// [m^(Dim-1)].
 template <int Dim>
 Point<Dim> facetNormal(Mesh<Dim> const& mesh, typename Mesh<Dim>::Facet const& facet);
 

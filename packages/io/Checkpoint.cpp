@@ -170,7 +170,7 @@ void writeCheckpoint(std::filesystem::path const& path, Archive const& archive,
       writeRank(file, rank, of_ranks[rank]);
     }
     file.close();
-    detail::commit(path);
+    detail::replaceDurably(path);
   });
 }
 

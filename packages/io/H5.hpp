@@ -129,7 +129,7 @@ public:
   Dataset createExtendable(std::string const& path, Type type, Shape const& row_shape,
                            hsize_t rows_per_chunk);
 
-  // The rows of the parts, one part after the other.
+  // The rows of the parts, one part after the other. Where a part is missing, nan or -1 is read.
   Dataset createVirtual(std::string const& path, Type type, Shape const& row_shape,
                         std::vector<VirtualPart> const& parts);
 

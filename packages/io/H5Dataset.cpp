@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <functional>
+#include <limits>
 #include <numeric>
 
 namespace asperity::io::h5
@@ -209,6 +210,12 @@ Dataset Group::createVirtual(std::string const& path, Type type, Shape const& ro
   const std::string what = describe(path);
   const Handle space = makeSpace(shape, shape, what);
   const Handle properties = makeProperties(H5P_DATASET_CREATE, what);
+  const double gap = std::numeric_limits<double>::quiet_NaN();
+  const std::int64_t integer_gap = -1;
+  const bool is_real = type == Type::float32 || type == Type::float64;
+  check(is_real ? H5Pset_fill_value(properties.get(), H5T_NATIVE_DOUBLE, &gap)
+                : H5Pset_fill_value(properties.get(), H5T_NATIVE_INT64, &integer_gap),
+        "Filling " + what);
   hsize_t first = 0;
   for (auto const& part : parts) {
     if (part.num_rows == 0) {

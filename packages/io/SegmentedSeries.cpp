@@ -3,6 +3,7 @@
 #include "base/Errors.hpp"
 #include "io/detail/DurableFile.hpp"
 #include "io/detail/Gather.hpp"
+#include "io/detail/Xdmf.hpp"
 
 #include <algorithm>
 
@@ -121,14 +122,14 @@ void SegmentedSeries::closeSegment(int index)
   });
   rows_of_segment_.push_back(rows_in_open_segment_);
   rows_in_open_segment_ = 0;
-  writeIndex();
-}
-
-void SegmentedSeries::writeIndex()
-{
   detail::onRoot(*location_.comm, [&] {
     detail::writeIndexFile(layout_, geometry_, rows_of_segment_);
-    detail::writeXdmfFile(layout_, geometry_, rows_of_segment_, times_);
+    const std::size_t last = rows_of_segment_.size() - 1;
+    if (last == 0) {
+      detail::startXdmf(layout_, geometry_);
+    }
+    const std::int64_t rows = rows_of_segment_[last];
+    detail::appendToXdmf(layout_, last, times_.data() + times_.size() - rows, rows);
   });
 }
 
@@ -144,18 +145,29 @@ void SegmentedSeries::restore(Archive const& archive)
   rows_of_segment_ = archive.get<std::vector<std::int64_t>>("rows_of_segment");
   times_ = archive.get<std::vector<double>>("times");
   detail::onRoot(*location_.comm, [&] {
+    removeLaterSegments();
+    detail::writeIndexFile(layout_, geometry_, rows_of_segment_);
+    detail::startXdmf(layout_, geometry_);
+    double const* times = times_.data();
     for (std::size_t i = 0; i < rows_of_segment_.size(); ++i) {
-      const auto path = layout_.directory / layout_.segmentName(i);
-      ASPERITY_REQUIRE(rows_of_segment_[i] == 0 || std::filesystem::exists(path),
-                       path.string() << " is missing, but the checkpoint continues it. Restart in "
-                                        "the directory of the earlier run.");
-    }
-    for (const std::size_t segment : detail::segmentsOnDisk(layout_)) {
-      if (segment >= rows_of_segment_.size()) {
-        std::filesystem::remove(layout_.directory / layout_.segmentName(segment));
-      }
+      detail::appendToXdmf(layout_, i, times, rows_of_segment_[i]);
+      times += rows_of_segment_[i];
     }
   });
-  writeIndex();
+}
+
+void SegmentedSeries::removeLaterSegments() const
+{
+  for (std::size_t i = 0; i < rows_of_segment_.size(); ++i) {
+    const auto path = layout_.directory / layout_.segmentName(i);
+    ASPERITY_REQUIRE(rows_of_segment_[i] == 0 || std::filesystem::exists(path),
+                     path.string() << " is missing, but the checkpoint continues it. Restart in "
+                                      "the directory of the earlier run.");
+  }
+  for (const std::size_t segment : detail::segmentsOnDisk(layout_)) {
+    if (segment >= rows_of_segment_.size()) {
+      std::filesystem::remove(layout_.directory / layout_.segmentName(segment));
+    }
+  }
 }
 } // namespace asperity::io

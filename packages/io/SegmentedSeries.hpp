@@ -51,7 +51,7 @@ public:
 private:
   void writeRows();
   void openSegment();
-  void writeIndex();
+  void removeLaterSegments() const; // InputError if an earlier one is missing
 
   Location const& location_;
   std::vector<Field const*> fields_;

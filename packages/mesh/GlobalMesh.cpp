@@ -4,6 +4,8 @@
 #include "mesh/SimplexGeometry.hpp"
 #include "mesh/detail/FacetTable.hpp"
 
+#include <set>
+
 namespace asperity::mesh
 {
 namespace
@@ -147,8 +149,12 @@ private:
                               << numbers(entries[i].key) << "; at most two may.");
     }
     for (auto const& [name, facets] : mesh_.boundaries) {
+      std::set<typename GlobalMesh<Dim>::Facet> known;
       for (auto const& facet : facets) {
         checkBoundaryFacet(table, name, facet);
+        ASPERITY_REQUIRE(known.insert(detail::sorted(facet)).second,
+                         where_ << ": boundary '" << name << "' has the facet with vertices "
+                                << numbers(facet) << " twice.");
       }
     }
   }

@@ -23,7 +23,8 @@ namespace mesh
 {
 // InputError that starts with `where` (a file or a parameter list) unless the mesh is one: finite
 // coordinates, vertex numbers and regions in range, every cell positively oriented, every vertex in
-// a cell, no facet in more than two cells, every facet of a boundary in exactly one cell.
+// a cell, no facet in more than two cells, every facet of a boundary in exactly one cell and once
+// in the boundary.
 template <int Dim>
 void checkMesh(GlobalMesh<Dim> const& mesh, std::string const& where);
 

@@ -32,12 +32,14 @@ std::vector<double> directionOf(ParameterList const& list, std::string const& na
   }
   auto const given = list.get<Teuchos::Array<double>>("Direction").toVector();
   ASPERITY_REQUIRE(given.size() == 2 && std::hypot(given[0], given[1]) > 0,
-                   joinPath(name, "Direction") << " needs two numbers, not both zero: where the velocity "
-                                                  "points, in x and y.");
+                   joinPath(name, "Direction")
+                     << " needs two numbers, not both zero: where the velocity "
+                        "points, in x and y.");
   return given;
 }
 
-fem::VelocityCondition<2> prescribed(ParameterList const& list, std::string const& name, int components)
+fem::VelocityCondition<2> prescribed(ParameterList const& list, std::string const& name,
+                                     int components)
 {
   auto const velocity = std::make_shared<Field>(list, "Velocity", name, std::vector<std::string>{});
   const double duration = list.get<double>("Ramp Duration");
@@ -59,22 +61,29 @@ RCP<const ParameterList> boundaryParameters()
       .text("Boundary", required, "Name of the boundary in the mesh.")
       .choice("Type", required,
               {"Friction", "Prescribed Velocity", "Sliding Wall", "Fixed", "Free Surface"},
-              "Friction: rate-and-state friction in bilateral contact with a rigid foundation (v . n = 0). "
-              "Prescribed Velocity: in one direction, free across it. Sliding Wall: v . n = 0, free along it. "
-              "Fixed: v = 0. Free Surface: no traction, the default, named so that its motion can be written.")
-      .realArray("Direction", std::vector<double>{1., 0.}, "-", Range::any(),
-                 "Direction of a prescribed velocity in x and y, of any length; antiplane has only one.")
+              "Friction: rate-and-state friction in bilateral contact with a rigid foundation (v . "
+              "n = 0). "
+              "Prescribed Velocity: in one direction, free across it. Sliding Wall: v . n = 0, "
+              "free along it. "
+              "Fixed: v = 0. Free Surface: no traction, the default, named so that its motion can "
+              "be written.")
+      .realArray(
+        "Direction", std::vector<double>{1., 0.}, "-", Range::any(),
+        "Direction of a prescribed velocity in x and y, of any length; antiplane has only one.")
       .field("Velocity", 0., "m/s", Range::any(), "Prescribed velocity in that direction.")
       .real("Ramp Duration", 0., "s", Range::atLeast(0),
             "Time over which the prescribed velocity grows smoothly from zero.")
       .list();
-  return Declare().sublist("<condition>", one, "One boundary condition; the name is the user's.").list();
+  return Declare()
+    .sublist("<condition>", one, "One boundary condition; the name is the user's.")
+    .list();
 }
 
 BoundaryConditions makeBoundaryConditions(ParameterList const& list, int components)
 {
   BoundaryConditions result;
-  std::map<std::string, std::string> exclusive; // boundary -> name of a condition that leaves no room for others
+  std::map<std::string, std::string>
+    exclusive; // boundary -> name of a condition that leaves no room for others
   std::map<std::string, std::string> any;
   for (auto const& entry : list) {
     auto const& condition = list.sublist(entry.first);
@@ -84,15 +93,16 @@ BoundaryConditions makeBoundaryConditions(ParameterList const& list, int compone
     const bool leaves_no_room = type == "Free Surface" || type == "Fixed";
     auto const other = leaves_no_room ? any.find(boundary) : exclusive.find(boundary);
     ASPERITY_REQUIRE(other == (leaves_no_room ? any.end() : exclusive.end()),
-                     name << " (" << type << ") contradicts " << other->second << " on the boundary '"
-                          << boundary << "'. Remove one of them.");
+                     name << " (" << type << ") contradicts " << other->second
+                          << " on the boundary '" << boundary << "'. Remove one of them.");
     any[boundary] = name;
     if (leaves_no_room) {
       exclusive[boundary] = name;
     }
     if (type == "Friction") {
       ASPERITY_REQUIRE(result.fault.empty(), name << ": there is already friction on the boundary '"
-                                                  << result.fault << "'. One boundary can have it.");
+                                                  << result.fault
+                                                  << "'. One boundary can have it.");
       result.fault = boundary;
       if (components == 2) {
         // The contact comes first, so that the frames of its nodes follow the fault.
@@ -113,8 +123,9 @@ BoundaryConditions makeBoundaryConditions(ParameterList const& list, int compone
       result.surface = boundary;
     }
   }
-  ASPERITY_REQUIRE(!result.fault.empty(),
-                   path << " has no condition of Type 'Friction'. Name the boundary that is the fault.");
+  ASPERITY_REQUIRE(
+    !result.fault.empty(),
+    path << " has no condition of Type 'Friction'. Name the boundary that is the fault.");
   return result;
 }
 } // namespace asperity::scenario

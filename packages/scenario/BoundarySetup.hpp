@@ -19,6 +19,7 @@ struct BoundaryConditions
   double ramp_end = 0; // when the last loading ramp has ended [s]
 };
 
-// components: 2 in plane strain, 1 antiplane. InputError on contradictions that need no mesh to be seen.
+// components: 2 in plane strain, 1 antiplane. InputError on contradictions that need no mesh to be
+// seen.
 BoundaryConditions makeBoundaryConditions(ParameterList const& list, int components);
 } // namespace asperity::scenario

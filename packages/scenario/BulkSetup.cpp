@@ -24,8 +24,9 @@ RCP<const ParameterList> bulkParameters()
     .choice("Model", "Plane Strain", {"Plane Strain", "Antiplane"},
             "Displacement within the plane of the mesh, or perpendicular to it.")
     .field("Density", required, "kg/m^3", Range::positive(), "Mass density.")
-    .field(bulk_modulus, optional, "Pa", Range::positive(),
-           "Bulk modulus; plane strain needs two of bulk modulus, shear modulus and Poisson's ratio.")
+    .field(
+      bulk_modulus, optional, "Pa", Range::positive(),
+      "Bulk modulus; plane strain needs two of bulk modulus, shear modulus and Poisson's ratio.")
     .field(shear_modulus, optional, "Pa", Range::positive(),
            "Shear modulus; antiplane needs it, or both others.")
     .field(poisson, optional, "-", Range::open(-1, 0.5), "Poisson's ratio.")
@@ -72,8 +73,9 @@ public:
   {
     const int given = bulk_.has_value() + shear_.has_value() + poisson_.has_value();
     const bool enough = given == 2 || (antiplane_ && shear_ && given == 1);
-    ASPERITY_REQUIRE(enough, path << ": " << given << " of '" << bulk_modulus << "', '" << shear_modulus
-                                  << "' and '" << poisson << "' are given; the elastic body needs exactly two"
+    ASPERITY_REQUIRE(enough, path << ": " << given << " of '" << bulk_modulus << "', '"
+                                  << shear_modulus << "' and '" << poisson
+                                  << "' are given; the elastic body needs exactly two"
                                   << (antiplane_ ? ", or the shear modulus alone." : "."));
   }
 

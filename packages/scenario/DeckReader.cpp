@@ -26,7 +26,8 @@ RCP<const ParameterList> outputParameters()
   return list;
 }
 
-// The law a deck names, or the default; an unknown name is refused here, since the valid parameters depend on it.
+// The law a deck names, or the default; an unknown name is refused here, since the valid parameters
+// depend on it.
 std::string lawOf(ParameterList const& deck, std::string const& name, std::string const& standard,
                   std::vector<std::string> const& known)
 {
@@ -54,10 +55,12 @@ RCP<const ParameterList> deckParameters(std::string const& law, std::string cons
       .sublist("Mesh", meshParameters(), "Where the body is.")
       .sublist("Bulk", bulkParameters(), "What the body is made of.")
       .sublist("Friction", frictionParameters(law, state_law), "What happens on the fault.")
-      .openSublist("Boundary Conditions", boundaryParameters(), "One list of any name for each condition.")
+      .openSublist("Boundary Conditions", boundaryParameters(),
+                   "One list of any name for each condition.")
       .sublist("Initial State", initialStateParameters(), "How the run starts.")
       .sublist("Time Stepping", timeParameters(), "How it goes on.")
-      .sublist("Coupling", dynamics::CouplingSettings::validParameters(), "The fixed point of rate and state.")
+      .sublist("Coupling", dynamics::CouplingSettings::validParameters(),
+               "The fixed point of rate and state.")
       .sublist("TNNMG", solverParameters(), "The solver of the rate problems.")
       .sublist("Output", outputParameters(), "What the run leaves.")
       .list();

@@ -11,7 +11,8 @@ namespace asperity::scenario
 // All parameters of a deck with the given laws.
 RCP<const ParameterList> deckParameters(std::string const& law, std::string const& state_law);
 
-// The deck of a command line: read, overlaid, overridden, checked and completed. InputError otherwise.
+// The deck of a command line: read, overlaid, overridden, checked and completed. InputError
+// otherwise.
 RCP<ParameterList> readCompleteDeck(CommandLine const& command_line);
 
 // What must not change between a run and its restart: everything but the output and the final time.

@@ -35,9 +35,9 @@ void declareTable(Declare& declare, std::vector<friction::Parameter> const& tabl
     if (!known.insert(parameter.name).second) {
       continue; // shared by both laws
     }
-    const DefaultOr<FieldValue> value = parameter.required()
-                                          ? DefaultOr<FieldValue>(required)
-                                          : DefaultOr<FieldValue>(FieldValue(parameter.default_value));
+    const DefaultOr<FieldValue> value =
+      parameter.required() ? DefaultOr<FieldValue>(required)
+                           : DefaultOr<FieldValue>(FieldValue(parameter.default_value));
     declare.field(parameter.name, value, parameter.unit, rangeOf(parameter), parameter.meaning);
     if (std::string(parameter.name) == "a") {
       declare.hint("Check the sign; typical values are 0.005 to 0.03.");
@@ -69,7 +69,8 @@ int tangentialComponent(fem::NodalFrames const& frames, int node, Point<2> const
   if (frames.components() == 1) {
     return 0;
   }
-  const double along_first = frames.entry(node, 0, 0) * normal[0] + frames.entry(node, 0, 1) * normal[1];
+  const double along_first =
+    frames.entry(node, 0, 0) * normal[0] + frames.entry(node, 0, 1) * normal[1];
   return std::abs(along_first) < 0.5 ? 0 : 1;
 }
 
@@ -94,17 +95,21 @@ RCP<const ParameterList> frictionParameters(std::string const& law, std::string 
   declareTable(declare, friction::frictionLawParameters(law), known);
   declareTable(declare, friction::stateLawParameters(state_law), known);
   declare
-    .field("Cohesion", 0., "Pa", Range::atLeast(0), "Shear stress that the fault bears without normal stress.")
+    .field("Cohesion", 0., "Pa", Range::atLeast(0),
+           "Shear stress that the fault bears without normal stress.")
     .field("Normal Stress", optional, "Pa", Range::atLeast(0),
-           "Normal stress, positive in compression; left out, it is that of the static solution under gravity.")
+           "Normal stress, positive in compression; left out, it is that of the static solution "
+           "under gravity.")
     .real("Normal Stress Factor", 1., "-", Range::atLeast(0), "Multiplies the normal stress.")
     .field("Shear Traction", 0., "Pa", Range::any(),
-           "Shear traction on the fault besides that of the deformation, along the tangent of its frame: along +x "
+           "Shear traction on the fault besides that of the deformation, along the tangent of its "
+           "frame: along +x "
            "on a fault below the body.");
   return declare.list();
 }
 
-friction::NodeView valuesAtNodes(Field const& field, Mesh<2> const& mesh, std::vector<int> const& nodes)
+friction::NodeView valuesAtNodes(Field const& field, Mesh<2> const& mesh,
+                                 std::vector<int> const& nodes)
 {
   std::vector<double> values;
   if (field.isDataset()) {
@@ -131,7 +136,8 @@ dynamics::Fault makeFault(ParameterList const& list, Mesh<2> const& mesh,
   fault.communicator = dofs.communicator();
   for (std::size_t i = 0; i < boundary.nodes.size(); ++i) {
     const int node = boundary.nodes[i];
-    const int dof = dofs.dof(node, tangentialComponent(constraints.frames(), node, boundary.normals[i]));
+    const int dof =
+      dofs.dof(node, tangentialComponent(constraints.frames(), node, boundary.normals[i]));
     fault.dofs.push_back({dof});
     fault.fixed.push_back(constraints.fixed()[dof] ? 1 : 0);
   }
@@ -139,14 +145,17 @@ dynamics::Fault makeFault(ParameterList const& list, Mesh<2> const& mesh,
   for (double weight : boundary.weights) {
     mine += weight;
   }
-  Teuchos::reduceAll(*fault.communicator, Teuchos::REDUCE_SUM, mine, Teuchos::outArg(fault.total_weight));
+  Teuchos::reduceAll(*fault.communicator, Teuchos::REDUCE_SUM, mine,
+                     Teuchos::outArg(fault.total_weight));
   fault.data.weight = toDevice(boundary.weights, "asperity::scenario::weight");
   fault.data.cohesion = valuesAtNodes(Field(list, "Cohesion", path, {}), mesh, boundary.nodes);
-  fault.data.sigma_n = friction::NodeView("asperity::scenario::normalStress", boundary.nodes.size());
+  fault.data.sigma_n =
+    friction::NodeView("asperity::scenario::normalStress", boundary.nodes.size());
 
   auto const law = list.get<std::string>("Law");
   auto const state_law = list.get<std::string>("State Evolution");
-  fault.data.parameters = valuesOfTable(friction::frictionLawParameters(law), list, mesh, boundary.nodes);
+  fault.data.parameters =
+    valuesOfTable(friction::frictionLawParameters(law), list, mesh, boundary.nodes);
   fault.state = friction::makeStateKernels(
     state_law, valuesOfTable(friction::stateLawParameters(state_law), list, mesh, boundary.nodes));
   return fault;

@@ -8,11 +8,13 @@
 
 namespace asperity::scenario
 {
-// The deck's list `Friction` for the chosen laws: the tables of both, and what friction needs besides.
+// The deck's list `Friction` for the chosen laws: the tables of both, and what friction needs
+// besides.
 RCP<const ParameterList> frictionParameters(std::string const& law, std::string const& state_law);
 
 // A field at the fault nodes at time zero.
-friction::NodeView valuesAtNodes(Field const& field, Mesh<2> const& mesh, std::vector<int> const& nodes);
+friction::NodeView valuesAtNodes(Field const& field, Mesh<2> const& mesh,
+                                 std::vector<int> const& nodes);
 
 // Everything but the normal stress, which is zero until setNormalStress.
 dynamics::Fault makeFault(ParameterList const& list, Mesh<2> const& mesh,

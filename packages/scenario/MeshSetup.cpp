@@ -29,7 +29,8 @@ RCP<const ParameterList> wedgeParameters()
           "Largest diameter of a cell at the seismogenic zone.")
     .real("Growth Factor", defaults.growth_factor, "-", Range::atLeast(0),
           "Cells may be larger by this factor, plus one, at one growth length from the zone.")
-    .real("Growth Length", defaults.growth_length, "m", Range::positive(), "Length over which cells grow.")
+    .real("Growth Length", defaults.growth_length, "m", Range::positive(),
+          "Length over which cells grow.")
     .real("Viscous Thickness", defaults.viscous_thickness, "m", Range::atLeast(0),
           "Thickness of the region 'lower', measured vertically from the deepest point.")
     .list();
@@ -56,7 +57,8 @@ RCP<const ParameterList> rectangleParameters()
     .real("Height", 1., "m", Range::positive(), "Extent along y.")
     .integer("Cells X", 1, Range::atLeast(1), "Columns of two triangles each.")
     .integer("Cells Y", 1, Range::atLeast(1), "Rows of two triangles each.")
-    .realArray("Lower Left", std::vector<double>{0., 0.}, "m", Range::any(), "Position of the lower left corner.")
+    .realArray("Lower Left", std::vector<double>{0., 0.}, "m", Range::any(),
+               "Position of the lower left corner.")
     .list();
 }
 
@@ -68,7 +70,8 @@ mesh::RectangleShape rectangleShape(ParameterList const& list)
   shape.cells_x = list.get<int>("Cells X");
   shape.cells_y = list.get<int>("Cells Y");
   auto const corner = list.get<Teuchos::Array<double>>("Lower Left");
-  ASPERITY_REQUIRE(corner.size() == 2, path << " / Rectangle / Lower Left needs two numbers, x and y.");
+  ASPERITY_REQUIRE(corner.size() == 2,
+                   path << " / Rectangle / Lower Left needs two numbers, x and y.");
   shape.lower_left = {corner[0], corner[1]};
   return shape;
 }
@@ -77,8 +80,8 @@ std::vector<mesh::RegionCondition<2>> regionConditions(ParameterList const& list
 {
   std::vector<mesh::RegionCondition<2>> conditions;
   for (auto const& entry : list) {
-    auto const condition =
-      std::make_shared<Field>(list, entry.first, joinPath(path, "Regions"), std::vector<std::string>{});
+    auto const condition = std::make_shared<Field>(list, entry.first, joinPath(path, "Regions"),
+                                                   std::vector<std::string>{});
     conditions.push_back({entry.first, [condition](Point<2> const& x) {
                             return (*condition)({x[0], x[1], 0}, 0, 0) != 0;
                           }});
@@ -90,21 +93,23 @@ std::vector<mesh::RegionCondition<2>> regionConditions(ParameterList const& list
 RCP<const ParameterList> meshParameters()
 {
   return Declare()
-    .choiceOfLists("Type", "Wedge",
-                   {{"Wedge", wedgeParameters()},
-                    {"Rectangle", rectangleParameters()},
-                    {"File", Declare()
-                               .fileName("File Name", required,
-                                         "Mesh in HDF5 as asperity-mesh writes it.")
-                               .list()}},
-                   "The analogue wedge (thesis A.1), a rectangle, or a file.")
-    .openSublist("Regions",
-                 Declare()
-                   .field("<region>", required, "-", Range::any(),
-                          "Condition in x and y of a cell's centroid; where it is not zero the cell belongs to "
-                          "the region, the last one winning.")
-                   .list(),
-                 "Regions by condition, besides or instead of those of the mesh.")
+    .choiceOfLists(
+      "Type", "Wedge",
+      {{"Wedge", wedgeParameters()},
+       {"Rectangle", rectangleParameters()},
+       {"File", Declare()
+                  .fileName("File Name", required, "Mesh in HDF5 as asperity-mesh writes it.")
+                  .list()}},
+      "The analogue wedge (thesis A.1), a rectangle, or a file.")
+    .openSublist(
+      "Regions",
+      Declare()
+        .field(
+          "<region>", required, "-", Range::any(),
+          "Condition in x and y of a cell's centroid; where it is not zero the cell belongs to "
+          "the region, the last one winning.")
+        .list(),
+      "Regions by condition, besides or instead of those of the mesh.")
     .list();
 }
 
@@ -112,10 +117,12 @@ Mesh<2> makeMesh(ParameterList const& list, RCP<const Communicator> const& commu
 {
   auto const type = list.get<std::string>("Type");
   auto const& of_type = list.sublist(type);
-  auto whole = type == "Wedge"       ? mesh::wedgeMesh(wedgeShape(of_type))
-               : type == "Rectangle" ? mesh::rectangleMesh(rectangleShape(of_type))
-                                     : mesh::readMesh<2>(of_type.get<std::string>("File Name"), *communicator);
-  mesh::overrideRegions(whole, regionConditions(list.sublist("Regions")), joinPath(path, "Regions"));
+  auto whole = type == "Wedge" ? mesh::wedgeMesh(wedgeShape(of_type))
+               : type == "Rectangle"
+                 ? mesh::rectangleMesh(rectangleShape(of_type))
+                 : mesh::readMesh<2>(of_type.get<std::string>("File Name"), *communicator);
+  mesh::overrideRegions(whole, regionConditions(list.sublist("Regions")),
+                        joinPath(path, "Regions"));
   return mesh::distribute(whole, *communicator);
 }
 } // namespace asperity::scenario

@@ -43,29 +43,31 @@ void registerFaultFields(io::FieldRegistry& registry, Problem const& problem, Ru
                              value *= fault.slip_factor;
                            }
                          }});
-  registry.add(io::Field{"alpha", "", "State ln(theta V* / L).", "fault", 1, [&view](Values& values) {
-                           auto const host = Kokkos::create_mirror_view_and_copy(
-                             Kokkos::HostSpace(), view.state->alpha);
-                           values.assign(host.data(), host.data() + host.extent(0));
-                         }});
-  registry.add(io::Field{"slip", "m", "Tangential slip since the start, along the tangents of the fault.",
+  registry.add(io::Field{
+    "alpha", "", "State ln(theta V* / L).", "fault", 1, [&view](Values& values) {
+      auto const host = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace(), view.state->alpha);
+      values.assign(host.data(), host.data() + host.extent(0));
+    }});
+  registry.add(io::Field{"slip", "m",
+                         "Tangential slip since the start, along the tangents of the fault.",
                          "fault", size, [&fault, &view, initial](Values& values) {
                            values = tangential(*view.state->u, fault);
                            for (std::size_t i = 0; i < values.size(); ++i) {
                              values[i] = fault.slip_factor * (values[i] - initial[i]);
                            }
                          }});
-  registry.add(io::Field{"traction", "Pa", "Shear traction that friction bears, along the tangents of the fault.",
-                         "fault", size, [&fault, &view, size](Values& values) {
-                           values = tangential(view.balance->force(), fault);
-                           auto const weight = Kokkos::create_mirror_view_and_copy(
-                             Kokkos::HostSpace(), fault.data.weight);
-                           for (std::size_t i = 0; i < values.size(); ++i) {
-                             values[i] /= weight(i / size);
-                           }
-                         }});
-  registry.add(io::Field{"normal_stress", "Pa", "Normal stress, positive in compression.", "fault", 1,
-                         [&fault](Values& values) {
+  registry.add(io::Field{
+    "traction", "Pa", "Shear traction that friction bears, along the tangents of the fault.",
+    "fault", size, [&fault, &view, size](Values& values) {
+      values = tangential(view.balance->force(), fault);
+      auto const weight =
+        Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace(), fault.data.weight);
+      for (std::size_t i = 0; i < values.size(); ++i) {
+        values[i] /= weight(i / size);
+      }
+    }});
+  registry.add(io::Field{"normal_stress", "Pa", "Normal stress, positive in compression.", "fault",
+                         1, [&fault](Values& values) {
                            auto const host = Kokkos::create_mirror_view_and_copy(
                              Kokkos::HostSpace(), fault.data.sigma_n);
                            values.assign(host.data(), host.data() + host.extent(0));
@@ -89,18 +91,19 @@ void registerMotion(io::FieldRegistry& registry, Problem const& problem, RunView
     {"acceleration", "m/s^2", "Acceleration along the axes.", &dynamics::State::a}};
   for (auto const& motion : motions) {
     auto const vector = motion.vector;
-    registry.add(io::Field{motion.name, motion.unit, motion.description, location.name, problem.components,
-                           [&problem, &view, &location, vector](Values& values) {
-                             Values all;
-                             problem.alongAxes(*(view.state->*vector), all);
-                             const int components = problem.components;
-                             values.clear();
-                             for (int vertex : location.vertices) {
-                               for (int c = 0; c < components; ++c) {
-                                 values.push_back(all[static_cast<std::size_t>(vertex) * components + c]);
-                               }
-                             }
-                           }});
+    registry.add(
+      io::Field{motion.name, motion.unit, motion.description, location.name, problem.components,
+                [&problem, &view, &location, vector](Values& values) {
+                  Values all;
+                  problem.alongAxes(*(view.state->*vector), all);
+                  const int components = problem.components;
+                  values.clear();
+                  for (int vertex : location.vertices) {
+                    for (int c = 0; c < components; ++c) {
+                      values.push_back(all[static_cast<std::size_t>(vertex) * components + c]);
+                    }
+                  }
+                }});
   }
 }
 
@@ -109,21 +112,24 @@ void registerScalars(io::FieldRegistry& registry, RunView const& view)
   auto const add = [&](char const* name, char const* unit, char const* meaning, auto value) {
     registry.add(io::Scalar{name, unit, meaning, value});
   };
-  auto const count = [&](char const* name, char const* meaning, std::int64_t dynamics::SolveCount::*member) {
+  auto const count = [&](char const* name, char const* meaning,
+                         std::int64_t dynamics::SolveCount::*member) {
     add(name, "", meaning, [&view, member] { return static_cast<double>(view.count.*member); });
   };
   add("fixed_point_iterations", "", "Of the step that was accepted.",
       [&view] { return static_cast<double>(view.step.iterations); });
   add("error", "", "Estimated error of alpha, root mean square over the fault.",
       [&view] { return view.step.error; });
-  count("coupled_steps", "Steps solved to find the accepted one.", &dynamics::SolveCount::coupled_steps);
+  count("coupled_steps", "Steps solved to find the accepted one.",
+        &dynamics::SolveCount::coupled_steps);
   count("rate_problems", "Rate problems solved.", &dynamics::SolveCount::rate_problems);
   count("tnnmg_iterations", "Of all rate problems.", &dynamics::SolveCount::tnnmg_iterations);
   count("corrections", "Linear corrections.", &dynamics::SolveCount::corrections);
   count("correction_iterations", "Conjugate gradients in the corrections.",
         &dynamics::SolveCount::correction_iterations);
   count("v_cycles", "Multigrid cycles.", &dynamics::SolveCount::v_cycles);
-  count("energy_rises", "Half iterations of TNNMG after which J was larger.", &dynamics::SolveCount::rises);
+  count("energy_rises", "Half iterations of TNNMG after which J was larger.",
+        &dynamics::SolveCount::rises);
   count("failed_steps", "Steps that could not be solved.", &dynamics::SolveCount::failures);
 
   auto const energy = [&](char const* name, char const* meaning, double dynamics::Energy::*member) {
@@ -131,11 +137,14 @@ void registerScalars(io::FieldRegistry& registry, RunView const& view)
   };
   energy("kinetic_energy", "Kinetic energy.", &dynamics::Energy::kinetic);
   energy("elastic_energy", "Elastic energy.", &dynamics::Energy::elastic);
-  energy("load_work", "Work of gravity and tractions since the start.", &dynamics::Energy::load_work);
+  energy("load_work", "Work of gravity and tractions since the start.",
+         &dynamics::Energy::load_work);
   energy("boundary_work", "Work of the prescribed boundaries since the start.",
          &dynamics::Energy::boundary_work);
-  energy("friction_work", "Energy dissipated by friction since the start.", &dynamics::Energy::friction_work);
-  energy("viscous_work", "Energy dissipated by viscosity since the start.", &dynamics::Energy::viscous_work);
+  energy("friction_work", "Energy dissipated by friction since the start.",
+         &dynamics::Energy::friction_work);
+  energy("viscous_work", "Energy dissipated by viscosity since the start.",
+         &dynamics::Energy::viscous_work);
   energy("energy_defect", "What is missing in the balance of energy since the start.",
          &dynamics::Energy::defect);
 }
@@ -148,8 +157,9 @@ std::map<std::string, io::Location> makeLocations(Problem const& problem)
                                                   problem.communicator));
   locations.emplace("volume", io::volumeLocation(problem.mesh, problem.communicator));
   if (!problem.boundary.surface.empty()) {
-    locations.emplace("surface", io::boundaryLocation("surface", problem.mesh, problem.boundary.surface,
-                                                      problem.communicator));
+    locations.emplace("surface",
+                      io::boundaryLocation("surface", problem.mesh, problem.boundary.surface,
+                                           problem.communicator));
   }
   return locations;
 }

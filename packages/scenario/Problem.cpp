@@ -56,7 +56,8 @@ RCP<const ParameterList> initialStateParameters()
     .field(velocity_names[2], 0., "m/s", Range::any(), "Initial velocity along z (antiplane).")
     .choice("Acceleration", "Balanced", {"Balanced", "Zero"},
             "Balanced: from the balance of momentum. Zero: none, whatever the forces.")
-    .field("alpha", 0., "-", Range::any(), "Initial state ln(theta V* / L); 0 is steady sliding at V*.")
+    .field("alpha", 0., "-", Range::any(),
+           "Initial state ln(theta V* / L); 0 is steady sliding at V*.")
     .list();
 }
 
@@ -85,7 +86,8 @@ Problem::Problem(ParameterList const& deck, RCP<const Communicator> const& comm)
   body.fixed = constraints->fixed();
   body.near_null_space = rigidBodyMotions(mesh, *body.dofs, constraints->frames());
   body.prescribed_velocity = [this](double t, Vector& v) { constraints->prescribedVelocity(t, v); };
-  fault = scenario::makeFault(deck.sublist("Friction"), mesh, fault_nodes, *body.dofs, *constraints);
+  fault =
+    scenario::makeFault(deck.sublist("Friction"), mesh, fault_nodes, *body.dofs, *constraints);
   makeLoads(deck, materials);
   makeInitialState(deck);
 }
@@ -94,7 +96,8 @@ void Problem::makeLoads(ParameterList const& deck, std::vector<fem::Material> co
 {
   auto const g = gravity(deck.sublist("Bulk"));
   if (components == 2) {
-    gravity_load_ = fem::assembleGravity<2, 2>(mesh, *body.dofs, constraints->frames(), materials, g);
+    gravity_load_ =
+      fem::assembleGravity<2, 2>(mesh, *body.dofs, constraints->frames(), materials, g);
   } else {
     gravity_load_ = body.vector();
   }
@@ -158,10 +161,12 @@ void Problem::makeInitialState(ParameterList const& deck)
 {
   auto const& list = deck.sublist("Initial State");
   auto const& friction = deck.sublist("Friction");
-  const bool stress_given = friction.isParameter("Normal Stress") || friction.isSublist("Normal Stress");
+  const bool stress_given =
+    friction.isParameter("Normal Stress") || friction.isSublist("Normal Stress");
   const bool start_static = list.get<std::string>("Displacement") == "Static";
   ASPERITY_REQUIRE(stress_given || components == 2,
-                   "Asperity / Friction / Normal Stress is missing: an antiplane model has no normal stress of its "
+                   "Asperity / Friction / Normal Stress is missing: an antiplane model has no "
+                   "normal stress of its "
                    "own.");
   initial.u = body.vector();
   NormalStress stress;
@@ -174,8 +179,9 @@ void Problem::makeInitialState(ParameterList const& deck)
       initial.u = u;
     }
   } else {
-    ASPERITY_REQUIRE(stress_given, "Asperity / Friction / Normal Stress is missing, and without gravity there is "
-                                   "no normal stress either. Give one of the two.");
+    ASPERITY_REQUIRE(stress_given,
+                     "Asperity / Friction / Normal Stress is missing, and without gravity there is "
+                     "no normal stress either. Give one of the two.");
   }
   setNormalStress(fault, friction, mesh, fault_nodes.nodes, stress);
   if (stress.num_tensile > 0) {
@@ -198,8 +204,9 @@ void Problem::makeInitialState(ParameterList const& deck)
     body.prescribed_velocity(dt, *prescribed);
     body.prescribed_velocity(0, *at_zero);
     prescribed->update(-1 / dt, *at_zero, 1 / dt);
-    initial.a = dynamics::initialAcceleration(body, fault, solver, friction.get<std::string>("Law"),
-                                              *load_, *prescribed, *initial.u, *initial.v, initial.alpha);
+    initial.a =
+      dynamics::initialAcceleration(body, fault, solver, friction.get<std::string>("Law"), *load_,
+                                    *prescribed, *initial.u, *initial.v, initial.alpha);
   }
 }
 
@@ -212,7 +219,8 @@ void Problem::alongAxes(Vector const& x, std::vector<double>& result) const
     for (int c = 0; c < components; ++c) {
       local[c] = values(body.dofs->dof(node, c), 0);
     }
-    constraints->frames().fromFrame(node, local.data(), &result[static_cast<std::size_t>(node) * components]);
+    constraints->frames().fromFrame(node, local.data(),
+                                    &result[static_cast<std::size_t>(node) * components]);
   }
 }
 } // namespace asperity::scenario

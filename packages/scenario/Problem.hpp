@@ -18,8 +18,8 @@ namespace asperity::scenario
 // The deck's list `Initial State`.
 RCP<const ParameterList> initialStateParameters();
 
-// What a deck describes, discretised: the body, its fault and the state it starts from. It refers to itself:
-// neither copied nor moved.
+// What a deck describes, discretised: the body, its fault and the state it starts from. It refers
+// to itself: neither copied nor moved.
 struct Problem
 {
   // `deck` is completed. Collective.

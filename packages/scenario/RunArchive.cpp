@@ -25,9 +25,10 @@ Values valuesOf(friction::NodeView const& x)
 Values const& sized(io::Archive const& archive, std::string const& path, std::size_t size)
 {
   auto const& values = archive.get<Values>(path);
-  ASPERITY_REQUIRE(values.size() == size, "The checkpoint holds " << values.size() << " values of '" << path
-                                                                  << "', the problem has " << size
-                                                                  << ". It belongs to another mesh.");
+  ASPERITY_REQUIRE(values.size() == size, "The checkpoint holds "
+                                            << values.size() << " values of '" << path
+                                            << "', the problem has " << size
+                                            << ". It belongs to another mesh.");
   return values;
 }
 
@@ -77,7 +78,8 @@ void save(io::Archive& archive, std::string const& path, dynamics::State const& 
   archive.set(path + "/alpha_of_rate", valuesOf(state.alpha_of_rate));
 }
 
-dynamics::State loadState(io::Archive const& archive, std::string const& path, dynamics::State const& like)
+dynamics::State loadState(io::Archive const& archive, std::string const& path,
+                          dynamics::State const& like)
 {
   auto state = like.clone();
   state.time = archive.getInteger(path + "/time");
@@ -106,8 +108,9 @@ dynamics::ControlMemory loadControl(io::Archive const& archive, std::string cons
   memory.level = static_cast<int>(archive.getInteger(path + "/level"));
   memory.num_steps = archive.getInteger(path + "/num_steps");
   if (archive.has(path + "/trial/iterations")) {
-    memory.trial = dynamics::Trial{loadState(archive, path + "/trial/state", like),
-                                   static_cast<int>(archive.getInteger(path + "/trial/iterations"))};
+    memory.trial =
+      dynamics::Trial{loadState(archive, path + "/trial/state", like),
+                      static_cast<int>(archive.getInteger(path + "/trial/iterations"))};
   }
   return memory;
 }

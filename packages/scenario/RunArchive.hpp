@@ -8,7 +8,8 @@ namespace asperity::scenario
 {
 // The parts of a run in a checkpoint. `like` gives the shapes of a state that is read.
 void save(io::Archive& archive, std::string const& path, dynamics::State const& state);
-dynamics::State loadState(io::Archive const& archive, std::string const& path, dynamics::State const& like);
+dynamics::State loadState(io::Archive const& archive, std::string const& path,
+                          dynamics::State const& like);
 
 void save(io::Archive& archive, std::string const& path, dynamics::ControlMemory const& memory);
 dynamics::ControlMemory loadControl(io::Archive const& archive, std::string const& path,

@@ -13,16 +13,19 @@ std::vector<std::string> describe(Problem const& problem, ParameterList const& d
   std::vector<std::string> lines;
   std::ostringstream first;
   int fault_nodes = problem.fault.sumOverRanks(problem.fault.numNodes());
-  first << deck.sublist("Bulk").get<std::string>("Model") << ", " << problem.mesh.num_global_vertices
-        << " vertices, " << fault_nodes << " of them on the fault '" << problem.boundary.fault << "', "
-        << problem.communicator->getSize() << " rank" << (problem.communicator->getSize() > 1 ? "s" : "") << '.';
+  first << deck.sublist("Bulk").get<std::string>("Model") << ", "
+        << problem.mesh.num_global_vertices << " vertices, " << fault_nodes
+        << " of them on the fault '" << problem.boundary.fault << "', "
+        << problem.communicator->getSize() << " rank"
+        << (problem.communicator->getSize() > 1 ? "s" : "") << '.';
   lines.push_back(first.str());
   auto const& friction = deck.sublist("Friction");
-  lines.push_back(friction.get<std::string>("Law") + " friction, state evolution: " +
-                  friction.get<std::string>("State Evolution") + ". Time stepping: " +
-                  deck.sublist("Time Stepping").get<std::string>("Scheme") + ", " +
-                  deck.sublist("Time Stepping").get<std::string>("Control") + ". Linear correction: " +
-                  (problem.solver.correction == dynamics::Correction::direct ? "Direct." : "MueLu."));
+  lines.push_back(
+    friction.get<std::string>("Law") +
+    " friction, state evolution: " + friction.get<std::string>("State Evolution") +
+    ". Time stepping: " + deck.sublist("Time Stepping").get<std::string>("Scheme") + ", " +
+    deck.sublist("Time Stepping").get<std::string>("Control") + ". Linear correction: " +
+    (problem.solver.correction == dynamics::Correction::direct ? "Direct." : "MueLu."));
   lines.insert(lines.end(), problem.remarks.begin(), problem.remarks.end());
   return lines;
 }
@@ -38,22 +41,26 @@ std::string summarise(RunSummary const& summary, io::EventCatalogue const* event
     text << '\n';
   }
   auto const& count = summary.count;
-  text << (summary.finished ? "Finished" : "Stopped") << " at t = " << formatNumber(summary.time) << " s after "
-       << summary.num_steps << " steps.\n"
+  text << (summary.finished ? "Finished" : "Stopped") << " at t = " << formatNumber(summary.time)
+       << " s after " << summary.num_steps << " steps.\n"
        << "Effort: " << count.coupled_steps << " coupled steps (" << count.failures << " failed), "
-       << count.rate_problems << " rate problems, " << count.tnnmg_iterations << " TNNMG iterations, "
-       << count.corrections << " corrections, " << count.v_cycles << " V-cycles; " << summary.setups
-       << " solvers set up in " << formatDuration(summary.setup_seconds) << ".\n";
+       << count.rate_problems << " rate problems, " << count.tnnmg_iterations
+       << " TNNMG iterations, " << count.corrections << " corrections, " << count.v_cycles
+       << " V-cycles; " << summary.setups << " solvers set up in "
+       << formatDuration(summary.setup_seconds) << ".\n";
   if (summary.forced_steps > 0) {
-    text << summary.forced_steps << " steps of the smallest size were accepted above the tolerance.\n";
+    text << summary.forced_steps
+         << " steps of the smallest size were accepted above the tolerance.\n";
   }
   if (count.rises > 0) {
-    text << "WARNING: J rose in " << count.rises << " half iterations of TNNMG, by more than rounding explains.\n";
+    text << "WARNING: J rose in " << count.rises
+         << " half iterations of TNNMG, by more than rounding explains.\n";
   }
   auto const& energy = summary.energy;
   text << "Energy [J/m]: friction " << formatShort(energy.friction_work) << ", viscosity "
-       << formatShort(energy.viscous_work) << ", boundaries " << formatShort(energy.boundary_work) << ", loads "
-       << formatShort(energy.load_work) << "; the balance is off by " << formatShort(energy.defect);
+       << formatShort(energy.viscous_work) << ", boundaries " << formatShort(energy.boundary_work)
+       << ", loads " << formatShort(energy.load_work) << "; the balance is off by "
+       << formatShort(energy.defect);
   if (energy.friction_work != 0) {
     text << ", " << formatShort(energy.defect / energy.friction_work) << " of the friction work";
   }

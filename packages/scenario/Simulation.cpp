@@ -1,6 +1,6 @@
 #include "scenario/Simulation.hpp"
 
-#include "base/MpiSession.hpp"
+#include "base/MpiScope.hpp"
 #include "base/Signals.hpp"
 #include "base/Text.hpp"
 #include "io/Checkpoint.hpp"
@@ -62,12 +62,14 @@ Simulation::Simulation(RCP<ParameterList> const& deck, CommandLine const& comman
     , checkpoint_interval_(deck->sublist("Output").get<int>("Checkpoint Every n Steps"))
 {
   auto const update = makeRateUpdate(deck->sublist("Time Stepping"));
-  solvers_ = std::make_unique<dynamics::StepSolvers>(problem_.body, problem_.fault, update, clock_, problem_.solver,
-                                                     memoryBudget(deck->sublist("TNNMG")));
+  solvers_ =
+    std::make_unique<dynamics::StepSolvers>(problem_.body, problem_.fault, update, clock_,
+                                            problem_.solver, memoryBudget(deck->sublist("TNNMG")));
   coupled_step_ = std::make_unique<dynamics::CoupledStep>(
-    problem_.body, problem_.fault, update, clock_, dynamics::CouplingSettings::from(deck->sublist("Coupling")),
-    *solvers_);
-  control_ = makeStepControl(deck->sublist("Time Stepping"), *coupled_step_, problem_.fault, clock_);
+    problem_.body, problem_.fault, update, clock_,
+    dynamics::CouplingSettings::from(deck->sublist("Coupling")), *solvers_);
+  control_ =
+    makeStepControl(deck->sublist("Time Stepping"), *coupled_step_, problem_.fault, clock_);
   view_.state = &state_;
   view_.balance = &balance_;
   registerFields(registry_, problem_, view_, locations_);
@@ -79,8 +81,8 @@ Simulation::Simulation(RCP<ParameterList> const& deck, CommandLine const& comman
   }
   io::prepareOutputDirectory(directory_, existingResult(command_line), *communicator);
   log_ = std::make_unique<io::RunLog>(directory_ / "run.log", !restart_.empty(), *communicator);
-  outputs_ = std::make_unique<io::OutputSet>(deck->sublist("Output"),
-                                             io::OutputContext{directory_, communicator, registry_, locations_});
+  outputs_ = std::make_unique<io::OutputSet>(
+    deck->sublist("Output"), io::OutputContext{directory_, communicator, registry_, locations_});
   if (communicator->getRank() == 0) {
     writeParameters(*deck, (directory_ / "parameters.xml").string());
   }
@@ -88,10 +90,7 @@ Simulation::Simulation(RCP<ParameterList> const& deck, CommandLine const& comman
 
 Simulation::~Simulation() = default;
 
-bool Simulation::atEnd() const
-{
-  return state_.time >= end_;
-}
+bool Simulation::atEnd() const { return state_.time >= end_; }
 
 io::StepInfo Simulation::stepInfo() const
 {
@@ -148,7 +147,8 @@ void Simulation::begin()
   forced_steps_ = archive.getInteger("forced_steps");
   balance_.start(state_, loadEnergy(archive, "energy"));
   outputs_->restore(archive.child("outputs"));
-  log_->message("Restarted from " + restart_ + " at t = " + formatShort(clock_.seconds(state_.time)) + " s.");
+  log_->message("Restarted from " + restart_ +
+                " at t = " + formatShort(clock_.seconds(state_.time)) + " s.");
 }
 
 void Simulation::advance()
@@ -169,7 +169,8 @@ void Simulation::advance()
   progress.step = info.step;
   progress.fixed_point_iterations = view_.step.iterations;
   if (auto const* events = outputs_->events()) {
-    progress.num_events = static_cast<std::int64_t>(events->events().size()) + events->eventInProgress();
+    progress.num_events =
+      static_cast<std::int64_t>(events->events().size()) + events->eventInProgress();
   }
   log_->progress(progress);
 }

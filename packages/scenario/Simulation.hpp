@@ -21,8 +21,8 @@ public:
              RCP<const Communicator> const& communicator);
   ~Simulation();
 
-  // To the final time, or until SIGTERM or SIGINT. Returns the exit status (base/MpiSession.hpp). SolveError if even
-  // the smallest step fails; the last good state is on disk then.
+  // To the final time, or until SIGTERM or SIGINT. Returns the exit status (base/MpiScope.hpp).
+  // SolveError if even the smallest step fails; the last good state is on disk then.
   int run();
 
 private:

@@ -15,11 +15,13 @@ RCP<const ParameterList> solverParameters()
   auto list = tnnmg::TnnmgSettings::validParameters();
   Declare(*list)
     .choice("Linear Correction", "Auto", {"Auto", "Direct", "MueLu"},
-            "Direct: sparse Cholesky of Z once for each step size and a Schur complement on the fault; one rank. "
+            "Direct: sparse Cholesky of Z once for each step size and a Schur complement on the "
+            "fault; one rank. "
             "MueLu: algebraic multigrid. Auto: Direct on one rank for small problems.")
     .real("Memory Budget", 2000., "MB", Range::positive(),
           "Solvers of different step sizes are kept up to this; the least recently used go first.")
-    .sublist("MueLu Correction", tnnmg::MueLuCorrection::validParameters(), "The multigrid correction.");
+    .sublist("MueLu Correction", tnnmg::MueLuCorrection::validParameters(),
+             "The multigrid correction.");
   return list;
 }
 

@@ -8,7 +8,8 @@ namespace asperity::scenario
 // The deck's list `TNNMG`.
 RCP<const ParameterList> solverParameters();
 
-// `Auto` becomes the direct correction on one rank up to some 100,000 unknowns, and multigrid beyond.
+// `Auto` becomes the direct correction on one rank up to some 100,000 unknowns, and multigrid
+// beyond.
 dynamics::RateSolverSettings makeSolverSettings(ParameterList const& list, int num_ranks,
                                                 long long num_unknowns);
 

@@ -23,53 +23,59 @@ RCP<const ParameterList> timeParameters()
 {
   auto const newmark =
     Declare()
-      .real("beta", 0.25, "-", Range::closed(0, 0.5),
-            "Weight of the new acceleration in the displacement; unconditionally stable from 1/4 on.")
+      .real(
+        "beta", 0.25, "-", Range::closed(0, 0.5),
+        "Weight of the new acceleration in the displacement; unconditionally stable from 1/4 on.")
       .real("Stability Limit", 0., "s", Range::atLeast(0),
-            "Largest stable step, 1 / (omega_max sqrt(1/4 - beta)); required for beta < 1/4, where the scheme is "
+            "Largest stable step, 1 / (omega_max sqrt(1/4 - beta)); required for beta < 1/4, where "
+            "the scheme is "
             "only conditionally stable.")
       .list();
-  auto const doubling =
-    Declare()
-      .real("Tolerance", 1e-5, "-", Range::positive(),
-            "Difference of alpha between one step and two of half its size, root mean square over the fault.")
-      .real("First Step", 0., "s", Range::atLeast(0), "Size of the first trial; 0: the smallest step.")
-      .list();
+  auto const doubling = Declare()
+                          .real("Tolerance", 1e-5, "-", Range::positive(),
+                                "Difference of alpha between one step and two of half its size, "
+                                "root mean square over the fault.")
+                          .real("First Step", 0., "s", Range::atLeast(0),
+                                "Size of the first trial; 0: the smallest step.")
+                          .list();
   auto const prescribed =
     Declare()
-      .integerArray("Levels", std::vector<int>{0}, Range::closed(0, 60),
-                    "Each step is the largest one divided by two to this power; the last is repeated.")
+      .integerArray(
+        "Levels", std::vector<int>{0}, Range::closed(0, 60),
+        "Each step is the largest one divided by two to this power; the last is repeated.")
       .list();
   return Declare()
     .real("Final Time", required, "s", Range::positive(),
           "The run ends with the first step that reaches it.")
-    .choiceOfLists("Scheme", "Newmark", {{"Newmark", newmark}, {"Backward Euler", Declare().list()}},
+    .choiceOfLists("Scheme", "Newmark",
+                   {{"Newmark", newmark}, {"Backward Euler", Declare().list()}},
                    "How displacement and acceleration follow from the velocity.")
     .real("Largest Step", required, "s", Range::positive(),
           "All steps are this one divided by a power of two.")
-    .real("Smallest Step", required, "s", Range::positive(), "No step is smaller; rounded down to such a fraction.")
-    .choiceOfLists("Control", "Step Doubling", {{"Step Doubling", doubling}, {"Prescribed", prescribed}},
+    .real("Smallest Step", required, "s", Range::positive(),
+          "No step is smaller; rounded down to such a fraction.")
+    .choiceOfLists("Control", "Step Doubling",
+                   {{"Step Doubling", doubling}, {"Prescribed", prescribed}},
                    "How step sizes are chosen.")
     .list();
 }
 
-double finalTime(ParameterList const& list)
-{
-  return list.get<double>("Final Time");
-}
+double finalTime(ParameterList const& list) { return list.get<double>("Final Time"); }
 
 dynamics::DyadicTime makeClock(ParameterList const& list)
 {
   const double largest = list.get<double>("Largest Step");
   const double smallest = list.get<double>("Smallest Step");
   ASPERITY_REQUIRE(smallest <= largest, path << " / Smallest Step = " << smallest
-                                             << " s is larger than the largest step, " << largest << " s.");
+                                             << " s is larger than the largest step, " << largest
+                                             << " s.");
   const int levels = static_cast<int>(std::ceil(std::log2(largest / smallest) - 1e-9));
   ASPERITY_REQUIRE(levels <= 60, path << " / Smallest Step = " << smallest
                                       << " s is less than the largest one divided by 2^60.");
   const dynamics::DyadicTime clock(largest, levels);
   ASPERITY_REQUIRE(clock.reaches(finalTime(list) + largest),
-                   path << " / Final Time = " << finalTime(list) << " s is more than 9e18 smallest steps. "
+                   path << " / Final Time = " << finalTime(list)
+                        << " s is more than 9e18 smallest steps. "
                         << "Choose a larger 'Smallest Step'.");
   return clock;
 }
@@ -84,9 +90,11 @@ dynamics::RateUpdate makeRateUpdate(ParameterList const& list)
   if (beta < 0.25) {
     const double limit = newmark.get<double>("Stability Limit");
     const double largest = list.get<double>("Largest Step");
-    ASPERITY_REQUIRE(limit > 0, path << " / Newmark / beta = " << beta
-                                     << " is only conditionally stable. Give the 'Stability Limit' of the step, or "
-                                        "choose beta from 0.25 to 0.5.");
+    ASPERITY_REQUIRE(
+      limit > 0,
+      path << " / Newmark / beta = " << beta
+           << " is only conditionally stable. Give the 'Stability Limit' of the step, or "
+              "choose beta from 0.25 to 0.5.");
     ASPERITY_REQUIRE(largest <= limit, path << " / Largest Step = " << largest
                                             << " s is above the stability limit of " << limit
                                             << " s that beta = " << beta << " needs.");
@@ -103,9 +111,9 @@ std::unique_ptr<dynamics::StepControl> makeStepControl(ParameterList const& list
     auto const levels = list.sublist("Prescribed").get<Teuchos::Array<int>>("Levels").toVector();
     ASPERITY_REQUIRE(!levels.empty(), path << " / Prescribed / Levels is empty.");
     for (int level : levels) {
-      ASPERITY_REQUIRE(level <= clock.finestLevel(),
-                       path << " / Prescribed / Levels: " << level << " is below the smallest step, level "
-                            << clock.finestLevel() << ".");
+      ASPERITY_REQUIRE(level <= clock.finestLevel(), path << " / Prescribed / Levels: " << level
+                                                          << " is below the smallest step, level "
+                                                          << clock.finestLevel() << ".");
     }
     return std::make_unique<dynamics::PrescribedSteps>(step, clock, levels);
   }

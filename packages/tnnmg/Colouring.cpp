@@ -35,8 +35,7 @@ Weight weightOf(GlobalOrdinal id)
 // Neighbours and weights of this rank's rows, by local columns.
 struct Neighbourhood
 {
-  explicit Neighbourhood(CrsGraph const& graph)
-    : offsets(1, 0)
+  explicit Neighbourhood(CrsGraph const& graph) : offsets(1, 0)
   {
     const auto local = graph.getLocalGraphHost();
     const auto rows = graph.getRowMap()->getLocalMap();
@@ -57,7 +56,8 @@ struct Neighbourhood
     }
   }
 
-  // The smallest colour that no neighbour has, if all uncoloured neighbours are lighter; uncoloured otherwise.
+  // The smallest colour that no neighbour has, if all uncoloured neighbours are lighter; uncoloured
+  // otherwise.
   template <class Colours>
   int choose(int row, Colours const& colours) const
   {
@@ -75,7 +75,7 @@ struct Neighbourhood
   }
 
   std::vector<std::size_t> offsets;
-  std::vector<LocalOrdinal> neighbours; // local columns, without the row itself
+  std::vector<LocalOrdinal> neighbours;     // local columns, without the row itself
   std::vector<Weight> weights, own_weights; // of columns, of rows
 };
 
@@ -87,10 +87,11 @@ Number sumOverRanks(CrsGraph const& graph, Number mine)
   return sum;
 }
 
-// One round of Jones and Plassmann: all nodes that are heavier than their uncoloured neighbours choose.
-// A round sees the colours of the round before, wherever the neighbour lives. Returns how many nodes chose.
-int colourHeaviest(CrsGraph const& graph, Neighbourhood const& neighbourhood, ColourVector const& seen,
-                   ColourVector& colours)
+// One round of Jones and Plassmann: all nodes that are heavier than their uncoloured neighbours
+// choose. A round sees the colours of the round before, wherever the neighbour lives. Returns how
+// many nodes chose.
+int colourHeaviest(CrsGraph const& graph, Neighbourhood const& neighbourhood,
+                   ColourVector const& seen, ColourVector& colours)
 {
   const auto before = seen.getLocalViewHost(Tpetra::Access::ReadOnly);
   auto after = colours.getLocalViewHost(Tpetra::Access::ReadWrite);
@@ -122,7 +123,8 @@ Colouring gather(CrsGraph const& graph, ColourVector const& colours)
   }
   return result;
 }
-// For each column of Z the id of the nonlinear node it belongs to, which is that of the node's first dof, or -1.
+// For each column of Z the id of the nonlinear node it belongs to, which is that of the node's
+// first dof, or -1.
 IdVector nodesOfColumns(CrsMatrix const& Z, HostDofs const& dofs)
 {
   IdVector of_dof(Z.getDomainMap());
@@ -140,7 +142,8 @@ IdVector nodesOfColumns(CrsMatrix const& Z, HostDofs const& dofs)
   return of_column;
 }
 
-std::set<GlobalOrdinal> neighboursOf(int node, CrsMatrix const& Z, HostDofs const& dofs, IdVector const& of_column)
+std::set<GlobalOrdinal> neighboursOf(int node, CrsMatrix const& Z, HostDofs const& dofs,
+                                     IdVector const& of_column)
 {
   const auto host = of_column.getLocalViewHost(Tpetra::Access::ReadOnly);
   const auto local = Z.getLocalMatrixHost();
@@ -189,8 +192,10 @@ Colouring colourNodes(CrsMatrix const& Z, NonlinearDofView const& dofs)
     neighbours.emplace_back(found.begin(), found.end());
     longest_row = std::max(longest_row, found.size());
   }
-  const auto num_global = Teuchos::OrdinalTraits<Tpetra::global_size_t>::invalid(); // to be computed
-  const RCP<const Map> map = rcp(new Map(num_global, Teuchos::arrayViewFromVector(ids), 0, Z.getComm()));
+  const auto num_global =
+    Teuchos::OrdinalTraits<Tpetra::global_size_t>::invalid(); // to be computed
+  const RCP<const Map> map =
+    rcp(new Map(num_global, Teuchos::arrayViewFromVector(ids), 0, Z.getComm()));
   CrsGraph graph(map, longest_row);
   for (std::size_t node = 0; node < ids.size(); ++node) {
     graph.insertGlobalIndices(ids[node], Teuchos::arrayViewFromVector(neighbours[node]));

@@ -129,10 +129,7 @@ DenseCorrection::DenseCorrection(CrsMatrix const& Z, NonlinearDofView const& non
 
 DenseCorrection::~DenseCorrection() = default;
 
-void DenseCorrection::reset()
-{
-  implementation_->has_factor = false;
-}
+void DenseCorrection::reset() { implementation_->has_factor = false; }
 
 CorrectionResult DenseCorrection::solve(NonlinearBlocks const& blocks, Vector const& r,
                                         double relative_tolerance, Vector& c)

@@ -6,9 +6,10 @@
 
 namespace asperity::tnnmg
 {
-// The linear correction for a small matrix that couples all its dofs (a Schur complement on the fault), on one rank:
-// a dense Cholesky factorisation of Z + H, kept until reset(). While it is kept, it preconditions conjugate gradients
-// for the Hessians that follow, and is renewed when these need too many iterations.
+// The linear correction for a small matrix that couples all its dofs (a Schur complement on the
+// fault), on one rank: a dense Cholesky factorisation of Z + H, kept until reset(). While it is
+// kept, it preconditions conjugate gradients for the Hessians that follow, and is renewed when
+// these need too many iterations.
 class DenseCorrection final : public LinearCorrection
 {
 public:

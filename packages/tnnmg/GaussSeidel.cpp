@@ -42,7 +42,8 @@ NodeView nodalCurvature(CrsMatrix const& Z, NonlinearNodes const& nodes)
       } else if (size == 2) {
         const double mean = (block[0][0] + block[1][1]) / 2;
         const double half = (block[0][0] - block[1][1]) / 2;
-        curvature(node) = mean + Kokkos::Experimental::sqrt(half * half + block[0][1] * block[0][1]);
+        curvature(node) =
+          mean + Kokkos::Experimental::sqrt(half * half + block[0][1] * block[0][1]);
       } else {
         for (int k = 0; k < size; ++k) {
           double sum = 0;

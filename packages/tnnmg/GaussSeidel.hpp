@@ -7,24 +7,27 @@
 
 namespace asperity::tnnmg
 {
-// The largest eigenvalue of each node's diagonal block of Z: the curvature of the model I^m (Pipping 2014, ch. 4).
+// The largest eigenvalue of each node's diagonal block of Z: the curvature of the model I^m
+// (Pipping 2014, ch. 4).
 NodeView nodalCurvature(CrsMatrix const& Z, NonlinearNodes const& nodes);
 
-// residual(node, k) = b - sum_j Z_kj v_j at the rows of the given nodes, plus curvature times v: the linear term of
-// the model at v = 0. v lives on Z's column map. Runs on the device.
+// residual(node, k) = b - sum_j Z_kj v_j at the rows of the given nodes, plus curvature times v:
+// the linear term of the model at v = 0. v lives on Z's column map. Runs on the device.
 void modelResidual(CrsMatrix const& Z, NonlinearNodes const& nodes, IndexView const& which,
                    ConstNodeView const& curvature, Vector const& b, Vector const& v_columns,
                    BlockView const& residual);
 
-// One sweep of nonlinear block Gauss-Seidel over the nonlinear nodes: node by node (a colour at a time, over all ranks)
-// the model is minimised, so that J does not rise. Updates v (domain map) and blocks(num_nodes, T), its values at the
-// nonlinear nodes. Returns the number of nodes whose minimisation failed on this rank.
+// One sweep of nonlinear block Gauss-Seidel over the nonlinear nodes: node by node (a colour at a
+// time, over all ranks) the model is minimised, so that J does not rise. Updates v (domain map) and
+// blocks(num_nodes, T), its values at the nonlinear nodes. Returns the number of nodes whose
+// minimisation failed on this rank.
 template <class NodalProblem>
 int gaussSeidel(CrsMatrix const& Z, NonlinearNodes const& nodes, ConstNodeView const& curvature,
                 NodalProblem const& problem, Vector const& b, Vector& v_columns,
                 BlockView const& blocks, BlockView const& residual);
 
-// v(dofs) -> blocks and back; v may live on the domain or on the column map (owned rows come first in both).
+// v(dofs) -> blocks and back; v may live on the domain or on the column map (owned rows come first
+// in both).
 void gather(NonlinearNodes const& nodes, Vector const& v, BlockView const& blocks);
 void scatter(NonlinearNodes const& nodes, IndexView const& which, ConstBlockView const& blocks,
              Vector& v);

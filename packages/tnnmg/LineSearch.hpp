@@ -12,9 +12,10 @@ struct LineSearchResult
 
 // The step along a direction to where the derivative of a convex function changes sign.
 //
-// slope(t) is the function's derivative along the direction at step t; nondecreasing, possibly with jumps (one-sided).
-// start = slope(0) < 0. Stops where |slope| <= tolerance |start|, or where the bracket cannot shrink; in the latter
-// case the end to the left of the sign change is returned, up to which the function decreases.
+// slope(t) is the function's derivative along the direction at step t; nondecreasing, possibly with
+// jumps (one-sided). start = slope(0) < 0. Stops where |slope| <= tolerance |start|, or where the
+// bracket cannot shrink; in the latter case the end to the left of the sign change is returned, up
+// to which the function decreases.
 template <class Slope>
 LineSearchResult findSignChange(Slope const& slope, double start, double tolerance)
 {
@@ -41,7 +42,8 @@ LineSearchResult findSignChange(Slope const& slope, double start, double toleran
   }
   int stalled = 0;
   for (int iteration = 0; iteration < 80 && right - left > 1e-14 * right; ++iteration) {
-    // Regula falsi with halving of the value at an end that stays (Illinois), bisection when that stalls.
+    // Regula falsi with halving of the value at an end that stays (Illinois), bisection when that
+    // stalls.
     double middle = (left * slope_right - right * slope_left) / (slope_right - slope_left);
     if (stalled > 3 || !(middle > left && middle < right)) {
       middle = (left + right) / 2;

@@ -8,23 +8,26 @@ namespace asperity::tnnmg
 {
 using MemorySpace = Kokkos::DefaultExecutionSpace::memory_space;
 
-// dofs(num_nodes, T): the local rows of Z of the tangential components of the rank's nonlinear nodes.
-// They are given to a correction when it is made and are the same in all its solves.
+// dofs(num_nodes, T): the local rows of Z of the tangential components of the rank's nonlinear
+// nodes. They are given to a correction when it is made and are the same in all its solves.
 using NonlinearDofView = Kokkos::View<const LocalOrdinal**, Kokkos::LayoutRight, MemorySpace>;
 
 // Local rows of Z in any order.
 using RowView = Kokkos::View<const LocalOrdinal*, MemorySpace>;
 
-// The second derivatives of the nonlinearity at the rank's nonlinear nodes, in the order of NonlinearDofView.
+// The second derivatives of the nonlinearity at the rank's nonlinear nodes, in the order of
+// NonlinearDofView.
 struct NonlinearBlocks
 {
-  // (num_nodes, T, T), symmetric positive semidefinite, in the units of Z. Entries of truncated nodes are not read.
+  // (num_nodes, T, T), symmetric positive semidefinite, in the units of Z. Entries of truncated
+  // nodes are not read.
   Kokkos::View<const double***, Kokkos::LayoutRight, MemorySpace> hessian;
   // (num_nodes): 1 if the node is left out of the correction, 0 otherwise.
   Kokkos::View<const int*, MemorySpace> truncated;
 };
 
-// What one correction took. Not converged is an answer, not an error: the line search makes it harmless.
+// What one correction took. Not converged is an answer, not an error: the line search makes it
+// harmless.
 struct CorrectionResult
 {
   bool converged = false;
@@ -32,19 +35,21 @@ struct CorrectionResult
   int v_cycles = 0;
 };
 
-// The linear step of TNNMG: c ~ (Z + H)^-1 r on the dofs that are neither truncated nor constrained, where H holds
-// the blocks of NonlinearBlocks. All ranks call it together.
+// The linear step of TNNMG: c ~ (Z + H)^-1 r on the dofs that are neither truncated nor
+// constrained, where H holds the blocks of NonlinearBlocks. All ranks call it together.
 class LinearCorrection
 {
 public:
   virtual ~LinearCorrection() = default;
 
-  // r and c live on Z's row map; c is overwritten and is zero at truncated and constrained dofs, where r is not read.
-  // relative_tolerance bounds |r - (Z + H) c| / |r| (Euclidean norm over the remaining dofs).
-  virtual CorrectionResult solve(NonlinearBlocks const& blocks, Vector const& r, double relative_tolerance,
-                                 Vector& c) = 0;
+  // r and c live on Z's row map; c is overwritten and is zero at truncated and constrained dofs,
+  // where r is not read. relative_tolerance bounds |r - (Z + H) c| / |r| (Euclidean norm over the
+  // remaining dofs).
+  virtual CorrectionResult solve(NonlinearBlocks const& blocks, Vector const& r,
+                                 double relative_tolerance, Vector& c) = 0;
 
-  // Forgets what earlier solves left behind (a kept hierarchy), so that the next depends on its arguments alone.
+  // Forgets what earlier solves left behind (a kept hierarchy), so that the next depends on its
+  // arguments alone.
   virtual void reset() {}
 };
 } // namespace asperity::tnnmg

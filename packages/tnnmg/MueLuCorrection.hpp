@@ -12,31 +12,35 @@ namespace asperity::tnnmg
 struct MultigridStatistics
 {
   int solves = 0;
-  int iterations = 0;       // of conjugate gradients, or cycles where these run alone
-  int v_cycles = 0;
+  int iterations = 0; // of conjugate gradients, or cycles where these run alone
+  int v_cycles = 0;   // of the solves
+
   int setups = 0;           // whole hierarchies
   int rebuilds = 0;         // Galerkin products with kept prolongators
-  double setup_seconds = 0; // of both, on this rank
+  double setup_seconds = 0; // of both and of the tests of a new hierarchy, on this rank
 };
 
 // What multigrid needs to know about Z beyond its entries. All vectors live on Z's row map.
 struct MultigridProblem
 {
-  RCP<const CrsMatrix> Z;                // symmetric positive definite, dof = node * components + component
-  int components = 0;                    // displacement components per node
-  RCP<const MultiVector> near_null_space; // rigid body motions in the dofs' frames (1 antiplane, 3 in 2D, 6 in 3D)
-  RowView constrained;                   // rows whose off-diagonal entries are zero in Z
-  NonlinearDofView nonlinear;            // rows of the nonlinear nodes, the same T for all
+  RCP<const CrsMatrix> Z; // symmetric positive definite, dof = node * components + component
+  int components = 0;     // displacement components per node
+  // Rigid body motions in the dofs' frames: 1 antiplane, 3 in 2D, 6 in 3D.
+  RCP<const MultiVector> near_null_space;
+  RowView constrained;        // rows whose off-diagonal entries are zero in Z
+  NonlinearDofView nonlinear; // rows of the nonlinear nodes, the same T for all
 };
 
-// The linear correction by smoothed aggregation multigrid (MueLu): V-cycles, or conjugate gradients (Belos) on the
-// exact operator with a V-cycle as preconditioner. One hierarchy per Z, made by the constructor.
+// The linear correction by smoothed aggregation multigrid (MueLu): V-cycles, or conjugate gradients
+// (Belos) on the exact operator with a V-cycle as preconditioner. One hierarchy per Z, made by the
+// constructor.
 class MueLuCorrection final : public LinearCorrection
 {
 public:
   static RCP<const Teuchos::ParameterList> validParameters();
 
-  // Throws SolveError if the V-cycle turns out not to be symmetric (a broken coarse solver or smoother).
+  // Throws SolveError if the V-cycle turns out not to be symmetric (a broken coarse solver or
+  // smoother).
   MueLuCorrection(MultigridProblem const& problem, Teuchos::ParameterList const& parameters);
   ~MueLuCorrection() override;
 

@@ -16,19 +16,21 @@ using HessianView = Kokkos::View<double***, Kokkos::LayoutRight, MemorySpace>;
 using FlagView = Kokkos::View<int*, MemorySpace>;
 using IndexView = Kokkos::View<const int*, MemorySpace>;
 
-// The nodes that carry a nonlinearity on this rank: which rows of Z they have, which of them are held, and in
-// which groups a sweep visits them.
+// The nodes that carry a nonlinearity on this rank: which rows of Z they have, which of them are
+// held, and in which groups a sweep visits them.
 struct NonlinearNodes
 {
-  NonlinearDofView dofs;          // (num_nodes, T)
-  Kokkos::View<const int*, MemorySpace> fixed; // (num_nodes): 1 if the node's velocity is prescribed
+  NonlinearDofView dofs; // (num_nodes, T)
+  Kokkos::View<const int*, MemorySpace>
+    fixed;                        // (num_nodes): 1 if the node's velocity is prescribed
   std::vector<IndexView> colours; // free nodes by colour; as many colours on every rank
 
   int numNodes() const { return static_cast<int>(dofs.extent(0)); }
   int blockSize() const { return static_cast<int>(dofs.extent(1)); }
 };
 
-// Colours the nodes across ranks by the graph of Z. dofs(num_nodes, T) and fixed(num_nodes) on the host.
+// Colours the nodes across ranks by the graph of Z. dofs(num_nodes, T) and fixed(num_nodes) on the
+// host.
 NonlinearNodes nonlinearNodes(CrsMatrix const& Z, std::vector<std::vector<int>> const& dofs,
                               int block_size, std::vector<int> const& fixed);
 

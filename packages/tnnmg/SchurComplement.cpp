@@ -82,7 +82,8 @@ Sparse permuted(Sparse const& Z, std::vector<int> const& position)
   return result;
 }
 
-RCP<const CrsMatrix> fullMatrix(Eigen::MatrixXd const& S, RCP<const Communicator> const& communicator)
+RCP<const CrsMatrix> fullMatrix(Eigen::MatrixXd const& S,
+                                RCP<const Communicator> const& communicator)
 {
   const int size = static_cast<int>(S.rows());
   auto const map = rcp(new Map(size, 0, communicator));
@@ -125,8 +126,9 @@ SchurComplement::SchurComplement(CrsMatrix const& Z, std::vector<int> const& row
     Eigen::SimplicialLLT<Sparse, Eigen::Lower, Eigen::NaturalOrdering<int>> cholesky(
       permuted(matrix, factor.position));
     if (cholesky.info() != Eigen::Success) {
-      throw SolveError("The matrix of a rate problem is not positive definite: some part of the body can move "
-                       "without resistance. Check the moduli and the boundary conditions.");
+      throw SolveError(
+        "The matrix of a rate problem is not positive definite: some part of the body can move "
+        "without resistance. Check the moduli and the boundary conditions.");
     }
     factor.L = cholesky.matrixL();
   }
@@ -198,10 +200,7 @@ void SchurComplement::expand(Vector const& v_kept, Vector& v) const
   }
 }
 
-std::size_t SchurComplement::factorEntries() const
-{
-  return factor_->L.nonZeros();
-}
+std::size_t SchurComplement::factorEntries() const { return factor_->L.nonZeros(); }
 
 std::size_t SchurComplement::bytes() const
 {

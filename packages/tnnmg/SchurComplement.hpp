@@ -12,12 +12,13 @@ namespace asperity::tnnmg
 //   P Z P^T = [L_I    0 ] [L_I^T  L_FI^T]      S = Z_FF - Z_FI Z_II^-1 Z_IF = L_F L_F^T
 //             [L_FI  L_F] [0      L_F^T ]
 //
-// Since only the fault is nonlinear, minimising J over all other dofs leaves a problem of the same form with Z
-// replaced by S, and half a solve before and after it.
+// Since only the fault is nonlinear, minimising J over all other dofs leaves a problem of the same
+// form with Z replaced by S, and half a solve before and after it.
 class SchurComplement
 {
 public:
-  // Z symmetric positive definite, on one rank; rows: the local rows to keep. SolveError if Z is not definite.
+  // Z symmetric positive definite, on one rank; rows: the local rows to keep. SolveError if Z is
+  // not definite.
   SchurComplement(CrsMatrix const& Z, std::vector<int> const& rows);
   ~SchurComplement();
 
@@ -27,7 +28,8 @@ public:
   // b (all rows) -> b_F - Z_FI Z_II^-1 b_I (the kept rows). Keeps L_I^-1 b_I for expand.
   void condense(Vector const& b, Vector& b_kept);
 
-  // The minimiser over all other dofs, for the b of the last condense and given values on the kept rows.
+  // The minimiser over all other dofs, for the b of the last condense and given values on the kept
+  // rows.
   void expand(Vector const& v_kept, Vector& v) const;
 
   std::size_t factorEntries() const; // of L

@@ -19,23 +19,28 @@ struct TnnmgResult
   int corrections = 0;
   int correction_iterations = 0; // of conjugate gradients
   int v_cycles = 0;
-  int rises = 0;         // half steps after which J was larger by more than rounding
+  int rises = 0;          // half steps after which J was larger by more than rounding
   double last_change = 0; // energy norm
   int failed_nodes = 0;   // on any rank
 };
 
 // Truncated nonsmooth Newton multigrid (Graeser and Kornhuber 2009; Pipping 2014, ch. 4): minimises
 //   J(v) = 1/2 <Z v, v> - <b, v> + sum over nonlinear nodes of psi_i(v_i),   psi_i convex,
-// by iterations that each lower J: a nonlinear Gauss-Seidel sweep over the nonlinear nodes, truncation of the nodes
-// where psi has no useful second derivative, a linear correction for all dofs, and a line search.
+// by iterations that each lower J: a nonlinear Gauss-Seidel sweep over the nonlinear nodes,
+// truncation of the nodes where psi has no useful second derivative, a linear correction for all
+// dofs, and a line search.
 //
 // NodalProblem (host object, its members launch kernels; views as in NonlinearNodes.hpp):
 //   int minimise(IndexView nodes, ConstNodeView curvature, ConstBlockView r, BlockView v) const
-//       v_i = argmin curvature_i/2 |w|^2 - <r_i, w> + psi_i(w) for the given nodes; number of failures
-//   void linearise(ConstBlockView v, BlockView gradient, HessianView hessian, FlagView kinked) const
-//   double slope(ConstBlockView v, ConstBlockView d, double t) const   sum of psi_i'(v_i + t d_i; d_i)
+//       v_i = argmin curvature_i/2 |w|^2 - <r_i, w> + psi_i(w) for the given nodes; the number of
+//       failures
+//   void linearise(ConstBlockView v, BlockView gradient, HessianView hessian, FlagView kinked)
+//       const
+//   double slope(ConstBlockView v, ConstBlockView d, double t) const
+//       sum of psi_i'(v_i + t d_i; d_i)
 //   {double change, magnitude;} difference(ConstBlockView v, ConstBlockView d) const
-//       sum of psi_i(v_i + d_i) - psi_i(v_i), accurate for small d, and the sum of the magnitudes of its terms
+//       sum of psi_i(v_i + d_i) - psi_i(v_i), accurate for small d, and the sum of the magnitudes
+//       of its terms
 template <class NodalProblem>
 class Tnnmg
 {
@@ -53,7 +58,8 @@ public:
   {
   }
 
-  // v: the initial guess, overwritten by the solution. b and v on Z's domain map. All ranks together.
+  // v: the initial guess, overwritten by the solution. b and v on Z's domain map. All ranks
+  // together.
   TnnmgResult solve(NodalProblem const& problem, Vector const& b, Vector& v);
 
 private:
@@ -82,12 +88,13 @@ TnnmgResult Tnnmg<NodalProblem>::solve(NodalProblem const& problem, Vector const
     smooth(problem, b, result);
     correct(problem, result);
     result.last_change = vectors_.energyOfChange();
-    result.converged = result.last_change <=
-                       std::max(settings_.absolute_tolerance,
-                                settings_.relative_tolerance * vectors_.energyNorm(b));
+    result.converged =
+      result.last_change <=
+      std::max(settings_.absolute_tolerance, settings_.relative_tolerance * vectors_.energyNorm(b));
   }
   result.failed_nodes = detail::sumOverRanks(*Z_, result.failed_nodes);
-  result.converged = result.converged && result.failed_nodes == 0 && std::isfinite(result.last_change);
+  result.converged =
+    result.converged && result.failed_nodes == 0 && std::isfinite(result.last_change);
   Tpetra::deep_copy(v, *vectors_.v);
   return result;
 }
@@ -111,8 +118,9 @@ void Tnnmg<NodalProblem>::correct(NodalProblem const& problem, TnnmgResult& resu
   problem.linearise(blocks_.v, blocks_.gradient, blocks_.hessian, blocks_.truncated);
   blocks_.truncate(nodes_, curvature_, settings_.stiff);
   vectors_.newtonResidual(nodes_, blocks_.gradient);
-  auto const solved = correction_->solve({blocks_.hessian, blocks_.truncated}, *vectors_.newton_residual,
-                                         settings_.correction_tolerance, *vectors_.c);
+  auto const solved =
+    correction_->solve({blocks_.hessian, blocks_.truncated}, *vectors_.newton_residual,
+                       settings_.correction_tolerance, *vectors_.c);
   ++result.corrections;
   result.correction_iterations += solved.iterations;
   result.v_cycles += solved.v_cycles;
@@ -127,7 +135,8 @@ void Tnnmg<NodalProblem>::correct(NodalProblem const& problem, TnnmgResult& resu
   double step = findSignChange(slope, start, 1e-2).step;
   auto change = vectors_.changeAlong(*Z_, problem, blocks_, step);
   if (change.change > 0 && step > 0) {
-    // The slope at the step found was small but positive; where it is not, J is below its start for certain.
+    // The slope at the step found was small but positive; where it is not, J is below its start for
+    // certain.
     step = findSignChange(slope, start, 0.).step;
     change = vectors_.changeAlong(*Z_, problem, blocks_, step);
   }

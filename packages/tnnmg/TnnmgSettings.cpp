@@ -8,7 +8,8 @@ Teuchos::RCP<Teuchos::ParameterList> TnnmgSettings::validParameters()
 {
   const TnnmgSettings defaults;
   return Declare()
-    .real("Absolute Tolerance", defaults.absolute_tolerance, "W^(1/2) m^(-1/2) in 2D", Range::atLeast(0),
+    .real("Absolute Tolerance", defaults.absolute_tolerance, "W^(1/2) m^(-1/2) in 2D",
+          Range::atLeast(0),
           "Energy norm of Z of the last change of the velocity at which a rate problem is solved.")
     .real("Relative Tolerance", defaults.relative_tolerance, "-", Range::atLeast(0),
           "The same, relative to the energy norm of the velocity; the larger of the two counts.")
@@ -19,7 +20,8 @@ Teuchos::RCP<Teuchos::ParameterList> TnnmgSettings::validParameters()
     .real("Correction Tolerance", defaults.correction_tolerance, "-", Range::open(0, 1),
           "Relative residual to which the linear correction is solved.")
     .real("Stiff Node", defaults.stiff, "-", Range::positive(),
-          "A node whose friction Hessian exceeds this multiple of Z's diagonal is left to Gauss-Seidel.")
+          "A node whose friction Hessian exceeds this multiple of Z's diagonal is left to "
+          "Gauss-Seidel.")
     .list();
 }
 

@@ -8,8 +8,8 @@ namespace asperity::tnnmg
 // When an iteration is the last, and how much each does. Read from the deck's list `TNNMG`.
 struct TnnmgSettings
 {
-  double absolute_tolerance = 1e-8;   // energy norm of Z of the last change [W^(1/2) m^(-1/2) in 2D]
-  double relative_tolerance = 1e-10;  // of that change, relative to the energy norm of v
+  double absolute_tolerance = 1e-8;  // energy norm of Z of the last change [W^(1/2) m^(-1/2) in 2D]
+  double relative_tolerance = 1e-10; // of that change, relative to the energy norm of v
   int max_iterations = 50;
   int sweeps = 1;                     // of Gauss-Seidel in each iteration
   double correction_tolerance = 1e-3; // relative residual of the linear correction

@@ -13,7 +13,8 @@ namespace
 {
 using Policy = Kokkos::RangePolicy<Kokkos::DefaultExecutionSpace>;
 
-// sum of (|b_i| + |b_i - r_i|) |d_i|: the terms of <Z v - b, d> before they cancel. This rank's part.
+// sum of (|b_i| + |b_i - r_i|) |d_i|: the terms of <Z v - b, d> before they cancel. This rank's
+// part.
 double magnitudeOfLinearTerms(Vector const& b, Vector const& r, Vector const& d)
 {
   auto const bs = b.getLocalViewDevice(Tpetra::Access::ReadOnly);
@@ -127,7 +128,8 @@ int TnnmgVectors::finishSweeps(CrsMatrix const& Z, Vector const& b, double nonli
   Zc->update(1, *r_before, 1, *r, 0);
   const double linear = -0.5 * Zc->dot(*c);
   const double terms = sumOverRanks(
-    Z, magnitude + (magnitudeOfLinearTerms(b, *r_before, *c) + magnitudeOfLinearTerms(b, *r, *c)) / 2);
+    Z,
+    magnitude + (magnitudeOfLinearTerms(b, *r_before, *c) + magnitudeOfLinearTerms(b, *r, *c)) / 2);
   return EnergyChange{linear + sumOverRanks(Z, nonlinear_change), terms}.rises();
 }
 

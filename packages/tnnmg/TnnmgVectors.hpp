@@ -26,8 +26,10 @@ struct TnnmgBlocks
 {
   explicit TnnmgBlocks(NonlinearNodes const& nodes);
 
-  void differenceTo(BlockView const& reference, BlockView const& result) const; // result = v - reference
-  // Adds to the kinked nodes those that are held, and those whose Hessian exceeds stiff * curvature.
+  void differenceTo(BlockView const& reference,
+                    BlockView const& result) const; // result = v - reference
+  // Adds to the kinked nodes those that are held, and those whose Hessian exceeds stiff *
+  // curvature.
   void truncate(NonlinearNodes const& nodes, ConstNodeView const& curvature, double stiff) const;
 
   BlockView v, before, d, scaled, residual, gradient;
@@ -41,7 +43,8 @@ struct TnnmgVectors
 
   void start(CrsMatrix const& Z, Vector const& b, Vector const& guess);
   void beginIteration();
-  // After sweeps that changed v: renews the residual; 1 if J rose. The nonlinear part of the change is this rank's.
+  // After sweeps that changed v: renews the residual; 1 if J rose. The nonlinear part of the change
+  // is this rank's.
   int finishSweeps(CrsMatrix const& Z, Vector const& b, double nonlinear_change, double magnitude);
   // newton_residual = b - Z v - gradient
   void newtonResidual(NonlinearNodes const& nodes, ConstBlockView const& gradient);
@@ -55,12 +58,12 @@ struct TnnmgVectors
 
   // J(v + step c) - J(v); blocks.d holds c at the nonlinear nodes.
   template <class NodalProblem>
-  EnergyChange changeAlong(CrsMatrix const& Z, NodalProblem const& problem, TnnmgBlocks const& blocks,
-                           double step) const;
+  EnergyChange changeAlong(CrsMatrix const& Z, NodalProblem const& problem,
+                           TnnmgBlocks const& blocks, double step) const;
   void move(double step); // v += step c
 
-  double energyOfChange() const;               // of v - v_before, in the norm of Z
-  double energyNorm(Vector const& b) const;    // of v
+  double energyOfChange() const;            // of v - v_before, in the norm of Z
+  double energyNorm(Vector const& b) const; // of v
 
   RCP<Vector> v_columns, v; // v is the owned part of v_columns
   RCP<Vector> v_before, r, r_before, newton_residual, c, Zc, b_copy;
@@ -78,8 +81,8 @@ EnergyChange TnnmgVectors::changeAlong(CrsMatrix const& Z, NodalProblem const& p
   auto const d = blocks.d;
   const int size = static_cast<int>(d.extent(1));
   Kokkos::parallel_for(
-    "asperity::tnnmg::scale",
-    Kokkos::RangePolicy<Kokkos::DefaultExecutionSpace>(0, d.extent(0)), KOKKOS_LAMBDA(int node) {
+    "asperity::tnnmg::scale", Kokkos::RangePolicy<Kokkos::DefaultExecutionSpace>(0, d.extent(0)),
+    KOKKOS_LAMBDA(int node) {
       for (int k = 0; k < size; ++k) {
         scaled(node, k) = step * d(node, k);
       }

@@ -2,7 +2,8 @@
 #include <gtest/gtest.h>
 #include <mpi.h>
 
-// MPI and Kokkos around GoogleTest. A failure on one rank must be seen by all: the exit status is the largest.
+// MPI and Kokkos around GoogleTest. A failure on one rank must be seen by all: the exit status is
+// the largest.
 int main(int argc, char** argv)
 {
   MPI_Init(&argc, &argv);

@@ -28,13 +28,17 @@ void synchronise(std::filesystem::path const& file)
                               << std::strerror(error) << ". Is the disk full?");
 }
 
-void commit(std::filesystem::path const& file)
+void replace(std::filesystem::path const& file)
 {
-  const auto temporary = temporaryName(file);
-  synchronise(temporary);
   std::error_code error;
-  std::filesystem::rename(temporary, file, error);
+  std::filesystem::rename(temporaryName(file), file, error);
   ASPERITY_REQUIRE(!error, file.string() << " cannot be replaced: " << error.message() << ".");
+}
+
+void replaceDurably(std::filesystem::path const& file)
+{
+  synchronise(temporaryName(file));
+  replace(file);
   const auto folder = file.parent_path();
   synchronise(folder.empty() ? std::filesystem::path(".") : folder);
 }

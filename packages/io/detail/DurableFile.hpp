@@ -10,7 +10,9 @@ std::filesystem::path temporaryName(std::filesystem::path const& file);
 // Waits until the file is on the disk. InputError if the system says that it cannot be.
 void synchronise(std::filesystem::path const& file);
 
-// Synchronises the temporary file, gives it its name, and synchronises the folder: at every moment
-// there is either the old or the new file.
-void commit(std::filesystem::path const& file);
+// Gives the temporary file its name: a process that is killed leaves the old or the new file.
+void replace(std::filesystem::path const& file);
+
+// The same, and also a machine that stops leaves the old or the new file.
+void replaceDurably(std::filesystem::path const& file);
 } // namespace asperity::io::detail

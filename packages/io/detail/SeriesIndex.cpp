@@ -113,6 +113,6 @@ void writeIndexFile(SeriesLayout const& layout, WholeGeometry const& geometry,
              field.unit, field.description);
   }
   file.close();
-  commit(path);
+  replace(path); // a restart makes it anew
 }
 } // namespace asperity::io::detail

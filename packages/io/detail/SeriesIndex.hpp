@@ -34,11 +34,6 @@ std::vector<std::size_t> segmentsOnDisk(SeriesLayout const& layout);
 void writeIndexFile(SeriesLayout const& layout, WholeGeometry const& geometry,
                     std::vector<std::int64_t> const& rows_of_segment);
 
-// DIR/<name>.xdmf, replaced atomically. times: of all rows. On rank 0.
-void writeXdmfFile(SeriesLayout const& layout, WholeGeometry const& geometry,
-                   std::vector<std::int64_t> const& rows_of_segment,
-                   std::vector<double> const& times);
-
 // Names `dataset`'s unit and meaning in its attributes.
 void describe(h5::Dataset dataset, std::string const& unit, std::string const& description);
 } // namespace asperity::io::detail

@@ -1,5 +1,4 @@
-#include "io/detail/DurableFile.hpp"
-#include "io/detail/SeriesIndex.hpp"
+#include "io/detail/Xdmf.hpp"
 
 #include "base/Errors.hpp"
 #include "base/Text.hpp"
@@ -84,35 +83,45 @@ void writeField(std::ostream& out, SeriesLayout const& layout, Field const& fiel
     }
   }
 }
+constexpr char footer[] = "  </Grid>\n </Domain>\n</Xdmf>\n";
+
+std::filesystem::path xdmfPath(SeriesLayout const& layout)
+{
+  return layout.directory / (layout.name + ".xdmf");
+}
+
+void closeChecked(std::ostream& out, SeriesLayout const& layout)
+{
+  out << footer << std::flush;
+  ASPERITY_REQUIRE(out, xdmfPath(layout).string() << " cannot be written. Is the disk full?");
+}
 } // namespace
 
-void writeXdmfFile(SeriesLayout const& layout, WholeGeometry const& geometry,
-                   std::vector<std::int64_t> const& rows_of_segment,
-                   std::vector<double> const& times)
+void startXdmf(SeriesLayout const& layout, WholeGeometry const& geometry)
 {
-  const auto path = layout.directory / (layout.name + ".xdmf");
-  std::ofstream out(temporaryName(path));
+  std::ofstream out(xdmfPath(layout));
   out << "<?xml version=\"1.0\"?>\n<Xdmf Version=\"2.0\">\n <Domain>\n";
   writeMesh(out, layout, geometry);
   out << "  <Grid Name=\"" << layout.name
       << "\" GridType=\"Collection\" CollectionType=\"Temporal\">\n";
-  auto time = times.begin();
-  for (std::size_t segment = 0; segment < rows_of_segment.size(); ++segment) {
-    for (std::int64_t row = 0; row < rows_of_segment[segment]; ++row) {
-      out << "   <Grid Name=\"" << layout.name << "\" GridType=\"Uniform\">\n    <Time Value=\""
-          << formatNumber(*time++) << "\"/>\n"
-          << "    <Topology Reference=\"/Xdmf/Domain/Topology[1]\"/>\n"
-          << "    <Geometry Reference=\"/Xdmf/Domain/Geometry[1]\"/>\n";
-      for (auto const& field : layout.fields) {
-        writeField(out, layout, field,
-                   {layout.segmentName(segment), rows_of_segment[segment], row});
-      }
-      out << "   </Grid>\n";
+  closeChecked(out, layout);
+}
+
+void appendToXdmf(SeriesLayout const& layout, std::size_t segment, double const* times,
+                  std::int64_t num_rows)
+{
+  std::fstream out(xdmfPath(layout), std::ios::in | std::ios::out);
+  out.seekp(-static_cast<std::streamoff>(sizeof footer - 1), std::ios::end);
+  for (std::int64_t row = 0; row < num_rows; ++row) {
+    out << "   <Grid Name=\"" << layout.name << "\" GridType=\"Uniform\">\n    <Time Value=\""
+        << formatNumber(times[row]) << "\"/>\n"
+        << "    <Topology Reference=\"/Xdmf/Domain/Topology[1]\"/>\n"
+        << "    <Geometry Reference=\"/Xdmf/Domain/Geometry[1]\"/>\n";
+    for (auto const& field : layout.fields) {
+      writeField(out, layout, field, {layout.segmentName(segment), num_rows, row});
     }
+    out << "   </Grid>\n";
   }
-  out << "  </Grid>\n </Domain>\n</Xdmf>\n";
-  out.close();
-  ASPERITY_REQUIRE(out, path.string() << " cannot be written. Is the disk full?");
-  commit(path);
+  closeChecked(out, layout);
 }
 } // namespace asperity::io::detail

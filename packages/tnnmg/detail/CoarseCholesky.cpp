@@ -20,7 +20,8 @@ struct CoarseCholesky::Factor
 
 namespace
 {
-// All global ids of a map in one ascending list on rank 0. Multigrid numbers its coarse rows 0 .. n - 1.
+// All global ids of a map in one ascending list on rank 0. Multigrid numbers its coarse rows 0 .. n
+// - 1.
 RCP<const Map> mapOnRankZero(Map const& map)
 {
   ASPERITY_ASSERT(map.getMinAllGlobalIndex() == 0 &&
@@ -60,8 +61,8 @@ CoarseCholesky::CoarseCholesky(CrsMatrix const& A) : factor_(std::make_unique<Fa
   const auto target = mapOnRankZero(*A.getRowMap());
   gather_ = rcp(new Import(A.getRowMap(), target));
   gathered_ = rcp(new MultiVector(target, 1));
-  auto gathered = Tpetra::importAndFillCompleteCrsMatrix<CrsMatrix>(Teuchos::rcpFromRef(A), *gather_,
-                                                                    target, target);
+  auto gathered = Tpetra::importAndFillCompleteCrsMatrix<CrsMatrix>(Teuchos::rcpFromRef(A),
+                                                                    *gather_, target, target);
   factorise(*gathered);
 }
 
@@ -77,8 +78,9 @@ void CoarseCholesky::factorise(CrsMatrix const& gathered)
   }
   Teuchos::broadcast(*gathered.getRowMap()->getComm(), 0, &definite);
   if (!definite) {
-    throw SolveError("Multigrid: the coarsest matrix is not positive definite, so neither is the fine one. "
-                     "Check the sign of moduli, viscosities and densities.");
+    throw SolveError(
+      "Multigrid: the coarsest matrix is not positive definite, so neither is the fine one. "
+      "Check the sign of moduli, viscosities and densities.");
   }
 }
 

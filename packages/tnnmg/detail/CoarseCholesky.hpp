@@ -6,12 +6,14 @@
 
 namespace asperity::tnnmg::detail
 {
-// A direct solve with a small symmetric positive definite matrix that is spread over all ranks: rank 0 gathers and
-// factorises it (Eigen's sparse Cholesky). Amesos2's KLU2, the usual choice, answers wrongly on two and more ranks.
+// A direct solve with a small symmetric positive definite matrix that is spread over all ranks:
+// rank 0 gathers and factorises it (Eigen's sparse Cholesky). Amesos2's KLU2, the usual choice,
+// answers wrongly on two and more ranks.
 class CoarseCholesky
 {
 public:
-  // Throws SolveError on every rank if A is not positive definite. Rows without entries count as identity.
+  // Throws SolveError on every rank if A is not positive definite. Rows without entries count as
+  // identity.
   explicit CoarseCholesky(CrsMatrix const& A);
   ~CoarseCholesky();
 

@@ -13,7 +13,8 @@ namespace
 using Problem = Belos::LinearProblem<double, MultiVector, Operator>;
 using Solver = Belos::PseudoBlockCGSolMgr<double, MultiVector, Operator>;
 
-// Belos throws where the preconditioner has lost its definiteness to rounding: no convergence, then.
+// Belos throws where the preconditioner has lost its definiteness to rounding: no convergence,
+// then.
 int solveFromZero(RCP<Problem> const& problem, RCP<Teuchos::ParameterList> const& parameters)
 {
   Solver solver(problem, parameters);
@@ -25,8 +26,8 @@ int solveFromZero(RCP<Problem> const& problem, RCP<Teuchos::ParameterList> const
 }
 } // namespace
 
-IterationResult conjugateGradients(RCP<const Operator> A, RCP<const Operator> preconditioner, Vector const& r,
-                                   double relative_tolerance, int max_iterations,
+IterationResult conjugateGradients(RCP<const Operator> A, RCP<const Operator> preconditioner,
+                                   Vector const& r, double relative_tolerance, int max_iterations,
                                    Teuchos::ParameterList const& belos, Vector& c)
 {
   IterationResult result;

@@ -41,18 +41,21 @@ private:
   CoarseCholesky solver_;
 };
 
-// MueLu asks for matrices it could write to, and writes only where it scales or rebalances them, which we do not ask for.
+// MueLu asks for matrices it could write to, and writes only where it scales or rebalances them,
+// which we do not ask for.
 RCP<CrsMatrix> writable(RCP<const CrsMatrix> const& A)
 {
   return Teuchos::rcp_const_cast<CrsMatrix>(A);
 }
 
-// Measured on 1 to 12 ranks: Gauss-Seidel that is local to a rank needs 5 to 17 iterations of conjugate gradients
-// where Chebyshev needs 11 to 20, and no more on 12 ranks than on one. Devices have no use for it.
+// Measured on 1 to 12 ranks: Gauss-Seidel that is local to a rank needs 5 to 17 iterations of
+// conjugate gradients where Chebyshev needs 11 to 20, and no more on 12 ranks than on one. Devices
+// have no use for it.
 void setSmoother(Teuchos::ParameterList& list)
 {
   constexpr bool on_host =
-    Kokkos::SpaceAccessibility<Kokkos::HostSpace, Kokkos::DefaultExecutionSpace::memory_space>::accessible;
+    Kokkos::SpaceAccessibility<Kokkos::HostSpace,
+                               Kokkos::DefaultExecutionSpace::memory_space>::accessible;
   auto& parameters = list.sublist("smoother: params");
   if (on_host) {
     list.set("smoother: type", "RELAXATION");
@@ -79,14 +82,16 @@ Teuchos::ParameterList MultigridHierarchy::defaults(int components)
   list.set("coarse: max size", 1000);
   list.set("coarse: type", "none"); // CoarseCholesky takes its place
   list.set("reuse: type", "RP");
-  list.set("rap: fix zero diagonals", true); // where an aggregate loses a near null vector to constraints
+  list.set("rap: fix zero diagonals",
+           true); // where an aggregate loses a near null vector to constraints
   setSmoother(list);
   return list;
 }
 
-MultigridHierarchy::MultigridHierarchy(RCP<const CrsMatrix> A, RCP<const MultiVector> near_null_space,
+MultigridHierarchy::MultigridHierarchy(RCP<const CrsMatrix> A,
+                                       RCP<const MultiVector> near_null_space,
                                        Teuchos::ParameterList const& muelu)
-  : implementation_(std::make_unique<Implementation>())
+    : implementation_(std::make_unique<Implementation>())
 {
   Teuchos::ParameterList list(muelu); // MueLu writes into it
   list.sublist("user data").set("Nullspace", rcp(new MultiVector(*near_null_space, Teuchos::Copy)));
@@ -94,8 +99,9 @@ MultigridHierarchy::MultigridHierarchy(RCP<const CrsMatrix> A, RCP<const MultiVe
   try {
     implementation_->muelu = MueLu::CreateTpetraPreconditioner(fine, list);
   } catch (std::exception const& error) {
-    throw InputError(std::string("MueLu does not accept the list MueLu. Try without it. MueLu says: ") +
-                     error.what());
+    throw InputError(
+      std::string("MueLu does not accept the list MueLu. Try without it. MueLu says: ") +
+      error.what());
   }
   setCoarseSolver();
 }

@@ -12,7 +12,8 @@ namespace asperity::tnnmg::detail
 class MultigridHierarchy
 {
 public:
-  // What MueLu is told, in its own spelling, unless the user overrides it. components are those of a node.
+  // What MueLu is told, in its own spelling, unless the user overrides it. components are those of
+  // a node.
   static Teuchos::ParameterList defaults(int components);
 
   // A: symmetric positive definite. near_null_space: zero at rows without off-diagonal entries.
@@ -20,7 +21,8 @@ public:
                      Teuchos::ParameterList const& muelu);
   ~MultigridHierarchy();
 
-  // Keeps the prolongators and repeats the Galerkin products with a matrix of the same graph, stored zeros included.
+  // Keeps the prolongators and repeats the Galerkin products with a matrix of the same graph,
+  // stored zeros included.
   void rebuild(RCP<const CrsMatrix> A);
 
   // z = one V-cycle for A z = r, from zero.

@@ -20,7 +20,8 @@ void MultigridNodes::set(NonlinearBlocks const& blocks)
   const auto flags = removed;
   const int num_tangents = tangents();
   Kokkos::parallel_for(
-    "asperity::tnnmg::takeBlocks", Kokkos::RangePolicy<Execution>(0, size()), KOKKOS_LAMBDA(int node) {
+    "asperity::tnnmg::takeBlocks", Kokkos::RangePolicy<Execution>(0, size()),
+    KOKKOS_LAMBDA(int node) {
       flags(node) = given.truncated(node);
       for (int s = 0; s < num_tangents; ++s) {
         for (int t = 0; t < num_tangents; ++t) {
@@ -40,19 +41,22 @@ void MultigridNodes::project(MultiVector& x) const
   const auto node_dofs = dofs;
   const auto flags = removed;
   Kokkos::parallel_for(
-    "asperity::tnnmg::projectRemoved", Kokkos::RangePolicy<Execution>(0, size()), KOKKOS_LAMBDA(int node) {
+    "asperity::tnnmg::projectRemoved", Kokkos::RangePolicy<Execution>(0, size()),
+    KOKKOS_LAMBDA(int node) {
       for (int t = 0; flags(node) && t < node_dofs.extent_int(1); ++t) {
         values(node_dofs(node, t), 0) = 0;
       }
     });
 }
 
-MultigridNodes makeNodes(CrsMatrix const& Z, NonlinearDofView const& dofs, RowView const& constrained)
+MultigridNodes makeNodes(CrsMatrix const& Z, NonlinearDofView const& dofs,
+                         RowView const& constrained)
 {
   const int num_nodes = dofs.extent_int(0);
   const int tangents = dofs.extent_int(1);
   ASPERITY_ASSERT(tangents <= max_tangents);
-  MultigridNodes nodes{dofs, constrained, NodeBlockView("asperity::tnnmg::diagonal", num_nodes, tangents, tangents),
+  MultigridNodes nodes{dofs, constrained,
+                       NodeBlockView("asperity::tnnmg::diagonal", num_nodes, tangents, tangents),
                        NodeBlockView("asperity::tnnmg::hessian", num_nodes, tangents, tangents),
                        FlagView("asperity::tnnmg::removed", num_nodes)};
   const auto matrix = Z.getLocalMatrixDevice();
@@ -60,7 +64,8 @@ MultigridNodes makeNodes(CrsMatrix const& Z, NonlinearDofView const& dofs, RowVi
   const auto columns = Z.getColMap()->getLocalMap();
   const auto diagonal = nodes.diagonal;
   Kokkos::parallel_for(
-    "asperity::tnnmg::readDiagonal", Kokkos::RangePolicy<Execution>(0, num_nodes), KOKKOS_LAMBDA(int node) {
+    "asperity::tnnmg::readDiagonal", Kokkos::RangePolicy<Execution>(0, num_nodes),
+    KOKKOS_LAMBDA(int node) {
       for (int s = 0; s < tangents; ++s) {
         const auto row = matrix.row(dofs(node, s));
         for (int k = 0; k < row.length; ++k) {

@@ -7,15 +7,15 @@ namespace asperity::tnnmg::detail
 using NodeBlockView = Kokkos::View<double***, Kokkos::LayoutRight, MemorySpace>;
 using FlagView = Kokkos::View<int*, MemorySpace>;
 
-// The nonlinear nodes of this rank and what the current solve makes of them. Shared by operator, smoother and
-// preconditioner of one correction; all blocks are (num_nodes, T, T).
+// The nonlinear nodes of this rank and what the current solve makes of them. Shared by operator,
+// smoother and preconditioner of one correction; all blocks are (num_nodes, T, T).
 struct MultigridNodes
 {
   NonlinearDofView dofs; // (num_nodes, T)
   RowView constrained;
-  NodeBlockView diagonal;    // of Z at the node
-  NodeBlockView hessian;     // of this solve; zero where the node is removed
-  FlagView removed;      // of this solve: truncated
+  NodeBlockView diagonal; // of Z at the node
+  NodeBlockView hessian;  // of this solve; zero where the node is removed
+  FlagView removed;       // of this solve: truncated
 
   int size() const { return static_cast<int>(dofs.extent(0)); }
   int tangents() const { return static_cast<int>(dofs.extent(1)); }
@@ -28,5 +28,6 @@ struct MultigridNodes
 };
 
 // The rows and blocks of Z at the nodes; nothing removed, no Hessian.
-MultigridNodes makeNodes(CrsMatrix const& Z, NonlinearDofView const& dofs, RowView const& constrained);
+MultigridNodes makeNodes(CrsMatrix const& Z, NonlinearDofView const& dofs,
+                         RowView const& constrained);
 } // namespace asperity::tnnmg::detail

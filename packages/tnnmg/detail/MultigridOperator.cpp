@@ -8,20 +8,16 @@
 
 namespace asperity::tnnmg::detail
 {
-MultigridOperator::MultigridOperator(RCP<const CrsMatrix> Z, std::shared_ptr<const MultigridNodes> nodes)
-  : Z_(std::move(Z)), nodes_(std::move(nodes))
+MultigridOperator::MultigridOperator(RCP<const CrsMatrix> Z,
+                                     std::shared_ptr<const MultigridNodes> nodes)
+    : Z_(std::move(Z))
+    , nodes_(std::move(nodes))
 {
 }
 
-RCP<const Map> MultigridOperator::getDomainMap() const
-{
-  return Z_->getDomainMap();
-}
+RCP<const Map> MultigridOperator::getDomainMap() const { return Z_->getDomainMap(); }
 
-RCP<const Map> MultigridOperator::getRangeMap() const
-{
-  return Z_->getRangeMap();
-}
+RCP<const Map> MultigridOperator::getRangeMap() const { return Z_->getRangeMap(); }
 
 void MultigridOperator::apply(MultiVector const& x, MultiVector& y, Teuchos::ETransp, double alpha,
                               double beta) const
@@ -34,7 +30,8 @@ void MultigridOperator::apply(MultiVector const& x, MultiVector& y, Teuchos::ETr
     const auto hessian = nodes_->hessian;
     Kokkos::parallel_for(
       "asperity::tnnmg::applyHessian",
-      Kokkos::RangePolicy<Kokkos::DefaultExecutionSpace>(0, nodes_->size()), KOKKOS_LAMBDA(int node) {
+      Kokkos::RangePolicy<Kokkos::DefaultExecutionSpace>(0, nodes_->size()),
+      KOKKOS_LAMBDA(int node) {
         for (int s = 0; s < dofs.extent_int(1); ++s) {
           for (int t = 0; t < dofs.extent_int(1); ++t) {
             out(dofs(node, s), 0) += alpha * hessian(node, s, t) * in(dofs(node, t), 0);

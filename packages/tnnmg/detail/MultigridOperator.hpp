@@ -10,8 +10,9 @@ namespace asperity::tnnmg::detail
 {
 using Operator = Tpetra::Operator<double, LocalOrdinal, GlobalOrdinal>;
 
-// Z + H without the removed and the constrained dofs: y = P (Z + H) x with x = P x, where P sets these dofs to zero.
-// Every vector a correction handles satisfies x = P x, so that P stands on the left alone.
+// Z + H without the removed and the constrained dofs: y = P (Z + H) x with x = P x, where P sets
+// these dofs to zero. Every vector a correction handles satisfies x = P x, so that P stands on the
+// left alone.
 class MultigridOperator : public Operator
 {
 public:
@@ -21,8 +22,8 @@ public:
   RCP<const Map> getRangeMap() const override;
 
   // One vector at a time; mode is without meaning for a symmetric operator.
-  void apply(MultiVector const& x, MultiVector& y, Teuchos::ETransp mode = Teuchos::NO_TRANS, double alpha = 1,
-             double beta = 0) const override;
+  void apply(MultiVector const& x, MultiVector& y, Teuchos::ETransp mode = Teuchos::NO_TRANS,
+             double alpha = 1, double beta = 0) const override;
 
 private:
   RCP<const CrsMatrix> Z_;

@@ -20,15 +20,22 @@ using Execution = Kokkos::DefaultExecutionSpace;
 constexpr double stiff = 1e3;
 } // namespace
 
-MultigridPreconditioner::MultigridPreconditioner(RCP<const MultigridOperator> A, RCP<const CrsMatrix> Z,
+MultigridPreconditioner::MultigridPreconditioner(RCP<const MultigridOperator> A,
+                                                 RCP<const CrsMatrix> Z,
                                                  RCP<const MultiVector> near_null_space,
                                                  std::shared_ptr<const MultigridNodes> nodes,
                                                  Teuchos::ParameterList const& muelu)
-  : A_(std::move(A)), Z_(std::move(Z)), nodes_(std::move(nodes)), smoother_(*Z_, nodes_),
-    hierarchy_(Z_, near_null_space, muelu), excluded_("asperity::tnnmg::excluded", nodes_->size()),
-    reference_("asperity::tnnmg::reference", nodes_->size(), nodes_->tangents(), nodes_->tangents()),
-    scaling_("asperity::tnnmg::scaling", nodes_->size(), nodes_->tangents(), nodes_->tangents()),
-    residual_(rcp(new MultiVector(Z_->getRowMap(), 1))), cycle_(rcp(new MultiVector(Z_->getRowMap(), 1)))
+    : A_(std::move(A))
+    , Z_(std::move(Z))
+    , nodes_(std::move(nodes))
+    , smoother_(*Z_, nodes_)
+    , hierarchy_(Z_, near_null_space, muelu)
+    , excluded_("asperity::tnnmg::excluded", nodes_->size())
+    , reference_("asperity::tnnmg::reference", nodes_->size(), nodes_->tangents(),
+                 nodes_->tangents())
+    , scaling_("asperity::tnnmg::scaling", nodes_->size(), nodes_->tangents(), nodes_->tangents())
+    , residual_(rcp(new MultiVector(Z_->getRowMap(), 1)))
+    , cycle_(rcp(new MultiVector(Z_->getRowMap(), 1)))
 {
   Kokkos::deep_copy(reference_, nodes_->diagonal);
   setup();
@@ -44,7 +51,8 @@ void MultigridPreconditioner::setup()
   const auto reference = reference_;
   const auto scaling = scaling_;
   Kokkos::parallel_for(
-    "asperity::tnnmg::scaleBlocks", Kokkos::RangePolicy<Execution>(0, nodes_->size()), KOKKOS_LAMBDA(int node) {
+    "asperity::tnnmg::scaleBlocks", Kokkos::RangePolicy<Execution>(0, nodes_->size()),
+    KOKKOS_LAMBDA(int node) {
       if (removed(node) || excluded(node)) {
         NodeBlock(diagonal.extent_int(1)).store(scaling, node);
         return;
@@ -64,8 +72,10 @@ FlagView MultigridPreconditioner::unfit() const
   const auto hessian = nodes_->hessian;
   const auto removed = nodes_->removed;
   Kokkos::parallel_for(
-    "asperity::tnnmg::unfit", Kokkos::RangePolicy<Execution>(0, nodes_->size()), KOKKOS_LAMBDA(int node) {
-      result(node) = removed(node) || NodeBlock(hessian, node).trace() > stiff * NodeBlock(diagonal, node).trace();
+    "asperity::tnnmg::unfit", Kokkos::RangePolicy<Execution>(0, nodes_->size()),
+    KOKKOS_LAMBDA(int node) {
+      result(node) = removed(node) ||
+                     NodeBlock(hessian, node).trace() > stiff * NodeBlock(diagonal, node).trace();
     });
   return result;
 }
@@ -96,7 +106,8 @@ void MultigridPreconditioner::rebuild()
   const auto hessian = nodes_->hessian;
   const auto reference = reference_;
   Kokkos::parallel_for(
-    "asperity::tnnmg::reference", Kokkos::RangePolicy<Execution>(0, nodes_->size()), KOKKOS_LAMBDA(int node) {
+    "asperity::tnnmg::reference", Kokkos::RangePolicy<Execution>(0, nodes_->size()),
+    KOKKOS_LAMBDA(int node) {
       NodeBlock block(diagonal, node);
       block += NodeBlock(hessian, node);
       block.store(reference, node);
@@ -116,9 +127,10 @@ void MultigridPreconditioner::rebuildFromZ()
   setup();
 }
 
-// z = G^T-sweep(S V S^T (r - A z)) after z = G-sweep(r): the sum of symmetric positive semidefinite parts.
-void MultigridPreconditioner::apply(MultiVector const& r, MultiVector& z, Teuchos::ETransp, double alpha,
-                                    double beta) const
+// z = G^T-sweep(S V S^T (r - A z)) after z = G-sweep(r): the sum of symmetric positive semidefinite
+// parts.
+void MultigridPreconditioner::apply(MultiVector const& r, MultiVector& z, Teuchos::ETransp,
+                                    double alpha, double beta) const
 {
   ASPERITY_ASSERT(alpha == 1 && beta == 0);
   z.putScalar(0);
@@ -141,7 +153,8 @@ void MultigridPreconditioner::scale(MultiVector& x, bool transposed) const
     const auto dofs = nodes_->dofs;
     const auto scaling = scaling_;
     Kokkos::parallel_for(
-      "asperity::tnnmg::scale", Kokkos::RangePolicy<Execution>(0, nodes_->size()), KOKKOS_LAMBDA(int node) {
+      "asperity::tnnmg::scale", Kokkos::RangePolicy<Execution>(0, nodes_->size()),
+      KOKKOS_LAMBDA(int node) {
         double result[max_tangents] = {};
         for (int s = 0; s < dofs.extent_int(1); ++s) {
           for (int t = 0; t < dofs.extent_int(1); ++t) {

@@ -12,21 +12,23 @@
 
 namespace asperity::tnnmg::detail
 {
-// A symmetric approximation of (Z + H)^-1 on the dofs that are left: a V-cycle between two sweeps of block
-// Gauss-Seidel on the nonlinear nodes. The V-cycle works with a matrix that may know other Hessians, or none, and is
-// scaled at each node by S = L^-T L0^T, where L L^T and L0 L0^T are the node's blocks of Z + H and of that matrix.
+// A symmetric approximation of (Z + H)^-1 on the dofs that are left: a V-cycle between two sweeps
+// of block Gauss-Seidel on the nonlinear nodes. The V-cycle works with a matrix that may know other
+// Hessians, or none, and is scaled at each node by S = L^-T L0^T, where L L^T and L0 L0^T are the
+// node's blocks of Z + H and of that matrix.
 class MultigridPreconditioner : public Operator
 {
 public:
   MultigridPreconditioner(RCP<const MultigridOperator> A, RCP<const CrsMatrix> Z,
-                          RCP<const MultiVector> near_null_space, std::shared_ptr<const MultigridNodes> nodes,
+                          RCP<const MultiVector> near_null_space,
+                          std::shared_ptr<const MultigridNodes> nodes,
                           Teuchos::ParameterList const& muelu);
 
   // After the nodes have got new blocks: adapts smoother and scaling, and keeps the hierarchy.
   void setup();
 
-  // The share of nonlinear nodes, of all ranks, that the hierarchy has and the current blocks had better left out
-  // (removed or stiff), or the other way round.
+  // The share of nonlinear nodes, of all ranks, that the hierarchy has and the current blocks had
+  // better left out (removed or stiff), or the other way round.
   double outdated() const;
 
   // Hierarchy from the current blocks; prolongators stay.
@@ -38,8 +40,8 @@ public:
   RCP<const Map> getRangeMap() const override { return A_->getRangeMap(); }
 
   // z = B r with r = P r; alpha = 1 and beta = 0 alone.
-  void apply(MultiVector const& r, MultiVector& z, Teuchos::ETransp mode = Teuchos::NO_TRANS, double alpha = 1,
-             double beta = 0) const override;
+  void apply(MultiVector const& r, MultiVector& z, Teuchos::ETransp mode = Teuchos::NO_TRANS,
+             double alpha = 1, double beta = 0) const override;
 
   // V-cycles so far.
   int numCycles() const { return num_cycles_; }
@@ -53,9 +55,9 @@ private:
   std::shared_ptr<const MultigridNodes> nodes_;
   MultigridSmoother smoother_;
   MultigridHierarchy hierarchy_;
-  std::optional<MultigridTruncatedMatrix> truncated_; // what the hierarchy was rebuilt from, if it was
+  std::optional<MultigridTruncatedMatrix> truncated_; // what the hierarchy was rebuilt from
 
-  FlagView excluded_;   // nodes that the hierarchy's matrix has without their couplings
+  FlagView excluded_;       // nodes that the hierarchy's matrix has without their couplings
   NodeBlockView reference_; // the others' blocks there
   NodeBlockView scaling_;   // S, zero where excluded or removed
   RCP<MultiVector> residual_, cycle_;

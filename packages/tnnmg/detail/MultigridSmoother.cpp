@@ -26,23 +26,28 @@ RCP<const CrsMatrix> extractRows(CrsMatrix const& Z, HostDofs const& dofs)
       ids.push_back(Z.getRowMap()->getGlobalElement(dofs(node, t)));
     }
   }
-  const auto num_global = Teuchos::OrdinalTraits<Tpetra::global_size_t>::invalid(); // to be computed
-  const RCP<const Map> map = rcp(new Map(num_global, Teuchos::arrayViewFromVector(ids), 0, Z.getComm()));
-  return Tpetra::importAndFillCompleteCrsMatrix<CrsMatrix>(Teuchos::rcpFromRef(Z), Import(Z.getRowMap(), map),
-                                                           Z.getDomainMap(), map);
+  const auto num_global =
+    Teuchos::OrdinalTraits<Tpetra::global_size_t>::invalid(); // to be computed
+  const RCP<const Map> map =
+    rcp(new Map(num_global, Teuchos::arrayViewFromVector(ids), 0, Z.getComm()));
+  return Tpetra::importAndFillCompleteCrsMatrix<CrsMatrix>(
+    Teuchos::rcpFromRef(Z), Import(Z.getRowMap(), map), Z.getDomainMap(), map);
 }
 } // namespace
 
-MultigridSmoother::MultigridSmoother(CrsMatrix const& Z, std::shared_ptr<const MultigridNodes> nodes)
-  : nodes_(std::move(nodes))
+MultigridSmoother::MultigridSmoother(CrsMatrix const& Z,
+                                     std::shared_ptr<const MultigridNodes> nodes)
+    : nodes_(std::move(nodes))
 {
   rows_ = extractRows(Z, Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace(), nodes_->dofs));
   columns_ = rcp(new Import(rows_->getDomainMap(), rows_->getColMap()));
   neighbours_ = rcp(new MultiVector(rows_->getColMap(), 1));
-  inverse_ = NodeBlockView("asperity::tnnmg::inverse", nodes_->size(), nodes_->tangents(), nodes_->tangents());
+  inverse_ = NodeBlockView("asperity::tnnmg::inverse", nodes_->size(), nodes_->tangents(),
+                           nodes_->tangents());
   const auto colouring = colourNodes(Z, nodes_->dofs);
   for (auto const& members : colouring.rows) {
-    const Kokkos::View<const int*, Kokkos::HostSpace, Kokkos::MemoryUnmanaged> host(members.data(), members.size());
+    const Kokkos::View<const int*, Kokkos::HostSpace, Kokkos::MemoryUnmanaged> host(members.data(),
+                                                                                    members.size());
     const Kokkos::View<int*, MemorySpace> colour("asperity::tnnmg::colour", members.size());
     Kokkos::deep_copy(colour, host);
     colours_.push_back(colour);
@@ -56,7 +61,8 @@ void MultigridSmoother::setup()
   const auto removed = nodes_->removed;
   const auto inverses = inverse_;
   Kokkos::parallel_for(
-    "asperity::tnnmg::invertBlocks", Kokkos::RangePolicy<Execution>(0, nodes_->size()), KOKKOS_LAMBDA(int node) {
+    "asperity::tnnmg::invertBlocks", Kokkos::RangePolicy<Execution>(0, nodes_->size()),
+    KOKKOS_LAMBDA(int node) {
       if (removed(node)) {
         NodeBlock(diagonal.extent_int(1)).store(inverses, node);
         return;
@@ -92,7 +98,8 @@ void MultigridSmoother::relax(ColourView const& colour, MultiVector const& r, Mu
   const auto inverse = inverse_;
   const int tangents = nodes_->tangents();
   Kokkos::parallel_for(
-    "asperity::tnnmg::relax", Kokkos::RangePolicy<Execution>(0, colour.extent_int(0)), KOKKOS_LAMBDA(int k) {
+    "asperity::tnnmg::relax", Kokkos::RangePolicy<Execution>(0, colour.extent_int(0)),
+    KOKKOS_LAMBDA(int k) {
       const int node = colour(k);
       double residual[max_tangents] = {};
       for (int s = 0; s < tangents; ++s) {

@@ -7,8 +7,9 @@
 
 namespace asperity::tnnmg::detail
 {
-// Linear block Gauss-Seidel for Z + H on the nonlinear nodes alone, colour by colour and therefore the same on any
-// number of ranks. There the coefficients jump by orders of magnitude from node to node, and from solve to solve.
+// Linear block Gauss-Seidel for Z + H on the nonlinear nodes alone, colour by colour and therefore
+// the same on any number of ranks. There the coefficients jump by orders of magnitude from node to
+// node, and from solve to solve.
 class MultigridSmoother
 {
 public:
@@ -23,7 +24,8 @@ public:
     backward
   };
 
-  // One sweep for (Z + H) z = r, from the given z. Forward and backward sweeps are each other's adjoints.
+  // One sweep for (Z + H) z = r, from the given z. Forward and backward sweeps are each other's
+  // adjoints.
   void sweep(Order order, MultiVector const& r, MultiVector& z) const;
 
 private:
@@ -32,10 +34,10 @@ private:
   void relax(ColourView const& colour, MultiVector const& r, MultiVector& z) const;
 
   std::shared_ptr<const MultigridNodes> nodes_;
-  RCP<const CrsMatrix> rows_;        // of Z, T successive ones per node
-  RCP<const Import> columns_;        // to the columns of these rows
-  RCP<MultiVector> neighbours_;      // z there
-  NodeBlockView inverse_;                // (num_nodes, T, T) of diagonal + Hessian, zero where removed
-  std::vector<ColourView> colours_;  // local nodes of each colour
+  RCP<const CrsMatrix> rows_;       // of Z, T successive ones per node
+  RCP<const Import> columns_;       // to the columns of these rows
+  RCP<MultiVector> neighbours_;     // z there
+  NodeBlockView inverse_;           // (num_nodes, T, T) of diagonal + Hessian, zero where removed
+  std::vector<ColourView> colours_; // local nodes of each colour
 };
 } // namespace asperity::tnnmg::detail

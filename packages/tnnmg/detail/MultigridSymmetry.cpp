@@ -16,7 +16,8 @@ namespace
 {
 constexpr double tolerance = 1e-8;
 
-// In [-1, 1): the first number of the splitmix64 sequence (Steele, Lea, Flood 2014) that starts at id.
+// In [-1, 1): the first number of the splitmix64 sequence (Steele, Lea, Flood 2014) that starts at
+// id.
 double pseudorandom(std::uint64_t id)
 {
   auto x = id + 0x9e3779b97f4a7c15ULL;
@@ -33,7 +34,8 @@ Vector pseudorandomVector(RCP<const Map> const& map, int seed, MultigridNodes co
   {
     auto values = x.getLocalViewHost(Tpetra::Access::OverwriteAll);
     for (int row = 0; row < values.extent_int(0); ++row) {
-      values(row, 0) = pseudorandom(static_cast<std::uint64_t>(2 * map->getGlobalElement(row) + seed));
+      values(row, 0) =
+        pseudorandom(static_cast<std::uint64_t>(2 * map->getGlobalElement(row) + seed));
     }
   }
   nodes.project(x);
@@ -62,8 +64,9 @@ void requireSymmetric(Operator const& B, MultigridNodes const& nodes)
   const double asymmetry = relativeAsymmetry(B, nodes);
   if (!(asymmetry <= tolerance)) {
     std::ostringstream message;
-    message << "Multigrid: the V-cycle is not symmetric and positive (relative asymmetry " << asymmetry
-            << ", allowed " << tolerance << "). A smoother or coarse solver in the list MueLu is not symmetric, "
+    message << "Multigrid: the V-cycle is not symmetric and positive (relative asymmetry "
+            << asymmetry << ", allowed " << tolerance
+            << "). A smoother or coarse solver in the list MueLu is not symmetric, "
             << "or a library's direct solver is broken. Try the defaults.";
     throw SolveError(message.str());
   }

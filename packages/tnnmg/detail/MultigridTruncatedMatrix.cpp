@@ -15,7 +15,8 @@ using FlagVector = Tpetra::Vector<int, LocalOrdinal, GlobalOrdinal>;
 using Execution = Kokkos::DefaultExecutionSpace;
 
 // 1 at the dofs of excluded nodes, on the columns of Z.
-FlagVector excludedColumns(CrsMatrix const& Z, NonlinearDofView const& dofs, FlagView const& excluded)
+FlagVector excludedColumns(CrsMatrix const& Z, NonlinearDofView const& dofs,
+                           FlagView const& excluded)
 {
   FlagVector of_dof(Z.getDomainMap());
   {
@@ -35,7 +36,8 @@ FlagVector excludedColumns(CrsMatrix const& Z, NonlinearDofView const& dofs, Fla
 } // namespace
 
 MultigridTruncatedMatrix::MultigridTruncatedMatrix(RCP<const CrsMatrix> Z)
-  : Z_(std::move(Z)), matrix_(rcp(new CrsMatrix(*Z_, Teuchos::Copy)))
+    : Z_(std::move(Z))
+    , matrix_(rcp(new CrsMatrix(*Z_, Teuchos::Copy)))
 {
 }
 
@@ -48,7 +50,8 @@ void MultigridTruncatedMatrix::fill(MultigridNodes const& nodes, FlagView const&
   const auto rows = Z_->getRowMap()->getLocalMap();
   const auto columns = Z_->getColMap()->getLocalMap();
   Kokkos::parallel_for(
-    "asperity::tnnmg::truncate", Kokkos::RangePolicy<Execution>(0, source.numRows()), KOKKOS_LAMBDA(int row) {
+    "asperity::tnnmg::truncate", Kokkos::RangePolicy<Execution>(0, source.numRows()),
+    KOKKOS_LAMBDA(int row) {
       const int own = columns.getLocalElement(rows.getGlobalElement(row));
       for (auto k = source.graph.row_map(row); k < source.graph.row_map(row + 1); ++k) {
         const int column = source.graph.entries(k);
@@ -59,7 +62,8 @@ void MultigridTruncatedMatrix::fill(MultigridNodes const& nodes, FlagView const&
   const auto dofs = nodes.dofs;
   const auto hessian = nodes.hessian;
   Kokkos::parallel_for(
-    "asperity::tnnmg::addHessian", Kokkos::RangePolicy<Execution>(0, nodes.size()), KOKKOS_LAMBDA(int node) {
+    "asperity::tnnmg::addHessian", Kokkos::RangePolicy<Execution>(0, nodes.size()),
+    KOKKOS_LAMBDA(int node) {
       for (int s = 0; !excluded(node) && s < dofs.extent_int(1); ++s) {
         for (int t = 0; t < dofs.extent_int(1); ++t) {
           const int row = dofs(node, s);

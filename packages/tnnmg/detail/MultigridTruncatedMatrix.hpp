@@ -4,8 +4,8 @@
 
 namespace asperity::tnnmg::detail
 {
-// Z + H with the excluded nodes' rows and columns reduced to Z's diagonal, for a hierarchy that takes friction into
-// account. Has Z's graph, zeros included, as a rebuild needs.
+// Z + H with the excluded nodes' rows and columns reduced to Z's diagonal, for a hierarchy that
+// takes friction into account. Has Z's graph, zeros included, as a rebuild needs.
 class MultigridTruncatedMatrix
 {
 public:

@@ -1,6 +1,6 @@
 // A program with one way to fail per argument; GuardTest.cmake looks at its exit status and stderr.
 #include "base/Errors.hpp"
-#include "base/MpiSession.hpp"
+#include "base/MpiScope.hpp"
 #include "base/Signals.hpp"
 
 #include <Kokkos_Core.hpp>
@@ -16,7 +16,7 @@ namespace
 {
 using namespace asperity;
 
-// A Tpetra object and a Kokkos kernel: they must work and die before the session does.
+// A Tpetra object and a Kokkos kernel: they must work and die before the scope does.
 int compute(RCP<const Communicator> const& communicator)
 {
   const auto map = rcp(new Map(10 * communicator->getSize(), 0, communicator));
@@ -73,11 +73,11 @@ int run(std::string const& way, RCP<const Communicator> const& communicator)
 
 int main(int argc, char** argv)
 {
-  MpiSession session(argc, argv);
+  MpiScope scope(argc, argv);
   if (argc != 2) { // --kokkos... must be gone
     std::fprintf(stderr, "%d arguments are left\n", argc - 1);
     return 8;
   }
   const std::string way = argv[1];
-  return runGuarded(*session.communicator(), [&] { return run(way, session.communicator()); });
+  return runGuarded(*scope.communicator(), [&] { return run(way, scope.communicator()); });
 }

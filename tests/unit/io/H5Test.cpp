@@ -1,6 +1,8 @@
 #include "io/H5.hpp"
 #include "unit/io/Support.hpp"
 
+#include <cmath>
+
 using namespace asperity;
 using namespace asperity::io;
 
@@ -73,6 +75,10 @@ TEST_F(H5, VirtualDatasetJoinsFilesAndSkipsEmptyParts)
     index.createVirtual("x/v", h5::Type::float64, {}, {{name(0), 1}, {"none.h5", 0}, {name(1), 2}});
   EXPECT_EQ(joined.shape(), h5::Shape{3});
   EXPECT_EQ(joined.readDoubles(), (std::vector<double>{0, 10, 11}));
+  auto torn = index.createVirtual("torn/v", h5::Type::float32, {}, {{"none.h5", 2}});
+  EXPECT_TRUE(std::isnan(torn.readDoubles()[1])); // HDF5 alone would say 0
+  auto torn_steps = index.createVirtual("torn/n", h5::Type::int64, {}, {{"none.h5", 1}});
+  EXPECT_EQ(torn_steps.readIntegers()[0], -1);
   EXPECT_EQ(index.createVirtual("none", h5::Type::int64, {4}, {}).shape(), (h5::Shape{0, 4}));
 }
 

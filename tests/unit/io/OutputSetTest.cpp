@@ -67,7 +67,8 @@ ParameterList deck()
   list.sublist("Event Catalogue").set("Threshold", 2.0);
   list.sublist("Fault History").set("Every n Steps", 3);
   list.sublist("Volume Snapshots").set("Enabled", true);
-  list.sublist("Volume Snapshots").set("Times", Teuchos::Array<double>(std::vector<double>{3.1, 9}));
+  const std::vector<double> times{3.1, 9};
+  list.sublist("Volume Snapshots").set("Times", Teuchos::Array<double>(times));
   return list;
 }
 

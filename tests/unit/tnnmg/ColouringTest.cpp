@@ -16,13 +16,11 @@ namespace
 {
 using Neighbours = std::function<std::vector<GlobalOrdinal>(GlobalOrdinal)>;
 
-RCP<const Communicator> communicator(MPI_Comm comm)
-{
-  return rcp(new Teuchos::MpiComm<int>(comm));
-}
+RCP<const Communicator> communicator(MPI_Comm comm) { return rcp(new Teuchos::MpiComm<int>(comm)); }
 
 // Nodes 0 .. num_nodes - 1; rank r owns those whose owner is r modulo the number of ranks.
-RCP<const CrsGraph> makeGraph(RCP<const Communicator> const& comm, GlobalOrdinal num_nodes, Neighbours const& neighbours,
+RCP<const CrsGraph> makeGraph(RCP<const Communicator> const& comm, GlobalOrdinal num_nodes,
+                              Neighbours const& neighbours,
                               std::function<int(GlobalOrdinal)> const& owner)
 {
   std::vector<GlobalOrdinal> mine;
@@ -75,12 +73,13 @@ std::vector<int> globalColours(CrsGraph const& graph, Colouring const& colouring
     mine[graph.getRowMap()->getGlobalElement(static_cast<int>(row))] = colouring.colour[row];
   }
   std::vector<int> all(mine.size(), 0);
-  Teuchos::reduceAll(*graph.getComm(), Teuchos::REDUCE_SUM, static_cast<int>(mine.size()), mine.data(), all.data());
+  Teuchos::reduceAll(*graph.getComm(), Teuchos::REDUCE_SUM, static_cast<int>(mine.size()),
+                     mine.data(), all.data());
   return all;
 }
 
-// Colours the graph on all ranks and again on this rank alone; checks that they agree and that no edge has one colour.
-// Returns the number of colours.
+// Colours the graph on all ranks and again on this rank alone; checks that they agree and that no
+// edge has one colour. Returns the number of colours.
 int checkColouring(GlobalOrdinal num_nodes, Neighbours const& neighbours,
                    std::function<int(GlobalOrdinal)> const& owner)
 {
@@ -112,8 +111,10 @@ int checkColouring(GlobalOrdinal num_nodes, Neighbours const& neighbours,
 TEST(Colouring, pathTakesAtMostThreeColours)
 {
   const auto neighbours = [](GlobalOrdinal id) { return pathNeighbours(id, 262); };
-  const int in_stretches = checkColouring(262, neighbours, [](GlobalOrdinal id) { return static_cast<int>(id / 88); });
-  const int in_turns = checkColouring(262, neighbours, [](GlobalOrdinal id) { return static_cast<int>(id); });
+  const int in_stretches =
+    checkColouring(262, neighbours, [](GlobalOrdinal id) { return static_cast<int>(id / 88); });
+  const int in_turns =
+    checkColouring(262, neighbours, [](GlobalOrdinal id) { return static_cast<int>(id); });
   EXPECT_LE(in_stretches, 3);
   EXPECT_EQ(in_stretches, in_turns);
 }
@@ -126,8 +127,11 @@ TEST(Colouring, latticeTakesAtMostSevenColours)
 
 TEST(Colouring, completeGraphTakesOneColourPerNode)
 {
-  const auto neighbours = [](GlobalOrdinal) { return std::vector<GlobalOrdinal>{0, 1, 2, 3, 4, 5, 6}; };
-  EXPECT_EQ(checkColouring(7, neighbours, [](GlobalOrdinal id) { return static_cast<int>(id % 2); }), 7);
+  const auto neighbours = [](GlobalOrdinal) {
+    return std::vector<GlobalOrdinal>{0, 1, 2, 3, 4, 5, 6};
+  };
+  EXPECT_EQ(
+    checkColouring(7, neighbours, [](GlobalOrdinal id) { return static_cast<int>(id % 2); }), 7);
 }
 
 TEST(Colouring, unconnectedNodesShareAColour)

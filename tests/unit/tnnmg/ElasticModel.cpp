@@ -51,7 +51,8 @@ Eigen::MatrixXd cellMatrix(std::array<Corner, 3> const& corner, ElasticModelOpti
       const Eigen::Vector2d b = gradient.col(j);
       Eigen::Matrix2d block = shear * (a.dot(b) * Eigen::Matrix2d::Identity() + b * a.transpose()) +
                               lame * a * b.transpose();
-      block = components == 1 ? Eigen::Matrix2d(shear * a.dot(b) * Eigen::Matrix2d::Identity()) : block;
+      block =
+        components == 1 ? Eigen::Matrix2d(shear * a.dot(b) * Eigen::Matrix2d::Identity()) : block;
       block += inertia * (i == j ? 2.0 : 1.0) / 12 * Eigen::Matrix2d::Identity();
       matrix.block(components * i, components * j, components, components) =
         area * block.topLeftCorner(components, components);
@@ -65,7 +66,8 @@ int nodeAt(ElasticModelOptions const& options, int x, int y)
   return x * (options.cells_y + 1) + y;
 }
 
-void addCell(ElasticModelOptions const& options, std::array<std::array<int, 2>, 3> const& at, Triplets& triplets)
+void addCell(ElasticModelOptions const& options, std::array<std::array<int, 2>, 3> const& at,
+             Triplets& triplets)
 {
   const double h = 1.0 / options.cells_x;
   std::array<Corner, 3> corner;
@@ -146,7 +148,9 @@ RCP<const MultiVector> rigidMotions(ElasticModelOptions const& options, RCP<cons
 }
 } // namespace
 
-ElasticModel::ElasticModel(ElasticModelOptions const& given) : options(given), global(assemble(given))
+ElasticModel::ElasticModel(ElasticModelOptions const& given)
+    : options(given)
+    , global(assemble(given))
 {
   chooseRows();
   map = makeMap(static_cast<int>(global.rows()) / options.components, options.components);
@@ -190,7 +194,8 @@ void ElasticModel::makeViews()
     }
   }
   const Kokkos::View<LocalOrdinal*, MemorySpace> held("constrained", rows.size());
-  const Kokkos::View<int*, Kokkos::HostSpace, Kokkos::MemoryUnmanaged> host_held(rows.data(), rows.size());
+  const Kokkos::View<int*, Kokkos::HostSpace, Kokkos::MemoryUnmanaged> host_held(rows.data(),
+                                                                                 rows.size());
   Kokkos::deep_copy(held, host_held);
   constrained_rows = held;
 
@@ -203,9 +208,10 @@ void ElasticModel::makeViews()
       }
     }
   }
-  using HostDofs = Kokkos::View<int**, Kokkos::LayoutRight, Kokkos::HostSpace, Kokkos::MemoryUnmanaged>;
-  const Kokkos::View<LocalOrdinal**, Kokkos::LayoutRight, MemorySpace> tangential("dofs", mine.size(),
-                                                                                  options.tangents);
+  using HostDofs =
+    Kokkos::View<int**, Kokkos::LayoutRight, Kokkos::HostSpace, Kokkos::MemoryUnmanaged>;
+  const Kokkos::View<LocalOrdinal**, Kokkos::LayoutRight, MemorySpace> tangential(
+    "dofs", mine.size(), options.tangents);
   Kokkos::deep_copy(tangential, HostDofs(dofs.data(), mine.size(), options.tangents));
   nonlinear_dofs = tangential;
 }
@@ -219,7 +225,8 @@ Vector ElasticModel::scatter(Eigen::VectorXd const& vector) const
 {
   Vector local(map);
   for (std::size_t row = 0; row < map->getNodeNumElements(); ++row) {
-    local.replaceLocalValue(static_cast<int>(row), vector(map->getGlobalElement(static_cast<int>(row))));
+    local.replaceLocalValue(static_cast<int>(row),
+                            vector(map->getGlobalElement(static_cast<int>(row))));
   }
   return local;
 }
@@ -232,7 +239,8 @@ Eigen::VectorXd ElasticModel::gather(Vector const& local) const
     part(map->getGlobalElement(static_cast<int>(row))) = host(row, 0);
   }
   Eigen::VectorXd all(part.size());
-  Teuchos::reduceAll(*map->getComm(), Teuchos::REDUCE_SUM, static_cast<int>(part.size()), part.data(), all.data());
+  Teuchos::reduceAll(*map->getComm(), Teuchos::REDUCE_SUM, static_cast<int>(part.size()),
+                     part.data(), all.data());
   return all;
 }
 
@@ -249,7 +257,8 @@ void decouple(Eigen::SparseMatrix<double>& matrix, std::vector<bool> const& mark
 
 double pseudorandom(int index, int sequence)
 {
-  std::mt19937_64 generator(static_cast<std::uint64_t>(index) * 64 + static_cast<std::uint64_t>(sequence));
+  std::mt19937_64 generator(static_cast<std::uint64_t>(index) * 64 +
+                            static_cast<std::uint64_t>(sequence));
   return std::ldexp(static_cast<double>(generator() >> 11), -52) - 1.0;
 }
 

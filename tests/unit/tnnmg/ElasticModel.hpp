@@ -9,8 +9,9 @@
 
 namespace asperity::tnnmg::testing
 {
-// A rectangle of gelatine, 1 m wide, of P1 triangles: Z = (2/tau) M + C + (tau/2) K. Its lower side is the fault, its
-// right side is held. Nodes are numbered column by column, so that ranks share the fault.
+// A rectangle of gelatine, 1 m wide, of P1 triangles: Z = (2/tau) M + C + (tau/2) K. Its lower side
+// is the fault, its right side is held. Nodes are numbered column by column, so that ranks share
+// the fault.
 struct ElasticModelOptions
 {
   int cells_x = 40;
@@ -31,10 +32,10 @@ struct ElasticModel
   Eigen::VectorXd gather(Vector const& local) const;
 
   ElasticModelOptions options;
-  Eigen::SparseMatrix<double> global;           // Z, on every rank
-  std::vector<int> constrained;                 // global rows, on every rank
-  std::vector<std::vector<int>> nonlinear;      // global rows of each fault node, on every rank
-  std::vector<int> mine;                        // the fault nodes of this rank
+  Eigen::SparseMatrix<double> global;      // Z, on every rank
+  std::vector<int> constrained;            // global rows, on every rank
+  std::vector<std::vector<int>> nonlinear; // global rows of each fault node, on every rank
+  std::vector<int> mine;                   // the fault nodes of this rank
   RCP<const Map> map;
   RCP<const CrsMatrix> Z;
   RCP<const MultiVector> near_null_space;

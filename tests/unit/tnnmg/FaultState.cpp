@@ -31,7 +31,8 @@ bool isTruncated(int node, int num_nodes, Truncation truncation)
 }
 } // namespace
 
-FaultState::FaultState(ElasticModel const& model, Truncation truncation, double lowest, double highest)
+FaultState::FaultState(ElasticModel const& model, Truncation truncation, double lowest,
+                       double highest)
 {
   const int num_nodes = static_cast<int>(model.nonlinear.size());
   for (int node = 0; node < num_nodes; ++node) {
@@ -45,7 +46,8 @@ FaultState::FaultState(ElasticModel const& model, Truncation truncation, double 
 NonlinearBlocks FaultState::blocks(ElasticModel const& model) const
 {
   const int tangents = model.options.tangents;
-  Kokkos::View<double***, Kokkos::LayoutRight, MemorySpace> hessians("hessian", model.mine.size(), tangents, tangents);
+  Kokkos::View<double***, Kokkos::LayoutRight, MemorySpace> hessians("hessian", model.mine.size(),
+                                                                     tangents, tangents);
   Kokkos::View<int*, MemorySpace> flags("truncated", model.mine.size());
   auto host_hessians = Kokkos::create_mirror_view(hessians);
   auto host_flags = Kokkos::create_mirror_view(flags);

@@ -16,10 +16,12 @@ enum class Truncation
   all
 };
 
-// Hessians between 10^lowest and 10^highest of Z's diagonal, pseudorandom from node to node, and a truncation.
+// Hessians between 10^lowest and 10^highest of Z's diagonal, pseudorandom from node to node, and a
+// truncation.
 struct FaultState
 {
-  FaultState(ElasticModel const& model, Truncation truncation, double lowest = -2, double highest = 12);
+  FaultState(ElasticModel const& model, Truncation truncation, double lowest = -2,
+             double highest = 12);
 
   NonlinearBlocks blocks(ElasticModel const& model) const;
 

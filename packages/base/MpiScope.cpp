@@ -1,4 +1,4 @@
-#include "base/MpiSession.hpp"
+#include "base/MpiScope.hpp"
 
 #include <Teuchos_DefaultMpiComm.hpp>
 #include <Tpetra_Core.hpp>
@@ -32,7 +32,7 @@ std::vector<char*> takeKokkosArguments(int& argc, char** argv)
 }
 } // namespace
 
-MpiSession::MpiSession(int& argc, char**& argv)
+MpiScope::MpiScope(int& argc, char**& argv)
 {
   int is_initialized = 0;
   MPI_Initialized(&is_initialized);
@@ -48,7 +48,7 @@ MpiSession::MpiSession(int& argc, char**& argv)
 }
 
 // Tpetra finalises Kokkos only if it initialised it, and never MPI, which was there before it.
-MpiSession::~MpiSession()
+MpiScope::~MpiScope()
 {
   Tpetra::finalize();
   communicator_ = Teuchos::null;

@@ -11,20 +11,20 @@ namespace asperity
 //
 //   int main(int argc, char** argv)
 //   {
-//     asperity::MpiSession session(argc, argv);
-//     return asperity::runGuarded(*session.communicator(), [&] { ...; return 0; });
+//     asperity::MpiScope scope(argc, argv);
+//     return asperity::runGuarded(*scope.communicator(), [&] { ...; return 0; });
 //   }
 //
 // Kokkos is given only arguments that start with --kokkos, which are removed from argv (--help
 // stays ours). What was started by somebody else is left running. Tpetra objects must die before
-// the session: keep them inside the guarded function.
-class MpiSession
+// the scope: keep them inside the guarded function.
+class MpiScope
 {
 public:
-  MpiSession(int& argc, char**& argv);
-  ~MpiSession();
-  MpiSession(MpiSession const&) = delete;
-  MpiSession& operator=(MpiSession const&) = delete;
+  MpiScope(int& argc, char**& argv);
+  ~MpiScope();
+  MpiScope(MpiScope const&) = delete;
+  MpiScope& operator=(MpiScope const&) = delete;
 
   RCP<const Communicator> const& communicator() const { return communicator_; }
 

@@ -1,0 +1,78 @@
+"""A tiny wedge whose motion two unrelated codes have computed, through a deck and a mesh file."""
+
+import json
+import pathlib
+import unittest
+
+import h5py
+import numpy
+
+import asperity_run
+
+HERE = pathlib.Path(__file__).parent
+ANSWER = json.loads((HERE / "answer.json").read_text())
+NODES = numpy.array(ANSWER["nodes"], dtype=float)
+TRIANGLES = numpy.array(ANSWER["triangles"])
+MESH = pathlib.Path("tiny_wedge.h5").resolve()
+
+
+def facets(nodes):
+    """Edges of a single triangle between the given nodes, the body on their left."""
+    edges = [(t[k], t[(k + 1) % 3]) for t in TRIANGLES.tolist() for k in range(3)]
+    return [e for e in edges if set(e) <= set(nodes) and e[::-1] not in edges]
+
+
+def write_mesh():
+    """The wedge as a mesh file; no centroid lies in the viscous region of the thesis."""
+    with h5py.File(MESH, "w") as file:
+        file.attrs.update({"format": "asperity-mesh", "version": 1, "dimension": 2})
+        file["vertices"] = NODES
+        file["cells"] = TRIANGLES
+        file["cell_regions"] = numpy.zeros(len(TRIANGLES), dtype=int)
+        file["region_names"] = [b"upper"]
+        for name in ("base", "right"):
+            file[f"boundaries/{name}/facets"] = facets(ANSWER[f"{name}_nodes"])
+
+
+class TinyWedge(unittest.TestCase):
+    @classmethod
+    def setUpClass(cls):
+        write_mesh()
+
+    def check(self, correction, ranks, *settings):
+        changes = [f"Mesh/File/File Name={MESH}", f"TNNMG/Linear Correction={correction}",
+                   *settings]
+        folder = asperity_run.run_to_end(
+            f"{correction}_{ranks}", HERE / "tiny_wedge.xml",
+            *(word for change in changes for word in ("--set", change)), ranks=ranks)
+        fault = asperity_run.series(folder / "fault.h5")
+        volume = asperity_run.series(folder / "volume.h5")
+        self.assert_close(fault["fields/normal_stress"][0], ANSWER["sigma_n"], "normal stress")
+        for answer in ANSWER["steps"]:
+            step = answer["step"]
+            self.assertEqual((fault["step"][step], volume["step"][step]), (step, step))
+            self.assert_close(fault["fields/alpha"][step], answer["alpha"], f"alpha {step}")
+            for name in ("velocity", "displacement", "acceleration"):
+                self.assert_close(volume["fields/" + name][step],
+                                  numpy.reshape(answer[name], (-1, 2)), f"{name} {step}")
+        rows = asperity_run.table(folder / "steps.csv")
+        self.assertEqual(len(rows), 10)
+        self.assertEqual(sum(row["energy_rises"] for row in rows), 0)
+
+    def assert_close(self, field, answer, name):
+        answer = numpy.array(answer)
+        error = numpy.abs(field - answer).max() / numpy.abs(answer).max()
+        self.assertLess(error, 1e-9, name)
+
+    def test_direct(self):
+        self.check("Direct", 1)
+
+    def test_multigrid(self):
+        self.check("MueLu", 1)
+
+    def test_multigrid_on_two_ranks(self):
+        self.check("MueLu", 2)
+
+
+if __name__ == "__main__":
+    unittest.main()

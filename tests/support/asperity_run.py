@@ -1,0 +1,59 @@
+"""Runs the program `asperity` and reads what it leaves, for the tests written in Python."""
+
+import csv
+import hashlib
+import os
+import pathlib
+import shlex
+import shutil
+import subprocess
+
+import h5py
+
+SOURCE = pathlib.Path(os.environ["ASPERITY_SOURCE_DIR"])
+PROGRAM = pathlib.Path(os.environ["ASPERITY_BUILD_DIR"]) / "drivers" / "asperity"
+MPIEXEC = shlex.split(os.environ["ASPERITY_MPIEXEC"])
+
+
+def command(*arguments, ranks=1):
+    """The program with its arguments, under mpirun for more than one rank."""
+    words = [str(PROGRAM), *map(str, arguments)]
+    return words if ranks == 1 else [*MPIEXEC, str(ranks), *words]
+
+
+def run(*arguments, ranks=1, timeout=60):
+    """A finished run; exit status, stdout and stderr as text."""
+    return subprocess.run(command(*arguments, ranks=ranks), capture_output=True, text=True,
+                          timeout=timeout, check=False)
+
+
+def run_to_end(folder, *arguments, ranks=1, timeout=60):
+    """The folder of a run that must succeed; what it held before is lost."""
+    shutil.rmtree(folder, ignore_errors=True)
+    result = run(*arguments, "--output", folder, ranks=ranks, timeout=timeout)
+    if result.returncode != 0:
+        raise AssertionError(f"exit status {result.returncode}\n{result.stdout}{result.stderr}")
+    return pathlib.Path(folder)
+
+
+def series(file_name):
+    """{name: array} of all datasets of a history, e.g. DIR/fault.h5."""
+    found = {}
+    with h5py.File(file_name) as file:
+        file.visititems(lambda name, item: found.update({name: item[()]})
+                        if isinstance(item, h5py.Dataset) else None)
+    return found
+
+
+def table(file_name):
+    """Rows of a .csv file as {column without its unit: number}."""
+    with open(file_name, newline="") as file:
+        return [{name.split(" [")[0]: float(value) for name, value in row.items()}
+                for row in csv.DictReader(file)]
+
+
+def checksums(folder):
+    """{path: digest} of every file and {path: None} of every folder below."""
+    paths = sorted(pathlib.Path(folder).rglob("*"))
+    return {str(path): hashlib.sha256(path.read_bytes()).hexdigest() if path.is_file() else None
+            for path in paths}

@@ -1,0 +1,328 @@
+#include "fem/Constraints.hpp"
+
+#include "fem/BoundaryNodes.hpp"
+#include "unit/fem/SampleMeshes.hpp"
+
+#include <Eigen/Dense>
+#include <Teuchos_CommHelpers.hpp>
+#include <Tpetra_Vector.hpp>
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+namespace asperity::fem
+{
+using namespace testing;
+
+namespace
+{
+using Condition = VelocityCondition<2>;
+
+// 6 x 4 cells; the vertices of the bottom are 0 ... 6, the lower left corner is 0.
+constexpr int lower_right = 6;
+
+GlobalMesh<2> rectangle(double angle = 0)
+{
+  auto mesh = uniformRectangle(6, 4, 3, 2);
+  rotate(mesh, angle);
+  return mesh;
+}
+
+template <int Dim>
+struct Constrained
+{
+  Constrained(GlobalMesh<Dim> const& whole, std::vector<VelocityCondition<Dim>> const& conditions,
+              int components = Dim, std::vector<double> const& sample_times = {0, 1})
+      : mesh(mesh::distribute(whole, *worldCommunicator()))
+      , dofs(makeDofs(mesh, components, worldCommunicator()))
+      , constraints(mesh, dofs, conditions, sample_times)
+  {
+  }
+
+  using Value = Eigen::Matrix<double, Dim, 1>;
+
+  Value row(int node, int r) const
+  {
+    Value result;
+    for (int c = 0; c < Dim; ++c) {
+      result[c] = constraints.frames().entry(node, r, c);
+    }
+    return result;
+  }
+
+  bool fixed(int node, int component) const
+  {
+    return constraints.fixed()[dofs.dof(node, component)] != 0;
+  }
+
+  // The prescribed velocity of an owned node along the axes.
+  Value velocity(int node, double t) const
+  {
+    Vector v(dofs.owned());
+    v.putScalar(77);
+    constraints.prescribedVelocity(t, v);
+    auto const values = v.getLocalViewHost(Tpetra::Access::ReadOnly);
+    Value local, along_axes;
+    for (int c = 0; c < Dim; ++c) {
+      local[c] = values(dofs.dof(node, c), 0);
+    }
+    constraints.frames().fromFrame(node, local.data(), along_axes.data());
+    return along_axes;
+  }
+
+  // The local number of an owned vertex, -1 if it is another rank's.
+  int owned(GlobalOrdinal id) const
+  {
+    for (int node = 0; node < mesh.num_owned; ++node) {
+      if (mesh.global_ids[node] == id) {
+        return node;
+      }
+    }
+    return -1;
+  }
+
+  Mesh<Dim> mesh;
+  DofMap dofs;
+  Constraints<Dim> constraints;
+};
+
+int sumOverRanks(int mine)
+{
+  int all = 0;
+  Teuchos::reduceAll(*worldCommunicator(), Teuchos::REDUCE_SUM, mine, Teuchos::outArg(all));
+  return all;
+}
+
+bool oneRank() { return worldCommunicator()->getSize() == 1; }
+} // namespace
+
+TEST(Constraints, layTheFramesAlongADippingBoundaryOnOwnedNodesAndGhosts)
+{
+  const double angle = -0.3;
+  const Constrained<2> body(rectangle(angle), {Condition{"Contact", "bottom", {}, {}}});
+  const Eigen::Vector2d tangent(std::cos(angle), std::sin(angle));
+  const Eigen::Vector2d inward(-std::sin(angle), std::cos(angle));
+  int num_ghosts_of_contact = 0;
+  for (int node = 0; node < body.dofs.numLocalNodes(); ++node) {
+    const bool contact = body.mesh.global_ids[node] <= lower_right;
+    num_ghosts_of_contact += contact && node >= body.mesh.num_owned;
+    auto const first = contact ? tangent : Eigen::Vector2d::UnitX();
+    auto const last = contact ? inward : Eigen::Vector2d::UnitY();
+    EXPECT_LE((body.row(node, 0) - first).norm(), 1e-14);
+    EXPECT_LE((body.row(node, 1) - last).norm(), 1e-14);
+    EXPECT_FALSE(body.fixed(node, 0));
+    EXPECT_EQ(body.fixed(node, 1), contact);
+  }
+  EXPECT_TRUE(oneRank() || sumOverRanks(num_ghosts_of_contact) > 0);
+}
+
+TEST(Constraints, takeTheNormalsOfTheBoundaryNodesWhereItBends)
+{
+  auto whole = rectangle();
+  for (auto& x : whole.vertices) {
+    x[1] += 0.3 * std::sin(1.7 * x[0]) * (1 - x[1] / 2);
+  }
+  const Constrained<2> body(whole, {Condition{"Contact", "bottom", {}, {}}});
+  auto const bottom = boundaryNodes(body.mesh, "bottom", *worldCommunicator());
+  for (std::size_t i = 0; i < bottom.nodes.size(); ++i) {
+    const Eigen::Vector2d outward(bottom.normals[i].data());
+    EXPECT_LE((body.row(bottom.nodes[i], 1) + outward).norm(), 1e-14);
+    EXPECT_NEAR(body.row(bottom.nodes[i], 0).dot(outward), 0, 1e-14);
+  }
+}
+
+TEST(Constraints, keepTheAxesWhereDirectionsAreAxes)
+{
+  const Constrained<2> body(
+    rectangle(),
+    {Condition{"Contact", "bottom", {}, {}},
+     Condition{"Push", "right", {-5, 0}, [](auto const&, double t) { return 3 * t; }}});
+  for (int node = 0; node < body.mesh.num_owned; ++node) {
+    const bool on_right = body.mesh.global_ids[node] % (lower_right + 1) == lower_right;
+    EXPECT_EQ(body.constraints.frames().frame(node), NodalFrames::identity(2));
+    EXPECT_EQ(body.fixed(node, 0), on_right);
+    EXPECT_EQ(body.fixed(node, 1), body.mesh.global_ids[node] <= lower_right);
+    EXPECT_EQ(body.velocity(node, 2), Eigen::Vector2d(on_right ? -6 : 0, 0));
+  }
+}
+
+TEST(Constraints, followPlaceAndTimeAndLeaveFreeDofsZero)
+{
+  const Constrained<2> body(rectangle(),
+                            {Condition{"Push", "right", {1, 0}, [](Point<2> const& x, double t) {
+                                         return 2 * x[1] + std::sin(t);
+                                       }}});
+  for (double t : {0., 0.3, 1e9}) {
+    for (int node = 0; node < body.mesh.num_owned; ++node) {
+      auto const v = body.velocity(node, t);
+      auto const& x = body.mesh.vertices[node];
+      EXPECT_DOUBLE_EQ(v[0], body.fixed(node, 0) ? 2 * x[1] + std::sin(t) : 0);
+      EXPECT_EQ(v[1], 0);
+    }
+  }
+}
+
+TEST(Constraints, fixBothDirectionsOfACorner)
+{
+  const double angle = 0.5;
+  const Constrained<2> body(
+    rectangle(angle),
+    {Condition{"Contact", "bottom", {}, {}},
+     Condition{"Backstop", "right", {std::cos(angle), std::sin(angle)}, [](auto const&, double) {
+                 return 2.;
+               }}});
+  const int node = body.owned(lower_right);
+  if (node >= 0) {
+    EXPECT_TRUE(body.fixed(node, 0) && body.fixed(node, 1));
+    const Eigen::Vector2d inward(-std::sin(angle), std::cos(angle));
+    EXPECT_LE((body.row(node, 1) - inward).norm(), 1e-14);
+    EXPECT_LE(
+      (body.velocity(node, 0) - 2 * Eigen::Vector2d(std::cos(angle), std::sin(angle))).norm(),
+      1e-14);
+  }
+}
+
+TEST(Constraints, meetTwoObliqueConditionsExactly)
+{
+  const Eigen::Vector2d d1 = Eigen::Vector2d(1, 2).normalized();
+  const Eigen::Vector2d d2 = Eigen::Vector2d(3, -1).normalized();
+  auto const v1 = [](auto const&, double t) { return 1 + t; };
+  auto const v2 = [](auto const&, double t) { return 5 - 3 * t; };
+  // The third lies between the others and agrees with them.
+  const Eigen::Vector2d sum = d1 + d2;
+  auto const v3 = [&](auto const& x, double t) { return (v1(x, t) + v2(x, t)) / sum.norm(); };
+  const Constrained<2> body(rectangle(), {Condition{"One", "bottom", {1, 2}, v1},
+                                          Condition{"Two", "right", {3, -1}, v2},
+                                          Condition{"Three", "right", {sum[0], sum[1]}, v3}});
+  for (double t : {0., 1., 7.}) {
+    for (int node = 0; node < body.mesh.num_owned; ++node) {
+      const GlobalOrdinal id = body.mesh.global_ids[node];
+      auto const v = body.velocity(node, t);
+      const Point<2> x{};
+      if (id <= lower_right) {
+        EXPECT_LE((body.row(node, 1) - d1).norm(), 1e-14);
+        EXPECT_NEAR(v.dot(d1), v1(x, t), 1e-14);
+      }
+      if (id % (lower_right + 1) == lower_right) {
+        EXPECT_NEAR(v.dot(d2), v2(x, t), 1e-13);
+        EXPECT_TRUE(body.fixed(node, 0) && body.fixed(node, 1));
+      }
+    }
+  }
+}
+
+TEST(Constraints, meetThreeObliqueConditionsInSpace)
+{
+  const std::vector<Eigen::Vector3d> d = {
+    {1 / 3., 2 / 3., 2 / 3.}, {0.6, 0, -0.8}, {0, 5 / 13., 12 / 13.}};
+  auto const constant = [](double value) { return [value](auto const&, double) { return value; }; };
+  const Constrained<3> body(uniformCube(2),
+                            {VelocityCondition<3>{"A", "bottom", {1, 2, 2}, constant(3)},
+                             VelocityCondition<3>{"B", "sides", {3, 0, -4}, constant(-2)},
+                             VelocityCondition<3>{"C", "sides", {0, 5, 12}, constant(0.5)}});
+  for (int node = 0; node < body.dofs.numLocalNodes(); ++node) {
+    auto const& x = body.mesh.vertices[node];
+    const bool side = x[0] == 0 || x[0] == 1 || x[1] == 0 || x[1] == 1;
+    const bool bottom = x[2] == 0;
+    Eigen::Matrix3d frame;
+    int num_fixed = 0;
+    for (int r = 0; r < 3; ++r) {
+      frame.row(r) = body.row(node, r);
+      num_fixed += body.fixed(node, r);
+    }
+    EXPECT_LE((frame * frame.transpose() - Eigen::Matrix3d::Identity()).norm(), 1e-14);
+    EXPECT_EQ(num_fixed, 2 * side + bottom);
+    if (bottom) {
+      EXPECT_LE((body.row(node, 2) - d[0]).norm(), 1e-14);
+    }
+    if (node < body.mesh.num_owned) {
+      auto const v = body.velocity(node, 0);
+      EXPECT_TRUE(!bottom || std::abs(v.dot(d[0]) - 3) <= 1e-13) << v;
+      EXPECT_TRUE(!side || std::abs(v.dot(d[1]) + 2) <= 1e-13) << v;
+      EXPECT_TRUE(!side || std::abs(v.dot(d[2]) - 0.5) <= 1e-13) << v;
+    }
+  }
+}
+
+TEST(Constraints, acceptConditionsThatSayTheSame)
+{
+  auto const forward = [](auto const& x, double t) { return x[0] + t; };
+  auto const backward = [](auto const& x, double t) { return -x[0] - t; };
+  const Constrained<2> body(rectangle(), {Condition{"One", "bottom", {1, 0}, forward},
+                                          Condition{"Two", "right", {-1, 0}, backward}});
+  const int node = body.owned(lower_right);
+  if (node >= 0) {
+    EXPECT_DOUBLE_EQ(body.velocity(node, 2)[0], 5);
+    EXPECT_FALSE(body.fixed(node, 1));
+  }
+}
+
+TEST(Constraints, refuseConditionsThatContradictEachOther)
+{
+  if (!oneRank()) {
+    GTEST_SKIP() << "only the rank of the node refuses it";
+  }
+  auto const speed = [](double value) { return [value](auto const&, double) { return value; }; };
+  expectInputError(
+    [&] {
+      Constrained<2>(rectangle(), {Condition{"Conditions / Pull", "bottom", {1, 0}, speed(1)},
+                                   Condition{"Conditions / Push", "right", {1, 0}, speed(2)}});
+    },
+    {"Conditions / Pull", "'bottom'", "Conditions / Push", "'right'", "(3, 0)"});
+  // Oblique conditions that agree with the first alone, but not with both.
+  expectInputError(
+    [&] {
+      Constrained<2>(rectangle(), {Condition{"One", "bottom", {1, 0}, speed(1)},
+                                   Condition{"Two", "bottom", {0, 1}, speed(1)},
+                                   Condition{"Three", "right", {1, 1}, speed(1)}});
+    },
+    {"One", "Three", "contradicts"});
+}
+
+TEST(Constraints, refuseContradictionsThatComeLater)
+{
+  if (!oneRank()) {
+    GTEST_SKIP() << "only the rank of the node refuses it";
+  }
+  auto const later = [](auto const&, double t) { return t < 10 ? 0. : 1.; };
+  auto const make = [&](std::vector<double> const& times) {
+    Constrained<2>(
+      rectangle(),
+      {Condition{"Rest", "bottom", {1, 0}, {}}, Condition{"Push", "right", {1, 0}, later}}, 2,
+      times);
+  };
+  EXPECT_NO_THROW(make({0, 9}));
+  expectInputError([&] { make({0, 9, 20}); }, {"Rest", "Push", "t = 20 s"});
+}
+
+TEST(Constraints, refuseWhatIsNoBoundaryOrNoDirection)
+{
+  if (!oneRank()) {
+    GTEST_SKIP() << "said once";
+  }
+  expectInputError(
+    [] {
+      Constrained<2>(rectangle(), {Condition{"Wall", "botom", {}, {}}});
+    },
+    {"Wall", "'botom'"});
+  expectInputError(
+    [] {
+      Constrained<2>(rectangle(), {Condition{"Wall", "bottom", {0, 0}, {}}});
+    },
+    {"Wall", "direction"});
+}
+
+TEST(Constraints, ofAntiplaneMotionHaveOneDirection)
+{
+  const Constrained<2> body(
+    rectangle(), {Condition{"Push", "right", {-1}, [](auto const&, double) { return 2.; }}}, 1);
+  Vector v(body.dofs.owned());
+  body.constraints.prescribedVelocity(0, v);
+  auto const values = v.getLocalViewHost(Tpetra::Access::ReadOnly);
+  for (int node = 0; node < body.mesh.num_owned; ++node) {
+    const bool on_right = body.mesh.global_ids[node] % (lower_right + 1) == lower_right;
+    EXPECT_EQ(body.fixed(node, 0), on_right);
+    EXPECT_EQ(values(node, 0), on_right ? -2 : 0);
+  }
+}
+} // namespace asperity::fem

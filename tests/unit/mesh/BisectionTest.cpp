@@ -1,0 +1,86 @@
+#include "MeshSamples.hpp"
+
+#include "mesh/Bisection.hpp"
+#include "mesh/MeshQuality.hpp"
+
+using namespace asperity;
+using namespace asperity::mesh;
+
+namespace
+{
+GlobalMesh<2> closedSquare()
+{
+  auto mesh = square();
+  mesh.boundaries["left"] = {{3, 0}};
+  mesh.boundaries["right"] = {{1, 2}};
+  return mesh;
+}
+} // namespace
+
+TEST(Bisection, LeavesAMeshThatIsFineEnough)
+{
+  const auto mesh = bisect(closedSquare(), [](Triangle const&) { return 1.5; });
+  EXPECT_EQ(mesh.cells.size(), 2u);
+  EXPECT_EQ(mesh.vertices.size(), 4u);
+}
+
+// Halving a right isosceles triangle twice halves its diameter: 2^k cells of diameter sqrt(2)
+// 2^(-k/2).
+TEST(Bisection, RefinesUniformly)
+{
+  for (int k = 0; k < 7; ++k) {
+    const double wanted = std::sqrt(2.0) * std::pow(2.0, -0.5 * k);
+    const auto mesh = bisect(closedSquare(), [&](Triangle const&) { return 1.001 * wanted; });
+    EXPECT_EQ(mesh.cells.size(), std::size_t(2) << k);
+    EXPECT_NEAR(cellSizes(mesh).smallest_diameter, wanted, 1e-14);
+    EXPECT_NEAR(cellSizes(mesh).largest_diameter, wanted, 1e-14);
+    expectConforming(mesh);
+  }
+}
+
+TEST(Bisection, FollowsTheSizeFunctionAndStaysConforming)
+{
+  const Point<2> spot = {0.3, 0.1};
+  const auto allowed = [&](Triangle const& cell) {
+    return 1e-3 + 0.3 * distance<2>(centroid(cell), spot);
+  };
+  const auto mesh = bisect(closedSquare(), allowed);
+  expectConforming(mesh);
+  for (auto const& cell : mesh.cells) {
+    const auto triangle = corners<2>(mesh.vertices, cell);
+    EXPECT_LE(longestEdge(triangle), allowed(triangle));
+  }
+  EXPECT_NEAR(measureOf(mesh, 0), 0.5, 1e-14);
+  EXPECT_NEAR(measureOf(mesh, 1), 0.5, 1e-14);
+  EXPECT_NEAR(cellSizes(mesh).smallest_angle, std::atan(1.0), 1e-12);
+  EXPECT_LT(cellSizes(mesh).smallest_diameter, 1e-3);
+  EXPECT_LT(mesh.cells.size(), 2000u); // of 4 million without grading
+}
+
+// The longest edges of these cells do not match across the edges they share, for which a recursive
+// bisection could run in circles.
+TEST(Bisection, EndsWhateverTheFirstCells)
+{
+  GlobalMesh<2> fan;
+  fan.vertices = {{0.0, 0.0}, {1.0, 0.1}, {0.3, 1.3}, {-0.9, 0.4}, {-0.2, -1.1}};
+  fan.cells = {{0, 1, 2}, {0, 2, 3}, {0, 3, 4}, {0, 4, 1}};
+  fan.cell_regions = {0, 0, 0, 0};
+  fan.region_names = {"body"};
+  fan.boundaries = {{"rim", {{1, 2}, {2, 3}, {3, 4}, {4, 1}}}};
+  const auto mesh = bisect(fan, [](Triangle const& cell) {
+    return 0.01 + 0.2 * distance<2>(centroid(cell), {0.0, 0.0});
+  });
+  expectConforming(mesh);
+  EXPECT_NEAR(measureOf(mesh, 0), measureOf(fan, 0), 1e-13);
+  EXPECT_LT(cellSizes(mesh).smallest_diameter, 0.01);
+  EXPECT_GT(cellSizes(mesh).smallest_angle, 0.2 * cellSizes(fan).smallest_angle);
+}
+
+TEST(Bisection, GivesTheSameMeshAgain)
+{
+  const auto size = [](Triangle const& cell) { return 0.01 + 0.1 * centroid(cell)[0]; };
+  const auto first = bisect(square(), size), second = bisect(square(), size);
+  EXPECT_EQ(first.vertices, second.vertices);
+  EXPECT_EQ(first.cells, second.cells);
+  EXPECT_EQ(first.boundaries, second.boundaries);
+}

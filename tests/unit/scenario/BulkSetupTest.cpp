@@ -1,0 +1,140 @@
+#include "scenario/BulkSetup.hpp"
+
+#include "SampleDeck.hpp"
+#include "unit/base/Refusal.hpp"
+
+namespace asperity::scenario
+{
+using namespace test;
+using asperity::test::array;
+using asperity::test::expectParts;
+using asperity::test::refusal;
+
+namespace
+{
+constexpr double shear = 1e6;                                                 // Pa
+constexpr double bulk = 2.5e6;                                                // Pa
+constexpr double poisson = (3 * bulk - 2 * shear) / (2 * (3 * bulk + shear)); // of both
+
+// The list `Bulk` of a deck that gives these elastic constants alone, then changed.
+ParameterList bulkList(
+  std::vector<std::pair<char const*, double>> const& constants,
+  std::function<void(ParameterList&)> const& change = [](auto&) {})
+{
+  return completeDeck([&](ParameterList& deck) {
+           auto& list = deck.sublist("Bulk");
+           list.remove("Shear Modulus");
+           list.remove("Bulk Modulus");
+           for (auto const& [name, value] : constants) {
+             list.set(name, value);
+           }
+           change(list);
+         })
+    .sublist("Bulk");
+}
+
+void beAntiplane(ParameterList& list)
+{
+  list.set("Model", "Antiplane").set("Gravitational Acceleration", 0.);
+}
+} // namespace
+
+TEST(BulkSetup, findsTheModuliFromAnyTwo)
+{
+  const auto mesh = twoRegions();
+  using Constants = std::vector<std::pair<char const*, double>>;
+  for (auto const& constants :
+       {Constants{{"Bulk Modulus", bulk}, {"Shear Modulus", shear}},
+        Constants{{"Bulk Modulus", bulk}, {"Poisson's Ratio", poisson}},
+        Constants{{"Shear Modulus", shear}, {"Poisson's Ratio", poisson}}}) {
+    const auto materials = makeMaterials(bulkList(constants), mesh);
+    ASSERT_EQ(materials.size(), mesh.cells.size());
+    for (auto const& material : materials) {
+      EXPECT_NEAR(material.bulk_modulus, bulk, 1e-9 * bulk);
+      EXPECT_NEAR(material.shear_modulus, shear, 1e-9 * shear);
+      EXPECT_EQ(material.density, 1000);
+      EXPECT_EQ(material.shear_viscosity, 0);
+    }
+  }
+}
+
+TEST(BulkSetup, wantsExactlyTwoModuli)
+{
+  const auto mesh = twoRegions();
+  const auto message = [&mesh](auto const& constants) {
+    return refusal([&] { makeMaterials(bulkList(constants), mesh); });
+  };
+  using Constants = std::vector<std::pair<char const*, double>>;
+  expectParts(message(Constants{}), {"Asperity / Bulk", "0 of", "exactly two"});
+  expectParts(message(Constants{{"Shear Modulus", shear}}), {"Asperity / Bulk", "1 of"});
+  expectParts(message(Constants{
+                {"Shear Modulus", shear}, {"Bulk Modulus", bulk}, {"Poisson's Ratio", poisson}}),
+              {"3 of", "'Poisson's Ratio'"});
+}
+
+TEST(BulkSetup, needsTheShearModulusAloneInAntiplane)
+{
+  const auto mesh = twoRegions();
+  const auto alone = bulkList({{"Shear Modulus", shear}}, beAntiplane);
+  EXPECT_EQ(displacementComponents(alone), 1);
+  EXPECT_EQ(makeMaterials(alone, mesh).front().shear_modulus, shear);
+  const auto others = bulkList({{"Bulk Modulus", bulk}, {"Poisson's Ratio", poisson}}, beAntiplane);
+  EXPECT_NEAR(makeMaterials(others, mesh).front().shear_modulus, shear, 1e-9 * shear);
+  expectParts(refusal([&] {
+                makeMaterials(bulkList({{"Bulk Modulus", bulk}}, beAntiplane), mesh);
+              }),
+              {"Asperity / Bulk", "1 of", "or the shear modulus alone"});
+}
+
+TEST(BulkSetup, evaluatesFieldsByRegionAndPlace)
+{
+  const auto mesh = twoRegions();
+  const auto list =
+    bulkList({{"Bulk Modulus", bulk}, {"Shear Modulus", shear}}, [](ParameterList& given) {
+      given.remove("Density");
+      given.sublist("Density").set("left", 900.).set("right", 1100.);
+      given.set("Bulk Viscosity", "1 + x");
+    });
+  const auto materials = makeMaterials(list, mesh);
+  for (std::size_t cell = 0; cell < materials.size(); ++cell) {
+    double x = 0;
+    for (int vertex : mesh.cells[cell]) {
+      x += mesh.vertices[vertex][0] / 3;
+    }
+    EXPECT_EQ(materials[cell].density, x < 1 ? 900 : 1100);
+    EXPECT_NEAR(materials[cell].bulk_viscosity, 1 + x, 1e-14);
+  }
+}
+
+TEST(BulkSetup, refusesFieldsThatLeaveTheirRangeSomewhere)
+{
+  const auto mesh = twoRegions();
+  const auto list = bulkList({{"Bulk Modulus", bulk}, {"Shear Modulus", shear}},
+                             [](ParameterList& given) { given.set("Density", "1.5 - x"); });
+  expectParts(refusal([&] { makeMaterials(list, mesh); }),
+              {"Asperity / Bulk / Density", "outside (0, inf)", "x"});
+}
+
+TEST(BulkSetup, pointsGravityAnyWay)
+{
+  const auto list = bulkList({}, [](ParameterList& given) {
+    given.set("Gravity Direction", array<double>({3, -4}));
+  });
+  EXPECT_NEAR(gravity(list)[0], 6, 1e-14);
+  EXPECT_NEAR(gravity(list)[1], -8, 1e-14);
+  EXPECT_EQ(gravity(bulkList({})), (std::array<double, 2>{0, -10}));
+}
+
+TEST(BulkSetup, refusesGravityThatMakesNoSense)
+{
+  for (auto const& direction : {std::vector<double>{0, 0}, {1}, {1, 2, 3}, {}}) {
+    const auto list =
+      bulkList({}, [&](ParameterList& given) { given.set("Gravity Direction", array(direction)); });
+    expectParts(refusal([&] { gravity(list); }), {"Asperity / Bulk / Gravity Direction"});
+  }
+  const auto antiplane =
+    bulkList({}, [](ParameterList& given) { given.set("Model", "Antiplane"); });
+  expectParts(refusal([&] { gravity(antiplane); }),
+              {"Asperity / Bulk / Gravitational Acceleration = 10", "antiplane"});
+}
+} // namespace asperity::scenario

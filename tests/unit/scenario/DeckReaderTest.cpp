@@ -1,0 +1,189 @@
+#include "scenario/DeckReader.hpp"
+
+#include "SampleDeck.hpp"
+#include "friction/Registration.hpp"
+#include "friction/Registry.hpp"
+#include "friction/laws/AgeingLaw.hpp"
+#include "io/Output.hpp"
+#include "unit/base/Refusal.hpp"
+
+namespace asperity::scenario
+{
+using namespace test;
+using asperity::test::expectParts;
+using asperity::test::refusal;
+using asperity::test::TemporaryDirectory;
+
+namespace
+{
+// Somebody else's law, with a parameter that no other law has.
+struct SlowAgeingLaw
+{
+  static constexpr char const* name = "Slow Ageing";
+  static constexpr friction::Parameter parameters[] = {
+    {"L", "m", friction::no_default, 0, friction::infinity, false, false, "Slip distance."},
+    friction::reference_slip_rate,
+    {"Delay", "s", 7, 0, 100, true, false, "How late it is."}};
+
+  friction::AgeingLaw ageing;
+
+  KOKKOS_INLINE_FUNCTION static SlowAgeingLaw load(friction::ParameterView const& table, int node)
+  {
+    return {friction::AgeingLaw::load(table, node)};
+  }
+  KOKKOS_INLINE_FUNCTION double rate(double V, double alpha) const { return ageing.rate(V, alpha); }
+  KOKKOS_INLINE_FUNCTION double flow(double V, double dt, double alpha0) const
+  {
+    return ageing.flow(V, dt, alpha0);
+  }
+  KOKKOS_INLINE_FUNCTION double steadyState(double V) const { return ageing.steadyState(V); }
+};
+} // namespace
+} // namespace asperity::scenario
+
+ASPERITY_REGISTER_STATE_LAW(asperity::scenario::SlowAgeingLaw)
+
+namespace asperity::scenario
+{
+using Names = std::vector<std::string>;
+
+TEST(Registries, holdWhatThePackagesBring)
+{
+  EXPECT_EQ(friction::frictionLawNames(), (Names{"Regularised", "Truncated"}));
+  EXPECT_EQ(friction::stateLawNames(), (Names{"Ageing", "Slip", "Slow Ageing"}));
+  EXPECT_EQ(io::OutputRegistry::instance().names(),
+            (Names{"Event Catalogue", "Fault History", "Step Table", "Surface History",
+                   "Volume Snapshots"}));
+}
+
+TEST(DeckReader, completesADeckWithItsDefaults)
+{
+  const auto deck = completeDeck();
+  EXPECT_EQ(deck.sublist("Friction").get<std::string>("Law"), "Regularised");
+  EXPECT_EQ(deck.sublist("Friction").get<std::string>("State Evolution"), "Ageing");
+  EXPECT_EQ(deck.sublist("Friction").get<double>("Reference Slip Rate"), 1e-6);
+  EXPECT_EQ(deck.sublist("Friction").get<double>("Reference Friction Coefficient"), 0.6);
+  EXPECT_EQ(deck.sublist("Friction").get<double>("Normal Stress Factor"), 1);
+  EXPECT_FALSE(deck.sublist("Friction").isParameter("Normal Stress"));
+  EXPECT_EQ(deck.sublist("Bulk").get<std::string>("Model"), "Plane Strain");
+  EXPECT_EQ(deck.sublist("Bulk").get<double>("Shear Viscosity"), 0);
+  EXPECT_EQ(deck.sublist("Initial State").get<std::string>("Acceleration"), "Balanced");
+  EXPECT_EQ(deck.sublist("Initial State").get<double>("alpha"), 0);
+  auto const& time = deck.sublist("Time Stepping");
+  EXPECT_EQ(time.get<std::string>("Scheme"), "Newmark");
+  EXPECT_EQ(time.sublist("Newmark").get<double>("beta"), 0.25);
+  EXPECT_EQ(time.sublist("Step Doubling").get<double>("Tolerance"), 1e-5);
+  EXPECT_EQ(deck.sublist("Coupling").get<double>("lambda"), 0.5);
+  EXPECT_EQ(deck.sublist("TNNMG").get<std::string>("Linear Correction"), "Auto");
+  EXPECT_GT(deck.sublist("Output").get<int>("Checkpoint Every n Steps"), 0);
+  for (auto const& name : io::OutputRegistry::instance().names()) {
+    EXPECT_TRUE(deck.sublist("Output").sublist(name).isParameter("Enabled")) << name;
+  }
+}
+
+TEST(DeckReader, takesTheParametersOfTheChosenLaws)
+{
+  const auto slow = completeDeck(
+    [](auto& deck) { deck.sublist("Friction").set("State Evolution", "Slow Ageing"); });
+  EXPECT_EQ(slow.sublist("Friction").get<double>("Delay"), 7);
+  EXPECT_FALSE(completeDeck().sublist("Friction").isParameter("Delay"));
+  expectParts(
+    refusal([] { completeDeck([](auto& deck) { deck.sublist("Friction").set("Delay", 1.); }); }),
+    {"Asperity / Friction / Delay", "unknown"});
+  expectParts(refusal([] {
+                completeDeck([](auto& deck) {
+                  deck.sublist("Friction").set("State Evolution", "Slow Ageing").set("Delay", 100.);
+                });
+              }),
+              {"Asperity / Friction / Delay = 100", "[0, 100)"});
+}
+
+TEST(DeckReader, requiresWhatALawRequires)
+{
+  for (char const* name : {"a", "b", "L"}) {
+    expectParts(refusal([name] {
+                  completeDeck([name](auto& deck) { deck.sublist("Friction").remove(name); });
+                }),
+                {std::string("Asperity / Friction / ") + name});
+  }
+  expectParts(
+    refusal([] { completeDeck([](auto& deck) { deck.sublist("Friction").set("a", -0.01); }); }),
+    {"Asperity / Friction / a = -0.01 is outside (0, inf)", "Check the sign"});
+}
+
+namespace
+{
+// The short deck in a file of its own, read as a command line would have it.
+class DeckFile
+{
+public:
+  DeckFile()
+  {
+    line_.deck = directory_.file("deck.xml");
+    writeParameters(shortDeck(), line_.deck);
+  }
+
+  RCP<ParameterList> read(std::vector<std::string> const& overrides,
+                          std::string const& overlay = "")
+  {
+    line_.overrides = overrides;
+    line_.overlays.clear();
+    if (!overlay.empty()) {
+      line_.overlays.push_back(directory_.write("overlay.xml", overlay));
+    }
+    return readCompleteDeck(line_);
+  }
+
+private:
+  TemporaryDirectory directory_;
+  CommandLine line_;
+};
+} // namespace
+
+TEST(DeckReader, appliesOverlaysThenOverrides)
+{
+  DeckFile file;
+  const std::string overlay = R"(<ParameterList name="Asperity">
+    <ParameterList name="Friction">
+      <Parameter name="a" type="double" value="0.02"/>
+      <Parameter name="b" type="double" value="0.03"/>
+    </ParameterList>
+  </ParameterList>)";
+  const auto deck = file.read(
+    {"Friction/State Evolution=Slow Ageing", "Friction/Delay=3", "Friction/b=0.04"}, overlay);
+  auto const& friction = deck->sublist("Friction");
+  EXPECT_EQ(friction.get<double>("a"), 0.02);
+  EXPECT_EQ(friction.get<double>("b"), 0.04);
+  EXPECT_EQ(friction.get<double>("Delay"), 3);
+  EXPECT_EQ(friction.get<double>("L"), 1e-5);
+}
+
+TEST(DeckReader, refusesAnUnknownLawWithTheNearestName)
+{
+  DeckFile file;
+  expectParts(refusal([&] { file.read({"Friction/Law=Regularized"}); }),
+              {"Asperity / Friction / Law", "Regularized", "Did you mean 'Regularised'?"});
+  expectParts(refusal([&] { file.read({"Friction/State Evolution=Aging"}); }),
+              {"Asperity / Friction / State Evolution", "Did you mean 'Ageing'?"});
+}
+
+TEST(DeckReader, fingerprintsAllThatTheSolutionDependsOn)
+{
+  DeckFile file;
+  const auto of = [&](std::vector<std::string> const& overrides) {
+    return fingerprint(*file.read(overrides));
+  };
+  const auto standard = of({});
+  EXPECT_EQ(of({"Time Stepping/Final Time=20"}), standard);
+  EXPECT_EQ(of({"Output/Checkpoint Every n Steps=3"}), standard);
+  EXPECT_EQ(of({"Output/Fault History/Enabled=false"}), standard);
+  EXPECT_EQ(of({"Friction/Law=Regularised"}), standard) << "a default, said aloud";
+  for (char const* change : {"Friction/a=0.010000000000000002", "Friction/State Evolution=Slip",
+                             "Mesh/Rectangle/Width=3", "Bulk/Density=1000*(1+0*x)",
+                             "Boundary Conditions/Left/Type=Fixed", "Initial State/alpha=1",
+                             "Time Stepping/Largest Step=2", "Coupling/Tolerance=1e-6",
+                             "TNNMG/Sweeps=2", "TNNMG/MueLu Correction/MueLu/max levels=3"}) {
+    EXPECT_NE(of({change}), standard) << change;
+  }
+}
+} // namespace asperity::scenario

@@ -1,0 +1,224 @@
+#include "scenario/Problem.hpp"
+
+#include "SampleDeck.hpp"
+#include "dynamics/StepControl.hpp"
+#include "scenario/RunArchive.hpp"
+#include "scenario/TimeSetup.hpp"
+#include "unit/base/Refusal.hpp"
+
+#include <numeric>
+
+namespace asperity::scenario
+{
+using namespace test;
+using asperity::test::array;
+using asperity::test::expectParts;
+using asperity::test::refusal;
+
+namespace
+{
+std::vector<double> valuesOf(friction::NodeView const& view)
+{
+  const auto host = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace(), view);
+  return {host.data(), host.data() + host.extent(0)};
+}
+
+std::vector<double> valuesOf(Vector const& x)
+{
+  const auto view = x.getLocalViewHost(Tpetra::Access::ReadOnly);
+  return {view.data(), view.data() + view.extent(0)};
+}
+
+// A column between two walls, which presses on the fault with its weight.
+ParameterList column(std::function<void(ParameterList&)> const& change = [](auto&) {})
+{
+  return completeDeck([&](ParameterList& deck) {
+    deck.sublist("Boundary Conditions")
+      .sublist("Right")
+      .set("Boundary", "right")
+      .set("Type", "Sliding Wall");
+    change(deck);
+  });
+}
+
+double force(Problem const& problem)
+{
+  const auto pressure = valuesOf(problem.fault.data.sigma_n);
+  const auto weight = valuesOf(problem.fault.data.weight);
+  return std::inner_product(pressure.begin(), pressure.end(), weight.begin(), 0.);
+}
+
+constexpr double column_weight = 1000 * 10 * 4; // N/m: density, gravity, area
+} // namespace
+
+TEST(Problem, pressesOnTheFaultWithTheWeightOfTheBody)
+{
+  const Problem problem(column(), world());
+  EXPECT_EQ(problem.components, 2);
+  EXPECT_EQ(problem.fault.numNodes(), 3);
+  EXPECT_NEAR(problem.fault.total_weight, 2, 1e-14);
+  EXPECT_NEAR(force(problem), column_weight, 1e-9 * column_weight);
+  EXPECT_EQ(problem.fault.fixed, (std::vector<int>{1, 0, 1})) << "the walls hold its ends";
+  EXPECT_TRUE(problem.remarks.empty());
+}
+
+TEST(Problem, multipliesTheNormalStress)
+{
+  const Problem twice(
+    column([](auto& deck) { deck.sublist("Friction").set("Normal Stress Factor", 2.); }), world());
+  EXPECT_NEAR(force(twice), 2 * column_weight, 1e-8 * column_weight);
+  const Problem given(column([](auto& deck) {
+                        deck.sublist("Friction").set("Normal Stress", "100 * (1 + x)");
+                        deck.sublist("Friction").set("Normal Stress Factor", 3.);
+                      }),
+                      world());
+  EXPECT_EQ(valuesOf(given.fault.data.sigma_n), (std::vector<double>{300, 600, 900}));
+}
+
+TEST(Problem, setsATensileReactionToZeroAndSaysSo)
+{
+  const Problem problem(column([](auto& deck) {
+                          deck.sublist("Bulk").set("Gravity Direction", array<double>({0, 1}));
+                        }),
+                        world());
+  EXPECT_EQ(force(problem), 0);
+  ASSERT_EQ(problem.remarks.size(), 1U);
+  expectParts(problem.remarks[0], {"3 fault nodes", "zero"});
+}
+
+TEST(Problem, refusesToGuessANormalStress)
+{
+  expectParts(refusal([] {
+                Problem(column([](auto& deck) {
+                          deck.sublist("Bulk").set("Gravitational Acceleration", 0.);
+                        }),
+                        world());
+              }),
+              {"Asperity / Friction / Normal Stress", "gravity"});
+  expectParts(refusal([] {
+                Problem(column([](auto& deck) {
+                          deck.sublist("Bulk").set("Gravitational Acceleration", 0.);
+                          deck.sublist("Bulk").set("Model", "Antiplane");
+                        }),
+                        world());
+              }),
+              {"Asperity / Friction / Normal Stress", "antiplane"});
+}
+
+TEST(Problem, refusesBoundariesThatTheMeshDoesNotHave)
+{
+  for (char const* condition : {"Fault", "Left"}) {
+    expectParts(
+      refusal([condition] {
+        Problem(column([condition](auto& deck) {
+                  deck.sublist("Boundary Conditions").sublist(condition).set("Boundary", "bottm");
+                }),
+                world());
+      }),
+      {"'bottm'", "boundary"});
+  }
+}
+
+TEST(Problem, startsFromTheVelocityOfTheDeck)
+{
+  const Problem problem(column([](auto& deck) {
+                          auto& initial = deck.sublist("Initial State");
+                          initial.set("Velocity X", "0.1 * x").set("Velocity Y", 0.2);
+                          initial.set("alpha", "x - 1").set("Acceleration", "Zero");
+                        }),
+                        world());
+  std::vector<double> v;
+  problem.alongAxes(*problem.initial.v, v);
+  // Rows of three vertices; the fault has no velocity across it, the walls none along x.
+  EXPECT_EQ(v[2 * 1], 0.1);
+  EXPECT_EQ(v[2 * 1 + 1], 0);
+  EXPECT_EQ(v[2 * 4], 0.1);
+  EXPECT_EQ(v[2 * 4 + 1], 0.2);
+  EXPECT_EQ(v[2 * 5], 0);
+  EXPECT_EQ(valuesOf(problem.initial.alpha), (std::vector<double>{-1, 0, 1}));
+  EXPECT_EQ(problem.initial.a->normInf(), 0);
+}
+
+TEST(Problem, isAtRestInBalance)
+{
+  const Problem problem(column(), world());
+  EXPECT_LE(problem.initial.a->normInf(), 1e-9) << "the static solution does not move";
+  EXPECT_EQ(problem.initial.v->normInf(), 0);
+}
+
+TEST(StepControl, wantsPrescribedLevelsThatExist)
+{
+  const auto control = [](std::vector<int> const& levels) {
+    const auto deck = column([&](auto& given) {
+      auto& time = given.sublist("Time Stepping");
+      time.set("Control", "Prescribed").set("Smallest Step", 0.125);
+      time.sublist("Prescribed").set("Levels", array(levels));
+    });
+    auto const& time = deck.sublist("Time Stepping");
+    const Problem problem(deck, world());
+    const auto clock = makeClock(time);
+    dynamics::StepSolvers solvers(problem.body, problem.fault, makeRateUpdate(time), clock,
+                                  problem.solver, 1000000);
+    dynamics::CoupledStep step(problem.body, problem.fault, makeRateUpdate(time), clock, {},
+                               solvers);
+    return makeStepControl(time, step, problem.fault, clock) != nullptr;
+  };
+  EXPECT_TRUE(control({0, 3, 2}));
+  expectParts(refusal([&] { control({}); }), {"Prescribed / Levels is empty"});
+  expectParts(refusal([&] { control({0, 4}); }), {"Prescribed / Levels: 4", "level 3"});
+  expectParts(refusal([&] { control({-1}); }), {"Prescribed / Levels", "-1"});
+}
+
+TEST(RunArchive, returnsWhatWasSaved)
+{
+  const Problem problem(column(), world());
+  dynamics::ControlMemory memory;
+  memory.level = 3;
+  memory.num_steps = 17;
+  memory.trial = dynamics::Trial{problem.initial.clone(), 5};
+  memory.trial->state.time = 1234567890123456789;
+  memory.trial->state.v->putScalar(1e-300);
+  Kokkos::deep_copy(memory.trial->state.alpha, -0.1);
+  io::Archive archive;
+  save(archive, "control", memory);
+  const auto read = loadControl(archive, "control", problem.initial);
+  EXPECT_EQ(read.level, 3);
+  EXPECT_EQ(read.num_steps, 17);
+  ASSERT_TRUE(read.trial);
+  EXPECT_EQ(read.trial->iterations, 5);
+  EXPECT_EQ(read.trial->state.time, memory.trial->state.time);
+  EXPECT_EQ(valuesOf(*read.trial->state.u), valuesOf(*problem.initial.u));
+  EXPECT_EQ(valuesOf(*read.trial->state.v), valuesOf(*memory.trial->state.v));
+  EXPECT_EQ(valuesOf(read.trial->state.alpha), valuesOf(memory.trial->state.alpha));
+
+  memory.trial.reset();
+  io::Archive without_trial;
+  save(without_trial, "control", memory);
+  EXPECT_FALSE(loadControl(without_trial, "control", problem.initial).trial);
+
+  dynamics::SolveCount count;
+  count.tnnmg_iterations = 7;
+  count.rises = 2;
+  dynamics::Energy energy;
+  energy.friction_work = -0.1;
+  energy.defect = 1e-20;
+  save(archive, "count", count);
+  save(archive, "energy", energy);
+  EXPECT_EQ(loadCount(archive, "count").tnnmg_iterations, 7);
+  EXPECT_EQ(loadCount(archive, "count").rises, 2);
+  EXPECT_EQ(loadEnergy(archive, "energy").friction_work, -0.1);
+  EXPECT_EQ(loadEnergy(archive, "energy").defect, 1e-20);
+}
+
+TEST(RunArchive, refusesTheStateOfAnotherMesh)
+{
+  const Problem problem(column(), world());
+  const Problem finer(
+    column([](auto& deck) { deck.sublist("Mesh").sublist("Rectangle").set("Cells X", 3); }),
+    world());
+  io::Archive archive;
+  save(archive, "state", finer.initial);
+  expectParts(refusal([&] { loadState(archive, "state", problem.initial); }),
+              {"state/u", "18", "24", "another mesh"});
+}
+} // namespace asperity::scenario

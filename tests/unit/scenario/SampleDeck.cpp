@@ -1,0 +1,58 @@
+#include "SampleDeck.hpp"
+
+#include "mesh/Partition.hpp"
+#include "mesh/RectangleMesh.hpp"
+#include "mesh/Regions.hpp"
+#include "scenario/DeckReader.hpp"
+
+#include <Teuchos_DefaultMpiComm.hpp>
+
+namespace asperity::scenario::test
+{
+RCP<const Communicator> world() { return rcp(new Teuchos::MpiComm<int>(MPI_COMM_WORLD)); }
+
+ParameterList shortDeck()
+{
+  ParameterList deck("Asperity");
+  auto& mesh = deck.sublist("Mesh");
+  mesh.set("Type", "Rectangle");
+  mesh.sublist("Rectangle").set("Width", 2.).set("Height", 2.).set("Cells X", 2).set("Cells Y", 2);
+  auto& bulk = deck.sublist("Bulk");
+  bulk.set("Density", 1000.).set("Shear Modulus", 1e6).set("Bulk Modulus", 2e6);
+  bulk.set("Gravitational Acceleration", 10.);
+  auto& friction = deck.sublist("Friction");
+  friction.set("a", 0.01).set("b", 0.015).set("L", 1e-5);
+  auto& conditions = deck.sublist("Boundary Conditions");
+  conditions.sublist("Fault").set("Boundary", "bottom").set("Type", "Friction");
+  conditions.sublist("Left").set("Boundary", "left").set("Type", "Sliding Wall");
+  auto& time = deck.sublist("Time Stepping");
+  time.set("Final Time", 10.).set("Largest Step", 1.).set("Smallest Step", 1e-3);
+  deck.sublist("Output").sublist("Event Catalogue").set("Threshold", 1e-3);
+  return deck;
+}
+
+ParameterList completeDeck(std::function<void(ParameterList&)> const& change)
+{
+  auto deck = shortDeck();
+  change(deck);
+  auto const& friction = deck.sublist("Friction");
+  auto const law = [&friction](char const* name, char const* standard) {
+    return friction.isParameter(name) ? friction.get<std::string>(name) : std::string(standard);
+  };
+  completeAndValidate(
+    deck, *deckParameters(law("Law", "Regularised"), law("State Evolution", "Ageing")), "Asperity");
+  return deck;
+}
+
+Mesh<2> twoRegions()
+{
+  mesh::RectangleShape shape;
+  shape.width = 2;
+  shape.cells_x = 4;
+  auto whole = mesh::rectangleMesh(shape);
+  const mesh::RegionCondition<2> left = {"left", [](Point<2> const& x) { return x[0] < 1; }};
+  const mesh::RegionCondition<2> right = {"right", [](Point<2> const& x) { return x[0] > 1; }};
+  mesh::overrideRegions<2>(whole, {left, right});
+  return mesh::distribute(whole, *world());
+}
+} // namespace asperity::scenario::test

@@ -1,0 +1,113 @@
+#include "scenario/SolverSetup.hpp"
+
+#include "SampleDeck.hpp"
+#include "scenario/TimeSetup.hpp"
+#include "unit/base/Refusal.hpp"
+
+namespace asperity::scenario
+{
+using namespace test;
+using asperity::test::expectParts;
+using asperity::test::refusal;
+using dynamics::Correction;
+
+namespace
+{
+ParameterList timeList(std::function<void(ParameterList&)> const& change)
+{
+  return completeDeck([&](ParameterList& deck) { change(deck.sublist("Time Stepping")); })
+    .sublist("Time Stepping");
+}
+
+ParameterList steps(double largest, double smallest, double end = 10)
+{
+  return timeList([&](ParameterList& list) {
+    list.set("Largest Step", largest).set("Smallest Step", smallest).set("Final Time", end);
+  });
+}
+
+ParameterList beta(double value, double limit = 0)
+{
+  return timeList([&](ParameterList& list) {
+    list.sublist("Newmark").set("beta", value).set("Stability Limit", limit);
+  });
+}
+
+ParameterList solverList(std::string const& correction)
+{
+  return completeDeck(
+           [&](ParameterList& deck) { deck.sublist("TNNMG").set("Linear Correction", correction); })
+    .sublist("TNNMG");
+}
+} // namespace
+
+TEST(TimeSetup, dividesTheLargestStepByPowersOfTwo)
+{
+  const auto clock = makeClock(steps(4, 1e-7));
+  EXPECT_EQ(clock.stepSize(0), 4);
+  EXPECT_LE(clock.stepSize(clock.finestLevel()), 1e-7);
+  EXPECT_GT(clock.stepSize(clock.finestLevel() - 1), 1e-7);
+  EXPECT_EQ(makeClock(steps(4, 4)).finestLevel(), 0);
+  EXPECT_EQ(makeClock(steps(0.3, 0.3 / 1024)).finestLevel(), 10) << "an exact fraction";
+}
+
+TEST(TimeSetup, refusesStepsThatCannotBeCounted)
+{
+  expectParts(refusal([] { makeClock(steps(1, 2)); }),
+              {"Asperity / Time Stepping / Smallest Step = 2", "larger than the largest"});
+  expectParts(refusal([] { makeClock(steps(1, 1e-20)); }), {"Smallest Step = 1e-20", "2^60"});
+  expectParts(refusal([] { makeClock(steps(1, 1e-12, 1e8)); }),
+              {"Asperity / Time Stepping / Final Time = 1e+08", "'Smallest Step'"});
+  expectParts(refusal([] { steps(1, 0); }), {"Smallest Step = 0 is outside (0, inf)"});
+  expectParts(refusal([] { steps(-1, 1); }), {"Largest Step = -1 is outside (0, inf)"});
+  expectParts(refusal([] { steps(1, 1, 0); }), {"Final Time = 0 is outside (0, inf)"});
+}
+
+TEST(TimeSetup, choosesTheScheme)
+{
+  const auto newmark = makeRateUpdate(beta(0.3));
+  EXPECT_EQ(newmark.name, "Newmark");
+  EXPECT_EQ(newmark.mass_weight, 2);
+  EXPECT_NEAR(newmark.stiffness_weight, 0.6, 1e-15);
+  const auto euler =
+    makeRateUpdate(timeList([](auto& list) { list.set("Scheme", "Backward Euler"); }));
+  EXPECT_EQ(euler.mass_weight, 1);
+  EXPECT_EQ(euler.stiffness_weight, 1);
+}
+
+TEST(TimeSetup, wantsALimitWhereNewmarkIsConditionallyStable)
+{
+  expectParts(refusal([] { makeRateUpdate(beta(0.2)); }),
+              {"Asperity / Time Stepping / Newmark / beta = 0.2", "'Stability Limit'", "0.25"});
+  expectParts(refusal([] { makeRateUpdate(beta(0.2, 0.5)); }),
+              {"Largest Step = 1", "stability limit of 0.5 s", "beta = 0.2"});
+  EXPECT_NEAR(makeRateUpdate(beta(0.2, 1)).stiffness_weight, 0.4, 1e-15);
+  for (double outside : {-0.1, 0.51}) {
+    expectParts(refusal([&] { beta(outside); }), {"Newmark / beta", "[0, 0.5]"});
+  }
+}
+
+TEST(SolverSetup, choosesTheCorrection)
+{
+  const auto choice = [](std::string const& name, int ranks, long long unknowns) {
+    return makeSolverSettings(solverList(name), ranks, unknowns).correction;
+  };
+  EXPECT_EQ(choice("Auto", 1, 10000), Correction::direct);
+  EXPECT_EQ(choice("Auto", 1, 10000000), Correction::multigrid);
+  EXPECT_EQ(choice("Auto", 2, 10000), Correction::multigrid);
+  EXPECT_EQ(choice("Direct", 1, 10000000), Correction::direct);
+  EXPECT_EQ(choice("MueLu", 1, 10), Correction::multigrid);
+  expectParts(refusal([&] { choice("Direct", 2, 10); }),
+              {"Asperity / TNNMG / Linear Correction = Direct", "not on 2", "MueLu"});
+}
+
+TEST(SolverSetup, readsTolerancesAndBudget)
+{
+  auto list = solverList("Auto");
+  list.set("Absolute Tolerance", 3e-7).set("Maximum Iterations", 4).set("Memory Budget", 12.5);
+  const auto settings = makeSolverSettings(list, 1, 10);
+  EXPECT_EQ(settings.tnnmg.absolute_tolerance, 3e-7);
+  EXPECT_EQ(settings.tnnmg.max_iterations, 4);
+  EXPECT_EQ(memoryBudget(list), 12500000U);
+}
+} // namespace asperity::scenario

@@ -1,0 +1,143 @@
+#include "tnnmg/DenseCorrection.hpp"
+
+#include "FaultState.hpp"
+
+#include <Tpetra_CrsMatrix.hpp>
+#include <Tpetra_Map.hpp>
+#include <Tpetra_Vector.hpp>
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+namespace asperity::tnnmg
+{
+using namespace testing;
+
+namespace
+{
+constexpr double tolerance = 1e-9;
+
+// Small enough to be dense as a whole; nothing in it is held by constraints of its own.
+ElasticModel modelWith(int tangents)
+{
+  ElasticModelOptions options;
+  options.cells_x = 9;
+  options.cells_y = 3;
+  options.tau = 1;
+  options.tangents = tangents;
+  return ElasticModel(options);
+}
+
+// The residual, where nothing may be read not a number.
+Vector residual(ElasticModel const& model, FaultState const& state)
+{
+  auto r = pseudorandomVector(static_cast<int>(model.global.rows()), 5);
+  for (std::size_t node = 0; node < state.truncated.size(); ++node) {
+    for (int row : model.nonlinear[node]) {
+      r(row) = state.truncated[node] ? std::nan("") : r(row);
+    }
+  }
+  return model.scatter(r);
+}
+
+struct Answer
+{
+  CorrectionResult result;
+  double error = 0; // of the residual, relative
+};
+
+Answer solve(DenseCorrection& correction, ElasticModel const& model, FaultState const& state)
+{
+  Vector c(model.map);
+  c.putScalar(std::nan("")); // to be overwritten
+  Answer answer;
+  answer.result = correction.solve(state.blocks(model), residual(model, state), tolerance, c);
+  const auto solution = model.gather(c);
+  const int size = static_cast<int>(model.global.rows());
+  auto r = pseudorandomVector(size, 5);
+  for (std::size_t node = 0; node < state.truncated.size(); ++node) {
+    for (int row : model.nonlinear[node]) {
+      if (state.truncated[node]) {
+        EXPECT_EQ(solution(row), 0);
+        r(row) = 0;
+      }
+    }
+  }
+  answer.error = (r - state.matrix(model) * solution).norm() / r.norm();
+  return answer;
+}
+} // namespace
+
+TEST(DenseCorrection, solvesWithHessiansAndTruncation)
+{
+  for (int tangents : {1, 2}) {
+    const auto model = modelWith(tangents);
+    for (auto truncation :
+         {Truncation::none, Truncation::every_second, Truncation::left_half, Truncation::all}) {
+      DenseCorrection correction(*model.Z, model.nonlinear_dofs);
+      const auto answer = solve(correction, model, FaultState(model, truncation, -2, 6));
+      EXPECT_TRUE(answer.result.converged);
+      EXPECT_EQ(answer.result.iterations, 0) << "the first solve is direct";
+      EXPECT_LE(answer.error, 1e-10);
+    }
+  }
+}
+
+// Hessians that follow: close ones by conjugate gradients with the old factor, all to tolerance.
+TEST(DenseCorrection, keepsItsFactorWhereThatSuffices)
+{
+  const auto model = modelWith(1);
+  DenseCorrection correction(*model.Z, model.nonlinear_dofs);
+  FaultState state(model, Truncation::every_second, -1, 1);
+  solve(correction, model, state);
+
+  state.hessian[2] *= 1.01;
+  const auto close = solve(correction, model, state);
+  EXPECT_TRUE(close.result.converged);
+  EXPECT_GE(close.result.iterations, 1);
+  EXPECT_LE(close.result.iterations, 3) << "one eigenvalue differs from 1";
+  EXPECT_LE(close.error, 1.01 * tolerance);
+
+  for (auto truncation : {Truncation::none, Truncation::left_half, Truncation::all}) {
+    const auto far = solve(correction, model, FaultState(model, truncation, -2, 6));
+    EXPECT_TRUE(far.result.converged);
+    EXPECT_LE(far.error, 1.01 * tolerance);
+  }
+}
+
+TEST(DenseCorrection, forgetsItsFactor)
+{
+  const auto model = modelWith(2);
+  DenseCorrection used(*model.Z, model.nonlinear_dofs);
+  DenseCorrection fresh(*model.Z, model.nonlinear_dofs);
+  const FaultState first(model, Truncation::none, -2, 3);
+  const FaultState second(model, Truncation::left_half, -1, 2);
+  solve(used, model, first);
+  used.reset();
+  Vector c_used(model.map);
+  Vector c_fresh(model.map);
+  const Vector r = residual(model, second);
+  const auto result = used.solve(second.blocks(model), r, tolerance, c_used);
+  fresh.solve(second.blocks(model), r, tolerance, c_fresh);
+  EXPECT_EQ(result.iterations, 0);
+  c_used.update(-1, c_fresh, 1);
+  EXPECT_EQ(c_used.normInf(), 0) << "the answer depends on what was solved before";
+}
+
+TEST(DenseCorrection, saysThatAMatrixIsNotDefinite)
+{
+  const auto model = modelWith(1);
+  CrsMatrix broken(*model.Z, Teuchos::Copy);
+  broken.resumeFill();
+  const double value = -1e6;
+  const int row = 30;
+  broken.replaceLocalValues(row, 1, &value, &row);
+  broken.fillComplete();
+  DenseCorrection correction(broken, model.nonlinear_dofs);
+  const FaultState state(model, Truncation::none, -2, 2);
+  Vector c(model.map);
+  const auto result = correction.solve(state.blocks(model), residual(model, state), tolerance, c);
+  EXPECT_FALSE(result.converged);
+  EXPECT_EQ(c.normInf(), 0) << "no step rather than a wrong one";
+}
+} // namespace asperity::tnnmg

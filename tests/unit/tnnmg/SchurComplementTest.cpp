@@ -1,0 +1,203 @@
+#include "tnnmg/SchurComplement.hpp"
+
+#include "ElasticModel.hpp"
+#include "base/Errors.hpp"
+
+#include <Tpetra_CrsMatrix.hpp>
+#include <Tpetra_Map.hpp>
+#include <Tpetra_Vector.hpp>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+namespace asperity::tnnmg
+{
+using namespace testing;
+
+namespace
+{
+ElasticModel modelOf(int components = 2, int tangents = 1)
+{
+  ElasticModelOptions options;
+  options.cells_x = 14;
+  options.cells_y = 5;
+  options.tau = 1;
+  options.components = components;
+  options.tangents = tangents;
+  return ElasticModel(options);
+}
+
+std::vector<int> faultRows(ElasticModel const& model)
+{
+  std::vector<int> rows;
+  for (auto const& dofs : model.nonlinear) {
+    rows.insert(rows.end(), dofs.begin(), dofs.end());
+  }
+  return rows;
+}
+
+std::vector<int> otherRows(ElasticModel const& model, std::vector<int> const& rows)
+{
+  std::vector<int> others;
+  for (int row = 0; row < model.global.rows(); ++row) {
+    if (std::find(rows.begin(), rows.end(), row) == rows.end()) {
+      others.push_back(row);
+    }
+  }
+  return others;
+}
+
+Eigen::MatrixXd dense(RCP<const CrsMatrix> const& matrix)
+{
+  const auto local = matrix->getLocalMatrixHost();
+  Eigen::MatrixXd result = Eigen::MatrixXd::Zero(local.numRows(), local.numRows());
+  for (int row = 0; row < local.numRows(); ++row) {
+    for (auto k = local.graph.row_map(row); k < local.graph.row_map(row + 1); ++k) {
+      result(row, local.graph.entries(k)) += local.values(k);
+    }
+  }
+  return result;
+}
+
+Eigen::MatrixXd part(Eigen::MatrixXd const& Z, std::vector<int> const& rows,
+                     std::vector<int> const& columns)
+{
+  Eigen::MatrixXd result(rows.size(), columns.size());
+  for (std::size_t i = 0; i < rows.size(); ++i) {
+    for (std::size_t j = 0; j < columns.size(); ++j) {
+      result(i, j) = Z(rows[i], columns[j]);
+    }
+  }
+  return result;
+}
+
+Eigen::VectorXd valuesOf(Vector const& x)
+{
+  const auto view = x.getLocalViewHost(Tpetra::Access::ReadOnly);
+  return Eigen::Map<const Eigen::VectorXd>(view.data(), view.extent(0));
+}
+
+Vector condensed(SchurComplement& schur, ElasticModel const& model, Eigen::VectorXd const& b)
+{
+  Vector result(schur.matrix()->getDomainMap());
+  schur.condense(model.scatter(b), result);
+  return result;
+}
+
+Eigen::VectorXd expanded(SchurComplement const& schur, ElasticModel const& model,
+                         Eigen::VectorXd const& kept)
+{
+  Vector from(schur.matrix()->getDomainMap());
+  for (int i = 0; i < kept.size(); ++i) {
+    from.replaceLocalValue(i, kept(i));
+  }
+  Vector result(model.map);
+  schur.expand(from, result);
+  return model.gather(result);
+}
+
+void checkAgainstDense(ElasticModel const& model, std::vector<int> const& rows)
+{
+  const Eigen::MatrixXd Z = model.global;
+  const auto others = otherRows(model, rows);
+  SchurComplement schur(*model.Z, rows);
+  const Eigen::LLT<Eigen::MatrixXd> inner(part(Z, others, others));
+  const Eigen::MatrixXd S =
+    part(Z, rows, rows) - part(Z, rows, others) * inner.solve(part(Z, others, rows));
+  EXPECT_LE((dense(schur.matrix()) - S).norm(), 1e-13 * Z.norm());
+
+  // S v = b_F - Z_FI Z_II^-1 b_I and its expansion solve Z v = b; twice, for a second b.
+  for (int sequence : {1, 2}) {
+    const auto b = pseudorandomVector(static_cast<int>(Z.rows()), sequence);
+    const auto right_side = valuesOf(condensed(schur, model, b));
+    const Eigen::VectorXd kept = S.llt().solve(right_side);
+    const Eigen::VectorXd v = expanded(schur, model, kept);
+    const Eigen::VectorXd exact = Z.llt().solve(b);
+    EXPECT_LE((v - exact).norm(), 1e-11 * exact.norm());
+  }
+}
+} // namespace
+
+TEST(SchurComplement, meetsDenseEliminationOfTheFault)
+{
+  for (auto const& [components, tangents] : {std::pair(1, 1), {2, 1}, {2, 2}}) {
+    const auto model = modelOf(components, tangents);
+    checkAgainstDense(model, faultRows(model));
+  }
+}
+
+TEST(SchurComplement, keepsRowsInTheOrderTheyAreGiven)
+{
+  const auto model = modelOf();
+  auto rows = faultRows(model);
+  std::reverse(rows.begin(), rows.end());
+  std::swap(rows[2], rows[7]);
+  checkAgainstDense(model, rows);
+  checkAgainstDense(model, {37});
+}
+
+TEST(SchurComplement, eliminatesAllOrNothing)
+{
+  const auto model = modelOf(1, 1);
+  const int size = static_cast<int>(model.global.rows());
+  SchurComplement everything(*model.Z, {});
+  const auto b = pseudorandomVector(size, 3);
+  EXPECT_EQ(condensed(everything, model, b).getGlobalLength(), 0U);
+  const Eigen::VectorXd v = expanded(everything, model, Eigen::VectorXd(0));
+  EXPECT_LE((model.global * v - b).norm(), 1e-12 * model.global.norm() * v.norm());
+
+  std::vector<int> all(size);
+  for (int row = 0; row < size; ++row) {
+    all[row] = row;
+  }
+  checkAgainstDense(model, all);
+}
+
+// Values that do not solve S v = b: the other dofs still minimise.
+TEST(SchurComplement, expandsAnyValuesByTheMinimiserOfTheOthers)
+{
+  const auto model = modelOf();
+  const auto rows = faultRows(model);
+  SchurComplement schur(*model.Z, rows);
+  const auto b = pseudorandomVector(static_cast<int>(model.global.rows()), 4);
+  condensed(schur, model, b);
+  const auto kept = pseudorandomVector(static_cast<int>(rows.size()), 5);
+  const Eigen::VectorXd v = expanded(schur, model, kept);
+  const Eigen::VectorXd residual = b - model.global * v;
+  for (std::size_t i = 0; i < rows.size(); ++i) {
+    EXPECT_EQ(v(rows[i]), kept(i));
+  }
+  for (int row : otherRows(model, rows)) {
+    EXPECT_NEAR(residual(row), 0, 1e-11 * model.global.norm() * v.norm());
+  }
+}
+
+TEST(SchurComplement, countsWhatItStores)
+{
+  const auto model = modelOf();
+  const SchurComplement schur(*model.Z, faultRows(model));
+  const auto size = static_cast<std::size_t>(model.global.rows());
+  EXPECT_GE(schur.factorEntries(), (model.global.nonZeros() - size) / 4);
+  EXPECT_LE(schur.factorEntries(), size * (size + 1) / 2);
+  EXPECT_GE(schur.bytes(), 8 * schur.factorEntries());
+}
+
+TEST(SchurComplement, refusesAMatrixThatIsNotDefinite)
+{
+  const auto model = modelOf();
+  const auto rows = faultRows(model);
+  for (int row : {rows[3], otherRows(model, rows)[11]}) {
+    CrsMatrix broken(*model.Z, Teuchos::Copy);
+    broken.resumeFill();
+    const double value = -1;
+    broken.replaceLocalValues(row, 1, &value, &row);
+    broken.fillComplete();
+    try {
+      const SchurComplement schur(broken, rows);
+      FAIL() << "row " << row;
+    } catch (SolveError const& error) {
+      EXPECT_NE(std::string(error.what()).find("not positive definite"), std::string::npos);
+    }
+  }
+}
+} // namespace asperity::tnnmg

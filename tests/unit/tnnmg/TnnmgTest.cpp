@@ -1,0 +1,302 @@
+#include "tnnmg/Tnnmg.hpp"
+
+#include "RateProblem.hpp"
+#include "tnnmg/DenseCorrection.hpp"
+#include "tnnmg/MueLuCorrection.hpp"
+#include "tnnmg/SchurComplement.hpp"
+
+#include <Tpetra_CrsMatrix.hpp>
+#include <Tpetra_Map.hpp>
+#include <gtest/gtest.h>
+
+namespace asperity::tnnmg
+{
+using namespace testing;
+
+namespace
+{
+TnnmgSettings tight()
+{
+  TnnmgSettings settings;
+  settings.absolute_tolerance = 0;
+  settings.relative_tolerance = 1e-13;
+  return settings;
+}
+
+Teuchos::ParameterList multigridParameters()
+{
+  Teuchos::ParameterList list("MueLu Correction");
+  list.sublist("MueLu").set("coarse: max size", 40); // two levels at least in a small model
+  return list;
+}
+
+// TNNMG on all dofs of all ranks, with multigrid.
+template <class Nodes = RoughNodes>
+TnnmgResult solveFull(RateProblem const& problem, Nodes const& nodes, TnnmgSettings const& settings,
+                      Eigen::VectorXd& v, std::map<int, double> const& held = {})
+{
+  auto const& model = problem.model;
+  const auto correction = std::make_shared<MueLuCorrection>(model.problem(), multigridParameters());
+  Tnnmg<Nodes> tnnmg(
+    model.Z,
+    nonlinearNodes(*model.Z, problem.localDofs(), model.options.tangents, problem.heldOnRank(held)),
+    correction, settings);
+  const Vector b = model.scatter(problem.b);
+  Vector x = model.scatter(v);
+  const auto result = tnnmg.solve(nodes, b, x);
+  v = model.gather(x);
+  return result;
+}
+
+// TNNMG on the fault alone, the rest condensed; one rank.
+TnnmgResult solveCondensed(RateProblem const& problem, TnnmgSettings const& settings,
+                           Eigen::VectorXd& v, std::map<int, double> const& held = {})
+{
+  auto const& model = problem.model;
+  std::vector<int> rows;
+  for (auto const& dofs : model.nonlinear) {
+    rows.insert(rows.end(), dofs.begin(), dofs.end());
+  }
+  SchurComplement schur(*model.Z, rows);
+  const int num_nodes = static_cast<int>(model.nonlinear.size());
+  const auto nodes = coupledNodes(num_nodes, model.options.tangents, problem.heldOnRank(held));
+  Tnnmg<RoughNodes> tnnmg(schur.matrix(), nodes,
+                          std::make_shared<DenseCorrection>(*schur.matrix(), nodes.dofs), settings);
+  Vector b(schur.matrix()->getDomainMap());
+  Vector x(schur.matrix()->getDomainMap());
+  schur.condense(model.scatter(problem.b), b);
+  for (std::size_t i = 0; i < rows.size(); ++i) {
+    x.replaceLocalValue(static_cast<int>(i), v(rows[i]));
+  }
+  const auto result = tnnmg.solve(problem.nodesOfRank(), b, x);
+  Vector all(model.map);
+  schur.expand(x, all);
+  v = model.gather(all);
+  return result;
+}
+
+Eigen::VectorXd atRest(RateProblem const& problem)
+{
+  return Eigen::VectorXd::Zero(problem.model.global.rows());
+}
+
+bool isAtRest(RateProblem const& problem, Eigen::VectorXd const& v, std::size_t node)
+{
+  double largest = 0;
+  for (int row : problem.model.nonlinear[node]) {
+    largest = std::max(largest, std::abs(v(row)));
+  }
+  return largest == 0;
+}
+
+int numAtRest(RateProblem const& problem, Eigen::VectorXd const& v)
+{
+  int count = 0;
+  for (std::size_t node = 0; node < problem.nodes.size(); ++node) {
+    count += isAtRest(problem, v, node) ? 1 : 0;
+  }
+  return count;
+}
+
+void checkSolution(RateProblem const& problem, TnnmgResult const& result, Eigen::VectorXd const& v,
+                   Eigen::VectorXd const& reference)
+{
+  EXPECT_TRUE(result.converged);
+  EXPECT_EQ(result.rises, 0);
+  EXPECT_EQ(result.failed_nodes, 0);
+  EXPECT_EQ(result.corrections, result.iterations);
+  EXPECT_LE(problem.energyNorm(v - reference), 1e-11 * problem.energyNorm(reference));
+  for (std::size_t node = 0; node < problem.nodes.size(); ++node) {
+    EXPECT_EQ(isAtRest(problem, v, node), isAtRest(problem, reference, node)) << node;
+  }
+}
+} // namespace
+
+class TnnmgCase : public ::testing::TestWithParam<RateProblemOptions>
+{
+};
+
+// On every number of ranks against the same answer, which no code of the package has seen.
+TEST_P(TnnmgCase, meetsCoordinateDescentOnAllDofs)
+{
+  const RateProblem problem(GetParam());
+  const auto reference = problem.reference();
+  auto v = atRest(problem);
+  const auto result = solveFull(problem, problem.nodesOfRank(), tight(), v);
+  checkSolution(problem, result, v, reference);
+  EXPECT_LE(result.iterations, 25);
+  EXPECT_GT(result.v_cycles, 0);
+}
+
+TEST_P(TnnmgCase, meetsCoordinateDescentOnTheCondensedFault)
+{
+  const RateProblem problem(GetParam());
+  if (problem.model.map->getComm()->getSize() > 1) {
+    GTEST_SKIP() << "the direct correction is for one rank";
+  }
+  const auto reference = problem.reference();
+  auto v = atRest(problem);
+  checkSolution(problem, solveCondensed(problem, tight(), v), v, reference);
+
+  auto of_multigrid = atRest(problem);
+  solveFull(problem, problem.nodesOfRank(), tight(), of_multigrid);
+  EXPECT_LE(problem.energyNorm(v - of_multigrid), 1e-11 * problem.energyNorm(v));
+}
+
+// The reference itself: nothing near it is lower, and it has the nodes that a case is about.
+TEST_P(TnnmgCase, hasAReferenceOfTheKindItNames)
+{
+  const RateProblem problem(GetParam());
+  const auto reference = problem.reference();
+  const int at_rest = numAtRest(problem, reference);
+  const int num_nodes = static_cast<int>(problem.nodes.size());
+  if (GetParam().kind == Kind::logarithm) {
+    EXPECT_EQ(at_rest, 0);
+  } else {
+    EXPECT_GE(at_rest, 3);
+    EXPECT_LE(at_rest, num_nodes - 3);
+  }
+  const auto least = problem.energy(reference);
+  for (int direction = 0; direction < 20; ++direction) {
+    auto d = pseudorandomVector(static_cast<int>(reference.size()), direction);
+    for (int row : problem.model.constrained) {
+      d(row) = 0;
+    }
+    for (double size : {1e-3, 1e-5}) {
+      const auto other = problem.energy(reference + size * reference.norm() / d.norm() * d);
+      EXPECT_GT(other.value, least.value);
+    }
+  }
+}
+
+TEST_P(TnnmgCase, lowersEnergyInEveryIteration)
+{
+  const RateProblem problem(GetParam());
+  const int size = static_cast<int>(problem.b.size());
+  Eigen::VectorXd v = 0.1 * pseudorandomVector(size, 3); // far from the solution
+  for (int row : problem.model.constrained) {
+    v(row) = 0;
+  }
+  auto once = tight();
+  once.max_iterations = 1;
+  auto before = problem.energy(v);
+  const auto start = before.value;
+  for (int iteration = 0; iteration < 12; ++iteration) {
+    const auto result = solveFull(problem, problem.nodesOfRank(), once, v);
+    EXPECT_EQ(result.rises, 0);
+    const auto after = problem.energy(v);
+    EXPECT_LE(after.value, before.value + 1e-15 * (after.magnitude + before.magnitude))
+      << "iteration " << iteration;
+    before = after;
+  }
+  const auto least = problem.energy(problem.reference()).value;
+  EXPECT_LE(before.value - least, 1e-6 * (start - least));
+}
+
+TEST_P(TnnmgCase, startsAtTheSolutionAndStaysThere)
+{
+  const RateProblem problem(GetParam());
+  const auto reference = problem.reference();
+  auto v = reference;
+  auto settings = tight();
+  settings.relative_tolerance = 1e-10;
+  const auto result = solveFull(problem, problem.nodesOfRank(), settings, v);
+  checkSolution(problem, result, v, reference);
+  EXPECT_EQ(result.iterations, 1);
+}
+
+INSTANTIATE_TEST_SUITE_P(Problems, TnnmgCase,
+                         ::testing::Values(RateProblemOptions{1e-3, 1, 1, Kind::threshold},
+                                           RateProblemOptions{1e-3, 2, 1, Kind::both},
+                                           RateProblemOptions{1e-3, 2, 2, Kind::threshold},
+                                           RateProblemOptions{1e-3, 2, 2, Kind::logarithm},
+                                           RateProblemOptions{1., 1, 1, Kind::logarithm},
+                                           RateProblemOptions{1., 2, 1, Kind::threshold},
+                                           RateProblemOptions{1., 2, 1, Kind::both},
+                                           RateProblemOptions{1., 2, 2, Kind::both}));
+
+TEST(Tnnmg, keepsTheVelocityOfHeldNodes)
+{
+  for (int tangents : {1, 2}) {
+    const RateProblem problem({1., 2, tangents, Kind::both});
+    const std::map<int, double> held = {{3, 2e-3}, {4, 0.}, {11, -1e-2}};
+    const auto reference = problem.reference(held);
+    auto v = atRest(problem);
+    for (auto const& [node, value] : held) {
+      v(problem.model.nonlinear[node][0]) = value;
+    }
+    auto condensed = v;
+    checkSolution(problem, solveFull(problem, problem.nodesOfRank(), tight(), v, held), v,
+                  reference);
+    for (auto const& [node, value] : held) {
+      EXPECT_EQ(v(problem.model.nonlinear[node][0]), value);
+    }
+    if (problem.model.map->getComm()->getSize() == 1) {
+      checkSolution(problem, solveCondensed(problem, tight(), condensed, held), condensed,
+                    reference);
+    }
+  }
+}
+
+TEST(Tnnmg, saysThatItHasNotConverged)
+{
+  const RateProblem problem({1., 2, 1, Kind::both});
+  auto settings = tight();
+  settings.max_iterations = 2;
+  auto v = atRest(problem);
+  const auto result = solveFull(problem, problem.nodesOfRank(), settings, v);
+  EXPECT_FALSE(result.converged);
+  EXPECT_EQ(result.iterations, 2);
+  EXPECT_GT(result.last_change, 1e-13 * problem.energyNorm(v));
+}
+
+TEST(Tnnmg, stopsAtTheToleranceThatIsReachedFirst)
+{
+  const RateProblem problem({1., 2, 1, Kind::both});
+  const auto reference = problem.reference();
+  auto coarse = tight();
+  coarse.absolute_tolerance = 1e-2 * problem.energyNorm(reference);
+  auto v = atRest(problem);
+  const auto early = solveFull(problem, problem.nodesOfRank(), coarse, v);
+  EXPECT_TRUE(early.converged);
+  EXPECT_LE(early.last_change, coarse.absolute_tolerance);
+  v = atRest(problem);
+  const auto late = solveFull(problem, problem.nodesOfRank(), tight(), v);
+  EXPECT_LT(early.iterations, late.iterations);
+  EXPECT_LE(late.last_change, 1e-13 * problem.energyNorm(v));
+}
+
+namespace
+{
+// Its last rank's first node cannot be solved.
+class FailingNodes : public RoughNodes
+{
+public:
+  FailingNodes(RoughNodes const& nodes, bool fails) : RoughNodes(nodes), fails_(fails) {}
+  int minimise(IndexView const& nodes, ConstNodeView const& curvature, ConstBlockView const& r,
+               BlockView const& v) const
+  {
+    int failures = RoughNodes::minimise(nodes, curvature, r, v);
+    const auto which = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace(), nodes);
+    for (std::size_t i = 0; i < which.extent(0); ++i) {
+      failures += fails_ && which(i) == 0 ? 1 : 0;
+    }
+    return failures;
+  }
+
+private:
+  bool fails_;
+};
+} // namespace
+
+TEST(Tnnmg, doesNotConvergeWhereANodeFailsOnAnyRank)
+{
+  const RateProblem problem({1e-3, 2, 1, Kind::both});
+  auto const comm = problem.model.map->getComm();
+  const FailingNodes nodes(problem.nodesOfRank(), comm->getRank() == comm->getSize() - 1);
+  auto v = atRest(problem);
+  const auto result = solveFull(problem, nodes, tight(), v);
+  EXPECT_FALSE(result.converged);
+  EXPECT_EQ(result.failed_nodes, result.iterations);
+}
+} // namespace asperity::tnnmg

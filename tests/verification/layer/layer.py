@@ -1,0 +1,71 @@
+"""The driver on the layer of layer.xml against its exact solution: when it breaks, and how fast."""
+
+import pathlib
+import sys
+
+import asperity_run
+import exact_layer
+import numpy
+
+HERE = pathlib.Path(__file__).parent
+THRESHOLD = 1e-3  # m/s
+
+# onset in s, peak slip rate in m/s, slip in m while the rate is above the threshold
+NAMES = ("onset", "peak", "slip")
+PUBLISHED = [(0.38744, 0.006326, 0.000344), (5.00036, 0.019786, 0.00105)]
+PUBLISHED_TOLERANCE = (5e-4, 2e-4, 2e-3)
+TOLERANCE = (5e-3, 3e-2, 3e-2)
+
+
+def crossing(t, V, i):
+    """When V meets the threshold between the samples i and i + 1."""
+    return t[i] + (t[i + 1] - t[i]) * (THRESHOLD - V[i]) / (V[i + 1] - V[i])
+
+
+def events(t, V):
+    """(onset, peak, slip) of every time above the threshold."""
+    above = numpy.concatenate(([0], V >= THRESHOLD, [0])).astype(int)
+    starts, ends = numpy.flatnonzero(numpy.diff(above) > 0), numpy.flatnonzero(numpy.diff(above) < 0)
+    found = []
+    for first, last in zip(starts, ends):
+        onset, end = crossing(t, V, first - 1), crossing(t, V, last - 1)
+        times = numpy.concatenate(([onset], t[first:last], [end]))
+        rates = numpy.concatenate(([THRESHOLD], V[first:last], [THRESHOLD]))
+        slip = numpy.sum(numpy.diff(times) * (rates[1:] + rates[:-1]) / 2)
+        found.append((onset, V[first:last].max(), slip))
+    return found
+
+
+def compare(found, expected, tolerance, what):
+    """True if all numbers agree; a table on stdout."""
+    fine = len(found) == len(expected)
+    print(f"{what}: {len(found)} events, expected {len(expected)}")
+    for row, reference in zip(found, expected):
+        for name, value, target, bound in zip(NAMES, row, reference, tolerance):
+            error = value / target - 1
+            fine = fine and abs(error) <= bound
+            print(f"  {name:6s} {value:.6g}, expected {target:.6g}: {error:+.2%} of {bound:.2%}")
+    return fine
+
+
+def main(overlays):
+    exact = events(*exact_layer.solve(5.3, 400))
+    fine = compare(exact, PUBLISHED, PUBLISHED_TOLERANCE, "characteristics")
+
+    options = [word for overlay in overlays for word in ("--overlay", HERE / overlay)]
+    folder = asperity_run.run_to_end("out", HERE / "layer.xml", *options, timeout=100)
+    history = asperity_run.series(folder / "fault.h5")
+    V = history["fields/slip_rate"]
+    spread = numpy.abs(V[:, 0] / V[:, 1] - 1).max()
+    print(f"the two ends of the fault differ by at most {spread:.2g}")
+    ours = events(history["time"], V.mean(axis=1))
+    fine = compare(ours, exact, TOLERANCE, "asperity") and fine and spread < 1e-2
+
+    catalogue = [(row["onset"], row["peak_slip_rate"], row["peak_slip"])
+                 for row in asperity_run.table(folder / "events.csv")]
+    fine = compare(catalogue, exact, TOLERANCE, "its catalogue of events") and fine
+    return 0 if fine else 1
+
+
+if __name__ == "__main__":
+    sys.exit(main(sys.argv[1:]))
