@@ -37,16 +37,18 @@ void Fault::slipRate(friction::ConstBlockView const& v0, friction::ConstBlockVie
   Kokkos::parallel_for(
     "asperity::dynamics::slipRate", Kokkos::RangePolicy<friction::ExecutionSpace>(0, numNodes()),
     KOKKOS_LAMBDA(int node) {
-      double square = 0;
       double largest = 0;
       for (int k = 0; k < size; ++k) {
         const double v = lambda * v0(node, k) + (1 - lambda) * v1(node, k);
-        square += v * v;
         largest = largest > (v < 0 ? -v : v) ? largest : (v < 0 ? -v : v);
       }
-      // The square of a slow rate underflows; of one component it is not needed.
-      V(node) =
-        factor * (size == 1 || largest < 1e-140 ? largest : Kokkos::Experimental::sqrt(square));
+      // In units of the largest component, since the square of a slow rate underflows.
+      double square = 0;
+      for (int k = 0; k < size && largest > 0; ++k) {
+        const double v = (lambda * v0(node, k) + (1 - lambda) * v1(node, k)) / largest;
+        square += v * v;
+      }
+      V(node) = factor * (size == 1 ? largest : largest * Kokkos::Experimental::sqrt(square));
     });
 }
 
@@ -55,11 +57,11 @@ double Fault::peakSlipRate(Vector const& v) const
   auto const values = v.getLocalViewHost(Tpetra::Access::ReadOnly);
   double mine = 0;
   for (auto const& node : dofs) {
-    double square = 0;
+    double magnitude = 0;
     for (int dof : node) {
-      square += values(dof, 0) * values(dof, 0);
+      magnitude = std::hypot(magnitude, values(dof, 0));
     }
-    mine = std::max(mine, slip_factor * std::sqrt(square));
+    mine = std::max(mine, slip_factor * magnitude);
   }
   double all = mine;
   if (communicator->getSize() > 1) {

@@ -1,7 +1,7 @@
 #include "scenario/BulkSetup.hpp"
 
-#include "base/Field.hpp"
 #include "fem/Simplex.hpp"
+#include "scenario/NodalField.hpp"
 
 #include <cmath>
 #include <optional>
@@ -65,10 +65,10 @@ namespace
 class Elasticity
 {
 public:
-  Elasticity(ParameterList const& list, std::vector<std::string> const& regions)
-      : bulk_(read(list, bulk_modulus, regions))
-      , shear_(read(list, shear_modulus, regions))
-      , poisson_(read(list, poisson, regions))
+  Elasticity(ParameterList const& list, Mesh<2> const& mesh)
+      : bulk_(read(list, bulk_modulus, mesh))
+      , shear_(read(list, shear_modulus, mesh))
+      , poisson_(read(list, poisson, mesh))
       , antiplane_(displacementComponents(list) == 1)
   {
     const int given = bulk_.has_value() + shear_.has_value() + poisson_.has_value();
@@ -97,11 +97,10 @@ public:
   }
 
 private:
-  static std::optional<Field> read(ParameterList const& list, char const* name,
-                                   std::vector<std::string> const& regions)
+  static std::optional<Field> read(ParameterList const& list, char const* name, Mesh<2> const& mesh)
   {
-    const bool given = list.isParameter(name) || list.isSublist(name);
-    return given ? std::optional<Field>(Field(list, name, path, regions)) : std::nullopt;
+    return isGiven(list, name) ? std::optional<Field>(steadyField(list, name, path, mesh))
+                               : std::nullopt;
   }
 
   std::optional<Field> bulk_, shear_, poisson_;
@@ -111,11 +110,10 @@ private:
 
 std::vector<fem::Material> makeMaterials(ParameterList const& list, Mesh<2> const& mesh)
 {
-  auto const& regions = mesh.region_names;
-  const Elasticity elasticity(list, regions);
-  const Field density(list, "Density", path, regions);
-  const Field shear_viscosity(list, "Shear Viscosity", path, regions);
-  const Field bulk_viscosity(list, "Bulk Viscosity", path, regions);
+  const Elasticity elasticity(list, mesh);
+  auto const density = steadyField(list, "Density", path, mesh);
+  auto const shear_viscosity = steadyField(list, "Shear Viscosity", path, mesh);
+  auto const bulk_viscosity = steadyField(list, "Bulk Viscosity", path, mesh);
   std::vector<fem::Material> materials(mesh.cells.size());
   for (std::size_t cell = 0; cell < mesh.cells.size(); ++cell) {
     auto const centroid = fem::simplexOf(mesh, static_cast<int>(cell)).centroid;

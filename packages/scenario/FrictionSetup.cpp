@@ -53,10 +53,9 @@ friction::ParameterView valuesOfTable(std::vector<friction::Parameter> const& ta
                                                        table.size(), nodes.size());
   auto const host = Kokkos::create_mirror_view(values);
   for (std::size_t row = 0; row < table.size(); ++row) {
-    const Field field(list, table[row].name, path, {});
+    auto const of_nodes = nodalValues(list, table[row].name, path, mesh, nodes);
     for (std::size_t node = 0; node < nodes.size(); ++node) {
-      auto const& x = mesh.vertices[nodes[node]];
-      host(row, node) = field({x[0], x[1], 0}, 0, 0);
+      host(row, node) = of_nodes[node];
     }
   }
   Kokkos::deep_copy(values, host);
@@ -108,23 +107,11 @@ RCP<const ParameterList> frictionParameters(std::string const& law, std::string 
   return declare.list();
 }
 
-friction::NodeView valuesAtNodes(Field const& field, Mesh<2> const& mesh,
+friction::NodeView valuesAtNodes(ParameterList const& list, std::string const& name,
+                                 std::string const& where, Mesh<2> const& mesh,
                                  std::vector<int> const& nodes)
 {
-  std::vector<double> values;
-  if (field.isDataset()) {
-    std::vector<long long> ids;
-    for (int node : nodes) {
-      ids.push_back(mesh.global_ids[node]);
-    }
-    values = field.values(ids);
-  } else {
-    for (int node : nodes) {
-      auto const& x = mesh.vertices[node];
-      values.push_back(field({x[0], x[1], 0}, 0, 0));
-    }
-  }
-  return toDevice(values, "asperity::scenario::fieldAtNodes");
+  return toDevice(nodalValues(list, name, where, mesh, nodes), "asperity::scenario::field");
 }
 
 dynamics::Fault makeFault(ParameterList const& list, Mesh<2> const& mesh,
@@ -148,7 +135,7 @@ dynamics::Fault makeFault(ParameterList const& list, Mesh<2> const& mesh,
   Teuchos::reduceAll(*fault.communicator, Teuchos::REDUCE_SUM, mine,
                      Teuchos::outArg(fault.total_weight));
   fault.data.weight = toDevice(boundary.weights, "asperity::scenario::weight");
-  fault.data.cohesion = valuesAtNodes(Field(list, "Cohesion", path, {}), mesh, boundary.nodes);
+  fault.data.cohesion = valuesAtNodes(list, "Cohesion", path, mesh, boundary.nodes);
   fault.data.sigma_n =
     friction::NodeView("asperity::scenario::normalStress", boundary.nodes.size());
 
@@ -164,10 +151,8 @@ dynamics::Fault makeFault(ParameterList const& list, Mesh<2> const& mesh,
 void setNormalStress(dynamics::Fault& fault, ParameterList const& list, Mesh<2> const& mesh,
                      std::vector<int> const& nodes, NormalStress& stress)
 {
-  if (list.isParameter("Normal Stress") || list.isSublist("Normal Stress")) {
-    auto const given = valuesAtNodes(Field(list, "Normal Stress", path, {}), mesh, nodes);
-    auto const host = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace(), given);
-    stress.values.assign(host.data(), host.data() + host.extent(0));
+  if (isGiven(list, "Normal Stress")) {
+    stress.values = nodalValues(list, "Normal Stress", path, mesh, nodes);
   }
   const double factor = list.get<double>("Normal Stress Factor");
   int tensile = 0;

@@ -1,10 +1,10 @@
 #pragma once
 
-#include "base/Field.hpp"
 #include "dynamics/Fault.hpp"
 #include "fem/BoundaryNodes.hpp"
 #include "fem/Constraints.hpp"
 #include "mesh/Mesh.hpp"
+#include "scenario/NodalField.hpp"
 
 namespace asperity::scenario
 {
@@ -12,8 +12,9 @@ namespace asperity::scenario
 // besides.
 RCP<const ParameterList> frictionParameters(std::string const& law, std::string const& state_law);
 
-// A field at the fault nodes at time zero.
-friction::NodeView valuesAtNodes(Field const& field, Mesh<2> const& mesh,
+// A field of a list at the fault nodes.
+friction::NodeView valuesAtNodes(ParameterList const& list, std::string const& name,
+                                 std::string const& where, Mesh<2> const& mesh,
                                  std::vector<int> const& nodes);
 
 // Everything but the normal stress, which is zero until setNormalStress.

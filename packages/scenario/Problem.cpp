@@ -1,16 +1,17 @@
 #include "scenario/Problem.hpp"
 
-#include "base/Field.hpp"
 #include "dynamics/InitialState.hpp"
 #include "fem/BodyMatrices.hpp"
 #include "scenario/BulkSetup.hpp"
 #include "scenario/FrictionSetup.hpp"
 #include "scenario/MeshSetup.hpp"
+#include "scenario/NodalField.hpp"
 #include "scenario/SolverSetup.hpp"
 #include "scenario/TimeSetup.hpp"
 
 #include <Tpetra_CrsMatrix.hpp>
 
+#include <numeric>
 #include <sstream>
 
 namespace asperity::scenario
@@ -102,11 +103,11 @@ void Problem::makeLoads(ParameterList const& deck, std::vector<fem::Material> co
     gravity_load_ = body.vector();
   }
   load_ = rcp(new Vector(*gravity_load_, Teuchos::Copy));
-  const Field traction(deck.sublist("Friction"), "Shear Traction", "Asperity / Friction", {});
+  auto const traction = nodalValues(deck.sublist("Friction"), "Shear Traction",
+                                    "Asperity / Friction", mesh, fault_nodes.nodes);
   auto const values = load_->getLocalViewHost(Tpetra::Access::ReadWrite);
   for (int i = 0; i < fault.numNodes(); ++i) {
-    auto const& x = mesh.vertices[fault_nodes.nodes[i]];
-    values(fault.dofs[i][0], 0) += fault_nodes.weights[i] * traction({x[0], x[1], 0}, 0, 0);
+    values(fault.dofs[i][0], 0) += fault_nodes.weights[i] * traction[i];
   }
   body.load = [load = load_](double, Vector& l) { Tpetra::deep_copy(l, *load); };
 }
@@ -133,18 +134,19 @@ RCP<Vector> Problem::initialVelocity(ParameterList const& list) const
 {
   auto v = body.vector();
   body.prescribed_velocity(0, *v);
-  std::vector<Field> fields;
+  std::vector<int> nodes(mesh.num_owned);
+  std::iota(nodes.begin(), nodes.end(), 0);
+  std::vector<std::vector<double>> along(components);
   for (int c = 0; c < components; ++c) {
-    fields.emplace_back(list, velocity_names[components == 1 ? 2 : c], initial_path,
-                        std::vector<std::string>{});
+    along[c] =
+      nodalValues(list, velocity_names[components == 1 ? 2 : c], initial_path, mesh, nodes);
   }
   auto const values = v->getLocalViewHost(Tpetra::Access::ReadWrite);
   for (int node = 0; node < mesh.num_owned; ++node) {
-    auto const& x = mesh.vertices[node];
     std::array<double, 3> along_axes{};
     std::array<double, 3> local{};
     for (int c = 0; c < components; ++c) {
-      along_axes[c] = fields[c]({x[0], x[1], 0}, 0, 0);
+      along_axes[c] = along[c][node];
     }
     constraints->frames().toFrame(node, along_axes.data(), local.data());
     for (int c = 0; c < components; ++c) {
@@ -161,8 +163,7 @@ void Problem::makeInitialState(ParameterList const& deck)
 {
   auto const& list = deck.sublist("Initial State");
   auto const& friction = deck.sublist("Friction");
-  const bool stress_given =
-    friction.isParameter("Normal Stress") || friction.isSublist("Normal Stress");
+  const bool stress_given = isGiven(friction, "Normal Stress");
   const bool start_static = list.get<std::string>("Displacement") == "Static";
   ASPERITY_REQUIRE(stress_given || components == 2,
                    "Asperity / Friction / Normal Stress is missing: an antiplane model has no "
@@ -192,7 +193,7 @@ void Problem::makeInitialState(ParameterList const& deck)
   }
 
   initial.v = initialVelocity(list);
-  initial.alpha = valuesAtNodes(Field(list, "alpha", initial_path, {}), mesh, fault_nodes.nodes);
+  initial.alpha = valuesAtNodes(list, "alpha", initial_path, mesh, fault_nodes.nodes);
   initial.alpha_of_rate = friction::NodeView("asperity::scenario::alphaOfRate", fault.numNodes());
   Kokkos::deep_copy(initial.alpha_of_rate, initial.alpha);
   initial.a = body.vector();

@@ -4,6 +4,7 @@
 
 #include <Teuchos_CommHelpers.hpp>
 
+#include <cmath>
 #include <sstream>
 
 namespace asperity::scenario
@@ -61,7 +62,7 @@ std::string summarise(RunSummary const& summary, io::EventCatalogue const* event
        << formatShort(energy.viscous_work) << ", boundaries " << formatShort(energy.boundary_work)
        << ", loads " << formatShort(energy.load_work) << "; the balance is off by "
        << formatShort(energy.defect);
-  if (energy.friction_work != 0) {
+  if (energy.friction_work > std::abs(energy.defect)) {
     text << ", " << formatShort(energy.defect / energy.friction_work) << " of the friction work";
   }
   text << ".\nResults in " << summary.directory;

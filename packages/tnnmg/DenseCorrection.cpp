@@ -138,8 +138,9 @@ CorrectionResult DenseCorrection::solve(NonlinearBlocks const& blocks, Vector co
   self.read(blocks);
   auto const r_view = r.getLocalViewHost(Tpetra::Access::ReadOnly);
   auto const c_view = c.getLocalViewHost(Tpetra::Access::OverwriteAll);
-  const Eigen::VectorXd right =
-    Eigen::Map<const Eigen::VectorXd>(r_view.data(), self.Z.rows()).cwiseProduct(self.mask);
+  const Eigen::Map<const Eigen::VectorXd> given(r_view.data(), self.Z.rows());
+  // A product with the mask would let through what is no number where r is not to be read.
+  const Eigen::VectorXd right = (self.mask.array() == 0).select(0, given);
   Eigen::Map<Eigen::VectorXd> solution(c_view.data(), self.Z.rows());
 
   CorrectionResult result;

@@ -6,6 +6,8 @@
 #include "scenario/TimeSetup.hpp"
 #include "unit/base/Refusal.hpp"
 
+#include <Tpetra_Vector.hpp>
+
 #include <numeric>
 
 namespace asperity::scenario
@@ -17,7 +19,7 @@ using asperity::test::refusal;
 
 namespace
 {
-std::vector<double> valuesOf(friction::NodeView const& view)
+std::vector<double> valuesOf(friction::ConstNodeView const& view)
 {
   const auto host = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace(), view);
   return {host.data(), host.data() + host.extent(0)};

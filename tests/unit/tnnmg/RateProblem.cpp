@@ -126,7 +126,7 @@ RateProblem::RateProblem(RateProblemOptions const& options)
   for (std::size_t node = 0; node < model.nonlinear.size(); ++node) {
     const double scatter = 1 + 0.7 * pseudorandom(static_cast<int>(node), 7);
     Roughness rough;
-    rough.threshold = options.kind == Kind::logarithm ? 0 : 0.8 * average * scatter;
+    rough.threshold = options.kind == Kind::logarithm ? 0 : 0.95 * average * scatter;
     rough.strength = options.kind == Kind::threshold ? 0 : 0.05 * average * scatter;
     rough.scale = 1e-9;
     nodes.push_back(rough);

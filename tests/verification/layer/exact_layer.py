@@ -1,4 +1,4 @@
-"""The layer of layer.xml by its characteristics: no mesh, and errors that shrink with the step.
+"""The layer of layer.xml by its characteristics: no mesh, and errors of second order in the step.
 
 What comes down to the fault at time t is what left it at t - 2T and met the driven top at t - T:
     tau(t) + Z V(t) = tau(t - 2T) - Z V(t - 2T) + 2 Z V_L(t - T),   Z = rho c, T = H / c.
@@ -55,7 +55,7 @@ def solve(final_time, steps_per_echo):
     for i in range(1, size):
         late = i - steps_per_echo
         left = (tau[late], V[late]) if late >= 0 else (steady, V_BEFORE)
-        drive = V_DRIVE if i > steps_per_echo // 2 else V_BEFORE
+        drive = V_BEFORE + (V_DRIVE - V_BEFORE) * numpy.heaviside(i - steps_per_echo // 2, 0.5)
         arriving = left[0] - IMPEDANCE * left[1] + 2 * IMPEDANCE * drive
         guess = max(2 * V[i - 1] - V[i - 2], V[i - 1] / 2) if i > 1 else V_BEFORE
         V[i], theta, tau[i] = advance(V[i - 1], guess, theta, dt, arriving)

@@ -25,7 +25,8 @@ def crossing(t, V, i):
 def events(t, V):
     """(onset, peak, slip) of every time above the threshold."""
     above = numpy.concatenate(([0], V >= THRESHOLD, [0])).astype(int)
-    starts, ends = numpy.flatnonzero(numpy.diff(above) > 0), numpy.flatnonzero(numpy.diff(above) < 0)
+    change = numpy.diff(above)
+    starts, ends = numpy.flatnonzero(change > 0), numpy.flatnonzero(change < 0)
     found = []
     for first, last in zip(starts, ends):
         onset, end = crossing(t, V, first - 1), crossing(t, V, last - 1)
@@ -56,10 +57,11 @@ def main(overlays):
     folder = asperity_run.run_to_end("out", HERE / "layer.xml", *options, timeout=100)
     history = asperity_run.series(folder / "fault.h5")
     V = history["fields/slip_rate"]
-    spread = numpy.abs(V[:, 0] / V[:, 1] - 1).max()
-    print(f"the two ends of the fault differ by at most {spread:.2g}")
+    # The two sides of a column of triangles have different masses, and what that does is small.
+    spread = numpy.abs(V[:, 0] - V[:, 1]).max() / V.max()
+    print(f"the two ends of the fault differ by {spread:.2%} of the peak")
     ours = events(history["time"], V.mean(axis=1))
-    fine = compare(ours, exact, TOLERANCE, "asperity") and fine and spread < 1e-2
+    fine = compare(ours, exact, TOLERANCE, "asperity") and fine and spread < 5e-3
 
     catalogue = [(row["onset"], row["peak_slip_rate"], row["peak_slip"])
                  for row in asperity_run.table(folder / "events.csv")]

@@ -1,0 +1,100 @@
+"""The answer does not depend on the number of ranks, nor on how the linear correction is found."""
+
+import pathlib
+import unittest
+
+import numpy
+
+import asperity_run
+
+HERE = pathlib.Path(__file__).parent
+DECK = HERE / "coarse_wedge.xml"
+
+FIELDS = [("fault", "slip_rate"), ("fault", "alpha"), ("fault", "slip"), ("fault", "traction"),
+          ("volume", "displacement"), ("volume", "velocity")]
+
+
+def with_correction(name):
+    return "--set", f"TNNMG/Linear Correction={name}"
+
+
+class PrescribedSteps(unittest.TestCase):
+    """Steps are prescribed, so that everything must agree to the solver's tolerance."""
+
+    @classmethod
+    def setUpClass(cls):
+        cls.reference = cls.run_rupture("Direct", 1)
+        cls.multigrid = cls.run_rupture("MueLu", 1)
+
+    @staticmethod
+    def run_rupture(correction, ranks):
+        return asperity_run.run_to_end(
+            f"rupture_{correction}_{ranks}", DECK, "--overlay", HERE / "rupture.xml",
+            *with_correction(correction), ranks=ranks, timeout=120)
+
+    def test_reference_is_a_rupture(self):
+        rate = asperity_run.series(self.reference / "fault.h5")["fields/slip_rate"]
+        self.assertEqual(len(rate), 24)
+        self.assertGreater(rate.max(), 2e-3)
+        self.assertEqual(rate.min(axis=1).max(), 5e-5)
+        events = asperity_run.table(self.reference / "events.csv")
+        self.assertEqual([event["complete"] for event in events], [1])
+
+    def test_multigrid_agrees_with_direct(self):
+        self.assert_same_fields(self.multigrid)
+
+    def test_two_ranks(self):
+        self.check(2)
+
+    def test_three_ranks(self):
+        self.check(3)
+
+    def check(self, ranks):
+        folder = self.run_rupture("MueLu", ranks)
+        self.assert_same_fields(folder)
+        self.assert_same_effort(folder)
+
+    def assert_same_fields(self, folder):
+        for location, field in FIELDS:
+            files = [asperity_run.series(each / f"{location}.h5")
+                     for each in (self.reference, folder)]
+            for name in ("time", "step", "geometry/coordinates", "geometry/vertex_ids"):
+                numpy.testing.assert_array_equal(files[0][name], files[1][name])
+            values = [file["fields/" + field] for file in files]
+            error = numpy.abs(values[1] - values[0]).max() / numpy.abs(values[0]).max()
+            print(folder, field, error)
+            self.assertLess(error, 1e-9, field)
+
+    def assert_same_effort(self, folder):
+        tables = [asperity_run.table(each / "steps.csv") for each in (self.multigrid, folder)]
+        self.assertEqual(len(tables[0]), len(tables[1]))
+        for ours, theirs in zip(*tables):
+            print(ours["step"], ours["tnnmg_iterations"], theirs["tnnmg_iterations"])
+            for name in ("time", "fixed_point_iterations", "rate_problems"):
+                self.assertEqual(ours[name], theirs[name])
+            self.assertLessEqual(abs(ours["tnnmg_iterations"] - theirs["tnnmg_iterations"]), 1)
+            self.assertEqual(theirs["energy_rises"], 0)
+
+
+class AdaptiveSteps(unittest.TestCase):
+    """Steps follow the error of alpha; a decision may flip, but the events stay."""
+
+    def test_events_on_two_ranks(self):
+        settings = ["Mesh/Wedge/Cell Size=0.02", "Time Stepping/Final Time=10",
+                    "Time Stepping/Step Doubling/Tolerance=1e-3"]
+        changes = [word for setting in settings for word in ("--set", setting)]
+        serial, parallel = (
+            asperity_run.table(asperity_run.run_to_end(
+                f"events_{ranks}", DECK, *changes, ranks=ranks, timeout=400) / "events.csv")
+            for ranks in (1, 2))
+        self.assertEqual(len(serial), 2)
+        self.assertEqual(len(parallel), 2)
+        recurrence = serial[1]["onset"] - serial[0]["onset"]
+        for ours, theirs in zip(serial, parallel):
+            self.assertLess(abs(ours["onset"] - theirs["onset"]), 1e-3 * recurrence)
+            self.assertEqual(ours["width"], theirs["width"])
+            self.assertLess(abs(ours["peak_slip"] / theirs["peak_slip"] - 1), 1e-2)
+
+
+if __name__ == "__main__":
+    unittest.main()

@@ -1,0 +1,202 @@
+#include "dynamics/CoupledStep.hpp"
+
+#include "unit/dynamics/DenseReference.hpp"
+#include "unit/dynamics/SlidingBlock.hpp"
+
+#include <Tpetra_Vector.hpp>
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+namespace asperity::dynamics
+{
+using namespace testing;
+
+namespace
+{
+RCP<const Communicator> alone() { return fem::testing::selfCommunicator(); }
+
+const DyadicTime milliseconds(4e-3, 4);
+
+State solved(Stepper& stepper, State const& from, int level)
+{
+  auto to = from.clone();
+  auto const result = stepper.step.solve(from, level, to, stepper.count);
+  EXPECT_TRUE(result.solved());
+  return to;
+}
+
+void expectNear(DenseState const& state, DenseState const& expected, double tolerance)
+{
+  auto const distance = [](Eigen::VectorXd const& x, Eigen::VectorXd const& y) {
+    return (x - y).lpNorm<Eigen::Infinity>() / y.lpNorm<Eigen::Infinity>();
+  };
+  EXPECT_LE(distance(state.u, expected.u), tolerance);
+  EXPECT_LE(distance(state.v, expected.v), tolerance);
+  EXPECT_LE(distance(state.a, expected.a), tolerance);
+  EXPECT_LE(distance(state.alpha, expected.alpha), tolerance);
+}
+
+// f(v, alpha) on all dofs.
+Eigen::VectorXd frictionForce(Model const& model, State const& state)
+{
+  const int size = model.fault.numNodes();
+  friction::BlockView v("v", size, 1), gradient("gradient", size, 1);
+  friction::HessianView hessian("hessian", size, 1, 1);
+  friction::FlagView kinked("kinked", size);
+  model.fault.gather(*state.v, v);
+  model.fault.friction->linearise(v, state.alpha_of_rate, gradient, hessian, kinked);
+  Eigen::VectorXd force = Eigen::VectorXd::Zero(model.body.numOwnedDofs());
+  for (int i = 0; i < size; ++i) {
+    force[model.fault.dofs[i][0]] = gradient(i, 0);
+  }
+  return force;
+}
+} // namespace
+
+struct SchemeCase
+{
+  RateUpdate update;
+  DenseReference::Scheme scheme;
+  double beta, lambda;
+};
+
+class CoupledStepSchemes : public ::testing::TestWithParam<int>
+{
+protected:
+  static SchemeCase schemeCase(int which)
+  {
+    const SchemeCase cases[] = {
+      {RateUpdate::newmark(0.25), DenseReference::Scheme::newmark, 0.25, 0.5},
+      {RateUpdate::newmark(0.4), DenseReference::Scheme::newmark, 0.4, 0},
+      {RateUpdate::backwardEuler(), DenseReference::Scheme::backward_euler, 0, 0.5},
+      {RateUpdate::backwardEuler(), DenseReference::Scheme::backward_euler, 0, 1}};
+    return cases[which];
+  }
+};
+
+TEST_P(CoupledStepSchemes, agreeWithNewtonOnDenseMatrices)
+{
+  auto const scheme = schemeCase(GetParam());
+  for (int components : {1, 2}) {
+    for (auto correction : {Correction::direct, Correction::multigrid}) {
+      SCOPED_TRACE(::testing::Message() << components << " components, "
+                                        << (correction == Correction::direct ? "direct" : "MueLu"));
+      const Model model(slidingBlock(components), alone());
+      Stepper stepper(model, scheme.update, milliseconds, tightCoupling(scheme.lambda),
+                      tightSettings(correction));
+      const DenseReference reference(model, scheme.scheme, scheme.beta, scheme.lambda);
+      auto state = slidingState(model);
+      auto expected = denseOf(state);
+      for (int level : {2, 2, 1, 3}) {
+        state = solved(stepper, state, level);
+        expected =
+          reference.step(expected, milliseconds.seconds(state.time), milliseconds.stepSize(level));
+        expectNear(denseOf(state), expected, 1e-9);
+      }
+      EXPECT_EQ(stepper.count.rises, 0);
+      EXPECT_EQ(stepper.count.coupled_steps, 4);
+    }
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(All, CoupledStepSchemes, ::testing::Values(0, 1, 2, 3));
+
+TEST(CoupledStep, endsInBalanceOfMomentumUnderEveryLaw)
+{
+  for (std::string const law : {"Regularised", "Truncated"}) {
+    for (std::string const state_law : {"Ageing", "Slip"}) {
+      auto options = slidingBlock(2);
+      fem::testing::rotate(options.mesh, -0.2);
+      options.law = law;
+      options.state_law = state_law;
+      options.slip_factor = 2;
+      options.cohesion = 20;
+      const Model model(options, alone());
+      Stepper stepper(model, RateUpdate::newmark(0.25), milliseconds);
+      auto state = solved(stepper, slidingState(model), 2);
+      state = solved(stepper, state, 3);
+
+      auto load = model.body.vector();
+      auto rest = model.body.vector();
+      model.body.load(0, *load);
+      model.body.residual(*load, *state.u, *state.v, *state.a, *rest);
+      Eigen::VectorXd imbalance = denseOf(*rest) - frictionForce(model, state);
+      for (int dof = 0; dof < model.body.numOwnedDofs(); ++dof) {
+        imbalance[dof] = model.body.fixed[dof] ? 0 : imbalance[dof];
+      }
+      const double scale = denseOf(*rest).lpNorm<Eigen::Infinity>();
+      EXPECT_LE(imbalance.lpNorm<Eigen::Infinity>(), 1e-10 * scale) << law << ", " << state_law;
+    }
+  }
+}
+
+TEST(CoupledStep, moveFixedDofsAsPrescribedAtTheEndOfTheStep)
+{
+  const Model model(slidingBlock(2), alone());
+  Stepper stepper(model, RateUpdate::newmark(0.25), milliseconds);
+  auto const state = solved(stepper, slidingState(model), 0);
+  auto const v = denseOf(*state.v);
+  EXPECT_EQ(state.time, milliseconds.ticks(0));
+  for (int node = 0; node < model.mesh.num_owned; ++node) {
+    auto const& x = model.mesh.vertices[node];
+    if (x[0] == 0.4) {
+      EXPECT_DOUBLE_EQ(v[model.body.dofs->dof(node, 0)], loading_rate * (1 + x[1] + 30 * 4e-3));
+    }
+    if (x[1] == 0) {
+      EXPECT_EQ(v[model.body.dofs->dof(node, 1)], 0);
+    }
+  }
+}
+
+TEST(CoupledStep, leavesAFaultAtRestThatCohesionHolds)
+{
+  auto options = slidingBlock(2);
+  options.conditions = {};
+  options.cohesion = 1e4;
+  const Model model(options, alone());
+  Stepper stepper(model, RateUpdate::newmark(0.25), milliseconds);
+  auto const state = solved(stepper, model.restingState(), 1);
+  auto const v = denseOf(*state.v);
+  EXPECT_GT(v.norm(), 0);
+  for (auto const& dofs : model.fault.dofs) {
+    EXPECT_EQ(v[dofs[0]], 0);
+  }
+  // theta = theta0 + t
+  const double healed = std::log1p(options.reference_rate / options.L * milliseconds.stepSize(1));
+  for (double alpha : denseOf(state.alpha)) {
+    EXPECT_NEAR(alpha, healed, 1e-15);
+  }
+}
+
+TEST(CoupledStep, saysWhyItFailed)
+{
+  const Model model(slidingBlock(2), alone());
+  auto const from = slidingState(model);
+  auto to = from.clone();
+
+  auto hasty = tightCoupling();
+  hasty.max_iterations = 1;
+  Stepper coupling(model, RateUpdate::newmark(0.25), milliseconds, hasty);
+  auto result = coupling.step.solve(from, 0, to, coupling.count);
+  EXPECT_EQ(result.status, StepStatus::fixed_point_failed);
+  EXPECT_EQ(result.iterations, 1);
+  EXPECT_EQ(coupling.count.failures, 1);
+
+  auto settings = tightSettings();
+  settings.tnnmg.max_iterations = 1;
+  Stepper rate(model, RateUpdate::newmark(0.25), milliseconds, tightCoupling(), settings);
+  to = from.clone();
+  result = rate.step.solve(from, 0, to, rate.count);
+  EXPECT_EQ(result.status, StepStatus::rate_problem_failed);
+  EXPECT_FALSE(result.solved());
+
+  auto broken = from.clone();
+  broken.alpha(1) = std::nan("");
+  Stepper state(model, RateUpdate::newmark(0.25), milliseconds);
+  to = from.clone();
+  result = state.step.solve(broken, 0, to, state.count);
+  EXPECT_EQ(result.status, StepStatus::state_failed);
+  EXPECT_EQ(state.count.failures, 1);
+}
+} // namespace asperity::dynamics

@@ -1,0 +1,146 @@
+#include "dynamics/Fault.hpp"
+
+#include "unit/fem/SampleMeshes.hpp"
+
+#include <Tpetra_Map.hpp>
+#include <Tpetra_Vector.hpp>
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+
+namespace asperity::dynamics
+{
+namespace
+{
+RCP<const Communicator> world() { return fem::testing::worldCommunicator(); }
+
+// Each rank has three nodes with the dofs 0 .. T-1, T .. 2T-1, ...; weights 1, 2, 3.
+Fault makeFault(int num_tangents)
+{
+  Fault fault;
+  fault.num_tangents = num_tangents;
+  fault.communicator = world();
+  friction::NodeView weight("asperity::test::weight", 3);
+  for (int node = 0; node < 3; ++node) {
+    fault.dofs.emplace_back();
+    for (int k = 0; k < num_tangents; ++k) {
+      fault.dofs[node].push_back(node * num_tangents + k);
+    }
+    fault.fixed.push_back(0);
+    weight(node) = node + 1;
+  }
+  fault.data.weight = weight;
+  fault.total_weight = 6 * world()->getSize();
+  return fault;
+}
+
+friction::BlockView blocks(std::vector<std::vector<double>> const& values)
+{
+  friction::BlockView view("asperity::test::blocks", values.size(), values[0].size());
+  for (std::size_t node = 0; node < values.size(); ++node) {
+    for (std::size_t k = 0; k < values[node].size(); ++k) {
+      view(node, k) = values[node][k];
+    }
+  }
+  return view;
+}
+
+friction::NodeView nodes(std::vector<double> const& values)
+{
+  friction::NodeView view("asperity::test::nodes", values.size());
+  std::copy(values.begin(), values.end(), view.data());
+  return view;
+}
+} // namespace
+
+TEST(Fault, slipRateIsTheMagnitudeOfTheWeightedVelocity)
+{
+  auto fault = makeFault(2);
+  fault.slip_factor = 2;
+  auto const v0 = blocks({{1, 0}, {0, 0}, {-8, 4}});
+  auto const v1 = blocks({{5, 4}, {3, -4}, {0, 0}});
+  auto const V = nodes({0, 0, 0});
+  fault.slipRate(v0, v1, 0.25, V);
+  EXPECT_DOUBLE_EQ(V(0), 2 * std::hypot(4., 3.));
+  EXPECT_DOUBLE_EQ(V(1), 2 * 0.75 * 5);
+  EXPECT_DOUBLE_EQ(V(2), 2 * std::hypot(2., 1.));
+}
+
+TEST(Fault, slowRatesDoNotUnderflow)
+{
+  for (double rate : {1e-300, 1e-200, 1e-150, 1e-9, 1e2}) {
+    auto line = makeFault(1);
+    auto const V = nodes({1, 1, 1});
+    line.slipRate(blocks({{-rate}, {rate}, {0}}), blocks({{-rate}, {rate}, {0}}), 0.5, V);
+    EXPECT_DOUBLE_EQ(V(0), rate);
+    EXPECT_DOUBLE_EQ(V(1), rate);
+    EXPECT_EQ(V(2), 0);
+
+    auto plane = makeFault(2);
+    auto const v = blocks({{3 * rate, -4 * rate}, {0, -rate}, {0, 0}});
+    plane.slipRate(v, v, 1, V);
+    EXPECT_NEAR(V(0), 5 * rate, 1e-15 * 5 * rate);
+    EXPECT_DOUBLE_EQ(V(1), rate);
+    EXPECT_EQ(V(2), 0);
+  }
+}
+
+TEST(Fault, slipRateOfTheEndsOfTheStepAlone)
+{
+  auto const fault = makeFault(1);
+  auto const V = nodes({0, 0, 0});
+  fault.slipRate(blocks({{1}, {2}, {3}}), blocks({{-4}, {5}, {6}}), 0, V);
+  EXPECT_EQ(V(0), 4);
+  fault.slipRate(blocks({{1}, {2}, {3}}), blocks({{-4}, {5}, {6}}), 1, V);
+  EXPECT_EQ(V(2), 3);
+}
+
+TEST(Fault, peakIsOverAllNodesAndRanks)
+{
+  const RCP<const Map> map = rcp(new Map(8 * world()->getSize(), 8, 0, world()));
+  Vector v(map);
+  v.putScalar(1e3); // dofs 6 and 7 are no fault's
+  auto fault = makeFault(2);
+  fault.slip_factor = 2;
+  const double scale = 1. + world()->getRank();
+  for (double rate : {1e-300, 1e-5}) {
+    {
+      auto const values = v.getLocalViewHost(Tpetra::Access::ReadWrite);
+      for (int dof = 0; dof < 6; ++dof) {
+        values(dof, 0) = dof == 2 ? 3 * rate * scale : (dof == 3 ? -4 * rate * scale : rate);
+      }
+    }
+    const double expected = 10 * rate * world()->getSize();
+    EXPECT_NEAR(fault.peakSlipRate(v), expected, 1e-15 * expected);
+  }
+}
+
+TEST(Fault, distanceIsTheRootMeanSquareOverAllRanks)
+{
+  auto const fault = makeFault(1);
+  auto const a = nodes({1, 2, 3});
+  auto const b = nodes({1, 5, 1});
+  EXPECT_DOUBLE_EQ(fault.distance(a, b), std::sqrt((2 * 9 + 3 * 4) / 6.));
+  EXPECT_EQ(fault.distance(a, a), 0);
+  a(1) = std::numeric_limits<double>::quiet_NaN();
+  EXPECT_TRUE(std::isnan(fault.distance(a, b)));
+}
+
+TEST(Fault, gathersItsDofs)
+{
+  const RCP<const Map> map = rcp(new Map(4 * world()->getSize(), 4, 0, world()));
+  Vector v(map);
+  for (int dof = 0; dof < 4; ++dof) {
+    v.replaceLocalValue(dof, 10. + dof);
+  }
+  auto fault = makeFault(1);
+  fault.dofs = {{3}, {0}, {2}};
+  auto const gathered = blocks({{0}, {0}, {0}});
+  fault.gather(v, gathered);
+  EXPECT_EQ(gathered(0, 0), 13);
+  EXPECT_EQ(gathered(1, 0), 10);
+  EXPECT_EQ(gathered(2, 0), 12);
+  EXPECT_EQ(fault.sumOverRanks(3), 3 * world()->getSize());
+}
+} // namespace asperity::dynamics

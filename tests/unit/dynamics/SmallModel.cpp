@@ -1,0 +1,211 @@
+#include "unit/dynamics/SmallModel.hpp"
+
+#include "friction/Registry.hpp"
+#include "mesh/Partition.hpp"
+#include "tnnmg/MueLuCorrection.hpp"
+
+#include <Teuchos_CommHelpers.hpp>
+
+#include <cmath>
+
+namespace asperity::dynamics::testing
+{
+namespace
+{
+friction::ParameterView table(std::vector<double> const& column, int num_nodes)
+{
+  Kokkos::View<double**, friction::MemorySpace> values("asperity::test::parameters", column.size(),
+                                                       num_nodes);
+  auto const host = Kokkos::create_mirror_view(values);
+  for (std::size_t row = 0; row < column.size(); ++row) {
+    for (int node = 0; node < num_nodes; ++node) {
+      host(row, node) = column[row];
+    }
+  }
+  Kokkos::deep_copy(values, host);
+  return values;
+}
+} // namespace
+
+Model::Model(ModelOptions const& given, RCP<const Communicator> const& communicator)
+    : options(given)
+    , mesh(mesh::distribute(given.mesh, *communicator))
+    , fault_nodes(fem::boundaryNodes(mesh, given.fault, *communicator))
+{
+  auto conditions = options.conditions;
+  if (options.components == 2) {
+    conditions.insert(conditions.begin(), {"Fault", options.fault, {}, {}});
+  }
+  body.dofs = std::make_shared<fem::DofMap>(mesh.global_ids, mesh.num_owned, options.components,
+                                            communicator);
+  constraints =
+    std::make_unique<fem::Constraints<2>>(mesh, *body.dofs, conditions, std::vector<double>{0});
+  const std::vector<fem::Material> materials(mesh.cells.size(), options.material);
+  body.matrices = options.components == 2
+                    ? fem::assembleBody<2, 2>(mesh, *body.dofs, constraints->frames(), materials)
+                    : fem::assembleBody<2, 1>(mesh, *body.dofs, constraints->frames(), materials);
+  body.fixed = constraints->fixed();
+  body.prescribed_velocity = [this](double t, Vector& v) { constraints->prescribedVelocity(t, v); };
+  makeNearNullSpace();
+  makeFault();
+  makeLoad();
+}
+
+void Model::makeNearNullSpace()
+{
+  auto motions = rcp(new MultiVector(body.dofs->owned(), options.components == 1 ? 1 : 3));
+  auto const values = motions->getLocalViewHost(Tpetra::Access::OverwriteAll);
+  for (int node = 0; node < mesh.num_owned; ++node) {
+    auto const& x = mesh.vertices[node];
+    const double along_axes[3][2] = {{1, 0}, {0, 1}, {-x[1], x[0]}};
+    for (std::size_t motion = 0; motion < motions->getNumVectors(); ++motion) {
+      double local[2];
+      constraints->frames().toFrame(node, along_axes[motion], local);
+      for (int c = 0; c < options.components; ++c) {
+        values(body.dofs->dof(node, c), motion) = local[c];
+      }
+    }
+  }
+  body.near_null_space = motions;
+}
+
+void Model::makeFault()
+{
+  auto const& communicator = body.dofs->communicator();
+  const int size = static_cast<int>(fault_nodes.nodes.size());
+  double mine = 0;
+  for (int i = 0; i < size; ++i) {
+    const int node = fault_nodes.nodes[i];
+    // The component that the contact does not fix.
+    auto const& frames = constraints->frames();
+    auto const& normal = fault_nodes.normals[i];
+    const bool normal_first =
+      options.components == 2 &&
+      std::abs(frames.entry(node, 0, 0) * normal[0] + frames.entry(node, 0, 1) * normal[1]) > 0.5;
+    const int dof = body.dofs->dof(node, normal_first ? 1 : 0);
+    fault.dofs.push_back({dof});
+    fault.fixed.push_back(body.fixed[dof] ? 1 : 0);
+    mine += fault_nodes.weights[i];
+  }
+  fault.communicator = communicator;
+  fault.slip_factor = options.slip_factor;
+  Teuchos::reduceAll(*communicator, Teuchos::REDUCE_SUM, mine, Teuchos::outArg(fault.total_weight));
+
+  friction::NodeView weight("asperity::test::weight", size);
+  friction::NodeView factor("asperity::test::slipFactor", size);
+  Kokkos::deep_copy(factor, options.slip_factor);
+  auto const host = Kokkos::create_mirror_view(weight);
+  std::copy(fault_nodes.weights.begin(), fault_nodes.weights.end(), host.data());
+  Kokkos::deep_copy(weight, host);
+  fault.data.weight = weight;
+  fault.data.slip_factor = factor;
+  fault.data.sigma_n = nodeView([&](auto const&) { return options.sigma_n; });
+  fault.data.cohesion = nodeView([&](auto const&) { return options.cohesion; });
+  fault.data.parameters =
+    table({options.a, options.b, options.reference_rate, options.reference_friction}, size);
+  fault.friction = friction::makeFrictionKernels(options.law, fault.data);
+  fault.state =
+    friction::makeStateKernels(options.state_law, table({options.L, options.reference_rate}, size));
+}
+
+void Model::makeLoad()
+{
+  auto load = body.vector();
+  if (options.components == 2) {
+    const std::vector<fem::Material> materials(mesh.cells.size(), options.material);
+    load = fem::assembleGravity<2, 2>(mesh, *body.dofs, constraints->frames(), materials,
+                                      options.gravity);
+  }
+  {
+    auto const values = load->getLocalViewHost(Tpetra::Access::ReadWrite);
+    for (int i = 0; i < fault.numNodes(); ++i) {
+      values(fault.dofs[i][0], 0) += options.traction * fault_nodes.weights[i];
+    }
+  }
+  body.load = [load](double, Vector& l) { Tpetra::deep_copy(l, *load); };
+}
+
+State Model::restingState() const
+{
+  State state;
+  state.u = body.vector();
+  state.v = body.vector();
+  state.a = body.vector();
+  body.prescribed_velocity(0, *state.v);
+  state.alpha = nodeView([](auto const&) { return 0.; });
+  state.alpha_of_rate = nodeView([](auto const&) { return 0.; });
+  return state;
+}
+
+friction::NodeView Model::nodeView(std::function<double(Point<2> const&)> const& value) const
+{
+  friction::NodeView view("asperity::test::nodes", fault_nodes.nodes.size());
+  auto const host = Kokkos::create_mirror_view(view);
+  for (std::size_t i = 0; i < fault_nodes.nodes.size(); ++i) {
+    host(i) = value(mesh.vertices[fault_nodes.nodes[i]]);
+  }
+  Kokkos::deep_copy(view, host);
+  return view;
+}
+
+void Model::setFree(Vector& x,
+                    std::function<std::array<double, 2>(Point<2> const&)> const& value) const
+{
+  auto const values = x.getLocalViewHost(Tpetra::Access::ReadWrite);
+  for (int node = 0; node < mesh.num_owned; ++node) {
+    auto const along_axes = value(mesh.vertices[node]);
+    std::array<double, 2> local{};
+    constraints->frames().toFrame(node, along_axes.data(), local.data());
+    for (int c = 0; c < options.components; ++c) {
+      const int dof = body.dofs->dof(node, c);
+      if (!body.fixed[dof]) {
+        values(dof, 0) = local[c];
+      }
+    }
+  }
+}
+
+RateSolverSettings tightSettings(Correction correction)
+{
+  RateSolverSettings settings;
+  settings.tnnmg.absolute_tolerance = 1e-13;
+  settings.tnnmg.relative_tolerance = 1e-13;
+  settings.tnnmg.correction_tolerance = 1e-6;
+  settings.correction = correction;
+  settings.multigrid = *tnnmg::MueLuCorrection::validParameters();
+  return settings;
+}
+
+CouplingSettings tightCoupling(double lambda)
+{
+  CouplingSettings settings;
+  settings.tolerance = 1e-13;
+  settings.max_iterations = 200;
+  settings.lambda = lambda;
+  return settings;
+}
+
+Eigen::VectorXd denseOf(Vector const& x)
+{
+  auto const values = x.getLocalViewHost(Tpetra::Access::ReadOnly);
+  return Eigen::Map<const Eigen::VectorXd>(&values(0, 0), values.extent(0));
+}
+
+Eigen::VectorXd denseOf(friction::ConstNodeView const& x)
+{
+  auto const host = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace(), x);
+  return Eigen::Map<const Eigen::VectorXd>(host.data(), host.extent(0));
+}
+
+Eigen::MatrixXd denseOf(CrsMatrix const& matrix)
+{
+  auto const local = matrix.getLocalMatrixHost();
+  Eigen::MatrixXd result = Eigen::MatrixXd::Zero(local.numRows(), local.numCols());
+  for (int row = 0; row < local.numRows(); ++row) {
+    for (auto e = local.graph.row_map(row); e < local.graph.row_map(row + 1); ++e) {
+      result(row, local.graph.entries(e)) += local.values(e);
+    }
+  }
+  return result;
+}
+} // namespace asperity::dynamics::testing

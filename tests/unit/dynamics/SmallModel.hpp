@@ -1,0 +1,87 @@
+#pragma once
+
+#include "dynamics/CoupledStep.hpp"
+#include "fem/BoundaryNodes.hpp"
+#include "fem/Constraints.hpp"
+#include "mesh/GlobalMesh.hpp"
+
+#include <Eigen/Dense>
+#include <Tpetra_CrsMatrix.hpp>
+
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace asperity::dynamics::testing
+{
+// A small body with a fault, put together from fem and dynamics without a deck.
+struct ModelOptions
+{
+  int components = 2; // 1 is antiplane
+  GlobalMesh<2> mesh;
+  std::string fault = "bottom"; // in plane strain with v . n = 0
+  std::vector<fem::VelocityCondition<2>> conditions;
+  fem::Material material = {900, 0.05e6, 0.023e6, 1e3, 1e3}; // gelatine
+  std::array<double, 2> gravity = {0, 0};                    // m/s^2, plane strain
+  double traction = 0;                                       // Pa, along the first tangent
+
+  double sigma_n = 2000; // Pa
+  double cohesion = 0;   // Pa
+  double a = 0.01, b = 0.015, L = 25e-6, reference_rate = 50e-6, reference_friction = 0.7;
+  double slip_factor = 1;
+  std::string law = "Regularised", state_law = "Ageing";
+};
+
+struct Model
+{
+  Model(ModelOptions const& options, RCP<const Communicator> const& communicator);
+  Model(Model const&) = delete;
+  Model& operator=(Model const&) = delete;
+
+  // At rest, alpha = 0; v and a of the fixed dofs are those prescribed at t = 0.
+  State restingState() const;
+  // Values at the fault nodes.
+  friction::NodeView nodeView(std::function<double(Point<2> const&)> const& value) const;
+  // Gives the free dofs the values of a function of place along the axes.
+  void setFree(Vector& x, std::function<std::array<double, 2>(Point<2> const&)> const& value) const;
+
+  ModelOptions options;
+  Mesh<2> mesh;
+  std::unique_ptr<fem::Constraints<2>> constraints;
+  fem::BoundaryNodes<2> fault_nodes;
+  Body body;
+  Fault fault;
+
+private:
+  void makeNearNullSpace();
+  void makeFault();
+  void makeLoad();
+};
+
+// Solved as far as rounding allows.
+RateSolverSettings tightSettings(Correction correction = Correction::direct);
+CouplingSettings tightCoupling(double lambda = 0.5);
+
+// What steps a model.
+struct Stepper
+{
+  Stepper(Model const& model, RateUpdate const& update, DyadicTime const& time,
+          CouplingSettings const& coupling = tightCoupling(),
+          RateSolverSettings const& settings = tightSettings(), std::size_t budget = 1u << 30)
+      : clock(time)
+      , solvers(model.body, model.fault, update, clock, settings, budget)
+      , step(model.body, model.fault, update, clock, coupling, solvers)
+  {
+  }
+
+  DyadicTime clock;
+  StepSolvers solvers;
+  CoupledStep step;
+  SolveCount count;
+};
+
+// Everything of a vector on one rank, or of a matrix.
+Eigen::VectorXd denseOf(Vector const& x);
+Eigen::VectorXd denseOf(friction::ConstNodeView const& x);
+Eigen::MatrixXd denseOf(CrsMatrix const& matrix);
+} // namespace asperity::dynamics::testing
