@@ -141,6 +141,20 @@ std::unique_ptr<RateSolver> makeRateSolver(RCP<const CrsMatrix> const& Z, Body c
   return std::make_unique<FullRateSolver>(Z, body, fault, settings);
 }
 
+namespace
+{
+// Rounding makes the factor of a singular matrix: its answer solves nothing.
+void requireSolution(CrsMatrix const& Z, Vector const& b, Vector const& x)
+{
+  Vector rest(b, Teuchos::Copy);
+  Z.apply(x, rest, Teuchos::NO_TRANS, -1, 1);
+  if (!(rest.norm2() <= 1e-6 * b.norm2())) {
+    throw SolveError("The static problem has no solution: some part of the body can move without "
+                     "resistance. Check that the boundary conditions hold it.");
+  }
+}
+} // namespace
+
 void solveLinear(RCP<const CrsMatrix> const& Z, Body const& body,
                  RateSolverSettings const& settings, Vector const& b, Vector& x)
 {
@@ -149,6 +163,7 @@ void solveLinear(RCP<const CrsMatrix> const& Z, Body const& body,
     Vector nothing(factor.matrix()->getDomainMap());
     factor.condense(b, nothing);
     factor.expand(nothing, x);
+    requireSolution(*Z, b, x);
     return;
   }
   const Kokkos::View<LocalOrdinal**, Kokkos::LayoutRight, tnnmg::MemorySpace> none(

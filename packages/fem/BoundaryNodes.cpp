@@ -1,10 +1,11 @@
 #include "fem/BoundaryNodes.hpp"
 
 #include "base/Errors.hpp"
-#include "fem/Simplex.hpp"
+#include "mesh/SimplexGeometry.hpp"
 
 #include <Teuchos_CommHelpers.hpp>
 
+#include <cmath>
 #include <map>
 
 namespace asperity::fem
@@ -39,8 +40,9 @@ BoundaryNodes<Dim> boundaryNodes(Mesh<Dim> const& mesh, std::string const& bound
                                                       << namesOf(mesh) << ".");
   std::map<int, Accumulated<Dim>> nodes;
   for (auto const& facet : facets->second) {
-    auto const normal = facetNormal<Dim>(mesh, facet);
-    const double measure = length<Dim>(normal);
+    auto const corners = mesh::corners<Dim>(mesh.vertices, facet);
+    auto const normal = mesh::areaNormal(corners);
+    const double measure = mesh::facetMeasure(corners);
     for (int node : facet) {
       if (node < mesh.num_owned) {
         auto& sum = nodes[node];
@@ -53,7 +55,7 @@ BoundaryNodes<Dim> boundaryNodes(Mesh<Dim> const& mesh, std::string const& bound
   }
   BoundaryNodes<Dim> result;
   for (auto const& [node, sum] : nodes) {
-    const double size = length<Dim>(sum.normal);
+    const double size = std::sqrt(mesh::dot<Dim>(sum.normal, sum.normal));
     Point<Dim> normal = sum.normal;
     for (double& x : normal) {
       x /= size;

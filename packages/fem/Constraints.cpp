@@ -1,7 +1,7 @@
 #include "fem/Constraints.hpp"
 
 #include "base/Errors.hpp"
-#include "fem/Simplex.hpp"
+#include "mesh/SimplexGeometry.hpp"
 
 #include <Tpetra_Import.hpp>
 #include <Tpetra_Map.hpp>
@@ -109,7 +109,7 @@ typename Constraints<Dim>::NodalDirections Constraints<Dim>::collect(Mesh<Dim> c
                                                           << condition.boundary << "'.");
     std::map<int, std::vector<double>> normals;
     for (auto const& facet : boundary->second) {
-      auto const outward = facetNormal<Dim>(mesh, facet);
+      auto const outward = mesh::areaNormal(mesh::corners<Dim>(mesh.vertices, facet));
       for (int node : facet) {
         if (node < mesh.num_owned) {
           auto& normal = normals.try_emplace(node, components, 0.).first->second;

@@ -81,14 +81,35 @@ RCP<ParameterList> readCompleteDeck(CommandLine const& command_line)
   return deck;
 }
 
+namespace
+{
+// One line for each entry, with all digits. In the order of the lists, which matters for regions
+// and boundary conditions.
+void writeEntries(std::ostream& text, ParameterList const& list, std::string const& path)
+{
+  for (auto const& item : list) {
+    auto const name = joinPath(path, item.first);
+    Teuchos::ParameterEntry const& entry = item.second;
+    if (entry.isList()) {
+      writeEntries(text, Teuchos::getValue<ParameterList>(entry), name);
+    } else if (entry.isType<double>()) {
+      text << name << " = " << Teuchos::getValue<double>(entry) << '\n';
+    } else {
+      text << name << " = " << entry.getAny(false) << '\n';
+    }
+  }
+}
+} // namespace
+
 std::string fingerprint(ParameterList const& deck)
 {
   ParameterList relevant(deck);
   relevant.remove("Output");
+  relevant.remove("TNNMG");
   relevant.sublist("Time Stepping").remove("Final Time");
   std::ostringstream text;
   text.precision(17);
-  relevant.print(text, ParameterList::PrintOptions().showTypes(false).showFlags(false));
+  writeEntries(text, relevant, "Asperity");
   return text.str();
 }
 } // namespace asperity::scenario

@@ -15,6 +15,7 @@ RCP<const ParameterList> deckParameters(std::string const& law, std::string cons
 // otherwise.
 RCP<ParameterList> readCompleteDeck(CommandLine const& command_line);
 
-// What must not change between a run and its restart: everything but the output and the final time.
+// What must not change between a run and its restart: everything but the output, the final time
+// and how the rate problems are solved.
 std::string fingerprint(ParameterList const& deck);
 } // namespace asperity::scenario

@@ -76,13 +76,17 @@ Simulation::Simulation(RCP<ParameterList> const& deck, CommandLine const& comman
   if (problem_.boundary.surface.empty()) {
     deck->sublist("Output").sublist("Surface History").set("Enabled", false);
   }
+  outputs_ = std::make_unique<io::OutputSet>(
+    deck->sublist("Output"), io::OutputContext{directory_, communicator, registry_, locations_});
   if (command_line.validate) {
     return;
   }
+  // All that may be refused is read before the first file is touched.
+  if (!restart_.empty()) {
+    checkpoint_ = io::readCheckpoint(restart_, fingerprint(*deck), *communicator);
+  }
   io::prepareOutputDirectory(directory_, existingResult(command_line), *communicator);
   log_ = std::make_unique<io::RunLog>(directory_ / "run.log", !restart_.empty(), *communicator);
-  outputs_ = std::make_unique<io::OutputSet>(
-    deck->sublist("Output"), io::OutputContext{directory_, communicator, registry_, locations_});
   if (communicator->getRank() == 0) {
     writeParameters(*deck, (directory_ / "parameters.xml").string());
   }
@@ -140,13 +144,13 @@ void Simulation::begin()
     outputs_->write(stepInfo());
     return;
   }
-  auto const archive = io::readCheckpoint(restart_, fingerprint(*deck_), *communicator_);
-  state_ = loadState(archive, "state", problem_.initial);
-  control_->restore(loadControl(archive, "control", problem_.initial));
-  count_ = loadCount(archive, "count");
-  forced_steps_ = archive.getInteger("forced_steps");
-  balance_.start(state_, loadEnergy(archive, "energy"));
-  outputs_->restore(archive.child("outputs"));
+  state_ = loadState(checkpoint_, "state", problem_.initial);
+  control_->restore(loadControl(checkpoint_, "control", problem_.initial));
+  count_ = loadCount(checkpoint_, "count");
+  forced_steps_ = checkpoint_.getInteger("forced_steps");
+  balance_.start(state_, loadEnergy(checkpoint_, "energy"));
+  outputs_->restore(checkpoint_.child("outputs"));
+  checkpoint_ = {};
   log_->message("Restarted from " + restart_ +
                 " at t = " + formatShort(clock_.seconds(state_.time)) + " s.");
 }

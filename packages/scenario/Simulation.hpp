@@ -2,6 +2,7 @@
 
 #include "base/CommandLine.hpp"
 #include "dynamics/CoupledStep.hpp"
+#include "io/Archive.hpp"
 #include "io/OutputSet.hpp"
 #include "io/RunLog.hpp"
 #include "scenario/OutputFields.hpp"
@@ -28,7 +29,6 @@ public:
 private:
   void announce();
   void begin();
-  void restore(std::string const& file);
   void advance();
   void writeCheckpoint();
   void report(bool finished);
@@ -54,6 +54,7 @@ private:
   io::FieldRegistry registry_;
   std::unique_ptr<io::OutputSet> outputs_;
   std::string restart_;
+  io::Archive checkpoint_; // of a restart, until it begins
   int checkpoint_interval_;
 };
 

@@ -62,18 +62,20 @@ class PrescribedSteps(unittest.TestCase):
                 numpy.testing.assert_array_equal(files[0][name], files[1][name])
             values = [file["fields/" + field] for file in files]
             error = numpy.abs(values[1] - values[0]).max() / numpy.abs(values[0]).max()
-            print(folder, field, error)
             self.assertLess(error, 1e-9, field)
 
     def assert_same_effort(self, folder):
         tables = [asperity_run.table(each / "steps.csv") for each in (self.multigrid, folder)]
         self.assertEqual(len(tables[0]), len(tables[1]))
         for ours, theirs in zip(*tables):
-            print(ours["step"], ours["tnnmg_iterations"], theirs["tnnmg_iterations"])
             for name in ("time", "fixed_point_iterations", "rate_problems"):
                 self.assertEqual(ours[name], theirs[name])
-            self.assertLessEqual(abs(ours["tnnmg_iterations"] - theirs["tnnmg_iterations"]), 1)
+            # One more or less in a rate problem, of which a step has five to fifteen.
+            difference = abs(ours["tnnmg_iterations"] - theirs["tnnmg_iterations"])
+            self.assertLessEqual(difference, 0.5 * ours["rate_problems"])
             self.assertEqual(theirs["energy_rises"], 0)
+        total = [sum(row["tnnmg_iterations"] for row in rows) for rows in tables]
+        self.assertLess(abs(total[1] - total[0]), 0.02 * total[0])
 
 
 class AdaptiveSteps(unittest.TestCase):

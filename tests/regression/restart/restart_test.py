@@ -1,0 +1,156 @@
+"""A run that is stopped, killed or continued ends with the very bytes of one that was not."""
+
+import pathlib
+import shutil
+import signal
+import subprocess
+import time
+import unittest
+
+import numpy
+
+import asperity_run
+
+HERE = pathlib.Path(__file__).parent
+DECK = HERE.parent / "parallel" / "coarse_wedge.xml"
+STOPPED = 4
+
+
+def settings(*changes):
+    return [word for change in changes for word in ("--set", change)]
+
+
+# Some 550 steps, three events, about two seconds.
+RUN = [DECK, *settings("Time Stepping/Final Time=20", "Output/Checkpoint Every n Steps=40",
+                       "Output/Fault History/Every n Steps=7")]
+# Some 80 steps with the multigrid correction.
+SHORT_RUN = [DECK, *settings(
+    "Time Stepping/Final Time=5", "Time Stepping/Step Doubling/Tolerance=1e-3",
+    "Mesh/Wedge/Cell Size=0.02", "TNNMG/Linear Correction=MueLu",
+    "Output/Checkpoint Every n Steps=10")]
+
+
+class Restart(unittest.TestCase):
+    @classmethod
+    def setUpClass(cls):
+        cls.whole = asperity_run.run_to_end("whole", *RUN)
+
+    def start(self, folder, *arguments, deck=None):
+        """A run in the background, once its first checkpoint of its own is on disk."""
+        checkpoint = folder / "checkpoint.h5"
+        before = checkpoint.stat().st_ino if checkpoint.exists() else None
+        process = subprocess.Popen(
+            asperity_run.command(*(deck or RUN), "--output", folder, *arguments),
+            stdout=subprocess.DEVNULL, stderr=subprocess.PIPE, text=True)
+        end = time.monotonic() + 60
+        while not checkpoint.exists() or checkpoint.stat().st_ino == before:
+            if process.poll() is not None or time.monotonic() > end:
+                process.kill()
+                self.fail(f"no checkpoint: {process.communicate()[1]}")
+            time.sleep(0.002)
+        return process
+
+    def stop(self, process, number):
+        process.send_signal(number)
+        _, errors = process.communicate(timeout=60)
+        self.assertEqual(errors, "")
+        self.assertEqual(process.returncode, STOPPED if number == signal.SIGTERM else -number)
+
+    def finish(self, folder, deck=None):
+        result = asperity_run.run(*(deck or RUN), "--restart", folder / "checkpoint.h5",
+                                  "--output", folder)
+        self.assertEqual((result.returncode, result.stderr), (0, ""))
+
+    def fresh(self, name):
+        shutil.rmtree(name, ignore_errors=True)
+        return pathlib.Path(name)
+
+    def assert_same_results(self, folder, whole=None):
+        whole = whole or self.whole
+        for name in ("fault.h5", "surface.h5"):
+            ours, theirs = asperity_run.series(whole / name), asperity_run.series(folder / name)
+            self.assertEqual(set(ours), set(theirs))
+            for dataset, values in ours.items():
+                numpy.testing.assert_array_equal(values, theirs[dataset], f"{name}: {dataset}")
+        for name in ("steps.csv", "events.csv"):
+            self.assertEqual((whole / name).read_bytes(), (folder / name).read_bytes(), name)
+
+    def test_the_run_is_worth_the_trouble(self):
+        steps = asperity_run.table(self.whole / "steps.csv")
+        self.assertGreater(len(steps), 400)
+        self.assertGreater(len({row["step_size"] for row in steps}), 5)
+        self.assertGreaterEqual(len(asperity_run.table(self.whole / "events.csv")), 3)
+
+    def test_stopped_once(self):
+        folder = self.fresh("stopped_once")
+        self.stop(self.start(folder), signal.SIGTERM)
+        steps = asperity_run.table(folder / "steps.csv")
+        self.assertLess(len(steps), len(asperity_run.table(self.whole / "steps.csv")))
+        self.finish(folder)
+        self.assert_same_results(folder)
+        self.assertIn("Restarted from", (folder / "run.log").read_text())
+
+    def test_stopped_twice(self):
+        folder = self.fresh("stopped_twice")
+        self.stop(self.start(folder), signal.SIGTERM)
+        restart = ("--restart", folder / "checkpoint.h5")
+        self.stop(self.start(folder, *restart), signal.SIGTERM)
+        self.finish(folder)
+        self.assert_same_results(folder)
+
+    def test_killed(self):
+        folder = self.fresh("killed")
+        process = self.start(folder)
+        time.sleep(0.03)  # well into the steps that no checkpoint has
+        self.stop(process, signal.SIGKILL)
+        self.finish(folder)
+        self.assert_same_results(folder)
+
+    def test_killed_twice_from_the_same_checkpoint(self):
+        folder = self.fresh("killed_twice")
+        self.stop(self.start(folder), signal.SIGKILL)
+        kept = folder / "kept.h5"
+        shutil.copy(folder / "checkpoint.h5", kept)
+        self.stop(self.start(folder, "--restart", kept), signal.SIGKILL)
+        result = asperity_run.run(*RUN, "--restart", kept, "--output", folder)
+        self.assertEqual((result.returncode, result.stderr), (0, ""))
+        self.assert_same_results(folder)
+
+    def test_restarted_from_the_completed_parameters(self):
+        folder = self.fresh("completed_parameters")
+        self.stop(self.start(folder), signal.SIGTERM)
+        self.finish(folder, deck=[folder / "parameters.xml"])
+        self.assert_same_results(folder)
+
+    def test_with_multigrid(self):
+        whole = asperity_run.run_to_end("multigrid_whole", *SHORT_RUN)
+        folder = self.fresh("multigrid")
+        self.stop(self.start(folder, deck=SHORT_RUN), signal.SIGTERM)
+        self.finish(folder, deck=SHORT_RUN)
+        self.assert_same_results(folder, whole)
+
+    def test_continued_beyond_its_end(self):
+        folder = asperity_run.run_to_end("continued", *RUN,
+                                         *settings("Time Stepping/Final Time=6"))
+        self.finish(folder)
+        for name in ("steps.csv", "events.csv"):
+            self.assertEqual((self.whole / name).read_bytes(), (folder / name).read_bytes())
+
+    def test_refuses_another_deck(self):
+        folder = self.fresh("other_deck")
+        self.stop(self.start(folder), signal.SIGTERM)
+        before = asperity_run.checksums(folder)
+        for change in ("Friction/L=25.000001e-6", "Mesh/Wedge/Cell Size=0.012",
+                       "Time Stepping/Largest Step=2"):
+            result = asperity_run.run(*RUN, *settings(change), "--restart",
+                                      folder / "checkpoint.h5", "--output", folder)
+            self.assertEqual(result.returncode, 2)
+            self.assertRegex(result.stderr, r"^asperity: .*checkpoint\.h5 belongs to another deck")
+            self.assertEqual(result.stderr.count("\n"), 1)
+            self.assertEqual(asperity_run.checksums(folder), before)
+        self.finish(folder)
+        self.assert_same_results(folder)
+
+
+if __name__ == "__main__":
+    unittest.main()

@@ -1,0 +1,195 @@
+#include "dynamics/EnergyBalance.hpp"
+
+#include "dynamics/InitialState.hpp"
+#include "unit/dynamics/SlidingBlock.hpp"
+
+#include <Tpetra_Vector.hpp>
+#include <gtest/gtest.h>
+
+namespace asperity::dynamics
+{
+using namespace testing;
+
+namespace
+{
+const DyadicTime milliseconds(4e-3, 4);
+
+// Sliding, with an acceleration that balances momentum.
+State balancedState(Model const& model)
+{
+  auto state = slidingState(model);
+  auto load = model.body.vector();
+  auto prescribed = model.body.vector();
+  auto later = model.body.vector();
+  model.body.load(0, *load);
+  model.body.prescribed_velocity(1, *later);
+  model.body.prescribed_velocity(0, *prescribed);
+  prescribed->update(1, *later, -1);
+  state.a = initialAcceleration(model.body, model.fault, tightSettings(), model.options.law, *load,
+                                *prescribed, *state.u, *state.v, state.alpha);
+  return state;
+}
+
+void advance(Stepper& stepper, State& state, int level)
+{
+  auto next = state.clone();
+  ASSERT_TRUE(stepper.step.solve(state, level, next, stepper.count).solved());
+  state = next;
+}
+} // namespace
+
+TEST(EnergyBalance, closesWithTheTrapezoidalRuleWhateverTheSteps)
+{
+  for (int components : {1, 2}) {
+    auto options = slidingBlock(components);
+    options.cohesion = 15;
+    const Model model(options, fem::testing::selfCommunicator());
+    Stepper stepper(model, RateUpdate::newmark(0.25), milliseconds);
+    EnergyBalance balance(model.body, model.fault, milliseconds);
+    auto state = balancedState(model);
+    auto const u0 = denseOf(*state.u);
+    balance.start(state, {});
+    for (int level : {2, 2, 1, 4, 0, 0, 1, 2, 3, 0, 0, 0}) {
+      const double before = balance.energy().defect;
+      advance(stepper, state, level);
+      auto const& energy = balance.advance(state);
+      EXPECT_NEAR(energy.defect, before, 1e-10 * energy.friction_work);
+    }
+    auto const& energy = balance.energy();
+    auto load = model.body.vector();
+    model.body.load(0, *load);
+    EXPECT_NEAR(energy.load_work, denseOf(*load).dot(denseOf(*state.u) - u0),
+                1e-12 * std::abs(energy.load_work));
+    auto const u = denseOf(*state.u);
+    auto const v = denseOf(*state.v);
+    EXPECT_NEAR(energy.kinetic, 0.5 * v.dot(denseOf(*model.body.matrices.mass) * v),
+                1e-13 * energy.kinetic);
+    EXPECT_NEAR(energy.elastic, 0.5 * u.dot(denseOf(*model.body.matrices.stiffness) * u),
+                1e-12 * energy.elastic);
+    EXPECT_GT(energy.friction_work, 0);
+    EXPECT_GT(energy.viscous_work, 0);
+    EXPECT_NE(energy.boundary_work, 0);
+  }
+}
+
+TEST(EnergyBalance, splitsTheWorkOfFrictionAndOfThePushedBoundary)
+{
+  // Steady: a rigid block in uniform motion, friction bears the traction and the push together.
+  auto options = slidingBlock(2);
+  options.gravity = {0, 0};
+  options.traction = 1000;
+  options.conditions = {{"Push", "right", {1, 0}, [](auto const&, double) { return 1e-3; }}};
+  options.b = 0;
+  const Model model(options, fem::testing::selfCommunicator());
+  auto state = model.restingState();
+  model.setFree(*state.v, [](auto const&) -> std::array<double, 2> { return {1e-3, 0}; });
+  // K u = traction - friction, at the fixed dofs the push.
+  Vector force(*model.body.vector());
+  const double mu = options.a * std::asinh(1e-3 / (2 * options.reference_rate) *
+                                           std::exp(options.reference_friction / options.a));
+  const double rest = options.traction - options.sigma_n * mu; // Pa on the base
+  for (int i = 0; i < model.fault.numNodes(); ++i) {
+    force.replaceLocalValue(model.fault.dofs[i][0], rest * model.fault_nodes.weights[i]);
+  }
+  state.u = staticDisplacement(model.body, tightSettings(), force);
+  Stepper stepper(model, RateUpdate::newmark(0.25), milliseconds);
+  EnergyBalance balance(model.body, model.fault, milliseconds);
+  balance.start(state, {});
+  for (int n = 0; n < 4; ++n) {
+    advance(stepper, state, 1);
+    balance.advance(state);
+  }
+  const double slip = 1e-3 * milliseconds.seconds(state.time);
+  // Where the base itself is pushed, what friction takes is part of what the push has to give.
+  const double base = 0.4, free_base = 0.35; // m
+  auto const& energy = balance.energy();
+  EXPECT_NEAR(energy.friction_work / (options.sigma_n * mu * free_base * slip), 1, 1e-9);
+  EXPECT_NEAR(energy.load_work / (options.traction * base * slip), 1, 1e-9);
+  const double push = options.sigma_n * mu * free_base - options.traction * base; // N/m
+  EXPECT_NEAR(energy.boundary_work / (push * slip), 1, 1e-8);
+}
+
+// rho v' = -K u alone: what backward Euler loses is 1/2 (du'K du + dv'M dv) in each step.
+TEST(EnergyBalance, namesWhatBackwardEulerDissipates)
+{
+  auto options = slidingBlock(1);
+  options.sigma_n = options.traction = 0;
+  options.conditions = {};
+  options.material.shear_viscosity = 0;
+  const Model model(options, fem::testing::selfCommunicator());
+  auto const M = denseOf(*model.body.matrices.mass);
+  auto const K = denseOf(*model.body.matrices.stiffness);
+  Stepper stepper(model, RateUpdate::backwardEuler(), milliseconds);
+  EnergyBalance balance(model.body, model.fault, milliseconds);
+  auto state = slidingState(model);
+  balance.start(state, {});
+  for (int n = 0; n < 5; ++n) {
+    auto const before = state.clone();
+    const double defect = balance.energy().defect;
+    advance(stepper, state, 0);
+    balance.advance(state);
+    const Eigen::VectorXd du = denseOf(*state.u) - denseOf(*before.u);
+    const Eigen::VectorXd dv = denseOf(*state.v) - denseOf(*before.v);
+    const double lost = (du.dot(K * du) + dv.dot(M * dv)) / 2;
+    EXPECT_NEAR((balance.energy().defect - defect) / lost, -1, 1e-9);
+  }
+}
+
+TEST(EnergyBalance, goesOnFromTheWorksOfAnEarlierRun)
+{
+  const Model model(slidingBlock(2), fem::testing::selfCommunicator());
+  Stepper stepper(model, RateUpdate::newmark(0.25), milliseconds);
+  EnergyBalance whole(model.body, model.fault, milliseconds);
+  EnergyBalance second(model.body, model.fault, milliseconds);
+  auto state = balancedState(model);
+  whole.start(state, {});
+  for (int n = 0; n < 4; ++n) {
+    advance(stepper, state, 1);
+    whole.advance(state);
+    if (n == 1) {
+      second.start(state, whole.energy());
+    } else if (n > 1) {
+      second.advance(state);
+    }
+  }
+  for (auto member :
+       {&Energy::kinetic, &Energy::elastic, &Energy::load_work, &Energy::boundary_work,
+        &Energy::friction_work, &Energy::viscous_work, &Energy::defect}) {
+    EXPECT_EQ(second.energy().*member, whole.energy().*member);
+  }
+}
+
+TEST(EnergyBalance, seesNoWorkWhereTheFaultIsHeld)
+{
+  auto options = slidingBlock(2);
+  options.conditions = {};
+  options.cohesion = 1e4;
+  const Model model(options, fem::testing::selfCommunicator());
+  Stepper stepper(model, RateUpdate::newmark(0.25), milliseconds);
+  EnergyBalance balance(model.body, model.fault, milliseconds);
+  auto state = model.restingState();
+  auto load = model.body.vector();
+  model.body.load(0, *load);
+  state.a = initialAcceleration(model.body, model.fault, tightSettings(), options.law, *load,
+                                *model.body.vector(), *state.u, *state.v, state.alpha);
+  balance.start(state, {});
+  for (int n = 0; n < 3; ++n) {
+    advance(stepper, state, 1);
+    balance.advance(state);
+  }
+  EXPECT_EQ(balance.energy().friction_work, 0);
+  EXPECT_GT(balance.energy().elastic, 0);
+  EXPECT_NEAR(balance.energy().defect, 0, 1e-12 * balance.energy().load_work);
+  // The fault bears what rests on it: together with the motion that makes the whole load.
+  double held = 0, driven = 0;
+  auto const force = denseOf(balance.force());
+  const Eigen::VectorXd momentum = denseOf(*model.body.matrices.mass) * denseOf(*state.a);
+  for (auto const& dofs : model.fault.dofs) {
+    held += force[dofs[0]];
+  }
+  for (int node = 0; node < model.mesh.num_owned; ++node) {
+    driven += denseOf(*load)[2 * node] - momentum[2 * node];
+  }
+  EXPECT_NEAR(held / driven, 1, 1e-10);
+}
+} // namespace asperity::dynamics

@@ -1,0 +1,162 @@
+#include "dynamics/InitialState.hpp"
+
+#include "base/Errors.hpp"
+#include "unit/dynamics/SlidingBlock.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+namespace asperity::dynamics
+{
+using namespace testing;
+
+namespace
+{
+RCP<const Communicator> alone() { return fem::testing::selfCommunicator(); }
+
+RCP<Vector> loadOf(Model const& model)
+{
+  auto load = model.body.vector();
+  model.body.load(0, *load);
+  return load;
+}
+
+std::vector<int> freeDofs(Model const& model)
+{
+  std::vector<int> dofs;
+  for (int dof = 0; dof < model.body.numOwnedDofs(); ++dof) {
+    if (!model.body.fixed[dof]) {
+      dofs.push_back(dof);
+    }
+  }
+  return dofs;
+}
+
+Eigen::VectorXd accelerationOf(Model const& model, State const& state, Vector const& prescribed,
+                               Correction correction = Correction::direct)
+{
+  return denseOf(*initialAcceleration(model.body, model.fault, tightSettings(correction),
+                                      model.options.law, *loadOf(model), prescribed, *state.u,
+                                      *state.v, state.alpha));
+}
+
+Eigen::VectorXd residualOf(Model const& model, State const& state, Eigen::VectorXd const& a)
+{
+  return denseOf(*loadOf(model)) - denseOf(*model.body.matrices.mass) * a -
+         denseOf(*model.body.matrices.viscosity) * denseOf(*state.v) -
+         denseOf(*model.body.matrices.stiffness) * denseOf(*state.u);
+}
+} // namespace
+
+TEST(InitialState, staticDisplacementBalancesTheLoadWithAFaultWithoutFriction)
+{
+  for (int components : {1, 2}) {
+    for (auto correction : {Correction::direct, Correction::multigrid}) {
+      const Model model(slidingBlock(components), alone());
+      auto const load = loadOf(model);
+      auto const u = denseOf(*staticDisplacement(model.body, tightSettings(correction), *load));
+      const Eigen::VectorXd rest = denseOf(*model.body.matrices.stiffness) * u - denseOf(*load);
+      EXPECT_GT(u.norm(), 0);
+      EXPECT_LE(rest(freeDofs(model)).norm(), 1e-11 * denseOf(*load).norm());
+      for (int dof = 0; dof < u.size(); ++dof) {
+        EXPECT_TRUE(!model.body.fixed[dof] || u[dof] == 0);
+      }
+    }
+  }
+}
+
+TEST(InitialState, accelerationBalancesMomentumWhereTheFaultMoves)
+{
+  for (int components : {1, 2}) {
+    for (auto correction : {Correction::direct, Correction::multigrid}) {
+      auto options = slidingBlock(components);
+      options.cohesion = 30;
+      const Model model(options, alone());
+      auto const state = slidingState(model);
+      model.setFree(*state.u, [](Point<2> const& x) -> std::array<double, 2> {
+        return {1e-3 * x[0] * x[1], 2e-3 * x[0]};
+      });
+      Vector prescribed(*model.body.vector());
+      model.body.prescribed_velocity(0.7, prescribed); // any values at the fixed dofs
+      auto const a = accelerationOf(model, state, prescribed, correction);
+      auto const rest = residualOf(model, state, a);
+      auto const v = denseOf(*state.v);
+      auto const alpha = denseOf(state.alpha);
+      Eigen::VectorXd friction = Eigen::VectorXd::Zero(a.size());
+      for (int i = 0; i < model.fault.numNodes(); ++i) {
+        const int dof = model.fault.dofs[i][0];
+        auto const& o = model.options;
+        const double mu = o.a * std::asinh(v[dof] / (2 * o.reference_rate) *
+                                           std::exp((o.reference_friction + o.b * alpha[i]) / o.a));
+        friction[dof] = model.fault_nodes.weights[i] * (o.sigma_n * mu + o.cohesion);
+      }
+      EXPECT_LE((rest - friction)(freeDofs(model)).norm(), 1e-10 * rest.norm());
+      auto const fixed_values = denseOf(prescribed);
+      for (int dof = 0; dof < a.size(); ++dof) {
+        EXPECT_TRUE(!model.body.fixed[dof] || a[dof] == fixed_values[dof]);
+      }
+    }
+  }
+}
+
+// The block leans on its fault at rest: some nodes slip away, others hold.
+TEST(InitialState, cohesionHoldsRestingNodesUpToItsStrength)
+{
+  for (auto correction : {Correction::direct, Correction::multigrid}) {
+    auto options = slidingBlock(2);
+    options.conditions = {};
+    options.traction = 0;
+    options.cohesion = 100;
+    const Model model(options, alone());
+    auto const state = model.restingState();
+    model.setFree(*state.u, [](Point<2> const& x) -> std::array<double, 2> {
+      return {0.01 * x[1] * std::sin(12 * x[0]), 0};
+    });
+    auto const a = accelerationOf(model, state, *model.body.vector(), correction);
+    auto const rest = residualOf(model, state, a);
+    int num_held = 0, num_moving = 0;
+    for (int i = 0; i < model.fault.numNodes(); ++i) {
+      const int dof = model.fault.dofs[i][0];
+      const double strength = options.cohesion * model.fault_nodes.weights[i];
+      if (a[dof] == 0) {
+        ++num_held;
+        EXPECT_LE(std::abs(rest[dof]), strength);
+      } else {
+        ++num_moving;
+        EXPECT_NEAR(rest[dof], std::copysign(strength, a[dof]), 1e-9 * strength);
+      }
+    }
+    EXPECT_GT(num_held, 0);
+    EXPECT_GT(num_moving, 0);
+    auto away_from_fault = rest;
+    for (auto const& dofs : model.fault.dofs) {
+      away_from_fault[dofs[0]] = 0;
+    }
+    EXPECT_LE(away_from_fault(freeDofs(model)).norm(), 1e-10 * rest.norm());
+  }
+}
+
+TEST(InitialState, aBodyInBalanceStaysAtRest)
+{
+  auto options = slidingBlock(2);
+  options.traction = 0;
+  const Model model(options, alone());
+  auto state = model.restingState();
+  state.v->putScalar(0);
+  state.u = staticDisplacement(model.body, tightSettings(), *loadOf(model));
+  auto const a = accelerationOf(model, state, *model.body.vector());
+  EXPECT_EQ(a.norm(), 0);
+}
+
+TEST(InitialState, aBodyThatNothingHoldsHasNoStaticDisplacement)
+{
+  auto options = slidingBlock(2);
+  options.conditions = {}; // free to move along its base
+  const Model model(options, alone());
+  for (auto correction : {Correction::direct, Correction::multigrid}) {
+    EXPECT_THROW(staticDisplacement(model.body, tightSettings(correction), *loadOf(model)),
+                 SolveError);
+  }
+}
+} // namespace asperity::dynamics

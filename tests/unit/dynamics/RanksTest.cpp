@@ -1,0 +1,129 @@
+#include "dynamics/EnergyBalance.hpp"
+#include "dynamics/InitialState.hpp"
+#include "dynamics/StepControl.hpp"
+#include "unit/dynamics/SlidingBlock.hpp"
+
+#include <Tpetra_Import.hpp>
+#include <Tpetra_Map.hpp>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+namespace asperity::dynamics
+{
+using namespace testing;
+
+namespace
+{
+RCP<const Communicator> world() { return fem::testing::worldCommunicator(); }
+
+ModelOptions largerBlock()
+{
+  auto options = slidingBlock(2);
+  options.mesh = fem::testing::uniformRectangle(32, 24, 0.4, 0.3);
+  fem::testing::distort(options.mesh, 0.002);
+  options.cohesion = 20;
+  return options;
+}
+
+// The same problem alone and together; nodal frames are the axes in both.
+struct BothWays
+{
+  explicit BothWays(ModelOptions const& options)
+      : alone(options, fem::testing::selfCommunicator())
+      , together(options, world())
+  {
+  }
+
+  // Largest difference of a vector from the one computed alone, relative to the latter.
+  double difference(Vector const& shared, Vector const& own) const
+  {
+    auto const expected = denseOf(own);
+    auto const values = denseOf(shared);
+    double largest = 0;
+    for (int dof = 0; dof < values.size(); ++dof) {
+      const auto id = shared.getMap()->getGlobalElement(dof);
+      largest = std::max(largest, std::abs(values[dof] - expected[static_cast<int>(id)]));
+    }
+    return largest / expected.lpNorm<Eigen::Infinity>();
+  }
+
+  double differenceOfAlpha(State const& shared, State const& own) const
+  {
+    double largest = 0;
+    for (int i = 0; i < together.fault.numNodes(); ++i) {
+      auto const id = together.mesh.global_ids[together.fault_nodes.nodes[i]];
+      auto const& nodes = alone.fault_nodes.nodes;
+      const auto place = std::lower_bound(nodes.begin(), nodes.end(), id) - nodes.begin();
+      largest = std::max(largest, std::abs(shared.alpha(i) - own.alpha(place)));
+    }
+    return largest;
+  }
+
+  Model alone, together;
+};
+} // namespace
+
+TEST(Ranks, multigridOnAllStepsLikeCholeskyOnOne)
+{
+  const BothWays models(largerBlock());
+  const DyadicTime clock(4e-3, 4);
+  auto const update = RateUpdate::newmark(0.25);
+  auto settings = tightSettings(Correction::multigrid);
+  settings.multigrid.sublist("MueLu").set("coarse: max size", 100); // several levels
+  settings.tnnmg.absolute_tolerance = 1e-11;
+  settings.tnnmg.relative_tolerance = 1e-11;
+  auto coupling = tightCoupling();
+  coupling.tolerance = 1e-11;
+  Stepper alone(models.alone, update, clock, coupling);
+  Stepper together(models.together, update, clock, coupling, settings);
+  EnergyBalance energy_alone(models.alone.body, models.alone.fault, clock);
+  EnergyBalance energy_together(models.together.body, models.together.fault, clock);
+  auto own = slidingState(models.alone);
+  auto shared = slidingState(models.together);
+  energy_alone.start(own, {});
+  energy_together.start(shared, {});
+  PrescribedSteps steps_alone(alone.step, clock, {0, 1, 2});
+  PrescribedSteps steps_together(together.step, clock, {0, 1, 2});
+  for (int n = 0; n < 4; ++n) {
+    steps_alone.advance(own, alone.count);
+    steps_together.advance(shared, together.count);
+    energy_alone.advance(own);
+    energy_together.advance(shared);
+    EXPECT_LE(models.difference(*shared.v, *own.v), 1e-7);
+    EXPECT_LE(models.difference(*shared.u, *own.u), 1e-7);
+    EXPECT_LE(models.difference(*shared.a, *own.a), 1e-7);
+    EXPECT_LE(models.differenceOfAlpha(shared, own), 1e-7);
+  }
+  EXPECT_EQ(together.count.rises, 0);
+  EXPECT_NEAR(energy_together.energy().friction_work / energy_alone.energy().friction_work, 1,
+              1e-8);
+  EXPECT_NEAR(models.together.fault.peakSlipRate(*shared.v) /
+                models.alone.fault.peakSlipRate(*own.v),
+              1, 1e-8);
+}
+
+TEST(Ranks, findTheSameInitialState)
+{
+  const BothWays models(largerBlock());
+  auto const displacement = [](Model const& model, Correction correction) {
+    auto load = model.body.vector();
+    model.body.load(0, *load);
+    return staticDisplacement(model.body, tightSettings(correction), *load);
+  };
+  auto const acceleration = [](Model const& model, Correction correction) {
+    auto load = model.body.vector();
+    model.body.load(0, *load);
+    auto const state = slidingState(model);
+    return initialAcceleration(model.body, model.fault, tightSettings(correction),
+                               model.options.law, *load, *model.body.vector(), *state.u, *state.v,
+                               state.alpha);
+  };
+  EXPECT_LE(models.difference(*displacement(models.together, Correction::multigrid),
+                              *displacement(models.alone, Correction::direct)),
+            1e-9);
+  EXPECT_LE(models.difference(*acceleration(models.together, Correction::multigrid),
+                              *acceleration(models.alone, Correction::direct)),
+            1e-9);
+}
+} // namespace asperity::dynamics

@@ -1,0 +1,212 @@
+#include "dynamics/StepControl.hpp"
+
+#include "base/Errors.hpp"
+#include "unit/dynamics/SlidingBlock.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+namespace asperity::dynamics
+{
+using namespace testing;
+
+namespace
+{
+const DyadicTime half_seconds(0.5, 16);
+
+CouplingSettings coupling(double tolerance, int max_iterations)
+{
+  CouplingSettings settings;
+  settings.tolerance = tolerance;
+  settings.max_iterations = max_iterations;
+  return settings;
+}
+
+class StepControlTest : public ::testing::Test
+{
+protected:
+  StepControlTest()
+      : model(slidingBlock(2), fem::testing::selfCommunicator())
+      , stepper(model, RateUpdate::newmark(0.25), half_seconds)
+      , state(slidingState(model))
+  {
+  }
+
+  StepDoublingSettings doubling(double tolerance, int first_level, int finest_level = 16) const
+  {
+    StepDoublingSettings settings;
+    settings.tolerance = tolerance;
+    settings.first_level = first_level;
+    settings.finest_level = finest_level;
+    return settings;
+  }
+
+  // The state after steps of these levels, with nobody's help.
+  State stepped(State const& from, std::vector<int> const& levels)
+  {
+    State state = from.clone();
+    for (int level : levels) {
+      State next = state.clone();
+      EXPECT_TRUE(stepper.step.solve(state, level, next, stepper.count).solved());
+      state = next;
+    }
+    return state;
+  }
+
+  // How far one step of a level is from two of half its size.
+  double errorOf(State const& from, int level)
+  {
+    return model.fault.distance(stepped(from, {level}).alpha,
+                                stepped(from, {level + 1, level + 1}).alpha);
+  }
+
+  double distance(State const& x, State const& y) const
+  {
+    return (denseOf(*x.v) - denseOf(*y.v)).norm() / denseOf(*y.v).norm() +
+           model.fault.distance(x.alpha, y.alpha);
+  }
+
+  Model model;
+  Stepper stepper;
+  State state;
+};
+} // namespace
+
+TEST_F(StepControlTest, doublingAcceptsTheCoarsestStepThatIsFineEnough)
+{
+  const double tolerance = 1e-4;
+  StepDoubling control(stepper.step, model.fault, half_seconds, doubling(tolerance, 4));
+  SolveCount count;
+  int coarsest = 16, finest = 0;
+  for (int n = 1; n <= 30; ++n) {
+    auto const before = state.clone();
+    auto const accepted = control.advance(state, count);
+    coarsest = std::min(coarsest, accepted.level);
+    finest = std::max(finest, accepted.level);
+    ASSERT_GT(accepted.level, 0);
+    EXPECT_TRUE(accepted.within_tolerance);
+    EXPECT_LE(accepted.error, tolerance);
+    EXPECT_NEAR(accepted.error, errorOf(before, accepted.level), 1e-10);
+    EXPECT_GT(errorOf(before, accepted.level - 1), tolerance);
+    EXPECT_EQ(state.time, before.time + half_seconds.ticks(accepted.level));
+    EXPECT_LE(distance(state, stepped(before, {accepted.level})), 1e-10);
+    EXPECT_EQ(control.memory().num_steps, n);
+    if (auto const& trial = control.memory().trial) {
+      EXPECT_LE(distance(trial->state, stepped(state, {control.memory().level})), 1e-10);
+    }
+  }
+  EXPECT_GE(finest - coarsest, 2) << "the run was meant to need several step sizes";
+}
+
+TEST_F(StepControlTest, doublingComesToTheSameStepFromAnyFirstTrial)
+{
+  const double tolerance = 1e-4;
+  std::vector<int> levels;
+  for (int first : {1, 7, 16}) {
+    auto from = state.clone();
+    StepDoubling control(stepper.step, model.fault, half_seconds, doubling(tolerance, first));
+    SolveCount count;
+    levels.push_back(control.advance(from, count).level);
+  }
+  EXPECT_EQ(levels[0], levels[1]);
+  EXPECT_EQ(levels[1], levels[2]);
+}
+
+TEST_F(StepControlTest, doublingContinuesFromItsMemoryExactly)
+{
+  StepDoubling control(stepper.step, model.fault, half_seconds, doubling(1e-4, 8));
+  SolveCount count;
+  for (int n = 0; n < 7; ++n) {
+    control.advance(state, count);
+  }
+  Stepper other(model, RateUpdate::newmark(0.25), half_seconds);
+  StepDoubling continued(other.step, model.fault, half_seconds, doubling(1e-4, 8));
+  continued.restore(control.memory());
+  auto copy = state.clone();
+  for (int n = 0; n < 7; ++n) {
+    EXPECT_EQ(control.advance(state, count).level, continued.advance(copy, count).level);
+    EXPECT_EQ(denseOf(*state.v), denseOf(*copy.v));
+    EXPECT_EQ(denseOf(state.alpha), denseOf(copy.alpha));
+  }
+}
+
+TEST_F(StepControlTest, doublingHalvesStepsThatCannotBeSolved)
+{
+  // One iteration of the fixed point has to do: that takes steps far finer than the tolerance does.
+  Stepper hasty(model, RateUpdate::newmark(0.25), half_seconds, coupling(1e-3, 1));
+  StepDoubling control(hasty.step, model.fault, half_seconds, doubling(1e-2, 2));
+  StepDoubling free(stepper.step, model.fault, half_seconds, doubling(1e-2, 2));
+  SolveCount count;
+  auto other = state.clone();
+  auto const before = state.clone();
+  auto const accepted = control.advance(state, count);
+  EXPECT_GT(accepted.level, free.advance(other, count).level);
+  EXPECT_GT(count.failures, 0);
+  EXPECT_EQ(state.time, half_seconds.ticks(accepted.level));
+  EXPECT_LE(model.fault.distance(state.alpha, stepped(before, {accepted.level}).alpha), 2e-3);
+  for (int n = 0; n < 5; ++n) {
+    control.advance(state, count);
+  }
+}
+
+TEST_F(StepControlTest, doublingGivesUpBelowTheSmallestStep)
+{
+  Stepper hasty(model, RateUpdate::newmark(0.25), half_seconds, coupling(1e-12, 1));
+  StepDoubling control(hasty.step, model.fault, half_seconds, doubling(1e-2, 2, 5));
+  SolveCount count;
+  try {
+    control.advance(state, count);
+    ADD_FAILURE() << "nothing was thrown";
+  } catch (SolveError const& error) {
+    const std::string message = error.what();
+    EXPECT_NE(message.find("t = 0 s"), std::string::npos) << message;
+    EXPECT_NE(message.find("0.015625 s"), std::string::npos) << message;
+  }
+  EXPECT_EQ(state.time, 0);
+}
+
+TEST_F(StepControlTest, doublingSaysWhenTheSmallestStepIsTooCoarse)
+{
+  StepDoubling control(stepper.step, model.fault, half_seconds, doubling(1e-12, 4, 6));
+  SolveCount count;
+  auto const accepted = control.advance(state, count);
+  EXPECT_EQ(accepted.level, 6);
+  EXPECT_FALSE(accepted.within_tolerance);
+  EXPECT_GT(accepted.error, 1e-12);
+}
+
+TEST_F(StepControlTest, doublingStaysBelowTheLargestStep)
+{
+  auto settings = doubling(1e3, 8);
+  settings.coarsest_level = 5;
+  StepDoubling control(stepper.step, model.fault, half_seconds, settings);
+  SolveCount count;
+  for (int n = 0; n < 3; ++n) {
+    EXPECT_EQ(control.advance(state, count).level, 5);
+  }
+}
+
+TEST_F(StepControlTest, prescribedStepsAreTakenAndTheLastRepeated)
+{
+  PrescribedSteps control(stepper.step, half_seconds, {8, 7, 9});
+  SolveCount count;
+  auto const expected = stepped(state, {8, 7, 9, 9});
+  for (int level : {8, 7, 9, 9}) {
+    EXPECT_EQ(control.advance(state, count).level, level);
+  }
+  EXPECT_EQ(state.time, expected.time);
+  EXPECT_LE(distance(state, expected), 1e-12);
+  EXPECT_EQ(control.memory().num_steps, 4);
+  EXPECT_EQ(count.coupled_steps, 4);
+}
+
+TEST_F(StepControlTest, prescribedStepsThatFailEndTheRun)
+{
+  Stepper hasty(model, RateUpdate::newmark(0.25), half_seconds, coupling(1e-12, 1));
+  PrescribedSteps control(hasty.step, half_seconds, {3});
+  SolveCount count;
+  EXPECT_THROW(control.advance(state, count), SolveError);
+  EXPECT_EQ(state.time, 0);
+}
+} // namespace asperity::dynamics
