@@ -1,9 +1,13 @@
-"""Vertical displacement of the free surface relative to its average over the time shown."""
+"""Vertical displacement of the free surface relative to its average over the time shown.
+
+Where one boundary drives the run, the displacement is taken relative to it: against the plate a
+wedge that slides steadily rises all the time, and the cycle would drown in that.
+"""
 
 import numpy as np
 from matplotlib.colors import Normalize
 
-from . import maps, raster, style, units
+from . import loading, maps, raster, style, units
 from .errors import NothingToShow
 from .run import Run
 from .windows import View
@@ -20,7 +24,9 @@ def draw(run: Run, view: View):
     upwards = run.upwards(components) if components > 1 else None
     limits = raster.edges(view.cycles, maps.COLUMNS)
     # The columns are even in time, so their plain mean is the average over time.
-    cycles = raster.interpolated(surface, FIELD, raster.centres(limits), upwards)
+    cycles = _seen_from_the_loading(run, upwards, raster.centres(limits),
+                                    raster.interpolated(surface, FIELD, raster.centres(limits),
+                                                        upwards))
     average = cycles.mean(axis=0)
     cycles -= average
     unit = units.prefixed(cycles, "m")
@@ -32,7 +38,9 @@ def draw(run: Run, view: View):
                         **colours)
     if view.zoom is not None:
         limits = raster.edges(view.zoom, maps.COLUMNS // 2)
-        zoom = raster.interpolated(surface, FIELD, raster.centres(limits), upwards)
+        zoom = _seen_from_the_loading(run, upwards, raster.centres(limits),
+                                      raster.interpolated(surface, FIELD, raster.centres(limits),
+                                                          upwards))
         times = maps.zoom_unit(view)(limits - view.onset)
         maps.colours(axes[1], times, surface, unit(zoom - average), length, **colours)
     maps.time_axes(axes, view)
@@ -42,6 +50,14 @@ def draw(run: Run, view: View):
     style.title(figure, "Vertical displacement of the surface relative to its time average"
                 if components > 1 else "Displacement of the surface relative to its time average")
     return figure
+
+
+def _seen_from_the_loading(run: Run, upwards, times: np.ndarray, values: np.ndarray) -> np.ndarray:
+    """`values` (n_times, n_nodes) less the rise of the boundary that drives the run."""
+    boundary = loading.read(run.parameters) if upwards is not None else None
+    if boundary is None:
+        return values
+    return values - (boundary.displacement(times) @ np.asarray(upwards))[:, None]
 
 
 def _norm(values: np.ndarray) -> Normalize:

@@ -16,7 +16,7 @@ HERE = pathlib.Path(__file__).parent
 A, B, L, SIGMA, V = 0.010, 0.015, 1e-5, 1e4, 1e-4
 V_STAR, HEIGHT, DENSITY = 1e-6, 1.0, 1000.0
 CRITICAL = (B - A) * SIGMA / L * HEIGHT  # shear modulus, without the mass
-TOLERANCE = 1e-2  # of |s|
+TOLERANCE = 3e-3  # of |s|; most cases meet 1e-4
 
 # name: (shear modulus over CRITICAL, density, state law, further options)
 TRUNCATED = ("--set", "Friction/Law=Truncated")

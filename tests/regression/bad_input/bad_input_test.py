@@ -1,0 +1,274 @@
+"""Bad input ends with one clear message and exit status 2, and no file is made or touched.
+
+Every case runs in a folder of its own, of which each file is compared afterwards.
+"""
+
+import os
+import pathlib
+import re
+import shutil
+import unittest
+
+import h5py
+import numpy
+
+import asperity_run
+
+HERE = pathlib.Path(__file__).parent
+DECK = HERE / "square.xml"
+TEXT = DECK.read_text()
+
+CORNERS = numpy.array([[0, 0], [1, 0], [1, 1], [0, 1]], dtype=float)
+SIDES = {"bottom": [[0, 1]], "right": [[1, 2]], "top": [[2, 3]], "left": [[3, 0]]}
+
+
+def write_mesh(name, cells=((0, 1, 2), (0, 2, 3)), sides=tuple(SIDES), vertices=CORNERS):
+    with h5py.File(name, "w") as file:
+        file.attrs.update({"format": "asperity-mesh", "version": 1, "dimension": 2})
+        file["vertices"] = vertices
+        file["cells"] = numpy.array(cells)
+        file["cell_regions"] = numpy.zeros(len(cells), dtype=int)
+        file["region_names"] = [b"body"]
+        for side in sides:
+            file[f"boundaries/{side}/facets"] = SIDES[side]
+
+
+def settings(*changes):
+    return [word for change in changes for word in ("--set", change)]
+
+
+class Case(unittest.TestCase):
+    def setUp(self):
+        self.home = pathlib.Path.cwd()
+        folder = self.home / self.id().rpartition(".")[2]
+        shutil.rmtree(folder, ignore_errors=True)
+        folder.mkdir()
+        os.chdir(folder)
+
+    def tearDown(self):
+        os.chdir(self.home)
+
+    def assert_refused(self, arguments, *pieces, ranks=1):
+        """One paragraph on stderr that contains the pieces; nothing else happens."""
+        before = asperity_run.checksums(".")
+        result = asperity_run.run(*arguments, ranks=ranks, timeout=60)
+        self.assertEqual(result.returncode, 2, result.stdout + result.stderr)
+        self.assertEqual(result.stdout.strip() if ranks == 1 else "", "")
+        messages = [line for line in result.stderr.splitlines() if line.startswith("asperity: ")]
+        self.assertEqual(len(messages), 1, result.stderr)
+        if ranks == 1:
+            self.assertEqual(result.stderr, messages[0] + "\n")
+        for piece in pieces:
+            self.assertIn(piece, messages[0])
+        self.assertEqual(asperity_run.checksums("."), before)
+
+    def assert_setting_refused(self, change, *pieces, ranks=1):
+        with self.subTest(change):
+            self.assert_refused([DECK, *settings(change)], *pieces, ranks=ranks)
+
+    def assert_deck_refused(self, text, *pieces):
+        pathlib.Path("bad.xml").write_text(text)
+        self.assert_refused(["bad.xml"], *pieces)
+
+    def assert_done(self, *arguments, ranks=1):
+        result = asperity_run.run(*arguments, ranks=ranks)
+        self.assertEqual(result.returncode, 0, result.stdout + result.stderr)
+
+
+class Decks(Case):
+    def test_the_deck_itself_is_good(self):
+        self.assert_done(DECK)
+        self.assertTrue(pathlib.Path("results/square/fault.h5").exists())
+
+    def test_missing(self):
+        self.assert_refused(["none.xml"], "'none.xml'", "There is no deck")
+        self.assert_refused([], "No deck is given")
+        self.assert_refused([DECK, DECK], "Two decks")
+        pathlib.Path("folder").mkdir()
+        self.assert_refused(["folder"], "'folder'", "directory")
+        self.assert_refused(["none.xml"], "'none.xml'", ranks=2)
+
+    def test_malformed(self):
+        self.assert_deck_refused("", "'bad.xml'")
+        self.assert_deck_refused("Density = 3", "'bad.xml'")
+        self.assert_deck_refused(TEXT[:len(TEXT) // 2], "'bad.xml'")
+        self.assert_deck_refused(TEXT.replace('"Asperity"', '"Granite"'), "'bad.xml'", "Granite")
+        self.assert_deck_refused(TEXT.replace('value="1e-5"', 'value="1 < 2"'), "'bad.xml'")
+
+    def test_unknown_names(self):
+        self.assert_deck_refused(TEXT.replace('"Largest Step"', '"Largets Step"'),
+                                 "Asperity / Time Stepping / Largets Step",
+                                 "Did you mean 'Largest Step'?")
+        self.assert_deck_refused(TEXT.replace('"Friction">', '"Fricton">', 1),
+                                 "Asperity / Fricton", "Did you mean 'Friction'?")
+        pathlib.Path("bad.xml").write_text(TEXT.replace('"Largest Step"', '"Largets Step"'))
+        self.assert_refused(["bad.xml"], "Asperity / Time Stepping / Largets Step", ranks=2)
+
+    def test_missing_parameter(self):
+        without = re.sub(r'.*name="L" .*\n', "", TEXT)
+        self.assert_deck_refused(without, "Asperity / Friction / L", "required")
+
+    def test_wrong_type(self):
+        self.assert_deck_refused(
+            TEXT.replace('type="double" value="0.1"/>\n    <Parameter name="Smallest',
+                         'type="string" value="fast"/>\n    <Parameter name="Smallest'),
+            "Asperity / Time Stepping / Largest Step", "fast")
+        self.assert_deck_refused(TEXT.replace('type="int" value="4"', 'type="int" value="four"', 1),
+                                 "'bad.xml'", "four")
+
+    def test_out_of_range(self):
+        self.assert_setting_refused(
+            "Friction/a=-0.01", "Asperity / Friction / a = -0.01 is outside (0, inf)")
+        self.assert_setting_refused(
+            "Bulk/Density=x - 0.5", "Asperity / Bulk / Density", "(0, inf)", "x =")
+        self.assert_setting_refused("Coupling/lambda=2", "Asperity / Coupling / lambda = 2")
+        self.assert_setting_refused("Friction/a=-0.01", "Asperity / Friction / a = -0.01", ranks=2)
+        self.assert_setting_refused("Bulk/Density=x - 0.5", "Asperity / Bulk / Density", ranks=2)
+
+    def test_expressions(self):
+        self.assert_setting_refused("Bulk/Density=1000 +", "Asperity / Bulk / Density")
+        self.assert_setting_refused("Bulk/Density=1000 * q", "Asperity / Bulk / Density", "q")
+        self.assert_setting_refused("Friction/b=fields.h5:/b", "fields.h5")
+
+    def test_choices(self):
+        self.assert_setting_refused("Friction/Law=Regularized", "Asperity / Friction / Law",
+                                    "Did you mean 'Regularised'?")
+        self.assert_setting_refused("Mesh/Type=Rectangel", "Asperity / Mesh / Type", "Rectangle")
+        self.assert_setting_refused("Output/Fault History/Fields={slip_rat}", "slip_rat",
+                                    "slip_rate")
+
+
+class CommandLine(Case):
+    def test_settings(self):
+        self.assert_setting_refused("Friction/Lenght=1", "Friction", "Lenght")
+        self.assert_setting_refused("Frictoin/L=1", "Frictoin", "Did you mean 'Friction'?")
+        self.assert_setting_refused("Friction/L", "Friction/L")
+        self.assert_setting_refused("Friction/L=long", "Asperity / Friction / L", "long")
+
+    def test_options(self):
+        self.assert_refused([DECK, "--ouput", "x"], "--ouput", "Did you mean '--output'?")
+        self.assert_refused([DECK, "--output"], "--output")
+        self.assert_refused([DECK, "--overlay", "none.xml"], "'none.xml'")
+
+    def test_output_that_cannot_be_written(self):
+        pathlib.Path("file").write_text("mine")
+        self.assert_refused([DECK, "--output", "file/results"], "file/results", "--output")
+        self.assert_refused([DECK, "--output", "file"], "file")
+        self.assert_refused([DECK, "--output", "file/results"], "file/results", ranks=2)
+
+    def test_existing_result(self):
+        self.assert_done(DECK, "--output", "results")
+        pathlib.Path("results/notes.txt").write_text("mine")
+        self.assert_refused([DECK, "--output", "results"], "results", "--overwrite")
+        self.assert_refused([DECK, "--output", "results"], "results", "--overwrite", ranks=2)
+        # Overwriting is no licence to lose a result to a deck that is refused.
+        for change in ("Friction/a=-1", "Boundary Conditions/Fault/Boundary=botom",
+                       "Output/Fault History/Fields={slip_rat}"):
+            with self.subTest(change):
+                self.assert_refused(
+                    [DECK, "--output", "results", "--overwrite", *settings(change)])
+        self.assert_done(DECK, "--output", "results", "--overwrite")
+        self.assertEqual(pathlib.Path("results/notes.txt").read_text(), "mine")
+
+    def test_restart(self):
+        self.assert_done(DECK, "--output", "results")
+        checkpoint = pathlib.Path("results/checkpoint.h5")
+        restart = [DECK, "--output", "results", "--restart"]
+        self.assert_refused([*restart, "results/none.h5"], "results/none.h5", "no checkpoint")
+        content = checkpoint.read_bytes()
+        for name, damaged in (
+                ("truncated", content[:len(content) // 2]), ("empty", b""), ("text", b"mine"),
+                ("flipped", self.with_another_number(content))):
+            with self.subTest(name):
+                pathlib.Path("damaged.h5").write_bytes(damaged)
+                self.assert_refused([*restart, "damaged.h5"], "damaged.h5")
+        self.assert_refused([*restart, "results/fault.h5"], "results/fault.h5")
+        self.assert_refused([*restart, checkpoint], "1 rank", "mpirun -np 1", ranks=2)
+        self.assert_refused([*restart, checkpoint, *settings("Friction/a=0.016")], "another deck")
+
+    @staticmethod
+    def with_another_number(content):
+        """The bytes of a checkpoint of which one velocity is another one."""
+        pathlib.Path("damaged.h5").write_bytes(content)
+        with h5py.File("damaged.h5", "r+") as file:
+            velocity = file["rank_0/state/v"]
+            velocity[3] = velocity[3] + 1e-9
+        return pathlib.Path("damaged.h5").read_bytes()
+
+
+class Meshes(Case):
+    def setUp(self):
+        super().setUp()
+        self.deck = [DECK, *settings("Mesh/Type=File", "Mesh/File/File Name=mesh.h5")]
+
+    def test_a_good_file(self):
+        write_mesh("mesh.h5")
+        self.assert_done(*self.deck, "--output", "results")
+
+    def test_missing_boundary(self):
+        write_mesh("mesh.h5", sides=("top", "left", "right"))
+        for ranks in (1, 2):
+            self.assert_refused(self.deck, "'bottom'", "boundary", ranks=ranks)
+
+    def test_inverted_cell(self):
+        write_mesh("mesh.h5", cells=((0, 1, 2), (0, 3, 2)))
+        for ranks in (1, 2):
+            self.assert_refused(self.deck, "mesh.h5", "cell 1", ranks=ranks)
+
+    def test_broken_numbers(self):
+        write_mesh("mesh.h5", cells=((0, 1, 2), (0, 2, 9)))
+        self.assert_refused(self.deck, "mesh.h5", "cell 1", "9")
+        vertices = CORNERS.copy()
+        vertices[1, 0] = numpy.nan
+        write_mesh("mesh.h5", vertices=vertices)
+        self.assert_refused(self.deck, "mesh.h5", "vertex 1")
+
+    def test_damaged_files(self):
+        self.assert_refused(self.deck, "mesh.h5", "not exist")
+        write_mesh("mesh.h5")
+        content = pathlib.Path("mesh.h5").read_bytes()
+        for name, damaged in (("truncated", content[:len(content) // 2]), ("text", b"mine")):
+            with self.subTest(name):
+                pathlib.Path("mesh.h5").write_bytes(damaged)
+                self.assert_refused(self.deck, "mesh.h5")
+                self.assert_refused(self.deck, "mesh.h5", ranks=2)
+
+
+class Physics(Case):
+    def test_contradicting_conditions(self):
+        side = '"Boundary" type="string" value="left"/>'
+        self.assert_deck_refused(TEXT.replace(side, side.replace("left", "bottom")),
+                                 "Asperity / Boundary Conditions / Side", "contradicts",
+                                 "Asperity / Boundary Conditions / Fault", "'bottom'")
+        # Two velocities in one direction, at the corner that two boundaries share.
+        condition = TEXT[TEXT.index('    <ParameterList name="Side">'):]
+        condition = condition[:condition.index("</ParameterList>")]
+        changed = (condition.replace("Free Surface", "Prescribed Velocity") +
+                   '  <Parameter name="Velocity" type="double" value="3e-6"/>\n    ')
+        self.assert_deck_refused(TEXT.replace(condition, changed),
+                                 "Asperity / Boundary Conditions / Side", "contradicts",
+                                 "Asperity / Boundary Conditions / Drive")
+
+    def test_no_fault(self):
+        self.assert_setting_refused("Boundary Conditions/Fault/Type=Fixed",
+                                    "Asperity / Boundary Conditions", "Friction")
+
+    def test_solvers_that_cannot_be(self):
+        self.assert_setting_refused("TNNMG/Linear Correction=Direct",
+                                    "Asperity / TNNMG / Linear Correction = Direct", ranks=2)
+
+    def test_time(self):
+        self.assert_setting_refused("Time Stepping/Newmark/beta=0.2",
+                                    "Asperity / Time Stepping / Newmark / beta = 0.2",
+                                    "Stability Limit")
+        self.assert_setting_refused("Time Stepping/Smallest Step=1",
+                                    "Asperity / Time Stepping / Smallest Step = 1")
+        self.assert_setting_refused("Time Stepping/Prescribed/Levels={0, 40}",
+                                    "Asperity / Time Stepping / Prescribed / Levels")
+
+    def test_moduli(self):
+        self.assert_setting_refused("Bulk/Bulk Modulus=1e6", "Asperity / Bulk", "exactly two")
+
+
+if __name__ == "__main__":
+    unittest.main()

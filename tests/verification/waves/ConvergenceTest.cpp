@@ -1,0 +1,79 @@
+#include "mesh/RectangleMesh.hpp"
+#include "verification/waves/Waves.hpp"
+
+#include <Tpetra_Vector.hpp>
+#include <gtest/gtest.h>
+
+namespace asperity::verification
+{
+namespace
+{
+constexpr double end = 0.04; // s, less than two periods
+
+// A standing wave between x = 0 and x = 1 with free sides (shear) or sliding walls (compression),
+// damped by viscosity, against the solution of the differential equation at the end: L2 norm of
+// the velocity's error, relative to the amplitude there.
+double errorOf(Wave wave, dynamics::RateUpdate const& update, int cells, int steps)
+{
+  const double q = M_PI;
+  mesh::RectangleShape shape;
+  shape.height = 0.25;
+  shape.cells_x = cells;
+  shape.cells_y = cells / 4;
+  auto options = freeSliding(wave, mesh::rectangleMesh(shape));
+  if (wave == Wave::compression) {
+    for (char const* side : {"bottom", "top", "right"}) {
+      options.conditions.push_back({side, side, {}, {}});
+    }
+  }
+  const Model model(options, fem::testing::selfCommunicator());
+  auto const moduli = moduliOf(wave, options.material);
+  const double c = std::sqrt(moduli.elastic / options.material.density);
+  const Complex s = rootOf(moduli, c * q);
+  Stepper stepper(model, update, dynamics::DyadicTime(end / steps, 0));
+  auto state = waveState(model, wave, q, s, 1. / s);
+  for (int n = 0; n < steps; ++n) {
+    advance(stepper, state, 0);
+  }
+  auto const exact = waveState(model, wave, q, s, std::exp(s * end) / s);
+  Vector rest(*state.v, Teuchos::Copy), product(*state.v, Teuchos::Copy);
+  rest.update(-1, *exact.v, 1);
+  model.body.matrices.mass->apply(rest, product);
+  const double area = shape.height * options.material.density / 2; // of the shape, squared
+  return std::sqrt(rest.dot(product) / area) / std::abs(std::exp(s * end));
+}
+
+double orderOf(double coarse, double fine) { return std::log2(coarse / fine); }
+} // namespace
+
+TEST(Convergence, isOfSecondOrderInSpaceAndTimeWithTheTrapezoidalRule)
+{
+  for (Wave wave : {Wave::antiplane_shear, Wave::compression}) {
+    auto const update = dynamics::RateUpdate::newmark(0.25);
+    const double coarse = errorOf(wave, update, 8, 16);
+    const double middle = errorOf(wave, update, 16, 32);
+    const double fine = errorOf(wave, update, 32, 64);
+    EXPECT_NEAR(orderOf(coarse, middle), 2, 0.15) << coarse << ' ' << middle;
+    EXPECT_NEAR(orderOf(middle, fine), 2, 0.07) << middle << ' ' << fine;
+    EXPECT_LE(fine, 0.01);
+  }
+}
+
+// Space alone: time steps so short that they do not show.
+TEST(Convergence, isOfSecondOrderInSpace)
+{
+  auto const update = dynamics::RateUpdate::newmark(0.25);
+  const double coarse = errorOf(Wave::antiplane_shear, update, 8, 512);
+  const double fine = errorOf(Wave::antiplane_shear, update, 16, 512);
+  EXPECT_NEAR(orderOf(coarse, fine), 2, 0.1) << coarse << ' ' << fine;
+}
+
+// Time alone: what the mesh leaves over is far below the error of these steps.
+TEST(Convergence, isOfFirstOrderInTimeWithBackwardEuler)
+{
+  auto const update = dynamics::RateUpdate::backwardEuler();
+  const double coarse = errorOf(Wave::antiplane_shear, update, 32, 128);
+  const double fine = errorOf(Wave::antiplane_shear, update, 32, 256);
+  EXPECT_NEAR(orderOf(coarse, fine), 1, 0.1) << coarse << ' ' << fine;
+}
+} // namespace asperity::verification
