@@ -21,7 +21,7 @@ struct Energy
 };
 
 // The balance of energy from step to step, with du = u1 - u0 and means over the ends of the step
-// (verification.md; exact for Newmark with beta = 1/4):
+// (exact for Newmark with beta = 1/4, see README.md):
 //   change of (1/2 v'Mv + 1/2 u'Ku) = du . (mean l - C mean v - mean f)
 // f are the friction forces of the last rate problem and the reactions of prescribed dofs.
 class EnergyBalance

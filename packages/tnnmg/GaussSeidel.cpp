@@ -57,11 +57,10 @@ NodeView nodalCurvature(CrsMatrix const& Z, NonlinearNodes const& nodes)
   return curvature;
 }
 
-void modelResidual(CrsMatrix const& Z, NonlinearNodes const& nodes, IndexView const& which,
+void modelResidual(LocalMatrix const& matrix, NonlinearNodes const& nodes, IndexView const& which,
                    ConstNodeView const& curvature, Vector const& b, Vector const& v_columns,
                    BlockView const& residual)
 {
-  auto const matrix = Z.getLocalMatrixDevice();
   auto const right_side = b.getLocalViewDevice(Tpetra::Access::ReadOnly);
   auto const v = v_columns.getLocalViewDevice(Tpetra::Access::ReadOnly);
   auto const dofs = nodes.dofs;

@@ -11,9 +11,12 @@ namespace asperity::tnnmg
 // (Pipping 2014, ch. 4).
 NodeView nodalCurvature(CrsMatrix const& Z, NonlinearNodes const& nodes);
 
+// Z on the device. Taken once for a sweep: asking Tpetra for it costs as much as using it.
+using LocalMatrix = CrsMatrix::local_matrix_device_type;
+
 // residual(node, k) = b - sum_j Z_kj v_j at the rows of the given nodes, plus curvature times v:
 // the linear term of the model at v = 0. v lives on Z's column map. Runs on the device.
-void modelResidual(CrsMatrix const& Z, NonlinearNodes const& nodes, IndexView const& which,
+void modelResidual(LocalMatrix const& matrix, NonlinearNodes const& nodes, IndexView const& which,
                    ConstNodeView const& curvature, Vector const& b, Vector const& v_columns,
                    BlockView const& residual);
 
@@ -39,10 +42,11 @@ int gaussSeidel(CrsMatrix const& Z, NonlinearNodes const& nodes, ConstNodeView c
                 NodalProblem const& problem, Vector const& b, Vector& v_columns,
                 BlockView const& blocks, BlockView const& residual)
 {
+  auto const matrix = Z.getLocalMatrixDevice();
   int failures = 0;
   for (auto const& colour : nodes.colours) {
     if (colour.extent(0) > 0) {
-      modelResidual(Z, nodes, colour, curvature, b, v_columns, residual);
+      modelResidual(matrix, nodes, colour, curvature, b, v_columns, residual);
       failures += problem.minimise(colour, curvature, residual, blocks);
       scatter(nodes, colour, blocks, v_columns);
     }

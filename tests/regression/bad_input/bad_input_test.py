@@ -106,21 +106,21 @@ class Decks(Case):
 
     def test_missing_parameter(self):
         without = re.sub(r'.*name="L" .*\n', "", TEXT)
-        self.assert_deck_refused(without, "Asperity / Friction / L", "required")
+        self.assert_deck_refused(without, "Asperity / Friction / L is missing")
 
     def test_wrong_type(self):
         self.assert_deck_refused(
             TEXT.replace('type="double" value="0.1"/>\n    <Parameter name="Smallest',
                          'type="string" value="fast"/>\n    <Parameter name="Smallest'),
-            "Asperity / Time Stepping / Largest Step", "fast")
+            "Asperity / Time Stepping / Largest Step", "'fast'")
         self.assert_deck_refused(TEXT.replace('type="int" value="4"', 'type="int" value="four"', 1),
-                                 "'bad.xml'", "four")
+                                 "bad.xml", "Cells X", "'four'")
 
     def test_out_of_range(self):
         self.assert_setting_refused(
             "Friction/a=-0.01", "Asperity / Friction / a = -0.01 is outside (0, inf)")
         self.assert_setting_refused(
-            "Bulk/Density=x - 0.5", "Asperity / Bulk / Density", "(0, inf)", "x =")
+            "Bulk/Density=x - 0.5", "Asperity / Bulk / Density", "outside (0, inf)", "(x, y, z)")
         self.assert_setting_refused("Coupling/lambda=2", "Asperity / Coupling / lambda = 2")
         self.assert_setting_refused("Friction/a=-0.01", "Asperity / Friction / a = -0.01", ranks=2)
         self.assert_setting_refused("Bulk/Density=x - 0.5", "Asperity / Bulk / Density", ranks=2)

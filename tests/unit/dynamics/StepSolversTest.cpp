@@ -66,7 +66,7 @@ TEST(StepSolvers, keepTheOneInUseHoweverSmallTheBudget)
   EXPECT_EQ(solvers.setups(), 3);
 }
 
-// Without friction a rate problem is linear: Z w = b with Z = (lambda_M/tau) M + C + (tau/lambda_K) K.
+// Without friction a rate problem is linear: Z w = b, Z = (lambda_M/tau) M + C + (tau/lambda_K) K.
 TEST(StepSolvers, solveWithTheMatrixOfTheStepSize)
 {
   auto options = slidingBlock(2);

@@ -299,4 +299,56 @@ TEST(Tnnmg, doesNotConvergeWhereANodeFailsOnAnyRank)
   EXPECT_FALSE(result.converged);
   EXPECT_EQ(result.failed_nodes, result.iterations);
 }
+
+namespace
+{
+// Goes three times as far as the minimiser.
+class OvershootingNodes : public RoughNodes
+{
+public:
+  explicit OvershootingNodes(RoughNodes const& nodes) : RoughNodes(nodes) {}
+  int minimise(IndexView const& nodes, ConstNodeView const& curvature, ConstBlockView const& r,
+               BlockView const& v) const
+  {
+    const int failures = RoughNodes::minimise(nodes, curvature, r, v);
+    const auto which = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace(), nodes);
+    const auto result = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace(), v);
+    for (std::size_t i = 0; i < which.extent(0); ++i) {
+      result(which(i), 0) *= 3;
+    }
+    Kokkos::deep_copy(v, result);
+    return failures;
+  }
+};
+} // namespace
+
+TEST(Tnnmg, countsHalfStepsThatRaiseTheEnergy)
+{
+  const RateProblem problem({1e-3, 2, 1, Kind::both});
+  auto settings = tight();
+  settings.max_iterations = 3;
+  auto v = problem.reference();
+  const auto result = solveFull(problem, OvershootingNodes(problem.nodesOfRank()), settings, v);
+  EXPECT_EQ(result.rises, 3) << "one for each sweep, none for the corrections";
+}
+
+TEST(TnnmgBlocks, leavesOutKinkedHeldAndStiffNodes)
+{
+  const auto nodes = coupledNodes(4, 2, {0, 1, 0, 0});
+  const detail::TnnmgBlocks blocks(nodes);
+  const NodeView curvature("curvature", 4);
+  Kokkos::deep_copy(curvature, 10.);
+  const auto hessian = Kokkos::create_mirror_view(blocks.hessian);
+  const auto flags = Kokkos::create_mirror_view(blocks.truncated);
+  Kokkos::deep_copy(hessian, 1.);
+  hessian(2, 1, 1) = 1001; // the limit is 100 times the curvature
+  hessian(3, 1, 1) = 999;
+  flags(0) = 1;
+  flags(1) = flags(2) = flags(3) = 0;
+  Kokkos::deep_copy(blocks.hessian, hessian);
+  Kokkos::deep_copy(blocks.truncated, flags);
+  blocks.truncate(nodes, curvature, 100);
+  Kokkos::deep_copy(flags, blocks.truncated);
+  EXPECT_EQ((std::vector<int>(flags.data(), flags.data() + 4)), (std::vector<int>{1, 1, 1, 0}));
+}
 } // namespace asperity::tnnmg

@@ -1,6 +1,6 @@
-"""How a small disturbance of steady sliding grows in slider.xml, against the characteristic equation.
+"""How a small disturbance of steady sliding grows in slider.xml: the characteristic equation.
 
-Every linear body on a fault obeys (tests/verification/layer has the nonlinear case)
+Every linear body on a fault obeys
     a sigma - b sigma (V/L) / (s + V/L) + K(s) V / s = 0,
 here with K(s) = k + m s^2, k = G / H, and m = rho H / 3, the mass of a linear element at one end.
 Both state laws and both friction laws have this linearisation.

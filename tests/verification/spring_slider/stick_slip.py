@@ -1,4 +1,4 @@
-"""xml/spring_slider.xml: the earthquakes of the soft spring, one by one, and none of the stiff one."""
+"""xml/spring_slider.xml: the earthquakes of the soft spring one by one, and none of the stiff."""
 
 import sys
 

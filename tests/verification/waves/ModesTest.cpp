@@ -103,7 +103,7 @@ INSTANTIATE_TEST_SUITE_P(Components, DampedModes, ::testing::Values(1, 2));
 // cos(n 2 atan(w dt / 2)), however large the step.
 TEST_P(UndampedModes, swingAtTheFrequencyOfTheTrapezoidalRule)
 {
-  for (double w_dt : {0.02, 1., 50.}) {
+  for (double w_dt : {0.02, 1., 10.}) {
     for (int which : {2, 7}) {
       double w = 0;
       mode(which, w);
@@ -145,7 +145,7 @@ TEST_P(UndampedModes, areDampedByBackwardEuler)
 
 TEST_P(DampedModes, decayAsTheyShould)
 {
-  for (double w_dt : {0.02, 1., 50.}) {
+  for (double w_dt : {0.02, 1., 10.}) {
     for (int which : {2, 7}) {
       expectFactor(dynamics::RateUpdate::newmark(0.25), which, w_dt, 60);
       expectFactor(dynamics::RateUpdate::backwardEuler(), which, w_dt, 60);

@@ -7,11 +7,11 @@
 #include <complex>
 
 // Plane waves along x in a Kelvin-Voigt body whose left side is a fault without friction, and what
-// is known of them (verification.md):
-//   continuous   rho s^2 + eta q^2 s + M q^2 = 0
-//   P1 in 1D, consistent mass   w^2 h^2 / c^2 = 6 (1 - cos qh) / (2 + cos qh) in place of c^2 q^2
-//   Newmark, beta = 1/4   the factor (1 + s dt/2) / (1 - s dt/2) in each step, in place of exp(s dt)
-//   backward Euler        1 / (1 - s dt)
+// is known of them, M the modulus and eta the viscosity of the wave:
+//   continuous                   rho s^2 + eta q^2 s + M q^2 = 0
+//   P1, consistent mass, in 1D   c^2 q^2 becomes w^2, w^2 h^2 / c^2 = 6 (1 - cos qh) / (2 + cos qh)
+//   Newmark, beta = 1/4          exp(s dt) becomes (1 + s dt/2) / (1 - s dt/2)
+//   backward Euler               exp(s dt) becomes 1 / (1 - s dt)
 namespace asperity::verification
 {
 using namespace dynamics::testing;

@@ -1,0 +1,65 @@
+"""Every deck in xml/ is valid as it stands, and the program prints what a deck may contain."""
+
+import unittest
+import xml.etree.ElementTree as ElementTree
+
+import asperity_run
+
+DECKS = sorted((asperity_run.SOURCE / "xml").glob("*.xml"))
+
+
+class Decks(unittest.TestCase):
+    def test_there_are_decks(self):
+        names = {deck.name for deck in DECKS}
+        self.assertLessEqual({"spring_slider.xml", "wedge_2d.xml", "wedge_2d_thesis.xml",
+                              "wedge_2d_printed.xml"}, names)
+
+    def test_all_are_valid(self):
+        before = asperity_run.checksums(".")
+        for deck in DECKS:
+            with self.subTest(deck.name):
+                result = asperity_run.run(deck, "--validate")
+                self.assertEqual((result.returncode, result.stderr), (0, ""))
+                self.assertIn(f"{deck} is valid", result.stdout)
+        self.assertEqual(asperity_run.checksums("."), before)
+
+    def test_a_spoilt_deck_is_not(self):
+        for change in ("Friction/a=-1", "Output/Fault History/Fields={slip_rat}",
+                       "Boundary Conditions/Backstop/Boundary=rigth"):
+            result = asperity_run.run(DECKS[0], "--validate", "--set", change)
+            self.assertEqual(result.returncode, 2, change)
+            self.assertNotIn("is valid", result.stdout)
+
+
+class PrintedParameters(unittest.TestCase):
+    def print_parameters(self, *arguments, ranks=1):
+        result = asperity_run.run("--print-parameters", *arguments, ranks=ranks)
+        self.assertEqual((result.returncode, result.stderr), (0, ""))
+        return result.stdout
+
+    def test_as_text(self):
+        text = self.print_parameters()
+        for name in ("Largest Step", "Reference Slip Rate", "Poisson's Ratio", "Event Catalogue",
+                     "Linear Correction", "Seismogenic Zone Width", "MueLu Correction"):
+            self.assertIn(name, text)
+        self.assertIn("(0, inf)", text)
+        self.assertEqual(self.print_parameters("--format=text"), text)
+
+    def test_as_xml(self):
+        text = self.print_parameters("--format=xml")
+        self.assertIn("Boundary Conditions", text)  # a comment: its lists are named by the user
+        root = ElementTree.fromstring(text)
+        self.assertEqual((root.tag, root.get("name")), ("ParameterList", "Asperity"))
+        lists = {item.get("name"): item for item in root}
+        for name in ("Mesh", "Bulk", "Friction", "Initial State", "Time Stepping", "Coupling",
+                     "TNNMG", "Output"):
+            self.assertIn(name, lists)
+        names = {item.get("name") for item in lists["Coupling"].iter("Parameter")}
+        self.assertEqual(names, {"Tolerance", "Maximum Iterations", "lambda"})
+
+    def test_once_on_two_ranks(self):
+        self.assertEqual(self.print_parameters(ranks=2), self.print_parameters())
+
+
+if __name__ == "__main__":
+    unittest.main()
