@@ -90,6 +90,12 @@ void Field::readRegions(ParameterList const& regions, std::vector<std::string> c
   }
 }
 
+void Field::refuseDataset() const
+{
+  throw InputError(path_ + " is a dataset, which has values at vertices only. Give a number, an "
+                           "expression, or one of them per region.");
+}
+
 double Field::evaluate(Part const& part, std::array<double, 3> const& x, double t) const
 {
   const double value = (*part.expression)(x, t);

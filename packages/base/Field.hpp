@@ -29,9 +29,12 @@ public:
 
   // x in m, t in s; `region` as in region_names, of no meaning unless the field is given per
   // region. InputError with path, value and position if the value is not finite or outside the
-  // declared range. Not for datasets.
+  // declared range, and for datasets.
   double operator()(std::array<double, 3> const& x, double t, int region) const
   {
+    if (parts_.empty()) {
+      refuseDataset();
+    }
     Part const& part = parts_[parts_.size() == 1 ? 0 : static_cast<std::size_t>(region)];
     return part.expression ? evaluate(part, x, t) : part.value;
   }
@@ -65,6 +68,7 @@ private:
   Part makePart(Teuchos::ParameterEntry const& entry, std::string const& path) const;
   void readRegions(ParameterList const& regions, std::vector<std::string> const& region_names);
   double evaluate(Part const& part, std::array<double, 3> const& x, double t) const;
+  [[noreturn]] void refuseDataset() const;
 
   std::string path_;
   Range range_ = Range::any();

@@ -130,6 +130,13 @@ class Decks(Case):
         self.assert_setting_refused("Bulk/Density=1000 * q", "Asperity / Bulk / Density", "q")
         self.assert_setting_refused("Friction/b=fields.h5:/b", "fields.h5")
 
+    def test_datasets_where_there_is_no_vertex(self):
+        with h5py.File("fields.h5", "w") as file:
+            file["values"] = numpy.full(25, 1000.0)
+        for name in ("Bulk/Density", "Boundary Conditions/Drive/Velocity", "Mesh/Regions/core"):
+            self.assert_setting_refused(f"{name}=fields.h5:/values",
+                                        f"Asperity / {name.replace('/', ' / ')} is a dataset")
+
     def test_choices(self):
         self.assert_setting_refused("Friction/Law=Regularized", "Asperity / Friction / Law",
                                     "Did you mean 'Regularised'?")
