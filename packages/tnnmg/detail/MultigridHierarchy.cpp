@@ -8,6 +8,8 @@
 #include <Tpetra_CrsMatrix.hpp>
 
 #include <exception>
+#include <iostream>
+#include <sstream>
 #include <string>
 
 namespace asperity::tnnmg::detail
@@ -88,6 +90,50 @@ Teuchos::ParameterList MultigridHierarchy::defaults(int components)
   return list;
 }
 
+namespace
+{
+// While it lives, what is written to std::cout and std::cerr goes to a string: before MueLu throws
+// it prints pages that hide the message.
+class SilencedStreams
+{
+public:
+  explicit SilencedStreams(std::string& said)
+      : said_(said)
+      , out_(std::cout.rdbuf(text_.rdbuf()))
+      , error_(std::cerr.rdbuf(text_.rdbuf()))
+  {
+  }
+  ~SilencedStreams()
+  {
+    std::cout.rdbuf(out_);
+    std::cerr.rdbuf(error_);
+    said_ = text_.str();
+  }
+  SilencedStreams(SilencedStreams const&) = delete;
+  SilencedStreams& operator=(SilencedStreams const&) = delete;
+
+private:
+  std::string& said_;
+  std::ostringstream text_;
+  std::streambuf* out_;
+  std::streambuf* error_;
+};
+
+// The line that names the parameter, or else the last one.
+std::string complaint(std::string const& text)
+{
+  std::istringstream lines(text);
+  std::string last;
+  for (std::string line; std::getline(lines, line);) {
+    if (line.find("is not valid") != std::string::npos) {
+      return line;
+    }
+    last = line.empty() ? last : line;
+  }
+  return last;
+}
+} // namespace
+
 MultigridHierarchy::MultigridHierarchy(RCP<const CrsMatrix> A,
                                        RCP<const MultiVector> near_null_space,
                                        Teuchos::ParameterList const& muelu)
@@ -96,13 +142,15 @@ MultigridHierarchy::MultigridHierarchy(RCP<const CrsMatrix> A,
   Teuchos::ParameterList list(muelu); // MueLu writes into it
   list.sublist("user data").set("Nullspace", rcp(new MultiVector(*near_null_space, Teuchos::Copy)));
   RCP<Tpetra::Operator<double, LocalOrdinal, GlobalOrdinal, Node>> fine = writable(A);
+  std::string said;
   try {
+    const SilencedStreams silenced(said);
     implementation_->muelu = MueLu::CreateTpetraPreconditioner(fine, list);
   } catch (std::exception const& error) {
-    throw InputError(
-      std::string("MueLu does not accept the list MueLu. Try without it. MueLu says: ") +
-      error.what());
+    throw InputError("Asperity / TNNMG / MueLu Correction / MueLu is not accepted by MueLu: " +
+                     complaint(said + '\n' + error.what()) + " Correct the list or leave it out.");
   }
+  std::cout << said; // what the list's own verbosity asks for
   setCoarseSolver();
 }
 
