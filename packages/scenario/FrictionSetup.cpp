@@ -35,10 +35,14 @@ void declareTable(Declare& declare, std::vector<friction::Parameter> const& tabl
     if (!known.insert(parameter.name).second) {
       continue; // shared by both laws
     }
-    const DefaultOr<FieldValue> value =
-      parameter.required() ? DefaultOr<FieldValue>(required)
-                           : DefaultOr<FieldValue>(FieldValue(parameter.default_value));
-    declare.field(parameter.name, value, parameter.unit, rangeOf(parameter), parameter.meaning);
+    auto const declareWith = [&](DefaultOr<FieldValue> const& value) {
+      declare.field(parameter.name, value, parameter.unit, rangeOf(parameter), parameter.meaning);
+    };
+    if (parameter.required()) {
+      declareWith(required);
+    } else {
+      declareWith(parameter.default_value);
+    }
     if (std::string(parameter.name) == "a") {
       declare.hint("Check the sign; typical values are 0.005 to 0.03.");
     }
