@@ -41,11 +41,11 @@ LineSearchResult findSignChange(Slope const& slope, double start, double toleran
     return result;
   }
   int stalled = 0;
-  for (int iteration = 0; iteration < 200 && right - left > 1e-14 * right; ++iteration) {
+  for (int iteration = 0; iteration < 80 && right - left > 1e-14 * right; ++iteration) {
     // Regula falsi with halving of the value at an end that stays (Illinois), bisection when that
     // stalls.
     double middle = (left * slope_right - right * slope_left) / (slope_right - slope_left);
-    if (stalled > 1 || !(middle > left && middle < right)) {
+    if (stalled > 3 || !(middle > left && middle < right)) {
       middle = (left + right) / 2;
       stalled = 0;
     }

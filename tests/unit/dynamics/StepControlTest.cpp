@@ -182,8 +182,11 @@ TEST_F(StepControlTest, doublingStaysBelowTheLargestStep)
   settings.coarsest_level = 5;
   StepDoubling control(stepper.step, model.fault, half_seconds, settings);
   SolveCount count;
-  for (int n = 0; n < 3; ++n) {
+  for (int n = 1; n <= 3; ++n) {
+    auto const before = state.clone();
     EXPECT_EQ(control.advance(state, count).level, 5);
+    EXPECT_EQ(state.time, n * half_seconds.ticks(5));
+    EXPECT_LE(distance(state, stepped(before, {5})), 1e-10);
   }
 }
 
