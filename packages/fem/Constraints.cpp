@@ -53,7 +53,7 @@ int axisOf(std::vector<double> const& direction)
   return -1;
 }
 
-// Completes orthonormal directions (placed last) to a right-handed frame.
+// Completes orthonormal directions, placed last, to a frame (not always a right-handed one).
 NodalFrames::Matrix frameFrom(std::vector<std::vector<double>> const& directions, int components)
 {
   auto frame = NodalFrames::identity(components);
