@@ -2,6 +2,7 @@
 
 #include "base/Errors.hpp"
 #include "base/NearestName.hpp"
+#include "base/Text.hpp"
 
 #include <algorithm>
 #include <filesystem>
@@ -21,6 +22,28 @@ void requireKnown(std::string const& option, AllowedArguments const& allowed)
                    "Unknown option '" << option << "'." << asperity::didYouMean(option, names));
 }
 } // namespace
+
+double Arguments::number(std::string const& option, double otherwise) const
+{
+  if (!has(option)) {
+    return otherwise;
+  }
+  auto const& text = options.at(option);
+  const auto value = asperity::readNumber(text);
+  ASPERITY_REQUIRE(value, "Option " << option << ": '" << text << "' is not a number.");
+  return *value;
+}
+
+int Arguments::integer(std::string const& option, int otherwise) const
+{
+  if (!has(option)) {
+    return otherwise;
+  }
+  auto const& text = options.at(option);
+  const auto value = asperity::readInteger(text);
+  ASPERITY_REQUIRE(value, "Option " << option << ": '" << text << "' is not a whole number.");
+  return *value;
+}
 
 Arguments parseArguments(std::vector<std::string> const& words, AllowedArguments const& allowed)
 {

@@ -12,6 +12,11 @@ struct Arguments
   std::map<std::string, std::string> options;
 
   bool has(std::string const& option) const { return options.count(option) > 0; }
+
+  // The value of an option, or `otherwise` if it is not given. InputError unless it is a number, or
+  // a whole one.
+  double number(std::string const& option, double otherwise) const;
+  int integer(std::string const& option, int otherwise) const;
 };
 
 struct AllowedArguments

@@ -13,5 +13,9 @@ void convert(std::vector<std::string> const& words);
 void makeWedge(std::vector<std::string> const& words);
 std::string wedgeOptions(); // the parameters for --help, a line each
 
+// OUT.h5 [--overwrite] [--<parameter> VALUE]...
+void makeRectangle(std::vector<std::string> const& words);
+std::string rectangleOptions();
+
 // FILE.h5
 void printInfo(std::vector<std::string> const& words);

@@ -1,7 +1,6 @@
 #include "Arguments.hpp"
 #include "Commands.hpp"
 
-#include "base/Errors.hpp"
 #include "base/Text.hpp"
 #include "mesh/MeshFile.hpp"
 #include "mesh/WedgeMesh.hpp"
@@ -29,13 +28,6 @@ constexpr Parameter parameters[] = {
   {"--zone-end", &WedgeShape::zone_end, "its lower end, along the surface from the trench, m"},
   {"--viscous-thickness", &WedgeShape::viscous_thickness, "of the region 'lower', m"},
 };
-
-double number(std::string const& option, std::string const& text)
-{
-  const auto value = asperity::readNumber(text);
-  ASPERITY_REQUIRE(value, "Option " << option << ": '" << text << "' is not a number.");
-  return *value;
-}
 } // namespace
 
 std::string wedgeOptions()
@@ -60,9 +52,7 @@ void makeWedge(std::vector<std::string> const& words)
   requireNew(arguments.files[0], arguments);
   WedgeShape shape;
   for (auto const& parameter : parameters) {
-    if (arguments.has(parameter.option)) {
-      shape.*parameter.value = number(parameter.option, arguments.options.at(parameter.option));
-    }
+    shape.*parameter.value = arguments.number(parameter.option, shape.*parameter.value);
   }
   const auto mesh = asperity::mesh::wedgeMesh(shape);
   asperity::mesh::writeMesh(mesh, arguments.files[0]);

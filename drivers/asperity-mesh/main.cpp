@@ -22,6 +22,9 @@ void printHelp()
                "  asperity-mesh wedge OUT.h5 [--overwrite] [OPTION VALUE]...\n"
                "    The subduction wedge of Pipping 2014, A.1, by bisection. Options:\n"
             << wedgeOptions()
+            << "  asperity-mesh rectangle OUT.h5 [--overwrite] [OPTION VALUE]...\n"
+               "    A rectangle of right triangles, graded by bisection. Options:\n"
+            << rectangleOptions()
             << "  asperity-mesh info FILE.h5\n"
                "    Counts, sizes, regions and boundaries of a mesh.\n\n"
                "Exit status: 0 done, 2 the input is at fault.\n";
@@ -30,13 +33,13 @@ void printHelp()
 void run(std::vector<std::string> const& words)
 {
   const std::map<std::string, Command> commands = {
-    {"convert", convert}, {"wedge", makeWedge}, {"info", printInfo}};
+    {"convert", convert}, {"wedge", makeWedge}, {"rectangle", makeRectangle}, {"info", printInfo}};
   ASPERITY_REQUIRE(!words.empty(), "A command is missing. See asperity-mesh --help.");
   const auto found = commands.find(words[0]);
   ASPERITY_REQUIRE(found != commands.end(),
                    "Unknown command '"
                      << words[0] << "'."
-                     << asperity::didYouMean(words[0], {"convert", "wedge", "info"}));
+                     << asperity::didYouMean(words[0], {"convert", "wedge", "rectangle", "info"}));
   found->second({words.begin() + 1, words.end()});
 }
 } // namespace

@@ -18,8 +18,6 @@ Teuchos::RCP<Teuchos::ParameterList> CouplingSettings::validParameters()
           "coupling of rate and state counts as resolved.")
     .integer("Maximum Iterations", defaults.max_iterations, Range::atLeast(1),
              "Fixed point iterations after which the step is rejected and halved.")
-    .real("lambda", defaults.lambda, "-", Range::closed(0, 1),
-          "The state sees the velocity lambda v0 + (1 - lambda) v1 over a step (thesis eq. 25).")
     .list();
 }
 
@@ -28,7 +26,6 @@ CouplingSettings CouplingSettings::from(Teuchos::ParameterList const& parameters
   CouplingSettings settings;
   settings.tolerance = parameters.get<double>("Tolerance");
   settings.max_iterations = parameters.get<int>("Maximum Iterations");
-  settings.lambda = parameters.get<double>("lambda");
   return settings;
 }
 
@@ -40,6 +37,29 @@ void SolveCount::add(tnnmg::TnnmgResult const& result)
   correction_iterations += result.correction_iterations;
   v_cycles += result.v_cycles;
   rises += result.rises;
+}
+
+SolveCount SolveCount::since(SolveCount const& before) const
+{
+  SolveCount result;
+  for (auto const& member : members()) {
+    result.*member.value = this->*member.value - before.*member.value;
+  }
+  return result;
+}
+
+std::array<SolveCount::Member, 8> const& SolveCount::members()
+{
+  static constexpr std::array<Member, 8> all = {
+    {{"coupled_steps", &SolveCount::coupled_steps},
+     {"rate_problems", &SolveCount::rate_problems},
+     {"tnnmg_iterations", &SolveCount::tnnmg_iterations},
+     {"corrections", &SolveCount::corrections},
+     {"correction_iterations", &SolveCount::correction_iterations},
+     {"v_cycles", &SolveCount::v_cycles},
+     {"rises", &SolveCount::rises},
+     {"failures", &SolveCount::failures}}};
+  return all;
 }
 
 CoupledStep::CoupledStep(Body const& body, Fault const& fault, RateUpdate const& update,
@@ -58,9 +78,8 @@ CoupledStep::CoupledStep(Body const& body, Fault const& fault, RateUpdate const&
     , work_u_(body.vector())
     , work_a_(body.vector())
     , guess_(body.vector())
-    , v0_("asperity::dynamics::v0", fault.numNodes(), fault.num_tangents)
-    , v1_("asperity::dynamics::v1", fault.numNodes(), fault.num_tangents)
-    , prescribed_blocks_("asperity::dynamics::prescribed", fault.numNodes(), fault.num_tangents)
+    , mean_offset_("asperity::dynamics::meanOffset", fault.numNodes(), fault.num_tangents)
+    , mean_("asperity::dynamics::meanVelocity", fault.numNodes(), fault.num_tangents)
     , V_("asperity::dynamics::V", fault.numNodes())
     , alpha_next_("asperity::dynamics::alphaNext", fault.numNodes())
 {
@@ -71,7 +90,7 @@ CoupledStep::CoupledStep(Body const& body, Fault const& fault, RateUpdate const&
 void CoupledStep::rightSide(State const& from, double t1, double tau)
 {
   body_.prescribed_velocity(t1, *prescribed_);
-  update_.predict(*from.u, *from.v, *from.a, tau, *u_hat_, *a_hat_);
+  update_.predict(from, tau, *u_hat_, *a_hat_);
   work_a_->update(1, *a_hat_, -update_.mass_weight / tau, *prescribed_, 0);
   work_u_->update(1, *u_hat_, tau * update_.stiffness_weight, *prescribed_, 0);
   body_.load(t1, *b_);
@@ -85,14 +104,18 @@ CoupledResult CoupledStep::solve(State const& from, int level, State& to, SolveC
 {
   const double tau = clock_.stepSize(level);
   to.time = from.time + clock_.ticks(level);
+  fault_.setTime(clock_.seconds(to.time));
   rightSide(from, clock_.seconds(to.time), tau);
 
   guess_->update(1, *to.v, -1, *prescribed_, 0);
   body_.clearFixed(*guess_);
   auto& solver = solvers_.at(level);
   solver.begin(*b_, *guess_);
-  fault_.gather(*from.v, v0_);
-  fault_.gather(*prescribed_, prescribed_blocks_);
+  // (u^ - u0)/tau without their difference: a locked fault moves by less than the rounding of u.
+  work_u_->update(update_.velocity_in_displacement, *from.v,
+                  tau * update_.acceleration_in_displacement, *from.a_lagging, 0);
+  work_u_->update(update_.stiffness_weight, *prescribed_, 1);
+  fault_.gather(*work_u_, mean_offset_);
 
   auto const result = iterate(from, tau, solver, to, count);
   ++count.coupled_steps;
@@ -102,10 +125,26 @@ CoupledResult CoupledStep::solve(State const& from, int level, State& to, SolveC
   }
   solver.velocity(*to.v);
   to.v->update(1, *prescribed_, 1);
-  Tpetra::deep_copy(*to.u, *u_hat_);
-  Tpetra::deep_copy(*to.a, *a_hat_);
-  update_.complete(*to.v, tau, *to.u, *to.a);
+  update_.complete(from, *u_hat_, *a_hat_, tau, to);
   return result;
+}
+
+// (u1 - u0)/tau at the fault nodes.
+void CoupledStep::meanSlipRate(RateSolver& solver)
+{
+  solver.faultVelocity(mean_);
+  auto const mean = mean_;
+  auto const offset = mean_offset_;
+  const int size = fault_.num_tangents;
+  const double weight = update_.stiffness_weight;
+  Kokkos::parallel_for(
+    "asperity::dynamics::meanVelocity",
+    Kokkos::RangePolicy<friction::ExecutionSpace>(0, fault_.numNodes()), KOKKOS_LAMBDA(int node) {
+      for (int k = 0; k < size; ++k) {
+        mean(node, k) = offset(node, k) + weight * mean(node, k);
+      }
+    });
+  fault_.slipRate(mean_, V_);
 }
 
 CoupledResult CoupledStep::iterate(State const& from, double tau, RateSolver& solver, State& to,
@@ -120,18 +159,7 @@ CoupledResult CoupledStep::iterate(State const& from, double tau, RateSolver& so
       result.status = StepStatus::rate_problem_failed;
       return result;
     }
-    solver.faultVelocity(v1_);
-    auto const v1 = v1_;
-    auto const prescribed = prescribed_blocks_;
-    const int size = fault_.num_tangents;
-    Kokkos::parallel_for(
-      "asperity::dynamics::addPrescribed",
-      Kokkos::RangePolicy<friction::ExecutionSpace>(0, fault_.numNodes()), KOKKOS_LAMBDA(int node) {
-        for (int k = 0; k < size; ++k) {
-          v1(node, k) += prescribed(node, k);
-        }
-      });
-    fault_.slipRate(v0_, v1_, settings_.lambda, V_);
+    meanSlipRate(solver);
     const int failed = fault_.sumOverRanks(fault_.state->flow(V_, tau, from.alpha, alpha_next_));
     const double change = fault_.distance(alpha_next_, to.alpha);
     if (failed > 0 || !std::isfinite(change)) {

@@ -5,13 +5,14 @@
 #include "dynamics/State.hpp"
 #include "dynamics/StepSolvers.hpp"
 
+#include <array>
+
 namespace asperity::dynamics
 {
 struct CouplingSettings
 {
   double tolerance = 1e-5; // of alpha between two iterates, root mean square over the fault
   int max_iterations = 100;
-  double lambda = 0.5; // v_lambda = lambda v0 + (1 - lambda) v1, thesis eq. (25)
 
   static Teuchos::RCP<Teuchos::ParameterList> validParameters();
   static CouplingSettings from(Teuchos::ParameterList const& parameters);
@@ -30,6 +31,15 @@ struct SolveCount
   std::int64_t failures = 0; // coupled steps without a solution
 
   void add(tnnmg::TnnmgResult const& result);
+  SolveCount since(SolveCount const& before) const;
+
+  struct Member
+  {
+    char const* name;
+    std::int64_t SolveCount::*value;
+  };
+  // All of them, for whoever reads, writes or compares them one by one.
+  static std::array<Member, 8> const& members();
 };
 
 enum class StepStatus
@@ -48,7 +58,9 @@ struct CoupledResult
 };
 
 // One time step: the fixed point alpha -> rate problem -> V -> state flow -> alpha (Pipping 2014,
-// problem 4.3).
+// problem 4.3). The state sees the mean slip rate of the step, V = slip_factor |u1 - u0|_t / tau,
+// which is of second order with every scheme and damped wherever the scheme damps u; it is that of
+// thesis eq. (25), lambda = 1/2, for Newmark with beta = 1/4.
 class CoupledStep
 {
 public:
@@ -64,6 +76,7 @@ private:
   void rightSide(State const& from, double t1, double tau);
   CoupledResult iterate(State const& from, double tau, RateSolver& solver, State& to,
                         SolveCount& count);
+  void meanSlipRate(RateSolver& solver);
 
   Body const& body_;
   Fault const& fault_;
@@ -72,7 +85,8 @@ private:
   CouplingSettings settings_;
   StepSolvers& solvers_;
   RCP<Vector> b_, prescribed_, u_hat_, a_hat_, work_u_, work_a_, guess_;
-  friction::BlockView v0_, v1_, prescribed_blocks_;
+  // What the mean velocity owes to the past and to prescribed velocities; the mean itself.
+  friction::BlockView mean_offset_, mean_;
   friction::NodeView V_, alpha_next_;
 };
 } // namespace asperity::dynamics

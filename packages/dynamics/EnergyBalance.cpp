@@ -5,6 +5,20 @@
 
 namespace asperity::dynamics
 {
+std::array<Energy::Member, 8> const& Energy::members()
+{
+  static constexpr std::array<Member, 8> all = {
+    {{"kinetic", &Energy::kinetic},
+     {"elastic", &Energy::elastic},
+     {"load_work", &Energy::load_work},
+     {"boundary_work", &Energy::boundary_work},
+     {"friction_work", &Energy::friction_work},
+     {"viscous_work", &Energy::viscous_work},
+     {"numerical_dissipation", &Energy::numerical_dissipation},
+     {"defect", &Energy::defect}}};
+  return all;
+}
+
 EnergyBalance::EnergyBalance(Body const& body, Fault const& fault, DyadicTime const& clock)
     : body_(body)
     , fault_(fault)
@@ -34,14 +48,17 @@ EnergyBalance::EnergyBalance(Body const& body, Fault const& fault, DyadicTime co
 
 EnergyBalance::Snapshot EnergyBalance::snapshot() const
 {
-  return {body_.vector(), body_.vector(), body_.vector(), body_.vector()};
+  return {body_.vector(), body_.vector(), body_.vector(), body_.vector(), body_.vector()};
 }
 
 void EnergyBalance::fill(State const& state, Snapshot& result)
 {
   Tpetra::deep_copy(*result.u, *state.u);
   Tpetra::deep_copy(*result.v, *state.v);
-  body_.load(clock_.seconds(state.time), *result.load);
+  Tpetra::deep_copy(*result.a, *state.a);
+  const double t = clock_.seconds(state.time);
+  body_.load(t, *result.load);
+  fault_.setTime(t);
 
   // work = l - M a - C v - K u: what friction and reactions hold; kept where they act.
   Tpetra::deep_copy(*work_, *result.load);
@@ -99,6 +116,18 @@ void EnergyBalance::start(State const& state, Energy const& so_far)
   energy_.elastic = before_.elastic;
 }
 
+// Of the step from before_ to after_, whose du_ is known.
+double EnergyBalance::numericalDissipation()
+{
+  mean_->update(0.5, *before_.a, 0.5, *after_.a, 0);
+  body_.matrices.mass->apply(*mean_, *work_);
+  const double work_of_inertia = du_->dot(*work_);
+  mean_->update(1, *after_.v, -1, *before_.v, 0);
+  body_.matrices.mass->apply(*mean_, *work_);
+  mean_->update(0.5, *before_.v, 0.5, *after_.v, 0);
+  return work_of_inertia - mean_->dot(*work_);
+}
+
 Energy const& EnergyBalance::advance(State const& state)
 {
   fill(state, after_);
@@ -112,6 +141,7 @@ Energy const& EnergyBalance::advance(State const& state)
   mean_->update(0.5, *before_.v, 0.5, *after_.v, 0);
   body_.matrices.viscosity->apply(*mean_, *work_);
   const double viscous = work_->dot(*du_);
+  const double numerical = numericalDissipation();
 
   const double change = after_.kinetic - before_.kinetic + after_.elastic - before_.elastic;
   energy_.kinetic = after_.kinetic;
@@ -120,7 +150,8 @@ Energy const& EnergyBalance::advance(State const& state)
   energy_.boundary_work += boundary;
   energy_.friction_work += friction;
   energy_.viscous_work += viscous;
-  energy_.defect += change - (load + boundary - friction - viscous);
+  energy_.numerical_dissipation += numerical;
+  energy_.defect += change - (load + boundary - friction - viscous - numerical);
   std::swap(before_, after_);
   return energy_;
 }

@@ -4,26 +4,38 @@
 #include "dynamics/Fault.hpp"
 #include "dynamics/State.hpp"
 
+#include <array>
+
 namespace asperity::dynamics
 {
 // Energies and works per unit of thickness [J/m in 2D]; the works since the start of the run.
 struct Energy
 {
   double kinetic = 0;
-  double elastic = 0;       // 1/2 u'Ku
-  double load_work = 0;     // by gravity and tractions
-  double boundary_work = 0; // by whatever moves the prescribed boundaries
-  double friction_work = 0; // dissipated on the fault
-  double viscous_work = 0;  // dissipated in the body
-  // Change of kinetic and elastic energy minus all of the above. With Newmark, beta = 1/4, this is
-  // what the solvers leave over; for other schemes it contains what they dissipate numerically.
+  double elastic = 0;               // 1/2 u'Ku
+  double load_work = 0;             // by gravity and tractions
+  double boundary_work = 0;         // by whatever moves the prescribed boundaries
+  double friction_work = 0;         // dissipated on the fault
+  double viscous_work = 0;          // dissipated in the body, by radiation damping and by dashpots
+  double numerical_dissipation = 0; // by the scheme; may be negative for a while
+  // Change of kinetic and elastic energy minus all of the above: what the solvers leave over.
   double defect = 0;
+
+  struct Member
+  {
+    char const* name;
+    double Energy::*value;
+  };
+  static std::array<Member, 8> const& members();
 };
 
-// The balance of energy from step to step, with du = u1 - u0 and means over the ends of the step
-// (exact for Newmark with beta = 1/4, see README.md):
-//   change of (1/2 v'Mv + 1/2 u'Ku) = du . (mean l - C mean v - mean f)
-// f are the friction forces of the last rate problem and the reactions of prescribed dofs.
+// The balance of energy from step to step, with du = u1 - u0, dv = v1 - v0 and means over the ends
+// of the step:
+//   change of (1/2 v'Mv + 1/2 u'Ku) = du . (mean l - C mean v - mean f) - D
+//   D = du . M mean a - mean v . M dv
+// f are the friction forces of the last rate problem and the reactions of prescribed dofs. Exact
+// where the balance of momentum holds at both ends; D is what the scheme dissipates, and vanishes
+// for Newmark with beta = 1/4 (README.md).
 class EnergyBalance
 {
 public:
@@ -41,11 +53,12 @@ public:
 private:
   struct Snapshot
   {
-    RCP<Vector> u, v, load, force;
+    RCP<Vector> u, v, a, load, force;
     double kinetic = 0, elastic = 0;
   };
   Snapshot snapshot() const;
   void fill(State const& state, Snapshot& result);
+  double numericalDissipation();
   double dotOver(std::vector<int> const& dofs, Vector const& x, Vector const& y) const;
 
   Body const& body_;

@@ -29,8 +29,7 @@ void Fault::gather(Vector const& v, friction::BlockView const& blocks) const
   Kokkos::deep_copy(blocks, host);
 }
 
-void Fault::slipRate(friction::ConstBlockView const& v0, friction::ConstBlockView const& v1,
-                     double lambda, friction::NodeView const& V) const
+void Fault::slipRate(friction::ConstBlockView const& v, friction::NodeView const& V) const
 {
   const int size = num_tangents;
   const double factor = slip_factor;
@@ -39,26 +38,35 @@ void Fault::slipRate(friction::ConstBlockView const& v0, friction::ConstBlockVie
     KOKKOS_LAMBDA(int node) {
       double largest = 0;
       for (int k = 0; k < size; ++k) {
-        const double v = lambda * v0(node, k) + (1 - lambda) * v1(node, k);
-        largest = largest > (v < 0 ? -v : v) ? largest : (v < 0 ? -v : v);
+        const double magnitude = v(node, k) < 0 ? -v(node, k) : v(node, k);
+        largest = largest > magnitude ? largest : magnitude;
       }
       // In units of the largest component, since the square of a slow rate underflows.
       double square = 0;
       for (int k = 0; k < size && largest > 0; ++k) {
-        const double v = (lambda * v0(node, k) + (1 - lambda) * v1(node, k)) / largest;
-        square += v * v;
+        square += (v(node, k) / largest) * (v(node, k) / largest);
       }
       V(node) = factor * (size == 1 ? largest : largest * Kokkos::Experimental::sqrt(square));
     });
+}
+
+void Fault::setTime(double t) const
+{
+  if (normal_stress_at) {
+    normal_stress_at(t, normal_stress);
+  }
 }
 
 double Fault::peakSlipRate(Vector const& v) const
 {
   auto const values = v.getLocalViewHost(Tpetra::Access::ReadOnly);
   double mine = 0;
-  for (auto const& node : dofs) {
+  for (int node = 0; node < numNodes(); ++node) {
+    if (fixed[node]) {
+      continue;
+    }
     double magnitude = 0;
-    for (int dof : node) {
+    for (int dof : dofs[node]) {
       magnitude = std::hypot(magnitude, values(dof, 0));
     }
     mine = std::max(mine, slip_factor * magnitude);
@@ -70,21 +78,37 @@ double Fault::peakSlipRate(Vector const& v) const
   return all;
 }
 
-double Fault::distance(friction::ConstNodeView const& a, friction::ConstNodeView const& b) const
+double Fault::distance(friction::ConstNodeView const& a, friction::ConstNodeView const& b,
+                       Norm norm) const
 {
   auto const weight = data.weight;
   double mine = 0;
-  Kokkos::parallel_reduce(
-    "asperity::dynamics::distance", Kokkos::RangePolicy<friction::ExecutionSpace>(0, numNodes()),
-    KOKKOS_LAMBDA(int node, double& sum) {
-      const double difference = a(node) - b(node);
-      sum += weight(node) * difference * difference;
-    },
-    mine);
+  const bool largest = norm == Norm::maximum;
+  auto const nodes = Kokkos::RangePolicy<friction::ExecutionSpace>(0, numNodes());
+  if (largest) {
+    // Not a number counts as infinitely far, which a maximum would overlook.
+    Kokkos::parallel_reduce(
+      "asperity::dynamics::maximumDistance", nodes,
+      KOKKOS_LAMBDA(int node, double& maximum) {
+        const double difference = a(node) < b(node) ? b(node) - a(node) : a(node) - b(node);
+        maximum = difference <= maximum ? maximum : difference >= 0 ? difference : INFINITY;
+      },
+      Kokkos::Max<double>(mine));
+  } else {
+    Kokkos::parallel_reduce(
+      "asperity::dynamics::distance", nodes,
+      KOKKOS_LAMBDA(int node, double& sum) {
+        const double difference = a(node) - b(node);
+        sum += weight(node) * difference * difference;
+      },
+      mine);
+  }
+  mine = largest ? std::max(mine, 0.) : mine; // a rank without nodes has no maximum
   double all = mine;
   if (communicator->getSize() > 1) {
-    Teuchos::reduceAll(*communicator, Teuchos::REDUCE_SUM, mine, Teuchos::outArg(all));
+    Teuchos::reduceAll(*communicator, largest ? Teuchos::REDUCE_MAX : Teuchos::REDUCE_SUM, mine,
+                       Teuchos::outArg(all));
   }
-  return std::sqrt(all / total_weight);
+  return largest ? all : std::sqrt(all / total_weight);
 }
 } // namespace asperity::dynamics

@@ -4,11 +4,18 @@
 #include "friction/FrictionKernels.hpp"
 #include "friction/StateKernels.hpp"
 
+#include <functional>
 #include <memory>
 #include <vector>
 
 namespace asperity::dynamics
 {
+enum class Norm
+{
+  root_mean_square, // over the fault
+  maximum
+};
+
 // The fault nodes of this rank and what happens at them.
 struct Fault
 {
@@ -18,6 +25,10 @@ struct Fault
   double slip_factor = 1;             // slip = slip_factor times the tangential displacement
   friction::FaultData data;
   double total_weight = 0; // over all ranks: the measure of the fault
+  // Where the normal stress changes: what fills it [Pa] at the time t [s], and the memory that
+  // data.sigma_n shows. Empty where it does not change.
+  std::function<void(double, friction::NodeView const&)> normal_stress_at;
+  friction::NodeView normal_stress;
   RCP<const Communicator> communicator;
   std::unique_ptr<friction::FrictionKernels> friction;
   std::unique_ptr<friction::StateKernels> state;
@@ -26,12 +37,14 @@ struct Fault
   int numNodes() const { return static_cast<int>(dofs.size()); }
   // Tangential components of v at the fault nodes.
   void gather(Vector const& v, friction::BlockView const& blocks) const;
-  // Slip rates |lambda v0 + (1 - lambda) v1| slip_factor, thesis eq. (25). Views over the nodes.
-  void slipRate(friction::ConstBlockView const& v0, friction::ConstBlockView const& v1,
-                double lambda, friction::NodeView const& V) const;
-  // Largest slip rate over all ranks.
+  // Slip rates |v| slip_factor of tangential velocities v. Views over the nodes.
+  void slipRate(friction::ConstBlockView const& v, friction::NodeView const& V) const;
+  // What acts on the fault at the time t [s], from now on.
+  void setTime(double t) const;
+  // Largest slip rate over all ranks, where it is not prescribed.
   double peakSlipRate(Vector const& v) const;
-  // Root mean square of a - b over the fault, over all ranks.
-  double distance(friction::ConstNodeView const& a, friction::ConstNodeView const& b) const;
+  // Of a - b over the fault, over all ranks.
+  double distance(friction::ConstNodeView const& a, friction::ConstNodeView const& b,
+                  Norm norm = Norm::root_mean_square) const;
 };
 } // namespace asperity::dynamics

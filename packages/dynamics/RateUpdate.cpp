@@ -21,23 +21,44 @@ RateUpdate RateUpdate::backwardEuler()
 {
   RateUpdate update;
   update.name = "Backward Euler";
+  update.order = 1;
   update.mass_weight = 1;
   update.stiffness_weight = 1;
   update.velocity_in_acceleration = 1;
   return update;
 }
 
-void RateUpdate::predict(Vector const& u0, Vector const& v0, Vector const& a0, double tau,
-                         Vector& u_hat, Vector& a_hat) const
+RateUpdate RateUpdate::generalisedAlpha(double spectral_radius)
 {
-  Tpetra::deep_copy(u_hat, u0);
-  u_hat.update(tau * velocity_in_displacement, v0, tau * tau * acceleration_in_displacement, a0, 1);
-  a_hat.update(velocity_in_acceleration / tau, v0, acceleration_in_acceleration, a0, 0);
+  const double lag = (spectral_radius - 1) / (spectral_radius + 1);
+  const double gamma = 0.5 - lag;
+  const double beta = (1 - lag) * (1 - lag) / 4;
+  RateUpdate update;
+  update.name = "Generalised Alpha";
+  update.mass_weight = (1 - lag) / gamma;
+  update.stiffness_weight = beta / gamma;
+  update.velocity_in_displacement = 1 - beta / gamma;
+  update.acceleration_in_displacement = 0.5 - beta / gamma;
+  update.velocity_in_acceleration = (1 - lag) / gamma;
+  update.acceleration_in_acceleration = (1 - lag) * (1 - gamma) / gamma - lag;
+  update.lag = lag;
+  return update;
 }
 
-void RateUpdate::complete(Vector const& v1, double tau, Vector& u, Vector& a) const
+void RateUpdate::predict(State const& from, double tau, Vector& u_hat, Vector& a_hat) const
 {
-  u.update(tau * stiffness_weight, v1, 1);
-  a.update(mass_weight / tau, v1, -1);
+  Tpetra::deep_copy(u_hat, *from.u);
+  u_hat.update(tau * velocity_in_displacement, *from.v, tau * tau * acceleration_in_displacement,
+               *from.a_lagging, 1);
+  a_hat.update(velocity_in_acceleration / tau, *from.v, acceleration_in_acceleration,
+               *from.a_lagging, 0);
+}
+
+void RateUpdate::complete(State const& from, Vector const& u_hat, Vector const& a_hat, double tau,
+                          State& to) const
+{
+  to.u->update(1, u_hat, tau * stiffness_weight, *to.v, 0);
+  to.a->update(mass_weight / tau, *to.v, -1, a_hat, 0);
+  to.a_lagging->update(1 / (1 - lag), *to.a, -lag / (1 - lag), *from.a_lagging, 0);
 }
 } // namespace asperity::dynamics

@@ -1,38 +1,49 @@
 #pragma once
 
-#include "base/Types.hpp"
-
-#include <Teuchos_ParameterList.hpp>
+#include "dynamics/State.hpp"
 
 #include <string>
 
 namespace asperity::dynamics
 {
 // How displacement and acceleration at the end of a step follow from the velocity there (Pipping
-// 2014, table 3.1):
+// 2014, table 3.1, and one scheme more):
 //
-//   u1 = u^ + tau w_K v1,      u^ = u0 + tau c_v v0 + tau^2 c_a a0,      w_K = 1 / lambda_K
-//   a1 = lambda_M / tau v1 - a^,    a^ = d_v / tau v0 + d_a a0
+//   u1 = u^ + tau w_K v1,           u^ = u0 + tau c_v v0 + tau^2 c_a A0,      w_K = 1 / lambda_K
+//   a1 = lambda_M / tau v1 - a^,    a^ = d_v / tau v0 + d_a A0
+//   A1 = (a1 - alpha_M A0) / (1 - alpha_M)
+//
+// M a1 + C v1 + K u1 = l1 - f1 holds at the end of the step in all of them. A is the scheme's own
+// acceleration, which lags behind a by |alpha_M| steps; it is a where alpha_M = 0.
 //
 // Newmark: u1 = u0 + tau v0 + tau^2/2 ((1 - 2 beta) a0 + 2 beta a1), v1 = v0 + tau (a0 + a1)/2.
 // Backward Euler: u1 = u0 + tau v1, v1 = v0 + tau a1.
+// Generalised alpha: Newmark's formulas with gamma = 1/2 - alpha_M, beta = (1 - alpha_M)^2/4 and A
+// instead of a, where a1 = (1 - alpha_M) A1 + alpha_M A0 (Wood, Bossak and Zienkiewicz 1980;
+// Chung and Hulbert 1993 with alpha_f = 0, so that friction and state are met at the end of the
+// step and the rate problem stays convex).
 struct RateUpdate
 {
   std::string name;
+  int order = 2;                                                         // of convergence in tau
   double mass_weight = 0;                                                // lambda_M
   double stiffness_weight = 0;                                           // 1 / lambda_K
   double velocity_in_displacement = 0, acceleration_in_displacement = 0; // c_v, c_a
   double velocity_in_acceleration = 0, acceleration_in_acceleration = 0; // d_v, d_a
+  double lag = 0;                                                        // alpha_M <= 0
 
   // Second order; unconditionally stable for beta in [1/4, 1/2].
   static RateUpdate newmark(double beta);
   // First order, damps everything.
   static RateUpdate backwardEuler();
+  // Second order, unconditionally stable; a step much longer than a mode's period multiplies the
+  // mode by the spectral radius in [0, 1]: 0 forgets it at once, 1 is Newmark with beta = 1/4.
+  static RateUpdate generalisedAlpha(double spectral_radius);
 
-  // u^ and a^ for a step of tau [s] from u0, v0, a0.
-  void predict(Vector const& u0, Vector const& v0, Vector const& a0, double tau, Vector& u_hat,
-               Vector& a_hat) const;
-  // In place: u^ -> u1, a^ -> a1.
-  void complete(Vector const& v1, double tau, Vector& u, Vector& a) const;
+  // u^ and a^ for a step of tau [s].
+  void predict(State const& from, double tau, Vector& u_hat, Vector& a_hat) const;
+  // u, a and the scheme's acceleration in `to`, whose v is v1.
+  void complete(State const& from, Vector const& u_hat, Vector const& a_hat, double tau,
+                State& to) const;
 };
 } // namespace asperity::dynamics

@@ -17,17 +17,8 @@ char const* reason(StepStatus status)
   default: return "it was solved";
   }
 }
+} // namespace
 
-[[noreturn]] void giveUp(DyadicTime const& clock, State const& from, int level, char const* why)
-{
-  std::ostringstream message;
-  message << "At t = " << clock.seconds(from.time) << " s a step of " << clock.stepSize(level)
-          << " s, the smallest allowed, failed: " << why
-          << ". Try a smaller 'Smallest Step', a looser tolerance or more iterations.";
-  throw SolveError(message.str());
-}
-
-// weight * a + (1 - weight) * b for velocity and state: a first guess in between or beyond.
 State blend(double weight, State const& a, State const& b)
 {
   State result = a.clone();
@@ -39,12 +30,31 @@ State blend(double weight, State const& a, State const& b)
     KOKKOS_LAMBDA(int node) { alpha(node) = weight * alpha(node) + (1 - weight) * other(node); });
   return result;
 }
-} // namespace
+
+StepControl::StepControl(CoupledStep& step, DyadicTime const& clock) : step_(step), clock_(clock) {}
+
+std::optional<Trial> StepControl::attempt(State const& from, int level, State const& guess,
+                                          SolveCount& count)
+{
+  Trial trial{guess.clone(), 0};
+  auto const result = step_.solve(from, level, trial.state, count);
+  trial.iterations = result.iterations;
+  last_status_ = result.status;
+  return result.solved() ? std::optional<Trial>(std::move(trial)) : std::nullopt;
+}
+
+void StepControl::giveUp(State const& from, int level) const
+{
+  std::ostringstream message;
+  message << "At t = " << clock_.seconds(from.time) << " s a step of " << clock_.stepSize(level)
+          << " s, the smallest allowed, failed: " << reason(last_status_)
+          << ". Try a smaller 'Smallest Step', a looser tolerance or more iterations.";
+  throw SolveError(message.str());
+}
 
 PrescribedSteps::PrescribedSteps(CoupledStep& step, DyadicTime const& clock,
                                  std::vector<int> levels)
-    : step_(step)
-    , clock_(clock)
+    : StepControl(step, clock)
     , levels_(std::move(levels))
 {
   ASPERITY_ASSERT(!levels_.empty());
@@ -54,36 +64,25 @@ AcceptedStep PrescribedSteps::advance(State& current, SolveCount& count)
 {
   auto const which = std::min<std::size_t>(memory_.num_steps, levels_.size() - 1);
   memory_.level = levels_[which];
-  State next = current.clone();
-  auto const result = step_.solve(current, memory_.level, next, count);
-  if (!result.solved()) {
-    giveUp(clock_, current, memory_.level, reason(result.status));
+  auto next = attempt(current, memory_.level, current, count);
+  if (!next) {
+    giveUp(current, memory_.level);
   }
-  current = std::move(next);
+  current = std::move(next->state);
   ++memory_.num_steps;
   AcceptedStep accepted;
   accepted.level = memory_.level;
-  accepted.iterations = result.iterations;
+  accepted.iterations = next->iterations;
   return accepted;
 }
 
 StepDoubling::StepDoubling(CoupledStep& step, Fault const& fault, DyadicTime const& clock,
-                           StepDoublingSettings const& settings)
-    : step_(step)
+                           AdaptiveSettings const& settings)
+    : StepControl(step, clock)
     , fault_(fault)
-    , clock_(clock)
     , settings_(settings)
 {
   memory_.level = settings.first_level;
-}
-
-std::optional<Trial> StepDoubling::attempt(State const& from, int level, State const& guess,
-                                           SolveCount& count)
-{
-  Trial trial{guess.clone(), 0};
-  auto const result = step_.solve(from, level, trial.state, count);
-  trial.iterations = result.iterations;
-  return result.solved() ? std::optional<Trial>(std::move(trial)) : std::nullopt;
 }
 
 // A solved step from `current`, the largest that works not above the present level.
@@ -93,7 +92,7 @@ void StepDoubling::findTrial(State const& current, SolveCount& count)
     memory_.trial = attempt(current, memory_.level, current, count);
     if (!memory_.trial) {
       if (memory_.level >= settings_.finest_level) {
-        giveUp(clock_, current, memory_.level, "no solution was found");
+        giveUp(current, memory_.level);
       }
       ++memory_.level;
     }
@@ -132,7 +131,8 @@ bool StepDoubling::coarsen(State const& current, std::optional<Trial>& next, dou
     if (!doubled) {
       break;
     }
-    const double difference = fault_.distance(doubled->state.alpha, next->state.alpha);
+    const double difference =
+      fault_.distance(doubled->state.alpha, next->state.alpha, settings_.norm);
     if (!(difference <= settings_.tolerance)) {
       break;
     }
@@ -155,7 +155,7 @@ bool StepDoubling::refine(State const& current, std::optional<Trial>& next, doub
     auto first = attempt(current, memory_.level + 1, blend(0.5, end, current), count);
     auto second = first ? attempt(first->state, memory_.level + 1, end, count) : std::nullopt;
     if (second) {
-      error = fault_.distance(memory_.trial->state.alpha, second->state.alpha);
+      error = fault_.distance(memory_.trial->state.alpha, second->state.alpha, settings_.norm);
       if (error <= settings_.tolerance) {
         return true;
       }

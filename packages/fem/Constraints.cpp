@@ -3,74 +3,32 @@
 #include "base/Errors.hpp"
 #include "mesh/SimplexGeometry.hpp"
 
+#include <Teuchos_CommHelpers.hpp>
 #include <Tpetra_Import.hpp>
 #include <Tpetra_Map.hpp>
 #include <Tpetra_MultiVector.hpp>
 #include <Tpetra_Vector.hpp>
 
+#include <algorithm>
 #include <cmath>
 #include <map>
 
 namespace asperity::fem
 {
+using detail::axisOf;
+using detail::NodalBasis;
+using detail::Terms;
+
 namespace
 {
-using Terms = std::vector<std::pair<int, double>>;
+using Vectors = std::vector<std::vector<double>>;
 
-double dot(std::vector<double> const& a, std::vector<double> const& b)
-{
-  double sum = 0;
-  for (std::size_t i = 0; i < a.size(); ++i) {
-    sum += a[i] * b[i];
-  }
-  return sum;
-}
-
-void addScaled(std::vector<double>& a, double factor, std::vector<double> const& b)
-{
-  for (std::size_t i = 0; i < a.size(); ++i) {
-    a[i] += factor * b[i];
-  }
-}
-
-void addScaled(Terms& terms, double factor, Terms const& others)
-{
-  for (auto const& [condition, coefficient] : others) {
-    terms.emplace_back(condition, factor * coefficient);
-  }
-}
-
-// Below this the sine of the angle between two directions counts as zero.
-constexpr double parallel = 1e-8;
-
-int axisOf(std::vector<double> const& direction)
-{
-  for (std::size_t i = 0; i < direction.size(); ++i) {
-    if (std::abs(std::abs(direction[i]) - 1) < 1e-14) {
-      return static_cast<int>(i);
-    }
-  }
-  return -1;
-}
-
-// Completes orthonormal directions, placed last, to a frame (not always a right-handed one).
-NodalFrames::Matrix frameFrom(std::vector<std::vector<double>> const& directions, int components)
+// Orthonormal directions, placed last, in a frame (not always a right-handed one).
+NodalFrames::Matrix frameFrom(Vectors basis, int components)
 {
   auto frame = NodalFrames::identity(components);
-  std::vector<std::vector<double>> basis = directions;
-  for (int axis = 0; axis < components && static_cast<int>(basis.size()) < components; ++axis) {
-    std::vector<double> candidate(components, 0.);
-    candidate[axis] = 1;
-    for (auto const& known : basis) {
-      addScaled(candidate, -dot(candidate, known), known);
-    }
-    const double size = std::sqrt(dot(candidate, candidate));
-    if (size > 0.4) {
-      for (double& x : candidate) {
-        x /= size;
-      }
-      basis.push_back(candidate);
-    }
+  while (static_cast<int>(basis.size()) < components) {
+    basis.push_back(detail::completing(basis, components));
   }
   for (int k = 0; k < components; ++k) {
     for (int c = 0; c < components; ++c) {
@@ -79,6 +37,50 @@ NodalFrames::Matrix frameFrom(std::vector<std::vector<double>> const& directions
   }
   return frame;
 }
+
+void normalise(std::vector<double>& direction, std::string const& condition)
+{
+  const double size = std::sqrt(detail::dot(direction, direction));
+  ASPERITY_REQUIRE(size > 0, condition << ": the direction has no length.");
+  for (double& x : direction) {
+    x /= size;
+  }
+}
+
+// Inward normals of the owned nodes on some boundaries, as long as their facets are large.
+template <int Dim>
+std::map<int, std::vector<double>> inwardNormals(Mesh<Dim> const& mesh, int components,
+                                                 std::vector<std::string> const& boundaries)
+{
+  std::map<int, std::vector<double>> normals;
+  for (auto const& name : boundaries) {
+    for (auto const& facet : mesh.boundaries.at(name)) {
+      auto const outward = mesh::areaNormal(mesh::corners<Dim>(mesh.vertices, facet));
+      for (int node : facet) {
+        if (node < mesh.num_owned) {
+          auto& normal = normals.try_emplace(node, components, 0.).first->second;
+          for (int c = 0; c < std::min(components, Dim); ++c) {
+            normal[c] -= outward[c];
+          }
+        }
+      }
+    }
+  }
+  return normals;
+}
+
+template <int Dim>
+std::vector<int> ownedNodes(Mesh<Dim> const& mesh, std::string const& boundary)
+{
+  std::vector<int> nodes;
+  for (auto const& facet : mesh.boundaries.at(boundary)) {
+    std::copy_if(facet.begin(), facet.end(), std::back_inserter(nodes),
+                 [&mesh](int node) { return node < mesh.num_owned; });
+  }
+  std::sort(nodes.begin(), nodes.end());
+  nodes.erase(std::unique(nodes.begin(), nodes.end()), nodes.end());
+  return nodes;
+}
 } // namespace
 
 template <int Dim>
@@ -86,12 +88,15 @@ Constraints<Dim>::Constraints(Mesh<Dim> const& mesh, DofMap const& dofs,
                               std::vector<VelocityCondition<Dim>> conditions,
                               std::vector<double> const& sample_times)
     : conditions_(std::move(conditions))
+    , sample_times_(sample_times)
     , frames_(dofs.numLocalNodes(), dofs.components())
     , fixed_(static_cast<std::size_t>(dofs.numLocalNodes()) * dofs.components(), 0)
     , owned_vertices_(mesh.vertices.begin(), mesh.vertices.begin() + mesh.num_owned)
 {
-  for (auto const& [node, directions] : collect(mesh)) {
-    constrain(mesh, dofs, node, directions, sample_times);
+  auto const directions = collect(mesh);
+  largest_ = largestVelocities(directions, *dofs.communicator());
+  for (auto const& [node, of_node] : directions) {
+    constrain(dofs, node, of_node);
   }
   shareWithGhosts(dofs);
 }
@@ -103,29 +108,22 @@ typename Constraints<Dim>::NodalDirections Constraints<Dim>::collect(Mesh<Dim> c
   NodalDirections result;
   for (std::size_t i = 0; i < conditions_.size(); ++i) {
     auto const& condition = conditions_[i];
-    auto const boundary = mesh.boundaries.find(condition.boundary);
-    ASPERITY_REQUIRE(boundary != mesh.boundaries.end(), condition.name
-                                                          << ": the mesh has no boundary '"
-                                                          << condition.boundary << "'.");
-    std::map<int, std::vector<double>> normals;
-    for (auto const& facet : boundary->second) {
-      auto const outward = mesh::areaNormal(mesh::corners<Dim>(mesh.vertices, facet));
-      for (int node : facet) {
-        if (node < mesh.num_owned) {
-          auto& normal = normals.try_emplace(node, components, 0.).first->second;
-          for (int c = 0; c < std::min(components, Dim); ++c) {
-            normal[c] -= outward[c];
-          }
-        }
-      }
+    auto boundaries = condition.continued_by;
+    boundaries.push_back(condition.boundary);
+    // In one order for all that continue each other: the same normals, to the last digit.
+    std::sort(boundaries.begin(), boundaries.end());
+    boundaries.erase(std::unique(boundaries.begin(), boundaries.end()), boundaries.end());
+    for (auto const& name : boundaries) {
+      ASPERITY_REQUIRE(mesh.boundaries.count(name) > 0,
+                       condition.name << ": the mesh has no boundary '" << name << "'.");
     }
-    for (auto& [node, normal] : normals) {
-      auto direction = condition.direction.empty() ? normal : condition.direction;
+    auto const normals = inwardNormals(mesh, components, boundaries);
+    for (int node : ownedNodes(mesh, condition.boundary)) {
+      auto direction = condition.direction.empty() ? normals.at(node) : condition.direction;
       ASPERITY_ASSERT(static_cast<int>(direction.size()) == components);
-      const double size = std::sqrt(dot(direction, direction));
-      ASPERITY_REQUIRE(size > 0, condition.name << ": the direction has no length.");
-      for (double& x : direction) {
-        x /= size;
+      normalise(direction, condition.name);
+      if (condition.direction.empty() && condition.tangential) {
+        direction = detail::completing({direction}, components);
       }
       result[node].push_back({direction, static_cast<int>(i)});
     }
@@ -133,49 +131,57 @@ typename Constraints<Dim>::NodalDirections Constraints<Dim>::collect(Mesh<Dim> c
   return result;
 }
 
+// A difference is measured against these: at a corner the prescribed velocity itself may be but the
+// rounding of a zero.
 template <int Dim>
-void Constraints<Dim>::constrain(Mesh<Dim> const& mesh, DofMap const& dofs, int node,
-                                 std::vector<Direction> const& directions,
-                                 std::vector<double> const& sample_times)
+std::vector<double> Constraints<Dim>::largestVelocities(NodalDirections const& directions,
+                                                        Communicator const& communicator) const
+{
+  std::vector<double> mine(conditions_.size(), 0.);
+  for (auto const& [node, of_node] : directions) {
+    for (auto const& direction : of_node) {
+      for (double t : sample_times_) {
+        auto& largest = mine[direction.condition];
+        largest =
+          std::max(largest, std::abs(velocity(direction.condition, owned_vertices_[node], t)));
+      }
+    }
+  }
+  auto all = mine;
+  Teuchos::reduceAll(communicator, Teuchos::REDUCE_MAX, static_cast<int>(mine.size()), mine.data(),
+                     all.data());
+  return all;
+}
+
+template <int Dim>
+void Constraints<Dim>::constrain(DofMap const& dofs, int node,
+                                 std::vector<Direction> const& directions)
 {
   const int components = frames_.components();
-  std::vector<std::vector<double>> basis;
-  std::vector<Terms> velocities; // of the basis directions, in terms of the conditions' velocities
+  NodalBasis prescribed;
   for (auto const& [vector, condition] : directions) {
-    auto remainder = vector;
     Terms terms = {{condition, 1.}};
-    for (std::size_t k = 0; k < basis.size(); ++k) {
-      const double share = dot(vector, basis[k]);
-      addScaled(remainder, -share, basis[k]);
-      addScaled(terms, -share, velocities[k]);
+    if (!conditions_[condition].free && !prescribed.add(vector, terms)) {
+      requireAgreement(node, condition, terms);
     }
-    const double size = std::sqrt(dot(remainder, remainder));
-    if (size < parallel) {
-      requireAgreement(mesh, node, condition, terms, sample_times);
-      continue;
-    }
-    for (double& x : remainder) {
-      x /= size;
-    }
-    for (auto& term : terms) {
-      term.second /= size;
-    }
-    basis.push_back(remainder);
-    velocities.push_back(terms);
   }
+  auto const basis = layFrame(node, directions, prescribed);
 
   bool along_axes = true;
-  for (auto const& direction : basis) {
-    along_axes = along_axes && axisOf(direction) >= 0;
+  for (auto const& vector : basis.vectors()) {
+    along_axes = along_axes && axisOf(vector) >= 0;
   }
   if (!along_axes) {
-    frames_.set(node, frameFrom(basis, components));
+    frames_.set(node, frameFrom(basis.vectors(), components));
   }
-  for (std::size_t k = 0; k < basis.size(); ++k) {
-    const int axis = axisOf(basis[k]);
-    const int row = along_axes ? axis : components - 1 - static_cast<int>(k);
-    FixedRow fixed{dofs.dof(node, row), node, velocities[k]};
-    if (along_axes && basis[k][axis] < 0) {
+  for (int k = 0; k < basis.size(); ++k) {
+    if (basis.velocity(k).empty()) {
+      continue;
+    }
+    const int axis = axisOf(basis.vectors()[k]);
+    const int row = along_axes ? axis : components - 1 - k;
+    FixedRow fixed{dofs.dof(node, row), node, basis.velocity(k)};
+    if (along_axes && basis.vectors()[k][axis] < 0) {
       for (auto& term : fixed.terms) {
         term.second = -term.second;
       }
@@ -185,22 +191,61 @@ void Constraints<Dim>::constrain(Mesh<Dim> const& mesh, DofMap const& dofs, int 
   }
 }
 
+// The directions that a node's frame follows, each with its prescribed velocity, or none if free.
 template <int Dim>
-void Constraints<Dim>::requireAgreement(Mesh<Dim> const& mesh, int node, int condition,
-                                        Terms const& terms,
-                                        std::vector<double> const& sample_times) const
+NodalBasis Constraints<Dim>::layFrame(int node, std::vector<Direction> const& directions,
+                                      NodalBasis const& prescribed) const
 {
-  auto const& x = mesh.vertices[node];
-  for (double t : sample_times) {
+  NodalBasis basis;
+  int of_frame = -1;
+  for (auto const& [vector, condition] : directions) {
+    Terms none;
+    if (conditions_[condition].free && basis.add(vector, none)) {
+      of_frame = condition;
+    }
+  }
+  if (of_frame < 0) {
+    basis = prescribed;
+    basis.orient();
+    return basis;
+  }
+  for (auto const& vector : prescribed.vectors()) {
+    Terms none;
+    basis.add(vector, none);
+  }
+  for (int k = 0; k < basis.size(); ++k) {
+    auto const& vector = basis.vectors()[k];
+    const double share = prescribed.share(vector);
+    if (share < detail::parallel) {
+      continue;
+    }
+    ASPERITY_REQUIRE(std::abs(share - 1) < detail::parallel,
+                     conditions_[prescribed.velocity(0).front().first].name
+                       << " prescribes a velocity neither along nor across the boundary '"
+                       << conditions_[of_frame].boundary << "' at x = (" << owned_vertices_[node][0]
+                       << ", " << owned_vertices_[node][1] << "), where "
+                       << conditions_[of_frame].name
+                       << " leaves the body free to move across it. Prescribe the velocity along "
+                          "or across it there, or in both directions.");
+    basis.setVelocity(k, prescribed.velocityAlong(vector));
+  }
+  basis.orient();
+  return basis;
+}
+
+template <int Dim>
+void Constraints<Dim>::requireAgreement(int node, int condition, Terms const& terms) const
+{
+  auto const& x = owned_vertices_[node];
+  for (double t : sample_times_) {
     double difference = 0;
-    double magnitude = 0;
+    double scale = 0;
     for (auto const& [other, coefficient] : terms) {
-      const double share = coefficient * velocity(other, x, t);
-      difference += share;
-      magnitude += std::abs(share);
+      difference += coefficient * velocity(other, x, t);
+      scale = std::max(scale, std::abs(coefficient) * largest_[other]);
     }
     const int first = terms.size() > 1 ? terms[1].first : condition;
-    ASPERITY_REQUIRE(std::abs(difference) <= 1e-10 * magnitude,
+    ASPERITY_REQUIRE(std::abs(difference) <= 1e-10 * scale,
                      conditions_[condition].name
                        << " (boundary '" << conditions_[condition].boundary << "') contradicts "
                        << conditions_[first].name << " (boundary '" << conditions_[first].boundary

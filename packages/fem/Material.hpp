@@ -1,5 +1,7 @@
 #pragma once
 
+#include <cmath>
+
 namespace asperity::fem
 {
 // An isotropic Kelvin-Voigt body, constant in a cell:
@@ -13,5 +15,17 @@ struct Material
   double shear_modulus = 0;   // Pa
   double bulk_viscosity = 0;  // Pa s
   double shear_viscosity = 0; // Pa s
+
+  // Traction per velocity of a plane wave, rho cs and rho cp [Pa s/m].
+  double shearImpedance() const { return std::sqrt(density * shear_modulus); }
+  double compressionalImpedance() const
+  {
+    return std::sqrt(density * (bulk_modulus + 4. / 3 * shear_modulus));
+  }
+
+  double poissonsRatio() const
+  {
+    return (3 * bulk_modulus - 2 * shear_modulus) / (2 * (3 * bulk_modulus + shear_modulus));
+  }
 };
 } // namespace asperity::fem

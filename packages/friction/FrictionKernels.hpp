@@ -60,5 +60,11 @@ public:
   // mu_i := mu(c_i |v_i|, alpha_i).
   virtual void coefficient(ConstBlockView const& v, ConstNodeView const& alpha,
                            NodeView const& mu) const = 0;
+
+  // alpha_i := the state at which mu(V_i, alpha_i) = mu_i, the inverse of the law in its state.
+  // V(num_nodes) in m/s, mu(num_nodes). Returns the number of nodes without one, where alpha_i is
+  // left alone: V_i or mu_i not positive, or friction that does not depend on the state (b = 0).
+  virtual int balance(ConstNodeView const& V, ConstNodeView const& mu,
+                      NodeView const& alpha) const = 0;
 };
 } // namespace asperity::friction

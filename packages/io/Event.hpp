@@ -14,7 +14,7 @@ struct Event
   double width = 0;          // [m] from the first to the last node that reached the threshold
   double peak_slip = 0;      // [m] largest slip of a node while it was at seismic rates
   double peak_slip_rate = 0; // [m/s]
-  double moment = 0;         // [N] per metre of the third dimension; nan without a shear modulus
+  double moment = 0;         // [N m/m] per metre of the third dimension
   double nucleation = 0;     // [m] position of the first node above the threshold
   bool complete = true;      // false if it was in progress when the run ended
 

@@ -16,14 +16,6 @@ herr_t describeError(unsigned, H5E_error2_t const* entry, void* text)
 // HDF5 prints its error stack unless told not to.
 void silence() { H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr); }
 
-Handle textType(std::string const& what)
-{
-  Handle type(H5Tcopy(H5T_C_S1), H5Tclose, "Making a text type for " + what);
-  check(H5Tset_size(type.get(), H5T_VARIABLE), "Sizing text of " + what);
-  check(H5Tset_cset(type.get(), H5T_CSET_UTF8), "Encoding text of " + what);
-  return type;
-}
-
 void writeAttribute(hid_t object, std::string const& name, hid_t type, void const* value,
                     std::string const& what)
 {
@@ -58,6 +50,14 @@ Handle makeSpace(Shape const& shape, Shape const& largest, std::string const& wh
   return Handle(space, H5Sclose, "Making a dataspace for " + what);
 }
 
+Handle makeTextType(std::string const& what)
+{
+  Handle type(H5Tcopy(H5T_C_S1), H5Tclose, "Making a text type for " + what);
+  check(H5Tset_size(type.get(), H5T_VARIABLE), "Sizing text of " + what);
+  check(H5Tset_cset(type.get(), H5T_CSET_UTF8), "Encoding text of " + what);
+  return type;
+}
+
 Handle makeProperties(hid_t kind, std::string const& what)
 {
   return Handle(H5Pcreate(kind), H5Pclose, "Making properties for " + what);
@@ -88,7 +88,7 @@ void Handle::close(std::string const& what)
 
 void Object::setAttribute(std::string const& name, std::string const& value)
 {
-  const Handle type = textType(what_);
+  const Handle type = makeTextType(what_);
   char const* text = value.c_str();
   writeAttribute(handle_.get(), name, type.get(), &text, what_);
 }
@@ -102,7 +102,7 @@ std::string Object::textAttribute(std::string const& name) const
 {
   const Handle attribute(H5Aopen(handle_.get(), name.c_str(), H5P_DEFAULT), H5Aclose,
                          "Opening attribute '" + name + "' of " + what_);
-  const Handle type = textType(what_);
+  const Handle type = makeTextType(what_);
   char* text = nullptr;
   check(H5Aread(attribute.get(), type.get(), &text),
         "Reading attribute '" + name + "' of " + what_);

@@ -90,6 +90,7 @@ public:
   std::vector<double> readDoubles() const;
   std::vector<std::int64_t> readIntegers() const;
   std::string readBytes() const;
+  std::vector<std::string> readTexts() const;
 
   // Adds rows at the end of an extendable dataset; values: (num_rows, rest of the shape).
   void append(double const* values, hsize_t num_rows);
@@ -125,6 +126,9 @@ public:
   // Of fixed shape.
   Dataset create(std::string const& path, Type type, Shape const& shape);
 
+  // A list of strings in UTF-8.
+  Dataset createTexts(std::string const& path, std::vector<std::string> const& texts);
+
   // Rows of shape `row_shape` may be appended; compressed (shuffle, deflate).
   Dataset createExtendable(std::string const& path, Type type, Shape const& row_shape,
                            hsize_t rows_per_chunk);
@@ -137,7 +141,7 @@ protected:
   Group(Handle handle, std::string what) : Object(std::move(handle), std::move(what)) {}
 
 private:
-  Dataset createWith(std::string const& path, Type type, Handle const& space,
+  Dataset createWith(std::string const& path, hid_t type, Handle const& space,
                      Handle const& properties);
   std::string describe(std::string const& path) const { return what_ + ": " + path; }
 };

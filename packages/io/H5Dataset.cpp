@@ -116,6 +116,20 @@ std::string Dataset::readBytes() const
   return values;
 }
 
+std::vector<std::string> Dataset::readTexts() const
+{
+  const Handle type = makeTextType(what_);
+  std::vector<char*> pointers(numValues(), nullptr);
+  check(H5Dread(handle_.get(), type.get(), H5S_ALL, H5S_ALL, H5P_DEFAULT, pointers.data()),
+        "Reading " + what_);
+  std::vector<std::string> texts;
+  for (char* pointer : pointers) {
+    texts.emplace_back(pointer ? pointer : "");
+    H5free_memory(pointer);
+  }
+  return texts;
+}
+
 void Dataset::append(double const* values, hsize_t num_rows)
 {
   appendRaw(values, H5T_NATIVE_DOUBLE, num_rows);
@@ -164,11 +178,11 @@ Dataset Group::openDataset(std::string const& path) const
                  describe(path));
 }
 
-Dataset Group::createWith(std::string const& path, Type type, Handle const& space,
+Dataset Group::createWith(std::string const& path, hid_t type, Handle const& space,
                           Handle const& properties)
 {
   const Handle links = parentsAreMade(describe(path));
-  return Dataset(Handle(H5Dcreate2(handle_.get(), path.c_str(), native(type), space.get(),
+  return Dataset(Handle(H5Dcreate2(handle_.get(), path.c_str(), type, space.get(),
                                    links.get(), properties.get(), H5P_DEFAULT),
                         H5Dclose, "Creating " + describe(path)),
                  describe(path));
@@ -176,8 +190,25 @@ Dataset Group::createWith(std::string const& path, Type type, Handle const& spac
 
 Dataset Group::create(std::string const& path, Type type, Shape const& shape)
 {
-  return createWith(path, type, makeSpace(shape, shape, describe(path)),
+  return createWith(path, native(type), makeSpace(shape, shape, describe(path)),
                     makeProperties(H5P_DATASET_CREATE, describe(path)));
+}
+
+Dataset Group::createTexts(std::string const& path, std::vector<std::string> const& texts)
+{
+  const std::string what = describe(path);
+  const Shape shape{texts.size()};
+  const Handle type = makeTextType(what);
+  Dataset dataset = createWith(path, type.get(), makeSpace(shape, shape, what),
+                               makeProperties(H5P_DATASET_CREATE, what));
+  std::vector<char const*> pointers;
+  for (auto const& text : texts) {
+    pointers.push_back(text.c_str());
+  }
+  check(H5Dwrite(dataset.handle_.get(), type.get(), H5S_ALL, H5S_ALL, H5P_DEFAULT,
+                 pointers.data()),
+        "Writing " + what);
+  return dataset;
 }
 
 Dataset Group::createExtendable(std::string const& path, Type type, Shape const& row_shape,
@@ -191,7 +222,7 @@ Dataset Group::createExtendable(std::string const& path, Type type, Shape const&
         "Chunking " + what);
   check(H5Pset_shuffle(properties.get()), "Shuffling " + what);
   check(H5Pset_deflate(properties.get(), compression_level), "Compressing " + what);
-  return createWith(path, type,
+  return createWith(path, native(type),
                     makeSpace(withRows(0, row_shape), withRows(H5S_UNLIMITED, row_shape), what),
                     properties);
 }
@@ -230,6 +261,6 @@ Dataset Group::createVirtual(std::string const& path, Type type, Shape const& ro
     first += part.num_rows;
   }
   H5Sselect_all(space.get());
-  return createWith(path, type, space, properties);
+  return createWith(path, native(type), space, properties);
 }
 } // namespace asperity::io::h5

@@ -57,7 +57,7 @@ bool isOwned(Mesh<Dim> const& mesh, Element const& element)
   return least < mesh.num_owned;
 }
 
-// Fills all but numbers, positions and connectivity.
+// Fills all but numbers, positions and elements.
 template <int Dim, class Element>
 Location ownedNodes(std::string const& name, Mesh<Dim> const& mesh,
                     std::vector<Element> const& elements, RCP<const Communicator> const& comm)
@@ -102,7 +102,9 @@ void number(Location& location, Mesh<Dim> const& mesh, std::vector<Element> cons
   for (auto const& element : elements) {
     if (isOwned(mesh, element)) {
       for (const int vertex : element) {
+        auto const& point = mesh.vertices[vertex];
         location.connectivity.push_back(number_of_id.at(mesh.global_ids[vertex]));
+        location.corners.insert(location.corners.end(), point.begin(), point.end());
       }
     }
   }

@@ -29,8 +29,10 @@ struct Location
   std::vector<double> weights;               // (num_owned) lumped measure [m], [m^2] or [m^3]
   std::vector<double> positions;             // (num_owned) arc length [m]; empty unless a curve
   std::vector<GlobalOrdinal> connectivity;   // (num_owned_elements, nodes_per_element), by number
+  std::vector<double> corners; // (num_owned_elements, nodes_per_element, dimension) [m]
 
   std::size_t numOwned() const { return vertices.size(); }
+  std::size_t numOwnedElements() const { return connectivity.size() / nodes_per_element; }
   bool isCurve() const { return dimension == 2 && nodes_per_element == 2; }
 };
 

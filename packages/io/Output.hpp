@@ -5,6 +5,7 @@
 #include "io/Archive.hpp"
 #include "io/FieldRegistry.hpp"
 #include "io/Location.hpp"
+#include "io/TextFormat.hpp"
 
 #include <Teuchos_ParameterList.hpp>
 
@@ -33,6 +34,7 @@ struct OutputContext
   RCP<const Communicator> comm;
   FieldRegistry const& fields;
   std::map<std::string, Location> const& locations; // by name
+  TextFormat text = {};                             // the OutputSet fills it from the deck
 
   // InputError that says what to change in the deck if there is no such location.
   Location const& location(std::string const& name) const;

@@ -15,8 +15,14 @@ namespace
 namespace fs = std::filesystem;
 
 constexpr char const* files_of_a_run[] = {
-  "parameters.xml", "run.log", "steps.csv", "events.csv", "checkpoint.h5", "fault.h5",
-  "fault.xdmf", "surface.h5", "surface.xdmf", "volume.h5", "volume.xdmf"};
+  "parameters.xml", "run.log", "steps.csv", "events.csv", "global.csv", "checkpoint.h5",
+  "fault.h5", "fault.xdmf", "surface.h5", "surface.xdmf", "volume.h5", "volume.xdmf",
+  "receivers.h5", "rupture.h5"};
+
+// Folders with files for the platforms, and how these begin.
+constexpr char const* platform_folders[] = {"seas", "scec"};
+constexpr char const* platform_files[] = {"fltst_", "blkst_", "faultst", "body", "slip.dat",
+                                          "global.dat", "rupture.dat", "cplot"};
 
 // "fault_000012.h5"
 bool isSegment(fs::path const& file)
@@ -26,6 +32,27 @@ bool isSegment(fs::path const& file)
   return file.extension() == ".h5" && digits > 1 && stem.size() - digits >= 6 &&
          std::all_of(stem.begin() + digits, stem.end(),
                      [](unsigned char letter) { return std::isdigit(letter); });
+}
+
+bool isForPlatform(fs::path const& file)
+{
+  const std::string name = file.filename().string();
+  return std::any_of(std::begin(platform_files), std::end(platform_files),
+                     [&](char const* beginning) { return name.rfind(beginning, 0) == 0; });
+}
+
+// Adds the regular files in a folder, if there is one, that `belongs` accepts.
+void addFiles(fs::path const& folder, bool (*belongs)(fs::path const&),
+              std::vector<fs::path>& files)
+{
+  if (!fs::is_directory(folder)) {
+    return;
+  }
+  for (auto const& entry : fs::directory_iterator(folder)) {
+    if (entry.is_regular_file() && belongs(entry.path())) {
+      files.push_back(entry.path());
+    }
+  }
 }
 
 void requireWritable(fs::path const& directory)
@@ -54,7 +81,9 @@ void removeResult(fs::path const& directory)
     ASPERITY_REQUIRE(!error, file.string() << " cannot be removed: " << error.message() << ".");
   }
   std::error_code ignored; // a folder with other files in it stays
-  fs::remove(directory / "segments", ignored);
+  for (char const* folder : {"segments", "seas", "scec"}) {
+    fs::remove(directory / folder, ignored);
+  }
 }
 } // namespace
 
@@ -68,12 +97,9 @@ std::vector<fs::path> resultFiles(fs::path const& directory)
       }
     }
   }
-  if (fs::is_directory(directory / "segments")) {
-    for (auto const& entry : fs::directory_iterator(directory / "segments")) {
-      if (entry.is_regular_file() && isSegment(entry.path())) {
-        files.push_back(entry.path());
-      }
-    }
+  addFiles(directory / "segments", isSegment, files);
+  for (char const* folder : platform_folders) {
+    addFiles(directory / folder, isForPlatform, files);
   }
   return files;
 }

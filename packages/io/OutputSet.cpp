@@ -1,6 +1,7 @@
 #include "io/OutputSet.hpp"
 
 #include "base/Parameters.hpp"
+#include "io/detail/PointLocation.hpp"
 #include "io/outputs/EventCatalogue.hpp"
 
 namespace asperity::io
@@ -19,10 +20,25 @@ void OutputSet::declare(Teuchos::ParameterList& list)
     const auto kind = OutputRegistry::instance().create(name, "Output");
     parameters.sublist(name, kind->validParameters(), kind->meaning());
   }
+  TextFormat::declare(parameters);
 }
 
-OutputSet::OutputSet(Teuchos::ParameterList const& parameters, OutputContext const& context)
+namespace
 {
+TextFormat textFormat(Teuchos::ParameterList const& parameters, OutputContext const& context)
+{
+  TextFormat format = TextFormat::from(parameters);
+  if (format.platform != Platform::none && format.element_size == 0) {
+    format.element_size = detail::shortestElement(context.location("fault"));
+  }
+  return format;
+}
+} // namespace
+
+OutputSet::OutputSet(Teuchos::ParameterList const& parameters, OutputContext const& given)
+{
+  OutputContext context = given;
+  context.text = textFormat(parameters, given);
   for (auto const& name : OutputRegistry::instance().names()) {
     const auto kind = OutputRegistry::instance().create(name, "Output");
     ParameterList list = parameters.isSublist(name) ? parameters.sublist(name) : ParameterList();

@@ -11,7 +11,7 @@ namespace asperity::io
 class EventCatalogue;
 
 // All outputs of a run, made from the deck's list `Output`: one sublist for every registered kind,
-// each with the bool `Enabled`.
+// each with the bool `Enabled`, and the choice `Text Format` of files for the benchmarks' platforms.
 //
 //   OutputSet outputs(deck.sublist("Output"), context);
 //   outputs.write(initial);                        // not after a restart
@@ -23,11 +23,12 @@ class EventCatalogue;
 class OutputSet
 {
 public:
-  // One sublist for every registered kind; declare adds them to the caller's list `Output`.
+  // One sublist for every registered kind, and the text format; declare adds them to the caller's
+  // list `Output`.
   static Teuchos::RCP<const Teuchos::ParameterList> validParameters();
   static void declare(Teuchos::ParameterList& list);
 
-  // Completes and validates the sublists of the registered kinds, in a copy; reads no other entry.
+  // Completes and validates the entries that declare adds, in a copy; reads no other entry.
   OutputSet(Teuchos::ParameterList const& parameters, OutputContext const& context);
   ~OutputSet();
 

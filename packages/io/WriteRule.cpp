@@ -26,12 +26,22 @@ void WriteRule::declare(Declare& parameters, int every_n_steps, double rate_chan
     .real("Rate Change Factor", rate_change_factor, "-", Range::atLeast(0),
           "Write a row when the peak slip rate has changed by this factor since the last one; at "
           "most 1: not for this reason.")
+    .real("Every Seconds", 0.0, "s", Range::atLeast(0),
+          "Write a row at the first accepted step at or past each multiple of this; 0: not for "
+          "this reason.")
+    .real("Every Seconds of Rupture", 0.0, "s", Range::atLeast(0),
+          "The same, while the peak slip rate is at least the rupture rate.")
+    .real("Rupture Rate", 1e-3, "m/s", Range::positive(),
+          "Peak slip rate from which on rows are counted in seconds of rupture.")
     .realArray("Times", std::vector<double>{}, "s", Range::any(),
                "Write a row at the first accepted step at or past each of these times.");
 }
 
 WriteRule::WriteRule(Teuchos::ParameterList const& parameters)
-  : every_n_steps_(parameters.get<int>("Every n Steps"))
+    : every_n_steps_(parameters.get<int>("Every n Steps"))
+    , interval_(parameters.get<double>("Every Seconds"))
+    , interval_of_rupture_(parameters.get<double>("Every Seconds of Rupture"))
+    , rupture_rate_(parameters.get<double>("Rupture Rate"))
 {
   const double factor = parameters.get<double>("Rate Change Factor");
   log_rate_change_ = factor > 1 ? std::log(factor) : std::numeric_limits<double>::infinity();
@@ -62,8 +72,19 @@ bool WriteRule::hasReason(StepInfo const& step) const
   if (std::abs(change) >= log_rate_change_) {
     return true;
   }
+  const bool is_rupturing = step.peak_slip_rate >= rupture_rate_;
+  if (passesMultiple(interval_, step.time) ||
+      (is_rupturing && passesMultiple(interval_of_rupture_, step.time))) {
+    return true;
+  }
   const auto next = std::upper_bound(times_.begin(), times_.end(), last_time_);
   return next != times_.end() && *next <= step.time;
+}
+
+// Whether a multiple of the interval lies in (last_time_, time].
+bool WriteRule::passesMultiple(double interval, double time) const
+{
+  return interval > 0 && std::floor(time / interval) > std::floor(last_time_ / interval);
 }
 
 void WriteRule::save(Archive& archive) const

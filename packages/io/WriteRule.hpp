@@ -9,11 +9,13 @@
 namespace asperity::io
 {
 // Which accepted steps are worth a row: the first and the last one, every nth, those where the peak
-// slip rate has changed by a factor since the last row, and the first at or past given times.
+// slip rate has changed by a factor since the last row, the first at or past given times, and the
+// first at or past each multiple of an interval, which may be another one while the fault ruptures.
 class WriteRule
 {
 public:
-  // Adds `Every n Steps`, `Rate Change Factor` and `Times` to an output's parameters.
+  // Adds `Every n Steps`, `Rate Change Factor`, `Every Seconds`, `Every Seconds of Rupture`,
+  // `Rupture Rate` and `Times` to an output's parameters.
   static void declare(Declare& parameters, int every_n_steps, double rate_change_factor);
 
   explicit WriteRule(Teuchos::ParameterList const& parameters);
@@ -26,13 +28,17 @@ public:
 
 private:
   bool hasReason(StepInfo const& step) const;
+  bool passesMultiple(double interval, double time) const;
 
-  int every_n_steps_;              // 0: not for this reason
-  double log_rate_change_;         // infinite: not for this reason
-  std::vector<double> times_;      // sorted [s]
+  int every_n_steps_;          // 0: not for this reason
+  double log_rate_change_;     // infinite: not for this reason
+  double interval_;            // [s], 0: not for this reason
+  double interval_of_rupture_; // likewise, while the peak slip rate is at least rupture_rate_
+  double rupture_rate_;        // [m/s]
+  std::vector<double> times_;  // sorted [s]
 
   bool has_row_ = false;
   StepInfo last_row_;
-  double last_time_ = 0;           // of the last step, row or not [s]
+  double last_time_ = 0; // of the last step, row or not [s]
 };
 } // namespace asperity::io

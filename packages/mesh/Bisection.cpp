@@ -10,6 +10,8 @@ namespace asperity::mesh
 {
 namespace
 {
+constexpr std::size_t most_vertices = 10'000'000;
+
 // Triangles (i, j, k) with refinement edge i-j and newest vertex k. A sweep marks the refinement
 // edges of the cells that are too large, marks more until every cell with a marked edge has its
 // refinement edge marked too, and bisects along all marked edges. Marking more ends because there
@@ -162,7 +164,23 @@ GlobalMesh<2> bisect(GlobalMesh<2> const& mesh, SizeFunction const& largest_diam
 {
   NewestVertexBisection bisection(mesh);
   while (bisection.sweep(largest_diameter)) {
+    ASPERITY_REQUIRE(bisection.mesh().vertices.size() <= most_vertices,
+                     "Mesh: the cells would have more than "
+                       << most_vertices << " vertices. Is the cell size meant in m?");
   }
   return bisection.mesh();
+}
+
+SizeFunction largestDiameter(CellSize const& size)
+{
+  return [size](Triangle const& cell) {
+    double smallest = size(centroid(cell));
+    for (int i = 0; i < 3; ++i) {
+      auto const &a = cell[i], &b = cell[(i + 1) % 3];
+      smallest = std::min({smallest, size(a), size({0.5 * (a[0] + b[0]), 0.5 * (a[1] + b[1])})});
+    }
+    constexpr double rounding = 1e-9;
+    return std::sqrt(2.0) * (1.0 + rounding) * smallest;
+  };
 }
 } // namespace asperity::mesh

@@ -49,7 +49,7 @@ void dropEmptyRegions(GlobalMesh<Dim>& mesh)
 } // namespace
 
 template <int Dim>
-void overrideRegions(GlobalMesh<Dim>& mesh, std::vector<RegionCondition<Dim>> const& conditions,
+void overrideRegions(GlobalMesh<Dim>& mesh, std::vector<NamedCondition<Dim>> const& conditions,
                      std::string const& where)
 {
   for (auto const& condition : conditions) {
@@ -69,8 +69,8 @@ void overrideRegions(GlobalMesh<Dim>& mesh, std::vector<RegionCondition<Dim>> co
   dropEmptyRegions(mesh);
 }
 
-template void overrideRegions(GlobalMesh<2>&, std::vector<RegionCondition<2>> const&,
+template void overrideRegions(GlobalMesh<2>&, std::vector<NamedCondition<2>> const&,
                               std::string const&);
-template void overrideRegions(GlobalMesh<3>&, std::vector<RegionCondition<3>> const&,
+template void overrideRegions(GlobalMesh<3>&, std::vector<NamedCondition<3>> const&,
                               std::string const&);
 } // namespace asperity::mesh

@@ -1,22 +1,14 @@
 #pragma once
 
 #include "mesh/GlobalMesh.hpp"
-
-#include <functional>
+#include "mesh/NamedCondition.hpp"
 
 namespace asperity::mesh
 {
-template <int Dim>
-struct RegionCondition
-{
-  std::string name; // of a new region, or of one that is there
-  std::function<bool(Point<Dim> const&)> holds;
-};
-
 // Assigns every cell to the last region whose condition holds at its centroid; cells where none
 // holds stay where they are. Regions of the mesh that lose all their cells are dropped. InputError,
 // starting with `where`, if a region named here gets no cell.
 template <int Dim>
-void overrideRegions(GlobalMesh<Dim>& mesh, std::vector<RegionCondition<Dim>> const& conditions,
+void overrideRegions(GlobalMesh<Dim>& mesh, std::vector<NamedCondition<Dim>> const& conditions,
                      std::string const& where = "Mesh / Regions");
 } // namespace asperity::mesh

@@ -13,10 +13,16 @@ RCP<const ParameterList> boundaryParameters();
 
 struct BoundaryConditions
 {
-  std::string fault;   // name of the boundary with friction
-  std::string surface; // of the first free surface; empty if there is none
+  std::string fault; // name of the boundary with friction
+  // Half of a planar two-sided fault (slip = 2 u_t, the displacement across it free) instead of
+  // bilateral contact with a rigid foundation (slip = u_t, u_n = 0).
+  bool antisymmetric = false;
+  std::string surface;                // of the first free surface; empty if there is none
+  std::vector<std::string> absorbing; // boundaries with dashpots
   std::vector<fem::VelocityCondition<2>> velocities;
   double ramp_end = 0; // when the last loading ramp has ended [s]
+
+  double slipFactor() const { return antisymmetric ? 2 : 1; }
 };
 
 // components: 2 in plane strain, 1 antiplane. InputError on contradictions that need no mesh to be

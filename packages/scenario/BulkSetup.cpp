@@ -16,13 +16,24 @@ const std::string path = "Asperity / Bulk";
 constexpr char const* bulk_modulus = "Bulk Modulus";
 constexpr char const* shear_modulus = "Shear Modulus";
 constexpr char const* poisson = "Poisson's Ratio";
+constexpr char const* radiation_damping = "Radiation Damping";
 } // namespace
 
 RCP<const ParameterList> bulkParameters()
 {
+  auto const quasi_dynamic =
+    Declare()
+      .field(radiation_damping, optional, "Pa s/m", Range::atLeast(0),
+             "eta in tau = friction + eta V, V the slip rate; left out, G / (2 cs) on an "
+             "antisymmetric fault and G / cs in bilateral contact.")
+      .list();
   return Declare()
     .choice("Model", "Plane Strain", {"Plane Strain", "Antiplane"},
             "Displacement within the plane of the mesh, or perpendicular to it.")
+    .choiceOfLists("Dynamics", "Inertial",
+                   {{"Inertial", Declare().list()}, {"Quasi-dynamic", quasi_dynamic}},
+                   "Inertial: with mass, and waves. Quasi-dynamic: without mass; the fault loses "
+                   "what waves would carry away to a radiation damping.")
     .field("Density", required, "kg/m^3", Range::positive(), "Mass density.")
     .field(
       bulk_modulus, optional, "Pa", Range::positive(),
@@ -42,6 +53,29 @@ RCP<const ParameterList> bulkParameters()
 int displacementComponents(ParameterList const& list)
 {
   return list.get<std::string>("Model") == "Antiplane" ? 1 : 2;
+}
+
+bool quasiDynamic(ParameterList const& list)
+{
+  return list.get<std::string>("Dynamics") == "Quasi-dynamic";
+}
+
+std::vector<double> radiationDamping(ParameterList const& list, Mesh<2> const& mesh,
+                                     std::vector<int> const& nodes,
+                                     std::vector<fem::Material> const& at_nodes, double slip_factor)
+{
+  if (!quasiDynamic(list)) {
+    return std::vector<double>(nodes.size(), 0.);
+  }
+  auto const& chosen = list.sublist("Quasi-dynamic");
+  if (isGiven(chosen, radiation_damping)) {
+    return nodalValues(chosen, radiation_damping, path + " / Quasi-dynamic", mesh, nodes);
+  }
+  std::vector<double> eta;
+  for (auto const& material : at_nodes) {
+    eta.push_back(material.shearImpedance() / slip_factor); // G / cs = rho cs
+  }
+  return eta;
 }
 
 std::array<double, 2> gravity(ParameterList const& list)

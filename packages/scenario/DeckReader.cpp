@@ -6,8 +6,8 @@
 #include "scenario/BoundarySetup.hpp"
 #include "scenario/BulkSetup.hpp"
 #include "scenario/FrictionSetup.hpp"
+#include "scenario/InitialSetup.hpp"
 #include "scenario/MeshSetup.hpp"
-#include "scenario/Problem.hpp"
 #include "scenario/SolverSetup.hpp"
 #include "scenario/TimeSetup.hpp"
 

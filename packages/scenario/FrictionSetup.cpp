@@ -77,6 +77,8 @@ int tangentialComponent(fem::NodalFrames const& frames, int node, Point<2> const
   return std::abs(along_first) < 0.5 ? 0 : 1;
 }
 
+} // namespace
+
 friction::NodeView toDevice(std::vector<double> const& values, std::string const& label)
 {
   friction::NodeView view(label, values.size());
@@ -85,7 +87,6 @@ friction::NodeView toDevice(std::vector<double> const& values, std::string const
   Kokkos::deep_copy(view, host);
   return view;
 }
-} // namespace
 
 RCP<const ParameterList> frictionParameters(std::string const& law, std::string const& state_law)
 {
@@ -100,14 +101,13 @@ RCP<const ParameterList> frictionParameters(std::string const& law, std::string 
   declare
     .field("Cohesion", 0., "Pa", Range::atLeast(0),
            "Shear stress that the fault bears without normal stress.")
-    .field("Normal Stress", optional, "Pa", Range::atLeast(0),
+    .field("Normal Stress", optional, "Pa", Range::any(),
            "Normal stress, positive in compression; left out, it is that of the static solution "
-           "under gravity.")
+           "under gravity. What becomes negative after the start counts as zero.")
     .real("Normal Stress Factor", 1., "-", Range::atLeast(0), "Multiplies the normal stress.")
     .field("Shear Traction", 0., "Pa", Range::any(),
            "Shear traction on the fault besides that of the deformation, along the tangent of its "
-           "frame: along +x "
-           "on a fault below the body.");
+           "frame: along +x on a fault below the body.");
   return declare.list();
 }
 
@@ -120,10 +120,11 @@ friction::NodeView valuesAtNodes(ParameterList const& list, std::string const& n
 
 dynamics::Fault makeFault(ParameterList const& list, Mesh<2> const& mesh,
                           fem::BoundaryNodes<2> const& boundary, fem::DofMap const& dofs,
-                          fem::Constraints<2> const& constraints)
+                          fem::Constraints<2> const& constraints, double slip_factor)
 {
   dynamics::Fault fault;
   fault.num_tangents = 1;
+  fault.slip_factor = slip_factor;
   fault.communicator = dofs.communicator();
   for (std::size_t i = 0; i < boundary.nodes.size(); ++i) {
     const int node = boundary.nodes[i];
@@ -140,6 +141,8 @@ dynamics::Fault makeFault(ParameterList const& list, Mesh<2> const& mesh,
                      Teuchos::outArg(fault.total_weight));
   fault.data.weight = toDevice(boundary.weights, "asperity::scenario::weight");
   fault.data.cohesion = valuesAtNodes(list, "Cohesion", path, mesh, boundary.nodes);
+  fault.data.slip_factor = toDevice(std::vector<double>(boundary.nodes.size(), slip_factor),
+                                    "asperity::scenario::slipFactor");
   fault.data.sigma_n =
     friction::NodeView("asperity::scenario::normalStress", boundary.nodes.size());
 
@@ -152,20 +155,4 @@ dynamics::Fault makeFault(ParameterList const& list, Mesh<2> const& mesh,
   return fault;
 }
 
-void setNormalStress(dynamics::Fault& fault, ParameterList const& list, Mesh<2> const& mesh,
-                     std::vector<int> const& nodes, NormalStress& stress)
-{
-  if (isGiven(list, "Normal Stress")) {
-    stress.values = nodalValues(list, "Normal Stress", path, mesh, nodes);
-  }
-  const double factor = list.get<double>("Normal Stress Factor");
-  int tensile = 0;
-  for (double& value : stress.values) {
-    tensile += value < 0 ? 1 : 0;
-    value = factor * std::max(value, 0.);
-  }
-  stress.num_tensile = fault.sumOverRanks(tensile);
-  fault.data.sigma_n = toDevice(stress.values, "asperity::scenario::normalStress");
-  fault.friction = friction::makeFrictionKernels(list.get<std::string>("Law"), fault.data);
-}
 } // namespace asperity::scenario

@@ -17,19 +17,11 @@ friction::NodeView valuesAtNodes(ParameterList const& list, std::string const& n
                                  std::string const& where, Mesh<2> const& mesh,
                                  std::vector<int> const& nodes);
 
-// Everything but the normal stress, which is zero until setNormalStress.
+// Everything but the normal stress, which is zero until setNormalStress (FaultLoads.hpp).
 dynamics::Fault makeFault(ParameterList const& list, Mesh<2> const& mesh,
                           fem::BoundaryNodes<2> const& boundary, fem::DofMap const& dofs,
-                          fem::Constraints<2> const& constraints);
+                          fem::Constraints<2> const& constraints, double slip_factor);
 
-// Normal stress at the fault nodes [Pa], compression positive; a tensile value becomes zero.
-struct NormalStress
-{
-  std::vector<double> values;
-  int num_tensile = 0; // over all ranks
-};
-
-// Sets |sigma_n| = factor * max(values, 0) and makes the friction kernels.
-void setNormalStress(dynamics::Fault& fault, ParameterList const& list, Mesh<2> const& mesh,
-                     std::vector<int> const& nodes, NormalStress& stress);
+// One value for each fault node.
+friction::NodeView toDevice(std::vector<double> const& values, std::string const& label);
 } // namespace asperity::scenario

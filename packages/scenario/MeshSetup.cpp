@@ -1,11 +1,14 @@
 #include "scenario/MeshSetup.hpp"
 
 #include "base/Field.hpp"
+#include "mesh/Bisection.hpp"
+#include "mesh/Boundaries.hpp"
 #include "mesh/MeshFile.hpp"
 #include "mesh/Partition.hpp"
 #include "mesh/RectangleMesh.hpp"
 #include "mesh/Regions.hpp"
 #include "mesh/WedgeMesh.hpp"
+#include "scenario/NodalField.hpp"
 
 #include <memory>
 
@@ -59,6 +62,13 @@ RCP<const ParameterList> rectangleParameters()
     .integer("Cells Y", 1, Range::atLeast(1), "Rows of two triangles each.")
     .realArray("Lower Left", std::vector<double>{0., 0.}, "m", Range::any(),
                "Position of the lower left corner.")
+    .field("Cell Size", optional, "m", Range::positive(),
+           "Cells are bisected until their longest edge is at most sqrt(2) times this, a function "
+           "of x and y, at corners, centroid and midpoints of edges. With square cells of 2^k "
+           "times this, what lies on a side has edges of exactly this length. Left out, cells stay "
+           "as they are.")
+    .real("Cell Size Factor", 1., "-", Range::positive(),
+          "Multiplies the cell size: 2 makes the whole mesh coarser.")
     .list();
 }
 
@@ -76,12 +86,29 @@ mesh::RectangleShape rectangleShape(ParameterList const& list)
   return shape;
 }
 
-std::vector<mesh::RegionCondition<2>> regionConditions(ParameterList const& list)
+GlobalMesh<2> makeRectangle(ParameterList const& list)
 {
-  std::vector<mesh::RegionCondition<2>> conditions;
+  auto const coarse = mesh::rectangleMesh(rectangleShape(list));
+  if (!isGiven(list, "Cell Size")) {
+    return coarse;
+  }
+  const Field size(list, "Cell Size", joinPath(path, "Rectangle"), coarse.region_names);
+  ASPERITY_REQUIRE(!size.dependsOnTime(), size.path() << " depends on t. Remove t from it.");
+  const double factor = list.get<double>("Cell Size Factor");
+  return mesh::bisect(coarse, mesh::largestDiameter([&](Point<2> const& x) {
+                        return factor * size({x[0], x[1], 0}, 0, 0);
+                      }));
+}
+
+// The entries of the list `name`, one condition each.
+std::vector<mesh::NamedCondition<2>> conditionsIn(ParameterList const& mesh,
+                                                  std::string const& name)
+{
+  auto const& list = mesh.sublist(name);
+  std::vector<mesh::NamedCondition<2>> conditions;
   for (auto const& entry : list) {
-    auto const condition = std::make_shared<Field>(list, entry.first, joinPath(path, "Regions"),
-                                                   std::vector<std::string>{});
+    auto const condition =
+      std::make_shared<Field>(list, entry.first, joinPath(path, name), std::vector<std::string>{});
     conditions.push_back({entry.first, [condition](Point<2> const& x) {
                             return (*condition)({x[0], x[1], 0}, 0, 0) != 0;
                           }});
@@ -110,6 +137,14 @@ RCP<const ParameterList> meshParameters()
           "the region, the last one winning.")
         .list(),
       "Regions by condition, besides or instead of those of the mesh.")
+    .openSublist(
+      "Boundaries",
+      Declare()
+        .field("<boundary>", required, "-", Range::any(),
+               "Condition in x and y of a facet's centre; where it is not zero the facet, one of "
+               "the outer boundary, belongs to this boundary, the last one winning.")
+        .list(),
+      "Pieces of the boundary by condition, besides or instead of those of the mesh.")
     .list();
 }
 
@@ -119,10 +154,10 @@ Mesh<2> makeMesh(ParameterList const& list, RCP<const Communicator> const& commu
   auto const& of_type = list.sublist(type);
   auto whole = type == "Wedge" ? mesh::wedgeMesh(wedgeShape(of_type))
                : type == "Rectangle"
-                 ? mesh::rectangleMesh(rectangleShape(of_type))
+                 ? makeRectangle(of_type)
                  : mesh::readMesh<2>(of_type.get<std::string>("File Name"), *communicator);
-  mesh::overrideRegions(whole, regionConditions(list.sublist("Regions")),
-                        joinPath(path, "Regions"));
+  mesh::overrideRegions(whole, conditionsIn(list, "Regions"), joinPath(path, "Regions"));
+  mesh::overrideBoundaries(whole, conditionsIn(list, "Boundaries"), joinPath(path, "Boundaries"));
   return mesh::distribute(whole, *communicator);
 }
 } // namespace asperity::scenario

@@ -34,24 +34,43 @@ Field steadyField(ParameterList const& list, std::string const& name, std::strin
   return field;
 }
 
-std::vector<double> nodalValues(ParameterList const& list, std::string const& name,
-                                std::string const& path, Mesh<2> const& mesh,
-                                std::vector<int> const& nodes)
+NodalField::NodalField(ParameterList const& list, std::string const& name, std::string const& path,
+                       Mesh<2> const& mesh, std::vector<int> const& nodes)
+    : field_(list, name, path, mesh.region_names)
 {
-  auto const field = steadyField(list, name, path, mesh);
-  if (field.isDataset()) {
+  if (field_.isDataset()) {
     std::vector<long long> ids;
     for (int node : nodes) {
       ids.push_back(mesh.global_ids[node]);
     }
-    return field.values(ids);
+    values_ = field_.values(ids);
+    return;
   }
   auto const regions = vertexRegions(mesh);
-  std::vector<double> values;
   for (int node : nodes) {
     auto const& x = mesh.vertices[node];
-    values.push_back(field({x[0], x[1], 0}, 0, regions[node]));
+    places_.push_back({x[0], x[1], 0});
+    regions_.push_back(regions[node]);
+  }
+}
+
+std::vector<double> NodalField::at(double t) const
+{
+  if (field_.isDataset()) {
+    return values_;
+  }
+  std::vector<double> values;
+  for (std::size_t i = 0; i < places_.size(); ++i) {
+    values.push_back(field_(places_[i], t, regions_[i]));
   }
   return values;
+}
+
+std::vector<double> nodalValues(ParameterList const& list, std::string const& name,
+                                std::string const& path, Mesh<2> const& mesh,
+                                std::vector<int> const& nodes)
+{
+  steadyField(list, name, path, mesh);
+  return NodalField(list, name, path, mesh, nodes).at(0);
 }
 } // namespace asperity::scenario

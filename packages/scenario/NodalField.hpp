@@ -8,8 +8,26 @@
 
 namespace asperity::scenario
 {
-// The entry `name` of a list, a field that does not change in time, at some local vertices.
-// Where a vertex lies between regions the first cell that has it decides.
+// The entry `name` of a list at some local vertices. Where a vertex lies between regions the first
+// cell that has it decides.
+class NodalField
+{
+public:
+  NodalField(ParameterList const& list, std::string const& name, std::string const& path,
+             Mesh<2> const& mesh, std::vector<int> const& nodes);
+
+  bool dependsOnTime() const { return field_.dependsOnTime(); }
+  // (num_nodes) values at the time t [s]. InputError outside the declared range.
+  std::vector<double> at(double t) const;
+
+private:
+  Field field_;
+  std::vector<std::array<double, 3>> places_;
+  std::vector<int> regions_;
+  std::vector<double> values_; // of a dataset
+};
+
+// The same of a field that does not change in time; InputError if it depends on time.
 std::vector<double> nodalValues(ParameterList const& list, std::string const& name,
                                 std::string const& path, Mesh<2> const& mesh,
                                 std::vector<int> const& nodes);

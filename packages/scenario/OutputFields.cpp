@@ -1,5 +1,7 @@
 #include "scenario/OutputFields.hpp"
 
+#include "scenario/NodalField.hpp"
+
 #include <cmath>
 
 namespace asperity::scenario
@@ -74,6 +76,52 @@ void registerFaultFields(io::FieldRegistry& registry, Problem const& problem, Ru
                          }});
 }
 
+// What does not change in time.
+void registerFaultConstants(io::FieldRegistry& registry, Problem const& problem)
+{
+  auto const add = [&registry](char const* name, char const* unit, char const* meaning,
+                               Values const& constant) {
+    registry.add(
+      io::Field{name, unit, meaning, "fault", 1, [constant](Values& values) { values = constant; }});
+  };
+  Values shear_modulus;
+  for (auto const& material : problem.fault_materials) {
+    shear_modulus.push_back(material.shear_modulus);
+  }
+  add("shear_modulus", "Pa", "Shear modulus of the body beside the fault.", shear_modulus);
+  add("prescribed", "", "1 where the slip rate is prescribed, 0 where friction decides on it.",
+      Values(problem.fault.fixed.begin(), problem.fault.fixed.end()));
+}
+
+// theta = L / V* exp(alpha), for state laws that have these two.
+void registerTheta(io::FieldRegistry& registry, Problem const& problem, RunView const& view,
+                   ParameterList const& friction)
+{
+  char const* const distance = "L";
+  char const* const rate = "Reference Slip Rate";
+  if (!isGiven(friction, distance) || !isGiven(friction, rate)) {
+    return;
+  }
+  auto const valuesOf = [&](char const* name) {
+    return nodalValues(friction, name, "Asperity / Friction", problem.mesh,
+                       problem.fault_nodes.nodes);
+  };
+  Values scale = valuesOf(distance);
+  auto const reference = valuesOf(rate);
+  for (std::size_t i = 0; i < scale.size(); ++i) {
+    scale[i] /= reference[i];
+  }
+  registry.add(
+    io::Field{"theta", "s", "State variable.", "fault", 1, [&view, scale](Values& values) {
+                auto const alpha =
+                  Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace(), view.state->alpha);
+                values.resize(scale.size());
+                for (std::size_t i = 0; i < scale.size(); ++i) {
+                  values[i] = scale[i] * std::exp(alpha(i));
+                }
+              }});
+}
+
 // Displacement, velocity and acceleration, along the axes, at the vertices of a location.
 void registerMotion(io::FieldRegistry& registry, Problem const& problem, RunView const& view,
                     io::Location const& location)
@@ -145,6 +193,8 @@ void registerScalars(io::FieldRegistry& registry, RunView const& view)
          &dynamics::Energy::friction_work);
   energy("viscous_work", "Energy dissipated by viscosity since the start.",
          &dynamics::Energy::viscous_work);
+  energy("numerical_dissipation", "Energy dissipated by the time integrator since the start.",
+         &dynamics::Energy::numerical_dissipation);
   energy("energy_defect", "What is missing in the balance of energy since the start.",
          &dynamics::Energy::defect);
 }
@@ -165,9 +215,12 @@ std::map<std::string, io::Location> makeLocations(Problem const& problem)
 }
 
 void registerFields(io::FieldRegistry& registry, Problem const& problem, RunView const& view,
-                    std::map<std::string, io::Location> const& locations)
+                    std::map<std::string, io::Location> const& locations,
+                    ParameterList const& friction)
 {
   registerFaultFields(registry, problem, view);
+  registerTheta(registry, problem, view, friction);
+  registerFaultConstants(registry, problem);
   for (auto const& [name, location] : locations) {
     registerMotion(registry, problem, view, location);
   }

@@ -22,7 +22,9 @@ struct RunView
 // Fault, volume and, where the deck names one, the free surface. Collective.
 std::map<std::string, io::Location> makeLocations(Problem const& problem);
 
-// Registers all fields and scalars. Problem and view must outlive the registry.
+// Registers all fields and scalars. Problem, view and locations must outlive the registry;
+// `friction` is the deck's list.
 void registerFields(io::FieldRegistry& registry, Problem const& problem, RunView const& view,
-                    std::map<std::string, io::Location> const& locations);
+                    std::map<std::string, io::Location> const& locations,
+                    ParameterList const& friction);
 } // namespace asperity::scenario

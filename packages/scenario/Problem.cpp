@@ -2,25 +2,23 @@
 
 #include "dynamics/InitialState.hpp"
 #include "fem/BodyMatrices.hpp"
+#include "fem/BoundaryCells.hpp"
+#include "fem/NodalDamping.hpp"
 #include "scenario/BulkSetup.hpp"
+#include "scenario/FaultLoads.hpp"
 #include "scenario/FrictionSetup.hpp"
 #include "scenario/MeshSetup.hpp"
-#include "scenario/NodalField.hpp"
 #include "scenario/SolverSetup.hpp"
 #include "scenario/TimeSetup.hpp"
 
 #include <Tpetra_CrsMatrix.hpp>
 
-#include <numeric>
 #include <sstream>
 
 namespace asperity::scenario
 {
 namespace
 {
-const std::string initial_path = "Asperity / Initial State";
-constexpr std::array<char const*, 3> velocity_names = {"Velocity X", "Velocity Y", "Velocity Z"};
-
 // Translations and the rotation (antiplane: the one translation), in nodal frames.
 RCP<MultiVector> rigidBodyMotions(Mesh<2> const& mesh, fem::DofMap const& dofs,
                                   fem::NodalFrames const& frames)
@@ -47,21 +45,6 @@ RCP<MultiVector> rigidBodyMotions(Mesh<2> const& mesh, fem::DofMap const& dofs,
 }
 } // namespace
 
-RCP<const ParameterList> initialStateParameters()
-{
-  return Declare()
-    .choice("Displacement", "Static", {"Static", "Zero"},
-            "Static: the displacement under gravity with a frictionless fault. Zero: none.")
-    .field(velocity_names[0], 0., "m/s", Range::any(), "Initial velocity along x (plane strain).")
-    .field(velocity_names[1], 0., "m/s", Range::any(), "Initial velocity along y (plane strain).")
-    .field(velocity_names[2], 0., "m/s", Range::any(), "Initial velocity along z (antiplane).")
-    .choice("Acceleration", "Balanced", {"Balanced", "Zero"},
-            "Balanced: from the balance of momentum. Zero: none, whatever the forces.")
-    .field("alpha", 0., "-", Range::any(),
-           "Initial state ln(theta V* / L); 0 is steady sliding at V*.")
-    .list();
-}
-
 Problem::Problem(ParameterList const& deck, RCP<const Communicator> const& comm)
     : communicator(comm)
     , mesh(makeMesh(deck.sublist("Mesh"), comm))
@@ -79,18 +62,61 @@ Problem::Problem(ParameterList const& deck, RCP<const Communicator> const& comm)
   solver = makeSolverSettings(deck.sublist("TNNMG"), comm->getSize(),
                               mesh.num_global_vertices * components);
   auto const materials = makeMaterials(deck.sublist("Bulk"), mesh);
-  if (components == 2) {
-    body.matrices = fem::assembleBody<2, 2>(mesh, *body.dofs, constraints->frames(), materials);
-  } else {
-    body.matrices = fem::assembleBody<2, 1>(mesh, *body.dofs, constraints->frames(), materials);
-  }
-  body.fixed = constraints->fixed();
-  body.near_null_space = rigidBodyMotions(mesh, *body.dofs, constraints->frames());
-  body.prescribed_velocity = [this](double t, Vector& v) { constraints->prescribedVelocity(t, v); };
-  fault =
-    scenario::makeFault(deck.sublist("Friction"), mesh, fault_nodes, *body.dofs, *constraints);
+  makeBody(deck.sublist("Bulk"), materials);
+  makeFault(deck, materials);
   makeLoads(deck, materials);
   makeInitialState(deck);
+}
+
+void Problem::makeBody(ParameterList const& bulk, std::vector<fem::Material> const& materials)
+{
+  auto const& frames = constraints->frames();
+  if (components == 2) {
+    body.matrices = fem::assembleBody<2, 2>(mesh, *body.dofs, frames, materials);
+  } else {
+    body.matrices = fem::assembleBody<2, 1>(mesh, *body.dofs, frames, materials);
+  }
+  for (auto const& name : boundary.absorbing) {
+    ASPERITY_REQUIRE(!quasiDynamic(bulk),
+                     "Asperity / Boundary Conditions: the boundary '"
+                       << name
+                       << "' is Absorbing, but a quasi-dynamic body has no waves. Choose another "
+                          "Type, or Bulk / Dynamics = Inertial.");
+    fem::boundaryNodes(mesh, name, *communicator); // refuses what the mesh does not have
+    auto const dampers = components == 2
+                           ? fem::absorbingBoundary<2, 2>(mesh, name, frames, materials)
+                           : fem::absorbingBoundary<2, 1>(mesh, name, frames, materials);
+    body.matrices.viscosity = fem::withDampers(*body.matrices.viscosity, *body.dofs, dampers);
+  }
+  if (quasiDynamic(bulk)) {
+    body.matrices.mass = fem::zeroLike(*body.matrices.mass);
+  }
+  body.fixed = constraints->fixed();
+  body.near_null_space = rigidBodyMotions(mesh, *body.dofs, frames);
+  body.prescribed_velocity = [this](double t, Vector& v) { constraints->prescribedVelocity(t, v); };
+}
+
+void Problem::makeFault(ParameterList const& deck, std::vector<fem::Material> const& materials)
+{
+  auto const& bulk = deck.sublist("Bulk");
+  fault = scenario::makeFault(deck.sublist("Friction"), mesh, fault_nodes, *body.dofs, *constraints,
+                              boundary.slipFactor());
+  fault_materials = fem::materialsAtNodes(mesh, boundary.fault, fault_nodes, materials);
+  radiation_damping =
+    radiationDamping(bulk, mesh, fault_nodes.nodes, fault_materials, fault.slip_factor);
+  if (!quasiDynamic(bulk)) {
+    return;
+  }
+  // The traction eta V = eta slip_factor v_t, lumped like friction.
+  fem::NodalDampers dampers;
+  for (int i = 0; i < fault.numNodes(); ++i) {
+    const int node = fault_nodes.nodes[i];
+    const int row = fault.dofs[i][0] - body.dofs->dof(node, 0);
+    dampers[node] = {};
+    dampers[node][row * components + row] =
+      fault_nodes.weights[i] * radiation_damping[i] * fault.slip_factor;
+  }
+  body.matrices.viscosity = fem::withDampers(*body.matrices.viscosity, *body.dofs, dampers);
 }
 
 void Problem::makeLoads(ParameterList const& deck, std::vector<fem::Material> const& materials)
@@ -102,14 +128,7 @@ void Problem::makeLoads(ParameterList const& deck, std::vector<fem::Material> co
   } else {
     gravity_load_ = body.vector();
   }
-  load_ = rcp(new Vector(*gravity_load_, Teuchos::Copy));
-  auto const traction = nodalValues(deck.sublist("Friction"), "Shear Traction",
-                                    "Asperity / Friction", mesh, fault_nodes.nodes);
-  auto const values = load_->getLocalViewHost(Tpetra::Access::ReadWrite);
-  for (int i = 0; i < fault.numNodes(); ++i) {
-    values(fault.dofs[i][0], 0) += fault_nodes.weights[i] * traction[i];
-  }
-  body.load = [load = load_](double, Vector& l) { Tpetra::deep_copy(l, *load); };
+  body.load = loadWithTraction(deck.sublist("Friction"), mesh, fault_nodes, fault, gravity_load_);
 }
 
 // Pressure of the foundation on the fault nodes: the reaction K u - l across the fault per weight.
@@ -130,45 +149,16 @@ std::vector<double> Problem::reactionPressure(Vector const& u) const
   return pressure;
 }
 
-RCP<Vector> Problem::initialVelocity(ParameterList const& list) const
+// The displacement to start from, and the normal stress of the deck or of the static solution.
+void Problem::makeNormalStress(ParameterList const& friction, bool start_static)
 {
-  auto v = body.vector();
-  body.prescribed_velocity(0, *v);
-  std::vector<int> nodes(mesh.num_owned);
-  std::iota(nodes.begin(), nodes.end(), 0);
-  std::vector<std::vector<double>> along(components);
-  for (int c = 0; c < components; ++c) {
-    along[c] =
-      nodalValues(list, velocity_names[components == 1 ? 2 : c], initial_path, mesh, nodes);
-  }
-  auto const values = v->getLocalViewHost(Tpetra::Access::ReadWrite);
-  for (int node = 0; node < mesh.num_owned; ++node) {
-    std::array<double, 3> along_axes{};
-    std::array<double, 3> local{};
-    for (int c = 0; c < components; ++c) {
-      along_axes[c] = along[c][node];
-    }
-    constraints->frames().toFrame(node, along_axes.data(), local.data());
-    for (int c = 0; c < components; ++c) {
-      const int dof = body.dofs->dof(node, c);
-      if (!body.fixed[dof]) {
-        values(dof, 0) = local[c];
-      }
-    }
-  }
-  return v;
-}
-
-void Problem::makeInitialState(ParameterList const& deck)
-{
-  auto const& list = deck.sublist("Initial State");
-  auto const& friction = deck.sublist("Friction");
   const bool stress_given = isGiven(friction, "Normal Stress");
-  const bool start_static = list.get<std::string>("Displacement") == "Static";
   ASPERITY_REQUIRE(stress_given || components == 2,
                    "Asperity / Friction / Normal Stress is missing: an antiplane model has no "
-                   "normal stress of its "
-                   "own.");
+                   "normal stress of its own.");
+  ASPERITY_REQUIRE(stress_given || !boundary.antisymmetric,
+                   "Asperity / Friction / Normal Stress is missing: on an antisymmetric fault it "
+                   "is that of the undisturbed state, which only the deck knows.");
   initial.u = body.vector();
   NormalStress stress;
   if (gravity_load_->normInf() > 0 && (start_static || !stress_given)) {
@@ -191,24 +181,65 @@ void Problem::makeInitialState(ParameterList const& deck)
            << " fault nodes; their normal stress is set to zero.";
     remarks.push_back(remark.str());
   }
+}
 
-  initial.v = initialVelocity(list);
-  initial.alpha = valuesAtNodes(list, "alpha", initial_path, mesh, fault_nodes.nodes);
+// Besides the deck's traction that of the static displacement, which balances gravity; where the
+// velocity is prescribed that would be the reaction.
+InitialFault Problem::startOfFault() const
+{
+  auto const traction = body.vector();
+  body.load(0, *traction);
+  const bool deformed = initial.u->normInf() > 0;
+  auto const elastic = body.vector();
+  if (deformed) {
+    Tpetra::deep_copy(*elastic, *gravity_load_);
+    body.matrices.stiffness->apply(*initial.u, *elastic, Teuchos::NO_TRANS, -1, 1);
+  }
+  auto const loads = traction->getLocalViewHost(Tpetra::Access::ReadOnly);
+  auto const gravity = gravity_load_->getLocalViewHost(Tpetra::Access::ReadOnly);
+  auto const forces = elastic->getLocalViewHost(Tpetra::Access::ReadOnly);
+  auto const velocities = initial.v->getLocalViewHost(Tpetra::Access::ReadOnly);
+  InitialFault result;
+  result.radiation = radiation_damping;
+  for (int i = 0; i < fault.numNodes(); ++i) {
+    const int dof = fault.dofs[i][0];
+    const double force = loads(dof, 0) - gravity(dof, 0) + (fault.fixed[i] ? 0 : forces(dof, 0));
+    result.traction.push_back(force / fault_nodes.weights[i]);
+    result.velocity.push_back(velocities(dof, 0));
+  }
+  return result;
+}
+
+// By a difference over a time dt [s] in which nothing else happens.
+RCP<Vector> Problem::prescribedAcceleration(double dt) const
+{
+  auto result = body.vector();
+  auto const at_zero = body.vector();
+  body.prescribed_velocity(dt, *result);
+  body.prescribed_velocity(0, *at_zero);
+  result->update(-1 / dt, *at_zero, 1 / dt);
+  return result;
+}
+
+void Problem::makeInitialState(ParameterList const& deck)
+{
+  auto const& list = deck.sublist("Initial State");
+  auto const& friction = deck.sublist("Friction");
+  makeNormalStress(friction, list.get<std::string>("Displacement") == "Static");
+  initial.v = initialVelocity(list, mesh, body, *constraints);
+  initial.alpha = initialAlpha(list, mesh, fault_nodes.nodes, fault, startOfFault());
   initial.alpha_of_rate = friction::NodeView("asperity::scenario::alphaOfRate", fault.numNodes());
   Kokkos::deep_copy(initial.alpha_of_rate, initial.alpha);
   initial.a = body.vector();
-  if (list.get<std::string>("Acceleration") == "Balanced") {
-    // The prescribed acceleration, by a difference over a time in which nothing else happens.
+  if (list.get<std::string>("Acceleration") == "Balanced" && !quasiDynamic(deck.sublist("Bulk"))) {
     const double dt = makeClock(deck.sublist("Time Stepping")).stepSize(0) * 1e-6;
-    auto prescribed = body.vector();
-    auto at_zero = body.vector();
-    body.prescribed_velocity(dt, *prescribed);
-    body.prescribed_velocity(0, *at_zero);
-    prescribed->update(-1 / dt, *at_zero, 1 / dt);
-    initial.a =
-      dynamics::initialAcceleration(body, fault, solver, friction.get<std::string>("Law"), *load_,
-                                    *prescribed, *initial.u, *initial.v, initial.alpha);
+    auto const load = body.vector();
+    body.load(0, *load);
+    initial.a = dynamics::initialAcceleration(body, fault, solver, friction.get<std::string>("Law"),
+                                              *load, *prescribedAcceleration(dt), *initial.u,
+                                              *initial.v, initial.alpha);
   }
+  initial.a_lagging = initial.a;
 }
 
 void Problem::alongAxes(Vector const& x, std::vector<double>& result) const

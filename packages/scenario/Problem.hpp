@@ -7,7 +7,9 @@
 #include "dynamics/State.hpp"
 #include "fem/BoundaryNodes.hpp"
 #include "fem/Constraints.hpp"
+#include "fem/Material.hpp"
 #include "scenario/BoundarySetup.hpp"
+#include "scenario/InitialSetup.hpp"
 
 #include <memory>
 #include <string>
@@ -15,9 +17,6 @@
 
 namespace asperity::scenario
 {
-// The deck's list `Initial State`.
-RCP<const ParameterList> initialStateParameters();
-
 // What a deck describes, discretised: the body, its fault and the state it starts from. It refers
 // to itself: neither copied nor moved.
 struct Problem
@@ -35,6 +34,9 @@ struct Problem
   fem::BoundaryNodes<2> fault_nodes;
   dynamics::Body body;
   dynamics::Fault fault;
+  std::vector<fem::Material> fault_materials; // (num fault nodes) of the body beside the fault
+  std::vector<double>
+    radiation_damping; // (num fault nodes) eta [Pa s/m]; zero unless quasi-dynamic
   dynamics::RateSolverSettings solver;
   dynamics::State initial;
   std::vector<std::string> remarks; // what the user should know, for the log
@@ -43,11 +45,15 @@ struct Problem
   void alongAxes(Vector const& x, std::vector<double>& result) const;
 
 private:
+  void makeBody(ParameterList const& bulk, std::vector<fem::Material> const& materials);
+  void makeFault(ParameterList const& deck, std::vector<fem::Material> const& materials);
   void makeLoads(ParameterList const& deck, std::vector<fem::Material> const& materials);
   void makeInitialState(ParameterList const& deck);
-  RCP<Vector> initialVelocity(ParameterList const& list) const;
+  void makeNormalStress(ParameterList const& friction, bool start_static);
   std::vector<double> reactionPressure(Vector const& u) const;
+  InitialFault startOfFault() const;
+  RCP<Vector> prescribedAcceleration(double dt) const;
 
-  RCP<Vector> gravity_load_, load_;
+  RCP<Vector> gravity_load_;
 };
 } // namespace asperity::scenario

@@ -46,26 +46,6 @@ void load(io::Archive const& archive, std::string const& path, friction::NodeVie
   std::copy(values.begin(), values.end(), host.data());
   Kokkos::deep_copy(x, host);
 }
-
-// Name and member of everything in the plain structs, so that both directions agree.
-constexpr std::pair<char const*, std::int64_t dynamics::SolveCount::*> count_members[] = {
-  {"coupled_steps", &dynamics::SolveCount::coupled_steps},
-  {"rate_problems", &dynamics::SolveCount::rate_problems},
-  {"tnnmg_iterations", &dynamics::SolveCount::tnnmg_iterations},
-  {"corrections", &dynamics::SolveCount::corrections},
-  {"correction_iterations", &dynamics::SolveCount::correction_iterations},
-  {"v_cycles", &dynamics::SolveCount::v_cycles},
-  {"rises", &dynamics::SolveCount::rises},
-  {"failures", &dynamics::SolveCount::failures}};
-
-constexpr std::pair<char const*, double dynamics::Energy::*> energy_members[] = {
-  {"kinetic", &dynamics::Energy::kinetic},
-  {"elastic", &dynamics::Energy::elastic},
-  {"load_work", &dynamics::Energy::load_work},
-  {"boundary_work", &dynamics::Energy::boundary_work},
-  {"friction_work", &dynamics::Energy::friction_work},
-  {"viscous_work", &dynamics::Energy::viscous_work},
-  {"defect", &dynamics::Energy::defect}};
 } // namespace
 
 void save(io::Archive& archive, std::string const& path, dynamics::State const& state)
@@ -74,6 +54,7 @@ void save(io::Archive& archive, std::string const& path, dynamics::State const& 
   archive.set(path + "/u", valuesOf(*state.u));
   archive.set(path + "/v", valuesOf(*state.v));
   archive.set(path + "/a", valuesOf(*state.a));
+  archive.set(path + "/a_lagging", valuesOf(*state.a_lagging));
   archive.set(path + "/alpha", valuesOf(state.alpha));
   archive.set(path + "/alpha_of_rate", valuesOf(state.alpha_of_rate));
 }
@@ -86,6 +67,7 @@ dynamics::State loadState(io::Archive const& archive, std::string const& path,
   load(archive, path + "/u", *state.u);
   load(archive, path + "/v", *state.v);
   load(archive, path + "/a", *state.a);
+  load(archive, path + "/a_lagging", *state.a_lagging);
   load(archive, path + "/alpha", state.alpha);
   load(archive, path + "/alpha_of_rate", state.alpha_of_rate);
   return state;
@@ -95,9 +77,15 @@ void save(io::Archive& archive, std::string const& path, dynamics::ControlMemory
 {
   archive.set(path + "/level", memory.level);
   archive.set(path + "/num_steps", memory.num_steps);
+  archive.set(path + "/level_before", memory.level_before);
+  archive.set(path + "/error", memory.error);
+  archive.set(path + "/previous_error", memory.previous_error);
   if (memory.trial) {
     archive.set(path + "/trial/iterations", memory.trial->iterations);
     save(archive, path + "/trial/state", memory.trial->state);
+  }
+  if (memory.before) {
+    save(archive, path + "/before", *memory.before);
   }
 }
 
@@ -107,17 +95,23 @@ dynamics::ControlMemory loadControl(io::Archive const& archive, std::string cons
   dynamics::ControlMemory memory;
   memory.level = static_cast<int>(archive.getInteger(path + "/level"));
   memory.num_steps = archive.getInteger(path + "/num_steps");
+  memory.level_before = static_cast<int>(archive.getInteger(path + "/level_before"));
+  memory.error = archive.getDouble(path + "/error");
+  memory.previous_error = archive.getDouble(path + "/previous_error");
   if (archive.has(path + "/trial/iterations")) {
     memory.trial =
       dynamics::Trial{loadState(archive, path + "/trial/state", like),
                       static_cast<int>(archive.getInteger(path + "/trial/iterations"))};
+  }
+  if (archive.has(path + "/before/time")) {
+    memory.before = loadState(archive, path + "/before", like);
   }
   return memory;
 }
 
 void save(io::Archive& archive, std::string const& path, dynamics::SolveCount const& count)
 {
-  for (auto const& [name, member] : count_members) {
+  for (auto const& [name, member] : dynamics::SolveCount::members()) {
     archive.set(path + "/" + name, count.*member);
   }
 }
@@ -125,7 +119,7 @@ void save(io::Archive& archive, std::string const& path, dynamics::SolveCount co
 dynamics::SolveCount loadCount(io::Archive const& archive, std::string const& path)
 {
   dynamics::SolveCount count;
-  for (auto const& [name, member] : count_members) {
+  for (auto const& [name, member] : dynamics::SolveCount::members()) {
     count.*member = archive.getInteger(path + "/" + name);
   }
   return count;
@@ -133,7 +127,7 @@ dynamics::SolveCount loadCount(io::Archive const& archive, std::string const& pa
 
 void save(io::Archive& archive, std::string const& path, dynamics::Energy const& energy)
 {
-  for (auto const& [name, member] : energy_members) {
+  for (auto const& [name, member] : dynamics::Energy::members()) {
     archive.set(path + "/" + name, energy.*member);
   }
 }
@@ -141,7 +135,7 @@ void save(io::Archive& archive, std::string const& path, dynamics::Energy const&
 dynamics::Energy loadEnergy(io::Archive const& archive, std::string const& path)
 {
   dynamics::Energy energy;
-  for (auto const& [name, member] : energy_members) {
+  for (auto const& [name, member] : dynamics::Energy::members()) {
     energy.*member = archive.getDouble(path + "/" + name);
   }
   return energy;

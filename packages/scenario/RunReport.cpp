@@ -1,6 +1,8 @@
 #include "scenario/RunReport.hpp"
 
 #include "base/Text.hpp"
+#include "scenario/BulkSetup.hpp"
+#include "scenario/ResolutionCheck.hpp"
 
 #include <Teuchos_CommHelpers.hpp>
 
@@ -14,7 +16,9 @@ std::vector<std::string> describe(Problem const& problem, ParameterList const& d
   std::vector<std::string> lines;
   std::ostringstream first;
   int fault_nodes = problem.fault.sumOverRanks(problem.fault.numNodes());
-  first << deck.sublist("Bulk").get<std::string>("Model") << ", "
+  auto const& bulk = deck.sublist("Bulk");
+  first << bulk.get<std::string>("Model") << ", "
+        << (quasiDynamic(bulk) ? "quasi-dynamic, " : "inertial, ")
         << problem.mesh.num_global_vertices << " vertices, " << fault_nodes
         << " of them on the fault '" << problem.boundary.fault << "', "
         << problem.communicator->getSize() << " rank"
@@ -28,6 +32,10 @@ std::vector<std::string> describe(Problem const& problem, ParameterList const& d
     deck.sublist("Time Stepping").get<std::string>("Control") + ". Linear correction: " +
     (problem.solver.correction == dynamics::Correction::direct ? "Direct." : "MueLu."));
   lines.insert(lines.end(), problem.remarks.begin(), problem.remarks.end());
+  if (auto const resolution = faultResolution(problem, friction)) {
+    auto const of_fault = describe(*resolution);
+    lines.insert(lines.end(), of_fault.begin(), of_fault.end());
+  }
   return lines;
 }
 

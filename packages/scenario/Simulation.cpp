@@ -6,6 +6,7 @@
 #include "io/Checkpoint.hpp"
 #include "io/OutputDirectory.hpp"
 #include "io/outputs/EventCatalogue.hpp"
+#include "scenario/BulkSetup.hpp"
 #include "scenario/DeckReader.hpp"
 #include "scenario/RunArchive.hpp"
 #include "scenario/RunReport.hpp"
@@ -16,20 +17,6 @@ namespace asperity::scenario
 {
 namespace
 {
-dynamics::SolveCount difference(dynamics::SolveCount const& now, dynamics::SolveCount const& before)
-{
-  dynamics::SolveCount result;
-  result.coupled_steps = now.coupled_steps - before.coupled_steps;
-  result.rate_problems = now.rate_problems - before.rate_problems;
-  result.tnnmg_iterations = now.tnnmg_iterations - before.tnnmg_iterations;
-  result.corrections = now.corrections - before.corrections;
-  result.correction_iterations = now.correction_iterations - before.correction_iterations;
-  result.v_cycles = now.v_cycles - before.v_cycles;
-  result.rises = now.rises - before.rises;
-  result.failures = now.failures - before.failures;
-  return result;
-}
-
 io::ExistingResult existingResult(CommandLine const& command_line)
 {
   if (!command_line.restart.empty()) {
@@ -61,7 +48,8 @@ Simulation::Simulation(RCP<ParameterList> const& deck, CommandLine const& comman
     , restart_(command_line.restart)
     , checkpoint_interval_(deck->sublist("Output").get<int>("Checkpoint Every n Steps"))
 {
-  auto const update = makeRateUpdate(deck->sublist("Time Stepping"));
+  auto const update =
+    makeRateUpdate(deck->sublist("Time Stepping"), !quasiDynamic(deck->sublist("Bulk")));
   solvers_ =
     std::make_unique<dynamics::StepSolvers>(problem_.body, problem_.fault, update, clock_,
                                             problem_.solver, memoryBudget(deck->sublist("TNNMG")));
@@ -72,7 +60,7 @@ Simulation::Simulation(RCP<ParameterList> const& deck, CommandLine const& comman
     makeStepControl(deck->sublist("Time Stepping"), *coupled_step_, problem_.fault, clock_);
   view_.state = &state_;
   view_.balance = &balance_;
-  registerFields(registry_, problem_, view_, locations_);
+  registerFields(registry_, problem_, view_, locations_, deck->sublist("Friction"));
   if (problem_.boundary.surface.empty()) {
     deck->sublist("Output").sublist("Surface History").set("Enabled", false);
   }
@@ -159,7 +147,7 @@ void Simulation::advance()
 {
   auto const before = count_;
   view_.step = control_->advance(state_, count_);
-  view_.count = difference(count_, before);
+  view_.count = count_.since(before);
   forced_steps_ += view_.step.within_tolerance ? 0 : 1;
   balance_.advance(state_);
   auto const info = stepInfo();

@@ -1,5 +1,7 @@
 #include "scenario/TimeSetup.hpp"
 
+#include "dynamics/RichardsonControl.hpp"
+
 #include <cmath>
 
 namespace asperity::scenario
@@ -16,6 +18,51 @@ int levelOf(dynamics::DyadicTime const& clock, double size)
     ++level;
   }
   return level;
+}
+
+std::vector<int> prescribedLevels(ParameterList const& list, dynamics::DyadicTime const& clock)
+{
+  auto const levels = list.get<Teuchos::Array<int>>("Levels").toVector();
+  ASPERITY_REQUIRE(!levels.empty(), path << " / Prescribed / Levels is empty.");
+  for (int level : levels) {
+    ASPERITY_REQUIRE(level <= clock.finestLevel(), path << " / Prescribed / Levels: " << level
+                                                        << " is below the smallest step, level "
+                                                        << clock.finestLevel() << ".");
+  }
+  return levels;
+}
+
+dynamics::RateUpdate newmark(ParameterList const& list)
+{
+  auto const& newmark = list.sublist("Newmark");
+  const double beta = newmark.get<double>("beta");
+  if (beta < 0.25) {
+    const double limit = newmark.get<double>("Stability Limit");
+    const double largest = list.get<double>("Largest Step");
+    ASPERITY_REQUIRE(
+      limit > 0,
+      path << " / Newmark / beta = " << beta
+           << " is only conditionally stable. Give the 'Stability Limit' of the step, or "
+              "choose beta from 0.25 to 0.5.");
+    ASPERITY_REQUIRE(largest <= limit, path << " / Largest Step = " << largest
+                                            << " s is above the stability limit of " << limit
+                                            << " s that beta = " << beta << " needs.");
+  }
+  return dynamics::RateUpdate::newmark(beta);
+}
+
+dynamics::AdaptiveSettings adaptiveSettings(ParameterList const& list,
+                                            dynamics::DyadicTime const& clock)
+{
+  dynamics::AdaptiveSettings settings;
+  settings.tolerance = list.get<double>("Tolerance");
+  settings.finest_level = clock.finestLevel();
+  const double first = list.get<double>("First Step");
+  settings.first_level = first > 0 ? levelOf(clock, first) : clock.finestLevel();
+  if (list.isParameter("Norm") && list.get<std::string>("Norm") == "Maximum") {
+    settings.norm = dynamics::Norm::maximum;
+  }
+  return settings;
 }
 } // namespace
 
@@ -38,6 +85,22 @@ RCP<const ParameterList> timeParameters()
                           .real("First Step", 0., "s", Range::atLeast(0),
                                 "Size of the first trial; 0: the smallest step.")
                           .list();
+  auto const richardson =
+    Declare()
+      .real("Tolerance", 1e-5, "-", Range::positive(),
+            "Estimated error of alpha after two steps, from their difference to one step of twice "
+            "the size.")
+      .choice("Norm", "Root Mean Square", {"Root Mean Square", "Maximum"},
+              "Of that error over the fault.")
+      .real("First Step", 0., "s", Range::atLeast(0),
+            "Size of the first steps; 0: the smallest step.")
+      .list();
+  auto const generalised_alpha =
+    Declare()
+      .real("Spectral Radius", 0., "-", Range::closed(0, 1),
+            "By which a step multiplies modes far faster than itself: 0 forgets them at once, 1 "
+            "never (Newmark).")
+      .list();
   auto const prescribed =
     Declare()
       .integerArray(
@@ -48,15 +111,20 @@ RCP<const ParameterList> timeParameters()
     .real("Final Time", required, "s", Range::positive(),
           "The run ends with the first step that reaches it.")
     .choiceOfLists("Scheme", "Newmark",
-                   {{"Newmark", newmark}, {"Backward Euler", Declare().list()}},
+                   {{"Newmark", newmark},
+                    {"Backward Euler", Declare().list()},
+                    {"Generalised Alpha", generalised_alpha}},
                    "How displacement and acceleration follow from the velocity.")
     .real("Largest Step", required, "s", Range::positive(),
           "All steps are this one divided by a power of two.")
     .real("Smallest Step", required, "s", Range::positive(),
           "No step is smaller; rounded down to such a fraction.")
-    .choiceOfLists("Control", "Step Doubling",
-                   {{"Step Doubling", doubling}, {"Prescribed", prescribed}},
-                   "How step sizes are chosen.")
+    .choiceOfLists(
+      "Control", "Step Doubling",
+      {{"Step Doubling", doubling}, {"Richardson", richardson}, {"Prescribed", prescribed}},
+      "How step sizes are chosen. Step Doubling: the coarsest step that two of half its size "
+      "confirm (thesis A.3). Richardson: in pairs that one step of twice the size confirms; keeps "
+      "the pair and predicts the next size. Prescribed: as listed.")
     .list();
 }
 
@@ -80,26 +148,26 @@ dynamics::DyadicTime makeClock(ParameterList const& list)
   return clock;
 }
 
-dynamics::RateUpdate makeRateUpdate(ParameterList const& list)
+dynamics::RateUpdate makeRateUpdate(ParameterList const& list, bool has_mass)
 {
-  if (list.get<std::string>("Scheme") == "Backward Euler") {
+  auto const scheme = list.get<std::string>("Scheme");
+  if (scheme == "Backward Euler") {
     return dynamics::RateUpdate::backwardEuler();
   }
-  auto const& newmark = list.sublist("Newmark");
-  const double beta = newmark.get<double>("beta");
-  if (beta < 0.25) {
-    const double limit = newmark.get<double>("Stability Limit");
-    const double largest = list.get<double>("Largest Step");
+  if (scheme == "Generalised Alpha") {
+    const double radius = list.sublist(scheme).get<double>("Spectral Radius");
     ASPERITY_REQUIRE(
-      limit > 0,
-      path << " / Newmark / beta = " << beta
-           << " is only conditionally stable. Give the 'Stability Limit' of the step, or "
-              "choose beta from 0.25 to 0.5.");
-    ASPERITY_REQUIRE(largest <= limit, path << " / Largest Step = " << largest
-                                            << " s is above the stability limit of " << limit
-                                            << " s that beta = " << beta << " needs.");
+      has_mass || radius < 1,
+      path << " / Generalised Alpha / Spectral Radius = 1 damps nothing, and without "
+              "mass (Quasi-dynamic) the velocity would change its sign in every "
+              "step for ever. Choose one below 1.");
+    return dynamics::RateUpdate::generalisedAlpha(radius);
   }
-  return dynamics::RateUpdate::newmark(beta);
+  ASPERITY_REQUIRE(has_mass, path << " / Scheme = 'Newmark' needs inertia: without mass "
+                                     "(Quasi-dynamic) its velocity would change its sign in every "
+                                     "step for ever. Choose 'Generalised Alpha' or 'Backward "
+                                     "Euler'.");
+  return newmark(list);
 }
 
 std::unique_ptr<dynamics::StepControl> makeStepControl(ParameterList const& list,
@@ -107,22 +175,20 @@ std::unique_ptr<dynamics::StepControl> makeStepControl(ParameterList const& list
                                                        dynamics::Fault const& fault,
                                                        dynamics::DyadicTime const& clock)
 {
-  if (list.get<std::string>("Control") == "Prescribed") {
-    auto const levels = list.sublist("Prescribed").get<Teuchos::Array<int>>("Levels").toVector();
-    ASPERITY_REQUIRE(!levels.empty(), path << " / Prescribed / Levels is empty.");
-    for (int level : levels) {
-      ASPERITY_REQUIRE(level <= clock.finestLevel(), path << " / Prescribed / Levels: " << level
-                                                          << " is below the smallest step, level "
-                                                          << clock.finestLevel() << ".");
-    }
-    return std::make_unique<dynamics::PrescribedSteps>(step, clock, levels);
+  auto const control = list.get<std::string>("Control");
+  auto const& of_control = list.sublist(control);
+  if (control == "Prescribed") {
+    return std::make_unique<dynamics::PrescribedSteps>(step, clock,
+                                                       prescribedLevels(of_control, clock));
   }
-  auto const& doubling = list.sublist("Step Doubling");
-  dynamics::StepDoublingSettings settings;
-  settings.tolerance = doubling.get<double>("Tolerance");
-  settings.finest_level = clock.finestLevel();
-  const double first = doubling.get<double>("First Step");
-  settings.first_level = first > 0 ? levelOf(clock, first) : clock.finestLevel();
-  return std::make_unique<dynamics::StepDoubling>(step, fault, clock, settings);
+  auto const settings = adaptiveSettings(of_control, clock);
+  if (control == "Step Doubling") {
+    return std::make_unique<dynamics::StepDoubling>(step, fault, clock, settings);
+  }
+  ASPERITY_REQUIRE(clock.finestLevel() > 0, path << " / Smallest Step = " << clock.stepSize(0)
+                                                 << " s has to be at most half of the largest one, "
+                                                    "which a pair of steps is compared with.");
+  return std::make_unique<dynamics::RichardsonControl>(step, fault, clock,
+                                                       makeRateUpdate(list).order, settings);
 }
 } // namespace asperity::scenario

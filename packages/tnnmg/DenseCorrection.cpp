@@ -18,7 +18,12 @@ struct DenseCorrection::Implementation
 {
   Eigen::MatrixXd Z;
   std::vector<std::vector<int>> dofs; // of each node
+
+  // Of Z + H on the dofs that took part when it was made; the other ones have their diagonal. In
+  // the long time between earthquakes most nodes are too stiff to take part.
   Eigen::LLT<Eigen::MatrixXd> factor;
+  std::vector<int> factored;
+  Eigen::VectorXd diagonal;
   bool has_factor = false;
 
   // Of the current solve: H by node, and 1 on the dofs that take part.
@@ -54,18 +59,30 @@ struct DenseCorrection::Implementation
 
   bool factorise()
   {
-    Eigen::MatrixXd A = Z;
-    forEachHessianEntry([&](int row, int column, double value) { A(row, column) += value; });
-    for (int dof = 0; dof < A.rows(); ++dof) {
-      if (mask(dof) == 0) {
-        const double diagonal = A(dof, dof);
-        A.row(dof).setZero();
-        A.col(dof).setZero();
-        A(dof, dof) = diagonal;
+    factored.clear();
+    std::vector<int> place(Z.rows(), -1);
+    for (int dof = 0; dof < Z.rows(); ++dof) {
+      if (mask(dof) != 0) {
+        place[dof] = static_cast<int>(factored.size());
+        factored.push_back(dof);
       }
     }
-    factor.compute(A);
-    has_factor = factor.info() == Eigen::Success;
+    const int size = static_cast<int>(factored.size());
+    Eigen::MatrixXd A(size, size);
+    for (int column = 0; column < size; ++column) {
+      for (int row = 0; row < size; ++row) {
+        A(row, column) = Z(factored[row], factored[column]);
+      }
+    }
+    diagonal = Z.diagonal();
+    forEachHessianEntry([&](int row, int column, double value) {
+      A(place[row], place[column]) += value;
+      diagonal(row) += row == column ? value : 0;
+    });
+    if (size > 0) {
+      factor.compute(A);
+    }
+    has_factor = size == 0 || factor.info() == Eigen::Success;
     return has_factor;
   }
 
@@ -78,7 +95,18 @@ struct DenseCorrection::Implementation
 
   Eigen::VectorXd precondition(Eigen::VectorXd const& x) const
   {
-    return factor.solve(x).cwiseProduct(mask);
+    Eigen::VectorXd result = x.cwiseQuotient(diagonal);
+    Eigen::VectorXd part(factored.size());
+    for (std::size_t i = 0; i < factored.size(); ++i) {
+      part(i) = x(factored[i]);
+    }
+    if (!factored.empty()) {
+      factor.solveInPlace(part);
+    }
+    for (std::size_t i = 0; i < factored.size(); ++i) {
+      result(factored[i]) = part(i);
+    }
+    return result.cwiseProduct(mask);
   }
 
   // Preconditioned conjugate gradients from c = 0 with the kept factor.

@@ -11,7 +11,9 @@ from .tables import Table
 from .windows import View
 
 POINTS = 4000  # of a line; more cannot be told apart
-COLOURS = (style.BLUE, style.ORANGE, "#4d8b57", "#7a5195", style.GREY, "#a8893a")
+COLOURS = (style.BLUE, style.ORANGE, "#4d8b57", "#7a5195", style.GREY, "#a8893a", "#c06c9b",
+           "#3b9aa0")
+SINCE_THE_START = ("work", "dissipation")  # in the names of what counts from there
 
 
 def draw(run: Run, view: View):
@@ -57,7 +59,7 @@ def _energies(axes, steps: Table, imbalance: str, clock: units.Unit) -> None:
     for name, unit in steps.units.items():
         if unit.startswith("J") and name != imbalance:
             label = name.replace("_", " ")
-            if "work" in name:
+            if any(word in name for word in SINCE_THE_START):
                 lines[label.capitalize()] = steps[name][rows]
             else:
                 lines[f"Change of {label}"] = steps[name][rows] - steps[name][0]

@@ -7,11 +7,11 @@ from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
 from . import raster, style, units
+from .along import Axis
 from .history import History
-from .run import Run
 from .windows import View
 
-COLUMNS = 1400   # of the picture of several cycles, about one for a pixel
+COLUMNS = 500    # of the picture of several cycles: two pixels each, so that none is lost
 POSITIONS = 500  # its rows
 
 
@@ -27,22 +27,19 @@ def panels(view: View) -> Tuple[Figure, List[Axes]]:
     return figure, list(axes[0])
 
 
-def colours(axes: Axes, times: np.ndarray, history: History, values: np.ndarray, unit: units.Unit,
+def colours(axes: Axes, times: np.ndarray, history: History, values: np.ndarray, along: Axis,
             **options):
     """Colours for `values` (times, nodes) between the limits `times` of their cells."""
-    limits = raster.edges((history.position[0], history.position[-1]), POSITIONS)
+    limits = raster.edges(along.limits, POSITIONS)
     picture = raster.along(history.position, values, raster.centres(limits))
-    return axes.pcolormesh(times, unit(limits), picture.T, rasterized=True, **options)
+    return axes.pcolormesh(times, along(limits), picture.T, rasterized=True, **options)
 
 
 def time_axes(axes: List[Axes], view: View) -> None:
     """Titles and labels of the time axes; the zoom counts from the event's onset."""
     label_cycles(axes[0], view)
     if view.zoom is not None:
-        unit = zoom_unit(view)
-        axes[1].set_xlim(unit(np.array(view.zoom) - view.onset))
-        axes[1].set_xlabel(f"Time since the onset of event {view.number} [{unit.name}]")
-        axes[1].set_title(zoom_title(view))
+        label_zoom(axes[1], view)
 
 
 def label_cycles(axes: Axes, view: View) -> None:
@@ -54,6 +51,13 @@ def label_cycles(axes: Axes, view: View) -> None:
         # A small mark on the time axis says where the zoom is.
         axes.plot(unit(view.onset), 1.0, marker="v", color=style.DARK, markersize=5,
                   transform=axes.get_xaxis_transform(), clip_on=False, zorder=5)
+
+
+def label_zoom(axes: Axes, view: View) -> None:
+    unit = zoom_unit(view)
+    axes.set_xlim(unit(np.array(view.zoom) - view.onset))
+    axes.set_xlabel(f"Time since the onset of event {view.number} [{unit.name}]")
+    axes.set_title(zoom_title(view))
 
 
 def cycles_title(view: View) -> str:
@@ -76,9 +80,7 @@ def zoom_unit(view: View) -> units.Unit:
     return units.duration(max(abs(view.zoom[0] - view.onset), view.zoom[1] - view.onset))
 
 
-def position_axis(axes: List[Axes], history: History, run: Run, place: str) -> units.Unit:
-    """Labels the shared axis of positions and returns its unit."""
-    unit = units.length(history.position)
-    axes[0].set_ylabel(style.position_label(run, place, unit))
-    axes[0].set_ylim(unit(history.position[0]), unit(history.position[-1]))
-    return unit
+def position_axis(axes: List[Axes], along: Axis) -> None:
+    """Labels the shared axis of positions; depth grows downwards."""
+    axes[0].set_ylabel(along.label)
+    axes[0].set_ylim(along(along.limits))

@@ -5,8 +5,10 @@ from argparse import Namespace
 from pathlib import Path
 from typing import List, Optional
 
-from . import boxes, energy, iterations, slip, slip_rate, style, surface, windows
+from . import (boxes, energy, event_table, iterations, moment_rate, receivers, rupture_times, slip,
+               slip_profiles, slip_rate, style, surface, windows)
 from .errors import InputError, NothingToShow
+from .options import Options
 from .run import Run
 
 FIGURES = {  # name: (module with draw(run, view), the file it needs)
@@ -16,6 +18,10 @@ FIGURES = {  # name: (module with draw(run, view), the file it needs)
     "iterations": (iterations, "steps.csv"),
     "slip": (slip, "fault.h5"),
     "energy": (energy, "steps.csv"),
+    "slip_profiles": (slip_profiles, "fault.h5"),
+    "receivers": (receivers, "receivers.h5"),
+    "rupture_times": (rupture_times, "rupture.h5"),
+    "moment_rate": (moment_rate, "global.csv"),
 }
 
 
@@ -23,10 +29,27 @@ def report(options: Namespace) -> int:
     """Exit status: 0, or 2 if the input is at fault; what is not affected is drawn all the same."""
     try:
         run = Run(options.directory)
-        view = windows.choose(run, options.window)
+        view = windows.choose(run, options.window, _options(options))
+        if options.events:
+            print(event_table.text(run, view))
+        if options.events and not options.figures:
+            return 0
         folder = _make_folder(options.output or options.directory / "figures")
     except InputError as error:
         return _status([str(error)])
+    errors = _draw_all(run, view, folder, options)
+    if not options.events:
+        _print_summary(run)
+    return _status(errors)
+
+
+def _options(given: Namespace) -> Options:
+    return Options(intervals=given.every and tuple(given.every), receivers=given.receivers,
+                   references=tuple(given.reference), depths=given.at)
+
+
+def _draw_all(run: Run, view: windows.View, folder: Path, options: Namespace) -> List[str]:
+    """What was wrong with the input of single figures."""
     style.use()
     errors: List[str] = []
     for name in options.figures or FIGURES:
@@ -38,8 +61,7 @@ def report(options: Namespace) -> int:
             print(f"No figure '{name}': {reason}.")
         except InputError as error:
             errors.append(str(error))
-    _print_summary(run)
-    return _status(errors)
+    return errors
 
 
 def _draw(name: str, run: Run, view: windows.View, folder: Path,

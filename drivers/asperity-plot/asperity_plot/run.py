@@ -8,8 +8,10 @@ from typing import Optional, Tuple
 import numpy as np
 
 from .errors import InputError
+from .h5file import H5File
 from .history import History
 from .parameters import Parameters
+from .stations import Stations
 from .tables import Table, read_table
 
 FILES = ("fault.h5", "surface.h5", "events.csv", "steps.csv")
@@ -49,6 +51,20 @@ class Run:
         return History(self._path("surface.h5"))
 
     @cached_property
+    def stations(self) -> Stations:
+        return Stations(self._path("receivers.h5"))
+
+    @cached_property
+    def ruptures(self) -> H5File:
+        """First arrivals of each event."""
+        return H5File(self._path("rupture.h5"))
+
+    @cached_property
+    def totals(self) -> Table:
+        """Sums over the fault for each step."""
+        return read_table(self._path("global.csv"), ["time"])
+
+    @cached_property
     def events(self) -> Table:
         """All events in the order of time."""
         return read_table(self._path("events.csv"), ["onset", "duration"])
@@ -75,6 +91,11 @@ class Run:
             return float(time[0] - size[0]), float(time[-1])
         raise InputError(f"{self.directory} holds no time step yet: its tables are empty and it "
                          "has no history. Look into run.log.")
+
+    @property
+    def threshold(self) -> float:
+        """Slip rate [m/s] from which on the catalogue calls the fault seismic."""
+        return self.parameters.number("Output/Event Catalogue/Threshold") or 1e-3
 
     @property
     def is_wedge(self) -> bool:

@@ -7,13 +7,13 @@ from matplotlib.axes import Axes
 from matplotlib.colors import Normalize
 from matplotlib.ticker import FuncFormatter, MaxNLocator
 
-from . import maps, raster, style, units
+from . import along, maps, raster, style
 from .errors import NothingToShow
 from .run import Run
 from .windows import View
 
 FIELD = "slip_rate"
-DECADES = 9  # below the largest slip rate, the most that colours can tell apart
+DECADES = 12  # below the largest slip rate: from ruptures to what is locked below plate rates
 
 
 def draw(run: Run, view: View):
@@ -23,13 +23,14 @@ def draw(run: Run, view: View):
     cycles = raster.maxima(run.fault, FIELD, view.cycles, maps.COLUMNS)
     norm = _norm(cycles)
     figure, axes = maps.panels(view)
-    unit = maps.position_axis(axes, run.fault, run, "fault")
+    where = along.axis(run, run.fault, "fault")
+    maps.position_axis(axes, where)
     times = maps.cycles_unit(view)(raster.edges(view.cycles, maps.COLUMNS))
-    mesh = maps.colours(axes[0], times, run.fault, cycles, unit, norm=norm,
+    mesh = maps.colours(axes[0], times, run.fault, cycles, where, norm=norm,
                         cmap=style.RATE_COLOURS)
-    lines = _zoom(run, view, axes[1], unit, norm) if view.zoom is not None else None
+    lines = _zoom(run, view, axes[1], where, norm) if view.zoom is not None else None
     for panel in axes:
-        style.mark_zone(panel, run, unit, "white", label=panel is axes[-1])
+        style.mark_zone(panel, run, where, "white", label=panel is axes[-1])
     maps.time_axes(axes, view)
     bar = figure.colorbar(mesh, ax=axes, pad=0.03, aspect=28, extend="min",
                           format=FuncFormatter(lambda exponent, _: f"$10^{{{exponent:.0f}}}$"),
@@ -49,14 +50,14 @@ def _norm(logarithms: np.ndarray) -> Normalize:
     return Normalize(min(max(low, high - DECADES), high - 1.0), high)
 
 
-def _zoom(run: Run, view: View, axes: Axes, unit: units.Unit, norm: Normalize) -> np.ndarray:
+def _zoom(run: Run, view: View, axes: Axes, where: along.Axis, norm: Normalize) -> np.ndarray:
     """The rupture on its true time steps, with a contour for each decade; returns their levels."""
     time, logarithms = zoom_rows(run, view)
     shown = maps.zoom_unit(view)(time - view.onset)
-    maps.colours(axes, raster.midpoints(shown), run.fault, logarithms, unit, norm=norm,
+    maps.colours(axes, raster.midpoints(shown), run.fault, logarithms, where, norm=norm,
                  cmap=style.RATE_COLOURS)
     decades = np.arange(np.ceil(norm.vmin + 0.25), np.floor(norm.vmax) + 1.0)
-    axes.contour(shown, unit(run.fault.position), logarithms.T, levels=decades, colors="white",
+    axes.contour(shown, where(run.fault.position), logarithms.T, levels=decades, colors="white",
                  linewidths=0.7, linestyles="solid")
     return decades
 

@@ -1,7 +1,8 @@
 """One look for all figures: fonts, colours, and what several figures draw alike."""
 
+import re
 from pathlib import Path
-from typing import Optional
+from typing import Callable, List, Optional
 
 import matplotlib
 
@@ -10,15 +11,18 @@ matplotlib.use("Agg")
 import matplotlib.pyplot as plt  # noqa: E402  (the backend comes first)
 import numpy as np  # noqa: E402
 from matplotlib.axes import Axes  # noqa: E402
+from matplotlib.colors import Normalize  # noqa: E402
 from matplotlib.figure import Figure  # noqa: E402
+from matplotlib.lines import Line2D  # noqa: E402
 
-from . import units  # noqa: E402
+from .along import Axis  # noqa: E402
 from .run import Run  # noqa: E402
 
 BLUE, ORANGE, GREY, DARK = "#2b5c8a", "#c8602a", "#8c8c8c", "#333333"
 RATE_COLOURS = "magma"
 SURFACE_COLOURS = "RdBu_r"
 SEQUENCE_COLOURS = "viridis"
+FEW_EVENTS = 10  # that a legend lists one by one
 
 SETTINGS = {
     "font.family": "DejaVu Sans",
@@ -68,19 +72,12 @@ def save(figure: Figure, path: Path, dpi: int) -> Path:
     return path
 
 
-def position_label(run: Run, place: str, unit: units.Unit) -> str:
-    """What the position along the 'fault' or 'surface' means to a reader."""
-    along = {"fault": "base" if run.is_wedge else "fault", "surface": "surface"}[place]
-    start = "Distance from the trench" if run.is_wedge else "Position"
-    return f"{start} along the {along} [{unit.name}]"
-
-
-def mark_zone(axes: Axes, run: Run, unit: units.Unit, colour: str, label: bool) -> None:
+def mark_zone(axes: Axes, run: Run, along: Axis, colour: str, label: bool) -> None:
     """The limits of the seismogenic zone as dashed lines, its name beside the right edge."""
     zone = run.seismogenic_zone
     if zone is None:
         return
-    low, high = unit(zone)
+    low, high = along(zone)
     for position in (low, high):
         axes.axhline(position, color=colour, linewidth=0.9, linestyle=(0, (5, 4)))
     if not label:
@@ -92,13 +89,53 @@ def mark_zone(axes: Axes, run: Run, unit: units.Unit, colour: str, label: bool) 
               ha="left", va="center", color=DARK, fontsize=8.5)
 
 
+def shade_zone(axes: Axes, run: Run, along: Axis) -> None:
+    """The seismogenic zone as a grey band over the horizontal axis, with its name."""
+    zone = run.seismogenic_zone
+    if zone is None:
+        return
+    low, high = along(zone)
+    axes.axvspan(low, high, color="#eeeeee", zorder=0)
+    axes.text(0.5 * (low + high), 0.02, "seismogenic zone", ha="center", va="bottom",
+              color=DARK, fontsize=8.5, transform=axes.get_xaxis_transform())
+
+
 def counted(count: int, noun: str) -> str:
     """'no event', '1 event', '12 events'."""
     return f"{count or 'no'} {noun}{'' if count < 2 else 's'}"
 
 
+def wrapped(label: str, width: int = 24) -> str:
+    """`label` in lines of at most about `width` characters; names of files break at _."""
+    words = re.findall(r"[^_ \n]+[_ \n]?", label)
+    lines = [""]
+    for word in words:
+        if len(lines[-1]) + len(word.rstrip()) > width or lines[-1].endswith("\n"):
+            lines.append("")
+        lines[-1] += word
+    return "\n".join(line.rstrip() for line in lines)
+
+
 def step_line(axes: Axes, x: np.ndarray, y: np.ndarray, colour: str, label: Optional[str] = None):
     return axes.plot(x, y, drawstyle="steps-pre", color=colour, label=label)
+
+
+def spread(count: int) -> List:
+    """`count` colours that can be told apart, in an order that the eye sees."""
+    return list(matplotlib.colormaps[SEQUENCE_COLOURS](np.linspace(0.0, 0.92, count)))
+
+
+def event_colours(axes: Axes, numbers: np.ndarray) -> Callable[[int], object]:
+    """The colour of an event by its number; explained beside `axes`."""
+    if len(numbers) <= FEW_EVENTS:
+        colours = dict(zip(numbers, spread(len(numbers))))
+        handles = [Line2D([], [], color=colours[number], label=f"event {number}")
+                   for number in numbers]
+        axes.legend(handles=handles, loc="upper left", bbox_to_anchor=(1.01, 1.0), fontsize=8.5)
+        return colours.__getitem__
+    colours = colour_map(SEQUENCE_COLOURS, Normalize(min(numbers), max(numbers)))
+    axes.figure.colorbar(colours, ax=axes, pad=0.02, aspect=32).set_label("Event")
+    return colours.to_rgba
 
 
 def colour_map(name: str, norm) -> matplotlib.cm.ScalarMappable:

@@ -7,7 +7,7 @@ wedge that slides steadily rises all the time, and the cycle would drown in that
 import numpy as np
 from matplotlib.colors import Normalize
 
-from . import loading, maps, raster, style, units
+from . import along, loading, maps, raster, style, units
 from .errors import NothingToShow
 from .run import Run
 from .windows import View
@@ -32,9 +32,10 @@ def draw(run: Run, view: View):
     unit = units.prefixed(cycles, "m")
     norm = _norm(unit(cycles))
     figure, axes = maps.panels(view)
-    length = maps.position_axis(axes, surface, run, "surface")
+    where = along.axis(run, surface, "surface")
+    maps.position_axis(axes, where)
     colours = {"norm": norm, "cmap": style.SURFACE_COLOURS}
-    mesh = maps.colours(axes[0], maps.cycles_unit(view)(limits), surface, unit(cycles), length,
+    mesh = maps.colours(axes[0], maps.cycles_unit(view)(limits), surface, unit(cycles), where,
                         **colours)
     if view.zoom is not None:
         limits = raster.edges(view.zoom, maps.COLUMNS // 2)
@@ -42,7 +43,7 @@ def draw(run: Run, view: View):
                                       raster.interpolated(surface, FIELD, raster.centres(limits),
                                                           upwards))
         times = maps.zoom_unit(view)(limits - view.onset)
-        maps.colours(axes[1], times, surface, unit(zoom - average), length, **colours)
+        maps.colours(axes[1], times, surface, unit(zoom - average), where, **colours)
     maps.time_axes(axes, view)
     bar = figure.colorbar(mesh, ax=axes, pad=0.02, aspect=28, extend="both")
     what = "Uplift" if components > 1 else "Displacement"

@@ -5,8 +5,9 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from .durations import DAY, HOUR, YEAR
+
 PREFIXES = {-12: "p", -9: "n", -6: "µ", -3: "m", 0: "", 3: "k", 6: "M", 9: "G", 12: "T"}
-MINUTE, HOUR, DAY, YEAR = 60.0, 3600.0, 86400.0, 365.25 * 86400.0
 
 
 @dataclass(frozen=True)
@@ -37,6 +38,15 @@ def prefixed(values, name: str) -> Unit:
     return Unit(PREFIXES[exponent] + name, 10.0**exponent)
 
 
+def scientific(values, name: str) -> Unit:
+    """As `prefixed`, with a power of ten instead of a prefix for what is very large."""
+    size = largest(values)
+    if size < 1e6:
+        return prefixed(values, name)
+    exponent = 3 * math.floor(math.log10(size) / 3 + 1e-9)
+    return Unit(f"$10^{{{exponent}}}$ {name}", 10.0**exponent)
+
+
 def length(values) -> Unit:
     """Metres with a prefix, and centimetres for what is a few decimetres long."""
     if 0.02 <= largest(values) < 2.0:
@@ -60,6 +70,12 @@ def text(value: float, name: str, digits: int = 3) -> str:
     if name == "m":
         unit = length(value)
     return f"{rounded(value / unit.factor, digits)} {unit.name}"
+
+
+def plain(value: float, name: str) -> str:
+    """As `text`, without digits that say nothing: '5 yr', '0.25 s' is '250 ms'."""
+    unit = duration(abs(value)) if name == "s" else prefixed(value, name)
+    return f"{value / unit.factor:.4g} {unit.name}"
 
 
 def rounded(number: float, digits: int) -> str:

@@ -1,22 +1,30 @@
 """Which stretch of a run the figures show: several cycles, and one rupture among them."""
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import Optional, Tuple
 
 import numpy as np
 
 from .errors import InputError
+from .options import Options
 from .run import Run
 from .tables import Table
 
 CYCLES = 5.0           # shown around the chosen event
+MANY_EVENTS = 40       # more lines, one for each, would merge
 LEAD, TRAIL = 1.0, 2.0   # durations of the event before its onset and after its end
 MAGNIFICATION = 5.0      # a zoom that magnifies less is not worth a panel
 
 
+Window = Tuple[float, float]
+
+
 @dataclass(frozen=True)
 class View:
-    """Intervals of time [s]: `cycles`, and `zoom` into event `number` from `onset` to `end`."""
+    """Intervals of time [s]: `cycles`, and `zoom` into event `number` from `onset` to `end`.
+
+    `sequence` is for figures that show event beside event: all of them, if they are not too many.
+    """
 
     cycles: Tuple[float, float]
     zoom: Optional[Tuple[float, float]] = None
@@ -25,15 +33,23 @@ class View:
     number: int = 0
     num_events: int = 0  # in `cycles`
     chosen: bool = False
+    sequence: Tuple[float, float] = (0.0, 0.0)
+    options: Options = Options()
 
     @property
     def whole_run(self) -> bool:
         return self.number == 0 and not self.chosen
 
 
-def choose(run: Run, window: Optional[Tuple[float, float]]) -> View:
+def choose(run: Run, window: Optional[Tuple[float, float]], options=Options()) -> View:
     """The user's `window`, or some cycles around a median event of the run's second half."""
-    span = run.span
+    view = _choose(run, window, run.span)
+    many = run.has("events.csv") and len(run.events) > MANY_EVENTS
+    sequence = view.cycles if view.chosen or many else run.span
+    return replace(view, sequence=sequence, options=options)
+
+
+def _choose(run: Run, window: Optional[Tuple[float, float]], span: Tuple[float, float]) -> View:
     events = run.complete_events if run.has("events.csv") else None
     if window is not None:
         _check(window, span)
@@ -47,6 +63,13 @@ def choose(run: Run, window: Optional[Tuple[float, float]]) -> View:
     if index is None:
         index = len(events) - 1
     return _view(_cycles(onsets, index, span), events, index, False)
+
+
+def over_sequence(run: Run, view: View) -> View:
+    """The same view with the whole sequence in place of some cycles."""
+    events = run.complete_events if run.has("events.csv") else None
+    whole = _within(events, view.sequence).size
+    return replace(view, cycles=view.sequence, num_events=whole)
 
 
 def _check(window: Tuple[float, float], span: Tuple[float, float]) -> None:
@@ -82,13 +105,17 @@ def _cycles(onsets: np.ndarray, index: int, span: Tuple[float, float]) -> Tuple[
     return first, min(first + width, span[1])
 
 
+def number(events: Table, row: int) -> int:
+    """What the catalogue calls the event in `row`."""
+    return int(events["number"][row]) if "number" in events else row + 1
+
+
 def _view(cycles, events: Optional[Table], index: Optional[int], chosen: bool) -> View:
     if events is None or index is None:
         return View(cycles, chosen=chosen)
     num_events = _within(events, cycles).size
     onset, duration = float(events["onset"][index]), float(events["duration"][index])
     zoom = (onset - LEAD * duration, onset + (1.0 + TRAIL) * duration)
-    number = int(events["number"][index]) if "number" in events else index + 1
     if duration <= 0.0 or zoom[1] - zoom[0] > (cycles[1] - cycles[0]) / MAGNIFICATION:
         zoom = None
-    return View(cycles, zoom, onset, onset + duration, number, num_events, chosen)
+    return View(cycles, zoom, onset, onset + duration, number(events, index), num_events, chosen)

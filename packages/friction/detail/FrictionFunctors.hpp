@@ -155,4 +155,24 @@ struct Coefficient
     mu(node) = curve.mu(fault.slip_factor(node) * length(rate));
   }
 };
+
+template <class Law>
+struct Balance
+{
+  FaultNodes<Law> fault;
+  Unmanaged<ConstNodeView> V;
+  Unmanaged<ConstNodeView> mu;
+  Unmanaged<NodeView> alpha;
+
+  KOKKOS_INLINE_FUNCTION void operator()(int node, int& num_failed) const
+  {
+    const bool slides = V(node) > 0 && mu(node) > 0;
+    const double state = slides ? fault.laws(node).stateFor(V(node), mu(node)) : 0;
+    if (!slides || !isFinite(state)) {
+      ++num_failed;
+      return;
+    }
+    alpha(node) = state;
+  }
+};
 } // namespace asperity::friction::detail

@@ -73,6 +73,15 @@ public:
     });
   }
 
+  int balance(ConstNodeView const& V, ConstNodeView const& mu, NodeView const& alpha) const override
+  {
+    static const std::string label = "asperity::friction::balance";
+    int num_failed = 0;
+    Kokkos::parallel_reduce(label, range(fault_.size()), Balance<Law>{fault_, V, mu, alpha},
+                            num_failed);
+    return num_failed;
+  }
+
 private:
   FaultData owned_; // keeps alive what fault_ points to
   LawView<Law> laws_;

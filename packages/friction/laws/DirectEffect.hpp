@@ -48,5 +48,11 @@ struct DirectEffect
   {
     return (reference_friction + b * alpha) / a - log_reference_slip_rate;
   }
+
+  // The alpha at which log(V / V_alpha) = x; not a finite number if b = 0.
+  KOKKOS_INLINE_FUNCTION double stateAt(double V, double x) const
+  {
+    return (a * (x - (math::log(V) - log_reference_slip_rate)) - reference_friction) / b;
+  }
 };
 } // namespace asperity::friction

@@ -68,6 +68,14 @@ struct RegularisedLaw
   }
 
   KOKKOS_INLINE_FUNCTION Curve at(double alpha) const { return {effect.a, effect.shift(alpha)}; }
+
+  // The alpha at which mu(V, alpha) = mu: V / V_alpha = 2 sinh(mu / a), as a logarithm, since the
+  // sine overflows. V > 0, mu > 0.
+  KOKKOS_INLINE_FUNCTION double stateFor(double V, double mu) const
+  {
+    const double y = mu / effect.a;
+    return effect.stateAt(V, y + math::log(-math::expm1(-2 * y)));
+  }
 };
 
 // With s = sqrt(1 + z^2) and integration by parts from the lower end,

@@ -74,5 +74,11 @@ struct TruncatedLaw
   }
 
   KOKKOS_INLINE_FUNCTION Curve at(double alpha) const { return {effect.a, effect.shift(alpha)}; }
+
+  // The alpha at which mu(V, alpha) = mu; V > 0, mu > 0.
+  KOKKOS_INLINE_FUNCTION double stateFor(double V, double mu) const
+  {
+    return effect.stateAt(V, mu / effect.a);
+  }
 };
 } // namespace asperity::friction

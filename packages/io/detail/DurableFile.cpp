@@ -5,6 +5,7 @@
 #include <cerrno>
 #include <cstring>
 #include <fcntl.h>
+#include <fstream>
 #include <unistd.h>
 
 namespace asperity::io::detail
@@ -41,5 +42,15 @@ void replaceDurably(std::filesystem::path const& file)
   replace(file);
   const auto folder = file.parent_path();
   synchronise(folder.empty() ? std::filesystem::path(".") : folder);
+}
+
+void replaceText(std::filesystem::path const& file, std::string const& text)
+{
+  std::error_code ignored; // a folder that cannot be made is one that cannot be written to
+  std::filesystem::create_directory(file.parent_path(), ignored);
+  std::ofstream stream(temporaryName(file), std::ios::binary);
+  stream << text << std::flush;
+  ASPERITY_REQUIRE(stream, file.string() << " cannot be written. Is the disk full?");
+  replace(file);
 }
 } // namespace asperity::io::detail

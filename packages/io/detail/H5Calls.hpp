@@ -16,5 +16,8 @@ void check(herr_t status, std::string const& what);
 // {} is a single value; `largest` may have H5S_UNLIMITED.
 Handle makeSpace(Shape const& shape, Shape const& largest, std::string const& what);
 
+// Of strings of any length in UTF-8.
+Handle makeTextType(std::string const& what);
+
 Handle makeProperties(hid_t kind, std::string const& what);
 } // namespace asperity::io::h5

@@ -118,7 +118,7 @@ void appendToXdmf(SeriesLayout const& layout, std::size_t segment, double const*
         << "    <Topology Reference=\"/Xdmf/Domain/Topology[1]\"/>\n"
         << "    <Geometry Reference=\"/Xdmf/Domain/Geometry[1]\"/>\n";
     for (auto const& field : layout.fields) {
-      writeField(out, layout, field, {layout.segmentName(segment), num_rows, row});
+      writeField(out, layout, field, {segmentName(layout.name, segment), num_rows, row});
     }
     out << "   </Grid>\n";
   }

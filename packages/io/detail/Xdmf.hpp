@@ -1,6 +1,6 @@
 #pragma once
 
-#include "io/detail/SeriesIndex.hpp"
+#include "io/detail/SeriesLayout.hpp"
 
 #include <cstdint>
 

@@ -12,16 +12,6 @@ namespace asperity::io
 namespace
 {
 constexpr double infinity = std::numeric_limits<double>::infinity();
-constexpr double nan = std::numeric_limits<double>::quiet_NaN();
-
-// Where between two samples the rate meets the threshold, linear in its logarithm: 0 to 1.
-double crossing(double before, double after, double threshold)
-{
-  const double smallest = std::numeric_limits<double>::min(); // a node at rest
-  const double log_before = std::log(std::max(before, smallest));
-  const double log_after = std::log(std::max(after, smallest));
-  return (std::log(threshold) - log_before) / (log_after - log_before);
-}
 
 // The part of the time between two samples during which the rate is at least the threshold.
 double seismicFraction(double before, double after, double threshold)
@@ -32,7 +22,7 @@ double seismicFraction(double before, double after, double threshold)
   if (before < threshold && after < threshold) {
     return 0;
   }
-  const double at = crossing(before, after, threshold);
+  const double at = detail::crossing(before, after, threshold);
   return after >= threshold ? 1 - at : at;
 }
 
@@ -41,7 +31,7 @@ double largest(std::vector<double> const& values)
   return values.empty() ? 0 : *std::max_element(values.begin(), values.end());
 }
 
-constexpr char const* header =
+constexpr char const* columns =
   "number,onset [s],end [s],duration [s],width [m],peak_slip [m],peak_slip_rate [m/s],"
   "moment_per_length [N],nucleation [m],complete";
 
@@ -69,8 +59,6 @@ Teuchos::RCP<const Teuchos::ParameterList> EventCatalogue::validParameters()
     .real("Threshold", 1e-3, "m/s", Range::positive(),
           "Slip rate from which on a node is seismic; an event is a contiguous time in which some "
           "node is.")
-    .real("Shear Modulus", 0.0, "Pa", Range::atLeast(0),
-          "For the moment of an event; 0: no moment is computed.")
     .list();
 }
 
@@ -78,23 +66,27 @@ std::string EventCatalogue::meaning() { return "One row for every earthquake: ev
 
 EventCatalogue::EventCatalogue(Teuchos::ParameterList const& parameters,
                                OutputContext const& context)
-  : fault_(context.location("fault")), slip_rate_(context.fields.field("fault", "slip_rate")),
-    slip_(context.fields.field("fault", "slip")),
-    threshold_(parameters.get<double>("Threshold")),
-    shear_modulus_(parameters.get<double>("Shear Modulus")),
-    file_(context.directory / "events.csv", header, context.comm)
+    : fault_(context.location("fault"))
+    , rates_(fault_, context.fields)
+    , slip_(context.fields.field("fault", "slip"))
+    , energies_(context.fields)
+    , threshold_(parameters.get<double>("Threshold"))
+    , file_(context.directory / "events.csv", columns + energies_.header(), context.comm)
 {
   ASPERITY_REQUIRE(fault_.isCurve(), "Output / Event Catalogue: the fault is not a curve. Set "
                                      "`Enabled` to false.");
+  context.fields.field("fault", "shear_modulus").values(shear_modulus_);
 }
 
 EventCatalogue::Sample EventCatalogue::sample(StepInfo const& step) const
 {
   Sample now;
   now.time = step.time;
-  slip_rate_.values(now.slip_rate);
+  auto rates = rates_.sample();
+  now.slip_rate = std::move(rates.rates);
+  now.peak_slip_rate = rates.peak;
   slip_.values(now.slip);
-  now.peak_slip_rate = detail::maxOverRanks(largest(now.slip_rate), *fault_.comm);
+  now.energies = energies_.sample();
   return now;
 }
 
@@ -121,10 +113,11 @@ void EventCatalogue::begin(Sample const& now)
   open_ = Event();
   open_.onset = now.time;
   if (has_previous_) {
-    const double at = crossing(previous_.peak_slip_rate, now.peak_slip_rate, threshold_);
+    const double at = detail::crossing(previous_.peak_slip_rate, now.peak_slip_rate, threshold_);
     open_.onset = previous_.time + at * (now.time - previous_.time);
   }
   open_.nucleation = nucleationPosition(now);
+  energies_before_ = has_previous_ ? previous_.energies : now.energies;
   seismic_slip_.assign(fault_.numOwned(), 0);
   ruptured_.assign(fault_.numOwned(), 0);
 }
@@ -136,7 +129,7 @@ double EventCatalogue::nucleationPosition(Sample const& now) const
   std::vector<double> lateness(fault_.numOwned(), infinity);
   for (std::size_t i = 0; i < lateness.size(); ++i) {
     if (now.slip_rate[i] >= threshold_) {
-      lateness[i] = has_previous_ ? crossing(previous_.slip_rate[i], now.slip_rate[i], threshold_)
+      lateness[i] = has_previous_ ? detail::crossing(previous_.slip_rate[i], now.slip_rate[i], threshold_)
                                   : -now.slip_rate[i];
     }
   }
@@ -175,33 +168,32 @@ void EventCatalogue::accumulate(Sample const& now)
 
 void EventCatalogue::end(Sample const& now)
 {
-  const double at = crossing(previous_.peak_slip_rate, now.peak_slip_rate, threshold_);
-  record(measure(previous_.time + at * (now.time - previous_.time), true));
+  const double at = detail::crossing(previous_.peak_slip_rate, now.peak_slip_rate, threshold_);
+  record(measure(previous_.time + at * (now.time - previous_.time), true), now.energies);
   in_progress_ = false;
 }
 
 Event EventCatalogue::measure(double end_time, bool complete) const
 {
-  double first = infinity, last = -infinity, slip_times_length = 0;
+  double first = infinity, last = -infinity, moment = 0;
   for (std::size_t i = 0; i < fault_.numOwned(); ++i) {
     if (ruptured_[i]) {
       first = std::min(first, fault_.positions[i]);
       last = std::max(last, fault_.positions[i]);
     }
-    slip_times_length += fault_.weights[i] * seismic_slip_[i];
+    moment += fault_.weights[i] * shear_modulus_[i] * seismic_slip_[i];
   }
   auto const& comm = *fault_.comm;
   Event event = open_;
   event.end = end_time;
   event.width = detail::maxOverRanks(last, comm) - detail::minOverRanks(first, comm);
   event.peak_slip = detail::maxOverRanks(largest(seismic_slip_), comm);
-  const double integral = detail::sumOverRanks(slip_times_length, comm);
-  event.moment = shear_modulus_ > 0 ? shear_modulus_ * integral : nan;
+  event.moment = detail::sumOverRanks(moment, comm);
   event.complete = complete;
   return event;
 }
 
-void EventCatalogue::record(Event const& event)
+void EventCatalogue::record(Event const& event, std::vector<double> const& energies)
 {
   events_.push_back(event);
   std::string row = std::to_string(events_.size());
@@ -212,7 +204,8 @@ void EventCatalogue::record(Event const& event)
                              event.moment, event.nucleation}) {
     row += ',' + shortNumber(value);
   }
-  file_.writeRow(row + (event.complete ? ",1" : ",0"));
+  row += event.complete ? ",1" : ",0";
+  file_.writeRow(row + energies_.columns(energies_before_, energies));
 }
 
 void EventCatalogue::closeSegment(int) { file_.flush(); }
@@ -220,7 +213,7 @@ void EventCatalogue::closeSegment(int) { file_.flush(); }
 void EventCatalogue::finish()
 {
   if (in_progress_) {
-    record(measure(previous_.time, false));
+    record(measure(previous_.time, false), previous_.energies);
     in_progress_ = false;
   }
   file_.flush();
@@ -243,6 +236,8 @@ void EventCatalogue::save(Archive& archive) const
   archive.set("previous/peak_slip_rate", previous_.peak_slip_rate);
   archive.set("previous/slip_rate", previous_.slip_rate);
   archive.set("previous/slip", previous_.slip);
+  archive.set("previous/energies", previous_.energies);
+  archive.set("energies_before", energies_before_);
   Archive file;
   file_.save(file);
   archive.insert("file", file);
@@ -265,6 +260,8 @@ void EventCatalogue::restore(Archive const& archive)
   previous_.peak_slip_rate = archive.getDouble("previous/peak_slip_rate");
   previous_.slip_rate = archive.get<Numbers>("previous/slip_rate");
   previous_.slip = archive.get<Numbers>("previous/slip");
+  previous_.energies = archive.get<Numbers>("previous/energies");
+  energies_before_ = archive.get<Numbers>("energies_before");
   file_.restore(archive.child("file"));
 }
 

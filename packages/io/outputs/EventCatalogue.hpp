@@ -1,8 +1,10 @@
 #pragma once
 
-#include "io/CsvFile.hpp"
 #include "io/Event.hpp"
 #include "io/Output.hpp"
+#include "io/TextTable.hpp"
+#include "io/detail/EventEnergies.hpp"
+#include "io/detail/FaultRates.hpp"
 
 #include <cstdint>
 #include <string>
@@ -12,10 +14,11 @@ namespace asperity::io
 {
 // DIR/events.csv: one row an event; nothing is merged.
 //
-// Needs the fields `slip_rate` and `slip` on the location `fault`, a curve. Onset and end are
-// interpolated linearly in the logarithm of the peak slip rate between accepted steps. A node's
-// slip counts while the node itself is at or above the threshold (Pipping 2014, §5.4: the
-// displacement at the base that occurs at seismic velocities).
+// Needs the fields `slip_rate`, `slip` and `shear_modulus` on the location `fault`, a curve. Onset
+// and end are interpolated linearly in the logarithm of the peak slip rate between accepted steps.
+// A node's slip counts while the node itself is at or above the threshold (Pipping 2014, §5.4: the
+// displacement at the base that occurs at seismic velocities); nodes whose slip rate is prescribed
+// do not count.
 class EventCatalogue : public Output
 {
 public:
@@ -42,6 +45,7 @@ private:
     double peak_slip_rate = 0;
     std::vector<double> slip_rate; // (num_owned)
     std::vector<double> slip;      // (num_owned, components)
+    std::vector<double> energies;
   };
 
   Sample sample(StepInfo const& step) const;
@@ -50,22 +54,24 @@ private:
   void end(Sample const& now);
   Event measure(double end_time, bool complete) const;
   double nucleationPosition(Sample const& now) const;
-  void record(Event const& event);
+  void record(Event const& event, std::vector<double> const& energies); // at its end
 
   Location const& fault_;
-  Field const& slip_rate_;
+  detail::FaultRates rates_;
   Field const& slip_;
-  double threshold_;     // [m/s]
-  double shear_modulus_; // [Pa], 0 if not given
-  CsvFile file_;
+  detail::EventEnergies energies_;
+  double threshold_;                  // [m/s]
+  std::vector<double> shear_modulus_; // (num_owned) [Pa]
+  TextTable file_;
   std::vector<Event> events_;
 
   bool has_previous_ = false;
   Sample previous_;
 
   bool in_progress_ = false;
-  Event open_;                       // onset, nucleation and peak rate of the event in progress
-  std::vector<double> seismic_slip_; // (num_owned) [m]
+  Event open_; // onset, nucleation and peak rate of the event in progress
+  std::vector<double> energies_before_;
+  std::vector<double> seismic_slip_;   // (num_owned) [m]
   std::vector<std::int64_t> ruptured_; // (num_owned) 1 where the node reached the threshold
 };
 } // namespace asperity::io

@@ -1,9 +1,13 @@
+#include "io/detail/SlipProfiles.hpp"
 #include "io/outputs/FieldHistory.hpp"
+
+#include <optional>
 
 namespace asperity::io
 {
 namespace
 {
+// For SEAS also slip profiles in text, with the same rows.
 class FaultHistory : public FieldHistory
 {
 public:
@@ -22,9 +26,59 @@ public:
   }
 
   FaultHistory(Teuchos::ParameterList const& parameters, OutputContext const& context)
-    : FieldHistory("fault", parameters, context)
+      : FieldHistory("fault", parameters, context)
   {
+    if (context.text.platform == Platform::seas) {
+      profiles_.emplace(context);
+    }
   }
+
+  void write(StepInfo const& step) override
+  {
+    steps_.add(step);
+    FieldHistory::write(step);
+  }
+
+  void closeSegment(int index) override
+  {
+    FieldHistory::closeSegment(index);
+    if (profiles_) {
+      profiles_->flush(steps_);
+    }
+  }
+
+  void save(Archive& archive) const override
+  {
+    FieldHistory::save(archive);
+    if (profiles_) {
+      Archive steps, profiles;
+      steps_.save(steps);
+      profiles_->save(profiles);
+      archive.insert("steps", steps);
+      archive.insert("profiles", profiles);
+    }
+  }
+
+  void restore(Archive const& archive) override
+  {
+    FieldHistory::restore(archive);
+    if (profiles_) {
+      steps_.restore(archive.child("steps"));
+      profiles_->restore(archive.child("profiles"));
+    }
+  }
+
+protected:
+  void rowWritten(StepInfo const& step) override
+  {
+    if (profiles_) {
+      profiles_->write(step);
+    }
+  }
+
+private:
+  detail::StepFacts steps_;
+  std::optional<detail::SlipProfiles> profiles_;
 };
 } // namespace
 

@@ -42,6 +42,7 @@ void FieldHistory::write(StepInfo const& step)
 {
   if (rule_.isDue(step)) {
     series_.append(step);
+    rowWritten(step);
   }
 }
 

@@ -33,6 +33,9 @@ protected:
   };
   static Teuchos::RCP<const Teuchos::ParameterList> parametersWith(Defaults const& defaults);
 
+  // After each step with a row.
+  virtual void rowWritten(StepInfo const&) {}
+
 private:
   WriteRule rule_;
   SegmentedSeries series_;

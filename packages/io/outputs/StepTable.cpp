@@ -1,5 +1,5 @@
 #include "base/Parameters.hpp"
-#include "io/CsvFile.hpp"
+#include "io/TextTable.hpp"
 #include "io/Output.hpp"
 
 #include <Teuchos_Array.hpp>
@@ -75,7 +75,7 @@ private:
   }
 
   Scalars scalars_;
-  CsvFile file_;
+  TextTable file_;
 };
 } // namespace
 

@@ -258,7 +258,7 @@ class Physics(Case):
 
     def test_no_fault(self):
         self.assert_setting_refused("Boundary Conditions/Fault/Type=Fixed",
-                                    "Asperity / Boundary Conditions", "Friction")
+                                    "Asperity / Boundary Conditions", "Bilateral Contact")
 
     def test_solvers_that_cannot_be(self):
         self.assert_setting_refused("TNNMG/Linear Correction=Direct",

@@ -7,6 +7,8 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <set>
+#include <string>
 
 namespace asperity::dynamics
 {
@@ -34,6 +36,7 @@ void expectNear(DenseState const& state, DenseState const& expected, double tole
   EXPECT_LE(distance(state.u, expected.u), tolerance);
   EXPECT_LE(distance(state.v, expected.v), tolerance);
   EXPECT_LE(distance(state.a, expected.a), tolerance);
+  EXPECT_LE(distance(state.a_lagging, expected.a_lagging), tolerance);
   EXPECT_LE(distance(state.alpha, expected.alpha), tolerance);
 }
 
@@ -54,53 +57,95 @@ Eigen::VectorXd frictionForce(Model const& model, State const& state)
 }
 } // namespace
 
+using Scheme = DenseReference::Scheme;
+
 struct SchemeCase
 {
   RateUpdate update;
-  DenseReference::Scheme scheme;
-  double beta, lambda;
+  Scheme scheme;
+  double parameter;
 };
 
-class CoupledStepSchemes : public ::testing::TestWithParam<int>
+class CoupledStepSchemes : public ::testing::TestWithParam<SchemeCase>
 {
 protected:
-  static SchemeCase schemeCase(int which)
+  // The solver and the reference from the same state over steps of several sizes.
+  static void compare(ModelOptions const& options, Correction correction)
   {
-    const SchemeCase cases[] = {
-      {RateUpdate::newmark(0.25), DenseReference::Scheme::newmark, 0.25, 0.5},
-      {RateUpdate::newmark(0.4), DenseReference::Scheme::newmark, 0.4, 0},
-      {RateUpdate::backwardEuler(), DenseReference::Scheme::backward_euler, 0, 0.5},
-      {RateUpdate::backwardEuler(), DenseReference::Scheme::backward_euler, 0, 1}};
-    return cases[which];
+    auto const& scheme = GetParam();
+    const Model model(options, alone());
+    Stepper stepper(model, scheme.update, milliseconds, tightCoupling(), tightSettings(correction));
+    const DenseReference reference(model, scheme.scheme, scheme.parameter);
+    auto state = slidingState(model);
+    auto expected = denseOf(state);
+    for (int level : {2, 2, 1, 3}) {
+      state = solved(stepper, state, level);
+      expected =
+        reference.step(expected, milliseconds.seconds(state.time), milliseconds.stepSize(level));
+      expectNear(denseOf(state), expected, 1e-9);
+    }
+    EXPECT_EQ(stepper.count.rises, 0);
+    EXPECT_EQ(stepper.count.coupled_steps, 4);
   }
 };
 
 TEST_P(CoupledStepSchemes, agreeWithNewtonOnDenseMatrices)
 {
-  auto const scheme = schemeCase(GetParam());
   for (int components : {1, 2}) {
     for (auto correction : {Correction::direct, Correction::multigrid}) {
       SCOPED_TRACE(::testing::Message() << components << " components, "
                                         << (correction == Correction::direct ? "direct" : "MueLu"));
-      const Model model(slidingBlock(components), alone());
-      Stepper stepper(model, scheme.update, milliseconds, tightCoupling(scheme.lambda),
-                      tightSettings(correction));
-      const DenseReference reference(model, scheme.scheme, scheme.beta, scheme.lambda);
-      auto state = slidingState(model);
-      auto expected = denseOf(state);
-      for (int level : {2, 2, 1, 3}) {
-        state = solved(stepper, state, level);
-        expected =
-          reference.step(expected, milliseconds.seconds(state.time), milliseconds.stepSize(level));
-        expectNear(denseOf(state), expected, 1e-9);
-      }
-      EXPECT_EQ(stepper.count.rises, 0);
-      EXPECT_EQ(stepper.count.coupled_steps, 4);
+      compare(slidingBlock(components), correction);
     }
   }
 }
 
-INSTANTIATE_TEST_SUITE_P(All, CoupledStepSchemes, ::testing::Values(0, 1, 2, 3));
+TEST_P(CoupledStepSchemes, meetFrictionUnderTheNormalStressAtTheEndOfTheStep)
+{
+  auto options = slidingBlock(2);
+  options.normal_stress = [](Point<2> const& x, double t) {
+    return 2000 * (1 + 0.1 * x[0]) * (1 - 30 * t);
+  };
+  compare(options, Correction::direct);
+}
+
+// The state sees slip, which is twice the displacement of half of an antisymmetric whole.
+TEST_P(CoupledStepSchemes, seeSlipRatherThanDisplacement)
+{
+  auto options = slidingBlock(1);
+  options.slip_factor = 2;
+  compare(options, Correction::direct);
+}
+
+// A fault that has slid far and hardly moves: (u1 - u0) / tau is lost in the rounding of u. Sliding
+// is steady, so that alpha stays.
+TEST_P(CoupledStepSchemes, seeRatesBelowTheRoundingOfTheDisplacement)
+{
+  const double rate = 1e-16; // m/s, after 100 m of slip
+  auto options = slidingBlock(1);
+  options.conditions = {};
+  options.reference_rate = rate;
+  options.L = 4 * rate * milliseconds.stepSize(2);
+  options.traction = options.sigma_n * options.a *
+                     std::asinh(0.5 * std::exp(options.reference_friction / options.a));
+  const Model model(options, alone());
+  Stepper stepper(model, GetParam().update, milliseconds);
+  auto state = model.restingState();
+  state.u->putScalar(100);
+  state.v->putScalar(rate);
+  for (int n = 0; n < 4; ++n) {
+    state = solved(stepper, state, 2);
+    EXPECT_LE(denseOf(state.alpha).lpNorm<Eigen::Infinity>(), 1e-7);
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(
+  All, CoupledStepSchemes,
+  ::testing::Values(SchemeCase{RateUpdate::newmark(0.25), Scheme::newmark, 0.25},
+                    SchemeCase{RateUpdate::newmark(0.4), Scheme::newmark, 0.4},
+                    SchemeCase{RateUpdate::backwardEuler(), Scheme::backward_euler, 0},
+                    SchemeCase{RateUpdate::generalisedAlpha(0), Scheme::generalised_alpha, 0},
+                    SchemeCase{RateUpdate::generalisedAlpha(0.5), Scheme::generalised_alpha, 0.5}));
 
 TEST(CoupledStep, endsInBalanceOfMomentumUnderEveryLaw)
 {
@@ -198,5 +243,34 @@ TEST(CoupledStep, saysWhyItFailed)
   result = state.step.solve(broken, 0, to, state.count);
   EXPECT_EQ(result.status, StepStatus::state_failed);
   EXPECT_EQ(state.count.failures, 1);
+}
+
+TEST(SolveCount, listsAllItsMembersOnce)
+{
+  SolveCount count;
+  std::int64_t n = 0;
+  std::set<std::string> names;
+  for (auto const& member : SolveCount::members()) {
+    EXPECT_EQ(count.*member.value, 0) << member.name;
+    count.*member.value = ++n;
+    names.insert(member.name);
+  }
+  EXPECT_EQ(sizeof(SolveCount), n * sizeof(std::int64_t));
+  EXPECT_EQ(names.size(), SolveCount::members().size());
+}
+
+TEST(SolveCount, sinceIsTheDifferenceOfEveryMember)
+{
+  SolveCount before, after;
+  std::int64_t n = 0;
+  for (auto const& member : SolveCount::members()) {
+    before.*member.value = ++n;
+    after.*member.value = 10 * n;
+  }
+  n = 0;
+  auto const difference = after.since(before);
+  for (auto const& member : SolveCount::members()) {
+    EXPECT_EQ(difference.*member.value, 9 * ++n) << member.name;
+  }
 }
 } // namespace asperity::dynamics

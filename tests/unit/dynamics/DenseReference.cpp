@@ -6,14 +6,14 @@ namespace asperity::dynamics::testing
 {
 DenseState denseOf(State const& state)
 {
-  return {denseOf(*state.u), denseOf(*state.v), denseOf(*state.a), denseOf(state.alpha)};
+  return {denseOf(*state.u), denseOf(*state.v), denseOf(*state.a), denseOf(*state.a_lagging),
+          denseOf(state.alpha)};
 }
 
-DenseReference::DenseReference(Model const& model, Scheme scheme, double beta, double lambda)
+DenseReference::DenseReference(Model const& model, Scheme scheme, double parameter)
     : model_(model)
     , scheme_(scheme)
-    , beta_(beta)
-    , lambda_(lambda)
+    , parameter_(parameter)
     , mass_(denseOf(*model.body.matrices.mass))
     , viscosity_(denseOf(*model.body.matrices.viscosity))
     , stiffness_(denseOf(*model.body.matrices.stiffness))
@@ -25,46 +25,81 @@ DenseReference::DenseReference(Model const& model, Scheme scheme, double beta, d
   }
 }
 
-// mu = a asinh(V / (2 V*) exp((mu* + b alpha) / a)) after theta' = 1 - V theta / L over tau at the
-// rate |lambda v0 + (1 - lambda) v1|.
-DenseReference::NodalFriction DenseReference::friction(int i, double v0, double v1, double alpha0,
-                                                       double tau) const
+DenseReference::Motion DenseReference::motion(double v0, double a0, double lagging0, double v1,
+                                              double tau) const
+{
+  if (scheme_ == Scheme::backward_euler) {
+    const double a1 = (v1 - v0) / tau;
+    return {tau * v1, a1, a1};
+  }
+  if (scheme_ == Scheme::newmark) {
+    const double beta = parameter_;
+    const double a1 = 2 * (v1 - v0) / tau - a0;
+    return {tau * v0 + tau * tau * ((0.5 - beta) * a0 + beta * a1), a1, a1};
+  }
+  // Chung and Hulbert 1993 with alpha_f = 0, the method of Wood, Bossak and Zienkiewicz.
+  const double rho = parameter_;
+  const double alpha_m = (rho - 1) / (rho + 1);
+  const double gamma = 0.5 - alpha_m;
+  const double beta = (1 - alpha_m) * (1 - alpha_m) / 4;
+  const double lagging1 = ((v1 - v0) / tau - (1 - gamma) * lagging0) / gamma;
+  return {tau * v0 + tau * tau * ((0.5 - beta) * lagging0 + beta * lagging1),
+          (1 - alpha_m) * lagging1 + alpha_m * lagging0, lagging1};
+}
+
+DenseReference::Motion DenseReference::motion(Step const& step, int dof, double v1) const
+{
+  return motion(step.from.v[dof], step.from.a[dof], step.from.a_lagging[dof], v1, step.tau);
+}
+
+// mu = a asinh(V / (2 V*) exp((mu* + b alpha) / a)) at the end of the step, with the alpha after
+// theta' = 1 - V theta / L over tau at the mean slip rate of the step.
+DenseReference::NodalFriction DenseReference::friction(Step const& step, int i, double v1) const
 {
   auto const& o = model_.options;
-  const double V = o.slip_factor * std::abs(lambda_ * v0 + (1 - lambda_) * v1);
-  const double theta0 = o.L / o.reference_rate * std::exp(alpha0);
-  const double left = std::exp(-V * tau / o.L);
-  const double theta1 = V > 0 ? theta0 * left + o.L / V * (1 - left) : theta0 + tau;
+  const double du = motion(step, model_.fault.dofs[i][0], v1).du;
+  const double V = o.slip_factor * std::abs(du) / step.tau;
+  const double theta0 = o.L / o.reference_rate * std::exp(step.from.alpha[i]);
+  const double left = std::exp(-V * step.tau / o.L);
+  const double theta1 = V > 0 ? theta0 * left + o.L / V * (1 - left) : theta0 + step.tau;
   const double alpha = std::log(theta1 * o.reference_rate / o.L);
   const double mu = o.a * std::asinh(o.slip_factor * v1 / (2 * o.reference_rate) *
                                      std::exp((o.reference_friction + o.b * alpha) / o.a));
   const double sign = v1 > 0 ? 1 : -1;
-  return {model_.fault_nodes.weights[i] * (o.sigma_n * mu + o.cohesion * sign), alpha};
+  const double sigma_n = model_.normalStress(model_.fault_nodes.nodes[i], step.t1);
+  return {model_.fault_nodes.weights[i] * (sigma_n * mu + o.cohesion * sign), alpha};
 }
 
-void DenseReference::complete(DenseState const& from, double tau, DenseState& to) const
+// M a1 + C v1 + K u1 - l + f at the free dofs for the v1 in `to`, of which it completes the rest.
+Eigen::VectorXd DenseReference::imbalance(Step const& step, DenseState& to) const
 {
-  if (scheme_ == Scheme::newmark) {
-    to.a = 2 / tau * (to.v - from.v) - from.a;
-    to.u = from.u + tau * from.v + tau * tau / 2 * ((1 - 2 * beta_) * from.a + 2 * beta_ * to.a);
-  } else {
-    to.a = (to.v - from.v) / tau;
-    to.u = from.u + tau * to.v;
+  for (int dof = 0; dof < to.v.size(); ++dof) {
+    auto const end = motion(step, dof, to.v[dof]);
+    to.u[dof] = step.from.u[dof] + end.du;
+    to.a[dof] = end.a;
+    to.a_lagging[dof] = end.a_lagging;
   }
-}
-
-Eigen::VectorXd DenseReference::imbalance(DenseState const& from, double tau,
-                                          Eigen::VectorXd const& load, DenseState& to) const
-{
-  complete(from, tau, to);
-  Eigen::VectorXd sum = mass_ * to.a + viscosity_ * to.v + stiffness_ * to.u - load;
+  Eigen::VectorXd sum = mass_ * to.a + viscosity_ * to.v + stiffness_ * to.u - step.load;
   for (int i = 0; i < model_.fault.numNodes(); ++i) {
     const int dof = model_.fault.dofs[i][0];
-    auto const nodal = friction(i, from.v[dof], to.v[dof], from.alpha[i], tau);
+    auto const nodal = friction(step, i, to.v[dof]);
     sum[dof] += nodal.force;
     to.alpha[i] = nodal.alpha;
   }
   return sum(free_);
+}
+
+Eigen::MatrixXd DenseReference::jacobian(Step const& step, DenseState const& to) const
+{
+  auto const by_velocity = motion(0, 0, 0, 1, step.tau); // a motion is linear
+  Eigen::MatrixXd result = by_velocity.a * mass_ + viscosity_ + by_velocity.du * stiffness_;
+  for (int i = 0; i < model_.fault.numNodes(); ++i) {
+    const int dof = model_.fault.dofs[i][0];
+    const double v = to.v[dof];
+    const double h = 1e-6 * std::abs(v);
+    result(dof, dof) += (friction(step, i, v + h).force - friction(step, i, v - h).force) / (2 * h);
+  }
+  return result(free_, free_);
 }
 
 DenseState DenseReference::step(DenseState const& from, double t1, double tau) const
@@ -73,31 +108,19 @@ DenseState DenseReference::step(DenseState const& from, double t1, double tau) c
   auto prescribed = model_.body.vector();
   model_.body.load(t1, *load);
   model_.body.prescribed_velocity(t1, *prescribed);
-  const Eigen::VectorXd l = denseOf(*load);
+  const Step step = {from, t1, tau, denseOf(*load)};
 
   DenseState to = from;
   to.v = denseOf(*prescribed);
   to.v(free_) = from.v(free_);
-  const bool newmark = scheme_ == Scheme::newmark;
-  const Eigen::MatrixXd Z =
-    (newmark ? 2 : 1) / tau * mass_ + viscosity_ + (newmark ? 2 * beta_ : 1) * tau * stiffness_;
-  Eigen::VectorXd rest = imbalance(from, tau, l, to);
+  Eigen::VectorXd rest = imbalance(step, to);
   for (int iteration = 0; iteration < 100; ++iteration) {
-    Eigen::MatrixXd jacobian = Z;
-    for (int i = 0; i < model_.fault.numNodes(); ++i) {
-      const int dof = model_.fault.dofs[i][0];
-      const double h = 1e-6 * std::abs(to.v[dof]);
-      auto const force = [&](double v) {
-        return friction(i, from.v[dof], v, from.alpha[i], tau).force;
-      };
-      jacobian(dof, dof) += (force(to.v[dof] + h) - force(to.v[dof] - h)) / (2 * h);
-    }
-    const Eigen::VectorXd change = jacobian(free_, free_).lu().solve(rest);
+    const Eigen::VectorXd change = jacobian(step, to).lu().solve(rest);
     // Halved while it leads to a larger imbalance, or across a standstill of the fault.
     DenseState next = to;
     for (double length = 1; length > 1e-6; length /= 2) {
       next.v(free_) = to.v(free_) - length * change;
-      const Eigen::VectorXd next_rest = imbalance(from, tau, l, next);
+      const Eigen::VectorXd next_rest = imbalance(step, next);
       if (next_rest.norm() < rest.norm()) {
         rest = next_rest;
         to = next;

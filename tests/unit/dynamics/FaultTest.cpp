@@ -54,17 +54,15 @@ friction::NodeView nodes(std::vector<double> const& values)
 }
 } // namespace
 
-TEST(Fault, slipRateIsTheMagnitudeOfTheWeightedVelocity)
+TEST(Fault, slipRateIsTheMagnitudeOfTheVelocityInUnitsOfSlip)
 {
   auto fault = makeFault(2);
   fault.slip_factor = 2;
-  auto const v0 = blocks({{1, 0}, {0, 0}, {-8, 4}});
-  auto const v1 = blocks({{5, 4}, {3, -4}, {0, 0}});
-  auto const V = nodes({0, 0, 0});
-  fault.slipRate(v0, v1, 0.25, V);
-  EXPECT_DOUBLE_EQ(V(0), 2 * std::hypot(4., 3.));
-  EXPECT_DOUBLE_EQ(V(1), 2 * 0.75 * 5);
-  EXPECT_DOUBLE_EQ(V(2), 2 * std::hypot(2., 1.));
+  auto const V = nodes({7, 7, 7});
+  fault.slipRate(blocks({{4, -3}, {0, 0}, {-1, 1}}), V);
+  EXPECT_DOUBLE_EQ(V(0), 10);
+  EXPECT_EQ(V(1), 0);
+  EXPECT_DOUBLE_EQ(V(2), 2 * std::sqrt(2.));
 }
 
 TEST(Fault, slowRatesDoNotUnderflow)
@@ -72,28 +70,17 @@ TEST(Fault, slowRatesDoNotUnderflow)
   for (double rate : {1e-300, 1e-200, 1e-150, 1e-9, 1e2}) {
     auto line = makeFault(1);
     auto const V = nodes({1, 1, 1});
-    line.slipRate(blocks({{-rate}, {rate}, {0}}), blocks({{-rate}, {rate}, {0}}), 0.5, V);
+    line.slipRate(blocks({{-rate}, {rate}, {0}}), V);
     EXPECT_DOUBLE_EQ(V(0), rate);
     EXPECT_DOUBLE_EQ(V(1), rate);
     EXPECT_EQ(V(2), 0);
 
     auto plane = makeFault(2);
-    auto const v = blocks({{3 * rate, -4 * rate}, {0, -rate}, {0, 0}});
-    plane.slipRate(v, v, 1, V);
+    plane.slipRate(blocks({{3 * rate, -4 * rate}, {0, -rate}, {0, 0}}), V);
     EXPECT_NEAR(V(0), 5 * rate, 1e-15 * 5 * rate);
     EXPECT_DOUBLE_EQ(V(1), rate);
     EXPECT_EQ(V(2), 0);
   }
-}
-
-TEST(Fault, slipRateOfTheEndsOfTheStepAlone)
-{
-  auto const fault = makeFault(1);
-  auto const V = nodes({0, 0, 0});
-  fault.slipRate(blocks({{1}, {2}, {3}}), blocks({{-4}, {5}, {6}}), 0, V);
-  EXPECT_EQ(V(0), 4);
-  fault.slipRate(blocks({{1}, {2}, {3}}), blocks({{-4}, {5}, {6}}), 1, V);
-  EXPECT_EQ(V(2), 3);
 }
 
 TEST(Fault, peakIsOverAllNodesAndRanks)
@@ -116,6 +103,21 @@ TEST(Fault, peakIsOverAllNodesAndRanks)
   }
 }
 
+TEST(Fault, peakLeavesOutWhatIsPrescribed)
+{
+  const RCP<const Map> map = rcp(new Map(3 * world()->getSize(), 3, 0, world()));
+  Vector v(map);
+  for (int dof = 0; dof < 3; ++dof) {
+    v.replaceLocalValue(dof, dof == 1 ? -9. : 1. + dof);
+  }
+  auto fault = makeFault(1);
+  EXPECT_DOUBLE_EQ(fault.peakSlipRate(v), 9);
+  fault.fixed = {0, 1, 0};
+  EXPECT_DOUBLE_EQ(fault.peakSlipRate(v), 3);
+  fault.fixed = {1, 1, 1};
+  EXPECT_EQ(fault.peakSlipRate(v), 0);
+}
+
 TEST(Fault, distanceIsTheRootMeanSquareOverAllRanks)
 {
   auto const fault = makeFault(1);
@@ -123,8 +125,71 @@ TEST(Fault, distanceIsTheRootMeanSquareOverAllRanks)
   auto const b = nodes({1, 5, 1});
   EXPECT_DOUBLE_EQ(fault.distance(a, b), std::sqrt((2 * 9 + 3 * 4) / 6.));
   EXPECT_EQ(fault.distance(a, a), 0);
-  a(1) = std::numeric_limits<double>::quiet_NaN();
-  EXPECT_TRUE(std::isnan(fault.distance(a, b)));
+}
+
+TEST(Fault, distanceIsTheMaximumOverAllRanks)
+{
+  auto const fault = makeFault(1);
+  const double scale = 1. + world()->getRank();
+  auto const a = nodes({1, 2, 3});
+  EXPECT_DOUBLE_EQ(fault.distance(a, nodes({1, 2 + 3 * scale, 1}), Norm::maximum),
+                   3. * world()->getSize());
+  EXPECT_DOUBLE_EQ(fault.distance(a, nodes({1 - 3 * scale, 2, 4}), Norm::maximum),
+                   3. * world()->getSize());
+  EXPECT_EQ(fault.distance(a, a, Norm::maximum), 0);
+}
+
+TEST(Fault, ranksWithoutNodesDoNotCount)
+{
+  auto fault = makeFault(1);
+  auto a = nodes({1, 2, 3}), b = nodes({1, 5, 1});
+  if (world()->getRank() > 0) {
+    fault.dofs.clear();
+    fault.fixed.clear();
+    a = b = friction::NodeView("asperity::test::none", 0);
+    fault.data.weight = a;
+  }
+  fault.total_weight = 6;
+  EXPECT_DOUBLE_EQ(fault.distance(a, b), std::sqrt((2 * 9 + 3 * 4) / 6.));
+  EXPECT_DOUBLE_EQ(fault.distance(a, b, Norm::maximum), 3);
+  EXPECT_EQ(fault.distance(a, a, Norm::maximum), 0);
+}
+
+// Wherever it stands, and however large the other differences are.
+TEST(Fault, notANumberIsFarFromEverythingInEitherNorm)
+{
+  auto const fault = makeFault(1);
+  auto const b = nodes({10, 20, 30});
+  const double nan = std::numeric_limits<double>::quiet_NaN();
+  for (int node = 0; node < 3; ++node) {
+    for (double broken : {nan, std::numeric_limits<double>::infinity()}) {
+      auto const a = nodes({1, 2, 3});
+      if (world()->getRank() == world()->getSize() - 1) {
+        a(node) = broken;
+      }
+      for (auto norm : {Norm::root_mean_square, Norm::maximum}) {
+        EXPECT_FALSE(std::isfinite(fault.distance(a, b, norm))) << node;
+        EXPECT_FALSE(std::isfinite(fault.distance(b, a, norm))) << node;
+      }
+    }
+  }
+}
+
+TEST(Fault, setTimeFillsTheNormalStressThatFrictionSees)
+{
+  auto fault = makeFault(1);
+  fault.normal_stress = nodes({1, 2, 3});
+  fault.data.sigma_n = fault.normal_stress;
+  fault.setTime(5); // nothing changes
+  EXPECT_EQ(fault.data.sigma_n(2), 3);
+  fault.normal_stress_at = [](double t, friction::NodeView const& view) {
+    Kokkos::deep_copy(view, 10 * t);
+  };
+  for (double t : {2., 5., 3.}) {
+    fault.setTime(t);
+    EXPECT_EQ(fault.data.sigma_n(0), 10 * t);
+    EXPECT_EQ(fault.data.sigma_n(2), 10 * t);
+  }
 }
 
 TEST(Fault, gathersItsDofs)

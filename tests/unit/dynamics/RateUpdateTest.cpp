@@ -1,44 +1,20 @@
 #include "dynamics/RateUpdate.hpp"
 
-#include "unit/fem/SampleMeshes.hpp"
+#include "unit/dynamics/OneDof.hpp"
 
-#include <Tpetra_Map.hpp>
-#include <Tpetra_Vector.hpp>
 #include <gtest/gtest.h>
+
+#include <cmath>
 
 namespace asperity::dynamics
 {
+using namespace testing;
+
 namespace
 {
-// One number for each of u, v, a at one time.
-struct Motion
-{
-  double u, v, a;
-};
-
-class OneDof
-{
-public:
-  // u1 and a1 after a step to the velocity v1.
-  Motion step(RateUpdate const& update, Motion const& from, double tau, double v1)
-  {
-    Vector u(map_), v(map_), a(map_), u_hat(map_), a_hat(map_);
-    u.putScalar(from.u);
-    v.putScalar(from.v);
-    a.putScalar(from.a);
-    u_hat.putScalar(123);
-    a_hat.putScalar(123);
-    update.predict(u, v, a, tau, u_hat, a_hat);
-    v.putScalar(v1);
-    update.complete(v, tau, u_hat, a_hat);
-    return {u_hat.getData()[0], v1, a_hat.getData()[0]};
-  }
-
-private:
-  RCP<const Map> map_ = rcp(new Map(1, 0, fem::testing::selfCommunicator()));
-};
-
-const Motion start = {0.3, -1.7, 2.9};
+// Newmark and backward Euler know one acceleration only: the other one must not matter.
+const Motion start = {0.3, -1.7, 2.9, 2.9};
+const Motion lagging_start = {0.3, -1.7, 2.9, -0.6};
 } // namespace
 
 // Pipping 2014, table 3.1: the equations that define the schemes, for any v1.
@@ -53,6 +29,7 @@ TEST(RateUpdate, newmarkSatisfiesItsEquations)
                   start.u + tau * start.v +
                     tau * tau / 2 * ((1 - 2 * beta) * start.a + 2 * beta * end.a),
                   1e-13);
+      EXPECT_EQ(end.a_lagging, end.a);
     }
   }
 }
@@ -64,19 +41,58 @@ TEST(RateUpdate, backwardEulerSatisfiesItsEquations)
     auto const end = dof.step(RateUpdate::backwardEuler(), start, tau, 4.2);
     EXPECT_NEAR(end.v, start.v + tau * end.a, 1e-13);
     EXPECT_NEAR(end.u, start.u + tau * end.v, 1e-13);
+    EXPECT_EQ(end.a_lagging, end.a);
   }
 }
 
-TEST(RateUpdate, newmarkFollowsConstantAccelerationExactly)
+// Newmark's formulas with the scheme's own acceleration A, and a1 the mean that balances momentum.
+TEST(RateUpdate, generalisedAlphaSatisfiesItsEquations)
 {
   OneDof dof;
-  Motion motion = {0, 1, -3};
-  double t = 0;
-  for (double tau : {0.1, 0.025, 0.2, 0.1}) {
-    t += tau;
-    motion = dof.step(RateUpdate::newmark(0.25), motion, tau, 1 - 3 * t);
-    EXPECT_NEAR(motion.u, t - 1.5 * t * t, 1e-14);
-    EXPECT_NEAR(motion.a, -3, 1e-12);
+  for (double rho : {0., 0.5, 0.8, 1.}) {
+    const double alpha_m = (rho - 1) / (rho + 1);
+    const double gamma = 0.5 - alpha_m;
+    const double beta = std::pow(1 - alpha_m, 2) / 4;
+    for (double tau : {1e-3, 0.7}) {
+      const double A0 = lagging_start.a_lagging;
+      auto const end = dof.step(RateUpdate::generalisedAlpha(rho), lagging_start, tau, 4.2);
+      const double A1 = end.a_lagging;
+      EXPECT_NEAR(end.v, lagging_start.v + tau * ((1 - gamma) * A0 + gamma * A1), 1e-12);
+      EXPECT_NEAR(end.u,
+                  lagging_start.u + tau * lagging_start.v +
+                    tau * tau * ((0.5 - beta) * A0 + beta * A1),
+                  1e-12);
+      EXPECT_NEAR(end.a, (1 - alpha_m) * A1 + alpha_m * A0, 1e-13 * std::abs(end.a));
+    }
+  }
+}
+
+TEST(RateUpdate, generalisedAlphaWithoutDampingIsNewmark)
+{
+  OneDof dof;
+  for (double tau : {1e-3, 0.7}) {
+    auto const newmark = dof.step(RateUpdate::newmark(0.25), start, tau, 4.2);
+    auto const end = dof.step(RateUpdate::generalisedAlpha(1), start, tau, 4.2);
+    EXPECT_DOUBLE_EQ(end.u, newmark.u);
+    EXPECT_DOUBLE_EQ(end.a, newmark.a);
+    EXPECT_DOUBLE_EQ(end.a_lagging, newmark.a);
+  }
+}
+
+TEST(RateUpdate, secondOrderFollowsConstantAccelerationExactly)
+{
+  OneDof dof;
+  for (auto const& update : {RateUpdate::newmark(0.25), RateUpdate::generalisedAlpha(0.5),
+                             RateUpdate::generalisedAlpha(0)}) {
+    Motion motion = {0, 1, -3, -3};
+    double t = 0;
+    for (double tau : {0.1, 0.025, 0.2, 0.1}) {
+      t += tau;
+      motion = dof.step(update, motion, tau, 1 - 3 * t);
+      EXPECT_NEAR(motion.u, t - 1.5 * t * t, 1e-14) << update.name;
+      EXPECT_NEAR(motion.a, -3, 1e-12) << update.name;
+      EXPECT_NEAR(motion.a_lagging, -3, 1e-12) << update.name;
+    }
   }
 }
 
@@ -86,9 +102,10 @@ TEST(RateUpdate, weightsAreTheDerivativesByTheNewVelocity)
   OneDof dof;
   const double tau = 0.4;
   for (auto const& update :
-       {RateUpdate::newmark(0.25), RateUpdate::newmark(0.4), RateUpdate::backwardEuler()}) {
-    auto const low = dof.step(update, start, tau, 1);
-    auto const high = dof.step(update, start, tau, 3);
+       {RateUpdate::newmark(0.25), RateUpdate::newmark(0.4), RateUpdate::backwardEuler(),
+        RateUpdate::generalisedAlpha(0), RateUpdate::generalisedAlpha(0.6)}) {
+    auto const low = dof.step(update, lagging_start, tau, 1.);
+    auto const high = dof.step(update, lagging_start, tau, 3.);
     EXPECT_NEAR((high.a - low.a) / 2, update.mass_weight / tau, 1e-13) << update.name;
     EXPECT_NEAR((high.u - low.u) / 2, update.stiffness_weight * tau, 1e-13) << update.name;
   }

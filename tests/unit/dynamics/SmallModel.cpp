@@ -99,7 +99,15 @@ void Model::makeFault()
   Kokkos::deep_copy(weight, host);
   fault.data.weight = weight;
   fault.data.slip_factor = factor;
-  fault.data.sigma_n = nodeView([&](auto const&) { return options.sigma_n; });
+  fault.normal_stress = nodeView([&](auto const&) { return options.sigma_n; });
+  fault.data.sigma_n = fault.normal_stress;
+  if (options.normal_stress) {
+    fault.normal_stress_at = [this](double t, friction::NodeView const& view) {
+      Kokkos::deep_copy(view,
+                        nodeView([&](Point<2> const& x) { return options.normal_stress(x, t); }));
+    };
+    fault.setTime(0);
+  }
   fault.data.cohesion = nodeView([&](auto const&) { return options.cohesion; });
   fault.data.parameters =
     table({options.a, options.b, options.reference_rate, options.reference_friction}, size);
@@ -131,6 +139,7 @@ State Model::restingState() const
   state.u = body.vector();
   state.v = body.vector();
   state.a = body.vector();
+  state.a_lagging = body.vector();
   body.prescribed_velocity(0, *state.v);
   state.alpha = nodeView([](auto const&) { return 0.; });
   state.alpha_of_rate = nodeView([](auto const&) { return 0.; });
@@ -146,6 +155,11 @@ friction::NodeView Model::nodeView(std::function<double(Point<2> const&)> const&
   }
   Kokkos::deep_copy(view, host);
   return view;
+}
+
+double Model::normalStress(int node, double t) const
+{
+  return options.normal_stress ? options.normal_stress(mesh.vertices[node], t) : options.sigma_n;
 }
 
 void Model::setFree(Vector& x,
@@ -176,12 +190,11 @@ RateSolverSettings tightSettings(Correction correction)
   return settings;
 }
 
-CouplingSettings tightCoupling(double lambda)
+CouplingSettings tightCoupling()
 {
   CouplingSettings settings;
   settings.tolerance = 1e-13;
   settings.max_iterations = 200;
-  settings.lambda = lambda;
   return settings;
 }
 

@@ -26,7 +26,9 @@ struct ModelOptions
   double traction = 0;                                       // Pa, along the first tangent
 
   double sigma_n = 2000; // Pa
-  double cohesion = 0;   // Pa
+  // Instead of sigma_n, where the normal stress changes: in x and t [s].
+  std::function<double(Point<2> const&, double)> normal_stress = {};
+  double cohesion = 0; // Pa
   double a = 0.01, b = 0.015, L = 25e-6, reference_rate = 50e-6, reference_friction = 0.7;
   double slip_factor = 1;
   std::string law = "Regularised", state_law = "Ageing";
@@ -42,6 +44,8 @@ struct Model
   State restingState() const;
   // Values at the fault nodes.
   friction::NodeView nodeView(std::function<double(Point<2> const&)> const& value) const;
+  // On the fault at a local node of the mesh and a time, Pa.
+  double normalStress(int node, double t) const;
   // Gives the free dofs the values of a function of place along the axes.
   void setFree(Vector& x, std::function<std::array<double, 2>(Point<2> const&)> const& value) const;
 
@@ -60,7 +64,7 @@ private:
 
 // Solved as far as rounding allows.
 RateSolverSettings tightSettings(Correction correction = Correction::direct);
-CouplingSettings tightCoupling(double lambda = 0.5);
+CouplingSettings tightCoupling();
 
 // What steps a model.
 struct Stepper

@@ -1,7 +1,7 @@
 #include "dynamics/StepControl.hpp"
 
 #include "base/Errors.hpp"
-#include "unit/dynamics/SlidingBlock.hpp"
+#include "unit/dynamics/ControlTest.hpp"
 
 #include <gtest/gtest.h>
 
@@ -13,70 +13,15 @@ using namespace testing;
 
 namespace
 {
-const DyadicTime half_seconds(0.5, 16);
-
-CouplingSettings coupling(double tolerance, int max_iterations)
+class StepControlTest : public ControlTest
 {
-  CouplingSettings settings;
-  settings.tolerance = tolerance;
-  settings.max_iterations = max_iterations;
-  return settings;
-}
-
-class StepControlTest : public ::testing::Test
-{
-protected:
-  StepControlTest()
-      : model(slidingBlock(2), fem::testing::selfCommunicator())
-      , stepper(model, RateUpdate::newmark(0.25), half_seconds)
-      , state(slidingState(model))
-  {
-  }
-
-  StepDoublingSettings doubling(double tolerance, int first_level, int finest_level = 16) const
-  {
-    StepDoublingSettings settings;
-    settings.tolerance = tolerance;
-    settings.first_level = first_level;
-    settings.finest_level = finest_level;
-    return settings;
-  }
-
-  // The state after steps of these levels, with nobody's help.
-  State stepped(State const& from, std::vector<int> const& levels)
-  {
-    State state = from.clone();
-    for (int level : levels) {
-      State next = state.clone();
-      EXPECT_TRUE(stepper.step.solve(state, level, next, stepper.count).solved());
-      state = next;
-    }
-    return state;
-  }
-
-  // How far one step of a level is from two of half its size.
-  double errorOf(State const& from, int level)
-  {
-    return model.fault.distance(stepped(from, {level}).alpha,
-                                stepped(from, {level + 1, level + 1}).alpha);
-  }
-
-  double distance(State const& x, State const& y) const
-  {
-    return (denseOf(*x.v) - denseOf(*y.v)).norm() / denseOf(*y.v).norm() +
-           model.fault.distance(x.alpha, y.alpha);
-  }
-
-  Model model;
-  Stepper stepper;
-  State state;
 };
 } // namespace
 
 TEST_F(StepControlTest, doublingAcceptsTheCoarsestStepThatIsFineEnough)
 {
   const double tolerance = 1e-4;
-  StepDoubling control(stepper.step, model.fault, half_seconds, doubling(tolerance, 4));
+  StepDoubling control(stepper.step, model.fault, half_seconds, adaptive(tolerance, 4));
   SolveCount count;
   int coarsest = 16, finest = 0;
   for (int n = 1; n <= 30; ++n) {
@@ -105,7 +50,7 @@ TEST_F(StepControlTest, doublingComesToTheSameStepFromAnyFirstTrial)
   std::vector<int> levels;
   for (int first : {1, 7, 16}) {
     auto from = state.clone();
-    StepDoubling control(stepper.step, model.fault, half_seconds, doubling(tolerance, first));
+    StepDoubling control(stepper.step, model.fault, half_seconds, adaptive(tolerance, first));
     SolveCount count;
     levels.push_back(control.advance(from, count).level);
   }
@@ -115,13 +60,13 @@ TEST_F(StepControlTest, doublingComesToTheSameStepFromAnyFirstTrial)
 
 TEST_F(StepControlTest, doublingContinuesFromItsMemoryExactly)
 {
-  StepDoubling control(stepper.step, model.fault, half_seconds, doubling(1e-4, 8));
+  StepDoubling control(stepper.step, model.fault, half_seconds, adaptive(1e-4, 8));
   SolveCount count;
   for (int n = 0; n < 7; ++n) {
     control.advance(state, count);
   }
   Stepper other(model, RateUpdate::newmark(0.25), half_seconds);
-  StepDoubling continued(other.step, model.fault, half_seconds, doubling(1e-4, 8));
+  StepDoubling continued(other.step, model.fault, half_seconds, adaptive(1e-4, 8));
   continued.restore(control.memory());
   auto copy = state.clone();
   for (int n = 0; n < 7; ++n) {
@@ -135,8 +80,8 @@ TEST_F(StepControlTest, doublingHalvesStepsThatCannotBeSolved)
 {
   // One iteration of the fixed point has to do: that takes steps far finer than the tolerance does.
   Stepper hasty(model, RateUpdate::newmark(0.25), half_seconds, coupling(1e-3, 1));
-  StepDoubling control(hasty.step, model.fault, half_seconds, doubling(1e-2, 2));
-  StepDoubling free(stepper.step, model.fault, half_seconds, doubling(1e-2, 2));
+  StepDoubling control(hasty.step, model.fault, half_seconds, adaptive(1e-2, 2));
+  StepDoubling free(stepper.step, model.fault, half_seconds, adaptive(1e-2, 2));
   SolveCount count;
   auto other = state.clone();
   auto const before = state.clone();
@@ -153,7 +98,7 @@ TEST_F(StepControlTest, doublingHalvesStepsThatCannotBeSolved)
 TEST_F(StepControlTest, doublingGivesUpBelowTheSmallestStep)
 {
   Stepper hasty(model, RateUpdate::newmark(0.25), half_seconds, coupling(1e-12, 1));
-  StepDoubling control(hasty.step, model.fault, half_seconds, doubling(1e-2, 2, 5));
+  StepDoubling control(hasty.step, model.fault, half_seconds, adaptive(1e-2, 2, 5));
   SolveCount count;
   try {
     control.advance(state, count);
@@ -168,7 +113,7 @@ TEST_F(StepControlTest, doublingGivesUpBelowTheSmallestStep)
 
 TEST_F(StepControlTest, doublingSaysWhenTheSmallestStepIsTooCoarse)
 {
-  StepDoubling control(stepper.step, model.fault, half_seconds, doubling(1e-12, 4, 6));
+  StepDoubling control(stepper.step, model.fault, half_seconds, adaptive(1e-12, 4, 6));
   SolveCount count;
   auto const accepted = control.advance(state, count);
   EXPECT_EQ(accepted.level, 6);
@@ -178,7 +123,7 @@ TEST_F(StepControlTest, doublingSaysWhenTheSmallestStepIsTooCoarse)
 
 TEST_F(StepControlTest, doublingStaysBelowTheLargestStep)
 {
-  auto settings = doubling(1e3, 8);
+  auto settings = adaptive(1e3, 8);
   settings.coarsest_level = 5;
   StepDoubling control(stepper.step, model.fault, half_seconds, settings);
   SolveCount count;
@@ -187,6 +132,21 @@ TEST_F(StepControlTest, doublingStaysBelowTheLargestStep)
     EXPECT_EQ(control.advance(state, count).level, 5);
     EXPECT_EQ(state.time, n * half_seconds.ticks(5));
     EXPECT_LE(distance(state, stepped(before, {5})), 1e-10);
+  }
+}
+
+TEST_F(StepControlTest, doublingMeasuresInTheNormAskedFor)
+{
+  auto settings = adaptive(1e-4, 8);
+  settings.norm = Norm::maximum;
+  for (int first : {4, 12}) { // from a step too coarse, and from one too fine
+    settings.first_level = first;
+    auto from = state.clone();
+    StepDoubling control(stepper.step, model.fault, half_seconds, settings);
+    SolveCount count;
+    auto const accepted = control.advance(from, count);
+    EXPECT_NEAR(accepted.error, errorOf(state, accepted.level, Norm::maximum), 1e-10);
+    EXPECT_GT(errorOf(state, accepted.level - 1, Norm::maximum), settings.tolerance);
   }
 }
 

@@ -4,6 +4,8 @@
 
 #include <gtest/gtest.h>
 
+#include <tuple>
+
 namespace asperity::dynamics
 {
 using namespace testing;
@@ -81,12 +83,15 @@ TEST(StepSolvers, solveWithTheMatrixOfTheStepSize)
   auto const guess = model.body.vector();
   auto w = model.body.vector();
   auto const alpha = model.nodeView([](auto const&) { return 0.; });
-  for (auto const& update : {RateUpdate::newmark(0.3), RateUpdate::backwardEuler()}) {
+  const std::tuple<RateUpdate, double, double> weights[] = {
+    {RateUpdate::newmark(0.3), 2, 0.6},
+    {RateUpdate::backwardEuler(), 1, 1},
+    {RateUpdate::generalisedAlpha(0), 4 / 3., 2 / 3.}};
+  for (auto const& [update, of_mass, of_stiffness] : weights) {
     auto solvers = makeSolvers(model, 1u << 30, update);
     for (int level : {0, 5}) {
       const double tau = clock_of_tests.stepSize(level);
-      const bool newmark = update.name == "Newmark";
-      Eigen::MatrixXd Z = (newmark ? 2 : 1) / tau * M + C + (newmark ? 0.6 : 1) * tau * K;
+      Eigen::MatrixXd Z = of_mass / tau * M + C + of_stiffness * tau * K;
       for (int dof = 0; dof < model.body.numOwnedDofs(); ++dof) {
         if (model.body.fixed[dof]) {
           const double diagonal = Z(dof, dof);

@@ -1,11 +1,8 @@
 #include "fem/Constraints.hpp"
 
 #include "fem/BoundaryNodes.hpp"
-#include "unit/fem/SampleMeshes.hpp"
+#include "unit/fem/Constrained.hpp"
 
-#include <Eigen/Dense>
-#include <Teuchos_CommHelpers.hpp>
-#include <Tpetra_Vector.hpp>
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -13,88 +10,6 @@
 namespace asperity::fem
 {
 using namespace testing;
-
-namespace
-{
-using Condition = VelocityCondition<2>;
-
-// 6 x 4 cells; the vertices of the bottom are 0 ... 6, the lower left corner is 0.
-constexpr int lower_right = 6;
-
-GlobalMesh<2> rectangle(double angle = 0)
-{
-  auto mesh = uniformRectangle(6, 4, 3, 2);
-  rotate(mesh, angle);
-  return mesh;
-}
-
-template <int Dim>
-struct Constrained
-{
-  Constrained(GlobalMesh<Dim> const& whole, std::vector<VelocityCondition<Dim>> const& conditions,
-              int components = Dim, std::vector<double> const& sample_times = {0, 1})
-      : mesh(mesh::distribute(whole, *worldCommunicator()))
-      , dofs(makeDofs(mesh, components, worldCommunicator()))
-      , constraints(mesh, dofs, conditions, sample_times)
-  {
-  }
-
-  using Value = Eigen::Matrix<double, Dim, 1>;
-
-  Value row(int node, int r) const
-  {
-    Value result;
-    for (int c = 0; c < Dim; ++c) {
-      result[c] = constraints.frames().entry(node, r, c);
-    }
-    return result;
-  }
-
-  bool fixed(int node, int component) const
-  {
-    return constraints.fixed()[dofs.dof(node, component)] != 0;
-  }
-
-  // The prescribed velocity of an owned node along the axes.
-  Value velocity(int node, double t) const
-  {
-    Vector v(dofs.owned());
-    v.putScalar(77);
-    constraints.prescribedVelocity(t, v);
-    auto const values = v.getLocalViewHost(Tpetra::Access::ReadOnly);
-    Value local, along_axes;
-    for (int c = 0; c < Dim; ++c) {
-      local[c] = values(dofs.dof(node, c), 0);
-    }
-    constraints.frames().fromFrame(node, local.data(), along_axes.data());
-    return along_axes;
-  }
-
-  // The local number of an owned vertex, -1 if it is another rank's.
-  int owned(GlobalOrdinal id) const
-  {
-    for (int node = 0; node < mesh.num_owned; ++node) {
-      if (mesh.global_ids[node] == id) {
-        return node;
-      }
-    }
-    return -1;
-  }
-
-  Mesh<Dim> mesh;
-  DofMap dofs;
-  Constraints<Dim> constraints;
-};
-
-int sumOverRanks(int mine)
-{
-  int all = 0;
-  Teuchos::reduceAll(*worldCommunicator(), Teuchos::REDUCE_SUM, mine, Teuchos::outArg(all));
-  return all;
-}
-
-bool oneRank() { return worldCommunicator()->getSize() == 1; }
-} // namespace
 
 TEST(Constraints, layTheFramesAlongADippingBoundaryOnOwnedNodesAndGhosts)
 {

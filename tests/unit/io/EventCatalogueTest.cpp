@@ -12,14 +12,14 @@ namespace
 {
 constexpr int num_base = 5; // positions 0, 1/16, 1/4, 9/16, 1
 constexpr double threshold = 1e-2;
-constexpr double shear_modulus = 1e6;
 using Rates = std::vector<double>; // of the nodes 0 .. num_base - 1 by position
+const Rates shear_moduli{1e6, 2e6, 3e6, 4e6, 5e6}; // [Pa]
 using History = std::vector<Rates>; // at the times 0, 1, 2, ...
 
 // A fault whose rates are prescribed; slip grows by the trapezoidal rule.
 struct Observed
 {
-  explicit Observed(std::filesystem::path const& directory, double modulus = shear_modulus)
+  explicit Observed(std::filesystem::path const& directory, Rates const& prescribed = {})
     : locations{{"fault", boundaryLocation("fault", test::stripMesh(num_base), "base", world())}},
       context{directory, world(), fields, locations}
   {
@@ -27,9 +27,17 @@ struct Observed
                 [this](std::vector<double>& values) { values = ownedOf(rates); }});
     fields.add({"slip", "m", "Slip.", "fault", 1,
                 [this](std::vector<double>& values) { values = ownedOf(slip); }});
+    fields.add({"shear_modulus", "Pa", "Shear modulus.", "fault", 1,
+                [this](std::vector<double>& values) { values = ownedOf(shear_moduli); }});
+    if (!prescribed.empty()) {
+      fields.add({"prescribed", "", "Prescribed.", "fault", 1,
+                  [=](std::vector<double>& values) { values = ownedOf(prescribed); }});
+    }
+    fields.add(Scalar{"steps", "", "No energy.", [] { return 1.0; }});
+    fields.add(Scalar{"friction_work", "J/m", "Work.", [this] { return work; }});
+    fields.add(Scalar{"energy_defect", "J/m", "Defect.", [this] { return -work / 8; }});
     ParameterList list;
     list.set("Threshold", threshold);
-    list.set("Shear Modulus", modulus);
     completeAndValidate(list, *EventCatalogue::validParameters(), "Event Catalogue");
     catalogue = std::make_unique<EventCatalogue>(list, context);
   }
@@ -42,6 +50,7 @@ struct Observed
       }
     }
     rates = history[i];
+    work = static_cast<double>(i * i);
     catalogue->write({static_cast<std::int64_t>(i), double(i), 1, 0, i + 1 == history.size()});
   }
 
@@ -64,6 +73,7 @@ struct Observed
   }
 
   Rates rates, slip = Rates(num_base, 0);
+  double work = 0; // i^2 at step i
   FieldRegistry fields;
   std::map<std::string, Location> locations;
   OutputContext context;
@@ -114,23 +124,42 @@ TEST(EventCatalogue, MeasuresASingleEvent)
   };
   const double weight[] = {1.0 / 8, (9.0 - 1) / 32, 3.0 / 8}; // of nodes 1 to 3
   EXPECT_NEAR(event.moment,
-              shear_modulus *
-                (weight[0] * brief(0.5) + weight[1] * of_node_2 + weight[2] * brief(0.1)),
-              1e-6);
+              2e6 * weight[0] * brief(0.5) + 3e6 * weight[1] * of_node_2 +
+                4e6 * weight[2] * brief(0.1),
+              1e-5);
 }
 
 TEST(EventCatalogue, WritesTheTable)
 {
   test::TemporaryDirectory directory;
-  Observed run(directory.path(), 0);
+  Observed run(directory.path());
   run.all(single);
   const auto table = lines(directory / "events.csv");
   ASSERT_EQ(table.size(), 2u);
   EXPECT_EQ(table[0], "number,onset [s],end [s],duration [s],width [m],peak_slip [m],"
-                      "peak_slip_rate [m/s],moment_per_length [N],nucleation [m],complete");
+                      "peak_slip_rate [m/s],moment_per_length [N],nucleation [m],complete,"
+                      "friction_work [J/m],energy_defect [J/m]");
   EXPECT_EQ(table[1], "1," + exactNumber(run.catalogue->events()[0].onset) + "," +
                         exactNumber(run.catalogue->events()[0].end) +
-                        ",3,0.5,3.50005,2,nan,0.25,1");
+                        ",3,0.5,3.50005,2," + shortNumber(run.catalogue->events()[0].moment) +
+                        ",0.25,1,16,-2"); // from step 0, the last one below, to step 4
+}
+
+TEST(EventCatalogue, WhatIsPrescribedIsNoEvent)
+{
+  Rates creeping = quiet, ruptured = quiet;
+  creeping[0] = ruptured[0] = 1;
+  ruptured[3] = 0.1;
+  test::TemporaryDirectory directory;
+  Observed run(directory.path(), {1, 0, 0, 0, 0});
+  auto const& events = run.all({creeping, creeping, ruptured, creeping, creeping});
+  ASSERT_EQ(events.size(), 1u);
+  EXPECT_EQ(events[0].peak_slip_rate, 0.1);
+  EXPECT_EQ(events[0].width, 0);
+  EXPECT_NEAR(events[0].nucleation, 9.0 / 16, 1e-15);
+  const double slip = 2 * (1 - std::log(100.0) / std::log(1000.0)) * (0.1 + 1e-4) / 2;
+  EXPECT_NEAR(events[0].peak_slip, slip, 1e-12);
+  EXPECT_NEAR(events[0].moment, 4e6 * 3 / 8 * slip, 1e-6);
 }
 
 TEST(EventCatalogue, TheThresholdItselfIsSeismic)
@@ -198,7 +227,7 @@ TEST(EventCatalogue, AnEventInProgressAtTheEndIsMarked)
   EXPECT_FALSE(events[0].complete);
   EXPECT_EQ(events[0].end, 2);
   const std::string row = lines(directory / "events.csv").back();
-  EXPECT_EQ(row.substr(row.size() - 2), ",0");
+  EXPECT_TRUE(test::contains(row, ",0,4,-0.5")) << row; // and the work up to the last step
 }
 
 TEST(EventCatalogue, ARunMayBeginSeismicAndAtRest)
@@ -257,6 +286,7 @@ TEST(EventCatalogue, TwoComponentsOfSlipCountByTheirMagnitude)
   Observed run(directory.path());
   FieldRegistry fields;
   fields.add(run.fields.field("fault", "slip_rate"));
+  fields.add(run.fields.field("fault", "shear_modulus"));
   fields.add({"slip", "m", "Slip.", "fault", 2, [&](std::vector<double>& values) {
                 values.clear();
                 for (const double slip : run.ownedOf(run.slip)) {

@@ -20,6 +20,20 @@ protected:
 };
 } // namespace
 
+TEST_F(H5, TextsReadBack)
+{
+  const std::vector<std::string> texts{"dp075", "", "Gr\xc3\xbc\xc3\x9f""e"};
+  {
+    auto file = h5::File::create(path());
+    file.createTexts("on_fault/names", texts);
+    file.createTexts("none", {});
+    file.close();
+  }
+  const auto file = h5::File::open(path());
+  EXPECT_EQ(file.openDataset("on_fault/names").readTexts(), texts);
+  EXPECT_TRUE(file.openDataset("none").readTexts().empty());
+}
+
 TEST_F(H5, ValuesAndAttributesReadBack)
 {
   const std::vector<double> values{1, 1.0 / 3, -5};

@@ -3,7 +3,7 @@
 #include "io/H5.hpp"
 #include "io/OutputSet.hpp"
 #include "io/outputs/EventCatalogue.hpp"
-#include "unit/io/Support.hpp"
+#include "unit/io/Stage.hpp"
 
 #include <cmath>
 
@@ -29,8 +29,12 @@ struct Body
     addField("fault", "alpha", 1, [this](double x) { return x - time; });
     addField("fault", "slip", 1, [this](double x) { return time * x; });
     addField("fault", "traction", 1, [this](double x) { return 1e6 * x + time; });
+    addField("fault", "normal_stress", 1, [](double x) { return 1e7 * x; });
+    addField("fault", "theta", 1, [this](double x) { return std::exp(x - time); });
+    addField("fault", "shear_modulus", 1, [](double) { return 3e10; });
     addField("surface", "displacement", 2, [this](double x) { return time + x; });
     addField("volume", "displacement", 2, [this](double x) { return time - x; });
+    addField("volume", "velocity", 2, [](double x) { return 1 + x; });
     fields.add(
       Scalar{"fixed_point_iterations", "", "Test.", [this] { return 2 + std::floor(time); }});
     fields.add(Scalar{"kinetic_energy", "J", "Test.", [this] { return time / 3; }});
@@ -61,9 +65,17 @@ struct Body
   std::map<std::string, Location> locations;
 };
 
-ParameterList deck()
+ParameterList deck(std::string const& text_format = "None")
 {
   ParameterList list;
+  list.set("Text Format", text_format);
+  if (text_format != "None") {
+    list.sublist(text_format).set("Date", "2024/05/31");
+  }
+  auto& receivers = list.sublist("Receivers");
+  receivers.sublist("On Fault").set("dp001", test::position({0.3, 0}));
+  receivers.sublist("Off Fault").set("inside", test::position({0.5, 0.75}));
+  receivers.set("Every n Steps", 2);
   list.sublist("Event Catalogue").set("Threshold", 2.0);
   list.sublist("Fault History").set("Every n Steps", 3);
   list.sublist("Volume Snapshots").set("Enabled", true);
@@ -96,6 +108,8 @@ void finish(OutputSet& outputs, fs::path const& directory)
   outputs.finish();
 }
 
+using Names = std::vector<std::string>;
+
 std::vector<double> values(fs::path const& file, std::string const& dataset)
 {
   return h5::File::open(file).openDataset(dataset).readDoubles();
@@ -105,53 +119,79 @@ std::vector<double> values(fs::path const& file, std::string const& dataset)
 TEST(OutputRegistry, HoldsTheOutputs)
 {
   EXPECT_EQ(OutputRegistry::instance().names(),
-            (std::vector<std::string>{"Event Catalogue", "Fault History", "Step Table",
-                                      "Surface History", "Volume Snapshots"}));
+            (std::vector<std::string>{"Event Catalogue", "Fault History", "Global", "Receivers",
+                                      "Rupture", "Step Table", "Surface History",
+                                      "Volume Snapshots"}));
   const auto valid = OutputSet::validParameters();
   for (auto const& name : OutputRegistry::instance().names()) {
     EXPECT_TRUE(valid->sublist(name).isParameter("Enabled")) << name;
   }
 }
 
-TEST(OutputSet, AKilledAndRestartedRunLeavesTheSameData)
+namespace
+{
+// The data in a directory of two runs is the same; the histories by their values.
+void expectSameData(fs::path const& broken, fs::path const& whole, Names const& texts)
+{
+  for (auto const& name : texts) {
+    EXPECT_EQ(test::contents(broken / name), test::contents(whole / name)) << name;
+    EXPECT_NE(test::contents(whole / name), "") << name;
+  }
+  const std::map<std::string, Names> datasets{
+    {"fault.h5", {"time", "fields/slip_rate", "fields/alpha", "fields/slip", "fields/traction"}},
+    {"surface.h5", {"time", "fields/displacement"}},
+    {"volume.h5", {"time", "fields/displacement"}},
+    {"receivers.h5", {"time", "step", "on_fault/fields/slip", "on_fault/fields/theta",
+                      "off_fault/fields/velocity"}},
+    {"rupture.h5", {"number", "onset", "rupture_time", "first_rupture_time"}}};
+  for (auto const& [file, names] : datasets) {
+    for (auto const& name : names) {
+      const auto expected = values(whole / file, name);
+      EXPECT_EQ(values(broken / file, name), expected) << file << " " << name;
+      EXPECT_FALSE(expected.empty()) << file << " " << name;
+    }
+  }
+}
+
+void expectRestartsExactly(std::string const& text_format, Names const& more_texts)
 {
   test::TemporaryDirectory whole, broken;
   {
     Body body;
-    OutputSet outputs(deck(), {whole.path(), world(), body.fields, body.locations});
+    OutputSet outputs(deck(text_format), {whole.path(), world(), body.fields, body.locations});
     steps(outputs, body, whole.path(), 0, num_steps + 1);
     finish(outputs, whole.path());
     EXPECT_EQ(outputs.events()->summary().num_events, 3);
   }
   {
     Body body;
-    OutputSet outputs(deck(), {broken.path(), world(), body.fields, body.locations});
+    OutputSet outputs(deck(text_format), {broken.path(), world(), body.fields, body.locations});
     steps(outputs, body, broken.path(), 0, 40); // checkpoint after step 24, killed after step 39
   }
   {
     Body body;
-    OutputSet outputs(deck(), {broken.path(), world(), body.fields, body.locations});
+    OutputSet outputs(deck(text_format), {broken.path(), world(), body.fields, body.locations});
     const Archive archive = readCheckpoint(broken / "checkpoint.h5", "deck", *world());
     outputs.restore(archive.child("outputs"));
     steps(outputs, body, broken.path(), 25, num_steps + 1);
     finish(outputs, broken.path());
   }
   test::onRankZero([&] {
-    for (auto const& name :
-         {"steps.csv", "events.csv", "fault.xdmf", "surface.xdmf", "volume.xdmf"}) {
-      EXPECT_EQ(test::contents(broken / name), test::contents(whole / name)) << name;
-    }
-    const std::map<std::string, std::vector<std::string>> fields{
-      {"fault.h5", {"slip_rate", "alpha", "slip", "traction"}},
-      {"surface.h5", {"displacement"}},
-      {"volume.h5", {"displacement"}}};
-    for (auto const& [file, names] : fields) {
-      EXPECT_EQ(values(broken / file, "time"), values(whole / file, "time"));
-      for (auto const& name : names) {
-        EXPECT_EQ(values(broken / file, "fields/" + name), values(whole / file, "fields/" + name));
-      }
-    }
+    Names texts{"steps.csv", "events.csv", "global.csv", "fault.xdmf", "surface.xdmf",
+                "volume.xdmf"};
+    texts.insert(texts.end(), more_texts.begin(), more_texts.end());
+    expectSameData(broken.path(), whole.path(), texts);
   });
+}
+} // namespace
+
+TEST(OutputSet, AKilledAndRestartedRunLeavesTheSameData) { expectRestartsExactly("None", {}); }
+
+TEST(OutputSet, AndTheSameFilesForThePlatforms)
+{
+  expectRestartsExactly("SEAS", {"seas/fltst_dp001", "seas/blkst_inside", "seas/global.dat",
+                                 "seas/rupture.dat", "seas/slip.dat"});
+  expectRestartsExactly("SCEC", {"scec/faultstdp001", "scec/bodyinside", "scec/cplot"});
 }
 
 TEST(OutputSet, WritesRowsWhereTheDeckAsks)

@@ -67,13 +67,32 @@ TEST(WriteRule, AtTimes)
   EXPECT_EQ(rows(rule, std::vector<double>(9, 1.0)), (Rows{0, 3, 4, 8}));
 }
 
+TEST(WriteRule, AtMultiplesOfAnInterval)
+{
+  auto list = parameters(0, 0);
+  list.set("Every Seconds", 2.5); // passed by the steps 3, 5 and 8
+  WriteRule rule(list);
+  EXPECT_EQ(rows(rule, std::vector<double>(10, 1.0)), (Rows{0, 3, 5, 8, 9}));
+}
+
+TEST(WriteRule, MoreOftenWhileTheFaultRuptures)
+{
+  auto list = parameters(0, 0);
+  list.set("Every Seconds", 5.0);
+  list.set("Every Seconds of Rupture", 1.5); // 1.5, 3, 4.5, 6, 7.5
+  list.set("Rupture Rate", 0.1);
+  WriteRule rule(list);
+  EXPECT_EQ(rows(rule, {0, 0, 0, 0.1, 0, 0, 0.2, 0.2, 0.2, 0, 0, 0}), (Rows{0, 3, 5, 6, 8, 10, 11}));
+}
+
 TEST(WriteRule, ARestartGoesOnAlike)
 {
   const std::vector<double> rates{1, 1, 3, 3, 3, 3, 9, 9, 9, 9, 9};
-  const auto list = parameters(4, 2, {7.5});
+  auto list = parameters(4, 2, {7.5});
+  list.set("Every Seconds", 4.5);
   WriteRule whole(list);
   const Rows expected = rows(whole, rates);
-  EXPECT_EQ(expected, (Rows{0, 2, 6, 8, 10}));
+  EXPECT_EQ(expected, (Rows{0, 2, 5, 6, 8, 9, 10}));
   for (std::size_t stop = 1; stop < rates.size(); ++stop) {
     WriteRule before(list), after(list);
     Rows written = rows(before, rates, 0, stop);

@@ -2,6 +2,7 @@
 
 #include "mesh/Bisection.hpp"
 #include "mesh/MeshQuality.hpp"
+#include "mesh/RectangleMesh.hpp"
 
 using namespace asperity;
 using namespace asperity::mesh;
@@ -83,4 +84,47 @@ TEST(Bisection, GivesTheSameMeshAgain)
   EXPECT_EQ(first.vertices, second.vertices);
   EXPECT_EQ(first.cells, second.cells);
   EXPECT_EQ(first.boundaries, second.boundaries);
+}
+
+// A half space with a fault of 20 km at x = 0, in first cells of 12.8 km = 2^7 times 100 m: 100 m on
+// the fault, and no edge longer than sqrt(2) times what is wanted anywhere.
+TEST(Bisection, GivesTheFaultItsCellSizeExactly)
+{
+  const CellSize size = [](Point<2> const& x) {
+    return 100.0 + 0.05 * std::hypot(x[0], std::max(0.0, -x[1] - 20e3));
+  };
+  const auto coarse = rectangleMesh({102.4e3, 102.4e3, 8, 8, {0.0, -102.4e3}});
+  const auto mesh = bisect(coarse, largestDiameter(size));
+  expectConforming(mesh);
+  int num_on_fault = 0;
+  for (auto const& [upper, lower] : mesh.boundaries.at("left")) {
+    const double top = mesh.vertices[upper][1], bottom = mesh.vertices[lower][1];
+    EXPECT_EQ(mesh.vertices[upper][0], 0.0);
+    if (bottom >= -20e3) {
+      EXPECT_DOUBLE_EQ(top - bottom, 100.0);
+      ++num_on_fault;
+    }
+  }
+  EXPECT_EQ(num_on_fault, 200);
+  for (auto const& cell : mesh.cells) {
+    const auto triangle = corners<2>(mesh.vertices, cell);
+    for (auto const& corner : triangle) {
+      EXPECT_LE(longestEdge(triangle), 1.000001 * std::sqrt(2.0) * size(corner));
+    }
+  }
+  EXPECT_NEAR(cellSizes(mesh).smallest_angle, std::atan(1.0), 1e-12);
+  EXPECT_LT(mesh.vertices.size(), 10000u); // of a million without grading
+}
+
+// The smallest of what is wanted at corners, midpoints and centroid counts.
+TEST(Bisection, SeesSmallCellsWantedAnywhereInACell)
+{
+  const Triangle cell = {{{0.0, 0.0}, {6.0, 0.0}, {0.0, 6.0}}};
+  for (Point<2> const spot : {Point<2>{0.0, 0.0}, {6.0, 0.0}, {3.0, 3.0}, {0.0, 3.0}, {2.0, 2.0}}) {
+    const auto diameter =
+      largestDiameter([&](Point<2> const& x) { return distance<2>(x, spot) < 1e-9 ? 0.5 : 3.0; });
+    EXPECT_NEAR(diameter(cell), 0.5 * std::sqrt(2.0), 1e-8);
+  }
+  EXPECT_NEAR(largestDiameter([](Point<2> const&) { return 3.0; })(cell), 3.0 * std::sqrt(2.0),
+              1e-8);
 }

@@ -8,7 +8,7 @@ using namespace asperity::mesh;
 
 namespace
 {
-using Conditions = std::vector<RegionCondition<2>>;
+using Conditions = std::vector<NamedCondition<2>>;
 
 bool isLeft(Point<2> const& p) { return p[0] < 0.5; }
 bool isLow(Point<2> const& p) { return p[1] < 0.25; }

@@ -119,3 +119,29 @@ TEST(WedgeMesh, NamesTheParameterThatIsWrong)
   expect_refused(&WedgeShape::zone_width, 0.4, "Seismogenic Zone Width");
   expect_refused(&WedgeShape::viscous_thickness, 0.3, "Viscous Thickness");
 }
+
+// A subduction zone of 200 km: the same shapes of cells as in the laboratory, sizes in m.
+TEST(WedgeMesh, WorksAtTheSizeOfASubductionZone)
+{
+  WedgeShape shape;
+  shape.length = 200e3;
+  shape.height = 200e3 * std::tan(std::acos(-1.0) / 12.0);
+  shape.zone_width = 120e3;
+  shape.zone_end = 150e3;
+  shape.cell_size = 1000.0;
+  shape.growth_length = 80e3;
+  shape.viscous_thickness = 10e3;
+  const auto mesh = wedgeMesh(shape);
+  expectConforming(mesh);
+  const auto sizes = cellSizes(mesh);
+  EXPECT_NEAR(sizes.measure / (0.5 * shape.length * shape.height), 1.0, 1e-10);
+  EXPECT_NEAR(sizes.smallest_angle, std::acos(-1.0) / 12.0, 1e-10);
+  for (auto const& [first, second] : mesh.boundaries.at("base")) {
+    const double x = mesh.vertices[first][0], spacing = mesh.vertices[second][0] - x;
+    if (x > shape.zoneLeft() && x + spacing < shape.zoneRight()) {
+      EXPECT_LE(spacing, shape.cell_size);
+    }
+  }
+  EXPECT_GT(boundaryVertices(mesh, "base").size(), 140u);
+  EXPECT_LT(mesh.vertices.size(), 10000u);
+}

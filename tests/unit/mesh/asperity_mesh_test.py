@@ -173,7 +173,7 @@ class Convert(Case):
         self.assert_refused(["convert", "square.msh", "no/where.h5"], "cannot be written")
 
 
-class WedgeAndInfo(Case):
+class WedgeRectangleAndInfo(Case):
     def test_wedge(self):
         self.assert_done("wedge", "wedge.h5")
         info = self.assert_done("info", "wedge.h5")
@@ -192,6 +192,27 @@ class WedgeAndInfo(Case):
         self.assert_refused(["wedge", "a.h5", "--cell-size"], "needs a value")
         self.assert_refused(["wedge", "a.h5", "--cell-sise", "1"], "Did you mean '--cell-size'?")
         self.assert_refused(["wedge"], "OUT.h5 is missing")
+        self.assertFalse(pathlib.Path("a.h5").exists())
+
+    def test_rectangle(self):
+        self.assertIn("6 vertices, 4 cells",
+                      self.assert_done("rectangle", "plain.h5", "--cells-x", "2"))
+        self.assert_done("rectangle", "graded.h5", "--width", "1600", "--height", "3200",
+                         "--cells-y", "2", "--left", "-800", "--bottom", "-3200",
+                         "--cell-size", "100 + 0.2 * (x + 800)")
+        info = self.assert_done("info", "graded.h5")
+        self.assertIn("bounding box     [-800, 800] x [-3200, 0] m\n", info)
+        self.assertIn("smallest angle   45 degrees\n", info)
+        self.assertIn("left: 32 facets, 33 vertices, shortest edge 100 m\n", info)
+        self.assertIn("right: 8 facets, 9 vertices, shortest edge 400 m\n", info)
+
+    def test_rectangle_refuses(self):
+        for options, pieces in ((["--width", "0"], ["Width = 0"]),
+                                (["--cells-x", "2.5"], ["--cells-x", "'2.5'", "whole number"]),
+                                (["--cell-size", "t + 1"], ["--cell-size depends on t"]),
+                                (["--cell-size", "x - 0.5"], ["--cell-size is 0 at", "(0.5, "]),
+                                (["--cell-size", "x +"], ["--cell-size", "no valid expression"])):
+            self.assert_refused(["rectangle", "a.h5", *options], *pieces)
         self.assertFalse(pathlib.Path("a.h5").exists())
 
     def test_info_of_bad_files(self):

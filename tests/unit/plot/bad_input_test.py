@@ -95,6 +95,26 @@ class BadInput(unittest.TestCase):
         (self.folder / "surface.h5").unlink()
         self.expect("surface.h5 does not exist", figures="surface")
 
+    def test_result_files_of_receivers_and_ruptures(self):
+        for figure, name in (("receivers", "receivers.h5"), ("rupture_times", "rupture.h5"),
+                             ("moment_rate", "global.csv")):
+            self.expect(f"{name} does not exist. Is this output enabled", figures=figure)
+            (self.folder / name).write_bytes(b"no such thing")
+            self.expect(name, figures=figure)
+
+    def test_receivers_of_another_length(self):
+        with h5py.File(self.folder / "receivers.h5", "w") as file:
+            file["time"] = [0.0, 1.0]
+            file["on_fault/names"] = ["one", "two"]
+            file["on_fault/fields/slip"] = [[0.0], [1.0]]
+        self.expect("'on_fault/fields/slip' has shape (2, 1), expected (2, 2)",
+                    figures="receivers")
+
+    def test_intervals_that_are_none(self):
+        status, _, err = self.plot(str(self.folder), "--every", "5yr", "0s")
+        self.assertEqual(status, 2)
+        self.assertIn("--every needs two times above 0", err)
+
     def test_file_not_asked_for_and_absent(self):
         for name in ("fault.h5", "surface.h5", "steps.csv"):
             (self.folder / name).unlink()
@@ -117,6 +137,14 @@ class BadInput(unittest.TestCase):
         result = self.start(str(self.folder), "--figures", "slip_rat")
         self.assertEqual(result.returncode, 2)
         self.assertIn("no figure 'slip_rat'; there are slip_rate, surface", result.stderr)
+
+    def test_words_for_numbers(self):
+        for option, words in ((("--window", "now", "5yr"), "'now' is no time"),
+                              (("--every", "5yr", "1x"), "'1x' is no time"),
+                              (("--at", "5km"), "'5km' is no list of lengths")):
+            result = self.start(str(self.folder), *option)
+            self.assertEqual(result.returncode, 2)
+            self.assertIn(words, result.stderr)
 
     def test_missing_modules(self):
         broken = self.folder / "modules" / "h5py.py"

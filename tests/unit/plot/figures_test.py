@@ -12,6 +12,7 @@ from matplotlib import pyplot
 from matplotlib.collections import QuadMesh
 from matplotlib.image import imread
 
+import synthetic_cycle
 import synthetic_run
 from asperity_plot import boxes, cli, energy, iterations, maps, raster, slip, slip_rate, style
 from asperity_plot import surface, windows
@@ -33,6 +34,7 @@ class Figures(unittest.TestCase):
         cls.folder = Path(cls.temporary.name)
         for name, count, wedge in (("many", 7, True), ("one", 1, False), ("none", 0, True)):
             synthetic_run.write_run(cls.folder / name, count, nodes=50, wedge=wedge)
+        synthetic_cycle.write_run(cls.folder / "cycle")
         style.use()
         for name, size in (("COLUMNS", 400), ("POSITIONS", 150)):
             coarse = mock.patch.object(maps, name, size)
@@ -52,19 +54,34 @@ class Figures(unittest.TestCase):
     def test_all_figures(self):
         status, out, err = self.plot("many")
         self.assertEqual((status, err), (0, ""))
+        missing = {"receivers": "receivers.h5", "rupture_times": "rupture.h5",
+                   "moment_rate": "global.csv"}
         for name in cli.FIGURES:
-            path = self.folder / "many" / "figures" / f"{name}.png"
-            self.assertIn(str(path), out)
-            self.assertGreater(imread(path)[..., :3].std(), 0.03, name)
+            if name in missing:
+                self.assertIn(f"No figure '{name}': the run has no {missing[name]}.", out)
+            else:
+                self.check_picture("many", name, out)
         self.assertIn("7 events", out)
         self.assertRegex(out, r"Recurrence time +6 ")
         self.assertRegex(out, r"Peak slip rate +7 ")
+
+    def check_picture(self, run: str, name: str, out: str) -> None:
+        path = self.folder / run / "figures" / f"{name}.png"
+        self.assertIn(str(path), out)
+        self.assertGreater(imread(path)[..., :3].std(), 0.03, name)
+
+    def test_all_figures_of_a_vertical_fault(self):
+        status, out, err = self.plot("cycle")
+        self.assertEqual((status, err), (0, ""))
+        for name in cli.FIGURES:
+            if name not in ("surface", "energy"):
+                self.check_picture("cycle", name, out)
 
     def test_one_event_on_a_fault_that_is_no_wedge(self):
         status, out, err = self.plot("one")
         self.assertEqual((status, err), (0, ""))
         self.assertIn("1 event.", out)
-        self.assertEqual(len(list((self.folder / "one" / "figures").glob("*.png"))), 6)
+        self.assertEqual(len(list((self.folder / "one" / "figures").glob("*.png"))), 7)
 
     def test_no_event(self):
         status, out, err = self.plot("none")
@@ -137,6 +154,19 @@ class Figures(unittest.TestCase):
         run, view = self.view("many")
         relative = energy.draw(run, view).axes[1].lines[0].get_ydata()
         self.assertAlmostEqual(relative.max(), 1e-9, delta=1e-11)
+
+    def test_energy_counts_works_and_dissipation_from_the_start(self):
+        lines, view = {}, self.view("many")[1]
+        for name in ("kinetic_energy", "numerical_dissipation"):
+            text = (self.folder / "many" / "steps.csv").read_text()
+            folder = self.folder / name
+            folder.mkdir()
+            (folder / "steps.csv").write_text(text.replace("elastic_energy", name + "_too"))
+            axes = energy.draw(Run(folder), view).axes[0]
+            lines.update({line.get_label(): line.get_ydata() for line in axes.lines})
+        self.assertIn("Friction work", lines)
+        self.assertAlmostEqual(lines["Change of kinetic energy too"][0], 0.0)
+        self.assertNotAlmostEqual(lines["Numerical dissipation too"][0], 0.0)
 
 
 if __name__ == "__main__":

@@ -66,6 +66,20 @@ class Windows(unittest.TestCase):
             with self.assertRaisesRegex(InputError, "--window"):
                 windows.choose(run, window)
 
+    def test_the_sequence_is_the_whole_run_unless_it_has_many_events(self):
+        def row(number: int) -> str:
+            return f"{number},{20 * number},0.1,1,1\n"
+        run = self.run_with("".join(row(number) for number in range(1, 41)))
+        view = windows.choose(run, None)
+        self.assertEqual(view.sequence, (0.0, 1000.0))
+        whole = windows.over_sequence(run, view)
+        self.assertEqual((whole.cycles, whole.num_events), ((0.0, 1000.0), 40))
+        self.assertEqual(windows.choose(run, (10.0, 100.0)).sequence, (10.0, 100.0))
+        run = self.run_with("".join(row(number) for number in range(1, 42)))
+        view = windows.choose(run, None)
+        self.assertEqual(view.sequence, view.cycles)
+        self.assertEqual(windows.over_sequence(run, view), view)
+
     def test_the_wedge(self):
         run = self.run_with("", synthetic_run.PARAMETERS)
         end = 0.35 * np.sqrt(1.0 + 0.27**2)

@@ -1,14 +1,10 @@
 #include "scenario/BoundarySetup.hpp"
 
 #include "SampleDeck.hpp"
-#include "unit/base/Refusal.hpp"
 
 namespace asperity::scenario
 {
 using namespace test;
-using asperity::test::array;
-using asperity::test::expectParts;
-using asperity::test::refusal;
 
 namespace
 {
@@ -27,7 +23,7 @@ ParameterList conditions(std::vector<Condition> const& given, bool with_fault = 
              list.sublist(name).set("Boundary", boundary).set("Type", type);
            }
            if (with_fault) {
-             list.sublist("Fault").set("Boundary", "bottom").set("Type", "Friction");
+             list.sublist("Fault").set("Boundary", "bottom").set("Type", "Bilateral Contact");
            }
          })
     .sublist("Boundary Conditions");
@@ -97,6 +93,78 @@ TEST(BoundarySetup, prescribesAVelocityWithARamp)
   EXPECT_EQ(sudden.velocities.back().velocity({0, 0}, 0), 3);
 }
 
+TEST(BoundarySetup, leavesAnAntisymmetricFaultFreeAcross)
+{
+  const auto contact = makeBoundaryConditions(conditions({}), 2);
+  EXPECT_FALSE(contact.antisymmetric);
+  EXPECT_EQ(contact.slipFactor(), 1);
+  EXPECT_FALSE(contact.velocities.at(0).free);
+  for (int components : {1, 2}) {
+    const auto result = makeBoundaryConditions(
+      conditions({{"Wall", "right", "Sliding Wall"}, {"Fault", "bottom", "Antisymmetric Fault"}},
+                 false),
+      components);
+    EXPECT_EQ(result.fault, "bottom");
+    EXPECT_TRUE(result.antisymmetric);
+    EXPECT_EQ(result.slipFactor(), 2);
+    if (components == 2) {
+      EXPECT_EQ(result.velocities.at(0).boundary, "bottom");
+      EXPECT_TRUE(result.velocities.at(0).free);
+    } else {
+      EXPECT_TRUE(result.velocities.empty());
+    }
+  }
+}
+
+TEST(BoundarySetup, letsTheFaultGoOnAtAPrescribedSlipRate)
+{
+  for (char const* type : {"Bilateral Contact", "Antisymmetric Fault"}) {
+    const double factor = std::string(type) == "Bilateral Contact" ? 1 : 2;
+    const auto list = completeDeck([type](ParameterList& deck) {
+                        auto& given = deck.sublist("Boundary Conditions");
+                        auto& deep = given.sublist("Left");
+                        deep.set("Type", "Prescribed Slip Rate").set("Slip Rate", "4 * (x + t)");
+                        auto& deeper = given.sublist("Deeper");
+                        deeper.set("Boundary", "right").set("Type", "Prescribed Slip Rate");
+                        deeper.set("Slip Rate", -6.);
+                        given.sublist("Fault").set("Type", type);
+                      }).sublist("Boundary Conditions");
+    const auto plane = makeBoundaryConditions(list, 2).velocities;
+    ASSERT_EQ(plane.size(), 5U);
+    for (int i = 0; i < 3; ++i) {
+      EXPECT_EQ(plane[i].boundary, (std::array{"bottom", "left", "right"})[i]);
+      EXPECT_EQ(plane[i].free, factor == 2);
+      EXPECT_FALSE(plane[i].tangential);
+      EXPECT_EQ(plane[i].continued_by.size(), 3U) << "one normal where they meet";
+    }
+    for (int i = 3; i < 5; ++i) {
+      EXPECT_TRUE(plane[i].tangential && plane[i].direction.empty() && !plane[i].free);
+    }
+    EXPECT_EQ(plane[3].velocity({2, 0}, 1), 12 / factor);
+    EXPECT_EQ(plane[4].velocity({2, 0}, 1), -6 / factor);
+
+    const auto antiplane = makeBoundaryConditions(list, 1).velocities;
+    ASSERT_EQ(antiplane.size(), 2U);
+    EXPECT_EQ(antiplane[0].direction, std::vector<double>{1});
+    EXPECT_EQ(antiplane[0].velocity({2, 0}, 1), 12 / factor);
+  }
+}
+
+TEST(BoundarySetup, wantsTheSlipRateThatIsPrescribed)
+{
+  const auto list = conditions({{"Deep", "left", "Prescribed Slip Rate"}});
+  expectParts(refusal([&] { makeBoundaryConditions(list, 2); }),
+              {"Asperity / Boundary Conditions / Deep / Slip Rate", "missing"});
+}
+
+TEST(BoundarySetup, collectsAbsorbingBoundaries)
+{
+  const auto result =
+    makeBoundaryConditions(conditions({{"A", "left", "Absorbing"}, {"B", "top", "Absorbing"}}), 2);
+  EXPECT_EQ(result.absorbing, (std::vector<std::string>{"left", "top"}));
+  EXPECT_EQ(result.velocities.size(), 1U);
+}
+
 TEST(BoundarySetup, refusesADirectionThatIsNone)
 {
   for (auto const& direction : {std::vector<double>{0, 0}, {1}, {1, 0, 0}}) {
@@ -115,6 +183,8 @@ TEST(BoundarySetup, refusesConditionsThatContradict)
     {"Fixed", "Free Surface"},
     {"Free Surface", "Prescribed Velocity"},
     {"Prescribed Velocity", "Free Surface"},
+    {"Fixed", "Absorbing"},
+    {"Absorbing", "Free Surface"},
     {"Fixed", "Fixed"}};
   for (auto const& [first, second] : pairs) {
     const auto list = conditions({{"A", "top", first}, {"B", "top", second}});
@@ -138,8 +208,8 @@ TEST(BoundarySetup, wantsOneFault)
 {
   const auto none = conditions({{"A", "left", "Fixed"}}, false);
   expectParts(refusal([&] { makeBoundaryConditions(none, 2); }),
-              {"Asperity / Boundary Conditions", "'Friction'"});
-  const auto two = conditions({{"Second", "top", "Friction"}});
+              {"Asperity / Boundary Conditions", "Bilateral Contact", "Antisymmetric Fault"});
+  const auto two = conditions({{"Second", "top", "Antisymmetric Fault"}});
   expectParts(refusal([&] { makeBoundaryConditions(two, 2); }), {"already friction"});
 }
 } // namespace asperity::scenario

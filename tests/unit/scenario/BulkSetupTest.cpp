@@ -1,14 +1,10 @@
 #include "scenario/BulkSetup.hpp"
 
 #include "SampleDeck.hpp"
-#include "unit/base/Refusal.hpp"
 
 namespace asperity::scenario
 {
 using namespace test;
-using asperity::test::array;
-using asperity::test::expectParts;
-using asperity::test::refusal;
 
 namespace
 {
@@ -136,5 +132,29 @@ TEST(BulkSetup, refusesGravityThatMakesNoSense)
     bulkList({}, [](ParameterList& given) { given.set("Model", "Antiplane"); });
   expectParts(refusal([&] { gravity(antiplane); }),
               {"Asperity / Bulk / Gravitational Acceleration = 10", "antiplane"});
+}
+TEST(BulkSetup, dampsAQuasiDynamicFaultByTheImpedanceOfItsSides)
+{
+  const auto mesh = twoRegions();
+  const std::vector<int> nodes = {0, 1};
+  const std::vector<fem::Material> materials = {{1000, bulk, 4e6, 0, 0}, {4000, bulk, 1e6, 0, 0}};
+  const auto damping = [&](double slip_factor, std::function<void(ParameterList&)> const& change) {
+    const auto list = bulkList({}, change);
+    return radiationDamping(list, mesh, nodes, materials, slip_factor);
+  };
+  const auto quasi = [](ParameterList& list) { list.set("Dynamics", "Quasi-dynamic"); };
+  EXPECT_FALSE(quasiDynamic(bulkList({})));
+  EXPECT_TRUE(quasiDynamic(bulkList({}, quasi)));
+  EXPECT_EQ(damping(1, [](auto&) {}), (std::vector<double>{0, 0}));
+  // G / cs = sqrt(rho G), half of it from each side.
+  const double impedance = std::sqrt(4e9);
+  EXPECT_NEAR(damping(1, quasi)[0], impedance, 1e-9 * impedance);
+  EXPECT_NEAR(damping(2, quasi)[0], impedance / 2, 1e-9 * impedance);
+  EXPECT_NEAR(damping(2, quasi)[1], impedance / 2, 1e-9 * impedance);
+  const auto given = damping(2, [&](ParameterList& list) {
+    quasi(list);
+    list.sublist("Quasi-dynamic").set("Radiation Damping", "5 + x");
+  });
+  EXPECT_EQ(given, (std::vector<double>{5 + mesh.vertices[0][0], 5 + mesh.vertices[1][0]}));
 }
 } // namespace asperity::scenario

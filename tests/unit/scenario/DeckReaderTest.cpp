@@ -5,13 +5,10 @@
 #include "friction/Registry.hpp"
 #include "friction/laws/AgeingLaw.hpp"
 #include "io/Output.hpp"
-#include "unit/base/Refusal.hpp"
 
 namespace asperity::scenario
 {
 using namespace test;
-using asperity::test::expectParts;
-using asperity::test::refusal;
 using asperity::test::TemporaryDirectory;
 
 namespace
@@ -73,7 +70,7 @@ TEST(DeckReader, completesADeckWithItsDefaults)
   EXPECT_EQ(time.get<std::string>("Scheme"), "Newmark");
   EXPECT_EQ(time.sublist("Newmark").get<double>("beta"), 0.25);
   EXPECT_EQ(time.sublist("Step Doubling").get<double>("Tolerance"), 1e-5);
-  EXPECT_EQ(deck.sublist("Coupling").get<double>("lambda"), 0.5);
+  EXPECT_EQ(deck.sublist("Coupling").get<int>("Maximum Iterations"), 100);
   EXPECT_EQ(deck.sublist("TNNMG").get<std::string>("Linear Correction"), "Auto");
   EXPECT_GT(deck.sublist("Output").get<int>("Checkpoint Every n Steps"), 0);
   for (auto const& name : io::OutputRegistry::instance().names()) {

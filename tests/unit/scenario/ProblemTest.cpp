@@ -4,7 +4,6 @@
 #include "dynamics/StepControl.hpp"
 #include "scenario/RunArchive.hpp"
 #include "scenario/TimeSetup.hpp"
-#include "unit/base/Refusal.hpp"
 
 #include <Tpetra_Vector.hpp>
 
@@ -13,36 +12,9 @@
 namespace asperity::scenario
 {
 using namespace test;
-using asperity::test::array;
-using asperity::test::expectParts;
-using asperity::test::refusal;
 
 namespace
 {
-std::vector<double> valuesOf(friction::ConstNodeView const& view)
-{
-  const auto host = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace(), view);
-  return {host.data(), host.data() + host.extent(0)};
-}
-
-std::vector<double> valuesOf(Vector const& x)
-{
-  const auto view = x.getLocalViewHost(Tpetra::Access::ReadOnly);
-  return {view.data(), view.data() + view.extent(0)};
-}
-
-// A column between two walls, which presses on the fault with its weight.
-ParameterList column(std::function<void(ParameterList&)> const& change = [](auto&) {})
-{
-  return completeDeck([&](ParameterList& deck) {
-    deck.sublist("Boundary Conditions")
-      .sublist("Right")
-      .set("Boundary", "right")
-      .set("Type", "Sliding Wall");
-    change(deck);
-  });
-}
-
 double force(Problem const& problem)
 {
   const auto pressure = valuesOf(problem.fault.data.sigma_n);

@@ -6,6 +6,9 @@
 #include "scenario/DeckReader.hpp"
 
 #include <Teuchos_DefaultMpiComm.hpp>
+#include <Tpetra_Vector.hpp>
+
+#include <cmath>
 
 namespace asperity::scenario::test
 {
@@ -23,7 +26,7 @@ ParameterList shortDeck()
   auto& friction = deck.sublist("Friction");
   friction.set("a", 0.01).set("b", 0.015).set("L", 1e-5);
   auto& conditions = deck.sublist("Boundary Conditions");
-  conditions.sublist("Fault").set("Boundary", "bottom").set("Type", "Friction");
+  conditions.sublist("Fault").set("Boundary", "bottom").set("Type", "Bilateral Contact");
   conditions.sublist("Left").set("Boundary", "left").set("Type", "Sliding Wall");
   auto& time = deck.sublist("Time Stepping");
   time.set("Final Time", 10.).set("Largest Step", 1.).set("Smallest Step", 1e-3);
@@ -44,14 +47,55 @@ ParameterList completeDeck(std::function<void(ParameterList&)> const& change)
   return deck;
 }
 
+ParameterList column(std::function<void(ParameterList&)> const& change)
+{
+  return completeDeck([&](ParameterList& deck) {
+    auto& right = deck.sublist("Boundary Conditions").sublist("Right");
+    right.set("Boundary", "right").set("Type", "Sliding Wall");
+    change(deck);
+  });
+}
+
+ParameterList strip(std::function<void(ParameterList&)> const& change)
+{
+  return completeDeck([&](ParameterList& deck) {
+    deck.sublist("Bulk").set("Model", "Antiplane").set("Gravitational Acceleration", 0.);
+    deck.sublist("Friction").set("Normal Stress", 1e4);
+    auto& conditions = deck.sublist("Boundary Conditions");
+    conditions.remove("Left");
+    conditions.sublist("Fault").set("Type", "Antisymmetric Fault");
+    deck.sublist("Initial State").set("Displacement", "Zero");
+    change(deck);
+  });
+}
+
+double steadyStress(double V)
+{
+  const double a = 0.01, b = 0.015, reference_rate = 1e-6, reference_friction = 0.6;
+  const double state = reference_friction + b * std::log(reference_rate / V);
+  return 1e4 * a * std::asinh(V / (2 * reference_rate) * std::exp(state / a));
+}
+
+std::vector<double> valuesOf(friction::ConstNodeView const& view)
+{
+  const auto host = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace(), view);
+  return {host.data(), host.data() + host.extent(0)};
+}
+
+std::vector<double> valuesOf(Vector const& x)
+{
+  const auto view = x.getLocalViewHost(Tpetra::Access::ReadOnly);
+  return {view.data(), view.data() + view.extent(0)};
+}
+
 Mesh<2> twoRegions()
 {
   mesh::RectangleShape shape;
   shape.width = 2;
   shape.cells_x = 4;
   auto whole = mesh::rectangleMesh(shape);
-  const mesh::RegionCondition<2> left = {"left", [](Point<2> const& x) { return x[0] < 1; }};
-  const mesh::RegionCondition<2> right = {"right", [](Point<2> const& x) { return x[0] > 1; }};
+  const mesh::NamedCondition<2> left = {"left", [](Point<2> const& x) { return x[0] < 1; }};
+  const mesh::NamedCondition<2> right = {"right", [](Point<2> const& x) { return x[0] > 1; }};
   mesh::overrideRegions<2>(whole, {left, right});
   return mesh::distribute(whole, *world());
 }

@@ -2,13 +2,10 @@
 
 #include "SampleDeck.hpp"
 #include "scenario/TimeSetup.hpp"
-#include "unit/base/Refusal.hpp"
 
 namespace asperity::scenario
 {
 using namespace test;
-using asperity::test::expectParts;
-using asperity::test::refusal;
 using dynamics::Correction;
 
 namespace

@@ -1,4 +1,4 @@
-#include "io/CsvFile.hpp"
+#include "io/TextTable.hpp"
 #include "unit/io/Support.hpp"
 
 #include <cmath>
@@ -6,7 +6,7 @@
 
 using namespace asperity;
 using io::Archive;
-using io::CsvFile;
+using io::TextTable;
 using test::world;
 
 namespace
@@ -14,7 +14,7 @@ namespace
 // Two rows, a checkpoint, a third row on disk, then the end without a word.
 Archive killedAfterCheckpoint(std::filesystem::path const& path)
 {
-  CsvFile file(path, "a,b", world());
+  TextTable file(path, "a,b", world());
   file.writeRow("1,2");
   file.writeRow("3,4");
   file.flush();
@@ -26,23 +26,23 @@ Archive killedAfterCheckpoint(std::filesystem::path const& path)
 }
 } // namespace
 
-TEST(CsvFile, TouchesNothingBeforeTheFirstRow)
+TEST(TextTable, TouchesNothingBeforeTheFirstRow)
 {
   test::TemporaryDirectory directory;
   test::write(directory / "a.csv", "earlier");
-  CsvFile file(directory / "a.csv", "a,b", world());
+  TextTable file(directory / "a.csv", "a,b", world());
   EXPECT_EQ(test::contents(directory / "a.csv"), "earlier");
   world()->barrier();
   file.flush();
   EXPECT_EQ(test::contents(directory / "a.csv"), "a,b\n");
 }
 
-TEST(CsvFile, RestartCutsBackToTheCheckpoint)
+TEST(TextTable, RestartCutsBackToTheCheckpoint)
 {
   test::TemporaryDirectory directory;
   const Archive archive = killedAfterCheckpoint(directory / "a.csv");
   EXPECT_EQ(test::contents(directory / "a.csv"), "a,b\n1,2\n3,4\n5,6\n");
-  CsvFile file(directory / "a.csv", "a,b", world());
+  TextTable file(directory / "a.csv", "a,b", world());
   world()->barrier();
   file.restore(archive);
   EXPECT_EQ(test::contents(directory / "a.csv"), "a,b\n1,2\n3,4\n");
@@ -52,29 +52,73 @@ TEST(CsvFile, RestartCutsBackToTheCheckpoint)
   EXPECT_EQ(test::contents(directory / "a.csv"), "a,b\n1,2\n3,4\n7,8\n");
 }
 
-TEST(CsvFile, RestartRefusesAnotherTable)
+TEST(TextTable, RestartRefusesAnotherTable)
 {
   test::TemporaryDirectory directory;
   const Archive archive = killedAfterCheckpoint(directory / "a.csv");
-  CsvFile other(directory / "a.csv", "a,c", world());
+  TextTable other(directory / "a.csv", "a,c", world());
   EXPECT_TRUE(
     test::contains(test::inputError([&] { other.restore(archive); }), "is not the table"));
   test::onRankZero([&] { std::filesystem::resize_file(directory / "a.csv", 8); });
-  CsvFile shorter(directory / "a.csv", "a,b", world());
+  TextTable shorter(directory / "a.csv", "a,b", world());
   EXPECT_TRUE(test::contains(test::inputError([&] { shorter.restore(archive); }), "has 8 bytes"));
-  CsvFile missing(directory / "b.csv", "a,b", world());
+  TextTable missing(directory / "b.csv", "a,b", world());
   EXPECT_TRUE(test::contains(test::inputError([&] { missing.restore(archive); }),
                              "cannot be continued"));
 }
 
-TEST(CsvFile, FolderThatDoesNotExistIsRefusedOnEveryRank)
+TEST(TextTable, FolderThatDoesNotExistIsRefusedOnEveryRank)
 {
   test::TemporaryDirectory directory;
-  CsvFile file(directory / "none/a.csv", "a", world());
+  TextTable file(directory / "none/deeper/a.csv", "a", world());
   EXPECT_TRUE(test::contains(test::inputError([&] { file.flush(); }), "cannot be written"));
 }
 
-TEST(CsvFile, Numbers)
+TEST(TextTable, MakesItsFolder)
+{
+  test::TemporaryDirectory directory;
+  TextTable file(directory / "seas/a.txt", "a", world());
+  file.flush();
+  EXPECT_EQ(test::contents(directory / "seas/a.txt"), "a\n");
+}
+
+TEST(TextTable, AHeaderOfSeveralLinesMayChange)
+{
+  test::TemporaryDirectory directory;
+  TextTable file(directory / "a.txt", "# steps=0\na b", world());
+  file.writeRow("1 2");
+  file.setHeader("# steps=1\na b");
+  file.flush();
+  file.writeRow("3 4");
+  file.flush();
+  EXPECT_EQ(test::contents(directory / "a.txt"), "# steps=1\na b\n1 2\n3 4\n");
+}
+
+TEST(TextTable, RestartTakesTheColumnsFromTheLastLineOfTheHeader)
+{
+  test::TemporaryDirectory directory;
+  Archive archive;
+  {
+    TextTable file(directory / "a.txt", "# steps=0\na b", world());
+    file.writeRow("1 2");
+    file.flush();
+    file.save(archive);
+    file.setHeader("# steps=7\na b");
+    file.writeRow("3 4");
+    file.flush();
+  }
+  TextTable other(directory / "a.txt", "# steps=0\na c", world());
+  EXPECT_TRUE(
+    test::contains(test::inputError([&] { other.restore(archive); }), "is not the table"));
+  TextTable file(directory / "a.txt", "# steps=0\na b", world());
+  file.restore(archive);
+  file.writeRow("5 6");
+  file.setHeader("# steps=2\na b");
+  file.flush();
+  EXPECT_EQ(test::contents(directory / "a.txt"), "# steps=2\na b\n1 2\n5 6\n");
+}
+
+TEST(TextTable, Numbers)
 {
   const double third = 1e9 / 3;
   EXPECT_EQ(std::stod(io::exactNumber(third)), third);

@@ -11,14 +11,18 @@
 namespace asperity::io
 {
 // A table in text, written by rank 0, that a restart cuts back to where the checkpoint was made.
-class CsvFile
+class TextTable
 {
 public:
-  // Nothing is touched before the first row or flush; then the file begins with the header.
-  CsvFile(std::filesystem::path file, std::string header, RCP<const Communicator> comm);
+  // Nothing is touched before the first row or flush; then the folder is made and the file begins
+  // with the header: any number of lines, of which the last one names the columns.
+  TextTable(std::filesystem::path file, std::string header, RCP<const Communicator> comm);
 
   // Without the end of the line. Ignored on other ranks.
   void writeRow(std::string const& row);
+
+  // Replaces the header by one of the same length, on disk after the next flush.
+  void setHeader(std::string const& header);
 
   // On disk afterwards. Collective; InputError on every rank if writing has failed.
   void flush();
@@ -26,8 +30,8 @@ public:
   // How much has been written; call flush first.
   void save(Archive& archive) const;
 
-  // Removes what was written after the archive. InputError if the file is shorter or has another
-  // header. Collective.
+  // Removes what was written after the archive. InputError if the file is shorter or has other
+  // columns. Collective.
   void restore(Archive const& archive);
 
 private:

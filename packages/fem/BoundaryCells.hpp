@@ -1,0 +1,18 @@
+#pragma once
+
+#include "fem/BoundaryNodes.hpp"
+#include "fem/Material.hpp"
+
+namespace asperity::fem
+{
+// The cell beside each facet of a boundary, in the order of mesh.boundaries.
+template <int Dim>
+std::vector<int> cellsBeside(Mesh<Dim> const& mesh, std::string const& boundary);
+
+// The material at each of the nodes: that of the cells beside the boundary's facets that meet there,
+// averaged by the size of the facets. materials(num_cells).
+template <int Dim>
+std::vector<Material> materialsAtNodes(Mesh<Dim> const& mesh, std::string const& boundary,
+                                       BoundaryNodes<Dim> const& nodes,
+                                       std::vector<Material> const& materials);
+} // namespace asperity::fem

@@ -1,0 +1,106 @@
+#include "fem/NodalDamping.hpp"
+
+#include "fem/BoundaryCells.hpp"
+#include "mesh/SimplexGeometry.hpp"
+
+#include <Tpetra_CrsMatrix.hpp>
+
+#include <cmath>
+
+namespace asperity::fem
+{
+namespace
+{
+// across n n^T + along (1 - n n^T), in the frame of a node; components == 1: along.
+template <int Dim, int Components>
+std::array<double, 9> dashpot(NodalFrames const& frames, int node, Point<Dim> const& normal,
+                              double across, double along)
+{
+  std::array<double, 9> block{};
+  if constexpr (Components == 1) {
+    block[0] = along;
+  } else {
+    std::array<double, Components> n{};
+    frames.toFrame(node, normal.data(), n.data());
+    for (int i = 0; i < Components; ++i) {
+      block[i * Components + i] = along;
+      for (int j = 0; j < Components; ++j) {
+        block[i * Components + j] += (across - along) * n[i] * n[j];
+      }
+    }
+  }
+  return block;
+}
+} // namespace
+
+template <int Dim, int Components>
+NodalDampers absorbingBoundary(Mesh<Dim> const& mesh, std::string const& boundary,
+                               NodalFrames const& frames, std::vector<Material> const& materials)
+{
+  auto const cells = cellsBeside(mesh, boundary);
+  auto const& facets = mesh.boundaries.at(boundary);
+  NodalDampers dampers;
+  for (std::size_t i = 0; i < facets.size(); ++i) {
+    auto const corners = mesh::corners<Dim>(mesh.vertices, facets[i]);
+    auto normal = mesh::areaNormal(corners);
+    const double size = std::sqrt(mesh::dot<Dim>(normal, normal));
+    for (double& x : normal) {
+      x /= size;
+    }
+    auto const& material = materials[cells[i]];
+    const double share = mesh::facetMeasure(corners) / Dim;
+    for (int node : facets[i]) {
+      if (node < mesh.num_owned) {
+        auto const block =
+          dashpot<Dim, Components>(frames, node, normal, share * material.compressionalImpedance(),
+                                   share * material.shearImpedance());
+        auto& sum = dampers[node];
+        for (std::size_t k = 0; k < sum.size(); ++k) {
+          sum[k] += block[k];
+        }
+      }
+    }
+  }
+  return dampers;
+}
+
+RCP<const CrsMatrix> withDampers(CrsMatrix const& viscosity, DofMap const& dofs,
+                                 NodalDampers const& dampers)
+{
+  auto result = rcp(new CrsMatrix(viscosity.getCrsGraph()));
+  const int components = dofs.components();
+  {
+    auto const local = result->getLocalMatrixHost();
+    Kokkos::deep_copy(local.values, viscosity.getLocalMatrixHost().values);
+    for (auto const& [node, block] : dampers) {
+      for (int i = 0; i < components; ++i) {
+        const int row = dofs.dof(node, i);
+        for (auto entry = local.graph.row_map(row); entry < local.graph.row_map(row + 1); ++entry) {
+          const int k = local.graph.entries(entry) - dofs.dof(node, 0);
+          if (k >= 0 && k < components) {
+            local.values(entry) += block[i * components + k];
+          }
+        }
+      }
+    }
+  }
+  result->fillComplete(viscosity.getDomainMap(), viscosity.getRangeMap());
+  return result;
+}
+
+RCP<const CrsMatrix> zeroLike(CrsMatrix const& matrix)
+{
+  auto result = rcp(new CrsMatrix(matrix.getCrsGraph()));
+  result->setAllToScalar(0);
+  result->fillComplete(matrix.getDomainMap(), matrix.getRangeMap());
+  return result;
+}
+
+#define ASPERITY_INSTANTIATE(DIM, COMPONENTS)                                                      \
+  template NodalDampers absorbingBoundary<DIM, COMPONENTS>(                                        \
+    Mesh<DIM> const&, std::string const&, NodalFrames const&, std::vector<Material> const&);
+
+ASPERITY_INSTANTIATE(2, 1)
+ASPERITY_INSTANTIATE(2, 2)
+ASPERITY_INSTANTIATE(3, 3)
+} // namespace asperity::fem

@@ -1,0 +1,33 @@
+#pragma once
+
+#include "base/Types.hpp"
+#include "fem/DofMap.hpp"
+#include "fem/Material.hpp"
+#include "fem/NodalFrames.hpp"
+#include "mesh/Mesh.hpp"
+
+#include <array>
+#include <map>
+#include <string>
+#include <vector>
+
+namespace asperity::fem
+{
+// Dampers at owned nodes: symmetric blocks in nodal frames, row-major in the leading components x
+// components entries [N s/m, in 2D per metre].
+using NodalDampers = std::map<int, std::array<double, 9>>;
+
+// The dampers of an absorbing boundary (Lysmer & Kuhlemeyer 1969), which takes up plane waves that
+// arrive at right angles: tractions -rho cp v_n and -rho cs v_t (antiplane: -rho cs v) with the
+// material beside each facet, lumped at its nodes.
+template <int Dim, int Components>
+NodalDampers absorbingBoundary(Mesh<Dim> const& mesh, std::string const& boundary,
+                               NodalFrames const& frames, std::vector<Material> const& materials);
+
+// A copy of a matrix of assembleBody with the dampers in its diagonal blocks.
+RCP<const CrsMatrix> withDampers(CrsMatrix const& viscosity, DofMap const& dofs,
+                                 NodalDampers const& dampers);
+
+// Zeros on the same graph.
+RCP<const CrsMatrix> zeroLike(CrsMatrix const& matrix);
+} // namespace asperity::fem

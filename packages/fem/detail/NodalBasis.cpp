@@ -1,0 +1,123 @@
+#include "fem/detail/NodalBasis.hpp"
+
+#include "base/Errors.hpp"
+
+#include <cmath>
+
+namespace asperity::fem::detail
+{
+namespace
+{
+void addScaled(std::vector<double>& a, double factor, std::vector<double> const& b)
+{
+  for (std::size_t i = 0; i < a.size(); ++i) {
+    a[i] += factor * b[i];
+  }
+}
+
+void addScaled(Terms& terms, double factor, Terms const& others)
+{
+  for (auto const& [condition, coefficient] : others) {
+    terms.emplace_back(condition, factor * coefficient);
+  }
+}
+} // namespace
+
+double dot(std::vector<double> const& a, std::vector<double> const& b)
+{
+  double sum = 0;
+  for (std::size_t i = 0; i < a.size(); ++i) {
+    sum += a[i] * b[i];
+  }
+  return sum;
+}
+
+bool NodalBasis::add(std::vector<double> const& direction, Terms& terms)
+{
+  auto remainder = direction;
+  for (int k = 0; k < size(); ++k) {
+    const double along = dot(direction, vectors_[k]);
+    addScaled(remainder, -along, vectors_[k]);
+    addScaled(terms, -along, velocities_[k]);
+  }
+  const double length = std::sqrt(dot(remainder, remainder));
+  if (length < parallel) {
+    return false;
+  }
+  for (double& x : remainder) {
+    x /= length;
+  }
+  for (auto& term : terms) {
+    term.second /= length;
+  }
+  vectors_.push_back(remainder);
+  velocities_.push_back(terms);
+  return true;
+}
+
+void NodalBasis::orient()
+{
+  if (size() != 2 || vectors_[0].size() != 2 ||
+      dot(vectors_[1], completing({vectors_[0]}, 2)) > 0) {
+    return;
+  }
+  for (double& x : vectors_[1]) {
+    x = -x;
+  }
+  for (auto& term : velocities_[1]) {
+    term.second = -term.second;
+  }
+}
+
+double NodalBasis::share(std::vector<double> const& direction) const
+{
+  double square = 0;
+  for (auto const& vector : vectors_) {
+    square += dot(direction, vector) * dot(direction, vector);
+  }
+  return std::sqrt(square);
+}
+
+Terms NodalBasis::velocityAlong(std::vector<double> const& direction) const
+{
+  Terms terms;
+  for (int k = 0; k < size(); ++k) {
+    const double along = dot(direction, vectors_[k]);
+    if (along != 0) {
+      addScaled(terms, along, velocities_[k]);
+    }
+  }
+  return terms;
+}
+
+int axisOf(std::vector<double> const& direction)
+{
+  for (std::size_t i = 0; i < direction.size(); ++i) {
+    if (std::abs(std::abs(direction[i]) - 1) < 1e-14) {
+      return static_cast<int>(i);
+    }
+  }
+  return -1;
+}
+
+std::vector<double> completing(std::vector<std::vector<double>> const& directions, int components)
+{
+  for (int axis = 0; axis < components; ++axis) {
+    std::vector<double> candidate(components, 0.);
+    candidate[axis] = 1;
+    for (auto const& known : directions) {
+      addScaled(candidate, -dot(candidate, known), known);
+    }
+    const double length = std::sqrt(dot(candidate, candidate));
+    // One of the axes has a part at least this long: the parts' squares add up to 1 or more.
+    if (length > 0.4) {
+      for (double& x : candidate) {
+        x /= length;
+      }
+      return candidate;
+    }
+  }
+  ASPERITY_ASSERT(static_cast<int>(directions.size()) >= components);
+  return {};
+}
+} // namespace asperity::fem::detail

@@ -1,0 +1,50 @@
+#pragma once
+
+#include <utility>
+#include <vector>
+
+namespace asperity::fem::detail
+{
+// A velocity as a sum of coefficients times the velocities of conditions, by their numbers.
+using Terms = std::vector<std::pair<int, double>>;
+
+// Below this the sine of the angle between two directions counts as zero.
+inline constexpr double parallel = 1e-8;
+
+// Orthonormal directions at a node, each with the velocity along it.
+class NodalBasis
+{
+public:
+  // Takes the part of the unit vector `direction` that is orthogonal to all others as the next one;
+  // `terms` is the velocity along `direction`. Where nothing is left, `false`: `terms` is then the
+  // velocity that is prescribed in excess, which has to be zero.
+  bool add(std::vector<double> const& direction, Terms& terms);
+
+  // Empty: the velocity along direction k is free.
+  void setVelocity(int k, Terms const& terms) { velocities_[k] = terms; }
+
+  // In the plane: turns the second direction to the side that completing() chooses.
+  void orient();
+
+  int size() const { return static_cast<int>(vectors_.size()); }
+  std::vector<std::vector<double>> const& vectors() const { return vectors_; }
+  Terms const& velocity(int k) const { return velocities_[k]; }
+
+  // The length of the projection of a unit vector onto these directions, and its velocity.
+  double share(std::vector<double> const& direction) const;
+  Terms velocityAlong(std::vector<double> const& direction) const;
+
+private:
+  std::vector<std::vector<double>> vectors_;
+  std::vector<Terms> velocities_;
+};
+
+double dot(std::vector<double> const& a, std::vector<double> const& b);
+
+// The axis that a unit vector follows, forwards or backwards; -1 if it follows none.
+int axisOf(std::vector<double> const& direction);
+
+// The direction at right angles to orthonormal ones that is nearest to the first possible axis; the
+// tangent of a boundary from its normal points along +x unless the boundary is steep.
+std::vector<double> completing(std::vector<std::vector<double>> const& directions, int components);
+} // namespace asperity::fem::detail

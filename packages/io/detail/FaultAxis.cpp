@@ -1,0 +1,30 @@
+#include "io/detail/FaultAxis.hpp"
+
+#include "io/detail/Gather.hpp"
+#include "io/detail/NodeGather.hpp"
+
+#include <cmath>
+
+namespace asperity::io::detail
+{
+FaultAxis faultAxis(Location const& fault)
+{
+  const auto whole = gatherGeometry(fault, NodeGather(fault));
+  FaultAxis axis;
+  axis.distances = whole.positions;
+  double first_y = 0, last_y = 0, length = 0;
+  if (!axis.distances.empty()) {
+    first_y = whole.coordinates[1];
+    last_y = whole.coordinates.back();
+    length = axis.distances.back();
+    if (last_y > first_y) {
+      for (double& distance : axis.distances) {
+        distance = length - distance;
+      }
+    }
+  }
+  const double level = std::abs(last_y - first_y) <= 1e-9 * length ? 1 : 0;
+  axis.is_level = maxOverRanks(fault.comm->getRank() == 0 ? level : 0, *fault.comm) > 0;
+  return axis;
+}
+} // namespace asperity::io::detail

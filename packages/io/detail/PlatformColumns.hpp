@@ -1,0 +1,43 @@
+#pragma once
+
+#include "io/TextFormat.hpp"
+
+#include <map>
+#include <string>
+#include <vector>
+
+namespace asperity::io::detail
+{
+// A column of a station's file after the time, made of one component of a field.
+struct PlatformColumn
+{
+  char const* description; // "Slip (m)"
+  char const* name;        // "slip"
+  char const* field;       // of the registry; nullptr: zeros, what the model has not
+  int component;
+  double (*convert)(double);
+};
+using PlatformColumns = std::vector<PlatformColumn>;
+
+// How the plane of the mesh lies in the platform's space.
+struct PlatformView
+{
+  bool antiplane = false; // displacement across the plane, which is along strike
+  bool is_level = false;  // plane strain in a map: the fault runs along strike
+};
+
+// Of a station on the fault and one in the body. SEAS: slip, slip rate, shear stress, in plane
+// strain normal stress, and state; displacement and velocity along the axes of the mesh. SCEC:
+// slip along strike (h) or, where the plane is a section, down dip (v); n-stress positive in
+// compression; displacement along strike, vertical (y) and across the fault.
+PlatformColumns faultColumns(Platform platform, PlatformView const& view);
+PlatformColumns bodyColumns(Platform platform, PlatformView const& view);
+
+// The distinct fields of the columns.
+std::vector<std::string> fieldsOf(PlatformColumns const& columns);
+
+// The values of one row of the station `station`; sampled: (num_stations, components) by field.
+std::vector<double> rowOf(PlatformColumns const& columns,
+                          std::map<std::string, std::vector<double>> const& sampled,
+                          std::size_t station, std::size_t num_stations);
+} // namespace asperity::io::detail

@@ -1,0 +1,77 @@
+#pragma once
+
+#include "base/Types.hpp"
+#include "io/Archive.hpp"
+#include "io/H5.hpp"
+
+#include <cstdint>
+#include <filesystem>
+#include <functional>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace asperity::io::detail
+{
+// "segments/fault_000012.h5", relative to the folder of the index.
+std::string segmentName(std::string const& name, std::size_t segment);
+
+// Names `dataset`'s unit and meaning in its attributes.
+void describe(h5::Dataset dataset, std::string const& unit, std::string const& description);
+
+// Rows of a few columns in closed segments DIR/segments/<name>_<nnnnnn>.h5, tied together by the
+// virtual datasets of the index DIR/<name>.h5. What was closed stays whole whatever happens; what
+// was not may be lost. Rank 0 holds the rows and writes. All functions are collective.
+class SegmentedTable
+{
+public:
+  struct Column
+  {
+    std::string path; // of the dataset, "fields/slip"
+    std::string unit, description;
+    h5::Type type = h5::Type::float64;
+    h5::Shape row_shape; // of the value in a row; {} is a number
+  };
+  struct Options
+  {
+    std::filesystem::path directory;
+    std::string name;
+    std::vector<Column> columns;
+    std::size_t rows_per_write = 64;
+    // Adds to the index what does not grow: attributes, geometry. On rank 0.
+    std::function<void(h5::File&)> describe_index;
+  };
+
+  SegmentedTable(Options options, RCP<const Communicator> comm);
+
+  // Adds rows: for each column (num_rows, row shape), on rank 0; the others pass anything.
+  void append(std::size_t num_rows, std::vector<std::vector<double>> const& values);
+
+  // Completes the segment `index`, one more than that of the last call, and writes the index anew.
+  // A segment without rows has no file.
+  void closeSegment(int index);
+
+  // Everything up to the last closed segment. restore removes later segments; InputError if an
+  // earlier one is missing.
+  void save(Archive& archive) const;
+  void restore(Archive const& archive);
+
+  // Of the closed segments, on rank 0.
+  std::vector<std::int64_t> const& rowsOfSegment() const { return rows_of_segment_; }
+
+private:
+  void openSegment();
+  void writeRows();
+  void writeIndex() const;
+  void removeLaterSegments() const;
+  std::filesystem::path segmentPath(std::size_t segment) const;
+
+  Options options_;
+  RCP<const Communicator> comm_;
+  std::vector<std::int64_t> rows_of_segment_; // closed ones
+  std::int64_t rows_in_open_segment_ = 0;     // written or waiting
+  std::size_t rows_waiting_ = 0;
+  std::vector<std::vector<double>> waiting_; // by column
+  std::optional<h5::File> segment_;          // between the first rows written and closeSegment
+};
+} // namespace asperity::io::detail

@@ -1,0 +1,69 @@
+#include "io/detail/SeriesLayout.hpp"
+
+#include <type_traits>
+#include <utility>
+
+namespace asperity::io::detail
+{
+h5::Shape rowShape(std::size_t num_points, int components)
+{
+  h5::Shape shape{num_points};
+  if (components > 1) {
+    shape.push_back(static_cast<hsize_t>(components));
+  }
+  return shape;
+}
+
+h5::Shape SeriesLayout::rowShape(Field const& field) const
+{
+  return detail::rowShape(num_nodes, field.components);
+}
+
+std::vector<SegmentedTable::Column> timeColumns()
+{
+  return {{"time", "s", "Time at the end of the step.", h5::Type::float64, {}},
+          {"step", "-", "Number of the accepted step; 0 is the initial state.", h5::Type::int64,
+           {}}};
+}
+
+template <class T>
+void writeDataset(h5::File& file, std::string const& path, std::vector<T> const& values,
+                  h5::Shape const& shape, std::string const& unit, std::string const& description)
+{
+  constexpr bool is_real = std::is_same_v<T, double>;
+  auto dataset = file.create(path, is_real ? h5::Type::float64 : h5::Type::int64, shape);
+  if constexpr (is_real) {
+    dataset.write(values.data());
+  } else {
+    const std::vector<std::int64_t> integers(values.begin(), values.end());
+    dataset.write(integers.data());
+  }
+  describe(std::move(dataset), unit, description);
+}
+
+template void writeDataset(h5::File&, std::string const&, std::vector<double> const&,
+                           h5::Shape const&, std::string const&, std::string const&);
+template void writeDataset(h5::File&, std::string const&, std::vector<GlobalOrdinal> const&,
+                           h5::Shape const&, std::string const&, std::string const&);
+
+void writeGeometry(h5::File& file, Location const& location, WholeGeometry const& geometry)
+{
+  const auto nodes = static_cast<hsize_t>(location.num_global_nodes);
+  const hsize_t corners = location.nodes_per_element;
+  const hsize_t dimension = location.dimension;
+  char const* units[] = {"m", "m", "m^2", "m^3"};
+  writeDataset(file, "geometry/coordinates", geometry.coordinates, {nodes, dimension}, "m",
+               "Coordinates of the nodes.");
+  writeDataset(file, "geometry/weights", geometry.weights, {nodes}, units[corners - 1],
+               "Lumped length, area or volume of each node.");
+  writeDataset(file, "geometry/vertex_ids", geometry.vertex_ids, {nodes}, "-",
+               "Numbers of the nodes in the mesh.");
+  writeDataset(file, "geometry/connectivity", geometry.connectivity,
+               {geometry.connectivity.size() / corners, corners}, "-",
+               "Nodes of each element, as rows of coordinates.");
+  if (!geometry.positions.empty()) {
+    writeDataset(file, "geometry/positions", geometry.positions, {nodes}, "m",
+                 "Distance along the boundary from its first end.");
+  }
+}
+} // namespace asperity::io::detail

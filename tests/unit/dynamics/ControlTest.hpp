@@ -1,0 +1,69 @@
+#pragma once
+
+#include "dynamics/StepControl.hpp"
+#include "unit/dynamics/SlidingBlock.hpp"
+
+#include <gtest/gtest.h>
+
+namespace asperity::dynamics::testing
+{
+inline const DyadicTime half_seconds(0.5, 16);
+
+inline CouplingSettings coupling(double tolerance, int max_iterations)
+{
+  CouplingSettings settings;
+  settings.tolerance = tolerance;
+  settings.max_iterations = max_iterations;
+  return settings;
+}
+
+inline AdaptiveSettings adaptive(double tolerance, int first_level, int finest_level = 16)
+{
+  AdaptiveSettings settings;
+  settings.tolerance = tolerance;
+  settings.first_level = first_level;
+  settings.finest_level = finest_level;
+  return settings;
+}
+
+// A sliding block, steps of half a second and shorter, and what they should come to.
+class ControlTest : public ::testing::Test
+{
+protected:
+  explicit ControlTest(RateUpdate const& update = RateUpdate::newmark(0.25))
+      : model(slidingBlock(2), fem::testing::selfCommunicator())
+      , stepper(model, update, half_seconds)
+      , state(slidingState(model))
+  {
+  }
+
+  // The state after steps of these levels, with nobody's help.
+  State stepped(State const& from, std::vector<int> const& levels)
+  {
+    State state = from.clone();
+    for (int level : levels) {
+      State next = state.clone();
+      EXPECT_TRUE(stepper.step.solve(state, level, next, stepper.count).solved());
+      state = next;
+    }
+    return state;
+  }
+
+  // How far one step of a level is from two of half its size.
+  double errorOf(State const& from, int level, Norm norm = Norm::root_mean_square)
+  {
+    return model.fault.distance(stepped(from, {level}).alpha,
+                                stepped(from, {level + 1, level + 1}).alpha, norm);
+  }
+
+  double distance(State const& x, State const& y) const
+  {
+    return (denseOf(*x.v) - denseOf(*y.v)).norm() / denseOf(*y.v).norm() +
+           model.fault.distance(x.alpha, y.alpha);
+  }
+
+  Model model;
+  Stepper stepper;
+  State state;
+};
+} // namespace asperity::dynamics::testing

@@ -1,0 +1,285 @@
+#include "dynamics/RichardsonControl.hpp"
+
+#include "base/Errors.hpp"
+#include "unit/dynamics/ControlTest.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+
+namespace asperity::dynamics
+{
+using namespace testing;
+
+namespace
+{
+class RichardsonControlTest : public ControlTest
+{
+protected:
+  RichardsonControl control(AdaptiveSettings const& settings)
+  {
+    return {stepper.step, model.fault, half_seconds, 2, settings};
+  }
+
+  SolveCount count;
+};
+
+class FirstOrderRichardsonTest : public ControlTest
+{
+protected:
+  FirstOrderRichardsonTest() : ControlTest(RateUpdate::backwardEuler()) {}
+};
+} // namespace
+
+TEST_F(RichardsonControlTest, acceptsPairsOfStepsThatOneStepConfirms)
+{
+  const double tolerance = 1e-4;
+  auto control = this->control(adaptive(tolerance, 8));
+  int coarsest = 16, finest = 0;
+  for (int n = 0; n < 15; ++n) {
+    auto const before = state.clone();
+    auto const first = control.advance(state, count);
+    const int level = first.level;
+    coarsest = std::min(coarsest, level);
+    finest = std::max(finest, level);
+    EXPECT_EQ(control.memory().num_steps, 2 * n + 1);
+    EXPECT_EQ(state.time, before.time + half_seconds.ticks(level));
+    EXPECT_LE(distance(state, stepped(before, {level})), 1e-10);
+
+    auto const second = control.advance(state, count);
+    EXPECT_EQ(second.level, level);
+    EXPECT_EQ(control.memory().num_steps, 2 * n + 2);
+    EXPECT_EQ(state.time, before.time + 2 * half_seconds.ticks(level));
+    EXPECT_LE(distance(state, stepped(before, {level, level})), 1e-10);
+
+    ASSERT_GT(level, 0);
+    EXPECT_NEAR(first.error, errorOf(before, level - 1) / 3, 1e-10);
+    EXPECT_EQ(second.error, first.error);
+    EXPECT_LE(first.error, tolerance);
+    EXPECT_TRUE(first.within_tolerance);
+    EXPECT_TRUE(second.within_tolerance);
+  }
+  EXPECT_GE(finest - coarsest, 2) << "the run was meant to need several step sizes";
+}
+
+// Three coupled steps for each pair, and two more for each halving: the first half of a pair that
+// was refused is what the next, smaller pair is compared with.
+TEST_F(RichardsonControlTest, takesThreeCoupledStepsForTwoAndTwoMoreForEachHalving)
+{
+  auto control = this->control(adaptive(1e-4, 4));
+  int num_straight = 0, num_halved = 0;
+  for (int n = 0; n < 25; ++n) {
+    const int predicted = control.memory().level;
+    auto const before = count;
+    const int level = control.advance(state, count).level;
+    EXPECT_EQ(count.since(before).coupled_steps, 3 + 2 * (level - predicted));
+    ++(level == predicted ? num_straight : num_halved);
+    auto const between = count;
+    control.advance(state, count);
+    EXPECT_EQ(count.since(between).coupled_steps, 0);
+  }
+  EXPECT_EQ(count.failures, 0);
+  EXPECT_GT(num_straight, num_halved);
+  EXPECT_GT(num_halved, 0) << "the first step was meant to be too large";
+}
+
+TEST_F(RichardsonControlTest, halvesUntilThePairIsFineEnough)
+{
+  const double tolerance = 1e-4;
+  auto control = this->control(adaptive(tolerance, 2));
+  auto const before = state.clone();
+  const int level = control.advance(state, count).level;
+  ASSERT_GT(level, 4) << "the first step was meant to be far too large";
+  EXPECT_LE(errorOf(before, level - 1) / 3, tolerance);
+  EXPECT_GT(errorOf(before, level - 2) / 3, tolerance);
+  EXPECT_LE(distance(state, stepped(before, {level})), 1e-10);
+  EXPECT_EQ(count.coupled_steps, 3 + 2 * (level - 2));
+}
+
+TEST_F(RichardsonControlTest, measuresInTheNormAskedFor)
+{
+  auto settings = adaptive(1e-4, 8);
+  settings.norm = Norm::maximum;
+  auto control = this->control(settings);
+  for (int n = 0; n < 3; ++n) {
+    auto const before = state.clone();
+    auto const accepted = control.advance(state, count);
+    control.advance(state, count);
+    EXPECT_LE(accepted.error, 1e-4);
+    EXPECT_NEAR(accepted.error, errorOf(before, accepted.level - 1, Norm::maximum) / 3, 1e-10);
+    EXPECT_GT(accepted.error, 1.1 * errorOf(before, accepted.level - 1) / 3);
+  }
+}
+
+TEST_F(FirstOrderRichardsonTest, takesTheWholeDifferenceForTheError)
+{
+  RichardsonControl control(stepper.step, model.fault, half_seconds, 1, adaptive(1e-3, 8));
+  SolveCount count;
+  for (int n = 0; n < 3; ++n) {
+    auto const before = state.clone();
+    auto const accepted = control.advance(state, count);
+    control.advance(state, count);
+    EXPECT_NEAR(accepted.error, errorOf(before, accepted.level - 1), 1e-10);
+  }
+}
+
+TEST_F(RichardsonControlTest, saysWhenTheSmallestStepIsTooCoarse)
+{
+  auto control = this->control(adaptive(1e-12, 4, 6));
+  for (int n = 0; n < 4; ++n) {
+    auto const accepted = control.advance(state, count);
+    EXPECT_EQ(accepted.level, 6);
+    EXPECT_FALSE(accepted.within_tolerance);
+    EXPECT_GT(accepted.error, 1e-12);
+  }
+  EXPECT_EQ(count.coupled_steps, 3 + 2 * 2 + 3);
+}
+
+TEST_F(RichardsonControlTest, staysBelowTheLargestStep)
+{
+  auto settings = adaptive(1e3, 0);
+  settings.coarsest_level = 5; // of the step that a pair is compared with
+  auto control = this->control(settings);
+  for (int n = 1; n <= 6; ++n) {
+    EXPECT_EQ(control.advance(state, count).level, 6);
+    EXPECT_EQ(state.time, n * half_seconds.ticks(6));
+  }
+}
+
+TEST_F(RichardsonControlTest, continuesFromItsMemoryExactly)
+{
+  // Once with a pair completed, once in the middle of one.
+  for (int num_steps : {8, 9}) {
+    auto from = state.clone();
+    auto control = this->control(adaptive(1e-4, 8));
+    for (int n = 0; n < num_steps; ++n) {
+      control.advance(from, count);
+    }
+    EXPECT_EQ(control.memory().trial.has_value(), num_steps == 9);
+    Stepper other(model, RateUpdate::newmark(0.25), half_seconds);
+    RichardsonControl continued(other.step, model.fault, half_seconds, 2, adaptive(1e-4, 8));
+    continued.restore(control.memory());
+    auto copy = from.clone();
+    for (int n = 0; n < 9; ++n) {
+      auto const expected = control.advance(from, count);
+      auto const accepted = continued.advance(copy, count);
+      EXPECT_EQ(accepted.level, expected.level);
+      EXPECT_EQ(accepted.iterations, expected.iterations);
+      EXPECT_EQ(accepted.error, expected.error);
+      EXPECT_EQ(denseOf(*copy.v), denseOf(*from.v));
+      EXPECT_EQ(denseOf(copy.alpha), denseOf(from.alpha));
+    }
+    EXPECT_EQ(continued.memory().num_steps, num_steps + 9);
+  }
+}
+
+TEST_F(RichardsonControlTest, halvesStepsThatCannotBeSolved)
+{
+  // Few iterations of the fixed point have to do: that takes steps finer than the tolerance does.
+  Stepper hasty(model, RateUpdate::newmark(0.25), half_seconds, coupling(1e-3, 1));
+  RichardsonControl control(hasty.step, model.fault, half_seconds, 2, adaptive(1e-2, 2));
+  auto free = this->control(adaptive(1e-2, 2));
+  auto other = state.clone();
+  auto const before = state.clone();
+  auto const accepted = control.advance(state, count);
+  EXPECT_GT(accepted.level, free.advance(other, count).level);
+  EXPECT_GT(count.failures, 0);
+  EXPECT_EQ(state.time, half_seconds.ticks(accepted.level));
+  EXPECT_LE(model.fault.distance(state.alpha, stepped(before, {accepted.level}).alpha), 2e-3);
+  for (int n = 0; n < 5; ++n) {
+    control.advance(state, count);
+  }
+}
+
+TEST_F(RichardsonControlTest, givesUpBelowTheSmallestStep)
+{
+  Stepper hasty(model, RateUpdate::newmark(0.25), half_seconds, coupling(1e-12, 1));
+  RichardsonControl control(hasty.step, model.fault, half_seconds, 2, adaptive(1e-2, 2, 5));
+  try {
+    control.advance(state, count);
+    ADD_FAILURE() << "nothing was thrown";
+  } catch (SolveError const& error) {
+    const std::string message = error.what();
+    EXPECT_NE(message.find("t = 0 s"), std::string::npos) << message;
+    EXPECT_NE(message.find("0.015625 s"), std::string::npos) << message;
+    EXPECT_NE(message.find("fixed point"), std::string::npos) << message;
+  }
+  EXPECT_EQ(state.time, 0);
+}
+
+// After a pair of the level 9: its error, that of the pair before it (0: unknown), the level next.
+struct Prediction
+{
+  double error, previous_error;
+  int level;
+};
+
+class RichardsonPrediction : public RichardsonControlTest,
+                             public ::testing::WithParamInterface<Prediction>
+{
+};
+
+// With tolerance 1e-4 and a ratio of 8: doubles if 8 times the error expected is at most 5e-5.
+TEST_P(RichardsonPrediction, comesFromTheErrorAndItsTrend)
+{
+  auto const& given = GetParam();
+  ControlMemory memory;
+  memory.level = 9;
+  memory.error = given.error;
+  memory.previous_error = given.previous_error;
+  memory.trial = Trial{state.clone(), 4}; // the second step of the pair
+  auto control = this->control(adaptive(1e-4, 9));
+  control.restore(memory);
+  auto const accepted = control.advance(state, count);
+  EXPECT_EQ(accepted.level, 9);
+  EXPECT_EQ(accepted.error, given.error);
+  EXPECT_EQ(accepted.iterations, 4);
+  EXPECT_EQ(control.memory().level, given.level);
+  // The error that the pair would have had at the next level.
+  EXPECT_DOUBLE_EQ(control.memory().error, std::ldexp(given.error, 3 * (9 - given.level)));
+  EXPECT_FALSE(control.memory().trial);
+  EXPECT_EQ(count.coupled_steps, 0);
+}
+
+INSTANTIATE_TEST_SUITE_P(All, RichardsonPrediction,
+                         ::testing::Values(Prediction{6.2e-6, 0, 8}, Prediction{6.3e-6, 0, 9},
+                                           Prediction{9e-5, 0, 9}, // still meets it
+                                           Prediction{6.2e-6, 6.2e-6, 8},
+                                           Prediction{6.2e-6, 6e-6, 9}, // grows
+                                           Prediction{1.2e-5, 3e-5, 8}, // falls, by half at best
+                                           Prediction{1.3e-5, 1, 9},    // whatever came before
+                                           Prediction{2.4e-5, 1e-9, 9}, // grows, by 4 at worst
+                                           Prediction{2.6e-5, 1e-9, 10},
+                                           Prediction{6e-5, 3e-5, 10}));
+
+TEST_F(RichardsonControlTest, predictionsStayBetweenTheLevelsAllowed)
+{
+  for (double error : {1e-9, 1.}) {
+    auto settings = adaptive(1e-4, 9, 9);
+    settings.coarsest_level = 8;
+    ControlMemory memory;
+    memory.level = 9;
+    memory.error = error;
+    memory.trial = Trial{state.clone(), 1};
+    auto control = this->control(settings);
+    control.restore(memory);
+    control.advance(state, count);
+    EXPECT_EQ(control.memory().level, 9);
+    EXPECT_EQ(control.memory().error, error);
+  }
+}
+
+// Half way, and once more as far.
+TEST_F(RichardsonControlTest, guessesLieOnTheLineThroughTwoStates)
+{
+  auto const later = stepped(state, {6, 6});
+  for (double weight : {0.5, 2.}) {
+    auto const guess = blend(weight, later, state);
+    auto const expected_v = (weight * denseOf(*later.v) + (1 - weight) * denseOf(*state.v)).eval();
+    auto const expected_alpha =
+      (weight * denseOf(later.alpha) + (1 - weight) * denseOf(state.alpha)).eval();
+    EXPECT_LE((denseOf(*guess.v) - expected_v).norm(), 1e-15 * expected_v.norm());
+    EXPECT_LE((denseOf(guess.alpha) - expected_alpha).norm(), 1e-15 * expected_alpha.norm());
+  }
+}
+} // namespace asperity::dynamics

@@ -1,0 +1,237 @@
+#include "io/outputs/Receivers.hpp"
+#include "unit/io/Stage.hpp"
+
+#include <cmath>
+
+using namespace asperity;
+using namespace asperity::io;
+using test::position;
+using test::world;
+
+namespace
+{
+constexpr int num_base = 6;
+constexpr double step_size = 0.4;
+
+// Linear in place, so that interpolation is exact. Slip rates are zero where x = 0.
+struct Fault : test::Stage
+{
+  explicit Fault(int displacement_components = 2) : Stage(num_base)
+  {
+    add("fault", "slip", 1, [this](double const* x, int) { return time * x[0]; });
+    add("fault", "slip_rate", 1, [](double const* x, int) { return x[0]; });
+    add("fault", "traction", 1, [this](double const* x, int) { return 1e6 * (x[0] - time); });
+    add("fault", "normal_stress", 1, [](double const* x, int) { return 5e7 + 1e6 * x[0]; });
+    add("fault", "theta", 1, [](double const*, int) { return 1e8; });
+    add("volume", "displacement", displacement_components,
+        [this](double const* x, int c) { return (c + 1) * (x[0] + 2 * x[1]) + time; });
+    add("volume", "velocity", displacement_components,
+        [](double const* x, int c) { return (c + 1) * x[1]; });
+  }
+};
+
+ParameterList parameters()
+{
+  ParameterList list;
+  list.sublist("On Fault").set("dp003", position({0.3, 0.}));
+  list.sublist("On Fault").set("dp000", position({0., 0.}));
+  list.sublist("Off Fault").set("inside", position({0.5, 0.75}));
+  return list;
+}
+
+ParameterList complete(ParameterList list)
+{
+  completeAndValidate(list, *Receivers::validParameters(), "Asperity / Output / Receivers");
+  return list;
+}
+
+// Steps 0 to 4, a segment closed after step 2 and at the end.
+void run(Fault& fault, Receivers& receivers)
+{
+  for (int step = 0; step <= 4; ++step) {
+    receivers.write(fault.at(step, step_size, step == 4));
+    if (step == 2) {
+      receivers.closeSegment(0);
+    }
+  }
+  receivers.closeSegment(1);
+}
+
+std::string refusal(ParameterList const& list)
+{
+  test::TemporaryDirectory directory;
+  Fault fault;
+  return test::inputError([&] { Receivers(complete(list), fault.context(directory.path())); });
+}
+} // namespace
+
+TEST(Receivers, WriteSeriesOfInterpolatedFields)
+{
+  test::TemporaryDirectory directory;
+  Fault fault;
+  Receivers receivers(complete(parameters()), fault.context(directory.path()));
+  run(fault, receivers);
+  test::onRankZero([&] {
+    const auto file = h5::File::open(directory / "receivers.h5");
+    EXPECT_EQ(file.textAttribute("format"), "asperity receivers");
+    EXPECT_EQ(file.openDataset("on_fault/names").readTexts(),
+              (std::vector<std::string>{"dp003", "dp000"}));
+    EXPECT_EQ(file.openDataset("off_fault/coordinates").readDoubles(),
+              (std::vector<double>{0.5, 0.75}));
+    EXPECT_NEAR(file.openDataset("on_fault/positions").readDoubles()[0], 0.3, 1e-15);
+    const auto slip = file.openDataset("on_fault/fields/slip");
+    const auto displacement = file.openDataset("off_fault/fields/displacement");
+    ASSERT_EQ(slip.shape(), (h5::Shape{5, 2}));
+    ASSERT_EQ(displacement.shape(), (h5::Shape{5, 1, 2}));
+    EXPECT_EQ(file.openDataset("step").readIntegers(), (std::vector<std::int64_t>{0, 1, 2, 3, 4}));
+    for (int step = 0; step <= 4; ++step) {
+      const double time = step * step_size;
+      EXPECT_NEAR(slip.readDoubles()[2 * step], 0.3 * time, 1e-15);
+      EXPECT_EQ(slip.readDoubles()[2 * step + 1], 0);
+      EXPECT_NEAR(displacement.readDoubles()[2 * step], 2 + time, 1e-14);
+      EXPECT_NEAR(displacement.readDoubles()[2 * step + 1], 4 + time, 1e-14);
+    }
+  });
+}
+
+TEST(Receivers, WithoutAnyNothingIsWritten)
+{
+  test::TemporaryDirectory directory;
+  Fault fault;
+  Receivers receivers(complete({}), fault.context(directory.path()));
+  run(fault, receivers);
+  EXPECT_TRUE(std::filesystem::is_empty(directory.path()));
+}
+
+TEST(Receivers, ThoseBesideTheFaultOrOutsideOfTheMeshAreRefusedByName)
+{
+  auto list = parameters();
+  list.sublist("On Fault").set("st8", position({0.5, 0.25}));
+  const auto beside = refusal(list);
+  EXPECT_TRUE(test::contains(beside, "Receivers / On Fault / st8 = (0.5, 0.25) is 0.25 m outside "
+                                     "of the fault, which extends from (0, 0) to (1, 0) m"))
+    << beside;
+  list = parameters();
+  list.sublist("Off Fault").set("far", position({3., 0.5}));
+  const auto outside = refusal(list);
+  EXPECT_TRUE(test::contains(outside, "Receivers / Off Fault / far = (3, 0.5) is 2 m outside of "
+                                      "the mesh, which extends from (0, 0) to (1, 1) m"))
+    << outside;
+  list = parameters();
+  list.sublist("Off Fault").set("flat", position({3}));
+  EXPECT_TRUE(test::contains(refusal(list), "flat has 1 coordinates"));
+}
+
+TEST(Receivers, RoundedPositionsOnTheFaultAreProjected)
+{
+  test::TemporaryDirectory directory;
+  Fault fault;
+  ParameterList list;
+  list.sublist("On Fault").set("near", position({0.5, -0.0027})); // the facet has 0.28 m
+  Receivers receivers(complete(list), fault.context(directory.path()));
+  run(fault, receivers);
+  test::onRankZero([&] {
+    const auto file = h5::File::open(directory / "receivers.h5");
+    EXPECT_NEAR(file.openDataset("on_fault/coordinates").readDoubles()[1], 0, 1e-15);
+    EXPECT_FALSE(file.has("off_fault"));
+  });
+}
+
+TEST(Receivers, FilesForSeas)
+{
+  test::TemporaryDirectory directory;
+  Fault fault(1); // antiplane
+  auto list = parameters();
+  list.set("Every n Steps", 2);
+  Receivers receivers(complete(list),
+                      fault.context(directory.path(), test::textFormat(Platform::seas)));
+  run(fault, receivers);
+  test::onRankZero([&] {
+    EXPECT_EQ(test::contents(directory / "seas/fltst_dp003"),
+              "# This is the file header:\n"
+              "# problem=BP1-QD\n"
+              "# author=A. Modeller\n"
+              "# date=2024/05/31\n"
+              "# code=Asperity\n"
+              "# code_version=1.2\n"
+              "# element_size=50 m\n"
+              "# location=on fault, (0.3, 0) m\n"
+              "# minimum_time_step=4.000000E-01\n"
+              "# maximum_time_step=4.000000E-01\n"
+              "# num_time_steps=4           \n"
+              "# Column #1 = Time (s)\n"
+              "# Column #2 = Slip (m)\n"
+              "# Column #3 = Slip rate (log10 m/s)\n"
+              "# Column #4 = Shear stress (MPa)\n"
+              "# Column #5 = State (log10 s)\n"
+              "# The line below lists the names of the data fields:\n"
+              "t slip slip_rate shear_stress state\n"
+              " 0.00000000000000E+00   0.000000E+00  -5.228787E-01   3.000000E-01   8.000000E+00\n"
+              " 8.00000000000000E-01   2.400000E-01  -5.228787E-01  -5.000000E-01   8.000000E+00\n"
+              " 1.60000000000000E+00   4.800000E-01  -5.228787E-01  -1.300000E+00   8.000000E+00\n");
+    EXPECT_EQ(test::dataLines(directory / "seas/fltst_dp000")[1],
+              " 0.00000000000000E+00   0.000000E+00  -9.900000E+01   0.000000E+00   8.000000E+00");
+    const auto body = test::dataLines(directory / "seas/blkst_inside");
+    EXPECT_EQ(body[0], "t disp vel");
+    EXPECT_EQ(body[2], " 8.00000000000000E-01   2.800000E+00   7.500000E-01");
+  });
+}
+
+TEST(Receivers, InPlaneStrainSeasTakesNormalStressAndTwoComponents)
+{
+  test::TemporaryDirectory directory;
+  Fault fault;
+  Receivers receivers(complete(parameters()),
+                      fault.context(directory.path(), test::textFormat(Platform::seas)));
+  run(fault, receivers);
+  test::onRankZero([&] {
+    const auto on_fault = test::dataLines(directory / "seas/fltst_dp000");
+    EXPECT_EQ(on_fault[0], "t slip slip_rate shear_stress normal_stress state");
+    EXPECT_TRUE(test::contains(on_fault[1], " 5.000000E+01   8.000000E+00")) << on_fault[1];
+    const auto body = test::dataLines(directory / "seas/blkst_inside");
+    EXPECT_EQ(body[0], "t disp_1 disp_2 vel_1 vel_2");
+    EXPECT_EQ(body[1], " 0.00000000000000E+00   2.000000E+00   4.000000E+00   7.500000E-01"
+                       "   1.500000E+00");
+  });
+}
+
+TEST(Receivers, FilesForScecHaveRowsAtEqualDistances)
+{
+  test::TemporaryDirectory directory;
+  Fault fault;
+  auto list = parameters();
+  list.set("Every n Steps", 0); // whatever receivers.h5 has
+  Receivers receivers(complete(list),
+                      fault.context(directory.path(), test::textFormat(Platform::scec)));
+  run(fault, receivers);
+  test::onRankZero([&] {
+    const auto text = test::contents(directory / "scec/faultstdp003");
+    EXPECT_TRUE(test::contains(text, "# time_step=2.500000E-01\n# num_time_steps=7  ")) << text;
+    const auto lines = test::dataLines(directory / "scec/faultstdp003");
+    ASSERT_EQ(lines.size(), 1u + 7); // 0 to 1.5 s of 1.6 s
+    EXPECT_EQ(lines[0], "t h-slip h-slip-rate h-shear-stress v-slip v-slip-rate v-shear-stress "
+                        "n-stress log-theta");
+    EXPECT_EQ(lines[6], " 1.25000000000000E+00   3.750000E-01   3.000000E-01  -9.500000E-01"
+                        "   0.000000E+00   0.000000E+00   0.000000E+00   5.030000E+01"
+                        "   8.000000E+00");
+    const auto body = test::dataLines(directory / "scec/bodyinside");
+    EXPECT_EQ(body[0], "t h-disp h-vel v-disp v-vel n-disp n-vel");
+    EXPECT_EQ(body[6], " 1.25000000000000E+00   3.250000E+00   7.500000E-01   0.000000E+00"
+                       "   0.000000E+00   5.250000E+00   1.500000E+00");
+  });
+}
+
+TEST(Receivers, ARestartWithOthersIsRefused)
+{
+  test::TemporaryDirectory directory;
+  Fault fault;
+  Archive archive;
+  Receivers before(complete(parameters()), fault.context(directory.path()));
+  run(fault, before);
+  before.save(archive);
+  auto list = parameters();
+  list.sublist("On Fault").set("dp005", position({0.5, 0.}));
+  Receivers after(complete(list), fault.context(directory.path()));
+  EXPECT_TRUE(test::contains(test::inputError([&] { after.restore(archive); }),
+                             "Receivers: the checkpoint continues files with other receivers"));
+}

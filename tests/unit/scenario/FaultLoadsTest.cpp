@@ -1,0 +1,160 @@
+#include "SampleDeck.hpp"
+#include "scenario/Problem.hpp"
+
+#include <Tpetra_CrsMatrix.hpp>
+#include <Tpetra_Vector.hpp>
+
+namespace asperity::scenario
+{
+using namespace test;
+
+namespace
+{
+// The load on the fault nodes at the time t, per their weight [Pa].
+std::vector<double> tractionAt(Problem const& problem, double t)
+{
+  const auto load = problem.body.vector();
+  problem.body.load(t, *load);
+  const auto values = valuesOf(*load);
+  std::vector<double> traction;
+  for (int i = 0; i < problem.fault.numNodes(); ++i) {
+    traction.push_back(values[problem.fault.dofs[i][0]] / problem.fault_nodes.weights[i]);
+  }
+  return traction;
+}
+
+void expectNear(std::vector<double> const& found, std::vector<double> const& expected)
+{
+  ASSERT_EQ(found.size(), expected.size());
+  for (std::size_t i = 0; i < found.size(); ++i) {
+    EXPECT_NEAR(found[i], expected[i], 1e-12 * std::abs(expected[i])) << i;
+  }
+}
+} // namespace
+
+TEST(FaultLoads, followAShearTractionInSpaceAndTime)
+{
+  const Problem steady(
+    strip([](auto& deck) { deck.sublist("Friction").set("Shear Traction", "100 * (1 + x)"); }),
+    world());
+  expectNear(tractionAt(steady, 0), {100, 200, 300});
+  expectNear(tractionAt(steady, 7), {100, 200, 300});
+  const Problem moving(
+    strip([](auto& deck) {
+      deck.sublist("Friction").set("Shear Traction", "100 * (1 + x) + (t < 2 ? t : 2)");
+    }),
+    world());
+  expectNear(tractionAt(moving, 0), {100, 200, 300});
+  expectNear(tractionAt(moving, 1), {101, 201, 301});
+  expectNear(tractionAt(moving, 9), {102, 202, 302});
+  expectNear(tractionAt(moving, 0), {100, 200, 300});
+}
+
+TEST(FaultLoads, keepGravityBesideATractionInTime)
+{
+  const Problem problem(
+    column([](auto& deck) { deck.sublist("Friction").set("Shear Traction", "t"); }), world());
+  const auto load = problem.body.vector();
+  problem.body.load(3, *load);
+  std::vector<double> along_axes;
+  problem.alongAxes(*load, along_axes);
+  double fx = 0, fy = 0;
+  for (std::size_t i = 0; i < along_axes.size(); i += 2) {
+    fx += along_axes[i];
+    fy += along_axes[i + 1];
+  }
+  EXPECT_NEAR(fx, 3 * 2, 1e-12);
+  EXPECT_NEAR(fy, -1000 * 10 * 4, 1e-9);
+}
+
+TEST(FaultLoads, followANormalStressInTimeAndClipTension)
+{
+  const Problem problem(strip([](auto& deck) {
+                          deck.sublist("Friction").set("Normal Stress", "100 * (1 + x - t)");
+                          deck.sublist("Friction").set("Normal Stress Factor", 3.);
+                        }),
+                        world());
+  auto const& fault = problem.fault;
+  EXPECT_EQ(valuesOf(fault.data.sigma_n), (std::vector<double>{300, 600, 900}));
+  fault.setTime(2);
+  EXPECT_EQ(valuesOf(fault.data.sigma_n), (std::vector<double>{0, 0, 300}));
+  // The kernels see it.
+  friction::BlockView v("v", 3, 1);
+  Kokkos::deep_copy(v, 1e-6);
+  friction::BlockView gradient("gradient", 3, 1);
+  friction::HessianView hessian("hessian", 3, 1, 1);
+  friction::FlagView kinked("kinked", 3);
+  fault.friction->linearise(v, problem.initial.alpha, gradient, hessian, kinked);
+  const auto force = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace(), gradient);
+  EXPECT_EQ(force(0, 0), 0);
+  EXPECT_GT(force(2, 0), 0);
+  fault.setTime(0);
+  EXPECT_EQ(valuesOf(fault.data.sigma_n), (std::vector<double>{300, 600, 900}));
+
+  const Problem constant(strip(), world());
+  EXPECT_FALSE(constant.fault.normal_stress_at);
+}
+
+TEST(FaultLoads, refuseATensileNormalStressAtTheStart)
+{
+  const auto deck =
+    strip([](auto& given) { given.sublist("Friction").set("Normal Stress", "100 * (x - 1)"); });
+  expectParts(refusal([&] { Problem(deck, world()); }),
+              {"Asperity / Friction / Normal Stress = -100", "(0, 0)", "[0, inf)", "compression"});
+}
+
+TEST(Problem, wantsTheNormalStressOfAnAntisymmetricFault)
+{
+  const auto deck = column([](auto& given) {
+    given.sublist("Boundary Conditions").sublist("Fault").set("Type", "Antisymmetric Fault");
+  });
+  expectParts(refusal([&] { Problem(deck, world()); }),
+              {"Asperity / Friction / Normal Stress", "antisymmetric"});
+}
+
+TEST(Problem, hasNoMassButARadiationDampingIfQuasiDynamic)
+{
+  const Problem inertial(strip(), world());
+  const Problem quasi(
+    strip([](auto& deck) { deck.sublist("Bulk").set("Dynamics", "Quasi-dynamic"); }), world());
+  EXPECT_GT(inertial.body.matrices.mass->getFrobeniusNorm(), 0);
+  EXPECT_EQ(inertial.body.matrices.viscosity->getFrobeniusNorm(), 0);
+  EXPECT_EQ(quasi.body.matrices.mass->getFrobeniusNorm(), 0);
+  EXPECT_EQ(quasi.initial.a->normInf(), 0);
+  // eta V with eta = G / (2 cs) and V = 2 v is the impedance of one side, over 2 m of fault.
+  const auto v = quasi.body.vector();
+  const auto force = quasi.body.vector();
+  v->putScalar(3);
+  quasi.body.matrices.viscosity->apply(*v, *force);
+  const double impedance = std::sqrt(1000 * 1e6);
+  EXPECT_NEAR(v->dot(*force), 2 * impedance * 9, 1e-9 * impedance);
+  for (double eta : quasi.radiation_damping) {
+    EXPECT_NEAR(eta, impedance / 2, 1e-9 * impedance);
+  }
+}
+
+TEST(Problem, refusesToAbsorbWavesThatDoNotExist)
+{
+  const auto deck = strip([](auto& given) {
+    given.sublist("Bulk").set("Dynamics", "Quasi-dynamic");
+    given.sublist("Boundary Conditions").sublist("Far").set("Boundary", "top");
+    given.sublist("Boundary Conditions").sublist("Far").set("Type", "Absorbing");
+  });
+  expectParts(refusal([&] { Problem(deck, world()); }), {"'top'", "Absorbing", "Inertial"});
+}
+
+TEST(Problem, putsDashpotsOnAbsorbingBoundaries)
+{
+  const Problem problem(strip([](auto& given) {
+                          auto& far = given.sublist("Boundary Conditions").sublist("Far");
+                          far.set("Boundary", "top").set("Type", "Absorbing");
+                        }),
+                        world());
+  const auto v = problem.body.vector();
+  const auto force = problem.body.vector();
+  v->putScalar(3);
+  problem.body.matrices.viscosity->apply(*v, *force);
+  const double impedance = std::sqrt(1000 * 1e6);
+  EXPECT_NEAR(v->dot(*force), 2 * impedance * 9, 1e-9 * impedance);
+}
+} // namespace asperity::scenario

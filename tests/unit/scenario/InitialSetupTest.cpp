@@ -1,0 +1,145 @@
+#include "scenario/InitialSetup.hpp"
+
+#include "SampleDeck.hpp"
+#include "scenario/Problem.hpp"
+
+#include <Tpetra_Vector.hpp>
+
+#include <cmath>
+
+namespace asperity::scenario
+{
+using namespace test;
+
+namespace
+{
+constexpr double plate_rate = 2e-4; // m/s, of slip: each side moves at half of it
+
+// Uniform sliding of the strip at the plate rate, then changed.
+ParameterList sliding(std::function<void(ParameterList&)> const& change = [](auto&) {})
+{
+  return strip([&](ParameterList& deck) {
+    deck.sublist("Friction").set("Shear Traction", steadyStress(plate_rate));
+    deck.sublist("Initial State").set("Velocity Z", plate_rate / 2).set("State", "Steady");
+    auto& far = deck.sublist("Boundary Conditions").sublist("Far");
+    far.set("Boundary", "top").set("Type", "Prescribed Velocity").set("Velocity", plate_rate / 2);
+    change(deck);
+  });
+}
+
+std::vector<double> slipRates(Problem const& problem)
+{
+  friction::BlockView v("v", problem.fault.numNodes(), 1);
+  friction::NodeView V("V", problem.fault.numNodes());
+  problem.fault.gather(*problem.initial.v, v);
+  problem.fault.slipRate(v, V);
+  return valuesOf(V);
+}
+
+void expectAll(std::vector<double> const& values, double expected, double tolerance)
+{
+  for (double value : values) {
+    EXPECT_NEAR(value, expected, tolerance);
+  }
+}
+} // namespace
+
+TEST(InitialSetup, letsAnAntisymmetricStripSlideSteadilyAtTwiceItsVelocity)
+{
+  for (char const* state : {"Steady", "Stress Balance"}) {
+    const Problem problem(
+      sliding([state](auto& deck) { deck.sublist("Initial State").set("State", state); }), world());
+    expectAll(slipRates(problem), plate_rate, 1e-18);
+    expectAll(valuesOf(problem.initial.alpha), std::log(1e-6 / plate_rate), 1e-12);
+    // Balance of momentum: friction at the slip rate, not at the velocity, bears the traction.
+    EXPECT_LE(problem.initial.a->normInf(), 1e-9);
+  }
+  const Problem bilateral(
+    sliding([](auto& deck) {
+      deck.sublist("Boundary Conditions").sublist("Fault").set("Type", "Bilateral Contact");
+    }),
+    world());
+  expectAll(slipRates(bilateral), plate_rate / 2, 1e-18);
+  EXPECT_GT(bilateral.initial.a->normInf(), 1e-4);
+}
+
+TEST(InitialSetup, balancesTheShearTractionWithFrictionCohesionAndRadiation)
+{
+  const double tau = 7000, cohesion = 100, V = 1e-2;
+  for (bool quasi : {false, true}) {
+    const Problem problem(strip([&](ParameterList& deck) {
+                            auto& friction = deck.sublist("Friction");
+                            friction.set("Shear Traction", -tau).set("Cohesion", cohesion);
+                            auto& initial = deck.sublist("Initial State");
+                            initial.set("Velocity Z", -V / 2).set("State", "Stress Balance");
+                            deck.sublist("Bulk").set("Dynamics",
+                                                     quasi ? "Quasi-dynamic" : "Inertial");
+                          }),
+                          world());
+    friction::NodeView mu("mu", 3);
+    friction::BlockView v("v", 3, 1);
+    problem.fault.gather(*problem.initial.v, v);
+    problem.fault.friction->coefficient(v, problem.initial.alpha, mu);
+    const double radiation = quasi ? std::sqrt(1000 * 1e6) / 2 * V : 0;
+    expectAll(valuesOf(mu), (tau - cohesion - radiation) / 1e4, 1e-13);
+  }
+}
+
+TEST(InitialSetup, countsTheTractionOfTheInitialDisplacement)
+{
+  // A column pulled aside by gravity, held by a wall on the left alone; on the fault nothing but
+  // the weight of the body decides which traction is left.
+  const auto deck = column([](ParameterList& given) {
+    given.sublist("Initial State").set("Velocity X", "1e-3").set("State", "Stress Balance");
+    given.sublist("Friction").set("Shear Traction", "5000").set("Normal Stress", 1e4);
+  });
+  const Problem problem(deck, world());
+  ASSERT_GT(problem.initial.u->normInf(), 0);
+  friction::NodeView mu("mu", 3);
+  friction::BlockView v("v", 3, 1);
+  problem.fault.gather(*problem.initial.v, v);
+  problem.fault.friction->coefficient(v, problem.initial.alpha, mu);
+  // The static solution slides without friction: it leaves no shear traction.
+  EXPECT_NEAR(valuesOf(mu)[1], 0.5, 1e-9);
+  // At the walls, where the fault rests, alpha is the deck's.
+  EXPECT_EQ(valuesOf(problem.initial.alpha)[0], 0);
+}
+
+TEST(InitialSetup, refusesAStateThatDoesNotExist)
+{
+  const auto message = [](std::function<void(ParameterList&)> const& change) {
+    return refusal([&] { Problem(sliding(change), world()); });
+  };
+  expectParts(
+    message([](auto& deck) { deck.sublist("Initial State").set("Velocity Z", "1e-9*x"); }),
+    {"Asperity / Initial State / State = Steady", "node 0", "x = 0", "slip rate is zero"});
+  const auto balance = [&](std::function<void(ParameterList&)> const& change) {
+    return message([&](ParameterList& deck) {
+      deck.sublist("Initial State").set("State", "Stress Balance");
+      change(deck);
+    });
+  };
+  expectParts(balance([](auto& deck) { deck.sublist("Friction").set("Shear Traction", "x - 1"); }),
+              {"State = Stress Balance", "node 0", "-1 Pa", "signs"});
+  expectParts(balance([](auto& deck) { deck.sublist("Friction").set("Normal Stress", "x"); }),
+              {"node 0", "no normal stress"});
+  expectParts(balance([](auto& deck) { deck.sublist("Friction").set("b", 0.); }), {"b > 0"});
+}
+
+TEST(InitialSetup, takesThePrescribedSlipRateWhereTheFaultEnds)
+{
+  // The left part of the bottom is the fault, the right part slips at the plate rate.
+  const auto deck = sliding([](ParameterList& given) {
+    given.sublist("Mesh").sublist("Boundaries").set("deep", "y < 1e-9 && x > 1");
+    auto& deep = given.sublist("Boundary Conditions").sublist("Deep");
+    deep.set("Boundary", "deep").set("Type", "Prescribed Slip Rate").set("Slip Rate", plate_rate);
+    given.sublist("Initial State").set("Velocity Z", 1e-9 / 2);
+  });
+  const Problem problem(deck, world());
+  ASSERT_EQ(problem.fault.numNodes(), 2);
+  EXPECT_EQ(problem.fault.fixed, (std::vector<int>{0, 1}));
+  EXPECT_NEAR(slipRates(problem)[0], 1e-9, 1e-24);
+  EXPECT_NEAR(slipRates(problem)[1], plate_rate, 1e-18);
+  EXPECT_NEAR(valuesOf(problem.initial.alpha)[1], std::log(1e-6 / plate_rate), 1e-12);
+}
+} // namespace asperity::scenario

@@ -1,0 +1,88 @@
+#include "scenario/ResolutionCheck.hpp"
+
+#include "SampleDeck.hpp"
+#include "scenario/RunReport.hpp"
+
+#include <algorithm>
+
+namespace asperity::scenario
+{
+using namespace test;
+
+namespace
+{
+const fem::Material crust = {2670, 50e9, 30e9, 0, 0}; // Poisson's ratio 1/4
+
+bool warns(std::vector<std::string> const& lines)
+{
+  return std::any_of(lines.begin(), lines.end(), [](std::string const& line) {
+    return line.find("WARNING: fewer than 3 cells") != std::string::npos;
+  });
+}
+} // namespace
+
+TEST(ResolutionCheck, knowsTheModulusOfEachFault)
+{
+  EXPECT_NEAR(slipModulus(crust, 1, true), 30e9, 1);
+  EXPECT_NEAR(slipModulus(crust, 1, false), 60e9, 1);
+  EXPECT_NEAR(slipModulus(crust, 2, true), 40e9, 1);
+  EXPECT_NEAR(slipModulus(crust, 2, false), 90e9, 1);
+}
+
+TEST(ResolutionCheck, hasTheLengthsOfTheBenchmark)
+{
+  // SEAS BP1: "process zone" of about 340 m, nucleation length of 1.96 km.
+  const double G = 2670. * 3464 * 3464;
+  EXPECT_NEAR(cohesiveZone(G, 0.015, 0.008, 50e6), 341.7, 0.1);
+  EXPECT_NEAR(nucleationLength(G, 0.010, 0.015, 0.008, 50e6), 1958, 1);
+  // Strongly weakening: 2 x 1.3774 Lambda0, and no jump where the formulas meet.
+  EXPECT_NEAR(nucleationLength(G, 0.003, 0.015, 0.008, 50e6), 2 * 1.3774 * 341.74, 0.1);
+  double previous = nucleationLength(G, 0.4 * 0.015, 0.015, 0.008, 50e6);
+  for (double ratio = 0.401; ratio < 0.7; ratio += 0.001) {
+    const double length = nucleationLength(G, ratio * 0.015, 0.015, 0.008, 50e6);
+    EXPECT_GE(length, previous);
+    EXPECT_LE(length, 1.01 * previous);
+    previous = length;
+  }
+}
+
+TEST(ResolutionCheck, looksAtThePartThatWeakens)
+{
+  // Cells of 1 m; Lambda0 = 1e6 * 1e-5 * ... at the nodes x = 0 and 1, not at x = 2.
+  const auto deck = strip([](ParameterList& given) {
+    auto& friction = given.sublist("Friction");
+    friction.set("a", "x < 1.5 ? 0.01 : 0.02").set("L", "x < 1.5 ? 0.6 + x : 1e-3");
+  });
+  const Problem problem(deck, world());
+  const auto resolution = faultResolution(problem, deck.sublist("Friction"));
+  ASSERT_TRUE(resolution);
+  EXPECT_NEAR(resolution->smallest_cell, 1, 1e-12);
+  EXPECT_NEAR(resolution->largest_cell, 1, 1e-12);
+  const double zone = 1e6 * 0.6 / (0.015 * 1e4);
+  EXPECT_NEAR(resolution->cohesive_zone, zone, 1e-9 * zone);
+  EXPECT_NEAR(resolution->cells_per_zone, zone, 1e-9 * zone);
+  EXPECT_NEAR(resolution->nucleation_length, 2 / M_PI * 9 * zone, 1e-6 * zone);
+  EXPECT_FALSE(warns(describe(problem, deck)));
+}
+
+TEST(ResolutionCheck, warnsOfCellsThatAreTooLarge)
+{
+  const auto lines = [](double L) {
+    const auto deck = strip([L](ParameterList& given) { given.sublist("Friction").set("L", L); });
+    return describe(Problem(deck, world()), deck);
+  };
+  // Lambda0 = L 1e6 / 150 m against cells of 1 m.
+  EXPECT_TRUE(warns(lines(2.9 * 150 / 1e6)));
+  EXPECT_FALSE(warns(lines(3.1 * 150 / 1e6)));
+}
+
+TEST(ResolutionCheck, saysNothingWhereFrictionDoesNotWeaken)
+{
+  const auto deck = strip([](ParameterList& given) { given.sublist("Friction").set("b", 0.01); });
+  const Problem problem(deck, world());
+  EXPECT_FALSE(faultResolution(problem, deck.sublist("Friction")));
+  for (auto const& line : describe(problem, deck)) {
+    EXPECT_EQ(line.find("Resolution"), std::string::npos) << line;
+  }
+}
+} // namespace asperity::scenario
