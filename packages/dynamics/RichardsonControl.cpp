@@ -11,7 +11,7 @@ namespace
 {
 // A larger step is tried if its error should be below this fraction of the tolerance: failing costs
 // two coupled steps, trying later a half of one for each step.
-constexpr double safety = 0.5;
+constexpr double safety = 0.8;
 } // namespace
 
 RichardsonControl::RichardsonControl(CoupledStep& step, Fault const& fault, DyadicTime const& clock,

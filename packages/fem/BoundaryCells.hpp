@@ -9,7 +9,7 @@ namespace asperity::fem
 template <int Dim>
 std::vector<int> cellsBeside(Mesh<Dim> const& mesh, std::string const& boundary);
 
-// The material at each of the nodes: that of the cells beside the boundary's facets that meet there,
+// The material at each of the nodes: that of the cells beside the boundary's facets there,
 // averaged by the size of the facets. materials(num_cells).
 template <int Dim>
 std::vector<Material> materialsAtNodes(Mesh<Dim> const& mesh, std::string const& boundary,

@@ -15,14 +15,14 @@ namespace
 namespace fs = std::filesystem;
 
 constexpr char const* files_of_a_run[] = {
-  "parameters.xml", "run.log", "steps.csv", "events.csv", "global.csv", "checkpoint.h5",
-  "fault.h5", "fault.xdmf", "surface.h5", "surface.xdmf", "volume.h5", "volume.xdmf",
-  "receivers.h5", "rupture.h5"};
+  "parameters.xml", "run.log",     "steps.csv",    "events.csv", "global.csv",
+  "checkpoint.h5",  "fault.h5",    "fault.xdmf",   "surface.h5", "surface.xdmf",
+  "volume.h5",      "volume.xdmf", "receivers.h5", "rupture.h5"};
 
 // Folders with files for the platforms, and how these begin.
 constexpr char const* platform_folders[] = {"seas", "scec"};
-constexpr char const* platform_files[] = {"fltst_", "blkst_", "faultst", "body", "slip.dat",
-                                          "global.dat", "rupture.dat", "cplot"};
+constexpr char const* platform_files[] = {"fltst_",   "blkst_",     "fault",       "body",
+                                          "slip.dat", "global.dat", "rupture.dat", "cplot"};
 
 // "fault_000012.h5"
 bool isSegment(fs::path const& file)
@@ -61,13 +61,14 @@ void requireWritable(fs::path const& directory)
   fs::create_directories(directory, error);
   ASPERITY_REQUIRE(!error && fs::is_directory(directory),
                    "The output directory " << directory.string() << " cannot be made"
-                     << (error ? ": " + error.message() : "")
-                     << ". Choose another one with --output DIR.");
+                                           << (error ? ": " + error.message() : "")
+                                           << ". Choose another one with --output DIR.");
   // Permissions alone do not tell (read-only file systems, quotas, root).
   const auto probe = directory / ".asperity_write_test";
   const bool is_writable = static_cast<bool>(std::ofstream(probe) << "test\n" << std::flush);
   fs::remove(probe, error);
-  ASPERITY_REQUIRE(is_writable, "The output directory "
+  ASPERITY_REQUIRE(is_writable,
+                   "The output directory "
                      << directory.string()
                      << " cannot be written. Check its permissions and the space on the disk, or "
                         "choose another one with --output DIR.");
@@ -111,8 +112,9 @@ void prepareOutputDirectory(fs::path const& directory, ExistingResult existing,
     ASPERITY_REQUIRE(!directory.empty(), "The name of the output directory is empty.");
     const auto earlier = resultFiles(directory);
     ASPERITY_REQUIRE(existing != ExistingResult::refuse || earlier.empty(),
-                     "The output directory " << directory.string()
-                       << " holds the result of an earlier run (" << earlier.front().string()
+                     "The output directory "
+                       << directory.string() << " holds the result of an earlier run ("
+                       << earlier.front().string()
                        << "). Replace it with --overwrite, or choose another one with --output "
                           "DIR.");
     requireWritable(directory);

@@ -11,7 +11,7 @@ namespace asperity::io
 class EventCatalogue;
 
 // All outputs of a run, made from the deck's list `Output`: one sublist for every registered kind,
-// each with the bool `Enabled`, and the choice `Text Format` of files for the benchmarks' platforms.
+// each with the bool `Enabled`, and the choice `Text Format` of files for the platforms.
 //
 //   OutputSet outputs(deck.sublist("Output"), context);
 //   outputs.write(initial);                        // not after a restart

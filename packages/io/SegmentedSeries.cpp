@@ -49,8 +49,8 @@ detail::SegmentedTable::Options tableOf(detail::SeriesLayout const& layout,
   options.rows_per_write = rows_per_write;
   options.columns = detail::timeColumns();
   for (auto const& field : layout.fields) {
-    options.columns.push_back({"fields/" + field.name, field.unit, field.description, layout.type,
-                               layout.rowShape(field)});
+    options.columns.push_back(
+      {"fields/" + field.name, field.unit, field.description, layout.type, layout.rowShape(field)});
   }
   options.describe_index = [&](h5::File& file) {
     file.setAttribute("format", "asperity series");

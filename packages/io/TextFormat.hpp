@@ -21,12 +21,12 @@ enum class Platform
 struct TextFormat
 {
   Platform platform = Platform::none;
-  std::string problem;      // "BP1-QD"
+  std::string problem; // "BP1-QD"
   std::string author;
-  std::string date;         // "2024/05/31"
+  std::string date; // "2024/05/31"
   std::string code_version;
-  double element_size = 0;  // [m] on the fault; 0: that of its shortest element
-  double time_step = 0;     // [s] between two rows, SCEC alone
+  double element_size = 0; // [m] on the fault; 0: that of its shortest element
+  double time_step = 0;    // [s] between two rows, SCEC alone
 
   // The folder of its files within that of the run: "seas" or "scec".
   std::filesystem::path folder() const;

@@ -76,12 +76,11 @@ void TextTable::restore(Archive const& archive)
     std::ifstream earlier(file_, std::ios::binary);
     std::string header(header_.size(), '\0');
     earlier.read(header.data(), static_cast<std::streamsize>(header.size()));
-    ASPERITY_REQUIRE(lastLine(header) == lastLine(header_) &&
-                       static_cast<std::int64_t>(size) >= num_bytes_,
-                     file_.string()
-                       << " is not the table that the checkpoint continues: it has " << size
-                       << " bytes, of which the checkpoint knows " << num_bytes_
-                       << ", and the columns " << lastLine(header) << ".");
+    ASPERITY_REQUIRE(
+      lastLine(header) == lastLine(header_) && static_cast<std::int64_t>(size) >= num_bytes_,
+      file_.string() << " is not the table that the checkpoint continues: it has " << size
+                     << " bytes, of which the checkpoint knows " << num_bytes_
+                     << ", and the columns " << lastLine(header) << ".");
     std::filesystem::resize_file(file_, num_bytes_, error);
     ASPERITY_REQUIRE(!error, file_.string() << " cannot be cut: " << error.message() << ".");
     stream_.open(file_, std::ios::binary | std::ios::in | std::ios::out);

@@ -47,13 +47,19 @@ std::vector<double> givenStress(NodalField const& field, Mesh<2> const& mesh,
 }
 } // namespace
 
+NodalField shearTraction(ParameterList const& friction, Mesh<2> const& mesh,
+                         std::vector<int> const& nodes)
+{
+  return NodalField(friction, "Shear Traction", path, mesh, nodes);
+}
+
 std::function<void(double, Vector&)> loadWithTraction(ParameterList const& friction,
                                                       Mesh<2> const& mesh,
                                                       fem::BoundaryNodes<2> const& nodes,
                                                       dynamics::Fault const& fault,
                                                       RCP<const Vector> const& constant)
 {
-  const NodalField traction(friction, "Shear Traction", path, mesh, nodes.nodes);
+  auto const traction = shearTraction(friction, mesh, nodes.nodes);
   std::vector<int> dofs;
   for (auto const& of_node : fault.dofs) {
     dofs.push_back(of_node[0]);

@@ -4,9 +4,14 @@
 #include "dynamics/Body.hpp"
 #include "dynamics/Fault.hpp"
 #include "fem/BoundaryNodes.hpp"
+#include "scenario/NodalField.hpp"
 
 namespace asperity::scenario
 {
+// The deck's `Shear Traction` at the fault nodes [Pa], along the tangents.
+NodalField shearTraction(ParameterList const& friction, Mesh<2> const& mesh,
+                         std::vector<int> const& nodes);
+
 // Adds the deck's `Shear Traction` on the fault to a constant load: the load of the body at any
 // time, evaluated once only where the traction does not depend on t.
 std::function<void(double, Vector&)> loadWithTraction(ParameterList const& friction,

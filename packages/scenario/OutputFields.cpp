@@ -81,8 +81,8 @@ void registerFaultConstants(io::FieldRegistry& registry, Problem const& problem)
 {
   auto const add = [&registry](char const* name, char const* unit, char const* meaning,
                                Values const& constant) {
-    registry.add(
-      io::Field{name, unit, meaning, "fault", 1, [constant](Values& values) { values = constant; }});
+    registry.add(io::Field{name, unit, meaning, "fault", 1,
+                           [constant](Values& values) { values = constant; }});
   };
   Values shear_modulus;
   for (auto const& material : problem.fault_materials) {

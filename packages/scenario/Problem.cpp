@@ -183,29 +183,16 @@ void Problem::makeNormalStress(ParameterList const& friction, bool start_static)
   }
 }
 
-// Besides the deck's traction that of the static displacement, which balances gravity; where the
-// velocity is prescribed that would be the reaction.
-InitialFault Problem::startOfFault() const
+// The deck's traction is all there is: a static displacement leaves none, since it has slid without
+// friction, and neither does none at all.
+InitialFault Problem::startOfFault(ParameterList const& friction) const
 {
-  auto const traction = body.vector();
-  body.load(0, *traction);
-  const bool deformed = initial.u->normInf() > 0;
-  auto const elastic = body.vector();
-  if (deformed) {
-    Tpetra::deep_copy(*elastic, *gravity_load_);
-    body.matrices.stiffness->apply(*initial.u, *elastic, Teuchos::NO_TRANS, -1, 1);
-  }
-  auto const loads = traction->getLocalViewHost(Tpetra::Access::ReadOnly);
-  auto const gravity = gravity_load_->getLocalViewHost(Tpetra::Access::ReadOnly);
-  auto const forces = elastic->getLocalViewHost(Tpetra::Access::ReadOnly);
-  auto const velocities = initial.v->getLocalViewHost(Tpetra::Access::ReadOnly);
   InitialFault result;
+  result.traction = shearTraction(friction, mesh, fault_nodes.nodes).at(0);
   result.radiation = radiation_damping;
-  for (int i = 0; i < fault.numNodes(); ++i) {
-    const int dof = fault.dofs[i][0];
-    const double force = loads(dof, 0) - gravity(dof, 0) + (fault.fixed[i] ? 0 : forces(dof, 0));
-    result.traction.push_back(force / fault_nodes.weights[i]);
-    result.velocity.push_back(velocities(dof, 0));
+  auto const velocities = initial.v->getLocalViewHost(Tpetra::Access::ReadOnly);
+  for (auto const& dofs : fault.dofs) {
+    result.velocity.push_back(velocities(dofs[0], 0));
   }
   return result;
 }
@@ -227,7 +214,7 @@ void Problem::makeInitialState(ParameterList const& deck)
   auto const& friction = deck.sublist("Friction");
   makeNormalStress(friction, list.get<std::string>("Displacement") == "Static");
   initial.v = initialVelocity(list, mesh, body, *constraints);
-  initial.alpha = initialAlpha(list, mesh, fault_nodes.nodes, fault, startOfFault());
+  initial.alpha = initialAlpha(list, mesh, fault_nodes.nodes, fault, startOfFault(friction));
   initial.alpha_of_rate = friction::NodeView("asperity::scenario::alphaOfRate", fault.numNodes());
   Kokkos::deep_copy(initial.alpha_of_rate, initial.alpha);
   initial.a = body.vector();

@@ -51,7 +51,7 @@ private:
   void makeInitialState(ParameterList const& deck);
   void makeNormalStress(ParameterList const& friction, bool start_static);
   std::vector<double> reactionPressure(Vector const& u) const;
-  InitialFault startOfFault() const;
+  InitialFault startOfFault(ParameterList const& friction) const;
   RCP<Vector> prescribedAcceleration(double dt) const;
 
   RCP<Vector> gravity_load_;

@@ -23,6 +23,13 @@ struct CellSizes
   double largest = 0;
 };
 
+// Estimates: three digits.
+std::string rounded(double value)
+{
+  const double unit = std::pow(10, std::floor(std::log10(value)) - 2);
+  return formatShort(std::round(value / unit) * unit);
+}
+
 // (num_nodes) of the facets that meet at each fault node.
 std::vector<CellSizes> cellSizes(Problem const& problem)
 {
@@ -112,16 +119,16 @@ std::vector<std::string> describe(FaultResolution const& resolution)
   const bool one_size = r.largest_cell <= r.smallest_cell * (1 + 1e-6);
   std::vector<std::string> lines = {
     "Resolution where friction weakens: cells of " +
-    (one_size ? "" : formatShort(r.smallest_cell) + " to ") + formatShort(r.largest_cell) +
-    " m; cohesive zone G' L / (b sigma_n) >= " + formatShort(r.cohesive_zone) + " m, at least " +
-    formatShort(r.cells_per_zone) +
+    (one_size ? "" : rounded(r.smallest_cell) + " to ") + rounded(r.largest_cell) +
+    " m; cohesive zone G' L / (b sigma_n) >= " + rounded(r.cohesive_zone) + " m, at least " +
+    rounded(r.cells_per_zone) +
     " cells; nucleation length (ageing law, Rubin & Ampuero 2005) "
     ">= " +
-    formatShort(r.nucleation_length) + " m."};
+    rounded(r.nucleation_length) + " m."};
   if (r.cells_per_zone < enough_cells) {
     lines.push_back("WARNING: fewer than 3 cells per cohesive zone. Ruptures will depend on the "
                     "mesh; refine the fault by a factor of " +
-                    formatShort(enough_cells / r.cells_per_zone) + ".");
+                    rounded(enough_cells / r.cells_per_zone) + ".");
   }
   return lines;
 }

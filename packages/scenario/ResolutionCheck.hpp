@@ -8,7 +8,7 @@
 
 namespace asperity::scenario
 {
-// The modulus G' [Pa] with which slip of wavenumber q loads the fault, traction = G' q / 2 per slip:
+// The modulus G' [Pa] with which slip of wavenumber q loads the fault, G' q / 2 per slip:
 //   antisymmetric fault   G antiplane, G / (1 - nu) plane strain
 //   bilateral contact     2 G antiplane, 8 G (1 - nu) / (3 - 4 nu) plane strain (u_n = 0)
 // The foundation is rigid: one side alone bears the slip that two share, hence about the double.

@@ -26,10 +26,7 @@ def draw(run: Run, view: View):
         raise NothingToShow(f"receivers.h5 has none of the fields {', '.join(LABELS)}")
     series = stations.all_series(_thinned(stations.chosen(view.options.receivers)))
     references = reference.read_all(view.options.references, [each.label for each in series])
-    widths = [1.0] if view.zoom is None else [1.25, 1.0]
-    figure, axes = style.panels(len(fields), len(widths), (11.0, 1.0 + 1.9 * len(fields)),
-                                sharex="col", sharey="row",
-                                gridspec_kw={"width_ratios": widths})
+    figure, axes, beside = _panels(len(fields), [2.25] if view.zoom is None else [1.25, 1.0])
     whole = windows.over_sequence(run, view)
     _column(axes[:, 0], fields, _lines(series, references), whole.cycles, 0.0)
     maps.label_cycles(axes[0, 0], whole)
@@ -41,10 +38,22 @@ def draw(run: Run, view: View):
         maps.label_zoom(axes[-1, 1], view)
         axes[0, 1].set_title(axes[-1, 1].get_title())
         axes[-1, 1].set_title("")
-    axes[0, -1].legend(loc="upper left", bbox_to_anchor=(1.01, 1.0), fontsize=8.5)
+    beside.legend(*axes[0, -1].get_legend_handles_labels(), loc="upper left", fontsize=8.5,
+                  borderaxespad=0.0)
     figure.align_ylabels()
     style.title(figure, "Receivers on the fault")
     return figure
+
+
+def _panels(rows: int, widths: List[float]):
+    """A figure, its axes (rows, columns), and empty axes beside all rows for the legend."""
+    figure, axes = style.panels(rows, len(widths) + 1, (11.0, 1.0 + 1.9 * rows), sharex="col",
+                                sharey="row", gridspec_kw={"width_ratios": widths + [0.3]})
+    for panel in axes[:, -1]:
+        panel.remove()
+    beside = figure.add_subplot(axes[0, 0].get_gridspec()[:, -1])
+    beside.set_axis_off()
+    return figure, axes[:, :-1], beside
 
 
 def _thinned(names: List[str]) -> List[str]:
@@ -69,11 +78,12 @@ def aligned(other: Series, series: List[Series], threshold: float, onset: float)
 
 
 def _lines(series: List[Series], references: List[Series]) -> List[Line]:
-    """Colours from the first receiver to the last; a reference has that of its receiver."""
+    """Colours from the first receiver to the last; of many, a reference has its receiver's."""
     colours = dict(zip((each.label for each in series), style.spread(len(series))))
     lines = [(each, {"color": colours[each.label], "linewidth": 1.1}) for each in series]
     for each in references:
-        colour = style.DARK if each.receiver is None or len(series) == 1 else colours[each.receiver]
+        single = style.ORANGE if len(series) == 1 else style.DARK
+        colour = colours[each.receiver] if each.receiver and len(series) > 1 else single
         lines.append((each, {"color": colour, "linewidth": 1.3, "linestyle": (0, (4, 2))}))
     return lines
 

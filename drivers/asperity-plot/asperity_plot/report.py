@@ -96,7 +96,8 @@ def _print_summary(run: Run) -> None:
     except InputError:
         return
     unfinished = len(run.events) - len(run.complete_events)
-    remark = ", the last of them cut off by the end of the run" if unfinished else ""
+    last = "the last of them " if len(run.events) > 1 else ""
+    remark = f", {last}cut off by the end of the run" if unfinished else ""
     print(f"\n{count[0].upper()}{count[1:]}{remark}.")
     if rows:
         print(f"{'':<17}{'number':>7}{'quartile':>12}{'median':>12}{'quartile':>12}")

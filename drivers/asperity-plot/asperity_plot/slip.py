@@ -39,7 +39,7 @@ def draw(run: Run, view: View):
 def _times(run: Run) -> Tuple[np.ndarray, str]:
     """The end of every event, or equal times if there is none, and what to call them."""
     if not run.has("events.csv") or not len(run.complete_events):
-        return np.linspace(*run.span, 30), "At 30 equal intervals of the run, which has no event"
+        return np.linspace(*run.span, 30), "At 30 equal times; no event ended in the run"
     ends = run.complete_events["onset"] + run.complete_events["duration"]
     every = max(1, -(-ends.size // PROFILES))
     heading = "At the end of every event" if every == 1 else f"At the end of one event in {every}"

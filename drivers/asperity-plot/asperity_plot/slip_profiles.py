@@ -80,7 +80,7 @@ def _draw(axes: Axes, run: Run, families: List[profiles.Family], where: along.Ax
         axes.margins(y=0.08)
         axes.set(xlabel=where.label, ylabel=label)
         style.shade_zone(axes, run, where)
-    legend = axes.legend(loc="lower right", bbox_to_anchor=(1.0, 1.0), ncols=2, fontsize=8.5,
+    legend = axes.legend(loc="lower right", bbox_to_anchor=(1.0, 1.0), ncol=2, fontsize=8.5,
                          borderaxespad=0.2)
     for line in legend.get_lines():
         line.set_linewidth(1.5)

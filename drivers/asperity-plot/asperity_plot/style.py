@@ -122,6 +122,8 @@ def step_line(axes: Axes, x: np.ndarray, y: np.ndarray, colour: str, label: Opti
 
 def spread(count: int) -> List:
     """`count` colours that can be told apart, in an order that the eye sees."""
+    if count == 1:
+        return [BLUE]
     return list(matplotlib.colormaps[SEQUENCE_COLOURS](np.linspace(0.0, 0.92, count)))
 
 

@@ -31,9 +31,9 @@ class View:
     onset: float = 0.0
     end: float = 0.0
     number: int = 0
-    num_events: int = 0  # in `cycles`
     chosen: bool = False
-    sequence: Tuple[float, float] = (0.0, 0.0)
+    num_events: int = 0  # in `cycles`
+    sequence: Window = (0.0, 0.0)
     options: Options = Options()
 
     @property
@@ -46,7 +46,13 @@ def choose(run: Run, window: Optional[Tuple[float, float]], options=Options()) -
     view = _choose(run, window, run.span)
     many = run.has("events.csv") and len(run.events) > MANY_EVENTS
     sequence = view.cycles if view.chosen or many else run.span
-    return replace(view, sequence=sequence, options=options)
+    return replace(view, sequence=sequence, options=options,
+                   num_events=_count(run, view.cycles))
+
+
+def _count(run: Run, window: Window) -> int:
+    """The events that began in `window`, also one that the end of the run cut off."""
+    return _within(run.events, window).size if run.has("events.csv") else 0
 
 
 def _choose(run: Run, window: Optional[Tuple[float, float]], span: Tuple[float, float]) -> View:
@@ -67,9 +73,7 @@ def _choose(run: Run, window: Optional[Tuple[float, float]], span: Tuple[float, 
 
 def over_sequence(run: Run, view: View) -> View:
     """The same view with the whole sequence in place of some cycles."""
-    events = run.complete_events if run.has("events.csv") else None
-    whole = _within(events, view.sequence).size
-    return replace(view, cycles=view.sequence, num_events=whole)
+    return replace(view, cycles=view.sequence, num_events=_count(run, view.sequence))
 
 
 def _check(window: Tuple[float, float], span: Tuple[float, float]) -> None:
@@ -113,9 +117,8 @@ def number(events: Table, row: int) -> int:
 def _view(cycles, events: Optional[Table], index: Optional[int], chosen: bool) -> View:
     if events is None or index is None:
         return View(cycles, chosen=chosen)
-    num_events = _within(events, cycles).size
     onset, duration = float(events["onset"][index]), float(events["duration"][index])
     zoom = (onset - LEAD * duration, onset + (1.0 + TRAIL) * duration)
     if duration <= 0.0 or zoom[1] - zoom[0] > (cycles[1] - cycles[0]) / MAGNIFICATION:
         zoom = None
-    return View(cycles, zoom, onset, onset + duration, number(events, index), num_events, chosen)
+    return View(cycles, zoom, onset, onset + duration, number(events, index), chosen)

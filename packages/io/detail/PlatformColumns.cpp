@@ -13,10 +13,9 @@ double megapascal(double value) { return 1e-6 * value; }
 
 PlatformColumns seasFault(PlatformView const& view)
 {
-  PlatformColumns columns{
-    {"Slip (m)", "slip", "slip", 0, same},
-    {"Slip rate (log10 m/s)", "slip_rate", "slip_rate", 0, platformLogarithm},
-    {"Shear stress (MPa)", "shear_stress", "traction", 0, megapascal}};
+  PlatformColumns columns{{"Slip (m)", "slip", "slip", 0, same},
+                          {"Slip rate (log10 m/s)", "slip_rate", "slip_rate", 0, platformLogarithm},
+                          {"Shear stress (MPa)", "shear_stress", "traction", 0, megapascal}};
   if (!view.antiplane) {
     columns.push_back({"Normal stress (MPa)", "normal_stress", "normal_stress", 0, megapascal});
   }

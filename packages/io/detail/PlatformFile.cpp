@@ -108,8 +108,7 @@ std::string headerBeforeAnyStep(TextFormat const& format, PlatformContent const&
 } // namespace
 
 PlatformSeries::PlatformSeries(TextFormat const& format, std::filesystem::path const& directory,
-                               PlatformContent const& content,
-                               RCP<const Communicator> const& comm)
+                               PlatformContent const& content, RCP<const Communicator> const& comm)
     : format_(format)
     , content_(content)
     , table_(directory / format.folder() / content.name, headerBeforeAnyStep(format, content), comm)

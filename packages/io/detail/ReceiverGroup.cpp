@@ -50,12 +50,11 @@ void requireNear(std::string const& path, NamedPlace const& place, LocatedPoint 
   }
   const bool is_volume = location.nodes_per_element == location.dimension + 1;
   const std::string where = is_volume ? "mesh" : location.name;
-  throw InputError(path + " / " + place.name + " = " +
-                   pointText(place.coordinates.data(), location.dimension) + " is " +
-                   formatShort(located.distance) + " m outside of the " + where +
-                   ", which extends " + extentText(location) + "; its nearest element has " +
-                   formatShort(located.element_size) + " m. A receiver may be " +
-                   formatShort(reach * located.element_size) + " m beside it.");
+  throw InputError(
+    path + " / " + place.name + " = " + pointText(place.coordinates.data(), location.dimension) +
+    " is " + formatShort(located.distance) + " m outside of the " + where + ", which extends " +
+    extentText(location) + "; its nearest element has " + formatShort(located.element_size) +
+    " m. A receiver may be " + formatShort(reach * located.element_size) + " m beside it.");
 }
 } // namespace
 
@@ -100,8 +99,8 @@ std::vector<SegmentedTable::Column> ReceiverGroup::columns(std::string const& gr
   std::vector<SegmentedTable::Column> columns;
   for (auto const& name : chosen_) {
     Field const& field = *fields_.at(name);
-    columns.push_back({group + "/fields/" + name, field.unit, field.description,
-                       h5::Type::float64, rowShape(places_.size(), field.components)});
+    columns.push_back({group + "/fields/" + name, field.unit, field.description, h5::Type::float64,
+                       rowShape(places_.size(), field.components)});
   }
   return columns;
 }
@@ -141,7 +140,7 @@ void ReceiverGroup::describe(h5::File& file, std::string const& group) const
   for (auto const& place : places_) {
     names.push_back(place.name);
   }
-  file.createTexts(group + "/names", names);
+  detail::describe(file.createTexts(group + "/names", names), "-", "Names of the receivers.");
   const hsize_t dimension = location_.dimension;
   writeDataset(file, group + "/coordinates", coordinates_, {places_.size(), dimension}, "m",
                "Coordinates of the receivers.");

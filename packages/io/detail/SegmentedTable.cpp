@@ -124,8 +124,7 @@ void SegmentedTable::writeIndex() const
 {
   std::vector<h5::VirtualPart> parts;
   for (std::size_t i = 0; i < rows_of_segment_.size(); ++i) {
-    parts.push_back(
-      {segmentName(options_.name, i), static_cast<hsize_t>(rows_of_segment_[i])});
+    parts.push_back({segmentName(options_.name, i), static_cast<hsize_t>(rows_of_segment_[i])});
   }
   const auto path = options_.directory / (options_.name + ".h5");
   h5::File file = h5::File::create(temporaryName(path));

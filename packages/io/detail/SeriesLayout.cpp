@@ -21,9 +21,9 @@ h5::Shape SeriesLayout::rowShape(Field const& field) const
 
 std::vector<SegmentedTable::Column> timeColumns()
 {
-  return {{"time", "s", "Time at the end of the step.", h5::Type::float64, {}},
-          {"step", "-", "Number of the accepted step; 0 is the initial state.", h5::Type::int64,
-           {}}};
+  return {
+    {"time", "s", "Time at the end of the step.", h5::Type::float64, {}},
+    {"step", "-", "Number of the accepted step; 0 is the initial state.", h5::Type::int64, {}}};
 }
 
 template <class T>

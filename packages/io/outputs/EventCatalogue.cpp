@@ -40,9 +40,9 @@ constexpr std::size_t numbers_per_event = 8;
 
 void appendNumbers(Event const& event, std::vector<double>& numbers)
 {
-  numbers.insert(numbers.end(), {event.onset, event.end, event.width, event.peak_slip,
-                                 event.peak_slip_rate, event.moment, event.nucleation,
-                                 event.complete ? 1.0 : 0.0});
+  numbers.insert(numbers.end(),
+                 {event.onset, event.end, event.width, event.peak_slip, event.peak_slip_rate,
+                  event.moment, event.nucleation, event.complete ? 1.0 : 0.0});
 }
 
 Event eventFrom(double const* numbers)
@@ -129,8 +129,9 @@ double EventCatalogue::nucleationPosition(Sample const& now) const
   std::vector<double> lateness(fault_.numOwned(), infinity);
   for (std::size_t i = 0; i < lateness.size(); ++i) {
     if (now.slip_rate[i] >= threshold_) {
-      lateness[i] = has_previous_ ? detail::crossing(previous_.slip_rate[i], now.slip_rate[i], threshold_)
-                                  : -now.slip_rate[i];
+      lateness[i] = has_previous_
+                      ? detail::crossing(previous_.slip_rate[i], now.slip_rate[i], threshold_)
+                      : -now.slip_rate[i];
     }
   }
   double mine = infinity;

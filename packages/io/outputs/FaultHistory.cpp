@@ -20,10 +20,7 @@ public:
     return parametersWith(defaults);
   }
 
-  static std::string meaning()
-  {
-    return "Fields on the fault over time: fault.h5, fault.xdmf.";
-  }
+  static std::string meaning() { return "Fields on the fault over time: fault.h5, fault.xdmf."; }
 
   FaultHistory(Teuchos::ParameterList const& parameters, OutputContext const& context)
       : FieldHistory("fault", parameters, context)

@@ -31,10 +31,9 @@ Teuchos::RCP<const Teuchos::ParameterList> FieldHistory::parametersWith(Defaults
 
 FieldHistory::FieldHistory(std::string const& location, Teuchos::ParameterList const& parameters,
                            OutputContext const& context)
-  : rule_(parameters),
-    series_({context.directory, location,
-             parameters.get<std::string>("Precision") == "Single"},
-            context.location(location), chosenFields(location, parameters, context))
+    : rule_(parameters)
+    , series_({context.directory, location, parameters.get<std::string>("Precision") == "Single"},
+              context.location(location), chosenFields(location, parameters, context))
 {
 }
 

@@ -83,8 +83,8 @@ Receivers::Receivers(Teuchos::ParameterList const& parameters, OutputContext con
       groups_
         .try_emplace(group, "Asperity / Output / Receivers / " + list, places,
                      context.location(location))
-        .first->second.chooseFields(
-          parameters.get<Teuchos::Array<std::string>>(fields).toVector(), context.fields);
+        .first->second.chooseFields(parameters.get<Teuchos::Array<std::string>>(fields).toVector(),
+                                    context.fields);
     }
   };
   add("On Fault", "on_fault", "fault", "Fault Fields");
@@ -105,8 +105,7 @@ void Receivers::writeTexts(OutputContext const& context)
   for (auto& [name, group] : groups_) {
     const bool on_fault = name == "on_fault";
     group.writeText(
-      context,
-      on_fault ? (is_seas ? "fltst_" : "faultst") : (is_seas ? "blkst_" : "body"),
+      context, on_fault ? (is_seas ? "fltst_" : "fault") : (is_seas ? "blkst_" : "body"),
       on_fault ? detail::faultColumns(platform, view) : detail::bodyColumns(platform, view));
   }
 }

@@ -192,10 +192,9 @@ private:
     const bool is_seas = text_.platform == Platform::seas;
     detail::PlatformContent content;
     content.name = is_seas ? "rupture.dat" : "cplot";
-    content.remarks =
-      detail::columnRemarks({"Distance along strike (m)", "Distance down dip (m)",
-                             "Time (s) at which the slip rate first reached " +
-                               shortNumber(threshold_) + " m/s; 1E+09: never"});
+    content.remarks = detail::columnRemarks({"Distance along strike (m)", "Distance down dip (m)",
+                                             "Time (s) at which the slip rate first reached " +
+                                               shortNumber(threshold_) + " m/s; 1E+09: never"});
     content.fields = is_seas ? "x2 x3 t" : "j k t";
     std::string text = detail::platformHeader(text_, content, nullptr) + '\n';
     for (std::size_t i = 0; i < whole_first_time_.size(); ++i) {

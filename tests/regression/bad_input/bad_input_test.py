@@ -121,7 +121,9 @@ class Decks(Case):
             "Friction/a=-0.01", "Asperity / Friction / a = -0.01 is outside (0, inf)")
         self.assert_setting_refused(
             "Bulk/Density=x - 0.5", "Asperity / Bulk / Density", "outside (0, inf)", "(x, y, z)")
-        self.assert_setting_refused("Coupling/lambda=2", "Asperity / Coupling / lambda = 2")
+        self.assert_setting_refused("Coupling/Tolerance=0", "Asperity / Coupling / Tolerance = 0")
+        self.assert_setting_refused(
+            "Friction/Normal Stress=-1", "Asperity / Friction / Normal Stress = -1", "[0, inf)")
         self.assert_setting_refused("Friction/a=-0.01", "Asperity / Friction / a = -0.01", ranks=2)
         self.assert_setting_refused("Bulk/Density=x - 0.5", "Asperity / Bulk / Density", ranks=2)
 

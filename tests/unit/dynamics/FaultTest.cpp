@@ -153,6 +153,8 @@ TEST(Fault, ranksWithoutNodesDoNotCount)
   EXPECT_DOUBLE_EQ(fault.distance(a, b), std::sqrt((2 * 9 + 3 * 4) / 6.));
   EXPECT_DOUBLE_EQ(fault.distance(a, b, Norm::maximum), 3);
   EXPECT_EQ(fault.distance(a, a, Norm::maximum), 0);
+  fault.dofs.clear(); // nor on any other rank
+  EXPECT_EQ(fault.distance(a, b, Norm::maximum), 0);
 }
 
 // Wherever it stands, and however large the other differences are.

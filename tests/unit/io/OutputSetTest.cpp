@@ -191,7 +191,7 @@ TEST(OutputSet, AndTheSameFilesForThePlatforms)
 {
   expectRestartsExactly("SEAS", {"seas/fltst_dp001", "seas/blkst_inside", "seas/global.dat",
                                  "seas/rupture.dat", "seas/slip.dat"});
-  expectRestartsExactly("SCEC", {"scec/faultstdp001", "scec/bodyinside", "scec/cplot"});
+  expectRestartsExactly("SCEC", {"scec/faultdp001", "scec/bodyinside", "scec/cplot"});
 }
 
 TEST(OutputSet, WritesRowsWhereTheDeckAsks)

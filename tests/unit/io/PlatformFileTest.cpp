@@ -1,6 +1,6 @@
+#include "io/detail/PlatformFile.hpp"
 #include "io/detail/FaultAxis.hpp"
 #include "io/detail/PlatformColumns.hpp"
-#include "io/detail/PlatformFile.hpp"
 #include "io/detail/SlipProfiles.hpp"
 #include "unit/io/Stage.hpp"
 
@@ -87,14 +87,16 @@ TEST(PlatformFile, ColumnsOfASectionAreVertical)
 {
   const detail::PlatformView section{false, false};
   const std::map<std::string, std::vector<double>> sampled{
-    {"slip", {1, 2}},      {"slip_rate", {3, 4}}, {"traction", {5e6, 6e6}}, {"normal_stress", {7e6, 8e6}},
-    {"theta", {100, 1000}}, {"displacement", {1, 2, 3, 4}}, {"velocity", {5, 6, 7, 8}}};
+    {"slip", {1, 2}},          {"slip_rate", {3, 4}},
+    {"traction", {5e6, 6e6}},  {"normal_stress", {7e6, 8e6}},
+    {"theta", {100, 1000}},    {"displacement", {1, 2, 3, 4}},
+    {"velocity", {5, 6, 7, 8}}};
   const auto on_fault = detail::faultColumns(Platform::scec, section);
   EXPECT_EQ(detail::rowOf(on_fault, sampled, 1, 2), (std::vector<double>{0, 0, 0, 2, 4, 6, 8, 3}));
   EXPECT_EQ(detail::rowOf(detail::bodyColumns(Platform::scec, section), sampled, 1, 2),
             (std::vector<double>{0, 0, 4, 8, 3, 7}));
-  EXPECT_EQ(detail::fieldsOf(on_fault), (std::vector<std::string>{"slip", "slip_rate", "traction",
-                                                                  "normal_stress", "theta"}));
+  EXPECT_EQ(detail::fieldsOf(on_fault),
+            (std::vector<std::string>{"slip", "slip_rate", "traction", "normal_stress", "theta"}));
 }
 
 TEST(SlipProfiles, RowsFromTheUpperEndDown)
@@ -104,14 +106,16 @@ TEST(SlipProfiles, RowsFromTheUpperEndDown)
   stage.locations["fault"] = uprightFault(3);
   stage.add("fault", "slip_rate", 1, [](double const*, int) { return 0.01; });
   stage.add("fault", "slip", 1, [&](double const* x, int) { return stage.time - x[1]; });
-  detail::SlipProfiles profiles(
-    stage.context(directory.path(), test::textFormat(Platform::seas)));
+  detail::SlipProfiles profiles(stage.context(directory.path(), test::textFormat(Platform::seas)));
   profiles.write(stage.at(1, 2));
   profiles.flush({});
   test::onRankZero([&] {
     const auto lines = test::dataLines(directory / "seas/slip.dat");
     const std::vector<std::string> expected{
-      "z", "t", "max_slip_rate", "slip",
+      "z",
+      "t",
+      "max_slip_rate",
+      "slip",
       " 0.00000000000000E+00   0.000000E+00   0.000000E+00   7.500000E-01   1.000000E+00",
       " 2.00000000000000E+00  -2.000000E+00   2.000000E+00   2.750000E+00   3.000000E+00"};
     EXPECT_EQ(lines, expected);

@@ -147,28 +147,29 @@ TEST(Receivers, FilesForSeas)
                       fault.context(directory.path(), test::textFormat(Platform::seas)));
   run(fault, receivers);
   test::onRankZero([&] {
-    EXPECT_EQ(test::contents(directory / "seas/fltst_dp003"),
-              "# This is the file header:\n"
-              "# problem=BP1-QD\n"
-              "# author=A. Modeller\n"
-              "# date=2024/05/31\n"
-              "# code=Asperity\n"
-              "# code_version=1.2\n"
-              "# element_size=50 m\n"
-              "# location=on fault, (0.3, 0) m\n"
-              "# minimum_time_step=4.000000E-01\n"
-              "# maximum_time_step=4.000000E-01\n"
-              "# num_time_steps=4           \n"
-              "# Column #1 = Time (s)\n"
-              "# Column #2 = Slip (m)\n"
-              "# Column #3 = Slip rate (log10 m/s)\n"
-              "# Column #4 = Shear stress (MPa)\n"
-              "# Column #5 = State (log10 s)\n"
-              "# The line below lists the names of the data fields:\n"
-              "t slip slip_rate shear_stress state\n"
-              " 0.00000000000000E+00   0.000000E+00  -5.228787E-01   3.000000E-01   8.000000E+00\n"
-              " 8.00000000000000E-01   2.400000E-01  -5.228787E-01  -5.000000E-01   8.000000E+00\n"
-              " 1.60000000000000E+00   4.800000E-01  -5.228787E-01  -1.300000E+00   8.000000E+00\n");
+    EXPECT_EQ(
+      test::contents(directory / "seas/fltst_dp003"),
+      "# This is the file header:\n"
+      "# problem=BP1-QD\n"
+      "# author=A. Modeller\n"
+      "# date=2024/05/31\n"
+      "# code=Asperity\n"
+      "# code_version=1.2\n"
+      "# element_size=50 m\n"
+      "# location=on fault, (0.3, 0) m\n"
+      "# minimum_time_step=4.000000E-01\n"
+      "# maximum_time_step=4.000000E-01\n"
+      "# num_time_steps=4           \n"
+      "# Column #1 = Time (s)\n"
+      "# Column #2 = Slip (m)\n"
+      "# Column #3 = Slip rate (log10 m/s)\n"
+      "# Column #4 = Shear stress (MPa)\n"
+      "# Column #5 = State (log10 s)\n"
+      "# The line below lists the names of the data fields:\n"
+      "t slip slip_rate shear_stress state\n"
+      " 0.00000000000000E+00   0.000000E+00  -5.228787E-01   3.000000E-01   8.000000E+00\n"
+      " 8.00000000000000E-01   2.400000E-01  -5.228787E-01  -5.000000E-01   8.000000E+00\n"
+      " 1.60000000000000E+00   4.800000E-01  -5.228787E-01  -1.300000E+00   8.000000E+00\n");
     EXPECT_EQ(test::dataLines(directory / "seas/fltst_dp000")[1],
               " 0.00000000000000E+00   0.000000E+00  -9.900000E+01   0.000000E+00   8.000000E+00");
     const auto body = test::dataLines(directory / "seas/blkst_inside");
@@ -205,9 +206,9 @@ TEST(Receivers, FilesForScecHaveRowsAtEqualDistances)
                       fault.context(directory.path(), test::textFormat(Platform::scec)));
   run(fault, receivers);
   test::onRankZero([&] {
-    const auto text = test::contents(directory / "scec/faultstdp003");
+    const auto text = test::contents(directory / "scec/faultdp003");
     EXPECT_TRUE(test::contains(text, "# time_step=2.500000E-01\n# num_time_steps=7  ")) << text;
-    const auto lines = test::dataLines(directory / "scec/faultstdp003");
+    const auto lines = test::dataLines(directory / "scec/faultdp003");
     ASSERT_EQ(lines.size(), 1u + 7); // 0 to 1.5 s of 1.6 s
     EXPECT_EQ(lines[0], "t h-slip h-slip-rate h-shear-stress v-slip v-slip-rate v-shear-stress "
                         "n-stress log-theta");

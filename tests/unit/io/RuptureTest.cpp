@@ -141,8 +141,7 @@ TEST(Rupture, TimesForThePlatforms)
     rupture->closeSegment(0);
     test::onRankZero([&] {
       const bool is_seas = platform == Platform::seas;
-      const auto lines =
-        test::dataLines(directory / (is_seas ? "seas/rupture.dat" : "scec/cplot"));
+      const auto lines = test::dataLines(directory / (is_seas ? "seas/rupture.dat" : "scec/cplot"));
       ASSERT_EQ(lines.size(), 6u);
       EXPECT_EQ(lines[0], is_seas ? "x2 x3 t" : "j k t"); // the fault is level: along strike
       EXPECT_EQ(lines[2], "  6.250000E-02   0.000000E+00  5.00000000000000E-01");

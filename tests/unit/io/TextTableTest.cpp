@@ -63,8 +63,8 @@ TEST(TextTable, RestartRefusesAnotherTable)
   TextTable shorter(directory / "a.csv", "a,b", world());
   EXPECT_TRUE(test::contains(test::inputError([&] { shorter.restore(archive); }), "has 8 bytes"));
   TextTable missing(directory / "b.csv", "a,b", world());
-  EXPECT_TRUE(test::contains(test::inputError([&] { missing.restore(archive); }),
-                             "cannot be continued"));
+  EXPECT_TRUE(
+    test::contains(test::inputError([&] { missing.restore(archive); }), "cannot be continued"));
 }
 
 TEST(TextTable, FolderThatDoesNotExistIsRefusedOnEveryRank)

@@ -82,7 +82,8 @@ TEST(WriteRule, MoreOftenWhileTheFaultRuptures)
   list.set("Every Seconds of Rupture", 1.5); // 1.5, 3, 4.5, 6, 7.5
   list.set("Rupture Rate", 0.1);
   WriteRule rule(list);
-  EXPECT_EQ(rows(rule, {0, 0, 0, 0.1, 0, 0, 0.2, 0.2, 0.2, 0, 0, 0}), (Rows{0, 3, 5, 6, 8, 10, 11}));
+  EXPECT_EQ(rows(rule, {0, 0, 0, 0.1, 0, 0, 0.2, 0.2, 0.2, 0, 0, 0}),
+            (Rows{0, 3, 5, 6, 8, 10, 11}));
 }
 
 TEST(WriteRule, ARestartGoesOnAlike)

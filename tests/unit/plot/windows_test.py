@@ -44,6 +44,7 @@ class Windows(unittest.TestCase):
         run = self.run_with("1,200,0.1,1,1\n2,600,0.1,1,1\n3,999,0.1,1,0\n")
         self.assertEqual(windows.choose(run, None).number, 2)
         self.assertEqual(len(run.events), 3)
+        self.assertEqual(windows.choose(run, (500.0, 1000.0)).num_events, 2)
 
     def test_no_event(self):
         view = windows.choose(self.run_with(""), None)

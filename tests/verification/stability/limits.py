@@ -47,7 +47,8 @@ def springs():
                              k * FAULT.V * r])
         leading = max(known, key=lambda s: (s.real, s.imag))
         found = rates(FAULT, lambda s: k + mass * s**2 + damping * s)[0]
-        yield f"spring {over_critical:g} k_c, {mass:g} kg/m^2, {damping:g} Pa s/m", found, leading, r
+        what = f"spring {over_critical:g} k_c, {mass:g} kg/m^2, {damping:g} Pa s/m"
+        yield what, found, leading, r
     k = FAULT.critical_stiffness()
     yield ("frequency at the critical stiffness", rates(FAULT, lambda s: k + 0 * s)[0],
            1j * r * math.sqrt((FAULT.b - FAULT.a) / FAULT.a), r)

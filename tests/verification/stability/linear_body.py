@@ -39,7 +39,7 @@ class PlaneStrain:
     free_normal: bool = True
 
     def stiffness(self, s):
-        through = exponential(self.height * self._system(s))  # (U, W, T, N) from the fault to the top
+        through = exponential(self.height * self._system(s))  # of (U, W, T, N), fault to top
         other = 1 if self.free_normal else 3  # W or N on the fault, the one that is not zero
 
         def minor(first, second):

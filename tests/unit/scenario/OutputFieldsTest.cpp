@@ -1,0 +1,89 @@
+#include "scenario/OutputFields.hpp"
+
+#include "SampleDeck.hpp"
+#include "scenario/TimeSetup.hpp"
+
+#include <Tpetra_Vector.hpp>
+
+#include <algorithm>
+#include <cmath>
+
+namespace asperity::scenario
+{
+using namespace test;
+
+namespace
+{
+// What outputs see of a problem at its start. The fault's nodes are at x = 0, 1, 2.
+struct Start
+{
+  explicit Start(ParameterList const& given)
+      : deck(given)
+      , problem(deck, world())
+      , balance(problem.body, problem.fault, makeClock(deck.sublist("Time Stepping")))
+      , locations(makeLocations(problem))
+  {
+    balance.start(problem.initial, {});
+    view.state = &problem.initial;
+    view.balance = &balance;
+    registerFields(registry, problem, view, locations, deck.sublist("Friction"));
+  }
+
+  std::vector<double> onFault(std::string const& name) const
+  {
+    std::vector<double> values;
+    registry.field("fault", name).values(values);
+    return values;
+  }
+
+  ParameterList deck;
+  Problem problem;
+  dynamics::EnergyBalance balance;
+  std::map<std::string, io::Location> locations;
+  RunView view;
+  io::FieldRegistry registry;
+};
+
+void expectNear(std::vector<double> const& found, std::vector<double> const& expected)
+{
+  ASSERT_EQ(found.size(), expected.size());
+  for (std::size_t i = 0; i < found.size(); ++i) {
+    EXPECT_NEAR(found[i], expected[i], 1e-12 * std::abs(expected[i])) << i;
+  }
+}
+} // namespace
+
+TEST(OutputFields, thetaIsOfTheNodesOwnSlipDistanceAndReferenceRate)
+{
+  const Start start(column([](auto& deck) {
+    deck.sublist("Friction").set("L", "0.02 * (1 + x)").set("Reference Slip Rate", 1e-5);
+    deck.sublist("Initial State").set("alpha", "3 - x");
+  }));
+  expectNear(start.onFault("theta"), {2e3 * std::exp(3), 4e3 * std::exp(2), 6e3 * std::exp(1)});
+}
+
+TEST(OutputFields, shearModulusIsThatOfTheBodyBesideTheFault)
+{
+  const Start start(
+    column([](auto& deck) { deck.sublist("Bulk").set("Shear Modulus", "if(y < 1, 1e6, 7e6)"); }));
+  expectNear(start.onFault("shear_modulus"), {1e6, 1e6, 1e6});
+}
+
+TEST(OutputFields, whereTheSlipRateIsPrescribed)
+{
+  const Start start(column());
+  EXPECT_EQ(start.onFault("prescribed"), (std::vector<double>{1, 0, 1})) << "the walls";
+}
+
+TEST(OutputFields, theEnergiesOfTheBalanceAreScalars)
+{
+  const Start start(column());
+  const auto names = start.registry.scalarNames();
+  for (char const* name :
+       {"kinetic_energy", "elastic_energy", "load_work", "boundary_work", "friction_work",
+        "viscous_work", "numerical_dissipation", "energy_defect"}) {
+    EXPECT_EQ(std::count(names.begin(), names.end(), name), 1) << name;
+  }
+  EXPECT_GT(start.registry.scalar("elastic_energy").value(), 0); // under its weight
+}
+} // namespace asperity::scenario
