@@ -112,8 +112,9 @@ CoupledResult CoupledStep::solve(State const& from, int level, State& to, SolveC
   auto& solver = solvers_.at(level);
   solver.begin(*b_, *guess_);
   // (u^ - u0)/tau without their difference: a locked fault moves by less than the rounding of u.
+  update_.laggingAcceleration(from, tau, *work_a_);
   work_u_->update(update_.velocity_in_displacement, *from.v,
-                  tau * update_.acceleration_in_displacement, *from.a_lagging, 0);
+                  tau * update_.acceleration_in_displacement, *work_a_, 0);
   work_u_->update(update_.stiffness_weight, *prescribed_, 1);
   fault_.gather(*work_u_, mean_offset_);
 

@@ -45,20 +45,30 @@ RateUpdate RateUpdate::generalisedAlpha(double spectral_radius)
   return update;
 }
 
+void RateUpdate::laggingAcceleration(State const& from, double tau, Vector& A) const
+{
+  Tpetra::deep_copy(A, *from.a);
+  if (lag != 0) {
+    A.update(lag * tau, *from.jerk, 1);
+  }
+}
+
 void RateUpdate::predict(State const& from, double tau, Vector& u_hat, Vector& a_hat) const
 {
+  laggingAcceleration(from, tau, a_hat);
   Tpetra::deep_copy(u_hat, *from.u);
   u_hat.update(tau * velocity_in_displacement, *from.v, tau * tau * acceleration_in_displacement,
-               *from.a_lagging, 1);
-  a_hat.update(velocity_in_acceleration / tau, *from.v, acceleration_in_acceleration,
-               *from.a_lagging, 0);
+               a_hat, 1);
+  a_hat.update(velocity_in_acceleration / tau, *from.v, acceleration_in_acceleration);
 }
 
 void RateUpdate::complete(State const& from, Vector const& u_hat, Vector const& a_hat, double tau,
                           State& to) const
 {
   to.u->update(1, u_hat, tau * stiffness_weight, *to.v, 0);
+  laggingAcceleration(from, tau, *to.jerk);
   to.a->update(mass_weight / tau, *to.v, -1, a_hat, 0);
-  to.a_lagging->update(1 / (1 - lag), *to.a, -lag / (1 - lag), *from.a_lagging, 0);
+  const double per_time = 1 / ((1 - lag) * tau);
+  to.jerk->update(per_time, *to.a, -per_time);
 }
 } // namespace asperity::dynamics

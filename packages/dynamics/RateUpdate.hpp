@@ -11,10 +11,12 @@ namespace asperity::dynamics
 //
 //   u1 = u^ + tau w_K v1,           u^ = u0 + tau c_v v0 + tau^2 c_a A0,      w_K = 1 / lambda_K
 //   a1 = lambda_M / tau v1 - a^,    a^ = d_v / tau v0 + d_a A0
-//   A1 = (a1 - alpha_M A0) / (1 - alpha_M)
+//   A0 = a0 + alpha_M tau j0,       j1 = (a1 - A0) / ((1 - alpha_M) tau)
 //
 // M a1 + C v1 + K u1 = l1 - f1 holds at the end of the step in all of them. A is the scheme's own
-// acceleration, which lags behind a by |alpha_M| steps; it is a where alpha_M = 0.
+// acceleration, which lags behind a by |alpha_M| steps; it is a where alpha_M = 0. A state keeps
+// the jerk j instead of A, since the lag is that of the step to come: with A0 as the last step left
+// it a change of the step would cost an order.
 //
 // Newmark: u1 = u0 + tau v0 + tau^2/2 ((1 - 2 beta) a0 + 2 beta a1), v1 = v0 + tau (a0 + a1)/2.
 // Backward Euler: u1 = u0 + tau v1, v1 = v0 + tau a1.
@@ -40,9 +42,11 @@ struct RateUpdate
   // mode by the spectral radius in [0, 1]: 0 forgets it at once, 1 is Newmark with beta = 1/4.
   static RateUpdate generalisedAlpha(double spectral_radius);
 
+  // A0 for a step of tau [s].
+  void laggingAcceleration(State const& from, double tau, Vector& A) const;
   // u^ and a^ for a step of tau [s].
   void predict(State const& from, double tau, Vector& u_hat, Vector& a_hat) const;
-  // u, a and the scheme's acceleration in `to`, whose v is v1.
+  // u, a and the jerk in `to`, whose v is v1.
   void complete(State const& from, Vector const& u_hat, Vector const& a_hat, double tau,
                 State& to) const;
 };

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace asperity::dynamics
 {
@@ -32,12 +33,12 @@ AcceptedStep RichardsonControl::advance(State& current, SolveCount& count)
   AcceptedStep accepted;
   if (!memory_.trial) {
     auto pair = acceptablePair(current, count);
-    accepted.iterations = pair.first.iterations;
+    accepted.iterations = pair.first->iterations;
     memory_.before = std::move(current);
     memory_.level_before = memory_.level;
     memory_.previous_error = memory_.error;
     memory_.error = pair.error;
-    current = std::move(pair.first.state);
+    current = std::move(pair.first->state);
     memory_.trial = std::move(pair.second);
     accepted.level = memory_.level;
     accepted.error = memory_.error;
@@ -64,18 +65,22 @@ std::optional<Trial> RichardsonControl::wholeStep(State const& current, SolveCou
   return attempt(current, memory_.level - 1, blend(1 + ratio, current, *memory_.before), count);
 }
 
-std::optional<RichardsonControl::Pair>
-RichardsonControl::pairOf(State const& current, Trial const& whole, SolveCount& count)
+RichardsonControl::Pair RichardsonControl::pairOf(State const& current,
+                                                  std::optional<Trial> const& whole,
+                                                  SolveCount& count)
 {
-  State const& end = whole.state;
-  auto first = attempt(current, memory_.level, blend(0.5, end, current), count);
-  auto second = first ? attempt(first->state, memory_.level, end, count) : std::nullopt;
-  if (!second) {
-    return std::nullopt;
+  State const& end = whole ? whole->state : current;
+  Pair pair;
+  pair.error = std::numeric_limits<double>::infinity();
+  pair.first = attempt(current, memory_.level, blend(0.5, end, current), count);
+  if (pair.first) {
+    pair.second = attempt(pair.first->state, memory_.level, end, count);
   }
-  const double error =
-    fault_.distance(end.alpha, second->state.alpha, settings_.norm) / extrapolation_;
-  return Pair{std::move(*first), std::move(*second), error};
+  if (whole && pair.second) {
+    pair.error =
+      fault_.distance(end.alpha, pair.second->state.alpha, settings_.norm) / extrapolation_;
+  }
+  return pair;
 }
 
 RichardsonControl::Pair RichardsonControl::acceptablePair(State const& current, SolveCount& count)
@@ -86,9 +91,9 @@ RichardsonControl::Pair RichardsonControl::acceptablePair(State const& current, 
     if (!whole) {
       whole = wholeStep(current, count);
     }
-    auto pair = whole ? pairOf(current, *whole, count) : std::nullopt;
-    if (pair && (pair->error <= settings_.tolerance || finest)) {
-      return std::move(*pair);
+    auto pair = whole || finest ? pairOf(current, whole, count) : Pair();
+    if (pair.second && (pair.error <= settings_.tolerance || finest)) {
+      return pair;
     }
     if (finest) {
       giveUp(current, memory_.level);
@@ -96,7 +101,7 @@ RichardsonControl::Pair RichardsonControl::acceptablePair(State const& current, 
     // The first step of the pair is the whole step of the next smaller one.
     ++memory_.level;
     memory_.error /= error_ratio_;
-    whole = pair ? std::optional<Trial>(std::move(pair->first)) : std::nullopt;
+    whole = std::move(pair.first);
   }
 }
 

@@ -23,13 +23,12 @@ public:
 private:
   struct Pair
   {
-    Trial first, second;
-    double error = 0;
+    std::optional<Trial> first, second; // nothing: no solution
+    double error = 0;                   // infinite if there is nothing to compare with
   };
   // A step from the present state to the end of the pair of the level memory_.level.
   std::optional<Trial> wholeStep(State const& current, SolveCount& count);
-  // Nothing if one of its steps has no solution.
-  std::optional<Pair> pairOf(State const& current, Trial const& whole, SolveCount& count);
+  Pair pairOf(State const& current, std::optional<Trial> const& whole, SolveCount& count);
   Pair acceptablePair(State const& current, SolveCount& count);
   void predictLevel(double error);
 

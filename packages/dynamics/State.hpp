@@ -13,7 +13,7 @@ struct State
 {
   DyadicTime::Ticks time = 0;
   RCP<Vector> u, v, a;      // m, m/s, m/s^2
-  RCP<Vector> a_lagging;    // the scheme's own acceleration, see RateUpdate; a to begin with
+  RCP<Vector> jerk;         // m/s^3, of the last step, see RateUpdate; zero to begin with
   friction::NodeView alpha; // (num fault nodes)
   // The state the velocity was computed with: alpha of the last rate problem.
   friction::NodeView alpha_of_rate;
@@ -25,7 +25,7 @@ struct State
     copy.u = rcp(new Vector(*u, Teuchos::Copy));
     copy.v = rcp(new Vector(*v, Teuchos::Copy));
     copy.a = rcp(new Vector(*a, Teuchos::Copy));
-    copy.a_lagging = rcp(new Vector(*a_lagging, Teuchos::Copy));
+    copy.jerk = rcp(new Vector(*jerk, Teuchos::Copy));
     copy.alpha = friction::NodeView("asperity::dynamics::alpha", alpha.extent(0));
     copy.alpha_of_rate = friction::NodeView("asperity::dynamics::alphaOfRate", alpha.extent(0));
     Kokkos::deep_copy(copy.alpha, alpha);

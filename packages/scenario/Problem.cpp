@@ -226,7 +226,7 @@ void Problem::makeInitialState(ParameterList const& deck)
                                               *load, *prescribedAcceleration(dt), *initial.u,
                                               *initial.v, initial.alpha);
   }
-  initial.a_lagging = initial.a;
+  initial.jerk = body.vector();
 }
 
 void Problem::alongAxes(Vector const& x, std::vector<double>& result) const

@@ -54,7 +54,7 @@ void save(io::Archive& archive, std::string const& path, dynamics::State const& 
   archive.set(path + "/u", valuesOf(*state.u));
   archive.set(path + "/v", valuesOf(*state.v));
   archive.set(path + "/a", valuesOf(*state.a));
-  archive.set(path + "/a_lagging", valuesOf(*state.a_lagging));
+  archive.set(path + "/jerk", valuesOf(*state.jerk));
   archive.set(path + "/alpha", valuesOf(state.alpha));
   archive.set(path + "/alpha_of_rate", valuesOf(state.alpha_of_rate));
 }
@@ -67,7 +67,7 @@ dynamics::State loadState(io::Archive const& archive, std::string const& path,
   load(archive, path + "/u", *state.u);
   load(archive, path + "/v", *state.v);
   load(archive, path + "/a", *state.a);
-  load(archive, path + "/a_lagging", *state.a_lagging);
+  load(archive, path + "/jerk", *state.jerk);
   load(archive, path + "/alpha", state.alpha);
   load(archive, path + "/alpha_of_rate", state.alpha_of_rate);
   return state;

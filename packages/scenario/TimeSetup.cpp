@@ -97,9 +97,9 @@ RCP<const ParameterList> timeParameters()
       .list();
   auto const generalised_alpha =
     Declare()
-      .real("Spectral Radius", 0., "-", Range::closed(0, 1),
+      .real("Spectral Radius", 0.5, "-", Range::closed(0, 1),
             "By which a step multiplies modes far faster than itself: 0 forgets them at once, 1 "
-            "never (Newmark).")
+            "never (Newmark). Below 0.4 steps that double every time excite them.")
       .list();
   auto const prescribed =
     Declare()

@@ -36,7 +36,7 @@ void expectNear(DenseState const& state, DenseState const& expected, double tole
   EXPECT_LE(distance(state.u, expected.u), tolerance);
   EXPECT_LE(distance(state.v, expected.v), tolerance);
   EXPECT_LE(distance(state.a, expected.a), tolerance);
-  EXPECT_LE(distance(state.a_lagging, expected.a_lagging), tolerance);
+  EXPECT_LE(distance(state.jerk, expected.jerk), tolerance);
   EXPECT_LE(distance(state.alpha, expected.alpha), tolerance);
 }
 

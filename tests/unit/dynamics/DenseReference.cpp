@@ -6,7 +6,7 @@ namespace asperity::dynamics::testing
 {
 DenseState denseOf(State const& state)
 {
-  return {denseOf(*state.u), denseOf(*state.v), denseOf(*state.a), denseOf(*state.a_lagging),
+  return {denseOf(*state.u), denseOf(*state.v), denseOf(*state.a), denseOf(*state.jerk),
           denseOf(state.alpha)};
 }
 
@@ -25,31 +25,33 @@ DenseReference::DenseReference(Model const& model, Scheme scheme, double paramet
   }
 }
 
-DenseReference::Motion DenseReference::motion(double v0, double a0, double lagging0, double v1,
+DenseReference::Motion DenseReference::motion(double v0, double a0, double jerk0, double v1,
                                               double tau) const
 {
   if (scheme_ == Scheme::backward_euler) {
     const double a1 = (v1 - v0) / tau;
-    return {tau * v1, a1, a1};
+    return {tau * v1, a1, (a1 - a0) / tau};
   }
   if (scheme_ == Scheme::newmark) {
     const double beta = parameter_;
     const double a1 = 2 * (v1 - v0) / tau - a0;
-    return {tau * v0 + tau * tau * ((0.5 - beta) * a0 + beta * a1), a1, a1};
+    return {tau * v0 + tau * tau * ((0.5 - beta) * a0 + beta * a1), a1, (a1 - a0) / tau};
   }
-  // Chung and Hulbert 1993 with alpha_f = 0, the method of Wood, Bossak and Zienkiewicz.
+  // Chung and Hulbert 1993 with alpha_f = 0, the method of Wood, Bossak and Zienkiewicz. Its own
+  // acceleration A lags behind a by -alpha_m steps.
   const double rho = parameter_;
   const double alpha_m = (rho - 1) / (rho + 1);
   const double gamma = 0.5 - alpha_m;
   const double beta = (1 - alpha_m) * (1 - alpha_m) / 4;
-  const double lagging1 = ((v1 - v0) / tau - (1 - gamma) * lagging0) / gamma;
-  return {tau * v0 + tau * tau * ((0.5 - beta) * lagging0 + beta * lagging1),
-          (1 - alpha_m) * lagging1 + alpha_m * lagging0, lagging1};
+  const double A0 = a0 + alpha_m * tau * jerk0;
+  const double A1 = ((v1 - v0) / tau - (1 - gamma) * A0) / gamma;
+  const double a1 = (1 - alpha_m) * A1 + alpha_m * A0;
+  return {tau * v0 + tau * tau * ((0.5 - beta) * A0 + beta * A1), a1, (A1 - a1) / (alpha_m * tau)};
 }
 
 DenseReference::Motion DenseReference::motion(Step const& step, int dof, double v1) const
 {
-  return motion(step.from.v[dof], step.from.a[dof], step.from.a_lagging[dof], v1, step.tau);
+  return motion(step.from.v[dof], step.from.a[dof], step.from.jerk[dof], v1, step.tau);
 }
 
 // mu = a asinh(V / (2 V*) exp((mu* + b alpha) / a)) at the end of the step, with the alpha after
@@ -77,7 +79,7 @@ Eigen::VectorXd DenseReference::imbalance(Step const& step, DenseState& to) cons
     auto const end = motion(step, dof, to.v[dof]);
     to.u[dof] = step.from.u[dof] + end.du;
     to.a[dof] = end.a;
-    to.a_lagging[dof] = end.a_lagging;
+    to.jerk[dof] = end.jerk;
   }
   Eigen::VectorXd sum = mass_ * to.a + viscosity_ * to.v + stiffness_ * to.u - step.load;
   for (int i = 0; i < model_.fault.numNodes(); ++i) {

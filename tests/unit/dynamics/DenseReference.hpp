@@ -7,7 +7,7 @@ namespace asperity::dynamics::testing
 // A state in plain vectors; alpha at the fault nodes.
 struct DenseState
 {
-  Eigen::VectorXd u, v, a, a_lagging, alpha;
+  Eigen::VectorXd u, v, a, jerk, alpha;
 };
 
 DenseState denseOf(State const& state);
@@ -41,13 +41,13 @@ private:
   // Of one dof: the displacement of a step, and what it ends with.
   struct Motion
   {
-    double du, a, a_lagging;
+    double du, a, jerk;
   };
   struct NodalFriction
   {
     double force, alpha;
   };
-  Motion motion(double v0, double a0, double lagging0, double v1, double tau) const;
+  Motion motion(double v0, double a0, double jerk0, double v1, double tau) const;
   Motion motion(Step const& step, int dof, double v1) const;
   NodalFriction friction(Step const& step, int i, double v1) const;
   Eigen::VectorXd imbalance(Step const& step, DenseState& to) const;

@@ -6,6 +6,7 @@
 #include <Tpetra_Vector.hpp>
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <set>
 #include <string>
 
@@ -29,7 +30,6 @@ State balanced(Model const& model, State state)
   prescribed->update(1, *later, -1);
   state.a = initialAcceleration(model.body, model.fault, tightSettings(), model.options.law, *load,
                                 *prescribed, *state.u, *state.v, state.alpha);
-  Tpetra::deep_copy(*state.a_lagging, *state.a);
   return state;
 }
 
@@ -179,11 +179,10 @@ TEST_P(EnergyOfSchemes, closesOnceTheirDissipationIsCounted)
       const double before = balance.energy().defect;
       advance(stepper, state, level);
       auto const& energy = balance.advance(state);
-      EXPECT_NEAR(energy.defect, before, 1e-10 * energy.friction_work);
+      EXPECT_NEAR(energy.defect, before, 1e-10 * energy.kinetic);
     }
     // Far more than the defect; of either sign as long as the body gains speed.
-    EXPECT_GT(std::abs(balance.energy().numerical_dissipation),
-              1e-6 * balance.energy().friction_work);
+    EXPECT_GT(std::abs(balance.energy().numerical_dissipation), 1e-4 * balance.energy().kinetic);
   }
 }
 

@@ -8,10 +8,10 @@
 
 namespace asperity::dynamics::testing
 {
-// One number for each of u, v, a and the scheme's own acceleration.
+// One number for each of u, v, a and the jerk of the last step.
 struct Motion
 {
-  double u, v, a, a_lagging;
+  double u, v, a, jerk;
 };
 
 // m u'' + c u' + k u = 0
@@ -45,7 +45,7 @@ private:
   State state() const
   {
     State result;
-    for (auto* x : {&result.u, &result.v, &result.a, &result.a_lagging}) {
+    for (auto* x : {&result.u, &result.v, &result.a, &result.jerk}) {
       *x = rcp(new Vector(map_));
       (*x)->putScalar(123); // whatever a step finds there
     }
@@ -57,7 +57,7 @@ private:
     from_.u->putScalar(from.u);
     from_.v->putScalar(from.v);
     from_.a->putScalar(from.a);
-    from_.a_lagging->putScalar(from.a_lagging);
+    from_.jerk->putScalar(from.jerk);
     u_hat_.putScalar(123);
     a_hat_.putScalar(123);
     update.predict(from_, tau, u_hat_, a_hat_);
@@ -68,7 +68,7 @@ private:
     auto to = state();
     to.v->putScalar(v1);
     update.complete(from_, u_hat_, a_hat_, tau, to);
-    return {value(*to.u), value(*to.v), value(*to.a), value(*to.a_lagging)};
+    return {value(*to.u), value(*to.v), value(*to.a), value(*to.jerk)};
   }
 
   RCP<const Map> map_ = rcp(new Map(1, 0, fem::testing::selfCommunicator()));

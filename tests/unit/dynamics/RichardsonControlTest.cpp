@@ -104,6 +104,10 @@ TEST_F(RichardsonControlTest, halvesUntilThePairIsFineEnough)
 {
   const double tolerance = 1e-4;
   auto control = this->control(adaptive(tolerance, 2));
+  ControlMemory memory;
+  memory.level = 2;
+  memory.error = 0.5; // of a pair before
+  control.restore(memory);
   auto const before = state.clone();
   const int level = control.advance(state, count).level;
   ASSERT_GT(level, 4) << "the first step was meant to be far too large";
@@ -111,6 +115,7 @@ TEST_F(RichardsonControlTest, halvesUntilThePairIsFineEnough)
   EXPECT_GT(errorOf(before, level - 2) / 3, tolerance);
   EXPECT_LE(distance(state, stepped(before, {level})), 1e-10);
   EXPECT_EQ(count.coupled_steps, 3 + 2 * (level - 2));
+  EXPECT_EQ(control.memory().previous_error, std::ldexp(0.5, 3 * (2 - level)));
 }
 
 TEST_F(RichardsonControlTest, measuresInTheNormAskedFor)
@@ -236,8 +241,8 @@ class RichardsonPrediction : public RichardsonControlTest,
 {
 };
 
-// With tolerance 1e-4 and a ratio of 8: the step doubles if 8 times the error expected meets it with
-// something to spare, and is halved if the error expected does not meet it.
+// With tolerance 1e-4 and a ratio of 8: the step doubles if 8 times the error expected meets it
+// with something to spare, and is halved if the error expected does not meet it.
 TEST_P(RichardsonPrediction, comesFromTheErrorAndItsTrend)
 {
   auto const& given = GetParam();
@@ -290,7 +295,7 @@ TEST_F(RichardsonControlTest, predictionsStayBetweenTheLevelsAllowed)
 // First guesses half way and straight on spare fixed point iterations.
 TEST_F(RichardsonControlTest, guessesAreBetterThanTheStateBefore)
 {
-  Stepper loose(model, RateUpdate::newmark(0.25), half_seconds, coupling(1e-7, 100));
+  Stepper loose(model, RateUpdate::newmark(0.25), half_seconds, coupling(1e-5, 100));
   RichardsonControl control(loose.step, model.fault, half_seconds, 2, adaptive(1e-5, 10));
   SolveCount plain;
   for (int n = 0; n < 20; ++n) {
@@ -303,8 +308,7 @@ TEST_F(RichardsonControlTest, guessesAreBetterThanTheStateBefore)
     auto second = first.clone();
     loose.step.solve(first, level, second, plain);
   }
-  printf("%ld %ld of %ld %ld\n", count.rate_problems, count.tnnmg_iterations, plain.rate_problems, plain.tnnmg_iterations);
-  EXPECT_LT(count.rate_problems, plain.rate_problems);
+  EXPECT_LT(count.rate_problems, 0.8 * plain.rate_problems);
 }
 
 // Half way, and once more as far.

@@ -139,7 +139,7 @@ State Model::restingState() const
   state.u = body.vector();
   state.v = body.vector();
   state.a = body.vector();
-  state.a_lagging = body.vector();
+  state.jerk = body.vector();
   body.prescribed_velocity(0, *state.v);
   state.alpha = nodeView([](auto const&) { return 0.; });
   state.alpha_of_rate = nodeView([](auto const&) { return 0.; });

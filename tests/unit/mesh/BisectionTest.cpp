@@ -86,8 +86,8 @@ TEST(Bisection, GivesTheSameMeshAgain)
   EXPECT_EQ(first.boundaries, second.boundaries);
 }
 
-// A half space with a fault of 20 km at x = 0, in first cells of 12.8 km = 2^7 times 100 m: 100 m on
-// the fault, and no edge longer than sqrt(2) times what is wanted anywhere.
+// A half space with a fault of 20 km at x = 0, in first cells of 12.8 km = 2^7 times 100 m: 100 m
+// on the fault, and no edge longer than sqrt(2) times what is wanted anywhere.
 TEST(Bisection, GivesTheFaultItsCellSizeExactly)
 {
   const CellSize size = [](Point<2> const& x) {
