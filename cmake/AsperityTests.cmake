@@ -66,13 +66,15 @@ endfunction()
 
 # asperity_add_python_test(<level>.<name> SCRIPT <file> [ARGUMENTS <argument>...]
 #                          [ENVIRONMENT <name=value>...] [LABELS <label>...]
-#                          [TIMEOUT <seconds>] [PROCESSORS <n>])
+#                          [TIMEOUT <seconds>] [PROCESSORS <n>] [CONFIGURATIONS <name>...])
 #
 # Runs a Python script in a folder of its own, where the files of its last run may lie. It finds in
 # its environment ASPERITY_SOURCE_DIR, ASPERITY_BUILD_DIR (programs in drivers/), ASPERITY_MPIEXEC
 # (the command before the number of ranks) and tests/support on PYTHONPATH.
+# With CONFIGURATIONS it runs only if `ctest -C` names one of them.
 function(asperity_add_python_test name)
-  cmake_parse_arguments(TEST "" "SCRIPT;TIMEOUT;PROCESSORS" "ARGUMENTS;ENVIRONMENT;LABELS" ${ARGN})
+  cmake_parse_arguments(TEST "" "SCRIPT;TIMEOUT;PROCESSORS"
+    "ARGUMENTS;ENVIRONMENT;LABELS;CONFIGURATIONS" ${ARGN})
   if(NOT TEST_SCRIPT OR TEST_UNPARSED_ARGUMENTS)
     message(FATAL_ERROR "asperity_add_python_test(${name}): SCRIPT '${TEST_SCRIPT}' is missing, or "
       "unknown arguments '${TEST_UNPARSED_ARGUMENTS}'")
@@ -96,8 +98,12 @@ function(asperity_add_python_test name)
   endif()
   set(folder "${CMAKE_CURRENT_BINARY_DIR}/${name}")
   file(MAKE_DIRECTORY "${folder}")
+  set(configurations "")
+  if(TEST_CONFIGURATIONS)
+    set(configurations CONFIGURATIONS ${TEST_CONFIGURATIONS})
+  endif()
   add_test(NAME ${name} COMMAND "${ASPERITY_PYTHON}" "${script}" ${TEST_ARGUMENTS}
-    WORKING_DIRECTORY "${folder}")
+    WORKING_DIRECTORY "${folder}" ${configurations})
   set(mpiexec "${MPIEXEC_EXECUTABLE} ${ASPERITY_MPI_OPTIONS} ${MPIEXEC_NUMPROC_FLAG}")
   string(REPLACE ";" " " mpiexec "${mpiexec}")
   set_tests_properties(${name} PROPERTIES

@@ -1,7 +1,7 @@
 #include "fem/Constraints.hpp"
 
 #include "base/Errors.hpp"
-#include "mesh/SimplexGeometry.hpp"
+#include "fem/detail/ConditionNodes.hpp"
 
 #include <Teuchos_CommHelpers.hpp>
 #include <Tpetra_Import.hpp>
@@ -46,41 +46,6 @@ void normalise(std::vector<double>& direction, std::string const& condition)
     x /= size;
   }
 }
-
-// Inward normals of the owned nodes on some boundaries, as long as their facets are large.
-template <int Dim>
-std::map<int, std::vector<double>> inwardNormals(Mesh<Dim> const& mesh, int components,
-                                                 std::vector<std::string> const& boundaries)
-{
-  std::map<int, std::vector<double>> normals;
-  for (auto const& name : boundaries) {
-    for (auto const& facet : mesh.boundaries.at(name)) {
-      auto const outward = mesh::areaNormal(mesh::corners<Dim>(mesh.vertices, facet));
-      for (int node : facet) {
-        if (node < mesh.num_owned) {
-          auto& normal = normals.try_emplace(node, components, 0.).first->second;
-          for (int c = 0; c < std::min(components, Dim); ++c) {
-            normal[c] -= outward[c];
-          }
-        }
-      }
-    }
-  }
-  return normals;
-}
-
-template <int Dim>
-std::vector<int> ownedNodes(Mesh<Dim> const& mesh, std::string const& boundary)
-{
-  std::vector<int> nodes;
-  for (auto const& facet : mesh.boundaries.at(boundary)) {
-    std::copy_if(facet.begin(), facet.end(), std::back_inserter(nodes),
-                 [&mesh](int node) { return node < mesh.num_owned; });
-  }
-  std::sort(nodes.begin(), nodes.end());
-  nodes.erase(std::unique(nodes.begin(), nodes.end()), nodes.end());
-  return nodes;
-}
 } // namespace
 
 template <int Dim>
@@ -117,8 +82,8 @@ typename Constraints<Dim>::NodalDirections Constraints<Dim>::collect(Mesh<Dim> c
       ASPERITY_REQUIRE(mesh.boundaries.count(name) > 0,
                        condition.name << ": the mesh has no boundary '" << name << "'.");
     }
-    auto const normals = inwardNormals(mesh, components, boundaries);
-    for (int node : ownedNodes(mesh, condition.boundary)) {
+    auto const normals = detail::inwardNormals(mesh, components, boundaries);
+    for (int node : detail::ownedNodes(mesh, condition.boundary)) {
       auto direction = condition.direction.empty() ? normals.at(node) : condition.direction;
       ASPERITY_ASSERT(static_cast<int>(direction.size()) == components);
       normalise(direction, condition.name);
@@ -191,6 +156,29 @@ void Constraints<Dim>::constrain(DofMap const& dofs, int node,
   }
 }
 
+// The first prescribed condition that is neither along nor across one of the directions; the first
+// prescribed one if rounding hides which it is.
+template <int Dim>
+int Constraints<Dim>::obliqueCondition(std::vector<Direction> const& directions,
+                                       std::vector<std::vector<double>> const& to) const
+{
+  auto const is_oblique = [&](Direction const& direction) {
+    return !conditions_[direction.condition].free &&
+           std::any_of(to.begin(), to.end(), [&direction](auto const& vector) {
+             const double share = std::abs(detail::dot(direction.vector, vector));
+             return share >= detail::parallel && 1 - share >= detail::parallel;
+           });
+  };
+  auto const found = std::find_if(directions.begin(), directions.end(), is_oblique);
+  if (found != directions.end()) {
+    return found->condition;
+  }
+  auto const first =
+    std::find_if(directions.begin(), directions.end(),
+                 [this](auto const& direction) { return !conditions_[direction.condition].free; });
+  return first->condition;
+}
+
 // The directions that a node's frame follows, each with its prescribed velocity, or none if free.
 template <int Dim>
 NodalBasis Constraints<Dim>::layFrame(int node, std::vector<Direction> const& directions,
@@ -209,6 +197,7 @@ NodalBasis Constraints<Dim>::layFrame(int node, std::vector<Direction> const& di
     basis.orient();
     return basis;
   }
+  auto const free = basis.vectors();
   for (auto const& vector : prescribed.vectors()) {
     Terms none;
     basis.add(vector, none);
@@ -220,7 +209,7 @@ NodalBasis Constraints<Dim>::layFrame(int node, std::vector<Direction> const& di
       continue;
     }
     ASPERITY_REQUIRE(std::abs(share - 1) < detail::parallel,
-                     conditions_[prescribed.velocity(0).front().first].name
+                     conditions_[obliqueCondition(directions, free)].name
                        << " prescribes a velocity neither along nor across the boundary '"
                        << conditions_[of_frame].boundary << "' at x = (" << owned_vertices_[node][0]
                        << ", " << owned_vertices_[node][1] << "), where "

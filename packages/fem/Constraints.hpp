@@ -75,6 +75,8 @@ private:
   void constrain(DofMap const& dofs, int node, std::vector<Direction> const& directions);
   detail::NodalBasis layFrame(int node, std::vector<Direction> const& directions,
                               detail::NodalBasis const& prescribed) const;
+  int obliqueCondition(std::vector<Direction> const& directions,
+                       std::vector<std::vector<double>> const& to) const;
   void requireAgreement(int node, int condition, detail::Terms const& terms) const;
   double velocity(int condition, Point<Dim> const& x, double t) const;
   void shareWithGhosts(DofMap const& dofs);

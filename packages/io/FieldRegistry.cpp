@@ -42,7 +42,7 @@ Field const& FieldRegistry::field(std::string const& location, std::string const
 {
   Field const* found = find(fields_, location, name);
   ASPERITY_REQUIRE(found, "There is no field '" << name << "' on the " << location << "."
-                            << didYouMean(name, fieldNames(location)));
+                                                << didYouMean(name, fieldNames(location)));
   return *found;
 }
 
@@ -50,8 +50,22 @@ Scalar const& FieldRegistry::scalar(std::string const& name) const
 {
   Scalar const* found = find(scalars_, name);
   ASPERITY_REQUIRE(found, "There is no quantity '" << name << "' of a step."
-                            << didYouMean(name, scalarNames()));
+                                                   << didYouMean(name, scalarNames()));
   return *found;
+}
+
+std::vector<Field const*> FieldRegistry::fields(std::string const& location,
+                                                std::vector<std::string> const& names,
+                                                std::string const& where) const
+{
+  std::vector<Field const*> chosen;
+  for (auto const& name : names) {
+    Field const& next = field(location, name);
+    ASPERITY_REQUIRE(std::find(chosen.begin(), chosen.end(), &next) == chosen.end(),
+                     where << " names '" << name << "' twice.");
+    chosen.push_back(&next);
+  }
+  return chosen;
 }
 
 bool FieldRegistry::hasField(std::string const& location, std::string const& name) const

@@ -42,6 +42,12 @@ public:
   Field const& field(std::string const& location, std::string const& name) const;
   Scalar const& scalar(std::string const& name) const;
 
+  // Those of the names, in their order; `where` is the entry of the deck that has the names.
+  // InputError as for field, and if a name stands there twice.
+  std::vector<Field const*> fields(std::string const& location,
+                                   std::vector<std::string> const& names,
+                                   std::string const& where) const;
+
   bool hasField(std::string const& location, std::string const& name) const;
 
   // In the order in which they were added.

@@ -1,5 +1,6 @@
 #include "io/OutputSet.hpp"
 
+#include "base/Errors.hpp"
 #include "base/Parameters.hpp"
 #include "io/detail/PointLocation.hpp"
 #include "io/outputs/EventCatalogue.hpp"
@@ -39,6 +40,7 @@ OutputSet::OutputSet(Teuchos::ParameterList const& parameters, OutputContext con
 {
   OutputContext context = given;
   context.text = textFormat(parameters, given);
+  platform_ = context.text.platform;
   for (auto const& name : OutputRegistry::instance().names()) {
     const auto kind = OutputRegistry::instance().create(name, "Output");
     ParameterList list = parameters.isSublist(name) ? parameters.sublist(name) : ParameterList();
@@ -70,6 +72,7 @@ Archive OutputSet::save() const
 {
   Archive archive;
   archive.set("num_closed_segments", num_closed_segments_);
+  archive.set("text_format", std::string(platformName(platform_)));
   for (auto const& entry : entries_) {
     Archive part;
     entry.output->save(part);
@@ -80,6 +83,12 @@ Archive OutputSet::save() const
 
 void OutputSet::restore(Archive const& archive)
 {
+  auto const& earlier = archive.get<std::string>("text_format");
+  ASPERITY_REQUIRE(earlier == platformName(platform_),
+                   "Asperity / Output / Text Format is "
+                     << platformName(platform_) << ", but it was " << earlier
+                     << " in the run that the checkpoint continues. Restart with the Text Format "
+                        "of the earlier run.");
   num_closed_segments_ = static_cast<int>(archive.getInteger("num_closed_segments"));
   for (auto& entry : entries_) {
     entry.output->restore(archive.child(entry.name));

@@ -49,5 +49,6 @@ private:
   };
   std::vector<Entry> entries_;
   int num_closed_segments_ = 0;
+  Platform platform_;
 };
 } // namespace asperity::io

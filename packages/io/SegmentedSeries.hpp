@@ -34,6 +34,8 @@ public:
   // Location and fields must outlive the series.
   SegmentedSeries(Options const& options, Location const& location,
                   std::vector<Field const*> const& fields);
+  SegmentedSeries(SegmentedSeries const&) = delete; // the table describes itself with the members
+  SegmentedSeries& operator=(SegmentedSeries const&) = delete;
 
   // Adds a row with the fields' values of this moment.
   void append(StepInfo const& step);

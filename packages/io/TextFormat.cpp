@@ -29,6 +29,12 @@ std::string today()
 }
 } // namespace
 
+char const* platformName(Platform platform)
+{
+  static constexpr char const* names[] = {"None", "SEAS", "SCEC"};
+  return names[static_cast<int>(platform)];
+}
+
 std::filesystem::path TextFormat::folder() const
 {
   return platform == Platform::seas ? "seas" : "scec";

@@ -16,6 +16,9 @@ enum class Platform
   scec
 };
 
+// As the deck has it: "None", "SEAS", "SCEC".
+char const* platformName(Platform platform);
+
 // The platform and what its files say about the run: the choice `Text Format` in the deck's list
 // `Output` and the list of that name.
 struct TextFormat

@@ -5,11 +5,27 @@
 #include "io/detail/Gather.hpp"
 
 #include <cstdio>
+#include <sstream>
+#include <utility>
 
 namespace asperity::io
 {
 namespace
 {
+// The first lines of different length of two headers, or the last ones.
+std::pair<std::string, std::string> difference(std::string const& earlier, std::string const& now)
+{
+  std::istringstream ours(earlier), theirs(now);
+  std::string our_line, their_line;
+  while (our_line.size() == their_line.size() && !(ours.eof() && theirs.eof())) {
+    our_line.clear();
+    their_line.clear();
+    std::getline(ours, our_line);
+    std::getline(theirs, their_line);
+  }
+  return {our_line, their_line};
+}
+
 std::string lastLine(std::string const& text) { return text.substr(text.find_last_of('\n') + 1); }
 } // namespace
 
@@ -63,24 +79,41 @@ void TextTable::flush()
   });
 }
 
-void TextTable::save(Archive& archive) const { archive.set("num_bytes", num_bytes_); }
+void TextTable::save(Archive& archive) const
+{
+  archive.set("num_bytes", num_bytes_);
+  archive.set("header_bytes", header_.size());
+}
+
+void TextTable::requireEarlierTable(Archive const& archive) const
+{
+  std::error_code error;
+  const auto size = std::filesystem::file_size(file_, error);
+  ASPERITY_REQUIRE(!error, file_.string() << " cannot be continued: " << error.message()
+                                          << ". Restart in the directory of the earlier run.");
+  const auto num_bytes = archive.getInteger("num_bytes");
+  ASPERITY_REQUIRE(static_cast<std::int64_t>(size) >= num_bytes,
+                   file_.string() << " is not the table that the checkpoint continues: it has "
+                                  << size << " bytes, of which the checkpoint knows " << num_bytes
+                                  << ".");
+  std::string header(archive.getInteger("header_bytes"), '\0');
+  std::ifstream(file_, std::ios::binary)
+    .read(header.data(), static_cast<std::streamsize>(header.size()));
+  const bool is_same = header.size() == header_.size() && lastLine(header) == lastLine(header_);
+  const auto [earlier, now] = difference(header, header_);
+  ASPERITY_REQUIRE(is_same, file_.string()
+                              << " is not the table that the checkpoint continues: its "
+                                 "header has the line '"
+                              << earlier << "', where that of this run has '" << now
+                              << "'. Restart with the former.");
+}
 
 void TextTable::restore(Archive const& archive)
 {
   detail::onRoot(*comm_, [&] {
+    requireEarlierTable(archive);
     num_bytes_ = archive.getInteger("num_bytes");
     std::error_code error;
-    const auto size = std::filesystem::file_size(file_, error);
-    ASPERITY_REQUIRE(!error, file_.string() << " cannot be continued: " << error.message()
-                                            << ". Restart in the directory of the earlier run.");
-    std::ifstream earlier(file_, std::ios::binary);
-    std::string header(header_.size(), '\0');
-    earlier.read(header.data(), static_cast<std::streamsize>(header.size()));
-    ASPERITY_REQUIRE(
-      lastLine(header) == lastLine(header_) && static_cast<std::int64_t>(size) >= num_bytes_,
-      file_.string() << " is not the table that the checkpoint continues: it has " << size
-                     << " bytes, of which the checkpoint knows " << num_bytes_
-                     << ", and the columns " << lastLine(header) << ".");
     std::filesystem::resize_file(file_, num_bytes_, error);
     ASPERITY_REQUIRE(!error, file_.string() << " cannot be cut: " << error.message() << ".");
     stream_.open(file_, std::ios::binary | std::ios::in | std::ios::out);

@@ -30,12 +30,13 @@ public:
   // How much has been written; call flush first.
   void save(Archive& archive) const;
 
-  // Removes what was written after the archive. InputError if the file is shorter or has other
-  // columns. Collective.
+  // Removes what was written after the archive. InputError if the file is shorter, has other
+  // columns or a header of another length; one of the same length is replaced. Collective.
   void restore(Archive const& archive);
 
 private:
   void open();
+  void requireEarlierTable(Archive const& archive) const;
   void writeLine(std::string const& line);
 
   std::filesystem::path file_;

@@ -1,8 +1,11 @@
 #include "mesh/Bisection.hpp"
 
 #include "base/Errors.hpp"
+#include "base/Text.hpp"
 #include "mesh/SimplexGeometry.hpp"
 
+#include <algorithm>
+#include <cmath>
 #include <cstdint>
 #include <unordered_map>
 
@@ -158,10 +161,50 @@ private:
   GlobalMesh<2> mesh_;
   std::unordered_map<std::uint64_t, int> midpoints_; // marked edge -> vertex, or unknown
 };
+
+// Fewer vertices than a triangle will have: none of its cells is larger than an equilateral one of
+// the largest diameter allowed at its corners, and there are two cells a vertex. Where that varies,
+// its quarters are asked.
+double fewestVertices(Triangle const& t, SizeFunction const& largest_diameter, int depth)
+{
+  std::array<double, 3> allowed{};
+  for (int i = 0; i < 3; ++i) {
+    allowed[i] = largest_diameter({t[i], t[i], t[i]});
+  }
+  const auto [smallest, largest] = std::minmax_element(allowed.begin(), allowed.end());
+  if (depth == 0 || *largest <= 2.0 * *smallest) {
+    const double largest_cell = 0.25 * std::sqrt(3.0) * *largest * *largest;
+    return 0.5 * std::abs(signedMeasure(t)) / largest_cell;
+  }
+  const auto middle = [&t](int i, int j) {
+    return Point<2>{0.5 * (t[i][0] + t[j][0]), 0.5 * (t[i][1] + t[j][1])};
+  };
+  const Point<2> a = middle(1, 2), b = middle(2, 0), c = middle(0, 1);
+  double sum = 0.0;
+  for (Triangle const& quarter :
+       {Triangle{t[0], c, b}, Triangle{c, t[1], a}, Triangle{b, a, t[2]}, Triangle{a, b, c}}) {
+    sum += fewestVertices(quarter, largest_diameter, depth - 1);
+  }
+  return sum;
+}
+
+// Before hours of bisection, not after them.
+void refuseTooMany(GlobalMesh<2> const& mesh, SizeFunction const& largest_diameter)
+{
+  constexpr int depth = 6;
+  double sum = 0.0;
+  for (auto const& cell : mesh.cells) {
+    sum += fewestVertices(corners<2>(mesh.vertices, cell), largest_diameter, depth);
+  }
+  ASPERITY_REQUIRE(sum <= most_vertices, "Mesh: cells of this size would have about "
+                                           << formatShort(sum) << " vertices, more than "
+                                           << most_vertices << ". Is the cell size meant in m?");
+}
 } // namespace
 
 GlobalMesh<2> bisect(GlobalMesh<2> const& mesh, SizeFunction const& largest_diameter)
 {
+  refuseTooMany(mesh, largest_diameter);
   NewestVertexBisection bisection(mesh);
   while (bisection.sweep(largest_diameter)) {
     ASPERITY_REQUIRE(bisection.mesh().vertices.size() <= most_vertices,

@@ -8,15 +8,15 @@ namespace asperity::mesh
 {
 using Triangle = std::array<Point<2>, 3>;
 
-// The largest diameter (longest edge, in m) that is allowed for a cell with these corners;
-// positive.
+// The largest diameter (longest edge, in m) that is allowed for a cell with these corners, which
+// may coincide; positive.
 using SizeFunction = std::function<double(Triangle const&)>;
 
 // Refines triangles by newest vertex bisection until none exceeds its allowed diameter, and no more
 // than that and conformity ask for. The refinement edges of the given cells are their longest
 // edges. Regions and boundaries are inherited. Angles stay away from zero: descendants have at most
 // four shapes per cell given. Mitchell, ACM Trans. Math. Software 15 (1989), 326.
-// InputError if that takes more than 10 million vertices.
+// InputError if that takes more than 10 million vertices; at once where an estimate is that high.
 GlobalMesh<2> bisect(GlobalMesh<2> const& mesh, SizeFunction const& largest_diameter);
 
 // The size of cells that is wanted at a point, in m; positive.

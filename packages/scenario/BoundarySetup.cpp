@@ -1,11 +1,11 @@
 #include "scenario/BoundarySetup.hpp"
 
 #include "base/Field.hpp"
+#include "scenario/BoundaryChecks.hpp"
 #include "scenario/NodalField.hpp"
 
 #include <algorithm>
 #include <cmath>
-#include <map>
 #include <memory>
 
 namespace asperity::scenario
@@ -32,6 +32,9 @@ std::vector<double> directionOf(ParameterList const& list, std::string const& na
   if (components == 1) {
     return {1.};
   }
+  if (!isGiven(list, "Direction")) {
+    return axis(components, 0);
+  }
   auto const given = list.get<Teuchos::Array<double>>("Direction").toVector();
   ASPERITY_REQUIRE(given.size() == 2 && std::hypot(given[0], given[1]) > 0,
                    joinPath(name, "Direction")
@@ -40,11 +43,24 @@ std::vector<double> directionOf(ParameterList const& list, std::string const& na
   return given;
 }
 
+std::shared_ptr<const Field> fieldOr(double standard, ParameterList const& list,
+                                     std::string const& entry, std::string const& name)
+{
+  return std::make_shared<Field>(isGiven(list, entry)
+                                   ? Field(list, entry, name, std::vector<std::string>{})
+                                   : Field::constant(standard));
+}
+
+double rampDuration(ParameterList const& list)
+{
+  return isGiven(list, "Ramp Duration") ? list.get<double>("Ramp Duration") : 0;
+}
+
 fem::VelocityCondition<2> prescribed(ParameterList const& list, std::string const& name,
                                      int components)
 {
-  auto const velocity = std::make_shared<Field>(list, "Velocity", name, std::vector<std::string>{});
-  const double duration = list.get<double>("Ramp Duration");
+  auto const velocity = fieldOr(0, list, "Velocity", name);
+  const double duration = rampDuration(list);
   fem::VelocityCondition<2> condition;
   condition.name = name;
   condition.boundary = list.get<std::string>("Boundary");
@@ -55,46 +71,17 @@ fem::VelocityCondition<2> prescribed(ParameterList const& list, std::string cons
   return condition;
 }
 
-// The conditions by name, in the order of the deck.
-using Conditions = std::vector<std::pair<std::string, ParameterList>>;
-
-std::string typeOf(ParameterList const& list) { return list.get<std::string>("Type"); }
-std::string boundaryOf(ParameterList const& list) { return list.get<std::string>("Boundary"); }
-bool isFault(ParameterList const& list)
-{
-  return typeOf(list) == "Bilateral Contact" || typeOf(list) == "Antisymmetric Fault";
-}
-bool isSlipRate(ParameterList const& list) { return typeOf(list) == "Prescribed Slip Rate"; }
-
-// A free surface and a fixed boundary have it for themselves.
-void refuseContradictions(Conditions const& conditions)
-{
-  std::map<std::string, std::string> exclusive; // boundary -> name of the condition
-  std::map<std::string, std::string> any;
-  for (auto const& [name, list] : conditions) {
-    auto const type = typeOf(list);
-    auto const boundary = boundaryOf(list);
-    const bool leaves_no_room = type == "Free Surface" || type == "Fixed";
-    auto const other = leaves_no_room ? any.find(boundary) : exclusive.find(boundary);
-    ASPERITY_REQUIRE(other == (leaves_no_room ? any.end() : exclusive.end()),
-                     name << " (" << type << ") contradicts " << other->second
-                          << " on the boundary '" << boundary << "'. Remove one of them.");
-    any[boundary] = name;
-    if (leaves_no_room) {
-      exclusive[boundary] = name;
-    }
-  }
-}
+using Conditions = std::vector<BoundaryCondition>;
 
 void findFault(Conditions const& conditions, BoundaryConditions& result)
 {
-  for (auto const& [name, list] : conditions) {
-    if (isFault(list)) {
-      ASPERITY_REQUIRE(result.fault.empty(), name << ": there is already friction on the boundary '"
-                                                  << result.fault
-                                                  << "'. One boundary can have it.");
-      result.fault = boundaryOf(list);
-      result.antisymmetric = typeOf(list) == "Antisymmetric Fault";
+  for (auto const& condition : conditions) {
+    if (condition.isFault()) {
+      ASPERITY_REQUIRE(result.fault.empty(), condition.name
+                                               << ": there is already friction on the boundary '"
+                                               << result.fault << "'. One boundary can have it.");
+      result.fault = condition.boundary();
+      result.antisymmetric = condition.type() == "Antisymmetric Fault";
     }
   }
   ASPERITY_REQUIRE(!result.fault.empty(),
@@ -105,9 +92,9 @@ void findFault(Conditions const& conditions, BoundaryConditions& result)
 std::vector<std::string> faultAndContinuations(Conditions const& conditions)
 {
   std::vector<std::string> boundaries;
-  for (auto const& [name, list] : conditions) {
-    if (isFault(list) || isSlipRate(list)) {
-      boundaries.push_back(boundaryOf(list));
+  for (auto const& condition : conditions) {
+    if (condition.liesAlongFault()) {
+      boundaries.push_back(condition.boundary());
     }
   }
   return boundaries;
@@ -119,12 +106,12 @@ void layAlongFault(Conditions const& conditions, BoundaryConditions& result)
 {
   auto const boundaries = faultAndContinuations(conditions);
   auto& velocities = result.velocities;
-  for (auto const& [name, list] : conditions) {
-    if (isFault(list) || isSlipRate(list)) {
-      fem::VelocityCondition<2> across = {name, boundaryOf(list), {}, {}};
+  for (auto const& condition : conditions) {
+    if (condition.liesAlongFault()) {
+      fem::VelocityCondition<2> across = {condition.name, condition.boundary(), {}, {}};
       across.free = result.antisymmetric;
       across.continued_by = boundaries;
-      velocities.insert(isFault(list) ? velocities.begin() : velocities.end(), across);
+      velocities.insert(condition.isFault() ? velocities.begin() : velocities.end(), across);
     }
   }
 }
@@ -140,7 +127,7 @@ fem::VelocityCondition<2> slipping(ParameterList const& list, std::string const&
   auto const rate = std::make_shared<Field>(list, "Slip Rate", name, std::vector<std::string>{});
   fem::VelocityCondition<2> condition;
   condition.name = name;
-  condition.boundary = boundaryOf(list);
+  condition.boundary = list.get<std::string>("Boundary");
   condition.velocity = [rate, factor](Point<2> const& x, double t) {
     return (*rate)({x[0], x[1], 0}, t, 0) / factor;
   };
@@ -171,15 +158,17 @@ RCP<const ParameterList> boundaryParameters()
               "Absorbing: dashpots that take up waves. Sliding Wall: v . n = 0, free along it. "
               "Fixed: v = 0. Free Surface: no traction, the default, named so that its motion can "
               "be written.")
-      .realArray(
-        "Direction", std::vector<double>{1., 0.}, "-", Range::any(),
-        "Direction of a prescribed velocity in x and y, of any length; antiplane has only one.")
-      .field("Velocity", 0., "m/s", Range::any(), "Prescribed velocity in that direction.")
-      .real("Ramp Duration", 0., "s", Range::atLeast(0),
-            "Time over which the prescribed velocity grows smoothly from zero.")
+      .realArray("Direction", optional, "-", Range::any(),
+                 "Prescribed Velocity: its direction in x and y, of any length, along +x if left "
+                 "out; antiplane has only one.")
+      .field("Velocity", optional, "m/s", Range::any(),
+             "Prescribed Velocity: how fast in that direction; zero if left out.")
+      .real("Ramp Duration", optional, "s", Range::atLeast(0),
+            "Prescribed Velocity: the time over which it grows smoothly from zero; at once if left "
+            "out.")
       .field("Slip Rate", optional, "m/s", Range::any(),
-             "Prescribed slip rate, along the tangent of the fault's frame: along +x on a fault "
-             "below the body.")
+             "Prescribed Slip Rate: the rate, along the tangent of the fault's frame: along +x on "
+             "a fault below the body.")
       .list();
   return Declare()
     .sublist("<condition>", one, "One boundary condition; the name is the user's.")
@@ -188,10 +177,8 @@ RCP<const ParameterList> boundaryParameters()
 
 BoundaryConditions makeBoundaryConditions(ParameterList const& list, int components)
 {
-  Conditions conditions;
-  for (auto const& entry : list) {
-    conditions.emplace_back(joinPath(path, entry.first), list.sublist(entry.first));
-  }
+  auto const conditions = readConditions(list);
+  refuseUnreadEntries(conditions);
   refuseContradictions(conditions);
   BoundaryConditions result;
   findFault(conditions, result);
@@ -199,12 +186,13 @@ BoundaryConditions makeBoundaryConditions(ParameterList const& list, int compone
     layAlongFault(conditions, result);
   }
   auto const along = faultAndContinuations(conditions);
-  for (auto const& [name, condition] : conditions) {
-    auto const type = typeOf(condition);
-    auto const boundary = boundaryOf(condition);
-    if (isSlipRate(condition)) {
+  for (auto const& condition : conditions) {
+    auto const& name = condition.name;
+    auto const type = condition.type();
+    auto const boundary = condition.boundary();
+    if (condition.hasSlipRate()) {
       result.velocities.push_back(
-        slipping(condition, name, along, result.slipFactor(), components));
+        slipping(condition.list, name, along, result.slipFactor(), components));
     } else if (type == "Sliding Wall" && components == 2) {
       result.velocities.push_back({name, boundary, {}, {}});
     } else if (type == "Fixed") {
@@ -212,8 +200,8 @@ BoundaryConditions makeBoundaryConditions(ParameterList const& list, int compone
         result.velocities.push_back({name, boundary, axis(components, c), {}});
       }
     } else if (type == "Prescribed Velocity") {
-      result.velocities.push_back(prescribed(condition, name, components));
-      result.ramp_end = std::max(result.ramp_end, condition.get<double>("Ramp Duration"));
+      result.velocities.push_back(prescribed(condition.list, name, components));
+      result.ramp_end = std::max(result.ramp_end, rampDuration(condition.list));
     } else if (type == "Absorbing") {
       result.absorbing.push_back(boundary);
     } else if (type == "Free Surface" && result.surface.empty()) {

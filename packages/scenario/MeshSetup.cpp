@@ -86,6 +86,11 @@ mesh::RectangleShape rectangleShape(ParameterList const& list)
   return shape;
 }
 
+void refuseTime(Field const& field)
+{
+  ASPERITY_REQUIRE(!field.dependsOnTime(), field.path() << " depends on t. Remove t from it.");
+}
+
 GlobalMesh<2> makeRectangle(ParameterList const& list)
 {
   auto const coarse = mesh::rectangleMesh(rectangleShape(list));
@@ -93,7 +98,7 @@ GlobalMesh<2> makeRectangle(ParameterList const& list)
     return coarse;
   }
   const Field size(list, "Cell Size", joinPath(path, "Rectangle"), coarse.region_names);
-  ASPERITY_REQUIRE(!size.dependsOnTime(), size.path() << " depends on t. Remove t from it.");
+  refuseTime(size);
   const double factor = list.get<double>("Cell Size Factor");
   return mesh::bisect(coarse, mesh::largestDiameter([&](Point<2> const& x) {
                         return factor * size({x[0], x[1], 0}, 0, 0);
@@ -109,6 +114,7 @@ std::vector<mesh::NamedCondition<2>> conditionsIn(ParameterList const& mesh,
   for (auto const& entry : list) {
     auto const condition =
       std::make_shared<Field>(list, entry.first, joinPath(path, name), std::vector<std::string>{});
+    refuseTime(*condition);
     conditions.push_back({entry.first, [condition](Point<2> const& x) {
                             return (*condition)({x[0], x[1], 0}, 0, 0) != 0;
                           }});

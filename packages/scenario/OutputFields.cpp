@@ -166,7 +166,7 @@ void registerScalars(io::FieldRegistry& registry, RunView const& view)
   };
   add("fixed_point_iterations", "", "Of the step that was accepted.",
       [&view] { return static_cast<double>(view.step.iterations); });
-  add("error", "", "Estimated error of alpha, root mean square over the fault.",
+  add("error", "", "Estimated error of alpha over the fault, in the norm of the step control.",
       [&view] { return view.step.error; });
   count("coupled_steps", "Steps solved to find the accepted one.",
         &dynamics::SolveCount::coupled_steps);
@@ -181,7 +181,11 @@ void registerScalars(io::FieldRegistry& registry, RunView const& view)
   count("failed_steps", "Steps that could not be solved.", &dynamics::SolveCount::failures);
 
   auto const energy = [&](char const* name, char const* meaning, double dynamics::Energy::*member) {
-    add(name, "J/m", meaning, [&view, member] { return view.balance->energy().*member; });
+    // Slip and moment are those of the whole fault.
+    auto const description = meaning + std::string(" With an antisymmetric fault: of the half "
+                                                   "that is modelled.");
+    registry.add(io::Scalar{name, "J/m", description,
+                            [&view, member] { return view.balance->energy().*member; }});
   };
   energy("kinetic_energy", "Kinetic energy.", &dynamics::Energy::kinetic);
   energy("elastic_energy", "Elastic energy.", &dynamics::Energy::elastic);
@@ -191,8 +195,10 @@ void registerScalars(io::FieldRegistry& registry, RunView const& view)
          &dynamics::Energy::boundary_work);
   energy("friction_work", "Energy dissipated by friction since the start.",
          &dynamics::Energy::friction_work);
-  energy("viscous_work", "Energy dissipated by viscosity since the start.",
-         &dynamics::Energy::viscous_work);
+  energy(
+    "viscous_work",
+    "Energy dissipated by viscosity, radiation damping and absorbing boundaries since the start.",
+    &dynamics::Energy::viscous_work);
   energy("numerical_dissipation", "Energy dissipated by the time integrator since the start.",
          &dynamics::Energy::numerical_dissipation);
   energy("energy_defect", "What is missing in the balance of energy since the start.",

@@ -4,6 +4,7 @@
 #include "fem/BodyMatrices.hpp"
 #include "fem/BoundaryCells.hpp"
 #include "fem/NodalDamping.hpp"
+#include "scenario/BoundaryChecks.hpp"
 #include "scenario/BulkSetup.hpp"
 #include "scenario/FaultLoads.hpp"
 #include "scenario/FrictionSetup.hpp"
@@ -51,6 +52,7 @@ Problem::Problem(ParameterList const& deck, RCP<const Communicator> const& comm)
     , components(displacementComponents(deck.sublist("Bulk")))
     , boundary(makeBoundaryConditions(deck.sublist("Boundary Conditions"), components))
 {
+  requireBoundaries(deck.sublist("Boundary Conditions"), mesh);
   const double end = finalTime(deck.sublist("Time Stepping"));
   body.dofs = std::make_shared<fem::DofMap>(mesh.global_ids, mesh.num_owned, components, comm);
   fault_nodes = fem::boundaryNodes(mesh, boundary.fault, *comm);
@@ -82,7 +84,7 @@ void Problem::makeBody(ParameterList const& bulk, std::vector<fem::Material> con
                        << name
                        << "' is Absorbing, but a quasi-dynamic body has no waves. Choose another "
                           "Type, or Bulk / Dynamics = Inertial.");
-    fem::boundaryNodes(mesh, name, *communicator); // refuses what the mesh does not have
+    fem::boundaryNodes(mesh, name, *communicator); // refuses one without facets
     auto const dampers = components == 2
                            ? fem::absorbingBoundary<2, 2>(mesh, name, frames, materials)
                            : fem::absorbingBoundary<2, 1>(mesh, name, frames, materials);

@@ -39,6 +39,26 @@ std::vector<std::string> describe(Problem const& problem, ParameterList const& d
   return lines;
 }
 
+namespace
+{
+void writeBalance(std::ostream& text, dynamics::Energy const& energy)
+{
+  // By definition of the defect, which counts from the start of the run also after a restart.
+  const double change = energy.boundary_work + energy.load_work - energy.friction_work -
+                        energy.viscous_work - energy.numerical_dissipation + energy.defect;
+  text << "Energy [J/m]: work of boundaries " << formatShort(energy.boundary_work) << " and loads "
+       << formatShort(energy.load_work) << "; taken by friction "
+       << formatShort(energy.friction_work) << ", viscosity " << formatShort(energy.viscous_work)
+       << " and the time stepping " << formatShort(energy.numerical_dissipation)
+       << "; change of kinetic and elastic energy " << formatShort(change)
+       << ", more by the defect of " << formatShort(energy.defect);
+  if (energy.friction_work > std::abs(energy.defect)) {
+    text << " (" << formatShort(energy.defect / energy.friction_work) << " of the friction work)";
+  }
+  text << " than these add up to.";
+}
+} // namespace
+
 std::string summarise(RunSummary const& summary, io::EventCatalogue const* events)
 {
   std::ostringstream text;
@@ -65,15 +85,8 @@ std::string summarise(RunSummary const& summary, io::EventCatalogue const* event
     text << "WARNING: J rose in " << count.rises
          << " half iterations of TNNMG, by more than rounding explains.\n";
   }
-  auto const& energy = summary.energy;
-  text << "Energy [J/m]: friction " << formatShort(energy.friction_work) << ", viscosity "
-       << formatShort(energy.viscous_work) << ", boundaries " << formatShort(energy.boundary_work)
-       << ", loads " << formatShort(energy.load_work) << "; the balance is off by "
-       << formatShort(energy.defect);
-  if (energy.friction_work > std::abs(energy.defect)) {
-    text << ", " << formatShort(energy.defect / energy.friction_work) << " of the friction work";
-  }
-  text << ".\nResults in " << summary.directory;
+  writeBalance(text, summary.energy);
+  text << "\nResults in " << summary.directory;
   return text.str();
 }
 } // namespace asperity::scenario

@@ -69,11 +69,16 @@ Simulation::Simulation(RCP<ParameterList> const& deck, CommandLine const& comman
   if (command_line.validate) {
     return;
   }
-  // All that may be refused is read before the first file is touched.
+  // A checkpoint of another deck is refused before the first file is touched. Outputs that cannot
+  // be continued are refused before the log and the parameters are: other tables may have been cut
+  // back to the checkpoint then, as by any restart from it.
   if (!restart_.empty()) {
     checkpoint_ = io::readCheckpoint(restart_, fingerprint(*deck), *communicator);
   }
   io::prepareOutputDirectory(directory_, existingResult(command_line), *communicator);
+  if (!restart_.empty()) {
+    outputs_->restore(checkpoint_.child("outputs"));
+  }
   log_ = std::make_unique<io::RunLog>(directory_ / "run.log", !restart_.empty(), *communicator);
   if (communicator->getRank() == 0) {
     writeParameters(*deck, (directory_ / "parameters.xml").string());
@@ -137,7 +142,6 @@ void Simulation::begin()
   count_ = loadCount(checkpoint_, "count");
   forced_steps_ = checkpoint_.getInteger("forced_steps");
   balance_.start(state_, loadEnergy(checkpoint_, "energy"));
-  outputs_->restore(checkpoint_.child("outputs"));
   checkpoint_ = {};
   log_->message("Restarted from " + restart_ +
                 " at t = " + formatShort(clock_.seconds(state_.time)) + " s.");

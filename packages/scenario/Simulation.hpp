@@ -27,7 +27,6 @@ public:
   int run();
 
 private:
-  void announce();
   void begin();
   void advance();
   void writeCheckpoint();

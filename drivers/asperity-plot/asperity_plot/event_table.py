@@ -126,8 +126,6 @@ def cycles(run: Run) -> List[Column]:
     if "coupled_steps" in steps:
         per_accepted = sums(steps["coupled_steps"]) / np.maximum(accepted, 1.0)
         columns.insert(3, Column("coupled per accepted", per_accepted, digits=3))
-    if "wall_time" in steps:
-        columns.append(Column("wall time", sums(steps["wall_time"]), units.Unit("s", 1.0)))
     return columns
 
 

@@ -1,5 +1,7 @@
 #include "io/detail/PlatformStations.hpp"
 
+#include "base/Text.hpp"
+
 namespace asperity::io::detail
 {
 namespace
@@ -63,6 +65,16 @@ void PlatformStations::writeRows(double time, Rows const& rows)
   for (std::size_t station = 0; station < files_.size(); ++station) {
     files_[station].writeRow(time, &rows[station * columns_.size()], columns_.size());
   }
+}
+
+std::string PlatformStations::signature() const
+{
+  std::string text =
+    std::string(platformName(format_.platform)) + ' ' + formatNumber(format_.time_step) + " s";
+  for (auto const& column : columns_) {
+    text += std::string(" ") + column.name;
+  }
+  return text + '\n';
 }
 
 void PlatformStations::flush(StepFacts const& steps)

@@ -30,6 +30,9 @@ public:
   // sampled: (num_stations, components) by field, on rank 0.
   void write(double time, std::map<std::string, std::vector<double>> const& sampled);
 
+  // What a restart must find unchanged, or the rows of one file would not fit together.
+  std::string signature() const;
+
   // `steps` are those of the run.
   void flush(StepFacts const& steps);
   void save(Archive& archive) const;

@@ -42,6 +42,14 @@ std::string extentText(Location const& location)
          pointText(largest.data(), location.dimension) + " m";
 }
 
+// Files are named after receivers.
+void requireFileName(std::string const& path, std::string const& name)
+{
+  ASPERITY_REQUIRE(!name.empty() && name.find('/') == std::string::npos,
+                   path << ": a receiver cannot be called '" << name
+                        << "', because files are named after it. Choose a name without '/'.");
+}
+
 void requireNear(std::string const& path, NamedPlace const& place, LocatedPoint const& located,
                  Location const& location)
 {
@@ -65,6 +73,7 @@ ReceiverGroup::ReceiverGroup(std::string const& path, std::vector<NamedPlace> co
 {
   std::vector<double> wanted;
   for (auto const& place : places) {
+    requireFileName(path, place.name);
     ASPERITY_REQUIRE(static_cast<int>(place.coordinates.size()) == location.dimension,
                      path << " / " << place.name << " has " << place.coordinates.size()
                           << " coordinates; a position in this mesh has " << location.dimension
@@ -86,11 +95,11 @@ ReceiverGroup::ReceiverGroup(std::string const& path, std::vector<NamedPlace> co
 void ReceiverGroup::use(Field const& field) { fields_[field.name] = &field; }
 
 void ReceiverGroup::chooseFields(std::vector<std::string> const& names,
-                                 FieldRegistry const& registry)
+                                 FieldRegistry const& registry, std::string const& where)
 {
   chosen_ = names;
-  for (auto const& name : names) {
-    use(registry.field(location_.name, name));
+  for (Field const* field : registry.fields(location_.name, names, where)) {
+    use(*field);
   }
 }
 
@@ -159,6 +168,6 @@ std::string ReceiverGroup::signature() const
   for (auto const& name : chosen_) {
     text += name + '\n';
   }
-  return text;
+  return text_ ? text + text_->signature() : text;
 }
 } // namespace asperity::io::detail

@@ -24,12 +24,15 @@ class ReceiverGroup
 {
 public:
   // `path` is that of the list in the deck, for messages: a place further from the location than
-  // a hundredth of its element there is an InputError. Collective.
+  // a hundredth of its element there is an InputError, as is a name that no file can have.
+  // Collective.
   ReceiverGroup(std::string const& path, std::vector<NamedPlace> const& places,
                 Location const& location);
 
-  // The fields that are written to receivers.h5, as columns `<group>/fields/<name>`.
-  void chooseFields(std::vector<std::string> const& names, FieldRegistry const& registry);
+  // The fields that are written to receivers.h5, as columns `<group>/fields/<name>`; `where` is
+  // the entry of the deck that names them.
+  void chooseFields(std::vector<std::string> const& names, FieldRegistry const& registry,
+                    std::string const& where);
   std::vector<SegmentedTable::Column> columns(std::string const& group) const;
 
   // Text files with the columns of a platform; `prefix` begins their names.

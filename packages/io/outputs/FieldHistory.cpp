@@ -10,11 +10,9 @@ std::vector<Field const*> chosenFields(std::string const& location,
                                        Teuchos::ParameterList const& parameters,
                                        OutputContext const& context)
 {
-  std::vector<Field const*> fields;
-  for (auto const& name : parameters.get<Teuchos::Array<std::string>>("Fields")) {
-    fields.push_back(&context.fields.field(location, name));
-  }
-  return fields;
+  return context.fields.fields(location,
+                               parameters.get<Teuchos::Array<std::string>>("Fields").toVector(),
+                               "Asperity / Output: the list `Fields` for the " + location);
 }
 } // namespace
 

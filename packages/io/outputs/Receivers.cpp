@@ -76,15 +76,14 @@ Receivers::Receivers(Teuchos::ParameterList const& parameters, OutputContext con
     : rule_(parameters)
     , resamples_(context.text.platform == Platform::scec)
 {
+  const std::string path = "Asperity / Output / Receivers / ";
   const auto add = [&](std::string const& list, std::string const& group,
                        std::string const& location, std::string const& fields) {
     const auto places = placesIn(parameters.sublist(list));
     if (!places.empty()) {
-      groups_
-        .try_emplace(group, "Asperity / Output / Receivers / " + list, places,
-                     context.location(location))
+      groups_.try_emplace(group, path + list, places, context.location(location))
         .first->second.chooseFields(parameters.get<Teuchos::Array<std::string>>(fields).toVector(),
-                                    context.fields);
+                                    context.fields, path + fields);
     }
   };
   add("On Fault", "on_fault", "fault", "Fault Fields");
@@ -179,7 +178,8 @@ void Receivers::restore(Archive const& archive)
 {
   ASPERITY_REQUIRE(archive.get<std::string>("signature") == signature(),
                    "Asperity / Output / Receivers: the checkpoint continues files with other "
-                   "receivers or fields. Restart with those of the earlier run.");
+                   "receivers, fields or `SCEC / Time Step`. Restart with those of the earlier "
+                   "run.");
   rule_.restore(archive.child("rule"));
   steps_.restore(archive.child("steps"));
   if (table_) {

@@ -22,6 +22,8 @@ public:
   static std::string meaning();
 
   Receivers(Teuchos::ParameterList const& parameters, OutputContext const& context);
+  Receivers(Receivers const&) = delete; // the table describes itself with the groups
+  Receivers& operator=(Receivers const&) = delete;
 
   void write(StepInfo const& step) override;
   void closeSegment(int index) override;

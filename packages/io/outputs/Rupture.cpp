@@ -55,6 +55,9 @@ public:
     }
   }
 
+  Rupture(Rupture const&) = delete; // the table describes itself with the members
+  Rupture& operator=(Rupture const&) = delete;
+
   void write(StepInfo const& step) override
   {
     const auto now = rates_.sample();

@@ -4,7 +4,7 @@ import sys
 
 import asperity_run
 import numpy
-from sequence import YEAR, catalogue, check, slip_in_events
+from sequence import YEAR, check, sequence, slip_in_events
 
 
 def quasi_dynamic(onsets, slips):
@@ -31,7 +31,7 @@ def inertial(onsets, slips):
 def main(deck):
     folder = asperity_run.run_to_end("out", asperity_run.SOURCE / "xml" / f"{deck}.xml",
                                      timeout=14000)
-    onsets = numpy.array([row["onset"] for row in catalogue(folder)]) / YEAR
+    onsets = numpy.array([rows[0]["onset"] for rows in sequence(folder)]) / YEAR
     slips = slip_in_events(folder, "dp050")
     print("onsets [yr]", onsets, "slip at 5 km [m]", slips)
     return 0 if {"bp1_qd": quasi_dynamic, "bp1_fd": inertial}[deck](onsets, slips) else 1

@@ -98,5 +98,25 @@ class AdaptiveSteps(unittest.TestCase):
             self.assertLess(abs(ours["peak_slip"] / theirs["peak_slip"] - 1), 1e-2)
 
 
+class AntisymmetricFault(unittest.TestCase):
+    """The rupture of TPV101 with large cells: generalised alpha with Richardson's control, a stress
+    in time, absorbing boundaries."""
+
+    def test_arrivals_on_two_ranks(self):
+        settings = ["Mesh/Rectangle/Cell Size Factor=8", "Time Stepping/Final Time=2",
+                    "Time Stepping/Richardson/Tolerance=1e-2"]
+        changes = [word for setting in settings for word in ("--set", setting)]
+        folders = [asperity_run.run_to_end(f"tpv101_{ranks}",
+                                           asperity_run.SOURCE / "xml" / "tpv101_2d.xml",
+                                           *changes, ranks=ranks, timeout=400)
+                   for ranks in (1, 2)]
+        events = [asperity_run.table(folder / "events.csv") for folder in folders]
+        self.assertEqual([len(each) for each in events], [1, 1])
+        serial, parallel = (asperity_run.series(folder / "rupture.h5")["first_rupture_time"]
+                            for folder in folders)
+        self.assertGreater(numpy.isfinite(serial).sum(), 4)
+        numpy.testing.assert_allclose(parallel, serial, rtol=0, atol=1e-3)  # nan where none came
+
+
 if __name__ == "__main__":
     unittest.main()

@@ -29,11 +29,14 @@ SHORT_RUN = [DECK, *settings(
     "Mesh/Wedge/Cell Size=0.02", "TNNMG/Linear Correction=MueLu",
     "Output/Checkpoint Every n Steps=10")]
 
+# TPV101 with cells of 800 m on the fault.
+RUPTURE = [asperity_run.SOURCE / "xml" / "tpv101_2d.xml", *settings(
+    "Mesh/Rectangle/Cell Size Factor=8", "Time Stepping/Final Time=3",
+    "Output/SCEC/Date=2024/05/31", "Output/Checkpoint Every n Steps=40")]
 
-class Restart(unittest.TestCase):
-    @classmethod
-    def setUpClass(cls):
-        cls.whole = asperity_run.run_to_end("whole", *RUN)
+
+class Restarting(unittest.TestCase):
+    """Stops runs, lets them go on and compares what they leave."""
 
     def start(self, folder, *arguments, deck=None):
         """A run in the background, once its first checkpoint of its own is on disk."""
@@ -65,15 +68,27 @@ class Restart(unittest.TestCase):
         shutil.rmtree(name, ignore_errors=True)
         return pathlib.Path(name)
 
-    def assert_same_results(self, folder, whole=None):
-        whole = whole or self.whole
-        for name in ("fault.h5", "surface.h5"):
+    def assert_same_series(self, whole, folder, *names):
+        for name in names:
             ours, theirs = asperity_run.series(whole / name), asperity_run.series(folder / name)
             self.assertEqual(set(ours), set(theirs))
             for dataset, values in ours.items():
                 numpy.testing.assert_array_equal(values, theirs[dataset], f"{name}: {dataset}")
-        for name in ("steps.csv", "events.csv"):
+
+    def assert_same_bytes(self, whole, folder, *names):
+        for name in names:
             self.assertEqual((whole / name).read_bytes(), (folder / name).read_bytes(), name)
+
+
+class Restart(Restarting):
+    @classmethod
+    def setUpClass(cls):
+        cls.whole = asperity_run.run_to_end("whole", *RUN)
+
+    def assert_same_results(self, folder, whole=None):
+        whole = whole or self.whole
+        self.assert_same_series(whole, folder, "fault.h5", "surface.h5")
+        self.assert_same_bytes(whole, folder, "steps.csv", "events.csv")
 
     def test_the_run_is_worth_the_trouble(self):
         steps = asperity_run.table(self.whole / "steps.csv")
@@ -150,6 +165,41 @@ class Restart(unittest.TestCase):
             self.assertEqual(asperity_run.checksums(folder), before)
         self.finish(folder)
         self.assert_same_results(folder)
+
+
+class RestartOfARupture(Restarting):
+    """A rupture under a stress that varies in time: generalised alpha, Richardson's control, an
+    antisymmetric fault, receivers, and files for a platform."""
+
+    def test_stopped_and_killed(self):
+        whole = asperity_run.run_to_end("rupture_whole", *RUPTURE)
+        steps = asperity_run.table(whole / "steps.csv")
+        self.assertGreater(len(steps), 300)
+        self.assertGreater(max(row["peak_slip_rate"] for row in steps), 1)
+        folder = self.fresh("rupture")
+        self.stop(self.start(folder, deck=RUPTURE), signal.SIGTERM)
+        restart = ("--restart", folder / "checkpoint.h5")
+        self.stop(self.start(folder, *restart, deck=RUPTURE), signal.SIGKILL)
+        self.finish(folder, deck=RUPTURE)
+        self.assert_same_series(whole, folder, "fault.h5", "receivers.h5", "rupture.h5")
+        texts = sorted(path.relative_to(whole) for path in whole.glob("scec/*"))
+        self.assertEqual(len(texts), 8)  # seven receivers, rupture times
+        self.assert_same_bytes(whole, folder, "steps.csv", "events.csv", "global.csv", *texts)
+
+    def test_refusals_leave_the_log_and_the_parameters(self):
+        folder = self.fresh("rupture_refused")
+        self.stop(self.start(folder, deck=RUPTURE), signal.SIGTERM)
+        kept = [(folder / name).read_bytes() for name in ("run.log", "parameters.xml")]
+        for change, message in (
+                ("Output/Text Format=SEAS", "Restart with the Text Format of the earlier run"),
+                ("Output/SCEC/Time Step=0.02", "`SCEC / Time Step`"),
+                ("Output/SCEC/Author=nobody of that name", "# author=nobody of that name")):
+            result = asperity_run.run(*RUPTURE, *settings(change), "--restart",
+                                      folder / "checkpoint.h5", "--output", folder)
+            self.assertEqual(result.returncode, 2)
+            self.assertIn(message, result.stderr)
+            for name, before in zip(("run.log", "parameters.xml"), kept):
+                self.assertEqual((folder / name).read_bytes(), before, change)
 
 
 if __name__ == "__main__":

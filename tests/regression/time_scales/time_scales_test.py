@@ -9,15 +9,16 @@ import unittest
 import numpy
 
 import asperity_run
+from sequence import YEAR, sequence
 
 HERE = pathlib.Path(__file__).parent
-YEAR = 365.25 * 86400.0
 
 
 class Deck(unittest.TestCase):
     def run_deck(self, deck, overlay):
         folder = asperity_run.run_to_end(deck, asperity_run.SOURCE / f"xml/{deck}.xml",
                                          "--overlay", HERE / overlay, timeout=300)
+        self.folder = folder
         self.events = asperity_run.table(folder / "events.csv")
         self.steps = asperity_run.table(folder / "steps.csv")
         return folder
@@ -27,11 +28,7 @@ class Deck(unittest.TestCase):
 
     def onsets(self):
         """Of events a day or more after the one before, in years."""
-        onsets = [-YEAR]
-        for event in self.events:
-            if event["onset"] > onsets[-1] + 86400.0:
-                onsets.append(event["onset"])
-        return numpy.array(onsets[1:]) / YEAR
+        return numpy.array([rows[0]["onset"] for rows in sequence(self.folder)]) / YEAR
 
     def coupled_steps_each(self):
         return sum(row["coupled_steps"] for row in self.steps) / len(self.steps)

@@ -163,6 +163,21 @@ TEST(FaultConstraints, refuseAConditionObliqueToAFreeBoundary)
     {"Wall", "neither along nor across", "'bottom'", "Fault"});
 }
 
+TEST(FaultConstraints, nameTheObliqueOneOfSeveralConditions)
+{
+  if (!oneRank()) {
+    GTEST_SKIP() << "only the rank of the node refuses it";
+  }
+  VelocityCondition<3> open{"Fault", "bottom", {}, {}};
+  open.free = true;
+  expectInputError(
+    [&] {
+      Constrained<3>(uniformCube(2), {open, VelocityCondition<3>{"Along", "bottom", {1, 0, 0}, {}},
+                                      VelocityCondition<3>{"Oblique", "bottom", {0, 1, 1}, {}}});
+    },
+    {"Oblique prescribes", "neither along nor across", "Fault"});
+}
+
 TEST(FaultConstraints, compareVelocitiesByTheLargestOfTheBoundary)
 {
   // sin(pi) is not quite zero at the corner, where a wall is at rest; 1e-9 of the velocity is more

@@ -1,7 +1,7 @@
+#include "io/OutputSet.hpp"
 #include "base/Parameters.hpp"
 #include "io/Checkpoint.hpp"
 #include "io/H5.hpp"
-#include "io/OutputSet.hpp"
 #include "io/outputs/EventCatalogue.hpp"
 #include "unit/io/Stage.hpp"
 
@@ -118,10 +118,10 @@ std::vector<double> values(fs::path const& file, std::string const& dataset)
 
 TEST(OutputRegistry, HoldsTheOutputs)
 {
-  EXPECT_EQ(OutputRegistry::instance().names(),
-            (std::vector<std::string>{"Event Catalogue", "Fault History", "Global", "Receivers",
-                                      "Rupture", "Step Table", "Surface History",
-                                      "Volume Snapshots"}));
+  EXPECT_EQ(
+    OutputRegistry::instance().names(),
+    (std::vector<std::string>{"Event Catalogue", "Fault History", "Global", "Receivers", "Rupture",
+                              "Step Table", "Surface History", "Volume Snapshots"}));
   const auto valid = OutputSet::validParameters();
   for (auto const& name : OutputRegistry::instance().names()) {
     EXPECT_TRUE(valid->sublist(name).isParameter("Enabled")) << name;
@@ -141,8 +141,9 @@ void expectSameData(fs::path const& broken, fs::path const& whole, Names const& 
     {"fault.h5", {"time", "fields/slip_rate", "fields/alpha", "fields/slip", "fields/traction"}},
     {"surface.h5", {"time", "fields/displacement"}},
     {"volume.h5", {"time", "fields/displacement"}},
-    {"receivers.h5", {"time", "step", "on_fault/fields/slip", "on_fault/fields/theta",
-                      "off_fault/fields/velocity"}},
+    {"receivers.h5",
+     {"time", "step", "on_fault/fields/slip", "on_fault/fields/theta",
+      "off_fault/fields/velocity"}},
     {"rupture.h5", {"number", "onset", "rupture_time", "first_rupture_time"}}};
   for (auto const& [file, names] : datasets) {
     for (auto const& name : names) {
@@ -177,8 +178,8 @@ void expectRestartsExactly(std::string const& text_format, Names const& more_tex
     finish(outputs, broken.path());
   }
   test::onRankZero([&] {
-    Names texts{"steps.csv", "events.csv", "global.csv", "fault.xdmf", "surface.xdmf",
-                "volume.xdmf"};
+    Names texts{"steps.csv",  "events.csv",   "global.csv",
+                "fault.xdmf", "surface.xdmf", "volume.xdmf"};
     texts.insert(texts.end(), more_texts.begin(), more_texts.end());
     expectSameData(broken.path(), whole.path(), texts);
   });
@@ -192,6 +193,22 @@ TEST(OutputSet, AndTheSameFilesForThePlatforms)
   expectRestartsExactly("SEAS", {"seas/fltst_dp001", "seas/blkst_inside", "seas/global.dat",
                                  "seas/rupture.dat", "seas/slip.dat"});
   expectRestartsExactly("SCEC", {"scec/faultdp001", "scec/bodyinside", "scec/cplot"});
+}
+
+TEST(OutputSet, ARestartForAnotherPlatformIsRefused)
+{
+  test::TemporaryDirectory directory;
+  Body body;
+  const OutputContext context{directory.path(), world(), body.fields, body.locations};
+  for (auto const& [earlier, now] :
+       {std::pair("None", "SEAS"), std::pair("SCEC", "SEAS"), std::pair("SEAS", "None")}) {
+    const Archive archive = OutputSet(deck(earlier), context).save();
+    OutputSet after(deck(now), context);
+    const auto message = test::inputError([&] { after.restore(archive); });
+    EXPECT_TRUE(test::contains(message, std::string("Text Format is ") + now + ", but it was " +
+                                          earlier + " in the run"))
+      << message;
+  }
 }
 
 TEST(OutputSet, WritesRowsWhereTheDeckAsks)
@@ -241,8 +258,9 @@ TEST(OutputSet, MistakesInTheDeckAreNamed)
   test::TemporaryDirectory directory;
   Body body;
   const auto error = [&](ParameterList const& list) {
-    return test::inputError(
-      [&] { OutputSet(list, {directory.path(), world(), body.fields, body.locations}); });
+    return test::inputError([&] {
+      OutputSet(list, {directory.path(), world(), body.fields, body.locations});
+    });
   };
   ParameterList unknown;
   unknown.sublist("Fault History").set("Every n Step", 3);
@@ -253,6 +271,10 @@ TEST(OutputSet, MistakesInTheDeckAreNamed)
   ParameterList field;
   field.sublist("Fault History").set("Fields", Teuchos::Array<std::string>(1, "slip_rat"));
   EXPECT_TRUE(test::contains(error(field), "Did you mean 'slip_rate'?")) << error(field);
+  ParameterList twice;
+  const Names slip_twice{"slip", "alpha", "slip"};
+  twice.sublist("Fault History").set("Fields", Teuchos::Array<std::string>(slip_twice));
+  EXPECT_TRUE(test::contains(error(twice), "for the fault names 'slip' twice")) << error(twice);
   body.locations.erase("surface");
   EXPECT_TRUE(test::contains(error(ParameterList()), "this problem has no surface"));
 }

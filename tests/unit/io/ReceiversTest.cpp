@@ -222,6 +222,43 @@ TEST(Receivers, FilesForScecHaveRowsAtEqualDistances)
   });
 }
 
+TEST(Receivers, NamesThatNoFileCanHaveAreRefused)
+{
+  for (std::string const& name : {"st/025", ""}) {
+    ParameterList list;
+    list.sublist("On Fault").set(name, position({0.3, 0.}));
+    const auto message = refusal(list);
+    EXPECT_TRUE(test::contains(message, "On Fault: a receiver cannot be called '" + name + "'"))
+      << message;
+  }
+}
+
+TEST(Receivers, FieldsNamedTwiceAreRefused)
+{
+  auto list = parameters();
+  list.set("Fault Fields",
+           Teuchos::Array<std::string>(std::vector<std::string>{"slip", "theta", "slip"}));
+  EXPECT_TRUE(test::contains(refusal(list), "Receivers / Fault Fields names 'slip' twice"));
+}
+
+TEST(Receivers, ARestartWithRowsAtOtherDistancesIsRefused)
+{
+  test::TemporaryDirectory directory;
+  Fault fault;
+  auto format = test::textFormat(Platform::scec);
+  Receivers before(complete(parameters()), fault.context(directory.path(), format));
+  run(fault, before);
+  Archive archive;
+  before.save(archive);
+  format.time_step = 0.5;
+  Receivers after(complete(parameters()), fault.context(directory.path(), format));
+  EXPECT_TRUE(
+    test::contains(test::inputError([&] { after.restore(archive); }), "`SCEC / Time Step`"));
+  format.time_step = 0.25;
+  Receivers same(complete(parameters()), fault.context(directory.path(), format));
+  same.restore(archive);
+}
+
 TEST(Receivers, ARestartWithOthersIsRefused)
 {
   test::TemporaryDirectory directory;

@@ -118,6 +118,31 @@ TEST(TextTable, RestartTakesTheColumnsFromTheLastLineOfTheHeader)
   EXPECT_EQ(test::contents(directory / "a.txt"), "# steps=2\na b\n1 2\n5 6\n");
 }
 
+TEST(TextTable, RestartNamesTheLineOfTheHeaderThatHasAnotherLength)
+{
+  test::TemporaryDirectory directory;
+  Archive archive;
+  {
+    TextTable file(directory / "a.txt", "# author=A\n# date=2024/05/31\na b", world());
+    file.writeRow("1 2");
+    file.flush();
+    file.save(archive);
+  }
+  world()->barrier();
+  TextTable longer(directory / "a.txt", "# author=A. B.\n# date=2024/05/31\na b", world());
+  const auto refusal = test::inputError([&] { longer.restore(archive); });
+  EXPECT_TRUE(test::contains(refusal, "the line '# author=A', where that of this run has "
+                                      "'# author=A. B.'"))
+    << refusal;
+  TextTable more(directory / "a.txt", "# author=A\n# date=2024/05/31\na b c", world());
+  EXPECT_TRUE(test::contains(test::inputError([&] { more.restore(archive); }),
+                             "the line 'a b', where that of this run has 'a b c'"));
+  TextTable next_day(directory / "a.txt", "# author=A\n# date=2024/06/01\na b", world());
+  next_day.restore(archive);
+  next_day.flush();
+  EXPECT_EQ(test::contents(directory / "a.txt"), "# author=A\n# date=2024/06/01\na b\n1 2\n");
+}
+
 TEST(TextTable, Numbers)
 {
   const double third = 1e9 / 3;

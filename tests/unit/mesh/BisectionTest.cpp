@@ -3,6 +3,7 @@
 #include "mesh/Bisection.hpp"
 #include "mesh/MeshQuality.hpp"
 #include "mesh/RectangleMesh.hpp"
+#include "unit/base/Refusal.hpp"
 
 using namespace asperity;
 using namespace asperity::mesh;
@@ -127,4 +128,20 @@ TEST(Bisection, SeesSmallCellsWantedAnywhereInACell)
   }
   EXPECT_NEAR(largestDiameter([](Point<2> const&) { return 3.0; })(cell), 3.0 * std::sqrt(2.0),
               1e-8);
+}
+
+// A bisection to 10 million vertices takes a minute.
+TEST(Bisection, RefusesTooManyCellsBeforeItBegins)
+{
+  const auto coarse = rectangleMesh({25.6e3, 25.6e3, 16, 16, {0.0, 0.0}});
+  for (double slope : {0.0, 1e-4}) {
+    int num_calls = 0;
+    const auto allowed = [&](Triangle const& cell) {
+      ++num_calls;
+      return 0.1 + slope * centroid(cell)[1];
+    };
+    asperity::test::expectParts(asperity::test::refusal([&] { bisect(coarse, allowed); }),
+                                {"Mesh", "vertices", "10000000"});
+    EXPECT_LT(num_calls, 1000000);
+  }
 }

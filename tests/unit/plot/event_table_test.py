@@ -86,14 +86,13 @@ class EventTables(unittest.TestCase):
         self.assertEqual(columns["accepted steps"][4], times.size)
         self.assertEqual(columns["event"], ["1", "2", "3", "4", "whole run"])
         for name, factor in (("coupled steps", 2), ("rate problems", 3), ("TNNMG iterations", 5),
-                             ("coupled per accepted", None), ("wall time [s]", 0.01)):
+                             ("coupled per accepted", None)):
             expected = factor * columns["accepted steps"] if factor else 2.0
             np.testing.assert_allclose(columns[name], expected, rtol=1e-12)
         self.assertNotIn("V-cycles", columns)
 
     def test_cycles_without_some_columns(self):
         self.edit("steps.csv", "coupled_steps", "others")
-        self.edit("steps.csv", "wall_time [s]", "more")
         self.assertEqual(list(self.cycles()),
                          ["event", "accepted steps", "rate problems", "TNNMG iterations"])
         (self.folder / "steps.csv").unlink()

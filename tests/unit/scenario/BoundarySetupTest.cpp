@@ -185,6 +185,8 @@ TEST(BoundarySetup, refusesConditionsThatContradict)
     {"Prescribed Velocity", "Free Surface"},
     {"Fixed", "Absorbing"},
     {"Absorbing", "Free Surface"},
+    {"Absorbing", "Absorbing"},
+    {"Prescribed Slip Rate", "Absorbing"},
     {"Fixed", "Fixed"}};
   for (auto const& [first, second] : pairs) {
     const auto list = conditions({{"A", "top", first}, {"B", "top", second}});
@@ -192,9 +194,30 @@ TEST(BoundarySetup, refusesConditionsThatContradict)
                 {"Asperity / Boundary Conditions / A", "Asperity / Boundary Conditions / B",
                  "contradicts", "'top'"});
   }
-  const auto on_fault = conditions({{"A", "bottom", "Fixed"}});
-  expectParts(refusal([&] { makeBoundaryConditions(on_fault, 2); }),
-              {"contradicts", "'bottom'", "Asperity / Boundary Conditions / Fault"});
+  for (char const* type : {"Fixed", "Absorbing", "Prescribed Slip Rate"}) {
+    const auto on_fault = conditions({{"A", "bottom", type}});
+    expectParts(refusal([&] { makeBoundaryConditions(on_fault, 2); }),
+                {"contradicts", "'bottom'", "Asperity / Boundary Conditions / Fault",
+                 "Asperity / Boundary Conditions / A"});
+  }
+}
+
+TEST(BoundarySetup, refusesEntriesThatItsTypeDoesNotRead)
+{
+  const std::vector<std::pair<std::string, std::string>> pairs = {
+    {"Prescribed Slip Rate", "Ramp Duration"},
+    {"Prescribed Velocity", "Slip Rate"},
+    {"Sliding Wall", "Slip Rate"},
+    {"Fixed", "Velocity"},
+    {"Absorbing", "Velocity"},
+    {"Prescribed Slip Rate", "Velocity"}};
+  for (auto const& [type, entry] : pairs) {
+    const auto list = driven([&, type = type, entry = entry](ParameterList& condition) {
+      condition.set("Type", type).set(entry, 1.);
+    });
+    expectParts(refusal([&] { makeBoundaryConditions(list, 2); }),
+                {"Asperity / Boundary Conditions / Left / " + entry, "no effect", type});
+  }
 }
 
 TEST(BoundarySetup, allowsConditionsInDifferentDirections)

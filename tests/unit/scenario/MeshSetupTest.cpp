@@ -55,7 +55,7 @@ TEST(MeshSetup, refusesCellSizesThatAreNone)
 {
   expectParts(refusal([] { graded("100 + t"); }), {"Mesh / Rectangle / Cell Size depends on t"});
   expectParts(refusal([] { graded("x - 1000"); }),
-              {"Mesh / Rectangle / Cell Size = 'x - 1000' is 0 at ", "outside (0, inf)"});
+              {"Mesh / Rectangle / Cell Size = 'x - 1000' is -1000 at ", "outside (0, inf)"});
 }
 
 TEST(MeshSetup, namesPiecesOfTheBoundary)
@@ -67,6 +67,16 @@ TEST(MeshSetup, namesPiecesOfTheBoundary)
   EXPECT_EQ(facetsOn(mesh, "left"), 1);
   EXPECT_EQ(facetsOn(mesh, "far"), 2);
   EXPECT_EQ(mesh.boundaries.count("right"), 0);
+}
+
+TEST(MeshSetup, refusesConditionsThatChangeInTime)
+{
+  for (char const* name : {"Boundaries", "Regions"}) {
+    const auto call = [name] {
+      halfSpace([name](ParameterList& list) { list.sublist(name).set("part", "t < 1"); });
+    };
+    expectParts(refusal(call), {"Asperity / Mesh / ", name, " / part depends on t"});
+  }
 }
 
 TEST(MeshSetup, refusesPiecesWithoutFacets)

@@ -93,6 +93,22 @@ TEST(Problem, refusesBoundariesThatTheMeshDoesNotHave)
   }
 }
 
+TEST(Problem, refusesUnknownNamesOfConditionsWithoutEffect)
+{
+  for (char const* type : {"Sliding Wall", "Free Surface"}) {
+    const auto call = [type] {
+      Problem(strip([type](ParameterList& deck) {
+                auto& conditions = deck.sublist("Boundary Conditions");
+                conditions.sublist("Air").set("Boundary", "top").set("Type", "Free Surface");
+                conditions.sublist("Wall").set("Boundary", "rihgt").set("Type", type);
+              }),
+              world());
+    };
+    expectParts(refusal(call), {"Asperity / Boundary Conditions / Wall / Boundary = 'rihgt'",
+                                "Did you mean 'right'?"});
+  }
+}
+
 TEST(Problem, startsFromTheVelocityOfTheDeck)
 {
   const Problem problem(column([](auto& deck) {

@@ -4,6 +4,7 @@ import asperity_run
 import numpy
 
 YEAR = 3.15576e7  # s
+DAY = 86400  # s
 
 
 def check(what, found, expected, tolerance):
@@ -20,10 +21,26 @@ def catalogue(folder):
     return asperity_run.table(folder / "events.csv")
 
 
+def sequence(folder):
+    """The rows of events.csv, those that begin within a day of the one before in one list: an event
+    that pauses is one event."""
+    events = []
+    for row in catalogue(folder):
+        if events and row["onset"] <= events[-1][-1]["onset"] + DAY:
+            events[-1].append(row)
+        else:
+            events.append([row])
+    return events
+
+
 def slip_in_events(folder, receiver):
-    """Slip of a receiver on the fault in each event [m], from its onset to its end."""
+    """Slip of a receiver on the fault in each event [m], the sum over its rows of events.csv."""
     history = asperity_run.series(folder / "receivers.h5")
     names = [name.decode() for name in history["on_fault/names"]]
     slip = history["on_fault/fields/slip"][:, names.index(receiver)]
-    return [float(numpy.diff(numpy.interp((row["onset"], row["end"]), history["time"], slip))[0])
-            for row in catalogue(folder)]
+
+    def slip_in(row):
+        ends = numpy.interp((row["onset"], row["end"]), history["time"], slip)
+        return float(ends[1] - ends[0])
+
+    return [sum(map(slip_in, rows)) for rows in sequence(folder)]
