@@ -210,7 +210,7 @@ class WedgeRectangleAndInfo(Case):
         for options, pieces in ((["--width", "0"], ["Width = 0"]),
                                 (["--cells-x", "2.5"], ["--cells-x", "'2.5'", "whole number"]),
                                 (["--cell-size", "t + 1"], ["--cell-size depends on t"]),
-                                (["--cell-size", "x - 0.5"], ["--cell-size is 0 at", "(0.5, "]),
+                                (["--cell-size", "x - 0.5"], ["--cell-size is -0.5 at", "(0, 0)"]),
                                 (["--cell-size", "x +"], ["--cell-size", "no valid expression"])):
             self.assert_refused(["rectangle", "a.h5", *options], *pieces)
         self.assertFalse(pathlib.Path("a.h5").exists())
