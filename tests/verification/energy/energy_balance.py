@@ -56,9 +56,9 @@ def newmark():
 
 
 def backward_euler():
-    """Loses energy, in proportion to the step, and says so: the balance closes with what it lists. The
-    works are trapezoidal sums, which alone lets the loss be of either sign; in the loading before
-    the first event it is, by very little."""
+    """Loses energy, in proportion to the step, and says so: the balance closes with what it lists.
+    The works are trapezoidal sums, which alone lets the loss be of either sign; in the loading
+    before the first event it is, by very little."""
     lost, closed = [], True
     for level in range(3):
         rows = run(f"backward_euler_{level}", "Time Stepping/Scheme=Backward Euler",
