@@ -62,6 +62,22 @@ protected:
            model.fault.distance(x.alpha, y.alpha);
   }
 
+  // `control`, some of whose steps have no solution, takes smaller ones than `free`, and goes on.
+  void expectSmallerSteps(StepControl& control, StepControl& free)
+  {
+    SolveCount count;
+    auto other = state.clone();
+    auto const before = state.clone();
+    auto const accepted = control.advance(state, count);
+    EXPECT_GT(accepted.level, free.advance(other, count).level);
+    EXPECT_GT(count.failures, 0);
+    EXPECT_EQ(state.time, half_seconds.ticks(accepted.level));
+    EXPECT_LE(model.fault.distance(state.alpha, stepped(before, {accepted.level}).alpha), 2e-3);
+    for (int n = 0; n < 5; ++n) {
+      control.advance(state, count);
+    }
+  }
+
   Model model;
   Stepper stepper;
   State state;

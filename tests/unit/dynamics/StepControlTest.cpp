@@ -82,17 +82,7 @@ TEST_F(StepControlTest, doublingHalvesStepsThatCannotBeSolved)
   Stepper hasty(model, RateUpdate::newmark(0.25), half_seconds, coupling(1e-3, 1));
   StepDoubling control(hasty.step, model.fault, half_seconds, adaptive(1e-2, 2));
   StepDoubling free(stepper.step, model.fault, half_seconds, adaptive(1e-2, 2));
-  SolveCount count;
-  auto other = state.clone();
-  auto const before = state.clone();
-  auto const accepted = control.advance(state, count);
-  EXPECT_GT(accepted.level, free.advance(other, count).level);
-  EXPECT_GT(count.failures, 0);
-  EXPECT_EQ(state.time, half_seconds.ticks(accepted.level));
-  EXPECT_LE(model.fault.distance(state.alpha, stepped(before, {accepted.level}).alpha), 2e-3);
-  for (int n = 0; n < 5; ++n) {
-    control.advance(state, count);
-  }
+  expectSmallerSteps(control, free);
 }
 
 TEST_F(StepControlTest, doublingGivesUpBelowTheSmallestStep)
