@@ -13,7 +13,7 @@ int runDeck(asperity::CommandLine const& command_line,
 {
   // 3. Read the deck and build what it describes.
   auto const deck = asperity::scenario::readCompleteDeck(command_line);
-  asperity::scenario::Simulation simulation(deck, command_line, communicator);
+  auto const simulation = asperity::scenario::makeSimulation(deck, command_line, communicator);
   if (command_line.validate) {
     if (communicator->getRank() == 0) {
       std::cout << command_line.deck << " is valid.\n";
@@ -21,7 +21,7 @@ int runDeck(asperity::CommandLine const& command_line,
     return asperity::exit_done;
   }
   // 4. Run it; it reports by itself.
-  return simulation.run();
+  return simulation->run();
 }
 } // namespace
 

@@ -4,6 +4,7 @@
 #include "base/Text.hpp"
 #include "mesh/MeshFile.hpp"
 #include "mesh/MeshQuality.hpp"
+#include "mesh/PartitionedFile.hpp"
 
 #include <cmath>
 #include <iostream>
@@ -28,17 +29,43 @@ std::string boundingBox(asperity::GlobalMesh<Dim> const& mesh)
 }
 
 template <int Dim>
-void printMesh(std::string const& file_name)
+std::string period(asperity::GlobalMesh<Dim> const& mesh)
 {
-  const auto mesh = asperity::mesh::readMesh<Dim>(file_name);
+  std::string lines;
+  for (int d = 0; d < Dim; ++d) {
+    if (mesh.period[d] > 0.0) {
+      lines +=
+        std::string("period along ") + "xyz"[d] + "   " + formatShort(mesh.period[d]) + " m\n";
+    }
+  }
+  return lines;
+}
+
+void printPartition(asperity::mesh::PartitionSummary const& summary)
+{
+  std::cout << "parts            " << summary.num_parts;
+  if (!summary.options.boundary.empty()) {
+    std::cout << ", with boundary " << summary.options.boundary << " balanced";
+  }
+  std::cout << "\nfingerprint      " << summary.fingerprint << '\n';
+}
+
+template <int Dim>
+void printMesh(std::string const& file_name, bool is_partitioned)
+{
+  const auto mesh = is_partitioned ? asperity::mesh::readParts<Dim>(file_name)
+                                   : asperity::mesh::readMesh<Dim>(file_name);
   const auto sizes = asperity::mesh::cellSizes(mesh);
+  if (is_partitioned) {
+    printPartition(asperity::mesh::partitionSummary(file_name));
+  }
   const double degree = std::acos(-1.0) / 180.0;
   std::cout << "dimension        " << Dim << '\n'
             << "vertices         " << mesh.vertices.size() << '\n'
             << "cells            " << mesh.cells.size() << '\n'
             << "bounding box     " << boundingBox(mesh) << " m\n"
-            << (Dim == 2 ? "area             " : "volume           ") << formatShort(sizes.measure)
-            << (Dim == 2 ? " m^2\n" : " m^3\n") << "cell diameters   "
+            << period(mesh) << (Dim == 2 ? "area             " : "volume           ")
+            << formatShort(sizes.measure) << (Dim == 2 ? " m^2\n" : " m^3\n") << "cell diameters   "
             << formatShort(sizes.smallest_diameter) << " to " << formatShort(sizes.largest_diameter)
             << " m\n"
             << "smallest angle   " << formatShort(sizes.smallest_angle / degree) << " degrees\n";
@@ -61,9 +88,12 @@ void printInfo(std::vector<std::string> const& words)
 {
   const auto arguments = parseArguments(words, {{"FILE.h5"}, {}, {}});
   const std::string file_name = arguments.files[0];
-  if (asperity::mesh::meshDimension(file_name) == 2) {
-    printMesh<2>(file_name);
+  const bool is_partitioned = asperity::mesh::isPartitioned(file_name);
+  const int dimension = is_partitioned ? asperity::mesh::partitionSummary(file_name).dimension
+                                       : asperity::mesh::meshDimension(file_name);
+  if (dimension == 2) {
+    printMesh<2>(file_name, is_partitioned);
   } else {
-    printMesh<3>(file_name);
+    printMesh<3>(file_name, is_partitioned);
   }
 }

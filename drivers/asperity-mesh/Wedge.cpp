@@ -1,12 +1,13 @@
 #include "Arguments.hpp"
 #include "Commands.hpp"
+#include "Generation.hpp"
 
+#include "base/Errors.hpp"
 #include "base/Text.hpp"
-#include "mesh/MeshFile.hpp"
-#include "mesh/WedgeMesh.hpp"
+#include "mesh/DeepWedgeMesh.hpp"
+#include "mesh/PeriodicMesh.hpp"
 
-#include <iostream>
-
+using asperity::mesh::DeepWedge;
 using asperity::mesh::WedgeShape;
 
 namespace
@@ -28,6 +29,43 @@ constexpr Parameter parameters[] = {
   {"--zone-end", &WedgeShape::zone_end, "its lower end, along the surface from the trench, m"},
   {"--viscous-thickness", &WedgeShape::viscous_thickness, "of the region 'lower', m"},
 };
+
+// "0.05 to 0.25, 0.35 to 0.55"
+std::vector<std::array<double, 2>> patchesFrom(std::string const& text)
+{
+  std::vector<std::array<double, 2>> patches;
+  for (auto const& piece : asperity::split(text, ',')) {
+    const auto middle = piece.find(" to ");
+    const auto low = asperity::readNumber(asperity::trimmed(piece.substr(0, middle)));
+    const auto high = middle == std::string::npos
+                        ? std::nullopt
+                        : asperity::readNumber(asperity::trimmed(piece.substr(middle + 4)));
+    ASPERITY_REQUIRE(low && high, "Option --patches: '" << piece << "' is no interval of z. Write "
+                                                        << "'0.05 to 0.25, 0.35 to 0.55'.");
+    patches.push_back({*low, *high});
+  }
+  return patches;
+}
+
+asperity::GlobalMesh<3> wedgeWithDepth(WedgeShape const& shape, Arguments const& arguments)
+{
+  DeepWedge deep;
+  deep.depth = arguments.number("--depth", deep.depth);
+  deep.is_periodic = arguments.has("--periodic");
+  if (!arguments.has("--layers")) {
+    if (arguments.has("--patches")) {
+      deep.patches = patchesFrom(arguments.options.at("--patches"));
+    }
+    return deepWedgeMesh(shape, deep);
+  }
+  ASPERITY_REQUIRE(!arguments.has("--patches"),
+                   "Option --patches has no meaning for --layers, which are all alike.");
+  auto mesh = layeredWedgeMesh(shape, deep.depth, arguments.integer("--layers", 1));
+  if (deep.is_periodic) {
+    asperity::mesh::makePeriodic(mesh, 2, "front", "back");
+  }
+  return mesh;
+}
 } // namespace
 
 std::string wedgeOptions()
@@ -39,12 +77,17 @@ std::string wedgeOptions()
     lines += line + parameter.meaning + " (" +
              asperity::formatNumber(WedgeShape().*parameter.value) + ")\n";
   }
-  return lines;
+  return lines + "    --depth                 along z, m: tetrahedra instead of triangles\n"
+                 "    --patches               z of the seismogenic zone, m (the whole depth), as\n"
+                 "                            '0.05 to 0.25, 0.35 to 0.55'\n"
+                 "    --layers                the plane wedge in that many equal layers instead\n"
+                 "    --periodic              along z; takes no value\n";
 }
 
 void makeWedge(std::vector<std::string> const& words)
 {
-  AllowedArguments allowed{{"OUT.h5"}, {}, {"--overwrite"}};
+  AllowedArguments allowed{
+    {"OUT.h5"}, {"--depth", "--patches", "--layers"}, {"--overwrite", "--periodic"}};
   for (auto const& parameter : parameters) {
     allowed.options.push_back(parameter.option);
   }
@@ -54,8 +97,12 @@ void makeWedge(std::vector<std::string> const& words)
   for (auto const& parameter : parameters) {
     shape.*parameter.value = arguments.number(parameter.option, shape.*parameter.value);
   }
-  const auto mesh = asperity::mesh::wedgeMesh(shape);
-  asperity::mesh::writeMesh(mesh, arguments.files[0]);
-  std::cout << arguments.files[0] << ": " << mesh.vertices.size() << " vertices, "
-            << mesh.cells.size() << " cells\n";
+  if (arguments.has("--depth")) {
+    writeAndReport(wedgeWithDepth(shape, arguments), arguments.files[0]);
+    return;
+  }
+  for (char const* option : {"--patches", "--layers", "--periodic"}) {
+    ASPERITY_REQUIRE(!arguments.has(option), "Option " << option << " needs --depth too.");
+  }
+  writeAndReport(asperity::mesh::wedgeMesh(shape), arguments.files[0]);
 }

@@ -8,38 +8,51 @@
 #include <iostream>
 #include <map>
 
-// Makes meshes and converts those of Gmsh into Asperity's HDF5 files. A serial program: MPI is not
-// started.
+// Makes meshes, converts those of Gmsh into Asperity's HDF5 files, and partitions them. A serial
+// program: MPI is not started.
 namespace
 {
 using Command = std::function<void(std::vector<std::string> const&)>;
 
 void printHelp()
 {
-  std::cout << "asperity-mesh makes and converts meshes.\n\n"
-               "  asperity-mesh convert IN.msh OUT.h5 [--overwrite]\n"
-               "    Gmsh's format to ours; physical groups become regions and boundaries.\n"
-               "  asperity-mesh wedge OUT.h5 [--overwrite] [OPTION VALUE]...\n"
-               "    The subduction wedge of Pipping 2014, A.1, by bisection. Options:\n"
-            << wedgeOptions()
-            << "  asperity-mesh rectangle OUT.h5 [--overwrite] [OPTION VALUE]...\n"
-               "    A rectangle of right triangles, graded by bisection. Options:\n"
-            << rectangleOptions()
-            << "  asperity-mesh info FILE.h5\n"
-               "    Counts, sizes, regions and boundaries of a mesh.\n\n"
-               "Exit status: 0 done, 2 the input is at fault.\n";
+  std::cout
+    << "asperity-mesh makes, converts and partitions meshes.\n\n"
+       "  asperity-mesh convert IN.msh OUT.h5 [--overwrite]\n"
+       "    Gmsh's format to ours; physical groups become regions and boundaries.\n"
+       "  asperity-mesh wedge OUT.h5 [--overwrite] [OPTION VALUE]...\n"
+       "    The subduction wedge of Pipping 2014, A.1, by bisection. Options:\n"
+    << wedgeOptions()
+    << "  asperity-mesh rectangle OUT.h5 [--overwrite] [OPTION VALUE]...\n"
+       "    A rectangle of right triangles, graded by bisection. Options:\n"
+    << rectangleOptions()
+    << "  asperity-mesh box OUT.h5 [--overwrite] [OPTION VALUE]...\n"
+       "    A box of bricks, six tetrahedra each, graded by bisection. Options:\n"
+    << boxOptions()
+    << "  asperity-mesh partition FILE.h5 --parts N --output OUT.h5 [--overwrite]\n"
+       "                [--boundary NAME] [--boundary-weight W]\n"
+       "    A mesh, partitioned before or not, in N parts, of which N ranks read one each.\n"
+       "    The vertices of the boundary, the fault, are balanced among the parts too; all\n"
+       "    in all they count W times (4). Both are kept when a mesh is partitioned again.\n"
+       "  asperity-mesh info FILE.h5\n"
+       "    Counts, sizes, regions and boundaries of a mesh, partitioned or not.\n\n"
+       "Exit status: 0 done, 2 the input is at fault.\n";
 }
 
 void run(std::vector<std::string> const& words)
 {
   const std::map<std::string, Command> commands = {
-    {"convert", convert}, {"wedge", makeWedge}, {"rectangle", makeRectangle}, {"info", printInfo}};
+    {"convert", convert},         {"box", makeBox},         {"wedge", makeWedge},
+    {"rectangle", makeRectangle}, {"partition", partition}, {"info", printInfo}};
+  std::vector<std::string> names;
+  for (auto const& command : commands) {
+    names.push_back(command.first);
+  }
   ASPERITY_REQUIRE(!words.empty(), "A command is missing. See asperity-mesh --help.");
   const auto found = commands.find(words[0]);
-  ASPERITY_REQUIRE(found != commands.end(),
-                   "Unknown command '"
-                     << words[0] << "'."
-                     << asperity::didYouMean(words[0], {"convert", "wedge", "rectangle", "info"}));
+  ASPERITY_REQUIRE(found != commands.end(), "Unknown command '"
+                                              << words[0] << "'."
+                                              << asperity::didYouMean(words[0], names));
   found->second({words.begin() + 1, words.end()});
 }
 } // namespace

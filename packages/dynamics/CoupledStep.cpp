@@ -90,6 +90,7 @@ CoupledStep::CoupledStep(Body const& body, Fault const& fault, RateUpdate const&
 void CoupledStep::rightSide(State const& from, double t1, double tau)
 {
   body_.prescribed_velocity(t1, *prescribed_);
+  fault_.requireWalls(*prescribed_, body_.dofs->components(), t1);
   update_.predict(from, tau, *u_hat_, *a_hat_);
   work_a_->update(1, *a_hat_, -update_.mass_weight / tau, *prescribed_, 0);
   work_u_->update(1, *u_hat_, tau * update_.stiffness_weight, *prescribed_, 0);

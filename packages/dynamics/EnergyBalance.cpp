@@ -35,8 +35,10 @@ EnergyBalance::EnergyBalance(Body const& body, Fault const& fault, DyadicTime co
     , kinked_("asperity::dynamics::kinked", fault.numNodes())
 {
   for (int node = 0; node < fault.numNodes(); ++node) {
-    if (!fault.fixed[node]) {
-      fault_dofs_.insert(fault_dofs_.end(), fault.dofs[node].begin(), fault.dofs[node].end());
+    for (int k = 0; k < fault.num_tangents; ++k) {
+      if (!fault.fixed[node][k]) {
+        fault_dofs_.push_back(fault.dofs[node][k]);
+      }
     }
   }
   for (int dof = 0; dof < body.numOwnedDofs(); ++dof) {

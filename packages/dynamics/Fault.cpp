@@ -1,6 +1,9 @@
 #include "dynamics/Fault.hpp"
 
+#include "base/Errors.hpp"
+
 #include <Teuchos_CommHelpers.hpp>
+#include <Tpetra_Map.hpp>
 #include <Tpetra_Vector.hpp>
 
 #include <algorithm>
@@ -15,6 +18,31 @@ int Fault::sumOverRanks(int value) const
     Teuchos::reduceAll(*communicator, Teuchos::REDUCE_SUM, value, Teuchos::outArg(sum));
   }
   return sum;
+}
+
+bool Fault::slides(int node) const
+{
+  return std::find(fixed[node].begin(), fixed[node].end(), 0) != fixed[node].end();
+}
+
+void Fault::requireWalls(Vector const& prescribed_velocity, int components, double t) const
+{
+  auto const values = prescribed_velocity.getLocalViewHost(Tpetra::Access::ReadOnly);
+  for (int node = 0; node < numNodes(); ++node) {
+    if (!slides(node)) {
+      continue;
+    }
+    for (int k = 0; k < num_tangents; ++k) {
+      const int dof = dofs[node][k];
+      ASPERITY_REQUIRE(
+        !fixed[node][k] || values(dof, 0) == 0,
+        "At vertex " << prescribed_velocity.getMap()->getGlobalElement(dof) / components
+                     << " of the fault one tangential velocity is prescribed as " << values(dof, 0)
+                     << " m/s at t = " << t
+                     << " s, and the other one is left to friction. Prescribe zero (a wall that "
+                        "the fault ends at), or both.");
+    }
+  }
 }
 
 void Fault::gather(Vector const& v, friction::BlockView const& blocks) const
@@ -62,7 +90,7 @@ double Fault::peakSlipRate(Vector const& v) const
   auto const values = v.getLocalViewHost(Tpetra::Access::ReadOnly);
   double mine = 0;
   for (int node = 0; node < numNodes(); ++node) {
-    if (fixed[node]) {
+    if (!slides(node)) {
       continue;
     }
     double magnitude = 0;

@@ -20,9 +20,11 @@ enum class Norm
 struct Fault
 {
   std::vector<std::vector<int>> dofs; // (num_nodes, T) local dofs of the tangential components
-  std::vector<int> fixed;             // (num_nodes) 1 where the tangential velocity is prescribed
-  int num_tangents = 1;               // T
-  double slip_factor = 1;             // slip = slip_factor times the tangential displacement
+  // (num_nodes, T) 1 where the velocity is prescribed. Beside a free component it has to be zero,
+  // since friction knows the direction of slip only then: requireWalls.
+  std::vector<std::vector<int>> fixed;
+  int num_tangents = 1;   // T
+  double slip_factor = 1; // slip = slip_factor times the tangential displacement
   friction::FaultData data;
   double total_weight = 0; // over all ranks: the measure of the fault
   // Where the normal stress changes: what fills it [Pa] at the time t [s], and the memory that
@@ -35,6 +37,11 @@ struct Fault
 
   int sumOverRanks(int value) const;
   int numNodes() const { return static_cast<int>(dofs.size()); }
+  // Whether friction decides on the velocity of a node, or on a part of it.
+  bool slides(int node) const;
+  // InputError unless the prescribed velocity (owned dofs, `components` for each vertex) is zero at
+  // fixed components beside free ones. t [s] for the message.
+  void requireWalls(Vector const& prescribed_velocity, int components, double t) const;
   // Tangential components of v at the fault nodes.
   void gather(Vector const& v, friction::BlockView const& blocks) const;
   // Slip rates |v| slip_factor of tangential velocities v. Views over the nodes.

@@ -48,7 +48,7 @@ std::vector<Material> materialsAtNodes(Mesh<Dim> const& mesh, std::string const&
   auto const& facets = mesh.boundaries.at(boundary);
   std::vector<Material> result(nodes.nodes.size());
   for (std::size_t i = 0; i < facets.size(); ++i) {
-    const double measure = mesh::facetMeasure(mesh::corners<Dim>(mesh.vertices, facets[i]));
+    const double measure = mesh::facetMeasure(mesh::corners(mesh, facets[i]));
     auto const& material = materials[cells[i]];
     for (int node : facets[i]) {
       auto const place = std::lower_bound(nodes.nodes.begin(), nodes.nodes.end(), node);

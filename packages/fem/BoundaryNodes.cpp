@@ -40,7 +40,7 @@ BoundaryNodes<Dim> boundaryNodes(Mesh<Dim> const& mesh, std::string const& bound
                                                       << namesOf(mesh) << ".");
   std::map<int, Accumulated<Dim>> nodes;
   for (auto const& facet : facets->second) {
-    auto const corners = mesh::corners<Dim>(mesh.vertices, facet);
+    auto const corners = mesh::corners(mesh, facet);
     auto const normal = mesh::areaNormal(corners);
     const double measure = mesh::facetMeasure(corners);
     for (int node : facet) {

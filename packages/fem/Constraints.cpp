@@ -1,7 +1,6 @@
 #include "fem/Constraints.hpp"
 
 #include "base/Errors.hpp"
-#include "fem/detail/ConditionNodes.hpp"
 
 #include <Teuchos_CommHelpers.hpp>
 #include <Tpetra_Import.hpp>
@@ -11,7 +10,7 @@
 
 #include <algorithm>
 #include <cmath>
-#include <map>
+#include <sstream>
 
 namespace asperity::fem
 {
@@ -23,28 +22,32 @@ namespace
 {
 using Vectors = std::vector<std::vector<double>>;
 
-// Orthonormal directions, placed last, in a frame (not always a right-handed one).
+// Orthonormal directions, placed last, in a frame (not always a right-handed one); before them the
+// tangents, in the order of the axes that they are near to.
 NodalFrames::Matrix frameFrom(Vectors basis, int components)
 {
   auto frame = NodalFrames::identity(components);
+  const int given = static_cast<int>(basis.size());
   while (static_cast<int>(basis.size()) < components) {
     basis.push_back(detail::completing(basis, components));
   }
   for (int k = 0; k < components; ++k) {
+    const int row = k < given ? components - 1 - k : k - given;
     for (int c = 0; c < components; ++c) {
-      frame[(components - 1 - k) * components + c] = basis[k][c];
+      frame[row * components + c] = basis[k][c];
     }
   }
   return frame;
 }
 
-void normalise(std::vector<double>& direction, std::string const& condition)
+template <int Dim>
+std::string place(Point<Dim> const& x)
 {
-  const double size = std::sqrt(detail::dot(direction, direction));
-  ASPERITY_REQUIRE(size > 0, condition << ": the direction has no length.");
-  for (double& x : direction) {
-    x /= size;
+  std::ostringstream text;
+  for (int d = 0; d < Dim; ++d) {
+    text << (d == 0 ? "x = (" : ", ") << x[d];
   }
+  return text.str() + ")";
 }
 } // namespace
 
@@ -58,42 +61,12 @@ Constraints<Dim>::Constraints(Mesh<Dim> const& mesh, DofMap const& dofs,
     , fixed_(static_cast<std::size_t>(dofs.numLocalNodes()) * dofs.components(), 0)
     , owned_vertices_(mesh.vertices.begin(), mesh.vertices.begin() + mesh.num_owned)
 {
-  auto const directions = collect(mesh);
+  auto const directions = detail::collectDirections(mesh, conditions_, dofs.components());
   largest_ = largestVelocities(directions, *dofs.communicator());
   for (auto const& [node, of_node] : directions) {
     constrain(dofs, node, of_node);
   }
   shareWithGhosts(dofs);
-}
-
-template <int Dim>
-typename Constraints<Dim>::NodalDirections Constraints<Dim>::collect(Mesh<Dim> const& mesh) const
-{
-  const int components = frames_.components();
-  NodalDirections result;
-  for (std::size_t i = 0; i < conditions_.size(); ++i) {
-    auto const& condition = conditions_[i];
-    auto boundaries = condition.continued_by;
-    boundaries.push_back(condition.boundary);
-    // In one order for all that continue each other: the same normals, to the last digit.
-    std::sort(boundaries.begin(), boundaries.end());
-    boundaries.erase(std::unique(boundaries.begin(), boundaries.end()), boundaries.end());
-    for (auto const& name : boundaries) {
-      ASPERITY_REQUIRE(mesh.boundaries.count(name) > 0,
-                       condition.name << ": the mesh has no boundary '" << name << "'.");
-    }
-    auto const normals = detail::inwardNormals(mesh, components, boundaries);
-    for (int node : detail::ownedNodes(mesh, condition.boundary)) {
-      auto direction = condition.direction.empty() ? normals.at(node) : condition.direction;
-      ASPERITY_ASSERT(static_cast<int>(direction.size()) == components);
-      normalise(direction, condition.name);
-      if (condition.direction.empty() && condition.tangential) {
-        direction = detail::completing({direction}, components);
-      }
-      result[node].push_back({direction, static_cast<int>(i)});
-    }
-  }
-  return result;
 }
 
 // A difference is measured against these: at a corner the prescribed velocity itself may be but the
@@ -211,8 +184,8 @@ NodalBasis Constraints<Dim>::layFrame(int node, std::vector<Direction> const& di
     ASPERITY_REQUIRE(std::abs(share - 1) < detail::parallel,
                      conditions_[obliqueCondition(directions, free)].name
                        << " prescribes a velocity neither along nor across the boundary '"
-                       << conditions_[of_frame].boundary << "' at x = (" << owned_vertices_[node][0]
-                       << ", " << owned_vertices_[node][1] << "), where "
+                       << conditions_[of_frame].boundary << "' at "
+                       << place<Dim>(owned_vertices_[node]) << ", where "
                        << conditions_[of_frame].name
                        << " leaves the body free to move across it. Prescribe the velocity along "
                           "or across it there, or in both directions.");
@@ -238,7 +211,7 @@ void Constraints<Dim>::requireAgreement(int node, int condition, Terms const& te
                      conditions_[condition].name
                        << " (boundary '" << conditions_[condition].boundary << "') contradicts "
                        << conditions_[first].name << " (boundary '" << conditions_[first].boundary
-                       << "') at x = (" << x[0] << ", " << x[1] << "), t = " << t
+                       << "') at " << place<Dim>(x) << ", t = " << t
                        << " s: both prescribe the velocity in the same direction, and the values "
                           "differ by "
                        << difference << " m/s. Remove one of them.");

@@ -41,7 +41,7 @@ NodalDampers absorbingBoundary(Mesh<Dim> const& mesh, std::string const& boundar
   auto const& facets = mesh.boundaries.at(boundary);
   NodalDampers dampers;
   for (std::size_t i = 0; i < facets.size(); ++i) {
-    auto const corners = mesh::corners<Dim>(mesh.vertices, facets[i]);
+    auto const corners = mesh::corners(mesh, facets[i]);
     auto normal = mesh::areaNormal(corners);
     const double size = std::sqrt(mesh::dot<Dim>(normal, normal));
     for (double& x : normal) {

@@ -64,4 +64,12 @@ private:
   int components_;
   std::vector<Matrix> frames_;
 };
+
+// The components of a node's frame along a boundary, ascending: all but the one that is nearest to
+// the boundary's normal, which has Dim numbers. The frame follows that normal, apart from the bend
+// of a boundary or the wall that it ends at. Antiplane motion has one component, along any
+// boundary.
+template <std::size_t Dim>
+std::vector<int> tangentialComponents(NodalFrames const& frames, int node,
+                                      std::array<double, Dim> const& normal);
 } // namespace asperity::fem

@@ -31,7 +31,7 @@ inline std::array<Point<3>, 4> oppositeNormals(std::array<Point<3>, 4> const& c)
 template <int Dim>
 Simplex<Dim> simplexOf(Mesh<Dim> const& mesh, int cell)
 {
-  auto const corners = mesh::corners<Dim>(mesh.vertices, mesh.cells[cell]);
+  auto const corners = mesh::corners(mesh, mesh.cells[cell]);
   Simplex<Dim> simplex;
   simplex.measure = mesh::signedMeasure(corners);
   simplex.centroid = mesh::centroid(corners);

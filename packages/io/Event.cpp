@@ -51,12 +51,38 @@ void printAligned(std::ostream& out, std::vector<Row> const& rows)
   }
 }
 
+Row titles(bool on_surface)
+{
+  if (on_surface) {
+    return {"event", "onset [s]",     "duration [s]",    "area [m^2]",
+            "Mw",    "peak slip [m]", "peak rate [m/s]", "hypocentre [m]"};
+  }
+  return {"event",         "onset [s]",       "duration [s]",  "width [m]",
+          "peak slip [m]", "peak rate [m/s]", "nucleation [m]"};
+}
+
+std::string place(std::vector<double> const& point)
+{
+  std::string text;
+  for (const double coordinate : point) {
+    text += (text.empty() ? "(" : ", ") + formatShort(coordinate);
+  }
+  return text + ")";
+}
+
 Row describe(std::size_t number, Event const& event)
 {
-  return {std::to_string(number),           formatShort(event.onset),
-          formatShort(event.duration()),    formatShort(event.width),
-          formatShort(event.peak_slip),     formatShort(event.peak_slip_rate),
-          formatShort(event.nucleation),    event.complete ? "" : "in progress"};
+  Row row{std::to_string(number), formatShort(event.onset), formatShort(event.duration())};
+  if (event.isOnSurface()) {
+    row.insert(row.end(), {formatShort(event.area), formatShort(event.magnitude())});
+  } else {
+    row.push_back(formatShort(event.width));
+  }
+  row.insert(row.end(),
+             {formatShort(event.peak_slip), formatShort(event.peak_slip_rate),
+              event.isOnSurface() ? place(event.hypocentre) : formatShort(event.nucleation),
+              event.complete ? "" : "in progress"});
+  return row;
 }
 
 Row describe(std::string const& name, Quartiles const& values)
@@ -65,38 +91,43 @@ Row describe(std::string const& name, Quartiles const& values)
 }
 } // namespace
 
+double Event::magnitude() const { return 2.0 / 3.0 * (std::log10(moment) - 9.1); }
+
 EventSummary summarise(std::vector<Event> const& events)
 {
-  std::vector<double> recurrence, width, peak_slip, duration, peak_slip_rate;
-  for (std::size_t i = 0; i < events.size(); ++i) {
-    if (i > 0) {
-      recurrence.push_back(events[i].onset - events[i - 1].onset);
+  const auto quartilesOf = [&](auto const& value) {
+    std::vector<double> values;
+    for (auto const& event : events) {
+      if (event.complete) {
+        values.push_back(value(event));
+      }
     }
-    if (events[i].complete) {
-      width.push_back(events[i].width);
-      peak_slip.push_back(events[i].peak_slip);
-      duration.push_back(events[i].duration());
-      peak_slip_rate.push_back(events[i].peak_slip_rate);
-    }
+    return quartiles(values);
+  };
+  std::vector<double> recurrence;
+  for (std::size_t i = 1; i < events.size(); ++i) {
+    recurrence.push_back(events[i].onset - events[i - 1].onset);
   }
   EventSummary summary;
   summary.num_events = static_cast<std::int64_t>(events.size());
+  summary.is_on_surface = !events.empty() && events[0].isOnSurface();
   summary.recurrence = quartiles(recurrence);
-  summary.width = quartiles(width);
-  summary.peak_slip = quartiles(peak_slip);
-  summary.duration = quartiles(duration);
-  summary.peak_slip_rate = quartiles(peak_slip_rate);
+  summary.width = quartilesOf([](Event const& event) { return event.width; });
+  summary.area = quartilesOf([](Event const& event) { return event.area; });
+  summary.magnitude = quartilesOf([](Event const& event) { return event.magnitude(); });
+  summary.peak_slip = quartilesOf([](Event const& event) { return event.peak_slip; });
+  summary.duration = quartilesOf([](Event const& event) { return event.duration(); });
+  summary.peak_slip_rate = quartilesOf([](Event const& event) { return event.peak_slip_rate; });
   return summary;
 }
 
 void printEvents(std::ostream& out, std::vector<Event> const& events)
 {
   constexpr std::size_t most_rows = 30;
-  std::vector<Row> rows{{"event", "onset [s]", "duration [s]", "width [m]", "peak slip [m]",
-                         "peak rate [m/s]", "nucleation [m]"}};
+  std::vector<Row> rows{titles(!events.empty() && events[0].isOnSurface())};
   for (std::size_t i = 0; i < events.size(); ++i) {
-    const bool is_shown = events.size() <= most_rows || i < most_rows / 2 ||
-                          i + most_rows / 2 >= events.size();
+    const bool is_shown =
+      events.size() <= most_rows || i < most_rows / 2 || i + most_rows / 2 >= events.size();
     if (is_shown) {
       rows.push_back(describe(i + 1, events[i]));
     } else if (i == most_rows / 2) {
@@ -109,13 +140,20 @@ void printEvents(std::ostream& out, std::vector<Event> const& events)
 void printSummary(std::ostream& out, EventSummary const& summary)
 {
   out << summary.num_events << (summary.num_events == 1 ? " event" : " events") << '\n';
-  if (summary.num_events > 0) {
-    printAligned(out, {{"quartiles", "25 %", "50 %", "75 %"},
-                       describe("recurrence [s]", summary.recurrence),
-                       describe("width [m]", summary.width),
-                       describe("peak slip [m]", summary.peak_slip),
-                       describe("duration [s]", summary.duration),
-                       describe("peak rate [m/s]", summary.peak_slip_rate)});
+  if (summary.num_events == 0) {
+    return;
   }
+  std::vector<Row> rows{{"quartiles", "25 %", "50 %", "75 %"},
+                        describe("recurrence [s]", summary.recurrence)};
+  if (summary.is_on_surface) {
+    rows.push_back(describe("area [m^2]", summary.area));
+    rows.push_back(describe("Mw", summary.magnitude));
+  } else {
+    rows.push_back(describe("width [m]", summary.width));
+  }
+  rows.push_back(describe("peak slip [m]", summary.peak_slip));
+  rows.push_back(describe("duration [s]", summary.duration));
+  rows.push_back(describe("peak rate [m/s]", summary.peak_slip_rate));
+  printAligned(out, rows);
 }
 } // namespace asperity::io

@@ -44,9 +44,9 @@ void check(herr_t status, std::string const& what)
 
 Handle makeSpace(Shape const& shape, Shape const& largest, std::string const& what)
 {
-  const hid_t space = shape.empty() ? H5Screate(H5S_SCALAR)
-                                    : H5Screate_simple(static_cast<int>(shape.size()),
-                                                       shape.data(), largest.data());
+  const hid_t space =
+    shape.empty() ? H5Screate(H5S_SCALAR)
+                  : H5Screate_simple(static_cast<int>(shape.size()), shape.data(), largest.data());
   return Handle(space, H5Sclose, "Making a dataspace for " + what);
 }
 
@@ -151,6 +151,13 @@ bool Group::isGroup(std::string const& path) const
   return H5Iget_type(object.get()) == H5I_GROUP;
 }
 
+void Group::link(std::string const& path, std::string const& file)
+{
+  check(H5Lcreate_external(file.c_str(), ("/" + path).c_str(), handle_.get(), path.c_str(),
+                           H5P_DEFAULT, H5P_DEFAULT),
+        "Linking " + what_ + ": " + path + " to " + file);
+}
+
 File File::create(std::filesystem::path const& path)
 {
   silence();
@@ -165,6 +172,20 @@ File File::open(std::filesystem::path const& path)
   return File(Handle(H5Fopen(path.c_str(), H5F_ACC_RDONLY, H5P_DEFAULT), H5Fclose,
                      "Opening " + path.string()),
               path.string());
+}
+
+File File::openShared(std::filesystem::path const& path, MPI_Comm comm)
+{
+  silence();
+  const Handle access = makeProperties(H5P_FILE_ACCESS, path.string());
+  int num_ranks = 1;
+  MPI_Comm_size(comm, &num_ranks);
+  if (num_ranks > 1) { // a single rank needs no MPI-IO, which some file systems lack
+    check(H5Pset_fapl_mpio(access.get(), comm, MPI_INFO_NULL), "Sharing " + path.string());
+  }
+  return File(
+    Handle(H5Fopen(path.c_str(), H5F_ACC_RDWR, access.get()), H5Fclose, "Opening " + path.string()),
+    path.string());
 }
 
 void File::flush() { check(H5Fflush(handle_.get(), H5F_SCOPE_LOCAL), "Writing " + what_); }

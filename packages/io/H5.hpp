@@ -1,6 +1,7 @@
 #pragma once
 
 #include <hdf5.h>
+#include <mpi.h>
 
 #include <cstdint>
 #include <filesystem>
@@ -10,7 +11,7 @@
 #include <vector>
 
 // HDF5 with owned handles and exceptions. Paths of objects use '/'; missing groups are made.
-// These files are opened by one rank; a property list for MPI-IO would enter in File alone.
+// A file is used by one rank, or between openShared and close by all of them.
 namespace asperity::io::h5
 {
 // What HDF5 was asked to do, with the file, and its own description of what went wrong.
@@ -77,6 +78,14 @@ protected:
   std::string what_; // "DIR/fault.h5: fields/alpha", for messages
 };
 
+// What one rank has of a dataset, or of each row that is appended: the numbers first <= i < first +
+// count of the first dimension; none if count is 0. Of rows that are single numbers {0, 1} or none.
+struct Part
+{
+  hsize_t first = 0;
+  hsize_t count = 0;
+};
+
 class Dataset : public Object
 {
 public:
@@ -96,11 +105,19 @@ public:
   void append(double const* values, hsize_t num_rows);
   void append(std::int64_t const* values, hsize_t num_rows);
 
+  // The same, each rank its part; values: (part.count, rest) and (num_rows, part.count, rest). What
+  // writePart writes is of the dataset's own type. Collective, in a file that is shared.
+  void writePart(double const* values, Part const& part);
+  void writePart(std::int64_t const* values, Part const& part);
+  void appendPart(double const* values, hsize_t num_rows, Part const& part);
+
 private:
   friend class Group;
   Dataset(Handle handle, std::string what) : Object(std::move(handle), std::move(what)) {}
 
   void appendRaw(void const* values, hid_t memory_type, hsize_t num_rows);
+  Shape extend(hsize_t num_rows);
+  void writeSlab(void const* values, hid_t memory_type, Shape const& start, Shape const& count);
   std::size_t numValues() const;
 };
 
@@ -129,13 +146,18 @@ public:
   // A list of strings in UTF-8.
   Dataset createTexts(std::string const& path, std::vector<std::string> const& texts);
 
-  // Rows of shape `row_shape` may be appended; compressed (shuffle, deflate).
+  // Rows of shape `row_shape` may be appended; compressed (shuffle, deflate) in chunks of that
+  // many rows, or of parts of them where a chunk would have more than 1 MiB. If several ranks will
+  // append together, `shared`: HDF5 1.10 then looks for chunks that exist.
   Dataset createExtendable(std::string const& path, Type type, Shape const& row_shape,
-                           hsize_t rows_per_chunk);
+                           hsize_t rows_per_chunk, bool shared = false);
 
   // The rows of the parts, one part after the other. Where a part is missing, nan or -1 is read.
   Dataset createVirtual(std::string const& path, Type type, Shape const& row_shape,
                         std::vector<VirtualPart> const& parts);
+
+  // Stands for the object of the same path in `file`, a path relative to the folder of this file.
+  void link(std::string const& path, std::string const& file);
 
 protected:
   Group(Handle handle, std::string what) : Object(std::move(handle), std::move(what)) {}
@@ -154,6 +176,11 @@ public:
   // Replaces a file of that name.
   static File create(std::filesystem::path const& path);
   static File open(std::filesystem::path const& path); // for reading
+
+  // For writing to what exists, by all ranks of the communicator: objects may be opened, and parts
+  // of datasets written, by all at once. Close it before anything may throw on one rank alone:
+  // closing is collective. Collective.
+  static File openShared(std::filesystem::path const& path, MPI_Comm comm);
 
   void flush();
   void close(); // Error if what is buffered cannot be written

@@ -36,6 +36,20 @@ Shape withRows(hsize_t rows, Shape const& row_shape)
   return shape;
 }
 
+Shape chunkOf(hsize_t rows, Shape const& row_shape)
+{
+  constexpr hsize_t largest = 131072; // numbers; they have up to 8 bytes
+  Shape chunk = withRows(rows, row_shape);
+  hsize_t numbers = 1;
+  for (const hsize_t length : chunk) {
+    numbers *= std::max<hsize_t>(length, 1);
+  }
+  if (chunk.size() > 1 && numbers > largest) {
+    chunk[1] = std::max<hsize_t>(1, largest / (numbers / chunk[1]));
+  }
+  return chunk;
+}
+
 // Selects `num_rows` rows from `first` on.
 void selectRows(Handle const& space, Shape shape, hsize_t first, hsize_t num_rows,
                 std::string const& what)
@@ -43,9 +57,9 @@ void selectRows(Handle const& space, Shape shape, hsize_t first, hsize_t num_row
   Shape start(shape.size(), 0);
   start[0] = first;
   shape[0] = num_rows;
-  check(H5Sselect_hyperslab(space.get(), H5S_SELECT_SET, start.data(), nullptr, shape.data(),
-                            nullptr),
-        "Selecting rows of " + what);
+  check(
+    H5Sselect_hyperslab(space.get(), H5S_SELECT_SET, start.data(), nullptr, shape.data(), nullptr),
+    "Selecting rows of " + what);
 }
 } // namespace
 
@@ -142,26 +156,32 @@ void Dataset::append(std::int64_t const* values, hsize_t num_rows)
 
 void Dataset::appendRaw(void const* values, hid_t memory_type, hsize_t num_rows)
 {
-  Shape extended = shape();
-  const hsize_t first = extended[0];
-  extended[0] += num_rows;
-  check(H5Dset_extent(handle_.get(), extended.data()), "Extending " + what_);
+  Shape extended = extend(num_rows);
+  const hsize_t first = extended[0] - num_rows;
   const Handle file_space(H5Dget_space(handle_.get()), H5Sclose, "Asking the shape of " + what_);
   selectRows(file_space, extended, first, num_rows, what_);
   extended[0] = num_rows;
   const Handle memory_space = makeSpace(extended, extended, what_);
-  check(H5Dwrite(handle_.get(), memory_type, memory_space.get(), file_space.get(), H5P_DEFAULT,
-                 values),
-        "Writing " + what_);
+  check(
+    H5Dwrite(handle_.get(), memory_type, memory_space.get(), file_space.get(), H5P_DEFAULT, values),
+    "Writing " + what_);
+}
+
+Shape Dataset::extend(hsize_t num_rows)
+{
+  Shape extended = shape();
+  extended[0] += num_rows;
+  check(H5Dset_extent(handle_.get(), extended.data()), "Extending " + what_);
+  return extended;
 }
 
 Group Group::createGroup(std::string const& path)
 {
   const Handle links = parentsAreMade(describe(path));
-  return Group(Handle(H5Gcreate2(handle_.get(), path.c_str(), links.get(), H5P_DEFAULT,
-                                 H5P_DEFAULT),
-                      H5Gclose, "Creating " + describe(path)),
-               describe(path));
+  return Group(
+    Handle(H5Gcreate2(handle_.get(), path.c_str(), links.get(), H5P_DEFAULT, H5P_DEFAULT), H5Gclose,
+           "Creating " + describe(path)),
+    describe(path));
 }
 
 Group Group::openGroup(std::string const& path) const
@@ -182,8 +202,8 @@ Dataset Group::createWith(std::string const& path, hid_t type, Handle const& spa
                           Handle const& properties)
 {
   const Handle links = parentsAreMade(describe(path));
-  return Dataset(Handle(H5Dcreate2(handle_.get(), path.c_str(), type, space.get(),
-                                   links.get(), properties.get(), H5P_DEFAULT),
+  return Dataset(Handle(H5Dcreate2(handle_.get(), path.c_str(), type, space.get(), links.get(),
+                                   properties.get(), H5P_DEFAULT),
                         H5Dclose, "Creating " + describe(path)),
                  describe(path));
 }
@@ -205,21 +225,23 @@ Dataset Group::createTexts(std::string const& path, std::vector<std::string> con
   for (auto const& text : texts) {
     pointers.push_back(text.c_str());
   }
-  check(H5Dwrite(dataset.handle_.get(), type.get(), H5S_ALL, H5S_ALL, H5P_DEFAULT,
-                 pointers.data()),
+  check(H5Dwrite(dataset.handle_.get(), type.get(), H5S_ALL, H5S_ALL, H5P_DEFAULT, pointers.data()),
         "Writing " + what);
   return dataset;
 }
 
 Dataset Group::createExtendable(std::string const& path, Type type, Shape const& row_shape,
-                                hsize_t rows_per_chunk)
+                                hsize_t rows_per_chunk, bool shared)
 {
   const int compression_level = 4;
   const std::string what = describe(path);
   const Handle properties = makeProperties(H5P_DATASET_CREATE, what);
-  const Shape chunk = withRows(rows_per_chunk, row_shape);
+  const Shape chunk = chunkOf(rows_per_chunk, row_shape);
   check(H5Pset_chunk(properties.get(), static_cast<int>(chunk.size()), chunk.data()),
         "Chunking " + what);
+  if (shared) {
+    check(H5Pset_alloc_time(properties.get(), H5D_ALLOC_TIME_EARLY), "Allocating " + what);
+  }
   check(H5Pset_shuffle(properties.get()), "Shuffling " + what);
   check(H5Pset_deflate(properties.get(), compression_level), "Compressing " + what);
   return createWith(path, native(type),
@@ -255,9 +277,9 @@ Dataset Group::createVirtual(std::string const& path, Type type, Shape const& ro
     const Shape part_shape = withRows(part.num_rows, row_shape);
     const Handle source = makeSpace(part_shape, part_shape, what);
     selectRows(space, shape, first, part.num_rows, what);
-    check(H5Pset_virtual(properties.get(), space.get(), part.file.c_str(), path.c_str(),
-                         source.get()),
-          "Mapping " + part.file + " into " + what);
+    check(
+      H5Pset_virtual(properties.get(), space.get(), part.file.c_str(), path.c_str(), source.get()),
+      "Mapping " + part.file + " into " + what);
     first += part.num_rows;
   }
   H5Sselect_all(space.get());

@@ -4,6 +4,7 @@
 #include "base/NearestName.hpp"
 #include "io/detail/CurveOrder.hpp"
 #include "io/detail/Gather.hpp"
+#include "mesh/SimplexGeometry.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -13,38 +14,15 @@ namespace asperity::io
 {
 namespace
 {
-// Length, area or volume of the simplex with these N corners, by orthogonalising its edges.
+// Length, area or volume of a cell or a facet.
 template <int Dim, std::size_t N>
-double measure(Mesh<Dim> const& mesh, std::array<int, N> const& corners)
+double measure(std::array<Point<Dim>, N> const& corners)
 {
-  double product = 1;
-  std::vector<Point<Dim>> directions;
-  for (std::size_t k = 1; k < N; ++k) {
-    Point<Dim> edge;
-    for (int d = 0; d < Dim; ++d) {
-      edge[d] = mesh.vertices[corners[k]][d] - mesh.vertices[corners[0]][d];
-    }
-    for (auto const& direction : directions) {
-      double along = 0;
-      for (int d = 0; d < Dim; ++d) {
-        along += edge[d] * direction[d];
-      }
-      for (int d = 0; d < Dim; ++d) {
-        edge[d] -= along * direction[d];
-      }
-    }
-    double square = 0;
-    for (int d = 0; d < Dim; ++d) {
-      square += edge[d] * edge[d];
-    }
-    const double length = std::sqrt(square);
-    product *= length / static_cast<double>(k);
-    for (int d = 0; d < Dim; ++d) {
-      edge[d] /= length;
-    }
-    directions.push_back(edge);
+  if constexpr (N == Dim + 1) {
+    return std::abs(mesh::signedMeasure(corners));
+  } else {
+    return mesh::facetMeasure(corners);
   }
-  return product;
 }
 
 // An element belongs to the rank that owns its vertex of least global id.
@@ -64,7 +42,8 @@ Location ownedNodes(std::string const& name, Mesh<Dim> const& mesh,
 {
   std::map<int, double> weight_of_vertex;
   for (auto const& element : elements) {
-    const double share = measure(mesh, element) / static_cast<double>(element.size());
+    const auto corners = mesh::corners(mesh, element);
+    const double share = measure<Dim>(corners) / static_cast<double>(element.size());
     for (const int vertex : element) {
       if (vertex < mesh.num_owned) {
         weight_of_vertex[vertex] += share;
@@ -86,6 +65,27 @@ Location ownedNodes(std::string const& name, Mesh<Dim> const& mesh,
   return location;
 }
 
+// Of the elements that this rank owns; number_of: from the local vertex to the node's number.
+template <int Dim, class Element, class Numbering>
+void addElements(Location& location, Mesh<Dim> const& mesh, std::vector<Element> const& elements,
+                 Numbering const& number_of)
+{
+  for (auto const& element : elements) {
+    if (!isOwned(mesh, element)) {
+      continue;
+    }
+    const auto corners = mesh::corners(mesh, element);
+    bool wraps = false;
+    for (std::size_t k = 0; k < element.size(); ++k) {
+      wraps = wraps || corners[k] != mesh.vertices[element[k]];
+      location.connectivity.push_back(number_of(element[k]));
+      location.corners.insert(location.corners.end(), corners[k].begin(), corners[k].end());
+    }
+    location.wraps.push_back(wraps ? 1 : 0);
+  }
+  location.is_periodic = mesh.period != Point<Dim>{};
+}
+
 // `order`: the global ids of all nodes of the location by number, on every rank.
 template <int Dim, class Element>
 void number(Location& location, Mesh<Dim> const& mesh, std::vector<Element> const& elements,
@@ -99,15 +99,8 @@ void number(Location& location, Mesh<Dim> const& mesh, std::vector<Element> cons
   for (const GlobalOrdinal id : location.vertex_ids) {
     location.node_numbers.push_back(number_of_id.at(id));
   }
-  for (auto const& element : elements) {
-    if (isOwned(mesh, element)) {
-      for (const int vertex : element) {
-        auto const& point = mesh.vertices[vertex];
-        location.connectivity.push_back(number_of_id.at(mesh.global_ids[vertex]));
-        location.corners.insert(location.corners.end(), point.begin(), point.end());
-      }
-    }
-  }
+  addElements(location, mesh, elements,
+              [&](int vertex) { return number_of_id.at(mesh.global_ids[vertex]); });
 }
 
 std::vector<GlobalOrdinal> orderById(Location const& location)
@@ -153,12 +146,13 @@ Location boundaryLocation(std::string const& name, Mesh<Dim> const& mesh,
   }
   const auto found = mesh.boundaries.find(boundary);
   ASPERITY_REQUIRE(found != mesh.boundaries.end(), "The mesh has no boundary '"
-                     << boundary << "' to be the " << name << "." << didYouMean(boundary, known));
+                                                     << boundary << "' to be the " << name << "."
+                                                     << didYouMean(boundary, known));
   auto const& facets = found->second;
   Location location = ownedNodes(name, mesh, facets, comm);
   const double nodes = detail::sumOverRanks(static_cast<double>(location.numOwned()), *comm);
   ASPERITY_REQUIRE(nodes > 0, "The boundary '" << boundary << "', to be the " << name
-                                << ", has no facets. Check the mesh.");
+                                               << ", has no facets. Check the mesh.");
   if constexpr (Dim == 2) {
     const detail::CurveOrder order = orderAlong(location, mesh, facets);
     number(location, mesh, facets, order.vertex_ids);
@@ -175,7 +169,9 @@ template <int Dim>
 Location volumeLocation(Mesh<Dim> const& mesh, RCP<const Communicator> const& comm)
 {
   Location location = ownedNodes("volume", mesh, mesh.cells, comm);
-  number(location, mesh, mesh.cells, orderById(location));
+  location.num_global_nodes = mesh.num_global_vertices;
+  location.node_numbers = location.vertex_ids; // every vertex is in a cell: no rank counts them all
+  addElements(location, mesh, mesh.cells, [&](int vertex) { return mesh.global_ids[vertex]; });
   return location;
 }
 

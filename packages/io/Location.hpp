@@ -16,20 +16,25 @@ namespace asperity::io
 // numbered by position, elsewhere by the vertices' global ids.
 struct Location
 {
-  std::string name;                          // "fault", "surface", "volume"
-  int dimension = 0;                         // of space
-  int nodes_per_element = 0;                 // 2 segments, 3 triangles, 4 tetrahedra
+  std::string name;          // "fault", "surface", "volume"
+  int dimension = 0;         // of space
+  int nodes_per_element = 0; // 2 segments, 3 triangles, 4 tetrahedra
   GlobalOrdinal num_global_nodes = 0;
   RCP<const Communicator> comm;
 
-  std::vector<int> vertices;                 // (num_owned) local vertices of the mesh
-  std::vector<GlobalOrdinal> vertex_ids;     // (num_owned) global ids in the mesh
-  std::vector<GlobalOrdinal> node_numbers;   // (num_owned) numbers within the location
-  std::vector<double> coordinates;           // (num_owned, dimension) [m]
-  std::vector<double> weights;               // (num_owned) lumped measure [m], [m^2] or [m^3]
-  std::vector<double> positions;             // (num_owned) arc length [m]; empty unless a curve
-  std::vector<GlobalOrdinal> connectivity;   // (num_owned_elements, nodes_per_element), by number
-  std::vector<double> corners; // (num_owned_elements, nodes_per_element, dimension) [m]
+  std::vector<int> vertices;               // (num_owned) local vertices of the mesh
+  std::vector<GlobalOrdinal> vertex_ids;   // (num_owned) global ids in the mesh
+  std::vector<GlobalOrdinal> node_numbers; // (num_owned) numbers within the location
+  std::vector<double> coordinates;         // (num_owned, dimension) [m]
+  std::vector<double> weights;             // (num_owned) lumped measure [m], [m^2] or [m^3]
+  std::vector<double> positions;           // (num_owned) arc length [m]; empty unless a curve
+  std::vector<GlobalOrdinal> connectivity; // (num_owned_elements, nodes_per_element), by number
+  std::vector<double> corners;             // (num_owned_elements, nodes_per_element, dimension) [m]
+
+  // Where the mesh is periodic an element may reach across: its corners above are those of one
+  // piece, unlike the coordinates of its nodes.
+  bool is_periodic = false;
+  std::vector<char> wraps; // (num_owned_elements) 1 where the element reaches across
 
   std::size_t numOwned() const { return vertices.size(); }
   std::size_t numOwnedElements() const { return connectivity.size() / nodes_per_element; }
@@ -46,7 +51,7 @@ template <int Dim>
 Location boundaryLocation(std::string const& name, Mesh<Dim> const& mesh,
                           std::string const& boundary, RCP<const Communicator> const& comm);
 
-// All vertices and cells, under the name "volume". Collective.
+// All vertices and cells, under the name "volume".
 template <int Dim>
 Location volumeLocation(Mesh<Dim> const& mesh, RCP<const Communicator> const& comm);
 } // namespace asperity::io

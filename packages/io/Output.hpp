@@ -9,6 +9,7 @@
 
 #include <Teuchos_ParameterList.hpp>
 
+#include <array>
 #include <cstdint>
 #include <filesystem>
 #include <map>
@@ -34,7 +35,8 @@ struct OutputContext
   RCP<const Communicator> comm;
   FieldRegistry const& fields;
   std::map<std::string, Location> const& locations; // by name
-  TextFormat text = {};                             // the OutputSet fills it from the deck
+  TextFormat text = {};                             // the OutputSet fills these from the deck
+  std::array<double, 3> up{0, 1, 0};                // direction, in three dimensions
 
   // InputError that says what to change in the deck if there is no such location.
   Location const& location(std::string const& name) const;

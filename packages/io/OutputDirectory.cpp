@@ -24,10 +24,15 @@ constexpr char const* platform_folders[] = {"seas", "scec"};
 constexpr char const* platform_files[] = {"fltst_",   "blkst_",     "fault",       "body",
                                           "slip.dat", "global.dat", "rupture.dat", "cplot"};
 
-// "fault_000012.h5"
+// "fault_000012.h5", "fault_geometry.h5"
 bool isSegment(fs::path const& file)
 {
   const std::string stem = file.stem().string();
+  const std::string geometry = "_geometry";
+  if (file.extension() == ".h5" && stem.size() > geometry.size() &&
+      stem.compare(stem.size() - geometry.size(), geometry.size(), geometry) == 0) {
+    return true;
+  }
   const std::size_t digits = stem.find_last_of('_') + 1;
   return file.extension() == ".h5" && digits > 1 && stem.size() - digits >= 6 &&
          std::all_of(stem.begin() + digits, stem.end(),

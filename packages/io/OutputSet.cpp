@@ -5,6 +5,10 @@
 #include "io/detail/PointLocation.hpp"
 #include "io/outputs/EventCatalogue.hpp"
 
+#include <Teuchos_Array.hpp>
+
+#include <cmath>
+
 namespace asperity::io
 {
 Teuchos::RCP<const Teuchos::ParameterList> OutputSet::validParameters()
@@ -14,6 +18,32 @@ Teuchos::RCP<const Teuchos::ParameterList> OutputSet::validParameters()
   return list;
 }
 
+namespace
+{
+void declareUp(Declare& parameters)
+{
+  parameters.realArray("Up", std::vector<double>{0, 1, 0}, "-", Range::any(),
+                       "Direction up, in three dimensions: strike and dip of the fault follow from "
+                       "it. Its length does not matter.");
+}
+
+std::array<double, 3> upIn(Teuchos::ParameterList const& output)
+{
+  ParameterList list;
+  if (output.isParameter("Up")) {
+    list.setEntry("Up", output.getEntry("Up"));
+  }
+  Declare valid;
+  declareUp(valid);
+  completeAndValidate(list, *valid.list(), "Asperity / Output");
+  auto const& up = list.get<Teuchos::Array<double>>("Up");
+  ASPERITY_REQUIRE(up.size() == 3 && std::hypot(up[0], up[1], up[2]) > 0,
+                   "Asperity / Output / Up has to be three numbers, not all of them zero. For "
+                   "example {0, 1, 0}.");
+  return {up[0], up[1], up[2]};
+}
+} // namespace
+
 void OutputSet::declare(Teuchos::ParameterList& list)
 {
   Declare parameters(list);
@@ -21,6 +51,7 @@ void OutputSet::declare(Teuchos::ParameterList& list)
     const auto kind = OutputRegistry::instance().create(name, "Output");
     parameters.sublist(name, kind->validParameters(), kind->meaning());
   }
+  declareUp(parameters);
   TextFormat::declare(parameters);
 }
 
@@ -40,6 +71,7 @@ OutputSet::OutputSet(Teuchos::ParameterList const& parameters, OutputContext con
 {
   OutputContext context = given;
   context.text = textFormat(parameters, given);
+  context.up = upIn(parameters);
   platform_ = context.text.platform;
   for (auto const& name : OutputRegistry::instance().names()) {
     const auto kind = OutputRegistry::instance().create(name, "Output");

@@ -26,7 +26,7 @@ detail::SeriesLayout makeLayout(SegmentedSeries::Options const& options, Locatio
   return layout;
 }
 
-// Chunks of at most 1 MiB, so that long rows neither fill the memory nor slow down reading.
+// Chunks of about 1 MiB, so that long rows neither fill the memory nor slow down reading.
 std::size_t rowsPerWrite(SegmentedSeries::Options const& options,
                          detail::SeriesLayout const& layout)
 {
@@ -38,25 +38,24 @@ std::size_t rowsPerWrite(SegmentedSeries::Options const& options,
   return std::clamp<std::size_t>(largest_chunk / longest_row, 1, options.rows_per_write);
 }
 
-detail::SegmentedTable::Options tableOf(detail::SeriesLayout const& layout,
-                                        Location const& location,
-                                        detail::WholeGeometry const& geometry,
-                                        std::size_t rows_per_write)
+detail::SegmentedTable::Options tableOf(SegmentedSeries::Options const& given,
+                                        detail::SeriesLayout const& layout,
+                                        Location const& location)
 {
   detail::SegmentedTable::Options options;
   options.directory = layout.directory;
   options.name = layout.name;
-  options.rows_per_write = rows_per_write;
+  options.rows_per_write = rowsPerWrite(given, layout);
+  options.nodes = &location;
   options.columns = detail::timeColumns();
   for (auto const& field : layout.fields) {
-    options.columns.push_back(
-      {"fields/" + field.name, field.unit, field.description, layout.type, layout.rowShape(field)});
+    options.columns.push_back({"fields/" + field.name, field.unit, field.description, layout.type,
+                               layout.rowShape(field), true});
   }
-  options.describe_index = [&](h5::File& file) {
+  options.describe_index = [name = location.name](h5::File& file) {
     file.setAttribute("format", "asperity series");
     file.setAttribute("format_version", std::int64_t(1));
-    file.setAttribute("location", location.name);
-    detail::writeGeometry(file, location, geometry);
+    file.setAttribute("location", name);
     file.createGroup("fields"); // also where there is none
   };
   return options;
@@ -68,53 +67,28 @@ SegmentedSeries::SegmentedSeries(Options const& options, Location const& locatio
     : location_(location)
     , fields_(fields)
     , layout_(makeLayout(options, location, fields))
-    , gather_(location)
-    , geometry_(detail::gatherGeometry(location, gather_))
-    , rows_per_write_(rowsPerWrite(options, layout_))
-    , table_(tableOf(layout_, location_, geometry_, rows_per_write_), location.comm)
+    , table_(tableOf(options, layout_, location), location.comm)
 {
-  waiting_.values.resize(fields_.size());
 }
 
 void SegmentedSeries::append(StepInfo const& step)
 {
-  waiting_.times.push_back(step.time);
-  waiting_.steps.push_back(static_cast<double>(step.step));
+  std::vector<std::vector<double>> columns{{step.time}, {static_cast<double>(step.step)}};
+  for (Field const* field : fields_) {
+    columns.emplace_back();
+    field->values(columns.back());
+    ASPERITY_ASSERT(columns.back().size() == location_.numOwned() * field->components);
+  }
   times_.push_back(step.time);
-  std::vector<double> values;
-  for (std::size_t i = 0; i < fields_.size(); ++i) {
-    fields_[i]->values(values);
-    ASPERITY_ASSERT(values.size() == location_.numOwned() * fields_[i]->components);
-    waiting_.values[i].insert(waiting_.values[i].end(), values.begin(), values.end());
-  }
-  if (waiting_.times.size() >= rows_per_write_) {
-    collectRows();
-  }
-}
-
-void SegmentedSeries::collectRows()
-{
-  const std::size_t rows = waiting_.times.size();
-  if (rows == 0) {
-    return;
-  }
-  std::vector<std::vector<double>> columns{waiting_.times, waiting_.steps};
-  for (std::size_t i = 0; i < fields_.size(); ++i) {
-    columns.push_back(gather_(waiting_.values[i], rows, fields_[i]->components));
-    waiting_.values[i].clear();
-  }
-  waiting_.times.clear();
-  waiting_.steps.clear();
-  table_.append(rows, columns);
+  table_.append(1, columns);
 }
 
 void SegmentedSeries::closeSegment(int index)
 {
-  collectRows();
   table_.closeSegment(index);
   detail::onRoot(*location_.comm, [&] {
     if (index == 0) {
-      detail::startXdmf(layout_, geometry_);
+      detail::startXdmf(layout_, table_.geometry());
     }
     const std::int64_t rows = table_.rowsOfSegment().back();
     detail::appendToXdmf(layout_, index, times_.data() + times_.size() - rows, rows);
@@ -132,7 +106,7 @@ void SegmentedSeries::restore(Archive const& archive)
   table_.restore(archive);
   times_ = archive.get<std::vector<double>>("times");
   detail::onRoot(*location_.comm, [&] {
-    detail::startXdmf(layout_, geometry_);
+    detail::startXdmf(layout_, table_.geometry());
     double const* times = times_.data();
     for (std::size_t i = 0; i < table_.rowsOfSegment().size(); ++i) {
       detail::appendToXdmf(layout_, i, times, table_.rowsOfSegment()[i]);

@@ -4,7 +4,6 @@
 #include "io/FieldRegistry.hpp"
 #include "io/Location.hpp"
 #include "io/Output.hpp"
-#include "io/detail/NodeGather.hpp"
 #include "io/detail/SegmentedTable.hpp"
 #include "io/detail/SeriesLayout.hpp"
 
@@ -18,7 +17,7 @@ namespace asperity::io
 // Fields of one location over time, in closed segments tied together by the index DIR/<name>.h5 and
 // by DIR/<name>.xdmf. README.md has the layout.
 //
-// Rows are kept in memory, then collected on rank 0, which writes. Until closeSegment they may be
+// Rows are kept in memory, then written by all ranks together. Until closeSegment they may be
 // lost; what was closed before stays whole whatever happens. All functions are collective.
 class SegmentedSeries
 {
@@ -50,22 +49,10 @@ public:
   void restore(Archive const& archive);
 
 private:
-  void collectRows();
-
   Location const& location_;
   std::vector<Field const*> fields_;
   detail::SeriesLayout layout_;
-  detail::NodeGather gather_;
-  detail::WholeGeometry geometry_;
-  std::size_t rows_per_write_;
   detail::SegmentedTable table_;
   std::vector<double> times_; // of all rows [s]
-
-  struct Waiting
-  {
-    std::vector<double> times, steps;
-    std::vector<std::vector<double>> values; // by field: (rows, num_owned, components)
-  };
-  Waiting waiting_;
 };
 } // namespace asperity::io

@@ -3,227 +3,260 @@
 #include "base/Errors.hpp"
 #include "base/Text.hpp"
 #include "mesh/SimplexGeometry.hpp"
+#include "mesh/detail/MarkedSimplex.hpp"
+#include "mesh/detail/VertexEstimate.hpp"
 
-#include <algorithm>
-#include <cmath>
-#include <cstdint>
-#include <unordered_map>
+#include <tuple>
 
 namespace asperity::mesh
 {
 namespace
 {
+using detail::Edge;
+
 constexpr std::size_t most_vertices = 10'000'000;
 
-// Triangles (i, j, k) with refinement edge i-j and newest vertex k. A sweep marks the refinement
-// edges of the cells that are too large, marks more until every cell with a marked edge has its
-// refinement edge marked too, and bisects along all marked edges. Marking more ends because there
-// are finitely many edges, whatever the refinement edges of the first cells are.
-class NewestVertexBisection
+// A sweep marks the refinement edges of the cells that are too large, marks more until every cell
+// with a marked edge has its refinement edge marked too, and bisects along all marked edges.
+// Marking more ends because there are finitely many edges, whatever the refinement edges of the
+// first cells are. Triangles are then conforming. Tetrahedra may have children with a marked edge
+// that is not their refinement edge: the same again until there are none.
+template <int Dim>
+class Bisection
 {
 public:
-  explicit NewestVertexBisection(GlobalMesh<2> const& mesh) : mesh_(mesh)
+  explicit Bisection(GlobalMesh<Dim> const& mesh) : mesh_(mesh)
   {
-    for (auto& cell : mesh_.cells) {
-      turnLongestEdgeFirst(cell);
+    const detail::IsLonger is_longer = [this](Edge const& a, Edge const& b) {
+      return rank(a) > rank(b);
+    };
+    cells_.reserve(mesh.cells.size());
+    for (std::size_t c = 0; c < mesh.cells.size(); ++c) {
+      cells_.push_back({{mesh.cells[c], is_longer}, mesh.cell_regions[c], false});
+    }
+    for (auto const& [name, facets] : mesh.boundaries) {
+      auto& marked = facets_[name];
+      for (auto const& facet : facets) {
+        marked.push_back({facet, is_longer});
+      }
     }
   }
 
   // False if no cell was too large.
-  bool sweep(SizeFunction const& largest_diameter)
+  bool sweep(SizeFunction<Dim> const& largest_diameter)
   {
     markLargeCells(largest_diameter);
     if (midpoints_.empty()) {
       return false;
     }
     closeMarks();
-    createMidpoints();
-    bisectCells();
+    do {
+      createMidpoints();
+      bisectCells();
+    } while (closeMarks());
     bisectFacets();
     midpoints_.clear();
     return true;
   }
 
-  GlobalMesh<2> const& mesh() const { return mesh_; }
+  std::size_t numVertices() const { return mesh_.vertices.size(); }
+
+  GlobalMesh<Dim> mesh() const
+  {
+    auto result = mesh_;
+    result.cells.clear();
+    result.cell_regions.clear();
+    for (auto const& cell : cells_) {
+      result.cells.push_back(cell.simplex.vertices());
+      result.cell_regions.push_back(cell.region);
+    }
+    for (auto& [name, facets] : result.boundaries) {
+      facets.clear();
+      for (auto const& facet : facets_.at(name)) {
+        facets.push_back(facet.vertices());
+      }
+    }
+    return result;
+  }
 
 private:
-  using Cell = GlobalMesh<2>::Cell;
-  using Facet = GlobalMesh<2>::Facet;
+  using Simplex = detail::MarkedSimplex<Dim>;
+  using Facet = detail::MarkedSimplex<Dim - 1>;
+  struct Cell
+  {
+    Simplex simplex;
+    int region;
+    bool is_small; // enough, as far as is known
+  };
   static constexpr int unknown = -1;
 
-  void turnLongestEdgeFirst(Cell& cell) const
+  // In the order of the edges' lengths.
+  std::tuple<double, int, int> rank(Edge edge) const
   {
-    const auto length = [&](Cell const& c) {
-      return distance<2>(mesh_.vertices[c[0]], mesh_.vertices[c[1]]);
-    };
-    const Cell turned[] = {cell, {cell[1], cell[2], cell[0]}, {cell[2], cell[0], cell[1]}};
-    for (auto const& candidate : turned) {
-      if (length(candidate) > length(cell)) {
-        cell = candidate;
+    std::sort(edge.begin(), edge.end());
+    return {longestEdge(corners(mesh_, edge)), edge[0], edge[1]};
+  }
+
+  static Edge edgeOf(Simplex const& simplex, Edge const& ends)
+  {
+    return {simplex.vertices()[ends[0]], simplex.vertices()[ends[1]]};
+  }
+
+  void markLargeCells(SizeFunction<Dim> const& largest_diameter)
+  {
+    for (auto& cell : cells_) {
+      if (!cell.is_small) {
+        const auto points = corners(mesh_, cell.simplex.vertices());
+        const double allowed = largest_diameter(points);
+        ASPERITY_ASSERT(allowed > 0.0);
+        cell.is_small = longestEdge(points) <= allowed;
+      }
+      if (!cell.is_small) {
+        midpoints_.add(cell.simplex.refinementEdge(), unknown);
       }
     }
   }
 
-  static std::uint64_t key(int i, int j)
+  bool hasMarkedEdge(Simplex const& simplex)
   {
-    const auto low = static_cast<std::uint64_t>(std::min(i, j));
-    return (low << 32) | static_cast<std::uint64_t>(std::max(i, j));
-  }
-  bool isMarked(int i, int j) const { return midpoints_.count(key(i, j)) > 0; }
-  bool mark(int i, int j) { return midpoints_.emplace(key(i, j), unknown).second; }
-
-  void markLargeCells(SizeFunction const& largest_diameter)
-  {
-    for (auto const& cell : mesh_.cells) {
-      const auto triangle = corners<2>(mesh_.vertices, cell);
-      const double allowed = largest_diameter(triangle);
-      ASPERITY_ASSERT(allowed > 0.0);
-      if (longestEdge(triangle) > allowed) {
-        mark(cell[0], cell[1]);
-      }
-    }
+    return std::any_of(Simplex::edges.begin(), Simplex::edges.end(), [&](Edge const& ends) {
+      return midpoints_.find(edgeOf(simplex, ends)) != nullptr;
+    });
   }
 
-  void closeMarks()
+  // False if all was closed.
+  bool closeMarks()
   {
+    bool has_marked = false;
     for (bool has_changed = true; has_changed;) {
       has_changed = false;
-      for (auto const& [i, j, k] : mesh_.cells) {
-        if ((isMarked(j, k) || isMarked(k, i)) && mark(i, j)) {
+      for (auto const& cell : cells_) {
+        if (hasMarkedEdge(cell.simplex) && midpoints_.add(cell.simplex.refinementEdge(), unknown)) {
           has_changed = true;
         }
       }
+      has_marked = has_marked || has_changed;
     }
+    return has_marked;
   }
 
   // In the order of the cells, so that the numbers do not depend on the hash table.
   void createMidpoints()
   {
-    for (auto const& cell : mesh_.cells) {
-      for (int e = 0; e < 3; ++e) {
-        createMidpoint(cell[e], cell[(e + 1) % 3]);
+    for (auto const& cell : cells_) {
+      for (auto const& ends : Simplex::edges) {
+        const Edge edge = edgeOf(cell.simplex, ends);
+        int* midpoint = midpoints_.find(edge);
+        if (midpoint && *midpoint == unknown) {
+          *midpoint = static_cast<int>(mesh_.vertices.size());
+          mesh_.vertices.push_back(centroid(corners(mesh_, edge)));
+        }
       }
-    }
-  }
-
-  void createMidpoint(int i, int j)
-  {
-    const auto found = midpoints_.find(key(i, j));
-    if (found != midpoints_.end() && found->second == unknown) {
-      auto const &a = mesh_.vertices[i], &b = mesh_.vertices[j];
-      found->second = static_cast<int>(mesh_.vertices.size());
-      mesh_.vertices.push_back({0.5 * (a[0] + b[0]), 0.5 * (a[1] + b[1])});
     }
   }
 
   void bisectCells()
   {
     std::vector<Cell> cells;
-    std::vector<int> regions;
-    cells.swap(mesh_.cells);
-    regions.swap(mesh_.cell_regions);
-    for (std::size_t c = 0; c < cells.size(); ++c) {
-      bisectCell(cells[c], regions[c]);
+    cells.swap(cells_);
+    cells_.reserve(2 * cells.size());
+    for (auto const& cell : cells) {
+      bisectCell(cell);
     }
   }
 
-  void bisectCell(Cell const& cell, int region)
+  void bisectCell(Cell const& cell)
   {
-    const auto [i, j, k] = cell;
-    const auto found = midpoints_.find(key(i, j));
-    if (found == midpoints_.end()) {
-      mesh_.cells.push_back(cell);
-      mesh_.cell_regions.push_back(region);
+    int const* midpoint = midpoints_.find(cell.simplex.refinementEdge());
+    if (!midpoint) {
+      cells_.push_back(cell);
       return;
     }
-    const int newest = found->second;
-    bisectCell({k, i, newest}, region);
-    bisectCell({j, k, newest}, region);
+    for (auto const& child : cell.simplex.children(*midpoint)) {
+      bisectCell({child, cell.region, false});
+    }
   }
 
   void bisectFacets()
   {
-    for (auto& [name, facets] : mesh_.boundaries) {
-      std::vector<Facet> halves;
-      for (auto const& [i, j] : facets) {
-        const auto found = midpoints_.find(key(i, j));
-        if (found == midpoints_.end()) {
-          halves.push_back({i, j});
-        } else {
-          halves.push_back({i, found->second});
-          halves.push_back({found->second, j});
-        }
+    for (auto& boundary : facets_) {
+      std::vector<Facet> facets;
+      facets.swap(boundary.second);
+      for (auto const& facet : facets) {
+        bisectFacet(facet, boundary.second);
       }
-      facets = std::move(halves);
     }
   }
 
-  GlobalMesh<2> mesh_;
-  std::unordered_map<std::uint64_t, int> midpoints_; // marked edge -> vertex, or unknown
+  void bisectFacet(Facet const& facet, std::vector<Facet>& facets)
+  {
+    int const* midpoint = midpoints_.find(facet.refinementEdge());
+    if (!midpoint) {
+      facets.push_back(facet);
+      return;
+    }
+    for (auto const& child : facet.children(*midpoint)) {
+      bisectFacet(child, facets);
+    }
+  }
+
+  GlobalMesh<Dim> mesh_; // its cells and boundaries are the first ones
+  std::vector<Cell> cells_;
+  std::map<std::string, std::vector<Facet>> facets_;
+  detail::EdgeTable midpoints_; // marked edge -> vertex, or unknown
 };
 
-// Fewer vertices than a triangle will have: none of its cells is larger than an equilateral one of
-// the largest diameter allowed at its corners, and there are two cells a vertex. Where that varies,
-// its quarters are asked.
-double fewestVertices(Triangle const& t, SizeFunction const& largest_diameter, int depth)
-{
-  std::array<double, 3> allowed{};
-  for (int i = 0; i < 3; ++i) {
-    allowed[i] = largest_diameter({t[i], t[i], t[i]});
-  }
-  const auto [smallest, largest] = std::minmax_element(allowed.begin(), allowed.end());
-  if (depth == 0 || *largest <= 2.0 * *smallest) {
-    const double largest_cell = 0.25 * std::sqrt(3.0) * *largest * *largest;
-    return 0.5 * std::abs(signedMeasure(t)) / largest_cell;
-  }
-  const auto middle = [&t](int i, int j) {
-    return Point<2>{0.5 * (t[i][0] + t[j][0]), 0.5 * (t[i][1] + t[j][1])};
-  };
-  const Point<2> a = middle(1, 2), b = middle(2, 0), c = middle(0, 1);
-  double sum = 0.0;
-  for (Triangle const& quarter :
-       {Triangle{t[0], c, b}, Triangle{c, t[1], a}, Triangle{b, a, t[2]}, Triangle{a, b, c}}) {
-    sum += fewestVertices(quarter, largest_diameter, depth - 1);
-  }
-  return sum;
-}
-
 // Before hours of bisection, not after them.
-void refuseTooMany(GlobalMesh<2> const& mesh, SizeFunction const& largest_diameter)
+template <int Dim>
+void refuseTooMany(GlobalMesh<Dim> const& mesh, SizeFunction<Dim> const& largest_diameter)
 {
-  constexpr int depth = 6;
-  double sum = 0.0;
-  for (auto const& cell : mesh.cells) {
-    sum += fewestVertices(corners<2>(mesh.vertices, cell), largest_diameter, depth);
-  }
+  const double sum = detail::fewestVertices<Dim>(mesh, largest_diameter);
   ASPERITY_REQUIRE(sum <= most_vertices, "Mesh: cells of this size would have about "
                                            << formatShort(sum) << " vertices, more than "
                                            << most_vertices << ". Is the cell size meant in m?");
 }
-} // namespace
 
-GlobalMesh<2> bisect(GlobalMesh<2> const& mesh, SizeFunction const& largest_diameter)
+template <int Dim>
+GlobalMesh<Dim> bisected(GlobalMesh<Dim> const& mesh, SizeFunction<Dim> const& largest_diameter)
 {
-  refuseTooMany(mesh, largest_diameter);
-  NewestVertexBisection bisection(mesh);
+  refuseTooMany<Dim>(mesh, largest_diameter);
+  Bisection<Dim> bisection(mesh);
   while (bisection.sweep(largest_diameter)) {
-    ASPERITY_REQUIRE(bisection.mesh().vertices.size() <= most_vertices,
+    ASPERITY_REQUIRE(bisection.numVertices() <= most_vertices,
                      "Mesh: the cells would have more than "
                        << most_vertices << " vertices. Is the cell size meant in m?");
   }
   return bisection.mesh();
 }
 
-SizeFunction largestDiameter(CellSize const& size)
+template <int Dim>
+SizeFunction<Dim> diameterFrom(CellSize<Dim> const& size)
 {
-  return [size](Triangle const& cell) {
+  return [size](std::array<Point<Dim>, Dim + 1> const& cell) {
     double smallest = size(centroid(cell));
-    for (int i = 0; i < 3; ++i) {
-      auto const &a = cell[i], &b = cell[(i + 1) % 3];
-      smallest = std::min({smallest, size(a), size({0.5 * (a[0] + b[0]), 0.5 * (a[1] + b[1])})});
+    for (int i = 0; i <= Dim; ++i) {
+      smallest = std::min(smallest, size(cell[i]));
+      for (int j = 0; j < i; ++j) {
+        smallest = std::min(smallest, size(centroid(std::array<Point<Dim>, 2>{cell[i], cell[j]})));
+      }
     }
     constexpr double rounding = 1e-9;
-    return std::sqrt(2.0) * (1.0 + rounding) * smallest;
+    return std::sqrt(double(Dim)) * (1.0 + rounding) * smallest;
   };
 }
+} // namespace
+
+GlobalMesh<2> bisect(GlobalMesh<2> const& mesh, SizeFunction<2> const& largest_diameter)
+{
+  return bisected<2>(mesh, largest_diameter);
+}
+
+GlobalMesh<3> bisect(GlobalMesh<3> const& mesh, SizeFunction<3> const& largest_diameter)
+{
+  return bisected<3>(mesh, largest_diameter);
+}
+
+SizeFunction<2> largestDiameter(CellSize<2> const& size) { return diameterFrom<2>(size); }
+
+SizeFunction<3> largestDiameter(CellSize<3> const& size) { return diameterFrom<3>(size); }
 } // namespace asperity::mesh

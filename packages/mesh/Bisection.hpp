@@ -7,24 +7,30 @@
 namespace asperity::mesh
 {
 using Triangle = std::array<Point<2>, 3>;
+using Tetrahedron = std::array<Point<3>, 4>;
 
 // The largest diameter (longest edge, in m) that is allowed for a cell with these corners, which
 // may coincide; positive.
-using SizeFunction = std::function<double(Triangle const&)>;
+template <int Dim>
+using SizeFunction = std::function<double(std::array<Point<Dim>, Dim + 1> const&)>;
 
-// Refines triangles by newest vertex bisection until none exceeds its allowed diameter, and no more
-// than that and conformity ask for. The refinement edges of the given cells are their longest
-// edges. Regions and boundaries are inherited. Angles stay away from zero: descendants have at most
-// four shapes per cell given. Mitchell, ACM Trans. Math. Software 15 (1989), 326.
+// Refines a mesh by bisection until no cell exceeds its allowed diameter, and no more than that and
+// conformity ask for. Triangles: newest vertex bisection; tetrahedra: Arnold, Mukherjee & Pouly,
+// SIAM J. Sci. Comput. 22 (2000), 431. The refinement edges of the given cells are their longest
+// edges. Regions, boundaries and periods are inherited. Angles stay away from zero: a cell has
+// descendants of finitely many shapes, a triangle of four, a sixth of a cube of three.
 // InputError if that takes more than 10 million vertices; at once where an estimate is that high.
-GlobalMesh<2> bisect(GlobalMesh<2> const& mesh, SizeFunction const& largest_diameter);
+GlobalMesh<2> bisect(GlobalMesh<2> const& mesh, SizeFunction<2> const& largest_diameter);
+GlobalMesh<3> bisect(GlobalMesh<3> const& mesh, SizeFunction<3> const& largest_diameter);
 
 // The size of cells that is wanted at a point, in m; positive.
-using CellSize = std::function<double(Point<2> const&)>;
+template <int Dim>
+using CellSize = std::function<double(Point<Dim> const&)>;
 
-// The diameter that a cell size allows a cell: sqrt(2) times the smallest one found at its corners,
-// the midpoints of its edges and its centroid. The legs of a right isosceles triangle are then no
-// longer than the size; they are exactly as long if the size is that of the first cells' legs
-// divided by a power of two, and rounding does not count.
-SizeFunction largestDiameter(CellSize const& size);
+// The diameter that a cell size allows a cell: the square root of the dimension times the smallest
+// size found at its corners, the midpoints of its edges and its centroid. The sides of squares and
+// cubes cut into simplices are then no longer than the size; they are exactly as long if the size
+// is that of the first cells' sides divided by a power of two, and rounding does not count.
+SizeFunction<2> largestDiameter(CellSize<2> const& size);
+SizeFunction<3> largestDiameter(CellSize<3> const& size);
 } // namespace asperity::mesh

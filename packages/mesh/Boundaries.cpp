@@ -2,6 +2,7 @@
 
 #include "base/Errors.hpp"
 #include "mesh/SimplexGeometry.hpp"
+#include "mesh/detail/Agreement.hpp"
 #include "mesh/detail/FacetTable.hpp"
 
 #include <set>
@@ -10,19 +11,52 @@ namespace asperity::mesh
 {
 namespace
 {
-// The facets that belong to one cell only, outward, in the order of their vertices.
+// A facet by its vertices in the whole mesh, ascending.
 template <int Dim>
-std::vector<typename GlobalMesh<Dim>::Facet> outerFacets(GlobalMesh<Dim> const& mesh)
+using FacetKey = std::array<GlobalOrdinal, Dim>;
+
+template <int Dim>
+FacetKey<Dim> keyOf(GlobalMesh<Dim> const&, typename Mesh<Dim>::Facet const& facet)
+{
+  FacetKey<Dim> key;
+  std::copy(facet.begin(), facet.end(), key.begin());
+  return detail::sorted(key);
+}
+template <int Dim>
+FacetKey<Dim> keyOf(Mesh<Dim> const& part, typename Mesh<Dim>::Facet const& facet)
+{
+  FacetKey<Dim> key;
+  std::transform(facet.begin(), facet.end(), key.begin(),
+                 [&](int vertex) { return part.global_ids[static_cast<std::size_t>(vertex)]; });
+  return detail::sorted(key);
+}
+
+// Whether all cells of a facet are here: a rank has those that touch its vertices.
+template <int Dim>
+bool isComplete(GlobalMesh<Dim> const&, typename Mesh<Dim>::Facet const&)
+{
+  return true;
+}
+template <int Dim>
+bool isComplete(Mesh<Dim> const& part, typename Mesh<Dim>::Facet const& facet)
+{
+  return std::any_of(facet.begin(), facet.end(),
+                     [&](int vertex) { return vertex < part.num_owned; });
+}
+
+// The facets that belong to one cell only, outward.
+template <template <int> class AnyMesh, int Dim>
+std::vector<typename Mesh<Dim>::Facet> outerFacets(AnyMesh<Dim> const& mesh)
 {
   const detail::FacetTable<Dim> table(mesh.cells);
   auto const& entries = table.entries();
-  std::vector<typename GlobalMesh<Dim>::Facet> outer;
+  std::vector<typename Mesh<Dim>::Facet> outer;
   for (std::size_t first = 0; first < entries.size();) {
     std::size_t last = first + 1;
     while (last < entries.size() && entries[last].key == entries[first].key) {
       ++last;
     }
-    if (last - first == 1) {
+    if (last - first == 1 && isComplete(mesh, entries[first].outward)) {
       outer.push_back(entries[first].outward);
     }
     first = last;
@@ -30,40 +64,40 @@ std::vector<typename GlobalMesh<Dim>::Facet> outerFacets(GlobalMesh<Dim> const& 
   return outer;
 }
 
-// Outer facets that a condition gives a name, found by their sorted vertices.
-template <int Dim>
+// Outer facets that a condition gives a name.
+template <template <int> class AnyMesh, int Dim>
 class NamedFacets
 {
 public:
-  using Facet = typename GlobalMesh<Dim>::Facet;
+  using Facet = typename Mesh<Dim>::Facet;
 
-  NamedFacets(GlobalMesh<Dim> const& mesh, std::vector<NamedCondition<Dim>> const& conditions)
+  NamedFacets(AnyMesh<Dim> const& mesh, std::vector<NamedCondition<Dim>> const& conditions)
+      : mesh_(mesh)
   {
     for (auto const& facet : outerFacets(mesh)) {
-      const auto centre = centroid(corners<Dim>(mesh.vertices, facet));
+      const auto centre = centroid(corners(mesh, facet));
       for (auto const& condition : conditions) {
         if (condition.holds(centre)) {
-          named_[detail::sorted(facet)] = {condition.name, facet};
+          named_[keyOf(mesh, facet)] = {condition.name, facet};
         }
       }
     }
   }
 
-  bool contains(Facet const& facet) const { return named_.count(detail::sorted(facet)) > 0; }
+  bool contains(Facet const& facet) const { return named_.count(keyOf(mesh_, facet)) > 0; }
 
-  void requireAll(std::vector<NamedCondition<Dim>> const& conditions,
-                  std::string const& where) const
+  // 1 for every condition whose name a facet has.
+  std::vector<int> areUsed(std::vector<NamedCondition<Dim>> const& conditions) const
   {
     std::set<std::string> used;
     for (auto const& [key, named] : named_) {
       used.insert(named.boundary);
     }
+    std::vector<int> flags;
     for (auto const& condition : conditions) {
-      ASPERITY_REQUIRE(used.count(condition.name) > 0,
-                       where << " / " << condition.name << ": the boundary has no facet. Its "
-                             << "condition holds at the centre of no outer facet of the body, or "
-                             << "later ones take its facets.");
+      flags.push_back(static_cast<int>(used.count(condition.name)));
     }
+    return flags;
   }
 
   void addTo(std::map<std::string, std::vector<Facet>>& boundaries) const
@@ -79,30 +113,67 @@ private:
     std::string boundary;
     Facet outward;
   };
-  std::map<Facet, Named> named_;
+  AnyMesh<Dim> const& mesh_;
+  std::map<FacetKey<Dim>, Named> named_;
 };
+
+// `on_any_rank` makes flags of this mesh those of all parts of a mesh.
+template <template <int> class AnyMesh, int Dim, class OnAnyRank>
+void assignBoundaries(AnyMesh<Dim>& mesh, std::vector<NamedCondition<Dim>> const& conditions,
+                      std::string const& where, OnAnyRank on_any_rank)
+{
+  const NamedFacets<AnyMesh, Dim> named(mesh, conditions);
+  const std::vector<int> are_used = on_any_rank(named.areUsed(conditions));
+  std::map<std::string, std::vector<typename Mesh<Dim>::Facet>> boundaries;
+  for (std::size_t c = 0; c < conditions.size(); ++c) {
+    ASPERITY_REQUIRE(are_used[c], where
+                                    << " / " << conditions[c].name
+                                    << ": the boundary has no facet. Its condition holds at the "
+                                    << "centre of no outer facet of the body, or later ones take "
+                                    << "its facets.");
+    boundaries[conditions[c].name];
+  }
+  std::vector<int> has_facets;
+  for (auto& [name, facets] : mesh.boundaries) {
+    facets.erase(std::remove_if(facets.begin(), facets.end(),
+                                [&](auto const& facet) { return named.contains(facet); }),
+                 facets.end());
+    has_facets.push_back(facets.empty() ? 0 : 1);
+  }
+  has_facets = on_any_rank(has_facets);
+  auto is_kept = has_facets.begin();
+  for (auto& [name, facets] : mesh.boundaries) {
+    if (*is_kept++) {
+      boundaries[name] = std::move(facets);
+    }
+  }
+  named.addTo(boundaries);
+  mesh.boundaries = std::move(boundaries);
+}
 } // namespace
 
 template <int Dim>
 void overrideBoundaries(GlobalMesh<Dim>& mesh, std::vector<NamedCondition<Dim>> const& conditions,
                         std::string const& where)
 {
-  const NamedFacets<Dim> named(mesh, conditions);
-  named.requireAll(conditions, where);
-  std::map<std::string, std::vector<typename GlobalMesh<Dim>::Facet>> boundaries;
-  for (auto const& [name, facets] : mesh.boundaries) {
-    for (auto const& facet : facets) {
-      if (!named.contains(facet)) {
-        boundaries[name].push_back(facet);
-      }
-    }
-  }
-  named.addTo(boundaries);
-  mesh.boundaries = std::move(boundaries);
+  assignBoundaries(mesh, conditions, where, [](std::vector<int> const& flags) { return flags; });
+}
+
+template <int Dim>
+void overrideBoundaries(Mesh<Dim>& part, std::vector<NamedCondition<Dim>> const& conditions,
+                        Communicator const& communicator, std::string const& where)
+{
+  assignBoundaries(part, conditions, where, [&](std::vector<int> const& flags) {
+    return detail::onAnyRank(flags, communicator);
+  });
 }
 
 template void overrideBoundaries(GlobalMesh<2>&, std::vector<NamedCondition<2>> const&,
                                  std::string const&);
 template void overrideBoundaries(GlobalMesh<3>&, std::vector<NamedCondition<3>> const&,
                                  std::string const&);
+template void overrideBoundaries(Mesh<2>&, std::vector<NamedCondition<2>> const&,
+                                 Communicator const&, std::string const&);
+template void overrideBoundaries(Mesh<3>&, std::vector<NamedCondition<3>> const&,
+                                 Communicator const&, std::string const&);
 } // namespace asperity::mesh

@@ -12,4 +12,11 @@ namespace asperity::mesh
 template <int Dim>
 void overrideBoundaries(GlobalMesh<Dim>& mesh, std::vector<NamedCondition<Dim>> const& conditions,
                         std::string const& where = "Mesh / Boundaries");
+
+// The same for the parts of a mesh: gives the part of the mesh that the function above makes of the
+// whole, with the same names on every rank, or the same InputError. Collective.
+template <int Dim>
+void overrideBoundaries(Mesh<Dim>& part, std::vector<NamedCondition<Dim>> const& conditions,
+                        Communicator const& communicator,
+                        std::string const& where = "Mesh / Boundaries");
 } // namespace asperity::mesh

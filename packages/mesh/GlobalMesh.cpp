@@ -3,6 +3,7 @@
 #include "base/Errors.hpp"
 #include "mesh/SimplexGeometry.hpp"
 #include "mesh/detail/FacetTable.hpp"
+#include "mesh/detail/PointText.hpp"
 
 #include <set>
 
@@ -10,17 +11,7 @@ namespace asperity::mesh
 {
 namespace
 {
-template <std::size_t Dim>
-std::string text(std::array<double, Dim> const& point)
-{
-  std::ostringstream out;
-  out.precision(10);
-  for (std::size_t d = 0; d < Dim; ++d) {
-    out << (d == 0 ? "(" : ", ") << point[d];
-  }
-  out << ')';
-  return out.str();
-}
+using detail::text;
 
 template <std::size_t Dim, std::size_t N>
 std::string text(std::array<std::array<double, Dim>, N> const& corners)
@@ -52,6 +43,7 @@ public:
   void run() const
   {
     checkVertices();
+    checkPeriod();
     checkNumbers();
     checkRegions();
     checkCells();
@@ -68,6 +60,16 @@ private:
         ASPERITY_REQUIRE(std::isfinite(x), where_ << ": vertex " << v << " at "
                                                   << text(mesh_.vertices[v]) << " is not finite.");
       }
+    }
+  }
+
+  void checkPeriod() const
+  {
+    for (int d = 0; d < Dim; ++d) {
+      const double period = mesh_.period[d];
+      ASPERITY_REQUIRE(period >= 0.0 && std::isfinite(period),
+                       where_ << ": the period along "
+                              << "xyz"[d] << ", " << period << " m, is outside [0, inf).");
     }
   }
 
@@ -111,7 +113,7 @@ private:
   void checkCells() const
   {
     for (std::size_t c = 0; c < mesh_.cells.size(); ++c) {
-      const auto points = corners<Dim>(mesh_.vertices, mesh_.cells[c]);
+      const auto points = corners(mesh_, mesh_.cells[c]);
       const double measure = signedMeasure(points);
       const double rounding = 1e-14 * std::pow(longestEdge(points), Dim);
       ASPERITY_REQUIRE(std::abs(measure) > rounding,
@@ -165,7 +167,7 @@ private:
     const auto [first, last] = table.find(facet);
     const auto describe = [&, this] {
       return where_ + ": the facet of boundary '" + name + "' with vertices " + numbers(facet) +
-             " at " + text(corners<Dim>(mesh_.vertices, facet));
+             " at " + text(corners(mesh_, facet));
     };
     ASPERITY_REQUIRE(first != last, describe() << " is no facet of a cell.");
     ASPERITY_REQUIRE(last - first == 1, describe()
@@ -203,7 +205,7 @@ int orientCells(GlobalMesh<Dim>& mesh)
 {
   int num_swapped = 0;
   for (auto& cell : mesh.cells) {
-    if (signedMeasure(corners<Dim>(mesh.vertices, cell)) < 0.0) {
+    if (signedMeasure(corners(mesh, cell)) < 0.0) {
       std::swap(cell[Dim - 1], cell[Dim]);
       ++num_swapped;
     }

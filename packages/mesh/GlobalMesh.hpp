@@ -13,6 +13,7 @@ struct GlobalMesh
   using Facet = std::array<int, Dim>;
 
   std::vector<Point<Dim>> vertices; // (num_vertices) in m
+  Point<Dim> period{};              // along each axis, in m; 0 where not periodic
   std::vector<Cell> cells;          // positively oriented
   std::vector<int> cell_regions;    // (num_cells), index into region_names
   std::vector<std::string> region_names;

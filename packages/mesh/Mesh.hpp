@@ -17,6 +17,9 @@ using Point = std::array<double, Dim>;
 // Every vertex is owned by one rank. A rank holds all cells, and all boundary facets, that touch
 // one of its vertices, so that its rows of every matrix are complete without communication.
 // Vertices are numbered locally: the owned ones first, then the ghosts. Coordinates in m.
+//
+// Where the mesh is periodic, opposite sides are one set of vertices, which have the lower
+// coordinate, and cells reach across: their geometry is that of corners() (SimplexGeometry.hpp).
 template <int Dim>
 struct Mesh
 {
@@ -27,13 +30,15 @@ struct Mesh
   std::vector<GlobalOrdinal> global_ids; // (num_local), 0 <= id < num_global_vertices
   int num_owned = 0;                     // vertices 0 .. num_owned - 1
   GlobalOrdinal num_global_vertices = 0;
+  Point<Dim> period{}; // along each axis, in m; 0 where not periodic
 
   std::vector<Cell> cells;               // local vertex numbers, positively oriented
   std::vector<int> cell_regions;         // (num_cells), index into region_names
   std::vector<std::string> region_names; // the same on every rank
 
   // Facets by name of the boundary; every rank has every name, perhaps without facets.
-  // Outward orientation: the body lies to the left of a 2D facet (first -> second vertex).
+  // Outward orientation: the body lies to the left of a 2D facet (first -> second vertex), and the
+  // right-hand normal of a 3D facet points out of it.
   std::map<std::string, std::vector<Facet>> boundaries;
 };
 } // namespace asperity

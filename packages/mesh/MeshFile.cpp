@@ -2,12 +2,10 @@
 
 #include "base/Errors.hpp"
 #include "mesh/Partition.hpp"
+#include "mesh/detail/Agreement.hpp"
+#include "mesh/detail/CompleteFile.hpp"
 #include "mesh/detail/Hdf5Reader.hpp"
 #include "mesh/detail/Hdf5Writer.hpp"
-
-#include <Teuchos_CommHelpers.hpp>
-
-#include <filesystem>
 
 namespace asperity::mesh
 {
@@ -35,6 +33,9 @@ bool writeContents(GlobalMesh<Dim> const& mesh, std::string const& file_name)
   file.attribute("format", std::string(format_name));
   file.attribute("version", format_version);
   file.attribute("dimension", Dim);
+  if (mesh.period != Point<Dim>{}) {
+    file.attribute("period", std::vector<double>(mesh.period.begin(), mesh.period.end()));
+  }
   writeRows(file, "/vertices", mesh.vertices);
   writeRows(file, "/cells", mesh.cells);
   file.dataset("/cell_regions", mesh.cell_regions.data(), mesh.cell_regions.size(), 0);
@@ -71,22 +72,12 @@ template <int Dim>
 void writeMesh(GlobalMesh<Dim> const& mesh, std::string const& file_name)
 {
   const std::string where = "Mesh file '" + file_name + "'";
-  for (auto const& [name, facets] : mesh.boundaries) {
-    ASPERITY_REQUIRE(!name.empty() && name != "." && name.find('/') == std::string::npos,
-                     where << ": '" << name << "' cannot be the name of a boundary.");
+  for (auto const& boundary : mesh.boundaries) {
+    detail::requireGroupName(boundary.first, where);
   }
-  const std::string unfinished = file_name + ".part";
-  std::error_code error;
-  if (writeContents(mesh, unfinished)) {
-    std::filesystem::rename(unfinished, file_name, error);
-    if (!error) {
-      return;
-    }
-  }
-  std::error_code ignored;
-  std::filesystem::remove(unfinished, ignored);
-  throw InputError(where + " cannot be written" + (error ? " (" + error.message() + ")" : "") +
-                   ". Does the folder exist, may you write there, and is there space?");
+  detail::writeCompletely(file_name, where, [&](std::string const& unfinished) {
+    return writeContents(mesh, unfinished);
+  });
 }
 
 template <int Dim>
@@ -98,6 +89,10 @@ GlobalMesh<Dim> readMesh(std::string const& file_name)
                                                   << Dim << " as wanted here.");
   GlobalMesh<Dim> mesh;
   mesh.vertices = file.numberRows<Dim>("/vertices");
+  if (file.hasAttribute("period")) {
+    const auto period = file.numbersAttribute("period", Dim);
+    std::copy(period.begin(), period.end(), mesh.period.begin());
+  }
   mesh.cells = file.integerRows<Dim + 1>("/cells");
   mesh.cell_regions = file.integers("/cell_regions");
   mesh.region_names = file.strings("/region_names");
@@ -113,21 +108,11 @@ template <int Dim>
 GlobalMesh<Dim> readMesh(std::string const& file_name, Communicator const& communicator)
 {
   GlobalMesh<Dim> mesh;
-  std::string message;
-  if (communicator.getRank() == 0) {
-    try {
+  detail::onEveryRank(communicator, [&] {
+    if (communicator.getRank() == 0) {
       mesh = readMesh<Dim>(file_name);
-    } catch (InputError const& error) {
-      message = error.what();
     }
-  }
-  auto length = static_cast<int>(message.size());
-  Teuchos::broadcast(communicator, 0, &length);
-  if (length > 0) {
-    message.resize(static_cast<std::size_t>(length));
-    Teuchos::broadcast(communicator, 0, length, &message[0]);
-    throw InputError(message);
-  }
+  });
   broadcast(mesh, communicator);
   return mesh;
 }

@@ -4,7 +4,8 @@
 
 // Meshes in HDF5:
 //
-//   /                           attributes format = "asperity-mesh", version = 1, dimension
+//   /                           attributes format = "asperity-mesh", version = 1, dimension;
+//                               if periodic, period (dimension) in m, 0 along the other axes
 //   /vertices                   (num_vertices, dimension)    coordinates in m
 //   /cells                      (num_cells, dimension + 1)   vertex numbers from 0, positively
 //                                                            oriented

@@ -17,7 +17,7 @@ std::vector<double> diameters(AnyMesh const& mesh)
   std::vector<double> result;
   result.reserve(mesh.cells.size());
   for (auto const& cell : mesh.cells) {
-    result.push_back(longestEdge(corners<Dim>(mesh.vertices, cell)));
+    result.push_back(longestEdge(corners(mesh, cell)));
   }
   return result;
 }
@@ -29,7 +29,7 @@ double smallestAngle(GlobalMesh<Dim> const& mesh, typename GlobalMesh<Dim>::Cell
   std::array<Point<Dim>, Dim + 1> normals;
   for (int corner = 0; corner <= Dim; ++corner) {
     const auto facet = detail::oppositeFacet(cell, corner);
-    normals[corner] = facetNormal(corners<Dim>(mesh.vertices, facet));
+    normals[corner] = facetNormal(corners(mesh, facet));
   }
   double smallest = std::acos(-1.0);
   for (int i = 0; i <= Dim; ++i) {
@@ -92,7 +92,7 @@ CellSizes cellSizes(GlobalMesh<Dim> const& mesh)
   sizes.largest_diameter = *std::max_element(all.begin(), all.end());
   sizes.smallest_angle = std::acos(-1.0);
   for (auto const& cell : mesh.cells) {
-    sizes.measure += signedMeasure(corners<Dim>(mesh.vertices, cell));
+    sizes.measure += signedMeasure(corners(mesh, cell));
     sizes.smallest_angle = std::min(sizes.smallest_angle, smallestAngle(mesh, cell));
   }
   return sizes;
@@ -129,7 +129,7 @@ double shortestEdge(GlobalMesh<Dim> const& mesh, std::string const& boundary)
 {
   double shortest = std::numeric_limits<double>::infinity();
   for (auto const& facet : findBoundary(mesh, boundary)) {
-    const auto points = corners<Dim>(mesh.vertices, facet);
+    const auto points = corners(mesh, facet);
     for (int i = 0; i < Dim; ++i) {
       for (int j = 0; j < i; ++j) {
         shortest = std::min(shortest, distance<Dim>(points[i], points[j]));

@@ -43,16 +43,35 @@ public:
   idx_t* neighbours = nullptr;
 };
 
-template <int Dim>
-std::vector<idx_t> vertexWeights(GlobalMesh<Dim> const& mesh, PartitionOptions const& options)
+// What METIS balances: the vertices by weight, and those of the boundary if there are enough of
+// them for every part to have one.
+struct Constraints
 {
-  std::vector<idx_t> weights(mesh.vertices.size(), 1);
+  idx_t number = 1;
+  std::vector<idx_t> weights;                   // (num_vertices, number)
+  std::vector<real_t> tolerances{1.03f, 1.05f}; // largest part over mean
+};
+
+template <int Dim>
+Constraints constraints(GlobalMesh<Dim> const& mesh, int num_parts, PartitionOptions const& options)
+{
+  std::vector<idx_t> on_boundary(mesh.vertices.size(), 0);
+  idx_t num_on_boundary = 0;
   if (!options.boundary.empty()) {
     for (int vertex : boundaryVertices(mesh, options.boundary)) {
-      weights[static_cast<std::size_t>(vertex)] = options.boundary_weight;
+      on_boundary[static_cast<std::size_t>(vertex)] = 1;
+      ++num_on_boundary;
     }
   }
-  return weights;
+  Constraints result;
+  result.number = num_on_boundary > 0 && num_on_boundary >= num_parts ? 2 : 1;
+  for (idx_t is_there : on_boundary) {
+    result.weights.push_back(is_there ? options.boundary_weight : 1);
+    if (result.number == 2) {
+      result.weights.push_back(is_there);
+    }
+  }
+  return result;
 }
 
 // METIS may leave parts empty where there are hardly more vertices than parts.
@@ -71,57 +90,6 @@ void fillEmptyParts(int num_parts, std::vector<idx_t>& owners)
     }
   }
 }
-
-// Local numbers: owned vertices, then ghosts, each in global order; -1 elsewhere.
-template <int Dim>
-std::vector<int> numberLocally(GlobalMesh<Dim> const& mesh, std::vector<int> const& owners,
-                               int rank, Mesh<Dim>& part)
-{
-  std::vector<bool> is_ghost(mesh.vertices.size(), false);
-  for (auto const& cell : mesh.cells) {
-    const auto is_mine = [&](int vertex) { return owners[vertex] == rank; };
-    if (std::any_of(cell.begin(), cell.end(), is_mine)) {
-      for (int vertex : cell) {
-        is_ghost[vertex] = !is_mine(vertex);
-      }
-    }
-  }
-  std::vector<int> local(mesh.vertices.size(), -1);
-  const auto add = [&](std::size_t vertex) {
-    local[vertex] = static_cast<int>(part.vertices.size());
-    part.vertices.push_back(mesh.vertices[vertex]);
-    part.global_ids.push_back(static_cast<GlobalOrdinal>(vertex));
-  };
-  for (std::size_t v = 0; v < local.size(); ++v) {
-    if (owners[v] == rank) {
-      add(v);
-    }
-  }
-  part.num_owned = static_cast<int>(part.vertices.size());
-  for (std::size_t v = 0; v < local.size(); ++v) {
-    if (is_ghost[v]) {
-      add(v);
-    }
-  }
-  return local;
-}
-
-// Of a cell or facet. All its vertices are local if one is owned.
-template <std::size_t N>
-bool touchesOwned(std::array<int, N> const& local_simplex, int num_owned)
-{
-  return std::any_of(local_simplex.begin(), local_simplex.end(),
-                     [&](int vertex) { return vertex >= 0 && vertex < num_owned; });
-}
-
-template <std::size_t N>
-std::array<int, N> renumbered(std::array<int, N> simplex, std::vector<int> const& local)
-{
-  for (int& vertex : simplex) {
-    vertex = local[static_cast<std::size_t>(vertex)];
-  }
-  return simplex;
-}
 } // namespace
 
 template <int Dim>
@@ -137,45 +105,38 @@ std::vector<int> partitionVertices(GlobalMesh<Dim> const& mesh, int num_parts,
     return std::vector<int>(mesh.vertices.size(), 0);
   }
   const VertexGraph graph(mesh);
-  auto weights = vertexWeights(mesh, options);
+  auto balanced = constraints(mesh, num_parts, options);
   std::vector<idx_t> owners(mesh.vertices.size(), 0);
   idx_t metis_options[METIS_NOPTIONS];
   METIS_SetDefaultOptions(metis_options);
   metis_options[METIS_OPTION_SEED] = 1;
-  idx_t size = num_vertices, num_constraints = 1, parts = num_parts, num_cut_edges = 0;
-  const int status = METIS_PartGraphKway(&size, &num_constraints, graph.rows, graph.neighbours,
-                                         weights.data(), nullptr, nullptr, &parts, nullptr, nullptr,
-                                         metis_options, &num_cut_edges, owners.data());
+  idx_t size = num_vertices, parts = num_parts, num_cut_edges = 0;
+  const int status =
+    METIS_PartGraphKway(&size, &balanced.number, graph.rows, graph.neighbours,
+                        balanced.weights.data(), nullptr, nullptr, &parts, nullptr,
+                        balanced.tolerances.data(), metis_options, &num_cut_edges, owners.data());
   ASPERITY_ASSERT(status == METIS_OK);
   fillEmptyParts(num_parts, owners);
   return std::vector<int>(owners.begin(), owners.end());
 }
 
-template <int Dim>
-Mesh<Dim> localPart(GlobalMesh<Dim> const& mesh, std::vector<int> const& owners, int rank)
+double imbalance(std::vector<int> const& owners, int num_parts)
 {
-  ASPERITY_ASSERT(owners.size() == mesh.vertices.size());
-  Mesh<Dim> part;
-  part.num_global_vertices = static_cast<GlobalOrdinal>(mesh.vertices.size());
-  part.region_names = mesh.region_names;
-  const auto local = numberLocally(mesh, owners, rank, part);
-  for (std::size_t c = 0; c < mesh.cells.size(); ++c) {
-    const auto cell = renumbered(mesh.cells[c], local);
-    if (touchesOwned(cell, part.num_owned)) {
-      part.cells.push_back(cell);
-      part.cell_regions.push_back(mesh.cell_regions[c]);
-    }
+  std::vector<double> sizes(static_cast<std::size_t>(num_parts), 0.0);
+  for (int owner : owners) {
+    ++sizes[static_cast<std::size_t>(owner)];
   }
-  for (auto const& [name, facets] : mesh.boundaries) {
-    auto& local_facets = part.boundaries[name];
-    for (auto const& facet : facets) {
-      const auto local_facet = renumbered(facet, local);
-      if (touchesOwned(local_facet, part.num_owned)) {
-        local_facets.push_back(local_facet);
-      }
-    }
+  return *std::max_element(sizes.begin(), sizes.end()) * num_parts /
+         static_cast<double>(owners.size());
+}
+
+double imbalance(std::vector<int> const& owners, int num_parts, std::vector<int> const& vertices)
+{
+  std::vector<int> their_owners;
+  for (int vertex : vertices) {
+    their_owners.push_back(owners[static_cast<std::size_t>(vertex)]);
   }
-  return part;
+  return imbalance(their_owners, num_parts);
 }
 
 template <int Dim>
@@ -195,7 +156,6 @@ Mesh<Dim> distribute(GlobalMesh<Dim> const& mesh, Communicator const& communicat
 #define ASPERITY_INSTANTIATE(Dim)                                                                  \
   template std::vector<int> partitionVertices(GlobalMesh<Dim> const&, int,                         \
                                               PartitionOptions const&);                            \
-  template Mesh<Dim> localPart(GlobalMesh<Dim> const&, std::vector<int> const&, int);              \
   template Mesh<Dim> distribute(GlobalMesh<Dim> const&, Communicator const&,                       \
                                 PartitionOptions const&);
 ASPERITY_INSTANTIATE(2)

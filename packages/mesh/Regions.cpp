@@ -2,13 +2,14 @@
 
 #include "base/Errors.hpp"
 #include "mesh/SimplexGeometry.hpp"
+#include "mesh/detail/Agreement.hpp"
 
 namespace asperity::mesh
 {
 namespace
 {
-template <int Dim>
-int regionNumber(GlobalMesh<Dim>& mesh, std::string const& name)
+template <class AnyMesh>
+int regionNumber(AnyMesh& mesh, std::string const& name)
 {
   auto& names = mesh.region_names;
   const auto found = std::find(names.begin(), names.end(), name);
@@ -19,24 +20,24 @@ int regionNumber(GlobalMesh<Dim>& mesh, std::string const& name)
   return number;
 }
 
-template <int Dim>
-std::vector<int> cellsPerRegion(GlobalMesh<Dim> const& mesh)
+// 1 for every region that has a cell in this mesh.
+template <class AnyMesh>
+std::vector<int> regionsWithCells(AnyMesh const& mesh)
 {
-  std::vector<int> count(mesh.region_names.size(), 0);
+  std::vector<int> has_cells(mesh.region_names.size(), 0);
   for (int region : mesh.cell_regions) {
-    ++count[static_cast<std::size_t>(region)];
+    has_cells[static_cast<std::size_t>(region)] = 1;
   }
-  return count;
+  return has_cells;
 }
 
-template <int Dim>
-void dropEmptyRegions(GlobalMesh<Dim>& mesh)
+template <class AnyMesh>
+void dropRegions(AnyMesh& mesh, std::vector<int> const& is_kept)
 {
-  const auto count = cellsPerRegion(mesh);
-  std::vector<int> new_number(count.size(), -1);
+  std::vector<int> new_number(is_kept.size(), -1);
   std::vector<std::string> names;
-  for (std::size_t r = 0; r < count.size(); ++r) {
-    if (count[r] > 0) {
+  for (std::size_t r = 0; r < is_kept.size(); ++r) {
+    if (is_kept[r]) {
       new_number[r] = static_cast<int>(names.size());
       names.push_back(mesh.region_names[r]);
     }
@@ -46,31 +47,52 @@ void dropEmptyRegions(GlobalMesh<Dim>& mesh)
     region = new_number[static_cast<std::size_t>(region)];
   }
 }
+
+// `on_any_rank` makes flags of this mesh those of all parts of a mesh.
+template <int Dim, class AnyMesh, class OnAnyRank>
+void assignRegions(AnyMesh& mesh, std::vector<NamedCondition<Dim>> const& conditions,
+                   std::string const& where, OnAnyRank on_any_rank)
+{
+  for (auto const& condition : conditions) {
+    const int region = regionNumber(mesh, condition.name);
+    for (std::size_t c = 0; c < mesh.cells.size(); ++c) {
+      if (condition.holds(centroid(corners(mesh, mesh.cells[c])))) {
+        mesh.cell_regions[c] = region;
+      }
+    }
+  }
+  const std::vector<int> has_cells = on_any_rank(regionsWithCells(mesh));
+  for (auto const& condition : conditions) {
+    ASPERITY_REQUIRE(has_cells[static_cast<std::size_t>(regionNumber(mesh, condition.name))] > 0,
+                     where << " / " << condition.name << ": the region has no cell. Its condition "
+                           << "holds at no cell's centroid, or later ones take its cells.");
+  }
+  dropRegions(mesh, has_cells);
+}
 } // namespace
 
 template <int Dim>
 void overrideRegions(GlobalMesh<Dim>& mesh, std::vector<NamedCondition<Dim>> const& conditions,
                      std::string const& where)
 {
-  for (auto const& condition : conditions) {
-    const int region = regionNumber(mesh, condition.name);
-    for (std::size_t c = 0; c < mesh.cells.size(); ++c) {
-      if (condition.holds(centroid(corners<Dim>(mesh.vertices, mesh.cells[c])))) {
-        mesh.cell_regions[c] = region;
-      }
-    }
-  }
-  const auto count = cellsPerRegion(mesh);
-  for (auto const& condition : conditions) {
-    ASPERITY_REQUIRE(count[static_cast<std::size_t>(regionNumber(mesh, condition.name))] > 0,
-                     where << " / " << condition.name << ": the region has no cell. Its condition "
-                           << "holds at no cell's centroid, or later ones take its cells.");
-  }
-  dropEmptyRegions(mesh);
+  assignRegions(mesh, conditions, where, [](std::vector<int> const& flags) { return flags; });
+}
+
+template <int Dim>
+void overrideRegions(Mesh<Dim>& part, std::vector<NamedCondition<Dim>> const& conditions,
+                     Communicator const& communicator, std::string const& where)
+{
+  assignRegions(part, conditions, where, [&](std::vector<int> const& flags) {
+    return detail::onAnyRank(flags, communicator);
+  });
 }
 
 template void overrideRegions(GlobalMesh<2>&, std::vector<NamedCondition<2>> const&,
                               std::string const&);
 template void overrideRegions(GlobalMesh<3>&, std::vector<NamedCondition<3>> const&,
+                              std::string const&);
+template void overrideRegions(Mesh<2>&, std::vector<NamedCondition<2>> const&, Communicator const&,
+                              std::string const&);
+template void overrideRegions(Mesh<3>&, std::vector<NamedCondition<3>> const&, Communicator const&,
                               std::string const&);
 } // namespace asperity::mesh

@@ -11,4 +11,10 @@ namespace asperity::mesh
 template <int Dim>
 void overrideRegions(GlobalMesh<Dim>& mesh, std::vector<NamedCondition<Dim>> const& conditions,
                      std::string const& where = "Mesh / Regions");
+
+// The same for the parts of a mesh: gives the part of the mesh that the function above makes of the
+// whole, with the same names on every rank, or the same InputError. Collective.
+template <int Dim>
+void overrideRegions(Mesh<Dim>& part, std::vector<NamedCondition<Dim>> const& conditions,
+                     Communicator const& communicator, std::string const& where = "Mesh / Regions");
 } // namespace asperity::mesh

@@ -42,7 +42,7 @@ inline Point<3> cross(Point<3> const& a, Point<3> const& b)
   return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
 }
 
-// Coordinates of the corners of a cell or a facet.
+// Coordinates of the corners of a cell or a facet, where no period is crossed.
 template <int Dim, std::size_t N>
 std::array<Point<Dim>, N> corners(std::vector<Point<Dim>> const& vertices,
                                   std::array<int, N> const& simplex)
@@ -50,6 +50,29 @@ std::array<Point<Dim>, N> corners(std::vector<Point<Dim>> const& vertices,
   std::array<Point<Dim>, N> result;
   for (std::size_t i = 0; i < N; ++i) {
     result[i] = vertices[static_cast<std::size_t>(simplex[i])];
+  }
+  return result;
+}
+
+// Coordinates of the corners of a cell or a facet of a Mesh or a GlobalMesh. Along a periodic axis
+// those more than half a period below the highest corner are replaced by their images one period
+// higher: the cells between the last vertices and the first ones lie where they were before these
+// were identified, whatever the order of their corners.
+template <template <int> class AnyMesh, int Dim, std::size_t N>
+std::array<Point<Dim>, N> corners(AnyMesh<Dim> const& mesh, std::array<int, N> const& simplex)
+{
+  auto result = corners<Dim>(mesh.vertices, simplex);
+  for (int d = 0; d < Dim; ++d) {
+    const double period = mesh.period[d];
+    if (period > 0.0) {
+      double highest = result[0][d];
+      for (auto const& corner : result) {
+        highest = std::max(highest, corner[d]);
+      }
+      for (auto& corner : result) {
+        corner[d] += highest - corner[d] > 0.5 * period ? period : 0.0;
+      }
+    }
   }
   return result;
 }

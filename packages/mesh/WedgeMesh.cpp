@@ -3,6 +3,7 @@
 #include "base/Errors.hpp"
 #include "mesh/Bisection.hpp"
 #include "mesh/SimplexGeometry.hpp"
+#include "mesh/detail/WedgeParts.hpp"
 
 namespace asperity::mesh
 {
@@ -14,7 +15,32 @@ void requirePositive(double value, char const* name)
                    "Mesh / Wedge / " << name << " = " << value << " is outside (0, inf).");
 }
 
-void check(WedgeShape const& shape)
+double distanceToSegment(Point<2> const& p, Point<2> const& a, Point<2> const& b)
+{
+  const auto ab = difference<2>(b, a);
+  const double along = dot<2>(difference<2>(p, a), ab) / dot<2>(ab, ab);
+  const double t = std::clamp(along, 0.0, 1.0);
+  return distance<2>(p, {a[0] + t * ab[0], a[1] + t * ab[1]});
+}
+
+// The seismogenic segment lies on the boundary of the wedge, so that no cell has it inside and the
+// nearest points are a corner of the cell or an end of the segment.
+double distanceToZone(Triangle const& cell, Point<2> const& left, Point<2> const& right)
+{
+  double nearest = distanceToSegment(cell[0], left, right);
+  for (int i = 0; i < 3; ++i) {
+    auto const &a = cell[i], &b = cell[(i + 1) % 3];
+    nearest = std::min({nearest, distanceToSegment(a, left, right), distanceToSegment(left, a, b),
+                        distanceToSegment(right, a, b)});
+  }
+  return nearest;
+}
+
+} // namespace
+
+namespace detail
+{
+void checkWedge(WedgeShape const& shape)
 {
   requirePositive(shape.length, "Length");
   requirePositive(shape.height, "Height");
@@ -39,7 +65,7 @@ void check(WedgeShape const& shape)
                      << "].");
 }
 
-GlobalMesh<2> oneTriangle(WedgeShape const& shape)
+GlobalMesh<2> wedgeTriangle(WedgeShape const& shape)
 {
   const double base = shape.baseLength(), length = shape.length, height = shape.height;
   GlobalMesh<2> mesh;
@@ -51,29 +77,8 @@ GlobalMesh<2> oneTriangle(WedgeShape const& shape)
   return mesh;
 }
 
-double distanceToSegment(Point<2> const& p, Point<2> const& a, Point<2> const& b)
-{
-  const auto ab = difference<2>(b, a);
-  const double along = dot<2>(difference<2>(p, a), ab) / dot<2>(ab, ab);
-  const double t = std::clamp(along, 0.0, 1.0);
-  return distance<2>(p, {a[0] + t * ab[0], a[1] + t * ab[1]});
-}
-
-// The seismogenic segment lies on the boundary of the wedge, so that no cell has it inside and the
-// nearest points are a corner of the cell or an end of the segment.
-double distanceToZone(Triangle const& cell, Point<2> const& left, Point<2> const& right)
-{
-  double nearest = distanceToSegment(cell[0], left, right);
-  for (int i = 0; i < 3; ++i) {
-    auto const &a = cell[i], &b = cell[(i + 1) % 3];
-    nearest = std::min({nearest, distanceToSegment(a, left, right), distanceToSegment(left, a, b),
-                        distanceToSegment(right, a, b)});
-  }
-  return nearest;
-}
-
-// Depth below the surface, measured vertically.
-void assignRegions(WedgeShape const& shape, GlobalMesh<2>& mesh)
+template <int Dim>
+void assignWedgeRegions(WedgeShape const& shape, GlobalMesh<Dim>& mesh)
 {
   if (shape.viscous_thickness == 0.0) {
     return;
@@ -81,11 +86,15 @@ void assignRegions(WedgeShape const& shape, GlobalMesh<2>& mesh)
   mesh.region_names = {"upper", "lower"};
   const auto down = shape.gravityDirection();
   for (std::size_t c = 0; c < mesh.cells.size(); ++c) {
-    const double depth = dot<2>(centroid(corners<2>(mesh.vertices, mesh.cells[c])), down);
+    const auto centre = centroid(corners(mesh, mesh.cells[c]));
+    const double depth = dot<2>({centre[0], centre[1]}, down);
     mesh.cell_regions[c] = depth > shape.height - shape.viscous_thickness ? 1 : 0;
   }
 }
-} // namespace
+
+template void assignWedgeRegions(WedgeShape const&, GlobalMesh<2>&);
+template void assignWedgeRegions(WedgeShape const&, GlobalMesh<3>&);
+} // namespace detail
 
 double WedgeShape::angle() const { return std::atan(height / length); }
 
@@ -99,13 +108,13 @@ Point<2> WedgeShape::gravityDirection() const { return {std::sin(angle()), -std:
 
 GlobalMesh<2> wedgeMesh(WedgeShape const& shape)
 {
-  check(shape);
+  detail::checkWedge(shape);
   const Point<2> left = {shape.zoneLeft(), 0.0}, right = {shape.zoneRight(), 0.0};
   const double growth = shape.growth_factor / shape.growth_length;
-  auto mesh = bisect(oneTriangle(shape), [&](Triangle const& cell) {
+  auto mesh = bisect(detail::wedgeTriangle(shape), [&](Triangle const& cell) {
     return (growth * distanceToZone(cell, left, right) + 1.0) * shape.cell_size;
   });
-  assignRegions(shape, mesh);
+  detail::assignWedgeRegions(shape, mesh);
   return mesh;
 }
 } // namespace asperity::mesh

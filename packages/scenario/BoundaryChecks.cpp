@@ -3,6 +3,7 @@
 #include "base/NearestName.hpp"
 #include "scenario/NodalField.hpp"
 
+#include <algorithm>
 #include <map>
 
 namespace asperity::scenario
@@ -47,21 +48,28 @@ void refuseContradictions(std::vector<BoundaryCondition> const& conditions)
 
 void refuseUnreadEntries(std::vector<BoundaryCondition> const& conditions)
 {
-  const std::map<std::string, std::string> reader = {{"Direction", "Prescribed Velocity"},
-                                                     {"Velocity", "Prescribed Velocity"},
-                                                     {"Ramp Duration", "Prescribed Velocity"},
-                                                     {"Slip Rate", "Prescribed Slip Rate"}};
+  const std::multimap<std::string, std::string> readers = {{"Direction", "Prescribed Velocity"},
+                                                           {"Direction", "Prescribed Slip Rate"},
+                                                           {"Velocity", "Prescribed Velocity"},
+                                                           {"Ramp Duration", "Prescribed Velocity"},
+                                                           {"Slip Rate", "Prescribed Slip Rate"}};
   for (auto const& condition : conditions) {
-    for (auto const& [entry, type] : reader) {
-      ASPERITY_REQUIRE(condition.type() == type || !isGiven(condition.list, entry),
-                       joinPath(condition.name, entry)
-                         << " has no effect: it belongs to the Type '" << type << "', and this is '"
-                         << condition.type() << "'. Remove it, or choose that Type.");
+    for (auto reader = readers.begin(); reader != readers.end();) {
+      auto const [first, last] = readers.equal_range(reader->first);
+      const bool is_read = std::any_of(
+        first, last, [&](auto const& entry) { return entry.second == condition.type(); });
+      ASPERITY_REQUIRE(is_read || !isGiven(condition.list, reader->first),
+                       joinPath(condition.name, reader->first)
+                         << " has no effect: it belongs to the Type '" << first->second
+                         << "', and this is '" << condition.type()
+                         << "'. Remove it, or choose that Type.");
+      reader = last;
     }
   }
 }
 
-void requireBoundaries(ParameterList const& list, Mesh<2> const& mesh)
+template <int Dim>
+void requireBoundaries(ParameterList const& list, Mesh<Dim> const& mesh)
 {
   std::vector<std::string> names;
   for (auto const& entry : mesh.boundaries) {
@@ -75,4 +83,7 @@ void requireBoundaries(ParameterList const& list, Mesh<2> const& mesh)
                                                             << didYouMean(boundary, names));
   }
 }
+
+template void requireBoundaries(ParameterList const&, Mesh<2> const&);
+template void requireBoundaries(ParameterList const&, Mesh<3> const&);
 } // namespace asperity::scenario

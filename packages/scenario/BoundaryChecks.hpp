@@ -34,5 +34,6 @@ void refuseUnreadEntries(std::vector<BoundaryCondition> const& conditions);
 
 // InputError with the nearest name for a boundary that the mesh does not have. The names are the
 // same on all ranks.
-void requireBoundaries(ParameterList const& list, Mesh<2> const& mesh);
+template <int Dim>
+void requireBoundaries(ParameterList const& list, Mesh<Dim> const& mesh);
 } // namespace asperity::scenario

@@ -36,10 +36,18 @@ std::vector<double> directionOf(ParameterList const& list, std::string const& na
     return axis(components, 0);
   }
   auto const given = list.get<Teuchos::Array<double>>("Direction").toVector();
-  ASPERITY_REQUIRE(given.size() == 2 && std::hypot(given[0], given[1]) > 0,
+  double square = 0;
+  for (double component : given) {
+    square += component * component;
+  }
+  ASPERITY_REQUIRE(static_cast<int>(given.size()) == components && square > 0,
                    joinPath(name, "Direction")
-                     << " needs two numbers, not both zero: where the velocity "
-                        "points, in x and y.");
+                     << " needs "
+                     << (components == 3
+                           ? "three numbers, not all zero: where the velocity points, "
+                             "in x, y and z."
+                           : "two numbers, not both zero: where the velocity points, "
+                             "in x and y."));
   return given;
 }
 
@@ -56,24 +64,47 @@ double rampDuration(ParameterList const& list)
   return isGiven(list, "Ramp Duration") ? list.get<double>("Ramp Duration") : 0;
 }
 
-fem::VelocityCondition<2> prescribed(ParameterList const& list, std::string const& name,
-                                     int components)
+bool isDriven(ParameterList const& list)
+{
+  return isGiven(list, "Velocity") &&
+         !(list.isType<double>("Velocity") && list.get<double>("Velocity") == 0);
+}
+
+template <int Dim>
+fem::VelocityCondition<Dim> prescribed(ParameterList const& list, std::string const& name,
+                                       int components)
 {
   auto const velocity = fieldOr(0, list, "Velocity", name);
   const double duration = rampDuration(list);
-  fem::VelocityCondition<2> condition;
+  fem::VelocityCondition<Dim> condition;
   condition.name = name;
   condition.boundary = list.get<std::string>("Boundary");
   condition.direction = directionOf(list, name, components);
-  condition.velocity = [velocity, duration](Point<2> const& x, double t) {
-    return ramp(t, duration) * (*velocity)({x[0], x[1], 0}, t, 0);
+  condition.velocity = [velocity, duration](Point<Dim> const& x, double t) {
+    return ramp(t, duration) * (*velocity)(inSpace<Dim>(x), t, 0);
   };
+  return condition;
+}
+
+// In three dimensions: where a boundary that is driven meets the fault, friction does not move it
+// sideways. It could hardly, and it knows the direction of slip only where nothing else drives.
+fem::VelocityCondition<3> notSideways(fem::VelocityCondition<3> const& driven,
+                                      std::string const& fault)
+{
+  fem::VelocityCondition<3> condition;
+  condition.name = driven.name;
+  condition.boundary = fault;
+  condition.meeting = driven.boundary;
+  condition.tangential = true;
+  condition.towards = driven.direction;
+  condition.at_right_angles = true;
   return condition;
 }
 
 using Conditions = std::vector<BoundaryCondition>;
 
-void findFault(Conditions const& conditions, BoundaryConditions& result)
+template <int Dim>
+void findFault(Conditions const& conditions, BoundaryConditions<Dim>& result)
 {
   for (auto const& condition : conditions) {
     if (condition.isFault()) {
@@ -102,13 +133,14 @@ std::vector<std::string> faultAndContinuations(Conditions const& conditions)
 
 // The fault comes first, then what continues it, so that the frames of their nodes follow them and
 // have the same normal where they meet.
-void layAlongFault(Conditions const& conditions, BoundaryConditions& result)
+template <int Dim>
+void layAlongFault(Conditions const& conditions, BoundaryConditions<Dim>& result)
 {
   auto const boundaries = faultAndContinuations(conditions);
   auto& velocities = result.velocities;
   for (auto const& condition : conditions) {
     if (condition.liesAlongFault()) {
-      fem::VelocityCondition<2> across = {condition.name, condition.boundary(), {}, {}};
+      fem::VelocityCondition<Dim> across = {condition.name, condition.boundary(), {}, {}};
       across.free = result.antisymmetric;
       across.continued_by = boundaries;
       velocities.insert(condition.isFault() ? velocities.begin() : velocities.end(), across);
@@ -116,28 +148,37 @@ void layAlongFault(Conditions const& conditions, BoundaryConditions& result)
   }
 }
 
-// v_t = slip rate / slip factor, along the tangent of the frames.
-fem::VelocityCondition<2> slipping(ParameterList const& list, std::string const& name,
-                                   std::vector<std::string> const& fault_and_continuations,
-                                   double factor, int components)
+// v_t = slip rate / slip factor: along the tangent of the frames, in three dimensions along the
+// projection of the direction onto the boundary, and none at right angles to it.
+template <int Dim>
+std::vector<fem::VelocityCondition<Dim>>
+slipping(ParameterList const& list, std::string const& name,
+         std::vector<std::string> const& fault_and_continuations, double factor, int components)
 {
   ASPERITY_REQUIRE(isGiven(list, "Slip Rate"),
                    joinPath(name, "Slip Rate") << " is missing: at which rate the continuation of "
                                                   "the fault slips, 0 if it is locked.");
   auto const rate = std::make_shared<Field>(list, "Slip Rate", name, std::vector<std::string>{});
-  fem::VelocityCondition<2> condition;
+  fem::VelocityCondition<Dim> condition;
   condition.name = name;
   condition.boundary = list.get<std::string>("Boundary");
-  condition.velocity = [rate, factor](Point<2> const& x, double t) {
-    return (*rate)({x[0], x[1], 0}, t, 0) / factor;
+  condition.velocity = [rate, factor](Point<Dim> const& x, double t) {
+    return (*rate)(inSpace<Dim>(x), t, 0) / factor;
   };
   if (components == 1) {
     condition.direction = {1};
-    return condition;
+    return {condition};
   }
   condition.tangential = true;
   condition.continued_by = fault_and_continuations;
-  return condition;
+  if (components == 2) {
+    return {condition};
+  }
+  condition.towards = directionOf(list, name, components);
+  auto sideways = condition;
+  sideways.at_right_angles = true;
+  sideways.velocity = {};
+  return {condition, sideways};
 }
 } // namespace
 
@@ -158,31 +199,34 @@ RCP<const ParameterList> boundaryParameters()
               "Absorbing: dashpots that take up waves. Sliding Wall: v . n = 0, free along it. "
               "Fixed: v = 0. Free Surface: no traction, the default, named so that its motion can "
               "be written.")
-      .realArray("Direction", optional, "-", Range::any(),
-                 "Prescribed Velocity: its direction in x and y, of any length, along +x if left "
-                 "out; antiplane has only one.")
+      .realArray(
+        "Direction", optional, "-", Range::any(),
+        "Prescribed Velocity: its direction along the axes, of any length, +x if left out; "
+        "antiplane has only one. Prescribed Slip Rate in three dimensions: the same, "
+        "projected onto the boundary.")
       .field("Velocity", optional, "m/s", Range::any(),
              "Prescribed Velocity: how fast in that direction; zero if left out.")
       .real("Ramp Duration", optional, "s", Range::atLeast(0),
             "Prescribed Velocity: the time over which it grows smoothly from zero; at once if left "
             "out.")
       .field("Slip Rate", optional, "m/s", Range::any(),
-             "Prescribed Slip Rate: the rate, along the tangent of the fault's frame: along +x on "
-             "a fault below the body.")
+             "Prescribed Slip Rate: the rate, in two dimensions along the tangent of the fault's "
+             "frame: along +x on a fault below the body.")
       .list();
   return Declare()
     .sublist("<condition>", one, "One boundary condition; the name is the user's.")
     .list();
 }
 
-BoundaryConditions makeBoundaryConditions(ParameterList const& list, int components)
+template <int Dim>
+BoundaryConditions<Dim> makeBoundaryConditions(ParameterList const& list, int components)
 {
   auto const conditions = readConditions(list);
   refuseUnreadEntries(conditions);
   refuseContradictions(conditions);
-  BoundaryConditions result;
+  BoundaryConditions<Dim> result;
   findFault(conditions, result);
-  if (components == 2) {
+  if (components > 1) {
     layAlongFault(conditions, result);
   }
   auto const along = faultAndContinuations(conditions);
@@ -191,16 +235,21 @@ BoundaryConditions makeBoundaryConditions(ParameterList const& list, int compone
     auto const type = condition.type();
     auto const boundary = condition.boundary();
     if (condition.hasSlipRate()) {
-      result.velocities.push_back(
-        slipping(condition.list, name, along, result.slipFactor(), components));
-    } else if (type == "Sliding Wall" && components == 2) {
+      auto const slip = slipping<Dim>(condition.list, name, along, result.slipFactor(), components);
+      result.velocities.insert(result.velocities.end(), slip.begin(), slip.end());
+    } else if (type == "Sliding Wall" && components > 1) {
       result.velocities.push_back({name, boundary, {}, {}});
     } else if (type == "Fixed") {
       for (int c = 0; c < components; ++c) {
         result.velocities.push_back({name, boundary, axis(components, c), {}});
       }
     } else if (type == "Prescribed Velocity") {
-      result.velocities.push_back(prescribed(condition.list, name, components));
+      result.velocities.push_back(prescribed<Dim>(condition.list, name, components));
+      if constexpr (Dim == 3) {
+        if (isDriven(condition.list)) {
+          result.velocities.push_back(notSideways(result.velocities.back(), result.fault));
+        }
+      }
       result.ramp_end = std::max(result.ramp_end, rampDuration(condition.list));
     } else if (type == "Absorbing") {
       result.absorbing.push_back(boundary);
@@ -210,4 +259,7 @@ BoundaryConditions makeBoundaryConditions(ParameterList const& list, int compone
   }
   return result;
 }
+
+template BoundaryConditions<2> makeBoundaryConditions(ParameterList const&, int);
+template BoundaryConditions<3> makeBoundaryConditions(ParameterList const&, int);
 } // namespace asperity::scenario

@@ -11,6 +11,7 @@ namespace asperity::scenario
 // The deck's list `Boundary Conditions`: one list of any name for each condition.
 RCP<const ParameterList> boundaryParameters();
 
+template <int Dim>
 struct BoundaryConditions
 {
   std::string fault; // name of the boundary with friction
@@ -19,13 +20,14 @@ struct BoundaryConditions
   bool antisymmetric = false;
   std::string surface;                // of the first free surface; empty if there is none
   std::vector<std::string> absorbing; // boundaries with dashpots
-  std::vector<fem::VelocityCondition<2>> velocities;
+  std::vector<fem::VelocityCondition<Dim>> velocities;
   double ramp_end = 0; // when the last loading ramp has ended [s]
 
   double slipFactor() const { return antisymmetric ? 2 : 1; }
 };
 
-// components: 2 in plane strain, 1 antiplane. InputError on contradictions that need no mesh to be
-// seen.
-BoundaryConditions makeBoundaryConditions(ParameterList const& list, int components);
+// components of the displacement: Dim, or 1 antiplane. InputError on contradictions that need no
+// mesh to be seen.
+template <int Dim>
+BoundaryConditions<Dim> makeBoundaryConditions(ParameterList const& list, int components);
 } // namespace asperity::scenario

@@ -28,31 +28,43 @@ RCP<const ParameterList> bulkParameters()
              "antisymmetric fault and G / cs in bilateral contact.")
       .list();
   return Declare()
-    .choice("Model", "Plane Strain", {"Plane Strain", "Antiplane"},
-            "Displacement within the plane of the mesh, or perpendicular to it.")
+    .choice("Model", "Plane Strain", {"Plane Strain", "Antiplane", "Solid"},
+            "Displacement within the plane of the mesh, or perpendicular to it; Solid: in all "
+            "three dimensions.")
     .choiceOfLists("Dynamics", "Inertial",
                    {{"Inertial", Declare().list()}, {"Quasi-dynamic", quasi_dynamic}},
                    "Inertial: with mass, and waves. Quasi-dynamic: without mass; the fault loses "
                    "what waves would carry away to a radiation damping.")
     .field("Density", required, "kg/m^3", Range::positive(), "Mass density.")
-    .field(
-      bulk_modulus, optional, "Pa", Range::positive(),
-      "Bulk modulus; plane strain needs two of bulk modulus, shear modulus and Poisson's ratio.")
+    .field(bulk_modulus, optional, "Pa", Range::positive(),
+           "Bulk modulus; all but antiplane need two of bulk modulus, shear modulus and Poisson's "
+           "ratio.")
     .field(shear_modulus, optional, "Pa", Range::positive(),
            "Shear modulus; antiplane needs it, or both others.")
     .field(poisson, optional, "-", Range::open(-1, 0.5), "Poisson's ratio.")
     .field("Shear Viscosity", 0., "Pa s", Range::atLeast(0), "Viscosity of the change of shape.")
     .field("Bulk Viscosity", 0., "Pa s", Range::atLeast(0), "Viscosity of the change of volume.")
     .real("Gravitational Acceleration", 0., "m/s^2", Range::atLeast(0),
-          "Acceleration of gravity; plane strain only.")
+          "Acceleration of gravity; not antiplane.")
     .realArray("Gravity Direction", std::vector<double>{0., -1.}, "-", Range::any(),
-               "Where down is, in x and y; any length.")
+               "Where down is, in x, y and, in three dimensions, z (0 if left out); any length.")
     .list();
 }
 
 int displacementComponents(ParameterList const& list)
 {
-  return list.get<std::string>("Model") == "Antiplane" ? 1 : 2;
+  auto const model = list.get<std::string>("Model");
+  return model == "Antiplane" ? 1 : model == "Plane Strain" ? 2 : 3;
+}
+
+int displacementComponents(ParameterList const& list, int dimension)
+{
+  const int components = displacementComponents(list);
+  ASPERITY_REQUIRE((components == 3) == (dimension == 3),
+                   path << " / Model = " << list.get<std::string>("Model") << ", but the mesh has "
+                        << dimension << " dimensions. Choose "
+                        << (dimension == 3 ? "Solid." : "Plane Strain or Antiplane."));
+  return components;
 }
 
 bool quasiDynamic(ParameterList const& list)
@@ -60,7 +72,8 @@ bool quasiDynamic(ParameterList const& list)
   return list.get<std::string>("Dynamics") == "Quasi-dynamic";
 }
 
-std::vector<double> radiationDamping(ParameterList const& list, Mesh<2> const& mesh,
+template <int Dim>
+std::vector<double> radiationDamping(ParameterList const& list, Mesh<Dim> const& mesh,
                                      std::vector<int> const& nodes,
                                      std::vector<fem::Material> const& at_nodes, double slip_factor)
 {
@@ -78,20 +91,30 @@ std::vector<double> radiationDamping(ParameterList const& list, Mesh<2> const& m
   return eta;
 }
 
-std::array<double, 2> gravity(ParameterList const& list)
+template <int Dim>
+std::array<double, Dim> gravity(ParameterList const& list)
 {
   const double acceleration = list.get<double>("Gravitational Acceleration");
+  std::array<double, Dim> result{};
   if (acceleration == 0) {
-    return {0, 0};
+    return result;
   }
-  ASPERITY_REQUIRE(displacementComponents(list) == 2,
+  ASPERITY_REQUIRE(displacementComponents(list) > 1,
                    path << " / Gravitational Acceleration = " << acceleration
                         << " does nothing to an antiplane model. Leave it out.");
   auto const direction = list.get<Teuchos::Array<double>>("Gravity Direction");
-  const double size = direction.size() == 2 ? std::hypot(direction[0], direction[1]) : 0;
-  ASPERITY_REQUIRE(size > 0, path << " / Gravity Direction = " << direction.toString()
-                                  << " is no direction. Give two numbers, not both zero.");
-  return {acceleration * direction[0] / size, acceleration * direction[1] / size};
+  double square = 0;
+  for (double component : direction) {
+    square += component * component;
+  }
+  ASPERITY_REQUIRE(square > 0 && direction.size() >= 2 && direction.size() <= Dim,
+                   path << " / Gravity Direction = " << direction.toString()
+                        << " is no direction. Give two numbers" << (Dim == 3 ? " or three" : "")
+                        << ", not all zero.");
+  for (int d = 0; d < direction.size(); ++d) {
+    result[d] = acceleration * direction[d] / std::sqrt(square);
+  }
+  return result;
 }
 
 namespace
@@ -99,10 +122,10 @@ namespace
 class Elasticity
 {
 public:
-  Elasticity(ParameterList const& list, Mesh<2> const& mesh)
-      : bulk_(read(list, bulk_modulus, mesh))
-      , shear_(read(list, shear_modulus, mesh))
-      , poisson_(read(list, poisson, mesh))
+  Elasticity(ParameterList const& list, std::vector<std::string> const& region_names)
+      : bulk_(read(list, bulk_modulus, region_names))
+      , shear_(read(list, shear_modulus, region_names))
+      , poisson_(read(list, poisson, region_names))
       , antiplane_(displacementComponents(list) == 1)
   {
     const int given = bulk_.has_value() + shear_.has_value() + poisson_.has_value();
@@ -131,9 +154,10 @@ public:
   }
 
 private:
-  static std::optional<Field> read(ParameterList const& list, char const* name, Mesh<2> const& mesh)
+  static std::optional<Field> read(ParameterList const& list, char const* name,
+                                   std::vector<std::string> const& region_names)
   {
-    return isGiven(list, name) ? std::optional<Field>(steadyField(list, name, path, mesh))
+    return isGiven(list, name) ? std::optional<Field>(steadyField(list, name, path, region_names))
                                : std::nullopt;
   }
 
@@ -142,16 +166,17 @@ private:
 };
 } // namespace
 
-std::vector<fem::Material> makeMaterials(ParameterList const& list, Mesh<2> const& mesh)
+template <int Dim>
+std::vector<fem::Material> makeMaterials(ParameterList const& list, Mesh<Dim> const& mesh)
 {
-  const Elasticity elasticity(list, mesh);
-  auto const density = steadyField(list, "Density", path, mesh);
-  auto const shear_viscosity = steadyField(list, "Shear Viscosity", path, mesh);
-  auto const bulk_viscosity = steadyField(list, "Bulk Viscosity", path, mesh);
+  auto const& regions = mesh.region_names;
+  const Elasticity elasticity(list, regions);
+  auto const density = steadyField(list, "Density", path, regions);
+  auto const shear_viscosity = steadyField(list, "Shear Viscosity", path, regions);
+  auto const bulk_viscosity = steadyField(list, "Bulk Viscosity", path, regions);
   std::vector<fem::Material> materials(mesh.cells.size());
   for (std::size_t cell = 0; cell < mesh.cells.size(); ++cell) {
-    auto const centroid = fem::simplexOf(mesh, static_cast<int>(cell)).centroid;
-    const std::array<double, 3> x = {centroid[0], centroid[1], 0};
+    auto const x = inSpace<Dim>(fem::simplexOf(mesh, static_cast<int>(cell)).centroid);
     const int region = mesh.cell_regions[cell];
     auto& material = materials[cell];
     material.density = density(x, 0, region);
@@ -161,4 +186,15 @@ std::vector<fem::Material> makeMaterials(ParameterList const& list, Mesh<2> cons
   }
   return materials;
 }
+
+#define ASPERITY_INSTANTIATE(Dim)                                                                  \
+  template std::vector<double> radiationDamping(ParameterList const&, Mesh<Dim> const&,            \
+                                                std::vector<int> const&,                           \
+                                                std::vector<fem::Material> const&, double);        \
+  template std::vector<fem::Material> makeMaterials(ParameterList const&, Mesh<Dim> const&);       \
+  template std::array<double, Dim> gravity<Dim>(ParameterList const&);
+
+ASPERITY_INSTANTIATE(2)
+ASPERITY_INSTANTIATE(3)
+#undef ASPERITY_INSTANTIATE
 } // namespace asperity::scenario

@@ -1,11 +1,13 @@
 #include "scenario/FaultLoads.hpp"
 
+#include "fem/NodalFrames.hpp"
 #include "friction/Registry.hpp"
 #include "scenario/FrictionSetup.hpp"
 
 #include <Tpetra_Vector.hpp>
 
 #include <algorithm>
+#include <cmath>
 
 namespace asperity::scenario
 {
@@ -13,13 +15,16 @@ namespace
 {
 const std::string path = "Asperity / Friction";
 
-// One value for each fault node, times the node's share of the fault.
-void addTraction(std::vector<double> const& traction, fem::BoundaryNodes<2> const& nodes,
-                 std::vector<int> const& dofs, Vector& load)
+// traction(num_nodes, T), times each node's share of the fault.
+void addTraction(std::vector<double> const& traction, std::vector<double> const& weights,
+                 std::vector<std::vector<int>> const& dofs, Vector& load)
 {
   auto const values = load.getLocalViewHost(Tpetra::Access::ReadWrite);
+  std::size_t entry = 0;
   for (std::size_t i = 0; i < dofs.size(); ++i) {
-    values(dofs[i], 0) += nodes.weights[i] * traction[i];
+    for (int dof : dofs[i]) {
+      values(dof, 0) += weights[i] * traction[entry++];
+    }
   }
 }
 
@@ -32,50 +37,101 @@ void fill(std::vector<double> const& values, double factor, friction::NodeView c
   Kokkos::deep_copy(view, host);
 }
 
-std::vector<double> givenStress(NodalField const& field, Mesh<2> const& mesh,
+template <int Dim>
+std::vector<double> givenStress(NodalField const& field, Mesh<Dim> const& mesh,
                                 std::vector<int> const& nodes)
 {
   auto const values = field.at(0);
   for (std::size_t i = 0; i < values.size(); ++i) {
-    auto const& x = mesh.vertices[nodes[i]];
     ASPERITY_REQUIRE(values[i] >= 0, joinPath(path, "Normal Stress")
-                                       << " = " << values[i] << " at x = (" << x[0] << ", " << x[1]
-                                       << "), t = 0, is outside [0, inf). Check the sign: "
+                                       << " = " << values[i]
+                                       << " at x = " << formatPoint<Dim>(mesh.vertices[nodes[i]])
+                                       << ", t = 0, is outside [0, inf). Check the sign: "
                                           "compression is positive.");
   }
   return values;
 }
-} // namespace
-
-NodalField shearTraction(ParameterList const& friction, Mesh<2> const& mesh,
-                         std::vector<int> const& nodes)
+std::vector<double> slipDirection(ParameterList const& friction)
 {
-  return NodalField(friction, "Shear Traction", path, mesh, nodes);
+  auto const given = friction.get<Teuchos::Array<double>>("Slip Direction").toVector();
+  ASPERITY_REQUIRE(given.size() == 3 && std::hypot(given[0], given[1], given[2]) > 0,
+                   joinPath(path, "Slip Direction")
+                     << " needs three numbers, not all zero: where the shear traction points.");
+  return given;
 }
 
-std::function<void(double, Vector&)> loadWithTraction(ParameterList const& friction,
-                                                      Mesh<2> const& mesh,
-                                                      fem::BoundaryNodes<2> const& nodes,
+// Of `towards` onto the fault at a node, as a unit vector along the tangents there.
+template <std::size_t Dim>
+std::vector<double> projection(std::vector<double> const& towards, fem::NodalFrames const& frames,
+                               int node, std::array<double, Dim> const& normal)
+{
+  std::vector<double> result;
+  double square = 0;
+  for (int tangent : fem::tangentialComponents(frames, node, normal)) {
+    double along = 0;
+    for (std::size_t c = 0; c < Dim; ++c) {
+      along += frames.entry(node, tangent, static_cast<int>(c)) * towards[c];
+    }
+    result.push_back(along);
+    square += along * along;
+  }
+  const double length = std::hypot(towards[0], towards[1], towards[2]);
+  ASPERITY_REQUIRE(std::sqrt(square) > 1e-6 * length,
+                   joinPath(path, "Slip Direction")
+                     << " is at right angles to the fault somewhere. Choose one along it.");
+  for (double& x : result) {
+    x /= std::sqrt(square);
+  }
+  return result;
+}
+} // namespace
+
+template <int Dim>
+ShearTraction::ShearTraction(ParameterList const& friction, Mesh<Dim> const& mesh,
+                             fem::BoundaryNodes<Dim> const& nodes, fem::NodalFrames const& frames)
+    : size_(friction, "Shear Traction", path, mesh, nodes.nodes)
+{
+  if (Dim == 2) {
+    direction_.assign(nodes.nodes.size(), 1.);
+    return;
+  }
+  auto const towards = slipDirection(friction);
+  for (std::size_t i = 0; i < nodes.nodes.size(); ++i) {
+    auto const projected = projection(towards, frames, nodes.nodes[i], nodes.normals[i]);
+    direction_.insert(direction_.end(), projected.begin(), projected.end());
+  }
+}
+
+std::vector<double> ShearTraction::at(double t) const
+{
+  auto const sizes = size_.at(t);
+  auto result = direction_;
+  const std::size_t num_tangents = sizes.empty() ? 1 : result.size() / sizes.size();
+  for (std::size_t i = 0; i < result.size(); ++i) {
+    result[i] *= sizes[i / num_tangents];
+  }
+  return result;
+}
+
+std::function<void(double, Vector&)> loadWithTraction(ShearTraction const& traction,
+                                                      std::vector<double> const& weights,
                                                       dynamics::Fault const& fault,
                                                       RCP<const Vector> const& constant)
 {
-  auto const traction = shearTraction(friction, mesh, nodes.nodes);
-  std::vector<int> dofs;
-  for (auto const& of_node : fault.dofs) {
-    dofs.push_back(of_node[0]);
-  }
+  auto const dofs = fault.dofs;
   if (!traction.dependsOnTime()) {
     auto const load = rcp(new Vector(*constant, Teuchos::Copy));
-    addTraction(traction.at(0), nodes, dofs, *load);
+    addTraction(traction.at(0), weights, dofs, *load);
     return [load](double, Vector& l) { Tpetra::deep_copy(l, *load); };
   }
-  return [traction, nodes, dofs, constant](double t, Vector& l) {
+  return [traction, weights, dofs, constant](double t, Vector& l) {
     Tpetra::deep_copy(l, *constant);
-    addTraction(traction.at(t), nodes, dofs, l);
+    addTraction(traction.at(t), weights, dofs, l);
   };
 }
 
-void setNormalStress(dynamics::Fault& fault, ParameterList const& friction, Mesh<2> const& mesh,
+template <int Dim>
+void setNormalStress(dynamics::Fault& fault, ParameterList const& friction, Mesh<Dim> const& mesh,
                      std::vector<int> const& nodes, NormalStress& stress)
 {
   const double factor = friction.get<double>("Normal Stress Factor");
@@ -96,4 +152,14 @@ void setNormalStress(dynamics::Fault& fault, ParameterList const& friction, Mesh
   fill(stress.values, factor, fault.normal_stress);
   fault.friction = friction::makeFrictionKernels(friction.get<std::string>("Law"), fault.data);
 }
+
+#define ASPERITY_INSTANTIATE(Dim)                                                                  \
+  template ShearTraction::ShearTraction(ParameterList const&, Mesh<Dim> const&,                    \
+                                        fem::BoundaryNodes<Dim> const&, fem::NodalFrames const&);  \
+  template void setNormalStress(dynamics::Fault&, ParameterList const&, Mesh<Dim> const&,          \
+                                std::vector<int> const&, NormalStress&);
+
+ASPERITY_INSTANTIATE(2)
+ASPERITY_INSTANTIATE(3)
+#undef ASPERITY_INSTANTIATE
 } // namespace asperity::scenario

@@ -49,8 +49,9 @@ void declareTable(Declare& declare, std::vector<friction::Parameter> const& tabl
   }
 }
 
+template <int Dim>
 friction::ParameterView valuesOfTable(std::vector<friction::Parameter> const& table,
-                                      ParameterList const& list, Mesh<2> const& mesh,
+                                      ParameterList const& list, Mesh<Dim> const& mesh,
                                       std::vector<int> const& nodes)
 {
   Kokkos::View<double**, friction::MemorySpace> values("asperity::scenario::lawParameters",
@@ -64,17 +65,6 @@ friction::ParameterView valuesOfTable(std::vector<friction::Parameter> const& ta
   }
   Kokkos::deep_copy(values, host);
   return values;
-}
-
-// The component of a nodal frame along the fault: the one across it has been laid along the normal.
-int tangentialComponent(fem::NodalFrames const& frames, int node, Point<2> const& normal)
-{
-  if (frames.components() == 1) {
-    return 0;
-  }
-  const double along_first =
-    frames.entry(node, 0, 0) * normal[0] + frames.entry(node, 0, 1) * normal[1];
-  return std::abs(along_first) < 0.5 ? 0 : 1;
 }
 
 } // namespace
@@ -107,31 +97,32 @@ RCP<const ParameterList> frictionParameters(std::string const& law, std::string 
     .real("Normal Stress Factor", 1., "-", Range::atLeast(0), "Multiplies the normal stress.")
     .field("Shear Traction", 0., "Pa", Range::any(),
            "Shear traction on the fault besides that of the deformation, along the tangent of its "
-           "frame: along +x on a fault below the body.");
+           "frame, +x on a fault below the body; in three dimensions along the slip direction.")
+    .realArray("Slip Direction", std::vector<double>{1., 0., 0.}, "-", Range::any(),
+               "Three dimensions: where the shear traction points, projected onto the fault; of "
+               "any length.");
   return declare.list();
 }
 
-friction::NodeView valuesAtNodes(ParameterList const& list, std::string const& name,
-                                 std::string const& where, Mesh<2> const& mesh,
-                                 std::vector<int> const& nodes)
-{
-  return toDevice(nodalValues(list, name, where, mesh, nodes), "asperity::scenario::field");
-}
-
-dynamics::Fault makeFault(ParameterList const& list, Mesh<2> const& mesh,
-                          fem::BoundaryNodes<2> const& boundary, fem::DofMap const& dofs,
-                          fem::Constraints<2> const& constraints, double slip_factor)
+template <int Dim>
+dynamics::Fault makeFault(ParameterList const& list, Mesh<Dim> const& mesh,
+                          fem::BoundaryNodes<Dim> const& boundary, fem::DofMap const& dofs,
+                          fem::Constraints<Dim> const& constraints, double slip_factor)
 {
   dynamics::Fault fault;
-  fault.num_tangents = 1;
+  fault.num_tangents = Dim - 1;
   fault.slip_factor = slip_factor;
   fault.communicator = dofs.communicator();
   for (std::size_t i = 0; i < boundary.nodes.size(); ++i) {
     const int node = boundary.nodes[i];
-    const int dof =
-      dofs.dof(node, tangentialComponent(constraints.frames(), node, boundary.normals[i]));
-    fault.dofs.push_back({dof});
-    fault.fixed.push_back(constraints.fixed()[dof] ? 1 : 0);
+    fault.dofs.emplace_back();
+    fault.fixed.emplace_back();
+    for (int component :
+         fem::tangentialComponents(constraints.frames(), node, boundary.normals[i])) {
+      const int dof = dofs.dof(node, component);
+      fault.dofs.back().push_back(dof);
+      fault.fixed.back().push_back(constraints.fixed()[dof] ? 1 : 0);
+    }
   }
   double mine = 0;
   for (double weight : boundary.weights) {
@@ -140,7 +131,8 @@ dynamics::Fault makeFault(ParameterList const& list, Mesh<2> const& mesh,
   Teuchos::reduceAll(*fault.communicator, Teuchos::REDUCE_SUM, mine,
                      Teuchos::outArg(fault.total_weight));
   fault.data.weight = toDevice(boundary.weights, "asperity::scenario::weight");
-  fault.data.cohesion = valuesAtNodes(list, "Cohesion", path, mesh, boundary.nodes);
+  fault.data.cohesion = toDevice(nodalValues(list, "Cohesion", path, mesh, boundary.nodes),
+                                 "asperity::scenario::cohesion");
   fault.data.slip_factor = toDevice(std::vector<double>(boundary.nodes.size(), slip_factor),
                                     "asperity::scenario::slipFactor");
   fault.data.sigma_n =
@@ -155,4 +147,10 @@ dynamics::Fault makeFault(ParameterList const& list, Mesh<2> const& mesh,
   return fault;
 }
 
+template dynamics::Fault makeFault(ParameterList const&, Mesh<2> const&,
+                                   fem::BoundaryNodes<2> const&, fem::DofMap const&,
+                                   fem::Constraints<2> const&, double);
+template dynamics::Fault makeFault(ParameterList const&, Mesh<3> const&,
+                                   fem::BoundaryNodes<3> const&, fem::DofMap const&,
+                                   fem::Constraints<3> const&, double);
 } // namespace asperity::scenario

@@ -12,15 +12,11 @@ namespace asperity::scenario
 // besides.
 RCP<const ParameterList> frictionParameters(std::string const& law, std::string const& state_law);
 
-// A field of a list at the fault nodes.
-friction::NodeView valuesAtNodes(ParameterList const& list, std::string const& name,
-                                 std::string const& where, Mesh<2> const& mesh,
-                                 std::vector<int> const& nodes);
-
 // Everything but the normal stress, which is zero until setNormalStress (FaultLoads.hpp).
-dynamics::Fault makeFault(ParameterList const& list, Mesh<2> const& mesh,
-                          fem::BoundaryNodes<2> const& boundary, fem::DofMap const& dofs,
-                          fem::Constraints<2> const& constraints, double slip_factor);
+template <int Dim>
+dynamics::Fault makeFault(ParameterList const& list, Mesh<Dim> const& mesh,
+                          fem::BoundaryNodes<Dim> const& boundary, fem::DofMap const& dofs,
+                          fem::Constraints<Dim> const& constraints, double slip_factor);
 
 // One value for each fault node.
 friction::NodeView toDevice(std::vector<double> const& values, std::string const& label);

@@ -22,9 +22,10 @@ RCP<const ParameterList> initialStateParameters()
   return Declare()
     .choice("Displacement", "Static", {"Static", "Zero"},
             "Static: the displacement under gravity with a frictionless fault. Zero: none.")
-    .field(velocity_names[0], 0., "m/s", Range::any(), "Initial velocity along x (plane strain).")
-    .field(velocity_names[1], 0., "m/s", Range::any(), "Initial velocity along y (plane strain).")
-    .field(velocity_names[2], 0., "m/s", Range::any(), "Initial velocity along z (antiplane).")
+    .field(velocity_names[0], 0., "m/s", Range::any(), "Initial velocity along x (not antiplane).")
+    .field(velocity_names[1], 0., "m/s", Range::any(), "Initial velocity along y (not antiplane).")
+    .field(velocity_names[2], 0., "m/s", Range::any(),
+           "Initial velocity along z (antiplane, solid).")
     .choice("Acceleration", "Balanced", {"Balanced", "Zero"},
             "Balanced: from the balance of momentum; quasi-dynamic there is none. Zero: none, "
             "whatever the forces.")
@@ -37,8 +38,9 @@ RCP<const ParameterList> initialStateParameters()
     .list();
 }
 
-RCP<Vector> initialVelocity(ParameterList const& list, Mesh<2> const& mesh,
-                            dynamics::Body const& body, fem::Constraints<2> const& constraints)
+template <int Dim>
+RCP<Vector> initialVelocity(ParameterList const& list, Mesh<Dim> const& mesh,
+                            dynamics::Body const& body, fem::Constraints<Dim> const& constraints)
 {
   const int components = body.dofs->components();
   auto v = body.vector();
@@ -77,30 +79,32 @@ auto toHost(View const& view)
   return Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace(), view);
 }
 
-class Place
+template <int Dim>
+std::string placeOf(Mesh<Dim> const& mesh, int node)
 {
-public:
-  Place(Mesh<2> const& mesh, int node) : id_(mesh.global_ids[node]), x_(mesh.vertices[node]) {}
+  return "at node " + std::to_string(mesh.global_ids[node]) +
+         ", x = " + formatPoint<Dim>(mesh.vertices[node]) + ",";
+}
 
-  friend std::ostream& operator<<(std::ostream& out, Place const& place)
-  {
-    return out << "at node " << place.id_ << " (x = " << formatShort(place.x_[0])
-               << ", y = " << formatShort(place.x_[1]) << ")";
+// Of the vectors of node i.
+double product(std::vector<double> const& a, std::vector<double> const& b, int num_tangents, int i)
+{
+  double sum = 0;
+  for (int k = 0; k < num_tangents; ++k) {
+    sum += a[i * num_tangents + k] * b[i * num_tangents + k];
   }
-
-private:
-  GlobalOrdinal id_;
-  Point<2> x_;
-};
+  return sum;
+}
 
 // The coefficient that friction needs to bear the traction; the reasons why there may be none.
-double balancingCoefficient(InitialFault const& at_start, int i, double V, double sigma_n,
-                            double cohesion, Place const& place)
+double balancingCoefficient(InitialFault const& at_start, int i, double speed, double V,
+                            double sigma_n, double cohesion, std::string const& place)
 {
   ASPERITY_REQUIRE(sigma_n > 0, path << " / State = Stress Balance: " << place
                                      << " there is no normal stress, hence no friction that could "
                                         "bear the shear traction.");
-  const double driving = at_start.velocity[i] > 0 ? at_start.traction[i] : -at_start.traction[i];
+  const int size = static_cast<int>(at_start.velocity.size() / at_start.radiation.size());
+  const double driving = product(at_start.traction, at_start.velocity, size, i) / speed;
   const double rest = driving - cohesion - at_start.radiation[i] * V;
   ASPERITY_REQUIRE(rest > 0, path << " / State = Stress Balance: " << place
                                   << " the shear traction along the initial velocity, "
@@ -113,7 +117,8 @@ double balancingCoefficient(InitialFault const& at_start, int i, double V, doubl
 }
 } // namespace
 
-friction::NodeView initialAlpha(ParameterList const& list, Mesh<2> const& mesh,
+template <int Dim>
+friction::NodeView initialAlpha(ParameterList const& list, Mesh<Dim> const& mesh,
                                 std::vector<int> const& nodes, dynamics::Fault const& fault,
                                 InitialFault const& at_start)
 {
@@ -127,16 +132,20 @@ friction::NodeView initialAlpha(ParameterList const& list, Mesh<2> const& mesh,
   std::vector<double> V(nodes.size());
   std::vector<double> mu(nodes.size(), none);
   for (int i = 0; i < fault.numNodes(); ++i) {
-    const Place place(mesh, nodes[i]);
-    V[i] = fault.slip_factor * std::abs(at_start.velocity[i]);
-    if (V[i] == 0 && fault.fixed[i]) {
+    auto const place = placeOf(mesh, nodes[i]);
+    double speed = 0;
+    for (int k = 0; k < fault.num_tangents; ++k) {
+      speed = std::hypot(speed, at_start.velocity[i * fault.num_tangents + k]);
+    }
+    V[i] = fault.slip_factor * speed;
+    if (V[i] == 0 && !fault.slides(i)) {
       continue;
     }
     ASPERITY_REQUIRE(V[i] > 0, path << " / State = " << state << ": " << place
                                     << " the initial slip rate is zero, where there is no such "
                                        "state. Give an initial velocity, or State = Given.");
     if (state == "Stress Balance") {
-      mu[i] = balancingCoefficient(at_start, i, V[i], sigma_n(i), cohesion(i), place);
+      mu[i] = balancingCoefficient(at_start, i, speed, V[i], sigma_n(i), cohesion(i), place);
     }
   }
   auto const alpha = toDevice(std::vector<double>(nodes.size(), none), "asperity::scenario::alpha");
@@ -153,10 +162,21 @@ friction::NodeView initialAlpha(ParameterList const& list, Mesh<2> const& mesh,
       result(i) = given[i];
     }
     ASPERITY_REQUIRE(std::isfinite(result(i)),
-                     path << " / State = " << state << ": " << Place(mesh, nodes[i])
+                     path << " / State = " << state << ": " << placeOf(mesh, nodes[i])
                           << " no state does this. Friction has to depend on it, b > 0.");
   }
   Kokkos::deep_copy(alpha, result);
   return alpha;
 }
+
+#define ASPERITY_INSTANTIATE(Dim)                                                                  \
+  template RCP<Vector> initialVelocity(ParameterList const&, Mesh<Dim> const&,                     \
+                                       dynamics::Body const&, fem::Constraints<Dim> const&);       \
+  template friction::NodeView initialAlpha(ParameterList const&, Mesh<Dim> const&,                 \
+                                           std::vector<int> const&, dynamics::Fault const&,        \
+                                           InitialFault const&);
+
+ASPERITY_INSTANTIATE(2)
+ASPERITY_INSTANTIATE(3)
+#undef ASPERITY_INSTANTIATE
 } // namespace asperity::scenario

@@ -5,7 +5,8 @@ namespace asperity::scenario
 namespace
 {
 // (num local vertices) the region of the first cell that has the vertex.
-std::vector<int> vertexRegions(Mesh<2> const& mesh)
+template <int Dim>
+std::vector<int> vertexRegions(Mesh<Dim> const& mesh)
 {
   std::vector<int> regions(mesh.vertices.size(), -1);
   for (std::size_t cell = 0; cell < mesh.cells.size(); ++cell) {
@@ -25,17 +26,18 @@ bool isGiven(ParameterList const& list, std::string const& name)
 }
 
 Field steadyField(ParameterList const& list, std::string const& name, std::string const& path,
-                  Mesh<2> const& mesh)
+                  std::vector<std::string> const& region_names)
 {
-  Field field(list, name, path, mesh.region_names);
+  Field field(list, name, path, region_names);
   ASPERITY_REQUIRE(!field.dependsOnTime(),
                    joinPath(path, name) << " depends on t, but it is read once, at t = 0. Remove t "
                                            "from the expression.");
   return field;
 }
 
+template <int Dim>
 NodalField::NodalField(ParameterList const& list, std::string const& name, std::string const& path,
-                       Mesh<2> const& mesh, std::vector<int> const& nodes)
+                       Mesh<Dim> const& mesh, std::vector<int> const& nodes)
     : field_(list, name, path, mesh.region_names)
 {
   if (field_.isDataset()) {
@@ -48,8 +50,7 @@ NodalField::NodalField(ParameterList const& list, std::string const& name, std::
   }
   auto const regions = vertexRegions(mesh);
   for (int node : nodes) {
-    auto const& x = mesh.vertices[node];
-    places_.push_back({x[0], x[1], 0});
+    places_.push_back(inSpace<Dim>(mesh.vertices[node]));
     regions_.push_back(regions[node]);
   }
 }
@@ -66,11 +67,23 @@ std::vector<double> NodalField::at(double t) const
   return values;
 }
 
+template <int Dim>
 std::vector<double> nodalValues(ParameterList const& list, std::string const& name,
-                                std::string const& path, Mesh<2> const& mesh,
+                                std::string const& path, Mesh<Dim> const& mesh,
                                 std::vector<int> const& nodes)
 {
-  steadyField(list, name, path, mesh);
+  steadyField(list, name, path, mesh.region_names);
   return NodalField(list, name, path, mesh, nodes).at(0);
 }
+
+#define ASPERITY_INSTANTIATE(Dim)                                                                  \
+  template NodalField::NodalField(ParameterList const&, std::string const&, std::string const&,    \
+                                  Mesh<Dim> const&, std::vector<int> const&);                      \
+  template std::vector<double> nodalValues(ParameterList const&, std::string const&,               \
+                                           std::string const&, Mesh<Dim> const&,                   \
+                                           std::vector<int> const&);
+
+ASPERITY_INSTANTIATE(2)
+ASPERITY_INSTANTIATE(3)
+#undef ASPERITY_INSTANTIATE
 } // namespace asperity::scenario

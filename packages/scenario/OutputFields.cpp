@@ -22,51 +22,94 @@ std::vector<double> tangential(Vector const& x, dynamics::Fault const& fault)
   return result;
 }
 
-void registerFaultFields(io::FieldRegistry& registry, Problem const& problem, RunView const& view)
+// A tangential vector of each fault node as it is written: along the tangent in two dimensions, in
+// three along the axes, since tangents change from node to node.
+template <int Dim>
+class Tangential
 {
-  auto const& fault = problem.fault;
-  const int size = fault.num_tangents;
-  auto const initial = tangential(*problem.initial.u, fault);
-  auto const magnitude = [&fault, size](Values const& blocks) {
-    Values result(fault.numNodes());
-    for (int node = 0; node < fault.numNodes(); ++node) {
-      double square = 0;
-      for (int k = 0; k < size; ++k) {
-        square += blocks[node * size + k] * blocks[node * size + k];
+public:
+  explicit Tangential(Problem<Dim> const& problem) : problem_(&problem) {}
+
+  static int components() { return Dim == 2 ? 1 : Dim; }
+  static char const* direction() { return Dim == 2 ? "along the tangent." : "along the axes."; }
+
+  // Of blocks (num_nodes, T); factor(node) multiplies them.
+  template <class Factor>
+  Values operator()(Values const& blocks, Factor const& factor) const
+  {
+    auto const& fault = problem_->fault;
+    Values result;
+    for (int i = 0; i < fault.numNodes(); ++i) {
+      if (Dim == 2) {
+        result.push_back(factor(i) * blocks[i]);
+        continue;
       }
-      result[node] = size == 1 ? std::abs(blocks[node]) : std::sqrt(square);
+      const int node = problem_->fault_nodes.nodes[i];
+      std::array<double, Dim> local{};
+      for (int k = 0; k < fault.num_tangents; ++k) {
+        const int component = fault.dofs[i][k] - problem_->body.dofs->dof(node, 0);
+        local[component] = factor(i) * blocks[i * fault.num_tangents + k];
+      }
+      std::array<double, Dim> along_axes{};
+      problem_->constraints->frames().fromFrame(node, local.data(), along_axes.data());
+      result.insert(result.end(), along_axes.begin(), along_axes.end());
     }
     return result;
+  }
+
+private:
+  Problem<Dim> const* problem_;
+};
+
+template <int Dim>
+void registerTangential(io::FieldRegistry& registry, Problem<Dim> const& problem,
+                        RunView const& view)
+{
+  auto const& fault = problem.fault;
+  const Tangential<Dim> written(problem);
+  auto const initial = tangential(*problem.initial.u, fault);
+  auto const slip_factor = [&fault](int) { return fault.slip_factor; };
+  auto const add = [&](char const* name, char const* unit, std::string const& meaning, auto value) {
+    registry.add(io::Field{name, unit, meaning + ' ' + written.direction(), "fault",
+                           written.components(), value});
   };
+  add("slip", "m", "Tangential slip since the start,", [=, &fault, &view](Values& values) {
+    auto blocks = tangential(*view.state->u, fault);
+    for (std::size_t i = 0; i < blocks.size(); ++i) {
+      blocks[i] -= initial[i];
+    }
+    values = written(blocks, slip_factor);
+  });
+  add("traction", "Pa", "Shear traction that friction bears,", [=, &fault, &view](Values& values) {
+    auto const weight = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace(), fault.data.weight);
+    values =
+      written(tangential(view.balance->force(), fault), [&](int i) { return 1 / weight(i); });
+  });
+  if (Dim == 3) {
+    add("slip_velocity", "m/s", "Slip rate as a vector,", [=, &fault, &view](Values& values) {
+      values = written(tangential(*view.state->v, fault), slip_factor);
+    });
+  }
+}
+
+template <int Dim>
+void registerFaultFields(io::FieldRegistry& registry, Problem<Dim> const& problem,
+                         RunView const& view)
+{
+  auto const& fault = problem.fault;
   registry.add(io::Field{"slip_rate", "m/s", "Magnitude of the slip rate.", "fault", 1,
-                         [&fault, &view, magnitude](Values& values) {
-                           values = magnitude(tangential(*view.state->v, fault));
-                           for (double& value : values) {
-                             value *= fault.slip_factor;
+                         [&fault, &view](Values& values) {
+                           auto const blocks = tangential(*view.state->v, fault);
+                           values.assign(fault.numNodes(), 0.);
+                           for (std::size_t i = 0; i < blocks.size(); ++i) {
+                             double& value = values[i / fault.num_tangents];
+                             value = std::hypot(value, fault.slip_factor * blocks[i]);
                            }
                          }});
   registry.add(io::Field{
     "alpha", "", "State ln(theta V* / L).", "fault", 1, [&view](Values& values) {
       auto const host = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace(), view.state->alpha);
       values.assign(host.data(), host.data() + host.extent(0));
-    }});
-  registry.add(io::Field{"slip", "m",
-                         "Tangential slip since the start, along the tangents of the fault.",
-                         "fault", size, [&fault, &view, initial](Values& values) {
-                           values = tangential(*view.state->u, fault);
-                           for (std::size_t i = 0; i < values.size(); ++i) {
-                             values[i] = fault.slip_factor * (values[i] - initial[i]);
-                           }
-                         }});
-  registry.add(io::Field{
-    "traction", "Pa", "Shear traction that friction bears, along the tangents of the fault.",
-    "fault", size, [&fault, &view, size](Values& values) {
-      values = tangential(view.balance->force(), fault);
-      auto const weight =
-        Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace(), fault.data.weight);
-      for (std::size_t i = 0; i < values.size(); ++i) {
-        values[i] /= weight(i / size);
-      }
     }});
   registry.add(io::Field{"normal_stress", "Pa", "Normal stress, positive in compression.", "fault",
                          1, [&fault](Values& values) {
@@ -77,7 +120,8 @@ void registerFaultFields(io::FieldRegistry& registry, Problem const& problem, Ru
 }
 
 // What does not change in time.
-void registerFaultConstants(io::FieldRegistry& registry, Problem const& problem)
+template <int Dim>
+void registerFaultConstants(io::FieldRegistry& registry, Problem<Dim> const& problem)
 {
   auto const add = [&registry](char const* name, char const* unit, char const* meaning,
                                Values const& constant) {
@@ -89,12 +133,17 @@ void registerFaultConstants(io::FieldRegistry& registry, Problem const& problem)
     shear_modulus.push_back(material.shear_modulus);
   }
   add("shear_modulus", "Pa", "Shear modulus of the body beside the fault.", shear_modulus);
+  Values prescribed;
+  for (int node = 0; node < problem.fault.numNodes(); ++node) {
+    prescribed.push_back(problem.fault.slides(node) ? 0 : 1);
+  }
   add("prescribed", "", "1 where the slip rate is prescribed, 0 where friction decides on it.",
-      Values(problem.fault.fixed.begin(), problem.fault.fixed.end()));
+      prescribed);
 }
 
 // theta = L / V* exp(alpha), for state laws that have these two.
-void registerTheta(io::FieldRegistry& registry, Problem const& problem, RunView const& view,
+template <int Dim>
+void registerTheta(io::FieldRegistry& registry, Problem<Dim> const& problem, RunView const& view,
                    ParameterList const& friction)
 {
   char const* const distance = "L";
@@ -123,7 +172,8 @@ void registerTheta(io::FieldRegistry& registry, Problem const& problem, RunView 
 }
 
 // Displacement, velocity and acceleration, along the axes, at the vertices of a location.
-void registerMotion(io::FieldRegistry& registry, Problem const& problem, RunView const& view,
+template <int Dim>
+void registerMotion(io::FieldRegistry& registry, Problem<Dim> const& problem, RunView const& view,
                     io::Location const& location)
 {
   struct Motion
@@ -155,7 +205,8 @@ void registerMotion(io::FieldRegistry& registry, Problem const& problem, RunView
   }
 }
 
-void registerScalars(io::FieldRegistry& registry, RunView const& view)
+// dimension: of space.
+void registerScalars(io::FieldRegistry& registry, RunView const& view, int dimension)
 {
   auto const add = [&](char const* name, char const* unit, char const* meaning, auto value) {
     registry.add(io::Scalar{name, unit, meaning, value});
@@ -184,7 +235,7 @@ void registerScalars(io::FieldRegistry& registry, RunView const& view)
     // Slip and moment are those of the whole fault.
     auto const description = meaning + std::string(" With an antisymmetric fault: of the half "
                                                    "that is modelled.");
-    registry.add(io::Scalar{name, "J/m", description,
+    registry.add(io::Scalar{name, dimension == 2 ? "J/m" : "J", description,
                             [&view, member] { return view.balance->energy().*member; }});
   };
   energy("kinetic_energy", "Kinetic energy.", &dynamics::Energy::kinetic);
@@ -206,7 +257,8 @@ void registerScalars(io::FieldRegistry& registry, RunView const& view)
 }
 } // namespace
 
-std::map<std::string, io::Location> makeLocations(Problem const& problem)
+template <int Dim>
+std::map<std::string, io::Location> makeLocations(Problem<Dim> const& problem)
 {
   std::map<std::string, io::Location> locations;
   locations.emplace("fault", io::boundaryLocation("fault", problem.mesh, problem.boundary.fault,
@@ -220,16 +272,27 @@ std::map<std::string, io::Location> makeLocations(Problem const& problem)
   return locations;
 }
 
-void registerFields(io::FieldRegistry& registry, Problem const& problem, RunView const& view,
+template <int Dim>
+void registerFields(io::FieldRegistry& registry, Problem<Dim> const& problem, RunView const& view,
                     std::map<std::string, io::Location> const& locations,
                     ParameterList const& friction)
 {
   registerFaultFields(registry, problem, view);
+  registerTangential(registry, problem, view);
   registerTheta(registry, problem, view, friction);
   registerFaultConstants(registry, problem);
   for (auto const& [name, location] : locations) {
     registerMotion(registry, problem, view, location);
   }
-  registerScalars(registry, view);
+  registerScalars(registry, view, Dim);
 }
+
+#define ASPERITY_INSTANTIATE(Dim)                                                                  \
+  template std::map<std::string, io::Location> makeLocations(Problem<Dim> const&);                 \
+  template void registerFields(io::FieldRegistry&, Problem<Dim> const&, RunView const&,            \
+                               std::map<std::string, io::Location> const&, ParameterList const&);
+
+ASPERITY_INSTANTIATE(2)
+ASPERITY_INSTANTIATE(3)
+#undef ASPERITY_INSTANTIATE
 } // namespace asperity::scenario

@@ -20,11 +20,13 @@ struct RunView
 };
 
 // Fault, volume and, where the deck names one, the free surface. Collective.
-std::map<std::string, io::Location> makeLocations(Problem const& problem);
+template <int Dim>
+std::map<std::string, io::Location> makeLocations(Problem<Dim> const& problem);
 
 // Registers all fields and scalars. Problem, view and locations must outlive the registry;
 // `friction` is the deck's list.
-void registerFields(io::FieldRegistry& registry, Problem const& problem, RunView const& view,
+template <int Dim>
+void registerFields(io::FieldRegistry& registry, Problem<Dim> const& problem, RunView const& view,
                     std::map<std::string, io::Location> const& locations,
                     ParameterList const& friction);
 } // namespace asperity::scenario

@@ -20,37 +20,25 @@ namespace asperity::scenario
 {
 namespace
 {
-// Translations and the rotation (antiplane: the one translation), in nodal frames.
-RCP<MultiVector> rigidBodyMotions(Mesh<2> const& mesh, fem::DofMap const& dofs,
-                                  fem::NodalFrames const& frames)
+// Calls work with the number of components as a constant.
+template <int Dim, class Work>
+auto withComponents(int components, Work const& work)
 {
-  const int components = dofs.components();
-  auto motions = rcp(new MultiVector(dofs.owned(), components == 1 ? 1 : 3));
-  auto values = motions->getLocalViewHost(Tpetra::Access::OverwriteAll);
-  for (int node = 0; node < dofs.numOwnedNodes(); ++node) {
+  if constexpr (Dim == 2) {
     if (components == 1) {
-      values(dofs.dof(node, 0), 0) = 1;
-      continue;
-    }
-    auto const& x = mesh.vertices[node];
-    const std::array<std::array<double, 2>, 3> along_axes = {{{1, 0}, {0, 1}, {-x[1], x[0]}}};
-    for (int motion = 0; motion < 3; ++motion) {
-      std::array<double, 2> local{};
-      frames.toFrame(node, along_axes[motion].data(), local.data());
-      for (int c = 0; c < 2; ++c) {
-        values(dofs.dof(node, c), motion) = local[c];
-      }
+      return work(std::integral_constant<int, 1>());
     }
   }
-  return motions;
+  return work(std::integral_constant<int, Dim>());
 }
 } // namespace
 
-Problem::Problem(ParameterList const& deck, RCP<const Communicator> const& comm)
+template <int Dim>
+Problem<Dim>::Problem(ParameterList const& deck, RCP<const Communicator> const& comm)
     : communicator(comm)
-    , mesh(makeMesh(deck.sublist("Mesh"), comm))
-    , components(displacementComponents(deck.sublist("Bulk")))
-    , boundary(makeBoundaryConditions(deck.sublist("Boundary Conditions"), components))
+    , components(displacementComponents(deck.sublist("Bulk"), Dim))
+    , boundary(makeBoundaryConditions<Dim>(deck.sublist("Boundary Conditions"), components))
+    , mesh(makeMesh<Dim>(deck.sublist("Mesh"), boundary.fault, comm))
 {
   requireBoundaries(deck.sublist("Boundary Conditions"), mesh);
   const double end = finalTime(deck.sublist("Time Stepping"));
@@ -59,8 +47,8 @@ Problem::Problem(ParameterList const& deck, RCP<const Communicator> const& comm)
   if (!boundary.surface.empty()) {
     fem::boundaryNodes(mesh, boundary.surface, *comm);
   }
-  constraints = std::make_unique<fem::Constraints<2>>(mesh, *body.dofs, boundary.velocities,
-                                                      std::vector<double>{0, end / 3, end});
+  constraints = std::make_unique<fem::Constraints<Dim>>(mesh, *body.dofs, boundary.velocities,
+                                                        std::vector<double>{0, end / 3, end});
   solver = makeSolverSettings(deck.sublist("TNNMG"), comm->getSize(),
                               mesh.num_global_vertices * components);
   auto const materials = makeMaterials(deck.sublist("Bulk"), mesh);
@@ -70,14 +58,13 @@ Problem::Problem(ParameterList const& deck, RCP<const Communicator> const& comm)
   makeInitialState(deck);
 }
 
-void Problem::makeBody(ParameterList const& bulk, std::vector<fem::Material> const& materials)
+template <int Dim>
+void Problem<Dim>::makeBody(ParameterList const& bulk, std::vector<fem::Material> const& materials)
 {
   auto const& frames = constraints->frames();
-  if (components == 2) {
-    body.matrices = fem::assembleBody<2, 2>(mesh, *body.dofs, frames, materials);
-  } else {
-    body.matrices = fem::assembleBody<2, 1>(mesh, *body.dofs, frames, materials);
-  }
+  body.matrices = withComponents<Dim>(components, [&](auto count) {
+    return fem::assembleBody<Dim, count.value>(mesh, *body.dofs, frames, materials);
+  });
   for (auto const& name : boundary.absorbing) {
     ASPERITY_REQUIRE(!quasiDynamic(bulk),
                      "Asperity / Boundary Conditions: the boundary '"
@@ -85,20 +72,21 @@ void Problem::makeBody(ParameterList const& bulk, std::vector<fem::Material> con
                        << "' is Absorbing, but a quasi-dynamic body has no waves. Choose another "
                           "Type, or Bulk / Dynamics = Inertial.");
     fem::boundaryNodes(mesh, name, *communicator); // refuses one without facets
-    auto const dampers = components == 2
-                           ? fem::absorbingBoundary<2, 2>(mesh, name, frames, materials)
-                           : fem::absorbingBoundary<2, 1>(mesh, name, frames, materials);
+    auto const dampers = withComponents<Dim>(components, [&, &name = name](auto count) {
+      return fem::absorbingBoundary<Dim, count.value>(mesh, name, frames, materials);
+    });
     body.matrices.viscosity = fem::withDampers(*body.matrices.viscosity, *body.dofs, dampers);
   }
   if (quasiDynamic(bulk)) {
     body.matrices.mass = fem::zeroLike(*body.matrices.mass);
   }
   body.fixed = constraints->fixed();
-  body.near_null_space = rigidBodyMotions(mesh, *body.dofs, frames);
+  body.near_null_space = fem::rigidBodyMotions(mesh, *body.dofs, frames);
   body.prescribed_velocity = [this](double t, Vector& v) { constraints->prescribedVelocity(t, v); };
 }
 
-void Problem::makeFault(ParameterList const& deck, std::vector<fem::Material> const& materials)
+template <int Dim>
+void Problem<Dim>::makeFault(ParameterList const& deck, std::vector<fem::Material> const& materials)
 {
   auto const& bulk = deck.sublist("Bulk");
   fault = scenario::makeFault(deck.sublist("Friction"), mesh, fault_nodes, *body.dofs, *constraints,
@@ -113,28 +101,31 @@ void Problem::makeFault(ParameterList const& deck, std::vector<fem::Material> co
   fem::NodalDampers dampers;
   for (int i = 0; i < fault.numNodes(); ++i) {
     const int node = fault_nodes.nodes[i];
-    const int row = fault.dofs[i][0] - body.dofs->dof(node, 0);
     dampers[node] = {};
-    dampers[node][row * components + row] =
-      fault_nodes.weights[i] * radiation_damping[i] * fault.slip_factor;
+    for (int dof : fault.dofs[i]) {
+      const int row = dof - body.dofs->dof(node, 0);
+      dampers[node][row * components + row] =
+        fault_nodes.weights[i] * radiation_damping[i] * fault.slip_factor;
+    }
   }
   body.matrices.viscosity = fem::withDampers(*body.matrices.viscosity, *body.dofs, dampers);
 }
 
-void Problem::makeLoads(ParameterList const& deck, std::vector<fem::Material> const& materials)
+template <int Dim>
+void Problem<Dim>::makeLoads(ParameterList const& deck, std::vector<fem::Material> const& materials)
 {
-  auto const g = gravity(deck.sublist("Bulk"));
-  if (components == 2) {
-    gravity_load_ =
-      fem::assembleGravity<2, 2>(mesh, *body.dofs, constraints->frames(), materials, g);
-  } else {
-    gravity_load_ = body.vector();
-  }
-  body.load = loadWithTraction(deck.sublist("Friction"), mesh, fault_nodes, fault, gravity_load_);
+  auto const g = gravity<Dim>(deck.sublist("Bulk"));
+  auto const& frames = constraints->frames();
+  gravity_load_ = components == Dim
+                    ? fem::assembleGravity<Dim, Dim>(mesh, *body.dofs, frames, materials, g)
+                    : body.vector();
+  body.load = loadWithTraction(ShearTraction(deck.sublist("Friction"), mesh, fault_nodes, frames),
+                               fault_nodes.weights, fault, gravity_load_);
 }
 
 // Pressure of the foundation on the fault nodes: the reaction K u - l across the fault per weight.
-std::vector<double> Problem::reactionPressure(Vector const& u) const
+template <int Dim>
+std::vector<double> Problem<Dim>::reactionPressure(Vector const& u) const
 {
   Vector reaction(*gravity_load_, Teuchos::Copy);
   body.matrices.stiffness->apply(u, reaction, Teuchos::NO_TRANS, 1, -1);
@@ -144,18 +135,21 @@ std::vector<double> Problem::reactionPressure(Vector const& u) const
   for (std::size_t i = 0; i < fault_nodes.nodes.size(); ++i) {
     const int node = fault_nodes.nodes[i];
     auto const& normal = fault_nodes.normals[i];
-    const double inward =
-      -(along_axes[2 * node] * normal[0] + along_axes[2 * node + 1] * normal[1]);
-    pressure.push_back(inward / fault_nodes.weights[i]);
+    double outward = 0;
+    for (int d = 0; d < Dim; ++d) {
+      outward += along_axes[Dim * node + d] * normal[d];
+    }
+    pressure.push_back(-outward / fault_nodes.weights[i]);
   }
   return pressure;
 }
 
 // The displacement to start from, and the normal stress of the deck or of the static solution.
-void Problem::makeNormalStress(ParameterList const& friction, bool start_static)
+template <int Dim>
+void Problem<Dim>::makeNormalStress(ParameterList const& friction, bool start_static)
 {
   const bool stress_given = isGiven(friction, "Normal Stress");
-  ASPERITY_REQUIRE(stress_given || components == 2,
+  ASPERITY_REQUIRE(stress_given || components == Dim,
                    "Asperity / Friction / Normal Stress is missing: an antiplane model has no "
                    "normal stress of its own.");
   ASPERITY_REQUIRE(stress_given || !boundary.antisymmetric,
@@ -187,20 +181,24 @@ void Problem::makeNormalStress(ParameterList const& friction, bool start_static)
 
 // The deck's traction is all there is: a static displacement leaves none, since it has slid without
 // friction, and neither does none at all.
-InitialFault Problem::startOfFault(ParameterList const& friction) const
+template <int Dim>
+InitialFault Problem<Dim>::startOfFault(ParameterList const& friction) const
 {
   InitialFault result;
-  result.traction = shearTraction(friction, mesh, fault_nodes.nodes).at(0);
+  result.traction = ShearTraction(friction, mesh, fault_nodes, constraints->frames()).at(0);
   result.radiation = radiation_damping;
   auto const velocities = initial.v->getLocalViewHost(Tpetra::Access::ReadOnly);
   for (auto const& dofs : fault.dofs) {
-    result.velocity.push_back(velocities(dofs[0], 0));
+    for (int dof : dofs) {
+      result.velocity.push_back(velocities(dof, 0));
+    }
   }
   return result;
 }
 
 // By a difference over a time dt [s] in which nothing else happens.
-RCP<Vector> Problem::prescribedAcceleration(double dt) const
+template <int Dim>
+RCP<Vector> Problem<Dim>::prescribedAcceleration(double dt) const
 {
   auto result = body.vector();
   auto const at_zero = body.vector();
@@ -210,7 +208,8 @@ RCP<Vector> Problem::prescribedAcceleration(double dt) const
   return result;
 }
 
-void Problem::makeInitialState(ParameterList const& deck)
+template <int Dim>
+void Problem<Dim>::makeInitialState(ParameterList const& deck)
 {
   auto const& list = deck.sublist("Initial State");
   auto const& friction = deck.sublist("Friction");
@@ -231,7 +230,8 @@ void Problem::makeInitialState(ParameterList const& deck)
   initial.jerk = body.vector();
 }
 
-void Problem::alongAxes(Vector const& x, std::vector<double>& result) const
+template <int Dim>
+void Problem<Dim>::alongAxes(Vector const& x, std::vector<double>& result) const
 {
   auto const values = x.getLocalViewHost(Tpetra::Access::ReadOnly);
   result.resize(static_cast<std::size_t>(mesh.num_owned) * components);
@@ -244,4 +244,7 @@ void Problem::alongAxes(Vector const& x, std::vector<double>& result) const
                                     &result[static_cast<std::size_t>(node) * components]);
   }
 }
+
+template struct Problem<2>;
+template struct Problem<3>;
 } // namespace asperity::scenario

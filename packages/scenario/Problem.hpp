@@ -8,6 +8,7 @@
 #include "fem/BoundaryNodes.hpp"
 #include "fem/Constraints.hpp"
 #include "fem/Material.hpp"
+#include "fem/RigidBodyMotions.hpp"
 #include "scenario/BoundarySetup.hpp"
 #include "scenario/InitialSetup.hpp"
 
@@ -19,6 +20,7 @@ namespace asperity::scenario
 {
 // What a deck describes, discretised: the body, its fault and the state it starts from. It refers
 // to itself: neither copied nor moved.
+template <int Dim>
 struct Problem
 {
   // `deck` is completed. Collective.
@@ -27,11 +29,11 @@ struct Problem
   Problem& operator=(Problem const&) = delete;
 
   RCP<const Communicator> communicator;
-  Mesh<2> mesh;
   int components; // of the displacement
-  BoundaryConditions boundary;
-  std::unique_ptr<fem::Constraints<2>> constraints;
-  fem::BoundaryNodes<2> fault_nodes;
+  BoundaryConditions<Dim> boundary;
+  Mesh<Dim> mesh;
+  std::unique_ptr<fem::Constraints<Dim>> constraints;
+  fem::BoundaryNodes<Dim> fault_nodes;
   dynamics::Body body;
   dynamics::Fault fault;
   std::vector<fem::Material> fault_materials; // (num fault nodes) of the body beside the fault

@@ -31,12 +31,14 @@ std::string rounded(double value)
 }
 
 // (num_nodes) of the facets that meet at each fault node.
-std::vector<CellSizes> cellSizes(Problem const& problem)
+template <int Dim>
+std::vector<CellSizes> cellSizes(Problem<Dim> const& problem)
 {
   auto const& nodes = problem.fault_nodes.nodes;
   std::vector<CellSizes> sizes(nodes.size());
   for (auto const& facet : problem.mesh.boundaries.at(problem.boundary.fault)) {
-    const double size = mesh::facetMeasure(mesh::corners<2>(problem.mesh.vertices, facet));
+    const double measure = mesh::facetMeasure(mesh::corners(problem.mesh, facet));
+    const double size = Dim == 2 ? measure : std::sqrt(2 * measure);
     for (int node : facet) {
       auto const place = std::lower_bound(nodes.begin(), nodes.end(), node);
       if (place != nodes.end() && *place == node) {
@@ -53,7 +55,7 @@ std::vector<CellSizes> cellSizes(Problem const& problem)
 double slipModulus(fem::Material const& material, int components, bool antisymmetric)
 {
   const double G = material.shear_modulus;
-  if (components == 1) {
+  if (components != 2) {
     return antisymmetric ? G : 2 * G;
   }
   const double nu = material.poissonsRatio();
@@ -72,7 +74,8 @@ double nucleationLength(double slip_modulus, double a, double b, double L, doubl
   return 2 * half * cohesiveZone(slip_modulus, b, L, sigma_n);
 }
 
-std::optional<FaultResolution> faultResolution(Problem const& problem,
+template <int Dim>
+std::optional<FaultResolution> faultResolution(Problem<Dim> const& problem,
                                                ParameterList const& friction)
 {
   if (!isGiven(friction, "a") || !isGiven(friction, "b") || !isGiven(friction, "L")) {
@@ -112,6 +115,9 @@ std::optional<FaultResolution> faultResolution(Problem const& problem,
   }
   return FaultResolution{all[0], -all[1], all[2], all[3], all[4]};
 }
+
+template std::optional<FaultResolution> faultResolution(Problem<2> const&, ParameterList const&);
+template std::optional<FaultResolution> faultResolution(Problem<3> const&, ParameterList const&);
 
 std::vector<std::string> describe(FaultResolution const& resolution)
 {

@@ -11,6 +11,8 @@ namespace asperity::scenario
 // The modulus G' [Pa] with which slip of wavenumber q loads the fault, G' q / 2 per slip:
 //   antisymmetric fault   G antiplane, G / (1 - nu) plane strain
 //   bilateral contact     2 G antiplane, 8 G (1 - nu) / (3 - 4 nu) plane strain (u_n = 0)
+// In three dimensions that of antiplane, the smaller one: along one of the fault's directions slip
+// is of that kind.
 // The foundation is rigid: one side alone bears the slip that two share, hence about the double.
 double slipModulus(fem::Material const& material, int components, bool antisymmetric);
 
@@ -25,7 +27,7 @@ double nucleationLength(double slip_modulus, double a, double b, double L, doubl
 // Where b > a and the normal stress is not zero, over all ranks; lengths in m.
 struct FaultResolution
 {
-  double smallest_cell; // of the fault's facets
+  double smallest_cell; // of the fault's facets; the leg of a right triangle of the same area
   double largest_cell;
   double cohesive_zone;     // smallest
   double nucleation_length; // smallest
@@ -33,7 +35,8 @@ struct FaultResolution
 };
 
 // Nothing where friction weakens nowhere, or where the law has no a, b or L. Collective.
-std::optional<FaultResolution> faultResolution(Problem const& problem,
+template <int Dim>
+std::optional<FaultResolution> faultResolution(Problem<Dim> const& problem,
                                                ParameterList const& friction);
 
 // For the log, with a warning below three cells per cohesive zone.

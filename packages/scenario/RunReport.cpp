@@ -11,7 +11,8 @@
 
 namespace asperity::scenario
 {
-std::vector<std::string> describe(Problem const& problem, ParameterList const& deck)
+template <int Dim>
+std::vector<std::string> describe(Problem<Dim> const& problem, ParameterList const& deck)
 {
   std::vector<std::string> lines;
   std::ostringstream first;
@@ -39,15 +40,18 @@ std::vector<std::string> describe(Problem const& problem, ParameterList const& d
   return lines;
 }
 
+template std::vector<std::string> describe(Problem<2> const&, ParameterList const&);
+template std::vector<std::string> describe(Problem<3> const&, ParameterList const&);
+
 namespace
 {
-void writeBalance(std::ostream& text, dynamics::Energy const& energy)
+void writeBalance(std::ostream& text, dynamics::Energy const& energy, char const* unit)
 {
   // By definition of the defect, which counts from the start of the run also after a restart.
   const double change = energy.boundary_work + energy.load_work - energy.friction_work -
                         energy.viscous_work - energy.numerical_dissipation + energy.defect;
-  text << "Energy [J/m]: work of boundaries " << formatShort(energy.boundary_work) << " and loads "
-       << formatShort(energy.load_work) << "; taken by friction "
+  text << "Energy [" << unit << "]: work of boundaries " << formatShort(energy.boundary_work)
+       << " and loads " << formatShort(energy.load_work) << "; taken by friction "
        << formatShort(energy.friction_work) << ", viscosity " << formatShort(energy.viscous_work)
        << " and the time stepping " << formatShort(energy.numerical_dissipation)
        << "; change of kinetic and elastic energy " << formatShort(change)
@@ -85,7 +89,7 @@ std::string summarise(RunSummary const& summary, io::EventCatalogue const* event
     text << "WARNING: J rose in " << count.rises
          << " half iterations of TNNMG, by more than rounding explains.\n";
   }
-  writeBalance(text, summary.energy);
+  writeBalance(text, summary.energy, summary.dimension == 2 ? "J/m" : "J");
   text << "\nResults in " << summary.directory;
   return text.str();
 }

@@ -12,12 +12,14 @@
 namespace asperity::scenario
 {
 // What is about to be computed, one line each. Collective.
-std::vector<std::string> describe(Problem const& problem, ParameterList const& deck);
+template <int Dim>
+std::vector<std::string> describe(Problem<Dim> const& problem, ParameterList const& deck);
 
 struct RunSummary
 {
   bool finished = false;
-  double time = 0; // reached [s]
+  int dimension = 2; // of space
+  double time = 0;   // reached [s]
   std::int64_t num_steps = 0;
   std::int64_t forced_steps = 0; // accepted although the smallest step did not meet the tolerance
   dynamics::SolveCount count;

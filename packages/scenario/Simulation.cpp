@@ -3,11 +3,18 @@
 #include "base/MpiScope.hpp"
 #include "base/Signals.hpp"
 #include "base/Text.hpp"
+#include "dynamics/CoupledStep.hpp"
+#include "io/Archive.hpp"
 #include "io/Checkpoint.hpp"
 #include "io/OutputDirectory.hpp"
+#include "io/OutputSet.hpp"
+#include "io/RunLog.hpp"
 #include "io/outputs/EventCatalogue.hpp"
 #include "scenario/BulkSetup.hpp"
 #include "scenario/DeckReader.hpp"
+#include "scenario/MeshSetup.hpp"
+#include "scenario/OutputFields.hpp"
+#include "scenario/Problem.hpp"
 #include "scenario/RunArchive.hpp"
 #include "scenario/RunReport.hpp"
 #include "scenario/SolverSetup.hpp"
@@ -24,6 +31,47 @@ io::ExistingResult existingResult(CommandLine const& command_line)
   }
   return command_line.overwrite ? io::ExistingResult::overwrite : io::ExistingResult::refuse;
 }
+
+template <int Dim>
+class SimulationOf final : public Simulation
+{
+public:
+  SimulationOf(RCP<ParameterList> const& deck, CommandLine const& command_line,
+               RCP<const Communicator> const& communicator);
+
+  int run() override;
+
+private:
+  void begin();
+  void advance();
+  void writeCheckpoint();
+  void report(bool finished);
+  io::StepInfo stepInfo() const;
+  bool atEnd() const;
+
+  RCP<ParameterList> deck_;
+  RCP<const Communicator> communicator_;
+  std::filesystem::path directory_;
+  std::unique_ptr<io::RunLog> log_;
+  Problem<Dim> problem_;
+  dynamics::DyadicTime clock_;
+  dynamics::DyadicTime::Ticks end_;
+  std::unique_ptr<dynamics::StepSolvers> solvers_;
+  std::unique_ptr<dynamics::CoupledStep> coupled_step_;
+  std::unique_ptr<dynamics::StepControl> control_;
+  dynamics::EnergyBalance balance_;
+  dynamics::State state_;
+  dynamics::SolveCount count_;
+  std::int64_t forced_steps_ = 0;
+  RunView view_;
+  std::map<std::string, io::Location> locations_;
+  io::FieldRegistry registry_;
+  std::unique_ptr<io::OutputSet> outputs_;
+  std::string restart_;
+  io::Archive checkpoint_; // of a restart, until it begins
+  int checkpoint_interval_;
+};
+
 } // namespace
 
 std::filesystem::path outputDirectory(CommandLine const& command_line)
@@ -34,8 +82,9 @@ std::filesystem::path outputDirectory(CommandLine const& command_line)
   return std::filesystem::path("results") / std::filesystem::path(command_line.deck).stem();
 }
 
-Simulation::Simulation(RCP<ParameterList> const& deck, CommandLine const& command_line,
-                       RCP<const Communicator> const& communicator)
+template <int Dim>
+SimulationOf<Dim>::SimulationOf(RCP<ParameterList> const& deck, CommandLine const& command_line,
+                                RCP<const Communicator> const& communicator)
     : deck_(deck)
     , communicator_(communicator)
     , directory_(outputDirectory(command_line))
@@ -85,11 +134,14 @@ Simulation::Simulation(RCP<ParameterList> const& deck, CommandLine const& comman
   }
 }
 
-Simulation::~Simulation() = default;
+template <int Dim>
+bool SimulationOf<Dim>::atEnd() const
+{
+  return state_.time >= end_;
+}
 
-bool Simulation::atEnd() const { return state_.time >= end_; }
-
-io::StepInfo Simulation::stepInfo() const
+template <int Dim>
+io::StepInfo SimulationOf<Dim>::stepInfo() const
 {
   io::StepInfo info;
   info.step = control_->memory().num_steps;
@@ -100,7 +152,8 @@ io::StepInfo Simulation::stepInfo() const
   return info;
 }
 
-int Simulation::run()
+template <int Dim>
+int SimulationOf<Dim>::run()
 {
   const StopSignals signals;
   for (auto const& line : describe(problem_, *deck_)) {
@@ -130,7 +183,8 @@ int Simulation::run()
   return exit_done;
 }
 
-void Simulation::begin()
+template <int Dim>
+void SimulationOf<Dim>::begin()
 {
   if (restart_.empty()) {
     balance_.start(state_, {});
@@ -147,7 +201,8 @@ void Simulation::begin()
                 " at t = " + formatShort(clock_.seconds(state_.time)) + " s.");
 }
 
-void Simulation::advance()
+template <int Dim>
+void SimulationOf<Dim>::advance()
 {
   auto const before = count_;
   view_.step = control_->advance(state_, count_);
@@ -171,7 +226,8 @@ void Simulation::advance()
   log_->progress(progress);
 }
 
-void Simulation::writeCheckpoint()
+template <int Dim>
+void SimulationOf<Dim>::writeCheckpoint()
 {
   outputs_->closeSegment();
   io::Archive archive;
@@ -184,10 +240,12 @@ void Simulation::writeCheckpoint()
   io::writeCheckpoint(directory_ / "checkpoint.h5", archive, fingerprint(*deck_), *communicator_);
 }
 
-void Simulation::report(bool finished)
+template <int Dim>
+void SimulationOf<Dim>::report(bool finished)
 {
   RunSummary summary;
   summary.finished = finished;
+  summary.dimension = Dim;
   summary.time = clock_.seconds(state_.time);
   summary.num_steps = control_->memory().num_steps;
   summary.forced_steps = forced_steps_;
@@ -197,5 +255,15 @@ void Simulation::report(bool finished)
   summary.setup_seconds = solvers_->setupSeconds();
   summary.directory = directory_.string();
   log_->message(summarise(summary, outputs_->events()));
+}
+
+std::unique_ptr<Simulation> makeSimulation(RCP<ParameterList> const& deck,
+                                           CommandLine const& command_line,
+                                           RCP<const Communicator> const& communicator)
+{
+  if (meshDimension(deck->sublist("Mesh"), *communicator) == 3) {
+    return std::make_unique<SimulationOf<3>>(deck, command_line, communicator);
+  }
+  return std::make_unique<SimulationOf<2>>(deck, command_line, communicator);
 }
 } // namespace asperity::scenario

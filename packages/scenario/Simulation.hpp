@@ -1,12 +1,8 @@
 #pragma once
 
 #include "base/CommandLine.hpp"
-#include "dynamics/CoupledStep.hpp"
-#include "io/Archive.hpp"
-#include "io/OutputSet.hpp"
-#include "io/RunLog.hpp"
-#include "scenario/OutputFields.hpp"
-#include "scenario/Problem.hpp"
+#include "base/Parameters.hpp"
+#include "base/Types.hpp"
 
 #include <filesystem>
 #include <memory>
@@ -17,45 +13,17 @@ namespace asperity::scenario
 class Simulation
 {
 public:
-  // `deck` is completed. Prepares the directory; reads the checkpoint of a restart. Collective.
-  Simulation(RCP<ParameterList> const& deck, CommandLine const& command_line,
-             RCP<const Communicator> const& communicator);
-  ~Simulation();
+  virtual ~Simulation() = default;
 
   // To the final time, or until SIGTERM or SIGINT. Returns the exit status (base/MpiScope.hpp).
   // SolveError if even the smallest step fails; the last good state is on disk then.
-  int run();
-
-private:
-  void begin();
-  void advance();
-  void writeCheckpoint();
-  void report(bool finished);
-  io::StepInfo stepInfo() const;
-  bool atEnd() const;
-
-  RCP<ParameterList> deck_;
-  RCP<const Communicator> communicator_;
-  std::filesystem::path directory_;
-  std::unique_ptr<io::RunLog> log_;
-  Problem problem_;
-  dynamics::DyadicTime clock_;
-  dynamics::DyadicTime::Ticks end_;
-  std::unique_ptr<dynamics::StepSolvers> solvers_;
-  std::unique_ptr<dynamics::CoupledStep> coupled_step_;
-  std::unique_ptr<dynamics::StepControl> control_;
-  dynamics::EnergyBalance balance_;
-  dynamics::State state_;
-  dynamics::SolveCount count_;
-  std::int64_t forced_steps_ = 0;
-  RunView view_;
-  std::map<std::string, io::Location> locations_;
-  io::FieldRegistry registry_;
-  std::unique_ptr<io::OutputSet> outputs_;
-  std::string restart_;
-  io::Archive checkpoint_; // of a restart, until it begins
-  int checkpoint_interval_;
+  virtual int run() = 0;
 };
+
+// `deck` is completed. Prepares the directory; reads the checkpoint of a restart. Collective.
+std::unique_ptr<Simulation> makeSimulation(RCP<ParameterList> const& deck,
+                                           CommandLine const& command_line,
+                                           RCP<const Communicator> const& communicator);
 
 // Where results go if the command line does not say: results/<name of the deck>.
 std::filesystem::path outputDirectory(CommandLine const& command_line);

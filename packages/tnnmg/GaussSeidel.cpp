@@ -22,6 +22,7 @@ NodeView nodalCurvature(CrsMatrix const& Z, NonlinearNodes const& nodes)
   NodeView curvature("asperity::tnnmg::curvature", nodes.numNodes());
   auto const matrix = Z.getLocalMatrixDevice();
   auto const dofs = nodes.dofs;
+  auto const fixed = nodes.fixed;
   const int size = nodes.blockSize();
   Kokkos::parallel_for(
     "asperity::tnnmg::nodalCurvature", Policy(0, nodes.numNodes()), KOKKOS_LAMBDA(int node) {
@@ -30,7 +31,8 @@ NodeView nodalCurvature(CrsMatrix const& Z, NonlinearNodes const& nodes)
         const int row = dofs(node, k);
         for (auto e = matrix.graph.row_map(row); e < matrix.graph.row_map(row + 1); ++e) {
           for (int l = 0; l < size; ++l) {
-            if (matrix.graph.entries(e) == dofs(node, l)) {
+            const bool free = !fixed(node, k) && !fixed(node, l);
+            if (free && matrix.graph.entries(e) == dofs(node, l)) {
               block[k][l] = matrix.values(e);
             }
           }
@@ -64,6 +66,7 @@ void modelResidual(LocalMatrix const& matrix, NonlinearNodes const& nodes, Index
   auto const right_side = b.getLocalViewDevice(Tpetra::Access::ReadOnly);
   auto const v = v_columns.getLocalViewDevice(Tpetra::Access::ReadOnly);
   auto const dofs = nodes.dofs;
+  auto const fixed = nodes.fixed;
   const int size = nodes.blockSize();
   Kokkos::parallel_for(
     label_residual, Policy(0, which.extent(0)), KOKKOS_LAMBDA(int i) {
@@ -74,7 +77,8 @@ void modelResidual(LocalMatrix const& matrix, NonlinearNodes const& nodes, Index
         for (auto e = matrix.graph.row_map(row); e < matrix.graph.row_map(row + 1); ++e) {
           sum += matrix.values(e) * v(matrix.graph.entries(e), 0);
         }
-        residual(node, k) = right_side(row, 0) - sum + curvature(node) * v(row, 0);
+        residual(node, k) =
+          fixed(node, k) ? 0 : right_side(row, 0) - sum + curvature(node) * v(row, 0);
       }
     });
 }

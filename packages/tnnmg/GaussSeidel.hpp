@@ -7,15 +7,16 @@
 
 namespace asperity::tnnmg
 {
-// The largest eigenvalue of each node's diagonal block of Z: the curvature of the model I^m
-// (Pipping 2014, ch. 4).
+// The largest eigenvalue of each node's diagonal block of Z in its free components: the curvature
+// of the model I^m (Pipping 2014, ch. 4).
 NodeView nodalCurvature(CrsMatrix const& Z, NonlinearNodes const& nodes);
 
 // Z on the device. Taken once for a sweep: asking Tpetra for it costs as much as using it.
 using LocalMatrix = CrsMatrix::local_matrix_device_type;
 
 // residual(node, k) = b - sum_j Z_kj v_j at the rows of the given nodes, plus curvature times v:
-// the linear term of the model at v = 0. v lives on Z's column map. Runs on the device.
+// the linear term of the model at v = 0, and none in the components that are held. v lives on Z's
+// column map. Runs on the device.
 void modelResidual(LocalMatrix const& matrix, NonlinearNodes const& nodes, IndexView const& which,
                    ConstNodeView const& curvature, Vector const& b, Vector const& v_columns,
                    BlockView const& residual);

@@ -19,16 +19,20 @@ namespace
 constexpr double trial_tolerance = 1e-4;
 constexpr int trial_iterations = 8;
 
-RCP<const MultiVector> withoutRows(MultiVector const& vectors, RowView const& rows)
+// Constrained rows are decoupled and their residuals zero, so that nothing reaches what they carry.
+// A trace is left since MueLu refuses an aggregate without any share in a vector, as between the
+// nodes of a wall.
+RCP<const MultiVector> withTraceAt(MultiVector const& vectors, RowView const& rows)
 {
+  constexpr double trace = 1e-8;
   const auto result = rcp(new MultiVector(vectors, Teuchos::Copy));
   const auto values = result->getLocalViewDevice(Tpetra::Access::ReadWrite);
   Kokkos::parallel_for(
-    "asperity::tnnmg::withoutRows",
+    "asperity::tnnmg::withTraceAt",
     Kokkos::RangePolicy<Kokkos::DefaultExecutionSpace>(0, rows.extent_int(0)),
     KOKKOS_LAMBDA(int k) {
       for (int column = 0; column < values.extent_int(1); ++column) {
-        values(rows(k), column) = 0;
+        values(rows(k), column) *= trace;
       }
     });
   return result;
@@ -73,7 +77,7 @@ struct MueLuCorrection::Implementation
   {
     TimedScope scope(setup_timer);
     preconditioner = rcp(new detail::MultigridPreconditioner(
-      A, problem.Z, withoutRows(*problem.near_null_space, problem.constrained), nodes,
+      A, problem.Z, withTraceAt(*problem.near_null_space, problem.constrained), nodes,
       parameters.muelu));
     ++statistics.setups;
     detail::requireSymmetric(*preconditioner, *nodes);

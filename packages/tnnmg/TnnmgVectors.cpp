@@ -82,11 +82,15 @@ void TnnmgBlocks::truncate(NonlinearNodes const& nodes, ConstNodeView const& cur
   const int size = nodes.blockSize();
   Kokkos::parallel_for(
     "asperity::tnnmg::truncate", Policy(0, nodes.numNodes()), KOKKOS_LAMBDA(int node) {
-      bool keep = flags(node) == 0 && fixed(node) == 0;
+      bool held = true, soft = true;
       for (int k = 0; k < size; ++k) {
-        keep = keep && H(node, k, k) <= stiff * curvature(node);
+        for (int l = 0; l < size; ++l) {
+          H(node, k, l) = fixed(node, k) || fixed(node, l) ? 0 : H(node, k, l);
+        }
+        held = held && fixed(node, k);
+        soft = soft && H(node, k, k) <= stiff * curvature(node);
       }
-      flags(node) = keep ? 0 : 1;
+      flags(node) = flags(node) || held || !soft;
     });
 }
 
@@ -138,11 +142,13 @@ void TnnmgVectors::newtonResidual(NonlinearNodes const& nodes, ConstBlockView co
   Tpetra::deep_copy(*newton_residual, *r);
   auto const values = newton_residual->getLocalViewDevice(Tpetra::Access::ReadWrite);
   auto const dofs = nodes.dofs;
+  auto const fixed = nodes.fixed;
   const int size = nodes.blockSize();
   Kokkos::parallel_for(
     "asperity::tnnmg::newtonResidual", Policy(0, nodes.numNodes()), KOKKOS_LAMBDA(int node) {
       for (int k = 0; k < size; ++k) {
-        values(dofs(node, k), 0) -= gradient(node, k);
+        auto& value = values(dofs(node, k), 0);
+        value = fixed(node, k) ? 0 : value - gradient(node, k);
       }
     });
 }

@@ -29,7 +29,7 @@ struct TnnmgBlocks
   void differenceTo(BlockView const& reference,
                     BlockView const& result) const; // result = v - reference
   // Adds to the kinked nodes those that are held, and those whose Hessian exceeds stiff *
-  // curvature.
+  // curvature. The others' Hessians lose their held components.
   void truncate(NonlinearNodes const& nodes, ConstNodeView const& curvature, double stiff) const;
 
   BlockView v, before, d, scaled, residual, gradient;
@@ -46,7 +46,7 @@ struct TnnmgVectors
   // After sweeps that changed v: renews the residual; 1 if J rose. The nonlinear part of the change
   // is this rank's.
   int finishSweeps(CrsMatrix const& Z, Vector const& b, double nonlinear_change, double magnitude);
-  // newton_residual = b - Z v - gradient
+  // newton_residual = b - Z v - gradient, zero in the held components of nonlinear nodes
   void newtonResidual(NonlinearNodes const& nodes, ConstBlockView const& gradient);
 
   struct Along

@@ -37,12 +37,17 @@ def run_to_end(folder, *arguments, ranks=1, timeout=60):
 
 
 def series(file_name):
-    """{name: array} of all datasets of a history, e.g. DIR/fault.h5."""
-    found = {}
+    """{name: array} of all datasets of a history, e.g. DIR/fault.h5, links to files followed."""
     with h5py.File(file_name) as file:
-        file.visititems(lambda name, item: found.update({name: item[()]})
-                        if isinstance(item, h5py.Dataset) else None)
-    return found
+        return dict(datasets(file))
+
+
+def datasets(group, prefix=""):
+    for name, item in group.items():
+        if isinstance(item, h5py.Dataset):
+            yield prefix + name, item[()]
+        else:
+            yield from datasets(item, f"{prefix}{name}/")
 
 
 def table(file_name):

@@ -19,6 +19,8 @@ FIGURES = {
     "receivers": "slip rate, shear traction, state and slip at the receivers on the fault",
     "rupture_times": "first arrival of each rupture over the position",
     "moment_rate": "moment rate and moment of each event",
+    "fault_maps": "in 3D: slip of an event and its rupture front on the fault",
+    "fault_history": "in 3D: peak slip rate, and slip rate along strike over time",
 }
 INPUT_ERROR = 2
 

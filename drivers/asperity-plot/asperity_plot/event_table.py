@@ -60,6 +60,10 @@ def _number(catalogue: Table) -> Column:
 
 def _moment(catalogue: Table) -> List[Column]:
     """Also as the magnitude of a rupture 1 km long, if that is a magnitude at all."""
+    if "magnitude" in catalogue:
+        return [Column("area", catalogue["area"], units.Unit("m^2", 1.0)),
+                Column("moment", catalogue["moment"], units.Unit("N m", 1.0)),
+                Column("Mw", catalogue["magnitude"], digits=3)]
     if "moment_per_length" not in catalogue:
         return []
     moment = catalogue["moment_per_length"]

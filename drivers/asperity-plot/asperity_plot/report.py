@@ -5,8 +5,8 @@ from argparse import Namespace
 from pathlib import Path
 from typing import List, Optional
 
-from . import (boxes, energy, event_table, iterations, moment_rate, receivers, rupture_times, slip,
-               slip_profiles, slip_rate, style, surface, windows)
+from . import (boxes, energy, event_table, fault_history, fault_maps, iterations, moment_rate,
+               receivers, rupture_times, slip, slip_profiles, slip_rate, style, surface, windows)
 from .errors import InputError, NothingToShow
 from .options import Options
 from .run import Run
@@ -22,6 +22,8 @@ FIGURES = {  # name: (module with draw(run, view), the file it needs)
     "receivers": (receivers, "receivers.h5"),
     "rupture_times": (rupture_times, "rupture.h5"),
     "moment_rate": (moment_rate, "global.csv"),
+    "fault_maps": (fault_maps, "fault.h5"),
+    "fault_history": (fault_history, "fault.h5"),
 }
 
 

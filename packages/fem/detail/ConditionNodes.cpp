@@ -1,8 +1,10 @@
 #include "fem/detail/ConditionNodes.hpp"
 
+#include "fem/detail/NodalBasis.hpp"
 #include "mesh/SimplexGeometry.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <iterator>
 
 namespace asperity::fem::detail
@@ -14,7 +16,7 @@ std::map<int, std::vector<double>> inwardNormals(Mesh<Dim> const& mesh, int comp
   std::map<int, std::vector<double>> normals;
   for (auto const& name : boundaries) {
     for (auto const& facet : mesh.boundaries.at(name)) {
-      auto const outward = mesh::areaNormal(mesh::corners<Dim>(mesh.vertices, facet));
+      auto const outward = mesh::areaNormal(mesh::corners(mesh, facet));
       for (int node : facet) {
         if (node < mesh.num_owned) {
           auto& normal = normals.try_emplace(node, components, 0.).first->second;
@@ -26,6 +28,31 @@ std::map<int, std::vector<double>> inwardNormals(Mesh<Dim> const& mesh, int comp
     }
   }
   return normals;
+}
+
+void turnIntoWalls(NodalVectors const& walls, std::map<int, std::vector<double>>& normals)
+{
+  constexpr double nearly = 0.1; // sine of the angle to a wall's plane
+  for (auto& [node, normal] : normals) {
+    auto const at_node = walls.find(node);
+    if (at_node == walls.end()) {
+      continue;
+    }
+    const double size = std::sqrt(dot(normal, normal));
+    NodalBasis planes;
+    for (auto const& wall : at_node->second) {
+      Terms none;
+      if (std::abs(dot(normal, wall)) < nearly * size) {
+        planes.add(wall, none);
+      }
+    }
+    for (auto const& across : planes.vectors()) {
+      const double rest = dot(normal, across);
+      for (std::size_t c = 0; c < normal.size(); ++c) {
+        normal[c] -= rest * across[c];
+      }
+    }
+  }
 }
 
 template <int Dim>

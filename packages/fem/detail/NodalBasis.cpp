@@ -90,6 +90,17 @@ Terms NodalBasis::velocityAlong(std::vector<double> const& direction) const
   return terms;
 }
 
+std::vector<double> withinPlane(std::vector<double> const& normal,
+                                std::vector<double> const& towards, bool at_right_angles)
+{
+  auto const &n = normal, &d = towards;
+  if (at_right_angles) {
+    return {n[1] * d[2] - n[2] * d[1], n[2] * d[0] - n[0] * d[2], n[0] * d[1] - n[1] * d[0]};
+  }
+  const double across = dot(n, d);
+  return {d[0] - across * n[0], d[1] - across * n[1], d[2] - across * n[2]};
+}
+
 int axisOf(std::vector<double> const& direction)
 {
   for (std::size_t i = 0; i < direction.size(); ++i) {

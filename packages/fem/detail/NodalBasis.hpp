@@ -41,6 +41,11 @@ private:
 
 double dot(std::vector<double> const& a, std::vector<double> const& b);
 
+// Of the part of `towards` at right angles to the unit normal, or at right angles to both; in three
+// dimensions, not normalised: zero where `towards` is the normal.
+std::vector<double> withinPlane(std::vector<double> const& normal,
+                                std::vector<double> const& towards, bool at_right_angles);
+
 // The axis that a unit vector follows, forwards or backwards; -1 if it follows none.
 int axisOf(std::vector<double> const& direction);
 

@@ -9,13 +9,14 @@ namespace asperity::io::detail
 {
 FaultAxis faultAxis(Location const& fault)
 {
-  const auto whole = gatherGeometry(fault, NodeGather(fault));
+  const NodeGather gather(fault);
+  const auto coordinates = gather(fault.coordinates, 1, fault.dimension);
   FaultAxis axis;
-  axis.distances = whole.positions;
+  axis.distances = gather(fault.positions, 1, 1);
   double first_y = 0, last_y = 0, length = 0;
   if (!axis.distances.empty()) {
-    first_y = whole.coordinates[1];
-    last_y = whole.coordinates.back();
+    first_y = coordinates[1];
+    last_y = coordinates.back();
     length = axis.distances.back();
     if (last_y > first_y) {
       for (double& distance : axis.distances) {

@@ -11,14 +11,14 @@
 
 namespace asperity::io::detail
 {
-namespace
-{
 MPI_Comm rawCommunicator(Communicator const& comm)
 {
   auto const* mpi = dynamic_cast<Teuchos::MpiComm<int> const*>(&comm);
   return mpi ? static_cast<MPI_Comm>(*mpi->getRawMpiComm()) : MPI_COMM_SELF;
 }
 
+namespace
+{
 MPI_Datatype typeOf(double) { return MPI_DOUBLE; }
 MPI_Datatype typeOf(GlobalOrdinal) { return MPI_LONG_LONG; }
 MPI_Datatype typeOf(char) { return MPI_CHAR; }
@@ -71,33 +71,64 @@ template std::vector<GlobalOrdinal> gatherToAll(std::vector<GlobalOrdinal> const
                                                 Communicator const&);
 template std::vector<char> gatherToAll(std::vector<char> const&, Communicator const&);
 
-void onRoot(Communicator const& comm, std::function<void()> const& work)
+namespace
 {
-  enum Status { done, input_error, other_error };
-  int report[2] = {done, 0}; // status, length of the message
+// What became of the work on one rank.
+struct Outcome
+{
+  enum Status
+  {
+    done,
+    input_error,
+    other_error
+  };
+  int status = done;
   std::string message;
-  if (comm.getRank() == 0) {
-    try {
-      work();
-    } catch (InputError const& error) {
-      report[0] = input_error;
-      message = error.what();
-    } catch (std::exception const& error) {
-      report[0] = other_error;
-      message = error.what();
-    }
-    report[1] = static_cast<int>(message.size());
+};
+
+Outcome outcomeOf(std::function<void()> const& work)
+{
+  try {
+    work();
+  } catch (InputError const& error) {
+    return {Outcome::input_error, error.what()};
+  } catch (std::exception const& error) {
+    return {Outcome::other_error, error.what()};
   }
-  Teuchos::broadcast(comm, 0, 2, report);
-  if (report[0] == done) {
+  return {};
+}
+
+// Throws the outcome of the rank `rank` on every rank.
+void share(Outcome outcome, int rank, Communicator const& comm)
+{
+  int report[2] = {outcome.status, static_cast<int>(outcome.message.size())};
+  Teuchos::broadcast(comm, rank, 2, report);
+  if (report[0] == Outcome::done) {
     return;
   }
-  message.resize(report[1]);
-  Teuchos::broadcast(comm, 0, report[1], message.data());
-  if (report[0] == input_error) {
-    throw InputError(message);
+  outcome.message.resize(report[1]);
+  Teuchos::broadcast(comm, rank, report[1], outcome.message.data());
+  if (report[0] == Outcome::input_error) {
+    throw InputError(outcome.message);
   }
-  throw std::runtime_error(message);
+  throw std::runtime_error(outcome.message);
+}
+} // namespace
+
+void onRoot(Communicator const& comm, std::function<void()> const& work)
+{
+  share(comm.getRank() == 0 ? outcomeOf(work) : Outcome(), 0, comm);
+}
+
+void onAll(Communicator const& comm, std::function<void()> const& work)
+{
+  const Outcome outcome = outcomeOf(work);
+  const int here = outcome.status == Outcome::done ? comm.getSize() : comm.getRank();
+  int first = here;
+  Teuchos::reduceAll(comm, Teuchos::REDUCE_MIN, 1, &here, &first);
+  if (first < comm.getSize()) {
+    share(outcome, first, comm);
+  }
 }
 
 namespace

@@ -42,42 +42,4 @@ template std::vector<double> NodeGather::operator()(std::vector<double> const&, 
                                                     std::size_t) const;
 template std::vector<GlobalOrdinal> NodeGather::operator()(std::vector<GlobalOrdinal> const&,
                                                            std::size_t, std::size_t) const;
-
-namespace
-{
-// Elements by their node numbers, so that files do not depend on who owned them.
-std::vector<GlobalOrdinal> sortedElements(std::vector<GlobalOrdinal> connectivity,
-                                          std::size_t nodes_per_element)
-{
-  std::vector<std::vector<GlobalOrdinal>> elements;
-  for (auto first = connectivity.begin(); first != connectivity.end();
-       first += nodes_per_element) {
-    elements.emplace_back(first, first + nodes_per_element);
-  }
-  std::sort(elements.begin(), elements.end(), [](auto left, auto right) {
-    std::sort(left.begin(), left.end());
-    std::sort(right.begin(), right.end());
-    return left < right;
-  });
-  auto next = connectivity.begin();
-  for (auto const& element : elements) {
-    next = std::copy(element.begin(), element.end(), next);
-  }
-  return connectivity;
-}
-} // namespace
-
-WholeGeometry gatherGeometry(Location const& location, NodeGather const& gather)
-{
-  WholeGeometry whole;
-  whole.coordinates = gather(location.coordinates, 1, location.dimension);
-  whole.weights = gather(location.weights, 1, 1);
-  whole.vertex_ids = gather(location.vertex_ids, 1, 1);
-  if (location.isCurve()) {
-    whole.positions = gather(location.positions, 1, 1);
-  }
-  whole.connectivity = sortedElements(gatherToRoot(location.connectivity, *location.comm),
-                                      location.nodes_per_element);
-  return whole;
-}
 } // namespace asperity::io::detail

@@ -23,12 +23,4 @@ private:
   std::vector<GlobalOrdinal> numbers_; // rank 0: of all nodes, rank by rank
   std::vector<std::size_t> counts_;    // rank 0: of nodes, by rank
 };
-
-// A whole location on rank 0, by node number; empty elsewhere.
-struct WholeGeometry
-{
-  std::vector<double> coordinates, positions, weights;
-  std::vector<GlobalOrdinal> vertex_ids, connectivity;
-};
-WholeGeometry gatherGeometry(Location const& location, NodeGather const& gather);
 } // namespace asperity::io::detail

@@ -3,6 +3,8 @@
 #include "io/detail/PlatformFile.hpp"
 
 #include <algorithm>
+#include <array>
+#include <cmath>
 
 namespace asperity::io::detail
 {
@@ -10,56 +12,107 @@ namespace
 {
 double same(double value) { return value; }
 double megapascal(double value) { return 1e-6 * value; }
+double logarithmOfSize(double value) { return platformLogarithm(std::abs(value)); }
+
+constexpr Direction first{1, 0, 0};
+constexpr Direction second{0, 1, 0};
+
+PlatformColumns seasFaultInSpace(FaultPlane const& plane)
+{
+  return {
+    {"Slip along strike (m)", "slip_2", "slip", plane.strike, same},
+    {"Slip down dip (m)", "slip_3", "slip", plane.dip, same},
+    {"Slip rate along strike (log10 m/s)", "slip_rate_2", "slip_velocity", plane.strike,
+     logarithmOfSize},
+    {"Slip rate down dip (log10 m/s)", "slip_rate_3", "slip_velocity", plane.dip, logarithmOfSize},
+    {"Shear stress along strike (MPa)", "shear_stress_2", "traction", plane.strike, megapascal},
+    {"Shear stress down dip (MPa)", "shear_stress_3", "traction", plane.dip, megapascal},
+    {"State (log10 s)", "state", "theta", first, platformLogarithm}};
+}
 
 PlatformColumns seasFault(PlatformView const& view)
 {
-  PlatformColumns columns{{"Slip (m)", "slip", "slip", 0, same},
-                          {"Slip rate (log10 m/s)", "slip_rate", "slip_rate", 0, platformLogarithm},
-                          {"Shear stress (MPa)", "shear_stress", "traction", 0, megapascal}};
-  if (!view.antiplane) {
-    columns.push_back({"Normal stress (MPa)", "normal_stress", "normal_stress", 0, megapascal});
+  if (view.plane) {
+    return seasFaultInSpace(*view.plane);
   }
-  columns.push_back({"State (log10 s)", "state", "theta", 0, platformLogarithm});
+  PlatformColumns columns{
+    {"Slip (m)", "slip", "slip", first, same},
+    {"Slip rate (log10 m/s)", "slip_rate", "slip_rate", first, platformLogarithm},
+    {"Shear stress (MPa)", "shear_stress", "traction", first, megapascal}};
+  if (!view.antiplane) {
+    columns.push_back({"Normal stress (MPa)", "normal_stress", "normal_stress", first, megapascal});
+  }
+  columns.push_back({"State (log10 s)", "state", "theta", first, platformLogarithm});
   return columns;
+}
+
+PlatformColumns seasBodyInSpace(FaultPlane const& plane)
+{
+  return {{"Displacement from the fault (m)", "disp_1", "displacement", plane.inward, same},
+          {"Displacement along strike (m)", "disp_2", "displacement", plane.strike, same},
+          {"Displacement down (m)", "disp_3", "displacement", plane.down, same},
+          {"Velocity from the fault (m/s)", "vel_1", "velocity", plane.inward, same},
+          {"Velocity along strike (m/s)", "vel_2", "velocity", plane.strike, same},
+          {"Velocity down (m/s)", "vel_3", "velocity", plane.down, same}};
 }
 
 PlatformColumns seasBody(PlatformView const& view)
 {
-  if (view.antiplane) {
-    return {{"Displacement (m)", "disp", "displacement", 0, same},
-            {"Velocity (m/s)", "vel", "velocity", 0, same}};
+  if (view.plane) {
+    return seasBodyInSpace(*view.plane);
   }
-  return {{"Displacement 1 (m)", "disp_1", "displacement", 0, same},
-          {"Displacement 2 (m)", "disp_2", "displacement", 1, same},
-          {"Velocity 1 (m/s)", "vel_1", "velocity", 0, same},
-          {"Velocity 2 (m/s)", "vel_2", "velocity", 1, same}};
+  if (view.antiplane) {
+    return {{"Displacement (m)", "disp", "displacement", first, same},
+            {"Velocity (m/s)", "vel", "velocity", first, same}};
+  }
+  return {{"Displacement 1 (m)", "disp_1", "displacement", first, same},
+          {"Displacement 2 (m)", "disp_2", "displacement", second, same},
+          {"Velocity 1 (m/s)", "vel_1", "velocity", first, same},
+          {"Velocity 2 (m/s)", "vel_2", "velocity", second, same}};
 }
 
 PlatformColumns scecFault(PlatformView const& view)
 {
+  const bool in_space = view.plane.has_value();
   const bool along_strike = view.antiplane || view.is_level;
-  const auto along = [&](char const* field) { return along_strike ? field : nullptr; };
-  const auto down = [&](char const* field) { return along_strike ? nullptr : field; };
-  return {{"horizontal slip (m)", "h-slip", along("slip"), 0, same},
-          {"horizontal slip rate (m/s)", "h-slip-rate", along("slip_rate"), 0, same},
-          {"horizontal shear stress (MPa)", "h-shear-stress", along("traction"), 0, megapascal},
-          {"vertical slip (m)", "v-slip", down("slip"), 0, same},
-          {"vertical slip rate (m/s)", "v-slip-rate", down("slip_rate"), 0, same},
-          {"vertical shear stress (MPa)", "v-shear-stress", down("traction"), 0, megapascal},
-          {"normal stress (MPa)", "n-stress", "normal_stress", 0, megapascal},
-          {"log10 of state variable (log-seconds)", "log-theta", "theta", 0, platformLogarithm}};
+  const auto along = [&](char const* field) { return in_space || along_strike ? field : nullptr; };
+  const auto down = [&](char const* field) { return in_space || !along_strike ? field : nullptr; };
+  const Direction h = in_space ? view.plane->strike : first;
+  const Direction v = in_space ? view.plane->dip : first;
+  char const* rate = in_space ? "slip_velocity" : "slip_rate";
+  return {
+    {"horizontal slip (m)", "h-slip", along("slip"), h, same},
+    {"horizontal slip rate (m/s)", "h-slip-rate", along(rate), h, same},
+    {"horizontal shear stress (MPa)", "h-shear-stress", along("traction"), h, megapascal},
+    {"vertical slip (m)", "v-slip", down("slip"), v, same},
+    {"vertical slip rate (m/s)", "v-slip-rate", down(rate), v, same},
+    {"vertical shear stress (MPa)", "v-shear-stress", down("traction"), v, megapascal},
+    {"normal stress (MPa)", "n-stress", "normal_stress", first, megapascal},
+    {"log10 of state variable (log-seconds)", "log-theta", "theta", first, platformLogarithm}};
+}
+
+// The directions along strike, vertical and across the fault; null: the model has none.
+using BodyDirections = std::array<std::optional<Direction>, 3>;
+
+BodyDirections bodyDirections(PlatformView const& view)
+{
+  if (view.plane) {
+    return {view.plane->strike, view.plane->down, view.plane->inward};
+  }
+  if (view.antiplane) {
+    return {first, std::nullopt, std::nullopt};
+  }
+  return view.is_level ? BodyDirections{first, std::nullopt, second}
+                       : BodyDirections{std::nullopt, second, first};
 }
 
 PlatformColumns scecBody(PlatformView const& view)
 {
-  // The components along strike, vertical and across the fault; -1: none.
-  const int h = view.antiplane || view.is_level ? 0 : -1;
-  const int v = view.antiplane || view.is_level ? -1 : 1;
-  const int n = view.antiplane ? -1 : view.is_level ? 1 : 0;
+  const auto [h, v, n] = bodyDirections(view);
   const auto column = [](char const* description, char const* name, char const* field,
-                         int component) {
-    return PlatformColumn{description, name, component < 0 ? nullptr : field,
-                          std::max(component, 0), same};
+                         std::optional<Direction> const& direction) {
+    return PlatformColumn{description, name, direction ? field : nullptr, direction.value_or(first),
+                          same};
   };
   return {column("horizontal displacement (m)", "h-disp", "displacement", h),
           column("horizontal velocity (m/s)", "h-vel", "velocity", h),
@@ -103,7 +156,11 @@ std::vector<double> rowOf(PlatformColumns const& columns,
     }
     auto const& values = sampled.at(column.field);
     const std::size_t components = values.size() / num_stations;
-    row.push_back(column.convert(values[station * components + column.component]));
+    double value = 0;
+    for (std::size_t c = 0; c < components; ++c) {
+      value += column.direction[c] * values[station * components + c];
+    }
+    row.push_back(column.convert(value));
   }
   return row;
 }

@@ -51,6 +51,9 @@ SegmentedTable::SegmentedTable(Options options, RCP<const Communicator> comm)
     , comm_(std::move(comm))
     , waiting_(options_.columns.size())
 {
+  if (options_.nodes != nullptr) {
+    blocks_.emplace(*options_.nodes);
+  }
 }
 
 std::filesystem::path SegmentedTable::segmentPath(std::size_t segment) const
@@ -60,11 +63,11 @@ std::filesystem::path SegmentedTable::segmentPath(std::size_t segment) const
 
 void SegmentedTable::append(std::size_t num_rows, std::vector<std::vector<double>> const& values)
 {
+  ASPERITY_ASSERT(comm_->getRank() > 0 || values.size() == waiting_.size());
   rows_in_open_segment_ += static_cast<std::int64_t>(num_rows);
   rows_waiting_ += num_rows;
-  if (comm_->getRank() == 0) {
-    ASPERITY_ASSERT(values.size() == waiting_.size());
-    for (std::size_t i = 0; i < values.size(); ++i) {
+  for (std::size_t i = 0; i < waiting_.size(); ++i) {
+    if (options_.columns[i].is_nodal || comm_->getRank() == 0) {
       waiting_[i].insert(waiting_[i].end(), values[i].begin(), values[i].end());
     }
   }
@@ -73,18 +76,20 @@ void SegmentedTable::append(std::size_t num_rows, std::vector<std::vector<double
   }
 }
 
-void SegmentedTable::openSegment()
+void SegmentedTable::openSegment() const
 {
   const auto path = segmentPath(rows_of_segment_.size());
   std::filesystem::create_directories(path.parent_path());
-  segment_ = h5::File::create(path);
+  h5::File segment = h5::File::create(path);
   constexpr hsize_t numbers_per_chunk = 1024;
   for (auto const& column : options_.columns) {
     const hsize_t rows_per_chunk =
       column.row_shape.empty() ? numbers_per_chunk : options_.rows_per_write;
-    describe(segment_->createExtendable(column.path, column.type, column.row_shape, rows_per_chunk),
+    describe(segment.createExtendable(column.path, column.type, column.row_shape, rows_per_chunk,
+                                      comm_->getSize() > 1),
              column.unit, column.description);
   }
+  segment.close();
 }
 
 void SegmentedTable::writeRows()
@@ -92,32 +97,55 @@ void SegmentedTable::writeRows()
   if (rows_waiting_ == 0) {
     return;
   }
-  onRoot(*comm_, [&] {
-    if (!segment_) {
-      openSegment();
-    }
-    for (std::size_t i = 0; i < options_.columns.size(); ++i) {
-      segment_->openDataset(options_.columns[i].path).append(waiting_[i].data(), rows_waiting_);
-      waiting_[i].clear();
-    }
-  });
+  if (rows_in_open_segment_ == static_cast<std::int64_t>(rows_waiting_)) {
+    onRoot(*comm_, [&] { openSegment(); }); // the first rows of the segment
+  }
+  const auto path = segmentPath(rows_of_segment_.size());
+  std::optional<h5::File> segment;
+  onAll(*comm_, [&] { segment = h5::File::openShared(path, rawCommunicator(*comm_)); });
+  for (std::size_t i = 0; i < options_.columns.size(); ++i) {
+    writeColumn(*segment, i);
+    waiting_[i].clear();
+  }
+  onAll(*comm_, [&] { segment->close(); });
   rows_waiting_ = 0;
+}
+
+void SegmentedTable::writeColumn(h5::File& segment, std::size_t i)
+{
+  auto const& column = options_.columns[i];
+  const hsize_t all = column.row_shape.empty() ? 1 : column.row_shape[0];
+  h5::Part part{0, comm_->getRank() == 0 ? all : 0};
+  auto const* values = &waiting_[i];
+  std::vector<double> block;
+  if (column.is_nodal) {
+    const hsize_t components = column.row_shape.size() > 1 ? column.row_shape[1] : 1;
+    block = (*blocks_)(waiting_[i], rows_waiting_, components);
+    part = {static_cast<hsize_t>(blocks_->first()), static_cast<hsize_t>(blocks_->count())};
+    values = &block;
+  }
+  onAll(*comm_,
+        [&] { segment.openDataset(column.path).appendPart(values->data(), rows_waiting_, part); });
 }
 
 void SegmentedTable::closeSegment(int index)
 {
   ASPERITY_ASSERT(index == static_cast<int>(rows_of_segment_.size()));
   writeRows();
-  onRoot(*comm_, [&] {
-    if (segment_) {
-      segment_->close();
-      segment_.reset();
-      synchronise(segmentPath(rows_of_segment_.size()));
-    }
-  });
+  if (rows_in_open_segment_ > 0) {
+    onAll(*comm_, [&] { synchronise(segmentPath(rows_of_segment_.size())); });
+  }
   rows_of_segment_.push_back(rows_in_open_segment_);
   rows_in_open_segment_ = 0;
+  writeGeometry();
   onRoot(*comm_, [&] { writeIndex(); });
+}
+
+void SegmentedTable::writeGeometry()
+{
+  if (blocks_ && !geometry_) {
+    geometry_ = detail::writeGeometry(options_.directory, options_.name, *options_.nodes, *blocks_);
+  }
 }
 
 void SegmentedTable::writeIndex() const
@@ -129,6 +157,9 @@ void SegmentedTable::writeIndex() const
   const auto path = options_.directory / (options_.name + ".h5");
   h5::File file = h5::File::create(temporaryName(path));
   options_.describe_index(file);
+  if (geometry_) {
+    file.link("geometry", geometry_->name);
+  }
   for (auto const& column : options_.columns) {
     describe(file.createVirtual(column.path, column.type, column.row_shape, parts), column.unit,
              column.description);
@@ -146,10 +177,9 @@ void SegmentedTable::save(Archive& archive) const
 void SegmentedTable::restore(Archive const& archive)
 {
   rows_of_segment_ = archive.get<std::vector<std::int64_t>>("rows_of_segment");
-  onRoot(*comm_, [&] {
-    removeLaterSegments();
-    writeIndex();
-  });
+  onRoot(*comm_, [&] { removeLaterSegments(); });
+  writeGeometry();
+  onRoot(*comm_, [&] { writeIndex(); });
 }
 
 void SegmentedTable::removeLaterSegments() const

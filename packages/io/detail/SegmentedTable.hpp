@@ -3,6 +3,8 @@
 #include "base/Types.hpp"
 #include "io/Archive.hpp"
 #include "io/H5.hpp"
+#include "io/detail/GeometryFile.hpp"
+#include "io/detail/NodeBlocks.hpp"
 
 #include <cstdint>
 #include <filesystem>
@@ -21,7 +23,8 @@ void describe(h5::Dataset dataset, std::string const& unit, std::string const& d
 
 // Rows of a few columns in closed segments DIR/segments/<name>_<nnnnnn>.h5, tied together by the
 // virtual datasets of the index DIR/<name>.h5. What was closed stays whole whatever happens; what
-// was not may be lost. Rank 0 holds the rows and writes. All functions are collective.
+// was not may be lost. Every rank holds and writes its part of the nodal columns, rank 0 the rest.
+// No file is open between two calls. All functions are collective.
 class SegmentedTable
 {
 public:
@@ -30,7 +33,8 @@ public:
     std::string path; // of the dataset, "fields/slip"
     std::string unit, description;
     h5::Type type = h5::Type::float64;
-    h5::Shape row_shape; // of the value in a row; {} is a number
+    h5::Shape row_shape;   // of the value in a row; {} is a number
+    bool is_nodal = false; // the first dimension of the row is that of the nodes
   };
   struct Options
   {
@@ -38,13 +42,17 @@ public:
     std::string name;
     std::vector<Column> columns;
     std::size_t rows_per_write = 64;
-    // Adds to the index what does not grow: attributes, geometry. On rank 0.
+    // Of the nodal columns; its geometry is linked to as the group `geometry`. Null: there are
+    // none.
+    Location const* nodes = nullptr;
+    // Adds to the index what does not grow, such as attributes. On rank 0.
     std::function<void(h5::File&)> describe_index;
   };
 
   SegmentedTable(Options options, RCP<const Communicator> comm);
 
-  // Adds rows: for each column (num_rows, row shape), on rank 0; the others pass anything.
+  // Adds rows, for each column: of a nodal one (num_rows, num_owned, components) on every rank, of
+  // the others (num_rows, row shape) on rank 0, where the others pass anything.
   void append(std::size_t num_rows, std::vector<std::vector<double>> const& values);
 
   // Completes the segment `index`, one more than that of the last call, and writes the index anew.
@@ -56,22 +64,28 @@ public:
   void save(Archive& archive) const;
   void restore(Archive const& archive);
 
-  // Of the closed segments, on rank 0.
+  // Of the closed segments.
   std::vector<std::int64_t> const& rowsOfSegment() const { return rows_of_segment_; }
 
+  // Once a segment was closed, or after restore.
+  GeometryFile const& geometry() const { return *geometry_; }
+
 private:
-  void openSegment();
+  void openSegment() const;
   void writeRows();
+  void writeColumn(h5::File& segment, std::size_t i);
+  void writeGeometry();
   void writeIndex() const;
   void removeLaterSegments() const;
   std::filesystem::path segmentPath(std::size_t segment) const;
 
   Options options_;
   RCP<const Communicator> comm_;
+  std::optional<NodeBlocks> blocks_;          // of the nodes, if there are nodal columns
+  std::optional<GeometryFile> geometry_;      // once written
   std::vector<std::int64_t> rows_of_segment_; // closed ones
   std::int64_t rows_in_open_segment_ = 0;     // written or waiting
   std::size_t rows_waiting_ = 0;
   std::vector<std::vector<double>> waiting_; // by column
-  std::optional<h5::File> segment_;          // between the first rows written and closeSegment
 };
 } // namespace asperity::io::detail

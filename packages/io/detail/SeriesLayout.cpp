@@ -45,25 +45,4 @@ template void writeDataset(h5::File&, std::string const&, std::vector<double> co
                            h5::Shape const&, std::string const&, std::string const&);
 template void writeDataset(h5::File&, std::string const&, std::vector<GlobalOrdinal> const&,
                            h5::Shape const&, std::string const&, std::string const&);
-
-void writeGeometry(h5::File& file, Location const& location, WholeGeometry const& geometry)
-{
-  const auto nodes = static_cast<hsize_t>(location.num_global_nodes);
-  const hsize_t corners = location.nodes_per_element;
-  const hsize_t dimension = location.dimension;
-  char const* units[] = {"m", "m", "m^2", "m^3"};
-  writeDataset(file, "geometry/coordinates", geometry.coordinates, {nodes, dimension}, "m",
-               "Coordinates of the nodes.");
-  writeDataset(file, "geometry/weights", geometry.weights, {nodes}, units[corners - 1],
-               "Lumped length, area or volume of each node.");
-  writeDataset(file, "geometry/vertex_ids", geometry.vertex_ids, {nodes}, "-",
-               "Numbers of the nodes in the mesh.");
-  writeDataset(file, "geometry/connectivity", geometry.connectivity,
-               {geometry.connectivity.size() / corners, corners}, "-",
-               "Nodes of each element, as rows of coordinates.");
-  if (!geometry.positions.empty()) {
-    writeDataset(file, "geometry/positions", geometry.positions, {nodes}, "m",
-                 "Distance along the boundary from its first end.");
-  }
-}
 } // namespace asperity::io::detail

@@ -3,7 +3,6 @@
 #include "io/FieldRegistry.hpp"
 #include "io/H5.hpp"
 #include "io/Location.hpp"
-#include "io/detail/NodeGather.hpp"
 #include "io/detail/SegmentedTable.hpp"
 
 #include <filesystem>
@@ -36,7 +35,4 @@ std::vector<SegmentedTable::Column> timeColumns();
 template <class T>
 void writeDataset(h5::File& file, std::string const& path, std::vector<T> const& values,
                   h5::Shape const& shape, std::string const& unit, std::string const& description);
-
-// The group `geometry` of a whole location. On rank 0.
-void writeGeometry(h5::File& file, Location const& location, WholeGeometry const& geometry);
 } // namespace asperity::io::detail

@@ -18,18 +18,19 @@ char const* topologyType(int nodes_per_element)
   }
 }
 
-void writeMesh(std::ostream& out, SeriesLayout const& layout, WholeGeometry const& geometry)
+void writeMesh(std::ostream& out, SeriesLayout const& layout, GeometryFile const& geometry)
 {
-  const std::size_t elements = geometry.connectivity.size() / layout.nodes_per_element;
+  const std::string group = geometry.name + ":/geometry/";
   out << "  <Topology Name=\"elements\" " << topologyType(layout.nodes_per_element)
-      << " NumberOfElements=\"" << elements << "\">\n"
-      << "   <DataItem Format=\"HDF\" NumberType=\"Int\" Precision=\"8\" Dimensions=\"" << elements
-      << ' ' << layout.nodes_per_element << "\">" << layout.name
-      << ".h5:/geometry/connectivity</DataItem>\n  </Topology>\n"
+      << " NumberOfElements=\"" << geometry.num_whole << "\">\n"
+      << "   <DataItem Format=\"HDF\" NumberType=\"Int\" Precision=\"8\" Dimensions=\""
+      << geometry.num_whole << ' ' << layout.nodes_per_element << "\">" << group
+      << (geometry.isPeriodic() ? "whole_elements" : "connectivity")
+      << "</DataItem>\n  </Topology>\n"
       << "  <Geometry Name=\"nodes\" GeometryType=\"" << (layout.dimension == 2 ? "XY" : "XYZ")
       << "\">\n   <DataItem Format=\"HDF\" NumberType=\"Float\" Precision=\"8\" Dimensions=\""
-      << layout.num_nodes << ' ' << layout.dimension << "\">" << layout.name
-      << ".h5:/geometry/coordinates</DataItem>\n  </Geometry>\n";
+      << layout.num_nodes << ' ' << layout.dimension << "\">" << group
+      << "coordinates</DataItem>\n  </Geometry>\n";
 }
 
 // One row of a segment, whose datasets have num_rows rows.
@@ -50,8 +51,7 @@ void writeAttribute(std::ostream& out, SeriesLayout const& layout, Field const& 
   out << "    <Attribute Name=\"" << name << "\" AttributeType=\""
       << (is_vector ? "Vector" : "Scalar") << "\" Center=\"Node\">\n"
       << "     <DataItem ItemType=\"HyperSlab\" Dimensions=\"" << nodes << (is_vector ? " 3" : "")
-      << "\">\n      <DataItem Format=\"XML\" Dimensions=\"3 " << (has_components ? 3 : 2)
-      << "\">";
+      << "\">\n      <DataItem Format=\"XML\" Dimensions=\"3 " << (has_components ? 3 : 2) << "\">";
   if (has_components) {
     out << slab.row << " 0 " << (is_vector ? 0 : component) << " 1 1 1 1 " << nodes << ' '
         << (is_vector ? 3 : 1);
@@ -69,8 +69,7 @@ void writeAttribute(std::ostream& out, SeriesLayout const& layout, Field const& 
 }
 
 // ParaView takes vectors of three components; of two, each becomes a scalar of its own.
-void writeField(std::ostream& out, SeriesLayout const& layout, Field const& field,
-                Slab const& slab)
+void writeField(std::ostream& out, SeriesLayout const& layout, Field const& field, Slab const& slab)
 {
   if (field.components == 3) {
     writeAttribute(out, layout, field, slab, field.name, -1);
@@ -97,7 +96,7 @@ void closeChecked(std::ostream& out, SeriesLayout const& layout)
 }
 } // namespace
 
-void startXdmf(SeriesLayout const& layout, WholeGeometry const& geometry)
+void startXdmf(SeriesLayout const& layout, GeometryFile const& geometry)
 {
   std::ofstream out(xdmfPath(layout));
   out << "<?xml version=\"1.0\"?>\n<Xdmf Version=\"2.0\">\n <Domain>\n";

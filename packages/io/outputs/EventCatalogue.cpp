@@ -31,24 +31,45 @@ double largest(std::vector<double> const& values)
   return values.empty() ? 0 : *std::max_element(values.begin(), values.end());
 }
 
-constexpr char const* columns =
-  "number,onset [s],end [s],duration [s],width [m],peak_slip [m],peak_slip_rate [m/s],"
-  "moment_per_length [N],nucleation [m],complete";
-
-// An event as numbers, for the checkpoint.
-constexpr std::size_t numbers_per_event = 8;
-
-void appendNumbers(Event const& event, std::vector<double>& numbers)
+std::string columns(bool on_surface)
 {
-  numbers.insert(numbers.end(),
-                 {event.onset, event.end, event.width, event.peak_slip, event.peak_slip_rate,
-                  event.moment, event.nucleation, event.complete ? 1.0 : 0.0});
+  const std::string times = "number,onset [s],end [s],duration [s],";
+  if (on_surface) {
+    return times + "area [m^2],length [m],width [m],peak_slip [m],peak_slip_rate [m/s],"
+                   "moment [N m],magnitude,hypocentre_x [m],hypocentre_y [m],hypocentre_z [m],"
+                   "complete";
+  }
+  return times + "width [m],peak_slip [m],peak_slip_rate [m/s],moment_per_length [N],"
+                 "nucleation [m],complete";
 }
 
-Event eventFrom(double const* numbers)
+// An event as numbers, for the checkpoint: these and the hypocentre.
+constexpr std::size_t numbers_of_event = 10;
+
+void appendNumbers(Event const& event, std::size_t dimension, std::vector<double>& numbers)
 {
-  return {numbers[0], numbers[1], numbers[2], numbers[3],
-          numbers[4], numbers[5], numbers[6], numbers[7] != 0};
+  numbers.insert(numbers.end(), {event.onset, event.end, event.width, event.peak_slip,
+                                 event.peak_slip_rate, event.moment, event.nucleation,
+                                 event.complete ? 1.0 : 0.0, event.area, event.length});
+  auto hypocentre = event.hypocentre;
+  hypocentre.resize(dimension, 0);
+  numbers.insert(numbers.end(), hypocentre.begin(), hypocentre.end());
+}
+
+Event eventFrom(double const* numbers, std::size_t dimension)
+{
+  double const* hypocentre = numbers + numbers_of_event;
+  return {numbers[0],
+          numbers[1],
+          numbers[2],
+          numbers[3],
+          numbers[4],
+          numbers[5],
+          numbers[6],
+          numbers[7] != 0,
+          numbers[8],
+          numbers[9],
+          {hypocentre, hypocentre + dimension}};
 }
 } // namespace
 
@@ -66,132 +87,105 @@ std::string EventCatalogue::meaning() { return "One row for every earthquake: ev
 
 EventCatalogue::EventCatalogue(Teuchos::ParameterList const& parameters,
                                OutputContext const& context)
-    : fault_(context.location("fault"))
-    , rates_(fault_, context.fields)
+    : EventFollower(context, parameters.get<double>("Threshold"))
     , slip_(context.fields.field("fault", "slip"))
     , energies_(context.fields)
-    , threshold_(parameters.get<double>("Threshold"))
-    , file_(context.directory / "events.csv", columns + energies_.header(), context.comm)
+    , file_(context.directory / "events.csv", columns(!fault().isCurve()) + energies_.header(),
+            context.comm)
 {
-  ASPERITY_REQUIRE(fault_.isCurve(), "Output / Event Catalogue: the fault is not a curve. Set "
-                                     "`Enabled` to false.");
   context.fields.field("fault", "shear_modulus").values(shear_modulus_);
-}
-
-EventCatalogue::Sample EventCatalogue::sample(StepInfo const& step) const
-{
-  Sample now;
-  now.time = step.time;
-  auto rates = rates_.sample();
-  now.slip_rate = std::move(rates.rates);
-  now.peak_slip_rate = rates.peak;
-  slip_.values(now.slip);
-  now.energies = energies_.sample();
-  return now;
+  if (!fault().isCurve()) {
+    plane_ = detail::faultPlane(fault(), context.up);
+  }
 }
 
 void EventCatalogue::write(StepInfo const& step)
 {
-  Sample now = sample(step);
-  const bool is_seismic = now.peak_slip_rate >= threshold_;
-  if (is_seismic && !in_progress_) {
-    begin(now);
-  }
-  if (in_progress_) {
-    accumulate(now);
-    if (!is_seismic) {
-      end(now);
-    }
-  }
-  previous_ = std::move(now);
-  has_previous_ = true;
+  slip_.values(now_.slip);
+  now_.energies = energies_.sample();
+  EventFollower::write(step);
+  std::swap(before_, now_);
 }
 
 void EventCatalogue::begin(Sample const& now)
 {
-  in_progress_ = true;
   open_ = Event();
-  open_.onset = now.time;
-  if (has_previous_) {
-    const double at = detail::crossing(previous_.peak_slip_rate, now.peak_slip_rate, threshold_);
-    open_.onset = previous_.time + at * (now.time - previous_.time);
-  }
-  open_.nucleation = nucleationPosition(now);
-  energies_before_ = has_previous_ ? previous_.energies : now.energies;
-  seismic_slip_.assign(fault_.numOwned(), 0);
-  ruptured_.assign(fault_.numOwned(), 0);
-}
-
-// Of the node that meets the threshold first, between the samples; of the fastest node if the very
-// first sample is seismic. Among equals the one nearest to the first end.
-double EventCatalogue::nucleationPosition(Sample const& now) const
-{
-  std::vector<double> lateness(fault_.numOwned(), infinity);
+  open_.onset = crossingTime(now);
+  // If the very first sample is seismic, the fastest node counts as the first one.
+  std::vector<double> lateness(fault().numOwned(), infinity);
   for (std::size_t i = 0; i < lateness.size(); ++i) {
-    if (now.slip_rate[i] >= threshold_) {
-      lateness[i] = has_previous_
-                      ? detail::crossing(previous_.slip_rate[i], now.slip_rate[i], threshold_)
-                      : -now.slip_rate[i];
+    if (now.rates[i] >= threshold()) {
+      lateness[i] = hasPrevious() ? detail::crossing(previous().rates[i], now.rates[i], threshold())
+                                  : -now.rates[i];
     }
   }
-  double mine = infinity;
-  for (const double value : lateness) {
-    mine = std::min(mine, value);
-  }
-  const double first = detail::minOverRanks(mine, *fault_.comm);
-  double position = infinity;
-  for (std::size_t i = 0; i < lateness.size(); ++i) {
-    if (lateness[i] == first) {
-      position = std::min(position, fault_.positions[i]);
-    }
-  }
-  return detail::minOverRanks(position, *fault_.comm);
+  const auto first = detail::firstNode(fault(), lateness);
+  open_.nucleation = first.position;
+  open_.hypocentre = first.coordinates;
+  energies_at_begin_ = hasPrevious() ? before_.energies : now_.energies;
+  seismic_slip_.assign(fault().numOwned(), 0);
+  ruptured_.assign(fault().numOwned(), 0);
 }
 
-void EventCatalogue::accumulate(Sample const& now)
+void EventCatalogue::follow(Sample const& now)
 {
-  open_.peak_slip_rate = std::max(open_.peak_slip_rate, now.peak_slip_rate);
+  open_.peak_slip_rate = std::max(open_.peak_slip_rate, now.peak);
   const std::size_t components = slip_.components;
-  for (std::size_t i = 0; i < fault_.numOwned(); ++i) {
-    if (now.slip_rate[i] >= threshold_) {
+  for (std::size_t i = 0; i < fault().numOwned(); ++i) {
+    if (now.rates[i] >= threshold()) {
       ruptured_[i] = 1;
     }
-    if (has_previous_) {
+    if (hasPrevious()) {
       double square = 0;
       for (std::size_t k = i * components; k < (i + 1) * components; ++k) {
-        square += (now.slip[k] - previous_.slip[k]) * (now.slip[k] - previous_.slip[k]);
+        square += (now_.slip[k] - before_.slip[k]) * (now_.slip[k] - before_.slip[k]);
       }
       seismic_slip_[i] +=
-        seismicFraction(previous_.slip_rate[i], now.slip_rate[i], threshold_) * std::sqrt(square);
+        seismicFraction(previous().rates[i], now.rates[i], threshold()) * std::sqrt(square);
     }
   }
 }
 
 void EventCatalogue::end(Sample const& now)
 {
-  const double at = detail::crossing(previous_.peak_slip_rate, now.peak_slip_rate, threshold_);
-  record(measure(previous_.time + at * (now.time - previous_.time), true), now.energies);
-  in_progress_ = false;
+  record(measure(crossingTime(now), true), now_.energies);
 }
 
 Event EventCatalogue::measure(double end_time, bool complete) const
 {
-  double first = infinity, last = -infinity, moment = 0;
-  for (std::size_t i = 0; i < fault_.numOwned(); ++i) {
-    if (ruptured_[i]) {
-      first = std::min(first, fault_.positions[i]);
-      last = std::max(last, fault_.positions[i]);
-    }
-    moment += fault_.weights[i] * shear_modulus_[i] * seismic_slip_[i];
+  double area = 0, moment = 0;
+  for (std::size_t i = 0; i < fault().numOwned(); ++i) {
+    area += ruptured_[i] ? fault().weights[i] : 0;
+    moment += fault().weights[i] * shear_modulus_[i] * seismic_slip_[i];
   }
-  auto const& comm = *fault_.comm;
+  auto const& comm = *fault().comm;
   Event event = open_;
   event.end = end_time;
-  event.width = detail::maxOverRanks(last, comm) - detail::minOverRanks(first, comm);
   event.peak_slip = detail::maxOverRanks(largest(seismic_slip_), comm);
   event.moment = detail::sumOverRanks(moment, comm);
   event.complete = complete;
+  if (plane_) {
+    event.area = detail::sumOverRanks(area, comm);
+    event.length = extent([this](std::size_t i) { return plane_->alongStrike(place(i)); });
+    event.width = extent([this](std::size_t i) { return plane_->downDip(place(i)); });
+  } else {
+    event.width = extent([this](std::size_t i) { return fault().positions[i]; });
+  }
   return event;
+}
+
+template <class Coordinate>
+double EventCatalogue::extent(Coordinate const& coordinate) const
+{
+  double first = infinity, last = -infinity;
+  for (std::size_t i = 0; i < fault().numOwned(); ++i) {
+    if (ruptured_[i]) {
+      first = std::min(first, coordinate(i));
+      last = std::max(last, coordinate(i));
+    }
+  }
+  auto const& comm = *fault().comm;
+  return detail::maxOverRanks(last, comm) - detail::minOverRanks(first, comm);
 }
 
 void EventCatalogue::record(Event const& event, std::vector<double> const& energies)
@@ -201,69 +195,71 @@ void EventCatalogue::record(Event const& event, std::vector<double> const& energ
   for (const double time : {event.onset, event.end}) {
     row += ',' + exactNumber(time);
   }
-  for (const double value : {event.duration(), event.width, event.peak_slip, event.peak_slip_rate,
-                             event.moment, event.nucleation}) {
+  std::vector<double> values{event.duration()};
+  if (plane_) {
+    values.insert(values.end(), {event.area, event.length, event.width, event.peak_slip,
+                                 event.peak_slip_rate, event.moment, event.magnitude()});
+    values.insert(values.end(), event.hypocentre.begin(), event.hypocentre.end());
+  } else {
+    values.insert(values.end(), {event.width, event.peak_slip, event.peak_slip_rate, event.moment,
+                                 event.nucleation});
+  }
+  for (const double value : values) {
     row += ',' + shortNumber(value);
   }
   row += event.complete ? ",1" : ",0";
-  file_.writeRow(row + energies_.columns(energies_before_, energies));
+  file_.writeRow(row + energies_.columns(energies_at_begin_, energies));
 }
 
 void EventCatalogue::closeSegment(int) { file_.flush(); }
 
 void EventCatalogue::finish()
 {
-  if (in_progress_) {
-    record(measure(previous_.time, false), previous_.energies);
-    in_progress_ = false;
+  if (eventInProgress()) {
+    record(measure(previous().time, false), before_.energies);
+    stop();
   }
   file_.flush();
 }
 
 void EventCatalogue::save(Archive& archive) const
 {
+  Archive follower, file;
+  EventFollower::save(follower);
+  file_.save(file);
+  archive.insert("follower", follower);
+  archive.insert("file", file);
   std::vector<double> numbers, open;
   for (auto const& event : events_) {
-    appendNumbers(event, numbers);
+    appendNumbers(event, fault().dimension, numbers);
   }
-  appendNumbers(open_, open);
+  appendNumbers(open_, fault().dimension, open);
   archive.set("events", numbers);
-  archive.set("in_progress", in_progress_);
   archive.set("open_event", open);
   archive.set("seismic_slip", seismic_slip_);
   archive.set("ruptured", ruptured_);
-  archive.set("previous/exists", has_previous_);
-  archive.set("previous/time", previous_.time);
-  archive.set("previous/peak_slip_rate", previous_.peak_slip_rate);
-  archive.set("previous/slip_rate", previous_.slip_rate);
-  archive.set("previous/slip", previous_.slip);
-  archive.set("previous/energies", previous_.energies);
-  archive.set("energies_before", energies_before_);
-  Archive file;
-  file_.save(file);
-  archive.insert("file", file);
+  archive.set("energies_at_begin", energies_at_begin_);
+  archive.set("before/slip", before_.slip);
+  archive.set("before/energies", before_.energies);
 }
 
 void EventCatalogue::restore(Archive const& archive)
 {
   using Numbers = std::vector<double>;
+  EventFollower::restore(archive.child("follower"));
+  file_.restore(archive.child("file"));
+  const std::size_t dimension = fault().dimension;
   auto const& numbers = archive.get<Numbers>("events");
   events_.clear();
-  for (std::size_t i = 0; i + numbers_per_event <= numbers.size(); i += numbers_per_event) {
-    events_.push_back(eventFrom(numbers.data() + i));
+  for (std::size_t i = 0; i < numbers.size(); i += numbers_of_event + dimension) {
+    events_.push_back(eventFrom(&numbers[i], dimension));
   }
-  in_progress_ = archive.getInteger("in_progress") != 0;
-  open_ = eventFrom(archive.get<Numbers>("open_event").data());
+  open_ = eventFrom(archive.get<Numbers>("open_event").data(), dimension);
   seismic_slip_ = archive.get<Numbers>("seismic_slip");
   ruptured_ = archive.get<std::vector<std::int64_t>>("ruptured");
-  has_previous_ = archive.getInteger("previous/exists") != 0;
-  previous_.time = archive.getDouble("previous/time");
-  previous_.peak_slip_rate = archive.getDouble("previous/peak_slip_rate");
-  previous_.slip_rate = archive.get<Numbers>("previous/slip_rate");
-  previous_.slip = archive.get<Numbers>("previous/slip");
-  previous_.energies = archive.get<Numbers>("previous/energies");
-  energies_before_ = archive.get<Numbers>("energies_before");
-  file_.restore(archive.child("file"));
+  energies_at_begin_ = archive.get<Numbers>("energies_at_begin");
+  before_.slip = archive.get<Numbers>("before/slip");
+  before_.energies = archive.get<Numbers>("before/energies");
 }
 
 ASPERITY_REGISTER(OutputRegistry, "Event Catalogue", OutputKindOf<EventCatalogue>)

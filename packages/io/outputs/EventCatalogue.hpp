@@ -4,22 +4,24 @@
 #include "io/Output.hpp"
 #include "io/TextTable.hpp"
 #include "io/detail/EventEnergies.hpp"
-#include "io/detail/FaultRates.hpp"
+#include "io/detail/EventFollower.hpp"
+#include "io/detail/FaultPlane.hpp"
 
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
 namespace asperity::io
 {
-// DIR/events.csv: one row an event; nothing is merged.
+// DIR/events.csv: one row an event.
 //
-// Needs the fields `slip_rate`, `slip` and `shear_modulus` on the location `fault`, a curve. Onset
-// and end are interpolated linearly in the logarithm of the peak slip rate between accepted steps.
-// A node's slip counts while the node itself is at or above the threshold (Pipping 2014, §5.4: the
-// displacement at the base that occurs at seismic velocities); nodes whose slip rate is prescribed
-// do not count.
-class EventCatalogue : public Output
+// Needs the fields `slip_rate`, `slip` (of any number of components) and `shear_modulus` on the
+// location `fault`. A node's slip counts while the node itself is at or above the threshold
+// (Pipping 2014, §5.4: the displacement at the base that occurs at seismic velocities). On a
+// surface an event has an area, a moment and a magnitude, a hypocentre, and extents along strike
+// and down dip of the fault's mean plane; on a curve a width and a moment per length.
+class EventCatalogue : public detail::EventFollower
 {
 public:
   static Teuchos::RCP<const Teuchos::ParameterList> validParameters();
@@ -35,42 +37,37 @@ public:
 
   // Known on every rank: complete events, and after finish() the one then in progress.
   std::vector<Event> const& events() const { return events_; }
-  bool eventInProgress() const { return in_progress_; }
   EventSummary summary() const { return summarise(events_); }
 
+protected:
+  void begin(Sample const& now) override;
+  void follow(Sample const& now) override;
+  void end(Sample const& now) override;
+
 private:
-  struct Sample
+  // Besides the rates; known before those of a step are looked at.
+  struct More
   {
-    double time = 0;
-    double peak_slip_rate = 0;
-    std::vector<double> slip_rate; // (num_owned)
-    std::vector<double> slip;      // (num_owned, components)
+    std::vector<double> slip; // (num_owned, components) [m]
     std::vector<double> energies;
   };
 
-  Sample sample(StepInfo const& step) const;
-  void begin(Sample const& now);
-  void accumulate(Sample const& now);
-  void end(Sample const& now);
   Event measure(double end_time, bool complete) const;
-  double nucleationPosition(Sample const& now) const;
+  template <class Coordinate>
+  double extent(Coordinate const& coordinate) const; // of the nodes that have ruptured
+  double const* place(std::size_t i) const { return &fault().coordinates[3 * i]; }
   void record(Event const& event, std::vector<double> const& energies); // at its end
 
-  Location const& fault_;
-  detail::FaultRates rates_;
   Field const& slip_;
   detail::EventEnergies energies_;
-  double threshold_;                  // [m/s]
-  std::vector<double> shear_modulus_; // (num_owned) [Pa]
+  std::optional<detail::FaultPlane> plane_; // of a surface
+  std::vector<double> shear_modulus_;       // (num_owned) [Pa]
   TextTable file_;
   std::vector<Event> events_;
 
-  bool has_previous_ = false;
-  Sample previous_;
-
-  bool in_progress_ = false;
-  Event open_; // onset, nucleation and peak rate of the event in progress
-  std::vector<double> energies_before_;
+  More now_, before_;
+  Event open_; // onset, first node and peak rate of the event in progress
+  std::vector<double> energies_at_begin_;
   std::vector<double> seismic_slip_;   // (num_owned) [m]
   std::vector<std::int64_t> ruptured_; // (num_owned) 1 where the node reached the threshold
 };

@@ -7,7 +7,7 @@ namespace asperity::io
 {
 namespace
 {
-// For SEAS also slip profiles in text, with the same rows.
+// For SEAS also slip profiles in text, with the same rows, where the fault is a curve.
 class FaultHistory : public FieldHistory
 {
 public:
@@ -25,7 +25,7 @@ public:
   FaultHistory(Teuchos::ParameterList const& parameters, OutputContext const& context)
       : FieldHistory("fault", parameters, context)
   {
-    if (context.text.platform == Platform::seas) {
+    if (context.text.platform == Platform::seas && context.location("fault").isCurve()) {
       profiles_.emplace(context);
     }
   }

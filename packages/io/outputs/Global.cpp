@@ -37,16 +37,14 @@ public:
       , rates_(fault_, context.fields)
       , slip_(context.fields.field("fault", "slip"))
       , rule_(parameters)
-      , file_(context.directory / "global.csv",
-              "time [s],peak_slip_rate [m/s],moment_rate_per_length [N/s],moment_per_length [N]",
-              context.comm)
+      , file_(context.directory / "global.csv", columns(fault_.isCurve()), context.comm)
   {
     context.fields.field("fault", "shear_modulus").values(rigidity_);
     for (std::size_t i = 0; i < rigidity_.size(); ++i) {
       rigidity_[i] *= fault_.weights[i] * rates_.free()[i];
     }
     if (context.text.platform == Platform::seas) {
-      text_.emplace(context.text, context.directory, seasContent(), context.comm);
+      text_.emplace(context.text, context.directory, seasContent(fault_.isCurve()), context.comm);
     }
   }
 
@@ -104,12 +102,20 @@ public:
   }
 
 private:
-  static detail::PlatformContent seasContent()
+  static std::string columns(bool on_curve)
+  {
+    return std::string("time [s],peak_slip_rate [m/s],") +
+           (on_curve ? "moment_rate_per_length [N/s],moment_per_length [N]"
+                     : "moment_rate [N m/s],moment [N m]");
+  }
+
+  static detail::PlatformContent seasContent(bool on_curve)
   {
     detail::PlatformContent content;
     content.name = "global.dat";
-    content.remarks = detail::columnRemarks(
-      {"Time (s)", "Max slip rate (log10 m/s)", "Moment rate per length (N/s)"});
+    content.remarks =
+      detail::columnRemarks({"Time (s)", "Max slip rate (log10 m/s)",
+                             on_curve ? "Moment rate per length (N/s)" : "Moment rate (N m/s)"});
     content.fields = "t max_slip_rate moment_rate";
     return content;
   }
@@ -131,7 +137,7 @@ private:
   Location const& fault_;
   detail::FaultRates rates_;
   Field const& slip_;
-  std::vector<double> rigidity_; // (num_owned) [N/m] shear modulus times length; 0: does not count
+  std::vector<double> rigidity_; // (num_owned) [N/m] or [N] modulus times weight; 0: not counted
   WriteRule rule_;
   detail::StepFacts steps_;
   TextTable file_;

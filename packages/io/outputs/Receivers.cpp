@@ -1,6 +1,7 @@
 #include "io/outputs/Receivers.hpp"
 
 #include "base/Errors.hpp"
+#include "io/detail/FaultAxis.hpp"
 #include "io/detail/SeriesLayout.hpp"
 
 #include <Teuchos_Array.hpp>
@@ -21,8 +22,13 @@ std::vector<detail::NamedPlace> placesIn(Teuchos::ParameterList const& list)
 detail::PlatformView platformView(OutputContext const& context)
 {
   detail::PlatformView view;
+  auto const& fault = context.location("fault");
+  if (!fault.isCurve()) {
+    view.plane = detail::faultPlane(fault, context.up);
+    return view;
+  }
   view.antiplane = context.fields.field("volume", "displacement").components == 1;
-  view.is_level = detail::faultAxis(context.location("fault")).is_level;
+  view.is_level = detail::faultAxis(fault).is_level;
   return view;
 }
 

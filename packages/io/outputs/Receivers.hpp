@@ -3,7 +3,6 @@
 #include "base/Parameters.hpp"
 #include "io/Output.hpp"
 #include "io/WriteRule.hpp"
-#include "io/detail/FaultAxis.hpp"
 #include "io/detail/PlatformFile.hpp"
 #include "io/detail/ReceiverGroup.hpp"
 #include "io/detail/SegmentedTable.hpp"

@@ -20,8 +20,8 @@ inline std::array<int, 3> oppositeFacet(std::array<int, 4> const& cell, int corn
   return {cell[f[0]], cell[f[1]], cell[f[2]]};
 }
 
-template <std::size_t N>
-std::array<int, N> sorted(std::array<int, N> simplex)
+template <class Number, std::size_t N>
+std::array<Number, N> sorted(std::array<Number, N> simplex)
 {
   std::sort(simplex.begin(), simplex.end());
   return simplex;

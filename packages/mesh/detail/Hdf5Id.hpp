@@ -2,6 +2,8 @@
 
 #include <hdf5.h>
 
+#include <cstdint>
+
 namespace asperity::mesh::detail
 {
 // Closes an HDF5 id at the end of its life.
@@ -28,6 +30,12 @@ private:
   hid_t id_;
   herr_t (*close_)(hid_t);
 };
+
+// HDF5's name of a type, as it lies in memory.
+inline hid_t nativeType(double) { return H5T_NATIVE_DOUBLE; }
+inline hid_t nativeType(int) { return H5T_NATIVE_INT; }
+inline hid_t nativeType(long long) { return H5T_NATIVE_LLONG; }
+inline hid_t nativeType(std::uint64_t) { return H5T_NATIVE_UINT64; }
 
 // HDF5 prints its own stack of errors; ours say what the user needs. Silent as long as this lives.
 class Hdf5Silence

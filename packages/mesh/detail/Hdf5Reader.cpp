@@ -94,6 +94,26 @@ std::string Hdf5Reader::stringAttribute(std::string const& name) const
   return value[0];
 }
 
+bool Hdf5Reader::hasAttribute(std::string const& name) const
+{
+  return H5Aexists(file_, name.c_str()) > 0;
+}
+
+std::vector<double> Hdf5Reader::numbersAttribute(std::string const& name, std::size_t count) const
+{
+  const Hdf5Id attribute(H5Aopen(file_, name.c_str(), H5P_DEFAULT), H5Aclose);
+  const Hdf5Id type(H5Aget_type(attribute), H5Tclose);
+  const Hdf5Id space(H5Aget_space(attribute), H5Sclose);
+  const auto type_class = H5Tget_class(type);
+  std::vector<double> values(count);
+  ASPERITY_REQUIRE((type_class == H5T_FLOAT || type_class == H5T_INTEGER) &&
+                     H5Sget_simple_extent_npoints(space) == static_cast<hssize_t>(count) &&
+                     H5Aread(attribute, H5T_NATIVE_DOUBLE, values.data()) >= 0,
+                   where_ << ": the attribute '" << name << "' does not consist of " << count
+                          << " numbers.");
+  return values;
+}
+
 std::vector<std::string> Hdf5Reader::groupEntries(std::string const& path) const
 {
   const Hdf5Id group(H5Gopen2(file_, path.c_str(), H5P_DEFAULT), H5Gclose);

@@ -22,7 +22,9 @@ public:
 
   bool has(std::string const& path) const;
   int integerAttribute(std::string const& name) const;
+  bool hasAttribute(std::string const& name) const;
   std::string stringAttribute(std::string const& name) const;
+  std::vector<double> numbersAttribute(std::string const& name, std::size_t count) const;
   std::vector<std::string> groupEntries(std::string const& path) const; // names, sorted
 
   std::vector<int> integers(std::string const& path) const; // of a one-dimensional dataset

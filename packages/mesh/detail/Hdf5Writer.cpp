@@ -1,41 +1,84 @@
 #include "mesh/detail/Hdf5Writer.hpp"
 
+#include <algorithm>
+
 namespace asperity::mesh::detail
 {
 namespace
 {
-// Variable length, UTF-8.
-class StringType : public Hdf5Id
+// Strings as HDF5 takes them, in UTF-8, while `values` live: pointers if their length is variable,
+// or else one after the other, filled up with zeros.
+class Texts
 {
 public:
-  StringType() : Hdf5Id(H5Tcopy(H5T_C_S1), H5Tclose)
+  Texts(std::vector<std::string> const& values, bool have_fixed_length)
+      : type_(H5Tcopy(H5T_C_S1), H5Tclose)
   {
-    H5Tset_size(*this, H5T_VARIABLE);
-    H5Tset_cset(*this, H5T_CSET_UTF8);
+    std::size_t longest = 1; // HDF5 has no strings of length 0
+    for (auto const& value : values) {
+      pointers_.push_back(value.c_str());
+      longest = std::max(longest, value.size());
+    }
+    if (have_fixed_length) {
+      for (auto const& value : values) {
+        letters_ += value + std::string(longest - value.size(), '\0');
+      }
+      H5Tset_strpad(type_, H5T_STR_NULLPAD);
+    }
+    H5Tset_size(type_, have_fixed_length ? longest : H5T_VARIABLE);
+    H5Tset_cset(type_, H5T_CSET_UTF8);
   }
+
+  hid_t type() const { return type_; }
+  void const* data() const
+  {
+    return letters_.empty() ? static_cast<void const*>(pointers_.data()) : letters_.data();
+  }
+
+private:
+  Hdf5Id type_;
+  std::vector<char const*> pointers_;
+  std::string letters_;
 };
+
+hid_t createFile(std::string const& file_name, Hdf5Writer::Layout layout)
+{
+  const Hdf5Id access(H5Pcreate(H5P_FILE_ACCESS), H5Pclose);
+  if (layout == Hdf5Writer::Layout::sealed) {
+    H5Pset_libver_bounds(access, H5F_LIBVER_V18, H5F_LIBVER_LATEST);
+  }
+  return H5Fcreate(file_name.c_str(), H5F_ACC_TRUNC, H5P_DEFAULT, access);
+}
 } // namespace
 
-Hdf5Writer::Hdf5Writer(std::string const& file_name)
-    : file_(H5Fcreate(file_name.c_str(), H5F_ACC_TRUNC, H5P_DEFAULT, H5P_DEFAULT), H5Fclose)
+Hdf5Writer::Hdf5Writer(std::string const& file_name, Layout layout)
+    : layout_(layout)
+    , file_(createFile(file_name, layout), H5Fclose)
     , has_succeeded_(file_.isValid())
 {
 }
 
 void Hdf5Writer::attribute(std::string const& name, int value)
 {
-  writeAttribute(name, H5T_NATIVE_INT, &value);
+  writeAttribute(name, H5T_NATIVE_INT, Hdf5Id(H5Screate(H5S_SCALAR), H5Sclose), &value);
 }
 
 void Hdf5Writer::attribute(std::string const& name, std::string const& value)
 {
-  char const* text = value.c_str();
-  writeAttribute(name, StringType(), &text);
+  const std::vector<std::string> values = {value};
+  const Texts text(values, layout_ == Layout::sealed);
+  writeAttribute(name, text.type(), Hdf5Id(H5Screate(H5S_SCALAR), H5Sclose), text.data());
 }
 
-void Hdf5Writer::writeAttribute(std::string const& name, hid_t type, void const* value)
+void Hdf5Writer::attribute(std::string const& name, std::vector<double> const& values)
 {
-  const Hdf5Id space(H5Screate(H5S_SCALAR), H5Sclose);
+  const hsize_t size = values.size();
+  const Hdf5Id space(H5Screate_simple(1, &size, nullptr), H5Sclose);
+  writeAttribute(name, H5T_NATIVE_DOUBLE, space, values.data());
+}
+
+void Hdf5Writer::writeAttribute(std::string const& name, hid_t type, hid_t space, void const* value)
+{
   const Hdf5Id attribute(H5Acreate2(file_, name.c_str(), type, space, H5P_DEFAULT, H5P_DEFAULT),
                          H5Aclose);
   note(attribute.isValid() && H5Awrite(attribute, type, value) >= 0);
@@ -48,25 +91,10 @@ void Hdf5Writer::group(std::string const& path)
   note(group.isValid());
 }
 
-void Hdf5Writer::dataset(std::string const& path, double const* values, std::size_t rows,
-                         std::size_t columns)
-{
-  write(path, H5T_NATIVE_DOUBLE, values, rows, columns);
-}
-
-void Hdf5Writer::dataset(std::string const& path, int const* values, std::size_t rows,
-                         std::size_t columns)
-{
-  write(path, H5T_NATIVE_INT, values, rows, columns);
-}
-
 void Hdf5Writer::dataset(std::string const& path, std::vector<std::string> const& values)
 {
-  std::vector<char const*> texts;
-  for (auto const& value : values) {
-    texts.push_back(value.c_str());
-  }
-  write(path, StringType(), texts.data(), texts.size(), 0);
+  const Texts texts(values, layout_ == Layout::sealed);
+  write(path, texts.type(), texts.data(), values.size(), 0);
 }
 
 void Hdf5Writer::write(std::string const& path, hid_t type, void const* values, std::size_t rows,

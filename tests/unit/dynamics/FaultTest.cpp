@@ -27,7 +27,7 @@ Fault makeFault(int num_tangents)
     for (int k = 0; k < num_tangents; ++k) {
       fault.dofs[node].push_back(node * num_tangents + k);
     }
-    fault.fixed.push_back(0);
+    fault.fixed.emplace_back(num_tangents, 0);
     weight(node) = node + 1;
   }
   fault.data.weight = weight;
@@ -112,10 +112,27 @@ TEST(Fault, peakLeavesOutWhatIsPrescribed)
   }
   auto fault = makeFault(1);
   EXPECT_DOUBLE_EQ(fault.peakSlipRate(v), 9);
-  fault.fixed = {0, 1, 0};
+  fault.fixed = {{0}, {1}, {0}};
   EXPECT_DOUBLE_EQ(fault.peakSlipRate(v), 3);
-  fault.fixed = {1, 1, 1};
+  fault.fixed = {{1}, {1}, {1}};
   EXPECT_EQ(fault.peakSlipRate(v), 0);
+}
+
+TEST(Fault, slidesWhereOneComponentIsFree)
+{
+  const RCP<const Map> map = rcp(new Map(6 * world()->getSize(), 6, 0, world()));
+  Vector v(map);
+  auto fault = makeFault(2);
+  fault.fixed = {{1, 1}, {0, 1}, {0, 0}};
+  v.replaceLocalValue(0, 9); // prescribed altogether
+  v.replaceLocalValue(2, -4);
+  v.replaceLocalValue(5, 3);
+  EXPECT_FALSE(fault.slides(0));
+  EXPECT_TRUE(fault.slides(1) && fault.slides(2));
+  EXPECT_DOUBLE_EQ(fault.peakSlipRate(v), 4);
+  EXPECT_NO_THROW(fault.requireWalls(v, 2, 0));
+  v.replaceLocalValue(3, 1e-9);
+  EXPECT_THROW(fault.requireWalls(v, 2, 0), InputError);
 }
 
 TEST(Fault, distanceIsTheRootMeanSquareOverAllRanks)

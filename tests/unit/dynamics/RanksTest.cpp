@@ -26,10 +26,11 @@ ModelOptions largerBlock()
   return options;
 }
 
-// The same problem alone and together; nodal frames are the axes in both.
+// The same problem alone and together; nodal frames are the same in both.
+template <int Dim>
 struct BothWays
 {
-  explicit BothWays(ModelOptions const& options)
+  explicit BothWays(OptionsIn<Dim> const& options)
       : alone(options, fem::testing::selfCommunicator())
       , together(options, world())
   {
@@ -60,23 +61,30 @@ struct BothWays
     return largest;
   }
 
-  Model alone, together;
+  ModelIn<Dim> alone, together;
 };
+
+constexpr Rotation upright = {{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}};
+
+RateSolverSettings onSeveralLevels()
+{
+  auto settings = tightSettings(Correction::multigrid);
+  settings.multigrid.sublist("MueLu").set("coarse: max size", 100);
+  settings.tnnmg.absolute_tolerance = 1e-11;
+  settings.tnnmg.relative_tolerance = 1e-11;
+  return settings;
+}
 } // namespace
 
 TEST(Ranks, multigridOnAllStepsLikeCholeskyOnOne)
 {
-  const BothWays models(largerBlock());
+  const BothWays<2> models(largerBlock());
   const DyadicTime clock(4e-3, 4);
   auto const update = RateUpdate::newmark(0.25);
-  auto settings = tightSettings(Correction::multigrid);
-  settings.multigrid.sublist("MueLu").set("coarse: max size", 100); // several levels
-  settings.tnnmg.absolute_tolerance = 1e-11;
-  settings.tnnmg.relative_tolerance = 1e-11;
   auto coupling = tightCoupling();
   coupling.tolerance = 1e-11;
   Stepper alone(models.alone, update, clock, coupling);
-  Stepper together(models.together, update, clock, coupling, settings);
+  Stepper together(models.together, update, clock, coupling, onSeveralLevels());
   EnergyBalance energy_alone(models.alone.body, models.alone.fault, clock);
   EnergyBalance energy_together(models.together.body, models.together.fault, clock);
   auto own = slidingState(models.alone);
@@ -103,9 +111,43 @@ TEST(Ranks, multigridOnAllStepsLikeCholeskyOnOne)
               1, 1e-8);
 }
 
+// Friction as a vector law; also the effort is that of one rank.
+TEST(Ranks, slideInSpaceLikeOne)
+{
+  const BothWays<3> models(slidingBlockInSpace({8, 5, 6}, upright));
+  const DyadicTime clock(4e-3, 4);
+  auto const update = RateUpdate::newmark(0.25);
+  auto coupling = tightCoupling();
+  coupling.tolerance = 1e-11;
+  Stepper direct(models.alone, update, clock, coupling);
+  Stepper alone(models.alone, update, clock, coupling, onSeveralLevels());
+  Stepper together(models.together, update, clock, coupling, onSeveralLevels());
+  auto exact = slidingState(models.alone, upright);
+  auto own = exact.clone();
+  auto shared = slidingState(models.together, upright);
+  PrescribedSteps steps_direct(direct.step, clock, {0, 1, 2});
+  PrescribedSteps steps_alone(alone.step, clock, {0, 1, 2});
+  PrescribedSteps steps_together(together.step, clock, {0, 1, 2});
+  for (int n = 0; n < 3; ++n) {
+    const auto before_alone = alone.count, before = together.count;
+    steps_direct.advance(exact, direct.count);
+    steps_alone.advance(own, alone.count);
+    steps_together.advance(shared, together.count);
+    EXPECT_LE(models.difference(*shared.v, *exact.v), 1e-8);
+    EXPECT_LE(models.difference(*shared.u, *exact.u), 1e-8);
+    EXPECT_LE(models.differenceOfAlpha(shared, exact), 1e-8);
+    const auto effort = together.count.since(before),
+               effort_alone = alone.count.since(before_alone);
+    EXPECT_NEAR(effort.rate_problems, effort_alone.rate_problems, 1);
+    EXPECT_NEAR(double(effort.tnnmg_iterations) / effort.rate_problems,
+                double(effort_alone.tnnmg_iterations) / effort_alone.rate_problems, 1);
+  }
+  EXPECT_EQ(together.count.rises, 0);
+}
+
 TEST(Ranks, findTheSameInitialState)
 {
-  const BothWays models(largerBlock());
+  const BothWays<2> models(largerBlock());
   auto const displacement = [](Model const& model, Correction correction) {
     auto load = model.body.vector();
     model.body.load(0, *load);

@@ -5,6 +5,10 @@
 
 namespace asperity::dynamics::testing
 {
+using fem::testing::rotated;
+using fem::testing::rotatedBack;
+using fem::testing::Rotation;
+
 constexpr double loading_rate = 1e-3; // m/s
 
 // A block of gelatine, 0.4 m by 0.3 m, that slides on its base, pushed at its right side with a
@@ -32,6 +36,51 @@ inline State slidingState(Model const& model)
     return {loading_rate * (0.5 + x[0]), loading_rate * x[1]};
   });
   state.alpha = model.nodeView([](Point<2> const& x) { return -1 + std::sin(9 * x[0]); });
+  Kokkos::deep_copy(state.alpha_of_rate, state.alpha);
+  return state;
+}
+
+// A block in space, turned as a whole: it slides on a bent base in both directions along it, pushed
+// at its right side and held by a wall at its left.
+inline OptionsIn<3> slidingBlockInSpace(std::array<int, 3> const& cells, Rotation const& turn)
+{
+  OptionsIn<3> options;
+  options.mesh = fem::testing::uniformBox(cells, {0.4, 0.3, 0.2});
+  fem::testing::distort(options.mesh, 0.002);
+  for (auto& x : options.mesh.vertices) {
+    x[1] += (0.1 * x[0] + 0.2 * x[0] * x[0] + 0.3 * x[2] * x[2]) * (1 - x[1] / 0.3);
+  }
+  fem::testing::rotate(options.mesh, turn);
+  options.gravity = rotated(turn, {1.5, -9.81, 0.7});
+  options.traction_along_axes = rotated(turn, {1450, 0, 700});
+  options.cohesion = 20;
+  auto const push = [turn](double factor) {
+    return [turn, factor](Point<3> const& x, double t) {
+      return factor * loading_rate * (1 + rotatedBack(turn, x)[1] + 30 * t);
+    };
+  };
+  auto const along = [turn](Point<3> const& direction) {
+    auto const d = rotated(turn, direction);
+    return std::vector<double>(d.begin(), d.end());
+  };
+  options.conditions = {{"Push", "right", along({1, 0, 0}), push(1)},
+                        {"Push Aside", "right", along({0, 0, 1}), push(0.4)},
+                        {"Wall", "left", {}, {}}};
+  return options;
+}
+
+inline State slidingState(ModelIn<3> const& model, Rotation const& turn)
+{
+  auto state = model.restingState();
+  model.setFree(*state.v, [turn](Point<3> const& turned) {
+    auto const x = rotatedBack(turn, turned);
+    return rotated(turn, {loading_rate * (0.5 + x[0]), loading_rate * x[1],
+                          loading_rate * (0.3 + std::sin(8 * x[0] + 3 * x[2]))});
+  });
+  state.alpha = model.nodeView([turn](Point<3> const& turned) {
+    auto const x = rotatedBack(turn, turned);
+    return -1 + std::sin(9 * x[0]) + std::cos(11 * x[2]);
+  });
   Kokkos::deep_copy(state.alpha_of_rate, state.alpha);
   return state;
 }

@@ -1,5 +1,6 @@
 #include "unit/dynamics/SmallModel.hpp"
 
+#include "fem/RigidBodyMotions.hpp"
 #include "friction/Registry.hpp"
 #include "mesh/Partition.hpp"
 #include "tnnmg/MueLuCorrection.hpp"
@@ -25,68 +26,63 @@ friction::ParameterView table(std::vector<double> const& column, int num_nodes)
   Kokkos::deep_copy(values, host);
   return values;
 }
+
+template <int Dim>
+fem::BodyMatrices assemble(Mesh<Dim> const& mesh, fem::DofMap const& dofs,
+                           fem::NodalFrames const& frames, fem::Material const& material)
+{
+  const std::vector<fem::Material> materials(mesh.cells.size(), material);
+  if constexpr (Dim == 2) {
+    if (dofs.components() == 1) {
+      return fem::assembleBody<2, 1>(mesh, dofs, frames, materials);
+    }
+  }
+  return fem::assembleBody<Dim, Dim>(mesh, dofs, frames, materials);
+}
 } // namespace
 
-Model::Model(ModelOptions const& given, RCP<const Communicator> const& communicator)
+template <int Dim>
+ModelIn<Dim>::ModelIn(OptionsIn<Dim> const& given, RCP<const Communicator> const& communicator)
     : options(given)
     , mesh(mesh::distribute(given.mesh, *communicator))
     , fault_nodes(fem::boundaryNodes(mesh, given.fault, *communicator))
 {
   auto conditions = options.conditions;
-  if (options.components == 2) {
+  if (options.components == Dim) {
     conditions.insert(conditions.begin(), {"Fault", options.fault, {}, {}});
   }
   body.dofs = std::make_shared<fem::DofMap>(mesh.global_ids, mesh.num_owned, options.components,
                                             communicator);
   constraints =
-    std::make_unique<fem::Constraints<2>>(mesh, *body.dofs, conditions, std::vector<double>{0});
-  const std::vector<fem::Material> materials(mesh.cells.size(), options.material);
-  body.matrices = options.components == 2
-                    ? fem::assembleBody<2, 2>(mesh, *body.dofs, constraints->frames(), materials)
-                    : fem::assembleBody<2, 1>(mesh, *body.dofs, constraints->frames(), materials);
+    std::make_unique<fem::Constraints<Dim>>(mesh, *body.dofs, conditions, std::vector<double>{0});
+  auto const& frames = constraints->frames();
+  body.matrices = assemble(mesh, *body.dofs, frames, options.material);
   body.fixed = constraints->fixed();
   body.prescribed_velocity = [this](double t, Vector& v) { constraints->prescribedVelocity(t, v); };
-  makeNearNullSpace();
+  body.near_null_space = fem::rigidBodyMotions(mesh, *body.dofs, frames);
   makeFault();
   makeLoad();
 }
 
-void Model::makeNearNullSpace()
-{
-  auto motions = rcp(new MultiVector(body.dofs->owned(), options.components == 1 ? 1 : 3));
-  auto const values = motions->getLocalViewHost(Tpetra::Access::OverwriteAll);
-  for (int node = 0; node < mesh.num_owned; ++node) {
-    auto const& x = mesh.vertices[node];
-    const double along_axes[3][2] = {{1, 0}, {0, 1}, {-x[1], x[0]}};
-    for (std::size_t motion = 0; motion < motions->getNumVectors(); ++motion) {
-      double local[2];
-      constraints->frames().toFrame(node, along_axes[motion], local);
-      for (int c = 0; c < options.components; ++c) {
-        values(body.dofs->dof(node, c), motion) = local[c];
-      }
-    }
-  }
-  body.near_null_space = motions;
-}
-
-void Model::makeFault()
+template <int Dim>
+void ModelIn<Dim>::makeFault()
 {
   auto const& communicator = body.dofs->communicator();
   const int size = static_cast<int>(fault_nodes.nodes.size());
   double mine = 0;
   for (int i = 0; i < size; ++i) {
     const int node = fault_nodes.nodes[i];
-    // The component that the contact does not fix.
-    auto const& frames = constraints->frames();
-    auto const& normal = fault_nodes.normals[i];
-    const bool normal_first =
-      options.components == 2 &&
-      std::abs(frames.entry(node, 0, 0) * normal[0] + frames.entry(node, 0, 1) * normal[1]) > 0.5;
-    const int dof = body.dofs->dof(node, normal_first ? 1 : 0);
-    fault.dofs.push_back({dof});
-    fault.fixed.push_back(body.fixed[dof] ? 1 : 0);
+    fault.dofs.emplace_back();
+    fault.fixed.emplace_back();
+    for (int component :
+         fem::tangentialComponents(constraints->frames(), node, fault_nodes.normals[i])) {
+      const int dof = body.dofs->dof(node, component);
+      fault.dofs.back().push_back(dof);
+      fault.fixed.back().push_back(body.fixed[dof] ? 1 : 0);
+    }
     mine += fault_nodes.weights[i];
   }
+  fault.num_tangents = Dim - 1;
   fault.communicator = communicator;
   fault.slip_factor = options.slip_factor;
   Teuchos::reduceAll(*communicator, Teuchos::REDUCE_SUM, mine, Teuchos::outArg(fault.total_weight));
@@ -104,7 +100,7 @@ void Model::makeFault()
   if (options.normal_stress) {
     fault.normal_stress_at = [this](double t, friction::NodeView const& view) {
       Kokkos::deep_copy(view,
-                        nodeView([&](Point<2> const& x) { return options.normal_stress(x, t); }));
+                        nodeView([&](Point<Dim> const& x) { return options.normal_stress(x, t); }));
     };
     fault.setTime(0);
   }
@@ -116,24 +112,32 @@ void Model::makeFault()
     friction::makeStateKernels(options.state_law, table({options.L, options.reference_rate}, size));
 }
 
-void Model::makeLoad()
+template <int Dim>
+void ModelIn<Dim>::makeLoad()
 {
   auto load = body.vector();
-  if (options.components == 2) {
+  if (options.components == Dim) {
     const std::vector<fem::Material> materials(mesh.cells.size(), options.material);
-    load = fem::assembleGravity<2, 2>(mesh, *body.dofs, constraints->frames(), materials,
-                                      options.gravity);
+    load = fem::assembleGravity<Dim, Dim>(mesh, *body.dofs, constraints->frames(), materials,
+                                          options.gravity);
   }
   {
     auto const values = load->getLocalViewHost(Tpetra::Access::ReadWrite);
     for (int i = 0; i < fault.numNodes(); ++i) {
       values(fault.dofs[i][0], 0) += options.traction * fault_nodes.weights[i];
+      Point<3> local{};
+      constraints->frames().toFrame(fault_nodes.nodes[i], options.traction_along_axes.data(),
+                                    local.data());
+      for (int dof : fault.dofs[i]) {
+        values(dof, 0) += local[dof % options.components] * fault_nodes.weights[i];
+      }
     }
   }
   body.load = [load](double, Vector& l) { Tpetra::deep_copy(l, *load); };
 }
 
-State Model::restingState() const
+template <int Dim>
+State ModelIn<Dim>::restingState() const
 {
   State state;
   state.u = body.vector();
@@ -146,7 +150,9 @@ State Model::restingState() const
   return state;
 }
 
-friction::NodeView Model::nodeView(std::function<double(Point<2> const&)> const& value) const
+template <int Dim>
+friction::NodeView
+ModelIn<Dim>::nodeView(std::function<double(Point<Dim> const&)> const& value) const
 {
   friction::NodeView view("asperity::test::nodes", fault_nodes.nodes.size());
   auto const host = Kokkos::create_mirror_view(view);
@@ -157,18 +163,20 @@ friction::NodeView Model::nodeView(std::function<double(Point<2> const&)> const&
   return view;
 }
 
-double Model::normalStress(int node, double t) const
+template <int Dim>
+double ModelIn<Dim>::normalStress(int node, double t) const
 {
   return options.normal_stress ? options.normal_stress(mesh.vertices[node], t) : options.sigma_n;
 }
 
-void Model::setFree(Vector& x,
-                    std::function<std::array<double, 2>(Point<2> const&)> const& value) const
+template <int Dim>
+void ModelIn<Dim>::setFree(Vector& x,
+                           std::function<Point<Dim>(Point<Dim> const&)> const& value) const
 {
   auto const values = x.getLocalViewHost(Tpetra::Access::ReadWrite);
   for (int node = 0; node < mesh.num_owned; ++node) {
     auto const along_axes = value(mesh.vertices[node]);
-    std::array<double, 2> local{};
+    Point<Dim> local{};
     constraints->frames().toFrame(node, along_axes.data(), local.data());
     for (int c = 0; c < options.components; ++c) {
       const int dof = body.dofs->dof(node, c);
@@ -178,6 +186,18 @@ void Model::setFree(Vector& x,
     }
   }
 }
+
+template <int Dim>
+Point<Dim> ModelIn<Dim>::valueAt(Vector const& x, int node) const
+{
+  auto const values = x.getLocalViewHost(Tpetra::Access::ReadOnly);
+  Point<Dim> along_axes{};
+  constraints->frames().fromFrame(node, &values(body.dofs->dof(node, 0), 0), along_axes.data());
+  return along_axes;
+}
+
+template struct ModelIn<2>;
+template struct ModelIn<3>;
 
 RateSolverSettings tightSettings(Correction correction)
 {

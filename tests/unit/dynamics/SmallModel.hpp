@@ -14,53 +14,62 @@
 
 namespace asperity::dynamics::testing
 {
-// A small body with a fault, put together from fem and dynamics without a deck.
-struct ModelOptions
+// A small body with a fault, in two or three dimensions, put together from fem and dynamics without
+// a deck.
+template <int Dim>
+struct OptionsIn
 {
-  int components = 2; // 1 is antiplane
-  GlobalMesh<2> mesh;
-  std::string fault = "bottom"; // in plane strain with v . n = 0
-  std::vector<fem::VelocityCondition<2>> conditions;
+  int components = Dim; // 1 is antiplane
+  GlobalMesh<Dim> mesh;
+  std::string fault = "bottom"; // but for antiplane motion with v . n = 0
+  std::vector<fem::VelocityCondition<Dim>> conditions;
   fem::Material material = {900, 0.05e6, 0.023e6, 1e3, 1e3}; // gelatine
-  std::array<double, 2> gravity = {0, 0};                    // m/s^2, plane strain
+  std::array<double, Dim> gravity = {};                      // m/s^2, but for antiplane motion
   double traction = 0;                                       // Pa, along the first tangent
+  // Instead of that, along the axes; what is normal to the fault does nothing.
+  std::array<double, Dim> traction_along_axes = {}; // Pa
 
   double sigma_n = 2000; // Pa
   // Instead of sigma_n, where the normal stress changes: in x and t [s].
-  std::function<double(Point<2> const&, double)> normal_stress = {};
+  std::function<double(Point<Dim> const&, double)> normal_stress = {};
   double cohesion = 0; // Pa
   double a = 0.01, b = 0.015, L = 25e-6, reference_rate = 50e-6, reference_friction = 0.7;
   double slip_factor = 1;
   std::string law = "Regularised", state_law = "Ageing";
 };
 
-struct Model
+template <int Dim>
+struct ModelIn
 {
-  Model(ModelOptions const& options, RCP<const Communicator> const& communicator);
-  Model(Model const&) = delete;
-  Model& operator=(Model const&) = delete;
+  ModelIn(OptionsIn<Dim> const& options, RCP<const Communicator> const& communicator);
+  ModelIn(ModelIn const&) = delete;
+  ModelIn& operator=(ModelIn const&) = delete;
 
   // At rest, alpha = 0; v and a of the fixed dofs are those prescribed at t = 0.
   State restingState() const;
   // Values at the fault nodes.
-  friction::NodeView nodeView(std::function<double(Point<2> const&)> const& value) const;
+  friction::NodeView nodeView(std::function<double(Point<Dim> const&)> const& value) const;
   // On the fault at a local node of the mesh and a time, Pa.
   double normalStress(int node, double t) const;
   // Gives the free dofs the values of a function of place along the axes.
-  void setFree(Vector& x, std::function<std::array<double, 2>(Point<2> const&)> const& value) const;
+  void setFree(Vector& x, std::function<Point<Dim>(Point<Dim> const&)> const& value) const;
+  // Along the axes, at an owned node.
+  Point<Dim> valueAt(Vector const& x, int node) const;
 
-  ModelOptions options;
-  Mesh<2> mesh;
-  std::unique_ptr<fem::Constraints<2>> constraints;
-  fem::BoundaryNodes<2> fault_nodes;
+  OptionsIn<Dim> options;
+  Mesh<Dim> mesh;
+  std::unique_ptr<fem::Constraints<Dim>> constraints;
+  fem::BoundaryNodes<Dim> fault_nodes;
   Body body;
   Fault fault;
 
 private:
-  void makeNearNullSpace();
   void makeFault();
   void makeLoad();
 };
+
+using ModelOptions = OptionsIn<2>;
+using Model = ModelIn<2>;
 
 // Solved as far as rounding allows.
 RateSolverSettings tightSettings(Correction correction = Correction::direct);
@@ -69,7 +78,8 @@ CouplingSettings tightCoupling();
 // What steps a model.
 struct Stepper
 {
-  Stepper(Model const& model, RateUpdate const& update, DyadicTime const& time,
+  template <int Dim>
+  Stepper(ModelIn<Dim> const& model, RateUpdate const& update, DyadicTime const& time,
           CouplingSettings const& coupling = tightCoupling(),
           RateSolverSettings const& settings = tightSettings(), std::size_t budget = 1u << 30)
       : clock(time)

@@ -37,8 +37,11 @@ double pseudorandom(GlobalOrdinal index, int sequence);
 // of the matrices is the same everywhere inside. Boundaries `bottom`, `right`, `top`, `left`.
 GlobalMesh<2> uniformRectangle(int cells_x, int cells_y, double width, double height);
 
-// The unit cube in six tetrahedra for each of cells^3 cubes; boundaries `bottom` (z = 0), `top`,
-// and `sides`.
+// A box with a corner at the origin, in six tetrahedra for each of its equal blocks; boundaries
+// `left` and `right` (x), `bottom` and `top` (y), `front` and `back` (z).
+GlobalMesh<3> uniformBox(std::array<int, 3> const& cells, Point<3> const& size);
+
+// The unit cube, likewise; boundaries `bottom` (z = 0), `top`, and `sides`.
 GlobalMesh<3> uniformCube(int cells);
 
 // Moves the vertices that are on no boundary about, by less than `amplitude`.
@@ -47,6 +50,13 @@ void distort(GlobalMesh<Dim>& mesh, double amplitude);
 
 // Turned about the origin, counterclockwise.
 void rotate(GlobalMesh<2>& mesh, double angle);
+
+// A rotation of space, by rows.
+using Rotation = std::array<Point<3>, 3>;
+Rotation rotationAbout(Point<3> axis, double angle);
+Point<3> rotated(Rotation const& rotation, Point<3> const& x);
+Point<3> rotatedBack(Rotation const& rotation, Point<3> const& x);
+void rotate(GlobalMesh<3>& mesh, Rotation const& rotation);
 
 // Expects an InputError whose message contains all these pieces.
 void expectInputError(std::function<void()> const& call, std::vector<std::string> const& pieces);

@@ -1,6 +1,8 @@
 #include "io/Location.hpp"
 #include "io/detail/CurveOrder.hpp"
+#include "io/detail/Gather.hpp"
 #include "io/detail/NodeGather.hpp"
+#include "unit/io/BlockMesh.hpp"
 #include "unit/io/Support.hpp"
 
 #include <cmath>
@@ -53,32 +55,43 @@ TEST(Location, WeightsAddUpToTheMeasure)
   EXPECT_NEAR(sumOverRanks(volumeLocation(mesh, world()).weights), 1, 1e-14);
 }
 
-TEST(Location, FilesDoNotDependOnTheRanks)
+TEST(Location, NodesAreNumberedAlongTheCurveOnAnyNumberOfRanks)
 {
   const auto mesh = test::stripMesh(num_base);
   const Location surface = boundaryLocation("surface", mesh, "surface", world());
   const detail::NodeGather gather(surface);
-  const auto whole = detail::gatherGeometry(surface, gather);
-  const Location volume = volumeLocation(mesh, world());
-  const auto body = detail::gatherGeometry(volume, detail::NodeGather(volume));
+  const auto coordinates = gather(surface.coordinates, 1, 2);
+  const auto positions = gather(surface.positions, 1, 1);
+  const auto ids = gather(surface.vertex_ids, 1, 1);
   if (world()->getRank() > 0) {
-    EXPECT_TRUE(whole.coordinates.empty() && body.connectivity.empty());
+    EXPECT_TRUE(coordinates.empty() && ids.empty());
     return;
   }
-  ASSERT_EQ(whole.positions.size(), std::size_t(num_base));
+  ASSERT_EQ(positions.size(), std::size_t(num_base));
   for (int i = 0; i < num_base; ++i) { // begins at the smaller x although facets run against it
-    EXPECT_NEAR(whole.positions[i], test::stripPosition(i, num_base), 1e-15);
-    EXPECT_EQ(whole.coordinates[2 * i + 1], 1);
-    EXPECT_EQ(whole.vertex_ids[i], 2 * num_base - 1 - i);
+    EXPECT_NEAR(positions[i], test::stripPosition(i, num_base), 1e-15);
+    EXPECT_EQ(coordinates[2 * i + 1], 1);
+    EXPECT_EQ(ids[i], 2 * num_base - 1 - i);
   }
-  ASSERT_EQ(whole.connectivity.size(), std::size_t(2 * (num_base - 1)));
-  for (int i = 0; i + 1 < num_base; ++i) { // each segment once, its orientation kept
-    EXPECT_EQ(whole.connectivity[2 * i], i + 1);
-    EXPECT_EQ(whole.connectivity[2 * i + 1], i);
+}
+
+TEST(Location, ElementsAcrossAPeriodAreWhole)
+{
+  const auto mesh = test::blockMesh(true);
+  const Location fault = boundaryLocation("fault", mesh, "base", world());
+  EXPECT_EQ(fault.num_global_nodes, (test::block_nx + 1) * test::block_nz);
+  EXPECT_NEAR(sumOverRanks(fault.weights), test::block_nx * test::block_nz, 1e-13);
+  const Location volume = volumeLocation(mesh, world());
+  EXPECT_NEAR(sumOverRanks(volume.weights), test::block_nx * test::block_nz, 1e-13);
+  double num_wrapping = 0, farthest = 0;
+  for (std::size_t i = 0; i < fault.numOwnedElements(); ++i) {
+    num_wrapping += fault.wraps[i];
+    for (int corner = 0; corner < 3; ++corner) {
+      farthest = std::max(farthest, fault.corners[(3 * i + corner) * 3 + 2]);
+    }
   }
-  EXPECT_EQ(body.connectivity.size(), std::size_t(3 * 2 * (num_base - 1)));
-  EXPECT_EQ(body.vertex_ids.size(), std::size_t(2 * num_base));
-  EXPECT_TRUE(std::is_sorted(body.vertex_ids.begin(), body.vertex_ids.end()));
+  EXPECT_EQ(sumOverRanks({num_wrapping}), 2 * test::block_nx);
+  EXPECT_EQ(detail::maxOverRanks(farthest, *world()), test::block_nz);
 }
 
 TEST(Location, GatherPutsRowsAndComponentsInOrder)
@@ -105,12 +118,12 @@ TEST(Location, UnknownOrEmptyBoundariesAreRefused)
 {
   auto mesh = test::stripMesh(num_base);
   mesh.boundaries["left"] = {};
-  EXPECT_TRUE(test::contains(
-    test::inputError([&] { boundaryLocation("fault", mesh, "bas", world()); }),
-    "no boundary 'bas' to be the fault. Did you mean 'base'?"));
-  EXPECT_TRUE(test::contains(
-    test::inputError([&] { boundaryLocation("surface", mesh, "left", world()); }),
-    "'left', to be the surface, has no facets"));
+  EXPECT_TRUE(
+    test::contains(test::inputError([&] { boundaryLocation("fault", mesh, "bas", world()); }),
+                   "no boundary 'bas' to be the fault. Did you mean 'base'?"));
+  EXPECT_TRUE(
+    test::contains(test::inputError([&] { boundaryLocation("surface", mesh, "left", world()); }),
+                   "'left', to be the surface, has no facets"));
 }
 
 TEST(Location, TrianglesOfATetrahedron)
@@ -149,7 +162,8 @@ TEST(CurveOrder, BranchesAreRefused)
 {
   const std::map<GlobalOrdinal, detail::PlanePoint> star{
     {0, {0, 0}}, {1, {1, 0}}, {2, {0, 1}}, {3, {-1, 0}}};
-  const auto message =
-    test::inputError([&] { detail::orderCurve({{0, 1}, {0, 2}, {0, 3}}, star); });
+  const auto message = test::inputError([&] {
+    detail::orderCurve({{0, 1}, {0, 2}, {0, 3}}, star);
+  });
   EXPECT_TRUE(test::contains(message, "branches at x = 0, y = 0 m: 3 segments")) << message;
 }

@@ -9,14 +9,17 @@
 
 namespace asperity::test
 {
-// A strip with fields that are functions of place and time, for outputs to look at.
+// A strip, or a block, with fields that are functions of place and time, for outputs to look at.
 struct Stage
 {
   using Function = std::function<double(double const* x, int component)>;
 
-  explicit Stage(int num_base)
+  explicit Stage(int num_base) { locate(stripMesh(num_base)); }
+  explicit Stage(Mesh<3> const& mesh) { locate(mesh); }
+
+  template <int Dim>
+  void locate(Mesh<Dim> const& mesh)
   {
-    const auto mesh = stripMesh(num_base);
     locations["fault"] = io::boundaryLocation("fault", mesh, "base", world());
     locations["volume"] = io::volumeLocation(mesh, world());
   }
@@ -30,7 +33,7 @@ struct Stage
                   values.clear();
                   for (std::size_t i = 0; i < nodes.numOwned(); ++i) {
                     for (int c = 0; c < components; ++c) {
-                      values.push_back(function(&nodes.coordinates[2 * i], c));
+                      values.push_back(function(&nodes.coordinates[nodes.dimension * i], c));
                     }
                   }
                 }});

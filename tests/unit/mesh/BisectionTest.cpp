@@ -49,7 +49,7 @@ TEST(Bisection, FollowsTheSizeFunctionAndStaysConforming)
   const auto mesh = bisect(closedSquare(), allowed);
   expectConforming(mesh);
   for (auto const& cell : mesh.cells) {
-    const auto triangle = corners<2>(mesh.vertices, cell);
+    const auto triangle = corners(mesh, cell);
     EXPECT_LE(longestEdge(triangle), allowed(triangle));
   }
   EXPECT_NEAR(measureOf(mesh, 0), 0.5, 1e-14);
@@ -91,7 +91,7 @@ TEST(Bisection, GivesTheSameMeshAgain)
 // on the fault, and no edge longer than sqrt(2) times what is wanted anywhere.
 TEST(Bisection, GivesTheFaultItsCellSizeExactly)
 {
-  const CellSize size = [](Point<2> const& x) {
+  const CellSize<2> size = [](Point<2> const& x) {
     return 100.0 + 0.05 * std::hypot(x[0], std::max(0.0, -x[1] - 20e3));
   };
   const auto coarse = rectangleMesh({102.4e3, 102.4e3, 8, 8, {0.0, -102.4e3}});
@@ -108,7 +108,7 @@ TEST(Bisection, GivesTheFaultItsCellSizeExactly)
   }
   EXPECT_EQ(num_on_fault, 200);
   for (auto const& cell : mesh.cells) {
-    const auto triangle = corners<2>(mesh.vertices, cell);
+    const auto triangle = corners(mesh, cell);
     for (auto const& corner : triangle) {
       EXPECT_LE(longestEdge(triangle), 1.000001 * std::sqrt(2.0) * size(corner));
     }

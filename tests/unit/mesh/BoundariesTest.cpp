@@ -29,7 +29,7 @@ TEST(Boundaries, ArePiecesOfThoseThatWereThere)
   EXPECT_NEAR(integralOfNormal(mesh, "left")[0], -0.5, 1e-15);
   EXPECT_NEAR(integralOfNormal(mesh, "creeping")[0], -0.5, 1e-15);
   for (auto const& facet : mesh.boundaries.at("creeping")) {
-    EXPECT_LT(centroid(corners<2>(mesh.vertices, facet))[1], 0.5);
+    EXPECT_LT(centroid(corners(mesh, facet))[1], 0.5);
   }
 }
 

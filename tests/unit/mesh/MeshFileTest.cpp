@@ -1,6 +1,8 @@
 #include "MeshSamples.hpp"
 
+#include "mesh/BoxMesh.hpp"
 #include "mesh/MeshFile.hpp"
+#include "mesh/PeriodicMesh.hpp"
 #include "mesh/WedgeMesh.hpp"
 
 #include <Teuchos_DefaultMpiComm.hpp>
@@ -80,6 +82,7 @@ template <int Dim>
 void expectEqual(GlobalMesh<Dim> const& mesh, GlobalMesh<Dim> const& other)
 {
   EXPECT_EQ(mesh.vertices, other.vertices);
+  EXPECT_EQ(mesh.period, other.period);
   EXPECT_EQ(mesh.cells, other.cells);
   EXPECT_EQ(mesh.cell_regions, other.cell_regions);
   EXPECT_EQ(mesh.region_names, other.region_names);
@@ -101,6 +104,24 @@ TEST_F(MeshFile, ReturnsWhatWasWritten)
   writeMesh(solid, file("cube.h5"));
   EXPECT_EQ(meshDimension(file("cube.h5")), 3);
   expectEqual(readMesh<3>(file("cube.h5")), solid);
+}
+
+TEST_F(MeshFile, KeepsThePeriod)
+{
+  auto mesh = boxMesh({{1.0, 1.0, 1.0}, {1, 3, 4}, {}});
+  makePeriodic(mesh, 1, "bottom", "top");
+  makePeriodic(mesh, 2, "front", "back");
+  orientFacets(mesh);
+  writeMesh(mesh, file("box.h5"));
+  expectEqual(readMesh<3>(file("box.h5")), mesh);
+  expectRefused(
+    [](hid_t id) {
+      const hsize_t size = 3;
+      const hid_t space = H5Screate_simple(1, &size, nullptr);
+      H5Aclose(H5Acreate2(id, "period", H5T_NATIVE_DOUBLE, space, H5P_DEFAULT, H5P_DEFAULT));
+      H5Sclose(space);
+    },
+    {"'period'", "2 numbers"});
 }
 
 TEST_F(MeshFile, OrientsFacets)
@@ -229,9 +250,14 @@ TEST_F(MeshFile, SaysThatItCannotWrite)
 TEST_F(MeshFile, IsReadOnRankZeroForAll)
 {
   const Teuchos::MpiComm<int> world(MPI_COMM_WORLD);
+  auto periodic = boxMesh({{1.0, 1.0, 1.0}, {1, 3, 1}, {}});
+  makePeriodic(periodic, 1, "bottom", "top");
+  orientFacets(periodic);
   if (world.getRank() == 0) {
     writeMesh(square(), file("square.h5"));
+    writeMesh(periodic, file("periodic.h5"));
   }
+  expectEqual(readMesh<3>(file("periodic.h5"), world), periodic);
   expectEqual(readMesh<2>(file("square.h5"), world), square());
   expectInputError([&] { readMesh<3>(file("square.h5"), world); }, {"dimension 2, not 3"});
   expectInputError([&] { readMesh<2>(file("none.h5"), world); }, {"none.h5' does not exist"});

@@ -53,13 +53,13 @@ TEST(MeshQuality, NamesTheBoundaryThatIsMissing)
 TEST(MeshQuality, NormalsPointOutwardWithTheMeasureOfTheFacet)
 {
   auto mesh = square();
-  const auto facet = corners<2>(mesh.vertices, mesh.boundaries["top"][0]);
+  const auto facet = corners(mesh, mesh.boundaries["top"][0]);
   EXPECT_EQ(facetNormal(facet), (Point<2>{0.0, 1.0}));
   EXPECT_DOUBLE_EQ(facetMeasure(facet), 1.0);
   auto solid = cube();
   solid.vertices[6] = {0.0, 2.0, 2.0};
   orientFacets(solid);
-  const auto triangle = corners<3>(solid.vertices, solid.boundaries["side"][0]);
+  const auto triangle = corners(solid, solid.boundaries["side"][0]);
   EXPECT_EQ(facetNormal(triangle), (Point<3>{-1.0, 0.0, 0.0}));
   EXPECT_DOUBLE_EQ(facetMeasure(triangle), 1.0);
 }

@@ -69,8 +69,8 @@ void expectConforming(GlobalMesh<Dim> const& mesh)
     num_named += facets.size();
     for (auto const& facet : facets) {
       const auto outward = table.find(facet).first->outward;
-      EXPECT_GT(dot<Dim>(areaNormal(corners<Dim>(mesh.vertices, facet)),
-                         areaNormal(corners<Dim>(mesh.vertices, outward))),
+      EXPECT_GT(dot<Dim>(areaNormal(corners(mesh, facet)),
+                         areaNormal(corners(mesh, outward))),
                 0.0)
         << name;
     }
@@ -84,7 +84,7 @@ double measureOf(GlobalMesh<Dim> const& mesh, int region)
   double sum = 0.0;
   for (std::size_t c = 0; c < mesh.cells.size(); ++c) {
     if (mesh.cell_regions[c] == region) {
-      sum += signedMeasure(corners<Dim>(mesh.vertices, mesh.cells[c]));
+      sum += signedMeasure(corners(mesh, mesh.cells[c]));
     }
   }
   return sum;
@@ -96,7 +96,7 @@ Point<Dim> integralOfNormal(GlobalMesh<Dim> const& mesh, std::string const& boun
 {
   Point<Dim> sum{};
   for (auto const& facet : mesh.boundaries.at(boundary)) {
-    const auto normal = areaNormal(corners<Dim>(mesh.vertices, facet));
+    const auto normal = areaNormal(corners(mesh, facet));
     for (int d = 0; d < Dim; ++d) {
       sum[d] += normal[d];
     }

@@ -67,7 +67,7 @@ TEST(WedgeMesh, ResolvesTheSeismogenicZone)
   EXPECT_NEAR(shape.zoneRight(), 0.35 * std::sqrt(1.0 + 0.27 * 0.27), 1e-15);
   int num_cells_at_zone = 0;
   for (auto const& cell : mesh.cells) {
-    const auto triangle = corners<2>(mesh.vertices, cell);
+    const auto triangle = corners(mesh, cell);
     double nearest = 1.0;
     for (auto const& p : triangle) {
       const double dx = std::max({shape.zoneLeft() - p[0], p[0] - shape.zoneRight(), 0.0});
@@ -85,7 +85,7 @@ TEST(WedgeMesh, HasTheViscousRegionAtTheBottom)
   auto const& mesh = thesisMesh();
   ASSERT_EQ(mesh.region_names, (std::vector<std::string>{"upper", "lower"}));
   for (std::size_t c = 0; c < mesh.cells.size(); ++c) {
-    const bool is_low = depth(centroid(corners<2>(mesh.vertices, mesh.cells[c]))) > 0.21;
+    const bool is_low = depth(centroid(corners(mesh, mesh.cells[c]))) > 0.21;
     EXPECT_EQ(mesh.cell_regions[c], is_low ? 1 : 0);
   }
   const double below = 0.5 * 0.06 * 0.06 / 0.27;

@@ -1,17 +1,15 @@
-"""asperity-mesh, given as the first argument: converts Gmsh's files, makes wedges, refuses errors.
+"""asperity-mesh, given as the first argument: converts Gmsh's files, refuses errors.
 
 The files it makes are read with h5py, which knows nothing of the program that wrote them.
 """
 
 import pathlib
-import subprocess
-import sys
 import unittest
 
 import h5py
 import numpy
 
-PROGRAM = sys.argv.pop(1)
+import mesh_tool
 
 # A square of four triangles around (1, 1), two of them clockwise, in two regions. Node 9 is a point
 # that only the geometry uses; tags have gaps.
@@ -41,6 +39,47 @@ def msh(nodes=None, names=NAMES, elements=None):
     return "\n".join(lines)
 
 
+# Two volumes of one tetrahedron each, on both sides of the triangle 1 2 3, in Gmsh's format 4.1.
+TWO_VOLUMES = """$MeshFormat
+4.1 0 8
+$EndMeshFormat
+$PhysicalNames
+3
+2 7 "fault"
+3 8 "below"
+3 9 "above"
+$EndPhysicalNames
+$Entities
+0 0 1 2
+5 0 0 0 1 1 1 1 {surface} 0
+3 0 0 -1 1 1 0 1 8 0
+4 0 0 0 1 1 1 1 9 0
+$EndEntities
+$Nodes
+1 5 1 5
+3 3 0 5
+1
+2
+3
+4
+5
+0 0 0
+1 0 0
+0 1 0
+0 0 1
+0 0 -1
+$EndNodes
+$Elements
+3 3 1 3
+2 5 2 1
+1 {triangle}
+3 3 4 1
+2 1 2 3 5
+3 4 4 1
+3 1 2 3 4
+$EndElements
+"""
+
 CUBE = """$MeshFormat
 2.2 0 8
 $EndMeshFormat
@@ -64,37 +103,12 @@ $EndElements
 """
 
 
-def run(*arguments):
-    return subprocess.run([PROGRAM, *arguments], capture_output=True, text=True, timeout=60)
-
-
-class Case(unittest.TestCase):
-    def setUp(self):
-        for path in pathlib.Path(".").glob("*.h5*"):
-            path.unlink()
-
-    def assert_done(self, *arguments):
-        result = run(*arguments)
-        self.assertEqual((result.returncode, result.stderr), (0, ""), result.stdout)
-        return result.stdout
-
-    def assert_refused(self, arguments, *pieces):
-        """Exit status 2 and one paragraph on stderr that contains the pieces."""
-        result = run(*arguments)
-        self.assertEqual(result.returncode, 2, result.stderr)
-        self.assertEqual(result.stdout, "")
-        self.assertTrue(result.stderr.startswith("asperity-mesh: "), result.stderr)
-        self.assertEqual(result.stderr.count("\n"), 1, result.stderr)
-        for piece in pieces:
-            self.assertIn(piece, result.stderr)
-
+class Convert(mesh_tool.Case):
     def assert_not_converted(self, text, *pieces):
         pathlib.Path("bad.msh").write_text(text)
         self.assert_refused(["convert", "bad.msh", "bad.h5"], "'bad.msh'", *pieces)
         self.assertFalse(pathlib.Path("bad.h5").exists())
 
-
-class Convert(Case):
     def test_square(self):
         pathlib.Path("square.msh").write_text(msh())
         self.assertIn("5 vertices, 4 cells", self.assert_done("convert", "square.msh", "square.h5"))
@@ -126,6 +140,26 @@ class Convert(Case):
             f = file["vertices"][:][file["boundaries/fault/facets"][0]]
             numpy.testing.assert_array_equal(numpy.cross(f[1] - f[0], f[2] - f[0]), [0, 0, -1])
         self.assertIn("volume           0.166667 m^3", self.assert_done("info", "cube.h5"))
+
+    def test_two_volumes(self):
+        text = TWO_VOLUMES.format(surface=7, triangle="1 2 4")
+        pathlib.Path("two.msh").write_text(text)
+        self.assert_done("convert", "two.msh", "two.h5")
+        with h5py.File("two.h5") as file:
+            names = file["region_names"].asstr()[:]
+            regions = {names[region]: set(cell)
+                       for region, cell in zip(file["cell_regions"], file["cells"][:])}
+            self.assertEqual(regions, {"below": {0, 1, 2, 4}, "above": {0, 1, 2, 3}})
+            x = file["vertices"][:]
+            for cell in file["cells"]:
+                self.assertAlmostEqual(numpy.linalg.det(x[cell[1:]] - x[cell[0]]), 1.0)
+            self.assertEqual(list(file["boundaries"]), ["fault"])
+            f = x[file["boundaries/fault/facets"][0]]
+            numpy.testing.assert_array_equal(numpy.cross(f[1] - f[0], f[2] - f[0]), [0, -1, 0])
+        self.assert_not_converted(TWO_VOLUMES.format(surface=7, triangle="1 2 3"),
+                                  "boundary 'fault'", "(0, 0, 0)", "inside the body")
+        self.assert_not_converted(text.replace('3 9 "above"\n', "").replace("Names\n3", "Names\n2"),
+                                  "physical Volume 9 has no name")
 
     def test_missing_names(self):
         self.assert_not_converted(msh(names=NAMES.replace('1 2 "sides"\n', "")),
@@ -173,55 +207,7 @@ class Convert(Case):
         self.assert_refused(["convert", "square.msh", "no/where.h5"], "cannot be written")
 
 
-class WedgeRectangleAndInfo(Case):
-    def test_wedge(self):
-        self.assert_done("wedge", "wedge.h5")
-        info = self.assert_done("info", "wedge.h5")
-        self.assertIn("area             0.135 m^2\n", info)
-        self.assertIn("cell diameters   0.0010115", info)
-        self.assertRegex(info, r"boundary +base: 261 facets, 262 vertices")
-        self.assertRegex(info, r"region +lower: \d+ cells")
-
-    def test_wedge_options(self):
-        self.assert_done("wedge", "small.h5", "--cell-size", "0.05", "--viscous-thickness", "0")
-        with h5py.File("small.h5") as file:
-            self.assertLess(len(file["vertices"]), 150)
-            self.assertEqual(list(file["region_names"].asstr()), ["upper"])
-        self.assert_refused(["wedge", "a.h5", "--cell-size", "-1"], "Cell Size = -1")
-        self.assert_refused(["wedge", "a.h5", "--cell-size", "two"], "--cell-size", "'two'")
-        self.assert_refused(["wedge", "a.h5", "--cell-size"], "needs a value")
-        self.assert_refused(["wedge", "a.h5", "--cell-sise", "1"], "Did you mean '--cell-size'?")
-        self.assert_refused(["wedge"], "OUT.h5 is missing")
-        self.assertFalse(pathlib.Path("a.h5").exists())
-
-    def test_rectangle(self):
-        self.assertIn("6 vertices, 4 cells",
-                      self.assert_done("rectangle", "plain.h5", "--cells-x", "2"))
-        self.assert_done("rectangle", "graded.h5", "--width", "1600", "--height", "3200",
-                         "--cells-y", "2", "--left", "-800", "--bottom", "-3200",
-                         "--cell-size", "100 + 0.2 * (x + 800)")
-        info = self.assert_done("info", "graded.h5")
-        self.assertIn("bounding box     [-800, 800] x [-3200, 0] m\n", info)
-        self.assertIn("smallest angle   45 degrees\n", info)
-        self.assertIn("left: 32 facets, 33 vertices, shortest edge 100 m\n", info)
-        self.assertIn("right: 8 facets, 9 vertices, shortest edge 400 m\n", info)
-
-    def test_rectangle_refuses(self):
-        for options, pieces in ((["--width", "0"], ["Width = 0"]),
-                                (["--cells-x", "2.5"], ["--cells-x", "'2.5'", "whole number"]),
-                                (["--cell-size", "t + 1"], ["--cell-size depends on t"]),
-                                (["--cell-size", "x - 0.5"], ["--cell-size is -0.5 at", "(0, 0)"]),
-                                (["--cell-size", "x +"], ["--cell-size", "no valid expression"])):
-            self.assert_refused(["rectangle", "a.h5", *options], *pieces)
-        self.assertFalse(pathlib.Path("a.h5").exists())
-
-    def test_info_of_bad_files(self):
-        self.assert_refused(["info", "none.h5"], "'none.h5' does not exist")
-        pathlib.Path("text.h5").write_text("This is no HDF5 file.")
-        self.assert_refused(["info", "text.h5"], "cannot be opened as an HDF5 file")
-
-
-class CommandLine(Case):
+class CommandLine(mesh_tool.Case):
     def test_commands(self):
         self.assert_refused([], "A command is missing")
         self.assert_refused(["convrt"], "Did you mean 'convert'?")

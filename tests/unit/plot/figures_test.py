@@ -59,6 +59,8 @@ class Figures(unittest.TestCase):
         for name in cli.FIGURES:
             if name in missing:
                 self.assertIn(f"No figure '{name}': the run has no {missing[name]}.", out)
+            elif name in ("fault_maps", "fault_history"):
+                self.assertIn(f"No figure '{name}': fault.h5 is not over a surface", out)
             else:
                 self.check_picture("many", name, out)
         self.assertIn("7 events", out)

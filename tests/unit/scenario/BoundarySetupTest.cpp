@@ -42,10 +42,10 @@ ParameterList driven(std::function<void(ParameterList&)> const& change)
 
 TEST(BoundarySetup, turnsConditionsIntoPrescribedVelocities)
 {
-  const auto result = makeBoundaryConditions(conditions({{"Wall", "right", "Sliding Wall"},
-                                                         {"Ground", "left", "Fixed"},
-                                                         {"Air", "top", "Free Surface"}}),
-                                             2);
+  const auto result = makeBoundaryConditions<2>(conditions({{"Wall", "right", "Sliding Wall"},
+                                                            {"Ground", "left", "Fixed"},
+                                                            {"Air", "top", "Free Surface"}}),
+                                                2);
   EXPECT_EQ(result.fault, "bottom");
   EXPECT_EQ(result.surface, "top");
   EXPECT_EQ(result.ramp_end, 0);
@@ -65,7 +65,7 @@ TEST(BoundarySetup, turnsConditionsIntoPrescribedVelocities)
 
 TEST(BoundarySetup, hasNoNormalInAntiplane)
 {
-  const auto result = makeBoundaryConditions(
+  const auto result = makeBoundaryConditions<2>(
     conditions({{"Wall", "right", "Sliding Wall"}, {"Ground", "left", "Fixed"}}), 1);
   ASSERT_EQ(result.velocities.size(), 1U);
   EXPECT_EQ(result.velocities[0].boundary, "left");
@@ -74,12 +74,13 @@ TEST(BoundarySetup, hasNoNormalInAntiplane)
 
 TEST(BoundarySetup, prescribesAVelocityWithARamp)
 {
-  const auto result = makeBoundaryConditions(driven([](ParameterList& condition) {
-                                               condition.set("Velocity", "2 * (1 + x) * (1 + t)");
-                                               condition.set("Ramp Duration", 4.);
-                                               condition.set("Direction", array<double>({0, 2}));
-                                             }),
-                                             2);
+  const auto result =
+    makeBoundaryConditions<2>(driven([](ParameterList& condition) {
+                                condition.set("Velocity", "2 * (1 + x) * (1 + t)");
+                                condition.set("Ramp Duration", 4.);
+                                condition.set("Direction", array<double>({0, 2}));
+                              }),
+                              2);
   EXPECT_EQ(result.ramp_end, 4);
   auto const& condition = result.velocities.back();
   EXPECT_EQ(condition.direction, (std::vector<double>{0, 2}));
@@ -88,19 +89,19 @@ TEST(BoundarySetup, prescribesAVelocityWithARamp)
   EXPECT_NEAR(condition.velocity({1, 0}, 4), 20, 1e-13);
   EXPECT_NEAR(condition.velocity({0, 0}, 9), 20, 1e-13);
 
-  const auto sudden = makeBoundaryConditions(
+  const auto sudden = makeBoundaryConditions<2>(
     driven([](ParameterList& condition) { condition.set("Velocity", 3.); }), 2);
   EXPECT_EQ(sudden.velocities.back().velocity({0, 0}, 0), 3);
 }
 
 TEST(BoundarySetup, leavesAnAntisymmetricFaultFreeAcross)
 {
-  const auto contact = makeBoundaryConditions(conditions({}), 2);
+  const auto contact = makeBoundaryConditions<2>(conditions({}), 2);
   EXPECT_FALSE(contact.antisymmetric);
   EXPECT_EQ(contact.slipFactor(), 1);
   EXPECT_FALSE(contact.velocities.at(0).free);
   for (int components : {1, 2}) {
-    const auto result = makeBoundaryConditions(
+    const auto result = makeBoundaryConditions<2>(
       conditions({{"Wall", "right", "Sliding Wall"}, {"Fault", "bottom", "Antisymmetric Fault"}},
                  false),
       components);
@@ -129,7 +130,7 @@ TEST(BoundarySetup, letsTheFaultGoOnAtAPrescribedSlipRate)
                         deeper.set("Slip Rate", -6.);
                         given.sublist("Fault").set("Type", type);
                       }).sublist("Boundary Conditions");
-    const auto plane = makeBoundaryConditions(list, 2).velocities;
+    const auto plane = makeBoundaryConditions<2>(list, 2).velocities;
     ASSERT_EQ(plane.size(), 5U);
     for (int i = 0; i < 3; ++i) {
       EXPECT_EQ(plane[i].boundary, (std::array{"bottom", "left", "right"})[i]);
@@ -143,7 +144,7 @@ TEST(BoundarySetup, letsTheFaultGoOnAtAPrescribedSlipRate)
     EXPECT_EQ(plane[3].velocity({2, 0}, 1), 12 / factor);
     EXPECT_EQ(plane[4].velocity({2, 0}, 1), -6 / factor);
 
-    const auto antiplane = makeBoundaryConditions(list, 1).velocities;
+    const auto antiplane = makeBoundaryConditions<2>(list, 1).velocities;
     ASSERT_EQ(antiplane.size(), 2U);
     EXPECT_EQ(antiplane[0].direction, std::vector<double>{1});
     EXPECT_EQ(antiplane[0].velocity({2, 0}, 1), 12 / factor);
@@ -153,14 +154,14 @@ TEST(BoundarySetup, letsTheFaultGoOnAtAPrescribedSlipRate)
 TEST(BoundarySetup, wantsTheSlipRateThatIsPrescribed)
 {
   const auto list = conditions({{"Deep", "left", "Prescribed Slip Rate"}});
-  expectParts(refusal([&] { makeBoundaryConditions(list, 2); }),
+  expectParts(refusal([&] { makeBoundaryConditions<2>(list, 2); }),
               {"Asperity / Boundary Conditions / Deep / Slip Rate", "missing"});
 }
 
 TEST(BoundarySetup, collectsAbsorbingBoundaries)
 {
-  const auto result =
-    makeBoundaryConditions(conditions({{"A", "left", "Absorbing"}, {"B", "top", "Absorbing"}}), 2);
+  const auto result = makeBoundaryConditions<2>(
+    conditions({{"A", "left", "Absorbing"}, {"B", "top", "Absorbing"}}), 2);
   EXPECT_EQ(result.absorbing, (std::vector<std::string>{"left", "top"}));
   EXPECT_EQ(result.velocities.size(), 1U);
 }
@@ -170,7 +171,7 @@ TEST(BoundarySetup, refusesADirectionThatIsNone)
   for (auto const& direction : {std::vector<double>{0, 0}, {1}, {1, 0, 0}}) {
     const auto list =
       driven([&](ParameterList& condition) { condition.set("Direction", array(direction)); });
-    expectParts(refusal([&] { makeBoundaryConditions(list, 2); }),
+    expectParts(refusal([&] { makeBoundaryConditions<2>(list, 2); }),
                 {"Asperity / Boundary Conditions / Left / Direction"});
   }
 }
@@ -190,13 +191,13 @@ TEST(BoundarySetup, refusesConditionsThatContradict)
     {"Fixed", "Fixed"}};
   for (auto const& [first, second] : pairs) {
     const auto list = conditions({{"A", "top", first}, {"B", "top", second}});
-    expectParts(refusal([&] { makeBoundaryConditions(list, 2); }),
+    expectParts(refusal([&] { makeBoundaryConditions<2>(list, 2); }),
                 {"Asperity / Boundary Conditions / A", "Asperity / Boundary Conditions / B",
                  "contradicts", "'top'"});
   }
   for (char const* type : {"Fixed", "Absorbing", "Prescribed Slip Rate"}) {
     const auto on_fault = conditions({{"A", "bottom", type}});
-    expectParts(refusal([&] { makeBoundaryConditions(on_fault, 2); }),
+    expectParts(refusal([&] { makeBoundaryConditions<2>(on_fault, 2); }),
                 {"contradicts", "'bottom'", "Asperity / Boundary Conditions / Fault",
                  "Asperity / Boundary Conditions / A"});
   }
@@ -215,7 +216,7 @@ TEST(BoundarySetup, refusesEntriesThatItsTypeDoesNotRead)
     const auto list = driven([&, type = type, entry = entry](ParameterList& condition) {
       condition.set("Type", type).set(entry, 1.);
     });
-    expectParts(refusal([&] { makeBoundaryConditions(list, 2); }),
+    expectParts(refusal([&] { makeBoundaryConditions<2>(list, 2); }),
                 {"Asperity / Boundary Conditions / Left / " + entry, "no effect", type});
   }
 }
@@ -224,15 +225,15 @@ TEST(BoundarySetup, allowsConditionsInDifferentDirections)
 {
   const auto list =
     conditions({{"A", "left", "Sliding Wall"}, {"B", "left", "Prescribed Velocity"}});
-  EXPECT_EQ(makeBoundaryConditions(list, 2).velocities.size(), 3U);
+  EXPECT_EQ(makeBoundaryConditions<2>(list, 2).velocities.size(), 3U);
 }
 
 TEST(BoundarySetup, wantsOneFault)
 {
   const auto none = conditions({{"A", "left", "Fixed"}}, false);
-  expectParts(refusal([&] { makeBoundaryConditions(none, 2); }),
+  expectParts(refusal([&] { makeBoundaryConditions<2>(none, 2); }),
               {"Asperity / Boundary Conditions", "Bilateral Contact", "Antisymmetric Fault"});
   const auto two = conditions({{"Second", "top", "Antisymmetric Fault"}});
-  expectParts(refusal([&] { makeBoundaryConditions(two, 2); }), {"already friction"});
+  expectParts(refusal([&] { makeBoundaryConditions<2>(two, 2); }), {"already friction"});
 }
 } // namespace asperity::scenario

@@ -116,9 +116,9 @@ TEST(BulkSetup, pointsGravityAnyWay)
   const auto list = bulkList({}, [](ParameterList& given) {
     given.set("Gravity Direction", array<double>({3, -4}));
   });
-  EXPECT_NEAR(gravity(list)[0], 6, 1e-14);
-  EXPECT_NEAR(gravity(list)[1], -8, 1e-14);
-  EXPECT_EQ(gravity(bulkList({})), (std::array<double, 2>{0, -10}));
+  EXPECT_NEAR(gravity<2>(list)[0], 6, 1e-14);
+  EXPECT_NEAR(gravity<2>(list)[1], -8, 1e-14);
+  EXPECT_EQ(gravity<2>(bulkList({})), (std::array<double, 2>{0, -10}));
 }
 
 TEST(BulkSetup, refusesGravityThatMakesNoSense)
@@ -126,11 +126,11 @@ TEST(BulkSetup, refusesGravityThatMakesNoSense)
   for (auto const& direction : {std::vector<double>{0, 0}, {1}, {1, 2, 3}, {}}) {
     const auto list =
       bulkList({}, [&](ParameterList& given) { given.set("Gravity Direction", array(direction)); });
-    expectParts(refusal([&] { gravity(list); }), {"Asperity / Bulk / Gravity Direction"});
+    expectParts(refusal([&] { gravity<2>(list); }), {"Asperity / Bulk / Gravity Direction"});
   }
   const auto antiplane =
     bulkList({}, [](ParameterList& given) { given.set("Model", "Antiplane"); });
-  expectParts(refusal([&] { gravity(antiplane); }),
+  expectParts(refusal([&] { gravity<2>(antiplane); }),
               {"Asperity / Bulk / Gravitational Acceleration = 10", "antiplane"});
 }
 TEST(BulkSetup, dampsAQuasiDynamicFaultByTheImpedanceOfItsSides)

@@ -11,7 +11,7 @@ using namespace test;
 namespace
 {
 // The load on the fault nodes at the time t, per their weight [Pa].
-std::vector<double> tractionAt(Problem const& problem, double t)
+std::vector<double> tractionAt(Problem<2> const& problem, double t)
 {
   const auto load = problem.body.vector();
   problem.body.load(t, *load);
@@ -34,12 +34,12 @@ void expectNear(std::vector<double> const& found, std::vector<double> const& exp
 
 TEST(FaultLoads, followAShearTractionInSpaceAndTime)
 {
-  const Problem steady(
+  const Problem<2> steady(
     strip([](auto& deck) { deck.sublist("Friction").set("Shear Traction", "100 * (1 + x)"); }),
     world());
   expectNear(tractionAt(steady, 0), {100, 200, 300});
   expectNear(tractionAt(steady, 7), {100, 200, 300});
-  const Problem moving(
+  const Problem<2> moving(
     strip([](auto& deck) {
       deck.sublist("Friction").set("Shear Traction", "100 * (1 + x) + (t < 2 ? t : 2)");
     }),
@@ -52,7 +52,7 @@ TEST(FaultLoads, followAShearTractionInSpaceAndTime)
 
 TEST(FaultLoads, keepGravityBesideATractionInTime)
 {
-  const Problem problem(
+  const Problem<2> problem(
     column([](auto& deck) { deck.sublist("Friction").set("Shear Traction", "t"); }), world());
   const auto load = problem.body.vector();
   problem.body.load(3, *load);
@@ -69,11 +69,11 @@ TEST(FaultLoads, keepGravityBesideATractionInTime)
 
 TEST(FaultLoads, followANormalStressInTimeAndClipTension)
 {
-  const Problem problem(strip([](auto& deck) {
-                          deck.sublist("Friction").set("Normal Stress", "100 * (1 + x - t)");
-                          deck.sublist("Friction").set("Normal Stress Factor", 3.);
-                        }),
-                        world());
+  const Problem<2> problem(strip([](auto& deck) {
+                             deck.sublist("Friction").set("Normal Stress", "100 * (1 + x - t)");
+                             deck.sublist("Friction").set("Normal Stress Factor", 3.);
+                           }),
+                           world());
   auto const& fault = problem.fault;
   EXPECT_EQ(valuesOf(fault.data.sigma_n), (std::vector<double>{300, 600, 900}));
   fault.setTime(2);
@@ -91,7 +91,7 @@ TEST(FaultLoads, followANormalStressInTimeAndClipTension)
   fault.setTime(0);
   EXPECT_EQ(valuesOf(fault.data.sigma_n), (std::vector<double>{300, 600, 900}));
 
-  const Problem constant(strip(), world());
+  const Problem<2> constant(strip(), world());
   EXPECT_FALSE(constant.fault.normal_stress_at);
 }
 
@@ -99,7 +99,7 @@ TEST(FaultLoads, refuseATensileNormalStressAtTheStart)
 {
   const auto deck =
     strip([](auto& given) { given.sublist("Friction").set("Normal Stress", "100 * (x - 1)"); });
-  expectParts(refusal([&] { Problem(deck, world()); }),
+  expectParts(refusal([&] { Problem<2>(deck, world()); }),
               {"Asperity / Friction / Normal Stress = -100", "(0, 0)", "[0, inf)", "compression"});
 }
 
@@ -108,14 +108,14 @@ TEST(Problem, wantsTheNormalStressOfAnAntisymmetricFault)
   const auto deck = column([](auto& given) {
     given.sublist("Boundary Conditions").sublist("Fault").set("Type", "Antisymmetric Fault");
   });
-  expectParts(refusal([&] { Problem(deck, world()); }),
+  expectParts(refusal([&] { Problem<2>(deck, world()); }),
               {"Asperity / Friction / Normal Stress", "antisymmetric"});
 }
 
 TEST(Problem, hasNoMassButARadiationDampingIfQuasiDynamic)
 {
-  const Problem inertial(strip(), world());
-  const Problem quasi(
+  const Problem<2> inertial(strip(), world());
+  const Problem<2> quasi(
     strip([](auto& deck) { deck.sublist("Bulk").set("Dynamics", "Quasi-dynamic"); }), world());
   EXPECT_GT(inertial.body.matrices.mass->getFrobeniusNorm(), 0);
   EXPECT_EQ(inertial.body.matrices.viscosity->getFrobeniusNorm(), 0);
@@ -140,16 +140,16 @@ TEST(Problem, refusesToAbsorbWavesThatDoNotExist)
     given.sublist("Boundary Conditions").sublist("Far").set("Boundary", "top");
     given.sublist("Boundary Conditions").sublist("Far").set("Type", "Absorbing");
   });
-  expectParts(refusal([&] { Problem(deck, world()); }), {"'top'", "Absorbing", "Inertial"});
+  expectParts(refusal([&] { Problem<2>(deck, world()); }), {"'top'", "Absorbing", "Inertial"});
 }
 
 TEST(Problem, putsDashpotsOnAbsorbingBoundaries)
 {
-  const Problem problem(strip([](auto& given) {
-                          auto& far = given.sublist("Boundary Conditions").sublist("Far");
-                          far.set("Boundary", "top").set("Type", "Absorbing");
-                        }),
-                        world());
+  const Problem<2> problem(strip([](auto& given) {
+                             auto& far = given.sublist("Boundary Conditions").sublist("Far");
+                             far.set("Boundary", "top").set("Type", "Absorbing");
+                           }),
+                           world());
   const auto v = problem.body.vector();
   const auto force = problem.body.vector();
   v->putScalar(3);

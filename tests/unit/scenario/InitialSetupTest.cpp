@@ -27,7 +27,7 @@ ParameterList sliding(std::function<void(ParameterList&)> const& change = [](aut
   });
 }
 
-std::vector<double> slipRates(Problem const& problem)
+std::vector<double> slipRates(Problem<2> const& problem)
 {
   friction::BlockView v("v", problem.fault.numNodes(), 1);
   friction::NodeView V("V", problem.fault.numNodes());
@@ -47,14 +47,14 @@ void expectAll(std::vector<double> const& values, double expected, double tolera
 TEST(InitialSetup, letsAnAntisymmetricStripSlideSteadilyAtTwiceItsVelocity)
 {
   for (char const* state : {"Steady", "Stress Balance"}) {
-    const Problem problem(
+    const Problem<2> problem(
       sliding([state](auto& deck) { deck.sublist("Initial State").set("State", state); }), world());
     expectAll(slipRates(problem), plate_rate, 1e-18);
     expectAll(valuesOf(problem.initial.alpha), std::log(1e-6 / plate_rate), 1e-12);
     // Balance of momentum: friction at the slip rate, not at the velocity, bears the traction.
     EXPECT_LE(problem.initial.a->normInf(), 1e-9);
   }
-  const Problem bilateral(
+  const Problem<2> bilateral(
     sliding([](auto& deck) {
       deck.sublist("Boundary Conditions").sublist("Fault").set("Type", "Bilateral Contact");
     }),
@@ -67,15 +67,15 @@ TEST(InitialSetup, balancesTheShearTractionWithFrictionCohesionAndRadiation)
 {
   const double tau = 7000, cohesion = 100, V = 1e-2;
   for (bool quasi : {false, true}) {
-    const Problem problem(strip([&](ParameterList& deck) {
-                            auto& friction = deck.sublist("Friction");
-                            friction.set("Shear Traction", -tau).set("Cohesion", cohesion);
-                            auto& initial = deck.sublist("Initial State");
-                            initial.set("Velocity Z", -V / 2).set("State", "Stress Balance");
-                            deck.sublist("Bulk").set("Dynamics",
-                                                     quasi ? "Quasi-dynamic" : "Inertial");
-                          }),
-                          world());
+    const Problem<2> problem(strip([&](ParameterList& deck) {
+                               auto& friction = deck.sublist("Friction");
+                               friction.set("Shear Traction", -tau).set("Cohesion", cohesion);
+                               auto& initial = deck.sublist("Initial State");
+                               initial.set("Velocity Z", -V / 2).set("State", "Stress Balance");
+                               deck.sublist("Bulk").set("Dynamics",
+                                                        quasi ? "Quasi-dynamic" : "Inertial");
+                             }),
+                             world());
     friction::NodeView mu("mu", 3);
     friction::BlockView v("v", 3, 1);
     problem.fault.gather(*problem.initial.v, v);
@@ -95,7 +95,7 @@ TEST(InitialSetup, leavesAColumnUnderObliqueGravityInBalance)
     given.sublist("Initial State").set("alpha", 77.);
     given.sublist("Friction").set("Shear Traction", 5000.).set("Normal Stress", 1e4);
   });
-  const Problem problem(deck, world());
+  const Problem<2> problem(deck, world());
   ASSERT_GT(problem.initial.u->normInf(), 0);
   EXPECT_LE(problem.initial.a->normInf(), 1e-7) << "m/s^2, beside 10 of gravity";
   // At the walls, where the fault rests, alpha is the deck's.
@@ -106,11 +106,11 @@ TEST(InitialSetup, leavesAColumnUnderObliqueGravityInBalance)
 TEST(InitialSetup, refusesAStateThatDoesNotExist)
 {
   const auto message = [](std::function<void(ParameterList&)> const& change) {
-    return refusal([&] { Problem(sliding(change), world()); });
+    return refusal([&] { Problem<2>(sliding(change), world()); });
   };
   expectParts(
     message([](auto& deck) { deck.sublist("Initial State").set("Velocity Z", "1e-9*x"); }),
-    {"Asperity / Initial State / State = Steady", "node 0", "x = 0", "slip rate is zero"});
+    {"Asperity / Initial State / State = Steady", "node 0", "x = (0, 0)", "slip rate is zero"});
   const auto balance = [&](std::function<void(ParameterList&)> const& change) {
     return message([&](ParameterList& deck) {
       deck.sublist("Initial State").set("State", "Stress Balance");
@@ -133,9 +133,9 @@ TEST(InitialSetup, takesThePrescribedSlipRateWhereTheFaultEnds)
     deep.set("Boundary", "deep").set("Type", "Prescribed Slip Rate").set("Slip Rate", plate_rate);
     given.sublist("Initial State").set("Velocity Z", 1e-9 / 2);
   });
-  const Problem problem(deck, world());
+  const Problem<2> problem(deck, world());
   ASSERT_EQ(problem.fault.numNodes(), 2);
-  EXPECT_EQ(problem.fault.fixed, (std::vector<int>{0, 1}));
+  EXPECT_EQ(problem.fault.fixed, (std::vector<std::vector<int>>{{0}, {1}}));
   EXPECT_NEAR(slipRates(problem)[0], 1e-9, 1e-24);
   EXPECT_NEAR(slipRates(problem)[1], plate_rate, 1e-18);
   EXPECT_NEAR(valuesOf(problem.initial.alpha)[1], std::log(1e-6 / plate_rate), 1e-12);

@@ -37,7 +37,7 @@ struct Start
   }
 
   ParameterList deck;
-  Problem problem;
+  Problem<2> problem;
   dynamics::EnergyBalance balance;
   std::map<std::string, io::Location> locations;
   RunView view;

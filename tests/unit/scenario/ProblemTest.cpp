@@ -15,7 +15,7 @@ using namespace test;
 
 namespace
 {
-double force(Problem const& problem)
+double force(Problem<2> const& problem)
 {
   const auto pressure = valuesOf(problem.fault.data.sigma_n);
   const auto weight = valuesOf(problem.fault.data.weight);
@@ -27,34 +27,35 @@ constexpr double column_weight = 1000 * 10 * 4; // N/m: density, gravity, area
 
 TEST(Problem, pressesOnTheFaultWithTheWeightOfTheBody)
 {
-  const Problem problem(column(), world());
+  const Problem<2> problem(column(), world());
   EXPECT_EQ(problem.components, 2);
   EXPECT_EQ(problem.fault.numNodes(), 3);
   EXPECT_NEAR(problem.fault.total_weight, 2, 1e-14);
   EXPECT_NEAR(force(problem), column_weight, 1e-9 * column_weight);
-  EXPECT_EQ(problem.fault.fixed, (std::vector<int>{1, 0, 1})) << "the walls hold its ends";
+  EXPECT_EQ(problem.fault.fixed, (std::vector<std::vector<int>>{{1}, {0}, {1}}))
+    << "the walls hold its ends";
   EXPECT_TRUE(problem.remarks.empty());
 }
 
 TEST(Problem, multipliesTheNormalStress)
 {
-  const Problem twice(
+  const Problem<2> twice(
     column([](auto& deck) { deck.sublist("Friction").set("Normal Stress Factor", 2.); }), world());
   EXPECT_NEAR(force(twice), 2 * column_weight, 1e-8 * column_weight);
-  const Problem given(column([](auto& deck) {
-                        deck.sublist("Friction").set("Normal Stress", "100 * (1 + x)");
-                        deck.sublist("Friction").set("Normal Stress Factor", 3.);
-                      }),
-                      world());
+  const Problem<2> given(column([](auto& deck) {
+                           deck.sublist("Friction").set("Normal Stress", "100 * (1 + x)");
+                           deck.sublist("Friction").set("Normal Stress Factor", 3.);
+                         }),
+                         world());
   EXPECT_EQ(valuesOf(given.fault.data.sigma_n), (std::vector<double>{300, 600, 900}));
 }
 
 TEST(Problem, setsATensileReactionToZeroAndSaysSo)
 {
-  const Problem problem(column([](auto& deck) {
-                          deck.sublist("Bulk").set("Gravity Direction", array<double>({0, 1}));
-                        }),
-                        world());
+  const Problem<2> problem(column([](auto& deck) {
+                             deck.sublist("Bulk").set("Gravity Direction", array<double>({0, 1}));
+                           }),
+                           world());
   EXPECT_EQ(force(problem), 0);
   ASSERT_EQ(problem.remarks.size(), 1U);
   expectParts(problem.remarks[0], {"3 fault nodes", "zero"});
@@ -63,18 +64,18 @@ TEST(Problem, setsATensileReactionToZeroAndSaysSo)
 TEST(Problem, refusesToGuessANormalStress)
 {
   expectParts(refusal([] {
-                Problem(column([](auto& deck) {
-                          deck.sublist("Bulk").set("Gravitational Acceleration", 0.);
-                        }),
-                        world());
+                Problem<2>(column([](auto& deck) {
+                             deck.sublist("Bulk").set("Gravitational Acceleration", 0.);
+                           }),
+                           world());
               }),
               {"Asperity / Friction / Normal Stress", "gravity"});
   expectParts(refusal([] {
-                Problem(column([](auto& deck) {
-                          deck.sublist("Bulk").set("Gravitational Acceleration", 0.);
-                          deck.sublist("Bulk").set("Model", "Antiplane");
-                        }),
-                        world());
+                Problem<2>(column([](auto& deck) {
+                             deck.sublist("Bulk").set("Gravitational Acceleration", 0.);
+                             deck.sublist("Bulk").set("Model", "Antiplane");
+                           }),
+                           world());
               }),
               {"Asperity / Friction / Normal Stress", "antiplane"});
 }
@@ -84,10 +85,11 @@ TEST(Problem, refusesBoundariesThatTheMeshDoesNotHave)
   for (char const* condition : {"Fault", "Left"}) {
     expectParts(
       refusal([condition] {
-        Problem(column([condition](auto& deck) {
-                  deck.sublist("Boundary Conditions").sublist(condition).set("Boundary", "bottm");
-                }),
-                world());
+        Problem<2>(
+          column([condition](auto& deck) {
+            deck.sublist("Boundary Conditions").sublist(condition).set("Boundary", "bottm");
+          }),
+          world());
       }),
       {"'bottm'", "boundary"});
   }
@@ -97,12 +99,12 @@ TEST(Problem, refusesUnknownNamesOfConditionsWithoutEffect)
 {
   for (char const* type : {"Sliding Wall", "Free Surface"}) {
     const auto call = [type] {
-      Problem(strip([type](ParameterList& deck) {
-                auto& conditions = deck.sublist("Boundary Conditions");
-                conditions.sublist("Air").set("Boundary", "top").set("Type", "Free Surface");
-                conditions.sublist("Wall").set("Boundary", "rihgt").set("Type", type);
-              }),
-              world());
+      Problem<2>(strip([type](ParameterList& deck) {
+                   auto& conditions = deck.sublist("Boundary Conditions");
+                   conditions.sublist("Air").set("Boundary", "top").set("Type", "Free Surface");
+                   conditions.sublist("Wall").set("Boundary", "rihgt").set("Type", type);
+                 }),
+                 world());
     };
     expectParts(refusal(call), {"Asperity / Boundary Conditions / Wall / Boundary = 'rihgt'",
                                 "Did you mean 'right'?"});
@@ -111,12 +113,12 @@ TEST(Problem, refusesUnknownNamesOfConditionsWithoutEffect)
 
 TEST(Problem, startsFromTheVelocityOfTheDeck)
 {
-  const Problem problem(column([](auto& deck) {
-                          auto& initial = deck.sublist("Initial State");
-                          initial.set("Velocity X", "0.1 * x").set("Velocity Y", 0.2);
-                          initial.set("alpha", "x - 1").set("Acceleration", "Zero");
-                        }),
-                        world());
+  const Problem<2> problem(column([](auto& deck) {
+                             auto& initial = deck.sublist("Initial State");
+                             initial.set("Velocity X", "0.1 * x").set("Velocity Y", 0.2);
+                             initial.set("alpha", "x - 1").set("Acceleration", "Zero");
+                           }),
+                           world());
   std::vector<double> v;
   problem.alongAxes(*problem.initial.v, v);
   // Rows of three vertices; the fault has no velocity across it, the walls none along x.
@@ -131,7 +133,7 @@ TEST(Problem, startsFromTheVelocityOfTheDeck)
 
 TEST(Problem, isAtRestInBalance)
 {
-  const Problem problem(column(), world());
+  const Problem<2> problem(column(), world());
   EXPECT_LE(problem.initial.a->normInf(), 1e-9) << "the static solution does not move";
   EXPECT_EQ(problem.initial.v->normInf(), 0);
 }
@@ -145,7 +147,7 @@ TEST(StepControl, wantsPrescribedLevelsThatExist)
       time.sublist("Prescribed").set("Levels", array(levels));
     });
     auto const& time = deck.sublist("Time Stepping");
-    const Problem problem(deck, world());
+    const Problem<2> problem(deck, world());
     const auto clock = makeClock(time);
     dynamics::StepSolvers solvers(problem.body, problem.fault, makeRateUpdate(time), clock,
                                   problem.solver, 1000000);
@@ -161,7 +163,7 @@ TEST(StepControl, wantsPrescribedLevelsThatExist)
 
 TEST(RunArchive, returnsWhatWasSaved)
 {
-  const Problem problem(column(), world());
+  const Problem<2> problem(column(), world());
   dynamics::ControlMemory memory;
   memory.level = 3;
   memory.num_steps = 17;
@@ -202,8 +204,8 @@ TEST(RunArchive, returnsWhatWasSaved)
 
 TEST(RunArchive, refusesTheStateOfAnotherMesh)
 {
-  const Problem problem(column(), world());
-  const Problem finer(
+  const Problem<2> problem(column(), world());
+  const Problem<2> finer(
     column([](auto& deck) { deck.sublist("Mesh").sublist("Rectangle").set("Cells X", 3); }),
     world());
   io::Archive archive;

@@ -53,7 +53,7 @@ TEST(ResolutionCheck, looksAtThePartThatWeakens)
     auto& friction = given.sublist("Friction");
     friction.set("a", "x < 1.5 ? 0.01 : 0.02").set("L", "x < 1.5 ? 0.6 + x : 1e-3");
   });
-  const Problem problem(deck, world());
+  const Problem<2> problem(deck, world());
   const auto resolution = faultResolution(problem, deck.sublist("Friction"));
   ASSERT_TRUE(resolution);
   EXPECT_NEAR(resolution->smallest_cell, 1, 1e-12);
@@ -69,7 +69,7 @@ TEST(ResolutionCheck, warnsOfCellsThatAreTooLarge)
 {
   const auto lines = [](double L) {
     const auto deck = strip([L](ParameterList& given) { given.sublist("Friction").set("L", L); });
-    return describe(Problem(deck, world()), deck);
+    return describe(Problem<2>(deck, world()), deck);
   };
   // Lambda0 = L 1e6 / 150 m against cells of 1 m.
   EXPECT_TRUE(warns(lines(2.9 * 150 / 1e6)));
@@ -79,7 +79,7 @@ TEST(ResolutionCheck, warnsOfCellsThatAreTooLarge)
 TEST(ResolutionCheck, saysNothingWhereFrictionDoesNotWeaken)
 {
   const auto deck = strip([](ParameterList& given) { given.sublist("Friction").set("b", 0.01); });
-  const Problem problem(deck, world());
+  const Problem<2> problem(deck, world());
   EXPECT_FALSE(faultResolution(problem, deck.sublist("Friction")));
   for (auto const& line : describe(problem, deck)) {
     EXPECT_EQ(line.find("Resolution"), std::string::npos) << line;

@@ -177,6 +177,9 @@ void ElasticModel::chooseRows()
       }
     }
   }
+  for (int node : options.walls) {
+    held[nonlinear[node][1]] = true;
+  }
   decouple(global, held);
   for (int row = 0; row < global.rows(); ++row) {
     if (held[row]) {

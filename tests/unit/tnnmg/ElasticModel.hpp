@@ -19,6 +19,7 @@ struct ElasticModelOptions
   double tau = 1e-3;  // s
   int components = 2; // 1 is antiplane
   int tangents = 1;   // nonlinear components of a fault node; with 2 of 2, nothing is held there
+  std::vector<int> walls = {}; // fault nodes whose second tangential component is held after all
 };
 
 struct ElasticModel

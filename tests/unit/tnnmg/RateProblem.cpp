@@ -2,6 +2,7 @@
 
 #include <Tpetra_Map.hpp>
 
+#include <algorithm>
 #include <ostream>
 
 namespace asperity::tnnmg::testing
@@ -20,6 +21,7 @@ ElasticModelOptions modelOptions(RateProblemOptions const& options)
   result.tau = options.tau;
   result.components = options.components;
   result.tangents = options.tangents;
+  result.walls = options.walls;
   return result;
 }
 
@@ -142,11 +144,15 @@ RoughNodes RateProblem::nodesOfRank() const
   return RoughNodes(mine);
 }
 
-std::vector<int> RateProblem::heldOnRank(std::map<int, double> const& held) const
+std::vector<std::vector<int>> RateProblem::heldOnRank(std::map<int, double> const& held) const
 {
-  std::vector<int> flags;
+  std::vector<std::vector<int>> flags;
+  auto const& walls = model.options.walls;
   for (int node : model.mine) {
-    flags.push_back(static_cast<int>(held.count(node)));
+    flags.emplace_back(model.options.tangents, static_cast<int>(held.count(node)));
+    if (std::find(walls.begin(), walls.end(), node) != walls.end()) {
+      flags.back()[1] = 1;
+    }
   }
   return flags;
 }
@@ -203,6 +209,7 @@ Eigen::VectorXd RateProblem::reference(std::map<int, double> const& held) const
   for (auto const& [node, value] : held) {
     v(node * T) = value;
   }
+  auto const& walls = model.options.walls;
   std::vector<Long> curvature;
   for (std::size_t node = 0; node < nodes.size(); ++node) {
     const LongMatrix block = condensed.S.block(node * T, node * T, T, T);
@@ -216,8 +223,11 @@ Eigen::VectorXd RateProblem::reference(std::map<int, double> const& held) const
         continue;
       }
       const LongVector before = v.segment(i * T, T);
-      const LongVector r = condensed.f.segment(i * T, T) - condensed.S.middleRows(i * T, T) * v +
-                           curvature[i] * before;
+      LongVector r = condensed.f.segment(i * T, T) - condensed.S.middleRows(i * T, T) * v +
+                     curvature[i] * before;
+      if (std::find(walls.begin(), walls.end(), i) != walls.end()) {
+        r(1) = 0;
+      }
       const Long size = r.norm();
       const Long speed = nodes[i].minimiser(curvature[i], size);
       v.segment(i * T, T) = speed > 0 ? LongVector(r / size * speed) : LongVector::Zero(T);

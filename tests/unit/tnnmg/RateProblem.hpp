@@ -22,6 +22,7 @@ struct RateProblemOptions
   int components = 2;
   int tangents = 1;
   Kind kind = Kind::both;
+  std::vector<int> walls = {}; // as in ElasticModelOptions
 };
 void PrintTo(RateProblemOptions const& options, std::ostream* out);
 
@@ -32,8 +33,8 @@ struct RateProblem
   explicit RateProblem(RateProblemOptions const& options);
 
   RoughNodes nodesOfRank() const;
-  // Of all nonlinear nodes, 1 where the velocity is held; on this rank.
-  std::vector<int> heldOnRank(std::map<int, double> const& held) const;
+  // Of this rank's nonlinear nodes, by component: 1 where the velocity is held, at walls or given.
+  std::vector<std::vector<int>> heldOnRank(std::map<int, double> const& held) const;
   std::vector<std::vector<int>> localDofs() const;
 
   // J(v) and the sum of the magnitudes of its terms, in long double.
@@ -46,7 +47,7 @@ struct RateProblem
   double energyNorm(Eigen::VectorXd const& v) const;
 
   // The minimiser, by coordinate descent on the dense Schur complement in long double. The first
-  // component of the nodes in `held` has the given value and others none.
+  // component of the nodes in `held` has the given value and others none; walls bear any force.
   Eigen::VectorXd reference(std::map<int, double> const& held = {}) const;
 
   ElasticModel model;

@@ -238,6 +238,32 @@ TEST(Tnnmg, keepsTheVelocityOfHeldNodes)
   }
 }
 
+// Of the forces at a node that is held in one direction only that in the other counts, however
+// large the former: the friction of neither node nor neighbour feels it.
+TEST(Tnnmg, slidesAlongWalls)
+{
+  for (auto const kind : {Kind::logarithm, Kind::both}) {
+    RateProblem problem({1., 2, 2, kind, {0, 1, 7, 10}});
+    auto const& model = problem.model;
+    double largest = 0;
+    for (int wall : model.options.walls) {
+      problem.b(model.nonlinear[wall][1]) = 10 * problem.b.lpNorm<Eigen::Infinity>();
+    }
+    const auto reference = problem.reference();
+    auto v = atRest(problem);
+    checkSolution(problem, solveFull(problem, problem.nodesOfRank(), tight(), v), v, reference);
+    for (int wall : model.options.walls) {
+      EXPECT_EQ(v(model.nonlinear[wall][1]), 0);
+      largest = std::max(largest, std::abs(v(model.nonlinear[wall][0])));
+    }
+    EXPECT_GT(largest, 0);
+    if (model.map->getComm()->getSize() == 1) {
+      v = atRest(problem);
+      checkSolution(problem, solveCondensed(problem, tight(), v), v, reference);
+    }
+  }
+}
+
 TEST(Tnnmg, saysThatItHasNotConverged)
 {
   const RateProblem problem({1., 2, 1, Kind::both});
@@ -334,9 +360,9 @@ TEST(Tnnmg, countsHalfStepsThatRaiseTheEnergy)
 
 TEST(TnnmgBlocks, leavesOutKinkedHeldAndStiffNodes)
 {
-  const auto nodes = coupledNodes(4, 2, {0, 1, 0, 0});
+  const auto nodes = coupledNodes(5, 2, {{0, 0}, {1, 1}, {0, 0}, {0, 0}, {0, 1}});
   const detail::TnnmgBlocks blocks(nodes);
-  const NodeView curvature("curvature", 4);
+  const NodeView curvature("curvature", 5);
   Kokkos::deep_copy(curvature, 10.);
   const auto hessian = Kokkos::create_mirror_view(blocks.hessian);
   const auto flags = Kokkos::create_mirror_view(blocks.truncated);
@@ -344,11 +370,18 @@ TEST(TnnmgBlocks, leavesOutKinkedHeldAndStiffNodes)
   hessian(2, 1, 1) = 1001; // the limit is 100 times the curvature
   hessian(3, 1, 1) = 999;
   flags(0) = 1;
-  flags(1) = flags(2) = flags(3) = 0;
+  flags(1) = flags(2) = flags(3) = flags(4) = 0;
+  hessian(4, 1, 1) = 1e9; // the held component says nothing about the free one
   Kokkos::deep_copy(blocks.hessian, hessian);
   Kokkos::deep_copy(blocks.truncated, flags);
   blocks.truncate(nodes, curvature, 100);
   Kokkos::deep_copy(flags, blocks.truncated);
-  EXPECT_EQ((std::vector<int>(flags.data(), flags.data() + 4)), (std::vector<int>{1, 1, 1, 0}));
+  EXPECT_EQ((std::vector<int>(flags.data(), flags.data() + 5)), (std::vector<int>{1, 1, 1, 0, 0}));
+  Kokkos::deep_copy(hessian, blocks.hessian);
+  EXPECT_EQ(hessian(3, 0, 1), 1);
+  EXPECT_EQ(hessian(4, 0, 0), 1);
+  EXPECT_EQ(hessian(4, 0, 1), 0);
+  EXPECT_EQ(hessian(4, 1, 0), 0);
+  EXPECT_EQ(hessian(4, 1, 1), 0);
 }
 } // namespace asperity::tnnmg

@@ -1,0 +1,180 @@
+#include "Phases.hpp"
+
+#include "scenario/FrictionSetup.hpp"
+#include "scenario/NodalField.hpp"
+
+#include <Teuchos_CommHelpers.hpp>
+#include <Tpetra_Vector.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+using namespace asperity;
+
+namespace
+{
+constexpr double background = 1e-3; // slip rate over V*
+
+std::vector<double> atFaultNodes(scenario::Problem<3> const& problem, ParameterList const& friction,
+                                 char const* name)
+{
+  return scenario::nodalValues(friction, name, "Asperity / Friction", problem.mesh,
+                               problem.fault_nodes.nodes);
+}
+
+Point<3> overRanks(Communicator const& communicator, Teuchos::EReductionType kind, Point<3> mine)
+{
+  Point<3> all = mine;
+  Teuchos::reduceAll(communicator, kind, 3, mine.data(), all.data());
+  return all;
+}
+
+// The box around the part of the fault where friction weakens, and the fault's normal.
+struct WeakeningZone
+{
+  Point<3> centre, half, normal{};
+
+  WeakeningZone(scenario::Problem<3> const& problem, ParameterList const& friction)
+  {
+    auto const a = atFaultNodes(problem, friction, "a");
+    auto const b = atFaultNodes(problem, friction, "b");
+    const double far = std::numeric_limits<double>::max();
+    Point<3> low = {far, far, far}, high = {-far, -far, -far}, sum{};
+    for (std::size_t i = 0; i < a.size(); ++i) {
+      auto const& x = problem.mesh.vertices[problem.fault_nodes.nodes[i]];
+      for (int d = 0; d < 3; ++d) {
+        sum[d] += problem.fault_nodes.weights[i] * problem.fault_nodes.normals[i][d];
+        if (b[i] > a[i]) {
+          low[d] = std::min(low[d], x[d]);
+          high[d] = std::max(high[d], x[d]);
+        }
+      }
+    }
+    low = overRanks(*problem.communicator, Teuchos::REDUCE_MIN, low);
+    high = overRanks(*problem.communicator, Teuchos::REDUCE_MAX, high);
+    sum = overRanks(*problem.communicator, Teuchos::REDUCE_SUM, sum);
+    const double length = std::hypot(sum[0], sum[1], sum[2]);
+    for (int d = 0; d < 3; ++d) {
+      centre[d] = (low[d] + high[d]) / 2;
+      half[d] = (high[d] - low[d]) / 2;
+      normal[d] = sum[d] / length;
+    }
+  }
+
+  // Of a point: how deep it lies in the body, and its projection on the fault relative to the zone,
+  // 0 in the centre and 1 at the edge.
+  double depth(Point<3> const& x) const
+  {
+    double across = 0;
+    for (int d = 0; d < 3; ++d) {
+      across -= (x[d] - centre[d]) * normal[d];
+    }
+    return std::max(across, 0.);
+  }
+  double distance(Point<3> const& x) const
+  {
+    const double across = depth(x);
+    double largest = 0;
+    for (int d = 0; d < 3; ++d) {
+      const double along = x[d] + across * normal[d] - centre[d];
+      if (half[d] > 1e-9 * size()) {
+        largest = std::max(largest, std::abs(along) / half[d]);
+      }
+    }
+    return largest;
+  }
+  double size() const { return std::max({half[0], half[1], half[2]}); }
+};
+
+double slipRate(Phase phase, double distance, double slow, double fast)
+{
+  switch (phase) {
+  case Phase::stuck: return slow;
+  case Phase::nucleating: {
+    const double peak = std::log(0.01 * fast / slow);
+    return slow * std::exp(peak * std::exp(-std::pow(distance / 0.4, 2)));
+  }
+  case Phase::rupturing: return distance < 0.5 ? fast : slow;
+  }
+  return slow;
+}
+
+// Along x, projected onto the fault.
+Point<3> slipDirection(Point<3> const& normal)
+{
+  Point<3> direction = {1 - normal[0] * normal[0], -normal[0] * normal[1], -normal[0] * normal[2]};
+  const double length = std::hypot(direction[0], direction[1], direction[2]);
+  for (double& component : direction) {
+    component /= length;
+  }
+  return direction;
+}
+
+void addFriction(scenario::Problem<3> const& problem, KnownProblem const& known)
+{
+  auto const& fault = problem.fault;
+  const int num_nodes = fault.numNodes(), size = fault.num_tangents;
+  const friction::BlockView v("asperity::bench::v", num_nodes, size);
+  const friction::BlockView gradient("asperity::bench::gradient", num_nodes, size);
+  const friction::HessianView hessian("asperity::bench::hessian", num_nodes, size, size);
+  const friction::FlagView kinked("asperity::bench::kinked", num_nodes);
+  fault.gather(*known.v, v);
+  fault.friction->linearise(v, known.alpha, gradient, hessian, kinked);
+  auto const values = known.b->getLocalViewHost(Tpetra::Access::ReadWrite);
+  auto const host = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace(), gradient);
+  for (int node = 0; node < num_nodes; ++node) {
+    for (int k = 0; k < size; ++k) {
+      values(fault.dofs[node][k], 0) += host(node, k);
+    }
+  }
+}
+} // namespace
+
+char const* nameOf(Phase phase)
+{
+  return phase == Phase::stuck ? "stuck" : phase == Phase::nucleating ? "nucleating" : "rupturing";
+}
+
+KnownProblem makeKnownProblem(scenario::Problem<3> const& problem, ParameterList const& friction,
+                              Phase phase, double rupture_rate, dynamics::RateUpdate const& update,
+                              double tau)
+{
+  const WeakeningZone zone(problem, friction);
+  auto const reference = friction.get<double>("Reference Slip Rate");
+  auto const direction = slipDirection(zone.normal);
+  auto const& body = problem.body;
+  auto const rateAt = [&](Point<3> const& x) {
+    return slipRate(phase, zone.distance(x), background * reference, rupture_rate);
+  };
+  KnownProblem known = {body.vector(), body.vector(), {}};
+  {
+    auto const values = known.v->getLocalViewHost(Tpetra::Access::OverwriteAll);
+    for (int node = 0; node < problem.mesh.num_owned; ++node) {
+      auto const& x = problem.mesh.vertices[node];
+      const double speed = rateAt(x) * std::exp(-zone.depth(x) / zone.size());
+      Point<3> along_axes, local;
+      for (int d = 0; d < 3; ++d) {
+        along_axes[d] = speed / problem.fault.slip_factor * direction[d];
+      }
+      problem.constraints->frames().toFrame(node, along_axes.data(), local.data());
+      for (int c = 0; c < 3; ++c) {
+        values(body.dofs->dof(node, c), 0) = local[c];
+      }
+    }
+  }
+  body.clearFixed(*known.v);
+  std::vector<double> alpha;
+  for (int node : problem.fault_nodes.nodes) {
+    alpha.push_back(std::log(reference / rateAt(problem.mesh.vertices[node])));
+  }
+  known.alpha = scenario::toDevice(alpha, "asperity::bench::alpha");
+  auto const& matrices = body.matrices;
+  matrices.mass->apply(*known.v, *known.b, Teuchos::NO_TRANS, update.mass_weight / tau, 0);
+  matrices.viscosity->apply(*known.v, *known.b, Teuchos::NO_TRANS, 1, 1);
+  matrices.stiffness->apply(*known.v, *known.b, Teuchos::NO_TRANS, tau * update.stiffness_weight,
+                            1);
+  addFriction(problem, known);
+  body.clearFixed(*known.b);
+  return known;
+}

@@ -1,0 +1,34 @@
+#pragma once
+
+#include "dynamics/RateUpdate.hpp"
+#include "scenario/Problem.hpp"
+
+#include <string>
+#include <vector>
+
+// States of a fault as a cycle brings them, made up so that the solution of a rate problem is known.
+enum class Phase
+{
+  stuck,      // everywhere at a thousandth of V*
+  nucleating, // a smooth patch of the weakening zone at a hundredth of the rupture's rate
+  rupturing   // half of the weakening zone at that rate, with a sharp front
+};
+
+constexpr Phase phases[] = {Phase::stuck, Phase::nucleating, Phase::rupturing};
+char const* nameOf(Phase phase);
+
+// A rate problem with its solution v: friction in steady state at v, alpha = ln(V* / V), and the
+// right side b = Z v + gradient of friction. v points along x projected onto the fault and decays
+// into the body.
+struct KnownProblem
+{
+  asperity::RCP<asperity::Vector> v, b; // owned dofs
+  asperity::friction::NodeView alpha;   // (num fault nodes)
+};
+
+// Z = (mass_weight / tau) M + C + tau stiffness_weight K of problem.body, a plane fault, the deck's
+// list `Friction`; rupture_rate in m/s. Collective.
+KnownProblem makeKnownProblem(asperity::scenario::Problem<3> const& problem,
+                              asperity::ParameterList const& friction, Phase phase,
+                              double rupture_rate, asperity::dynamics::RateUpdate const& update,
+                              double tau);

@@ -1,0 +1,112 @@
+#include "Scaling.hpp"
+
+#include "scenario/BulkSetup.hpp"
+#include "scenario/TimeSetup.hpp"
+
+#include <Teuchos_CommHelpers.hpp>
+#include <Tpetra_Vector.hpp>
+
+#include <chrono>
+#include <fstream>
+
+using namespace asperity;
+
+namespace
+{
+class Stopwatch
+{
+public:
+  double seconds() const
+  {
+    return std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count();
+  }
+
+private:
+  std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
+};
+
+double sumOverRanks(Communicator const& communicator, double value)
+{
+  double sum = 0;
+  Teuchos::reduceAll(communicator, Teuchos::REDUCE_SUM, value, Teuchos::outArg(sum));
+  return sum;
+}
+
+// What this process has held at most: VmHWM of the kernel, in bytes.
+double peakBytes()
+{
+  std::ifstream status("/proc/self/status");
+  for (std::string word; status >> word;) {
+    if (word == "VmHWM:") {
+      double kilobytes = 0;
+      status >> kilobytes;
+      return 1024 * kilobytes;
+    }
+  }
+  return 0;
+}
+
+double productSeconds(dynamics::Body const& body)
+{
+  constexpr int count = 10;
+  auto const x = body.vector(), y = body.vector();
+  x->randomize();
+  body.matrices.stiffness->apply(*x, *y);
+  const Stopwatch watch;
+  for (int i = 0; i < count; ++i) {
+    body.matrices.stiffness->apply(*x, *y);
+  }
+  return watch.seconds() / count;
+}
+
+SolveSample solve(scenario::Problem<3> const& problem, KnownProblem const& known,
+                  dynamics::RateSolver& solver)
+{
+  auto const zero = problem.body.vector();
+  auto const v = problem.body.vector();
+  const dynamics::FrictionProblem nodal{*problem.fault.friction, known.alpha};
+  SolveSample sample;
+  const Stopwatch watch;
+  solver.begin(*known.b, *zero);
+  auto const result = solver.solve(nodal);
+  solver.velocity(*v);
+  sample.seconds = watch.seconds();
+  sample.iterations = result.iterations;
+  sample.corrections = result.corrections;
+  sample.v_cycles = result.v_cycles;
+  sample.converged = result.converged;
+  v->update(-1, *known.v, 1);
+  sample.error = v->normInf() / known.v->normInf();
+  return sample;
+}
+} // namespace
+
+MeshSample measureMesh(ParameterList const& deck, ScalingOptions const& options, double cell_size,
+                       RCP<const Communicator> const& communicator)
+{
+  MeshSample sample;
+  sample.cell_size = cell_size;
+  const Stopwatch watch;
+  const scenario::Problem<3> problem(deck, communicator);
+  sample.build_seconds = watch.seconds();
+  sample.num_unknowns = problem.mesh.num_global_vertices * problem.components;
+  sample.num_fault_nodes = problem.fault.sumOverRanks(problem.fault.numNodes());
+  sample.product_seconds = productSeconds(problem.body);
+  auto const update = scenario::makeRateUpdate(deck.sublist("Time Stepping"), true);
+  for (double tau : options.steps) {
+    const dynamics::DyadicTime clock(tau, 0);
+    dynamics::StepSolvers solvers(problem.body, problem.fault, update, clock, problem.solver, 0);
+    auto& solver = solvers.at(0);
+    for (Phase phase : phases) {
+      auto const known = makeKnownProblem(problem, deck.sublist("Friction"), phase,
+                                          options.rupture_rate, update, tau);
+      auto of_phase = solve(problem, known, solver);
+      of_phase.phase = phase;
+      of_phase.tau = tau;
+      of_phase.setup_seconds = solvers.setupSeconds();
+      sample.solves.push_back(of_phase);
+    }
+  }
+  sample.peak_bytes = sumOverRanks(*communicator, peakBytes());
+  return sample;
+}

@@ -1,0 +1,73 @@
+#include "Commands.hpp"
+#include "Generation.hpp"
+
+#include "base/Errors.hpp"
+#include "base/Text.hpp"
+#include "mesh/BoxMesh.hpp"
+#include "mesh/PeriodicMesh.hpp"
+
+using asperity::mesh::BoxShape;
+
+namespace
+{
+struct Axis
+{
+  char const* size;
+  char const* cells;
+  char const* lowest;
+  char const* low_boundary;
+  char const* high_boundary;
+};
+
+constexpr Axis axes[] = {{"--width", "--cells-x", "--left", "left", "right"},
+                         {"--height", "--cells-y", "--bottom", "bottom", "top"},
+                         {"--depth", "--cells-z", "--front", "front", "back"}};
+
+BoxShape shapeFrom(Arguments const& arguments)
+{
+  BoxShape shape;
+  for (int d = 0; d < 3; ++d) {
+    shape.size[d] = arguments.number(axes[d].size, shape.size[d]);
+    shape.num_cells[d] = arguments.integer(axes[d].cells, shape.num_cells[d]);
+    shape.lowest_corner[d] = arguments.number(axes[d].lowest, shape.lowest_corner[d]);
+  }
+  return shape;
+}
+
+// Before it is graded: bisection keeps the mesh periodic, but treats opposite sides differently
+// where the size differs.
+void makePeriodicAlong(std::string const& names, asperity::GlobalMesh<3>& mesh)
+{
+  for (auto const& name : asperity::split(names, ',')) {
+    const auto axis = std::string("xyz").find(name);
+    ASPERITY_REQUIRE(name.size() == 1 && axis != std::string::npos,
+                     "Option --periodic: '" << name << "' is not x, y or z.");
+    asperity::mesh::makePeriodic(mesh, static_cast<int>(axis), axes[axis].low_boundary,
+                                 axes[axis].high_boundary);
+  }
+}
+} // namespace
+
+std::string boxOptions()
+{
+  return "    --width, --height, --depth           along x, y and z, m (1)\n"
+         "    --cells-x, --cells-y, --cells-z      number of bricks (1)\n"
+         "    --left, --bottom, --front            least x, y and z, m (0)\n"
+         "    --periodic              axes, as 'z' or 'x, z'; at least 3 bricks along them\n"
+         "    --cell-size             sides of the cubes, m, a formula in x, y and z\n";
+}
+
+void makeBox(std::vector<std::string> const& words)
+{
+  AllowedArguments allowed{{"OUT.h5"}, {"--periodic", "--cell-size"}, {"--overwrite"}};
+  for (auto const& axis : axes) {
+    allowed.options.insert(allowed.options.end(), {axis.size, axis.cells, axis.lowest});
+  }
+  const auto arguments = parseArguments(words, allowed);
+  requireNew(arguments.files[0], arguments);
+  auto coarse = asperity::mesh::boxMesh(shapeFrom(arguments));
+  if (arguments.has("--periodic")) {
+    makePeriodicAlong(arguments.options.at("--periodic"), coarse);
+  }
+  writeAndReport(graded(coarse, arguments), arguments.files[0]);
+}

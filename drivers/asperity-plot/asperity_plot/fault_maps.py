@@ -1,0 +1,103 @@
+"""Maps of one event on a fault in three dimensions: its slip, and how its front ran."""
+
+from typing import Optional, Tuple
+
+import numpy as np
+
+from . import plane, style, units
+from .errors import NothingToShow
+from .run import Run
+from .windows import View
+
+LINES = 12  # of contours at most, about
+
+
+def draw(run: Run, view: View):
+    """The figure; NothingToShow in two dimensions or without an event in the time shown."""
+    where = plane.plane(run, run.ruptures if run.has("rupture.h5") else run.fault)
+    number, onset, end = _event(run, view)
+    slip = event_slip(run, onset, end)
+    figure, axes = style.panels(2, 1, (8.5, 7.5), sharex=True)
+    _colours(figure, axes[0, 0], where, slip, units.length(slip), "Slip in the event")
+    front = arrivals(run, number)
+    if front is not None:
+        _front(figure, axes[1, 0], where, front)
+    for panel in axes[:, 0]:
+        where.label(panel)
+    style.title(figure, f"Event {number} at {units.text(onset, 's', 5)}, lasting "
+                        f"{units.text(end - onset, 's')}")
+    return figure
+
+
+def _event(run: Run, view: View) -> Tuple[int, float, float]:
+    """Number, onset and end [s] of the event that the zoom shows, or else the largest."""
+    events = run.events
+    if not len(events):
+        raise NothingToShow("the run has no event")
+    numbers = events["number"] if "number" in events else np.arange(len(events)) + 1
+    row = np.argmax(events["peak_slip"])
+    if view.zoom is not None:
+        row = int(np.flatnonzero(numbers == view.number)[0])
+    onset = float(events["onset"][row])
+    return int(numbers[row]), onset, onset + float(events["duration"][row])
+
+
+def event_slip(run: Run, onset: float, end: float) -> np.ndarray:
+    """(nodes) magnitude [m] of the slip from onset to end, linear between the rows of fault.h5."""
+    time = run.fault.time
+    before, after = (_slip_at(run, time, at) for at in (onset, min(end, time[-1])))
+    return np.linalg.norm(after - before, axis=-1)
+
+
+def _slip_at(run: Run, time: np.ndarray, at: float) -> np.ndarray:
+    row = int(np.clip(np.searchsorted(time, at) - 1, 0, max(time.size - 2, 0)))
+    slip = run.fault.array("fields/slip", slice(row, row + 2))
+    if slip.shape[0] < 2:
+        return slip[0]
+    part = (at - time[row]) / (time[row + 1] - time[row])
+    return slip[0] + part * (slip[1] - slip[0])
+
+
+def arrivals(run: Run, number: int) -> Optional[np.ndarray]:
+    """(nodes) first time [s] since the onset, nan where the rupture did not arrive."""
+    if not run.has("rupture.h5"):
+        return None
+    rows = np.flatnonzero(run.ruptures.array("number") == number)
+    if not rows.size:
+        return None
+    row = slice(rows[0], rows[0] + 1)
+    return run.ruptures.array("rupture_time", row)[0] - run.ruptures.array("onset")[rows[0]]
+
+
+def _colours(figure, axes, where: plane.Plane, values, unit: units.Unit, name: str) -> None:
+    shown = unit(values)
+    picture = axes.tripcolor(where.triangulation, shown, shading="gouraud", rasterized=True,
+                             cmap=style.SEQUENCE_COLOURS)
+    if np.ptp(shown) > 0.0:
+        axes.tricontour(where.triangulation, shown, levels=LINES // 2, colors="white",
+                        linewidths=0.6)
+    figure.colorbar(picture, ax=axes, pad=0.02).set_label(f"{name} [{unit.name}]")
+
+
+def interval(front: np.ndarray) -> float:
+    """The time [s] between two contours: 1, 2 or 5 times a power of ten."""
+    return units.nice(max(float(np.nanmax(front) - np.nanmin(front)), 1e-9) / (LINES / 2.0))
+
+
+def _front(figure, axes, where: plane.Plane, front: np.ndarray) -> None:
+    """Colours and contours of the arrival; triangles that it did not reach as a whole are blank."""
+    reached = np.isfinite(front)
+    mesh = where.triangulation
+    mesh.set_mask(~reached[mesh.triangles].all(axis=1))
+    if not reached.any() or mesh.mask.all():
+        axes.set_title("The front crossed no triangle", fontsize=9)
+        return
+    unit, step = units.duration(units.largest(front[reached])), interval(front)
+    shown = unit(np.where(reached, front, 0.0))
+    picture = axes.tripcolor(mesh, shown, shading="gouraud", cmap="cividis", rasterized=True)
+    levels = unit(np.arange(np.ceil(np.nanmin(front) / step), np.nanmax(front) / step + 1.0) * step)
+    lines = axes.tricontour(mesh, shown, levels=levels, colors="white", linewidths=0.8)
+    axes.clabel(lines, fontsize=7, fmt="%g")
+    axes.set_title(f"Rupture front every {units.plain(step, 's')}", fontsize=9)
+    figure.colorbar(picture, ax=axes, pad=0.02).set_label(
+        f"Time since the onset [{unit.name}]")

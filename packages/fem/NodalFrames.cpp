@@ -1,0 +1,43 @@
+#include "fem/NodalFrames.hpp"
+
+#include "base/Errors.hpp"
+
+#include <cmath>
+
+namespace asperity::fem
+{
+template <std::size_t Dim>
+std::vector<int> tangentialComponents(NodalFrames const& frames, int node,
+                                      std::array<double, Dim> const& normal)
+{
+  const int components = frames.components();
+  if (components == 1) {
+    return {0};
+  }
+  ASPERITY_ASSERT(components == static_cast<int>(Dim));
+  int across = 0;
+  double largest = -1;
+  for (int row = 0; row < components; ++row) {
+    double share = 0;
+    for (int c = 0; c < components; ++c) {
+      share += frames.entry(node, row, c) * normal[c];
+    }
+    if (std::abs(share) > largest) {
+      largest = std::abs(share);
+      across = row;
+    }
+  }
+  std::vector<int> tangents;
+  for (int row = 0; row < components; ++row) {
+    if (row != across) {
+      tangents.push_back(row);
+    }
+  }
+  return tangents;
+}
+
+template std::vector<int> tangentialComponents(NodalFrames const&, int,
+                                               std::array<double, 2> const&);
+template std::vector<int> tangentialComponents(NodalFrames const&, int,
+                                               std::array<double, 3> const&);
+} // namespace asperity::fem

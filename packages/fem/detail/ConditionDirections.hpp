@@ -1,0 +1,26 @@
+#pragma once
+
+#include "fem/VelocityCondition.hpp"
+
+#include <map>
+#include <vector>
+
+namespace asperity::fem::detail
+{
+// A unit vector along which the velocity is prescribed (or free), and the number of the condition
+// that says so.
+struct Direction
+{
+  std::vector<double> vector;
+  int condition;
+};
+
+// Of owned nodes by their local numbers, in the order of the conditions.
+using NodalDirections = std::map<int, std::vector<Direction>>;
+
+// InputError where a condition names no boundary of the mesh, or no direction.
+template <int Dim>
+NodalDirections collectDirections(Mesh<Dim> const& mesh,
+                                  std::vector<VelocityCondition<Dim>> const& conditions,
+                                  int components);
+} // namespace asperity::fem::detail

@@ -1,0 +1,56 @@
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <string>
+#include <vector>
+
+namespace asperity::mesh::detail
+{
+// FNV-1a, 64 bits (Fowler, Noll, Vo): finds damage and mix-ups, not malice. Over the bytes of the
+// values as they lie in memory.
+class Checksum
+{
+public:
+  explicit Checksum(std::uint64_t seed = 0) { add(seed); }
+
+  std::uint64_t value() const { return value_; }
+
+  Checksum& add(long long number) { return bytes(&number, sizeof number); }
+  Checksum& add(std::uint64_t number) { return bytes(&number, sizeof number); }
+  Checksum& add(int number) { return add(static_cast<long long>(number)); }
+
+  Checksum& add(std::string const& text)
+  {
+    return add(std::uint64_t(text.size())).bytes(text.data(), text.size());
+  }
+
+  // Of numbers, or of arrays of numbers.
+  template <class Row>
+  Checksum& add(std::vector<Row> const& rows)
+  {
+    return add(std::uint64_t(rows.size())).bytes(rows.data(), rows.size() * sizeof(Row));
+  }
+  Checksum& add(std::vector<std::string> const& texts)
+  {
+    add(std::uint64_t(texts.size()));
+    for (auto const& text : texts) {
+      add(text);
+    }
+    return *this;
+  }
+
+private:
+  Checksum& bytes(void const* data, std::size_t count)
+  {
+    auto const* byte = static_cast<unsigned char const*>(data);
+    for (std::size_t i = 0; i < count; ++i) {
+      value_ = (value_ ^ byte[i]) * 0x100000001b3u;
+    }
+    return *this;
+  }
+
+  std::uint64_t value_ = 0xcbf29ce484222325u;
+};
+} // namespace asperity::mesh::detail

@@ -1,0 +1,303 @@
+#include "MeshSamples.hpp"
+#include "SharedFolder.hpp"
+
+#include "mesh/BoxMesh.hpp"
+#include "mesh/MeshFile.hpp"
+#include "mesh/PartitionedFile.hpp"
+#include "mesh/detail/PartitionFormat.hpp"
+
+#include <Teuchos_CommHelpers.hpp>
+#include <Teuchos_DefaultMpiComm.hpp>
+#include <hdf5.h>
+
+#include <fstream>
+
+using namespace asperity;
+using namespace asperity::mesh;
+
+namespace
+{
+// Collective, as a new communicator is.
+RCP<const Communicator> world() { return rcp(new Teuchos::MpiComm<int>(MPI_COMM_WORLD)); }
+
+std::string onRankZero(std::string text)
+{
+  auto size = static_cast<int>(text.size());
+  MPI_Bcast(&size, 1, MPI_INT, 0, MPI_COMM_WORLD);
+  text.resize(static_cast<std::size_t>(size));
+  MPI_Bcast(&text[0], size, MPI_CHAR, 0, MPI_COMM_WORLD);
+  return text;
+}
+
+template <int Dim>
+std::string messageOf(std::string const& file_name)
+{
+  try {
+    readPart<Dim>(file_name, world());
+    return "";
+  } catch (InputError const& error) {
+    return error.what();
+  }
+}
+
+// HDF5's name of a number, or of the numbers in a row.
+template <class Number>
+hid_t nativeType(Number const&)
+{
+  return detail::nativeType(Number());
+}
+template <class Number, std::size_t N>
+hid_t nativeType(std::array<Number, N> const&)
+{
+  return detail::nativeType(Number());
+}
+
+template <class Row>
+std::vector<Row> read(hid_t file, std::string const& path)
+{
+  const detail::Hdf5Id dataset(H5Dopen2(file, path.c_str(), H5P_DEFAULT), H5Dclose);
+  const detail::Hdf5Id space(H5Dget_space(dataset), H5Sclose);
+  hsize_t sizes[2] = {0, 0};
+  H5Sget_simple_extent_dims(space, sizes, nullptr);
+  std::vector<Row> rows(sizes[0]);
+  EXPECT_GE(H5Dread(dataset, nativeType(Row()), H5S_ALL, H5S_ALL, H5P_DEFAULT, rows.data()), 0);
+  return rows;
+}
+
+template <class Row>
+void overwrite(hid_t file, std::string const& path, std::vector<Row> const& rows)
+{
+  const detail::Hdf5Id dataset(H5Dopen2(file, path.c_str(), H5P_DEFAULT), H5Dclose);
+  EXPECT_GE(H5Dwrite(dataset, nativeType(Row()), H5S_ALL, H5S_ALL, H5P_DEFAULT, rows.data()), 0);
+}
+
+void setAttribute(hid_t file, char const* name, int value)
+{
+  const hid_t attribute = H5Aopen(file, name, H5P_DEFAULT);
+  EXPECT_GE(H5Awrite(attribute, H5T_NATIVE_INT, &value), 0);
+  H5Aclose(attribute);
+}
+
+// A box of two parts or more, as many as there are ranks; the last rank finds the damage where only
+// one can.
+class DamagedPartition : public SharedFolder
+{
+protected:
+  GlobalMesh<3> box() const { return boxMesh({{1.0, 1.0, 2.0}, {3, 3, 6}, {0.0, 0.0, 0.0}}); }
+  int numRanks() const { return world()->getSize(); }
+  std::string name() const { return file("box.h5"); }
+
+  void write(GlobalMesh<3> const& mesh, int num_parts) const
+  {
+    onFirstRank([&] {
+      writeParts(mesh, partitionVertices(mesh, num_parts, {"bottom", 4}), num_parts, {"bottom", 4},
+                 name());
+    });
+  }
+
+  // Every rank throws, with the same message, and HDF5 prints nothing.
+  template <int Dim = 3>
+  void expectRefused(std::vector<std::string> const& pieces) const
+  {
+    ::testing::internal::CaptureStderr();
+    const std::string message = messageOf<Dim>(name());
+    EXPECT_EQ(::testing::internal::GetCapturedStderr(), "");
+    for (auto const& piece : pieces) {
+      EXPECT_NE(message.find(piece), std::string::npos) << piece << " not in: " << message;
+    }
+    EXPECT_NE(message.find("Mesh file '" + name() + "'"), std::string::npos) << message;
+    EXPECT_EQ(message.find('\n'), std::string::npos) << message;
+    EXPECT_EQ(message, onRankZero(message));
+  }
+
+  void change(std::function<void(hid_t)> const& work) const
+  {
+    onFirstRank([&] {
+      const hid_t id = H5Fopen(name().c_str(), H5F_ACC_RDWR, H5P_DEFAULT);
+      ASSERT_GE(id, 0);
+      work(id);
+      H5Fclose(id);
+    });
+  }
+
+  void expectChangeRefused(std::function<void(hid_t)> const& work,
+                           std::vector<std::string> const& pieces) const
+  {
+    write(box(), numRanks());
+    change(work);
+    expectRefused(pieces);
+    expectInputError([&] { readParts<3>(name()); }, {"Mesh file '" + name() + "'"});
+    MPI_Barrier(MPI_COMM_WORLD);
+  }
+
+  // Changes the rows of a dataset, the last of which belong to the last part.
+  template <class Row>
+  void expectDatasetRefused(std::string const& path,
+                            std::function<void(std::vector<Row>&)> const& work,
+                            std::vector<std::string> const& pieces) const
+  {
+    expectChangeRefused(
+      [&](hid_t file) {
+        auto rows = read<Row>(file, path);
+        work(rows);
+        overwrite(file, path, rows);
+      },
+      pieces);
+  }
+
+  // Changes the rows of the last part and gives them the right checksum, as a program would write
+  // it that errs.
+  template <class Row>
+  void expectRowsRefused(std::string const& array,
+                         std::function<void(std::vector<Row>&)> const& work,
+                         std::vector<std::string> const& pieces) const
+  {
+    const int last = numRanks() - 1;
+    expectChangeRefused(
+      [&](hid_t file) {
+        const auto offsets = read<long long>(file, array + "/offsets");
+        auto all = read<Row>(file, array + "/values");
+        auto checksums = read<std::uint64_t>(file, array + "/checksums");
+        const auto first = all.begin() + offsets[static_cast<std::size_t>(last)];
+        std::vector<Row> rows(first, all.end());
+        work(rows);
+        std::copy(rows.begin(), rows.end(), first);
+        checksums.back() = detail::partChecksum(seed_, array, last, rows);
+        overwrite(file, array + "/values", all);
+        overwrite(file, array + "/checksums", checksums);
+      },
+      pieces);
+  }
+
+  void rememberSeed()
+  {
+    write(box(), numRanks());
+    seed_ = detail::seedOf(partitionSummary(name()));
+    MPI_Barrier(MPI_COMM_WORLD);
+  }
+
+private:
+  std::uint64_t seed_ = 0;
+};
+
+std::string lastPart() { return "part " + std::to_string(world()->getSize() - 1); }
+} // namespace
+
+TEST_F(DamagedPartition, IsReadWhileItIsWhole)
+{
+  write(box(), numRanks());
+  EXPECT_EQ(messageOf<3>(name()), "");
+}
+
+TEST_F(DamagedPartition, MissingOrForeign)
+{
+  expectRefused({"does not exist"});
+  onFirstRank([&] { std::ofstream(name()) << "This is no HDF5 file.\n"; });
+  expectRefused({"cannot be opened as an HDF5 file"});
+  onFirstRank([&] { writeMesh(box(), name()); });
+  expectRefused({"no partitioned mesh", "'asperity-mesh'", "asperity-mesh partition makes one"});
+}
+
+TEST_F(DamagedPartition, OfAnotherDimensionOrVersion)
+{
+  write(box(), numRanks());
+  expectRefused<2>({"dimension 3, not 2"});
+  expectChangeRefused([](hid_t file) { setAttribute(file, "version", 2); }, {"version 2"});
+  expectChangeRefused([](hid_t file) { setAttribute(file, "dimension", 4); }, {"= 4 is neither"});
+  expectChangeRefused([](hid_t file) { setAttribute(file, "num_parts", 0); }, {"num_parts", "= 0"});
+}
+
+TEST_F(DamagedPartition, ForAnotherNumberOfRanks)
+{
+  write(box(), numRanks() + 6);
+  const auto wanted = std::to_string(numRanks());
+  expectRefused({"partitioned for " + std::to_string(numRanks() + 6) + " ranks", "has " + wanted,
+                 "asperity-mesh partition " + name() + " --parts " + wanted + " --output " +
+                   file("box_" + wanted + ".h5")});
+}
+
+TEST_F(DamagedPartition, Truncated)
+{
+  for (double share : {0.95, 0.5, 0.02}) {
+    write(box(), numRanks());
+    onFirstRank([&] {
+      const auto size = static_cast<double>(std::filesystem::file_size(name()));
+      std::filesystem::resize_file(name(), static_cast<std::uintmax_t>(share * size));
+    });
+    expectRefused({"truncated"});
+  }
+}
+
+// HDF5 finds nothing wrong with these files.
+TEST_F(DamagedPartition, ChangedInOnePlace)
+{
+  const auto expect_array_refused = [&](std::string const& array, auto const& row) {
+    using Row = std::decay_t<decltype(row)>;
+    expectDatasetRefused<Row>(array + "/values", [&](auto& rows) { rows.back() = row; },
+                              {lastPart(), "'" + array + "'", "checksum"});
+  };
+  expect_array_refused("/num_owned", 5);
+  expect_array_refused("/vertices", Point<3>{1.0, 1.0, 2.125});
+  expect_array_refused("/global_ids", 3LL);
+  expect_array_refused("/cells", Mesh<3>::Cell{0, 1, 2, 3});
+  expect_array_refused("/cell_regions", 1);
+  expect_array_refused("/boundaries/bottom/facets", Mesh<3>::Facet{0, 1, 2});
+  expectDatasetRefused<std::uint64_t>(
+    "/cells/checksums", [](auto& checksums) { ++checksums.back(); }, {"'/cells'", "checksum"});
+  expectDatasetRefused<long long>("/cells/offsets", [](auto& offsets) { ++offsets.back(); },
+                                  {"'/cells' has no valid offsets", lastPart()});
+  expectDatasetRefused<long long>("/vertices/offsets", [](auto& offsets) { offsets.front() = -1; },
+                                  {"'/vertices' has no valid offsets", "part 0"});
+}
+
+TEST_F(DamagedPartition, WithoutADataset)
+{
+  for (char const* path : {"/cells", "/vertices/values", "/boundaries/top/facets/values"}) {
+    expectChangeRefused([&](hid_t file) { H5Ldelete(file, path, H5P_DEFAULT); },
+                        {path, "is not there, is damaged or has another shape"});
+  }
+  expectChangeRefused([](hid_t file) { H5Ldelete(file, "/cells/offsets", H5P_DEFAULT); },
+                      {"'/cells' has no valid offsets"});
+  expectChangeRefused([](hid_t file) { H5Ldelete(file, "/boundaries", H5P_DEFAULT); },
+                      {"no group '/boundaries'"});
+  expectChangeRefused([](hid_t file) { H5Ldelete(file, "/boundaries/top", H5P_DEFAULT); },
+                      {"checksum"});
+}
+
+// Arrays of another mesh with the same numbers of everything, and with their own checksums.
+TEST_F(DamagedPartition, PutTogetherFromTwoMeshes)
+{
+  auto other = box();
+  other.vertices.back()[0] += 0.125;
+  write(other, numRanks());
+  onFirstRank([&] { std::filesystem::rename(name(), file("other.h5")); });
+  expectChangeRefused(
+    [&](hid_t file_id) {
+      const hid_t other_id = H5Fopen(file("other.h5").c_str(), H5F_ACC_RDONLY, H5P_DEFAULT);
+      H5Ldelete(file_id, "/cells", H5P_DEFAULT);
+      EXPECT_GE(H5Ocopy(other_id, "/cells", file_id, "/cells", H5P_DEFAULT, H5P_DEFAULT), 0);
+      H5Fclose(other_id);
+    },
+    {"'/cells'", "checksum", "put together"});
+}
+
+// Checksums are right, but what they seal is no mesh.
+TEST_F(DamagedPartition, MadeByAProgramThatErrs)
+{
+  rememberSeed();
+  using Cell = Mesh<3>::Cell;
+  expectRowsRefused<Cell>("/cells",
+                          [](auto& cells) { std::swap(cells.back()[0], cells.back()[1]); },
+                          {lastPart(), "is inverted"});
+  expectRowsRefused<Cell>("/cells", [](auto& cells) { cells.back()[2] = 1000; },
+                          {lastPart(), "a vertex outside [0, "});
+  expectRowsRefused<int>("/cell_regions", [](auto& regions) { regions.back() = 1; },
+                         {lastPart(), "has region 1, outside [0, 1)"});
+  expectRowsRefused<GlobalOrdinal>("/global_ids", [](auto& ids) { std::swap(ids[0], ids[1]); },
+                                   {lastPart(), "do not ascend"});
+  expectRowsRefused<Point<3>>("/vertices",
+                              [](auto& vertices) { vertices.back()[1] = std::nan(""); },
+                              {lastPart(), "no finite coordinates"});
+  expectRowsRefused<int>("/num_owned", [](auto& num_owned) { num_owned.back() = 0; },
+                         {lastPart(), "owns 0 vertices"});
+}

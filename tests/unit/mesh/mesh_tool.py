@@ -1,0 +1,33 @@
+"""For the tests of asperity-mesh, which is their first argument."""
+
+import pathlib
+import subprocess
+import sys
+import unittest
+
+PROGRAM = sys.argv.pop(1)
+
+
+def run(*arguments):
+    return subprocess.run([PROGRAM, *arguments], capture_output=True, text=True, timeout=60)
+
+
+class Case(unittest.TestCase):
+    def setUp(self):
+        for path in pathlib.Path(".").glob("*.h5*"):
+            path.unlink()
+
+    def assert_done(self, *arguments):
+        result = run(*arguments)
+        self.assertEqual((result.returncode, result.stderr), (0, ""), result.stdout)
+        return result.stdout
+
+    def assert_refused(self, arguments, *pieces):
+        """Exit status 2 and one paragraph on stderr that contains the pieces."""
+        result = run(*arguments)
+        self.assertEqual(result.returncode, 2, result.stderr)
+        self.assertEqual(result.stdout, "")
+        self.assertTrue(result.stderr.startswith("asperity-mesh: "), result.stderr)
+        self.assertEqual(result.stderr.count("\n"), 1, result.stderr)
+        for piece in pieces:
+            self.assertIn(piece, result.stderr)

@@ -1,0 +1,98 @@
+"""Figures of runs in three dimensions, whose fault is a surface."""
+
+import contextlib
+import io
+import tempfile
+import unittest
+from pathlib import Path
+
+import numpy as np
+from matplotlib import pyplot
+
+import synthetic_run
+import synthetic_surface as surface
+from asperity_plot import fault_history, fault_maps, moment_rate, plane, style, windows
+from asperity_plot.cli import main
+from asperity_plot.errors import NothingToShow
+from asperity_plot.run import Run
+
+
+class SurfaceFaults(unittest.TestCase):
+    def setUp(self):
+        folder = tempfile.TemporaryDirectory()
+        self.addCleanup(folder.cleanup)
+        self.folder = Path(folder.name)
+        surface.write_run(self.folder)
+        self.run_ = Run(self.folder)
+        self.view = windows.choose(self.run_, None)
+        style.use()
+        self.addCleanup(pyplot.close, "all")
+
+    def test_nodes_by_strike_and_dip(self):
+        where = plane.plane(self.run_, self.run_.fault)
+        strike, dip, triangles = surface.grid()
+        np.testing.assert_allclose(where.strike, strike, atol=1e-9)
+        np.testing.assert_allclose(where.dip, dip, atol=1e-9)
+        np.testing.assert_array_equal(where.triangles, triangles)
+
+    def test_a_level_fault_has_its_strike_along_z(self):
+        corners = np.array([[[0.0, 0, 0], [1, 0, 1], [1, 0, 0]]])
+        strike, dip = plane.directions(corners, np.array([0.0, 1, 0]))
+        np.testing.assert_allclose(strike, [0, 0, 1], atol=1e-15)
+        np.testing.assert_allclose(np.abs(dip), [1, 0, 0], atol=1e-15)
+
+    def test_slip_and_arrivals_of_the_event(self):
+        strike, dip, _ = surface.grid()
+        expected = surface.slip_of(np.array([surface.END]), strike, dip)[0]
+        slip = fault_maps.event_slip(self.run_, surface.ONSET, surface.END)
+        np.testing.assert_allclose(slip, expected, atol=1e-12)
+        front = fault_maps.arrivals(self.run_, 1)
+        np.testing.assert_allclose(front, surface.arrivals(strike, dip), atol=1e-9)
+        self.assertIsNone(fault_maps.arrivals(self.run_, 2))
+        self.assertEqual(fault_maps.interval(front), 0.2)  # 1.75 s in about six parts
+
+    def test_values_along_the_line(self):
+        where = plane.plane(self.run_, self.run_.fault)
+        depth = fault_history.line_depth(self.run_, where)
+        self.assertAlmostEqual(depth, surface.HYPOCENTRE[1])
+        points, weights = fault_history.line(where, depth)
+        np.testing.assert_allclose(weights @ (where.strike + 3.0 * where.dip),
+                                   points + 3.0 * depth, rtol=1e-9)
+        times, peak, along = fault_history.rates(self.run_, self.view.cycles, weights)
+        self.assertEqual(along.shape, (times.size, points.size))
+        rate = self.run_.fault.array("fields/slip_rate")
+        np.testing.assert_allclose(10.0**peak, rate.max(axis=1))
+
+    def test_no_event_is_lost_between_two_columns(self):
+        times, values = np.arange(1000.0), np.zeros((1000, 2))
+        values[123, 1] = 7.0
+        shown = fault_history.maxima(times, values, np.linspace(0.0, 999.0, 11))
+        np.testing.assert_array_equal(shown[:, 1], [0, 7] + 8 * [0])
+        sparse = fault_history.maxima(np.array([0.0, 9.0]), np.array([[1.0], [2.0]]),
+                                      np.linspace(0.0, 9.0, 4))
+        np.testing.assert_array_equal(sparse[:, 0], [1, 1, 1])
+
+    def test_moment_rate_is_of_the_whole_fault(self):
+        figure = moment_rate.draw(self.run_, self.view)
+        self.assertRegex(figure.axes[0].get_ylabel(), r"^Moment rate \[.*N m/s\]$")
+
+    def test_all_figures_of_the_run(self):
+        with contextlib.redirect_stdout(io.StringIO()) as text:
+            self.assertEqual(main([str(self.folder), "--dpi", "50"]), 0)
+        for name in ("fault_maps", "fault_history", "moment_rate"):
+            self.assertTrue((self.folder / "figures" / f"{name}.png").exists(), text.getvalue())
+        with contextlib.redirect_stdout(io.StringIO()) as text:
+            self.assertEqual(main([str(self.folder), "--events"]), 0)
+        self.assertIn("Mw", text.getvalue())
+
+    def test_in_two_dimensions_there_are_none(self):
+        folder = self.folder / "plane"
+        synthetic_run.write_run(folder, num_events=2)
+        run = Run(folder)
+        for module in (fault_maps, fault_history):
+            with self.assertRaises(NothingToShow):
+                module.draw(run, windows.choose(run, None))
+
+
+if __name__ == "__main__":
+    unittest.main()
