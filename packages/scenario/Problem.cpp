@@ -49,7 +49,7 @@ Problem<Dim>::Problem(ParameterList const& deck, RCP<const Communicator> const& 
   }
   constraints = std::make_unique<fem::Constraints<Dim>>(mesh, *body.dofs, boundary.velocities,
                                                         std::vector<double>{0, end / 3, end});
-  solver = makeSolverSettings(deck.sublist("TNNMG"), comm->getSize(),
+  solver = makeSolverSettings(deck.sublist("TNNMG"), comm->getSize(), Dim,
                               mesh.num_global_vertices * components);
   auto const materials = makeMaterials(deck.sublist("Bulk"), mesh);
   makeBody(deck.sublist("Bulk"), materials);

@@ -6,8 +6,8 @@ namespace asperity::scenario
 {
 namespace
 {
-// Beyond this the fill of a factor in two dimensions costs more than a few V-cycles.
-constexpr long long largest_direct = 100000;
+// Beyond this the fill of a factor costs more than a few V-cycles.
+long long largestDirect(int dimension) { return dimension == 2 ? 100000 : 10000; }
 } // namespace
 
 RCP<const ParameterList> solverParameters()
@@ -26,7 +26,7 @@ RCP<const ParameterList> solverParameters()
 }
 
 dynamics::RateSolverSettings makeSolverSettings(ParameterList const& list, int num_ranks,
-                                                long long num_unknowns)
+                                                int dimension, long long num_unknowns)
 {
   auto const choice = list.get<std::string>("Linear Correction");
   ASPERITY_REQUIRE(choice != "Direct" || num_ranks == 1,
@@ -34,8 +34,8 @@ dynamics::RateSolverSettings makeSolverSettings(ParameterList const& list, int n
                      << num_ranks << ". Choose MueLu or Auto.");
   dynamics::RateSolverSettings settings;
   settings.tnnmg = tnnmg::TnnmgSettings::from(list);
-  const bool direct =
-    choice == "Direct" || (choice == "Auto" && num_ranks == 1 && num_unknowns <= largest_direct);
+  const bool direct = choice == "Direct" || (choice == "Auto" && num_ranks == 1 &&
+                                             num_unknowns <= largestDirect(dimension));
   settings.correction = direct ? dynamics::Correction::direct : dynamics::Correction::multigrid;
   settings.multigrid = list.sublist("MueLu Correction");
   return settings;

@@ -25,8 +25,8 @@ std::vector<T> gatherToAll(std::vector<T> const& mine, Communicator const& comm)
 void onRoot(Communicator const& comm, std::function<void()> const& work);
 
 // Runs `work` on every rank; if it throws on some, the error of the first of them is thrown on
-// every rank, as by onRoot. For work that is collective itself: one step of it at a time, because a rank
-// that has failed takes no part in the next one. Collective.
+// every rank, as by onRoot. For work that is collective itself: one step of it at a time, because
+// a rank that has failed takes no part in the next one. Collective.
 void onAll(Communicator const& comm, std::function<void()> const& work);
 
 double maxOverRanks(double value, Communicator const& comm);

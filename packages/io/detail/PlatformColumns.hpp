@@ -35,8 +35,8 @@ struct PlatformView
 // compression; displacement along strike, vertical (y) and across the fault.
 //
 // In three dimensions the rates are of the field `slip_velocity`; SEAS: 1 is from the fault into
-// the body, 2 along strike, 3 down (dip, on the fault). SCEC: h along strike, v down (dip), n from the
-// fault into the body.
+// the body, 2 along strike, 3 down (dip, on the fault). SCEC: h along strike, v down (dip), n from
+// the fault into the body.
 PlatformColumns faultColumns(Platform platform, PlatformView const& view);
 PlatformColumns bodyColumns(Platform platform, PlatformView const& view);
 

@@ -86,12 +86,15 @@ TEST(TimeSetup, wantsALimitWhereNewmarkIsConditionallyStable)
 
 TEST(SolverSetup, choosesTheCorrection)
 {
-  const auto choice = [](std::string const& name, int ranks, long long unknowns) {
-    return makeSolverSettings(solverList(name), ranks, unknowns).correction;
+  const auto choice = [](std::string const& name, int ranks, long long unknowns,
+                         int dimension = 2) {
+    return makeSolverSettings(solverList(name), ranks, dimension, unknowns).correction;
   };
   EXPECT_EQ(choice("Auto", 1, 10000), Correction::direct);
   EXPECT_EQ(choice("Auto", 1, 10000000), Correction::multigrid);
   EXPECT_EQ(choice("Auto", 2, 10000), Correction::multigrid);
+  EXPECT_EQ(choice("Auto", 1, 50000, 2), Correction::direct);
+  EXPECT_EQ(choice("Auto", 1, 50000, 3), Correction::multigrid);
   EXPECT_EQ(choice("Direct", 1, 10000000), Correction::direct);
   EXPECT_EQ(choice("MueLu", 1, 10), Correction::multigrid);
   expectParts(refusal([&] { choice("Direct", 2, 10); }),
@@ -102,7 +105,7 @@ TEST(SolverSetup, readsTolerancesAndBudget)
 {
   auto list = solverList("Auto");
   list.set("Absolute Tolerance", 3e-7).set("Maximum Iterations", 4).set("Memory Budget", 12.5);
-  const auto settings = makeSolverSettings(list, 1, 10);
+  const auto settings = makeSolverSettings(list, 1, 2, 10);
   EXPECT_EQ(settings.tnnmg.absolute_tolerance, 3e-7);
   EXPECT_EQ(settings.tnnmg.max_iterations, 4);
   EXPECT_EQ(memoryBudget(list), 12500000U);
