@@ -29,7 +29,7 @@ MultigridPreconditioner::MultigridPreconditioner(RCP<const MultigridOperator> A,
     , Z_(std::move(Z))
     , nodes_(std::move(nodes))
     , smoother_(*Z_, nodes_)
-    , hierarchy_(Z_, near_null_space, muelu)
+    , hierarchy_(withCoupledTangents(Z_, *nodes_), near_null_space, muelu)
     , excluded_("asperity::tnnmg::excluded", nodes_->size())
     , reference_("asperity::tnnmg::reference", nodes_->size(), nodes_->tangents(),
                  nodes_->tangents())

@@ -1,5 +1,6 @@
 #include "tnnmg/detail/MultigridTruncatedMatrix.hpp"
 
+#include <Teuchos_CommHelpers.hpp>
 #include <Tpetra_CrsMatrix.hpp>
 #include <Tpetra_Import.hpp>
 #include <Tpetra_Map.hpp>
@@ -76,5 +77,40 @@ void MultigridTruncatedMatrix::fill(MultigridNodes const& nodes, FlagView const&
         }
       }
     });
+}
+
+RCP<const CrsMatrix> withCoupledTangents(RCP<const CrsMatrix> const& Z, MultigridNodes const& nodes)
+{
+  constexpr double next_to_nothing = 1e-30;
+  if (nodes.tangents() == 1) {
+    return Z;
+  }
+  const auto result = rcp(new CrsMatrix(*Z, Teuchos::Copy));
+  const auto matrix = result->getLocalMatrixDevice();
+  const auto rows = Z->getRowMap()->getLocalMap();
+  const auto columns = Z->getColMap()->getLocalMap();
+  const auto dofs = nodes.dofs;
+  const auto diagonal = nodes.diagonal;
+  int changed = 0;
+  Kokkos::parallel_reduce(
+    "asperity::tnnmg::coupleTangents", Kokkos::RangePolicy<Execution>(0, nodes.size()),
+    KOKKOS_LAMBDA(int node, int& sum) {
+      for (int s = 0; s < dofs.extent_int(1); ++s) {
+        for (int t = 0; t < dofs.extent_int(1); ++t) {
+          const int row = dofs(node, s);
+          const int column = columns.getLocalElement(rows.getGlobalElement(dofs(node, t)));
+          for (auto k = matrix.graph.row_map(row); k < matrix.graph.row_map(row + 1); ++k) {
+            if (static_cast<int>(matrix.graph.entries(k)) == column && matrix.values(k) == 0) {
+              matrix.values(k) = next_to_nothing * (diagonal(node, s, s) + diagonal(node, t, t));
+              ++sum;
+            }
+          }
+        }
+      }
+    },
+    changed);
+  int all = 0;
+  Teuchos::reduceAll(*Z->getComm(), Teuchos::REDUCE_SUM, changed, Teuchos::outArg(all));
+  return all > 0 ? RCP<const CrsMatrix>(result) : Z;
 }
 } // namespace asperity::tnnmg::detail

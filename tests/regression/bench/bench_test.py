@@ -1,0 +1,81 @@
+"""asperity-bench: rate problems with known solutions in three dimensions, solved and counted."""
+
+import json
+import pathlib
+import subprocess
+import unittest
+
+import asperity_run
+
+PROGRAM = asperity_run.PROGRAM.parent / "asperity-bench"
+DECK = asperity_run.SOURCE / "xml" / "bp5_qd.xml"
+FACTOR = "Mesh/Box/Cell Size Factor"
+
+
+def bench(*arguments, ranks=1, timeout=300):
+    words = [str(PROGRAM), *map(str, arguments)]
+    if ranks > 1:
+        words = [*asperity_run.MPIEXEC, str(ranks), *words]
+    return subprocess.run(words, capture_output=True, text=True, timeout=timeout, check=False)
+
+
+def scaling(ranks, *arguments):
+    """The numbers of a run: meshes of 16 and 8 km cells on the fault, where Z does not couple the
+    fault's tangents and a hierarchy has to be rebuilt for friction all the same."""
+    output = pathlib.Path(f"scaling_{ranks}.json")
+    output.unlink(missing_ok=True)
+    result = bench("scaling", DECK, "--size-parameter", FACTOR, "--sizes", "8,4",
+                   "--steps", "1e5,1", "--rupture-rate", "1", "--set",
+                   "TNNMG/Linear Correction=MueLu", "--set",
+                   "TNNMG/MueLu Correction/Hierarchy=Rebuild", "--output", output, *arguments,
+                   ranks=ranks)
+    if result.returncode != 0:
+        raise AssertionError(result.stdout + result.stderr)
+    return result.stdout, json.loads(output.read_text())
+
+
+class Scaling(unittest.TestCase):
+    @classmethod
+    def setUpClass(cls):
+        cls.table, cls.numbers = scaling(1)
+
+    def solves(self, numbers):
+        return [solve for mesh in numbers["meshes"] for solve in mesh["solves"]]
+
+    def test_finds_the_known_solutions(self):
+        solves = self.solves(self.numbers)
+        self.assertEqual(len(solves), 2 * 2 * 3)
+        for solve in solves:
+            self.assertTrue(solve["converged"], solve)
+            self.assertLess(solve["error"], 1e-4, solve)
+            self.assertGreater(solve["v_cycles"], 0, solve)
+
+    def test_finer_meshes_have_more_unknowns(self):
+        coarse, fine = (mesh["unknowns"] for mesh in self.numbers["meshes"])
+        self.assertGreater(fine, 2 * coarse)
+        self.assertIn(f"{fine} unknowns", self.table)
+
+    def test_two_ranks_need_as_many_iterations(self):
+        _, numbers = scaling(2)
+        self.assertEqual(numbers["ranks"], 2)
+        for ours, theirs in zip(self.solves(self.numbers), self.solves(numbers)):
+            self.assertLessEqual(abs(ours["tnnmg_iterations"] - theirs["tnnmg_iterations"]), 1,
+                                 (ours, theirs))
+            self.assertLess(theirs["error"], 1e-4)
+
+
+class BadInput(unittest.TestCase):
+    def test_is_refused(self):
+        cases = [(["scaling", DECK, "--sizes", "1"], "--steps"),
+                 (["scaling", DECK, "--sizes", "1,x", "--steps", "1"], "--sizes x"),
+                 (["scaling", DECK, "--sises", "1"], "'--sizes'"),
+                 (["scalding", DECK, "--sizes", "1", "--steps", "1"], "--help")]
+        for words, part in cases:
+            result = bench(*words)
+            self.assertEqual(result.returncode, 2, words)
+            self.assertIn(part, result.stderr)
+            self.assertEqual(len(result.stderr.strip().splitlines()), 1, result.stderr)
+
+
+if __name__ == "__main__":
+    unittest.main()
