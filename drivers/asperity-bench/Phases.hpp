@@ -6,7 +6,8 @@
 #include <string>
 #include <vector>
 
-// States of a fault as a cycle brings them, made up so that the solution of a rate problem is known.
+// States of a fault as a cycle brings them, made up so that the solution of a rate problem is
+// known.
 enum class Phase
 {
   stuck,      // everywhere at a thousandth of V*

@@ -47,13 +47,19 @@ Problem<Dim>::Problem(ParameterList const& deck, RCP<const Communicator> const& 
   if (!boundary.surface.empty()) {
     fem::boundaryNodes(mesh, boundary.surface, *comm);
   }
-  constraints = std::make_unique<fem::Constraints<Dim>>(mesh, *body.dofs, boundary.velocities,
-                                                        std::vector<double>{0, end / 3, end});
+  const std::vector<double> samples = {0, end / 3, end};
+  constraints =
+    std::make_unique<fem::Constraints<Dim>>(mesh, *body.dofs, boundary.velocities, samples);
   solver = makeSolverSettings(deck.sublist("TNNMG"), comm->getSize(), Dim,
                               mesh.num_global_vertices * components);
   auto const materials = makeMaterials(deck.sublist("Bulk"), mesh);
   makeBody(deck.sublist("Bulk"), materials);
   makeFault(deck, materials);
+  for (double t : samples) {
+    auto const prescribed = body.vector();
+    body.prescribed_velocity(t, *prescribed);
+    fault.requireWalls(*prescribed, components, t);
+  }
   makeLoads(deck, materials);
   makeInitialState(deck);
 }

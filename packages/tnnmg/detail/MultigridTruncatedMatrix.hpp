@@ -21,10 +21,10 @@ private:
   RCP<CrsMatrix> matrix_;
 };
 
-// Z for the first set-up of a hierarchy that is to be rebuilt with Hessians: products leave out what
-// is zero, and a rebuild has no place for an entry that the first one did not have. So where a node's
-// tangents are not coupled by Z, which happens on regular meshes, they are by next to nothing. Z
-// itself where there is no such node on any rank.
+// Z for the first set-up of a hierarchy that is to be rebuilt with Hessians: products leave out
+// what is zero, and a rebuild has no place for an entry that the first one did not have. So where
+// a node's tangents are not coupled by Z, which happens on regular meshes, they are by next to
+// nothing. Z itself where there is no such node on any rank.
 RCP<const CrsMatrix> withCoupledTangents(RCP<const CrsMatrix> const& Z,
                                          MultigridNodes const& nodes);
 } // namespace asperity::tnnmg::detail

@@ -1,0 +1,87 @@
+"""A wedge between panes of glass that slips along both tangents: the same on any number of ranks."""
+
+import unittest
+
+import numpy
+
+import asperity_run
+import wedge_runs
+
+
+
+class PrescribedSteps(unittest.TestCase):
+    """Steps are prescribed: fields must agree to the solver's tolerance, and so must the effort."""
+
+    @classmethod
+    def setUpClass(cls):
+        cls.reference = cls.run_rupture(1)
+
+    @staticmethod
+    def run_rupture(ranks):
+        return wedge_runs.run_deck(
+            f"rupture_{ranks}", *wedge_runs.RUPTURE, *wedge_runs.GLASS,
+            *wedge_runs.settings("Time Stepping/Final Time=0.016",
+                                 "TNNMG/Linear Correction=MueLu"), ranks=ranks)
+
+    def test_slips_along_both_tangents(self):
+        fault = asperity_run.series(self.reference / "fault.h5")
+        slip = fault["fields/slip"]
+        largest = numpy.abs(slip).max(axis=(0, 1))
+        self.assertGreater(fault["fields/slip_rate"].max(), 1e-3)
+        self.assertGreater(largest[2], 0.2 * largest[0])
+        z = fault["geometry/coordinates"][:, 2]
+        at_glass = (z == 0) | (z == 0.1)
+        self.assertGreater(at_glass.sum(), 10)
+        self.assertEqual(numpy.abs(slip[:, at_glass, 2]).max(), 0)
+
+    def test_two_ranks(self):
+        self.check(2)
+
+    def test_three_ranks(self):
+        self.check(3)
+
+    def test_four_ranks(self):
+        self.check(4)
+
+    def check(self, ranks):
+        folder = self.run_rupture(ranks)
+        for field, error in wedge_runs.largest_errors(self.reference, folder).items():
+            self.assertLess(error, 1e-8, field)
+        tables = [asperity_run.table(each / "steps.csv") for each in (self.reference, folder)]
+        self.assertEqual(len(tables[0]), len(tables[1]))
+        for ours, theirs in zip(*tables):
+            for name in ("time", "fixed_point_iterations", "rate_problems"):
+                self.assertEqual(ours[name], theirs[name])
+            # One more or less in a rate problem, of which a step has five to eight.
+            difference = abs(ours["tnnmg_iterations"] - theirs["tnnmg_iterations"])
+            self.assertLessEqual(difference, 0.5 * ours["rate_problems"])
+            self.assertEqual(theirs["energy_rises"], 0)
+        total = [sum(row["tnnmg_iterations"] for row in rows) for rows in tables]
+        self.assertLess(abs(total[1] - total[0]), 0.02 * total[0])
+
+
+class AdaptiveSteps(unittest.TestCase):
+    """Steps follow the error of alpha; a decision may flip, but the events stay."""
+
+    def test_events_on_two_ranks(self):
+        changes = wedge_runs.settings(
+            "Mesh/Deep Wedge/Cell Size=0.05", "Friction/Slip Direction={1, 0, 0}",
+            "Time Stepping/Final Time=10", "Time Stepping/Step Doubling/Tolerance=1e-3",
+            "Initial State/alpha=0.1 * sin(20 * x) + 10 * z")
+        serial, parallel = (
+            asperity_run.table(wedge_runs.run_deck(
+                f"events_{ranks}", *wedge_runs.GLASS, *changes, ranks=ranks) / "events.csv")
+            for ranks in (1, 2))
+        self.assertEqual(len(serial), 2)
+        self.assertEqual(len(parallel), 2)
+        recurrence = serial[1]["onset"] - serial[0]["onset"]
+        for ours, theirs in zip(serial, parallel):
+            self.assertLess(abs(ours["onset"] - theirs["onset"]), 1e-3 * recurrence)
+            self.assertLess(abs(ours["area"] / theirs["area"] - 1), 1e-2)
+            self.assertLess(abs(ours["peak_slip"] / theirs["peak_slip"] - 1), 1e-2)
+            for axis in "xyz":
+                self.assertEqual(ours["hypocentre_" + axis], theirs["hypocentre_" + axis])
+
+
+if __name__ == "__main__":
+    unittest.main()

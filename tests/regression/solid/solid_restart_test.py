@@ -1,0 +1,57 @@
+"""A run in space that ends early and is continued leaves the very numbers of one that does not."""
+
+import shutil
+import unittest
+
+import numpy
+
+import asperity_run
+import wedge_runs
+
+OUTPUT = wedge_runs.settings(
+    "Mesh/Deep Wedge/Cell Size=0.05", "Output/Receivers/On Fault/middle={0.27, 0, 0.04}",
+    "Output/Receivers/Off Fault/above={0.27, 0.05, 0.04}",
+    # every step has its row, so that the one where a run ends is no more than others
+    "Output/Fault History/Every n Steps=1", "Output/Surface History/Every n Steps=1")
+PRESCRIBED = [*wedge_runs.RUPTURE, *wedge_runs.GLASS, *OUTPUT,
+              *wedge_runs.settings("Time Stepping/Final Time=0.016")]
+ADAPTIVE = [*wedge_runs.GLASS, *OUTPUT, *wedge_runs.settings(
+    "Time Stepping/Final Time=0.2", "Time Stepping/Step Doubling/Tolerance=1e-3")]
+SERIES = ["fault.h5", "surface.h5", "receivers.h5", "rupture.h5"]
+TABLES = ["steps.csv", "events.csv", "global.csv"]
+
+
+class Restart(unittest.TestCase):
+    def check(self, name, run, end, ranks=1, series=tuple(SERIES)):
+        """Stops the run at a time `end` before its own, and continues it."""
+        whole = wedge_runs.run_deck(f"{name}_whole", *run, ranks=ranks)
+        folder = wedge_runs.run_deck(f"{name}_continued", *run,
+                                     *wedge_runs.settings(f"Time Stepping/Final Time={end}"),
+                                     ranks=ranks)
+        num_steps = [len(asperity_run.table(each / "steps.csv")) for each in (whole, folder)]
+        self.assertGreater(num_steps[0], num_steps[1] + 3)
+        self.assertGreater(num_steps[1], 3)
+        shutil.copy(folder / "checkpoint.h5", f"{name}_checkpoint.h5")
+        result = asperity_run.run(wedge_runs.DECK, *run, "--restart", f"{name}_checkpoint.h5",
+                                  "--output", folder, ranks=ranks, timeout=300)
+        self.assertEqual((result.returncode, result.stderr), (0, ""))
+        for file in series:
+            self.assert_same_series(whole / file, folder / file)
+        for table in TABLES:
+            self.assertEqual((whole / table).read_bytes(), (folder / table).read_bytes(), table)
+
+    def assert_same_series(self, *files):
+        ours, theirs = map(asperity_run.series, files)
+        self.assertEqual(set(ours), set(theirs))
+        for name, values in ours.items():
+            numpy.testing.assert_array_equal(values, theirs[name], f"{files[0]}: {name}")
+
+    def test_adaptive_steps(self):
+        self.check("adaptive", ADAPTIVE, end=0.05)
+
+    def test_prescribed_steps_on_two_ranks(self):
+        self.check("prescribed", PRESCRIBED, end=0.008, ranks=2, series=[*SERIES, "volume.h5"])
+
+
+if __name__ == "__main__":
+    unittest.main()
