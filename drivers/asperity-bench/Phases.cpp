@@ -95,7 +95,10 @@ double slipRate(Phase phase, double distance, double slow, double fast)
     const double peak = std::log(0.01 * fast / slow);
     return slow * std::exp(peak * std::exp(-std::pow(distance / 0.4, 2)));
   }
-  case Phase::rupturing: return distance < 0.5 ? fast : slow;
+  case Phase::rupturing: {
+    const double behind = std::min(1., std::max(0., (0.6 - distance) / 0.2));
+    return slow * std::exp(std::log(fast / slow) * behind);
+  }
   }
   return slow;
 }

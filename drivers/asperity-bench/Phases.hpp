@@ -12,7 +12,7 @@ enum class Phase
 {
   stuck,      // everywhere at a thousandth of V*
   nucleating, // a smooth patch of the weakening zone at a hundredth of the rupture's rate
-  rupturing   // half of the weakening zone at that rate, with a sharp front
+  rupturing   // half of the weakening zone at that rate, with a front a tenth of it wide
 };
 
 constexpr Phase phases[] = {Phase::stuck, Phase::nucleating, Phase::rupturing};

@@ -1,4 +1,4 @@
-"""Bad input in space ends with one clear message and exit status 2, on two ranks and without a hang.
+"""Bad input in space ends with one clear message and exit status 2, on two ranks, without a hang.
 
 Every case runs in a folder of its own, of which each file is compared afterwards.
 """
@@ -119,6 +119,11 @@ class PartitionedMeshes(SolidCase):
                     other.copy(array, mixed[array.rpartition("/")[0] or "/"],
                                name=array.rpartition("/")[2])
                 self.refuse("mixed.h5", "mixed.h5", f"'/{array}'", "Partition the mesh again")
+
+    def test_an_array_that_is_not_there(self):
+        with h5py.File(PARTS, "r+") as file:
+            del file["boundaries/bottom/facets"]
+        self.refuse(PARTS, PARTS, "boundaries/bottom/facets")
 
     def test_parts_in_another_order(self):
         def turn_round(rows):

@@ -9,7 +9,7 @@ import unittest
 import numpy
 
 import asperity_run
-from sequence import YEAR, sequence
+from sequence import YEAR, sequence, slip_in_events
 
 HERE = pathlib.Path(__file__).parent
 
@@ -40,8 +40,8 @@ class Deck(unittest.TestCase):
 
 
 class StrikeSlip(Deck):
-    """BP1 on cells of 200 m. With 100 m and less: 196.4 years, then 76 years quasi-dynamic and 115
-    years with inertia."""
+    """BP1 on cells of 200 m. With 100 m and less: 196.4 years, then 76 years quasi-dynamic and about
+    115 years with inertia."""
 
     def test_quasi_dynamic(self):
         self.run_deck("bp1_qd", "short_bp1.xml")
@@ -52,13 +52,16 @@ class StrikeSlip(Deck):
         self.assertLess(self.coupled_steps_each(), 1.6)
         self.assert_balance(1e-10)
 
-    def test_inertia_lengthens_the_cycle(self):
-        """By a third or more; by how much depends on a tolerance that no short run can afford."""
-        self.run_deck("bp1_fd", "short_bp1.xml")
+    def test_inertia_lets_more_slip(self):
+        """3.96 m in the first event (4.08 m on a fine mesh) instead of 2.82 m, and a longer wait for the
+        second one. How much longer is ill-conditioned: millimetres of slip decide which swing of the
+        creeping zone runs away."""
+        folder = self.run_deck("bp1_fd", "short_bp1.xml")
         onsets = self.onsets()
         self.assertEqual(len(onsets), 2)
         self.assert_within(onsets[0], 191.8, 0.01)
-        self.assertGreater(onsets[1] - onsets[0], 1.2 * 75.9)
+        self.assertGreater(onsets[1] - onsets[0], 1.1 * 75.9)
+        self.assert_within(slip_in_events(folder, "dp050")[0], 3.96, 0.01)
         self.assertLess(self.coupled_steps_each(), 1.6)
         self.assert_balance(1e-10)
 
