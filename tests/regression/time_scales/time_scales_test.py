@@ -40,8 +40,8 @@ class Deck(unittest.TestCase):
 
 
 class StrikeSlip(Deck):
-    """BP1 on cells of 200 m. With 100 m and less: 196.4 years, then 76 years quasi-dynamic and about
-    115 years with inertia."""
+    """BP1 on cells of 200 m. With 100 m and less: 196.4 years, then 76 years quasi-dynamic and
+    about 115 years with inertia."""
 
     def test_quasi_dynamic(self):
         self.run_deck("bp1_qd", "short_bp1.xml")
@@ -53,9 +53,9 @@ class StrikeSlip(Deck):
         self.assert_balance(1e-10)
 
     def test_inertia_lets_more_slip(self):
-        """3.96 m in the first event (4.08 m on a fine mesh) instead of 2.82 m, and a longer wait for the
-        second one. How much longer is ill-conditioned: millimetres of slip decide which swing of the
-        creeping zone runs away."""
+        """3.96 m in the first event (4.08 m on a fine mesh) instead of 2.82 m, and a longer wait
+        for the second one. How much longer is ill-conditioned: millimetres of slip decide which
+        swing of the creeping zone runs away."""
         folder = self.run_deck("bp1_fd", "short_bp1.xml")
         onsets = self.onsets()
         self.assertEqual(len(onsets), 2)
