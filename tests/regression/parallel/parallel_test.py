@@ -6,6 +6,7 @@ import unittest
 import numpy
 
 import asperity_run
+from effort import assert_same_effort
 
 HERE = pathlib.Path(__file__).parent
 DECK = HERE / "coarse_wedge.xml"
@@ -52,7 +53,7 @@ class PrescribedSteps(unittest.TestCase):
     def check(self, ranks):
         folder = self.run_rupture("MueLu", ranks)
         self.assert_same_fields(folder)
-        self.assert_same_effort(folder)
+        assert_same_effort(self, self.multigrid, folder)
 
     def assert_same_fields(self, folder):
         for location, field in FIELDS:
@@ -63,19 +64,6 @@ class PrescribedSteps(unittest.TestCase):
             values = [file["fields/" + field] for file in files]
             error = numpy.abs(values[1] - values[0]).max() / numpy.abs(values[0]).max()
             self.assertLess(error, 1e-9, field)
-
-    def assert_same_effort(self, folder):
-        tables = [asperity_run.table(each / "steps.csv") for each in (self.multigrid, folder)]
-        self.assertEqual(len(tables[0]), len(tables[1]))
-        for ours, theirs in zip(*tables):
-            for name in ("time", "fixed_point_iterations", "rate_problems"):
-                self.assertEqual(ours[name], theirs[name])
-            # One more or less in a rate problem, of which a step has five to fifteen.
-            difference = abs(ours["tnnmg_iterations"] - theirs["tnnmg_iterations"])
-            self.assertLessEqual(difference, 0.5 * ours["rate_problems"])
-            self.assertEqual(theirs["energy_rises"], 0)
-        total = [sum(row["tnnmg_iterations"] for row in rows) for rows in tables]
-        self.assertLess(abs(total[1] - total[0]), 0.02 * total[0])
 
 
 class AdaptiveSteps(unittest.TestCase):
