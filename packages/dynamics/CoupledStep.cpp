@@ -5,6 +5,7 @@
 #include <Tpetra_CrsMatrix.hpp>
 
 #include <cmath>
+#include <limits>
 
 namespace asperity::dynamics
 {
@@ -18,6 +19,9 @@ Teuchos::RCP<Teuchos::ParameterList> CouplingSettings::validParameters()
           "coupling of rate and state counts as resolved.")
     .integer("Maximum Iterations", defaults.max_iterations, Range::atLeast(1),
              "Fixed point iterations after which the step is rejected and halved.")
+    .integer(
+      "Anderson Depth", defaults.anderson_depth, Range::atLeast(0),
+      "Earlier iterates from which the next one is extrapolated; 0 is the plain fixed point.")
     .list();
 }
 
@@ -26,12 +30,12 @@ CouplingSettings CouplingSettings::from(Teuchos::ParameterList const& parameters
   CouplingSettings settings;
   settings.tolerance = parameters.get<double>("Tolerance");
   settings.max_iterations = parameters.get<int>("Maximum Iterations");
+  settings.anderson_depth = parameters.get<int>("Anderson Depth");
   return settings;
 }
 
 void SolveCount::add(tnnmg::TnnmgResult const& result)
 {
-  ++rate_problems;
   tnnmg_iterations += result.iterations;
   corrections += result.corrections;
   correction_iterations += result.correction_iterations;
@@ -71,6 +75,7 @@ CoupledStep::CoupledStep(Body const& body, Fault const& fault, RateUpdate const&
     , clock_(clock)
     , settings_(settings)
     , solvers_(solvers)
+    , acceleration_(fault, settings.anderson_depth)
     , b_(body.vector())
     , prescribed_(body.vector())
     , u_hat_(body.vector())
@@ -149,29 +154,51 @@ void CoupledStep::meanSlipRate(RateSolver& solver)
   fault_.slipRate(mean_, V_);
 }
 
+// The state's answer to the velocity that the solver has now. False: it has none.
+bool CoupledStep::updateState(State const& from, double tau, RateSolver& solver)
+{
+  meanSlipRate(solver);
+  return fault_.sumOverRanks(fault_.state->flow(V_, tau, from.alpha, alpha_next_)) == 0;
+}
+
+// Rate problem and state take turns, one iteration of TNNMG for one update of the state: both
+// contract about tenfold, and to solve a rate problem whose state is about to change is lost. Once
+// the state has come to rest the rate problem is solved with it.
 CoupledResult CoupledStep::iterate(State const& from, double tau, RateSolver& solver, State& to,
                                    SolveCount& count)
 {
   CoupledResult result;
-  while (result.iterations < settings_.max_iterations) {
-    ++result.iterations;
-    auto const rate = solver.solve({*fault_.friction, to.alpha});
+  acceleration_.reset();
+  double last_change = std::numeric_limits<double>::infinity();
+  bool at_rest = false;
+  while (at_rest || result.iterations < settings_.max_iterations) {
+    const FrictionProblem problem = {*fault_.friction, to.alpha};
+    result.iterations += at_rest ? 0 : 1;
+    count.rate_problems += at_rest ? 0 : 1;
+    auto const rate = at_rest ? solver.solve(problem) : solver.improve(problem);
     count.add(rate);
-    if (!rate.converged) {
+    if (rate.failed() || (at_rest && !rate.converged)) {
       result.status = StepStatus::rate_problem_failed;
       return result;
     }
-    meanSlipRate(solver);
-    const int failed = fault_.sumOverRanks(fault_.state->flow(V_, tau, from.alpha, alpha_next_));
+    const bool updated = updateState(from, tau, solver);
     const double change = fault_.distance(alpha_next_, to.alpha);
-    if (failed > 0 || !std::isfinite(change)) {
+    if (!updated || !std::isfinite(change)) {
       result.status = StepStatus::state_failed;
       return result;
     }
-    Kokkos::deep_copy(to.alpha_of_rate, to.alpha);
-    Kokkos::deep_copy(to.alpha, alpha_next_);
-    if (change <= settings_.tolerance) {
+    at_rest = change <= settings_.tolerance;
+    if (at_rest && rate.converged) {
+      Kokkos::deep_copy(to.alpha_of_rate, to.alpha);
+      Kokkos::deep_copy(to.alpha, alpha_next_);
       return result;
+    }
+    if (!at_rest) {
+      if (change > last_change) {
+        acceleration_.reset(); // what is remembered led astray
+      }
+      acceleration_.advance(to.alpha, alpha_next_);
+      last_change = change;
     }
   }
   result.status = StepStatus::fixed_point_failed;

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "dynamics/AndersonAcceleration.hpp"
 #include "dynamics/Body.hpp"
 #include "dynamics/Fault.hpp"
 #include "dynamics/State.hpp"
@@ -13,6 +14,7 @@ struct CouplingSettings
 {
   double tolerance = 1e-5; // of alpha between two iterates, root mean square over the fault
   int max_iterations = 100;
+  int anderson_depth = 2;
 
   static Teuchos::RCP<Teuchos::ParameterList> validParameters();
   static CouplingSettings from(Teuchos::ParameterList const& parameters);
@@ -58,7 +60,7 @@ struct CoupledResult
 };
 
 // One time step: the fixed point alpha -> rate problem -> V -> state flow -> alpha (Pipping 2014,
-// problem 4.3). The state sees the mean slip rate of the step, V = slip_factor |u1 - u0|_t / tau,
+// problem 4.3), accelerated, the rate problem solved as far as the state is. The state sees the mean slip rate of the step, V = slip_factor |u1 - u0|_t / tau,
 // which is of second order with every scheme and damped wherever the scheme damps u; it is that of
 // thesis eq. (25), lambda = 1/2, for Newmark with beta = 1/4.
 class CoupledStep
@@ -77,6 +79,7 @@ private:
   CoupledResult iterate(State const& from, double tau, RateSolver& solver, State& to,
                         SolveCount& count);
   void meanSlipRate(RateSolver& solver);
+  bool updateState(State const& from, double tau, RateSolver& solver);
 
   Body const& body_;
   Fault const& fault_;
@@ -84,6 +87,7 @@ private:
   DyadicTime clock_;
   CouplingSettings settings_;
   StepSolvers& solvers_;
+  AndersonAcceleration acceleration_;
   RCP<Vector> b_, prescribed_, u_hat_, a_hat_, work_u_, work_a_, guess_;
   // What the mean velocity owes to the past and to prescribed velocities; the mean itself.
   friction::BlockView mean_offset_, mean_;

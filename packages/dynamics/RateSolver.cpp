@@ -53,6 +53,10 @@ public:
   {
     return tnnmg_.solve(problem, b_, w_);
   }
+  tnnmg::TnnmgResult improve(FrictionProblem const& problem) override
+  {
+    return tnnmg_.improve(problem, b_, w_);
+  }
 
   void faultVelocity(friction::BlockView const& w) const override { gather(nodes_, w_, w); }
   void velocity(Vector& w) const override { schur_.expand(w_, w); }
@@ -116,6 +120,10 @@ public:
   tnnmg::TnnmgResult solve(FrictionProblem const& problem) override
   {
     return tnnmg_.solve(problem, b_, w_);
+  }
+  tnnmg::TnnmgResult improve(FrictionProblem const& problem) override
+  {
+    return tnnmg_.improve(problem, b_, w_);
   }
 
   void faultVelocity(friction::BlockView const& w) const override { gather(nodes_, w_, w); }

@@ -36,9 +36,11 @@ public:
 
   // A new right side (zero at fixed dofs), and a first guess for w.
   virtual void begin(Vector const& b, Vector const& guess) = 0;
-  // Goes on from the last solution.
+  // Goes on from the last answer.
   virtual tnnmg::TnnmgResult solve(FrictionProblem const& problem) = 0;
-  // Of the last solution: at the fault nodes, and everywhere.
+  // The same, by one iteration of TNNMG.
+  virtual tnnmg::TnnmgResult improve(FrictionProblem const& problem) = 0;
+  // Of the last answer: at the fault nodes, and everywhere.
   virtual void faultVelocity(friction::BlockView const& w) const = 0;
   virtual void velocity(Vector& w) const = 0;
   virtual std::size_t bytes() const = 0;

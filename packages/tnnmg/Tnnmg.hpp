@@ -22,6 +22,9 @@ struct TnnmgResult
   int rises = 0;          // half steps after which J was larger by more than rounding
   double last_change = 0; // energy norm
   int failed_nodes = 0;   // on any rank
+
+  // Not for want of iterations.
+  bool failed() const { return failed_nodes > 0 || !std::isfinite(last_change); }
 };
 
 // Truncated nonsmooth Newton multigrid (Graeser and Kornhuber 2009; Pipping 2014, ch. 4): minimises
@@ -60,9 +63,18 @@ public:
 
   // v: the initial guess, overwritten by the solution. b and v on Z's domain map. All ranks
   // together.
-  TnnmgResult solve(NodalProblem const& problem, Vector const& b, Vector& v);
+  TnnmgResult solve(NodalProblem const& problem, Vector const& b, Vector& v)
+  {
+    return iterate(problem, b, v, settings_.max_iterations);
+  }
+  // One iteration: for problems that change before they need to be solved.
+  TnnmgResult improve(NodalProblem const& problem, Vector const& b, Vector& v)
+  {
+    return iterate(problem, b, v, 1);
+  }
 
 private:
+  TnnmgResult iterate(NodalProblem const& problem, Vector const& b, Vector& v, int max_iterations);
   void smooth(NodalProblem const& problem, Vector const& b, TnnmgResult& result);
   void correct(NodalProblem const& problem, TnnmgResult& result);
   double moveAlong(NodalProblem const& problem, double step);
@@ -77,12 +89,13 @@ private:
 };
 
 template <class NodalProblem>
-TnnmgResult Tnnmg<NodalProblem>::solve(NodalProblem const& problem, Vector const& b, Vector& v)
+TnnmgResult Tnnmg<NodalProblem>::iterate(NodalProblem const& problem, Vector const& b, Vector& v,
+                                         int max_iterations)
 {
   TnnmgResult result;
   vectors_.start(*Z_, b, v);
   gather(nodes_, *vectors_.v, blocks_.v);
-  while (result.iterations < settings_.max_iterations && !result.converged) {
+  while (result.iterations < max_iterations && !result.converged) {
     ++result.iterations;
     vectors_.beginIteration();
     smooth(problem, b, result);
@@ -93,8 +106,7 @@ TnnmgResult Tnnmg<NodalProblem>::solve(NodalProblem const& problem, Vector const
       std::max(settings_.absolute_tolerance, settings_.relative_tolerance * vectors_.energyNorm(b));
   }
   result.failed_nodes = detail::sumOverRanks(*Z_, result.failed_nodes);
-  result.converged =
-    result.converged && result.failed_nodes == 0 && std::isfinite(result.last_change);
+  result.converged = result.converged && !result.failed();
   Tpetra::deep_copy(v, *vectors_.v);
   return result;
 }

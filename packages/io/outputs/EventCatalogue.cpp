@@ -209,6 +209,7 @@ void EventCatalogue::record(Event const& event, std::vector<double> const& energ
   }
   row += event.complete ? ",1" : ",0";
   file_.writeRow(row + energies_.columns(energies_at_begin_, energies));
+  file_.flush(); // rare, and waited for
 }
 
 void EventCatalogue::closeSegment(int) { file_.flush(); }
