@@ -8,8 +8,8 @@
 namespace asperity::dynamics
 {
 // Anderson's acceleration of a fixed point iteration x -> g(x) for the state of a fault (Anderson
-// 1965; Walker and Ni 2011): of all affine combinations of the last iterates, the one whose residual
-// g(x) - x has the smallest mean square over the fault is mapped next.
+// 1965; Walker and Ni 2011): of all affine combinations of the last iterates, that one is mapped
+// next whose residual g(x) - x has the smallest mean square over the fault.
 class AndersonAcceleration
 {
 public:

@@ -60,9 +60,10 @@ struct CoupledResult
 };
 
 // One time step: the fixed point alpha -> rate problem -> V -> state flow -> alpha (Pipping 2014,
-// problem 4.3), accelerated, the rate problem solved as far as the state is. The state sees the mean slip rate of the step, V = slip_factor |u1 - u0|_t / tau,
-// which is of second order with every scheme and damped wherever the scheme damps u; it is that of
-// thesis eq. (25), lambda = 1/2, for Newmark with beta = 1/4.
+// problem 4.3), accelerated, the rate problem solved as far as the state is. The state sees the
+// mean slip rate of the step, V = slip_factor |u1 - u0|_t / tau, which is of second order with
+// every scheme and damped wherever the scheme damps u; it is that of thesis eq. (25), lambda = 1/2,
+// for Newmark with beta = 1/4.
 class CoupledStep
 {
 public:

@@ -221,7 +221,8 @@ void registerScalars(io::FieldRegistry& registry, RunView const& view, int dimen
       [&view] { return view.step.error; });
   count("coupled_steps", "Steps solved to find the accepted one.",
         &dynamics::SolveCount::coupled_steps);
-  count("rate_problems", "Rate problems: one for each iteration of the fixed point.", &dynamics::SolveCount::rate_problems);
+  count("rate_problems", "Rate problems: one for each iteration of the fixed point.",
+        &dynamics::SolveCount::rate_problems);
   count("tnnmg_iterations", "Of all rate problems.", &dynamics::SolveCount::tnnmg_iterations);
   count("corrections", "Linear corrections.", &dynamics::SolveCount::corrections);
   count("correction_iterations", "Conjugate gradients in the corrections.",
