@@ -20,6 +20,7 @@ FIGURES = {
     "rupture_times": "first arrival of each rupture over the position",
     "moment_rate": "moment rate and moment of each event",
     "fault_maps": "in 3D: slip of an event and its rupture front on the fault",
+    "rupture_patterns": "in 3D: rupture fronts of the last events side by side",
     "fault_history": "in 3D: peak slip rate, and slip rate along strike over time",
 }
 INPUT_ERROR = 2
@@ -42,7 +43,7 @@ def main(arguments: Optional[List[str]] = None) -> int:
 
 
 def _parse(arguments: Optional[List[str]]) -> argparse.Namespace:
-    listing = "\n".join(f"  {name:<15}{meaning}" for name, meaning in FIGURES.items())
+    listing = "\n".join(f"  {name:<17}{meaning}" for name, meaning in FIGURES.items())
     parser = argparse.ArgumentParser(
         prog="asperity-plot", formatter_class=argparse.RawDescriptionHelpFormatter,
         description="Draws figures of a run of asperity as PNG.", epilog="figures:\n" + listing)

@@ -1,6 +1,6 @@
 """Maps of one event on a fault in three dimensions: its slip, and how its front ran."""
 
-from typing import Optional, Tuple
+from typing import List, Optional, Tuple
 
 import numpy as np
 
@@ -19,7 +19,7 @@ def draw(run: Run, view: View):
     slip = event_slip(run, onset, end)
     figure, axes = style.panels(2, 1, (8.5, 7.5), sharex=True)
     _colours(figure, axes[0, 0], where, slip, units.length(slip), "Slip in the event")
-    front = arrivals(run, number)
+    front = arrivals(run, onset, end)
     if front is not None:
         _front(figure, axes[1, 0], where, front)
     for panel in axes[:, 0]:
@@ -34,12 +34,24 @@ def _event(run: Run, view: View) -> Tuple[int, float, float]:
     events = run.events
     if not len(events):
         raise NothingToShow("the run has no event")
-    numbers = events["number"] if "number" in events else np.arange(len(events)) + 1
     row = np.argmax(events["peak_slip"])
     if view.zoom is not None:
-        row = int(np.flatnonzero(numbers == view.number)[0])
-    onset = float(events["onset"][row])
-    return int(numbers[row]), onset, onset + float(events["duration"][row])
+        row = numbers(run).index(view.number)
+    onset, end = interval_of(run, row)
+    return numbers(run)[row], onset, end
+
+
+def numbers(run: Run) -> List[int]:
+    """Of all events, as the catalogue has them."""
+    events = run.events
+    return [int(n) for n in events["number"]] if "number" in events \
+        else list(range(1, len(events) + 1))
+
+
+def interval_of(run: Run, row: int) -> Tuple[float, float]:
+    """Onset and end [s] of an event by its row in the catalogue."""
+    onset = float(run.events["onset"][row])
+    return onset, onset + float(run.events["duration"][row])
 
 
 def event_slip(run: Run, onset: float, end: float) -> np.ndarray:
@@ -58,15 +70,17 @@ def _slip_at(run: Run, time: np.ndarray, at: float) -> np.ndarray:
     return slip[0] + part * (slip[1] - slip[0])
 
 
-def arrivals(run: Run, number: int) -> Optional[np.ndarray]:
-    """(nodes) first time [s] since the onset, nan where the rupture did not arrive."""
+def arrivals(run: Run, onset: float, end: float) -> Optional[np.ndarray]:
+    """(nodes) first time [s] since the onset of the rupture that happened between two times, nan
+    where it did not arrive. Ruptures and events may have thresholds, and so numbers, of their
+    own."""
     if not run.has("rupture.h5"):
         return None
-    rows = np.flatnonzero(run.ruptures.array("number") == number)
-    if not rows.size:
-        return None
-    row = slice(rows[0], rows[0] + 1)
-    return run.ruptures.array("rupture_time", row)[0] - run.ruptures.array("onset")[rows[0]]
+    for row, first in enumerate(run.ruptures.array("onset")):
+        times = run.ruptures.array("rupture_time", slice(row, row + 1))[0]
+        if first <= end and np.isfinite(times).any() and np.nanmax(times) >= onset:
+            return times - first
+    return None
 
 
 def _colours(figure, axes, where: plane.Plane, values, unit: units.Unit, name: str) -> None:
@@ -84,20 +98,31 @@ def interval(front: np.ndarray) -> float:
     return units.nice(max(float(np.nanmax(front) - np.nanmin(front)), 1e-9) / (LINES / 2.0))
 
 
-def _front(figure, axes, where: plane.Plane, front: np.ndarray) -> None:
-    """Colours and contours of the arrival; triangles that it did not reach as a whole are blank."""
+def contours(axes, where: plane.Plane, front: np.ndarray, unit: units.Unit, step: float,
+             last: float):
+    """Colours of the arrival from 0 to `last` [s] and a line every `step` [s]; triangles that the
+    front did not reach as a whole are blank. The colours, for a colour bar; None without any."""
     reached = np.isfinite(front)
     mesh = where.triangulation
     mesh.set_mask(~reached[mesh.triangles].all(axis=1))
-    if not reached.any() or mesh.mask.all():
-        axes.set_title("The front crossed no triangle", fontsize=9)
-        return
-    unit, step = units.duration(units.largest(front[reached])), interval(front)
+    if mesh.mask.all():
+        return None
     shown = unit(np.where(reached, front, 0.0))
-    picture = axes.tripcolor(mesh, shown, shading="gouraud", cmap="cividis", rasterized=True)
+    picture = axes.tripcolor(mesh, shown, shading="gouraud", cmap="cividis", rasterized=True,
+                             vmin=0.0, vmax=float(unit(last)))
     levels = unit(np.arange(np.ceil(np.nanmin(front) / step), np.nanmax(front) / step + 1.0) * step)
     lines = axes.tricontour(mesh, shown, levels=levels, colors="white", linewidths=0.8)
     axes.clabel(lines, fontsize=7, fmt="%g")
+    return picture
+
+
+def _front(figure, axes, where: plane.Plane, front: np.ndarray) -> None:
+    last, step = units.largest(front), interval(front)
+    unit = units.duration(last)
+    picture = contours(axes, where, front, unit, step, last)
+    if picture is None:
+        axes.set_title("The front crossed no triangle", fontsize=9)
+        return
     axes.set_title(f"Rupture front every {units.plain(step, 's')}", fontsize=9)
     figure.colorbar(picture, ax=axes, pad=0.02).set_label(
         f"Time since the onset [{unit.name}]")

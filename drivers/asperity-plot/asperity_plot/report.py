@@ -6,7 +6,8 @@ from pathlib import Path
 from typing import List, Optional
 
 from . import (boxes, energy, event_table, fault_history, fault_maps, iterations, moment_rate,
-               receivers, rupture_times, slip, slip_profiles, slip_rate, style, surface, windows)
+               receivers, rupture_patterns, rupture_times, slip, slip_profiles, slip_rate, style,
+               surface, windows)
 from .errors import InputError, NothingToShow
 from .options import Options
 from .run import Run
@@ -23,6 +24,7 @@ FIGURES = {  # name: (module with draw(run, view), the file it needs)
     "rupture_times": (rupture_times, "rupture.h5"),
     "moment_rate": (moment_rate, "global.csv"),
     "fault_maps": (fault_maps, "fault.h5"),
+    "rupture_patterns": (rupture_patterns, "rupture.h5"),
     "fault_history": (fault_history, "fault.h5"),
 }
 

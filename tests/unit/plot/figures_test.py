@@ -55,7 +55,7 @@ class Figures(unittest.TestCase):
         status, out, err = self.plot("many")
         self.assertEqual((status, err), (0, ""))
         missing = {"receivers": "receivers.h5", "rupture_times": "rupture.h5",
-                   "moment_rate": "global.csv"}
+                   "rupture_patterns": "rupture.h5", "moment_rate": "global.csv"}
         for name in cli.FIGURES:
             if name in missing:
                 self.assertIn(f"No figure '{name}': the run has no {missing[name]}.", out)

@@ -4,6 +4,7 @@ import contextlib
 import io
 import tempfile
 import unittest
+from dataclasses import replace
 from pathlib import Path
 
 import numpy as np
@@ -11,7 +12,8 @@ from matplotlib import pyplot
 
 import synthetic_run
 import synthetic_surface as surface
-from asperity_plot import fault_history, fault_maps, moment_rate, plane, style, windows
+from asperity_plot import (fault_history, fault_maps, moment_rate, plane, rupture_patterns, style,
+                           windows)
 from asperity_plot.cli import main
 from asperity_plot.errors import NothingToShow
 from asperity_plot.run import Run
@@ -46,10 +48,24 @@ class SurfaceFaults(unittest.TestCase):
         expected = surface.slip_of(np.array([surface.END]), strike, dip)[0]
         slip = fault_maps.event_slip(self.run_, surface.ONSET, surface.END)
         np.testing.assert_allclose(slip, expected, atol=1e-12)
-        front = fault_maps.arrivals(self.run_, 1)
+        front = fault_maps.arrivals(self.run_, surface.ONSET, surface.END)
         np.testing.assert_allclose(front, surface.arrivals(strike, dip), atol=1e-9)
-        self.assertIsNone(fault_maps.arrivals(self.run_, 2))
+        self.assertIsNone(fault_maps.arrivals(self.run_, surface.END, surface.END + 1.0))
+        self.assertIsNone(fault_maps.arrivals(self.run_, 0.0, surface.ONSET - 1.0))
         self.assertEqual(fault_maps.interval(front), 0.2)  # 1.75 s in about six parts
+
+    def test_patterns_show_what_was_reached(self):
+        where = plane.plane(self.run_, self.run_.ruptures)
+        rows, fronts = rupture_patterns.chosen(self.run_, self.view)
+        self.assertEqual(rows, [0])
+        across, down = rupture_patterns.extent(where, fronts)
+        # The radius of 3.5 km about (2.5, 2) km, in nodes, with a tenth of it around; the fault
+        # ends at 0 and 5 km.
+        np.testing.assert_allclose(across, [0.0, 6.6])
+        np.testing.assert_allclose(down, [0.0, 5.0])
+        outside = replace(self.view, sequence=(0.0, surface.ONSET - 1.0))
+        with self.assertRaises(NothingToShow):
+            rupture_patterns.draw(self.run_, outside)
 
     def test_values_along_the_line(self):
         where = plane.plane(self.run_, self.run_.fault)
@@ -79,7 +95,7 @@ class SurfaceFaults(unittest.TestCase):
     def test_all_figures_of_the_run(self):
         with contextlib.redirect_stdout(io.StringIO()) as text:
             self.assertEqual(main([str(self.folder), "--dpi", "50"]), 0)
-        for name in ("fault_maps", "fault_history", "moment_rate"):
+        for name in ("fault_maps", "rupture_patterns", "fault_history", "moment_rate"):
             self.assertTrue((self.folder / "figures" / f"{name}.png").exists(), text.getvalue())
         with contextlib.redirect_stdout(io.StringIO()) as text:
             self.assertEqual(main([str(self.folder), "--events"]), 0)

@@ -1,0 +1,83 @@
+"""Rupture fronts of several events side by side, on the part of the fault that they reached."""
+
+from typing import List, Tuple
+
+import numpy as np
+
+from . import fault_maps, plane, style, units
+from .errors import NothingToShow
+from .run import Run
+from .windows import View
+
+MOST = 8      # events shown, the last ones
+COLUMNS = 4
+MARGIN = 0.1  # around what was reached, as a share of its length
+
+
+def draw(run: Run, view: View):
+    """The figure; NothingToShow in two dimensions, or where no front was recorded."""
+    if not run.has("rupture.h5"):
+        raise NothingToShow("the run has no rupture.h5")
+    where = plane.plane(run, run.ruptures)
+    events, fronts = chosen(run, view)
+    if not len(events):
+        raise NothingToShow("no event in the time shown has a rupture front")
+    columns = min(COLUMNS, len(events))
+    lines = -(-len(events) // columns)
+    limits = extent(where, fronts)
+    figure, axes = style.panels(lines, columns, _size(limits, lines, columns), sharex=True,
+                                sharey=True)
+    last = max(float(np.nanmax(front)) for front in fronts)
+    unit, step = units.duration(last), fault_maps.interval(np.array([0.0, last]))
+    for panel, row, front in zip(axes.flat, events, fronts):
+        colours = fault_maps.contours(panel, where, front, unit, step, last)
+        panel.set_title(_title(run, row), fontsize=9)
+        panel.set(xlim=limits[0], ylim=limits[1][::-1], aspect="equal")
+    for panel in axes.flat[len(events):]:
+        panel.axis("off")
+    for panel in axes[-1, :]:
+        panel.set_xlabel(f"Along strike [{where.unit.name}]")
+    for panel in axes[:, 0]:
+        panel.set_ylabel(f"Down dip [{where.unit.name}]")
+    figure.colorbar(colours, ax=axes, pad=0.02, aspect=30).set_label(
+        f"Time since the onset [{unit.name}]\na line every {units.plain(step, 's')}")
+    style.title(figure, f"Rupture fronts of {style.counted(len(events), 'event')}")
+    return figure
+
+
+def chosen(run: Run, view: View) -> Tuple[List[int], List[np.ndarray]]:
+    """Rows of the last events of the sequence shown whose fronts crossed a triangle, and these
+    fronts [s]."""
+    rows, fronts = [], []
+    triangles = plane.plane(run, run.ruptures).triangles
+    for row, onset in enumerate(run.events["onset"]):
+        front = fault_maps.arrivals(run, *fault_maps.interval_of(run, row))
+        inside = view.sequence[0] <= onset <= view.sequence[1]
+        if inside and front is not None and np.isfinite(front)[triangles].all(axis=1).any():
+            rows.append(row)
+            fronts.append(front)
+    return rows[-MOST:], fronts[-MOST:]
+
+
+def extent(where: plane.Plane, fronts: List[np.ndarray]) -> Tuple[np.ndarray, np.ndarray]:
+    """Limits along strike and down dip, in the plane's unit, of what any front reached."""
+    reached = np.isfinite(fronts).any(axis=0)
+    limits = []
+    for along in (where.strike, where.dip):
+        low, high = along[reached].min(), along[reached].max()
+        room = MARGIN * (high - low)
+        limits.append(where.unit([max(low - room, along.min()), min(high + room, along.max())]))
+    return limits[0], limits[1]
+
+
+def _size(limits, lines: int, columns: int) -> Tuple[float, float]:
+    width = 9.5 / columns
+    height = width * np.ptp(limits[1]) / np.ptp(limits[0])
+    return 11.0, lines * (min(height, 4.0) + 0.5) + 0.8
+
+
+def _title(run: Run, row: int) -> str:
+    text = f"{fault_maps.numbers(run)[row]}: {units.text(float(run.events['onset'][row]), 's', 6)}"
+    if "magnitude" in run.events:
+        text += f", Mw {run.events['magnitude'][row]:.1f}"
+    return text
