@@ -62,8 +62,8 @@ struct WeakeningZone
     }
   }
 
-  // Of a point: how deep it lies in the body, and its projection on the fault relative to the zone,
-  // 0 in the centre and 1 at the edge.
+  // Of a point: how deep it lies in the body, and how far its projection on the fault is from the
+  // centre of the zone, in half lengths of its longest side.
   double depth(Point<3> const& x) const
   {
     double across = 0;
@@ -75,14 +75,11 @@ struct WeakeningZone
   double distance(Point<3> const& x) const
   {
     const double across = depth(x);
-    double largest = 0;
+    Point<3> along;
     for (int d = 0; d < 3; ++d) {
-      const double along = x[d] + across * normal[d] - centre[d];
-      if (half[d] > 1e-9 * size()) {
-        largest = std::max(largest, std::abs(along) / half[d]);
-      }
+      along[d] = x[d] + across * normal[d] - centre[d];
     }
-    return largest;
+    return std::hypot(along[0], along[1], along[2]) / size();
   }
   double size() const { return std::max({half[0], half[1], half[2]}); }
 };
@@ -93,10 +90,10 @@ double slipRate(Phase phase, double distance, double slow, double fast)
   case Phase::stuck: return slow;
   case Phase::nucleating: {
     const double peak = std::log(0.01 * fast / slow);
-    return slow * std::exp(peak * std::exp(-std::pow(distance / 0.4, 2)));
+    return slow * std::exp(peak * std::exp(-std::pow(distance / 0.5, 2)));
   }
   case Phase::rupturing: {
-    const double behind = std::min(1., std::max(0., (0.6 - distance) / 0.2));
+    const double behind = std::min(1., std::max(0., (1 - distance) / 0.8));
     return slow * std::exp(std::log(fast / slow) * behind);
   }
   }

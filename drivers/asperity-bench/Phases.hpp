@@ -7,12 +7,14 @@
 #include <vector>
 
 // States of a fault as a cycle brings them, made up so that the solution of a rate problem is
-// known.
+// known. Counts can only be the same on meshes that all resolve the state, so patch and front are
+// as wide as the zone allows: from node to node the slip rate changes by two thirds of an order of
+// magnitude at most where cells are a tenth of the zone's half length.
 enum class Phase
 {
   stuck,      // everywhere at a thousandth of V*
-  nucleating, // a smooth patch of the weakening zone at a hundredth of the rupture's rate
-  rupturing   // half of the weakening zone at that rate, with a front a tenth of it wide
+  nucleating, // a smooth patch, half as long as the weakening zone, up to 1 % of the rupture's rate
+  rupturing   // that rate in the middle of the zone, and a wide front to its ends
 };
 
 constexpr Phase phases[] = {Phase::stuck, Phase::nucleating, Phase::rupturing};

@@ -15,30 +15,39 @@ LINES = 12  # of contours at most, about
 def draw(run: Run, view: View):
     """The figure; NothingToShow in two dimensions or without an event in the time shown."""
     where = plane.plane(run, run.ruptures if run.has("rupture.h5") else run.fault)
-    number, onset, end = _event(run, view)
+    row = _row(run, view)
+    onset, end = interval_of(run, row)
     slip = event_slip(run, onset, end)
-    figure, axes = style.panels(2, 1, (8.5, 7.5), sharex=True)
-    _colours(figure, axes[0, 0], where, slip, units.length(slip), "Slip in the event")
-    front = arrivals(run, onset, end)
+    figure, panels = _panels(where)
+    _colours(figure, panels[0], where, slip, units.length(slip), "Slip in the event")
+    front = arrivals(run, row)
     if front is not None:
-        _front(figure, axes[1, 0], where, front)
-    for panel in axes[:, 0]:
+        _front(figure, panels[1], where, front)
+    for panel in panels:
         where.label(panel)
-    style.title(figure, f"Event {number} at {units.text(onset, 's', 5)}, lasting "
+    style.title(figure, f"Event {numbers(run)[row]} at {units.text(onset, 's', 5)}, lasting "
                         f"{units.text(end - onset, 's')}")
     return figure
 
 
-def _event(run: Run, view: View) -> Tuple[int, float, float]:
-    """Number, onset and end [s] of the event that the zoom shows, or else the largest."""
+def _panels(where: plane.Plane):
+    """Two panels, above each other where the fault is long along strike, or else side by side."""
+    shape = float(np.ptp(where.dip) / np.ptp(where.strike))
+    if shape < 0.6:
+        figure, axes = style.panels(2, 1, (8.5, 1.6 + 12.0 * max(shape, 0.15)), sharex=True)
+    else:
+        figure, axes = style.panels(1, 2, (10.5, 1.2 + min(4.2 * shape, 8.0)), sharey=True)
+    return figure, axes.ravel()
+
+
+def _row(run: Run, view: View) -> int:
+    """Of the event that the zoom shows, or else the largest."""
     events = run.events
     if not len(events):
         raise NothingToShow("the run has no event")
-    row = np.argmax(events["peak_slip"])
     if view.zoom is not None:
-        row = numbers(run).index(view.number)
-    onset, end = interval_of(run, row)
-    return numbers(run)[row], onset, end
+        return numbers(run).index(view.number)
+    return int(np.argmax(events["peak_slip"]))
 
 
 def numbers(run: Run) -> List[int]:
@@ -70,16 +79,18 @@ def _slip_at(run: Run, time: np.ndarray, at: float) -> np.ndarray:
     return slip[0] + part * (slip[1] - slip[0])
 
 
-def arrivals(run: Run, onset: float, end: float) -> Optional[np.ndarray]:
-    """(nodes) first time [s] since the onset of the rupture that happened between two times, nan
-    where it did not arrive. Ruptures and events may have thresholds, and so numbers, of their
-    own."""
+def arrivals(run: Run, row: int) -> Optional[np.ndarray]:
+    """(nodes) when the front of an event arrived [s], 0 where first; nan where it did not between
+    the end of the event before and that of this one. Ruptures have a threshold of their own: one of
+    them may go on through several events."""
     if not run.has("rupture.h5"):
         return None
-    for row, first in enumerate(run.ruptures.array("onset")):
-        times = run.ruptures.array("rupture_time", slice(row, row + 1))[0]
-        if first <= end and np.isfinite(times).any() and np.nanmax(times) >= onset:
-            return times - first
+    onset, end = interval_of(run, row)
+    before = interval_of(run, row - 1)[1] if row > 0 else -np.inf
+    for times in run.ruptures.array("rupture_time"):
+        inside = (times > before) & (times <= end)
+        if inside.any() and times[inside].max() >= onset:
+            return np.where(inside, times - times[inside].min(), np.nan)
     return None
 
 

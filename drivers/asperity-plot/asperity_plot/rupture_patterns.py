@@ -51,7 +51,7 @@ def chosen(run: Run, view: View) -> Tuple[List[int], List[np.ndarray]]:
     rows, fronts = [], []
     triangles = plane.plane(run, run.ruptures).triangles
     for row, onset in enumerate(run.events["onset"]):
-        front = fault_maps.arrivals(run, *fault_maps.interval_of(run, row))
+        front = fault_maps.arrivals(run, row)
         inside = view.sequence[0] <= onset <= view.sequence[1]
         if inside and front is not None and np.isfinite(front)[triangles].all(axis=1).any():
             rows.append(row)

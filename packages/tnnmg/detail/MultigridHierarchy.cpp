@@ -84,6 +84,7 @@ Teuchos::ParameterList MultigridHierarchy::defaults(int components)
   list.set("coarse: max size", 1000);
   list.set("coarse: type", "none"); // CoarseCholesky takes its place
   list.set("reuse: type", "RP");
+  list.set("transpose: use implicit", true); // no restrictions beside the prolongators in memory
   list.set("rap: fix zero diagonals",
            true); // where an aggregate loses a near null vector to constraints
   if (components == 3) {

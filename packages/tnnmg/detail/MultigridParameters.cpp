@@ -49,10 +49,10 @@ Teuchos::RCP<const ParameterList> MultigridParameters::valid()
             "Whether the Galerkin products are repeated when truncated nodes change. Automatic "
             "finds out by a "
             "trial for each step size: they are worth it in large steps.")
-    .real("Outdated Share", 0.1, "-", Range::closedOpen(0, 1),
-          "The share of the fault's nodes that may be newly truncated, or no longer, before the "
-          "hierarchy "
-          "is rebuilt.")
+    .real(
+      "Outdated Share", 0.1, "-", Range::closedOpen(0, 1),
+      "The share of the fault's nodes that may be newly truncated, or no longer, or have another "
+      "Hessian by an order of magnitude, before the hierarchy is rebuilt.")
     .hint("A tenth costs one or two iterations; a rebuild as much as four V-cycles in 2D, fifteen "
           "in 3D.")
     .foreignSublist(

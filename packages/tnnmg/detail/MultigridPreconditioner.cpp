@@ -18,6 +18,11 @@ using Execution = Kokkos::DefaultExecutionSpace;
 
 // A Hessian so much larger than Z's block leaves the V-cycle, where it would only cost digits.
 constexpr double stiff = 1e3;
+
+// The hierarchy's Hessian of a node is out of date where it is wrong by this factor. One below a
+// tenth of Z's block counts as that.
+constexpr double wrong = 10;
+constexpr double small = 0.1;
 } // namespace
 
 MultigridPreconditioner::MultigridPreconditioner(RCP<const MultigridOperator> A,
@@ -29,7 +34,8 @@ MultigridPreconditioner::MultigridPreconditioner(RCP<const MultigridOperator> A,
     , Z_(std::move(Z))
     , nodes_(std::move(nodes))
     , smoother_(*Z_, nodes_)
-    , hierarchy_(withCoupledTangents(Z_, *nodes_), near_null_space, muelu)
+    , coupled_(withCoupledTangents(*Z_, *nodes_))
+    , hierarchy_(coupled_.is_null() ? Z_ : RCP<const CrsMatrix>(coupled_), near_null_space, muelu)
     , excluded_("asperity::tnnmg::excluded", nodes_->size())
     , reference_("asperity::tnnmg::reference", nodes_->size(), nodes_->tangents(),
                  nodes_->tangents())
@@ -84,10 +90,20 @@ double MultigridPreconditioner::outdated() const
 {
   const auto now = unfit();
   const auto before = excluded_;
+  const auto diagonal = nodes_->diagonal;
+  const auto hessian = nodes_->hessian;
+  const auto reference = reference_;
   int changed = 0;
   Kokkos::parallel_reduce(
     "asperity::tnnmg::outdated", Kokkos::RangePolicy<Execution>(0, nodes_->size()),
-    KOKKOS_LAMBDA(int node, int& sum) { sum += now(node) != before(node); }, changed);
+    KOKKOS_LAMBDA(int node, int& sum) {
+      const double block = NodeBlock(diagonal, node).trace();
+      const double is = NodeBlock(hessian, node).trace() + small * block;
+      const double was = NodeBlock(reference, node).trace() - block + small * block;
+      const bool differs = is > wrong * was || was > wrong * is;
+      sum += now(node) != before(node) || (!now(node) && differs);
+    },
+    changed);
   const double mine[2] = {static_cast<double>(changed), static_cast<double>(nodes_->size())};
   double all[2] = {0, 0};
   Teuchos::reduceAll(*Z_->getComm(), Teuchos::REDUCE_SUM, 2, mine, all);
@@ -97,7 +113,8 @@ double MultigridPreconditioner::outdated() const
 void MultigridPreconditioner::rebuild()
 {
   if (!truncated_) {
-    truncated_.emplace(Z_);
+    truncated_.emplace(Z_, coupled_); // which the hierarchy needs no longer
+    coupled_ = Teuchos::null;
   }
   excluded_ = unfit();
   truncated_->fill(*nodes_, excluded_);
@@ -120,8 +137,8 @@ void MultigridPreconditioner::rebuildFromZ()
   if (!truncated_) {
     return;
   }
-  truncated_.reset();
   hierarchy_.rebuild(Z_);
+  truncated_.reset();
   Kokkos::deep_copy(excluded_, 0);
   Kokkos::deep_copy(reference_, nodes_->diagonal);
   setup();

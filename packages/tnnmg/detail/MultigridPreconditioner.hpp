@@ -28,7 +28,9 @@ public:
   void setup();
 
   // The share of nonlinear nodes, of all ranks, that the hierarchy has and the current blocks had
-  // better left out (removed or stiff), or the other way round.
+  // better left out (removed or stiff), or the other way round, or that it has with a Hessian that
+  // is now wrong by an order of magnitude: its coarse levels would correct smooth errors by too
+  // much or too little, the more so the finer the mesh.
   double outdated() const;
 
   // Hierarchy from the current blocks; prolongators stay.
@@ -54,6 +56,7 @@ private:
   RCP<const CrsMatrix> Z_;
   std::shared_ptr<const MultigridNodes> nodes_;
   MultigridSmoother smoother_;
+  RCP<CrsMatrix> coupled_; // what the hierarchy was first set up from, if that is not Z
   MultigridHierarchy hierarchy_;
   std::optional<MultigridTruncatedMatrix> truncated_; // what the hierarchy was rebuilt from
 

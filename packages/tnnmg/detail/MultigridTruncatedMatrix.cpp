@@ -36,9 +36,9 @@ FlagVector excludedColumns(CrsMatrix const& Z, NonlinearDofView const& dofs,
 }
 } // namespace
 
-MultigridTruncatedMatrix::MultigridTruncatedMatrix(RCP<const CrsMatrix> Z)
+MultigridTruncatedMatrix::MultigridTruncatedMatrix(RCP<const CrsMatrix> Z, RCP<CrsMatrix> storage)
     : Z_(std::move(Z))
-    , matrix_(rcp(new CrsMatrix(*Z_, Teuchos::Copy)))
+    , matrix_(storage.is_null() ? rcp(new CrsMatrix(*Z_, Teuchos::Copy)) : std::move(storage))
 {
 }
 
@@ -79,38 +79,76 @@ void MultigridTruncatedMatrix::fill(MultigridNodes const& nodes, FlagView const&
     });
 }
 
-RCP<const CrsMatrix> withCoupledTangents(RCP<const CrsMatrix> const& Z, MultigridNodes const& nodes)
+namespace
 {
-  constexpr double next_to_nothing = 1e-30;
-  if (nodes.tangents() == 1) {
-    return Z;
-  }
-  const auto result = rcp(new CrsMatrix(*Z, Teuchos::Copy));
-  const auto matrix = result->getLocalMatrixDevice();
-  const auto rows = Z->getRowMap()->getLocalMap();
-  const auto columns = Z->getColMap()->getLocalMap();
+// The places among the entries of Z that would couple the free tangents of a node and are zero:
+// calls visit(entry, node, s, t) for each. Returns their number on this rank.
+template <class Visit>
+int forEachUncoupled(CrsMatrix const& Z, MultigridNodes const& nodes, Visit const& visit)
+{
+  const FlagView held("asperity::tnnmg::held", Z.getLocalMatrixDevice().numRows());
+  const auto constrained = nodes.constrained;
+  Kokkos::parallel_for(
+    "asperity::tnnmg::markHeld", Kokkos::RangePolicy<Execution>(0, constrained.extent_int(0)),
+    KOKKOS_LAMBDA(int k) { held(constrained(k)) = 1; });
+  const auto matrix = Z.getLocalMatrixDevice();
+  const auto rows = Z.getRowMap()->getLocalMap();
+  const auto columns = Z.getColMap()->getLocalMap();
   const auto dofs = nodes.dofs;
-  const auto diagonal = nodes.diagonal;
-  int changed = 0;
+  int count = 0;
   Kokkos::parallel_reduce(
-    "asperity::tnnmg::coupleTangents", Kokkos::RangePolicy<Execution>(0, nodes.size()),
+    "asperity::tnnmg::findUncoupled", Kokkos::RangePolicy<Execution>(0, nodes.size()),
     KOKKOS_LAMBDA(int node, int& sum) {
       for (int s = 0; s < dofs.extent_int(1); ++s) {
         for (int t = 0; t < dofs.extent_int(1); ++t) {
           const int row = dofs(node, s);
           const int column = columns.getLocalElement(rows.getGlobalElement(dofs(node, t)));
-          for (auto k = matrix.graph.row_map(row); k < matrix.graph.row_map(row + 1); ++k) {
+          const bool free = !held(row) && !held(dofs(node, t));
+          for (auto k = matrix.graph.row_map(row); free && k < matrix.graph.row_map(row + 1); ++k) {
             if (static_cast<int>(matrix.graph.entries(k)) == column && matrix.values(k) == 0) {
-              matrix.values(k) = next_to_nothing * (diagonal(node, s, s) + diagonal(node, t, t));
+              visit(k, node, s, t);
               ++sum;
             }
           }
         }
       }
     },
-    changed);
+    count);
+  return count;
+}
+
+struct CoupleByNextToNothing
+{
+  decltype(std::declval<CrsMatrix>().getLocalMatrixDevice().values) values;
+  NodeBlockView diagonal;
+
+  template <class Entry>
+  KOKKOS_INLINE_FUNCTION void operator()(Entry k, int node, int s, int t) const
+  {
+    values(k) = 1e-30 * (diagonal(node, s, s) + diagonal(node, t, t));
+  }
+};
+
+struct Ignore
+{
+  template <class Entry>
+  KOKKOS_INLINE_FUNCTION void operator()(Entry, int, int, int) const
+  {
+  }
+};
+} // namespace
+
+RCP<CrsMatrix> withCoupledTangents(CrsMatrix const& Z, MultigridNodes const& nodes)
+{
+  const int mine = forEachUncoupled(Z, nodes, Ignore());
   int all = 0;
-  Teuchos::reduceAll(*Z->getComm(), Teuchos::REDUCE_SUM, changed, Teuchos::outArg(all));
-  return all > 0 ? RCP<const CrsMatrix>(result) : Z;
+  Teuchos::reduceAll(*Z.getComm(), Teuchos::REDUCE_SUM, mine, Teuchos::outArg(all));
+  if (all == 0) {
+    return Teuchos::null;
+  }
+  const auto result = rcp(new CrsMatrix(Z, Teuchos::Copy));
+  forEachUncoupled(Z, nodes,
+                   CoupleByNextToNothing{result->getLocalMatrixDevice().values, nodes.diagonal});
+  return result;
 }
 } // namespace asperity::tnnmg::detail

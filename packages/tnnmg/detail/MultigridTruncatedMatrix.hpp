@@ -9,7 +9,8 @@ namespace asperity::tnnmg::detail
 class MultigridTruncatedMatrix
 {
 public:
-  explicit MultigridTruncatedMatrix(RCP<const CrsMatrix> Z);
+  // storage: a matrix of Z's graph that is overwritten; null for a copy of Z.
+  explicit MultigridTruncatedMatrix(RCP<const CrsMatrix> Z, RCP<CrsMatrix> storage = Teuchos::null);
 
   // excluded(num_nodes): among them all removed nodes.
   void fill(MultigridNodes const& nodes, FlagView const& excluded);
@@ -23,8 +24,8 @@ private:
 
 // Z for the first set-up of a hierarchy that is to be rebuilt with Hessians: products leave out
 // what is zero, and a rebuild has no place for an entry that the first one did not have. So where
-// a node's tangents are not coupled by Z, which happens on regular meshes, they are by next to
-// nothing. Z itself where there is no such node on any rank.
-RCP<const CrsMatrix> withCoupledTangents(RCP<const CrsMatrix> const& Z,
-                                         MultigridNodes const& nodes);
+// a node's free tangents are not coupled by Z, which happens on regular meshes, they are by next
+// to nothing. Null where there is no such node on any rank: Z itself serves then. Constrained rows
+// get no Hessian, and no coupling.
+RCP<CrsMatrix> withCoupledTangents(CrsMatrix const& Z, MultigridNodes const& nodes);
 } // namespace asperity::tnnmg::detail

@@ -56,9 +56,13 @@ class Scaling(unittest.TestCase):
         self.assertIn(f"{fine} unknowns", self.table)
 
     def test_two_ranks_need_as_many_iterations(self):
-        _, numbers = scaling(2)
+        # Gauss-Seidel is local to a rank, so what a loose correction leaves depends on the ranks,
+        # and from rest a rupture is then reached on other ways: compared with tight ones.
+        tight = ["--set", "TNNMG/Correction Tolerance=1e-4"]
+        _, alone = scaling(1, *tight)
+        _, numbers = scaling(2, *tight)
         self.assertEqual(numbers["ranks"], 2)
-        for ours, theirs in zip(self.solves(self.numbers), self.solves(numbers)):
+        for ours, theirs in zip(self.solves(alone), self.solves(numbers)):
             self.assertLessEqual(abs(ours["tnnmg_iterations"] - theirs["tnnmg_iterations"]), 1,
                                  (ours, theirs))
             self.assertLess(theirs["error"], 1e-4)

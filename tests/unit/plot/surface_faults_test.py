@@ -48,11 +48,25 @@ class SurfaceFaults(unittest.TestCase):
         expected = surface.slip_of(np.array([surface.END]), strike, dip)[0]
         slip = fault_maps.event_slip(self.run_, surface.ONSET, surface.END)
         np.testing.assert_allclose(slip, expected, atol=1e-12)
-        front = fault_maps.arrivals(self.run_, surface.ONSET, surface.END)
+        front = fault_maps.arrivals(self.run_, 0)
         np.testing.assert_allclose(front, surface.arrivals(strike, dip), atol=1e-9)
-        self.assertIsNone(fault_maps.arrivals(self.run_, surface.END, surface.END + 1.0))
-        self.assertIsNone(fault_maps.arrivals(self.run_, 0.0, surface.ONSET - 1.0))
         self.assertEqual(fault_maps.interval(front), 0.2)  # 1.75 s in about six parts
+
+    def test_events_share_a_rupture_that_goes_on_through_them(self):
+        strike, dip, _ = surface.grid()
+        times, middle = surface.arrivals(strike, dip), 1.0
+        rows = (self.folder / "events.csv").read_text().splitlines()
+        second = rows[1].split(",")
+        first = ["1", *second[1:]]
+        first[2], first[3] = str(surface.ONSET + middle), str(middle)
+        second[0], second[1] = "2", str(surface.ONSET + middle + 0.2)
+        (self.folder / "events.csv").write_text(
+            "\n".join([rows[0], ",".join(first), ",".join(second)]) + "\n")
+        run = Run(self.folder)
+        early, late = fault_maps.arrivals(run, 0), fault_maps.arrivals(run, 1)
+        np.testing.assert_array_equal(np.isfinite(early), times <= middle)
+        np.testing.assert_array_equal(np.isfinite(late), times > middle)
+        self.assertEqual(np.nanmin(late), 0.0)
 
     def test_patterns_show_what_was_reached(self):
         where = plane.plane(self.run_, self.run_.ruptures)

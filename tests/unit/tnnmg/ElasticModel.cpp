@@ -102,6 +102,16 @@ Eigen::SparseMatrix<double> assemble(ElasticModelOptions const& options)
   return matrix;
 }
 
+// What is left of an elastic body is one of two scalars: still symmetric positive definite.
+void decoupleComponents(Eigen::SparseMatrix<double>& matrix)
+{
+  for (int column = 0; column < matrix.outerSize(); ++column) {
+    for (Eigen::SparseMatrix<double>::InnerIterator entry(matrix, column); entry; ++entry) {
+      entry.valueRef() = (entry.row() - column) % 2 == 0 ? entry.value() : 0;
+    }
+  }
+}
+
 RCP<const Map> makeMap(int num_nodes, int components)
 {
   const RCP<const Communicator> comm = rcp(new Teuchos::MpiComm<int>(MPI_COMM_WORLD));
@@ -152,6 +162,9 @@ ElasticModel::ElasticModel(ElasticModelOptions const& given)
     : options(given)
     , global(assemble(given))
 {
+  if (!options.components_are_coupled) {
+    decoupleComponents(global);
+  }
   chooseRows();
   map = makeMap(static_cast<int>(global.rows()) / options.components, options.components);
   Z = spread(global, map);
@@ -179,6 +192,11 @@ void ElasticModel::chooseRows()
   }
   for (int node : options.walls) {
     held[nonlinear[node][1]] = true;
+  }
+  for (int x : options.sliding) {
+    for (int y = 0; y <= options.cells_y; ++y) {
+      held[nodeAt(options, x, y) * options.components + 1] = true;
+    }
   }
   decouple(global, held);
   for (int row = 0; row < global.rows(); ++row) {

@@ -19,7 +19,9 @@ struct ElasticModelOptions
   double tau = 1e-3;  // s
   int components = 2; // 1 is antiplane
   int tangents = 1;   // nonlinear components of a fault node; with 2 of 2, nothing is held there
-  std::vector<int> walls = {}; // fault nodes whose second tangential component is held after all
+  std::vector<int> walls = {};   // fault nodes whose second tangential component is held after all
+  std::vector<int> sliding = {}; // columns of nodes whose second component is held from y = 0 up
+  bool components_are_coupled = true; // if not, Z has stored zeros where x would meet y
 };
 
 struct ElasticModel

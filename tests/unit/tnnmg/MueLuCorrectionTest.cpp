@@ -184,6 +184,75 @@ TEST(MueLuCorrection, largeStepsRebuildWhenManyNodesChange)
   EXPECT_GT(correction.statistics().setup_seconds, 0);
 }
 
+// Moderate Hessians count in smooth modes long before they rival the diagonal: without them the
+// coarse levels correct by too much.
+TEST(MueLuCorrection, largeStepsRebuildForHessiansOfAnotherMagnitude)
+{
+  const auto model = modelWith(large_step);
+  const auto r = rightHandSide(model);
+  MueLuCorrection correction(model.problem(), parameters());
+  FaultState state(model, Truncation::none, 0, 0);
+  const auto followed = solve(correction, model, state, r);
+  EXPECT_EQ(correction.statistics().rebuilds, 1);
+
+  auto kept_parameters = parameters();
+  kept_parameters.set("Hierarchy", "Keep");
+  MueLuCorrection kept(model.problem(), kept_parameters);
+  EXPECT_LT(followed.result.iterations, solve(kept, model, state, r).result.iterations);
+
+  for (double factor : {3., 30.}) {
+    for (auto& hessian : state.hessian) {
+      hessian *= factor;
+    }
+    const auto answer = solve(correction, model, state, r);
+    checkSolution(model, state, r, answer.correction);
+    EXPECT_EQ(correction.statistics().rebuilds, factor > 10 ? 2 : 1);
+  }
+}
+
+// Products leave out the zeros of Z, and friction brings something there: on regular meshes Z does
+// not couple the tangents of a node.
+TEST(MueLuCorrection, rebuildsWhereZDoesNotCoupleTheTangents)
+{
+  ElasticModelOptions options;
+  options.tau = large_step;
+  options.tangents = 2;
+  options.components_are_coupled = false;
+  const ElasticModel model(options);
+  const auto r = rightHandSide(model);
+  auto list = parameters();
+  list.set("Hierarchy", "Rebuild");
+  MueLuCorrection correction(model.problem(), list);
+  for (auto truncation : {Truncation::left_half, Truncation::none, Truncation::every_second}) {
+    const FaultState state(model, truncation, -2, 2);
+    checkSolution(model, state, r, solve(correction, model, state, r).correction);
+  }
+  EXPECT_EQ(correction.statistics().rebuilds, 3);
+  correction.reset(); // to a hierarchy of Z, whose place for the coupling stays
+  const FaultState state(model, Truncation::none, -2, 2);
+  checkSolution(model, state, r, solve(correction, model, state, r).correction);
+}
+
+// Between these nodes a translation across the wall has no share in an aggregate, which MueLu
+// refuses.
+TEST(MueLuCorrection, takesAPatchThatSlidesAlongAWall)
+{
+  ElasticModelOptions options;
+  options.tau = large_step;
+  for (int x = 10; x < 25; ++x) {
+    options.sliding.push_back(x);
+  }
+  const ElasticModel model(options);
+  const auto r = rightHandSide(model);
+  MueLuCorrection correction(model.problem(), parameters());
+  for (auto truncation : {Truncation::none, Truncation::left_half}) {
+    const FaultState state(model, truncation);
+    const auto answer = solve(correction, model, state, r);
+    EXPECT_TRUE(answer.result.converged);
+    checkSolution(model, state, r, answer.correction);
+  }
+}
+
 TEST(MueLuCorrection, resetForgetsEarlierSolves)
 {
   const auto model = modelWith(large_step);
