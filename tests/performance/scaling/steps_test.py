@@ -1,0 +1,36 @@
+"""What a step of a simulation takes: rate problem and state in turns, on multigrid."""
+
+import unittest
+
+import asperity_run
+
+DECK = asperity_run.SOURCE / "xml" / "bp5_qd.xml"
+
+
+class Steps(unittest.TestCase):
+    @classmethod
+    def setUpClass(cls):
+        folder = asperity_run.run_to_end(
+            "steps", DECK, "--set", "Mesh/Box/Cell Size Factor=4",
+            "--set", "TNNMG/Linear Correction=MueLu", "--set", "Time Stepping/Final Time=5")
+        cls.rows = asperity_run.table(folder / "steps.csv")
+
+    def total(self, name):
+        return sum(row[name] for row in self.rows)
+
+    def test_a_rate_problem_takes_fewer_than_two_iterations(self):
+        # Solved one by one they take three.
+        self.assertLess(self.total("tnnmg_iterations"), 2 * self.total("rate_problems"))
+        self.assertEqual(self.total("energy_rises"), 0)
+
+    def test_a_coupled_step_takes_few_v_cycles(self):
+        # Solved one by one they take 19 here, and 68 on the cells of the deck (docs/performance.md).
+        self.assertLess(self.total("v_cycles"), 10 * self.total("coupled_steps"))
+        self.assertGreater(self.total("v_cycles"), 0)
+
+    def test_steps_are_compared_in_pairs(self):
+        self.assertLess(self.total("coupled_steps"), 2 * len(self.rows))
+
+
+if __name__ == "__main__":
+    unittest.main()
