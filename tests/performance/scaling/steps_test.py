@@ -24,7 +24,7 @@ class Steps(unittest.TestCase):
         self.assertEqual(self.total("energy_rises"), 0)
 
     def test_a_coupled_step_takes_few_v_cycles(self):
-        # Solved one by one they take 19 here, and 68 on the cells of the deck (docs/performance.md).
+        # Solved one by one they take 19 here, and 68 on the deck's own cells.
         self.assertLess(self.total("v_cycles"), 10 * self.total("coupled_steps"))
         self.assertGreater(self.total("v_cycles"), 0)
 
