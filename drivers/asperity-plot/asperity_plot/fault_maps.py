@@ -110,7 +110,7 @@ def interval(front: np.ndarray) -> float:
 
 
 def contours(axes, where: plane.Plane, front: np.ndarray, unit: units.Unit, step: float,
-             last: float):
+             last: float, labels: bool = True):
     """Colours of the arrival from 0 to `last` [s] and a line every `step` [s]; triangles that the
     front did not reach as a whole are blank. The colours, for a colour bar; None without any."""
     reached = np.isfinite(front)
@@ -123,7 +123,8 @@ def contours(axes, where: plane.Plane, front: np.ndarray, unit: units.Unit, step
                              vmin=0.0, vmax=float(unit(last)))
     levels = unit(np.arange(np.ceil(np.nanmin(front) / step), np.nanmax(front) / step + 1.0) * step)
     lines = axes.tricontour(mesh, shown, levels=levels, colors="white", linewidths=0.8)
-    axes.clabel(lines, fontsize=7, fmt="%g")
+    if labels:
+        axes.clabel(lines, fontsize=7, fmt="%g")
     return picture
 
 

@@ -11,6 +11,7 @@ from .windows import View
 
 MOST = 8      # events shown, the last ones
 COLUMNS = 4
+LINES = 4     # of contours in the longest event at least
 MARGIN = 0.1  # around what was reached, as a share of its length
 
 
@@ -28,9 +29,9 @@ def draw(run: Run, view: View):
     figure, axes = style.panels(lines, columns, _size(limits, lines, columns), sharex=True,
                                 sharey=True)
     last = max(float(np.nanmax(front)) for front in fronts)
-    unit, step = units.duration(last), fault_maps.interval(np.array([0.0, last]))
+    unit, step = units.duration(last), units.nice(last / LINES)
     for panel, row, front in zip(axes.flat, events, fronts):
-        colours = fault_maps.contours(panel, where, front, unit, step, last)
+        colours = fault_maps.contours(panel, where, front, unit, step, last, labels=False)
         panel.set_title(_title(run, row), fontsize=9)
         panel.set(xlim=limits[0], ylim=limits[1][::-1], aspect="equal")
     for panel in axes.flat[len(events):]:
@@ -73,7 +74,7 @@ def extent(where: plane.Plane, fronts: List[np.ndarray]) -> Tuple[np.ndarray, np
 def _size(limits, lines: int, columns: int) -> Tuple[float, float]:
     width = 9.5 / columns
     height = width * np.ptp(limits[1]) / np.ptp(limits[0])
-    return 11.0, lines * (min(height, 4.0) + 0.5) + 0.8
+    return 11.0, lines * (min(height, 4.0) + 0.4) + 0.9
 
 
 def _title(run: Run, row: int) -> str:
