@@ -20,21 +20,21 @@ def draw(run: Run, view: View):
     if not run.has("rupture.h5"):
         raise NothingToShow("the run has no rupture.h5")
     where = plane.plane(run, run.ruptures)
-    events, fronts = chosen(run, view)
-    if not len(events):
+    rows, fronts = chosen(run, view)
+    if not rows:
         raise NothingToShow("no event in the time shown has a rupture front")
-    columns = min(COLUMNS, len(events))
-    lines = -(-len(events) // columns)
+    columns = min(COLUMNS, len(rows))
+    lines = -(-len(rows) // columns)
     limits = extent(where, fronts)
     figure, axes = style.panels(lines, columns, _size(limits, lines, columns), sharex=True,
                                 sharey=True)
     last = max(float(np.nanmax(front)) for front in fronts)
     unit, step = units.duration(last), units.nice(last / LINES)
-    for panel, row, front in zip(axes.flat, events, fronts):
+    for panel, row, front in zip(axes.flat, rows, fronts):
         colours = fault_maps.contours(panel, where, front, unit, step, last, labels=False)
         panel.set_title(_title(run, row), fontsize=9)
         panel.set(xlim=limits[0], ylim=limits[1][::-1], aspect="equal")
-    for panel in axes.flat[len(events):]:
+    for panel in axes.flat[len(rows):]:
         panel.axis("off")
     for panel in axes[-1, :]:
         panel.set_xlabel(f"Along strike [{where.unit.name}]")
@@ -42,7 +42,7 @@ def draw(run: Run, view: View):
         panel.set_ylabel(f"Down dip [{where.unit.name}]")
     figure.colorbar(colours, ax=axes, pad=0.02, aspect=30).set_label(
         f"Time since the onset [{unit.name}]\na line every {units.plain(step, 's')}")
-    style.title(figure, f"Rupture fronts of {style.counted(len(events), 'event')}")
+    style.title(figure, f"Rupture fronts of {style.counted(len(rows), 'event')}")
     return figure
 
 
