@@ -1,10 +1,10 @@
 """Maps of one event on a fault in three dimensions: its slip, and how its front ran."""
 
-from typing import List, Optional, Tuple
+from typing import Optional, Tuple
 
 import numpy as np
 
-from . import plane, style, units
+from . import plane, style, units, windows
 from .errors import NothingToShow
 from .run import Run
 from .windows import View
@@ -25,7 +25,8 @@ def draw(run: Run, view: View):
         _front(figure, panels[1], where, front)
     for panel in panels:
         where.label(panel)
-    style.title(figure, f"Event {numbers(run)[row]} at {units.text(onset, 's', 5)}, lasting "
+    number = windows.number(run.events, row)
+    style.title(figure, f"Event {number} at {units.text(onset, 's', 5)}, lasting "
                         f"{units.text(end - onset, 's')}")
     return figure
 
@@ -46,15 +47,8 @@ def _row(run: Run, view: View) -> int:
     if not len(events):
         raise NothingToShow("the run has no event")
     if view.zoom is not None:
-        return numbers(run).index(view.number)
+        return [windows.number(events, row) for row in range(len(events))].index(view.number)
     return int(np.argmax(events["peak_slip"]))
-
-
-def numbers(run: Run) -> List[int]:
-    """Of all events, as the catalogue has them."""
-    events = run.events
-    return [int(n) for n in events["number"]] if "number" in events \
-        else list(range(1, len(events) + 1))
 
 
 def interval_of(run: Run, row: int) -> Tuple[float, float]:

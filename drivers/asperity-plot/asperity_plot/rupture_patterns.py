@@ -4,7 +4,7 @@ from typing import List, Tuple
 
 import numpy as np
 
-from . import fault_maps, plane, style, units
+from . import fault_maps, plane, style, units, windows
 from .errors import NothingToShow
 from .run import Run
 from .windows import View
@@ -78,7 +78,8 @@ def _size(limits, lines: int, columns: int) -> Tuple[float, float]:
 
 
 def _title(run: Run, row: int) -> str:
-    text = f"{fault_maps.numbers(run)[row]}: {units.text(float(run.events['onset'][row]), 's', 6)}"
+    onset = units.text(float(run.events["onset"][row]), "s", 6)
+    text = f"{windows.number(run.events, row)}: {onset}"
     if "magnitude" in run.events:
         text += f", Mw {run.events['magnitude'][row]:.1f}"
     return text
