@@ -11,8 +11,8 @@ using friction::ConstNodeView;
 using friction::NodeView;
 using Nodes = Kokkos::RangePolicy<friction::ExecutionSpace>;
 
-// Differences of residuals that lie in one direction up to this share of their length tell nothing
-// apart.
+// Differences of residuals that lie in one direction up to the root of this share of the largest
+// one's length tell nothing apart: lengths enter squared in the normal equations.
 constexpr double parallel = 1e-10;
 
 NodeView copyOf(ConstNodeView const& values)

@@ -18,7 +18,8 @@ Teuchos::RCP<Teuchos::ParameterList> CouplingSettings::validParameters()
           "at which the "
           "coupling of rate and state counts as resolved.")
     .integer("Maximum Iterations", defaults.max_iterations, Range::atLeast(1),
-             "Fixed point iterations after which the step is rejected and halved.")
+             "Fixed point iterations after which the step is rejected: the step control halves it, "
+             "prescribed steps end there.")
     .integer(
       "Anderson Depth", defaults.anderson_depth, Range::atLeast(0),
       "Earlier iterates from which the next one is extrapolated; 0 is the plain fixed point.")

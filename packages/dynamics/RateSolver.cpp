@@ -60,7 +60,7 @@ public:
 
   void faultVelocity(friction::BlockView const& w) const override { gather(nodes_, w_, w); }
   void velocity(Vector& w) const override { schur_.expand(w_, w); }
-  std::size_t bytes() const override { return schur_.bytes(); }
+  std::size_t bytes() const override { return schur_.bytes() + correction_->bytes(); }
 
 private:
   tnnmg::SchurComplement schur_;
@@ -176,7 +176,10 @@ void solveLinear(RCP<const CrsMatrix> const& Z, Body const& body,
   }
   const Kokkos::View<LocalOrdinal**, Kokkos::LayoutRight, tnnmg::MemorySpace> none(
     "asperity::dynamics::none", 0, 1);
-  tnnmg::MueLuCorrection multigrid(multigridProblem(Z, body, none), settings.multigrid);
+  Teuchos::ParameterList list(settings.multigrid);
+  list.set("Method", "CG");      // a few cycles are for corrections, not for the last digits
+  list.set("Hierarchy", "Keep"); // without friction there is nothing to follow
+  tnnmg::MueLuCorrection multigrid(multigridProblem(Z, body, none), list);
   auto const result = multigrid.solve({}, b, 1e-12, x);
   if (!result.converged) {
     std::ostringstream message;

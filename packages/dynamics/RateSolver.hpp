@@ -43,7 +43,7 @@ public:
   // Of the last answer: at the fault nodes, and everywhere.
   virtual void faultVelocity(friction::BlockView const& w) const = 0;
   virtual void velocity(Vector& w) const = 0;
-  virtual std::size_t bytes() const = 0;
+  virtual std::size_t bytes() const = 0; // on this rank, about
 };
 
 // Z with the rows of fixed dofs replaced by their diagonal entry.

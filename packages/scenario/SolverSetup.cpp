@@ -19,7 +19,8 @@ RCP<const ParameterList> solverParameters()
             "fault; one rank. "
             "MueLu: algebraic multigrid. Auto: Direct on one rank for small problems.")
     .real("Memory Budget", 2000., "MB", Range::positive(),
-          "Solvers of different step sizes are kept up to this; the least recently used go first.")
+          "Of a rank: solvers of different step sizes are kept up to this, and the least recently "
+          "used go first.")
     .sublist("MueLu Correction", tnnmg::MueLuCorrection::validParameters(),
              "The multigrid correction.");
   return list;

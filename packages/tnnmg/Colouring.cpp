@@ -1,5 +1,7 @@
 #include "tnnmg/Colouring.hpp"
 
+#include "tnnmg/detail/SplitMix.hpp"
+
 #include <Teuchos_CommHelpers.hpp>
 #include <Tpetra_CrsGraph.hpp>
 #include <Tpetra_CrsMatrix.hpp>
@@ -23,14 +25,7 @@ using Weight = std::pair<std::uint64_t, GlobalOrdinal>; // the id decides where 
 
 constexpr int uncoloured = -1;
 
-// The finaliser of splitmix64 (Steele, Lea, Flood 2014): neighbouring ids get unrelated weights.
-Weight weightOf(GlobalOrdinal id)
-{
-  auto x = static_cast<std::uint64_t>(id) + 0x9e3779b97f4a7c15ULL;
-  x = (x ^ (x >> 30)) * 0xbf58476d1ce4e5b9ULL;
-  x = (x ^ (x >> 27)) * 0x94d049bb133111ebULL;
-  return {x ^ (x >> 31), id};
-}
+Weight weightOf(GlobalOrdinal id) { return {detail::splitMix(static_cast<std::uint64_t>(id)), id}; }
 
 // Neighbours and weights of this rank's rows, by local columns.
 struct Neighbourhood

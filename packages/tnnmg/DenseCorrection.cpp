@@ -184,4 +184,9 @@ CorrectionResult DenseCorrection::solve(NonlinearBlocks const& blocks, Vector co
   }
   return result;
 }
+
+std::size_t DenseCorrection::bytes() const
+{
+  return 2 * sizeof(double) * static_cast<std::size_t>(implementation_->Z.size());
+}
 } // namespace asperity::tnnmg

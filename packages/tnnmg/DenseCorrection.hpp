@@ -21,6 +21,8 @@ public:
                          Vector& c) override;
   void reset() override;
 
+  std::size_t bytes() const; // of Z and the factor
+
 private:
   struct Implementation;
   std::unique_ptr<Implementation> implementation_;

@@ -27,7 +27,7 @@ struct NonlinearBlocks
 };
 
 // What one correction took. Not converged is an answer, not an error: the line search makes it
-// harmless.
+// harmless. Not converged and zero is no answer, and TNNMG does not stop with it.
 struct CorrectionResult
 {
   bool converged = false;

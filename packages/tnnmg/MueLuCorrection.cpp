@@ -84,6 +84,14 @@ struct MueLuCorrection::Implementation
     rebuilds =
       parameters.hierarchy == Parameters::Hierarchy::rebuild ||
       (parameters.hierarchy == Parameters::Hierarchy::automatic && !withstandsTruncation());
+    reset();
+  }
+
+  void reset()
+  {
+    if (rebuilds) {
+      preconditioner->forget();
+    }
   }
 
   // Whether Z's hierarchy still serves when all nodes are truncated, for a right hand side of all
@@ -107,6 +115,7 @@ struct MueLuCorrection::Implementation
       preconditioner->rebuild();
       ++statistics.rebuilds;
     } else {
+      statistics.rebuilds += preconditioner->isDue() ? 1 : 0;
       preconditioner->setup();
     }
   }
@@ -164,11 +173,7 @@ CorrectionResult MueLuCorrection::solve(NonlinearBlocks const& blocks, Vector co
   return result;
 }
 
-void MueLuCorrection::reset()
-{
-  TimedScope scope(implementation_->setup_timer);
-  implementation_->preconditioner->rebuildFromZ();
-}
+void MueLuCorrection::reset() { implementation_->reset(); }
 
 MultigridStatistics MueLuCorrection::statistics() const
 {

@@ -16,7 +16,7 @@ struct MultigridStatistics
   int v_cycles = 0;   // of the solves
 
   int setups = 0;           // whole hierarchies
-  int rebuilds = 0;         // Galerkin products with kept prolongators
+  int rebuilds = 0;         // Galerkin products with kept prolongators, with Hessians or without
   double setup_seconds = 0; // of both and of the tests of a new hierarchy, on this rank
 };
 

@@ -19,9 +19,10 @@ struct TnnmgResult
   int corrections = 0;
   int correction_iterations = 0; // of conjugate gradients
   int v_cycles = 0;
-  int rises = 0;          // half steps after which J was larger by more than rounding
-  double last_change = 0; // energy norm
-  int failed_nodes = 0;   // on any rank
+  int rises = 0;            // half steps after which J was larger by more than rounding
+  int lost_corrections = 0; // of which nothing came
+  double last_change = 0;   // energy norm
+  int failed_nodes = 0;     // on any rank
 
   // Not for want of iterations.
   bool failed() const { return failed_nodes > 0 || !std::isfinite(last_change); }
@@ -76,7 +77,7 @@ public:
 private:
   TnnmgResult iterate(NodalProblem const& problem, Vector const& b, Vector& v, int max_iterations);
   void smooth(NodalProblem const& problem, Vector const& b, TnnmgResult& result);
-  void correct(NodalProblem const& problem, TnnmgResult& result);
+  bool correct(NodalProblem const& problem, TnnmgResult& result);
   double moveAlong(NodalProblem const& problem, double step);
 
   RCP<const CrsMatrix> Z_;
@@ -99,11 +100,12 @@ TnnmgResult Tnnmg<NodalProblem>::iterate(NodalProblem const& problem, Vector con
     ++result.iterations;
     vectors_.beginIteration();
     smooth(problem, b, result);
-    correct(problem, result);
+    const bool corrected = correct(problem, result);
     result.last_change = vectors_.energyOfChange();
-    result.converged =
-      result.last_change <=
+    const double small =
       std::max(settings_.absolute_tolerance, settings_.relative_tolerance * vectors_.energyNorm(b));
+    // What Gauss-Seidel alone still changes says nothing about the dofs that it does not visit.
+    result.converged = corrected && result.last_change <= small;
   }
   result.failed_nodes = detail::sumOverRanks(*Z_, result.failed_nodes);
   result.converged = result.converged && !result.failed();
@@ -124,8 +126,9 @@ void Tnnmg<NodalProblem>::smooth(NodalProblem const& problem, Vector const& b, T
   result.rises += vectors_.finishSweeps(*Z_, b, nonlinear.change, nonlinear.magnitude);
 }
 
+// False where the linear correction found nothing though there was something to correct.
 template <class NodalProblem>
-void Tnnmg<NodalProblem>::correct(NodalProblem const& problem, TnnmgResult& result)
+bool Tnnmg<NodalProblem>::correct(NodalProblem const& problem, TnnmgResult& result)
 {
   problem.linearise(blocks_.v, blocks_.gradient, blocks_.hessian, blocks_.truncated);
   blocks_.truncate(nodes_, curvature_, settings_.stiff);
@@ -136,6 +139,10 @@ void Tnnmg<NodalProblem>::correct(NodalProblem const& problem, TnnmgResult& resu
   ++result.corrections;
   result.correction_iterations += solved.iterations;
   result.v_cycles += solved.v_cycles;
+  if (!solved.converged && !(vectors_.c->norm2() > 0)) { // zero, or not a number
+    ++result.lost_corrections;
+    return false;
+  }
 
   gather(nodes_, *vectors_.c, blocks_.d);
   auto const along = vectors_.derivativeAlongCorrection(*Z_);
@@ -156,5 +163,6 @@ void Tnnmg<NodalProblem>::correct(NodalProblem const& problem, TnnmgResult& resu
   vectors_.move(step);
   shareGhosts(*Z_, *vectors_.v_columns);
   gather(nodes_, *vectors_.v, blocks_.v);
+  return true;
 }
 } // namespace asperity::tnnmg

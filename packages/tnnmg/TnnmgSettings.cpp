@@ -14,7 +14,8 @@ Teuchos::RCP<Teuchos::ParameterList> TnnmgSettings::validParameters()
     .real("Relative Tolerance", defaults.relative_tolerance, "-", Range::atLeast(0),
           "The same, relative to the energy norm of the velocity; the larger of the two counts.")
     .integer("Maximum Iterations", defaults.max_iterations, Range::atLeast(1),
-             "Iterations after which a rate problem counts as failed, which rejects the step.")
+             "Iterations after which the rate problem of a state at rest counts as failed, which "
+             "rejects the step.")
     .integer("Sweeps", defaults.sweeps, Range::atLeast(1),
              "Nonlinear Gauss-Seidel sweeps over the fault in each iteration.")
     .real("Correction Tolerance", defaults.correction_tolerance, "-", Range::open(0, 1),

@@ -31,17 +31,21 @@ double magnitudeOfLinearTerms(Vector const& b, Vector const& r, Vector const& d)
     sum);
   return sum;
 }
+
+double sumOver(Communicator const& communicator, double value)
+{
+  if (communicator.getSize() == 1) {
+    return value;
+  }
+  double sum = 0;
+  Teuchos::reduceAll(communicator, Teuchos::REDUCE_SUM, value, Teuchos::outArg(sum));
+  return sum;
+}
 } // namespace
 
 double sumOverRanks(CrsMatrix const& Z, double value)
 {
-  auto const communicator = Z.getRowMap()->getComm();
-  if (communicator->getSize() == 1) {
-    return value;
-  }
-  double sum = 0;
-  Teuchos::reduceAll(*communicator, Teuchos::REDUCE_SUM, value, Teuchos::outArg(sum));
-  return sum;
+  return sumOver(*Z.getRowMap()->getComm(), value);
 }
 
 int sumOverRanks(CrsMatrix const& Z, int value)
@@ -164,13 +168,8 @@ EnergyChange TnnmgVectors::linearChange(double step) const
 {
   EnergyChange result;
   result.change = step * (along_.start + step / 2 * along_.curvature);
-  double mine = magnitudeOfLinearTerms(*b_copy, *r, *c);
-  double all = mine;
-  auto const communicator = v->getMap()->getComm();
-  if (communicator->getSize() > 1) {
-    Teuchos::reduceAll(*communicator, Teuchos::REDUCE_SUM, mine, Teuchos::outArg(all));
-  }
-  result.magnitude = step * (all + step / 2 * along_.curvature);
+  const double terms = sumOver(*v->getMap()->getComm(), magnitudeOfLinearTerms(*b_copy, *r, *c));
+  result.magnitude = step * (terms + step / 2 * along_.curvature);
   return result;
 }
 

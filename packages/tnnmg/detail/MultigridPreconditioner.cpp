@@ -34,8 +34,7 @@ MultigridPreconditioner::MultigridPreconditioner(RCP<const MultigridOperator> A,
     , Z_(std::move(Z))
     , nodes_(std::move(nodes))
     , smoother_(*Z_, nodes_)
-    , coupled_(withCoupledTangents(*Z_, *nodes_))
-    , hierarchy_(coupled_.is_null() ? Z_ : RCP<const CrsMatrix>(coupled_), near_null_space, muelu)
+    , hierarchy_(withoutHessians(), near_null_space, muelu)
     , excluded_("asperity::tnnmg::excluded", nodes_->size())
     , reference_("asperity::tnnmg::reference", nodes_->size(), nodes_->tangents(),
                  nodes_->tangents())
@@ -47,8 +46,20 @@ MultigridPreconditioner::MultigridPreconditioner(RCP<const MultigridOperator> A,
   setup();
 }
 
+RCP<const CrsMatrix> MultigridPreconditioner::withoutHessians()
+{
+  coupled_ = withCoupledTangents(*Z_, *nodes_);
+  return coupled_.is_null() ? Z_ : RCP<const CrsMatrix>(coupled_);
+}
+
 void MultigridPreconditioner::setup()
 {
+  if (is_due_) {
+    hierarchy_.rebuild(withoutHessians());
+    truncated_.reset();
+    is_of_Z_ = true;
+    is_due_ = false;
+  }
   smoother_.setup();
   const auto diagonal = nodes_->diagonal;
   const auto hessian = nodes_->hessian;
@@ -116,6 +127,8 @@ void MultigridPreconditioner::rebuild()
     truncated_.emplace(Z_, coupled_); // which the hierarchy needs no longer
     coupled_ = Teuchos::null;
   }
+  is_of_Z_ = false;
+  is_due_ = false;
   excluded_ = unfit();
   truncated_->fill(*nodes_, excluded_);
   hierarchy_.rebuild(truncated_->matrix());
@@ -132,16 +145,11 @@ void MultigridPreconditioner::rebuild()
   setup();
 }
 
-void MultigridPreconditioner::rebuildFromZ()
+void MultigridPreconditioner::forget()
 {
-  if (!truncated_) {
-    return;
-  }
-  hierarchy_.rebuild(Z_);
-  truncated_.reset();
+  is_due_ = !is_of_Z_;
   Kokkos::deep_copy(excluded_, 0);
   Kokkos::deep_copy(reference_, nodes_->diagonal);
-  setup();
 }
 
 // z = G^T-sweep(S V S^T (r - A z)) after z = G-sweep(r): the sum of symmetric positive semidefinite

@@ -35,8 +35,12 @@ public:
 
   // Hierarchy from the current blocks; prolongators stay.
   void rebuild();
-  // Back to what the constructor left, if it was rebuilt since.
-  void rebuildFromZ();
+  // Back to a hierarchy that knows no Hessians. It is made by the next set-up, unless a rebuild
+  // comes first, and in the same way as a rebuild: on several ranks the constructor's has other
+  // last digits.
+  void forget();
+  // Whether the next set-up begins with a hierarchy from Z.
+  bool isDue() const { return is_due_; }
 
   RCP<const Map> getDomainMap() const override { return A_->getDomainMap(); }
   RCP<const Map> getRangeMap() const override { return A_->getRangeMap(); }
@@ -49,6 +53,7 @@ public:
   int numCycles() const { return num_cycles_; }
 
 private:
+  RCP<const CrsMatrix> withoutHessians();
   FlagView unfit() const;
   void scale(MultiVector& x, bool transposed) const;
 
@@ -56,9 +61,11 @@ private:
   RCP<const CrsMatrix> Z_;
   std::shared_ptr<const MultigridNodes> nodes_;
   MultigridSmoother smoother_;
-  RCP<CrsMatrix> coupled_; // what the hierarchy was first set up from, if that is not Z
+  RCP<CrsMatrix> coupled_; // what the hierarchy knows for Z without Hessians, if that is not Z
   MultigridHierarchy hierarchy_;
   std::optional<MultigridTruncatedMatrix> truncated_; // what the hierarchy was rebuilt from
+  bool is_of_Z_ = false;                              // by a rebuild
+  bool is_due_ = false;
 
   FlagView excluded_;       // nodes that the hierarchy's matrix has without their couplings
   NodeBlockView reference_; // the others' blocks there

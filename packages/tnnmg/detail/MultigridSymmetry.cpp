@@ -1,6 +1,7 @@
 #include "tnnmg/detail/MultigridSymmetry.hpp"
 
 #include "base/Errors.hpp"
+#include "tnnmg/detail/SplitMix.hpp"
 
 #include <Tpetra_Map.hpp>
 #include <Tpetra_Vector.hpp>
@@ -16,15 +17,10 @@ namespace
 {
 constexpr double tolerance = 1e-8;
 
-// In [-1, 1): the first number of the splitmix64 sequence (Steele, Lea, Flood 2014) that starts at
-// id.
+// In [-1, 1).
 double pseudorandom(std::uint64_t id)
 {
-  auto x = id + 0x9e3779b97f4a7c15ULL;
-  x = (x ^ (x >> 30)) * 0xbf58476d1ce4e5b9ULL;
-  x = (x ^ (x >> 27)) * 0x94d049bb133111ebULL;
-  x ^= x >> 31;
-  return std::ldexp(static_cast<double>(x >> 11), -52) - 1.0;
+  return std::ldexp(static_cast<double>(splitMix(id) >> 11), -52) - 1.0;
 }
 } // namespace
 

@@ -147,6 +147,26 @@ INSTANTIATE_TEST_SUITE_P(
                     SchemeCase{RateUpdate::generalisedAlpha(0), Scheme::generalised_alpha, 0},
                     SchemeCase{RateUpdate::generalisedAlpha(0.5), Scheme::generalised_alpha, 0.5}));
 
+// Every step ends at the same fixed point, and sooner.
+TEST(CoupledStep, takesFewerIterationsFromSeveralIterates)
+{
+  const Model model(slidingBlock(2), alone());
+  auto plain = tightCoupling();
+  plain.anderson_depth = 0;
+  Stepper slow(model, RateUpdate::newmark(0.25), milliseconds, plain);
+  Stepper fast(model, RateUpdate::newmark(0.25), milliseconds, tightCoupling());
+  auto state = slidingState(model);
+  for (int level : {0, 0, 1}) {
+    auto expected = state.clone(), accelerated = state.clone();
+    auto const of_slow = slow.step.solve(state, level, expected, slow.count);
+    auto const of_fast = fast.step.solve(state, level, accelerated, fast.count);
+    EXPECT_TRUE(of_slow.solved() && of_fast.solved());
+    EXPECT_LT(of_fast.iterations, of_slow.iterations);
+    expectNear(denseOf(accelerated), denseOf(expected), 1e-9);
+    state = expected.clone();
+  }
+}
+
 TEST(CoupledStep, endsInBalanceOfMomentumUnderEveryLaw)
 {
   for (std::string const law : {"Regularised", "Truncated"}) {

@@ -253,18 +253,34 @@ TEST(MueLuCorrection, takesAPatchThatSlidesAlongAWall)
   }
 }
 
+// To the last bit, whether the next solve has a hierarchy of its Hessians or of Z alone.
 TEST(MueLuCorrection, resetForgetsEarlierSolves)
 {
-  const auto model = modelWith(large_step);
-  const auto r = rightHandSide(model);
-  const FaultState state(model, Truncation::every_second);
-  MueLuCorrection fresh(model.problem(), parameters());
-  MueLuCorrection used(model.problem(), parameters());
-  solve(used, model, FaultState(model, Truncation::left_half), r);
-  used.reset();
-  const Eigen::VectorXd difference =
-    solve(fresh, model, state, r).correction - solve(used, model, state, r).correction;
-  EXPECT_EQ(difference.norm(), 0);
+  for (bool coupled : {true, false}) {
+    ElasticModelOptions options;
+    options.tau = large_step;
+    options.tangents = 2;
+    options.components_are_coupled = coupled;
+    const ElasticModel model(options);
+    const auto r = rightHandSide(model);
+    auto list = parameters();
+    list.set("Hierarchy", "Rebuild");
+    for (bool of_hessians : {false, true}) {
+      SCOPED_TRACE(::testing::Message() << coupled << ' ' << of_hessians);
+      const FaultState state = of_hessians ? FaultState(model, Truncation::every_second, -2, 2)
+                                           : FaultState(model, Truncation::none, -9, -8);
+      MueLuCorrection fresh(model.problem(), list);
+      MueLuCorrection used(model.problem(), list);
+      solve(used, model, FaultState(model, Truncation::left_half, -2, 2), r);
+      EXPECT_EQ(used.statistics().rebuilds, 1);
+      used.reset();
+      const Eigen::VectorXd difference =
+        solve(fresh, model, state, r).correction - solve(used, model, state, r).correction;
+      EXPECT_EQ(difference.norm(), 0);
+      EXPECT_EQ(fresh.statistics().rebuilds, 1);
+      EXPECT_EQ(used.statistics().rebuilds, 2);
+    }
+  }
 }
 
 // Each cycle minimises the energy along its direction: the error decreases in the energy norm.

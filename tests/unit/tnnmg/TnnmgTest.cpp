@@ -9,6 +9,8 @@
 #include <Tpetra_Map.hpp>
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 namespace asperity::tnnmg
 {
 using namespace testing;
@@ -324,6 +326,44 @@ TEST(Tnnmg, doesNotConvergeWhereANodeFailsOnAnyRank)
   const auto result = solveFull(problem, nodes, tight(), v);
   EXPECT_FALSE(result.converged);
   EXPECT_EQ(result.failed_nodes, result.iterations);
+}
+
+namespace
+{
+// Breaks down before its first iteration.
+class LostCorrection : public LinearCorrection
+{
+public:
+  explicit LostCorrection(double value) : value_(value) {}
+  CorrectionResult solve(NonlinearBlocks const&, Vector const&, double, Vector& c) override
+  {
+    c.putScalar(value_);
+    return {};
+  }
+
+private:
+  double value_;
+};
+} // namespace
+
+// Gauss-Seidel on the fault comes to rest against a body that nothing has moved.
+TEST(Tnnmg, doesNotConvergeWithoutCorrections)
+{
+  const RateProblem problem({1., 2, 1, Kind::logarithm});
+  auto const& model = problem.model;
+  for (double value : {0., std::nan("")}) {
+    Tnnmg<RoughNodes> tnnmg(
+      model.Z, nonlinearNodes(*model.Z, problem.localDofs(), 1, problem.heldOnRank({})),
+      std::make_shared<LostCorrection>(value), TnnmgSettings());
+    const Vector b = model.scatter(problem.b);
+    Vector v(model.map);
+    const auto result = tnnmg.solve(problem.nodesOfRank(), b, v);
+    EXPECT_FALSE(result.converged);
+    EXPECT_EQ(result.iterations, TnnmgSettings().max_iterations);
+    EXPECT_EQ(result.lost_corrections, result.iterations);
+    EXPECT_LE(result.last_change, 1e-8) << "which would pass for convergence";
+    EXPECT_TRUE(model.gather(v).allFinite());
+  }
 }
 
 namespace
