@@ -1,4 +1,4 @@
-"""The two ways in which a figure may not come into being."""
+"""The ways in which a figure may not come into being."""
 
 
 class InputError(Exception):
@@ -7,3 +7,7 @@ class InputError(Exception):
 
 class NothingToShow(Exception):
     """The run is sound but has nothing for this figure, a run without events for instance."""
+
+
+class OtherDimension(NothingToShow):
+    """The figure is not for runs in as many dimensions; nobody misses it who did not name it."""

@@ -6,17 +6,17 @@ from typing import Iterator, Optional, Tuple
 
 import numpy as np
 
-from .errors import InputError, NothingToShow
+from .errors import InputError, OtherDimension
 from .h5file import H5File
 
 BLOCK_BYTES = 16 * 2**20
 
 
 def positions(file: H5File) -> np.ndarray:
-    """(nodes) distance [m] along the curve; NothingToShow if the nodes lie on a surface."""
+    """(nodes) distance [m] along the curve; OtherDimension if the nodes lie on a surface."""
     if not file.has("geometry/positions") and file.has("geometry/coordinates") \
             and file.dataset("geometry/coordinates").shape[-1] == 3:
-        raise NothingToShow(f"{file.path.name} is not over a curve, as in two dimensions")
+        raise OtherDimension(f"{file.path.name} is not over a curve, as in two dimensions")
     along = file.array("geometry/positions")
     if along.size < 2 or np.any(np.diff(along) <= 0.0):
         raise InputError(f"{file.path} has no two nodes with increasing positions, which a "

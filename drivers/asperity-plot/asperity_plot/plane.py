@@ -7,7 +7,7 @@ import numpy as np
 from matplotlib.tri import Triangulation
 
 from . import units
-from .errors import NothingToShow
+from .errors import OtherDimension
 from .h5file import H5File
 from .run import Run
 
@@ -41,9 +41,9 @@ def is_surface(file: H5File) -> bool:
 
 
 def plane(run: Run, file: H5File) -> Plane:
-    """NothingToShow unless the nodes of `file` lie on a surface in three dimensions."""
+    """OtherDimension unless the nodes of `file` lie on a surface in three dimensions."""
     if not is_surface(file):
-        raise NothingToShow(f"{file.path.name} is not over a surface, as in three dimensions")
+        raise OtherDimension(f"{file.path.name} is not over a surface, as in three dimensions")
     nodes = file.array("geometry/coordinates")
     triangles = file.array(ELEMENTS[0] if file.has(ELEMENTS[0]) else ELEMENTS[1]).astype(int)
     strike, dip = directions(nodes[triangles], up(run))

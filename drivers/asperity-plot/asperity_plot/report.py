@@ -8,7 +8,7 @@ from typing import List, Optional
 from . import (boxes, energy, event_table, fault_history, fault_maps, iterations, moment_rate,
                receivers, rupture_patterns, rupture_times, slip, slip_profiles, slip_rate, style,
                surface, windows)
-from .errors import InputError, NothingToShow
+from .errors import InputError, NothingToShow, OtherDimension
 from .options import Options
 from .run import Run
 
@@ -62,7 +62,8 @@ def _draw_all(run: Run, view: windows.View, folder: Path, options: Namespace) ->
             if path is not None:
                 print(path)
         except NothingToShow as reason:
-            print(f"No figure '{name}': {reason}.")
+            if options.figures or not isinstance(reason, OtherDimension):
+                print(f"No figure '{name}': {reason}.")
         except InputError as error:
             errors.append(str(error))
     return errors
