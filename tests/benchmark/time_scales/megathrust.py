@@ -1,4 +1,5 @@
-"""A subduction zone over several cycles: enough events, and where their energy goes."""
+"""A subduction zone, megathrust.py DECK EVENTS [END]: at least so many events until the end of the
+deck or the given time [s], and where their energy goes."""
 
 import sys
 
@@ -7,7 +8,9 @@ from sequence import YEAR, catalogue
 
 
 def main():
-    folder = asperity_run.run_to_end("out", asperity_run.SOURCE / "xml" / "megathrust_2d.xml",
+    deck, least = sys.argv[1], int(sys.argv[2])
+    end = ("--set", f"Time Stepping/Final Time={sys.argv[3]}") if len(sys.argv) > 3 else ()
+    folder = asperity_run.run_to_end("out", asperity_run.SOURCE / "xml" / f"{deck}.xml", *end,
                                      timeout=14000)
     events = catalogue(folder)
     worst = 0
@@ -15,10 +18,12 @@ def main():
         defect = row["energy_defect"] / row["friction_work"]
         worst = max(worst, abs(defect))
         scheme = row["numerical_dissipation"] / row["friction_work"]
-        print(f"t = {row['onset'] / YEAR:.1f} yr: slip {row['peak_slip']:.2f} m, moment "
-              f"{row['moment_per_length']:.3g} N; of the friction work the time stepping "
-              f"took {scheme:.1e}, and the balance is off by {defect:.1e}")
-    return 0 if len(events) >= 4 and worst <= 1e-3 else 1
+        size = (f"Mw {row['magnitude']:.2f}" if "magnitude" in row else
+                f"moment {row['moment_per_length']:.3g} N")
+        print(f"t = {row['onset'] / YEAR:.6f} yr: slip {row['peak_slip']:.2f} m, {size}; of the "
+              f"friction work the time stepping took {scheme:.1e}, and the balance is off by "
+              f"{defect:.1e}")
+    return 0 if len(events) >= least and worst <= 1e-3 else 1
 
 
 if __name__ == "__main__":
