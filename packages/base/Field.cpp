@@ -106,10 +106,11 @@ double Field::evaluate(Part const& part, std::array<double, 3> const& x, double 
   return value;
 }
 
-std::vector<double> Field::values(std::vector<long long> const& global_ids) const
+std::vector<double> Field::values(std::vector<long long> const& global_ids,
+                                  long long num_vertices) const
 {
   ASPERITY_ASSERT(isDataset());
-  auto values = dataset_->read(global_ids);
+  auto values = dataset_->read(global_ids, num_vertices);
   for (std::size_t i = 0; i < values.size(); ++i) {
     ASPERITY_REQUIRE(range_.contains(values[i]),
                      path_ << " = '" << dataset_->name() << "' is " << formatNumber(values[i])

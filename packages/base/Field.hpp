@@ -40,7 +40,9 @@ public:
   }
 
   // The values of the vertices with these global ids. Only for datasets. Each rank reads its own.
-  std::vector<double> values(std::vector<long long> const& global_ids) const;
+  // InputError unless the dataset has num_vertices values.
+  std::vector<double> values(std::vector<long long> const& global_ids,
+                             long long num_vertices) const;
 
   bool isDataset() const { return dataset_ != nullptr; }
 

@@ -105,20 +105,20 @@ VertexDataset::VertexDataset(std::string const& name, std::string const& path)
 
 // In blocks of a megabyte or so, skipping those without a wanted id: no rank holds the whole
 // dataset.
-std::vector<double> VertexDataset::read(std::vector<long long> const& global_ids) const
+std::vector<double> VertexDataset::read(std::vector<long long> const& global_ids,
+                                        long long num_vertices) const
 {
   const Silence silence;
   std::vector<std::size_t> order(global_ids.size());
   std::iota(order.begin(), order.end(), std::size_t(0));
   std::sort(order.begin(), order.end(),
             [&](std::size_t i, std::size_t j) { return global_ids[i] < global_ids[j]; });
-  if (!order.empty()) {
-    ASPERITY_ASSERT(global_ids[order.front()] >= 0);
-    ASPERITY_REQUIRE(global_ids[order.back()] < size_,
-                     path_ << " = '" << name_ << "' has " << size_ << " values, none for vertex "
-                           << global_ids[order.back()]
-                           << ". One value per vertex of the mesh is wanted.");
-  }
+  ASPERITY_REQUIRE(size_ == num_vertices,
+                   path_ << " = '" << name_ << "' has " << size_ << " values, but the mesh has "
+                         << num_vertices
+                         << " vertices. One value per vertex of the mesh is wanted, in its order.");
+  ASPERITY_ASSERT(order.empty() ||
+                  (global_ids[order.front()] >= 0 && global_ids[order.back()] < num_vertices));
   const Handle file(H5Fopen(file_name_.c_str(), H5F_ACC_RDONLY, H5P_DEFAULT), H5Fclose);
   const Handle dataset(H5Dopen2(file.id(), dataset_name_.c_str(), H5P_DEFAULT), H5Dclose);
   constexpr long long block_size = 1 << 17;

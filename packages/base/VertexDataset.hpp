@@ -17,8 +17,9 @@ public:
   // dimension.
   VertexDataset(std::string const& name, std::string const& path);
 
-  // Values of these ids, in their order. InputError for an id the dataset is too short for.
-  std::vector<double> read(std::vector<long long> const& global_ids) const;
+  // Values of these ids, in their order. InputError unless there are num_vertices values: it is
+  // another mesh's then.
+  std::vector<double> read(std::vector<long long> const& global_ids, long long num_vertices) const;
 
   std::string const& name() const { return name_; }
 

@@ -26,7 +26,7 @@ void check(DeepWedge const& deep)
   checkDepth(deep.depth);
   for (auto const& [low, high] : deep.patches) {
     ASPERITY_REQUIRE(low >= 0.0 && low < high && high <= deep.depth,
-                     "Mesh / Wedge / Patches: the interval from "
+                     "Mesh / Deep Wedge / Seismogenic Intervals: the interval from "
                        << low << " to " << high << " m is no part of the depth, 0 to " << deep.depth
                        << " m.");
   }

@@ -47,7 +47,7 @@ template <int Dim>
 std::vector<NumberedPart<Dim>> localParts(GlobalMesh<Dim> const& mesh,
                                           std::vector<int> const& owners, int num_parts);
 
-// Partitions on rank 0 and returns each rank its part. `mesh` is the same on every rank.
+// Partitions, by rank 0's answer, and returns each rank its part. `mesh` is the same on every rank.
 // Collective.
 template <int Dim>
 Mesh<Dim> distribute(GlobalMesh<Dim> const& mesh, Communicator const& communicator,

@@ -27,9 +27,17 @@ std::vector<double> axis(int components, int which)
   return direction;
 }
 
+// Where there is but one direction to move in.
+void refuseDirection(ParameterList const& list, std::string const& name, char const* only)
+{
+  ASPERITY_REQUIRE(!isGiven(list, "Direction"), joinPath(name, "Direction")
+                                                  << " has no effect: " << only << ". Remove it.");
+}
+
 std::vector<double> directionOf(ParameterList const& list, std::string const& name, int components)
 {
   if (components == 1) {
+    refuseDirection(list, name, "an antiplane body moves along z alone");
     return {1.};
   }
   if (!isGiven(list, "Direction")) {
@@ -165,6 +173,9 @@ slipping(ParameterList const& list, std::string const& name,
   condition.velocity = [rate, factor](Point<Dim> const& x, double t) {
     return (*rate)(inSpace<Dim>(x), t, 0) / factor;
   };
+  if (components < 3) {
+    refuseDirection(list, name, "in two dimensions a fault slips along its tangent");
+  }
   if (components == 1) {
     condition.direction = {1};
     return {condition};

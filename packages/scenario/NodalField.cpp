@@ -45,7 +45,7 @@ NodalField::NodalField(ParameterList const& list, std::string const& name, std::
     for (int node : nodes) {
       ids.push_back(mesh.global_ids[node]);
     }
-    values_ = field_.values(ids);
+    values_ = field_.values(ids, mesh.num_global_vertices);
     return;
   }
   auto const regions = vertexRegions(mesh);

@@ -10,6 +10,7 @@
 #include "scenario/FrictionSetup.hpp"
 #include "scenario/MeshSetup.hpp"
 #include "scenario/SolverSetup.hpp"
+#include "scenario/SupportWeights.hpp"
 #include "scenario/TimeSetup.hpp"
 
 #include <Tpetra_CrsMatrix.hpp>
@@ -129,7 +130,8 @@ void Problem<Dim>::makeLoads(ParameterList const& deck, std::vector<fem::Materia
                                fault_nodes.weights, fault, gravity_load_);
 }
 
-// Pressure of the foundation on the fault nodes: the reaction K u - l across the fault per weight.
+// Pressure of the foundation on the fault nodes: the reaction K u - l across the fault per weight
+// of what bears it.
 template <int Dim>
 std::vector<double> Problem<Dim>::reactionPressure(Vector const& u) const
 {
@@ -137,6 +139,12 @@ std::vector<double> Problem<Dim>::reactionPressure(Vector const& u) const
   body.matrices.stiffness->apply(u, reaction, Teuchos::NO_TRANS, 1, -1);
   std::vector<double> along_axes;
   alongAxes(reaction, along_axes);
+  std::vector<bool> slides;
+  for (int i = 0; i < fault.numNodes(); ++i) {
+    slides.push_back(fault.slides(i));
+  }
+  auto const weights =
+    supportWeights(mesh, fault_nodes, boundary.velocities, boundary.fault, slides);
   std::vector<double> pressure;
   for (std::size_t i = 0; i < fault_nodes.nodes.size(); ++i) {
     const int node = fault_nodes.nodes[i];
@@ -145,7 +153,7 @@ std::vector<double> Problem<Dim>::reactionPressure(Vector const& u) const
     for (int d = 0; d < Dim; ++d) {
       outward += along_axes[Dim * node + d] * normal[d];
     }
-    pressure.push_back(-outward / fault_nodes.weights[i]);
+    pressure.push_back(-outward / weights[i]);
   }
   return pressure;
 }

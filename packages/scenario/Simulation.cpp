@@ -45,6 +45,7 @@ private:
   void begin();
   void advance();
   void writeCheckpoint();
+  void saveWhatThereIs();
   void report(bool finished);
   io::StepInfo stepInfo() const;
   bool atEnd() const;
@@ -165,6 +166,7 @@ int SimulationOf<Dim>::run()
       advance();
       if (signals.agreed(*communicator_) != 0) {
         writeCheckpoint();
+        outputs_->finish(); // a restart takes back what is not complete
         report(false);
         return exit_signal;
       }
@@ -172,15 +174,27 @@ int SimulationOf<Dim>::run()
         writeCheckpoint();
       }
     }
-  } catch (SolveError const& error) {
-    writeCheckpoint();
-    report(false);
+  } catch (SolveError const&) {
+    saveWhatThereIs();
     throw;
   }
   writeCheckpoint();
   outputs_->finish();
   report(true);
   return exit_done;
+}
+
+// What fails here must not hide why the run ends.
+template <int Dim>
+void SimulationOf<Dim>::saveWhatThereIs()
+{
+  try {
+    writeCheckpoint();
+    outputs_->finish();
+  } catch (InputError const& error) {
+    log_->message(error.what());
+  }
+  report(false);
 }
 
 template <int Dim>

@@ -1,5 +1,6 @@
 #include "io/detail/EventFollower.hpp"
 
+#include "base/Errors.hpp"
 #include "io/detail/Gather.hpp"
 
 #include <algorithm>
@@ -53,6 +54,7 @@ double EventFollower::crossingTime(Sample const& now, std::size_t i) const
 
 void EventFollower::save(Archive& archive) const
 {
+  archive.set("threshold", threshold_);
   archive.set("in_progress", in_progress_);
   archive.set("previous/exists", has_previous_);
   archive.set("previous/time", previous_.time);
@@ -62,6 +64,11 @@ void EventFollower::save(Archive& archive) const
 
 void EventFollower::restore(Archive const& archive)
 {
+  const double before = archive.getDouble("threshold");
+  ASPERITY_REQUIRE(before == threshold_,
+                   "The checkpoint is of a run whose events begin at "
+                     << before << " m/s, and the deck's Threshold is now " << threshold_
+                     << " m/s. Restart with the same one, or begin a new run.");
   in_progress_ = archive.getInteger("in_progress") != 0;
   has_previous_ = archive.getInteger("previous/exists") != 0;
   previous_.time = archive.getDouble("previous/time");

@@ -105,6 +105,18 @@ class Restart(Restarting):
         self.assert_same_results(folder)
         self.assertIn("Restarted from", (folder / "run.log").read_text())
 
+    def test_stopped_in_an_event(self):
+        """What has happened of it has its row, and a restart takes that back."""
+        always = [*RUN, *settings("Output/Event Catalogue/Threshold=1e-30")]
+        whole = asperity_run.run_to_end("one_event", *always)
+        folder = self.fresh("stopped_in_an_event")
+        self.stop(self.start(folder, deck=always), signal.SIGTERM)
+        row, = asperity_run.table(folder / "events.csv")
+        self.assertEqual(row["complete"], 0)
+        self.assertEqual(row["end"], asperity_run.table(folder / "steps.csv")[-1]["time"])
+        self.finish(folder, deck=always)
+        self.assert_same_results(folder, whole)
+
     def test_stopped_twice(self):
         folder = self.fresh("stopped_twice")
         self.stop(self.start(folder), signal.SIGTERM)

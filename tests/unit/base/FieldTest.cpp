@@ -207,13 +207,13 @@ TEST(FieldDataset, ValuesByGlobalId)
   EXPECT_TRUE(field.isDataset());
   EXPECT_FALSE(field.isConstant());
   EXPECT_FALSE(field.isZero());
-  EXPECT_EQ(field.values({299999, 0, 131072, 7, 7}),
+  EXPECT_EQ(field.values({299999, 0, 131072, 7, 7}, 300000),
             (std::vector<double>{149999.5, 0, 65536, 3.5, 3.5}));
-  EXPECT_TRUE(field.values({}).empty());
-  expectParts(refusal([&] {
-                field.values({3, 300000});
-              }),
-              {"Friction / a", "300000 values", "vertex 300000"});
+  EXPECT_TRUE(field.values({}, 300000).empty());
+  for (long long of_another_mesh : {299999, 300001}) {
+    expectParts(refusal([&] { field.values({3}, of_another_mesh); }),
+                {"Friction / a", "300000 values", std::to_string(of_another_mesh) + " vertices"});
+  }
 }
 
 TEST(FieldDataset, Refusals)
@@ -222,7 +222,7 @@ TEST(FieldDataset, Refusals)
   const auto file = directory.file("field.h5");
   writeDataset(file, "a", {1, -2, 3, 4}, {4});
   expectParts(refusal([&] {
-                fieldOf(file + ":/a", Range::positive()).values({0, 1});
+                fieldOf(file + ":/a", Range::positive()).values({0, 1}, 4);
               }),
               {"Friction / a", "-2", "vertex 1", "(0, inf)"});
   expectParts(refusal([&] { fieldOf(file + ":/b"); }), {"Friction / a", "no dataset '/b'"});

@@ -6,7 +6,7 @@
 #include <Tpetra_CrsMatrix.hpp>
 #include <gtest/gtest.h>
 
-// Motions without stiffness; and there are no others, which the number of null eigenvalues says.
+// Motions without stiffness, as many as a body has.
 namespace asperity::fem
 {
 using namespace testing;

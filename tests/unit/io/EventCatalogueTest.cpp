@@ -1,3 +1,4 @@
+#include "base/Errors.hpp"
 #include "base/Parameters.hpp"
 #include "io/outputs/EventCatalogue.hpp"
 #include "unit/io/Support.hpp"
@@ -278,6 +279,20 @@ TEST(EventCatalogue, ARestartAtAnyStepGivesTheSameTable)
     EXPECT_EQ(test::contents(directory / "events.csv"), expected) << "stopped before " << stop;
     EXPECT_EQ(after.catalogue->events().size(), 2u);
   }
+}
+
+TEST(EventCatalogue, RefusesAnotherThresholdOnRestart)
+{
+  test::TemporaryDirectory directory;
+  test::TemporaryDirectory elsewhere;
+  Observed run(directory.path());
+  Archive archive;
+  run.catalogue->save(archive);
+  ParameterList list;
+  list.set("Threshold", 2 * threshold);
+  completeAndValidate(list, *EventCatalogue::validParameters(), "Event Catalogue");
+  EventCatalogue other(list, OutputContext{elsewhere.path(), world(), run.fields, run.locations});
+  EXPECT_THROW(other.restore(archive), InputError);
 }
 
 TEST(EventCatalogue, TwoComponentsOfSlipCountByTheirMagnitude)

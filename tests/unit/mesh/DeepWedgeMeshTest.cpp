@@ -144,8 +144,9 @@ TEST(DeepWedgeMesh, NamesTheParameterThatIsWrong)
     expectInputError([&] { deepWedgeMesh(coarseShape(), deep); }, pieces);
   };
   expect_refused({0.0, {}, false}, {"Wedge / Depth = 0"});
-  expect_refused({0.6, {{0.0, 0.2}, {0.5, 0.7}}, false}, {"Wedge / Patches", "0.5 to 0.7", "0.6"});
-  expect_refused({0.6, {{0.2, 0.2}}, false}, {"Wedge / Patches", "0.2 to 0.2"});
+  expect_refused({0.6, {{0.0, 0.2}, {0.5, 0.7}}, false},
+                 {"Wedge / Seismogenic Intervals", "0.5 to 0.7", "0.6"});
+  expect_refused({0.6, {{0.2, 0.2}}, false}, {"Wedge / Seismogenic Intervals", "0.2 to 0.2"});
   WedgeShape flat = coarseShape();
   flat.height = 0.0;
   expectInputError([&] { deepWedgeMesh(flat, {}); }, {"Wedge / Height = 0"});

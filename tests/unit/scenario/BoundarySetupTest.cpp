@@ -176,6 +176,29 @@ TEST(BoundarySetup, refusesADirectionThatIsNone)
   }
 }
 
+TEST(BoundarySetup, refusesADirectionWhereThereIsOne)
+{
+  const auto directed = [](char const* type) {
+    return driven([type](ParameterList& condition) {
+      condition.remove("Velocity", false);
+      condition.remove("Direction", false);
+      condition.remove("Ramp Duration", false);
+      condition.set("Type", type).set("Direction", array<double>({-1, 0}));
+      if (std::string(type) == "Prescribed Slip Rate") {
+        condition.set("Slip Rate", 1e-9);
+      }
+    });
+  };
+  const std::pair<char const*, int> cases[] = {
+    {"Prescribed Velocity", 1}, {"Prescribed Slip Rate", 1}, {"Prescribed Slip Rate", 2}};
+  for (auto const& [type, components] : cases) {
+    const auto list = directed(type);
+    expectParts(
+      refusal([&, components = components] { makeBoundaryConditions<2>(list, components); }),
+      {"Asperity / Boundary Conditions / Left / Direction", "no effect"});
+  }
+}
+
 TEST(BoundarySetup, refusesConditionsThatContradict)
 {
   const std::vector<std::pair<std::string, std::string>> pairs = {

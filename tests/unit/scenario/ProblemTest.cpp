@@ -2,7 +2,10 @@
 
 #include "SampleDeck.hpp"
 #include "dynamics/StepControl.hpp"
+#include "mesh/BoxMesh.hpp"
+#include "mesh/Partition.hpp"
 #include "scenario/RunArchive.hpp"
+#include "scenario/SupportWeights.hpp"
 #include "scenario/TimeSetup.hpp"
 
 #include <Tpetra_Vector.hpp>
@@ -35,6 +38,59 @@ TEST(Problem, pressesOnTheFaultWithTheWeightOfTheBody)
   EXPECT_EQ(problem.fault.fixed, (std::vector<std::vector<int>>{{1}, {0}, {1}}))
     << "the walls hold its ends";
   EXPECT_TRUE(problem.remarks.empty());
+}
+
+// Where a wall goes on in its plane, the fault bears its own share of a node's load alone.
+TEST(Problem, sharesTheWeightWithAWallInItsPlane)
+{
+  const auto finer = [](auto& deck) {
+    deck.sublist("Mesh").sublist("Rectangle").set("Cells X", 4);
+  };
+  const Problem<2> whole(column(finer), world());
+  const Problem<2> part(column([&](auto& deck) {
+                          finer(deck);
+                          auto& boundaries = deck.sublist("Mesh").sublist("Boundaries");
+                          boundaries.set("contact", "y < 1e-9 && x < 1");
+                          boundaries.set("floor", "y < 1e-9 && x > 1");
+                          auto& conditions = deck.sublist("Boundary Conditions");
+                          conditions.sublist("Fault").set("Boundary", "contact");
+                          conditions.sublist("Floor").set("Boundary", "floor");
+                          conditions.sublist("Floor").set("Type", "Sliding Wall");
+                        }),
+                        world());
+  const auto expected = valuesOf(whole.fault.data.sigma_n);
+  const auto pressure = valuesOf(part.fault.data.sigma_n);
+  ASSERT_EQ(pressure.size(), 3U);
+  for (std::size_t i = 0; i < pressure.size(); ++i) {
+    EXPECT_NEAR(pressure[i], expected[i], 1e-8 * expected[i]) << i;
+  }
+}
+
+// The reaction to a wall that leans on the fault presses on it, too, by nobody knows how much.
+TEST(SupportWeights, refuseAWallThatIsObliqueToTheFault)
+{
+  for (double slope : {0., 0.5}) {
+    auto whole = mesh::boxMesh({{2, 1, 1}, {2, 1, 1}, {}});
+    for (auto& vertex : whole.vertices) {
+      vertex[0] += slope * vertex[1];
+    }
+    const auto mesh = mesh::distribute(whole, *world());
+    const auto fault_nodes = fem::boundaryNodes(mesh, "bottom", *world());
+    std::vector<fem::VelocityCondition<3>> walls(1);
+    walls[0].name = "Wall";
+    walls[0].boundary = "left";
+    const auto weights = [&](bool slides) {
+      return supportWeights(mesh, fault_nodes, walls, "bottom",
+                            std::vector<bool>(fault_nodes.nodes.size(), slides));
+    };
+    EXPECT_EQ(weights(false), fault_nodes.weights);
+    if (slope == 0) {
+      EXPECT_EQ(weights(true), fault_nodes.weights);
+    } else {
+      expectParts(refusal([&] { weights(true); }),
+                  {"Friction / Normal Stress", "Wall", "x = (0, 0, "});
+    }
+  }
 }
 
 TEST(Problem, multipliesTheNormalStress)
