@@ -1,6 +1,7 @@
 #include "fem/Constraints.hpp"
 
 #include "base/Errors.hpp"
+#include "mesh/PointText.hpp"
 
 #include <Teuchos_CommHelpers.hpp>
 #include <Tpetra_Import.hpp>
@@ -10,7 +11,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <sstream>
 
 namespace asperity::fem
 {
@@ -38,16 +38,6 @@ NodalFrames::Matrix frameFrom(Vectors basis, int components)
     }
   }
   return frame;
-}
-
-template <int Dim>
-std::string place(Point<Dim> const& x)
-{
-  std::ostringstream text;
-  for (int d = 0; d < Dim; ++d) {
-    text << (d == 0 ? "x = (" : ", ") << x[d];
-  }
-  return text.str() + ")";
 }
 } // namespace
 
@@ -185,7 +175,7 @@ NodalBasis Constraints<Dim>::layFrame(int node, std::vector<Direction> const& di
                      conditions_[obliqueCondition(directions, free)].name
                        << " prescribes a velocity neither along nor across the boundary '"
                        << conditions_[of_frame].boundary << "' at "
-                       << place<Dim>(owned_vertices_[node]) << ", where "
+                       << "x = " << mesh::text(owned_vertices_[node]) << ", where "
                        << conditions_[of_frame].name
                        << " leaves the body free to move across it. Prescribe the velocity along "
                           "or across it there, or in both directions.");
@@ -211,7 +201,8 @@ void Constraints<Dim>::requireAgreement(int node, int condition, Terms const& te
                      conditions_[condition].name
                        << " (boundary '" << conditions_[condition].boundary << "') contradicts "
                        << conditions_[first].name << " (boundary '" << conditions_[first].boundary
-                       << "') at " << place<Dim>(x) << ", t = " << t
+                       << "') at "
+                       << "x = " << mesh::text(x) << ", t = " << t
                        << " s: both prescribe the velocity in the same direction, and the values "
                           "differ by "
                        << difference << " m/s. Remove one of them.");

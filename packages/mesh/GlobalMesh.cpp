@@ -1,9 +1,9 @@
 #include "mesh/GlobalMesh.hpp"
 
 #include "base/Errors.hpp"
+#include "mesh/PointText.hpp"
 #include "mesh/SimplexGeometry.hpp"
 #include "mesh/detail/FacetTable.hpp"
-#include "mesh/detail/PointText.hpp"
 
 #include <set>
 
@@ -11,7 +11,7 @@ namespace asperity::mesh
 {
 namespace
 {
-using detail::text;
+using mesh::text; // of a point
 
 template <std::size_t Dim, std::size_t N>
 std::string text(std::array<std::array<double, Dim>, N> const& corners)

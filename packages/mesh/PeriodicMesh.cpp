@@ -2,10 +2,10 @@
 
 #include "base/Errors.hpp"
 #include "mesh/MeshQuality.hpp"
+#include "mesh/PointText.hpp"
 #include "mesh/SimplexGeometry.hpp"
 #include "mesh/detail/FacetTable.hpp"
 #include "mesh/detail/PointTable.hpp"
-#include "mesh/detail/PointText.hpp"
 
 #include <algorithm>
 #include <limits>
@@ -56,7 +56,7 @@ std::vector<int> identified(GlobalMesh<Dim> const& mesh, int axis, double period
     target[vertex] = table.find(point);
     ASPERITY_REQUIRE(target[vertex] >= 0,
                      where << ": no vertex of the first one lies " << period
-                           << " m before the vertex at " << detail::text(mesh.vertices[vertex])
+                           << " m before the vertex at " << text(mesh.vertices[vertex])
                            << " of the second one. They have to be translates of each other.");
   }
   std::vector<int> numbers(mesh.vertices.size(), -1);

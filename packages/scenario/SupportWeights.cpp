@@ -1,12 +1,12 @@
 #include "scenario/SupportWeights.hpp"
 
 #include "base/Errors.hpp"
+#include "mesh/PointText.hpp"
 #include "mesh/SimplexGeometry.hpp"
 
 #include <cmath>
 #include <map>
 #include <set>
-#include <sstream>
 
 namespace asperity::scenario
 {
@@ -16,19 +16,6 @@ namespace
 // for that by the frames of the nodes, too.
 constexpr double across = 0.1;
 constexpr double in_line = 0.9;
-
-template <int Dim>
-void refuseOblique(std::string const& condition, Point<Dim> const& place)
-{
-  std::ostringstream message;
-  message << "Asperity / Friction / Normal Stress is missing: " << condition
-          << " holds the fault at an angle that is neither right nor flat, at x = (";
-  for (int d = 0; d < Dim; ++d) {
-    message << (d > 0 ? ", " : "") << place[d];
-  }
-  message << "), and what of the weight there rests on the fault cannot be told. Give it.";
-  throw InputError(message.str());
-}
 } // namespace
 
 template <int Dim>
@@ -59,11 +46,14 @@ std::vector<double> supportWeights(Mesh<Dim> const& mesh,
         }
         const std::size_t i = found->second;
         const double cosine = mesh::dot<Dim>(normal, fault_nodes.normals[i]) / size;
-        if (cosine > in_line) {
-          weights[i] += mesh::facetMeasure(corners) / Dim;
-        } else if (std::abs(cosine) > across) {
-          refuseOblique<Dim>(condition.name, mesh.vertices[node]);
-        }
+        ASPERITY_REQUIRE(std::abs(cosine) < across || cosine > in_line,
+                         "Asperity / Friction / Normal Stress is missing: "
+                           << condition.name
+                           << " holds the fault at an angle that is neither right nor flat, at x = "
+                           << mesh::text(mesh.vertices[node])
+                           << ", and what of the weight there rests on the fault cannot be told. "
+                              "Give it.");
+        weights[i] += cosine > in_line ? mesh::facetMeasure(corners) / Dim : 0;
       }
     }
   }

@@ -39,6 +39,23 @@ ElasticModel modelWith(double tau, int components = 2, int tangents = 1)
   return ElasticModel(options);
 }
 
+// In large steps, where hierarchies follow the Hessians. Z couples a node's two tangents or not.
+ElasticModel modelWithTangents(bool coupled)
+{
+  ElasticModelOptions options;
+  options.tau = large_step;
+  options.tangents = 2;
+  options.components_are_coupled = coupled;
+  return ElasticModel(options);
+}
+
+Teuchos::ParameterList rebuilding()
+{
+  auto list = parameters();
+  list.set("Hierarchy", "Rebuild");
+  return list;
+}
+
 Eigen::VectorXd rightHandSide(ElasticModel const& model)
 {
   return pseudorandomVector(static_cast<int>(model.global.rows()), 5);
@@ -214,15 +231,9 @@ TEST(MueLuCorrection, largeStepsRebuildForHessiansOfAnotherMagnitude)
 // not couple the tangents of a node.
 TEST(MueLuCorrection, rebuildsWhereZDoesNotCoupleTheTangents)
 {
-  ElasticModelOptions options;
-  options.tau = large_step;
-  options.tangents = 2;
-  options.components_are_coupled = false;
-  const ElasticModel model(options);
+  const auto model = modelWithTangents(false);
   const auto r = rightHandSide(model);
-  auto list = parameters();
-  list.set("Hierarchy", "Rebuild");
-  MueLuCorrection correction(model.problem(), list);
+  MueLuCorrection correction(model.problem(), rebuilding());
   for (auto truncation : {Truncation::left_half, Truncation::none, Truncation::every_second}) {
     const FaultState state(model, truncation, -2, 2);
     checkSolution(model, state, r, solve(correction, model, state, r).correction);
@@ -257,20 +268,14 @@ TEST(MueLuCorrection, takesAPatchThatSlidesAlongAWall)
 TEST(MueLuCorrection, resetForgetsEarlierSolves)
 {
   for (bool coupled : {true, false}) {
-    ElasticModelOptions options;
-    options.tau = large_step;
-    options.tangents = 2;
-    options.components_are_coupled = coupled;
-    const ElasticModel model(options);
+    const auto model = modelWithTangents(coupled);
     const auto r = rightHandSide(model);
-    auto list = parameters();
-    list.set("Hierarchy", "Rebuild");
     for (bool of_hessians : {false, true}) {
       SCOPED_TRACE(::testing::Message() << coupled << ' ' << of_hessians);
       const FaultState state = of_hessians ? FaultState(model, Truncation::every_second, -2, 2)
                                            : FaultState(model, Truncation::none, -9, -8);
-      MueLuCorrection fresh(model.problem(), list);
-      MueLuCorrection used(model.problem(), list);
+      MueLuCorrection fresh(model.problem(), rebuilding());
+      MueLuCorrection used(model.problem(), rebuilding());
       solve(used, model, FaultState(model, Truncation::left_half, -2, 2), r);
       EXPECT_EQ(used.statistics().rebuilds, 1);
       used.reset();

@@ -5,7 +5,7 @@
 #include <sstream>
 #include <string>
 
-namespace asperity::mesh::detail
+namespace asperity::mesh
 {
 // "(0.5, -1)", for messages.
 template <std::size_t Dim>
@@ -19,4 +19,4 @@ std::string text(std::array<double, Dim> const& point)
   out << ')';
   return out.str();
 }
-} // namespace asperity::mesh::detail
+} // namespace asperity::mesh
