@@ -1,5 +1,6 @@
 option(ASPERITY_ENABLE_TESTS "Build the tests" ON)
 option(ASPERITY_ENABLE_MESH_TOOL "Build asperity-mesh, which links the Gmsh library (GPL)" ON)
+option(ASPERITY_PRECOMPILED_HEADERS "Compile the headers of Trilinos once, for faster builds" ON)
 option(ASPERITY_WARNINGS_AS_ERRORS "Treat compiler warnings as errors" OFF)
 
 set(CMAKE_POSITION_INDEPENDENT_CODE ON)

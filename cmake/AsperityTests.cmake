@@ -16,6 +16,8 @@ if(mpiexec_version MATCHES "Open MPI|OpenRTE")
   set(ASPERITY_MPI_OPTIONS --oversubscribe --bind-to none --mca mpi_yield_when_idle 1)
 endif()
 
+asperity_add_precompiled_headers(tests HEADERS <gtest/gtest.h> LIBRARIES GTest::gtest)
+
 # asperity_add_test(<level>.<package>.<Name> SOURCES <file>... PACKAGES <package>...
 #                   [LIBRARIES <target>...] [RANKS <n>...] [LABELS <label>...] [TIMEOUT <seconds>])
 #
@@ -44,6 +46,7 @@ function(asperity_add_test name)
   asperity_compile_options(${name})
   target_include_directories(${name} PRIVATE "${PROJECT_SOURCE_DIR}/tests")
   target_link_libraries(${name} PRIVATE asperity_test_main ${packages} ${TEST_LIBRARIES})
+  asperity_use_precompiled_headers(${name} tests)
   foreach(ranks IN LISTS TEST_RANKS)
     asperity_add_mpi_command(${name}_MPI_${ranks} RANKS ${ranks} COMMAND $<TARGET_FILE:${name}>)
     set_tests_properties(${name}_MPI_${ranks} PROPERTIES

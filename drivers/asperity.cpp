@@ -1,6 +1,6 @@
 // asperity DECK.xml [--set "Path/To/Parameter=value"]... [--output DIR] [--restart FILE]
 // [--validate]
-#include "base/MpiScope.hpp"
+#include "base/program/MpiScope.hpp"
 #include "scenario/DeckReader.hpp"
 #include "scenario/Simulation.hpp"
 

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "Scaling.hpp"
-#include "base/CommandLine.hpp"
+#include "base/program/CommandLine.hpp"
 
 #include <iosfwd>
 

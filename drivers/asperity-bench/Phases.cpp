@@ -1,7 +1,7 @@
 #include "Phases.hpp"
 
-#include "scenario/FrictionSetup.hpp"
-#include "scenario/NodalField.hpp"
+#include "scenario/setup/FrictionSetup.hpp"
+#include "scenario/setup/NodalField.hpp"
 
 #include <Teuchos_CommHelpers.hpp>
 #include <Tpetra_Vector.hpp>

@@ -1,7 +1,7 @@
 #include "Scaling.hpp"
 
-#include "scenario/BulkSetup.hpp"
-#include "scenario/TimeSetup.hpp"
+#include "scenario/setup/BulkSetup.hpp"
+#include "scenario/setup/TimeSetup.hpp"
 
 #include <Teuchos_CommHelpers.hpp>
 #include <Tpetra_Vector.hpp>

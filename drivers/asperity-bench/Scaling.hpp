@@ -1,7 +1,7 @@
 #pragma once
 
 #include "Phases.hpp"
-#include "base/Parameters.hpp"
+#include "base/parameters/Parameters.hpp"
 
 #include <string>
 #include <vector>

@@ -3,7 +3,7 @@
 #include "BenchArguments.hpp"
 #include "Scaling.hpp"
 #include "base/Errors.hpp"
-#include "base/MpiScope.hpp"
+#include "base/program/MpiScope.hpp"
 #include "scenario/DeckReader.hpp"
 
 #include <fstream>

@@ -3,8 +3,8 @@
 
 #include "base/Errors.hpp"
 #include "base/Text.hpp"
-#include "mesh/BoxMesh.hpp"
-#include "mesh/PeriodicMesh.hpp"
+#include "mesh/generation/BoxMesh.hpp"
+#include "mesh/generation/PeriodicMesh.hpp"
 
 using asperity::mesh::BoxShape;
 

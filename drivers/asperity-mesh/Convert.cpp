@@ -2,7 +2,7 @@
 #include "Commands.hpp"
 #include "GmshFile.hpp"
 
-#include "mesh/MeshFile.hpp"
+#include "mesh/file/MeshFile.hpp"
 
 #include <iostream>
 

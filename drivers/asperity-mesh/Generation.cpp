@@ -1,10 +1,10 @@
 #include "Generation.hpp"
 
 #include "base/Errors.hpp"
-#include "base/Expression.hpp"
 #include "base/Text.hpp"
-#include "mesh/Bisection.hpp"
-#include "mesh/MeshFile.hpp"
+#include "base/fields/Expression.hpp"
+#include "mesh/file/MeshFile.hpp"
+#include "mesh/generation/Bisection.hpp"
 
 #include <algorithm>
 #include <iostream>

@@ -2,9 +2,9 @@
 #include "Commands.hpp"
 
 #include "base/Text.hpp"
-#include "mesh/MeshFile.hpp"
 #include "mesh/MeshQuality.hpp"
-#include "mesh/PartitionedFile.hpp"
+#include "mesh/file/MeshFile.hpp"
+#include "mesh/file/PartitionedFile.hpp"
 
 #include <cmath>
 #include <iostream>

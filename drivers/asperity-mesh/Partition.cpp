@@ -3,9 +3,9 @@
 
 #include "base/Errors.hpp"
 #include "base/Text.hpp"
-#include "mesh/MeshFile.hpp"
 #include "mesh/MeshQuality.hpp"
-#include "mesh/PartitionedFile.hpp"
+#include "mesh/file/MeshFile.hpp"
+#include "mesh/file/PartitionedFile.hpp"
 
 #include <iostream>
 

@@ -2,7 +2,7 @@
 #include "Commands.hpp"
 #include "Generation.hpp"
 
-#include "mesh/RectangleMesh.hpp"
+#include "mesh/generation/RectangleMesh.hpp"
 
 using asperity::mesh::RectangleShape;
 

@@ -1,8 +1,8 @@
 #include "Commands.hpp"
 
 #include "base/Errors.hpp"
-#include "base/MpiScope.hpp"
 #include "base/NearestName.hpp"
+#include "base/program/MpiScope.hpp"
 
 #include <functional>
 #include <iostream>

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "dynamics/RateSolver.hpp"
+#include "dynamics/coupling/RateSolver.hpp"
 
 namespace asperity::dynamics
 {

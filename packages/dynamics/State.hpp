@@ -1,7 +1,7 @@
 #pragma once
 
 #include "base/Types.hpp"
-#include "dynamics/DyadicTime.hpp"
+#include "dynamics/control/DyadicTime.hpp"
 #include "friction/Types.hpp"
 
 #include <Tpetra_Vector.hpp>

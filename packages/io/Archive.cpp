@@ -28,8 +28,8 @@ Archive::Value const& Archive::at(std::string const& path) const
 {
   const auto found = values_.find(path);
   ASPERITY_REQUIRE(found != values_.end(),
-                   "The checkpoint has no value '" << path
-                     << "'. It was written by another version or for another deck.");
+                   "The checkpoint has no value '"
+                     << path << "'. It was written by another version or for another deck.");
   return found->second;
 }
 

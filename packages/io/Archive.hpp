@@ -14,8 +14,8 @@ namespace asperity::io
 class Archive
 {
 public:
-  using Value = std::variant<std::int64_t, double, std::string, std::vector<double>,
-                             std::vector<std::int64_t>>;
+  using Value =
+    std::variant<std::int64_t, double, std::string, std::vector<double>, std::vector<std::int64_t>>;
 
   // Replaces what the path held. Every integral type is kept as int64.
   template <class T>

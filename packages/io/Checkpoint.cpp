@@ -1,7 +1,7 @@
 #include "io/Checkpoint.hpp"
 
 #include "base/Errors.hpp"
-#include "io/H5.hpp"
+#include "base/hdf5/H5.hpp"
 #include "io/detail/ArchiveBytes.hpp"
 #include "io/detail/DurableFile.hpp"
 #include "io/detail/Gather.hpp"
@@ -117,9 +117,9 @@ void checkHeader(h5::File const& file, std::string const& name, std::string cons
                    name << " has format version " << version << ", but " << format_version
                         << " is read. Restart it with the version that wrote it.");
   const auto ranks = file.integerAttribute("num_ranks");
-  ASPERITY_REQUIRE(ranks == num_ranks,
-                   name << " was written by " << ranks << " rank(s) and cannot be read by "
-                        << num_ranks << ". Restart with mpirun -np " << ranks << ".");
+  ASPERITY_REQUIRE(ranks == num_ranks, name << " was written by " << ranks
+                                            << " rank(s) and cannot be read by " << num_ranks
+                                            << ". Restart with mpirun -np " << ranks << ".");
   ASPERITY_REQUIRE(file.textAttribute("fingerprint") == fingerprint,
                    name << " belongs to another deck. Restart it with the deck that it was "
                            "written for (parameters.xml beside it is a copy).");

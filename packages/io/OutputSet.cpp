@@ -1,7 +1,7 @@
 #include "io/OutputSet.hpp"
 
 #include "base/Errors.hpp"
-#include "base/Parameters.hpp"
+#include "base/parameters/Parameters.hpp"
 #include "io/detail/PointLocation.hpp"
 #include "io/outputs/EventCatalogue.hpp"
 

@@ -62,14 +62,17 @@ RunLog::Style RunLog::detectStyle()
 }
 
 RunLog::RunLog(std::filesystem::path const& file, bool append, Communicator const& comm)
-  : RunLog(file, append, comm, std::cout, detectStyle())
+    : RunLog(file, append, comm, std::cout, detectStyle())
 {
 }
 
 RunLog::RunLog(std::filesystem::path const& file, bool append, Communicator const& comm,
                std::ostream& terminal, Style const& style)
-  : active_(comm.getRank() == 0), terminal_(terminal), style_(style), start_(Clock::now()),
-    last_line_(start_)
+    : active_(comm.getRank() == 0)
+    , terminal_(terminal)
+    , style_(style)
+    , start_(Clock::now())
+    , last_line_(start_)
 {
   detail::onRoot(comm, [&] {
     file_.open(file, append ? std::ios::app : std::ios::trunc);

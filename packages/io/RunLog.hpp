@@ -14,10 +14,10 @@ namespace asperity::io
 // How far a run has come.
 struct Progress
 {
-  double time = 0;            // simulated [s]
-  double final_time = 0;      // [s]
-  double step_size = 0;       // [s]
-  double peak_slip_rate = 0;  // [m/s]
+  double time = 0;           // simulated [s]
+  double final_time = 0;     // [s]
+  double step_size = 0;      // [s]
+  double peak_slip_rate = 0; // [m/s]
   std::int64_t step = 0;
   int fixed_point_iterations = 0;
   std::int64_t num_events = 0;
@@ -31,9 +31,9 @@ class RunLog
 public:
   struct Style
   {
-    bool in_place = false;          // a terminal: one line, rewritten
-    int width = 80;                 // columns of the terminal
-    double seconds_per_line = 30;   // wall time between lines
+    bool in_place = false;        // a terminal: one line, rewritten
+    int width = 80;               // columns of the terminal
+    double seconds_per_line = 30; // wall time between lines
     double seconds_per_update = 0.1;
   };
   // Of standard output: in_place if it is a terminal, with its width.

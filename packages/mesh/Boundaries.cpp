@@ -2,8 +2,8 @@
 
 #include "base/Errors.hpp"
 #include "mesh/SimplexGeometry.hpp"
-#include "mesh/detail/Agreement.hpp"
 #include "mesh/detail/FacetTable.hpp"
+#include "mesh/parallel/detail/Agreement.hpp"
 
 #include <set>
 

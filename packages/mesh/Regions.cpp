@@ -2,7 +2,7 @@
 
 #include "base/Errors.hpp"
 #include "mesh/SimplexGeometry.hpp"
-#include "mesh/detail/Agreement.hpp"
+#include "mesh/parallel/detail/Agreement.hpp"
 
 namespace asperity::mesh
 {

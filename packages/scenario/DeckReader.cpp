@@ -3,13 +3,13 @@
 #include "base/NearestName.hpp"
 #include "friction/Registry.hpp"
 #include "io/OutputSet.hpp"
-#include "scenario/BoundarySetup.hpp"
-#include "scenario/BulkSetup.hpp"
-#include "scenario/FrictionSetup.hpp"
-#include "scenario/InitialSetup.hpp"
-#include "scenario/MeshSetup.hpp"
-#include "scenario/SolverSetup.hpp"
-#include "scenario/TimeSetup.hpp"
+#include "scenario/setup/BoundarySetup.hpp"
+#include "scenario/setup/BulkSetup.hpp"
+#include "scenario/setup/FrictionSetup.hpp"
+#include "scenario/setup/InitialSetup.hpp"
+#include "scenario/setup/MeshSetup.hpp"
+#include "scenario/setup/SolverSetup.hpp"
+#include "scenario/setup/TimeSetup.hpp"
 
 #include <algorithm>
 #include <sstream>

@@ -1,8 +1,8 @@
 #pragma once
 
-#include "base/CommandLine.hpp"
-#include "base/Parameters.hpp"
 #include "base/Types.hpp"
+#include "base/parameters/Parameters.hpp"
+#include "base/program/CommandLine.hpp"
 
 #include <string>
 

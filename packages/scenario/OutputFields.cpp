@@ -1,6 +1,6 @@
 #include "scenario/OutputFields.hpp"
 
-#include "scenario/NodalField.hpp"
+#include "scenario/setup/NodalField.hpp"
 
 #include <cmath>
 

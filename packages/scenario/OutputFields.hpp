@@ -1,7 +1,7 @@
 #pragma once
 
 #include "dynamics/EnergyBalance.hpp"
-#include "dynamics/StepControl.hpp"
+#include "dynamics/control/StepControl.hpp"
 #include "io/FieldRegistry.hpp"
 #include "io/Location.hpp"
 #include "scenario/Problem.hpp"

@@ -4,14 +4,14 @@
 #include "fem/BodyMatrices.hpp"
 #include "fem/BoundaryCells.hpp"
 #include "fem/NodalDamping.hpp"
-#include "scenario/BoundaryChecks.hpp"
-#include "scenario/BulkSetup.hpp"
-#include "scenario/FaultLoads.hpp"
-#include "scenario/FrictionSetup.hpp"
-#include "scenario/MeshSetup.hpp"
-#include "scenario/SolverSetup.hpp"
 #include "scenario/SupportWeights.hpp"
-#include "scenario/TimeSetup.hpp"
+#include "scenario/setup/BoundaryChecks.hpp"
+#include "scenario/setup/BulkSetup.hpp"
+#include "scenario/setup/FaultLoads.hpp"
+#include "scenario/setup/FrictionSetup.hpp"
+#include "scenario/setup/MeshSetup.hpp"
+#include "scenario/setup/SolverSetup.hpp"
+#include "scenario/setup/TimeSetup.hpp"
 
 #include <Tpetra_CrsMatrix.hpp>
 

@@ -1,16 +1,16 @@
 #pragma once
 
-#include "base/Parameters.hpp"
+#include "base/parameters/Parameters.hpp"
 #include "dynamics/Body.hpp"
 #include "dynamics/Fault.hpp"
-#include "dynamics/RateSolver.hpp"
 #include "dynamics/State.hpp"
+#include "dynamics/coupling/RateSolver.hpp"
 #include "fem/BoundaryNodes.hpp"
 #include "fem/Constraints.hpp"
 #include "fem/Material.hpp"
 #include "fem/RigidBodyMotions.hpp"
-#include "scenario/BoundarySetup.hpp"
-#include "scenario/InitialSetup.hpp"
+#include "scenario/setup/BoundarySetup.hpp"
+#include "scenario/setup/InitialSetup.hpp"
 
 #include <memory>
 #include <string>

@@ -2,7 +2,7 @@
 
 #include "base/Text.hpp"
 #include "mesh/SimplexGeometry.hpp"
-#include "scenario/NodalField.hpp"
+#include "scenario/setup/NodalField.hpp"
 
 #include <Teuchos_CommHelpers.hpp>
 

@@ -1,8 +1,8 @@
 #include "scenario/RunReport.hpp"
 
 #include "base/Text.hpp"
-#include "scenario/BulkSetup.hpp"
 #include "scenario/ResolutionCheck.hpp"
+#include "scenario/setup/BulkSetup.hpp"
 
 #include <Teuchos_CommHelpers.hpp>
 

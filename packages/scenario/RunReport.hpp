@@ -1,8 +1,8 @@
 #pragma once
 
-#include "base/Parameters.hpp"
-#include "dynamics/CoupledStep.hpp"
+#include "base/parameters/Parameters.hpp"
 #include "dynamics/EnergyBalance.hpp"
+#include "dynamics/coupling/CoupledStep.hpp"
 #include "io/outputs/EventCatalogue.hpp"
 #include "scenario/Problem.hpp"
 

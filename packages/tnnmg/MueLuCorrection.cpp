@@ -1,6 +1,6 @@
 #include "tnnmg/MueLuCorrection.hpp"
 
-#include "base/Timers.hpp"
+#include "base/program/Timers.hpp"
 #include "tnnmg/detail/MultigridConjugateGradients.hpp"
 #include "tnnmg/detail/MultigridParameters.hpp"
 #include "tnnmg/detail/MultigridPreconditioner.hpp"

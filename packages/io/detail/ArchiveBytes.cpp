@@ -80,9 +80,8 @@ Archive::Value readValue(Reader& reader, std::int64_t index, std::index_sequence
     reader.value(alternative);
     value = std::move(alternative);
   };
-  ((index == static_cast<std::int64_t>(I)
-      ? read(std::variant_alternative_t<I, Archive::Value>())
-      : void()),
+  ((index == static_cast<std::int64_t>(I) ? read(std::variant_alternative_t<I, Archive::Value>())
+                                          : void()),
    ...);
   return value;
 }
@@ -108,8 +107,8 @@ Archive fromBytes(std::vector<char> const& bytes)
     std::int64_t index = 0;
     reader.value(path);
     reader.value(index);
-    const auto value = readValue(
-      reader, index, std::make_index_sequence<std::variant_size_v<Archive::Value>>());
+    const auto value =
+      readValue(reader, index, std::make_index_sequence<std::variant_size_v<Archive::Value>>());
     std::visit([&](auto const& held) { archive.set(path, held); }, value);
   }
   return archive;

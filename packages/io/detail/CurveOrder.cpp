@@ -25,8 +25,8 @@ Neighbours neighboursAlong(std::vector<Segment> const& segments,
   for (auto const& entry : neighbours) {
     auto const& point = coordinates.at(entry.first);
     ASPERITY_REQUIRE(entry.second.size() <= 2,
-                     "The boundary branches at x = " << point[0] << ", y = " << point[1]
-                       << " m: " << entry.second.size()
+                     "The boundary branches at x = "
+                       << point[0] << ", y = " << point[1] << " m: " << entry.second.size()
                        << " segments meet there. Give each branch a name of its own.");
   }
   return neighbours;

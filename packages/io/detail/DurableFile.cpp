@@ -26,7 +26,7 @@ void synchronise(std::filesystem::path const& file)
     ::close(descriptor);
   }
   ASPERITY_REQUIRE(written, file.string() << " cannot be written to the disk: "
-                              << std::strerror(error) << ". Is the disk full?");
+                                          << std::strerror(error) << ". Is the disk full?");
 }
 
 void replace(std::filesystem::path const& file)

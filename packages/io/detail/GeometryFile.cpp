@@ -1,6 +1,6 @@
 #include "io/detail/GeometryFile.hpp"
 
-#include "io/H5.hpp"
+#include "base/hdf5/H5.hpp"
 #include "io/detail/DurableFile.hpp"
 #include "io/detail/Exchange.hpp"
 #include "io/detail/Gather.hpp"

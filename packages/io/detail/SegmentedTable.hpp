@@ -1,8 +1,8 @@
 #pragma once
 
 #include "base/Types.hpp"
+#include "base/hdf5/H5.hpp"
 #include "io/Archive.hpp"
-#include "io/H5.hpp"
 #include "io/detail/GeometryFile.hpp"
 #include "io/detail/NodeBlocks.hpp"
 

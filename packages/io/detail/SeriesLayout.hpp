@@ -1,7 +1,7 @@
 #pragma once
 
+#include "base/hdf5/H5.hpp"
 #include "io/FieldRegistry.hpp"
-#include "io/H5.hpp"
 #include "io/Location.hpp"
 #include "io/detail/SegmentedTable.hpp"
 

@@ -1,6 +1,6 @@
 #include "io/outputs/EventCatalogue.hpp"
 
-#include "base/Parameters.hpp"
+#include "base/parameters/Parameters.hpp"
 #include "io/detail/Gather.hpp"
 
 #include <algorithm>

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "base/Parameters.hpp"
+#include "base/parameters/Parameters.hpp"
 #include "io/Output.hpp"
 #include "io/SegmentedSeries.hpp"
 #include "io/WriteRule.hpp"

@@ -1,4 +1,4 @@
-#include "base/Parameters.hpp"
+#include "base/parameters/Parameters.hpp"
 #include "io/Output.hpp"
 #include "io/TextTable.hpp"
 #include "io/WriteRule.hpp"

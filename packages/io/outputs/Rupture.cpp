@@ -1,5 +1,5 @@
 #include "base/Errors.hpp"
-#include "base/Parameters.hpp"
+#include "base/parameters/Parameters.hpp"
 #include "io/Output.hpp"
 #include "io/detail/DurableFile.hpp"
 #include "io/detail/EventFollower.hpp"

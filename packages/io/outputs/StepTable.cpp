@@ -1,6 +1,6 @@
-#include "base/Parameters.hpp"
-#include "io/TextTable.hpp"
+#include "base/parameters/Parameters.hpp"
 #include "io/Output.hpp"
+#include "io/TextTable.hpp"
 
 #include <Teuchos_Array.hpp>
 
@@ -25,8 +25,8 @@ public:
   static std::string meaning() { return "What every accepted step cost: steps.csv."; }
 
   StepTable(Teuchos::ParameterList const& parameters, OutputContext const& context)
-    : scalars_(chosenScalars(parameters, context.fields)),
-      file_(context.directory / "steps.csv", header(scalars_), context.comm)
+      : scalars_(chosenScalars(parameters, context.fields))
+      , file_(context.directory / "steps.csv", header(scalars_), context.comm)
   {
   }
 

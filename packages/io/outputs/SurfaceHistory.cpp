@@ -22,7 +22,7 @@ public:
   }
 
   SurfaceHistory(Teuchos::ParameterList const& parameters, OutputContext const& context)
-    : FieldHistory("surface", parameters, context)
+      : FieldHistory("surface", parameters, context)
   {
   }
 };

@@ -21,7 +21,7 @@ public:
   }
 
   VolumeSnapshots(Teuchos::ParameterList const& parameters, OutputContext const& context)
-    : FieldHistory("volume", parameters, context)
+      : FieldHistory("volume", parameters, context)
   {
   }
 };

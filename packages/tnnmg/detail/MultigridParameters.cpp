@@ -1,6 +1,6 @@
 #include "tnnmg/detail/MultigridParameters.hpp"
 
-#include "base/Parameters.hpp"
+#include "base/parameters/Parameters.hpp"
 #include "tnnmg/detail/MultigridHierarchy.hpp"
 
 #include <string>

@@ -1,4 +1,4 @@
-#include "base/CommandLine.hpp"
+#include "base/program/CommandLine.hpp"
 
 #include "unit/base/Refusal.hpp"
 

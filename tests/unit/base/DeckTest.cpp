@@ -1,4 +1,4 @@
-#include "base/Deck.hpp"
+#include "base/parameters/Deck.hpp"
 
 #include "unit/base/Refusal.hpp"
 

@@ -1,4 +1,4 @@
-#include "base/Field.hpp"
+#include "base/fields/Field.hpp"
 
 #include "unit/base/Refusal.hpp"
 

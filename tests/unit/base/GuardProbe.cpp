@@ -1,7 +1,7 @@
 // A program with one way to fail per argument; GuardTest.cmake looks at its exit status and stderr.
 #include "base/Errors.hpp"
-#include "base/MpiScope.hpp"
-#include "base/Signals.hpp"
+#include "base/program/MpiScope.hpp"
+#include "base/program/Signals.hpp"
 
 #include <Kokkos_Core.hpp>
 #include <Teuchos_CommHelpers.hpp>

@@ -1,5 +1,5 @@
-#include "base/Parameters.hpp"
-#include "base/ParameterInfo.hpp"
+#include "base/parameters/Parameters.hpp"
+#include "base/parameters/ParameterInfo.hpp"
 
 #include "unit/base/Refusal.hpp"
 

@@ -1,4 +1,4 @@
-#include "base/Signals.hpp"
+#include "base/program/Signals.hpp"
 
 #include <Teuchos_DefaultMpiComm.hpp>
 #include <gtest/gtest.h>

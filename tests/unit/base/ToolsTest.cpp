@@ -1,7 +1,7 @@
 #include "base/NearestName.hpp"
 #include "base/Registry.hpp"
 #include "base/Text.hpp"
-#include "base/Timers.hpp"
+#include "base/program/Timers.hpp"
 
 #include "unit/base/Refusal.hpp"
 

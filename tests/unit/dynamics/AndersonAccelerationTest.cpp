@@ -1,4 +1,4 @@
-#include "dynamics/AndersonAcceleration.hpp"
+#include "dynamics/coupling/AndersonAcceleration.hpp"
 
 #include <Tpetra_Core.hpp>
 #include <gtest/gtest.h>

@@ -1,4 +1,4 @@
-#include "dynamics/CoupledStep.hpp"
+#include "dynamics/coupling/CoupledStep.hpp"
 
 #include "unit/dynamics/DenseReference.hpp"
 #include "unit/dynamics/SlidingBlock.hpp"

@@ -1,4 +1,4 @@
-#include "dynamics/DyadicTime.hpp"
+#include "dynamics/control/DyadicTime.hpp"
 
 #include <gtest/gtest.h>
 

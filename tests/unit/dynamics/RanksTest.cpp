@@ -1,6 +1,6 @@
 #include "dynamics/EnergyBalance.hpp"
 #include "dynamics/InitialState.hpp"
-#include "dynamics/StepControl.hpp"
+#include "dynamics/control/StepControl.hpp"
 #include "unit/dynamics/SlidingBlock.hpp"
 
 #include <Teuchos_CommHelpers.hpp>

@@ -1,4 +1,4 @@
-#include "dynamics/RichardsonControl.hpp"
+#include "dynamics/control/RichardsonControl.hpp"
 
 #include "base/Errors.hpp"
 #include "unit/dynamics/ControlTest.hpp"

@@ -2,7 +2,7 @@
 
 #include "fem/RigidBodyMotions.hpp"
 #include "friction/Registry.hpp"
-#include "mesh/Partition.hpp"
+#include "mesh/parallel/Partition.hpp"
 #include "tnnmg/MueLuCorrection.hpp"
 
 #include <Teuchos_CommHelpers.hpp>

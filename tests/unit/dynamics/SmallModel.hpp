@@ -1,6 +1,6 @@
 #pragma once
 
-#include "dynamics/CoupledStep.hpp"
+#include "dynamics/coupling/CoupledStep.hpp"
 #include "fem/BoundaryNodes.hpp"
 #include "fem/Constraints.hpp"
 #include "mesh/GlobalMesh.hpp"

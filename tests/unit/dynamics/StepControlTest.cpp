@@ -1,4 +1,4 @@
-#include "dynamics/StepControl.hpp"
+#include "dynamics/control/StepControl.hpp"
 
 #include "base/Errors.hpp"
 #include "unit/dynamics/ControlTest.hpp"

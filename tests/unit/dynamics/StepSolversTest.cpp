@@ -1,4 +1,4 @@
-#include "dynamics/StepSolvers.hpp"
+#include "dynamics/coupling/StepSolvers.hpp"
 
 #include "unit/dynamics/SlidingBlock.hpp"
 

@@ -2,7 +2,7 @@
 
 #include "base/Errors.hpp"
 #include "fem/DofMap.hpp"
-#include "mesh/Partition.hpp"
+#include "mesh/parallel/Partition.hpp"
 
 #include <Teuchos_DefaultMpiComm.hpp>
 #include <gtest/gtest.h>

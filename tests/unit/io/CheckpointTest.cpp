@@ -1,5 +1,5 @@
 #include "io/Checkpoint.hpp"
-#include "io/H5.hpp"
+#include "base/hdf5/H5.hpp"
 #include "unit/io/Support.hpp"
 
 #include <cmath>
@@ -88,7 +88,7 @@ TEST_F(Checkpoint, SomethingElseIsRefused)
 {
   test::write(file, "no HDF5 at all");
   EXPECT_TRUE(test::contains(errorOfReading(), "not a checkpoint of Asperity"));
-  test::onRankZero([&] { io::h5::File::create(file).setAttribute("format", std::string("x")); });
+  test::onRankZero([&] { h5::File::create(file).setAttribute("format", std::string("x")); });
   EXPECT_TRUE(test::contains(errorOfReading(), "not a checkpoint of Asperity"));
 }
 
@@ -109,7 +109,7 @@ TEST_F(Checkpoint, OtherVersionAndNumberOfRanksAreRefused)
 {
   const auto writeHeader = [&](std::int64_t version, std::int64_t num_ranks) {
     test::onRankZero([&] {
-      auto h5 = io::h5::File::create(file);
+      auto h5 = h5::File::create(file);
       h5.setAttribute("format", std::string("asperity checkpoint"));
       h5.setAttribute("format_version", version);
       h5.setAttribute("num_ranks", num_ranks);

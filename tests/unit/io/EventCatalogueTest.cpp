@@ -1,6 +1,6 @@
-#include "base/Errors.hpp"
-#include "base/Parameters.hpp"
 #include "io/outputs/EventCatalogue.hpp"
+#include "base/Errors.hpp"
+#include "base/parameters/Parameters.hpp"
 #include "unit/io/Support.hpp"
 
 #include <cmath>
@@ -13,16 +13,16 @@ namespace
 {
 constexpr int num_base = 5; // positions 0, 1/16, 1/4, 9/16, 1
 constexpr double threshold = 1e-2;
-using Rates = std::vector<double>; // of the nodes 0 .. num_base - 1 by position
+using Rates = std::vector<double>;                 // of the nodes 0 .. num_base - 1 by position
 const Rates shear_moduli{1e6, 2e6, 3e6, 4e6, 5e6}; // [Pa]
-using History = std::vector<Rates>; // at the times 0, 1, 2, ...
+using History = std::vector<Rates>;                // at the times 0, 1, 2, ...
 
 // A fault whose rates are prescribed; slip grows by the trapezoidal rule.
 struct Observed
 {
   explicit Observed(std::filesystem::path const& directory, Rates const& prescribed = {})
-    : locations{{"fault", boundaryLocation("fault", test::stripMesh(num_base), "base", world())}},
-      context{directory, world(), fields, locations}
+      : locations{{"fault", boundaryLocation("fault", test::stripMesh(num_base), "base", world())}}
+      , context{directory, world(), fields, locations}
   {
     fields.add({"slip_rate", "m/s", "Slip rate.", "fault", 1,
                 [this](std::vector<double>& values) { values = ownedOf(rates); }});
@@ -141,8 +141,8 @@ TEST(EventCatalogue, WritesTheTable)
                       "peak_slip_rate [m/s],moment_per_length [N],nucleation [m],complete,"
                       "friction_work [J/m],energy_defect [J/m]");
   EXPECT_EQ(table[1], "1," + exactNumber(run.catalogue->events()[0].onset) + "," +
-                        exactNumber(run.catalogue->events()[0].end) +
-                        ",3,0.5,3.50005,2," + shortNumber(run.catalogue->events()[0].moment) +
+                        exactNumber(run.catalogue->events()[0].end) + ",3,0.5,3.50005,2," +
+                        shortNumber(run.catalogue->events()[0].moment) +
                         ",0.25,1,16,-2"); // from step 0, the last one below, to step 4
 }
 

@@ -1,4 +1,4 @@
-#include "base/Parameters.hpp"
+#include "base/parameters/Parameters.hpp"
 #include "unit/io/Stage.hpp"
 
 #include <cmath>

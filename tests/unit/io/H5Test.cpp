@@ -1,4 +1,4 @@
-#include "io/H5.hpp"
+#include "base/hdf5/H5.hpp"
 #include "unit/io/Support.hpp"
 
 #include <cmath>
@@ -22,7 +22,9 @@ protected:
 
 TEST_F(H5, TextsReadBack)
 {
-  const std::vector<std::string> texts{"dp075", "", "Gr\xc3\xbc\xc3\x9f""e"};
+  const std::vector<std::string> texts{"dp075", "",
+                                       "Gr\xc3\xbc\xc3\x9f"
+                                       "e"};
   {
     auto file = h5::File::create(path());
     file.createTexts("on_fault/names", texts);
@@ -40,7 +42,8 @@ TEST_F(H5, ValuesAndAttributesReadBack)
   const std::int64_t large = (std::int64_t(1) << 60) + 1;
   {
     auto file = h5::File::create(path());
-    file.setAttribute("name", std::string("Gr\xc3\xbc\xc3\x9f""e"));
+    file.setAttribute("name", std::string("Gr\xc3\xbc\xc3\x9f"
+                                          "e"));
     file.setAttribute("version", std::int64_t(-3));
     file.create("a/b/real", h5::Type::float64, {3}).write(values.data());
     file.create("a/single", h5::Type::int64, {}).write(&large);
@@ -48,7 +51,8 @@ TEST_F(H5, ValuesAndAttributesReadBack)
     file.close();
   }
   const auto file = h5::File::open(path());
-  EXPECT_EQ(file.textAttribute("name"), "Gr\xc3\xbc\xc3\x9f""e");
+  EXPECT_EQ(file.textAttribute("name"), "Gr\xc3\xbc\xc3\x9f"
+                                        "e");
   EXPECT_EQ(file.integerAttribute("version"), -3);
   EXPECT_EQ(file.openDataset("a/b/real").readDoubles(), values);
   EXPECT_EQ(file.openDataset("a/single").readIntegers(), std::vector<std::int64_t>{large});

@@ -1,7 +1,7 @@
 #include "io/OutputSet.hpp"
-#include "base/Parameters.hpp"
+#include "base/hdf5/H5.hpp"
+#include "base/parameters/Parameters.hpp"
 #include "io/Checkpoint.hpp"
-#include "io/H5.hpp"
 #include "io/outputs/EventCatalogue.hpp"
 #include "unit/io/Stage.hpp"
 

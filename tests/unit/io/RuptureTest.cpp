@@ -1,5 +1,5 @@
-#include "base/Parameters.hpp"
-#include "io/H5.hpp"
+#include "base/hdf5/H5.hpp"
+#include "base/parameters/Parameters.hpp"
 #include "unit/io/Stage.hpp"
 
 #include <cmath>

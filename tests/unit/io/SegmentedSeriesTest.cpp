@@ -17,23 +17,31 @@ class Series
 {
 public:
   explicit Series(fs::path const& directory, bool single_precision = false)
-    : location(boundaryLocation("fault", test::stripMesh(num_base), "base", world())),
-      alpha{"alpha", "-", "State.", "fault", 1,
-            [this](std::vector<double>& values) {
-              values.clear();
-              for (const GlobalOrdinal node : location.node_numbers) {
-                values.push_back(row + node / 16.0);
-              }
-            }},
-      slip{"slip", "m", "Slip in two directions.", "fault", 2,
-           [this](std::vector<double>& values) {
-             values.clear();
-             for (const GlobalOrdinal node : location.node_numbers) {
-               values.push_back(row);
-               values.push_back(-static_cast<double>(node));
-             }
-           }},
-      series({directory, "fault", single_precision, 4}, location, {&alpha, &slip})
+      : location(boundaryLocation("fault", test::stripMesh(num_base), "base", world()))
+      , alpha{"alpha",
+              "-",
+              "State.",
+              "fault",
+              1,
+              [this](std::vector<double>& values) {
+                values.clear();
+                for (const GlobalOrdinal node : location.node_numbers) {
+                  values.push_back(row + node / 16.0);
+                }
+              }}
+      , slip{"slip",
+             "m",
+             "Slip in two directions.",
+             "fault",
+             2,
+             [this](std::vector<double>& values) {
+               values.clear();
+               for (const GlobalOrdinal node : location.node_numbers) {
+                 values.push_back(row);
+                 values.push_back(-static_cast<double>(node));
+               }
+             }}
+      , series({directory, "fault", single_precision, 4}, location, {&alpha, &slip})
   {
   }
 

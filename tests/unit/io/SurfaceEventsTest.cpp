@@ -1,5 +1,5 @@
-#include "base/Parameters.hpp"
-#include "io/H5.hpp"
+#include "base/hdf5/H5.hpp"
+#include "base/parameters/Parameters.hpp"
 #include "io/outputs/EventCatalogue.hpp"
 #include "unit/io/BlockMesh.hpp"
 #include "unit/io/Stage.hpp"

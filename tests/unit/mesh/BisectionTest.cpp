@@ -1,8 +1,8 @@
 #include "MeshSamples.hpp"
 
-#include "mesh/Bisection.hpp"
 #include "mesh/MeshQuality.hpp"
-#include "mesh/RectangleMesh.hpp"
+#include "mesh/generation/Bisection.hpp"
+#include "mesh/generation/RectangleMesh.hpp"
 #include "unit/base/Refusal.hpp"
 
 using namespace asperity;

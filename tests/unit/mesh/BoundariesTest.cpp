@@ -1,7 +1,7 @@
 #include "MeshSamples.hpp"
 
 #include "mesh/Boundaries.hpp"
-#include "mesh/RectangleMesh.hpp"
+#include "mesh/generation/RectangleMesh.hpp"
 
 using namespace asperity;
 using namespace asperity::mesh;

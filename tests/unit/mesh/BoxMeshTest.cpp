@@ -1,7 +1,7 @@
 #include "MeshSamples.hpp"
 
-#include "mesh/BoxMesh.hpp"
 #include "mesh/MeshQuality.hpp"
+#include "mesh/generation/BoxMesh.hpp"
 
 using namespace asperity;
 using namespace asperity::mesh;

@@ -1,10 +1,10 @@
 #include "MeshSamples.hpp"
 #include "SharedFolder.hpp"
 
-#include "mesh/BoxMesh.hpp"
-#include "mesh/MeshFile.hpp"
-#include "mesh/PartitionedFile.hpp"
-#include "mesh/detail/PartitionFormat.hpp"
+#include "mesh/file/MeshFile.hpp"
+#include "mesh/file/PartitionedFile.hpp"
+#include "mesh/file/detail/PartitionFormat.hpp"
+#include "mesh/generation/BoxMesh.hpp"
 
 #include <Teuchos_CommHelpers.hpp>
 #include <Teuchos_DefaultMpiComm.hpp>

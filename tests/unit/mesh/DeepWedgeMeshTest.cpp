@@ -1,8 +1,8 @@
 #include "MeshSamples.hpp"
 
-#include "mesh/DeepWedgeMesh.hpp"
 #include "mesh/MeshQuality.hpp"
-#include "mesh/PeriodicMesh.hpp"
+#include "mesh/generation/DeepWedgeMesh.hpp"
+#include "mesh/generation/PeriodicMesh.hpp"
 
 using namespace asperity;
 using namespace asperity::mesh;

@@ -1,8 +1,8 @@
 #include "MeshSamples.hpp"
 
-#include "mesh/ExtrudedMesh.hpp"
 #include "mesh/MeshQuality.hpp"
-#include "mesh/WedgeMesh.hpp"
+#include "mesh/generation/ExtrudedMesh.hpp"
+#include "mesh/generation/WedgeMesh.hpp"
 
 using namespace asperity;
 using namespace asperity::mesh;

@@ -1,9 +1,9 @@
 #include "MeshSamples.hpp"
 
-#include "mesh/BoxMesh.hpp"
-#include "mesh/MeshFile.hpp"
-#include "mesh/PeriodicMesh.hpp"
-#include "mesh/WedgeMesh.hpp"
+#include "mesh/file/MeshFile.hpp"
+#include "mesh/generation/BoxMesh.hpp"
+#include "mesh/generation/PeriodicMesh.hpp"
+#include "mesh/generation/WedgeMesh.hpp"
 
 #include <Teuchos_DefaultMpiComm.hpp>
 #include <hdf5.h>

@@ -69,9 +69,7 @@ void expectConforming(GlobalMesh<Dim> const& mesh)
     num_named += facets.size();
     for (auto const& facet : facets) {
       const auto outward = table.find(facet).first->outward;
-      EXPECT_GT(dot<Dim>(areaNormal(corners(mesh, facet)),
-                         areaNormal(corners(mesh, outward))),
-                0.0)
+      EXPECT_GT(dot<Dim>(areaNormal(corners(mesh, facet)), areaNormal(corners(mesh, outward))), 0.0)
         << name;
     }
   }

@@ -1,11 +1,11 @@
 #include "MeshSamples.hpp"
 
 #include "mesh/Boundaries.hpp"
-#include "mesh/BoxMesh.hpp"
-#include "mesh/Partition.hpp"
-#include "mesh/PeriodicMesh.hpp"
 #include "mesh/Regions.hpp"
-#include "mesh/WedgeMesh.hpp"
+#include "mesh/generation/BoxMesh.hpp"
+#include "mesh/generation/PeriodicMesh.hpp"
+#include "mesh/generation/WedgeMesh.hpp"
+#include "mesh/parallel/Partition.hpp"
 
 #include <Teuchos_DefaultMpiComm.hpp>
 

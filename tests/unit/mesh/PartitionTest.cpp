@@ -1,10 +1,10 @@
 #include "MeshSamples.hpp"
 
-#include "mesh/BoxMesh.hpp"
 #include "mesh/MeshQuality.hpp"
-#include "mesh/Partition.hpp"
-#include "mesh/RectangleMesh.hpp"
-#include "mesh/WedgeMesh.hpp"
+#include "mesh/generation/BoxMesh.hpp"
+#include "mesh/generation/RectangleMesh.hpp"
+#include "mesh/generation/WedgeMesh.hpp"
+#include "mesh/parallel/Partition.hpp"
 
 #include <Teuchos_CommHelpers.hpp>
 #include <Teuchos_DefaultMpiComm.hpp>

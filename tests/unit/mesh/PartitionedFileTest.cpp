@@ -1,11 +1,11 @@
 #include "MeshSamples.hpp"
 #include "SharedFolder.hpp"
 
-#include "mesh/BoxMesh.hpp"
-#include "mesh/MeshFile.hpp"
-#include "mesh/PartitionedFile.hpp"
-#include "mesh/PeriodicMesh.hpp"
-#include "mesh/WedgeMesh.hpp"
+#include "mesh/file/MeshFile.hpp"
+#include "mesh/file/PartitionedFile.hpp"
+#include "mesh/generation/BoxMesh.hpp"
+#include "mesh/generation/PeriodicMesh.hpp"
+#include "mesh/generation/WedgeMesh.hpp"
 
 #include <Teuchos_DefaultMpiComm.hpp>
 

@@ -1,11 +1,11 @@
 #include "MeshSamples.hpp"
 
-#include "mesh/BoxMesh.hpp"
-#include "mesh/ExtrudedMesh.hpp"
 #include "mesh/MeshQuality.hpp"
-#include "mesh/Partition.hpp"
-#include "mesh/PeriodicMesh.hpp"
-#include "mesh/RectangleMesh.hpp"
+#include "mesh/generation/BoxMesh.hpp"
+#include "mesh/generation/ExtrudedMesh.hpp"
+#include "mesh/generation/PeriodicMesh.hpp"
+#include "mesh/generation/RectangleMesh.hpp"
+#include "mesh/parallel/Partition.hpp"
 
 using namespace asperity;
 using namespace asperity::mesh;

@@ -1,9 +1,9 @@
 #include "MeshSamples.hpp"
 
-#include "mesh/Bisection.hpp"
-#include "mesh/BoxMesh.hpp"
 #include "mesh/MeshQuality.hpp"
-#include "mesh/PeriodicMesh.hpp"
+#include "mesh/generation/Bisection.hpp"
+#include "mesh/generation/BoxMesh.hpp"
+#include "mesh/generation/PeriodicMesh.hpp"
 
 #include <set>
 

@@ -1,7 +1,7 @@
 #include "MeshSamples.hpp"
 
 #include "mesh/MeshQuality.hpp"
-#include "mesh/WedgeMesh.hpp"
+#include "mesh/generation/WedgeMesh.hpp"
 
 using namespace asperity;
 using namespace asperity::mesh;

@@ -1,4 +1,4 @@
-#include "scenario/BoundarySetup.hpp"
+#include "scenario/setup/BoundarySetup.hpp"
 
 #include "SampleDeck.hpp"
 

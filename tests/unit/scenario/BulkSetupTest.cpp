@@ -1,4 +1,4 @@
-#include "scenario/BulkSetup.hpp"
+#include "scenario/setup/BulkSetup.hpp"
 
 #include "SampleDeck.hpp"
 

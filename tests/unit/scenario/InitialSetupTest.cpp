@@ -1,4 +1,4 @@
-#include "scenario/InitialSetup.hpp"
+#include "scenario/setup/InitialSetup.hpp"
 
 #include "SampleDeck.hpp"
 #include "scenario/Problem.hpp"

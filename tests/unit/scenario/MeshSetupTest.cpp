@@ -1,4 +1,4 @@
-#include "scenario/MeshSetup.hpp"
+#include "scenario/setup/MeshSetup.hpp"
 
 #include "SampleDeck.hpp"
 #include "mesh/MeshQuality.hpp"

@@ -1,7 +1,7 @@
 #include "scenario/OutputFields.hpp"
 
 #include "SampleDeck.hpp"
-#include "scenario/TimeSetup.hpp"
+#include "scenario/setup/TimeSetup.hpp"
 
 #include <Tpetra_Vector.hpp>
 

@@ -1,12 +1,12 @@
 #include "scenario/Problem.hpp"
 
 #include "SampleDeck.hpp"
-#include "dynamics/StepControl.hpp"
-#include "mesh/BoxMesh.hpp"
-#include "mesh/Partition.hpp"
+#include "dynamics/control/StepControl.hpp"
+#include "mesh/generation/BoxMesh.hpp"
+#include "mesh/parallel/Partition.hpp"
 #include "scenario/RunArchive.hpp"
 #include "scenario/SupportWeights.hpp"
-#include "scenario/TimeSetup.hpp"
+#include "scenario/setup/TimeSetup.hpp"
 
 #include <Tpetra_Vector.hpp>
 

@@ -1,8 +1,8 @@
 #include "SampleDeck.hpp"
 
-#include "mesh/Partition.hpp"
-#include "mesh/RectangleMesh.hpp"
 #include "mesh/Regions.hpp"
+#include "mesh/generation/RectangleMesh.hpp"
+#include "mesh/parallel/Partition.hpp"
 #include "scenario/DeckReader.hpp"
 
 #include <Teuchos_DefaultMpiComm.hpp>

@@ -1,7 +1,7 @@
 #pragma once
 
-#include "base/Parameters.hpp"
 #include "base/Types.hpp"
+#include "base/parameters/Parameters.hpp"
 #include "friction/Types.hpp"
 #include "mesh/Mesh.hpp"
 #include "unit/base/Refusal.hpp"

@@ -1,7 +1,7 @@
 #include "SampleDeck.hpp"
 #include "scenario/OutputFields.hpp"
 #include "scenario/Problem.hpp"
-#include "scenario/TimeSetup.hpp"
+#include "scenario/setup/TimeSetup.hpp"
 
 #include <Tpetra_Vector.hpp>
 

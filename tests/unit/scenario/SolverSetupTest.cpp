@@ -1,7 +1,7 @@
-#include "scenario/SolverSetup.hpp"
+#include "scenario/setup/SolverSetup.hpp"
 
 #include "SampleDeck.hpp"
-#include "scenario/TimeSetup.hpp"
+#include "scenario/setup/TimeSetup.hpp"
 
 namespace asperity::scenario
 {

@@ -1,4 +1,4 @@
-#include "mesh/RectangleMesh.hpp"
+#include "mesh/generation/RectangleMesh.hpp"
 #include "verification/waves/Waves.hpp"
 
 #include <Tpetra_Vector.hpp>

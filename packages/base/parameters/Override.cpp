@@ -1,0 +1,183 @@
+#include "base/NearestName.hpp"
+#include "base/Text.hpp"
+#include "base/parameters/Deck.hpp"
+#include "base/parameters/ParameterInfo.hpp"
+#include "base/parameters/ParameterValue.hpp"
+
+#include <Teuchos_Array.hpp>
+
+// --set "Path/To/Parameter=value"
+namespace asperity
+{
+using Teuchos::Array;
+using Teuchos::ParameterEntry;
+using Teuchos::RCP;
+
+namespace
+{
+// Where the path has led: the deck's list, and what is declared for it. `valid` is null below lists
+// whose names we do not know (foreign lists, the regions of a field).
+struct Place
+{
+  ParameterList* list;
+  ParameterList const* valid;
+  bool is_open;
+  std::string path;
+};
+
+ParameterEntry guessed(std::string const& value)
+{
+  if (value == "true" || value == "false") {
+    return ParameterEntry(value == "true");
+  }
+  if (const auto integer = readInteger(value)) {
+    return ParameterEntry(*integer);
+  }
+  if (const auto number = readNumber(value)) {
+    return ParameterEntry(*number);
+  }
+  return ParameterEntry(value);
+}
+
+std::vector<std::string> arrayPieces(std::string const& value)
+{
+  std::string inside = trimmed(value);
+  if (inside.size() >= 2 && inside.front() == '{' && inside.back() == '}') {
+    inside = trimmed(inside.substr(1, inside.size() - 2));
+  }
+  return inside.empty() ? std::vector<std::string>() : split(inside, ',');
+}
+
+// An array of T, or the text as it is if it does not say one; the check after it refuses that.
+template <class T, class Read>
+ParameterEntry arrayOf(std::string const& value, Read read)
+{
+  Array<T> elements;
+  for (auto const& piece : arrayPieces(value)) {
+    const auto element = read(piece);
+    if (!element) {
+      return ParameterEntry(value);
+    }
+    elements.push_back(*element);
+  }
+  return ParameterEntry(elements);
+}
+
+// As the declaration has it where the text can be read that way; else as guessed, for check to
+// refuse.
+ParameterEntry readAs(ParameterKind kind, std::string const& value)
+{
+  switch (kind) {
+  case ParameterKind::text:
+  case ParameterKind::file_name:
+  case ParameterKind::choice: return ParameterEntry(value);
+  case ParameterKind::real:
+  case ParameterKind::field:
+    if (const auto number = readNumber(value)) {
+      return ParameterEntry(*number);
+    }
+    return ParameterEntry(value);
+  case ParameterKind::real_array: return arrayOf<double>(value, readNumber);
+  case ParameterKind::integer_array: return arrayOf<int>(value, readInteger);
+  case ParameterKind::text_array:
+    return arrayOf<std::string>(value,
+                                [](std::string const& piece) { return std::optional(piece); });
+  default: return guessed(value);
+  }
+}
+
+// In a list that is not ours the entry that is there fixes the type.
+ParameterEntry readLike(ParameterList const& list, std::string const& name,
+                        std::string const& value, std::string const& path)
+{
+  const ParameterEntry entry = guessed(value);
+  if (!list.isParameter(name)) {
+    return entry;
+  }
+  auto const& old = list.getEntry(name);
+  if (holds<std::string>(old)) {
+    return ParameterEntry(value);
+  }
+  if (holds<double>(old) && numberIn(entry)) {
+    return ParameterEntry(*numberIn(entry));
+  }
+  ASPERITY_REQUIRE(old.getAny(false).type() == entry.getAny(false).type(),
+                   path << " = " << valueText(entry) << " is " << typeText(entry) << ", but "
+                        << typeText(old) << " is there.");
+  return entry;
+}
+
+// The declaration of a name here; null below foreign lists.
+ParameterEntry const* declaration(Place const& place, std::string const& name)
+{
+  if (!place.valid) {
+    return nullptr;
+  }
+  if (place.is_open) {
+    return &place.valid->entry(place.valid->begin());
+  }
+  ASPERITY_REQUIRE(place.valid->isParameter(name), joinPath(place.path, name)
+                                                     << " is unknown."
+                                                     << didYouMean(name, namesIn(*place.valid)));
+  return &place.valid->getEntry(name);
+}
+
+RCP<const ParameterInfo> infoOf(ParameterEntry const* declared)
+{
+  return declared ? Teuchos::rcp_dynamic_cast<const ParameterInfo>(declared->validator())
+                  : Teuchos::null;
+}
+
+// One list down. A field may be entered: its list has one value per region.
+Place descend(Place const& place, std::string const& name)
+{
+  const std::string path = joinPath(place.path, name);
+  ParameterEntry const* declared = declaration(place, name);
+  const auto info = infoOf(declared);
+  const bool is_field = !info.is_null() && info->kind == ParameterKind::field;
+  ASPERITY_REQUIRE(!declared || declared->isList() || is_field,
+                   path << " is no list; it has no parameters.");
+  if (place.list->isParameter(name) && !place.list->isSublist(name)) {
+    ASPERITY_REQUIRE(is_field, path << " = " << valueText(place.list->getEntry(name))
+                                    << " is no list; it has no parameters.");
+    place.list->remove(name);
+  }
+  ParameterList& list = place.list->sublist(name);
+  if (!declared || is_field || info->kind == ParameterKind::foreign_sublist) {
+    return {&list, nullptr, false, path};
+  }
+  return {&list, &get<ParameterList>(*declared), info->kind == ParameterKind::open_sublist, path};
+}
+
+void setValue(Place const& place, std::string const& name, std::string const& value)
+{
+  const std::string path = joinPath(place.path, name);
+  ParameterEntry const* declared = declaration(place, name);
+  ASPERITY_REQUIRE(!declared || !declared->isList(), path << " is a list; name a parameter in it.");
+  const auto info = infoOf(declared);
+  if (info.is_null()) {
+    place.list->setEntry(name, readLike(*place.list, name, value, path));
+    return;
+  }
+  const ParameterEntry entry = readAs(info->kind, value);
+  info->check(entry, path);
+  place.list->setEntry(name, entry);
+}
+} // namespace
+
+void applyOverride(ParameterList& list, ParameterList const& valid, std::string const& assignment)
+{
+  const auto equals = assignment.find('=');
+  ASPERITY_REQUIRE(equals != std::string::npos && !trimmed(assignment.substr(0, equals)).empty(),
+                   "--set '" << assignment << "' is not of the form \"Path/To/Parameter=value\".");
+  auto names = split(assignment.substr(0, equals), '/');
+  if (names.size() > 1 && names.front() == "Asperity") {
+    names.erase(names.begin());
+  }
+  Place place{&list, &valid, false, "Asperity"};
+  for (std::size_t i = 0; i + 1 < names.size(); ++i) {
+    place = descend(place, names[i]);
+  }
+  setValue(place, names.back(), trimmed(assignment.substr(equals + 1)));
+}
+} // namespace asperity

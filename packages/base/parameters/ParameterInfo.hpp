@@ -1,0 +1,76 @@
+#pragma once
+
+#include "base/parameters/Parameters.hpp"
+
+#include <Teuchos_ParameterEntryValidator.hpp>
+
+#include <iosfwd>
+#include <string>
+#include <vector>
+
+namespace asperity
+{
+enum class ParameterKind
+{
+  real,
+  integer,
+  boolean,
+  text,
+  file_name,
+  choice,
+  field,
+  real_array,
+  integer_array,
+  text_array,
+  sublist,
+  open_sublist,
+  foreign_sublist
+};
+
+enum class Presence
+{
+  has_default,
+  is_required,
+  is_optional
+};
+
+// What a declaration says beyond default and meaning. It travels in the entry as its validator, so
+// that ParameterList::set refuses wrong types and values out of range as well.
+class ParameterInfo : public Teuchos::ParameterEntryValidator
+{
+public:
+  ParameterKind kind = ParameterKind::real;
+  Presence presence = Presence::has_default;
+  std::string unit = "-";
+  Range range = Range::any();
+  std::vector<std::string> words; // of a choice
+  std::string chosen_by;          // of a list: the choice that completes it, or ""
+  std::string hint;
+
+  // "a number in (0, inf) m", "one of 'Ageing', 'Slip'"
+  std::string allowed() const;
+
+  // InputError "<path> = <value> is ... <hint>" unless type and value are allowed. Numbers inside
+  // an open or foreign list are not looked at.
+  void check(Teuchos::ParameterEntry const& entry, std::string const& path) const;
+
+  // Int to double and arrays of int to arrays of double, where the declaration says so.
+  void convert(Teuchos::ParameterEntry& entry) const;
+
+  const std::string getXMLTypeName() const override { return "asperity::ParameterInfo"; }
+  void printDoc(std::string const& meaning, std::ostream& out) const override;
+  ValidStringsList validStringValues() const override;
+  void validate(Teuchos::ParameterEntry const& entry, std::string const& name,
+                std::string const& list_name) const override;
+
+private:
+  void checkRange(double value, std::string const& path) const;
+  void checkRegions(ParameterList const& regions, std::string const& path) const;
+  void checkArray(Teuchos::ParameterEntry const& entry, std::string const& path) const;
+  [[noreturn]] void refuse(std::string const& path, std::string const& value,
+                           std::string const& reason) const;
+};
+
+// Of a declared or completed entry; null where there is none.
+Teuchos::RCP<const ParameterInfo> parameterInfo(ParameterList const& list, std::string const& name);
+} // namespace asperity

@@ -1,0 +1,131 @@
+#include "base/parameters/Deck.hpp"
+#include "base/parameters/ParameterInfo.hpp"
+#include "base/parameters/ParameterValue.hpp"
+#include "base/parameters/XmlDeck.hpp"
+
+#include <ostream>
+#include <sstream>
+
+namespace asperity
+{
+namespace
+{
+Teuchos::RCP<const ParameterInfo> infoOf(Teuchos::ParameterEntry const& entry)
+{
+  return Teuchos::rcp_dynamic_cast<const ParameterInfo>(entry.validator());
+}
+
+// "default 0.015", "required", "optional"
+std::string presenceText(Teuchos::ParameterEntry const& entry, ParameterInfo const& info)
+{
+  switch (info.presence) {
+  case Presence::is_required: return "required";
+  case Presence::is_optional: return "optional";
+  default: return "default " + valueText(entry);
+  }
+}
+
+std::string withSpaceBefore(std::string const& text) { return text.empty() ? "" : " " + text; }
+
+// What there is to say beside the name.
+std::string description(Teuchos::ParameterEntry const& entry, ParameterInfo const& info)
+{
+  std::string text = info.allowed() + "; " + presenceText(entry, info) + ".";
+  if (info.unit == "-") {
+    const bool is_number = info.kind == ParameterKind::real || info.kind == ParameterKind::field;
+    text += is_number ? " Unit: 1." : "";
+  } else {
+    text += " Unit: " + info.unit + ".";
+  }
+  return text + withSpaceBefore(entry.docString()) + withSpaceBefore(info.hint);
+}
+
+void printText(ParameterList const& valid, std::string const& path, std::ostream& out)
+{
+  out << path << '\n';
+  for (auto const& item : valid) {
+    const auto info = infoOf(item.second);
+    if (!item.second.isList() && !info.is_null()) {
+      out << "  " << item.first << "\n      " << description(item.second, *info) << '\n';
+    } else if (!item.second.isList()) {
+      out << "  " << item.first << " = " << valueText(item.second) << '\n';
+    }
+  }
+  for (auto const& item : valid) {
+    if (item.second.isList()) {
+      out << '\n';
+      if (!item.second.docString().empty()) {
+        out << "# " << item.second.docString() << '\n';
+      }
+      printText(get<ParameterList>(item.second), joinPath(path, item.first), out);
+    }
+  }
+}
+
+// Two hyphens end a comment.
+std::string commentText(std::string text)
+{
+  for (auto found = text.find("--"); found != std::string::npos; found = text.find("--")) {
+    text.replace(found, 2, "- -");
+  }
+  return text;
+}
+
+// Lists that a deck has only if the user wants them are described, not written.
+void describeXml(Teuchos::ParameterEntry const& entry, std::string const& name,
+                 ParameterInfo const& info, std::string const& indent, std::ostream& out)
+{
+  const bool is_open = info.kind == ParameterKind::open_sublist;
+  std::ostringstream text;
+  printText(get<ParameterList>(entry), name, text);
+  out << indent << "<!-- "
+      << (is_open ? "A list with any number of entries, named by you:" : "Optional:") << '\n'
+      << commentText(text.str()) << indent << "-->\n";
+}
+
+void printXmlParameter(Teuchos::ParameterEntry const& entry, std::string const& name,
+                       std::string const& indent, std::ostream& out)
+{
+  const auto info = infoOf(entry);
+  if (!info.is_null()) {
+    out << indent << "<!-- " << commentText(description(entry, *info)) << " -->\n";
+  }
+  const bool is_given = info.is_null() || info->presence == Presence::has_default;
+  const std::string parameter = xmlParameter(name, entry);
+  out << indent << (is_given ? parameter : "<!-- " + commentText(parameter) + " -->") << '\n';
+}
+
+void printXml(ParameterList const& valid, std::string const& name, std::ostream& out, int depth)
+{
+  const std::string indent(2 * static_cast<std::size_t>(depth), ' ');
+  out << indent << "<ParameterList name=\"" << xmlEscaped(name) << "\">\n";
+  for (auto const& item : valid) {
+    auto const& entry = item.second;
+    const auto info = infoOf(entry);
+    if (!entry.isList()) {
+      printXmlParameter(entry, item.first, indent + "  ", out);
+      continue;
+    }
+    if (!entry.docString().empty()) {
+      out << indent << "  <!-- " << commentText(entry.docString()) << " -->\n";
+    }
+    if (!info.is_null() &&
+        (info->kind == ParameterKind::open_sublist || info->presence == Presence::is_optional)) {
+      describeXml(entry, item.first, *info, indent + "  ", out);
+    } else {
+      printXml(get<ParameterList>(entry), item.first, out, depth + 1);
+    }
+  }
+  out << indent << "</ParameterList>\n";
+}
+} // namespace
+
+void printParameters(ParameterList const& valid, std::ostream& out, ParameterFormat format)
+{
+  if (format == ParameterFormat::xml) {
+    printXml(valid, "Asperity", out, 0);
+  } else {
+    printText(valid, "Asperity", out);
+  }
+}
+} // namespace asperity

@@ -1,0 +1,128 @@
+#include "base/NearestName.hpp"
+#include "base/parameters/ParameterInfo.hpp"
+#include "base/parameters/ParameterValue.hpp"
+
+namespace asperity
+{
+namespace
+{
+// A list that its choice did not choose is checked but not completed.
+enum class Completion
+{
+  full,
+  none
+};
+
+void process(ParameterList& list, ParameterList const& valid, std::string const& path,
+             Completion completion);
+
+void refuseUnknownNames(ParameterList const& list, ParameterList const& valid,
+                        std::string const& path)
+{
+  const auto valid_names = namesIn(valid);
+  for (auto const& name : namesIn(list)) {
+    ASPERITY_REQUIRE(valid.isParameter(name), joinPath(path, name)
+                                                << " is unknown." << didYouMean(name, valid_names));
+  }
+}
+
+[[noreturn]] void refuseMissing(std::string const& path, Teuchos::ParameterEntry const& declared,
+                                ParameterInfo const& info)
+{
+  throw InputError(path + " is missing; " + info.allowed() + " is wanted. " + declared.docString() +
+                   (info.hint.empty() ? "" : " " + info.hint));
+}
+
+void copyMissing(ParameterList& list, ParameterList const& defaults)
+{
+  for (auto const& name : namesIn(defaults)) {
+    if (!list.isParameter(name)) {
+      list.setEntry(name, defaults.getEntry(name));
+    } else if (list.isSublist(name) && defaults.isSublist(name)) {
+      copyMissing(list.sublist(name), defaults.sublist(name));
+    }
+  }
+}
+
+void processContent(ParameterList& content, ParameterList const& valid, ParameterInfo const& info,
+                    std::string const& path, Completion completion);
+
+// An entry that is there, against its declaration.
+void processEntry(ParameterList& list, std::string const& name,
+                  Teuchos::ParameterEntry const& declared, std::string const& path,
+                  Completion completion)
+{
+  const auto info = Teuchos::rcp_dynamic_cast<const ParameterInfo>(declared.validator());
+  ASPERITY_ASSERT(!info.is_null());
+  auto& entry = list.getEntry(name);
+  info->check(entry, path);
+  info->convert(entry);
+  entry.setValidator(info);
+  entry.setDocString(declared.docString());
+  if (declared.isList()) {
+    processContent(list.sublist(name), get<ParameterList>(declared), *info, path, completion);
+  }
+}
+
+void processContent(ParameterList& content, ParameterList const& valid, ParameterInfo const& info,
+                    std::string const& path, Completion completion)
+{
+  if (info.kind == ParameterKind::open_sublist) {
+    for (auto const& name : namesIn(content)) {
+      processEntry(content, name, valid.entry(valid.begin()), joinPath(path, name), completion);
+    }
+  } else if (info.kind == ParameterKind::foreign_sublist) {
+    copyMissing(content, valid);
+  } else {
+    process(content, valid, path, completion);
+  }
+}
+
+bool isChosen(ParameterList const& list, ParameterInfo const& info, std::string const& name)
+{
+  return info.chosen_by.empty() || (list.isType<std::string>(info.chosen_by) &&
+                                    get<std::string>(list.getEntry(info.chosen_by)) == name);
+}
+
+void addMissing(ParameterList& list, std::string const& name,
+                Teuchos::ParameterEntry const& declared, std::string const& path)
+{
+  const auto info = Teuchos::rcp_dynamic_cast<const ParameterInfo>(declared.validator(), true);
+  if (info->presence == Presence::is_required) {
+    refuseMissing(path, declared, *info);
+  }
+  if (info->presence == Presence::is_optional || !isChosen(list, *info, name)) {
+    return;
+  }
+  if (declared.isList()) {
+    list.sublist(name);
+    processEntry(list, name, declared, path, Completion::full);
+  } else {
+    list.setEntry(name, declared);
+  }
+}
+
+// Declarations in their order, so that a choice is complete before its lists are.
+void process(ParameterList& list, ParameterList const& valid, std::string const& path,
+             Completion completion)
+{
+  refuseUnknownNames(list, valid, path);
+  for (auto const& name : namesIn(valid)) {
+    auto const& declared = valid.getEntry(name);
+    const std::string entry_path = joinPath(path, name);
+    if (list.isParameter(name)) {
+      const auto info = parameterInfo(valid, name);
+      const bool in_force = info.is_null() || isChosen(list, *info, name);
+      processEntry(list, name, declared, entry_path, in_force ? completion : Completion::none);
+    } else if (completion == Completion::full) {
+      addMissing(list, name, declared, entry_path);
+    }
+  }
+}
+} // namespace
+
+void completeAndValidate(ParameterList& list, ParameterList const& valid, std::string const& path)
+{
+  process(list, valid, path, Completion::full);
+}
+} // namespace asperity

@@ -1,0 +1,189 @@
+#include "base/parameters/XmlDeck.hpp"
+
+#include "base/Errors.hpp"
+#include "base/Text.hpp"
+#include "base/parameters/ParameterValue.hpp"
+#include "base/parameters/Parameters.hpp"
+
+#include <Teuchos_Array.hpp>
+#include <Teuchos_FileInputSource.hpp>
+#include <Teuchos_ParameterEntryXMLConverterDB.hpp>
+
+#include <filesystem>
+#include <ostream>
+#include <set>
+
+namespace asperity
+{
+using Teuchos::ParameterEntry;
+using Teuchos::XMLObject;
+
+namespace
+{
+// Teuchos's message is the last paragraph, after source line, throw number and the test in the
+// code.
+std::string lastParagraph(std::string const& text)
+{
+  const std::string body = trimmed(text);
+  const auto blank = body.rfind("\n\n");
+  return blank == std::string::npos ? body : trimmed(body.substr(blank));
+}
+
+std::string attribute(XMLObject const& element, std::string const& name, std::string const& where)
+{
+  ASPERITY_REQUIRE(element.hasAttribute(name),
+                   where << ": a <" << element.getTag() << "> has no attribute '" << name << "'.");
+  return element.getAttribute(name);
+}
+
+[[noreturn]] void refuseValue(std::string const& where, std::string const& type,
+                              std::string const& value)
+{
+  throw InputError(where + ": the value '" + value + "' is not of the type '" + type +
+                   "' given with it.");
+}
+
+template <class T, class Read>
+ParameterEntry readArray(std::string const& where, std::string const& type,
+                         std::string const& value, Read read)
+{
+  const std::string text = trimmed(value);
+  if (text.size() < 2 || text.front() != '{' || text.back() != '}') {
+    refuseValue(where, type, value);
+  }
+  Teuchos::Array<T> numbers;
+  const std::string inside = trimmed(text.substr(1, text.size() - 2));
+  for (auto const& piece : inside.empty() ? std::vector<std::string>() : split(inside, ',')) {
+    const auto number = read(piece);
+    if (!number) {
+      refuseValue(where, type, value);
+    }
+    numbers.push_back(*number);
+  }
+  return ParameterEntry(numbers);
+}
+
+// Types beyond ours, which foreign lists may use, are left to Teuchos.
+ParameterEntry readForeign(XMLObject const& element, std::string const& where)
+{
+  try {
+    return Teuchos::ParameterEntryXMLConverterDB::convertXML(element);
+  } catch (std::exception const& error) {
+    throw InputError(where + ": " + lastParagraph(error.what()));
+  }
+}
+
+ParameterEntry readValue(XMLObject const& element, std::string const& where)
+{
+  const std::string type = attribute(element, "type", where);
+  const std::string value = attribute(element, "value", where);
+  if (type == "string") {
+    return ParameterEntry(value);
+  }
+  if (type == "Array(double)") {
+    return readArray<double>(where, type, value, readNumber);
+  }
+  if (type == "Array(int)") {
+    return readArray<int>(where, type, value, readInteger);
+  }
+  if (type == "bool") {
+    const std::string word = trimmed(value);
+    return word == "true" || word == "false" ? ParameterEntry(word == "true")
+                                             : (refuseValue(where, type, value), ParameterEntry());
+  }
+  if (type == "double" || type == "float") {
+    const auto number = readNumber(value);
+    return number ? ParameterEntry(*number) : (refuseValue(where, type, value), ParameterEntry());
+  }
+  if (type == "int") {
+    const auto number = readInteger(value);
+    return number ? ParameterEntry(*number) : (refuseValue(where, type, value), ParameterEntry());
+  }
+  return readForeign(element, where);
+}
+} // namespace
+
+XMLObject parseXml(std::string const& file_name)
+{
+  namespace fs = std::filesystem;
+  std::error_code ignored;
+  ASPERITY_REQUIRE(fs::exists(file_name, ignored), "There is no deck '" << file_name << "'.");
+  ASPERITY_REQUIRE(!fs::is_directory(file_name, ignored),
+                   "The deck '" << file_name
+                                << "' is a directory; the name of an XML file is wanted.");
+  try {
+    return Teuchos::FileInputSource(file_name).getObject();
+  } catch (std::exception const& error) {
+    const std::string reason = lastParagraph(error.what());
+    std::string hint;
+    if (reason.find("attribute value") != std::string::npos) {
+      hint = " In a value write &lt; for < and &amp; for &.";
+    } else if (reason.find("comment") != std::string::npos) {
+      hint = " A comment must not contain '--'.";
+    }
+    throw InputError("The deck '" + file_name + "' cannot be read: " + reason + "." + hint);
+  }
+}
+
+void readList(XMLObject const& element, std::string const& file_name, std::string const& path,
+              Teuchos::ParameterList& list)
+{
+  std::set<std::string> names;
+  for (int i = 0; i < element.numChildren(); ++i) {
+    XMLObject const& child = element.getChild(i);
+    const std::string tag = child.getTag();
+    const std::string here = file_name + ": " + path;
+    ASPERITY_REQUIRE(tag == "Parameter" || tag == "ParameterList",
+                     here << ": <" << tag
+                          << "> is unknown; only <Parameter> and <ParameterList> are allowed.");
+    const std::string name = attribute(child, "name", here);
+    const std::string entry_path = joinPath(path, name);
+    ASPERITY_REQUIRE(names.insert(name).second,
+                     file_name << ": " << entry_path << " is given twice.");
+    if (tag == "Parameter") {
+      list.setEntry(name, readValue(child, file_name + ": " + entry_path));
+    } else {
+      if (list.isParameter(name) && !list.isSublist(name)) {
+        list.remove(name);
+      }
+      readList(child, file_name, entry_path, list.sublist(name));
+    }
+  }
+}
+
+std::string xmlEscaped(std::string const& text)
+{
+  std::string escaped;
+  for (const char letter : text) {
+    switch (letter) {
+    case '&': escaped += "&amp;"; break;
+    case '<': escaped += "&lt;"; break;
+    case '>': escaped += "&gt;"; break;
+    case '"': escaped += "&quot;"; break;
+    default: escaped += letter;
+    }
+  }
+  return escaped;
+}
+
+std::string xmlParameter(std::string const& name, ParameterEntry const& entry)
+{
+  return "<Parameter name=\"" + xmlEscaped(name) + "\" type=\"" + xmlType(entry) + "\" value=\"" +
+         xmlEscaped(plainText(entry)) + "\"/>";
+}
+
+void writeXml(Teuchos::ParameterList const& list, std::string const& name, std::ostream& out,
+              int depth)
+{
+  const std::string indent(2 * static_cast<std::size_t>(depth), ' ');
+  out << indent << "<ParameterList name=\"" << xmlEscaped(name) << "\">\n";
+  for (auto const& item : list) {
+    if (item.second.isList()) {
+      writeXml(get<Teuchos::ParameterList>(item.second), item.first, out, depth + 1);
+    } else {
+      out << indent << "  " << xmlParameter(item.first, item.second) << '\n';
+    }
+  }
+  out << indent << "</ParameterList>\n";
+}
+} // namespace asperity

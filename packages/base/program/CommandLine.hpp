@@ -1,0 +1,32 @@
+#pragma once
+
+#include "base/parameters/Deck.hpp"
+
+#include <iosfwd>
+#include <string>
+#include <vector>
+
+namespace asperity
+{
+// What the user asked of `asperity` on the command line. An empty string was not given.
+struct CommandLine
+{
+  std::string deck;
+  std::vector<std::string> overlays; // short XML files laid over the deck, in their order
+  std::vector<std::string>
+    overrides;            // "Path/To/Parameter=value", after the overlays, in their order
+  std::string output;     // directory
+  std::string restart;    // checkpoint file
+  bool validate = false;  // check the input, compute nothing
+  bool overwrite = false; // replace an existing result
+  bool print_parameters = false;
+  ParameterFormat format = ParameterFormat::text;
+  bool help = false;
+};
+
+// InputError on an unknown option (with the nearest valid one), a missing value, a second or
+// missing deck. Options of Kokkos (--kokkos-...) pass.
+CommandLine parseCommandLine(int argc, char const* const* argv);
+
+void printHelp(std::ostream& out);
+} // namespace asperity

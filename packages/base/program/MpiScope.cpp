@@ -1,0 +1,59 @@
+#include "base/program/MpiScope.hpp"
+
+#include <Teuchos_DefaultMpiComm.hpp>
+#include <Tpetra_Core.hpp>
+#include <mpi.h>
+
+#include <cstring>
+#include <vector>
+
+namespace asperity
+{
+namespace
+{
+bool isForKokkos(char const* argument) { return std::strncmp(argument, "--kokkos", 8) == 0; }
+
+// Moves Kokkos's arguments out of argv; what is left stays in order. argv[0] goes to both.
+std::vector<char*> takeKokkosArguments(int& argc, char** argv)
+{
+  std::vector<char*> taken(argv, argv + (argc > 0 ? 1 : 0));
+  int left = static_cast<int>(taken.size());
+  for (int i = left; i < argc; ++i) {
+    if (isForKokkos(argv[i])) {
+      taken.push_back(argv[i]);
+    } else {
+      argv[left++] = argv[i];
+    }
+  }
+  argc = left;
+  argv[argc] = nullptr;
+  taken.push_back(nullptr);
+  return taken;
+}
+} // namespace
+
+MpiScope::MpiScope(int& argc, char**& argv)
+{
+  int is_initialized = 0;
+  MPI_Initialized(&is_initialized);
+  if (!is_initialized) {
+    MPI_Init(&argc, &argv);
+    owns_mpi_ = true;
+  }
+  communicator_ = rcp(new Teuchos::MpiComm<int>(MPI_COMM_WORLD));
+  auto kokkos_arguments = takeKokkosArguments(argc, argv);
+  int kokkos_argc = static_cast<int>(kokkos_arguments.size()) - 1;
+  char** kokkos_argv = kokkos_arguments.data();
+  Tpetra::initialize(&kokkos_argc, &kokkos_argv, communicator_);
+}
+
+// Tpetra finalises Kokkos only if it initialised it, and never MPI, which was there before it.
+MpiScope::~MpiScope()
+{
+  Tpetra::finalize();
+  communicator_ = Teuchos::null;
+  if (owns_mpi_) {
+    MPI_Finalize();
+  }
+}
+} // namespace asperity

@@ -1,0 +1,161 @@
+#include "base/Errors.hpp"
+#include "base/program/MpiScope.hpp"
+
+#include <Teuchos_DefaultMpiComm.hpp>
+#include <mpi.h>
+
+#include <algorithm>
+#include <chrono>
+#include <cstdlib>
+#include <iostream>
+#include <new>
+#include <thread>
+
+namespace asperity
+{
+namespace
+{
+using Seconds = std::chrono::duration<double>;
+
+struct Outcome
+{
+  int status = exit_done;
+  bool has_thrown = false;
+  std::string message;
+};
+
+Outcome failed(int status, std::string const& message) { return {status, true, message}; }
+
+Outcome call(std::function<int()> const& body)
+{
+  try {
+    return {body(), false, ""};
+  } catch (InputError const& error) {
+    return failed(exit_input, error.what());
+  } catch (SolveError const& error) {
+    return failed(exit_solve, error.what());
+  } catch (std::bad_alloc const&) {
+    return failed(exit_other, "Out of memory. Use more ranks on more machines, or a coarser mesh.");
+  } catch (std::exception const& error) {
+    return failed(exit_other, error.what());
+  } catch (...) {
+    return failed(exit_other, "An exception of unknown type was thrown.");
+  }
+}
+
+// A communicator of its own, so that nothing the body left under way can be taken for our messages.
+class GuardCommunicator
+{
+public:
+  explicit GuardCommunicator(MPI_Comm communicator)
+  {
+    MPI_Comm_dup(communicator, &communicator_);
+    MPI_Comm_rank(communicator_, &rank_);
+    MPI_Comm_size(communicator_, &size_);
+  }
+  ~GuardCommunicator() { MPI_Comm_free(&communicator_); }
+  GuardCommunicator(GuardCommunicator const&) = delete;
+  GuardCommunicator& operator=(GuardCommunicator const&) = delete;
+
+  // Waits until every rank is here, but at most so long if `patience` is not negative. False if
+  // that ended it.
+  bool meet(double patience) const
+  {
+    MPI_Request request;
+    MPI_Ibarrier(communicator_, &request);
+    const auto start = std::chrono::steady_clock::now();
+    for (int all_here = 0;;) {
+      MPI_Test(&request, &all_here, MPI_STATUS_IGNORE);
+      if (all_here) {
+        return true;
+      }
+      if (patience >= 0.0 && Seconds(std::chrono::steady_clock::now() - start).count() > patience) {
+        return false;
+      }
+      std::this_thread::sleep_for(std::chrono::milliseconds(1));
+    }
+  }
+
+  // The program's status on every rank. The lowest rank that has thrown speaks for all: where many
+  // fail at once, each with a vertex of its own, one message is enough.
+  int agree(Outcome const& outcome, std::string const& program) const;
+
+  [[noreturn]] void abort(Outcome const& outcome, std::string const& program) const;
+
+private:
+  int smallest(int value) const
+  {
+    int result = 0;
+    MPI_Allreduce(&value, &result, 1, MPI_INT, MPI_MIN, communicator_);
+    return result;
+  }
+
+  // How many ranks have thrown with another message than this rank, `speaker`. Known to the
+  // speaker.
+  int countOthers(Outcome const& outcome, int speaker) const;
+
+  MPI_Comm communicator_ = MPI_COMM_NULL;
+  int rank_ = 0;
+  int size_ = 1;
+};
+
+int GuardCommunicator::countOthers(Outcome const& outcome, int speaker) const
+{
+  int length = static_cast<int>(outcome.message.size());
+  MPI_Bcast(&length, 1, MPI_INT, speaker, communicator_);
+  std::string spoken = outcome.message;
+  spoken.resize(static_cast<std::size_t>(length));
+  MPI_Bcast(&spoken[0], length, MPI_CHAR, speaker, communicator_);
+  const int differs = outcome.has_thrown && outcome.message != spoken ? 1 : 0;
+  int count = 0;
+  MPI_Reduce(&differs, &count, 1, MPI_INT, MPI_SUM, speaker, communicator_);
+  return count;
+}
+
+void printMessage(std::string const& program, std::string const& message)
+{
+  std::cout.flush();
+  std::cerr << program + ": " + message + "\n" << std::flush;
+}
+
+int GuardCommunicator::agree(Outcome const& outcome, std::string const& program) const
+{
+  const int speaker = smallest(outcome.has_thrown ? rank_ : size_);
+  if (speaker == size_) {
+    return -smallest(-outcome.status);
+  }
+  const int others = countOthers(outcome, speaker);
+  if (rank_ == speaker) {
+    const std::string ranks =
+      std::to_string(others) + (others == 1 ? " other rank" : " other ranks");
+    const std::string note = " (" + ranks + " failed differently.)";
+    printMessage(program, outcome.message + (others == 0 ? "" : note));
+  }
+  int status = outcome.status;
+  MPI_Bcast(&status, 1, MPI_INT, speaker, communicator_);
+  return status;
+}
+
+// Several ranks may come here. The lowest speaks and aborts first, which ends the others while they
+// wait.
+void GuardCommunicator::abort(Outcome const& outcome, std::string const& program) const
+{
+  std::this_thread::sleep_for(Seconds(0.5 * std::min(rank_, 20)));
+  printMessage(program, outcome.message);
+  MPI_Abort(communicator_, outcome.status);
+  std::abort();
+}
+} // namespace
+
+int runGuarded(Communicator const& communicator, std::function<int()> const& body,
+               std::string const& program, double patience)
+{
+  auto const* mpi = dynamic_cast<Teuchos::MpiComm<int> const*>(&communicator);
+  const GuardCommunicator guard(mpi ? (*mpi->getRawMpiComm())() : MPI_COMM_SELF);
+  const Outcome outcome = call(body);
+  if (!guard.meet(outcome.has_thrown ? patience : -1.0)) {
+    guard.abort(outcome, program);
+  }
+  return guard.agree(outcome, program);
+}
+} // namespace asperity

@@ -1,0 +1,122 @@
+#include "dynamics/control/RichardsonControl.hpp"
+
+#include "base/Errors.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace asperity::dynamics
+{
+namespace
+{
+// A larger step is tried if its error should be below this fraction of the tolerance: failing costs
+// two coupled steps, trying later a half of one for each step.
+constexpr double safety = 0.8;
+} // namespace
+
+RichardsonControl::RichardsonControl(CoupledStep& step, Fault const& fault, DyadicTime const& clock,
+                                     int order, AdaptiveSettings const& settings)
+    : StepControl(step, clock)
+    , fault_(fault)
+    , settings_(settings)
+    , extrapolation_(std::ldexp(1., order) - 1)
+    , error_ratio_(std::ldexp(1., order + 1))
+{
+  // The step of twice the size exists as well.
+  ASPERITY_ASSERT(settings.finest_level > settings.coarsest_level);
+  memory_.level = std::max(settings.first_level, settings.coarsest_level + 1);
+}
+
+AcceptedStep RichardsonControl::advance(State& current, SolveCount& count)
+{
+  AcceptedStep accepted;
+  if (!memory_.trial) {
+    auto pair = acceptablePair(current, count);
+    accepted.iterations = pair.first->iterations;
+    memory_.before = std::move(current);
+    memory_.level_before = memory_.level;
+    memory_.previous_error = memory_.error;
+    memory_.error = pair.error;
+    current = std::move(pair.first->state);
+    memory_.trial = std::move(pair.second);
+    accepted.level = memory_.level;
+    accepted.error = memory_.error;
+  } else {
+    current = std::move(memory_.trial->state);
+    accepted.iterations = memory_.trial->iterations;
+    memory_.trial.reset();
+    accepted.level = memory_.level;
+    accepted.error = memory_.error;
+    predictLevel(memory_.error);
+  }
+  accepted.within_tolerance = accepted.error <= settings_.tolerance;
+  ++memory_.num_steps;
+  return accepted;
+}
+
+std::optional<Trial> RichardsonControl::wholeStep(State const& current, SolveCount& count)
+{
+  if (!memory_.before) {
+    return attempt(current, memory_.level - 1, current, count);
+  }
+  // Straight on from where the last pair began.
+  const double ratio = std::ldexp(1., memory_.level_before - memory_.level);
+  return attempt(current, memory_.level - 1, blend(1 + ratio, current, *memory_.before), count);
+}
+
+RichardsonControl::Pair RichardsonControl::pairOf(State const& current,
+                                                  std::optional<Trial> const& whole,
+                                                  SolveCount& count)
+{
+  State const& end = whole ? whole->state : current;
+  Pair pair;
+  pair.error = std::numeric_limits<double>::infinity();
+  pair.first = attempt(current, memory_.level, blend(0.5, end, current), count);
+  if (pair.first) {
+    pair.second = attempt(pair.first->state, memory_.level, end, count);
+  }
+  if (whole && pair.second) {
+    pair.error =
+      fault_.distance(end.alpha, pair.second->state.alpha, settings_.norm) / extrapolation_;
+  }
+  return pair;
+}
+
+RichardsonControl::Pair RichardsonControl::acceptablePair(State const& current, SolveCount& count)
+{
+  std::optional<Trial> whole;
+  while (true) {
+    const bool finest = memory_.level >= settings_.finest_level;
+    if (!whole) {
+      whole = wholeStep(current, count);
+    }
+    auto pair = whole || finest ? pairOf(current, whole, count) : Pair();
+    if (pair.second && (pair.error <= settings_.tolerance || finest)) {
+      return pair;
+    }
+    if (finest) {
+      giveUp(current, memory_.level);
+    }
+    // The first step of the pair is the whole step of the next smaller one.
+    ++memory_.level;
+    memory_.error /= error_ratio_;
+    whole = std::move(pair.first);
+  }
+}
+
+void RichardsonControl::predictLevel(double error)
+{
+  const double trend =
+    memory_.previous_error > 0 ? std::clamp(error / memory_.previous_error, 0.5, 4.) : 1;
+  const double expected = error * trend;
+  if (expected > settings_.tolerance && memory_.level < settings_.finest_level) {
+    ++memory_.level;
+    memory_.error /= error_ratio_;
+  } else if (expected * error_ratio_ <= safety * settings_.tolerance &&
+             memory_.level > settings_.coarsest_level + 1) {
+    --memory_.level;
+    memory_.error *= error_ratio_;
+  }
+}
+} // namespace asperity::dynamics

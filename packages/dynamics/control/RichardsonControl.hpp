@@ -1,0 +1,40 @@
+#pragma once
+
+#include "dynamics/control/StepControl.hpp"
+
+namespace asperity::dynamics
+{
+// Steps in pairs. One step of twice the size is compared with the pair, which is kept: of three
+// coupled steps two are accepted. With a scheme of order p the error of the pair is about
+//
+//   |alpha(one step) - alpha(two steps)| / (2^p - 1)
+//
+// (Richardson's extrapolation; Hairer, Norsett and Wanner 1993, II.4) and has to meet the
+// tolerance. It changes by 2^(p+1) with the size of the step, so that the size of the next pair is
+// predicted, with the trend of the last two errors, rather than tried.
+class RichardsonControl final : public StepControl
+{
+public:
+  // `order` of the scheme, p.
+  RichardsonControl(CoupledStep& step, Fault const& fault, DyadicTime const& clock, int order,
+                    AdaptiveSettings const& settings);
+  AcceptedStep advance(State& current, SolveCount& count) override;
+
+private:
+  struct Pair
+  {
+    std::optional<Trial> first, second; // nothing: no solution
+    double error = 0;                   // infinite if there is nothing to compare with
+  };
+  // A step from the present state to the end of the pair of the level memory_.level.
+  std::optional<Trial> wholeStep(State const& current, SolveCount& count);
+  Pair pairOf(State const& current, std::optional<Trial> const& whole, SolveCount& count);
+  Pair acceptablePair(State const& current, SolveCount& count);
+  void predictLevel(double error);
+
+  Fault const& fault_;
+  AdaptiveSettings settings_;
+  double extrapolation_; // 2^p - 1
+  double error_ratio_;   // 2^(p+1), from one level to the next
+};
+} // namespace asperity::dynamics

@@ -1,0 +1,170 @@
+#include "dynamics/control/StepControl.hpp"
+
+#include "base/Errors.hpp"
+
+#include <sstream>
+
+namespace asperity::dynamics
+{
+namespace
+{
+char const* reason(StepStatus status)
+{
+  switch (status) {
+  case StepStatus::rate_problem_failed: return "a rate problem did not converge";
+  case StepStatus::state_failed: return "the state could not be updated";
+  case StepStatus::fixed_point_failed: return "the fixed point iteration did not converge";
+  default: return "it was solved";
+  }
+}
+} // namespace
+
+State blend(double weight, State const& a, State const& b)
+{
+  State result = a.clone();
+  result.v->update(1 - weight, *b.v, weight);
+  auto const alpha = result.alpha;
+  auto const other = b.alpha;
+  Kokkos::parallel_for(
+    "asperity::dynamics::blend", Kokkos::RangePolicy<friction::ExecutionSpace>(0, alpha.extent(0)),
+    KOKKOS_LAMBDA(int node) { alpha(node) = weight * alpha(node) + (1 - weight) * other(node); });
+  return result;
+}
+
+StepControl::StepControl(CoupledStep& step, DyadicTime const& clock) : step_(step), clock_(clock) {}
+
+std::optional<Trial> StepControl::attempt(State const& from, int level, State const& guess,
+                                          SolveCount& count)
+{
+  Trial trial{guess.clone(), 0};
+  auto const result = step_.solve(from, level, trial.state, count);
+  trial.iterations = result.iterations;
+  last_status_ = result.status;
+  return result.solved() ? std::optional<Trial>(std::move(trial)) : std::nullopt;
+}
+
+void StepControl::giveUp(State const& from, int level) const
+{
+  std::ostringstream message;
+  message << "At t = " << clock_.seconds(from.time) << " s a step of " << clock_.stepSize(level)
+          << " s, the smallest allowed, failed: " << reason(last_status_)
+          << ". Try a smaller 'Smallest Step', a looser tolerance or more iterations.";
+  throw SolveError(message.str());
+}
+
+PrescribedSteps::PrescribedSteps(CoupledStep& step, DyadicTime const& clock,
+                                 std::vector<int> levels)
+    : StepControl(step, clock)
+    , levels_(std::move(levels))
+{
+  ASPERITY_ASSERT(!levels_.empty());
+}
+
+AcceptedStep PrescribedSteps::advance(State& current, SolveCount& count)
+{
+  auto const which = std::min<std::size_t>(memory_.num_steps, levels_.size() - 1);
+  memory_.level = levels_[which];
+  auto next = attempt(current, memory_.level, current, count);
+  if (!next) {
+    giveUp(current, memory_.level);
+  }
+  current = std::move(next->state);
+  ++memory_.num_steps;
+  AcceptedStep accepted;
+  accepted.level = memory_.level;
+  accepted.iterations = next->iterations;
+  return accepted;
+}
+
+StepDoubling::StepDoubling(CoupledStep& step, Fault const& fault, DyadicTime const& clock,
+                           AdaptiveSettings const& settings)
+    : StepControl(step, clock)
+    , fault_(fault)
+    , settings_(settings)
+{
+  memory_.level = settings.first_level;
+}
+
+// A solved step from `current`, the largest that works not above the present level.
+void StepDoubling::findTrial(State const& current, SolveCount& count)
+{
+  while (!memory_.trial) {
+    memory_.trial = attempt(current, memory_.level, current, count);
+    if (!memory_.trial) {
+      if (memory_.level >= settings_.finest_level) {
+        giveUp(current, memory_.level);
+      }
+      ++memory_.level;
+    }
+  }
+}
+
+AcceptedStep StepDoubling::advance(State& current, SolveCount& count)
+{
+  findTrial(current, count);
+  AcceptedStep accepted;
+  std::optional<Trial> next;
+  if (!coarsen(current, next, accepted.error, count)) {
+    accepted.within_tolerance = refine(current, next, accepted.error, count);
+  }
+  accepted.level = memory_.level;
+  accepted.iterations = memory_.trial->iterations;
+  current = std::move(memory_.trial->state);
+  memory_.trial = std::move(next);
+  ++memory_.num_steps;
+  return accepted;
+}
+
+// Doubles the trial as long as its double agrees with two of it. `next` continues the trial where
+// that is known.
+bool StepDoubling::coarsen(State const& current, std::optional<Trial>& next, double& error,
+                           SolveCount& count)
+{
+  bool coarsened = false;
+  while (memory_.level > settings_.coarsest_level) {
+    State const& end = memory_.trial->state;
+    next = attempt(end, memory_.level, blend(2, end, current), count);
+    if (!next) {
+      break;
+    }
+    auto doubled = attempt(current, memory_.level - 1, next->state, count);
+    if (!doubled) {
+      break;
+    }
+    const double difference =
+      fault_.distance(doubled->state.alpha, next->state.alpha, settings_.norm);
+    if (!(difference <= settings_.tolerance)) {
+      break;
+    }
+    error = difference;
+    memory_.trial = std::move(doubled);
+    next.reset();
+    --memory_.level;
+    coarsened = true;
+  }
+  return coarsened;
+}
+
+// Halves the trial until it agrees with two steps of half its size. False if the smallest step does
+// not.
+bool StepDoubling::refine(State const& current, std::optional<Trial>& next, double& error,
+                          SolveCount& count)
+{
+  while (memory_.level < settings_.finest_level) {
+    State const& end = memory_.trial->state;
+    auto first = attempt(current, memory_.level + 1, blend(0.5, end, current), count);
+    auto second = first ? attempt(first->state, memory_.level + 1, end, count) : std::nullopt;
+    if (second) {
+      error = fault_.distance(memory_.trial->state.alpha, second->state.alpha, settings_.norm);
+      if (error <= settings_.tolerance) {
+        return true;
+      }
+    }
+    ++memory_.level;
+    next = std::move(second);
+    memory_.trial = std::move(first);
+    findTrial(current, count);
+  }
+  return false;
+}
+} // namespace asperity::dynamics

@@ -1,0 +1,106 @@
+#pragma once
+
+#include "dynamics/coupling/CoupledStep.hpp"
+
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace asperity::dynamics
+{
+// First guess for the end of a step: weight * a + (1 - weight) * b for velocity and state.
+State blend(double weight, State const& a, State const& b);
+
+// A solved step that has not been accepted.
+struct Trial
+{
+  State state;        // at its end
+  int iterations = 0; // of the fixed point
+};
+
+struct AcceptedStep
+{
+  int level = 0;
+  int iterations = 0;           // of the fixed point, in the step that was accepted
+  double error = 0;             // of alpha, estimated, in the norm of the control
+  bool within_tolerance = true; // false: even the smallest step did not meet it
+};
+
+// What a control remembers from one step to the next, and a checkpoint has to keep.
+struct ControlMemory
+{
+  int level = 0;
+  std::int64_t num_steps = 0;
+  std::optional<Trial> trial; // the next step, already solved
+  // Of RichardsonControl: where the last pair of steps began and its level; its error and that of
+  // the pair before it, had its steps been of the same size (0: unknown).
+  std::optional<State> before;
+  int level_before = 0;
+  double error = 0, previous_error = 0;
+};
+
+// Chooses step sizes. SolveError if the smallest step cannot be solved either.
+class StepControl
+{
+public:
+  StepControl(CoupledStep& step, DyadicTime const& clock);
+  virtual ~StepControl() = default;
+  // Replaces `current` by the state after the next accepted step.
+  virtual AcceptedStep advance(State& current, SolveCount& count) = 0;
+
+  ControlMemory const& memory() const { return memory_; }
+  void restore(ControlMemory memory) { memory_ = std::move(memory); }
+
+protected:
+  // A step of the given level from a guess of its end.
+  std::optional<Trial> attempt(State const& from, int level, State const& guess, SolveCount& count);
+  [[noreturn]] void giveUp(State const& from, int level) const;
+
+  ControlMemory memory_;
+
+private:
+  CoupledStep& step_;
+  DyadicTime clock_;
+  StepStatus last_status_ = StepStatus::solved;
+};
+
+// Steps of given levels, one after the other; the last one is repeated.
+class PrescribedSteps final : public StepControl
+{
+public:
+  PrescribedSteps(CoupledStep& step, DyadicTime const& clock, std::vector<int> levels);
+  AcceptedStep advance(State& current, SolveCount& count) override;
+
+private:
+  std::vector<int> levels_;
+};
+
+struct AdaptiveSettings
+{
+  double tolerance = 1e-5; // of alpha
+  Norm norm = Norm::root_mean_square;
+  int coarsest_level = 0; // of the largest step allowed
+  int finest_level = 0;   // of the smallest step allowed
+  int first_level = 0;
+};
+
+// Pipping 2014, A.3: a step is fine enough if two steps of half its size lead to nearly the same
+// alpha. The coarsest such step is accepted, starting from twice the last size; the finer ones
+// already computed become the next trials.
+class StepDoubling final : public StepControl
+{
+public:
+  StepDoubling(CoupledStep& step, Fault const& fault, DyadicTime const& clock,
+               AdaptiveSettings const& settings);
+  AcceptedStep advance(State& current, SolveCount& count) override;
+
+private:
+  void findTrial(State const& current, SolveCount& count);
+  bool coarsen(State const& current, std::optional<Trial>& next, double& error, SolveCount& count);
+  bool refine(State const& current, std::optional<Trial>& next, double& error, SolveCount& count);
+
+  Fault const& fault_;
+  AdaptiveSettings settings_;
+};
+} // namespace asperity::dynamics

@@ -1,0 +1,101 @@
+#include "dynamics/coupling/AndersonAcceleration.hpp"
+
+#include <Eigen/Dense>
+#include <Teuchos_CommHelpers.hpp>
+
+namespace asperity::dynamics
+{
+namespace
+{
+using friction::ConstNodeView;
+using friction::NodeView;
+using Nodes = Kokkos::RangePolicy<friction::ExecutionSpace>;
+
+// Differences of residuals that lie in one direction up to the root of this share of the largest
+// one's length tell nothing apart: lengths enter squared in the normal equations.
+constexpr double parallel = 1e-10;
+
+NodeView copyOf(ConstNodeView const& values)
+{
+  const NodeView copy("asperity::dynamics::iterate", values.extent(0));
+  Kokkos::deep_copy(copy, values);
+  return copy;
+}
+
+// This rank's part of the integral of (a - b) (a - c) over the fault.
+double product(ConstNodeView const& weight, ConstNodeView const& a, ConstNodeView const& b,
+               ConstNodeView const& c)
+{
+  double sum = 0;
+  Kokkos::parallel_reduce(
+    "asperity::dynamics::productOfResiduals", Nodes(0, a.extent(0)),
+    KOKKOS_LAMBDA(int node, double& partial) {
+      partial += weight(node) * (a(node) - b(node)) * (a(node) - c(node));
+    },
+    sum);
+  return sum;
+}
+} // namespace
+
+AndersonAcceleration::AndersonAcceleration(Fault const& fault, int depth)
+    : fault_(fault)
+    , depth_(static_cast<std::size_t>(depth))
+{
+}
+
+// The least squares problem
+//   min over gamma of | f0 - sum_j gamma_j (f0 - fj) |
+// by its normal equations; column 0 of `products` is their right side, since f0 = f0 - 0.
+std::vector<double> AndersonAcceleration::weights() const
+{
+  const int size = static_cast<int>(iterates_.size()) - 1;
+  auto const last = iterates_.front().residual;
+  const NodeView zero("asperity::dynamics::zero", last.extent(0));
+  Eigen::MatrixXd mine(size, size + 1);
+  for (int j = 0; j < size; ++j) {
+    auto const residual = iterates_[j + 1].residual;
+    mine(j, 0) = product(fault_.data.weight, last, residual, zero);
+    for (int l = 0; l < size; ++l) {
+      mine(j, l + 1) = product(fault_.data.weight, last, residual, iterates_[l + 1].residual);
+    }
+  }
+  Eigen::MatrixXd products = mine;
+  Teuchos::reduceAll(*fault_.communicator, Teuchos::REDUCE_SUM, static_cast<int>(mine.size()),
+                     mine.data(), products.data());
+  Eigen::CompleteOrthogonalDecomposition<Eigen::MatrixXd> normal;
+  normal.setThreshold(parallel);
+  normal.compute(products.rightCols(size));
+  const Eigen::VectorXd gamma = normal.solve(products.col(0));
+  return {gamma.data(), gamma.data() + size};
+}
+
+void AndersonAcceleration::advance(NodeView const& x, ConstNodeView const& image)
+{
+  if (depth_ == 0) {
+    Kokkos::deep_copy(x, image);
+    return;
+  }
+  Iterate iterate = {copyOf(image), copyOf(image)};
+  auto const residual = iterate.residual;
+  Kokkos::parallel_for(
+    "asperity::dynamics::residual", Nodes(0, x.extent(0)), KOKKOS_LAMBDA(int node) {
+      residual(node) -= x(node);
+      x(node) = image(node);
+    });
+  iterates_.push_front(iterate);
+  if (iterates_.size() > depth_ + 1) {
+    iterates_.pop_back();
+  }
+  if (iterates_.size() == 1) {
+    return;
+  }
+  auto const gamma = weights();
+  for (std::size_t j = 0; j < gamma.size(); ++j) {
+    auto const earlier = iterates_[j + 1].image;
+    const double weight = gamma[j];
+    Kokkos::parallel_for(
+      "asperity::dynamics::takeOut", Nodes(0, x.extent(0)),
+      KOKKOS_LAMBDA(int node) { x(node) -= weight * (image(node) - earlier(node)); });
+  }
+}
+} // namespace asperity::dynamics

@@ -1,0 +1,208 @@
+#include "dynamics/coupling/CoupledStep.hpp"
+
+#include "base/parameters/Parameters.hpp"
+
+#include <Tpetra_CrsMatrix.hpp>
+
+#include <cmath>
+#include <limits>
+
+namespace asperity::dynamics
+{
+Teuchos::RCP<Teuchos::ParameterList> CouplingSettings::validParameters()
+{
+  const CouplingSettings defaults;
+  return Declare()
+    .real("Tolerance", defaults.tolerance, "-", Range::positive(),
+          "Change of alpha between two fixed point iterates, as root mean square over the fault, "
+          "at which the "
+          "coupling of rate and state counts as resolved.")
+    .integer("Maximum Iterations", defaults.max_iterations, Range::atLeast(1),
+             "Fixed point iterations after which the step is rejected: the step control halves it, "
+             "prescribed steps end there.")
+    .integer(
+      "Anderson Depth", defaults.anderson_depth, Range::atLeast(0),
+      "Earlier iterates from which the next one is extrapolated; 0 is the plain fixed point.")
+    .list();
+}
+
+CouplingSettings CouplingSettings::from(Teuchos::ParameterList const& parameters)
+{
+  CouplingSettings settings;
+  settings.tolerance = parameters.get<double>("Tolerance");
+  settings.max_iterations = parameters.get<int>("Maximum Iterations");
+  settings.anderson_depth = parameters.get<int>("Anderson Depth");
+  return settings;
+}
+
+void SolveCount::add(tnnmg::TnnmgResult const& result)
+{
+  tnnmg_iterations += result.iterations;
+  corrections += result.corrections;
+  correction_iterations += result.correction_iterations;
+  v_cycles += result.v_cycles;
+  rises += result.rises;
+}
+
+SolveCount SolveCount::since(SolveCount const& before) const
+{
+  SolveCount result;
+  for (auto const& member : members()) {
+    result.*member.value = this->*member.value - before.*member.value;
+  }
+  return result;
+}
+
+std::array<SolveCount::Member, 8> const& SolveCount::members()
+{
+  static constexpr std::array<Member, 8> all = {
+    {{"coupled_steps", &SolveCount::coupled_steps},
+     {"rate_problems", &SolveCount::rate_problems},
+     {"tnnmg_iterations", &SolveCount::tnnmg_iterations},
+     {"corrections", &SolveCount::corrections},
+     {"correction_iterations", &SolveCount::correction_iterations},
+     {"v_cycles", &SolveCount::v_cycles},
+     {"rises", &SolveCount::rises},
+     {"failures", &SolveCount::failures}}};
+  return all;
+}
+
+CoupledStep::CoupledStep(Body const& body, Fault const& fault, RateUpdate const& update,
+                         DyadicTime const& clock, CouplingSettings const& settings,
+                         StepSolvers& solvers)
+    : body_(body)
+    , fault_(fault)
+    , update_(update)
+    , clock_(clock)
+    , settings_(settings)
+    , solvers_(solvers)
+    , acceleration_(fault, settings.anderson_depth)
+    , b_(body.vector())
+    , prescribed_(body.vector())
+    , u_hat_(body.vector())
+    , a_hat_(body.vector())
+    , work_u_(body.vector())
+    , work_a_(body.vector())
+    , guess_(body.vector())
+    , mean_offset_("asperity::dynamics::meanOffset", fault.numNodes(), fault.num_tangents)
+    , mean_("asperity::dynamics::meanVelocity", fault.numNodes(), fault.num_tangents)
+    , V_("asperity::dynamics::V", fault.numNodes())
+    , alpha_next_("asperity::dynamics::alphaNext", fault.numNodes())
+{
+}
+
+// b = l(t1) + M a^ - K u^ - Z v_D on the free dofs, v_D the prescribed velocity: the rate problem
+// is solved for w = v1 - v_D, which is zero at fixed dofs.
+void CoupledStep::rightSide(State const& from, double t1, double tau)
+{
+  body_.prescribed_velocity(t1, *prescribed_);
+  fault_.requireWalls(*prescribed_, body_.dofs->components(), t1);
+  update_.predict(from, tau, *u_hat_, *a_hat_);
+  work_a_->update(1, *a_hat_, -update_.mass_weight / tau, *prescribed_, 0);
+  work_u_->update(1, *u_hat_, tau * update_.stiffness_weight, *prescribed_, 0);
+  body_.load(t1, *b_);
+  body_.matrices.mass->apply(*work_a_, *b_, Teuchos::NO_TRANS, 1, 1);
+  body_.matrices.viscosity->apply(*prescribed_, *b_, Teuchos::NO_TRANS, -1, 1);
+  body_.matrices.stiffness->apply(*work_u_, *b_, Teuchos::NO_TRANS, -1, 1);
+  body_.clearFixed(*b_);
+}
+
+CoupledResult CoupledStep::solve(State const& from, int level, State& to, SolveCount& count)
+{
+  const double tau = clock_.stepSize(level);
+  to.time = from.time + clock_.ticks(level);
+  fault_.setTime(clock_.seconds(to.time));
+  rightSide(from, clock_.seconds(to.time), tau);
+
+  guess_->update(1, *to.v, -1, *prescribed_, 0);
+  body_.clearFixed(*guess_);
+  auto& solver = solvers_.at(level);
+  solver.begin(*b_, *guess_);
+  // (u^ - u0)/tau without their difference: a locked fault moves by less than the rounding of u.
+  update_.laggingAcceleration(from, tau, *work_a_);
+  work_u_->update(update_.velocity_in_displacement, *from.v,
+                  tau * update_.acceleration_in_displacement, *work_a_, 0);
+  work_u_->update(update_.stiffness_weight, *prescribed_, 1);
+  fault_.gather(*work_u_, mean_offset_);
+
+  auto const result = iterate(from, tau, solver, to, count);
+  ++count.coupled_steps;
+  if (!result.solved()) {
+    ++count.failures;
+    return result;
+  }
+  solver.velocity(*to.v);
+  to.v->update(1, *prescribed_, 1);
+  update_.complete(from, *u_hat_, *a_hat_, tau, to);
+  return result;
+}
+
+// (u1 - u0)/tau at the fault nodes.
+void CoupledStep::meanSlipRate(RateSolver& solver)
+{
+  solver.faultVelocity(mean_);
+  auto const mean = mean_;
+  auto const offset = mean_offset_;
+  const int size = fault_.num_tangents;
+  const double weight = update_.stiffness_weight;
+  Kokkos::parallel_for(
+    "asperity::dynamics::meanVelocity",
+    Kokkos::RangePolicy<friction::ExecutionSpace>(0, fault_.numNodes()), KOKKOS_LAMBDA(int node) {
+      for (int k = 0; k < size; ++k) {
+        mean(node, k) = offset(node, k) + weight * mean(node, k);
+      }
+    });
+  fault_.slipRate(mean_, V_);
+}
+
+// The state's answer to the velocity that the solver has now. False: it has none.
+bool CoupledStep::updateState(State const& from, double tau, RateSolver& solver)
+{
+  meanSlipRate(solver);
+  return fault_.sumOverRanks(fault_.state->flow(V_, tau, from.alpha, alpha_next_)) == 0;
+}
+
+// Rate problem and state take turns, one iteration of TNNMG for one update of the state: both
+// contract about tenfold, and to solve a rate problem whose state is about to change is lost. Once
+// the state has come to rest the rate problem is solved with it.
+CoupledResult CoupledStep::iterate(State const& from, double tau, RateSolver& solver, State& to,
+                                   SolveCount& count)
+{
+  CoupledResult result;
+  acceleration_.reset();
+  double last_change = std::numeric_limits<double>::infinity();
+  bool at_rest = false;
+  while (at_rest || result.iterations < settings_.max_iterations) {
+    const FrictionProblem problem = {*fault_.friction, to.alpha};
+    result.iterations += at_rest ? 0 : 1;
+    count.rate_problems += at_rest ? 0 : 1;
+    auto const rate = at_rest ? solver.solve(problem) : solver.improve(problem);
+    count.add(rate);
+    if (rate.failed() || (at_rest && !rate.converged)) {
+      result.status = StepStatus::rate_problem_failed;
+      return result;
+    }
+    const bool updated = updateState(from, tau, solver);
+    const double change = fault_.distance(alpha_next_, to.alpha);
+    if (!updated || !std::isfinite(change)) {
+      result.status = StepStatus::state_failed;
+      return result;
+    }
+    at_rest = change <= settings_.tolerance;
+    if (at_rest && rate.converged) {
+      Kokkos::deep_copy(to.alpha_of_rate, to.alpha);
+      Kokkos::deep_copy(to.alpha, alpha_next_);
+      return result;
+    }
+    if (!at_rest) {
+      if (change > last_change) {
+        acceleration_.reset(); // what is remembered led astray
+      }
+      acceleration_.advance(to.alpha, alpha_next_);
+      last_change = change;
+    }
+  }
+  result.status = StepStatus::fixed_point_failed;
+  return result;
+}
+} // namespace asperity::dynamics

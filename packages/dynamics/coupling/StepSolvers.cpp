@@ -1,0 +1,58 @@
+#include "dynamics/coupling/StepSolvers.hpp"
+
+#include <Teuchos_CommHelpers.hpp>
+
+#include <chrono>
+
+namespace asperity::dynamics
+{
+namespace
+{
+// Set-ups are collective, so what is forgotten must not depend on a rank's share of the mesh.
+std::size_t largestOverRanks(Communicator const& communicator, std::size_t bytes)
+{
+  const auto mine = static_cast<double>(bytes);
+  double largest = 0;
+  Teuchos::reduceAll(communicator, Teuchos::REDUCE_MAX, mine, Teuchos::outArg(largest));
+  return static_cast<std::size_t>(largest);
+}
+} // namespace
+
+StepSolvers::StepSolvers(Body const& body, Fault const& fault, RateUpdate const& update,
+                         DyadicTime const& clock, RateSolverSettings const& settings,
+                         std::size_t budget_bytes)
+    : body_(body)
+    , fault_(fault)
+    , update_(update)
+    , clock_(clock)
+    , settings_(settings)
+    , budget_bytes_(budget_bytes)
+{
+}
+
+RateSolver& StepSolvers::at(int level)
+{
+  recent_.remove(level);
+  recent_.push_front(level);
+  auto& [solver, bytes] = solvers_[level];
+  if (solver) {
+    return *solver;
+  }
+  auto const start = std::chrono::steady_clock::now();
+  const double tau = clock_.stepSize(level);
+  auto const Z = fem::combine(body_.matrices, update_.mass_weight / tau, 1,
+                              tau * update_.stiffness_weight, body_.fixed);
+  solver = makeRateSolver(Z, body_, fault_, settings_);
+  bytes = largestOverRanks(*fault_.communicator, solver->bytes());
+  bytes_ += bytes;
+  while (bytes_ > budget_bytes_ && recent_.size() > 1) {
+    auto const oldest = solvers_.find(recent_.back());
+    bytes_ -= oldest->second.bytes;
+    solvers_.erase(oldest);
+    recent_.pop_back();
+  }
+  ++setups_;
+  setup_seconds_ += std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  return *solver;
+}
+} // namespace asperity::dynamics

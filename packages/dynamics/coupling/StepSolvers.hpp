@@ -1,0 +1,50 @@
+#pragma once
+
+#include "dynamics/RateUpdate.hpp"
+#include "dynamics/control/DyadicTime.hpp"
+#include "dynamics/coupling/RateSolver.hpp"
+
+#include <list>
+#include <map>
+#include <memory>
+
+namespace asperity::dynamics
+{
+// One solver for each step size: Z = (lambda_M/tau) M + C + (tau/lambda_K) K depends on nothing
+// else. Set up when first asked for; the least recently used ones go when the memory budget of a
+// rank is exceeded. All ranks forget the same: each solver counts on all with what it takes on the
+// rank where it takes most.
+class StepSolvers
+{
+public:
+  StepSolvers(Body const& body, Fault const& fault, RateUpdate const& update,
+              DyadicTime const& clock, RateSolverSettings const& settings,
+              std::size_t budget_bytes);
+
+  // The reference is valid until the next call. All ranks together.
+  RateSolver& at(int level);
+
+  int setups() const { return setups_; }
+  double setupSeconds() const { return setup_seconds_; }
+  std::size_t bytes() const { return bytes_; } // the same on all ranks
+
+private:
+  struct Kept
+  {
+    std::unique_ptr<RateSolver> solver;
+    std::size_t bytes = 0;
+  };
+
+  Body const& body_;
+  Fault const& fault_;
+  RateUpdate update_;
+  DyadicTime clock_;
+  RateSolverSettings settings_;
+  std::size_t budget_bytes_;
+  std::size_t bytes_ = 0;
+  std::map<int, Kept> solvers_;
+  std::list<int> recent_; // levels, the last used one first
+  int setups_ = 0;
+  double setup_seconds_ = 0;
+};
+} // namespace asperity::dynamics

@@ -1,0 +1,131 @@
+#include "mesh/file/MeshFile.hpp"
+
+#include "base/Errors.hpp"
+#include "mesh/file/detail/CompleteFile.hpp"
+#include "mesh/file/detail/Hdf5Reader.hpp"
+#include "mesh/file/detail/Hdf5Writer.hpp"
+#include "mesh/parallel/Partition.hpp"
+#include "mesh/parallel/detail/Agreement.hpp"
+
+namespace asperity::mesh
+{
+namespace
+{
+constexpr char format_name[] = "asperity-mesh";
+constexpr int format_version = 1;
+
+std::string facetsPath(std::string const& boundary)
+{
+  return "/boundaries/" + boundary + "/facets";
+}
+
+template <std::size_t N, class Number>
+void writeRows(detail::Hdf5Writer& file, std::string const& path,
+               std::vector<std::array<Number, N>> const& rows)
+{
+  file.dataset(path, rows.empty() ? nullptr : rows.front().data(), rows.size(), N);
+}
+
+template <int Dim>
+bool writeContents(GlobalMesh<Dim> const& mesh, std::string const& file_name)
+{
+  detail::Hdf5Writer file(file_name);
+  file.attribute("format", std::string(format_name));
+  file.attribute("version", format_version);
+  file.attribute("dimension", Dim);
+  if (mesh.period != Point<Dim>{}) {
+    file.attribute("period", std::vector<double>(mesh.period.begin(), mesh.period.end()));
+  }
+  writeRows(file, "/vertices", mesh.vertices);
+  writeRows(file, "/cells", mesh.cells);
+  file.dataset("/cell_regions", mesh.cell_regions.data(), mesh.cell_regions.size(), 0);
+  file.dataset("/region_names", mesh.region_names);
+  file.group("/boundaries");
+  for (auto const& [name, facets] : mesh.boundaries) {
+    file.group("/boundaries/" + name);
+    writeRows(file, facetsPath(name), facets);
+  }
+  return file.finish();
+}
+
+// Format and version checked.
+int readDimension(detail::Hdf5Reader const& file)
+{
+  const std::string format = file.stringAttribute("format");
+  ASPERITY_REQUIRE(format == format_name, file.where()
+                                            << " is no mesh: its attribute 'format' is '" << format
+                                            << "', not '" << format_name << "'.");
+  const int version = file.integerAttribute("version");
+  ASPERITY_REQUIRE(version == format_version, file.where()
+                                                << " has version " << version
+                                                << " of the format; this program reads version "
+                                                << format_version << '.');
+  const int dimension = file.integerAttribute("dimension");
+  ASPERITY_REQUIRE(dimension == 2 || dimension == 3,
+                   file.where() << ": the attribute 'dimension' = " << dimension
+                                << " is neither 2 nor 3.");
+  return dimension;
+}
+} // namespace
+
+template <int Dim>
+void writeMesh(GlobalMesh<Dim> const& mesh, std::string const& file_name)
+{
+  const std::string where = "Mesh file '" + file_name + "'";
+  for (auto const& boundary : mesh.boundaries) {
+    detail::requireGroupName(boundary.first, where);
+  }
+  detail::writeCompletely(file_name, where, [&](std::string const& unfinished) {
+    return writeContents(mesh, unfinished);
+  });
+}
+
+template <int Dim>
+GlobalMesh<Dim> readMesh(std::string const& file_name)
+{
+  const detail::Hdf5Reader file(file_name);
+  const int dimension = readDimension(file);
+  ASPERITY_REQUIRE(dimension == Dim, file.where() << " has dimension " << dimension << ", not "
+                                                  << Dim << " as wanted here.");
+  GlobalMesh<Dim> mesh;
+  mesh.vertices = file.numberRows<Dim>("/vertices");
+  if (file.hasAttribute("period")) {
+    const auto period = file.numbersAttribute("period", Dim);
+    std::copy(period.begin(), period.end(), mesh.period.begin());
+  }
+  mesh.cells = file.integerRows<Dim + 1>("/cells");
+  mesh.cell_regions = file.integers("/cell_regions");
+  mesh.region_names = file.strings("/region_names");
+  for (auto const& name : file.groupEntries("/boundaries")) {
+    mesh.boundaries[name] = file.integerRows<Dim>(facetsPath(name));
+  }
+  checkMesh(mesh, file.where());
+  orientFacets(mesh);
+  return mesh;
+}
+
+template <int Dim>
+GlobalMesh<Dim> readMesh(std::string const& file_name, Communicator const& communicator)
+{
+  GlobalMesh<Dim> mesh;
+  detail::onEveryRank(communicator, [&] {
+    if (communicator.getRank() == 0) {
+      mesh = readMesh<Dim>(file_name);
+    }
+  });
+  broadcast(mesh, communicator);
+  return mesh;
+}
+
+int meshDimension(std::string const& file_name)
+{
+  return readDimension(detail::Hdf5Reader(file_name));
+}
+
+template void writeMesh(GlobalMesh<2> const&, std::string const&);
+template void writeMesh(GlobalMesh<3> const&, std::string const&);
+template GlobalMesh<2> readMesh(std::string const&);
+template GlobalMesh<3> readMesh(std::string const&);
+template GlobalMesh<2> readMesh(std::string const&, Communicator const&);
+template GlobalMesh<3> readMesh(std::string const&, Communicator const&);
+} // namespace asperity::mesh

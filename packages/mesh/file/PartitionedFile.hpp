@@ -1,0 +1,78 @@
+#pragma once
+
+#include "mesh/parallel/Partition.hpp"
+
+#include <cstdint>
+
+// Meshes divided for a number of ranks, of which every rank reads its own part alone:
+//
+//   /                       attributes format = "asperity-partition", version = 1, dimension,
+//                           num_parts, num_vertices and num_cells of the whole mesh, period
+//                           (dimension) in m with 0 where not periodic, fingerprint of the whole
+//                           mesh (16 hexadecimal digits, whatever the parts), boundary ("" for
+//                           none) and boundary_weight as in PartitionOptions
+//   /region_names           (num_regions)    strings
+//   /boundaries             a group that holds a group for each boundary
+//
+// and these arrays, whose rows are those of part 0, then those of part 1, and so on:
+//
+//   /num_owned              (1)              number of vertices that the part owns
+//   /vertices               (n, dimension)   coordinates in m, owned vertices before ghosts
+//   /global_ids             (n)              of the vertices: their numbers in the whole mesh
+//   /cells                  (c, dimension + 1)   vertices by their numbers within the part
+//   /cell_regions           (c)              index into region_names
+//   /cell_ids               (c)              numbers of the cells in the whole mesh
+//   /boundaries/<name>/facets      (f, dimension)   vertices by their numbers within the part
+//   /boundaries/<name>/facet_ids   (f)       numbers of the facets in the whole mesh's boundary
+//
+// where n, c and f differ from part to part. An array is a group of three datasets:
+//
+//   <array>/values          (rows of all parts) or (rows of all parts, columns)
+//   <array>/offsets         (num_parts + 1)  a part's first row, and behind the last part the end
+//   <array>/checksums       (num_parts)      of the part's rows (detail::partChecksum)
+//
+// HDF5's own structures have checksums as well (its format of version 1.8), and strings, which have
+// none, fixed lengths.
+namespace asperity::mesh
+{
+struct PartitionSummary
+{
+  int dimension = 0;
+  int num_parts = 0;
+  int num_vertices = 0; // of the whole mesh, as are the cells
+  int num_cells = 0;
+  std::vector<double> period; // (dimension), m
+  std::string fingerprint;
+  PartitionOptions options;
+  std::vector<std::string> region_names;
+  std::vector<std::string> boundary_names; // sorted
+};
+
+// Divides the mesh as `owners` says and writes all parts; partitionVertices has made `owners` with
+// these options. The file is complete or not there. InputError if it cannot be written.
+template <int Dim>
+void writeParts(GlobalMesh<Dim> const& mesh, std::vector<int> const& owners, int num_parts,
+                PartitionOptions const& options, std::string const& file_name);
+
+// The part of this rank, equal to localPart of the whole mesh. Every rank reads its own rows, in
+// parallel; none has the whole mesh at any time. Every rank throws the same InputError if the file
+// is missing, malformed, truncated, damaged, of another dimension, or made for another number of
+// ranks; its message has the command that partitions anew. Collective.
+template <int Dim>
+Mesh<Dim> readPart(std::string const& file_name, RCP<const Communicator> const& communicator);
+
+// The whole mesh put together from all parts, checked; on one process. InputError as readPart.
+template <int Dim>
+GlobalMesh<Dim> readParts(std::string const& file_name);
+
+// What the file has, without the mesh. InputError if it is no partitioned mesh.
+PartitionSummary partitionSummary(std::string const& file_name);
+
+// True for a partitioned mesh, false for one of MeshFile.hpp. InputError for anything else; the
+// same on every rank, of which the first reads. Collective with a communicator.
+bool isPartitioned(std::string const& file_name);
+bool isPartitioned(std::string const& file_name, Communicator const& communicator);
+
+// 2 or 3, of a file of either kind; errors as isPartitioned.
+int fileDimension(std::string const& file_name, Communicator const& communicator);
+} // namespace asperity::mesh

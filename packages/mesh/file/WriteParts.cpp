@@ -1,0 +1,138 @@
+#include "mesh/file/PartitionedFile.hpp"
+
+#include "base/Errors.hpp"
+#include "mesh/file/detail/CompleteFile.hpp"
+#include "mesh/file/detail/Hdf5Writer.hpp"
+#include "mesh/file/detail/PartitionFormat.hpp"
+
+namespace asperity::mesh
+{
+namespace
+{
+// Writes the arrays of all parts, one after the other.
+template <int Dim>
+class PartsWriter
+{
+public:
+  PartsWriter(detail::Hdf5Writer& file, PartitionSummary const& summary,
+              std::vector<NumberedPart<Dim>> const& parts)
+      : file_(file)
+      , summary_(summary)
+      , seed_(detail::seedOf(summary))
+      , parts_(parts)
+  {
+  }
+
+  void writeArrays() const
+  {
+    using Part = NumberedPart<Dim>;
+    array("/num_owned", [](Part const& part) { return std::vector<int>{part.mesh.num_owned}; });
+    array("/vertices", [](Part const& part) { return part.mesh.vertices; });
+    array("/global_ids", [](Part const& part) { return part.mesh.global_ids; });
+    array("/cells", [](Part const& part) { return part.mesh.cells; });
+    array("/cell_regions", [](Part const& part) { return part.mesh.cell_regions; });
+    array("/cell_ids", [](Part const& part) { return part.cells; });
+    file_.group("/boundaries");
+    for (auto const& name : summary_.boundary_names) {
+      file_.group("/boundaries/" + name);
+      array(detail::boundaryArray(name, "facets"),
+            [&](Part const& part) { return part.mesh.boundaries.at(name); });
+      array(detail::boundaryArray(name, "facet_ids"),
+            [&](Part const& part) { return part.facets.at(name); });
+    }
+  }
+
+private:
+  template <class RowsOf>
+  void array(std::string const& path, RowsOf rows_of) const
+  {
+    decltype(rows_of(parts_.front())) all;
+    std::vector<long long> offsets = {0};
+    std::vector<std::uint64_t> checksums;
+    for (std::size_t p = 0; p < parts_.size(); ++p) {
+      auto const& rows = rows_of(parts_[p]);
+      all.insert(all.end(), rows.begin(), rows.end());
+      offsets.push_back(static_cast<long long>(all.size()));
+      checksums.push_back(detail::partChecksum(seed_, path, static_cast<int>(p), rows));
+    }
+    file_.group(path);
+    values(path + "/values", all);
+    values(path + "/offsets", offsets);
+    values(path + "/checksums", checksums);
+  }
+
+  template <class Number>
+  void values(std::string const& path, std::vector<Number> const& numbers) const
+  {
+    file_.dataset(path, numbers.data(), numbers.size(), 0);
+  }
+  template <class Number, std::size_t N>
+  void values(std::string const& path, std::vector<std::array<Number, N>> const& rows) const
+  {
+    file_.dataset(path, rows.empty() ? nullptr : rows.front().data(), rows.size(), N);
+  }
+
+  detail::Hdf5Writer& file_;
+  PartitionSummary const& summary_;
+  std::uint64_t seed_;
+  std::vector<NumberedPart<Dim>> const& parts_;
+};
+
+template <int Dim>
+PartitionSummary summaryOf(GlobalMesh<Dim> const& mesh, int num_parts,
+                           PartitionOptions const& options)
+{
+  PartitionSummary summary;
+  summary.dimension = Dim;
+  summary.num_parts = num_parts;
+  summary.num_vertices = static_cast<int>(mesh.vertices.size());
+  summary.num_cells = static_cast<int>(mesh.cells.size());
+  summary.period.assign(mesh.period.begin(), mesh.period.end());
+  summary.fingerprint = detail::fingerprint(mesh);
+  summary.options = options;
+  summary.region_names = mesh.region_names;
+  for (auto const& boundary : mesh.boundaries) {
+    summary.boundary_names.push_back(boundary.first);
+  }
+  return summary;
+}
+
+void writeSummary(detail::Hdf5Writer& file, PartitionSummary const& summary)
+{
+  file.attribute("format", std::string(detail::partition_format));
+  file.attribute("version", detail::partition_version);
+  file.attribute("dimension", summary.dimension);
+  file.attribute("num_parts", summary.num_parts);
+  file.attribute("num_vertices", summary.num_vertices);
+  file.attribute("num_cells", summary.num_cells);
+  file.attribute("period", summary.period);
+  file.attribute("fingerprint", summary.fingerprint);
+  file.attribute("boundary", summary.options.boundary);
+  file.attribute("boundary_weight", summary.options.boundary_weight);
+  file.dataset("/region_names", summary.region_names);
+}
+} // namespace
+
+template <int Dim>
+void writeParts(GlobalMesh<Dim> const& mesh, std::vector<int> const& owners, int num_parts,
+                PartitionOptions const& options, std::string const& file_name)
+{
+  const std::string where = "Mesh file '" + file_name + "'";
+  for (auto const& boundary : mesh.boundaries) {
+    detail::requireGroupName(boundary.first, where);
+  }
+  const auto summary = summaryOf(mesh, num_parts, options);
+  const auto parts = localParts(mesh, owners, num_parts);
+  detail::writeCompletely(file_name, where, [&](std::string const& unfinished) {
+    detail::Hdf5Writer file(unfinished, detail::Hdf5Writer::Layout::sealed);
+    writeSummary(file, summary);
+    PartsWriter<Dim>(file, summary, parts).writeArrays();
+    return file.finish();
+  });
+}
+
+template void writeParts(GlobalMesh<2> const&, std::vector<int> const&, int,
+                         PartitionOptions const&, std::string const&);
+template void writeParts(GlobalMesh<3> const&, std::vector<int> const&, int,
+                         PartitionOptions const&, std::string const&);
+} // namespace asperity::mesh

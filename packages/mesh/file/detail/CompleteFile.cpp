@@ -1,0 +1,31 @@
+#include "mesh/file/detail/CompleteFile.hpp"
+
+#include "base/Errors.hpp"
+
+#include <filesystem>
+
+namespace asperity::mesh::detail
+{
+void writeCompletely(std::string const& file_name, std::string const& where,
+                     std::function<bool(std::string const&)> const& write)
+{
+  const std::string unfinished = file_name + ".part";
+  std::error_code error;
+  if (write(unfinished)) {
+    std::filesystem::rename(unfinished, file_name, error);
+    if (!error) {
+      return;
+    }
+  }
+  std::error_code ignored;
+  std::filesystem::remove(unfinished, ignored);
+  throw InputError(where + " cannot be written" + (error ? " (" + error.message() + ")" : "") +
+                   ". Does the folder exist, may you write there, and is there space?");
+}
+
+void requireGroupName(std::string const& boundary, std::string const& where)
+{
+  ASPERITY_REQUIRE(!boundary.empty() && boundary != "." && boundary.find('/') == std::string::npos,
+                   where << ": '" << boundary << "' cannot be the name of a boundary.");
+}
+} // namespace asperity::mesh::detail

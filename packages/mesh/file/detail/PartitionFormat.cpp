@@ -1,0 +1,101 @@
+#include "mesh/file/detail/PartitionFormat.hpp"
+
+#include "base/Errors.hpp"
+
+#include <filesystem>
+#include <sstream>
+
+namespace asperity::mesh::detail
+{
+namespace
+{
+int positiveAttribute(Hdf5Reader const& file, std::string const& name)
+{
+  const int value = file.integerAttribute(name);
+  ASPERITY_REQUIRE(value > 0, file.where() << ": the attribute '" << name << "' = " << value
+                                           << " is outside [1, inf).");
+  return value;
+}
+
+void requireFormat(Hdf5Reader const& file)
+{
+  const std::string format = file.stringAttribute("format");
+  ASPERITY_REQUIRE(format == partition_format,
+                   file.where() << " is no partitioned mesh: its attribute 'format' is '" << format
+                                << "', not '" << partition_format
+                                << "'. asperity-mesh partition makes one.");
+  const int version = file.integerAttribute("version");
+  ASPERITY_REQUIRE(version == partition_version,
+                   file.where() << " has version " << version
+                                << " of the format; this program reads version "
+                                << partition_version << ". Partition the mesh again.");
+}
+} // namespace
+
+PartitionSummary readSummary(Hdf5Reader const& file)
+{
+  requireFormat(file);
+  PartitionSummary summary;
+  summary.dimension = file.integerAttribute("dimension");
+  ASPERITY_REQUIRE(summary.dimension == 2 || summary.dimension == 3,
+                   file.where() << ": the attribute 'dimension' = " << summary.dimension
+                                << " is neither 2 nor 3.");
+  summary.num_parts = positiveAttribute(file, "num_parts");
+  summary.num_vertices = positiveAttribute(file, "num_vertices");
+  summary.num_cells = positiveAttribute(file, "num_cells");
+  summary.period = file.numbersAttribute("period", static_cast<std::size_t>(summary.dimension));
+  summary.fingerprint = file.stringAttribute("fingerprint");
+  summary.options.boundary = file.stringAttribute("boundary");
+  summary.options.boundary_weight = positiveAttribute(file, "boundary_weight");
+  summary.region_names = file.strings("/region_names");
+  summary.boundary_names = file.groupEntries("/boundaries");
+  return summary;
+}
+
+std::uint64_t seedOf(PartitionSummary const& summary)
+{
+  return Checksum()
+    .add(summary.dimension)
+    .add(summary.num_parts)
+    .add(summary.num_vertices)
+    .add(summary.num_cells)
+    .add(summary.period)
+    .add(summary.fingerprint)
+    .add(summary.region_names)
+    .add(summary.boundary_names)
+    .value();
+}
+
+template <int Dim>
+std::string fingerprint(GlobalMesh<Dim> const& mesh)
+{
+  Checksum checksum;
+  checksum.add(Dim).add(mesh.vertices).add(std::vector<Point<Dim>>{mesh.period});
+  checksum.add(mesh.cells).add(mesh.cell_regions).add(mesh.region_names);
+  for (auto const& [name, facets] : mesh.boundaries) {
+    checksum.add(name).add(facets);
+  }
+  std::ostringstream text;
+  text.fill('0');
+  text.width(16);
+  text << std::hex << checksum.value();
+  return text.str();
+}
+
+// body.h5 becomes body_2.h5, and so does body_8.h5 if it has 8 parts.
+std::string partitionCommand(std::string const& file_name, int num_parts, int wanted_parts)
+{
+  const std::filesystem::path path = file_name;
+  std::string stem = path.stem().string();
+  const std::string suffix = "_" + std::to_string(num_parts);
+  if (stem.size() > suffix.size() && stem.substr(stem.size() - suffix.size()) == suffix) {
+    stem.resize(stem.size() - suffix.size());
+  }
+  const std::string name = stem + "_" + std::to_string(wanted_parts) + path.extension().string();
+  return "asperity-mesh partition " + file_name + " --parts " + std::to_string(wanted_parts) +
+         " --output " + (path.parent_path() / name).string();
+}
+
+template std::string fingerprint(GlobalMesh<2> const&);
+template std::string fingerprint(GlobalMesh<3> const&);
+} // namespace asperity::mesh::detail

@@ -1,0 +1,38 @@
+#pragma once
+
+#include "mesh/file/PartitionedFile.hpp"
+#include "mesh/file/detail/Checksum.hpp"
+#include "mesh/file/detail/Hdf5Reader.hpp"
+
+// What the writer and the readers of partitioned files share (PartitionedFile.hpp).
+namespace asperity::mesh::detail
+{
+constexpr char partition_format[] = "asperity-partition";
+constexpr int partition_version = 1;
+
+// InputError unless it is one.
+PartitionSummary readSummary(Hdf5Reader const& file);
+
+// Depends on everything that the parts must agree on. The checksums of all rows start from it, so
+// that rows of another mesh, or for another number of parts, are found out.
+std::uint64_t seedOf(PartitionSummary const& summary);
+
+// Of the rows of an array that belong to a part.
+template <class Row>
+std::uint64_t partChecksum(std::uint64_t seed, std::string const& array, int part,
+                           std::vector<Row> const& rows)
+{
+  return Checksum(seed).add(array).add(part).add(rows).value();
+}
+
+template <int Dim>
+std::string fingerprint(GlobalMesh<Dim> const& mesh);
+
+inline std::string boundaryArray(std::string const& boundary, std::string const& what)
+{
+  return "/boundaries/" + boundary + "/" + what;
+}
+
+// The command that makes a file of so many parts from this one.
+std::string partitionCommand(std::string const& file_name, int num_parts, int wanted_parts);
+} // namespace asperity::mesh::detail

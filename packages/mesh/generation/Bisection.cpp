@@ -1,0 +1,262 @@
+#include "mesh/generation/Bisection.hpp"
+
+#include "base/Errors.hpp"
+#include "base/Text.hpp"
+#include "mesh/SimplexGeometry.hpp"
+#include "mesh/generation/detail/MarkedSimplex.hpp"
+#include "mesh/generation/detail/VertexEstimate.hpp"
+
+#include <tuple>
+
+namespace asperity::mesh
+{
+namespace
+{
+using detail::Edge;
+
+constexpr std::size_t most_vertices = 10'000'000;
+
+// A sweep marks the refinement edges of the cells that are too large, marks more until every cell
+// with a marked edge has its refinement edge marked too, and bisects along all marked edges.
+// Marking more ends because there are finitely many edges, whatever the refinement edges of the
+// first cells are. Triangles are then conforming. Tetrahedra may have children with a marked edge
+// that is not their refinement edge: the same again until there are none.
+template <int Dim>
+class Bisection
+{
+public:
+  explicit Bisection(GlobalMesh<Dim> const& mesh) : mesh_(mesh)
+  {
+    const detail::IsLonger is_longer = [this](Edge const& a, Edge const& b) {
+      return rank(a) > rank(b);
+    };
+    cells_.reserve(mesh.cells.size());
+    for (std::size_t c = 0; c < mesh.cells.size(); ++c) {
+      cells_.push_back({{mesh.cells[c], is_longer}, mesh.cell_regions[c], false});
+    }
+    for (auto const& [name, facets] : mesh.boundaries) {
+      auto& marked = facets_[name];
+      for (auto const& facet : facets) {
+        marked.push_back({facet, is_longer});
+      }
+    }
+  }
+
+  // False if no cell was too large.
+  bool sweep(SizeFunction<Dim> const& largest_diameter)
+  {
+    markLargeCells(largest_diameter);
+    if (midpoints_.empty()) {
+      return false;
+    }
+    closeMarks();
+    do {
+      createMidpoints();
+      bisectCells();
+    } while (closeMarks());
+    bisectFacets();
+    midpoints_.clear();
+    return true;
+  }
+
+  std::size_t numVertices() const { return mesh_.vertices.size(); }
+
+  GlobalMesh<Dim> mesh() const
+  {
+    auto result = mesh_;
+    result.cells.clear();
+    result.cell_regions.clear();
+    for (auto const& cell : cells_) {
+      result.cells.push_back(cell.simplex.vertices());
+      result.cell_regions.push_back(cell.region);
+    }
+    for (auto& [name, facets] : result.boundaries) {
+      facets.clear();
+      for (auto const& facet : facets_.at(name)) {
+        facets.push_back(facet.vertices());
+      }
+    }
+    return result;
+  }
+
+private:
+  using Simplex = detail::MarkedSimplex<Dim>;
+  using Facet = detail::MarkedSimplex<Dim - 1>;
+  struct Cell
+  {
+    Simplex simplex;
+    int region;
+    bool is_small; // enough, as far as is known
+  };
+  static constexpr int unknown = -1;
+
+  // In the order of the edges' lengths.
+  std::tuple<double, int, int> rank(Edge edge) const
+  {
+    std::sort(edge.begin(), edge.end());
+    return {longestEdge(corners(mesh_, edge)), edge[0], edge[1]};
+  }
+
+  static Edge edgeOf(Simplex const& simplex, Edge const& ends)
+  {
+    return {simplex.vertices()[ends[0]], simplex.vertices()[ends[1]]};
+  }
+
+  void markLargeCells(SizeFunction<Dim> const& largest_diameter)
+  {
+    for (auto& cell : cells_) {
+      if (!cell.is_small) {
+        const auto points = corners(mesh_, cell.simplex.vertices());
+        const double allowed = largest_diameter(points);
+        ASPERITY_ASSERT(allowed > 0.0);
+        cell.is_small = longestEdge(points) <= allowed;
+      }
+      if (!cell.is_small) {
+        midpoints_.add(cell.simplex.refinementEdge(), unknown);
+      }
+    }
+  }
+
+  bool hasMarkedEdge(Simplex const& simplex)
+  {
+    return std::any_of(Simplex::edges.begin(), Simplex::edges.end(), [&](Edge const& ends) {
+      return midpoints_.find(edgeOf(simplex, ends)) != nullptr;
+    });
+  }
+
+  // False if all was closed.
+  bool closeMarks()
+  {
+    bool has_marked = false;
+    for (bool has_changed = true; has_changed;) {
+      has_changed = false;
+      for (auto const& cell : cells_) {
+        if (hasMarkedEdge(cell.simplex) && midpoints_.add(cell.simplex.refinementEdge(), unknown)) {
+          has_changed = true;
+        }
+      }
+      has_marked = has_marked || has_changed;
+    }
+    return has_marked;
+  }
+
+  // In the order of the cells, so that the numbers do not depend on the hash table.
+  void createMidpoints()
+  {
+    for (auto const& cell : cells_) {
+      for (auto const& ends : Simplex::edges) {
+        const Edge edge = edgeOf(cell.simplex, ends);
+        int* midpoint = midpoints_.find(edge);
+        if (midpoint && *midpoint == unknown) {
+          *midpoint = static_cast<int>(mesh_.vertices.size());
+          mesh_.vertices.push_back(centroid(corners(mesh_, edge)));
+        }
+      }
+    }
+  }
+
+  void bisectCells()
+  {
+    std::vector<Cell> cells;
+    cells.swap(cells_);
+    cells_.reserve(2 * cells.size());
+    for (auto const& cell : cells) {
+      bisectCell(cell);
+    }
+  }
+
+  void bisectCell(Cell const& cell)
+  {
+    int const* midpoint = midpoints_.find(cell.simplex.refinementEdge());
+    if (!midpoint) {
+      cells_.push_back(cell);
+      return;
+    }
+    for (auto const& child : cell.simplex.children(*midpoint)) {
+      bisectCell({child, cell.region, false});
+    }
+  }
+
+  void bisectFacets()
+  {
+    for (auto& boundary : facets_) {
+      std::vector<Facet> facets;
+      facets.swap(boundary.second);
+      for (auto const& facet : facets) {
+        bisectFacet(facet, boundary.second);
+      }
+    }
+  }
+
+  void bisectFacet(Facet const& facet, std::vector<Facet>& facets)
+  {
+    int const* midpoint = midpoints_.find(facet.refinementEdge());
+    if (!midpoint) {
+      facets.push_back(facet);
+      return;
+    }
+    for (auto const& child : facet.children(*midpoint)) {
+      bisectFacet(child, facets);
+    }
+  }
+
+  GlobalMesh<Dim> mesh_; // its cells and boundaries are the first ones
+  std::vector<Cell> cells_;
+  std::map<std::string, std::vector<Facet>> facets_;
+  detail::EdgeTable midpoints_; // marked edge -> vertex, or unknown
+};
+
+// Before hours of bisection, not after them.
+template <int Dim>
+void refuseTooMany(GlobalMesh<Dim> const& mesh, SizeFunction<Dim> const& largest_diameter)
+{
+  const double sum = detail::fewestVertices<Dim>(mesh, largest_diameter);
+  ASPERITY_REQUIRE(sum <= most_vertices, "Mesh: cells of this size would have about "
+                                           << formatShort(sum) << " vertices, more than "
+                                           << most_vertices << ". Is the cell size meant in m?");
+}
+
+template <int Dim>
+GlobalMesh<Dim> bisected(GlobalMesh<Dim> const& mesh, SizeFunction<Dim> const& largest_diameter)
+{
+  refuseTooMany<Dim>(mesh, largest_diameter);
+  Bisection<Dim> bisection(mesh);
+  while (bisection.sweep(largest_diameter)) {
+    ASPERITY_REQUIRE(bisection.numVertices() <= most_vertices,
+                     "Mesh: the cells would have more than "
+                       << most_vertices << " vertices. Is the cell size meant in m?");
+  }
+  return bisection.mesh();
+}
+
+template <int Dim>
+SizeFunction<Dim> diameterFrom(CellSize<Dim> const& size)
+{
+  return [size](std::array<Point<Dim>, Dim + 1> const& cell) {
+    double smallest = size(centroid(cell));
+    for (int i = 0; i <= Dim; ++i) {
+      smallest = std::min(smallest, size(cell[i]));
+      for (int j = 0; j < i; ++j) {
+        smallest = std::min(smallest, size(centroid(std::array<Point<Dim>, 2>{cell[i], cell[j]})));
+      }
+    }
+    constexpr double rounding = 1e-9;
+    return std::sqrt(double(Dim)) * (1.0 + rounding) * smallest;
+  };
+}
+} // namespace
+
+GlobalMesh<2> bisect(GlobalMesh<2> const& mesh, SizeFunction<2> const& largest_diameter)
+{
+  return bisected<2>(mesh, largest_diameter);
+}
+
+GlobalMesh<3> bisect(GlobalMesh<3> const& mesh, SizeFunction<3> const& largest_diameter)
+{
+  return bisected<3>(mesh, largest_diameter);
+}
+
+SizeFunction<2> largestDiameter(CellSize<2> const& size) { return diameterFrom<2>(size); }
+
+SizeFunction<3> largestDiameter(CellSize<3> const& size) { return diameterFrom<3>(size); }
+} // namespace asperity::mesh

@@ -1,0 +1,169 @@
+#include "mesh/parallel/Partition.hpp"
+
+#include "base/Errors.hpp"
+
+#include <algorithm>
+
+namespace asperity::mesh
+{
+namespace
+{
+// What a part has, as numbers of the whole mesh, ascending.
+struct Selection
+{
+  std::vector<int> owned;
+  std::vector<int> cells;
+  std::map<std::string, std::vector<int>> facets; // per boundary
+};
+
+// Calls visit(part) once for every part that owns a vertex of the cell or facet.
+template <std::size_t N, class Visit>
+void forOwners(std::array<int, N> const& simplex, std::vector<int> const& owners, Visit visit)
+{
+  std::array<int, N> parts;
+  for (std::size_t i = 0; i < N; ++i) {
+    parts[i] = owners[static_cast<std::size_t>(simplex[i])];
+    if (std::find(parts.begin(), parts.begin() + i, parts[i]) == parts.begin() + i) {
+      visit(parts[i]);
+    }
+  }
+}
+
+// selection(part) is where the numbers of that part go, or nullptr.
+template <int Dim, class SelectionOf>
+void select(GlobalMesh<Dim> const& mesh, std::vector<int> const& owners, SelectionOf selection)
+{
+  for (std::size_t v = 0; v < owners.size(); ++v) {
+    if (Selection* part = selection(owners[v])) {
+      part->owned.push_back(static_cast<int>(v));
+    }
+  }
+  for (std::size_t c = 0; c < mesh.cells.size(); ++c) {
+    forOwners(mesh.cells[c], owners, [&](int owner) {
+      if (Selection* part = selection(owner)) {
+        part->cells.push_back(static_cast<int>(c));
+      }
+    });
+  }
+  for (auto const& [name, facets] : mesh.boundaries) {
+    for (std::size_t f = 0; f < facets.size(); ++f) {
+      forOwners(facets[f], owners, [&, &boundary = name](int owner) {
+        if (Selection* part = selection(owner)) {
+          part->facets[boundary].push_back(static_cast<int>(f));
+        }
+      });
+    }
+  }
+}
+
+// Makes the meshes of parts, one after the other.
+template <int Dim>
+class Cutter
+{
+public:
+  explicit Cutter(GlobalMesh<Dim> const& mesh) : mesh_(mesh), local_(mesh.vertices.size(), -1) {}
+
+  Mesh<Dim> part(Selection const& selection)
+  {
+    Mesh<Dim> part;
+    part.num_global_vertices = static_cast<GlobalOrdinal>(mesh_.vertices.size());
+    part.period = mesh_.period;
+    part.region_names = mesh_.region_names;
+    addVertices(selection, part);
+    for (int c : selection.cells) {
+      part.cells.push_back(renumbered(mesh_.cells[c]));
+      part.cell_regions.push_back(mesh_.cell_regions[c]);
+    }
+    for (auto const& [name, facets] : mesh_.boundaries) {
+      auto& local_facets = part.boundaries[name];
+      const auto selected = selection.facets.find(name);
+      if (selected != selection.facets.end()) {
+        for (int f : selected->second) {
+          local_facets.push_back(renumbered(facets[f]));
+        }
+      }
+    }
+    for (GlobalOrdinal vertex : part.global_ids) {
+      local_[static_cast<std::size_t>(vertex)] = -1;
+    }
+    return part;
+  }
+
+private:
+  // The owned vertices, then the ghosts, each in the order of their global ids.
+  void addVertices(Selection const& selection, Mesh<Dim>& part)
+  {
+    number(selection.owned, part);
+    part.num_owned = static_cast<int>(selection.owned.size());
+    std::vector<int> ghosts;
+    for (int c : selection.cells) {
+      for (int vertex : mesh_.cells[c]) {
+        if (local_[vertex] < 0) {
+          ghosts.push_back(vertex);
+        }
+      }
+    }
+    std::sort(ghosts.begin(), ghosts.end());
+    ghosts.erase(std::unique(ghosts.begin(), ghosts.end()), ghosts.end());
+    number(ghosts, part);
+  }
+
+  void number(std::vector<int> const& vertices, Mesh<Dim>& part)
+  {
+    for (int vertex : vertices) {
+      local_[vertex] = static_cast<int>(part.vertices.size());
+      part.vertices.push_back(mesh_.vertices[vertex]);
+      part.global_ids.push_back(vertex);
+    }
+  }
+
+  template <std::size_t N>
+  std::array<int, N> renumbered(std::array<int, N> simplex) const
+  {
+    for (int& vertex : simplex) {
+      vertex = local_[static_cast<std::size_t>(vertex)];
+    }
+    return simplex;
+  }
+
+  GlobalMesh<Dim> const& mesh_;
+  std::vector<int> local_; // of the present part; -1 elsewhere
+};
+} // namespace
+
+template <int Dim>
+Mesh<Dim> localPart(GlobalMesh<Dim> const& mesh, std::vector<int> const& owners, int rank)
+{
+  ASPERITY_ASSERT(owners.size() == mesh.vertices.size());
+  Selection selection;
+  select(mesh, owners, [&](int part) { return part == rank ? &selection : nullptr; });
+  return Cutter<Dim>(mesh).part(selection);
+}
+
+template <int Dim>
+std::vector<NumberedPart<Dim>> localParts(GlobalMesh<Dim> const& mesh,
+                                          std::vector<int> const& owners, int num_parts)
+{
+  ASPERITY_ASSERT(owners.size() == mesh.vertices.size());
+  std::vector<Selection> selections(static_cast<std::size_t>(num_parts));
+  select(mesh, owners, [&](int part) { return &selections.at(static_cast<std::size_t>(part)); });
+  Cutter<Dim> cutter(mesh);
+  std::vector<NumberedPart<Dim>> parts;
+  for (auto& selection : selections) {
+    for (auto const& boundary : mesh.boundaries) {
+      selection.facets[boundary.first]; // every part has every name
+    }
+    auto part = cutter.part(selection);
+    parts.push_back({std::move(part), std::move(selection.cells), std::move(selection.facets)});
+  }
+  return parts;
+}
+
+#define ASPERITY_INSTANTIATE(Dim)                                                                  \
+  template Mesh<Dim> localPart(GlobalMesh<Dim> const&, std::vector<int> const&, int);              \
+  template std::vector<NumberedPart<Dim>> localParts(GlobalMesh<Dim> const&,                       \
+                                                     std::vector<int> const&, int);
+ASPERITY_INSTANTIATE(2)
+ASPERITY_INSTANTIATE(3)
+#undef ASPERITY_INSTANTIATE
+} // namespace asperity::mesh

@@ -1,0 +1,28 @@
+#pragma once
+
+#include "mesh/file/PartitionedFile.hpp"
+
+namespace asperity::mesh::detail
+{
+// The whole mesh, put together from parts that checkPart has accepted.
+template <int Dim>
+class Assembly
+{
+public:
+  explicit Assembly(PartitionSummary const& summary);
+
+  // InputError if numbers of cells or facets are out of range, or do not fit what they number.
+  void add(NumberedPart<Dim> const& part, std::string const& where);
+
+  // InputError unless every vertex, cell and facet has been added.
+  GlobalMesh<Dim> finish(std::string const& where);
+
+private:
+  void addCells(NumberedPart<Dim> const& part, std::string const& where);
+  void addFacets(std::string const& boundary, NumberedPart<Dim> const& part,
+                 std::string const& where);
+
+  std::vector<bool> has_vertex_;
+  GlobalMesh<Dim> mesh_; // cells and facets that are missing have vertices -1
+};
+} // namespace asperity::mesh::detail

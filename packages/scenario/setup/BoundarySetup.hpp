@@ -1,0 +1,33 @@
+#pragma once
+
+#include "base/parameters/Parameters.hpp"
+#include "fem/Constraints.hpp"
+
+#include <string>
+#include <vector>
+
+namespace asperity::scenario
+{
+// The deck's list `Boundary Conditions`: one list of any name for each condition.
+RCP<const ParameterList> boundaryParameters();
+
+template <int Dim>
+struct BoundaryConditions
+{
+  std::string fault; // name of the boundary with friction
+  // Half of a planar two-sided fault (slip = 2 u_t, the displacement across it free) instead of
+  // bilateral contact with a rigid foundation (slip = u_t, u_n = 0).
+  bool antisymmetric = false;
+  std::string surface;                // of the first free surface; empty if there is none
+  std::vector<std::string> absorbing; // boundaries with dashpots
+  std::vector<fem::VelocityCondition<Dim>> velocities;
+  double ramp_end = 0; // when the last loading ramp has ended [s]
+
+  double slipFactor() const { return antisymmetric ? 2 : 1; }
+};
+
+// components of the displacement: Dim, or 1 antiplane. InputError on contradictions that need no
+// mesh to be seen.
+template <int Dim>
+BoundaryConditions<Dim> makeBoundaryConditions(ParameterList const& list, int components);
+} // namespace asperity::scenario

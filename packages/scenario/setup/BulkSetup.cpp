@@ -1,0 +1,200 @@
+#include "scenario/setup/BulkSetup.hpp"
+
+#include "fem/Simplex.hpp"
+#include "scenario/setup/NodalField.hpp"
+
+#include <cmath>
+#include <optional>
+
+namespace asperity::scenario
+{
+namespace
+{
+const std::string path = "Asperity / Bulk";
+
+// Elastic constants of which any two determine the others.
+constexpr char const* bulk_modulus = "Bulk Modulus";
+constexpr char const* shear_modulus = "Shear Modulus";
+constexpr char const* poisson = "Poisson's Ratio";
+constexpr char const* radiation_damping = "Radiation Damping";
+} // namespace
+
+RCP<const ParameterList> bulkParameters()
+{
+  auto const quasi_dynamic =
+    Declare()
+      .field(radiation_damping, optional, "Pa s/m", Range::atLeast(0),
+             "eta in tau = friction + eta V, V the slip rate; left out, G / (2 cs) on an "
+             "antisymmetric fault and G / cs in bilateral contact.")
+      .list();
+  return Declare()
+    .choice("Model", "Plane Strain", {"Plane Strain", "Antiplane", "Solid"},
+            "Displacement within the plane of the mesh, or perpendicular to it; Solid: in all "
+            "three dimensions.")
+    .choiceOfLists("Dynamics", "Inertial",
+                   {{"Inertial", Declare().list()}, {"Quasi-dynamic", quasi_dynamic}},
+                   "Inertial: with mass, and waves. Quasi-dynamic: without mass; the fault loses "
+                   "what waves would carry away to a radiation damping.")
+    .field("Density", required, "kg/m^3", Range::positive(), "Mass density.")
+    .field(bulk_modulus, optional, "Pa", Range::positive(),
+           "Bulk modulus; all but antiplane need two of bulk modulus, shear modulus and Poisson's "
+           "ratio.")
+    .field(shear_modulus, optional, "Pa", Range::positive(),
+           "Shear modulus; antiplane needs it, or both others.")
+    .field(poisson, optional, "-", Range::open(-1, 0.5), "Poisson's ratio.")
+    .field("Shear Viscosity", 0., "Pa s", Range::atLeast(0), "Viscosity of the change of shape.")
+    .field("Bulk Viscosity", 0., "Pa s", Range::atLeast(0), "Viscosity of the change of volume.")
+    .real("Gravitational Acceleration", 0., "m/s^2", Range::atLeast(0),
+          "Acceleration of gravity; not antiplane.")
+    .realArray("Gravity Direction", std::vector<double>{0., -1.}, "-", Range::any(),
+               "Where down is, in x, y and, in three dimensions, z (0 if left out); any length.")
+    .list();
+}
+
+int displacementComponents(ParameterList const& list)
+{
+  auto const model = list.get<std::string>("Model");
+  return model == "Antiplane" ? 1 : model == "Plane Strain" ? 2 : 3;
+}
+
+int displacementComponents(ParameterList const& list, int dimension)
+{
+  const int components = displacementComponents(list);
+  ASPERITY_REQUIRE((components == 3) == (dimension == 3),
+                   path << " / Model = " << list.get<std::string>("Model") << ", but the mesh has "
+                        << dimension << " dimensions. Choose "
+                        << (dimension == 3 ? "Solid." : "Plane Strain or Antiplane."));
+  return components;
+}
+
+bool quasiDynamic(ParameterList const& list)
+{
+  return list.get<std::string>("Dynamics") == "Quasi-dynamic";
+}
+
+template <int Dim>
+std::vector<double> radiationDamping(ParameterList const& list, Mesh<Dim> const& mesh,
+                                     std::vector<int> const& nodes,
+                                     std::vector<fem::Material> const& at_nodes, double slip_factor)
+{
+  if (!quasiDynamic(list)) {
+    return std::vector<double>(nodes.size(), 0.);
+  }
+  auto const& chosen = list.sublist("Quasi-dynamic");
+  if (isGiven(chosen, radiation_damping)) {
+    return nodalValues(chosen, radiation_damping, path + " / Quasi-dynamic", mesh, nodes);
+  }
+  std::vector<double> eta;
+  for (auto const& material : at_nodes) {
+    eta.push_back(material.shearImpedance() / slip_factor); // G / cs = rho cs
+  }
+  return eta;
+}
+
+template <int Dim>
+std::array<double, Dim> gravity(ParameterList const& list)
+{
+  const double acceleration = list.get<double>("Gravitational Acceleration");
+  std::array<double, Dim> result{};
+  if (acceleration == 0) {
+    return result;
+  }
+  ASPERITY_REQUIRE(displacementComponents(list) > 1,
+                   path << " / Gravitational Acceleration = " << acceleration
+                        << " does nothing to an antiplane model. Leave it out.");
+  auto const direction = list.get<Teuchos::Array<double>>("Gravity Direction");
+  double square = 0;
+  for (double component : direction) {
+    square += component * component;
+  }
+  ASPERITY_REQUIRE(square > 0 && direction.size() >= 2 && direction.size() <= Dim,
+                   path << " / Gravity Direction = " << direction.toString()
+                        << " is no direction. Give two numbers" << (Dim == 3 ? " or three" : "")
+                        << ", not all zero.");
+  for (int d = 0; d < direction.size(); ++d) {
+    result[d] = acceleration * direction[d] / std::sqrt(square);
+  }
+  return result;
+}
+
+namespace
+{
+class Elasticity
+{
+public:
+  Elasticity(ParameterList const& list, std::vector<std::string> const& region_names)
+      : bulk_(read(list, bulk_modulus, region_names))
+      , shear_(read(list, shear_modulus, region_names))
+      , poisson_(read(list, poisson, region_names))
+      , antiplane_(displacementComponents(list) == 1)
+  {
+    const int given = bulk_.has_value() + shear_.has_value() + poisson_.has_value();
+    const bool enough = given == 2 || (antiplane_ && shear_ && given == 1);
+    ASPERITY_REQUIRE(enough, path << ": " << given << " of '" << bulk_modulus << "', '"
+                                  << shear_modulus << "' and '" << poisson
+                                  << "' are given; the elastic body needs exactly two"
+                                  << (antiplane_ ? ", or the shear modulus alone." : "."));
+  }
+
+  void set(fem::Material& material, std::array<double, 3> const& x, int region) const
+  {
+    auto const at = [&](std::optional<Field> const& field) { return (*field)(x, 0, region); };
+    if (shear_) {
+      material.shear_modulus = at(shear_);
+    } else {
+      const double nu = at(poisson_);
+      material.shear_modulus = 3 * at(bulk_) * (1 - 2 * nu) / (2 * (1 + nu));
+    }
+    if (bulk_) {
+      material.bulk_modulus = at(bulk_);
+    } else if (poisson_) {
+      const double nu = at(poisson_);
+      material.bulk_modulus = 2 * material.shear_modulus * (1 + nu) / (3 * (1 - 2 * nu));
+    }
+  }
+
+private:
+  static std::optional<Field> read(ParameterList const& list, char const* name,
+                                   std::vector<std::string> const& region_names)
+  {
+    return isGiven(list, name) ? std::optional<Field>(steadyField(list, name, path, region_names))
+                               : std::nullopt;
+  }
+
+  std::optional<Field> bulk_, shear_, poisson_;
+  bool antiplane_;
+};
+} // namespace
+
+template <int Dim>
+std::vector<fem::Material> makeMaterials(ParameterList const& list, Mesh<Dim> const& mesh)
+{
+  auto const& regions = mesh.region_names;
+  const Elasticity elasticity(list, regions);
+  auto const density = steadyField(list, "Density", path, regions);
+  auto const shear_viscosity = steadyField(list, "Shear Viscosity", path, regions);
+  auto const bulk_viscosity = steadyField(list, "Bulk Viscosity", path, regions);
+  std::vector<fem::Material> materials(mesh.cells.size());
+  for (std::size_t cell = 0; cell < mesh.cells.size(); ++cell) {
+    auto const x = inSpace<Dim>(fem::simplexOf(mesh, static_cast<int>(cell)).centroid);
+    const int region = mesh.cell_regions[cell];
+    auto& material = materials[cell];
+    material.density = density(x, 0, region);
+    material.shear_viscosity = shear_viscosity(x, 0, region);
+    material.bulk_viscosity = bulk_viscosity(x, 0, region);
+    elasticity.set(material, x, region);
+  }
+  return materials;
+}
+
+#define ASPERITY_INSTANTIATE(Dim)                                                                  \
+  template std::vector<double> radiationDamping(ParameterList const&, Mesh<Dim> const&,            \
+                                                std::vector<int> const&,                           \
+                                                std::vector<fem::Material> const&, double);        \
+  template std::vector<fem::Material> makeMaterials(ParameterList const&, Mesh<Dim> const&);       \
+  template std::array<double, Dim> gravity<Dim>(ParameterList const&);
+
+ASPERITY_INSTANTIATE(2)
+ASPERITY_INSTANTIATE(3)
+#undef ASPERITY_INSTANTIATE
+} // namespace asperity::scenario

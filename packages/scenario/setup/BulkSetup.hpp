@@ -1,0 +1,38 @@
+#pragma once
+
+#include "base/parameters/Parameters.hpp"
+#include "fem/Material.hpp"
+#include "mesh/Mesh.hpp"
+
+#include <array>
+#include <vector>
+
+namespace asperity::scenario
+{
+// The deck's list `Bulk`.
+RCP<const ParameterList> bulkParameters();
+
+// Displacement components of the chosen model: 1 antiplane, 2 in plane strain, 3 of a solid.
+int displacementComponents(ParameterList const& list);
+
+// The same, with an InputError unless the model is one for a mesh of this dimension.
+int displacementComponents(ParameterList const& list, int dimension);
+
+// Whether the body has no mass, and its fault a radiation damping instead.
+bool quasiDynamic(ParameterList const& list);
+
+// The radiation damping eta [Pa s/m] at some nodes, per slip rate; zero unless quasi-dynamic.
+// at_nodes(num_nodes): the material there, for its default.
+template <int Dim>
+std::vector<double>
+radiationDamping(ParameterList const& list, Mesh<Dim> const& mesh, std::vector<int> const& nodes,
+                 std::vector<fem::Material> const& at_nodes, double slip_factor);
+
+// One material for each cell, from fields evaluated at its centroid.
+template <int Dim>
+std::vector<fem::Material> makeMaterials(ParameterList const& list, Mesh<Dim> const& mesh);
+
+// Along the axes, m/s^2; zero without gravity.
+template <int Dim>
+std::array<double, Dim> gravity(ParameterList const& list);
+} // namespace asperity::scenario

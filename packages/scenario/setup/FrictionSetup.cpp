@@ -1,0 +1,156 @@
+#include "scenario/setup/FrictionSetup.hpp"
+
+#include "friction/Registry.hpp"
+
+#include <Teuchos_CommHelpers.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <set>
+
+namespace asperity::scenario
+{
+namespace
+{
+const std::string path = "Asperity / Friction";
+
+Range rangeOf(friction::Parameter const& parameter)
+{
+  const bool bounded = std::isfinite(parameter.upper);
+  if (!bounded) {
+    return parameter.lower_closed ? Range::atLeast(parameter.lower) : Range::above(parameter.lower);
+  }
+  if (parameter.lower_closed) {
+    return parameter.upper_closed ? Range::closed(parameter.lower, parameter.upper)
+                                  : Range::closedOpen(parameter.lower, parameter.upper);
+  }
+  return parameter.upper_closed ? Range::openClosed(parameter.lower, parameter.upper)
+                                : Range::open(parameter.lower, parameter.upper);
+}
+
+void declareTable(Declare& declare, std::vector<friction::Parameter> const& table,
+                  std::set<std::string>& known)
+{
+  for (auto const& parameter : table) {
+    if (!known.insert(parameter.name).second) {
+      continue; // shared by both laws
+    }
+    auto const declareWith = [&](DefaultOr<FieldValue> const& value) {
+      declare.field(parameter.name, value, parameter.unit, rangeOf(parameter), parameter.meaning);
+    };
+    if (parameter.required()) {
+      declareWith(required);
+    } else {
+      declareWith(parameter.default_value);
+    }
+    if (std::string(parameter.name) == "a") {
+      declare.hint("Check the sign; typical values are 0.005 to 0.03.");
+    }
+  }
+}
+
+template <int Dim>
+friction::ParameterView valuesOfTable(std::vector<friction::Parameter> const& table,
+                                      ParameterList const& list, Mesh<Dim> const& mesh,
+                                      std::vector<int> const& nodes)
+{
+  Kokkos::View<double**, friction::MemorySpace> values("asperity::scenario::lawParameters",
+                                                       table.size(), nodes.size());
+  auto const host = Kokkos::create_mirror_view(values);
+  for (std::size_t row = 0; row < table.size(); ++row) {
+    auto const of_nodes = nodalValues(list, table[row].name, path, mesh, nodes);
+    for (std::size_t node = 0; node < nodes.size(); ++node) {
+      host(row, node) = of_nodes[node];
+    }
+  }
+  Kokkos::deep_copy(values, host);
+  return values;
+}
+
+} // namespace
+
+friction::NodeView toDevice(std::vector<double> const& values, std::string const& label)
+{
+  friction::NodeView view(label, values.size());
+  auto const host = Kokkos::create_mirror_view(view);
+  std::copy(values.begin(), values.end(), host.data());
+  Kokkos::deep_copy(view, host);
+  return view;
+}
+
+RCP<const ParameterList> frictionParameters(std::string const& law, std::string const& state_law)
+{
+  Declare declare;
+  declare
+    .choice("Law", "Regularised", friction::frictionLawNames(),
+            "Friction coefficient as a function of slip rate and state.")
+    .choice("State Evolution", "Ageing", friction::stateLawNames(), "How the state evolves.");
+  std::set<std::string> known;
+  declareTable(declare, friction::frictionLawParameters(law), known);
+  declareTable(declare, friction::stateLawParameters(state_law), known);
+  declare
+    .field("Cohesion", 0., "Pa", Range::atLeast(0),
+           "Shear stress that the fault bears without normal stress.")
+    .field("Normal Stress", optional, "Pa", Range::any(),
+           "Normal stress, positive in compression; left out, it is that of the static solution "
+           "under gravity. What becomes negative after the start counts as zero.")
+    .real("Normal Stress Factor", 1., "-", Range::atLeast(0), "Multiplies the normal stress.")
+    .field("Shear Traction", 0., "Pa", Range::any(),
+           "Shear traction on the fault besides that of the deformation, along the tangent of its "
+           "frame, +x on a fault below the body; in three dimensions along the slip direction.")
+    .realArray("Slip Direction", std::vector<double>{1., 0., 0.}, "-", Range::any(),
+               "Three dimensions: where the shear traction points, projected onto the fault; of "
+               "any length.");
+  return declare.list();
+}
+
+template <int Dim>
+dynamics::Fault makeFault(ParameterList const& list, Mesh<Dim> const& mesh,
+                          fem::BoundaryNodes<Dim> const& boundary, fem::DofMap const& dofs,
+                          fem::Constraints<Dim> const& constraints, double slip_factor)
+{
+  dynamics::Fault fault;
+  fault.num_tangents = Dim - 1;
+  fault.slip_factor = slip_factor;
+  fault.communicator = dofs.communicator();
+  for (std::size_t i = 0; i < boundary.nodes.size(); ++i) {
+    const int node = boundary.nodes[i];
+    fault.dofs.emplace_back();
+    fault.fixed.emplace_back();
+    for (int component :
+         fem::tangentialComponents(constraints.frames(), node, boundary.normals[i])) {
+      const int dof = dofs.dof(node, component);
+      fault.dofs.back().push_back(dof);
+      fault.fixed.back().push_back(constraints.fixed()[dof] ? 1 : 0);
+    }
+  }
+  double mine = 0;
+  for (double weight : boundary.weights) {
+    mine += weight;
+  }
+  Teuchos::reduceAll(*fault.communicator, Teuchos::REDUCE_SUM, mine,
+                     Teuchos::outArg(fault.total_weight));
+  fault.data.weight = toDevice(boundary.weights, "asperity::scenario::weight");
+  fault.data.cohesion = toDevice(nodalValues(list, "Cohesion", path, mesh, boundary.nodes),
+                                 "asperity::scenario::cohesion");
+  fault.data.slip_factor = toDevice(std::vector<double>(boundary.nodes.size(), slip_factor),
+                                    "asperity::scenario::slipFactor");
+  fault.data.sigma_n =
+    friction::NodeView("asperity::scenario::normalStress", boundary.nodes.size());
+
+  auto const law = list.get<std::string>("Law");
+  auto const state_law = list.get<std::string>("State Evolution");
+  fault.data.parameters =
+    valuesOfTable(friction::frictionLawParameters(law), list, mesh, boundary.nodes);
+  fault.state = friction::makeStateKernels(
+    state_law, valuesOfTable(friction::stateLawParameters(state_law), list, mesh, boundary.nodes));
+  return fault;
+}
+
+template dynamics::Fault makeFault(ParameterList const&, Mesh<2> const&,
+                                   fem::BoundaryNodes<2> const&, fem::DofMap const&,
+                                   fem::Constraints<2> const&, double);
+template dynamics::Fault makeFault(ParameterList const&, Mesh<3> const&,
+                                   fem::BoundaryNodes<3> const&, fem::DofMap const&,
+                                   fem::Constraints<3> const&, double);
+} // namespace asperity::scenario

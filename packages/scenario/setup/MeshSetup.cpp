@@ -1,0 +1,315 @@
+#include "scenario/setup/MeshSetup.hpp"
+
+#include "base/fields/Field.hpp"
+#include "mesh/Boundaries.hpp"
+#include "mesh/Regions.hpp"
+#include "mesh/file/MeshFile.hpp"
+#include "mesh/file/PartitionedFile.hpp"
+#include "mesh/generation/Bisection.hpp"
+#include "mesh/generation/BoxMesh.hpp"
+#include "mesh/generation/DeepWedgeMesh.hpp"
+#include "mesh/generation/PeriodicMesh.hpp"
+#include "mesh/generation/RectangleMesh.hpp"
+#include "mesh/generation/WedgeMesh.hpp"
+#include "mesh/parallel/Partition.hpp"
+#include "scenario/setup/NodalField.hpp"
+
+#include <memory>
+
+namespace asperity::scenario
+{
+namespace
+{
+const std::string path = "Asperity / Mesh";
+
+Declare wedgeParameters()
+{
+  const mesh::WedgeShape defaults;
+  Declare declare;
+  declare.real("Length", defaults.length, "m", Range::positive(), "Length of the surface.")
+    .real("Height", defaults.height, "m", Range::positive(), "Height of the right face.")
+    .real("Seismogenic Zone Width", defaults.zone_width, "m", Range::positive(),
+          "Width of the seismogenic zone, measured along the base.")
+    .real("Seismogenic Zone End", defaults.zone_end, "m", Range::positive(),
+          "Where the zone ends, measured along the surface from the trench.")
+    .real("Cell Size", defaults.cell_size, "m", Range::positive(),
+          "Largest diameter of a cell at the seismogenic zone.")
+    .real("Growth Factor", defaults.growth_factor, "-", Range::atLeast(0),
+          "Cells may be larger by this factor, plus one, at one growth length from the zone.")
+    .real("Growth Length", defaults.growth_length, "m", Range::positive(),
+          "Length over which cells grow.")
+    .real("Viscous Thickness", defaults.viscous_thickness, "m", Range::atLeast(0),
+          "Thickness of the region 'lower', measured vertically from the deepest point.");
+  return declare;
+}
+
+constexpr char const* periodic_meaning =
+  "Whether what leaves through the back comes in at the front, which are no boundaries then.";
+
+RCP<const ParameterList> deepWedgeParameters()
+{
+  return wedgeParameters()
+    .real("Depth", 0.1, "m", Range::positive(), "Extent along z, from 0.")
+    .choice("Cells", "Graded", {"Graded", "Layers"},
+            "Graded: cells grow away from the seismogenic zone in all three directions. Layers: "
+            "the two-dimensional mesh, extruded.")
+    .integer("Layers", 10, Range::atLeast(1), "With Cells = Layers: how many.")
+    .realArray("Seismogenic Intervals", optional, "m", Range::any(),
+               "With Cells = Graded: where along z the zone is seismogenic, from and to, one pair "
+               "after the other; over the whole depth if left out.")
+    .boolean("Periodic Along z", false, periodic_meaning)
+    .list();
+}
+
+mesh::WedgeShape wedgeShape(ParameterList const& list)
+{
+  mesh::WedgeShape shape;
+  shape.length = list.get<double>("Length");
+  shape.height = list.get<double>("Height");
+  shape.zone_width = list.get<double>("Seismogenic Zone Width");
+  shape.zone_end = list.get<double>("Seismogenic Zone End");
+  shape.cell_size = list.get<double>("Cell Size");
+  shape.growth_factor = list.get<double>("Growth Factor");
+  shape.growth_length = list.get<double>("Growth Length");
+  shape.viscous_thickness = list.get<double>("Viscous Thickness");
+  return shape;
+}
+
+RCP<const ParameterList> rectangleParameters()
+{
+  return Declare()
+    .real("Width", 1., "m", Range::positive(), "Extent along x.")
+    .real("Height", 1., "m", Range::positive(), "Extent along y.")
+    .integer("Cells X", 1, Range::atLeast(1), "Columns of two triangles each.")
+    .integer("Cells Y", 1, Range::atLeast(1), "Rows of two triangles each.")
+    .realArray("Lower Left", std::vector<double>{0., 0.}, "m", Range::any(),
+               "Position of the lower left corner.")
+    .field("Cell Size", optional, "m", Range::positive(),
+           "Cells are bisected until their longest edge is at most sqrt(2) times this, a function "
+           "of x and y, at corners, centroid and midpoints of edges. With square cells of 2^k "
+           "times this, what lies on a side has edges of exactly this length. Left out, cells stay "
+           "as they are.")
+    .real("Cell Size Factor", 1., "-", Range::positive(),
+          "Multiplies the cell size: 2 makes the whole mesh coarser.")
+    .list();
+}
+
+mesh::RectangleShape rectangleShape(ParameterList const& list)
+{
+  mesh::RectangleShape shape;
+  shape.width = list.get<double>("Width");
+  shape.height = list.get<double>("Height");
+  shape.cells_x = list.get<int>("Cells X");
+  shape.cells_y = list.get<int>("Cells Y");
+  auto const corner = list.get<Teuchos::Array<double>>("Lower Left");
+  ASPERITY_REQUIRE(corner.size() == 2,
+                   path << " / Rectangle / Lower Left needs two numbers, x and y.");
+  shape.lower_left = {corner[0], corner[1]};
+  return shape;
+}
+
+std::vector<Point<2>> seismogenicIntervals(ParameterList const& list)
+{
+  if (!isGiven(list, "Seismogenic Intervals")) {
+    return {};
+  }
+  auto const ends = list.get<Teuchos::Array<double>>("Seismogenic Intervals");
+  ASPERITY_REQUIRE(ends.size() > 0 && ends.size() % 2 == 0,
+                   path << " / Deep Wedge / Seismogenic Intervals needs pairs: where each interval "
+                           "begins and ends, along z.");
+  std::vector<Point<2>> intervals;
+  for (int i = 0; i < ends.size(); i += 2) {
+    intervals.push_back({ends[i], ends[i + 1]});
+  }
+  return intervals;
+}
+
+RCP<const ParameterList> boxParameters()
+{
+  return Declare()
+    .realArray("Size", std::vector<double>{1., 1., 1.}, "m", Range::positive(),
+               "Extent along x, y and z.")
+    .realArray("Lowest Corner", std::vector<double>{0., 0., 0.}, "m", Range::any(),
+               "The corner with the smallest x, y and z.")
+    .integer("Cells X", 1, Range::atLeast(1), "Cuboids of six tetrahedra each, along x.")
+    .integer("Cells Y", 1, Range::atLeast(1), "Along y.")
+    .integer("Cells Z", 1, Range::atLeast(1), "Along z.")
+    .field("Cell Size", optional, "m", Range::positive(),
+           "Cells are bisected until their longest edge is at most sqrt(3) times this, a function "
+           "of x, y and z. With cubes of 2^k times this, cubes of exactly this size result. Left "
+           "out, cells stay as they are.")
+    .real("Cell Size Factor", 1., "-", Range::positive(),
+          "Multiplies the cell size: 2 makes the whole mesh coarser.")
+    .boolean("Periodic Along z", false, periodic_meaning)
+    .list();
+}
+
+Point<3> threeNumbers(ParameterList const& list, std::string const& name)
+{
+  auto const given = list.get<Teuchos::Array<double>>(name);
+  ASPERITY_REQUIRE(given.size() == 3, path << " / Box / " << name << " needs three numbers.");
+  return {given[0], given[1], given[2]};
+}
+
+mesh::BoxShape boxShape(ParameterList const& list)
+{
+  mesh::BoxShape shape;
+  shape.size = threeNumbers(list, "Size");
+  shape.lowest_corner = threeNumbers(list, "Lowest Corner");
+  shape.num_cells = {list.get<int>("Cells X"), list.get<int>("Cells Y"), list.get<int>("Cells Z")};
+  return shape;
+}
+
+void refuseTime(Field const& field)
+{
+  ASPERITY_REQUIRE(!field.dependsOnTime(), field.path() << " depends on t. Remove t from it.");
+}
+
+// The cell size of a list, at a point of space.
+template <int Dim>
+std::function<double(Point<Dim> const&)> cellSize(ParameterList const& list,
+                                                  std::string const& type)
+{
+  auto const size = std::make_shared<Field>(list, "Cell Size", joinPath(path, type),
+                                            std::vector<std::string>{"body"});
+  refuseTime(*size);
+  const double factor = list.get<double>("Cell Size Factor");
+  return [size, factor](Point<Dim> const& x) { return factor * (*size)(inSpace<Dim>(x), 0, 0); };
+}
+
+GlobalMesh<2> makeRectangle(ParameterList const& list)
+{
+  auto coarse = mesh::rectangleMesh(rectangleShape(list));
+  return isGiven(list, "Cell Size")
+           ? mesh::bisect(coarse, mesh::largestDiameter(cellSize<2>(list, "Rectangle")))
+           : coarse;
+}
+
+GlobalMesh<3> makeBox(ParameterList const& list)
+{
+  auto box = mesh::boxMesh(boxShape(list));
+  if (list.get<bool>("Periodic Along z")) {
+    mesh::makePeriodic(box, 2, "front", "back"); // bisection keeps it so
+  }
+  return isGiven(list, "Cell Size")
+           ? mesh::bisect(box, mesh::largestDiameter(cellSize<3>(list, "Box")))
+           : box;
+}
+
+GlobalMesh<3> makeDeepWedge(ParameterList const& list)
+{
+  auto const shape = wedgeShape(list);
+  const double depth = list.get<double>("Depth");
+  const bool is_periodic = list.get<bool>("Periodic Along z");
+  if (list.get<std::string>("Cells") == "Graded") {
+    return mesh::deepWedgeMesh(shape, {depth, seismogenicIntervals(list), is_periodic});
+  }
+  auto wedge = mesh::layeredWedgeMesh(shape, depth, list.get<int>("Layers"));
+  if (is_periodic) {
+    mesh::makePeriodic(wedge, 2, "front", "back");
+  }
+  return wedge;
+}
+
+template <int Dim>
+GlobalMesh<Dim> generate(std::string const& type, ParameterList const& list)
+{
+  if constexpr (Dim == 2) {
+    return type == "Wedge" ? mesh::wedgeMesh(wedgeShape(list)) : makeRectangle(list);
+  } else {
+    return type == "Box" ? makeBox(list) : makeDeepWedge(list);
+  }
+}
+
+// The entries of the list `name`, one condition each.
+template <int Dim>
+std::vector<mesh::NamedCondition<Dim>> conditionsIn(ParameterList const& mesh,
+                                                    std::string const& name)
+{
+  auto const& list = mesh.sublist(name);
+  std::vector<mesh::NamedCondition<Dim>> conditions;
+  for (auto const& entry : list) {
+    auto const condition =
+      std::make_shared<Field>(list, entry.first, joinPath(path, name), std::vector<std::string>{});
+    refuseTime(*condition);
+    conditions.push_back({entry.first, [condition](Point<Dim> const& x) {
+                            return (*condition)(inSpace<Dim>(x), 0, 0) != 0;
+                          }});
+  }
+  return conditions;
+}
+} // namespace
+
+RCP<const ParameterList> meshParameters()
+{
+  return Declare()
+    .choiceOfLists(
+      "Type", "Wedge",
+      {{"Wedge", wedgeParameters().list()},
+       {"Rectangle", rectangleParameters()},
+       {"Deep Wedge", deepWedgeParameters()},
+       {"Box", boxParameters()},
+       {"File", Declare()
+                  .fileName("File Name", required,
+                            "Mesh in HDF5 as asperity-mesh writes it, in two or three dimensions; "
+                            "or one that it has partitioned for the number of ranks.")
+                  .list()}},
+      "In two dimensions the analogue wedge (thesis A.1) or a rectangle; in three the wedge with "
+      "a depth along z, or a box; or a file.")
+    .openSublist(
+      "Regions",
+      Declare()
+        .field("<region>", required, "-", Range::any(),
+               "Condition in x, y, z of a cell's centroid; where it is not zero the cell belongs "
+               "to the region, the last one winning.")
+        .list(),
+      "Regions by condition, besides or instead of those of the mesh.")
+    .openSublist(
+      "Boundaries",
+      Declare()
+        .field("<boundary>", required, "-", Range::any(),
+               "Condition in x, y, z of a facet's centre; where it is not zero the facet, one of "
+               "the outer boundary, belongs to this boundary, the last one winning.")
+        .list(),
+      "Pieces of the boundary by condition, besides or instead of those of the mesh.")
+    .list();
+}
+
+int meshDimension(ParameterList const& list, Communicator const& communicator)
+{
+  auto const type = list.get<std::string>("Type");
+  if (type == "File") {
+    return mesh::fileDimension(list.sublist(type).get<std::string>("File Name"), communicator);
+  }
+  return type == "Box" || type == "Deep Wedge" ? 3 : 2;
+}
+
+template <int Dim>
+Mesh<Dim> makeMesh(ParameterList const& list, std::string const& fault,
+                   RCP<const Communicator> const& communicator)
+{
+  auto const type = list.get<std::string>("Type");
+  auto const& of_type = list.sublist(type);
+  auto const regions = conditionsIn<Dim>(list, "Regions");
+  auto const boundaries = conditionsIn<Dim>(list, "Boundaries");
+  auto const where_regions = joinPath(path, "Regions");
+  auto const where_boundaries = joinPath(path, "Boundaries");
+  auto const file_name = type == "File" ? of_type.get<std::string>("File Name") : std::string();
+  if (type == "File" && mesh::isPartitioned(file_name, *communicator)) {
+    auto part = mesh::readPart<Dim>(file_name, communicator);
+    mesh::overrideRegions(part, regions, *communicator, where_regions);
+    mesh::overrideBoundaries(part, boundaries, *communicator, where_boundaries);
+    return part;
+  }
+  auto whole =
+    type == "File" ? mesh::readMesh<Dim>(file_name, *communicator) : generate<Dim>(type, of_type);
+  mesh::overrideRegions(whole, regions, where_regions);
+  mesh::overrideBoundaries(whole, boundaries, where_boundaries);
+  mesh::PartitionOptions options;
+  options.boundary = whole.boundaries.count(fault) > 0 ? fault : "";
+  return mesh::distribute(whole, *communicator, options);
+}
+
+template Mesh<2> makeMesh(ParameterList const&, std::string const&, RCP<const Communicator> const&);
+template Mesh<3> makeMesh(ParameterList const&, std::string const&, RCP<const Communicator> const&);
+} // namespace asperity::scenario

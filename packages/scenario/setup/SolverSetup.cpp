@@ -1,0 +1,49 @@
+#include "scenario/setup/SolverSetup.hpp"
+
+#include "tnnmg/MueLuCorrection.hpp"
+
+namespace asperity::scenario
+{
+namespace
+{
+// Beyond this the fill of a factor costs more than a few V-cycles.
+long long largestDirect(int dimension) { return dimension == 2 ? 100000 : 10000; }
+} // namespace
+
+RCP<const ParameterList> solverParameters()
+{
+  auto list = tnnmg::TnnmgSettings::validParameters();
+  Declare(*list)
+    .choice("Linear Correction", "Auto", {"Auto", "Direct", "MueLu"},
+            "Direct: sparse Cholesky of Z once for each step size and a Schur complement on the "
+            "fault; one rank. "
+            "MueLu: algebraic multigrid. Auto: Direct on one rank for small problems.")
+    .real("Memory Budget", 2000., "MB", Range::positive(),
+          "Of a rank: solvers of different step sizes are kept up to this, and the least recently "
+          "used go first.")
+    .sublist("MueLu Correction", tnnmg::MueLuCorrection::validParameters(),
+             "The multigrid correction.");
+  return list;
+}
+
+dynamics::RateSolverSettings makeSolverSettings(ParameterList const& list, int num_ranks,
+                                                int dimension, long long num_unknowns)
+{
+  auto const choice = list.get<std::string>("Linear Correction");
+  ASPERITY_REQUIRE(choice != "Direct" || num_ranks == 1,
+                   "Asperity / TNNMG / Linear Correction = Direct works on one rank, not on "
+                     << num_ranks << ". Choose MueLu or Auto.");
+  dynamics::RateSolverSettings settings;
+  settings.tnnmg = tnnmg::TnnmgSettings::from(list);
+  const bool direct = choice == "Direct" || (choice == "Auto" && num_ranks == 1 &&
+                                             num_unknowns <= largestDirect(dimension));
+  settings.correction = direct ? dynamics::Correction::direct : dynamics::Correction::multigrid;
+  settings.multigrid = list.sublist("MueLu Correction");
+  return settings;
+}
+
+std::size_t memoryBudget(ParameterList const& list)
+{
+  return static_cast<std::size_t>(list.get<double>("Memory Budget") * 1e6);
+}
+} // namespace asperity::scenario

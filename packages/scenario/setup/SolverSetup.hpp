@@ -1,0 +1,17 @@
+#pragma once
+
+#include "base/parameters/Parameters.hpp"
+#include "dynamics/coupling/RateSolver.hpp"
+
+namespace asperity::scenario
+{
+// The deck's list `TNNMG`.
+RCP<const ParameterList> solverParameters();
+
+// `Auto` becomes the direct correction on one rank up to some 100,000 unknowns in two dimensions of
+// space and 10,000 in three, and multigrid beyond.
+dynamics::RateSolverSettings makeSolverSettings(ParameterList const& list, int num_ranks,
+                                                int dimension, long long num_unknowns);
+
+std::size_t memoryBudget(ParameterList const& list); // bytes
+} // namespace asperity::scenario

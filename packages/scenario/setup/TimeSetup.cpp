@@ -1,0 +1,196 @@
+#include "scenario/setup/TimeSetup.hpp"
+
+#include "dynamics/control/RichardsonControl.hpp"
+
+#include <cmath>
+
+namespace asperity::scenario
+{
+namespace
+{
+const std::string path = "Asperity / Time Stepping";
+
+// The level of the largest dyadic step that is not above `size`.
+int levelOf(dynamics::DyadicTime const& clock, double size)
+{
+  int level = 0;
+  while (level < clock.finestLevel() && clock.stepSize(level) > size * (1 + 1e-12)) {
+    ++level;
+  }
+  return level;
+}
+
+std::vector<int> prescribedLevels(ParameterList const& list, dynamics::DyadicTime const& clock)
+{
+  auto const levels = list.get<Teuchos::Array<int>>("Levels").toVector();
+  ASPERITY_REQUIRE(!levels.empty(), path << " / Prescribed / Levels is empty.");
+  for (int level : levels) {
+    ASPERITY_REQUIRE(level <= clock.finestLevel(), path << " / Prescribed / Levels: " << level
+                                                        << " is below the smallest step, level "
+                                                        << clock.finestLevel() << ".");
+  }
+  return levels;
+}
+
+dynamics::RateUpdate newmark(ParameterList const& list)
+{
+  auto const& newmark = list.sublist("Newmark");
+  const double beta = newmark.get<double>("beta");
+  if (beta < 0.25) {
+    const double limit = newmark.get<double>("Stability Limit");
+    const double largest = list.get<double>("Largest Step");
+    ASPERITY_REQUIRE(
+      limit > 0,
+      path << " / Newmark / beta = " << beta
+           << " is only conditionally stable. Give the 'Stability Limit' of the step, or "
+              "choose beta from 0.25 to 0.5.");
+    ASPERITY_REQUIRE(largest <= limit, path << " / Largest Step = " << largest
+                                            << " s is above the stability limit of " << limit
+                                            << " s that beta = " << beta << " needs.");
+  }
+  return dynamics::RateUpdate::newmark(beta);
+}
+
+dynamics::AdaptiveSettings adaptiveSettings(ParameterList const& list,
+                                            dynamics::DyadicTime const& clock)
+{
+  dynamics::AdaptiveSettings settings;
+  settings.tolerance = list.get<double>("Tolerance");
+  settings.finest_level = clock.finestLevel();
+  const double first = list.get<double>("First Step");
+  settings.first_level = first > 0 ? levelOf(clock, first) : clock.finestLevel();
+  if (list.isParameter("Norm") && list.get<std::string>("Norm") == "Maximum") {
+    settings.norm = dynamics::Norm::maximum;
+  }
+  return settings;
+}
+} // namespace
+
+RCP<const ParameterList> timeParameters()
+{
+  auto const newmark =
+    Declare()
+      .real(
+        "beta", 0.25, "-", Range::closed(0, 0.5),
+        "Weight of the new acceleration in the displacement; unconditionally stable from 1/4 on.")
+      .real("Stability Limit", 0., "s", Range::atLeast(0),
+            "Largest stable step, 1 / (omega_max sqrt(1/4 - beta)); required for beta < 1/4, where "
+            "the scheme is "
+            "only conditionally stable.")
+      .list();
+  auto const doubling = Declare()
+                          .real("Tolerance", 1e-5, "-", Range::positive(),
+                                "Difference of alpha between one step and two of half its size, "
+                                "root mean square over the fault.")
+                          .real("First Step", 0., "s", Range::atLeast(0),
+                                "Size of the first trial; 0: the smallest step.")
+                          .list();
+  auto const richardson =
+    Declare()
+      .real("Tolerance", 1e-5, "-", Range::positive(),
+            "Estimated error of alpha after two steps, from their difference to one step of twice "
+            "the size.")
+      .choice("Norm", "Root Mean Square", {"Root Mean Square", "Maximum"},
+              "Of that error over the fault.")
+      .real("First Step", 0., "s", Range::atLeast(0),
+            "Size of the first steps, at most half of the largest one; 0: the smallest step.")
+      .list();
+  auto const generalised_alpha =
+    Declare()
+      .real(
+        "Spectral Radius", 0.5, "-", Range::closed(0, 1),
+        "By which a step multiplies modes far faster than itself: 0 forgets them at once, 1 "
+        "never (Newmark). While every step doubles they die away from 0.35 to 0.82, while every "
+        "pair does (Richardson) up to 0.87.")
+      .list();
+  auto const prescribed =
+    Declare()
+      .integerArray(
+        "Levels", std::vector<int>{0}, Range::closed(0, 60),
+        "Each step is the largest one divided by two to this power; the last is repeated.")
+      .list();
+  return Declare()
+    .real("Final Time", required, "s", Range::positive(),
+          "The run ends with the first step that reaches it.")
+    .choiceOfLists("Scheme", "Newmark",
+                   {{"Newmark", newmark},
+                    {"Backward Euler", Declare().list()},
+                    {"Generalised Alpha", generalised_alpha}},
+                   "How displacement and acceleration follow from the velocity.")
+    .real("Largest Step", required, "s", Range::positive(),
+          "All steps are this one divided by a power of two.")
+    .real("Smallest Step", required, "s", Range::positive(),
+          "No step is smaller; rounded down to such a fraction.")
+    .choiceOfLists(
+      "Control", "Step Doubling",
+      {{"Step Doubling", doubling}, {"Richardson", richardson}, {"Prescribed", prescribed}},
+      "How step sizes are chosen. Step Doubling: the coarsest step that two of half its size "
+      "confirm (thesis A.3). Richardson: in pairs that one step of twice the size confirms; keeps "
+      "the pair and predicts the next size. Prescribed: as listed.")
+    .list();
+}
+
+double finalTime(ParameterList const& list) { return list.get<double>("Final Time"); }
+
+dynamics::DyadicTime makeClock(ParameterList const& list)
+{
+  const double largest = list.get<double>("Largest Step");
+  const double smallest = list.get<double>("Smallest Step");
+  ASPERITY_REQUIRE(smallest <= largest, path << " / Smallest Step = " << smallest
+                                             << " s is larger than the largest step, " << largest
+                                             << " s.");
+  const int levels = static_cast<int>(std::ceil(std::log2(largest / smallest) - 1e-9));
+  ASPERITY_REQUIRE(levels <= 60, path << " / Smallest Step = " << smallest
+                                      << " s is less than the largest one divided by 2^60.");
+  const dynamics::DyadicTime clock(largest, levels);
+  ASPERITY_REQUIRE(clock.reaches(finalTime(list) + largest),
+                   path << " / Final Time = " << finalTime(list)
+                        << " s is more than 9e18 smallest steps. "
+                        << "Choose a larger 'Smallest Step'.");
+  return clock;
+}
+
+dynamics::RateUpdate makeRateUpdate(ParameterList const& list, bool has_mass)
+{
+  auto const scheme = list.get<std::string>("Scheme");
+  if (scheme == "Backward Euler") {
+    return dynamics::RateUpdate::backwardEuler();
+  }
+  if (scheme == "Generalised Alpha") {
+    const double radius = list.sublist(scheme).get<double>("Spectral Radius");
+    ASPERITY_REQUIRE(
+      has_mass || radius < 1,
+      path << " / Generalised Alpha / Spectral Radius = 1 damps nothing, and without "
+              "mass (Quasi-dynamic) the velocity would change its sign in every "
+              "step for ever. Choose one below 1.");
+    return dynamics::RateUpdate::generalisedAlpha(radius);
+  }
+  ASPERITY_REQUIRE(has_mass, path << " / Scheme = 'Newmark' needs inertia: without mass "
+                                     "(Quasi-dynamic) its velocity would change its sign in every "
+                                     "step for ever. Choose 'Generalised Alpha' or 'Backward "
+                                     "Euler'.");
+  return newmark(list);
+}
+
+std::unique_ptr<dynamics::StepControl> makeStepControl(ParameterList const& list,
+                                                       dynamics::CoupledStep& step,
+                                                       dynamics::Fault const& fault,
+                                                       dynamics::DyadicTime const& clock)
+{
+  auto const control = list.get<std::string>("Control");
+  auto const& of_control = list.sublist(control);
+  if (control == "Prescribed") {
+    return std::make_unique<dynamics::PrescribedSteps>(step, clock,
+                                                       prescribedLevels(of_control, clock));
+  }
+  auto const settings = adaptiveSettings(of_control, clock);
+  if (control == "Step Doubling") {
+    return std::make_unique<dynamics::StepDoubling>(step, fault, clock, settings);
+  }
+  ASPERITY_REQUIRE(clock.finestLevel() > 0, path << " / Smallest Step = " << clock.stepSize(0)
+                                                 << " s has to be at most half of the largest one, "
+                                                    "which a pair of steps is compared with.");
+  return std::make_unique<dynamics::RichardsonControl>(step, fault, clock,
+                                                       makeRateUpdate(list).order, settings);
+}
+} // namespace asperity::scenario

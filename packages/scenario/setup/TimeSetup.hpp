@@ -1,0 +1,20 @@
+#pragma once
+
+#include "base/parameters/Parameters.hpp"
+#include "dynamics/control/StepControl.hpp"
+
+namespace asperity::scenario
+{
+// The deck's list `Time Stepping`.
+RCP<const ParameterList> timeParameters();
+
+double finalTime(ParameterList const& list);
+dynamics::DyadicTime makeClock(ParameterList const& list);
+// Without mass InputError for a scheme that never forgets: Newmark's velocity then has the
+// amplification factor -1.
+dynamics::RateUpdate makeRateUpdate(ParameterList const& list, bool has_mass = true);
+std::unique_ptr<dynamics::StepControl> makeStepControl(ParameterList const& list,
+                                                       dynamics::CoupledStep& step,
+                                                       dynamics::Fault const& fault,
+                                                       dynamics::DyadicTime const& clock);
+} // namespace asperity::scenario
