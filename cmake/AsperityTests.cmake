@@ -46,7 +46,9 @@ function(asperity_add_test name)
   asperity_compile_options(${name})
   target_include_directories(${name} PRIVATE "${PROJECT_SOURCE_DIR}/tests")
   target_link_libraries(${name} PRIVATE asperity_test_main ${packages} ${TEST_LIBRARIES})
-  asperity_use_precompiled_headers(${name} tests)
+  if(NOT TEST_PACKAGES STREQUAL "friction") # which does not link Trilinos
+    asperity_use_precompiled_headers(${name} tests)
+  endif()
   foreach(ranks IN LISTS TEST_RANKS)
     asperity_add_mpi_command(${name}_MPI_${ranks} RANKS ${ranks} COMMAND $<TARGET_FILE:${name}>)
     set_tests_properties(${name}_MPI_${ranks} PROPERTIES
