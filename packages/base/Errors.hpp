@@ -19,6 +19,14 @@ class SolveError : public std::runtime_error
 public:
   using std::runtime_error::runtime_error;
 };
+
+// A file of the run cannot be written, or not be read back: the disk is full, or the file damaged.
+// The deck is not at fault, and neither is a solve.
+class OutputError : public std::runtime_error
+{
+public:
+  using std::runtime_error::runtime_error;
+};
 } // namespace asperity
 
 // ASPERITY_REQUIRE(dt > 0, "Time Stepping / Largest Step = " << dt << " is outside (0, inf).")

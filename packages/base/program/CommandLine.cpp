@@ -143,7 +143,7 @@ void printHelp(std::ostream& out)
        "  --help                            this text\n"
        "  --kokkos-...                      options of Kokkos\n"
        "\n"
-       "Exit status: 0 done, 2 the input is at fault, 3 a solve failed, 4 stopped by a signal, 1 "
-       "other.\n";
+       "Exit status: 0 done, 2 the input is at fault, 3 a solve failed, 4 stopped by a signal, 5 a "
+       "file cannot be written, 1 other.\n";
 }
 } // namespace asperity

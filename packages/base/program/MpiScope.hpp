@@ -40,14 +40,15 @@ enum ExitStatus
   exit_other = 1,
   exit_input = 2,
   exit_solve = 3,
-  exit_signal = 4
+  exit_signal = 4,
+  exit_output = 5
 };
 
 // Runs `body` on every rank and returns the exit status of the program, the same on all ranks: the
-// largest that `body` returned, or after an exception 2 (InputError), 3 (SolveError) or 1 (others),
-// as the lowest rank that threw has it. Its message goes to stderr, once: "<program>: <message>".
-// If some rank has thrown and others have not come to their end `patience` seconds later, they may
-// be waiting for it: MPI_Abort with the same status. Collective.
+// largest that `body` returned, or after an exception 2 (InputError), 3 (SolveError),
+// 5 (OutputError) or 1 (others), as the lowest rank that threw has it. Its message goes to stderr,
+// once: "<program>: <message>". If some rank has thrown and others have not come to their end
+// `patience` seconds later, they may be waiting for it: MPI_Abort with the same status. Collective.
 int runGuarded(Communicator const& communicator, std::function<int()> const& body,
                std::string const& program = "asperity", double patience = 2.0);
 } // namespace asperity

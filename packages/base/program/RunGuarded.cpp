@@ -34,6 +34,8 @@ Outcome call(std::function<int()> const& body)
     return failed(exit_input, error.what());
   } catch (SolveError const& error) {
     return failed(exit_solve, error.what());
+  } catch (OutputError const& error) {
+    return failed(exit_output, error.what());
   } catch (std::bad_alloc const&) {
     return failed(exit_other, "Out of memory. Use more ranks on more machines, or a coarser mesh.");
   } catch (std::exception const& error) {

@@ -1,5 +1,6 @@
 // A program with one way to fail per argument; GuardTest.cmake looks at its exit status and stderr.
 #include "base/Errors.hpp"
+#include "base/parallel/Agreement.hpp"
 #include "base/program/MpiScope.hpp"
 #include "base/program/Signals.hpp"
 
@@ -52,6 +53,13 @@ int run(std::string const& way, RCP<const Communicator> const& communicator)
       throw InputError("Everybody but the last noticed.");
     }
     communicator->barrier();
+  }
+  if (way == "last-cannot-write") {
+    onEveryRank(*communicator, [&] {
+      if (rank == last) {
+        throw OutputError("The disk is full.");
+      }
+    });
   }
   if (way == "other") {
     throw std::runtime_error("Something else.");
