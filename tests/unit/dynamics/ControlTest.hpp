@@ -37,16 +37,16 @@ protected:
   {
   }
 
-  // The state after steps of these levels, with nobody's help.
+  // The state after steps of these levels, made without step control.
   State stepped(State const& from, std::vector<int> const& levels)
   {
-    State state = from.clone();
+    State last = from.clone();
     for (int level : levels) {
-      State next = state.clone();
-      EXPECT_TRUE(stepper.step.solve(state, level, next, stepper.count).solved());
-      state = next;
+      State next = last.clone();
+      EXPECT_TRUE(stepper.step.solve(last, level, next, stepper.count).solved());
+      last = next;
     }
-    return state;
+    return last;
   }
 
   // How far one step of a level is from two of half its size.

@@ -184,7 +184,7 @@ template <class Body>
 class BodyMatricesTest : public ::testing::Test
 {
 protected:
-  Body body;
+  Body varied_body;
 };
 
 using Bodies = ::testing::Types<Body<2, 1>, Body<2, 2>, Body<3, 3>>;
@@ -194,18 +194,18 @@ TYPED_TEST_SUITE(BodyMatricesTest, Bodies);
 TYPED_TEST(BodyMatricesTest, constantGradientsGiveTheForcesOfConstantStress)
 {
   using Gradient = typename TypeParam::Gradient;
-  auto const matrices = assemble(this->body, this->body.axes());
+  auto const matrices = assemble(this->varied_body, this->varied_body.axes());
   for (int sample = 0; sample < 3; ++sample) {
     Gradient gradient;
     for (int k = 0; k < gradient.size(); ++k) {
       gradient.data()[k] = pseudorandom(k, sample);
     }
-    auto const x = this->body.linear(gradient);
-    auto const elastic = forcesOfFaces(this->body, [&](Material const& m) {
+    auto const x = this->varied_body.linear(gradient);
+    auto const elastic = forcesOfFaces(this->varied_body, [&](Material const& m) {
       return stressOf(gradient, m.bulk_modulus, m.shear_modulus);
     });
     EXPECT_LE(relativeDistance(times(*matrices.stiffness, x), elastic), 1e-13);
-    auto const viscous = forcesOfFaces(this->body, [&](Material const& m) {
+    auto const viscous = forcesOfFaces(this->varied_body, [&](Material const& m) {
       return stressOf(gradient, m.bulk_viscosity, m.shear_viscosity);
     });
     EXPECT_LE(relativeDistance(times(*matrices.viscosity, x), viscous), 1e-13);
@@ -216,15 +216,16 @@ TYPED_TEST(BodyMatricesTest, rigidMotionsMeetNoResistance)
 {
   using Value = typename TypeParam::Value;
   using Gradient = typename TypeParam::Gradient;
-  auto const matrices = assemble(this->body, this->body.axes());
+  auto const matrices = assemble(this->varied_body, this->varied_body.axes());
   std::vector<Vector> motions;
   for (int c = 0; c < TypeParam::Components; ++c) {
-    motions.push_back(this->body.nodal(this->body.axes(), [c](int) { return Value::Unit(c); }));
+    motions.push_back(
+      this->varied_body.nodal(this->varied_body.axes(), [c](int) { return Value::Unit(c); }));
     for (int d = 0; d < c; ++d) {
       Gradient spin = Gradient::Zero();
       spin(c, d) = 1;
       spin(d, c) = -1;
-      motions.push_back(this->body.linear(spin));
+      motions.push_back(this->varied_body.linear(spin));
     }
   }
   for (auto const& motion : motions) {
@@ -238,7 +239,7 @@ TYPED_TEST(BodyMatricesTest, massIntegratesProductsOfLinearFunctions)
 {
   using Gradient = typename TypeParam::Gradient;
   using Value = typename TypeParam::Value;
-  auto& body = this->body;
+  auto& body = this->varied_body;
   const double density = 1234;
   for (auto& material : body.materials) {
     material.density = density;
@@ -267,7 +268,7 @@ TYPED_TEST(BodyMatricesTest, massIntegratesProductsOfLinearFunctions)
 
 TYPED_TEST(BodyMatricesTest, nodalFramesTurnTheMatricesAndNothingElse)
 {
-  auto const& body = this->body;
+  auto const& body = this->varied_body;
   auto const frames = body.turned();
   auto const along_axes = assemble(body, body.axes());
   auto const turned = assemble(body, frames);
@@ -291,7 +292,7 @@ TYPED_TEST(BodyMatricesTest, nodalFramesTurnTheMatricesAndNothingElse)
 TYPED_TEST(BodyMatricesTest, gravityIsMassTimesAcceleration)
 {
   using Value = typename TypeParam::Value;
-  auto const& body = this->body;
+  auto const& body = this->varied_body;
   auto const frames = body.turned();
   std::array<double, TypeParam::Components> acceleration{};
   for (int c = 0; c < TypeParam::Components; ++c) {
@@ -317,7 +318,7 @@ TYPED_TEST(BodyMatricesTest, gravityIsMassTimesAcceleration)
 
 TYPED_TEST(BodyMatricesTest, combinationsKeepOnlyTheDiagonalOfFixedDofs)
 {
-  auto const& body = this->body;
+  auto const& body = this->varied_body;
   auto const matrices = assemble(body, body.turned());
   auto const& overlap = *body.dofs.overlap();
   std::vector<char> fixed;

@@ -10,7 +10,7 @@ namespace asperity::mesh::detail
 class Hdf5Id
 {
 public:
-  Hdf5Id(hid_t id, herr_t (*close)(hid_t)) : id_(id), close_(close) {}
+  Hdf5Id(hid_t id, herr_t (*function)(hid_t)) : id_(id), close_(function) {}
   ~Hdf5Id() { close(); }
   Hdf5Id(Hdf5Id const&) = delete;
   Hdf5Id& operator=(Hdf5Id const&) = delete;
