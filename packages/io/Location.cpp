@@ -3,7 +3,7 @@
 #include "base/Errors.hpp"
 #include "base/NearestName.hpp"
 #include "io/detail/CurveOrder.hpp"
-#include "io/detail/Gather.hpp"
+#include "io/parallel/Gather.hpp"
 #include "mesh/SimplexGeometry.hpp"
 
 #include <algorithm>

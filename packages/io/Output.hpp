@@ -2,10 +2,10 @@
 
 #include "base/Registry.hpp"
 #include "base/Types.hpp"
-#include "io/Archive.hpp"
 #include "io/FieldRegistry.hpp"
 #include "io/Location.hpp"
-#include "io/TextFormat.hpp"
+#include "io/checkpoint/Archive.hpp"
+#include "io/platforms/TextFormat.hpp"
 
 #include <Teuchos_ParameterList.hpp>
 

@@ -2,8 +2,8 @@
 
 #include "base/Errors.hpp"
 #include "base/parameters/Parameters.hpp"
-#include "io/detail/PointLocation.hpp"
-#include "io/outputs/EventCatalogue.hpp"
+#include "io/catalogue/events/EventCatalogue.hpp"
+#include "io/catalogue/receivers/PointLocation.hpp"
 
 #include <Teuchos_Array.hpp>
 

@@ -2,7 +2,7 @@
 
 #include "dynamics/EnergyBalance.hpp"
 #include "dynamics/control/StepControl.hpp"
-#include "io/Archive.hpp"
+#include "io/checkpoint/Archive.hpp"
 
 namespace asperity::scenario
 {

@@ -3,7 +3,7 @@
 #include "base/parameters/Parameters.hpp"
 #include "dynamics/EnergyBalance.hpp"
 #include "dynamics/coupling/CoupledStep.hpp"
-#include "io/outputs/EventCatalogue.hpp"
+#include "io/catalogue/events/EventCatalogue.hpp"
 #include "scenario/Problem.hpp"
 
 #include <string>

@@ -1,5 +1,5 @@
-#include "io/detail/SlipProfiles.hpp"
 #include "io/outputs/FieldHistory.hpp"
+#include "io/platforms/SlipProfiles.hpp"
 
 #include <optional>
 

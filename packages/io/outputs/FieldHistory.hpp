@@ -2,8 +2,8 @@
 
 #include "base/parameters/Parameters.hpp"
 #include "io/Output.hpp"
-#include "io/SegmentedSeries.hpp"
 #include "io/WriteRule.hpp"
+#include "io/series/SegmentedSeries.hpp"
 
 #include <string>
 #include <vector>

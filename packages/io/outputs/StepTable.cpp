@@ -1,6 +1,6 @@
 #include "base/parameters/Parameters.hpp"
 #include "io/Output.hpp"
-#include "io/TextTable.hpp"
+#include "io/files/TextTable.hpp"
 
 #include <Teuchos_Array.hpp>
 

@@ -1,5 +1,5 @@
-#include "io/Archive.hpp"
-#include "io/detail/ArchiveBytes.hpp"
+#include "io/checkpoint/Archive.hpp"
+#include "io/checkpoint/ArchiveBytes.hpp"
 #include "unit/io/Support.hpp"
 
 #include <cstring>

@@ -1,4 +1,4 @@
-#include "io/Checkpoint.hpp"
+#include "io/checkpoint/Checkpoint.hpp"
 #include "base/hdf5/H5.hpp"
 #include "unit/io/Support.hpp"
 

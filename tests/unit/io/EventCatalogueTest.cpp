@@ -1,4 +1,4 @@
-#include "io/outputs/EventCatalogue.hpp"
+#include "io/catalogue/events/EventCatalogue.hpp"
 #include "base/Errors.hpp"
 #include "base/parameters/Parameters.hpp"
 #include "unit/io/Support.hpp"

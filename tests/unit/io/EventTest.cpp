@@ -1,4 +1,4 @@
-#include "io/Event.hpp"
+#include "io/catalogue/events/Event.hpp"
 #include "unit/io/Support.hpp"
 
 #include <cmath>

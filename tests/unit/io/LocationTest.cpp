@@ -1,7 +1,7 @@
 #include "io/Location.hpp"
 #include "io/detail/CurveOrder.hpp"
-#include "io/detail/Gather.hpp"
-#include "io/detail/NodeGather.hpp"
+#include "io/parallel/Gather.hpp"
+#include "io/parallel/NodeGather.hpp"
 #include "unit/io/BlockMesh.hpp"
 #include "unit/io/Support.hpp"
 

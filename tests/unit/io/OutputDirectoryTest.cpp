@@ -1,4 +1,4 @@
-#include "io/OutputDirectory.hpp"
+#include "io/files/OutputDirectory.hpp"
 #include "unit/io/Support.hpp"
 
 #include <map>

@@ -1,8 +1,8 @@
 #include "io/OutputSet.hpp"
 #include "base/hdf5/H5.hpp"
 #include "base/parameters/Parameters.hpp"
-#include "io/Checkpoint.hpp"
-#include "io/outputs/EventCatalogue.hpp"
+#include "io/catalogue/events/EventCatalogue.hpp"
+#include "io/checkpoint/Checkpoint.hpp"
 #include "unit/io/Stage.hpp"
 
 #include <cmath>

@@ -1,7 +1,7 @@
-#include "io/detail/PlatformFile.hpp"
-#include "io/detail/FaultAxis.hpp"
-#include "io/detail/PlatformColumns.hpp"
-#include "io/detail/SlipProfiles.hpp"
+#include "io/platforms/PlatformFile.hpp"
+#include "io/catalogue/fault_geometry/FaultAxis.hpp"
+#include "io/platforms/PlatformColumns.hpp"
+#include "io/platforms/SlipProfiles.hpp"
 #include "unit/io/Stage.hpp"
 
 #include <limits>

@@ -1,4 +1,4 @@
-#include "io/detail/PointLocation.hpp"
+#include "io/catalogue/receivers/PointLocation.hpp"
 #include "unit/io/Support.hpp"
 
 #include <cmath>

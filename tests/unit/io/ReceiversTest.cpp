@@ -1,4 +1,4 @@
-#include "io/outputs/Receivers.hpp"
+#include "io/catalogue/receivers/Receivers.hpp"
 #include "unit/io/Stage.hpp"
 
 #include <cmath>

@@ -1,4 +1,4 @@
-#include "io/RunLog.hpp"
+#include "io/files/RunLog.hpp"
 #include "unit/io/Support.hpp"
 
 using namespace asperity;

@@ -1,4 +1,4 @@
-#include "io/SegmentedSeries.hpp"
+#include "io/series/SegmentedSeries.hpp"
 #include "unit/io/Support.hpp"
 
 #include <cmath>

@@ -1,6 +1,6 @@
 #include "base/hdf5/H5.hpp"
 #include "base/parameters/Parameters.hpp"
-#include "io/outputs/EventCatalogue.hpp"
+#include "io/catalogue/events/EventCatalogue.hpp"
 #include "unit/io/BlockMesh.hpp"
 #include "unit/io/Stage.hpp"
 

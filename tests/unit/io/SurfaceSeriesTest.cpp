@@ -1,5 +1,5 @@
-#include "io/SegmentedSeries.hpp"
-#include "io/detail/Gather.hpp"
+#include "io/parallel/Gather.hpp"
+#include "io/series/SegmentedSeries.hpp"
 #include "unit/io/BlockMesh.hpp"
 #include "unit/io/Stage.hpp"
 

@@ -1,4 +1,4 @@
-#include "io/TextTable.hpp"
+#include "io/files/TextTable.hpp"
 #include "unit/io/Support.hpp"
 
 #include <cmath>

@@ -1,0 +1,43 @@
+#include "io/checkpoint/Archive.hpp"
+
+#include "base/Errors.hpp"
+
+#include <array>
+
+namespace asperity::io
+{
+void Archive::insert(std::string const& path, Archive const& part)
+{
+  for (auto const& entry : part.values_) {
+    values_[path + "/" + entry.first] = entry.second;
+  }
+}
+
+Archive Archive::child(std::string const& path) const
+{
+  const std::string prefix = path + "/";
+  Archive part;
+  for (auto entry = values_.lower_bound(prefix);
+       entry != values_.end() && entry->first.compare(0, prefix.size(), prefix) == 0; ++entry) {
+    part.values_[entry->first.substr(prefix.size())] = entry->second;
+  }
+  return part;
+}
+
+Archive::Value const& Archive::at(std::string const& path) const
+{
+  const auto found = values_.find(path);
+  ASPERITY_REQUIRE(found != values_.end(),
+                   "The checkpoint has no value '"
+                     << path << "'. It was written by another version or for another deck.");
+  return found->second;
+}
+
+void Archive::throwWrongType(std::string const& path, Value const& value)
+{
+  static constexpr std::array<char const*, std::variant_size_v<Value>> names = {
+    "an integer", "a number", "a text", "a list of numbers", "a list of integers"};
+  throw InputError("The checkpoint holds " + std::string(names[value.index()]) + " as '" + path +
+                   "', which is not what belongs there. It was written by another version.");
+}
+} // namespace asperity::io

@@ -1,0 +1,56 @@
+#include "io/files/DurableFile.hpp"
+
+#include "base/Errors.hpp"
+
+#include <cerrno>
+#include <cstring>
+#include <fcntl.h>
+#include <fstream>
+#include <unistd.h>
+
+namespace asperity::io::detail
+{
+std::filesystem::path temporaryName(std::filesystem::path const& file)
+{
+  return file.string() + ".part";
+}
+
+void synchronise(std::filesystem::path const& file)
+{
+  const int descriptor = ::open(file.c_str(), O_RDONLY);
+  const bool opened = descriptor >= 0;
+  // Some file systems cannot synchronise folders and say EINVAL; that is not a failure to write.
+  const bool written = opened && (::fsync(descriptor) == 0 || errno == EINVAL);
+  const int error = errno;
+  if (opened) {
+    ::close(descriptor);
+  }
+  ASPERITY_REQUIRE(written, file.string() << " cannot be written to the disk: "
+                                          << std::strerror(error) << ". Is the disk full?");
+}
+
+void replace(std::filesystem::path const& file)
+{
+  std::error_code error;
+  std::filesystem::rename(temporaryName(file), file, error);
+  ASPERITY_REQUIRE(!error, file.string() << " cannot be replaced: " << error.message() << ".");
+}
+
+void replaceDurably(std::filesystem::path const& file)
+{
+  synchronise(temporaryName(file));
+  replace(file);
+  const auto folder = file.parent_path();
+  synchronise(folder.empty() ? std::filesystem::path(".") : folder);
+}
+
+void replaceText(std::filesystem::path const& file, std::string const& text)
+{
+  std::error_code ignored; // a folder that cannot be made is one that cannot be written to
+  std::filesystem::create_directory(file.parent_path(), ignored);
+  std::ofstream stream(temporaryName(file), std::ios::binary);
+  stream << text << std::flush;
+  ASPERITY_REQUIRE(stream, file.string() << " cannot be written. Is the disk full?");
+  replace(file);
+}
+} // namespace asperity::io::detail

@@ -1,0 +1,155 @@
+#include "io/files/RunLog.hpp"
+
+#include "base/Errors.hpp"
+#include "base/Text.hpp"
+#include "io/parallel/Gather.hpp"
+
+#include <algorithm>
+#include <cstdio>
+#include <iostream>
+#include <sstream>
+#include <sys/ioctl.h>
+#include <unistd.h>
+
+namespace asperity::io
+{
+namespace
+{
+double fractionDone(Progress const& progress)
+{
+  return progress.final_time > 0 ? std::clamp(progress.time / progress.final_time, 0.0, 1.0) : 0;
+}
+
+// "t = 612.4 s of 1800 s (34 %), step 12034, dt 0.0313 s, V 5.1e-05 m/s, 3 iterations, 31 events"
+std::string describe(Progress const& progress)
+{
+  std::ostringstream text;
+  text << "t = " << formatShort(progress.time) << " s";
+  if (progress.final_time > 0) {
+    text << " of " << formatShort(progress.final_time) << " s ("
+         << static_cast<int>(100 * fractionDone(progress)) << " %)";
+  }
+  text << ", step " << progress.step << ", dt " << formatShort(progress.step_size) << " s, V ";
+  char rate[16];
+  std::snprintf(rate, sizeof rate, "%.1e", progress.peak_slip_rate);
+  text << rate << " m/s, " << progress.fixed_point_iterations << " iterations, "
+       << progress.num_events << (progress.num_events == 1 ? " event" : " events");
+  return text.str();
+}
+
+// The same in a line's width: what matters most stands first.
+std::string describeShort(Progress const& progress, std::string const& left)
+{
+  char text[200];
+  std::snprintf(text, sizeof text, "%3d%% t=%.6g s dt=%.3g V=%.1e it=%d events=%lld%s%s",
+                static_cast<int>(100 * fractionDone(progress)), progress.time, progress.step_size,
+                progress.peak_slip_rate, progress.fixed_point_iterations,
+                static_cast<long long>(progress.num_events), left.empty() ? "" : " left ",
+                left.c_str());
+  return text;
+}
+} // namespace
+
+RunLog::Style RunLog::detectStyle()
+{
+  Style style;
+  style.in_place = ::isatty(STDOUT_FILENO) == 1;
+  winsize size{};
+  if (::ioctl(STDOUT_FILENO, TIOCGWINSZ, &size) == 0 && size.ws_col > 0) {
+    style.width = size.ws_col;
+  }
+  return style;
+}
+
+RunLog::RunLog(std::filesystem::path const& file, bool append, Communicator const& comm)
+    : RunLog(file, append, comm, std::cout, detectStyle())
+{
+}
+
+RunLog::RunLog(std::filesystem::path const& file, bool append, Communicator const& comm,
+               std::ostream& terminal, Style const& style)
+    : active_(comm.getRank() == 0)
+    , terminal_(terminal)
+    , style_(style)
+    , start_(Clock::now())
+    , last_line_(start_)
+{
+  detail::onRoot(comm, [&] {
+    file_.open(file, append ? std::ios::app : std::ios::trunc);
+    ASPERITY_REQUIRE(file_, file.string() << " cannot be written. Check the permissions of the "
+                                             "output directory.");
+  });
+}
+
+RunLog::~RunLog()
+{
+  if (active_) {
+    clearLine();
+  }
+}
+
+void RunLog::message(std::string const& text)
+{
+  if (!active_) {
+    return;
+  }
+  clearLine();
+  terminal_ << text << std::endl;
+  file_ << text << std::endl;
+}
+
+void RunLog::progress(Progress const& progress)
+{
+  if (!active_) {
+    return;
+  }
+  const double fraction = fractionDone(progress);
+  if (first_fraction_ < 0) {
+    first_fraction_ = fraction;
+    last_twentieth_ = static_cast<int>(20 * fraction);
+  }
+  const std::string left = timeLeft(fraction);
+  const int twentieth = static_cast<int>(20 * fraction);
+  if (twentieth > last_twentieth_ || secondsSince(last_line_) >= style_.seconds_per_line) {
+    last_twentieth_ = twentieth;
+    last_line_ = Clock::now();
+    const std::string line = describe(progress) + (left.empty() ? "" : ", " + left + " left");
+    file_ << line << std::endl;
+    if (!style_.in_place) {
+      terminal_ << line << std::endl;
+    }
+  }
+  const bool is_fresh = line_is_open_ && secondsSince(last_update_) < style_.seconds_per_update;
+  if (style_.in_place && !is_fresh) {
+    updateLine(describeShort(progress, left));
+  }
+}
+
+std::string RunLog::timeLeft(double fraction) const
+{
+  const double done = fraction - first_fraction_;
+  return done > 0 ? formatDuration(secondsSince(start_) * (1 - fraction) / done) : "";
+}
+
+// One column stays free: some terminals wrap when the last one is used.
+void RunLog::updateLine(std::string line)
+{
+  line.resize(std::max(1, style_.width - 1), ' ');
+  terminal_ << '\r' << line << std::flush;
+  last_update_ = Clock::now();
+  line_is_open_ = true;
+}
+
+void RunLog::clearLine()
+{
+  if (line_is_open_) {
+    terminal_ << '\r' << std::string(std::max(1, style_.width - 1), ' ') << '\r' << std::flush;
+    line_is_open_ = false;
+  }
+}
+
+double RunLog::secondsSince(Clock::time_point begin)
+{
+  return std::chrono::duration<double>(Clock::now() - begin).count();
+}
+} // namespace asperity::io

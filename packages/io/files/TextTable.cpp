@@ -1,0 +1,142 @@
+#include "io/files/TextTable.hpp"
+
+#include "base/Errors.hpp"
+#include "io/files/DurableFile.hpp"
+#include "io/parallel/Gather.hpp"
+
+#include <cstdio>
+#include <sstream>
+#include <utility>
+
+namespace asperity::io
+{
+namespace
+{
+// The first lines of different length of two headers, or the last ones.
+std::pair<std::string, std::string> difference(std::string const& earlier, std::string const& now)
+{
+  std::istringstream ours(earlier), theirs(now);
+  std::string our_line, their_line;
+  while (our_line.size() == their_line.size() && !(ours.eof() && theirs.eof())) {
+    our_line.clear();
+    their_line.clear();
+    std::getline(ours, our_line);
+    std::getline(theirs, their_line);
+  }
+  return {our_line, their_line};
+}
+
+std::string lastLine(std::string const& text) { return text.substr(text.find_last_of('\n') + 1); }
+} // namespace
+
+TextTable::TextTable(std::filesystem::path file, std::string header, RCP<const Communicator> comm)
+    : file_(std::move(file))
+    , header_(std::move(header))
+    , comm_(std::move(comm))
+{
+}
+
+void TextTable::open()
+{
+  if (!stream_.is_open()) {
+    std::error_code ignored; // a folder that cannot be made is one that cannot be written to
+    std::filesystem::create_directory(file_.parent_path(), ignored);
+    stream_.open(file_, std::ios::binary | std::ios::trunc);
+    writeLine(header_);
+  }
+}
+
+void TextTable::writeLine(std::string const& line)
+{
+  stream_ << line << '\n';
+  num_bytes_ += static_cast<std::int64_t>(line.size()) + 1;
+}
+
+void TextTable::writeRow(std::string const& row)
+{
+  if (comm_->getRank() == 0) {
+    open();
+    writeLine(row);
+  }
+}
+
+void TextTable::setHeader(std::string const& header)
+{
+  ASPERITY_ASSERT(header.size() == header_.size());
+  header_ = header;
+}
+
+void TextTable::flush()
+{
+  detail::onRoot(*comm_, [&] {
+    open();
+    stream_.seekp(0);
+    stream_ << header_;
+    stream_.seekp(num_bytes_);
+    stream_.flush();
+    ASPERITY_REQUIRE(stream_, file_.string() << " cannot be written. Is the disk full?");
+    detail::synchronise(file_);
+  });
+}
+
+void TextTable::save(Archive& archive) const
+{
+  archive.set("num_bytes", num_bytes_);
+  archive.set("header_bytes", header_.size());
+}
+
+void TextTable::requireEarlierTable(Archive const& archive) const
+{
+  std::error_code error;
+  const auto size = std::filesystem::file_size(file_, error);
+  ASPERITY_REQUIRE(!error, file_.string() << " cannot be continued: " << error.message()
+                                          << ". Restart in the directory of the earlier run.");
+  const auto num_bytes = archive.getInteger("num_bytes");
+  ASPERITY_REQUIRE(static_cast<std::int64_t>(size) >= num_bytes,
+                   file_.string() << " is not the table that the checkpoint continues: it has "
+                                  << size << " bytes, of which the checkpoint knows " << num_bytes
+                                  << ".");
+  std::string header(archive.getInteger("header_bytes"), '\0');
+  std::ifstream(file_, std::ios::binary)
+    .read(header.data(), static_cast<std::streamsize>(header.size()));
+  const bool is_same = header.size() == header_.size() && lastLine(header) == lastLine(header_);
+  const auto [earlier, now] = difference(header, header_);
+  ASPERITY_REQUIRE(is_same, file_.string()
+                              << " is not the table that the checkpoint continues: its "
+                                 "header has the line '"
+                              << earlier << "', where that of this run has '" << now
+                              << "'. Restart with the former.");
+}
+
+void TextTable::restore(Archive const& archive)
+{
+  detail::onRoot(*comm_, [&] {
+    requireEarlierTable(archive);
+    num_bytes_ = archive.getInteger("num_bytes");
+    std::error_code error;
+    std::filesystem::resize_file(file_, num_bytes_, error);
+    ASPERITY_REQUIRE(!error, file_.string() << " cannot be cut: " << error.message() << ".");
+    stream_.open(file_, std::ios::binary | std::ios::in | std::ios::out);
+    stream_.seekp(num_bytes_);
+  });
+}
+
+namespace
+{
+std::string formatted(char const* format, double value)
+{
+  char text[40];
+  std::snprintf(text, sizeof text, format, value);
+  return text;
+}
+} // namespace
+
+std::string exactNumber(double value) { return formatted("%.17g", value); }
+
+std::string shortNumber(double value) { return formatted("%.8g", value); }
+
+std::string columnName(std::string const& name, std::string const& unit)
+{
+  return unit.empty() || unit == "-" ? name : name + " [" + unit + "]";
+}
+} // namespace asperity::io

@@ -1,0 +1,64 @@
+#include "io/parallel/NodeBlocks.hpp"
+
+#include "base/Errors.hpp"
+#include "io/parallel/Exchange.hpp"
+
+#include <algorithm>
+
+namespace asperity::io::detail
+{
+NodeBlocks::NodeBlocks(Location const& location) : location_(location)
+{
+  for (const GlobalOrdinal number : location.node_numbers) {
+    destinations_.push_back(rankOf(number));
+  }
+  numbers_ = sendItems(location.node_numbers, 1, destinations_, *location.comm);
+  ASPERITY_ASSERT(static_cast<GlobalOrdinal>(numbers_.size()) == count());
+}
+
+GlobalOrdinal NodeBlocks::begin(int rank) const
+{
+  return location_.num_global_nodes * rank / location_.comm->getSize();
+}
+
+int NodeBlocks::rankOf(GlobalOrdinal number) const
+{
+  const int ranks = location_.comm->getSize();
+  auto rank = static_cast<int>(number * ranks / location_.num_global_nodes);
+  while (number >= begin(rank + 1)) { // integer division may be one short
+    ++rank;
+  }
+  return rank;
+}
+
+template <class T>
+std::vector<T> NodeBlocks::operator()(std::vector<T> const& mine, std::size_t num_rows,
+                                      std::size_t num_components) const
+{
+  const std::size_t owned = location_.numOwned();
+  ASPERITY_ASSERT(mine.size() == num_rows * owned * num_components);
+  std::vector<T> items; // (num_owned, num_rows, num_components)
+  items.reserve(mine.size());
+  for (std::size_t node = 0; node < owned; ++node) {
+    for (std::size_t row = 0; row < num_rows; ++row) {
+      const auto from = mine.begin() + (row * owned + node) * num_components;
+      items.insert(items.end(), from, from + num_components);
+    }
+  }
+  const auto arrived = sendItems(items, num_rows * num_components, destinations_, *location_.comm);
+  std::vector<T> block(arrived.size());
+  auto from = arrived.begin();
+  for (const GlobalOrdinal number : numbers_) {
+    for (std::size_t row = 0; row < num_rows; ++row, from += num_components) {
+      const std::size_t place = row * numbers_.size() + (number - first());
+      std::copy_n(from, num_components, block.begin() + place * num_components);
+    }
+  }
+  return block;
+}
+
+template std::vector<double> NodeBlocks::operator()(std::vector<double> const&, std::size_t,
+                                                    std::size_t) const;
+template std::vector<GlobalOrdinal> NodeBlocks::operator()(std::vector<GlobalOrdinal> const&,
+                                                           std::size_t, std::size_t) const;
+} // namespace asperity::io::detail

@@ -1,0 +1,117 @@
+#include "io/series/SegmentedSeries.hpp"
+
+#include "base/Errors.hpp"
+#include "io/parallel/Gather.hpp"
+#include "io/series/Xdmf.hpp"
+
+#include <algorithm>
+
+namespace asperity::io
+{
+namespace
+{
+detail::SeriesLayout makeLayout(SegmentedSeries::Options const& options, Location const& location,
+                                std::vector<Field const*> const& fields)
+{
+  detail::SeriesLayout layout;
+  layout.directory = options.directory;
+  layout.name = options.name;
+  layout.type = options.single_precision ? h5::Type::float32 : h5::Type::float64;
+  layout.num_nodes = static_cast<hsize_t>(location.num_global_nodes);
+  layout.dimension = location.dimension;
+  layout.nodes_per_element = location.nodes_per_element;
+  for (Field const* field : fields) {
+    layout.fields.push_back(*field);
+  }
+  return layout;
+}
+
+// Chunks of about 1 MiB, so that long rows neither fill the memory nor slow down reading.
+std::size_t rowsPerWrite(SegmentedSeries::Options const& options,
+                         detail::SeriesLayout const& layout)
+{
+  constexpr std::size_t largest_chunk = 1 << 20;
+  std::size_t longest_row = 1;
+  for (auto const& field : layout.fields) {
+    longest_row = std::max<std::size_t>(longest_row, 8 * layout.num_nodes * field.components);
+  }
+  return std::clamp<std::size_t>(largest_chunk / longest_row, 1, options.rows_per_write);
+}
+
+detail::SegmentedTable::Options tableOf(SegmentedSeries::Options const& given,
+                                        detail::SeriesLayout const& layout,
+                                        Location const& location)
+{
+  detail::SegmentedTable::Options options;
+  options.directory = layout.directory;
+  options.name = layout.name;
+  options.rows_per_write = rowsPerWrite(given, layout);
+  options.nodes = &location;
+  options.columns = detail::timeColumns();
+  for (auto const& field : layout.fields) {
+    options.columns.push_back({"fields/" + field.name, field.unit, field.description, layout.type,
+                               layout.rowShape(field), true});
+  }
+  options.describe_index = [name = location.name](h5::File& file) {
+    file.setAttribute("format", "asperity series");
+    file.setAttribute("format_version", std::int64_t(1));
+    file.setAttribute("location", name);
+    file.createGroup("fields"); // also where there is none
+  };
+  return options;
+}
+} // namespace
+
+SegmentedSeries::SegmentedSeries(Options const& options, Location const& location,
+                                 std::vector<Field const*> const& fields)
+    : location_(location)
+    , fields_(fields)
+    , layout_(makeLayout(options, location, fields))
+    , table_(tableOf(options, layout_, location), location.comm)
+{
+}
+
+void SegmentedSeries::append(StepInfo const& step)
+{
+  std::vector<std::vector<double>> columns{{step.time}, {static_cast<double>(step.step)}};
+  for (Field const* field : fields_) {
+    columns.emplace_back();
+    field->values(columns.back());
+    ASPERITY_ASSERT(columns.back().size() == location_.numOwned() * field->components);
+  }
+  times_.push_back(step.time);
+  table_.append(1, columns);
+}
+
+void SegmentedSeries::closeSegment(int index)
+{
+  table_.closeSegment(index);
+  detail::onRoot(*location_.comm, [&] {
+    if (index == 0) {
+      detail::startXdmf(layout_, table_.geometry());
+    }
+    const std::int64_t rows = table_.rowsOfSegment().back();
+    detail::appendToXdmf(layout_, index, times_.data() + times_.size() - rows, rows);
+  });
+}
+
+void SegmentedSeries::save(Archive& archive) const
+{
+  table_.save(archive);
+  archive.set("times", times_);
+}
+
+void SegmentedSeries::restore(Archive const& archive)
+{
+  table_.restore(archive);
+  times_ = archive.get<std::vector<double>>("times");
+  detail::onRoot(*location_.comm, [&] {
+    detail::startXdmf(layout_, table_.geometry());
+    double const* times = times_.data();
+    for (std::size_t i = 0; i < table_.rowsOfSegment().size(); ++i) {
+      detail::appendToXdmf(layout_, i, times, table_.rowsOfSegment()[i]);
+      times += table_.rowsOfSegment()[i];
+    }
+  });
+}
+} // namespace asperity::io

@@ -1,0 +1,58 @@
+#pragma once
+
+#include "io/FieldRegistry.hpp"
+#include "io/Location.hpp"
+#include "io/Output.hpp"
+#include "io/checkpoint/Archive.hpp"
+#include "io/series/SegmentedTable.hpp"
+#include "io/series/SeriesLayout.hpp"
+
+#include <cstdint>
+#include <filesystem>
+#include <string>
+#include <vector>
+
+namespace asperity::io
+{
+// Fields of one location over time, in closed segments tied together by the index DIR/<name>.h5 and
+// by DIR/<name>.xdmf. README.md has the layout.
+//
+// Rows are kept in memory, then written by all ranks together. Until closeSegment they may be
+// lost; what was closed before stays whole whatever happens. All functions are collective.
+class SegmentedSeries
+{
+public:
+  struct Options
+  {
+    std::filesystem::path directory;
+    std::string name; // of the index, "fault"
+    bool single_precision = false;
+    int rows_per_write = 64; // fewer where rows are long
+  };
+
+  // Location and fields must outlive the series.
+  SegmentedSeries(Options const& options, Location const& location,
+                  std::vector<Field const*> const& fields);
+  SegmentedSeries(SegmentedSeries const&) = delete; // the table describes itself with the members
+  SegmentedSeries& operator=(SegmentedSeries const&) = delete;
+
+  // Adds a row with the fields' values of this moment.
+  void append(StepInfo const& step);
+
+  // Completes the segment `index`, one more than that of the last call, and writes the index anew.
+  // A segment without rows has no file.
+  void closeSegment(int index);
+
+  // Everything up to the last closed segment. restore removes later segments; InputError if an
+  // earlier one is missing.
+  void save(Archive& archive) const;
+  void restore(Archive const& archive);
+
+private:
+  Location const& location_;
+  std::vector<Field const*> fields_;
+  detail::SeriesLayout layout_;
+  detail::SegmentedTable table_;
+  std::vector<double> times_; // of all rows [s]
+};
+} // namespace asperity::io

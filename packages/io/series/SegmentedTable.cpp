@@ -1,0 +1,199 @@
+#include "io/series/SegmentedTable.hpp"
+
+#include "base/Errors.hpp"
+#include "io/files/DurableFile.hpp"
+#include "io/parallel/Gather.hpp"
+
+#include <algorithm>
+#include <cstdio>
+#include <cstdlib>
+
+namespace asperity::io::detail
+{
+std::string segmentName(std::string const& name, std::size_t segment)
+{
+  char number[24];
+  std::snprintf(number, sizeof number, "%06zu", segment);
+  return "segments/" + name + "_" + number + ".h5";
+}
+
+void describe(h5::Dataset dataset, std::string const& unit, std::string const& description)
+{
+  dataset.setAttribute("unit", unit);
+  dataset.setAttribute("description", description);
+}
+
+namespace
+{
+// The numbers of the segments of this name on disk.
+std::vector<std::size_t> segmentsOnDisk(std::filesystem::path const& directory,
+                                        std::string const& name)
+{
+  std::vector<std::size_t> segments;
+  const auto folder = directory / "segments";
+  if (!std::filesystem::is_directory(folder)) {
+    return segments;
+  }
+  for (auto const& entry : std::filesystem::directory_iterator(folder)) {
+    const std::string stem = entry.path().stem().string();
+    const std::size_t digits = stem.find_last_of('_') + 1;
+    const std::size_t segment = std::strtoul(stem.c_str() + digits, nullptr, 10);
+    if ("segments/" + entry.path().filename().string() == segmentName(name, segment)) {
+      segments.push_back(segment);
+    }
+  }
+  return segments;
+}
+} // namespace
+
+SegmentedTable::SegmentedTable(Options options, RCP<const Communicator> comm)
+    : options_(std::move(options))
+    , comm_(std::move(comm))
+    , waiting_(options_.columns.size())
+{
+  if (options_.nodes != nullptr) {
+    blocks_.emplace(*options_.nodes);
+  }
+}
+
+std::filesystem::path SegmentedTable::segmentPath(std::size_t segment) const
+{
+  return options_.directory / segmentName(options_.name, segment);
+}
+
+void SegmentedTable::append(std::size_t num_rows, std::vector<std::vector<double>> const& values)
+{
+  ASPERITY_ASSERT(comm_->getRank() > 0 || values.size() == waiting_.size());
+  rows_in_open_segment_ += static_cast<std::int64_t>(num_rows);
+  rows_waiting_ += num_rows;
+  for (std::size_t i = 0; i < waiting_.size(); ++i) {
+    if (options_.columns[i].is_nodal || comm_->getRank() == 0) {
+      waiting_[i].insert(waiting_[i].end(), values[i].begin(), values[i].end());
+    }
+  }
+  if (rows_waiting_ >= options_.rows_per_write) {
+    writeRows();
+  }
+}
+
+void SegmentedTable::openSegment() const
+{
+  const auto path = segmentPath(rows_of_segment_.size());
+  std::filesystem::create_directories(path.parent_path());
+  h5::File segment = h5::File::create(path);
+  constexpr hsize_t numbers_per_chunk = 1024;
+  for (auto const& column : options_.columns) {
+    const hsize_t rows_per_chunk =
+      column.row_shape.empty() ? numbers_per_chunk : options_.rows_per_write;
+    describe(segment.createExtendable(column.path, column.type, column.row_shape, rows_per_chunk,
+                                      comm_->getSize() > 1),
+             column.unit, column.description);
+  }
+  segment.close();
+}
+
+void SegmentedTable::writeRows()
+{
+  if (rows_waiting_ == 0) {
+    return;
+  }
+  if (rows_in_open_segment_ == static_cast<std::int64_t>(rows_waiting_)) {
+    onRoot(*comm_, [&] { openSegment(); }); // the first rows of the segment
+  }
+  const auto path = segmentPath(rows_of_segment_.size());
+  std::optional<h5::File> segment;
+  onAll(*comm_, [&] { segment = h5::File::openShared(path, rawCommunicator(*comm_)); });
+  for (std::size_t i = 0; i < options_.columns.size(); ++i) {
+    writeColumn(*segment, i);
+    waiting_[i].clear();
+  }
+  onAll(*comm_, [&] { segment->close(); });
+  rows_waiting_ = 0;
+}
+
+void SegmentedTable::writeColumn(h5::File& segment, std::size_t i)
+{
+  auto const& column = options_.columns[i];
+  const hsize_t all = column.row_shape.empty() ? 1 : column.row_shape[0];
+  h5::Part part{0, comm_->getRank() == 0 ? all : 0};
+  auto const* values = &waiting_[i];
+  std::vector<double> block;
+  if (column.is_nodal) {
+    const hsize_t components = column.row_shape.size() > 1 ? column.row_shape[1] : 1;
+    block = (*blocks_)(waiting_[i], rows_waiting_, components);
+    part = {static_cast<hsize_t>(blocks_->first()), static_cast<hsize_t>(blocks_->count())};
+    values = &block;
+  }
+  onAll(*comm_,
+        [&] { segment.openDataset(column.path).appendPart(values->data(), rows_waiting_, part); });
+}
+
+void SegmentedTable::closeSegment(int index)
+{
+  ASPERITY_ASSERT(index == static_cast<int>(rows_of_segment_.size()));
+  writeRows();
+  if (rows_in_open_segment_ > 0) {
+    onAll(*comm_, [&] { synchronise(segmentPath(rows_of_segment_.size())); });
+  }
+  rows_of_segment_.push_back(rows_in_open_segment_);
+  rows_in_open_segment_ = 0;
+  writeGeometry();
+  onRoot(*comm_, [&] { writeIndex(); });
+}
+
+void SegmentedTable::writeGeometry()
+{
+  if (blocks_ && !geometry_) {
+    geometry_ = detail::writeGeometry(options_.directory, options_.name, *options_.nodes, *blocks_);
+  }
+}
+
+void SegmentedTable::writeIndex() const
+{
+  std::vector<h5::VirtualPart> parts;
+  for (std::size_t i = 0; i < rows_of_segment_.size(); ++i) {
+    parts.push_back({segmentName(options_.name, i), static_cast<hsize_t>(rows_of_segment_[i])});
+  }
+  const auto path = options_.directory / (options_.name + ".h5");
+  h5::File file = h5::File::create(temporaryName(path));
+  options_.describe_index(file);
+  if (geometry_) {
+    file.link("geometry", geometry_->name);
+  }
+  for (auto const& column : options_.columns) {
+    describe(file.createVirtual(column.path, column.type, column.row_shape, parts), column.unit,
+             column.description);
+  }
+  file.close();
+  replace(path); // a restart makes it anew
+}
+
+void SegmentedTable::save(Archive& archive) const
+{
+  ASPERITY_ASSERT(rows_in_open_segment_ == 0);
+  archive.set("rows_of_segment", rows_of_segment_);
+}
+
+void SegmentedTable::restore(Archive const& archive)
+{
+  rows_of_segment_ = archive.get<std::vector<std::int64_t>>("rows_of_segment");
+  onRoot(*comm_, [&] { removeLaterSegments(); });
+  writeGeometry();
+  onRoot(*comm_, [&] { writeIndex(); });
+}
+
+void SegmentedTable::removeLaterSegments() const
+{
+  for (std::size_t i = 0; i < rows_of_segment_.size(); ++i) {
+    ASPERITY_REQUIRE(rows_of_segment_[i] == 0 || std::filesystem::exists(segmentPath(i)),
+                     segmentPath(i).string()
+                       << " is missing, but the checkpoint continues it. Restart in the "
+                          "directory of the earlier run.");
+  }
+  for (const std::size_t segment : segmentsOnDisk(options_.directory, options_.name)) {
+    if (segment >= rows_of_segment_.size()) {
+      std::filesystem::remove(segmentPath(segment));
+    }
+  }
+}
+} // namespace asperity::io::detail

@@ -1,0 +1,91 @@
+#pragma once
+
+#include "base/Types.hpp"
+#include "base/hdf5/H5.hpp"
+#include "io/checkpoint/Archive.hpp"
+#include "io/parallel/NodeBlocks.hpp"
+#include "io/series/GeometryFile.hpp"
+
+#include <cstdint>
+#include <filesystem>
+#include <functional>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace asperity::io::detail
+{
+// "segments/fault_000012.h5", relative to the folder of the index.
+std::string segmentName(std::string const& name, std::size_t segment);
+
+// Names `dataset`'s unit and meaning in its attributes.
+void describe(h5::Dataset dataset, std::string const& unit, std::string const& description);
+
+// Rows of a few columns in closed segments DIR/segments/<name>_<nnnnnn>.h5, tied together by the
+// virtual datasets of the index DIR/<name>.h5. What was closed stays whole whatever happens; what
+// was not may be lost. Every rank holds and writes its part of the nodal columns, rank 0 the rest.
+// No file is open between two calls. All functions are collective.
+class SegmentedTable
+{
+public:
+  struct Column
+  {
+    std::string path; // of the dataset, "fields/slip"
+    std::string unit, description;
+    h5::Type type = h5::Type::float64;
+    h5::Shape row_shape;   // of the value in a row; {} is a number
+    bool is_nodal = false; // the first dimension of the row is that of the nodes
+  };
+  struct Options
+  {
+    std::filesystem::path directory;
+    std::string name;
+    std::vector<Column> columns;
+    std::size_t rows_per_write = 64;
+    // Of the nodal columns; its geometry is linked to as the group `geometry`. Null: there are
+    // none.
+    Location const* nodes = nullptr;
+    // Adds to the index what does not grow, such as attributes. On rank 0.
+    std::function<void(h5::File&)> describe_index;
+  };
+
+  SegmentedTable(Options options, RCP<const Communicator> comm);
+
+  // Adds rows, for each column: of a nodal one (num_rows, num_owned, components) on every rank, of
+  // the others (num_rows, row shape) on rank 0, where the others pass anything.
+  void append(std::size_t num_rows, std::vector<std::vector<double>> const& values);
+
+  // Completes the segment `index`, one more than that of the last call, and writes the index anew.
+  // A segment without rows has no file.
+  void closeSegment(int index);
+
+  // Everything up to the last closed segment. restore removes later segments; InputError if an
+  // earlier one is missing.
+  void save(Archive& archive) const;
+  void restore(Archive const& archive);
+
+  // Of the closed segments.
+  std::vector<std::int64_t> const& rowsOfSegment() const { return rows_of_segment_; }
+
+  // Once a segment was closed, or after restore.
+  GeometryFile const& geometry() const { return *geometry_; }
+
+private:
+  void openSegment() const;
+  void writeRows();
+  void writeColumn(h5::File& segment, std::size_t i);
+  void writeGeometry();
+  void writeIndex() const;
+  void removeLaterSegments() const;
+  std::filesystem::path segmentPath(std::size_t segment) const;
+
+  Options options_;
+  RCP<const Communicator> comm_;
+  std::optional<NodeBlocks> blocks_;          // of the nodes, if there are nodal columns
+  std::optional<GeometryFile> geometry_;      // once written
+  std::vector<std::int64_t> rows_of_segment_; // closed ones
+  std::int64_t rows_in_open_segment_ = 0;     // written or waiting
+  std::size_t rows_waiting_ = 0;
+  std::vector<std::vector<double>> waiting_; // by column
+};
+} // namespace asperity::io::detail

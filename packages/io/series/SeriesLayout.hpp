@@ -1,0 +1,38 @@
+#pragma once
+
+#include "base/hdf5/H5.hpp"
+#include "io/FieldRegistry.hpp"
+#include "io/Location.hpp"
+#include "io/series/SegmentedTable.hpp"
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+namespace asperity::io::detail
+{
+// What the files of a history have in common.
+struct SeriesLayout
+{
+  std::filesystem::path directory;
+  std::string name;
+  h5::Type type = h5::Type::float64;
+  hsize_t num_nodes = 0;
+  int dimension = 0;
+  int nodes_per_element = 0;
+  std::vector<Field> fields;
+
+  h5::Shape rowShape(Field const& field) const; // (num_nodes) or (num_nodes, components)
+};
+
+// (num_points) or, of more than one component, (num_points, components).
+h5::Shape rowShape(std::size_t num_points, int components);
+
+// The columns `time` and `step`.
+std::vector<SegmentedTable::Column> timeColumns();
+
+// A dataset of double or GlobalOrdinal with unit and description.
+template <class T>
+void writeDataset(h5::File& file, std::string const& path, std::vector<T> const& values,
+                  h5::Shape const& shape, std::string const& unit, std::string const& description);
+} // namespace asperity::io::detail
