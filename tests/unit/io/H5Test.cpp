@@ -4,7 +4,6 @@
 #include <cmath>
 
 using namespace asperity;
-using namespace asperity::io;
 
 // HDF5 files belong to one rank here; every rank uses one of its own.
 namespace
