@@ -4,6 +4,7 @@
 #
 # A shared library asperity_<name> of all packages/<name>/**/*.cpp. Shared, because a static library
 # drops the objects that only register a plugin. PACKAGES is what the package may include.
+add_custom_target(asperity_packages)
 function(asperity_add_package name)
   cmake_parse_arguments(PACKAGE "" "" "PACKAGES;LIBRARIES" ${ARGN})
   file(GLOB_RECURSE sources CONFIGURE_DEPENDS "${PROJECT_SOURCE_DIR}/packages/${name}/*.cpp")
@@ -22,6 +23,7 @@ function(asperity_add_package name)
   endif()
   target_include_directories(${target} ${scope} "${PROJECT_SOURCE_DIR}/packages")
   target_compile_features(${target} ${scope} cxx_std_17)
+  add_dependencies(asperity_packages ${target})
   list(TRANSFORM PACKAGE_PACKAGES PREPEND asperity_ OUTPUT_VARIABLE packages)
   target_link_libraries(${target} ${scope} ${packages} ${PACKAGE_LIBRARIES})
 endfunction()

@@ -16,13 +16,17 @@ if(mpiexec_version MATCHES "Open MPI|OpenRTE")
   set(ASPERITY_MPI_OPTIONS --oversubscribe --bind-to none --mca mpi_yield_when_idle 1)
 endif()
 
+# The programs of the tests with the label `quick`, which also run in the preset `debug`.
+add_custom_target(asperity_quick_tests)
+
 asperity_add_precompiled_headers(tests HEADERS <gtest/gtest.h> LIBRARIES GTest::gtest)
 
 # asperity_add_test(<level>.<package>.<Name> SOURCES <file>... PACKAGES <package>...
 #                   [LIBRARIES <target>...] [RANKS <n>...] [LABELS <label>...] [TIMEOUT <seconds>])
 #
 # A GoogleTest program, run once for each number of ranks as <level>.<package>.<Name>_MPI_<n>.
-# Labels: the level, and short (the default), medium or long.
+# Labels: the level, and short (the default), medium or long; quick besides runs in CI's build with
+# assertions, too.
 function(asperity_add_test name)
   cmake_parse_arguments(TEST "" "TIMEOUT" "SOURCES;PACKAGES;LIBRARIES;RANKS;LABELS" ${ARGN})
   if(NOT TEST_SOURCES)
@@ -48,6 +52,9 @@ function(asperity_add_test name)
   target_link_libraries(${name} PRIVATE asperity_test_main ${packages} ${TEST_LIBRARIES})
   if(NOT TEST_PACKAGES STREQUAL "friction") # which does not link Trilinos
     asperity_use_precompiled_headers(${name} tests)
+  endif()
+  if("quick" IN_LIST TEST_LABELS)
+    add_dependencies(asperity_quick_tests ${name})
   endif()
   foreach(ranks IN LISTS TEST_RANKS)
     asperity_add_mpi_command(${name}_MPI_${ranks} RANKS ${ranks} COMMAND $<TARGET_FILE:${name}>)

@@ -9,6 +9,8 @@
 #   --output DIR    where `run` puts its results      (default: results/wedge_2d)
 #   --jobs N        compilers that run side by side   (default: by cores and memory)
 #   --no-install    install nothing; CMake says what it does not find
+#   --strict        for `test`, as continuous integration runs it: warnings in our code are errors,
+#                   and the packages are also built and tested briefly with the preset `debug`
 #
 # A Trilinos of your own is taken from Trilinos_ROOT or CMAKE_PREFIX_PATH instead of Debian's.
 set -euo pipefail
@@ -18,11 +20,12 @@ build=$top/build
 output=$top/results/wedge_2d
 jobs=
 install=yes # read by quickstart_packages.sh
+strict=no
 mode=
 
 usage()
 {
-  sed -n '2,13s/^# \{0,1\}//p' "${BASH_SOURCE[0]}"
+  sed -n '2,16s/^# \{0,1\}//p' "${BASH_SOURCE[0]}"
 }
 
 fail()
@@ -53,12 +56,14 @@ parse_arguments()
         esac
         shift ;;
       --no-install) install=no ;;
+      --strict) strict=yes ;;
       -h | --help) usage; exit 0 ;;
       *) fail "unknown argument '$1'. See --help." ;;
     esac
     shift
   done
   [ -n "$mode" ] || { usage >&2; exit 1; }
+  [ "$strict" = no ] || [ "$mode" = test ] || fail "--strict belongs to \`test\`, not to \`$mode\`."
   [ -z "$jobs" ] || [[ $jobs =~ ^[1-9][0-9]*$ ]] || fail "--jobs $jobs is not a positive number."
 }
 
@@ -68,7 +73,7 @@ phase()
 {
   phase_count=$((phase_count + 1))
   phase_start=$SECONDS
-  printf '\n[%d/4] %s\n' "$phase_count" "$*"
+  printf '\n[%d/%d] %s\n' "$phase_count" "$([ "$strict" = yes ] && echo 5 || echo 4)" "$*"
 }
 
 phase_done()
@@ -100,7 +105,9 @@ configure()
     generator=(-DCMAKE_BUILD_TYPE=Release)
     ! command -v ninja > /dev/null || generator+=(-G Ninja)
   fi
-  cmake -S "$top" -B "$build" "${generator[@]}" -DASPERITY_ENABLE_TESTS=ON
+  local -a options=(-DASPERITY_ENABLE_TESTS=ON)
+  [ "$strict" = no ] || options+=(-DASPERITY_WARNINGS_AS_ERRORS=ON)
+  cmake -S "$top" -B "$build" "${generator[@]}" "${options[@]}"
   phase_done
 }
 
@@ -109,6 +116,19 @@ compile()
   jobs=${jobs:-$(default_jobs)}
   phase "Build ($jobs at a time)"
   cmake --build "$build" --parallel "$jobs" "$@"
+  phase_done
+}
+
+# The preset `debug` has assertions, a checked standard library and no precompiled headers, so that
+# a missing #include is an error. Without debug symbols, which nobody would use here, it takes a
+# quarter less time.
+check_debug()
+{
+  phase "Build the packages with assertions and without precompiled headers ($build-debug)"
+  cmake -S "$top" --preset debug -B "$build-debug" -DCMAKE_CXX_FLAGS_DEBUG= \
+    -DASPERITY_WARNINGS_AS_ERRORS=ON -DASPERITY_ENABLE_MESH_TOOL=OFF
+  cmake --build "$build-debug" --parallel "$jobs" --target asperity_packages asperity_quick_tests
+  ctest --test-dir "$build-debug" -L '^quick$' --parallel "$(nproc)" --output-on-failure
   phase_done
 }
 
@@ -146,5 +166,6 @@ case "$mode" in
     simulate ;;
   test)
     compile
+    [ "$strict" = no ] || check_debug
     run_tests ;;
 esac

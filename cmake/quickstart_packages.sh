@@ -13,7 +13,7 @@ results in parallel HDF5: libhdf5-openmpi-dev
 mesh partitioning: libmetis-dev
 expressions in decks: libmuparser-dev
 sparse Cholesky: libeigen3-dev
-tests: libgtest-dev
+tests: libgtest-dev clang-format-14
 figures: python3 python3-h5py python3-numpy python3-matplotlib
 LIST
   if ! own_trilinos > /dev/null; then

@@ -8,7 +8,8 @@ import importlib
 import pathlib
 import sys
 
-RULES = ["includes", "kernels", "layout", "marks", "drivers", "decks", "names"]
+RULES = ["includes", "kernels", "layout", "marks", "drivers", "decks", "names",
+         "sizes", "readmes", "format"]
 
 
 def main(arguments):

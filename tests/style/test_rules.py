@@ -2,16 +2,26 @@
 """Each rule lets a good tree pass and finds each bad sample, alone, in it."""
 
 import importlib
+import os
 import pathlib
 import tempfile
 import unittest
+import unittest.mock
 
 import check
+from rules import format as format_rule
+
+README = ("# {}\n\nThe package is for a test of the rules, among others. It is not for \n"
+          "computations of any kind.\n\n| header | for |\n")
 
 GOOD = {
+    ".clang-format": "DisableFormat: true\n",
     "CMakeLists.txt": "asperity_add_package(friction LIBRARIES Asperity::Kokkos)\n"
                       "asperity_add_package(base)\n"
                       "asperity_add_package(mesh PACKAGES base LIBRARIES Asperity::METIS)\n",
+    "packages/base/README.md": README.format("base"),
+    "packages/mesh/README.md": README.format("mesh"),
+    "packages/friction/README.md": README.format("friction"),
     "packages/base/Types.hpp": "#pragma once\n#include <Teuchos_RCP.hpp>\n",
     "packages/mesh/Mesh.hpp": '#pragma once\n#include "base/Types.hpp"\n// #include "io/H5.hpp"\n',
     "packages/friction/Law.hpp": "#pragma once\n#include <Kokkos_Core.hpp>\n#include <cmath>\n",
@@ -80,7 +90,20 @@ BAD = {
         ("tests/test_utils.py", "\n"),
         ("packages/base/Types.hpp", "#pragma once\nstruct MeshHelper\n{\n};\n"),
     ],
+    "readmes": [
+        ("packages/base/README.md", README.format("mesh")),
+        ("packages/base/README.md", README.format("base").replace("is for", "has")),
+        ("packages/base/README.md", README.format("base").replace("is not for", "has no")),
+        ("packages/base/README.md", "# base\n\n| header | is for this and is not for that |\n"),
+        ("packages/base/README.md", "# base\n\nIt is for it. It is not for it.\n"),
+        ("packages/other/Thing.cpp", "int i;\n"),
+    ],
+    "format": [(".clang-format", "BasedOnStyle: LLVM\n"), (".clang-format", "NoSuchOption: 1\n")],
 }
+
+
+# The rule `format` needs a program, whose absence tests/style/CMakeLists.txt reports.
+RUNNING = [rule for rule in check.RULES if rule != "format" or format_rule.program()]
 
 
 class Rules(unittest.TestCase):
@@ -93,17 +116,29 @@ class Rules(unittest.TestCase):
             return importlib.import_module(f"rules.{rule}").check(root)
 
     def test_every_rule_has_bad_samples(self):
-        self.assertEqual(sorted(BAD), sorted(check.RULES))
+        self.assertEqual(sorted([*BAD, "sizes"]), sorted(check.RULES))
 
     def test_good_tree_passes(self):
-        for rule in check.RULES:
+        for rule in RUNNING:
             self.assertEqual(self.breaches(rule), [], rule)
 
     def test_bad_samples_are_found(self):
-        for rule, samples in BAD.items():
-            for name, text in samples:
+        for rule in RUNNING:
+            for name, text in BAD.get(rule, []):
                 with self.subTest(rule=rule, file=name, text=text[:60]):
                     self.assertTrue(self.breaches(rule, {name: text}))
+
+    def test_sizes_of_folders_and_packages(self):
+        full = {f"packages/base/{n % 3}/F{n}.hpp": "" for n in range(69)}  # and Types.hpp
+        self.assertEqual(self.breaches("sizes", full), [])
+        too_many = {**full, "packages/base/3/F.cpp": ""}
+        self.assertEqual(len(self.breaches("sizes", too_many)), 1)
+        crowded = {f"packages/mesh/detail/F{n}.hpp": "" for n in range(26)}
+        self.assertEqual(len(self.breaches("sizes", crowded)), 1)
+
+    def test_a_missing_clang_format_is_a_breach(self):
+        with unittest.mock.patch.dict(os.environ, ASPERITY_CLANG_FORMAT="no-such-program"):
+            self.assertIn("apt-get install", self.breaches("format")[0])
 
     def test_a_tree_without_decks_is_refused(self):
         with tempfile.TemporaryDirectory() as folder:

@@ -63,7 +63,7 @@ Handle makeProperties(hid_t kind, std::string const& what)
   return Handle(H5Pcreate(kind), H5Pclose, "Making properties for " + what);
 }
 
-Handle::Handle(hid_t id, Close close, std::string const& what) : id_(id), close_(close)
+Handle::Handle(hid_t id, Close function, std::string const& what) : id_(id), close_(function)
 {
   if (id < 0) {
     fail(what);

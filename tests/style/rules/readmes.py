@@ -1,0 +1,28 @@
+"""A package's README says on top, in sentences, what the package is for and what it is not for."""
+
+import re
+
+# Only the part before the first table or heading of the second level is looked at.
+_TOP = re.compile(r"\A# (?P<name>\S+)\n(?P<text>.*?)(?=^#|^\||\Z)", re.DOTALL | re.MULTILINE)
+_SENTENCES = [r"\bis for [^.]{15,}", r"\bis not for [^.]{15,}"]
+
+
+def check(root):
+    packages = sorted(path for path in (root / "packages").iterdir() if path.is_dir())
+    return [f"packages/{package.name}/README.md:1: {text}"
+            for package in packages for text in _breaches(package)]
+
+
+def _breaches(package):
+    readme = package / "README.md"
+    if not readme.is_file():
+        yield "there is no such file"
+        return
+    top = _TOP.match(readme.read_text())
+    if not top or top.group("name") != package.name:
+        yield f"the first line is not '# {package.name}'"
+        return
+    text = " ".join(top.group("text").split())
+    for sentence in _SENTENCES:
+        if not re.search(sentence, text):
+            yield f"no sentence at the top that matches '{sentence}'"
