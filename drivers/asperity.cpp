@@ -42,8 +42,8 @@ int main(int argc, char** argv)
     }
     if (command_line.print_parameters) {
       if (speaks) {
-        asperity::printParameters(*asperity::scenario::deckParameters("Regularised", "Ageing"),
-                                  std::cout, command_line.format);
+        asperity::printParameters(*asperity::scenario::deckParameters(), std::cout,
+                                  command_line.format);
       }
       return int(asperity::exit_done);
     }

@@ -19,7 +19,9 @@ namespace asperity
 //   ASPERITY_REGISTER(OutputRegistry, "Events", EventTable)        // the end of EventTable.cpp
 //   auto output = OutputRegistry::instance().create("Events", "Asperity / Output", list);
 //
-// Registration runs when the library is loaded; keep plugins in shared or object libraries.
+// Registration runs when the library is loaded, where nothing may be thrown; keep plugins in shared
+// or object libraries. Two plugins of one name are a mistake of ours: names and create throw
+// std::logic_error from then on.
 template <class Product, class... Arguments>
 class Registry
 {
@@ -32,30 +34,38 @@ public:
     return registry;
   }
 
-  // Two plugins of one name are a mistake of ours: std::logic_error.
-  void add(std::string const& name, Factory factory)
+  // False if the name is taken.
+  bool add(std::string const& name, Factory factory)
   {
-    if (!factories_.emplace(name, std::move(factory)).second) {
-      throw std::logic_error("The plugin '" + name + "' is registered twice.");
+    const bool is_new = factories_.emplace(name, std::move(factory)).second;
+    if (!is_new) {
+      repeated_.push_back(name);
     }
+    return is_new;
   }
 
   bool contains(std::string const& name) const { return factories_.count(name) > 0; }
 
+  // The name of each registration: one that two plugins have stands there twice.
+  std::vector<std::string> registrations() const
+  {
+    auto all = sortedNames();
+    all.insert(all.end(), repeated_.begin(), repeated_.end());
+    return all;
+  }
+
   // Sorted.
   std::vector<std::string> names() const
   {
-    std::vector<std::string> names;
-    for (auto const& entry : factories_) {
-      names.push_back(entry.first);
-    }
-    return names;
+    requireDistinctNames();
+    return sortedNames();
   }
 
   // `path` is where the name was asked for; an unknown name is an InputError with the nearest one.
   std::unique_ptr<Product> create(std::string const& name, std::string const& path,
                                   Arguments... arguments) const
   {
+    requireDistinctNames();
     const auto found = factories_.find(name);
     ASPERITY_REQUIRE(found != factories_.end(),
                      path << ": '" << name << "' is unknown." << didYouMean(name, names()));
@@ -72,7 +82,24 @@ public:
   };
 
 private:
+  std::vector<std::string> sortedNames() const
+  {
+    std::vector<std::string> names;
+    for (auto const& entry : factories_) {
+      names.push_back(entry.first);
+    }
+    return names;
+  }
+
+  void requireDistinctNames() const
+  {
+    if (!repeated_.empty()) {
+      throw std::logic_error("The plugin '" + repeated_.front() + "' is registered twice.");
+    }
+  }
+
   std::map<std::string, Factory> factories_;
+  std::vector<std::string> repeated_; // names that were taken
 };
 } // namespace asperity
 

@@ -15,7 +15,8 @@ struct Parameter
   double upper;
   bool lower_closed; // whether the bound itself is allowed
   bool upper_closed;
-  char const* meaning; // one sentence
+  char const* meaning;   // one sentence
+  char const* hint = ""; // what to try when a value is refused
 
   bool required() const { return std::isnan(default_value); }
 

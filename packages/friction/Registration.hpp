@@ -1,13 +1,14 @@
 #pragma once
 
-#include "friction/Parameter.hpp"
+#include "friction/LawProperties.hpp"
 #include "friction/detail/LawFrictionKernels.hpp"
 #include "friction/detail/LawStateKernels.hpp"
 
 #include <functional>
+#include <iterator>
 #include <memory>
 #include <string>
-#include <vector>
+#include <type_traits>
 
 // Makes a law known by its name and instantiates its kernels; one line at the bottom of a .cpp, in
 // this package or in anybody's library or program (shared or object: a static library drops such
@@ -16,22 +17,62 @@
 //   ASPERITY_REGISTER_FRICTION_LAW(asperity::friction::RegularisedLaw)
 //   ASPERITY_REGISTER_STATE_LAW(asperity::friction::AgeingLaw)
 //
-// README.md says what a law has to have. Two laws of one name are a mistake of ours:
-// std::logic_error.
+// README.md says what a law has to have. Nothing is thrown here, since this runs before main and
+// while a library is loaded: Registry.hpp says what becomes of two laws of one name.
 namespace asperity::friction
 {
 using FrictionKernelsMaker = std::function<std::unique_ptr<FrictionKernels>(FaultData const&)>;
 using StateKernelsMaker = std::function<std::unique_ptr<StateKernels>(ParameterView)>;
 
-bool registerFrictionLaw(std::string const& name, std::vector<Parameter> parameters,
+// False if the name is taken.
+bool registerFrictionLaw(std::string const& name, FrictionLawProperties properties,
                          FrictionKernelsMaker make);
-bool registerStateLaw(std::string const& name, std::vector<Parameter> parameters,
+bool registerStateLaw(std::string const& name, StateLawProperties properties,
                       StateKernelsMaker make);
+
+namespace detail
+{
+// A law may lack these; one of another type than LawProperties.hpp has does not compile.
+template <class Law, class = void>
+struct SensitivityOf
+{
+  static std::function<Sensitivity(double const*)> function() { return {}; }
+};
+template <class Law>
+struct SensitivityOf<Law, std::void_t<decltype(&Law::sensitivity)>>
+{
+  static std::function<Sensitivity(double const*)> function() { return &Law::sensitivity; }
+};
+
+template <class Law, class = void>
+struct SlipDistanceOf
+{
+  static std::function<double(double const*)> function() { return {}; }
+};
+template <class Law>
+struct SlipDistanceOf<Law, std::void_t<decltype(&Law::slipDistance)>>
+{
+  static std::function<double(double const*)> function() { return &Law::slipDistance; }
+};
+
+template <class Law, class = void>
+struct ThetaScaleOf
+{
+  static std::function<double(double const*)> function() { return {}; }
+};
+template <class Law>
+struct ThetaScaleOf<Law, std::void_t<decltype(&Law::thetaScale)>>
+{
+  static std::function<double(double const*)> function() { return &Law::thetaScale; }
+};
+} // namespace detail
 
 template <class Law>
 bool registerFrictionLaw()
 {
-  return registerFrictionLaw(Law::name, {std::begin(Law::parameters), std::end(Law::parameters)},
+  return registerFrictionLaw(Law::name,
+                             {{std::begin(Law::parameters), std::end(Law::parameters)},
+                              detail::SensitivityOf<Law>::function()},
                              [](FaultData const& fault) -> std::unique_ptr<FrictionKernels> {
                                return std::make_unique<detail::LawFrictionKernels<Law>>(fault);
                              });
@@ -40,7 +81,10 @@ bool registerFrictionLaw()
 template <class Law>
 bool registerStateLaw()
 {
-  return registerStateLaw(Law::name, {std::begin(Law::parameters), std::end(Law::parameters)},
+  return registerStateLaw(Law::name,
+                          {{std::begin(Law::parameters), std::end(Law::parameters)},
+                           detail::SlipDistanceOf<Law>::function(),
+                           detail::ThetaScaleOf<Law>::function()},
                           [](ParameterView const& parameters) -> std::unique_ptr<StateKernels> {
                             return std::make_unique<detail::LawStateKernels<Law>>(parameters);
                           });

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "friction/FrictionKernels.hpp"
-#include "friction/Parameter.hpp"
+#include "friction/LawProperties.hpp"
 #include "friction/StateKernels.hpp"
 
 #include <memory>
@@ -10,10 +10,12 @@
 
 // All laws by name: those of this package and those that other libraries or programs have
 // registered (see Registration.hpp). A name nobody registered throws std::out_of_range, which lists
-// the known ones.
+// the known ones. Two laws of one name are a mistake of ours: from then on every function but
+// registeredLaws throws std::logic_error.
 namespace asperity::friction
 {
 std::vector<std::string> frictionLawNames(); // sorted
+FrictionLawProperties const& frictionLaw(std::string const& name);
 std::vector<Parameter> const& frictionLawParameters(std::string const& name);
 
 // Throws std::invalid_argument if the shapes of the views do not fit each other or the law's table.
@@ -21,9 +23,14 @@ std::unique_ptr<FrictionKernels> makeFrictionKernels(std::string const& name,
                                                      FaultData const& fault);
 
 std::vector<std::string> stateLawNames(); // sorted
+StateLawProperties const& stateLaw(std::string const& name);
 std::vector<Parameter> const& stateLawParameters(std::string const& name);
 
 // parameters(num_parameters, num_nodes), rows in the order of the law's table, read once.
 // Throws std::invalid_argument if the number of rows is another one.
 std::unique_ptr<StateKernels> makeStateKernels(std::string const& name, ParameterView parameters);
+
+// "friction law 'Truncated'", "state law 'Slip'", ..., for each registration: a name that two laws
+// have stands there twice.
+std::vector<std::string> registeredLaws();
 } // namespace asperity::friction

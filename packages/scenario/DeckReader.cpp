@@ -1,7 +1,5 @@
 #include "scenario/DeckReader.hpp"
 
-#include "base/NearestName.hpp"
-#include "friction/Registry.hpp"
 #include "io/OutputSet.hpp"
 #include "scenario/setup/BoundarySetup.hpp"
 #include "scenario/setup/BulkSetup.hpp"
@@ -11,7 +9,6 @@
 #include "scenario/setup/SolverSetup.hpp"
 #include "scenario/setup/TimeSetup.hpp"
 
-#include <algorithm>
 #include <sstream>
 
 namespace asperity::scenario
@@ -25,59 +22,38 @@ RCP<const ParameterList> outputParameters()
                          "Accepted steps between two checkpoints.");
   return list;
 }
-
-// The law a deck names, or the default; an unknown name is refused here, since the valid parameters
-// depend on it.
-std::string lawOf(ParameterList const& deck, std::string const& name, std::string const& standard,
-                  std::vector<std::string> const& known)
-{
-  if (!deck.isSublist("Friction") || !deck.sublist("Friction").isType<std::string>(name)) {
-    return standard;
-  }
-  auto const law = deck.sublist("Friction").get<std::string>(name);
-  ASPERITY_REQUIRE(std::find(known.begin(), known.end(), law) != known.end(),
-                   "Asperity / Friction / " << name << " = '" << law << "' is unknown."
-                                            << didYouMean(law, known));
-  return law;
-}
-
-RCP<const ParameterList> parametersFor(ParameterList const& deck)
-{
-  return deckParameters(lawOf(deck, "Law", "Regularised", friction::frictionLawNames()),
-                        lawOf(deck, "State Evolution", "Ageing", friction::stateLawNames()));
-}
 } // namespace
 
-RCP<const ParameterList> deckParameters(std::string const& law, std::string const& state_law)
+RCP<const ParameterList> deckParameters()
 {
-  auto const list =
-    Declare()
-      .sublist("Mesh", meshParameters(), "Where the body is.")
-      .sublist("Bulk", bulkParameters(), "What the body is made of.")
-      .sublist("Friction", frictionParameters(law, state_law), "What happens on the fault.")
-      .openSublist("Boundary Conditions", boundaryParameters(),
-                   "One list of any name for each condition.")
-      .sublist("Initial State", initialStateParameters(), "How the run starts.")
-      .sublist("Time Stepping", timeParameters(), "How it goes on.")
-      .sublist("Coupling", dynamics::CouplingSettings::validParameters(),
-               "The fixed point of rate and state.")
-      .sublist("TNNMG", solverParameters(), "The solver of the rate problems.")
-      .sublist("Output", outputParameters(), "What the run leaves.")
-      .list();
+  auto const list = Declare()
+                      .sublist("Mesh", meshParameters(), "Where the body is.")
+                      .sublist("Bulk", bulkParameters(), "What the body is made of.")
+                      .sublist("Friction", frictionParameters(), "What happens on the fault.")
+                      .openSublist("Boundary Conditions", boundaryParameters(),
+                                   "One list of any name for each condition.")
+                      .sublist("Initial State", initialStateParameters(), "How the run starts.")
+                      .sublist("Time Stepping", timeParameters(), "How it goes on.")
+                      .sublist("Coupling", dynamics::CouplingSettings::validParameters(),
+                               "The fixed point of rate and state.")
+                      .sublist("TNNMG", solverParameters(), "The solver of the rate problems.")
+                      .sublist("Output", outputParameters(), "What the run leaves.")
+                      .list();
   list->setName("Asperity");
   return list;
 }
 
 RCP<ParameterList> readCompleteDeck(CommandLine const& command_line)
 {
+  auto const valid = deckParameters();
   auto deck = readDeck(command_line.deck);
   for (auto const& overlay : command_line.overlays) {
     overlayDeck(*deck, overlay);
   }
   for (auto const& assignment : command_line.overrides) {
-    applyOverride(*deck, *parametersFor(*deck), assignment);
+    applyOverride(*deck, *valid, assignment);
   }
-  completeAndValidate(*deck, *parametersFor(*deck), "Asperity");
+  completeAndValidate(*deck, *valid, "Asperity");
   return deck;
 }
 

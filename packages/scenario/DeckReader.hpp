@@ -8,8 +8,8 @@
 
 namespace asperity::scenario
 {
-// All parameters of a deck with the given laws.
-RCP<const ParameterList> deckParameters(std::string const& law, std::string const& state_law);
+// All parameters of a deck, those of every registered plugin among them.
+RCP<const ParameterList> deckParameters();
 
 // The deck of a command line: read, overlaid, overridden, checked and completed. InputError
 // otherwise.

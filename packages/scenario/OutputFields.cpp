@@ -1,6 +1,6 @@
 #include "scenario/OutputFields.hpp"
 
-#include "scenario/setup/NodalField.hpp"
+#include "scenario/setup/LawSetup.hpp"
 
 #include <cmath>
 
@@ -141,25 +141,16 @@ void registerFaultConstants(io::FieldRegistry& registry, Problem<Dim> const& pro
       prescribed);
 }
 
-// theta = L / V* exp(alpha), for state laws that have these two.
+// theta, for state laws that say how it follows from alpha.
 template <int Dim>
 void registerTheta(io::FieldRegistry& registry, Problem<Dim> const& problem, RunView const& view,
                    ParameterList const& friction)
 {
-  char const* const distance = "L";
-  char const* const rate = "Reference Slip Rate";
-  if (!isGiven(friction, distance) || !isGiven(friction, rate)) {
+  auto const scales = thetaScales(friction, problem.mesh, problem.fault_nodes.nodes);
+  if (!scales) {
     return;
   }
-  auto const valuesOf = [&](char const* name) {
-    return nodalValues(friction, name, "Asperity / Friction", problem.mesh,
-                       problem.fault_nodes.nodes);
-  };
-  Values scale = valuesOf(distance);
-  auto const reference = valuesOf(rate);
-  for (std::size_t i = 0; i < scale.size(); ++i) {
-    scale[i] /= reference[i];
-  }
+  Values const& scale = *scales;
   registry.add(
     io::Field{"theta", "s", "State variable.", "fault", 1, [&view, scale](Values& values) {
                 auto const alpha =

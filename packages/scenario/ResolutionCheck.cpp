@@ -2,7 +2,7 @@
 
 #include "base/Text.hpp"
 #include "mesh/SimplexGeometry.hpp"
-#include "scenario/setup/NodalField.hpp"
+#include "scenario/setup/LawSetup.hpp"
 
 #include <Teuchos_CommHelpers.hpp>
 
@@ -78,16 +78,12 @@ template <int Dim>
 std::optional<FaultResolution> faultResolution(Problem<Dim> const& problem,
                                                ParameterList const& friction)
 {
-  if (!isGiven(friction, "a") || !isGiven(friction, "b") || !isGiven(friction, "L")) {
+  auto const& nodes = problem.fault_nodes.nodes;
+  auto const sensitivity = sensitivities(friction, problem.mesh, nodes);
+  auto const slip_distance = slipDistances(friction, problem.mesh, nodes);
+  if (!sensitivity || !slip_distance) {
     return std::nullopt;
   }
-  auto const values = [&](char const* name) {
-    return nodalValues(friction, name, "Asperity / Friction", problem.mesh,
-                       problem.fault_nodes.nodes);
-  };
-  auto const a = values("a");
-  auto const b = values("b");
-  auto const L = values("L");
   auto const sigma_n =
     Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace(), problem.fault.data.sigma_n);
   auto const sizes = cellSizes(problem);
@@ -95,14 +91,16 @@ std::optional<FaultResolution> faultResolution(Problem<Dim> const& problem,
   std::array<double, 5> mine;
   mine.fill(std::numeric_limits<double>::max());
   for (int i = 0; i < problem.fault.numNodes(); ++i) {
-    if (!(b[i] > a[i]) || !(sigma_n(i) > 0)) {
+    auto const [a, b] = (*sensitivity)[i];
+    const double L = (*slip_distance)[i];
+    if (!(b > a) || !(sigma_n(i) > 0)) {
       continue;
     }
     const double modulus =
       slipModulus(problem.fault_materials[i], problem.components, problem.boundary.antisymmetric);
-    const double zone = cohesiveZone(modulus, b[i], L[i], sigma_n(i));
+    const double zone = cohesiveZone(modulus, b, L, sigma_n(i));
     const std::array<double, 5> here = {sizes[i].smallest, -sizes[i].largest, zone,
-                                        nucleationLength(modulus, a[i], b[i], L[i], sigma_n(i)),
+                                        nucleationLength(modulus, a, b, L, sigma_n(i)),
                                         zone / sizes[i].largest};
     std::transform(here.begin(), here.end(), mine.begin(), mine.begin(),
                    [](double x, double y) { return std::min(x, y); });

@@ -34,7 +34,8 @@ struct FaultResolution
   double cells_per_zone;    // fewest: Lambda0 at a node over the larger cell beside it
 };
 
-// Nothing where friction weakens nowhere, or where the law has no a, b or L. Collective.
+// Nothing where friction weakens nowhere, or where the laws do not say what a, b and L are.
+// Collective.
 template <int Dim>
 std::optional<FaultResolution> faultResolution(Problem<Dim> const& problem,
                                                ParameterList const& friction);

@@ -1,7 +1,7 @@
 #include "base/NearestName.hpp"
 #include "base/Text.hpp"
+#include "base/parameters/Alternatives.hpp"
 #include "base/parameters/Deck.hpp"
-#include "base/parameters/ParameterInfo.hpp"
 #include "base/parameters/ParameterValue.hpp"
 
 #include <Teuchos_Array.hpp>
@@ -20,7 +20,7 @@ namespace
 struct Place
 {
   ParameterList* list;
-  ParameterList const* valid;
+  RCP<const ParameterList> valid;
   bool is_open;
   std::string path;
 };
@@ -110,7 +110,7 @@ ParameterEntry readLike(ParameterList const& list, std::string const& name,
 // The declaration of a name here; null below foreign lists.
 ParameterEntry const* declaration(Place const& place, std::string const& name)
 {
-  if (!place.valid) {
+  if (place.valid.is_null()) {
     return nullptr;
   }
   if (place.is_open) {
@@ -144,9 +144,10 @@ Place descend(Place const& place, std::string const& name)
   }
   ParameterList& list = place.list->sublist(name);
   if (!declared || is_field || info->kind == ParameterKind::foreign_sublist) {
-    return {&list, nullptr, false, path};
+    return {&list, Teuchos::null, false, path};
   }
-  return {&list, &get<ParameterList>(*declared), info->kind == ParameterKind::open_sublist, path};
+  return {&list, withChosenEntries(get<ParameterList>(*declared), list, path),
+          info->kind == ParameterKind::open_sublist, path};
 }
 
 void setValue(Place const& place, std::string const& name, std::string const& value)
@@ -174,7 +175,7 @@ void applyOverride(ParameterList& list, ParameterList const& valid, std::string 
   if (names.size() > 1 && names.front() == "Asperity") {
     names.erase(names.begin());
   }
-  Place place{&list, &valid, false, "Asperity"};
+  Place place{&list, withChosenEntries(valid, list, "Asperity"), false, "Asperity"};
   for (std::size_t i = 0; i + 1 < names.size(); ++i) {
     place = descend(place, names[i]);
   }

@@ -38,7 +38,8 @@ bool isOfKind(ParameterEntry const& entry, ParameterKind kind)
   case ParameterKind::text_array: return holds<Array<std::string>>(entry);
   case ParameterKind::sublist:
   case ParameterKind::open_sublist:
-  case ParameterKind::foreign_sublist: return entry.isList();
+  case ParameterKind::foreign_sublist:
+  case ParameterKind::alternative: return entry.isList();
   }
   return false;
 }

@@ -24,7 +24,8 @@ enum class ParameterKind
   text_array,
   sublist,
   open_sublist,
-  foreign_sublist
+  foreign_sublist,
+  alternative // entries that the list itself has with one word of a choice
 };
 
 enum class Presence
@@ -43,8 +44,8 @@ public:
   Presence presence = Presence::has_default;
   std::string unit = "-";
   Range range = Range::any();
-  std::vector<std::string> words; // of a choice
-  std::string chosen_by;          // of a list: the choice that completes it, or ""
+  std::vector<std::string> words; // of a choice; the one word of an alternative
+  std::string chosen_by;          // of a list or alternative: the choice that decides, or ""
   std::string hint;
 
   // "a number in (0, inf) m", "one of 'Ageing', 'Slip'"

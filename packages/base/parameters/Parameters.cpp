@@ -1,4 +1,4 @@
-#include "base/parameters/ParameterInfo.hpp"
+#include "base/parameters/Alternatives.hpp"
 
 #include <Teuchos_Array.hpp>
 
@@ -124,6 +124,18 @@ Declare& Declare::choiceOfLists(std::string const& name, DefaultOr<std::string> 
     info->chosen_by = name;
     addList(*list_, word, *content, "For " + name + " = " + word + ".", info);
   }
+  return *this;
+}
+
+Declare& Declare::entriesWith(std::string const& choice, std::string const& word,
+                              RCP<const ParameterList> const& entries)
+{
+  const auto choice_info = parameterInfo(*list_, choice);
+  ASPERITY_ASSERT(!choice_info.is_null() && choice_info->presence == Presence::has_default);
+  auto info = makeInfo(ParameterKind::alternative);
+  info->chosen_by = choice;
+  info->words = {word};
+  addList(*list_, choice + alternative_separator + word, *entries, "", info);
   return *this;
 }
 

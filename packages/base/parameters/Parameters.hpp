@@ -56,6 +56,11 @@ public:
   Declare& choiceOfLists(std::string const& name, DefaultOr<std::string> value,
                          std::vector<NamedList> const& lists, std::string const& meaning);
 
+  // Entries that this list has only where the choice, declared before, is this word: parameters of
+  // plugins that are chosen by name. A name may be brought by several words and by several choices.
+  Declare& entriesWith(std::string const& choice, std::string const& word,
+                       Teuchos::RCP<const ParameterList> const& entries);
+
   // A number, an expression in x, y, z, t, a dataset "file.h5:/dataset", or a list with one number
   // or expression per region. Read it with Field. The range holds wherever the field is evaluated.
   Declare& field(std::string const& name, DefaultOr<FieldValue> value, std::string const& unit,

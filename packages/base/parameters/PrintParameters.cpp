@@ -1,5 +1,5 @@
+#include "base/parameters/Alternatives.hpp"
 #include "base/parameters/Deck.hpp"
-#include "base/parameters/ParameterInfo.hpp"
 #include "base/parameters/ParameterValue.hpp"
 #include "base/parameters/XmlDeck.hpp"
 
@@ -40,6 +40,13 @@ std::string description(Teuchos::ParameterEntry const& entry, ParameterInfo cons
   return text + withSpaceBefore(entry.docString()) + withSpaceBefore(info.hint);
 }
 
+bool isAlternative(Teuchos::ParameterEntry const& entry)
+{
+  const auto info = infoOf(entry);
+  return !info.is_null() && info->kind == ParameterKind::alternative;
+}
+
+// Alternatives come as lists of their own, headed "Asperity / Friction, with Law = Regularised".
 void printText(ParameterList const& valid, std::string const& path, std::ostream& out)
 {
   out << path << '\n';
@@ -57,7 +64,10 @@ void printText(ParameterList const& valid, std::string const& path, std::ostream
       if (!item.second.docString().empty()) {
         out << "# " << item.second.docString() << '\n';
       }
-      printText(get<ParameterList>(item.second), joinPath(path, item.first), out);
+      printText(get<ParameterList>(item.second),
+                isAlternative(item.second) ? path + ", with " + item.first
+                                           : joinPath(path, item.first),
+                out);
     }
   }
 }
@@ -83,6 +93,24 @@ void describeXml(Teuchos::ParameterEntry const& entry, std::string const& name,
       << commentText(text.str()) << indent << "-->\n";
 }
 
+// What other words of a choice bring in place of what stands here.
+void describeAlternatives(ParameterList const& with_all, std::string const& name,
+                          std::string const& indent, std::ostream& out)
+{
+  for (auto const& item : with_all) {
+    if (!isAlternative(item.second)) {
+      continue;
+    }
+    const auto info = infoOf(item.second);
+    if (get<std::string>(with_all.getEntry(info->chosen_by)) == info->words.front()) {
+      continue;
+    }
+    std::ostringstream text;
+    printText(get<ParameterList>(item.second), name + ", with " + item.first, text);
+    out << indent << "<!--\n" << commentText(text.str()) << indent << "-->\n";
+  }
+}
+
 void printXmlParameter(Teuchos::ParameterEntry const& entry, std::string const& name,
                        std::string const& indent, std::ostream& out)
 {
@@ -95,8 +123,11 @@ void printXmlParameter(Teuchos::ParameterEntry const& entry, std::string const& 
   out << indent << (is_given ? parameter : "<!-- " + commentText(parameter) + " -->") << '\n';
 }
 
-void printXml(ParameterList const& valid, std::string const& name, std::ostream& out, int depth)
+// With the entries that the defaults of its choices bring.
+void printXml(ParameterList const& with_all, std::string const& name, std::ostream& out, int depth)
 {
+  const auto chosen = withChosenEntries(with_all, ParameterList(), name);
+  ParameterList const& valid = *chosen;
   const std::string indent(2 * static_cast<std::size_t>(depth), ' ');
   out << indent << "<ParameterList name=\"" << xmlEscaped(name) << "\">\n";
   for (auto const& item : valid) {
@@ -116,6 +147,7 @@ void printXml(ParameterList const& valid, std::string const& name, std::ostream&
       printXml(get<ParameterList>(entry), item.first, out, depth + 1);
     }
   }
+  describeAlternatives(with_all, name, indent + "  ", out);
   out << indent << "</ParameterList>\n";
 }
 } // namespace

@@ -23,6 +23,9 @@ public:
 
   bool contains(double value) const;
 
+  bool isEmpty() const;
+  Range intersection(Range const& other) const;
+
   // "(0, inf)", "[0, 0.5]"
   std::string text() const;
 

@@ -1,5 +1,5 @@
 #include "base/NearestName.hpp"
-#include "base/parameters/ParameterInfo.hpp"
+#include "base/parameters/Alternatives.hpp"
 #include "base/parameters/ParameterValue.hpp"
 
 namespace asperity
@@ -17,12 +17,16 @@ void process(ParameterList& list, ParameterList const& valid, std::string const&
              Completion completion);
 
 void refuseUnknownNames(ParameterList const& list, ParameterList const& valid,
-                        std::string const& path)
+                        ParameterList const& with_all, std::string const& path)
 {
-  const auto valid_names = namesIn(valid);
   for (auto const& name : namesIn(list)) {
-    ASPERITY_REQUIRE(valid.isParameter(name), joinPath(path, name)
-                                                << " is unknown." << didYouMean(name, valid_names));
+    if (valid.isParameter(name)) {
+      continue;
+    }
+    const std::string choices = choicesWithEntry(with_all, name);
+    throw InputError(joinPath(path, name) + " is unknown" +
+                     (choices.empty() ? "." + didYouMean(name, namesIn(valid))
+                                      : " here: it is a parameter of " + choices + "."));
   }
 }
 
@@ -103,10 +107,12 @@ void addMissing(ParameterList& list, std::string const& name,
 }
 
 // Declarations in their order, so that a choice is complete before its lists are.
-void process(ParameterList& list, ParameterList const& valid, std::string const& path,
+void process(ParameterList& list, ParameterList const& with_all, std::string const& path,
              Completion completion)
 {
-  refuseUnknownNames(list, valid, path);
+  const auto chosen = withChosenEntries(with_all, list, path);
+  ParameterList const& valid = *chosen;
+  refuseUnknownNames(list, valid, with_all, path);
   for (auto const& name : namesIn(valid)) {
     auto const& declared = valid.getEntry(name);
     const std::string entry_path = joinPath(path, name);

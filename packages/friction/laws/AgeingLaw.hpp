@@ -18,6 +18,9 @@ struct AgeingLaw
     return {StateParameters::load(table, node)};
   }
 
+  static double slipDistance(double const* values) { return values[0]; }
+  static double thetaScale(double const* values) { return values[0] / values[1]; }
+
   // d(alpha)/dt in 1/s.
   KOKKOS_INLINE_FUNCTION double rate(double V, double alpha) const
   {

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "friction/Parameter.hpp"
+#include "friction/LawProperties.hpp"
 #include "friction/Types.hpp"
 #include "friction/detail/Math.hpp"
 
@@ -23,7 +23,8 @@ struct DirectEffect
 {
   static constexpr Parameter table[] = {
     {"a", "-", no_default, 0, infinity, false, false,
-     "Weight of the direct effect: what mu gains when the slip rate grows by a factor e."},
+     "Weight of the direct effect: what mu gains when the slip rate grows by a factor e.",
+     "Check the sign; typical values are 0.005 to 0.03."},
     {"b", "-", no_default, 0, infinity, true, false,
      "Weight of the state: what mu gains when the state theta grows by a factor e."},
     reference_slip_rate,
@@ -42,6 +43,8 @@ struct DirectEffect
     return {parameters(0, node), parameters(1, node), math::log(parameters(2, node)),
             parameters(3, node)};
   }
+
+  static Sensitivity sensitivity(double const* values) { return {values[0], values[1]}; }
 
   // -log(V_alpha s/m)
   KOKKOS_INLINE_FUNCTION double shift(double alpha) const

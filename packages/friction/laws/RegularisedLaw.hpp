@@ -67,6 +67,8 @@ struct RegularisedLaw
     return {DirectEffect::load(parameters, node)};
   }
 
+  static Sensitivity sensitivity(double const* values) { return DirectEffect::sensitivity(values); }
+
   KOKKOS_INLINE_FUNCTION Curve at(double alpha) const { return {effect.a, effect.shift(alpha)}; }
 
   // The alpha at which mu(V, alpha) = mu: V / V_alpha = 2 sinh(mu / a), as a logarithm, since the

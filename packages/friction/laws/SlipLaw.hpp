@@ -18,6 +18,9 @@ struct SlipLaw
     return {StateParameters::load(table, node)};
   }
 
+  static double slipDistance(double const* values) { return values[0]; }
+  static double thetaScale(double const* values) { return values[0] / values[1]; }
+
   // d(alpha)/dt in 1/s, 0 at V = 0: no slip, no change.
   KOKKOS_INLINE_FUNCTION double rate(double V, double alpha) const
   {

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "friction/Parameter.hpp"
+#include "friction/LawProperties.hpp"
 #include "friction/Types.hpp"
 #include "friction/detail/Math.hpp"
 

@@ -73,6 +73,8 @@ struct TruncatedLaw
     return {DirectEffect::load(parameters, node)};
   }
 
+  static Sensitivity sensitivity(double const* values) { return DirectEffect::sensitivity(values); }
+
   KOKKOS_INLINE_FUNCTION Curve at(double alpha) const { return {effect.a, effect.shift(alpha)}; }
 
   // The alpha at which mu(V, alpha) = mu; V > 0, mu > 0.

@@ -1,72 +1,17 @@
 #include "scenario/setup/FrictionSetup.hpp"
 
 #include "friction/Registry.hpp"
+#include "scenario/setup/LawSetup.hpp"
 
 #include <Teuchos_CommHelpers.hpp>
 
 #include <algorithm>
-#include <cmath>
-#include <set>
 
 namespace asperity::scenario
 {
 namespace
 {
 const std::string path = "Asperity / Friction";
-
-Range rangeOf(friction::Parameter const& parameter)
-{
-  const bool bounded = std::isfinite(parameter.upper);
-  if (!bounded) {
-    return parameter.lower_closed ? Range::atLeast(parameter.lower) : Range::above(parameter.lower);
-  }
-  if (parameter.lower_closed) {
-    return parameter.upper_closed ? Range::closed(parameter.lower, parameter.upper)
-                                  : Range::closedOpen(parameter.lower, parameter.upper);
-  }
-  return parameter.upper_closed ? Range::openClosed(parameter.lower, parameter.upper)
-                                : Range::open(parameter.lower, parameter.upper);
-}
-
-void declareTable(Declare& declare, std::vector<friction::Parameter> const& table,
-                  std::set<std::string>& known)
-{
-  for (auto const& parameter : table) {
-    if (!known.insert(parameter.name).second) {
-      continue; // shared by both laws
-    }
-    auto const declareWith = [&](DefaultOr<FieldValue> const& value) {
-      declare.field(parameter.name, value, parameter.unit, rangeOf(parameter), parameter.meaning);
-    };
-    if (parameter.required()) {
-      declareWith(required);
-    } else {
-      declareWith(parameter.default_value);
-    }
-    if (std::string(parameter.name) == "a") {
-      declare.hint("Check the sign; typical values are 0.005 to 0.03.");
-    }
-  }
-}
-
-template <int Dim>
-friction::ParameterView valuesOfTable(std::vector<friction::Parameter> const& table,
-                                      ParameterList const& list, Mesh<Dim> const& mesh,
-                                      std::vector<int> const& nodes)
-{
-  Kokkos::View<double**, friction::MemorySpace> values("asperity::scenario::lawParameters",
-                                                       table.size(), nodes.size());
-  auto const host = Kokkos::create_mirror_view(values);
-  for (std::size_t row = 0; row < table.size(); ++row) {
-    auto const of_nodes = nodalValues(list, table[row].name, path, mesh, nodes);
-    for (std::size_t node = 0; node < nodes.size(); ++node) {
-      host(row, node) = of_nodes[node];
-    }
-  }
-  Kokkos::deep_copy(values, host);
-  return values;
-}
-
 } // namespace
 
 friction::NodeView toDevice(std::vector<double> const& values, std::string const& label)
@@ -78,16 +23,10 @@ friction::NodeView toDevice(std::vector<double> const& values, std::string const
   return view;
 }
 
-RCP<const ParameterList> frictionParameters(std::string const& law, std::string const& state_law)
+RCP<const ParameterList> frictionParameters()
 {
   Declare declare;
-  declare
-    .choice("Law", "Regularised", friction::frictionLawNames(),
-            "Friction coefficient as a function of slip rate and state.")
-    .choice("State Evolution", "Ageing", friction::stateLawNames(), "How the state evolves.");
-  std::set<std::string> known;
-  declareTable(declare, friction::frictionLawParameters(law), known);
-  declareTable(declare, friction::stateLawParameters(state_law), known);
+  declareLaws(declare);
   declare
     .field("Cohesion", 0., "Pa", Range::atLeast(0),
            "Shear stress that the fault bears without normal stress.")
@@ -138,12 +77,9 @@ dynamics::Fault makeFault(ParameterList const& list, Mesh<Dim> const& mesh,
   fault.data.sigma_n =
     friction::NodeView("asperity::scenario::normalStress", boundary.nodes.size());
 
-  auto const law = list.get<std::string>("Law");
-  auto const state_law = list.get<std::string>("State Evolution");
-  fault.data.parameters =
-    valuesOfTable(friction::frictionLawParameters(law), list, mesh, boundary.nodes);
-  fault.state = friction::makeStateKernels(
-    state_law, valuesOfTable(friction::stateLawParameters(state_law), list, mesh, boundary.nodes));
+  fault.data.parameters = frictionLawValues(list, mesh, boundary.nodes);
+  fault.state = friction::makeStateKernels(list.get<std::string>("State Evolution"),
+                                           stateLawValues(list, mesh, boundary.nodes));
   return fault;
 }
 

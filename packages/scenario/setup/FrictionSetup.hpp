@@ -8,9 +8,8 @@
 
 namespace asperity::scenario
 {
-// The deck's list `Friction` for the chosen laws: the tables of both, and what friction needs
-// besides.
-RCP<const ParameterList> frictionParameters(std::string const& law, std::string const& state_law);
+// The deck's list `Friction`: laws with their parameters, and what friction needs besides.
+RCP<const ParameterList> frictionParameters();
 
 // Everything but the normal stress, which is zero until setNormalStress (FaultLoads.hpp).
 template <int Dim>

@@ -163,7 +163,8 @@ friction::NodeView initialAlpha(ParameterList const& list, Mesh<Dim> const& mesh
     }
     ASPERITY_REQUIRE(std::isfinite(result(i)),
                      path << " / State = " << state << ": " << placeOf(mesh, nodes[i])
-                          << " no state does this. Friction has to depend on it, b > 0.");
+                          << " no state does this. Friction has to depend on the state; see the "
+                             "parameters of the law.");
   }
   Kokkos::deep_copy(alpha, result);
   return alpha;

@@ -43,6 +43,9 @@ class PrintedParameters(unittest.TestCase):
                      "Linear Correction", "Seismogenic Zone Width", "MueLu Correction"):
             self.assertIn(name, text)
         self.assertIn("(0, inf)", text)
+        for law in ("Law = Regularised", "Law = Truncated", "State Evolution = Ageing",
+                    "State Evolution = Slip"):
+            self.assertIn(f"\nAsperity / Friction, with {law}\n", text)
         self.assertEqual(self.print_parameters("--format=text"), text)
 
     def test_as_xml(self):

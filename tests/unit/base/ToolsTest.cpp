@@ -56,9 +56,13 @@ TEST(Registry, UnknownNameWithTheNearest)
 TEST(Registry, TheSameNameTwiceIsOurMistake)
 {
   Registry<Animal, int> registry;
-  registry.add("Cat", [](int age) { return std::make_unique<Cat>(age); });
-  EXPECT_THROW(registry.add("Cat", [](int age) { return std::make_unique<Cat>(age); }),
-               std::logic_error);
+  const auto make = [](int age) { return std::make_unique<Cat>(age); };
+  EXPECT_TRUE(registry.add("Cat", make));
+  EXPECT_EQ(registry.names(), (std::vector<std::string>{"Cat"}));
+  EXPECT_FALSE(registry.add("Cat", make)); // nothing is thrown while a library is loaded
+  EXPECT_EQ(registry.registrations(), (std::vector<std::string>{"Cat", "Cat"}));
+  EXPECT_THROW(registry.names(), std::logic_error);
+  EXPECT_THROW(registry.create("Cat", "Pets", 1), std::logic_error);
 }
 
 TEST(NearestName, Distances)

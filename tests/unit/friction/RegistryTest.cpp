@@ -57,6 +57,23 @@ TEST(Registry, HasATableOfParametersForEachLaw)
   EXPECT_FALSE(b.allows(std::numeric_limits<double>::quiet_NaN()));
 }
 
+TEST(Registry, KnowsWhatTheLawsSayOfThemselves)
+{
+  const double effects[] = {0.01, 0.015, 1e-6, 0.6}, state[] = {0.02, 1e-5};
+  for (auto const& name : frictionLawNames()) {
+    const auto sensitivity = frictionLaw(name).sensitivity(effects);
+    EXPECT_EQ(sensitivity.slip_rate, 0.01);
+    EXPECT_EQ(sensitivity.state, 0.015);
+    EXPECT_NE(std::string(frictionLaw(name).parameters[0].hint).find("typical"), std::string::npos);
+  }
+  for (auto const& name : stateLawNames()) {
+    EXPECT_EQ(stateLaw(name).slip_distance(state), 0.02);
+    EXPECT_DOUBLE_EQ(stateLaw(name).theta_scale(state), 2000);
+  }
+  EXPECT_EQ(registeredLaws(), (Names{"friction law 'Regularised'", "friction law 'Truncated'",
+                                     "state law 'Ageing'", "state law 'Slip'"}));
+}
+
 TEST(Registry, NamesTheKnownLawsWhereOneIsUnknown)
 {
   const ParameterView none;

@@ -13,20 +13,17 @@ using asperity::test::TemporaryDirectory;
 
 namespace
 {
-// Somebody else's law, with a parameter that no other law has.
-struct SlowAgeingLaw
+// Somebody else's laws. They do what the ageing law does.
+template <class Law>
+struct AgeingLike
 {
-  static constexpr char const* name = "Slow Ageing";
-  static constexpr friction::Parameter parameters[] = {
-    {"L", "m", friction::no_default, 0, friction::infinity, false, false, "Slip distance."},
-    friction::reference_slip_rate,
-    {"Delay", "s", 7, 0, 100, true, false, "How late it is."}};
-
   friction::AgeingLaw ageing;
 
-  KOKKOS_INLINE_FUNCTION static SlowAgeingLaw load(friction::ParameterView const& table, int node)
+  KOKKOS_INLINE_FUNCTION static Law load(friction::ParameterView const& table, int node)
   {
-    return {friction::AgeingLaw::load(table, node)};
+    Law law;
+    law.ageing = friction::AgeingLaw::load(table, node);
+    return law;
   }
   KOKKOS_INLINE_FUNCTION double rate(double V, double alpha) const { return ageing.rate(V, alpha); }
   KOKKOS_INLINE_FUNCTION double flow(double V, double dt, double alpha0) const
@@ -35,10 +32,40 @@ struct SlowAgeingLaw
   }
   KOKKOS_INLINE_FUNCTION double steadyState(double V) const { return ageing.steadyState(V); }
 };
+
+// With a parameter that no other law has; it does not say what its theta is.
+struct SlowAgeingLaw : AgeingLike<SlowAgeingLaw>
+{
+  static constexpr char const* name = "Slow Ageing";
+  static constexpr friction::Parameter parameters[] = {
+    {"L", "m", friction::no_default, 0, friction::infinity, false, false, "Slip distance."},
+    friction::reference_slip_rate,
+    {"Delay", "s", 7, 0, 100, true, false, "How late it is."}};
+};
+
+// Its reference rate has a narrower range than that of the friction laws.
+struct NarrowAgeingLaw : AgeingLike<NarrowAgeingLaw>
+{
+  static constexpr char const* name = "Narrow Ageing";
+  static constexpr friction::Parameter parameters[] = {
+    {"L", "m", friction::no_default, 0, friction::infinity, false, false, "Slip distance."},
+    {"Reference Slip Rate", "m/s", 1e-6, 1e-7, 1e-5, true, true, "Slip rate of reference."}};
+};
+
+// Contradicts the friction laws.
+struct ForeignAgeingLaw : AgeingLike<ForeignAgeingLaw>
+{
+  static constexpr char const* name = "Foreign Ageing";
+  static constexpr friction::Parameter parameters[] = {
+    {"L", "m", friction::no_default, 0, friction::infinity, false, false, "Slip distance."},
+    {"Reference Slip Rate", "m/s", -1, -2, 0, true, false, "Slip rate of reference."}};
+};
 } // namespace
 } // namespace asperity::scenario
 
 ASPERITY_REGISTER_STATE_LAW(asperity::scenario::SlowAgeingLaw)
+ASPERITY_REGISTER_STATE_LAW(asperity::scenario::NarrowAgeingLaw)
+ASPERITY_REGISTER_STATE_LAW(asperity::scenario::ForeignAgeingLaw)
 
 namespace asperity::scenario
 {
@@ -47,7 +74,8 @@ using Names = std::vector<std::string>;
 TEST(Registries, holdWhatThePackagesBring)
 {
   EXPECT_EQ(friction::frictionLawNames(), (Names{"Regularised", "Truncated"}));
-  EXPECT_EQ(friction::stateLawNames(), (Names{"Ageing", "Slip", "Slow Ageing"}));
+  EXPECT_EQ(friction::stateLawNames(),
+            (Names{"Ageing", "Foreign Ageing", "Narrow Ageing", "Slip", "Slow Ageing"}));
   EXPECT_EQ(io::OutputRegistry::instance().names(),
             (Names{"Event Catalogue", "Fault History", "Global", "Receivers", "Rupture",
                    "Step Table", "Surface History", "Volume Snapshots"}));
@@ -93,6 +121,34 @@ TEST(DeckReader, takesTheParametersOfTheChosenLaws)
                 });
               }),
               {"Asperity / Friction / Delay = 100", "[0, 100)"});
+}
+
+TEST(DeckReader, lawsThatShareAParameterShareItsRange)
+{
+  const auto withRate = [](std::string const& state_law, double rate) {
+    return [=] {
+      completeDeck([&](auto& deck) {
+        deck.sublist("Friction").set("State Evolution", state_law).set("Reference Slip Rate", rate);
+      });
+    };
+  };
+  withRate("Ageing", 1e-4)();
+  withRate("Narrow Ageing", 1e-5)();
+  expectParts(refusal(withRate("Narrow Ageing", 1e-4)),
+              {"Asperity / Friction / Reference Slip Rate = 1e-04", "[1e-07, 1e-05] m/s"});
+  EXPECT_THROW(withRate("Foreign Ageing", 1e-6)(), std::logic_error);
+}
+
+// All pairs of our own laws go together.
+TEST(DeckReader, ourLawsAgreeOnTheParametersTheyShare)
+{
+  for (std::string const law : {"Regularised", "Truncated"}) {
+    for (std::string const state_law : {"Ageing", "Slip"}) {
+      completeDeck([&](auto& deck) {
+        deck.sublist("Friction").set("Law", law).set("State Evolution", state_law);
+      });
+    }
+  }
 }
 
 TEST(DeckReader, requiresWhatALawRequires)

@@ -121,7 +121,8 @@ TEST(InitialSetup, refusesAStateThatDoesNotExist)
               {"State = Stress Balance", "node 0", "-1 Pa", "signs"});
   expectParts(balance([](auto& deck) { deck.sublist("Friction").set("Normal Stress", "x"); }),
               {"node 0", "no normal stress"});
-  expectParts(balance([](auto& deck) { deck.sublist("Friction").set("b", 0.); }), {"b > 0"});
+  expectParts(balance([](auto& deck) { deck.sublist("Friction").set("b", 0.); }),
+              {"Friction has to depend on the state"});
 }
 
 TEST(InitialSetup, takesThePrescribedSlipRateWhereTheFaultEnds)

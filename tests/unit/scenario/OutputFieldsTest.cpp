@@ -62,6 +62,15 @@ TEST(OutputFields, thetaIsOfTheNodesOwnSlipDistanceAndReferenceRate)
   expectNear(start.onFault("theta"), {2e3 * std::exp(3), 4e3 * std::exp(2), 6e3 * std::exp(1)});
 }
 
+TEST(OutputFields, noThetaWhereTheStateLawDoesNotSayHowItFollows)
+{
+  const Start start(column([](auto& deck) {
+    deck.sublist("Friction").set("State Evolution", "Slow Ageing"); // in DeckReaderTest.cpp
+  }));
+  EXPECT_EQ(start.onFault("alpha").size(), 3u);
+  expectParts(refusal([&] { start.onFault("theta"); }), {"theta"});
+}
+
 TEST(OutputFields, shearModulusIsThatOfTheBodyBesideTheFault)
 {
   const Start start(

@@ -38,12 +38,7 @@ ParameterList completeDeck(std::function<void(ParameterList&)> const& change)
 {
   auto deck = shortDeck();
   change(deck);
-  auto const& friction = deck.sublist("Friction");
-  auto const law = [&friction](char const* name, char const* standard) {
-    return friction.isParameter(name) ? friction.get<std::string>(name) : std::string(standard);
-  };
-  completeAndValidate(
-    deck, *deckParameters(law("Law", "Regularised"), law("State Evolution", "Ageing")), "Asperity");
+  completeAndValidate(deck, *deckParameters(), "Asperity");
   return deck;
 }
 

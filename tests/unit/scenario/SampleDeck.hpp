@@ -21,7 +21,7 @@ RCP<const Communicator> world();
 // Two by two squares of a metre on a fault, under gravity; only what has no default.
 ParameterList shortDeck();
 
-// The short deck after the change, completed for its laws.
+// The short deck after the change, completed.
 ParameterList completeDeck(std::function<void(ParameterList&)> const& change = [](auto&) {});
 
 // The short deck with another wall on the right: a column, which presses on the fault with its

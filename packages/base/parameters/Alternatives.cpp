@@ -1,0 +1,102 @@
+#include "base/parameters/Alternatives.hpp"
+
+#include "base/parameters/ParameterValue.hpp"
+
+#include <stdexcept>
+
+namespace asperity
+{
+using Teuchos::ParameterEntry;
+using Teuchos::RCP;
+using Teuchos::rcp;
+
+namespace
+{
+bool isAlternative(ParameterList const& valid, std::string const& name)
+{
+  const auto info = parameterInfo(valid, name);
+  return !info.is_null() && info->kind == ParameterKind::alternative;
+}
+
+std::string chosenWord(ParameterList const& valid, ParameterList const& list,
+                       std::string const& choice, std::string const& path)
+{
+  ParameterEntry const* given = list.getEntryPtr(choice);
+  if (!given) {
+    return get<std::string>(valid.getEntry(choice));
+  }
+  parameterInfo(valid, choice)->check(*given, joinPath(path, choice));
+  return get<std::string>(*given);
+}
+
+[[noreturn]] void refusePair(std::string const& path, std::string const& reason)
+{
+  throw std::logic_error(path + ": two of the chosen plugins declare this parameter, " + reason +
+                         " Choose others, or change one of the plugins.");
+}
+
+// One declaration for both.
+void join(ParameterEntry& first, ParameterEntry const& second, std::string const& path)
+{
+  const auto one = Teuchos::rcp_dynamic_cast<const ParameterInfo>(first.validator(), true);
+  const auto two = Teuchos::rcp_dynamic_cast<const ParameterInfo>(second.validator(), true);
+  if (one->kind != two->kind || one->unit != two->unit) {
+    refusePair(path, "one as " + one->allowed() + ", one as " + two->allowed() + ".");
+  }
+  if (one->presence != two->presence || valueText(first) != valueText(second)) {
+    const auto text = [](ParameterInfo const& info, ParameterEntry const& entry) {
+      return info.presence == Presence::has_default ? "the default " + valueText(entry)
+                                                    : std::string("no default");
+    };
+    refusePair(path, "one with " + text(*one, first) + ", one with " + text(*two, second) + ".");
+  }
+  auto both = rcp(new ParameterInfo(*one));
+  both->range = one->range.intersection(two->range);
+  if (both->range.isEmpty()) {
+    refusePair(path, "one in " + one->range.text() + ", one in " + two->range.text() +
+                       ": no number is in both.");
+  }
+  if (both->presence == Presence::has_default) {
+    both->check(first, "The default of " + path);
+  }
+  first.setValidator(both);
+}
+} // namespace
+
+RCP<const ParameterList> withChosenEntries(ParameterList const& valid, ParameterList const& list,
+                                           std::string const& path)
+{
+  auto result = rcp(new ParameterList(valid.name()));
+  const auto add = [&](std::string const& name, ParameterEntry const& entry) {
+    if (result->isParameter(name)) {
+      join(result->getEntry(name), entry, joinPath(path, name));
+    } else {
+      result->setEntry(name, entry);
+    }
+  };
+  for (auto const& item : valid) {
+    if (!isAlternative(valid, item.first)) {
+      add(item.first, item.second);
+      continue;
+    }
+    const auto info = parameterInfo(valid, item.first);
+    if (chosenWord(valid, list, info->chosen_by, path) == info->words.front()) {
+      for (auto const& entry : get<ParameterList>(item.second)) {
+        add(entry.first, entry.second);
+      }
+    }
+  }
+  return result;
+}
+
+std::string choicesWithEntry(ParameterList const& valid, std::string const& name)
+{
+  std::string text;
+  for (auto const& item : valid) {
+    if (isAlternative(valid, item.first) && get<ParameterList>(item.second).isParameter(name)) {
+      text += (text.empty() ? "" : " or ") + item.first;
+    }
+  }
+  return text;
+}
+} // namespace asperity

@@ -1,0 +1,20 @@
+#pragma once
+
+#include "base/parameters/ParameterInfo.hpp"
+
+// Entries that belong to one word of a choice (Declare::entriesWith). `valid` has them in a list
+// of the name "<choice> = <word>".
+namespace asperity
+{
+inline constexpr char const* alternative_separator = " = ";
+
+// The declarations that hold for `list`, which stands at `path`: entries of the words that its
+// choices have, as given or by default, stand among the others. An entry that two words bring has
+// to have the same unit and default in both; the numbers that both allow are allowed. Two that
+// contradict each other are a mistake of ours: std::logic_error.
+Teuchos::RCP<const ParameterList>
+withChosenEntries(ParameterList const& valid, ParameterList const& list, std::string const& path);
+
+// "Law = Mine or Law = Yours": the words of choices that bring an entry of the name; "" if none do.
+std::string choicesWithEntry(ParameterList const& valid, std::string const& name);
+} // namespace asperity

@@ -1,0 +1,34 @@
+#pragma once
+
+#include "friction/Parameter.hpp"
+
+#include <functional>
+#include <vector>
+
+// What a law says of itself besides its kernels. Functions of the law's parameters at one node take
+// them in the order of its table, on the host; one that the law does not have is empty.
+namespace asperity::friction
+{
+// How mu changes at large slip rates: its derivatives by log V and by alpha, both without a
+// dimension. These are a and b of mu = mu* + a log(V / V*) + b alpha.
+struct Sensitivity
+{
+  double slip_rate; // a
+  double state;     // b
+};
+
+struct FrictionLawProperties
+{
+  std::vector<Parameter> parameters;
+  std::function<Sensitivity(double const* values)> sensitivity;
+};
+
+struct StateLawProperties
+{
+  std::vector<Parameter> parameters;
+  // L [m], over which the state forgets the previous slip rate.
+  std::function<double(double const* values)> slip_distance;
+  // theta / exp(alpha) [s]: L / V* where theta is the classical state variable.
+  std::function<double(double const* values)> theta_scale;
+};
+} // namespace asperity::friction

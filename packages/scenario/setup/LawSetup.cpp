@@ -1,0 +1,177 @@
+#include "scenario/setup/LawSetup.hpp"
+
+#include "friction/Registry.hpp"
+#include "friction/laws/AgeingLaw.hpp"
+#include "friction/laws/RegularisedLaw.hpp"
+
+#include <cmath>
+#include <functional>
+
+namespace asperity::scenario
+{
+namespace
+{
+const std::string path = "Asperity / Friction";
+const std::string friction_choice = "Law";
+const std::string state_choice = "State Evolution";
+
+using Table = std::vector<friction::Parameter>;
+
+Range rangeOf(friction::Parameter const& parameter)
+{
+  const bool bounded = std::isfinite(parameter.upper);
+  if (!bounded) {
+    return parameter.lower_closed ? Range::atLeast(parameter.lower) : Range::above(parameter.lower);
+  }
+  if (parameter.lower_closed) {
+    return parameter.upper_closed ? Range::closed(parameter.lower, parameter.upper)
+                                  : Range::closedOpen(parameter.lower, parameter.upper);
+  }
+  return parameter.upper_closed ? Range::openClosed(parameter.lower, parameter.upper)
+                                : Range::open(parameter.lower, parameter.upper);
+}
+
+RCP<const ParameterList> declared(Table const& table)
+{
+  Declare declare;
+  for (auto const& parameter : table) {
+    auto const declareWith = [&](DefaultOr<FieldValue> const& value) {
+      declare.field(parameter.name, value, parameter.unit, rangeOf(parameter), parameter.meaning)
+        .hint(parameter.hint);
+    };
+    if (parameter.required()) {
+      declareWith(required);
+    } else {
+      declareWith(parameter.default_value);
+    }
+  }
+  return declare.list();
+}
+
+friction::FrictionLawProperties const& chosenFrictionLaw(ParameterList const& list)
+{
+  return friction::frictionLaw(list.get<std::string>(friction_choice));
+}
+
+friction::StateLawProperties const& chosenStateLaw(ParameterList const& list)
+{
+  return friction::stateLaw(list.get<std::string>(state_choice));
+}
+
+// (num_nodes * num_parameters): the values of one node side by side.
+template <int Dim>
+std::vector<double> valuesByNode(Table const& table, ParameterList const& list,
+                                 Mesh<Dim> const& mesh, std::vector<int> const& nodes)
+{
+  std::vector<double> values(nodes.size() * table.size());
+  for (std::size_t row = 0; row < table.size(); ++row) {
+    auto const of_nodes = nodalValues(list, table[row].name, path, mesh, nodes);
+    for (std::size_t node = 0; node < nodes.size(); ++node) {
+      values[node * table.size() + row] = of_nodes[node];
+    }
+  }
+  return values;
+}
+
+template <int Dim>
+friction::ParameterView valuesOnDevice(Table const& table, ParameterList const& list,
+                                       Mesh<Dim> const& mesh, std::vector<int> const& nodes)
+{
+  Kokkos::View<double**, friction::MemorySpace> values("asperity::scenario::lawParameters",
+                                                       table.size(), nodes.size());
+  auto const host = Kokkos::create_mirror_view(values);
+  auto const by_node = valuesByNode(table, list, mesh, nodes);
+  for (std::size_t i = 0; i < by_node.size(); ++i) {
+    host(i % table.size(), i / table.size()) = by_node[i];
+  }
+  Kokkos::deep_copy(values, host);
+  return values;
+}
+
+template <class Value, int Dim>
+std::optional<std::vector<Value>> ofNodes(std::function<Value(double const*)> const& function,
+                                          Table const& table, ParameterList const& list,
+                                          Mesh<Dim> const& mesh, std::vector<int> const& nodes)
+{
+  if (!function) {
+    return std::nullopt;
+  }
+  auto const values = valuesByNode(table, list, mesh, nodes);
+  std::vector<Value> result;
+  for (std::size_t node = 0; node < nodes.size(); ++node) {
+    result.push_back(function(values.data() + node * table.size()));
+  }
+  return result;
+}
+} // namespace
+
+void declareLaws(Declare& declare)
+{
+  auto const laws = friction::frictionLawNames();
+  auto const state_laws = friction::stateLawNames();
+  declare
+    .choice(friction_choice, friction::RegularisedLaw::name, laws,
+            "Friction coefficient as a function of slip rate and state.")
+    .choice(state_choice, friction::AgeingLaw::name, state_laws, "How the state evolves.");
+  for (auto const& name : laws) {
+    declare.entriesWith(friction_choice, name, declared(friction::frictionLawParameters(name)));
+  }
+  for (auto const& name : state_laws) {
+    declare.entriesWith(state_choice, name, declared(friction::stateLawParameters(name)));
+  }
+}
+
+template <int Dim>
+friction::ParameterView frictionLawValues(ParameterList const& list, Mesh<Dim> const& mesh,
+                                          std::vector<int> const& nodes)
+{
+  return valuesOnDevice(chosenFrictionLaw(list).parameters, list, mesh, nodes);
+}
+
+template <int Dim>
+friction::ParameterView stateLawValues(ParameterList const& list, Mesh<Dim> const& mesh,
+                                       std::vector<int> const& nodes)
+{
+  return valuesOnDevice(chosenStateLaw(list).parameters, list, mesh, nodes);
+}
+
+template <int Dim>
+std::optional<std::vector<friction::Sensitivity>>
+sensitivities(ParameterList const& list, Mesh<Dim> const& mesh, std::vector<int> const& nodes)
+{
+  auto const& law = chosenFrictionLaw(list);
+  return ofNodes(law.sensitivity, law.parameters, list, mesh, nodes);
+}
+
+template <int Dim>
+std::optional<std::vector<double>> slipDistances(ParameterList const& list, Mesh<Dim> const& mesh,
+                                                 std::vector<int> const& nodes)
+{
+  auto const& law = chosenStateLaw(list);
+  return ofNodes(law.slip_distance, law.parameters, list, mesh, nodes);
+}
+
+template <int Dim>
+std::optional<std::vector<double>> thetaScales(ParameterList const& list, Mesh<Dim> const& mesh,
+                                               std::vector<int> const& nodes)
+{
+  auto const& law = chosenStateLaw(list);
+  return ofNodes(law.theta_scale, law.parameters, list, mesh, nodes);
+}
+
+#define ASPERITY_INSTANTIATE(Dim)                                                                  \
+  template friction::ParameterView frictionLawValues(ParameterList const&, Mesh<Dim> const&,       \
+                                                     std::vector<int> const&);                     \
+  template friction::ParameterView stateLawValues(ParameterList const&, Mesh<Dim> const&,          \
+                                                  std::vector<int> const&);                        \
+  template std::optional<std::vector<friction::Sensitivity>> sensitivities(                        \
+    ParameterList const&, Mesh<Dim> const&, std::vector<int> const&);                              \
+  template std::optional<std::vector<double>> slipDistances(                                       \
+    ParameterList const&, Mesh<Dim> const&, std::vector<int> const&);                              \
+  template std::optional<std::vector<double>> thetaScales(ParameterList const&, Mesh<Dim> const&,  \
+                                                          std::vector<int> const&);
+
+ASPERITY_INSTANTIATE(2)
+ASPERITY_INSTANTIATE(3)
+#undef ASPERITY_INSTANTIATE
+} // namespace asperity::scenario

@@ -1,0 +1,36 @@
+#pragma once
+
+#include "friction/LawProperties.hpp"
+#include "friction/Types.hpp"
+#include "scenario/setup/NodalField.hpp"
+
+#include <optional>
+#include <vector>
+
+// The friction law and the state law that the deck's list `Friction` chooses among all that are
+// registered.
+namespace asperity::scenario
+{
+// The two choices, and for every law the parameters of its table.
+void declareLaws(Declare& declare);
+
+// Values of the chosen law's parameters at fault nodes (num_parameters, num_nodes), on the device.
+template <int Dim>
+friction::ParameterView frictionLawValues(ParameterList const& list, Mesh<Dim> const& mesh,
+                                          std::vector<int> const& nodes);
+template <int Dim>
+friction::ParameterView stateLawValues(ParameterList const& list, Mesh<Dim> const& mesh,
+                                       std::vector<int> const& nodes);
+
+// What the chosen laws say of themselves at the nodes, see friction/LawProperties.hpp; nothing
+// where a law does not say it.
+template <int Dim>
+std::optional<std::vector<friction::Sensitivity>>
+sensitivities(ParameterList const& list, Mesh<Dim> const& mesh, std::vector<int> const& nodes);
+template <int Dim>
+std::optional<std::vector<double>> slipDistances(ParameterList const& list, Mesh<Dim> const& mesh,
+                                                 std::vector<int> const& nodes);
+template <int Dim>
+std::optional<std::vector<double>> thetaScales(ParameterList const& list, Mesh<Dim> const& mesh,
+                                               std::vector<int> const& nodes);
+} // namespace asperity::scenario
