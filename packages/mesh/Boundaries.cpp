@@ -1,9 +1,9 @@
 #include "mesh/Boundaries.hpp"
 
 #include "base/Errors.hpp"
+#include "base/parallel/Agreement.hpp"
 #include "mesh/SimplexGeometry.hpp"
 #include "mesh/detail/FacetTable.hpp"
-#include "mesh/parallel/detail/Agreement.hpp"
 
 #include <set>
 
@@ -163,9 +163,8 @@ template <int Dim>
 void overrideBoundaries(Mesh<Dim>& part, std::vector<NamedCondition<Dim>> const& conditions,
                         Communicator const& communicator, std::string const& where)
 {
-  assignBoundaries(part, conditions, where, [&](std::vector<int> const& flags) {
-    return detail::onAnyRank(flags, communicator);
-  });
+  assignBoundaries(part, conditions, where,
+                   [&](std::vector<int> const& flags) { return onAnyRank(flags, communicator); });
 }
 
 template void overrideBoundaries(GlobalMesh<2>&, std::vector<NamedCondition<2>> const&,

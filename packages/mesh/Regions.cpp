@@ -1,8 +1,8 @@
 #include "mesh/Regions.hpp"
 
 #include "base/Errors.hpp"
+#include "base/parallel/Agreement.hpp"
 #include "mesh/SimplexGeometry.hpp"
-#include "mesh/parallel/detail/Agreement.hpp"
 
 namespace asperity::mesh
 {
@@ -82,9 +82,8 @@ template <int Dim>
 void overrideRegions(Mesh<Dim>& part, std::vector<NamedCondition<Dim>> const& conditions,
                      Communicator const& communicator, std::string const& where)
 {
-  assignRegions(part, conditions, where, [&](std::vector<int> const& flags) {
-    return detail::onAnyRank(flags, communicator);
-  });
+  assignRegions(part, conditions, where,
+                [&](std::vector<int> const& flags) { return onAnyRank(flags, communicator); });
 }
 
 template void overrideRegions(GlobalMesh<2>&, std::vector<NamedCondition<2>> const&,

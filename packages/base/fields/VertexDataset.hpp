@@ -1,5 +1,7 @@
 #pragma once
 
+#include "base/hdf5/File.hpp"
+
 #include <string>
 #include <vector>
 
@@ -24,6 +26,8 @@ public:
   std::string const& name() const { return name_; }
 
 private:
+  h5::Dataset open() const;
+
   std::string name_, path_, file_name_, dataset_name_;
   long long size_ = 0;
 };

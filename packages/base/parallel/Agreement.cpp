@@ -90,4 +90,12 @@ void onEveryRank(Communicator const& communicator, std::function<void()> const& 
     share(outcome, lowest, communicator);
   }
 }
+
+std::vector<int> onAnyRank(std::vector<int> const& flags, Communicator const& communicator)
+{
+  std::vector<int> result(flags.size(), 0);
+  Teuchos::reduceAll(communicator, Teuchos::REDUCE_MAX, static_cast<int>(flags.size()),
+                     flags.data(), result.data());
+  return result;
+}
 } // namespace asperity

@@ -1,7 +1,7 @@
 #include "base/Errors.hpp"
+#include "base/parallel/Messages.hpp"
 #include "base/program/MpiScope.hpp"
 
-#include <Teuchos_DefaultMpiComm.hpp>
 #include <mpi.h>
 
 #include <algorithm>
@@ -152,8 +152,7 @@ void GuardCommunicator::abort(Outcome const& outcome, std::string const& program
 int runGuarded(Communicator const& communicator, std::function<int()> const& body,
                std::string const& program, double patience)
 {
-  auto const* mpi = dynamic_cast<Teuchos::MpiComm<int> const*>(&communicator);
-  const GuardCommunicator guard(mpi ? (*mpi->getRawMpiComm())() : MPI_COMM_SELF);
+  const GuardCommunicator guard(rawCommunicator(communicator));
   const Outcome outcome = call(body);
   if (!guard.meet(outcome.has_thrown ? patience : -1.0)) {
     guard.abort(outcome, program);

@@ -1,10 +1,10 @@
 #include "io/checkpoint/Checkpoint.hpp"
 
 #include "base/Errors.hpp"
-#include "base/hdf5/H5.hpp"
+#include "base/hdf5/File.hpp"
+#include "base/parallel/Agreement.hpp"
 #include "io/checkpoint/ArchiveBytes.hpp"
 #include "io/files/DurableFile.hpp"
-#include "io/parallel/Gather.hpp"
 
 #include <Teuchos_CommHelpers.hpp>
 
@@ -76,10 +76,10 @@ void readValue(h5::Dataset const& dataset, std::string const& path, Archive& arc
   if (dataset.type() == h5::Type::int8) {
     archive.set(path, dataset.readBytes());
   } else if (dataset.type() == h5::Type::float64) {
-    const auto values = dataset.readDoubles();
+    const auto values = dataset.read<double>();
     is_single ? archive.set(path, values[0]) : archive.set(path, values);
   } else {
-    const auto values = dataset.readIntegers();
+    const auto values = dataset.read<std::int64_t>();
     is_single ? archive.set(path, values[0]) : archive.set(path, values);
   }
 }
@@ -160,7 +160,7 @@ void writeCheckpoint(std::filesystem::path const& path, Archive const& archive,
       of_ranks.push_back(receiveBytes(rank, comm));
     }
   }
-  detail::onRoot(comm, [&] {
+  onRoot(comm, [&] {
     h5::File file = h5::File::create(detail::temporaryName(path));
     file.setAttribute("format", format_name);
     file.setAttribute("format_version", format_version);
@@ -178,7 +178,7 @@ Archive readCheckpoint(std::filesystem::path const& path, std::string const& fin
                        Communicator const& comm)
 {
   std::vector<std::vector<char>> of_ranks;
-  detail::onRoot(comm, [&] { of_ranks = readAllRanks(path, fingerprint, comm.getSize()); });
+  onRoot(comm, [&] { of_ranks = readAllRanks(path, fingerprint, comm.getSize()); });
   if (comm.getRank() > 0) {
     return detail::fromBytes(receiveBytes(0, comm));
   }

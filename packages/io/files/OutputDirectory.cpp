@@ -1,7 +1,7 @@
 #include "io/files/OutputDirectory.hpp"
 
 #include "base/Errors.hpp"
-#include "io/parallel/Gather.hpp"
+#include "base/parallel/Agreement.hpp"
 
 #include <algorithm>
 #include <cctype>
@@ -113,7 +113,7 @@ std::vector<fs::path> resultFiles(fs::path const& directory)
 void prepareOutputDirectory(fs::path const& directory, ExistingResult existing,
                             Communicator const& comm)
 {
-  detail::onRoot(comm, [&] {
+  onRoot(comm, [&] {
     ASPERITY_REQUIRE(!directory.empty(), "The name of the output directory is empty.");
     const auto earlier = resultFiles(directory);
     ASPERITY_REQUIRE(existing != ExistingResult::refuse || earlier.empty(),

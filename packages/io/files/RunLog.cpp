@@ -2,7 +2,7 @@
 
 #include "base/Errors.hpp"
 #include "base/Text.hpp"
-#include "io/parallel/Gather.hpp"
+#include "base/parallel/Agreement.hpp"
 
 #include <algorithm>
 #include <cstdio>
@@ -74,7 +74,7 @@ RunLog::RunLog(std::filesystem::path const& file, bool append, Communicator cons
     , start_(Clock::now())
     , last_line_(start_)
 {
-  detail::onRoot(comm, [&] {
+  onRoot(comm, [&] {
     file_.open(file, append ? std::ios::app : std::ios::trunc);
     ASPERITY_REQUIRE(file_, file.string() << " cannot be written. Check the permissions of the "
                                              "output directory.");

@@ -1,8 +1,8 @@
 #include "io/files/TextTable.hpp"
 
 #include "base/Errors.hpp"
+#include "base/parallel/Agreement.hpp"
 #include "io/files/DurableFile.hpp"
-#include "io/parallel/Gather.hpp"
 
 #include <cstdio>
 #include <sstream>
@@ -68,7 +68,7 @@ void TextTable::setHeader(std::string const& header)
 
 void TextTable::flush()
 {
-  detail::onRoot(*comm_, [&] {
+  onRoot(*comm_, [&] {
     open();
     stream_.seekp(0);
     stream_ << header_;
@@ -110,7 +110,7 @@ void TextTable::requireEarlierTable(Archive const& archive) const
 
 void TextTable::restore(Archive const& archive)
 {
-  detail::onRoot(*comm_, [&] {
+  onRoot(*comm_, [&] {
     requireEarlierTable(archive);
     num_bytes_ = archive.getInteger("num_bytes");
     std::error_code error;

@@ -1,7 +1,7 @@
 #include "io/parallel/Exchange.hpp"
 
 #include "base/Errors.hpp"
-#include "io/parallel/Gather.hpp"
+#include "base/parallel/Messages.hpp"
 
 #include <algorithm>
 #include <numeric>

@@ -1,22 +1,13 @@
 #include "io/parallel/Gather.hpp"
 
-#include "base/Errors.hpp"
+#include "base/parallel/Messages.hpp"
 
 #include <Teuchos_CommHelpers.hpp>
-#include <Teuchos_DefaultMpiComm.hpp>
 
-#include <exception>
 #include <numeric>
-#include <string>
 
 namespace asperity::io::detail
 {
-MPI_Comm rawCommunicator(Communicator const& comm)
-{
-  auto const* mpi = dynamic_cast<Teuchos::MpiComm<int> const*>(&comm);
-  return mpi ? static_cast<MPI_Comm>(*mpi->getRawMpiComm()) : MPI_COMM_SELF;
-}
-
 namespace
 {
 MPI_Datatype typeOf(double) { return MPI_DOUBLE; }
@@ -70,66 +61,6 @@ template std::vector<double> gatherToAll(std::vector<double> const&, Communicato
 template std::vector<GlobalOrdinal> gatherToAll(std::vector<GlobalOrdinal> const&,
                                                 Communicator const&);
 template std::vector<char> gatherToAll(std::vector<char> const&, Communicator const&);
-
-namespace
-{
-// What became of the work on one rank.
-struct Outcome
-{
-  enum Status
-  {
-    done,
-    input_error,
-    other_error
-  };
-  int status = done;
-  std::string message;
-};
-
-Outcome outcomeOf(std::function<void()> const& work)
-{
-  try {
-    work();
-  } catch (InputError const& error) {
-    return {Outcome::input_error, error.what()};
-  } catch (std::exception const& error) {
-    return {Outcome::other_error, error.what()};
-  }
-  return {};
-}
-
-// Throws the outcome of the rank `rank` on every rank.
-void share(Outcome outcome, int rank, Communicator const& comm)
-{
-  int report[2] = {outcome.status, static_cast<int>(outcome.message.size())};
-  Teuchos::broadcast(comm, rank, 2, report);
-  if (report[0] == Outcome::done) {
-    return;
-  }
-  outcome.message.resize(report[1]);
-  Teuchos::broadcast(comm, rank, report[1], outcome.message.data());
-  if (report[0] == Outcome::input_error) {
-    throw InputError(outcome.message);
-  }
-  throw std::runtime_error(outcome.message);
-}
-} // namespace
-
-void onRoot(Communicator const& comm, std::function<void()> const& work)
-{
-  share(comm.getRank() == 0 ? outcomeOf(work) : Outcome(), 0, comm);
-}
-
-void onAll(Communicator const& comm, std::function<void()> const& work)
-{
-  const Outcome outcome = outcomeOf(work);
-  const int here = outcome.status == Outcome::done ? comm.getSize() : comm.getRank();
-  int first = here;
-  Teuchos::reduceAll(comm, Teuchos::REDUCE_MIN, 1, &here, &first);
-  if (first < comm.getSize()) {
-    share(outcome, first, comm);
-  }
-}
 
 namespace
 {

@@ -1,6 +1,8 @@
 #include "io/series/GeometryFile.hpp"
 
-#include "base/hdf5/H5.hpp"
+#include "base/hdf5/File.hpp"
+#include "base/parallel/Agreement.hpp"
+#include "base/parallel/Messages.hpp"
 #include "io/files/DurableFile.hpp"
 #include "io/parallel/Exchange.hpp"
 #include "io/parallel/Gather.hpp"
@@ -133,7 +135,7 @@ void create(std::filesystem::path const& path, std::vector<Piece> const& pieces)
 
 void fill(h5::File& file, Piece const& piece, Communicator const& comm)
 {
-  onAll(comm, [&] {
+  onEveryRank(comm, [&] {
     auto dataset = file.openDataset("geometry/" + piece.name);
     std::visit([&](auto const& values) { dataset.writePart(values.data(), piece.part); },
                piece.values);
@@ -161,12 +163,13 @@ GeometryFile writeGeometry(std::filesystem::path const& directory, std::string c
   const auto path = directory / result.name;
   onRoot(comm, [&] { create(temporaryName(path), pieces); });
   std::optional<h5::File> file;
-  onAll(comm, [&] { file = h5::File::openShared(temporaryName(path), rawCommunicator(comm)); });
+  onEveryRank(comm,
+              [&] { file = h5::File::openShared(temporaryName(path), rawCommunicator(comm)); });
   for (auto const& piece : pieces) {
     fill(*file, piece, comm);
   }
-  onAll(comm, [&] { file->close(); });
-  onAll(comm, [&] { synchronise(temporaryName(path)); });
+  onEveryRank(comm, [&] { file->close(); });
+  onEveryRank(comm, [&] { synchronise(temporaryName(path)); });
   onRoot(comm, [&] { replaceDurably(path); });
   return result;
 }

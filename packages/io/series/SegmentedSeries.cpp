@@ -1,7 +1,7 @@
 #include "io/series/SegmentedSeries.hpp"
 
 #include "base/Errors.hpp"
-#include "io/parallel/Gather.hpp"
+#include "base/parallel/Agreement.hpp"
 #include "io/series/Xdmf.hpp"
 
 #include <algorithm>
@@ -86,7 +86,7 @@ void SegmentedSeries::append(StepInfo const& step)
 void SegmentedSeries::closeSegment(int index)
 {
   table_.closeSegment(index);
-  detail::onRoot(*location_.comm, [&] {
+  onRoot(*location_.comm, [&] {
     if (index == 0) {
       detail::startXdmf(layout_, table_.geometry());
     }
@@ -105,7 +105,7 @@ void SegmentedSeries::restore(Archive const& archive)
 {
   table_.restore(archive);
   times_ = archive.get<std::vector<double>>("times");
-  detail::onRoot(*location_.comm, [&] {
+  onRoot(*location_.comm, [&] {
     detail::startXdmf(layout_, table_.geometry());
     double const* times = times_.data();
     for (std::size_t i = 0; i < table_.rowsOfSegment().size(); ++i) {

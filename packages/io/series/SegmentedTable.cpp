@@ -1,8 +1,9 @@
 #include "io/series/SegmentedTable.hpp"
 
 #include "base/Errors.hpp"
+#include "base/parallel/Agreement.hpp"
+#include "base/parallel/Messages.hpp"
 #include "io/files/DurableFile.hpp"
-#include "io/parallel/Gather.hpp"
 
 #include <algorithm>
 #include <cstdio>
@@ -102,12 +103,12 @@ void SegmentedTable::writeRows()
   }
   const auto path = segmentPath(rows_of_segment_.size());
   std::optional<h5::File> segment;
-  onAll(*comm_, [&] { segment = h5::File::openShared(path, rawCommunicator(*comm_)); });
+  onEveryRank(*comm_, [&] { segment = h5::File::openShared(path, rawCommunicator(*comm_)); });
   for (std::size_t i = 0; i < options_.columns.size(); ++i) {
     writeColumn(*segment, i);
     waiting_[i].clear();
   }
-  onAll(*comm_, [&] { segment->close(); });
+  onEveryRank(*comm_, [&] { segment->close(); });
   rows_waiting_ = 0;
 }
 
@@ -124,8 +125,9 @@ void SegmentedTable::writeColumn(h5::File& segment, std::size_t i)
     part = {static_cast<hsize_t>(blocks_->first()), static_cast<hsize_t>(blocks_->count())};
     values = &block;
   }
-  onAll(*comm_,
-        [&] { segment.openDataset(column.path).appendPart(values->data(), rows_waiting_, part); });
+  onEveryRank(*comm_, [&] {
+    segment.openDataset(column.path).appendPart(values->data(), rows_waiting_, part);
+  });
 }
 
 void SegmentedTable::closeSegment(int index)
@@ -133,7 +135,7 @@ void SegmentedTable::closeSegment(int index)
   ASPERITY_ASSERT(index == static_cast<int>(rows_of_segment_.size()));
   writeRows();
   if (rows_in_open_segment_ > 0) {
-    onAll(*comm_, [&] { synchronise(segmentPath(rows_of_segment_.size())); });
+    onEveryRank(*comm_, [&] { synchronise(segmentPath(rows_of_segment_.size())); });
   }
   rows_of_segment_.push_back(rows_in_open_segment_);
   rows_in_open_segment_ = 0;

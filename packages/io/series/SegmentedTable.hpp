@@ -1,7 +1,7 @@
 #pragma once
 
 #include "base/Types.hpp"
-#include "base/hdf5/H5.hpp"
+#include "base/hdf5/File.hpp"
 #include "io/checkpoint/Archive.hpp"
 #include "io/parallel/NodeBlocks.hpp"
 #include "io/series/GeometryFile.hpp"

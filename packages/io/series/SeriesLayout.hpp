@@ -1,6 +1,6 @@
 #pragma once
 
-#include "base/hdf5/H5.hpp"
+#include "base/hdf5/File.hpp"
 #include "io/FieldRegistry.hpp"
 #include "io/Location.hpp"
 #include "io/series/SegmentedTable.hpp"

@@ -1,11 +1,11 @@
 #include "mesh/file/MeshFile.hpp"
 
 #include "base/Errors.hpp"
+#include "base/hdf5/File.hpp"
+#include "base/parallel/Agreement.hpp"
 #include "mesh/file/detail/CompleteFile.hpp"
-#include "mesh/file/detail/Hdf5Reader.hpp"
-#include "mesh/file/detail/Hdf5Writer.hpp"
+#include "mesh/file/detail/MeshFileReader.hpp"
 #include "mesh/parallel/Partition.hpp"
-#include "mesh/parallel/detail/Agreement.hpp"
 
 namespace asperity::mesh
 {
@@ -20,36 +20,36 @@ std::string facetsPath(std::string const& boundary)
 }
 
 template <std::size_t N, class Number>
-void writeRows(detail::Hdf5Writer& file, std::string const& path,
+void writeRows(h5::File& file, std::string const& path,
                std::vector<std::array<Number, N>> const& rows)
 {
-  file.dataset(path, rows.empty() ? nullptr : rows.front().data(), rows.size(), N);
+  file.store(path, rows.empty() ? nullptr : rows.front().data(), {rows.size(), N});
 }
 
 template <int Dim>
-bool writeContents(GlobalMesh<Dim> const& mesh, std::string const& file_name)
+void writeContents(GlobalMesh<Dim> const& mesh, std::string const& file_name)
 {
-  detail::Hdf5Writer file(file_name);
-  file.attribute("format", std::string(format_name));
-  file.attribute("version", format_version);
-  file.attribute("dimension", Dim);
+  h5::File file = h5::File::create(file_name);
+  file.setAttribute("format", format_name);
+  file.setAttribute("version", format_version);
+  file.setAttribute("dimension", Dim);
   if (mesh.period != Point<Dim>{}) {
-    file.attribute("period", std::vector<double>(mesh.period.begin(), mesh.period.end()));
+    file.setAttribute("period", std::vector<double>(mesh.period.begin(), mesh.period.end()));
   }
   writeRows(file, "/vertices", mesh.vertices);
   writeRows(file, "/cells", mesh.cells);
-  file.dataset("/cell_regions", mesh.cell_regions.data(), mesh.cell_regions.size(), 0);
-  file.dataset("/region_names", mesh.region_names);
-  file.group("/boundaries");
+  file.store("/cell_regions", mesh.cell_regions.data(), {mesh.cell_regions.size()});
+  file.createTexts("/region_names", mesh.region_names);
+  file.createGroup("/boundaries");
   for (auto const& [name, facets] : mesh.boundaries) {
-    file.group("/boundaries/" + name);
+    file.createGroup("/boundaries/" + name);
     writeRows(file, facetsPath(name), facets);
   }
-  return file.finish();
+  file.close();
 }
 
 // Format and version checked.
-int readDimension(detail::Hdf5Reader const& file)
+int readDimension(detail::MeshFileReader const& file)
 {
   const std::string format = file.stringAttribute("format");
   ASPERITY_REQUIRE(format == format_name, file.where()
@@ -75,15 +75,14 @@ void writeMesh(GlobalMesh<Dim> const& mesh, std::string const& file_name)
   for (auto const& boundary : mesh.boundaries) {
     detail::requireGroupName(boundary.first, where);
   }
-  detail::writeCompletely(file_name, where, [&](std::string const& unfinished) {
-    return writeContents(mesh, unfinished);
-  });
+  detail::writeCompletely(file_name, where,
+                          [&](std::string const& unfinished) { writeContents(mesh, unfinished); });
 }
 
 template <int Dim>
 GlobalMesh<Dim> readMesh(std::string const& file_name)
 {
-  const detail::Hdf5Reader file(file_name);
+  const detail::MeshFileReader file(file_name);
   const int dimension = readDimension(file);
   ASPERITY_REQUIRE(dimension == Dim, file.where() << " has dimension " << dimension << ", not "
                                                   << Dim << " as wanted here.");
@@ -108,18 +107,14 @@ template <int Dim>
 GlobalMesh<Dim> readMesh(std::string const& file_name, Communicator const& communicator)
 {
   GlobalMesh<Dim> mesh;
-  detail::onEveryRank(communicator, [&] {
-    if (communicator.getRank() == 0) {
-      mesh = readMesh<Dim>(file_name);
-    }
-  });
+  onRoot(communicator, [&] { mesh = readMesh<Dim>(file_name); });
   broadcast(mesh, communicator);
   return mesh;
 }
 
 int meshDimension(std::string const& file_name)
 {
-  return readDimension(detail::Hdf5Reader(file_name));
+  return readDimension(detail::MeshFileReader(file_name));
 }
 
 template void writeMesh(GlobalMesh<2> const&, std::string const&);

@@ -1,14 +1,13 @@
 #include "mesh/file/PartitionedFile.hpp"
 
 #include "base/Errors.hpp"
+#include "base/parallel/Agreement.hpp"
+#include "base/parallel/Messages.hpp"
 #include "mesh/file/MeshFile.hpp"
 #include "mesh/file/detail/PartCheck.hpp"
 #include "mesh/file/detail/SlabReader.hpp"
-#include "mesh/parallel/detail/Agreement.hpp"
 #include "mesh/parallel/detail/Assembly.hpp"
 #include "mesh/parallel/detail/Broadcast.hpp"
-
-#include <Teuchos_DefaultMpiComm.hpp>
 
 #include <fstream>
 
@@ -29,11 +28,7 @@ void requireDimension(std::string const& file_name, PartitionSummary const& summ
 PartitionSummary summaryOnEveryRank(std::string const& file_name, Communicator const& communicator)
 {
   PartitionSummary summary;
-  detail::onEveryRank(communicator, [&] {
-    if (communicator.getRank() == 0) {
-      summary = partitionSummary(file_name);
-    }
-  });
+  onRoot(communicator, [&] { summary = partitionSummary(file_name); });
   const detail::Broadcast from_root(communicator);
   for (int* number : {&summary.dimension, &summary.num_parts, &summary.num_vertices,
                       &summary.num_cells, &summary.options.boundary_weight}) {
@@ -45,12 +40,6 @@ PartitionSummary summaryOnEveryRank(std::string const& file_name, Communicator c
   from_root.texts(summary.region_names);
   from_root.texts(summary.boundary_names);
   return summary;
-}
-
-MPI_Comm mpiCommunicator(Communicator const& communicator)
-{
-  auto const* mpi = dynamic_cast<Teuchos::MpiComm<int> const*>(&communicator);
-  return mpi && mpi->getSize() > 1 ? static_cast<MPI_Comm>(*mpi->getRawMpiComm()) : MPI_COMM_NULL;
 }
 
 // What Mesh has of a part; worth something only if the reader has no problem afterwards.
@@ -90,7 +79,7 @@ NumberedPart<Dim> readNumbered(detail::SlabReader& reader, PartitionSummary cons
 
 PartitionSummary partitionSummary(std::string const& file_name)
 {
-  return detail::readSummary(detail::Hdf5Reader(file_name));
+  return detail::readSummary(detail::MeshFileReader(file_name));
 }
 
 template <int Dim>
@@ -107,14 +96,14 @@ Mesh<Dim> readPart(std::string const& file_name, RCP<const Communicator> const& 
                      << num_ranks << ". Use as many, or partition it again: "
                      << detail::partitionCommand(file_name, summary.num_parts, num_ranks));
   // All ranks open the file together, which must not fail on some of them only.
-  detail::onEveryRank(*communicator, [&] {
+  onEveryRank(*communicator, [&] {
     ASPERITY_REQUIRE(std::ifstream(file_name).good(),
                      whereIs(file_name) << " cannot be read by rank " << rank
                                         << ". Is it in a folder that all nodes share?");
   });
-  detail::SlabReader reader(file_name, summary, mpiCommunicator(*communicator));
+  detail::SlabReader reader(file_name, summary, rawCommunicator(*communicator));
   auto mesh = readMeshOf<Dim>(reader, summary, rank);
-  detail::onEveryRank(*communicator, [&] {
+  onEveryRank(*communicator, [&] {
     ASPERITY_REQUIRE(reader.problem().empty(), reader.problem());
     detail::checkPart(mesh, whereIs(file_name) + ", part " + std::to_string(rank));
   });
@@ -132,7 +121,7 @@ GlobalMesh<Dim> readParts(std::string const& file_name)
 {
   const auto summary = partitionSummary(file_name);
   requireDimension(file_name, summary, Dim);
-  detail::SlabReader reader(file_name, summary, MPI_COMM_NULL);
+  detail::SlabReader reader(file_name, summary, MPI_COMM_SELF);
   detail::Assembly<Dim> assembly(summary);
   for (int part = 0; part < summary.num_parts; ++part) {
     const auto numbered = readNumbered<Dim>(reader, summary, part);
@@ -151,7 +140,7 @@ GlobalMesh<Dim> readParts(std::string const& file_name)
 
 bool isPartitioned(std::string const& file_name)
 {
-  const detail::Hdf5Reader file(file_name);
+  const detail::MeshFileReader file(file_name);
   if (file.stringAttribute("format") == detail::partition_format) {
     return true;
   }
@@ -162,9 +151,7 @@ bool isPartitioned(std::string const& file_name)
 bool isPartitioned(std::string const& file_name, Communicator const& communicator)
 {
   int result = 0;
-  detail::onEveryRank(communicator, [&] {
-    result = communicator.getRank() == 0 && isPartitioned(file_name) ? 1 : 0;
-  });
+  onRoot(communicator, [&] { result = isPartitioned(file_name) ? 1 : 0; });
   Teuchos::broadcast(communicator, 0, &result);
   return result == 1;
 }
@@ -172,11 +159,9 @@ bool isPartitioned(std::string const& file_name, Communicator const& communicato
 int fileDimension(std::string const& file_name, Communicator const& communicator)
 {
   int dimension = 0;
-  detail::onEveryRank(communicator, [&] {
-    if (communicator.getRank() == 0) {
-      dimension =
-        isPartitioned(file_name) ? partitionSummary(file_name).dimension : meshDimension(file_name);
-    }
+  onRoot(communicator, [&] {
+    dimension =
+      isPartitioned(file_name) ? partitionSummary(file_name).dimension : meshDimension(file_name);
   });
   Teuchos::broadcast(communicator, 0, &dimension);
   return dimension;

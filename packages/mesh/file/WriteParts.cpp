@@ -1,8 +1,8 @@
 #include "mesh/file/PartitionedFile.hpp"
 
 #include "base/Errors.hpp"
+#include "base/hdf5/File.hpp"
 #include "mesh/file/detail/CompleteFile.hpp"
-#include "mesh/file/detail/Hdf5Writer.hpp"
 #include "mesh/file/detail/PartitionFormat.hpp"
 
 namespace asperity::mesh
@@ -14,7 +14,7 @@ template <int Dim>
 class PartsWriter
 {
 public:
-  PartsWriter(detail::Hdf5Writer& file, PartitionSummary const& summary,
+  PartsWriter(h5::File& file, PartitionSummary const& summary,
               std::vector<NumberedPart<Dim>> const& parts)
       : file_(file)
       , summary_(summary)
@@ -32,9 +32,9 @@ public:
     array("/cells", [](Part const& part) { return part.mesh.cells; });
     array("/cell_regions", [](Part const& part) { return part.mesh.cell_regions; });
     array("/cell_ids", [](Part const& part) { return part.cells; });
-    file_.group("/boundaries");
+    file_.createGroup("/boundaries");
     for (auto const& name : summary_.boundary_names) {
-      file_.group("/boundaries/" + name);
+      file_.createGroup("/boundaries/" + name);
       array(detail::boundaryArray(name, "facets"),
             [&](Part const& part) { return part.mesh.boundaries.at(name); });
       array(detail::boundaryArray(name, "facet_ids"),
@@ -55,7 +55,7 @@ private:
       offsets.push_back(static_cast<long long>(all.size()));
       checksums.push_back(detail::partChecksum(seed_, path, static_cast<int>(p), rows));
     }
-    file_.group(path);
+    file_.createGroup(path);
     values(path + "/values", all);
     values(path + "/offsets", offsets);
     values(path + "/checksums", checksums);
@@ -64,15 +64,15 @@ private:
   template <class Number>
   void values(std::string const& path, std::vector<Number> const& numbers) const
   {
-    file_.dataset(path, numbers.data(), numbers.size(), 0);
+    file_.store(path, numbers.data(), {numbers.size()});
   }
   template <class Number, std::size_t N>
   void values(std::string const& path, std::vector<std::array<Number, N>> const& rows) const
   {
-    file_.dataset(path, rows.empty() ? nullptr : rows.front().data(), rows.size(), N);
+    file_.store(path, rows.empty() ? nullptr : rows.front().data(), {rows.size(), N});
   }
 
-  detail::Hdf5Writer& file_;
+  h5::File& file_;
   PartitionSummary const& summary_;
   std::uint64_t seed_;
   std::vector<NumberedPart<Dim>> const& parts_;
@@ -97,19 +97,20 @@ PartitionSummary summaryOf(GlobalMesh<Dim> const& mesh, int num_parts,
   return summary;
 }
 
-void writeSummary(detail::Hdf5Writer& file, PartitionSummary const& summary)
+void writeSummary(h5::File& file, PartitionSummary const& summary)
 {
-  file.attribute("format", std::string(detail::partition_format));
-  file.attribute("version", detail::partition_version);
-  file.attribute("dimension", summary.dimension);
-  file.attribute("num_parts", summary.num_parts);
-  file.attribute("num_vertices", summary.num_vertices);
-  file.attribute("num_cells", summary.num_cells);
-  file.attribute("period", summary.period);
-  file.attribute("fingerprint", summary.fingerprint);
-  file.attribute("boundary", summary.options.boundary);
-  file.attribute("boundary_weight", summary.options.boundary_weight);
-  file.dataset("/region_names", summary.region_names);
+  constexpr auto fixed = h5::TextLength::fixed;
+  file.setAttribute("format", detail::partition_format, fixed);
+  file.setAttribute("version", detail::partition_version);
+  file.setAttribute("dimension", summary.dimension);
+  file.setAttribute("num_parts", summary.num_parts);
+  file.setAttribute("num_vertices", summary.num_vertices);
+  file.setAttribute("num_cells", summary.num_cells);
+  file.setAttribute("period", summary.period);
+  file.setAttribute("fingerprint", summary.fingerprint, fixed);
+  file.setAttribute("boundary", summary.options.boundary, fixed);
+  file.setAttribute("boundary_weight", summary.options.boundary_weight);
+  file.createTexts("/region_names", summary.region_names, fixed);
 }
 } // namespace
 
@@ -124,10 +125,10 @@ void writeParts(GlobalMesh<Dim> const& mesh, std::vector<int> const& owners, int
   const auto summary = summaryOf(mesh, num_parts, options);
   const auto parts = localParts(mesh, owners, num_parts);
   detail::writeCompletely(file_name, where, [&](std::string const& unfinished) {
-    detail::Hdf5Writer file(unfinished, detail::Hdf5Writer::Layout::sealed);
+    h5::File file = h5::File::create(unfinished, h5::Layout::sealed);
     writeSummary(file, summary);
     PartsWriter<Dim>(file, summary, parts).writeArrays();
-    return file.finish();
+    file.close();
   });
 }
 

@@ -1,5 +1,5 @@
 #include "io/checkpoint/Checkpoint.hpp"
-#include "base/hdf5/H5.hpp"
+#include "base/hdf5/File.hpp"
 #include "unit/io/Support.hpp"
 
 #include <cmath>

@@ -1,5 +1,5 @@
 #include "io/OutputSet.hpp"
-#include "base/hdf5/H5.hpp"
+#include "base/hdf5/File.hpp"
 #include "base/parameters/Parameters.hpp"
 #include "io/catalogue/events/EventCatalogue.hpp"
 #include "io/checkpoint/Checkpoint.hpp"
@@ -112,7 +112,7 @@ using Names = std::vector<std::string>;
 
 std::vector<double> values(fs::path const& file, std::string const& dataset)
 {
-  return h5::File::open(file).openDataset(dataset).readDoubles();
+  return h5::File::open(file).openDataset(dataset).read<double>();
 }
 } // namespace
 

@@ -76,20 +76,21 @@ TEST(Receivers, WriteSeriesOfInterpolatedFields)
     EXPECT_EQ(file.textAttribute("format"), "asperity receivers");
     EXPECT_EQ(file.openDataset("on_fault/names").readTexts(),
               (std::vector<std::string>{"dp003", "dp000"}));
-    EXPECT_EQ(file.openDataset("off_fault/coordinates").readDoubles(),
+    EXPECT_EQ(file.openDataset("off_fault/coordinates").read<double>(),
               (std::vector<double>{0.5, 0.75}));
-    EXPECT_NEAR(file.openDataset("on_fault/positions").readDoubles()[0], 0.3, 1e-15);
+    EXPECT_NEAR(file.openDataset("on_fault/positions").read<double>()[0], 0.3, 1e-15);
     const auto slip = file.openDataset("on_fault/fields/slip");
     const auto displacement = file.openDataset("off_fault/fields/displacement");
     ASSERT_EQ(slip.shape(), (h5::Shape{5, 2}));
     ASSERT_EQ(displacement.shape(), (h5::Shape{5, 1, 2}));
-    EXPECT_EQ(file.openDataset("step").readIntegers(), (std::vector<std::int64_t>{0, 1, 2, 3, 4}));
+    EXPECT_EQ(file.openDataset("step").read<std::int64_t>(),
+              (std::vector<std::int64_t>{0, 1, 2, 3, 4}));
     for (int step = 0; step <= 4; ++step) {
       const double time = step * step_size;
-      EXPECT_NEAR(slip.readDoubles()[2 * step], 0.3 * time, 1e-15);
-      EXPECT_EQ(slip.readDoubles()[2 * step + 1], 0);
-      EXPECT_NEAR(displacement.readDoubles()[2 * step], 2 + time, 1e-14);
-      EXPECT_NEAR(displacement.readDoubles()[2 * step + 1], 4 + time, 1e-14);
+      EXPECT_NEAR(slip.read<double>()[2 * step], 0.3 * time, 1e-15);
+      EXPECT_EQ(slip.read<double>()[2 * step + 1], 0);
+      EXPECT_NEAR(displacement.read<double>()[2 * step], 2 + time, 1e-14);
+      EXPECT_NEAR(displacement.read<double>()[2 * step + 1], 4 + time, 1e-14);
     }
   });
 }
@@ -132,7 +133,7 @@ TEST(Receivers, RoundedPositionsOnTheFaultAreProjected)
   run(fault, receivers);
   test::onRankZero([&] {
     const auto file = h5::File::open(directory / "receivers.h5");
-    EXPECT_NEAR(file.openDataset("on_fault/coordinates").readDoubles()[1], 0, 1e-15);
+    EXPECT_NEAR(file.openDataset("on_fault/coordinates").read<double>()[1], 0, 1e-15);
     EXPECT_FALSE(file.has("off_fault"));
   });
 }

@@ -1,4 +1,4 @@
-#include "base/hdf5/H5.hpp"
+#include "base/hdf5/File.hpp"
 #include "base/parameters/Parameters.hpp"
 #include "unit/io/Stage.hpp"
 
@@ -55,7 +55,7 @@ const Rates creeping{0, 0, 0, 0, 1};
 
 std::vector<double> values(std::filesystem::path const& file, std::string const& dataset)
 {
-  return h5::File::open(file).openDataset(dataset).readDoubles();
+  return h5::File::open(file).openDataset(dataset).read<double>();
 }
 
 void expectValues(std::filesystem::path const& file, std::string const& dataset,

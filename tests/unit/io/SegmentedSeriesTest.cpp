@@ -69,9 +69,9 @@ void expectRows(fs::path const& directory, std::size_t rows)
     const auto slip = file.openDataset("fields/slip");
     ASSERT_EQ(alpha.shape(), (h5::Shape{rows, num_base}));
     ASSERT_EQ(slip.shape(), (h5::Shape{rows, num_base, 2}));
-    const auto alphas = alpha.readDoubles(), slips = slip.readDoubles();
-    const auto times = file.openDataset("time").readDoubles();
-    const auto steps = file.openDataset("step").readIntegers();
+    const auto alphas = alpha.read<double>(), slips = slip.read<double>();
+    const auto times = file.openDataset("time").read<double>();
+    const auto steps = file.openDataset("step").read<std::int64_t>();
     for (std::size_t row = 0; row < rows; ++row) {
       EXPECT_EQ(times[row], row / 8.0);
       EXPECT_EQ(steps[row], std::int64_t(10 * row));
@@ -126,8 +126,8 @@ TEST(SegmentedSeries, GeometryAndAttributes)
     EXPECT_EQ(file.openDataset("geometry/coordinates").shape(), (h5::Shape{num_base, 2}));
     EXPECT_EQ(file.openDataset("geometry/connectivity").shape(), (h5::Shape{num_base - 1, 2}));
     EXPECT_EQ(file.openDataset("geometry/weights").textAttribute("unit"), "m");
-    EXPECT_EQ(file.openDataset("geometry/vertex_ids").readIntegers()[0], num_base - 1);
-    const auto positions = file.openDataset("geometry/positions").readDoubles();
+    EXPECT_EQ(file.openDataset("geometry/vertex_ids").read<std::int64_t>()[0], num_base - 1);
+    const auto positions = file.openDataset("geometry/positions").read<double>();
     for (int i = 0; i < num_base; ++i) {
       EXPECT_NEAR(positions[i], test::stripPosition(i, num_base), 1e-15);
     }

@@ -1,4 +1,4 @@
-#include "base/hdf5/H5.hpp"
+#include "base/hdf5/File.hpp"
 #include "base/parameters/Parameters.hpp"
 #include "io/catalogue/events/EventCatalogue.hpp"
 #include "unit/io/BlockMesh.hpp"
@@ -166,8 +166,8 @@ TEST(SurfaceRupture, TimesAtTheNodes)
   fault.run(*fault.output("Rupture", directory.path(), Platform::seas));
   test::onRankZero([&] {
     const auto file = h5::File::open(directory / "rupture.h5");
-    const auto times = file.openDataset("rupture_time").readDoubles();
-    const auto coordinates = file.openDataset("geometry/coordinates").readDoubles();
+    const auto times = file.openDataset("rupture_time").read<double>();
+    const auto coordinates = file.openDataset("geometry/coordinates").read<double>();
     ASSERT_EQ(times.size(), std::size_t((test::block_nx + 1) * (test::block_nz + 1)));
     ASSERT_EQ(coordinates.size(), 3 * times.size());
     for (std::size_t node = 0; node < times.size(); ++node) {

@@ -62,9 +62,9 @@ TEST(SurfaceReceivers, VectorsAreInterpolatedInTrianglesAndTetrahedra)
     const auto file = h5::File::open(directory / "receivers.h5");
     const auto slip = file.openDataset("on_fault/fields/slip");
     ASSERT_EQ(slip.shape(), (h5::Shape{2, 1, 3}));
-    EXPECT_NEAR(slip.readDoubles()[1], 1.9, 1e-14);
-    EXPECT_NEAR(slip.readDoubles()[2], 3.8, 1e-14);
-    const auto displacement = file.openDataset("off_fault/fields/displacement").readDoubles();
+    EXPECT_NEAR(slip.read<double>()[1], 1.9, 1e-14);
+    EXPECT_NEAR(slip.read<double>()[2], 3.8, 1e-14);
+    const auto displacement = file.openDataset("off_fault/fields/displacement").read<double>();
     EXPECT_NEAR(displacement[0], 0.3, 1e-14);
     EXPECT_NEAR(displacement[1], -2.1, 1e-14);
     EXPECT_NEAR(displacement[2], 0.4, 1e-14);
@@ -101,12 +101,12 @@ TEST(SurfaceReceivers, CellsAcrossAPeriodAreFound)
   run(directory.path(), list, Platform::none, true);
   test::onRankZero([&] {
     const auto file = h5::File::open(directory / "receivers.h5");
-    const auto on_fault = file.openDataset("on_fault/coordinates").readDoubles();
+    const auto on_fault = file.openDataset("on_fault/coordinates").read<double>();
     EXPECT_NEAR(on_fault[5], 2.6, 1e-14);
     // Between z = 2 and z = 3, where the nodes are those of z = 0: the field is not linear there.
-    const auto slip = file.openDataset("on_fault/fields/slip").readDoubles();
+    const auto slip = file.openDataset("on_fault/fields/slip").read<double>();
     EXPECT_NEAR(slip[4], 0.5 + 0.4 * 2 + 0.6 * 0, 1e-14);
-    EXPECT_NEAR(file.openDataset("off_fault/coordinates").readDoubles()[5], 2.9, 1e-14);
+    EXPECT_NEAR(file.openDataset("off_fault/coordinates").read<double>()[5], 2.9, 1e-14);
   });
 }
 

@@ -1,4 +1,3 @@
-#include "io/parallel/Gather.hpp"
 #include "io/series/SegmentedSeries.hpp"
 #include "unit/io/BlockMesh.hpp"
 #include "unit/io/Stage.hpp"
@@ -45,12 +44,12 @@ struct Block : test::Stage
 void expectFields(std::filesystem::path const& path)
 {
   const auto file = h5::File::open(path);
-  const auto x = file.openDataset("geometry/coordinates").readDoubles();
-  const auto scalar = file.openDataset("fields/T").readDoubles();
+  const auto x = file.openDataset("geometry/coordinates").read<double>();
+  const auto scalar = file.openDataset("fields/T").read<double>();
   const auto vector = file.openDataset("fields/u");
   const std::size_t nodes = x.size() / 3;
   ASSERT_EQ(vector.shape(), (h5::Shape{5, nodes, 3}));
-  const auto vectors = vector.readDoubles();
+  const auto vectors = vector.read<double>();
   for (std::size_t row = 0; row < 5; ++row) {
     for (std::size_t node = 0; node < nodes; ++node) {
       const double expected =
@@ -77,9 +76,9 @@ TEST(SurfaceSeries, GeometryIsInTheOrderOfTheNodesOnAnyNumberOfRanks)
   Block(false).write(directory.path(), "volume");
   test::onRankZero([&] {
     const auto file = h5::File::open(directory / "volume.h5");
-    const auto ids = file.openDataset("geometry/vertex_ids").readIntegers();
+    const auto ids = file.openDataset("geometry/vertex_ids").read<std::int64_t>();
     EXPECT_TRUE(std::is_sorted(ids.begin(), ids.end()));
-    const auto nodes = file.openDataset("geometry/connectivity").readIntegers();
+    const auto nodes = file.openDataset("geometry/connectivity").read<std::int64_t>();
     ASSERT_EQ(nodes.size(), std::size_t(4 * 6 * test::block_nx * test::block_nz));
     std::vector<std::array<std::int64_t, 4>> elements;
     for (std::size_t first = 0; first < nodes.size(); first += 4) {
@@ -106,17 +105,6 @@ TEST(SurfaceSeries, ElementsAcrossAPeriodAreNotDrawn)
     EXPECT_TRUE(test::contains(text, "TopologyType=\"Triangle\" NumberOfElements=\"16\""));
     EXPECT_TRUE(test::contains(text, "fault_geometry.h5:/geometry/whole_elements")) << text;
   });
-}
-
-TEST(SurfaceSeries, AnErrorOnOneRankIsThatOfAll)
-{
-  const int last = world()->getSize() - 1;
-  const auto message = test::inputError([&] {
-    detail::onAll(*world(), [&] {
-      ASPERITY_REQUIRE(world()->getRank() != last, "rank " << last << " has failed");
-    });
-  });
-  EXPECT_EQ(message, "rank " + std::to_string(last) + " has failed");
 }
 
 TEST(SurfaceSeries, ASegmentThatCannotBeWrittenIsAnErrorOnEveryRank)

@@ -1,6 +1,7 @@
 #include "MeshSamples.hpp"
 #include "SharedFolder.hpp"
 
+#include "base/hdf5/Handle.hpp"
 #include "mesh/file/MeshFile.hpp"
 #include "mesh/file/PartitionedFile.hpp"
 #include "mesh/file/detail/PartitionFormat.hpp"
@@ -41,34 +42,35 @@ std::string messageOf(std::string const& file_name)
 }
 
 // HDF5's name of a number, or of the numbers in a row.
-template <class Number>
-hid_t nativeType(Number const&)
-{
-  return detail::nativeType(Number());
-}
+hid_t nativeType(double) { return H5T_NATIVE_DOUBLE; }
+hid_t nativeType(int) { return H5T_NATIVE_INT; }
+hid_t nativeType(long long) { return H5T_NATIVE_LLONG; }
+hid_t nativeType(std::uint64_t) { return H5T_NATIVE_UINT64; }
 template <class Number, std::size_t N>
 hid_t nativeType(std::array<Number, N> const&)
 {
-  return detail::nativeType(Number());
+  return nativeType(Number());
 }
 
 template <class Row>
 std::vector<Row> read(hid_t file, std::string const& path)
 {
-  const detail::Hdf5Id dataset(H5Dopen2(file, path.c_str(), H5P_DEFAULT), H5Dclose);
-  const detail::Hdf5Id space(H5Dget_space(dataset), H5Sclose);
+  const h5::Handle dataset(H5Dopen2(file, path.c_str(), H5P_DEFAULT), H5Dclose);
+  const h5::Handle space(H5Dget_space(dataset.get()), H5Sclose);
   hsize_t sizes[2] = {0, 0};
-  H5Sget_simple_extent_dims(space, sizes, nullptr);
+  H5Sget_simple_extent_dims(space.get(), sizes, nullptr);
   std::vector<Row> rows(sizes[0]);
-  EXPECT_GE(H5Dread(dataset, nativeType(Row()), H5S_ALL, H5S_ALL, H5P_DEFAULT, rows.data()), 0);
+  const hid_t type = nativeType(Row());
+  EXPECT_GE(H5Dread(dataset.get(), type, H5S_ALL, H5S_ALL, H5P_DEFAULT, rows.data()), 0);
   return rows;
 }
 
 template <class Row>
 void overwrite(hid_t file, std::string const& path, std::vector<Row> const& rows)
 {
-  const detail::Hdf5Id dataset(H5Dopen2(file, path.c_str(), H5P_DEFAULT), H5Dclose);
-  EXPECT_GE(H5Dwrite(dataset, nativeType(Row()), H5S_ALL, H5S_ALL, H5P_DEFAULT, rows.data()), 0);
+  const h5::Handle dataset(H5Dopen2(file, path.c_str(), H5P_DEFAULT), H5Dclose);
+  const hid_t type = nativeType(Row());
+  EXPECT_GE(H5Dwrite(dataset.get(), type, H5S_ALL, H5S_ALL, H5P_DEFAULT, rows.data()), 0);
 }
 
 void setAttribute(hid_t file, char const* name, int value)

@@ -1,10 +1,10 @@
 #include "base/Errors.hpp"
+#include "base/parallel/Agreement.hpp"
 #include "base/parameters/Parameters.hpp"
 #include "io/Output.hpp"
 #include "io/catalogue/events/EventFollower.hpp"
 #include "io/catalogue/fault_geometry/FaultPlaces.hpp"
 #include "io/files/DurableFile.hpp"
-#include "io/parallel/Gather.hpp"
 #include "io/parallel/NodeGather.hpp"
 #include "io/platforms/PlatformFile.hpp"
 #include "io/series/SegmentedTable.hpp"
@@ -59,7 +59,7 @@ public:
   {
     whole_first_time_ = gather_(first_time_, 1, 1);
     table_.closeSegment(index);
-    detail::onRoot(*fault().comm, [&] { writeText(); });
+    onRoot(*fault().comm, [&] { writeText(); });
   }
 
   void finish() override

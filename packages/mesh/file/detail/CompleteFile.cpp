@@ -7,20 +7,23 @@
 namespace asperity::mesh::detail
 {
 void writeCompletely(std::string const& file_name, std::string const& where,
-                     std::function<bool(std::string const&)> const& write)
+                     std::function<void(std::string const&)> const& write)
 {
   const std::string unfinished = file_name + ".part";
-  std::error_code error;
-  if (write(unfinished)) {
-    std::filesystem::rename(unfinished, file_name, error);
-    if (!error) {
-      return;
-    }
+  std::string reason;
+  try {
+    write(unfinished);
+    std::filesystem::rename(unfinished, file_name);
+    return;
+  } catch (OutputError const& error) {
+    reason = error.what();
+  } catch (std::filesystem::filesystem_error const& error) {
+    reason = error.code().message() + ".";
   }
   std::error_code ignored;
   std::filesystem::remove(unfinished, ignored);
-  throw InputError(where + " cannot be written" + (error ? " (" + error.message() + ")" : "") +
-                   ". Does the folder exist, may you write there, and is there space?");
+  throw InputError(where + " cannot be written. " + reason +
+                   " Does the folder exist, may you write there, and is there space?");
 }
 
 void requireGroupName(std::string const& boundary, std::string const& where)

@@ -5,10 +5,11 @@
 
 namespace asperity::mesh::detail
 {
-// A file that is complete or not there: write(name) writes it under another name and returns true
-// if that succeeds; then it is renamed. `where` begins the message of the InputError otherwise.
+// A file that is complete or not there: write(name) writes it under another name; then it is
+// renamed. If write throws an OutputError, or the file cannot be renamed, InputError that begins
+// with `where` and names the reason.
 void writeCompletely(std::string const& file_name, std::string const& where,
-                     std::function<bool(std::string const&)> const& write);
+                     std::function<void(std::string const&)> const& write);
 
 // InputError unless a boundary of this name can have a group of its own in a file.
 void requireGroupName(std::string const& boundary, std::string const& where);

@@ -9,7 +9,7 @@ namespace asperity::mesh::detail
 {
 namespace
 {
-int positiveAttribute(Hdf5Reader const& file, std::string const& name)
+int positiveAttribute(MeshFileReader const& file, std::string const& name)
 {
   const int value = file.integerAttribute(name);
   ASPERITY_REQUIRE(value > 0, file.where() << ": the attribute '" << name << "' = " << value
@@ -17,7 +17,7 @@ int positiveAttribute(Hdf5Reader const& file, std::string const& name)
   return value;
 }
 
-void requireFormat(Hdf5Reader const& file)
+void requireFormat(MeshFileReader const& file)
 {
   const std::string format = file.stringAttribute("format");
   ASPERITY_REQUIRE(format == partition_format,
@@ -32,7 +32,7 @@ void requireFormat(Hdf5Reader const& file)
 }
 } // namespace
 
-PartitionSummary readSummary(Hdf5Reader const& file)
+PartitionSummary readSummary(MeshFileReader const& file)
 {
   requireFormat(file);
   PartitionSummary summary;

@@ -2,7 +2,7 @@
 
 #include "mesh/file/PartitionedFile.hpp"
 #include "mesh/file/detail/Checksum.hpp"
-#include "mesh/file/detail/Hdf5Reader.hpp"
+#include "mesh/file/detail/MeshFileReader.hpp"
 
 // What the writer and the readers of partitioned files share (PartitionedFile.hpp).
 namespace asperity::mesh::detail
@@ -11,7 +11,7 @@ constexpr char partition_format[] = "asperity-partition";
 constexpr int partition_version = 1;
 
 // InputError unless it is one.
-PartitionSummary readSummary(Hdf5Reader const& file);
+PartitionSummary readSummary(MeshFileReader const& file);
 
 // Depends on everything that the parts must agree on. The checksums of all rows start from it, so
 // that rows of another mesh, or for another number of parts, are found out.

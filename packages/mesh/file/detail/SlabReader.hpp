@@ -1,9 +1,10 @@
 #pragma once
 
-#include "mesh/file/detail/Hdf5Id.hpp"
+#include "base/hdf5/File.hpp"
 #include "mesh/file/detail/PartitionFormat.hpp"
 
 #include <functional>
+#include <optional>
 
 namespace asperity::mesh::detail
 {
@@ -14,7 +15,7 @@ namespace asperity::mesh::detail
 class SlabReader
 {
 public:
-  // The file is known to exist. MPI_COMM_NULL stands for a process by itself.
+  // The file is known to exist. MPI_COMM_SELF stands for a process by itself.
   SlabReader(std::string const& file_name, PartitionSummary const& summary, MPI_Comm communicator);
 
   // "" if nothing is wrong.
@@ -25,11 +26,11 @@ public:
   std::vector<Row> read(std::string const& array, int part)
   {
     std::vector<Row> rows;
-    const auto checksum = readRows(array, part, RowType<Row>::columns, RowType<Row>::native(),
-                                   [&](std::size_t num_rows) {
-                                     rows.resize(num_rows);
-                                     return static_cast<void*>(rows.data());
-                                   });
+    const auto checksum = readRows(
+      array, part, RowType<Row>::columns, [&](h5::Dataset const& values, h5::Part const& wanted) {
+        rows.resize(wanted.count);
+        values.readPart(reinterpret_cast<typename RowType<Row>::Number*>(rows.data()), wanted);
+      });
     if (problem_.empty() && partChecksum(seed_, array, part, rows) != checksum) {
       note("part " + std::to_string(part) + " of '" + array +
            "' is not as it was written, by its checksum. The file is damaged, or put together from "
@@ -39,11 +40,10 @@ public:
   }
 
 private:
-  using Destination = std::function<void*(std::size_t num_rows)>;
+  using Read = std::function<void(h5::Dataset const& values, h5::Part const& wanted)>;
   struct Slab
   {
-    hsize_t first = 0;
-    hsize_t num_rows = 0;
+    h5::Part rows;
     std::uint64_t checksum = 0;
   };
 
@@ -51,27 +51,24 @@ private:
   struct RowType
   {
     static constexpr hsize_t columns = 0;
-    static hid_t native() { return nativeType(Row()); }
+    using Number = Row;
   };
-  template <class Number, std::size_t N>
-  struct RowType<std::array<Number, N>>
+  template <class Component, std::size_t N>
+  struct RowType<std::array<Component, N>>
   {
     static constexpr hsize_t columns = N;
-    static hid_t native() { return nativeType(Number()); }
+    using Number = Component;
   };
 
   // Returns the checksum that the file has.
-  std::uint64_t readRows(std::string const& array, int part, hsize_t columns, hid_t type,
-                         Destination const& destination);
+  std::uint64_t readRows(std::string const& array, int part, hsize_t columns, Read const& read);
+  std::optional<h5::Dataset> openValues(std::string const& path, hsize_t columns) const;
   Slab findSlab(std::string const& array, int part, hsize_t num_rows_of_all);
-  bool readEntries(std::string const& path, hid_t type, hsize_t first, hsize_t count, void* values);
   void note(std::string const& problem);
 
-  Hdf5Silence silence_;
   std::string where_;
   std::uint64_t seed_;
   std::string problem_;
-  Hdf5Id file_;
-  Hdf5Id transfer_; // collective among ranks
+  std::optional<h5::File> file_;
 };
 } // namespace asperity::mesh::detail

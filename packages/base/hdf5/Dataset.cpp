@@ -1,0 +1,96 @@
+#include "base/hdf5/Dataset.hpp"
+
+#include "base/hdf5/detail/Calls.hpp"
+#include "base/hdf5/detail/Texts.hpp"
+
+#include <functional>
+#include <numeric>
+
+namespace asperity::h5
+{
+Handle Dataset::space() const
+{
+  return opened("Asking the shape of " + what_, H5Sclose,
+                [&] { return H5Dget_space(handle_.get()); });
+}
+
+Handle Dataset::fileType() const
+{
+  return opened("Asking the type of " + what_, H5Tclose,
+                [&] { return H5Dget_type(handle_.get()); });
+}
+
+Kind Dataset::kind() const { return kindOf(fileType().get(), what_); }
+
+Type Dataset::type() const
+{
+  const Handle type = fileType();
+  const std::size_t size = H5Tget_size(type.get());
+  if (kindOf(type.get(), what_) == Kind::real) {
+    return size <= 4 ? Type::float32 : Type::float64;
+  }
+  if (size <= 4) {
+    return size == 1 ? Type::int8 : Type::int32;
+  }
+  return H5Tget_sign(type.get()) == H5T_SGN_NONE ? Type::uint64 : Type::int64;
+}
+
+Shape Dataset::shape() const { return shapeOf(space(), what_); }
+
+std::size_t Dataset::numValues() const
+{
+  const Shape all = shape();
+  return std::accumulate(all.begin(), all.end(), std::size_t(1), std::multiplies<>());
+}
+
+void Dataset::writeAll(Type type, void const* values)
+{
+  checked("Writing " + what_, [&] {
+    return H5Dwrite(handle_.get(), native(type), H5S_ALL, H5S_ALL, H5P_DEFAULT, values);
+  });
+}
+
+void Dataset::readAll(Type type, void* values) const
+{
+  checked("Reading " + what_, [&] {
+    return H5Dread(handle_.get(), native(type), H5S_ALL, H5S_ALL, H5P_DEFAULT, values);
+  });
+}
+
+std::string Dataset::readBytes() const
+{
+  std::string values(numValues(), '\0');
+  readAll(Type::int8, values.data());
+  return values;
+}
+
+std::vector<std::string> Dataset::readTexts() const
+{
+  const Handle type = fileType();
+  if (kindOf(type.get(), what_) != Kind::text) {
+    throw Error("The dataset " + what_ + " does not consist of texts.");
+  }
+  return h5::readTexts(type, numValues(), what_, [&](void* values) {
+    checked("Reading " + what_, [&] {
+      return H5Dread(handle_.get(), type.get(), H5S_ALL, H5S_ALL, H5P_DEFAULT, values);
+    });
+  });
+}
+
+Shape Dataset::extend(hsize_t num_rows)
+{
+  Shape extended = shape();
+  extended[0] += num_rows;
+  checked("Extending " + what_, [&] { return H5Dset_extent(handle_.get(), extended.data()); });
+  return extended;
+}
+
+void Dataset::appendRows(Type type, void const* values, hsize_t num_rows)
+{
+  Shape rows = extend(num_rows);
+  Shape start(rows.size(), 0);
+  start[0] = rows[0] - num_rows;
+  rows[0] = num_rows;
+  writeSlab(type, values, start, rows, false);
+}
+} // namespace asperity::h5

@@ -1,0 +1,132 @@
+#pragma once
+
+#include "base/hdf5/Object.hpp"
+
+#include <cstdint>
+#include <string>
+#include <type_traits>
+#include <utility>
+#include <vector>
+
+namespace asperity::h5
+{
+// Of numbers in files and in memory; HDF5 converts between them.
+enum class Type
+{
+  int8,
+  int32,
+  int64,
+  uint64,
+  float32,
+  float64
+};
+
+enum class Kind
+{
+  integer,
+  real,
+  text,
+  other
+};
+
+template <class Number>
+constexpr Type typeOf()
+{
+  if constexpr (std::is_floating_point_v<Number>) {
+    static_assert(sizeof(Number) == 4 || sizeof(Number) == 8);
+    return sizeof(Number) == 4 ? Type::float32 : Type::float64;
+  } else if constexpr (std::is_signed_v<Number>) {
+    static_assert(sizeof(Number) == 1 || sizeof(Number) == 4 || sizeof(Number) == 8);
+    return sizeof(Number) == 1 ? Type::int8 : sizeof(Number) == 4 ? Type::int32 : Type::int64;
+  } else {
+    static_assert(std::is_unsigned_v<Number> && sizeof(Number) == 8);
+    return Type::uint64;
+  }
+}
+
+using Shape = std::vector<hsize_t>; // {} is a single value
+
+// What one rank has of a dataset, or of each row that is appended: the numbers first <= i < first +
+// count of the first dimension; none if count is 0. Of rows that are single numbers {0, 1} or none.
+struct Part
+{
+  hsize_t first = 0;
+  hsize_t count = 0;
+};
+
+class Dataset : public Object
+{
+public:
+  Kind kind() const;
+  Type type() const; // of numbers; the next larger one if the file's own is not among them
+  Shape shape() const;
+
+  // All values.
+  template <class Number>
+  void write(Number const* values)
+  {
+    writeAll(typeOf<Number>(), values);
+  }
+  template <class Number>
+  void read(Number* values) const
+  {
+    readAll(typeOf<Number>(), values);
+  }
+  template <class Number>
+  std::vector<Number> read() const
+  {
+    std::vector<Number> values(numValues());
+    read(values.data());
+    return values;
+  }
+  std::string readBytes() const;
+  std::vector<std::string> readTexts() const; // of variable or fixed length
+
+  // Adds rows at the end of an extendable dataset; values: (num_rows, rest of the shape).
+  template <class Number>
+  void append(Number const* values, hsize_t num_rows)
+  {
+    appendRows(typeOf<Number>(), values, num_rows);
+  }
+
+  // The part of the first dimension that this rank wants, whatever others do; values: (part.count,
+  // rest of the shape).
+  template <class Number>
+  void readAlone(Number* values, Part const& part) const
+  {
+    readSlab(typeOf<Number>(), values, part, false);
+  }
+
+  // The same by all ranks at once, each its part; values: (part.count, rest), or (num_rows,
+  // part.count, rest) of rows that are appended. What writePart writes is of the dataset's own
+  // type. A part lies within the dataset, or other ranks wait in vain. Collective in a file that
+  // is shared.
+  template <class Number>
+  void readPart(Number* values, Part const& part) const
+  {
+    readSlab(typeOf<Number>(), values, part, true);
+  }
+  template <class Number>
+  void writePart(Number const* values, Part const& part)
+  {
+    writePartOf(typeOf<Number>(), values, part);
+  }
+  void appendPart(double const* values, hsize_t num_rows, Part const& part);
+
+private:
+  friend class Group;
+  Dataset(Handle handle, std::string what) : Object(std::move(handle), std::move(what)) {}
+
+  Handle space() const;
+  Handle fileType() const;
+  std::size_t numValues() const;
+  void writeAll(Type type, void const* values);
+  void readAll(Type type, void* values) const;
+  void appendRows(Type type, void const* values, hsize_t num_rows);
+  Shape extend(hsize_t num_rows);
+  void readSlab(Type type, void* values, Part const& part, bool together) const;
+  void writePartOf(Type type, void const* values, Part const& part);
+  void writeSlab(Type type, void const* values, Shape const& start, Shape const& count,
+                 bool together);
+};
+} // namespace asperity::h5

@@ -1,0 +1,43 @@
+#pragma once
+
+#include "base/hdf5/Group.hpp"
+
+#include <mpi.h>
+
+#include <filesystem>
+#include <string>
+#include <utility>
+
+// HDF5 with owned handles and exceptions: the only folder that calls HDF5. A file is used by one
+// rank, or by all of a communicator from openShared to close.
+namespace asperity::h5
+{
+enum class Layout
+{
+  plain, // that of the oldest HDF5
+  sealed // HDF5's own structures have checksums too; texts, for that, need a fixed length
+};
+
+class File : public Group
+{
+public:
+  using Group::create;
+
+  // Replaces a file of that name.
+  static File create(std::filesystem::path const& path, Layout layout = Layout::plain);
+  static File open(std::filesystem::path const& path); // for reading
+
+  // For writing to what exists, or for reading, by all ranks of the communicator: objects may be
+  // opened, and parts of datasets written or read, by all at once. Close it before anything may
+  // throw on one rank alone: closing is collective. Collective.
+  static File openShared(std::filesystem::path const& path, MPI_Comm comm);
+  static File openSharedForReading(std::filesystem::path const& path, MPI_Comm comm);
+
+  void flush();
+  void close(); // Error if what is buffered cannot be written
+
+private:
+  File(Handle handle, std::string what) : Group(std::move(handle), std::move(what)) {}
+  static File openWith(std::filesystem::path const& path, unsigned mode, Handle const& access);
+};
+} // namespace asperity::h5
