@@ -70,8 +70,8 @@ std::vector<double> Constraints<Dim>::largestVelocities(NodalDirections const& d
     for (auto const& direction : of_node) {
       for (double t : sample_times_) {
         auto& largest = mine[direction.condition];
-        largest =
-          std::max(largest, std::abs(velocity(direction.condition, owned_vertices_[node], t)));
+        largest = std::max(
+          largest, std::abs(conditions_[direction.condition].velocity(owned_vertices_[node], t)));
       }
     }
   }
@@ -89,7 +89,7 @@ void Constraints<Dim>::constrain(DofMap const& dofs, int node,
   NodalBasis prescribed;
   for (auto const& [vector, condition] : directions) {
     Terms terms = {{condition, 1.}};
-    if (!conditions_[condition].free && !prescribed.add(vector, terms)) {
+    if (conditions_[condition].prescribes() && !prescribed.add(vector, terms)) {
       requireAgreement(node, condition, terms);
     }
   }
@@ -126,7 +126,7 @@ int Constraints<Dim>::obliqueCondition(std::vector<Direction> const& directions,
                                        std::vector<std::vector<double>> const& to) const
 {
   auto const is_oblique = [&](Direction const& direction) {
-    return !conditions_[direction.condition].free &&
+    return conditions_[direction.condition].prescribes() &&
            std::any_of(to.begin(), to.end(), [&direction](auto const& vector) {
              const double share = std::abs(detail::dot(direction.vector, vector));
              return share >= detail::parallel && 1 - share >= detail::parallel;
@@ -137,8 +137,9 @@ int Constraints<Dim>::obliqueCondition(std::vector<Direction> const& directions,
     return found->condition;
   }
   auto const first =
-    std::find_if(directions.begin(), directions.end(),
-                 [this](auto const& direction) { return !conditions_[direction.condition].free; });
+    std::find_if(directions.begin(), directions.end(), [this](auto const& direction) {
+      return conditions_[direction.condition].prescribes();
+    });
   return first->condition;
 }
 
@@ -151,7 +152,7 @@ NodalBasis Constraints<Dim>::layFrame(int node, std::vector<Direction> const& di
   int of_frame = -1;
   for (auto const& [vector, condition] : directions) {
     Terms none;
-    if (conditions_[condition].free && basis.add(vector, none)) {
+    if (!conditions_[condition].prescribes() && basis.add(vector, none)) {
       of_frame = condition;
     }
   }
@@ -193,7 +194,7 @@ void Constraints<Dim>::requireAgreement(int node, int condition, Terms const& te
     double difference = 0;
     double scale = 0;
     for (auto const& [other, coefficient] : terms) {
-      difference += coefficient * velocity(other, x, t);
+      difference += coefficient * conditions_[other].velocity(x, t);
       scale = std::max(scale, std::abs(coefficient) * largest_[other]);
     }
     const int first = terms.size() > 1 ? terms[1].first : condition;
@@ -210,13 +211,6 @@ void Constraints<Dim>::requireAgreement(int node, int condition, Terms const& te
 }
 
 template <int Dim>
-double Constraints<Dim>::velocity(int condition, Point<Dim> const& x, double t) const
-{
-  auto const& function = conditions_[condition].velocity;
-  return function ? function(x, t) : 0.;
-}
-
-template <int Dim>
 void Constraints<Dim>::prescribedVelocity(double t, Vector& v) const
 {
   v.putScalar(0);
@@ -224,7 +218,7 @@ void Constraints<Dim>::prescribedVelocity(double t, Vector& v) const
   for (auto const& row : rows_) {
     double sum = 0;
     for (auto const& [condition, coefficient] : row.terms) {
-      sum += coefficient * velocity(condition, owned_vertices_[row.node], t);
+      sum += coefficient * conditions_[condition].velocity(owned_vertices_[row.node], t);
     }
     values(row.dof, 0) = sum;
   }

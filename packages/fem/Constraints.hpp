@@ -11,14 +11,14 @@
 
 namespace asperity::fem
 {
-// Conditions of all boundaries, turned into nodal frames and fixed dofs.
+// The conditions of all boundaries, turned into nodal frames and fixed dofs.
 //
-// At a node the directions of its conditions are orthonormalised in the order given, those that are
-// free before all others; the frame's last rows are these directions, its first rows the remaining
-// (tangential) ones. Where a fault (what is free, tangential or continued) ends at walls at right
+// At a node the directions of its conditions are orthonormalised in the order given, but those of
+// FreeAcrossFault come before all others; the frame's last rows are these directions, its first
+// rows the remaining (tangential) ones. Where a fault (Normal::of_fault) ends at walls at right
 // angles, its normal lies in their planes. Where the directions are axes the frame is the identity.
-// More conditions than directions must agree with one another, to 1e-10 of the largest velocity
-// that they prescribe anywhere, or an InputError names both.
+// Where there are more conditions than directions, they must agree with one another to 1e-10 of the
+// largest velocity that they prescribe anywhere; otherwise an InputError names both.
 template <int Dim>
 class Constraints
 {
@@ -52,7 +52,6 @@ private:
   int obliqueCondition(std::vector<Direction> const& directions,
                        std::vector<std::vector<double>> const& to) const;
   void requireAgreement(int node, int condition, detail::Terms const& terms) const;
-  double velocity(int condition, Point<Dim> const& x, double t) const;
   void shareWithGhosts(DofMap const& dofs);
 
   std::vector<VelocityCondition<Dim>> conditions_;

@@ -4,31 +4,157 @@
 
 #include <functional>
 #include <string>
+#include <variant>
 #include <vector>
 
+// The kinds of condition on the velocity v of a boundary, and the list of them, VelocityCondition.
+//
+// n is the unit inward normal of the boundary at a node. A vector d along the axes has as many
+// components as the displacement, and any length but zero. Each kind states its equation and has
+//
+//   normal        which normal n is: that of the boundary's own facets, that of a wall, or that of
+//                 the fault. Where the fault ends at walls, its normal lies in their planes.
+//   prescribes    whether the velocity along its direction is prescribed; otherwise that is free,
+//                 and only the frames of the nodes follow the direction
+//   holds_across  whether v . n = 0, so that the boundary bears a reaction across it
+//   velocity      the value that is prescribed, a function of x and t
+//
+// VelocityCondition.cpp adds the direction of each kind.
 namespace asperity::fem
 {
-// The velocity of a boundary in one direction is prescribed: v . d = velocity(x, t).
+enum class Normal
+{
+  of_boundary,
+  of_wall,
+  of_fault
+};
+
+// At x and the time t [s], in m/s.
+template <int Dim>
+using VelocityFunction = std::function<double(Point<Dim> const& x, double t)>;
+
+struct ZeroVelocity
+{
+  template <class Place>
+  constexpr double operator()(Place const&, double) const
+  {
+    return 0;
+  }
+};
+
+// Names of boundaries.
+using Boundaries = std::vector<std::string>;
+
+// v . d / |d| = velocity(x, t).
+template <int Dim>
+struct PrescribedVelocity
+{
+  static constexpr auto normal = Normal::of_boundary;
+  static constexpr bool prescribes = true, holds_across = false;
+  std::vector<double> d;
+  VelocityFunction<Dim> velocity;
+};
+
+// v . d / |d| = 0.
+struct AtRestAlong
+{
+  static constexpr auto normal = Normal::of_boundary;
+  static constexpr bool prescribes = true, holds_across = false;
+  static constexpr ZeroVelocity velocity = {};
+  std::vector<double> d;
+};
+
+// v . n = 0: the body slides along the boundary.
+struct SlidingWall
+{
+  static constexpr auto normal = Normal::of_wall;
+  static constexpr bool prescribes = true, holds_across = true;
+  static constexpr ZeroVelocity velocity = {};
+};
+
+// v . n = 0 on the fault, or on what continues it, between the body and a rigid foundation.
+struct ContactAcrossFault
+{
+  static constexpr auto normal = Normal::of_fault;
+  static constexpr bool prescribes = true, holds_across = true;
+  static constexpr ZeroVelocity velocity = {};
+  Boundaries continuations; // the normal is the mean over their facets, too
+};
+
+// No equation: the body moves freely across the fault, or across what continues it. The frames of
+// the nodes follow n.
+struct FreeAcrossFault
+{
+  static constexpr auto normal = Normal::of_fault;
+  static constexpr bool prescribes = false, holds_across = false;
+  static constexpr ZeroVelocity velocity = {};
+  Boundaries continuations; // the normal is the mean over their facets, too
+};
+
+// v . t = velocity(x, t) in the plane, where the tangent t is the first row of the node's frame.
+template <int Dim>
+struct SlipAlongTangent
+{
+  static constexpr auto normal = Normal::of_fault;
+  static constexpr bool prescribes = true, holds_across = false;
+  VelocityFunction<Dim> velocity;
+  Boundaries continuations; // the normal is the mean over their facets, too
+};
+
+// v . t = velocity(x, t) in space, where t is the direction of d - (d . n) n.
+template <int Dim>
+struct SlipTowards
+{
+  static constexpr auto normal = Normal::of_fault;
+  static constexpr bool prescribes = true, holds_across = false;
+  std::vector<double> d;
+  VelocityFunction<Dim> velocity;
+  Boundaries continuations; // the normal is the mean over their facets, too
+};
+
+// v . s = 0 in space, where s is the direction of n x d, in the fault and at right angles to d.
+struct NoSlipSideways
+{
+  static constexpr auto normal = Normal::of_fault;
+  static constexpr bool prescribes = true, holds_across = false;
+  static constexpr ZeroVelocity velocity = {};
+  std::vector<double> d;
+  Boundaries continuations; // the normal is the mean over their facets, too
+};
+
+// v . s = 0 as for NoSlipSideways, but only at the nodes that lie on another boundary, too.
+struct NoSlipSidewaysAtEdge
+{
+  static constexpr auto normal = Normal::of_fault;
+  static constexpr bool prescribes = true, holds_across = false;
+  static constexpr ZeroVelocity velocity = {};
+  std::vector<double> d;
+  std::string other_boundary;
+};
+
+// A condition of one of these kinds on one boundary.
 template <int Dim>
 struct VelocityCondition
 {
+  using Kind = std::variant<PrescribedVelocity<Dim>, AtRestAlong, SlidingWall, ContactAcrossFault,
+                            FreeAcrossFault, SlipAlongTangent<Dim>, SlipTowards<Dim>,
+                            NoSlipSideways, NoSlipSidewaysAtEdge>;
+
   std::string name; // for messages, e.g. "Boundary Conditions / Backstop"
   std::string boundary;
-  // The components of d along the axes; empty: the inward normal of the boundary at each node, or
-  // the tangent that goes with it.
-  std::vector<double> direction;
-  // m/s; empty: zero (a wall that the body slides along, or bilateral contact).
-  std::function<double(Point<Dim> const&, double)> velocity;
-  // Without a direction: along the boundary instead. With two components to the side that
-  // NodalFrames has; with three along the projection of `towards`, or at right angles to that.
-  bool tangential = false;
-  std::vector<double> towards = {};
-  bool at_right_angles = false;
-  // Not empty: at the nodes alone that lie on this boundary, too.
-  std::string meeting = {};
-  // Frames follow this direction, but the velocity along it remains free.
-  bool free = false;
-  // Boundaries that continue this one: their facets count for the normals where they meet it.
-  std::vector<std::string> continued_by = {};
+  Kind kind;
+
+  // These return the members of the kind, see above.
+  Normal normal() const;
+  bool prescribes() const;
+  bool holdsAcross() const;
+  double velocity(Point<Dim> const& x, double t) const;
+
+  // The boundaries over whose facets n is the mean: this one and its continuations, sorted.
+  Boundaries boundariesOfNormal() const;
+
+  // The unit vector along which the velocity is prescribed or free at a node with this inward
+  // normal, of any length. Throws InputError where there is no such vector.
+  std::vector<double> unitDirection(std::vector<double> const& inward_normal) const;
 };
 } // namespace asperity::fem

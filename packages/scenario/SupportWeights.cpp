@@ -31,8 +31,7 @@ std::vector<double> supportWeights(Mesh<Dim> const& mesh,
   }
   std::set<std::string> seen = {fault};
   for (auto const& condition : conditions) {
-    const bool holds = condition.direction.empty() && !condition.tangential && !condition.free;
-    if (!holds || !seen.insert(condition.boundary).second) {
+    if (!condition.holdsAcross() || !seen.insert(condition.boundary).second) {
       continue;
     }
     for (auto const& facet : mesh.boundaries.at(condition.boundary)) {

@@ -12,29 +12,6 @@ namespace asperity::fem::detail
 {
 namespace
 {
-// A wall that the body slides along.
-template <int Dim>
-bool isWall(VelocityCondition<Dim> const& condition)
-{
-  return condition.direction.empty() && !condition.velocity && !condition.tangential &&
-         !condition.free && condition.continued_by.empty();
-}
-
-template <int Dim>
-bool followsFault(VelocityCondition<Dim> const& condition)
-{
-  return condition.free || condition.tangential || !condition.continued_by.empty();
-}
-
-void normalise(std::vector<double>& direction, std::string const& condition)
-{
-  const double size = std::sqrt(dot(direction, direction));
-  ASPERITY_REQUIRE(size > 0, condition << ": the direction has no length.");
-  for (double& x : direction) {
-    x /= size;
-  }
-}
-
 // The unit normals of the walls at each owned node.
 template <int Dim>
 NodalVectors wallsOf(Mesh<Dim> const& mesh, std::vector<VelocityCondition<Dim>> const& conditions,
@@ -42,10 +19,10 @@ NodalVectors wallsOf(Mesh<Dim> const& mesh, std::vector<VelocityCondition<Dim>> 
 {
   NodalVectors result;
   for (auto const& condition : conditions) {
-    if (components > 1 && isWall(condition) && mesh.boundaries.count(condition.boundary) > 0) {
-      for (auto& [node, normal] : inwardNormals(mesh, components, {condition.boundary})) {
-        normalise(normal, condition.name);
-        result[node].push_back(normal);
+    if (components > 1 && condition.normal() == Normal::of_wall &&
+        mesh.boundaries.count(condition.boundary) > 0) {
+      for (auto const& [node, normal] : inwardNormals(mesh, components, {condition.boundary})) {
+        result[node].push_back(condition.unitDirection(normal));
       }
     }
   }
@@ -58,50 +35,27 @@ std::map<int, std::vector<double>> normalsOf(VelocityCondition<Dim> const& condi
                                              Mesh<Dim> const& mesh, NodalVectors const& walls,
                                              int components)
 {
-  auto boundaries = condition.continued_by;
-  boundaries.push_back(condition.boundary);
-  // In one order for all that continue each other: the same normals, to the last digit.
-  std::sort(boundaries.begin(), boundaries.end());
-  boundaries.erase(std::unique(boundaries.begin(), boundaries.end()), boundaries.end());
+  auto const boundaries = condition.boundariesOfNormal();
   for (auto const& name : boundaries) {
     ASPERITY_REQUIRE(mesh.boundaries.count(name) > 0,
                      condition.name << ": the mesh has no boundary '" << name << "'.");
   }
   auto normals = inwardNormals(mesh, components, boundaries);
-  if (followsFault(condition)) {
+  if (condition.normal() == Normal::of_fault) {
     turnIntoWalls(walls, normals);
   }
   return normals;
 }
 
-// Of a condition along a boundary, from its unit normal.
-template <int Dim>
-std::vector<double> tangentOf(VelocityCondition<Dim> const& condition,
-                              std::vector<double> const& normal)
-{
-  if (normal.size() < 3) {
-    return completing({normal}, static_cast<int>(normal.size()));
-  }
-  auto const& towards = condition.towards;
-  ASPERITY_ASSERT(towards.size() == 3);
-  auto tangent = withinPlane(normal, towards, condition.at_right_angles);
-  ASPERITY_REQUIRE(dot(tangent, tangent) > parallel * dot(towards, towards),
-                   condition.name << ": the direction (" << towards[0] << ", " << towards[1] << ", "
-                                  << towards[2] << ") stands at right angles on the boundary '"
-                                  << condition.boundary
-                                  << "', so that nothing of it lies along it. Give another one.");
-  normalise(tangent, condition.name);
-  return tangent;
-}
-
 template <int Dim>
 std::vector<int> nodesOf(VelocityCondition<Dim> const& condition, Mesh<Dim> const& mesh)
 {
-  auto nodes = ownedNodes(mesh, condition.boundary);
-  if (condition.meeting.empty()) {
+  auto const nodes = ownedNodes(mesh, condition.boundary);
+  auto const* at_edge = std::get_if<NoSlipSidewaysAtEdge>(&condition.kind);
+  if (at_edge == nullptr) {
     return nodes;
   }
-  auto const others = ownedNodes(mesh, condition.meeting);
+  auto const others = ownedNodes(mesh, at_edge->other_boundary);
   std::vector<int> common;
   std::set_intersection(nodes.begin(), nodes.end(), others.begin(), others.end(),
                         std::back_inserter(common));
@@ -117,16 +71,9 @@ NodalDirections collectDirections(Mesh<Dim> const& mesh,
   auto const walls = wallsOf(mesh, conditions, components);
   NodalDirections result;
   for (std::size_t i = 0; i < conditions.size(); ++i) {
-    auto const& condition = conditions[i];
-    auto const normals = normalsOf(condition, mesh, walls, components);
-    for (int node : nodesOf(condition, mesh)) {
-      auto direction = condition.direction.empty() ? normals.at(node) : condition.direction;
-      ASPERITY_ASSERT(static_cast<int>(direction.size()) == components);
-      normalise(direction, condition.name);
-      if (condition.direction.empty() && condition.tangential) {
-        direction = tangentOf(condition, direction);
-      }
-      result[node].push_back({direction, static_cast<int>(i)});
+    auto const normals = normalsOf(conditions[i], mesh, walls, components);
+    for (int node : nodesOf(conditions[i], mesh)) {
+      result[node].push_back({conditions[i].unitDirection(normals.at(node)), static_cast<int>(i)});
     }
   }
   return result;

@@ -4,23 +4,34 @@
 #include "scenario/setup/NodalField.hpp"
 
 #include <algorithm>
-#include <map>
 
 namespace asperity::scenario
 {
 namespace
 {
-bool leavesNoRoom(BoundaryCondition const& condition)
-{
-  return condition.type() == "Free Surface" || condition.type() == "Fixed";
-}
-
 bool contradict(BoundaryCondition const& a, BoundaryCondition const& b)
 {
-  const auto takes_tractions = [](BoundaryCondition const& condition) {
-    return condition.liesAlongFault() || condition.type() == "Absorbing";
-  };
-  return leavesNoRoom(a) || leavesNoRoom(b) || (takes_tractions(a) && takes_tractions(b));
+  const auto first = a.type->decides_on;
+  const auto second = b.type->decides_on;
+  return first == DecidesOn::everything || second == DecidesOn::everything ||
+         (first == DecidesOn::traction && second == DecidesOn::traction);
+}
+
+bool reads(ConditionType const& type, std::string const& entry)
+{
+  return std::find(type.reads.begin(), type.reads.end(), entry) != type.reads.end();
+}
+
+// "the Type 'A' or 'B'"
+std::string readersOf(std::string const& entry)
+{
+  std::string text;
+  for (auto const& type : conditionTypes()) {
+    if (reads(type, entry)) {
+      text += (text.empty() ? "the Type '" : " or '") + type.name + "'";
+    }
+  }
+  return text;
 }
 } // namespace
 
@@ -38,32 +49,25 @@ void refuseContradictions(std::vector<BoundaryCondition> const& conditions)
 {
   for (auto later = conditions.begin(); later != conditions.end(); ++later) {
     for (auto other = conditions.begin(); other != later; ++other) {
-      ASPERITY_REQUIRE(later->boundary() != other->boundary() || !contradict(*later, *other),
-                       later->name << " (" << later->type() << ") contradicts " << other->name
-                                   << " (" << other->type() << ") on the boundary '"
-                                   << later->boundary() << "'. Remove one of them.");
+      ASPERITY_REQUIRE(later->boundary != other->boundary || !contradict(*later, *other),
+                       later->name << " (" << later->type->name << ") contradicts " << other->name
+                                   << " (" << other->type->name << ") on the boundary '"
+                                   << later->boundary << "'. Remove one of them.");
     }
   }
 }
 
 void refuseUnreadEntries(std::vector<BoundaryCondition> const& conditions)
 {
-  const std::multimap<std::string, std::string> readers = {{"Direction", "Prescribed Velocity"},
-                                                           {"Direction", "Prescribed Slip Rate"},
-                                                           {"Velocity", "Prescribed Velocity"},
-                                                           {"Ramp Duration", "Prescribed Velocity"},
-                                                           {"Slip Rate", "Prescribed Slip Rate"}};
   for (auto const& condition : conditions) {
-    for (auto reader = readers.begin(); reader != readers.end();) {
-      auto const [first, last] = readers.equal_range(reader->first);
-      const bool is_read = std::any_of(
-        first, last, [&](auto const& entry) { return entry.second == condition.type(); });
-      ASPERITY_REQUIRE(is_read || !isGiven(condition.list, reader->first),
-                       joinPath(condition.name, reader->first)
-                         << " has no effect: it belongs to the Type '" << first->second
-                         << "', and this is '" << condition.type()
-                         << "'. Remove it, or choose that Type.");
-      reader = last;
+    for (auto const& type : conditionTypes()) {
+      for (auto const& entry : type.reads) {
+        ASPERITY_REQUIRE(reads(*condition.type, entry) || !isGiven(condition.list, entry),
+                         joinPath(condition.name, entry)
+                           << " has no effect: it belongs to " << readersOf(entry)
+                           << ", and this is '" << condition.type->name
+                           << "'. Remove it, or choose that Type.");
+      }
     }
   }
 }
@@ -76,7 +80,7 @@ void requireBoundaries(ParameterList const& list, Mesh<Dim> const& mesh)
     names.push_back(entry.first);
   }
   for (auto const& condition : readConditions(list)) {
-    auto const boundary = condition.boundary();
+    auto const& boundary = condition.boundary;
     ASPERITY_REQUIRE(mesh.boundaries.count(boundary) > 0, condition.name
                                                             << " / Boundary = '" << boundary
                                                             << "': the mesh has no such boundary."

@@ -102,7 +102,8 @@ TEST(EnergyBalance, splitsTheWorkOfFrictionAndOfThePushedBoundary)
   auto options = slidingBlock(2);
   options.gravity = {0, 0};
   options.traction = 1000;
-  options.conditions = {{"Push", "right", {1, 0}, [](auto const&, double) { return 1e-3; }}};
+  auto const push = [](auto const&, double) { return 1e-3; };
+  options.conditions = {{"Push", "right", fem::PrescribedVelocity<2>{{1, 0}, push}}};
   options.b = 0;
   const Model model(options, fem::testing::selfCommunicator());
   auto state = model.restingState();

@@ -22,9 +22,8 @@ inline ModelOptions slidingBlock(int components)
   options.traction = 1400;
   std::vector<double> direction(components, 0.);
   direction[0] = 1;
-  options.conditions = {{"Push", "right", direction, [](Point<2> const& x, double t) {
-                           return loading_rate * (1 + x[1] + 30 * t);
-                         }}};
+  auto const push = [](Point<2> const& x, double t) { return loading_rate * (1 + x[1] + 30 * t); };
+  options.conditions = {{"Push", "right", fem::PrescribedVelocity<2>{direction, push}}};
   return options;
 }
 
@@ -63,9 +62,10 @@ inline OptionsIn<3> slidingBlockInSpace(std::array<int, 3> const& cells, Rotatio
     auto const d = rotated(turn, direction);
     return std::vector<double>(d.begin(), d.end());
   };
-  options.conditions = {{"Push", "right", along({1, 0, 0}), push(1)},
-                        {"Push Aside", "right", along({0, 0, 1}), push(0.4)},
-                        {"Wall", "left", {}, {}}};
+  using Prescribed = fem::PrescribedVelocity<3>;
+  options.conditions = {{"Push", "right", Prescribed{along({1, 0, 0}), push(1)}},
+                        {"Push Aside", "right", Prescribed{along({0, 0, 1}), push(0.4)}},
+                        {"Wall", "left", fem::SlidingWall{}}};
   return options;
 }
 

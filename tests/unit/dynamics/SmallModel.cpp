@@ -49,7 +49,7 @@ ModelIn<Dim>::ModelIn(OptionsIn<Dim> const& given, RCP<const Communicator> const
 {
   auto conditions = options.conditions;
   if (options.components == Dim) {
-    conditions.insert(conditions.begin(), {"Fault", options.fault, {}, {}});
+    conditions.insert(conditions.begin(), {"Fault", options.fault, fem::SlidingWall{}});
   }
   body.dofs = std::make_shared<fem::DofMap>(mesh.global_ids, mesh.num_owned, options.components,
                                             communicator);

@@ -14,7 +14,7 @@ using namespace testing;
 TEST(Constraints, layTheFramesAlongADippingBoundaryOnOwnedNodesAndGhosts)
 {
   const double angle = -0.3;
-  const Constrained<2> body(rectangle(angle), {Condition{"Contact", "bottom", {}, {}}});
+  const Constrained<2> body(rectangle(angle), {Condition{"Contact", "bottom", SlidingWall{}}});
   const Eigen::Vector2d tangent(std::cos(angle), std::sin(angle));
   const Eigen::Vector2d inward(-std::sin(angle), std::cos(angle));
   int num_ghosts_of_contact = 0;
@@ -37,7 +37,7 @@ TEST(Constraints, takeTheNormalsOfTheBoundaryNodesWhereItBends)
   for (auto& x : whole.vertices) {
     x[1] += 0.3 * std::sin(1.7 * x[0]) * (1 - x[1] / 2);
   }
-  const Constrained<2> body(whole, {Condition{"Contact", "bottom", {}, {}}});
+  const Constrained<2> body(whole, {Condition{"Contact", "bottom", SlidingWall{}}});
   auto const bottom = boundaryNodes(body.mesh, "bottom", *worldCommunicator());
   for (std::size_t i = 0; i < bottom.nodes.size(); ++i) {
     const Eigen::Vector2d outward(bottom.normals[i].data());
@@ -50,8 +50,9 @@ TEST(Constraints, keepTheAxesWhereDirectionsAreAxes)
 {
   const Constrained<2> body(
     rectangle(),
-    {Condition{"Contact", "bottom", {}, {}},
-     Condition{"Push", "right", {-5, 0}, [](auto const&, double t) { return 3 * t; }}});
+    {Condition{"Contact", "bottom", SlidingWall{}},
+     Condition{"Push", "right",
+               PrescribedVelocity<2>{{-5, 0}, [](auto const&, double t) { return 3 * t; }}}});
   for (int node = 0; node < body.mesh.num_owned; ++node) {
     const bool on_right = body.mesh.global_ids[node] % (lower_right + 1) == lower_right;
     EXPECT_EQ(body.constraints.frames().frame(node), NodalFrames::identity(2));
@@ -63,10 +64,11 @@ TEST(Constraints, keepTheAxesWhereDirectionsAreAxes)
 
 TEST(Constraints, followPlaceAndTimeAndLeaveFreeDofsZero)
 {
-  const Constrained<2> body(rectangle(),
-                            {Condition{"Push", "right", {1, 0}, [](Point<2> const& x, double t) {
-                                         return 2 * x[1] + std::sin(t);
-                                       }}});
+  const Constrained<2> body(
+    rectangle(),
+    {Condition{"Push", "right", PrescribedVelocity<2>{{1, 0}, [](Point<2> const& x, double t) {
+                                                        return 2 * x[1] + std::sin(t);
+                                                      }}}});
   for (double t : {0., 0.3, 1e9}) {
     for (int node = 0; node < body.mesh.num_owned; ++node) {
       auto const v = body.velocity(node, t);
@@ -81,11 +83,10 @@ TEST(Constraints, fixBothDirectionsOfACorner)
 {
   const double angle = 0.5;
   const Constrained<2> body(
-    rectangle(angle),
-    {Condition{"Contact", "bottom", {}, {}},
-     Condition{"Backstop", "right", {std::cos(angle), std::sin(angle)}, [](auto const&, double) {
-                 return 2.;
-               }}});
+    rectangle(angle), {Condition{"Contact", "bottom", SlidingWall{}},
+                       Condition{"Backstop", "right",
+                                 PrescribedVelocity<2>{{std::cos(angle), std::sin(angle)},
+                                                       [](auto const&, double) { return 2.; }}}});
   const int node = body.owned(lower_right);
   if (node >= 0) {
     EXPECT_TRUE(body.fixed(node, 0) && body.fixed(node, 1));
@@ -106,9 +107,10 @@ TEST(Constraints, meetTwoObliqueConditionsExactly)
   // The third lies between the others and agrees with them.
   const Eigen::Vector2d sum = d1 + d2;
   auto const v3 = [&](auto const& x, double t) { return (v1(x, t) + v2(x, t)) / sum.norm(); };
-  const Constrained<2> body(rectangle(), {Condition{"One", "bottom", {1, 2}, v1},
-                                          Condition{"Two", "right", {3, -1}, v2},
-                                          Condition{"Three", "right", {sum[0], sum[1]}, v3}});
+  const Constrained<2> body(
+    rectangle(), {Condition{"One", "bottom", PrescribedVelocity<2>{{1, 2}, v1}},
+                  Condition{"Two", "right", PrescribedVelocity<2>{{3, -1}, v2}},
+                  Condition{"Three", "right", PrescribedVelocity<2>{{sum[0], sum[1]}, v3}}});
   for (double t : {0., 1., 7.}) {
     for (int node = 0; node < body.mesh.num_owned; ++node) {
       const GlobalOrdinal id = body.mesh.global_ids[node];
@@ -131,10 +133,11 @@ TEST(Constraints, meetThreeObliqueConditionsInSpace)
   const std::vector<Eigen::Vector3d> d = {
     {1 / 3., 2 / 3., 2 / 3.}, {0.6, 0, -0.8}, {0, 5 / 13., 12 / 13.}};
   auto const constant = [](double value) { return [value](auto const&, double) { return value; }; };
-  const Constrained<3> body(uniformCube(2),
-                            {VelocityCondition<3>{"A", "bottom", {1, 2, 2}, constant(3)},
-                             VelocityCondition<3>{"B", "sides", {3, 0, -4}, constant(-2)},
-                             VelocityCondition<3>{"C", "sides", {0, 5, 12}, constant(0.5)}});
+  const Constrained<3> body(
+    uniformCube(2),
+    {VelocityCondition<3>{"A", "bottom", PrescribedVelocity<3>{{1, 2, 2}, constant(3)}},
+     VelocityCondition<3>{"B", "sides", PrescribedVelocity<3>{{3, 0, -4}, constant(-2)}},
+     VelocityCondition<3>{"C", "sides", PrescribedVelocity<3>{{0, 5, 12}, constant(0.5)}}});
   for (int node = 0; node < body.dofs.numLocalNodes(); ++node) {
     auto const& x = body.mesh.vertices[node];
     const bool side = x[0] == 0 || x[0] == 1 || x[1] == 0 || x[1] == 1;
@@ -163,8 +166,9 @@ TEST(Constraints, acceptConditionsThatSayTheSame)
 {
   auto const forward = [](auto const& x, double t) { return x[0] + t; };
   auto const backward = [](auto const& x, double t) { return -x[0] - t; };
-  const Constrained<2> body(rectangle(), {Condition{"One", "bottom", {1, 0}, forward},
-                                          Condition{"Two", "right", {-1, 0}, backward}});
+  const Constrained<2> body(rectangle(),
+                            {Condition{"One", "bottom", PrescribedVelocity<2>{{1, 0}, forward}},
+                             Condition{"Two", "right", PrescribedVelocity<2>{{-1, 0}, backward}}});
   const int node = body.owned(lower_right);
   if (node >= 0) {
     EXPECT_DOUBLE_EQ(body.velocity(node, 2)[0], 5);
@@ -180,16 +184,19 @@ TEST(Constraints, refuseConditionsThatContradictEachOther)
   auto const speed = [](double value) { return [value](auto const&, double) { return value; }; };
   expectInputError(
     [&] {
-      Constrained<2>(rectangle(), {Condition{"Conditions / Pull", "bottom", {1, 0}, speed(1)},
-                                   Condition{"Conditions / Push", "right", {1, 0}, speed(2)}});
+      Constrained<2>(
+        rectangle(),
+        {Condition{"Conditions / Pull", "bottom", PrescribedVelocity<2>{{1, 0}, speed(1)}},
+         Condition{"Conditions / Push", "right", PrescribedVelocity<2>{{1, 0}, speed(2)}}});
     },
     {"Conditions / Pull", "'bottom'", "Conditions / Push", "'right'", "(3, 0)"});
   // Oblique conditions that agree with the first alone, but not with both.
   expectInputError(
     [&] {
-      Constrained<2>(rectangle(), {Condition{"One", "bottom", {1, 0}, speed(1)},
-                                   Condition{"Two", "bottom", {0, 1}, speed(1)},
-                                   Condition{"Three", "right", {1, 1}, speed(1)}});
+      Constrained<2>(rectangle(),
+                     {Condition{"One", "bottom", PrescribedVelocity<2>{{1, 0}, speed(1)}},
+                      Condition{"Two", "bottom", PrescribedVelocity<2>{{0, 1}, speed(1)}},
+                      Condition{"Three", "right", PrescribedVelocity<2>{{1, 1}, speed(1)}}});
     },
     {"One", "Three", "contradicts"});
 }
@@ -201,10 +208,10 @@ TEST(Constraints, refuseContradictionsThatComeLater)
   }
   auto const later = [](auto const&, double t) { return t < 10 ? 0. : 1.; };
   auto const make = [&](std::vector<double> const& times) {
-    Constrained<2>(
-      rectangle(),
-      {Condition{"Rest", "bottom", {1, 0}, {}}, Condition{"Push", "right", {1, 0}, later}}, 2,
-      times);
+    Constrained<2>(rectangle(),
+                   {Condition{"Rest", "bottom", AtRestAlong{{1, 0}}},
+                    Condition{"Push", "right", PrescribedVelocity<2>{{1, 0}, later}}},
+                   2, times);
   };
   EXPECT_NO_THROW(make({0, 9}));
   expectInputError([&] { make({0, 9, 20}); }, {"Rest", "Push", "t = 20 s"});
@@ -217,12 +224,12 @@ TEST(Constraints, refuseWhatIsNoBoundaryOrNoDirection)
   }
   expectInputError(
     [] {
-      Constrained<2>(rectangle(), {Condition{"Wall", "botom", {}, {}}});
+      Constrained<2>(rectangle(), {Condition{"Wall", "botom", SlidingWall{}}});
     },
     {"Wall", "'botom'"});
   expectInputError(
     [] {
-      Constrained<2>(rectangle(), {Condition{"Wall", "bottom", {0, 0}, {}}});
+      Constrained<2>(rectangle(), {Condition{"Wall", "bottom", AtRestAlong{{0, 0}}}});
     },
     {"Wall", "direction"});
 }
@@ -230,7 +237,10 @@ TEST(Constraints, refuseWhatIsNoBoundaryOrNoDirection)
 TEST(Constraints, ofAntiplaneMotionHaveOneDirection)
 {
   const Constrained<2> body(
-    rectangle(), {Condition{"Push", "right", {-1}, [](auto const&, double) { return 2.; }}}, 1);
+    rectangle(),
+    {Condition{"Push", "right",
+               PrescribedVelocity<2>{{-1}, [](auto const&, double) { return 2.; }}}},
+    1);
   Vector v(body.dofs.owned());
   body.constraints.prescribedVelocity(0, v);
   auto const values = v.getLocalViewHost(Tpetra::Access::ReadOnly);

@@ -16,18 +16,11 @@ auto constant(double value)
   return [value](auto const&, double) { return value; };
 }
 
-Condition free(std::string const& boundary)
-{
-  Condition condition{"Fault", boundary, {}, {}};
-  condition.free = true;
-  return condition;
-}
+Condition free(std::string const& boundary) { return {"Fault", boundary, FreeAcrossFault{}}; }
 
 Condition sliding(std::string const& boundary, double velocity)
 {
-  Condition condition{"Slip", boundary, {}, constant(velocity)};
-  condition.tangential = true;
-  return condition;
+  return {"Slip", boundary, SlipAlongTangent<2>{constant(velocity), {}}};
 }
 
 // The bottom of the rectangle in two parts, `bottom` (x < 1.5) and `beyond`, which bends upwards.
@@ -90,9 +83,10 @@ TEST(FaultConstraints, keepTheTangentWhereItIsPrescribedBackwards)
 {
   const double angle = 0.3;
   const Eigen::Vector2d tangent(std::cos(angle), std::sin(angle));
-  const Constrained<2> body(rectangle(angle),
-                            {Condition{"Contact", "bottom", {}, {}},
-                             Condition{"Pull", "right", {-tangent[0], -tangent[1]}, constant(2)}});
+  const Constrained<2> body(
+    rectangle(angle),
+    {Condition{"Contact", "bottom", SlidingWall{}},
+     Condition{"Pull", "right", PrescribedVelocity<2>{{-tangent[0], -tangent[1]}, constant(2)}}});
   const int node = body.owned(lower_right);
   if (node >= 0) {
     EXPECT_LE((body.row(node, 0) - tangent).norm(), 1e-14);
@@ -104,13 +98,13 @@ TEST(FaultConstraints, giveTheSeamOfABendOneNormalAndTheSlipRate)
 {
   for (bool open : {false, true}) {
     auto across = [open](std::string const& boundary, std::string const& other) {
-      Condition condition{"Across", boundary, {}, {}};
-      condition.free = open;
-      condition.continued_by = {other};
+      Condition condition{"Across", boundary, ContactAcrossFault{{other}}};
+      if (open) {
+        condition.kind = FreeAcrossFault{{other}};
+      }
       return condition;
     };
-    auto slip = sliding("beyond", 2);
-    slip.continued_by = {"bottom"};
+    const Condition slip{"Slip", "beyond", SlipAlongTangent<2>{constant(2), {"bottom"}}};
     const Constrained<2> body(bentFault(0.2),
                               {across("bottom", "beyond"), across("beyond", "bottom"), slip});
     const Eigen::Vector2d tangent(std::cos(std::atan(0.2) / 2), std::sin(std::atan(0.2) / 2));
@@ -128,7 +122,7 @@ TEST(FaultConstraints, takeAConditionAcrossAFreeBoundary)
 {
   // The corner on a plane of symmetry: no velocity across the fault, which is free elsewhere.
   const Constrained<2> body(rectangle(),
-                            {free("bottom"), Condition{"Symmetry", "left", {0, 1}, {}}});
+                            {free("bottom"), Condition{"Symmetry", "left", AtRestAlong{{0, 1}}}});
   const int node = body.owned(0);
   if (node >= 0) {
     EXPECT_FALSE(body.fixed(node, 0));
@@ -139,9 +133,10 @@ TEST(FaultConstraints, takeAConditionAcrossAFreeBoundary)
 TEST(FaultConstraints, takeTwoObliqueConditionsOnAFreeBoundary)
 {
   const double angle = 0.3;
-  const Constrained<2> body(rectangle(angle),
-                            {free("bottom"), Condition{"One", "right", {1, 2}, constant(1)},
-                             Condition{"Two", "right", {1, 0}, constant(-3)}});
+  const Constrained<2> body(
+    rectangle(angle),
+    {free("bottom"), Condition{"One", "right", PrescribedVelocity<2>{{1, 2}, constant(1)}},
+     Condition{"Two", "right", PrescribedVelocity<2>{{1, 0}, constant(-3)}}});
   const int node = body.owned(lower_right);
   if (node >= 0) {
     EXPECT_LE((body.row(node, 0) - Eigen::Vector2d(std::cos(angle), std::sin(angle))).norm(),
@@ -158,7 +153,8 @@ TEST(FaultConstraints, refuseAConditionObliqueToAFreeBoundary)
   }
   expectInputError(
     [] {
-      Constrained<2>(rectangle(0.3), {free("bottom"), Condition{"Wall", "right", {1, 0}, {}}});
+      Constrained<2>(rectangle(0.3),
+                     {free("bottom"), Condition{"Wall", "right", AtRestAlong{{1, 0}}}});
     },
     {"Wall", "neither along nor across", "'bottom'", "Fault"});
 }
@@ -168,12 +164,12 @@ TEST(FaultConstraints, nameTheObliqueOneOfSeveralConditions)
   if (!oneRank()) {
     GTEST_SKIP() << "only the rank of the node refuses it";
   }
-  VelocityCondition<3> open{"Fault", "bottom", {}, {}};
-  open.free = true;
+  const VelocityCondition<3> open{"Fault", "bottom", FreeAcrossFault{}};
   expectInputError(
     [&] {
-      Constrained<3>(uniformCube(2), {open, VelocityCondition<3>{"Along", "bottom", {1, 0, 0}, {}},
-                                      VelocityCondition<3>{"Oblique", "bottom", {0, 1, 1}, {}}});
+      Constrained<3>(uniformCube(2),
+                     {open, VelocityCondition<3>{"Along", "bottom", AtRestAlong{{1, 0, 0}}},
+                      VelocityCondition<3>{"Oblique", "bottom", AtRestAlong{{0, 1, 1}}}});
     },
     {"Oblique prescribes", "neither along nor across", "Fault"});
 }
@@ -187,9 +183,10 @@ TEST(FaultConstraints, compareVelocitiesByTheLargestOfTheBoundary)
       [offset](Point<2> const& x, double) { return 1e-9 * (std::sin(M_PI * x[0] / 3) + offset); };
   };
   auto const make = [&](double offset) {
-    Constrained<2>(rectangle(), {Condition{"Bow", "bottom", {1, 0}, bow(offset)},
-                                 Condition{"Wall", "right", {1, 0}, {}},
-                                 Condition{"Other Wall", "left", {1, 0}, {}}});
+    Constrained<2>(rectangle(),
+                   {Condition{"Bow", "bottom", PrescribedVelocity<2>{{1, 0}, bow(offset)}},
+                    Condition{"Wall", "right", AtRestAlong{{1, 0}}},
+                    Condition{"Other Wall", "left", AtRestAlong{{1, 0}}}});
   };
   EXPECT_NO_THROW(make(0));
   if (oneRank()) {

@@ -67,7 +67,7 @@ TEST(NodalDamping, hasTheImpedancesOfPlaneWaves)
   const double across = 2000 * cp_rock + 1000 * cp_soil; // of a metre of each
   const double along = 2000 * cs_rock + 1000 * cs_soil;
   for (std::vector<double> const& frame : {std::vector<double>{1, 0}, {1, 2}, {-1, 5}}) {
-    const Constrained<2> body(rectangle(), {Condition{"Any", "right", frame, {}}});
+    const Constrained<2> body(rectangle(), {Condition{"Any", "right", AtRestAlong{frame}}});
     EXPECT_NEAR(lossOf<2>(body, "right", {1, 0}) / across, 1, 1e-14);
     EXPECT_NEAR(lossOf<2>(body, "right", {0, 1}) / along, 1, 1e-14);
     EXPECT_NEAR(lossOf<2>(body, "right", {3, -2}) / (9 * across + 4 * along), 1, 1e-14);

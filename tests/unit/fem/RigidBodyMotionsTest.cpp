@@ -40,7 +40,7 @@ void expectNoForce(GlobalMesh<Dim> const& whole,
 
 TEST(RigidBodyMotions, ofAPlane)
 {
-  expectNoForce<2>(rectangle(0.3), {Condition{"Fault", "bottom", {}, {}}}, 3);
+  expectNoForce<2>(rectangle(0.3), {Condition{"Fault", "bottom", SlidingWall{}}}, 3);
 }
 
 TEST(RigidBodyMotions, ofSpace)
@@ -50,7 +50,7 @@ TEST(RigidBodyMotions, ofSpace)
   for (auto& x : whole.vertices) {
     x[0] += 100; // far from the origin
   }
-  expectNoForce<3>(whole, {VelocityCondition<3>{"Fault", "bottom", {}, {}}}, 6);
+  expectNoForce<3>(whole, {VelocityCondition<3>{"Fault", "bottom", SlidingWall{}}}, 6);
 }
 
 TEST(RigidBodyMotions, ofAPeriodicBodyAreThoseThatItsCopiesFollow)

@@ -36,15 +36,10 @@ double bent(double x, double z) { return 0.3 * x + 0.1 * x * x + 0.2 * z * z; }
 
 Condition3 across(std::string const& name, std::string const& boundary)
 {
-  return {name, boundary, {}, {}};
+  return {name, boundary, SlidingWall{}};
 }
 
-Condition3 free(std::string const& boundary)
-{
-  auto condition = across("Fault", boundary);
-  condition.free = true;
-  return condition;
-}
+Condition3 free(std::string const& boundary) { return {"Fault", boundary, FreeAcrossFault{}}; }
 
 struct Body : Constrained<3>
 {
@@ -151,8 +146,9 @@ TEST(SpaceConstraints, holdACornerOfThreeWalls)
 TEST(SpaceConstraints, meetAVelocityObliqueToWallsAndFault)
 {
   const Vector3d d = Vector3d(1, 2, 0.5).normalized();
-  const Body body(boxOn(bent), {across("Fault", "bottom"), across("Wall", "front"),
-                                Condition3{"Push", "right", {1, 2, 0.5}, constant(3)}});
+  const Body body(boxOn(bent),
+                  {across("Fault", "bottom"), across("Wall", "front"),
+                   Condition3{"Push", "right", PrescribedVelocity<3>{{1, 2, 0.5}, constant(3)}}});
   auto const on_fault = body.normals("bottom");
   for (auto const& entry : body.normals("right")) {
     const int node = entry.first;
@@ -175,7 +171,7 @@ TEST(SpaceConstraints, refuseContradictionsAtACorner)
     [] {
       Body(boxOn(dipping),
            {across("Fault", "bottom"), across("Wall", "front"), across("Side", "left"),
-            Condition3{"Push", "left", {1, 1, 1}, constant(3)}});
+            Condition3{"Push", "left", PrescribedVelocity<3>{{1, 1, 1}, constant(3)}}});
     },
     {"Push", "contradicts", "'left'", "x = (0, 0, 0)"});
 }
@@ -194,13 +190,8 @@ TEST(SpaceConstraints, layTheNormalOfAFreeFaultIntoTheWallsThatItEndsAt)
     }
   }
   auto fault = free("bottom");
-  auto slip = across("Slip", "bottom");
-  slip.tangential = true;
-  slip.towards = {1, 0, 0};
-  slip.velocity = constant(2);
-  auto locked = slip;
-  locked.at_right_angles = true;
-  locked.velocity = {};
+  const Condition3 slip{"Slip", "bottom", SlipTowards<3>{{1, 0, 0}, constant(2), {}}};
+  const Condition3 locked{"Slip", "bottom", NoSlipSideways{{1, 0, 0}, {}}};
   for (bool slips : {false, true}) {
     std::vector<Condition3> conditions = {fault, across("Front", "front"), across("Back", "back")};
     if (slips) {
@@ -249,9 +240,7 @@ TEST(SpaceConstraints, refuseASlipDirectionAcrossTheFault)
   if (!oneRank()) {
     GTEST_SKIP() << "said once";
   }
-  auto slip = across("Slip", "top");
-  slip.tangential = true;
-  slip.towards = {0, -2, 0};
+  const Condition3 slip{"Slip", "top", SlipTowards<3>{{0, -2, 0}, constant(0), {}}};
   expectInputError([&] { Body(boxOn(dipping), {slip}); }, {"Slip", "(0, -2, 0)", "'top'"});
 }
 

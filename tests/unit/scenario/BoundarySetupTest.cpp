@@ -1,6 +1,9 @@
 #include "scenario/setup/BoundarySetup.hpp"
 
 #include "SampleDeck.hpp"
+#include "scenario/setup/ConditionTypes.hpp"
+
+#include <set>
 
 namespace asperity::scenario
 {
@@ -29,6 +32,18 @@ ParameterList conditions(std::vector<Condition> const& given, bool with_fault = 
     .sublist("Boundary Conditions");
 }
 
+template <class Kind, int Dim>
+bool is(fem::VelocityCondition<Dim> const& condition)
+{
+  return std::holds_alternative<Kind>(condition.kind);
+}
+
+template <class Kind, int Dim>
+Kind const& as(fem::VelocityCondition<Dim> const& condition)
+{
+  return std::get<Kind>(condition.kind);
+}
+
 ParameterList driven(std::function<void(ParameterList&)> const& change)
 {
   return completeDeck([&](ParameterList& deck) {
@@ -52,12 +67,13 @@ TEST(BoundarySetup, turnsConditionsIntoPrescribedVelocities)
   ASSERT_EQ(result.velocities.size(), 4U);
   // The contact of the fault is the first, so that frames follow it.
   EXPECT_EQ(result.velocities[0].boundary, "bottom");
-  EXPECT_TRUE(result.velocities[0].direction.empty()) << "along the normal";
+  EXPECT_TRUE(is<fem::ContactAcrossFault>(result.velocities[0]));
   std::vector<std::vector<double>> fixed;
-  for (auto const& velocity : result.velocities) {
-    EXPECT_FALSE(velocity.velocity) << "at rest";
-    if (velocity.boundary == "left") {
-      fixed.push_back(velocity.direction);
+  for (auto const& condition : result.velocities) {
+    if (condition.boundary == "left") {
+      fixed.push_back(as<fem::AtRestAlong>(condition).d);
+    } else if (condition.boundary == "right") {
+      EXPECT_TRUE(is<fem::SlidingWall>(condition));
     }
   }
   EXPECT_EQ(fixed, (std::vector<std::vector<double>>{{1, 0}, {0, 1}}));
@@ -69,7 +85,7 @@ TEST(BoundarySetup, hasNoNormalInAntiplane)
     conditions({{"Wall", "right", "Sliding Wall"}, {"Ground", "left", "Fixed"}}), 1);
   ASSERT_EQ(result.velocities.size(), 1U);
   EXPECT_EQ(result.velocities[0].boundary, "left");
-  EXPECT_EQ(result.velocities[0].direction, std::vector<double>{1});
+  EXPECT_EQ(as<fem::AtRestAlong>(result.velocities[0]).d, std::vector<double>{1});
 }
 
 TEST(BoundarySetup, prescribesAVelocityWithARamp)
@@ -82,12 +98,12 @@ TEST(BoundarySetup, prescribesAVelocityWithARamp)
                               }),
                               2);
   EXPECT_EQ(result.ramp_end, 4);
-  auto const& condition = result.velocities.back();
-  EXPECT_EQ(condition.direction, (std::vector<double>{0, 2}));
-  EXPECT_EQ(condition.velocity({0, 0}, 0), 0);
-  EXPECT_NEAR(condition.velocity({0, 0}, 2), 0.5 * 2 * 3, 1e-14);
-  EXPECT_NEAR(condition.velocity({1, 0}, 4), 20, 1e-13);
-  EXPECT_NEAR(condition.velocity({0, 0}, 9), 20, 1e-13);
+  auto const& push = as<fem::PrescribedVelocity<2>>(result.velocities.back());
+  EXPECT_EQ(push.d, (std::vector<double>{0, 2}));
+  EXPECT_EQ(push.velocity({0, 0}, 0), 0);
+  EXPECT_NEAR(push.velocity({0, 0}, 2), 0.5 * 2 * 3, 1e-14);
+  EXPECT_NEAR(push.velocity({1, 0}, 4), 20, 1e-13);
+  EXPECT_NEAR(push.velocity({0, 0}, 9), 20, 1e-13);
 
   const auto sudden = makeBoundaryConditions<2>(
     driven([](ParameterList& condition) { condition.set("Velocity", 3.); }), 2);
@@ -99,7 +115,7 @@ TEST(BoundarySetup, leavesAnAntisymmetricFaultFreeAcross)
   const auto contact = makeBoundaryConditions<2>(conditions({}), 2);
   EXPECT_FALSE(contact.antisymmetric);
   EXPECT_EQ(contact.slipFactor(), 1);
-  EXPECT_FALSE(contact.velocities.at(0).free);
+  EXPECT_TRUE(is<fem::ContactAcrossFault>(contact.velocities.at(0)));
   for (int components : {1, 2}) {
     const auto result = makeBoundaryConditions<2>(
       conditions({{"Wall", "right", "Sliding Wall"}, {"Fault", "bottom", "Antisymmetric Fault"}},
@@ -110,7 +126,7 @@ TEST(BoundarySetup, leavesAnAntisymmetricFaultFreeAcross)
     EXPECT_EQ(result.slipFactor(), 2);
     if (components == 2) {
       EXPECT_EQ(result.velocities.at(0).boundary, "bottom");
-      EXPECT_TRUE(result.velocities.at(0).free);
+      EXPECT_TRUE(is<fem::FreeAcrossFault>(result.velocities.at(0)));
     } else {
       EXPECT_TRUE(result.velocities.empty());
     }
@@ -131,24 +147,78 @@ TEST(BoundarySetup, letsTheFaultGoOnAtAPrescribedSlipRate)
                         given.sublist("Fault").set("Type", type);
                       }).sublist("Boundary Conditions");
     const auto plane = makeBoundaryConditions<2>(list, 2).velocities;
+    const std::vector<std::string> along = {"bottom", "left", "right"};
     ASSERT_EQ(plane.size(), 5U);
     for (int i = 0; i < 3; ++i) {
-      EXPECT_EQ(plane[i].boundary, (std::array{"bottom", "left", "right"})[i]);
-      EXPECT_EQ(plane[i].free, factor == 2);
-      EXPECT_FALSE(plane[i].tangential);
-      EXPECT_EQ(plane[i].continued_by.size(), 3U) << "one normal where they meet";
+      EXPECT_EQ(plane[i].boundary, along[i]);
+      EXPECT_EQ(is<fem::ContactAcrossFault>(plane[i]), factor == 1);
+      EXPECT_EQ(is<fem::FreeAcrossFault>(plane[i]), factor == 2);
+      EXPECT_EQ(plane[i].boundariesOfNormal(), along) << "one normal where they meet";
     }
     for (int i = 3; i < 5; ++i) {
-      EXPECT_TRUE(plane[i].tangential && plane[i].direction.empty() && !plane[i].free);
+      EXPECT_TRUE(is<fem::SlipAlongTangent<2>>(plane[i]));
+      EXPECT_EQ(plane[i].boundariesOfNormal(), along);
     }
     EXPECT_EQ(plane[3].velocity({2, 0}, 1), 12 / factor);
     EXPECT_EQ(plane[4].velocity({2, 0}, 1), -6 / factor);
 
     const auto antiplane = makeBoundaryConditions<2>(list, 1).velocities;
     ASSERT_EQ(antiplane.size(), 2U);
-    EXPECT_EQ(antiplane[0].direction, std::vector<double>{1});
+    EXPECT_EQ(as<fem::PrescribedVelocity<2>>(antiplane[0]).d, std::vector<double>{1});
     EXPECT_EQ(antiplane[0].velocity({2, 0}, 1), 12 / factor);
   }
+}
+
+TEST(BoundarySetup, slipsInSpaceTowardsItsDirectionAndNotSideways)
+{
+  const auto list = driven([](ParameterList& condition) {
+    condition.remove("Velocity", false);
+    condition.remove("Ramp Duration", false);
+    condition.set("Type", "Prescribed Slip Rate").set("Slip Rate", 3.);
+    condition.set("Direction", array<double>({0, 0, 2}));
+  });
+  const auto result = makeBoundaryConditions<3>(list, 3).velocities;
+  ASSERT_GE(result.size(), 2U);
+  auto const& along = as<fem::SlipTowards<3>>(result[result.size() - 2]);
+  auto const& sideways = as<fem::NoSlipSideways>(result.back());
+  EXPECT_EQ(along.d, (std::vector<double>{0, 0, 2}));
+  EXPECT_EQ(along.velocity({0, 0, 0}, 1), 3);
+  EXPECT_EQ(sideways.d, along.d);
+  EXPECT_EQ(sideways.continuations, along.continuations);
+}
+
+TEST(BoundarySetup, holdsTheFaultSidewaysWhereADrivenBoundaryMeetsIt)
+{
+  for (double velocity : {0., 2.}) {
+    const auto result = makeBoundaryConditions<3>(driven([velocity](ParameterList& condition) {
+                                                    condition.remove("Direction", false);
+                                                    condition.set("Velocity", velocity);
+                                                  }),
+                                                  3)
+                          .velocities;
+    auto const& last = result.back();
+    EXPECT_EQ(is<fem::NoSlipSidewaysAtEdge>(last), velocity != 0);
+    if (velocity != 0) {
+      auto const& edge = as<fem::NoSlipSidewaysAtEdge>(last);
+      EXPECT_EQ(last.boundary, "bottom");
+      EXPECT_EQ(edge.other_boundary, "left");
+      EXPECT_EQ(edge.d, (std::vector<double>{1, 0, 0}));
+    }
+  }
+}
+
+TEST(BoundarySetup, knowsWhoReadsEachEntry)
+{
+  std::set<std::string> read = {"Boundary", "Type"};
+  for (auto const& type : conditionTypes()) {
+    read.insert(type.reads.begin(), type.reads.end());
+  }
+  std::set<std::string> declared;
+  const auto parameters = boundaryParameters();
+  for (auto const& entry : parameters->sublist("<condition>")) {
+    declared.insert(entry.first);
+  }
+  EXPECT_EQ(read, declared);
 }
 
 TEST(BoundarySetup, wantsTheSlipRateThatIsPrescribed)

@@ -76,9 +76,7 @@ TEST(SupportWeights, refuseAWallThatIsObliqueToTheFault)
     }
     const auto mesh = mesh::distribute(whole, *world());
     const auto fault_nodes = fem::boundaryNodes(mesh, "bottom", *world());
-    std::vector<fem::VelocityCondition<3>> walls(1);
-    walls[0].name = "Wall";
-    walls[0].boundary = "left";
+    const std::vector<fem::VelocityCondition<3>> walls = {{"Wall", "left", fem::SlidingWall{}}};
     const auto weights = [&](bool slides) {
       return supportWeights(mesh, fault_nodes, walls, "bottom",
                             std::vector<bool>(fault_nodes.nodes.size(), slides));

@@ -23,7 +23,7 @@ double errorOf(Wave wave, dynamics::RateUpdate const& update, int cells, int ste
   auto options = freeSliding(wave, mesh::rectangleMesh(shape));
   if (wave == Wave::compression) {
     for (char const* side : {"bottom", "top", "right"}) {
-      options.conditions.push_back({side, side, {}, {}});
+      options.conditions.push_back({side, side, fem::SlidingWall{}});
     }
   }
   const Model model(options, fem::testing::selfCommunicator());

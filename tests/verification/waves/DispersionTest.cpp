@@ -25,10 +25,11 @@ void expectTheDiscreteWave(Wave wave, dynamics::RateUpdate const& update, double
     for (int component = 0; component < options.components; ++component) {
       std::vector<double> direction(options.components, 0.);
       direction[component] = 1;
-      options.conditions.push_back({side, side, direction, [=](Point<2> const& x, double t) {
-                                      const Complex now = std::pow(factor, std::lround(t / dt));
-                                      return now.real() * shapeOf(wave, q, x)[component];
-                                    }});
+      auto const velocity = [=](Point<2> const& x, double t) {
+        const Complex now = std::pow(factor, std::lround(t / dt));
+        return now.real() * shapeOf(wave, q, x)[component];
+      };
+      options.conditions.push_back({side, side, fem::PrescribedVelocity<2>{direction, velocity}});
     }
   }
   const Model model(options, fem::testing::selfCommunicator());

@@ -22,7 +22,7 @@ protected:
     options.material.bulk_viscosity =
       viscosity * options.material.bulk_modulus / options.material.shear_modulus;
     if (GetParam() == 2) {
-      options.conditions = {{"Wall", "bottom", {}, {}}};
+      options.conditions = {{"Wall", "bottom", fem::SlidingWall{}}};
     }
     model = std::make_unique<Model>(options, fem::testing::selfCommunicator());
     M = denseOf(*model->body.matrices.mass);

@@ -1,0 +1,119 @@
+#include "fem/VelocityCondition.hpp"
+
+#include "base/Errors.hpp"
+#include "base/Overloaded.hpp"
+#include "fem/detail/NodalBasis.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace asperity::fem
+{
+using Components = std::vector<double>;
+
+namespace
+{
+Components normalised(Components vector, std::string const& condition)
+{
+  const double size = std::sqrt(detail::dot(vector, vector));
+  ASPERITY_REQUIRE(size > 0, condition << ": the direction has no length.");
+  for (double& x : vector) {
+    x /= size;
+  }
+  return vector;
+}
+
+// In space: the direction of the part of d along the boundary, or the one at right angles to it.
+template <int Dim>
+Components alongBoundary(VelocityCondition<Dim> const& condition, Components const& normal,
+                         Components const& d, bool at_right_angles)
+{
+  ASPERITY_ASSERT(d.size() == 3);
+  auto const n = normalised(normal, condition.name);
+  auto const tangent = detail::withinPlane(n, d, at_right_angles);
+  ASPERITY_REQUIRE(detail::dot(tangent, tangent) > detail::parallel * detail::dot(d, d),
+                   condition.name << ": the direction (" << d[0] << ", " << d[1] << ", " << d[2]
+                                  << ") stands at right angles on the boundary '"
+                                  << condition.boundary
+                                  << "', so that nothing of it lies along it. Give another one.");
+  return normalised(tangent, condition.name);
+}
+} // namespace
+
+template <int Dim>
+Normal VelocityCondition<Dim>::normal() const
+{
+  return std::visit([](auto const& one) { return one.normal; }, kind);
+}
+
+template <int Dim>
+bool VelocityCondition<Dim>::prescribes() const
+{
+  return std::visit([](auto const& one) { return one.prescribes; }, kind);
+}
+
+template <int Dim>
+bool VelocityCondition<Dim>::holdsAcross() const
+{
+  return std::visit([](auto const& one) { return one.holds_across; }, kind);
+}
+
+template <int Dim>
+double VelocityCondition<Dim>::velocity(Point<Dim> const& x, double t) const
+{
+  return std::visit([&x, t](auto const& one) -> double { return one.velocity(x, t); }, kind);
+}
+
+template <int Dim>
+Boundaries VelocityCondition<Dim>::boundariesOfNormal() const
+{
+  auto boundaries =
+    std::visit(Overloaded{[](PrescribedVelocity<Dim> const&) { return Boundaries(); },
+                          [](AtRestAlong const&) { return Boundaries(); },
+                          [](SlidingWall const&) { return Boundaries(); },
+                          [](ContactAcrossFault const& one) { return one.continuations; },
+                          [](FreeAcrossFault const& one) { return one.continuations; },
+                          [](SlipAlongTangent<Dim> const& one) { return one.continuations; },
+                          [](SlipTowards<Dim> const& one) { return one.continuations; },
+                          [](NoSlipSideways const& one) { return one.continuations; },
+                          [](NoSlipSidewaysAtEdge const&) { return Boundaries(); }},
+               kind);
+  boundaries.push_back(boundary);
+  // Boundaries that continue each other have the same order, and normals equal to the last digit.
+  std::sort(boundaries.begin(), boundaries.end());
+  boundaries.erase(std::unique(boundaries.begin(), boundaries.end()), boundaries.end());
+  return boundaries;
+}
+
+template <int Dim>
+Components VelocityCondition<Dim>::unitDirection(Components const& inward_normal) const
+{
+  auto const along = [&](Components const& d) {
+    ASPERITY_ASSERT(d.size() == inward_normal.size());
+    return normalised(d, name);
+  };
+  auto const across = [&] { return normalised(inward_normal, name); };
+  return std::visit(Overloaded{[&](PrescribedVelocity<Dim> const& one) { return along(one.d); },
+                               [&](AtRestAlong const& one) { return along(one.d); },
+                               [&](SlidingWall const&) { return across(); },
+                               [&](ContactAcrossFault const&) { return across(); },
+                               [&](FreeAcrossFault const&) { return across(); },
+                               [&](SlipAlongTangent<Dim> const&) {
+                                 return detail::completing({across()},
+                                                           static_cast<int>(inward_normal.size()));
+                               },
+                               [&](SlipTowards<Dim> const& one) {
+                                 return alongBoundary(*this, inward_normal, one.d, false);
+                               },
+                               [&](NoSlipSideways const& one) {
+                                 return alongBoundary(*this, inward_normal, one.d, true);
+                               },
+                               [&](NoSlipSidewaysAtEdge const& one) {
+                                 return alongBoundary(*this, inward_normal, one.d, true);
+                               }},
+                    kind);
+}
+
+template struct VelocityCondition<2>;
+template struct VelocityCondition<3>;
+} // namespace asperity::fem

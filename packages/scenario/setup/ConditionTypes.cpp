@@ -1,0 +1,257 @@
+#include "scenario/setup/ConditionTypes.hpp"
+
+#include "base/Errors.hpp"
+#include "base/fields/Field.hpp"
+#include "scenario/setup/NodalField.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <memory>
+
+namespace asperity::scenario
+{
+namespace
+{
+// Smooth from 0 at t = 0 to 1 at t = duration (thesis §5.2).
+double ramp(double t, double duration)
+{
+  return t >= duration ? 1 : (1 - std::cos(M_PI * t / duration)) / 2;
+}
+
+std::vector<double> axis(int components, int which)
+{
+  std::vector<double> direction(components, 0.);
+  direction[which] = 1;
+  return direction;
+}
+
+void refuseDirection(BoundaryCondition const& condition, char const* why)
+{
+  ASPERITY_REQUIRE(!isGiven(condition.list, "Direction"), joinPath(condition.name, "Direction")
+                                                            << " has no effect: " << why
+                                                            << ". Remove it.");
+}
+
+std::vector<double> directionOf(BoundaryCondition const& condition, int components)
+{
+  if (components == 1) {
+    refuseDirection(condition, "an antiplane body moves along z alone");
+    return {1.};
+  }
+  if (!isGiven(condition.list, "Direction")) {
+    return axis(components, 0);
+  }
+  auto const given = condition.list.get<Teuchos::Array<double>>("Direction").toVector();
+  double square = 0;
+  for (double component : given) {
+    square += component * component;
+  }
+  ASPERITY_REQUIRE(static_cast<int>(given.size()) == components && square > 0,
+                   joinPath(condition.name, "Direction")
+                     << " needs "
+                     << (components == 3
+                           ? "three numbers, not all zero: where the velocity points, "
+                             "in x, y and z."
+                           : "two numbers, not both zero: where the velocity points, "
+                             "in x and y."));
+  return given;
+}
+
+double rampDuration(ParameterList const& list)
+{
+  return isGiven(list, "Ramp Duration") ? list.get<double>("Ramp Duration") : 0;
+}
+
+std::shared_ptr<const Field> fieldOf(BoundaryCondition const& condition, std::string const& entry)
+{
+  return std::make_shared<Field>(condition.list, entry, condition.name, std::vector<std::string>{});
+}
+
+std::shared_ptr<const Field> velocityField(BoundaryCondition const& condition)
+{
+  return isGiven(condition.list, "Velocity") ? fieldOf(condition, "Velocity")
+                                             : std::make_shared<Field>(Field::constant(0));
+}
+
+bool isDriven(ParameterList const& list)
+{
+  return isGiven(list, "Velocity") &&
+         !(list.isType<double>("Velocity") && list.get<double>("Velocity") == 0);
+}
+
+template <int Dim>
+void takeFault(BoundaryCondition const& condition, BoundaryConditions<Dim>& result)
+{
+  ASPERITY_REQUIRE(result.fault.empty(), condition.name
+                                           << ": there is already friction on the boundary '"
+                                           << result.fault << "'. One boundary can have it.");
+  result.fault = condition.boundary;
+}
+
+template <int Dim>
+void bilateralContact(BoundaryCondition const& condition, Setting const&,
+                      BoundaryConditions<Dim>& result)
+{
+  takeFault(condition, result);
+}
+
+template <int Dim>
+void antisymmetricFault(BoundaryCondition const& condition, Setting const&,
+                        BoundaryConditions<Dim>& result)
+{
+  takeFault(condition, result);
+  result.antisymmetric = true;
+}
+
+// v_t = slip rate / slip factor: along the tangent of the frames, in three dimensions along the
+// projection of the direction onto the boundary, and none at right angles to it.
+template <int Dim>
+void prescribedSlipRate(BoundaryCondition const& condition, Setting const& setting,
+                        BoundaryConditions<Dim>& result)
+{
+  ASPERITY_REQUIRE(isGiven(condition.list, "Slip Rate"),
+                   joinPath(condition.name, "Slip Rate")
+                     << " is missing: at which rate the continuation of "
+                        "the fault slips, 0 if it is locked.");
+  auto const rate = fieldOf(condition, "Slip Rate");
+  const fem::VelocityFunction<Dim> velocity =
+    [rate, factor = result.slipFactor()](Point<Dim> const& x, double t) {
+      return (*rate)(inSpace<Dim>(x), t, 0) / factor;
+    };
+  if (setting.components < 3) {
+    refuseDirection(condition, "in two dimensions a fault slips along its tangent");
+  }
+  const auto add = [&](typename fem::VelocityCondition<Dim>::Kind const& kind) {
+    result.velocities.push_back({condition.name, condition.boundary, kind});
+  };
+  if (setting.components == 1) {
+    add(fem::PrescribedVelocity<Dim>{{1.}, velocity});
+  } else if (setting.components == 2) {
+    add(fem::SlipAlongTangent<Dim>{velocity, setting.along_fault});
+  } else {
+    auto const direction = directionOf(condition, setting.components);
+    add(fem::SlipTowards<Dim>{direction, velocity, setting.along_fault});
+    add(fem::NoSlipSideways{direction, setting.along_fault});
+  }
+}
+
+// In three dimensions friction does not move the fault sideways where a driven boundary meets it:
+// friction knows the direction of slip only where nothing else drives.
+template <int Dim>
+void prescribedVelocity(BoundaryCondition const& condition, Setting const& setting,
+                        BoundaryConditions<Dim>& result)
+{
+  auto const field = velocityField(condition);
+  const double duration = rampDuration(condition.list);
+  auto const velocity = [field, duration](Point<Dim> const& x, double t) {
+    return ramp(t, duration) * (*field)(inSpace<Dim>(x), t, 0);
+  };
+  auto const direction = directionOf(condition, setting.components);
+  result.velocities.push_back(
+    {condition.name, condition.boundary, fem::PrescribedVelocity<Dim>{direction, velocity}});
+  if (Dim == 3 && isDriven(condition.list)) {
+    result.velocities.push_back(
+      {condition.name, result.fault, fem::NoSlipSidewaysAtEdge{direction, condition.boundary}});
+  }
+  result.ramp_end = std::max(result.ramp_end, duration);
+}
+
+template <int Dim>
+void absorbing(BoundaryCondition const& condition, Setting const&, BoundaryConditions<Dim>& result)
+{
+  result.absorbing.push_back(condition.boundary);
+}
+
+template <int Dim>
+void slidingWall(BoundaryCondition const& condition, Setting const& setting,
+                 BoundaryConditions<Dim>& result)
+{
+  if (setting.components > 1) { // antiplane motion is along every boundary
+    result.velocities.push_back({condition.name, condition.boundary, fem::SlidingWall{}});
+  }
+}
+
+template <int Dim>
+void fixed(BoundaryCondition const& condition, Setting const& setting,
+           BoundaryConditions<Dim>& result)
+{
+  for (int c = 0; c < setting.components; ++c) {
+    result.velocities.push_back(
+      {condition.name, condition.boundary, fem::AtRestAlong{axis(setting.components, c)}});
+  }
+}
+
+template <int Dim>
+void freeSurface(BoundaryCondition const& condition, Setting const&,
+                 BoundaryConditions<Dim>& result)
+{
+  if (result.surface.empty()) {
+    result.surface = condition.boundary;
+  }
+}
+} // namespace
+
+std::vector<ConditionType> const& conditionTypes()
+{
+  static const std::vector<ConditionType> types = {
+    {"Bilateral Contact",
+     "rate-and-state friction acts on a rigid foundation (v . n = 0).",
+     {},
+     Place::fault,
+     DecidesOn::traction,
+     {bilateralContact<2>, bilateralContact<3>}},
+    {"Antisymmetric Fault",
+     "the same on a planar fault of which the body is one half; the slip is twice its tangential "
+     "displacement, the displacement across the fault is free and the normal stress unchanged.",
+     {},
+     Place::fault,
+     DecidesOn::traction,
+     {antisymmetricFault<2>, antisymmetricFault<3>}},
+    {"Prescribed Slip Rate",
+     "the boundary continues the fault and slips at that rate.",
+     {"Direction", "Slip Rate"},
+     Place::continuation,
+     DecidesOn::traction,
+     {prescribedSlipRate<2>, prescribedSlipRate<3>}},
+    {"Prescribed Velocity",
+     "the velocity in one direction is prescribed, and free at right angles to it.",
+     {"Direction", "Velocity", "Ramp Duration"},
+     Place::elsewhere,
+     DecidesOn::direction,
+     {prescribedVelocity<2>, prescribedVelocity<3>}},
+    {"Absorbing",
+     "dashpots take up the waves.",
+     {},
+     Place::elsewhere,
+     DecidesOn::traction,
+     {absorbing<2>, absorbing<3>}},
+    {"Sliding Wall",
+     "the body slides along the boundary (v . n = 0).",
+     {},
+     Place::elsewhere,
+     DecidesOn::direction,
+     {slidingWall<2>, slidingWall<3>}},
+    {"Fixed",
+     "the body is at rest (v = 0).",
+     {},
+     Place::elsewhere,
+     DecidesOn::everything,
+     {fixed<2>, fixed<3>}},
+    {"Free Surface",
+     "there is no traction, which is the default; name it so that its motion can be written.",
+     {},
+     Place::elsewhere,
+     DecidesOn::everything,
+     {freeSurface<2>, freeSurface<3>}}};
+  return types;
+}
+
+ConditionType const& conditionType(std::string const& name)
+{
+  auto const& types = conditionTypes();
+  auto const found = std::find_if(types.begin(), types.end(),
+                                  [&name](auto const& type) { return type.name == name; });
+  ASPERITY_ASSERT(found != types.end());
+  return *found;
+}
+} // namespace asperity::scenario
