@@ -40,5 +40,5 @@ inline constexpr Parameter reference_slip_rate{
   infinity,
   false,
   false,
-  "Slip rate V* at which the steady coefficient of friction is the reference one."};
+  "At this slip rate V* friction in steady sliding has the reference coefficient."};
 } // namespace asperity::friction

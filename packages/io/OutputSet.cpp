@@ -23,8 +23,8 @@ namespace
 void declareUp(Declare& parameters)
 {
   parameters.realArray("Up", std::vector<double>{0, 1, 0}, "-", Range::any(),
-                       "Direction up, in three dimensions: strike and dip of the fault follow from "
-                       "it. Its length does not matter.");
+                       "This vector points up in three dimensions; strike and dip of the fault "
+                       "follow from it. Its length has no effect.");
 }
 
 std::array<double, 3> upIn(Teuchos::ParameterList const& output)

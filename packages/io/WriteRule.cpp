@@ -21,20 +21,21 @@ void WriteRule::declare(Declare& parameters, int every_n_steps, double rate_chan
 {
   parameters
     .integer("Every n Steps", every_n_steps, Range::atLeast(0),
-             "Write a row when this many steps were accepted since the last one; 0: not for this "
-             "reason.")
+             "A row is written when this number of steps was accepted since the last row; 0 "
+             "switches this rule off.")
     .real("Rate Change Factor", rate_change_factor, "-", Range::atLeast(0),
-          "Write a row when the peak slip rate has changed by this factor since the last one; at "
-          "most 1: not for this reason.")
+          "A row is written when the peak slip rate has changed by this factor since the last row; "
+          "a value of at most 1 switches this rule off.")
     .real("Every Seconds", 0.0, "s", Range::atLeast(0),
-          "Write a row at the first accepted step at or past each multiple of this; 0: not for "
-          "this reason.")
+          "A row is written at the first accepted step at or after each multiple of this time; 0 "
+          "switches this rule off.")
     .real("Every Seconds of Rupture", 0.0, "s", Range::atLeast(0),
-          "The same, while the peak slip rate is at least the rupture rate.")
+          "While the peak slip rate is at least the rupture rate, a row is written at the first "
+          "accepted step at or after each multiple of this time; 0 switches this rule off.")
     .real("Rupture Rate", 1e-3, "m/s", Range::positive(),
-          "Peak slip rate from which on rows are counted in seconds of rupture.")
+          "The rule 'Every Seconds of Rupture' applies while the peak slip rate is at least this.")
     .realArray("Times", std::vector<double>{}, "s", Range::any(),
-               "Write a row at the first accepted step at or past each of these times.");
+               "A row is written at the first accepted step at or after each of these times.");
 }
 
 WriteRule::WriteRule(Teuchos::ParameterList const& parameters)

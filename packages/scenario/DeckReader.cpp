@@ -19,26 +19,34 @@ RCP<const ParameterList> outputParameters()
 {
   auto list = rcp(new ParameterList(*io::OutputSet::validParameters()));
   Declare(*list).integer("Checkpoint Every n Steps", 5000, Range::atLeast(1),
-                         "Accepted steps between two checkpoints.");
+                         "A checkpoint is written after this number of accepted steps.");
   return list;
 }
 } // namespace
 
 RCP<const ParameterList> deckParameters()
 {
-  auto const list = Declare()
-                      .sublist("Mesh", meshParameters(), "Where the body is.")
-                      .sublist("Bulk", bulkParameters(), "What the body is made of.")
-                      .sublist("Friction", frictionParameters(), "What happens on the fault.")
-                      .openSublist("Boundary Conditions", boundaryParameters(),
-                                   "One list of any name for each condition.")
-                      .sublist("Initial State", initialStateParameters(), "How the run starts.")
-                      .sublist("Time Stepping", timeParameters(), "How it goes on.")
-                      .sublist("Coupling", dynamics::CouplingSettings::validParameters(),
-                               "The fixed point of rate and state.")
-                      .sublist("TNNMG", solverParameters(), "The solver of the rate problems.")
-                      .sublist("Output", outputParameters(), "What the run leaves.")
-                      .list();
+  auto const list =
+    Declare()
+      .sublist(
+        "Mesh", meshParameters(),
+        "This list says which region of space the body fills and how it is divided into cells.")
+      .sublist("Bulk", bulkParameters(),
+               "This list describes the material of the body and its gravity.")
+      .sublist("Friction", frictionParameters(),
+               "This list describes friction on the fault and the stress that the fault bears.")
+      .openSublist("Boundary Conditions", boundaryParameters(),
+                   "Each list in here, of any name, is one condition on one boundary.")
+      .sublist("Initial State", initialStateParameters(),
+               "This list describes the state in which the run starts.")
+      .sublist("Time Stepping", timeParameters(),
+               "This list selects the time scheme and how the sizes of steps are chosen.")
+      .sublist("Coupling", dynamics::CouplingSettings::validParameters(),
+               "This list controls the fixed-point iteration between rate and state within a step.")
+      .sublist("TNNMG", solverParameters(),
+               "This list controls TNNMG, the solver of the rate problems.")
+      .sublist("Output", outputParameters(), "This list selects what the run writes to files.")
+      .list();
   list->setName("Asperity");
   return list;
 }

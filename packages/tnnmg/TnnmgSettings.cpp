@@ -10,19 +10,21 @@ Teuchos::RCP<Teuchos::ParameterList> TnnmgSettings::validParameters()
   return Declare()
     .real("Absolute Tolerance", defaults.absolute_tolerance, "W^(1/2) m^(-1/2) in 2D",
           Range::atLeast(0),
-          "Energy norm of Z of the last change of the velocity at which a rate problem is solved.")
+          "A rate problem counts as solved when the last change of the velocity, in the energy "
+          "norm of Z, is at most this.")
     .real("Relative Tolerance", defaults.relative_tolerance, "-", Range::atLeast(0),
-          "The same, relative to the energy norm of the velocity; the larger of the two counts.")
+          "This tolerance is relative to the energy norm of the velocity; the larger of it and the "
+          "absolute tolerance counts.")
     .integer("Maximum Iterations", defaults.max_iterations, Range::atLeast(1),
-             "Iterations after which the rate problem of a state at rest counts as failed, which "
-             "rejects the step.")
+             "Once the fixed-point iteration has found alpha, the rate problem is solved in at "
+             "most this number of iterations. If they are not enough, the step is rejected.")
     .integer("Sweeps", defaults.sweeps, Range::atLeast(1),
-             "Nonlinear Gauss-Seidel sweeps over the fault in each iteration.")
+             "Each iteration makes this number of nonlinear Gauss-Seidel sweeps over the fault.")
     .real("Correction Tolerance", defaults.correction_tolerance, "-", Range::open(0, 1),
-          "Relative residual to which the linear correction is solved.")
+          "The linear correction is solved until its relative residual is at most this.")
     .real("Stiff Node", defaults.stiff, "-", Range::positive(),
-          "A node whose friction Hessian exceeds this multiple of Z's diagonal is left to "
-          "Gauss-Seidel.")
+          "A node is truncated, and moved by Gauss-Seidel alone, if its friction Hessian exceeds "
+          "this multiple of Z's diagonal.")
     .list();
 }
 

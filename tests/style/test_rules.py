@@ -9,6 +9,7 @@ import unittest
 import unittest.mock
 
 import check
+import parameter_texts
 from rules import format as format_rule
 
 README = ("# {}\n\nThe package is for a test of the rules, among others. It is not for \n"
@@ -37,6 +38,46 @@ GOOD = {
 }
 
 # rule -> files that break it, each laid over the good tree by itself
+PARAMETERS = """<ParameterList name="Asperity">
+  <!-- This list describes the mesh. -->
+  <ParameterList name="Mesh">
+    <!-- a number in (0, inf) m; default 0.1. Unit: m. The body reaches along z to this depth. -->
+    <Parameter name="Depth" type="double" value="0.1"/>
+    <!-- an array of numbers; optional. Gravity has this direction. Its length has no effect. -->
+    <!-- <Parameter name="Up" type="Array(double)" value="{0, 1}"/> -->
+    <!-- Each entry defines a region by a condition. -->
+    <!-- A list with any number of entries, named by you:
+Regions
+  <region>
+      a number in (-inf, inf); required. Unit: 1. A cell belongs to it where this is not zero.
+
+# This list is one of the pieces.
+Regions / <piece>
+  Name
+      a text; required. The piece has this name.
+    -->
+    <!-- For Type = Wedge. -->
+    <ParameterList name="Wedge">
+    </ParameterList>
+  </ParameterList>
+</ParameterList>
+"""
+# a part of PARAMETERS, and what makes it bad
+BAD_TEXTS = [
+    ("The body reaches along z to this depth.", "Depth along z of the body."),
+    ("The body reaches along z to this depth.", "It is deep."),
+    ("The body reaches along z to this depth.", "the body reaches to this depth."),
+    ("The body reaches along z to this depth.", "The body reaches to this depth"),
+    (" The body reaches along z to this depth.", ""),
+    (" Unit: m.", ""),
+    (" Its length has no effect.", ""),
+    ("Each entry defines a region by a condition.", "Regions by a condition."),
+    ("A cell belongs to it where this is not zero.", "Condition in x, y, z."),
+    ("This list is one of the pieces.", "One of the pieces."),
+    ("The piece has this name.", "Name of the piece."),
+    ("  <!-- This list describes the mesh. -->\n", ""),
+]
+
 BAD = {
     "includes": [
         ("packages/base/Types.hpp", '#pragma once\n#include "mesh/Mesh.hpp"\n'),
@@ -127,6 +168,13 @@ class Rules(unittest.TestCase):
             for name, text in BAD.get(rule, []):
                 with self.subTest(rule=rule, file=name, text=text[:60]):
                     self.assertTrue(self.breaches(rule, {name: text}))
+
+    def test_texts_of_parameters(self):
+        self.assertEqual(parameter_texts.breaches(PARAMETERS), [])
+        for good, bad in BAD_TEXTS:
+            with self.subTest(bad=bad):
+                self.assertIn(good, PARAMETERS)
+                self.assertTrue(parameter_texts.breaches(PARAMETERS.replace(good, bad)))
 
     def test_sizes_of_folders_and_packages(self):
         full = {f"packages/base/{n % 3}/F{n}.hpp": "" for n in range(69)}  # and Types.hpp

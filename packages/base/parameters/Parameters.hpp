@@ -21,8 +21,8 @@ using Teuchos::ParameterList;
 //   Teuchos::RCP<const ParameterList> Wedge::validParameters()
 //   {
 //     return Declare()
-//       .real("Growth Factor", 8.0, "-", Range::atLeast(0), "How fast the cells grow.")
-//       .field("Density", required, "kg/m^3", Range::positive(), "Mass density.")
+//       .real("Growth Factor", 8.0, "-", Range::atLeast(0), "Cells grow by this factor.")
+//       .field("Density", required, "kg/m^3", Range::positive(), "The material has this density.")
 //       .hint("Rock has 2000 to 3500 kg/m^3.") // joins the message that refuses the density
 //       .list();
 //   }

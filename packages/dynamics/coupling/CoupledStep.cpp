@@ -14,15 +14,14 @@ Teuchos::RCP<Teuchos::ParameterList> CouplingSettings::validParameters()
   const CouplingSettings defaults;
   return Declare()
     .real("Tolerance", defaults.tolerance, "-", Range::positive(),
-          "Change of alpha between two fixed point iterates, as root mean square over the fault, "
-          "at which the "
-          "coupling of rate and state counts as resolved.")
+          "The fixed-point iteration of rate and state ends when alpha changes by at most this "
+          "between two iterates, as root mean square over the fault.")
     .integer("Maximum Iterations", defaults.max_iterations, Range::atLeast(1),
-             "Fixed point iterations after which the step is rejected: the step control halves it, "
-             "prescribed steps end there.")
-    .integer(
-      "Anderson Depth", defaults.anderson_depth, Range::atLeast(0),
-      "Earlier iterates from which the next one is extrapolated; 0 is the plain fixed point.")
+             "A step is rejected after this number of fixed-point iterations. The step control "
+             "then halves it; a run with prescribed steps ends.")
+    .integer("Anderson Depth", defaults.anderson_depth, Range::atLeast(0),
+             "Anderson acceleration extrapolates the next iterate from this number of earlier "
+             "ones; 0 means the plain fixed-point iteration.")
     .list();
 }
 

@@ -23,13 +23,15 @@ struct DirectEffect
 {
   static constexpr Parameter table[] = {
     {"a", "-", no_default, 0, infinity, false, false,
-     "Weight of the direct effect: what mu gains when the slip rate grows by a factor e.",
+     "This is the weight of the direct effect: mu grows by this value when the slip rate grows by "
+     "a factor e.",
      "Check the sign; typical values are 0.005 to 0.03."},
     {"b", "-", no_default, 0, infinity, true, false,
-     "Weight of the state: what mu gains when the state theta grows by a factor e."},
+     "This is the weight of the state: mu grows by this value when the state theta grows by a "
+     "factor e."},
     reference_slip_rate,
     {"Reference Friction Coefficient", "-", 0.6, 0, infinity, true, false,
-     "Coefficient of friction mu* in steady sliding at the reference slip rate."},
+     "Friction has this coefficient mu* in steady sliding at the reference slip rate."},
   };
 
   double a;

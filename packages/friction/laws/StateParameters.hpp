@@ -11,7 +11,7 @@ struct StateParameters
 {
   static constexpr Parameter table[] = {
     {"L", "m", no_default, 0, infinity, false, false,
-     "Characteristic slip distance over which the state forgets the previous slip rate."},
+     "This is the characteristic slip distance, over which the state adapts to a new slip rate."},
     reference_slip_rate,
   };
 

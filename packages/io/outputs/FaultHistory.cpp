@@ -20,7 +20,10 @@ public:
     return parametersWith(defaults);
   }
 
-  static std::string meaning() { return "Fields on the fault over time: fault.h5, fault.xdmf."; }
+  static std::string meaning()
+  {
+    return "Writes fields on the fault over time to fault.h5 and fault.xdmf.";
+  }
 
   FaultHistory(Teuchos::ParameterList const& parameters, OutputContext const& context)
       : FieldHistory("fault", parameters, context)

@@ -19,10 +19,11 @@ std::vector<Field const*> chosenFields(std::string const& location,
 Teuchos::RCP<const Teuchos::ParameterList> FieldHistory::parametersWith(Defaults const& defaults)
 {
   Declare parameters;
-  parameters.boolean("Enabled", defaults.enabled, "Whether to write this output.")
-    .textArray("Fields", defaults.fields, "Names of the fields to write.")
+  parameters.boolean("Enabled", defaults.enabled, "If true, the run writes this output.")
+    .textArray("Fields", defaults.fields, "The fields of these names are written.")
     .choice("Precision", std::string("Single"), {"Single", "Double"},
-            "Of the fields in the file; times and coordinates are always double.");
+            "Selects the precision of the fields in the file; times and coordinates are always "
+            "written in double precision.");
   WriteRule::declare(parameters, defaults.every_n_steps, defaults.rate_change_factor);
   return parameters.list();
 }

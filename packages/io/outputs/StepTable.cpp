@@ -15,14 +15,14 @@ public:
   static Teuchos::RCP<const Teuchos::ParameterList> validParameters()
   {
     return Declare()
-      .boolean("Enabled", true, "Whether to write this output.")
+      .boolean("Enabled", true, "If true, the run writes this output.")
       .textArray("Quantities", std::vector<std::string>{},
-                 "Names of the columns after the step, its time, size and peak slip rate; none: "
-                 "all there are.")
+                 "The quantities of these names are written in columns after the step, its time, "
+                 "size and peak slip rate. If none is named, all are written.")
       .list();
   }
 
-  static std::string meaning() { return "What every accepted step cost: steps.csv."; }
+  static std::string meaning() { return "Writes to steps.csv what every accepted step cost."; }
 
   StepTable(Teuchos::ParameterList const& parameters, OutputContext const& context)
       : scalars_(chosenScalars(parameters, context.fields))

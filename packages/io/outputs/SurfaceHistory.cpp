@@ -18,7 +18,7 @@ public:
 
   static std::string meaning()
   {
-    return "Fields on the free surface over time: surface.h5, surface.xdmf.";
+    return "Writes fields on the free surface over time to surface.h5 and surface.xdmf.";
   }
 
   SurfaceHistory(Teuchos::ParameterList const& parameters, OutputContext const& context)

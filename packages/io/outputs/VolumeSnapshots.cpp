@@ -17,7 +17,7 @@ public:
 
   static std::string meaning()
   {
-    return "Fields in the body at chosen times: volume.h5, volume.xdmf.";
+    return "Writes fields in the body at chosen times to volume.h5 and volume.xdmf.";
   }
 
   VolumeSnapshots(Teuchos::ParameterList const& parameters, OutputContext const& context)

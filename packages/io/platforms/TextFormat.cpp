@@ -9,12 +9,18 @@ namespace
 Declare aboutTheRun(std::string const& problem)
 {
   Declare parameters;
-  parameters.text("Problem", problem, "Name of the benchmark, as the platform knows it.")
-    .text("Author", std::string("unknown"), "Who ran it.")
-    .text("Date", std::string(""), "Day of the run, 2024/05/31; empty: the day it was started.")
-    .text("Code Version", std::string(ASPERITY_VERSION), "Version of this program.")
+  parameters.text("Problem", problem, "The platform knows the benchmark by this name.")
+    .text("Author", std::string("unknown"),
+          "The files give this as the name of the person who ran the benchmark.")
+    .text("Date", std::string(""),
+          "The files give this as the day of the run, in the form 2024/05/31. If it is empty, they "
+          "give the day on which the run was started.")
+    .text("Code Version", std::string(ASPERITY_VERSION),
+          "The files give this as the version of the program.")
     .real("Element Size", 0.0, "m", Range::atLeast(0),
-          "Size of the elements on the fault; 0: that of the shortest one.");
+          "The files give this as the size of the elements on the fault; 0 means the size of the "
+          "shortest "
+          "one.");
   return parameters;
 }
 
@@ -44,14 +50,14 @@ void TextFormat::declare(Declare& parameters)
 {
   auto scec = aboutTheRun("TPV");
   scec.real("Time Step", 0.01, "s", Range::positive(),
-            "Time between two rows; the platform takes no others.");
-  parameters.choiceOfLists("Text Format", std::string("None"),
-                           {{"None", Declare().list()},
-                            {"SEAS", aboutTheRun("SEAS Benchmark").list()},
-                            {"SCEC", scec.list()}},
-                           "Files in text besides the others, for the platforms on which codes "
-                           "are compared: time series of the receivers, rupture times; for SEAS "
-                           "also slip profiles and the moment rate.");
+            "Two rows are this time apart, as the platform demands.");
+  parameters.choiceOfLists(
+    "Text Format", std::string("None"),
+    {{"None", Declare().list()},
+     {"SEAS", aboutTheRun("SEAS Benchmark").list()},
+     {"SCEC", scec.list()}},
+    "Selects the platform for comparing codes for which additional text files are written: time "
+    "series of the receivers and rupture times; for SEAS also slip profiles and the moment rate.");
 }
 
 TextFormat TextFormat::from(Teuchos::ParameterList const& output)

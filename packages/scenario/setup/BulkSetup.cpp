@@ -24,30 +24,36 @@ RCP<const ParameterList> bulkParameters()
   auto const quasi_dynamic =
     Declare()
       .field(radiation_damping, optional, "Pa s/m", Range::atLeast(0),
-             "eta in tau = friction + eta V, V the slip rate; left out, G / (2 cs) on an "
-             "antisymmetric fault and G / cs in bilateral contact.")
+             "This is eta in tau = friction + eta V, where V is the slip rate. If it is left out, "
+             "eta is G / (2 cs) on an antisymmetric fault and G / cs in bilateral contact.")
       .list();
   return Declare()
     .choice("Model", "Plane Strain", {"Plane Strain", "Antiplane", "Solid"},
-            "Displacement within the plane of the mesh, or perpendicular to it; Solid: in all "
-            "three dimensions.")
+            "Selects the components of the displacement. Plane Strain: it lies in the plane of the "
+            "mesh. Antiplane: it is perpendicular to that plane. Solid: it has all three "
+            "components on a mesh in space.")
     .choiceOfLists("Dynamics", "Inertial",
                    {{"Inertial", Declare().list()}, {"Quasi-dynamic", quasi_dynamic}},
-                   "Inertial: with mass, and waves. Quasi-dynamic: without mass; the fault loses "
-                   "what waves would carry away to a radiation damping.")
-    .field("Density", required, "kg/m^3", Range::positive(), "Mass density.")
+                   "Selects whether the body has inertia. Inertial: it has mass, and waves travel "
+                   "through it. Quasi-dynamic: it has no mass, and a radiation damping takes from "
+                   "the fault the energy that waves would carry away.")
+    .field("Density", required, "kg/m^3", Range::positive(), "The material has this mass density.")
     .field(bulk_modulus, optional, "Pa", Range::positive(),
-           "Bulk modulus; all but antiplane need two of bulk modulus, shear modulus and Poisson's "
-           "ratio.")
+           "The material has this bulk modulus. Plane strain and solids need exactly two of bulk "
+           "modulus, shear modulus and Poisson's ratio.")
     .field(shear_modulus, optional, "Pa", Range::positive(),
-           "Shear modulus; antiplane needs it, or both others.")
-    .field(poisson, optional, "-", Range::open(-1, 0.5), "Poisson's ratio.")
-    .field("Shear Viscosity", 0., "Pa s", Range::atLeast(0), "Viscosity of the change of shape.")
-    .field("Bulk Viscosity", 0., "Pa s", Range::atLeast(0), "Viscosity of the change of volume.")
+           "The material has this shear modulus. Antiplane models need either this alone or two of "
+           "the three moduli.")
+    .field(poisson, optional, "-", Range::open(-1, 0.5), "The material has this Poisson's ratio.")
+    .field("Shear Viscosity", 0., "Pa s", Range::atLeast(0),
+           "This viscosity resists changes of shape (Kelvin-Voigt).")
+    .field("Bulk Viscosity", 0., "Pa s", Range::atLeast(0),
+           "This viscosity resists changes of volume (Kelvin-Voigt).")
     .real("Gravitational Acceleration", 0., "m/s^2", Range::atLeast(0),
-          "Acceleration of gravity; not antiplane.")
+          "Gravity accelerates the body by this value. An antiplane model has no gravity.")
     .realArray("Gravity Direction", std::vector<double>{0., -1.}, "-", Range::any(),
-               "Where down is, in x, y and, in three dimensions, z (0 if left out); any length.")
+               "Gravity points in the direction of this vector in x, y and, in three dimensions, z "
+               "(0 if left out). Its length has no effect.")
     .list();
 }
 

@@ -29,17 +29,20 @@ RCP<const ParameterList> frictionParameters()
   declareLaws(declare);
   declare
     .field("Cohesion", 0., "Pa", Range::atLeast(0),
-           "Shear stress that the fault bears without normal stress.")
+           "The fault bears this shear stress even without normal stress.")
     .field("Normal Stress", optional, "Pa", Range::any(),
-           "Normal stress, positive in compression; left out, it is that of the static solution "
-           "under gravity. What becomes negative after the start counts as zero.")
-    .real("Normal Stress Factor", 1., "-", Range::atLeast(0), "Multiplies the normal stress.")
+           "The fault is under this normal stress, positive in compression. If it is left out, it "
+           "follows from the static solution under gravity. Values that become negative after the "
+           "start count as zero.")
+    .real("Normal Stress Factor", 1., "-", Range::atLeast(0),
+          "This factor multiplies the normal stress.")
     .field("Shear Traction", 0., "Pa", Range::any(),
-           "Shear traction on the fault besides that of the deformation, along the tangent of its "
-           "frame, +x on a fault below the body; in three dimensions along the slip direction.")
+           "This shear traction acts on the fault in addition to that of the deformation. It "
+           "points along the tangent of the fault's frame, which is +x on a fault below the body, "
+           "and in three dimensions along the slip direction.")
     .realArray("Slip Direction", std::vector<double>{1., 0., 0.}, "-", Range::any(),
-               "Three dimensions: where the shear traction points, projected onto the fault; of "
-               "any length.");
+               "In three dimensions the shear traction points along this vector, projected onto "
+               "the fault. The length of the vector has no effect.");
   return declare.list();
 }
 

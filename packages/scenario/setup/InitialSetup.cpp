@@ -21,20 +21,24 @@ RCP<const ParameterList> initialStateParameters()
 {
   return Declare()
     .choice("Displacement", "Static", {"Static", "Zero"},
-            "Static: the displacement under gravity with a frictionless fault. Zero: none.")
-    .field(velocity_names[0], 0., "m/s", Range::any(), "Initial velocity along x (not antiplane).")
-    .field(velocity_names[1], 0., "m/s", Range::any(), "Initial velocity along y (not antiplane).")
+            "Selects the initial displacement. Static: it balances gravity on a fault without "
+            "friction. Zero: it is zero.")
+    .field(velocity_names[0], 0., "m/s", Range::any(),
+           "The body starts with this velocity along x. An antiplane model has none.")
+    .field(velocity_names[1], 0., "m/s", Range::any(),
+           "The body starts with this velocity along y. An antiplane model has none.")
     .field(velocity_names[2], 0., "m/s", Range::any(),
-           "Initial velocity along z (antiplane, solid).")
+           "The body starts with this velocity along z. Only antiplane models and solids have it.")
     .choice("Acceleration", "Balanced", {"Balanced", "Zero"},
-            "Balanced: from the balance of momentum; quasi-dynamic there is none. Zero: none, "
-            "whatever the forces.")
+            "Selects the initial acceleration. Balanced: it follows from the balance of momentum; "
+            "a quasi-dynamic model has none. Zero: it is zero whatever the forces are.")
     .choice("State", "Given", {"Given", "Steady", "Stress Balance"},
-            "Given: alpha below. Steady: in steady state at the initial slip rate. Stress Balance: "
-            "such that friction at the initial slip rate, with the radiation damping if quasi-"
-            "dynamic, bears the initial shear traction.")
+            "Selects the initial state on the fault. Given: it is the entry 'alpha'. Steady: it is "
+            "the steady state at the initial slip rate. Stress Balance: friction at the initial "
+            "slip rate, together with the radiation damping of a quasi-dynamic model, bears the "
+            "initial shear traction.")
     .field("alpha", 0., "-", Range::any(),
-           "Initial state ln(theta V* / L); 0 is steady sliding at V*.")
+           "The fault starts with this state alpha = ln(theta V* / L); 0 is steady sliding at V*.")
     .list();
 }
 

@@ -111,8 +111,9 @@ void declareLaws(Declare& declare)
   auto const state_laws = friction::stateLawNames();
   declare
     .choice(friction_choice, friction::RegularisedLaw::name, laws,
-            "Friction coefficient as a function of slip rate and state.")
-    .choice(state_choice, friction::AgeingLaw::name, state_laws, "How the state evolves.");
+            "Selects the law that gives the friction coefficient from slip rate and state.")
+    .choice(state_choice, friction::AgeingLaw::name, state_laws,
+            "Selects the law by which the state evolves.");
   for (auto const& name : laws) {
     declare.entriesWith(friction_choice, name, declared(friction::frictionLawParameters(name)));
   }

@@ -26,37 +26,45 @@ Declare wedgeParameters()
 {
   const mesh::WedgeShape defaults;
   Declare declare;
-  declare.real("Length", defaults.length, "m", Range::positive(), "Length of the surface.")
-    .real("Height", defaults.height, "m", Range::positive(), "Height of the right face.")
+  declare
+    .real("Length", defaults.length, "m", Range::positive(), "The free surface has this length.")
+    .real("Height", defaults.height, "m", Range::positive(),
+          "The right face of the wedge has this height.")
     .real("Seismogenic Zone Width", defaults.zone_width, "m", Range::positive(),
-          "Width of the seismogenic zone, measured along the base.")
+          "The seismogenic zone has this width, measured along the base.")
     .real("Seismogenic Zone End", defaults.zone_end, "m", Range::positive(),
-          "Where the zone ends, measured along the surface from the trench.")
+          "The seismogenic zone ends below the point of the surface that has this distance from "
+          "the trench.")
     .real("Cell Size", defaults.cell_size, "m", Range::positive(),
-          "Largest diameter of a cell at the seismogenic zone.")
+          "No cell at the seismogenic zone has a larger diameter than this.")
     .real("Growth Factor", defaults.growth_factor, "-", Range::atLeast(0),
-          "Cells may be larger by this factor, plus one, at one growth length from the zone.")
+          "At one growth length from the seismogenic zone cells may be larger than at the zone by "
+          "one plus this factor.")
     .real("Growth Length", defaults.growth_length, "m", Range::positive(),
-          "Length over which cells grow.")
+          "Cells grow with the distance from the seismogenic zone, measured in this length; see "
+          "'Growth Factor'.")
     .real("Viscous Thickness", defaults.viscous_thickness, "m", Range::atLeast(0),
-          "Thickness of the region 'lower', measured vertically from the deepest point.");
+          "The region 'lower' reaches from the deepest point vertically up to this height.");
   return declare;
 }
 
 constexpr char const* periodic_meaning =
-  "Whether what leaves through the back comes in at the front, which are no boundaries then.";
+  "If true, the body continues periodically along z: what leaves it through the back enters it at "
+  "the front, and neither is a boundary.";
 
 RCP<const ParameterList> deepWedgeParameters()
 {
   return wedgeParameters()
-    .real("Depth", 0.1, "m", Range::positive(), "Extent along z, from 0.")
+    .real("Depth", 0.1, "m", Range::positive(), "The body reaches along z from 0 to this depth.")
     .choice("Cells", "Graded", {"Graded", "Layers"},
-            "Graded: cells grow away from the seismogenic zone in all three directions. Layers: "
-            "the two-dimensional mesh, extruded.")
-    .integer("Layers", 10, Range::atLeast(1), "With Cells = Layers: how many.")
+            "Selects how the wedge is divided. Graded: cells grow away from the seismogenic zone "
+            "in all three directions. Layers: the two-dimensional mesh is extruded along z.")
+    .integer("Layers", 10, Range::atLeast(1),
+             "With Cells = Layers the mesh has this number of layers.")
     .realArray("Seismogenic Intervals", optional, "m", Range::any(),
-               "With Cells = Graded: where along z the zone is seismogenic, from and to, one pair "
-               "after the other; over the whole depth if left out.")
+               "With Cells = Graded the zone is seismogenic in these intervals of z; each is given "
+               "by its two ends, one interval after the other. Without this entry it is "
+               "seismogenic over the whole depth.")
     .boolean("Periodic Along z", false, periodic_meaning)
     .list();
 }
@@ -78,19 +86,23 @@ mesh::WedgeShape wedgeShape(ParameterList const& list)
 RCP<const ParameterList> rectangleParameters()
 {
   return Declare()
-    .real("Width", 1., "m", Range::positive(), "Extent along x.")
-    .real("Height", 1., "m", Range::positive(), "Extent along y.")
-    .integer("Cells X", 1, Range::atLeast(1), "Columns of two triangles each.")
-    .integer("Cells Y", 1, Range::atLeast(1), "Rows of two triangles each.")
+    .real("Width", 1., "m", Range::positive(), "The rectangle has this extent along x.")
+    .real("Height", 1., "m", Range::positive(), "The rectangle has this extent along y.")
+    .integer("Cells X", 1, Range::atLeast(1),
+             "The rectangle is divided into this number of columns, whose rectangles have two "
+             "triangles each.")
+    .integer("Cells Y", 1, Range::atLeast(1),
+             "The rectangle is divided into this number of rows, whose rectangles have two "
+             "triangles each.")
     .realArray("Lower Left", std::vector<double>{0., 0.}, "m", Range::any(),
-               "Position of the lower left corner.")
+               "The lower left corner of the rectangle lies at this position.")
     .field("Cell Size", optional, "m", Range::positive(),
-           "Cells are bisected until their longest edge is at most sqrt(2) times this, a function "
-           "of x and y, at corners, centroid and midpoints of edges. With square cells of 2^k "
-           "times this, what lies on a side has edges of exactly this length. Left out, cells stay "
-           "as they are.")
+           "Cells are bisected until their longest edge is at most sqrt(2) times this function of "
+           "x and y, which is evaluated at corners, centroid and midpoints of edges. Where the "
+           "cells are squares of 2^k times this size, edges on a side of the rectangle get exactly "
+           "this length. Without this entry no cell is bisected.")
     .real("Cell Size Factor", 1., "-", Range::positive(),
-          "Multiplies the cell size: 2 makes the whole mesh coarser.")
+          "This factor multiplies the cell size: 2 makes the whole mesh coarser.")
     .list();
 }
 
@@ -128,18 +140,22 @@ RCP<const ParameterList> boxParameters()
 {
   return Declare()
     .realArray("Size", std::vector<double>{1., 1., 1.}, "m", Range::positive(),
-               "Extent along x, y and z.")
+               "The box has these extents along x, y and z.")
     .realArray("Lowest Corner", std::vector<double>{0., 0., 0.}, "m", Range::any(),
-               "The corner with the smallest x, y and z.")
-    .integer("Cells X", 1, Range::atLeast(1), "Cuboids of six tetrahedra each, along x.")
-    .integer("Cells Y", 1, Range::atLeast(1), "Along y.")
-    .integer("Cells Z", 1, Range::atLeast(1), "Along z.")
+               "The corner with the smallest x, y and z lies at this position.")
+    .integer(
+      "Cells X", 1, Range::atLeast(1),
+      "The box is divided into this number of cuboids along x, which have six tetrahedra each.")
+    .integer("Cells Y", 1, Range::atLeast(1),
+             "The box is divided into this number of cuboids along y.")
+    .integer("Cells Z", 1, Range::atLeast(1),
+             "The box is divided into this number of cuboids along z.")
     .field("Cell Size", optional, "m", Range::positive(),
-           "Cells are bisected until their longest edge is at most sqrt(3) times this, a function "
-           "of x, y and z. With cubes of 2^k times this, cubes of exactly this size result. Left "
-           "out, cells stay as they are.")
+           "Cells are bisected until their longest edge is at most sqrt(3) times this function of "
+           "x, y and z. From cubes of 2^k times this size follow cubes of exactly this size. "
+           "Without this entry no cell is bisected.")
     .real("Cell Size Factor", 1., "-", Range::positive(),
-          "Multiplies the cell size: 2 makes the whole mesh coarser.")
+          "This factor multiplies the cell size: 2 makes the whole mesh coarser.")
     .boolean("Periodic Along z", false, periodic_meaning)
     .list();
 }
@@ -251,27 +267,32 @@ RCP<const ParameterList> meshParameters()
        {"Box", boxParameters()},
        {"File", Declare()
                   .fileName("File Name", required,
-                            "Mesh in HDF5 as asperity-mesh writes it, in two or three dimensions; "
-                            "or one that it has partitioned for the number of ranks.")
+                            "The mesh is read from this HDF5 file, as asperity-mesh writes it, in "
+                            "two or three dimensions. A file that asperity-mesh has partitioned "
+                            "must have as many parts as there are ranks.")
                   .list()}},
-      "In two dimensions the analogue wedge (thesis A.1) or a rectangle; in three the wedge with "
-      "a depth along z, or a box; or a file.")
+      "Selects the shape of the body. In two dimensions it is the analogue wedge (thesis A.1) or a "
+      "rectangle; in three dimensions the wedge with a depth along z or a box; in both a mesh from "
+      "a file.")
     .openSublist(
       "Regions",
       Declare()
         .field("<region>", required, "-", Range::any(),
-               "Condition in x, y, z of a cell's centroid; where it is not zero the cell belongs "
-               "to the region, the last one winning.")
+               "A cell belongs to the region if this condition, evaluated at its centroid, is not "
+               "zero. If several regions claim a cell, the last one gets it.")
         .list(),
-      "Regions by condition, besides or instead of those of the mesh.")
+      "Each entry defines a region by a condition. It takes its cells from the regions of the "
+      "mesh.")
     .openSublist(
       "Boundaries",
       Declare()
-        .field("<boundary>", required, "-", Range::any(),
-               "Condition in x, y, z of a facet's centre; where it is not zero the facet, one of "
-               "the outer boundary, belongs to this boundary, the last one winning.")
+        .field(
+          "<boundary>", required, "-", Range::any(),
+          "A facet of the outer boundary belongs to this boundary if the condition, evaluated at "
+          "its centre, is not zero. If several boundaries claim a facet, the last one gets it.")
         .list(),
-      "Pieces of the boundary by condition, besides or instead of those of the mesh.")
+      "Each entry defines a boundary by a condition. It takes its facets from the boundaries of "
+      "the mesh.")
     .list();
 }
 

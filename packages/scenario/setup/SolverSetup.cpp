@@ -15,14 +15,15 @@ RCP<const ParameterList> solverParameters()
   auto list = tnnmg::TnnmgSettings::validParameters();
   Declare(*list)
     .choice("Linear Correction", "Auto", {"Auto", "Direct", "MueLu"},
-            "Direct: sparse Cholesky of Z once for each step size and a Schur complement on the "
-            "fault; one rank. "
-            "MueLu: algebraic multigrid. Auto: Direct on one rank for small problems.")
+            "Selects the solver of the linear correction. Direct: a sparse Cholesky factorisation "
+            "of Z is made once for each step size and leaves a Schur complement on the fault; it "
+            "works on one rank. MueLu: algebraic multigrid is used. Auto: this is Direct for small "
+            "problems on one rank, and MueLu otherwise.")
     .real("Memory Budget", 2000., "MB", Range::positive(),
-          "Of a rank: solvers of different step sizes are kept up to this, and the least recently "
-          "used go first.")
+          "Each rank keeps solvers of different step sizes up to this amount of memory. The least "
+          "recently used ones are removed first.")
     .sublist("MueLu Correction", tnnmg::MueLuCorrection::validParameters(),
-             "The multigrid correction.");
+             "This list controls the linear correction by MueLu's multigrid.");
   return list;
 }
 

@@ -70,63 +70,65 @@ RCP<const ParameterList> timeParameters()
 {
   auto const newmark =
     Declare()
-      .real(
-        "beta", 0.25, "-", Range::closed(0, 0.5),
-        "Weight of the new acceleration in the displacement; unconditionally stable from 1/4 on.")
+      .real("beta", 0.25, "-", Range::closed(0, 0.5),
+            "This is the weight of the new acceleration in the displacement. The scheme is "
+            "unconditionally stable from 1/4 on.")
       .real("Stability Limit", 0., "s", Range::atLeast(0),
-            "Largest stable step, 1 / (omega_max sqrt(1/4 - beta)); required for beta < 1/4, where "
-            "the scheme is "
-            "only conditionally stable.")
+            "No stable step is larger than this, 1 / (omega_max sqrt(1/4 - beta)). It is required "
+            "for beta < 1/4, where the scheme is only conditionally stable.")
       .list();
-  auto const doubling = Declare()
-                          .real("Tolerance", 1e-5, "-", Range::positive(),
-                                "Difference of alpha between one step and two of half its size, "
-                                "root mean square over the fault.")
-                          .real("First Step", 0., "s", Range::atLeast(0),
-                                "Size of the first trial; 0: the smallest step.")
-                          .list();
+  auto const doubling =
+    Declare()
+      .real("Tolerance", 1e-5, "-", Range::positive(),
+            "A step is accepted if alpha differs by at most this between one step and two of half "
+            "its size, as root mean square over the fault.")
+      .real("First Step", 0., "s", Range::atLeast(0),
+            "The first trial step has this size; 0 means the smallest step.")
+      .list();
   auto const richardson =
     Declare()
       .real("Tolerance", 1e-5, "-", Range::positive(),
-            "Estimated error of alpha after two steps, from their difference to one step of twice "
-            "the size.")
+            "A pair of steps is accepted if the estimated error of alpha after it is at most this. "
+            "The estimate follows from the difference to one step of twice the size.")
       .choice("Norm", "Root Mean Square", {"Root Mean Square", "Maximum"},
-              "Of that error over the fault.")
+              "Selects the norm in which the error of alpha is measured over the fault.")
       .real("First Step", 0., "s", Range::atLeast(0),
-            "Size of the first steps, at most half of the largest one; 0: the smallest step.")
+            "The first steps have this size, which is at most half of the largest one; 0 means the "
+            "smallest step.")
       .list();
   auto const generalised_alpha =
     Declare()
-      .real(
-        "Spectral Radius", 0.5, "-", Range::closed(0, 1),
-        "By which a step multiplies modes far faster than itself: 0 forgets them at once, 1 "
-        "never (Newmark). While every step doubles they die away from 0.35 to 0.82, while every "
-        "pair does (Richardson) up to 0.87.")
+      .real("Spectral Radius", 0.5, "-", Range::closed(0, 1),
+            "A step multiplies modes that are far faster than itself by this factor: 0 removes "
+            "them at once, 1 keeps them (Newmark). While every step doubles, they decay for values "
+            "from 0.35 to 0.82; while every pair of steps doubles (Richardson), up to 0.87.")
       .list();
-  auto const prescribed =
-    Declare()
-      .integerArray(
-        "Levels", std::vector<int>{0}, Range::closed(0, 60),
-        "Each step is the largest one divided by two to this power; the last is repeated.")
-      .list();
+  auto const prescribed = Declare()
+                            .integerArray("Levels", std::vector<int>{0}, Range::closed(0, 60),
+                                          "Each step is the largest one divided by two to the "
+                                          "power of its entry; the last entry is repeated.")
+                            .list();
   return Declare()
     .real("Final Time", required, "s", Range::positive(),
           "The run ends with the first step that reaches it.")
-    .choiceOfLists("Scheme", "Newmark",
-                   {{"Newmark", newmark},
-                    {"Backward Euler", Declare().list()},
-                    {"Generalised Alpha", generalised_alpha}},
-                   "How displacement and acceleration follow from the velocity.")
+    .choiceOfLists(
+      "Scheme", "Newmark",
+      {{"Newmark", newmark},
+       {"Backward Euler", Declare().list()},
+       {"Generalised Alpha", generalised_alpha}},
+      "Selects the scheme by which displacement and acceleration follow from the velocity.")
     .real("Largest Step", required, "s", Range::positive(),
-          "All steps are this one divided by a power of two.")
-    .real("Smallest Step", required, "s", Range::positive(),
-          "No step is smaller; rounded down to such a fraction.")
+          "The size of every step is this one divided by a power of two.")
+    .real(
+      "Smallest Step", required, "s", Range::positive(),
+      "No step is smaller than this, rounded down to the largest step divided by a power of two.")
     .choiceOfLists(
       "Control", "Step Doubling",
       {{"Step Doubling", doubling}, {"Richardson", richardson}, {"Prescribed", prescribed}},
-      "How step sizes are chosen. Step Doubling: the coarsest step that two of half its size "
-      "confirm (thesis A.3). Richardson: in pairs that one step of twice the size confirms; keeps "
-      "the pair and predicts the next size. Prescribed: as listed.")
+      "Selects how step sizes are chosen. Step Doubling: a step is the largest one that two steps "
+      "of half its size confirm (thesis A.3). Richardson: steps come in pairs, which one step of "
+      "twice the size confirms; the pair is kept and the next size predicted. Prescribed: the "
+      "sizes are listed.")
     .list();
 }
 

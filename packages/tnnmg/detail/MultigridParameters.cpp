@@ -40,26 +40,27 @@ Teuchos::RCP<const ParameterList> MultigridParameters::valid()
 {
   return Declare()
     .choice("Method", "CG", {"CG", "V-Cycles"},
-            "Conjugate gradients with a V-cycle as preconditioner, or cycles with an optimal step "
-            "length each.")
+            "Selects how the correction is solved. CG: conjugate gradients use a V-cycle as "
+            "preconditioner. V-Cycles: a few V-cycles are made, each with an optimal step length.")
     .integer("Maximum Iterations", 200, Range::atLeast(1),
-             "Of conjugate gradients, in one correction.")
-    .integer("V-Cycles", 1, Range::atLeast(1), "At most, in one correction by V-Cycles.")
+             "Conjugate gradients make at most this number of iterations in one correction.")
+    .integer("V-Cycles", 1, Range::atLeast(1),
+             "With Method = V-Cycles one correction makes at most this number of cycles.")
     .choice("Hierarchy", "Automatic", {"Automatic", "Keep", "Rebuild"},
-            "Whether the Galerkin products are repeated when truncated nodes change. Automatic "
-            "finds out by a "
-            "trial for each step size: they are worth it in large steps.")
+            "Selects whether the Galerkin products are repeated when truncated nodes change. "
+            "Automatic decides by a trial for each step size: in large steps they pay off.")
     .real(
       "Outdated Share", 0.1, "-", Range::closedOpen(0, 1),
-      "The share of the fault's nodes that may be newly truncated, or no longer, or have another "
-      "Hessian by an order of magnitude, before the hierarchy is rebuilt.")
-    .hint("A tenth costs one or two iterations; a rebuild as much as four V-cycles in 2D, fifteen "
-          "in 3D.")
+      "The hierarchy is rebuilt when more than this share of the fault's nodes has become "
+      "truncated, is no longer truncated, or has a Hessian that changed by an order of magnitude.")
+    .hint("A share of 0.1 costs one or two more iterations; a rebuild costs as much as four "
+          "V-cycles in 2D and fifteen in 3D.")
+    .foreignSublist("MueLu", ParameterList("MueLu"),
+                    "MueLu reads these entries, in its own spelling. Each replaces one default; an "
+                    "entry about smoothers replaces all defaults of smoothers.")
     .foreignSublist(
-      "MueLu", ParameterList("MueLu"),
-      "In MueLu's spelling; replaces the defaults one by one, but smoothers as a whole.")
-    .foreignSublist("Belos", ParameterList("Belos"),
-                    "For Belos's pseudo block CG, in Belos's spelling.")
+      "Belos", ParameterList("Belos"),
+      "Belos reads these entries, in its own spelling, for its pseudo-block conjugate gradients.")
     .list();
 }
 

@@ -76,14 +76,17 @@ Event eventFrom(double const* numbers, std::size_t dimension)
 Teuchos::RCP<const Teuchos::ParameterList> EventCatalogue::validParameters()
 {
   return Declare()
-    .boolean("Enabled", true, "Whether to write this output.")
+    .boolean("Enabled", true, "If true, the run writes this output.")
     .real("Threshold", 1e-3, "m/s", Range::positive(),
-          "Slip rate from which on a node is seismic; an event is a contiguous time in which some "
-          "node is.")
+          "A node is seismic while its slip rate is at least this. An event lasts as long as some "
+          "node is seismic.")
     .list();
 }
 
-std::string EventCatalogue::meaning() { return "One row for every earthquake: events.csv."; }
+std::string EventCatalogue::meaning()
+{
+  return "Writes one row for every earthquake to events.csv.";
+}
 
 EventCatalogue::EventCatalogue(Teuchos::ParameterList const& parameters,
                                OutputContext const& context)

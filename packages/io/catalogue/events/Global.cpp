@@ -22,14 +22,14 @@ public:
   static Teuchos::RCP<const Teuchos::ParameterList> validParameters()
   {
     Declare parameters;
-    parameters.boolean("Enabled", true, "Whether to write this output.");
+    parameters.boolean("Enabled", true, "If true, the run writes this output.");
     WriteRule::declare(parameters, 1, 0);
     return parameters.list();
   }
 
   static std::string meaning()
   {
-    return "Peak slip rate, moment rate and moment of the fault over time: global.csv.";
+    return "Writes peak slip rate, moment rate and moment of the fault over time to global.csv.";
   }
 
   Global(Teuchos::ParameterList const& parameters, OutputContext const& context)

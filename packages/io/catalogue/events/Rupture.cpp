@@ -27,16 +27,16 @@ public:
   static Teuchos::RCP<const Teuchos::ParameterList> validParameters()
   {
     return Declare()
-      .boolean("Enabled", true, "Whether to write this output.")
+      .boolean("Enabled", true, "If true, the run writes this output.")
       .real("Threshold", 1e-3, "m/s", Range::positive(),
-            "Slip rate with which the rupture has arrived; an event is a contiguous time in which "
-            "some node slides at least as fast.")
+            "The rupture has reached a node when its slip rate is at least this. An event lasts as "
+            "long as some node slips at least as fast.")
       .list();
   }
 
   static std::string meaning()
   {
-    return "When the rupture of each event reached each node of the fault: rupture.h5.";
+    return "Writes to rupture.h5 when the rupture of each event reached each node of the fault.";
   }
 
   Rupture(Teuchos::ParameterList const& parameters, OutputContext const& context)

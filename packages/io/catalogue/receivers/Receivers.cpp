@@ -56,26 +56,28 @@ detail::SegmentedTable::Options tableOf(OutputContext const& context,
 
 Teuchos::RCP<const Teuchos::ParameterList> Receivers::validParameters()
 {
-  const auto place =
-    Declare()
-      .realArray("<receiver>", required, "m", Range::any(), "Position along the axes of the mesh.")
-      .list();
+  const auto place = Declare()
+                       .realArray("<receiver>", required, "m", Range::any(),
+                                  "The receiver lies at this position, in coordinates of the mesh.")
+                       .list();
   Declare parameters;
-  parameters.boolean("Enabled", true, "Whether to write this output, if there are receivers.")
-    .openSublist("On Fault", place, "Receivers on the fault, by name.")
-    .openSublist("Off Fault", place, "Receivers anywhere in the body, by name.")
+  parameters
+    .boolean("Enabled", true,
+             "If true, the run writes this output, provided that there are receivers.")
+    .openSublist("On Fault", place, "Each entry puts a receiver of that name on the fault.")
+    .openSublist("Off Fault", place, "Each entry puts a receiver of that name in the body.")
     .textArray("Fault Fields",
                std::vector<std::string>{"slip", "slip_rate", "traction", "normal_stress", "theta"},
-               "Names of the fields to write on the fault.")
+               "The fields of these names are written for receivers on the fault.")
     .textArray("Body Fields", std::vector<std::string>{"displacement", "velocity"},
-               "Names of the fields to write in the body.");
+               "The fields of these names are written for receivers in the body.");
   WriteRule::declare(parameters, 1, 0);
   return parameters.list();
 }
 
 std::string Receivers::meaning()
 {
-  return "Time series at chosen places on the fault and in the body: receivers.h5.";
+  return "Writes time series at chosen places on the fault and in the body to receivers.h5.";
 }
 
 Receivers::Receivers(Teuchos::ParameterList const& parameters, OutputContext const& context)
