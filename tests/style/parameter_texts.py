@@ -85,7 +85,7 @@ def _problems(comment):
 
 # Vectors of any length have no unit, and say so.
 def _is_direction(text):
-    return "length" in text and "no effect" in text
+    return re.search("any length|length (of the vector )?has no effect", text)
 
 
 def main(arguments):

@@ -56,6 +56,11 @@ Regions / <piece>
   Name
       a text; required. The piece has this name.
     -->
+    <!--
+Mesh, with Type = Box
+  Height
+      a number in (0, inf) m; required. Unit: m. The box has this height.
+    -->
     <!-- For Type = Wedge. -->
     <ParameterList name="Wedge">
     </ParameterList>
@@ -75,6 +80,7 @@ BAD_TEXTS = [
     ("A cell belongs to it where this is not zero.", "Condition in x, y, z."),
     ("This list is one of the pieces.", "One of the pieces."),
     ("The piece has this name.", "Name of the piece."),
+    ("The box has this height.", "Height of the box."),
     ("  <!-- This list describes the mesh. -->\n", ""),
 ]
 
