@@ -20,8 +20,8 @@ struct BodyMatrices
   RCP<const CrsMatrix> stiffness;
 };
 
-// materials(num_cells). Collective, but needs no communication: every rank has all cells of its
-// rows.
+// materials(num_cells). Collective, but without communication, since every rank has all cells of
+// its rows.
 template <int Dim, int Components>
 BodyMatrices assembleBody(Mesh<Dim> const& mesh, DofMap const& dofs, NodalFrames const& frames,
                           std::vector<Material> const& materials);

@@ -53,7 +53,7 @@ std::vector<Material> materialsAtNodes(Mesh<Dim> const& mesh, std::string const&
     for (int node : facets[i]) {
       auto const place = std::lower_bound(nodes.nodes.begin(), nodes.nodes.end(), node);
       if (place == nodes.nodes.end() || *place != node) {
-        continue; // another rank's
+        continue; // this node belongs to another rank
       }
       auto const n = place - nodes.nodes.begin();
       auto& sum = result[n];

@@ -22,8 +22,8 @@ namespace
 {
 using Vectors = std::vector<std::vector<double>>;
 
-// Orthonormal directions, placed last, in a frame (not always a right-handed one); before them the
-// tangents, in the order of the axes that they are near to.
+// The frame whose last rows are these orthonormal directions. Its first rows are the tangents, in
+// the order of the axes that they are near to. It is not always right-handed.
 NodalFrames::Matrix frameFrom(Vectors basis, int components)
 {
   auto frame = NodalFrames::identity(components);
@@ -59,8 +59,8 @@ Constraints<Dim>::Constraints(Mesh<Dim> const& mesh, DofMap const& dofs,
   shareWithGhosts(dofs);
 }
 
-// A difference is measured against these: at a corner the prescribed velocity itself may be but the
-// rounding of a zero.
+// Differences of velocities are compared with these, since at a corner the prescribed velocity
+// itself may consist of rounding alone.
 template <int Dim>
 std::vector<double> Constraints<Dim>::largestVelocities(NodalDirections const& directions,
                                                         Communicator const& communicator) const
@@ -119,8 +119,8 @@ void Constraints<Dim>::constrain(DofMap const& dofs, int node,
   }
 }
 
-// The first prescribed condition that is neither along nor across one of the directions; the first
-// prescribed one if rounding hides which it is.
+// The first condition that prescribes a velocity neither along nor across one of the directions. If
+// none is found because of rounding, it is the first condition that prescribes a velocity.
 template <int Dim>
 int Constraints<Dim>::obliqueCondition(std::vector<Direction> const& directions,
                                        std::vector<std::vector<double>> const& to) const
@@ -143,7 +143,8 @@ int Constraints<Dim>::obliqueCondition(std::vector<Direction> const& directions,
   return first->condition;
 }
 
-// The directions that a node's frame follows, each with its prescribed velocity, or none if free.
+// The directions that a node's frame follows, each with its prescribed velocity; a free direction
+// has none.
 template <int Dim>
 NodalBasis Constraints<Dim>::layFrame(int node, std::vector<Direction> const& directions,
                                       NodalBasis const& prescribed) const
@@ -228,7 +229,7 @@ template <int Dim>
 void Constraints<Dim>::shareWithGhosts(DofMap const& dofs)
 {
   const int components = dofs.components();
-  // One column a frame column, and one more for the flag.
+  // The vectors have one column for each column of the frames, and one more for the flags.
   MultiVector owned(dofs.owned(), components + 1);
   MultiVector local(dofs.overlap(), components + 1);
   {

@@ -23,21 +23,22 @@ template <int Dim>
 class Constraints
 {
 public:
-  // sample_times: when conditions that share a direction are compared [s].
+  // sample_times: the times at which conditions that share a direction are compared [s].
   Constraints(Mesh<Dim> const& mesh, DofMap const& dofs,
               std::vector<VelocityCondition<Dim>> conditions,
               std::vector<double> const& sample_times);
 
   NodalFrames const& frames() const { return frames_; }
-  // (num local dofs) nonzero where the velocity is prescribed, for owned and ghost dofs.
+  // (num local dofs) for owned and ghost dofs: nonzero where the velocity is prescribed.
   std::vector<char> const& fixed() const { return fixed_; }
-  // v(owned dofs): the prescribed velocity at time t [s] in nodal frames, zero at free dofs.
+  // Sets v(owned dofs) to the prescribed velocity at time t [s] in nodal frames, and to zero at
+  // free dofs.
   void prescribedVelocity(double t, Vector& v) const;
 
 private:
   using Direction = detail::Direction;
   using NodalDirections = detail::NodalDirections;
-  // velocity of row = sum of coefficients times the conditions' velocities
+  // The velocity of the row is the sum of the coefficients times the velocities of the conditions.
   struct FixedRow
   {
     int dof;
@@ -60,6 +61,6 @@ private:
   std::vector<char> fixed_;
   std::vector<FixedRow> rows_;
   std::vector<Point<Dim>> owned_vertices_;
-  std::vector<double> largest_; // velocity that each condition prescribes at the sample times
+  std::vector<double> largest_; // largest velocity of each condition at the sample times
 };
 } // namespace asperity::fem

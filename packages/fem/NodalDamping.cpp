@@ -11,7 +11,7 @@ namespace asperity::fem
 {
 namespace
 {
-// across n n^T + along (1 - n n^T), in the frame of a node; components == 1: along.
+// across n n^T + along (1 - n n^T) in the frame of a node. With one component it is `along`.
 template <int Dim, int Components>
 std::array<double, 9> dashpot(NodalFrames const& frames, int node, Point<Dim> const& normal,
                               double across, double along)

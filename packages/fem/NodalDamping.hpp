@@ -28,6 +28,6 @@ NodalDampers absorbingBoundary(Mesh<Dim> const& mesh, std::string const& boundar
 RCP<const CrsMatrix> withDampers(CrsMatrix const& viscosity, DofMap const& dofs,
                                  NodalDampers const& dampers);
 
-// Zeros on the same graph.
+// A matrix of zeros on the same graph.
 RCP<const CrsMatrix> zeroLike(CrsMatrix const& matrix);
 } // namespace asperity::fem

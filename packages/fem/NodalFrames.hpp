@@ -7,8 +7,8 @@ namespace asperity::fem
 {
 // An orthonormal frame at each local node. Components of vectors are taken along its rows, so that
 // a condition on a direction (the normal of a dipping fault, say) becomes a condition on one
-// component. components <= 3; row r, column c of the frame of a node is entry(node, r, c); identity
-// until set.
+// component. components <= 3; row r, column c of the frame of a node is entry(node, r, c). A frame
+// is the identity until it is set.
 class NodalFrames
 {
 public:
@@ -66,9 +66,8 @@ private:
 };
 
 // The components of a node's frame along a boundary, ascending: all but the one that is nearest to
-// the boundary's normal, which has Dim numbers. The frame follows that normal, apart from the bend
-// of a boundary or the wall that it ends at. Antiplane motion has one component, along any
-// boundary.
+// the boundary's normal, which has Dim numbers. The frame follows that normal, except where the
+// boundary bends or ends at a wall. The one component of antiplane motion is along any boundary.
 template <std::size_t Dim>
 std::vector<int> tangentialComponents(NodalFrames const& frames, int node,
                                       std::array<double, Dim> const& normal);

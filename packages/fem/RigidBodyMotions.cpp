@@ -16,11 +16,11 @@ template <int Dim>
 struct Box
 {
   Point<Dim> centre{};
-  double half_size = 0; // of its longest side
+  double half_size = 0; // half the length of its longest side
 
   Box(Mesh<Dim> const& mesh, Communicator const& communicator)
   {
-    // Lowest coordinates, and highest ones with the opposite sign.
+    // These are the lowest coordinates, and the highest ones with the opposite sign.
     std::vector<double> mine(2 * Dim, std::numeric_limits<double>::max());
     for (int node = 0; node < mesh.num_owned; ++node) {
       for (int d = 0; d < Dim; ++d) {
@@ -37,7 +37,7 @@ struct Box
   }
 };
 
-// Axes about which a body may turn, by the two axes of the plane in which it does.
+// The rotations that a body may make, each by the two axes of the plane in which it turns.
 template <int Dim>
 std::vector<std::pair<int, int>> rotations(Mesh<Dim> const& mesh)
 {

@@ -8,23 +8,25 @@ namespace asperity::friction
 //
 //   psi_i(w) = weight_i [ sigma_n_i mubar(c_i |w|, alpha_i) / c_i + cohesion_i |w| ],
 //
-// mubar(V, alpha) the integral of mu(., alpha) from 0 to V, c_i the slip factor, so that
+// where mubar(V, alpha) is the integral of mu(., alpha) from 0 to V, and c_i is the slip factor.
+// Hence
 //
 //   d psi_i / d|w| = weight_i [ sigma_n_i mu(c_i |w|, alpha_i) + cohesion_i ].
 //
 // psi_i is a power in W, in two dimensions per metre of thickness.
 //
-// All views lie on the device, velocities in m/s, T = 1 or 2 (else std::invalid_argument). The
-// kernels run in the default instance of ExecutionSpace and have finished on return if they return
-// a number. They allocate nothing. A caller that launches often keeps views of the very types named
-// here, since turning a view into one of constant values counts references.
+// All views lie on the device, velocities are in m/s, and T is 1 or 2 (else std::invalid_argument).
+// The kernels run in the default instance of ExecutionSpace; those that return a number have
+// finished when they return. They allocate nothing. A caller that launches often should keep views
+// of exactly the types named here, since the conversion to a view of constant values counts
+// references.
 class FrictionKernels
 {
 public:
   struct Difference
   {
     double change;    // sum of psi_i(v_i + d_i) - psi_i(v_i)
-    double magnitude; // sum of the magnitudes of its terms, to measure its rounding by
+    double magnitude; // sum of the magnitudes of its terms, the scale of its rounding
   };
 
   virtual ~FrictionKernels() = default;
@@ -34,17 +36,17 @@ public:
   // The minimiser is a multiple of r_i. Its length s solves
   //   curvature_i s + weight_i (sigma_n_i mu(c_i s) + cohesion_i) = |r_i|
   // up to the rounding of this equation; s = 0 if |r_i| <= weight_i cohesion_i, or if the slip rate
-  // would be below 1e-300 m/s. The v_i given serves as first guess.
+  // would be below 1e-300 m/s. The given v_i is the first guess.
   // curvature(num_nodes) > 0 in N s/m, r(num_nodes, T) in N.
-  // Returns the number of nodes without a solution, where v_i is left alone: curvature not
-  // positive, anything not finite, or no convergence.
+  // Returns the number of nodes without a solution, where v_i is left alone. There a curvature is
+  // not positive, a value is not finite, or the iteration does not converge.
   virtual int minimise(IndexView const& nodes, ConstNodeView const& curvature,
                        ConstBlockView const& r, ConstNodeView const& alpha,
                        BlockView const& v) const = 0;
 
   // Gradient [N] and Hessian [N s/m] of psi_i at v_i. kinked_i = 1 where psi_i has no second
-  // derivative (v_i = 0 with cohesion, the kink of a law) or none that is a finite number: there
-  // the Hessian is zero and the gradient the subgradient of least norm.
+  // derivative (v_i = 0 with cohesion, the kink of a law) or an infinite one: there the Hessian is
+  // set to zero, and the gradient is the subgradient of least norm.
   virtual void linearise(ConstBlockView const& v, ConstNodeView const& alpha,
                          BlockView const& gradient, HessianView const& hessian,
                          FlagView const& kinked) const = 0;
@@ -62,8 +64,9 @@ public:
                            NodeView const& mu) const = 0;
 
   // alpha_i := the state at which mu(V_i, alpha_i) = mu_i, the inverse of the law in its state.
-  // V(num_nodes) in m/s, mu(num_nodes). Returns the number of nodes without one, where alpha_i is
-  // left alone: V_i or mu_i not positive, or friction that does not depend on the state (b = 0).
+  // V(num_nodes) in m/s, mu(num_nodes). Returns the number of nodes without such a state, where
+  // alpha_i is left alone. There V_i or mu_i is not positive, or friction does not depend on the
+  // state (b = 0).
   virtual int balance(ConstNodeView const& V, ConstNodeView const& mu,
                       NodeView const& alpha) const = 0;
 };

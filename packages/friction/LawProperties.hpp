@@ -5,12 +5,12 @@
 #include <functional>
 #include <vector>
 
-// What a law says of itself besides its kernels. Functions of the law's parameters at one node take
-// them in the order of its table, on the host; one that the law does not have is empty.
+// What a law declares about itself besides its kernels. Its functions take the law's parameters at
+// one node in the order of its table, on the host. A function that the law does not have is empty.
 namespace asperity::friction
 {
-// How mu changes at large slip rates: its derivatives by log V and by alpha, both without a
-// dimension. These are a and b of mu = mu* + a log(V / V*) + b alpha.
+// How mu changes at large slip rates: its derivatives by log V and by alpha, both
+// dimensionless. These are a and b of mu = mu* + a log(V / V*) + b alpha.
 struct Sensitivity
 {
   double slip_rate; // a

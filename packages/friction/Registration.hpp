@@ -10,15 +10,15 @@
 #include <string>
 #include <type_traits>
 
-// Makes a law known by its name and instantiates its kernels; one line at the bottom of a .cpp, in
-// this package or in anybody's library or program (shared or object: a static library drops such
-// files):
+// These macros make a law known by its name and instantiate its kernels. Write one line at the
+// bottom of a .cpp, in this package or in any other program or library. The library has to be a
+// shared or an object library, since a static one drops such files.
 //
 //   ASPERITY_REGISTER_FRICTION_LAW(asperity::friction::RegularisedLaw)
 //   ASPERITY_REGISTER_STATE_LAW(asperity::friction::AgeingLaw)
 //
 // README.md says what a law has to have. Nothing is thrown here, since this runs before main and
-// while a library is loaded: Registry.hpp says what becomes of two laws of one name.
+// while a library is loaded: Registry.hpp says what happens to two laws of the same name.
 namespace asperity::friction
 {
 using FrictionKernelsMaker = std::function<std::unique_ptr<FrictionKernels>(FaultData const&)>;

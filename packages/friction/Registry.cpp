@@ -28,7 +28,8 @@ struct Laws
 using FrictionLaws = Laws<FrictionLawProperties, FrictionKernelsMaker>;
 using StateLaws = Laws<StateLawProperties, StateKernelsMaker>;
 
-// Inside functions: registration runs before the static objects of this file need exist.
+// The maps are static objects of functions, since registration may run before the static objects of
+// this file exist.
 FrictionLaws& frictionLaws()
 {
   static FrictionLaws laws{"friction law", {}, {}};
@@ -83,7 +84,8 @@ auto const& find(AnyLaws const& laws, std::string const& name)
   for (auto const& law : laws.by_name) {
     known += (known.empty() ? "'" : ", '") + law.first + "'";
   }
-  throw std::out_of_range("'" + name + "' is no " + laws.kind + "; known are " + known + ".");
+  throw std::out_of_range("'" + name + "' is not a known " + laws.kind + ". Choose one of " +
+                          known + ".");
 }
 
 template <class AnyLaws>

@@ -9,9 +9,9 @@
 #include <vector>
 
 // All laws by name: those of this package and those that other libraries or programs have
-// registered (see Registration.hpp). A name nobody registered throws std::out_of_range, which lists
-// the known ones. Two laws of one name are a mistake of ours: from then on every function but
-// registeredLaws throws std::logic_error.
+// registered (see Registration.hpp). A name that is not registered throws std::out_of_range, whose
+// message lists the registered ones. A second law of the same name is a programming error: from
+// then on every function but registeredLaws throws std::logic_error.
 namespace asperity::friction
 {
 std::vector<std::string> frictionLawNames(); // sorted
@@ -26,8 +26,8 @@ std::vector<std::string> stateLawNames(); // sorted
 StateLawProperties const& stateLaw(std::string const& name);
 std::vector<Parameter> const& stateLawParameters(std::string const& name);
 
-// parameters(num_parameters, num_nodes), rows in the order of the law's table, read once.
-// Throws std::invalid_argument if the number of rows is another one.
+// parameters(num_parameters, num_nodes) has its rows in the order of the law's table and is read
+// once. Throws std::invalid_argument if it does not have that number of rows.
 std::unique_ptr<StateKernels> makeStateKernels(std::string const& name, ParameterView parameters);
 
 // "friction law 'Truncated'", "state law 'Slip'", ..., for each registration: a name that two laws

@@ -11,9 +11,9 @@ class StateKernels
 public:
   virtual ~StateKernels() = default;
 
-  // alpha1_i := the state after dt >= 0 seconds at the constant slip rate V_i, from alpha0_i: exact
-  // where the law knows its flow map, one step of backward Euler elsewhere. alpha1 may be alpha0.
-  // Returns the number of nodes where backward Euler failed, where alpha1_i = alpha0_i.
+  // alpha1_i := the state after dt >= 0 seconds at the constant slip rate V_i, from alpha0_i. It is
+  // exact where the law knows its flow map, and one step of backward Euler elsewhere. alpha1 may be
+  // alpha0. Returns the number of nodes where backward Euler failed; there alpha1_i = alpha0_i.
   virtual int flow(ConstNodeView const& V, double dt, ConstNodeView const& alpha0,
                    NodeView const& alpha1) const = 0;
 

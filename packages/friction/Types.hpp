@@ -29,7 +29,7 @@ struct FaultData
   ConstNodeView cohesion; // >= 0, Pa
 
   // Slip rate V = slip_factor |v_t|: 1 against a rigid foundation, 2 where the body is one half of
-  // an antisymmetric whole. Without entries: 1 everywhere.
+  // an antisymmetric whole. A view without entries means 1 everywhere.
   ConstNodeView slip_factor;
 
   ParameterView parameters; // rows in the order of the law's table

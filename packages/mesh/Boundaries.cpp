@@ -31,7 +31,7 @@ FacetKey<Dim> keyOf(Mesh<Dim> const& part, typename Mesh<Dim>::Facet const& face
   return detail::sorted(key);
 }
 
-// Whether all cells of a facet are here: a rank has those that touch its vertices.
+// Whether this rank has all cells of the facet; it has those that touch its vertices.
 template <int Dim>
 bool isComplete(GlobalMesh<Dim> const&, typename Mesh<Dim>::Facet const&)
 {
@@ -44,7 +44,7 @@ bool isComplete(Mesh<Dim> const& part, typename Mesh<Dim>::Facet const& facet)
                      [&](int vertex) { return vertex < part.num_owned; });
 }
 
-// The facets that belong to one cell only, outward.
+// The facets that belong to one cell only, with outward orientation.
 template <template <int> class AnyMesh, int Dim>
 std::vector<typename Mesh<Dim>::Facet> outerFacets(AnyMesh<Dim> const& mesh)
 {
@@ -64,7 +64,7 @@ std::vector<typename Mesh<Dim>::Facet> outerFacets(AnyMesh<Dim> const& mesh)
   return outer;
 }
 
-// Outer facets that a condition gives a name.
+// The outer facets to which a condition gives a name.
 template <template <int> class AnyMesh, int Dim>
 class NamedFacets
 {
@@ -86,7 +86,7 @@ public:
 
   bool contains(Facet const& facet) const { return named_.count(keyOf(mesh_, facet)) > 0; }
 
-  // 1 for every condition whose name a facet has.
+  // The entry of a condition is 1 if at least one facet has its name.
   std::vector<int> areUsed(std::vector<NamedCondition<Dim>> const& conditions) const
   {
     std::set<std::string> used;
@@ -117,7 +117,7 @@ private:
   std::map<FacetKey<Dim>, Named> named_;
 };
 
-// `on_any_rank` makes flags of this mesh those of all parts of a mesh.
+// `on_any_rank` turns flags of this part into those of all parts of the mesh.
 template <template <int> class AnyMesh, int Dim, class OnAnyRank>
 void assignBoundaries(AnyMesh<Dim>& mesh, std::vector<NamedCondition<Dim>> const& conditions,
                       std::string const& where, OnAnyRank on_any_rank)
@@ -129,8 +129,8 @@ void assignBoundaries(AnyMesh<Dim>& mesh, std::vector<NamedCondition<Dim>> const
     ASPERITY_REQUIRE(are_used[c], where
                                     << " / " << conditions[c].name
                                     << ": the boundary has no facet. Its condition holds at the "
-                                    << "centre of no outer facet of the body, or later ones take "
-                                    << "its facets.");
+                                    << "centre of no outer facet of the body, or the conditions of "
+                                    << "later boundaries take its facets.");
     boundaries[conditions[c].name];
   }
   std::vector<int> has_facets;

@@ -6,15 +6,15 @@
 namespace asperity::mesh
 {
 // Gives every facet of the outer boundary to the last boundary whose condition holds at its
-// centroid, whether it had a name before or not; facets where none holds stay where they are.
-// Boundaries of the mesh that lose all their facets are dropped. InputError, starting with `where`,
-// if a condition gives a name to no facet.
+// centroid, whether it had a name before or not; facets where none holds keep their boundary.
+// Boundaries of the mesh that lose all their facets are dropped. Throws an InputError, whose
+// message starts with `where`, if a condition gives a name to no facet.
 template <int Dim>
 void overrideBoundaries(GlobalMesh<Dim>& mesh, std::vector<NamedCondition<Dim>> const& conditions,
                         std::string const& where = "Mesh / Boundaries");
 
-// The same for the parts of a mesh: gives the part of the mesh that the function above makes of the
-// whole, with the same names on every rank, or the same InputError. Collective.
+// The same for the parts of a mesh: the result is this rank's part of what the function above makes
+// of the whole mesh. Names, and an InputError, are the same on every rank. Collective.
 template <int Dim>
 void overrideBoundaries(Mesh<Dim>& part, std::vector<NamedCondition<Dim>> const& conditions,
                         Communicator const& communicator,

@@ -33,7 +33,7 @@ std::string numbers(std::array<int, N> const& simplex)
   return list;
 }
 
-// The checks, in an order that lets each rely on those before it.
+// The checks stand in an order in which each may rely on those before it.
 template <int Dim>
 class Check
 {
@@ -169,7 +169,7 @@ private:
       return where_ + ": the facet of boundary '" + name + "' with vertices " + numbers(facet) +
              " at " + text(corners(mesh_, facet));
     };
-    ASPERITY_REQUIRE(first != last, describe() << " is no facet of a cell.");
+    ASPERITY_REQUIRE(first != last, describe() << " is not a facet of any cell.");
     ASPERITY_REQUIRE(last - first == 1, describe()
                                           << " lies inside the body, between cells " << first->cell
                                           << " and " << (first + 1)->cell << ".");

@@ -22,15 +22,15 @@ struct GlobalMesh
 
 namespace mesh
 {
-// InputError that starts with `where` (a file or a parameter list) unless the mesh is one: finite
-// coordinates, vertex numbers and regions in range, every cell positively oriented, every vertex in
-// a cell, no facet in more than two cells, every facet of a boundary in exactly one cell and once
-// in the boundary.
+// Throws an InputError that starts with `where` (a file or a parameter list) unless the mesh is
+// valid: coordinates are finite, vertex numbers and regions are in range, every cell is positively
+// oriented, every vertex is in a cell, no facet is in more than two cells, and every facet of a
+// boundary is in exactly one cell and once in the boundary.
 template <int Dim>
 void checkMesh(GlobalMesh<Dim> const& mesh, std::string const& where);
 
-// Gives the facets of the boundaries outward orientation. Those that are no facet of a cell stay as
-// they are, for checkMesh to name them.
+// Gives the facets of the boundaries outward orientation. Those that are not facets of a cell stay
+// as they are; checkMesh names them.
 template <int Dim>
 void orientFacets(GlobalMesh<Dim>& mesh);
 

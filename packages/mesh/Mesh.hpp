@@ -18,8 +18,8 @@ using Point = std::array<double, Dim>;
 // one of its vertices, so that its rows of every matrix are complete without communication.
 // Vertices are numbered locally: the owned ones first, then the ghosts. Coordinates in m.
 //
-// Where the mesh is periodic, opposite sides are one set of vertices, which have the lower
-// coordinate, and cells reach across: their geometry is that of corners() (SimplexGeometry.hpp).
+// Where the mesh is periodic, opposite sides are one set of vertices with the lower coordinate, and
+// some cells reach across the period: corners() gives their geometry (SimplexGeometry.hpp).
 template <int Dim>
 struct Mesh
 {

@@ -22,7 +22,7 @@ std::vector<double> diameters(AnyMesh const& mesh)
   return result;
 }
 
-// Angles between facets, which in 2D are edges: pi less the angle between their outward normals.
+// The angles between facets (edges in 2D): pi minus the angle between their outward normals.
 template <int Dim>
 double smallestAngle(GlobalMesh<Dim> const& mesh, typename GlobalMesh<Dim>::Cell const& cell)
 {

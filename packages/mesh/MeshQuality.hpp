@@ -21,7 +21,7 @@ struct CellSizes
 template <int Dim>
 CellSizes cellSizes(GlobalMesh<Dim> const& mesh);
 
-// The facets of a boundary; InputError with the valid names if there is none of this name.
+// The facets of a boundary. Throws an InputError with the valid names if none has this name.
 template <int Dim>
 std::vector<typename Mesh<Dim>::Facet> const& boundaryFacets(GlobalMesh<Dim> const& mesh,
                                                              std::string const& name);
@@ -29,8 +29,8 @@ template <int Dim>
 std::vector<typename Mesh<Dim>::Facet> const& boundaryFacets(Mesh<Dim> const& mesh,
                                                              std::string const& name);
 
-// Vertices of the facets of a boundary, ascending, each once. Of a rank's part: all the owned ones,
-// and those ghosts that share a facet with them.
+// Vertices of the facets of a boundary, ascending, each once. In a rank's part these are all owned
+// ones, and the ghosts that share a facet with them.
 template <int Dim>
 std::vector<int> boundaryVertices(GlobalMesh<Dim> const& mesh, std::string const& name);
 template <int Dim>

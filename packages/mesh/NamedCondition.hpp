@@ -6,7 +6,8 @@
 
 namespace asperity::mesh
 {
-// Where a region or a piece of the boundary is to be; of a new name, or of one that is there.
+// The name of a region or a boundary, new or already in the mesh, and the condition that holds
+// there.
 template <int Dim>
 struct NamedCondition
 {

@@ -20,7 +20,7 @@ int regionNumber(AnyMesh& mesh, std::string const& name)
   return number;
 }
 
-// 1 for every region that has a cell in this mesh.
+// The entry of a region is 1 if it has a cell in this mesh.
 template <class AnyMesh>
 std::vector<int> regionsWithCells(AnyMesh const& mesh)
 {
@@ -48,7 +48,7 @@ void dropRegions(AnyMesh& mesh, std::vector<int> const& is_kept)
   }
 }
 
-// `on_any_rank` makes flags of this mesh those of all parts of a mesh.
+// `on_any_rank` turns flags of this part into those of all parts of the mesh.
 template <int Dim, class AnyMesh, class OnAnyRank>
 void assignRegions(AnyMesh& mesh, std::vector<NamedCondition<Dim>> const& conditions,
                    std::string const& where, OnAnyRank on_any_rank)
@@ -63,9 +63,10 @@ void assignRegions(AnyMesh& mesh, std::vector<NamedCondition<Dim>> const& condit
   }
   const std::vector<int> has_cells = on_any_rank(regionsWithCells(mesh));
   for (auto const& condition : conditions) {
-    ASPERITY_REQUIRE(has_cells[static_cast<std::size_t>(regionNumber(mesh, condition.name))] > 0,
-                     where << " / " << condition.name << ": the region has no cell. Its condition "
-                           << "holds at no cell's centroid, or later ones take its cells.");
+    ASPERITY_REQUIRE(
+      has_cells[static_cast<std::size_t>(regionNumber(mesh, condition.name))] > 0,
+      where << " / " << condition.name << ": the region has no cell. Its condition "
+            << "holds at no cell's centroid, or the conditions of later regions take its cells.");
   }
   dropRegions(mesh, has_cells);
 }

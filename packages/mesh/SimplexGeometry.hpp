@@ -42,7 +42,7 @@ inline Point<3> cross(Point<3> const& a, Point<3> const& b)
   return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
 }
 
-// Coordinates of the corners of a cell or a facet, where no period is crossed.
+// Coordinates of the corners of a cell or a facet that crosses no period.
 template <int Dim, std::size_t N>
 std::array<Point<Dim>, N> corners(std::vector<Point<Dim>> const& vertices,
                                   std::array<int, N> const& simplex)
@@ -55,9 +55,9 @@ std::array<Point<Dim>, N> corners(std::vector<Point<Dim>> const& vertices,
 }
 
 // Coordinates of the corners of a cell or a facet of a Mesh or a GlobalMesh. Along a periodic axis
-// those more than half a period below the highest corner are replaced by their images one period
-// higher: the cells between the last vertices and the first ones lie where they were before these
-// were identified, whatever the order of their corners.
+// corners more than half a period below the highest one are replaced by their images one period
+// higher. Thus the cells between the last vertices and the first ones lie where they were before
+// these vertices were identified, for every order of their corners.
 template <template <int> class AnyMesh, int Dim, std::size_t N>
 std::array<Point<Dim>, N> corners(AnyMesh<Dim> const& mesh, std::array<int, N> const& simplex)
 {
@@ -114,7 +114,7 @@ inline double signedMeasure(std::array<Point<3>, 4> const& c)
   return dot<3>(cross(a, b), difference<3>(c[3], c[0])) / 6.0;
 }
 
-// Normal to a facet as long as the facet is large: outward, if the facet's orientation is.
+// The normal of a facet, whose length is the size of the facet; outward if the orientation is.
 inline Point<2> areaNormal(std::array<Point<2>, 2> const& c)
 {
   return {c[1][1] - c[0][1], c[0][0] - c[1][0]};

@@ -15,10 +15,10 @@ struct Direction
   int condition;
 };
 
-// Of owned nodes by their local numbers, in the order of the conditions.
+// The directions at each owned node, by its local number, in the order of the conditions.
 using NodalDirections = std::map<int, std::vector<Direction>>;
 
-// InputError where a condition names no boundary of the mesh, or no direction.
+// Throws InputError where a condition names no boundary of the mesh, or has no direction.
 template <int Dim>
 NodalDirections collectDirections(Mesh<Dim> const& mesh,
                                   std::vector<VelocityCondition<Dim>> const& conditions,

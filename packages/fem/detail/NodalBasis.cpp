@@ -120,7 +120,8 @@ std::vector<double> completing(std::vector<std::vector<double>> const& direction
       addScaled(candidate, -dot(candidate, known), known);
     }
     const double length = std::sqrt(dot(candidate, candidate));
-    // One of the axes has a part at least this long: the parts' squares add up to 1 or more.
+    // The remainder of one of the axes is at least this long, since the squares of the lengths add
+    // up to 1 or more.
     if (length > 0.4) {
       for (double& x : candidate) {
         x /= length;

@@ -5,7 +5,8 @@
 
 namespace asperity::fem::detail
 {
-// A velocity as a sum of coefficients times the velocities of conditions, by their numbers.
+// A velocity that is a sum of coefficients times the velocities of conditions, given by their
+// numbers.
 using Terms = std::vector<std::pair<int, double>>;
 
 // Below this the sine of the angle between two directions counts as zero.
@@ -15,15 +16,15 @@ inline constexpr double parallel = 1e-8;
 class NodalBasis
 {
 public:
-  // Takes the part of the unit vector `direction` that is orthogonal to all others as the next one;
-  // `terms` is the velocity along `direction`. Where nothing is left, `false`: `terms` is then the
-  // velocity that is prescribed in excess, which has to be zero.
+  // Adds the part of the unit vector `direction` that is orthogonal to all others as the next one;
+  // `terms` is the velocity along `direction`. Returns false if there is no such part. Then `terms`
+  // becomes the velocity that is prescribed in excess, which has to be zero.
   bool add(std::vector<double> const& direction, Terms& terms);
 
-  // Empty: the velocity along direction k is free.
+  // With empty `terms` the velocity along direction k is free.
   void setVelocity(int k, Terms const& terms) { velocities_[k] = terms; }
 
-  // In the plane: turns the second direction to the side that completing() chooses.
+  // In two dimensions, turns the second direction to the side that completing() chooses.
   void orient();
 
   int size() const { return static_cast<int>(vectors_.size()); }
@@ -41,12 +42,13 @@ private:
 
 double dot(std::vector<double> const& a, std::vector<double> const& b);
 
-// Of the part of `towards` at right angles to the unit normal, or at right angles to both; in three
-// dimensions, not normalised: zero where `towards` is the normal.
+// In three dimensions: the part of `towards` at right angles to the unit normal or, if
+// `at_right_angles`, the product normal x towards. It is not normalised, and it is zero where
+// `towards` is along the normal.
 std::vector<double> withinPlane(std::vector<double> const& normal,
                                 std::vector<double> const& towards, bool at_right_angles);
 
-// The axis that a unit vector follows, forwards or backwards; -1 if it follows none.
+// The axis that a unit vector is parallel to, in either direction; -1 if there is none.
 int axisOf(std::vector<double> const& direction);
 
 // The direction at right angles to orthonormal ones that is nearest to the first possible axis; the

@@ -13,8 +13,9 @@ struct StateSolution
 // One step of backward Euler, g(alpha) = alpha - alpha0 - dt rate(V, alpha) = 0, for a law that has
 //   double rate(double V, double alpha)            d(alpha)/dt in 1/s, not increasing in alpha
 //   double rateDerivative(double V, double alpha)  its derivative by alpha, <= 0, in 1/s
-// Since g' >= 1 there is exactly one zero, whatever dt: bracketed by strides that double from
-// alpha0, then found by Newton's method, with bisection where Newton leaves the bracket or is slow.
+// Since g' >= 1 there is exactly one zero for every dt. Steps from alpha0 that double in length
+// bracket it; then Newton's method finds it, with bisection where Newton leaves the bracket or is
+// slow.
 template <class Law>
 class BackwardEuler
 {

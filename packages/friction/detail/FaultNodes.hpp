@@ -10,7 +10,7 @@
 
 namespace asperity::friction::detail
 {
-// A view that does not count references: its memory has to be kept alive by another one.
+// A view that does not count references; another view has to keep its memory alive.
 template <class View>
 using Unmanaged = Kokkos::View<typename View::data_type, typename View::array_layout,
                                typename View::device_type, Kokkos::MemoryTraits<Kokkos::Unmanaged>>;
@@ -26,7 +26,7 @@ LawView<Law> loadLaws(ParameterView const& parameters)
   constexpr std::size_t expected = std::size(Law::parameters);
   if (parameters.extent(0) != expected) {
     throw std::invalid_argument(std::string("asperity::friction: ") + Law::name + " has " +
-                                std::to_string(expected) + " parameters, given are " +
+                                std::to_string(expected) + " parameters, but the view has " +
                                 std::to_string(parameters.extent(0)) + " rows.");
   }
   const Kokkos::View<Law*, MemorySpace> laws(
@@ -40,7 +40,7 @@ LawView<Law> loadLaws(ParameterView const& parameters)
   return laws;
 }
 
-// What the kernels copy to the device: psi at a node, when its state is known.
+// What the kernels copy to the device: it gives psi at a node for a known state.
 template <class Law>
 struct FaultNodes
 {
@@ -75,7 +75,8 @@ FaultNodes<Law> makeFaultNodes(LawView<Law> const& laws, FaultData& fault)
     if (view.extent(0) != num_nodes) {
       throw std::invalid_argument(std::string("asperity::friction: ") + Law::name + ": " +
                                   view.label() + " has " + std::to_string(view.extent(0)) +
-                                  " entries, the fault " + std::to_string(num_nodes) + " nodes.");
+                                  " entries, but the fault has " + std::to_string(num_nodes) +
+                                  " nodes.");
     }
   }
   return {laws, fault.weight, fault.sigma_n, fault.cohesion, fault.slip_factor};

@@ -2,9 +2,9 @@
 
 #include "friction/detail/FaultNodes.hpp"
 
-// One functor for each kernel of FrictionKernels, whose comments say what they compute. v, r, d,
-// gradient (num_nodes, T), the others (num_nodes). Their views do not count references, which would
-// take longer than the work at one node.
+// There is one functor for each kernel of FrictionKernels, whose comments say what they compute. v,
+// r, d and gradient have the shape (num_nodes, T), the others (num_nodes). Their views do not count
+// references, which would take longer than the work at one node.
 namespace asperity::friction::detail
 {
 template <class Law, int T>

@@ -3,7 +3,7 @@
 #include <Kokkos_Core.hpp>
 #include <Kokkos_MathematicalFunctions.hpp>
 
-// Functions that both friction laws are made of. Host and device, no dimensions.
+// Functions that both friction laws use, on host and device. All quantities are dimensionless.
 namespace asperity::friction
 {
 #if KOKKOS_VERSION >= 30700
@@ -16,7 +16,7 @@ namespace detail
 {
 inline constexpr double epsilon = 2.220446049250313e-16; // 2^-52
 
-// exp(-2 x) is lost in rounding beside 1 from here on.
+// For x above this, 1 + exp(-2 x) is rounded to 1.
 inline constexpr double asymptotic_from = 20;
 
 KOKKOS_INLINE_FUNCTION double smaller(double x, double y) { return x < y ? x : y; }
@@ -42,8 +42,8 @@ KOKKOS_INLINE_FUNCTION double asinhHalfExp(double x)
 inline constexpr double series_until = 0.65;
 
 // The average of log(1 + s) over s in [0, u]: (1 + u) log(1 + u) / u - 1, for 0 <= u <=
-// series_until. In t = u / (2 + u), where log(1 + u) = 2 artanh t, all terms are positive: nothing
-// cancels.
+// series_until. As a series in t = u / (2 + u), where log(1 + u) = 2 artanh t, all its terms are
+// positive, so that nothing cancels.
 KOKKOS_INLINE_FUNCTION double meanLogGrowth(double u)
 {
   const double t = u / (2 + u);
@@ -55,8 +55,8 @@ KOKKOS_INLINE_FUNCTION double meanLogGrowth(double u)
   return t + (1 + t) * t2 * sum;
 }
 
-// The average of x(V) = log(V / V_alpha) over V in [low, low + width]; low > 0, width >= 0, x0 and
-// x1 the values at both ends. Relative to the average's rounding where x0 >= 0.
+// The average of x(V) = log(V / V_alpha) over V in [low, low + width]; low > 0, width >= 0; x0 and
+// x1 are the values at both ends. Where x0 >= 0, it is accurate to the rounding of the average.
 KOKKOS_INLINE_FUNCTION double meanLog(double low, double width, double x0, double x1)
 {
   if (width <= series_until * low) {
@@ -76,7 +76,7 @@ KOKKOS_INLINE_FUNCTION double length(double const (&vector)[T])
     const double y = math::fabs(vector[1]);
     const double longer = larger(x, y);
     if (longer == 0 || !isFinite(longer)) {
-      return x + y; // 0, or whatever is not finite
+      return x + y; // it is 0 or not finite
     }
     const double ratio = smaller(x, y) / longer;
     return longer * math::sqrt(1 + ratio * ratio);

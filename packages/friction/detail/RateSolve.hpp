@@ -4,7 +4,7 @@
 
 namespace asperity::friction::detail
 {
-// Slip rates below this, in m/s, are taken for 0.
+// Slip rates below this, in m/s, are replaced by 0.
 inline constexpr double smallest_slip_rate = 1e-300;
 
 struct RateSolution
@@ -19,8 +19,8 @@ struct RateSolution
 // Newton's method in the variable V^p, which takes the part of the curve that is logarithmic in V
 // (p = 0) as it takes the linear one (p = 1): p is chosen such that the second derivative vanishes,
 // so the order is three. From V = load / drag as well as from a neighbouring solution it takes two
-// to four evaluations. A bracket keeps it on course; what leaves it is replaced by the geometric
-// mean.
+// to four evaluations. The solution stays in a bracket: an iterate that leaves it is replaced by
+// the geometric mean of its ends.
 template <class Curve>
 class RateSolve
 {
@@ -55,7 +55,7 @@ public:
       const double slope = drag_ * V + strength_ * response.first;
       const double step = residual / slope; // relative to V
       const double next = stepped(V, step, (drag_ * V + strength_ * response.second) / slope);
-      // The next error is of the order of step^3, or all of the residual is rounding.
+      // The error of `next` is of the order of step^3, or the bracket consists of rounding alone.
       if (math::fabs(step) < 2e-6 || high_ <= low_ * (1 + 2 * epsilon)) {
         return {next, true};
       }

@@ -28,8 +28,9 @@ struct AgeingLaw
   }
 
   // alpha after dt at constant V. With q = V dt / L,
-  //   exp(alpha1) = exp(alpha0 - q) + (V* dt / L) (1 - exp(-q)) / q,
-  // what is left of the old contact and what has healed since, added as logarithms.
+  //   exp(alpha1) = exp(alpha0 - q) + (V* dt / L) (1 - exp(-q)) / q.
+  // The first term is what is left of the old contact, the second what has healed since. They are
+  // added as logarithms.
   KOKKOS_INLINE_FUNCTION double flow(double V, double dt, double alpha0) const
   {
     const double q = V * dt / state.slip_distance;

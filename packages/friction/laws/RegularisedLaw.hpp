@@ -53,8 +53,8 @@ struct RegularisedLaw
       return {a * math::asinh(z), a * z / root, a * z / (root * (1 + z * z))};
     }
 
-    // The average of mu between V and V + h, mu(V) for h = 0; V + h >= 0. Times h it is the
-    // difference of mubar, to the relative rounding of this difference.
+    // The average of mu between V and V + h, mu(V) for h = 0; V + h >= 0. Multiplied by h it is the
+    // difference of mubar, accurate to the relative rounding of this difference.
     KOKKOS_INLINE_FUNCTION double mean(double V, double h) const;
 
     KOKKOS_INLINE_FUNCTION bool kinkedAt(double) const { return false; }
@@ -71,8 +71,8 @@ struct RegularisedLaw
 
   KOKKOS_INLINE_FUNCTION Curve at(double alpha) const { return {effect.a, effect.shift(alpha)}; }
 
-  // The alpha at which mu(V, alpha) = mu: V / V_alpha = 2 sinh(mu / a), as a logarithm, since the
-  // sine overflows. V > 0, mu > 0.
+  // The alpha at which mu(V, alpha) = mu. The logarithm of V / V_alpha = 2 sinh(mu / a) is used,
+  // since the hyperbolic sine overflows. V > 0, mu > 0.
   KOKKOS_INLINE_FUNCTION double stateFor(double V, double mu) const
   {
     const double y = mu / effect.a;
@@ -83,7 +83,7 @@ struct RegularisedLaw
 // With s = sqrt(1 + z^2) and integration by parts from the lower end,
 //   mean / a = asinh z0 + (V1 / h) (asinh z1 - asinh z0) - (z0 + z1) / (s0 + s1),
 //   asinh z1 - asinh z0 = asinh((z1^2 - z0^2) / (z1 s0 + z0 s1)).
-// What cancels between the last two terms is never more than the first term makes up for.
+// The cancellation between the last two terms is never large compared with the first term.
 KOKKOS_INLINE_FUNCTION double RegularisedLaw::Curve::mean(double V, double h) const
 {
   const double low = detail::larger(detail::smaller(V, V + h), 0);
@@ -106,7 +106,7 @@ KOKKOS_INLINE_FUNCTION double RegularisedLaw::Curve::mean(double V, double h) co
     const double rise = sum == 0 ? 0 : math::asinh(growth * z0 * sum / (z1 * s0 + z0 * s1));
     return a * (asinh0 + (1 + 1 / growth) * rise - sum / (s0 + s1));
   }
-  // From exp(300) on the last term is 1, and z1^2 must not overflow.
+  // For z1 above exp(300) / 2 the last term is 1, and the bound keeps z1^2 from overflowing.
   const double x1 = logRatio(low + width);
   const double z1 = math::exp(detail::smaller(x1, 300)) / 2;
   const double s1 = math::sqrt(1 + z1 * z1);

@@ -21,7 +21,7 @@ struct SlipLaw
   static double slipDistance(double const* values) { return values[0]; }
   static double thetaScale(double const* values) { return values[0] / values[1]; }
 
-  // d(alpha)/dt in 1/s, 0 at V = 0: no slip, no change.
+  // d(alpha)/dt in 1/s. It is 0 at V = 0: without slip the state does not change.
   KOKKOS_INLINE_FUNCTION double rate(double V, double alpha) const
   {
     return V == 0 ? 0 : -V / state.slip_distance * (state.logRatio(V) + alpha);

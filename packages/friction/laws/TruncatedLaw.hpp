@@ -4,8 +4,8 @@
 
 namespace asperity::friction
 {
-// mu(V, alpha) = a max(log(V / V_alpha), 0), Pipping 2014, (6): no friction below V_alpha, where
-// the law has a kink. Host and device; V >= 0 in m/s, any alpha.
+// mu(V, alpha) = a max(log(V / V_alpha), 0), Pipping 2014, (6). There is no friction below V_alpha,
+// where the law has a kink. Host and device; V >= 0 in m/s, any alpha.
 struct TruncatedLaw
 {
   static constexpr char const* name = "Truncated";
@@ -21,7 +21,7 @@ struct TruncatedLaw
 
     KOKKOS_INLINE_FUNCTION double mu(double V) const { return a * detail::larger(logRatio(V), 0); }
 
-    // dmu/dV in s/m, at the kink the one from above.
+    // dmu/dV in s/m; at the kink it is the derivative from above.
     KOKKOS_INLINE_FUNCTION double derivative(double V) const { return logRatio(V) < 0 ? 0 : a / V; }
 
     KOKKOS_INLINE_FUNCTION Response response(double V) const
@@ -30,8 +30,8 @@ struct TruncatedLaw
       return x < 0 ? Response{0, 0, 0} : Response{a * x, a, 0};
     }
 
-    // The average of mu between V and V + h, mu(V) for h = 0; V + h >= 0. Times h it is the
-    // difference of mubar, to the relative rounding of this difference.
+    // The average of mu between V and V + h, mu(V) for h = 0; V + h >= 0. Multiplied by h it is the
+    // difference of mubar, accurate to the relative rounding of this difference.
     KOKKOS_INLINE_FUNCTION double mean(double V, double h) const
     {
       const double low = detail::larger(detail::smaller(V, V + h), 0);
@@ -44,7 +44,8 @@ struct TruncatedLaw
       return x1 > 0 ? a * (1 + low / width) * meanFromKink(x1) : 0;
     }
 
-    // The slip rate of the kink, V_alpha; 0 or infinite where it is no double.
+    // The slip rate of the kink, V_alpha. It is 0 where it underflows and infinite where it
+    // overflows.
     KOKKOS_INLINE_FUNCTION double kink() const { return math::exp(-shift); }
 
     // True within the rounding of x(V), which is a difference.

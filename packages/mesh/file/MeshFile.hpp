@@ -17,13 +17,13 @@
 // size; strings may have fixed or variable length.
 namespace asperity::mesh
 {
-// Overwrites. The file is complete or not there: it is written under another name and then renamed.
-// InputError if it cannot be written.
+// Overwrites an existing file. The file is written under another name and then renamed, so that it
+// is complete if it exists. Throws InputError if it cannot be written.
 template <int Dim>
 void writeMesh(GlobalMesh<Dim> const& mesh, std::string const& file_name);
 
-// A checked mesh (checkMesh). InputError with the name of the file if it is missing, malformed,
-// truncated, of another dimension, or no mesh.
+// The mesh of the file, after checkMesh. Throws an InputError with the name of the file if this is
+// missing, malformed, truncated, of another dimension, or not a mesh.
 template <int Dim>
 GlobalMesh<Dim> readMesh(std::string const& file_name);
 

@@ -24,7 +24,7 @@ void requireDimension(std::string const& file_name, PartitionSummary const& summ
                                                   << ", not " << wanted << " as wanted here.");
 }
 
-// The first rank reads.
+// The first rank reads and sends the result to all others.
 PartitionSummary summaryOnEveryRank(std::string const& file_name, Communicator const& communicator)
 {
   PartitionSummary summary;
@@ -42,7 +42,7 @@ PartitionSummary summaryOnEveryRank(std::string const& file_name, Communicator c
   return summary;
 }
 
-// What Mesh has of a part; worth something only if the reader has no problem afterwards.
+// The mesh of a part, which is valid only if the reader has no problem afterwards.
 template <int Dim>
 Mesh<Dim> readMeshOf(detail::SlabReader& reader, PartitionSummary const& summary, int part)
 {

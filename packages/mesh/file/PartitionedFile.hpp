@@ -9,7 +9,7 @@
 //   /                       attributes format = "asperity-partition", version = 1, dimension,
 //                           num_parts, num_vertices and num_cells of the whole mesh, period
 //                           (dimension) in m with 0 where not periodic, fingerprint of the whole
-//                           mesh (16 hexadecimal digits, whatever the parts), boundary ("" for
+//                           mesh (16 hexadecimal digits, for any parts), boundary ("" for
 //                           none) and boundary_weight as in PartitionOptions
 //   /region_names           (num_regions)    strings
 //   /boundaries             a group that holds a group for each boundary
@@ -49,23 +49,24 @@ struct PartitionSummary
 };
 
 // Divides the mesh as `owners` says and writes all parts; partitionVertices has made `owners` with
-// these options. The file is complete or not there. InputError if it cannot be written.
+// these options. The file is complete if it exists. Throws InputError if it cannot be written.
 template <int Dim>
 void writeParts(GlobalMesh<Dim> const& mesh, std::vector<int> const& owners, int num_parts,
                 PartitionOptions const& options, std::string const& file_name);
 
-// The part of this rank, equal to localPart of the whole mesh. Every rank reads its own rows, in
-// parallel; none has the whole mesh at any time. Every rank throws the same InputError if the file
-// is missing, malformed, truncated, damaged, of another dimension, or made for another number of
-// ranks; its message has the command that partitions anew. Collective.
+// The part of this rank, equal to localPart of the whole mesh. All ranks read their own rows in
+// parallel, and none has the whole mesh at any time. Every rank throws the same InputError if the
+// file is missing, malformed, truncated, damaged, of another dimension, or made for another number
+// of ranks; its message has the command that partitions anew. Collective.
 template <int Dim>
 Mesh<Dim> readPart(std::string const& file_name, RCP<const Communicator> const& communicator);
 
-// The whole mesh put together from all parts, checked; on one process. InputError as readPart.
+// The whole mesh, put together from all parts and checked, on one process. Throws as readPart does.
 template <int Dim>
 GlobalMesh<Dim> readParts(std::string const& file_name);
 
-// What the file has, without the mesh. InputError if it is no partitioned mesh.
+// What the file says of its mesh and its parts, without the mesh itself. Throws InputError if it is
+// not a partitioned mesh.
 PartitionSummary partitionSummary(std::string const& file_name);
 
 // True for a partitioned mesh, false for one of MeshFile.hpp. InputError for anything else; the

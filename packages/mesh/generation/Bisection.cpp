@@ -18,9 +18,9 @@ constexpr std::size_t most_vertices = 10'000'000;
 
 // A sweep marks the refinement edges of the cells that are too large, marks more until every cell
 // with a marked edge has its refinement edge marked too, and bisects along all marked edges.
-// Marking more ends because there are finitely many edges, whatever the refinement edges of the
-// first cells are. Triangles are then conforming. Tetrahedra may have children with a marked edge
-// that is not their refinement edge: the same again until there are none.
+// This ends because there are finitely many edges, for every choice of the refinement edges of the
+// first cells. Triangles are then conforming. Tetrahedra may have children with a marked edge that
+// is not their refinement edge; for this reason marking and bisection repeat until none has one.
 template <int Dim>
 class Bisection
 {
@@ -42,7 +42,7 @@ public:
     }
   }
 
-  // False if no cell was too large.
+  // Returns false if no cell was too large.
   bool sweep(SizeFunction<Dim> const& largest_diameter)
   {
     markLargeCells(largest_diameter);
@@ -86,11 +86,11 @@ private:
   {
     Simplex simplex;
     int region;
-    bool is_small; // enough, as far as is known
+    bool is_small; // it is known to be small enough
   };
   static constexpr int unknown = -1;
 
-  // In the order of the edges' lengths.
+  // A strict order of the edges by their length.
   std::tuple<double, int, int> rank(Edge edge) const
   {
     std::sort(edge.begin(), edge.end());
@@ -124,7 +124,7 @@ private:
     });
   }
 
-  // False if all was closed.
+  // Returns false if every cell with a marked edge had its refinement edge marked already.
   bool closeMarks()
   {
     bool has_marked = false;
@@ -140,7 +140,7 @@ private:
     return has_marked;
   }
 
-  // In the order of the cells, so that the numbers do not depend on the hash table.
+  // Numbers them in the order of the cells, so that the numbers do not depend on the hash table.
   void createMidpoints()
   {
     for (auto const& cell : cells_) {
@@ -200,13 +200,13 @@ private:
     }
   }
 
-  GlobalMesh<Dim> mesh_; // its cells and boundaries are the first ones
+  GlobalMesh<Dim> mesh_; // its cells and boundaries are those before any bisection
   std::vector<Cell> cells_;
   std::map<std::string, std::vector<Facet>> facets_;
   detail::EdgeTable midpoints_; // marked edge -> vertex, or unknown
 };
 
-// Before hours of bisection, not after them.
+// Refuses a size that needs too many vertices before hours of bisection, and not after them.
 template <int Dim>
 void refuseTooMany(GlobalMesh<Dim> const& mesh, SizeFunction<Dim> const& largest_diameter)
 {

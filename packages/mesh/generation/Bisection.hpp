@@ -10,7 +10,7 @@ using Triangle = std::array<Point<2>, 3>;
 using Tetrahedron = std::array<Point<3>, 4>;
 
 // The largest diameter (longest edge, in m) that is allowed for a cell with these corners, which
-// may coincide; positive.
+// may coincide. It has to be positive.
 template <int Dim>
 using SizeFunction = std::function<double(std::array<Point<Dim>, Dim + 1> const&)>;
 
@@ -19,18 +19,19 @@ using SizeFunction = std::function<double(std::array<Point<Dim>, Dim + 1> const&
 // SIAM J. Sci. Comput. 22 (2000), 431. The refinement edges of the given cells are their longest
 // edges. Regions, boundaries and periods are inherited. Angles stay away from zero: a cell has
 // descendants of finitely many shapes, a triangle of four, a sixth of a cube of three.
-// InputError if that takes more than 10 million vertices; at once where an estimate is that high.
+// Throws InputError if that takes more than 10 million vertices, and at once if an estimate says
+// so.
 GlobalMesh<2> bisect(GlobalMesh<2> const& mesh, SizeFunction<2> const& largest_diameter);
 GlobalMesh<3> bisect(GlobalMesh<3> const& mesh, SizeFunction<3> const& largest_diameter);
 
-// The size of cells that is wanted at a point, in m; positive.
+// The wanted size of cells at a point, in m. It has to be positive.
 template <int Dim>
 using CellSize = std::function<double(Point<Dim> const&)>;
 
 // The diameter that a cell size allows a cell: the square root of the dimension times the smallest
 // size found at its corners, the midpoints of its edges and its centroid. The sides of squares and
-// cubes cut into simplices are then no longer than the size; they are exactly as long if the size
-// is that of the first cells' sides divided by a power of two, and rounding does not count.
+// cubes cut into simplices are then no longer than the size. They are as long, up to rounding, if
+// the size is that of the first cells' sides divided by a power of two.
 SizeFunction<2> largestDiameter(CellSize<2> const& size);
 SizeFunction<3> largestDiameter(CellSize<3> const& size);
 } // namespace asperity::mesh

@@ -26,8 +26,8 @@ void check(BoxShape const& shape)
                                   << shape.num_cells[2] << " cells are too many for one mesh.");
 }
 
-// The six ways from the lowest to the highest corner of a brick, an axis at a time; the last three
-// have the other orientation.
+// The six ways from the lowest to the highest corner of a brick, one axis at a time. The last three
+// give tetrahedra of the other orientation.
 constexpr int ways[6][3] = {{0, 1, 2}, {1, 2, 0}, {2, 0, 1}, {0, 2, 1}, {2, 1, 0}, {1, 0, 2}};
 
 // `step`: the difference of the numbers of neighbours along each axis.
@@ -55,7 +55,7 @@ void addSide(int lowest, int u, int v, bool is_higher, std::vector<GlobalMesh<3>
   facets.push_back({lowest, lowest + u, lowest + u + v});
   facets.push_back({lowest, lowest + u + v, lowest + v});
 }
-// Calls it with (i, j, k) from 0 to below the counts, i fastest.
+// Calls the function with all (i, j, k) from 0 to below the counts; i runs fastest.
 template <class Call>
 void forEach(std::array<int, 3> const& counts, Call const& call)
 {

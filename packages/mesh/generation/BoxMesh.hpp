@@ -14,7 +14,7 @@ struct BoxShape
 // Bricks cut into six tetrahedra around the diagonal from their lowest to their highest corner
 // (Freudenthal, Kuhn). Vertices with x fastest: number (i, j, k) is
 // (k (num_cells[1] + 1) + j) (num_cells[0] + 1) + i. Boundaries `left` and `right` (x), `bottom`
-// and `top` (y), `front` and `back` (z), the lower one first; region `body`. InputError if the
-// shape is none.
+// and `top` (y), `front` and `back` (z), the lower one first; region `body`. Throws InputError if
+// the shape is not valid.
 GlobalMesh<3> boxMesh(BoxShape const& shape);
 } // namespace asperity::mesh

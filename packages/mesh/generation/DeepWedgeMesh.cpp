@@ -27,13 +27,13 @@ void check(DeepWedge const& deep)
   for (auto const& [low, high] : deep.patches) {
     ASPERITY_REQUIRE(low >= 0.0 && low < high && high <= deep.depth,
                      "Mesh / Deep Wedge / Seismogenic Intervals: the interval from "
-                       << low << " to " << high << " m is no part of the depth, 0 to " << deep.depth
-                       << " m.");
+                       << low << " to " << high << " m does not lie within the depth, from 0 to "
+                       << deep.depth << " m.");
   }
 }
 
-// Prisms about as long as half of their triangles' diameter, which is small enough for the layers
-// that are needed: shapes that bisection keeps.
+// Prisms about half as long as the diameter of their triangles, which is short enough for the
+// layers that are needed. Bisection keeps such shapes.
 GlobalMesh<3> coarseWedge(WedgeShape const& shape, DeepWedge const& deep)
 {
   const int fewest_layers = deep.is_periodic ? 3 : 1;

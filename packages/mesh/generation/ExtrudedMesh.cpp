@@ -53,7 +53,7 @@ void addPrism(GlobalMesh<2>::Cell const& triangle, int up, std::vector<GlobalMes
   }
 }
 
-// The side over an edge with the body to its left, outward.
+// The side over an edge that has the body to its left, with outward orientation.
 void addSide(GlobalMesh<2>::Facet const& edge, int up, std::vector<GlobalMesh<3>::Facet>& facets)
 {
   const auto [p, q] = edge;

@@ -9,7 +9,7 @@ namespace asperity::mesh
 // sides start at the vertex with the smaller number on the lower level, so that all layers look the
 // same. Vertex v on level k has the number k num_plane_vertices + v. Regions, boundaries and
 // periods are inherited; `front` and `back` are the first and the last level.
-// InputError if the levels are none or a boundary has one of these two names already.
+// Throws InputError if the levels are not valid or a boundary has one of these two names already.
 GlobalMesh<3> extrude(GlobalMesh<2> const& plane, std::vector<double> const& levels);
 
 // 0, length / num_layers, ..., length

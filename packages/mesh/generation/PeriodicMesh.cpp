@@ -42,7 +42,7 @@ void requireShortCells(GlobalMesh<Dim> const& mesh, int axis, double period,
   }
 }
 
-// The new number of every vertex: that of `low` for those of `high`.
+// The new number of every vertex; a vertex of `high` gets that of its translate on `low`.
 template <int Dim>
 std::vector<int> identified(GlobalMesh<Dim> const& mesh, int axis, double period,
                             std::vector<int> const& low, std::vector<int> const& high,
@@ -81,7 +81,7 @@ void renumber(Simplices& simplices, std::vector<int> const& numbers)
   }
 }
 
-// `vertices` ascending; the others keep their order.
+// `vertices` have to ascend; the others keep their order.
 template <int Dim>
 void dropVertices(GlobalMesh<Dim>& mesh, std::vector<int> const& vertices)
 {

@@ -13,8 +13,9 @@ struct RectangleShape
   Point<2> lower_left = {0.0, 0.0};
 };
 
-// Right triangles, two a rectangle, with diagonals that alternate as on a chessboard. Vertices row
-// by row from the lower left: number (i, j) is j (cells_x + 1) + i. Boundaries `bottom`, `top`,
-// `left`, `right`; region `body`. InputError if the shape is none.
+// Right triangles, two in each rectangle, with diagonals that alternate as on a chessboard.
+// Vertices are numbered row by row from the lower left: (i, j) has the number j (cells_x + 1) + i.
+// Boundaries `bottom`, `top`, `left`, `right`; region `body`. Throws InputError if the shape is not
+// valid.
 GlobalMesh<2> rectangleMesh(RectangleShape const& shape);
 } // namespace asperity::mesh

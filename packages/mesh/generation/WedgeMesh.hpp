@@ -27,6 +27,6 @@ struct WedgeShape
 
 // Cells are bisected while they exceed (s d / l + 1) times the cell size, d being the distance of
 // the cell from the seismogenic zone. Boundaries `base`, `right`, `surface`; regions `upper` and
-// `lower`. InputError if the shape is none.
+// `lower`. Throws InputError if the shape is not valid.
 GlobalMesh<2> wedgeMesh(WedgeShape const& shape = {});
 } // namespace asperity::mesh

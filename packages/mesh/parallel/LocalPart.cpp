@@ -8,7 +8,7 @@ namespace asperity::mesh
 {
 namespace
 {
-// What a part has, as numbers of the whole mesh, ascending.
+// The vertices, cells and facets of a part, by their numbers in the whole mesh, ascending.
 struct Selection
 {
   std::vector<int> owned;
@@ -29,7 +29,7 @@ void forOwners(std::array<int, N> const& simplex, std::vector<int> const& owners
   }
 }
 
-// selection(part) is where the numbers of that part go, or nullptr.
+// selection(part) takes the numbers of that part; nullptr if they are not wanted.
 template <int Dim, class SelectionOf>
 void select(GlobalMesh<Dim> const& mesh, std::vector<int> const& owners, SelectionOf selection)
 {

@@ -146,7 +146,7 @@ Mesh<Dim> distribute(GlobalMesh<Dim> const& mesh, Communicator const& communicat
   const int num_ranks = communicator.getSize();
   std::vector<int> owners(mesh.vertices.size(), 0);
   if (num_ranks > 1) {
-    // Every rank throws alike if the input is at fault; the answer is that of rank 0.
+    // All ranks throw the same error if the input is wrong; all take the partition of rank 0.
     owners = partitionVertices(mesh, num_ranks, options);
     Teuchos::broadcast(communicator, 0, static_cast<int>(owners.size()), owners.data());
   }

@@ -6,9 +6,10 @@ namespace asperity::mesh
 {
 struct PartitionOptions
 {
-  // The vertices of this boundary are balanced too, since friction makes them dearer and works on
-  // them alone: parts that are even in all vertices may leave one rank with the whole fault. They
-  // count `boundary_weight` times among all vertices. No boundary if "".
+  // The vertices of this boundary are balanced, too, since the work of friction is at these
+  // vertices alone: parts with equal numbers of vertices may leave one rank with the whole fault.
+  // Among all vertices they count `boundary_weight` times. The name is "" if there is no such
+  // boundary.
   std::string boundary;
   int boundary_weight = 4;
 };
@@ -21,8 +22,8 @@ template <int Dim>
 std::vector<int> partitionVertices(GlobalMesh<Dim> const& mesh, int num_parts,
                                    PartitionOptions const& options = {});
 
-// The largest part's number of vertices over the mean of all parts, 1 at best; of all vertices, or
-// of some (at least one).
+// The largest part's number of vertices divided by the mean of all parts, 1 at best. It counts all
+// vertices, or some of them (at least one).
 double imbalance(std::vector<int> const& owners, int num_parts);
 double imbalance(std::vector<int> const& owners, int num_parts, std::vector<int> const& vertices);
 
@@ -47,8 +48,8 @@ template <int Dim>
 std::vector<NumberedPart<Dim>> localParts(GlobalMesh<Dim> const& mesh,
                                           std::vector<int> const& owners, int num_parts);
 
-// Partitions, by rank 0's answer, and returns each rank its part. `mesh` is the same on every rank.
-// Collective.
+// Partitions the mesh as rank 0 finds it and returns the part of this rank. `mesh` is the same on
+// every rank. Collective.
 template <int Dim>
 Mesh<Dim> distribute(GlobalMesh<Dim> const& mesh, Communicator const& communicator,
                      PartitionOptions const& options = {});

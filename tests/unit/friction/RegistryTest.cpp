@@ -80,11 +80,13 @@ TEST(Registry, NamesTheKnownLawsWhereOneIsUnknown)
   for (auto const& message :
        {messageOfOutOfRange([] { frictionLawParameters("Regularized"); }),
         messageOfOutOfRange([] { makeFrictionKernels("Regularized", FaultData()); })}) {
-    EXPECT_EQ(message, "'Regularized' is no friction law; known are 'Regularised', 'Truncated'.");
+    EXPECT_EQ(
+      message,
+      "'Regularized' is not a known friction law. Choose one of 'Regularised', 'Truncated'.");
   }
   for (auto const& message : {messageOfOutOfRange([] { stateLawParameters("Aging"); }),
                               messageOfOutOfRange([&none] { makeStateKernels("Aging", none); })}) {
-    EXPECT_EQ(message, "'Aging' is no state law; known are 'Ageing', 'Slip'.");
+    EXPECT_EQ(message, "'Aging' is not a known state law. Choose one of 'Ageing', 'Slip'.");
   }
 }
 

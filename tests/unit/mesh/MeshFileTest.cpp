@@ -225,7 +225,7 @@ TEST_F(MeshFile, RefusesWhatIsNoMesh)
     [](hid_t id) {
       replace(id, "/boundaries/top/facets", {1, 2}, {1, 3}, H5T_STD_I32LE);
     },
-    {"'top'", "is no facet of a cell"});
+    {"'top'", "is not a facet of any cell"});
   // Numbers beyond 32 bits do not wrap around into the allowed range.
   expectRefused(
     [](hid_t id) {

@@ -8,8 +8,8 @@
 
 namespace asperity::mesh::detail
 {
-// FNV-1a, 64 bits (Fowler, Noll, Vo): finds damage and mix-ups, not malice. Over the bytes of the
-// values as they lie in memory.
+// FNV-1a, 64 bits (Fowler, Noll, Vo), of the bytes of the values in memory. It detects damage and
+// files that were confused, but not forgery.
 class Checksum
 {
 public:

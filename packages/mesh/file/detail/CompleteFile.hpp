@@ -11,6 +11,6 @@ namespace asperity::mesh::detail
 void writeCompletely(std::string const& file_name, std::string const& where,
                      std::function<void(std::string const&)> const& write);
 
-// InputError unless a boundary of this name can have a group of its own in a file.
+// Throws InputError unless a boundary of this name can have a group of its own in a file.
 void requireGroupName(std::string const& boundary, std::string const& where);
 } // namespace asperity::mesh::detail

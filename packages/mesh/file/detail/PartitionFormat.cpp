@@ -82,7 +82,7 @@ std::string fingerprint(GlobalMesh<Dim> const& mesh)
   return text.str();
 }
 
-// body.h5 becomes body_2.h5, and so does body_8.h5 if it has 8 parts.
+// The suggested name: body.h5 becomes body_2.h5, and so does body_8.h5 if it has 8 parts.
 std::string partitionCommand(std::string const& file_name, int num_parts, int wanted_parts)
 {
   const std::filesystem::path path = file_name;

@@ -10,14 +10,14 @@ namespace asperity::mesh::detail
 constexpr char partition_format[] = "asperity-partition";
 constexpr int partition_version = 1;
 
-// InputError unless it is one.
+// Throws InputError unless the file is a partitioned mesh.
 PartitionSummary readSummary(MeshFileReader const& file);
 
-// Depends on everything that the parts must agree on. The checksums of all rows start from it, so
-// that rows of another mesh, or for another number of parts, are found out.
+// A number that depends on everything that the parts must agree on. The checksums of all rows start
+// from it, so that rows of another mesh, or for another number of parts, are detected.
 std::uint64_t seedOf(PartitionSummary const& summary);
 
-// Of the rows of an array that belong to a part.
+// The checksum of the rows of an array that belong to a part.
 template <class Row>
 std::uint64_t partChecksum(std::uint64_t seed, std::string const& array, int part,
                            std::vector<Row> const& rows)

@@ -10,8 +10,8 @@ namespace asperity::mesh::detail
 {
 // Reads the arrays of a partitioned file, part by part, and compares their checksums. Of the ranks
 // of a communicator each may read a part of its own: all of them call the same functions for the
-// same arrays. A rank on which something is wrong goes on, or others would wait for it in vain;
-// what is wrong first is in problem(), and then its rows are worth nothing.
+// same arrays. A rank that finds a problem goes on, since the others would wait for it forever;
+// problem() then describes the first one, and the rows of that rank are not valid.
 class SlabReader
 {
 public:
@@ -33,8 +33,8 @@ public:
       });
     if (problem_.empty() && partChecksum(seed_, array, part, rows) != checksum) {
       note("part " + std::to_string(part) + " of '" + array +
-           "' is not as it was written, by its checksum. The file is damaged, or put together from "
-           "several ones");
+           "' does not have the checksum that it was written with. The file is damaged, or put "
+           "together from several files");
     }
     return rows;
   }
@@ -60,7 +60,7 @@ private:
     using Number = Component;
   };
 
-  // Returns the checksum that the file has.
+  // Returns the checksum that stands in the file.
   std::uint64_t readRows(std::string const& array, int part, hsize_t columns, Read const& read);
   std::optional<h5::Dataset> openValues(std::string const& path, hsize_t columns) const;
   Slab findSlab(std::string const& array, int part, hsize_t num_rows_of_all);

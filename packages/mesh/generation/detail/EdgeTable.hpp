@@ -22,14 +22,15 @@ public:
     size_ = 0;
   }
 
-  // The number of an edge, or null if it is not there. Valid until the next edge is added.
+  // The number of an edge, or null if it is not in the table. The pointer is valid until the next
+  // edge is added.
   int* find(Edge const& edge)
   {
     Slot& slot = slots_[place(keyOf(edge))];
     return slot.key == nothing ? nullptr : &slot.number;
   }
 
-  // False if the edge is there already, which then keeps its number.
+  // Returns false if the edge is in the table already; it then keeps its number.
   bool add(Edge const& edge, int number)
   {
     const std::uint64_t key = keyOf(edge);

@@ -10,7 +10,8 @@ namespace asperity::mesh::detail
 // equal length, so that neighbours agree on the longest edge of what they share.
 using IsLonger = std::function<bool(Edge const&, Edge const&)>;
 
-// A simplex that knows the edge at whose midpoint it will be bisected, and all its descendants'.
+// A simplex that knows the edge at whose midpoint it will be bisected, and those of all its
+// descendants.
 // Facets are marked like cells of one dimension less: the facet of a marked cell is bisected as
 // the marked simplex made of it would be. Vertices keep their orientation.
 template <int Dim>

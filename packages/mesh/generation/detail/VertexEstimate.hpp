@@ -4,8 +4,8 @@
 
 namespace asperity::mesh::detail
 {
-// Roughly as many vertices as a mesh has at least when no cell exceeds its allowed diameter, found
-// without refining it: few calls of the function, whatever the answer.
+// A rough lower estimate of the number of vertices of a mesh in which no cell exceeds its allowed
+// diameter. It does not refine the mesh, and needs few calls of the function for any result.
 template <int Dim>
 double fewestVertices(GlobalMesh<Dim> const& mesh, SizeFunction<Dim> const& largest_diameter);
 } // namespace asperity::mesh::detail

@@ -5,7 +5,7 @@
 // What wedges with and without depth have in common.
 namespace asperity::mesh::detail
 {
-// InputError if the shape is none.
+// Throws InputError if the shape is not valid.
 void checkWedge(WedgeShape const& shape);
 
 // The whole wedge as one cell, of region `upper`.

@@ -108,8 +108,8 @@ GlobalMesh<Dim> Assembly<Dim>::finish(std::string const& where)
   for (auto const& boundary : mesh_.boundaries) {
     is_complete = is_complete && isComplete(boundary.second);
   }
-  ASPERITY_REQUIRE(is_complete, where << ": its parts are not all of a mesh; some vertex, cell or "
-                                      << "facet is in none. Partition the mesh again.");
+  ASPERITY_REQUIRE(is_complete, where << ": its parts are not a whole mesh; some vertex, cell or "
+                                      << "facet is in none of them. Partition the mesh again.");
   return std::move(mesh_);
 }
 

@@ -11,10 +11,11 @@ class Assembly
 public:
   explicit Assembly(PartitionSummary const& summary);
 
-  // InputError if numbers of cells or facets are out of range, or do not fit what they number.
+  // Throws InputError if numbers of cells or facets are out of range, or are not as many as cells
+  // or facets.
   void add(NumberedPart<Dim> const& part, std::string const& where);
 
-  // InputError unless every vertex, cell and facet has been added.
+  // Throws InputError unless every vertex, cell and facet has been added.
   GlobalMesh<Dim> finish(std::string const& where);
 
 private:

@@ -10,7 +10,7 @@
 
 namespace asperity::mesh::detail
 {
-// From rank 0 to every other.
+// Sends the data of rank 0 to all other ranks.
 class Broadcast
 {
 public:
