@@ -9,8 +9,6 @@
 #include "scenario/setup/SolverSetup.hpp"
 #include "scenario/setup/TimeSetup.hpp"
 
-#include <sstream>
-
 namespace asperity::scenario
 {
 namespace
@@ -63,37 +61,5 @@ RCP<ParameterList> readCompleteDeck(CommandLine const& command_line)
   }
   completeAndValidate(*deck, *valid, "Asperity");
   return deck;
-}
-
-namespace
-{
-// One line for each entry, with all digits. In the order of the lists, which matters for regions
-// and boundary conditions.
-void writeEntries(std::ostream& text, ParameterList const& list, std::string const& path)
-{
-  for (auto const& item : list) {
-    auto const name = joinPath(path, item.first);
-    Teuchos::ParameterEntry const& entry = item.second;
-    if (entry.isList()) {
-      writeEntries(text, Teuchos::getValue<ParameterList>(entry), name);
-    } else if (entry.isType<double>()) {
-      text << name << " = " << Teuchos::getValue<double>(entry) << '\n';
-    } else {
-      text << name << " = " << entry.getAny(false) << '\n';
-    }
-  }
-}
-} // namespace
-
-std::string fingerprint(ParameterList const& deck)
-{
-  ParameterList relevant(deck);
-  relevant.remove("Output");
-  relevant.remove("TNNMG");
-  relevant.sublist("Time Stepping").remove("Final Time");
-  std::ostringstream text;
-  text.precision(17);
-  writeEntries(text, relevant, "Asperity");
-  return text.str();
 }
 } // namespace asperity::scenario

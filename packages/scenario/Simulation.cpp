@@ -11,6 +11,7 @@
 #include "io/files/OutputDirectory.hpp"
 #include "io/files/RunLog.hpp"
 #include "scenario/DeckReader.hpp"
+#include "scenario/Fingerprint.hpp"
 #include "scenario/OutputFields.hpp"
 #include "scenario/Problem.hpp"
 #include "scenario/RunArchive.hpp"
@@ -69,6 +70,7 @@ private:
   io::FieldRegistry registry_;
   std::unique_ptr<io::OutputSet> outputs_;
   std::string restart_;
+  io::Fingerprint fingerprint_;
   io::Archive checkpoint_; // of a restart, until it begins
   int checkpoint_interval_;
 };
@@ -96,6 +98,7 @@ SimulationOf<Dim>::SimulationOf(RCP<ParameterList> const& deck, CommandLine cons
     , state_(problem_.initial.clone())
     , locations_(makeLocations(problem_))
     , restart_(command_line.restart)
+    , fingerprint_(fingerprint(*deck, problem_.mesh, *communicator))
     , checkpoint_interval_(deck->sublist("Output").get<int>("Checkpoint Every n Steps"))
 {
   auto const update =
@@ -123,7 +126,7 @@ SimulationOf<Dim>::SimulationOf(RCP<ParameterList> const& deck, CommandLine cons
   // be continued are refused before the log and the parameters are: other tables may have been cut
   // back to the checkpoint then, as by any restart from it.
   if (!restart_.empty()) {
-    checkpoint_ = io::readCheckpoint(restart_, fingerprint(*deck), *communicator);
+    checkpoint_ = io::readCheckpoint(restart_, fingerprint_, *communicator);
   }
   io::prepareOutputDirectory(directory_, existingResult(command_line), *communicator);
   if (!restart_.empty()) {
@@ -251,7 +254,7 @@ void SimulationOf<Dim>::writeCheckpoint()
   save(archive, "energy", balance_.energy());
   archive.set("forced_steps", forced_steps_);
   archive.insert("outputs", outputs_->save());
-  io::writeCheckpoint(directory_ / "checkpoint.h5", archive, fingerprint(*deck_), *communicator_);
+  io::writeCheckpoint(directory_ / "checkpoint.h5", archive, fingerprint_, *communicator_);
 }
 
 template <int Dim>

@@ -1,5 +1,6 @@
 #include "base/fields/VertexDataset.hpp"
 
+#include "base/Checksum.hpp"
 #include "base/Errors.hpp"
 
 #include <algorithm>
@@ -11,6 +12,8 @@ namespace asperity
 {
 namespace
 {
+constexpr hsize_t block_size = 1 << 17; // values, a megabyte
+
 std::size_t colonBeforeDataset(std::string const& text)
 {
   const std::size_t colon = text.find(":/");
@@ -78,7 +81,6 @@ std::vector<double> VertexDataset::read(std::vector<long long> const& global_ids
                          << " vertices. One value per vertex of the mesh is wanted, in its order.");
   ASPERITY_ASSERT(order.empty() ||
                   (global_ids[order.front()] >= 0 && global_ids[order.back()] < num_vertices));
-  constexpr hsize_t block_size = 1 << 17;
   std::vector<double> values(global_ids.size());
   try {
     const h5::Dataset dataset = open();
@@ -95,5 +97,22 @@ std::vector<double> VertexDataset::read(std::vector<long long> const& global_ids
     throw InputError(path_ + " = '" + name_ + "' cannot be read. " + error.what());
   }
   return values;
+}
+
+std::uint64_t VertexDataset::checksum() const
+{
+  Checksum checksum;
+  try {
+    const h5::Dataset dataset = open();
+    const auto size = static_cast<hsize_t>(size_);
+    for (hsize_t first = 0; first < size; first += block_size) {
+      std::vector<double> block(std::min(block_size, size - first));
+      dataset.readAlone(block.data(), {first, block.size()});
+      checksum.add(block);
+    }
+  } catch (h5::Error const& error) {
+    throw InputError(path_ + " = '" + name_ + "' cannot be read. " + error.what());
+  }
+  return checksum.value();
 }
 } // namespace asperity

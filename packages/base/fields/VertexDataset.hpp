@@ -2,6 +2,7 @@
 
 #include "base/hdf5/File.hpp"
 
+#include <cstdint>
 #include <string>
 #include <vector>
 
@@ -22,6 +23,9 @@ public:
   // Values of these ids, in their order. InputError unless there are num_vertices values: it is
   // another mesh's then.
   std::vector<double> read(std::vector<long long> const& global_ids, long long num_vertices) const;
+
+  // Of all values; reads them in blocks.
+  std::uint64_t checksum() const;
 
   std::string const& name() const { return name_; }
 

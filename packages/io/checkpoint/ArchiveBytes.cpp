@@ -113,13 +113,4 @@ Archive fromBytes(std::vector<char> const& bytes)
   }
   return archive;
 }
-
-std::int64_t checksum(std::vector<char> const& bytes)
-{
-  std::uint64_t hash = 14695981039346656037ull;
-  for (const char byte : bytes) {
-    hash = (hash ^ static_cast<unsigned char>(byte)) * 1099511628211ull;
-  }
-  return static_cast<std::int64_t>(hash);
-}
 } // namespace asperity::io::detail

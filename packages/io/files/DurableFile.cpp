@@ -25,15 +25,19 @@ void synchronise(std::filesystem::path const& file)
   if (opened) {
     ::close(descriptor);
   }
-  ASPERITY_REQUIRE(written, file.string() << " cannot be written to the disk: "
-                                          << std::strerror(error) << ". Is the disk full?");
+  if (!written) {
+    throw OutputError(file.string() + " cannot be written to the disk: " + std::strerror(error) +
+                      ". Is the disk full?");
+  }
 }
 
 void replace(std::filesystem::path const& file)
 {
   std::error_code error;
   std::filesystem::rename(temporaryName(file), file, error);
-  ASPERITY_REQUIRE(!error, file.string() << " cannot be replaced: " << error.message() << ".");
+  if (error) {
+    throw OutputError(file.string() + " cannot be replaced: " + error.message() + ".");
+  }
 }
 
 void replaceDurably(std::filesystem::path const& file)
@@ -50,7 +54,9 @@ void replaceText(std::filesystem::path const& file, std::string const& text)
   std::filesystem::create_directory(file.parent_path(), ignored);
   std::ofstream stream(temporaryName(file), std::ios::binary);
   stream << text << std::flush;
-  ASPERITY_REQUIRE(stream, file.string() << " cannot be written. Is the disk full?");
+  if (!stream) {
+    throw OutputError(file.string() + " cannot be written. Is the disk full?");
+  }
   replace(file);
 }
 } // namespace asperity::io::detail

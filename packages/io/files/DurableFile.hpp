@@ -8,7 +8,7 @@ namespace asperity::io::detail
 // "fault.h5" -> "fault.h5.part", beside the file that it is to become.
 std::filesystem::path temporaryName(std::filesystem::path const& file);
 
-// Waits until the file is on the disk. InputError if the system says that it cannot be.
+// Waits until the file is on the disk. OutputError if the system says that it cannot be.
 void synchronise(std::filesystem::path const& file);
 
 // Gives the temporary file its name: a process that is killed leaves the old or the new file.

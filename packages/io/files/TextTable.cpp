@@ -74,7 +74,9 @@ void TextTable::flush()
     stream_ << header_;
     stream_.seekp(num_bytes_);
     stream_.flush();
-    ASPERITY_REQUIRE(stream_, file_.string() << " cannot be written. Is the disk full?");
+    if (!stream_) {
+      throw OutputError(file_.string() + " cannot be written. Is the disk full?");
+    }
     detail::synchronise(file_);
   });
 }
@@ -115,7 +117,9 @@ void TextTable::restore(Archive const& archive)
     num_bytes_ = archive.getInteger("num_bytes");
     std::error_code error;
     std::filesystem::resize_file(file_, num_bytes_, error);
-    ASPERITY_REQUIRE(!error, file_.string() << " cannot be cut: " << error.message() << ".");
+    if (error) {
+      throw OutputError(file_.string() + " cannot be cut: " + error.message() + ".");
+    }
     stream_.open(file_, std::ios::binary | std::ios::in | std::ios::out);
     stream_.seekp(num_bytes_);
   });

@@ -92,7 +92,9 @@ std::filesystem::path xdmfPath(SeriesLayout const& layout)
 void closeChecked(std::ostream& out, SeriesLayout const& layout)
 {
   out << footer << std::flush;
-  ASPERITY_REQUIRE(out, xdmfPath(layout).string() << " cannot be written. Is the disk full?");
+  if (!out) {
+    throw OutputError(xdmfPath(layout).string() + " cannot be written. Is the disk full?");
+  }
 }
 } // namespace
 

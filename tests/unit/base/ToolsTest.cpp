@@ -1,3 +1,4 @@
+#include "base/Checksum.hpp"
 #include "base/NearestName.hpp"
 #include "base/Registry.hpp"
 #include "base/Text.hpp"
@@ -35,6 +36,16 @@ struct Dog : Animal
 using AnimalRegistry = Registry<Animal, int>;
 ASPERITY_REGISTER(AnimalRegistry, "Dog", Dog)
 ASPERITY_REGISTER(AnimalRegistry, "Cat", Cat)
+
+TEST(Checksum, SeesASingleBitAndWhereAListEnds)
+{
+  std::vector<char> bytes(1000, 'x');
+  const auto before = Checksum().add(bytes).value();
+  bytes[500] ^= 1;
+  EXPECT_NE(Checksum().add(bytes).value(), before);
+  const std::vector<int> one{1}, two{1, 2}, last{2};
+  EXPECT_NE(Checksum().add(one).add(last).value(), Checksum().add(two).value());
+}
 
 TEST(Registry, NamesAreSortedAndPluginsMade)
 {

@@ -59,11 +59,3 @@ TEST(Archive, BytesReadBackExactly)
   EXPECT_EQ(copy.values(), archive.values());
   EXPECT_TRUE(std::signbit(copy.getDouble("zero")));
 }
-
-TEST(Archive, ChecksumSeesASingleBit)
-{
-  std::vector<char> bytes(1000, 'x');
-  const auto before = io::detail::checksum(bytes);
-  bytes[500] ^= 1;
-  EXPECT_NE(io::detail::checksum(bytes), before);
-}

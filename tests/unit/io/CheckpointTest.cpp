@@ -27,12 +27,19 @@ Archive stateOfRank()
   return archive;
 }
 
+io::Fingerprint deck(std::string const& friction = "0.01", std::string const& checksum = "a1",
+                     std::string const& file = "body.h5")
+{
+  return {{{"Asperity / Friction / a", friction, ""},
+           {"Asperity / Mesh / File / File Name", checksum, "mesh file '" + file + "'"}}};
+}
+
 class Checkpoint : public ::testing::Test
 {
 protected:
-  void SetUp() override { io::writeCheckpoint(file, stateOfRank(), "deck 1", *world()); }
+  void SetUp() override { io::writeCheckpoint(file, stateOfRank(), deck(), *world()); }
 
-  std::string errorOfReading(std::string const& fingerprint = "deck 1")
+  std::string errorOfReading(io::Fingerprint const& fingerprint = deck())
   {
     return test::inputError([&] { io::readCheckpoint(file, fingerprint, *world()); });
   }
@@ -44,7 +51,7 @@ protected:
 
 TEST_F(Checkpoint, ReadsBackBitForBit)
 {
-  const Archive copy = io::readCheckpoint(file, "deck 1", *world());
+  const Archive copy = io::readCheckpoint(file, deck(), *world());
   EXPECT_EQ(io::Archive(copy).values(), stateOfRank().values());
   EXPECT_TRUE(std::signbit(copy.get<std::vector<double>>("state/alpha")[0]));
 }
@@ -53,8 +60,8 @@ TEST_F(Checkpoint, IsReplacedAndLeavesNoTemporaryFile)
 {
   Archive later = stateOfRank();
   later.set("time", 7.0);
-  io::writeCheckpoint(file, later, "deck 1", *world());
-  EXPECT_EQ(io::readCheckpoint(file, "deck 1", *world()).getDouble("time"), 7.0);
+  io::writeCheckpoint(file, later, deck(), *world());
+  EXPECT_EQ(io::readCheckpoint(file, deck(), *world()).getDouble("time"), 7.0);
   const auto files = std::filesystem::directory_iterator(directory.path());
   EXPECT_EQ(std::distance(begin(files), end(files)), 1);
 }
@@ -62,8 +69,8 @@ TEST_F(Checkpoint, IsReplacedAndLeavesNoTemporaryFile)
 TEST_F(Checkpoint, SurvivesAKilledWrite)
 {
   test::write(directory / "checkpoint.h5.part", "half a file");
-  EXPECT_EQ(io::readCheckpoint(file, "deck 1", *world()).values(), stateOfRank().values());
-  io::writeCheckpoint(file, stateOfRank(), "deck 1", *world());
+  EXPECT_EQ(io::readCheckpoint(file, deck(), *world()).values(), stateOfRank().values());
+  io::writeCheckpoint(file, stateOfRank(), deck(), *world());
   EXPECT_FALSE(std::filesystem::exists(directory / "checkpoint.h5.part"));
 }
 
@@ -73,9 +80,25 @@ TEST_F(Checkpoint, MissingFileIsRefused)
   EXPECT_TRUE(test::contains(errorOfReading(), "There is no checkpoint"));
 }
 
-TEST_F(Checkpoint, OtherDeckIsRefused)
+TEST_F(Checkpoint, OtherDeckIsRefusedWithWhatDiffersFirst)
 {
-  EXPECT_TRUE(test::contains(errorOfReading("deck 2"), "belongs to another deck"));
+  const auto message = errorOfReading(deck("0.02", "b2"));
+  EXPECT_TRUE(test::contains(message, "belongs to another deck")) << message;
+  EXPECT_TRUE(test::contains(message, "Asperity / Friction / a is '0.02', and was '0.01'."))
+    << message;
+  auto longer = deck();
+  longer.entries.push_back({"Asperity / Friction / b", "1", ""});
+  EXPECT_TRUE(test::contains(errorOfReading(longer), "Asperity / Friction / b is new."));
+  EXPECT_TRUE(test::contains(errorOfReading({}), "Friction / a is missing, and was '0.01'."));
+}
+
+TEST_F(Checkpoint, OtherContentOfAFileIsRefusedAndACopyIsNot)
+{
+  EXPECT_TRUE(test::contains(errorOfReading(deck("0.01", "b2")),
+                             "the content of mesh file 'body.h5' (Asperity / Mesh / File / File "
+                             "Name) has changed since then."));
+  EXPECT_EQ(io::readCheckpoint(file, deck("0.01", "a1", "copy.h5"), *world()).values(),
+            stateOfRank().values());
 }
 
 TEST_F(Checkpoint, TruncatedFileIsRefused)
@@ -113,17 +136,16 @@ TEST_F(Checkpoint, OtherVersionAndNumberOfRanksAreRefused)
       h5.setAttribute("format", std::string("asperity checkpoint"));
       h5.setAttribute("format_version", version);
       h5.setAttribute("num_ranks", num_ranks);
-      h5.setAttribute("fingerprint", std::string("deck 1"));
     });
   };
   writeHeader(99, world()->getSize());
-  EXPECT_TRUE(test::contains(errorOfReading(), "has format version 99, but 1 is read"));
-  writeHeader(1, 17);
+  EXPECT_TRUE(test::contains(errorOfReading(), "has format version 99, but 2 is read"));
+  writeHeader(2, 17);
   EXPECT_TRUE(test::contains(errorOfReading(), "Restart with mpirun -np 17"));
 }
 
 TEST_F(Checkpoint, FolderThatDoesNotExistIsAnErrorOnEveryRank)
 {
-  EXPECT_THROW(io::writeCheckpoint(directory / "none/checkpoint.h5", stateOfRank(), "", *world()),
-               std::runtime_error);
+  EXPECT_THROW(io::writeCheckpoint(directory / "none/checkpoint.h5", stateOfRank(), {}, *world()),
+               OutputError);
 }

@@ -115,7 +115,7 @@ TEST(SurfaceSeries, ASegmentThatCannotBeWrittenIsAnErrorOnEveryRank)
                          {&block.fields.field("fault", "T")});
   series.append(block.at(0, 0.5));
   test::onRankZero([&] { std::filesystem::remove_all(directory / "segments"); });
-  EXPECT_THROW(series.append(block.at(1, 0.5)), std::runtime_error);
+  EXPECT_THROW(series.append(block.at(1, 0.5)), OutputError);
 }
 
 TEST(SurfaceSeries, VtkReadsTheXdmf)

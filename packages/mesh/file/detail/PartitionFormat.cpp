@@ -3,7 +3,6 @@
 #include "base/Errors.hpp"
 
 #include <filesystem>
-#include <sstream>
 
 namespace asperity::mesh::detail
 {
@@ -75,11 +74,7 @@ std::string fingerprint(GlobalMesh<Dim> const& mesh)
   for (auto const& [name, facets] : mesh.boundaries) {
     checksum.add(name).add(facets);
   }
-  std::ostringstream text;
-  text.fill('0');
-  text.width(16);
-  text << std::hex << checksum.value();
-  return text.str();
+  return hexadecimal(checksum.value());
 }
 
 // The suggested name: body.h5 becomes body_2.h5, and so does body_8.h5 if it has 8 parts.

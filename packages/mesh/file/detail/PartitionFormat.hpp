@@ -1,7 +1,7 @@
 #pragma once
 
+#include "base/Checksum.hpp"
 #include "mesh/file/PartitionedFile.hpp"
-#include "mesh/file/detail/Checksum.hpp"
 #include "mesh/file/detail/MeshFileReader.hpp"
 
 // What the writer and the readers of partitioned files share (PartitionedFile.hpp).

@@ -3,10 +3,11 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <sstream>
 #include <string>
 #include <vector>
 
-namespace asperity::mesh::detail
+namespace asperity
 {
 // FNV-1a, 64 bits (Fowler, Noll, Vo), of the bytes of the values in memory. It detects damage and
 // files that were confused, but not forgery.
@@ -53,4 +54,14 @@ private:
 
   std::uint64_t value_ = 0xcbf29ce484222325u;
 };
-} // namespace asperity::mesh::detail
+
+// 16 digits.
+inline std::string hexadecimal(std::uint64_t checksum)
+{
+  std::ostringstream text;
+  text.fill('0');
+  text.width(16);
+  text << std::hex << checksum;
+  return text.str();
+}
+} // namespace asperity

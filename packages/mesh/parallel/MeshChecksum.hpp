@@ -1,0 +1,19 @@
+#pragma once
+
+#include "base/Types.hpp"
+#include "mesh/Mesh.hpp"
+
+#include <cstdint>
+
+namespace asperity::mesh
+{
+enum class ChecksumOf
+{
+  numbering, // vertices, cells and facets by their numbers, their regions and boundaries
+  everything // and where the vertices are
+};
+
+// Of the whole mesh as it is divided among the ranks; the same on every rank. Collective.
+template <int Dim>
+std::uint64_t checksum(Mesh<Dim> const& part, ChecksumOf what, Communicator const& communicator);
+} // namespace asperity::mesh

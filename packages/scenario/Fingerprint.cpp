@@ -1,0 +1,120 @@
+#include "scenario/Fingerprint.hpp"
+
+#include "base/Checksum.hpp"
+#include "base/fields/VertexDataset.hpp"
+#include "base/parallel/Agreement.hpp"
+#include "mesh/parallel/MeshChecksum.hpp"
+
+#include <Teuchos_CommHelpers.hpp>
+
+#include <map>
+#include <sstream>
+
+namespace asperity::scenario
+{
+namespace
+{
+const std::string mesh_file = "Asperity / Mesh / File / File Name";
+
+// Collects an entry for each parameter. In the order of the lists, which matters for regions and
+// boundary conditions.
+template <int Dim>
+class Collection
+{
+public:
+  Collection(Mesh<Dim> const& mesh, Communicator const& communicator)
+      : mesh_(mesh)
+      , communicator_(communicator)
+  {
+  }
+
+  void add(ParameterList const& list, std::string const& path)
+  {
+    for (auto const& item : list) {
+      auto const name = joinPath(path, item.first);
+      Teuchos::ParameterEntry const& entry = item.second;
+      if (entry.isList()) {
+        add(Teuchos::getValue<ParameterList>(entry), name);
+      } else if (entry.isType<std::string>()) {
+        addText(name, Teuchos::getValue<std::string>(entry));
+      } else {
+        addNumber(name, entry);
+      }
+    }
+  }
+
+  // Another version of the program, or of METIS, may number a mesh otherwise.
+  void addNumbering()
+  {
+    const auto checksum = mesh::checksum(mesh_, mesh::ChecksumOf::numbering, communicator_);
+    result_.entries.push_back({"Asperity / Mesh", hexadecimal(checksum), "the numbered mesh"});
+  }
+
+  io::Fingerprint const& result() const { return result_; }
+
+private:
+  void addText(std::string const& name, std::string const& text)
+  {
+    if (name == mesh_file) {
+      const auto checksum = mesh::checksum(mesh_, mesh::ChecksumOf::everything, communicator_);
+      result_.entries.push_back({name, hexadecimal(checksum), "mesh file '" + text + "'"});
+    } else if (VertexDataset::isName(text)) {
+      result_.entries.push_back(
+        {name, hexadecimal(datasetChecksum(text, name)), "dataset '" + text + "'"});
+    } else {
+      result_.entries.push_back({name, text, ""});
+    }
+  }
+
+  // With all digits.
+  void addNumber(std::string const& name, Teuchos::ParameterEntry const& entry)
+  {
+    std::ostringstream text;
+    text.precision(17);
+    if (entry.isType<double>()) {
+      text << Teuchos::getValue<double>(entry);
+    } else {
+      text << entry.getAny(false);
+    }
+    result_.entries.push_back({name, text.str(), ""});
+  }
+
+  // The first rank reads a dataset, once for all parameters that name it.
+  std::uint64_t datasetChecksum(std::string const& dataset, std::string const& parameter)
+  {
+    const auto known = checksums_.find(dataset);
+    if (known != checksums_.end()) {
+      return known->second;
+    }
+    long long checksum = 0;
+    onRoot(communicator_, [&] {
+      checksum = static_cast<long long>(VertexDataset(dataset, parameter).checksum());
+    });
+    Teuchos::broadcast(communicator_, 0, &checksum);
+    return checksums_[dataset] = static_cast<std::uint64_t>(checksum);
+  }
+
+  Mesh<Dim> const& mesh_;
+  Communicator const& communicator_;
+  std::map<std::string, std::uint64_t> checksums_;
+  io::Fingerprint result_;
+};
+} // namespace
+
+template <int Dim>
+io::Fingerprint fingerprint(ParameterList const& deck, Mesh<Dim> const& mesh,
+                            Communicator const& communicator)
+{
+  ParameterList relevant(deck);
+  relevant.remove("Output");
+  relevant.remove("TNNMG");
+  relevant.sublist("Time Stepping").remove("Final Time");
+  Collection<Dim> collection(mesh, communicator);
+  collection.add(relevant, "Asperity");
+  collection.addNumbering();
+  return collection.result();
+}
+
+template io::Fingerprint fingerprint(ParameterList const&, Mesh<2> const&, Communicator const&);
+template io::Fingerprint fingerprint(ParameterList const&, Mesh<3> const&, Communicator const&);
+} // namespace asperity::scenario
