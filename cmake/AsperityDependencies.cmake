@@ -1,4 +1,9 @@
-# Everything from outside is found here and given one name of the form Asperity::<Library>.
+# What the headers of the packages include is found here, and in AsperityPrivateDependencies.cmake
+# what they hide; each has one name of the form Asperity::<Library>. Installed, this file is a part
+# of AsperityConfig.cmake.
+if(TARGET Asperity::Trilinos)
+  return()
+endif()
 
 find_package(MPI REQUIRED COMPONENTS C CXX)
 
@@ -45,30 +50,3 @@ endif()
 add_library(Asperity::HDF5 INTERFACE IMPORTED)
 target_include_directories(Asperity::HDF5 SYSTEM INTERFACE ${HDF5_C_INCLUDE_DIRS})
 target_link_libraries(Asperity::HDF5 INTERFACE ${HDF5_C_LIBRARIES} MPI::MPI_C)
-
-find_path(METIS_INCLUDE_DIR metis.h REQUIRED)
-find_library(METIS_LIBRARY metis REQUIRED)
-add_library(Asperity::METIS INTERFACE IMPORTED)
-target_include_directories(Asperity::METIS SYSTEM INTERFACE ${METIS_INCLUDE_DIR})
-target_link_libraries(Asperity::METIS INTERFACE ${METIS_LIBRARY})
-
-find_package(muparser REQUIRED)
-find_package(Eigen3 3.3 REQUIRED NO_MODULE)
-
-if(ASPERITY_ENABLE_TESTS)
-  find_package(GTest REQUIRED)
-endif()
-
-# Only asperity-mesh links Gmsh, whose licence (GPL) would otherwise be ours.
-if(ASPERITY_ENABLE_MESH_TOOL)
-  find_path(GMSH_INCLUDE_DIR gmsh.h)
-  find_library(GMSH_LIBRARY gmsh)
-  if(GMSH_INCLUDE_DIR AND GMSH_LIBRARY)
-    add_library(Asperity::Gmsh INTERFACE IMPORTED)
-    target_include_directories(Asperity::Gmsh SYSTEM INTERFACE ${GMSH_INCLUDE_DIR})
-    target_link_libraries(Asperity::Gmsh INTERFACE ${GMSH_LIBRARY})
-  else()
-    message(STATUS "The Gmsh library was not found; asperity-mesh is left out. "
-      "On Debian: apt-get install libgmsh-dev")
-  endif()
-endif()

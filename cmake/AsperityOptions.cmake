@@ -1,13 +1,26 @@
-option(ASPERITY_ENABLE_TESTS "Build the tests" ON)
+# What belongs to the whole build is left alone where Asperity is part of somebody else's project.
+set(ASPERITY_IS_TOP_LEVEL OFF)
+if(CMAKE_SOURCE_DIR STREQUAL PROJECT_SOURCE_DIR)
+  set(ASPERITY_IS_TOP_LEVEL ON)
+endif()
+
+option(ASPERITY_ENABLE_TESTS "Build the tests" ${ASPERITY_IS_TOP_LEVEL})
 option(ASPERITY_ENABLE_MESH_TOOL "Build asperity-mesh, which links the Gmsh library (GPL)" ON)
+option(ASPERITY_ENABLE_INSTALL "Install and export the packages" ${ASPERITY_IS_TOP_LEVEL})
 option(ASPERITY_PRECOMPILED_HEADERS "Compile the headers of Trilinos once, for faster builds" ON)
 # Off, so that the warnings of a compiler of the future stop nobody; quickstart.sh --strict sets it.
 option(ASPERITY_WARNINGS_AS_ERRORS "Treat warnings in Asperity's own code as errors" OFF)
+option(BUILD_SHARED_LIBS "Shared libraries, which `asperity --plugin` needs" ON)
 
-set(CMAKE_POSITION_INDEPENDENT_CODE ON)
-set(CMAKE_EXPORT_COMPILE_COMMANDS ON)
+if(NOT BUILD_SHARED_LIBS AND CMAKE_VERSION VERSION_LESS 3.24)
+  message(FATAL_ERROR "Asperity's static libraries need CMake 3.24: older versions cannot keep the "
+    "objects that only register a law or an output. Set BUILD_SHARED_LIBS=ON.")
+endif()
 
-find_program(ASPERITY_CCACHE ccache)
-if(ASPERITY_CCACHE AND NOT CMAKE_CXX_COMPILER_LAUNCHER)
-  set(CMAKE_CXX_COMPILER_LAUNCHER "${ASPERITY_CCACHE}")
+if(ASPERITY_IS_TOP_LEVEL)
+  set(CMAKE_EXPORT_COMPILE_COMMANDS ON)
+  find_program(ASPERITY_CCACHE ccache)
+  if(ASPERITY_CCACHE AND NOT CMAKE_CXX_COMPILER_LAUNCHER)
+    set(CMAKE_CXX_COMPILER_LAUNCHER "${ASPERITY_CCACHE}")
+  endif()
 endif()

@@ -1,34 +1,49 @@
 # One function per kind of thing that is built.
 
-# asperity_add_package(<name> [PACKAGES <package>...] [LIBRARIES <target>...])
+# asperity_add_package(<name> [PACKAGES <package>...] [LIBRARIES <target>...]
+#                      [PRIVATE_LIBRARIES <target>...])
 #
-# A shared library asperity_<name> of all packages/<name>/**/*.cpp. Shared, because a static library
-# drops the objects that only register a plugin. PACKAGES is what the package may include.
+# A library Asperity::<name> of all packages/<name>/**/*.cpp, shared unless BUILD_SHARED_LIBS is
+# off. PACKAGES is what the package may include, LIBRARIES what its headers include from outside,
+# PRIVATE_LIBRARIES what only its sources do.
 add_custom_target(asperity_packages)
 function(asperity_add_package name)
-  cmake_parse_arguments(PACKAGE "" "" "PACKAGES;LIBRARIES" ${ARGN})
+  cmake_parse_arguments(PACKAGE "" "" "PACKAGES;LIBRARIES;PRIVATE_LIBRARIES" ${ARGN})
   file(GLOB_RECURSE sources CONFIGURE_DEPENDS "${PROJECT_SOURCE_DIR}/packages/${name}/*.cpp")
   set(target asperity_${name})
-  if(sources)
-    add_library(${target} SHARED ${sources})
-    set(scope PUBLIC)
-    asperity_compile_options(${target})
-    set_target_properties(${target} PROPERTIES DEFINE_SYMBOL "")
-    if(NOT name STREQUAL "friction")
-      asperity_use_precompiled_headers(${target} libraries)
-    endif()
-  else()
-    add_library(${target} INTERFACE)
-    set(scope INTERFACE)
+  add_library(${target} ${sources})
+  add_library(Asperity::${name} ALIAS ${target})
+  asperity_compile_options(${target})
+  set_target_properties(${target} PROPERTIES DEFINE_SYMBOL "" EXPORT_NAME ${name}
+    VERSION ${PROJECT_VERSION} SOVERSION ${PROJECT_VERSION_MAJOR}.${PROJECT_VERSION_MINOR})
+  if(NOT name STREQUAL "friction")
+    asperity_use_precompiled_headers(${target} libraries)
   endif()
-  target_include_directories(${target} ${scope} "${PROJECT_SOURCE_DIR}/packages")
-  target_compile_features(${target} ${scope} cxx_std_17)
+  target_include_directories(${target} PUBLIC
+    "$<BUILD_INTERFACE:${PROJECT_SOURCE_DIR}/packages>"
+    "$<INSTALL_INTERFACE:${ASPERITY_INSTALL_HEADERS}>")
+  target_compile_features(${target} PUBLIC cxx_std_17)
   add_dependencies(asperity_packages ${target})
-  list(TRANSFORM PACKAGE_PACKAGES PREPEND asperity_ OUTPUT_VARIABLE packages)
-  target_link_libraries(${target} ${scope} ${packages} ${PACKAGE_LIBRARIES})
+  asperity_link_packages(${target} PUBLIC ${PACKAGE_PACKAGES})
+  target_link_libraries(${target} PUBLIC ${PACKAGE_LIBRARIES} PRIVATE ${PACKAGE_PRIVATE_LIBRARIES})
+  asperity_install_package(${name})
 endfunction()
 
+# Static libraries are linked whole: the linker would drop objects that only register a law or an
+# output.
+function(asperity_link_packages target scope)
+  foreach(name IN LISTS ARGN)
+    if(BUILD_SHARED_LIBS)
+      target_link_libraries(${target} ${scope} asperity_${name})
+    else()
+      target_link_libraries(${target} ${scope} "$<LINK_LIBRARY:WHOLE_ARCHIVE,Asperity::${name}>")
+    endif()
+  endforeach()
+endfunction()
+
+# Of everything that is compiled; precompiled headers need the same on all that share them.
 function(asperity_compile_options target)
+  set_target_properties(${target} PROPERTIES CXX_EXTENSIONS OFF POSITION_INDEPENDENT_CODE ON)
   target_compile_options(${target} PRIVATE -Wall -Wextra -Wshadow)
   if(ASPERITY_WARNINGS_AS_ERRORS)
     target_compile_options(${target} PRIVATE -Werror)
@@ -40,6 +55,6 @@ function(asperity_add_driver name)
   cmake_parse_arguments(DRIVER "" "" "SOURCES;PACKAGES;LIBRARIES" ${ARGN})
   add_executable(${name} ${DRIVER_SOURCES})
   asperity_compile_options(${name})
-  list(TRANSFORM DRIVER_PACKAGES PREPEND asperity_ OUTPUT_VARIABLE packages)
-  target_link_libraries(${name} PRIVATE ${packages} ${DRIVER_LIBRARIES})
+  asperity_link_packages(${name} PRIVATE ${DRIVER_PACKAGES})
+  target_link_libraries(${name} PRIVATE ${DRIVER_LIBRARIES})
 endfunction()

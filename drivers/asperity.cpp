@@ -1,7 +1,9 @@
 // asperity DECK.xml [--set "Path/To/Parameter=value"]... [--output DIR] [--restart FILE]
-// [--validate]
+// [--validate] [--plugin LIBRARY]...
 #include "base/program/MpiScope.hpp"
+#include "base/program/Plugins.hpp"
 #include "scenario/DeckReader.hpp"
+#include "scenario/Registrations.hpp"
 #include "scenario/Simulation.hpp"
 
 #include <iostream>
@@ -40,6 +42,7 @@ int main(int argc, char** argv)
       }
       return int(asperity::exit_done);
     }
+    asperity::loadPlugins(command_line.plugins, asperity::scenario::registrations);
     if (command_line.print_parameters) {
       if (speaks) {
         asperity::printParameters(*asperity::scenario::deckParameters(), std::cout,

@@ -34,4 +34,12 @@ struct FaultData
 
   ParameterView parameters; // rows in the order of the law's table
 };
+
+// mu and its first two derivatives with respect to log V, all without a dimension.
+struct Response
+{
+  double mu;
+  double first;
+  double second;
+};
 } // namespace asperity::friction

@@ -1,5 +1,6 @@
 #include "base/parameters/Alternatives.hpp"
 
+#include "base/NearestName.hpp"
 #include "base/parameters/ParameterValue.hpp"
 
 #include <stdexcept>
@@ -29,6 +30,18 @@ std::string chosenWord(ParameterList const& valid, ParameterList const& list,
   return get<std::string>(*given);
 }
 
+// "Law = Mine or Law = Yours": the words of choices that bring an entry of the name.
+std::string choicesWithEntry(ParameterList const& valid, std::string const& name)
+{
+  std::string text;
+  for (auto const& item : valid) {
+    if (isAlternative(valid, item.first) && get<ParameterList>(item.second).isParameter(name)) {
+      text += (text.empty() ? "" : " or ") + item.first;
+    }
+  }
+  return text;
+}
+
 [[noreturn]] void refusePair(std::string const& path, std::string const& reason)
 {
   throw std::logic_error(path + ": two of the chosen plugins declare this parameter, " + reason +
@@ -55,9 +68,6 @@ void join(ParameterEntry& first, ParameterEntry const& second, std::string const
   if (both->range.isEmpty()) {
     refusePair(path, "one in " + one->range.text() + ", one in " + two->range.text() +
                        ": no number is in both.");
-  }
-  if (both->presence == Presence::has_default) {
-    both->check(first, "The default of " + path);
   }
   first.setValidator(both);
 }
@@ -89,14 +99,12 @@ RCP<const ParameterList> withChosenEntries(ParameterList const& valid, Parameter
   return result;
 }
 
-std::string choicesWithEntry(ParameterList const& valid, std::string const& name)
+void refuseUnknownName(ParameterList const& chosen, ParameterList const& valid,
+                       std::string const& path, std::string const& name)
 {
-  std::string text;
-  for (auto const& item : valid) {
-    if (isAlternative(valid, item.first) && get<ParameterList>(item.second).isParameter(name)) {
-      text += (text.empty() ? "" : " or ") + item.first;
-    }
-  }
-  return text;
+  const std::string choices = choicesWithEntry(valid, name);
+  throw InputError(joinPath(path, name) + " is unknown" +
+                   (choices.empty() ? "." + didYouMean(name, namesIn(chosen))
+                                    : " here: it is a parameter of " + choices + "."));
 }
 } // namespace asperity

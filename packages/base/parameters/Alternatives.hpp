@@ -15,6 +15,8 @@ inline constexpr char const* alternative_separator = " = ";
 Teuchos::RCP<const ParameterList>
 withChosenEntries(ParameterList const& valid, ParameterList const& list, std::string const& path);
 
-// "Law = Mine or Law = Yours": the words of choices that bring an entry of the name; "" if none do.
-std::string choicesWithEntry(ParameterList const& valid, std::string const& name);
+// InputError for a name that is not in `chosen`, as withChosenEntries has it from `valid`, with the
+// nearest name, or the word of a choice that brings an entry of the name.
+[[noreturn]] void refuseUnknownName(ParameterList const& chosen, ParameterList const& valid,
+                                    std::string const& path, std::string const& name);
 } // namespace asperity

@@ -1,4 +1,3 @@
-#include "base/NearestName.hpp"
 #include "base/Text.hpp"
 #include "base/parameters/Alternatives.hpp"
 #include "base/parameters/Deck.hpp"
@@ -21,6 +20,7 @@ struct Place
 {
   ParameterList* list;
   RCP<const ParameterList> valid;
+  RCP<const ParameterList> with_all; // `valid` with the entries of all words of its choices
   bool is_open;
   std::string path;
 };
@@ -116,9 +116,9 @@ ParameterEntry const* declaration(Place const& place, std::string const& name)
   if (place.is_open) {
     return &place.valid->entry(place.valid->begin());
   }
-  ASPERITY_REQUIRE(place.valid->isParameter(name), joinPath(place.path, name)
-                                                     << " is unknown."
-                                                     << didYouMean(name, namesIn(*place.valid)));
+  if (!place.valid->isParameter(name)) {
+    refuseUnknownName(*place.valid, *place.with_all, place.path, name);
+  }
   return &place.valid->getEntry(name);
 }
 
@@ -144,9 +144,10 @@ Place descend(Place const& place, std::string const& name)
   }
   ParameterList& list = place.list->sublist(name);
   if (!declared || is_field || info->kind == ParameterKind::foreign_sublist) {
-    return {&list, Teuchos::null, false, path};
+    return {&list, Teuchos::null, Teuchos::null, false, path};
   }
-  return {&list, withChosenEntries(get<ParameterList>(*declared), list, path),
+  auto const with_all = Teuchos::rcp(new ParameterList(get<ParameterList>(*declared)));
+  return {&list, withChosenEntries(*with_all, list, path), with_all,
           info->kind == ParameterKind::open_sublist, path};
 }
 
@@ -175,7 +176,8 @@ void applyOverride(ParameterList& list, ParameterList const& valid, std::string 
   if (names.size() > 1 && names.front() == "Asperity") {
     names.erase(names.begin());
   }
-  Place place{&list, withChosenEntries(valid, list, "Asperity"), false, "Asperity"};
+  Place place{&list, withChosenEntries(valid, list, "Asperity"), Teuchos::rcpFromRef(valid), false,
+              "Asperity"};
   for (std::size_t i = 0; i + 1 < names.size(); ++i) {
     place = descend(place, names[i]);
   }

@@ -1,4 +1,3 @@
-#include "base/NearestName.hpp"
 #include "base/parameters/Alternatives.hpp"
 #include "base/parameters/ParameterValue.hpp"
 
@@ -20,13 +19,9 @@ void refuseUnknownNames(ParameterList const& list, ParameterList const& valid,
                         ParameterList const& with_all, std::string const& path)
 {
   for (auto const& name : namesIn(list)) {
-    if (valid.isParameter(name)) {
-      continue;
+    if (!valid.isParameter(name)) {
+      refuseUnknownName(valid, with_all, path, name);
     }
-    const std::string choices = choicesWithEntry(with_all, name);
-    throw InputError(joinPath(path, name) + " is unknown" +
-                     (choices.empty() ? "." + didYouMean(name, namesIn(valid))
-                                      : " here: it is a parameter of " + choices + "."));
   }
 }
 

@@ -10,7 +10,7 @@ namespace
 {
 const std::vector<std::string> options = {
   "--set",       "--overlay",          "--output", "--restart", "--validate",
-  "--overwrite", "--print-parameters", "--format", "--help"};
+  "--overwrite", "--print-parameters", "--format", "--help",    "--plugin"};
 
 bool startsWith(std::string const& text, std::string const& beginning)
 {
@@ -79,6 +79,8 @@ void readOption(Arguments& arguments, CommandLine& line)
     line.overrides.push_back(arguments.value());
   } else if (name == "--overlay") {
     line.overlays.push_back(arguments.value());
+  } else if (name == "--plugin") {
+    line.plugins.push_back(arguments.value());
   } else if (name == "--output") {
     line.output = arguments.value();
   } else if (name == "--restart") {
@@ -127,12 +129,15 @@ void printHelp(std::ostream& out)
 {
   out
     << "Usage: asperity DECK.xml [options]\n"
-       "       asperity --print-parameters [--format=text|xml]\n"
+       "       asperity --print-parameters [--format=text|xml] [--plugin LIBRARY]...\n"
        "\n"
        "Simulates the earthquakes that the deck describes.\n"
        "\n"
        "  --set \"Path/To/Parameter=value\"   replace or add a parameter; may be repeated\n"
        "  --overlay FILE                    lay a second short deck over the first; may be "
+       "repeated\n"
+       "  --plugin LIBRARY                  shared library with laws and outputs of your own; may "
+       "be "
        "repeated\n"
        "  --output DIR                      where the results go\n"
        "  --restart FILE                    go on from a checkpoint\n"

@@ -14,11 +14,12 @@ struct CommandLine
   std::string deck;
   std::vector<std::string> overlays; // short XML files laid over the deck, in their order
   std::vector<std::string>
-    overrides;            // "Path/To/Parameter=value", after the overlays, in their order
-  std::string output;     // directory
-  std::string restart;    // checkpoint file
-  bool validate = false;  // check the input, compute nothing
-  bool overwrite = false; // replace an existing result
+    overrides;                      // "Path/To/Parameter=value", after the overlays, in their order
+  std::vector<std::string> plugins; // shared libraries, in their order
+  std::string output;               // directory
+  std::string restart;              // checkpoint file
+  bool validate = false;            // check the input, compute nothing
+  bool overwrite = false;           // replace an existing result
   bool print_parameters = false;
   ParameterFormat format = ParameterFormat::text;
   bool help = false;

@@ -6,14 +6,6 @@
 
 namespace asperity::friction
 {
-// mu and its first two derivatives with respect to log V, all without a dimension.
-struct Response
-{
-  double mu;
-  double first;
-  double second;
-};
-
 // The parameters of mu = mu* + a log(V / V*) + b alpha = a log(V / V_alpha), which the regularised
 // and the truncated law keep from becoming negative (Pipping 2014, §1.2).
 //

@@ -20,7 +20,7 @@ def declared_packages(root):
     """{package: the packages it may include}, in the order of CMakeLists.txt."""
     packages = {}
     for name, arguments in _LINE.findall((root / "CMakeLists.txt").read_text()):
-        listed = re.search(r"\bPACKAGES\b(.*?)(\bLIBRARIES\b|$)", arguments, re.DOTALL)
+        listed = re.search(r"\bPACKAGES\b(.*?)(\b(?:PRIVATE_)?LIBRARIES\b|$)", arguments, re.DOTALL)
         packages[name] = set(listed.group(1).split()) if listed else set()
     return packages
 

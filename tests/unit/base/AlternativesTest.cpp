@@ -100,7 +100,7 @@ TEST(Alternatives, AnOverrideSeesTheWordChosenBefore)
   const auto valid = Declare().sublist("Friction", usual(), "Friction.").list();
   ParameterList list;
   expectParts(refusal([&] { applyOverride(list, *valid, "Friction/Width=2"); }),
-              {"Asperity / Friction / Width is unknown"});
+              {"Asperity / Friction / Width is unknown here", "parameter of Law = Other"});
   applyOverride(list, *valid, "Friction/Law=Other");
   applyOverride(list, *valid, "Friction/Width=2");
   EXPECT_EQ(list.sublist("Friction").get<double>("Width"), 2);

@@ -23,9 +23,10 @@ std::string refused(std::vector<char const*> const& arguments)
 
 TEST(CommandLine, EveryOption)
 {
-  const auto line =
-    parse({"--set", "Friction/a=0.1", "deck.xml", "--set=b/c=x == 1", "--output", "out",
-           "--restart=a.h5", "--validate", "--overwrite", "--overlay", "short.xml"});
+  const auto line = parse({"--set", "Friction/a=0.1", "deck.xml", "--set=b/c=x == 1", "--output",
+                           "out", "--restart=a.h5", "--validate", "--overwrite", "--overlay",
+                           "short.xml", "--plugin", "libone.so", "--plugin=libtwo.so"});
+  EXPECT_EQ(line.plugins, (std::vector<std::string>{"libone.so", "libtwo.so"}));
   EXPECT_EQ(line.deck, "deck.xml");
   EXPECT_EQ(line.overrides, (std::vector<std::string>{"Friction/a=0.1", "b/c=x == 1"}));
   EXPECT_EQ(line.overlays, (std::vector<std::string>{"short.xml"}));
@@ -75,8 +76,8 @@ TEST(CommandLine, HelpNamesEveryOption)
 {
   std::ostringstream out;
   printHelp(out);
-  expectParts(out.str(),
-              {"--set", "--overlay", "--output", "--restart", "--overwrite", "--validate",
-               "--print-parameters", "--format", "--help", "--kokkos", "Exit status"});
+  expectParts(out.str(), {"--set", "--overlay", "--plugin", "--output", "--restart", "--overwrite",
+                          "--validate", "--print-parameters", "--format", "--help", "--kokkos",
+                          "Exit status"});
 }
 } // namespace

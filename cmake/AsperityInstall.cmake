@@ -1,0 +1,58 @@
+# `cmake --install` puts libraries, headers, drivers, figures and decks where GNU's folders are;
+# from there find_package(Asperity) gives a target for each package: Asperity::friction, ...
+# Installed files find each other by relative paths, so the whole may be moved.
+include(GNUInstallDirs)
+include(CMakePackageConfigHelpers)
+set(ASPERITY_INSTALL_HEADERS "${CMAKE_INSTALL_INCLUDEDIR}/asperity")
+set(ASPERITY_INSTALL_CMAKE "${CMAKE_INSTALL_LIBDIR}/cmake/Asperity")
+set(ASPERITY_INSTALL_SHARE "${CMAKE_INSTALL_DATADIR}/asperity")
+
+function(asperity_install_package name)
+  if(NOT ASPERITY_ENABLE_INSTALL)
+    return()
+  endif()
+  set_target_properties(asperity_${name} PROPERTIES
+    INSTALL_RPATH "$ORIGIN" INSTALL_RPATH_USE_LINK_PATH ON)
+  install(TARGETS asperity_${name} EXPORT AsperityPackages
+    LIBRARY DESTINATION "${CMAKE_INSTALL_LIBDIR}"
+    ARCHIVE DESTINATION "${CMAKE_INSTALL_LIBDIR}")
+  install(DIRECTORY "${PROJECT_SOURCE_DIR}/packages/${name}"
+    DESTINATION "${ASPERITY_INSTALL_HEADERS}" FILES_MATCHING PATTERN "*.hpp")
+endfunction()
+
+# A driver that is left out of the build is not installed.
+function(asperity_install_driver name)
+  if(NOT ASPERITY_ENABLE_INSTALL OR NOT TARGET ${name})
+    return()
+  endif()
+  file(RELATIVE_PATH to_libraries "/${CMAKE_INSTALL_BINDIR}" "/${CMAKE_INSTALL_LIBDIR}")
+  set_target_properties(${name} PROPERTIES
+    INSTALL_RPATH "$ORIGIN/${to_libraries}" INSTALL_RPATH_USE_LINK_PATH ON)
+  install(TARGETS ${name} EXPORT AsperityPackages
+    RUNTIME DESTINATION "${CMAKE_INSTALL_BINDIR}")
+endfunction()
+
+# After all packages and drivers.
+function(asperity_install_config)
+  if(NOT ASPERITY_ENABLE_INSTALL)
+    return()
+  endif()
+  install(EXPORT AsperityPackages NAMESPACE Asperity:: DESTINATION "${ASPERITY_INSTALL_CMAKE}")
+  configure_package_config_file("${PROJECT_SOURCE_DIR}/cmake/AsperityConfig.cmake.in"
+    "${PROJECT_BINARY_DIR}/AsperityConfig.cmake"
+    INSTALL_DESTINATION "${ASPERITY_INSTALL_CMAKE}"
+    NO_SET_AND_CHECK_MACRO)
+  write_basic_package_version_file("${PROJECT_BINARY_DIR}/AsperityConfigVersion.cmake"
+    COMPATIBILITY SameMinorVersion)
+  install(FILES
+    "${PROJECT_BINARY_DIR}/AsperityConfig.cmake"
+    "${PROJECT_BINARY_DIR}/AsperityConfigVersion.cmake"
+    "${PROJECT_SOURCE_DIR}/cmake/AsperityDependencies.cmake"
+    "${PROJECT_SOURCE_DIR}/cmake/AsperityPrivateDependencies.cmake"
+    DESTINATION "${ASPERITY_INSTALL_CMAKE}")
+  install(DIRECTORY "${PROJECT_SOURCE_DIR}/xml/" DESTINATION "${ASPERITY_INSTALL_SHARE}/decks"
+    FILES_MATCHING PATTERN "*.xml")
+  install(DIRECTORY "${PROJECT_SOURCE_DIR}/examples" DESTINATION "${ASPERITY_INSTALL_SHARE}")
+  install(FILES "${PROJECT_SOURCE_DIR}/LICENSE" "${PROJECT_SOURCE_DIR}/README.md"
+    "${PROJECT_SOURCE_DIR}/CHANGELOG.md" DESTINATION "${CMAKE_INSTALL_DOCDIR}")
+endfunction()

@@ -1,0 +1,32 @@
+# What no header of a package includes. Static libraries of Asperity pass it on to those who link
+# them.
+if(TARGET Asperity::METIS)
+  return()
+endif()
+
+find_path(METIS_INCLUDE_DIR metis.h REQUIRED)
+find_library(METIS_LIBRARY metis REQUIRED)
+add_library(Asperity::METIS INTERFACE IMPORTED)
+target_include_directories(Asperity::METIS SYSTEM INTERFACE ${METIS_INCLUDE_DIR})
+target_link_libraries(Asperity::METIS INTERFACE ${METIS_LIBRARY})
+
+find_package(muparser REQUIRED)
+find_package(Eigen3 3.3 REQUIRED NO_MODULE)
+
+if(ASPERITY_ENABLE_TESTS)
+  find_package(GTest REQUIRED)
+endif()
+
+# Only asperity-mesh links Gmsh, whose licence (GPL) would otherwise be ours.
+if(ASPERITY_ENABLE_MESH_TOOL)
+  find_path(GMSH_INCLUDE_DIR gmsh.h)
+  find_library(GMSH_LIBRARY gmsh)
+  if(GMSH_INCLUDE_DIR AND GMSH_LIBRARY)
+    add_library(Asperity::Gmsh INTERFACE IMPORTED)
+    target_include_directories(Asperity::Gmsh SYSTEM INTERFACE ${GMSH_INCLUDE_DIR})
+    target_link_libraries(Asperity::Gmsh INTERFACE ${GMSH_LIBRARY})
+  else()
+    message(STATUS "The Gmsh library was not found; asperity-mesh is left out. "
+      "On Debian: apt-get install libgmsh-dev")
+  endif()
+endif()

@@ -1,0 +1,42 @@
+// A friction law of one's own: a film of a Newtonian fluid, whose coefficient of friction grows
+// with the slip rate, mu = V / V1. packages/friction/README.md says what a law has to have.
+#include "friction/Registration.hpp"
+
+namespace
+{
+using namespace asperity::friction;
+
+struct ViscousLaw
+{
+  static constexpr char const* name = "Viscous";
+  static constexpr Parameter parameters[] = {
+    {"Viscous Slip Rate", "m/s", no_default, 0, infinity, false, false,
+     "Slip rate V1 at which the coefficient of friction is 1.", "Check the sign."}};
+
+  // The law at one state, on which this one does not depend.
+  struct Curve
+  {
+    double rate;
+
+    KOKKOS_INLINE_FUNCTION double mu(double V) const { return V / rate; }
+    KOKKOS_INLINE_FUNCTION double derivative(double) const { return 1 / rate; }
+    KOKKOS_INLINE_FUNCTION Response response(double V) const
+    {
+      return {V / rate, V / rate, V / rate};
+    }
+    KOKKOS_INLINE_FUNCTION double mean(double V, double h) const { return (V + h / 2) / rate; }
+    KOKKOS_INLINE_FUNCTION bool kinkedAt(double) const { return false; }
+  };
+
+  double rate; // V1, m/s
+
+  KOKKOS_INLINE_FUNCTION static ViscousLaw load(ParameterView const& values, int node)
+  {
+    return {values(0, node)};
+  }
+  KOKKOS_INLINE_FUNCTION Curve at(double) const { return {rate}; }
+  KOKKOS_INLINE_FUNCTION double stateFor(double, double) const { return infinity; } // there is none
+};
+} // namespace
+
+ASPERITY_REGISTER_FRICTION_LAW(ViscousLaw)

@@ -1,0 +1,31 @@
+// A state law of one's own: slip wears the state down, d(alpha)/dt = -V alpha / D, so that alpha
+// falls to alpha exp(-slip / D). It does not say what its theta is; there is no output `theta`.
+#include "friction/Registration.hpp"
+
+namespace
+{
+using namespace asperity::friction;
+
+struct WearLaw
+{
+  static constexpr char const* name = "Wear";
+  static constexpr Parameter parameters[] = {{"Wear Distance", "m", no_default, 0, infinity, false,
+                                              false,
+                                              "Slip D that reduces the state by a factor e."}};
+
+  double distance; // D, m
+
+  KOKKOS_INLINE_FUNCTION static WearLaw load(ParameterView const& values, int node)
+  {
+    return {values(0, node)};
+  }
+  KOKKOS_INLINE_FUNCTION double rate(double V, double alpha) const { return -V * alpha / distance; }
+  KOKKOS_INLINE_FUNCTION double flow(double V, double dt, double alpha0) const
+  {
+    return alpha0 * math::exp(-V * dt / distance);
+  }
+  KOKKOS_INLINE_FUNCTION double steadyState(double) const { return 0; }
+};
+} // namespace
+
+ASPERITY_REGISTER_STATE_LAW(WearLaw)

@@ -1,0 +1,136 @@
+"""The example of a plugin, built in a project of its own against an installation that was moved."""
+
+import math
+import os
+import pathlib
+import shutil
+import subprocess
+import unittest
+
+import asperity_run
+
+EXAMPLE = asperity_run.SOURCE / "examples" / "plugin"
+DECK = EXAMPLE / "viscous.xml"
+CMAKE = os.environ["ASPERITY_CMAKE"]
+COMPILER = os.environ["ASPERITY_COMPILER"]
+BUILD = os.environ["ASPERITY_BUILD_DIR"]
+PREFIX = pathlib.Path("moved").absolute()
+PLUGIN = pathlib.Path("build/libviscous.so")
+
+DISTANCE, RATE, RELAXATION, END = 1e-3, 1e-6, 500.0, 1000.0
+
+
+def call(*words):
+    result = subprocess.run(list(map(str, words)), capture_output=True, text=True, check=False)
+    if result.returncode != 0:
+        raise AssertionError(f"{words}\n{result.stdout}{result.stderr}")
+    return result.stdout
+
+
+def setUpModule():
+    for folder in ("first", "moved", "build"):
+        shutil.rmtree(folder, ignore_errors=True)
+    call(CMAKE, "--install", BUILD, "--prefix", pathlib.Path("first").absolute())
+    pathlib.Path("first").rename("moved")
+    call(CMAKE, "-S", EXAMPLE, "-B", "build", f"-DCMAKE_PREFIX_PATH={PREFIX}",
+         f"-DCMAKE_CXX_COMPILER={COMPILER}", "-DCMAKE_BUILD_TYPE=Debug")
+    call(CMAKE, "--build", "build", "--parallel", "2")
+    asperity_run.PROGRAM = PREFIX / "bin" / "asperity"
+
+
+def exact_slip(time):
+    return RATE * (time + RELAXATION * math.expm1(-time / RELAXATION))
+
+
+class Installation(unittest.TestCase):
+    def test_has_what_a_user_needs(self):
+        for name in ("bin/asperity", "bin/asperity-plot", "include/asperity/io/Output.hpp",
+                     "include/asperity/friction/Registration.hpp",
+                     "share/asperity/decks/wedge_2d.xml",
+                     "share/asperity/examples/plugin/README.md"):
+            self.assertTrue((PREFIX / name).is_file(), name)
+        self.assertEqual(list((PREFIX / "include").rglob("*.cpp")), [])
+
+    def test_programs_run_where_they_were_moved_to(self):
+        result = asperity_run.run(PREFIX / "share/asperity/decks/spring_slider.xml", "--validate")
+        self.assertEqual((result.returncode, result.stderr), (0, ""))
+        self.assertIn("usage", call(PREFIX / "bin/asperity-plot", "--help").lower())
+
+    def test_names_no_folder_of_the_build(self):
+        for path in (PREFIX / "lib").rglob("*.cmake"):
+            self.assertNotIn(BUILD, path.read_text(), path)
+
+
+class Run(unittest.TestCase):
+    def check(self, ranks):
+        folder = asperity_run.run_to_end(f"results_{ranks}", DECK, "--plugin", PLUGIN, "--set",
+                                         "Output/Fault History/Precision=Double", ranks=ranks)
+        rows = asperity_run.table(folder / "mean_slip.csv")
+        self.assertGreater(len(rows), 20)
+        self.assertEqual(rows[-1]["time"], END)
+        for row in rows:
+            self.assertAlmostEqual(row["mean_slip"], exact_slip(row["time"]),
+                                   delta=1e-5 * exact_slip(END))
+        history = asperity_run.series(folder / "fault.h5")
+        slip, alpha = history["fields/slip"], history["fields/alpha"]
+        self.assertEqual(slip.size, alpha.size)
+        for one_slip, one_alpha in zip(slip.ravel(), alpha.ravel()):
+            self.assertAlmostEqual(one_alpha, math.exp(-one_slip / DISTANCE), delta=1e-12)
+
+    def test_has_the_exact_slip_and_state(self):
+        self.check(ranks=1)
+
+    def test_on_two_ranks(self):
+        self.check(ranks=2)
+
+
+class Parameters(unittest.TestCase):
+    def assert_refused(self, arguments, *pieces):
+        result = asperity_run.run(*arguments)
+        self.assertEqual((result.returncode, result.stdout), (2, ""), result.stderr)
+        self.assertEqual(result.stderr.count("\n"), 1, result.stderr)
+        for piece in pieces:
+            self.assertIn(piece, result.stderr)
+
+    def test_are_printed(self):
+        for arguments in ([], ["--format=xml"]):
+            text = call(asperity_run.PROGRAM, "--print-parameters", "--plugin", PLUGIN, *arguments)
+            for piece in ("with Law = Viscous", "Viscous Slip Rate", "with State Evolution = Wear",
+                          "Wear Distance", "Mean Slip", "at which the coefficient of friction"):
+                self.assertTrue(piece in text, piece)
+        self.assertFalse("Viscous Slip" in call(asperity_run.PROGRAM, "--print-parameters"))
+
+    def test_are_checked(self):
+        deck = [DECK, "--validate", "--plugin", PLUGIN, "--set"]
+        self.assert_refused([*deck, "Friction/Viscous Slip Rat=1"],
+                            "Friction / Viscous Slip Rat is unknown",
+                            "Did you mean 'Viscous Slip Rate'?")
+        self.assert_refused([*deck, "Friction/Wear Distance=-1"],
+                            "Wear Distance = -1 is outside (0, inf) m")
+        self.assert_refused([*deck, "Output/Mean Slip/Evry n Steps=1"], "'Every n Steps'")
+        self.assert_refused([*deck, "Friction/a=0.01"], "Friction / a is unknown here",
+                            "parameter of Law = Regularised")
+        self.assert_refused([*deck, "Output/Fault History/Fields={theta}"], "theta")
+        self.assert_refused([DECK, "--validate"], "Asperity / Friction / Law = 'Viscous'")
+
+
+class Loading(unittest.TestCase):
+    def assert_refused(self, plugins, *pieces, ranks=1):
+        options = [word for plugin in plugins for word in ("--plugin", plugin)]
+        result = asperity_run.run(DECK, "--validate", *options, ranks=ranks)
+        self.assertEqual(result.returncode, 2, result.stderr)
+        messages = [line for line in result.stderr.splitlines() if line.startswith("asperity: ")]
+        self.assertEqual(len(messages), 1, result.stderr)
+        for piece in pieces:
+            self.assertIn(piece, messages[0])
+
+    def test_is_refused_with_one_message(self):
+        self.assert_refused(["none.so"], "'none.so' is no file", "--plugin")
+        self.assert_refused(["none.so"], "'none.so' is no file", ranks=2)
+        pathlib.Path("text.so").write_text("no library")
+        self.assert_refused(["text.so"], "'text.so' cannot be loaded")
+        self.assert_refused([PLUGIN, PLUGIN], "registers no law and no output")
+
+
+if __name__ == "__main__":
+    unittest.main()

@@ -1,0 +1,47 @@
+#include "base/program/Plugins.hpp"
+
+#include "unit/base/Refusal.hpp"
+
+namespace
+{
+using namespace asperity;
+using asperity::test::expectParts;
+using asperity::test::refusal;
+using Names = std::vector<std::string>;
+
+// A library that registers nothing by itself; `before` and `after` say what there is.
+void load(Names const& before, Names const& after)
+{
+  int calls = 0;
+  loadPlugins({ASPERITY_EMPTY_PLUGIN}, [&] { return calls++ == 0 ? before : after; });
+}
+
+TEST(Plugins, ABroughtNameIsWelcome)
+{
+  load({"state law 'Slip'"}, {"state law 'Slip'", "state law 'Mine'"});
+}
+
+TEST(Plugins, NothingBroughtIsRefused)
+{
+  const auto message = refusal([] { load({"state law 'Slip'"}, {"state law 'Slip'"}); });
+  expectParts(message, {ASPERITY_EMPTY_PLUGIN, "registers no law and no output"});
+}
+
+TEST(Plugins, ANameThatIsTakenIsRefused)
+{
+  expectParts(refusal([] {
+                load({"state law 'Slip'"}, {"state law 'Slip'", "state law 'Slip'"});
+              }),
+              {ASPERITY_EMPTY_PLUGIN, "registers the state law 'Slip', which is there already"});
+  expectParts(refusal([] { load({}, {"output 'Mine'", "output 'Mine'"}); }), {"output 'Mine'"});
+}
+
+TEST(Plugins, AFileThatIsNoLibraryIsRefused)
+{
+  const test::TemporaryDirectory directory;
+  const auto file = directory.write("text.so", "no library");
+  const auto nothing = [] { return Names(); };
+  expectParts(refusal([&] { loadPlugins({file}, nothing); }), {file, "cannot be loaded"});
+  expectParts(refusal([&] { loadPlugins({"none.so"}, nothing); }), {"'none.so' is no file"});
+}
+} // namespace
