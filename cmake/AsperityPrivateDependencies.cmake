@@ -11,6 +11,7 @@ target_include_directories(Asperity::METIS SYSTEM INTERFACE ${METIS_INCLUDE_DIR}
 target_link_libraries(Asperity::METIS INTERFACE ${METIS_LIBRARY})
 
 find_package(muparser REQUIRED)
+find_package(CLI11 REQUIRED)
 find_package(Eigen3 3.3 REQUIRED NO_MODULE)
 
 if(ASPERITY_ENABLE_TESTS)

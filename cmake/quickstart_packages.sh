@@ -12,6 +12,7 @@ MPI: libopenmpi-dev openmpi-bin
 results in parallel HDF5: libhdf5-openmpi-dev
 mesh partitioning: libmetis-dev
 expressions in decks: libmuparser-dev
+command lines: libcli11-dev
 sparse Cholesky: libeigen3-dev
 tests: libgtest-dev clang-format-14
 figures: python3 python3-h5py python3-numpy python3-matplotlib

@@ -4,7 +4,9 @@
 #include "Scaling.hpp"
 #include "base/Errors.hpp"
 #include "base/program/MpiScope.hpp"
+#include "base/program/Plugins.hpp"
 #include "scenario/DeckReader.hpp"
+#include "scenario/Registrations.hpp"
 
 #include <fstream>
 #include <iostream>
@@ -56,6 +58,7 @@ int main(int argc, char** argv)
         }
         return int(asperity::exit_done);
       }
+      asperity::loadPlugins(arguments.deck.plugins, asperity::scenario::registrations);
       return scaling(arguments, communicator);
     },
     "asperity-bench");

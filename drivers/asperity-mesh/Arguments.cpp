@@ -1,27 +1,10 @@
 #include "Arguments.hpp"
 
 #include "base/Errors.hpp"
-#include "base/NearestName.hpp"
 #include "base/Text.hpp"
+#include "base/program/Options.hpp"
 
-#include <algorithm>
 #include <filesystem>
-
-namespace
-{
-bool contains(std::vector<std::string> const& names, std::string const& name)
-{
-  return std::find(names.begin(), names.end(), name) != names.end();
-}
-
-void requireKnown(std::string const& option, AllowedArguments const& allowed)
-{
-  auto names = allowed.options;
-  names.insert(names.end(), allowed.flags.begin(), allowed.flags.end());
-  ASPERITY_REQUIRE(contains(names, option),
-                   "Unknown option '" << option << "'." << asperity::didYouMean(option, names));
-}
-} // namespace
 
 double Arguments::number(std::string const& option, double otherwise) const
 {
@@ -47,28 +30,31 @@ int Arguments::integer(std::string const& option, int otherwise) const
 
 Arguments parseArguments(std::vector<std::string> const& words, AllowedArguments const& allowed)
 {
+  std::map<std::string, std::string> values;
+  std::map<std::string, bool> flags;
+  asperity::Options options;
+  for (auto const& name : allowed.options) {
+    options.value(name, values[name], "VALUE", "");
+  }
+  for (auto const& name : allowed.flags) {
+    options.flag(name, flags[name], "");
+  }
   Arguments arguments;
-  for (auto word = words.begin(); word != words.end(); ++word) {
-    if (word->size() < 2 || (*word)[0] != '-') {
-      ASPERITY_REQUIRE(arguments.files.size() < allowed.files.size(),
-                       "Unexpected argument '" << *word << "'.");
-      arguments.files.push_back(*word);
-      continue;
-    }
-    requireKnown(*word, allowed);
-    const std::string option = *word;
-    ASPERITY_REQUIRE(!arguments.has(option), "Option '" << option << "' is given twice.");
-    if (contains(allowed.options, option)) {
-      ++word;
-      ASPERITY_REQUIRE(word != words.end(), "Option '" << option << "' needs a value.");
-      arguments.options[option] = *word;
-    } else {
-      arguments.options[option] = "";
+  arguments.files = options.parse(words);
+  for (auto const& [name, value] : values) {
+    if (!value.empty()) {
+      arguments.options[name] = value;
     }
   }
-  ASPERITY_REQUIRE(arguments.files.size() == allowed.files.size(),
-                   "The file " << allowed.files[arguments.files.size()]
-                               << " is missing. See asperity-mesh --help.");
+  for (auto const& [name, is_given] : flags) {
+    if (is_given) {
+      arguments.options[name] = "";
+    }
+  }
+  const std::size_t found = arguments.files.size(), wanted = allowed.files.size();
+  ASPERITY_REQUIRE(found <= wanted, "Unexpected argument '" << arguments.files[wanted] << "'.");
+  ASPERITY_REQUIRE(found == wanted,
+                   "The file " << allowed.files[found] << " is missing. See asperity-mesh --help.");
   return arguments;
 }
 

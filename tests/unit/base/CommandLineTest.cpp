@@ -64,9 +64,12 @@ TEST(CommandLine, Refusals)
   expectParts(refused({"deck.xml", "--overwirte"}), {"--overwirte is unknown", "'--overwrite'"});
   expectParts(refused({"deck.xml", "--colour"}), {"--colour is unknown"});
   expectParts(refused({"deck.xml", "-x"}), {"-x is unknown"});
-  expectParts(refused({"deck.xml", "--output"}), {"--output wants a value"});
-  expectParts(refused({"deck.xml", "--output", "--validate"}), {"--output wants a value"});
-  expectParts(refused({"deck.xml", "--output="}), {"--output wants a value"});
+  expectParts(refused({"deck.xml", "--output"}), {"--output needs a value"});
+  expectParts(refused({"deck.xml", "--output", "--validate"}), {"--output needs a value"});
+  expectParts(refused({"deck.xml", "--output="}), {"--output needs a value"});
+  expectParts(refused({"deck.xml", "--output", "a", "--output=b"}),
+              {"--output is given twice", "'a'", "'b'"});
+  expectParts(refused({"deck.xml", "--outputs=a"}), {"--outputs is unknown", "'--output'"});
   expectParts(refused({"deck.xml", "--validate=yes"}), {"--validate takes no value", "'yes'"});
   expectParts(refused({"one.xml", "two.xml"}), {"'one.xml'", "'two.xml'", "--overlay"});
   expectParts(refused({"--print-parameters", "--format=xlm"}), {"'xlm' is unknown", "'xml'"});

@@ -1,0 +1,173 @@
+#include "base/program/Options.hpp"
+
+#include "base/Errors.hpp"
+#include "base/NearestName.hpp"
+
+#include <CLI/App.hpp>
+#include <CLI/Config.hpp>
+#include <CLI/Formatter.hpp>
+
+#include <algorithm>
+#include <list>
+
+namespace asperity
+{
+namespace
+{
+bool startsWith(std::string const& text, std::string const& beginning)
+{
+  return text.compare(0, beginning.size(), beginning) == 0;
+}
+
+// "--output" of "--output=results".
+std::string optionIn(std::string const& word) { return word.substr(0, word.find('=')); }
+
+// Without the dots that CLI11 puts after every option it takes several values of: the meaning says
+// which options may be repeated.
+class OptionLines : public CLI::Formatter
+{
+public:
+  std::string make_option_opts(CLI::Option const* option) const override
+  {
+    return option->get_type_name().empty() ? "" : " " + option->get_type_name();
+  }
+};
+
+[[noreturn]] void refuseWithoutValue(std::string const& option)
+{
+  throw InputError("The option " + option + " needs a value. Try --help.");
+}
+} // namespace
+
+struct Options::Implementation
+{
+  // One option with values; the target of one that is given at most once, or of all.
+  struct Valued
+  {
+    std::string name;
+    std::vector<std::string> given;
+    std::string* target;
+    std::vector<std::string>* targets;
+  };
+
+  CLI::App app;
+  std::list<Valued> valued; // a list, because CLI11 keeps references
+  std::vector<std::string> flags;
+  std::vector<std::string> names;
+
+  Valued& addValued(std::string const& name, std::string const& sample, std::string const& meaning)
+  {
+    names.push_back(name);
+    valued.push_back({name, {}, nullptr, nullptr});
+    app.add_option(name, valued.back().given, meaning)
+      ->type_name(sample)
+      ->allow_extra_args(false) // one value for each time it is given
+      ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
+    return valued.back();
+  }
+
+  bool isFlag(std::string const& name) const
+  {
+    return std::find(flags.begin(), flags.end(), name) != flags.end();
+  }
+
+  void assign(Valued const& option) const
+  {
+    for (auto const& value : option.given) {
+      if (value.empty() || startsWith(value, "--")) {
+        refuseWithoutValue(option.name);
+      }
+    }
+    if (option.targets != nullptr) {
+      *option.targets = option.given;
+      return;
+    }
+    ASPERITY_REQUIRE(option.given.size() <= 1, "The option " << option.name << " is given twice: '"
+                                                             << option.given[0] << "' and '"
+                                                             << option.given[1] << "'.");
+    if (!option.given.empty()) {
+      *option.target = option.given.front();
+    }
+  }
+
+  // CLI11 found a value that is missing, or one too many.
+  [[noreturn]] void refuseMismatch(std::vector<std::string> const& words) const
+  {
+    for (auto const& word : words) {
+      const auto equals = word.find('=');
+      ASPERITY_REQUIRE(equals == std::string::npos || !isFlag(optionIn(word)),
+                       "The option " << optionIn(word) << " takes no value, but '"
+                                     << word.substr(equals + 1) << "' is given.");
+    }
+    refuseWithoutValue(optionIn(words.back()));
+  }
+};
+
+Options::Options() : implementation_(std::make_unique<Implementation>())
+{
+  implementation_->app.set_help_flag();
+  implementation_->app.allow_extras();
+}
+
+Options::~Options() = default;
+
+Options& Options::value(std::string const& name, std::string& target, std::string const& sample,
+                        std::string const& meaning)
+{
+  implementation_->addValued(name, sample, meaning).target = &target;
+  return *this;
+}
+
+Options& Options::values(std::string const& name, std::vector<std::string>& target,
+                         std::string const& sample, std::string const& meaning)
+{
+  implementation_->addValued(name, sample, meaning + "; may be repeated").targets = &target;
+  return *this;
+}
+
+Options& Options::flag(std::string const& name, bool& target, std::string const& meaning)
+{
+  const auto last = name.substr(name.rfind(',') + 1); // its long form
+  implementation_->flags.push_back(last);
+  implementation_->names.push_back(last);
+  implementation_->app.add_flag(name, target, meaning)->disable_flag_override();
+  return *this;
+}
+
+std::vector<std::string> Options::parse(std::vector<std::string> const& words)
+{
+  std::vector<std::string> reversed(words.rbegin(), words.rend()); // as CLI11 wants them
+  try {
+    implementation_->app.parse(reversed);
+  } catch (CLI::ArgumentMismatch const&) {
+    implementation_->refuseMismatch(words);
+  } catch (CLI::ParseError const& error) {
+    throw InputError(std::string(error.what()) + " Try --help.");
+  }
+  std::vector<std::string> others;
+  for (auto const& word : implementation_->app.remaining()) {
+    if (word.size() < 2 || word[0] != '-') {
+      others.push_back(word);
+    } else if (!startsWith(word, "--kokkos")) {
+      throw InputError("The option " + optionIn(word) + " is unknown." +
+                       didYouMean(optionIn(word), implementation_->names));
+    }
+  }
+  for (auto const& option : implementation_->valued) {
+    implementation_->assign(option);
+  }
+  return others;
+}
+
+std::string Options::help() const
+{
+  OptionLines formatter;
+  formatter.column_width(34);
+  return formatter.make_groups(&implementation_->app, CLI::AppFormatMode::Normal);
+}
+
+std::vector<std::string> wordsOf(int argc, char const* const* argv)
+{
+  return {argv + std::min(argc, 1), argv + argc};
+}
+} // namespace asperity
