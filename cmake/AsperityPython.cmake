@@ -1,8 +1,9 @@
 # ASPERITY_PYTHON: the Python 3 of the plot tool and of the tests written in Python. It should have
-# h5py, numpy and matplotlib. The system's own comes first, because Debian's packages belong to it
-# and a `python3` that stands before it on PATH does not see them. A value given by the user stays.
+# h5py, numpy and matplotlib. The system's own Python is tried first, because Debian's packages
+# belong to it and another `python3` on PATH does not find them. A value given by the user is kept.
 
-# The modules that `python` lacks, in the variable named by `result`; "python" if it does not run.
+# Stores the modules that `python` lacks in the variable named by `result`, or "python" if it does
+# not run.
 function(asperity_missing_python_modules python result)
   execute_process(
     COMMAND "${python}" -c
@@ -15,7 +16,7 @@ function(asperity_missing_python_modules python result)
   set(${result} "${missing}" PARENT_SCOPE)
 endfunction()
 
-# The first python3 that lacks nothing, or else the first that runs.
+# Finds the first python3 that lacks no module, or else the first that runs.
 function(asperity_find_python result)
   set(candidates /usr/bin/python3)
   string(REPLACE ":" ";" folders "$ENV{PATH}")

@@ -4,9 +4,9 @@ asperity_compile_options(asperity_test_main)
 target_compile_features(asperity_test_main PUBLIC cxx_std_17)
 target_link_libraries(asperity_test_main PUBLIC Asperity::Kokkos GTest::gtest MPI::MPI_CXX)
 
-# Open MPI refuses root, as which containers run, and spins while it waits, which starves ranks that
-# share a core. Other MPIs are started plainly.
-# hwloc, which Open MPI asks about the machine, complains on stderr where there is no /sys.
+# Open MPI refuses to run as root, as containers do, and its waiting ranks keep a core busy, which
+# delays other ranks on that core. These options change both; other MPIs get no options. Open MPI's
+# library hwloc writes an error to stderr if there is no /sys, unless HWLOC_HIDE_ERRORS is set.
 set(ASPERITY_TEST_ENVIRONMENT OMPI_ALLOW_RUN_AS_ROOT=1 OMPI_ALLOW_RUN_AS_ROOT_CONFIRM=1
   HWLOC_HIDE_ERRORS=2)
 set(ASPERITY_MPI_OPTIONS "")
@@ -16,7 +16,8 @@ if(mpiexec_version MATCHES "Open MPI|OpenRTE")
   set(ASPERITY_MPI_OPTIONS --oversubscribe --bind-to none --mca mpi_yield_when_idle 1)
 endif()
 
-# The programs of the tests with the label `quick`, which also run in the preset `debug`.
+# Builds the programs of the tests with the label `quick`, which continuous integration also runs in
+# the preset `debug`.
 add_custom_target(asperity_quick_tests)
 
 asperity_add_precompiled_headers(tests HEADERS <gtest/gtest.h> LIBRARIES GTest::gtest)
@@ -25,8 +26,8 @@ asperity_add_precompiled_headers(tests HEADERS <gtest/gtest.h> LIBRARIES GTest::
 #                   [LIBRARIES <target>...] [RANKS <n>...] [LABELS <label>...] [TIMEOUT <seconds>])
 #
 # A GoogleTest program, run once for each number of ranks as <level>.<package>.<Name>_MPI_<n>.
-# Labels: the level, and short (the default), medium or long; quick besides runs in CI's build with
-# assertions, too.
+# Labels: the level, and short (the default), medium or long. Tests with the label quick also run in
+# continuous integration's build with assertions.
 function(asperity_add_test name)
   cmake_parse_arguments(TEST "" "TIMEOUT" "SOURCES;PACKAGES;LIBRARIES;RANKS;LABELS" ${ARGN})
   if(NOT TEST_SOURCES)

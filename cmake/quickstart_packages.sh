@@ -1,5 +1,5 @@
-# The first phase of quickstart.sh, which sources this file: Debian packages that are missing are
-# named, with what they are for, and installed as root or through sudo.
+# The first phase of quickstart.sh, which sources this file: names the Debian packages that are
+# missing, says what they are for, and installs them as root or through sudo.
 # Taken from quickstart.sh: install (yes or no), fail, phase, phase_done.
 # shellcheck shell=bash disable=SC2154
 
@@ -93,12 +93,13 @@ apt()
     apt-get -q -o DPkg::Lock::Timeout=300 -o Dpkg::Use-Pty=0 "$@"
 }
 
-# apt-get's own lines go to a file; shown are the sizes, and on failure the end.
+# Writes apt-get's output to a file and shows the sizes, and the last lines if it fails.
 install_packages()
 {
   local log status=0
   log=$(mktemp)
-  apt update > "$log" 2>&1 || printf '      apt-get update complained; going on with what it has.\n'
+  apt update > "$log" 2>&1 ||
+    printf '      apt-get update failed; the known lists of packages are used.\n'
   apt install -y --no-install-recommends "$@" 2>&1 | tee -a "$log" |
     sed -n '/^Need to get/s/^/      /p; /^After this operation/s/^/      /p' || status=$?
   if [ "$status" -ne 0 ]; then
@@ -117,13 +118,13 @@ packages()
     printf '      Your Trilinos: %s\n' "$(own_trilinos)"
   fi
   if [ "$install" = no ]; then
-    printf '      Nothing is installed, as you asked.\n'
+    printf '      No package is installed, because of --no-install.\n'
     return
   fi
   if ! command -v apt-get > /dev/null || ! command -v dpkg-query > /dev/null; then
-    printf '      This is not Debian. Needed are (by their Debian names):\n'
+    printf '      This is not Debian. The build needs, by their Debian names:\n'
     { required_packages; optional_packages; } | show_packages
-    printf '      Going on with what CMake finds.\n'
+    printf '      CMake looks for them next.\n'
     return
   fi
   installed=" $(dpkg-query -W -f '${db:Status-Status} ${Package}\n' 2> /dev/null |
@@ -131,7 +132,7 @@ packages()
   required=$(required_packages | missing_of)
   optional=$(optional_packages | missing_of)
   if [ -z "$required$optional" ]; then
-    printf '      Everything is there.\n'
+    printf '      All packages are installed.\n'
     return
   fi
   printf '      Debian packages to install, and what for:\n'
@@ -143,7 +144,7 @@ packages()
   apt-get update && apt-get install --no-install-recommends $names
 
 or, if you have these libraries elsewhere, say --no-install."
-    printf '      You are not root and there is no sudo: going on without.\n'
+    printf '      You are not root and there is no sudo, so that they are not installed.\n'
     return
   fi
   # shellcheck disable=SC2086 # a list of names

@@ -22,7 +22,7 @@ int runDeck(asperity::CommandLine const& command_line,
     }
     return asperity::exit_done;
   }
-  // 4. Run it; it reports by itself.
+  // 4. Run it; it prints its own report.
   return simulation->run();
 }
 } // namespace
@@ -33,7 +33,7 @@ int main(int argc, char** argv)
   asperity::MpiScope parallel(argc, argv);
   auto const communicator = parallel.communicator();
   return asperity::runGuarded(*communicator, [&] {
-    // 2. What is asked for?
+    // 2. Read the command line.
     auto const command_line = asperity::parseCommandLine(argc, argv);
     const bool speaks = communicator->getRank() == 0;
     if (command_line.help) {

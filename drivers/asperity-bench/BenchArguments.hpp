@@ -13,7 +13,8 @@ struct BenchArguments
   bool help = false;
 };
 
-// InputError with the nearest name for an unknown option, or if something is missing or no number.
+// InputError with the nearest name if an option is unknown, or if something is missing or not a
+// number.
 BenchArguments parseBenchArguments(int argc, char const* const* argv);
 
 void printBenchHelp(std::ostream& out);

@@ -62,8 +62,8 @@ struct WeakeningZone
     }
   }
 
-  // Of a point: how deep it lies in the body, and how far its projection on the fault is from the
-  // centre of the zone, in half lengths of its longest side.
+  // The depth of a point in the body, and the distance of its projection onto the fault from the
+  // centre of the zone, in half lengths of the longest side of the zone.
   double depth(Point<3> const& x) const
   {
     double across = 0;
@@ -100,7 +100,7 @@ double slipRate(Phase phase, double distance, double slow, double fast)
   return slow;
 }
 
-// Along x, projected onto the fault.
+// The direction of slip: x, projected onto the fault.
 Point<3> slipDirection(Point<3> const& normal)
 {
   Point<3> direction = {1 - normal[0] * normal[0], -normal[0] * normal[1], -normal[0] * normal[2]};

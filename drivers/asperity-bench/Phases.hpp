@@ -6,15 +6,15 @@
 #include <string>
 #include <vector>
 
-// States of a fault as a cycle brings them, made up so that the solution of a rate problem is
-// known. Counts can only be the same on meshes that all resolve the state, so patch and front are
-// as wide as the zone allows: from node to node the slip rate changes by two thirds of an order of
-// magnitude at most where cells are a tenth of the zone's half length.
+// States of a fault that occur in an earthquake cycle, chosen such that the solution of a rate
+// problem is known. Iteration counts can agree only between meshes that all resolve the state, so
+// patch and front are as wide as the zone allows: if cells are a tenth of the zone's half length,
+// the slip rate changes by at most two thirds of an order of magnitude from node to node.
 enum class Phase
 {
-  stuck,      // everywhere at a thousandth of V*
-  nucleating, // a smooth patch, half as long as the weakening zone, up to 1 % of the rupture's rate
-  rupturing   // that rate in the middle of the zone, and a wide front to its ends
+  stuck,      // the slip rate is V* / 1000 everywhere
+  nucleating, // a smooth patch half as long as the zone slips at up to 1 % of the rupture rate
+  rupturing   // the middle of the zone slips at the rupture rate, a wide front reaches its ends
 };
 
 constexpr Phase phases[] = {Phase::stuck, Phase::nucleating, Phase::rupturing};

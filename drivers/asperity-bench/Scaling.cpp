@@ -32,7 +32,7 @@ double sumOverRanks(Communicator const& communicator, double value)
   return sum;
 }
 
-// What this process has held at most: VmHWM of the kernel, in bytes.
+// The largest memory that this process has used: VmHWM of the kernel, in bytes.
 double peakBytes()
 {
   std::ifstream status("/proc/self/status");

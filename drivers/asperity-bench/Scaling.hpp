@@ -40,12 +40,12 @@ struct ScalingOptions
   double rupture_rate = 0.01;                          // m/s
 };
 
-// Rate problems of the three phases with each step size on one mesh; the solvers of other step
-// sizes are given back before the next is set up. Collective.
+// Rate problems of the three phases with each step size on one mesh; the solver of one step size is
+// freed before the next one is set up. Collective.
 MeshSample measureMesh(asperity::ParameterList const& deck, ScalingOptions const& options,
                        double cell_size,
                        asperity::RCP<const asperity::Communicator> const& communicator);
 
-// A table for people and the same in JSON.
+// Prints a table to read, and the same numbers as JSON.
 std::string scalingTable(std::vector<MeshSample> const& samples, int num_ranks);
 std::string scalingJson(std::vector<MeshSample> const& samples, int num_ranks);

@@ -17,7 +17,7 @@ namespace
 int scaling(BenchArguments const& arguments,
             asperity::RCP<const asperity::Communicator> const& communicator)
 {
-  // 3. One mesh after the other, from coarse to fine.
+  // 3. Measure one mesh after the other, from coarse to fine.
   const bool speaks = communicator->getRank() == 0;
   std::vector<MeshSample> samples;
   for (double size : arguments.scaling.sizes) {
@@ -31,7 +31,7 @@ int scaling(BenchArguments const& arguments,
       std::cout << scalingTable({samples.back()}, communicator->getSize()) << std::flush;
     }
   }
-  // 4. The same for programs.
+  // 4. Write the same numbers as JSON.
   if (speaks && !arguments.output.empty()) {
     std::ofstream file(arguments.output);
     file << scalingJson(samples, communicator->getSize());
@@ -50,7 +50,7 @@ int main(int argc, char** argv)
   return asperity::runGuarded(
     *communicator,
     [&] {
-      // 2. What is asked for?
+      // 2. Read the command line.
       auto const arguments = parseBenchArguments(argc, argv);
       if (arguments.help) {
         if (communicator->getRank() == 0) {

@@ -4,8 +4,8 @@
 #include <string>
 #include <vector>
 
-// What follows the name of a command: files, options with a value (--cell-size 0.002) and flags
-// (--overwrite).
+// The arguments after the name of a command: files, options with a value (--cell-size 0.002) and
+// flags (--overwrite).
 struct Arguments
 {
   std::vector<std::string> files;
@@ -13,21 +13,21 @@ struct Arguments
 
   bool has(std::string const& option) const { return options.count(option) > 0; }
 
-  // The value of an option, or `otherwise` if it is not given. InputError unless it is a number, or
-  // a whole one.
+  // The value of an option, or `otherwise` if it is not given. InputError if it is not a number, or
+  // not a whole number.
   double number(std::string const& option, double otherwise) const;
   int integer(std::string const& option, int otherwise) const;
 };
 
 struct AllowedArguments
 {
-  std::vector<std::string> files; // what each is for, as "OUT.h5"
+  std::vector<std::string> files; // the names that --help uses, such as "OUT.h5"
   std::vector<std::string> options;
   std::vector<std::string> flags;
 };
 
-// InputError if there are other arguments than these, or not all of the files.
+// InputError if an argument is not among these, or a file is missing.
 Arguments parseArguments(std::vector<std::string> const& words, AllowedArguments const& allowed);
 
-// InputError if the file is there and --overwrite is not.
+// InputError if the file exists and --overwrite is not given.
 void requireNew(std::string const& file_name, Arguments const& arguments);

@@ -34,8 +34,8 @@ BoxShape shapeFrom(Arguments const& arguments)
   return shape;
 }
 
-// Before it is graded: bisection keeps the mesh periodic, but treats opposite sides differently
-// where the size differs.
+// The mesh is made periodic before it is graded: bisection keeps it periodic, but where the cell
+// size differs it refines opposite sides differently.
 void makePeriodicAlong(std::string const& names, asperity::GlobalMesh<3>& mesh)
 {
   for (auto const& name : asperity::split(names, ',')) {
@@ -51,8 +51,8 @@ void makePeriodicAlong(std::string const& names, asperity::GlobalMesh<3>& mesh)
 std::string boxOptions()
 {
   return "    --width, --height, --depth           along x, y and z, m (1)\n"
-         "    --cells-x, --cells-y, --cells-z      number of bricks (1)\n"
-         "    --left, --bottom, --front            least x, y and z, m (0)\n"
+         "    --cells-x, --cells-y, --cells-z      numbers of bricks (1)\n"
+         "    --left, --bottom, --front            smallest x, y and z, m (0)\n"
          "    --periodic              axes, as 'z' or 'x, z'; at least 3 bricks along them\n"
          "    --cell-size             sides of the cubes, m, a formula in x, y and z\n";
 }

@@ -3,8 +3,8 @@
 #include <string>
 #include <vector>
 
-// The commands of asperity-mesh; `words` is what follows their names. InputError if anything in
-// them or in the files they name is wrong.
+// The commands of asperity-mesh; `words` are the arguments after the name of the command.
+// InputError if an argument, or a file that it names, is wrong.
 
 // IN.msh OUT.h5 [--overwrite]
 void convert(std::vector<std::string> const& words);

@@ -4,13 +4,13 @@
 
 #include "mesh/GlobalMesh.hpp"
 
-// What the commands that make meshes have in common; in 2D and 3D.
+// Functions that all commands that make meshes share, in 2D and 3D.
 
-// The mesh, bisected to --cell-size if that is given: a formula in the coordinates. InputError if
-// it is none, depends on t or is not positive somewhere.
+// Bisects the mesh to --cell-size, a formula in the coordinates, if it is given. InputError if the
+// text is not a formula, depends on t or is not positive somewhere.
 template <int Dim>
 asperity::GlobalMesh<Dim> graded(asperity::GlobalMesh<Dim> const& mesh, Arguments const& arguments);
 
-// Writes the file and says how large the mesh is.
+// Writes the file and prints how large the mesh is.
 template <int Dim>
 void writeAndReport(asperity::GlobalMesh<Dim> const& mesh, std::string const& file_name);

@@ -19,14 +19,14 @@ namespace
 {
 using Tag = std::size_t;
 
-// In the words of Gmsh's own interface.
+// The names are those of Gmsh's own interface.
 char const* entityName(int dimension)
 {
   constexpr char const* names[] = {"Point", "Curve", "Surface", "Volume"};
   return names[dimension];
 }
 
-// Gmsh takes any other text for a script and would run it.
+// Gmsh reads any other text as a script and would run it.
 void requireMeshFormat(std::string const& file_name, std::string const& where)
 {
   std::ifstream file(file_name);
@@ -34,7 +34,7 @@ void requireMeshFormat(std::string const& file_name, std::string const& where)
   std::string line;
   std::getline(file, line);
   ASPERITY_REQUIRE(line.rfind("$MeshFormat", 0) == 0,
-                   where << " is no mesh of Gmsh's: it does not begin with $MeshFormat.");
+                   where << " is not a mesh of Gmsh: it does not begin with $MeshFormat.");
 }
 
 void openWithGmsh(std::string const& file_name, std::string const& where)
@@ -97,7 +97,7 @@ std::vector<Tag> simplices(int dimension, int entity, std::string const& where)
                                         num_primary);
       throw InputError(where + " has cells of type '" + name + "', the first with tag " +
                        std::to_string(tags[i].front()) +
-                       ". Only triangles and tetrahedra of first order are understood.");
+                       ". Only triangles and tetrahedra of first order can be read.");
     }
     all.insert(all.end(), vertices[i].begin(), vertices[i].end());
   }
@@ -169,7 +169,8 @@ private:
     mesh_.cell_regions.insert(mesh_.cell_regions.end(), vertices.size() / (Dim + 1), region);
   }
 
-  // Those of cells alone: Gmsh's files also hold the points that lines and arcs were made from.
+  // Only vertices of cells are kept: Gmsh's files also hold the points from which lines and arcs
+  // were made.
   void readVertices()
   {
     const std::set<Tag> used(cell_vertices_.begin(), cell_vertices_.end());

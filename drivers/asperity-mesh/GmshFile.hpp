@@ -4,8 +4,8 @@
 
 #include <string>
 
-// A mesh of Gmsh's, in any of its .msh formats. There can be one at a time, since Gmsh's library
-// keeps its data to itself.
+// A mesh of Gmsh, in any of its .msh formats. Only one object may exist at a time, because Gmsh's
+// library has global data.
 class GmshFile
 {
 public:

@@ -13,7 +13,7 @@ namespace
 {
 using asperity::mesh::PartitionOptions;
 
-// Those of the source's own partition, if it has one, unless others are given.
+// The options of the source's own partition, if it has one, unless others are given.
 PartitionOptions optionsFrom(Arguments const& arguments, bool is_partitioned)
 {
   PartitionOptions options;

@@ -21,8 +21,10 @@ struct Parameter
 
 constexpr Parameter parameters[] = {
   {"--cell-size", &WedgeShape::cell_size, "largest diameter of cells at the seismogenic zone, m"},
-  {"--growth-factor", &WedgeShape::growth_factor, "cell sizes more per growth length away from it"},
-  {"--growth-length", &WedgeShape::growth_length, "m"},
+  {"--growth-factor", &WedgeShape::growth_factor,
+   "relative growth of cells over one growth length"},
+  {"--growth-length", &WedgeShape::growth_length,
+   "distance from the zone over which cells grow, m"},
   {"--length", &WedgeShape::length, "of the surface, m"},
   {"--height", &WedgeShape::height, "of the right face, m"},
   {"--zone-width", &WedgeShape::zone_width, "of the seismogenic zone along the base, m"},
@@ -58,8 +60,9 @@ asperity::GlobalMesh<3> wedgeWithDepth(WedgeShape const& shape, Arguments const&
     }
     return deepWedgeMesh(shape, deep);
   }
-  ASPERITY_REQUIRE(!arguments.has("--patches"),
-                   "Option --patches has no meaning for --layers, which are all alike.");
+  ASPERITY_REQUIRE(
+    !arguments.has("--patches"),
+    "Option --patches cannot be combined with --layers, whose layers are all alike.");
   auto mesh = layeredWedgeMesh(shape, deep.depth, arguments.integer("--layers", 1));
   if (deep.is_periodic) {
     asperity::mesh::makePeriodic(mesh, 2, "front", "back");
@@ -80,7 +83,7 @@ std::string wedgeOptions()
   return lines + "    --depth                 along z, m: tetrahedra instead of triangles\n"
                  "    --patches               z of the seismogenic zone, m (the whole depth), as\n"
                  "                            '0.05 to 0.25, 0.35 to 0.55'\n"
-                 "    --layers                the plane wedge in that many equal layers instead\n"
+                 "    --layers                number of equal layers of the plane wedge, instead\n"
                  "    --periodic              along z; takes no value\n";
 }
 

@@ -19,23 +19,23 @@ void printHelp()
   std::cout
     << "asperity-mesh makes, converts and partitions meshes.\n\n"
        "  asperity-mesh convert IN.msh OUT.h5 [--overwrite]\n"
-       "    Gmsh's format to ours; physical groups become regions and boundaries.\n"
+       "    Converts Gmsh's format to ours; physical groups become regions and boundaries.\n"
        "  asperity-mesh wedge OUT.h5 [--overwrite] [OPTION VALUE]...\n"
-       "    The subduction wedge of Pipping 2014, A.1, by bisection. Options:\n"
+       "    Makes the subduction wedge of Pipping 2014, A.1, by bisection. Options:\n"
     << wedgeOptions()
     << "  asperity-mesh rectangle OUT.h5 [--overwrite] [OPTION VALUE]...\n"
-       "    A rectangle of right triangles, graded by bisection. Options:\n"
+       "    Makes a rectangle of right triangles, graded by bisection. Options:\n"
     << rectangleOptions()
     << "  asperity-mesh box OUT.h5 [--overwrite] [OPTION VALUE]...\n"
-       "    A box of bricks, six tetrahedra each, graded by bisection. Options:\n"
+       "    Makes a box of bricks of six tetrahedra each, graded by bisection. Options:\n"
     << boxOptions()
     << "  asperity-mesh partition FILE.h5 --parts N --output OUT.h5 [--overwrite]\n"
        "                [--boundary NAME] [--boundary-weight W]\n"
-       "    A mesh, partitioned before or not, in N parts, of which N ranks read one each.\n"
-       "    The vertices of the boundary, the fault, are balanced among the parts too; all\n"
+       "    Divides a mesh, partitioned before or not, into N parts for N ranks.\n"
+       "    The parts also get equal shares of the vertices of the boundary, which is the fault;\n"
        "    in all they count W times (4). Both are kept when a mesh is partitioned again.\n"
        "  asperity-mesh info FILE.h5\n"
-       "    Counts, sizes, regions and boundaries of a mesh, partitioned or not.\n\n"
+       "    Prints counts, sizes, regions and boundaries of a mesh, partitioned or not.\n\n"
        "Exit status: 0 done, 2 the input is at fault.\n";
 }
 

@@ -21,7 +21,7 @@ namespace
 using ColourVector = Tpetra::Vector<int, LocalOrdinal, GlobalOrdinal>;
 using IdVector = Tpetra::Vector<GlobalOrdinal, LocalOrdinal, GlobalOrdinal>;
 using HostDofs = Kokkos::View<const LocalOrdinal**, Kokkos::LayoutRight, Kokkos::HostSpace>;
-using Weight = std::pair<std::uint64_t, GlobalOrdinal>; // the id decides where hashes collide
+using Weight = std::pair<std::uint64_t, GlobalOrdinal>; // where hashes are equal, the id decides
 
 constexpr int uncoloured = -1;
 
@@ -41,7 +41,8 @@ struct Neighbourhood
     for (std::size_t row = 0; row < graph.getNodeNumRows(); ++row) {
       const GlobalOrdinal id = rows.getGlobalElement(static_cast<int>(row));
       own_weights.push_back(weightOf(id));
-      const LocalOrdinal own_column = columns.getLocalElement(id); // invalid without a self loop
+      const LocalOrdinal own_column =
+        columns.getLocalElement(id); // invalid if there is no self loop
       for (auto k = local.row_map(row); k < local.row_map(row + 1); ++k) {
         if (local.entries(k) != own_column) {
           neighbours.push_back(local.entries(k));
@@ -82,9 +83,9 @@ Number sumOverRanks(CrsGraph const& graph, Number mine)
   return sum;
 }
 
-// One round of Jones and Plassmann: all nodes that are heavier than their uncoloured neighbours
-// choose. A round sees the colours of the round before, wherever the neighbour lives. Returns how
-// many nodes chose.
+// One round of Jones and Plassmann: every node that is heavier than its uncoloured neighbours
+// chooses a colour. A round sees the colours of the round before on all ranks. Returns how many
+// nodes chose.
 int colourHeaviest(CrsGraph const& graph, Neighbourhood const& neighbourhood,
                    ColourVector const& seen, ColourVector& colours)
 {

@@ -19,14 +19,14 @@ struct DenseCorrection::Implementation
   Eigen::MatrixXd Z;
   std::vector<std::vector<int>> dofs; // of each node
 
-  // Of Z + H on the dofs that took part when it was made; the other ones have their diagonal. In
-  // the long time between earthquakes most nodes are too stiff to take part.
+  // The factor of Z + H on the dofs that took part when it was made; the other dofs have their
+  // diagonal. In the long time between earthquakes most nodes are too stiff to take part.
   Eigen::LLT<Eigen::MatrixXd> factor;
   std::vector<int> factored;
   Eigen::VectorXd diagonal;
   bool has_factor = false;
 
-  // Of the current solve: H by node, and 1 on the dofs that take part.
+  // The current solve has H by node, and 1 on the dofs that take part.
   NonlinearBlocks blocks;
   Eigen::VectorXd mask;
 
@@ -167,7 +167,7 @@ CorrectionResult DenseCorrection::solve(NonlinearBlocks const& blocks, Vector co
   auto const r_view = r.getLocalViewHost(Tpetra::Access::ReadOnly);
   auto const c_view = c.getLocalViewHost(Tpetra::Access::OverwriteAll);
   const Eigen::Map<const Eigen::VectorXd> given(r_view.data(), self.Z.rows());
-  // A product with the mask would let through what is no number where r is not to be read.
+  // A product with the mask would keep a NaN at entries of r that must not be read.
   const Eigen::VectorXd right = (self.mask.array() == 0).select(0, given);
   Eigen::Map<Eigen::VectorXd> solution(c_view.data(), self.Z.rows());
 

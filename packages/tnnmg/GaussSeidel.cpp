@@ -38,7 +38,8 @@ NodeView nodalCurvature(CrsMatrix const& Z, NonlinearNodes const& nodes)
           }
         }
       }
-      // Exact for one and two components; Gershgorin's bound, which is no smaller, for three.
+      // The result is exact for one and two components; for three it is Gershgorin's bound, which
+      // is no smaller.
       if (size == 1) {
         curvature(node) = block[0][0];
       } else if (size == 2) {

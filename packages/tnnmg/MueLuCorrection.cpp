@@ -14,14 +14,15 @@ namespace asperity::tnnmg
 {
 namespace
 {
-// The trial of a kept hierarchy. Measured with all nodes truncated: 3 or 4 iterations in small
-// steps, where a rebuilt hierarchy saves one; 10 to 27 in large steps, where it saves half.
+// The trial of a kept hierarchy. With all nodes truncated it was measured to need 3 or 4 iterations
+// in small steps, where a rebuilt hierarchy saves one, and 10 to 27 in large steps, where a rebuilt
+// hierarchy saves half.
 constexpr double trial_tolerance = 1e-4;
 constexpr int trial_iterations = 8;
 
-// Constrained rows are decoupled and their residuals zero, so that nothing reaches what they carry.
-// A trace is left since MueLu refuses an aggregate without any share in a vector, as between the
-// nodes of a wall.
+// Constrained rows are decoupled and their residuals are zero, so their entries of the near null
+// space have no effect. The entries are made small but not zero, because MueLu refuses an aggregate
+// on which a vector vanishes, as between the nodes of a wall.
 RCP<const MultiVector> withTraceAt(MultiVector const& vectors, RowView const& rows)
 {
   constexpr double trace = 1e-8;
@@ -90,12 +91,12 @@ struct MueLuCorrection::Implementation
   void reset()
   {
     if (rebuilds) {
-      preconditioner->forget();
+      preconditioner->returnToHierarchyOfZ();
     }
   }
 
-  // Whether Z's hierarchy still serves when all nodes are truncated, for a right hand side of all
-  // frequencies.
+  // Whether conjugate gradients converge with Z's hierarchy when all nodes are truncated, for a
+  // right hand side of all frequencies.
   bool withstandsTruncation()
   {
     Kokkos::deep_copy(nodes->removed, 1);
@@ -111,11 +112,11 @@ struct MueLuCorrection::Implementation
   {
     TimedScope scope(setup_timer);
     nodes->set(blocks);
-    if (rebuilds && preconditioner->outdated() > parameters.outdated_share) {
+    if (rebuilds && preconditioner->outdatedShare() > parameters.outdated_share) {
       preconditioner->rebuild();
       ++statistics.rebuilds;
     } else {
-      statistics.rebuilds += preconditioner->isDue() ? 1 : 0;
+      statistics.rebuilds += preconditioner->willRebuildFromZ() ? 1 : 0;
       preconditioner->setup();
     }
   }

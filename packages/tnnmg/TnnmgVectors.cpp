@@ -13,8 +13,8 @@ namespace
 {
 using Policy = Kokkos::RangePolicy<Kokkos::DefaultExecutionSpace>;
 
-// sum of (|b_i| + |b_i - r_i|) |d_i|: the terms of <Z v - b, d> before they cancel. This rank's
-// part.
+// This rank's part of the sum of (|b_i| + |b_i - r_i|) |d_i|, the magnitudes of the terms of <Z v -
+// b, d>, which nearly cancel.
 double magnitudeOfLinearTerms(Vector const& b, Vector const& r, Vector const& d)
 {
   auto const bs = b.getLocalViewDevice(Tpetra::Access::ReadOnly);

@@ -2,8 +2,8 @@
 #include <gtest/gtest.h>
 #include <mpi.h>
 
-// MPI and Kokkos around GoogleTest. A failure on one rank must be seen by all: the exit status is
-// the largest.
+// Starts MPI and Kokkos around GoogleTest. All ranks return the largest exit status, so that a
+// failure on one rank is seen.
 int main(int argc, char** argv)
 {
   MPI_Init(&argc, &argv);

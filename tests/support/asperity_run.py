@@ -1,4 +1,4 @@
-"""Runs the program `asperity` and reads what it leaves, for the tests written in Python."""
+"""Runs the program `asperity` and reads its results, for the tests written in Python."""
 
 import csv
 import hashlib

@@ -1,4 +1,4 @@
-"""What the steps of two runs with the same prescribed steps cost."""
+"""Compares the work of two runs with the same prescribed steps."""
 
 import asperity_run
 

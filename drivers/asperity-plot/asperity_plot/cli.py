@@ -1,4 +1,4 @@
-"""The command line: which figures of which run, and what went wrong if anything did."""
+"""The command line: chooses figures of a run, and reports what is wrong."""
 
 import argparse
 import sys
@@ -30,7 +30,7 @@ def main(arguments: Optional[List[str]] = None) -> int:
     """Draws the figures; 0 if all is well, 2 if the input is at fault."""
     options = _parse(arguments)
     if options.dpi < 30 or options.dpi > 1200:
-        return _fail(f"--dpi {options.dpi} is outside [30, 1200]. 200 suits a page.")
+        return _fail(f"--dpi {options.dpi} is outside [30, 1200]. Use 200 for a printed page.")
     if options.every and min(options.every) <= 0.0:
         return _fail("--every needs two times above 0, such as 5yr 1s.")
     missing = _missing_modules()
@@ -77,9 +77,9 @@ def _names(text: str) -> Tuple[str, ...]:
     for name in names:
         if name not in FIGURES:
             raise argparse.ArgumentTypeError(
-                f"there is no figure '{name}'; there are {', '.join(FIGURES)}")
+                f"there is no figure '{name}'; the figures are {', '.join(FIGURES)}")
     if not names:
-        raise argparse.ArgumentTypeError(f"names no figure; there are {', '.join(FIGURES)}")
+        raise argparse.ArgumentTypeError(f"names no figure; the figures are {', '.join(FIGURES)}")
     return names
 
 

@@ -1,4 +1,4 @@
-"""Balance of energy over the run: what went where, and how well the sum closes."""
+"""Balance of energy over the run: the energies, and the error of their sum."""
 
 from typing import Dict, Optional
 

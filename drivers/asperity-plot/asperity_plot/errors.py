@@ -1,4 +1,4 @@
-"""The ways in which a figure may not come into being."""
+"""The reasons for which a figure is not drawn."""
 
 
 class InputError(Exception):
@@ -6,8 +6,8 @@ class InputError(Exception):
 
 
 class NothingToShow(Exception):
-    """The run is sound but has nothing for this figure, a run without events for instance."""
+    """The run is sound but has no data for this figure, for example no events."""
 
 
 class OtherDimension(NothingToShow):
-    """The figure is not for runs in as many dimensions; nobody misses it who did not name it."""
+    """The figure is for another number of dimensions; an error only if the user named it."""

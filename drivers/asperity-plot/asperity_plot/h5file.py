@@ -1,4 +1,4 @@
-"""An HDF5 file of a result, whose damage is told in words instead of read as numbers."""
+"""An HDF5 file of a result; damage is reported and never read as numbers."""
 
 from pathlib import Path
 from typing import List
@@ -73,7 +73,7 @@ class H5File:
         self._sound_segments.add(name)
 
     def _contents(self, name: str) -> str:
-        """What stands beside a dataset that is missing."""
+        """A list of the datasets in the folder where one is missing."""
         folder = name.rpartition("/")[0] or "/"
         group = self._file.get(folder)
         names = ", ".join(group) if isinstance(group, h5py.Group) and len(group) else "none"

@@ -1,4 +1,4 @@
-"""Draws the figures of a run one by one and says on the terminal what came of it."""
+"""Draws the figures of a run one by one and prints which were drawn."""
 
 import sys
 from argparse import Namespace
@@ -30,7 +30,7 @@ FIGURES = {  # name: (module with draw(run, view), the file it needs)
 
 
 def report(options: Namespace) -> int:
-    """Exit status: 0, or 2 if the input is at fault; what is not affected is drawn all the same."""
+    """Exit status: 0, or 2 if the input is at fault; the other figures are drawn nevertheless."""
     try:
         run = Run(options.directory)
         view = windows.choose(run, options.window, _options(options))

@@ -1,4 +1,4 @@
-"""What a run left in its directory, opened piece by piece as figures ask for it."""
+"""The results of a run in its directory; each file is opened when a figure needs it."""
 
 import math
 from functools import cached_property

@@ -14,8 +14,8 @@ using Teuchos::RCP;
 
 namespace
 {
-// Where the path has led: the deck's list, and what is declared for it. `valid` is null below lists
-// whose names we do not know (foreign lists, the regions of a field).
+// The list of the deck at which a path has arrived, and the declarations for it. `valid` is null
+// below lists whose names are not declared (foreign lists, the regions of a field).
 struct Place
 {
   ParameterList* list;
@@ -48,7 +48,8 @@ std::vector<std::string> arrayPieces(std::string const& value)
   return inside.empty() ? std::vector<std::string>() : split(inside, ',');
 }
 
-// An array of T, or the text as it is if it does not say one; the check after it refuses that.
+// An array of T, or the unchanged text if it is not an array of T; the check that follows refuses
+// the text.
 template <class T, class Read>
 ParameterEntry arrayOf(std::string const& value, Read read)
 {
@@ -63,8 +64,8 @@ ParameterEntry arrayOf(std::string const& value, Read read)
   return ParameterEntry(elements);
 }
 
-// As the declaration has it where the text can be read that way; else as guessed, for check to
-// refuse.
+// The value in the declared type if the text can be read that way; otherwise in the guessed type,
+// which the check then refuses.
 ParameterEntry readAs(ParameterKind kind, std::string const& value)
 {
   switch (kind) {
@@ -86,7 +87,7 @@ ParameterEntry readAs(ParameterKind kind, std::string const& value)
   }
 }
 
-// In a list that is not ours the entry that is there fixes the type.
+// In a foreign list the type is that of the existing entry.
 ParameterEntry readLike(ParameterList const& list, std::string const& name,
                         std::string const& value, std::string const& path)
 {
@@ -128,7 +129,7 @@ RCP<const ParameterInfo> infoOf(ParameterEntry const* declared)
                   : Teuchos::null;
 }
 
-// One list down. A field may be entered: its list has one value per region.
+// Goes one list down. A field counts as a list, too: its list has one value per region.
 Place descend(Place const& place, std::string const& name)
 {
   const std::string path = joinPath(place.path, name);

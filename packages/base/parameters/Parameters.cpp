@@ -19,7 +19,7 @@ RCP<ParameterInfo> makeInfo(ParameterKind kind, std::string const& unit = "-",
   return info;
 }
 
-// An entry needs a value even without a default: `empty` then only carries the type.
+// An entry without a default needs a value, too: `empty` then only gives the type.
 template <class T>
 void addValue(ParameterList& list, std::string const& name, DefaultOr<T> const& value,
               T const& empty, std::string const& meaning, RCP<ParameterInfo> const& info)
@@ -219,7 +219,7 @@ Declare& Declare::foreignSublist(std::string const& name, ParameterList const& d
   return *this;
 }
 
-// Only the entries declared here carry a ParameterInfo, and it is still nobody else's.
+// Only entries declared here have a ParameterInfo, and no other list shares it yet.
 Declare& Declare::hint(std::string const& text)
 {
   ASPERITY_ASSERT(!last_.empty());

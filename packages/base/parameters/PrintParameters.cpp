@@ -27,7 +27,7 @@ std::string presenceText(Teuchos::ParameterEntry const& entry, ParameterInfo con
 
 std::string withSpaceBefore(std::string const& text) { return text.empty() ? "" : " " + text; }
 
-// What there is to say beside the name.
+// The text of a parameter, without its name.
 std::string description(Teuchos::ParameterEntry const& entry, ParameterInfo const& info)
 {
   std::string text = info.allowed() + "; " + presenceText(entry, info) + ".";
@@ -93,7 +93,7 @@ void describeXml(Teuchos::ParameterEntry const& entry, std::string const& name,
       << commentText(text.str()) << indent << "-->\n";
 }
 
-// What other words of a choice bring in place of what stands here.
+// The entries that other words of a choice bring instead of those written here.
 void describeAlternatives(ParameterList const& with_all, std::string const& name,
                           std::string const& indent, std::ostream& out)
 {
@@ -123,7 +123,7 @@ void printXmlParameter(Teuchos::ParameterEntry const& entry, std::string const& 
   out << indent << (is_given ? parameter : "<!-- " + commentText(parameter) + " -->") << '\n';
 }
 
-// With the entries that the defaults of its choices bring.
+// Prints the list together with the entries that the defaults of its choices bring.
 void printXml(ParameterList const& with_all, std::string const& name, std::ostream& out, int depth)
 {
   const auto chosen = withChosenEntries(with_all, ParameterList(), name);

@@ -5,7 +5,7 @@ namespace asperity
 {
 namespace
 {
-// A list that its choice did not choose is checked but not completed.
+// A list that its choice has not selected is checked but not completed.
 enum class Completion
 {
   full,
@@ -46,7 +46,7 @@ void copyMissing(ParameterList& list, ParameterList const& defaults)
 void processContent(ParameterList& content, ParameterList const& valid, ParameterInfo const& info,
                     std::string const& path, Completion completion);
 
-// An entry that is there, against its declaration.
+// Checks an existing entry against its declaration.
 void processEntry(ParameterList& list, std::string const& name,
                   Teuchos::ParameterEntry const& declared, std::string const& path,
                   Completion completion)

@@ -63,7 +63,7 @@ ParameterEntry readArray(std::string const& where, std::string const& type,
   return ParameterEntry(numbers);
 }
 
-// Types beyond ours, which foreign lists may use, are left to Teuchos.
+// Teuchos reads other types, which foreign lists may use.
 ParameterEntry readForeign(XMLObject const& element, std::string const& where)
 {
   try {

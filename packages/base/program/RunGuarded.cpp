@@ -45,7 +45,8 @@ Outcome call(std::function<int()> const& body)
   }
 }
 
-// A communicator of its own, so that nothing the body left under way can be taken for our messages.
+// A communicator of its own, so that pending messages of the body are not mistaken for those of the
+// guard.
 class GuardCommunicator
 {
 public:
@@ -59,8 +60,8 @@ public:
   GuardCommunicator(GuardCommunicator const&) = delete;
   GuardCommunicator& operator=(GuardCommunicator const&) = delete;
 
-  // Waits until every rank is here, but at most so long if `patience` is not negative. False if
-  // that ended it.
+  // Waits until every rank is here, but at most `patience` seconds if that is not negative. Returns
+  // false if the time is over.
   bool meet(double patience) const
   {
     MPI_Request request;
@@ -138,8 +139,8 @@ int GuardCommunicator::agree(Outcome const& outcome, std::string const& program)
   return status;
 }
 
-// Several ranks may come here. The lowest speaks and aborts first, which ends the others while they
-// wait.
+// Several ranks may call this. The lowest one prints its message and aborts first, which ends the
+// others while they wait.
 void GuardCommunicator::abort(Outcome const& outcome, std::string const& program) const
 {
   std::this_thread::sleep_for(Seconds(0.5 * std::min(rank_, 20)));

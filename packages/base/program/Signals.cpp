@@ -11,7 +11,7 @@ namespace
 volatile std::sig_atomic_t last_signal = 0;
 bool is_watching = false;
 
-// Only what POSIX calls async-signal-safe.
+// The handler may only do what POSIX calls async-signal-safe.
 extern "C" void noteSignal(int number)
 {
   if (number == SIGINT && last_signal == SIGINT) {

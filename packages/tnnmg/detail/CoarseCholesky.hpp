@@ -7,8 +7,8 @@
 namespace asperity::tnnmg::detail
 {
 // A direct solve with a small symmetric positive definite matrix that is spread over all ranks:
-// rank 0 gathers and factorises it (Eigen's sparse Cholesky). Amesos2's KLU2, the usual choice,
-// answers wrongly on two and more ranks.
+// rank 0 gathers and factorises it (Eigen's sparse Cholesky). Amesos2's KLU2, MueLu's default,
+// gives wrong answers on two and more ranks.
 class CoarseCholesky
 {
 public:
@@ -27,6 +27,6 @@ private:
 
   RCP<const Import> gather_; // A's row map -> everything on rank 0
   RCP<MultiVector> gathered_;
-  std::unique_ptr<Factor> factor_; // of use on rank 0 alone
+  std::unique_ptr<Factor> factor_; // used on rank 0 alone
 };
 } // namespace asperity::tnnmg::detail

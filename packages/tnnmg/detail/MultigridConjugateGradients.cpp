@@ -14,8 +14,9 @@ namespace
 using Problem = Belos::LinearProblem<double, MultiVector, Operator>;
 using Solver = Belos::PseudoBlockCGSolMgr<double, MultiVector, Operator>;
 
-// Belos preconditions also the residual of the last iteration before it looks whether that is small
-// enough, and then has no use for the answer: one V-cycle of three to six.
+// In the last iteration, too, Belos preconditions the residual before it tests whether the residual
+// is small enough, and then does not use the result. This would cost one V-cycle more than the
+// usual three to six.
 class UntilSolved : public Operator
 {
 public:
@@ -42,8 +43,7 @@ private:
   double target_;
 };
 
-// Belos throws where the preconditioner has lost its definiteness to rounding: no convergence,
-// then.
+// Belos throws if rounding has made the preconditioner indefinite; this counts as no convergence.
 int solveFromZero(RCP<Problem> const& problem, RCP<Teuchos::ParameterList> const& parameters)
 {
   Solver solver(problem, parameters);
@@ -66,14 +66,14 @@ IterationResult conjugateGradients(RCP<const Operator> A, RCP<const Operator> pr
   const RCP<Vector> correction = rcp(new Vector(r.getMap()));
   double norm = r.norm2();
   double before = 2 * norm;
-  // A restart that does not halve the residual has met the limit of rounding.
+  // If a restart does not halve the residual, rounding does not allow more.
   while (norm > target && result.iterations < max_iterations && norm <= 0.5 * before) {
     correction->putScalar(0);
     const auto problem = rcp(new Problem(A, correction, residual));
-    // Just below what Belos, too, has to find small enough.
+    // The tolerance is just below the one at which Belos has to stop, too.
     const RCP<const Operator> until_solved =
       rcp(new UntilSolved(preconditioner, (1 - 1e-10) * std::min(target, 0.9 * norm)));
-    problem->setRightPrec(until_solved); // a left one is applied once more than needed
+    problem->setRightPrec(until_solved); // a left preconditioner is applied once more than needed
     problem->setProblem();
     const auto parameters = rcp(new Teuchos::ParameterList(belos));
     parameters->set("Convergence Tolerance", std::min(0.9, target / norm));

@@ -9,12 +9,12 @@ namespace asperity::tnnmg::detail
 struct IterationResult
 {
   bool converged = false;
-  int iterations = 0; // one application of the preconditioner each
+  int iterations = 0; // each applies the preconditioner once
 };
 
 // Preconditioned conjugate gradients (Belos) for A c = r from c = 0 until |r - A c| <=
-// relative_tolerance |r|. That is measured afterwards with the true residual; where rounding has
-// separated it from the updated one, they go on. belos: Belos's own parameters, apart from
+// relative_tolerance |r|. Afterwards the true residual is tested; if rounding has made it larger
+// than the updated one, the iteration is continued. belos: Belos's own parameters, apart from
 // tolerance and number of iterations.
 IterationResult conjugateGradients(RCP<const Operator> A, RCP<const Operator> preconditioner,
                                    Vector const& r, double relative_tolerance, int max_iterations,

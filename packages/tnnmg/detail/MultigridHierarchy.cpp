@@ -23,7 +23,8 @@ using XpetraMatrix = Xpetra::Matrix<double, LocalOrdinal, GlobalOrdinal, Node>;
 using XpetraVector = Xpetra::MultiVector<double, LocalOrdinal, GlobalOrdinal, Node>;
 using XpetraTools = MueLu::Utilities<double, LocalOrdinal, GlobalOrdinal, Node>;
 
-// MueLu's cycle ends in the "pre-smoother" of the coarsest level.
+// MueLu's cycle calls the "pre-smoother" on the coarsest level, so that the direct solver takes its
+// place.
 class CoarseSmoother : public MueLuSmoother
 {
 public:
@@ -43,16 +44,16 @@ private:
   CoarseCholesky solver_;
 };
 
-// MueLu asks for matrices it could write to, and writes only where it scales or rebalances them,
-// which we do not ask for.
+// MueLu's interface takes a matrix that is not const. It changes the matrix only if it scales or
+// rebalances it, which we never ask for.
 RCP<CrsMatrix> writable(RCP<const CrsMatrix> const& A)
 {
   return Teuchos::rcp_const_cast<CrsMatrix>(A);
 }
 
-// Measured on 1 to 12 ranks: Gauss-Seidel that is local to a rank needs 5 to 17 iterations of
-// conjugate gradients where Chebyshev needs 11 to 20, and no more on 12 ranks than on one. Devices
-// have no use for it.
+// Measured on 1 to 12 ranks: with Gauss-Seidel that is local to a rank, conjugate gradients need 5
+// to 17 iterations where they need 11 to 20 with Chebyshev, and no more on 12 ranks than on one. On
+// devices Gauss-Seidel is too slow.
 void setSmoother(Teuchos::ParameterList& list)
 {
   constexpr bool on_host =
@@ -84,12 +85,12 @@ Teuchos::ParameterList MultigridHierarchy::defaults(int components)
   list.set("coarse: max size", 1000);
   list.set("coarse: type", "none"); // CoarseCholesky takes its place
   list.set("reuse: type", "RP");
-  list.set("transpose: use implicit", true); // no restrictions beside the prolongators in memory
+  list.set("transpose: use implicit", true); // keeps no restrictions in memory
   list.set("rap: fix zero diagonals",
            true); // where an aggregate loses a near null vector to constraints
   if (components == 3) {
-    // Measured with 50,000 unknowns: 14 iterations of conjugate gradients where there were 17; none
-    // more on cells stretched by 4 in either direction.
+    // Measured with 50,000 unknowns: conjugate gradients need 14 iterations instead of 17, and no
+    // more than before on cells stretched by 4 in either direction.
     list.set("aggregation: drop tol", 0.01);
   }
   setSmoother(list);

@@ -12,11 +12,11 @@ namespace asperity::tnnmg::detail
 class MultigridHierarchy
 {
 public:
-  // What MueLu is told, in its own spelling, unless the user overrides it. components are those of
-  // a node.
+  // MueLu's parameters, in its own spelling, which the user may override. `components` is the
+  // number of displacement components of a node.
   static Teuchos::ParameterList defaults(int components);
 
-  // A: symmetric positive definite. near_null_space: next to zero at rows without off-diagonal
+  // A is symmetric positive definite. near_null_space is almost zero at rows without off-diagonal
   // entries.
   MultigridHierarchy(RCP<const CrsMatrix> A, RCP<const MultiVector> near_null_space,
                      Teuchos::ParameterList const& muelu);

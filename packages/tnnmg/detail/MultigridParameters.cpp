@@ -11,8 +11,8 @@ namespace
 {
 bool isAboutSmoothers(std::string const& name) { return name.rfind("smoother:", 0) == 0; }
 
-// What MueLu is told. A user who says anything about smoothers chooses them entirely: MueLu does
-// not take parameters of one smoother for another.
+// MueLu's complete list. If the user gives any entry about smoothers, all our entries about
+// smoothers are left out, because MueLu refuses parameters of one smoother for another.
 ParameterList completeMueLu(ParameterList const& given, int components, std::string const& path)
 {
   for (char const* ours :

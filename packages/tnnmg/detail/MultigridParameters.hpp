@@ -30,7 +30,8 @@ struct MultigridParameters
 
   static Teuchos::RCP<const Teuchos::ParameterList> valid();
 
-  // Throws InputError where the list is not valid. components: of a node.
+  // Throws InputError if the list is not valid. `components` is the number of displacement
+  // components of a node.
   MultigridParameters(Teuchos::ParameterList const& given, int components);
 };
 } // namespace asperity::tnnmg::detail

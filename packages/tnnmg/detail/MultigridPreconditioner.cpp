@@ -16,11 +16,12 @@ namespace
 {
 using Execution = Kokkos::DefaultExecutionSpace;
 
-// A Hessian so much larger than Z's block leaves the V-cycle, where it would only cost digits.
+// A node whose Hessian exceeds Z's block by this factor is left out of the V-cycle, where the
+// Hessian would only increase rounding errors.
 constexpr double stiff = 1e3;
 
-// The hierarchy's Hessian of a node is out of date where it is wrong by this factor. One below a
-// tenth of Z's block counts as that.
+// The Hessian of a node in the hierarchy is outdated if it differs from the current one by the
+// factor `wrong`. A Hessian below the share `small` of Z's block counts as that share.
 constexpr double wrong = 10;
 constexpr double small = 0.1;
 } // namespace
@@ -54,11 +55,11 @@ RCP<const CrsMatrix> MultigridPreconditioner::withoutHessians()
 
 void MultigridPreconditioner::setup()
 {
-  if (is_due_) {
+  if (rebuild_from_Z_is_pending_) {
     hierarchy_.rebuild(withoutHessians());
     truncated_.reset();
-    is_of_Z_ = true;
-    is_due_ = false;
+    hierarchy_is_of_Z_ = true;
+    rebuild_from_Z_is_pending_ = false;
   }
   smoother_.setup();
   const auto diagonal = nodes_->diagonal;
@@ -82,14 +83,14 @@ void MultigridPreconditioner::setup()
     });
 }
 
-FlagView MultigridPreconditioner::unfit() const
+FlagView MultigridPreconditioner::nodesToExclude() const
 {
-  const FlagView result("asperity::tnnmg::unfit", nodes_->size());
+  const FlagView result("asperity::tnnmg::nodesToExclude", nodes_->size());
   const auto diagonal = nodes_->diagonal;
   const auto hessian = nodes_->hessian;
   const auto removed = nodes_->removed;
   Kokkos::parallel_for(
-    "asperity::tnnmg::unfit", Kokkos::RangePolicy<Execution>(0, nodes_->size()),
+    "asperity::tnnmg::nodesToExclude", Kokkos::RangePolicy<Execution>(0, nodes_->size()),
     KOKKOS_LAMBDA(int node) {
       result(node) = removed(node) ||
                      NodeBlock(hessian, node).trace() > stiff * NodeBlock(diagonal, node).trace();
@@ -97,16 +98,16 @@ FlagView MultigridPreconditioner::unfit() const
   return result;
 }
 
-double MultigridPreconditioner::outdated() const
+double MultigridPreconditioner::outdatedShare() const
 {
-  const auto now = unfit();
+  const auto now = nodesToExclude();
   const auto before = excluded_;
   const auto diagonal = nodes_->diagonal;
   const auto hessian = nodes_->hessian;
   const auto reference = reference_;
   int changed = 0;
   Kokkos::parallel_reduce(
-    "asperity::tnnmg::outdated", Kokkos::RangePolicy<Execution>(0, nodes_->size()),
+    "asperity::tnnmg::outdatedShare", Kokkos::RangePolicy<Execution>(0, nodes_->size()),
     KOKKOS_LAMBDA(int node, int& sum) {
       const double block = NodeBlock(diagonal, node).trace();
       const double is = NodeBlock(hessian, node).trace() + small * block;
@@ -124,12 +125,12 @@ double MultigridPreconditioner::outdated() const
 void MultigridPreconditioner::rebuild()
 {
   if (!truncated_) {
-    truncated_.emplace(Z_, coupled_); // which the hierarchy needs no longer
+    truncated_.emplace(Z_, coupled_); // the hierarchy no longer needs coupled_
     coupled_ = Teuchos::null;
   }
-  is_of_Z_ = false;
-  is_due_ = false;
-  excluded_ = unfit();
+  hierarchy_is_of_Z_ = false;
+  rebuild_from_Z_is_pending_ = false;
+  excluded_ = nodesToExclude();
   truncated_->fill(*nodes_, excluded_);
   hierarchy_.rebuild(truncated_->matrix());
   const auto diagonal = nodes_->diagonal;
@@ -145,15 +146,15 @@ void MultigridPreconditioner::rebuild()
   setup();
 }
 
-void MultigridPreconditioner::forget()
+void MultigridPreconditioner::returnToHierarchyOfZ()
 {
-  is_due_ = !is_of_Z_;
+  rebuild_from_Z_is_pending_ = !hierarchy_is_of_Z_;
   Kokkos::deep_copy(excluded_, 0);
   Kokkos::deep_copy(reference_, nodes_->diagonal);
 }
 
-// z = G^T-sweep(S V S^T (r - A z)) after z = G-sweep(r): the sum of symmetric positive semidefinite
-// parts.
+// A forward sweep gives z from r; z + S V S^T (r - A z), swept backward, is the result. As an
+// operator on r it is a sum of symmetric positive semidefinite parts.
 void MultigridPreconditioner::apply(MultiVector const& r, MultiVector& z, Teuchos::ETransp,
                                     double alpha, double beta) const
 {
@@ -170,7 +171,7 @@ void MultigridPreconditioner::apply(MultiVector const& r, MultiVector& z, Teucho
   smoother_.sweep(MultigridSmoother::Order::backward, r, z);
 }
 
-// x = S x, or S^T x, and zero at constrained dofs.
+// Replaces x by S x or by S^T x, and by zero at constrained dofs.
 void MultigridPreconditioner::scale(MultiVector& x, bool transposed) const
 {
   {

@@ -17,7 +17,7 @@ namespace
 using HostDofs = Kokkos::View<const LocalOrdinal**, Kokkos::LayoutRight, Kokkos::HostSpace>;
 using Execution = Kokkos::DefaultExecutionSpace;
 
-// The rows of Z at the nodes' dofs, T successive ones a node, under their own global ids.
+// The rows of Z at the nodes' dofs, T successive rows for each node, under their own global ids.
 RCP<const CrsMatrix> extractRows(CrsMatrix const& Z, HostDofs const& dofs)
 {
   std::vector<GlobalOrdinal> ids;

@@ -7,9 +7,9 @@
 
 namespace asperity::tnnmg::detail
 {
-// Linear block Gauss-Seidel for Z + H on the nonlinear nodes alone, colour by colour and therefore
-// the same on any number of ranks. There the coefficients jump by orders of magnitude from node to
-// node, and from solve to solve.
+// Linear block Gauss-Seidel for Z + H on the nonlinear nodes alone, where coefficients differ by
+// orders of magnitude from node to node and from solve to solve. It goes colour by colour and is
+// therefore the same on any number of ranks.
 class MultigridSmoother
 {
 public:
@@ -36,7 +36,7 @@ private:
   std::shared_ptr<const MultigridNodes> nodes_;
   RCP<const CrsMatrix> rows_;       // of Z, T successive ones per node
   RCP<const Import> columns_;       // to the columns of these rows
-  RCP<MultiVector> neighbours_;     // z there
+  RCP<MultiVector> neighbours_;     // z at these columns
   NodeBlockView inverse_;           // (num_nodes, T, T) of diagonal + Hessian, zero where removed
   std::vector<ColourView> colours_; // local nodes of each colour
 };

@@ -17,7 +17,7 @@ namespace
 {
 constexpr double tolerance = 1e-8;
 
-// In [-1, 1).
+// A number in [-1, 1).
 double pseudorandom(std::uint64_t id)
 {
   return std::ldexp(static_cast<double>(splitMix(id) >> 11), -52) - 1.0;

@@ -81,8 +81,8 @@ void MultigridTruncatedMatrix::fill(MultigridNodes const& nodes, FlagView const&
 
 namespace
 {
-// The places among the entries of Z that would couple the free tangents of a node and are zero:
-// calls visit(entry, node, s, t) for each. Returns their number on this rank.
+// Calls visit(entry, node, s, t) for each stored entry of Z that is zero and would couple two free
+// tangents of a node. Returns the number of these entries on this rank.
 template <class Visit>
 int forEachUncoupled(CrsMatrix const& Z, MultigridNodes const& nodes, Visit const& visit)
 {

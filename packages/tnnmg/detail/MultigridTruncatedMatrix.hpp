@@ -5,14 +5,14 @@
 namespace asperity::tnnmg::detail
 {
 // Z + H with the excluded nodes' rows and columns reduced to Z's diagonal, for a hierarchy that
-// takes friction into account. Has Z's graph, zeros included, as a rebuild needs.
+// takes friction into account. It has Z's graph, stored zeros included, which a rebuild needs.
 class MultigridTruncatedMatrix
 {
 public:
-  // storage: a matrix of Z's graph that is overwritten; null for a copy of Z.
+  // storage is a matrix of Z's graph that is overwritten; if it is null, a copy of Z is made.
   explicit MultigridTruncatedMatrix(RCP<const CrsMatrix> Z, RCP<CrsMatrix> storage = Teuchos::null);
 
-  // excluded(num_nodes): among them all removed nodes.
+  // excluded(num_nodes) includes all removed nodes.
   void fill(MultigridNodes const& nodes, FlagView const& excluded);
 
   RCP<const CrsMatrix> matrix() const { return matrix_; }
@@ -22,10 +22,10 @@ private:
   RCP<CrsMatrix> matrix_;
 };
 
-// Z for the first set-up of a hierarchy that is to be rebuilt with Hessians: products leave out
-// what is zero, and a rebuild has no place for an entry that the first one did not have. So where
-// a node's free tangents are not coupled by Z, which happens on regular meshes, they are by next
-// to nothing. Null where there is no such node on any rank: Z itself serves then. Constrained rows
-// get no Hessian, and no coupling.
+// Z for the first set-up of a hierarchy that will be rebuilt with Hessians. The Galerkin products
+// leave out entries that are zero, and a rebuild cannot add entries. So where Z does not couple a
+// node's free tangents, which happens on regular meshes, this matrix couples them by a tiny value.
+// The result is null if no rank has such a node, and Z itself is to be used. Constrained rows get
+// neither Hessian nor coupling.
 RCP<CrsMatrix> withCoupledTangents(CrsMatrix const& Z, MultigridNodes const& nodes);
 } // namespace asperity::tnnmg::detail

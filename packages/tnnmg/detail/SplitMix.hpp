@@ -4,8 +4,8 @@
 
 namespace asperity::tnnmg::detail
 {
-// The first number of the splitmix64 sequence that starts at a seed (Steele, Lea, Flood 2014):
-// neighbouring seeds get unrelated numbers.
+// The first number of the splitmix64 sequence that starts at a seed (Steele, Lea, Flood 2014).
+// Neighbouring seeds give unrelated numbers.
 inline std::uint64_t splitMix(std::uint64_t seed)
 {
   auto x = seed + 0x9e3779b97f4a7c15ULL;

@@ -136,7 +136,7 @@ class BadInput(unittest.TestCase):
     def test_unknown_figure(self):
         result = self.start(str(self.folder), "--figures", "slip_rat")
         self.assertEqual(result.returncode, 2)
-        self.assertIn("no figure 'slip_rat'; there are slip_rate, surface", result.stderr)
+        self.assertIn("no figure 'slip_rat'; the figures are slip_rate, surface", result.stderr)
 
     def test_words_for_numbers(self):
         for option, words in ((("--window", "now", "5yr"), "'now' is no time"),

@@ -80,7 +80,7 @@ TEST(MultigridPreconditioner, isSymmetricAfterEveryKindOfSetup)
       EXPECT_LE(detail::relativeAsymmetry(*B, *parts.nodes), 1e-12);
       B->rebuild();
       EXPECT_LE(detail::relativeAsymmetry(*B, *parts.nodes), 1e-12);
-      EXPECT_EQ(B->outdated(), 0);
+      EXPECT_EQ(B->outdatedShare(), 0);
     }
   }
 }
