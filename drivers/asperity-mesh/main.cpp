@@ -33,7 +33,8 @@ void printHelp()
        "                [--boundary NAME] [--boundary-weight W]\n"
        "    Divides a mesh, partitioned before or not, into N parts for N ranks.\n"
        "    The parts also get equal shares of the vertices of the boundary, which is the fault;\n"
-       "    in all they count W times (4). Both are kept when a mesh is partitioned again.\n"
+       "    they count W times in the balance (4). Both options are kept when a mesh is\n"
+       "    partitioned again.\n"
        "  asperity-mesh info FILE.h5\n"
        "    Prints counts, sizes, regions and boundaries of a mesh, partitioned or not.\n\n"
        "Exit status: 0 done, 2 the input is at fault.\n";
