@@ -1,6 +1,6 @@
 #include "Phases.hpp"
 
-#include "scenario/setup/FrictionSetup.hpp"
+#include "dynamics/FaultMotion.hpp"
 #include "scenario/setup/NodalField.hpp"
 
 #include <Teuchos_CommHelpers.hpp>
@@ -20,7 +20,7 @@ std::vector<double> atFaultNodes(scenario::Problem<3> const& problem, ParameterL
                                  char const* name)
 {
   return scenario::nodalValues(friction, name, "Asperity / Friction", problem.mesh,
-                               problem.fault_nodes.nodes);
+                               problem.surface->vertices());
 }
 
 Point<3> overRanks(Communicator const& communicator, Teuchos::EReductionType kind, Point<3> mine)
@@ -42,9 +42,10 @@ struct WeakeningZone
     const double far = std::numeric_limits<double>::max();
     Point<3> low = {far, far, far}, high = {-far, -far, -far}, sum{};
     for (std::size_t i = 0; i < a.size(); ++i) {
-      auto const& x = problem.mesh.vertices[problem.fault_nodes.nodes[i]];
+      auto const& node = (*problem.surface)[static_cast<int>(i)];
+      auto const& x = node.place;
       for (int d = 0; d < 3; ++d) {
-        sum[d] += problem.fault_nodes.weights[i] * problem.fault_nodes.normals[i][d];
+        sum[d] += node.weight * node.normal[d];
         if (b[i] > a[i]) {
           low[d] = std::min(low[d], x[d]);
           high[d] = std::max(high[d], x[d]);
@@ -113,19 +114,20 @@ Point<3> slipDirection(Point<3> const& normal)
 
 void addFriction(scenario::Problem<3> const& problem, KnownProblem const& known)
 {
-  auto const& fault = problem.fault;
-  const int num_nodes = fault.numNodes(), size = fault.num_tangents;
+  auto const& surface = *problem.surface;
+  const int num_nodes = surface.numNodes(), size = surface.numTangents();
   const friction::BlockView v("asperity::bench::v", num_nodes, size);
   const friction::BlockView gradient("asperity::bench::gradient", num_nodes, size);
   const friction::HessianView hessian("asperity::bench::hessian", num_nodes, size, size);
   const friction::FlagView kinked("asperity::bench::kinked", num_nodes);
-  fault.gather(*known.v, v);
-  fault.friction->linearise(v, known.alpha, gradient, hessian, kinked);
+  dynamics::gather(surface, *known.v, v);
+  problem.fault.friction().linearise(v, {known.alpha, problem.initial.sigma_n}, gradient, hessian,
+                                     kinked);
   auto const values = known.b->getLocalViewHost(Tpetra::Access::ReadWrite);
   auto const host = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace(), gradient);
   for (int node = 0; node < num_nodes; ++node) {
     for (int k = 0; k < size; ++k) {
-      values(fault.dofs[node][k], 0) += host(node, k);
+      values(surface[node].dofs[k], 0) += host(node, k);
     }
   }
 }
@@ -155,7 +157,7 @@ KnownProblem makeKnownProblem(scenario::Problem<3> const& problem, ParameterList
       const double speed = rateAt(x) * std::exp(-zone.depth(x) / zone.size());
       Point<3> along_axes, local;
       for (int d = 0; d < 3; ++d) {
-        along_axes[d] = speed / problem.fault.slip_factor * direction[d];
+        along_axes[d] = speed / problem.surface->slipFactor() * direction[d];
       }
       problem.constraints->frames().toFrame(node, along_axes.data(), local.data());
       for (int c = 0; c < 3; ++c) {
@@ -163,18 +165,18 @@ KnownProblem makeKnownProblem(scenario::Problem<3> const& problem, ParameterList
       }
     }
   }
-  body.clearFixed(*known.v);
+  body.clearHeld(*known.v);
   std::vector<double> alpha;
-  for (int node : problem.fault_nodes.nodes) {
-    alpha.push_back(std::log(reference / rateAt(problem.mesh.vertices[node])));
+  for (auto const& node : *problem.surface) {
+    alpha.push_back(std::log(reference / rateAt(node.place)));
   }
-  known.alpha = scenario::toDevice(alpha, "asperity::bench::alpha");
+  known.alpha = toDevice(alpha, "asperity::bench::alpha");
   auto const& matrices = body.matrices;
   matrices.mass->apply(*known.v, *known.b, Teuchos::NO_TRANS, update.mass_weight / tau, 0);
   matrices.viscosity->apply(*known.v, *known.b, Teuchos::NO_TRANS, 1, 1);
   matrices.stiffness->apply(*known.v, *known.b, Teuchos::NO_TRANS, tau * update.stiffness_weight,
                             1);
   addFriction(problem, known);
-  body.clearFixed(*known.b);
+  body.clearHeld(*known.b);
   return known;
 }

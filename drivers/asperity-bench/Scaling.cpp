@@ -64,7 +64,8 @@ SolveSample solve(scenario::Problem<3> const& problem, KnownProblem const& known
 {
   auto const zero = problem.body.vector();
   auto const v = problem.body.vector();
-  const dynamics::FrictionProblem nodal{*problem.fault.friction, known.alpha};
+  const dynamics::FrictionProblem nodal{problem.fault.friction(),
+                                        {known.alpha, problem.initial.sigma_n}};
   SolveSample sample;
   const Stopwatch watch;
   solver.begin(*known.b, *zero);
@@ -87,15 +88,15 @@ MeshSample measureMesh(ParameterList const& deck, ScalingOptions const& options,
   MeshSample sample;
   sample.cell_size = cell_size;
   const Stopwatch watch;
-  const scenario::Problem<3> problem(deck, communicator);
+  auto const problem = scenario::makeProblem<3>(deck, communicator);
   sample.build_seconds = watch.seconds();
   sample.num_unknowns = problem.mesh.num_global_vertices * problem.components;
-  sample.num_fault_nodes = problem.fault.sumOverRanks(problem.fault.numNodes());
+  sample.num_fault_nodes = problem.surface->numGlobalNodes();
   sample.product_seconds = productSeconds(problem.body);
   auto const update = scenario::makeRateUpdate(deck.sublist("Time Stepping"), true);
   for (double tau : options.steps) {
     const dynamics::DyadicTime clock(tau, 0);
-    dynamics::StepSolvers solvers(problem.body, problem.fault, update, clock, problem.solver, 0);
+    dynamics::StepSolvers solvers(problem.body, *problem.surface, update, clock, problem.solver, 0);
     auto& solver = solvers.at(0);
     for (Phase phase : phases) {
       auto const known = makeKnownProblem(problem, deck.sublist("Friction"), phase,

@@ -16,13 +16,11 @@ void Body::residual(Vector const& l, Vector const& u, Vector const& v, Vector co
   matrices.stiffness->apply(u, result, Teuchos::NO_TRANS, -1, 1);
 }
 
-void Body::clearFixed(Vector& x) const
+void Body::clearHeld(Vector& x) const
 {
   auto values = x.getLocalViewHost(Tpetra::Access::ReadWrite);
-  for (int dof = 0; dof < numOwnedDofs(); ++dof) {
-    if (fixed[dof]) {
-      values(dof, 0) = 0;
-    }
+  for (int dof : held.owned()) {
+    values(dof, 0) = 0;
   }
 }
 } // namespace asperity::dynamics

@@ -2,6 +2,7 @@
 
 #include "base/Types.hpp"
 #include "fem/BodyMatrices.hpp"
+#include "fem/HeldDofs.hpp"
 
 #include <functional>
 #include <memory>
@@ -15,18 +16,19 @@ struct Body
 {
   std::shared_ptr<const fem::DofMap> dofs;
   fem::BodyMatrices matrices;
-  std::vector<char> fixed;                // (num local dofs), where the velocity is prescribed
+  fem::HeldDofs held;                     // whose velocity is prescribed
   RCP<const MultiVector> near_null_space; // rigid body motions on the owned dofs, in nodal frames
 
   // Both fill a vector of owned dofs for the time t [s].
   std::function<void(double, Vector&)> load;
-  std::function<void(double, Vector&)> prescribed_velocity; // zero at free dofs
+  std::function<void(double, Vector&)> prescribed_velocity; // zero at dofs that are not held
 
   int numOwnedDofs() const { return dofs->numOwnedNodes() * dofs->components(); }
   RCP<Vector> vector() const;
   // l - M a - C v - K u
   void residual(Vector const& l, Vector const& u, Vector const& v, Vector const& a,
                 Vector& result) const;
-  void clearFixed(Vector& x) const;
+  // x = 0 at the held dofs
+  void clearHeld(Vector& x) const;
 };
 } // namespace asperity::dynamics

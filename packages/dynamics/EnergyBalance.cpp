@@ -1,5 +1,7 @@
 #include "dynamics/EnergyBalance.hpp"
 
+#include "dynamics/FaultMotion.hpp"
+
 #include <Teuchos_CommHelpers.hpp>
 #include <Tpetra_CrsMatrix.hpp>
 
@@ -28,22 +30,18 @@ EnergyBalance::EnergyBalance(Body const& body, Fault const& fault, DyadicTime co
     , du_(body.vector())
     , work_(body.vector())
     , mean_(body.vector())
-    , v_("asperity::dynamics::v", fault.numNodes(), fault.num_tangents)
-    , gradient_("asperity::dynamics::gradient", fault.numNodes(), fault.num_tangents)
-    , hessian_("asperity::dynamics::hessian", fault.numNodes(), fault.num_tangents,
-               fault.num_tangents)
-    , kinked_("asperity::dynamics::kinked", fault.numNodes())
+    , v_("asperity::dynamics::v", fault.surface().numNodes(), fault.surface().numTangents())
+    , gradient_("asperity::dynamics::gradient", fault.surface().numNodes(),
+                fault.surface().numTangents())
+    , hessian_("asperity::dynamics::hessian", fault.surface().numNodes(),
+               fault.surface().numTangents(), fault.surface().numTangents())
+    , kinked_("asperity::dynamics::kinked", fault.surface().numNodes())
 {
-  for (int node = 0; node < fault.numNodes(); ++node) {
-    for (int k = 0; k < fault.num_tangents; ++k) {
-      if (!fault.fixed[node][k]) {
-        fault_dofs_.push_back(fault.dofs[node][k]);
+  for (auto const& node : fault.surface()) {
+    for (int dof : node.dofs) {
+      if (!body.held[dof]) {
+        fault_dofs_.push_back(dof);
       }
-    }
-  }
-  for (int dof = 0; dof < body.numOwnedDofs(); ++dof) {
-    if (body.fixed[dof]) {
-      fixed_dofs_.push_back(dof);
     }
   }
 }
@@ -60,7 +58,6 @@ void EnergyBalance::fill(State const& state, Snapshot& result)
   Tpetra::deep_copy(*result.a, *state.a);
   const double t = clock_.seconds(state.time);
   body_.load(t, *result.load);
-  fault_.setTime(t);
 
   // work = l - M a - C v - K u: what friction and reactions hold; kept where they act.
   Tpetra::deep_copy(*work_, *result.load);
@@ -72,24 +69,26 @@ void EnergyBalance::fill(State const& state, Snapshot& result)
   body_.matrices.mass->apply(*state.v, *mean_);
   result.kinetic = 0.5 * mean_->dot(*state.v);
 
-  fault_.gather(*state.v, v_);
-  fault_.friction->linearise(v_, state.alpha_of_rate, gradient_, hessian_, kinked_);
+  auto const& surface = fault_.surface();
+  gather(surface, *state.v, v_);
+  fault_.friction().linearise(v_, {state.alpha_of_rate, state.sigma_n}, gradient_, hessian_,
+                              kinked_);
   auto const gradient = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace(), gradient_);
   auto const v = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace(), v_);
   auto const residual = work_->getLocalViewHost(Tpetra::Access::ReadOnly);
   result.force->putScalar(0);
   auto const force = result.force->getLocalViewHost(Tpetra::Access::ReadWrite);
-  for (int node = 0; node < fault_.numNodes(); ++node) {
+  for (int node = 0; node < surface.numNodes(); ++node) {
     bool sliding = false;
-    for (int k = 0; k < fault_.num_tangents; ++k) {
+    for (int k = 0; k < surface.numTangents(); ++k) {
       sliding = sliding || v(node, k) != 0;
     }
-    for (int k = 0; k < fault_.num_tangents; ++k) {
-      const int dof = fault_.dofs[node][k];
+    for (int k = 0; k < surface.numTangents(); ++k) {
+      const int dof = surface[node].dofs[k];
       force(dof, 0) = sliding ? gradient(node, k) : residual(dof, 0);
     }
   }
-  for (int dof : fixed_dofs_) {
+  for (int dof : body_.held.owned()) {
     force(dof, 0) = residual(dof, 0);
   }
 }
@@ -139,7 +138,7 @@ Energy const& EnergyBalance::advance(State const& state)
   const double load = mean_->dot(*du_);
   mean_->update(0.5, *before_.force, 0.5, *after_.force, 0);
   const double friction = dotOver(fault_dofs_, *mean_, *du_);
-  const double boundary = -dotOver(fixed_dofs_, *mean_, *du_);
+  const double boundary = -dotOver(body_.held.owned(), *mean_, *du_);
   mean_->update(0.5, *before_.v, 0.5, *after_.v, 0);
   body_.matrices.viscosity->apply(*mean_, *work_);
   const double viscous = work_->dot(*du_);

@@ -46,7 +46,7 @@ public:
   // Adds the step to the given state. All ranks together.
   Energy const& advance(State const& state);
   Energy const& energy() const { return energy_; }
-  // Friction forces on the fault and reactions at fixed dofs, at the last state [N per unit of
+  // Friction forces on the fault and reactions at held dofs, at the last state [N per unit of
   // thickness].
   Vector const& force() const { return *before_.force; }
 
@@ -64,7 +64,7 @@ private:
   Body const& body_;
   Fault const& fault_;
   DyadicTime clock_;
-  std::vector<int> fault_dofs_, fixed_dofs_; // disjoint
+  std::vector<int> fault_dofs_; // that are not held
   Snapshot before_, after_;
   RCP<Vector> du_, work_, mean_;
   friction::BlockView v_, gradient_;

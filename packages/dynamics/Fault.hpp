@@ -1,57 +1,49 @@
 #pragma once
 
-#include "base/Types.hpp"
+#include "dynamics/NormalStress.hpp"
+#include "fem/FaultSurface.hpp"
 #include "friction/FrictionKernels.hpp"
 #include "friction/StateKernels.hpp"
 
-#include <functional>
 #include <memory>
-#include <vector>
+#include <string>
 
 namespace asperity::dynamics
 {
-enum class Norm
+// The laws at the nodes of a fault, with their parameters in the order of the laws' tables.
+struct FaultLaws
 {
-  root_mean_square, // over the fault
-  maximum
+  std::string friction;
+  friction::ParameterView friction_parameters; // (num_parameters, num_nodes)
+  friction::ConstNodeView cohesion;            // (num_nodes) [Pa]
+  std::string state;
+  friction::ParameterView state_parameters; // (num_parameters, num_nodes)
 };
 
-// The fault nodes of this rank and what happens at them.
-struct Fault
+// What acts on a fault: friction, the evolution of its state, and the normal stress, at the nodes
+// of its surface. Nothing in it changes during a run.
+class Fault
 {
-  std::vector<std::vector<int>> dofs; // (num_nodes, T) local dofs of the tangential components
-  // (num_nodes, T) 1 where the velocity is prescribed. Beside a free component it has to be zero,
-  // since friction knows the direction of slip only then: requireWalls.
-  std::vector<std::vector<int>> fixed;
-  int num_tangents = 1;   // T
-  double slip_factor = 1; // slip = slip_factor times the tangential displacement
-  friction::FaultData data;
-  double total_weight = 0; // over all ranks: the measure of the fault
-  // Where the normal stress changes: what fills it [Pa] at the time t [s], and the memory that
-  // data.sigma_n shows. Empty where it does not change.
-  std::function<void(double, friction::NodeView const&)> normal_stress_at;
-  friction::NodeView normal_stress;
-  RCP<const Communicator> communicator;
-  std::unique_ptr<friction::FrictionKernels> friction;
-  std::unique_ptr<friction::StateKernels> state;
+public:
+  // Throws what makeFrictionKernels and makeStateKernels throw.
+  Fault(std::shared_ptr<const fem::FaultSurface> surface, FaultLaws laws,
+        NormalStress normal_stress);
 
-  int sumOverRanks(int value) const;
-  int numNodes() const { return static_cast<int>(dofs.size()); }
-  // Whether friction decides on the velocity of a node, or on a part of it.
-  bool slides(int node) const;
-  // InputError unless the prescribed velocity (owned dofs, `components` for each vertex) is zero at
-  // fixed components beside free ones. t [s] for the message.
-  void requireWalls(Vector const& prescribed_velocity, int components, double t) const;
-  // Tangential components of v at the fault nodes.
-  void gather(Vector const& v, friction::BlockView const& blocks) const;
-  // Slip rates |v| slip_factor of tangential velocities v. Views over the nodes.
-  void slipRate(friction::ConstBlockView const& v, friction::NodeView const& V) const;
-  // What acts on the fault at the time t [s], from now on.
-  void setTime(double t) const;
-  // Largest slip rate over all ranks, where it is not prescribed.
-  double peakSlipRate(Vector const& v) const;
-  // Of a - b over the fault, over all ranks.
-  double distance(friction::ConstNodeView const& a, friction::ConstNodeView const& b,
-                  Norm norm = Norm::root_mean_square) const;
+  fem::FaultSurface const& surface() const { return *surface_; }
+  FaultLaws const& laws() const { return laws_; }
+  NormalStress const& normalStress() const { return normal_stress_; }
+  friction::FrictionKernels const& friction() const { return *friction_; }
+  friction::StateKernels const& state() const { return *state_; }
+
+  // Kernels of the same law with another cohesion(num_nodes) [Pa].
+  std::unique_ptr<friction::FrictionKernels>
+  frictionWith(friction::ConstNodeView const& cohesion) const;
+
+private:
+  std::shared_ptr<const fem::FaultSurface> surface_;
+  FaultLaws laws_;
+  NormalStress normal_stress_;
+  std::unique_ptr<friction::FrictionKernels> friction_;
+  std::unique_ptr<friction::StateKernels> state_;
 };
 } // namespace asperity::dynamics

@@ -1,7 +1,7 @@
 #include "dynamics/InitialState.hpp"
 
 #include "base/Errors.hpp"
-#include "friction/Registry.hpp"
+#include "dynamics/FaultMotion.hpp"
 
 #include <Tpetra_CrsMatrix.hpp>
 
@@ -11,38 +11,39 @@ RCP<Vector> staticDisplacement(Body const& body, RateSolverSettings const& setti
                                Vector const& load)
 {
   Vector b(load, Teuchos::Copy);
-  body.clearFixed(b);
+  body.clearHeld(b);
   auto u = body.vector();
-  solveLinear(fem::combine(body.matrices, 0, 0, 1, body.fixed), body, settings, b, *u);
+  solveLinear(fem::combine(body.matrices, 0, 0, 1, body.held), body, settings, b, *u);
   return u;
 }
 
 namespace
 {
 // Where the fault moves, friction is a known force; where it rests, only cohesion can hold it.
-struct RestingFault
+struct FaultAtStart
 {
-  Fault fault;
-  friction::BlockView force; // at the moving nodes
+  friction::BlockView force;    // at the moving nodes
+  friction::NodeView cohesion;  // at the resting ones
+  friction::NodeView no_stress; // zeros
 };
 
-RestingFault restingFault(Fault const& fault, std::string const& law, Vector const& v,
-                          friction::ConstNodeView const& alpha)
+FaultAtStart faultAtStart(Fault const& fault, Vector const& v, friction::StateAndStress const& at)
 {
-  const int size = fault.numNodes();
-  const int tangents = fault.num_tangents;
+  auto const& surface = fault.surface();
+  const int size = surface.numNodes();
+  const int tangents = surface.numTangents();
   friction::BlockView blocks("asperity::dynamics::v", size, tangents);
   friction::BlockView gradient("asperity::dynamics::gradient", size, tangents);
   friction::HessianView hessian("asperity::dynamics::hessian", size, tangents, tangents);
   friction::FlagView kinked("asperity::dynamics::kinked", size);
-  fault.gather(v, blocks);
-  fault.friction->linearise(blocks, alpha, gradient, hessian, kinked);
+  gather(surface, v, blocks);
+  fault.friction().linearise(blocks, at, gradient, hessian, kinked);
 
   friction::NodeView none("asperity::dynamics::noStress", size);
   friction::NodeView cohesion("asperity::dynamics::cohesionAtRest", size);
-  auto const given = fault.data.cohesion;
+  auto const given = fault.laws().cohesion;
   Kokkos::parallel_for(
-    "asperity::dynamics::restingFault", Kokkos::RangePolicy<friction::ExecutionSpace>(0, size),
+    "asperity::dynamics::faultAtStart", Kokkos::RangePolicy<friction::ExecutionSpace>(0, size),
     KOKKOS_LAMBDA(int node) {
       bool moving = false;
       for (int k = 0; k < tangents; ++k) {
@@ -53,38 +54,29 @@ RestingFault restingFault(Fault const& fault, std::string const& law, Vector con
         gradient(node, k) = moving ? gradient(node, k) : 0;
       }
     });
-  RestingFault result{{}, gradient};
-  result.fault.dofs = fault.dofs;
-  result.fault.fixed = fault.fixed;
-  result.fault.num_tangents = tangents;
-  result.fault.slip_factor = fault.slip_factor;
-  result.fault.data = fault.data;
-  result.fault.data.sigma_n = none;
-  result.fault.data.cohesion = cohesion;
-  result.fault.communicator = fault.communicator;
-  result.fault.friction = friction::makeFrictionKernels(law, result.fault.data);
-  return result;
+  return {gradient, cohesion, none};
 }
 } // namespace
 
 RCP<Vector> initialAcceleration(Body const& body, Fault const& fault,
-                                RateSolverSettings const& settings, std::string const& law,
-                                Vector const& load, Vector const& prescribed, Vector const& u,
-                                Vector const& v, friction::ConstNodeView const& alpha)
+                                RateSolverSettings const& settings, Vector const& load,
+                                Vector const& prescribed, Vector const& u, Vector const& v,
+                                friction::StateAndStress const& at)
 {
-  auto const resting = restingFault(fault, law, v, alpha);
+  auto const& surface = fault.surface();
+  auto const start = faultAtStart(fault, v, at);
   auto b = body.vector();
   body.residual(load, u, v, prescribed, *b);
   {
-    auto const force = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace(), resting.force);
+    auto const force = toHost(start.force);
     auto const values = b->getLocalViewHost(Tpetra::Access::ReadWrite);
-    for (int node = 0; node < fault.numNodes(); ++node) {
-      for (int k = 0; k < fault.num_tangents; ++k) {
-        values(fault.dofs[node][k], 0) -= force(node, k);
+    for (int node = 0; node < surface.numNodes(); ++node) {
+      for (int k = 0; k < surface.numTangents(); ++k) {
+        values(surface[node].dofs[k], 0) -= force(node, k);
       }
     }
   }
-  body.clearFixed(*b);
+  body.clearHeld(*b);
   // The rounding of l - K u, which may be large forces in balance, would set a body at rest in
   // motion.
   auto const scale = std::max(load.normInf(), 1e-300);
@@ -93,10 +85,11 @@ RCP<Vector> initialAcceleration(Body const& body, Fault const& fault,
     RateSolverSettings mass_settings = settings;
     mass_settings.tnnmg.absolute_tolerance = 0;
     mass_settings.tnnmg.relative_tolerance = 1e-12;
-    auto const solver = makeRateSolver(fem::combine(body.matrices, 1, 0, 0, body.fixed), body,
-                                       resting.fault, mass_settings);
+    auto const solver =
+      makeRateSolver(fem::combine(body.matrices, 1, 0, 0, body.held), body, surface, mass_settings);
     solver->begin(*b, *a);
-    auto const result = solver->solve({*resting.fault.friction, alpha});
+    auto const kernels = fault.frictionWith(start.cohesion);
+    auto const result = solver->solve({*kernels, {at.alpha, start.no_stress}});
     if (!result.converged) {
       throw SolveError("The initial acceleration was not found: TNNMG did not converge on the "
                        "balance of momentum.");

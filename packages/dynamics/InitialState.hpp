@@ -1,20 +1,21 @@
 #pragma once
 
+#include "dynamics/Fault.hpp"
 #include "dynamics/coupling/RateSolver.hpp"
 
 namespace asperity::dynamics
 {
-// u with K u = load at the free dofs and u = 0 at the fixed ones (Pipping 2014, §5.2): the fault
+// u with K u = load at the free dofs and u = 0 at the held ones (Pipping 2014, §5.2): the fault
 // slides without friction along its tangents. SolveError if the body is not held.
 RCP<Vector> staticDisplacement(Body const& body, RateSolverSettings const& settings,
                                Vector const& load);
 
-// The acceleration that balances momentum at given u, v, alpha: a minimises
+// The acceleration that balances momentum at given u, v, state and normal stress: a minimises
 //   1/2 <M a, a> - <l - C v - K u - f(v, alpha), a> + sum over nodes at rest of weight cohesion |a|
 // over all a with the prescribed acceleration; nodes at rest stay at rest up to the cohesion.
 // SolveError if it is not found.
 RCP<Vector> initialAcceleration(Body const& body, Fault const& fault,
-                                RateSolverSettings const& settings, std::string const& law,
-                                Vector const& load, Vector const& prescribed, Vector const& u,
-                                Vector const& v, friction::ConstNodeView const& alpha);
+                                RateSolverSettings const& settings, Vector const& load,
+                                Vector const& prescribed, Vector const& u, Vector const& v,
+                                friction::StateAndStress const& at);
 } // namespace asperity::dynamics

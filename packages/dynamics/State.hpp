@@ -12,9 +12,10 @@ namespace asperity::dynamics
 struct State
 {
   DyadicTime::Ticks time = 0;
-  RCP<Vector> u, v, a;      // m, m/s, m/s^2
-  RCP<Vector> jerk;         // m/s^3, of the last step, see RateUpdate; zero to begin with
-  friction::NodeView alpha; // (num fault nodes)
+  RCP<Vector> u, v, a;        // m, m/s, m/s^2
+  RCP<Vector> jerk;           // m/s^3, of the last step, see RateUpdate; zero to begin with
+  friction::NodeView alpha;   // (num fault nodes)
+  friction::NodeView sigma_n; // (num fault nodes) [Pa], positive in compression
   // The state the velocity was computed with: alpha of the last rate problem.
   friction::NodeView alpha_of_rate;
 
@@ -27,8 +28,10 @@ struct State
     copy.a = rcp(new Vector(*a, Teuchos::Copy));
     copy.jerk = rcp(new Vector(*jerk, Teuchos::Copy));
     copy.alpha = friction::NodeView("asperity::dynamics::alpha", alpha.extent(0));
+    copy.sigma_n = friction::NodeView("asperity::dynamics::sigma_n", sigma_n.extent(0));
     copy.alpha_of_rate = friction::NodeView("asperity::dynamics::alphaOfRate", alpha.extent(0));
     Kokkos::deep_copy(copy.alpha, alpha);
+    Kokkos::deep_copy(copy.sigma_n, sigma_n);
     Kokkos::deep_copy(copy.alpha_of_rate, alpha_of_rate);
     return copy;
   }

@@ -221,7 +221,7 @@ RCP<Vector> assembleGravity(Mesh<Dim> const& mesh, DofMap const& dofs, NodalFram
 }
 
 RCP<CrsMatrix> combine(BodyMatrices const& body, double factor_mass, double factor_viscosity,
-                       double factor_stiffness, std::vector<char> const& fixed)
+                       double factor_stiffness, HeldDofs const& held)
 {
   auto const graph = body.mass->getCrsGraph();
   auto result = rcp(new CrsMatrix(graph));
@@ -234,7 +234,7 @@ RCP<CrsMatrix> combine(BodyMatrices const& body, double factor_mass, double fact
     for (int row = 0; row < local.numRows(); ++row) {
       for (auto entry = rows(row); entry < rows(row + 1); ++entry) {
         const int column = local.graph.entries(entry);
-        const bool kept = column == row || (!fixed[row] && !fixed[column]);
+        const bool kept = column == row || (!held[row] && !held[column]);
         local.values(entry) =
           kept ? factor_mass * m(entry) + factor_viscosity * c(entry) + factor_stiffness * k(entry)
                : 0;
@@ -243,6 +243,30 @@ RCP<CrsMatrix> combine(BodyMatrices const& body, double factor_mass, double fact
   }
   result->fillComplete(graph->getDomainMap(), graph->getRangeMap());
   return result;
+}
+
+template <int Dim>
+BodyMatrices assembleBody(Mesh<Dim> const& mesh, DofMap const& dofs, NodalFrames const& frames,
+                          std::vector<Material> const& materials)
+{
+  if (dofs.components() == Dim) {
+    return assembleBody<Dim, Dim>(mesh, dofs, frames, materials);
+  }
+  ASPERITY_ASSERT(Dim == 2 && dofs.components() == 1);
+  if constexpr (Dim == 2) {
+    return assembleBody<2, 1>(mesh, dofs, frames, materials);
+  }
+  return {};
+}
+
+template <int Dim>
+RCP<Vector> assembleGravity(Mesh<Dim> const& mesh, DofMap const& dofs, NodalFrames const& frames,
+                            std::vector<Material> const& materials,
+                            std::array<double, Dim> const& acceleration)
+{
+  return dofs.components() == Dim
+           ? assembleGravity<Dim, Dim>(mesh, dofs, frames, materials, acceleration)
+           : rcp(new Vector(dofs.owned()));
 }
 
 #define ASPERITY_INSTANTIATE(DIM, COMPONENTS)                                                      \
@@ -255,4 +279,16 @@ RCP<CrsMatrix> combine(BodyMatrices const& body, double factor_mass, double fact
 ASPERITY_INSTANTIATE(2, 1)
 ASPERITY_INSTANTIATE(2, 2)
 ASPERITY_INSTANTIATE(3, 3)
+#undef ASPERITY_INSTANTIATE
+
+#define ASPERITY_INSTANTIATE(DIM)                                                                  \
+  template BodyMatrices assembleBody<DIM>(Mesh<DIM> const&, DofMap const&, NodalFrames const&,     \
+                                          std::vector<Material> const&);                           \
+  template RCP<Vector> assembleGravity<DIM>(Mesh<DIM> const&, DofMap const&, NodalFrames const&,   \
+                                            std::vector<Material> const&,                          \
+                                            std::array<double, DIM> const&);
+
+ASPERITY_INSTANTIATE(2)
+ASPERITY_INSTANTIATE(3)
+#undef ASPERITY_INSTANTIATE
 } // namespace asperity::fem

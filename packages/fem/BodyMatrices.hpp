@@ -2,6 +2,7 @@
 
 #include "base/Types.hpp"
 #include "fem/DofMap.hpp"
+#include "fem/HeldDofs.hpp"
 #include "fem/Material.hpp"
 #include "fem/NodalFrames.hpp"
 #include "mesh/Mesh.hpp"
@@ -26,6 +27,11 @@ template <int Dim, int Components>
 BodyMatrices assembleBody(Mesh<Dim> const& mesh, DofMap const& dofs, NodalFrames const& frames,
                           std::vector<Material> const& materials);
 
+// The same with the number of components of the dofs.
+template <int Dim>
+BodyMatrices assembleBody(Mesh<Dim> const& mesh, DofMap const& dofs, NodalFrames const& frames,
+                          std::vector<Material> const& materials);
+
 // The load of a body force density * acceleration, acceleration(Components) in m/s^2 along the
 // axes.
 template <int Dim, int Components>
@@ -33,8 +39,14 @@ RCP<Vector> assembleGravity(Mesh<Dim> const& mesh, DofMap const& dofs, NodalFram
                             std::vector<Material> const& materials,
                             std::array<double, Components> const& acceleration);
 
-// factor_mass M + factor_viscosity C + factor_stiffness K with the rows and columns of fixed dofs
-// replaced by their diagonal entry. fixed(num local dofs) holds for owned and ghost dofs.
+// The same with the number of components of the dofs; zero antiplane.
+template <int Dim>
+RCP<Vector> assembleGravity(Mesh<Dim> const& mesh, DofMap const& dofs, NodalFrames const& frames,
+                            std::vector<Material> const& materials,
+                            std::array<double, Dim> const& acceleration);
+
+// factor_mass M + factor_viscosity C + factor_stiffness K with the rows and columns of held dofs
+// replaced by their diagonal entry.
 RCP<CrsMatrix> combine(BodyMatrices const& body, double factor_mass, double factor_viscosity,
-                       double factor_stiffness, std::vector<char> const& fixed);
+                       double factor_stiffness, HeldDofs const& held);
 } // namespace asperity::fem

@@ -40,24 +40,24 @@ std::vector<int> cellsBeside(Mesh<Dim> const& mesh, std::string const& boundary)
 }
 
 template <int Dim>
-std::vector<Material> materialsAtNodes(Mesh<Dim> const& mesh, std::string const& boundary,
-                                       BoundaryNodes<Dim> const& nodes,
+std::vector<Material> materialsAtNodes(Mesh<Dim> const& mesh, FaultSurface const& fault,
                                        std::vector<Material> const& materials)
 {
-  auto const cells = cellsBeside(mesh, boundary);
-  auto const& facets = mesh.boundaries.at(boundary);
-  std::vector<Material> result(nodes.nodes.size());
+  auto const cells = cellsBeside(mesh, fault.name());
+  auto const& facets = mesh.boundaries.at(fault.name());
+  auto const vertices = fault.vertices();
+  std::vector<Material> result(vertices.size());
   for (std::size_t i = 0; i < facets.size(); ++i) {
     const double measure = mesh::facetMeasure(mesh::corners(mesh, facets[i]));
     auto const& material = materials[cells[i]];
     for (int node : facets[i]) {
-      auto const place = std::lower_bound(nodes.nodes.begin(), nodes.nodes.end(), node);
-      if (place == nodes.nodes.end() || *place != node) {
+      auto const place = std::lower_bound(vertices.begin(), vertices.end(), node);
+      if (place == vertices.end() || *place != node) {
         continue; // this node belongs to another rank
       }
-      auto const n = place - nodes.nodes.begin();
+      auto const n = place - vertices.begin();
       auto& sum = result[n];
-      const double share = measure / Dim / nodes.weights[n];
+      const double share = measure / Dim / fault[static_cast<int>(n)].weight;
       sum.density += share * material.density;
       sum.bulk_modulus += share * material.bulk_modulus;
       sum.shear_modulus += share * material.shear_modulus;
@@ -70,8 +70,7 @@ std::vector<Material> materialsAtNodes(Mesh<Dim> const& mesh, std::string const&
 
 #define ASPERITY_INSTANTIATE(DIM)                                                                  \
   template std::vector<int> cellsBeside<DIM>(Mesh<DIM> const&, std::string const&);                \
-  template std::vector<Material> materialsAtNodes<DIM>(Mesh<DIM> const&, std::string const&,       \
-                                                       BoundaryNodes<DIM> const&,                  \
+  template std::vector<Material> materialsAtNodes<DIM>(Mesh<DIM> const&, FaultSurface const&,      \
                                                        std::vector<Material> const&);
 
 ASPERITY_INSTANTIATE(2)

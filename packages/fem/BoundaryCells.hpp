@@ -1,6 +1,6 @@
 #pragma once
 
-#include "fem/BoundaryNodes.hpp"
+#include "fem/FaultSurface.hpp"
 #include "fem/Material.hpp"
 
 namespace asperity::fem
@@ -9,10 +9,9 @@ namespace asperity::fem
 template <int Dim>
 std::vector<int> cellsBeside(Mesh<Dim> const& mesh, std::string const& boundary);
 
-// The material at each of the nodes: that of the cells beside the boundary's facets there,
-// averaged by the size of the facets. materials(num_cells).
+// The material at each node of the fault: that of the cells beside its facets there, averaged by
+// the size of the facets. materials(num_cells).
 template <int Dim>
-std::vector<Material> materialsAtNodes(Mesh<Dim> const& mesh, std::string const& boundary,
-                                       BoundaryNodes<Dim> const& nodes,
+std::vector<Material> materialsAtNodes(Mesh<Dim> const& mesh, FaultSurface const& fault,
                                        std::vector<Material> const& materials);
 } // namespace asperity::fem

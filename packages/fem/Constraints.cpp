@@ -48,7 +48,7 @@ Constraints<Dim>::Constraints(Mesh<Dim> const& mesh, DofMap const& dofs,
     : conditions_(std::move(conditions))
     , sample_times_(sample_times)
     , frames_(dofs.numLocalNodes(), dofs.components())
-    , fixed_(static_cast<std::size_t>(dofs.numLocalNodes()) * dofs.components(), 0)
+    , held_flags_(static_cast<std::size_t>(dofs.numLocalNodes()) * dofs.components(), 0)
     , owned_vertices_(mesh.vertices.begin(), mesh.vertices.begin() + mesh.num_owned)
 {
   auto const directions = detail::collectDirections(mesh, conditions_, dofs.components());
@@ -57,6 +57,7 @@ Constraints<Dim>::Constraints(Mesh<Dim> const& mesh, DofMap const& dofs,
     constrain(dofs, node, of_node);
   }
   shareWithGhosts(dofs);
+  held_.emplace(std::move(held_flags_), dofs.numOwnedNodes() * dofs.components());
 }
 
 // Differences of velocities are compared with these, since at a corner the prescribed velocity
@@ -114,7 +115,7 @@ void Constraints<Dim>::constrain(DofMap const& dofs, int node,
         term.second = -term.second;
       }
     }
-    fixed_[fixed.dof] = 1;
+    held_flags_[fixed.dof] = 1;
     rows_.push_back(fixed);
   }
 }
@@ -239,7 +240,7 @@ void Constraints<Dim>::shareWithGhosts(DofMap const& dofs)
         for (int c = 0; c < components; ++c) {
           values(dofs.dof(node, r), c) = frames_.entry(node, r, c);
         }
-        values(dofs.dof(node, r), components) = fixed_[dofs.dof(node, r)];
+        values(dofs.dof(node, r), components) = held_flags_[dofs.dof(node, r)];
       }
     }
   }
@@ -251,7 +252,7 @@ void Constraints<Dim>::shareWithGhosts(DofMap const& dofs)
       for (int c = 0; c < components; ++c) {
         frame[r * components + c] = values(dofs.dof(node, r), c);
       }
-      fixed_[dofs.dof(node, r)] = values(dofs.dof(node, r), components) != 0;
+      held_flags_[dofs.dof(node, r)] = values(dofs.dof(node, r), components) != 0;
     }
     frames_.set(node, frame);
   }

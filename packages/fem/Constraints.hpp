@@ -2,11 +2,13 @@
 
 #include "base/Types.hpp"
 #include "fem/DofMap.hpp"
+#include "fem/HeldDofs.hpp"
 #include "fem/NodalFrames.hpp"
 #include "fem/VelocityCondition.hpp"
 #include "fem/detail/ConditionDirections.hpp"
 #include "fem/detail/NodalBasis.hpp"
 
+#include <optional>
 #include <vector>
 
 namespace asperity::fem
@@ -29,10 +31,10 @@ public:
               std::vector<double> const& sample_times);
 
   NodalFrames const& frames() const { return frames_; }
-  // (num local dofs) for owned and ghost dofs: nonzero where the velocity is prescribed.
-  std::vector<char> const& fixed() const { return fixed_; }
+  // Owned and ghost dofs whose velocity is prescribed.
+  HeldDofs const& held() const { return *held_; }
   // Sets v(owned dofs) to the prescribed velocity at time t [s] in nodal frames, and to zero at
-  // free dofs.
+  // dofs that are not held.
   void prescribedVelocity(double t, Vector& v) const;
 
 private:
@@ -58,7 +60,8 @@ private:
   std::vector<VelocityCondition<Dim>> conditions_;
   std::vector<double> sample_times_;
   NodalFrames frames_;
-  std::vector<char> fixed_;
+  std::vector<int> held_flags_; // while the conditions are collected
+  std::optional<HeldDofs> held_;
   std::vector<FixedRow> rows_;
   std::vector<Point<Dim>> owned_vertices_;
   std::vector<double> largest_; // largest velocity of each condition at the sample times

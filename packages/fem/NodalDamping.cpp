@@ -64,6 +64,34 @@ NodalDampers absorbingBoundary(Mesh<Dim> const& mesh, std::string const& boundar
   return dampers;
 }
 
+template <int Dim>
+NodalDampers absorbingBoundary(Mesh<Dim> const& mesh, std::string const& boundary,
+                               NodalFrames const& frames, std::vector<Material> const& materials)
+{
+  if constexpr (Dim == 2) {
+    if (frames.components() == 1) {
+      return absorbingBoundary<2, 1>(mesh, boundary, frames, materials);
+    }
+  }
+  return absorbingBoundary<Dim, Dim>(mesh, boundary, frames, materials);
+}
+
+NodalDampers radiationDampers(FaultSurface const& fault, DofMap const& dofs,
+                              std::vector<double> const& eta)
+{
+  const int components = dofs.components();
+  NodalDampers dampers;
+  for (int i = 0; i < fault.numNodes(); ++i) {
+    const int node = fault.vertex(i);
+    dampers[node] = {};
+    for (int dof : fault[i].dofs) {
+      const int row = dof - dofs.dof(node, 0);
+      dampers[node][row * components + row] = fault[i].weight * eta[i] * fault.slipFactor();
+    }
+  }
+  return dampers;
+}
+
 RCP<const CrsMatrix> withDampers(CrsMatrix const& viscosity, DofMap const& dofs,
                                  NodalDampers const& dampers)
 {
@@ -103,4 +131,10 @@ RCP<const CrsMatrix> zeroLike(CrsMatrix const& matrix)
 ASPERITY_INSTANTIATE(2, 1)
 ASPERITY_INSTANTIATE(2, 2)
 ASPERITY_INSTANTIATE(3, 3)
+#undef ASPERITY_INSTANTIATE
+
+template NodalDampers absorbingBoundary<2>(Mesh<2> const&, std::string const&, NodalFrames const&,
+                                           std::vector<Material> const&);
+template NodalDampers absorbingBoundary<3>(Mesh<3> const&, std::string const&, NodalFrames const&,
+                                           std::vector<Material> const&);
 } // namespace asperity::fem

@@ -2,6 +2,7 @@
 
 #include "base/Types.hpp"
 #include "fem/DofMap.hpp"
+#include "fem/FaultSurface.hpp"
 #include "fem/Material.hpp"
 #include "fem/NodalFrames.hpp"
 #include "mesh/Mesh.hpp"
@@ -23,6 +24,16 @@ using NodalDampers = std::map<int, std::array<double, 9>>;
 template <int Dim, int Components>
 NodalDampers absorbingBoundary(Mesh<Dim> const& mesh, std::string const& boundary,
                                NodalFrames const& frames, std::vector<Material> const& materials);
+
+// The same with the number of components of the frames.
+template <int Dim>
+NodalDampers absorbingBoundary(Mesh<Dim> const& mesh, std::string const& boundary,
+                               NodalFrames const& frames, std::vector<Material> const& materials);
+
+// The traction eta V = eta factor v_t of radiation damping on a fault, lumped like friction.
+// eta(num_nodes) [Pa s/m].
+NodalDampers radiationDampers(FaultSurface const& fault, DofMap const& dofs,
+                              std::vector<double> const& eta);
 
 // A copy of a matrix of assembleBody with the dampers in its diagonal blocks.
 RCP<const CrsMatrix> withDampers(CrsMatrix const& viscosity, DofMap const& dofs,

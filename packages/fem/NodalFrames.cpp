@@ -2,10 +2,27 @@
 
 #include "base/Errors.hpp"
 
+#include <Tpetra_Vector.hpp>
+
 #include <cmath>
 
 namespace asperity::fem
 {
+std::vector<double> alongAxes(NodalFrames const& frames, DofMap const& dofs, Vector const& x)
+{
+  const int components = dofs.components();
+  auto const values = x.getLocalViewHost(Tpetra::Access::ReadOnly);
+  std::vector<double> result(static_cast<std::size_t>(dofs.numOwnedNodes()) * components);
+  for (int node = 0; node < dofs.numOwnedNodes(); ++node) {
+    std::array<double, 3> local{};
+    for (int c = 0; c < components; ++c) {
+      local[c] = values(dofs.dof(node, c), 0);
+    }
+    frames.fromFrame(node, local.data(), &result[static_cast<std::size_t>(node) * components]);
+  }
+  return result;
+}
+
 template <std::size_t Dim>
 std::vector<int> tangentialComponents(NodalFrames const& frames, int node,
                                       std::array<double, Dim> const& normal)

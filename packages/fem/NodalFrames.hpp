@@ -1,5 +1,7 @@
 #pragma once
 
+#include "fem/DofMap.hpp"
+
 #include <array>
 #include <vector>
 
@@ -64,6 +66,10 @@ private:
   int components_;
   std::vector<Matrix> frames_;
 };
+
+// Components along the axes (num owned nodes, components) of a vector of owned dofs in nodal
+// frames.
+std::vector<double> alongAxes(NodalFrames const& frames, DofMap const& dofs, Vector const& x);
 
 // The components of a node's frame along a boundary, ascending: all but the one that is nearest to
 // the boundary's normal, which has Dim numbers. The frame follows that normal, except where the

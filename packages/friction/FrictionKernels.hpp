@@ -41,33 +41,33 @@ public:
   // Returns the number of nodes without a solution, where v_i is left alone. There a curvature is
   // not positive, a value is not finite, or the iteration does not converge.
   virtual int minimise(IndexView const& nodes, ConstNodeView const& curvature,
-                       ConstBlockView const& r, ConstNodeView const& alpha,
+                       ConstBlockView const& r, StateAndStress const& at,
                        BlockView const& v) const = 0;
 
   // Gradient [N] and Hessian [N s/m] of psi_i at v_i. kinked_i = 1 where psi_i has no second
   // derivative (v_i = 0 with cohesion, the kink of a law) or an infinite one: there the Hessian is
   // set to zero, and the gradient is the subgradient of least norm.
-  virtual void linearise(ConstBlockView const& v, ConstNodeView const& alpha,
+  virtual void linearise(ConstBlockView const& v, StateAndStress const& at,
                          BlockView const& gradient, HessianView const& hessian,
                          FlagView const& kinked) const = 0;
 
   // Sum over all nodes of the one-sided directional derivative psi_i'(v_i + t d_i; d_i).
   virtual double slope(ConstBlockView const& v, ConstBlockView const& d, double t,
-                       ConstNodeView const& alpha) const = 0;
+                       StateAndStress const& at) const = 0;
 
   // Sum over all nodes of psi_i(v_i + d_i) - psi_i(v_i), from the integral of mu between the two.
   virtual Difference difference(ConstBlockView const& v, ConstBlockView const& d,
-                                ConstNodeView const& alpha) const = 0;
+                                StateAndStress const& at) const = 0;
 
   // mu_i := mu(c_i |v_i|, alpha_i).
   virtual void coefficient(ConstBlockView const& v, ConstNodeView const& alpha,
                            NodeView const& mu) const = 0;
 
-  // alpha_i := the state at which mu(V_i, alpha_i) = mu_i, the inverse of the law in its state.
+  // alpha_i := the state at which mu(V_i, alpha_i) = mu_i, the law solved for its state.
   // V(num_nodes) in m/s, mu(num_nodes). Returns the number of nodes without such a state, where
   // alpha_i is left alone. There V_i or mu_i is not positive, or friction does not depend on the
   // state (b = 0).
-  virtual int balance(ConstNodeView const& V, ConstNodeView const& mu,
-                      NodeView const& alpha) const = 0;
+  virtual int stateFor(ConstNodeView const& V, ConstNodeView const& mu,
+                       NodeView const& alpha) const = 0;
 };
 } // namespace asperity::friction

@@ -21,7 +21,7 @@
 // while a library is loaded: Registry.hpp says what happens to two laws of the same name.
 namespace asperity::friction
 {
-using FrictionKernelsMaker = std::function<std::unique_ptr<FrictionKernels>(FaultData const&)>;
+using FrictionKernelsMaker = std::function<std::unique_ptr<FrictionKernels>(FaultView const&)>;
 using StateKernelsMaker = std::function<std::unique_ptr<StateKernels>(ParameterView)>;
 
 // False if the name is taken.
@@ -73,7 +73,7 @@ bool registerFrictionLaw()
   return registerFrictionLaw(Law::name,
                              {{std::begin(Law::parameters), std::end(Law::parameters)},
                               detail::SensitivityOf<Law>::function()},
-                             [](FaultData const& fault) -> std::unique_ptr<FrictionKernels> {
+                             [](FaultView const& fault) -> std::unique_ptr<FrictionKernels> {
                                return std::make_unique<detail::LawFrictionKernels<Law>>(fault);
                              });
 }

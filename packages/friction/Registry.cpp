@@ -125,7 +125,7 @@ std::vector<Parameter> const& frictionLawParameters(std::string const& name)
 }
 
 std::unique_ptr<FrictionKernels> makeFrictionKernels(std::string const& name,
-                                                     FaultData const& fault)
+                                                     FaultView const& fault)
 {
   return find(frictionLaws(), name).make(fault);
 }

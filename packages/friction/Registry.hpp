@@ -20,7 +20,7 @@ std::vector<Parameter> const& frictionLawParameters(std::string const& name);
 
 // Throws std::invalid_argument if the shapes of the views do not fit each other or the law's table.
 std::unique_ptr<FrictionKernels> makeFrictionKernels(std::string const& name,
-                                                     FaultData const& fault);
+                                                     FaultView const& fault);
 
 std::vector<std::string> stateLawNames(); // sorted
 StateLawProperties const& stateLaw(std::string const& name);

@@ -19,13 +19,11 @@ using BlockView = Kokkos::View<double**, Kokkos::LayoutRight, MemorySpace>; // (
 using ConstBlockView = Kokkos::View<const double**, Kokkos::LayoutRight, MemorySpace>;
 using HessianView = Kokkos::View<double***, Kokkos::LayoutRight, MemorySpace>; // (num_nodes, T, T)
 
-// What friction needs to know about the fault, apart from velocity and state. The views are shared
-// with the caller; weight, sigma_n, cohesion and slip_factor may change between two calls of a
-// kernel, the parameters are read once, when the kernels are made.
-struct FaultData
+// What friction needs to know about the fault's nodes and what does not change in a run. The views
+// are shared with the caller; the parameters are read once, when the kernels are made.
+struct FaultView
 {
   ConstNodeView weight;   // integral of the node's basis function over the fault, m^(d-1)
-  ConstNodeView sigma_n;  // normal stress, compression, >= 0, Pa
   ConstNodeView cohesion; // >= 0, Pa
 
   // Slip rate V = slip_factor |v_t|: 1 against a rigid foundation, 2 where the body is one half of
@@ -41,5 +39,12 @@ struct Response
   double mu;
   double first;
   double second;
+};
+
+// What friction is evaluated at besides the velocity: an argument of each call.
+struct StateAndStress
+{
+  ConstNodeView alpha;   // ln(theta V* / L)
+  ConstNodeView sigma_n; // normal stress, compression, >= 0, Pa
 };
 } // namespace asperity::friction

@@ -10,12 +10,12 @@ namespace
 {
 using Values = std::vector<double>;
 
-std::vector<double> tangential(Vector const& x, dynamics::Fault const& fault)
+std::vector<double> tangential(Vector const& x, fem::FaultSurface const& surface)
 {
   auto const values = x.getLocalViewHost(Tpetra::Access::ReadOnly);
   std::vector<double> result;
-  for (auto const& node : fault.dofs) {
-    for (int dof : node) {
+  for (auto const& node : surface) {
+    for (int dof : node.dofs) {
       result.push_back(values(dof, 0));
     }
   }
@@ -37,18 +37,19 @@ public:
   template <class Factor>
   Values operator()(Values const& blocks, Factor const& factor) const
   {
-    auto const& fault = problem_->fault;
+    auto const& surface = *problem_->surface;
+    const int num_tangents = surface.numTangents();
     Values result;
-    for (int i = 0; i < fault.numNodes(); ++i) {
+    for (int i = 0; i < surface.numNodes(); ++i) {
       if (Dim == 2) {
         result.push_back(factor(i) * blocks[i]);
         continue;
       }
-      const int node = problem_->fault_nodes.nodes[i];
+      const int node = surface.vertex(i);
       std::array<double, Dim> local{};
-      for (int k = 0; k < fault.num_tangents; ++k) {
-        const int component = fault.dofs[i][k] - problem_->body.dofs->dof(node, 0);
-        local[component] = factor(i) * blocks[i * fault.num_tangents + k];
+      for (int k = 0; k < num_tangents; ++k) {
+        const int component = surface[i].dofs[k] - problem_->body.dofs->dof(node, 0);
+        local[component] = factor(i) * blocks[i * num_tangents + k];
       }
       std::array<double, Dim> along_axes{};
       problem_->constraints->frames().fromFrame(node, local.data(), along_axes.data());
@@ -65,29 +66,28 @@ template <int Dim>
 void registerTangential(io::FieldRegistry& registry, Problem<Dim> const& problem,
                         RunView const& view)
 {
-  auto const& fault = problem.fault;
+  auto const surface = problem.surface;
   const Tangential<Dim> written(problem);
-  auto const initial = tangential(*problem.initial.u, fault);
-  auto const slip_factor = [&fault](int) { return fault.slip_factor; };
+  auto const initial = tangential(*problem.initial.u, *surface);
+  auto const slip_factor = [surface](int) { return surface->slipFactor(); };
   auto const add = [&](char const* name, char const* unit, std::string const& meaning, auto value) {
     registry.add(io::Field{name, unit, meaning + ' ' + written.direction(), "fault",
                            written.components(), value});
   };
-  add("slip", "m", "Tangential slip since the start,", [=, &fault, &view](Values& values) {
-    auto blocks = tangential(*view.state->u, fault);
+  add("slip", "m", "Tangential slip since the start,", [=, &view](Values& values) {
+    auto blocks = tangential(*view.state->u, *surface);
     for (std::size_t i = 0; i < blocks.size(); ++i) {
       blocks[i] -= initial[i];
     }
     values = written(blocks, slip_factor);
   });
-  add("traction", "Pa", "Shear traction that friction bears,", [=, &fault, &view](Values& values) {
-    auto const weight = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace(), fault.data.weight);
-    values =
-      written(tangential(view.balance->force(), fault), [&](int i) { return 1 / weight(i); });
+  add("traction", "Pa", "Shear traction that friction bears,", [=, &view](Values& values) {
+    values = written(tangential(view.balance->force(), *surface),
+                     [&](int i) { return 1 / (*surface)[i].weight; });
   });
   if (Dim == 3) {
-    add("slip_velocity", "m/s", "Slip rate as a vector,", [=, &fault, &view](Values& values) {
-      values = written(tangential(*view.state->v, fault), slip_factor);
+    add("slip_velocity", "m/s", "Slip rate as a vector,", [=, &view](Values& values) {
+      values = written(tangential(*view.state->v, *surface), slip_factor);
     });
   }
 }
@@ -96,14 +96,14 @@ template <int Dim>
 void registerFaultFields(io::FieldRegistry& registry, Problem<Dim> const& problem,
                          RunView const& view)
 {
-  auto const& fault = problem.fault;
+  auto const surface = problem.surface;
   registry.add(io::Field{"slip_rate", "m/s", "Magnitude of the slip rate.", "fault", 1,
-                         [&fault, &view](Values& values) {
-                           auto const blocks = tangential(*view.state->v, fault);
-                           values.assign(fault.numNodes(), 0.);
+                         [surface, &view](Values& values) {
+                           auto const blocks = tangential(*view.state->v, *surface);
+                           values.assign(surface->numNodes(), 0.);
                            for (std::size_t i = 0; i < blocks.size(); ++i) {
-                             double& value = values[i / fault.num_tangents];
-                             value = std::hypot(value, fault.slip_factor * blocks[i]);
+                             double& value = values[i / surface->numTangents()];
+                             value = std::hypot(value, surface->slipFactor() * blocks[i]);
                            }
                          }});
   registry.add(io::Field{
@@ -112,9 +112,8 @@ void registerFaultFields(io::FieldRegistry& registry, Problem<Dim> const& proble
       values.assign(host.data(), host.data() + host.extent(0));
     }});
   registry.add(io::Field{"normal_stress", "Pa", "Normal stress, positive in compression.", "fault",
-                         1, [&fault](Values& values) {
-                           auto const host = Kokkos::create_mirror_view_and_copy(
-                             Kokkos::HostSpace(), fault.data.sigma_n);
+                         1, [&view](Values& values) {
+                           auto const host = toHost(view.state->sigma_n);
                            values.assign(host.data(), host.data() + host.extent(0));
                          }});
 }
@@ -134,8 +133,8 @@ void registerFaultConstants(io::FieldRegistry& registry, Problem<Dim> const& pro
   }
   add("shear_modulus", "Pa", "Shear modulus of the body beside the fault.", shear_modulus);
   Values prescribed;
-  for (int node = 0; node < problem.fault.numNodes(); ++node) {
-    prescribed.push_back(problem.fault.slides(node) ? 0 : 1);
+  for (int node = 0; node < problem.surface->numNodes(); ++node) {
+    prescribed.push_back(problem.surface->slides(node) ? 0 : 1);
   }
   add("prescribed", "", "1 where the slip rate is prescribed, 0 where friction decides on it.",
       prescribed);
@@ -146,7 +145,7 @@ template <int Dim>
 void registerTheta(io::FieldRegistry& registry, Problem<Dim> const& problem, RunView const& view,
                    ParameterList const& friction)
 {
-  auto const scales = thetaScales(friction, problem.mesh, problem.fault_nodes.nodes);
+  auto const scales = thetaScales(friction, problem.mesh, problem.surface->vertices());
   if (!scales) {
     return;
   }
@@ -183,8 +182,8 @@ void registerMotion(io::FieldRegistry& registry, Problem<Dim> const& problem, Ru
     registry.add(
       io::Field{motion.name, motion.unit, motion.description, location.name, problem.components,
                 [&problem, &view, &location, vector](Values& values) {
-                  Values all;
-                  problem.alongAxes(*(view.state->*vector), all);
+                  auto const all = fem::alongAxes(problem.constraints->frames(), *problem.body.dofs,
+                                                  *(view.state->*vector));
                   const int components = problem.components;
                   values.clear();
                   for (int vertex : location.vertices) {

@@ -1,264 +1,175 @@
 #include "scenario/Problem.hpp"
 
+#include "dynamics/FaultMotion.hpp"
+#include "dynamics/FoundationPressure.hpp"
 #include "dynamics/InitialState.hpp"
-#include "fem/BodyMatrices.hpp"
 #include "fem/BoundaryCells.hpp"
+#include "fem/BoundaryMeasure.hpp"
 #include "fem/NodalDamping.hpp"
-#include "scenario/SupportWeights.hpp"
+#include "fem/RigidBodyMotions.hpp"
+#include "fem/SupportWeights.hpp"
 #include "scenario/setup/BoundaryChecks.hpp"
 #include "scenario/setup/BulkSetup.hpp"
 #include "scenario/setup/FaultLoads.hpp"
 #include "scenario/setup/FrictionSetup.hpp"
+#include "scenario/setup/InitialSetup.hpp"
 #include "scenario/setup/MeshSetup.hpp"
 #include "scenario/setup/SolverSetup.hpp"
 #include "scenario/setup/TimeSetup.hpp"
 
 #include <Tpetra_CrsMatrix.hpp>
 
-#include <sstream>
-
 namespace asperity::scenario
 {
 namespace
 {
-// Calls work with the number of components as a constant.
-template <int Dim, class Work>
-auto withComponents(int components, Work const& work)
+// The mesh, and what is known at its nodes before anything moves.
+template <int Dim>
+struct Discretisation
 {
-  if constexpr (Dim == 2) {
-    if (components == 1) {
-      return work(std::integral_constant<int, 1>());
-    }
-  }
-  return work(std::integral_constant<int, Dim>());
-}
-} // namespace
+  BoundaryConditions<Dim> boundary;
+  Mesh<Dim> mesh;
+  std::shared_ptr<const fem::DofMap> dofs;
+  std::shared_ptr<const fem::Constraints<Dim>> constraints;
+  std::vector<fem::Material> materials; // (num_cells)
+  std::vector<double> samples;          // times at which conditions are compared [s]
+
+  fem::NodalFrames const& frames() const { return constraints->frames(); }
+};
 
 template <int Dim>
-Problem<Dim>::Problem(ParameterList const& deck, RCP<const Communicator> const& comm)
-    : communicator(comm)
-    , components(displacementComponents(deck.sublist("Bulk"), Dim))
-    , boundary(makeBoundaryConditions<Dim>(deck.sublist("Boundary Conditions"), components))
-    , mesh(makeMesh<Dim>(deck.sublist("Mesh"), boundary.fault, comm))
+Discretisation<Dim> discretise(ParameterList const& deck,
+                               RCP<const Communicator> const& communicator)
 {
-  requireBoundaries(deck.sublist("Boundary Conditions"), mesh);
-  const double end = finalTime(deck.sublist("Time Stepping"));
-  body.dofs = std::make_shared<fem::DofMap>(mesh.global_ids, mesh.num_owned, components, comm);
-  fault_nodes = fem::boundaryNodes(mesh, boundary.fault, *comm);
+  auto const& conditions = deck.sublist("Boundary Conditions");
+  const int components = displacementComponents(deck.sublist("Bulk"), Dim);
+  auto boundary = makeBoundaryConditions<Dim>(conditions, components);
+  auto mesh = makeMesh<Dim>(deck.sublist("Mesh"), boundary.fault, communicator);
+  requireBoundaries(conditions, mesh);
   if (!boundary.surface.empty()) {
-    fem::boundaryNodes(mesh, boundary.surface, *comm);
+    fem::boundaryMeasure(mesh, boundary.surface, *communicator); // refuses one without facets
   }
+  auto const dofs =
+    std::make_shared<fem::DofMap>(mesh.global_ids, mesh.num_owned, components, communicator);
+  const double end = finalTime(deck.sublist("Time Stepping"));
   const std::vector<double> samples = {0, end / 3, end};
-  constraints =
-    std::make_unique<fem::Constraints<Dim>>(mesh, *body.dofs, boundary.velocities, samples);
-  solver = makeSolverSettings(deck.sublist("TNNMG"), comm->getSize(), Dim,
-                              mesh.num_global_vertices * components);
-  auto const materials = makeMaterials(deck.sublist("Bulk"), mesh);
-  makeBody(deck.sublist("Bulk"), materials);
-  makeFault(deck, materials);
-  for (double t : samples) {
-    auto const prescribed = body.vector();
-    body.prescribed_velocity(t, *prescribed);
-    fault.requireWalls(*prescribed, components, t);
-  }
-  makeLoads(deck, materials);
-  makeInitialState(deck);
+  auto const constraints =
+    std::make_shared<fem::Constraints<Dim>>(mesh, *dofs, boundary.velocities, samples);
+  auto materials = makeMaterials(deck.sublist("Bulk"), mesh);
+  return {std::move(boundary), std::move(mesh), dofs, constraints, std::move(materials), samples};
 }
 
+// The viscosity of the body with its absorbing boundaries and the radiation damping of its fault,
+// eta(num fault nodes) [Pa s/m] per slip rate.
 template <int Dim>
-void Problem<Dim>::makeBody(ParameterList const& bulk, std::vector<fem::Material> const& materials)
+RCP<const CrsMatrix> dampedViscosity(Discretisation<Dim> const& of, RCP<const CrsMatrix> viscosity,
+                                     ParameterList const& bulk, fem::FaultSurface const& surface,
+                                     std::vector<double> const& eta)
 {
-  auto const& frames = constraints->frames();
-  body.matrices = withComponents<Dim>(components, [&](auto count) {
-    return fem::assembleBody<Dim, count.value>(mesh, *body.dofs, frames, materials);
-  });
-  for (auto const& name : boundary.absorbing) {
+  for (auto const& name : of.boundary.absorbing) {
     ASPERITY_REQUIRE(!quasiDynamic(bulk),
                      "Asperity / Boundary Conditions: the boundary '"
                        << name
                        << "' is Absorbing, but a quasi-dynamic body has no waves. Choose another "
                           "Type, or Bulk / Dynamics = Inertial.");
-    fem::boundaryNodes(mesh, name, *communicator); // refuses one without facets
-    auto const dampers = withComponents<Dim>(components, [&, &name = name](auto count) {
-      return fem::absorbingBoundary<Dim, count.value>(mesh, name, frames, materials);
-    });
-    body.matrices.viscosity = fem::withDampers(*body.matrices.viscosity, *body.dofs, dampers);
+    fem::boundaryMeasure(of.mesh, name, *of.dofs->communicator()); // refuses one without facets
+    viscosity = fem::withDampers(
+      *viscosity, *of.dofs, fem::absorbingBoundary<Dim>(of.mesh, name, of.frames(), of.materials));
   }
-  if (quasiDynamic(bulk)) {
-    body.matrices.mass = fem::zeroLike(*body.matrices.mass);
-  }
-  body.fixed = constraints->fixed();
-  body.near_null_space = fem::rigidBodyMotions(mesh, *body.dofs, frames);
-  body.prescribed_velocity = [this](double t, Vector& v) { constraints->prescribedVelocity(t, v); };
+  return quasiDynamic(bulk)
+           ? fem::withDampers(*viscosity, *of.dofs, fem::radiationDampers(surface, *of.dofs, eta))
+           : viscosity;
 }
 
-template <int Dim>
-void Problem<Dim>::makeFault(ParameterList const& deck, std::vector<fem::Material> const& materials)
+// Where the body starts, and how its foundation presses on it there.
+struct StaticStart
 {
-  auto const& bulk = deck.sublist("Bulk");
-  fault = scenario::makeFault(deck.sublist("Friction"), mesh, fault_nodes, *body.dofs, *constraints,
-                              boundary.slipFactor());
-  fault_materials = fem::materialsAtNodes(mesh, boundary.fault, fault_nodes, materials);
-  radiation_damping =
-    radiationDamping(bulk, mesh, fault_nodes.nodes, fault_materials, fault.slip_factor);
-  if (!quasiDynamic(bulk)) {
-    return;
-  }
-  // The traction eta V = eta slip_factor v_t, lumped like friction.
-  fem::NodalDampers dampers;
-  for (int i = 0; i < fault.numNodes(); ++i) {
-    const int node = fault_nodes.nodes[i];
-    dampers[node] = {};
-    for (int dof : fault.dofs[i]) {
-      const int row = dof - body.dofs->dof(node, 0);
-      dampers[node][row * components + row] =
-        fault_nodes.weights[i] * radiation_damping[i] * fault.slip_factor;
-    }
-  }
-  body.matrices.viscosity = fem::withDampers(*body.matrices.viscosity, *body.dofs, dampers);
-}
+  RCP<Vector> displacement;
+  std::vector<double> pressure; // (num fault nodes) [Pa]; empty if the deck gives it
+};
 
 template <int Dim>
-void Problem<Dim>::makeLoads(ParameterList const& deck, std::vector<fem::Material> const& materials)
+StaticStart staticStart(ParameterList const& deck, Discretisation<Dim> const& of,
+                        dynamics::Body const& body, dynamics::RateSolverSettings const& solver,
+                        fem::FaultSurface const& surface, Vector const& gravity)
 {
-  auto const g = gravity<Dim>(deck.sublist("Bulk"));
-  auto const& frames = constraints->frames();
-  gravity_load_ = components == Dim
-                    ? fem::assembleGravity<Dim, Dim>(mesh, *body.dofs, frames, materials, g)
-                    : body.vector();
-  body.load = loadWithTraction(ShearTraction(deck.sublist("Friction"), mesh, fault_nodes, frames),
-                               fault_nodes.weights, fault, gravity_load_);
-}
-
-// Pressure of the foundation on the fault nodes: the reaction K u - l across the fault per weight
-// of what bears it.
-template <int Dim>
-std::vector<double> Problem<Dim>::reactionPressure(Vector const& u) const
-{
-  Vector reaction(*gravity_load_, Teuchos::Copy);
-  body.matrices.stiffness->apply(u, reaction, Teuchos::NO_TRANS, 1, -1);
-  std::vector<double> along_axes;
-  alongAxes(reaction, along_axes);
-  std::vector<bool> slides;
-  for (int i = 0; i < fault.numNodes(); ++i) {
-    slides.push_back(fault.slides(i));
-  }
-  auto const weights =
-    supportWeights(mesh, fault_nodes, boundary.velocities, boundary.fault, slides);
-  std::vector<double> pressure;
-  for (std::size_t i = 0; i < fault_nodes.nodes.size(); ++i) {
-    const int node = fault_nodes.nodes[i];
-    auto const& normal = fault_nodes.normals[i];
-    double outward = 0;
-    for (int d = 0; d < Dim; ++d) {
-      outward += along_axes[Dim * node + d] * normal[d];
-    }
-    pressure.push_back(-outward / weights[i]);
-  }
-  return pressure;
-}
-
-// The displacement to start from, and the normal stress of the deck or of the static solution.
-template <int Dim>
-void Problem<Dim>::makeNormalStress(ParameterList const& friction, bool start_static)
-{
+  auto const& friction = deck.sublist("Friction");
   const bool stress_given = isGiven(friction, "Normal Stress");
-  ASPERITY_REQUIRE(stress_given || components == Dim,
+  ASPERITY_REQUIRE(stress_given || of.dofs->components() == Dim,
                    "Asperity / Friction / Normal Stress is missing: an antiplane model has no "
                    "normal stress of its own.");
-  ASPERITY_REQUIRE(stress_given || !boundary.antisymmetric,
+  ASPERITY_REQUIRE(stress_given || surface.otherSide() != fem::OtherSide::mirror_image,
                    "Asperity / Friction / Normal Stress is missing: on an antisymmetric fault it "
                    "is that of the undisturbed state, which only the deck knows.");
-  initial.u = body.vector();
-  NormalStress stress;
-  if (gravity_load_->normInf() > 0 && (start_static || !stress_given)) {
-    auto const u = dynamics::staticDisplacement(body, solver, *gravity_load_);
-    if (!stress_given) {
-      stress.values = reactionPressure(*u);
-    }
-    if (start_static) {
-      initial.u = u;
-    }
-  } else {
-    ASPERITY_REQUIRE(stress_given,
-                     "Asperity / Friction / Normal Stress is missing, and without gravity there is "
-                     "no normal stress either. Give one of the two.");
+  const bool start_static = startsStatic(deck.sublist("Initial State"));
+  const bool has_gravity = gravity.normInf() > 0;
+  ASPERITY_REQUIRE(stress_given || has_gravity,
+                   "Asperity / Friction / Normal Stress is missing, and without gravity there is "
+                   "no normal stress either. Give one of the two.");
+  StaticStart start{body.vector(), {}};
+  if (!has_gravity || (stress_given && !start_static)) {
+    return start;
   }
-  setNormalStress(fault, friction, mesh, fault_nodes.nodes, stress);
-  if (stress.num_tensile > 0) {
-    std::ostringstream remark;
-    remark << "The static solution pulls at " << stress.num_tensile
-           << " fault nodes; their normal stress is set to zero.";
-    remarks.push_back(remark.str());
+  auto const u = dynamics::staticDisplacement(body, solver, gravity);
+  if (!stress_given) {
+    auto const support = fem::supportWeights(of.mesh, surface, of.boundary.velocities);
+    start.pressure = dynamics::foundationPressure(body, of.frames(), surface, support, gravity, *u);
   }
-}
-
-// The deck's traction is all there is: a static displacement leaves none, since it has slid without
-// friction, and neither does none at all.
-template <int Dim>
-InitialFault Problem<Dim>::startOfFault(ParameterList const& friction) const
-{
-  InitialFault result;
-  result.traction = ShearTraction(friction, mesh, fault_nodes, constraints->frames()).at(0);
-  result.radiation = radiation_damping;
-  auto const velocities = initial.v->getLocalViewHost(Tpetra::Access::ReadOnly);
-  for (auto const& dofs : fault.dofs) {
-    for (int dof : dofs) {
-      result.velocity.push_back(velocities(dof, 0));
-    }
+  if (start_static) {
+    start.displacement = u;
   }
-  return result;
+  return start;
 }
-
-// By a difference over a time dt [s] in which nothing else happens.
-template <int Dim>
-RCP<Vector> Problem<Dim>::prescribedAcceleration(double dt) const
-{
-  auto result = body.vector();
-  auto const at_zero = body.vector();
-  body.prescribed_velocity(dt, *result);
-  body.prescribed_velocity(0, *at_zero);
-  result->update(-1 / dt, *at_zero, 1 / dt);
-  return result;
-}
+} // namespace
 
 template <int Dim>
-void Problem<Dim>::makeInitialState(ParameterList const& deck)
+Problem<Dim> makeProblem(ParameterList const& deck, RCP<const Communicator> const& communicator)
 {
-  auto const& list = deck.sublist("Initial State");
+  auto const& bulk = deck.sublist("Bulk");
   auto const& friction = deck.sublist("Friction");
-  makeNormalStress(friction, list.get<std::string>("Displacement") == "Static");
-  initial.v = initialVelocity(list, mesh, body, *constraints);
-  initial.alpha = initialAlpha(list, mesh, fault_nodes.nodes, fault, startOfFault(friction));
-  initial.alpha_of_rate = friction::NodeView("asperity::scenario::alphaOfRate", fault.numNodes());
-  Kokkos::deep_copy(initial.alpha_of_rate, initial.alpha);
-  initial.a = body.vector();
-  if (list.get<std::string>("Acceleration") == "Balanced" && !quasiDynamic(deck.sublist("Bulk"))) {
-    const double dt = makeClock(deck.sublist("Time Stepping")).stepSize(0) * 1e-6;
-    auto const load = body.vector();
-    body.load(0, *load);
-    initial.a = dynamics::initialAcceleration(body, fault, solver, friction.get<std::string>("Law"),
-                                              *load, *prescribedAcceleration(dt), *initial.u,
-                                              *initial.v, initial.alpha);
+  auto of = discretise<Dim>(deck, communicator);
+  const int components = of.dofs->components();
+  auto const solver = makeSolverSettings(deck.sublist("TNNMG"), communicator->getSize(), Dim,
+                                         of.mesh.num_global_vertices * components);
+
+  auto matrices = fem::assembleBody<Dim>(of.mesh, *of.dofs, of.frames(), of.materials);
+  auto const surface =
+    fem::makeFaultSurface(of.mesh, of.boundary.fault, *of.constraints, *of.dofs,
+                          *matrices.stiffness->getCrsGraph(), of.boundary.other_side);
+  auto const fault_materials = fem::materialsAtNodes(of.mesh, *surface, of.materials);
+  auto const eta = radiationDamping(bulk, of.mesh, *surface, fault_materials);
+  matrices.viscosity = dampedViscosity(of, matrices.viscosity, bulk, *surface, eta);
+  if (quasiDynamic(bulk)) {
+    matrices.mass = fem::zeroLike(*matrices.mass);
   }
-  initial.jerk = body.vector();
+
+  auto const gravity = fem::assembleGravity<Dim>(of.mesh, *of.dofs, of.frames(), of.materials,
+                                                 scenario::gravity<Dim>(bulk));
+  const ShearTraction traction(friction, of.mesh, *surface, of.frames());
+  auto const constraints = of.constraints;
+  dynamics::Body body{
+    of.dofs,
+    matrices,
+    constraints->held(),
+    fem::rigidBodyMotions(of.mesh, *of.dofs, of.frames()),
+    loadWithTraction(traction, surface, gravity),
+    [constraints](double t, Vector& v) { constraints->prescribedVelocity(t, v); }};
+  for (double t : of.samples) {
+    auto const prescribed = body.vector();
+    body.prescribed_velocity(t, *prescribed);
+    dynamics::requireRestBesideSliding(*surface, *prescribed, components, t);
+  }
+
+  auto const start = staticStart(deck, of, body, solver, *surface, *gravity);
+  auto stress = makeNormalStress(friction, of.mesh, *surface, start.pressure);
+  auto fault = makeFault(friction, of.mesh, surface, stress.normal_stress);
+  auto initial = makeInitialState(deck, of.mesh, *constraints, body, fault, solver,
+                                  {start.displacement, traction.at(0), eta});
+  return {communicator,    components,       std::move(of.boundary), std::move(of.mesh),
+          constraints,     surface,          fault_materials,        solver,
+          std::move(body), std::move(fault), std::move(initial),     stress.remarks};
 }
 
-template <int Dim>
-void Problem<Dim>::alongAxes(Vector const& x, std::vector<double>& result) const
-{
-  auto const values = x.getLocalViewHost(Tpetra::Access::ReadOnly);
-  result.resize(static_cast<std::size_t>(mesh.num_owned) * components);
-  for (int node = 0; node < mesh.num_owned; ++node) {
-    std::array<double, 3> local{};
-    for (int c = 0; c < components; ++c) {
-      local[c] = values(body.dofs->dof(node, c), 0);
-    }
-    constraints->frames().fromFrame(node, local.data(),
-                                    &result[static_cast<std::size_t>(node) * components]);
-  }
-}
-
-template struct Problem<2>;
-template struct Problem<3>;
+template Problem<2> makeProblem(ParameterList const&, RCP<const Communicator> const&);
+template Problem<3> makeProblem(ParameterList const&, RCP<const Communicator> const&);
 } // namespace asperity::scenario

@@ -56,6 +56,7 @@ void save(io::Archive& archive, std::string const& path, dynamics::State const& 
   archive.set(path + "/a", valuesOf(*state.a));
   archive.set(path + "/jerk", valuesOf(*state.jerk));
   archive.set(path + "/alpha", valuesOf(state.alpha));
+  archive.set(path + "/sigma_n", valuesOf(state.sigma_n));
   archive.set(path + "/alpha_of_rate", valuesOf(state.alpha_of_rate));
 }
 
@@ -69,6 +70,7 @@ dynamics::State loadState(io::Archive const& archive, std::string const& path,
   load(archive, path + "/a", *state.a);
   load(archive, path + "/jerk", *state.jerk);
   load(archive, path + "/alpha", state.alpha);
+  load(archive, path + "/sigma_n", state.sigma_n);
   load(archive, path + "/alpha_of_rate", state.alpha_of_rate);
   return state;
 }

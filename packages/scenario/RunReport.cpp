@@ -16,11 +16,10 @@ std::vector<std::string> describe(Problem<Dim> const& problem, ParameterList con
 {
   std::vector<std::string> lines;
   std::ostringstream first;
-  int fault_nodes = problem.fault.sumOverRanks(problem.fault.numNodes());
   auto const& bulk = deck.sublist("Bulk");
   first << bulk.get<std::string>("Model") << ", "
         << (quasiDynamic(bulk) ? "quasi-dynamic, " : "inertial, ")
-        << problem.mesh.num_global_vertices << " vertices, " << fault_nodes
+        << problem.mesh.num_global_vertices << " vertices, " << problem.surface->numGlobalNodes()
         << " of them on the fault '" << problem.boundary.fault << "', "
         << problem.communicator->getSize() << " rank"
         << (problem.communicator->getSize() > 1 ? "s" : "") << '.';

@@ -3,6 +3,7 @@
 #include "base/Text.hpp"
 #include "base/program/MpiScope.hpp"
 #include "base/program/Signals.hpp"
+#include "dynamics/FaultMotion.hpp"
 #include "dynamics/coupling/CoupledStep.hpp"
 #include "io/OutputSet.hpp"
 #include "io/catalogue/events/EventCatalogue.hpp"
@@ -58,7 +59,6 @@ private:
   Problem<Dim> problem_;
   dynamics::DyadicTime clock_;
   dynamics::DyadicTime::Ticks end_;
-  std::unique_ptr<dynamics::StepSolvers> solvers_;
   std::unique_ptr<dynamics::CoupledStep> coupled_step_;
   std::unique_ptr<dynamics::StepControl> control_;
   dynamics::EnergyBalance balance_;
@@ -91,7 +91,7 @@ SimulationOf<Dim>::SimulationOf(RCP<ParameterList> const& deck, CommandLine cons
     : deck_(deck)
     , communicator_(communicator)
     , directory_(outputDirectory(command_line))
-    , problem_(*deck, communicator)
+    , problem_(makeProblem<Dim>(*deck, communicator))
     , clock_(makeClock(deck->sublist("Time Stepping")))
     , end_(clock_.reaching(finalTime(deck->sublist("Time Stepping"))))
     , balance_(problem_.body, problem_.fault, clock_)
@@ -103,14 +103,11 @@ SimulationOf<Dim>::SimulationOf(RCP<ParameterList> const& deck, CommandLine cons
 {
   auto const update =
     makeRateUpdate(deck->sublist("Time Stepping"), !quasiDynamic(deck->sublist("Bulk")));
-  solvers_ =
-    std::make_unique<dynamics::StepSolvers>(problem_.body, problem_.fault, update, clock_,
-                                            problem_.solver, memoryBudget(deck->sublist("TNNMG")));
   coupled_step_ = std::make_unique<dynamics::CoupledStep>(
     problem_.body, problem_.fault, update, clock_,
-    dynamics::CouplingSettings::from(deck->sublist("Coupling")), *solvers_);
-  control_ =
-    makeStepControl(deck->sublist("Time Stepping"), *coupled_step_, problem_.fault, clock_);
+    dynamics::CouplingSettings::from(deck->sublist("Coupling")), problem_.solver,
+    memoryBudget(deck->sublist("TNNMG")));
+  control_ = makeStepControl(deck->sublist("Time Stepping"), *coupled_step_);
   view_.state = &state_;
   view_.balance = &balance_;
   registerFields(registry_, problem_, view_, locations_, deck->sublist("Friction"));
@@ -151,7 +148,7 @@ io::StepInfo SimulationOf<Dim>::stepInfo() const
   info.step = control_->memory().num_steps;
   info.time = clock_.seconds(state_.time);
   info.step_size = info.step > 0 ? clock_.stepSize(view_.step.level) : 0;
-  info.peak_slip_rate = problem_.fault.peakSlipRate(*state_.v);
+  info.peak_slip_rate = dynamics::peakSlipRate(*problem_.surface, *state_.v);
   info.is_last = atEnd();
   return info;
 }
@@ -268,8 +265,8 @@ void SimulationOf<Dim>::report(bool finished)
   summary.forced_steps = forced_steps_;
   summary.count = count_;
   summary.energy = balance_.energy();
-  summary.setups = solvers_->setups();
-  summary.setup_seconds = solvers_->setupSeconds();
+  summary.setups = coupled_step_->solvers().setups();
+  summary.setup_seconds = coupled_step_->solvers().setupSeconds();
   summary.directory = directory_.string();
   log_->message(summarise(summary, outputs_->events()));
 }

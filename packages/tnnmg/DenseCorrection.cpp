@@ -135,7 +135,7 @@ struct DenseCorrection::Implementation
   }
 };
 
-DenseCorrection::DenseCorrection(CrsMatrix const& Z, NonlinearDofView const& nonlinear)
+DenseCorrection::DenseCorrection(CrsMatrix const& Z, NodeDofView const& nonlinear)
     : implementation_(std::make_unique<Implementation>())
 {
   auto& self = *implementation_;

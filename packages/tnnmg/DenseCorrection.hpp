@@ -14,7 +14,7 @@ class DenseCorrection final : public LinearCorrection
 {
 public:
   // Z in CRS form; nonlinear(num_nodes, T) its rows. The entries are copied.
-  DenseCorrection(CrsMatrix const& Z, NonlinearDofView const& nonlinear);
+  DenseCorrection(CrsMatrix const& Z, NodeDofView const& nonlinear);
   ~DenseCorrection() override;
 
   CorrectionResult solve(NonlinearBlocks const& blocks, Vector const& r, double relative_tolerance,

@@ -22,7 +22,7 @@ NodeView nodalCurvature(CrsMatrix const& Z, NonlinearNodes const& nodes)
   NodeView curvature("asperity::tnnmg::curvature", nodes.numNodes());
   auto const matrix = Z.getLocalMatrixDevice();
   auto const dofs = nodes.dofs;
-  auto const fixed = nodes.fixed;
+  auto const held = nodes.held;
   const int size = nodes.blockSize();
   Kokkos::parallel_for(
     "asperity::tnnmg::nodalCurvature", Policy(0, nodes.numNodes()), KOKKOS_LAMBDA(int node) {
@@ -31,7 +31,7 @@ NodeView nodalCurvature(CrsMatrix const& Z, NonlinearNodes const& nodes)
         const int row = dofs(node, k);
         for (auto e = matrix.graph.row_map(row); e < matrix.graph.row_map(row + 1); ++e) {
           for (int l = 0; l < size; ++l) {
-            const bool free = !fixed(node, k) && !fixed(node, l);
+            const bool free = !held(dofs(node, k)) && !held(dofs(node, l));
             if (free && matrix.graph.entries(e) == dofs(node, l)) {
               block[k][l] = matrix.values(e);
             }
@@ -67,7 +67,7 @@ void modelResidual(LocalMatrix const& matrix, NonlinearNodes const& nodes, Index
   auto const right_side = b.getLocalViewDevice(Tpetra::Access::ReadOnly);
   auto const v = v_columns.getLocalViewDevice(Tpetra::Access::ReadOnly);
   auto const dofs = nodes.dofs;
-  auto const fixed = nodes.fixed;
+  auto const held = nodes.held;
   const int size = nodes.blockSize();
   Kokkos::parallel_for(
     label_residual, Policy(0, which.extent(0)), KOKKOS_LAMBDA(int i) {
@@ -79,7 +79,7 @@ void modelResidual(LocalMatrix const& matrix, NonlinearNodes const& nodes, Index
           sum += matrix.values(e) * v(matrix.graph.entries(e), 0);
         }
         residual(node, k) =
-          fixed(node, k) ? 0 : right_side(row, 0) - sum + curvature(node) * v(row, 0);
+          held(dofs(node, k)) ? 0 : right_side(row, 0) - sum + curvature(node) * v(row, 0);
       }
     });
 }

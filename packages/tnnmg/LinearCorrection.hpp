@@ -1,22 +1,11 @@
 #pragma once
 
-#include "base/Types.hpp"
-
-#include <Kokkos_Core.hpp>
+#include "base/Views.hpp"
 
 namespace asperity::tnnmg
 {
-using MemorySpace = Kokkos::DefaultExecutionSpace::memory_space;
-
-// dofs(num_nodes, T): the local rows of Z of the tangential components of the rank's nonlinear
-// nodes. They are given to a correction when it is made and are the same in all its solves.
-using NonlinearDofView = Kokkos::View<const LocalOrdinal**, Kokkos::LayoutRight, MemorySpace>;
-
-// Local rows of Z in any order.
-using RowView = Kokkos::View<const LocalOrdinal*, MemorySpace>;
-
 // The second derivatives of the nonlinearity at the rank's nonlinear nodes, in the order of
-// NonlinearDofView.
+// NonlinearNodes.
 struct NonlinearBlocks
 {
   // (num_nodes, T, T), symmetric positive semidefinite, in the units of Z. Entries of truncated

@@ -20,10 +20,10 @@ namespace
 constexpr double trial_tolerance = 1e-4;
 constexpr int trial_iterations = 8;
 
-// Constrained rows are decoupled and their residuals are zero, so their entries of the near null
+// Held rows are decoupled and their residuals are zero, so their entries of the near null
 // space have no effect. The entries are made small but not zero, because MueLu refuses an aggregate
 // on which a vector vanishes, as between the nodes of a wall.
-RCP<const MultiVector> withTraceAt(MultiVector const& vectors, RowView const& rows)
+RCP<const MultiVector> withTraceAt(MultiVector const& vectors, IndexView const& rows)
 {
   constexpr double trace = 1e-8;
   const auto result = rcp(new MultiVector(vectors, Teuchos::Copy));
@@ -72,13 +72,13 @@ struct MueLuCorrection::Implementation
   Implementation(MultigridProblem const& problem, Teuchos::ParameterList const& list)
       : parameters(list, problem.components)
       , nodes(std::make_shared<detail::MultigridNodes>(
-          detail::makeNodes(*problem.Z, problem.nonlinear, problem.constrained)))
+          detail::makeNodes(*problem.Z, problem.nodes, problem.held_rows)))
       , A(rcp(new detail::MultigridOperator(problem.Z, nodes)))
       , residual(problem.Z->getRowMap())
   {
     TimedScope scope(setup_timer);
     preconditioner = rcp(new detail::MultigridPreconditioner(
-      A, problem.Z, withTraceAt(*problem.near_null_space, problem.constrained), nodes,
+      A, problem.Z, withTraceAt(*problem.near_null_space, problem.held_rows), nodes,
       parameters.muelu));
     ++statistics.setups;
     detail::requireSymmetric(*preconditioner, *nodes);

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "tnnmg/LinearCorrection.hpp"
+#include "tnnmg/NonlinearNodes.hpp"
 
 #include <Teuchos_ParameterList.hpp>
 
@@ -27,8 +28,8 @@ struct MultigridProblem
   int components = 0;     // displacement components per node
   // Rigid body motions in the dofs' frames: 1 antiplane, 3 in 2D, 6 in 3D.
   RCP<const MultiVector> near_null_space;
-  RowView constrained;        // rows whose off-diagonal entries are zero in Z
-  NonlinearDofView nonlinear; // rows of the nonlinear nodes, the same T for all
+  IndexView held_rows;  // whose off-diagonal entries are zero in Z
+  NonlinearNodes nodes; // the same T for all
 };
 
 // The linear correction by smoothed aggregation multigrid (MueLu): V-cycles, or conjugate gradients

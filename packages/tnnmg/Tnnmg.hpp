@@ -2,6 +2,7 @@
 
 #include "tnnmg/GaussSeidel.hpp"
 #include "tnnmg/LineSearch.hpp"
+#include "tnnmg/LinearCorrection.hpp"
 #include "tnnmg/NonlinearNodes.hpp"
 #include "tnnmg/TnnmgSettings.hpp"
 #include "tnnmg/TnnmgVectors.hpp"

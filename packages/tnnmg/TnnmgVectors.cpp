@@ -82,19 +82,20 @@ void TnnmgBlocks::truncate(NonlinearNodes const& nodes, ConstNodeView const& cur
 {
   auto const flags = truncated;
   auto const H = hessian;
-  auto const fixed = nodes.fixed;
+  auto const dofs = nodes.dofs;
+  auto const held = nodes.held;
   const int size = nodes.blockSize();
   Kokkos::parallel_for(
     "asperity::tnnmg::truncate", Policy(0, nodes.numNodes()), KOKKOS_LAMBDA(int node) {
-      bool held = true, soft = true;
+      bool all_held = true, soft = true;
       for (int k = 0; k < size; ++k) {
         for (int l = 0; l < size; ++l) {
-          H(node, k, l) = fixed(node, k) || fixed(node, l) ? 0 : H(node, k, l);
+          H(node, k, l) = held(dofs(node, k)) || held(dofs(node, l)) ? 0 : H(node, k, l);
         }
-        held = held && fixed(node, k);
+        all_held = all_held && held(dofs(node, k));
         soft = soft && H(node, k, k) <= stiff * curvature(node);
       }
-      flags(node) = flags(node) || held || !soft;
+      flags(node) = flags(node) || all_held || !soft;
     });
 }
 
@@ -146,13 +147,13 @@ void TnnmgVectors::newtonResidual(NonlinearNodes const& nodes, ConstBlockView co
   Tpetra::deep_copy(*newton_residual, *r);
   auto const values = newton_residual->getLocalViewDevice(Tpetra::Access::ReadWrite);
   auto const dofs = nodes.dofs;
-  auto const fixed = nodes.fixed;
+  auto const held = nodes.held;
   const int size = nodes.blockSize();
   Kokkos::parallel_for(
     "asperity::tnnmg::newtonResidual", Policy(0, nodes.numNodes()), KOKKOS_LAMBDA(int node) {
       for (int k = 0; k < size; ++k) {
         auto& value = values(dofs(node, k), 0);
-        value = fixed(node, k) ? 0 : value - gradient(node, k);
+        value = held(dofs(node, k)) ? 0 : value - gradient(node, k);
       }
     });
 }

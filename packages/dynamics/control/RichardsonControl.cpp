@@ -15,10 +15,8 @@ namespace
 constexpr double safety = 0.8;
 } // namespace
 
-RichardsonControl::RichardsonControl(CoupledStep& step, Fault const& fault, DyadicTime const& clock,
-                                     int order, AdaptiveSettings const& settings)
-    : StepControl(step, clock)
-    , fault_(fault)
+RichardsonControl::RichardsonControl(CoupledStep& step, int order, AdaptiveSettings const& settings)
+    : StepControl(step)
     , settings_(settings)
     , extrapolation_(std::ldexp(1., order) - 1)
     , error_ratio_(std::ldexp(1., order + 1))
@@ -78,7 +76,7 @@ RichardsonControl::Pair RichardsonControl::pairOf(State const& current,
   }
   if (whole && pair.second) {
     pair.error =
-      fault_.distance(end.alpha, pair.second->state.alpha, settings_.norm) / extrapolation_;
+      distance(surface(), end.alpha, pair.second->state.alpha, settings_.norm) / extrapolation_;
   }
   return pair;
 }

@@ -16,8 +16,7 @@ class RichardsonControl final : public StepControl
 {
 public:
   // `order` of the scheme, p.
-  RichardsonControl(CoupledStep& step, Fault const& fault, DyadicTime const& clock, int order,
-                    AdaptiveSettings const& settings);
+  RichardsonControl(CoupledStep& step, int order, AdaptiveSettings const& settings);
   AcceptedStep advance(State& current, SolveCount& count) override;
 
 private:
@@ -32,7 +31,6 @@ private:
   Pair acceptablePair(State const& current, SolveCount& count);
   void predictLevel(double error);
 
-  Fault const& fault_;
   AdaptiveSettings settings_;
   double extrapolation_; // 2^p - 1
   double error_ratio_;   // 2^(p+1), from one level to the next

@@ -31,7 +31,7 @@ State blend(double weight, State const& a, State const& b)
   return result;
 }
 
-StepControl::StepControl(CoupledStep& step, DyadicTime const& clock) : step_(step), clock_(clock) {}
+StepControl::StepControl(CoupledStep& step) : step_(step) {}
 
 std::optional<Trial> StepControl::attempt(State const& from, int level, State const& guess,
                                           SolveCount& count)
@@ -46,15 +46,14 @@ std::optional<Trial> StepControl::attempt(State const& from, int level, State co
 void StepControl::giveUp(State const& from, int level) const
 {
   std::ostringstream message;
-  message << "At t = " << clock_.seconds(from.time) << " s a step of " << clock_.stepSize(level)
+  message << "At t = " << clock().seconds(from.time) << " s a step of " << clock().stepSize(level)
           << " s, the smallest allowed, failed: " << reason(last_status_)
           << ". Try a smaller 'Smallest Step', a looser tolerance or more iterations.";
   throw SolveError(message.str());
 }
 
-PrescribedSteps::PrescribedSteps(CoupledStep& step, DyadicTime const& clock,
-                                 std::vector<int> levels)
-    : StepControl(step, clock)
+PrescribedSteps::PrescribedSteps(CoupledStep& step, std::vector<int> levels)
+    : StepControl(step)
     , levels_(std::move(levels))
 {
   ASPERITY_ASSERT(!levels_.empty());
@@ -76,10 +75,8 @@ AcceptedStep PrescribedSteps::advance(State& current, SolveCount& count)
   return accepted;
 }
 
-StepDoubling::StepDoubling(CoupledStep& step, Fault const& fault, DyadicTime const& clock,
-                           AdaptiveSettings const& settings)
-    : StepControl(step, clock)
-    , fault_(fault)
+StepDoubling::StepDoubling(CoupledStep& step, AdaptiveSettings const& settings)
+    : StepControl(step)
     , settings_(settings)
 {
   memory_.level = settings.first_level;
@@ -132,7 +129,7 @@ bool StepDoubling::coarsen(State const& current, std::optional<Trial>& next, dou
       break;
     }
     const double difference =
-      fault_.distance(doubled->state.alpha, next->state.alpha, settings_.norm);
+      distance(surface(), doubled->state.alpha, next->state.alpha, settings_.norm);
     if (!(difference <= settings_.tolerance)) {
       break;
     }
@@ -155,7 +152,7 @@ bool StepDoubling::refine(State const& current, std::optional<Trial>& next, doub
     auto first = attempt(current, memory_.level + 1, blend(0.5, end, current), count);
     auto second = first ? attempt(first->state, memory_.level + 1, end, count) : std::nullopt;
     if (second) {
-      error = fault_.distance(memory_.trial->state.alpha, second->state.alpha, settings_.norm);
+      error = distance(surface(), memory_.trial->state.alpha, second->state.alpha, settings_.norm);
       if (error <= settings_.tolerance) {
         return true;
       }

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "dynamics/FaultMotion.hpp"
 #include "dynamics/coupling/CoupledStep.hpp"
 
 #include <memory>
@@ -44,7 +45,7 @@ struct ControlMemory
 class StepControl
 {
 public:
-  StepControl(CoupledStep& step, DyadicTime const& clock);
+  explicit StepControl(CoupledStep& step);
   virtual ~StepControl() = default;
   // Replaces `current` by the state after the next accepted step.
   virtual AcceptedStep advance(State& current, SolveCount& count) = 0;
@@ -55,13 +56,14 @@ public:
 protected:
   // A step of the given level from a guess of its end.
   std::optional<Trial> attempt(State const& from, int level, State const& guess, SolveCount& count);
+  DyadicTime const& clock() const { return step_.clock(); }
+  fem::FaultSurface const& surface() const { return step_.surface(); }
   [[noreturn]] void giveUp(State const& from, int level) const;
 
   ControlMemory memory_;
 
 private:
   CoupledStep& step_;
-  DyadicTime clock_;
   StepStatus last_status_ = StepStatus::solved;
 };
 
@@ -69,7 +71,7 @@ private:
 class PrescribedSteps final : public StepControl
 {
 public:
-  PrescribedSteps(CoupledStep& step, DyadicTime const& clock, std::vector<int> levels);
+  PrescribedSteps(CoupledStep& step, std::vector<int> levels);
   AcceptedStep advance(State& current, SolveCount& count) override;
 
 private:
@@ -91,8 +93,7 @@ struct AdaptiveSettings
 class StepDoubling final : public StepControl
 {
 public:
-  StepDoubling(CoupledStep& step, Fault const& fault, DyadicTime const& clock,
-               AdaptiveSettings const& settings);
+  StepDoubling(CoupledStep& step, AdaptiveSettings const& settings);
   AcceptedStep advance(State& current, SolveCount& count) override;
 
 private:
@@ -100,7 +101,6 @@ private:
   bool coarsen(State const& current, std::optional<Trial>& next, double& error, SolveCount& count);
   bool refine(State const& current, std::optional<Trial>& next, double& error, SolveCount& count);
 
-  Fault const& fault_;
   AdaptiveSettings settings_;
 };
 } // namespace asperity::dynamics

@@ -37,8 +37,8 @@ double product(ConstNodeView const& weight, ConstNodeView const& a, ConstNodeVie
 }
 } // namespace
 
-AndersonAcceleration::AndersonAcceleration(Fault const& fault, int depth)
-    : fault_(fault)
+AndersonAcceleration::AndersonAcceleration(fem::FaultSurface const& surface, int depth)
+    : surface_(surface)
     , depth_(static_cast<std::size_t>(depth))
 {
 }
@@ -54,13 +54,13 @@ std::vector<double> AndersonAcceleration::weights() const
   Eigen::MatrixXd mine(size, size + 1);
   for (int j = 0; j < size; ++j) {
     auto const residual = iterates_[j + 1].residual;
-    mine(j, 0) = product(fault_.data.weight, last, residual, zero);
+    mine(j, 0) = product(surface_.weights(), last, residual, zero);
     for (int l = 0; l < size; ++l) {
-      mine(j, l + 1) = product(fault_.data.weight, last, residual, iterates_[l + 1].residual);
+      mine(j, l + 1) = product(surface_.weights(), last, residual, iterates_[l + 1].residual);
     }
   }
   Eigen::MatrixXd products = mine;
-  Teuchos::reduceAll(*fault_.communicator, Teuchos::REDUCE_SUM, static_cast<int>(mine.size()),
+  Teuchos::reduceAll(*surface_.communicator(), Teuchos::REDUCE_SUM, static_cast<int>(mine.size()),
                      mine.data(), products.data());
   Eigen::CompleteOrthogonalDecomposition<Eigen::MatrixXd> normal;
   normal.setThreshold(parallel);

@@ -1,6 +1,7 @@
 #pragma once
 
-#include "dynamics/Fault.hpp"
+#include "fem/FaultSurface.hpp"
+#include "friction/Types.hpp"
 
 #include <deque>
 #include <vector>
@@ -14,7 +15,7 @@ class AndersonAcceleration
 {
 public:
   // `depth` >= 0 iterates are remembered beside the last one; with 0 this is the plain iteration.
-  AndersonAcceleration(Fault const& fault, int depth);
+  AndersonAcceleration(fem::FaultSurface const& surface, int depth);
 
   // Forgets all iterates.
   void reset() { iterates_.clear(); }
@@ -32,7 +33,7 @@ private:
   // difference from the first is taken out.
   std::vector<double> weights() const;
 
-  Fault const& fault_;
+  fem::FaultSurface const& surface_;
   std::size_t depth_;
   std::deque<Iterate> iterates_; // the last one first
 };

@@ -1,6 +1,8 @@
 #include "dynamics/coupling/CoupledStep.hpp"
 
+#include "base/parallel/Reductions.hpp"
 #include "base/parameters/Parameters.hpp"
+#include "dynamics/FaultMotion.hpp"
 
 #include <Tpetra_CrsMatrix.hpp>
 
@@ -68,14 +70,14 @@ std::array<SolveCount::Member, 8> const& SolveCount::members()
 
 CoupledStep::CoupledStep(Body const& body, Fault const& fault, RateUpdate const& update,
                          DyadicTime const& clock, CouplingSettings const& settings,
-                         StepSolvers& solvers)
+                         RateSolverSettings const& solver_settings, std::size_t budget_bytes)
     : body_(body)
     , fault_(fault)
     , update_(update)
     , clock_(clock)
     , settings_(settings)
-    , solvers_(solvers)
-    , acceleration_(fault, settings.anderson_depth)
+    , solvers_(body, fault.surface(), update, clock, solver_settings, budget_bytes)
+    , acceleration_(fault.surface(), settings.anderson_depth)
     , b_(body.vector())
     , prescribed_(body.vector())
     , u_hat_(body.vector())
@@ -83,19 +85,19 @@ CoupledStep::CoupledStep(Body const& body, Fault const& fault, RateUpdate const&
     , work_u_(body.vector())
     , work_a_(body.vector())
     , guess_(body.vector())
-    , mean_offset_("asperity::dynamics::meanOffset", fault.numNodes(), fault.num_tangents)
-    , mean_("asperity::dynamics::meanVelocity", fault.numNodes(), fault.num_tangents)
-    , V_("asperity::dynamics::V", fault.numNodes())
-    , alpha_next_("asperity::dynamics::alphaNext", fault.numNodes())
+    , mean_offset_("asperity::dynamics::meanOffset", surface().numNodes(), surface().numTangents())
+    , mean_("asperity::dynamics::meanVelocity", surface().numNodes(), surface().numTangents())
+    , V_("asperity::dynamics::V", surface().numNodes())
+    , alpha_next_("asperity::dynamics::alphaNext", surface().numNodes())
 {
 }
 
 // b = l(t1) + M a^ - K u^ - Z v_D on the free dofs, v_D the prescribed velocity: the rate problem
-// is solved for w = v1 - v_D, which is zero at fixed dofs.
+// is solved for w = v1 - v_D, which is zero at held dofs.
 void CoupledStep::rightSide(State const& from, double t1, double tau)
 {
   body_.prescribed_velocity(t1, *prescribed_);
-  fault_.requireWalls(*prescribed_, body_.dofs->components(), t1);
+  requireRestBesideSliding(surface(), *prescribed_, body_.dofs->components(), t1);
   update_.predict(from, tau, *u_hat_, *a_hat_);
   work_a_->update(1, *a_hat_, -update_.mass_weight / tau, *prescribed_, 0);
   work_u_->update(1, *u_hat_, tau * update_.stiffness_weight, *prescribed_, 0);
@@ -103,18 +105,18 @@ void CoupledStep::rightSide(State const& from, double t1, double tau)
   body_.matrices.mass->apply(*work_a_, *b_, Teuchos::NO_TRANS, 1, 1);
   body_.matrices.viscosity->apply(*prescribed_, *b_, Teuchos::NO_TRANS, -1, 1);
   body_.matrices.stiffness->apply(*work_u_, *b_, Teuchos::NO_TRANS, -1, 1);
-  body_.clearFixed(*b_);
+  body_.clearHeld(*b_);
 }
 
 CoupledResult CoupledStep::solve(State const& from, int level, State& to, SolveCount& count)
 {
   const double tau = clock_.stepSize(level);
   to.time = from.time + clock_.ticks(level);
-  fault_.setTime(clock_.seconds(to.time));
+  fault_.normalStress().at(clock_.seconds(to.time), to.sigma_n);
   rightSide(from, clock_.seconds(to.time), tau);
 
   guess_->update(1, *to.v, -1, *prescribed_, 0);
-  body_.clearFixed(*guess_);
+  body_.clearHeld(*guess_);
   auto& solver = solvers_.at(level);
   solver.begin(*b_, *guess_);
   // (u^ - u0)/tau without their difference: a locked fault moves by less than the rounding of u.
@@ -122,7 +124,7 @@ CoupledResult CoupledStep::solve(State const& from, int level, State& to, SolveC
   work_u_->update(update_.velocity_in_displacement, *from.v,
                   tau * update_.acceleration_in_displacement, *work_a_, 0);
   work_u_->update(update_.stiffness_weight, *prescribed_, 1);
-  fault_.gather(*work_u_, mean_offset_);
+  gather(surface(), *work_u_, mean_offset_);
 
   auto const result = iterate(from, tau, solver, to, count);
   ++count.coupled_steps;
@@ -142,23 +144,25 @@ void CoupledStep::meanSlipRate(RateSolver& solver)
   solver.faultVelocity(mean_);
   auto const mean = mean_;
   auto const offset = mean_offset_;
-  const int size = fault_.num_tangents;
+  const int size = surface().numTangents();
   const double weight = update_.stiffness_weight;
   Kokkos::parallel_for(
     "asperity::dynamics::meanVelocity",
-    Kokkos::RangePolicy<friction::ExecutionSpace>(0, fault_.numNodes()), KOKKOS_LAMBDA(int node) {
+    Kokkos::RangePolicy<friction::ExecutionSpace>(0, surface().numNodes()),
+    KOKKOS_LAMBDA(int node) {
       for (int k = 0; k < size; ++k) {
         mean(node, k) = offset(node, k) + weight * mean(node, k);
       }
     });
-  fault_.slipRate(mean_, V_);
+  slipRate(surface(), mean_, V_);
 }
 
 // The state's answer to the velocity that the solver has now. False: it has none.
 bool CoupledStep::updateState(State const& from, double tau, RateSolver& solver)
 {
   meanSlipRate(solver);
-  return fault_.sumOverRanks(fault_.state->flow(V_, tau, from.alpha, alpha_next_)) == 0;
+  return sumOverRanks(fault_.state().flow(V_, tau, from.alpha, alpha_next_),
+                      *surface().communicator()) == 0;
 }
 
 // Rate problem and state take turns, one iteration of TNNMG for one update of the state: both
@@ -172,7 +176,7 @@ CoupledResult CoupledStep::iterate(State const& from, double tau, RateSolver& so
   double last_change = std::numeric_limits<double>::infinity();
   bool at_rest = false;
   while (at_rest || result.iterations < settings_.max_iterations) {
-    const FrictionProblem problem = {*fault_.friction, to.alpha};
+    const FrictionProblem problem = {fault_.friction(), {to.alpha, to.sigma_n}};
     result.iterations += at_rest ? 0 : 1;
     count.rate_problems += at_rest ? 0 : 1;
     auto const rate = at_rest ? solver.solve(problem) : solver.improve(problem);
@@ -182,7 +186,7 @@ CoupledResult CoupledStep::iterate(State const& from, double tau, RateSolver& so
       return result;
     }
     const bool updated = updateState(from, tau, solver);
-    const double change = fault_.distance(alpha_next_, to.alpha);
+    const double change = distance(surface(), alpha_next_, to.alpha);
     if (!updated || !std::isfinite(change)) {
       result.status = StepStatus::state_failed;
       return result;
@@ -195,7 +199,7 @@ CoupledResult CoupledStep::iterate(State const& from, double tau, RateSolver& so
     }
     if (!at_rest) {
       if (change > last_change) {
-        acceleration_.reset(); // what is remembered led astray
+        acceleration_.reset(); // the remembered iterates point away from the fixed point
       }
       acceleration_.advance(to.alpha, alpha_next_);
       last_change = change;

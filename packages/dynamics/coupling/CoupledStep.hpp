@@ -67,8 +67,15 @@ struct CoupledResult
 class CoupledStep
 {
 public:
+  // budget_bytes: of the solvers of different step sizes, see StepSolvers. body and fault must
+  // outlive the step.
   CoupledStep(Body const& body, Fault const& fault, RateUpdate const& update,
-              DyadicTime const& clock, CouplingSettings const& settings, StepSolvers& solvers);
+              DyadicTime const& clock, CouplingSettings const& settings,
+              RateSolverSettings const& solver_settings, std::size_t budget_bytes);
+
+  DyadicTime const& clock() const { return clock_; }
+  fem::FaultSurface const& surface() const { return fault_.surface(); }
+  StepSolvers const& solvers() const { return solvers_; }
 
   // From `from` over a step of the given level to `to`, which must have the shapes of `from`. `to`
   // holds a guess of v and alpha on entry; where the step fails its content is of no use. All ranks
@@ -87,7 +94,7 @@ private:
   RateUpdate update_;
   DyadicTime clock_;
   CouplingSettings settings_;
-  StepSolvers& solvers_;
+  StepSolvers solvers_;
   AndersonAcceleration acceleration_;
   RCP<Vector> b_, prescribed_, u_hat_, a_hat_, work_u_, work_a_, guess_;
   // What the mean velocity owes to the past and to prescribed velocities; the mean itself.

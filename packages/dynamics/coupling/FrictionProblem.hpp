@@ -4,30 +4,30 @@
 
 namespace asperity::dynamics
 {
-// Friction at given states, as the nodal problem of TNNMG.
+// Friction at given states and normal stresses, as the nodal problem of TNNMG.
 struct FrictionProblem
 {
   friction::FrictionKernels const& kernels;
-  friction::ConstNodeView alpha;
+  friction::StateAndStress at;
 
   int minimise(friction::IndexView const& nodes, friction::ConstNodeView const& curvature,
                friction::ConstBlockView const& r, friction::BlockView const& v) const
   {
-    return kernels.minimise(nodes, curvature, r, alpha, v);
+    return kernels.minimise(nodes, curvature, r, at, v);
   }
   void linearise(friction::ConstBlockView const& v, friction::BlockView const& gradient,
                  friction::HessianView const& hessian, friction::FlagView const& kinked) const
   {
-    kernels.linearise(v, alpha, gradient, hessian, kinked);
+    kernels.linearise(v, at, gradient, hessian, kinked);
   }
   double slope(friction::ConstBlockView const& v, friction::ConstBlockView const& d, double t) const
   {
-    return kernels.slope(v, d, t, alpha);
+    return kernels.slope(v, d, t, at);
   }
   friction::FrictionKernels::Difference difference(friction::ConstBlockView const& v,
                                                    friction::ConstBlockView const& d) const
   {
-    return kernels.difference(v, d, alpha);
+    return kernels.difference(v, d, at);
   }
 };
 } // namespace asperity::dynamics

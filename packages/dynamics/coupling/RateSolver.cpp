@@ -13,13 +13,30 @@ namespace
 {
 using Solver = tnnmg::Tnnmg<FrictionProblem>;
 
-std::vector<int> rowsOf(Fault const& fault)
+std::vector<int> rowsOf(fem::FaultSurface const& surface)
 {
   std::vector<int> rows;
-  for (auto const& dofs : fault.dofs) {
-    rows.insert(rows.end(), dofs.begin(), dofs.end());
+  for (auto const& node : surface) {
+    rows.insert(rows.end(), node.dofs.begin(), node.dofs.end());
   }
   return rows;
+}
+
+// The fault's nodes in the condensed matrix, whose rows are those of rowsOf.
+tnnmg::NonlinearNodes condensedNodes(fem::FaultSurface const& surface)
+{
+  std::vector<int> held;
+  for (int node = 0; node < surface.numNodes(); ++node) {
+    for (int k = 0; k < surface.numTangents(); ++k) {
+      held.push_back(surface.held(node, k) ? 1 : 0);
+    }
+  }
+  return tnnmg::coupledNodes(surface.numNodes(), surface.numTangents(), held);
+}
+
+tnnmg::NonlinearNodes nodesOf(fem::FaultSurface const& surface)
+{
+  return {surface.dofs(), surface.heldDofs(), surface.colours()};
 }
 
 // All dofs but those of the fault are eliminated, exactly, before and after TNNMG runs on the
@@ -27,12 +44,13 @@ std::vector<int> rowsOf(Fault const& fault)
 class CondensedRateSolver final : public RateSolver
 {
 public:
-  CondensedRateSolver(CrsMatrix const& Z, Fault const& fault, tnnmg::TnnmgSettings const& settings)
-      : schur_(Z, rowsOf(fault))
-      , nodes_(tnnmg::coupledNodes(fault.numNodes(), fault.num_tangents, fault.fixed))
+  CondensedRateSolver(CrsMatrix const& Z, fem::FaultSurface const& surface,
+                      tnnmg::TnnmgSettings const& settings)
+      : schur_(Z, rowsOf(surface))
+      , nodes_(condensedNodes(surface))
       , correction_(std::make_shared<tnnmg::DenseCorrection>(*schur_.matrix(), nodes_.dofs))
       , tnnmg_(schur_.matrix(), nodes_, correction_, settings)
-      , rows_(rowsOf(fault))
+      , rows_(rowsOf(surface))
       , b_(schur_.matrix()->getDomainMap())
       , w_(schur_.matrix()->getDomainMap())
   {
@@ -71,38 +89,21 @@ private:
   Vector b_, w_;
 };
 
-tnnmg::RowView constrainedRows(Body const& body)
-{
-  std::vector<int> rows;
-  for (int dof = 0; dof < body.numOwnedDofs(); ++dof) {
-    if (body.fixed[dof]) {
-      rows.push_back(dof);
-    }
-  }
-  Kokkos::View<int*, tnnmg::MemorySpace> view("asperity::dynamics::constrained", rows.size());
-  auto const host = Kokkos::create_mirror_view(view);
-  for (std::size_t i = 0; i < rows.size(); ++i) {
-    host(i) = rows[i];
-  }
-  Kokkos::deep_copy(view, host);
-  return view;
-}
-
 tnnmg::MultigridProblem multigridProblem(RCP<const CrsMatrix> const& Z, Body const& body,
-                                         tnnmg::NonlinearDofView const& nonlinear)
+                                         tnnmg::NonlinearNodes const& nodes)
 {
-  return {Z, body.dofs->components(), body.near_null_space, constrainedRows(body), nonlinear};
+  return {Z, body.dofs->components(), body.near_null_space, body.held.ownedOnDevice(), nodes};
 }
 
 // TNNMG on all dofs of all ranks.
 class FullRateSolver final : public RateSolver
 {
 public:
-  FullRateSolver(RCP<const CrsMatrix> const& Z, Body const& body, Fault const& fault,
+  FullRateSolver(RCP<const CrsMatrix> const& Z, Body const& body, fem::FaultSurface const& surface,
                  RateSolverSettings const& settings)
       : Z_(Z)
-      , nodes_(tnnmg::nonlinearNodes(*Z, fault.dofs, fault.num_tangents, fault.fixed))
-      , correction_(std::make_shared<tnnmg::MueLuCorrection>(multigridProblem(Z, body, nodes_.dofs),
+      , nodes_(nodesOf(surface))
+      , correction_(std::make_shared<tnnmg::MueLuCorrection>(multigridProblem(Z, body, nodes_),
                                                              settings.multigrid))
       , tnnmg_(Z, nodes_, correction_, settings.tnnmg)
       , b_(Z->getDomainMap())
@@ -141,12 +142,13 @@ private:
 } // namespace
 
 std::unique_ptr<RateSolver> makeRateSolver(RCP<const CrsMatrix> const& Z, Body const& body,
-                                           Fault const& fault, RateSolverSettings const& settings)
+                                           fem::FaultSurface const& surface,
+                                           RateSolverSettings const& settings)
 {
   if (settings.correction == Correction::direct) {
-    return std::make_unique<CondensedRateSolver>(*Z, fault, settings.tnnmg);
+    return std::make_unique<CondensedRateSolver>(*Z, surface, settings.tnnmg);
   }
-  return std::make_unique<FullRateSolver>(Z, body, fault, settings);
+  return std::make_unique<FullRateSolver>(Z, body, surface, settings);
 }
 
 namespace
@@ -174,12 +176,13 @@ void solveLinear(RCP<const CrsMatrix> const& Z, Body const& body,
     requireSolution(*Z, b, x);
     return;
   }
-  const Kokkos::View<LocalOrdinal**, Kokkos::LayoutRight, tnnmg::MemorySpace> none(
+  const Kokkos::View<LocalOrdinal**, Kokkos::LayoutRight, MemorySpace> none(
     "asperity::dynamics::none", 0, 1);
   Teuchos::ParameterList list(settings.multigrid);
   list.set("Method", "CG");      // a few cycles are for corrections, not for the last digits
   list.set("Hierarchy", "Keep"); // without friction there is nothing to follow
-  tnnmg::MueLuCorrection multigrid(multigridProblem(Z, body, none), list);
+  tnnmg::MueLuCorrection multigrid(multigridProblem(Z, body, {none, body.held.flagsOnDevice(), {}}),
+                                   list);
   auto const result = multigrid.solve({}, b, 1e-12, x);
   if (!result.converged) {
     std::ostringstream message;

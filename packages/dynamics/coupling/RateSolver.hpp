@@ -1,8 +1,8 @@
 #pragma once
 
 #include "dynamics/Body.hpp"
-#include "dynamics/Fault.hpp"
 #include "dynamics/coupling/FrictionProblem.hpp"
+#include "fem/FaultSurface.hpp"
 #include "tnnmg/Tnnmg.hpp"
 
 #include <Teuchos_ParameterList.hpp>
@@ -28,13 +28,13 @@ struct RateSolverSettings
 
 // Solves rate problems (Pipping 2014, problem 4.2) with one matrix Z and one right side, but
 // changing states:
-//   w = argmin 1/2 <Z w, w> - <b, w> + sum of psi_i(w_i, alpha_i), w = 0 at fixed dofs.
+//   w = argmin 1/2 <Z w, w> - <b, w> + sum of psi_i(w_i, alpha_i), w = 0 at held dofs.
 class RateSolver
 {
 public:
   virtual ~RateSolver() = default;
 
-  // A new right side (zero at fixed dofs), and a first guess for w.
+  // A new right side (zero at held dofs), and a first guess for w.
   virtual void begin(Vector const& b, Vector const& guess) = 0;
   // Goes on from the last answer.
   virtual tnnmg::TnnmgResult solve(FrictionProblem const& problem) = 0;
@@ -46,9 +46,10 @@ public:
   virtual std::size_t bytes() const = 0; // on this rank, about
 };
 
-// Z with the rows of fixed dofs replaced by their diagonal entry.
+// Z with the rows of held dofs replaced by their diagonal entry.
 std::unique_ptr<RateSolver> makeRateSolver(RCP<const CrsMatrix> const& Z, Body const& body,
-                                           Fault const& fault, RateSolverSettings const& settings);
+                                           fem::FaultSurface const& surface,
+                                           RateSolverSettings const& settings);
 
 // x = Z^-1 b without friction, to 1e-12 of |b| with multigrid. SolveError if that fails.
 void solveLinear(RCP<const CrsMatrix> const& Z, Body const& body,

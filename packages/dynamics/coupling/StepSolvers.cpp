@@ -18,11 +18,11 @@ std::size_t largestOverRanks(Communicator const& communicator, std::size_t bytes
 }
 } // namespace
 
-StepSolvers::StepSolvers(Body const& body, Fault const& fault, RateUpdate const& update,
-                         DyadicTime const& clock, RateSolverSettings const& settings,
-                         std::size_t budget_bytes)
+StepSolvers::StepSolvers(Body const& body, fem::FaultSurface const& surface,
+                         RateUpdate const& update, DyadicTime const& clock,
+                         RateSolverSettings const& settings, std::size_t budget_bytes)
     : body_(body)
-    , fault_(fault)
+    , surface_(surface)
     , update_(update)
     , clock_(clock)
     , settings_(settings)
@@ -41,9 +41,9 @@ RateSolver& StepSolvers::at(int level)
   auto const start = std::chrono::steady_clock::now();
   const double tau = clock_.stepSize(level);
   auto const Z = fem::combine(body_.matrices, update_.mass_weight / tau, 1,
-                              tau * update_.stiffness_weight, body_.fixed);
-  solver = makeRateSolver(Z, body_, fault_, settings_);
-  bytes = largestOverRanks(*fault_.communicator, solver->bytes());
+                              tau * update_.stiffness_weight, body_.held);
+  solver = makeRateSolver(Z, body_, surface_, settings_);
+  bytes = largestOverRanks(*surface_.communicator(), solver->bytes());
   bytes_ += bytes;
   while (bytes_ > budget_bytes_ && recent_.size() > 1) {
     auto const oldest = solvers_.find(recent_.back());

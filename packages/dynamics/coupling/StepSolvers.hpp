@@ -17,7 +17,7 @@ namespace asperity::dynamics
 class StepSolvers
 {
 public:
-  StepSolvers(Body const& body, Fault const& fault, RateUpdate const& update,
+  StepSolvers(Body const& body, fem::FaultSurface const& surface, RateUpdate const& update,
               DyadicTime const& clock, RateSolverSettings const& settings,
               std::size_t budget_bytes);
 
@@ -36,7 +36,7 @@ private:
   };
 
   Body const& body_;
-  Fault const& fault_;
+  fem::FaultSurface const& surface_;
   RateUpdate update_;
   DyadicTime clock_;
   RateSolverSettings settings_;

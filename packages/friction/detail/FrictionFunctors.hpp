@@ -1,6 +1,6 @@
 #pragma once
 
-#include "friction/detail/FaultNodes.hpp"
+#include "friction/detail/NodePotentials.hpp"
 
 // There is one functor for each kernel of FrictionKernels, whose comments say what they compute. v,
 // r, d and gradient have the shape (num_nodes, T), the others (num_nodes). Their views do not count
@@ -10,11 +10,10 @@ namespace asperity::friction::detail
 template <class Law, int T>
 struct Minimise
 {
-  FaultNodes<Law> fault;
+  NodePotentials<Law> potentials;
   Unmanaged<IndexView> nodes;
   Unmanaged<ConstNodeView> curvature;
   Unmanaged<ConstBlockView> r;
-  Unmanaged<ConstNodeView> alpha;
   Unmanaged<BlockView> v;
 
   KOKKOS_INLINE_FUNCTION void operator()(int k, int& num_failed) const
@@ -26,8 +25,7 @@ struct Minimise
       rate[j] = v(node, j);
     }
     const double load = length(force);
-    const auto solution =
-      fault.potential(node, alpha(node)).minimise(curvature(node), load, length(rate));
+    const auto solution = potentials(node).minimise(curvature(node), load, length(rate));
     if (!solution.converged) {
       ++num_failed;
       return;
@@ -41,9 +39,8 @@ struct Minimise
 template <class Law, int T>
 struct Linearise
 {
-  FaultNodes<Law> fault;
+  NodePotentials<Law> potentials;
   Unmanaged<ConstBlockView> v;
-  Unmanaged<ConstNodeView> alpha;
   Unmanaged<BlockView> gradient;
   Unmanaged<HessianView> hessian;
   Unmanaged<FlagView> kinked;
@@ -58,7 +55,7 @@ struct Linearise
     for (int j = 0; j < T && s > 0; ++j) {
       unit[j] /= s;
     }
-    const auto potential = fault.potential(node, alpha(node));
+    const auto potential = potentials(node);
     const double force = s > 0 ? potential.derivative(s) : 0;
     const double radial = potential.secondDerivative(s);
     const double transverse = s > 0 ? force / s : radial;
@@ -79,11 +76,10 @@ struct Linearise
 template <class Law, int T>
 struct Slope
 {
-  FaultNodes<Law> fault;
+  NodePotentials<Law> potentials;
   Unmanaged<ConstBlockView> v;
   Unmanaged<ConstBlockView> d;
   double t;
-  Unmanaged<ConstNodeView> alpha;
 
   KOKKOS_INLINE_FUNCTION void operator()(int node, double& sum) const
   {
@@ -100,7 +96,7 @@ struct Slope
     if (s == 0) {
       growth = length(direction);
     }
-    sum += fault.potential(node, alpha(node)).derivative(s) * growth;
+    sum += potentials(node).derivative(s) * growth;
   }
 };
 
@@ -108,10 +104,9 @@ struct Slope
 template <class Law, int T>
 struct Differences
 {
-  FaultNodes<Law> fault;
+  NodePotentials<Law> potentials;
   Unmanaged<ConstBlockView> v;
   Unmanaged<ConstBlockView> d;
-  Unmanaged<ConstNodeView> alpha;
 
   KOKKOS_INLINE_FUNCTION void operator()(int node, double& change, double& magnitude) const
   {
@@ -131,7 +126,7 @@ struct Differences
       growth += term;
       terms += math::fabs(term);
     }
-    const double force = fault.potential(node, alpha(node)).meanDerivative(s, growth);
+    const double force = potentials(node).meanDerivative(s, growth);
     change += force * growth;
     magnitude += force * terms;
   }
@@ -140,7 +135,7 @@ struct Differences
 template <class Law, int T>
 struct Coefficient
 {
-  FaultNodes<Law> fault;
+  NodePotentials<Law> nodes;
   Unmanaged<ConstBlockView> v;
   Unmanaged<ConstNodeView> alpha;
   Unmanaged<NodeView> mu;
@@ -151,15 +146,15 @@ struct Coefficient
     for (int j = 0; j < T; ++j) {
       rate[j] = v(node, j);
     }
-    const auto curve = fault.laws(node).at(alpha(node));
-    mu(node) = curve.mu(fault.slip_factor(node) * length(rate));
+    const auto curve = nodes.laws(node).at(alpha(node));
+    mu(node) = curve.mu(nodes.slip_factor(node) * length(rate));
   }
 };
 
 template <class Law>
-struct Balance
+struct StateFor
 {
-  FaultNodes<Law> fault;
+  NodePotentials<Law> nodes;
   Unmanaged<ConstNodeView> V;
   Unmanaged<ConstNodeView> mu;
   Unmanaged<NodeView> alpha;
@@ -167,7 +162,7 @@ struct Balance
   KOKKOS_INLINE_FUNCTION void operator()(int node, int& num_failed) const
   {
     const bool slides = V(node) > 0 && mu(node) > 0;
-    const double state = slides ? fault.laws(node).stateFor(V(node), mu(node)) : 0;
+    const double state = slides ? nodes.laws(node).stateFor(V(node), mu(node)) : 0;
     if (!slides || !isFinite(state)) {
       ++num_failed;
       return;

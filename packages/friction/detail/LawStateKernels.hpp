@@ -2,8 +2,8 @@
 
 #include "friction/StateKernels.hpp"
 #include "friction/detail/BackwardEuler.hpp"
-#include "friction/detail/FaultNodes.hpp"
 #include "friction/detail/Launch.hpp"
+#include "friction/detail/NodePotentials.hpp"
 
 #include <utility>
 

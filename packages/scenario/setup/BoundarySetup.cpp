@@ -48,7 +48,7 @@ void layAlongFault(Conditions const& conditions, Setting const& setting,
     if (condition.liesAlongFault()) {
       fem::VelocityCondition<Dim> across = {condition.name, condition.boundary,
                                             fem::ContactAcrossFault{setting.along_fault}};
-      if (result.antisymmetric) {
+      if (result.other_side == fem::OtherSide::mirror_image) {
         across.kind = fem::FreeAcrossFault{setting.along_fault};
       }
       const bool is_fault = condition.type->place == Place::fault;

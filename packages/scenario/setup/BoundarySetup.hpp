@@ -2,6 +2,7 @@
 
 #include "base/parameters/Parameters.hpp"
 #include "fem/Constraints.hpp"
+#include "fem/FaultSurface.hpp"
 
 #include <string>
 #include <vector>
@@ -15,15 +16,13 @@ template <int Dim>
 struct BoundaryConditions
 {
   std::string fault; // name of the boundary with friction
-  // Half of a planar two-sided fault (slip = 2 u_t, the displacement across it free) instead of
-  // bilateral contact with a rigid foundation (slip = u_t, u_n = 0).
-  bool antisymmetric = false;
+  // A rigid foundation in bilateral contact (u_n = 0), or the other half of a planar fault, where
+  // the displacement across it is free.
+  fem::OtherSide other_side = fem::OtherSide::rigid_foundation;
   std::string surface;                // of the first free surface; empty if there is none
   std::vector<std::string> absorbing; // boundaries with dashpots
   std::vector<fem::VelocityCondition<Dim>> velocities;
   double ramp_end = 0; // when the last loading ramp has ended [s]
-
-  double slipFactor() const { return antisymmetric ? 2 : 1; }
 };
 
 // components of the displacement: Dim, or 1 antiplane. InputError on contradictions that need no

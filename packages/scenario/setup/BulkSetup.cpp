@@ -80,19 +80,20 @@ bool quasiDynamic(ParameterList const& list)
 
 template <int Dim>
 std::vector<double> radiationDamping(ParameterList const& list, Mesh<Dim> const& mesh,
-                                     std::vector<int> const& nodes,
-                                     std::vector<fem::Material> const& at_nodes, double slip_factor)
+                                     fem::FaultSurface const& surface,
+                                     std::vector<fem::Material> const& at_nodes)
 {
   if (!quasiDynamic(list)) {
-    return std::vector<double>(nodes.size(), 0.);
+    return std::vector<double>(surface.numNodes(), 0.);
   }
   auto const& chosen = list.sublist("Quasi-dynamic");
   if (isGiven(chosen, radiation_damping)) {
-    return nodalValues(chosen, radiation_damping, path + " / Quasi-dynamic", mesh, nodes);
+    return nodalValues(chosen, radiation_damping, path + " / Quasi-dynamic", mesh,
+                       surface.vertices());
   }
   std::vector<double> eta;
   for (auto const& material : at_nodes) {
-    eta.push_back(material.shearImpedance() / slip_factor); // G / cs = rho cs
+    eta.push_back(material.shearImpedance() / surface.slipFactor()); // G / cs = rho cs
   }
   return eta;
 }
@@ -195,8 +196,8 @@ std::vector<fem::Material> makeMaterials(ParameterList const& list, Mesh<Dim> co
 
 #define ASPERITY_INSTANTIATE(Dim)                                                                  \
   template std::vector<double> radiationDamping(ParameterList const&, Mesh<Dim> const&,            \
-                                                std::vector<int> const&,                           \
-                                                std::vector<fem::Material> const&, double);        \
+                                                fem::FaultSurface const&,                          \
+                                                std::vector<fem::Material> const&);                \
   template std::vector<fem::Material> makeMaterials(ParameterList const&, Mesh<Dim> const&);       \
   template std::array<double, Dim> gravity<Dim>(ParameterList const&);
 

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "base/parameters/Parameters.hpp"
+#include "fem/FaultSurface.hpp"
 #include "fem/Material.hpp"
 #include "mesh/Mesh.hpp"
 
@@ -21,12 +22,12 @@ int displacementComponents(ParameterList const& list, int dimension);
 // Whether the body has no mass, and its fault a radiation damping instead.
 bool quasiDynamic(ParameterList const& list);
 
-// The radiation damping eta [Pa s/m] at some nodes, per slip rate; zero unless quasi-dynamic.
-// at_nodes(num_nodes): the material there, for its default.
+// The radiation damping eta [Pa s/m] at the nodes of a fault, per slip rate; zero unless
+// quasi-dynamic. at_nodes(num_nodes): the material there, for its default.
 template <int Dim>
-std::vector<double>
-radiationDamping(ParameterList const& list, Mesh<Dim> const& mesh, std::vector<int> const& nodes,
-                 std::vector<fem::Material> const& at_nodes, double slip_factor);
+std::vector<double> radiationDamping(ParameterList const& list, Mesh<Dim> const& mesh,
+                                     fem::FaultSurface const& surface,
+                                     std::vector<fem::Material> const& at_nodes);
 
 // One material for each cell, from fields evaluated at its centroid.
 template <int Dim>

@@ -100,7 +100,7 @@ void antisymmetricFault(BoundaryCondition const& condition, Setting const&,
                         BoundaryConditions<Dim>& result)
 {
   takeFault(condition, result);
-  result.antisymmetric = true;
+  result.other_side = fem::OtherSide::mirror_image;
 }
 
 // v_t = slip rate / slip factor: along the tangent of the frames, in three dimensions along the
@@ -115,7 +115,7 @@ void prescribedSlipRate(BoundaryCondition const& condition, Setting const& setti
                         "the fault slips, 0 if it is locked.");
   auto const rate = fieldOf(condition, "Slip Rate");
   const fem::VelocityFunction<Dim> velocity =
-    [rate, factor = result.slipFactor()](Point<Dim> const& x, double t) {
+    [rate, factor = fem::slipFactor(result.other_side)](Point<Dim> const& x, double t) {
       return (*rate)(inSpace<Dim>(x), t, 0) / factor;
     };
   if (setting.components < 3) {

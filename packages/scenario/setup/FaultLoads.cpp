@@ -1,8 +1,6 @@
 #include "scenario/setup/FaultLoads.hpp"
 
-#include "fem/NodalFrames.hpp"
-#include "friction/Registry.hpp"
-#include "scenario/setup/FrictionSetup.hpp"
+#include "base/parallel/Reductions.hpp"
 
 #include <Tpetra_Vector.hpp>
 
@@ -16,25 +14,24 @@ namespace
 const std::string path = "Asperity / Friction";
 
 // traction(num_nodes, T), times each node's share of the fault.
-void addTraction(std::vector<double> const& traction, std::vector<double> const& weights,
-                 std::vector<std::vector<int>> const& dofs, Vector& load)
+void addTraction(std::vector<double> const& traction, fem::FaultSurface const& surface,
+                 Vector& load)
 {
   auto const values = load.getLocalViewHost(Tpetra::Access::ReadWrite);
   std::size_t entry = 0;
-  for (std::size_t i = 0; i < dofs.size(); ++i) {
-    for (int dof : dofs[i]) {
-      values(dof, 0) += weights[i] * traction[entry++];
+  for (auto const& node : surface) {
+    for (int dof : node.dofs) {
+      values(dof, 0) += node.weight * traction[entry++];
     }
   }
 }
 
-void fill(std::vector<double> const& values, double factor, friction::NodeView const& view)
+std::vector<double> compression(std::vector<double> values, double factor)
 {
-  auto const host = Kokkos::create_mirror_view(view);
-  for (std::size_t i = 0; i < values.size(); ++i) {
-    host(i) = factor * std::max(values[i], 0.);
+  for (double& value : values) {
+    value = factor * std::max(value, 0.);
   }
-  Kokkos::deep_copy(view, host);
+  return values;
 }
 
 template <int Dim>
@@ -61,16 +58,17 @@ std::vector<double> slipDirection(ParameterList const& friction)
 }
 
 // Of `towards` onto the fault at a node, as a unit vector along the tangents there.
-template <std::size_t Dim>
 std::vector<double> projection(std::vector<double> const& towards, fem::NodalFrames const& frames,
-                               int node, std::array<double, Dim> const& normal)
+                               fem::FaultNode const& node)
 {
+  const int vertex = node.copies.front();
   std::vector<double> result;
   double square = 0;
-  for (int tangent : fem::tangentialComponents(frames, node, normal)) {
+  for (int dof : node.dofs) {
+    const int tangent = dof - vertex * frames.components();
     double along = 0;
-    for (std::size_t c = 0; c < Dim; ++c) {
-      along += frames.entry(node, tangent, static_cast<int>(c)) * towards[c];
+    for (int c = 0; c < frames.components(); ++c) {
+      along += frames.entry(vertex, tangent, c) * towards[c];
     }
     result.push_back(along);
     square += along * along;
@@ -88,16 +86,16 @@ std::vector<double> projection(std::vector<double> const& towards, fem::NodalFra
 
 template <int Dim>
 ShearTraction::ShearTraction(ParameterList const& friction, Mesh<Dim> const& mesh,
-                             fem::BoundaryNodes<Dim> const& nodes, fem::NodalFrames const& frames)
-    : size_(friction, "Shear Traction", path, mesh, nodes.nodes)
+                             fem::FaultSurface const& surface, fem::NodalFrames const& frames)
+    : size_(friction, "Shear Traction", path, mesh, surface.vertices())
 {
   if (Dim == 2) {
-    direction_.assign(nodes.nodes.size(), 1.);
+    direction_.assign(surface.numNodes(), 1.);
     return;
   }
   auto const towards = slipDirection(friction);
-  for (std::size_t i = 0; i < nodes.nodes.size(); ++i) {
-    auto const projected = projection(towards, frames, nodes.nodes[i], nodes.normals[i]);
+  for (auto const& node : surface) {
+    auto const projected = projection(towards, frames, node);
     direction_.insert(direction_.end(), projected.begin(), projected.end());
   }
 }
@@ -113,51 +111,62 @@ std::vector<double> ShearTraction::at(double t) const
   return result;
 }
 
-std::function<void(double, Vector&)> loadWithTraction(ShearTraction const& traction,
-                                                      std::vector<double> const& weights,
-                                                      dynamics::Fault const& fault,
-                                                      RCP<const Vector> const& constant)
+std::function<void(double, Vector&)>
+loadWithTraction(ShearTraction const& traction,
+                 std::shared_ptr<const fem::FaultSurface> const& surface,
+                 RCP<const Vector> const& constant)
 {
-  auto const dofs = fault.dofs;
   if (!traction.dependsOnTime()) {
     auto const load = rcp(new Vector(*constant, Teuchos::Copy));
-    addTraction(traction.at(0), weights, dofs, *load);
+    addTraction(traction.at(0), *surface, *load);
     return [load](double, Vector& l) { Tpetra::deep_copy(l, *load); };
   }
-  return [traction, weights, dofs, constant](double t, Vector& l) {
+  return [traction, surface, constant](double t, Vector& l) {
     Tpetra::deep_copy(l, *constant);
-    addTraction(traction.at(t), weights, dofs, l);
+    addTraction(traction.at(t), *surface, l);
   };
 }
 
 template <int Dim>
-void setNormalStress(dynamics::Fault& fault, ParameterList const& friction, Mesh<Dim> const& mesh,
-                     std::vector<int> const& nodes, NormalStress& stress)
+NormalStressOfDeck makeNormalStress(ParameterList const& friction, Mesh<Dim> const& mesh,
+                                    fem::FaultSurface const& surface,
+                                    std::vector<double> const& pressure)
 {
   const double factor = friction.get<double>("Normal Stress Factor");
-  fault.normal_stress = friction::NodeView("asperity::scenario::normalStress", nodes.size());
-  fault.data.sigma_n = fault.normal_stress;
-  if (isGiven(friction, "Normal Stress")) {
-    const NodalField given(friction, "Normal Stress", path, mesh, nodes);
-    stress.values = givenStress(given, mesh, nodes);
-    if (given.dependsOnTime()) {
-      fault.normal_stress_at = [given, factor](double t, friction::NodeView const& view) {
-        fill(given.at(t), factor, view);
-      };
+  auto const constant = [factor](std::vector<double> const& values) {
+    return dynamics::NormalStress(
+      toDevice(compression(values, factor), "asperity::scenario::normalStress"));
+  };
+  if (!isGiven(friction, "Normal Stress")) {
+    int num_tensile = 0;
+    for (double value : pressure) {
+      num_tensile += value < 0;
     }
+    num_tensile = sumOverRanks(num_tensile, *surface.communicator());
+    std::vector<std::string> remarks;
+    if (num_tensile > 0) {
+      remarks.push_back("The static solution pulls at " + std::to_string(num_tensile) +
+                        " fault nodes; their normal stress is set to zero.");
+    }
+    return {constant(pressure), remarks};
   }
-  const auto num_tensile = std::count_if(stress.values.begin(), stress.values.end(),
-                                         [](double value) { return value < 0; });
-  stress.num_tensile = fault.sumOverRanks(static_cast<int>(num_tensile));
-  fill(stress.values, factor, fault.normal_stress);
-  fault.friction = friction::makeFrictionKernels(friction.get<std::string>("Law"), fault.data);
+  const NodalField given(friction, "Normal Stress", path, mesh, surface.vertices());
+  auto const at_start = givenStress(given, mesh, surface.vertices());
+  if (!given.dependsOnTime()) {
+    return {constant(at_start), {}};
+  }
+  return {dynamics::NormalStress([given, factor](double t, friction::NodeView const& sigma_n) {
+            Kokkos::deep_copy(sigma_n, toDevice(compression(given.at(t), factor),
+                                                "asperity::scenario::normalStress"));
+          }),
+          {}};
 }
 
 #define ASPERITY_INSTANTIATE(Dim)                                                                  \
   template ShearTraction::ShearTraction(ParameterList const&, Mesh<Dim> const&,                    \
-                                        fem::BoundaryNodes<Dim> const&, fem::NodalFrames const&);  \
-  template void setNormalStress(dynamics::Fault&, ParameterList const&, Mesh<Dim> const&,          \
-                                std::vector<int> const&, NormalStress&);
+                                        fem::FaultSurface const&, fem::NodalFrames const&);        \
+  template NormalStressOfDeck makeNormalStress(                                                    \
+    ParameterList const&, Mesh<Dim> const&, fem::FaultSurface const&, std::vector<double> const&);
 
 ASPERITY_INSTANTIATE(2)
 ASPERITY_INSTANTIATE(3)

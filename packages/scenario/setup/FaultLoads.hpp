@@ -1,9 +1,8 @@
 #pragma once
 
 #include "base/parameters/Parameters.hpp"
-#include "dynamics/Body.hpp"
-#include "dynamics/Fault.hpp"
-#include "fem/BoundaryNodes.hpp"
+#include "dynamics/NormalStress.hpp"
+#include "fem/FaultSurface.hpp"
 #include "fem/NodalFrames.hpp"
 #include "scenario/setup/NodalField.hpp"
 
@@ -15,7 +14,7 @@ class ShearTraction
 public:
   template <int Dim>
   ShearTraction(ParameterList const& friction, Mesh<Dim> const& mesh,
-                fem::BoundaryNodes<Dim> const& nodes, fem::NodalFrames const& frames);
+                fem::FaultSurface const& surface, fem::NodalFrames const& frames);
 
   bool dependsOnTime() const { return size_.dependsOnTime(); }
   // (num_nodes, T) along the fault's tangents at the time t [s], in Pa.
@@ -30,23 +29,22 @@ private:
 
 // Adds the deck's `Shear Traction` on the fault to a constant load: the load of the body at any
 // time, evaluated once only where the traction does not depend on t.
-// weights(num_nodes).
-std::function<void(double, Vector&)> loadWithTraction(ShearTraction const& traction,
-                                                      std::vector<double> const& weights,
-                                                      dynamics::Fault const& fault,
-                                                      RCP<const Vector> const& constant);
+std::function<void(double, Vector&)>
+loadWithTraction(ShearTraction const& traction,
+                 std::shared_ptr<const fem::FaultSurface> const& surface,
+                 RCP<const Vector> const& constant);
 
-// Normal stress at the fault nodes [Pa], compression positive; a tensile value becomes zero.
-struct NormalStress
+struct NormalStressOfDeck
 {
-  std::vector<double> values; // at the start
-  int num_tensile = 0;        // over all ranks
+  dynamics::NormalStress normal_stress;
+  std::vector<std::string> remarks; // for the log
 };
 
-// |sigma_n| = factor * max(values, 0), of the deck where it gives `Normal Stress`; makes the
-// friction kernels. InputError if the deck's normal stress is negative at t = 0; if it depends on t
-// the fault follows it, and what becomes negative later counts as zero.
+// |sigma_n| = factor * max(values, 0), of the deck where it gives `Normal Stress`, else the
+// pressure(num_nodes) [Pa] of the foundation. InputError if the deck's normal stress is negative at
+// t = 0; if it depends on t, what becomes negative later counts as zero. Collective.
 template <int Dim>
-void setNormalStress(dynamics::Fault& fault, ParameterList const& friction, Mesh<Dim> const& mesh,
-                     std::vector<int> const& nodes, NormalStress& stress);
+NormalStressOfDeck makeNormalStress(ParameterList const& friction, Mesh<Dim> const& mesh,
+                                    fem::FaultSurface const& surface,
+                                    std::vector<double> const& pressure);
 } // namespace asperity::scenario

@@ -1,11 +1,6 @@
 #include "scenario/setup/FrictionSetup.hpp"
 
-#include "friction/Registry.hpp"
 #include "scenario/setup/LawSetup.hpp"
-
-#include <Teuchos_CommHelpers.hpp>
-
-#include <algorithm>
 
 namespace asperity::scenario
 {
@@ -13,15 +8,6 @@ namespace
 {
 const std::string path = "Asperity / Friction";
 } // namespace
-
-friction::NodeView toDevice(std::vector<double> const& values, std::string const& label)
-{
-  friction::NodeView view(label, values.size());
-  auto const host = Kokkos::create_mirror_view(view);
-  std::copy(values.begin(), values.end(), host.data());
-  Kokkos::deep_copy(view, host);
-  return view;
-}
 
 RCP<const ParameterList> frictionParameters()
 {
@@ -48,48 +34,22 @@ RCP<const ParameterList> frictionParameters()
 
 template <int Dim>
 dynamics::Fault makeFault(ParameterList const& list, Mesh<Dim> const& mesh,
-                          fem::BoundaryNodes<Dim> const& boundary, fem::DofMap const& dofs,
-                          fem::Constraints<Dim> const& constraints, double slip_factor)
+                          std::shared_ptr<const fem::FaultSurface> const& surface,
+                          dynamics::NormalStress const& normal_stress)
 {
-  dynamics::Fault fault;
-  fault.num_tangents = Dim - 1;
-  fault.slip_factor = slip_factor;
-  fault.communicator = dofs.communicator();
-  for (std::size_t i = 0; i < boundary.nodes.size(); ++i) {
-    const int node = boundary.nodes[i];
-    fault.dofs.emplace_back();
-    fault.fixed.emplace_back();
-    for (int component :
-         fem::tangentialComponents(constraints.frames(), node, boundary.normals[i])) {
-      const int dof = dofs.dof(node, component);
-      fault.dofs.back().push_back(dof);
-      fault.fixed.back().push_back(constraints.fixed()[dof] ? 1 : 0);
-    }
-  }
-  double mine = 0;
-  for (double weight : boundary.weights) {
-    mine += weight;
-  }
-  Teuchos::reduceAll(*fault.communicator, Teuchos::REDUCE_SUM, mine,
-                     Teuchos::outArg(fault.total_weight));
-  fault.data.weight = toDevice(boundary.weights, "asperity::scenario::weight");
-  fault.data.cohesion = toDevice(nodalValues(list, "Cohesion", path, mesh, boundary.nodes),
-                                 "asperity::scenario::cohesion");
-  fault.data.slip_factor = toDevice(std::vector<double>(boundary.nodes.size(), slip_factor),
-                                    "asperity::scenario::slipFactor");
-  fault.data.sigma_n =
-    friction::NodeView("asperity::scenario::normalStress", boundary.nodes.size());
-
-  fault.data.parameters = frictionLawValues(list, mesh, boundary.nodes);
-  fault.state = friction::makeStateKernels(list.get<std::string>("State Evolution"),
-                                           stateLawValues(list, mesh, boundary.nodes));
-  return fault;
+  auto const nodes = surface->vertices();
+  return {
+    surface,
+    {list.get<std::string>("Law"), frictionLawValues(list, mesh, nodes),
+     toDevice(nodalValues(list, "Cohesion", path, mesh, nodes), "asperity::scenario::cohesion"),
+     list.get<std::string>("State Evolution"), stateLawValues(list, mesh, nodes)},
+    normal_stress};
 }
 
 template dynamics::Fault makeFault(ParameterList const&, Mesh<2> const&,
-                                   fem::BoundaryNodes<2> const&, fem::DofMap const&,
-                                   fem::Constraints<2> const&, double);
+                                   std::shared_ptr<const fem::FaultSurface> const&,
+                                   dynamics::NormalStress const&);
 template dynamics::Fault makeFault(ParameterList const&, Mesh<3> const&,
-                                   fem::BoundaryNodes<3> const&, fem::DofMap const&,
-                                   fem::Constraints<3> const&, double);
+                                   std::shared_ptr<const fem::FaultSurface> const&,
+                                   dynamics::NormalStress const&);
 } // namespace asperity::scenario

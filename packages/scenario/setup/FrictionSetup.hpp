@@ -1,8 +1,6 @@
 #pragma once
 
 #include "dynamics/Fault.hpp"
-#include "fem/BoundaryNodes.hpp"
-#include "fem/Constraints.hpp"
 #include "mesh/Mesh.hpp"
 #include "scenario/setup/NodalField.hpp"
 
@@ -11,12 +9,9 @@ namespace asperity::scenario
 // The deck's list `Friction`: laws with their parameters, and what friction needs besides.
 RCP<const ParameterList> frictionParameters();
 
-// Everything but the normal stress, which is zero until setNormalStress (FaultLoads.hpp).
+// What acts on the fault: the laws of the list with their parameters at its nodes.
 template <int Dim>
 dynamics::Fault makeFault(ParameterList const& list, Mesh<Dim> const& mesh,
-                          fem::BoundaryNodes<Dim> const& boundary, fem::DofMap const& dofs,
-                          fem::Constraints<Dim> const& constraints, double slip_factor);
-
-// One value for each fault node.
-friction::NodeView toDevice(std::vector<double> const& values, std::string const& label);
+                          std::shared_ptr<const fem::FaultSurface> const& surface,
+                          dynamics::NormalStress const& normal_stress);
 } // namespace asperity::scenario

@@ -1,7 +1,10 @@
 #include "scenario/setup/InitialSetup.hpp"
 
 #include "base/Text.hpp"
-#include "scenario/setup/FrictionSetup.hpp"
+#include "dynamics/InitialState.hpp"
+#include "scenario/setup/BulkSetup.hpp"
+#include "scenario/setup/NodalField.hpp"
+#include "scenario/setup/TimeSetup.hpp"
 
 #include <Tpetra_Vector.hpp>
 
@@ -42,6 +45,13 @@ RCP<const ParameterList> initialStateParameters()
     .list();
 }
 
+bool startsStatic(ParameterList const& list)
+{
+  return list.get<std::string>("Displacement") == "Static";
+}
+
+namespace
+{
 template <int Dim>
 RCP<Vector> initialVelocity(ParameterList const& list, Mesh<Dim> const& mesh,
                             dynamics::Body const& body, fem::Constraints<Dim> const& constraints)
@@ -65,7 +75,7 @@ RCP<Vector> initialVelocity(ParameterList const& list, Mesh<Dim> const& mesh,
     constraints.frames().toFrame(node, along_axes.data(), local.data());
     for (int c = 0; c < components; ++c) {
       const int dof = body.dofs->dof(node, c);
-      if (!body.fixed[dof]) {
+      if (!body.held[dof]) {
         values(dof, 0) = local[c];
       }
     }
@@ -73,15 +83,7 @@ RCP<Vector> initialVelocity(ParameterList const& list, Mesh<Dim> const& mesh,
   return v;
 }
 
-namespace
-{
 constexpr double none = std::numeric_limits<double>::quiet_NaN();
-
-template <class View>
-auto toHost(View const& view)
-{
-  return Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace(), view);
-}
 
 template <int Dim>
 std::string placeOf(Mesh<Dim> const& mesh, int node)
@@ -99,6 +101,14 @@ double product(std::vector<double> const& a, std::vector<double> const& b, int n
   }
   return sum;
 }
+
+// What the state of the fault follows from.
+struct InitialFault
+{
+  std::vector<double> const& traction;  // (num_nodes, T)
+  std::vector<double> velocity;         // (num_nodes, T) of the body along the tangents [m/s]
+  std::vector<double> const& radiation; // (num_nodes)
+};
 
 // The coefficient that friction needs to bear the traction; the reasons why there may be none.
 double balancingCoefficient(InitialFault const& at_start, int i, double speed, double V,
@@ -119,30 +129,32 @@ double balancingCoefficient(InitialFault const& at_start, int i, double speed, d
                                      "Traction' and of the initial velocity.");
   return rest / sigma_n;
 }
-} // namespace
 
 template <int Dim>
 friction::NodeView initialAlpha(ParameterList const& list, Mesh<Dim> const& mesh,
-                                std::vector<int> const& nodes, dynamics::Fault const& fault,
+                                dynamics::Fault const& fault, friction::NodeView const& normal,
                                 InitialFault const& at_start)
 {
+  auto const& surface = fault.surface();
+  auto const nodes = surface.vertices();
+  const int num_tangents = surface.numTangents();
   auto const given = nodalValues(list, "alpha", path, mesh, nodes);
   auto const state = list.get<std::string>("State");
   if (state == "Given") {
     return toDevice(given, "asperity::scenario::alpha");
   }
-  auto const sigma_n = toHost(fault.data.sigma_n);
-  auto const cohesion = toHost(fault.data.cohesion);
+  auto const sigma_n = toHost(normal);
+  auto const cohesion = toHost(fault.laws().cohesion);
   std::vector<double> V(nodes.size());
   std::vector<double> mu(nodes.size(), none);
-  for (int i = 0; i < fault.numNodes(); ++i) {
+  for (int i = 0; i < surface.numNodes(); ++i) {
     auto const place = placeOf(mesh, nodes[i]);
     double speed = 0;
-    for (int k = 0; k < fault.num_tangents; ++k) {
-      speed = std::hypot(speed, at_start.velocity[i * fault.num_tangents + k]);
+    for (int k = 0; k < num_tangents; ++k) {
+      speed = std::hypot(speed, at_start.velocity[i * num_tangents + k]);
     }
-    V[i] = fault.slip_factor * speed;
-    if (V[i] == 0 && !fault.slides(i)) {
+    V[i] = surface.slipFactor() * speed;
+    if (V[i] == 0 && !surface.slides(i)) {
       continue;
     }
     ASPERITY_REQUIRE(V[i] > 0, path << " / State = " << state << ": " << place
@@ -155,13 +167,13 @@ friction::NodeView initialAlpha(ParameterList const& list, Mesh<Dim> const& mesh
   auto const alpha = toDevice(std::vector<double>(nodes.size(), none), "asperity::scenario::alpha");
   auto const V_view = toDevice(V, "asperity::scenario::V");
   if (state == "Steady") {
-    fault.state->steadyState(V_view, alpha);
+    fault.state().steadyState(V_view, alpha);
   } else {
-    fault.friction->balance(V_view, toDevice(mu, "asperity::scenario::mu"), alpha);
+    fault.friction().stateFor(V_view, toDevice(mu, "asperity::scenario::mu"), alpha);
   }
   auto const result = Kokkos::create_mirror_view(alpha);
   Kokkos::deep_copy(result, alpha);
-  for (int i = 0; i < fault.numNodes(); ++i) {
+  for (int i = 0; i < surface.numNodes(); ++i) {
     if (V[i] == 0) {
       result(i) = given[i];
     }
@@ -174,12 +186,66 @@ friction::NodeView initialAlpha(ParameterList const& list, Mesh<Dim> const& mesh
   return alpha;
 }
 
+// By a difference over a time dt [s] in which nothing else happens.
+RCP<Vector> prescribedAcceleration(dynamics::Body const& body, double dt)
+{
+  auto result = body.vector();
+  auto const at_zero = body.vector();
+  body.prescribed_velocity(dt, *result);
+  body.prescribed_velocity(0, *at_zero);
+  result->update(-1 / dt, *at_zero, 1 / dt);
+  return result;
+}
+
+std::vector<double> tangentialVelocity(fem::FaultSurface const& surface, Vector const& v)
+{
+  auto const velocities = v.getLocalViewHost(Tpetra::Access::ReadOnly);
+  std::vector<double> result;
+  for (auto const& node : surface) {
+    for (int dof : node.dofs) {
+      result.push_back(velocities(dof, 0));
+    }
+  }
+  return result;
+}
+} // namespace
+
+template <int Dim>
+dynamics::State makeInitialState(ParameterList const& deck, Mesh<Dim> const& mesh,
+                                 fem::Constraints<Dim> const& constraints,
+                                 dynamics::Body const& body, dynamics::Fault const& fault,
+                                 dynamics::RateSolverSettings const& solver,
+                                 StartOfRun const& start)
+{
+  auto const& list = deck.sublist("Initial State");
+  const int num_nodes = fault.surface().numNodes();
+  dynamics::State state;
+  state.u = start.displacement;
+  state.v = initialVelocity(list, mesh, body, constraints);
+  state.a = body.vector();
+  state.jerk = body.vector();
+  state.sigma_n = friction::NodeView("asperity::scenario::sigma_n", num_nodes);
+  fault.normalStress().at(0, state.sigma_n);
+  state.alpha =
+    initialAlpha(list, mesh, fault, state.sigma_n,
+                 {start.traction, tangentialVelocity(fault.surface(), *state.v), start.radiation});
+  state.alpha_of_rate = friction::NodeView("asperity::scenario::alphaOfRate", num_nodes);
+  Kokkos::deep_copy(state.alpha_of_rate, state.alpha);
+  if (list.get<std::string>("Acceleration") == "Balanced" && !quasiDynamic(deck.sublist("Bulk"))) {
+    const double dt = makeClock(deck.sublist("Time Stepping")).stepSize(0) * 1e-6;
+    auto const load = body.vector();
+    body.load(0, *load);
+    state.a =
+      dynamics::initialAcceleration(body, fault, solver, *load, *prescribedAcceleration(body, dt),
+                                    *state.u, *state.v, {state.alpha, state.sigma_n});
+  }
+  return state;
+}
+
 #define ASPERITY_INSTANTIATE(Dim)                                                                  \
-  template RCP<Vector> initialVelocity(ParameterList const&, Mesh<Dim> const&,                     \
-                                       dynamics::Body const&, fem::Constraints<Dim> const&);       \
-  template friction::NodeView initialAlpha(ParameterList const&, Mesh<Dim> const&,                 \
-                                           std::vector<int> const&, dynamics::Fault const&,        \
-                                           InitialFault const&);
+  template dynamics::State makeInitialState(                                                       \
+    ParameterList const&, Mesh<Dim> const&, fem::Constraints<Dim> const&, dynamics::Body const&,   \
+    dynamics::Fault const&, dynamics::RateSolverSettings const&, StartOfRun const&);
 
 ASPERITY_INSTANTIATE(2)
 ASPERITY_INSTANTIATE(3)

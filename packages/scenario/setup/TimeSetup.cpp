@@ -175,24 +175,21 @@ dynamics::RateUpdate makeRateUpdate(ParameterList const& list, bool has_mass)
 }
 
 std::unique_ptr<dynamics::StepControl> makeStepControl(ParameterList const& list,
-                                                       dynamics::CoupledStep& step,
-                                                       dynamics::Fault const& fault,
-                                                       dynamics::DyadicTime const& clock)
+                                                       dynamics::CoupledStep& step)
 {
+  auto const& clock = step.clock();
   auto const control = list.get<std::string>("Control");
   auto const& of_control = list.sublist(control);
   if (control == "Prescribed") {
-    return std::make_unique<dynamics::PrescribedSteps>(step, clock,
-                                                       prescribedLevels(of_control, clock));
+    return std::make_unique<dynamics::PrescribedSteps>(step, prescribedLevels(of_control, clock));
   }
   auto const settings = adaptiveSettings(of_control, clock);
   if (control == "Step Doubling") {
-    return std::make_unique<dynamics::StepDoubling>(step, fault, clock, settings);
+    return std::make_unique<dynamics::StepDoubling>(step, settings);
   }
   ASPERITY_REQUIRE(clock.finestLevel() > 0, path << " / Smallest Step = " << clock.stepSize(0)
                                                  << " s has to be at most half of the largest one, "
                                                     "which a pair of steps is compared with.");
-  return std::make_unique<dynamics::RichardsonControl>(step, fault, clock,
-                                                       makeRateUpdate(list).order, settings);
+  return std::make_unique<dynamics::RichardsonControl>(step, makeRateUpdate(list).order, settings);
 }
 } // namespace asperity::scenario

@@ -14,7 +14,5 @@ dynamics::DyadicTime makeClock(ParameterList const& list);
 // amplification factor -1.
 dynamics::RateUpdate makeRateUpdate(ParameterList const& list, bool has_mass = true);
 std::unique_ptr<dynamics::StepControl> makeStepControl(ParameterList const& list,
-                                                       dynamics::CoupledStep& step,
-                                                       dynamics::Fault const& fault,
-                                                       dynamics::DyadicTime const& clock);
+                                                       dynamics::CoupledStep& step);
 } // namespace asperity::scenario

@@ -34,11 +34,11 @@ void MultigridNodes::set(NonlinearBlocks const& blocks)
 void MultigridNodes::project(MultiVector& x) const
 {
   const auto values = x.getLocalViewDevice(Tpetra::Access::ReadWrite);
-  const auto rows = constrained;
+  const auto rows = held_rows;
   Kokkos::parallel_for(
-    "asperity::tnnmg::projectConstrained", Kokkos::RangePolicy<Execution>(0, rows.extent_int(0)),
+    "asperity::tnnmg::projectHeld", Kokkos::RangePolicy<Execution>(0, rows.extent_int(0)),
     KOKKOS_LAMBDA(int k) { values(rows(k), 0) = 0; });
-  const auto node_dofs = dofs;
+  const auto node_dofs = view.dofs;
   const auto flags = removed;
   Kokkos::parallel_for(
     "asperity::tnnmg::projectRemoved", Kokkos::RangePolicy<Execution>(0, size()),
@@ -49,13 +49,13 @@ void MultigridNodes::project(MultiVector& x) const
     });
 }
 
-MultigridNodes makeNodes(CrsMatrix const& Z, NonlinearDofView const& dofs,
-                         RowView const& constrained)
+MultigridNodes makeNodes(CrsMatrix const& Z, NonlinearNodes const& view, IndexView const& held_rows)
 {
+  const auto dofs = view.dofs;
   const int num_nodes = dofs.extent_int(0);
   const int tangents = dofs.extent_int(1);
   ASPERITY_ASSERT(tangents <= max_tangents);
-  MultigridNodes nodes{dofs, constrained,
+  MultigridNodes nodes{view, held_rows,
                        NodeBlockView("asperity::tnnmg::diagonal", num_nodes, tangents, tangents),
                        NodeBlockView("asperity::tnnmg::hessian", num_nodes, tangents, tangents),
                        FlagView("asperity::tnnmg::removed", num_nodes)};

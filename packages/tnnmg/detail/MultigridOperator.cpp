@@ -26,7 +26,7 @@ void MultigridOperator::apply(MultiVector const& x, MultiVector& y, Teuchos::ETr
   {
     const auto in = x.getLocalViewDevice(Tpetra::Access::ReadOnly);
     const auto out = y.getLocalViewDevice(Tpetra::Access::ReadWrite);
-    const auto dofs = nodes_->dofs;
+    const auto dofs = nodes_->view.dofs;
     const auto hessian = nodes_->hessian;
     Kokkos::parallel_for(
       "asperity::tnnmg::applyHessian",

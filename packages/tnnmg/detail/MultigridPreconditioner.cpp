@@ -176,7 +176,7 @@ void MultigridPreconditioner::scale(MultiVector& x, bool transposed) const
 {
   {
     const auto values = x.getLocalViewDevice(Tpetra::Access::ReadWrite);
-    const auto dofs = nodes_->dofs;
+    const auto dofs = nodes_->view.dofs;
     const auto scaling = scaling_;
     Kokkos::parallel_for(
       "asperity::tnnmg::scale", Kokkos::RangePolicy<Execution>(0, nodes_->size()),

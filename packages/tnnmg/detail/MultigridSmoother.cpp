@@ -1,6 +1,5 @@
 #include "tnnmg/detail/MultigridSmoother.hpp"
 
-#include "tnnmg/Colouring.hpp"
 #include "tnnmg/detail/MultigridNodeBlock.hpp"
 
 #include <Tpetra_CrsMatrix.hpp>
@@ -39,19 +38,12 @@ MultigridSmoother::MultigridSmoother(CrsMatrix const& Z,
                                      std::shared_ptr<const MultigridNodes> nodes)
     : nodes_(std::move(nodes))
 {
-  rows_ = extractRows(Z, Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace(), nodes_->dofs));
+  rows_ =
+    extractRows(Z, Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace(), nodes_->view.dofs));
   columns_ = rcp(new Import(rows_->getDomainMap(), rows_->getColMap()));
   neighbours_ = rcp(new MultiVector(rows_->getColMap(), 1));
   inverse_ = NodeBlockView("asperity::tnnmg::inverse", nodes_->size(), nodes_->tangents(),
                            nodes_->tangents());
-  const auto colouring = colourNodes(Z, nodes_->dofs);
-  for (auto const& members : colouring.rows) {
-    const Kokkos::View<const int*, Kokkos::HostSpace, Kokkos::MemoryUnmanaged> host(members.data(),
-                                                                                    members.size());
-    const Kokkos::View<int*, MemorySpace> colour("asperity::tnnmg::colour", members.size());
-    Kokkos::deep_copy(colour, host);
-    colours_.push_back(colour);
-  }
 }
 
 void MultigridSmoother::setup()
@@ -75,25 +67,26 @@ void MultigridSmoother::setup()
 
 void MultigridSmoother::sweep(Order order, MultiVector const& r, MultiVector& z) const
 {
+  auto const& colours = nodes_->view.colours;
   if (order == Order::forward) {
-    for (auto colour = colours_.begin(); colour != colours_.end(); ++colour) {
-      relax(*colour, r, z);
+    for (auto const& colour : colours) {
+      relax(colour, r, z);
     }
   } else {
-    for (auto colour = colours_.rbegin(); colour != colours_.rend(); ++colour) {
+    for (auto colour = colours.rbegin(); colour != colours.rend(); ++colour) {
       relax(*colour, r, z);
     }
   }
 }
 
-void MultigridSmoother::relax(ColourView const& colour, MultiVector const& r, MultiVector& z) const
+void MultigridSmoother::relax(IndexView const& colour, MultiVector const& r, MultiVector& z) const
 {
   neighbours_->doImport(z, *columns_, Tpetra::INSERT);
   const auto before = neighbours_->getLocalViewDevice(Tpetra::Access::ReadOnly);
   const auto right = r.getLocalViewDevice(Tpetra::Access::ReadOnly);
   const auto after = z.getLocalViewDevice(Tpetra::Access::ReadWrite);
   const auto matrix = rows_->getLocalMatrixDevice();
-  const auto dofs = nodes_->dofs;
+  const auto dofs = nodes_->view.dofs;
   const auto hessian = nodes_->hessian;
   const auto inverse = inverse_;
   const int tangents = nodes_->tangents();

@@ -3,7 +3,6 @@
 #include "tnnmg/detail/MultigridNodes.hpp"
 
 #include <memory>
-#include <vector>
 
 namespace asperity::tnnmg::detail
 {
@@ -29,15 +28,12 @@ public:
   void sweep(Order order, MultiVector const& r, MultiVector& z) const;
 
 private:
-  using ColourView = Kokkos::View<const int*, MemorySpace>;
-
-  void relax(ColourView const& colour, MultiVector const& r, MultiVector& z) const;
+  void relax(IndexView const& colour, MultiVector const& r, MultiVector& z) const;
 
   std::shared_ptr<const MultigridNodes> nodes_;
-  RCP<const CrsMatrix> rows_;       // of Z, T successive ones per node
-  RCP<const Import> columns_;       // to the columns of these rows
-  RCP<MultiVector> neighbours_;     // z at these columns
-  NodeBlockView inverse_;           // (num_nodes, T, T) of diagonal + Hessian, zero where removed
-  std::vector<ColourView> colours_; // local nodes of each colour
+  RCP<const CrsMatrix> rows_;   // of Z, T successive ones per node
+  RCP<const Import> columns_;   // to the columns of these rows
+  RCP<MultiVector> neighbours_; // z at these columns
+  NodeBlockView inverse_;       // (num_nodes, T, T) of diagonal + Hessian, zero where removed
 };
 } // namespace asperity::tnnmg::detail

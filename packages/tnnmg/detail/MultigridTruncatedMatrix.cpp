@@ -16,8 +16,7 @@ using FlagVector = Tpetra::Vector<int, LocalOrdinal, GlobalOrdinal>;
 using Execution = Kokkos::DefaultExecutionSpace;
 
 // 1 at the dofs of excluded nodes, on the columns of Z.
-FlagVector excludedColumns(CrsMatrix const& Z, NonlinearDofView const& dofs,
-                           FlagView const& excluded)
+FlagVector excludedColumns(CrsMatrix const& Z, NodeDofView const& dofs, FlagView const& excluded)
 {
   FlagVector of_dof(Z.getDomainMap());
   {
@@ -44,7 +43,7 @@ MultigridTruncatedMatrix::MultigridTruncatedMatrix(RCP<const CrsMatrix> Z, RCP<C
 
 void MultigridTruncatedMatrix::fill(MultigridNodes const& nodes, FlagView const& excluded)
 {
-  const auto flags = excludedColumns(*Z_, nodes.dofs, excluded);
+  const auto flags = excludedColumns(*Z_, nodes.view.dofs, excluded);
   const auto without = flags.getLocalViewDevice(Tpetra::Access::ReadOnly);
   const auto source = Z_->getLocalMatrixDevice();
   const auto target = matrix_->getLocalMatrixDevice();
@@ -60,7 +59,7 @@ void MultigridTruncatedMatrix::fill(MultigridNodes const& nodes, FlagView const&
         target.values(k) = keep ? source.values(k) : 0.0;
       }
     });
-  const auto dofs = nodes.dofs;
+  const auto dofs = nodes.view.dofs;
   const auto hessian = nodes.hessian;
   Kokkos::parallel_for(
     "asperity::tnnmg::addHessian", Kokkos::RangePolicy<Execution>(0, nodes.size()),
@@ -86,15 +85,11 @@ namespace
 template <class Visit>
 int forEachUncoupled(CrsMatrix const& Z, MultigridNodes const& nodes, Visit const& visit)
 {
-  const FlagView held("asperity::tnnmg::held", Z.getLocalMatrixDevice().numRows());
-  const auto constrained = nodes.constrained;
-  Kokkos::parallel_for(
-    "asperity::tnnmg::markHeld", Kokkos::RangePolicy<Execution>(0, constrained.extent_int(0)),
-    KOKKOS_LAMBDA(int k) { held(constrained(k)) = 1; });
+  const auto held = nodes.view.held;
   const auto matrix = Z.getLocalMatrixDevice();
   const auto rows = Z.getRowMap()->getLocalMap();
   const auto columns = Z.getColMap()->getLocalMap();
-  const auto dofs = nodes.dofs;
+  const auto dofs = nodes.view.dofs;
   int count = 0;
   Kokkos::parallel_reduce(
     "asperity::tnnmg::findUncoupled", Kokkos::RangePolicy<Execution>(0, nodes.size()),

@@ -1,5 +1,9 @@
 #include "dynamics/coupling/AndersonAcceleration.hpp"
 
+#include "dynamics/FaultMotion.hpp"
+#include "unit/dynamics/FaultNodesOfTests.hpp"
+
+#include <Teuchos_CommHelpers.hpp>
 #include <Tpetra_Core.hpp>
 #include <gtest/gtest.h>
 
@@ -20,18 +24,13 @@ class Contraction
 {
 public:
   explicit Contraction(std::vector<double> const& factors)
+      : factors_(mine([&](int node) { return factors[node % factors.size()]; }))
+      , weights_(mine([](int node) { return 1 + 0.1 * node; }))
+      , solution_(mine([](int node) { return std::sin(1. + node); }))
+      , fault(testing::surfaceOf(weights_, 1, std::vector<int>(num_nodes, 0),
+                                 fem::OtherSide::rigid_foundation, Tpetra::getDefaultComm()))
+      , solution(view(solution_))
   {
-    fault.communicator = Tpetra::getDefaultComm();
-    const int rank = fault.communicator->getRank(), size = fault.communicator->getSize();
-    for (int node = rank; node < num_nodes; node += size) {
-      factors_.push_back(factors[node % factors.size()]);
-      weights_.push_back(1 + 0.1 * node);
-      solution_.push_back(std::sin(1. + node));
-    }
-    fault.dofs.resize(factors_.size());
-    fault.total_weight = num_nodes * (1 + 0.1 * (num_nodes - 1) / 2);
-    fault.data.weight = view(weights_);
-    solution = view(solution_);
   }
 
   NodeView image(NodeView const& x) const
@@ -52,13 +51,22 @@ public:
     for (int i = 0; i < num_maps; ++i) {
       acceleration.advance(x, image(x));
     }
-    return fault.distance(x, solution);
+    return distance(fault, x, solution);
   }
 
-  Fault fault;
-  NodeView solution;
-
 private:
+  // Of this rank's nodes.
+  template <class Value>
+  static std::vector<double> mine(Value const& value)
+  {
+    auto const comm = Tpetra::getDefaultComm();
+    std::vector<double> values;
+    for (int node = comm->getRank(); node < num_nodes; node += comm->getSize()) {
+      values.push_back(value(node));
+    }
+    return values;
+  }
+
   static NodeView view(std::vector<double> const& values)
   {
     const NodeView result("values", values.size());
@@ -69,6 +77,10 @@ private:
   }
 
   std::vector<double> factors_, weights_, solution_;
+
+public:
+  fem::FaultSurface fault;
+  NodeView solution;
 };
 } // namespace
 
@@ -85,7 +97,7 @@ TEST(AndersonAcceleration, ofDepthZeroIsTheFixedPointIteration)
 {
   const Contraction contraction({0.5});
   AndersonAcceleration plain(contraction.fault, 0);
-  const double start = contraction.fault.distance(contraction.zero(), contraction.solution);
+  const double start = distance(contraction.fault, contraction.zero(), contraction.solution);
   EXPECT_NEAR(contraction.errorAfter(4, plain), start / 16, 1e-15);
 }
 
@@ -100,11 +112,12 @@ TEST(AndersonAcceleration, findsTheSmallestResidualOverTheFault)
   auto const g1 = contraction.image(x);
   double sums[2] = {0, 0}, all[2];
   for (std::size_t i = 0; i < x.extent(0); ++i) {
-    const double f0 = g0(i), f1 = g1(i) - g0(i), weight = contraction.fault.data.weight(i);
+    const double f0 = g0(i), f1 = g1(i) - g0(i),
+                 weight = contraction.fault[static_cast<int>(i)].weight;
     sums[0] += weight * f1 * (f1 - f0);
     sums[1] += weight * (f1 - f0) * (f1 - f0);
   }
-  Teuchos::reduceAll(*contraction.fault.communicator, Teuchos::REDUCE_SUM, 2, sums, all);
+  Teuchos::reduceAll(*contraction.fault.communicator(), Teuchos::REDUCE_SUM, 2, sums, all);
   acceleration.advance(x, g1);
   for (std::size_t i = 0; i < x.extent(0); ++i) {
     EXPECT_NEAR(x(i), g1(i) - all[0] / all[1] * (g1(i) - g0(i)), 1e-13);

@@ -52,14 +52,14 @@ protected:
   // How far one step of a level is from two of half its size.
   double errorOf(State const& from, int level, Norm norm = Norm::root_mean_square)
   {
-    return model.fault.distance(stepped(from, {level}).alpha,
-                                stepped(from, {level + 1, level + 1}).alpha, norm);
+    return dynamics::distance(*model.surface, stepped(from, {level}).alpha,
+                              stepped(from, {level + 1, level + 1}).alpha, norm);
   }
 
-  double distance(State const& x, State const& y) const
+  double difference(State const& x, State const& y) const
   {
     return (denseOf(*x.v) - denseOf(*y.v)).norm() / denseOf(*y.v).norm() +
-           model.fault.distance(x.alpha, y.alpha);
+           dynamics::distance(*model.surface, x.alpha, y.alpha);
   }
 
   // `control`, some of whose steps have no solution, takes smaller ones than `free`, and goes on.
@@ -72,7 +72,9 @@ protected:
     EXPECT_GT(accepted.level, free.advance(other, count).level);
     EXPECT_GT(count.failures, 0);
     EXPECT_EQ(state.time, half_seconds.ticks(accepted.level));
-    EXPECT_LE(model.fault.distance(state.alpha, stepped(before, {accepted.level}).alpha), 2e-3);
+    EXPECT_LE(
+      dynamics::distance(*model.surface, state.alpha, stepped(before, {accepted.level}).alpha),
+      2e-3);
     for (int n = 0; n < 5; ++n) {
       control.advance(state, count);
     }

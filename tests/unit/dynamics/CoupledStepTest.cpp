@@ -43,15 +43,16 @@ void expectNear(DenseState const& state, DenseState const& expected, double tole
 // f(v, alpha) on all dofs.
 Eigen::VectorXd frictionForce(Model const& model, State const& state)
 {
-  const int size = model.fault.numNodes();
+  const int size = model.surface->numNodes();
   friction::BlockView v("v", size, 1), gradient("gradient", size, 1);
   friction::HessianView hessian("hessian", size, 1, 1);
   friction::FlagView kinked("kinked", size);
-  model.fault.gather(*state.v, v);
-  model.fault.friction->linearise(v, state.alpha_of_rate, gradient, hessian, kinked);
+  gather(*model.surface, *state.v, v);
+  model.fault.friction().linearise(v, {state.alpha_of_rate, state.sigma_n}, gradient, hessian,
+                                   kinked);
   Eigen::VectorXd force = Eigen::VectorXd::Zero(model.body.numOwnedDofs());
   for (int i = 0; i < size; ++i) {
-    force[model.fault.dofs[i][0]] = gradient(i, 0);
+    force[(*model.surface)[i].dofs[0]] = gradient(i, 0);
   }
   return force;
 }
@@ -113,7 +114,7 @@ TEST_P(CoupledStepSchemes, meetFrictionUnderTheNormalStressAtTheEndOfTheStep)
 TEST_P(CoupledStepSchemes, seeSlipRatherThanDisplacement)
 {
   auto options = slidingBlock(1);
-  options.slip_factor = 2;
+  options.other_side = fem::OtherSide::mirror_image;
   compare(options, Correction::direct);
 }
 
@@ -175,7 +176,7 @@ TEST(CoupledStep, endsInBalanceOfMomentumUnderEveryLaw)
       fem::testing::rotate(options.mesh, -0.2);
       options.law = law;
       options.state_law = state_law;
-      options.slip_factor = 2;
+      options.other_side = fem::OtherSide::mirror_image;
       options.cohesion = 20;
       const Model model(options, alone());
       Stepper stepper(model, RateUpdate::newmark(0.25), milliseconds);
@@ -188,7 +189,7 @@ TEST(CoupledStep, endsInBalanceOfMomentumUnderEveryLaw)
       model.body.residual(*load, *state.u, *state.v, *state.a, *rest);
       Eigen::VectorXd imbalance = denseOf(*rest) - frictionForce(model, state);
       for (int dof = 0; dof < model.body.numOwnedDofs(); ++dof) {
-        imbalance[dof] = model.body.fixed[dof] ? 0 : imbalance[dof];
+        imbalance[dof] = model.body.held[dof] ? 0 : imbalance[dof];
       }
       const double scale = denseOf(*rest).lpNorm<Eigen::Infinity>();
       EXPECT_LE(imbalance.lpNorm<Eigen::Infinity>(), 1e-10 * scale) << law << ", " << state_law;
@@ -224,8 +225,8 @@ TEST(CoupledStep, leavesAFaultAtRestThatCohesionHolds)
   auto const state = solved(stepper, model.restingState(), 1);
   auto const v = denseOf(*state.v);
   EXPECT_GT(v.norm(), 0);
-  for (auto const& dofs : model.fault.dofs) {
-    EXPECT_EQ(v[dofs[0]], 0);
+  for (auto const& node : *model.surface) {
+    EXPECT_EQ(v[node.dofs[0]], 0);
   }
   // theta = theta0 + t
   const double healed = std::log1p(options.reference_rate / options.L * milliseconds.stepSize(1));

@@ -19,7 +19,7 @@ DenseReference::DenseReference(Model const& model, Scheme scheme, double paramet
     , stiffness_(denseOf(*model.body.matrices.stiffness))
 {
   for (int dof = 0; dof < model.body.numOwnedDofs(); ++dof) {
-    if (!model.body.fixed[dof]) {
+    if (!model.body.held[dof]) {
       free_.push_back(dof);
     }
   }
@@ -59,17 +59,17 @@ DenseReference::Motion DenseReference::motion(Step const& step, int dof, double 
 DenseReference::NodalFriction DenseReference::friction(Step const& step, int i, double v1) const
 {
   auto const& o = model_.options;
-  const double du = motion(step, model_.fault.dofs[i][0], v1).du;
-  const double V = o.slip_factor * std::abs(du) / step.tau;
+  const double du = motion(step, (*model_.surface)[i].dofs[0], v1).du;
+  const double V = model_.surface->slipFactor() * std::abs(du) / step.tau;
   const double theta0 = o.L / o.reference_rate * std::exp(step.from.alpha[i]);
   const double left = std::exp(-V * step.tau / o.L);
   const double theta1 = V > 0 ? theta0 * left + o.L / V * (1 - left) : theta0 + step.tau;
   const double alpha = std::log(theta1 * o.reference_rate / o.L);
-  const double mu = o.a * std::asinh(o.slip_factor * v1 / (2 * o.reference_rate) *
+  const double mu = o.a * std::asinh(model_.surface->slipFactor() * v1 / (2 * o.reference_rate) *
                                      std::exp((o.reference_friction + o.b * alpha) / o.a));
   const double sign = v1 > 0 ? 1 : -1;
-  const double sigma_n = model_.normalStress(model_.fault_nodes.nodes[i], step.t1);
-  return {model_.fault_nodes.weights[i] * (sigma_n * mu + o.cohesion * sign), alpha};
+  const double sigma_n = model_.normalStress(model_.surface->vertex(i), step.t1);
+  return {(*model_.surface)[i].weight * (sigma_n * mu + o.cohesion * sign), alpha};
 }
 
 // M a1 + C v1 + K u1 - l + f at the free dofs for the v1 in `to`, of which it completes the rest.
@@ -82,8 +82,8 @@ Eigen::VectorXd DenseReference::imbalance(Step const& step, DenseState& to) cons
     to.jerk[dof] = end.jerk;
   }
   Eigen::VectorXd sum = mass_ * to.a + viscosity_ * to.v + stiffness_ * to.u - step.load;
-  for (int i = 0; i < model_.fault.numNodes(); ++i) {
-    const int dof = model_.fault.dofs[i][0];
+  for (int i = 0; i < model_.surface->numNodes(); ++i) {
+    const int dof = (*model_.surface)[i].dofs[0];
     auto const nodal = friction(step, i, to.v[dof]);
     sum[dof] += nodal.force;
     to.alpha[i] = nodal.alpha;
@@ -95,8 +95,8 @@ Eigen::MatrixXd DenseReference::jacobian(Step const& step, DenseState const& to)
 {
   auto const by_velocity = motion(0, 0, 0, 1, step.tau); // a motion is linear
   Eigen::MatrixXd result = by_velocity.a * mass_ + viscosity_ + by_velocity.du * stiffness_;
-  for (int i = 0; i < model_.fault.numNodes(); ++i) {
-    const int dof = model_.fault.dofs[i][0];
+  for (int i = 0; i < model_.surface->numNodes(); ++i) {
+    const int dof = (*model_.surface)[i].dofs[0];
     const double v = to.v[dof];
     const double h = 1e-6 * std::abs(v);
     result(dof, dof) += (friction(step, i, v + h).force - friction(step, i, v - h).force) / (2 * h);

@@ -28,8 +28,8 @@ State balanced(Model const& model, State state)
   model.body.prescribed_velocity(1, *later);
   model.body.prescribed_velocity(0, *prescribed);
   prescribed->update(1, *later, -1);
-  state.a = initialAcceleration(model.body, model.fault, tightSettings(), model.options.law, *load,
-                                *prescribed, *state.u, *state.v, state.alpha);
+  state.a = initialAcceleration(model.body, model.fault, tightSettings(), *load, *prescribed,
+                                *state.u, *state.v, {state.alpha, state.sigma_n});
   return state;
 }
 
@@ -92,7 +92,7 @@ TEST(EnergyBalance, closesWhereAlphaIsStillMoving)
     advance(stepper, state, 1);
     balance.advance(state);
   }
-  EXPECT_GT(model.fault.distance(state.alpha, state.alpha_of_rate), 1e-6);
+  EXPECT_GT(distance(*model.surface, state.alpha, state.alpha_of_rate), 1e-6);
   EXPECT_NEAR(balance.energy().defect / balance.energy().friction_work, 0, 1e-10);
 }
 
@@ -102,8 +102,8 @@ TEST(EnergyBalance, splitsTheWorkOfFrictionAndOfThePushedBoundary)
   auto options = slidingBlock(2);
   options.gravity = {0, 0};
   options.traction = 1000;
-  auto const push = [](auto const&, double) { return 1e-3; };
-  options.conditions = {{"Push", "right", fem::PrescribedVelocity<2>{{1, 0}, push}}};
+  auto const pushed = [](auto const&, double) { return 1e-3; };
+  options.conditions = {{"Push", "right", fem::PrescribedVelocity<2>{{1, 0}, pushed}}};
   options.b = 0;
   const Model model(options, fem::testing::selfCommunicator());
   auto state = model.restingState();
@@ -113,8 +113,8 @@ TEST(EnergyBalance, splitsTheWorkOfFrictionAndOfThePushedBoundary)
   const double mu = options.a * std::asinh(1e-3 / (2 * options.reference_rate) *
                                            std::exp(options.reference_friction / options.a));
   const double rest = options.traction - options.sigma_n * mu; // Pa on the base
-  for (int i = 0; i < model.fault.numNodes(); ++i) {
-    force.replaceLocalValue(model.fault.dofs[i][0], rest * model.fault_nodes.weights[i]);
+  for (int i = 0; i < model.surface->numNodes(); ++i) {
+    force.replaceLocalValue((*model.surface)[i].dofs[0], rest * (*model.surface)[i].weight);
   }
   state.u = staticDisplacement(model.body, tightSettings(), force);
   Stepper stepper(model, RateUpdate::newmark(0.25), milliseconds);
@@ -236,9 +236,9 @@ TEST(EnergyBalance, followsAChangingNormalStress)
     auto trial = state.clone();
     advance(stepper, trial, 0);
     balance.advance(state);
-    for (int i = 0; i < model.fault.numNodes(); ++i) {
-      EXPECT_EQ(model.fault.data.sigma_n(i),
-                model.normalStress(model.fault_nodes.nodes[i], milliseconds.seconds(state.time)));
+    for (int i = 0; i < model.surface->numNodes(); ++i) {
+      EXPECT_EQ(state.sigma_n(i),
+                model.normalStress(model.surface->vertex(i), milliseconds.seconds(state.time)));
     }
   }
   EXPECT_NEAR(balance.energy().defect / balance.energy().friction_work, 0, 1e-10);
@@ -277,8 +277,9 @@ TEST(EnergyBalance, seesNoWorkWhereTheFaultIsHeld)
   auto state = model.restingState();
   auto load = model.body.vector();
   model.body.load(0, *load);
-  state.a = initialAcceleration(model.body, model.fault, tightSettings(), options.law, *load,
-                                *model.body.vector(), *state.u, *state.v, state.alpha);
+  state.a =
+    initialAcceleration(model.body, model.fault, tightSettings(), *load, *model.body.vector(),
+                        *state.u, *state.v, {state.alpha, state.sigma_n});
   balance.start(state, {});
   for (int n = 0; n < 3; ++n) {
     advance(stepper, state, 1);
@@ -291,8 +292,8 @@ TEST(EnergyBalance, seesNoWorkWhereTheFaultIsHeld)
   double held = 0, driven = 0;
   auto const force = denseOf(balance.force());
   const Eigen::VectorXd momentum = denseOf(*model.body.matrices.mass) * denseOf(*state.a);
-  for (auto const& dofs : model.fault.dofs) {
-    held += force[dofs[0]];
+  for (auto const& node : *model.surface) {
+    held += force[node.dofs[0]];
   }
   for (int node = 0; node < model.mesh.num_owned; ++node) {
     driven += denseOf(*load)[2 * node] - momentum[2 * node];

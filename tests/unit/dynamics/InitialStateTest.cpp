@@ -26,7 +26,7 @@ std::vector<int> freeDofs(Model const& model)
 {
   std::vector<int> dofs;
   for (int dof = 0; dof < model.body.numOwnedDofs(); ++dof) {
-    if (!model.body.fixed[dof]) {
+    if (!model.body.held[dof]) {
       dofs.push_back(dof);
     }
   }
@@ -37,8 +37,8 @@ Eigen::VectorXd accelerationOf(Model const& model, State const& state, Vector co
                                Correction correction = Correction::direct)
 {
   return denseOf(*initialAcceleration(model.body, model.fault, tightSettings(correction),
-                                      model.options.law, *loadOf(model), prescribed, *state.u,
-                                      *state.v, state.alpha));
+                                      *loadOf(model), prescribed, *state.u, *state.v,
+                                      {state.alpha, state.sigma_n}));
 }
 
 Eigen::VectorXd residualOf(Model const& model, State const& state, Eigen::VectorXd const& a)
@@ -60,7 +60,7 @@ TEST(InitialState, staticDisplacementBalancesTheLoadWithAFaultWithoutFriction)
       EXPECT_GT(u.norm(), 0);
       EXPECT_LE(rest(freeDofs(model)).norm(), 1e-11 * denseOf(*load).norm());
       for (int dof = 0; dof < u.size(); ++dof) {
-        EXPECT_TRUE(!model.body.fixed[dof] || u[dof] == 0);
+        EXPECT_TRUE(!model.body.held[dof] || u[dof] == 0);
       }
     }
   }
@@ -97,17 +97,17 @@ TEST(InitialState, accelerationBalancesMomentumWhereTheFaultMoves)
       auto const v = denseOf(*state.v);
       auto const alpha = denseOf(state.alpha);
       Eigen::VectorXd friction = Eigen::VectorXd::Zero(a.size());
-      for (int i = 0; i < model.fault.numNodes(); ++i) {
-        const int dof = model.fault.dofs[i][0];
+      for (int i = 0; i < model.surface->numNodes(); ++i) {
+        const int dof = (*model.surface)[i].dofs[0];
         auto const& o = model.options;
         const double mu = o.a * std::asinh(v[dof] / (2 * o.reference_rate) *
                                            std::exp((o.reference_friction + o.b * alpha[i]) / o.a));
-        friction[dof] = model.fault_nodes.weights[i] * (o.sigma_n * mu + o.cohesion);
+        friction[dof] = (*model.surface)[i].weight * (o.sigma_n * mu + o.cohesion);
       }
       EXPECT_LE((rest - friction)(freeDofs(model)).norm(), 1e-10 * rest.norm());
       auto const fixed_values = denseOf(prescribed);
       for (int dof = 0; dof < a.size(); ++dof) {
-        EXPECT_TRUE(!model.body.fixed[dof] || a[dof] == fixed_values[dof]);
+        EXPECT_TRUE(!model.body.held[dof] || a[dof] == fixed_values[dof]);
       }
     }
   }
@@ -129,9 +129,9 @@ TEST(InitialState, cohesionHoldsRestingNodesUpToItsStrength)
     auto const a = accelerationOf(model, state, *model.body.vector(), correction);
     auto const rest = residualOf(model, state, a);
     int num_held = 0, num_moving = 0;
-    for (int i = 0; i < model.fault.numNodes(); ++i) {
-      const int dof = model.fault.dofs[i][0];
-      const double strength = options.cohesion * model.fault_nodes.weights[i];
+    for (int i = 0; i < model.surface->numNodes(); ++i) {
+      const int dof = (*model.surface)[i].dofs[0];
+      const double strength = options.cohesion * (*model.surface)[i].weight;
       if (a[dof] == 0) {
         ++num_held;
         EXPECT_LE(std::abs(rest[dof]), strength);
@@ -143,8 +143,8 @@ TEST(InitialState, cohesionHoldsRestingNodesUpToItsStrength)
     EXPECT_GT(num_held, 0);
     EXPECT_GT(num_moving, 0);
     auto away_from_fault = rest;
-    for (auto const& dofs : model.fault.dofs) {
-      away_from_fault[dofs[0]] = 0;
+    for (auto const& node : *model.surface) {
+      away_from_fault[node.dofs[0]] = 0;
     }
     EXPECT_LE(away_from_fault(freeDofs(model)).norm(), 1e-10 * rest.norm());
   }

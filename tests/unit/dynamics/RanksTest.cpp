@@ -53,9 +53,9 @@ struct BothWays
   double differenceOfAlpha(State const& shared, State const& own) const
   {
     double largest = 0;
-    for (int i = 0; i < together.fault.numNodes(); ++i) {
-      auto const id = together.mesh.global_ids[together.fault_nodes.nodes[i]];
-      auto const& nodes = alone.fault_nodes.nodes;
+    for (int i = 0; i < together.surface->numNodes(); ++i) {
+      auto const id = together.mesh.global_ids[together.surface->vertex(i)];
+      auto const nodes = alone.surface->vertices();
       const auto place = std::lower_bound(nodes.begin(), nodes.end(), id) - nodes.begin();
       largest = std::max(largest, std::abs(shared.alpha(i) - own.alpha(place)));
     }
@@ -92,8 +92,8 @@ TEST(Ranks, multigridOnAllStepsLikeCholeskyOnOne)
   auto shared = slidingState(models.together);
   energy_alone.start(own, {});
   energy_together.start(shared, {});
-  PrescribedSteps steps_alone(alone.step, clock, {0, 1, 2});
-  PrescribedSteps steps_together(together.step, clock, {0, 1, 2});
+  PrescribedSteps steps_alone(alone.step, {0, 1, 2});
+  PrescribedSteps steps_together(together.step, {0, 1, 2});
   for (int n = 0; n < 4; ++n) {
     steps_alone.advance(own, alone.count);
     steps_together.advance(shared, together.count);
@@ -107,8 +107,8 @@ TEST(Ranks, multigridOnAllStepsLikeCholeskyOnOne)
   EXPECT_EQ(together.count.rises, 0);
   EXPECT_NEAR(energy_together.energy().friction_work / energy_alone.energy().friction_work, 1,
               1e-8);
-  EXPECT_NEAR(models.together.fault.peakSlipRate(*shared.v) /
-                models.alone.fault.peakSlipRate(*own.v),
+  EXPECT_NEAR(peakSlipRate(*models.together.surface, *shared.v) /
+                peakSlipRate(*models.alone.surface, *own.v),
               1, 1e-8);
 }
 
@@ -126,9 +126,9 @@ TEST(Ranks, slideInSpaceLikeOne)
   auto exact = slidingState(models.alone, upright);
   auto own = exact.clone();
   auto shared = slidingState(models.together, upright);
-  PrescribedSteps steps_direct(direct.step, clock, {0, 1, 2});
-  PrescribedSteps steps_alone(alone.step, clock, {0, 1, 2});
-  PrescribedSteps steps_together(together.step, clock, {0, 1, 2});
+  PrescribedSteps steps_direct(direct.step, {0, 1, 2});
+  PrescribedSteps steps_alone(alone.step, {0, 1, 2});
+  PrescribedSteps steps_together(together.step, {0, 1, 2});
   for (int n = 0; n < 3; ++n) {
     const auto before_alone = alone.count, before = together.count;
     steps_direct.advance(exact, direct.count);
@@ -150,7 +150,7 @@ TEST(Ranks, forgetTheSameStepSolvers)
 {
   const Model model(largerBlock(), world());
   const auto makeSolvers = [&](std::size_t budget) {
-    return StepSolvers(model.body, model.fault, RateUpdate::newmark(0.25), DyadicTime(4e-3, 4),
+    return StepSolvers(model.body, *model.surface, RateUpdate::newmark(0.25), DyadicTime(4e-3, 4),
                        onSeveralLevels(), budget);
   };
   auto roomy = makeSolvers(1u << 30);
@@ -181,9 +181,9 @@ TEST(Ranks, findTheSameInitialState)
     auto load = model.body.vector();
     model.body.load(0, *load);
     auto const state = slidingState(model);
-    return initialAcceleration(model.body, model.fault, tightSettings(correction),
-                               model.options.law, *load, *model.body.vector(), *state.u, *state.v,
-                               state.alpha);
+    return initialAcceleration(model.body, model.fault, tightSettings(correction), *load,
+                               *model.body.vector(), *state.u, *state.v,
+                               {state.alpha, state.sigma_n});
   };
   EXPECT_LE(models.difference(*displacement(models.together, Correction::multigrid),
                               *displacement(models.alone, Correction::direct)),

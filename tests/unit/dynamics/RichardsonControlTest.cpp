@@ -18,7 +18,7 @@ class RichardsonControlTest : public ControlTest
 protected:
   RichardsonControl control(AdaptiveSettings const& settings)
   {
-    return {stepper.step, model.fault, half_seconds, 2, settings};
+    return {stepper.step, 2, settings};
   }
 
   SolveCount count;
@@ -46,13 +46,13 @@ TEST_F(RichardsonControlTest, acceptsPairsOfStepsThatOneStepConfirms)
     finest = std::max(finest, level);
     EXPECT_EQ(control.memory().num_steps, 2 * n + 1);
     EXPECT_EQ(state.time, before.time + half_seconds.ticks(level));
-    EXPECT_LE(distance(state, stepped(before, {level})), 1e-10);
+    EXPECT_LE(difference(state, stepped(before, {level})), 1e-10);
 
     auto const second = control.advance(state, count);
     EXPECT_EQ(second.level, level);
     EXPECT_EQ(control.memory().num_steps, 2 * n + 2);
     EXPECT_EQ(state.time, before.time + 2 * half_seconds.ticks(level));
-    EXPECT_LE(distance(state, stepped(before, {level, level})), 1e-10);
+    EXPECT_LE(difference(state, stepped(before, {level, level})), 1e-10);
 
     ASSERT_GT(level, 0);
     EXPECT_NEAR(first.error, errorOf(before, level - 1) / 3, 1e-10);
@@ -113,7 +113,7 @@ TEST_F(RichardsonControlTest, halvesUntilThePairIsFineEnough)
   ASSERT_GT(level, 4) << "the first step was meant to be far too large";
   EXPECT_LE(errorOf(before, level - 1) / 3, tolerance);
   EXPECT_GT(errorOf(before, level - 2) / 3, tolerance);
-  EXPECT_LE(distance(state, stepped(before, {level})), 1e-10);
+  EXPECT_LE(difference(state, stepped(before, {level})), 1e-10);
   EXPECT_EQ(count.coupled_steps, 3 + 2 * (level - 2));
   EXPECT_EQ(control.memory().previous_error, std::ldexp(0.5, 3 * (2 - level)));
 }
@@ -135,7 +135,7 @@ TEST_F(RichardsonControlTest, measuresInTheNormAskedFor)
 
 TEST_F(FirstOrderRichardsonTest, takesTheWholeDifferenceForTheError)
 {
-  RichardsonControl control(stepper.step, model.fault, half_seconds, 1, adaptive(1e-3, 8));
+  RichardsonControl control(stepper.step, 1, adaptive(1e-3, 8));
   SolveCount count;
   for (int n = 0; n < 3; ++n) {
     auto const before = state.clone();
@@ -179,7 +179,7 @@ TEST_F(RichardsonControlTest, continuesFromItsMemoryExactly)
     }
     EXPECT_EQ(control.memory().trial.has_value(), num_steps == 9);
     Stepper other(model, RateUpdate::newmark(0.25), half_seconds);
-    RichardsonControl continued(other.step, model.fault, half_seconds, 2, adaptive(1e-4, 8));
+    RichardsonControl continued(other.step, 2, adaptive(1e-4, 8));
     continued.restore(control.memory());
     auto copy = from.clone();
     for (int n = 0; n < 9; ++n) {
@@ -199,7 +199,7 @@ TEST_F(RichardsonControlTest, halvesStepsThatCannotBeSolved)
 {
   // Few iterations of the fixed point have to do: that takes steps finer than the tolerance does.
   Stepper hasty(model, RateUpdate::newmark(0.25), half_seconds, coupling(1e-3, 1));
-  RichardsonControl control(hasty.step, model.fault, half_seconds, 2, adaptive(1e-2, 2));
+  RichardsonControl control(hasty.step, 2, adaptive(1e-2, 2));
   auto free = this->control(adaptive(1e-2, 2));
   expectSmallerSteps(control, free);
 }
@@ -207,7 +207,7 @@ TEST_F(RichardsonControlTest, halvesStepsThatCannotBeSolved)
 TEST_F(RichardsonControlTest, givesUpBelowTheSmallestStep)
 {
   Stepper hasty(model, RateUpdate::newmark(0.25), half_seconds, coupling(1e-12, 1));
-  RichardsonControl control(hasty.step, model.fault, half_seconds, 2, adaptive(1e-2, 2, 5));
+  RichardsonControl control(hasty.step, 2, adaptive(1e-2, 2, 5));
   try {
     control.advance(state, count);
     ADD_FAILURE() << "nothing was thrown";
@@ -287,7 +287,7 @@ TEST_F(RichardsonControlTest, predictionsStayBetweenTheLevelsAllowed)
 TEST_F(RichardsonControlTest, guessesAreBetterThanTheStateBefore)
 {
   Stepper loose(model, RateUpdate::newmark(0.25), half_seconds, coupling(1e-5, 100));
-  RichardsonControl control(loose.step, model.fault, half_seconds, 2, adaptive(1e-5, 10));
+  RichardsonControl control(loose.step, 2, adaptive(1e-5, 10));
   SolveCount plain;
   for (int n = 0; n < 20; ++n) {
     auto const before = state.clone();

@@ -1,11 +1,8 @@
 #include "unit/dynamics/SmallModel.hpp"
 
 #include "fem/RigidBodyMotions.hpp"
-#include "friction/Registry.hpp"
 #include "mesh/parallel/Partition.hpp"
 #include "tnnmg/MueLuCorrection.hpp"
-
-#include <Teuchos_CommHelpers.hpp>
 
 #include <cmath>
 
@@ -28,16 +25,13 @@ friction::ParameterView table(std::vector<double> const& column, int num_nodes)
 }
 
 template <int Dim>
-fem::BodyMatrices assemble(Mesh<Dim> const& mesh, fem::DofMap const& dofs,
-                           fem::NodalFrames const& frames, fem::Material const& material)
+std::vector<fem::VelocityCondition<Dim>> conditionsOf(OptionsIn<Dim> const& options)
 {
-  const std::vector<fem::Material> materials(mesh.cells.size(), material);
-  if constexpr (Dim == 2) {
-    if (dofs.components() == 1) {
-      return fem::assembleBody<2, 1>(mesh, dofs, frames, materials);
-    }
+  auto conditions = options.conditions;
+  if (options.components == Dim) {
+    conditions.insert(conditions.begin(), {"Fault", options.fault, fem::SlidingWall{}});
   }
-  return fem::assembleBody<Dim, Dim>(mesh, dofs, frames, materials);
+  return conditions;
 }
 } // namespace
 
@@ -45,95 +39,69 @@ template <int Dim>
 ModelIn<Dim>::ModelIn(OptionsIn<Dim> const& given, RCP<const Communicator> const& communicator)
     : options(given)
     , mesh(mesh::distribute(given.mesh, *communicator))
-    , fault_nodes(fem::boundaryNodes(mesh, given.fault, *communicator))
+    , dofs(std::make_shared<fem::DofMap>(mesh.global_ids, mesh.num_owned, options.components,
+                                         communicator))
+    , constraints(std::make_shared<fem::Constraints<Dim>>(mesh, *dofs, conditionsOf(options),
+                                                          std::vector<double>{0}))
+    , matrices(
+        fem::assembleBody<Dim>(mesh, *dofs, constraints->frames(),
+                               std::vector<fem::Material>(mesh.cells.size(), options.material)))
+    , surface(fem::makeFaultSurface(mesh, options.fault, *constraints, *dofs,
+                                    *matrices.stiffness->getCrsGraph(), options.other_side))
+    , body(makeBody())
+    , fault(makeFault())
 {
-  auto conditions = options.conditions;
-  if (options.components == Dim) {
-    conditions.insert(conditions.begin(), {"Fault", options.fault, fem::SlidingWall{}});
-  }
-  body.dofs = std::make_shared<fem::DofMap>(mesh.global_ids, mesh.num_owned, options.components,
-                                            communicator);
-  constraints =
-    std::make_unique<fem::Constraints<Dim>>(mesh, *body.dofs, conditions, std::vector<double>{0});
-  auto const& frames = constraints->frames();
-  body.matrices = assemble(mesh, *body.dofs, frames, options.material);
-  body.fixed = constraints->fixed();
-  body.prescribed_velocity = [this](double t, Vector& v) { constraints->prescribedVelocity(t, v); };
-  body.near_null_space = fem::rigidBodyMotions(mesh, *body.dofs, frames);
-  makeFault();
-  makeLoad();
 }
 
 template <int Dim>
-void ModelIn<Dim>::makeFault()
+Body ModelIn<Dim>::makeBody() const
 {
-  auto const& communicator = body.dofs->communicator();
-  const int size = static_cast<int>(fault_nodes.nodes.size());
-  double mine = 0;
-  for (int i = 0; i < size; ++i) {
-    const int node = fault_nodes.nodes[i];
-    fault.dofs.emplace_back();
-    fault.fixed.emplace_back();
-    for (int component :
-         fem::tangentialComponents(constraints->frames(), node, fault_nodes.normals[i])) {
-      const int dof = body.dofs->dof(node, component);
-      fault.dofs.back().push_back(dof);
-      fault.fixed.back().push_back(body.fixed[dof] ? 1 : 0);
-    }
-    mine += fault_nodes.weights[i];
-  }
-  fault.num_tangents = Dim - 1;
-  fault.communicator = communicator;
-  fault.slip_factor = options.slip_factor;
-  Teuchos::reduceAll(*communicator, Teuchos::REDUCE_SUM, mine, Teuchos::outArg(fault.total_weight));
+  auto const load = makeLoad();
+  auto const conditions = constraints;
+  return {dofs,
+          matrices,
+          constraints->held(),
+          fem::rigidBodyMotions(mesh, *dofs, constraints->frames()),
+          [load](double, Vector& l) { Tpetra::deep_copy(l, *load); },
+          [conditions](double t, Vector& v) { conditions->prescribedVelocity(t, v); }};
+}
 
-  friction::NodeView weight("asperity::test::weight", size);
-  friction::NodeView factor("asperity::test::slipFactor", size);
-  Kokkos::deep_copy(factor, options.slip_factor);
-  auto const host = Kokkos::create_mirror_view(weight);
-  std::copy(fault_nodes.weights.begin(), fault_nodes.weights.end(), host.data());
-  Kokkos::deep_copy(weight, host);
-  fault.data.weight = weight;
-  fault.data.slip_factor = factor;
-  fault.normal_stress = nodeView([&](auto const&) { return options.sigma_n; });
-  fault.data.sigma_n = fault.normal_stress;
-  if (options.normal_stress) {
-    fault.normal_stress_at = [this](double t, friction::NodeView const& view) {
+template <int Dim>
+Fault ModelIn<Dim>::makeFault() const
+{
+  const int size = surface->numNodes();
+  auto const& o = options;
+  auto const normal_stress =
+    o.normal_stress ? NormalStress([this](double t, friction::NodeView const& view) {
       Kokkos::deep_copy(view,
                         nodeView([&](Point<Dim> const& x) { return options.normal_stress(x, t); }));
-    };
-    fault.setTime(0);
-  }
-  fault.data.cohesion = nodeView([&](auto const&) { return options.cohesion; });
-  fault.data.parameters =
-    table({options.a, options.b, options.reference_rate, options.reference_friction}, size);
-  fault.friction = friction::makeFrictionKernels(options.law, fault.data);
-  fault.state =
-    friction::makeStateKernels(options.state_law, table({options.L, options.reference_rate}, size));
+    })
+                    : NormalStress(nodeView([&](auto const&) { return options.sigma_n; }));
+  return {surface,
+          {o.law, table({o.a, o.b, o.reference_rate, o.reference_friction}, size),
+           nodeView([&](auto const&) { return options.cohesion; }), o.state_law,
+           table({o.L, o.reference_rate}, size)},
+          normal_stress};
 }
 
 template <int Dim>
-void ModelIn<Dim>::makeLoad()
+RCP<const Vector> ModelIn<Dim>::makeLoad() const
 {
-  auto load = body.vector();
-  if (options.components == Dim) {
-    const std::vector<fem::Material> materials(mesh.cells.size(), options.material);
-    load = fem::assembleGravity<Dim, Dim>(mesh, *body.dofs, constraints->frames(), materials,
-                                          options.gravity);
-  }
-  {
-    auto const values = load->getLocalViewHost(Tpetra::Access::ReadWrite);
-    for (int i = 0; i < fault.numNodes(); ++i) {
-      values(fault.dofs[i][0], 0) += options.traction * fault_nodes.weights[i];
-      Point<3> local{};
-      constraints->frames().toFrame(fault_nodes.nodes[i], options.traction_along_axes.data(),
-                                    local.data());
-      for (int dof : fault.dofs[i]) {
-        values(dof, 0) += local[dof % options.components] * fault_nodes.weights[i];
-      }
+  const std::vector<fem::Material> materials(mesh.cells.size(), options.material);
+  auto const load =
+    fem::assembleGravity<Dim>(mesh, *dofs, constraints->frames(), materials, options.gravity);
+  auto const values = load->getLocalViewHost(Tpetra::Access::ReadWrite);
+  for (int i = 0; i < surface->numNodes(); ++i) {
+    auto const& node = (*surface)[i];
+    values(node.dofs[0], 0) += options.traction * node.weight;
+    Point<3> local{};
+    constraints->frames().toFrame(surface->vertex(i), options.traction_along_axes.data(),
+                                  local.data());
+    for (int dof : node.dofs) {
+      values(dof, 0) += local[dof % options.components] * node.weight;
     }
   }
-  body.load = [load](double, Vector& l) { Tpetra::deep_copy(l, *load); };
+  return load;
 }
 
 template <int Dim>
@@ -147,6 +115,8 @@ State ModelIn<Dim>::restingState() const
   body.prescribed_velocity(0, *state.v);
   state.alpha = nodeView([](auto const&) { return 0.; });
   state.alpha_of_rate = nodeView([](auto const&) { return 0.; });
+  state.sigma_n = nodeView([](auto const&) { return 0.; });
+  fault.normalStress().at(0, state.sigma_n);
   return state;
 }
 
@@ -154,10 +124,10 @@ template <int Dim>
 friction::NodeView
 ModelIn<Dim>::nodeView(std::function<double(Point<Dim> const&)> const& value) const
 {
-  friction::NodeView view("asperity::test::nodes", fault_nodes.nodes.size());
+  friction::NodeView view("asperity::test::nodes", surface->numNodes());
   auto const host = Kokkos::create_mirror_view(view);
-  for (std::size_t i = 0; i < fault_nodes.nodes.size(); ++i) {
-    host(i) = value(mesh.vertices[fault_nodes.nodes[i]]);
+  for (int i = 0; i < surface->numNodes(); ++i) {
+    host(i) = value(mesh.vertices[surface->vertex(i)]);
   }
   Kokkos::deep_copy(view, host);
   return view;
@@ -180,7 +150,7 @@ void ModelIn<Dim>::setFree(Vector& x,
     constraints->frames().toFrame(node, along_axes.data(), local.data());
     for (int c = 0; c < options.components; ++c) {
       const int dof = body.dofs->dof(node, c);
-      if (!body.fixed[dof]) {
+      if (!body.held[dof]) {
         values(dof, 0) = local[c];
       }
     }

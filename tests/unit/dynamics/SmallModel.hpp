@@ -1,7 +1,7 @@
 #pragma once
 
+#include "dynamics/FaultMotion.hpp"
 #include "dynamics/coupling/CoupledStep.hpp"
-#include "fem/BoundaryNodes.hpp"
 #include "fem/Constraints.hpp"
 #include "mesh/GlobalMesh.hpp"
 
@@ -34,7 +34,7 @@ struct OptionsIn
   std::function<double(Point<Dim> const&, double)> normal_stress = {};
   double cohesion = 0; // Pa
   double a = 0.01, b = 0.015, L = 25e-6, reference_rate = 50e-6, reference_friction = 0.7;
-  double slip_factor = 1;
+  fem::OtherSide other_side = fem::OtherSide::rigid_foundation;
   std::string law = "Regularised", state_law = "Ageing";
 };
 
@@ -58,14 +58,17 @@ struct ModelIn
 
   OptionsIn<Dim> options;
   Mesh<Dim> mesh;
-  std::unique_ptr<fem::Constraints<Dim>> constraints;
-  fem::BoundaryNodes<Dim> fault_nodes;
+  std::shared_ptr<const fem::DofMap> dofs;
+  std::shared_ptr<const fem::Constraints<Dim>> constraints;
+  fem::BodyMatrices matrices;
+  std::shared_ptr<const fem::FaultSurface> surface;
   Body body;
   Fault fault;
 
 private:
-  void makeFault();
-  void makeLoad();
+  Body makeBody() const;
+  Fault makeFault() const;
+  RCP<const Vector> makeLoad() const;
 };
 
 using ModelOptions = OptionsIn<2>;
@@ -83,13 +86,11 @@ struct Stepper
           CouplingSettings const& coupling = tightCoupling(),
           RateSolverSettings const& settings = tightSettings(), std::size_t budget = 1u << 30)
       : clock(time)
-      , solvers(model.body, model.fault, update, clock, settings, budget)
-      , step(model.body, model.fault, update, clock, coupling, solvers)
+      , step(model.body, model.fault, update, clock, coupling, settings, budget)
   {
   }
 
   DyadicTime clock;
-  StepSolvers solvers;
   CoupledStep step;
   SolveCount count;
 };

@@ -25,10 +25,10 @@ struct SpaceRun
   {
     auto load = model.body.vector();
     model.body.load(0, *load);
-    state.a = initialAcceleration(model.body, model.fault, settings, model.options.law, *load,
-                                  *model.body.vector(), *state.u, *state.v, state.alpha);
+    state.a = initialAcceleration(model.body, model.fault, settings, *load, *model.body.vector(),
+                                  *state.u, *state.v, {state.alpha, state.sigma_n});
     energy.start(state, {});
-    PrescribedSteps steps(stepper.step, stepper.clock, {0, 1, 2});
+    PrescribedSteps steps(stepper.step, {0, 1, 2});
     for (int n = 0; n < 4; ++n) {
       steps.advance(state, stepper.count);
       energy.advance(state);
@@ -68,18 +68,18 @@ double differenceOf(RCP<Vector> State::*vector, SpaceRun const& turned, SpaceRun
 TEST(Space, slipsInBothDirectionsBesideAWall)
 {
   const SpaceRun run(upright);
-  auto const& fault = run.model.fault;
+  auto const& fault = *run.model.surface;
   auto const values = run.state.v->getLocalViewHost(Tpetra::Access::ReadOnly);
   int num_sliding = 0;
   int num_partly_fixed = 0;
   for (int node = 0; node < fault.numNodes(); ++node) {
     double least = 1;
     for (int k = 0; k < 2 && fault.slides(node); ++k) {
-      if (fault.fixed[node][k]) {
+      if (fault.held(node, k)) {
         ++num_partly_fixed;
-        EXPECT_EQ(values(fault.dofs[node][k], 0), 0) << "the wall";
+        EXPECT_EQ(values(fault[node].dofs[k], 0), 0) << "the wall";
       } else {
-        least = std::min(least, std::abs(values(fault.dofs[node][k], 0)));
+        least = std::min(least, std::abs(values(fault[node].dofs[k], 0)));
       }
     }
     num_sliding += least > 0.1 * loading_rate ? 1 : 0;
@@ -105,7 +105,7 @@ TEST(Space, givesTheTurnedAnswerToATurnedProblem)
     EXPECT_LE(differenceOf(&State::v, turned, run, turn), 1e-8);
     EXPECT_LE(differenceOf(&State::u, turned, run, turn), 1e-8);
     EXPECT_LE(differenceOf(&State::a, turned, run, turn), 1e-8);
-    for (int node = 0; node < run.model.fault.numNodes(); ++node) {
+    for (int node = 0; node < run.model.surface->numNodes(); ++node) {
       EXPECT_NEAR(turned.state.alpha(node), run.state.alpha(node), 1e-8);
     }
     EXPECT_NEAR(turned.energy.energy().friction_work / run.energy.energy().friction_work, 1, 1e-8);

@@ -21,7 +21,7 @@ class StepControlTest : public ControlTest
 TEST_F(StepControlTest, doublingAcceptsTheCoarsestStepThatIsFineEnough)
 {
   const double tolerance = 1e-4;
-  StepDoubling control(stepper.step, model.fault, half_seconds, adaptive(tolerance, 4));
+  StepDoubling control(stepper.step, adaptive(tolerance, 4));
   SolveCount count;
   int coarsest = 16, finest = 0;
   for (int n = 1; n <= 30; ++n) {
@@ -35,10 +35,10 @@ TEST_F(StepControlTest, doublingAcceptsTheCoarsestStepThatIsFineEnough)
     EXPECT_NEAR(accepted.error, errorOf(before, accepted.level), 1e-10);
     EXPECT_GT(errorOf(before, accepted.level - 1), tolerance);
     EXPECT_EQ(state.time, before.time + half_seconds.ticks(accepted.level));
-    EXPECT_LE(distance(state, stepped(before, {accepted.level})), 1e-10);
+    EXPECT_LE(difference(state, stepped(before, {accepted.level})), 1e-10);
     EXPECT_EQ(control.memory().num_steps, n);
     if (auto const& trial = control.memory().trial) {
-      EXPECT_LE(distance(trial->state, stepped(state, {control.memory().level})), 1e-10);
+      EXPECT_LE(difference(trial->state, stepped(state, {control.memory().level})), 1e-10);
     }
   }
   EXPECT_GE(finest - coarsest, 2) << "the run was meant to need several step sizes";
@@ -50,7 +50,7 @@ TEST_F(StepControlTest, doublingComesToTheSameStepFromAnyFirstTrial)
   std::vector<int> levels;
   for (int first : {1, 7, 16}) {
     auto from = state.clone();
-    StepDoubling control(stepper.step, model.fault, half_seconds, adaptive(tolerance, first));
+    StepDoubling control(stepper.step, adaptive(tolerance, first));
     SolveCount count;
     levels.push_back(control.advance(from, count).level);
   }
@@ -60,13 +60,13 @@ TEST_F(StepControlTest, doublingComesToTheSameStepFromAnyFirstTrial)
 
 TEST_F(StepControlTest, doublingContinuesFromItsMemoryExactly)
 {
-  StepDoubling control(stepper.step, model.fault, half_seconds, adaptive(1e-4, 8));
+  StepDoubling control(stepper.step, adaptive(1e-4, 8));
   SolveCount count;
   for (int n = 0; n < 7; ++n) {
     control.advance(state, count);
   }
   Stepper other(model, RateUpdate::newmark(0.25), half_seconds);
-  StepDoubling continued(other.step, model.fault, half_seconds, adaptive(1e-4, 8));
+  StepDoubling continued(other.step, adaptive(1e-4, 8));
   continued.restore(control.memory());
   auto copy = state.clone();
   for (int n = 0; n < 7; ++n) {
@@ -80,15 +80,15 @@ TEST_F(StepControlTest, doublingHalvesStepsThatCannotBeSolved)
 {
   // One iteration of the fixed point has to do: that takes steps far finer than the tolerance does.
   Stepper hasty(model, RateUpdate::newmark(0.25), half_seconds, coupling(1e-3, 1));
-  StepDoubling control(hasty.step, model.fault, half_seconds, adaptive(1e-2, 2));
-  StepDoubling free(stepper.step, model.fault, half_seconds, adaptive(1e-2, 2));
+  StepDoubling control(hasty.step, adaptive(1e-2, 2));
+  StepDoubling free(stepper.step, adaptive(1e-2, 2));
   expectSmallerSteps(control, free);
 }
 
 TEST_F(StepControlTest, doublingGivesUpBelowTheSmallestStep)
 {
   Stepper hasty(model, RateUpdate::newmark(0.25), half_seconds, coupling(1e-12, 1));
-  StepDoubling control(hasty.step, model.fault, half_seconds, adaptive(1e-2, 2, 5));
+  StepDoubling control(hasty.step, adaptive(1e-2, 2, 5));
   SolveCount count;
   try {
     control.advance(state, count);
@@ -103,7 +103,7 @@ TEST_F(StepControlTest, doublingGivesUpBelowTheSmallestStep)
 
 TEST_F(StepControlTest, doublingSaysWhenTheSmallestStepIsTooCoarse)
 {
-  StepDoubling control(stepper.step, model.fault, half_seconds, adaptive(1e-12, 4, 6));
+  StepDoubling control(stepper.step, adaptive(1e-12, 4, 6));
   SolveCount count;
   auto const accepted = control.advance(state, count);
   EXPECT_EQ(accepted.level, 6);
@@ -115,13 +115,13 @@ TEST_F(StepControlTest, doublingStaysBelowTheLargestStep)
 {
   auto settings = adaptive(1e3, 8);
   settings.coarsest_level = 5;
-  StepDoubling control(stepper.step, model.fault, half_seconds, settings);
+  StepDoubling control(stepper.step, settings);
   SolveCount count;
   for (int n = 1; n <= 3; ++n) {
     auto const before = state.clone();
     EXPECT_EQ(control.advance(state, count).level, 5);
     EXPECT_EQ(state.time, n * half_seconds.ticks(5));
-    EXPECT_LE(distance(state, stepped(before, {5})), 1e-10);
+    EXPECT_LE(difference(state, stepped(before, {5})), 1e-10);
   }
 }
 
@@ -132,7 +132,7 @@ TEST_F(StepControlTest, doublingMeasuresInTheNormAskedFor)
   for (int first : {4, 12}) { // from a step too coarse, and from one too fine
     settings.first_level = first;
     auto from = state.clone();
-    StepDoubling control(stepper.step, model.fault, half_seconds, settings);
+    StepDoubling control(stepper.step, settings);
     SolveCount count;
     auto const accepted = control.advance(from, count);
     EXPECT_NEAR(accepted.error, errorOf(state, accepted.level, Norm::maximum), 1e-10);
@@ -142,14 +142,14 @@ TEST_F(StepControlTest, doublingMeasuresInTheNormAskedFor)
 
 TEST_F(StepControlTest, prescribedStepsAreTakenAndTheLastRepeated)
 {
-  PrescribedSteps control(stepper.step, half_seconds, {8, 7, 9});
+  PrescribedSteps control(stepper.step, {8, 7, 9});
   SolveCount count;
   auto const expected = stepped(state, {8, 7, 9, 9});
   for (int level : {8, 7, 9, 9}) {
     EXPECT_EQ(control.advance(state, count).level, level);
   }
   EXPECT_EQ(state.time, expected.time);
-  EXPECT_LE(distance(state, expected), 1e-12);
+  EXPECT_LE(difference(state, expected), 1e-12);
   EXPECT_EQ(control.memory().num_steps, 4);
   EXPECT_EQ(count.coupled_steps, 4);
 }
@@ -157,7 +157,7 @@ TEST_F(StepControlTest, prescribedStepsAreTakenAndTheLastRepeated)
 TEST_F(StepControlTest, prescribedStepsThatFailEndTheRun)
 {
   Stepper hasty(model, RateUpdate::newmark(0.25), half_seconds, coupling(1e-12, 1));
-  PrescribedSteps control(hasty.step, half_seconds, {3});
+  PrescribedSteps control(hasty.step, {3});
   SolveCount count;
   EXPECT_THROW(control.advance(state, count), SolveError);
   EXPECT_EQ(state.time, 0);

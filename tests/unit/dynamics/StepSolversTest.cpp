@@ -17,7 +17,7 @@ const DyadicTime clock_of_tests(1e-2, 6);
 StepSolvers makeSolvers(Model const& model, std::size_t budget,
                         RateUpdate const& update = RateUpdate::newmark(0.25))
 {
-  return StepSolvers(model.body, model.fault, update, clock_of_tests, tightSettings(), budget);
+  return StepSolvers(model.body, *model.surface, update, clock_of_tests, tightSettings(), budget);
 }
 
 std::size_t bytesOfOne(Model const& model)
@@ -79,7 +79,7 @@ TEST(StepSolvers, solveWithTheMatrixOfTheStepSize)
   auto const K = denseOf(*model.body.matrices.stiffness);
   auto b = model.body.vector();
   b->randomize();
-  model.body.clearFixed(*b);
+  model.body.clearHeld(*b);
   auto const guess = model.body.vector();
   auto w = model.body.vector();
   auto const alpha = model.nodeView([](auto const&) { return 0.; });
@@ -93,7 +93,7 @@ TEST(StepSolvers, solveWithTheMatrixOfTheStepSize)
       const double tau = clock_of_tests.stepSize(level);
       Eigen::MatrixXd Z = of_mass / tau * M + C + of_stiffness * tau * K;
       for (int dof = 0; dof < model.body.numOwnedDofs(); ++dof) {
-        if (model.body.fixed[dof]) {
+        if (model.body.held[dof]) {
           const double diagonal = Z(dof, dof);
           Z.row(dof).setZero();
           Z.col(dof).setZero();
@@ -102,7 +102,8 @@ TEST(StepSolvers, solveWithTheMatrixOfTheStepSize)
       }
       auto& solver = solvers.at(level);
       solver.begin(*b, *guess);
-      EXPECT_TRUE(solver.solve({*model.fault.friction, alpha}).converged);
+      EXPECT_TRUE(
+        solver.solve({model.fault.friction(), {alpha, model.restingState().sigma_n}}).converged);
       solver.velocity(*w);
       const Eigen::VectorXd expected = Z.lu().solve(denseOf(*b));
       EXPECT_LE((denseOf(*w) - expected).norm(), 1e-11 * expected.norm());

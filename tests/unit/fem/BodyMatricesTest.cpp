@@ -316,16 +316,16 @@ TYPED_TEST(BodyMatricesTest, gravityIsMassTimesAcceleration)
   EXPECT_NEAR(load->dot(g) / (total * Value(acceleration.data()).squaredNorm()), 1, 1e-13);
 }
 
-TYPED_TEST(BodyMatricesTest, combinationsKeepOnlyTheDiagonalOfFixedDofs)
+TYPED_TEST(BodyMatricesTest, combinationsKeepOnlyTheDiagonalOfHeldDofs)
 {
   auto const& body = this->varied_body;
   auto const matrices = assemble(body, body.turned());
   auto const& overlap = *body.dofs.overlap();
-  std::vector<char> fixed;
+  std::vector<int> fixed;
   for (std::size_t dof = 0; dof < overlap.getNodeNumElements(); ++dof) {
     fixed.push_back(pseudorandom(overlap.getGlobalElement(dof), 9) > 0.2);
   }
-  auto const combined = combine(matrices, 2, 3, 5, fixed);
+  auto const combined = combine(matrices, 2, 3, 5, {fixed, 0});
   auto const rows = combined->getLocalMatrixHost();
   auto const m = matrices.mass->getLocalMatrixHost().values;
   auto const c = matrices.viscosity->getLocalMatrixHost().values;

@@ -46,7 +46,7 @@ struct Constrained
 
   bool fixed(int node, int component) const
   {
-    return constraints.fixed()[dofs.dof(node, component)] != 0;
+    return constraints.held()[dofs.dof(node, component)];
   }
 
   // The prescribed velocity of an owned node along the axes.

@@ -1,6 +1,6 @@
 #include "fem/Constraints.hpp"
 
-#include "fem/BoundaryNodes.hpp"
+#include "fem/BoundaryMeasure.hpp"
 #include "unit/fem/Constrained.hpp"
 
 #include <gtest/gtest.h>
@@ -38,11 +38,11 @@ TEST(Constraints, takeTheNormalsOfTheBoundaryNodesWhereItBends)
     x[1] += 0.3 * std::sin(1.7 * x[0]) * (1 - x[1] / 2);
   }
   const Constrained<2> body(whole, {Condition{"Contact", "bottom", SlidingWall{}}});
-  auto const bottom = boundaryNodes(body.mesh, "bottom", *worldCommunicator());
-  for (std::size_t i = 0; i < bottom.nodes.size(); ++i) {
-    const Eigen::Vector2d outward(bottom.normals[i].data());
-    EXPECT_LE((body.row(bottom.nodes[i], 1) + outward).norm(), 1e-14);
-    EXPECT_NEAR(body.row(bottom.nodes[i], 0).dot(outward), 0, 1e-14);
+  auto const bottom = boundaryMeasure(body.mesh, "bottom", *worldCommunicator());
+  for (std::size_t i = 0; i < bottom.size(); ++i) {
+    const Eigen::Vector2d outward(bottom[i].normal.data());
+    EXPECT_LE((body.row(bottom[i].node, 1) + outward).norm(), 1e-14);
+    EXPECT_NEAR(body.row(bottom[i].node, 0).dot(outward), 0, 1e-14);
   }
 }
 

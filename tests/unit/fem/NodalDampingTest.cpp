@@ -1,5 +1,7 @@
 #include "fem/NodalDamping.hpp"
 
+#include "fem/BoundaryMeasure.hpp"
+
 #include "fem/BodyMatrices.hpp"
 #include "fem/BoundaryCells.hpp"
 #include "unit/fem/Constrained.hpp"
@@ -80,11 +82,16 @@ TEST(NodalDamping, hasTheImpedancesOfPlaneWaves)
 TEST(BoundaryCells, averageTheMaterialsOfTheFacets)
 {
   const Constrained<2> body(rectangle(), {});
-  auto const nodes = boundaryNodes(body.mesh, "right", *worldCommunicator());
-  auto const materials = materialsAtNodes(body.mesh, "right", nodes, layers(body.mesh));
-  ASSERT_EQ(materials.size(), nodes.nodes.size());
+  std::vector<FaultNode> nodes;
+  for (auto const& measure : boundaryMeasure(body.mesh, "right", *worldCommunicator())) {
+    nodes.push_back({{measure.node}, {}, {}, measure.weight, {}});
+  }
+  const FaultSurface right("right", nodes, 0, body.constraints.held(), {},
+                           OtherSide::rigid_foundation, worldCommunicator());
+  auto const materials = materialsAtNodes(body.mesh, right, layers(body.mesh));
+  ASSERT_EQ(materials.size(), nodes.size());
   for (std::size_t i = 0; i < materials.size(); ++i) {
-    const double y = body.mesh.vertices[nodes.nodes[i]][1];
+    const double y = body.mesh.vertices[nodes[i].copies[0]][1];
     const double rocky = y < 1 - 1e-9 ? 1 : y > 1 + 1e-9 ? 0 : 0.5;
     EXPECT_NEAR(materials[i].density, 1000 + 1000 * rocky, 1e-9);
     EXPECT_NEAR(materials[i].shear_modulus, 1e9 + 2e9 * rocky, 1e-3);

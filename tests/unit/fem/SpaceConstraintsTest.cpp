@@ -1,4 +1,4 @@
-#include "fem/BoundaryNodes.hpp"
+#include "fem/BoundaryMeasure.hpp"
 #include "mesh/SimplexGeometry.hpp"
 #include "unit/fem/Constrained.hpp"
 
@@ -49,9 +49,9 @@ struct Body : Constrained<3>
   std::map<int, Vector3d> normals(std::string const& boundary) const
   {
     std::map<int, Vector3d> result;
-    auto const nodes = boundaryNodes(mesh, boundary, *worldCommunicator());
-    for (std::size_t i = 0; i < nodes.nodes.size(); ++i) {
-      result[nodes.nodes[i]] = -Vector3d(nodes.normals[i].data());
+    auto const nodes = boundaryMeasure(mesh, boundary, *worldCommunicator());
+    for (std::size_t i = 0; i < nodes.size(); ++i) {
+      result[nodes[i].node] = -Vector3d(nodes[i].normal.data());
     }
     return result;
   }

@@ -24,7 +24,7 @@ FrictionKernels::Difference difference(ReferenceNode const& node, Values const& 
 {
   const Fault fault({node});
   return fault.kernels->difference(toDevice(std::vector<Values>{v}),
-                                   toDevice(std::vector<Values>{d}), fault.alpha);
+                                   toDevice(std::vector<Values>{d}), fault.at);
 }
 
 TEST(Difference, IsThatOfTheFunctionalHoweverSmallTheStep)
@@ -86,7 +86,7 @@ TEST(Difference, AddsUpOverTheFault)
       exact += referenceDifference(nodes[i], widened(v[i]), widened(d[i]), growth);
       magnitude += difference(nodes[i], v[i], d[i]).magnitude;
     }
-    const auto result = fault.kernels->difference(toDevice(v), toDevice(d), fault.alpha);
+    const auto result = fault.kernels->difference(toDevice(v), toDevice(d), fault.at);
     EXPECT_NEAR(result.change, static_cast<double>(exact), 1e-13 * magnitude);
     EXPECT_NEAR(result.magnitude, magnitude, 1e-14 * magnitude);
   }

@@ -25,14 +25,16 @@ struct Fault
       parameters.push_back(
         {node.law.a, node.law.b, node.law.reference_slip_rate, node.law.reference_friction});
     }
-    kernels = makeFrictionKernels(nodes.at(0).law.name,
-                                  {toDevice(weight), toDevice(sigma_n), toDevice(cohesion),
-                                   toDevice(factor), parametersOf(parameters)});
+    kernels =
+      makeFrictionKernels(nodes.at(0).law.name, {toDevice(weight), toDevice(cohesion),
+                                                 toDevice(factor), parametersOf(parameters)});
     alpha = toDevice(alphas);
+    at = {alpha, toDevice(sigma_n)};
   }
 
   std::unique_ptr<FrictionKernels> kernels;
   NodeView alpha;
+  StateAndStress at;
 };
 
 // Laws, states, cohesion and slip factors that the kernels' tests go through.

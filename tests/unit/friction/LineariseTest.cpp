@@ -26,8 +26,7 @@ struct Linearisation
     const BlockView gradient_view("gradient", n, T);
     const HessianView hessian_view("hessian", n, T, T);
     const FlagView kinked_view("kinked", n);
-    fault.kernels->linearise(toDevice(rates), fault.alpha, gradient_view, hessian_view,
-                             kinked_view);
+    fault.kernels->linearise(toDevice(rates), fault.at, gradient_view, hessian_view, kinked_view);
     gradient = toHost(gradient_view);
     hessian = toHost(hessian_view);
     kinked = toHost(kinked_view);

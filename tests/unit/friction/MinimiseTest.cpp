@@ -31,8 +31,8 @@ std::vector<Values> minimise(std::vector<Problem> const& problems, int T, int& n
   }
   const Fault fault(nodes);
   const auto v = toDevice(guess);
-  num_failed = fault.kernels->minimise(allNodes(nodes.size()), toDevice(curvature), toDevice(r),
-                                       fault.alpha, v);
+  num_failed =
+    fault.kernels->minimise(allNodes(nodes.size()), toDevice(curvature), toDevice(r), fault.at, v);
   const auto host = toHost(v);
   std::vector<Values> result;
   for (std::size_t i = 0; i < problems.size(); ++i) {
@@ -215,15 +215,14 @@ TEST(Minimise, TouchesOnlyTheNodesItIsGiven)
   const auto curvature = toDevice(Values(num_nodes, 1e3));
   const auto nodes = allNodes(5);
   EXPECT_EQ(fault.kernels->minimise(Kokkos::subview(nodes, Kokkos::make_pair(3, 5)), curvature, r,
-                                    fault.alpha, v),
+                                    fault.at, v),
             0);
   const auto host = toHost(v);
   for (int i = 0; i < num_nodes; ++i) {
     EXPECT_EQ(host(i, 1) > 0, i == 3 || i == 4);
   }
   const BlockView wide("wide", num_nodes, 3);
-  EXPECT_THROW(fault.kernels->minimise(nodes, curvature, r, fault.alpha, wide),
-               std::invalid_argument);
+  EXPECT_THROW(fault.kernels->minimise(nodes, curvature, r, fault.at, wide), std::invalid_argument);
 }
 } // namespace
 } // namespace asperity::friction::test

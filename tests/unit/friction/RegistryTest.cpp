@@ -79,7 +79,7 @@ TEST(Registry, NamesTheKnownLawsWhereOneIsUnknown)
   const ParameterView none;
   for (auto const& message :
        {messageOfOutOfRange([] { frictionLawParameters("Regularized"); }),
-        messageOfOutOfRange([] { makeFrictionKernels("Regularized", FaultData()); })}) {
+        messageOfOutOfRange([] { makeFrictionKernels("Regularized", FaultView()); })}) {
     EXPECT_EQ(
       message,
       "'Regularized' is not a known friction law. Choose one of 'Regularised', 'Truncated'.");
@@ -94,14 +94,13 @@ TEST(Registry, RefusesViewsThatDoNotFit)
 {
   const auto two = toDevice(Values{1, 1}), three = toDevice(Values{1, 1, 1});
   const auto parameters = parametersOf({{0.01, 0.015, 1e-6, 0.6}, {0.01, 0.015, 1e-6, 0.6}});
-  EXPECT_NO_THROW(makeFrictionKernels("Truncated", {two, two, two, two, parameters}));
-  EXPECT_THROW(makeFrictionKernels("Truncated", {two, three, two, two, parameters}),
+  EXPECT_NO_THROW(makeFrictionKernels("Truncated", {two, two, two, parameters}));
+  EXPECT_THROW(makeFrictionKernels("Truncated", {two, three, two, parameters}),
                std::invalid_argument);
-  EXPECT_THROW(makeFrictionKernels("Truncated", {two, two, two, three, parameters}),
+  EXPECT_THROW(makeFrictionKernels("Truncated", {two, two, three, parameters}),
                std::invalid_argument);
-  EXPECT_THROW(
-    makeFrictionKernels("Truncated", {two, two, two, two, parametersOf({{1, 1}, {1, 1}})}),
-    std::invalid_argument);
+  EXPECT_THROW(makeFrictionKernels("Truncated", {two, two, two, parametersOf({{1, 1}, {1, 1}})}),
+               std::invalid_argument);
   EXPECT_THROW(makeStateKernels("Slip", parameters), std::invalid_argument);
 }
 
@@ -111,8 +110,8 @@ TEST(Registry, ASlipFactorThatIsLeftOutIsOne)
   const auto parameters = parametersOf({{0.01, 0.015, 1e-6, 0.6}});
   const auto v = toDevice(std::vector<Values>{{1e-3}});
   const NodeView with("with", 1), without("without", 1);
-  makeFrictionKernels("Regularised", {one, one, one, one, parameters})->coefficient(v, one, with);
-  makeFrictionKernels("Regularised", {one, one, one, {}, parameters})->coefficient(v, one, without);
+  makeFrictionKernels("Regularised", {one, one, one, parameters})->coefficient(v, one, with);
+  makeFrictionKernels("Regularised", {one, one, {}, parameters})->coefficient(v, one, without);
   EXPECT_GT(toHost(with)(0), 0.6);
   EXPECT_EQ(toHost(with)(0), toHost(without)(0));
 }
@@ -121,11 +120,11 @@ TEST(Registry, AFaultMayHaveNoNodesOnThisRank)
 {
   const Kokkos::View<double**, MemorySpace> parameters("parameters", 4, 0);
   const NodeView none("none", 0);
-  const auto kernels = makeFrictionKernels("Regularised", {none, none, none, {}, parameters});
+  const auto kernels = makeFrictionKernels("Regularised", {none, none, {}, parameters});
   const BlockView v("v", 0, 2);
-  EXPECT_EQ(kernels->minimise(IndexView(), none, v, none, v), 0);
-  EXPECT_EQ(kernels->difference(v, v, none).change, 0);
-  EXPECT_EQ(kernels->slope(v, v, 1, none), 0);
+  EXPECT_EQ(kernels->minimise(IndexView(), none, v, {none, none}, v), 0);
+  EXPECT_EQ(kernels->difference(v, v, {none, none}).change, 0);
+  EXPECT_EQ(kernels->slope(v, v, 1, {none, none}), 0);
 }
 } // namespace
 } // namespace asperity::friction::test

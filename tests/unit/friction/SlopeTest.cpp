@@ -10,7 +10,7 @@ double slope(ReferenceNode const& node, Values const& v, Values const& d, double
 {
   const Fault fault({node});
   return fault.kernels->slope(toDevice(std::vector<Values>{v}), toDevice(std::vector<Values>{d}), t,
-                              fault.alpha);
+                              fault.at);
 }
 
 TEST(Slope, IsGradientTimesDirectionAwayFromRest)
@@ -63,7 +63,7 @@ TEST(Slope, GrowsAlongEveryLine)
     const auto rates = toDevice(v), steps = toDevice(d);
     double previous = -std::numeric_limits<double>::infinity();
     for (double t = 0; t < 5; t += 0.125) {
-      const double here = fault.kernels->slope(rates, steps, t, fault.alpha);
+      const double here = fault.kernels->slope(rates, steps, t, fault.at);
       EXPECT_GE(here, previous - 1e-12 * std::abs(previous)) << law << ' ' << t;
       previous = here;
     }

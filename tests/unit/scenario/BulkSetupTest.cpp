@@ -136,22 +136,29 @@ TEST(BulkSetup, refusesGravityThatMakesNoSense)
 TEST(BulkSetup, dampsAQuasiDynamicFaultByTheImpedanceOfItsSides)
 {
   const auto mesh = twoRegions();
-  const std::vector<int> nodes = {0, 1};
+  const auto surface = [&](fem::OtherSide other_side) {
+    std::vector<fem::FaultNode> nodes(2);
+    for (int i : {0, 1}) {
+      nodes[i].copies = {i};
+      nodes[i].dofs = {i};
+    }
+    return fem::FaultSurface("fault", nodes, 1, {{0, 0}, 2}, {}, other_side, world());
+  };
   const std::vector<fem::Material> materials = {{1000, bulk, 4e6, 0, 0}, {4000, bulk, 1e6, 0, 0}};
-  const auto damping = [&](double slip_factor, std::function<void(ParameterList&)> const& change) {
+  const auto damping = [&](fem::OtherSide side, std::function<void(ParameterList&)> const& change) {
     const auto list = bulkList({}, change);
-    return radiationDamping(list, mesh, nodes, materials, slip_factor);
+    return radiationDamping(list, mesh, surface(side), materials);
   };
   const auto quasi = [](ParameterList& list) { list.set("Dynamics", "Quasi-dynamic"); };
   EXPECT_FALSE(quasiDynamic(bulkList({})));
   EXPECT_TRUE(quasiDynamic(bulkList({}, quasi)));
-  EXPECT_EQ(damping(1, [](auto&) {}), (std::vector<double>{0, 0}));
+  EXPECT_EQ(damping(fem::OtherSide::rigid_foundation, [](auto&) {}), (std::vector<double>{0, 0}));
   // G / cs = sqrt(rho G), half of it from each side.
   const double impedance = std::sqrt(4e9);
-  EXPECT_NEAR(damping(1, quasi)[0], impedance, 1e-9 * impedance);
-  EXPECT_NEAR(damping(2, quasi)[0], impedance / 2, 1e-9 * impedance);
-  EXPECT_NEAR(damping(2, quasi)[1], impedance / 2, 1e-9 * impedance);
-  const auto given = damping(2, [&](ParameterList& list) {
+  EXPECT_NEAR(damping(fem::OtherSide::rigid_foundation, quasi)[0], impedance, 1e-9 * impedance);
+  EXPECT_NEAR(damping(fem::OtherSide::mirror_image, quasi)[0], impedance / 2, 1e-9 * impedance);
+  EXPECT_NEAR(damping(fem::OtherSide::mirror_image, quasi)[1], impedance / 2, 1e-9 * impedance);
+  const auto given = damping(fem::OtherSide::mirror_image, [&](ParameterList& list) {
     quasi(list);
     list.sublist("Quasi-dynamic").set("Radiation Damping", "5 + x");
   });

@@ -1,6 +1,7 @@
 #include "scenario/setup/InitialSetup.hpp"
 
 #include "SampleDeck.hpp"
+#include "dynamics/FaultMotion.hpp"
 #include "scenario/Problem.hpp"
 
 #include <Tpetra_Vector.hpp>
@@ -29,10 +30,10 @@ ParameterList sliding(std::function<void(ParameterList&)> const& change = [](aut
 
 std::vector<double> slipRates(Problem<2> const& problem)
 {
-  friction::BlockView v("v", problem.fault.numNodes(), 1);
-  friction::NodeView V("V", problem.fault.numNodes());
-  problem.fault.gather(*problem.initial.v, v);
-  problem.fault.slipRate(v, V);
+  friction::BlockView v("v", problem.surface->numNodes(), 1);
+  friction::NodeView V("V", problem.surface->numNodes());
+  dynamics::gather(*problem.surface, *problem.initial.v, v);
+  dynamics::slipRate(*problem.surface, v, V);
   return valuesOf(V);
 }
 
@@ -47,14 +48,14 @@ void expectAll(std::vector<double> const& values, double expected, double tolera
 TEST(InitialSetup, letsAnAntisymmetricStripSlideSteadilyAtTwiceItsVelocity)
 {
   for (char const* state : {"Steady", "Stress Balance"}) {
-    const Problem<2> problem(
+    auto const problem = makeProblem<2>(
       sliding([state](auto& deck) { deck.sublist("Initial State").set("State", state); }), world());
     expectAll(slipRates(problem), plate_rate, 1e-18);
     expectAll(valuesOf(problem.initial.alpha), std::log(1e-6 / plate_rate), 1e-12);
     // Balance of momentum: friction at the slip rate, not at the velocity, bears the traction.
     EXPECT_LE(problem.initial.a->normInf(), 1e-9);
   }
-  const Problem<2> bilateral(
+  auto const bilateral = makeProblem<2>(
     sliding([](auto& deck) {
       deck.sublist("Boundary Conditions").sublist("Fault").set("Type", "Bilateral Contact");
     }),
@@ -67,19 +68,19 @@ TEST(InitialSetup, balancesTheShearTractionWithFrictionCohesionAndRadiation)
 {
   const double tau = 7000, cohesion = 100, V = 1e-2;
   for (bool quasi : {false, true}) {
-    const Problem<2> problem(strip([&](ParameterList& deck) {
-                               auto& friction = deck.sublist("Friction");
-                               friction.set("Shear Traction", -tau).set("Cohesion", cohesion);
-                               auto& initial = deck.sublist("Initial State");
-                               initial.set("Velocity Z", -V / 2).set("State", "Stress Balance");
-                               deck.sublist("Bulk").set("Dynamics",
-                                                        quasi ? "Quasi-dynamic" : "Inertial");
-                             }),
-                             world());
+    auto const problem =
+      makeProblem<2>(strip([&](ParameterList& deck) {
+                       auto& friction = deck.sublist("Friction");
+                       friction.set("Shear Traction", -tau).set("Cohesion", cohesion);
+                       auto& initial = deck.sublist("Initial State");
+                       initial.set("Velocity Z", -V / 2).set("State", "Stress Balance");
+                       deck.sublist("Bulk").set("Dynamics", quasi ? "Quasi-dynamic" : "Inertial");
+                     }),
+                     world());
     friction::NodeView mu("mu", 3);
     friction::BlockView v("v", 3, 1);
-    problem.fault.gather(*problem.initial.v, v);
-    problem.fault.friction->coefficient(v, problem.initial.alpha, mu);
+    dynamics::gather(*problem.surface, *problem.initial.v, v);
+    problem.fault.friction().coefficient(v, problem.initial.alpha, mu);
     const double radiation = quasi ? std::sqrt(1000 * 1e6) / 2 * V : 0;
     expectAll(valuesOf(mu), (tau - cohesion - radiation) / 1e4, 1e-13);
   }
@@ -95,7 +96,7 @@ TEST(InitialSetup, leavesAColumnUnderObliqueGravityInBalance)
     given.sublist("Initial State").set("alpha", 77.);
     given.sublist("Friction").set("Shear Traction", 5000.).set("Normal Stress", 1e4);
   });
-  const Problem<2> problem(deck, world());
+  auto const problem = makeProblem<2>(deck, world());
   ASSERT_GT(problem.initial.u->normInf(), 0);
   EXPECT_LE(problem.initial.a->normInf(), 1e-7) << "m/s^2, beside 10 of gravity";
   // At the walls, where the fault rests, alpha is the deck's.
@@ -106,7 +107,7 @@ TEST(InitialSetup, leavesAColumnUnderObliqueGravityInBalance)
 TEST(InitialSetup, refusesAStateThatDoesNotExist)
 {
   const auto message = [](std::function<void(ParameterList&)> const& change) {
-    return refusal([&] { Problem<2>(sliding(change), world()); });
+    return refusal([&] { makeProblem<2>(sliding(change), world()); });
   };
   expectParts(
     message([](auto& deck) { deck.sublist("Initial State").set("Velocity Z", "1e-9*x"); }),
@@ -134,9 +135,9 @@ TEST(InitialSetup, takesThePrescribedSlipRateWhereTheFaultEnds)
     deep.set("Boundary", "deep").set("Type", "Prescribed Slip Rate").set("Slip Rate", plate_rate);
     given.sublist("Initial State").set("Velocity Z", 1e-9 / 2);
   });
-  const Problem<2> problem(deck, world());
-  ASSERT_EQ(problem.fault.numNodes(), 2);
-  EXPECT_EQ(problem.fault.fixed, (std::vector<std::vector<int>>{{0}, {1}}));
+  auto const problem = makeProblem<2>(deck, world());
+  ASSERT_EQ(problem.surface->numNodes(), 2);
+  EXPECT_EQ(heldComponents(*problem.surface), (std::vector<std::vector<int>>{{0}, {1}}));
   EXPECT_NEAR(slipRates(problem)[0], 1e-9, 1e-24);
   EXPECT_NEAR(slipRates(problem)[1], plate_rate, 1e-18);
   EXPECT_NEAR(valuesOf(problem.initial.alpha)[1], std::log(1e-6 / plate_rate), 1e-12);

@@ -19,7 +19,7 @@ struct Start
 {
   explicit Start(ParameterList const& given)
       : deck(given)
-      , problem(deck, world())
+      , problem(makeProblem<2>(deck, world()))
       , balance(problem.body, problem.fault, makeClock(deck.sublist("Time Stepping")))
       , locations(makeLocations(problem))
   {

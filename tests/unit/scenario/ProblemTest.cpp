@@ -5,7 +5,6 @@
 #include "mesh/generation/BoxMesh.hpp"
 #include "mesh/parallel/Partition.hpp"
 #include "scenario/RunArchive.hpp"
-#include "scenario/SupportWeights.hpp"
 #include "scenario/setup/TimeSetup.hpp"
 
 #include <Tpetra_Vector.hpp>
@@ -20,8 +19,8 @@ namespace
 {
 double force(Problem<2> const& problem)
 {
-  const auto pressure = valuesOf(problem.fault.data.sigma_n);
-  const auto weight = valuesOf(problem.fault.data.weight);
+  const auto pressure = valuesOf(problem.initial.sigma_n);
+  const auto weight = weightsOf(*problem.surface);
   return std::inner_product(pressure.begin(), pressure.end(), weight.begin(), 0.);
 }
 
@@ -30,12 +29,12 @@ constexpr double column_weight = 1000 * 10 * 4; // N/m: density, gravity, area
 
 TEST(Problem, pressesOnTheFaultWithTheWeightOfTheBody)
 {
-  const Problem<2> problem(column(), world());
+  auto const problem = makeProblem<2>(column(), world());
   EXPECT_EQ(problem.components, 2);
-  EXPECT_EQ(problem.fault.numNodes(), 3);
-  EXPECT_NEAR(problem.fault.total_weight, 2, 1e-14);
+  EXPECT_EQ(problem.surface->numNodes(), 3);
+  EXPECT_NEAR(problem.surface->totalWeight(), 2, 1e-14);
   EXPECT_NEAR(force(problem), column_weight, 1e-9 * column_weight);
-  EXPECT_EQ(problem.fault.fixed, (std::vector<std::vector<int>>{{1}, {0}, {1}}))
+  EXPECT_EQ(heldComponents(*problem.surface), (std::vector<std::vector<int>>{{1}, {0}, {1}}))
     << "the walls hold its ends";
   EXPECT_TRUE(problem.remarks.empty());
 }
@@ -46,70 +45,47 @@ TEST(Problem, sharesTheWeightWithAWallInItsPlane)
   const auto finer = [](auto& deck) {
     deck.sublist("Mesh").sublist("Rectangle").set("Cells X", 4);
   };
-  const Problem<2> whole(column(finer), world());
-  const Problem<2> part(column([&](auto& deck) {
-                          finer(deck);
-                          auto& boundaries = deck.sublist("Mesh").sublist("Boundaries");
-                          boundaries.set("contact", "y < 1e-9 && x < 1");
-                          boundaries.set("floor", "y < 1e-9 && x > 1");
-                          auto& conditions = deck.sublist("Boundary Conditions");
-                          conditions.sublist("Fault").set("Boundary", "contact");
-                          conditions.sublist("Floor").set("Boundary", "floor");
-                          conditions.sublist("Floor").set("Type", "Sliding Wall");
-                        }),
-                        world());
-  const auto expected = valuesOf(whole.fault.data.sigma_n);
-  const auto pressure = valuesOf(part.fault.data.sigma_n);
+  auto const whole = makeProblem<2>(column(finer), world());
+  auto const part = makeProblem<2>(column([&](auto& deck) {
+                                     finer(deck);
+                                     auto& boundaries = deck.sublist("Mesh").sublist("Boundaries");
+                                     boundaries.set("contact", "y < 1e-9 && x < 1");
+                                     boundaries.set("floor", "y < 1e-9 && x > 1");
+                                     auto& conditions = deck.sublist("Boundary Conditions");
+                                     conditions.sublist("Fault").set("Boundary", "contact");
+                                     conditions.sublist("Floor").set("Boundary", "floor");
+                                     conditions.sublist("Floor").set("Type", "Sliding Wall");
+                                   }),
+                                   world());
+  const auto expected = valuesOf(whole.initial.sigma_n);
+  const auto pressure = valuesOf(part.initial.sigma_n);
   ASSERT_EQ(pressure.size(), 3U);
   for (std::size_t i = 0; i < pressure.size(); ++i) {
     EXPECT_NEAR(pressure[i], expected[i], 1e-8 * expected[i]) << i;
   }
 }
 
-// The reaction to a wall that leans on the fault presses on it, too, by nobody knows how much.
-TEST(SupportWeights, refuseAWallThatIsObliqueToTheFault)
-{
-  for (double slope : {0., 0.5}) {
-    auto whole = mesh::boxMesh({{2, 1, 1}, {2, 1, 1}, {}});
-    for (auto& vertex : whole.vertices) {
-      vertex[0] += slope * vertex[1];
-    }
-    const auto mesh = mesh::distribute(whole, *world());
-    const auto fault_nodes = fem::boundaryNodes(mesh, "bottom", *world());
-    const std::vector<fem::VelocityCondition<3>> walls = {{"Wall", "left", fem::SlidingWall{}}};
-    const auto weights = [&](bool slides) {
-      return supportWeights(mesh, fault_nodes, walls, "bottom",
-                            std::vector<bool>(fault_nodes.nodes.size(), slides));
-    };
-    EXPECT_EQ(weights(false), fault_nodes.weights);
-    if (slope == 0) {
-      EXPECT_EQ(weights(true), fault_nodes.weights);
-    } else {
-      expectParts(refusal([&] { weights(true); }),
-                  {"Friction / Normal Stress", "Wall", "x = (0, 0, "});
-    }
-  }
-}
-
 TEST(Problem, multipliesTheNormalStress)
 {
-  const Problem<2> twice(
+  auto const twice = makeProblem<2>(
     column([](auto& deck) { deck.sublist("Friction").set("Normal Stress Factor", 2.); }), world());
   EXPECT_NEAR(force(twice), 2 * column_weight, 1e-8 * column_weight);
-  const Problem<2> given(column([](auto& deck) {
-                           deck.sublist("Friction").set("Normal Stress", "100 * (1 + x)");
-                           deck.sublist("Friction").set("Normal Stress Factor", 3.);
-                         }),
-                         world());
-  EXPECT_EQ(valuesOf(given.fault.data.sigma_n), (std::vector<double>{300, 600, 900}));
+  auto const given =
+    makeProblem<2>(column([](auto& deck) {
+                     deck.sublist("Friction").set("Normal Stress", "100 * (1 + x)");
+                     deck.sublist("Friction").set("Normal Stress Factor", 3.);
+                   }),
+                   world());
+  EXPECT_EQ(valuesOf(given.initial.sigma_n), (std::vector<double>{300, 600, 900}));
 }
 
 TEST(Problem, setsATensileReactionToZeroAndSaysSo)
 {
-  const Problem<2> problem(column([](auto& deck) {
-                             deck.sublist("Bulk").set("Gravity Direction", array<double>({0, 1}));
-                           }),
-                           world());
+  auto const problem =
+    makeProblem<2>(column([](auto& deck) {
+                     deck.sublist("Bulk").set("Gravity Direction", array<double>({0, 1}));
+                   }),
+                   world());
   EXPECT_EQ(force(problem), 0);
   ASSERT_EQ(problem.remarks.size(), 1U);
   expectParts(problem.remarks[0], {"3 fault nodes", "zero"});
@@ -118,18 +94,18 @@ TEST(Problem, setsATensileReactionToZeroAndSaysSo)
 TEST(Problem, refusesToGuessANormalStress)
 {
   expectParts(refusal([] {
-                Problem<2>(column([](auto& deck) {
-                             deck.sublist("Bulk").set("Gravitational Acceleration", 0.);
-                           }),
-                           world());
+                makeProblem<2>(column([](auto& deck) {
+                                 deck.sublist("Bulk").set("Gravitational Acceleration", 0.);
+                               }),
+                               world());
               }),
               {"Asperity / Friction / Normal Stress", "gravity"});
   expectParts(refusal([] {
-                Problem<2>(column([](auto& deck) {
-                             deck.sublist("Bulk").set("Gravitational Acceleration", 0.);
-                             deck.sublist("Bulk").set("Model", "Antiplane");
-                           }),
-                           world());
+                makeProblem<2>(column([](auto& deck) {
+                                 deck.sublist("Bulk").set("Gravitational Acceleration", 0.);
+                                 deck.sublist("Bulk").set("Model", "Antiplane");
+                               }),
+                               world());
               }),
               {"Asperity / Friction / Normal Stress", "antiplane"});
 }
@@ -139,7 +115,7 @@ TEST(Problem, refusesBoundariesThatTheMeshDoesNotHave)
   for (char const* condition : {"Fault", "Left"}) {
     expectParts(
       refusal([condition] {
-        Problem<2>(
+        makeProblem<2>(
           column([condition](auto& deck) {
             deck.sublist("Boundary Conditions").sublist(condition).set("Boundary", "bottm");
           }),
@@ -153,12 +129,12 @@ TEST(Problem, refusesUnknownNamesOfConditionsWithoutEffect)
 {
   for (char const* type : {"Sliding Wall", "Free Surface"}) {
     const auto call = [type] {
-      Problem<2>(strip([type](ParameterList& deck) {
-                   auto& conditions = deck.sublist("Boundary Conditions");
-                   conditions.sublist("Air").set("Boundary", "top").set("Type", "Free Surface");
-                   conditions.sublist("Wall").set("Boundary", "rihgt").set("Type", type);
-                 }),
-                 world());
+      makeProblem<2>(strip([type](ParameterList& deck) {
+                       auto& conditions = deck.sublist("Boundary Conditions");
+                       conditions.sublist("Air").set("Boundary", "top").set("Type", "Free Surface");
+                       conditions.sublist("Wall").set("Boundary", "rihgt").set("Type", type);
+                     }),
+                     world());
     };
     expectParts(refusal(call), {"Asperity / Boundary Conditions / Wall / Boundary = 'rihgt'",
                                 "Did you mean 'right'?"});
@@ -167,14 +143,14 @@ TEST(Problem, refusesUnknownNamesOfConditionsWithoutEffect)
 
 TEST(Problem, startsFromTheVelocityOfTheDeck)
 {
-  const Problem<2> problem(column([](auto& deck) {
-                             auto& initial = deck.sublist("Initial State");
-                             initial.set("Velocity X", "0.1 * x").set("Velocity Y", 0.2);
-                             initial.set("alpha", "x - 1").set("Acceleration", "Zero");
-                           }),
-                           world());
-  std::vector<double> v;
-  problem.alongAxes(*problem.initial.v, v);
+  auto const problem = makeProblem<2>(column([](auto& deck) {
+                                        auto& initial = deck.sublist("Initial State");
+                                        initial.set("Velocity X", "0.1 * x").set("Velocity Y", 0.2);
+                                        initial.set("alpha", "x - 1").set("Acceleration", "Zero");
+                                      }),
+                                      world());
+  auto const v =
+    fem::alongAxes(problem.constraints->frames(), *problem.body.dofs, *problem.initial.v);
   // Rows of three vertices; the fault has no velocity across it, the walls none along x.
   EXPECT_EQ(v[2 * 1], 0.1);
   EXPECT_EQ(v[2 * 1 + 1], 0);
@@ -187,7 +163,7 @@ TEST(Problem, startsFromTheVelocityOfTheDeck)
 
 TEST(Problem, isAtRestInBalance)
 {
-  const Problem<2> problem(column(), world());
+  auto const problem = makeProblem<2>(column(), world());
   EXPECT_LE(problem.initial.a->normInf(), 1e-9) << "the static solution does not move";
   EXPECT_EQ(problem.initial.v->normInf(), 0);
 }
@@ -201,13 +177,10 @@ TEST(StepControl, wantsPrescribedLevelsThatExist)
       time.sublist("Prescribed").set("Levels", array(levels));
     });
     auto const& time = deck.sublist("Time Stepping");
-    const Problem<2> problem(deck, world());
-    const auto clock = makeClock(time);
-    dynamics::StepSolvers solvers(problem.body, problem.fault, makeRateUpdate(time), clock,
-                                  problem.solver, 1000000);
-    dynamics::CoupledStep step(problem.body, problem.fault, makeRateUpdate(time), clock, {},
-                               solvers);
-    return makeStepControl(time, step, problem.fault, clock) != nullptr;
+    auto const problem = makeProblem<2>(deck, world());
+    dynamics::CoupledStep step(problem.body, problem.fault, makeRateUpdate(time), makeClock(time),
+                               {}, problem.solver, 1000000);
+    return makeStepControl(time, step) != nullptr;
   };
   EXPECT_TRUE(control({0, 3, 2}));
   expectParts(refusal([&] { control({}); }), {"Prescribed / Levels is empty"});
@@ -217,7 +190,7 @@ TEST(StepControl, wantsPrescribedLevelsThatExist)
 
 TEST(RunArchive, returnsWhatWasSaved)
 {
-  const Problem<2> problem(column(), world());
+  auto const problem = makeProblem<2>(column(), world());
   dynamics::ControlMemory memory;
   memory.level = 3;
   memory.num_steps = 17;
@@ -258,8 +231,8 @@ TEST(RunArchive, returnsWhatWasSaved)
 
 TEST(RunArchive, refusesTheStateOfAnotherMesh)
 {
-  const Problem<2> problem(column(), world());
-  const Problem<2> finer(
+  auto const problem = makeProblem<2>(column(), world());
+  auto const finer = makeProblem<2>(
     column([](auto& deck) { deck.sublist("Mesh").sublist("Rectangle").set("Cells X", 3); }),
     world());
   io::Archive archive;

@@ -23,23 +23,23 @@ bool warns(std::vector<std::string> const& lines)
 
 TEST(ResolutionCheck, knowsTheModulusOfEachFault)
 {
-  EXPECT_NEAR(slipModulus(crust, 1, true), 30e9, 1);
-  EXPECT_NEAR(slipModulus(crust, 1, false), 60e9, 1);
-  EXPECT_NEAR(slipModulus(crust, 2, true), 40e9, 1);
-  EXPECT_NEAR(slipModulus(crust, 2, false), 90e9, 1);
+  EXPECT_NEAR(dynamics::slipModulus(crust, 1, fem::OtherSide::mirror_image), 30e9, 1);
+  EXPECT_NEAR(dynamics::slipModulus(crust, 1, fem::OtherSide::rigid_foundation), 60e9, 1);
+  EXPECT_NEAR(dynamics::slipModulus(crust, 2, fem::OtherSide::mirror_image), 40e9, 1);
+  EXPECT_NEAR(dynamics::slipModulus(crust, 2, fem::OtherSide::rigid_foundation), 90e9, 1);
 }
 
 TEST(ResolutionCheck, hasTheLengthsOfTheBenchmark)
 {
   // SEAS BP1: "process zone" of about 340 m, nucleation length of 1.96 km.
   const double G = 2670. * 3464 * 3464;
-  EXPECT_NEAR(cohesiveZone(G, 0.015, 0.008, 50e6), 341.7, 0.1);
-  EXPECT_NEAR(nucleationLength(G, 0.010, 0.015, 0.008, 50e6), 1958, 1);
+  EXPECT_NEAR(dynamics::cohesiveZone(G, 0.015, 0.008, 50e6), 341.7, 0.1);
+  EXPECT_NEAR(dynamics::nucleationLength(G, 0.010, 0.015, 0.008, 50e6), 1958, 1);
   // Strongly weakening: 2 x 1.3774 Lambda0, and no jump where the formulas meet.
-  EXPECT_NEAR(nucleationLength(G, 0.003, 0.015, 0.008, 50e6), 2 * 1.3774 * 341.74, 0.1);
-  double previous = nucleationLength(G, 0.4 * 0.015, 0.015, 0.008, 50e6);
+  EXPECT_NEAR(dynamics::nucleationLength(G, 0.003, 0.015, 0.008, 50e6), 2 * 1.3774 * 341.74, 0.1);
+  double previous = dynamics::nucleationLength(G, 0.4 * 0.015, 0.015, 0.008, 50e6);
   for (double ratio = 0.401; ratio < 0.7; ratio += 0.001) {
-    const double length = nucleationLength(G, ratio * 0.015, 0.015, 0.008, 50e6);
+    const double length = dynamics::nucleationLength(G, ratio * 0.015, 0.015, 0.008, 50e6);
     EXPECT_GE(length, previous);
     EXPECT_LE(length, 1.01 * previous);
     previous = length;
@@ -53,7 +53,7 @@ TEST(ResolutionCheck, looksAtThePartThatWeakens)
     auto& friction = given.sublist("Friction");
     friction.set("a", "x < 1.5 ? 0.01 : 0.02").set("L", "x < 1.5 ? 0.6 + x : 1e-3");
   });
-  const Problem<2> problem(deck, world());
+  auto const problem = makeProblem<2>(deck, world());
   const auto resolution = faultResolution(problem, deck.sublist("Friction"));
   ASSERT_TRUE(resolution);
   EXPECT_NEAR(resolution->smallest_cell, 1, 1e-12);
@@ -69,7 +69,7 @@ TEST(ResolutionCheck, warnsOfCellsThatAreTooLarge)
 {
   const auto lines = [](double L) {
     const auto deck = strip([L](ParameterList& given) { given.sublist("Friction").set("L", L); });
-    return describe(Problem<2>(deck, world()), deck);
+    return describe(makeProblem<2>(deck, world()), deck);
   };
   // Lambda0 = L 1e6 / 150 m against cells of 1 m.
   EXPECT_TRUE(warns(lines(2.9 * 150 / 1e6)));
@@ -79,7 +79,7 @@ TEST(ResolutionCheck, warnsOfCellsThatAreTooLarge)
 TEST(ResolutionCheck, saysNothingWhereFrictionDoesNotWeaken)
 {
   const auto deck = strip([](ParameterList& given) { given.sublist("Friction").set("b", 0.01); });
-  const Problem<2> problem(deck, world());
+  auto const problem = makeProblem<2>(deck, world());
   EXPECT_FALSE(faultResolution(problem, deck.sublist("Friction")));
   for (auto const& line : describe(problem, deck)) {
     EXPECT_EQ(line.find("Resolution"), std::string::npos) << line;

@@ -94,4 +94,25 @@ Mesh<2> twoRegions()
   mesh::overrideRegions<2>(whole, {left, right});
   return mesh::distribute(whole, *world());
 }
+
+std::vector<double> weightsOf(fem::FaultSurface const& surface)
+{
+  std::vector<double> weights;
+  for (auto const& node : surface) {
+    weights.push_back(node.weight);
+  }
+  return weights;
+}
+
+std::vector<std::vector<int>> heldComponents(fem::FaultSurface const& surface)
+{
+  std::vector<std::vector<int>> held;
+  for (int node = 0; node < surface.numNodes(); ++node) {
+    held.emplace_back();
+    for (int k = 0; k < surface.numTangents(); ++k) {
+      held.back().push_back(surface.held(node, k) ? 1 : 0);
+    }
+  }
+  return held;
+}
 } // namespace asperity::scenario::test

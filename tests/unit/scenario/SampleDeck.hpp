@@ -2,6 +2,7 @@
 
 #include "base/Types.hpp"
 #include "base/parameters/Parameters.hpp"
+#include "fem/FaultSurface.hpp"
 #include "friction/Types.hpp"
 #include "mesh/Mesh.hpp"
 #include "unit/base/Refusal.hpp"
@@ -35,6 +36,10 @@ double steadyStress(double V);
 
 std::vector<double> valuesOf(friction::ConstNodeView const& view);
 std::vector<double> valuesOf(Vector const& x);
+// Of the fault nodes.
+std::vector<double> weightsOf(fem::FaultSurface const& surface);
+// (num_nodes, T): 1 where the velocity is prescribed.
+std::vector<std::vector<int>> heldComponents(fem::FaultSurface const& surface);
 
 // A rectangle of two regions, "left" (x < 1) and "right", on this rank.
 Mesh<2> twoRegions();

@@ -71,12 +71,12 @@ std::vector<double> onFault(Problem<3> const& problem, ParameterList const& deck
 
 TEST(Solid, pressesOnTheFaultWithItsWeight)
 {
-  const Problem<3> problem(block(), world());
+  auto const problem = makeProblem<3>(block(), world());
   EXPECT_EQ(problem.components, 3);
-  EXPECT_EQ(problem.fault.num_tangents, 2);
-  EXPECT_NEAR(problem.fault.total_weight, 4, 1e-14);
-  const auto pressure = valuesOf(problem.fault.data.sigma_n);
-  const auto weight = valuesOf(problem.fault.data.weight);
+  EXPECT_EQ(problem.surface->numTangents(), 2);
+  EXPECT_NEAR(problem.surface->totalWeight(), 4, 1e-14);
+  const auto pressure = valuesOf(problem.initial.sigma_n);
+  const auto weight = weightsOf(*problem.surface);
   const double expected = 1000 * 10 * 8; // density, gravity, volume
   EXPECT_NEAR(std::inner_product(pressure.begin(), pressure.end(), weight.begin(), 0.), expected,
               1e-9 * expected);
@@ -85,9 +85,9 @@ TEST(Solid, pressesOnTheFaultWithItsWeight)
 // The walls hold one tangent of the nodes at an edge of the fault, both at its corners.
 TEST(Solid, keepsTheDirectionsThatWallsLeaveFree)
 {
-  const Problem<3> problem(block(), world());
+  auto const problem = makeProblem<3>(block(), world());
   int num_free[3] = {};
-  for (auto const& fixed : problem.fault.fixed) {
+  for (auto const& fixed : heldComponents(*problem.surface)) {
     ++num_free[2 - std::accumulate(fixed.begin(), fixed.end(), 0)];
   }
   EXPECT_EQ(num_free[2], 1);
@@ -101,12 +101,12 @@ TEST(Solid, pullsTheFaultAlongTheSlipDirection)
     given.sublist("Friction").set("Shear Traction", "100 * (1 + t)");
     given.sublist("Friction").set("Slip Direction", array<double>({3, 7, 4})); // y is across
   });
-  const Problem<3> problem(deck, world());
+  auto const problem = makeProblem<3>(deck, world());
   for (double t : {0., 2.}) {
     auto const load = problem.body.vector();
     problem.body.load(t, *load);
-    std::vector<double> along_axes;
-    problem.alongAxes(*load, along_axes);
+    auto const along_axes =
+      fem::alongAxes(problem.constraints->frames(), *problem.body.dofs, *load);
     double force[3] = {};
     for (std::size_t i = 0; i < along_axes.size(); ++i) {
       force[i % 3] += along_axes[i];
@@ -128,7 +128,7 @@ TEST(Solid, balancesTheTractionAlongTheInitialVelocity)
     initial.set("Velocity X", 0.6 * V / 2).set("Velocity Z", 0.8 * V / 2);
     initial.set("State", "Stress Balance");
   });
-  const Problem<3> problem(deck, world());
+  auto const problem = makeProblem<3>(deck, world());
   for (double alpha : valuesOf(problem.initial.alpha)) {
     EXPECT_NEAR(alpha, std::log(1e-6 / V), 1e-9) << "steady state";
   }
@@ -136,7 +136,7 @@ TEST(Solid, balancesTheTractionAlongTheInitialVelocity)
     EXPECT_NEAR(rate, V, 1e-12 * V);
   }
   const auto velocity = onFault(problem, deck, "slip_velocity");
-  ASSERT_EQ(velocity.size(), 3 * problem.fault_nodes.nodes.size());
+  ASSERT_EQ(velocity.size(), 3 * problem.surface->numNodes());
   for (std::size_t i = 0; i < velocity.size(); i += 3) {
     EXPECT_NEAR(velocity[i], 0.6 * V, 1e-12 * V);
     EXPECT_EQ(velocity[i + 1], 0);
@@ -152,17 +152,16 @@ TEST(Solid, slipsAsPrescribedBesideTheFault)
     deep.set("Boundary", "deep").set("Type", "Prescribed Slip Rate").set("Slip Rate", 2e-9);
     deep.set("Direction", array<double>({0, 5, 2}));
   });
-  const Problem<3> problem(deck, world());
+  auto const problem = makeProblem<3>(deck, world());
   auto const v = problem.body.vector();
   problem.body.prescribed_velocity(0, *v);
-  std::vector<double> along_axes;
-  problem.alongAxes(*v, along_axes);
+  auto const along_axes = fem::alongAxes(problem.constraints->frames(), *problem.body.dofs, *v);
   for (int node = 0; node < problem.mesh.num_owned; ++node) {
     auto const& x = problem.mesh.vertices[node];
     const bool is_deep = x[1] == 0 && x[0] >= 1;
     EXPECT_NEAR(along_axes[3 * node + 2], is_deep ? 1e-9 : 0, 1e-22);
     EXPECT_NEAR(along_axes[3 * node], 0, 1e-22);
-    EXPECT_EQ(problem.body.fixed[problem.body.dofs->dof(node, 0)] != 0, is_deep);
+    EXPECT_EQ(problem.body.held[problem.body.dofs->dof(node, 0)], is_deep);
   }
 }
 
@@ -170,11 +169,11 @@ TEST(Solid, andThePlaneNeedTheirModels)
 {
   const auto plane =
     block([](ParameterList& deck) { deck.sublist("Bulk").set("Model", "Plane Strain"); });
-  expectParts(refusal([&] { Problem<3>(plane, world()); }),
+  expectParts(refusal([&] { makeProblem<3>(plane, world()); }),
               {"Bulk / Model = Plane Strain", "3 dimensions", "Solid"});
   const auto solid =
     column([](ParameterList& deck) { deck.sublist("Bulk").set("Model", "Solid"); });
-  expectParts(refusal([&] { Problem<2>(solid, world()); }),
+  expectParts(refusal([&] { makeProblem<2>(solid, world()); }),
               {"Bulk / Model = Solid", "2 dimensions", "Plane Strain"});
 }
 
@@ -183,7 +182,7 @@ TEST(Solid, hasAShearTractionAlongItsFault)
   const auto across = halfSpace([](ParameterList& deck) {
     deck.sublist("Friction").set("Slip Direction", array<double>({0, 1, 0}));
   });
-  expectParts(refusal([&] { Problem<3>(across, world()); }),
+  expectParts(refusal([&] { makeProblem<3>(across, world()); }),
               {"Friction / Slip Direction", "right angles"});
 }
 } // namespace asperity::scenario

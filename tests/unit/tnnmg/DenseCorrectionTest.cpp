@@ -74,7 +74,7 @@ TEST(DenseCorrection, solvesWithHessiansAndTruncation)
     const auto model = modelWith(tangents);
     for (auto truncation :
          {Truncation::none, Truncation::every_second, Truncation::left_half, Truncation::all}) {
-      DenseCorrection correction(*model.Z, model.nonlinear_dofs);
+      DenseCorrection correction(*model.Z, model.nodes.dofs);
       const auto answer = solve(correction, model, FaultState(model, truncation, -2, 6));
       EXPECT_TRUE(answer.result.converged);
       EXPECT_EQ(answer.result.iterations, 0) << "the first solve is direct";
@@ -87,7 +87,7 @@ TEST(DenseCorrection, solvesWithHessiansAndTruncation)
 TEST(DenseCorrection, keepsItsFactorWhereThatSuffices)
 {
   const auto model = modelWith(1);
-  DenseCorrection correction(*model.Z, model.nonlinear_dofs);
+  DenseCorrection correction(*model.Z, model.nodes.dofs);
   FaultState state(model, Truncation::every_second, -1, 1);
   solve(correction, model, state);
 
@@ -108,8 +108,8 @@ TEST(DenseCorrection, keepsItsFactorWhereThatSuffices)
 TEST(DenseCorrection, forgetsItsFactor)
 {
   const auto model = modelWith(2);
-  DenseCorrection used(*model.Z, model.nonlinear_dofs);
-  DenseCorrection fresh(*model.Z, model.nonlinear_dofs);
+  DenseCorrection used(*model.Z, model.nodes.dofs);
+  DenseCorrection fresh(*model.Z, model.nodes.dofs);
   const FaultState first(model, Truncation::none, -2, 3);
   const FaultState second(model, Truncation::left_half, -1, 2);
   solve(used, model, first);
@@ -133,7 +133,7 @@ TEST(DenseCorrection, saysThatAMatrixIsNotDefinite)
   const int row = 30;
   broken.replaceLocalValues(row, 1, &value, &row);
   broken.fillComplete();
-  DenseCorrection correction(broken, model.nonlinear_dofs);
+  DenseCorrection correction(broken, model.nodes.dofs);
   const FaultState state(model, Truncation::none, -2, 2);
   Vector c(model.map);
   const auto result = correction.solve(state.blocks(model), residual(model, state), tolerance, c);

@@ -1,5 +1,7 @@
 #include "ElasticModel.hpp"
 
+#include "base/Colouring.hpp"
+
 #include <Teuchos_CommHelpers.hpp>
 #include <Teuchos_DefaultMpiComm.hpp>
 #include <Tpetra_CrsMatrix.hpp>
@@ -218,7 +220,7 @@ void ElasticModel::makeViews()
   const Kokkos::View<int*, Kokkos::HostSpace, Kokkos::MemoryUnmanaged> host_held(rows.data(),
                                                                                  rows.size());
   Kokkos::deep_copy(held, host_held);
-  constrained_rows = held;
+  held_rows = held;
 
   std::vector<int> dofs;
   for (std::size_t node = 0; node < nonlinear.size(); ++node) {
@@ -234,12 +236,30 @@ void ElasticModel::makeViews()
   const Kokkos::View<LocalOrdinal**, Kokkos::LayoutRight, MemorySpace> tangential(
     "dofs", mine.size(), options.tangents);
   Kokkos::deep_copy(tangential, HostDofs(dofs.data(), mine.size(), options.tangents));
-  nonlinear_dofs = tangential;
+  nodes.dofs = tangential;
+  nodes = nodesWith({});
+}
+
+NonlinearNodes ElasticModel::nodesWith(std::vector<std::vector<int>> const& further) const
+{
+  std::vector<int> held(map->getNodeNumElements(), 0);
+  for (int row : constrained) {
+    if (map->isNodeGlobalElement(row)) {
+      held[map->getLocalElement(row)] = 1;
+    }
+  }
+  const auto dofs = toHost(nodes.dofs);
+  for (std::size_t node = 0; node < further.size(); ++node) {
+    for (int k = 0; k < dofs.extent_int(1); ++k) {
+      held[dofs(node, k)] |= further[node][k];
+    }
+  }
+  return {nodes.dofs, toDevice(held, "held"), colourFreeNodes(*Z->getCrsGraph(), nodes.dofs, held)};
 }
 
 MultigridProblem ElasticModel::problem() const
 {
-  return {Z, options.components, near_null_space, constrained_rows, nonlinear_dofs};
+  return {Z, options.components, near_null_space, held_rows, nodes};
 }
 
 Vector ElasticModel::scatter(Eigen::VectorXd const& vector) const

@@ -42,8 +42,10 @@ struct ElasticModel
   RCP<const Map> map;
   RCP<const CrsMatrix> Z;
   RCP<const MultiVector> near_null_space;
-  RowView constrained_rows;        // local
-  NonlinearDofView nonlinear_dofs; // local
+  IndexView held_rows;  // local
+  NonlinearNodes nodes; // of this rank
+  // The same with further rows held: further(num_nodes, T) 1.
+  NonlinearNodes nodesWith(std::vector<std::vector<int>> const& further) const;
 
 private:
   void chooseRows();

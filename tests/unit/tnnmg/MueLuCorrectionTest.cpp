@@ -360,8 +360,8 @@ TEST(MueLuCorrection, aBodyWithoutFaultIsALinearProblem)
   auto model = modelWith(large_step);
   model.nonlinear.clear();
   model.mine.clear();
-  model.nonlinear_dofs =
-    Kokkos::View<LocalOrdinal**, Kokkos::LayoutRight, MemorySpace>("dofs", 0, 1);
+  model.nodes.dofs = Kokkos::View<LocalOrdinal**, Kokkos::LayoutRight, MemorySpace>("dofs", 0, 1);
+  model.nodes.colours.clear();
   const FaultState state(model, Truncation::none);
   MueLuCorrection correction(model.problem(), parameters());
   const auto answer = solve(correction, model, state, rightHandSide(model));

@@ -1,6 +1,6 @@
 #include "FaultState.hpp"
+#include "base/Colouring.hpp"
 #include "base/Errors.hpp"
-#include "tnnmg/Colouring.hpp"
 #include "tnnmg/detail/CoarseCholesky.hpp"
 #include "tnnmg/detail/MultigridPreconditioner.hpp"
 #include "tnnmg/detail/MultigridSymmetry.hpp"
@@ -24,7 +24,7 @@ struct Parts
 {
   Parts(ElasticModel const& model, FaultState const& state)
       : nodes(std::make_shared<detail::MultigridNodes>(
-          detail::makeNodes(*model.Z, model.nonlinear_dofs, model.constrained_rows)))
+          detail::makeNodes(*model.Z, model.nodes, model.held_rows)))
       , A(rcp(new detail::MultigridOperator(model.Z, nodes)))
   {
     nodes->set(state.blocks(model));
@@ -42,9 +42,9 @@ RCP<detail::MultigridPreconditioner> makePreconditioner(ElasticModel const& mode
   const auto near_null_space = rcp(new MultiVector(*model.near_null_space, Teuchos::Copy));
   {
     auto values = near_null_space->getLocalViewHost(Tpetra::Access::ReadWrite);
-    for (std::size_t k = 0; k < model.constrained_rows.extent(0); ++k) {
+    for (std::size_t k = 0; k < model.held_rows.extent(0); ++k) {
       for (int column = 0; column < values.extent_int(1); ++column) {
-        values(model.constrained_rows(k), column) = 0;
+        values(model.held_rows(k), column) = 0;
       }
     }
   }
@@ -114,10 +114,10 @@ TEST(MultigridSmoother, isGaussSeidelInTheOrderOfTheColours)
   Vector z = model.scatter(start);
   smoother.sweep(detail::MultigridSmoother::Order::forward, model.scatter(r), z);
 
-  const auto colouring = colourNodes(*model.Z, model.nonlinear_dofs);
+  const auto colouring = colourNodes(*model.Z->getCrsGraph(), model.nodes.dofs);
   Vector colour(model.map);
   for (std::size_t k = 0; k < model.mine.size(); ++k) {
-    colour.replaceLocalValue(model.nonlinear_dofs(k, 0), 1.0 + colouring.colour[k]);
+    colour.replaceLocalValue(model.nodes.dofs(k, 0), 1.0 + colouring.colour[k]);
   }
   const auto colours = model.gather(colour);
   const auto A = state.matrix(model);

@@ -157,18 +157,6 @@ std::vector<std::vector<int>> RateProblem::heldOnRank(std::map<int, double> cons
   return flags;
 }
 
-std::vector<std::vector<int>> RateProblem::localDofs() const
-{
-  std::vector<std::vector<int>> dofs;
-  for (int node : model.mine) {
-    auto& rows = dofs.emplace_back();
-    for (int row : model.nonlinear[node]) {
-      rows.push_back(model.map->getLocalElement(row));
-    }
-  }
-  return dofs;
-}
-
 RateProblem::Energy RateProblem::energy(Eigen::VectorXd const& v) const
 {
   Energy result;

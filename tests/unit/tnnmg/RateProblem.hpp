@@ -35,7 +35,6 @@ struct RateProblem
   RoughNodes nodesOfRank() const;
   // Of this rank's nonlinear nodes, by component: 1 where the velocity is held, at walls or given.
   std::vector<std::vector<int>> heldOnRank(std::map<int, double> const& held) const;
-  std::vector<std::vector<int>> localDofs() const;
 
   // J(v) and the sum of the magnitudes of its terms, in long double.
   struct Energy

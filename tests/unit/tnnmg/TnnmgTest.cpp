@@ -39,15 +39,21 @@ TnnmgResult solveFull(RateProblem const& problem, Nodes const& nodes, TnnmgSetti
 {
   auto const& model = problem.model;
   const auto correction = std::make_shared<MueLuCorrection>(model.problem(), multigridParameters());
-  Tnnmg<Nodes> tnnmg(
-    model.Z,
-    nonlinearNodes(*model.Z, problem.localDofs(), model.options.tangents, problem.heldOnRank(held)),
-    correction, settings);
+  Tnnmg<Nodes> tnnmg(model.Z, model.nodesWith(problem.heldOnRank(held)), correction, settings);
   const Vector b = model.scatter(problem.b);
   Vector x = model.scatter(v);
   const auto result = tnnmg.solve(nodes, b, x);
   v = model.gather(x);
   return result;
+}
+
+std::vector<int> flat(std::vector<std::vector<int>> const& blocks)
+{
+  std::vector<int> values;
+  for (auto const& block : blocks) {
+    values.insert(values.end(), block.begin(), block.end());
+  }
+  return values;
 }
 
 // TNNMG on the fault alone, the rest condensed; one rank.
@@ -61,7 +67,8 @@ TnnmgResult solveCondensed(RateProblem const& problem, TnnmgSettings const& sett
   }
   SchurComplement schur(*model.Z, rows);
   const int num_nodes = static_cast<int>(model.nonlinear.size());
-  const auto nodes = coupledNodes(num_nodes, model.options.tangents, problem.heldOnRank(held));
+  const auto nodes =
+    coupledNodes(num_nodes, model.options.tangents, flat(problem.heldOnRank(held)));
   Tnnmg<RoughNodes> tnnmg(schur.matrix(), nodes,
                           std::make_shared<DenseCorrection>(*schur.matrix(), nodes.dofs), settings);
   Vector b(schur.matrix()->getDomainMap());
@@ -352,9 +359,8 @@ TEST(Tnnmg, doesNotConvergeWithoutCorrections)
   const RateProblem problem({1., 2, 1, Kind::logarithm});
   auto const& model = problem.model;
   for (double value : {0., std::nan("")}) {
-    Tnnmg<RoughNodes> tnnmg(
-      model.Z, nonlinearNodes(*model.Z, problem.localDofs(), 1, problem.heldOnRank({})),
-      std::make_shared<LostCorrection>(value), TnnmgSettings());
+    Tnnmg<RoughNodes> tnnmg(model.Z, model.nodesWith(problem.heldOnRank({})),
+                            std::make_shared<LostCorrection>(value), TnnmgSettings());
     const Vector b = model.scatter(problem.b);
     Vector v(model.map);
     const auto result = tnnmg.solve(problem.nodesOfRank(), b, v);
@@ -400,7 +406,7 @@ TEST(Tnnmg, countsHalfStepsThatRaiseTheEnergy)
 
 TEST(TnnmgBlocks, leavesOutKinkedHeldAndStiffNodes)
 {
-  const auto nodes = coupledNodes(5, 2, {{0, 0}, {1, 1}, {0, 0}, {0, 0}, {0, 1}});
+  const auto nodes = coupledNodes(5, 2, {0, 0, 1, 1, 0, 0, 0, 0, 0, 1});
   const detail::TnnmgBlocks blocks(nodes);
   const NodeView curvature("curvature", 5);
   Kokkos::deep_copy(curvature, 10.);

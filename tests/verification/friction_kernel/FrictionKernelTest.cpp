@@ -17,9 +17,8 @@ class Slider
 {
 public:
   Slider(std::string const& law, std::string const& evolution)
-      : friction_(
-          makeFrictionKernels(law, {unit_, unit_, unit_, unit_,
-                                    parametersOf({{a, b, reference_rate, reference_friction}})}))
+      : friction_(makeFrictionKernels(
+          law, {unit_, unit_, unit_, parametersOf({{a, b, reference_rate, reference_friction}})}))
       , state_(makeStateKernels(evolution, parametersOf({{L, reference_rate}})))
   {
   }

@@ -34,7 +34,7 @@ protected:
   {
     std::vector<int> free;
     for (int dof = 0; dof < model->body.numOwnedDofs(); ++dof) {
-      if (!model->body.fixed[dof]) {
+      if (!model->body.held[dof]) {
         free.push_back(dof);
       }
     }

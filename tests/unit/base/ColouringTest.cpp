@@ -1,4 +1,4 @@
-#include "tnnmg/Colouring.hpp"
+#include "base/Colouring.hpp"
 
 #include <Teuchos_CommHelpers.hpp>
 #include <Teuchos_DefaultMpiComm.hpp>
@@ -10,7 +10,7 @@
 #include <map>
 #include <vector>
 
-namespace asperity::tnnmg
+namespace asperity
 {
 namespace
 {
@@ -145,4 +145,4 @@ TEST(Colouring, noNodesTakeNoColour)
   const auto neighbours = [](GlobalOrdinal) { return std::vector<GlobalOrdinal>{}; };
   EXPECT_EQ(checkColouring(0, neighbours, [](GlobalOrdinal) { return 0; }), 0);
 }
-} // namespace asperity::tnnmg
+} // namespace asperity

@@ -1,11 +1,11 @@
 #pragma once
 
 #include "base/Types.hpp"
-#include "tnnmg/LinearCorrection.hpp"
+#include "base/Views.hpp"
 
 #include <vector>
 
-namespace asperity::tnnmg
+namespace asperity
 {
 // Nodes of one colour are not neighbours, on no rank: they may be smoothed at the same time.
 struct Colouring
@@ -21,6 +21,11 @@ struct Colouring
 // colours on any number of ranks.
 Colouring colourNodes(CrsGraph const& graph);
 
-// Colours the nonlinear nodes, numbered as in dofs, by what couples them in Z (stored zeros count).
-Colouring colourNodes(CrsMatrix const& Z, NonlinearDofView const& dofs);
-} // namespace asperity::tnnmg
+// Colours nodes, numbered as in dofs, by what couples their rows in the graph of a matrix.
+Colouring colourNodes(CrsGraph const& graph, NodeDofView const& dofs);
+
+// The same without nodes whose rows are all held; held(num local rows at least) is 1 at a row that
+// is. As many colours on every rank.
+std::vector<IndexView> colourFreeNodes(CrsGraph const& graph, NodeDofView const& dofs,
+                                       std::vector<int> const& held);
+} // namespace asperity

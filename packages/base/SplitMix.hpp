@@ -2,7 +2,7 @@
 
 #include <cstdint>
 
-namespace asperity::tnnmg::detail
+namespace asperity
 {
 // The first number of the splitmix64 sequence that starts at a seed (Steele, Lea, Flood 2014).
 // Neighbouring seeds give unrelated numbers.
@@ -13,4 +13,4 @@ inline std::uint64_t splitMix(std::uint64_t seed)
   x = (x ^ (x >> 27)) * 0x94d049bb133111ebULL;
   return x ^ (x >> 31);
 }
-} // namespace asperity::tnnmg::detail
+} // namespace asperity

@@ -40,30 +40,35 @@ LawView<Law> loadLaws(ParameterView const& parameters)
   return laws;
 }
 
-// What the kernels copy to the device: it gives psi at a node for a known state.
+// psi at the nodes, for given states and stresses. The kernels copy it to the device.
 template <class Law>
-struct FaultNodes
+struct NodePotentials
 {
-  using Potential = NodePotential<typename Law::Curve>;
-
   Unmanaged<LawView<Law>> laws;
   Unmanaged<ConstNodeView> weight;
-  Unmanaged<ConstNodeView> sigma_n;
   Unmanaged<ConstNodeView> cohesion;
   Unmanaged<ConstNodeView> slip_factor;
+  Unmanaged<ConstNodeView> alpha = {};   // set by at()
+  Unmanaged<ConstNodeView> sigma_n = {}; // set by at()
 
-  KOKKOS_INLINE_FUNCTION Potential potential(int node, double alpha) const
+  NodePotentials at(StateAndStress const& given) const
   {
-    return {weight(node), sigma_n(node), cohesion(node), slip_factor(node), laws(node).at(alpha)};
+    return {laws, weight, cohesion, slip_factor, given.alpha, given.sigma_n};
+  }
+
+  KOKKOS_INLINE_FUNCTION NodePotential<typename Law::Curve> operator()(int node) const
+  {
+    return {weight(node), sigma_n(node), cohesion(node), slip_factor(node),
+            laws(node).at(alpha(node))};
   }
 
   int size() const { return static_cast<int>(laws.extent(0)); }
 };
 
-// Points into `laws` and `fault`. A slip factor that is left out becomes 1 in `fault`.
-// Throws std::invalid_argument if the views are for different numbers of nodes.
+// Points into `laws` and `fault`, at no state yet. A slip factor that is left out becomes 1 in
+// `fault`. Throws std::invalid_argument if the views are for different numbers of nodes.
 template <class Law>
-FaultNodes<Law> makeFaultNodes(LawView<Law> const& laws, FaultData& fault)
+NodePotentials<Law> makeNodePotentials(LawView<Law> const& laws, FaultView& fault)
 {
   const std::size_t num_nodes = laws.extent(0);
   if (fault.slip_factor.extent(0) == 0) {
@@ -71,7 +76,7 @@ FaultNodes<Law> makeFaultNodes(LawView<Law> const& laws, FaultData& fault)
     Kokkos::deep_copy(ones, 1.0);
     fault.slip_factor = ones;
   }
-  for (auto const& view : {fault.weight, fault.sigma_n, fault.cohesion, fault.slip_factor}) {
+  for (auto const& view : {fault.weight, fault.cohesion, fault.slip_factor}) {
     if (view.extent(0) != num_nodes) {
       throw std::invalid_argument(std::string("asperity::friction: ") + Law::name + ": " +
                                   view.label() + " has " + std::to_string(view.extent(0)) +
@@ -79,6 +84,6 @@ FaultNodes<Law> makeFaultNodes(LawView<Law> const& laws, FaultData& fault)
                                   " nodes.");
     }
   }
-  return {laws, fault.weight, fault.sigma_n, fault.cohesion, fault.slip_factor};
+  return {laws, fault.weight, fault.cohesion, fault.slip_factor};
 }
 } // namespace asperity::friction::detail

@@ -1,4 +1,4 @@
-#include "fem/BoundaryNodes.hpp"
+#include "fem/BoundaryMeasure.hpp"
 
 #include "base/Errors.hpp"
 #include "mesh/SimplexGeometry.hpp"
@@ -13,13 +13,6 @@ namespace asperity::fem
 namespace
 {
 template <int Dim>
-struct Accumulated
-{
-  double weight = 0;
-  Point<Dim> normal{};
-};
-
-template <int Dim>
 std::string namesOf(Mesh<Dim> const& mesh)
 {
   std::string names;
@@ -31,14 +24,14 @@ std::string namesOf(Mesh<Dim> const& mesh)
 } // namespace
 
 template <int Dim>
-BoundaryNodes<Dim> boundaryNodes(Mesh<Dim> const& mesh, std::string const& boundary,
-                                 Communicator const& communicator)
+std::vector<NodalMeasure<Dim>> boundaryMeasure(Mesh<Dim> const& mesh, std::string const& boundary,
+                                               Communicator const& communicator)
 {
   auto const facets = mesh.boundaries.find(boundary);
   ASPERITY_REQUIRE(facets != mesh.boundaries.end(), "The mesh has no boundary '"
                                                       << boundary << "'. Its boundaries are "
                                                       << namesOf(mesh) << ".");
-  std::map<int, Accumulated<Dim>> nodes;
+  std::map<int, NodalMeasure<Dim>> nodes;
   for (auto const& facet : facets->second) {
     auto const corners = mesh::corners(mesh, facet);
     auto const normal = mesh::areaNormal(corners);
@@ -53,26 +46,24 @@ BoundaryNodes<Dim> boundaryNodes(Mesh<Dim> const& mesh, std::string const& bound
       }
     }
   }
-  BoundaryNodes<Dim> result;
-  for (auto const& [node, sum] : nodes) {
+  std::vector<NodalMeasure<Dim>> result;
+  for (auto& [node, sum] : nodes) {
+    sum.node = node;
     const double size = std::sqrt(mesh::dot<Dim>(sum.normal, sum.normal));
-    Point<Dim> normal = sum.normal;
-    for (double& x : normal) {
+    for (double& x : sum.normal) {
       x /= size;
     }
-    result.nodes.push_back(node);
-    result.weights.push_back(sum.weight);
-    result.normals.push_back(normal);
+    result.push_back(sum);
   }
-  const int mine = static_cast<int>(result.nodes.size());
+  const int mine = static_cast<int>(result.size());
   int all = 0;
   Teuchos::reduceAll(communicator, Teuchos::REDUCE_SUM, mine, Teuchos::outArg(all));
   ASPERITY_REQUIRE(all > 0, "Boundary '" << boundary << "' of the mesh has no facets.");
   return result;
 }
 
-template struct BoundaryNodes<2>;
-template struct BoundaryNodes<3>;
-template BoundaryNodes<2> boundaryNodes<2>(Mesh<2> const&, std::string const&, Communicator const&);
-template BoundaryNodes<3> boundaryNodes<3>(Mesh<3> const&, std::string const&, Communicator const&);
+template std::vector<NodalMeasure<2>> boundaryMeasure(Mesh<2> const&, std::string const&,
+                                                      Communicator const&);
+template std::vector<NodalMeasure<3>> boundaryMeasure(Mesh<3> const&, std::string const&,
+                                                      Communicator const&);
 } // namespace asperity::fem

@@ -1,10 +1,9 @@
-#include "tnnmg/Colouring.hpp"
+#include "base/Colouring.hpp"
 
-#include "tnnmg/detail/SplitMix.hpp"
+#include "base/SplitMix.hpp"
 
 #include <Teuchos_CommHelpers.hpp>
 #include <Tpetra_CrsGraph.hpp>
-#include <Tpetra_CrsMatrix.hpp>
 #include <Tpetra_Import.hpp>
 #include <Tpetra_Map.hpp>
 #include <Tpetra_Vector.hpp>
@@ -14,7 +13,7 @@
 #include <set>
 #include <utility>
 
-namespace asperity::tnnmg
+namespace asperity
 {
 namespace
 {
@@ -25,7 +24,7 @@ using Weight = std::pair<std::uint64_t, GlobalOrdinal>; // where hashes are equa
 
 constexpr int uncoloured = -1;
 
-Weight weightOf(GlobalOrdinal id) { return {detail::splitMix(static_cast<std::uint64_t>(id)), id}; }
+Weight weightOf(GlobalOrdinal id) { return {splitMix(static_cast<std::uint64_t>(id)), id}; }
 
 // Neighbours and weights of this rank's rows, by local columns.
 struct Neighbourhood
@@ -119,35 +118,35 @@ Colouring gather(CrsGraph const& graph, ColourVector const& colours)
   }
   return result;
 }
-// For each column of Z the id of the nonlinear node it belongs to, which is that of the node's
+// For each column of the graph the id of the node it belongs to, which is that of the node's
 // first dof, or -1.
-IdVector nodesOfColumns(CrsMatrix const& Z, HostDofs const& dofs)
+IdVector nodesOfColumns(CrsGraph const& graph, HostDofs const& dofs)
 {
-  IdVector of_dof(Z.getDomainMap());
+  IdVector of_dof(graph.getDomainMap());
   of_dof.putScalar(-1);
   {
     auto host = of_dof.getLocalViewHost(Tpetra::Access::ReadWrite);
     for (int node = 0; node < dofs.extent_int(0); ++node) {
       for (int t = 0; t < dofs.extent_int(1); ++t) {
-        host(dofs(node, t), 0) = Z.getRowMap()->getGlobalElement(dofs(node, 0));
+        host(dofs(node, t), 0) = graph.getRowMap()->getGlobalElement(dofs(node, 0));
       }
     }
   }
-  IdVector of_column(Z.getColMap());
-  of_column.doImport(of_dof, Import(Z.getDomainMap(), Z.getColMap()), Tpetra::INSERT);
+  IdVector of_column(graph.getColMap());
+  of_column.doImport(of_dof, Import(graph.getDomainMap(), graph.getColMap()), Tpetra::INSERT);
   return of_column;
 }
 
-std::set<GlobalOrdinal> neighboursOf(int node, CrsMatrix const& Z, HostDofs const& dofs,
+std::set<GlobalOrdinal> neighboursOf(int node, CrsGraph const& graph, HostDofs const& dofs,
                                      IdVector const& of_column)
 {
   const auto host = of_column.getLocalViewHost(Tpetra::Access::ReadOnly);
-  const auto local = Z.getLocalMatrixHost();
+  const auto local = graph.getLocalGraphHost();
   std::set<GlobalOrdinal> neighbours;
   for (int t = 0; t < dofs.extent_int(1); ++t) {
-    const auto row = local.rowConst(dofs(node, t));
-    for (int k = 0; k < row.length; ++k) {
-      if (const GlobalOrdinal id = host(row.colidx(k), 0); id >= 0) {
+    const int row = dofs(node, t);
+    for (auto k = local.row_map(row); k < local.row_map(row + 1); ++k) {
+      if (const GlobalOrdinal id = host(local.entries(k), 0); id >= 0) {
         neighbours.insert(id);
       }
     }
@@ -175,23 +174,23 @@ Colouring colourNodes(CrsGraph const& graph)
   return gather(graph, colours);
 }
 
-Colouring colourNodes(CrsMatrix const& Z, NonlinearDofView const& dofs)
+Colouring colourNodes(CrsGraph const& graph_of_dofs, NodeDofView const& dofs)
 {
   const HostDofs host = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace(), dofs);
-  const auto of_column = nodesOfColumns(Z, host);
+  const auto of_column = nodesOfColumns(graph_of_dofs, host);
   std::vector<GlobalOrdinal> ids;
   std::vector<std::vector<GlobalOrdinal>> neighbours;
   std::size_t longest_row = 1;
   for (int node = 0; node < host.extent_int(0); ++node) {
-    const auto found = neighboursOf(node, Z, host, of_column);
-    ids.push_back(Z.getRowMap()->getGlobalElement(host(node, 0)));
+    const auto found = neighboursOf(node, graph_of_dofs, host, of_column);
+    ids.push_back(graph_of_dofs.getRowMap()->getGlobalElement(host(node, 0)));
     neighbours.emplace_back(found.begin(), found.end());
     longest_row = std::max(longest_row, found.size());
   }
   const auto num_global =
     Teuchos::OrdinalTraits<Tpetra::global_size_t>::invalid(); // to be computed
   const RCP<const Map> map =
-    rcp(new Map(num_global, Teuchos::arrayViewFromVector(ids), 0, Z.getComm()));
+    rcp(new Map(num_global, Teuchos::arrayViewFromVector(ids), 0, graph_of_dofs.getComm()));
   CrsGraph graph(map, longest_row);
   for (std::size_t node = 0; node < ids.size(); ++node) {
     graph.insertGlobalIndices(ids[node], Teuchos::arrayViewFromVector(neighbours[node]));
@@ -199,4 +198,25 @@ Colouring colourNodes(CrsMatrix const& Z, NonlinearDofView const& dofs)
   graph.fillComplete();
   return colourNodes(graph);
 }
-} // namespace asperity::tnnmg
+
+std::vector<IndexView> colourFreeNodes(CrsGraph const& graph, NodeDofView const& dofs,
+                                       std::vector<int> const& held)
+{
+  auto const host = toHost(dofs);
+  std::vector<IndexView> colours;
+  for (auto const& nodes : colourNodes(graph, dofs).rows) {
+    std::vector<int> free;
+    for (int node : nodes) {
+      int num_held = 0;
+      for (int k = 0; k < host.extent_int(1); ++k) {
+        num_held += held[host(node, k)];
+      }
+      if (num_held < host.extent_int(1)) {
+        free.push_back(node);
+      }
+    }
+    colours.push_back(toDevice(free, "asperity::base::colour"));
+  }
+  return colours;
+}
+} // namespace asperity

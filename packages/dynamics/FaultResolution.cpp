@@ -1,0 +1,106 @@
+#include "dynamics/FaultResolution.hpp"
+
+#include "mesh/SimplexGeometry.hpp"
+
+#include <Teuchos_CommHelpers.hpp>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+
+namespace asperity::dynamics
+{
+namespace
+{
+struct CellSizes
+{
+  double smallest = std::numeric_limits<double>::max();
+  double largest = 0;
+};
+
+// (num_nodes) of the facets that meet at each fault node.
+template <int Dim>
+std::vector<CellSizes> cellSizes(Mesh<Dim> const& mesh, fem::FaultSurface const& surface)
+{
+  auto const nodes = surface.vertices();
+  std::vector<CellSizes> sizes(nodes.size());
+  for (auto const& facet : mesh.boundaries.at(surface.name())) {
+    const double measure = mesh::facetMeasure(mesh::corners(mesh, facet));
+    const double size = Dim == 2 ? measure : std::sqrt(2 * measure);
+    for (int node : facet) {
+      auto const place = std::lower_bound(nodes.begin(), nodes.end(), node);
+      if (place != nodes.end() && *place == node) {
+        auto& at_node = sizes[place - nodes.begin()];
+        at_node.smallest = std::min(at_node.smallest, size);
+        at_node.largest = std::max(at_node.largest, size);
+      }
+    }
+  }
+  return sizes;
+}
+} // namespace
+
+double slipModulus(fem::Material const& material, int components, fem::OtherSide other_side)
+{
+  const bool antisymmetric = other_side == fem::OtherSide::mirror_image;
+  const double G = material.shear_modulus;
+  if (components != 2) {
+    return antisymmetric ? G : 2 * G;
+  }
+  const double nu = material.poissonsRatio();
+  return antisymmetric ? G / (1 - nu) : 8 * G * (1 - nu) / (3 - 4 * nu);
+}
+
+double cohesiveZone(double slip_modulus, double b, double L, double sigma_n)
+{
+  return slip_modulus * L / (b * sigma_n);
+}
+
+double nucleationLength(double slip_modulus, double a, double b, double L, double sigma_n)
+{
+  const double weakening = 1 - a / b;
+  const double half = std::max(1.3774, 1 / (M_PI * weakening * weakening)); // in units of Lambda0
+  return 2 * half * cohesiveZone(slip_modulus, b, L, sigma_n);
+}
+
+template <int Dim>
+std::optional<FaultResolution>
+faultResolution(Mesh<Dim> const& mesh, fem::FaultSurface const& surface, int components,
+                std::vector<fem::Material> const& materials, FrictionOfNodes const& friction)
+{
+  auto const& [a, b, L, sigma_n] = friction;
+  auto const sizes = cellSizes(mesh, surface);
+  // Smallest of all, the largest cell with the opposite sign.
+  std::array<double, 5> mine;
+  mine.fill(std::numeric_limits<double>::max());
+  for (int i = 0; i < surface.numNodes(); ++i) {
+    if (!(b[i] > a[i]) || !(sigma_n[i] > 0)) {
+      continue;
+    }
+    const double modulus = slipModulus(materials[i], components, surface.otherSide());
+    const double zone = cohesiveZone(modulus, b[i], L[i], sigma_n[i]);
+    const std::array<double, 5> here = {sizes[i].smallest, -sizes[i].largest, zone,
+                                        nucleationLength(modulus, a[i], b[i], L[i], sigma_n[i]),
+                                        zone / sizes[i].largest};
+    std::transform(here.begin(), here.end(), mine.begin(), mine.begin(),
+                   [](double x, double y) { return std::min(x, y); });
+  }
+  auto all = mine;
+  Teuchos::reduceAll(*surface.communicator(), Teuchos::REDUCE_MIN, static_cast<int>(mine.size()),
+                     mine.data(), all.data());
+  if (all[1] > 0) {
+    return std::nullopt;
+  }
+  return FaultResolution{all[0], -all[1], all[2], all[3], all[4]};
+}
+
+#define ASPERITY_INSTANTIATE(DIM)                                                                  \
+  template std::optional<FaultResolution> faultResolution(                                         \
+    Mesh<DIM> const&, fem::FaultSurface const&, int, std::vector<fem::Material> const&,            \
+    FrictionOfNodes const&);
+
+ASPERITY_INSTANTIATE(2)
+ASPERITY_INSTANTIATE(3)
+#undef ASPERITY_INSTANTIATE
+} // namespace asperity::dynamics

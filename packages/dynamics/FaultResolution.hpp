@@ -1,0 +1,52 @@
+#pragma once
+
+#include "fem/BoundaryCells.hpp"
+#include "fem/FaultSurface.hpp"
+#include "friction/Types.hpp"
+
+#include <optional>
+#include <vector>
+
+namespace asperity::dynamics
+{
+// The modulus G' [Pa] with which slip of wavenumber q loads the fault, G' q / 2 per slip:
+//   mirror image       G antiplane, G / (1 - nu) plane strain
+//   rigid foundation   2 G antiplane, 8 G (1 - nu) / (3 - 4 nu) plane strain (u_n = 0)
+// In three dimensions that of antiplane, the smaller one: along one of the fault's directions slip
+// is of that kind.
+// The foundation is rigid: one side alone bears the slip that two share, hence about the double.
+double slipModulus(fem::Material const& material, int components, fem::OtherSide other_side);
+
+// The size of the cohesive zone at rest, Lambda0 = G' L / (b sigma_n) [m].
+double cohesiveZone(double slip_modulus, double b, double L, double sigma_n);
+
+// Length of the patch that slip accelerates on, under the ageing law (Rubin & Ampuero 2005):
+// h* = (2 / pi) G' b L / ((b - a)^2 sigma_n) for a above about b / 2, and 2.7548 Lambda0 below.
+// For b > a. With the slip law nucleation is smaller.
+double nucleationLength(double slip_modulus, double a, double b, double L, double sigma_n);
+
+// At the nodes of a fault, each (num_nodes).
+struct FrictionOfNodes
+{
+  std::vector<double> a, b;    // direct and evolution effect
+  std::vector<double> L;       // characteristic slip distance [m]
+  std::vector<double> sigma_n; // [Pa]
+};
+
+// Where b > a and the normal stress is not zero, over all ranks; lengths in m.
+struct FaultResolution
+{
+  double smallest_cell; // of the fault's facets; the leg of a right triangle of the same area
+  double largest_cell;
+  double cohesive_zone;     // smallest
+  double nucleation_length; // smallest
+  double cells_per_zone;    // fewest: Lambda0 at a node over the larger cell beside it
+};
+
+// Nothing where friction weakens nowhere. materials(num_nodes): of the body beside the fault.
+// components: of the displacement. Collective.
+template <int Dim>
+std::optional<FaultResolution>
+faultResolution(Mesh<Dim> const& mesh, fem::FaultSurface const& surface, int components,
+                std::vector<fem::Material> const& materials, FrictionOfNodes const& friction);
+} // namespace asperity::dynamics

@@ -1,0 +1,25 @@
+#pragma once
+
+#include "fem/DofMap.hpp"
+#include "mesh/Mesh.hpp"
+
+#include <string>
+#include <vector>
+
+namespace asperity::fem
+{
+// A node's share of a boundary.
+template <int Dim>
+struct NodalMeasure
+{
+  int node = 0;        // local vertex number
+  double weight = 0;   // integral of the nodal basis function over the boundary [m^(Dim-1)]
+  Point<Dim> normal{}; // unit, outward, averaged over the facets by their size
+};
+
+// Of a rank's owned nodes on a named boundary, ascending. InputError if the mesh has no such
+// boundary, or none of its facets on any rank. Collective.
+template <int Dim>
+std::vector<NodalMeasure<Dim>> boundaryMeasure(Mesh<Dim> const& mesh, std::string const& boundary,
+                                               Communicator const& communicator);
+} // namespace asperity::fem

@@ -1,0 +1,111 @@
+#include "fem/FaultSurface.hpp"
+
+#include "base/Colouring.hpp"
+#include "fem/BoundaryMeasure.hpp"
+
+#include <Teuchos_CommHelpers.hpp>
+#include <Tpetra_CrsGraph.hpp>
+
+namespace asperity::fem
+{
+namespace
+{
+NodeDofView dofView(std::vector<FaultNode> const& nodes, int num_tangents)
+{
+  const Kokkos::View<LocalOrdinal**, Kokkos::LayoutRight, MemorySpace> view(
+    "asperity::fem::faultDofs", nodes.size(), num_tangents);
+  auto const host = Kokkos::create_mirror_view(view);
+  for (std::size_t node = 0; node < nodes.size(); ++node) {
+    for (int k = 0; k < num_tangents; ++k) {
+      host(node, k) = nodes[node].dofs[k];
+    }
+  }
+  Kokkos::deep_copy(view, host);
+  return view;
+}
+} // namespace
+
+double slipFactor(OtherSide side) { return side == OtherSide::mirror_image ? 2 : 1; }
+
+FaultSurface::FaultSurface(std::string name, std::vector<FaultNode> nodes, int num_tangents,
+                           HeldDofs held, std::vector<IndexView> colours, OtherSide other_side,
+                           RCP<const Communicator> const& communicator)
+    : name_(std::move(name))
+    , nodes_(std::move(nodes))
+    , num_tangents_(num_tangents)
+    , held_(std::move(held))
+    , colours_(std::move(colours))
+    , other_side_(other_side)
+    , communicator_(communicator)
+    , dofs_(dofView(nodes_, num_tangents))
+{
+  std::vector<double> weights;
+  double mine = 0;
+  for (auto const& node : nodes_) {
+    weights.push_back(node.weight);
+    mine += node.weight;
+  }
+  weights_ = toDevice(weights, "asperity::fem::faultWeights");
+  slip_factors_ =
+    toDevice(std::vector<double>(nodes_.size(), slipFactor()), "asperity::fem::slipFactors");
+  const auto my_nodes = static_cast<GlobalOrdinal>(nodes_.size());
+  Teuchos::reduceAll(*communicator_, Teuchos::REDUCE_SUM, mine, Teuchos::outArg(total_weight_));
+  Teuchos::reduceAll(*communicator_, Teuchos::REDUCE_SUM, my_nodes,
+                     Teuchos::outArg(num_global_nodes_));
+}
+
+std::vector<int> FaultSurface::vertices() const
+{
+  std::vector<int> result;
+  for (int node = 0; node < numNodes(); ++node) {
+    result.push_back(vertex(node));
+  }
+  return result;
+}
+
+bool FaultSurface::slides(int node) const
+{
+  for (int k = 0; k < num_tangents_; ++k) {
+    if (!held(node, k)) {
+      return true;
+    }
+  }
+  return false;
+}
+
+template <int Dim>
+std::shared_ptr<const FaultSurface>
+makeFaultSurface(Mesh<Dim> const& mesh, std::string const& boundary,
+                 Constraints<Dim> const& constraints, DofMap const& dofs, CrsGraph const& graph,
+                 OtherSide other_side)
+{
+  constexpr int num_tangents = Dim - 1;
+  std::vector<FaultNode> nodes;
+  for (auto const& measure : boundaryMeasure(mesh, boundary, *dofs.communicator())) {
+    FaultNode node;
+    node.copies = {measure.node};
+    node.weight = measure.weight;
+    for (int i = 0; i < Dim; ++i) {
+      node.place[i] = mesh.vertices[measure.node][i];
+      node.normal[i] = measure.normal[i];
+    }
+    for (int component : tangentialComponents(constraints.frames(), measure.node, measure.normal)) {
+      node.dofs.push_back(dofs.dof(measure.node, component));
+    }
+    nodes.push_back(std::move(node));
+  }
+  auto const& held = constraints.held();
+  auto colours = colourFreeNodes(graph, dofView(nodes, num_tangents), held.flags());
+  return std::make_shared<FaultSurface>(boundary, std::move(nodes), num_tangents, held,
+                                        std::move(colours), other_side, dofs.communicator());
+}
+
+#define ASPERITY_INSTANTIATE(DIM)                                                                  \
+  template std::shared_ptr<const FaultSurface> makeFaultSurface(                                   \
+    Mesh<DIM> const&, std::string const&, Constraints<DIM> const&, DofMap const&, CrsGraph const&, \
+    OtherSide);
+
+ASPERITY_INSTANTIATE(2)
+ASPERITY_INSTANTIATE(3)
+#undef ASPERITY_INSTANTIATE
+} // namespace asperity::fem

@@ -1,0 +1,95 @@
+#pragma once
+
+#include "base/Views.hpp"
+#include "fem/Constraints.hpp"
+#include "fem/HeldDofs.hpp"
+
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace asperity::fem
+{
+// What lies on the other side of a fault decides how slip follows from the tangential unknowns w_t
+// of its nodes: slip = factor w_t. The kinds of fault differ by this map alone.
+enum class OtherSide
+{
+  rigid_foundation, // slip = v_t: the other side rests
+  mirror_image      // slip = 2 v_t: the other side moves the opposite way
+};
+
+double slipFactor(OtherSide side);
+
+// One node of a fault, on the rank that owns it.
+struct FaultNode
+{
+  // Local vertices of the mesh that lie at this node: one where the fault is a boundary of the
+  // body, two (+, -) where it lies between two bodies.
+  std::vector<int> copies;
+  std::array<double, 3> place{};  // [m]; z = 0 in two dimensions
+  std::array<double, 3> normal{}; // unit, out of the body
+  double weight = 0;              // integral of the node's basis function [m^(Dim-1)]
+  std::vector<int> dofs;          // (T) local dofs of the tangential unknowns
+};
+
+// The one description of a fault's nodes: places, copies, weights, dofs, what is held, colours, and
+// the map from unknowns to slip. It is made once and never changes; friction, the solver and the
+// outputs have views of it, all in the order of its nodes.
+class FaultSurface
+{
+public:
+  // colours as of colourFreeNodes. Collective.
+  FaultSurface(std::string name, std::vector<FaultNode> nodes, int num_tangents, HeldDofs held,
+               std::vector<IndexView> colours, OtherSide other_side,
+               RCP<const Communicator> const& communicator);
+
+  std::string const& name() const { return name_; } // of the boundary in the mesh
+  int numNodes() const { return static_cast<int>(nodes_.size()); }
+  int numTangents() const { return num_tangents_; } // T
+  GlobalOrdinal numGlobalNodes() const { return num_global_nodes_; }
+  double totalWeight() const { return total_weight_; } // the measure of the fault, over all ranks
+  OtherSide otherSide() const { return other_side_; }
+  double slipFactor() const { return fem::slipFactor(other_side_); }
+  RCP<const Communicator> const& communicator() const { return communicator_; }
+
+  FaultNode const& operator[](int node) const { return nodes_[node]; }
+  auto begin() const { return nodes_.begin(); }
+  auto end() const { return nodes_.end(); }
+
+  // The vertex that carries the unknowns of a node.
+  int vertex(int node) const { return nodes_[node].copies.front(); }
+  std::vector<int> vertices() const; // (num_nodes)
+  // Whether the velocity of tangential component k is prescribed.
+  bool held(int node, int k) const { return held_[nodes_[node].dofs[k]]; }
+  // Whether friction decides on the velocity of a node, or on a part of it.
+  bool slides(int node) const;
+
+  // On the device.
+  NodeDofView dofs() const { return dofs_; }                         // (num_nodes, T)
+  ConstFlagView heldDofs() const { return held_.flagsOnDevice(); }   // (num local dofs)
+  std::vector<IndexView> const& colours() const { return colours_; } // of nodes that slide
+  Kokkos::View<const double*, MemorySpace> weights() const { return weights_; }
+  Kokkos::View<const double*, MemorySpace> slipFactors() const { return slip_factors_; }
+
+private:
+  std::string name_;
+  std::vector<FaultNode> nodes_;
+  int num_tangents_;
+  HeldDofs held_;
+  std::vector<IndexView> colours_;
+  OtherSide other_side_;
+  RCP<const Communicator> communicator_;
+  GlobalOrdinal num_global_nodes_ = 0;
+  double total_weight_ = 0;
+  NodeDofView dofs_;
+  Kokkos::View<const double*, MemorySpace> weights_, slip_factors_;
+};
+
+// The fault on a boundary of the body. graph: of the body's matrices, which decides on the colours.
+// Collective.
+template <int Dim>
+std::shared_ptr<const FaultSurface>
+makeFaultSurface(Mesh<Dim> const& mesh, std::string const& boundary,
+                 Constraints<Dim> const& constraints, DofMap const& dofs, CrsGraph const& graph,
+                 OtherSide other_side);
+} // namespace asperity::fem

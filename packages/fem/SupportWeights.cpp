@@ -1,0 +1,67 @@
+#include "fem/SupportWeights.hpp"
+
+#include "base/Errors.hpp"
+#include "mesh/PointText.hpp"
+#include "mesh/SimplexGeometry.hpp"
+
+#include <cmath>
+#include <map>
+#include <set>
+
+namespace asperity::fem
+{
+namespace
+{
+// Cosines between the outward normals of fault and wall. What is nearly at right angles is taken
+// for that by the frames of the nodes, too.
+constexpr double across = 0.1;
+constexpr double in_line = 0.9;
+} // namespace
+
+template <int Dim>
+std::vector<double> supportWeights(Mesh<Dim> const& mesh, FaultSurface const& fault,
+                                   std::vector<VelocityCondition<Dim>> const& conditions)
+{
+  std::vector<double> weights;
+  std::map<int, int> place;
+  for (int i = 0; i < fault.numNodes(); ++i) {
+    weights.push_back(fault[i].weight);
+    place[fault.vertex(i)] = i;
+  }
+  std::set<std::string> seen = {fault.name()};
+  for (auto const& condition : conditions) {
+    if (!condition.holdsAcross() || !seen.insert(condition.boundary).second) {
+      continue;
+    }
+    for (auto const& facet : mesh.boundaries.at(condition.boundary)) {
+      auto const corners = mesh::corners(mesh, facet);
+      auto const normal = mesh::areaNormal(corners);
+      const double size = std::sqrt(mesh::dot<Dim>(normal, normal));
+      for (int node : facet) {
+        auto const found = place.find(node);
+        if (found == place.end() || !fault.slides(found->second)) {
+          continue;
+        }
+        const int i = found->second;
+        double cosine = 0;
+        for (int d = 0; d < Dim; ++d) {
+          cosine += normal[d] * fault[i].normal[d];
+        }
+        cosine /= size;
+        ASPERITY_REQUIRE(std::abs(cosine) < across || cosine > in_line,
+                         "The normal stress of the fault does not follow from gravity at x = "
+                           << mesh::text(mesh.vertices[node]) << ": " << condition.name
+                           << " holds the fault there at an angle that is neither right nor flat, "
+                              "and shares the weight with it. Give Friction / Normal Stress.");
+        weights[i] += cosine > in_line ? mesh::facetMeasure(corners) / Dim : 0;
+      }
+    }
+  }
+  return weights;
+}
+
+template std::vector<double> supportWeights(Mesh<2> const&, FaultSurface const&,
+                                            std::vector<VelocityCondition<2>> const&);
+template std::vector<double> supportWeights(Mesh<3> const&, FaultSurface const&,
+                                            std::vector<VelocityCondition<3>> const&);
+} // namespace asperity::fem

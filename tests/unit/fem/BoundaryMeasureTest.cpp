@@ -1,0 +1,111 @@
+#include "fem/BoundaryMeasure.hpp"
+
+#include "unit/fem/SampleMeshes.hpp"
+
+#include <Teuchos_CommHelpers.hpp>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace asperity::fem
+{
+using namespace testing;
+
+namespace
+{
+double sumOverRanks(std::vector<double> const& values)
+{
+  double mine = 0;
+  for (double x : values) {
+    mine += x;
+  }
+  double all = 0;
+  Teuchos::reduceAll(*worldCommunicator(), Teuchos::REDUCE_SUM, mine, Teuchos::outArg(all));
+  return all;
+}
+
+template <int Dim>
+std::vector<double> weightsOf(std::vector<NodalMeasure<Dim>> const& nodes)
+{
+  std::vector<double> weights;
+  for (auto const& node : nodes) {
+    weights.push_back(node.weight);
+  }
+  return weights;
+}
+} // namespace
+
+TEST(BoundaryMeasure, weighTheirHalvesOfTheNeighbouringFacets)
+{
+  auto whole = uniformRectangle(6, 2, 3, 1);
+  whole.vertices[2][0] += 0.1; // facets of 0.5, 0.6, 0.4, 0.5, ... m from the left
+  auto const mesh = mesh::distribute(whole, *worldCommunicator());
+  auto const bottom = boundaryMeasure(mesh, "bottom", *worldCommunicator());
+  const std::vector<double> expected = {0.25, 0.55, 0.5, 0.45, 0.5, 0.5, 0.25};
+  for (std::size_t i = 0; i < bottom.size(); ++i) {
+    ASSERT_LT(mesh.global_ids[bottom[i].node], 7);
+    EXPECT_NEAR(bottom[i].weight, expected[mesh.global_ids[bottom[i].node]], 1e-15);
+  }
+  EXPECT_TRUE(std::is_sorted(bottom.begin(), bottom.end(),
+                             [](auto const& a, auto const& b) { return a.node < b.node; }));
+  EXPECT_EQ(sumOverRanks(std::vector<double>(bottom.size(), 1.)), 7);
+}
+
+TEST(BoundaryMeasure, haveOutwardNormals)
+{
+  const double angle = 0.4;
+  auto whole = uniformRectangle(4, 3, 3, 1);
+  rotate(whole, angle);
+  auto const mesh = mesh::distribute(whole, *worldCommunicator());
+  for (auto const& [name, turns] :
+       {std::pair{"right", 0}, {"top", 1}, {"left", 2}, {"bottom", 3}}) {
+    for (auto const& measure : boundaryMeasure(mesh, name, *worldCommunicator())) {
+      auto const& normal = measure.normal;
+      EXPECT_NEAR(normal[0], std::cos(angle + turns * M_PI / 2), 1e-14) << name;
+      EXPECT_NEAR(normal[1], std::sin(angle + turns * M_PI / 2), 1e-14) << name;
+    }
+  }
+}
+
+TEST(BoundaryMeasure, averageTheNormalsAtCornersByTheLengthOfTheFacets)
+{
+  auto whole = uniformRectangle(2, 1, 6, 4); // at the lower right, facets of 3 m and of 4 m
+  auto& hull = whole.boundaries["hull"] = whole.boundaries["bottom"];
+  hull.insert(hull.end(), whole.boundaries["right"].begin(), whole.boundaries["right"].end());
+  auto const mesh = mesh::distribute(whole, *worldCommunicator());
+  auto const nodes = boundaryMeasure(mesh, "hull", *worldCommunicator());
+  for (std::size_t i = 0; i < nodes.size(); ++i) {
+    if (mesh.global_ids[nodes[i].node] == 2) {
+      EXPECT_NEAR(nodes[i].normal[0], 0.8, 1e-15);
+      EXPECT_NEAR(nodes[i].normal[1], -0.6, 1e-15);
+      EXPECT_NEAR(nodes[i].weight, 3.5, 1e-15);
+    }
+  }
+  EXPECT_NEAR(sumOverRanks(weightsOf(nodes)), 10, 1e-14);
+}
+
+TEST(BoundaryMeasure, ofACubeHaveItsAreaAndNormals)
+{
+  auto const mesh = mesh::distribute(uniformCube(3), *worldCommunicator());
+  auto const top = boundaryMeasure(mesh, "top", *worldCommunicator());
+  EXPECT_NEAR(sumOverRanks(weightsOf(top)), 1, 1e-14);
+  for (std::size_t i = 0; i < top.size(); ++i) {
+    EXPECT_EQ(mesh.vertices[top[i].node][2], 1);
+    EXPECT_NEAR(top[i].normal[2], 1, 1e-15);
+  }
+  EXPECT_NEAR(sumOverRanks(weightsOf(boundaryMeasure(mesh, "sides", *worldCommunicator()))), 4,
+              1e-14);
+}
+
+TEST(BoundaryMeasure, refuseABoundaryThatIsNotThere)
+{
+  auto whole = uniformRectangle(2, 2, 1, 1);
+  whole.boundaries["void"] = {};
+  auto const mesh = mesh::distribute(whole, *worldCommunicator());
+  expectInputError([&] { boundaryMeasure(mesh, "botom", *worldCommunicator()); },
+                   {"'botom'", "'bottom'", "'left'", "'right'", "'top'"});
+  expectInputError([&] { boundaryMeasure(mesh, "void", *worldCommunicator()); },
+                   {"'void'", "no facets"});
+}
+} // namespace asperity::fem
