@@ -13,6 +13,8 @@ using test::world;
 
 namespace
 {
+const Fingerprint of_tests = {{{"Asperity", "deck", ""}}};
+
 constexpr int num_base = 6, num_steps = 60;
 namespace fs = std::filesystem;
 
@@ -89,7 +91,7 @@ void checkpoint(OutputSet& outputs, fs::path const& directory)
   outputs.closeSegment();
   Archive archive;
   archive.insert("outputs", outputs.save());
-  writeCheckpoint(directory / "checkpoint.h5", archive, "deck", *world());
+  writeCheckpoint(directory / "checkpoint.h5", archive, of_tests, *world());
 }
 
 void steps(OutputSet& outputs, Body& body, fs::path const& directory, int first, int end)
@@ -172,7 +174,7 @@ void expectRestartsExactly(std::string const& text_format, Names const& more_tex
   {
     Body body;
     OutputSet outputs(deck(text_format), {broken.path(), world(), body.fields, body.locations});
-    const Archive archive = readCheckpoint(broken / "checkpoint.h5", "deck", *world());
+    const Archive archive = readCheckpoint(broken / "checkpoint.h5", of_tests, *world());
     outputs.restore(archive.child("outputs"));
     steps(outputs, body, broken.path(), 25, num_steps + 1);
     finish(outputs, broken.path());
