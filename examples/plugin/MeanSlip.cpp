@@ -28,7 +28,7 @@ public:
   static std::string meaning() { return "Slip averaged over the fault: mean_slip.csv."; }
 
   MeanSlip(Teuchos::ParameterList const& parameters, OutputContext const& context)
-      : fault_(context.location("fault"))
+      : fault_(context.domain("fault"))
       , slip_(context.fields.field("fault", "slip"))
       , rule_(parameters)
       , file_(context.directory / "mean_slip.csv", "time [s],mean_slip [m]", context.comm)
@@ -76,8 +76,8 @@ private:
     return all[0] / all[1];
   }
 
-  Location const& fault_;
-  Field const& slip_;
+  OutputDomain const& fault_;
+  OutputField const& slip_;
   WriteRule rule_;
   TextTable file_;
 };

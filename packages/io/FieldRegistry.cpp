@@ -9,58 +9,58 @@ namespace asperity::io
 {
 namespace
 {
-Field const* find(std::deque<Field> const& fields, std::string const& location,
-                  std::string const& name)
+OutputField const* find(std::deque<OutputField> const& fields, std::string const& domain,
+                        std::string const& name)
 {
-  const auto found = std::find_if(fields.begin(), fields.end(), [&](Field const& field) {
-    return field.location == location && field.name == name;
+  const auto found = std::find_if(fields.begin(), fields.end(), [&](OutputField const& field) {
+    return field.domain == domain && field.name == name;
   });
   return found == fields.end() ? nullptr : &*found;
 }
 
-Scalar const* find(std::deque<Scalar> const& scalars, std::string const& name)
+OutputScalar const* find(std::deque<OutputScalar> const& scalars, std::string const& name)
 {
   const auto found = std::find_if(scalars.begin(), scalars.end(),
-                                  [&](Scalar const& scalar) { return scalar.name == name; });
+                                  [&](OutputScalar const& scalar) { return scalar.name == name; });
   return found == scalars.end() ? nullptr : &*found;
 }
 } // namespace
 
-void FieldRegistry::add(Field field)
+void FieldRegistry::add(OutputField field)
 {
-  ASPERITY_ASSERT(find(fields_, field.location, field.name) == nullptr);
+  ASPERITY_ASSERT(find(fields_, field.domain, field.name) == nullptr);
   fields_.push_back(std::move(field));
 }
 
-void FieldRegistry::add(Scalar scalar)
+void FieldRegistry::add(OutputScalar scalar)
 {
   ASPERITY_ASSERT(find(scalars_, scalar.name) == nullptr);
   scalars_.push_back(std::move(scalar));
 }
 
-Field const& FieldRegistry::field(std::string const& location, std::string const& name) const
+OutputField const& FieldRegistry::field(std::string const& domain, std::string const& name) const
 {
-  Field const* found = find(fields_, location, name);
-  ASPERITY_REQUIRE(found, "There is no field '" << name << "' on the " << location << "."
-                                                << didYouMean(name, fieldNames(location)));
+  OutputField const* found = find(fields_, domain, name);
+  ASPERITY_REQUIRE(found, "There is no field '" << name << "' on the " << domain << "."
+                                                << didYouMean(name, fieldNames(domain)));
   return *found;
 }
 
-Scalar const& FieldRegistry::scalar(std::string const& name) const
+OutputScalar const& FieldRegistry::scalar(std::string const& name) const
 {
-  Scalar const* found = find(scalars_, name);
+  OutputScalar const* found = find(scalars_, name);
   ASPERITY_REQUIRE(found, "There is no quantity '" << name << "' of a step."
                                                    << didYouMean(name, scalarNames()));
   return *found;
 }
 
-std::vector<Field const*> FieldRegistry::fields(std::string const& location,
-                                                std::vector<std::string> const& names,
-                                                std::string const& where) const
+std::vector<OutputField const*> FieldRegistry::fields(std::string const& domain,
+                                                      std::vector<std::string> const& names,
+                                                      std::string const& where) const
 {
-  std::vector<Field const*> chosen;
+  std::vector<OutputField const*> chosen;
   for (auto const& name : names) {
-    Field const& next = field(location, name);
+    OutputField const& next = field(domain, name);
     ASPERITY_REQUIRE(std::find(chosen.begin(), chosen.end(), &next) == chosen.end(),
                      where << " names '" << name << "' twice.");
     chosen.push_back(&next);
@@ -68,16 +68,16 @@ std::vector<Field const*> FieldRegistry::fields(std::string const& location,
   return chosen;
 }
 
-bool FieldRegistry::hasField(std::string const& location, std::string const& name) const
+bool FieldRegistry::hasField(std::string const& domain, std::string const& name) const
 {
-  return find(fields_, location, name) != nullptr;
+  return find(fields_, domain, name) != nullptr;
 }
 
-std::vector<std::string> FieldRegistry::fieldNames(std::string const& location) const
+std::vector<std::string> FieldRegistry::fieldNames(std::string const& domain) const
 {
   std::vector<std::string> names;
   for (auto const& field : fields_) {
-    if (field.location == location) {
+    if (field.domain == domain) {
       names.push_back(field.name);
     }
   }

@@ -4,10 +4,10 @@
 
 namespace asperity::io
 {
-Location const& OutputContext::location(std::string const& name) const
+OutputDomain const& OutputContext::domain(std::string const& name) const
 {
-  const auto found = locations.find(name);
-  ASPERITY_REQUIRE(found != locations.end(),
+  const auto found = domains.find(name);
+  ASPERITY_REQUIRE(found != domains.end(),
                    "Output: this problem has no "
                      << name
                      << " to write. Set `Enabled` to false in the output's list, or name the "

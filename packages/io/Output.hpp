@@ -3,9 +3,9 @@
 #include "base/Registry.hpp"
 #include "base/Types.hpp"
 #include "io/FieldRegistry.hpp"
-#include "io/Location.hpp"
+#include "io/Offers.hpp"
+#include "io/OutputDomain.hpp"
 #include "io/checkpoint/Archive.hpp"
-#include "io/platforms/TextFormat.hpp"
 
 #include <Teuchos_ParameterList.hpp>
 
@@ -15,6 +15,7 @@
 #include <map>
 #include <memory>
 #include <string>
+#include <vector>
 
 namespace asperity::io
 {
@@ -28,18 +29,24 @@ struct StepInfo
   bool is_last = false;      // the run has reached its final time
 };
 
-// What an output may use. Registry and locations must outlive the outputs.
+// What an output may use. Registry and domains must outlive the outputs.
 struct OutputContext
 {
   std::filesystem::path directory;
   RCP<const Communicator> comm;
   FieldRegistry const& fields;
-  std::map<std::string, Location> const& locations; // by name
-  TextFormat text = {};                             // the OutputSet fills these from the deck
-  std::array<double, 3> up{0, 1, 0};                // direction, in three dimensions
+  std::map<std::string, OutputDomain> const& domains; // by name
+  std::array<double, 3> up{0, 1, 0}; // direction, in three dimensions; the OutputSet reads the deck
 
-  // InputError that says what to change in the deck if there is no such location.
-  Location const& location(std::string const& name) const;
+  // InputError that says what to change in the deck if there is no such domain.
+  OutputDomain const& domain(std::string const& name) const;
+};
+
+// How many of something there have been so far: {3, "event"}.
+struct Count
+{
+  std::int64_t number = 0;
+  std::string of; // one of them
 };
 
 // Something that a run leaves on disk. All functions are collective.
@@ -61,6 +68,19 @@ public:
   // What write needs from the past. restore brings the files back to the state of the archive.
   virtual void save(Archive& archive) const = 0;
   virtual void restore(Archive const& archive) = 0;
+
+  // Adds what files of a text format may read, normally itself.
+  virtual void offer(Offers&) const {}
+
+  // For the lines of progress, and a paragraph for the report at the end of the run.
+  virtual std::vector<Count> counts() const { return {}; }
+  virtual std::string report() const { return ""; }
+
+  // Of a kind that says nothing else: the domain without which it is left out ("": it is never),
+  // and its files, relative to the folder of the run. A name may end in '*' for any ending;
+  // segments need not be named. A class declares functions of the same names for its kind.
+  static std::string neededDomain() { return ""; }
+  static std::vector<std::string> files() { return {}; }
 };
 
 // A kind of output, registered under the name of its list in the deck's list `Output`.
@@ -72,6 +92,10 @@ public:
   // With the bool `Enabled` among them, and one sentence that says what is written.
   virtual Teuchos::RCP<const Teuchos::ParameterList> validParameters() const = 0;
   virtual std::string meaning() const = 0;
+
+  // As Output has them.
+  virtual std::string neededDomain() const = 0;
+  virtual std::vector<std::string> files() const = 0;
 
   // `parameters` has been completed and validated. Collective.
   virtual std::unique_ptr<Output> make(Teuchos::ParameterList const& parameters,
@@ -90,6 +114,8 @@ public:
     return Type::validParameters();
   }
   std::string meaning() const override { return Type::meaning(); }
+  std::string neededDomain() const override { return Type::neededDomain(); }
+  std::vector<std::string> files() const override { return Type::files(); }
   std::unique_ptr<Output> make(Teuchos::ParameterList const& parameters,
                                OutputContext const& context) const override
   {

@@ -2,8 +2,7 @@
 
 #include "base/Errors.hpp"
 #include "base/parameters/Parameters.hpp"
-#include "io/catalogue/events/EventCatalogue.hpp"
-#include "io/catalogue/receivers/PointLocation.hpp"
+#include "io/TextFormat.hpp"
 
 #include <Teuchos_Array.hpp>
 
@@ -44,6 +43,39 @@ std::array<double, 3> upIn(Teuchos::ParameterList const& output)
 }
 } // namespace
 
+namespace
+{
+constexpr char const* no_text = "None";
+
+void declareTextFormat(Declare& parameters)
+{
+  std::vector<Declare::NamedList> lists{{no_text, Declare().list()}};
+  for (auto const& name : TextFormatRegistry::instance().names()) {
+    const auto format = TextFormatRegistry::instance().create(name, "Text Format");
+    lists.emplace_back(name, format->validParameters());
+  }
+  parameters.choiceOfLists(
+    "Text Format", std::string(no_text), lists,
+    "Selects the platform for comparing codes for which additional text files are written: "
+    "time series of the receivers, rupture times and what else the platform takes.");
+}
+
+// The choice and the list of that name, complete.
+ParameterList textFormatIn(Teuchos::ParameterList const& output)
+{
+  Declare valid;
+  declareTextFormat(valid);
+  ParameterList list;
+  for (auto const& entry : *valid.list()) {
+    if (output.isParameter(entry.first)) {
+      list.setEntry(entry.first, output.getEntry(entry.first));
+    }
+  }
+  completeAndValidate(list, *valid.list(), "Asperity / Output");
+  return list;
+}
+} // namespace
+
 void OutputSet::declare(Teuchos::ParameterList& list)
 {
   Declare parameters(list);
@@ -52,35 +84,44 @@ void OutputSet::declare(Teuchos::ParameterList& list)
     parameters.sublist(name, kind->validParameters(), kind->meaning());
   }
   declareUp(parameters);
-  TextFormat::declare(parameters);
+  declareTextFormat(parameters);
 }
-
-namespace
-{
-TextFormat textFormat(Teuchos::ParameterList const& parameters, OutputContext const& context)
-{
-  TextFormat format = TextFormat::from(parameters);
-  if (format.platform != Platform::none && format.element_size == 0) {
-    format.element_size = detail::shortestElement(context.location("fault"));
-  }
-  return format;
-}
-} // namespace
 
 OutputSet::OutputSet(Teuchos::ParameterList const& parameters, OutputContext const& given)
 {
   OutputContext context = given;
-  context.text = textFormat(parameters, given);
   context.up = upIn(parameters);
-  platform_ = context.text.platform;
+  makeOutputs(parameters, context);
+  makeTexts(textFormatIn(parameters), context);
+}
+
+void OutputSet::makeOutputs(Teuchos::ParameterList const& parameters, OutputContext const& context)
+{
   for (auto const& name : OutputRegistry::instance().names()) {
     const auto kind = OutputRegistry::instance().create(name, "Output");
     ParameterList list = parameters.isSublist(name) ? parameters.sublist(name) : ParameterList();
     completeAndValidate(list, *kind->validParameters(), "Asperity / Output / " + name);
-    if (list.get<bool>("Enabled")) {
+    const auto domain = kind->neededDomain();
+    const bool is_possible = domain.empty() || context.domains.count(domain) > 0;
+    if (is_possible && list.get<bool>("Enabled")) {
       entries_.push_back({name, kind->make(list, context)});
     }
   }
+}
+
+void OutputSet::makeTexts(Teuchos::ParameterList const& parameters, OutputContext const& context)
+{
+  text_format_ = parameters.get<std::string>("Text Format");
+  if (text_format_ == no_text) {
+    return;
+  }
+  Offers offers;
+  for (auto const& entry : entries_) {
+    entry.output->offer(offers);
+  }
+  const auto format = TextFormatRegistry::instance().create(text_format_, "Text Format");
+  entries_.push_back(
+    {"Text Format", format->make(parameters.sublist(text_format_), context, offers)});
 }
 
 OutputSet::~OutputSet() = default;
@@ -104,7 +145,7 @@ Archive OutputSet::save() const
 {
   Archive archive;
   archive.set("num_closed_segments", num_closed_segments_);
-  archive.set("text_format", std::string(platformName(platform_)));
+  archive.set("text_format", text_format_);
   for (auto const& entry : entries_) {
     Archive part;
     entry.output->save(part);
@@ -116,9 +157,9 @@ Archive OutputSet::save() const
 void OutputSet::restore(Archive const& archive)
 {
   auto const& earlier = archive.get<std::string>("text_format");
-  ASPERITY_REQUIRE(earlier == platformName(platform_),
+  ASPERITY_REQUIRE(earlier == text_format_,
                    "Asperity / Output / Text Format is "
-                     << platformName(platform_) << ", but it was " << earlier
+                     << text_format_ << ", but it was " << earlier
                      << " in the run that the checkpoint continues. Restart with the Text Format "
                         "of the earlier run.");
   num_closed_segments_ = static_cast<int>(archive.getInteger("num_closed_segments"));
@@ -134,13 +175,23 @@ void OutputSet::finish()
   }
 }
 
-EventCatalogue const* OutputSet::events() const
+std::vector<Count> OutputSet::counts() const
 {
+  std::vector<Count> counts;
   for (auto const& entry : entries_) {
-    if (auto const* catalogue = dynamic_cast<EventCatalogue const*>(entry.output.get())) {
-      return catalogue;
+    for (auto const& count : entry.output->counts()) {
+      counts.push_back(count);
     }
   }
-  return nullptr;
+  return counts;
+}
+
+std::string OutputSet::report() const
+{
+  std::string text;
+  for (auto const& entry : entries_) {
+    text += entry.output->report();
+  }
+  return text;
 }
 } // namespace asperity::io

@@ -8,10 +8,9 @@
 
 namespace asperity::io
 {
-class EventCatalogue;
-
 // All outputs of a run, made from the deck's list `Output`: one sublist for every registered kind,
-// each with the bool `Enabled`, and the choice `Text Format` of files for the platforms.
+// each with the bool `Enabled`, and the choice `Text Format`. A kind whose domain the run has not
+// is left out, whatever the deck says.
 //
 //   OutputSet outputs(deck.sublist("Output"), context);
 //   outputs.write(initial);                        // not after a restart
@@ -38,8 +37,9 @@ public:
   void restore(Archive const& archive);
   void finish();
 
-  // The catalogue, for tables and progress lines; null if the deck has switched it off.
-  EventCatalogue const* events() const;
+  // Of all outputs: for the lines of progress, and the paragraphs for the report at the end.
+  std::vector<Count> counts() const;
+  std::string report() const;
 
 private:
   struct Entry
@@ -47,8 +47,11 @@ private:
     std::string name;
     std::unique_ptr<Output> output;
   };
-  std::vector<Entry> entries_;
+  void makeOutputs(Teuchos::ParameterList const& parameters, OutputContext const& context);
+  void makeTexts(Teuchos::ParameterList const& parameters, OutputContext const& context);
+
+  std::vector<Entry> entries_; // the files of the text format stand last
   int num_closed_segments_ = 0;
-  Platform platform_;
+  std::string text_format_; // "None", "SEAS"
 };
 } // namespace asperity::io

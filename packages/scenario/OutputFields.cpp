@@ -71,8 +71,8 @@ void registerTangential(io::FieldRegistry& registry, Problem<Dim> const& problem
   auto const initial = tangential(*problem.initial.u, *surface);
   auto const slip_factor = [surface](int) { return surface->slipFactor(); };
   auto const add = [&](char const* name, char const* unit, std::string const& meaning, auto value) {
-    registry.add(io::Field{name, unit, meaning + ' ' + written.direction(), "fault",
-                           written.components(), value});
+    registry.add(io::OutputField{name, unit, meaning + ' ' + written.direction(), "fault",
+                                 written.components(), value});
   };
   add("slip", "m", "Tangential slip since the start,", [=, &view](Values& values) {
     auto blocks = tangential(*view.state->u, *surface);
@@ -97,25 +97,25 @@ void registerFaultFields(io::FieldRegistry& registry, Problem<Dim> const& proble
                          RunView const& view)
 {
   auto const surface = problem.surface;
-  registry.add(io::Field{"slip_rate", "m/s", "Magnitude of the slip rate.", "fault", 1,
-                         [surface, &view](Values& values) {
-                           auto const blocks = tangential(*view.state->v, *surface);
-                           values.assign(surface->numNodes(), 0.);
-                           for (std::size_t i = 0; i < blocks.size(); ++i) {
-                             double& value = values[i / surface->numTangents()];
-                             value = std::hypot(value, surface->slipFactor() * blocks[i]);
-                           }
-                         }});
-  registry.add(io::Field{
+  registry.add(io::OutputField{"slip_rate", "m/s", "Magnitude of the slip rate.", "fault", 1,
+                               [surface, &view](Values& values) {
+                                 auto const blocks = tangential(*view.state->v, *surface);
+                                 values.assign(surface->numNodes(), 0.);
+                                 for (std::size_t i = 0; i < blocks.size(); ++i) {
+                                   double& value = values[i / surface->numTangents()];
+                                   value = std::hypot(value, surface->slipFactor() * blocks[i]);
+                                 }
+                               }});
+  registry.add(io::OutputField{
     "alpha", "", "State ln(theta V* / L).", "fault", 1, [&view](Values& values) {
       auto const host = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace(), view.state->alpha);
       values.assign(host.data(), host.data() + host.extent(0));
     }});
-  registry.add(io::Field{"normal_stress", "Pa", "Normal stress, positive in compression.", "fault",
-                         1, [&view](Values& values) {
-                           auto const host = toHost(view.state->sigma_n);
-                           values.assign(host.data(), host.data() + host.extent(0));
-                         }});
+  registry.add(io::OutputField{"normal_stress", "Pa", "Normal stress, positive in compression.",
+                               "fault", 1, [&view](Values& values) {
+                                 auto const host = toHost(view.state->sigma_n);
+                                 values.assign(host.data(), host.data() + host.extent(0));
+                               }});
 }
 
 // What does not change in time.
@@ -124,8 +124,8 @@ void registerFaultConstants(io::FieldRegistry& registry, Problem<Dim> const& pro
 {
   auto const add = [&registry](char const* name, char const* unit, char const* meaning,
                                Values const& constant) {
-    registry.add(io::Field{name, unit, meaning, "fault", 1,
-                           [constant](Values& values) { values = constant; }});
+    registry.add(io::OutputField{name, unit, meaning, "fault", 1,
+                                 [constant](Values& values) { values = constant; }});
   };
   Values shear_modulus;
   for (auto const& material : problem.fault_materials) {
@@ -151,20 +151,20 @@ void registerTheta(io::FieldRegistry& registry, Problem<Dim> const& problem, Run
   }
   Values const& scale = *scales;
   registry.add(
-    io::Field{"theta", "s", "State variable.", "fault", 1, [&view, scale](Values& values) {
-                auto const alpha =
-                  Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace(), view.state->alpha);
-                values.resize(scale.size());
-                for (std::size_t i = 0; i < scale.size(); ++i) {
-                  values[i] = scale[i] * std::exp(alpha(i));
-                }
-              }});
+    io::OutputField{"theta", "s", "State variable.", "fault", 1, [&view, scale](Values& values) {
+                      auto const alpha =
+                        Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace(), view.state->alpha);
+                      values.resize(scale.size());
+                      for (std::size_t i = 0; i < scale.size(); ++i) {
+                        values[i] = scale[i] * std::exp(alpha(i));
+                      }
+                    }});
 }
 
-// Displacement, velocity and acceleration, along the axes, at the vertices of a location.
+// Displacement, velocity and acceleration, along the axes, at the vertices of a domain.
 template <int Dim>
 void registerMotion(io::FieldRegistry& registry, Problem<Dim> const& problem, RunView const& view,
-                    io::Location const& location)
+                    io::OutputDomain const& domain)
 {
   struct Motion
   {
@@ -179,19 +179,19 @@ void registerMotion(io::FieldRegistry& registry, Problem<Dim> const& problem, Ru
     {"acceleration", "m/s^2", "Acceleration along the axes.", &dynamics::State::a}};
   for (auto const& motion : motions) {
     auto const vector = motion.vector;
-    registry.add(
-      io::Field{motion.name, motion.unit, motion.description, location.name, problem.components,
-                [&problem, &view, &location, vector](Values& values) {
-                  auto const all = fem::alongAxes(problem.constraints->frames(), *problem.body.dofs,
-                                                  *(view.state->*vector));
-                  const int components = problem.components;
-                  values.clear();
-                  for (int vertex : location.vertices) {
-                    for (int c = 0; c < components; ++c) {
-                      values.push_back(all[static_cast<std::size_t>(vertex) * components + c]);
-                    }
-                  }
-                }});
+    registry.add(io::OutputField{
+      motion.name, motion.unit, motion.description, domain.name, problem.components,
+      [&problem, &view, &domain, vector](Values& values) {
+        auto const all =
+          fem::alongAxes(problem.constraints->frames(), *problem.body.dofs, *(view.state->*vector));
+        const int components = problem.components;
+        values.clear();
+        for (int vertex : domain.vertices) {
+          for (int c = 0; c < components; ++c) {
+            values.push_back(all[static_cast<std::size_t>(vertex) * components + c]);
+          }
+        }
+      }});
   }
 }
 
@@ -199,7 +199,7 @@ void registerMotion(io::FieldRegistry& registry, Problem<Dim> const& problem, Ru
 void registerScalars(io::FieldRegistry& registry, RunView const& view, int dimension)
 {
   auto const add = [&](char const* name, char const* unit, char const* meaning, auto value) {
-    registry.add(io::Scalar{name, unit, meaning, value});
+    registry.add(io::OutputScalar{name, unit, meaning, value});
   };
   auto const count = [&](char const* name, char const* meaning,
                          std::int64_t dynamics::SolveCount::*member) {
@@ -226,8 +226,8 @@ void registerScalars(io::FieldRegistry& registry, RunView const& view, int dimen
     // Slip and moment are those of the whole fault.
     auto const description = meaning + std::string(" With an antisymmetric fault: of the half "
                                                    "that is modelled.");
-    registry.add(io::Scalar{name, dimension == 2 ? "J/m" : "J", description,
-                            [&view, member] { return view.balance->energy().*member; }});
+    registry.add(io::OutputScalar{name, dimension == 2 ? "J/m" : "J", description,
+                                  [&view, member] { return view.balance->energy().*member; }});
   };
   energy("kinetic_energy", "Kinetic energy.", &dynamics::Energy::kinetic);
   energy("elastic_energy", "Elastic energy.", &dynamics::Energy::elastic);
@@ -249,39 +249,39 @@ void registerScalars(io::FieldRegistry& registry, RunView const& view, int dimen
 } // namespace
 
 template <int Dim>
-std::map<std::string, io::Location> makeLocations(Problem<Dim> const& problem)
+std::map<std::string, io::OutputDomain> makeDomains(Problem<Dim> const& problem)
 {
-  std::map<std::string, io::Location> locations;
-  locations.emplace("fault", io::boundaryLocation("fault", problem.mesh, problem.boundary.fault,
-                                                  problem.communicator));
-  locations.emplace("volume", io::volumeLocation(problem.mesh, problem.communicator));
+  std::map<std::string, io::OutputDomain> domains;
+  domains.emplace("fault", io::boundaryDomain("fault", problem.mesh, problem.boundary.fault,
+                                              problem.communicator));
+  domains.emplace("volume", io::volumeDomain(problem.mesh, problem.communicator));
   if (!problem.boundary.surface.empty()) {
-    locations.emplace("surface",
-                      io::boundaryLocation("surface", problem.mesh, problem.boundary.surface,
-                                           problem.communicator));
+    domains.emplace("surface", io::boundaryDomain("surface", problem.mesh, problem.boundary.surface,
+                                                  problem.communicator));
   }
-  return locations;
+  return domains;
 }
 
 template <int Dim>
 void registerFields(io::FieldRegistry& registry, Problem<Dim> const& problem, RunView const& view,
-                    std::map<std::string, io::Location> const& locations,
+                    std::map<std::string, io::OutputDomain> const& domains,
                     ParameterList const& friction)
 {
   registerFaultFields(registry, problem, view);
   registerTangential(registry, problem, view);
   registerTheta(registry, problem, view, friction);
   registerFaultConstants(registry, problem);
-  for (auto const& [name, location] : locations) {
-    registerMotion(registry, problem, view, location);
+  for (auto const& [name, domain] : domains) {
+    registerMotion(registry, problem, view, domain);
   }
   registerScalars(registry, view, Dim);
 }
 
 #define ASPERITY_INSTANTIATE(Dim)                                                                  \
-  template std::map<std::string, io::Location> makeLocations(Problem<Dim> const&);                 \
+  template std::map<std::string, io::OutputDomain> makeDomains(Problem<Dim> const&);               \
   template void registerFields(io::FieldRegistry&, Problem<Dim> const&, RunView const&,            \
-                               std::map<std::string, io::Location> const&, ParameterList const&);
+                               std::map<std::string, io::OutputDomain> const&,                     \
+                               ParameterList const&);
 
 ASPERITY_INSTANTIATE(2)
 ASPERITY_INSTANTIATE(3)

@@ -3,7 +3,7 @@
 #include "dynamics/EnergyBalance.hpp"
 #include "dynamics/control/StepControl.hpp"
 #include "io/FieldRegistry.hpp"
-#include "io/Location.hpp"
+#include "io/OutputDomain.hpp"
 #include "scenario/Problem.hpp"
 
 #include <map>
@@ -21,12 +21,12 @@ struct RunView
 
 // Fault, volume and, where the deck names one, the free surface. Collective.
 template <int Dim>
-std::map<std::string, io::Location> makeLocations(Problem<Dim> const& problem);
+std::map<std::string, io::OutputDomain> makeDomains(Problem<Dim> const& problem);
 
-// Registers all fields and scalars. Problem, view and locations must outlive the registry;
+// Registers all fields and scalars. Problem, view and domains must outlive the registry;
 // `friction` is the deck's list.
 template <int Dim>
 void registerFields(io::FieldRegistry& registry, Problem<Dim> const& problem, RunView const& view,
-                    std::map<std::string, io::Location> const& locations,
+                    std::map<std::string, io::OutputDomain> const& domains,
                     ParameterList const& friction);
 } // namespace asperity::scenario

@@ -62,16 +62,10 @@ void writeBalance(std::ostream& text, dynamics::Energy const& energy, char const
 }
 } // namespace
 
-std::string summarise(RunSummary const& summary, io::EventCatalogue const* events)
+std::string summarise(RunSummary const& summary, std::string const& of_outputs)
 {
   std::ostringstream text;
-  text << '\n';
-  if (events != nullptr) {
-    io::printEvents(text, events->events());
-    text << '\n';
-    io::printSummary(text, events->summary());
-    text << '\n';
-  }
+  text << '\n' << of_outputs;
   auto const& count = summary.count;
   text << (summary.finished ? "Finished" : "Stopped") << " at t = " << formatNumber(summary.time)
        << " s after " << summary.num_steps << " steps.\n"

@@ -3,7 +3,6 @@
 #include "base/parameters/Parameters.hpp"
 #include "dynamics/EnergyBalance.hpp"
 #include "dynamics/coupling/CoupledStep.hpp"
-#include "io/catalogue/events/EventCatalogue.hpp"
 #include "scenario/Problem.hpp"
 
 #include <string>
@@ -29,6 +28,6 @@ struct RunSummary
   std::string directory;
 };
 
-// The closing paragraphs: events, effort, energy. `events` may be null.
-std::string summarise(RunSummary const& summary, io::EventCatalogue const* events);
+// The closing paragraphs: what the outputs report, effort, energy.
+std::string summarise(RunSummary const& summary, std::string const& of_outputs);
 } // namespace asperity::scenario

@@ -6,7 +6,6 @@
 #include "dynamics/FaultMotion.hpp"
 #include "dynamics/coupling/CoupledStep.hpp"
 #include "io/OutputSet.hpp"
-#include "io/catalogue/events/EventCatalogue.hpp"
 #include "io/checkpoint/Archive.hpp"
 #include "io/checkpoint/Checkpoint.hpp"
 #include "io/files/OutputDirectory.hpp"
@@ -66,7 +65,7 @@ private:
   dynamics::SolveCount count_;
   std::int64_t forced_steps_ = 0;
   RunView view_;
-  std::map<std::string, io::Location> locations_;
+  std::map<std::string, io::OutputDomain> domains_;
   io::FieldRegistry registry_;
   std::unique_ptr<io::OutputSet> outputs_;
   std::string restart_;
@@ -96,7 +95,7 @@ SimulationOf<Dim>::SimulationOf(RCP<ParameterList> const& deck, CommandLine cons
     , end_(clock_.reaching(finalTime(deck->sublist("Time Stepping"))))
     , balance_(problem_.body, problem_.fault, clock_)
     , state_(problem_.initial.clone())
-    , locations_(makeLocations(problem_))
+    , domains_(makeDomains(problem_))
     , restart_(command_line.restart)
     , fingerprint_(fingerprint(*deck, problem_.mesh, *communicator))
     , checkpoint_interval_(deck->sublist("Output").get<int>("Checkpoint Every n Steps"))
@@ -110,12 +109,9 @@ SimulationOf<Dim>::SimulationOf(RCP<ParameterList> const& deck, CommandLine cons
   control_ = makeStepControl(deck->sublist("Time Stepping"), *coupled_step_);
   view_.state = &state_;
   view_.balance = &balance_;
-  registerFields(registry_, problem_, view_, locations_, deck->sublist("Friction"));
-  if (problem_.boundary.surface.empty()) {
-    deck->sublist("Output").sublist("Surface History").set("Enabled", false);
-  }
+  registerFields(registry_, problem_, view_, domains_, deck->sublist("Friction"));
   outputs_ = std::make_unique<io::OutputSet>(
-    deck->sublist("Output"), io::OutputContext{directory_, communicator, registry_, locations_});
+    deck->sublist("Output"), io::OutputContext{directory_, communicator, registry_, domains_});
   if (command_line.validate) {
     return;
   }
@@ -233,10 +229,7 @@ void SimulationOf<Dim>::advance()
   progress.peak_slip_rate = info.peak_slip_rate;
   progress.step = info.step;
   progress.fixed_point_iterations = view_.step.iterations;
-  if (auto const* events = outputs_->events()) {
-    progress.num_events =
-      static_cast<std::int64_t>(events->events().size()) + events->eventInProgress();
-  }
+  progress.counts = outputs_->counts();
   log_->progress(progress);
 }
 
@@ -268,7 +261,7 @@ void SimulationOf<Dim>::report(bool finished)
   summary.setups = coupled_step_->solvers().setups();
   summary.setup_seconds = coupled_step_->solvers().setupSeconds();
   summary.directory = directory_.string();
-  log_->message(summarise(summary, outputs_->events()));
+  log_->message(summarise(summary, outputs_->report()));
 }
 
 std::unique_ptr<Simulation> makeSimulation(RCP<ParameterList> const& deck,

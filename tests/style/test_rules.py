@@ -93,6 +93,10 @@ BAD = {
         ("packages/friction/Law.hpp", "#pragma once\n#include <KokkosBlas.hpp>\n"),
         ("packages/other/Thing.cpp", "int i;\n"),
         ("CMakeLists.txt", "asperity_add_package(friction PACKAGES base)\n"),
+        ("CMakeLists.txt", "asperity_add_package(friction)\nasperity_add_package(base)\n"
+                           "asperity_add_package(mesh PACKAGES base)\n"
+                           "asperity_add_package(catalogue)\n"
+                           "asperity_add_package(io PACKAGES catalogue)\n"),
         ("CMakeLists.txt", "asperity_add_package(mesh PACKAGES base)\n"
                            "asperity_add_package(friction)\nasperity_add_package(base)\n"),
         ("CMakeLists.txt", "asperity_add_package(friction)\nasperity_add_package(base)\n"

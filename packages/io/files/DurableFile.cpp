@@ -48,15 +48,19 @@ void replaceDurably(std::filesystem::path const& file)
   synchronise(folder.empty() ? std::filesystem::path(".") : folder);
 }
 
+} // namespace asperity::io::detail
+
+namespace asperity::io
+{
 void replaceText(std::filesystem::path const& file, std::string const& text)
 {
   std::error_code ignored; // a folder that cannot be made is one that cannot be written to
   std::filesystem::create_directory(file.parent_path(), ignored);
-  std::ofstream stream(temporaryName(file), std::ios::binary);
+  std::ofstream stream(detail::temporaryName(file), std::ios::binary);
   stream << text << std::flush;
   if (!stream) {
     throw OutputError(file.string() + " cannot be written. Is the disk full?");
   }
-  replace(file);
+  detail::replace(file);
 }
-} // namespace asperity::io::detail
+} // namespace asperity::io

@@ -17,6 +17,10 @@ void replace(std::filesystem::path const& file);
 // The same, and also a machine that stops leaves the old or the new file.
 void replaceDurably(std::filesystem::path const& file);
 
+} // namespace asperity::io::detail
+
+namespace asperity::io
+{
 // Replaces the file, in a folder that is made if there is none, by one of this text.
 void replaceText(std::filesystem::path const& file, std::string const& text);
-} // namespace asperity::io::detail
+} // namespace asperity::io

@@ -2,10 +2,13 @@
 
 #include "base/Errors.hpp"
 #include "base/parallel/Agreement.hpp"
+#include "io/TextFormat.hpp"
+#include "io/files/DurableFile.hpp"
 
 #include <algorithm>
 #include <cctype>
 #include <fstream>
+#include <functional>
 #include <string>
 
 namespace asperity::io
@@ -14,15 +17,21 @@ namespace
 {
 namespace fs = std::filesystem;
 
-constexpr char const* files_of_a_run[] = {
-  "parameters.xml", "run.log",     "steps.csv",    "events.csv", "global.csv",
-  "checkpoint.h5",  "fault.h5",    "fault.xdmf",   "surface.h5", "surface.xdmf",
-  "volume.h5",      "volume.xdmf", "receivers.h5", "rupture.h5"};
-
-// Folders with files for the platforms, and how these begin.
-constexpr char const* platform_folders[] = {"seas", "scec"};
-constexpr char const* platform_files[] = {"fltst_",   "blkst_",     "fault",       "body",
-                                          "slip.dat", "global.dat", "rupture.dat", "cplot"};
+// Of the outputs and of what every run writes, relative to its folder; '*' at the end is anything.
+std::vector<std::string> namesOfFiles()
+{
+  std::vector<std::string> names{"parameters.xml", "run.log", "checkpoint.h5"};
+  const auto add = [&names](std::vector<std::string> const& more) {
+    names.insert(names.end(), more.begin(), more.end());
+  };
+  for (auto const& name : OutputRegistry::instance().names()) {
+    add(OutputRegistry::instance().create(name, "Output")->files());
+  }
+  for (auto const& name : TextFormatRegistry::instance().names()) {
+    add(TextFormatRegistry::instance().create(name, "Text Format")->files());
+  }
+  return names;
+}
 
 // "fault_000012.h5", "fault_geometry.h5"
 bool isSegment(fs::path const& file)
@@ -39,15 +48,18 @@ bool isSegment(fs::path const& file)
                      [](unsigned char letter) { return std::isdigit(letter); });
 }
 
-bool isForPlatform(fs::path const& file)
+// "fltst_*" or "events.csv", of a file or of its temporary form.
+bool hasName(fs::path const& file, std::string const& pattern)
 {
   const std::string name = file.filename().string();
-  return std::any_of(std::begin(platform_files), std::end(platform_files),
-                     [&](char const* beginning) { return name.rfind(beginning, 0) == 0; });
+  if (!pattern.empty() && pattern.back() == '*') {
+    return name.compare(0, pattern.size() - 1, pattern, 0, pattern.size() - 1) == 0;
+  }
+  return name == pattern || name == detail::temporaryName(pattern).string();
 }
 
 // Adds the regular files in a folder, if there is one, that `belongs` accepts.
-void addFiles(fs::path const& folder, bool (*belongs)(fs::path const&),
+void addFiles(fs::path const& folder, std::function<bool(fs::path const&)> const& belongs,
               std::vector<fs::path>& files)
 {
   if (!fs::is_directory(folder)) {
@@ -87,8 +99,12 @@ void removeResult(fs::path const& directory)
     ASPERITY_REQUIRE(!error, file.string() << " cannot be removed: " << error.message() << ".");
   }
   std::error_code ignored; // a folder with other files in it stays
-  for (char const* folder : {"segments", "seas", "scec"}) {
-    fs::remove(directory / folder, ignored);
+  fs::remove(directory / "segments", ignored);
+  for (auto const& name : namesOfFiles()) {
+    const auto folder = fs::path(name).parent_path();
+    if (!folder.empty()) {
+      fs::remove(directory / folder, ignored);
+    }
   }
 }
 } // namespace
@@ -96,17 +112,12 @@ void removeResult(fs::path const& directory)
 std::vector<fs::path> resultFiles(fs::path const& directory)
 {
   std::vector<fs::path> files;
-  for (auto const& name : files_of_a_run) {
-    for (auto const& file : {directory / name, directory / (std::string(name) + ".part")}) {
-      if (fs::is_regular_file(file)) {
-        files.push_back(file);
-      }
-    }
+  for (auto const& name : namesOfFiles()) {
+    const auto pattern = fs::path(name).filename().string();
+    addFiles((directory / name).parent_path(),
+             [&](fs::path const& file) { return hasName(file, pattern); }, files);
   }
   addFiles(directory / "segments", isSegment, files);
-  for (char const* folder : platform_folders) {
-    addFiles(directory / folder, isForPlatform, files);
-  }
   return files;
 }
 

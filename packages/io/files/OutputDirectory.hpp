@@ -20,7 +20,7 @@ enum class ExistingResult
 void prepareOutputDirectory(std::filesystem::path const& directory, ExistingResult existing,
                             Communicator const& comm);
 
-// The files in `directory` that a run writes: parameters.xml, run.log, the tables, checkpoint.h5,
-// the indices <name>.h5 and <name>.xdmf and their segments, and those for the platforms.
+// The files in `directory` that a run writes: parameters.xml, run.log, checkpoint.h5, the segments
+// and what the registered outputs and text formats name.
 std::vector<std::filesystem::path> resultFiles(std::filesystem::path const& directory);
 } // namespace asperity::io

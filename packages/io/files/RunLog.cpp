@@ -32,8 +32,10 @@ std::string describe(Progress const& progress)
   text << ", step " << progress.step << ", dt " << formatShort(progress.step_size) << " s, V ";
   char rate[16];
   std::snprintf(rate, sizeof rate, "%.1e", progress.peak_slip_rate);
-  text << rate << " m/s, " << progress.fixed_point_iterations << " iterations, "
-       << progress.num_events << (progress.num_events == 1 ? " event" : " events");
+  text << rate << " m/s, " << progress.fixed_point_iterations << " iterations";
+  for (auto const& count : progress.counts) {
+    text << ", " << count.number << ' ' << count.of << (count.number == 1 ? "" : "s");
+  }
   return text.str();
 }
 
@@ -41,12 +43,14 @@ std::string describe(Progress const& progress)
 std::string describeShort(Progress const& progress, std::string const& left)
 {
   char text[200];
-  std::snprintf(text, sizeof text, "%3d%% t=%.6g s dt=%.3g V=%.1e it=%d events=%lld%s%s",
+  std::snprintf(text, sizeof text, "%3d%% t=%.6g s dt=%.3g V=%.1e it=%d",
                 static_cast<int>(100 * fractionDone(progress)), progress.time, progress.step_size,
-                progress.peak_slip_rate, progress.fixed_point_iterations,
-                static_cast<long long>(progress.num_events), left.empty() ? "" : " left ",
-                left.c_str());
-  return text;
+                progress.peak_slip_rate, progress.fixed_point_iterations);
+  std::string line = text;
+  for (auto const& count : progress.counts) {
+    line += ' ' + count.of + "s=" + std::to_string(count.number);
+  }
+  return line + (left.empty() ? "" : " left " + left);
 }
 } // namespace
 

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "base/Types.hpp"
+#include "io/Output.hpp"
 
 #include <chrono>
 #include <cstdint>
@@ -8,6 +9,7 @@
 #include <fstream>
 #include <ostream>
 #include <string>
+#include <vector>
 
 namespace asperity::io
 {
@@ -20,7 +22,7 @@ struct Progress
   double peak_slip_rate = 0; // [m/s]
   std::int64_t step = 0;
   int fixed_point_iterations = 0;
-  std::int64_t num_events = 0;
+  std::vector<Count> counts;
 };
 
 // Tells the user how the run goes: on a terminal one line that updates in place, elsewhere a line

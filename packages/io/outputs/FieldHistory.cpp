@@ -6,13 +6,13 @@ namespace asperity::io
 {
 namespace
 {
-std::vector<Field const*> chosenFields(std::string const& location,
-                                       Teuchos::ParameterList const& parameters,
-                                       OutputContext const& context)
+std::vector<OutputField const*> chosenFields(std::string const& domain,
+                                             Teuchos::ParameterList const& parameters,
+                                             OutputContext const& context)
 {
-  return context.fields.fields(location,
+  return context.fields.fields(domain,
                                parameters.get<Teuchos::Array<std::string>>("Fields").toVector(),
-                               "Asperity / Output: the list `Fields` for the " + location);
+                               "Asperity / Output: the list `Fields` for the " + domain);
 }
 } // namespace
 
@@ -28,19 +28,19 @@ Teuchos::RCP<const Teuchos::ParameterList> FieldHistory::parametersWith(Defaults
   return parameters.list();
 }
 
-FieldHistory::FieldHistory(std::string const& location, Teuchos::ParameterList const& parameters,
+FieldHistory::FieldHistory(std::string const& domain, Teuchos::ParameterList const& parameters,
                            OutputContext const& context)
     : rule_(parameters)
-    , series_({context.directory, location, parameters.get<std::string>("Precision") == "Single"},
-              context.location(location), chosenFields(location, parameters, context))
+    , series_({context.directory, domain, parameters.get<std::string>("Precision") == "Single"},
+              context.domain(domain), chosenFields(domain, parameters, context))
 {
 }
 
 void FieldHistory::write(StepInfo const& step)
 {
-  if (rule_.isDue(step)) {
+  has_row_ = rule_.isDue(step);
+  if (has_row_) {
     series_.append(step);
-    rowWritten(step);
   }
 }
 
@@ -60,4 +60,58 @@ void FieldHistory::restore(Archive const& archive)
   rule_.restore(archive.child("rule"));
   series_.restore(archive.child("series"));
 }
+
+Teuchos::RCP<const Teuchos::ParameterList> FaultHistory::validParameters()
+{
+  return parametersWith({true, {"slip_rate", "alpha", "slip", "traction"}, 10, 1.5});
+}
+
+std::string FaultHistory::meaning()
+{
+  return "Writes fields on the fault over time to fault.h5 and fault.xdmf.";
+}
+
+FaultHistory::FaultHistory(Teuchos::ParameterList const& parameters, OutputContext const& context)
+    : FieldHistory("fault", parameters, context)
+{
+}
+
+Teuchos::RCP<const Teuchos::ParameterList> SurfaceHistory::validParameters()
+{
+  return parametersWith({true, {"displacement"}, 10, 1.5});
+}
+
+std::string SurfaceHistory::meaning()
+{
+  return "Writes fields on the free surface over time to surface.h5 and surface.xdmf.";
+}
+
+SurfaceHistory::SurfaceHistory(Teuchos::ParameterList const& parameters,
+                               OutputContext const& context)
+    : FieldHistory("surface", parameters, context)
+{
+}
+
+Teuchos::RCP<const Teuchos::ParameterList> VolumeSnapshots::validParameters()
+{
+  Defaults defaults;
+  defaults.enabled = false; // large
+  defaults.fields = {"displacement"};
+  return parametersWith(defaults);
+}
+
+std::string VolumeSnapshots::meaning()
+{
+  return "Writes fields in the body at chosen times to volume.h5 and volume.xdmf.";
+}
+
+VolumeSnapshots::VolumeSnapshots(Teuchos::ParameterList const& parameters,
+                                 OutputContext const& context)
+    : FieldHistory("volume", parameters, context)
+{
+}
+
+ASPERITY_REGISTER(OutputRegistry, "Fault History", OutputKindOf<FaultHistory>)
+ASPERITY_REGISTER(OutputRegistry, "Surface History", OutputKindOf<SurfaceHistory>)
+ASPERITY_REGISTER(OutputRegistry, "Volume Snapshots", OutputKindOf<VolumeSnapshots>)
 } // namespace asperity::io

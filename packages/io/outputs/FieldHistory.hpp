@@ -10,11 +10,11 @@
 
 namespace asperity::io
 {
-// Some fields of one location over time, in DIR/<location>.h5 and .xdmf.
+// Some fields of one domain over time, in DIR/<domain>.h5 and .xdmf.
 class FieldHistory : public Output
 {
 public:
-  FieldHistory(std::string const& location, Teuchos::ParameterList const& parameters,
+  FieldHistory(std::string const& domain, Teuchos::ParameterList const& parameters,
                OutputContext const& context);
 
   void write(StepInfo const& step) override;
@@ -22,6 +22,9 @@ public:
   void finish() override {}
   void save(Archive& archive) const override;
   void restore(Archive const& archive) override;
+
+  // Whether the step that was written last has a row.
+  bool hasRow() const { return has_row_; }
 
 protected:
   struct Defaults
@@ -33,11 +36,43 @@ protected:
   };
   static Teuchos::RCP<const Teuchos::ParameterList> parametersWith(Defaults const& defaults);
 
-  // After each step with a row.
-  virtual void rowWritten(StepInfo const&) {}
-
 private:
   WriteRule rule_;
   SegmentedSeries series_;
+  bool has_row_ = false;
+};
+
+class FaultHistory : public FieldHistory
+{
+public:
+  static Teuchos::RCP<const Teuchos::ParameterList> validParameters();
+  static std::string meaning();
+  static std::string neededDomain() { return "fault"; }
+  static std::vector<std::string> files() { return {"fault.h5", "fault.xdmf"}; }
+
+  FaultHistory(Teuchos::ParameterList const& parameters, OutputContext const& context);
+  void offer(Offers& offers) const override { offers.add(*this); }
+};
+
+class SurfaceHistory : public FieldHistory
+{
+public:
+  static Teuchos::RCP<const Teuchos::ParameterList> validParameters();
+  static std::string meaning();
+  static std::string neededDomain() { return "surface"; }
+  static std::vector<std::string> files() { return {"surface.h5", "surface.xdmf"}; }
+
+  SurfaceHistory(Teuchos::ParameterList const& parameters, OutputContext const& context);
+};
+
+class VolumeSnapshots : public FieldHistory
+{
+public:
+  static Teuchos::RCP<const Teuchos::ParameterList> validParameters();
+  static std::string meaning();
+  static std::string neededDomain() { return "volume"; }
+  static std::vector<std::string> files() { return {"volume.h5", "volume.xdmf"}; }
+
+  VolumeSnapshots(Teuchos::ParameterList const& parameters, OutputContext const& context);
 };
 } // namespace asperity::io

@@ -24,6 +24,8 @@ public:
 
   static std::string meaning() { return "Writes to steps.csv what every accepted step cost."; }
 
+  static std::vector<std::string> files() { return {"steps.csv"}; }
+
   StepTable(Teuchos::ParameterList const& parameters, OutputContext const& context)
       : scalars_(chosenScalars(parameters, context.fields))
       , file_(context.directory / "steps.csv", header(scalars_), context.comm)
@@ -37,7 +39,7 @@ public:
     }
     std::string row = std::to_string(step.step) + ',' + exactNumber(step.time) + ',' +
                       shortNumber(step.step_size) + ',' + shortNumber(step.peak_slip_rate);
-    for (Scalar const* scalar : scalars_) {
+    for (OutputScalar const* scalar : scalars_) {
       row += ',' + shortNumber(scalar->value());
     }
     file_.writeRow(row);
@@ -49,7 +51,7 @@ public:
   void restore(Archive const& archive) override { file_.restore(archive); }
 
 private:
-  using Scalars = std::vector<Scalar const*>;
+  using Scalars = std::vector<OutputScalar const*>;
 
   static Scalars chosenScalars(Teuchos::ParameterList const& parameters,
                                FieldRegistry const& registry)
@@ -68,7 +70,7 @@ private:
   static std::string header(Scalars const& scalars)
   {
     std::string text = "step,time [s],step_size [s],peak_slip_rate [m/s]";
-    for (Scalar const* scalar : scalars) {
+    for (OutputScalar const* scalar : scalars) {
       text += ',' + columnName(scalar->name, scalar->unit);
     }
     return text;

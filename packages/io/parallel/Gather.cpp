@@ -6,7 +6,7 @@
 
 #include <numeric>
 
-namespace asperity::io::detail
+namespace asperity::io
 {
 namespace
 {
@@ -61,29 +61,4 @@ template std::vector<double> gatherToAll(std::vector<double> const&, Communicato
 template std::vector<GlobalOrdinal> gatherToAll(std::vector<GlobalOrdinal> const&,
                                                 Communicator const&);
 template std::vector<char> gatherToAll(std::vector<char> const&, Communicator const&);
-
-namespace
-{
-double reduce(double value, Teuchos::EReductionType type, Communicator const& comm)
-{
-  double result = value;
-  Teuchos::reduceAll(comm, type, 1, &value, &result);
-  return result;
-}
-} // namespace
-
-double maxOverRanks(double value, Communicator const& comm)
-{
-  return reduce(value, Teuchos::REDUCE_MAX, comm);
-}
-
-double minOverRanks(double value, Communicator const& comm)
-{
-  return reduce(value, Teuchos::REDUCE_MIN, comm);
-}
-
-double sumOverRanks(double value, Communicator const& comm)
-{
-  return reduce(value, Teuchos::REDUCE_SUM, comm);
-}
-} // namespace asperity::io::detail
+} // namespace asperity::io

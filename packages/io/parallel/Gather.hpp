@@ -4,7 +4,7 @@
 
 #include <vector>
 
-namespace asperity::io::detail
+namespace asperity::io
 {
 // The ranks' vectors one after the other, on rank 0 or on all; empty elsewhere. T is double,
 // GlobalOrdinal or char. Collective.
@@ -13,8 +13,4 @@ std::vector<T> gatherToRoot(std::vector<T> const& mine, Communicator const& comm
 
 template <class T>
 std::vector<T> gatherToAll(std::vector<T> const& mine, Communicator const& comm);
-
-double maxOverRanks(double value, Communicator const& comm);
-double minOverRanks(double value, Communicator const& comm);
-double sumOverRanks(double value, Communicator const& comm);
-} // namespace asperity::io::detail
+} // namespace asperity::io

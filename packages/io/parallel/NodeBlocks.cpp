@@ -5,26 +5,26 @@
 
 #include <algorithm>
 
-namespace asperity::io::detail
+namespace asperity::io
 {
-NodeBlocks::NodeBlocks(Location const& location) : location_(location)
+NodeBlocks::NodeBlocks(OutputDomain const& domain) : domain_(domain)
 {
-  for (const GlobalOrdinal number : location.node_numbers) {
+  for (const GlobalOrdinal number : domain.node_numbers) {
     destinations_.push_back(rankOf(number));
   }
-  numbers_ = sendItems(location.node_numbers, 1, destinations_, *location.comm);
+  numbers_ = detail::sendItems(domain.node_numbers, 1, destinations_, *domain.comm);
   ASPERITY_ASSERT(static_cast<GlobalOrdinal>(numbers_.size()) == count());
 }
 
 GlobalOrdinal NodeBlocks::begin(int rank) const
 {
-  return location_.num_global_nodes * rank / location_.comm->getSize();
+  return domain_.num_global_nodes * rank / domain_.comm->getSize();
 }
 
 int NodeBlocks::rankOf(GlobalOrdinal number) const
 {
-  const int ranks = location_.comm->getSize();
-  auto rank = static_cast<int>(number * ranks / location_.num_global_nodes);
+  const int ranks = domain_.comm->getSize();
+  auto rank = static_cast<int>(number * ranks / domain_.num_global_nodes);
   while (number >= begin(rank + 1)) { // integer division may be one short
     ++rank;
   }
@@ -35,7 +35,7 @@ template <class T>
 std::vector<T> NodeBlocks::operator()(std::vector<T> const& mine, std::size_t num_rows,
                                       std::size_t num_components) const
 {
-  const std::size_t owned = location_.numOwned();
+  const std::size_t owned = domain_.numOwned();
   ASPERITY_ASSERT(mine.size() == num_rows * owned * num_components);
   std::vector<T> items; // (num_owned, num_rows, num_components)
   items.reserve(mine.size());
@@ -45,7 +45,8 @@ std::vector<T> NodeBlocks::operator()(std::vector<T> const& mine, std::size_t nu
       items.insert(items.end(), from, from + num_components);
     }
   }
-  const auto arrived = sendItems(items, num_rows * num_components, destinations_, *location_.comm);
+  const auto arrived =
+    detail::sendItems(items, num_rows * num_components, destinations_, *domain_.comm);
   std::vector<T> block(arrived.size());
   auto from = arrived.begin();
   for (const GlobalOrdinal number : numbers_) {
@@ -61,4 +62,4 @@ template std::vector<double> NodeBlocks::operator()(std::vector<double> const&, 
                                                     std::size_t) const;
 template std::vector<GlobalOrdinal> NodeBlocks::operator()(std::vector<GlobalOrdinal> const&,
                                                            std::size_t, std::size_t) const;
-} // namespace asperity::io::detail
+} // namespace asperity::io

@@ -1,24 +1,24 @@
 #pragma once
 
-#include "io/Location.hpp"
+#include "io/OutputDomain.hpp"
 
 #include <vector>
 
-namespace asperity::io::detail
+namespace asperity::io
 {
-// The nodes of a location by number, in one block of equal length for each rank: as files have
+// The nodes of a domain by number, in one block of equal length for each rank: as files have
 // them, so that every rank writes one contiguous part.
 class NodeBlocks
 {
 public:
-  explicit NodeBlocks(Location const& location); // collective
+  explicit NodeBlocks(OutputDomain const& domain); // collective
 
   // This rank's nodes are first() <= number < first() + count(); count() may be 0.
-  GlobalOrdinal first() const { return begin(location_.comm->getRank()); }
-  GlobalOrdinal count() const { return begin(location_.comm->getRank() + 1) - first(); }
+  GlobalOrdinal first() const { return begin(domain_.comm->getRank()); }
+  GlobalOrdinal count() const { return begin(domain_.comm->getRank() + 1) - first(); }
   int rankOf(GlobalOrdinal number) const;
 
-  // mine: (num_rows, num_owned, num_components) in the order of the location; the result is
+  // mine: (num_rows, num_owned, num_components) in the order of the domain; the result is
   // (num_rows, count(), num_components) by number. T is double or GlobalOrdinal. Collective.
   template <class T>
   std::vector<T> operator()(std::vector<T> const& mine, std::size_t num_rows,
@@ -27,8 +27,8 @@ public:
 private:
   GlobalOrdinal begin(int rank) const;
 
-  Location const& location_;
+  OutputDomain const& domain_;
   std::vector<int> destinations_;      // (num_owned)
   std::vector<GlobalOrdinal> numbers_; // (count()) in the order in which they arrive
 };
-} // namespace asperity::io::detail
+} // namespace asperity::io

@@ -5,13 +5,13 @@
 
 #include <algorithm>
 
-namespace asperity::io::detail
+namespace asperity::io
 {
-NodeGather::NodeGather(Location const& location) : location_(location)
+NodeGather::NodeGather(OutputDomain const& domain) : domain_(domain)
 {
-  numbers_ = gatherToRoot(location.node_numbers, *location.comm);
-  const std::vector<GlobalOrdinal> mine{static_cast<GlobalOrdinal>(location.numOwned())};
-  for (const GlobalOrdinal count : gatherToRoot(mine, *location.comm)) {
+  numbers_ = gatherToRoot(domain.node_numbers, *domain.comm);
+  const std::vector<GlobalOrdinal> mine{static_cast<GlobalOrdinal>(domain.numOwned())};
+  for (const GlobalOrdinal count : gatherToRoot(mine, *domain.comm)) {
     counts_.push_back(static_cast<std::size_t>(count));
   }
 }
@@ -20,8 +20,8 @@ template <class T>
 std::vector<T> NodeGather::operator()(std::vector<T> const& mine, std::size_t num_rows,
                                       std::size_t num_components) const
 {
-  ASPERITY_ASSERT(mine.size() == num_rows * location_.numOwned() * num_components);
-  const std::vector<T> all = gatherToRoot(mine, *location_.comm);
+  ASPERITY_ASSERT(mine.size() == num_rows * domain_.numOwned() * num_components);
+  const std::vector<T> all = gatherToRoot(mine, *domain_.comm);
   std::vector<T> ordered(all.size());
   auto from = all.begin();
   auto number = numbers_.begin();
@@ -42,4 +42,4 @@ template std::vector<double> NodeGather::operator()(std::vector<double> const&, 
                                                     std::size_t) const;
 template std::vector<GlobalOrdinal> NodeGather::operator()(std::vector<GlobalOrdinal> const&,
                                                            std::size_t, std::size_t) const;
-} // namespace asperity::io::detail
+} // namespace asperity::io

@@ -31,36 +31,36 @@ Integers integers(std::vector<GlobalOrdinal> const& values)
   return {values.begin(), values.end()};
 }
 
-std::vector<Piece> nodePieces(Location const& location, NodeBlocks const& blocks)
+std::vector<Piece> nodePieces(OutputDomain const& domain, NodeBlocks const& blocks)
 {
   char const* units[] = {"m", "m", "m^2", "m^3"};
-  const auto nodes = static_cast<hsize_t>(location.num_global_nodes);
-  const auto dimension = static_cast<hsize_t>(location.dimension);
+  const auto nodes = static_cast<hsize_t>(domain.num_global_nodes);
+  const auto dimension = static_cast<hsize_t>(domain.dimension);
   const h5::Part part{static_cast<hsize_t>(blocks.first()), static_cast<hsize_t>(blocks.count())};
   std::vector<Piece> pieces{{"coordinates",
                              "m",
                              "Coordinates of the nodes.",
                              {nodes, dimension},
-                             blocks(location.coordinates, 1, dimension),
+                             blocks(domain.coordinates, 1, dimension),
                              part},
                             {"weights",
-                             units[location.nodes_per_element - 1],
+                             units[domain.nodes_per_element - 1],
                              "Lumped length, area or volume of each node.",
                              {nodes},
-                             blocks(location.weights, 1, 1),
+                             blocks(domain.weights, 1, 1),
                              part},
                             {"vertex_ids",
                              "-",
                              "Numbers of the nodes in the mesh.",
                              {nodes},
-                             integers(blocks(location.vertex_ids, 1, 1)),
+                             integers(blocks(domain.vertex_ids, 1, 1)),
                              part}};
-  if (location.isCurve()) {
+  if (domain.isCurve()) {
     pieces.push_back({"positions",
                       "m",
                       "Distance along the boundary from its first end.",
                       {nodes},
-                      blocks(location.positions, 1, 1),
+                      blocks(domain.positions, 1, 1),
                       part});
   }
   return pieces;
@@ -74,18 +74,18 @@ struct Element
 
 // The elements whose least node is in this rank's block, sorted: one rank after the other these are
 // all elements in order.
-std::vector<Element> elementsOfBlock(Location const& location, NodeBlocks const& blocks)
+std::vector<Element> elementsOfBlock(OutputDomain const& domain, NodeBlocks const& blocks)
 {
-  const std::size_t corners = location.nodes_per_element;
+  const std::size_t corners = domain.nodes_per_element;
   std::vector<GlobalOrdinal> items; // nodes and, after them, whether it reaches across
   std::vector<int> destinations;
-  for (std::size_t element = 0; element < location.numOwnedElements(); ++element) {
-    const auto nodes = location.connectivity.begin() + element * corners;
+  for (std::size_t element = 0; element < domain.numOwnedElements(); ++element) {
+    const auto nodes = domain.connectivity.begin() + element * corners;
     destinations.push_back(blocks.rankOf(*std::min_element(nodes, nodes + corners)));
     items.insert(items.end(), nodes, nodes + corners);
-    items.push_back(location.wraps[element]);
+    items.push_back(domain.wraps[element]);
   }
-  const auto arrived = sendItems(items, corners + 1, destinations, *location.comm);
+  const auto arrived = sendItems(items, corners + 1, destinations, *domain.comm);
   std::vector<Element> elements;
   for (auto item = arrived.begin(); item != arrived.end(); item += corners + 1) {
     elements.push_back({{item, item + corners}, {item, item + corners}, item[corners] != 0});
@@ -99,7 +99,7 @@ std::vector<Element> elementsOfBlock(Location const& location, NodeBlocks const&
 // Of the elements of a rank's block that `belongs` accepts.
 template <class Belongs>
 Piece elementPiece(std::string const& name, std::string const& description,
-                   std::vector<Element> const& elements, Location const& location,
+                   std::vector<Element> const& elements, OutputDomain const& domain,
                    Belongs const& belongs)
 {
   Integers nodes;
@@ -108,13 +108,13 @@ Piece elementPiece(std::string const& name, std::string const& description,
       nodes.insert(nodes.end(), element.nodes.begin(), element.nodes.end());
     }
   }
-  const auto corners = static_cast<hsize_t>(location.nodes_per_element);
+  const auto corners = static_cast<hsize_t>(domain.nodes_per_element);
   h5::Part part{0, nodes.size() / corners};
   const auto counts =
-    gatherToAll(std::vector<GlobalOrdinal>{static_cast<GlobalOrdinal>(part.count)}, *location.comm);
+    gatherToAll(std::vector<GlobalOrdinal>{static_cast<GlobalOrdinal>(part.count)}, *domain.comm);
   hsize_t total = 0;
-  for (int rank = 0; rank < location.comm->getSize(); ++rank) {
-    part.first = rank == location.comm->getRank() ? total : part.first;
+  for (int rank = 0; rank < domain.comm->getSize(); ++rank) {
+    part.first = rank == domain.comm->getRank() ? total : part.first;
     total += static_cast<hsize_t>(counts[rank]);
   }
   return {name, "-", description, {total, corners}, std::move(nodes), part};
@@ -144,20 +144,20 @@ void fill(h5::File& file, Piece const& piece, Communicator const& comm)
 } // namespace
 
 GeometryFile writeGeometry(std::filesystem::path const& directory, std::string const& name,
-                           Location const& location, NodeBlocks const& blocks)
+                           OutputDomain const& domain, NodeBlocks const& blocks)
 {
-  auto const& comm = *location.comm;
-  auto pieces = nodePieces(location, blocks);
-  const auto elements = elementsOfBlock(location, blocks);
+  auto const& comm = *domain.comm;
+  auto pieces = nodePieces(domain, blocks);
+  const auto elements = elementsOfBlock(domain, blocks);
   pieces.push_back(elementPiece("connectivity", "Nodes of each element, as rows of coordinates.",
-                                elements, location, [](Element const&) { return true; }));
+                                elements, domain, [](Element const&) { return true; }));
   GeometryFile result;
   result.name = "segments/" + name + "_geometry.h5";
   result.num_elements = result.num_whole = pieces.back().shape[0];
-  if (location.is_periodic) {
+  if (domain.is_periodic) {
     pieces.push_back(
       elementPiece("whole_elements", "Those of `connectivity` that do not reach across a period.",
-                   elements, location, [](Element const& element) { return !element.wraps; }));
+                   elements, domain, [](Element const& element) { return !element.wraps; }));
     result.num_whole = pieces.back().shape[0];
   }
   const auto path = directory / result.name;

@@ -9,7 +9,7 @@
 
 namespace asperity::io::detail
 {
-// A file with the group `geometry` of a location (README.md), which the indices link to.
+// A file with the group `geometry` of a domain (README.md), which the indices link to.
 struct GeometryFile
 {
   std::string name;         // "segments/fault_geometry.h5", relative to the folder of the index
@@ -22,5 +22,5 @@ struct GeometryFile
 // Writes the geometry of the series `name` in the folder of its index; every rank its part. It is
 // the same on any number of ranks: elements are in the order of their nodes' numbers. Collective.
 GeometryFile writeGeometry(std::filesystem::path const& directory, std::string const& name,
-                           Location const& location, NodeBlocks const& blocks);
+                           OutputDomain const& domain, NodeBlocks const& blocks);
 } // namespace asperity::io::detail

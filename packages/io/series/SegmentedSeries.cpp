@@ -10,25 +10,24 @@ namespace asperity::io
 {
 namespace
 {
-detail::SeriesLayout makeLayout(SegmentedSeries::Options const& options, Location const& location,
-                                std::vector<Field const*> const& fields)
+SeriesLayout makeLayout(SegmentedSeries::Options const& options, OutputDomain const& domain,
+                        std::vector<OutputField const*> const& fields)
 {
-  detail::SeriesLayout layout;
+  SeriesLayout layout;
   layout.directory = options.directory;
   layout.name = options.name;
   layout.type = options.single_precision ? h5::Type::float32 : h5::Type::float64;
-  layout.num_nodes = static_cast<hsize_t>(location.num_global_nodes);
-  layout.dimension = location.dimension;
-  layout.nodes_per_element = location.nodes_per_element;
-  for (Field const* field : fields) {
+  layout.num_nodes = static_cast<hsize_t>(domain.num_global_nodes);
+  layout.dimension = domain.dimension;
+  layout.nodes_per_element = domain.nodes_per_element;
+  for (OutputField const* field : fields) {
     layout.fields.push_back(*field);
   }
   return layout;
 }
 
 // Chunks of about 1 MiB, so that long rows neither fill the memory nor slow down reading.
-std::size_t rowsPerWrite(SegmentedSeries::Options const& options,
-                         detail::SeriesLayout const& layout)
+std::size_t rowsPerWrite(SegmentedSeries::Options const& options, SeriesLayout const& layout)
 {
   constexpr std::size_t largest_chunk = 1 << 20;
   std::size_t longest_row = 1;
@@ -38,21 +37,20 @@ std::size_t rowsPerWrite(SegmentedSeries::Options const& options,
   return std::clamp<std::size_t>(largest_chunk / longest_row, 1, options.rows_per_write);
 }
 
-detail::SegmentedTable::Options tableOf(SegmentedSeries::Options const& given,
-                                        detail::SeriesLayout const& layout,
-                                        Location const& location)
+SegmentedTable::Options tableOf(SegmentedSeries::Options const& given, SeriesLayout const& layout,
+                                OutputDomain const& domain)
 {
-  detail::SegmentedTable::Options options;
+  SegmentedTable::Options options;
   options.directory = layout.directory;
   options.name = layout.name;
   options.rows_per_write = rowsPerWrite(given, layout);
-  options.nodes = &location;
-  options.columns = detail::timeColumns();
+  options.nodes = &domain;
+  options.columns = timeColumns();
   for (auto const& field : layout.fields) {
     options.columns.push_back({"fields/" + field.name, field.unit, field.description, layout.type,
                                layout.rowShape(field), true});
   }
-  options.describe_index = [name = location.name](h5::File& file) {
+  options.describe_index = [name = domain.name](h5::File& file) {
     file.setAttribute("format", "asperity series");
     file.setAttribute("format_version", std::int64_t(1));
     file.setAttribute("location", name);
@@ -62,22 +60,22 @@ detail::SegmentedTable::Options tableOf(SegmentedSeries::Options const& given,
 }
 } // namespace
 
-SegmentedSeries::SegmentedSeries(Options const& options, Location const& location,
-                                 std::vector<Field const*> const& fields)
-    : location_(location)
+SegmentedSeries::SegmentedSeries(Options const& options, OutputDomain const& domain,
+                                 std::vector<OutputField const*> const& fields)
+    : domain_(domain)
     , fields_(fields)
-    , layout_(makeLayout(options, location, fields))
-    , table_(tableOf(options, layout_, location), location.comm)
+    , layout_(makeLayout(options, domain, fields))
+    , table_(tableOf(options, layout_, domain), domain.comm)
 {
 }
 
 void SegmentedSeries::append(StepInfo const& step)
 {
   std::vector<std::vector<double>> columns{{step.time}, {static_cast<double>(step.step)}};
-  for (Field const* field : fields_) {
+  for (OutputField const* field : fields_) {
     columns.emplace_back();
     field->values(columns.back());
-    ASPERITY_ASSERT(columns.back().size() == location_.numOwned() * field->components);
+    ASPERITY_ASSERT(columns.back().size() == domain_.numOwned() * field->components);
   }
   times_.push_back(step.time);
   table_.append(1, columns);
@@ -86,7 +84,7 @@ void SegmentedSeries::append(StepInfo const& step)
 void SegmentedSeries::closeSegment(int index)
 {
   table_.closeSegment(index);
-  onRoot(*location_.comm, [&] {
+  onRoot(*domain_.comm, [&] {
     if (index == 0) {
       detail::startXdmf(layout_, table_.geometry());
     }
@@ -105,7 +103,7 @@ void SegmentedSeries::restore(Archive const& archive)
 {
   table_.restore(archive);
   times_ = archive.get<std::vector<double>>("times");
-  onRoot(*location_.comm, [&] {
+  onRoot(*domain_.comm, [&] {
     detail::startXdmf(layout_, table_.geometry());
     double const* times = times_.data();
     for (std::size_t i = 0; i < table_.rowsOfSegment().size(); ++i) {

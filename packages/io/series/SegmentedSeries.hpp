@@ -1,8 +1,8 @@
 #pragma once
 
 #include "io/FieldRegistry.hpp"
-#include "io/Location.hpp"
 #include "io/Output.hpp"
+#include "io/OutputDomain.hpp"
 #include "io/checkpoint/Archive.hpp"
 #include "io/series/SegmentedTable.hpp"
 #include "io/series/SeriesLayout.hpp"
@@ -14,7 +14,7 @@
 
 namespace asperity::io
 {
-// Fields of one location over time, in closed segments tied together by the index DIR/<name>.h5 and
+// Fields of one domain over time, in closed segments tied together by the index DIR/<name>.h5 and
 // by DIR/<name>.xdmf. README.md has the layout.
 //
 // Rows are kept in memory, then written by all ranks together. Until closeSegment they may be
@@ -30,9 +30,9 @@ public:
     int rows_per_write = 64; // fewer where rows are long
   };
 
-  // Location and fields must outlive the series.
-  SegmentedSeries(Options const& options, Location const& location,
-                  std::vector<Field const*> const& fields);
+  // OutputDomain and fields must outlive the series.
+  SegmentedSeries(Options const& options, OutputDomain const& domain,
+                  std::vector<OutputField const*> const& fields);
   SegmentedSeries(SegmentedSeries const&) = delete; // the table describes itself with the members
   SegmentedSeries& operator=(SegmentedSeries const&) = delete;
 
@@ -49,10 +49,10 @@ public:
   void restore(Archive const& archive);
 
 private:
-  Location const& location_;
-  std::vector<Field const*> fields_;
-  detail::SeriesLayout layout_;
-  detail::SegmentedTable table_;
+  OutputDomain const& domain_;
+  std::vector<OutputField const*> fields_;
+  SeriesLayout layout_;
+  SegmentedTable table_;
   std::vector<double> times_; // of all rows [s]
 };
 } // namespace asperity::io

@@ -9,7 +9,7 @@
 #include <cstdio>
 #include <cstdlib>
 
-namespace asperity::io::detail
+namespace asperity::io
 {
 std::string segmentName(std::string const& name, std::size_t segment)
 {
@@ -135,7 +135,7 @@ void SegmentedTable::closeSegment(int index)
   ASPERITY_ASSERT(index == static_cast<int>(rows_of_segment_.size()));
   writeRows();
   if (rows_in_open_segment_ > 0) {
-    onEveryRank(*comm_, [&] { synchronise(segmentPath(rows_of_segment_.size())); });
+    onEveryRank(*comm_, [&] { detail::synchronise(segmentPath(rows_of_segment_.size())); });
   }
   rows_of_segment_.push_back(rows_in_open_segment_);
   rows_in_open_segment_ = 0;
@@ -157,7 +157,7 @@ void SegmentedTable::writeIndex() const
     parts.push_back({segmentName(options_.name, i), static_cast<hsize_t>(rows_of_segment_[i])});
   }
   const auto path = options_.directory / (options_.name + ".h5");
-  h5::File file = h5::File::create(temporaryName(path));
+  h5::File file = h5::File::create(detail::temporaryName(path));
   options_.describe_index(file);
   if (geometry_) {
     file.link("geometry", geometry_->name);
@@ -167,7 +167,7 @@ void SegmentedTable::writeIndex() const
              column.description);
   }
   file.close();
-  replace(path); // a restart makes it anew
+  detail::replace(path); // a restart makes it anew
 }
 
 void SegmentedTable::save(Archive& archive) const
@@ -198,4 +198,4 @@ void SegmentedTable::removeLaterSegments() const
     }
   }
 }
-} // namespace asperity::io::detail
+} // namespace asperity::io

@@ -13,7 +13,7 @@
 #include <string>
 #include <vector>
 
-namespace asperity::io::detail
+namespace asperity::io
 {
 // "segments/fault_000012.h5", relative to the folder of the index.
 std::string segmentName(std::string const& name, std::size_t segment);
@@ -44,7 +44,7 @@ public:
     std::size_t rows_per_write = 64;
     // Of the nodal columns; its geometry is linked to as the group `geometry`. Null: there are
     // none.
-    Location const* nodes = nullptr;
+    OutputDomain const* nodes = nullptr;
     // Adds to the index what does not grow, such as attributes. On rank 0.
     std::function<void(h5::File&)> describe_index;
   };
@@ -68,7 +68,7 @@ public:
   std::vector<std::int64_t> const& rowsOfSegment() const { return rows_of_segment_; }
 
   // Once a segment was closed, or after restore.
-  GeometryFile const& geometry() const { return *geometry_; }
+  detail::GeometryFile const& geometry() const { return *geometry_; }
 
 private:
   void openSegment() const;
@@ -81,11 +81,11 @@ private:
 
   Options options_;
   RCP<const Communicator> comm_;
-  std::optional<NodeBlocks> blocks_;          // of the nodes, if there are nodal columns
-  std::optional<GeometryFile> geometry_;      // once written
-  std::vector<std::int64_t> rows_of_segment_; // closed ones
-  std::int64_t rows_in_open_segment_ = 0;     // written or waiting
+  std::optional<NodeBlocks> blocks_;             // of the nodes, if there are nodal columns
+  std::optional<detail::GeometryFile> geometry_; // once written
+  std::vector<std::int64_t> rows_of_segment_;    // closed ones
+  std::int64_t rows_in_open_segment_ = 0;        // written or waiting
   std::size_t rows_waiting_ = 0;
   std::vector<std::vector<double>> waiting_; // by column
 };
-} // namespace asperity::io::detail
+} // namespace asperity::io

@@ -3,7 +3,7 @@
 #include <type_traits>
 #include <utility>
 
-namespace asperity::io::detail
+namespace asperity::io
 {
 h5::Shape rowShape(std::size_t num_points, int components)
 {
@@ -14,9 +14,9 @@ h5::Shape rowShape(std::size_t num_points, int components)
   return shape;
 }
 
-h5::Shape SeriesLayout::rowShape(Field const& field) const
+h5::Shape SeriesLayout::rowShape(OutputField const& field) const
 {
-  return detail::rowShape(num_nodes, field.components);
+  return io::rowShape(num_nodes, field.components);
 }
 
 std::vector<SegmentedTable::Column> timeColumns()
@@ -45,4 +45,4 @@ template void writeDataset(h5::File&, std::string const&, std::vector<double> co
                            h5::Shape const&, std::string const&, std::string const&);
 template void writeDataset(h5::File&, std::string const&, std::vector<GlobalOrdinal> const&,
                            h5::Shape const&, std::string const&, std::string const&);
-} // namespace asperity::io::detail
+} // namespace asperity::io

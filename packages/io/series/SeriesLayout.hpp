@@ -2,14 +2,14 @@
 
 #include "base/hdf5/File.hpp"
 #include "io/FieldRegistry.hpp"
-#include "io/Location.hpp"
+#include "io/OutputDomain.hpp"
 #include "io/series/SegmentedTable.hpp"
 
 #include <filesystem>
 #include <string>
 #include <vector>
 
-namespace asperity::io::detail
+namespace asperity::io
 {
 // What the files of a history have in common.
 struct SeriesLayout
@@ -20,9 +20,9 @@ struct SeriesLayout
   hsize_t num_nodes = 0;
   int dimension = 0;
   int nodes_per_element = 0;
-  std::vector<Field> fields;
+  std::vector<OutputField> fields;
 
-  h5::Shape rowShape(Field const& field) const; // (num_nodes) or (num_nodes, components)
+  h5::Shape rowShape(OutputField const& field) const; // (num_nodes) or (num_nodes, components)
 };
 
 // (num_points) or, of more than one component, (num_points, components).
@@ -35,4 +35,4 @@ std::vector<SegmentedTable::Column> timeColumns();
 template <class T>
 void writeDataset(h5::File& file, std::string const& path, std::vector<T> const& values,
                   h5::Shape const& shape, std::string const& unit, std::string const& description);
-} // namespace asperity::io::detail
+} // namespace asperity::io

@@ -42,7 +42,7 @@ struct Slab
 };
 
 // All three components if component < 0, else that one.
-void writeAttribute(std::ostream& out, SeriesLayout const& layout, Field const& field,
+void writeAttribute(std::ostream& out, SeriesLayout const& layout, OutputField const& field,
                     Slab const& slab, std::string const& name, int component)
 {
   const bool is_vector = component < 0;
@@ -69,7 +69,8 @@ void writeAttribute(std::ostream& out, SeriesLayout const& layout, Field const& 
 }
 
 // ParaView takes vectors of three components; of two, each becomes a scalar of its own.
-void writeField(std::ostream& out, SeriesLayout const& layout, Field const& field, Slab const& slab)
+void writeField(std::ostream& out, SeriesLayout const& layout, OutputField const& field,
+                Slab const& slab)
 {
   if (field.components == 3) {
     writeAttribute(out, layout, field, slab, field.name, -1);

@@ -2,15 +2,15 @@
 #include "unit/io/Support.hpp"
 
 using namespace asperity;
-using io::Field;
 using io::FieldRegistry;
-using io::Scalar;
+using io::OutputField;
+using io::OutputScalar;
 
 namespace
 {
-Field field(std::string const& location, std::string const& name)
+OutputField field(std::string const& domain, std::string const& name)
 {
-  return {name, "m", "A test.", location, 1, [](std::vector<double>& values) { values = {1}; }};
+  return {name, "m", "A test.", domain, 1, [](std::vector<double>& values) { values = {1}; }};
 }
 } // namespace
 
@@ -18,7 +18,7 @@ TEST(FieldRegistry, FindsByLocationAndName)
 {
   FieldRegistry registry;
   registry.add(field("fault", "slip"));
-  Field const& slip = registry.field("fault", "slip");
+  OutputField const& slip = registry.field("fault", "slip");
   for (int i = 0; i < 100; ++i) { // references stay valid
     registry.add(field("surface", "slip" + std::to_string(i)));
   }
@@ -33,7 +33,7 @@ TEST(FieldRegistry, UnknownNamesGetTheNearest)
   FieldRegistry registry;
   registry.add(field("fault", "slip_rate"));
   registry.add(field("fault", "alpha"));
-  registry.add(Scalar{"fixed_point_iterations", "", "A test.", [] { return 3.0; }});
+  registry.add(OutputScalar{"fixed_point_iterations", "", "A test.", [] { return 3.0; }});
   const auto message = test::inputError([&] { registry.field("fault", "slip rate"); });
   EXPECT_TRUE(test::contains(message, "'slip rate' on the fault")) << message;
   EXPECT_TRUE(test::contains(message, "'slip_rate'?")) << message;

@@ -25,7 +25,7 @@ std::map<std::string, std::string> everything(fs::path const& directory)
 void makeResult(fs::path const& directory)
 {
   test::onRankZero([&] { fs::create_directories(directory / "segments"); });
-  for (auto const& name : {"run.log", "fault.h5", "events.csv", "segments/fault_000001.h5",
+  for (auto const& name : {"run.log", "fault.h5", "steps.csv", "segments/fault_000001.h5",
                            "segments/volume_1234567.h5", "checkpoint.h5.part"}) {
     test::write(directory / name, name);
   }
@@ -79,19 +79,9 @@ TEST(OutputDirectory, OverwriteRemovesOnlyWhatARunWrites)
   makeResult(directory.path());
   test::write(directory / "notes.txt", "mine");
   test::write(directory / "segments/notes_12.h5", "mine");
-  test::onRankZero([&] {
-    fs::create_directory(directory / "seas");
-    fs::create_directory(directory / "scec");
-  });
-  for (char const* name : {"seas/fltst_dp075", "seas/slip.dat", "scec/cplot", "receivers.h5"}) {
-    test::write(directory / name, "x");
-  }
-  test::write(directory / "seas/tandem.txt", "mine");
   io::prepareOutputDirectory(directory.path(), ExistingResult::overwrite, *world());
   const std::map<std::string, std::string> expected{
     {(directory / "notes.txt").string(), "mine"},
-    {(directory / "seas").string(), ""},
-    {(directory / "seas/tandem.txt").string(), "mine"},
     {(directory / "segments").string(), ""},
     {(directory / "segments/notes_12.h5").string(), "mine"}};
   EXPECT_EQ(everything(directory.path()), expected);

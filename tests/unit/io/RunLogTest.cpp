@@ -17,7 +17,7 @@ Progress at(double time)
   progress.peak_slip_rate = 5.1e-5;
   progress.step = 17;
   progress.fixed_point_iterations = 3;
-  progress.num_events = 2;
+  progress.counts = {{2, "event"}};
   return progress;
 }
 

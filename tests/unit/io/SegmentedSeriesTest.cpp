@@ -17,7 +17,7 @@ class Series
 {
 public:
   explicit Series(fs::path const& directory, bool single_precision = false)
-      : location(boundaryLocation("fault", test::stripMesh(num_base), "base", world()))
+      : domain(boundaryDomain("fault", test::stripMesh(num_base), "base", world()))
       , alpha{"alpha",
               "-",
               "State.",
@@ -25,7 +25,7 @@ public:
               1,
               [this](std::vector<double>& values) {
                 values.clear();
-                for (const GlobalOrdinal node : location.node_numbers) {
+                for (const GlobalOrdinal node : domain.node_numbers) {
                   values.push_back(row + node / 16.0);
                 }
               }}
@@ -36,12 +36,12 @@ public:
              2,
              [this](std::vector<double>& values) {
                values.clear();
-               for (const GlobalOrdinal node : location.node_numbers) {
+               for (const GlobalOrdinal node : domain.node_numbers) {
                  values.push_back(row);
                  values.push_back(-static_cast<double>(node));
                }
              }}
-      , series({directory, "fault", single_precision, 4}, location, {&alpha, &slip})
+      , series({directory, "fault", single_precision, 4}, domain, {&alpha, &slip})
   {
   }
 
@@ -55,8 +55,8 @@ public:
   }
 
   int row = 0, next_row = 0;
-  Location location;
-  Field alpha, slip;
+  OutputDomain domain;
+  OutputField alpha, slip;
   SegmentedSeries series;
 };
 

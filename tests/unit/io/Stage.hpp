@@ -20,15 +20,15 @@ struct Stage
   template <int Dim>
   void locate(Mesh<Dim> const& mesh)
   {
-    locations["fault"] = io::boundaryLocation("fault", mesh, "base", world());
-    locations["volume"] = io::volumeLocation(mesh, world());
+    domains["fault"] = io::boundaryDomain("fault", mesh, "base", world());
+    domains["volume"] = io::volumeDomain(mesh, world());
   }
 
-  void add(std::string const& location, std::string const& name, int components,
+  void add(std::string const& domain, std::string const& name, int components,
            Function const& function)
   {
-    io::Location const& nodes = locations.at(location);
-    fields.add({name, "1", "Test.", location, components,
+    io::OutputDomain const& nodes = domains.at(domain);
+    fields.add({name, "1", "Test.", domain, components,
                 [components, function, &nodes](std::vector<double>& values) {
                   values.clear();
                   for (std::size_t i = 0; i < nodes.numOwned(); ++i) {
@@ -39,10 +39,9 @@ struct Stage
                 }});
   }
 
-  io::OutputContext context(std::filesystem::path const& directory,
-                            io::TextFormat const& text = {}) const
+  io::OutputContext context(std::filesystem::path const& directory) const
   {
-    return {directory, world(), fields, locations, text};
+    return {directory, world(), fields, domains};
   }
 
   io::StepInfo at(int step, double step_size, bool is_last = false)
@@ -53,21 +52,8 @@ struct Stage
 
   double time = 0;
   io::FieldRegistry fields;
-  std::map<std::string, io::Location> locations;
+  std::map<std::string, io::OutputDomain> domains;
 };
-
-inline io::TextFormat textFormat(io::Platform platform)
-{
-  io::TextFormat format;
-  format.platform = platform;
-  format.problem = "BP1-QD";
-  format.author = "A. Modeller";
-  format.date = "2024/05/31";
-  format.code_version = "1.2";
-  format.element_size = 50;
-  format.time_step = 0.25;
-  return format;
-}
 
 // As a deck has it.
 inline Teuchos::Array<double> position(std::vector<double> const& coordinates)

@@ -18,19 +18,19 @@ struct Block : test::Stage
 {
   explicit Block(bool periodic) : Stage(test::blockMesh(periodic))
   {
-    for (std::string const& location : {"fault", "volume"}) {
-      add(location, "T", 1, [this](double const* x, int) { return value(x); });
-      add(location, "u", 3, [this](double const* x, int c) { return (c + 1) * value(x); });
+    for (std::string const domain : {"fault", "volume"}) {
+      add(domain, "T", 1, [this](double const* x, int) { return value(x); });
+      add(domain, "u", 3, [this](double const* x, int c) { return (c + 1) * value(x); });
     }
   }
 
   double value(double const* x) const { return time + x[0] + 10 * x[1] + 100 * x[2]; }
 
   // Five rows in two segments, two rows a write.
-  void write(std::filesystem::path const& directory, std::string const& location)
+  void write(std::filesystem::path const& directory, std::string const& domain)
   {
-    SegmentedSeries series({directory, location, false, 2}, locations.at(location),
-                           {&fields.field(location, "T"), &fields.field(location, "u")});
+    SegmentedSeries series({directory, domain, false, 2}, domains.at(domain),
+                           {&fields.field(domain, "T"), &fields.field(domain, "u")});
     for (int step = 0; step < 5; ++step) {
       series.append(at(step, 0.5));
       if (step == 2) {
@@ -63,10 +63,10 @@ void expectFields(std::filesystem::path const& path)
 
 TEST(SurfaceSeries, EveryRankWritesItsPart)
 {
-  for (std::string const& location : {"fault", "volume"}) {
+  for (std::string const domain : {"fault", "volume"}) {
     test::TemporaryDirectory directory;
-    Block(false).write(directory.path(), location);
-    test::onRankZero([&] { expectFields(directory / (location + ".h5")); });
+    Block(false).write(directory.path(), domain);
+    test::onRankZero([&] { expectFields(directory / (domain + ".h5")); });
   }
 }
 
@@ -111,7 +111,7 @@ TEST(SurfaceSeries, ASegmentThatCannotBeWrittenIsAnErrorOnEveryRank)
 {
   test::TemporaryDirectory directory;
   Block block(false);
-  SegmentedSeries series({directory.path(), "fault", false, 1}, block.locations.at("fault"),
+  SegmentedSeries series({directory.path(), "fault", false, 1}, block.domains.at("fault"),
                          {&block.fields.field("fault", "T")});
   series.append(block.at(0, 0.5));
   test::onRankZero([&] { std::filesystem::remove_all(directory / "segments"); });

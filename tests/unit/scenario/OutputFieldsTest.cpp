@@ -21,12 +21,12 @@ struct Start
       : deck(given)
       , problem(makeProblem<2>(deck, world()))
       , balance(problem.body, problem.fault, makeClock(deck.sublist("Time Stepping")))
-      , locations(makeLocations(problem))
+      , domains(makeDomains(problem))
   {
     balance.start(problem.initial, {});
     view.state = &problem.initial;
     view.balance = &balance;
-    registerFields(registry, problem, view, locations, deck.sublist("Friction"));
+    registerFields(registry, problem, view, domains, deck.sublist("Friction"));
   }
 
   std::vector<double> onFault(std::string const& name) const
@@ -39,7 +39,7 @@ struct Start
   ParameterList deck;
   Problem<2> problem;
   dynamics::EnergyBalance balance;
-  std::map<std::string, io::Location> locations;
+  std::map<std::string, io::OutputDomain> domains;
   RunView view;
   io::FieldRegistry registry;
 };

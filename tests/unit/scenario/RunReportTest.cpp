@@ -19,8 +19,9 @@ TEST(RunReport, printsABalanceThatAddsUp)
   // What a restart leaves of them says nothing about their change since the start.
   energy.kinetic = 1000;
   energy.elastic = 2000;
-  expectParts(summarise(summary, nullptr),
-              {"boundaries 100 and loads 20", "friction 64, viscosity 8 and the time stepping 2",
+  expectParts(summarise(summary, "12 events\n"),
+              {"\n12 events\n", "boundaries 100 and loads 20",
+               "friction 64, viscosity 8 and the time stepping 2",
                "change of kinetic and elastic energy 46.5", "defect of 0.5 (0.0078"});
 }
 } // namespace asperity::scenario

@@ -60,9 +60,9 @@ std::vector<double> onFault(Problem<3> const& problem, ParameterList const& deck
   RunView view;
   view.state = &problem.initial;
   view.balance = &balance;
-  auto const locations = makeLocations(problem);
+  auto const domains = makeDomains(problem);
   io::FieldRegistry registry;
-  registerFields(registry, problem, view, locations, deck.sublist("Friction"));
+  registerFields(registry, problem, view, domains, deck.sublist("Friction"));
   std::vector<double> values;
   registry.field("fault", name).values(values);
   return values;

@@ -1,0 +1,80 @@
+#pragma once
+
+#include "catalogue/events/Event.hpp"
+#include "catalogue/events/EventEnergies.hpp"
+#include "catalogue/events/EventFollower.hpp"
+#include "catalogue/fault_geometry/FaultPlane.hpp"
+#include "io/Output.hpp"
+#include "io/files/TextTable.hpp"
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace asperity::catalogue
+{
+// DIR/events.csv: one row an event.
+//
+// Needs the fields `slip_rate`, `slip` (of any number of components) and `shear_modulus` on the
+// domain `fault`. A node's slip counts while the node itself is at or above the threshold
+// (Pipping 2014, §5.4: the displacement at the base that occurs at seismic velocities). On a
+// surface an event has an area, a moment and a magnitude, a hypocentre, and extents along strike
+// and down dip of the fault's mean plane; on a curve a width and a moment per length.
+class EventCatalogue : public EventFollower
+{
+public:
+  static Teuchos::RCP<const Teuchos::ParameterList> validParameters();
+  static std::string meaning();
+  static std::string neededDomain() { return "fault"; }
+  static std::vector<std::string> files() { return {"events.csv"}; }
+
+  EventCatalogue(Teuchos::ParameterList const& parameters, io::OutputContext const& context);
+
+  void write(io::StepInfo const& step) override;
+  void closeSegment(int index) override;
+  void finish() override;
+  void save(io::Archive& archive) const override;
+  void restore(io::Archive const& archive) override;
+
+  // With the event in progress.
+  std::vector<io::Count> counts() const override;
+  std::string report() const override; // a table of the events and their summary
+
+  // Known on every rank: complete events, and after finish() the one then in progress.
+  std::vector<Event> const& events() const { return events_; }
+  EventSummary summary() const { return summarise(events_); }
+
+protected:
+  void begin(Sample const& now) override;
+  void follow(Sample const& now) override;
+  void end(Sample const& now) override;
+
+private:
+  // Besides the rates; known before those of a step are looked at.
+  struct More
+  {
+    std::vector<double> slip; // (num_owned, components) [m]
+    std::vector<double> energies;
+  };
+
+  Event measure(double end_time, bool complete) const;
+  template <class Coordinate>
+  double extent(Coordinate const& coordinate) const; // of the nodes that have ruptured
+  double const* place(std::size_t i) const { return &fault().coordinates[3 * i]; }
+  void record(Event const& event, std::vector<double> const& energies); // at its end
+
+  io::OutputField const& slip_;
+  EventEnergies energies_;
+  std::optional<FaultPlane> plane_;   // of a surface
+  std::vector<double> shear_modulus_; // (num_owned) [Pa]
+  io::TextTable file_;
+  std::vector<Event> events_;
+
+  More now_, before_;
+  Event open_; // onset, first node and peak rate of the event in progress
+  std::vector<double> energies_at_begin_;
+  std::vector<double> seismic_slip_;   // (num_owned) [m]
+  std::vector<std::int64_t> ruptured_; // (num_owned) 1 where the node reached the threshold
+};
+} // namespace asperity::catalogue

@@ -1,0 +1,49 @@
+#pragma once
+
+#include "catalogue/events/FaultRates.hpp"
+#include "io/Output.hpp"
+#include "io/WriteRule.hpp"
+#include "io/files/TextTable.hpp"
+
+#include <string>
+#include <vector>
+
+namespace asperity::catalogue
+{
+// DIR/global.csv: the fault as a whole over time, without the nodes whose slip rate is prescribed.
+// Needs `slip_rate`, `slip` and `shear_modulus` on the fault.
+class Global : public io::Output
+{
+public:
+  static Teuchos::RCP<const Teuchos::ParameterList> validParameters();
+  static std::string meaning();
+  static std::string neededDomain() { return "fault"; }
+  static std::vector<std::string> files() { return {"global.csv"}; }
+
+  Global(Teuchos::ParameterList const& parameters, io::OutputContext const& context);
+
+  void write(io::StepInfo const& step) override;
+  void closeSegment(int) override { file_.flush(); }
+  void finish() override {}
+  void save(io::Archive& archive) const override;
+  void restore(io::Archive const& archive) override;
+  void offer(io::Offers& offers) const override { offers.add(*this); }
+
+  // Whether the step that was written last has a row, and what stands there.
+  bool hasRow() const { return has_row_; }
+  double peakSlipRate() const { return peak_slip_rate_; } // [m/s]
+  double momentRate() const { return moment_rate_; }      // [N m/s], of a curve [N/s]
+
+private:
+  double moment(std::vector<double> const& values, int components) const;
+
+  io::OutputDomain const& fault_;
+  FaultRates rates_;
+  io::OutputField const& slip_;
+  std::vector<double> rigidity_; // (num_owned) [N/m] or [N] modulus times weight; 0: not counted
+  io::WriteRule rule_;
+  io::TextTable file_;
+  bool has_row_ = false;
+  double peak_slip_rate_ = 0, moment_rate_ = 0;
+};
+} // namespace asperity::catalogue

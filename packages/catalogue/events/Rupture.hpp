@@ -1,0 +1,56 @@
+#pragma once
+
+#include "catalogue/events/EventFollower.hpp"
+#include "io/parallel/NodeGather.hpp"
+#include "io/series/SegmentedTable.hpp"
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+namespace asperity::catalogue
+{
+// DIR/rupture.h5: when each node of the fault first reached a slip rate, in each event and in the
+// run. Needs `slip_rate` on the fault.
+class Rupture : public EventFollower
+{
+public:
+  static Teuchos::RCP<const Teuchos::ParameterList> validParameters();
+  static std::string meaning();
+  static std::string neededDomain() { return "fault"; }
+  static std::vector<std::string> files() { return {"rupture.h5"}; }
+
+  Rupture(Teuchos::ParameterList const& parameters, io::OutputContext const& context);
+  Rupture(Rupture const&) = delete; // the table describes itself with the members
+  Rupture& operator=(Rupture const&) = delete;
+
+  void closeSegment(int index) override;
+  void finish() override;
+  void save(io::Archive& archive) const override;
+  void restore(io::Archive const& archive) override;
+  void offer(io::Offers& offers) const override { offers.add(*this); }
+
+  // When each node first reached the threshold in the run, up to the last closeSegment; nan: never.
+  // By node number, on rank 0. [s]
+  std::vector<double> const& firstTimes() const { return whole_first_time_; }
+  using EventFollower::threshold;
+
+protected:
+  void begin(Sample const& now) override;
+  void follow(Sample const& now) override;
+  void end(Sample const& now) override;
+
+private:
+  io::SegmentedTable::Options tableOptions(std::filesystem::path const& directory);
+  void addRow();
+
+  io::NodeGather gather_;
+  io::SegmentedTable table_;
+
+  std::int64_t num_events_ = 0;          // that have ended
+  double onset_ = 0;                     // [s]
+  std::vector<double> event_time_;       // (num_owned) [s] in the event in progress
+  std::vector<double> first_time_;       // (num_owned) [s]
+  std::vector<double> whole_first_time_; // (num_nodes), on rank 0
+};
+} // namespace asperity::catalogue

@@ -1,0 +1,34 @@
+#pragma once
+
+#include "catalogue/fault_geometry/FaultPlane.hpp"
+
+#include <vector>
+
+namespace asperity::catalogue
+{
+// The places on a fault that is a curve in the x-y plane, as seismologists count them.
+struct FaultAxis
+{
+  // Of the fault's nodes on rank 0, by number: the distance along the fault from the end with the
+  // larger y, which is down dip; along +x where the fault is level.
+  std::vector<double> distances;
+  bool is_level = false; // the plane is a map, and the fault runs along strike
+};
+
+// Collective.
+FaultAxis faultAxis(io::OutputDomain const& fault);
+
+// Where the nodes of the fault are along strike and down dip, by node number, on rank 0; empty
+// elsewhere.
+//
+// Of a surface in its mean plane. Of a curve, the distance along it is along strike where the curve
+// is level, because the plane of the mesh is a map then, otherwise down dip; the other one is zero.
+struct FaultPlaces
+{
+  std::vector<double> along_strike; // [m]
+  std::vector<double> down_dip;     // [m]
+};
+
+// Collective.
+FaultPlaces faultPlaces(io::OutputDomain const& fault, Direction const& up);
+} // namespace asperity::catalogue

@@ -1,0 +1,164 @@
+#include "catalogue/receivers/PointLocation.hpp"
+
+#include "base/Errors.hpp"
+#include "base/parallel/Reductions.hpp"
+#include "catalogue/receivers/NearestPoint.hpp"
+#include "io/parallel/Gather.hpp"
+
+#include <Teuchos_CommHelpers.hpp>
+
+#include <algorithm>
+#include <limits>
+#include <map>
+
+namespace asperity::catalogue
+{
+namespace
+{
+// Whether `left` is to be preferred. Distances that are rounding are no distances.
+bool isNearer(LocatedPoint const& left, LocatedPoint const& right)
+{
+  constexpr double rounding = 1e-9;
+  const auto apart = [](LocatedPoint const& point) {
+    return point.distance <= rounding * point.element_size ? 0 : point.distance;
+  };
+  if (apart(left) != apart(right)) {
+    return apart(left) < apart(right);
+  }
+  auto mine = left.nodes, other = right.nodes;
+  std::sort(mine.begin(), mine.end());
+  std::sort(other.begin(), other.end());
+  return mine < other;
+}
+
+Simplex simplexOf(io::OutputDomain const& domain, std::size_t element)
+{
+  Simplex simplex{{}, domain.dimension};
+  for (int corner = 0; corner < domain.nodes_per_element; ++corner) {
+    const std::size_t node = element * domain.nodes_per_element + corner;
+    simplex.corners.push_back(&domain.corners[node * domain.dimension]);
+  }
+  return simplex;
+}
+
+LocatedPoint located(io::OutputDomain const& domain, std::size_t element, Simplex const& simplex,
+                     double const* point)
+{
+  NearestPoint nearest = nearestPoint(simplex, point);
+  GlobalOrdinal const* nodes = &domain.connectivity[element * domain.nodes_per_element];
+  LocatedPoint result{nearest.distance,
+                      simplex.longestEdge(),
+                      {nodes, nodes + domain.nodes_per_element},
+                      nearest.weights,
+                      std::vector<double>(domain.dimension, 0)};
+  for (int corner = 0; corner < domain.nodes_per_element; ++corner) {
+    for (int d = 0; d < domain.dimension; ++d) {
+      result.coordinates[d] += nearest.weights[corner] * simplex.corners[corner][d];
+    }
+  }
+  return result;
+}
+
+LocatedPoint nearestOfRank(io::OutputDomain const& domain, double const* point)
+{
+  LocatedPoint best;
+  best.distance = std::numeric_limits<double>::infinity();
+  best.nodes.assign(domain.nodes_per_element, 0);
+  best.weights.assign(domain.nodes_per_element, 0);
+  best.coordinates.assign(domain.dimension, 0);
+  for (std::size_t element = 0; element < domain.numOwnedElements(); ++element) {
+    const Simplex simplex = simplexOf(domain, element);
+    const double to_corner = distance(simplex.corners[0], point, domain.dimension);
+    if (to_corner - simplex.longestEdge() > best.distance) {
+      continue; // no point of it can be nearer; most of them
+    }
+    LocatedPoint candidate = located(domain, element, simplex, point);
+    if (isNearer(candidate, best)) {
+      best = std::move(candidate);
+    }
+  }
+  return best;
+}
+
+// As numbers, to be sent to the other ranks; node numbers are exact in a double.
+std::vector<double> asNumbers(LocatedPoint const& point)
+{
+  std::vector<double> numbers{point.distance, point.element_size};
+  numbers.insert(numbers.end(), point.nodes.begin(), point.nodes.end());
+  numbers.insert(numbers.end(), point.weights.begin(), point.weights.end());
+  numbers.insert(numbers.end(), point.coordinates.begin(), point.coordinates.end());
+  return numbers;
+}
+
+LocatedPoint fromNumbers(double const* numbers, io::OutputDomain const& domain)
+{
+  LocatedPoint point{numbers[0], numbers[1], {}, {}, {}};
+  double const* nodes = numbers + 2;
+  double const* weights = nodes + domain.nodes_per_element;
+  double const* coordinates = weights + domain.nodes_per_element;
+  for (double const* node = nodes; node < weights; ++node) {
+    point.nodes.push_back(static_cast<GlobalOrdinal>(*node));
+  }
+  point.weights.assign(weights, coordinates);
+  point.coordinates.assign(coordinates, coordinates + domain.dimension);
+  return point;
+}
+} // namespace
+
+std::vector<LocatedPoint> locate(io::OutputDomain const& domain, std::vector<double> const& points)
+{
+  std::vector<LocatedPoint> result;
+  for (std::size_t first = 0; first < points.size(); first += domain.dimension) {
+    const auto mine = asNumbers(nearestOfRank(domain, &points[first]));
+    const auto all = io::gatherToAll(mine, *domain.comm);
+    LocatedPoint best = fromNumbers(all.data(), domain);
+    for (std::size_t rank = mine.size(); rank < all.size(); rank += mine.size()) {
+      auto const other = fromNumbers(&all[rank], domain);
+      best = isNearer(other, best) ? other : best;
+    }
+    result.push_back(best);
+  }
+  return result;
+}
+
+double shortestElement(io::OutputDomain const& domain)
+{
+  double shortest = std::numeric_limits<double>::infinity();
+  for (std::size_t element = 0; element < domain.numOwnedElements(); ++element) {
+    shortest = std::min(shortest, simplexOf(domain, element).longestEdge());
+  }
+  return minOverRanks(shortest, *domain.comm);
+}
+
+Sampling::Sampling(io::OutputDomain const& domain, std::vector<LocatedPoint> const& points)
+    : comm_(domain.comm)
+    , num_points_(points.size())
+{
+  std::map<GlobalOrdinal, std::size_t> owned;
+  for (std::size_t i = 0; i < domain.numOwned(); ++i) {
+    owned[domain.node_numbers[i]] = i;
+  }
+  for (std::size_t point = 0; point < points.size(); ++point) {
+    for (std::size_t corner = 0; corner < points[point].nodes.size(); ++corner) {
+      const auto node = owned.find(points[point].nodes[corner]);
+      const double weight = points[point].weights[corner];
+      if (node != owned.end() && weight > 0) {
+        terms_.push_back({point, node->second, weight});
+      }
+    }
+  }
+}
+
+std::vector<double> Sampling::operator()(std::vector<double> const& nodal, int components) const
+{
+  std::vector<double> mine(num_points_ * components, 0), sum(mine.size(), 0);
+  for (auto const& term : terms_) {
+    for (int c = 0; c < components; ++c) {
+      mine[term.point * components + c] += term.weight * nodal[term.node * components + c];
+    }
+  }
+  Teuchos::reduceAll(*comm_, Teuchos::REDUCE_SUM, static_cast<int>(mine.size()), mine.data(),
+                     sum.data());
+  return sum;
+}
+} // namespace asperity::catalogue

@@ -1,0 +1,150 @@
+#include "catalogue/receivers/ReceiverGroup.hpp"
+
+#include "base/Errors.hpp"
+#include "base/Text.hpp"
+#include "base/parallel/Reductions.hpp"
+#include "io/series/SeriesLayout.hpp"
+
+#include <algorithm>
+#include <limits>
+
+namespace asperity::catalogue
+{
+namespace
+{
+// Of an element's size: how far beside the domain a receiver may lie. Coordinates on an inclined
+// fault or surface are rounded.
+constexpr double reach = 0.01;
+
+std::string pointText(double const* point, int dimension)
+{
+  std::string text;
+  for (int d = 0; d < dimension; ++d) {
+    text += (d > 0 ? ", " : "(") + formatNumber(point[d]);
+  }
+  return text + ")";
+}
+
+// "from (0, -40000) to (0, 0) m": the corners of the box around the domain.
+std::string extentText(io::OutputDomain const& domain)
+{
+  std::vector<double> least, largest;
+  for (int d = 0; d < domain.dimension; ++d) {
+    double low = std::numeric_limits<double>::infinity(), high = -low;
+    for (std::size_t i = 0; i < domain.numOwned(); ++i) {
+      low = std::min(low, domain.coordinates[i * domain.dimension + d]);
+      high = std::max(high, domain.coordinates[i * domain.dimension + d]);
+    }
+    least.push_back(minOverRanks(low, *domain.comm));
+    largest.push_back(maxOverRanks(high, *domain.comm));
+  }
+  return "from " + pointText(least.data(), domain.dimension) + " to " +
+         pointText(largest.data(), domain.dimension) + " m";
+}
+
+// Files are named after receivers.
+void requireFileName(std::string const& path, std::string const& name)
+{
+  ASPERITY_REQUIRE(!name.empty() && name.find('/') == std::string::npos,
+                   path << ": a receiver cannot be called '" << name
+                        << "', because files are named after it. Choose a name without '/'.");
+}
+
+void requireNear(std::string const& path, NamedPlace const& place, LocatedPoint const& located,
+                 io::OutputDomain const& domain)
+{
+  if (located.distance <= reach * located.element_size) {
+    return;
+  }
+  const bool is_volume = domain.nodes_per_element == domain.dimension + 1;
+  const std::string where = is_volume ? "mesh" : domain.name;
+  throw InputError(
+    path + " / " + place.name + " = " + pointText(place.coordinates.data(), domain.dimension) +
+    " is " + formatShort(located.distance) + " m outside of the " + where + ", which extends " +
+    extentText(domain) + "; its nearest element has " + formatShort(located.element_size) +
+    " m. A receiver may be " + formatShort(reach * located.element_size) + " m beside it.");
+}
+} // namespace
+
+ReceiverGroup::ReceiverGroup(std::string const& path, std::vector<NamedPlace> const& places,
+                             io::OutputDomain const& domain)
+    : domain_(domain)
+    , places_(places)
+{
+  std::vector<double> wanted;
+  for (auto const& place : places) {
+    requireFileName(path, place.name);
+    ASPERITY_REQUIRE(static_cast<int>(place.coordinates.size()) == domain.dimension,
+                     path << " / " << place.name << " has " << place.coordinates.size()
+                          << " coordinates; a position in this mesh has " << domain.dimension
+                          << ".");
+    wanted.insert(wanted.end(), place.coordinates.begin(), place.coordinates.end());
+  }
+  const auto located = locate(domain, wanted);
+  for (std::size_t i = 0; i < located.size(); ++i) {
+    requireNear(path, places[i], located[i], domain);
+    coordinates_.insert(coordinates_.end(), located[i].coordinates.begin(),
+                        located[i].coordinates.end());
+  }
+  sampling_ = std::make_unique<Sampling>(domain, located);
+  if (domain.isCurve()) {
+    positions_ = (*sampling_)(domain.positions, 1);
+  }
+}
+
+void ReceiverGroup::chooseFields(std::vector<std::string> const& names,
+                                 io::FieldRegistry const& registry, std::string const& where)
+{
+  chosen_ = registry.fields(domain_.name, names, where);
+}
+
+std::vector<io::SegmentedTable::Column> ReceiverGroup::columns(std::string const& group) const
+{
+  std::vector<io::SegmentedTable::Column> columns;
+  for (auto const* field : chosen_) {
+    columns.push_back({group + "/fields/" + field->name, field->unit, field->description,
+                       h5::Type::float64, io::rowShape(places_.size(), field->components)});
+  }
+  return columns;
+}
+
+std::vector<double> ReceiverGroup::sample(io::OutputField const& field) const
+{
+  std::vector<double> nodal;
+  field.values(nodal);
+  return (*sampling_)(nodal, field.components);
+}
+
+std::string ReceiverGroup::placeText(std::size_t receiver) const
+{
+  return pointText(&coordinates_[receiver * domain_.dimension], domain_.dimension);
+}
+
+void ReceiverGroup::describe(h5::File& file, std::string const& group) const
+{
+  std::vector<std::string> names;
+  for (auto const& place : places_) {
+    names.push_back(place.name);
+  }
+  io::describe(file.createTexts(group + "/names", names), "-", "Names of the receivers.");
+  const hsize_t dimension = domain_.dimension;
+  io::writeDataset(file, group + "/coordinates", coordinates_, {places_.size(), dimension}, "m",
+                   "Coordinates of the receivers.");
+  if (!positions_.empty()) {
+    io::writeDataset(file, group + "/positions", positions_, {places_.size()}, "m",
+                     "Distance along the boundary from its first end.");
+  }
+}
+
+std::string ReceiverGroup::signature() const
+{
+  std::string text;
+  for (auto const& place : places_) {
+    text += place.name + ' ' + pointText(place.coordinates.data(), domain_.dimension) + '\n';
+  }
+  for (auto const* field : chosen_) {
+    text += field->name + '\n';
+  }
+  return text;
+}
+} // namespace asperity::catalogue

@@ -1,0 +1,59 @@
+#pragma once
+
+#include "catalogue/receivers/PointLocation.hpp"
+#include "io/Output.hpp"
+#include "io/series/SegmentedTable.hpp"
+
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace asperity::catalogue
+{
+// A named place, as the deck has it.
+struct NamedPlace
+{
+  std::string name;
+  std::vector<double> coordinates; // (dimension) [m]
+};
+
+// Receivers on the fault, or in the body.
+class ReceiverGroup
+{
+public:
+  // `path` is that of the list in the deck, for messages: a place further from the domain than
+  // a hundredth of its element there is an InputError, as is a name that no file can have.
+  // Collective.
+  ReceiverGroup(std::string const& path, std::vector<NamedPlace> const& places,
+                io::OutputDomain const& domain);
+
+  // The fields that are written to receivers.h5, as columns `<group>/fields/<name>`; `where` is
+  // the entry of the deck that names them.
+  void chooseFields(std::vector<std::string> const& names, io::FieldRegistry const& registry,
+                    std::string const& where);
+  std::vector<io::SegmentedTable::Column> columns(std::string const& group) const;
+
+  // Values of a field of the domain, (num_receivers, components), on every rank. Collective.
+  std::vector<double> sample(io::OutputField const& field) const;
+  std::vector<io::OutputField const*> const& chosenFields() const { return chosen_; }
+
+  io::OutputDomain const& domain() const { return domain_; }
+  std::size_t size() const { return places_.size(); }
+  std::string const& name(std::size_t receiver) const { return places_[receiver].name; }
+  std::string placeText(std::size_t receiver) const; // "(0, -12.5)", on the domain [m]
+
+  // Names and places. On rank 0.
+  void describe(h5::File& file, std::string const& group) const;
+
+  // What a restart must find unchanged.
+  std::string signature() const;
+
+private:
+  io::OutputDomain const& domain_;
+  std::vector<NamedPlace> places_;
+  std::vector<double> coordinates_; // (num_receivers, dimension) [m] on the domain
+  std::vector<double> positions_;   // (num_receivers) [m] of a curve, otherwise empty
+  std::unique_ptr<Sampling> sampling_;
+  std::vector<io::OutputField const*> chosen_;
+};
+} // namespace asperity::catalogue

@@ -1,0 +1,151 @@
+#include "catalogue/receivers/Receivers.hpp"
+
+#include "base/Errors.hpp"
+#include "io/series/SeriesLayout.hpp"
+
+#include <Teuchos_Array.hpp>
+
+namespace asperity::catalogue
+{
+namespace
+{
+std::vector<NamedPlace> placesIn(Teuchos::ParameterList const& list)
+{
+  std::vector<NamedPlace> places;
+  for (auto const& entry : list) {
+    places.push_back({entry.first, list.get<Teuchos::Array<double>>(entry.first).toVector()});
+  }
+  return places;
+}
+
+io::SegmentedTable::Options tableOf(io::OutputContext const& context,
+                                    std::map<std::string, ReceiverGroup> const& groups)
+{
+  io::SegmentedTable::Options options;
+  options.directory = context.directory;
+  options.name = "receivers";
+  options.columns = io::timeColumns();
+  for (auto const& [name, group] : groups) {
+    const auto columns = group.columns(name);
+    options.columns.insert(options.columns.end(), columns.begin(), columns.end());
+  }
+  options.describe_index = [&groups](h5::File& file) {
+    file.setAttribute("format", "asperity receivers");
+    file.setAttribute("format_version", std::int64_t(1));
+    for (auto const& [name, group] : groups) {
+      group.describe(file, name);
+    }
+  };
+  return options;
+}
+} // namespace
+
+Teuchos::RCP<const Teuchos::ParameterList> Receivers::validParameters()
+{
+  const auto place = Declare()
+                       .realArray("<receiver>", required, "m", Range::any(),
+                                  "The receiver lies at this position, in coordinates of the mesh.")
+                       .list();
+  Declare parameters;
+  parameters
+    .boolean("Enabled", true,
+             "If true, the run writes this output, provided that there are receivers.")
+    .openSublist("On Fault", place, "Each entry puts a receiver of that name on the fault.")
+    .openSublist("Off Fault", place, "Each entry puts a receiver of that name in the body.")
+    .textArray("Fault Fields",
+               std::vector<std::string>{"slip", "slip_rate", "traction", "normal_stress", "theta"},
+               "The fields of these names are written for receivers on the fault.")
+    .textArray("Body Fields", std::vector<std::string>{"displacement", "velocity"},
+               "The fields of these names are written for receivers in the body.");
+  io::WriteRule::declare(parameters, 1, 0);
+  return parameters.list();
+}
+
+std::string Receivers::meaning()
+{
+  return "Writes time series at chosen places on the fault and in the body to receivers.h5.";
+}
+
+Receivers::Receivers(Teuchos::ParameterList const& parameters, io::OutputContext const& context)
+    : rule_(parameters)
+{
+  const std::string path = "Asperity / Output / Receivers / ";
+  const auto add = [&](std::string const& list, std::string const& group, std::string const& domain,
+                       std::string const& fields) {
+    const auto places = placesIn(parameters.sublist(list));
+    if (!places.empty()) {
+      groups_.try_emplace(group, path + list, places, context.domain(domain))
+        .first->second.chooseFields(parameters.get<Teuchos::Array<std::string>>(fields).toVector(),
+                                    context.fields, path + fields);
+    }
+  };
+  add("On Fault", "on_fault", "fault", "Fault Fields");
+  add("Off Fault", "off_fault", "volume", "Body Fields");
+  if (!groups_.empty()) {
+    table_ = std::make_unique<io::SegmentedTable>(tableOf(context, groups_), context.comm);
+  }
+}
+
+ReceiverGroup const* Receivers::group(std::string const& name) const
+{
+  const auto found = groups_.find(name);
+  return found == groups_.end() ? nullptr : &found->second;
+}
+
+void Receivers::write(io::StepInfo const& step)
+{
+  has_row_ = rule_.isDue(step) && !groups_.empty();
+  if (!has_row_) {
+    return;
+  }
+  std::vector<std::vector<double>> row{{step.time}, {static_cast<double>(step.step)}};
+  for (auto const& [name, group] : groups_) {
+    for (auto const* field : group.chosenFields()) {
+      row.push_back(group.sample(*field));
+    }
+  }
+  table_->append(1, row);
+}
+
+void Receivers::closeSegment(int index)
+{
+  if (table_) {
+    table_->closeSegment(index);
+  }
+}
+
+std::string Receivers::signature() const
+{
+  std::string text;
+  for (auto const& [name, group] : groups_) {
+    text += name + '\n' + group.signature();
+  }
+  return text;
+}
+
+void Receivers::save(io::Archive& archive) const
+{
+  io::Archive rule;
+  rule_.save(rule);
+  archive.set("signature", signature());
+  archive.insert("rule", rule);
+  if (table_) {
+    io::Archive table;
+    table_->save(table);
+    archive.insert("table", table);
+  }
+}
+
+void Receivers::restore(io::Archive const& archive)
+{
+  ASPERITY_REQUIRE(archive.get<std::string>("signature") == signature(),
+                   "Asperity / Output / Receivers: the checkpoint continues files with other "
+                   "receivers or fields. Restart with those of the earlier run.");
+  rule_.restore(archive.child("rule"));
+  if (table_) {
+    table_->restore(archive.child("table"));
+  }
+}
+
+ASPERITY_REGISTER(io::OutputRegistry, "Receivers", io::OutputKindOf<Receivers>)
+} // namespace asperity::catalogue

@@ -1,0 +1,51 @@
+#pragma once
+
+#include "base/parameters/Parameters.hpp"
+#include "catalogue/receivers/ReceiverGroup.hpp"
+#include "io/Output.hpp"
+#include "io/WriteRule.hpp"
+#include "io/series/SegmentedTable.hpp"
+
+#include <map>
+#include <memory>
+#include <string>
+
+namespace asperity::catalogue
+{
+// Time series at chosen places: DIR/receivers.h5.
+class Receivers : public io::Output
+{
+public:
+  static Teuchos::RCP<const Teuchos::ParameterList> validParameters();
+  static std::string meaning();
+  static std::vector<std::string> files() { return {"receivers.h5"}; }
+
+  Receivers(Teuchos::ParameterList const& parameters, io::OutputContext const& context);
+  Receivers(Receivers const&) = delete; // the table describes itself with the groups
+  Receivers& operator=(Receivers const&) = delete;
+
+  void write(io::StepInfo const& step) override;
+  void closeSegment(int index) override;
+  void finish() override {}
+  void save(io::Archive& archive) const override;
+  void restore(io::Archive const& archive) override;
+
+  void offer(io::Offers& offers) const override { offers.add(*this); }
+
+  // Whether the step that was written last has a row.
+  bool hasRow() const { return has_row_; }
+
+  // The receivers on the fault and those in the body; null: there are none.
+  ReceiverGroup const* onFault() const { return group("on_fault"); }
+  ReceiverGroup const* inBody() const { return group("off_fault"); }
+
+private:
+  ReceiverGroup const* group(std::string const& name) const;
+  std::string signature() const;
+
+  io::WriteRule rule_;
+  bool has_row_ = false;
+  std::map<std::string, ReceiverGroup> groups_; // "off_fault", "on_fault"; those in use
+  std::unique_ptr<io::SegmentedTable> table_;   // null without receivers
+};
+} // namespace asperity::catalogue

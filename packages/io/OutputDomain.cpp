@@ -1,0 +1,185 @@
+#include "io/OutputDomain.hpp"
+
+#include "base/Errors.hpp"
+#include "base/NearestName.hpp"
+#include "base/parallel/Reductions.hpp"
+#include "io/detail/CurveOrder.hpp"
+#include "io/parallel/Gather.hpp"
+#include "mesh/SimplexGeometry.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+
+namespace asperity::io
+{
+namespace
+{
+// Length, area or volume of a cell or a facet.
+template <int Dim, std::size_t N>
+double measure(std::array<Point<Dim>, N> const& corners)
+{
+  if constexpr (N == Dim + 1) {
+    return std::abs(mesh::signedMeasure(corners));
+  } else {
+    return mesh::facetMeasure(corners);
+  }
+}
+
+// An element belongs to the rank that owns its vertex of least global id.
+template <int Dim, class Element>
+bool isOwned(Mesh<Dim> const& mesh, Element const& element)
+{
+  const int least = *std::min_element(element.begin(), element.end(), [&](int left, int right) {
+    return mesh.global_ids[left] < mesh.global_ids[right];
+  });
+  return least < mesh.num_owned;
+}
+
+// Fills all but numbers, positions and elements.
+template <int Dim, class Element>
+OutputDomain ownedNodes(std::string const& name, Mesh<Dim> const& mesh,
+                        std::vector<Element> const& elements, RCP<const Communicator> const& comm)
+{
+  std::map<int, double> weight_of_vertex;
+  for (auto const& element : elements) {
+    const auto corners = mesh::corners(mesh, element);
+    const double share = measure<Dim>(corners) / static_cast<double>(element.size());
+    for (const int vertex : element) {
+      if (vertex < mesh.num_owned) {
+        weight_of_vertex[vertex] += share;
+      }
+    }
+  }
+  OutputDomain domain;
+  domain.name = name;
+  domain.dimension = Dim;
+  domain.nodes_per_element = static_cast<int>(Element().size());
+  domain.comm = comm;
+  for (auto const& entry : weight_of_vertex) {
+    auto const& point = mesh.vertices[entry.first];
+    domain.vertices.push_back(entry.first);
+    domain.vertex_ids.push_back(mesh.global_ids[entry.first]);
+    domain.weights.push_back(entry.second);
+    domain.coordinates.insert(domain.coordinates.end(), point.begin(), point.end());
+  }
+  return domain;
+}
+
+// Of the elements that this rank owns; number_of: from the local vertex to the node's number.
+template <int Dim, class Element, class Numbering>
+void addElements(OutputDomain& domain, Mesh<Dim> const& mesh, std::vector<Element> const& elements,
+                 Numbering const& number_of)
+{
+  for (auto const& element : elements) {
+    if (!isOwned(mesh, element)) {
+      continue;
+    }
+    const auto corners = mesh::corners(mesh, element);
+    bool wraps = false;
+    for (std::size_t k = 0; k < element.size(); ++k) {
+      wraps = wraps || corners[k] != mesh.vertices[element[k]];
+      domain.connectivity.push_back(number_of(element[k]));
+      domain.corners.insert(domain.corners.end(), corners[k].begin(), corners[k].end());
+    }
+    domain.wraps.push_back(wraps ? 1 : 0);
+  }
+  domain.is_periodic = mesh.period != Point<Dim>{};
+}
+
+// `order`: the global ids of all nodes of the domain by number, on every rank.
+template <int Dim, class Element>
+void number(OutputDomain& domain, Mesh<Dim> const& mesh, std::vector<Element> const& elements,
+            std::vector<GlobalOrdinal> const& order)
+{
+  std::map<GlobalOrdinal, GlobalOrdinal> number_of_id;
+  for (std::size_t i = 0; i < order.size(); ++i) {
+    number_of_id[order[i]] = static_cast<GlobalOrdinal>(i);
+  }
+  domain.num_global_nodes = static_cast<GlobalOrdinal>(order.size());
+  for (const GlobalOrdinal id : domain.vertex_ids) {
+    domain.node_numbers.push_back(number_of_id.at(id));
+  }
+  addElements(domain, mesh, elements,
+              [&](int vertex) { return number_of_id.at(mesh.global_ids[vertex]); });
+}
+
+std::vector<GlobalOrdinal> orderById(OutputDomain const& domain)
+{
+  std::vector<GlobalOrdinal> ids = gatherToAll(domain.vertex_ids, *domain.comm);
+  std::sort(ids.begin(), ids.end());
+  return ids;
+}
+
+detail::CurveOrder orderAlong(OutputDomain const& domain, Mesh<2> const& mesh,
+                              std::vector<Mesh<2>::Facet> const& facets)
+{
+  std::vector<GlobalOrdinal> ends;
+  for (auto const& facet : facets) {
+    if (isOwned(mesh, facet)) {
+      ends.push_back(mesh.global_ids[facet[0]]);
+      ends.push_back(mesh.global_ids[facet[1]]);
+    }
+  }
+  const auto all_ends = gatherToAll(ends, *domain.comm);
+  const auto all_ids = gatherToAll(domain.vertex_ids, *domain.comm);
+  const auto all_coordinates = gatherToAll(domain.coordinates, *domain.comm);
+
+  std::vector<detail::Segment> segments;
+  for (std::size_t i = 0; i < all_ends.size(); i += 2) {
+    segments.push_back({all_ends[i], all_ends[i + 1]});
+  }
+  std::map<GlobalOrdinal, detail::PlanePoint> coordinates;
+  for (std::size_t i = 0; i < all_ids.size(); ++i) {
+    coordinates[all_ids[i]] = {all_coordinates[2 * i], all_coordinates[2 * i + 1]};
+  }
+  return detail::orderCurve(segments, coordinates);
+}
+} // namespace
+
+template <int Dim>
+OutputDomain boundaryDomain(std::string const& name, Mesh<Dim> const& mesh,
+                            std::string const& boundary, RCP<const Communicator> const& comm)
+{
+  std::vector<std::string> known;
+  for (auto const& entry : mesh.boundaries) {
+    known.push_back(entry.first);
+  }
+  const auto found = mesh.boundaries.find(boundary);
+  ASPERITY_REQUIRE(found != mesh.boundaries.end(), "The mesh has no boundary '"
+                                                     << boundary << "' to be the " << name << "."
+                                                     << didYouMean(boundary, known));
+  auto const& facets = found->second;
+  OutputDomain domain = ownedNodes(name, mesh, facets, comm);
+  const double nodes = sumOverRanks(static_cast<double>(domain.numOwned()), *comm);
+  ASPERITY_REQUIRE(nodes > 0, "The boundary '" << boundary << "', to be the " << name
+                                               << ", has no facets. Check the mesh.");
+  if constexpr (Dim == 2) {
+    const detail::CurveOrder order = orderAlong(domain, mesh, facets);
+    number(domain, mesh, facets, order.vertex_ids);
+    for (const GlobalOrdinal node : domain.node_numbers) {
+      domain.positions.push_back(order.positions[node]);
+    }
+  } else {
+    number(domain, mesh, facets, orderById(domain));
+  }
+  return domain;
+}
+
+template <int Dim>
+OutputDomain volumeDomain(Mesh<Dim> const& mesh, RCP<const Communicator> const& comm)
+{
+  OutputDomain domain = ownedNodes("volume", mesh, mesh.cells, comm);
+  domain.num_global_nodes = mesh.num_global_vertices;
+  domain.node_numbers = domain.vertex_ids; // every vertex is in a cell: no rank counts them all
+  addElements(domain, mesh, mesh.cells, [&](int vertex) { return mesh.global_ids[vertex]; });
+  return domain;
+}
+
+template OutputDomain boundaryDomain(std::string const&, Mesh<2> const&, std::string const&,
+                                     RCP<const Communicator> const&);
+template OutputDomain boundaryDomain(std::string const&, Mesh<3> const&, std::string const&,
+                                     RCP<const Communicator> const&);
+template OutputDomain volumeDomain(Mesh<2> const&, RCP<const Communicator> const&);
+template OutputDomain volumeDomain(Mesh<3> const&, RCP<const Communicator> const&);
+} // namespace asperity::io

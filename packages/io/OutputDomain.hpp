@@ -1,0 +1,57 @@
+#pragma once
+
+#include "base/Types.hpp"
+#include "mesh/Mesh.hpp"
+
+#include <string>
+#include <vector>
+
+namespace asperity::io
+{
+// Where fields live: a boundary or the volume, as this rank sees it.
+//
+// Nodes are this rank's owned vertices that belong to the domain, in the order of the mesh. Every
+// node has a number within the domain, 0 <= number < num_global_nodes, which is also its place in
+// every file, so that files do not depend on the number of ranks: along a curve the nodes are
+// numbered by position, elsewhere by the vertices' global ids.
+struct OutputDomain
+{
+  std::string name;          // "fault", "surface", "volume"
+  int dimension = 0;         // of space
+  int nodes_per_element = 0; // 2 segments, 3 triangles, 4 tetrahedra
+  GlobalOrdinal num_global_nodes = 0;
+  RCP<const Communicator> comm;
+
+  std::vector<int> vertices;               // (num_owned) local vertices of the mesh
+  std::vector<GlobalOrdinal> vertex_ids;   // (num_owned) global ids in the mesh
+  std::vector<GlobalOrdinal> node_numbers; // (num_owned) numbers within the domain
+  std::vector<double> coordinates;         // (num_owned, dimension) [m]
+  std::vector<double> weights;             // (num_owned) lumped measure [m], [m^2] or [m^3]
+  std::vector<double> positions;           // (num_owned) arc length [m]; empty unless a curve
+  std::vector<GlobalOrdinal> connectivity; // (num_owned_elements, nodes_per_element), by number
+  std::vector<double> corners;             // (num_owned_elements, nodes_per_element, dimension) [m]
+
+  // Where the mesh is periodic an element may reach across: its corners above are those of one
+  // piece, unlike the coordinates of its nodes.
+  bool is_periodic = false;
+  std::vector<char> wraps; // (num_owned_elements) 1 where the element reaches across
+
+  std::size_t numOwned() const { return vertices.size(); }
+  std::size_t numOwnedElements() const { return connectivity.size() / nodes_per_element; }
+  bool isCurve() const { return dimension == 2 && nodes_per_element == 2; }
+};
+
+// The domain `name` made of the mesh's boundary `boundary` (num_owned may be 0 on a rank).
+//
+// In two dimensions positions are the distance along the boundary from its first end, which is the
+// one with the smaller coordinates (x, then y); further pieces of a boundary continue where the
+// piece before it ended, and a closed curve starts at its least vertex. InputError if the mesh has
+// no boundary of that name or if it is empty on all ranks. Collective.
+template <int Dim>
+OutputDomain boundaryDomain(std::string const& name, Mesh<Dim> const& mesh,
+                            std::string const& boundary, RCP<const Communicator> const& comm);
+
+// All vertices and cells, under the name "volume".
+template <int Dim>
+OutputDomain volumeDomain(Mesh<Dim> const& mesh, RCP<const Communicator> const& comm);
+} // namespace asperity::io

@@ -1,0 +1,55 @@
+#include "platforms/RunFacts.hpp"
+
+#include "catalogue/receivers/PointLocation.hpp"
+
+#include <ctime>
+
+namespace asperity::platforms
+{
+namespace
+{
+std::string today()
+{
+  const std::time_t now = std::time(nullptr);
+  std::tm calendar{};
+  gmtime_r(&now, &calendar);
+  char text[16];
+  std::strftime(text, sizeof text, "%Y/%m/%d", &calendar);
+  return text;
+}
+} // namespace
+
+Declare RunFacts::declare(std::string const& problem)
+{
+  Declare parameters;
+  parameters.text("Problem", problem, "The platform knows the benchmark by this name.")
+    .text("Author", std::string("unknown"),
+          "The files give this as the name of the person who ran the benchmark.")
+    .text("Date", std::string(""),
+          "The files give this as the day of the run, in the form 2024/05/31. If it is empty, they "
+          "give the day on which the run was started.")
+    .text("Code Version", std::string(ASPERITY_VERSION),
+          "The files give this as the version of the program.")
+    .real("Element Size", 0.0, "m", Range::atLeast(0),
+          "The files give this as the size of the elements on the fault; 0 means the size of the "
+          "shortest one.");
+  return parameters;
+}
+
+RunFacts RunFacts::from(Teuchos::ParameterList const& parameters, io::OutputContext const& context)
+{
+  RunFacts facts;
+  facts.problem = parameters.get<std::string>("Problem");
+  facts.author = parameters.get<std::string>("Author");
+  facts.date = parameters.get<std::string>("Date");
+  if (facts.date.empty()) {
+    facts.date = today();
+  }
+  facts.code_version = parameters.get<std::string>("Code Version");
+  facts.element_size = parameters.get<double>("Element Size");
+  if (facts.element_size == 0) {
+    facts.element_size = catalogue::shortestElement(context.domain("fault"));
+  }
+  return facts;
+}
+} // namespace asperity::platforms

@@ -1,0 +1,123 @@
+#include "io/TextFormat.hpp"
+#include "platforms/parts/RuptureTimes.hpp"
+#include "platforms/parts/Stations.hpp"
+
+#include <array>
+
+namespace asperity::platforms
+{
+namespace
+{
+Columns scecFault(ModelView const& view)
+{
+  const bool in_space = view.plane.has_value();
+  const bool along_strike = view.antiplane || view.is_level;
+  const auto along = [&](char const* field) { return in_space || along_strike ? field : nullptr; };
+  const auto down = [&](char const* field) { return in_space || !along_strike ? field : nullptr; };
+  const Direction h = in_space ? view.plane->strike : first_component;
+  const Direction v = in_space ? view.plane->dip : first_component;
+  char const* rate = in_space ? "slip_velocity" : "slip_rate";
+  return {{"horizontal slip (m)", "h-slip", along("slip"), h, unchanged},
+          {"horizontal slip rate (m/s)", "h-slip-rate", along(rate), h, unchanged},
+          {"horizontal shear stress (MPa)", "h-shear-stress", along("traction"), h, megapascal},
+          {"vertical slip (m)", "v-slip", down("slip"), v, unchanged},
+          {"vertical slip rate (m/s)", "v-slip-rate", down(rate), v, unchanged},
+          {"vertical shear stress (MPa)", "v-shear-stress", down("traction"), v, megapascal},
+          {"normal stress (MPa)", "n-stress", "normal_stress", first_component, megapascal},
+          {"log10 of state variable (log-seconds)", "log-theta", "theta", first_component,
+           decimalLogarithm}};
+}
+
+// The directions along strike, vertical and across the fault; null: the model has none.
+using BodyDirections = std::array<std::optional<Direction>, 3>;
+
+BodyDirections bodyDirections(ModelView const& view)
+{
+  if (view.plane) {
+    return {view.plane->strike, view.plane->down, view.plane->inward};
+  }
+  if (view.antiplane) {
+    return {first_component, std::nullopt, std::nullopt};
+  }
+  return view.is_level ? BodyDirections{first_component, std::nullopt, second_component}
+                       : BodyDirections{std::nullopt, second_component, first_component};
+}
+
+Columns scecBody(ModelView const& view)
+{
+  const auto [h, v, n] = bodyDirections(view);
+  const auto column = [](char const* description, char const* name, char const* field,
+                         std::optional<Direction> const& direction) {
+    return Column{description, name, direction ? field : nullptr,
+                  direction.value_or(first_component), unchanged};
+  };
+  return {column("horizontal displacement (m)", "h-disp", "displacement", h),
+          column("horizontal velocity (m/s)", "h-vel", "velocity", h),
+          column("vertical displacement (m)", "v-disp", "displacement", v),
+          column("vertical velocity (m/s)", "v-vel", "velocity", v),
+          column("normal displacement (m)", "n-disp", "displacement", n),
+          column("normal velocity (m/s)", "n-vel", "velocity", n)};
+}
+
+// The platform of the codes for spontaneous rupture.
+class Scec : public io::TextFormat
+{
+public:
+  Teuchos::RCP<const Teuchos::ParameterList> validParameters() const override
+  {
+    return RunFacts::declare("TPV")
+      .real("Time Step", 0.01, "s", Range::positive(),
+            "Two rows are this time apart, as the platform demands.")
+      .list();
+  }
+
+  std::vector<std::string> files() const override
+  {
+    return {"scec/fault*", "scec/body*", "scec/cplot"};
+  }
+
+  std::unique_ptr<io::Output> make(Teuchos::ParameterList const& parameters,
+                                   io::OutputContext const& context,
+                                   io::Offers const& offers) const override
+  {
+    const double time_step = parameters.get<double>("Time Step");
+    const auto step_lines = [time_step](StepFacts const& facts) {
+      return std::vector<std::string>{stepSizeLine("time_step", time_step), countLine(facts.count)};
+    };
+    const Platform platform{"SCEC", "scec", RunFacts::from(parameters, context), step_lines};
+    auto files = std::make_unique<PlatformFiles>();
+    if (auto const* receivers = offers.find<catalogue::Receivers>()) {
+      addStations(*files, platform, context, *receivers, time_step);
+    }
+    if (auto const* rupture = offers.find<catalogue::Rupture>()) {
+      files->add("rupture",
+                 std::make_unique<RuptureTimes>(platform, context, "cplot", "j k t", *rupture));
+    }
+    return files;
+  }
+
+private:
+  static void addStations(PlatformFiles& files, Platform const& platform,
+                          io::OutputContext const& context, catalogue::Receivers const& receivers,
+                          double time_step)
+  {
+    if (auto const* group = receivers.onFault()) {
+      const auto columns = scecFault(ModelView::of(context));
+      files.add("on_fault",
+                std::make_unique<Stations>(platform, context,
+                                           Stations::Kind{"fault", "on fault", columns, time_step},
+                                           receivers, *group));
+    }
+    if (auto const* group = receivers.inBody()) {
+      const auto columns = scecBody(ModelView::of(context));
+      files.add("off_fault",
+                std::make_unique<Stations>(platform, context,
+                                           Stations::Kind{"body", "off fault", columns, time_step},
+                                           receivers, *group));
+    }
+  }
+};
+} // namespace
+
+ASPERITY_REGISTER(io::TextFormatRegistry, "SCEC", Scec)
+} // namespace asperity::platforms

@@ -1,0 +1,131 @@
+#include "io/TextFormat.hpp"
+#include "platforms/parts/GlobalSeries.hpp"
+#include "platforms/parts/RuptureTimes.hpp"
+#include "platforms/parts/SlipProfiles.hpp"
+#include "platforms/parts/Stations.hpp"
+
+namespace asperity::platforms
+{
+namespace
+{
+Columns seasFaultInSpace(catalogue::FaultPlane const& plane)
+{
+  return {
+    {"Slip along strike (m)", "slip_2", "slip", plane.strike, unchanged},
+    {"Slip down dip (m)", "slip_3", "slip", plane.dip, unchanged},
+    {"Slip rate along strike (log10 m/s)", "slip_rate_2", "slip_velocity", plane.strike,
+     logarithmOfSize},
+    {"Slip rate down dip (log10 m/s)", "slip_rate_3", "slip_velocity", plane.dip, logarithmOfSize},
+    {"Shear stress along strike (MPa)", "shear_stress_2", "traction", plane.strike, megapascal},
+    {"Shear stress down dip (MPa)", "shear_stress_3", "traction", plane.dip, megapascal},
+    {"State (log10 s)", "state", "theta", first_component, decimalLogarithm}};
+}
+
+Columns seasFault(ModelView const& view)
+{
+  if (view.plane) {
+    return seasFaultInSpace(*view.plane);
+  }
+  Columns columns{
+    {"Slip (m)", "slip", "slip", first_component, unchanged},
+    {"Slip rate (log10 m/s)", "slip_rate", "slip_rate", first_component, decimalLogarithm},
+    {"Shear stress (MPa)", "shear_stress", "traction", first_component, megapascal}};
+  if (!view.antiplane) {
+    columns.push_back(
+      {"Normal stress (MPa)", "normal_stress", "normal_stress", first_component, megapascal});
+  }
+  columns.push_back({"State (log10 s)", "state", "theta", first_component, decimalLogarithm});
+  return columns;
+}
+
+Columns seasBodyInSpace(catalogue::FaultPlane const& plane)
+{
+  return {{"Displacement from the fault (m)", "disp_1", "displacement", plane.inward, unchanged},
+          {"Displacement along strike (m)", "disp_2", "displacement", plane.strike, unchanged},
+          {"Displacement down (m)", "disp_3", "displacement", plane.down, unchanged},
+          {"Velocity from the fault (m/s)", "vel_1", "velocity", plane.inward, unchanged},
+          {"Velocity along strike (m/s)", "vel_2", "velocity", plane.strike, unchanged},
+          {"Velocity down (m/s)", "vel_3", "velocity", plane.down, unchanged}};
+}
+
+Columns seasBody(ModelView const& view)
+{
+  if (view.plane) {
+    return seasBodyInSpace(*view.plane);
+  }
+  if (view.antiplane) {
+    return {{"Displacement (m)", "disp", "displacement", first_component, unchanged},
+            {"Velocity (m/s)", "vel", "velocity", first_component, unchanged}};
+  }
+  return {{"Displacement 1 (m)", "disp_1", "displacement", first_component, unchanged},
+          {"Displacement 2 (m)", "disp_2", "displacement", second_component, unchanged},
+          {"Velocity 1 (m/s)", "vel_1", "velocity", first_component, unchanged},
+          {"Velocity 2 (m/s)", "vel_2", "velocity", second_component, unchanged}};
+}
+
+std::vector<std::string> seasStepLines(StepFacts const& facts)
+{
+  const double shortest = facts.count > 0 ? facts.shortest : 0;
+  return {stepSizeLine("minimum_time_step", shortest),
+          stepSizeLine("maximum_time_step", facts.longest), countLine(facts.count)};
+}
+
+// The platform for sequences of earthquakes and aseismic slip.
+class Seas : public io::TextFormat
+{
+public:
+  Teuchos::RCP<const Teuchos::ParameterList> validParameters() const override
+  {
+    return RunFacts::declare("SEAS Benchmark").list();
+  }
+
+  std::vector<std::string> files() const override
+  {
+    return {"seas/fltst_*", "seas/blkst_*", "seas/global.dat", "seas/rupture.dat", "seas/slip.dat"};
+  }
+
+  std::unique_ptr<io::Output> make(Teuchos::ParameterList const& parameters,
+                                   io::OutputContext const& context,
+                                   io::Offers const& offers) const override
+  {
+    const Platform platform{"SEAS", "seas", RunFacts::from(parameters, context), seasStepLines};
+    auto files = std::make_unique<PlatformFiles>();
+    if (auto const* receivers = offers.find<catalogue::Receivers>()) {
+      addStations(*files, platform, context, *receivers);
+    }
+    if (auto const* global = offers.find<catalogue::Global>()) {
+      files->add("global", std::make_unique<GlobalSeries>(platform, context, *global));
+    }
+    if (auto const* rupture = offers.find<catalogue::Rupture>()) {
+      files->add("rupture", std::make_unique<RuptureTimes>(platform, context, "rupture.dat",
+                                                           "x2 x3 t", *rupture));
+    }
+    auto const* history = offers.find<io::FaultHistory>();
+    if (history && context.domain("fault").isCurve()) {
+      files->add("slip", std::make_unique<SlipProfiles>(platform, context, *history));
+    }
+    return files;
+  }
+
+private:
+  static void addStations(PlatformFiles& files, Platform const& platform,
+                          io::OutputContext const& context, catalogue::Receivers const& receivers)
+  {
+    if (auto const* group = receivers.onFault()) {
+      const auto columns = seasFault(ModelView::of(context));
+      files.add("on_fault", std::make_unique<Stations>(
+                              platform, context, Stations::Kind{"fltst_", "on fault", columns},
+                              receivers, *group));
+    }
+    if (auto const* group = receivers.inBody()) {
+      const auto columns = seasBody(ModelView::of(context));
+      files.add("off_fault", std::make_unique<Stations>(
+                               platform, context, Stations::Kind{"blkst_", "off fault", columns},
+                               receivers, *group));
+    }
+  }
+};
+} // namespace
+
+ASPERITY_REGISTER(io::TextFormatRegistry, "SEAS", Seas)
+} // namespace asperity::platforms

@@ -1,0 +1,34 @@
+#pragma once
+
+#include "catalogue/events/Rupture.hpp"
+#include "catalogue/fault_geometry/FaultPlaces.hpp"
+#include "platforms/PlatformFiles.hpp"
+
+#include <string>
+
+namespace asperity::platforms
+{
+// When the rupture first reached each node of the fault, with its place along strike and down dip.
+class RuptureTimes : public Part
+{
+public:
+  // `name` is that of the file, "cplot"; `fields` names its columns, "j k t".
+  RuptureTimes(Platform const& platform, io::OutputContext const& context, std::string name,
+               std::string fields, catalogue::Rupture const& rupture);
+
+  void write(io::StepInfo const&) override {}
+  void flush(StepFacts const& steps) override;
+  void save(io::Archive&) const override {} // the file is written as a whole
+  void restore(io::Archive const&) override {}
+
+private:
+  std::string text() const;
+
+  Platform platform_;
+  std::string name_, fields_;
+  std::filesystem::path directory_;
+  RCP<const Communicator> comm_;
+  catalogue::Rupture const& rupture_;
+  catalogue::FaultPlaces places_;
+};
+} // namespace asperity::platforms

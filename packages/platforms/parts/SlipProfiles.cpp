@@ -1,0 +1,71 @@
+#include "platforms/parts/SlipProfiles.hpp"
+
+#include "catalogue/fault_geometry/FaultPlaces.hpp"
+
+#include <algorithm>
+
+namespace asperity::platforms
+{
+namespace
+{
+// From the upper end of the fault down, on rank 0.
+std::vector<double> depths(io::OutputDomain const& fault)
+{
+  auto distances = catalogue::faultAxis(fault).distances;
+  std::sort(distances.begin(), distances.end());
+  return distances;
+}
+
+bool startsBelow(io::OutputDomain const& fault)
+{
+  const auto distances = catalogue::faultAxis(fault).distances;
+  return !distances.empty() && distances.front() > distances.back();
+}
+
+FileContent contentFor(io::OutputDomain const& fault)
+{
+  const auto z = depths(fault);
+  FileContent content;
+  content.name = "slip.dat";
+  content.remarks = {"Row #1 = Distance along the fault (m) with two zeros first",
+                     "Column #1 = Time (s)", "Column #2 = Max slip rate (log10 m/s)",
+                     "Column #3-" + std::to_string(z.size() + 2) + " = Slip (m)"};
+  content.fields = "z\nt\nmax_slip_rate\nslip\n" + timeText(0) + ' ' + numberText(0);
+  for (const double value : z) {
+    content.fields += ' ' + numberText(value);
+  }
+  return content;
+}
+} // namespace
+
+SlipProfiles::SlipProfiles(Platform const& platform, io::OutputContext const& context,
+                           io::FaultHistory const& history)
+    : history_(history)
+    , gather_(context.domain("fault"))
+    , rates_(context.domain("fault"), context.fields)
+    , slip_(context.fields.field("fault", "slip"))
+    , is_reversed_(startsBelow(context.domain("fault")))
+    , file_(platform, contentFor(context.domain("fault")), context)
+{
+}
+
+void SlipProfiles::write(io::StepInfo const& step)
+{
+  if (!history_.hasRow()) {
+    return;
+  }
+  std::vector<double> slip;
+  slip_.values(slip);
+  const std::size_t components = slip_.components;
+  const auto whole = gather_(slip, 1, components);
+  std::vector<double> row;
+  for (std::size_t node = 0; node < whole.size(); node += components) {
+    row.push_back(whole[node]);
+  }
+  if (is_reversed_) {
+    std::reverse(row.begin(), row.end());
+  }
+  row.insert(row.begin(), decimalLogarithm(rates_.sample().peak));
+  file_.writeRow(step.time, row.data(), row.size());
+}
+} // namespace asperity::platforms

@@ -1,0 +1,319 @@
+#include "catalogue/events/EventCatalogue.hpp"
+#include "base/Errors.hpp"
+#include "base/parameters/Parameters.hpp"
+#include "unit/io/Support.hpp"
+
+#include <cmath>
+
+using namespace asperity;
+using namespace asperity::catalogue;
+using namespace asperity::io;
+using test::world;
+
+namespace
+{
+constexpr int num_base = 5; // positions 0, 1/16, 1/4, 9/16, 1
+constexpr double threshold = 1e-2;
+using Rates = std::vector<double>;                 // of the nodes 0 .. num_base - 1 by position
+const Rates shear_moduli{1e6, 2e6, 3e6, 4e6, 5e6}; // [Pa]
+using History = std::vector<Rates>;                // at the times 0, 1, 2, ...
+
+// A fault whose rates are prescribed; slip grows by the trapezoidal rule.
+struct Observed
+{
+  explicit Observed(std::filesystem::path const& directory, Rates const& prescribed = {})
+      : domains{{"fault", boundaryDomain("fault", test::stripMesh(num_base), "base", world())}}
+      , context{directory, world(), fields, domains}
+  {
+    fields.add({"slip_rate", "m/s", "Slip rate.", "fault", 1,
+                [this](std::vector<double>& values) { values = ownedOf(rates); }});
+    fields.add({"slip", "m", "Slip.", "fault", 1,
+                [this](std::vector<double>& values) { values = ownedOf(slip); }});
+    fields.add({"shear_modulus", "Pa", "Shear modulus.", "fault", 1,
+                [this](std::vector<double>& values) { values = ownedOf(shear_moduli); }});
+    if (!prescribed.empty()) {
+      fields.add({"prescribed", "", "Prescribed.", "fault", 1,
+                  [=](std::vector<double>& values) { values = ownedOf(prescribed); }});
+    }
+    fields.add(OutputScalar{"steps", "", "No energy.", [] { return 1.0; }});
+    fields.add(OutputScalar{"friction_work", "J/m", "Work.", [this] { return work; }});
+    fields.add(OutputScalar{"energy_defect", "J/m", "Defect.", [this] { return -work / 8; }});
+    ParameterList list;
+    list.set("Threshold", threshold);
+    completeAndValidate(list, *EventCatalogue::validParameters(), "Event Catalogue");
+    catalogue = std::make_unique<EventCatalogue>(list, context);
+  }
+
+  void step(History const& history, std::size_t i)
+  {
+    if (i > 0) {
+      for (int node = 0; node < num_base; ++node) {
+        slip[node] += (history[i - 1][node] + history[i][node]) / 2;
+      }
+    }
+    rates = history[i];
+    work = static_cast<double>(i * i);
+    catalogue->write({static_cast<std::int64_t>(i), double(i), 1, 0, i + 1 == history.size()});
+  }
+
+  std::vector<Event> const& all(History const& history)
+  {
+    for (std::size_t i = 0; i < history.size(); ++i) {
+      step(history, i);
+    }
+    catalogue->finish();
+    return catalogue->events();
+  }
+
+  std::vector<double> ownedOf(Rates const& whole) const
+  {
+    std::vector<double> mine;
+    for (const GlobalOrdinal number : domains.at("fault").node_numbers) {
+      mine.push_back(whole[number]);
+    }
+    return mine;
+  }
+
+  Rates rates, slip = Rates(num_base, 0);
+  double work = 0; // i^2 at step i
+  FieldRegistry fields;
+  std::map<std::string, OutputDomain> domains;
+  OutputContext context;
+  std::unique_ptr<EventCatalogue> catalogue;
+};
+
+const Rates quiet(num_base, 1e-4);
+
+// One event on the nodes 1 to 3; it begins at node 2.
+const History single{quiet,
+                     {1e-4, 1e-4, 1.0, 1e-4, 1e-4},
+                     {1e-4, 0.5, 2.0, 0.1, 1e-4},
+                     {1e-4, 1e-4, 1.0, 1e-4, 1e-4},
+                     quiet,
+                     quiet};
+
+std::vector<std::string> lines(std::filesystem::path const& file)
+{
+  std::vector<std::string> lines;
+  std::ifstream stream(file);
+  for (std::string line; std::getline(stream, line);) {
+    lines.push_back(line);
+  }
+  return lines;
+}
+} // namespace
+
+TEST(EventCatalogue, MeasuresASingleEvent)
+{
+  test::TemporaryDirectory directory;
+  Observed run(directory.path());
+  auto const& events = run.all(single);
+  ASSERT_EQ(events.size(), 1u);
+  Event const& event = events[0];
+  EXPECT_NEAR(event.onset, 0.5, 1e-12); // 1e-4 to 1 passes 1e-2 half way in the logarithm
+  EXPECT_NEAR(event.end, 3.5, 1e-12);
+  EXPECT_NEAR(event.duration(), 3, 1e-12);
+  EXPECT_NEAR(event.width, 9.0 / 16 - 1.0 / 16, 1e-15);
+  EXPECT_DOUBLE_EQ(event.peak_slip_rate, 2);
+  EXPECT_NEAR(event.nucleation, 0.25, 1e-15);
+  EXPECT_TRUE(event.complete);
+  // Node 2: two whole steps of 1.5 m, and half of the first and the last one.
+  const double of_node_2 = 2 * 1.5 + 2 * 0.5 * (1 + 1e-4) / 2;
+  EXPECT_NEAR(event.peak_slip, of_node_2, 1e-12);
+  const auto brief = [](double rate) { // up from 1e-4 to the rate and down again
+    const double part = 1 - std::log(100.0) / std::log(rate / 1e-4);
+    return 2 * part * (rate + 1e-4) / 2;
+  };
+  const double weight[] = {1.0 / 8, (9.0 - 1) / 32, 3.0 / 8}; // of nodes 1 to 3
+  EXPECT_NEAR(event.moment,
+              2e6 * weight[0] * brief(0.5) + 3e6 * weight[1] * of_node_2 +
+                4e6 * weight[2] * brief(0.1),
+              1e-5);
+}
+
+TEST(EventCatalogue, WritesTheTable)
+{
+  test::TemporaryDirectory directory;
+  Observed run(directory.path());
+  run.all(single);
+  const auto table = lines(directory / "events.csv");
+  ASSERT_EQ(table.size(), 2u);
+  EXPECT_EQ(table[0], "number,onset [s],end [s],duration [s],width [m],peak_slip [m],"
+                      "peak_slip_rate [m/s],moment_per_length [N],nucleation [m],complete,"
+                      "friction_work [J/m],energy_defect [J/m]");
+  EXPECT_EQ(table[1], "1," + exactNumber(run.catalogue->events()[0].onset) + "," +
+                        exactNumber(run.catalogue->events()[0].end) + ",3,0.5,3.50005,2," +
+                        shortNumber(run.catalogue->events()[0].moment) +
+                        ",0.25,1,16,-2"); // from step 0, the last one below, to step 4
+}
+
+TEST(EventCatalogue, WhatIsPrescribedIsNoEvent)
+{
+  Rates creeping = quiet, ruptured = quiet;
+  creeping[0] = ruptured[0] = 1;
+  ruptured[3] = 0.1;
+  test::TemporaryDirectory directory;
+  Observed run(directory.path(), {1, 0, 0, 0, 0});
+  auto const& events = run.all({creeping, creeping, ruptured, creeping, creeping});
+  ASSERT_EQ(events.size(), 1u);
+  EXPECT_EQ(events[0].peak_slip_rate, 0.1);
+  EXPECT_EQ(events[0].width, 0);
+  EXPECT_NEAR(events[0].nucleation, 9.0 / 16, 1e-15);
+  const double slip = 2 * (1 - std::log(100.0) / std::log(1000.0)) * (0.1 + 1e-4) / 2;
+  EXPECT_NEAR(events[0].peak_slip, slip, 1e-12);
+  EXPECT_NEAR(events[0].moment, 4e6 * 3 / 8 * slip, 1e-6);
+}
+
+TEST(EventCatalogue, TheThresholdItselfIsSeismic)
+{
+  const Rates at(num_base, threshold);
+  test::TemporaryDirectory directory;
+  Observed run(directory.path());
+  auto const& events = run.all({quiet, at, quiet});
+  ASSERT_EQ(events.size(), 1u);
+  EXPECT_NEAR(events[0].onset, 1, 1e-12);
+  EXPECT_NEAR(events[0].duration(), 0, 1e-12);
+  EXPECT_NEAR(events[0].width, 1, 1e-15);
+  EXPECT_NEAR(events[0].nucleation, 0, 1e-15); // of equals the one nearest to the first end
+}
+
+TEST(EventCatalogue, TouchingRupturesAreOneEvent)
+{
+  Rates left = quiet, right = quiet, both = quiet;
+  left[0] = both[0] = right[4] = both[4] = 1;
+  test::TemporaryDirectory directory;
+  Observed run(directory.path());
+  auto const& events = run.all({quiet, left, both, right, quiet});
+  ASSERT_EQ(events.size(), 1u);
+  EXPECT_NEAR(events[0].width, 1, 1e-15);
+  EXPECT_NEAR(events[0].duration(), 3, 1e-12);
+  EXPECT_NEAR(events[0].nucleation, 0, 1e-15);
+}
+
+TEST(EventCatalogue, OneQuietSampleSeparatesTwoEvents)
+{
+  Rates fast = quiet;
+  fast[3] = 1;
+  test::TemporaryDirectory directory;
+  Observed run(directory.path());
+  auto const& events = run.all({quiet, fast, quiet, fast, fast, quiet});
+  ASSERT_EQ(events.size(), 2u);
+  EXPECT_NEAR(events[0].end, 1.5, 1e-12);
+  EXPECT_NEAR(events[1].onset, 2.5, 1e-12);
+  EXPECT_NEAR(events[0].peak_slip, 2 * 0.5 * (1 + 1e-4) / 2, 1e-12);
+  EXPECT_NEAR(events[1].peak_slip, 1 + 2 * 0.5 * (1 + 1e-4) / 2, 1e-12); // begins at zero again
+  EXPECT_EQ(events[1].width, 0);
+  EXPECT_NEAR(run.catalogue->summary().recurrence.median, 2, 1e-12);
+}
+
+TEST(EventCatalogue, TheFirstNodeToPassIsTheNucleation)
+{
+  Rates fast = quiet;
+  fast[1] = 5; // faster at the sample, but later to pass: it starts from rest
+  fast[4] = 1;
+  Rates before = quiet;
+  before[1] = 0;
+  test::TemporaryDirectory directory;
+  Observed run(directory.path());
+  EXPECT_NEAR(run.all({before, fast, quiet})[0].nucleation, 1, 1e-15);
+}
+
+TEST(EventCatalogue, AnEventInProgressAtTheEndIsMarked)
+{
+  Rates fast = quiet;
+  fast[0] = 1;
+  test::TemporaryDirectory directory;
+  Observed run(directory.path());
+  auto const& events = run.all({quiet, fast, fast});
+  ASSERT_EQ(events.size(), 1u);
+  EXPECT_FALSE(events[0].complete);
+  EXPECT_EQ(events[0].end, 2);
+  const std::string row = lines(directory / "events.csv").back();
+  EXPECT_TRUE(test::contains(row, ",0,4,-0.5")) << row; // and the work up to the last step
+}
+
+TEST(EventCatalogue, ARunMayBeginSeismicAndAtRest)
+{
+  Rates fast(num_base, 0.0);
+  fast[2] = 1;
+  test::TemporaryDirectory directory;
+  Observed run(directory.path());
+  auto const& events = run.all({fast, fast, Rates(num_base, 0.0)});
+  ASSERT_EQ(events.size(), 1u);
+  EXPECT_EQ(events[0].onset, 0);
+  EXPECT_NEAR(events[0].nucleation, 0.25, 1e-15);
+  EXPECT_TRUE(events[0].end > 1 && events[0].end < 1.1); // the rest has a logarithm of -708
+}
+
+TEST(EventCatalogue, ARestartAtAnyStepGivesTheSameTable)
+{
+  History history = single;
+  history.insert(history.end(), single.begin(), single.end());
+  std::string expected;
+  {
+    test::TemporaryDirectory directory;
+    Observed run(directory.path());
+    run.all(history);
+    expected = test::contents(directory / "events.csv");
+  }
+  for (std::size_t stop = 1; stop < history.size(); ++stop) {
+    test::TemporaryDirectory directory;
+    Archive archive;
+    Rates slip;
+    {
+      Observed before(directory.path());
+      for (std::size_t i = 0; i < stop; ++i) {
+        before.step(history, i);
+      }
+      before.catalogue->closeSegment(0);
+      before.catalogue->save(archive);
+      slip = before.slip;
+      before.catalogue->finish(); // stopped by a signal: rows that the restart takes back
+    }
+    Observed after(directory.path());
+    after.slip = slip;
+    after.catalogue->restore(archive);
+    for (std::size_t i = stop; i < history.size(); ++i) {
+      after.step(history, i);
+    }
+    after.catalogue->finish();
+    EXPECT_EQ(test::contents(directory / "events.csv"), expected) << "stopped before " << stop;
+    EXPECT_EQ(after.catalogue->events().size(), 2u);
+  }
+}
+
+TEST(EventCatalogue, RefusesAnotherThresholdOnRestart)
+{
+  test::TemporaryDirectory directory;
+  test::TemporaryDirectory elsewhere;
+  Observed run(directory.path());
+  Archive archive;
+  run.catalogue->save(archive);
+  ParameterList list;
+  list.set("Threshold", 2 * threshold);
+  completeAndValidate(list, *EventCatalogue::validParameters(), "Event Catalogue");
+  EventCatalogue other(list, OutputContext{elsewhere.path(), world(), run.fields, run.domains});
+  EXPECT_THROW(other.restore(archive), InputError);
+}
+
+TEST(EventCatalogue, TwoComponentsOfSlipCountByTheirMagnitude)
+{
+  test::TemporaryDirectory directory;
+  Observed run(directory.path());
+  FieldRegistry fields;
+  fields.add(run.fields.field("fault", "slip_rate"));
+  fields.add(run.fields.field("fault", "shear_modulus"));
+  fields.add({"slip", "m", "Slip.", "fault", 2, [&](std::vector<double>& values) {
+                values.clear();
+                for (const double slip : run.ownedOf(run.slip)) {
+                  values.push_back(0.6 * slip);
+                  values.push_back(-0.8 * slip);
+                }
+              }});
+  ParameterList list;
+  list.set("Threshold", threshold);
+  completeAndValidate(list, *EventCatalogue::validParameters(), "Event Catalogue");
+  run.catalogue = std::make_unique<EventCatalogue>(
+    list, OutputContext{directory.path(), world(), fields, run.domains});
+  EXPECT_NEAR(run.all(single).at(0).peak_slip, 3.50005, 1e-12);
+}

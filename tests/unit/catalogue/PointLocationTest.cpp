@@ -1,0 +1,122 @@
+#include "catalogue/receivers/PointLocation.hpp"
+#include "unit/io/Support.hpp"
+
+#include <cmath>
+#include <numeric>
+
+using namespace asperity;
+using namespace asperity::catalogue;
+using namespace asperity::io;
+using test::world;
+
+namespace
+{
+constexpr int num_base = 6;
+
+// Values of a function of the coordinates at the owned nodes, one component.
+template <class Function>
+std::vector<double> nodal(OutputDomain const& domain, Function const& function)
+{
+  std::vector<double> values;
+  for (std::size_t i = 0; i < domain.numOwned(); ++i) {
+    values.push_back(function(&domain.coordinates[i * domain.dimension]));
+  }
+  return values;
+}
+
+double linear(double const* x) { return 3 + 2 * x[0] - 5 * x[1]; }
+} // namespace
+
+TEST(PointLocation, FindsCellsAnywhereInTheBody)
+{
+  const OutputDomain volume = volumeDomain(test::stripMesh(num_base), world());
+  const std::vector<double> points{0.5, 0.75, 0.999, 0.001, 0.011, 0.3, 0.2, 0.01};
+  const auto located = locate(volume, points);
+  const auto values = Sampling(volume, located)(nodal(volume, linear), 1);
+  for (std::size_t i = 0; i < located.size(); ++i) {
+    EXPECT_NEAR(located[i].distance, 0, 1e-14);
+    const auto& weights = located[i].weights;
+    EXPECT_NEAR(std::accumulate(weights.begin(), weights.end(), 0.0), 1, 1e-15);
+    EXPECT_NEAR(values[i], linear(&points[2 * i]), 1e-13) << i;
+  }
+}
+
+TEST(PointLocation, ANodeHasItsOwnValue)
+{
+  const OutputDomain volume = volumeDomain(test::stripMesh(num_base), world());
+  const double x = test::stripPosition(3, num_base); // in six cells
+  const auto rough = [](double const* at) { return std::exp(7 * at[0]) + at[1]; };
+  const auto located = locate(volume, {x, 1});
+  EXPECT_EQ(Sampling(volume, located)(nodal(volume, rough), 1)[0],
+            rough(std::vector<double>{x, 1}.data()));
+}
+
+TEST(PointLocation, BetweenElementsTheLeastNodesDecideOnAnyNumberOfRanks)
+{
+  const OutputDomain fault = boundaryDomain("fault", test::stripMesh(num_base), "base", world());
+  const auto located = locate(fault, {test::stripPosition(2, num_base), 0});
+  auto nodes = located[0].nodes;
+  std::sort(nodes.begin(), nodes.end());
+  EXPECT_EQ(nodes, (std::vector<GlobalOrdinal>{1, 2}));
+}
+
+TEST(PointLocation, PointsBesideAFaultAreProjected)
+{
+  const OutputDomain fault = boundaryDomain("fault", test::stripMesh(num_base), "base", world());
+  const auto located = locate(fault, {0.5, -0.125, 1.5, 0.5});
+  EXPECT_NEAR(located[0].distance, 0.125, 1e-15);
+  EXPECT_NEAR(located[0].coordinates[0], 0.5, 1e-15);
+  EXPECT_NEAR(located[0].coordinates[1], 0, 1e-15);
+  EXPECT_NEAR(located[0].element_size, 16.0 / 25 - 9.0 / 25, 1e-15);
+  EXPECT_NEAR(located[1].distance, std::sqrt(0.5), 1e-15); // from the end (1, 0)
+  const auto positions = Sampling(fault, located)(fault.positions, 1);
+  EXPECT_NEAR(positions[0], 0.5, 1e-15);
+  EXPECT_NEAR(positions[1], 1, 1e-15);
+}
+
+TEST(PointLocation, ComponentsStayApart)
+{
+  const OutputDomain fault = boundaryDomain("fault", test::stripMesh(num_base), "base", world());
+  const auto located = locate(fault, {0.1, 0, 0.9, 0});
+  std::vector<double> values;
+  for (const double position : fault.positions) {
+    values.push_back(position);
+    values.push_back(1 - position);
+  }
+  const auto sampled = Sampling(fault, located)(values, 2);
+  const std::vector<double> expected{0.1, 0.9, 0.9, 0.1};
+  for (std::size_t i = 0; i < expected.size(); ++i) {
+    EXPECT_NEAR(sampled[i], expected[i], 1e-15);
+  }
+}
+
+TEST(PointLocation, TetrahedraAndTheirFaces)
+{
+  Mesh<3> mesh; // held by rank 0; the others have nothing
+  mesh.num_global_vertices = 4;
+  mesh.boundaries["base"] = {};
+  if (world()->getRank() == 0) {
+    mesh.vertices = {{0, 0, 0}, {2, 0, 0}, {0, 3, 0}, {0.5, 0.25, 4}};
+    mesh.global_ids = {0, 1, 2, 3};
+    mesh.num_owned = 4;
+    mesh.cells = {{0, 1, 2, 3}};
+    mesh.boundaries["base"] = {{0, 2, 1}};
+  }
+  const auto function = [](double const* x) { return x[0] + 10 * x[1] - 100 * x[2]; };
+  const OutputDomain volume = volumeDomain(mesh, world());
+  const auto inside = locate(volume, {0.5, 0.4, 1});
+  EXPECT_NEAR(inside[0].distance, 0, 1e-14);
+  EXPECT_NEAR(Sampling(volume, inside)(nodal(volume, function), 1)[0], -95.5, 1e-12);
+  const OutputDomain fault = boundaryDomain("fault", mesh, "base", world());
+  const auto beside = locate(fault, {0.5, 1, -0.25});
+  EXPECT_NEAR(beside[0].distance, 0.25, 1e-15);
+  EXPECT_NEAR(Sampling(fault, beside)(nodal(fault, function), 1)[0], 10.5, 1e-13);
+}
+
+TEST(PointLocation, TheShortestElement)
+{
+  const OutputDomain fault = boundaryDomain("fault", test::stripMesh(num_base), "base", world());
+  EXPECT_NEAR(shortestElement(fault), 1.0 / 25, 1e-15);
+  EXPECT_NEAR(shortestElement(volumeDomain(test::stripMesh(num_base), world())),
+              std::sqrt(1 + 1.0 / 625), 1e-15);
+}

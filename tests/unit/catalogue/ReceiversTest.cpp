@@ -1,0 +1,174 @@
+#include "catalogue/receivers/Receivers.hpp"
+#include "unit/io/Stage.hpp"
+
+#include <cmath>
+
+using namespace asperity;
+using namespace asperity::catalogue;
+using namespace asperity::io;
+using test::position;
+using test::world;
+
+namespace
+{
+constexpr int num_base = 6;
+constexpr double step_size = 0.4;
+
+// Linear in place, so that interpolation is exact. Slip rates are zero where x = 0.
+struct Fault : test::Stage
+{
+  explicit Fault(int displacement_components = 2) : Stage(num_base)
+  {
+    add("fault", "slip", 1, [this](double const* x, int) { return time * x[0]; });
+    add("fault", "slip_rate", 1, [](double const* x, int) { return x[0]; });
+    add("fault", "traction", 1, [this](double const* x, int) { return 1e6 * (x[0] - time); });
+    add("fault", "normal_stress", 1, [](double const* x, int) { return 5e7 + 1e6 * x[0]; });
+    add("fault", "theta", 1, [](double const*, int) { return 1e8; });
+    add("volume", "displacement", displacement_components,
+        [this](double const* x, int c) { return (c + 1) * (x[0] + 2 * x[1]) + time; });
+    add("volume", "velocity", displacement_components,
+        [](double const* x, int c) { return (c + 1) * x[1]; });
+  }
+};
+
+ParameterList parameters()
+{
+  ParameterList list;
+  list.sublist("On Fault").set("dp003", position({0.3, 0.}));
+  list.sublist("On Fault").set("dp000", position({0., 0.}));
+  list.sublist("Off Fault").set("inside", position({0.5, 0.75}));
+  return list;
+}
+
+ParameterList complete(ParameterList list)
+{
+  completeAndValidate(list, *Receivers::validParameters(), "Asperity / Output / Receivers");
+  return list;
+}
+
+// Steps 0 to 4, a segment closed after step 2 and at the end.
+void run(Fault& fault, Receivers& receivers)
+{
+  for (int step = 0; step <= 4; ++step) {
+    receivers.write(fault.at(step, step_size, step == 4));
+    if (step == 2) {
+      receivers.closeSegment(0);
+    }
+  }
+  receivers.closeSegment(1);
+}
+
+std::string refusal(ParameterList const& list)
+{
+  test::TemporaryDirectory directory;
+  Fault fault;
+  return test::inputError([&] { Receivers(complete(list), fault.context(directory.path())); });
+}
+} // namespace
+
+TEST(Receivers, WriteSeriesOfInterpolatedFields)
+{
+  test::TemporaryDirectory directory;
+  Fault fault;
+  Receivers receivers(complete(parameters()), fault.context(directory.path()));
+  run(fault, receivers);
+  test::onRankZero([&] {
+    const auto file = h5::File::open(directory / "receivers.h5");
+    EXPECT_EQ(file.textAttribute("format"), "asperity receivers");
+    EXPECT_EQ(file.openDataset("on_fault/names").readTexts(),
+              (std::vector<std::string>{"dp003", "dp000"}));
+    EXPECT_EQ(file.openDataset("off_fault/coordinates").read<double>(),
+              (std::vector<double>{0.5, 0.75}));
+    EXPECT_NEAR(file.openDataset("on_fault/positions").read<double>()[0], 0.3, 1e-15);
+    const auto slip = file.openDataset("on_fault/fields/slip");
+    const auto displacement = file.openDataset("off_fault/fields/displacement");
+    ASSERT_EQ(slip.shape(), (h5::Shape{5, 2}));
+    ASSERT_EQ(displacement.shape(), (h5::Shape{5, 1, 2}));
+    EXPECT_EQ(file.openDataset("step").read<std::int64_t>(),
+              (std::vector<std::int64_t>{0, 1, 2, 3, 4}));
+    for (int step = 0; step <= 4; ++step) {
+      const double time = step * step_size;
+      EXPECT_NEAR(slip.read<double>()[2 * step], 0.3 * time, 1e-15);
+      EXPECT_EQ(slip.read<double>()[2 * step + 1], 0);
+      EXPECT_NEAR(displacement.read<double>()[2 * step], 2 + time, 1e-14);
+      EXPECT_NEAR(displacement.read<double>()[2 * step + 1], 4 + time, 1e-14);
+    }
+  });
+}
+
+TEST(Receivers, WithoutAnyNothingIsWritten)
+{
+  test::TemporaryDirectory directory;
+  Fault fault;
+  Receivers receivers(complete({}), fault.context(directory.path()));
+  run(fault, receivers);
+  EXPECT_TRUE(std::filesystem::is_empty(directory.path()));
+}
+
+TEST(Receivers, ThoseBesideTheFaultOrOutsideOfTheMeshAreRefusedByName)
+{
+  auto list = parameters();
+  list.sublist("On Fault").set("st8", position({0.5, 0.25}));
+  const auto beside = refusal(list);
+  EXPECT_TRUE(test::contains(beside, "Receivers / On Fault / st8 = (0.5, 0.25) is 0.25 m outside "
+                                     "of the fault, which extends from (0, 0) to (1, 0) m"))
+    << beside;
+  list = parameters();
+  list.sublist("Off Fault").set("far", position({3., 0.5}));
+  const auto outside = refusal(list);
+  EXPECT_TRUE(test::contains(outside, "Receivers / Off Fault / far = (3, 0.5) is 2 m outside of "
+                                      "the mesh, which extends from (0, 0) to (1, 1) m"))
+    << outside;
+  list = parameters();
+  list.sublist("Off Fault").set("flat", position({3}));
+  EXPECT_TRUE(test::contains(refusal(list), "flat has 1 coordinates"));
+}
+
+TEST(Receivers, RoundedPositionsOnTheFaultAreProjected)
+{
+  test::TemporaryDirectory directory;
+  Fault fault;
+  ParameterList list;
+  list.sublist("On Fault").set("near", position({0.5, -0.0027})); // the facet has 0.28 m
+  Receivers receivers(complete(list), fault.context(directory.path()));
+  run(fault, receivers);
+  test::onRankZero([&] {
+    const auto file = h5::File::open(directory / "receivers.h5");
+    EXPECT_NEAR(file.openDataset("on_fault/coordinates").read<double>()[1], 0, 1e-15);
+    EXPECT_FALSE(file.has("off_fault"));
+  });
+}
+
+TEST(Receivers, NamesThatNoFileCanHaveAreRefused)
+{
+  for (std::string const name : {"st/025", ""}) {
+    ParameterList list;
+    list.sublist("On Fault").set(name, position({0.3, 0.}));
+    const auto message = refusal(list);
+    EXPECT_TRUE(test::contains(message, "On Fault: a receiver cannot be called '" + name + "'"))
+      << message;
+  }
+}
+
+TEST(Receivers, FieldsNamedTwiceAreRefused)
+{
+  auto list = parameters();
+  list.set("Fault Fields",
+           Teuchos::Array<std::string>(std::vector<std::string>{"slip", "theta", "slip"}));
+  EXPECT_TRUE(test::contains(refusal(list), "Receivers / Fault Fields names 'slip' twice"));
+}
+
+TEST(Receivers, ARestartWithOthersIsRefused)
+{
+  test::TemporaryDirectory directory;
+  Fault fault;
+  Archive archive;
+  Receivers before(complete(parameters()), fault.context(directory.path()));
+  run(fault, before);
+  before.save(archive);
+  auto list = parameters();
+  list.sublist("On Fault").set("dp005", position({0.5, 0.}));
+  Receivers after(complete(list), fault.context(directory.path()));
+  EXPECT_TRUE(test::contains(test::inputError([&] { after.restore(archive); }),
+                             "Receivers: the checkpoint continues files with other receivers"));
+}

@@ -1,0 +1,111 @@
+#include "catalogue/receivers/Receivers.hpp"
+#include "unit/io/BlockMesh.hpp"
+#include "unit/io/Stage.hpp"
+
+#include <cmath>
+
+using namespace asperity;
+using namespace asperity::catalogue;
+using namespace asperity::io;
+using test::position;
+
+namespace
+{
+// A vertical fault: the base is turned about the z axis into the plane x = 0, the body is x > 0,
+// the fault goes from y = 0 down to y = -4, and strike is along z.
+Point<3> upright(Point<3> const& x) { return {x[1], 0 - x[0], x[2]}; }
+
+struct Fault : test::Stage
+{
+  explicit Fault(bool periodic = false) : Stage(test::blockMesh(periodic, upright))
+  {
+    add("fault", "slip", 3, [](double const* x, int c) { return c == 0 ? 0 : c * (x[2] - x[1]); });
+    add("fault", "slip_rate", 1, [](double const*, int) { return 0.5; });
+    add("fault", "slip_velocity", 3, [](double const*, int c) { return c == 0 ? 0 : 0.3 * c; });
+    add("fault", "traction", 3, [](double const* x, int c) { return 1e6 * (c + x[2]); });
+    add("fault", "normal_stress", 1, [](double const*, int) { return 2.5e7; });
+    add("fault", "theta", 1, [](double const*, int) { return 1e8; });
+    add("volume", "displacement", 3, [](double const* x, int c) { return x[c]; });
+    add("volume", "velocity", 3, [](double const*, int c) { return c + 1; });
+  }
+};
+
+ParameterList complete(ParameterList list)
+{
+  completeAndValidate(list, *Receivers::validParameters(), "Asperity / Output / Receivers");
+  return list;
+}
+
+ParameterList parameters()
+{
+  ParameterList list;
+  list.sublist("On Fault").set("st12dp07", position({0., -0.7, 1.2}));
+  list.sublist("Off Fault").set("inside", position({0.3, -2.1, 0.4}));
+  return list;
+}
+
+void run(std::filesystem::path const& directory, ParameterList const& list, bool periodic = false)
+{
+  Fault fault(periodic);
+  Receivers receivers(complete(list), fault.context(directory));
+  receivers.write(fault.at(0, 1));
+  receivers.write(fault.at(1, 1, true));
+  receivers.closeSegment(0);
+}
+} // namespace
+
+TEST(SurfaceReceivers, VectorsAreInterpolatedInTrianglesAndTetrahedra)
+{
+  test::TemporaryDirectory directory;
+  run(directory.path(), parameters());
+  test::onRankZero([&] {
+    const auto file = h5::File::open(directory / "receivers.h5");
+    const auto slip = file.openDataset("on_fault/fields/slip");
+    ASSERT_EQ(slip.shape(), (h5::Shape{2, 1, 3}));
+    EXPECT_NEAR(slip.read<double>()[1], 1.9, 1e-14);
+    EXPECT_NEAR(slip.read<double>()[2], 3.8, 1e-14);
+    const auto displacement = file.openDataset("off_fault/fields/displacement").read<double>();
+    EXPECT_NEAR(displacement[0], 0.3, 1e-14);
+    EXPECT_NEAR(displacement[1], -2.1, 1e-14);
+    EXPECT_NEAR(displacement[2], 0.4, 1e-14);
+    EXPECT_FALSE(file.has("on_fault/positions"));
+  });
+}
+
+TEST(SurfaceReceivers, ThoseOutsideAreRefusedByName)
+{
+  test::TemporaryDirectory directory;
+  auto list = parameters();
+  list.sublist("On Fault").set("st50", position({0., -0.7, 5.}));
+  const auto outside = test::inputError([&] { run(directory.path(), list); });
+  EXPECT_TRUE(test::contains(outside, "On Fault / st50 = (0, -0.7, 5) is 2 m outside of the fault, "
+                                      "which extends from (0, -4, 0) to (0, 0, 3) m"))
+    << outside;
+  list = parameters();
+  list.sublist("Off Fault").set("above", position({0.5, 0.25, 1.}));
+  const auto above = test::inputError([&] { run(directory.path(), list); });
+  EXPECT_TRUE(test::contains(above, "above = (0.5, 0.25, 1) is 0.25 m outside of the mesh"))
+    << above;
+  list = parameters();
+  list.sublist("On Fault").set("flat", position({0., -1.}));
+  const auto flat = test::inputError([&] { run(directory.path(), list); });
+  EXPECT_TRUE(test::contains(flat, "flat has 2 coordinates; a position in this mesh has 3"));
+}
+
+TEST(SurfaceReceivers, CellsAcrossAPeriodAreFound)
+{
+  test::TemporaryDirectory directory;
+  auto list = parameters();
+  list.sublist("On Fault").set("st26", position({0., -0.5, 2.6}));
+  list.sublist("Off Fault").set("deep", position({0.5, -0.5, 2.9}));
+  run(directory.path(), list, true);
+  test::onRankZero([&] {
+    const auto file = h5::File::open(directory / "receivers.h5");
+    const auto on_fault = file.openDataset("on_fault/coordinates").read<double>();
+    EXPECT_NEAR(on_fault[5], 2.6, 1e-14);
+    // Between z = 2 and z = 3, where the nodes are those of z = 0: the field is not linear there.
+    const auto slip = file.openDataset("on_fault/fields/slip").read<double>();
+    EXPECT_NEAR(slip[4], 0.5 + 0.4 * 2 + 0.6 * 0, 1e-14);
+    EXPECT_NEAR(file.openDataset("off_fault/coordinates").read<double>()[5], 2.9, 1e-14);
+  });
+}

@@ -1,0 +1,169 @@
+#include "io/OutputDomain.hpp"
+#include "base/parallel/Reductions.hpp"
+#include "io/detail/CurveOrder.hpp"
+#include "io/parallel/NodeGather.hpp"
+#include "unit/io/BlockMesh.hpp"
+#include "unit/io/Support.hpp"
+
+#include <cmath>
+#include <numeric>
+
+using namespace asperity;
+using namespace asperity::io;
+using test::world;
+
+namespace
+{
+constexpr int num_base = 7;
+
+double sumOverRanks(std::vector<double> const& values)
+{
+  const double mine = std::accumulate(values.begin(), values.end(), 0.0);
+  double sum = 0;
+  Teuchos::reduceAll(*world(), Teuchos::REDUCE_SUM, mine, Teuchos::outArg(sum));
+  return sum;
+}
+} // namespace
+
+TEST(OutputDomain, FaultNodesFollowTheOwnedVerticesAndAreNumberedByPosition)
+{
+  const auto mesh = test::stripMesh(num_base);
+  const OutputDomain fault = boundaryDomain("fault", mesh, "base", world());
+  EXPECT_TRUE(fault.isCurve());
+  EXPECT_EQ(fault.num_global_nodes, num_base);
+  EXPECT_TRUE(std::is_sorted(fault.vertices.begin(), fault.vertices.end()));
+  for (std::size_t i = 0; i < fault.numOwned(); ++i) {
+    EXPECT_LT(fault.vertices[i], mesh.num_owned);
+    EXPECT_EQ(fault.vertex_ids[i], mesh.global_ids[fault.vertices[i]]);
+    EXPECT_EQ(fault.node_numbers[i], num_base - 1 - fault.vertex_ids[i]);
+    EXPECT_NEAR(fault.positions[i], fault.coordinates[2 * i], 1e-15);
+    EXPECT_EQ(fault.coordinates[2 * i + 1], 0);
+  }
+}
+
+TEST(OutputDomain, WeightsAddUpToTheMeasure)
+{
+  const auto mesh = test::stripMesh(num_base);
+  const OutputDomain fault = boundaryDomain("fault", mesh, "base", world());
+  EXPECT_NEAR(sumOverRanks(fault.weights), 1, 1e-14);
+  for (std::size_t i = 0; i < fault.numOwned(); ++i) {
+    const int number = static_cast<int>(fault.node_numbers[i]);
+    const double left = test::stripPosition(std::max(0, number - 1), num_base);
+    const double right = test::stripPosition(std::min(num_base - 1, number + 1), num_base);
+    EXPECT_NEAR(fault.weights[i], (right - left) / 2, 1e-15);
+  }
+  EXPECT_NEAR(sumOverRanks(volumeDomain(mesh, world()).weights), 1, 1e-14);
+}
+
+TEST(OutputDomain, NodesAreNumberedAlongTheCurveOnAnyNumberOfRanks)
+{
+  const auto mesh = test::stripMesh(num_base);
+  const OutputDomain surface = boundaryDomain("surface", mesh, "surface", world());
+  const NodeGather gather(surface);
+  const auto coordinates = gather(surface.coordinates, 1, 2);
+  const auto positions = gather(surface.positions, 1, 1);
+  const auto ids = gather(surface.vertex_ids, 1, 1);
+  if (world()->getRank() > 0) {
+    EXPECT_TRUE(coordinates.empty() && ids.empty());
+    return;
+  }
+  ASSERT_EQ(positions.size(), std::size_t(num_base));
+  for (int i = 0; i < num_base; ++i) { // begins at the smaller x although facets run against it
+    EXPECT_NEAR(positions[i], test::stripPosition(i, num_base), 1e-15);
+    EXPECT_EQ(coordinates[2 * i + 1], 1);
+    EXPECT_EQ(ids[i], 2 * num_base - 1 - i);
+  }
+}
+
+TEST(OutputDomain, ElementsAcrossAPeriodAreWhole)
+{
+  const auto mesh = test::blockMesh(true);
+  const OutputDomain fault = boundaryDomain("fault", mesh, "base", world());
+  EXPECT_EQ(fault.num_global_nodes, (test::block_nx + 1) * test::block_nz);
+  EXPECT_NEAR(sumOverRanks(fault.weights), test::block_nx * test::block_nz, 1e-13);
+  const OutputDomain volume = volumeDomain(mesh, world());
+  EXPECT_NEAR(sumOverRanks(volume.weights), test::block_nx * test::block_nz, 1e-13);
+  double num_wrapping = 0, farthest = 0;
+  for (std::size_t i = 0; i < fault.numOwnedElements(); ++i) {
+    num_wrapping += fault.wraps[i];
+    for (int corner = 0; corner < 3; ++corner) {
+      farthest = std::max(farthest, fault.corners[(3 * i + corner) * 3 + 2]);
+    }
+  }
+  EXPECT_EQ(sumOverRanks({num_wrapping}), 2 * test::block_nx);
+  EXPECT_EQ(maxOverRanks(farthest, *world()), test::block_nz);
+}
+
+TEST(OutputDomain, GatherPutsRowsAndComponentsInOrder)
+{
+  const OutputDomain fault = boundaryDomain("fault", test::stripMesh(num_base), "base", world());
+  const NodeGather gather(fault);
+  std::vector<double> mine;
+  for (int row = 0; row < 3; ++row) {
+    for (const GlobalOrdinal number : fault.node_numbers) {
+      for (int component = 0; component < 2; ++component) {
+        mine.push_back(100.0 * row + 10.0 * number + component);
+      }
+    }
+  }
+  const auto whole = gather(mine, 3, 2);
+  ASSERT_EQ(whole.size(), world()->getRank() == 0 ? std::size_t(3 * num_base * 2) : 0u);
+  for (std::size_t i = 0; i < whole.size(); ++i) {
+    const std::size_t row = i / (2 * num_base), node = i / 2 % num_base;
+    EXPECT_EQ(whole[i], 100.0 * row + 10.0 * node + i % 2);
+  }
+}
+
+TEST(OutputDomain, UnknownOrEmptyBoundariesAreRefused)
+{
+  auto mesh = test::stripMesh(num_base);
+  mesh.boundaries["left"] = {};
+  EXPECT_TRUE(
+    test::contains(test::inputError([&] { boundaryDomain("fault", mesh, "bas", world()); }),
+                   "no boundary 'bas' to be the fault. Did you mean 'base'?"));
+  EXPECT_TRUE(
+    test::contains(test::inputError([&] { boundaryDomain("surface", mesh, "left", world()); }),
+                   "'left', to be the surface, has no facets"));
+}
+
+TEST(OutputDomain, TrianglesOfATetrahedron)
+{
+  Mesh<3> mesh; // held by rank 0; the others have nothing
+  mesh.num_global_vertices = 4;
+  mesh.boundaries["base"] = {};
+  if (world()->getRank() == 0) {
+    mesh.vertices = {{0, 0, 0}, {2, 0, 0}, {0, 3, 0}, {0.5, 0.25, 4}};
+    mesh.global_ids = {0, 1, 2, 3};
+    mesh.num_owned = 4;
+    mesh.cells = {{0, 1, 2, 3}};
+    mesh.boundaries["base"] = {{0, 2, 1}};
+  }
+  const OutputDomain fault = boundaryDomain("fault", mesh, "base", world());
+  EXPECT_FALSE(fault.isCurve());
+  EXPECT_TRUE(fault.positions.empty());
+  EXPECT_EQ(fault.num_global_nodes, 3);
+  EXPECT_NEAR(sumOverRanks(fault.weights), 3, 1e-14);
+  EXPECT_NEAR(sumOverRanks(volumeDomain(mesh, world()).weights), 4, 1e-14);
+}
+
+TEST(CurveOrder, ClosedAndSeparatePieces)
+{
+  const std::map<GlobalOrdinal, io::detail::PlanePoint> square{
+    {10, {0, 0}}, {11, {1, 0}}, {12, {1, 1}}, {13, {0, 1}}};
+  const auto closed = io::detail::orderCurve({{12, 13}, {10, 11}, {13, 10}, {11, 12}}, square);
+  EXPECT_EQ(closed.vertex_ids.front(), 10);
+  EXPECT_EQ(closed.positions, (std::vector<double>{0, 1, 2, 3}));
+  const auto pieces = io::detail::orderCurve({{12, 13}, {10, 11}}, square); // y = 1 and y = 0
+  EXPECT_EQ(pieces.vertex_ids, (std::vector<GlobalOrdinal>{10, 11, 13, 12}));
+  EXPECT_EQ(pieces.positions, (std::vector<double>{0, 1, 1, 2}));
+}
+
+TEST(CurveOrder, BranchesAreRefused)
+{
+  const std::map<GlobalOrdinal, io::detail::PlanePoint> star{
+    {0, {0, 0}}, {1, {1, 0}}, {2, {0, 1}}, {3, {-1, 0}}};
+  const auto message = test::inputError([&] {
+    io::detail::orderCurve({{0, 1}, {0, 2}, {0, 3}}, star);
+  });
+  EXPECT_TRUE(test::contains(message, "branches at x = 0, y = 0 m: 3 segments")) << message;
+}

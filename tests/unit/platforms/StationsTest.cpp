@@ -1,0 +1,183 @@
+#include "unit/platforms/Deck.hpp"
+
+using namespace asperity;
+using namespace asperity::io;
+using test::position;
+using test::world;
+
+namespace
+{
+constexpr int num_base = 6;
+constexpr double step_size = 0.4;
+
+// Linear in place, so that interpolation is exact. Slip rates are zero where x = 0.
+struct Fault : test::Stage
+{
+  explicit Fault(int displacement_components = 2, Mesh<2> const& mesh = test::stripMesh(num_base))
+      : Stage(num_base)
+  {
+    locate(mesh);
+    add("fault", "slip", 1, [this](double const* x, int) { return time * x[0]; });
+    add("fault", "slip_rate", 1, [](double const* x, int) { return x[0]; });
+    add("fault", "traction", 1, [this](double const* x, int) { return 1e6 * (x[0] - time); });
+    add("fault", "normal_stress", 1, [](double const* x, int) { return 5e7 + 1e6 * x[0]; });
+    add("fault", "theta", 1, [](double const*, int) { return 1e8; });
+    add("volume", "displacement", displacement_components,
+        [this](double const* x, int c) { return (c + 1) * (x[0] + 2 * x[1]) + time; });
+    add("volume", "velocity", displacement_components,
+        [](double const* x, int c) { return (c + 1) * x[1]; });
+  }
+};
+
+// The strip, turned so that its base, the fault, is the line from (0, -1) up to (0, 0).
+Mesh<2> uprightMesh()
+{
+  auto mesh = test::stripMesh(num_base);
+  for (auto& vertex : mesh.vertices) {
+    vertex = {-vertex[1], vertex[0] - 1};
+  }
+  return mesh;
+}
+
+ParameterList deck(std::string const& platform)
+{
+  auto list = test::deckWith("Receivers", platform);
+  auto& receivers = list.sublist("Receivers");
+  receivers.sublist("On Fault").set("dp003", position({0.3, 0.}));
+  receivers.sublist("On Fault").set("dp000", position({0., 0.}));
+  receivers.sublist("Off Fault").set("inside", position({0.5, 0.75}));
+  return list;
+}
+
+// Steps 0 to 4, a segment closed after step 2 and at the end.
+void run(Fault& fault, OutputSet& outputs)
+{
+  for (int step = 0; step <= 4; ++step) {
+    outputs.write(fault.at(step, step_size, step == 4));
+    if (step == 2) {
+      outputs.closeSegment();
+    }
+  }
+  outputs.closeSegment();
+}
+} // namespace
+
+TEST(Stations, FilesForSeas)
+{
+  test::TemporaryDirectory directory;
+  Fault fault(1); // antiplane
+  auto list = deck("SEAS");
+  list.sublist("Receivers").set("Every n Steps", 2);
+  OutputSet outputs(list, fault.context(directory.path()));
+  run(fault, outputs);
+  test::onRankZero([&] {
+    EXPECT_EQ(
+      test::contents(directory / "seas/fltst_dp003"),
+      "# This is the file header:\n"
+      "# problem=BP1-QD\n"
+      "# author=A. Modeller\n"
+      "# date=2024/05/31\n"
+      "# code=Asperity\n"
+      "# code_version=1.2\n"
+      "# element_size=50 m\n"
+      "# location=on fault, (0.3, 0) m\n"
+      "# minimum_time_step=4.000000E-01\n"
+      "# maximum_time_step=4.000000E-01\n"
+      "# num_time_steps=4           \n"
+      "# Column #1 = Time (s)\n"
+      "# Column #2 = Slip (m)\n"
+      "# Column #3 = Slip rate (log10 m/s)\n"
+      "# Column #4 = Shear stress (MPa)\n"
+      "# Column #5 = State (log10 s)\n"
+      "# The line below lists the names of the data fields:\n"
+      "t slip slip_rate shear_stress state\n"
+      " 0.00000000000000E+00   0.000000E+00  -5.228787E-01   3.000000E-01   8.000000E+00\n"
+      " 8.00000000000000E-01   2.400000E-01  -5.228787E-01  -5.000000E-01   8.000000E+00\n"
+      " 1.60000000000000E+00   4.800000E-01  -5.228787E-01  -1.300000E+00   8.000000E+00\n");
+    EXPECT_EQ(test::dataLines(directory / "seas/fltst_dp000")[1],
+              " 0.00000000000000E+00   0.000000E+00  -9.900000E+01   0.000000E+00   8.000000E+00");
+    const auto body = test::dataLines(directory / "seas/blkst_inside");
+    EXPECT_EQ(body[0], "t disp vel");
+    EXPECT_EQ(body[2], " 8.00000000000000E-01   2.800000E+00   7.500000E-01");
+  });
+}
+
+TEST(Stations, InPlaneStrainSeasTakesNormalStressAndTwoComponents)
+{
+  test::TemporaryDirectory directory;
+  Fault fault;
+  OutputSet outputs(deck("SEAS"), fault.context(directory.path()));
+  run(fault, outputs);
+  test::onRankZero([&] {
+    const auto on_fault = test::dataLines(directory / "seas/fltst_dp000");
+    EXPECT_EQ(on_fault[0], "t slip slip_rate shear_stress normal_stress state");
+    EXPECT_TRUE(test::contains(on_fault[1], " 5.000000E+01   8.000000E+00")) << on_fault[1];
+    const auto body = test::dataLines(directory / "seas/blkst_inside");
+    EXPECT_EQ(body[0], "t disp_1 disp_2 vel_1 vel_2");
+    EXPECT_EQ(body[1], " 0.00000000000000E+00   2.000000E+00   4.000000E+00   7.500000E-01"
+                       "   1.500000E+00");
+  });
+}
+
+TEST(Stations, FilesForScecHaveRowsAtEqualDistances)
+{
+  test::TemporaryDirectory directory;
+  Fault fault;
+  auto list = deck("SCEC");
+  list.sublist("Receivers").set("Every n Steps", 0); // whatever receivers.h5 has
+  OutputSet outputs(list, fault.context(directory.path()));
+  run(fault, outputs);
+  test::onRankZero([&] {
+    const auto text = test::contents(directory / "scec/faultdp003");
+    EXPECT_TRUE(test::contains(text, "# time_step=2.500000E-01\n# num_time_steps=7  ")) << text;
+    const auto lines = test::dataLines(directory / "scec/faultdp003");
+    ASSERT_EQ(lines.size(), 1u + 7); // 0 to 1.5 s of 1.6 s
+    EXPECT_EQ(lines[0], "t h-slip h-slip-rate h-shear-stress v-slip v-slip-rate v-shear-stress "
+                        "n-stress log-theta");
+    EXPECT_EQ(lines[6], " 1.25000000000000E+00   3.750000E-01   3.000000E-01  -9.500000E-01"
+                        "   0.000000E+00   0.000000E+00   0.000000E+00   5.030000E+01"
+                        "   8.000000E+00");
+    const auto body = test::dataLines(directory / "scec/bodyinside");
+    EXPECT_EQ(body[0], "t h-disp h-vel v-disp v-vel n-disp n-vel");
+    EXPECT_EQ(body[6], " 1.25000000000000E+00   3.250000E+00   7.500000E-01   0.000000E+00"
+                       "   0.000000E+00   5.250000E+00   1.500000E+00");
+  });
+}
+
+TEST(Stations, InASectionScecTakesSlipDownDip)
+{
+  test::TemporaryDirectory directory;
+  Fault fault(2, uprightMesh());
+  auto list = test::deckWith("Receivers", "SCEC");
+  list.sublist("Receivers").sublist("On Fault").set("dp003", position({0., -0.3}));
+  list.sublist("Receivers").sublist("Off Fault").set("inside", position({-0.75, -0.5}));
+  OutputSet outputs(list, fault.context(directory.path()));
+  run(fault, outputs);
+  test::onRankZero([&] {
+    // At t = 0 with x = 0 on the fault; in the body h is nothing, v is along y, n along x.
+    EXPECT_EQ(test::dataLines(directory / "scec/faultdp003")[5],
+              " 1.00000000000000E+00   0.000000E+00   0.000000E+00   0.000000E+00   0.000000E+00"
+              "   0.000000E+00  -1.000000E+00   5.000000E+01   8.000000E+00");
+    EXPECT_EQ(test::dataLines(directory / "scec/bodyinside")[1],
+              " 0.00000000000000E+00   0.000000E+00   0.000000E+00  -3.500000E+00  -1.000000E+00"
+              "  -1.750000E+00  -5.000000E-01");
+  });
+}
+
+TEST(Stations, ARestartWithRowsAtOtherDistancesIsRefused)
+{
+  test::TemporaryDirectory directory;
+  Fault fault;
+  OutputSet before(deck("SCEC"), fault.context(directory.path()));
+  run(fault, before);
+  const Archive archive = before.save();
+  auto list = deck("SCEC");
+  list.sublist("SCEC").set("Time Step", 0.5);
+  OutputSet after(list, fault.context(directory.path()));
+  const auto message = test::inputError([&] { after.restore(archive); });
+  EXPECT_TRUE(test::contains(message, "Asperity / Output: `SCEC / Time Step` is 0.5 s, but it was "
+                                      "0.25 s in the run"))
+    << message;
+  OutputSet same(deck("SCEC"), fault.context(directory.path()));
+  same.restore(archive);
+}

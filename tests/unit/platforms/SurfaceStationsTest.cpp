@@ -1,0 +1,77 @@
+#include "unit/io/BlockMesh.hpp"
+#include "unit/platforms/Deck.hpp"
+
+using namespace asperity;
+using namespace asperity::io;
+using test::position;
+
+namespace
+{
+// A vertical fault: the base is turned about the z axis into the plane x = 0, the body is x > 0,
+// the fault goes from y = 0 down to y = -4, and strike is along z.
+Point<3> upright(Point<3> const& x) { return {x[1], 0 - x[0], x[2]}; }
+
+struct Fault : test::Stage
+{
+  explicit Fault(bool periodic = false) : Stage(test::blockMesh(periodic, upright))
+  {
+    add("fault", "slip", 3, [](double const* x, int c) { return c == 0 ? 0 : c * (x[2] - x[1]); });
+    add("fault", "slip_rate", 1, [](double const*, int) { return 0.5; });
+    add("fault", "slip_velocity", 3, [](double const*, int c) { return c == 0 ? 0 : 0.3 * c; });
+    add("fault", "traction", 3, [](double const* x, int c) { return 1e6 * (c + x[2]); });
+    add("fault", "normal_stress", 1, [](double const*, int) { return 2.5e7; });
+    add("fault", "theta", 1, [](double const*, int) { return 1e8; });
+    add("volume", "displacement", 3, [](double const* x, int c) { return x[c]; });
+    add("volume", "velocity", 3, [](double const*, int c) { return c + 1; });
+  }
+};
+
+void run(std::filesystem::path const& directory, std::string const& platform)
+{
+  Fault fault;
+  auto list = test::deckWith("Receivers", platform);
+  auto& receivers = list.sublist("Receivers");
+  receivers.sublist("On Fault").set("st12dp07", position({0., -0.7, 1.2}));
+  receivers.sublist("Off Fault").set("inside", position({0.3, -2.1, 0.4}));
+  OutputSet outputs(list, fault.context(directory));
+  outputs.write(fault.at(0, 1));
+  outputs.write(fault.at(1, 1, true));
+  outputs.closeSegment();
+}
+} // namespace
+
+TEST(SurfaceStations, FilesForSeas)
+{
+  test::TemporaryDirectory directory;
+  run(directory.path(), "SEAS");
+  test::onRankZero([&] {
+    const auto on_fault = test::dataLines(directory / "seas/fltst_st12dp07");
+    EXPECT_EQ(on_fault[0], "t slip_2 slip_3 slip_rate_2 slip_rate_3 shear_stress_2 shear_stress_3 "
+                           "state");
+    // Strike is z: slip 3.8, rate 0.6, traction 3.2; down is -y: slip -1.9, rate -0.3, -2.2.
+    EXPECT_EQ(on_fault[1], " 0.00000000000000E+00   3.800000E+00  -1.900000E+00  -2.218487E-01"
+                           "  -5.228787E-01   3.200000E+00  -2.200000E+00   8.000000E+00");
+    const auto body = test::dataLines(directory / "seas/blkst_inside");
+    EXPECT_EQ(body[0], "t disp_1 disp_2 disp_3 vel_1 vel_2 vel_3");
+    EXPECT_EQ(body[1], " 0.00000000000000E+00   3.000000E-01   4.000000E-01   2.100000E+00"
+                       "   1.000000E+00   3.000000E+00  -2.000000E+00");
+  });
+}
+
+TEST(SurfaceStations, FilesForScec)
+{
+  test::TemporaryDirectory directory;
+  run(directory.path(), "SCEC");
+  test::onRankZero([&] {
+    const auto on_fault = test::dataLines(directory / "scec/faultst12dp07");
+    EXPECT_EQ(on_fault[0], "t h-slip h-slip-rate h-shear-stress v-slip v-slip-rate v-shear-stress "
+                           "n-stress log-theta");
+    EXPECT_EQ(on_fault[1], " 0.00000000000000E+00   3.800000E+00   6.000000E-01   3.200000E+00"
+                           "  -1.900000E+00  -3.000000E-01  -2.200000E+00   2.500000E+01"
+                           "   8.000000E+00");
+    const auto body = test::dataLines(directory / "scec/bodyinside");
+    EXPECT_EQ(body[0], "t h-disp h-vel v-disp v-vel n-disp n-vel");
+    EXPECT_EQ(body[1], " 0.00000000000000E+00   4.000000E-01   3.000000E+00   2.100000E+00"
+                       "  -2.000000E+00   3.000000E-01   1.000000E+00");
+  });
+}
