@@ -162,7 +162,7 @@ packages
 configure
 case "$mode" in
   run)
-    compile --target asperity
+    compile --target asperity-programs
     simulate ;;
   test)
     compile

@@ -1,9 +1,9 @@
 #include "Scaling.hpp"
 
+#include "base/parallel/Reductions.hpp"
 #include "scenario/setup/BulkSetup.hpp"
 #include "scenario/setup/TimeSetup.hpp"
 
-#include <Teuchos_CommHelpers.hpp>
 #include <Tpetra_Vector.hpp>
 
 #include <chrono>
@@ -24,13 +24,6 @@ public:
 private:
   std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
 };
-
-double sumOverRanks(Communicator const& communicator, double value)
-{
-  double sum = 0;
-  Teuchos::reduceAll(communicator, Teuchos::REDUCE_SUM, value, Teuchos::outArg(sum));
-  return sum;
-}
 
 // The largest memory that this process has used: VmHWM of the kernel, in bytes.
 double peakBytes()
@@ -108,6 +101,6 @@ MeshSample measureMesh(ParameterList const& deck, ScalingOptions const& options,
       sample.solves.push_back(of_phase);
     }
   }
-  sample.peak_bytes = sumOverRanks(*communicator, peakBytes());
+  sample.peak_bytes = sumOverRanks(peakBytes(), *communicator);
   return sample;
 }

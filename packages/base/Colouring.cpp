@@ -1,8 +1,8 @@
 #include "base/Colouring.hpp"
 
 #include "base/SplitMix.hpp"
+#include "base/parallel/Reductions.hpp"
 
-#include <Teuchos_CommHelpers.hpp>
 #include <Tpetra_CrsGraph.hpp>
 #include <Tpetra_Import.hpp>
 #include <Tpetra_Map.hpp>
@@ -74,14 +74,6 @@ struct Neighbourhood
   std::vector<Weight> weights, own_weights; // of columns, of rows
 };
 
-template <class Number>
-Number sumOverRanks(CrsGraph const& graph, Number mine)
-{
-  Number sum = 0;
-  Teuchos::reduceAll(*graph.getComm(), Teuchos::REDUCE_SUM, 1, &mine, &sum);
-  return sum;
-}
-
 // One round of Jones and Plassmann: every node that is heavier than its uncoloured neighbours
 // chooses a colour. A round sees the colours of the round before on all ranks. Returns how many
 // nodes chose.
@@ -111,7 +103,7 @@ Colouring gather(CrsGraph const& graph, ColourVector const& colours)
   for (int colour : result.colour) {
     mine = std::max(mine, colour + 1);
   }
-  Teuchos::reduceAll(*graph.getComm(), Teuchos::REDUCE_MAX, 1, &mine, &result.num_colours);
+  result.num_colours = maxOverRanks(mine, *graph.getComm());
   result.rows.resize(result.num_colours);
   for (std::size_t row = 0; row < result.colour.size(); ++row) {
     result.rows[result.colour[row]].push_back(static_cast<LocalOrdinal>(row));
@@ -161,7 +153,7 @@ Colouring colourNodes(CrsGraph const& graph)
   ColourVector colours(graph.getDomainMap());
   ColourVector seen(graph.getColMap());
   colours.putScalar(uncoloured);
-  auto num_left = sumOverRanks(graph, static_cast<long long>(graph.getNodeNumRows()));
+  auto num_left = static_cast<GlobalOrdinal>(graph.getGlobalNumRows());
   while (num_left > 0) {
     if (graph.getImporter().is_null()) {
       Tpetra::deep_copy(seen, colours);
@@ -169,7 +161,7 @@ Colouring colourNodes(CrsGraph const& graph)
       seen.doImport(colours, *graph.getImporter(), Tpetra::INSERT);
     }
     const int num_chosen = colourHeaviest(graph, neighbourhood, seen, colours);
-    num_left -= sumOverRanks(graph, static_cast<long long>(num_chosen));
+    num_left -= sumOverRanks(GlobalOrdinal(num_chosen), *graph.getComm());
   }
   return gather(graph, colours);
 }

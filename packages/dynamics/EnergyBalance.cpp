@@ -1,8 +1,8 @@
 #include "dynamics/EnergyBalance.hpp"
 
+#include "base/parallel/Reductions.hpp"
 #include "dynamics/FaultMotion.hpp"
 
-#include <Teuchos_CommHelpers.hpp>
 #include <Tpetra_CrsMatrix.hpp>
 
 namespace asperity::dynamics
@@ -101,12 +101,7 @@ double EnergyBalance::dotOver(std::vector<int> const& dofs, Vector const& x, Vec
   for (int dof : dofs) {
     mine += xs(dof, 0) * ys(dof, 0);
   }
-  double all = mine;
-  auto const& communicator = *body_.dofs->communicator();
-  if (communicator.getSize() > 1) {
-    Teuchos::reduceAll(communicator, Teuchos::REDUCE_SUM, mine, Teuchos::outArg(all));
-  }
-  return all;
+  return sumOverRanks(mine, *body_.dofs->communicator());
 }
 
 void EnergyBalance::start(State const& state, Energy const& so_far)

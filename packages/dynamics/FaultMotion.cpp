@@ -1,8 +1,8 @@
 #include "dynamics/FaultMotion.hpp"
 
 #include "base/Errors.hpp"
+#include "base/parallel/Reductions.hpp"
 
-#include <Teuchos_CommHelpers.hpp>
 #include <Tpetra_Map.hpp>
 #include <Tpetra_Vector.hpp>
 
@@ -80,11 +80,7 @@ double peakSlipRate(fem::FaultSurface const& surface, Vector const& v)
     }
     mine = std::max(mine, surface.slipFactor() * magnitude);
   }
-  double all = mine;
-  if (surface.communicator()->getSize() > 1) {
-    Teuchos::reduceAll(*surface.communicator(), Teuchos::REDUCE_MAX, mine, Teuchos::outArg(all));
-  }
-  return all;
+  return maxOverRanks(mine, *surface.communicator());
 }
 
 double distance(fem::FaultSurface const& surface, friction::ConstNodeView const& a,
@@ -112,12 +108,9 @@ double distance(fem::FaultSurface const& surface, friction::ConstNodeView const&
       },
       mine);
   }
-  mine = largest ? std::max(mine, 0.) : mine; // a rank without nodes has no maximum
-  double all = mine;
-  if (surface.communicator()->getSize() > 1) {
-    Teuchos::reduceAll(*surface.communicator(), largest ? Teuchos::REDUCE_MAX : Teuchos::REDUCE_SUM,
-                       mine, Teuchos::outArg(all));
+  if (largest) { // a rank without nodes has no maximum
+    return maxOverRanks(std::max(mine, 0.), *surface.communicator());
   }
-  return largest ? all : std::sqrt(all / surface.totalWeight());
+  return std::sqrt(sumOverRanks(mine, *surface.communicator()) / surface.totalWeight());
 }
 } // namespace asperity::dynamics

@@ -1,6 +1,7 @@
 #include "fem/BodyMatrices.hpp"
 
 #include "base/Errors.hpp"
+#include "base/program/WorkTimers.hpp"
 #include "fem/Simplex.hpp"
 
 #include <Tpetra_CrsMatrix.hpp>
@@ -148,6 +149,7 @@ template <int Dim, int Components>
 BodyMatrices assembleBody(Mesh<Dim> const& mesh, DofMap const& dofs, NodalFrames const& frames,
                           std::vector<Material> const& materials)
 {
+  ASPERITY_TIME_WORK("assembly");
   ASPERITY_ASSERT(dofs.components() == Components && materials.size() == mesh.cells.size());
   auto const adjacency = neighbours(mesh);
   auto const graph = graphOf(adjacency, dofs);

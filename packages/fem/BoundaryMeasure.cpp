@@ -1,9 +1,8 @@
 #include "fem/BoundaryMeasure.hpp"
 
 #include "base/Errors.hpp"
+#include "base/parallel/Reductions.hpp"
 #include "mesh/SimplexGeometry.hpp"
-
-#include <Teuchos_CommHelpers.hpp>
 
 #include <cmath>
 #include <map>
@@ -55,10 +54,8 @@ std::vector<NodalMeasure<Dim>> boundaryMeasure(Mesh<Dim> const& mesh, std::strin
     }
     result.push_back(sum);
   }
-  const int mine = static_cast<int>(result.size());
-  int all = 0;
-  Teuchos::reduceAll(communicator, Teuchos::REDUCE_SUM, mine, Teuchos::outArg(all));
-  ASPERITY_REQUIRE(all > 0, "Boundary '" << boundary << "' of the mesh has no facets.");
+  const int num_nodes = sumOverRanks(static_cast<int>(result.size()), communicator);
+  ASPERITY_REQUIRE(num_nodes > 0, "Boundary '" << boundary << "' of the mesh has no facets.");
   return result;
 }
 

@@ -1,9 +1,9 @@
 #include "fem/FaultSurface.hpp"
 
 #include "base/Colouring.hpp"
+#include "base/parallel/Reductions.hpp"
 #include "fem/BoundaryMeasure.hpp"
 
-#include <Teuchos_CommHelpers.hpp>
 #include <Tpetra_CrsGraph.hpp>
 
 namespace asperity::fem
@@ -48,10 +48,8 @@ FaultSurface::FaultSurface(std::string name, std::vector<FaultNode> nodes, int n
   weights_ = toDevice(weights, "asperity::fem::faultWeights");
   slip_factors_ =
     toDevice(std::vector<double>(nodes_.size(), slipFactor()), "asperity::fem::slipFactors");
-  const auto my_nodes = static_cast<GlobalOrdinal>(nodes_.size());
-  Teuchos::reduceAll(*communicator_, Teuchos::REDUCE_SUM, mine, Teuchos::outArg(total_weight_));
-  Teuchos::reduceAll(*communicator_, Teuchos::REDUCE_SUM, my_nodes,
-                     Teuchos::outArg(num_global_nodes_));
+  total_weight_ = sumOverRanks(mine, *communicator_);
+  num_global_nodes_ = sumOverRanks(static_cast<std::int64_t>(nodes_.size()), *communicator_);
 }
 
 std::vector<int> FaultSurface::vertices() const

@@ -78,6 +78,7 @@ dynamics::State loadState(io::Archive const& archive, std::string const& path,
 void save(io::Archive& archive, std::string const& path, dynamics::ControlMemory const& memory)
 {
   archive.set(path + "/level", memory.level);
+  archive.set(path + "/level_after", memory.level_after);
   archive.set(path + "/num_steps", memory.num_steps);
   archive.set(path + "/level_before", memory.level_before);
   archive.set(path + "/error", memory.error);
@@ -96,6 +97,7 @@ dynamics::ControlMemory loadControl(io::Archive const& archive, std::string cons
 {
   dynamics::ControlMemory memory;
   memory.level = static_cast<int>(archive.getInteger(path + "/level"));
+  memory.level_after = static_cast<int>(archive.getInteger(path + "/level_after"));
   memory.num_steps = archive.getInteger(path + "/num_steps");
   memory.level_before = static_cast<int>(archive.getInteger(path + "/level_before"));
   memory.error = archive.getDouble(path + "/error");

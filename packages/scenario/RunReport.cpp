@@ -1,10 +1,9 @@
 #include "scenario/RunReport.hpp"
 
 #include "base/Text.hpp"
+#include "base/parallel/Reductions.hpp"
 #include "scenario/ResolutionCheck.hpp"
 #include "scenario/setup/BulkSetup.hpp"
-
-#include <Teuchos_CommHelpers.hpp>
 
 #include <cmath>
 #include <sstream>

@@ -1,8 +1,10 @@
 #include "scenario/Simulation.hpp"
 
 #include "base/Text.hpp"
+#include "base/parallel/MeetingPoint.hpp"
 #include "base/program/MpiScope.hpp"
 #include "base/program/Signals.hpp"
+#include "base/program/WorkTimers.hpp"
 #include "dynamics/FaultMotion.hpp"
 #include "dynamics/coupling/CoupledStep.hpp"
 #include "io/OutputSet.hpp"
@@ -25,6 +27,9 @@ namespace asperity::scenario
 {
 namespace
 {
+// [s] that ranks wait for each other after a failure.
+constexpr double patience = 2;
+
 io::ExistingResult existingResult(CommandLine const& command_line)
 {
   if (!command_line.restart.empty()) {
@@ -45,6 +50,8 @@ public:
 private:
   void begin();
   void advance();
+  void balanceEnergy();
+  void write(io::StepInfo const& info);
   void writeCheckpoint();
   void saveWhatThereIs();
   void report(bool finished);
@@ -53,6 +60,7 @@ private:
 
   RCP<ParameterList> deck_;
   RCP<const Communicator> communicator_;
+  MeetingPoint meeting_point_;
   std::filesystem::path directory_;
   std::unique_ptr<io::RunLog> log_;
   Problem<Dim> problem_;
@@ -64,6 +72,7 @@ private:
   dynamics::State state_;
   dynamics::SolveCount count_;
   std::int64_t forced_steps_ = 0;
+  bool step_is_complete_ = true; // energy and outputs know of it
   RunView view_;
   std::map<std::string, io::OutputDomain> domains_;
   io::FieldRegistry registry_;
@@ -89,6 +98,7 @@ SimulationOf<Dim>::SimulationOf(RCP<ParameterList> const& deck, CommandLine cons
                                 RCP<const Communicator> const& communicator)
     : deck_(deck)
     , communicator_(communicator)
+    , meeting_point_(*communicator)
     , directory_(outputDirectory(command_line))
     , problem_(makeProblem<Dim>(*deck, communicator))
     , clock_(makeClock(deck->sublist("Time Stepping")))
@@ -170,8 +180,12 @@ int SimulationOf<Dim>::run()
         writeCheckpoint();
       }
     }
-  } catch (SolveError const&) {
-    saveWhatThereIs();
+  } catch (...) {
+    // A rank that fails alone leaves the others in the middle of something collective, and a
+    // checkpoint is that, too.
+    if (meeting_point_.meet(patience)) {
+      saveWhatThereIs();
+    }
     throw;
   }
   writeCheckpoint();
@@ -180,17 +194,20 @@ int SimulationOf<Dim>::run()
   return exit_done;
 }
 
-// What fails here must not hide why the run ends.
+// What fails here must not hide why the run ends. Where a step has been made but not written, the
+// checkpoint before it is the last complete state.
 template <int Dim>
 void SimulationOf<Dim>::saveWhatThereIs()
 {
   try {
-    writeCheckpoint();
+    if (step_is_complete_) {
+      writeCheckpoint();
+    }
     outputs_->finish();
-  } catch (InputError const& error) {
-    log_->message(error.what());
+    report(false);
+  } catch (std::exception const& error) {
+    log_->message(std::string("The end of the run could not be saved: ") + error.what());
   }
-  report(false);
 }
 
 template <int Dim>
@@ -216,11 +233,13 @@ void SimulationOf<Dim>::advance()
 {
   auto const before = count_;
   view_.step = control_->advance(state_, count_);
+  step_is_complete_ = false;
   view_.count = count_.since(before);
   forced_steps_ += view_.step.within_tolerance ? 0 : 1;
-  balance_.advance(state_);
+  balanceEnergy();
   auto const info = stepInfo();
-  outputs_->write(info);
+  write(info);
+  step_is_complete_ = true;
 
   io::Progress progress;
   progress.time = info.time;
@@ -234,8 +253,23 @@ void SimulationOf<Dim>::advance()
 }
 
 template <int Dim>
+void SimulationOf<Dim>::balanceEnergy()
+{
+  ASPERITY_TIME_WORK("energy balance");
+  balance_.advance(state_);
+}
+
+template <int Dim>
+void SimulationOf<Dim>::write(io::StepInfo const& info)
+{
+  ASPERITY_TIME_WORK("output");
+  outputs_->write(info);
+}
+
+template <int Dim>
 void SimulationOf<Dim>::writeCheckpoint()
 {
+  ASPERITY_TIME_WORK("checkpoints");
   outputs_->closeSegment();
   io::Archive archive;
   save(archive, "state", state_);
@@ -262,6 +296,7 @@ void SimulationOf<Dim>::report(bool finished)
   summary.setup_seconds = coupled_step_->solvers().setupSeconds();
   summary.directory = directory_.string();
   log_->message(summarise(summary, outputs_->report()));
+  log_->message('\n' + tableOfWork(*communicator_));
 }
 
 std::unique_ptr<Simulation> makeSimulation(RCP<ParameterList> const& deck,

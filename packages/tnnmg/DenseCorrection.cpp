@@ -109,7 +109,10 @@ struct DenseCorrection::Implementation
     return result.cwiseProduct(mask);
   }
 
-  // Preconditioned conjugate gradients from c = 0 with the kept factor.
+  // Preconditioned conjugate gradients from c = 0 with the kept factor. By hand: Belos works on
+  // Tpetra's vectors and wants a new solver for each solve, too much for a few iterations on some
+  // hundred unknowns; Eigen's do not stop where <r, z> <= 0, that is where rounding has spoilt the
+  // kept factor and a new one is due.
   CorrectionResult iterate(Eigen::VectorXd r, double relative_tolerance, Eigen::VectorXd& c) const
   {
     CorrectionResult result;

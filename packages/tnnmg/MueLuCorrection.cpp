@@ -1,11 +1,12 @@
 #include "tnnmg/MueLuCorrection.hpp"
 
-#include "base/program/Timers.hpp"
 #include "tnnmg/detail/MultigridConjugateGradients.hpp"
 #include "tnnmg/detail/MultigridParameters.hpp"
 #include "tnnmg/detail/MultigridPreconditioner.hpp"
 #include "tnnmg/detail/MultigridSymmetry.hpp"
+#include "tnnmg/detail/MultigridTrial.hpp"
 
+#include <Teuchos_TimeMonitor.hpp>
 #include <Tpetra_CrsMatrix.hpp>
 #include <Tpetra_Map.hpp>
 #include <Tpetra_Vector.hpp>
@@ -76,7 +77,7 @@ struct MueLuCorrection::Implementation
       , A(rcp(new detail::MultigridOperator(problem.Z, nodes)))
       , residual(problem.Z->getRowMap())
   {
-    TimedScope scope(setup_timer);
+    Teuchos::TimeMonitor const timed(setup_timer);
     preconditioner = rcp(new detail::MultigridPreconditioner(
       A, problem.Z, withTraceAt(*problem.near_null_space, problem.held_rows), nodes,
       parameters.muelu));
@@ -110,7 +111,7 @@ struct MueLuCorrection::Implementation
 
   void prepare(NonlinearBlocks const& blocks)
   {
-    TimedScope scope(setup_timer);
+    Teuchos::TimeMonitor const timed(setup_timer);
     nodes->set(blocks);
     if (rebuilds && preconditioner->outdatedShare() > parameters.outdated_share) {
       preconditioner->rebuild();
@@ -136,13 +137,18 @@ struct MueLuCorrection::Implementation
   RCP<detail::MultigridPreconditioner> preconditioner;
   Vector residual;
   bool rebuilds = false; // the hierarchy follows the truncated nodes
-  Timer setup_timer;
+  Teuchos::Time setup_timer{"set-up of a correction"};
   MultigridStatistics statistics;
 };
 
 Teuchos::RCP<const Teuchos::ParameterList> MueLuCorrection::validParameters()
 {
   return detail::MultigridParameters::valid();
+}
+
+void MueLuCorrection::requireAccepted(Teuchos::ParameterList const& parameters)
+{
+  detail::tryParameters(parameters);
 }
 
 MueLuCorrection::MueLuCorrection(MultigridProblem const& problem,
@@ -179,7 +185,7 @@ void MueLuCorrection::reset() { implementation_->reset(); }
 MultigridStatistics MueLuCorrection::statistics() const
 {
   auto result = implementation_->statistics;
-  result.setup_seconds = implementation_->setup_timer.seconds();
+  result.setup_seconds = implementation_->setup_timer.totalElapsedTime();
   return result;
 }
 } // namespace asperity::tnnmg

@@ -40,8 +40,12 @@ class MueLuCorrection final : public LinearCorrection
 public:
   static RCP<const Teuchos::ParameterList> validParameters();
 
-  // Throws SolveError if the V-cycle turns out not to be symmetric (a broken coarse solver or
-  // smoother).
+  // InputError unless MueLu and Belos take the lists that bear their names: a small problem on this
+  // rank alone is solved with them. Nothing is tried where both are empty.
+  static void requireAccepted(Teuchos::ParameterList const& parameters);
+
+  // Throws SolveError if MueLu's set-up fails, or if the V-cycle turns out not to be symmetric (a
+  // broken coarse solver or smoother).
   MueLuCorrection(MultigridProblem const& problem, Teuchos::ParameterList const& parameters);
   ~MueLuCorrection() override;
 

@@ -1,6 +1,7 @@
 #include "tnnmg/SchurComplement.hpp"
 
 #include "base/Errors.hpp"
+#include "tnnmg/detail/EigenMatrix.hpp"
 
 #include <Eigen/OrderingMethods>
 #include <Eigen/SparseCholesky>
@@ -13,23 +14,6 @@ namespace asperity::tnnmg
 namespace
 {
 using Sparse = Eigen::SparseMatrix<double, Eigen::ColMajor, int>;
-
-Sparse toEigen(CrsMatrix const& Z)
-{
-  auto const local = Z.getLocalMatrixHost();
-  std::vector<Eigen::Triplet<double>> entries;
-  entries.reserve(local.nnz());
-  for (int row = 0; row < local.numRows(); ++row) {
-    for (auto k = local.graph.row_map(row); k < local.graph.row_map(row + 1); ++k) {
-      if (local.values(k) != 0) {
-        entries.emplace_back(row, local.graph.entries(k), local.values(k));
-      }
-    }
-  }
-  Sparse matrix(local.numRows(), local.numRows());
-  matrix.setFromTriplets(entries.begin(), entries.end());
-  return matrix;
-}
 
 // position[row] in an order that keeps the factor sparse and puts the given rows last.
 std::vector<int> eliminationOrder(Sparse const& Z, std::vector<int> const& last)
@@ -116,7 +100,7 @@ SchurComplement::SchurComplement(CrsMatrix const& Z, std::vector<int> const& row
     : factor_(std::make_unique<Factor>())
 {
   ASPERITY_ASSERT(Z.getRowMap()->getComm()->getSize() == 1);
-  auto const matrix = toEigen(Z);
+  auto const matrix = detail::toEigen(Z, detail::StoredZeros::drop);
   auto& factor = *factor_;
   factor.position = eliminationOrder(matrix, rows);
   const int size = static_cast<int>(matrix.rows());

@@ -1,5 +1,7 @@
 #pragma once
 
+#include "base/parallel/Reductions.hpp"
+#include "base/program/WorkTimers.hpp"
 #include "tnnmg/GaussSeidel.hpp"
 #include "tnnmg/LineSearch.hpp"
 #include "tnnmg/LinearCorrection.hpp"
@@ -21,7 +23,7 @@ struct TnnmgResult
   int correction_iterations = 0; // of conjugate gradients
   int v_cycles = 0;
   int rises = 0;            // half steps after which J was larger by more than rounding
-  int lost_corrections = 0; // of which nothing came
+  int lost_corrections = 0; // that found nothing, or no way down
   double last_change = 0;   // energy norm
   int failed_nodes = 0;     // on any rank
 
@@ -78,7 +80,10 @@ public:
 private:
   TnnmgResult iterate(NodalProblem const& problem, Vector const& b, Vector& v, int max_iterations);
   void smooth(NodalProblem const& problem, Vector const& b, TnnmgResult& result);
-  bool correct(NodalProblem const& problem, TnnmgResult& result);
+  bool correct(NodalProblem const& problem, Vector const& b, TnnmgResult& result);
+  bool findCorrection(NodalProblem const& problem, TnnmgResult& result);
+  bool searchAlong(NodalProblem const& problem, Vector const& b, TnnmgResult& result);
+  double smallChange(Vector const& b) const;
   double moveAlong(NodalProblem const& problem, double step);
 
   RCP<const CrsMatrix> Z_;
@@ -101,22 +106,29 @@ TnnmgResult Tnnmg<NodalProblem>::iterate(NodalProblem const& problem, Vector con
     ++result.iterations;
     vectors_.beginIteration();
     smooth(problem, b, result);
-    const bool corrected = correct(problem, result);
+    const bool corrected = correct(problem, b, result);
     result.last_change = vectors_.energyOfChange();
-    const double small =
-      std::max(settings_.absolute_tolerance, settings_.relative_tolerance * vectors_.energyNorm(b));
     // What Gauss-Seidel alone still changes says nothing about the dofs that it does not visit.
-    result.converged = corrected && result.last_change <= small;
+    result.converged = corrected && result.last_change <= smallChange(b);
   }
-  result.failed_nodes = detail::sumOverRanks(*Z_, result.failed_nodes);
+  result.failed_nodes = sumOverRanks(result.failed_nodes, *Z_->getComm());
   result.converged = result.converged && !result.failed();
   Tpetra::deep_copy(v, *vectors_.v);
   return result;
 }
 
+// In the energy norm.
+template <class NodalProblem>
+double Tnnmg<NodalProblem>::smallChange(Vector const& b) const
+{
+  return std::max(settings_.absolute_tolerance,
+                  settings_.relative_tolerance * vectors_.energyNorm(b));
+}
+
 template <class NodalProblem>
 void Tnnmg<NodalProblem>::smooth(NodalProblem const& problem, Vector const& b, TnnmgResult& result)
 {
+  ASPERITY_TIME_WORK("Gauss-Seidel sweeps");
   Kokkos::deep_copy(blocks_.before, blocks_.v);
   for (int sweep = 0; sweep < settings_.sweeps; ++sweep) {
     result.failed_nodes += gaussSeidel(*Z_, nodes_, curvature_, problem, b, *vectors_.v_columns,
@@ -127,10 +139,17 @@ void Tnnmg<NodalProblem>::smooth(NodalProblem const& problem, Vector const& b, T
   result.rises += vectors_.finishSweeps(*Z_, b, nonlinear.change, nonlinear.magnitude);
 }
 
+template <class NodalProblem>
+bool Tnnmg<NodalProblem>::correct(NodalProblem const& problem, Vector const& b, TnnmgResult& result)
+{
+  return findCorrection(problem, result) && searchAlong(problem, b, result);
+}
+
 // False where the linear correction found nothing though there was something to correct.
 template <class NodalProblem>
-bool Tnnmg<NodalProblem>::correct(NodalProblem const& problem, TnnmgResult& result)
+bool Tnnmg<NodalProblem>::findCorrection(NodalProblem const& problem, TnnmgResult& result)
 {
+  ASPERITY_TIME_WORK("linear corrections");
   problem.linearise(blocks_.v, blocks_.gradient, blocks_.hessian, blocks_.truncated);
   blocks_.truncate(nodes_, curvature_, settings_.stiff);
   vectors_.newtonResidual(nodes_, blocks_.gradient);
@@ -144,11 +163,19 @@ bool Tnnmg<NodalProblem>::correct(NodalProblem const& problem, TnnmgResult& resu
     ++result.lost_corrections;
     return false;
   }
+  return true;
+}
 
+// False where J does not fall along a correction that is too large to be left out.
+template <class NodalProblem>
+bool Tnnmg<NodalProblem>::searchAlong(NodalProblem const& problem, Vector const& b,
+                                      TnnmgResult& result)
+{
+  ASPERITY_TIME_WORK("line searches");
   gather(nodes_, *vectors_.c, blocks_.d);
   auto const along = vectors_.derivativeAlongCorrection(*Z_);
   auto const slope = [&](double t) {
-    return detail::sumOverRanks(*Z_, problem.slope(blocks_.v, blocks_.d, t)) + along.start +
+    return sumOverRanks(problem.slope(blocks_.v, blocks_.d, t), *Z_->getComm()) + along.start +
            t * along.curvature;
   };
   const double start = slope(0);
@@ -159,6 +186,10 @@ bool Tnnmg<NodalProblem>::correct(NodalProblem const& problem, TnnmgResult& resu
     // certain.
     step = findSignChange(slope, start, 0.).step;
     change = vectors_.changeAlong(*Z_, problem, blocks_, step);
+  }
+  if (!(step > 0) && !(std::sqrt(along.curvature) <= smallChange(b))) {
+    ++result.lost_corrections;
+    return false;
   }
   result.rises += change.rises();
   vectors_.move(step);

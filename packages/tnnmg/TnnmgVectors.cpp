@@ -1,8 +1,8 @@
 #include "tnnmg/TnnmgVectors.hpp"
 
+#include "base/parallel/Reductions.hpp"
 #include "tnnmg/GaussSeidel.hpp"
 
-#include <Teuchos_CommHelpers.hpp>
 #include <Tpetra_Map.hpp>
 
 #include <cmath>
@@ -31,27 +31,7 @@ double magnitudeOfLinearTerms(Vector const& b, Vector const& r, Vector const& d)
     sum);
   return sum;
 }
-
-double sumOver(Communicator const& communicator, double value)
-{
-  if (communicator.getSize() == 1) {
-    return value;
-  }
-  double sum = 0;
-  Teuchos::reduceAll(communicator, Teuchos::REDUCE_SUM, value, Teuchos::outArg(sum));
-  return sum;
-}
 } // namespace
-
-double sumOverRanks(CrsMatrix const& Z, double value)
-{
-  return sumOver(*Z.getRowMap()->getComm(), value);
-}
-
-int sumOverRanks(CrsMatrix const& Z, int value)
-{
-  return static_cast<int>(sumOverRanks(Z, static_cast<double>(value)));
-}
 
 TnnmgBlocks::TnnmgBlocks(NonlinearNodes const& nodes)
     : v("asperity::tnnmg::v", nodes.numNodes(), nodes.blockSize())
@@ -136,10 +116,11 @@ int TnnmgVectors::finishSweeps(CrsMatrix const& Z, Vector const& b, double nonli
   c->update(1, *v, -1, *v_before, 0);
   Zc->update(1, *r_before, 1, *r, 0);
   const double linear = -0.5 * Zc->dot(*c);
-  const double terms = sumOverRanks(
-    Z,
-    magnitude + (magnitudeOfLinearTerms(b, *r_before, *c) + magnitudeOfLinearTerms(b, *r, *c)) / 2);
-  return EnergyChange{linear + sumOverRanks(Z, nonlinear_change), terms}.rises();
+  magnitude += (magnitudeOfLinearTerms(b, *r_before, *c) + magnitudeOfLinearTerms(b, *r, *c)) / 2;
+  auto const& communicator = *Z.getComm();
+  return EnergyChange{linear + sumOverRanks(nonlinear_change, communicator),
+                      sumOverRanks(magnitude, communicator)}
+    .rises();
 }
 
 void TnnmgVectors::newtonResidual(NonlinearNodes const& nodes, ConstBlockView const& gradient)
@@ -169,7 +150,8 @@ EnergyChange TnnmgVectors::linearChange(double step) const
 {
   EnergyChange result;
   result.change = step * (along_.start + step / 2 * along_.curvature);
-  const double terms = sumOver(*v->getMap()->getComm(), magnitudeOfLinearTerms(*b_copy, *r, *c));
+  const double terms =
+    sumOverRanks(magnitudeOfLinearTerms(*b_copy, *r, *c), *v->getMap()->getComm());
   result.magnitude = step * (terms + step / 2 * along_.curvature);
   return result;
 }

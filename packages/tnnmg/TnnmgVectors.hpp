@@ -1,5 +1,6 @@
 #pragma once
 
+#include "base/parallel/Reductions.hpp"
 #include "tnnmg/NonlinearNodes.hpp"
 
 #include <Tpetra_CrsMatrix.hpp>
@@ -8,10 +9,6 @@
 // The vectors of a TNNMG iteration and the arithmetic on them that does not see the nonlinearity.
 namespace asperity::tnnmg::detail
 {
-// All ranks together; on one rank it costs nothing.
-double sumOverRanks(CrsMatrix const& Z, double value);
-int sumOverRanks(CrsMatrix const& Z, int value);
-
 // A change of J and the sum of the magnitudes of the terms it was added up from.
 struct EnergyChange
 {
@@ -89,7 +86,7 @@ EnergyChange TnnmgVectors::changeAlong(CrsMatrix const& Z, NodalProblem const& p
     });
   auto const nonlinear = problem.difference(blocks.v, scaled);
   auto const linear = linearChange(step);
-  return {linear.change + sumOverRanks(Z, nonlinear.change),
-          linear.magnitude + sumOverRanks(Z, nonlinear.magnitude)};
+  return {linear.change + sumOverRanks(nonlinear.change, *Z.getComm()),
+          linear.magnitude + sumOverRanks(nonlinear.magnitude, *Z.getComm())};
 }
 } // namespace asperity::tnnmg::detail

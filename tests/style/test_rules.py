@@ -128,7 +128,12 @@ BAD = {
         ("tests/ATest.cpp", "TEST(A, DIS" "ABLED_b) {}\n"),
         ("tests/ATest.cpp", "GTEST_" "SKIP();\n"),
     ],
-    "drivers": [("drivers/asperity.cpp", "int main(int, char**)\n{\n}\n" + "//\n" * 77)],
+    "drivers": [
+        ("drivers/asperity.cpp", "int main(int, char**)\n{\n}\n" + "//\n" * 77),
+        ("drivers/CMakeLists.txt", "asperity_add_driver(asperity SOURCES asperity.cpp)\n"
+                                   "foreach(program other)\nendforeach()\n"),
+        ("cmake/quickstart.sh", "compile --target asperity\n"),
+    ],
     "decks": [
         ("xml/wedge.xml", '<ParameterList name="Asperity"/>\n'),
         ("xml/wedge.xml", '<!-- Ranks: 1. Run time: 1 s. -->\n<ParameterList name="Asperity"/>\n'),

@@ -1,5 +1,5 @@
 #include "base/Errors.hpp"
-#include "base/parallel/Messages.hpp"
+#include "base/parallel/MeetingPoint.hpp"
 #include "base/program/MpiScope.hpp"
 
 #include <mpi.h>
@@ -45,39 +45,18 @@ Outcome call(std::function<int()> const& body)
   }
 }
 
-// A communicator of its own, so that pending messages of the body are not mistaken for those of the
-// guard.
 class GuardCommunicator
 {
 public:
-  explicit GuardCommunicator(MPI_Comm communicator)
+  explicit GuardCommunicator(Communicator const& communicator)
+      : meeting_point_(communicator)
+      , communicator_(meeting_point_.communicator())
+      , rank_(communicator.getRank())
+      , size_(communicator.getSize())
   {
-    MPI_Comm_dup(communicator, &communicator_);
-    MPI_Comm_rank(communicator_, &rank_);
-    MPI_Comm_size(communicator_, &size_);
   }
-  ~GuardCommunicator() { MPI_Comm_free(&communicator_); }
-  GuardCommunicator(GuardCommunicator const&) = delete;
-  GuardCommunicator& operator=(GuardCommunicator const&) = delete;
 
-  // Waits until every rank is here, but at most `patience` seconds if that is not negative. Returns
-  // false if the time is over.
-  bool meet(double patience) const
-  {
-    MPI_Request request;
-    MPI_Ibarrier(communicator_, &request);
-    const auto start = std::chrono::steady_clock::now();
-    for (int all_here = 0;;) {
-      MPI_Test(&request, &all_here, MPI_STATUS_IGNORE);
-      if (all_here) {
-        return true;
-      }
-      if (patience >= 0.0 && Seconds(std::chrono::steady_clock::now() - start).count() > patience) {
-        return false;
-      }
-      std::this_thread::sleep_for(std::chrono::milliseconds(1));
-    }
-  }
+  bool meet(double patience) const { return meeting_point_.meet(patience); }
 
   // The program's status on every rank. The lowest rank that has thrown speaks for all: where many
   // fail at once, each with a vertex of its own, one message is enough.
@@ -97,9 +76,10 @@ private:
   // speaker.
   int countOthers(Outcome const& outcome, int speaker) const;
 
-  MPI_Comm communicator_ = MPI_COMM_NULL;
-  int rank_ = 0;
-  int size_ = 1;
+  MeetingPoint meeting_point_;
+  MPI_Comm communicator_;
+  int rank_;
+  int size_;
 };
 
 int GuardCommunicator::countOthers(Outcome const& outcome, int speaker) const
@@ -153,7 +133,7 @@ void GuardCommunicator::abort(Outcome const& outcome, std::string const& program
 int runGuarded(Communicator const& communicator, std::function<int()> const& body,
                std::string const& program, double patience)
 {
-  const GuardCommunicator guard(rawCommunicator(communicator));
+  const GuardCommunicator guard(communicator);
   const Outcome outcome = call(body);
   if (!guard.meet(outcome.has_thrown ? patience : -1.0)) {
     guard.abort(outcome, program);

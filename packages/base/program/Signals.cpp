@@ -1,8 +1,7 @@
 #include "base/program/Signals.hpp"
 
 #include "base/Errors.hpp"
-
-#include <Teuchos_CommHelpers.hpp>
+#include "base/parallel/Reductions.hpp"
 
 namespace asperity
 {
@@ -46,9 +45,6 @@ int StopSignals::received() const { return last_signal; }
 
 int StopSignals::agreed(Communicator const& communicator) const
 {
-  const int mine = received();
-  int largest = 0;
-  Teuchos::reduceAll(communicator, Teuchos::REDUCE_MAX, 1, &mine, &largest);
-  return largest;
+  return maxOverRanks(received(), communicator);
 }
 } // namespace asperity

@@ -28,10 +28,21 @@ public:
     // once.
     return std::ldexp(static_cast<double>(ticks), -finest_level_) * largest_step_;
   }
-  // The first count of ticks at or after a time.
+  // The level of the largest step of at most so many ticks, at least one.
+  int levelWithin(Ticks count) const
+  {
+    int level = 0;
+    while (ticks(level) > count) {
+      ++level;
+    }
+    return level;
+  }
+  // The first count of ticks at or after a time, up to rounding: 1.1 s / 0.1 s is a bit above 11.
   Ticks reaching(double seconds) const
   {
-    return static_cast<Ticks>(std::ceil(std::ldexp(seconds / largest_step_, finest_level_)));
+    constexpr double rounding = 4 * 2.220446049250313e-16;
+    const double count = std::ldexp(seconds / largest_step_, finest_level_);
+    return static_cast<Ticks>(std::ceil(count * (1 - rounding)));
   }
   // Whether a time fits into the count.
   bool reaches(double seconds) const

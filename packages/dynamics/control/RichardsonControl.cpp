@@ -28,28 +28,67 @@ RichardsonControl::RichardsonControl(CoupledStep& step, int order, AdaptiveSetti
 
 AcceptedStep RichardsonControl::advance(State& current, SolveCount& count)
 {
-  AcceptedStep accepted;
-  if (!memory_.trial) {
-    auto pair = acceptablePair(current, count);
-    accepted.iterations = pair.first->iterations;
-    memory_.before = std::move(current);
-    memory_.level_before = memory_.level;
-    memory_.previous_error = memory_.error;
-    memory_.error = pair.error;
-    current = std::move(pair.first->state);
-    memory_.trial = std::move(pair.second);
-    accepted.level = memory_.level;
-    accepted.error = memory_.error;
-  } else {
-    current = std::move(memory_.trial->state);
-    accepted.iterations = memory_.trial->iterations;
+  if (trialGoesTooFar(current)) {
     memory_.trial.reset();
-    accepted.level = memory_.level;
-    accepted.error = memory_.error;
-    predictLevel(memory_.error);
   }
+  auto const left = ticksLeft(current.time);
+  auto accepted = memory_.trial ? secondOfPair(current)
+                  : left > 1    ? firstOfPair(current, count)
+                                : singleStep(current, count);
   accepted.within_tolerance = accepted.error <= settings_.tolerance;
   ++memory_.num_steps;
+  if (resume(current)) {
+    // What comes may have nothing to do with what was.
+    memory_.before.reset();
+    memory_.error = memory_.previous_error = 0;
+  }
+  return accepted;
+}
+
+AcceptedStep RichardsonControl::firstOfPair(State& current, SolveCount& count)
+{
+  shorten(clock().levelWithin(ticksLeft(current.time) / 2));
+  const int first_level = memory_.level;
+  auto pair = acceptablePair(current, count);
+  noteRefinement(first_level);
+  AcceptedStep accepted;
+  accepted.iterations = pair.first->iterations;
+  memory_.before = std::move(current);
+  memory_.level_before = memory_.level;
+  memory_.previous_error = memory_.error;
+  memory_.error = pair.error;
+  current = std::move(pair.first->state);
+  memory_.trial = std::move(pair.second);
+  accepted.level = memory_.level;
+  accepted.error = memory_.error;
+  return accepted;
+}
+
+AcceptedStep RichardsonControl::secondOfPair(State& current)
+{
+  AcceptedStep accepted;
+  current = std::move(memory_.trial->state);
+  accepted.iterations = memory_.trial->iterations;
+  memory_.trial.reset();
+  accepted.level = memory_.level;
+  accepted.error = memory_.error;
+  predictLevel(memory_.error);
+  noteRefinement(accepted.level);
+  return accepted;
+}
+
+AcceptedStep RichardsonControl::singleStep(State& current, SolveCount& count)
+{
+  shorten(clock().finestLevel());
+  auto next = attempt(current, memory_.level, current, count);
+  if (!next) {
+    giveUp(current, memory_.level);
+  }
+  memory_.before.reset();
+  current = std::move(next->state);
+  AcceptedStep accepted;
+  accepted.level = memory_.level;
+  accepted.iterations = next->iterations;
   return accepted;
 }
 

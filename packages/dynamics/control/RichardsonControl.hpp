@@ -30,6 +30,10 @@ private:
   Pair pairOf(State const& current, std::optional<Trial> const& whole, SolveCount& count);
   Pair acceptablePair(State const& current, SolveCount& count);
   void predictLevel(double error);
+  AcceptedStep firstOfPair(State& current, SolveCount& count);
+  AcceptedStep secondOfPair(State& current);
+  // The last tick before an instant, which no pair fits into.
+  AcceptedStep singleStep(State& current, SolveCount& count);
 
   AdaptiveSettings settings_;
   double extrapolation_; // 2^p - 1

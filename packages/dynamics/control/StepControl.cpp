@@ -2,6 +2,8 @@
 
 #include "base/Errors.hpp"
 
+#include <algorithm>
+#include <limits>
 #include <sstream>
 
 namespace asperity::dynamics
@@ -52,6 +54,46 @@ void StepControl::giveUp(State const& from, int level) const
   throw SolveError(message.str());
 }
 
+DyadicTime::Ticks StepControl::ticksLeft(DyadicTime::Ticks time) const
+{
+  auto const next = std::upper_bound(instants_.begin(), instants_.end(), time);
+  return next == instants_.end() ? std::numeric_limits<DyadicTime::Ticks>::max() : *next - time;
+}
+
+bool StepControl::trialGoesTooFar(State const& current) const
+{
+  return memory_.trial && memory_.trial->state.time - current.time > ticksLeft(current.time);
+}
+
+void StepControl::shorten(int level)
+{
+  if (memory_.level < level) {
+    if (memory_.level_after == ControlMemory::none) {
+      memory_.level_after = memory_.level;
+    }
+    memory_.level = level;
+  }
+}
+
+void StepControl::noteRefinement(int level_before)
+{
+  if (memory_.level_after != ControlMemory::none && memory_.level > level_before) {
+    memory_.level_after = memory_.level;
+  }
+}
+
+bool StepControl::resume(State const& current)
+{
+  const bool is_met = std::binary_search(instants_.begin(), instants_.end(), current.time);
+  if (!is_met || memory_.level_after == ControlMemory::none) {
+    return false;
+  }
+  memory_.level = memory_.level_after;
+  memory_.level_after = ControlMemory::none;
+  memory_.trial.reset();
+  return true;
+}
+
 PrescribedSteps::PrescribedSteps(CoupledStep& step, std::vector<int> levels)
     : StepControl(step)
     , levels_(std::move(levels))
@@ -62,7 +104,7 @@ PrescribedSteps::PrescribedSteps(CoupledStep& step, std::vector<int> levels)
 AcceptedStep PrescribedSteps::advance(State& current, SolveCount& count)
 {
   auto const which = std::min<std::size_t>(memory_.num_steps, levels_.size() - 1);
-  memory_.level = levels_[which];
+  memory_.level = std::max(levels_[which], clock().levelWithin(ticksLeft(current.time)));
   auto next = attempt(current, memory_.level, current, count);
   if (!next) {
     giveUp(current, memory_.level);
@@ -98,17 +140,27 @@ void StepDoubling::findTrial(State const& current, SolveCount& count)
 
 AcceptedStep StepDoubling::advance(State& current, SolveCount& count)
 {
+  if (trialGoesTooFar(current)) {
+    memory_.trial.reset();
+  }
+  shorten(clock().levelWithin(ticksLeft(current.time)));
+  const int first_level = memory_.level;
   findTrial(current, count);
   AcceptedStep accepted;
   std::optional<Trial> next;
   if (!coarsen(current, next, accepted.error, count)) {
     accepted.within_tolerance = refine(current, next, accepted.error, count);
+    // A step cut short to the smallest has nothing to be compared with, nor any need of it.
+    const bool is_cut_short = memory_.level_after != ControlMemory::none;
+    accepted.within_tolerance |= is_cut_short && memory_.level == first_level;
   }
+  noteRefinement(first_level);
   accepted.level = memory_.level;
   accepted.iterations = memory_.trial->iterations;
   current = std::move(memory_.trial->state);
   memory_.trial = std::move(next);
   ++memory_.num_steps;
+  resume(current);
   return accepted;
 }
 
@@ -118,7 +170,9 @@ bool StepDoubling::coarsen(State const& current, std::optional<Trial>& next, dou
                            SolveCount& count)
 {
   bool coarsened = false;
-  while (memory_.level > settings_.coarsest_level) {
+  const int coarsest =
+    std::max(settings_.coarsest_level, clock().levelWithin(ticksLeft(current.time)));
+  while (memory_.level > coarsest) {
     State const& end = memory_.trial->state;
     next = attempt(end, memory_.level, blend(2, end, current), count);
     if (!next) {

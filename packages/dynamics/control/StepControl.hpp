@@ -39,13 +39,22 @@ struct ControlMemory
   std::optional<State> before;
   int level_before = 0;
   double error = 0, previous_error = 0;
+  // The level to go on with after the instant ahead, if steps are cut short to meet it, or `none`.
+  static constexpr int none = -1;
+  int level_after = none;
 };
 
 // Chooses step sizes. SolveError if the smallest step cannot be solved either.
+//
+// No step passes an instant: the end of a run, or a time at which a load changes. What is left
+// before one is covered by steps that descend by powers of two, each the largest that fits, so that
+// no size comes twice; the control goes on afterwards with the size that it had before.
 class StepControl
 {
 public:
   explicit StepControl(CoupledStep& step);
+  // In ticks, ascending.
+  void setInstants(std::vector<DyadicTime::Ticks> instants) { instants_ = std::move(instants); }
   virtual ~StepControl() = default;
   // Replaces `current` by the state after the next accepted step.
   virtual AcceptedStep advance(State& current, SolveCount& count) = 0;
@@ -60,10 +69,24 @@ protected:
   fem::FaultSurface const& surface() const { return step_.surface(); }
   [[noreturn]] void giveUp(State const& from, int level) const;
 
+  // From a time to the next instant; more than any step if there is none.
+  DyadicTime::Ticks ticksLeft(DyadicTime::Ticks time) const;
+  // Whether the trial, if there is one, ends after an instant that `current` is before.
+  bool trialGoesTooFar(State const& current) const;
+  // Makes the level at least `level`, and remembers what it was.
+  void shorten(int level);
+  // Smaller steps than those cut short are needed: the size of before is forgotten. level_before:
+  // the level that a step was begun with.
+  void noteRefinement(int level_before);
+  // Where steps were cut short to meet this instant: goes on with the level of before, or returns
+  // false.
+  bool resume(State const& current);
+
   ControlMemory memory_;
 
 private:
   CoupledStep& step_;
+  std::vector<DyadicTime::Ticks> instants_;
   StepStatus last_status_ = StepStatus::solved;
 };
 

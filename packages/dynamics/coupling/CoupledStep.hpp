@@ -2,6 +2,7 @@
 
 #include "dynamics/Body.hpp"
 #include "dynamics/Fault.hpp"
+#include "dynamics/FaultMotion.hpp"
 #include "dynamics/State.hpp"
 #include "dynamics/coupling/AndersonAcceleration.hpp"
 #include "dynamics/coupling/StepSolvers.hpp"
@@ -12,7 +13,8 @@ namespace asperity::dynamics
 {
 struct CouplingSettings
 {
-  double tolerance = 1e-5; // of alpha between two iterates, root mean square over the fault
+  double tolerance = 1e-5; // of alpha between two iterates
+  Norm norm = Norm::root_mean_square;
   int max_iterations = 100;
   int anderson_depth = 2;
 
@@ -83,7 +85,8 @@ public:
   CoupledResult solve(State const& from, int level, State& to, SolveCount& count);
 
 private:
-  void rightSide(State const& from, double t1, double tau);
+  void evaluateLoads(double t1, State& to);
+  void rightSide(State const& from, double tau);
   CoupledResult iterate(State const& from, double tau, RateSolver& solver, State& to,
                         SolveCount& count);
   void meanSlipRate(RateSolver& solver);

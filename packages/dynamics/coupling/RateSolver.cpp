@@ -1,6 +1,7 @@
 #include "dynamics/coupling/RateSolver.hpp"
 
 #include "base/Errors.hpp"
+#include "base/program/WorkTimers.hpp"
 #include "tnnmg/DenseCorrection.hpp"
 #include "tnnmg/MueLuCorrection.hpp"
 #include "tnnmg/SchurComplement.hpp"
@@ -58,6 +59,7 @@ public:
 
   void begin(Vector const& b, Vector const& guess) override
   {
+    ASPERITY_TIME_WORK("elimination of the body");
     schur_.condense(b, b_);
     auto const from = guess.getLocalViewHost(Tpetra::Access::ReadOnly);
     auto const to = w_.getLocalViewHost(Tpetra::Access::OverwriteAll);
@@ -77,7 +79,11 @@ public:
   }
 
   void faultVelocity(friction::BlockView const& w) const override { gather(nodes_, w_, w); }
-  void velocity(Vector& w) const override { schur_.expand(w_, w); }
+  void velocity(Vector& w) const override
+  {
+    ASPERITY_TIME_WORK("elimination of the body");
+    schur_.expand(w_, w);
+  }
   std::size_t bytes() const override { return schur_.bytes() + correction_->bytes(); }
 
 private:

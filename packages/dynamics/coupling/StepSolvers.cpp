@@ -1,5 +1,9 @@
 #include "dynamics/coupling/StepSolvers.hpp"
 
+#include "base/Errors.hpp"
+#include "base/Text.hpp"
+#include "base/program/WorkTimers.hpp"
+
 #include <Teuchos_CommHelpers.hpp>
 
 #include <chrono>
@@ -38,11 +42,18 @@ RateSolver& StepSolvers::at(int level)
   if (solver) {
     return *solver;
   }
+  ASPERITY_TIME_WORK("set-up of step sizes");
   auto const start = std::chrono::steady_clock::now();
   const double tau = clock_.stepSize(level);
   auto const Z = fem::combine(body_.matrices, update_.mass_weight / tau, 1,
                               tau * update_.stiffness_weight, body_.held);
-  solver = makeRateSolver(Z, body_, surface_, settings_);
+  try {
+    solver = makeRateSolver(Z, body_, surface_, settings_);
+  } catch (SolveError const& error) {
+    throw SolveError("The solver for steps of " + formatShort(tau) +
+                     " s (the largest step halved " + std::to_string(level) +
+                     " times) could not be set up. " + error.what());
+  }
   bytes = largestOverRanks(*surface_.communicator(), solver->bytes());
   bytes_ += bytes;
   while (bytes_ > budget_bytes_ && recent_.size() > 1) {

@@ -108,12 +108,11 @@ void RunLog::progress(Progress const& progress)
     return;
   }
   const double fraction = fractionDone(progress);
-  if (first_fraction_ < 0) {
-    first_fraction_ = fraction;
-    last_twentieth_ = static_cast<int>(20 * fraction);
-  }
-  const std::string left = timeLeft(fraction);
   const int twentieth = static_cast<int>(20 * fraction);
+  last_twentieth_ = last_twentieth_ < 0 ? twentieth : last_twentieth_;
+  time_left_.note(fraction, secondsSince(start_));
+  const double seconds_left = time_left_.seconds();
+  const std::string left = seconds_left >= 0 ? formatDuration(seconds_left) : "";
   if (twentieth > last_twentieth_ || secondsSince(last_line_) >= style_.seconds_per_line) {
     last_twentieth_ = twentieth;
     last_line_ = Clock::now();
@@ -127,12 +126,6 @@ void RunLog::progress(Progress const& progress)
   if (style_.in_place && !is_fresh) {
     updateLine(describeShort(progress, left));
   }
-}
-
-std::string RunLog::timeLeft(double fraction) const
-{
-  const double done = fraction - first_fraction_;
-  return done > 0 ? formatDuration(secondsSince(start_) * (1 - fraction) / done) : "";
 }
 
 // One column stays free: some terminals wrap when the last one is used.

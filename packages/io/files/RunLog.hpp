@@ -2,6 +2,7 @@
 
 #include "base/Types.hpp"
 #include "io/Output.hpp"
+#include "io/files/TimeLeft.hpp"
 
 #include <chrono>
 #include <cstdint>
@@ -27,7 +28,8 @@ struct Progress
 
 // Tells the user how the run goes: on a terminal one line that updates in place, elsewhere a line
 // every 30 s of wall time and at each 5 % of simulated time. DIR/run.log always gets the latter,
-// and all messages. Only rank 0 writes; elsewhere every function returns at once.
+// and all messages. The time left is judged by the speed of the last minutes (TimeLeft). Only rank
+// 0 writes; elsewhere every function returns at once.
 class RunLog
 {
 public:
@@ -55,7 +57,6 @@ private:
   using Clock = std::chrono::steady_clock;
 
   static double secondsSince(Clock::time_point begin);
-  std::string timeLeft(double fraction) const; // "" as long as there is nothing to judge by
   void updateLine(std::string line);
   void clearLine();
 
@@ -64,8 +65,8 @@ private:
   std::ostream& terminal_;
   Style style_;
   Clock::time_point start_, last_line_, last_update_;
-  double first_fraction_ = -1; // of the simulated time, at the first progress of this process
-  int last_twentieth_ = 0;
+  TimeLeft time_left_;
+  int last_twentieth_ = -1; // of the simulated time; -1 before the first progress of this process
   bool line_is_open_ = false;
 };
 } // namespace asperity::io

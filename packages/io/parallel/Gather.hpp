@@ -1,6 +1,7 @@
 #pragma once
 
 #include "base/Types.hpp"
+#include "base/parallel/Reductions.hpp"
 
 #include <vector>
 

@@ -3,6 +3,7 @@
 #include "base/Errors.hpp"
 #include "base/parallel/Agreement.hpp"
 #include "base/parallel/Messages.hpp"
+#include "base/parallel/Reductions.hpp"
 #include "mesh/file/MeshFile.hpp"
 #include "mesh/file/detail/PartCheck.hpp"
 #include "mesh/file/detail/SlabReader.hpp"
@@ -107,9 +108,7 @@ Mesh<Dim> readPart(std::string const& file_name, RCP<const Communicator> const& 
     ASPERITY_REQUIRE(reader.problem().empty(), reader.problem());
     detail::checkPart(mesh, whereIs(file_name) + ", part " + std::to_string(rank));
   });
-  GlobalOrdinal num_owned = 0;
-  Teuchos::reduceAll(*communicator, Teuchos::REDUCE_SUM, GlobalOrdinal(mesh.num_owned),
-                     Teuchos::outArg(num_owned));
+  const auto num_owned = sumOverRanks(GlobalOrdinal(mesh.num_owned), *communicator);
   ASPERITY_REQUIRE(num_owned == summary.num_vertices,
                    whereIs(file_name) << ": its parts own " << num_owned << " vertices of "
                                       << summary.num_vertices << ". Partition the mesh again.");

@@ -1,6 +1,7 @@
 #include "scenario/setup/FaultLoads.hpp"
 
 #include "base/parallel/Reductions.hpp"
+#include "mesh/PointText.hpp"
 
 #include <Tpetra_Vector.hpp>
 
@@ -42,7 +43,7 @@ std::vector<double> givenStress(NodalField const& field, Mesh<Dim> const& mesh,
   for (std::size_t i = 0; i < values.size(); ++i) {
     ASPERITY_REQUIRE(values[i] >= 0, joinPath(path, "Normal Stress")
                                        << " = " << values[i]
-                                       << " at x = " << formatPoint<Dim>(mesh.vertices[nodes[i]])
+                                       << " at x = " << mesh::text(mesh.vertices[nodes[i]])
                                        << ", t = 0, is outside [0, inf). Check the sign: "
                                           "compression is positive.");
   }

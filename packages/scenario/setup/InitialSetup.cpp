@@ -2,6 +2,7 @@
 
 #include "base/Text.hpp"
 #include "dynamics/InitialState.hpp"
+#include "mesh/PointText.hpp"
 #include "scenario/setup/BulkSetup.hpp"
 #include "scenario/setup/NodalField.hpp"
 #include "scenario/setup/TimeSetup.hpp"
@@ -89,7 +90,7 @@ template <int Dim>
 std::string placeOf(Mesh<Dim> const& mesh, int node)
 {
   return "at node " + std::to_string(mesh.global_ids[node]) +
-         ", x = " + formatPoint<Dim>(mesh.vertices[node]) + ",";
+         ", x = " + mesh::text(mesh.vertices[node]) + ",";
 }
 
 // Of the vectors of node i.

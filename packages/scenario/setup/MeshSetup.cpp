@@ -1,6 +1,7 @@
 #include "scenario/setup/MeshSetup.hpp"
 
 #include "base/fields/Field.hpp"
+#include "base/program/WorkTimers.hpp"
 #include "mesh/Boundaries.hpp"
 #include "mesh/Regions.hpp"
 #include "mesh/file/MeshFile.hpp"
@@ -309,6 +310,7 @@ template <int Dim>
 Mesh<Dim> makeMesh(ParameterList const& list, std::string const& fault,
                    RCP<const Communicator> const& communicator)
 {
+  ASPERITY_TIME_WORK("mesh");
   auto const type = list.get<std::string>("Type");
   auto const& of_type = list.sublist(type);
   auto const regions = conditionsIn<Dim>(list, "Regions");

@@ -48,17 +48,6 @@ std::array<double, 3> inSpace(Point<Dim> const& x)
   return {x[0], x[1], Dim == 3 ? x[Dim - 1] : 0};
 }
 
-// "(x, y)" or "(x, y, z)", for messages.
-template <int Dim>
-std::string formatPoint(Point<Dim> const& x)
-{
-  std::string text = "(";
-  for (int d = 0; d < Dim; ++d) {
-    text += (d > 0 ? ", " : "") + formatShort(x[d]);
-  }
-  return text + ")";
-}
-
 // Whether the deck gives the entry, as a parameter or as a list of values per region.
 bool isGiven(ParameterList const& list, std::string const& name);
 } // namespace asperity::scenario

@@ -34,6 +34,7 @@ dynamics::RateSolverSettings makeSolverSettings(ParameterList const& list, int n
   ASPERITY_REQUIRE(choice != "Direct" || num_ranks == 1,
                    "Asperity / TNNMG / Linear Correction = Direct works on one rank, not on "
                      << num_ranks << ". Choose MueLu or Auto.");
+  tnnmg::MueLuCorrection::requireAccepted(list.sublist("MueLu Correction"));
   dynamics::RateSolverSettings settings;
   settings.tnnmg = tnnmg::TnnmgSettings::from(list);
   const bool direct = choice == "Direct" || (choice == "Auto" && num_ranks == 1 &&

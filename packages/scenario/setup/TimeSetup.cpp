@@ -2,6 +2,7 @@
 
 #include "dynamics/control/RichardsonControl.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 namespace asperity::scenario
@@ -106,11 +107,16 @@ RCP<const ParameterList> timeParameters()
   auto const prescribed = Declare()
                             .integerArray("Levels", std::vector<int>{0}, Range::closed(0, 60),
                                           "Each step is the largest one divided by two to the "
-                                          "power of its entry; the last entry is repeated.")
+                                          "power of its entry; the last entry is repeated. A "
+                                          "step that is cut short to meet an instant uses up "
+                                          "its entry.")
                             .list();
   return Declare()
     .real("Final Time", required, "s", Range::positive(),
-          "The run ends with the first step that reaches it.")
+          "The run ends at this time; the last steps are cut short to meet it.")
+    .realArray("Instants", std::vector<double>{}, "s", Range::positive(),
+               "No step passes one of these times: a step ends there, to within the smallest step.")
+    .hint("Name the times at which a load changes faster than steps follow.")
     .choiceOfLists(
       "Scheme", "Newmark",
       {{"Newmark", newmark},
@@ -130,6 +136,22 @@ RCP<const ParameterList> timeParameters()
       "twice the size confirms; the pair is kept and the next size predicted. Prescribed: the "
       "sizes are listed.")
     .list();
+}
+
+std::vector<dynamics::DyadicTime::Ticks> instants(ParameterList const& list,
+                                                  dynamics::DyadicTime const& clock)
+{
+  auto times = list.get<Teuchos::Array<double>>("Instants").toVector();
+  times.push_back(finalTime(list));
+  std::vector<dynamics::DyadicTime::Ticks> result;
+  for (double t : times) {
+    ASPERITY_REQUIRE(clock.reaches(t + clock.stepSize(0)),
+                     path << " / Instants: " << t << " s is more than 9e18 smallest steps. Remove "
+                          << "it, or choose a larger 'Smallest Step'.");
+    result.push_back(clock.reaching(t));
+  }
+  std::sort(result.begin(), result.end());
+  return result;
 }
 
 double finalTime(ParameterList const& list) { return list.get<double>("Final Time"); }
@@ -174,8 +196,10 @@ dynamics::RateUpdate makeRateUpdate(ParameterList const& list, bool has_mass)
   return newmark(list);
 }
 
-std::unique_ptr<dynamics::StepControl> makeStepControl(ParameterList const& list,
-                                                       dynamics::CoupledStep& step)
+namespace
+{
+std::unique_ptr<dynamics::StepControl> chosenControl(ParameterList const& list,
+                                                     dynamics::CoupledStep& step)
 {
   auto const& clock = step.clock();
   auto const control = list.get<std::string>("Control");
@@ -191,5 +215,14 @@ std::unique_ptr<dynamics::StepControl> makeStepControl(ParameterList const& list
                                                  << " s has to be at most half of the largest one, "
                                                     "which a pair of steps is compared with.");
   return std::make_unique<dynamics::RichardsonControl>(step, makeRateUpdate(list).order, settings);
+}
+} // namespace
+
+std::unique_ptr<dynamics::StepControl> makeStepControl(ParameterList const& list,
+                                                       dynamics::CoupledStep& step)
+{
+  auto control = chosenControl(list, step);
+  control->setInstants(instants(list, step.clock()));
+  return control;
 }
 } // namespace asperity::scenario

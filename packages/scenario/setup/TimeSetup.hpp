@@ -9,6 +9,9 @@ namespace asperity::scenario
 RCP<const ParameterList> timeParameters();
 
 double finalTime(ParameterList const& list);
+// Final Time and Instants, ascending.
+std::vector<dynamics::DyadicTime::Ticks> instants(ParameterList const& list,
+                                                  dynamics::DyadicTime const& clock);
 dynamics::DyadicTime makeClock(ParameterList const& list);
 // Without mass InputError for a scheme that never forgets: Newmark's velocity then has the
 // amplification factor -1.

@@ -1,6 +1,7 @@
 #include "tnnmg/detail/CoarseCholesky.hpp"
 
 #include "base/Errors.hpp"
+#include "tnnmg/detail/EigenMatrix.hpp"
 
 #include <Eigen/SparseCholesky>
 #include <Teuchos_CommHelpers.hpp>
@@ -8,8 +9,6 @@
 #include <Tpetra_Import.hpp>
 #include <Tpetra_Map.hpp>
 #include <Tpetra_MultiVector.hpp>
-
-#include <vector>
 
 namespace asperity::tnnmg::detail
 {
@@ -32,27 +31,16 @@ RCP<const Map> mapOnRankZero(Map const& map)
   return rcp(new Map(num_global, num_local, 0, map.getComm()));
 }
 
-Eigen::SparseMatrix<double> toEigen(CrsMatrix const& A)
+// Gives rows without entries, or with zeros alone, a one on their diagonal.
+void completeEmptyRows(Eigen::SparseMatrix<double>& matrix)
 {
-  const auto local = A.getLocalMatrixHost();
-  const auto columns = A.getColMap()->getLocalMap();
-  const int num_rows = local.numRows();
-  std::vector<Eigen::Triplet<double>> entries;
-  entries.reserve(local.nnz() + num_rows);
-  for (int row = 0; row < num_rows; ++row) {
-    bool empty = true;
-    for (auto k = local.graph.row_map(row); k < local.graph.row_map(row + 1); ++k) {
-      const int column = static_cast<int>(columns.getGlobalElement(local.graph.entries(k)));
-      entries.emplace_back(row, column, local.values(k));
-      empty = empty && local.values(k) == 0;
-    }
-    if (empty) {
-      entries.emplace_back(row, row, 1.0);
+  const Eigen::VectorXd magnitude = matrix.cwiseAbs() * Eigen::VectorXd::Ones(matrix.cols());
+  for (Eigen::Index row = 0; row < matrix.rows(); ++row) {
+    if (magnitude(row) == 0) {
+      matrix.coeffRef(row, row) = 1;
     }
   }
-  Eigen::SparseMatrix<double> matrix(num_rows, num_rows);
-  matrix.setFromTriplets(entries.begin(), entries.end());
-  return matrix;
+  matrix.makeCompressed();
 }
 } // namespace
 
@@ -73,7 +61,9 @@ void CoarseCholesky::factorise(CrsMatrix const& gathered)
   auto& cholesky = factor_->cholesky;
   int definite = 1;
   if (gathered.getRowMap()->getComm()->getRank() == 0) {
-    cholesky.compute(toEigen(gathered));
+    auto matrix = toEigen(gathered, StoredZeros::keep);
+    completeEmptyRows(matrix);
+    cholesky.compute(matrix);
     definite = cholesky.info() == Eigen::Success && (cholesky.vectorD().array() > 0).all();
   }
   Teuchos::broadcast(*gathered.getRowMap()->getComm(), 0, &definite);

@@ -55,6 +55,11 @@ int solveFromZero(RCP<Problem> const& problem, RCP<Teuchos::ParameterList> const
 }
 } // namespace
 
+void checkBelosParameters(Teuchos::ParameterList const& belos)
+{
+  belos.validateParameters(*Solver().getValidParameters());
+}
+
 IterationResult conjugateGradients(RCP<const Operator> A, RCP<const Operator> preconditioner,
                                    Vector const& r, double relative_tolerance, int max_iterations,
                                    Teuchos::ParameterList const& belos, Vector& c)

@@ -12,6 +12,9 @@ struct IterationResult
   int iterations = 0; // each applies the preconditioner once
 };
 
+// Throws where Belos does not know a parameter or its type: a solve would not tell.
+void checkBelosParameters(Teuchos::ParameterList const& belos);
+
 // Preconditioned conjugate gradients (Belos) for A c = r from c = 0 until |r - A c| <=
 // relative_tolerance |r|. Afterwards the true residual is tested; if rounding has made it larger
 // than the updated one, the iteration is continued. belos: Belos's own parameters, apart from

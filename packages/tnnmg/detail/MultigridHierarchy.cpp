@@ -2,14 +2,14 @@
 
 #include "base/Errors.hpp"
 #include "tnnmg/detail/CoarseCholesky.hpp"
+#include "tnnmg/detail/MultigridTrial.hpp"
 
 #include <MueLu_CreateTpetraPreconditioner.hpp>
 #include <MueLu_SmootherBase.hpp>
 #include <Tpetra_CrsMatrix.hpp>
 
 #include <exception>
-#include <iostream>
-#include <sstream>
+#include <new>
 #include <string>
 
 namespace asperity::tnnmg::detail
@@ -99,45 +99,19 @@ Teuchos::ParameterList MultigridHierarchy::defaults(int components)
 
 namespace
 {
-// While it lives, what is written to std::cout and std::cerr goes to a string: before MueLu throws
-// it prints pages that hide the message.
-class SilencedStreams
+// The set-up fails for its matrix or its list; memory that is missing is no matter of either.
+template <class Work>
+void callMueLu(Work const& work)
 {
-public:
-  explicit SilencedStreams(std::string& said)
-      : said_(said)
-      , out_(std::cout.rdbuf(text_.rdbuf()))
-      , error_(std::cerr.rdbuf(text_.rdbuf()))
-  {
+  try {
+    work();
+  } catch (std::bad_alloc const&) {
+    throw;
+  } catch (std::exception const& error) {
+    throw SolveError("MueLu cannot set up a multigrid hierarchy: " + complaint(error.what()) +
+                     " Other parameters in the list MueLu, or 'Linear Correction' = Direct on one "
+                     "rank, may help.");
   }
-  ~SilencedStreams()
-  {
-    std::cout.rdbuf(out_);
-    std::cerr.rdbuf(error_);
-    said_ = text_.str();
-  }
-  SilencedStreams(SilencedStreams const&) = delete;
-  SilencedStreams& operator=(SilencedStreams const&) = delete;
-
-private:
-  std::string& said_;
-  std::ostringstream text_;
-  std::streambuf* out_;
-  std::streambuf* error_;
-};
-
-// The line that names the parameter, or else the last one.
-std::string complaint(std::string const& text)
-{
-  std::istringstream lines(text);
-  std::string last;
-  for (std::string line; std::getline(lines, line);) {
-    if (line.find("is not valid") != std::string::npos) {
-      return line;
-    }
-    last = line.empty() ? last : line;
-  }
-  return last;
 }
 } // namespace
 
@@ -149,15 +123,7 @@ MultigridHierarchy::MultigridHierarchy(RCP<const CrsMatrix> A,
   Teuchos::ParameterList list(muelu); // MueLu writes into it
   list.sublist("user data").set("Nullspace", rcp(new MultiVector(*near_null_space, Teuchos::Copy)));
   RCP<Tpetra::Operator<double, LocalOrdinal, GlobalOrdinal, Node>> fine = writable(A);
-  std::string said;
-  try {
-    const SilencedStreams silenced(said);
-    implementation_->muelu = MueLu::CreateTpetraPreconditioner(fine, list);
-  } catch (std::exception const& error) {
-    throw InputError("Asperity / TNNMG / MueLu Correction / MueLu is not accepted by MueLu: " +
-                     complaint(said + '\n' + error.what()) + " Correct the list or leave it out.");
-  }
-  std::cout << said; // what the list's own verbosity asks for
+  callMueLu([&] { implementation_->muelu = MueLu::CreateTpetraPreconditioner(fine, list); });
   setCoarseSolver();
 }
 
@@ -165,7 +131,7 @@ MultigridHierarchy::~MultigridHierarchy() = default;
 
 void MultigridHierarchy::rebuild(RCP<const CrsMatrix> A)
 {
-  MueLu::ReuseTpetraPreconditioner(writable(A), *implementation_->muelu);
+  callMueLu([&] { MueLu::ReuseTpetraPreconditioner(writable(A), *implementation_->muelu); });
   setCoarseSolver();
 }
 

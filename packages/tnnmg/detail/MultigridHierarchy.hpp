@@ -17,7 +17,7 @@ public:
   static Teuchos::ParameterList defaults(int components);
 
   // A is symmetric positive definite. near_null_space is almost zero at rows without off-diagonal
-  // entries.
+  // entries. SolveError where MueLu fails, here and in rebuild(); std::bad_alloc passes.
   MultigridHierarchy(RCP<const CrsMatrix> A, RCP<const MultiVector> near_null_space,
                      Teuchos::ParameterList const& muelu);
   ~MultigridHierarchy();

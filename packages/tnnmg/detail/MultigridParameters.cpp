@@ -76,7 +76,8 @@ MultigridParameters::MultigridParameters(ParameterList const& given, int compone
               : choice == "Rebuild" ? Hierarchy::rebuild
                                     : Hierarchy::automatic;
   outdated_share = list.get<double>("Outdated Share");
-  muelu = completeMueLu(list.sublist("MueLu"), components, given.name() + " / MueLu");
+  muelu =
+    completeMueLu(list.sublist("MueLu"), components, "Asperity / TNNMG / MueLu Correction / MueLu");
   belos = list.sublist("Belos");
 }
 } // namespace asperity::tnnmg::detail

@@ -1,6 +1,7 @@
 #include "tnnmg/detail/MultigridTruncatedMatrix.hpp"
 
-#include <Teuchos_CommHelpers.hpp>
+#include "base/parallel/Reductions.hpp"
+
 #include <Tpetra_CrsMatrix.hpp>
 #include <Tpetra_Import.hpp>
 #include <Tpetra_Map.hpp>
@@ -135,10 +136,7 @@ struct Ignore
 
 RCP<CrsMatrix> withCoupledTangents(CrsMatrix const& Z, MultigridNodes const& nodes)
 {
-  const int mine = forEachUncoupled(Z, nodes, Ignore());
-  int all = 0;
-  Teuchos::reduceAll(*Z.getComm(), Teuchos::REDUCE_SUM, mine, Teuchos::outArg(all));
-  if (all == 0) {
+  if (sumOverRanks(forEachUncoupled(Z, nodes, Ignore()), *Z.getComm()) == 0) {
     return Teuchos::null;
   }
   const auto result = rcp(new CrsMatrix(Z, Teuchos::Copy));

@@ -243,6 +243,30 @@ class Meshes(Case):
                 self.assert_refused(self.deck, "mesh.h5", ranks=2)
 
 
+class Failures(Case):
+    """What fails in mid-run leaves a checkpoint, on every number of ranks."""
+
+    STRESS = "Friction/Normal Stress=x > 0.5 && t > 0.25 ? sqrt(0 - 1) : 1e4"
+
+    def fail_in_mid_run(self, *arguments, ranks):
+        result = asperity_run.run(DECK, *settings(self.STRESS), *arguments, "--output", "out",
+                                  ranks=ranks)
+        self.assertEqual(result.returncode, 2, result.stdout + result.stderr)
+        messages = [line for line in result.stderr.splitlines() if line.startswith("asperity: ")]
+        self.assertEqual(len(messages), 1, result.stderr)
+        self.assertIn("Asperity / Friction / Normal Stress", messages[0])
+        self.assertIn("t = 0.3", messages[0])
+        self.assertIn("Stopped at t = 0.2", pathlib.Path("out/run.log").read_text())
+        self.assertEqual(len(asperity_run.table("out/steps.csv")), 2)
+
+    def test_an_expression_that_becomes_no_number(self):
+        for ranks in (1, 2):
+            with self.subTest(ranks):
+                shutil.rmtree("out", ignore_errors=True)
+                self.fail_in_mid_run(ranks=ranks)
+                self.fail_in_mid_run("--restart", "out/checkpoint.h5", ranks=ranks)
+
+
 class Physics(Case):
     def test_contradicting_conditions(self):
         side = '"Boundary" type="string" value="left"/>'

@@ -157,11 +157,14 @@ class Restart(Restarting):
         self.assert_same_results(folder, whole)
 
     def test_continued_beyond_its_end(self):
-        folder = asperity_run.run_to_end("continued", *RUN,
+        """As if the end had been an instant: the last steps have met it."""
+        run = [*RUN, *settings("Time Stepping/Instants={6}")]
+        whole = asperity_run.run_to_end("with_instant", *run)
+        folder = asperity_run.run_to_end("continued", *run,
                                          *settings("Time Stepping/Final Time=6"))
-        self.finish(folder)
+        self.finish(folder, deck=run)
         for name in ("steps.csv", "events.csv"):
-            self.assertEqual((self.whole / name).read_bytes(), (folder / name).read_bytes())
+            self.assertEqual((whole / name).read_bytes(), (folder / name).read_bytes())
 
     def test_refuses_another_deck(self):
         folder = self.fresh("other_deck")

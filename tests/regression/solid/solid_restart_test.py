@@ -23,7 +23,8 @@ TABLES = ["steps.csv", "events.csv", "global.csv"]
 
 class Restart(unittest.TestCase):
     def check(self, name, run, end, ranks=1, series=tuple(SERIES)):
-        """Stops the run at a time `end` before its own, and continues it."""
+        """Ends the run at a time `end` before its own, an instant of both, and continues it."""
+        run = [*run, *wedge_runs.settings(f"Time Stepping/Instants={{{end}}}")]
         whole = wedge_runs.run_deck(f"{name}_whole", *run, ranks=ranks)
         folder = wedge_runs.run_deck(f"{name}_continued", *run,
                                      *wedge_runs.settings(f"Time Stepping/Final Time={end}"),

@@ -2,7 +2,6 @@
 #include "base/NearestName.hpp"
 #include "base/Registry.hpp"
 #include "base/Text.hpp"
-#include "base/program/Timers.hpp"
 
 #include "unit/base/Refusal.hpp"
 
@@ -137,51 +136,5 @@ TEST(Text, Pieces)
   EXPECT_EQ(split("", '/'), (std::vector<std::string>{""}));
   EXPECT_EQ(quotedNames({"a", "b"}), "'a', 'b'");
   EXPECT_EQ(quotedAlternatives({"a", "b", "c"}), "'a', 'b' or 'c'");
-}
-
-TEST(Timers, AccumulateAndPrint)
-{
-  Timers timers;
-  Timer& work = timers["work"];
-  for (int i = 0; i < 3; ++i) {
-    TimedScope scope(work);
-    std::this_thread::sleep_for(std::chrono::milliseconds(2));
-  }
-  timers["idle"];
-  EXPECT_EQ(&work, &timers["work"]);
-  EXPECT_EQ(work.count(), 3);
-  EXPECT_GE(work.seconds(), 6e-3);
-  std::ostringstream table;
-  timers.print(table);
-  expectParts(table.str(), {"Work", "work", " ms"});
-  EXPECT_EQ(table.str().find("idle"), std::string::npos);
-}
-
-TEST(Timers, LongestFirst)
-{
-  Timers timers;
-  timers["short"].add(std::chrono::milliseconds(1));
-  timers["long"].add(std::chrono::seconds(100));
-  std::ostringstream table;
-  timers.print(table);
-  EXPECT_LT(table.str().find("long"), table.str().find("short"));
-  expectParts(table.str(), {"1 min 40 s"});
-}
-
-// The best of several, because other programs may use the core at the same time.
-TEST(Timers, CostLittle)
-{
-  Timer timer;
-  double best = 1.0;
-  for (int attempt = 0; attempt < 20; ++attempt) {
-    const auto start = std::chrono::steady_clock::now();
-    for (int i = 0; i < 10000; ++i) {
-      TimedScope scope(timer);
-    }
-    const std::chrono::duration<double> elapsed = std::chrono::steady_clock::now() - start;
-    best = std::min(best, elapsed.count() / 10000);
-  }
-  EXPECT_LT(best, 200e-9);
-  RecordProperty("nanoseconds_per_scope", static_cast<int>(best * 1e9));
 }
 } // namespace

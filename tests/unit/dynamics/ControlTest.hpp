@@ -5,6 +5,9 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <vector>
+
 namespace asperity::dynamics::testing
 {
 inline const DyadicTime half_seconds(0.5, 16);
@@ -78,6 +81,83 @@ protected:
     for (int n = 0; n < 5; ++n) {
       control.advance(state, count);
     }
+  }
+
+  // Times of the steps that `control` takes up to the last of the instants.
+  std::vector<DyadicTime::Ticks> timesUpTo(StepControl& control,
+                                           std::vector<DyadicTime::Ticks> const& instants)
+  {
+    control.setInstants(instants);
+    SolveCount count;
+    std::vector<DyadicTime::Ticks> times;
+    while (state.time < instants.back()) {
+      auto const before = state.time;
+      auto const accepted = control.advance(state, count);
+      EXPECT_EQ(state.time - before, half_seconds.ticks(accepted.level));
+      EXPECT_TRUE(accepted.within_tolerance);
+      times.push_back(state.time);
+    }
+    return times;
+  }
+
+  // The instants are among the times, the last one at their end; steps before an instant descend,
+  // and go on afterwards as if nothing had been.
+  void expectInstantsMet(StepControl& control)
+  {
+    auto const large = half_seconds.ticks(8);
+    const std::vector<DyadicTime::Ticks> instants = {20 * large + 173, 20 * large + 174, 45 * large,
+                                                     60 * large + 1};
+    auto const times = timesUpTo(control, instants);
+    for (auto instant : instants) {
+      EXPECT_EQ(std::count(times.begin(), times.end(), instant), 1) << instant;
+    }
+    EXPECT_EQ(times.back(), instants.back());
+    auto const at = [&](DyadicTime::Ticks instant) {
+      return std::find(times.begin(), times.end(), instant) - times.begin();
+    };
+    auto const after = at(instants[1]);
+    EXPECT_GE(times[after + 1] - times[after], large / 4) << "goes on with the size of before";
+    EXPECT_LE(after, 20 * 4 + 16);
+  }
+
+  // As long as no instant is in reach, it changes nothing.
+  void expectSameStepsFarFromInstants(StepControl& control, StepControl& free)
+  {
+    control.setInstants({half_seconds.ticks(0) * 1000});
+    SolveCount count;
+    auto other = state.clone();
+    for (int n = 0; n < 8; ++n) {
+      auto const accepted = control.advance(state, count);
+      auto const expected = free.advance(other, count);
+      EXPECT_EQ(accepted.level, expected.level);
+      EXPECT_EQ(accepted.error, expected.error);
+      EXPECT_EQ(denseOf(*state.v), denseOf(*other.v));
+    }
+  }
+
+  // What a control remembers while it cuts steps short is all that the steps to come depend on.
+  void expectContinuationBeforeAnInstant(StepControl& control, StepControl& continued)
+  {
+    const std::vector<DyadicTime::Ticks> instants = {10 * half_seconds.ticks(8) + 173};
+    SolveCount count;
+    control.setInstants(instants);
+    continued.setInstants(instants);
+    while (control.memory().level_after == ControlMemory::none) {
+      control.advance(state, count);
+      ASSERT_LT(state.time, instants[0]);
+    }
+    auto copy = state.clone();
+    continued.restore(control.memory());
+    for (int n = 0; n < 12; ++n) {
+      auto const expected = control.advance(state, count);
+      auto const accepted = continued.advance(copy, count);
+      EXPECT_EQ(accepted.level, expected.level);
+      EXPECT_EQ(accepted.error, expected.error);
+      EXPECT_EQ(copy.time, state.time);
+      EXPECT_EQ(denseOf(*copy.v), denseOf(*state.v));
+      EXPECT_EQ(denseOf(copy.alpha), denseOf(state.alpha));
+    }
+    EXPECT_GT(state.time, instants[0]);
   }
 
   Model model;

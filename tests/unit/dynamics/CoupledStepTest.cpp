@@ -168,6 +168,34 @@ TEST(CoupledStep, takesFewerIterationsFromSeveralIterates)
   }
 }
 
+// The largest change is met where a mean would hide it.
+TEST(CoupledStep, iteratesUntilTheNormAskedForIsSmall)
+{
+  const Model model(slidingBlock(2), alone());
+  auto from = slidingState(model);
+  from.alpha(0) -= 3; // one node out of equilibrium
+  auto settings = tightCoupling();
+  settings.anderson_depth = 0;
+  std::vector<int> iterations;
+  for (double tolerance : {1e-2, 1e-3, 1e-4, 1e-5, 1e-6}) {
+    settings.tolerance = tolerance;
+    for (Norm norm : {Norm::root_mean_square, Norm::maximum}) {
+      settings.norm = norm;
+      Stepper stepper(model, RateUpdate::newmark(0.25), milliseconds, settings);
+      auto to = from.clone();
+      auto const result = stepper.step.solve(from, 0, to, stepper.count);
+      EXPECT_TRUE(result.solved());
+      iterations.push_back(result.iterations);
+    }
+  }
+  int more = 0;
+  for (std::size_t i = 0; i < iterations.size(); i += 2) {
+    EXPECT_GE(iterations[i + 1], iterations[i]);
+    more += iterations[i + 1] - iterations[i];
+  }
+  EXPECT_GT(more, 0);
+}
+
 TEST(CoupledStep, endsInBalanceOfMomentumUnderEveryLaw)
 {
   for (std::string const law : {"Regularised", "Truncated"}) {

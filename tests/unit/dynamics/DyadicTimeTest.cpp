@@ -42,6 +42,22 @@ TEST(DyadicTime, sumsOfStepsAreExactInSeconds)
   EXPECT_EQ(clock.seconds(clock.ticks(7)), clock.stepSize(7));
 }
 
+TEST(DyadicTime, findsTheLargestStepWithin)
+{
+  const DyadicTime clock(0.5, 10);
+  EXPECT_EQ(clock.levelWithin(DyadicTime::Ticks(1) << 62), 0);
+  EXPECT_EQ(clock.levelWithin(1024), 0);
+  EXPECT_EQ(clock.levelWithin(1023), 1);
+  EXPECT_EQ(clock.levelWithin(3), 9);
+  EXPECT_EQ(clock.levelWithin(1), 10);
+}
+
+TEST(DyadicTime, takesNoTickForRounding)
+{
+  EXPECT_EQ(DyadicTime(0.1, 20).reaching(1.1), DyadicTime::Ticks(11) << 20);
+  EXPECT_EQ(DyadicTime(0.1, 20).reaching(1.1 + 1e-7), (DyadicTime::Ticks(11) << 20) + 2);
+}
+
 TEST(DyadicTime, reachesATimeWithTheFirstTickNotBeforeIt)
 {
   const DyadicTime clock(1, 3);

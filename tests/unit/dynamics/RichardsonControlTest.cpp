@@ -195,6 +195,30 @@ TEST_F(RichardsonControlTest, continuesFromItsMemoryExactly)
   }
 }
 
+TEST_F(RichardsonControlTest, meetsInstants)
+{
+  auto settings = adaptive(1e3, 8);
+  settings.coarsest_level = 7;
+  auto control = this->control(settings);
+  expectInstantsMet(control);
+}
+
+TEST_F(RichardsonControlTest, doesNotKnowOfInstantsFarAway)
+{
+  auto control = this->control(adaptive(1e-4, 8));
+  auto free = this->control(adaptive(1e-4, 8));
+  expectSameStepsFarFromInstants(control, free);
+}
+
+TEST_F(RichardsonControlTest, continuesBeforeAnInstantExactly)
+{
+  auto settings = adaptive(1e3, 8);
+  settings.coarsest_level = 7;
+  auto control = this->control(settings);
+  auto continued = this->control(settings);
+  expectContinuationBeforeAnInstant(control, continued);
+}
+
 TEST_F(RichardsonControlTest, halvesStepsThatCannotBeSolved)
 {
   // Few iterations of the fixed point have to do: that takes steps finer than the tolerance does.

@@ -154,6 +154,48 @@ TEST_F(StepControlTest, prescribedStepsAreTakenAndTheLastRepeated)
   EXPECT_EQ(count.coupled_steps, 4);
 }
 
+TEST_F(StepControlTest, doublingMeetsInstants)
+{
+  auto settings = adaptive(1e3, 8);
+  settings.coarsest_level = 8;
+  StepDoubling control(stepper.step, settings);
+  expectInstantsMet(control);
+}
+
+TEST_F(StepControlTest, doublingDoesNotKnowOfInstantsFarAway)
+{
+  StepDoubling control(stepper.step, adaptive(1e-4, 8));
+  StepDoubling free(stepper.step, adaptive(1e-4, 8));
+  expectSameStepsFarFromInstants(control, free);
+}
+
+TEST_F(StepControlTest, doublingContinuesBeforeAnInstantExactly)
+{
+  auto settings = adaptive(1e3, 8);
+  settings.coarsest_level = 8;
+  StepDoubling control(stepper.step, settings);
+  StepDoubling continued(stepper.step, settings);
+  expectContinuationBeforeAnInstant(control, continued);
+}
+
+TEST_F(StepControlTest, prescribedStepsMeetInstants)
+{
+  PrescribedSteps control(stepper.step, {8});
+  expectInstantsMet(control);
+}
+
+TEST_F(StepControlTest, aTrialBeyondANewInstantIsForgotten)
+{
+  StepDoubling control(stepper.step, adaptive(1e-4, 8));
+  SolveCount count;
+  do {
+    control.advance(state, count);
+  } while (!control.memory().trial);
+  auto const instant = control.memory().trial->state.time - 1;
+  auto const times = timesUpTo(control, {instant});
+  EXPECT_EQ(times.back(), instant);
+}
+
 TEST_F(StepControlTest, prescribedStepsThatFailEndTheRun)
 {
   Stepper hasty(model, RateUpdate::newmark(0.25), half_seconds, coupling(1e-12, 1));

@@ -10,6 +10,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <functional>
 #include <ostream>
 #include <string>
 
@@ -401,8 +402,62 @@ TEST(MueLuCorrection, refusesParametersThatNobodyKnows)
   auto with_unknown_method = parameters();
   with_unknown_method.set("Method", "W-Cycles");
   EXPECT_THROW(MueLuCorrection(model.problem(), with_unknown_method), InputError);
-  auto with_unknown_smoother = parameters();
-  with_unknown_smoother.sublist("MueLu").set("smoother: type", "SANDPAPER");
-  EXPECT_THROW(MueLuCorrection(model.problem(), with_unknown_smoother), InputError);
+}
+
+namespace
+{
+// The message of the error of the input, or nothing where the list is accepted.
+std::string refusal(std::string const& list, std::function<void(Teuchos::ParameterList&)> change)
+{
+  auto given = parameters();
+  change(given.sublist(list));
+  ::testing::internal::CaptureStdout();
+  std::string message;
+  try {
+    MueLuCorrection::requireAccepted(given);
+  } catch (InputError const& error) {
+    message = error.what();
+  }
+  EXPECT_EQ(::testing::internal::GetCapturedStdout(), "");
+  return message;
+}
+} // namespace
+
+TEST(MueLuCorrection, refusesListsThatMueLuOrBelosDoesNotTake)
+{
+  using List = Teuchos::ParameterList;
+  const auto smoother = [](List& list) { list.set("smoother: type", "SANDPAPER"); };
+  EXPECT_NE(refusal("MueLu", smoother).find("SANDPAPER"), std::string::npos);
+  const auto misspelt = refusal("MueLu", [](List& list) { list.set("max level", 3); });
+  EXPECT_NE(misspelt.find("Did you mean \"max levels\""), std::string::npos) << misspelt;
+  const auto wrong_type = refusal("MueLu", [](List& list) { list.set("max levels", "three"); });
+  EXPECT_NE(wrong_type.find("max levels"), std::string::npos) << wrong_type;
+  const auto belos = refusal("Belos", [](List& list) { list.set("Tolerence", 1e-3); });
+  EXPECT_NE(belos.find("Tolerence"), std::string::npos) << belos;
+}
+
+TEST(MueLuCorrection, takesListsThatMueLuAndBelosTake)
+{
+  using List = Teuchos::ParameterList;
+  EXPECT_EQ(refusal("MueLu", [](List& list) { list.set("verbosity", "extreme"); }), "");
+  EXPECT_EQ(refusal("MueLu", [](List& list) { list.set("smoother: type", "CHEBYSHEV"); }), "");
+  EXPECT_EQ(refusal("MueLu", [](List& list) { list.set("multigrid algorithm", "unsmoothed"); }),
+            "");
+  EXPECT_EQ(refusal("Belos", [](List& list) { list.set("Timer Label", "correction"); }), "");
+}
+
+// MueLu refuses an aggregate without any share in the only vector, whatever the list says.
+TEST(MueLuCorrection, failureOfTheSetUpIsNoFaultOfTheList)
+{
+  const auto model = modelWith(large_step);
+  auto problem = model.problem();
+  problem.near_null_space = rcp(new MultiVector(problem.Z->getRowMap(), 3)); // zero
+  try {
+    MueLuCorrection correction(problem, parameters());
+    FAIL() << "was set up";
+  } catch (SolveError const& error) {
+    EXPECT_NE(std::string(error.what()).find("MueLu cannot set up"), std::string::npos)
+      << error.what();
+  }
 }
 } // namespace asperity::tnnmg

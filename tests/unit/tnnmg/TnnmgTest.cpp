@@ -353,6 +353,52 @@ private:
 };
 } // namespace
 
+namespace
+{
+// Claims to have converged, with a correction that points uphill.
+class UphillCorrection : public LinearCorrection
+{
+public:
+  UphillCorrection(std::shared_ptr<LinearCorrection> right, double factor)
+      : right_(std::move(right))
+      , factor_(factor)
+  {
+  }
+  CorrectionResult solve(NonlinearBlocks const& blocks, Vector const& r, double tolerance,
+                         Vector& c) override
+  {
+    const auto result = right_->solve(blocks, r, tolerance, c);
+    c.scale(factor_);
+    return result;
+  }
+
+private:
+  std::shared_ptr<LinearCorrection> right_;
+  double factor_;
+};
+} // namespace
+
+TEST(Tnnmg, doesNotConvergeWhereNoCorrectionIsADescent)
+{
+  const RateProblem problem({1., 2, 1, Kind::logarithm});
+  auto const& model = problem.model;
+  const auto solve = [&](double factor) {
+    const auto right = std::make_shared<MueLuCorrection>(model.problem(), multigridParameters());
+    Tnnmg<RoughNodes> tnnmg(model.Z, model.nodesWith(problem.heldOnRank({})),
+                            std::make_shared<UphillCorrection>(right, factor), TnnmgSettings());
+    const Vector b = model.scatter(problem.b);
+    Vector v(model.map);
+    return tnnmg.solve(problem.nodesOfRank(), b, v);
+  };
+  const auto uphill = solve(-1);
+  EXPECT_FALSE(uphill.converged);
+  EXPECT_EQ(uphill.lost_corrections, uphill.iterations);
+  EXPECT_LE(uphill.last_change, 1e-8) << "which would pass for convergence";
+  const auto downhill = solve(1);
+  EXPECT_TRUE(downhill.converged);
+  EXPECT_EQ(downhill.lost_corrections, 0);
+}
+
 // Gauss-Seidel on the fault comes to rest against a body that nothing has moved.
 TEST(Tnnmg, doesNotConvergeWithoutCorrections)
 {

@@ -1,0 +1,86 @@
+#include "base/program/WorkTimers.hpp"
+
+#include "base/Text.hpp"
+#include "base/parallel/Reductions.hpp"
+
+#include <algorithm>
+#include <chrono>
+#include <cstdio>
+#include <map>
+#include <vector>
+
+namespace asperity
+{
+namespace
+{
+const auto program_start = std::chrono::steady_clock::now();
+
+// Trilinos has timers of its own.
+const std::string prefix = "asperity: ";
+
+struct Row
+{
+  std::string name;
+  double least = 0, most = 0; // of the ranks [s]
+  double count = 0;           // largest of the ranks
+};
+
+std::vector<Row> rowsOfWork(Communicator const& communicator)
+{
+  Teuchos::stat_map_type statistics;
+  std::vector<std::string> names;
+  Teuchos::TimeMonitor::computeGlobalTimerStatistics(
+    statistics, names, Teuchos::ptrFromRef(communicator), Teuchos::Union, prefix);
+  const auto place = [&](char const* name) {
+    return std::find(names.begin(), names.end(), name) - names.begin();
+  };
+  const auto least = place("MinOverProcs"), most = place("MaxOverProcs");
+  std::vector<Row> rows;
+  for (auto const& [label, values] : statistics) {
+    if (values[most].second > 0) {
+      rows.push_back({label.substr(prefix.size()), values[least].first, values[most].first,
+                      values[most].second});
+    }
+  }
+  std::stable_sort(rows.begin(), rows.end(),
+                   [](Row const& a, Row const& b) { return a.most > b.most; });
+  return rows;
+}
+
+std::string line(Row const& row, double total)
+{
+  char numbers[100];
+  std::snprintf(numbers, sizeof numbers, "%10.2f %10.2f %6.1f %% %10.0f\n", row.least, row.most,
+                100 * row.most / total, row.count);
+  std::string name = row.name;
+  name.resize(std::max<std::size_t>(name.size(), 32), ' ');
+  return name + numbers;
+}
+} // namespace
+
+RCP<Teuchos::Time> workTimer(std::string const& name)
+{
+  auto const existing = Teuchos::TimeMonitor::lookupCounter(prefix + name);
+  return existing.is_null() ? Teuchos::TimeMonitor::getNewCounter(prefix + name) : existing;
+}
+
+std::string tableOfWork(Communicator const& communicator)
+{
+  const std::chrono::duration<double> elapsed = std::chrono::steady_clock::now() - program_start;
+  const double total = maxOverRanks(elapsed.count(), communicator);
+  auto rows = rowsOfWork(communicator);
+  Row other{"other", total, total, 1};
+  for (auto const& row : rows) {
+    other.least -= row.most;
+    other.most -= row.least;
+  }
+  other.least = std::max(other.least, 0.);
+  other.most = std::max(other.most, 0.);
+  std::string table =
+    "Work                                min [s]    max [s]    share      count\n";
+  for (auto const& row : rows) {
+    table += line(row, total);
+  }
+  return table + line(other, total) + line({"whole run", total, total, 1}, total);
+}
+} // namespace asperity

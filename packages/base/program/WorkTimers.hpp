@@ -1,0 +1,25 @@
+#pragma once
+
+#include "base/Types.hpp"
+
+#include <Teuchos_TimeMonitor.hpp>
+
+#include <string>
+
+// Times the rest of the block as one kind of work of the run, at the price of reading the clock
+// twice. One host thread; a name may be used in several places.
+//   ASPERITY_TIME_WORK("line search");
+#define ASPERITY_TIME_WORK(name)                                                                   \
+  static auto const asperity_work = ::asperity::workTimer(name);                                   \
+  Teuchos::TimeMonitor const asperity_timed_work(*asperity_work)
+
+namespace asperity
+{
+// The timer of a kind of work, one for each name.
+RCP<Teuchos::Time> workTimer(std::string const& name);
+
+// Where the wall time of this process went since its start: one line for each kind of work that was
+// done, the longest first, with the smallest and the largest time of the ranks. Kinds do not
+// contain each other; what belongs to none of them stands last. Collective, for rank 0 to print.
+std::string tableOfWork(Communicator const& communicator);
+} // namespace asperity
