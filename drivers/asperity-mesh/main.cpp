@@ -4,6 +4,7 @@
 #include "base/NearestName.hpp"
 #include "base/program/MpiScope.hpp"
 
+#include <algorithm>
 #include <functional>
 #include <iostream>
 #include <map>
@@ -32,9 +33,10 @@ void printHelp()
     << "  asperity-mesh partition FILE.h5 --parts N --output OUT.h5 [--overwrite]\n"
        "                [--boundary NAME] [--boundary-weight W]\n"
        "    Divides a mesh, partitioned before or not, into N parts for N ranks.\n"
-       "    The parts also get equal shares of the vertices of the boundary, which is the fault;\n"
-       "    they count W times in the balance (4). Both options are kept when a mesh is\n"
-       "    partitioned again.\n"
+       "    The parts also get equal shares of the vertices of the boundary, which is the fault; "
+       "they\n"
+       "    count W times in the balance (4). A mesh that is partitioned again keeps both "
+       "options.\n"
        "  asperity-mesh info FILE.h5\n"
        "    Prints counts, sizes, regions and boundaries of a mesh, partitioned or not.\n\n"
        "Exit status: 0 done, 2 the input is at fault.\n";
@@ -51,9 +53,8 @@ void run(std::vector<std::string> const& words)
   }
   ASPERITY_REQUIRE(!words.empty(), "A command is missing. See asperity-mesh --help.");
   const auto found = commands.find(words[0]);
-  ASPERITY_REQUIRE(found != commands.end(), "Unknown command '"
-                                              << words[0] << "'."
-                                              << asperity::didYouMean(words[0], names));
+  const std::string hint = asperity::didYouMean(words[0], names);
+  ASPERITY_REQUIRE(found != commands.end(), "Unknown command '" << words[0] << "'." << hint);
   found->second({words.begin() + 1, words.end()});
 }
 } // namespace
@@ -61,11 +62,10 @@ void run(std::vector<std::string> const& words)
 int main(int argc, char** argv)
 {
   const std::vector<std::string> words(argv + 1, argv + argc);
-  for (auto const& word : words) {
-    if (word == "--help" || word == "-h") {
-      printHelp();
-      return asperity::exit_done;
-    }
+  const std::vector<std::string> help = {"--help", "-h"};
+  if (std::find_first_of(words.begin(), words.end(), help.begin(), help.end()) != words.end()) {
+    printHelp();
+    return asperity::exit_done;
   }
   try {
     run(words);

@@ -1,6 +1,6 @@
 #include "base/Colouring.hpp"
 
-#include "base/SplitMix.hpp"
+#include "base/Hashes.hpp"
 #include "base/parallel/Reductions.hpp"
 
 #include <Tpetra_CrsGraph.hpp>

@@ -2,7 +2,7 @@
 
 #include "base/Types.hpp"
 #include "fem/BodyMatrices.hpp"
-#include "fem/HeldDofs.hpp"
+#include "fem/constraints/HeldDofs.hpp"
 
 #include <functional>
 #include <memory>

@@ -2,9 +2,9 @@
 
 #include "base/Types.hpp"
 #include "fem/DofMap.hpp"
-#include "fem/HeldDofs.hpp"
 #include "fem/Material.hpp"
-#include "fem/NodalFrames.hpp"
+#include "fem/constraints/HeldDofs.hpp"
+#include "fem/constraints/NodalFrames.hpp"
 #include "mesh/Mesh.hpp"
 
 #include <vector>

@@ -1,8 +1,8 @@
 #pragma once
 
 #include "base/Views.hpp"
-#include "fem/Constraints.hpp"
-#include "fem/HeldDofs.hpp"
+#include "fem/constraints/Constraints.hpp"
+#include "fem/constraints/HeldDofs.hpp"
 
 #include <memory>
 #include <string>

@@ -4,7 +4,7 @@
 #include "fem/DofMap.hpp"
 #include "fem/FaultSurface.hpp"
 #include "fem/Material.hpp"
-#include "fem/NodalFrames.hpp"
+#include "fem/constraints/NodalFrames.hpp"
 #include "mesh/Mesh.hpp"
 
 #include <array>

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "fem/DofMap.hpp"
-#include "fem/NodalFrames.hpp"
+#include "fem/constraints/NodalFrames.hpp"
 #include "mesh/Mesh.hpp"
 
 namespace asperity::fem

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "fem/FaultSurface.hpp"
-#include "fem/VelocityCondition.hpp"
+#include "fem/constraints/VelocityCondition.hpp"
 
 #include <vector>
 

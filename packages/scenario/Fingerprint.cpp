@@ -1,6 +1,6 @@
 #include "scenario/Fingerprint.hpp"
 
-#include "base/Checksum.hpp"
+#include "base/Hashes.hpp"
 #include "base/fields/VertexDataset.hpp"
 #include "base/parallel/Agreement.hpp"
 #include "mesh/parallel/MeshChecksum.hpp"

@@ -5,8 +5,8 @@
 #include "dynamics/Fault.hpp"
 #include "dynamics/State.hpp"
 #include "dynamics/coupling/RateSolver.hpp"
-#include "fem/Constraints.hpp"
 #include "fem/Material.hpp"
+#include "fem/constraints/Constraints.hpp"
 #include "scenario/setup/BoundarySetup.hpp"
 
 #include <memory>

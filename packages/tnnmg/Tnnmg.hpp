@@ -27,7 +27,7 @@ struct TnnmgResult
   double last_change = 0;   // energy norm
   int failed_nodes = 0;     // on any rank
 
-  // Not for want of iterations.
+  // True if more iterations would not help: a node failed, or a value is not finite.
   bool failed() const { return failed_nodes > 0 || !std::isfinite(last_change); }
 };
 

@@ -1,7 +1,7 @@
 #include "base/fields/VertexDataset.hpp"
 
-#include "base/Checksum.hpp"
 #include "base/Errors.hpp"
+#include "base/Hashes.hpp"
 
 #include <algorithm>
 #include <filesystem>

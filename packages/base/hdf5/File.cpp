@@ -10,7 +10,9 @@ Handle sharedAccess(std::filesystem::path const& path, MPI_Comm comm)
 {
   Handle access = makeProperties(H5P_FILE_ACCESS, path.string());
   int num_ranks = 1;
-  MPI_Comm_size(comm, &num_ranks);
+  if (comm != MPI_COMM_SELF) { // which a program without MPI names, too
+    MPI_Comm_size(comm, &num_ranks);
+  }
   if (num_ranks > 1) { // a single rank needs no MPI-IO, which some file systems lack
     checked("Sharing " + path.string(),
             [&] { return H5Pset_fapl_mpio(access.get(), comm, MPI_INFO_NULL); });

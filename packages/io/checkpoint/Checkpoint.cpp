@@ -1,7 +1,7 @@
 #include "io/checkpoint/Checkpoint.hpp"
 
-#include "base/Checksum.hpp"
 #include "base/Errors.hpp"
+#include "base/Hashes.hpp"
 #include "base/hdf5/File.hpp"
 #include "base/parallel/Agreement.hpp"
 #include "base/parallel/Messages.hpp"

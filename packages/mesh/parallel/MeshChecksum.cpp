@@ -1,6 +1,6 @@
 #include "mesh/parallel/MeshChecksum.hpp"
 
-#include "base/Checksum.hpp"
+#include "base/Hashes.hpp"
 
 #include <Teuchos_CommHelpers.hpp>
 

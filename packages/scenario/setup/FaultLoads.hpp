@@ -3,7 +3,7 @@
 #include "base/parameters/Parameters.hpp"
 #include "dynamics/NormalStress.hpp"
 #include "fem/FaultSurface.hpp"
-#include "fem/NodalFrames.hpp"
+#include "fem/constraints/NodalFrames.hpp"
 #include "scenario/setup/NodalField.hpp"
 
 namespace asperity::scenario

@@ -5,7 +5,7 @@
 #include "dynamics/Fault.hpp"
 #include "dynamics/State.hpp"
 #include "dynamics/coupling/RateSolver.hpp"
-#include "fem/Constraints.hpp"
+#include "fem/constraints/Constraints.hpp"
 
 namespace asperity::scenario
 {

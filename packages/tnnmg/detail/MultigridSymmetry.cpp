@@ -1,7 +1,7 @@
 #include "tnnmg/detail/MultigridSymmetry.hpp"
 
 #include "base/Errors.hpp"
-#include "base/SplitMix.hpp"
+#include "base/Hashes.hpp"
 
 #include <Tpetra_Map.hpp>
 #include <Tpetra_Vector.hpp>

@@ -1,4 +1,4 @@
-#include "base/Checksum.hpp"
+#include "base/Hashes.hpp"
 #include "base/NearestName.hpp"
 #include "base/Registry.hpp"
 #include "base/Text.hpp"

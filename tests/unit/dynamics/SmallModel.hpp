@@ -2,7 +2,7 @@
 
 #include "dynamics/FaultMotion.hpp"
 #include "dynamics/coupling/CoupledStep.hpp"
-#include "fem/Constraints.hpp"
+#include "fem/constraints/Constraints.hpp"
 #include "mesh/GlobalMesh.hpp"
 
 #include <Eigen/Dense>

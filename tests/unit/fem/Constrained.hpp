@@ -1,6 +1,6 @@
 #pragma once
 
-#include "fem/Constraints.hpp"
+#include "fem/constraints/Constraints.hpp"
 #include "unit/fem/SampleMeshes.hpp"
 
 #include <Eigen/Dense>

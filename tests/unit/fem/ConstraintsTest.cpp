@@ -1,4 +1,4 @@
-#include "fem/Constraints.hpp"
+#include "fem/constraints/Constraints.hpp"
 
 #include "fem/BoundaryMeasure.hpp"
 #include "unit/fem/Constrained.hpp"

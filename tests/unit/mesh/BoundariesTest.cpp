@@ -68,7 +68,7 @@ TEST(Boundaries, RefuseAConditionThatNamesNoFacet)
     [&] {
       overrideBoundaries(mesh, Conditions{{"west", isOnTheLeft}, {"rim", isEverywhere}}, "Deck");
     },
-    {"Deck / west", "later ones"});
+    {"Deck / west", "later boundaries"});
   EXPECT_EQ(mesh.boundaries, unitSquare().boundaries);
 }
 

@@ -126,7 +126,7 @@ class SolidMeshes(mesh_tool.Case):
                                 (["--depth", "1", "--layers", "0"], ["Layers = 0"]),
                                 (["--depth", "1", "--layers", "2", "--periodic"], ["At least 3"]),
                                 (["--depth", "1", "--layers", "2", "--patches", "0 to 1"],
-                                 ["--patches has no meaning"]),
+                                 ["--patches cannot be combined with --layers"]),
                                 (["--depth", "1", "--patches", "0 to 1, 2"], ["--patches: '2'"]),
                                 (["--depth", "1", "--patches", "0 to 2"], ["0 to 2 m is no part"])):
             self.assert_refused(["wedge", "a.h5", "--cell-size", "0.1", *options], *pieces)

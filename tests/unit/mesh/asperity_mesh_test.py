@@ -191,10 +191,10 @@ class Convert(mesh_tool.Case):
         self.assert_refused(["convert", "none.msh", "none.h5"],
                             "'none.msh'", "cannot be opened")
         # Gmsh would run this as a script of its own.
-        self.assert_not_converted('SystemCall "touch was_run";\n', "no mesh of Gmsh's")
+        self.assert_not_converted('SystemCall "touch was_run";\n', "not a mesh of Gmsh")
         self.assertFalse(pathlib.Path("was_run").exists())
         self.assert_not_converted(msh()[:200], "cannot be read by Gmsh")
-        self.assert_not_converted("", "no mesh of Gmsh's")
+        self.assert_not_converted("", "not a mesh of Gmsh")
 
     def test_existing_files_stay(self):
         pathlib.Path("square.msh").write_text(msh())

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "base/Checksum.hpp"
+#include "base/Hashes.hpp"
 #include "mesh/file/PartitionedFile.hpp"
 #include "mesh/file/detail/MeshFileReader.hpp"
 

@@ -1,6 +1,6 @@
-#include "fem/detail/ConditionNodes.hpp"
+#include "fem/constraints/detail/ConditionNodes.hpp"
 
-#include "fem/detail/NodalBasis.hpp"
+#include "fem/constraints/detail/NodalBasis.hpp"
 #include "mesh/SimplexGeometry.hpp"
 
 #include <algorithm>

@@ -1,4 +1,4 @@
-#include "fem/detail/NodalBasis.hpp"
+#include "fem/constraints/detail/NodalBasis.hpp"
 
 #include "base/Errors.hpp"
 

@@ -1,8 +1,7 @@
-#include "fem/VelocityCondition.hpp"
+#include "fem/constraints/VelocityCondition.hpp"
 
 #include "base/Errors.hpp"
-#include "base/Overloaded.hpp"
-#include "fem/detail/NodalBasis.hpp"
+#include "fem/constraints/detail/NodalBasis.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -13,6 +12,15 @@ using Components = std::vector<double>;
 
 namespace
 {
+// Several functions as one, for std::visit: a case for each type of a variant.
+template <class... Cases>
+struct Overloaded : Cases...
+{
+  using Cases::operator()...;
+};
+
+template <class... Cases>
+Overloaded(Cases...) -> Overloaded<Cases...>;
 Components normalised(Components vector, std::string const& condition)
 {
   const double size = std::sqrt(detail::dot(vector, vector));

@@ -2,11 +2,11 @@
 
 #include "base/Types.hpp"
 #include "fem/DofMap.hpp"
-#include "fem/HeldDofs.hpp"
-#include "fem/NodalFrames.hpp"
-#include "fem/VelocityCondition.hpp"
-#include "fem/detail/ConditionDirections.hpp"
-#include "fem/detail/NodalBasis.hpp"
+#include "fem/constraints/HeldDofs.hpp"
+#include "fem/constraints/NodalFrames.hpp"
+#include "fem/constraints/VelocityCondition.hpp"
+#include "fem/constraints/detail/ConditionDirections.hpp"
+#include "fem/constraints/detail/NodalBasis.hpp"
 
 #include <optional>
 #include <vector>

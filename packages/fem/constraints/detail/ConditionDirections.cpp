@@ -1,8 +1,8 @@
-#include "fem/detail/ConditionDirections.hpp"
+#include "fem/constraints/detail/ConditionDirections.hpp"
 
 #include "base/Errors.hpp"
-#include "fem/detail/ConditionNodes.hpp"
-#include "fem/detail/NodalBasis.hpp"
+#include "fem/constraints/detail/ConditionNodes.hpp"
+#include "fem/constraints/detail/NodalBasis.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "fem/VelocityCondition.hpp"
+#include "fem/constraints/VelocityCondition.hpp"
 
 #include <map>
 #include <vector>

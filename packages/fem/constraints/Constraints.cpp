@@ -1,4 +1,4 @@
-#include "fem/Constraints.hpp"
+#include "fem/constraints/Constraints.hpp"
 
 #include "base/Errors.hpp"
 #include "mesh/PointText.hpp"

@@ -1,4 +1,4 @@
-#include "fem/HeldDofs.hpp"
+#include "fem/constraints/HeldDofs.hpp"
 
 namespace asperity::fem
 {

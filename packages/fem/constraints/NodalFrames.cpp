@@ -1,4 +1,4 @@
-#include "fem/NodalFrames.hpp"
+#include "fem/constraints/NodalFrames.hpp"
 
 #include "base/Errors.hpp"
 
