@@ -6,6 +6,8 @@
 // The commands of asperity-mesh; `words` are the arguments after the name of the command.
 // InputError if an argument, or a file that it names, is wrong.
 
+void printHelp();
+
 // IN.msh OUT.h5 [--overwrite]
 void convert(std::vector<std::string> const& words);
 

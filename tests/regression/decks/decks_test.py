@@ -58,7 +58,7 @@ class PrintedParameters(unittest.TestCase):
                      "TNNMG", "Output"):
             self.assertIn(name, lists)
         names = {item.get("name") for item in lists["Coupling"].iter("Parameter")}
-        self.assertEqual(names, {"Tolerance", "Maximum Iterations", "Anderson Depth"})
+        self.assertEqual(names, {"Tolerance", "Norm", "Maximum Iterations", "Anderson Depth"})
 
     def test_once_on_two_ranks(self):
         self.assertEqual(self.print_parameters(ranks=2), self.print_parameters())

@@ -1,0 +1,30 @@
+#include "Commands.hpp"
+
+#include <iostream>
+
+void printHelp()
+{
+  std::cout
+    << "asperity-mesh makes, converts and partitions meshes.\n\n"
+       "  asperity-mesh convert IN.msh OUT.h5 [--overwrite]\n"
+       "    Converts Gmsh's format to ours; physical groups become regions and boundaries.\n"
+       "  asperity-mesh wedge OUT.h5 [--overwrite] [OPTION VALUE]...\n"
+       "    Makes the subduction wedge of Pipping 2014, A.1, by bisection. Options:\n"
+    << wedgeOptions()
+    << "  asperity-mesh rectangle OUT.h5 [--overwrite] [OPTION VALUE]...\n"
+       "    Makes a rectangle of right triangles, graded by bisection. Options:\n"
+    << rectangleOptions()
+    << "  asperity-mesh box OUT.h5 [--overwrite] [OPTION VALUE]...\n"
+       "    Makes a box of bricks of six tetrahedra each, graded by bisection. Options:\n"
+    << boxOptions()
+    << "  asperity-mesh partition FILE.h5 --parts N --output OUT.h5 [--overwrite]\n"
+       "                [--boundary NAME] [--boundary-weight W]\n"
+       "    Divides a mesh, partitioned before or not, into N parts for N ranks.\n"
+       "    The parts also get equal shares of the vertices of the boundary, which is the fault; "
+       "they\n"
+       "    count W times in the balance (4). A mesh that is partitioned again keeps both "
+       "options.\n"
+       "  asperity-mesh info FILE.h5\n"
+       "    Prints counts, sizes, regions and boundaries of a mesh, partitioned or not.\n\n"
+       "Exit status: 0 done, 2 the input is at fault, 5 a file cannot be written.\n";
+}
