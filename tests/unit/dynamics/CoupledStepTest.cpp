@@ -177,8 +177,8 @@ TEST(CoupledStep, iteratesUntilTheNormAskedForIsSmall)
   auto settings = tightCoupling();
   settings.anderson_depth = 0;
   std::vector<int> iterations;
-  for (int quarter = 8; quarter <= 32; ++quarter) { // some lie between a mean and a maximum
-    settings.tolerance = std::pow(10, -quarter / 4.);
+  for (int k = 32; k <= 128; ++k) { // some lie between a mean and a maximum
+    settings.tolerance = std::pow(10, -k / 16.);
     for (Norm norm : {Norm::root_mean_square, Norm::maximum}) {
       settings.norm = norm;
       Stepper stepper(model, RateUpdate::newmark(0.25), milliseconds, settings);
