@@ -128,7 +128,8 @@ class SolidMeshes(mesh_tool.Case):
                                 (["--depth", "1", "--layers", "2", "--patches", "0 to 1"],
                                  ["--patches cannot be combined with --layers"]),
                                 (["--depth", "1", "--patches", "0 to 1, 2"], ["--patches: '2'"]),
-                                (["--depth", "1", "--patches", "0 to 2"], ["from 0 to 2 m does not lie within"])):
+                                (["--depth", "1", "--patches", "0 to 2"],
+                                 ["from 0 to 2 m does not lie within"])):
             self.assert_refused(["wedge", "a.h5", "--cell-size", "0.1", *options], *pieces)
         self.assertFalse(pathlib.Path("a.h5").exists())
 
