@@ -39,7 +39,7 @@ public:
     }                                                                                              \
   } while (false)
 
-// A mistake of ours, not of the user's.
+// Checks a condition that can only be violated by an error in the program, not in the user's input.
 #define ASPERITY_ASSERT(condition)                                                                 \
   do {                                                                                             \
     if (!(condition)) {                                                                            \

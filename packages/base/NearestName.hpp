@@ -38,8 +38,8 @@ inline std::size_t editDistance(std::string const& left, std::string const& righ
   return last.back();
 }
 
-// The candidate nearest to the name, or "" when there is none that a slip of the pen would explain
-// (more than a third of the letters differ, two at least being allowed).
+// The candidate nearest to the name, or "" if none is similar enough. At most a third of the
+// letters may differ, or two letters of a short name.
 inline std::string nearestName(std::string const& name, std::vector<std::string> const& candidates)
 {
   std::string nearest;

@@ -20,8 +20,8 @@ namespace asperity
 //   auto output = OutputRegistry::instance().create("Events", "Asperity / Output", list);
 //
 // Registration runs when the library is loaded, where nothing may be thrown; keep plugins in shared
-// or object libraries. Two plugins of one name are a mistake of ours: names and create throw
-// std::logic_error from then on.
+// or object libraries. If two plugins have the same name, which is an error in the program, names
+// and create throw std::logic_error.
 template <class Product, class... Arguments>
 class Registry
 {
@@ -46,7 +46,7 @@ public:
 
   bool contains(std::string const& name) const { return factories_.count(name) > 0; }
 
-  // The name of each registration: one that two plugins have stands there twice.
+  // The names of all registrations; a name that two plugins have appears twice.
   std::vector<std::string> registrations() const
   {
     auto all = sortedNames();
@@ -99,7 +99,7 @@ private:
   }
 
   std::map<std::string, Factory> factories_;
-  std::vector<std::string> repeated_; // names that were taken
+  std::vector<std::string> repeated_; // names that are registered more than once
 };
 } // namespace asperity
 

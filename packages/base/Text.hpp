@@ -16,7 +16,7 @@ std::string formatShort(double value);
 // years"; a year has 365.25 days.
 std::string formatDuration(double seconds);
 
-// Without blanks at both ends.
+// The text without blanks at its ends.
 std::string trimmed(std::string const& text);
 
 // The pieces between the separators, each trimmed; one empty piece for an empty text.
@@ -28,8 +28,8 @@ std::string quotedNames(std::vector<std::string> const& names);
 // "'a', 'b' or 'c'"
 std::string quotedAlternatives(std::vector<std::string> const& names);
 
-// The number the whole text says, if it says one: finite, no letters after it, an exponent if
-// wanted.
+// The number that the whole text represents, if it represents one. It is finite; an exponent is
+// allowed, other letters are not.
 std::optional<double> readNumber(std::string const& text);
 std::optional<int> readInteger(std::string const& text);
 } // namespace asperity

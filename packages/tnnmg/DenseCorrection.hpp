@@ -7,9 +7,9 @@
 namespace asperity::tnnmg
 {
 // The linear correction for a small matrix that couples all its dofs (a Schur complement on the
-// fault), on one rank: a dense Cholesky factorisation of Z + H, kept until reset(). While it is
-// kept, it preconditions conjugate gradients for the Hessians that follow, and is renewed when
-// these need too many iterations.
+// fault), on one rank: a dense Cholesky factorisation of Z + H, kept until reset(). While the
+// factor is kept, it preconditions conjugate gradients for later Hessians; it is made anew when
+// they need too many iterations.
 class DenseCorrection final : public LinearCorrection
 {
 public:

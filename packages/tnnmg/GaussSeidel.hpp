@@ -11,11 +11,11 @@ namespace asperity::tnnmg
 // of the model I^m (Pipping 2014, ch. 4).
 NodeView nodalCurvature(CrsMatrix const& Z, NonlinearNodes const& nodes);
 
-// Z on the device. Taken once for a sweep: asking Tpetra for it costs as much as using it.
+// Z on the device. A sweep takes it once, because asking Tpetra for it costs as much as using it.
 using LocalMatrix = CrsMatrix::local_matrix_device_type;
 
-// residual(node, k) = b - sum_j Z_kj v_j at the rows of the given nodes, plus curvature times v:
-// the linear term of the model at v = 0, and none in the components that are held. v lives on Z's
+// residual(node, k) = b - sum_j Z_kj v_j + curvature v at the rows of the given nodes. This is the
+// linear term of the model at v = 0; it is zero in the components that are held. v lives on Z's
 // column map. Runs on the device.
 void modelResidual(LocalMatrix const& matrix, NonlinearNodes const& nodes, IndexView const& which,
                    ConstNodeView const& curvature, Vector const& b, Vector const& v_columns,
@@ -30,8 +30,8 @@ int gaussSeidel(CrsMatrix const& Z, NonlinearNodes const& nodes, ConstNodeView c
                 NodalProblem const& problem, Vector const& b, Vector& v_columns,
                 BlockView const& blocks, BlockView const& residual);
 
-// v(dofs) -> blocks and back; v may live on the domain or on the column map (owned rows come first
-// in both).
+// Copy v(dofs) to blocks and back; v may live on the domain or on the column map (owned rows come
+// first in both).
 void gather(NonlinearNodes const& nodes, Vector const& v, BlockView const& blocks);
 void scatter(NonlinearNodes const& nodes, IndexView const& which, ConstBlockView const& blocks,
              Vector& v);

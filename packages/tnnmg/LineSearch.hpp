@@ -10,7 +10,7 @@ struct LineSearchResult
   int evaluations = 0;
 };
 
-// The step along a direction to where the derivative of a convex function changes sign.
+// Finds the step along a direction at which the derivative of a convex function changes sign.
 //
 // slope(t) is the function's derivative along the direction at step t; nondecreasing, possibly with
 // jumps (one-sided). start = slope(0) < 0. Stops where |slope| <= tolerance |start|, or where the
@@ -42,7 +42,7 @@ LineSearchResult findSignChange(Slope const& slope, double start, double toleran
   }
   int stalled = 0;
   for (int iteration = 0; iteration < 80 && right - left > 1e-14 * right; ++iteration) {
-    // Regula falsi with halving of the value at an end that stays (Illinois), bisection when that
+    // Regula falsi that halves the value at an end that stays (Illinois), and bisection when that
     // stalls.
     double middle = (left * slope_right - right * slope_left) / (slope_right - slope_left);
     if (stalled > 3 || !(middle > left && middle < right)) {

@@ -15,12 +15,13 @@ struct NonlinearBlocks
   Kokkos::View<const int*, MemorySpace> truncated;
 };
 
-// What one correction took. Not converged is an answer, not an error: the line search makes it
-// harmless. Not converged and zero is no answer, and TNNMG does not stop with it.
+// The effort of one correction. A correction that has not converged is usable, because the line
+// search limits the step along it. If it is zero as well, TNNMG cannot use it and does not stop
+// with it.
 struct CorrectionResult
 {
   bool converged = false;
-  int iterations = 0; // of conjugate gradients, or cycles where these run alone
+  int iterations = 0; // of conjugate gradients, or V-cycles if they are used alone
   int v_cycles = 0;
 };
 
@@ -37,8 +38,8 @@ public:
   virtual CorrectionResult solve(NonlinearBlocks const& blocks, Vector const& r,
                                  double relative_tolerance, Vector& c) = 0;
 
-  // Forgets what earlier solves left behind (a kept hierarchy), so that the next depends on its
-  // arguments alone.
+  // Discards what earlier solves have left, such as a kept hierarchy, so that the next solve
+  // depends on its arguments alone.
   virtual void reset() {}
 };
 } // namespace asperity::tnnmg

@@ -9,19 +9,19 @@
 
 namespace asperity::tnnmg
 {
-// Effort of a multigrid correction since it was made.
+// The effort of a multigrid correction since it was made.
 struct MultigridStatistics
 {
   int solves = 0;
-  int iterations = 0; // of conjugate gradients, or cycles where these run alone
+  int iterations = 0; // of conjugate gradients, or V-cycles if they are used alone
   int v_cycles = 0;   // of the solves
 
   int setups = 0;           // whole hierarchies
-  int rebuilds = 0;         // Galerkin products with kept prolongators, with Hessians or without
-  double setup_seconds = 0; // of both and of the tests of a new hierarchy, on this rank
+  int rebuilds = 0;         // Galerkin products with kept prolongators
+  double setup_seconds = 0; // for both and for the tests of a new hierarchy, on this rank
 };
 
-// What multigrid needs to know about Z beyond its entries. All vectors live on Z's row map.
+// What multigrid needs to know about Z in addition to its entries. All vectors live on Z's row map.
 struct MultigridProblem
 {
   RCP<const CrsMatrix> Z; // symmetric positive definite, dof = node * components + component

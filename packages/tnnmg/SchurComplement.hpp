@@ -13,7 +13,7 @@ namespace asperity::tnnmg
 //             [L_FI  L_F] [0      L_F^T ]
 //
 // Since only the fault is nonlinear, minimising J over all other dofs leaves a problem of the same
-// form with Z replaced by S, and half a solve before and after it.
+// form in which S replaces Z. One triangular solve is needed before it and one after it.
 class SchurComplement
 {
 public:

@@ -5,16 +5,17 @@
 
 namespace asperity::tnnmg
 {
-// When an iteration is the last, and how much each does. Read from the deck's list `TNNMG`.
+// When the iteration stops, and how much work one iteration does; read from the deck's list
+// `TNNMG`.
 struct TnnmgSettings
 {
   double absolute_tolerance = 1e-8;  // energy norm of Z of the last change [W^(1/2) m^(-1/2) in 2D]
   double relative_tolerance = 1e-10; // of that change, relative to the energy norm of v
   int max_iterations = 50;
   int sweeps = 1; // of Gauss-Seidel in each iteration
-  // Relative residual of the linear correction. Measured in 3D: with 1e-3 the same iterations need
-  // a quarter more V-cycles in large steps, half more in small ones; with 0.1 there are more of
-  // them.
+  // Relative residual of the linear correction. Measured in 3D: with 1e-3 the same number of
+  // iterations needs a quarter more V-cycles in large steps and half more in small ones; with 0.1
+  // more iterations are needed.
   double correction_tolerance = 1e-2;
   double stiff = 1e6; // a node whose Hessian exceeds this multiple of its curvature is truncated
 

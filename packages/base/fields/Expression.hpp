@@ -18,7 +18,7 @@ public:
   Expression(Expression const&) = delete;
   Expression& operator=(Expression const&) = delete;
 
-  // Not checked: may be infinite or NaN.
+  // The result is not checked; it may be infinite or NaN.
   double operator()(std::array<double, 3> const& x, double t) const;
 
   bool dependsOnSpace() const;

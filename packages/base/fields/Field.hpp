@@ -39,17 +39,17 @@ public:
     return part.expression ? evaluate(part, x, t) : part.value;
   }
 
-  // The values of the vertices with these global ids. Only for datasets. Each rank reads its own.
-  // InputError unless the dataset has num_vertices values.
+  // The values of the vertices with these global ids. Only for datasets. Each rank reads its own
+  // values. InputError unless the dataset has num_vertices values.
   std::vector<double> values(std::vector<long long> const& global_ids,
                              long long num_vertices) const;
 
   bool isDataset() const { return dataset_ != nullptr; }
 
-  // The same number everywhere and always.
+  // True if the value is the same number everywhere and at all times.
   bool isConstant() const;
 
-  // A constant that is 0.
+  // True if the field is the constant 0.
   bool isZero() const;
 
   bool dependsOnTime() const;

@@ -10,8 +10,8 @@ inline constexpr char const* alternative_separator = " = ";
 
 // The declarations that hold for `list`, which stands at `path`: entries of the words that its
 // choices have, as given or by default, stand among the others. An entry that two words bring has
-// to have the same unit and default in both; the numbers that both allow are allowed. Two that
-// contradict each other are a mistake of ours: std::logic_error.
+// to have the same unit and default in both; the numbers that both allow are allowed. If two
+// contradict each other, which is an error in the program, std::logic_error is thrown.
 Teuchos::RCP<const ParameterList>
 withChosenEntries(ParameterList const& valid, ParameterList const& list, std::string const& path);
 

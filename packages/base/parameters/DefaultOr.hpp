@@ -8,13 +8,14 @@
 
 namespace asperity
 {
-// In place of a default: the deck has to give the parameter.
+// Stands in place of a default: the deck has to give the parameter.
 struct Required
 {
 };
 inline constexpr Required required{};
 
-// In place of a default: the deck may leave the parameter out, and then isParameter(name) is false.
+// Stands in place of a default: the deck may leave the parameter out, and then isParameter(name) is
+// false.
 struct Optional
 {
 };

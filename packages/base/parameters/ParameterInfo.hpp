@@ -35,8 +35,8 @@ enum class Presence
   is_optional
 };
 
-// What a declaration says beyond default and meaning. It travels in the entry as its validator, so
-// that ParameterList::set refuses wrong types and values out of range as well.
+// What a declaration says in addition to default and meaning. It travels in the entry as its
+// validator, so that ParameterList::set refuses wrong types and values out of range as well.
 class ParameterInfo : public Teuchos::ParameterEntryValidator
 {
 public:
@@ -72,6 +72,6 @@ private:
                            std::string const& reason) const;
 };
 
-// Of a declared or completed entry; null where there is none.
+// The information of a declared or completed entry; null if it has none.
 Teuchos::RCP<const ParameterInfo> parameterInfo(ParameterList const& list, std::string const& name);
 } // namespace asperity

@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-// Looking into a ParameterEntry without marking it as used.
+// Functions that look into a ParameterEntry without marking it as used.
 namespace asperity
 {
 template <class T>
@@ -23,7 +23,7 @@ T const& get(Teuchos::ParameterEntry const& entry)
   return Teuchos::any_cast<T>(entry.getAny(false));
 }
 
-// The value alone: documentation and validator stay.
+// Replaces the value alone; documentation and validator stay.
 template <class T>
 void replaceValue(Teuchos::ParameterEntry& entry, T const& value)
 {
@@ -33,13 +33,13 @@ void replaceValue(Teuchos::ParameterEntry& entry, T const& value)
 // In their order.
 std::vector<std::string> namesIn(Teuchos::ParameterList const& list);
 
-// Of an entry with an int or a double.
+// The number in an entry with an int or a double.
 std::optional<double> numberIn(Teuchos::ParameterEntry const& entry);
 
-// As a deck would write it: 0.015, true, {1, 2}; plain text of strings; "a list" of lists.
+// The value as a deck writes it: 0.015, true, {1, 2}; a string without quotes; "a list" for a list.
 std::string plainText(Teuchos::ParameterEntry const& entry);
 
-// For messages: strings in quotes.
+// The same for messages, with strings in quotes.
 std::string valueText(Teuchos::ParameterEntry const& entry);
 
 // "a real number", "an integer", "a text", ...

@@ -94,7 +94,7 @@ public:
   Declare& foreignSublist(std::string const& name, ParameterList const& defaults,
                           std::string const& meaning);
 
-  // What to try when the entry declared last is refused.
+  // Advice for the message that refuses the entry declared last.
   Declare& hint(std::string const& text);
 
   Teuchos::RCP<ParameterList> list() const { return list_; }

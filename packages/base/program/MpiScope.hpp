@@ -15,9 +15,9 @@ namespace asperity
 //     return asperity::runGuarded(*scope.communicator(), [&] { ...; return 0; });
 //   }
 //
-// Kokkos is given only arguments that start with --kokkos, which are removed from argv (--help
-// stays ours). What was started by somebody else is left running. Tpetra objects must die before
-// the scope: keep them inside the guarded function.
+// Kokkos gets only the arguments that start with --kokkos, which are removed from argv; --help is
+// left for the program. If MPI or Kokkos was running before, the scope leaves it running. Tpetra
+// objects must die before the scope: keep them inside the guarded function.
 class MpiScope
 {
 public:

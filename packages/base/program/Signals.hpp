@@ -7,8 +7,8 @@
 namespace asperity
 {
 // While it lives, SIGTERM and SIGINT raise a flag instead of ending the process, so that a run can
-// leave a last checkpoint. A second SIGINT ends the process at once. One object at a time; the
-// handlers that were there before come back with its end.
+// leave a last checkpoint. A second SIGINT ends the process at once. Only one object may exist at a
+// time; its destructor restores the handlers that were there before.
 class StopSignals
 {
 public:
