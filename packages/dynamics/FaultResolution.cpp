@@ -43,7 +43,7 @@ std::vector<CellSizes> cellSizes(Mesh<Dim> const& mesh, fem::FaultSurface const&
 
 double slipModulus(fem::Material const& material, int components, fem::OtherSide other_side)
 {
-  const bool antisymmetric = other_side == fem::OtherSide::mirror_image;
+  const bool antisymmetric = other_side != fem::OtherSide::rigid_foundation;
   const double G = material.shear_modulus;
   if (components != 2) {
     return antisymmetric ? G : 2 * G;

@@ -10,7 +10,8 @@
 namespace asperity::dynamics
 {
 // The modulus G' [Pa] with which slip of wavenumber q loads the fault, G' q / 2 per slip:
-//   mirror image       G antiplane, G / (1 - nu) plane strain
+//   mirror image, two equal bodies
+//                      G antiplane, G / (1 - nu) plane strain
 //   rigid foundation   2 G antiplane, 8 G (1 - nu) / (3 - 4 nu) plane strain (u_n = 0)
 // In three dimensions that of antiplane, the smaller one: along one of the fault's directions slip
 // is of that kind.

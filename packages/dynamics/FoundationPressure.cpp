@@ -12,13 +12,15 @@ std::vector<double> foundationPressure(Body const& body, fem::NodalFrames const&
 {
   Vector reaction(load, Teuchos::Copy);
   body.matrices.stiffness->apply(u, reaction, Teuchos::NO_TRANS, 1, -1);
-  auto const along_axes = fem::alongAxes(frames, *body.dofs, reaction);
+  auto const values = reaction.getLocalViewHost(Tpetra::Access::ReadOnly);
   const int components = body.dofs->components();
   std::vector<double> pressure;
   for (int i = 0; i < surface.numNodes(); ++i) {
+    std::array<double, 3> normal{};
+    frames.toFrame(surface.vertex(i), surface[i].normal.data(), normal.data());
     double outward = 0;
-    for (int d = 0; d < components; ++d) {
-      outward += along_axes[components * surface.vertex(i) + d] * surface[i].normal[d];
+    for (int c = 0; c < components; ++c) {
+      outward += values(body.dofs->dof(surface.vertex(i), c), 0) * normal[c];
     }
     pressure.push_back(-outward / support[i]);
   }

@@ -17,13 +17,20 @@ using Adjacency = std::vector<std::vector<int>>;
 
 // Neighbours (itself included, ascending) of every owned node.
 template <int Dim>
-Adjacency neighbours(Mesh<Dim> const& mesh)
+Adjacency neighbours(Mesh<Dim> const& mesh, NodalFrames const& frames)
 {
   Adjacency adjacency(mesh.num_owned);
+  std::vector<int> nodes;
   for (auto const& cell : mesh.cells) {
-    for (int p : cell) {
+    nodes.clear();
+    for (int vertex : cell) {
+      for (auto const& term : frames.terms(vertex)) {
+        nodes.push_back(term.node);
+      }
+    }
+    for (int p : nodes) {
       if (p < mesh.num_owned) {
-        adjacency[p].insert(adjacency[p].end(), cell.begin(), cell.end());
+        adjacency[p].insert(adjacency[p].end(), nodes.begin(), nodes.end());
       }
     }
   }
@@ -91,7 +98,7 @@ Block<Components> isotropic(Point<Dim> const& gp, Point<Dim> const& gq, double f
   return block;
 }
 
-// frame_p * block * frame_q^T
+// frame_p * block * frame_q^T of two nodes
 template <int Components>
 Block<Components> rotate(Block<Components> const& block, NodalFrames const& frames, int p, int q)
 {
@@ -151,7 +158,7 @@ BodyMatrices assembleBody(Mesh<Dim> const& mesh, DofMap const& dofs, NodalFrames
 {
   ASPERITY_TIME_WORK("assembly");
   ASPERITY_ASSERT(dofs.components() == Components && materials.size() == mesh.cells.size());
-  auto const adjacency = neighbours(mesh);
+  auto const adjacency = neighbours(mesh, frames);
   auto const graph = graphOf(adjacency, dofs);
   auto mass = rcp(new CrsMatrix(graph));
   auto viscosity = rcp(new CrsMatrix(graph));
@@ -173,21 +180,24 @@ BodyMatrices assembleBody(Mesh<Dim> const& mesh, DofMap const& dofs, NodalFrames
       const double lame_elastic = m.bulk_modulus - 2. / 3 * m.shear_modulus;
       const double lame_viscous = m.bulk_viscosity - 2. / 3 * m.shear_viscosity;
       for (int i = 0; i <= Dim; ++i) {
-        const int p = mesh.cells[cell][i];
-        if (p >= mesh.num_owned) {
-          continue;
-        }
         for (int j = 0; j <= Dim; ++j) {
-          const int q = mesh.cells[cell][j];
           auto const& gp = simplex.gradients[i];
           auto const& gq = simplex.gradients[j];
           const double share = (i == j ? 2. : 1.) / ((Dim + 1) * (Dim + 2));
-          write_mass.add(p, q, rotate<Components>(unit, frames, p, q),
-                         m.density * simplex.measure * share);
           auto const viscous = isotropic<Dim, Components>(gp, gq, lame_viscous, m.shear_viscosity);
-          write_viscosity.add(p, q, rotate<Components>(viscous, frames, p, q), simplex.measure);
           auto const elastic = isotropic<Dim, Components>(gp, gq, lame_elastic, m.shear_modulus);
-          write_stiffness.add(p, q, rotate<Components>(elastic, frames, p, q), simplex.measure);
+          for (auto const& [p, factor_p] : frames.terms(mesh.cells[cell][i])) {
+            if (p >= mesh.num_owned) {
+              continue;
+            }
+            for (auto const& [q, factor_q] : frames.terms(mesh.cells[cell][j])) {
+              const double measure = factor_p * factor_q * simplex.measure;
+              write_mass.add(p, q, rotate<Components>(unit, frames, p, q),
+                             m.density * measure * share);
+              write_viscosity.add(p, q, rotate<Components>(viscous, frames, p, q), measure);
+              write_stiffness.add(p, q, rotate<Components>(elastic, frames, p, q), measure);
+            }
+          }
         }
       }
     }
@@ -209,12 +219,14 @@ RCP<Vector> assembleGravity(Mesh<Dim> const& mesh, DofMap const& dofs, NodalFram
   for (std::size_t cell = 0; cell < mesh.cells.size(); ++cell) {
     const double share =
       materials[cell].density * simplexOf(mesh, static_cast<int>(cell)).measure / (Dim + 1);
-    for (int p : mesh.cells[cell]) {
-      if (p < mesh.num_owned) {
-        std::array<double, Components> local{};
-        frames.toFrame(p, acceleration.data(), local.data());
-        for (int c = 0; c < Components; ++c) {
-          values(dofs.dof(p, c), 0) += share * local[c];
+    for (int vertex : mesh.cells[cell]) {
+      for (auto const& [p, factor] : frames.terms(vertex)) {
+        if (p < mesh.num_owned) {
+          std::array<double, Components> local{};
+          frames.toFrame(p, acceleration.data(), local.data());
+          for (int c = 0; c < Components; ++c) {
+            values(dofs.dof(p, c), 0) += factor * share * local[c];
+          }
         }
       }
     }
@@ -240,6 +252,9 @@ RCP<CrsMatrix> combine(BodyMatrices const& body, double factor_mass, double fact
         local.values(entry) =
           kept ? factor_mass * m(entry) + factor_viscosity * c(entry) + factor_stiffness * k(entry)
                : 0;
+        if (column == row && held[row] && local.values(entry) == 0) {
+          local.values(entry) = 1; // the jump at a tip of a fault, of which no cell knows
+        }
       }
     }
   }

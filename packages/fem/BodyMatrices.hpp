@@ -13,7 +13,8 @@ namespace asperity::fem
 {
 // Consistent mass M [kg/m^(3-Dim)], viscosity C and stiffness K of P1 elements in nodal frames,
 // without any boundary condition, on one common graph (Pipping 2014, eq. 14). Components is 1
-// (antiplane) or Dim.
+// (antiplane) or Dim. At a split vertex the unknowns are mean and jump (VertexTerms): with v = T x
+// the matrices are T'MT, T'CT and T'KT.
 struct BodyMatrices
 {
   RCP<const CrsMatrix> mass;

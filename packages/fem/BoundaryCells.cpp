@@ -8,11 +8,14 @@
 
 namespace asperity::fem
 {
+namespace
+{
+// The cells beside facets that are given by the vertices that cells have.
 template <int Dim>
-std::vector<int> cellsBeside(Mesh<Dim> const& mesh, std::string const& boundary)
+std::vector<int> cellsOf(Mesh<Dim> const& mesh,
+                         std::vector<typename Mesh<Dim>::Facet> const& facets)
 {
   using Facet = typename Mesh<Dim>::Facet;
-  auto const& facets = mesh.boundaries.at(boundary);
   std::map<Facet, std::size_t> places;
   for (std::size_t i = 0; i < facets.size(); ++i) {
     auto sorted = facets[i];
@@ -39,11 +42,31 @@ std::vector<int> cellsBeside(Mesh<Dim> const& mesh, std::string const& boundary)
   return cells;
 }
 
+// The facets of a boundary by the vertices of the cells on one side.
 template <int Dim>
-std::vector<Material> materialsAtNodes(Mesh<Dim> const& mesh, FaultSurface const& fault,
-                                       std::vector<Material> const& materials)
+std::vector<typename Mesh<Dim>::Facet> facetsOnSide(Mesh<Dim> const& mesh,
+                                                    std::string const& boundary, Side side)
 {
-  auto const cells = cellsBeside(mesh, fault.name());
+  const VertexTerms terms(static_cast<int>(mesh.vertices.size()), mesh.splits);
+  std::map<int, int> minus_of;
+  for (auto const& split : mesh.splits) {
+    minus_of[split.plus] = split.minus;
+  }
+  auto facets = mesh.boundaries.at(boundary);
+  for (auto& facet : facets) {
+    for (int& vertex : facet) {
+      vertex = terms.inCells(side == Side::plus ? vertex : minus_of.at(vertex));
+    }
+  }
+  return facets;
+}
+
+// (num_nodes) the mean over the facets of the fault at each node.
+template <int Dim>
+std::vector<Material> materialsOnSide(Mesh<Dim> const& mesh, FaultSurface const& fault,
+                                      std::vector<Material> const& materials, Side side)
+{
+  auto const cells = cellsBeside(mesh, fault.name(), side);
   auto const& facets = mesh.boundaries.at(fault.name());
   auto const vertices = fault.vertices();
   std::vector<Material> result(vertices.size());
@@ -68,8 +91,42 @@ std::vector<Material> materialsAtNodes(Mesh<Dim> const& mesh, FaultSurface const
   return result;
 }
 
+double harmonicMean(double a, double b) { return 2 * a * b / (a + b); }
+
+// What both sides do together: compliances and inverse impedances add.
+Material inSeries(Material const& a, Material const& b)
+{
+  Material result;
+  result.shear_modulus = harmonicMean(a.shear_modulus, b.shear_modulus);
+  result.bulk_modulus = harmonicMean(a.bulk_modulus, b.bulk_modulus);
+  const double impedance = harmonicMean(a.shearImpedance(), b.shearImpedance());
+  result.density = impedance * impedance / result.shear_modulus;
+  result.shear_viscosity = (a.shear_viscosity + b.shear_viscosity) / 2;
+  result.bulk_viscosity = (a.bulk_viscosity + b.bulk_viscosity) / 2;
+  return result;
+}
+} // namespace
+
+template <int Dim>
+std::vector<int> cellsBeside(Mesh<Dim> const& mesh, std::string const& boundary, Side side)
+{
+  return cellsOf(mesh, facetsOnSide(mesh, boundary, side));
+}
+
+template <int Dim>
+std::vector<Material> materialsAtNodes(Mesh<Dim> const& mesh, FaultSurface const& fault,
+                                       std::vector<Material> const& materials)
+{
+  auto result = materialsOnSide(mesh, fault, materials, Side::plus);
+  if (fault.otherSide() == OtherSide::body) {
+    auto const below = materialsOnSide(mesh, fault, materials, Side::minus);
+    std::transform(result.begin(), result.end(), below.begin(), result.begin(), inSeries);
+  }
+  return result;
+}
+
 #define ASPERITY_INSTANTIATE(DIM)                                                                  \
-  template std::vector<int> cellsBeside<DIM>(Mesh<DIM> const&, std::string const&);                \
+  template std::vector<int> cellsBeside<DIM>(Mesh<DIM> const&, std::string const&, Side);          \
   template std::vector<Material> materialsAtNodes<DIM>(Mesh<DIM> const&, FaultSurface const&,      \
                                                        std::vector<Material> const&);
 

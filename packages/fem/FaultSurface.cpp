@@ -6,6 +6,8 @@
 
 #include <Tpetra_CrsGraph.hpp>
 
+#include <map>
+
 namespace asperity::fem
 {
 namespace
@@ -78,10 +80,17 @@ makeFaultSurface(Mesh<Dim> const& mesh, std::string const& boundary,
                  OtherSide other_side)
 {
   constexpr int num_tangents = Dim - 1;
+  std::map<int, int> minus_of;
+  for (auto const& split : mesh.splits) {
+    minus_of[split.plus] = split.minus;
+  }
   std::vector<FaultNode> nodes;
   for (auto const& measure : boundaryMeasure(mesh, boundary, *dofs.communicator())) {
     FaultNode node;
     node.copies = {measure.node};
+    if (const auto split = minus_of.find(measure.node); split != minus_of.end()) {
+      node.copies.push_back(split->second);
+    }
     node.weight = measure.weight;
     for (int i = 0; i < Dim; ++i) {
       node.place[i] = mesh.vertices[measure.node][i];

@@ -15,7 +15,8 @@ namespace asperity::fem
 enum class OtherSide
 {
   rigid_foundation, // slip = v_t: the other side rests
-  mirror_image      // slip = 2 v_t: the other side moves the opposite way
+  mirror_image,     // slip = 2 v_t: the other side moves the opposite way
+  body              // slip = d_t, the jump v+ - v- of which w_t is a part (VertexTerms)
 };
 
 double slipFactor(OtherSide side);
@@ -27,7 +28,7 @@ struct FaultNode
   // body, two (+, -) where it lies between two bodies.
   std::vector<int> copies;
   std::array<double, 3> place{};  // [m]; z = 0 in two dimensions
-  std::array<double, 3> normal{}; // unit, out of the body
+  std::array<double, 3> normal{}; // unit, out of the body, which lies on the plus side
   double weight = 0;              // integral of the node's basis function [m^(Dim-1)]
   std::vector<int> dofs;          // (T) local dofs of the tangential unknowns
 };
@@ -85,8 +86,8 @@ private:
   Kokkos::View<const double*, MemorySpace> weights_, slip_factors_;
 };
 
-// The fault on a boundary of the body. graph: of the body's matrices, which decides on the colours.
-// Collective.
+// The fault on a boundary of the body, or on the plus side of a fault inside it. graph: of the body's
+// matrices, which decides on the colours. Collective.
 template <int Dim>
 std::shared_ptr<const FaultSurface>
 makeFaultSurface(Mesh<Dim> const& mesh, std::string const& boundary,

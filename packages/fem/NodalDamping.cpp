@@ -11,21 +11,27 @@ namespace asperity::fem
 {
 namespace
 {
-// across n n^T + along (1 - n n^T) in the frame of a node. With one component it is `along`.
+// F_p (across n n^T + along (1 - n n^T)) F_q^T with the frames of two nodes. With one component it
+// is `along`.
 template <int Dim, int Components>
-std::array<double, 9> dashpot(NodalFrames const& frames, int node, Point<Dim> const& normal,
+std::array<double, 9> dashpot(NodalFrames const& frames, int p, int q, Point<Dim> const& normal,
                               double across, double along)
 {
   std::array<double, 9> block{};
   if constexpr (Components == 1) {
     block[0] = along;
   } else {
-    std::array<double, Components> n{};
-    frames.toFrame(node, normal.data(), n.data());
+    std::array<double, Components> n_p{};
+    std::array<double, Components> n_q{};
+    frames.toFrame(p, normal.data(), n_p.data());
+    frames.toFrame(q, normal.data(), n_q.data());
     for (int i = 0; i < Components; ++i) {
-      block[i * Components + i] = along;
       for (int j = 0; j < Components; ++j) {
-        block[i * Components + j] += (across - along) * n[i] * n[j];
+        double identity = p == q && i == j ? 1 : 0;
+        for (int c = 0; c < Components && p != q; ++c) {
+          identity += frames.entry(p, i, c) * frames.entry(q, j, c);
+        }
+        block[i * Components + j] = along * identity + (across - along) * n_p[i] * n_q[j];
       }
     }
   }
@@ -49,14 +55,18 @@ NodalDampers absorbingBoundary(Mesh<Dim> const& mesh, std::string const& boundar
     }
     auto const& material = materials[cells[i]];
     const double share = mesh::facetMeasure(corners) / Dim;
-    for (int node : facets[i]) {
-      if (node < mesh.num_owned) {
-        auto const block =
-          dashpot<Dim, Components>(frames, node, normal, share * material.compressionalImpedance(),
-                                   share * material.shearImpedance());
-        auto& sum = dampers[node];
-        for (std::size_t k = 0; k < sum.size(); ++k) {
-          sum[k] += block[k];
+    const double across = share * material.compressionalImpedance();
+    const double along = share * material.shearImpedance();
+    for (int vertex : facets[i]) {
+      for (auto const& [p, factor_p] : frames.terms(vertex)) {
+        for (auto const& [q, factor_q] : frames.terms(vertex)) {
+          if (p < mesh.num_owned) {
+            auto const block = dashpot<Dim, Components>(frames, p, q, normal, across, along);
+            auto& sum = dampers[{p, q}];
+            for (std::size_t k = 0; k < sum.size(); ++k) {
+              sum[k] += factor_p * factor_q * block[k];
+            }
+          }
         }
       }
     }
@@ -83,10 +93,10 @@ NodalDampers radiationDampers(FaultSurface const& fault, DofMap const& dofs,
   NodalDampers dampers;
   for (int i = 0; i < fault.numNodes(); ++i) {
     const int node = fault.vertex(i);
-    dampers[node] = {};
+    auto& block = dampers[{node, node}];
     for (int dof : fault[i].dofs) {
       const int row = dof - dofs.dof(node, 0);
-      dampers[node][row * components + row] = fault[i].weight * eta[i] * fault.slipFactor();
+      block[row * components + row] = fault[i].weight * eta[i] * fault.slipFactor();
     }
   }
   return dampers;
@@ -100,11 +110,11 @@ RCP<const CrsMatrix> withDampers(CrsMatrix const& viscosity, DofMap const& dofs,
   {
     auto const local = result->getLocalMatrixHost();
     Kokkos::deep_copy(local.values, viscosity.getLocalMatrixHost().values);
-    for (auto const& [node, block] : dampers) {
+    for (auto const& [nodes, block] : dampers) {
       for (int i = 0; i < components; ++i) {
-        const int row = dofs.dof(node, i);
+        const int row = dofs.dof(nodes.first, i);
         for (auto entry = local.graph.row_map(row); entry < local.graph.row_map(row + 1); ++entry) {
-          const int k = local.graph.entries(entry) - dofs.dof(node, 0);
+          const int k = local.graph.entries(entry) - dofs.dof(nodes.second, 0);
           if (k >= 0 && k < components) {
             local.values(entry) += block[i * components + k];
           }

@@ -10,13 +10,15 @@
 #include <array>
 #include <map>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace asperity::fem
 {
-// Dampers at owned nodes: symmetric blocks in nodal frames, row-major in the leading components x
-// components entries [N s/m, in 2D per metre].
-using NodalDampers = std::map<int, std::array<double, 9>>;
+// Dampers of owned nodes: blocks in nodal frames, row-major in the leading components x components
+// entries [N s/m, in 2D per metre], by the nodes of their rows and of their columns. These differ
+// only where a fault has split a vertex; the whole is symmetric.
+using NodalDampers = std::map<std::pair<int, int>, std::array<double, 9>>;
 
 // The dampers of an absorbing boundary (Lysmer & Kuhlemeyer 1969), which takes up plane waves that
 // arrive at right angles: tractions -rho cp v_n and -rho cs v_t (antiplane: -rho cs v) with the
@@ -35,7 +37,7 @@ NodalDampers absorbingBoundary(Mesh<Dim> const& mesh, std::string const& boundar
 NodalDampers radiationDampers(FaultSurface const& fault, DofMap const& dofs,
                               std::vector<double> const& eta);
 
-// A copy of a matrix of assembleBody with the dampers in its diagonal blocks.
+// A copy of a matrix of assembleBody with the dampers added.
 RCP<const CrsMatrix> withDampers(CrsMatrix const& viscosity, DofMap const& dofs,
                                  NodalDampers const& dampers);
 

@@ -63,6 +63,14 @@ RCP<const MultiVector> rigidBodyMotions(Mesh<Dim> const& mesh, DofMap const& dof
   auto motions = rcp(new MultiVector(dofs.owned(), components + planes.size()));
   auto const values = motions->getLocalViewHost(Tpetra::Access::OverwriteAll);
   for (int node = 0; node < dofs.numOwnedNodes(); ++node) {
+    if (frames.vertexTerms().isJump(node)) {
+      for (std::size_t motion = 0; motion < components + planes.size(); ++motion) {
+        for (int c = 0; c < components; ++c) {
+          values(dofs.dof(node, c), motion) = 0;
+        }
+      }
+      continue;
+    }
     auto const store = [&](int motion, Point<3> const& along_axes) {
       Point<3> local{};
       frames.toFrame(node, along_axes.data(), local.data());

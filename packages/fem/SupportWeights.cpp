@@ -22,18 +22,23 @@ template <int Dim>
 std::vector<double> supportWeights(Mesh<Dim> const& mesh, FaultSurface const& fault,
                                    std::vector<VelocityCondition<Dim>> const& conditions)
 {
+  auto const& of_fault = mesh.boundaries.at(fault.name());
+  const std::set<typename Mesh<Dim>::Facet> counted(of_fault.begin(), of_fault.end());
   std::vector<double> weights;
   std::map<int, int> place;
   for (int i = 0; i < fault.numNodes(); ++i) {
     weights.push_back(fault[i].weight);
     place[fault.vertex(i)] = i;
   }
-  std::set<std::string> seen = {fault.name()};
+  std::set<std::string> seen;
   for (auto const& condition : conditions) {
     if (!condition.holdsAcross() || !seen.insert(condition.boundary).second) {
       continue;
     }
     for (auto const& facet : mesh.boundaries.at(condition.boundary)) {
+      if (counted.count(facet) > 0) {
+        continue;
+      }
       auto const corners = mesh::corners(mesh, facet);
       auto const normal = mesh::areaNormal(corners);
       const double size = std::sqrt(mesh::dot<Dim>(normal, normal));

@@ -51,6 +51,13 @@ OutputDomain ownedNodes(std::string const& name, Mesh<Dim> const& mesh,
       }
     }
   }
+  if constexpr (std::tuple_size_v<Element> == Dim + 1) {
+    for (auto const& split : mesh.splits) { // no cell has the tip of a fault
+      if (split.is_tip && split.plus < mesh.num_owned) {
+        weight_of_vertex.emplace(split.plus, 0.);
+      }
+    }
+  }
   OutputDomain domain;
   domain.name = name;
   domain.dimension = Dim;

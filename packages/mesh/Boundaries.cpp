@@ -167,6 +167,22 @@ void overrideBoundaries(Mesh<Dim>& part, std::vector<NamedCondition<Dim>> const&
                    [&](std::vector<int> const& flags) { return onAnyRank(flags, communicator); });
 }
 
+template <int Dim>
+std::string joinBoundaries(Mesh<Dim>& part, std::vector<std::string> const& names)
+{
+  std::string joined;
+  std::vector<typename Mesh<Dim>::Facet> all;
+  for (auto const& name : names) {
+    joined += (joined.empty() ? "" : " + ") + name;
+    auto const& facets = part.boundaries.at(name);
+    all.insert(all.end(), facets.begin(), facets.end());
+  }
+  part.boundaries[joined] = all;
+  return joined;
+}
+
+template std::string joinBoundaries(Mesh<2>&, std::vector<std::string> const&);
+template std::string joinBoundaries(Mesh<3>&, std::vector<std::string> const&);
 template void overrideBoundaries(GlobalMesh<2>&, std::vector<NamedCondition<2>> const&,
                                  std::string const&);
 template void overrideBoundaries(GlobalMesh<3>&, std::vector<NamedCondition<3>> const&,

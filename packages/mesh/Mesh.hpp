@@ -12,6 +12,14 @@ namespace asperity
 template <int Dim>
 using Point = std::array<double, Dim>;
 
+// Two vertices at one place, on the two sides of a fault inside the body.
+struct SplitVertex
+{
+  int plus = 0;
+  int minus = 0;
+  bool is_tip = false;
+};
+
 // The part of a conforming mesh of simplices that one rank works on.
 //
 // Every vertex is owned by one rank. A rank holds all cells, and all boundary facets, that touch
@@ -40,5 +48,8 @@ struct Mesh
   // Outward orientation: the body lies to the left of a 2D facet (first -> second vertex), and the
   // right-hand normal of a 3D facet points out of it.
   std::map<std::string, std::vector<Facet>> boundaries;
+
+  std::vector<std::string> faults; // boundaries that are faults inside the body
+  std::vector<SplitVertex> splits; // ascending in plus
 };
 } // namespace asperity

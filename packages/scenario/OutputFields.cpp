@@ -252,7 +252,7 @@ template <int Dim>
 std::map<std::string, io::OutputDomain> makeDomains(Problem<Dim> const& problem)
 {
   std::map<std::string, io::OutputDomain> domains;
-  domains.emplace("fault", io::boundaryDomain("fault", problem.mesh, problem.boundary.fault,
+  domains.emplace("fault", io::boundaryDomain("fault", problem.mesh, problem.surface->name(),
                                               problem.communicator));
   domains.emplace("volume", io::volumeDomain(problem.mesh, problem.communicator));
   if (!problem.boundary.surface.empty()) {

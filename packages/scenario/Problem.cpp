@@ -8,6 +8,7 @@
 #include "fem/NodalDamping.hpp"
 #include "fem/RigidBodyMotions.hpp"
 #include "fem/SupportWeights.hpp"
+#include "mesh/Boundaries.hpp"
 #include "scenario/setup/BoundaryChecks.hpp"
 #include "scenario/setup/BulkSetup.hpp"
 #include "scenario/setup/FaultLoads.hpp"
@@ -44,8 +45,9 @@ Discretisation<Dim> discretise(ParameterList const& deck,
   auto const& conditions = deck.sublist("Boundary Conditions");
   const int components = displacementComponents(deck.sublist("Bulk"), Dim);
   auto boundary = makeBoundaryConditions<Dim>(conditions, components);
-  auto mesh = makeMesh<Dim>(deck.sublist("Mesh"), boundary.fault, communicator);
+  auto mesh = makeMesh<Dim>(deck.sublist("Mesh"), boundary.faults.front(), communicator);
   requireBoundaries(conditions, mesh);
+  requireFaults(conditions, mesh);
   if (!boundary.surface.empty()) {
     fem::boundaryMeasure(mesh, boundary.surface, *communicator); // refuses one without facets
   }
@@ -133,8 +135,9 @@ Problem<Dim> makeProblem(ParameterList const& deck, RCP<const Communicator> cons
                                          of.mesh.num_global_vertices * components);
 
   auto matrices = fem::assembleBody<Dim>(of.mesh, *of.dofs, of.frames(), of.materials);
+  auto const fault_name = mesh::joinBoundaries(of.mesh, of.boundary.faults);
   auto const surface =
-    fem::makeFaultSurface(of.mesh, of.boundary.fault, *of.constraints, *of.dofs,
+    fem::makeFaultSurface(of.mesh, fault_name, *of.constraints, *of.dofs,
                           *matrices.stiffness->getCrsGraph(), of.boundary.other_side);
   auto const fault_materials = fem::materialsAtNodes(of.mesh, *surface, of.materials);
   auto const eta = radiationDamping(bulk, of.mesh, *surface, fault_materials);
@@ -164,7 +167,7 @@ Problem<Dim> makeProblem(ParameterList const& deck, RCP<const Communicator> cons
   auto stress = makeNormalStress(friction, of.mesh, *surface, start.pressure);
   auto fault = makeFault(friction, of.mesh, surface, stress.normal_stress);
   auto initial = makeInitialState(deck, of.mesh, *constraints, body, fault, solver,
-                                  {start.displacement, traction.at(0), eta});
+                                  {start.displacement, traction.at(0), traction.direction(), eta});
   return {communicator,    components,       std::move(of.boundary), std::move(of.mesh),
           constraints,     surface,          fault_materials,        solver,
           std::move(body), std::move(fault), std::move(initial),     stress.remarks};

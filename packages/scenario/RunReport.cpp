@@ -19,7 +19,7 @@ std::vector<std::string> describe(Problem<Dim> const& problem, ParameterList con
   first << bulk.get<std::string>("Model") << ", "
         << (quasiDynamic(bulk) ? "quasi-dynamic, " : "inertial, ")
         << problem.mesh.num_global_vertices << " vertices, " << problem.surface->numGlobalNodes()
-        << " of them on the fault '" << problem.boundary.fault << "', "
+        << " of them on the fault '" << problem.surface->name() << "', "
         << problem.communicator->getSize() << " rank"
         << (problem.communicator->getSize() > 1 ? "s" : "") << '.';
   lines.push_back(first.str());

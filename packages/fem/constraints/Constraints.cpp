@@ -1,6 +1,7 @@
 #include "fem/constraints/Constraints.hpp"
 
 #include "base/Errors.hpp"
+#include "fem/constraints/detail/SplitDirections.hpp"
 #include "mesh/PointText.hpp"
 
 #include <Teuchos_CommHelpers.hpp>
@@ -47,15 +48,17 @@ Constraints<Dim>::Constraints(Mesh<Dim> const& mesh, DofMap const& dofs,
                               std::vector<double> const& sample_times)
     : conditions_(std::move(conditions))
     , sample_times_(sample_times)
-    , frames_(dofs.numLocalNodes(), dofs.components())
+    , frames_(dofs.numLocalNodes(), dofs.components(), mesh.splits)
     , held_flags_(static_cast<std::size_t>(dofs.numLocalNodes()) * dofs.components(), 0)
     , owned_vertices_(mesh.vertices.begin(), mesh.vertices.begin() + mesh.num_owned)
 {
-  auto const directions = detail::collectDirections(mesh, conditions_, dofs.components());
-  largest_ = largestVelocities(directions, *dofs.communicator());
-  for (auto const& [node, of_node] : directions) {
+  auto const at_vertices = detail::collectDirections(mesh, conditions_, dofs.components());
+  largest_ = largestVelocities(at_vertices, *dofs.communicator());
+  auto const at_nodes = detail::meansAndJumps(at_vertices, mesh, conditions_);
+  for (auto const& [node, of_node] : at_nodes) {
     constrain(dofs, node, of_node);
   }
+  holdTips(mesh, dofs);
   shareWithGhosts(dofs);
   held_.emplace(std::move(held_flags_), dofs.numOwnedNodes() * dofs.components());
 }
@@ -88,8 +91,8 @@ void Constraints<Dim>::constrain(DofMap const& dofs, int node,
 {
   const int components = frames_.components();
   NodalBasis prescribed;
-  for (auto const& [vector, condition] : directions) {
-    Terms terms = {{condition, 1.}};
+  for (auto const& [vector, condition, velocity] : directions) {
+    Terms terms = velocity;
     if (conditions_[condition].prescribes() && !prescribed.add(vector, terms)) {
       requireAgreement(node, condition, terms);
     }
@@ -117,6 +120,16 @@ void Constraints<Dim>::constrain(DofMap const& dofs, int node,
     }
     held_flags_[fixed.dof] = 1;
     rows_.push_back(fixed);
+  }
+}
+
+template <int Dim>
+void Constraints<Dim>::holdTips(Mesh<Dim> const& mesh, DofMap const& dofs)
+{
+  for (auto const& split : mesh.splits) {
+    for (int c = 0; c < dofs.components() && split.is_tip; ++c) {
+      held_flags_[dofs.dof(split.plus, c)] = 1;
+    }
   }
 }
 
@@ -152,7 +165,7 @@ NodalBasis Constraints<Dim>::layFrame(int node, std::vector<Direction> const& di
 {
   NodalBasis basis;
   int of_frame = -1;
-  for (auto const& [vector, condition] : directions) {
+  for (auto const& [vector, condition, velocity] : directions) {
     Terms none;
     if (!conditions_[condition].prescribes() && basis.add(vector, none)) {
       of_frame = condition;

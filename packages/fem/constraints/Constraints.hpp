@@ -21,6 +21,9 @@ namespace asperity::fem
 // angles, its normal lies in their planes. Where the directions are axes the frame is the identity.
 // Where there are more conditions than directions, they must agree with one another to 1e-10 of the
 // largest velocity that they prescribe anywhere; otherwise an InputError names both.
+//
+// At the two vertices of a fault inside the body conditions hold for mean and jump (VertexTerms):
+// those on the fault for the jump, those on other boundaries in pairs, one on each side.
 template <int Dim>
 class Constraints
 {
@@ -49,6 +52,7 @@ private:
   };
   std::vector<double> largestVelocities(NodalDirections const& directions,
                                         Communicator const& communicator) const;
+  void holdTips(Mesh<Dim> const& mesh, DofMap const& dofs);
   void constrain(DofMap const& dofs, int node, std::vector<Direction> const& directions);
   detail::NodalBasis layFrame(int node, std::vector<Direction> const& directions,
                               detail::NodalBasis const& prescribed) const;

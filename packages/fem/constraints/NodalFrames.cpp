@@ -13,12 +13,18 @@ std::vector<double> alongAxes(NodalFrames const& frames, DofMap const& dofs, Vec
   const int components = dofs.components();
   auto const values = x.getLocalViewHost(Tpetra::Access::ReadOnly);
   std::vector<double> result(static_cast<std::size_t>(dofs.numOwnedNodes()) * components);
-  for (int node = 0; node < dofs.numOwnedNodes(); ++node) {
-    std::array<double, 3> local{};
-    for (int c = 0; c < components; ++c) {
-      local[c] = values(dofs.dof(node, c), 0);
+  for (int vertex = 0; vertex < dofs.numOwnedNodes(); ++vertex) {
+    for (auto const& [node, factor] : frames.terms(vertex)) {
+      std::array<double, 3> local{};
+      std::array<double, 3> global{};
+      for (int c = 0; c < components; ++c) {
+        local[c] = values(dofs.dof(node, c), 0);
+      }
+      frames.fromFrame(node, local.data(), global.data());
+      for (int c = 0; c < components; ++c) {
+        result[static_cast<std::size_t>(vertex) * components + c] += factor * global[c];
+      }
     }
-    frames.fromFrame(node, local.data(), &result[static_cast<std::size_t>(node) * components]);
   }
   return result;
 }

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "fem/DofMap.hpp"
+#include "fem/constraints/VertexTerms.hpp"
 
 #include <array>
 #include <vector>
@@ -11,17 +12,25 @@ namespace asperity::fem
 // a condition on a direction (the normal of a dipping fault, say) becomes a condition on one
 // component. components <= 3; row r, column c of the frame of a node is entry(node, r, c). A frame
 // is the identity until it is set.
+//
+// With the terms of the vertices they say what the unknowns x mean: the vector at a vertex is the
+// sum over its terms of factor * frame(node)^T x(node).
 class NodalFrames
 {
 public:
   using Matrix =
     std::array<double, 9>; // row-major, the leading components x components block is used
 
-  NodalFrames(int num_nodes, int components)
+  // splits: those of the mesh.
+  NodalFrames(int num_nodes, int components, std::vector<SplitVertex> const& splits = {})
       : components_(components)
       , frames_(num_nodes, identity(components))
+      , terms_(num_nodes, splits)
   {
   }
+
+  VertexTerms::Terms terms(int vertex) const { return terms_.at(vertex); }
+  VertexTerms const& vertexTerms() const { return terms_; }
 
   static Matrix identity(int components)
   {
@@ -65,10 +74,10 @@ public:
 private:
   int components_;
   std::vector<Matrix> frames_;
+  VertexTerms terms_;
 };
 
-// Components along the axes (num owned nodes, components) of a vector of owned dofs in nodal
-// frames.
+// Components along the axes at the vertices (num owned nodes, components) of a vector of owned dofs.
 std::vector<double> alongAxes(NodalFrames const& frames, DofMap const& dofs, Vector const& x);
 
 // The components of a node's frame along a boundary, ascending: all but the one that is nearest to

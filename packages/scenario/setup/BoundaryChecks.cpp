@@ -1,6 +1,7 @@
 #include "scenario/setup/BoundaryChecks.hpp"
 
 #include "base/NearestName.hpp"
+#include "scenario/setup/ConditionTypes.hpp"
 #include "scenario/setup/NodalField.hpp"
 
 #include <algorithm>
@@ -88,6 +89,43 @@ void requireBoundaries(ParameterList const& list, Mesh<Dim> const& mesh)
   }
 }
 
+template <int Dim>
+void requireFaults(ParameterList const& list, Mesh<Dim> const& mesh)
+{
+  auto const conditions = readConditions(list);
+  const auto is_inside = [&mesh](std::string const& boundary) {
+    return std::find(mesh.faults.begin(), mesh.faults.end(), boundary) != mesh.faults.end();
+  };
+  const bool two_sided =
+    std::any_of(conditions.begin(), conditions.end(), [](BoundaryCondition const& condition) {
+      return condition.type->name == two_sided_fault;
+    });
+  for (auto const& condition : conditions) {
+    auto const& type = condition.type->name;
+    ASPERITY_REQUIRE(!is_inside(condition.boundary) || (two_sided && condition.liesAlongFault()),
+                     condition.name << " / Boundary = '" << condition.boundary
+                                    << "' is a fault inside the body, where the Type '" << type
+                                    << "' says nothing. Choose '" << two_sided_fault
+                                    << "', or 'Prescribed Slip Rate' where it continues one.");
+    ASPERITY_REQUIRE(is_inside(condition.boundary) || !two_sided || !condition.liesAlongFault(),
+                     condition.name << " / Boundary = '" << condition.boundary
+                                    << "' is no fault inside the body, which the Type '" << type
+                                    << "' needs here. Give it in Mesh / Faults, or mark facets "
+                                       "inside the mesh.");
+  }
+  for (auto const& fault : mesh.faults) {
+    ASPERITY_REQUIRE(std::any_of(conditions.begin(), conditions.end(),
+                                 [&fault](BoundaryCondition const& condition) {
+                                   return condition.boundary == fault;
+                                 }),
+                     "Asperity / Boundary Conditions: nothing is said about the fault '"
+                       << fault << "' inside the mesh. Add a condition of the Type '"
+                       << two_sided_fault << "' or 'Prescribed Slip Rate'.");
+  }
+}
+
+template void requireFaults(ParameterList const&, Mesh<2> const&);
+template void requireFaults(ParameterList const&, Mesh<3> const&);
 template void requireBoundaries(ParameterList const&, Mesh<2> const&);
 template void requireBoundaries(ParameterList const&, Mesh<3> const&);
 } // namespace asperity::scenario

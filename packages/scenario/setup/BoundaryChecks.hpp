@@ -23,4 +23,9 @@ void refuseUnreadEntries(std::vector<BoundaryCondition> const& conditions);
 // same on all ranks.
 template <int Dim>
 void requireBoundaries(ParameterList const& list, Mesh<Dim> const& mesh);
+
+// InputError unless conditions on faults inside the body are those of two-sided faults, conditions
+// of two-sided faults are on these alone, and each of these has one. After requireBoundaries.
+template <int Dim>
+void requireFaults(ParameterList const& list, Mesh<Dim> const& mesh);
 } // namespace asperity::scenario

@@ -106,9 +106,10 @@ BoundaryConditions<Dim> makeBoundaryConditions(ParameterList const& list, int co
       make(condition, setting, result);
     }
   }
-  ASPERITY_REQUIRE(!result.fault.empty(),
-                   "Asperity / Boundary Conditions has no condition of Type 'Bilateral Contact' or "
-                   "'Antisymmetric Fault'. Name the boundary that is the fault.");
+  ASPERITY_REQUIRE(!result.faults.empty(),
+                   "Asperity / Boundary Conditions has no condition of Type 'Bilateral Contact', "
+                   "'Antisymmetric Fault' or 'Two-Sided Fault'. Name the boundary that is the "
+                   "fault.");
   if (components > 1) {
     layAlongFault(conditions, setting, result);
   }

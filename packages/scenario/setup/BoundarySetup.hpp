@@ -15,9 +15,10 @@ RCP<const ParameterList> boundaryParameters();
 template <int Dim>
 struct BoundaryConditions
 {
-  std::string fault; // name of the boundary with friction
-  // A rigid foundation in bilateral contact (u_n = 0), or the other half of a planar fault, where
-  // the displacement across it is free.
+  // Boundaries with friction: one, or several faults between two bodies, which have one surface.
+  fem::Boundaries faults;
+  // A rigid foundation in bilateral contact (u_n = 0), the other half of a planar fault, where the
+  // displacement across it is free, or a second body, of which there is no opening (d_n = 0).
   fem::OtherSide other_side = fem::OtherSide::rigid_foundation;
   std::string surface;                // of the first free surface; empty if there is none
   std::vector<std::string> absorbing; // boundaries with dashpots

@@ -25,7 +25,8 @@ RCP<const ParameterList> bulkParameters()
     Declare()
       .field(radiation_damping, optional, "Pa s/m", Range::atLeast(0),
              "This is eta in tau = friction + eta V, where V is the slip rate. If it is left out, "
-             "eta is G / (2 cs) on an antisymmetric fault and G / cs in bilateral contact.")
+             "eta is G / (2 cs) on an antisymmetric fault and G / cs in bilateral contact; between two "
+             "bodies it is Z1 Z2 / (Z1 + Z2) with their impedances Z = G / cs.")
       .list();
   return Declare()
     .choice("Model", "Plane Strain", {"Plane Strain", "Antiplane", "Solid"},
@@ -92,8 +93,9 @@ std::vector<double> radiationDamping(ParameterList const& list, Mesh<Dim> const&
                        surface.vertices());
   }
   std::vector<double> eta;
+  const double sides = surface.otherSide() == fem::OtherSide::rigid_foundation ? 1 : 2;
   for (auto const& material : at_nodes) {
-    eta.push_back(material.shearImpedance() / surface.slipFactor()); // G / cs = rho cs
+    eta.push_back(material.shearImpedance() / sides); // G / cs = rho cs
   }
   return eta;
 }

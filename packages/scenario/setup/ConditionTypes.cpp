@@ -82,10 +82,12 @@ bool isDriven(ParameterList const& list)
 template <int Dim>
 void takeFault(BoundaryCondition const& condition, BoundaryConditions<Dim>& result)
 {
-  ASPERITY_REQUIRE(result.fault.empty(), condition.name
-                                           << ": there is already friction on the boundary '"
-                                           << result.fault << "'. One boundary can have it.");
-  result.fault = condition.boundary;
+  ASPERITY_REQUIRE(result.faults.empty(),
+                   condition.name << ": there is already friction on the boundary '"
+                                  << result.faults.front()
+                                  << "'. Several boundaries can have it only if all are of the Type "
+                                     "'Two-Sided Fault'.");
+  result.faults.push_back(condition.boundary);
 }
 
 template <int Dim>
@@ -101,6 +103,18 @@ void antisymmetricFault(BoundaryCondition const& condition, Setting const&,
 {
   takeFault(condition, result);
   result.other_side = fem::OtherSide::mirror_image;
+}
+
+template <int Dim>
+void twoSidedFault(BoundaryCondition const& condition, Setting const&,
+                   BoundaryConditions<Dim>& result)
+{
+  if (result.other_side != fem::OtherSide::body) {
+    takeFault(condition, result);
+  } else {
+    result.faults.push_back(condition.boundary);
+  }
+  result.other_side = fem::OtherSide::body;
 }
 
 // v_t = slip rate / slip factor: along the tangent of the frames, in three dimensions along the
@@ -150,8 +164,10 @@ void prescribedVelocity(BoundaryCondition const& condition, Setting const& setti
   result.velocities.push_back(
     {condition.name, condition.boundary, fem::PrescribedVelocity<Dim>{direction, velocity}});
   if (Dim == 3 && isDriven(condition.list)) {
-    result.velocities.push_back(
-      {condition.name, result.fault, fem::NoSlipSidewaysAtEdge{direction, condition.boundary}});
+    for (auto const& fault : result.faults) {
+      result.velocities.push_back(
+        {condition.name, fault, fem::NoSlipSidewaysAtEdge{direction, condition.boundary}});
+    }
   }
   result.ramp_end = std::max(result.ramp_end, duration);
 }
@@ -207,6 +223,13 @@ std::vector<ConditionType> const& conditionTypes()
      Place::fault,
      DecidesOn::traction,
      {antisymmetricFault<2>, antisymmetricFault<3>}},
+    {two_sided_fault,
+     "rate-and-state friction acts between two bodies on a fault inside the mesh, which does not "
+     "open; several boundaries may be of this type.",
+     {},
+     Place::fault,
+     DecidesOn::traction,
+     {twoSidedFault<2>, twoSidedFault<3>}},
     {"Prescribed Slip Rate",
      "the boundary continues the fault and slips at that rate.",
      {"Direction", "Slip Rate"},

@@ -48,6 +48,9 @@ struct ConditionType
   std::tuple<ConditionMaker<2>, ConditionMaker<3>> makers;
 };
 
+// The Type of a fault inside the body.
+inline constexpr char const* two_sided_fault = "Two-Sided Fault";
+
 // All that a deck may choose from, each once.
 std::vector<ConditionType> const& conditionTypes();
 ConditionType const& conditionType(std::string const& name);

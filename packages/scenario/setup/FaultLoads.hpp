@@ -19,6 +19,8 @@ public:
   bool dependsOnTime() const { return size_.dependsOnTime(); }
   // (num_nodes, T) along the fault's tangents at the time t [s], in Pa.
   std::vector<double> at(double t) const;
+  // (num_nodes, T) where it points: a unit vector along the tangents.
+  std::vector<double> const& direction() const { return direction_; }
 
 private:
   NodalField size_;

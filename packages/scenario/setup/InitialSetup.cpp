@@ -33,6 +33,10 @@ RCP<const ParameterList> initialStateParameters()
            "The body starts with this velocity along y. An antiplane model has none.")
     .field(velocity_names[2], 0., "m/s", Range::any(),
            "The body starts with this velocity along z. Only antiplane models and solids have it.")
+    .field("Slip Rate", optional, "m/s", Range::any(),
+           "The fault starts with this slip rate, in place of the one that follows from the "
+           "velocity. It points along the tangent, in three dimensions along 'Slip Direction'. A "
+           "two-sided fault needs it, since the velocity is the same on both of its sides.")
     .choice("Acceleration", "Balanced", {"Balanced", "Zero"},
             "Selects the initial acceleration. Balanced: it follows from the balance of momentum; "
             "a quasi-dynamic model has none. Zero: it is zero whatever the forces are.")
@@ -53,6 +57,15 @@ bool startsStatic(ParameterList const& list)
 
 namespace
 {
+// Of the values at the two vertices of a pair: the nodes carry the jump at `plus`, the mean at
+// `minus` (fem::VertexTerms).
+void toMeanAndJump(double& plus, double& minus)
+{
+  const double jump = plus - minus;
+  minus += jump / 2;
+  plus = jump;
+}
+
 template <int Dim>
 RCP<Vector> initialVelocity(ParameterList const& list, Mesh<Dim> const& mesh,
                             dynamics::Body const& body, fem::Constraints<Dim> const& constraints)
@@ -65,6 +78,11 @@ RCP<Vector> initialVelocity(ParameterList const& list, Mesh<Dim> const& mesh,
   std::vector<std::vector<double>> along(components);
   for (int c = 0; c < components; ++c) {
     along[c] = nodalValues(list, velocity_names[components == 1 ? 2 : c], path, mesh, nodes);
+  }
+  for (auto const& split : mesh.splits) {
+    for (int c = 0; c < components && split.plus < mesh.num_owned; ++c) {
+      toMeanAndJump(along[c][split.plus], along[c][split.minus]);
+    }
   }
   auto const values = v->getLocalViewHost(Tpetra::Access::ReadWrite);
   for (int node = 0; node < mesh.num_owned; ++node) {
@@ -82,6 +100,26 @@ RCP<Vector> initialVelocity(ParameterList const& list, Mesh<Dim> const& mesh,
     }
   }
   return v;
+}
+
+// Where the deck gives the slip rate, it decides on the tangential unknowns of the fault.
+template <int Dim>
+void setSlipRate(ParameterList const& list, Mesh<Dim> const& mesh, fem::FaultSurface const& surface,
+                 std::vector<double> const& direction, Vector& v)
+{
+  if (!isGiven(list, "Slip Rate")) {
+    return;
+  }
+  auto const rate = nodalValues(list, "Slip Rate", path, mesh, surface.vertices());
+  auto const values = v.getLocalViewHost(Tpetra::Access::ReadWrite);
+  for (int node = 0; node < surface.numNodes(); ++node) {
+    for (int k = 0; k < surface.numTangents(); ++k) {
+      if (!surface.held(node, k)) {
+        values(surface[node].dofs[k], 0) =
+          rate[node] * direction[node * surface.numTangents() + k] / surface.slipFactor();
+      }
+    }
+  }
 }
 
 constexpr double none = std::numeric_limits<double>::quiet_NaN();
@@ -223,6 +261,7 @@ dynamics::State makeInitialState(ParameterList const& deck, Mesh<Dim> const& mes
   dynamics::State state;
   state.u = start.displacement;
   state.v = initialVelocity(list, mesh, body, constraints);
+  setSlipRate(list, mesh, fault.surface(), start.slip_direction, *state.v);
   state.a = body.vector();
   state.jerk = body.vector();
   state.sigma_n = friction::NodeView("asperity::scenario::sigma_n", num_nodes);

@@ -19,13 +19,15 @@ bool startsStatic(ParameterList const& list);
 struct StartOfRun
 {
   RCP<Vector> displacement;
-  std::vector<double> traction;  // (num_nodes, T) that drives the body along the tangents [Pa]
-  std::vector<double> radiation; // (num_nodes) damping eta [Pa s/m]
+  std::vector<double> traction;       // (num_nodes, T) that drives the body along the tangents [Pa]
+  std::vector<double> slip_direction; // (num_nodes, T) the unit vector of the deck
+  std::vector<double> radiation;      // (num_nodes) damping eta [Pa s/m]
 };
 
 // The state at t = 0 by the deck's list `Initial State`.
 //
-// The velocity is the prescribed one where it is held, elsewhere that of the list. alpha at the
+// The velocity is the prescribed one where it is held, elsewhere that of the list, which may give
+// the slip rate of the fault on its own. alpha at the
 // fault nodes, by the list's `State`:
 //   Given           the field `alpha`;
 //   Steady          d(alpha)/dt = 0 at the slip rate V;

@@ -4,7 +4,8 @@ namespace asperity::scenario
 {
 namespace
 {
-// (num local vertices) the region of the first cell that has the vertex.
+// (num local vertices) the region of the first cell that has the vertex; at the tip of a fault that
+// has the other vertex there.
 template <int Dim>
 std::vector<int> vertexRegions(Mesh<Dim> const& mesh)
 {
@@ -14,6 +15,11 @@ std::vector<int> vertexRegions(Mesh<Dim> const& mesh)
       if (regions[vertex] < 0) {
         regions[vertex] = mesh.cell_regions[cell];
       }
+    }
+  }
+  for (auto const& split : mesh.splits) {
+    if (split.is_tip) {
+      regions[split.plus] = regions[split.minus];
     }
   }
   return regions;

@@ -73,7 +73,9 @@ NodalDirections collectDirections(Mesh<Dim> const& mesh,
   for (std::size_t i = 0; i < conditions.size(); ++i) {
     auto const normals = normalsOf(conditions[i], mesh, walls, components);
     for (int node : nodesOf(conditions[i], mesh)) {
-      result[node].push_back({conditions[i].unitDirection(normals.at(node)), static_cast<int>(i)});
+      const int condition = static_cast<int>(i);
+      result[node].push_back(
+        {conditions[i].unitDirection(normals.at(node)), condition, {{condition, 1.}}});
     }
   }
   return result;

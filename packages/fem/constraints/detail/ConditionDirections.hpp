@@ -1,18 +1,20 @@
 #pragma once
 
 #include "fem/constraints/VelocityCondition.hpp"
+#include "fem/constraints/detail/NodalBasis.hpp"
 
 #include <map>
 #include <vector>
 
 namespace asperity::fem::detail
 {
-// A unit vector along which the velocity is prescribed (or free), and the number of the condition
-// that says so.
+// A unit vector along which the velocity is prescribed (or free), the number of the condition that
+// says so, and the velocity: that of the condition, except at split vertices.
 struct Direction
 {
   std::vector<double> vector;
   int condition;
+  Terms terms;
 };
 
 // The directions at each owned node, by its local number, in the order of the conditions.

@@ -1,0 +1,27 @@
+#include "fem/constraints/VertexTerms.hpp"
+
+#include <numeric>
+
+namespace asperity::fem
+{
+VertexTerms::VertexTerms(int num_vertices, std::vector<SplitVertex> const& splits)
+    : split_of_(num_vertices, -1)
+    , represented_(num_vertices)
+    , is_jump_(num_vertices, false)
+{
+  std::iota(represented_.begin(), represented_.end(), 0);
+  for (auto const& split : splits) {
+    is_jump_[split.plus] = true;
+    if (!split.is_tip) {
+      split_of_[split.plus] = split_of_[split.minus] = static_cast<int>(splits_.size());
+      splits_.push_back(split);
+    }
+  }
+  for (auto const& split : splits) {
+    if (split.is_tip) {
+      represented_[split.plus] = split.minus;
+      split_of_[split.plus] = split_of_[split.minus];
+    }
+  }
+}
+} // namespace asperity::fem
