@@ -19,12 +19,15 @@ void printHelp()
     << boxOptions()
     << "  asperity-mesh partition FILE.h5 --parts N --output OUT.h5 [--overwrite]\n"
        "                [--boundary NAME] [--boundary-weight W]\n"
-       "    Divides a mesh, partitioned before or not, into N parts for N ranks.\n"
+       "    Divides a mesh, partitioned before or not, into N parts for N ranks, after it has "
+       "been\n"
+       "    split along its faults.\n"
        "    The parts also get equal shares of the vertices of the boundary, which is the fault; "
        "they\n"
        "    count W times in the balance (4). A mesh that is partitioned again keeps both "
        "options.\n"
        "  asperity-mesh info FILE.h5\n"
-       "    Prints counts, sizes, regions and boundaries of a mesh, partitioned or not.\n\n"
+       "    Prints counts, sizes, regions, boundaries and faults of a mesh, partitioned or not.\n"
+       "    Counts are those after the split along the faults.\n\n"
        "Exit status: 0 done, 2 the input is at fault, 5 a file cannot be written.\n";
 }

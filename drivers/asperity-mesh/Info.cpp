@@ -3,9 +3,11 @@
 
 #include "base/Text.hpp"
 #include "mesh/MeshQuality.hpp"
+#include "mesh/faults/SplitFaults.hpp"
 #include "mesh/file/MeshFile.hpp"
 #include "mesh/file/PartitionedFile.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <iostream>
 
@@ -51,17 +53,44 @@ void printPartition(asperity::mesh::PartitionSummary const& summary)
 }
 
 template <int Dim>
+bool isFault(asperity::GlobalMesh<Dim> const& mesh, std::string const& boundary)
+{
+  return std::binary_search(mesh.faults.begin(), mesh.faults.end(), boundary);
+}
+
+// Those of a fault's vertices where it ends inside the body.
+template <int Dim>
+int numTips(asperity::GlobalMesh<Dim> const& mesh, std::string const& fault)
+{
+  const auto vertices = asperity::mesh::boundaryVertices(mesh, fault);
+  return static_cast<int>(
+    std::count_if(mesh.splits.begin(), mesh.splits.end(), [&](auto const& pair) {
+      return pair.is_tip && std::binary_search(vertices.begin(), vertices.end(), pair.plus);
+    }));
+}
+
+// The copies are made when the mesh is read; the file has them if it is partitioned.
+template <int Dim>
+std::string copies(asperity::GlobalMesh<Dim> const& mesh)
+{
+  return mesh.splits.empty()
+           ? ""
+           : ", " + std::to_string(mesh.splits.size()) + " of them copies at faults";
+}
+
+template <int Dim>
 void printMesh(std::string const& file_name, bool is_partitioned)
 {
-  const auto mesh = is_partitioned ? asperity::mesh::readParts<Dim>(file_name)
-                                   : asperity::mesh::readMesh<Dim>(file_name);
+  auto mesh = is_partitioned ? asperity::mesh::readParts<Dim>(file_name)
+                             : asperity::mesh::readMesh<Dim>(file_name);
+  asperity::mesh::splitFaults(mesh, "Mesh file '" + file_name + "'"); // if they are not split yet
   const auto sizes = asperity::mesh::cellSizes(mesh);
   if (is_partitioned) {
     printPartition(asperity::mesh::partitionSummary(file_name));
   }
   const double degree = std::acos(-1.0) / 180.0;
   std::cout << "dimension        " << Dim << '\n'
-            << "vertices         " << mesh.vertices.size() << '\n'
+            << "vertices         " << mesh.vertices.size() << copies(mesh) << '\n'
             << "cells            " << mesh.cells.size() << '\n'
             << "bounding box     " << boundingBox(mesh) << " m\n"
             << period(mesh) << (Dim == 2 ? "area             " : "volume           ")
@@ -77,9 +106,14 @@ void printMesh(std::string const& file_name, bool is_partitioned)
     std::cout << "region           " << mesh.region_names[r] << ": " << num_cells[r] << " cells\n";
   }
   for (auto const& [name, facets] : mesh.boundaries) {
-    std::cout << "boundary         " << name << ": " << facets.size() << " facets, "
-              << asperity::mesh::boundaryVertices(mesh, name).size() << " vertices, shortest edge "
-              << formatShort(asperity::mesh::shortestEdge(mesh, name)) << " m\n";
+    const int tips = numTips(mesh, name);
+    std::cout << (isFault(mesh, name) ? "fault            " : "boundary         ") << name << ": "
+              << facets.size() << " facets, " << asperity::mesh::boundaryVertices(mesh, name).size()
+              << " vertices, "
+              << (isFault(mesh, name) ? std::to_string(tips) + (tips == 1 ? " tip, " : " tips, ")
+                                      : "")
+              << "shortest edge " << formatShort(asperity::mesh::shortestEdge(mesh, name))
+              << " m\n";
   }
 }
 } // namespace

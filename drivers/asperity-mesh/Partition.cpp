@@ -4,6 +4,7 @@
 #include "base/Errors.hpp"
 #include "base/Text.hpp"
 #include "mesh/MeshQuality.hpp"
+#include "mesh/faults/SplitFaults.hpp"
 #include "mesh/file/MeshFile.hpp"
 #include "mesh/file/PartitionedFile.hpp"
 
@@ -54,8 +55,9 @@ void partitionMesh(Arguments const& arguments, bool is_partitioned)
   const int num_parts = numParts(arguments);
   const std::string target = outputFile(arguments);
   const auto options = optionsFrom(arguments, is_partitioned);
-  const auto mesh =
+  auto mesh =
     is_partitioned ? asperity::mesh::readParts<Dim>(source) : asperity::mesh::readMesh<Dim>(source);
+  asperity::mesh::splitFaults(mesh, "Mesh file '" + source + "'"); // if they are not split yet
   const auto owners = asperity::mesh::partitionVertices(mesh, num_parts, options);
   asperity::mesh::writeParts(mesh, owners, num_parts, options, target);
   std::cout << target << ": " << num_parts << (num_parts == 1 ? " part of " : " parts of ")

@@ -4,6 +4,8 @@
 #include "base/parallel/Agreement.hpp"
 #include "mesh/SimplexGeometry.hpp"
 #include "mesh/detail/FacetTable.hpp"
+#include "mesh/faults/FaultSides.hpp"
+#include "mesh/faults/InnerBoundaries.hpp"
 
 #include <set>
 
@@ -44,10 +46,38 @@ bool isComplete(Mesh<Dim> const& part, typename Mesh<Dim>::Facet const& facet)
                      [&](int vertex) { return vertex < part.num_owned; });
 }
 
-// The facets that belong to one cell only, with outward orientation.
+// The facets of the cells on both sides of the faults along which the mesh is split.
+template <template <int> class AnyMesh, int Dim>
+std::set<typename Mesh<Dim>::Facet> sidesOfFaults(AnyMesh<Dim> const& mesh)
+{
+  const FaultSides<Dim> sides(mesh.splits);
+  std::set<typename Mesh<Dim>::Facet> facets;
+  for (auto const& fault : mesh.faults) {
+    for (auto const& facet : mesh.boundaries.at(fault)) {
+      facets.insert(detail::sorted(sides.plusSide(facet)));
+      facets.insert(detail::sorted(sides.minusSide(facet)));
+    }
+  }
+  return facets;
+}
+
+// Faults inside the body, those along which the mesh is split or will be.
+template <int Dim>
+std::vector<std::string> faultsOf(GlobalMesh<Dim> const& mesh, std::string const& where)
+{
+  return mesh.faults.empty() ? innerBoundaries(mesh, where) : mesh.faults;
+}
+template <int Dim>
+std::vector<std::string> faultsOf(Mesh<Dim> const& part, std::string const&)
+{
+  return part.faults;
+}
+
+// The facets that belong to one cell only and are not beside a fault, with outward orientation.
 template <template <int> class AnyMesh, int Dim>
 std::vector<typename Mesh<Dim>::Facet> outerFacets(AnyMesh<Dim> const& mesh)
 {
+  const auto beside_faults = sidesOfFaults(mesh);
   const detail::FacetTable<Dim> table(mesh.cells);
   auto const& entries = table.entries();
   std::vector<typename Mesh<Dim>::Facet> outer;
@@ -56,7 +86,8 @@ std::vector<typename Mesh<Dim>::Facet> outerFacets(AnyMesh<Dim> const& mesh)
     while (last < entries.size() && entries[last].key == entries[first].key) {
       ++last;
     }
-    if (last - first == 1 && isComplete(mesh, entries[first].outward)) {
+    if (last - first == 1 && isComplete(mesh, entries[first].outward) &&
+        beside_faults.count(entries[first].key) == 0) {
       outer.push_back(entries[first].outward);
     }
     first = last;
@@ -122,6 +153,13 @@ template <template <int> class AnyMesh, int Dim, class OnAnyRank>
 void assignBoundaries(AnyMesh<Dim>& mesh, std::vector<NamedCondition<Dim>> const& conditions,
                       std::string const& where, OnAnyRank on_any_rank)
 {
+  const auto faults = conditions.empty() ? std::vector<std::string>() : faultsOf(mesh, where);
+  for (auto const& condition : conditions) {
+    ASPERITY_REQUIRE(std::find(faults.begin(), faults.end(), condition.name) == faults.end(),
+                     where << " / " << condition.name
+                           << ": a fault inside the body has this name. Give the boundary another "
+                              "one.");
+  }
   const NamedFacets<AnyMesh, Dim> named(mesh, conditions);
   const std::vector<int> are_used = on_any_rank(named.areUsed(conditions));
   std::map<std::string, std::vector<typename Mesh<Dim>::Facet>> boundaries;

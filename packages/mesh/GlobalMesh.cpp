@@ -4,6 +4,8 @@
 #include "mesh/PointText.hpp"
 #include "mesh/SimplexGeometry.hpp"
 #include "mesh/detail/FacetTable.hpp"
+#include "mesh/faults/InnerBoundaries.hpp"
+#include "mesh/faults/SplitCheck.hpp"
 
 #include <set>
 
@@ -134,6 +136,11 @@ private:
         is_used[static_cast<std::size_t>(vertex)] = true;
       }
     }
+    for (auto const& pair : mesh_.splits) { // checkSplits looks at these
+      if (pair.plus >= 0 && static_cast<std::size_t>(pair.plus) < is_used.size()) {
+        is_used[static_cast<std::size_t>(pair.plus)] = true;
+      }
+    }
     for (std::size_t v = 0; v < is_used.size(); ++v) {
       ASPERITY_REQUIRE(is_used[v], where_ << ": vertex " << v << " at " << text(mesh_.vertices[v])
                                           << " belongs to no cell.");
@@ -150,29 +157,34 @@ private:
                               << " and " << entries[i].cell << " share the facet with vertices "
                               << numbers(entries[i].key) << "; at most two may.");
     }
+    checkSplits(mesh_, table, where_);
     for (auto const& [name, facets] : mesh_.boundaries) {
+      auto const& split = mesh_.faults;
+      const bool is_split_fault = std::find(split.begin(), split.end(), name) != split.end();
       std::set<typename GlobalMesh<Dim>::Facet> known;
       for (auto const& facet : facets) {
-        checkBoundaryFacet(table, name, facet);
+        if (!is_split_fault) {
+          checkBoundaryFacet(table, name, facet);
+        }
         ASPERITY_REQUIRE(known.insert(detail::sorted(facet)).second,
                          where_ << ": boundary '" << name << "' has the facet with vertices "
                                 << numbers(facet) << " twice.");
       }
     }
+    const auto inner = innerBoundaries(mesh_, table, where_);
+    ASPERITY_REQUIRE(inner.empty() || mesh_.faults.empty(),
+                     where_ << ": the mesh is split along its faults, but not along '"
+                            << inner.front() << "', which lies inside the body, too.");
   }
 
   void checkBoundaryFacet(detail::FacetTable<Dim> const& table, std::string const& name,
                           typename GlobalMesh<Dim>::Facet const& facet) const
   {
     const auto [first, last] = table.find(facet);
-    const auto describe = [&, this] {
-      return where_ + ": the facet of boundary '" + name + "' with vertices " + numbers(facet) +
-             " at " + text(corners(mesh_, facet));
-    };
-    ASPERITY_REQUIRE(first != last, describe() << " is not a facet of any cell.");
-    ASPERITY_REQUIRE(last - first == 1, describe()
-                                          << " lies inside the body, between cells " << first->cell
-                                          << " and " << (first + 1)->cell << ".");
+    ASPERITY_REQUIRE(first != last, where_ << ": the facet of boundary '" << name
+                                           << "' with vertices " << numbers(facet) << " at "
+                                           << text(corners(mesh_, facet))
+                                           << " is not a facet of any cell.");
   }
 
   GlobalMesh<Dim> const& mesh_;
@@ -191,6 +203,9 @@ void orientFacets(GlobalMesh<Dim>& mesh)
 {
   const detail::FacetTable<Dim> table(mesh.cells);
   for (auto& [name, facets] : mesh.boundaries) {
+    if (std::find(mesh.faults.begin(), mesh.faults.end(), name) != mesh.faults.end()) {
+      continue; // splitFaults has chosen their sides
+    }
     for (auto& facet : facets) {
       const auto [first, last] = table.find(facet);
       if (last - first == 1) {

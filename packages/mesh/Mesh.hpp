@@ -12,13 +12,20 @@ namespace asperity
 template <int Dim>
 using Point = std::array<double, Dim>;
 
-// Two vertices at one place, on the two sides of a fault inside the body.
+// Two vertices at one place, on the two sides of a fault inside the body. At a tip the body is not
+// cut: no cell refers to `plus`, only facets of the fault do, and `minus` is the vertex of the
+// cells around it. Where a fault branches off another one, its tip's `minus` is the vertex on that
+// side of the other fault on which the branch lies, and may be the plus of a pair itself.
 struct SplitVertex
 {
   int plus = 0;
   int minus = 0;
   bool is_tip = false;
 };
+inline bool operator==(SplitVertex const& a, SplitVertex const& b)
+{
+  return a.plus == b.plus && a.minus == b.minus && a.is_tip == b.is_tip;
+}
 
 // The part of a conforming mesh of simplices that one rank works on.
 //
@@ -28,6 +35,10 @@ struct SplitVertex
 //
 // Where the mesh is periodic, opposite sides are one set of vertices with the lower coordinate, and
 // some cells reach across the period: corners() gives their geometry (SimplexGeometry.hpp).
+//
+// Along the faults inside the body the mesh is split (faults/SplitFaults.hpp): cells on the two
+// sides have no vertex in common but for the tips. Both vertices of a pair are owned by one rank,
+// and a rank that has one of them has the other, so that ghosts may be without a cell.
 template <int Dim>
 struct Mesh
 {
@@ -47,9 +58,13 @@ struct Mesh
   // Facets by name of the boundary; every rank has every name, perhaps without facets.
   // Outward orientation: the body lies to the left of a 2D facet (first -> second vertex), and the
   // right-hand normal of a 3D facet points out of it.
+  //
+  // Those of a fault inside the body are the facets of its plus side, outward from the body there,
+  // and consist of plus vertices alone, tips too; with minus for plus they are those of the other
+  // side (faults/FaultSides.hpp). The unit normal from minus to plus is opposite to theirs.
   std::map<std::string, std::vector<Facet>> boundaries;
 
-  std::vector<std::string> faults; // boundaries that are faults inside the body
-  std::vector<SplitVertex> splits; // ascending in plus
+  std::vector<SplitVertex> splits; // local vertex numbers, ascending in plus
+  std::vector<std::string> faults; // boundaries inside the body, sorted; the same on every rank
 };
 } // namespace asperity

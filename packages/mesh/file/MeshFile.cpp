@@ -71,6 +71,7 @@ int readDimension(detail::MeshFileReader const& file)
 template <int Dim>
 void writeMesh(GlobalMesh<Dim> const& mesh, std::string const& file_name)
 {
+  ASPERITY_ASSERT(mesh.splits.empty());
   const std::string where = "Mesh file '" + file_name + "'";
   for (auto const& boundary : mesh.boundaries) {
     detail::requireGroupName(boundary.first, where);

@@ -13,12 +13,15 @@
 //   /region_names               (num_regions)                strings
 //   /boundaries/<name>/facets   (num_facets, dimension)      vertex numbers, in any order
 //
+// A boundary whose facets have two neighbouring cells each is a fault inside the body; the mesh is
+// not split in the file (faults/SplitFaults.hpp).
+//
 // Coordinates may be integers or floating point numbers of any size, all others integers of any
 // size; strings may have fixed or variable length.
 namespace asperity::mesh
 {
 // Overwrites an existing file. The file is written under another name and then renamed, so that it
-// is complete if it exists. Throws InputError if it cannot be written.
+// is complete if it exists. The mesh is not split. Throws InputError if it cannot be written.
 template <int Dim>
 void writeMesh(GlobalMesh<Dim> const& mesh, std::string const& file_name);
 

@@ -4,6 +4,7 @@
 #include "base/parallel/Agreement.hpp"
 #include "base/parallel/Messages.hpp"
 #include "base/parallel/Reductions.hpp"
+#include "mesh/faults/SplitRows.hpp"
 #include "mesh/file/MeshFile.hpp"
 #include "mesh/file/detail/PartCheck.hpp"
 #include "mesh/file/detail/SlabReader.hpp"
@@ -40,6 +41,7 @@ PartitionSummary summaryOnEveryRank(std::string const& file_name, Communicator c
   from_root.text(summary.options.boundary);
   from_root.texts(summary.region_names);
   from_root.texts(summary.boundary_names);
+  from_root.texts(summary.faults);
   return summary;
 }
 
@@ -61,6 +63,8 @@ Mesh<Dim> readMeshOf(detail::SlabReader& reader, PartitionSummary const& summary
     mesh.boundaries[name] =
       reader.read<typename Mesh<Dim>::Facet>(detail::boundaryArray(name, "facets"), part);
   }
+  mesh.splits = fromRows(reader.read<SplitRow>("/splits", part));
+  mesh.faults = summary.faults;
   return mesh;
 }
 

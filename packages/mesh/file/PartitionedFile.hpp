@@ -6,13 +6,16 @@
 
 // Meshes divided for a number of ranks, of which every rank reads its own part alone:
 //
-//   /                       attributes format = "asperity-partition", version = 1, dimension,
+//   /                       attributes format = "asperity-partition", version = 2, dimension,
 //                           num_parts, num_vertices and num_cells of the whole mesh, period
 //                           (dimension) in m with 0 where not periodic, fingerprint of the whole
 //                           mesh (16 hexadecimal digits, for any parts), boundary ("" for
 //                           none) and boundary_weight as in PartitionOptions
 //   /region_names           (num_regions)    strings
 //   /boundaries             a group that holds a group for each boundary
+//   /faults                 (num_faults)     strings: the boundaries that are faults inside the
+//                                            body, along which the mesh is split; not there without
+//                                            faults
 //
 // and these arrays, whose rows are those of part 0, then those of part 1, and so on:
 //
@@ -22,10 +25,12 @@
 //   /cells                  (c, dimension + 1)   vertices by their numbers within the part
 //   /cell_regions           (c)              index into region_names
 //   /cell_ids               (c)              numbers of the cells in the whole mesh
+//   /splits                 (s, 3)           plus, minus, by their numbers within the part, and 1
+//                                            for a tip, otherwise 0 (SplitVertex)
 //   /boundaries/<name>/facets      (f, dimension)   vertices by their numbers within the part
 //   /boundaries/<name>/facet_ids   (f)       numbers of the facets in the whole mesh's boundary
 //
-// where n, c and f differ from part to part. An array is a group of three datasets:
+// where n, c, s and f differ from part to part. An array is a group of three datasets:
 //
 //   <array>/values          (rows of all parts) or (rows of all parts, columns)
 //   <array>/offsets         (num_parts + 1)  a part's first row, and behind the last part the end
@@ -46,10 +51,11 @@ struct PartitionSummary
   PartitionOptions options;
   std::vector<std::string> region_names;
   std::vector<std::string> boundary_names; // sorted
+  std::vector<std::string> faults;         // those inside the body, sorted
 };
 
 // Divides the mesh as `owners` says and writes all parts; partitionVertices has made `owners` with
-// these options. The file is complete if it exists. Throws InputError if it cannot be written.
+// these options. The mesh is split along its faults, if it has some. The file is complete if it exists. Throws InputError if it cannot be written.
 template <int Dim>
 void writeParts(GlobalMesh<Dim> const& mesh, std::vector<int> const& owners, int num_parts,
                 PartitionOptions const& options, std::string const& file_name);

@@ -2,6 +2,7 @@
 
 #include "base/Errors.hpp"
 #include "base/hdf5/File.hpp"
+#include "mesh/faults/SplitRows.hpp"
 #include "mesh/file/detail/CompleteFile.hpp"
 #include "mesh/file/detail/PartitionFormat.hpp"
 
@@ -32,6 +33,7 @@ public:
     array("/cells", [](Part const& part) { return part.mesh.cells; });
     array("/cell_regions", [](Part const& part) { return part.mesh.cell_regions; });
     array("/cell_ids", [](Part const& part) { return part.cells; });
+    array("/splits", [](Part const& part) { return asRows(part.mesh.splits); });
     file_.createGroup("/boundaries");
     for (auto const& name : summary_.boundary_names) {
       file_.createGroup("/boundaries/" + name);
@@ -94,6 +96,7 @@ PartitionSummary summaryOf(GlobalMesh<Dim> const& mesh, int num_parts,
   for (auto const& boundary : mesh.boundaries) {
     summary.boundary_names.push_back(boundary.first);
   }
+  summary.faults = mesh.faults;
   return summary;
 }
 
@@ -111,6 +114,9 @@ void writeSummary(h5::File& file, PartitionSummary const& summary)
   file.setAttribute("boundary", summary.options.boundary, fixed);
   file.setAttribute("boundary_weight", summary.options.boundary_weight);
   file.createTexts("/region_names", summary.region_names, fixed);
+  if (!summary.faults.empty()) {
+    file.createTexts("/faults", summary.faults, fixed);
+  }
 }
 } // namespace
 

@@ -1,5 +1,6 @@
 #include "mesh/parallel/Partition.hpp"
 
+#include "mesh/faults/SplitRows.hpp"
 #include "mesh/parallel/detail/Broadcast.hpp"
 
 namespace asperity::mesh
@@ -24,6 +25,10 @@ void broadcast(GlobalMesh<Dim>& mesh, Communicator const& communicator)
     from_root.rows(facets);
   }
   mesh.boundaries = std::move(boundaries);
+  auto splits = asRows(mesh.splits);
+  from_root.rows(splits);
+  mesh.splits = fromRows(splits);
+  from_root.texts(mesh.faults);
 }
 
 template void broadcast(GlobalMesh<2>&, Communicator const&);

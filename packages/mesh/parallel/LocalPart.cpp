@@ -83,6 +83,14 @@ public:
         }
       }
     }
+    part.faults = mesh_.faults;
+    for (auto const& [plus, minus, is_tip] : mesh_.splits) {
+      if (local_[plus] >= 0) {
+        part.splits.push_back({local_[plus], local_[minus], is_tip});
+      }
+    }
+    std::sort(part.splits.begin(), part.splits.end(),
+              [](SplitVertex const& a, SplitVertex const& b) { return a.plus < b.plus; });
     for (GlobalOrdinal vertex : part.global_ids) {
       local_[static_cast<std::size_t>(vertex)] = -1;
     }
@@ -105,7 +113,30 @@ private:
     }
     std::sort(ghosts.begin(), ghosts.end());
     ghosts.erase(std::unique(ghosts.begin(), ghosts.end()), ghosts.end());
+    addPartners(ghosts);
     number(ghosts, part);
+  }
+
+  // Of every pair with a vertex here the other one, too. At a branch the minus of a pair is the plus
+  // of another one, so one round may not do.
+  void addPartners(std::vector<int>& ghosts) const
+  {
+    const auto is_here = [&](int vertex) {
+      return local_[vertex] >= 0 || std::binary_search(ghosts.begin(), ghosts.end(), vertex);
+    };
+    for (bool is_complete = mesh_.splits.empty(); !is_complete;) {
+      std::vector<int> missing;
+      for (auto const& pair : mesh_.splits) {
+        const bool has_plus = is_here(pair.plus), has_minus = is_here(pair.minus);
+        if (has_plus != has_minus) {
+          missing.push_back(has_plus ? pair.minus : pair.plus);
+        }
+      }
+      is_complete = missing.empty();
+      ghosts.insert(ghosts.end(), missing.begin(), missing.end());
+      std::sort(ghosts.begin(), ghosts.end());
+      ghosts.erase(std::unique(ghosts.begin(), ghosts.end()), ghosts.end());
+    }
   }
 
   void number(std::vector<int> const& vertices, Mesh<Dim>& part)

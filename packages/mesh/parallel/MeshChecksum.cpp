@@ -1,6 +1,7 @@
 #include "mesh/parallel/MeshChecksum.hpp"
 
 #include "base/Hashes.hpp"
+#include "mesh/faults/SplitRows.hpp"
 
 #include <Teuchos_CommHelpers.hpp>
 
@@ -16,6 +17,9 @@ std::uint64_t checksumOfPart(Mesh<Dim> const& part, ChecksumOf what)
   checksum.add(part.cell_regions).add(part.region_names);
   for (auto const& [name, facets] : part.boundaries) {
     checksum.add(name).add(facets);
+  }
+  if (!part.faults.empty()) {
+    checksum.add(part.faults).add(asRows(part.splits));
   }
   if (what == ChecksumOf::everything) {
     checksum.add(part.vertices).add(std::vector<Point<Dim>>{part.period});

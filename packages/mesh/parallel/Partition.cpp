@@ -12,32 +12,55 @@ namespace asperity::mesh
 {
 namespace
 {
-// The graph of vertices that share a cell, in METIS's compressed rows; freed by METIS.
-class VertexGraph
+// The nodes of the graph that is partitioned: a vertex each, or all vertices of the pairs at one
+// place of a fault inside the body, which thus get one owner. METIS sees the mesh as it was before
+// the split.
+struct Nodes
+{
+  std::vector<idx_t> of_vertex; // (num_vertices)
+  idx_t count = 0;
+
+  template <int Dim>
+  explicit Nodes(GlobalMesh<Dim> const& mesh) : of_vertex(mesh.vertices.size())
+  {
+    std::vector<int> other(mesh.vertices.size(), -1); // a vertex with a lower number, if any
+    for (auto const& pair : mesh.splits) {
+      other[static_cast<std::size_t>(pair.plus)] = pair.minus;
+    }
+    for (std::size_t v = 0; v < of_vertex.size(); ++v) {
+      of_vertex[v] = other[v] < 0 ? count++ : of_vertex[static_cast<std::size_t>(other[v])];
+    }
+  }
+};
+
+// The graph of nodes that share a cell, in METIS's compressed rows; freed by METIS.
+class NodeGraph
 {
 public:
   template <int Dim>
-  explicit VertexGraph(GlobalMesh<Dim> const& mesh)
+  NodeGraph(GlobalMesh<Dim> const& mesh, Nodes const& nodes)
   {
     std::vector<idx_t> starts = {0}, vertices;
     for (auto const& cell : mesh.cells) {
-      vertices.insert(vertices.end(), cell.begin(), cell.end());
+      for (int vertex : cell) {
+        vertices.push_back(nodes.of_vertex[static_cast<std::size_t>(vertex)]);
+      }
       starts.push_back(static_cast<idx_t>(vertices.size()));
     }
     auto num_cells = static_cast<idx_t>(mesh.cells.size());
-    auto num_vertices = static_cast<idx_t>(mesh.vertices.size());
+    idx_t num_vertices = nodes.count;
     idx_t first_number = 0;
     const int status = METIS_MeshToNodal(&num_cells, &num_vertices, starts.data(), vertices.data(),
                                          &first_number, &rows, &neighbours);
     ASPERITY_ASSERT(status == METIS_OK);
   }
-  ~VertexGraph()
+  ~NodeGraph()
   {
     METIS_Free(rows);
     METIS_Free(neighbours);
   }
-  VertexGraph(VertexGraph const&) = delete;
-  VertexGraph& operator=(VertexGraph const&) = delete;
+  NodeGraph(NodeGraph const&) = delete;
+  NodeGraph& operator=(NodeGraph const&) = delete;
 
   idx_t* rows = nullptr;
   idx_t* neighbours = nullptr;
@@ -48,33 +71,36 @@ public:
 struct Constraints
 {
   idx_t number = 1;
-  std::vector<idx_t> weights;                   // (num_vertices, number)
+  std::vector<idx_t> weights;                   // (num_nodes, number)
   std::vector<real_t> tolerances{1.03f, 1.05f}; // largest part over mean
 };
 
 template <int Dim>
-Constraints constraints(GlobalMesh<Dim> const& mesh, int num_parts, PartitionOptions const& options)
+Constraints constraints(GlobalMesh<Dim> const& mesh, Nodes const& nodes, int num_parts,
+                        PartitionOptions const& options)
 {
-  std::vector<idx_t> on_boundary(mesh.vertices.size(), 0);
+  std::vector<bool> is_on_boundary(mesh.vertices.size(), false);
   idx_t num_on_boundary = 0;
   if (!options.boundary.empty()) {
     for (int vertex : boundaryVertices(mesh, options.boundary)) {
-      on_boundary[static_cast<std::size_t>(vertex)] = 1;
+      is_on_boundary[static_cast<std::size_t>(vertex)] = true;
       ++num_on_boundary;
     }
   }
   Constraints result;
   result.number = num_on_boundary > 0 && num_on_boundary >= num_parts ? 2 : 1;
-  for (idx_t is_there : on_boundary) {
-    result.weights.push_back(is_there ? options.boundary_weight : 1);
+  result.weights.assign(static_cast<std::size_t>(nodes.count * result.number), 0);
+  for (std::size_t v = 0; v < is_on_boundary.size(); ++v) {
+    idx_t* weights = &result.weights[static_cast<std::size_t>(nodes.of_vertex[v] * result.number)];
+    weights[0] += is_on_boundary[v] ? options.boundary_weight : 1;
     if (result.number == 2) {
-      result.weights.push_back(is_there);
+      weights[1] += is_on_boundary[v] ? 1 : 0;
     }
   }
   return result;
 }
 
-// METIS may leave parts empty where there are hardly more vertices than parts.
+// METIS may leave parts empty where there are hardly more nodes than parts.
 void fillEmptyParts(int num_parts, std::vector<idx_t>& owners)
 {
   std::vector<int> sizes(static_cast<std::size_t>(num_parts), 0);
@@ -96,28 +122,32 @@ template <int Dim>
 std::vector<int> partitionVertices(GlobalMesh<Dim> const& mesh, int num_parts,
                                    PartitionOptions const& options)
 {
-  const auto num_vertices = static_cast<idx_t>(mesh.vertices.size());
+  const Nodes nodes(mesh);
   ASPERITY_ASSERT(num_parts > 0 && options.boundary_weight > 0);
-  ASPERITY_REQUIRE(num_parts <= num_vertices, "The mesh has "
-                                                << num_vertices << " vertices, too few for "
-                                                << num_parts << " ranks. Use fewer ranks.");
+  ASPERITY_REQUIRE(num_parts <= nodes.count, "The mesh has "
+                                               << nodes.count << " vertices, too few for "
+                                               << num_parts << " ranks. Use fewer ranks.");
   if (num_parts == 1) {
     return std::vector<int>(mesh.vertices.size(), 0);
   }
-  const VertexGraph graph(mesh);
-  auto balanced = constraints(mesh, num_parts, options);
-  std::vector<idx_t> owners(mesh.vertices.size(), 0);
+  const NodeGraph graph(mesh, nodes);
+  auto balanced = constraints(mesh, nodes, num_parts, options);
+  std::vector<idx_t> owners(static_cast<std::size_t>(nodes.count), 0);
   idx_t metis_options[METIS_NOPTIONS];
   METIS_SetDefaultOptions(metis_options);
   metis_options[METIS_OPTION_SEED] = 1;
-  idx_t size = num_vertices, parts = num_parts, num_cut_edges = 0;
+  idx_t size = nodes.count, parts = num_parts, num_cut_edges = 0;
   const int status =
     METIS_PartGraphKway(&size, &balanced.number, graph.rows, graph.neighbours,
                         balanced.weights.data(), nullptr, nullptr, &parts, nullptr,
                         balanced.tolerances.data(), metis_options, &num_cut_edges, owners.data());
   ASPERITY_ASSERT(status == METIS_OK);
   fillEmptyParts(num_parts, owners);
-  return std::vector<int>(owners.begin(), owners.end());
+  std::vector<int> of_vertices;
+  for (idx_t node : nodes.of_vertex) {
+    of_vertices.push_back(static_cast<int>(owners[static_cast<std::size_t>(node)]));
+  }
+  return of_vertices;
 }
 
 double imbalance(std::vector<int> const& owners, int num_parts)

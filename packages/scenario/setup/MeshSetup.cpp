@@ -4,6 +4,8 @@
 #include "base/program/WorkTimers.hpp"
 #include "mesh/Boundaries.hpp"
 #include "mesh/Regions.hpp"
+#include "mesh/faults/AddFaults.hpp"
+#include "mesh/faults/SplitFaults.hpp"
 #include "mesh/file/MeshFile.hpp"
 #include "mesh/file/PartitionedFile.hpp"
 #include "mesh/generation/Bisection.hpp"
@@ -294,6 +296,16 @@ RCP<const ParameterList> meshParameters()
         .list(),
       "Each entry defines a boundary by a condition. It takes its facets from the boundaries of "
       "the mesh.")
+    .openSublist(
+      "Faults",
+      Declare()
+        .field("<fault>", required, "-", Range::any(),
+               "A facet between two cells belongs to this fault if the condition, evaluated at its "
+               "vertices and at its centre, is nowhere zero. If several faults claim a facet, the "
+               "last one gets it.")
+        .list(),
+      "Each entry defines a fault inside the body by a condition, as abs(y) < 1e-6. The edges of "
+      "the cells must lie along it: the mesh is split there, and is not moved.")
     .list();
 }
 
@@ -317,8 +329,14 @@ Mesh<Dim> makeMesh(ParameterList const& list, std::string const& fault,
   auto const boundaries = conditionsIn<Dim>(list, "Boundaries");
   auto const where_regions = joinPath(path, "Regions");
   auto const where_boundaries = joinPath(path, "Boundaries");
+  auto const faults = conditionsIn<Dim>(list, "Faults");
+  auto const where_faults = joinPath(path, "Faults");
   auto const file_name = type == "File" ? of_type.get<std::string>("File Name") : std::string();
   if (type == "File" && mesh::isPartitioned(file_name, *communicator)) {
+    ASPERITY_REQUIRE(faults.empty(),
+                     where_faults << " / " << faults.front().name << ": mesh file '" << file_name
+                                  << "' is partitioned, and was split along its faults before. "
+                                  << "Put the fault into the mesh and then partition that.");
     auto part = mesh::readPart<Dim>(file_name, communicator);
     mesh::overrideRegions(part, regions, *communicator, where_regions);
     mesh::overrideBoundaries(part, boundaries, *communicator, where_boundaries);
@@ -328,6 +346,8 @@ Mesh<Dim> makeMesh(ParameterList const& list, std::string const& fault,
     type == "File" ? mesh::readMesh<Dim>(file_name, *communicator) : generate<Dim>(type, of_type);
   mesh::overrideRegions(whole, regions, where_regions);
   mesh::overrideBoundaries(whole, boundaries, where_boundaries);
+  mesh::addFaults(whole, faults, where_faults);
+  mesh::splitFaults(whole, path);
   mesh::PartitionOptions options;
   options.boundary = whole.boundaries.count(fault) > 0 ? fault : "";
   return mesh::distribute(whole, *communicator, options);

@@ -2,6 +2,8 @@
 #include "SharedFolder.hpp"
 
 #include "base/hdf5/Handle.hpp"
+#include "mesh/faults/AddFaults.hpp"
+#include "mesh/faults/SplitFaults.hpp"
 #include "mesh/file/MeshFile.hpp"
 #include "mesh/file/PartitionedFile.hpp"
 #include "mesh/file/detail/PartitionFormat.hpp"
@@ -85,7 +87,14 @@ void setAttribute(hid_t file, char const* name, int value)
 class DamagedPartition : public SharedFolder
 {
 protected:
-  GlobalMesh<3> box() const { return boxMesh({{1.0, 1.0, 2.0}, {3, 3, 6}, {0.0, 0.0, 0.0}}); }
+  // With a fault through its middle.
+  GlobalMesh<3> box() const
+  {
+    auto mesh = boxMesh({{1.0, 1.0, 2.0}, {4, 3, 6}, {0.0, 0.0, 0.0}});
+    addFaults<3>(mesh, {{"fault", [](Point<3> const& x) { return x[0] == 0.5; }}});
+    splitFaults(mesh, "test");
+    return mesh;
+  }
   int numRanks() const { return world()->getSize(); }
   std::string name() const { return file("box.h5"); }
 
@@ -196,7 +205,7 @@ TEST_F(DamagedPartition, MissingOrForeign)
   expectRefused({"does not exist"});
   onFirstRank([&] { std::ofstream(name()) << "This is no HDF5 file.\n"; });
   expectRefused({"cannot be opened as an HDF5 file"});
-  onFirstRank([&] { writeMesh(box(), name()); });
+  onFirstRank([&] { writeMesh(cube(), name()); });
   expectRefused({"no partitioned mesh", "'asperity-mesh'", "asperity-mesh partition makes one"});
 }
 
@@ -204,7 +213,9 @@ TEST_F(DamagedPartition, OfAnotherDimensionOrVersion)
 {
   write(box(), numRanks());
   expectRefused<2>({"dimension 3, not 2"});
-  expectChangeRefused([](hid_t file) { setAttribute(file, "version", 2); }, {"version 2"});
+  expectChangeRefused([](hid_t file) { setAttribute(file, "version", 1); },
+                      {"version 1", "reads version 2",
+                       "asperity-mesh partition MESH.h5 --parts " + std::to_string(numRanks())});
   expectChangeRefused([](hid_t file) { setAttribute(file, "dimension", 4); }, {"= 4 is neither"});
   expectChangeRefused([](hid_t file) { setAttribute(file, "num_parts", 0); }, {"num_parts", "= 0"});
 }
@@ -244,6 +255,7 @@ TEST_F(DamagedPartition, ChangedInOnePlace)
   expect_array_refused("/cells", Mesh<3>::Cell{0, 1, 2, 3});
   expect_array_refused("/cell_regions", 1);
   expect_array_refused("/boundaries/bottom/facets", Mesh<3>::Facet{0, 1, 2});
+  expect_array_refused("/splits", std::array<int, 3>{7, 3, 1});
   expectDatasetRefused<std::uint64_t>(
     "/cells/checksums", [](auto& checksums) { ++checksums.back(); }, {"'/cells'", "checksum"});
   expectDatasetRefused<long long>("/cells/offsets", [](auto& offsets) { ++offsets.back(); },
@@ -254,7 +266,8 @@ TEST_F(DamagedPartition, ChangedInOnePlace)
 
 TEST_F(DamagedPartition, WithoutADataset)
 {
-  for (char const* path : {"/cells", "/vertices/values", "/boundaries/top/facets/values"}) {
+  for (char const* path :
+       {"/cells", "/vertices/values", "/boundaries/top/facets/values", "/splits"}) {
     expectChangeRefused([&](hid_t file) { H5Ldelete(file, path, H5P_DEFAULT); },
                         {path, "is not there, is damaged or has another shape"});
   }
@@ -264,6 +277,9 @@ TEST_F(DamagedPartition, WithoutADataset)
                       {"no group '/boundaries'"});
   expectChangeRefused([](hid_t file) { H5Ldelete(file, "/boundaries/top", H5P_DEFAULT); },
                       {"checksum"});
+  expectChangeRefused([](hid_t file) { H5Ldelete(file, "/faults", H5P_DEFAULT); }, {"checksum"});
+  expectChangeRefused([](hid_t file) { H5Ldelete(file, "/boundaries/fault", H5P_DEFAULT); },
+                      {"fault 'fault' is not among the boundaries"});
 }
 
 // Arrays of another mesh with the same numbers of everything, and with their own checksums.
@@ -300,6 +316,14 @@ TEST_F(DamagedPartition, MadeByAProgramThatErrs)
   expectRowsRefused<Point<3>>("/vertices",
                               [](auto& vertices) { vertices.back()[1] = std::nan(""); },
                               {lastPart(), "no finite coordinates"});
+  using Row = std::array<int, 3>;
+  expectRowsRefused<Row>("/splits", [](auto& pairs) { pairs.back()[0] = 1000; },
+                         {lastPart(), "the pair of vertices 1000 and", "ascending numbers"});
+  expectRowsRefused<Row>("/splits", [](auto& pairs) { --pairs.back()[1]; },
+                         {lastPart(), "a pair at a fault, are not at one place"});
+  expectRowsRefused<Mesh<3>::Facet>("/boundaries/fault/facets",
+                                    [](auto& facets) { facets.back()[0] = 0; },
+                                    {lastPart(), "a facet of fault 'fault' has vertex"});
   expectRowsRefused<int>("/num_owned", [](auto& num_owned) { num_owned.back() = 0; },
                          {lastPart(), "owns 0 vertices"});
 }

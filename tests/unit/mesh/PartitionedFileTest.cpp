@@ -1,4 +1,4 @@
-#include "MeshSamples.hpp"
+#include "FaultSamples.hpp"
 #include "SharedFolder.hpp"
 
 #include "mesh/file/MeshFile.hpp"
@@ -48,6 +48,8 @@ void expectEqual(Mesh<Dim> const& part, Mesh<Dim> const& other)
   EXPECT_EQ(part.cell_regions, other.cell_regions);
   EXPECT_EQ(part.region_names, other.region_names);
   EXPECT_EQ(part.boundaries, other.boundaries);
+  EXPECT_EQ(part.splits, other.splits);
+  EXPECT_EQ(part.faults, other.faults);
 }
 
 template <int Dim>
@@ -59,6 +61,8 @@ void expectEqual(GlobalMesh<Dim> const& mesh, GlobalMesh<Dim> const& other)
   EXPECT_EQ(mesh.cell_regions, other.cell_regions);
   EXPECT_EQ(mesh.region_names, other.region_names);
   EXPECT_EQ(mesh.boundaries, other.boundaries);
+  EXPECT_EQ(mesh.splits, other.splits);
+  EXPECT_EQ(mesh.faults, other.faults);
 }
 
 class PartitionedFile : public SharedFolder
@@ -106,6 +110,26 @@ TEST_F(PartitionedFile, GivesEveryRankItsPartOfTheBox)
   const auto mesh = periodicBox();
   ASSERT_EQ(mesh.period, (Point<3>{0.0, 0.0, 3.0}));
   expectParts<3>(mesh, {"bottom", 4});
+}
+
+TEST_F(PartitionedFile, GivesEveryRankItsPartOfAFaultedBox)
+{
+  auto mesh = faultedBox({{"main", [](auto& p) { return p[1] == 0.0; }},
+                          {"splay", [](auto& p) { return p[0] == 2.0 && p[1] >= 0.0; }}});
+  splitFaults(mesh, "test");
+  ASSERT_EQ(mesh.splits.size(), 40u);
+  expectParts<3>(mesh, {"main", 4});
+}
+
+// A mesh that is not partitioned is not split in its file either.
+TEST_F(PartitionedFile, SplitsWhatWasWritten)
+{
+  const auto mesh = faultedRectangle({{"fault", [](auto& p) { return p[0] == 2.0; }}});
+  onFirstRank([&] { writeMesh(mesh, file("mesh.h5")); });
+  auto read = readMesh<2>(file("mesh.h5"), *world());
+  EXPECT_EQ(read.boundaries.at("fault").size(), 4u);
+  splitFaults(read, "test");
+  expectEqual(read, split(mesh));
 }
 
 TEST_F(PartitionedFile, KnowsItsKind)

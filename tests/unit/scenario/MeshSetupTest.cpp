@@ -69,9 +69,38 @@ TEST(MeshSetup, namesPiecesOfTheBoundary)
   EXPECT_EQ(mesh.boundaries.count("right"), 0);
 }
 
+TEST(MeshSetup, splitsAlongFaults)
+{
+  const auto mesh = halfSpace([](ParameterList& list) {
+    list.sublist("Rectangle").set("Cells X", 4).set("Cells Y", 4);
+    list.sublist("Faults").set("main", "abs(y + 2e3) < 1").set("splay", "x == 1e3 && y > -2001");
+    list.sublist("Boundaries").set("all", "1");
+  });
+  EXPECT_EQ(mesh.faults, (std::vector<std::string>{"main", "splay"}));
+  EXPECT_EQ(facetsOn(mesh, "main"), 4);
+  EXPECT_EQ(facetsOn(mesh, "splay"), 2);
+  EXPECT_EQ(facetsOn(mesh, "all"), 16);
+  EXPECT_EQ(mesh.splits.size(), 8);
+  EXPECT_EQ(mesh.vertices.size(), 25 + 8);
+}
+
+TEST(MeshSetup, refusesWhatIsNoFault)
+{
+  const auto with_fault = [](char const* name, char const* condition) {
+    return refusal([=] {
+      halfSpace([=](ParameterList& list) { list.sublist("Faults").set(name, condition); });
+    });
+  };
+  expectParts(with_fault("main", "abs(x - 1e3) < 1"),
+              {"Asperity / Mesh / Faults / main: the fault has no facet"});
+  expectParts(with_fault("top", "abs(y + 2e3) < 1"),
+              {"Asperity / Mesh / Faults / top: a boundary on the surface"});
+  expectParts(with_fault("net", "1"), {"Asperity / Mesh: ", "facets of fault 'net' meet at"});
+}
+
 TEST(MeshSetup, refusesConditionsThatChangeInTime)
 {
-  for (char const* name : {"Boundaries", "Regions"}) {
+  for (char const* name : {"Boundaries", "Faults", "Regions"}) {
     const auto call = [name] {
       halfSpace([name](ParameterList& list) { list.sublist(name).set("part", "t < 1"); });
     };

@@ -22,6 +22,7 @@ public:
 
   int integerAttribute(std::string const& name) const;
   bool hasAttribute(std::string const& name) const { return file_.hasAttribute(name); }
+  bool hasDataset(std::string const& path) const { return file_.has(path); }
   std::string stringAttribute(std::string const& name) const;
   std::vector<double> numbersAttribute(std::string const& name, std::size_t count) const;
   std::vector<std::string> groupEntries(std::string const& path) const; // names, sorted

@@ -2,6 +2,7 @@
 
 #include "base/Errors.hpp"
 #include "mesh/SimplexGeometry.hpp"
+#include "mesh/faults/FaultSides.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -70,6 +71,41 @@ void checkCells(Mesh<Dim> const& part, std::string const& where)
                            << part.global_ids[part.cells[c][0]] << " is inverted or degenerate.");
   }
 }
+
+template <int Dim>
+void checkPairs(Mesh<Dim> const& part, std::string const& where)
+{
+  const auto num_vertices = static_cast<long long>(part.vertices.size());
+  int before = -1;
+  for (auto const& [plus, minus, is_tip] : part.splits) {
+    ASPERITY_REQUIRE(plus > before && isInRange(plus, num_vertices) &&
+                       isInRange(minus, num_vertices) && plus != minus,
+                     where << ": the pair of vertices " << plus << " and " << minus
+                           << " at a fault does not have ascending numbers in [0, " << num_vertices
+                           << ").");
+    ASPERITY_REQUIRE(part.vertices[plus] == part.vertices[minus] &&
+                       (plus < part.num_owned) == (minus < part.num_owned),
+                     where << ": vertices " << part.global_ids[plus] << " and "
+                           << part.global_ids[minus]
+                           << ", a pair at a fault, are not at one place, or not with one owner.");
+    before = plus;
+  }
+}
+
+template <int Dim>
+void checkFaults(Mesh<Dim> const& part, std::string const& where)
+{
+  const FaultSides<Dim> sides(part.splits);
+  for (auto const& fault : part.faults) {
+    for (auto const& facet : part.boundaries.at(fault)) {
+      for (int vertex : facet) {
+        ASPERITY_REQUIRE(sides.find(vertex), where << ": a facet of fault '" << fault
+                                                   << "' has vertex " << part.global_ids[vertex]
+                                                   << ", which is the plus of no pair.");
+      }
+    }
+  }
+}
 } // namespace
 
 template <int Dim>
@@ -82,6 +118,8 @@ void checkPart(Mesh<Dim> const& part, std::string const& where)
                      where << " has a facet of boundary '" << name << "' with a vertex outside [0, "
                            << part.vertices.size() << ").");
   }
+  checkPairs(part, where);
+  checkFaults(part, where);
 }
 
 template void checkPart(Mesh<2> const&, std::string const&);

@@ -8,7 +8,8 @@ namespace asperity::mesh::detail
 {
 // Throws an InputError that starts with `where` unless numbers are in range, datasets of the same
 // things are equally long, global ids ascend within the owned vertices and within the ghosts,
-// coordinates are finite, and cells are positively oriented.
+// coordinates are finite, cells are positively oriented, both vertices of a pair at a fault are at
+// one place and owned or ghosts alike, and facets of faults consist of the plus vertices of pairs.
 template <int Dim>
 void checkPart(Mesh<Dim> const& part, std::string const& where);
 } // namespace asperity::mesh::detail

@@ -1,7 +1,9 @@
 #include "mesh/file/detail/PartitionFormat.hpp"
 
 #include "base/Errors.hpp"
+#include "mesh/faults/SplitRows.hpp"
 
+#include <algorithm>
 #include <filesystem>
 
 namespace asperity::mesh::detail
@@ -27,7 +29,10 @@ void requireFormat(MeshFileReader const& file)
   ASPERITY_REQUIRE(version == partition_version,
                    file.where() << " has version " << version
                                 << " of the format; this program reads version "
-                                << partition_version << ". Partition the mesh again.");
+                                << partition_version
+                                << ". Partition the mesh again: asperity-mesh partition MESH.h5 "
+                                << "--parts " << positiveAttribute(file, "num_parts")
+                                << " --output PARTS.h5, from the file that is not partitioned.");
 }
 } // namespace
 
@@ -48,6 +53,15 @@ PartitionSummary readSummary(MeshFileReader const& file)
   summary.options.boundary_weight = positiveAttribute(file, "boundary_weight");
   summary.region_names = file.strings("/region_names");
   summary.boundary_names = file.groupEntries("/boundaries");
+  if (file.hasDataset("/faults")) {
+    summary.faults = file.strings("/faults");
+  }
+  for (auto const& fault : summary.faults) {
+    auto const& names = summary.boundary_names;
+    ASPERITY_REQUIRE(std::find(names.begin(), names.end(), fault) != names.end(),
+                     file.where() << ": fault '" << fault
+                                  << "' is not among the boundaries. Partition the mesh again.");
+  }
   return summary;
 }
 
@@ -62,6 +76,7 @@ std::uint64_t seedOf(PartitionSummary const& summary)
     .add(summary.fingerprint)
     .add(summary.region_names)
     .add(summary.boundary_names)
+    .add(summary.faults)
     .value();
 }
 
@@ -74,6 +89,7 @@ std::string fingerprint(GlobalMesh<Dim> const& mesh)
   for (auto const& [name, facets] : mesh.boundaries) {
     checksum.add(name).add(facets);
   }
+  checksum.add(mesh.faults).add(asRows(mesh.splits));
   return hexadecimal(checksum.value());
 }
 

@@ -8,7 +8,7 @@
 namespace asperity::mesh::detail
 {
 constexpr char partition_format[] = "asperity-partition";
-constexpr int partition_version = 1;
+constexpr int partition_version = 2;
 
 // Throws InputError unless the file is a partitioned mesh.
 PartitionSummary readSummary(MeshFileReader const& file);

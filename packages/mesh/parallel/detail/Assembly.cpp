@@ -54,6 +54,7 @@ Assembly<Dim>::Assembly(PartitionSummary const& summary)
   mesh_.cells.assign(static_cast<std::size_t>(summary.num_cells), noSimplex<Dim + 1>());
   mesh_.cell_regions.resize(mesh_.cells.size());
   mesh_.region_names = summary.region_names;
+  mesh_.faults = summary.faults;
 }
 
 template <int Dim>
@@ -67,6 +68,18 @@ void Assembly<Dim>::add(NumberedPart<Dim> const& part, std::string const& where)
   addCells(part, where);
   for (auto const& boundary : part.mesh.boundaries) {
     addFacets(boundary.first, part, where);
+  }
+  addPairs(part.mesh);
+}
+
+// A pair is in every part that has its vertices.
+template <int Dim>
+void Assembly<Dim>::addPairs(Mesh<Dim> const& part)
+{
+  for (auto const& [plus, minus, is_tip] : part.splits) {
+    const auto number = static_cast<int>(part.global_ids[static_cast<std::size_t>(plus)]);
+    pairs_[number] = {number, static_cast<int>(part.global_ids[static_cast<std::size_t>(minus)]),
+                      is_tip};
   }
 }
 
@@ -110,6 +123,9 @@ GlobalMesh<Dim> Assembly<Dim>::finish(std::string const& where)
   }
   ASPERITY_REQUIRE(is_complete, where << ": its parts are not a whole mesh; some vertex, cell or "
                                       << "facet is in none of them. Partition the mesh again.");
+  for (auto const& pair : pairs_) {
+    mesh_.splits.push_back(pair.second);
+  }
   return std::move(mesh_);
 }
 

@@ -22,8 +22,10 @@ private:
   void addCells(NumberedPart<Dim> const& part, std::string const& where);
   void addFacets(std::string const& boundary, NumberedPart<Dim> const& part,
                  std::string const& where);
+  void addPairs(Mesh<Dim> const& part);
 
   std::vector<bool> has_vertex_;
-  GlobalMesh<Dim> mesh_; // cells and facets that are missing have vertices -1
+  std::map<int, SplitVertex> pairs_; // by the plus vertex
+  GlobalMesh<Dim> mesh_;             // cells and facets that are missing have vertices -1
 };
 } // namespace asperity::mesh::detail

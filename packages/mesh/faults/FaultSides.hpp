@@ -1,0 +1,54 @@
+#pragma once
+
+#include "mesh/GlobalMesh.hpp"
+
+#include <unordered_map>
+
+namespace asperity::mesh
+{
+// The two sides of the facets of faults inside the body, in a mesh that is split, whole or a part.
+template <int Dim>
+class FaultSides
+{
+public:
+  using Facet = typename Mesh<Dim>::Facet;
+
+  explicit FaultSides(std::vector<SplitVertex> const& splits)
+  {
+    for (auto const& pair : splits) {
+      pair_of_plus_[pair.plus] = pair;
+    }
+  }
+
+  // The pair of this plus vertex, or nullptr.
+  SplitVertex const* find(int plus) const
+  {
+    const auto found = pair_of_plus_.find(plus);
+    return found == pair_of_plus_.end() ? nullptr : &found->second;
+  }
+
+  // The facet of the cell on the plus side: tips are there vertices that both sides share.
+  Facet plusSide(Facet facet) const
+  {
+    for (int& vertex : facet) {
+      auto const* pair = find(vertex);
+      vertex = pair && pair->is_tip ? pair->minus : vertex;
+    }
+    return facet;
+  }
+
+  // The facet of the cell on the minus side, whose body lies on the other side than the facet's
+  // orientation says.
+  Facet minusSide(Facet facet) const
+  {
+    for (int& vertex : facet) {
+      auto const* pair = find(vertex);
+      vertex = pair ? pair->minus : vertex;
+    }
+    return facet;
+  }
+
+private:
+  std::unordered_map<int, SplitVertex> pair_of_plus_;
+};
+} // namespace asperity::mesh

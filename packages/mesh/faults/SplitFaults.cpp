@@ -1,0 +1,235 @@
+#include "mesh/faults/SplitFaults.hpp"
+
+#include "base/Errors.hpp"
+#include "mesh/SimplexGeometry.hpp"
+#include "mesh/faults/InnerBoundaries.hpp"
+#include "mesh/faults/detail/VertexSplit.hpp"
+
+#include <set>
+
+namespace asperity::mesh
+{
+namespace
+{
+template <int Dim>
+class Splitter
+{
+public:
+  using Facet = typename GlobalMesh<Dim>::Facet;
+
+  Splitter(GlobalMesh<Dim> const& mesh, std::string const& where)
+      : mesh_(mesh)
+      , where_(where)
+      , table_(mesh.cells)
+      , names_(innerBoundaries(mesh, table_, where))
+      , facets_(detail::orientedFaultFacets(mesh, table_, names_, where))
+  {
+  }
+
+  bool hasFaults() const { return !names_.empty(); }
+
+  GlobalMesh<Dim> run()
+  {
+    result_ = mesh_;
+    result_.faults = names_;
+    findVertices();
+    for (std::size_t v = 0; v < fault_vertices_.size(); ++v) {
+      split(static_cast<int>(v));
+    }
+    requireNodesThatSlip();
+    moveFaultFacets();
+    moveOuterFacets();
+    return std::move(result_);
+  }
+
+private:
+  // The vertices of faults, ascending, with the facets of faults and the cells around each.
+  void findVertices()
+  {
+    number_.assign(mesh_.vertices.size(), -1);
+    std::set<int> vertices;
+    for (auto const& facet : facets_) {
+      vertices.insert(facet.key.begin(), facet.key.end());
+    }
+    fault_vertices_.assign(vertices.begin(), vertices.end());
+    for (std::size_t v = 0; v < fault_vertices_.size(); ++v) {
+      number_[fault_vertices_[v]] = static_cast<int>(v);
+    }
+    facets_at_.resize(fault_vertices_.size());
+    cells_at_.resize(fault_vertices_.size());
+    for (std::size_t f = 0; f < facets_.size(); ++f) {
+      for (int vertex : facets_[f].key) {
+        facets_at_[number_[vertex]].push_back(static_cast<int>(f));
+      }
+    }
+    for (std::size_t c = 0; c < mesh_.cells.size(); ++c) {
+      for (int vertex : mesh_.cells[c]) {
+        if (number_[vertex] >= 0) {
+          cells_at_[number_[vertex]].push_back(static_cast<int>(c));
+        }
+      }
+    }
+    findSurface();
+  }
+
+  // Which vertices of faults, and which edges between two of them, lie in the surface of the body.
+  void findSurface()
+  {
+    auto const& entries = table_.entries();
+    for (std::size_t i = 0; i < entries.size(); ++i) {
+      const bool is_shared = (i > 0 && entries[i - 1].key == entries[i].key) ||
+                             (i + 1 < entries.size() && entries[i + 1].key == entries[i].key);
+      if (is_shared) {
+        continue;
+      }
+      for (int a : entries[i].key) {
+        if (number_[a] >= 0) {
+          on_surface_.insert(a);
+          for (int b : entries[i].key) {
+            if (b > a && number_[b] >= 0) {
+              edges_on_surface_.insert({a, b});
+            }
+          }
+        }
+      }
+    }
+  }
+
+  bool isOnTrace(int vertex) const
+  {
+    for (int facet : facets_at_[number_[vertex]]) {
+      for (int other : facets_[facet].key) {
+        if (edges_on_surface_.count({std::min(vertex, other), std::max(vertex, other)}) > 0) {
+          return true;
+        }
+      }
+    }
+    return false;
+  }
+
+  int faultFacet(Facet const& key) const
+  {
+    const auto found =
+      std::lower_bound(facets_.begin(), facets_.end(), key,
+                       [](auto const& facet, Facet const& wanted) { return facet.key < wanted; });
+    return found != facets_.end() && found->key == key ? static_cast<int>(found - facets_.begin())
+                                                       : -1;
+  }
+
+  void split(int number)
+  {
+    const int vertex = fault_vertices_[number];
+    const detail::VertexStar<Dim> star(mesh_.cells, cells_at_[number], vertex,
+                                       [this](Facet const& key) { return faultFacet(key); });
+    const auto decision =
+      detail::splitVertex<Dim>(star,
+                               {mesh_.vertices[vertex], facets_at_[number],
+                                on_surface_.count(vertex) > 0, isOnTrace(vertex)},
+                               facets_, names_, where_);
+    const int plus = addCopy(vertex, vertex, !decision.is_cut);
+    for (int cell : decision.plus_cells) {
+      auto& vertices = result_.cells[cell];
+      std::replace(vertices.begin(), vertices.end(), vertex, plus);
+    }
+    copies_.push_back(plus);
+    for (auto const& branch : decision.branches) {
+      tips_of_branches_[{branch.fault, vertex}] =
+        addCopy(vertex, branch.is_on_plus_side ? plus : vertex, true);
+    }
+  }
+
+  int addCopy(int vertex, int minus, bool is_tip)
+  {
+    const auto plus = static_cast<int>(result_.vertices.size());
+    result_.vertices.push_back(mesh_.vertices[vertex]);
+    result_.splits.push_back({plus, minus, is_tip});
+    return plus;
+  }
+
+  // The copy of a vertex of which the facets of a fault consist.
+  int plusOf(int fault, int vertex) const
+  {
+    const auto branch = tips_of_branches_.find({fault, vertex});
+    return branch == tips_of_branches_.end() ? copies_[number_[vertex]] : branch->second;
+  }
+
+  void requireNodesThatSlip() const
+  {
+    const auto first_copy = static_cast<int>(mesh_.vertices.size());
+    std::vector<bool> slips(names_.size(), false);
+    for (auto const& facet : facets_) {
+      for (int vertex : facet.key) {
+        const int plus = plusOf(facet.fault, vertex);
+        slips[facet.fault] = slips[facet.fault] || !result_.splits[plus - first_copy].is_tip;
+      }
+    }
+    for (std::size_t n = 0; n < names_.size(); ++n) {
+      ASPERITY_REQUIRE(slips[n], where_ << ": fault '" << names_[n]
+                                        << "' has no node that could slip; refine the mesh. All "
+                                           "its vertices are tips, where it ends inside the "
+                                           "body.");
+    }
+  }
+
+  void moveFaultFacets()
+  {
+    for (auto const& facet : facets_) {
+      auto& moved = result_.boundaries[names_[facet.fault]][facet.number];
+      moved = facet.outward;
+      for (int& vertex : moved) {
+        vertex = plusOf(facet.fault, vertex);
+      }
+    }
+  }
+
+  // Facets of the surface get the vertices of their cells.
+  void moveOuterFacets()
+  {
+    for (auto& [name, facets] : result_.boundaries) {
+      if (std::binary_search(names_.begin(), names_.end(), name)) {
+        continue;
+      }
+      for (auto& facet : facets) {
+        const auto cell = static_cast<std::size_t>(table_.find(facet).first->cell);
+        auto const& before = mesh_.cells[cell];
+        for (int& vertex : facet) {
+          const auto corner = std::find(before.begin(), before.end(), vertex) - before.begin();
+          vertex = result_.cells[cell][static_cast<std::size_t>(corner)];
+        }
+      }
+    }
+  }
+
+  GlobalMesh<Dim> const& mesh_;
+  std::string const& where_;
+  detail::FacetTable<Dim> table_;
+  std::vector<std::string> names_;
+  std::vector<detail::FaultFacet<Dim>> facets_;        // sorted by key
+  std::vector<int> fault_vertices_;                    // ascending
+  std::vector<int> number_;                            // among fault_vertices_, or -1
+  std::vector<std::vector<int>> facets_at_, cells_at_; // of the fault's vertex with this number
+  std::set<int> on_surface_;
+  std::set<std::pair<int, int>> edges_on_surface_;
+  std::vector<int> copies_; // the plus of the fault's vertex with this number
+  std::map<std::pair<int, int>, int> tips_of_branches_; // by fault and vertex
+  GlobalMesh<Dim> result_;
+};
+} // namespace
+
+template <int Dim>
+void splitFaults(GlobalMesh<Dim>& mesh, std::string const& where)
+{
+  Splitter<Dim> splitter(mesh, where);
+  if (!splitter.hasFaults()) {
+    return;
+  }
+  ASPERITY_ASSERT(mesh.splits.empty());
+  ASPERITY_REQUIRE(mesh.period == Point<Dim>{},
+                   where << ": a periodic mesh cannot have faults inside. Take the period or the "
+                            "faults away.");
+  mesh = splitter.run();
+}
+
+template void splitFaults(GlobalMesh<2>&, std::string const&);
+template void splitFaults(GlobalMesh<3>&, std::string const&);
+} // namespace asperity::mesh

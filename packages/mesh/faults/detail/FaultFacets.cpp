@@ -1,0 +1,224 @@
+#include "mesh/faults/detail/FaultFacets.hpp"
+
+#include "base/Errors.hpp"
+#include "mesh/PointText.hpp"
+#include "mesh/SimplexGeometry.hpp"
+
+namespace asperity::mesh::detail
+{
+namespace
+{
+// A ridge is where facets meet: a vertex in the plane, an edge in space.
+template <int Dim>
+using Ridge = std::array<int, Dim - 1>;
+
+template <int Dim>
+std::vector<FaultFacet<Dim>> collect(GlobalMesh<Dim> const& mesh, FacetTable<Dim> const& table,
+                                     std::vector<std::string> const& names,
+                                     std::string const& where)
+{
+  std::vector<FaultFacet<Dim>> all;
+  for (std::size_t n = 0; n < names.size(); ++n) {
+    auto const& facets = mesh.boundaries.at(names[n]);
+    for (std::size_t f = 0; f < facets.size(); ++f) {
+      const auto [first, last] = table.find(facets[f]);
+      ASPERITY_ASSERT(last - first == 2);
+      all.push_back(
+        {first->key, static_cast<int>(n), f, {first->cell, (first + 1)->cell}, first->outward});
+    }
+  }
+  std::sort(all.begin(), all.end(), [](auto const& a, auto const& b) { return a.key < b.key; });
+  for (std::size_t f = 1; f < all.size(); ++f) {
+    ASPERITY_REQUIRE(all[f].key != all[f - 1].key,
+                     where << ": the facet at " << text(centroid(corners(mesh, all[f].key)))
+                           << " is in fault '" << names[all[f - 1].fault] << "' and in fault '"
+                           << names[all[f].fault] << "'. Take it out of one of them.");
+  }
+  return all;
+}
+
+// Makes connected facets look to the same side, and each connected set of them to the lower one,
+// which is where they look from the plus side.
+template <int Dim>
+class Orientation
+{
+public:
+  Orientation(GlobalMesh<Dim> const& mesh, std::vector<std::string> const& names,
+              std::string const& where, std::vector<FaultFacet<Dim>>& facets)
+      : mesh_(mesh)
+      , names_(names)
+      , where_(where)
+      , facets_(facets)
+      , neighbours_(facets.size())
+  {
+  }
+
+  void run()
+  {
+    connect();
+    std::vector<bool> is_done(facets_.size(), false);
+    for (std::size_t f = 0; f < facets_.size(); ++f) {
+      if (!is_done[f]) {
+        makePlusTheUpperSide(orientConnected(static_cast<int>(f), is_done));
+      }
+    }
+  }
+
+private:
+  struct AtRidge
+  {
+    int facet;
+    int sign; // whether the facet runs along its ridge or against it
+  };
+  struct Neighbour
+  {
+    int facet;
+    bool looks_alike; // both have the same orientation now
+  };
+
+  // The boundary of the simplex (v_0, v_1, ...) is the sum of (-1)^i times the simplex without v_i.
+  static std::pair<Ridge<Dim>, int> ridge(typename GlobalMesh<Dim>::Facet const& facet, int without)
+  {
+    Ridge<Dim> rest{};
+    int next = 0;
+    for (int i = 0; i < Dim; ++i) {
+      if (i != without) {
+        rest[next++] = facet[i];
+      }
+    }
+    int sign = without % 2 == 0 ? 1 : -1;
+    const auto in_order = sorted(rest);
+    return {in_order, in_order == rest ? sign : -sign};
+  }
+
+  void connect()
+  {
+    std::map<Ridge<Dim>, std::vector<AtRidge>> ridges;
+    for (std::size_t f = 0; f < facets_.size(); ++f) {
+      for (int i = 0; i < Dim; ++i) {
+        const auto [vertices, sign] = ridge(facets_[f].outward, i);
+        ridges[vertices].push_back({static_cast<int>(f), sign});
+      }
+    }
+    for (auto const& [vertices, there] : ridges) {
+      if (there.size() == 2) {
+        join(there[0], there[1]);
+      } else if (there.size() > 2) {
+        joinFacetsOfOneFault(vertices, there);
+      }
+    }
+  }
+
+  void join(AtRidge const& a, AtRidge const& b)
+  {
+    const bool looks_alike = a.sign != b.sign;
+    neighbours_[a.facet].push_back({b.facet, looks_alike});
+    neighbours_[b.facet].push_back({a.facet, looks_alike});
+  }
+
+  // At a junction of faults each goes on by itself.
+  void joinFacetsOfOneFault(Ridge<Dim> const& vertices, std::vector<AtRidge> const& there)
+  {
+    std::map<int, std::vector<AtRidge>> of_fault;
+    for (auto const& one : there) {
+      of_fault[facets_[one.facet].fault].push_back(one);
+    }
+    for (auto const& [fault, its] : of_fault) {
+      ASPERITY_REQUIRE(its.size() <= 2,
+                       where_ << ": " << its.size() << " facets of fault '" << names_[fault]
+                              << "' meet at " << text(centroid(corners(mesh_, vertices)))
+                              << ". At most two may: give a branch a name of its own.");
+      if (its.size() == 2) {
+        join(its[0], its[1]);
+      }
+    }
+  }
+
+  void turn(FaultFacet<Dim>& facet) const
+  {
+    std::swap(facet.cells[0], facet.cells[1]);
+    std::swap(facet.outward[0], facet.outward[1]);
+  }
+
+  // All facets that are connected with this one, itself too, after they have been turned alike.
+  std::vector<int> orientConnected(int first, std::vector<bool>& is_done)
+  {
+    std::vector<int> connected = {first};
+    std::map<int, bool> is_turned = {{first, false}};
+    is_done[first] = true;
+    for (std::size_t next = 0; next < connected.size(); ++next) {
+      const int facet = connected[next];
+      for (auto const& neighbour : neighbours_[facet]) {
+        const bool turned = is_turned.at(facet) == neighbour.looks_alike;
+        const auto known = is_turned.emplace(neighbour.facet, turned);
+        if (known.second) {
+          is_done[neighbour.facet] = true;
+          connected.push_back(neighbour.facet);
+        }
+        ASPERITY_REQUIRE(known.first->second == turned,
+                         where_ << ": fault '" << names_[facets_[facet].fault]
+                                << "' cannot be oriented: on a way along it that returns to "
+                                << text(centroid(corners(mesh_, facets_[facet].key)))
+                                << " its two sides are exchanged.");
+      }
+    }
+    for (auto const& [facet, turned] : is_turned) {
+      if (turned) {
+        turn(facets_[facet]);
+      }
+    }
+    return connected;
+  }
+
+  void makePlusTheUpperSide(std::vector<int> const& connected)
+  {
+    Point<Dim> up{}; // from minus to plus, times the area
+    double area = 0.0;
+    for (int facet : connected) {
+      const auto normal = areaNormal(corners(mesh_, facets_[facet].outward));
+      area += std::sqrt(dot<Dim>(normal, normal));
+      for (int d = 0; d < Dim; ++d) {
+        up[d] -= normal[d];
+      }
+    }
+    const double length = std::sqrt(dot<Dim>(up, up));
+    ASPERITY_REQUIRE(length > 1e-10 * area,
+                     where_ << ": fault '" << names_[facets_[connected.front()].fault]
+                            << "' cannot be oriented: it is closed, and neither of its sides is "
+                               "the upper one.");
+    const int last = Dim - 1; // z in space, x in the plane
+    const int axis = std::abs(up[1]) >= 1e-6 * length   ? 1
+                     : std::abs(up[0]) >= 1e-6 * length ? 0
+                                                        : last;
+    if (up[axis] < 0.0) {
+      for (int facet : connected) {
+        turn(facets_[facet]);
+      }
+    }
+  }
+
+  GlobalMesh<Dim> const& mesh_;
+  std::vector<std::string> const& names_;
+  std::string const& where_;
+  std::vector<FaultFacet<Dim>>& facets_;
+  std::vector<std::vector<Neighbour>> neighbours_;
+};
+} // namespace
+
+template <int Dim>
+std::vector<FaultFacet<Dim>>
+orientedFaultFacets(GlobalMesh<Dim> const& mesh, FacetTable<Dim> const& table,
+                    std::vector<std::string> const& names, std::string const& where)
+{
+  auto facets = collect(mesh, table, names, where);
+  Orientation<Dim>(mesh, names, where, facets).run();
+  return facets;
+}
+
+template std::vector<FaultFacet<2>> orientedFaultFacets(GlobalMesh<2> const&, FacetTable<2> const&,
+                                                        std::vector<std::string> const&,
+                                                        std::string const&);
+template std::vector<FaultFacet<3>> orientedFaultFacets(GlobalMesh<3> const&, FacetTable<3> const&,
+                                                        std::vector<std::string> const&,
+                                                        std::string const&);
+} // namespace asperity::mesh::detail

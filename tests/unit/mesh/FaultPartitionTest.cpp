@@ -1,0 +1,165 @@
+#include "FaultSamples.hpp"
+
+#include "mesh/Boundaries.hpp"
+#include "mesh/MeshQuality.hpp"
+#include "mesh/parallel/MeshChecksum.hpp"
+#include "mesh/parallel/Partition.hpp"
+
+#include <Teuchos_DefaultMpiComm.hpp>
+
+using namespace asperity;
+using namespace asperity::mesh;
+
+namespace
+{
+RCP<const Communicator> world() { return rcp(new Teuchos::MpiComm<int>(MPI_COMM_WORLD)); }
+
+GlobalMesh<2> branchedRectangle()
+{
+  return split(faultedRectangle({{"main", [](auto& p) { return p[1] == 0.0 && p[0] >= 0.5; }},
+                                 {"splay", [](auto& p) { return p[0] == 2.0 && p[1] >= 0.0; }}},
+                                4));
+}
+
+GlobalMesh<3> branchedBox()
+{
+  return split(
+    faultedBox({{"main", [](auto& p) { return p[1] == 0.0 && p[0] >= 0.5; }},
+                {"splay", [](auto& p) { return p[0] == 2.0 && p[1] >= 0.0 && p[2] >= 0.5; }}}));
+}
+
+template <int Dim>
+std::vector<long long> inWhole(std::vector<int> const& vertices, Mesh<Dim> const& part)
+{
+  std::vector<long long> ids;
+  for (int vertex : vertices) {
+    ids.push_back(part.global_ids[vertex]);
+  }
+  return ids;
+}
+
+// Pairs of which one vertex is here are here as a whole, and no others; cells and facets are those
+// that touch an owned vertex; every vertex is in one of these cells or in a pair.
+template <int Dim>
+void expectGoodPart(GlobalMesh<Dim> const& mesh, Mesh<Dim> const& part)
+{
+  std::set<long long> here(part.global_ids.begin(), part.global_ids.end());
+  std::vector<bool> is_owned(mesh.vertices.size(), false);
+  for (int v = 0; v < part.num_owned; ++v) {
+    is_owned[part.global_ids[v]] = true;
+  }
+  std::set<std::array<long long, 3>> expected, found;
+  std::set<long long> needed;
+  for (auto const& [plus, minus, is_tip] : mesh.splits) {
+    EXPECT_EQ(here.count(plus), here.count(minus));
+    EXPECT_EQ(is_owned[plus], is_owned[minus]);
+    if (here.count(plus) > 0) {
+      expected.insert({plus, minus, is_tip});
+      needed.insert({plus, minus});
+    }
+  }
+  for (auto const& [plus, minus, is_tip] : part.splits) {
+    found.insert({part.global_ids[plus], part.global_ids[minus], is_tip});
+  }
+  EXPECT_EQ(found, expected);
+  EXPECT_EQ(found.size(), part.splits.size());
+  EXPECT_TRUE(std::is_sorted(part.splits.begin(), part.splits.end(),
+                             [](auto& a, auto& b) { return a.plus < b.plus; }));
+  EXPECT_EQ(part.faults, mesh.faults);
+  std::size_t num_cells = 0, num_facets = 0, num_facets_here = 0;
+  const auto touches = [&](auto const& simplex) {
+    return std::any_of(simplex.begin(), simplex.end(), [&](int v) { return is_owned[v]; });
+  };
+  for (auto const& cell : mesh.cells) {
+    num_cells += touches(cell) ? 1 : 0;
+    if (touches(cell)) {
+      needed.insert(cell.begin(), cell.end());
+    }
+  }
+  EXPECT_EQ(part.cells.size(), num_cells);
+  EXPECT_EQ(here, needed);
+  const FaultSides<Dim> sides(part.splits);
+  for (auto const& [name, facets] : mesh.boundaries) {
+    num_facets += std::count_if(facets.begin(), facets.end(), touches);
+    num_facets_here += part.boundaries.at(name).size();
+  }
+  EXPECT_EQ(num_facets_here, num_facets);
+  for (auto const& fault : part.faults) {
+    for (auto const& facet : part.boundaries.at(fault)) {
+      for (int vertex : facet) {
+        EXPECT_TRUE(sides.find(vertex)) << fault;
+      }
+    }
+  }
+}
+
+template <int Dim>
+void expectGoodParts(GlobalMesh<Dim> const& mesh)
+{
+  for (int num_parts : {1, 2, 3, 5}) {
+    const auto owners = partitionVertices(mesh, num_parts, {"main", 4});
+    int num_owned = 0, num_pairs = 0;
+    for (auto const& part : localParts(mesh, owners, num_parts)) {
+      expectGoodPart(mesh, part.mesh);
+      num_owned += part.mesh.num_owned;
+      num_pairs += std::count_if(part.mesh.splits.begin(), part.mesh.splits.end(),
+                                 [&](auto& pair) { return pair.plus < part.mesh.num_owned; });
+    }
+    EXPECT_EQ(num_owned, static_cast<int>(mesh.vertices.size()));
+    EXPECT_EQ(num_pairs, static_cast<int>(mesh.splits.size()));
+    EXPECT_LT(imbalance(owners, num_parts), 1.2);
+    EXPECT_LT(imbalance(owners, num_parts, boundaryVertices(mesh, "main")), 1.3);
+  }
+}
+} // namespace
+
+TEST(FaultPartition, KeepsPairsTogetherInThePlane) { expectGoodParts(branchedRectangle()); }
+TEST(FaultPartition, KeepsPairsTogetherInSpace) { expectGoodParts(branchedBox()); }
+
+TEST(FaultPartition, OnePartIsTheMesh)
+{
+  const auto mesh = branchedBox();
+  const auto part = localPart(mesh, std::vector<int>(mesh.vertices.size(), 0), 0);
+  EXPECT_EQ(part.splits, mesh.splits);
+  EXPECT_EQ(part.boundaries, mesh.boundaries);
+}
+
+TEST(FaultPartition, NamesOuterBoundariesAlone)
+{
+  auto whole = branchedBox();
+  const auto owners = partitionVertices(whole, world()->getSize());
+  auto part = localPart(whole, owners, world()->getRank());
+  const Conditions<3> conditions = {{"all", [](auto&) { return true; }}};
+  overrideBoundaries(part, conditions, *world());
+  overrideBoundaries(whole, conditions);
+  EXPECT_EQ(whole.boundaries.at("all").size(), 6u * 32u);
+  EXPECT_EQ(part.boundaries, localPart(whole, owners, world()->getRank()).boundaries);
+  expectInputError(
+    [&] {
+      overrideBoundaries<3>(part, {{"splay", [](auto&) { return true; }}}, *world());
+    },
+    {"Mesh / Boundaries / splay: a fault"});
+}
+
+TEST(FaultPartition, BroadcastSendsThePairs)
+{
+  const auto original = branchedRectangle();
+  auto mesh = world()->getRank() == 0 ? original : GlobalMesh<2>();
+  broadcast(mesh, *world());
+  EXPECT_EQ(mesh.splits, original.splits);
+  EXPECT_EQ(mesh.faults, original.faults);
+  EXPECT_EQ(mesh.boundaries, original.boundaries);
+}
+
+TEST(FaultPartition, ChecksumSeesThePairs)
+{
+  const auto mesh = branchedRectangle();
+  const auto owners = partitionVertices(mesh, world()->getSize());
+  auto part = localPart(mesh, owners, world()->getRank());
+  const auto before = checksum(part, ChecksumOf::numbering, *world());
+  EXPECT_EQ(checksum(part, ChecksumOf::numbering, *world()), before);
+  for (auto& pair : part.splits) {
+    pair.is_tip = !pair.is_tip;
+  }
+  EXPECT_NE(checksum(part, ChecksumOf::numbering, *world()), before);
+}

@@ -1,0 +1,155 @@
+#include "FaultSamples.hpp"
+
+using namespace asperity;
+using namespace asperity::mesh;
+
+namespace
+{
+bool isFlat(Point<3> const& p) { return p[1] == 0.0; }
+bool isUpward(Point<3> const& p) { return p[0] == 2.0 && p[1] >= 0.0; }
+bool isBetween(double x, double low, double high) { return low <= x && x <= high; }
+
+void expectRefused(GlobalMesh<3> mesh, std::vector<std::string> const& pieces)
+{
+  expectInputError([&] { splitFaults(mesh, "Here"); }, pieces);
+}
+
+// Five triangles i, i + 1, i + 2 (modulo 5) are a Moebius band; each between two cells of its own.
+GlobalMesh<3> moebiusBand()
+{
+  GlobalMesh<3> mesh;
+  const double angle = 2.0 * std::acos(-1.0) / 5.0;
+  for (int v = 0; v < 5; ++v) {
+    mesh.vertices.push_back({std::cos(v * angle), std::sin(v * angle), 0.1 * v * v});
+  }
+  for (int v = 0; v < 5; ++v) {
+    const GlobalMesh<3>::Facet facet = {v, (v + 1) % 5, (v + 2) % 5};
+    mesh.boundaries["band"].push_back(facet);
+    for (double side : {1.0, -1.0}) {
+      mesh.cells.push_back({facet[0], facet[1], facet[2], static_cast<int>(mesh.vertices.size())});
+      auto apex = centroid(corners(mesh, facet));
+      apex[2] += side;
+      mesh.vertices.push_back(apex);
+    }
+  }
+  mesh.cell_regions.assign(mesh.cells.size(), 0);
+  mesh.region_names = {"rock"};
+  return mesh;
+}
+} // namespace
+
+TEST(SplitFaults3D, CutsTheWholeBox)
+{
+  const auto mesh = goodSplit(faultedBox({{"fault", isFlat}}), 0, 25);
+  EXPECT_EQ(mesh.boundaries.at("fault").size(), 32u);
+  EXPECT_NEAR(upOf(mesh, "fault")[1], 16.0, 1e-12);
+  for (auto const& pair : mesh.splits) {
+    for (auto const& cell : mesh.cells) {
+      const double y = centroid(corners(mesh, cell))[1];
+      EXPECT_TRUE(std::count(cell.begin(), cell.end(), pair.plus) == 0 || y > 0.0);
+      EXPECT_TRUE(std::count(cell.begin(), cell.end(), pair.minus) == 0 || y < 0.0);
+    }
+  }
+}
+
+// The plane y = x - 2: the hanging wall is above. Vertical ones: larger x, larger z.
+TEST(SplitFaults3D, TakesTheUpperSideForPlus)
+{
+  const auto rising =
+    goodSplit(faultedBox({{"fault", [](auto& p) { return std::abs(p[1] - p[0] + 2.0) < 1e-9; }}}), 0, 25);
+  EXPECT_NEAR(upOf(rising, "fault")[0], -16.0, 1e-12);
+  EXPECT_NEAR(upOf(rising, "fault")[1], 16.0, 1e-12);
+  const auto steep = goodSplit(faultedBox({{"fault", [](auto& p) { return p[0] == 2.0; }}}), 0, 25);
+  EXPECT_NEAR(upOf(steep, "fault")[0], 16.0, 1e-12);
+  const auto across =
+    goodSplit(faultedBox({{"fault", [](auto& p) { return p[2] == 1.0; }}}), 0, 25);
+  EXPECT_NEAR(upOf(across, "fault")[2], 16.0, 1e-12);
+}
+
+TEST(SplitFaults3D, EndsInTipsInsideTheBody)
+{
+  const auto mesh = goodSplit(
+    faultedBox(
+      {{"fault",
+        [](auto& p) { return isFlat(p) && isBetween(p[0], 1, 3) && isBetween(p[2], 1, 3); }}}),
+    8, 1);
+  EXPECT_FALSE(pairsAt<3>(mesh, {2.0, 0.0, 2.0}).at(0).is_tip);
+}
+
+// A vertical fault of finite length: where its trace on the surface ends there are tips, too.
+TEST(SplitFaults3D, ReachesTheSurface)
+{
+  const auto mesh = goodSplit(
+    faultedBox({{"fault", [](auto& p) { return isUpward(p) && isBetween(p[2], 1, 3); }}}), 7, 2);
+  EXPECT_FALSE(pairsAt<3>(mesh, {2.0, 2.0, 2.0}).at(0).is_tip);
+  EXPECT_TRUE(pairsAt<3>(mesh, {2.0, 2.0, 1.0}).at(0).is_tip);
+}
+
+TEST(SplitFaults3D, KeepsTheSideAlongABentFault)
+{
+  const auto mesh = goodSplit(
+    faultedBox({{"flat", [](auto& p) { return isFlat(p) && p[0] <= 2.0; }}, {"ramp", isUpward}}), 0,
+    25);
+  EXPECT_NEAR(upOf(mesh, "flat")[1], 8.0, 1e-12);
+  EXPECT_NEAR(upOf(mesh, "ramp")[0], -8.0, 1e-12);
+}
+
+TEST(SplitFaults3D, GivesABranchTips)
+{
+  const auto mesh = goodSplit(faultedBox({{"main", isFlat}, {"splay", isUpward}}), 5, 25 + 10);
+  for (double z : {0.0, 1.0, 4.0}) {
+    const auto pairs = pairsAt<3>(mesh, {2.0, 0.0, z});
+    ASSERT_EQ(pairs.size(), 2u);
+    EXPECT_FALSE(pairs[0].is_tip);
+    EXPECT_TRUE(pairs[1].is_tip);
+    EXPECT_EQ(pairs[1].minus, pairs[0].plus);
+  }
+  EXPECT_NEAR(upOf(mesh, "splay")[0], 8.0, 1e-12);
+}
+
+// The line along which it branches off ends inside the body; there it divides no side of the other.
+TEST(SplitFaults3D, GivesAShortBranchTips)
+{
+  const auto mesh =
+    goodSplit(faultedBox({{"main", isFlat},
+                          {"splay", [](auto& p) { return isUpward(p) && isBetween(p[2], 1, 3); }}}),
+              7, 25 + 2);
+  EXPECT_EQ(pairsAt<3>(mesh, {2.0, 0.0, 1.0}).size(), 2u);
+  EXPECT_EQ(pairsAt<3>(mesh, {2.0, 0.0, 0.0}).size(), 1u);
+}
+
+TEST(SplitFaults3D, RefusesFaultsThatCross)
+{
+  expectRefused(faultedBox({{"dyke", [](auto& p) { return p[0] == 2.0; }}, {"main", isFlat}}),
+                {"Here: faults 'dyke' and 'main' cross at (2, 0, 0)"});
+  expectRefused(faultedBox({{"star", [](auto& p) { return isFlat(p) || isUpward(p); }}}),
+                {"3 facets of fault 'star' meet at (2, 0, "});
+}
+
+TEST(SplitFaults3D, RefusesATipOnTheBoundary)
+{
+  expectRefused(faultedBox({{"fault",
+                             [](Point<3> const& p) {
+                               const bool is_inside =
+                                 isBetween(p[0], 0.5, 3.5) && isBetween(p[2], 0.5, 3.5);
+                               return isFlat(p) && (is_inside || p == Point<3>{0.0, 0.0, 1.0} ||
+                                                    isBetween(p[0], 0.1, 0.9));
+                             }}}),
+                {"Here: a tip of fault 'fault' lies on the boundary of the body, at (0, 0, 1)"});
+}
+
+TEST(SplitFaults3D, RefusesAMoebiusBand)
+{
+  auto mesh = moebiusBand();
+  orientCells(mesh);
+  expectRefused(mesh, {"Here: fault 'band' cannot be oriented", "its two sides are exchanged"});
+}
+
+TEST(SplitFaults3D, RefusesAFaultWithoutANodeThatSlips)
+{
+  expectRefused(faultedBox({{"small",
+                             [](auto& p) {
+                               return isFlat(p) && isBetween(p[0], 1, 2) && isBetween(p[2], 1, 2);
+                             }}}),
+                {"fault 'small' has no node that could slip"});
+}
