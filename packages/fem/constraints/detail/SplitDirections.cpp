@@ -26,27 +26,24 @@ Terms sum(Terms a, Terms const& b)
   return a;
 }
 
-// The directions of the walls and other boundaries that one side of the fault ends at.
+// Which conditions are about the slip of a fault inside the body.
 template <int Dim>
-Directions ofTheBody(Directions const& all, std::vector<VelocityCondition<Dim>> const& conditions)
+std::vector<bool> areOnFaults(std::vector<VelocityCondition<Dim>> const& conditions,
+                              Mesh<Dim> const& mesh)
 {
-  Directions result;
-  std::copy_if(all.begin(), all.end(), std::back_inserter(result), [&](Direction const& one) {
-    return conditions[one.condition].normal() != Normal::of_fault;
-  });
+  std::vector<bool> result;
+  for (auto const& condition : conditions) {
+    result.push_back(std::count(mesh.faults.begin(), mesh.faults.end(), condition.boundary) > 0);
+  }
   return result;
 }
 
-// Those that hold for the jump: all of the fault, at a tip the normal alone.
-template <int Dim>
-Directions ofTheFault(Directions const& all, std::vector<VelocityCondition<Dim>> const& conditions,
-                      bool is_tip)
+template <class Predicate>
+Directions those(Directions const& all, Predicate const& are_wanted)
 {
   Directions result;
-  std::copy_if(all.begin(), all.end(), std::back_inserter(result), [&](Direction const& one) {
-    auto const& condition = conditions[one.condition];
-    return condition.normal() == Normal::of_fault && (!is_tip || condition.holdsAcross());
-  });
+  std::copy_if(all.begin(), all.end(), std::back_inserter(result),
+               [&](Direction const& one) { return are_wanted(one.condition); });
   return result;
 }
 
@@ -108,13 +105,17 @@ NodalDirections meansAndJumps(NodalDirections directions, Mesh<Dim> const& mesh,
     const auto found = directions.find(vertex);
     return found == directions.end() ? Directions() : found->second;
   };
+  auto const on_fault = areOnFaults(conditions, mesh);
+  const auto is_of_body = [&](int condition) { return !on_fault[condition]; };
   for (auto const& split : mesh.splits) {
     if (split.plus >= mesh.num_owned) {
       continue;
     }
-    auto jump = ofTheFault(at(split.plus), conditions, split.is_tip);
+    auto jump = those(at(split.plus), [&](int condition) {
+      return on_fault[condition] && (!split.is_tip || conditions[condition].holdsAcross());
+    });
     if (!split.is_tip) {
-      Pair pair(ofTheBody(at(split.plus), conditions), ofTheBody(at(split.minus), conditions));
+      Pair pair(those(at(split.plus), is_of_body), those(at(split.minus), is_of_body));
       pair.match();
       if (!pair.alone().empty()) {
         auto const& condition = conditions[pair.alone().front().condition];
