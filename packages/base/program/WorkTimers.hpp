@@ -11,12 +11,30 @@
 //   ASPERITY_TIME_WORK("line search");
 #define ASPERITY_TIME_WORK(name)                                                                   \
   static auto const asperity_work = ::asperity::workTimer(name);                                   \
-  Teuchos::TimeMonitor const asperity_timed_work(*asperity_work)
+  ::asperity::TimedWork const asperity_timed_work(*asperity_work)
 
 namespace asperity
 {
 // The timer of a kind of work, one for each name.
 RCP<Teuchos::Time> workTimer(std::string const& name);
+
+// Runs a timer while it lives. Teuchos::TimeMonitor does the same and reports to a stacked timer,
+// too, which takes as long as some of the work that is timed here.
+class TimedWork
+{
+public:
+  explicit TimedWork(Teuchos::Time& timer) : timer_(timer) { timer_.start(); }
+  ~TimedWork()
+  {
+    timer_.stop();
+    timer_.incrementNumCalls();
+  }
+  TimedWork(TimedWork const&) = delete;
+  TimedWork& operator=(TimedWork const&) = delete;
+
+private:
+  Teuchos::Time& timer_;
+};
 
 // Where the wall time of this process went since its start: one line for each kind of work that was
 // done, the longest first, with the smallest and the largest time of the ranks. Kinds do not
