@@ -14,8 +14,8 @@ struct GeometryConstant
   double value;
 };
 
-// The names that the script, which is without comments, defines by DefineConstant[name = value, name = {value, ...}, ...], in
-// their order, each once.
+// The names that the script, which is without comments, defines by DefineConstant[name = value,
+// name = {value, ...}, ...], in their order, each once.
 std::vector<std::string> constantsOf(std::string const& script);
 
 // The constants from "NAME=VALUE" each. InputError, with the nearest name, if the script does not
@@ -24,8 +24,8 @@ std::vector<std::string> constantsOf(std::string const& script);
 std::vector<GeometryConstant> readConstants(std::string const& file_name,
                                             std::vector<std::string> const& settings);
 
-// Meshes the geometry that Gmsh's library has opened, in its own dimension, 2 or 3. InputError, which
-// starts with `where` and has Gmsh's last error, if that fails.
+// Meshes the geometry that Gmsh's library has opened, in its own dimension, 2 or 3. InputError,
+// which starts with `where` and has Gmsh's last error, if that fails.
 void meshGeometry(std::string const& where);
 
 // "" without one; gmsh::initialize has been called.
