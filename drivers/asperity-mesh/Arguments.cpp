@@ -28,6 +28,12 @@ int Arguments::integer(std::string const& option, int otherwise) const
   return *value;
 }
 
+std::vector<std::string> Arguments::all(std::string const& option) const
+{
+  const auto found = repeated.find(option);
+  return found == repeated.end() ? std::vector<std::string>() : found->second;
+}
+
 Arguments parseArguments(std::vector<std::string> const& words, AllowedArguments const& allowed)
 {
   std::map<std::string, std::string> values;
@@ -40,6 +46,9 @@ Arguments parseArguments(std::vector<std::string> const& words, AllowedArguments
     options.flag(name, flags[name], "");
   }
   Arguments arguments;
+  for (auto const& name : allowed.repeated) {
+    options.values(name, arguments.repeated[name], "VALUE", "");
+  }
   arguments.files = options.parse(words);
   for (auto const& [name, value] : values) {
     if (!value.empty()) {

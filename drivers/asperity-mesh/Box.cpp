@@ -54,12 +54,15 @@ std::string boxOptions()
          "    --cells-x, --cells-y, --cells-z      numbers of bricks (1)\n"
          "    --left, --bottom, --front            smallest x, y and z, m (0)\n"
          "    --periodic              axes, as 'z' or 'x, z'; at least 3 bricks along them\n"
-         "    --cell-size             sides of the cubes, m, a formula in x, y and z\n";
+         "    --cell-size             sides of the cubes, m, a formula in x, y and z\n"
+         "    --fault                 \"NAME=CONDITION\", a fault inside, as \"main=abs(y) < "
+         "1e-6\";\n"
+         "                            cells have their edges along it; may be repeated\n";
 }
 
 void makeBox(std::vector<std::string> const& words)
 {
-  AllowedArguments allowed{{"OUT.h5"}, {"--periodic", "--cell-size"}, {"--overwrite"}};
+  AllowedArguments allowed{{"OUT.h5"}, {"--periodic", "--cell-size"}, {"--overwrite"}, {"--fault"}};
   for (auto const& axis : axes) {
     allowed.options.insert(allowed.options.end(), {axis.size, axis.cells, axis.lowest});
   }
@@ -69,5 +72,5 @@ void makeBox(std::vector<std::string> const& words)
   if (arguments.has("--periodic")) {
     makePeriodicAlong(arguments.options.at("--periodic"), coarse);
   }
-  writeAndReport(graded(coarse, arguments), arguments.files[0]);
+  writeAndReport(withFaults(graded(coarse, arguments), arguments), arguments.files[0]);
 }

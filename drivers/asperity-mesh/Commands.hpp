@@ -8,7 +8,7 @@
 
 void printHelp();
 
-// IN.msh OUT.h5 [--overwrite]
+// IN.msh or IN.geo OUT.h5 [--overwrite] [--set NAME=VALUE]...
 void convert(std::vector<std::string> const& words);
 
 // OUT.h5 [--overwrite] [--periodic] [--<parameter> VALUE]...

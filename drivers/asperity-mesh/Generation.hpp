@@ -11,6 +11,11 @@
 template <int Dim>
 asperity::GlobalMesh<Dim> graded(asperity::GlobalMesh<Dim> const& mesh, Arguments const& arguments);
 
+// The mesh with the faults of --fault "NAME=CONDITION", formulas in the coordinates that hold where
+// they are not zero (mesh/faults/Faults.hpp); it is not split. InputError if it could not be.
+template <int Dim>
+asperity::GlobalMesh<Dim> withFaults(asperity::GlobalMesh<Dim> mesh, Arguments const& arguments);
+
 // Writes the file and prints how large the mesh is.
 template <int Dim>
 void writeAndReport(asperity::GlobalMesh<Dim> const& mesh, std::string const& file_name);

@@ -1,6 +1,9 @@
 #include "GmshFile.hpp"
 
+#include "GmshGeometry.hpp"
+
 #include "base/Errors.hpp"
+#include "base/Text.hpp"
 #include "mesh/SimplexGeometry.hpp"
 
 #include <gmsh.h>
@@ -35,6 +38,17 @@ void requireMeshFormat(std::string const& file_name, std::string const& where)
   std::getline(file, line);
   ASPERITY_REQUIRE(line.rfind("$MeshFormat", 0) == 0,
                    where << " is not a mesh of Gmsh: it does not begin with $MeshFormat.");
+}
+
+void initializeGmsh(std::vector<std::string>& arguments)
+{
+  std::vector<char*> words;
+  for (auto& argument : arguments) {
+    words.push_back(&argument[0]);
+  }
+  constexpr bool read_configuration = false;
+  gmsh::initialize(static_cast<int>(words.size()), words.data(), read_configuration);
+  gmsh::option::setNumber("General.Terminal", 0);
 }
 
 void openWithGmsh(std::string const& file_name, std::string const& where)
@@ -255,14 +269,25 @@ private:
 };
 } // namespace
 
-GmshFile::GmshFile(std::string const& file_name) : where_("Mesh file '" + file_name + "'")
+GmshFile::GmshFile(std::string const& file_name, std::vector<std::string> const& settings)
+    : where_((isGeometry(file_name) ? "Gmsh geometry '" : "Mesh file '") + file_name + "'")
 {
-  requireMeshFormat(file_name, where_);
-  constexpr bool read_configuration = false;
-  gmsh::initialize(0, nullptr, read_configuration);
-  gmsh::option::setNumber("General.Terminal", 0);
+  std::vector<std::string> arguments = {"gmsh"};
+  if (isGeometry(file_name)) {
+    for (auto const& [name, value] : readConstants(file_name, settings)) {
+      arguments.insert(arguments.end(), {"-setnumber", name, asperity::formatNumber(value)});
+    }
+  } else {
+    requireMeshFormat(file_name, where_);
+    ASPERITY_REQUIRE(settings.empty(), "Option --set " << settings.front() << ": " << where_
+                                                       << " is no geometry (.geo), but a mesh.");
+  }
+  initializeGmsh(arguments);
   try {
     openWithGmsh(file_name, where_);
+    if (isGeometry(file_name)) {
+      meshGeometry(where_);
+    }
   } catch (...) {
     gmsh::finalize();
     throw;

@@ -7,7 +7,11 @@ void printHelp()
   std::cout
     << "asperity-mesh makes, converts and partitions meshes.\n\n"
        "  asperity-mesh convert IN.msh OUT.h5 [--overwrite]\n"
-       "    Converts Gmsh's format to ours; physical groups become regions and boundaries.\n"
+       "  asperity-mesh convert IN.geo OUT.h5 [--overwrite] [--set NAME=VALUE]...\n"
+       "    Converts a mesh of Gmsh to ours, or meshes a geometry of Gmsh, in which --set "
+       "replaces\n"
+       "    the numbers of DefineConstant. Physical groups become regions, boundaries and, where\n"
+       "    they lie inside, faults. A .geo is a program: take it only from whom you trust.\n"
        "  asperity-mesh wedge OUT.h5 [--overwrite] [OPTION VALUE]...\n"
        "    Makes the subduction wedge of Pipping 2014, A.1, by bisection. Options:\n"
     << wedgeOptions()

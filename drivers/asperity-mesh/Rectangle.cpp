@@ -26,7 +26,10 @@ std::string rectangleOptions()
   return "    --width, --height       along x and y, m (1)\n"
          "    --cells-x, --cells-y    columns and rows of two triangles each (1)\n"
          "    --left, --bottom        x and y of the lower left corner, m (0)\n"
-         "    --cell-size             legs of the triangles, m, a formula in x and y\n";
+         "    --cell-size             legs of the triangles, m, a formula in x and y\n"
+         "    --fault                 \"NAME=CONDITION\", a fault inside, as \"main=abs(y) < "
+         "1e-6\";\n"
+         "                            cells have their edges along it; may be repeated\n";
 }
 
 void makeRectangle(std::vector<std::string> const& words)
@@ -34,8 +37,9 @@ void makeRectangle(std::vector<std::string> const& words)
   const auto arguments = parseArguments(
     words, {{"OUT.h5"},
             {"--width", "--height", "--cells-x", "--cells-y", "--left", "--bottom", "--cell-size"},
-            {"--overwrite"}});
+            {"--overwrite"},
+            {"--fault"}});
   requireNew(arguments.files[0], arguments);
   const auto coarse = asperity::mesh::rectangleMesh(shapeFrom(arguments));
-  writeAndReport(graded(coarse, arguments), arguments.files[0]);
+  writeAndReport(withFaults(graded(coarse, arguments), arguments), arguments.files[0]);
 }

@@ -4,8 +4,8 @@
 #include "base/parallel/Agreement.hpp"
 #include "mesh/SimplexGeometry.hpp"
 #include "mesh/detail/FacetTable.hpp"
-#include "mesh/faults/FaultSides.hpp"
-#include "mesh/faults/InnerBoundaries.hpp"
+#include "mesh/faults/Faults.hpp"
+#include "mesh/faults/SplitVertices.hpp"
 
 #include <set>
 

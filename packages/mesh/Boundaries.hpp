@@ -7,8 +7,8 @@ namespace asperity::mesh
 {
 // Gives every facet of the outer boundary to the last boundary whose condition holds at its
 // centroid, whether it had a name before or not; facets where none holds keep their boundary.
-// Facets of faults inside the body are none of the outer boundary, whether the mesh is split or not.
-// Boundaries of the mesh that lose all their facets are dropped. Throws an InputError, whose
+// Facets of faults inside the body are none of the outer boundary, whether the mesh is split or
+// not. Boundaries of the mesh that lose all their facets are dropped. Throws an InputError, whose
 // message starts with `where`, if a condition gives a name to no facet or has the name of a fault.
 template <int Dim>
 void overrideBoundaries(GlobalMesh<Dim>& mesh, std::vector<NamedCondition<Dim>> const& conditions,

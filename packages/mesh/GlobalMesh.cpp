@@ -4,7 +4,7 @@
 #include "mesh/PointText.hpp"
 #include "mesh/SimplexGeometry.hpp"
 #include "mesh/detail/FacetTable.hpp"
-#include "mesh/faults/InnerBoundaries.hpp"
+#include "mesh/faults/Faults.hpp"
 #include "mesh/faults/SplitCheck.hpp"
 
 #include <set>

@@ -61,7 +61,7 @@ struct Mesh
   //
   // Those of a fault inside the body are the facets of its plus side, outward from the body there,
   // and consist of plus vertices alone, tips too; with minus for plus they are those of the other
-  // side (faults/FaultSides.hpp). The unit normal from minus to plus is opposite to theirs.
+  // side (faults/SplitVertices.hpp). The unit normal from minus to plus is opposite to theirs.
   std::map<std::string, std::vector<Facet>> boundaries;
 
   std::vector<SplitVertex> splits; // local vertex numbers, ascending in plus

@@ -3,7 +3,7 @@
 #include "base/Errors.hpp"
 #include "mesh/PointText.hpp"
 #include "mesh/SimplexGeometry.hpp"
-#include "mesh/faults/FaultSides.hpp"
+#include "mesh/faults/SplitVertices.hpp"
 
 namespace asperity::mesh
 {

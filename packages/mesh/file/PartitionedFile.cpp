@@ -4,7 +4,7 @@
 #include "base/parallel/Agreement.hpp"
 #include "base/parallel/Messages.hpp"
 #include "base/parallel/Reductions.hpp"
-#include "mesh/faults/SplitRows.hpp"
+#include "mesh/faults/SplitVertices.hpp"
 #include "mesh/file/MeshFile.hpp"
 #include "mesh/file/detail/PartCheck.hpp"
 #include "mesh/file/detail/SlabReader.hpp"

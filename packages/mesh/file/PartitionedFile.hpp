@@ -55,7 +55,8 @@ struct PartitionSummary
 };
 
 // Divides the mesh as `owners` says and writes all parts; partitionVertices has made `owners` with
-// these options. The mesh is split along its faults, if it has some. The file is complete if it exists. Throws InputError if it cannot be written.
+// these options. The mesh is split along its faults, if it has some. The file is complete if it
+// exists. Throws InputError if it cannot be written.
 template <int Dim>
 void writeParts(GlobalMesh<Dim> const& mesh, std::vector<int> const& owners, int num_parts,
                 PartitionOptions const& options, std::string const& file_name);

@@ -117,8 +117,8 @@ private:
     number(ghosts, part);
   }
 
-  // Of every pair with a vertex here the other one, too. At a branch the minus of a pair is the plus
-  // of another one, so one round may not do.
+  // Of every pair with a vertex here the other one, too. At a branch the minus of a pair is the
+  // plus of another one, so one round may not do.
   void addPartners(std::vector<int>& ghosts) const
   {
     const auto is_here = [&](int vertex) {

@@ -1,7 +1,7 @@
 #include "mesh/parallel/MeshChecksum.hpp"
 
 #include "base/Hashes.hpp"
-#include "mesh/faults/SplitRows.hpp"
+#include "mesh/faults/SplitVertices.hpp"
 
 #include <Teuchos_CommHelpers.hpp>
 

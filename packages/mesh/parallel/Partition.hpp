@@ -16,9 +16,9 @@ struct PartitionOptions
 
 // The owner of every vertex, 0 <= owner < num_parts, by METIS's k-way partition of the graph whose
 // edges are those of the cells. It aims at 3 % above the mean at most for all vertices, weighted,
-// and at 5 % for those of the boundary, unless there are fewer of these than parts. Both vertices of
-// a pair at a fault inside the body have one owner: for METIS they are one. Every part has a vertex.
-// The same input gives the same answer. InputError if there are more parts than vertices.
+// and at 5 % for those of the boundary, unless there are fewer of these than parts. Both vertices
+// of a pair at a fault inside the body have one owner: for METIS they are one. Every part has a
+// vertex. The same input gives the same answer. InputError if there are more parts than vertices.
 template <int Dim>
 std::vector<int> partitionVertices(GlobalMesh<Dim> const& mesh, int num_parts,
                                    PartitionOptions const& options = {});
@@ -28,11 +28,11 @@ std::vector<int> partitionVertices(GlobalMesh<Dim> const& mesh, int num_parts,
 double imbalance(std::vector<int> const& owners, int num_parts);
 double imbalance(std::vector<int> const& owners, int num_parts, std::vector<int> const& vertices);
 
-// The part of a rank: its vertices, the ghosts, all cells and facets that touch its vertices, and of
-// every pair at a fault inside the body either both vertices or none. Owned
-// vertices and ghosts are each in the order of their global ids, which are the vertex numbers of
-// the whole mesh; so on one rank the part is the mesh. Cells and facets keep their order and their
-// first vertex: a cell is counted once if it is counted where its first vertex is owned.
+// The part of a rank: its vertices, the ghosts, all cells and facets that touch its vertices, and
+// of every pair at a fault inside the body either both vertices or none. Owned vertices and ghosts
+// are each in the order of their global ids, which are the vertex numbers of the whole mesh; so on
+// one rank the part is the mesh. Cells and facets keep their order and their first vertex: a cell
+// is counted once if it is counted where its first vertex is owned.
 template <int Dim>
 Mesh<Dim> localPart(GlobalMesh<Dim> const& mesh, std::vector<int> const& owners, int rank);
 

@@ -4,7 +4,7 @@
 #include "base/program/WorkTimers.hpp"
 #include "mesh/Boundaries.hpp"
 #include "mesh/Regions.hpp"
-#include "mesh/faults/AddFaults.hpp"
+#include "mesh/faults/Faults.hpp"
 #include "mesh/faults/SplitFaults.hpp"
 #include "mesh/file/MeshFile.hpp"
 #include "mesh/file/PartitionedFile.hpp"
@@ -347,7 +347,9 @@ Mesh<Dim> makeMesh(ParameterList const& list, std::string const& fault,
   mesh::overrideRegions(whole, regions, where_regions);
   mesh::overrideBoundaries(whole, boundaries, where_boundaries);
   mesh::addFaults(whole, faults, where_faults);
-  mesh::splitFaults(whole, path);
+  if (type == "File" || !faults.empty()) { // generators make none
+    mesh::splitFaults(whole, path);
+  }
   mesh::PartitionOptions options;
   options.boundary = whole.boundaries.count(fault) > 0 ? fault : "";
   return mesh::distribute(whole, *communicator, options);

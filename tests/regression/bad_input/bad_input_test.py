@@ -243,6 +243,35 @@ class Meshes(Case):
                 self.assert_refused(self.deck, "mesh.h5", ranks=2)
 
 
+class Faults(Case):
+    """Inside the body; conditions on them come later."""
+
+    def refuse(self, pieces, **faults):
+        changes = [f"Mesh/Faults/{name}={condition}" for name, condition in faults.items()]
+        for ranks in (1, 2):
+            with self.subTest(faults, ranks=ranks):
+                self.assert_refused([DECK, *settings(*changes)], *pieces, ranks=ranks)
+
+    def test_a_fault_that_is_not_along_the_cells(self):
+        self.refuse(["Asperity / Mesh / Faults / main: the fault has no facet"],
+                    main="abs(x - 0.3) < 1e-6")
+        self.refuse(["Asperity / Mesh / Faults / main: the fault has no facet"],
+                    main="abs(y - 0.5 - 0.2 * (x - 0.5)) < 1e-6")
+
+    def test_faults_that_cross(self):
+        self.refuse(["Asperity / Mesh: faults 'dyke' and 'main' cross at (0.5, 0.5)"],
+                    dyke="abs(x - 0.5) < 1e-6", main="abs(y - 0.5) < 1e-6")
+
+    def test_a_fault_without_a_node_that_slips(self):
+        self.refuse(["Asperity / Mesh: fault 'main' has no node that could slip; refine the mesh"],
+                    main="abs(y - 0.5) < 1e-6 && x > 0.2 && x < 0.6")
+
+    def test_names(self):
+        self.refuse(["Asperity / Mesh / Faults / top: a boundary on the surface"],
+                    top="abs(y - 0.5) < 1e-6")
+        self.refuse(["Asperity / Mesh / Faults / main depends on t"], main="y > t")
+
+
 class Failures(Case):
     """What fails in mid-run leaves a checkpoint, on every number of ranks."""
 

@@ -132,6 +132,22 @@ class PartitionedMeshes(SolidCase):
         self.refuse(PARTS, PARTS, "'/cells'")
 
 
+class Faults(SolidCase):
+    def test_a_tip_on_the_boundary(self):
+        triangle = "abs(x - 0.5) < 1e-6 && y < 0.6 && z > 0.4 && z - y < 0.6"
+        self.refuse(WHOLE, "Asperity / Mesh: a tip of fault 'main' lies on the boundary",
+                    changes=[f"Mesh/Faults/main={triangle}"])
+
+    def test_of_a_partitioned_mesh(self):
+        self.refuse(PARTS, "Asperity / Mesh / Faults / main", PARTS, "is partitioned",
+                    changes=["Mesh/Faults/main=abs(x - 0.5) < 1e-6"])
+
+    def test_parts_of_the_version_before(self):
+        with h5py.File(PARTS, "r+") as file:
+            file.attrs["version"] = 1
+        self.refuse(PARTS, PARTS, "version 1", "asperity-mesh partition MESH.h5 --parts 2")
+
+
 class TruncatedFiles(SolidCase):
     def test_truncated(self):
         for name in (WHOLE, PARTS):

@@ -2,7 +2,7 @@
 #include "SharedFolder.hpp"
 
 #include "base/hdf5/Handle.hpp"
-#include "mesh/faults/AddFaults.hpp"
+#include "mesh/faults/Faults.hpp"
 #include "mesh/faults/SplitFaults.hpp"
 #include "mesh/file/MeshFile.hpp"
 #include "mesh/file/PartitionedFile.hpp"

@@ -2,9 +2,9 @@
 
 #include "MeshSamples.hpp"
 
-#include "mesh/faults/AddFaults.hpp"
-#include "mesh/faults/FaultSides.hpp"
+#include "mesh/faults/Faults.hpp"
 #include "mesh/faults/SplitFaults.hpp"
+#include "mesh/faults/SplitVertices.hpp"
 #include "mesh/generation/BoxMesh.hpp"
 #include "mesh/generation/RectangleMesh.hpp"
 

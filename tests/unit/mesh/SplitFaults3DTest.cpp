@@ -55,8 +55,8 @@ TEST(SplitFaults3D, CutsTheWholeBox)
 // The plane y = x - 2: the hanging wall is above. Vertical ones: larger x, larger z.
 TEST(SplitFaults3D, TakesTheUpperSideForPlus)
 {
-  const auto rising =
-    goodSplit(faultedBox({{"fault", [](auto& p) { return std::abs(p[1] - p[0] + 2.0) < 1e-9; }}}), 0, 25);
+  const auto rising = goodSplit(
+    faultedBox({{"fault", [](auto& p) { return std::abs(p[1] - p[0] + 2.0) < 1e-9; }}}), 0, 25);
   EXPECT_NEAR(upOf(rising, "fault")[0], -16.0, 1e-12);
   EXPECT_NEAR(upOf(rising, "fault")[1], 16.0, 1e-12);
   const auto steep = goodSplit(faultedBox({{"fault", [](auto& p) { return p[0] == 2.0; }}}), 0, 25);

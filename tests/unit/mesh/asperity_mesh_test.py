@@ -156,10 +156,13 @@ class Convert(mesh_tool.Case):
             self.assertEqual(list(file["boundaries"]), ["fault"])
             f = x[file["boundaries/fault/facets"][0]]
             numpy.testing.assert_array_equal(numpy.cross(f[1] - f[0], f[2] - f[0]), [0, -1, 0])
-        self.assert_not_converted(TWO_VOLUMES.format(surface=7, triangle="1 2 3"),
-                                  "boundary 'fault'", "(0, 0, 0)", "inside the body")
         self.assert_not_converted(text.replace('3 9 "above"\n', "").replace("Names\n3", "Names\n2"),
                                   "physical Volume 9 has no name")
+
+    def test_a_fault_between_two_volumes(self):
+        pathlib.Path("two.msh").write_text(TWO_VOLUMES.format(surface=7, triangle="1 2 3"))
+        self.assertIn("0 boundaries, 1 faults", self.assert_done("convert", "two.msh", "two.h5"))
+        self.assertIn("fault: 1 facets, 3 vertices, 0 tips", self.assert_done("info", "two.h5"))
 
     def test_missing_names(self):
         self.assert_not_converted(msh(names=NAMES.replace('1 2 "sides"\n', "")),
@@ -182,8 +185,8 @@ class Convert(mesh_tool.Case):
         self.assert_not_converted(msh(elements=ELEMENTS[:4] + ["5 3 2 3 1 2 3 5 7"]),
                                   "Quadrilateral 4", "tag 5")
         self.assert_not_converted(msh(nodes={**NODES, 8: "1 0 0"}), "is degenerate", "(1, 0)")
-        inside = ["1 1 2 1 1 3 8"] + ELEMENTS[1:]
-        self.assert_not_converted(msh(elements=inside), "boundary 'base'", "inside the body")
+        inside = ELEMENTS[:1] + ["2 1 2 2 2 3 8"] + ELEMENTS[2:]
+        self.assert_not_converted(msh(elements=inside), "boundary 'sides'", "inside the body")
         outside = ["1 1 2 1 1 2 9"] + ELEMENTS[1:]
         self.assert_not_converted(msh(elements=outside), "'base' has node 9", "no cell")
 

@@ -1,7 +1,7 @@
 #include "mesh/file/detail/PartitionFormat.hpp"
 
 #include "base/Errors.hpp"
-#include "mesh/faults/SplitRows.hpp"
+#include "mesh/faults/SplitVertices.hpp"
 
 #include <algorithm>
 #include <filesystem>

@@ -1,8 +1,8 @@
-#include "mesh/faults/AddFaults.hpp"
+#include "mesh/faults/Faults.hpp"
 
 #include "base/Errors.hpp"
+#include "mesh/PointText.hpp"
 #include "mesh/SimplexGeometry.hpp"
-#include "mesh/faults/InnerBoundaries.hpp"
 
 namespace asperity::mesh
 {
@@ -47,6 +47,40 @@ facetsOnFaults(GlobalMesh<Dim> const& mesh, detail::FacetTable<Dim> const& table
 } // namespace
 
 template <int Dim>
+std::vector<std::string> innerBoundaries(GlobalMesh<Dim> const& mesh,
+                                         detail::FacetTable<Dim> const& table,
+                                         std::string const& where)
+{
+  std::vector<std::string> names;
+  for (auto const& [name, facets] : mesh.boundaries) {
+    using Facet = typename GlobalMesh<Dim>::Facet;
+    Facet const* inner = nullptr;
+    Facet const* outer = nullptr;
+    for (auto const& facet : facets) {
+      const auto [first, last] = table.find(facet);
+      (last - first == 2 ? inner : outer) = &facet;
+    }
+    ASPERITY_REQUIRE(!inner || !outer,
+                     where << ": boundary '" << name << "' has facets inside the body, one at "
+                           << text(centroid(corners(mesh, *inner)))
+                           << ", and on its surface, one at "
+                           << text(centroid(corners(mesh, *outer)))
+                           << ". Facets inside the body are a fault: give them a name of their "
+                              "own.");
+    if (inner) {
+      names.push_back(name);
+    }
+  }
+  return names;
+}
+
+template <int Dim>
+std::vector<std::string> innerBoundaries(GlobalMesh<Dim> const& mesh, std::string const& where)
+{
+  return innerBoundaries(mesh, detail::FacetTable<Dim>(mesh.cells), where);
+}
+
+template <int Dim>
 void addFaults(GlobalMesh<Dim>& mesh, std::vector<NamedCondition<Dim>> const& conditions,
                std::string const& where)
 {
@@ -88,6 +122,13 @@ void addFaults(GlobalMesh<Dim>& mesh, std::vector<NamedCondition<Dim>> const& co
   }
 }
 
-template void addFaults(GlobalMesh<2>&, std::vector<NamedCondition<2>> const&, std::string const&);
-template void addFaults(GlobalMesh<3>&, std::vector<NamedCondition<3>> const&, std::string const&);
+#define ASPERITY_INSTANTIATE(Dim)                                                                  \
+  template std::vector<std::string> innerBoundaries(                                               \
+    GlobalMesh<Dim> const&, detail::FacetTable<Dim> const&, std::string const&);                   \
+  template std::vector<std::string> innerBoundaries(GlobalMesh<Dim> const&, std::string const&);   \
+  template void addFaults(GlobalMesh<Dim>&, std::vector<NamedCondition<Dim>> const&,               \
+                          std::string const&);
+ASPERITY_INSTANTIATE(2)
+ASPERITY_INSTANTIATE(3)
+#undef ASPERITY_INSTANTIATE
 } // namespace asperity::mesh
