@@ -14,6 +14,7 @@ namespace asperity::scenario
 struct RunView
 {
   dynamics::State const* state = nullptr;
+  dynamics::DyadicTime const* clock = nullptr;
   dynamics::EnergyBalance const* balance = nullptr;
   dynamics::AcceptedStep step;
   dynamics::SolveCount count; // of the last step alone

@@ -115,9 +115,10 @@ SimulationOf<Dim>::SimulationOf(RCP<ParameterList> const& deck, CommandLine cons
   coupled_step_ = std::make_unique<dynamics::CoupledStep>(
     problem_.body, problem_.fault, update, clock_,
     dynamics::CouplingSettings::from(deck->sublist("Coupling")), problem_.solver,
-    memoryBudget(deck->sublist("TNNMG")));
+    memoryBudget(deck->sublist("TNNMG")), problem_.reaction);
   control_ = makeStepControl(deck->sublist("Time Stepping"), *coupled_step_);
   view_.state = &state_;
+  view_.clock = &clock_;
   view_.balance = &balance_;
   registerFields(registry_, problem_, view_, domains_, deck->sublist("Friction"));
   outputs_ = std::make_unique<io::OutputSet>(

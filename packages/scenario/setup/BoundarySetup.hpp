@@ -3,6 +3,7 @@
 #include "base/parameters/Parameters.hpp"
 #include "fem/FaultSurface.hpp"
 #include "fem/constraints/Constraints.hpp"
+#include "scenario/setup/PlateRate.hpp"
 
 #include <string>
 #include <vector>
@@ -19,6 +20,7 @@ struct BoundaryConditions
   // A rigid foundation in bilateral contact (u_n = 0), or the other half of a planar fault, where
   // the displacement across it is free.
   fem::OtherSide other_side = fem::OtherSide::rigid_foundation;
+  PlateRate plate_rate;               // of the fault
   std::string surface;                // of the first free surface; empty if there is none
   std::vector<std::string> absorbing; // boundaries with dashpots
   std::vector<fem::VelocityCondition<Dim>> velocities;

@@ -89,21 +89,63 @@ void takeFault(BoundaryCondition const& condition, BoundaryConditions<Dim>& resu
 }
 
 template <int Dim>
-void bilateralContact(BoundaryCondition const& condition, Setting const&,
+void bilateralContact(BoundaryCondition const& condition, Setting const& setting,
                       BoundaryConditions<Dim>& result)
 {
   takeFault(condition, result);
+  result.plate_rate = plateRateOf(condition, setting.components);
 }
 
 template <int Dim>
-void antisymmetricFault(BoundaryCondition const& condition, Setting const&,
+void antisymmetricFault(BoundaryCondition const& condition, Setting const& setting,
                         BoundaryConditions<Dim>& result)
 {
   takeFault(condition, result);
+  result.plate_rate = plateRateOf(condition, setting.components);
   result.other_side = fem::OtherSide::mirror_image;
 }
 
-// v_t = slip rate / slip factor: along the tangent of the frames, in three dimensions along the
+// Under back slip a continuation, too, slips by slip factor v_t + Vp.
+template <int Dim>
+fem::VelocityFunction<Dim> withoutPlates(std::shared_ptr<const Field> const& rate,
+                                         BoundaryConditions<Dim> const& conditions)
+{
+  auto const plate = conditions.plate_rate.rate;
+  return
+    [rate, plate, factor = fem::slipFactor(conditions.other_side)](Point<Dim> const& x, double t) {
+      const double of_bodies =
+        (*rate)(inSpace<Dim>(x), t, 0) - (plate ? (*plate)(inSpace<Dim>(x), 0, 0) : 0);
+      return of_bodies / factor;
+    };
+}
+
+// The continuation of a fault in three dimensions slips where the plates go.
+template <int Dim>
+void requireDirectionOfPlates(BoundaryCondition const& condition,
+                              std::vector<double> const& direction,
+                              BoundaryConditions<Dim> const& conditions)
+{
+  auto const& of_plates = conditions.plate_rate.direction;
+  if (of_plates.empty()) {
+    return;
+  }
+  double product = 0;
+  double squares = 1;
+  for (auto const* vector : {&direction, &of_plates}) {
+    squares *=
+      (*vector)[0] * (*vector)[0] + (*vector)[1] * (*vector)[1] + (*vector)[2] * (*vector)[2];
+  }
+  for (int d = 0; d < 3; ++d) {
+    product += direction[d] * of_plates[d];
+  }
+  ASPERITY_REQUIRE(product >= std::sqrt(squares) * (1 - 1e-12),
+                   joinPath(condition.name, "Direction")
+                     << " is not that of " << conditions.plate_rate.name
+                     << ", which has a Plate Rate: its continuation slips in the same direction. "
+                        "Give both the same.");
+}
+
+// v_t = (slip rate - Vp) / slip factor: along the tangent of the frames, in three dimensions along the
 // projection of the direction onto the boundary, and none at right angles to it.
 template <int Dim>
 void prescribedSlipRate(BoundaryCondition const& condition, Setting const& setting,
@@ -114,10 +156,7 @@ void prescribedSlipRate(BoundaryCondition const& condition, Setting const& setti
                      << " is missing: at which rate the continuation of "
                         "the fault slips, 0 if it is locked.");
   auto const rate = fieldOf(condition, "Slip Rate");
-  const fem::VelocityFunction<Dim> velocity =
-    [rate, factor = fem::slipFactor(result.other_side)](Point<Dim> const& x, double t) {
-      return (*rate)(inSpace<Dim>(x), t, 0) / factor;
-    };
+  auto const velocity = withoutPlates(rate, result);
   if (setting.components < 3) {
     refuseDirection(condition, "in two dimensions a fault slips along its tangent");
   }
@@ -130,6 +169,7 @@ void prescribedSlipRate(BoundaryCondition const& condition, Setting const& setti
     add(fem::SlipAlongTangent<Dim>{velocity, setting.along_fault});
   } else {
     auto const direction = directionOf(condition, setting.components);
+    requireDirectionOfPlates(condition, direction, result);
     add(fem::SlipTowards<Dim>{direction, velocity, setting.along_fault});
     add(fem::NoSlipSideways{direction, setting.along_fault});
   }
@@ -196,14 +236,14 @@ std::vector<ConditionType> const& conditionTypes()
   static const std::vector<ConditionType> types = {
     {"Bilateral Contact",
      "rate-and-state friction acts on a rigid foundation (v . n = 0).",
-     {},
+     {"Direction", "Plate Rate"},
      Place::fault,
      DecidesOn::traction,
      {bilateralContact<2>, bilateralContact<3>}},
     {"Antisymmetric Fault",
      "the same on a planar fault of which the body is one half; the slip is twice its tangential "
      "displacement, the displacement across the fault is free and the normal stress unchanged.",
-     {},
+     {"Direction", "Plate Rate"},
      Place::fault,
      DecidesOn::traction,
      {antisymmetricFault<2>, antisymmetricFault<3>}},

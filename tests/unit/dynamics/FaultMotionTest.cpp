@@ -188,12 +188,12 @@ TEST(NormalStress, isAConstantOrAFunctionOfTime)
   const NormalStress constant(nodes({1, 2, 3}));
   auto const sigma_n = nodes({7, 7, 7});
   constant.at(5, sigma_n);
-  EXPECT_FALSE(constant.changes());
+  EXPECT_FALSE(constant.dependsOnTime());
   EXPECT_EQ(sigma_n(0), 1);
   EXPECT_EQ(sigma_n(2), 3);
   const NormalStress moving(
     [](double t, friction::NodeView const& view) { Kokkos::deep_copy(view, 10 * t); });
-  EXPECT_TRUE(moving.changes());
+  EXPECT_TRUE(moving.dependsOnTime());
   for (double t : {2., 5., 3.}) {
     moving.at(t, sigma_n);
     EXPECT_EQ(sigma_n(0), 10 * t);
