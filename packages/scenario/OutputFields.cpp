@@ -231,6 +231,10 @@ void registerScalars(io::FieldRegistry& registry, RunView const& view, int dimen
   count("energy_rises", "Half iterations of TNNMG after which J was larger.",
         &dynamics::SolveCount::rises);
   count("failed_steps", "Steps that could not be solved.", &dynamics::SolveCount::failures);
+  if (view.floor_count && view.floor_count->matters()) {
+    add("share_on_floor", "", "Part of the fault whose normal stress is on its floor.",
+        [&view] { return view.floor_count->share(); });
+  }
 
   auto const energy = [&](char const* name, char const* meaning, double dynamics::Energy::*member) {
     // Slip and moment are those of the whole fault.
