@@ -67,7 +67,7 @@ void NormalStressUpdate::begin(State const& from, friction::NodeView const& sigm
     stress.add(sigma_0_, R_, since_start_.at_start, sigma_n);
   }
   if (coupled()) {
-    Kokkos::deep_copy(sigma_n, from.sigma_n);
+    stress.raiseToFloor(sigma_n); // an extrapolated guess may be below it
     const double most = maxOverRanks(largest(from.sigma_n), *fault_.surface().communicator());
     const double least = most > 0 ? small_share * most : 1;
     auto const scale = scale_;

@@ -22,7 +22,7 @@ public:
   // sigma_0 at the step's end t1 [s] and, if it lags, the load at its beginning t0 [s]. On this
   // rank alone; an error of an expression is thrown here.
   void evaluate(double t0, double t1);
-  // sigma_n(num_nodes) for the step; where it is coupled the first guess, that of `from`.
+  // sigma_n(num_nodes) for the step; where it is coupled its content is the first guess.
   void begin(State const& from, friction::NodeView const& sigma_n);
   // Of a step's b = l + M a^ - K u^ - Z v_D the rows across the fault, which a rate problem leaves
   // out: with Z of all dofs the reaction is r = Z w - b.
