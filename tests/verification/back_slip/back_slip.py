@@ -50,9 +50,9 @@ def energy_defect(folder):
     return abs(last["energy_defect"] - first["energy_defect"]) / last["friction_work"], last
 
 
-def check(name, speed, axis, settings):
-    outside = run("outside", driven_from_outside(speed, axis, settings))
-    back = run("back", by_back_slip(settings))
+def check(name, speed, axis, settings, ranks=1):
+    outside = run("outside", driven_from_outside(speed, axis, settings), ranks=ranks)
+    back = run("back", by_back_slip(settings), ranks=ranks)
     found, varied = differences(back, outside)
     # What plates do is work of loads under back slip, and work of the boundary from outside.
     defect, last = energy_defect(back)
@@ -62,7 +62,7 @@ def check(name, speed, axis, settings):
     fine = (max(found.values()) < TOLERANCE and varied > 0.5 and defect < 1e-9
             and max(abs(x - 1) for x in dissipated) < 1e-6)
     shown = " ".join(f"{key} {value:.1e}" for key, value in found.items())
-    print(f"{name:32s} differences: {shown}; slip rates vary by {varied:.1f} Vp; energy defect "
+    print(f"{name:40s} differences: {shown}; slip rates vary by {varied:.1f} Vp; energy defect "
           f"{defect:.1e}; dissipated by friction, damping {dissipated}{'' if fine else ' NO'}",
           flush=True)
     return fine
@@ -91,7 +91,10 @@ def refused():
     cases = [({"Boundary Conditions/Deep/Plate Rate": 1e-4}, "Deep / Plate Rate has no effect"),
              ({"Boundary Conditions/Fault/Plate Rate": "1e-4 * t"}, "Plate Rate"),
              ({"Boundary Conditions/Fault/Direction": "{1, 0}"},
-              "Direction has no effect without a Plate Rate")]
+              "Direction has no effect without a Plate Rate"),
+             ({**SOLID, "Boundary Conditions/Fault/Plate Rate": 1e-4,
+               "Boundary Conditions/Deep/Direction": "{1, 0, 1}"},
+              "its continuation slips in the same direction")]
     passed = []
     for settings, message in cases:
         result = asperity_run.run(DECK, *words(settings), "--validate")
@@ -101,15 +104,27 @@ def refused():
     return passed
 
 
+# The same strip with a depth, coarse.
+SOLID = {"Bulk/Model": "Solid", "Mesh/Type": "Box", "Mesh/Box/Size": "{1, 0.5, 0.4}",
+         "Mesh/Box/Cells X": 8, "Mesh/Box/Cells Y": 4, "Mesh/Box/Cells Z": 3,
+         "Boundary Conditions/Wall/Boundary": "front",
+         "Boundary Conditions/Wall/Type": "Sliding Wall",
+         "Time Stepping/Final Time": 1, "Coupling/Tolerance": 1e-9,
+         "TNNMG/Absolute Tolerance": 1e-10, "TNNMG/Relative Tolerance": 1e-10}
+
+
 def main():
     plane = {"Bulk/Model": "Plane Strain"}
     contact = {"Boundary Conditions/Fault/Type": "Bilateral Contact"}
     passed = [
         check("antiplane, quasi-dynamic", VP / 2, "Z", {}),
         check("antiplane, inertia", VP / 2, "Z", {"Bulk/Dynamics": "Inertial"}),
-        check("plane strain, quasi-dynamic", VP / 2, "X", plane),
+        check("plane strain, quasi-dynamic, contact", VP, "X", {**plane, **contact}),
         check("plane strain, inertia, contact", VP, "X",
               {**plane, **contact, "Bulk/Dynamics": "Inertial"}),
+        check("solid, quasi-dynamic, contact, 2 ranks", VP, "X", {**SOLID, **contact}, ranks=2),
+        check("solid, inertia, contact", VP, "X",
+              {**SOLID, **contact, "Bulk/Dynamics": "Inertial"}),
         restarted(), *refused()]
     return passed.count(False)
 

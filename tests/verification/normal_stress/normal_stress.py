@@ -74,18 +74,28 @@ PRESSED = {"Bulk/Dynamics": "Quasi-dynamic", "Time Stepping/Scheme": "Generalise
            "Boundary Conditions/Press/Velocity": RATE}
 
 
+SOLID = {"Bulk/Model": "Solid", "Mesh/Type": "Box", "Mesh/Box/Size": "{1, 1, 0.5}",
+         "Mesh/Box/Cells X": 4, "Mesh/Box/Cells Y": 4, "Mesh/Box/Cells Z": 2,
+         "Boundary Conditions/Press/Direction": "{0, -1, 0}",
+         "Boundary Conditions/Wall/Boundary": "front",
+         "Boundary Conditions/Wall/Type": "Sliding Wall", "Time Stepping/Final Time": 0.1,
+         "TNNMG/Absolute Tolerance": 1e-10, "TNNMG/Relative Tolerance": 1e-10}
+
+
 def statics():
     """sigma = 1e4 + E v t / H, one step behind if it lags, constant if it is fixed."""
     passed = []
-    for change, delay in (("Coupled", 0), ("Lagged", 1), ("Fixed", None)):
-        history = asperity_run.series(run("out", {**PRESSED, CHANGE: change}) / "fault.h5")
+    for change, delay, more, ranks in (("Coupled", 0, {}, 1), ("Lagged", 1, {}, 1),
+                                       ("Fixed", None, {}, 1), ("Coupled", 0, SOLID, 2)):
+        folder = run("out", {**PRESSED, **more, CHANGE: change}, ranks=ranks)
+        history = asperity_run.series(folder / "fault.h5")
         t = history["time"]
         pressed_for = 0 * t if delay is None else numpy.maximum(t - delay * LARGEST_STEP, 0)
         expected = 1e4 + MODULUS * RATE * pressed_for
         found = history["fields/normal_stress"]
         error = numpy.abs(found - expected[:, None]).max() / 1e4
         fine = error < 1e-9
-        print(f"pressed block, {change:8s} up to {found.max():.6g} Pa, error {error:.1e}"
+        print(f"pressed {'solid' if more else 'block'}, {change:8s} up to {found.max():.6g} Pa, error {error:.1e}"
               f"{'' if fine else ' NO'}", flush=True)
         passed.append(fine)
     return passed
@@ -142,8 +152,11 @@ def solvers():
 
 def restarted():
     passed = []
-    for change in ("Coupled", "Lagged"):
-        settings = {CHANGE: change, "Friction/Normal Stress Floor": 9900}
+    adaptive = {"Time Stepping/Control": "Step Doubling",
+                "Time Stepping/Step Doubling/Tolerance": 1e-5,
+                "Time Stepping/Instants": "{0.24}"}
+    for change, more in (("Coupled", {}), ("Lagged", {}), ("Coupled", adaptive)):
+        settings = {CHANGE: change, "Friction/Normal Stress Floor": 9900, **more}
         whole = run("whole", settings)
         half = run("half", {**settings, "Time Stepping/Final Time": 0.24})
         result = asperity_run.run(DECK, *words(settings), "--output", half, "--restart",
@@ -157,7 +170,7 @@ def restarted():
         floors = [[line for line in (folder / "run.log").read_text().splitlines()
                    if "its floor of" in line][-1] for folder in (whole, half)]
         fine = fine and floors[0] == floors[1]
-        print(f"restart, {change}: {'the same' if fine else 'NOT the same ' + result.stderr}",
+        print(f"restart, {change}{', adaptive' if more else ''}: {'the same' if fine else 'NOT the same ' + result.stderr}",
               flush=True)
         passed.append(fine)
     return passed
