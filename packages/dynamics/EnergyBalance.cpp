@@ -56,6 +56,7 @@ void EnergyBalance::fill(State const& state, Snapshot& result)
   Tpetra::deep_copy(*result.u, *state.u);
   Tpetra::deep_copy(*result.v, *state.v);
   Tpetra::deep_copy(*result.a, *state.a);
+  result.time = state.time;
   const double t = clock_.seconds(state.time);
   body_.load(t, *result.load);
 
@@ -70,7 +71,7 @@ void EnergyBalance::fill(State const& state, Snapshot& result)
   result.kinetic = 0.5 * mean_->dot(*state.v);
 
   auto const& surface = fault_.surface();
-  gather(surface, *state.v, v_);
+  gatherSlip(surface, *state.v, v_);
   fault_.friction().linearise(v_, {state.alpha_of_rate, state.sigma_n}, gradient_, hessian_,
                               kinked_);
   auto const gradient = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace(), gradient_);
@@ -124,19 +125,62 @@ double EnergyBalance::numericalDissipation()
   return work_of_inertia - mean_->dot(*work_);
 }
 
+// Of the step from before_ to after_, whose du_ is known: the parts of friction_work and
+// viscous_work that the motion of the plates adds, and the load_work that they do in it. A part of
+// radiation damping's traction, eta Vp, is a load of the body (fem::addRadiationOfPlates): its work
+// is moved from the loads to what damping dissipates.
+Energy EnergyBalance::workOfPlates() const
+{
+  Energy mine;
+  auto const& surface = fault_.surface();
+  if (!surface.hasPlateRate()) {
+    return mine;
+  }
+  const double tau = clock_.seconds(after_.time - before_.time);
+  const double factor = surface.slipFactor();
+  auto const& eta = fault_.laws().radiation_damping;
+  auto const f0 = before_.force->getLocalViewHost(Tpetra::Access::ReadOnly);
+  auto const f1 = after_.force->getLocalViewHost(Tpetra::Access::ReadOnly);
+  auto const v0 = before_.v->getLocalViewHost(Tpetra::Access::ReadOnly);
+  auto const v1 = after_.v->getLocalViewHost(Tpetra::Access::ReadOnly);
+  auto const du = du_->getLocalViewHost(Tpetra::Access::ReadOnly);
+  for (int node = 0; node < surface.numNodes(); ++node) {
+    for (int k = 0; k < surface.numTangents(); ++k) {
+      const int dof = surface[node].dofs[k];
+      const double Vp = surface.plateRate(node, k);
+      const double by_plates = tau * Vp / factor;
+      if (!surface.held(node, k)) {
+        mine.friction_work += (f0(dof, 0) + f1(dof, 0)) / 2 * by_plates;
+      }
+      if (!eta.empty()) {
+        const double slip_rate = factor * (v0(dof, 0) + v1(dof, 0)) / 2 + Vp;
+        mine.viscous_work +=
+          surface[node].weight * eta[node] * (Vp * du(dof, 0) + slip_rate * by_plates);
+      }
+    }
+  }
+  Energy result;
+  auto const& communicator = *body_.dofs->communicator();
+  result.friction_work = sumOverRanks(mine.friction_work, communicator);
+  result.viscous_work = sumOverRanks(mine.viscous_work, communicator);
+  result.load_work = result.friction_work + result.viscous_work;
+  return result;
+}
+
 Energy const& EnergyBalance::advance(State const& state)
 {
   fill(state, after_);
   du_->update(1, *after_.u, -1, *before_.u, 0);
 
   mean_->update(0.5, *before_.load, 0.5, *after_.load, 0);
-  const double load = mean_->dot(*du_);
+  auto const of_plates = workOfPlates();
+  const double load = mean_->dot(*du_) + of_plates.load_work;
   mean_->update(0.5, *before_.force, 0.5, *after_.force, 0);
-  const double friction = dotOver(fault_dofs_, *mean_, *du_);
+  const double friction = dotOver(fault_dofs_, *mean_, *du_) + of_plates.friction_work;
   const double boundary = -dotOver(body_.held.owned(), *mean_, *du_);
   mean_->update(0.5, *before_.v, 0.5, *after_.v, 0);
   body_.matrices.viscosity->apply(*mean_, *work_);
-  const double viscous = work_->dot(*du_);
+  const double viscous = work_->dot(*du_) + of_plates.viscous_work;
   const double numerical = numericalDissipation();
 
   const double change = after_.kinetic - before_.kinetic + after_.elastic - before_.elastic;

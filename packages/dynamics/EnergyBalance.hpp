@@ -13,7 +13,7 @@ struct Energy
 {
   double kinetic = 0;
   double elastic = 0;               // 1/2 u'Ku
-  double load_work = 0;             // by gravity and tractions
+  double load_work = 0;             // by gravity and tractions, and by plates that move (back slip)
   double boundary_work = 0;         // by whatever moves the prescribed boundaries
   double friction_work = 0;         // dissipated on the fault
   double viscous_work = 0;          // dissipated in the body, by radiation damping and by dashpots
@@ -35,7 +35,8 @@ struct Energy
 //   D = du . M mean a - mean v . M dv
 // f are the friction forces of the last rate problem and the reactions of prescribed dofs. Exact
 // where the balance of momentum holds at both ends; D is what the scheme dissipates, and vanishes
-// for Newmark with beta = 1/4 (README.md).
+// for Newmark with beta = 1/4 (README.md). Under back slip the fault slips by Vp tau more than the
+// bodies move: what friction and radiation damping dissipate in that is work of the plates.
 class EnergyBalance
 {
 public:
@@ -55,10 +56,12 @@ private:
   {
     RCP<Vector> u, v, a, load, force;
     double kinetic = 0, elastic = 0;
+    DyadicTime::Ticks time = 0;
   };
   Snapshot snapshot() const;
   void fill(State const& state, Snapshot& result);
   double numericalDissipation();
+  Energy workOfPlates() const;
   double dotOver(std::vector<int> const& dofs, Vector const& x, Vector const& y) const;
 
   Body const& body_;

@@ -7,6 +7,7 @@
 
 #include <memory>
 #include <string>
+#include <vector>
 
 namespace asperity::dynamics
 {
@@ -18,6 +19,11 @@ struct FaultLaws
   friction::ConstNodeView cohesion;            // (num_nodes) [Pa]
   std::string state;
   friction::ParameterView state_parameters; // (num_parameters, num_nodes)
+  // (num_nodes) of a quasi-dynamic body, per slip rate [Pa s/m]; empty where there is none.
+  std::vector<double> radiation_damping = {};
+  // c / b of Linker and Dieterich's term, d(alpha) = -(c / b) d(ln sigma_n): (num_nodes) [-];
+  // a view without entries means none.
+  friction::ConstNodeView stress_sensitivity = {};
 };
 
 // What acts on a fault: friction, the evolution of its state, and the normal stress, at the nodes

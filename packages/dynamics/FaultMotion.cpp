@@ -11,6 +11,21 @@
 
 namespace asperity::dynamics
 {
+namespace
+{
+// A plate rate along the fault has components of this share across a wall by rounding.
+constexpr double rounding = 1e-9;
+
+double plateSpeed(fem::FaultSurface const& surface, int node)
+{
+  double square = 0;
+  for (int k = 0; k < surface.numTangents(); ++k) {
+    square += surface.plateRate(node, k) * surface.plateRate(node, k);
+  }
+  return std::sqrt(square);
+}
+} // namespace
+
 void requireRestBesideSliding(fem::FaultSurface const& surface, Vector const& prescribed_velocity,
                               int components, double t)
 {
@@ -21,12 +36,14 @@ void requireRestBesideSliding(fem::FaultSurface const& surface, Vector const& pr
     }
     for (int k = 0; k < surface.numTangents(); ++k) {
       const int dof = surface[node].dofs[k];
+      const double slip_rate = surface.slipFactor() * values(dof, 0) + surface.plateRate(node, k);
       ASPERITY_REQUIRE(
-        !surface.held(node, k) || values(dof, 0) == 0,
+        !surface.held(node, k) || std::abs(slip_rate) <= rounding * plateSpeed(surface, node),
         "At vertex " << prescribed_velocity.getMap()->getGlobalElement(dof) / components
                      << " of the fault one tangential velocity is prescribed as " << values(dof, 0)
-                     << " m/s at t = " << t
-                     << " s, and the other one is left to friction. Prescribe zero (a wall that "
+                     << " m/s at t = " << t << " s"
+                     << (surface.hasPlateRate() ? ", which is slip beside the plate rate," : ",")
+                     << " and the other one is left to friction. Prescribe zero (a wall that "
                         "the fault ends at), or both.");
     }
   }
@@ -42,6 +59,47 @@ void gather(fem::FaultSurface const& surface, Vector const& v, friction::BlockVi
     }
   }
   Kokkos::deep_copy(blocks, host);
+}
+
+std::vector<double> slipUnknowns(fem::FaultSurface const& surface, Vector const& v)
+{
+  auto const values = v.getLocalViewHost(Tpetra::Access::ReadOnly);
+  std::vector<double> result;
+  for (int node = 0; node < surface.numNodes(); ++node) {
+    for (int k = 0; k < surface.numTangents(); ++k) {
+      const double of_body = values(surface[node].dofs[k], 0);
+      result.push_back(surface.hasPlateRate()
+                         ? of_body + surface.plateRate(node, k) / surface.slipFactor()
+                         : of_body);
+    }
+  }
+  return result;
+}
+
+void gatherSlip(fem::FaultSurface const& surface, Vector const& v,
+                friction::BlockView const& blocks)
+{
+  auto const slip = slipUnknowns(surface, v);
+  auto const host = Kokkos::create_mirror_view(blocks);
+  for (std::size_t i = 0; i < slip.size(); ++i) {
+    host(i / surface.numTangents(), i % surface.numTangents()) = slip[i];
+  }
+  Kokkos::deep_copy(blocks, host);
+}
+
+void stickToPlates(fem::FaultSurface const& surface, Vector& v)
+{
+  if (!surface.hasPlateRate()) {
+    return;
+  }
+  auto const values = v.getLocalViewHost(Tpetra::Access::ReadWrite);
+  for (int node = 0; node < surface.numNodes(); ++node) {
+    for (int k = 0; k < surface.numTangents(); ++k) {
+      if (!surface.held(node, k)) {
+        values(surface[node].dofs[k], 0) = -surface.plateRate(node, k) / surface.slipFactor();
+      }
+    }
+  }
 }
 
 void slipRate(fem::FaultSurface const& surface, friction::ConstBlockView const& v,
@@ -68,15 +126,15 @@ void slipRate(fem::FaultSurface const& surface, friction::ConstBlockView const& 
 
 double peakSlipRate(fem::FaultSurface const& surface, Vector const& v)
 {
-  auto const values = v.getLocalViewHost(Tpetra::Access::ReadOnly);
+  auto const slip = slipUnknowns(surface, v);
   double mine = 0;
   for (int node = 0; node < surface.numNodes(); ++node) {
     if (!surface.slides(node)) {
       continue;
     }
     double magnitude = 0;
-    for (int dof : surface[node].dofs) {
-      magnitude = std::hypot(magnitude, values(dof, 0));
+    for (int k = 0; k < surface.numTangents(); ++k) {
+      magnitude = std::hypot(magnitude, slip[node * surface.numTangents() + k]);
     }
     mine = std::max(mine, surface.slipFactor() * magnitude);
   }

@@ -36,7 +36,7 @@ FaultAtStart faultAtStart(Fault const& fault, Vector const& v, friction::StateAn
   friction::BlockView gradient("asperity::dynamics::gradient", size, tangents);
   friction::HessianView hessian("asperity::dynamics::hessian", size, tangents, tangents);
   friction::FlagView kinked("asperity::dynamics::kinked", size);
-  gather(surface, v, blocks);
+  gatherSlip(surface, v, blocks);
   fault.friction().linearise(blocks, at, gradient, hessian, kinked);
 
   friction::NodeView none("asperity::dynamics::noStress", size);

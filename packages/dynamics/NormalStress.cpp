@@ -2,16 +2,49 @@
 
 namespace asperity::dynamics
 {
+namespace
+{
+using Nodes = Kokkos::RangePolicy<friction::ExecutionSpace>;
+}
+
 NormalStress::NormalStress(friction::ConstNodeView const& constant) : constant_(constant) {}
 
 NormalStress::NormalStress(Function at) : at_(std::move(at)) {}
 
-void NormalStress::at(double t, friction::NodeView const& sigma_n) const
+NormalStress NormalStress::following(NormalStressChange change, double floor) const
+{
+  auto result = *this;
+  result.change_ = change;
+  result.floor_ = floor;
+  return result;
+}
+
+void NormalStress::at(double t, friction::NodeView const& sigma_0) const
 {
   if (at_) {
-    at_(t, sigma_n);
+    at_(t, sigma_0);
   } else {
-    Kokkos::deep_copy(sigma_n, constant_);
+    Kokkos::deep_copy(sigma_0, constant_);
   }
+}
+
+void NormalStress::add(friction::ConstNodeView const& sigma_0, friction::ConstNodeView const& now,
+                       friction::ConstNodeView const& start,
+                       friction::NodeView const& sigma_n) const
+{
+  const double floor = floor_;
+  Kokkos::parallel_for(
+    "asperity::dynamics::normalStress", Nodes(0, sigma_n.extent(0)), KOKKOS_LAMBDA(int node) {
+      const double sum = sigma_0(node) + (now(node) - start(node));
+      sigma_n(node) = sum < floor ? floor : sum;
+    });
+}
+
+void NormalStress::raiseToFloor(friction::NodeView const& sigma_n) const
+{
+  const double floor = floor_;
+  Kokkos::parallel_for(
+    "asperity::dynamics::normalStressFloor", Nodes(0, sigma_n.extent(0)),
+    KOKKOS_LAMBDA(int node) { sigma_n(node) = sigma_n(node) < floor ? floor : sigma_n(node); });
 }
 } // namespace asperity::dynamics

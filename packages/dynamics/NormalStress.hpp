@@ -6,25 +6,48 @@
 
 namespace asperity::dynamics
 {
-// The normal stress at the nodes of the fault [Pa], positive in compression, never negative: a
-// constant, or a function of time. It is an argument of a step (State::sigma_n) and nothing that
-// the fault remembers.
+// How the normal stress follows the compression R that the body exerts across the fault:
+//   sigma_n = max(floor, sigma_0(x, t) + lambda),   lambda = R - R(start of the run).
+enum class NormalStressChange
+{
+  fixed,  // lambda = 0
+  lagged, // that of the step's beginning: first order in the step
+  coupled // that of the step's end, found together with the state of the fault
+};
+
+// The normal stress at the nodes of the fault [Pa], positive in compression: what is known of it
+// before the body moves, a constant or a function of time that is never negative, and how it
+// follows the body. Its value is an argument of a step (State::sigma_n) and nothing that the fault
+// remembers.
 class NormalStress
 {
 public:
   using Function = std::function<void(double, friction::NodeView const&)>;
 
-  // constant(num_nodes)
+  // sigma_0(num_nodes)
   explicit NormalStress(friction::ConstNodeView const& constant);
-  // Fills (num_nodes) for the time t [s].
+  // Fills sigma_0(num_nodes) for the time t [s].
   explicit NormalStress(Function at);
 
-  bool changes() const { return static_cast<bool>(at_); }
-  // sigma_n(num_nodes) at the time t [s].
-  void at(double t, friction::NodeView const& sigma_n) const;
+  // The same that follows the body, and stays above a floor >= 0 [Pa].
+  NormalStress following(NormalStressChange change, double floor) const;
+  NormalStressChange change() const { return change_; }
+  double floor() const { return floor_; }
+
+  bool dependsOnTime() const { return static_cast<bool>(at_); }
+  // sigma_0(num_nodes) at the time t [s].
+  void at(double t, friction::NodeView const& sigma_0) const;
+  // sigma_n(num_nodes) = max(floor, sigma_0 + now - start), R(num_nodes) in both; sigma_n may be
+  // sigma_0.
+  void add(friction::ConstNodeView const& sigma_0, friction::ConstNodeView const& now,
+           friction::ConstNodeView const& start, friction::NodeView const& sigma_n) const;
+  // sigma_n(num_nodes) = max(floor, sigma_n)
+  void raiseToFloor(friction::NodeView const& sigma_n) const;
 
 private:
   friction::ConstNodeView constant_;
   Function at_;
+  NormalStressChange change_ = NormalStressChange::fixed;
+  double floor_ = 0;
 };
 } // namespace asperity::dynamics

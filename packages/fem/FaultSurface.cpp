@@ -1,6 +1,7 @@
 #include "fem/FaultSurface.hpp"
 
 #include "base/Colouring.hpp"
+#include "base/Errors.hpp"
 #include "base/parallel/Reductions.hpp"
 #include "fem/BoundaryMeasure.hpp"
 
@@ -52,6 +53,16 @@ FaultSurface::FaultSurface(std::string name, std::vector<FaultNode> nodes, int n
     toDevice(std::vector<double>(nodes_.size(), slipFactor()), "asperity::fem::slipFactors");
   total_weight_ = sumOverRanks(mine, *communicator_);
   num_global_nodes_ = sumOverRanks(static_cast<std::int64_t>(nodes_.size()), *communicator_);
+}
+
+std::shared_ptr<const FaultSurface>
+FaultSurface::withPlateRate(std::vector<double> const& rates) const
+{
+  ASPERITY_ASSERT(rates.size() == nodes_.size() * num_tangents_);
+  auto result = std::make_shared<FaultSurface>(*this);
+  result->has_plate_rate_ = true;
+  result->plate_rate_ = rates;
+  return result;
 }
 
 std::vector<int> FaultSurface::vertices() const

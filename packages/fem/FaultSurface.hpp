@@ -34,7 +34,7 @@ struct FaultNode
 };
 
 // The one description of a fault's nodes: places, copies, weights, dofs, what is held, colours, and
-// the map from unknowns to slip. It is made once and never changes; friction, the solver and the
+// the map from unknowns to slip, plate rate included. It is made once and never changes; friction, the solver and the
 // outputs have views of it, all in the order of its nodes.
 class FaultSurface
 {
@@ -56,6 +56,15 @@ public:
   FaultNode const& operator[](int node) const { return nodes_[node]; }
   auto begin() const { return nodes_.begin(); }
   auto end() const { return nodes_.end(); }
+
+  // The same fault under back slip, where plates move along it at Vp(num_nodes, T) [m/s], constant
+  // in time: the slip rate is factor v_t + Vp, and the body moves at v alone.
+  std::shared_ptr<const FaultSurface> withPlateRate(std::vector<double> const& rates) const;
+  bool hasPlateRate() const { return has_plate_rate_; } // the same on all ranks
+  double plateRate(int node, int k) const               // [m/s]
+  {
+    return has_plate_rate_ ? plate_rate_[node * num_tangents_ + k] : 0;
+  }
 
   // The vertex that carries the unknowns of a node.
   int vertex(int node) const { return nodes_[node].copies.front(); }
@@ -79,6 +88,8 @@ private:
   HeldDofs held_;
   std::vector<IndexView> colours_;
   OtherSide other_side_;
+  bool has_plate_rate_ = false;
+  std::vector<double> plate_rate_; // (num_nodes, T), empty without one
   RCP<const Communicator> communicator_;
   GlobalOrdinal num_global_nodes_ = 0;
   double total_weight_ = 0;

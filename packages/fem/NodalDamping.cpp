@@ -4,6 +4,7 @@
 #include "mesh/SimplexGeometry.hpp"
 
 #include <Tpetra_CrsMatrix.hpp>
+#include <Tpetra_Vector.hpp>
 
 #include <cmath>
 
@@ -100,6 +101,16 @@ NodalDampers radiationDampers(FaultSurface const& fault, DofMap const& dofs,
     }
   }
   return dampers;
+}
+
+void addRadiationOfPlates(FaultSurface const& fault, std::vector<double> const& eta, Vector& load)
+{
+  auto const values = load.getLocalViewHost(Tpetra::Access::ReadWrite);
+  for (int i = 0; i < fault.numNodes(); ++i) {
+    for (int k = 0; k < fault.numTangents(); ++k) {
+      values(fault[i].dofs[k], 0) -= fault[i].weight * eta[i] * fault.plateRate(i, k);
+    }
+  }
 }
 
 RCP<const CrsMatrix> withDampers(CrsMatrix const& viscosity, DofMap const& dofs,

@@ -37,6 +37,11 @@ NodalDampers absorbingBoundary(Mesh<Dim> const& mesh, std::string const& boundar
 NodalDampers radiationDampers(FaultSurface const& fault, DofMap const& dofs,
                               std::vector<double> const& eta);
 
+// Adds to a load what radiation damping takes from the plates' motion, -eta Vp, lumped like
+// friction: with the dampers above the fault then bears eta (factor v_t + Vp). eta(num_nodes)
+// [Pa s/m].
+void addRadiationOfPlates(FaultSurface const& fault, std::vector<double> const& eta, Vector& load);
+
 // A copy of a matrix of assembleBody with the dampers added.
 RCP<const CrsMatrix> withDampers(CrsMatrix const& viscosity, DofMap const& dofs,
                                  NodalDampers const& dampers);

@@ -30,5 +30,8 @@ struct StateLawProperties
   std::function<double(double const* values)> slip_distance;
   // theta / exp(alpha) [s]: L / V* where theta is the classical state variable.
   std::function<double(double const* values)> theta_scale;
+  // c [-] of Linker and Dieterich's term, d(alpha) = -(c / b) d(ln sigma_n), which is added to the
+  // law's own evolution; b is the friction law's.
+  std::function<double(double const* values)> stress_sensitivity = {};
 };
 } // namespace asperity::friction

@@ -65,6 +65,17 @@ struct ThetaScaleOf<Law, std::void_t<decltype(&Law::thetaScale)>>
 {
   static std::function<double(double const*)> function() { return &Law::thetaScale; }
 };
+
+template <class Law, class = void>
+struct StressSensitivityOf
+{
+  static std::function<double(double const*)> function() { return {}; }
+};
+template <class Law>
+struct StressSensitivityOf<Law, std::void_t<decltype(&Law::stressSensitivity)>>
+{
+  static std::function<double(double const*)> function() { return &Law::stressSensitivity; }
+};
 } // namespace detail
 
 template <class Law>
@@ -84,7 +95,8 @@ bool registerStateLaw()
   return registerStateLaw(Law::name,
                           {{std::begin(Law::parameters), std::end(Law::parameters)},
                            detail::SlipDistanceOf<Law>::function(),
-                           detail::ThetaScaleOf<Law>::function()},
+                           detail::ThetaScaleOf<Law>::function(),
+                           detail::StressSensitivityOf<Law>::function()},
                           [](ParameterView const& parameters) -> std::unique_ptr<StateKernels> {
                             return std::make_unique<detail::LawStateKernels<Law>>(parameters);
                           });

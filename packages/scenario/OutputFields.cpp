@@ -1,5 +1,6 @@
 #include "scenario/OutputFields.hpp"
 
+#include "dynamics/FaultMotion.hpp"
 #include "scenario/setup/LawSetup.hpp"
 
 #include <cmath>
@@ -79,6 +80,14 @@ void registerTangential(io::FieldRegistry& registry, Problem<Dim> const& problem
     for (std::size_t i = 0; i < blocks.size(); ++i) {
       blocks[i] -= initial[i];
     }
+    if (surface->hasPlateRate()) {
+      const double t = view.clock->seconds(view.state->time);
+      const int num_tangents = surface->numTangents();
+      for (std::size_t i = 0; i < blocks.size(); ++i) {
+        blocks[i] +=
+          surface->plateRate(i / num_tangents, i % num_tangents) * t / surface->slipFactor();
+      }
+    }
     values = written(blocks, slip_factor);
   });
   add("traction", "Pa", "Shear traction that friction bears,", [=, &view](Values& values) {
@@ -87,7 +96,7 @@ void registerTangential(io::FieldRegistry& registry, Problem<Dim> const& problem
   });
   if (Dim == 3) {
     add("slip_velocity", "m/s", "Slip rate as a vector,", [=, &view](Values& values) {
-      values = written(tangential(*view.state->v, *surface), slip_factor);
+      values = written(dynamics::slipUnknowns(*surface, *view.state->v), slip_factor);
     });
   }
 }
@@ -99,7 +108,8 @@ void registerFaultFields(io::FieldRegistry& registry, Problem<Dim> const& proble
   auto const surface = problem.surface;
   registry.add(io::OutputField{"slip_rate", "m/s", "Magnitude of the slip rate.", "fault", 1,
                                [surface, &view](Values& values) {
-                                 auto const blocks = tangential(*view.state->v, *surface);
+                                 auto const blocks =
+                                   dynamics::slipUnknowns(*surface, *view.state->v);
                                  values.assign(surface->numNodes(), 0.);
                                  for (std::size_t i = 0; i < blocks.size(); ++i) {
                                    double& value = values[i / surface->numTangents()];
@@ -221,6 +231,10 @@ void registerScalars(io::FieldRegistry& registry, RunView const& view, int dimen
   count("energy_rises", "Half iterations of TNNMG after which J was larger.",
         &dynamics::SolveCount::rises);
   count("failed_steps", "Steps that could not be solved.", &dynamics::SolveCount::failures);
+  if (view.floor_count && view.floor_count->matters()) {
+    add("share_on_floor", "", "Part of the fault whose normal stress is on its floor.",
+        [&view] { return view.floor_count->share(); });
+  }
 
   auto const energy = [&](char const* name, char const* meaning, double dynamics::Energy::*member) {
     // Slip and moment are those of the whole fault.

@@ -4,6 +4,7 @@
 #include "dynamics/control/StepControl.hpp"
 #include "io/FieldRegistry.hpp"
 #include "io/OutputDomain.hpp"
+#include "scenario/FloorCount.hpp"
 #include "scenario/Problem.hpp"
 
 #include <map>
@@ -14,7 +15,9 @@ namespace asperity::scenario
 struct RunView
 {
   dynamics::State const* state = nullptr;
+  dynamics::DyadicTime const* clock = nullptr;
   dynamics::EnergyBalance const* balance = nullptr;
+  FloorCount const* floor_count = nullptr;
   dynamics::AcceptedStep step;
   dynamics::SolveCount count; // of the last step alone
 };

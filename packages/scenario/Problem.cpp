@@ -83,6 +83,20 @@ RCP<const CrsMatrix> dampedViscosity(Discretisation<Dim> const& of, RCP<const Cr
            : viscosity;
 }
 
+// Radiation damping acts on the whole slip rate, and the dampers of dampedViscosity know that of
+// the body alone.
+RCP<const Vector> withRadiationOfPlates(RCP<const Vector> const& load,
+                                        fem::FaultSurface const& surface,
+                                        std::vector<double> const& eta)
+{
+  if (!surface.hasPlateRate()) {
+    return load;
+  }
+  auto const result = rcp(new Vector(*load, Teuchos::Copy));
+  fem::addRadiationOfPlates(surface, eta, *result);
+  return result;
+}
+
 // Where the body starts, and how its foundation presses on it there.
 struct StaticStart
 {
@@ -103,6 +117,16 @@ StaticStart staticStart(ParameterList const& deck, Discretisation<Dim> const& of
   ASPERITY_REQUIRE(stress_given || surface.otherSide() != fem::OtherSide::mirror_image,
                    "Asperity / Friction / Normal Stress is missing: on an antisymmetric fault it "
                    "is that of the undisturbed state, which only the deck knows.");
+  const bool follows = normalStressChange(friction) != dynamics::NormalStressChange::fixed;
+  ASPERITY_REQUIRE(!follows || of.dofs->components() == Dim,
+                   "Asperity / Friction / Normal Stress Change = "
+                     << friction.get<std::string>("Normal Stress Change")
+                     << ", but antiplane motion does not press across the fault. Choose Fixed.");
+  ASPERITY_REQUIRE(!follows || surface.otherSide() != fem::OtherSide::mirror_image,
+                   "Asperity / Friction / Normal Stress Change = "
+                     << friction.get<std::string>("Normal Stress Change")
+                     << ", but by symmetry the normal stress of an Antisymmetric Fault does not "
+                        "change. Choose Fixed.");
   const bool start_static = startsStatic(deck.sublist("Initial State"));
   const bool has_gravity = gravity.normInf() > 0;
   ASPERITY_REQUIRE(stress_given || has_gravity,
@@ -122,6 +146,25 @@ StaticStart staticStart(ParameterList const& deck, Discretisation<Dim> const& of
   }
   return start;
 }
+
+// What the body presses on its fault with, now that it is known how it starts.
+template <int Dim>
+dynamics::ReactionSinceStart
+reactionSinceStart(Discretisation<Dim> const& of, dynamics::Body const& body,
+                   dynamics::Fault const& fault, dynamics::State const& initial)
+{
+  if (fault.normalStress().change() == dynamics::NormalStressChange::fixed) {
+    return {};
+  }
+  auto const& surface = fault.surface();
+  auto const reaction = std::make_shared<dynamics::NormalReaction>(
+    body, surface, of.frames(), fem::supportWeights(of.mesh, surface, of.boundary.velocities));
+  auto const load = body.vector();
+  body.load(0, *load);
+  const friction::NodeView at_start("asperity::scenario::reactionAtStart", surface.numNodes());
+  reaction->compression(*load, *initial.u, *initial.v, *initial.a, at_start);
+  return {reaction, at_start};
+}
 } // namespace
 
 template <int Dim>
@@ -136,9 +179,12 @@ Problem<Dim> makeProblem(ParameterList const& deck, RCP<const Communicator> cons
 
   auto matrices = fem::assembleBody<Dim>(of.mesh, *of.dofs, of.frames(), of.materials);
   auto const fault_name = mesh::joinBoundaries(of.mesh, of.boundary.faults);
-  auto const surface =
-    fem::makeFaultSurface(of.mesh, fault_name, *of.constraints, *of.dofs,
-                          *matrices.stiffness->getCrsGraph(), of.boundary.other_side);
+  auto surface = fem::makeFaultSurface(of.mesh, fault_name, *of.constraints, *of.dofs,
+                                       *matrices.stiffness->getCrsGraph(), of.boundary.other_side);
+  if (!of.boundary.plate_rates.empty()) {
+    surface = surface->withPlateRate(
+      nodalPlateRates(of.boundary.plate_rates, of.mesh, *surface, of.frames()));
+  }
   auto const fault_materials = fem::materialsAtNodes(of.mesh, *surface, of.materials);
   auto const eta = radiationDamping(bulk, of.mesh, *surface, fault_materials);
   matrices.viscosity = dampedViscosity(of, matrices.viscosity, bulk, *surface, eta);
@@ -155,7 +201,7 @@ Problem<Dim> makeProblem(ParameterList const& deck, RCP<const Communicator> cons
     matrices,
     constraints->held(),
     fem::rigidBodyMotions(of.mesh, *of.dofs, of.frames()),
-    loadWithTraction(traction, surface, gravity),
+    loadWithTraction(traction, surface, withRadiationOfPlates(gravity, *surface, eta)),
     [constraints](double t, Vector& v) { constraints->prescribedVelocity(t, v); }};
   for (double t : of.samples) {
     auto const prescribed = body.vector();
@@ -165,12 +211,23 @@ Problem<Dim> makeProblem(ParameterList const& deck, RCP<const Communicator> cons
 
   auto const start = staticStart(deck, of, body, solver, *surface, *gravity);
   auto stress = makeNormalStress(friction, of.mesh, *surface, start.pressure);
-  auto fault = makeFault(friction, of.mesh, surface, stress.normal_stress);
+  auto fault = makeFault(friction, of.mesh, surface, stress.normal_stress, eta);
   auto initial = makeInitialState(deck, of.mesh, *constraints, body, fault, solver,
                                   {start.displacement, traction.at(0), traction.direction(), eta});
-  return {communicator,    components,       std::move(of.boundary), std::move(of.mesh),
-          constraints,     surface,          fault_materials,        solver,
-          std::move(body), std::move(fault), std::move(initial),     stress.remarks};
+  auto reaction = reactionSinceStart(of, body, fault, initial);
+  return {communicator,
+          components,
+          std::move(of.boundary),
+          std::move(of.mesh),
+          constraints,
+          surface,
+          fault_materials,
+          solver,
+          std::move(body),
+          std::move(fault),
+          std::move(initial),
+          std::move(reaction),
+          std::move(stress.remarks)};
 }
 
 template Problem<2> makeProblem(ParameterList const&, RCP<const Communicator> const&);

@@ -3,6 +3,7 @@
 #include "base/parameters/Parameters.hpp"
 #include "dynamics/Body.hpp"
 #include "dynamics/Fault.hpp"
+#include "dynamics/NormalReaction.hpp"
 #include "dynamics/State.hpp"
 #include "dynamics/coupling/RateSolver.hpp"
 #include "fem/Material.hpp"
@@ -30,7 +31,8 @@ struct Problem
   dynamics::Body body;
   dynamics::Fault fault;
   dynamics::State initial;
-  std::vector<std::string> remarks; // what the user should know, for the log
+  dynamics::ReactionSinceStart reaction; // what the normal stress follows, if it follows the body
+  std::vector<std::string> remarks;      // what the user should know, for the log
 };
 
 // `deck` is completed. Collective.

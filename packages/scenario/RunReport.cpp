@@ -81,6 +81,7 @@ std::string summarise(RunSummary const& summary, std::string const& of_outputs)
     text << "WARNING: J rose in " << count.rises
          << " half iterations of TNNMG, by more than rounding explains.\n";
   }
+  text << summary.of_floor;
   writeBalance(text, summary.energy, summary.dimension == 2 ? "J/m" : "J");
   text << "\nResults in " << summary.directory;
   return text.str();

@@ -22,6 +22,7 @@ struct RunSummary
   std::int64_t num_steps = 0;
   std::int64_t forced_steps = 0; // accepted although the smallest step did not meet the tolerance
   dynamics::SolveCount count;
+  std::string of_floor; // of the normal stress, a line or nothing
   dynamics::Energy energy;
   int setups = 0;
   double setup_seconds = 0;

@@ -72,6 +72,7 @@ private:
   dynamics::State state_;
   dynamics::SolveCount count_;
   std::int64_t forced_steps_ = 0;
+  FloorCount floor_count_;
   bool step_is_complete_ = true; // energy and outputs know of it
   RunView view_;
   std::map<std::string, io::OutputDomain> domains_;
@@ -105,6 +106,7 @@ SimulationOf<Dim>::SimulationOf(RCP<ParameterList> const& deck, CommandLine cons
     , end_(clock_.reaching(finalTime(deck->sublist("Time Stepping"))))
     , balance_(problem_.body, problem_.fault, clock_)
     , state_(problem_.initial.clone())
+    , floor_count_(problem_.fault)
     , domains_(makeDomains(problem_))
     , restart_(command_line.restart)
     , fingerprint_(fingerprint(*deck, problem_.mesh, *communicator))
@@ -115,9 +117,11 @@ SimulationOf<Dim>::SimulationOf(RCP<ParameterList> const& deck, CommandLine cons
   coupled_step_ = std::make_unique<dynamics::CoupledStep>(
     problem_.body, problem_.fault, update, clock_,
     dynamics::CouplingSettings::from(deck->sublist("Coupling")), problem_.solver,
-    memoryBudget(deck->sublist("TNNMG")));
+    memoryBudget(deck->sublist("TNNMG")), problem_.reaction);
   control_ = makeStepControl(deck->sublist("Time Stepping"), *coupled_step_);
   view_.state = &state_;
+  view_.clock = &clock_;
+  view_.floor_count = &floor_count_;
   view_.balance = &balance_;
   registerFields(registry_, problem_, view_, domains_, deck->sublist("Friction"));
   outputs_ = std::make_unique<io::OutputSet>(
@@ -222,6 +226,7 @@ void SimulationOf<Dim>::begin()
   control_->restore(loadControl(checkpoint_, "control", problem_.initial));
   count_ = loadCount(checkpoint_, "count");
   forced_steps_ = checkpoint_.getInteger("forced_steps");
+  floor_count_.restore(checkpoint_, "normal_stress_floor");
   balance_.start(state_, loadEnergy(checkpoint_, "energy"));
   checkpoint_ = {};
   log_->message("Restarted from " + restart_ +
@@ -236,6 +241,7 @@ void SimulationOf<Dim>::advance()
   step_is_complete_ = false;
   view_.count = count_.since(before);
   forced_steps_ += view_.step.within_tolerance ? 0 : 1;
+  floor_count_.add(state_);
   balanceEnergy();
   auto const info = stepInfo();
   write(info);
@@ -277,6 +283,7 @@ void SimulationOf<Dim>::writeCheckpoint()
   save(archive, "count", count_);
   save(archive, "energy", balance_.energy());
   archive.set("forced_steps", forced_steps_);
+  floor_count_.save(archive, "normal_stress_floor");
   archive.insert("outputs", outputs_->save());
   io::writeCheckpoint(directory_ / "checkpoint.h5", archive, fingerprint_, *communicator_);
 }
@@ -291,6 +298,7 @@ void SimulationOf<Dim>::report(bool finished)
   summary.num_steps = control_->memory().num_steps;
   summary.forced_steps = forced_steps_;
   summary.count = count_;
+  summary.of_floor = floor_count_.report();
   summary.energy = balance_.energy();
   summary.setups = coupled_step_->solvers().setups();
   summary.setup_seconds = coupled_step_->solvers().setupSeconds();

@@ -27,9 +27,14 @@ State blend(double weight, State const& a, State const& b)
   result.v->update(1 - weight, *b.v, weight);
   auto const alpha = result.alpha;
   auto const other = b.alpha;
+  auto const sigma_n = result.sigma_n;
+  auto const other_sigma_n = b.sigma_n;
   Kokkos::parallel_for(
     "asperity::dynamics::blend", Kokkos::RangePolicy<friction::ExecutionSpace>(0, alpha.extent(0)),
-    KOKKOS_LAMBDA(int node) { alpha(node) = weight * alpha(node) + (1 - weight) * other(node); });
+    KOKKOS_LAMBDA(int node) {
+      alpha(node) = weight * alpha(node) + (1 - weight) * other(node);
+      sigma_n(node) = weight * sigma_n(node) + (1 - weight) * other_sigma_n(node);
+    });
   return result;
 }
 

@@ -27,10 +27,11 @@ double product(ConstNodeView const& weight, ConstNodeView const& a, ConstNodeVie
                ConstNodeView const& c)
 {
   double sum = 0;
+  const int num_nodes = static_cast<int>(weight.extent(0));
   Kokkos::parallel_reduce(
     "asperity::dynamics::productOfResiduals", Nodes(0, a.extent(0)),
-    KOKKOS_LAMBDA(int node, double& partial) {
-      partial += weight(node) * (a(node) - b(node)) * (a(node) - c(node));
+    KOKKOS_LAMBDA(int i, double& partial) {
+      partial += weight(i % num_nodes) * (a(i) - b(i)) * (a(i) - c(i));
     },
     sum);
   return sum;

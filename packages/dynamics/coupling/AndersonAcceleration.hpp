@@ -10,7 +10,8 @@ namespace asperity::dynamics
 {
 // Anderson's acceleration of a fixed point iteration x -> g(x) for the state of a fault (Anderson
 // 1965; Walker and Ni 2011): of all affine combinations of the last iterates, that one is mapped
-// next whose residual g(x) - x has the smallest mean square over the fault.
+// next whose residual g(x) - x has the smallest mean square over the fault. x has one value at each
+// node, or several: (num_unknowns * num_nodes), all nodes of the first unknown first.
 class AndersonAcceleration
 {
 public:

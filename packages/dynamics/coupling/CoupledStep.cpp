@@ -8,6 +8,7 @@
 
 #include <Tpetra_CrsMatrix.hpp>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
@@ -77,13 +78,16 @@ std::array<SolveCount::Member, 8> const& SolveCount::members()
 
 CoupledStep::CoupledStep(Body const& body, Fault const& fault, RateUpdate const& update,
                          DyadicTime const& clock, CouplingSettings const& settings,
-                         RateSolverSettings const& solver_settings, std::size_t budget_bytes)
+                         RateSolverSettings const& solver_settings, std::size_t budget_bytes,
+                         ReactionSinceStart const& since_start)
     : body_(body)
     , fault_(fault)
     , update_(update)
     , clock_(clock)
     , settings_(settings)
-    , solvers_(body, fault.surface(), update, clock, solver_settings, budget_bytes)
+    , stress_(body, fault, since_start)
+    , solvers_(body, fault.surface(), update, clock, solver_settings, budget_bytes,
+               stress_.coupled() ? since_start.reaction : nullptr)
     , acceleration_(fault.surface(), settings.anderson_depth)
     , b_(body.vector())
     , prescribed_(body.vector())
@@ -97,23 +101,38 @@ CoupledStep::CoupledStep(Body const& body, Fault const& fault, RateUpdate const&
     , V_("asperity::dynamics::V", surface().numNodes())
     , alpha_next_("asperity::dynamics::alphaNext", surface().numNodes())
 {
+  const int size = surface().numNodes();
+  if (stress_.coupled()) {
+    sigma_next_ = friction::NodeView("asperity::dynamics::sigmaNext", size);
+    unknowns_ = friction::NodeView("asperity::dynamics::unknowns", 2 * size);
+    image_ = friction::NodeView("asperity::dynamics::image", 2 * size);
+  }
+  if (fault.laws().stress_sensitivity.extent(0) > 0) {
+    shifted_ = friction::NodeView("asperity::dynamics::shifted", size);
+  }
 }
 
 // What the deck says about the time t1. Where that fails (an expression is no number), it may fail
 // on one rank alone, and is thrown on all.
-void CoupledStep::evaluateLoads(double t1, State& to)
+void CoupledStep::evaluateLoads(double t0, double t1, State& to)
 {
   ASPERITY_TIME_WORK("right sides of steps");
   onEveryRank(*surface().communicator(), [&] {
-    fault_.normalStress().at(t1, to.sigma_n);
+    if (fault_.normalStress().change() == NormalStressChange::fixed) {
+      fault_.normalStress().at(t1, to.sigma_n);
+      fault_.normalStress().raiseToFloor(to.sigma_n);
+    }
+    stress_.evaluate(t0, t1);
     body_.prescribed_velocity(t1, *prescribed_);
     requireRestBesideSliding(surface(), *prescribed_, body_.dofs->components(), t1);
+    stickToPlates(surface(), *prescribed_);
     body_.load(t1, *b_);
   });
 }
 
 // b = l(t1) + M a^ - K u^ - Z v_D on the free dofs, v_D the prescribed velocity: the rate problem
-// is solved for w = v1 - v_D, which is zero at held dofs.
+// is solved for w = v1 - v_D, which is zero at held dofs. Under back slip v_D is the motion of the
+// plates at the free dofs of the fault, so that there w is what friction sees (gatherSlip).
 void CoupledStep::rightSide(State const& from, double tau)
 {
   ASPERITY_TIME_WORK("right sides of steps");
@@ -123,6 +142,7 @@ void CoupledStep::rightSide(State const& from, double tau)
   body_.matrices.mass->apply(*work_a_, *b_, Teuchos::NO_TRANS, 1, 1);
   body_.matrices.viscosity->apply(*prescribed_, *b_, Teuchos::NO_TRANS, -1, 1);
   body_.matrices.stiffness->apply(*work_u_, *b_, Teuchos::NO_TRANS, -1, 1);
+  stress_.takeRightSide(*b_);
   body_.clearHeld(*b_);
 }
 
@@ -130,7 +150,8 @@ CoupledResult CoupledStep::solve(State const& from, int level, State& to, SolveC
 {
   const double tau = clock_.stepSize(level);
   to.time = from.time + clock_.ticks(level);
-  evaluateLoads(clock_.seconds(to.time), to);
+  evaluateLoads(clock_.seconds(from.time), clock_.seconds(to.time), to);
+  stress_.begin(from, to.sigma_n);
   rightSide(from, tau);
 
   guess_->update(1, *to.v, -1, *prescribed_, 0);
@@ -142,7 +163,7 @@ CoupledResult CoupledStep::solve(State const& from, int level, State& to, SolveC
   work_u_->update(update_.velocity_in_displacement, *from.v,
                   tau * update_.acceleration_in_displacement, *work_a_, 0);
   work_u_->update(update_.stiffness_weight, *prescribed_, 1);
-  gather(surface(), *work_u_, mean_offset_);
+  gatherSlip(surface(), *work_u_, mean_offset_);
 
   auto const result = iterate(from, tau, solver, to, count);
   ++count.coupled_steps;
@@ -156,7 +177,7 @@ CoupledResult CoupledStep::solve(State const& from, int level, State& to, SolveC
   return result;
 }
 
-// (u1 - u0)/tau at the fault nodes.
+// |c (u1 - u0)_t / tau + Vp| at the fault nodes.
 void CoupledStep::meanSlipRate(RateSolver& solver)
 {
   solver.faultVelocity(mean_);
@@ -176,12 +197,103 @@ void CoupledStep::meanSlipRate(RateSolver& solver)
 }
 
 // The state's answer to the velocity that the solver has now. False: it has none.
-bool CoupledStep::updateState(State const& from, double tau, RateSolver& solver)
+bool CoupledStep::updateState(State const& from, double tau, RateSolver& solver, State const& to)
 {
   ASPERITY_TIME_WORK("state updates");
   meanSlipRate(solver);
-  return sumOverRanks(fault_.state().flow(V_, tau, from.alpha, alpha_next_),
-                      *surface().communicator()) == 0;
+  const bool moved_by_stress = shifted_.extent(0) > 0;
+  if (moved_by_stress) {
+    shiftByStress(from, to, from.alpha, shifted_);
+  }
+  const int failures =
+    fault_.state().flow(V_, tau, moved_by_stress ? shifted_ : from.alpha, alpha_next_);
+  if (moved_by_stress) {
+    shiftByStress(from, to, alpha_next_, alpha_next_);
+  }
+  return sumOverRanks(failures, *surface().communicator()) == 0;
+}
+
+// Half of what the change of the normal stress over the step does to the state: alpha moves by
+// -(c / b) ln(sigma1 / sigma0) / 2 (Linker and Dieterich 1992).
+void CoupledStep::shiftByStress(State const& from, State const& to,
+                                friction::ConstNodeView const& alpha,
+                                friction::NodeView const& shifted) const
+{
+  auto const sensitivity = fault_.laws().stress_sensitivity;
+  auto const before = from.sigma_n;
+  auto const after = to.sigma_n;
+  Kokkos::parallel_for(
+    "asperity::dynamics::shiftByStress",
+    Kokkos::RangePolicy<friction::ExecutionSpace>(0, surface().numNodes()),
+    KOKKOS_LAMBDA(int node) {
+      const double shift =
+        sensitivity(node) == 0
+          ? 0
+          : sensitivity(node) / 2 *
+              (Kokkos::Experimental::log(after(node)) - Kokkos::Experimental::log(before(node)));
+      shifted(node) = alpha(node) - shift;
+    });
+}
+
+// Of alpha and, where it is coupled, of the normal stress between iterate and image.
+double CoupledStep::changeOf(State const& to) const
+{
+  const double of_alpha = distance(surface(), alpha_next_, to.alpha, settings_.norm);
+  if (!stress_.coupled()) {
+    return of_alpha;
+  }
+  const int size = surface().numNodes();
+  const auto part = std::make_pair(size, 2 * size);
+  const double of_stress = distance(surface(), Kokkos::subview(image_, part),
+                                    Kokkos::subview(unknowns_, part), settings_.norm);
+  return std::isfinite(of_stress) ? std::max(of_alpha, of_stress) : of_stress;
+}
+
+// The next iterate in `to`.
+void CoupledStep::accelerate(State& to)
+{
+  if (!stress_.coupled()) {
+    acceleration_.advance(to.alpha, alpha_next_);
+    return;
+  }
+  acceleration_.advance(unknowns_, image_);
+  const int size = surface().numNodes();
+  auto const per_pascal = stress_.perPascal();
+  auto const unknowns = unknowns_;
+  auto const alpha = to.alpha;
+  auto const sigma_n = to.sigma_n;
+  Kokkos::parallel_for(
+    "asperity::dynamics::unpack", Kokkos::RangePolicy<friction::ExecutionSpace>(0, size),
+    KOKKOS_LAMBDA(int node) {
+      alpha(node) = unknowns(node);
+      sigma_n(node) = unknowns(size + node) / per_pascal(node);
+    });
+  fault_.normalStress().raiseToFloor(sigma_n); // extrapolation may pass it
+}
+
+// alpha and the normal stress, and their images under the velocity of the solver.
+void CoupledStep::respond(RateSolver const& solver, State const& to)
+{
+  if (!stress_.coupled()) {
+    return;
+  }
+  stress_.respond(solver, sigma_next_);
+  const int size = surface().numNodes();
+  auto const per_pascal = stress_.perPascal();
+  auto const unknowns = unknowns_;
+  auto const image = image_;
+  auto const alpha = to.alpha;
+  auto const alpha_next = alpha_next_;
+  auto const sigma_n = to.sigma_n;
+  auto const sigma_next = sigma_next_;
+  Kokkos::parallel_for(
+    "asperity::dynamics::pack", Kokkos::RangePolicy<friction::ExecutionSpace>(0, size),
+    KOKKOS_LAMBDA(int node) {
+      unknowns(node) = alpha(node);
+      unknowns(size + node) = sigma_n(node) * per_pascal(node);
+      image(node) = alpha_next(node);
+      image(size + node) = sigma_next(node) * per_pascal(node);
+    });
 }
 
 // Rate problem and state take turns, one iteration of TNNMG for one update of the state: both
@@ -204,8 +316,9 @@ CoupledResult CoupledStep::iterate(State const& from, double tau, RateSolver& so
       result.status = StepStatus::rate_problem_failed;
       return result;
     }
-    const bool updated = updateState(from, tau, solver);
-    const double change = distance(surface(), alpha_next_, to.alpha, settings_.norm);
+    const bool updated = updateState(from, tau, solver, to);
+    respond(solver, to);
+    const double change = changeOf(to);
     if (!updated || !std::isfinite(change)) {
       result.status = StepStatus::state_failed;
       return result;
@@ -220,7 +333,7 @@ CoupledResult CoupledStep::iterate(State const& from, double tau, RateSolver& so
       if (change > last_change) {
         acceleration_.reset(); // the remembered iterates point away from the fixed point
       }
-      acceleration_.advance(to.alpha, alpha_next_);
+      accelerate(to);
       last_change = change;
     }
   }

@@ -6,7 +6,11 @@
 #include "tnnmg/MueLuCorrection.hpp"
 #include "tnnmg/SchurComplement.hpp"
 
+#include <Eigen/Core>
+#include <Tpetra_CrsMatrix.hpp>
 #include <Tpetra_Map.hpp>
+
+#include <optional>
 
 namespace asperity::dynamics
 {
@@ -40,13 +44,68 @@ tnnmg::NonlinearNodes nodesOf(fem::FaultSurface const& surface)
   return {surface.dofs(), surface.heldDofs(), surface.colours()};
 }
 
+// Linear functionals N w of the minimiser w over all dofs but those of the fault, as functions of
+// the velocity w_F of the fault: N w = (N_F - N_I Z_II^-1 Z_IF) w_F + N_I Z_II^-1 b_I. The matrix
+// is full, and made once; the constant costs one triangular solve for each right side.
+class CondensedFunctionals
+{
+public:
+  CondensedFunctionals(tnnmg::SchurComplement& schur, RCP<const CrsMatrix> const& N)
+      : N_(N)
+      , at_rest_(N->getDomainMap())
+      , constant_(N->getRangeMap())
+      , w_kept_(schur.matrix()->getDomainMap())
+      , matrix_(N->getNodeNumRows(), schur.matrix()->getNodeNumRows())
+  {
+    auto const local = N->getLocalMatrixHost();
+    for (int row = 0; row < local.numRows(); ++row) {
+      at_rest_.putScalar(0);
+      {
+        auto const values = at_rest_.getLocalViewHost(Tpetra::Access::ReadWrite);
+        for (auto k = local.graph.row_map(row); k < local.graph.row_map(row + 1); ++k) {
+          values(local.graph.entries(k), 0) = local.values(k);
+        }
+      }
+      schur.condense(at_rest_, w_kept_);
+      matrix_.row(row) = values(w_kept_).transpose();
+    }
+  }
+
+  // For the right side that was condensed last.
+  void begin(tnnmg::SchurComplement const& schur)
+  {
+    w_kept_.putScalar(0);
+    schur.expand(w_kept_, at_rest_);
+    N_->apply(at_rest_, constant_);
+  }
+
+  std::vector<double> operator()(Vector const& w_kept) const
+  {
+    const Eigen::VectorXd result = values(constant_) + matrix_ * values(w_kept);
+    return {result.data(), result.data() + result.size()};
+  }
+
+  std::size_t bytes() const { return sizeof(double) * static_cast<std::size_t>(matrix_.size()); }
+
+private:
+  static Eigen::VectorXd values(Vector const& x)
+  {
+    auto const view = x.getLocalViewHost(Tpetra::Access::ReadOnly);
+    return Eigen::Map<const Eigen::VectorXd>(view.data(), static_cast<int>(view.extent(0)));
+  }
+
+  RCP<const CrsMatrix> N_;
+  Vector at_rest_, constant_, w_kept_; // w where the fault is at rest; N of it; zero
+  Eigen::MatrixXd matrix_;
+};
+
 // All dofs but those of the fault are eliminated, exactly, before and after TNNMG runs on the
 // fault.
 class CondensedRateSolver final : public RateSolver
 {
 public:
   CondensedRateSolver(CrsMatrix const& Z, fem::FaultSurface const& surface,
-                      tnnmg::TnnmgSettings const& settings)
+                      tnnmg::TnnmgSettings const& settings, RCP<const CrsMatrix> const& reactions)
       : schur_(Z, rowsOf(surface))
       , nodes_(condensedNodes(surface))
       , correction_(std::make_shared<tnnmg::DenseCorrection>(*schur_.matrix(), nodes_.dofs))
@@ -55,12 +114,18 @@ public:
       , b_(schur_.matrix()->getDomainMap())
       , w_(schur_.matrix()->getDomainMap())
   {
+    if (!reactions.is_null()) {
+      reactions_.emplace(schur_, reactions);
+    }
   }
 
   void begin(Vector const& b, Vector const& guess) override
   {
     ASPERITY_TIME_WORK("elimination of the body");
     schur_.condense(b, b_);
+    if (reactions_) {
+      reactions_->begin(schur_);
+    }
     auto const from = guess.getLocalViewHost(Tpetra::Access::ReadOnly);
     auto const to = w_.getLocalViewHost(Tpetra::Access::OverwriteAll);
     for (std::size_t i = 0; i < rows_.size(); ++i) {
@@ -84,7 +149,14 @@ public:
     ASPERITY_TIME_WORK("elimination of the body");
     schur_.expand(w_, w);
   }
-  std::size_t bytes() const override { return schur_.bytes() + correction_->bytes(); }
+  std::vector<double> reactions() const override
+  {
+    return reactions_ ? (*reactions_)(w_) : std::vector<double>();
+  }
+  std::size_t bytes() const override
+  {
+    return schur_.bytes() + correction_->bytes() + (reactions_ ? reactions_->bytes() : 0);
+  }
 
 private:
   tnnmg::SchurComplement schur_;
@@ -93,6 +165,7 @@ private:
   Solver tnnmg_;
   std::vector<int> rows_;
   Vector b_, w_;
+  std::optional<CondensedFunctionals> reactions_;
 };
 
 tnnmg::MultigridProblem multigridProblem(RCP<const CrsMatrix> const& Z, Body const& body,
@@ -106,8 +179,9 @@ class FullRateSolver final : public RateSolver
 {
 public:
   FullRateSolver(RCP<const CrsMatrix> const& Z, Body const& body, fem::FaultSurface const& surface,
-                 RateSolverSettings const& settings)
+                 RateSolverSettings const& settings, RCP<const CrsMatrix> const& reactions)
       : Z_(Z)
+      , reactions_(reactions)
       , nodes_(nodesOf(surface))
       , correction_(std::make_shared<tnnmg::MueLuCorrection>(multigridProblem(Z, body, nodes_),
                                                              settings.multigrid))
@@ -135,11 +209,21 @@ public:
 
   void faultVelocity(friction::BlockView const& w) const override { gather(nodes_, w_, w); }
   void velocity(Vector& w) const override { Tpetra::deep_copy(w, w_); }
+  std::vector<double> reactions() const override
+  {
+    if (reactions_.is_null()) {
+      return {};
+    }
+    Vector result(reactions_->getRangeMap());
+    reactions_->apply(w_, result);
+    auto const values = result.getLocalViewHost(Tpetra::Access::ReadOnly);
+    return {values.data(), values.data() + values.extent(0)};
+  }
   // A hierarchy weighs about as much as two copies of its matrix.
   std::size_t bytes() const override { return 3 * 12 * Z_->getNodeNumEntries(); }
 
 private:
-  RCP<const CrsMatrix> Z_;
+  RCP<const CrsMatrix> Z_, reactions_;
   tnnmg::NonlinearNodes nodes_;
   std::shared_ptr<tnnmg::MueLuCorrection> correction_;
   Solver tnnmg_;
@@ -149,12 +233,13 @@ private:
 
 std::unique_ptr<RateSolver> makeRateSolver(RCP<const CrsMatrix> const& Z, Body const& body,
                                            fem::FaultSurface const& surface,
-                                           RateSolverSettings const& settings)
+                                           RateSolverSettings const& settings,
+                                           RCP<const CrsMatrix> const& reactions)
 {
   if (settings.correction == Correction::direct) {
-    return std::make_unique<CondensedRateSolver>(*Z, surface, settings.tnnmg);
+    return std::make_unique<CondensedRateSolver>(*Z, surface, settings.tnnmg, reactions);
   }
-  return std::make_unique<FullRateSolver>(Z, body, surface, settings);
+  return std::make_unique<FullRateSolver>(Z, body, surface, settings, reactions);
 }
 
 namespace

@@ -8,6 +8,7 @@
 #include <Teuchos_ParameterList.hpp>
 
 #include <memory>
+#include <vector>
 
 namespace asperity::dynamics
 {
@@ -43,13 +44,17 @@ public:
   // Of the last answer: at the fault nodes, and everywhere.
   virtual void faultVelocity(friction::BlockView const& w) const = 0;
   virtual void velocity(Vector& w) const = 0;
+  // N w (rows of N on this rank) of the last answer, with the rows N that the solver was made with.
+  virtual std::vector<double> reactions() const = 0;
   virtual std::size_t bytes() const = 0; // on this rank, about
 };
 
-// Z with the rows of held dofs replaced by their diagonal entry.
+// Z with the rows of held dofs replaced by their diagonal entry. reactions: linear functionals N
+// (any number of rows, owned dofs) of w that are wanted after every iteration, if any.
 std::unique_ptr<RateSolver> makeRateSolver(RCP<const CrsMatrix> const& Z, Body const& body,
                                            fem::FaultSurface const& surface,
-                                           RateSolverSettings const& settings);
+                                           RateSolverSettings const& settings,
+                                           RCP<const CrsMatrix> const& reactions = Teuchos::null);
 
 // x = Z^-1 b without friction, to 1e-12 of |b| with multigrid. SolveError if that fails.
 void solveLinear(RCP<const CrsMatrix> const& Z, Body const& body,

@@ -24,12 +24,14 @@ std::size_t largestOverRanks(Communicator const& communicator, std::size_t bytes
 
 StepSolvers::StepSolvers(Body const& body, fem::FaultSurface const& surface,
                          RateUpdate const& update, DyadicTime const& clock,
-                         RateSolverSettings const& settings, std::size_t budget_bytes)
+                         RateSolverSettings const& settings, std::size_t budget_bytes,
+                         std::shared_ptr<const NormalReaction> reaction)
     : body_(body)
     , surface_(surface)
     , update_(update)
     , clock_(clock)
     , settings_(settings)
+    , reaction_(std::move(reaction))
     , budget_bytes_(budget_bytes)
 {
 }
@@ -45,10 +47,13 @@ RateSolver& StepSolvers::at(int level)
   ASPERITY_TIME_WORK("set-up of step sizes");
   auto const start = std::chrono::steady_clock::now();
   const double tau = clock_.stepSize(level);
-  auto const Z = fem::combine(body_.matrices, update_.mass_weight / tau, 1,
-                              tau * update_.stiffness_weight, body_.held);
+  const double of_mass = update_.mass_weight / tau;
+  const double of_stiffness = tau * update_.stiffness_weight;
+  auto const Z = fem::combine(body_.matrices, of_mass, 1, of_stiffness, body_.held);
+  const RCP<const CrsMatrix> across =
+    reaction_ ? reaction_->rows(of_mass, 1, of_stiffness) : Teuchos::null;
   try {
-    solver = makeRateSolver(Z, body_, surface_, settings_);
+    solver = makeRateSolver(Z, body_, surface_, settings_, across);
   } catch (SolveError const& error) {
     throw SolveError("The solver for steps of " + formatShort(tau) +
                      " s (the largest step halved " + std::to_string(level) +

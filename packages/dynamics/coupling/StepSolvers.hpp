@@ -1,5 +1,6 @@
 #pragma once
 
+#include "dynamics/NormalReaction.hpp"
 #include "dynamics/RateUpdate.hpp"
 #include "dynamics/control/DyadicTime.hpp"
 #include "dynamics/coupling/RateSolver.hpp"
@@ -13,13 +14,14 @@ namespace asperity::dynamics
 // One solver for each step size: Z = (lambda_M/tau) M + C + (tau/lambda_K) K depends on nothing
 // else. Set up when first asked for; the least recently used ones go when the memory budget of a
 // rank is exceeded. All ranks forget the same: each solver counts on all with what it takes on the
-// rank where it takes most.
+// rank where it takes most. With a reaction the solvers know Z's rows across the fault, see
+// RateSolver::reactions.
 class StepSolvers
 {
 public:
   StepSolvers(Body const& body, fem::FaultSurface const& surface, RateUpdate const& update,
-              DyadicTime const& clock, RateSolverSettings const& settings,
-              std::size_t budget_bytes);
+              DyadicTime const& clock, RateSolverSettings const& settings, std::size_t budget_bytes,
+              std::shared_ptr<const NormalReaction> reaction = nullptr);
 
   // The reference is valid until the next call. All ranks together.
   RateSolver& at(int level);
@@ -40,6 +42,7 @@ private:
   RateUpdate update_;
   DyadicTime clock_;
   RateSolverSettings settings_;
+  std::shared_ptr<const NormalReaction> reaction_;
   std::size_t budget_bytes_;
   std::size_t bytes_ = 0;
   std::map<int, Kept> solvers_;

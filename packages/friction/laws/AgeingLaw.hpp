@@ -18,8 +18,12 @@ struct AgeingLaw
     return {StateParameters::load(table, node)};
   }
 
-  static double slipDistance(double const* values) { return values[0]; }
-  static double thetaScale(double const* values) { return values[0] / values[1]; }
+  static double slipDistance(double const* values) { return StateParameters::slipDistance(values); }
+  static double thetaScale(double const* values) { return StateParameters::thetaScale(values); }
+  static double stressSensitivity(double const* values)
+  {
+    return StateParameters::stressSensitivity(values);
+  }
 
   // d(alpha)/dt in 1/s.
   KOKKOS_INLINE_FUNCTION double rate(double V, double alpha) const

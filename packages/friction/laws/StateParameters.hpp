@@ -13,7 +13,15 @@ struct StateParameters
     {"L", "m", no_default, 0, infinity, false, false,
      "This is the characteristic slip distance, over which the state adapts to a new slip rate."},
     reference_slip_rate,
+    {"c", "-", 0, 0, infinity, true, false,
+     "A change of the normal stress shifts the state by alpha = -(c / b) ln of the ratio of the "
+     "normal stresses after and before it (Linker and Dieterich 1992); 0 means that it does not."},
   };
+
+  // What laws with this table say of themselves, see LawProperties.hpp.
+  static double slipDistance(double const* values) { return values[0]; }
+  static double thetaScale(double const* values) { return values[0] / values[1]; }
+  static double stressSensitivity(double const* values) { return values[2]; }
 
   double slip_distance;           // L, m
   double reference_rate;          // V*, m/s

@@ -3,6 +3,7 @@
 #include "base/parameters/Parameters.hpp"
 #include "fem/FaultSurface.hpp"
 #include "fem/constraints/Constraints.hpp"
+#include "scenario/setup/PlateRate.hpp"
 
 #include <string>
 #include <vector>
@@ -20,6 +21,7 @@ struct BoundaryConditions
   // A rigid foundation in bilateral contact (u_n = 0), the other half of a planar fault, where the
   // displacement across it is free, or a second body, of which there is no opening (d_n = 0).
   fem::OtherSide other_side = fem::OtherSide::rigid_foundation;
+  std::vector<PlateRate> plate_rates; // of the faults that have one
   std::string surface;                // of the first free surface; empty if there is none
   std::vector<std::string> absorbing; // boundaries with dashpots
   std::vector<fem::VelocityCondition<Dim>> velocities;

@@ -91,22 +91,34 @@ void takeFault(BoundaryCondition const& condition, BoundaryConditions<Dim>& resu
 }
 
 template <int Dim>
-void bilateralContact(BoundaryCondition const& condition, Setting const&,
-                      BoundaryConditions<Dim>& result)
+void takePlateRate(BoundaryCondition const& condition, Setting const& setting,
+                   BoundaryConditions<Dim>& result)
 {
-  takeFault(condition, result);
+  auto const plate = plateRateOf(condition, setting.components);
+  if (plate) {
+    result.plate_rates.push_back(plate);
+  }
 }
 
 template <int Dim>
-void antisymmetricFault(BoundaryCondition const& condition, Setting const&,
+void bilateralContact(BoundaryCondition const& condition, Setting const& setting,
+                      BoundaryConditions<Dim>& result)
+{
+  takeFault(condition, result);
+  takePlateRate(condition, setting, result);
+}
+
+template <int Dim>
+void antisymmetricFault(BoundaryCondition const& condition, Setting const& setting,
                         BoundaryConditions<Dim>& result)
 {
   takeFault(condition, result);
+  takePlateRate(condition, setting, result);
   result.other_side = fem::OtherSide::mirror_image;
 }
 
 template <int Dim>
-void twoSidedFault(BoundaryCondition const& condition, Setting const&,
+void twoSidedFault(BoundaryCondition const& condition, Setting const& setting,
                    BoundaryConditions<Dim>& result)
 {
   if (result.other_side != fem::OtherSide::body) {
@@ -114,10 +126,54 @@ void twoSidedFault(BoundaryCondition const& condition, Setting const&,
   } else {
     result.faults.push_back(condition.boundary);
   }
+  takePlateRate(condition, setting, result);
   result.other_side = fem::OtherSide::body;
 }
 
-// v_t = slip rate / slip factor: along the tangent of the frames, in three dimensions along the
+// Under back slip a continuation, too, slips by slip factor v_t + Vp, where Vp is that of the first
+// fault that has one.
+template <int Dim>
+fem::VelocityFunction<Dim> withoutPlates(std::shared_ptr<const Field> const& rate,
+                                         BoundaryConditions<Dim> const& conditions)
+{
+  auto const plate =
+    conditions.plate_rates.empty() ? nullptr : conditions.plate_rates.front().rate;
+  return
+    [rate, plate, factor = fem::slipFactor(conditions.other_side)](Point<Dim> const& x, double t) {
+      const double of_bodies =
+        (*rate)(inSpace<Dim>(x), t, 0) - (plate ? (*plate)(inSpace<Dim>(x), 0, 0) : 0);
+      return of_bodies / factor;
+    };
+}
+
+// The continuation of a fault in three dimensions slips where the plates go.
+template <int Dim>
+void requireDirectionOfPlates(BoundaryCondition const& condition,
+                              std::vector<double> const& direction,
+                              BoundaryConditions<Dim> const& conditions)
+{
+  if (conditions.plate_rates.empty()) {
+    return;
+  }
+  auto const& plate = conditions.plate_rates.front();
+  auto const& of_plates = plate.direction;
+  double product = 0;
+  double squares = 1;
+  for (auto const* vector : {&direction, &of_plates}) {
+    squares *=
+      (*vector)[0] * (*vector)[0] + (*vector)[1] * (*vector)[1] + (*vector)[2] * (*vector)[2];
+  }
+  for (int d = 0; d < 3; ++d) {
+    product += direction[d] * of_plates[d];
+  }
+  ASPERITY_REQUIRE(product >= std::sqrt(squares) * (1 - 1e-12),
+                   joinPath(condition.name, "Direction")
+                     << " is not that of " << plate.name
+                     << ", which has a Plate Rate: its continuation slips in the same direction. "
+                        "Give both the same.");
+}
+
+// v_t = (slip rate - Vp) / slip factor: along the tangent of the frames, in three dimensions along the
 // projection of the direction onto the boundary, and none at right angles to it.
 template <int Dim>
 void prescribedSlipRate(BoundaryCondition const& condition, Setting const& setting,
@@ -128,10 +184,7 @@ void prescribedSlipRate(BoundaryCondition const& condition, Setting const& setti
                      << " is missing: at which rate the continuation of "
                         "the fault slips, 0 if it is locked.");
   auto const rate = fieldOf(condition, "Slip Rate");
-  const fem::VelocityFunction<Dim> velocity =
-    [rate, factor = fem::slipFactor(result.other_side)](Point<Dim> const& x, double t) {
-      return (*rate)(inSpace<Dim>(x), t, 0) / factor;
-    };
+  auto const velocity = withoutPlates(rate, result);
   if (setting.components < 3) {
     refuseDirection(condition, "in two dimensions a fault slips along its tangent");
   }
@@ -144,6 +197,7 @@ void prescribedSlipRate(BoundaryCondition const& condition, Setting const& setti
     add(fem::SlipAlongTangent<Dim>{velocity, setting.along_fault});
   } else {
     auto const direction = directionOf(condition, setting.components);
+    requireDirectionOfPlates(condition, direction, result);
     add(fem::SlipTowards<Dim>{direction, velocity, setting.along_fault});
     add(fem::NoSlipSideways{direction, setting.along_fault});
   }
@@ -212,21 +266,21 @@ std::vector<ConditionType> const& conditionTypes()
   static const std::vector<ConditionType> types = {
     {"Bilateral Contact",
      "rate-and-state friction acts on a rigid foundation (v . n = 0).",
-     {},
+     {"Direction", "Plate Rate"},
      Place::fault,
      DecidesOn::traction,
      {bilateralContact<2>, bilateralContact<3>}},
     {"Antisymmetric Fault",
      "the same on a planar fault of which the body is one half; the slip is twice its tangential "
      "displacement, the displacement across the fault is free and the normal stress unchanged.",
-     {},
+     {"Direction", "Plate Rate"},
      Place::fault,
      DecidesOn::traction,
      {antisymmetricFault<2>, antisymmetricFault<3>}},
     {two_sided_fault,
      "rate-and-state friction acts between two bodies on a fault inside the mesh, which does not "
      "open; several boundaries may be of this type.",
-     {},
+     {"Direction", "Plate Rate"},
      Place::fault,
      DecidesOn::traction,
      {twoSidedFault<2>, twoSidedFault<3>}},

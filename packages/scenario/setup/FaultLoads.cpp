@@ -2,6 +2,7 @@
 
 #include "base/parallel/Reductions.hpp"
 #include "mesh/PointText.hpp"
+#include "scenario/setup/PlateRate.hpp"
 
 #include <Tpetra_Vector.hpp>
 
@@ -49,6 +50,7 @@ std::vector<double> givenStress(NodalField const& field, Mesh<Dim> const& mesh,
   }
   return values;
 }
+
 std::vector<double> slipDirection(ParameterList const& friction)
 {
   auto const given = friction.get<Teuchos::Array<double>>("Slip Direction").toVector();
@@ -56,32 +58,6 @@ std::vector<double> slipDirection(ParameterList const& friction)
                    joinPath(path, "Slip Direction")
                      << " needs three numbers, not all zero: where the shear traction points.");
   return given;
-}
-
-// Of `towards` onto the fault at a node, as a unit vector along the tangents there.
-std::vector<double> projection(std::vector<double> const& towards, fem::NodalFrames const& frames,
-                               fem::FaultNode const& node)
-{
-  const int vertex = node.copies.front();
-  std::vector<double> result;
-  double square = 0;
-  for (int dof : node.dofs) {
-    const int tangent = dof - vertex * frames.components();
-    double along = 0;
-    for (int c = 0; c < frames.components(); ++c) {
-      along += frames.entry(vertex, tangent, c) * towards[c];
-    }
-    result.push_back(along);
-    square += along * along;
-  }
-  const double length = std::hypot(towards[0], towards[1], towards[2]);
-  ASPERITY_REQUIRE(std::sqrt(square) > 1e-6 * length,
-                   joinPath(path, "Slip Direction")
-                     << " is at right angles to the fault somewhere. Choose one along it.");
-  for (double& x : result) {
-    x /= std::sqrt(square);
-  }
-  return result;
 }
 } // namespace
 
@@ -96,7 +72,8 @@ ShearTraction::ShearTraction(ParameterList const& friction, Mesh<Dim> const& mes
   }
   auto const towards = slipDirection(friction);
   for (auto const& node : surface) {
-    auto const projected = projection(towards, frames, node);
+    auto const projected =
+      directionAlongFault(towards, frames, node, joinPath(path, "Slip Direction"));
     direction_.insert(direction_.end(), projected.begin(), projected.end());
   }
 }

@@ -1,5 +1,7 @@
 #include "scenario/setup/FrictionSetup.hpp"
 
+#include "base/parallel/Agreement.hpp"
+#include "mesh/PointText.hpp"
 #include "scenario/setup/LawSetup.hpp"
 
 namespace asperity::scenario
@@ -22,6 +24,13 @@ RCP<const ParameterList> frictionParameters()
            "start count as zero.")
     .real("Normal Stress Factor", 1., "-", Range::atLeast(0),
           "This factor multiplies the normal stress.")
+    .choice("Normal Stress Change", "Fixed", {"Fixed", "Lagged", "Coupled"},
+            "Selects how the normal stress follows the compression across the fault, of which the "
+            "change since the start of the run is added to it. Fixed: it does not. Lagged: by the "
+            "change up to the beginning of each step, an error of first order in the step. "
+            "Coupled: by the change up to its end, found together with the state of the fault.")
+    .real("Normal Stress Floor", 0., "Pa", Range::atLeast(0),
+          "The normal stress does not fall below this value.")
     .field("Shear Traction", 0., "Pa", Range::any(),
            "This shear traction acts on the fault in addition to that of the deformation. It "
            "points along the tangent of the fault's frame, which is +x on a fault below the body, "
@@ -32,24 +41,72 @@ RCP<const ParameterList> frictionParameters()
   return declare.list();
 }
 
+dynamics::NormalStressChange normalStressChange(ParameterList const& list)
+{
+  auto const chosen = list.get<std::string>("Normal Stress Change");
+  return chosen == "Fixed"    ? dynamics::NormalStressChange::fixed
+         : chosen == "Lagged" ? dynamics::NormalStressChange::lagged
+                              : dynamics::NormalStressChange::coupled;
+}
+
+double normalStressFloor(ParameterList const& list)
+{
+  return list.get<double>("Normal Stress Floor");
+}
+
+namespace
+{
+// ln(sigma_n) has to be finite wherever its change shifts the state.
+template <int Dim>
+void requirePressure(ParameterList const& list, Mesh<Dim> const& mesh,
+                     fem::FaultSurface const& surface, std::vector<double> const& c_over_b,
+                     dynamics::NormalStress const& normal_stress)
+{
+  if (c_over_b.empty() || normalStressFloor(list) > 0) {
+    return;
+  }
+  auto const refused = joinPath(path, "c") + " > 0 needs a normal stress above zero, ";
+  ASPERITY_REQUIRE(!normal_stress.dependsOnTime() &&
+                     normal_stress.change() == dynamics::NormalStressChange::fixed,
+                   refused << "and this one changes. Give a Normal Stress Floor above zero.");
+  const friction::NodeView sigma("asperity::scenario::sigma_n", surface.numNodes());
+  normal_stress.at(0, sigma);
+  auto const values = toHost(sigma);
+  for (int i = 0; i < surface.numNodes(); ++i) {
+    ASPERITY_REQUIRE(c_over_b[i] == 0 || values(i) > 0,
+                     refused << "and it is " << values(i)
+                             << " Pa at x = " << mesh::text(mesh.vertices[surface.vertex(i)])
+                             << ". Set c to zero there, or give a Normal Stress Floor.");
+  }
+}
+} // namespace
+
 template <int Dim>
 dynamics::Fault makeFault(ParameterList const& list, Mesh<Dim> const& mesh,
                           std::shared_ptr<const fem::FaultSurface> const& surface,
-                          dynamics::NormalStress const& normal_stress)
+                          dynamics::NormalStress const& normal_stress,
+                          std::vector<double> const& radiation_damping)
 {
   auto const nodes = surface->vertices();
+  auto const stress = normal_stress.following(normalStressChange(list), normalStressFloor(list));
+  std::vector<double> c_over_b;
+  onEveryRank(*surface->communicator(), [&] {
+    c_over_b = stressSensitivities(list, mesh, nodes);
+    requirePressure(list, mesh, *surface, c_over_b, stress);
+  });
   return {
     surface,
     {list.get<std::string>("Law"), frictionLawValues(list, mesh, nodes),
      toDevice(nodalValues(list, "Cohesion", path, mesh, nodes), "asperity::scenario::cohesion"),
-     list.get<std::string>("State Evolution"), stateLawValues(list, mesh, nodes)},
-    normal_stress};
+     list.get<std::string>("State Evolution"), stateLawValues(list, mesh, nodes), radiation_damping,
+     toDevice(c_over_b, "asperity::scenario::stressSensitivity")},
+    stress};
 }
 
 template dynamics::Fault makeFault(ParameterList const&, Mesh<2> const&,
                                    std::shared_ptr<const fem::FaultSurface> const&,
-                                   dynamics::NormalStress const&);
+                                   dynamics::NormalStress const&, std::vector<double> const&);
 template dynamics::Fault makeFault(ParameterList const&, Mesh<3> const&,
                                    std::shared_ptr<const fem::FaultSurface> const&,
-                                   dynamics::NormalStress const&);
+                                   dynamics::NormalStress const&, std::vector<double> const&);
 } // namespace asperity::scenario

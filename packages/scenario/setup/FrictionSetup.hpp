@@ -9,9 +9,16 @@ namespace asperity::scenario
 // The deck's list `Friction`: laws with their parameters, and what friction needs besides.
 RCP<const ParameterList> frictionParameters();
 
-// What acts on the fault: the laws of the list with their parameters at its nodes.
+// How the normal stress follows the body, and what it does not fall below [Pa].
+dynamics::NormalStressChange normalStressChange(ParameterList const& list);
+double normalStressFloor(ParameterList const& list);
+
+// What acts on the fault: the laws of the list with their parameters at its nodes, and the normal
+// stress with the list's Normal Stress Change and Floor. radiation_damping(num_nodes) [Pa s/m], or
+// empty. InputError where Linker and Dieterich's term meets a normal stress of zero.
 template <int Dim>
 dynamics::Fault makeFault(ParameterList const& list, Mesh<Dim> const& mesh,
                           std::shared_ptr<const fem::FaultSurface> const& surface,
-                          dynamics::NormalStress const& normal_stress);
+                          dynamics::NormalStress const& normal_stress,
+                          std::vector<double> const& radiation_damping = {});
 } // namespace asperity::scenario

@@ -1,6 +1,7 @@
 #include "scenario/setup/InitialSetup.hpp"
 
 #include "base/Text.hpp"
+#include "dynamics/FaultMotion.hpp"
 #include "dynamics/InitialState.hpp"
 #include "mesh/PointText.hpp"
 #include "scenario/setup/BulkSetup.hpp"
@@ -115,8 +116,9 @@ void setSlipRate(ParameterList const& list, Mesh<Dim> const& mesh, fem::FaultSur
   for (int node = 0; node < surface.numNodes(); ++node) {
     for (int k = 0; k < surface.numTangents(); ++k) {
       if (!surface.held(node, k)) {
+        const double slip = rate[node] * direction[node * surface.numTangents() + k];
         values(surface[node].dofs[k], 0) =
-          rate[node] * direction[node * surface.numTangents() + k] / surface.slipFactor();
+          (slip - surface.plateRate(node, k)) / surface.slipFactor();
       }
     }
   }
@@ -145,7 +147,7 @@ double product(std::vector<double> const& a, std::vector<double> const& b, int n
 struct InitialFault
 {
   std::vector<double> const& traction;  // (num_nodes, T)
-  std::vector<double> velocity;         // (num_nodes, T) of the body along the tangents [m/s]
+  std::vector<double> velocity;         // (num_nodes, T) slip rate / slip factor [m/s]
   std::vector<double> const& radiation; // (num_nodes)
 };
 
@@ -236,17 +238,6 @@ RCP<Vector> prescribedAcceleration(dynamics::Body const& body, double dt)
   return result;
 }
 
-std::vector<double> tangentialVelocity(fem::FaultSurface const& surface, Vector const& v)
-{
-  auto const velocities = v.getLocalViewHost(Tpetra::Access::ReadOnly);
-  std::vector<double> result;
-  for (auto const& node : surface) {
-    for (int dof : node.dofs) {
-      result.push_back(velocities(dof, 0));
-    }
-  }
-  return result;
-}
 } // namespace
 
 template <int Dim>
@@ -266,9 +257,10 @@ dynamics::State makeInitialState(ParameterList const& deck, Mesh<Dim> const& mes
   state.jerk = body.vector();
   state.sigma_n = friction::NodeView("asperity::scenario::sigma_n", num_nodes);
   fault.normalStress().at(0, state.sigma_n);
-  state.alpha =
-    initialAlpha(list, mesh, fault, state.sigma_n,
-                 {start.traction, tangentialVelocity(fault.surface(), *state.v), start.radiation});
+  fault.normalStress().raiseToFloor(state.sigma_n);
+  state.alpha = initialAlpha(
+    list, mesh, fault, state.sigma_n,
+    {start.traction, dynamics::slipUnknowns(fault.surface(), *state.v), start.radiation});
   state.alpha_of_rate = friction::NodeView("asperity::scenario::alphaOfRate", num_nodes);
   Kokkos::deep_copy(state.alpha_of_rate, state.alpha);
   if (list.get<std::string>("Acceleration") == "Balanced" && !quasiDynamic(deck.sublist("Bulk"))) {

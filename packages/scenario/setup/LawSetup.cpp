@@ -3,7 +3,9 @@
 #include "friction/Registry.hpp"
 #include "friction/laws/AgeingLaw.hpp"
 #include "friction/laws/RegularisedLaw.hpp"
+#include "mesh/PointText.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <functional>
 
@@ -160,6 +162,35 @@ std::optional<std::vector<double>> thetaScales(ParameterList const& list, Mesh<D
   return ofNodes(law.theta_scale, law.parameters, list, mesh, nodes);
 }
 
+template <int Dim>
+std::vector<double> stressSensitivities(ParameterList const& list, Mesh<Dim> const& mesh,
+                                        std::vector<int> const& nodes)
+{
+  auto const& law = chosenStateLaw(list);
+  auto const c = ofNodes(law.stress_sensitivity, law.parameters, list, mesh, nodes);
+  if (!c || std::all_of(c->begin(), c->end(), [](double value) { return value == 0; })) {
+    return {};
+  }
+  auto const of_friction = sensitivities(list, mesh, nodes);
+  ASPERITY_REQUIRE(of_friction, joinPath(path, "c")
+                                  << " is given, but the friction law '"
+                                  << list.get<std::string>(friction_choice)
+                                  << "' has no b, which the term of Linker and Dieterich is "
+                                     "measured by. Remove it, or choose another law.");
+  std::vector<double> result;
+  for (std::size_t i = 0; i < nodes.size(); ++i) {
+    const double b = (*of_friction)[i].state;
+    ASPERITY_REQUIRE((*c)[i] == 0 || b > 0,
+                     joinPath(path, "c")
+                       << " = " << (*c)[i] << " at x = " << mesh::text(mesh.vertices[nodes[i]])
+                       << ", where b = " << b
+                       << ": without an evolution effect the normal stress has "
+                          "no state to change. Set c to zero there.");
+    result.push_back((*c)[i] == 0 ? 0 : (*c)[i] / b);
+  }
+  return result;
+}
+
 #define ASPERITY_INSTANTIATE(Dim)                                                                  \
   template friction::ParameterView frictionLawValues(ParameterList const&, Mesh<Dim> const&,       \
                                                      std::vector<int> const&);                     \
@@ -170,7 +201,9 @@ std::optional<std::vector<double>> thetaScales(ParameterList const& list, Mesh<D
   template std::optional<std::vector<double>> slipDistances(                                       \
     ParameterList const&, Mesh<Dim> const&, std::vector<int> const&);                              \
   template std::optional<std::vector<double>> thetaScales(ParameterList const&, Mesh<Dim> const&,  \
-                                                          std::vector<int> const&);
+                                                          std::vector<int> const&);                \
+  template std::vector<double> stressSensitivities(ParameterList const&, Mesh<Dim> const&,         \
+                                                   std::vector<int> const&);
 
 ASPERITY_INSTANTIATE(2)
 ASPERITY_INSTANTIATE(3)

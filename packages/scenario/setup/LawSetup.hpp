@@ -33,4 +33,10 @@ std::optional<std::vector<double>> slipDistances(ParameterList const& list, Mesh
 template <int Dim>
 std::optional<std::vector<double>> thetaScales(ParameterList const& list, Mesh<Dim> const& mesh,
                                                std::vector<int> const& nodes);
+
+// c / b of Linker and Dieterich's term at the nodes [-]; empty if c is zero at all of them.
+// InputError where c > 0 and the friction law has no b, or b = 0.
+template <int Dim>
+std::vector<double> stressSensitivities(ParameterList const& list, Mesh<Dim> const& mesh,
+                                        std::vector<int> const& nodes);
 } // namespace asperity::scenario

@@ -124,6 +124,53 @@ TEST(FaultMotion, slidesWhereOneComponentIsFree)
   EXPECT_THROW(requireRestBesideSliding(fault, v, 2, 0), InputError);
 }
 
+// Slip rate = 2 v_t + Vp beside a mirror image.
+TEST(FaultMotion, platesAddToTheSlipOfBodies)
+{
+  const RCP<const Map> map = rcp(new Map(6 * world()->getSize(), 6, 0, world()));
+  Vector v(map);
+  auto const fault =
+    makeFault(2, OtherSide::mirror_image, {0, 0, 0, 1, 0, 0}).withPlateRate({3, 4, 8, 0, 0, 2});
+  EXPECT_TRUE(fault->hasPlateRate());
+  EXPECT_FALSE(makeFault(2).hasPlateRate());
+  EXPECT_DOUBLE_EQ(peakSlipRate(*fault, v), 8);
+  v.replaceLocalValue(2, -3.5);
+  v.replaceLocalValue(4, 0.5);
+  const friction::BlockView w("asperity::test::w", 3, 2);
+  gatherSlip(*fault, v, w);
+  auto const V = nodes({7, 7, 7});
+  slipRate(*fault, w, V);
+  EXPECT_DOUBLE_EQ(V(0), 5);
+  EXPECT_DOUBLE_EQ(V(1), 1);
+  EXPECT_DOUBLE_EQ(V(2), std::sqrt(1. + 4.));
+  EXPECT_DOUBLE_EQ(peakSlipRate(*fault, v), 5);
+}
+
+TEST(FaultMotion, aFaultThatSticksToItsPlatesDoesNotSlip)
+{
+  const RCP<const Map> map = rcp(new Map(6 * world()->getSize(), 6, 0, world()));
+  Vector v(map);
+  v.putScalar(9);
+  v.replaceLocalValue(3, 0); // held
+  auto const fault =
+    makeFault(2, OtherSide::mirror_image, {0, 0, 0, 1, 0, 0}).withPlateRate({3, 4, 0.1, 0, 0, 0.3});
+  stickToPlates(*fault, v);
+  EXPECT_EQ(peakSlipRate(*fault, v), 0);
+  EXPECT_EQ(v.getData()[0], -1.5);
+  EXPECT_EQ(v.getData()[3], 0);
+}
+
+// A wall across the motion of the plates: what is held slips at the plates' rate.
+TEST(FaultMotion, wallsAcrossTheMotionOfPlatesAreRefused)
+{
+  const RCP<const Map> map = rcp(new Map(6 * world()->getSize(), 6, 0, world()));
+  const Vector v(map);
+  auto const fault = makeFault(2, OtherSide::rigid_foundation, {0, 1, 0, 0, 0, 0});
+  EXPECT_NO_THROW(requireRestBesideSliding(*fault.withPlateRate({3, 1e-12, 1, 1, 1, 1}), v, 2, 0));
+  EXPECT_THROW(requireRestBesideSliding(*fault.withPlateRate({3, 1e-3, 1, 1, 1, 1}), v, 2, 0),
+               InputError);
+}
+
 TEST(FaultMotion, distanceIsTheRootMeanSquareOverAllRanks)
 {
   auto const fault = makeFault(1);
@@ -188,12 +235,12 @@ TEST(NormalStress, isAConstantOrAFunctionOfTime)
   const NormalStress constant(nodes({1, 2, 3}));
   auto const sigma_n = nodes({7, 7, 7});
   constant.at(5, sigma_n);
-  EXPECT_FALSE(constant.changes());
+  EXPECT_FALSE(constant.dependsOnTime());
   EXPECT_EQ(sigma_n(0), 1);
   EXPECT_EQ(sigma_n(2), 3);
   const NormalStress moving(
     [](double t, friction::NodeView const& view) { Kokkos::deep_copy(view, 10 * t); });
-  EXPECT_TRUE(moving.changes());
+  EXPECT_TRUE(moving.dependsOnTime());
   for (double t : {2., 5., 3.}) {
     moving.at(t, sigma_n);
     EXPECT_EQ(sigma_n(0), 10 * t);

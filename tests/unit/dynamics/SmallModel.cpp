@@ -78,9 +78,14 @@ Fault ModelIn<Dim>::makeFault() const
     })
                     : NormalStress(nodeView([&](auto const&) { return options.sigma_n; }));
   return {surface,
-          {o.law, table({o.a, o.b, o.reference_rate, o.reference_friction}, size),
-           nodeView([&](auto const&) { return options.cohesion; }), o.state_law,
-           table({o.L, o.reference_rate}, size)},
+          {o.law,
+           table({o.a, o.b, o.reference_rate, o.reference_friction}, size),
+           nodeView([&](auto const&) { return options.cohesion; }),
+           o.state_law,
+           table({o.L, o.reference_rate, 0.}, size),
+           {},
+           o.stress_sensitivity == 0 ? friction::ConstNodeView()
+                                     : nodeView([&](auto const&) { return o.stress_sensitivity; })},
           normal_stress};
 }
 

@@ -34,6 +34,7 @@ struct OptionsIn
   std::function<double(Point<Dim> const&, double)> normal_stress = {};
   double cohesion = 0; // Pa
   double a = 0.01, b = 0.015, L = 25e-6, reference_rate = 50e-6, reference_friction = 0.7;
+  double stress_sensitivity = 0; // c / b of Linker and Dieterich's term
   fem::OtherSide other_side = fem::OtherSide::rigid_foundation;
   std::string law = "Regularised", state_law = "Ageing";
 };

@@ -47,7 +47,8 @@ static_assert(!detail::HasFlow<AgeingWithoutFlow>::value, "this one falls back o
 
 std::unique_ptr<StateKernels> kernels(std::string const& law, std::size_t num_nodes)
 {
-  return makeStateKernels(law, parametersOf(std::vector<Values>(num_nodes, {L, reference_rate})));
+  return makeStateKernels(law,
+                          parametersOf(std::vector<Values>(num_nodes, {L, reference_rate, 0.})));
 }
 
 // alpha at the time 1 s after num_steps steps.

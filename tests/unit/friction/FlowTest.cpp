@@ -19,7 +19,7 @@ const std::vector<std::string> both_laws{"Ageing", "Slip"};
 // alpha after dt at every node; all vectors (num_nodes).
 Values flow(std::string const& law, Values const& V, double dt, Values const& alpha)
 {
-  const std::vector<Values> parameters(V.size(), {L, reference_rate});
+  const std::vector<Values> parameters(V.size(), {L, reference_rate, 0.});
   const auto kernels = makeStateKernels(law, parametersOf(parameters));
   const NodeView result("result", V.size());
   EXPECT_EQ(kernels->flow(toDevice(V), dt, toDevice(alpha), result), 0);
@@ -92,7 +92,7 @@ TEST(Flow, TwoStepsAreOneOfTheirSum)
 TEST(Flow, SteadyStateIsFixedAndEverythingRunsThere)
 {
   const Values V{1e-300, 1e-20, 1e-9, 5e-5, 1, 1e2};
-  const std::vector<Values> parameters(V.size(), {L, reference_rate});
+  const std::vector<Values> parameters(V.size(), {L, reference_rate, 0.});
   for (auto const& law : both_laws) {
     const NodeView view("steady", V.size());
     makeStateKernels(law, parametersOf(parameters))->steadyState(toDevice(V), view);
@@ -126,7 +126,7 @@ TEST(Flow, AtRestTheAgeingLawHealsAndTheSlipLawWaits)
 
 TEST(Flow, MayOverwriteItsArgument)
 {
-  const auto kernels = makeStateKernels("Ageing", parametersOf({{L, reference_rate}}));
+  const auto kernels = makeStateKernels("Ageing", parametersOf({{L, reference_rate, 0.}}));
   const auto alpha = toDevice(Values{2.0});
   kernels->flow(toDevice(Values{1e-6}), 1, alpha, alpha);
   EXPECT_EQ(toHost(alpha)(0), flow("Ageing", {1e-6}, 1, {2})[0]);
@@ -136,7 +136,7 @@ TEST(SteadyState, IsInfinitelyOldAtRest)
 {
   for (auto const& law : both_laws) {
     const NodeView alpha("alpha", 1);
-    makeStateKernels(law, parametersOf({{L, reference_rate}}))
+    makeStateKernels(law, parametersOf({{L, reference_rate, 0.}}))
       ->steadyState(toDevice(Values{0}), alpha);
     EXPECT_EQ(toHost(alpha)(0), std::numeric_limits<double>::infinity());
   }

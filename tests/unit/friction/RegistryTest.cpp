@@ -44,7 +44,7 @@ TEST(Registry, HasATableOfParametersForEachLaw)
               (Names{"a", "b", "Reference Slip Rate", "Reference Friction Coefficient"}));
   }
   for (auto const& name : stateLawNames()) {
-    EXPECT_EQ(parameterNames(stateLawParameters(name)), (Names{"L", "Reference Slip Rate"}));
+    EXPECT_EQ(parameterNames(stateLawParameters(name)), (Names{"L", "Reference Slip Rate", "c"}));
   }
   auto const& a = frictionLawParameters("Truncated")[0];
   EXPECT_TRUE(a.required());

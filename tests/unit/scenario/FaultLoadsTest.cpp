@@ -92,7 +92,7 @@ TEST(FaultLoads, followANormalStressInTimeAndClipTension)
   EXPECT_EQ(valuesOf(problem.initial.sigma_n), (std::vector<double>{300, 600, 900}));
 
   auto const constant = makeProblem<2>(strip(), world());
-  EXPECT_FALSE(constant.fault.normalStress().changes());
+  EXPECT_FALSE(constant.fault.normalStress().dependsOnTime());
 }
 
 TEST(FaultLoads, refuseATensileNormalStressAtTheStart)

@@ -19,7 +19,7 @@ public:
   Slider(std::string const& law, std::string const& evolution)
       : friction_(makeFrictionKernels(
           law, {unit_, unit_, unit_, parametersOf({{a, b, reference_rate, reference_friction}})}))
-      , state_(makeStateKernels(evolution, parametersOf({{L, reference_rate}})))
+      , state_(makeStateKernels(evolution, parametersOf({{L, reference_rate, 0.}})))
   {
   }
 

@@ -1,0 +1,108 @@
+#include "dynamics/NormalReaction.hpp"
+
+#include "base/Errors.hpp"
+
+#include <Teuchos_OrdinalTraits.hpp>
+#include <Tpetra_CrsMatrix.hpp>
+#include <Tpetra_Vector.hpp>
+
+#include <algorithm>
+
+namespace asperity::dynamics
+{
+namespace
+{
+// The component of a node's frame that none of its tangential dofs has.
+int componentAcross(fem::FaultNode const& node, int first_dof, int components)
+{
+  for (int component = 0; component < components; ++component) {
+    if (std::find(node.dofs.begin(), node.dofs.end(), first_dof + component) == node.dofs.end()) {
+      return component;
+    }
+  }
+  ASPERITY_ASSERT(false);
+  return 0;
+}
+} // namespace
+
+NormalReaction::NormalReaction(Body const& body, fem::FaultSurface const& surface,
+                               fem::NodalFrames const& frames, std::vector<double> const& support)
+    : body_(body)
+    , map_(rcp(new Map(Teuchos::OrdinalTraits<Tpetra::global_size_t>::invalid(), surface.numNodes(),
+                       0, surface.communicator())))
+{
+  const int components = body.dofs->components();
+  ASPERITY_ASSERT(components > 1);
+  for (int i = 0; i < surface.numNodes(); ++i) {
+    const int vertex = surface.vertex(i);
+    const int component = componentAcross(surface[i], body.dofs->dof(vertex, 0), components);
+    dofs_.push_back(body.dofs->dof(vertex, component));
+    double outward = 0; // 1 or -1, since the frame follows the normal
+    for (int d = 0; d < components; ++d) {
+      outward += frames.entry(vertex, component, d) * surface[i].normal[d];
+    }
+    ASPERITY_ASSERT(!surface.slides(i) || body.held[dofs_.back()]);
+    const double sign = outward > 0 ? 1 : -1;
+    per_force_.push_back(surface.slides(i) ? -sign / support[i] : 0);
+  }
+}
+
+void NormalReaction::compression(Vector const& l, Vector const& u, Vector const& v, Vector const& a,
+                                 friction::NodeView const& R) const
+{
+  Vector rest(body_.dofs->owned());
+  body_.residual(l, u, v, a, rest);
+  std::vector<double> r;
+  gather(rest, r);
+  for (double& force : r) {
+    force = -force;
+  }
+  compression(r, R);
+}
+
+RCP<const CrsMatrix> NormalReaction::rows(double factor_mass, double factor_viscosity,
+                                          double factor_stiffness) const
+{
+  auto const& body = body_.matrices;
+  auto const graph = body.mass->getCrsGraph();
+  auto result = rcp(new CrsMatrix(map_, graph->getColMap(), graph->getNodeMaxNumRowEntries()));
+  auto const m = body.mass->getLocalMatrixHost();
+  auto const c = body.viscosity->getLocalMatrixHost().values;
+  auto const k = body.stiffness->getLocalMatrixHost().values;
+  std::vector<int> columns;
+  std::vector<double> values;
+  for (std::size_t i = 0; i < dofs_.size(); ++i) {
+    columns.clear();
+    values.clear();
+    for (auto entry = m.graph.row_map(dofs_[i]); entry < m.graph.row_map(dofs_[i] + 1); ++entry) {
+      if (!body_.held[m.graph.entries(entry)]) {
+        columns.push_back(m.graph.entries(entry));
+        values.push_back(factor_mass * m.values(entry) + factor_viscosity * c(entry) +
+                         factor_stiffness * k(entry));
+      }
+    }
+    result->insertLocalValues(static_cast<int>(i), static_cast<int>(columns.size()), values.data(),
+                              columns.data());
+  }
+  result->fillComplete(graph->getDomainMap(), map_);
+  return result;
+}
+
+void NormalReaction::gather(Vector const& x, std::vector<double>& entries) const
+{
+  auto const values = x.getLocalViewHost(Tpetra::Access::ReadOnly);
+  entries.clear();
+  for (int dof : dofs_) {
+    entries.push_back(values(dof, 0));
+  }
+}
+
+void NormalReaction::compression(std::vector<double> const& r, friction::NodeView const& R) const
+{
+  auto const host = Kokkos::create_mirror_view(R);
+  for (std::size_t i = 0; i < r.size(); ++i) {
+    host(i) = per_force_[i] * r[i];
+  }
+  Kokkos::deep_copy(R, host);
+}
+} // namespace asperity::dynamics

@@ -1,0 +1,54 @@
+#pragma once
+
+#include "dynamics/Body.hpp"
+#include "fem/FaultSurface.hpp"
+#include "fem/constraints/NodalFrames.hpp"
+#include "friction/Types.hpp"
+
+#include <memory>
+#include <vector>
+
+namespace asperity::dynamics
+{
+// How a moving body presses across its fault. At node i the frame's component across the fault is
+// held, and its reaction r_i = [M a + C v + K u - l]_i is what holds it:
+//   R_i = -(outward normal) . r_i / support_i [Pa], positive in compression,
+// the outward normal (FaultNode::normal) being that of the body whose motion, or whose motion
+// relative to the other side, the dofs of the node are. R_i = 0 where friction does not decide on
+// the motion of the node. Fault nodes in the order of the surface.
+class NormalReaction
+{
+public:
+  // support(num_nodes): what a reaction is spread over, see fem::supportWeights. The component
+  // across the fault must be held at each node that slides.
+  NormalReaction(Body const& body, fem::FaultSurface const& surface, fem::NodalFrames const& frames,
+                 std::vector<double> const& support);
+
+  // R(num_nodes) in a state with the load l; vectors of owned dofs. Collective.
+  void compression(Vector const& l, Vector const& u, Vector const& v, Vector const& a,
+                   friction::NodeView const& R) const;
+
+  // The rows of factor_mass M + factor_viscosity C + factor_stiffness K at the components across
+  // the fault, without the columns of held dofs: (num_nodes, owned dofs). Collective.
+  RCP<const CrsMatrix> rows(double factor_mass, double factor_viscosity,
+                            double factor_stiffness) const;
+  // The entries of x(owned dofs) at those components: (num_nodes).
+  void gather(Vector const& x, std::vector<double>& entries) const;
+  // R(num_nodes) of the reactions r(num_nodes).
+  void compression(std::vector<double> const& r, friction::NodeView const& R) const;
+
+private:
+  Body body_;
+  RCP<const Map> map_; // of the rows
+  std::vector<int> dofs_;
+  std::vector<double> per_force_; // R_i / r_i
+};
+
+// The reaction of a run, and what it was at its start; without a reaction where the normal stress
+// does not follow the body.
+struct ReactionSinceStart
+{
+  std::shared_ptr<const NormalReaction> reaction = {};
+  friction::ConstNodeView at_start = {}; // R(num_nodes) [Pa]
+};
+} // namespace asperity::dynamics

@@ -1,0 +1,81 @@
+#include "scenario/FloorCount.hpp"
+
+#include "base/Text.hpp"
+#include "base/Views.hpp"
+#include "base/parallel/Reductions.hpp"
+
+#include <algorithm>
+
+namespace asperity::scenario
+{
+FloorCount::FloorCount(dynamics::Fault const& fault) : fault_(fault)
+{
+  auto const& surface = fault.surface();
+  double mine = 0;
+  for (int node = 0; node < surface.numNodes(); ++node) {
+    mine += surface.slides(node) ? surface[node].weight : 0;
+  }
+  sliding_ = sumOverRanks(mine, *surface.communicator());
+}
+
+bool FloorCount::matters() const
+{
+  auto const& stress = fault_.normalStress();
+  return stress.change() != dynamics::NormalStressChange::fixed || stress.floor() > 0;
+}
+
+void FloorCount::add(dynamics::State const& state)
+{
+  if (!matters()) {
+    return;
+  }
+  auto const& surface = fault_.surface();
+  auto const sigma_n = toHost(state.sigma_n);
+  const double floor = fault_.normalStress().floor();
+  double weight = 0;
+  std::int64_t nodes = 0;
+  for (int node = 0; node < surface.numNodes(); ++node) {
+    if (surface.slides(node) && sigma_n(node) <= floor) {
+      weight += surface[node].weight;
+      ++nodes;
+    }
+  }
+  auto const& communicator = *surface.communicator();
+  node_steps_ += sumOverRanks(nodes, communicator);
+  const double on_floor = sumOverRanks(weight, communicator);
+  share_ = sliding_ > 0 ? on_floor / sliding_ : 0;
+  largest_share_ = std::max(largest_share_, share_);
+}
+
+std::string FloorCount::report() const
+{
+  if (!matters()) {
+    return "";
+  }
+  auto const floor = formatShort(fault_.normalStress().floor());
+  if (node_steps_ == 0) {
+    return "The normal stress stayed above its floor of " + floor + " Pa.\n";
+  }
+  return "The normal stress was on its floor of " + floor + " Pa at " +
+         std::to_string(node_steps_) + " nodes of all steps together, at most on " +
+         formatShort(100 * largest_share_) + " % of the fault at once.\n";
+}
+
+void FloorCount::save(io::Archive& archive, std::string const& path) const
+{
+  if (matters()) {
+    archive.set(path + "/share", share_);
+    archive.set(path + "/largest_share", largest_share_);
+    archive.set(path + "/node_steps", node_steps_);
+  }
+}
+
+void FloorCount::restore(io::Archive const& archive, std::string const& path)
+{
+  if (matters()) {
+    share_ = archive.getDouble(path + "/share");
+    largest_share_ = archive.getDouble(path + "/largest_share");
+    node_steps_ = archive.getInteger(path + "/node_steps");
+  }
+}
+} // namespace asperity::scenario

@@ -1,0 +1,119 @@
+#include "scenario/setup/PlateRate.hpp"
+
+#include "base/Errors.hpp"
+#include "base/parallel/Agreement.hpp"
+#include "scenario/setup/ConditionTypes.hpp"
+#include "scenario/setup/NodalField.hpp"
+
+#include <cmath>
+
+namespace asperity::scenario
+{
+PlateRate plateRateOf(BoundaryCondition const& condition, int components)
+{
+  PlateRate result;
+  result.name = condition.name;
+  result.boundary = condition.boundary;
+  const bool has_direction = isGiven(condition.list, "Direction");
+  if (!isGiven(condition.list, "Plate Rate")) {
+    ASPERITY_REQUIRE(!has_direction, joinPath(condition.name, "Direction")
+                                       << " has no effect without a Plate Rate. Remove it.");
+    return result;
+  }
+  result.rate =
+    std::make_shared<Field>(steadyField(condition.list, "Plate Rate", condition.name, {}));
+  ASPERITY_REQUIRE(!result.rate->isDataset(),
+                   joinPath(condition.name, "Plate Rate")
+                     << " is a dataset. Give a number or an expression in x, y and z.");
+  if (components < 3) {
+    ASPERITY_REQUIRE(!has_direction, joinPath(condition.name, "Direction")
+                                       << " has no effect: in two dimensions plates move along "
+                                          "the fault's tangent. Remove it.");
+    return result;
+  }
+  result.direction = {1., 0., 0.};
+  if (has_direction) {
+    auto const given = condition.list.get<Teuchos::Array<double>>("Direction").toVector();
+    ASPERITY_REQUIRE(given.size() == 3 && std::hypot(given[0], given[1], given[2]) > 0,
+                     joinPath(condition.name, "Direction")
+                       << " needs three numbers, not all zero: where the plate rate points.");
+    result.direction = given;
+  }
+  return result;
+}
+
+namespace
+{
+// (T) at one node.
+template <int Dim>
+std::vector<double> rateAt(PlateRate const& plate, Mesh<Dim> const& mesh,
+                           fem::FaultNode const& node, fem::NodalFrames const& frames)
+{
+  const double rate = (*plate.rate)(inSpace<Dim>(mesh.vertices[node.copies.front()]), 0, 0);
+  if (plate.direction.empty()) {
+    return {rate};
+  }
+  auto along =
+    directionAlongFault(plate.direction, frames, node, joinPath(plate.name, "Direction"));
+  for (double& component : along) {
+    component *= rate;
+  }
+  return along;
+}
+} // namespace
+
+template <int Dim>
+std::vector<double> nodalPlateRates(std::vector<PlateRate> const& plates, Mesh<Dim> const& mesh,
+                                    fem::FaultSurface const& surface,
+                                    fem::NodalFrames const& frames)
+{
+  std::vector<PlateRate const*> at_vertex(mesh.vertices.size(), nullptr);
+  for (auto const& plate : plates) {
+    for (auto const& facet : mesh.boundaries.at(plate.boundary)) {
+      for (int vertex : facet) {
+        at_vertex[vertex] = at_vertex[vertex] == nullptr ? &plate : at_vertex[vertex];
+      }
+    }
+  }
+  std::vector<double> result;
+  onEveryRank(*surface.communicator(), [&] {
+    for (auto const& node : surface) {
+      auto const* plate = at_vertex[node.copies.front()];
+      auto const rate = plate == nullptr ? std::vector<double>(node.dofs.size(), 0.)
+                                         : rateAt(*plate, mesh, node, frames);
+      result.insert(result.end(), rate.begin(), rate.end());
+    }
+  });
+  return result;
+}
+
+std::vector<double> directionAlongFault(std::vector<double> const& towards,
+                                        fem::NodalFrames const& frames, fem::FaultNode const& node,
+                                        std::string const& entry)
+{
+  const int vertex = node.copies.front();
+  std::vector<double> result;
+  double square = 0;
+  for (int dof : node.dofs) {
+    const int tangent = dof - vertex * frames.components();
+    double along = 0;
+    for (int c = 0; c < frames.components(); ++c) {
+      along += frames.entry(vertex, tangent, c) * towards[c];
+    }
+    result.push_back(along);
+    square += along * along;
+  }
+  const double length = std::hypot(towards[0], towards[1], towards[2]);
+  ASPERITY_REQUIRE(std::sqrt(square) > 1e-6 * length,
+                   entry << " is at right angles to the fault somewhere. Choose one along it.");
+  for (double& x : result) {
+    x /= std::sqrt(square);
+  }
+  return result;
+}
+
+template std::vector<double> nodalPlateRates(std::vector<PlateRate> const&, Mesh<2> const&,
+                                             fem::FaultSurface const&, fem::NodalFrames const&);
+template std::vector<double> nodalPlateRates(std::vector<PlateRate> const&, Mesh<3> const&,
+                                             fem::FaultSurface const&, fem::NodalFrames const&);
+} // namespace asperity::scenario

@@ -1,0 +1,205 @@
+"""A normal stress that follows the body: its value, its order in time, its floor, its solvers."""
+
+import pathlib
+import sys
+
+import asperity_run
+import numpy
+
+DECK = pathlib.Path(__file__).with_name("block.xml")
+LARGEST_STEP, FINAL_TIME = 0.01, 0.48
+TIMES = 3 * LARGEST_STEP * numpy.arange(1, 17)  # where all runs can be compared
+LEVELS = (2, 3, 4)                              # of the steps, halved each time
+REFERENCE_LEVEL = 7
+FIELDS = ("slip", "slip_rate", "alpha", "normal_stress")
+# Of orders: the normal stress has compressional waves in it, which cross a cell in about as long as
+# the largest of these steps, and comes to its order last.
+SECOND, FIRST = (1.75, 2.1), (0.9, 1.1)
+CHANGE = "Friction/Normal Stress Change"
+
+
+def words(settings):
+    return [word for name, value in settings.items() for word in ("--set", f"{name}={value}")]
+
+
+def run(folder, settings, **options):
+    return asperity_run.run_to_end(folder, DECK, *words(settings), **options)
+
+
+def history_of(folder):
+    history = asperity_run.series(folder / "fault.h5")
+    steps = numpy.searchsorted(history["time"], TIMES - 1e-9)
+    assert numpy.allclose(history["time"][steps], TIMES, rtol=1e-12)
+    return {name: history[f"fields/{name}"][steps] for name in FIELDS}
+
+
+def solve(settings, level):
+    return history_of(run("out", {**settings, "Time Stepping/Prescribed/Levels": f"{{{level}}}"}))
+
+
+def errors(solution, reference):
+    """Root mean square over the fault and TIMES, relative to how much the reference varies."""
+    return [numpy.sqrt(numpy.mean((solution[name] - reference[name])**2))
+            / numpy.ptp(reference[name]) for name in FIELDS]
+
+
+def orders(name, settings, reference, least, most):
+    """True if halving the steps divides each error by 2^least to 2^most."""
+    found = numpy.array([errors(solve(settings, level), reference) for level in LEVELS])
+    measured = numpy.log2(found[:-1] / found[1:])
+    fine = least <= measured.min() and measured.max() <= most
+    columns = (f"{field} {error:.1e} {' '.join(f'{x:.2f}' for x in of_field)}"
+               for field, error, of_field in zip(FIELDS, found[-1], measured.T))
+    print(f"{name:40s} {'; '.join(columns)}{'' if fine else f' NOT {least} to {most}'}", flush=True)
+    return fine
+
+
+def convergence():
+    passed = []
+    for scheme in ("Newmark", "Generalised Alpha"):
+        settings = {"Time Stepping/Scheme": scheme}
+        reference = solve(settings, REFERENCE_LEVEL)
+        changed = numpy.ptp(reference["normal_stress"]) / 1e4
+        assert changed > 0.1, changed
+        passed.append(orders(f"{scheme}, Coupled", settings, reference, *SECOND))
+        passed.append(orders(f"{scheme}, Lagged", {**settings, CHANGE: "Lagged"}, reference, *FIRST))
+    return passed
+
+
+# A block that nothing shears or widens, pressed down at a constant rate and without inertia.
+RATE, MODULUS = 1e-4, 2e7  # m/s, Pa: 2 G, the block is 1 m high
+PRESSED = {"Bulk/Dynamics": "Quasi-dynamic", "Time Stepping/Scheme": "Generalised Alpha",
+           "Bulk/Poisson's Ratio": 0, "Friction/Shear Traction": 0,
+           "Initial State/Velocity X": 0, "Boundary Conditions/Drive/Velocity": 0,
+           "Boundary Conditions/Press/Velocity": RATE}
+
+
+SOLID = {"Bulk/Model": "Solid", "Mesh/Type": "Box", "Mesh/Box/Size": "{1, 1, 0.5}",
+         "Mesh/Box/Cells X": 4, "Mesh/Box/Cells Y": 4, "Mesh/Box/Cells Z": 2,
+         "Boundary Conditions/Press/Direction": "{0, -1, 0}",
+         "Boundary Conditions/Wall/Boundary": "front",
+         "Boundary Conditions/Wall/Type": "Sliding Wall", "Time Stepping/Final Time": 0.1,
+         "TNNMG/Absolute Tolerance": 1e-10, "TNNMG/Relative Tolerance": 1e-10}
+
+
+def statics():
+    """sigma = 1e4 + E v t / H, one step behind if it lags, constant if it is fixed."""
+    passed = []
+    for change, delay, more, ranks in (("Coupled", 0, {}, 1), ("Lagged", 1, {}, 1),
+                                       ("Fixed", None, {}, 1), ("Coupled", 0, SOLID, 2)):
+        folder = run("out", {**PRESSED, **more, CHANGE: change}, ranks=ranks)
+        history = asperity_run.series(folder / "fault.h5")
+        t = history["time"]
+        pressed_for = 0 * t if delay is None else numpy.maximum(t - delay * LARGEST_STEP, 0)
+        expected = 1e4 + MODULUS * RATE * pressed_for
+        found = history["fields/normal_stress"]
+        error = numpy.abs(found - expected[:, None]).max() / 1e4
+        fine = error < 1e-9
+        print(f"pressed {'solid' if more else 'block'}, {change:8s} up to {found.max():.6g} Pa, error {error:.1e}"
+              f"{'' if fine else ' NO'}", flush=True)
+        passed.append(fine)
+    return passed
+
+
+def lifted():
+    """Lifted, it stays on its floor from the time on when the formula passes it; in the log and in
+    every step it says so."""
+    floor, rate = 9510, -RATE
+    folder = run("out", {**PRESSED, "Boundary Conditions/Press/Velocity": rate,
+                         "Friction/Normal Stress Floor": floor})
+    history = asperity_run.series(folder / "fault.h5")
+    expected = numpy.maximum(floor, 1e4 + MODULUS * rate * history["time"])
+    found = history["fields/normal_stress"]
+    error = numpy.abs(found - expected[:, None]).max() / 1e4
+    beyond = 1e4 + MODULUS * rate * history["time"] < floor - 1e-6
+    share = [row["share_on_floor"] for row in asperity_run.table(folder / "steps.csv")]
+    node_steps = int(beyond.sum()) * found.shape[1]
+    log = (folder / "run.log").read_text()
+    said = f"on its floor of {floor} Pa at {node_steps} nodes of all steps together" in log
+    sides = {row for row, at in zip(share, beyond[1:]) if at}, {
+        row for row, at in zip(share, beyond[1:]) if not at}
+    fine = error < 1e-9 and said and sides == ({1.}, {0.})
+    print(f"lifted block, floor {floor} Pa: error {error:.1e}, {node_steps} node-steps"
+          f"{'' if fine else ' NO ' + log[-2500:]}", flush=True)
+    return fine
+
+
+def solvers():
+    """Direct and multigrid, one rank and two; J never rises."""
+    reference = run("direct", {})
+    answer = history_of(reference)
+    multigrid = {"TNNMG/Linear Correction": "MueLu"}
+    passed = []
+    for name, ranks in (("multigrid, 1 rank", 1), ("multigrid, 2 ranks", 2)):
+        folder = run("out", multigrid, ranks=ranks)
+        found = history_of(folder)
+        difference = max(numpy.abs(numpy.sort(found[key], axis=1) -
+                                   numpy.sort(answer[key], axis=1)).max()
+                         / numpy.ptp(answer[key]) for key in FIELDS)
+        rises = sum(row["energy_rises"] for row in asperity_run.table(folder / "steps.csv"))
+        fine = difference < 1e-8 and rises == 0
+        print(f"{name}: differs from direct by {difference:.1e}, J rose {rises:.0f} times"
+              f"{'' if fine else ' NO'}", flush=True)
+        passed.append(fine)
+    steps = asperity_run.table(reference / "steps.csv")
+    last = steps[-1]
+    defect = abs(last["energy_defect"]) / last["friction_work"]
+    fine = sum(row["energy_rises"] for row in steps) == 0 and defect < 1e-9
+    print(f"direct: energy defect {defect:.1e} of the friction work{'' if fine else ' NO'}",
+          flush=True)
+    return [*passed, fine]
+
+
+def restarted():
+    passed = []
+    adaptive = {"Time Stepping/Control": "Step Doubling",
+                "Time Stepping/Step Doubling/Tolerance": 1e-5,
+                "Time Stepping/Instants": "{0.24}"}
+    for change, more in (("Coupled", {}), ("Lagged", {}), ("Coupled", adaptive)):
+        settings = {CHANGE: change, "Friction/Normal Stress Floor": 9900, **more}
+        whole = run("whole", settings)
+        half = run("half", {**settings, "Time Stepping/Final Time": 0.24})
+        result = asperity_run.run(DECK, *words(settings), "--output", half, "--restart",
+                                  half / "checkpoint.h5")
+        fine = result.returncode == 0
+        fine = fine and (whole / "steps.csv").read_bytes() == (half / "steps.csv").read_bytes()
+        fine = fine and all(
+            numpy.array_equal(a, b) for a, b in zip(
+                asperity_run.series(whole / "fault.h5").values(),
+                asperity_run.series(half / "fault.h5").values()))
+        floors = [[line for line in (folder / "run.log").read_text().splitlines()
+                   if "its floor of" in line][-1] for folder in (whole, half)]
+        fine = fine and floors[0] == floors[1]
+        print(f"restart, {change}{', adaptive' if more else ''}: {'the same' if fine else 'NOT the same ' + result.stderr}",
+              flush=True)
+        passed.append(fine)
+    return passed
+
+
+def refused():
+    cases = [({"Bulk/Model": "Antiplane"}, "does not press across the fault"),
+             ({"Boundary Conditions/Fault/Type": "Antisymmetric Fault"}, "by symmetry"),
+             ({"Friction/c": 0.2}, "Normal Stress Floor"),
+             ({"Friction/c": 0.2, "Friction/Normal Stress Floor": 1, "Friction/b": 0},
+              "where b = 0")]
+    passed = []
+    for settings, message in cases:
+        if settings.get("Bulk/Model") == "Antiplane":
+            deck = DECK.parent.parent / "schemes" / "smooth.xml"
+            settings = {CHANGE: "Coupled"}
+        else:
+            deck = DECK
+        result = asperity_run.run(deck, *words(settings), "--validate")
+        fine = result.returncode == 2 and message in result.stderr
+        print(f"refused: {message}{'' if fine else ' NO ' + result.stderr}", flush=True)
+        passed.append(fine)
+    return passed
+
+
+def main():
+    passed = [*statics(), *convergence(), lifted(), *solvers(), *restarted(), *refused()]
+    return passed.count(False)
+
+
+if __name__ == "__main__":
+    sys.exit(main())
