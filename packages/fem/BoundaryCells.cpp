@@ -2,6 +2,7 @@
 
 #include "base/Errors.hpp"
 #include "mesh/SimplexGeometry.hpp"
+#include "mesh/faults/SplitVertices.hpp"
 
 #include <algorithm>
 #include <map>
@@ -47,16 +48,10 @@ template <int Dim>
 std::vector<typename Mesh<Dim>::Facet> facetsOnSide(Mesh<Dim> const& mesh,
                                                     std::string const& boundary, Side side)
 {
-  const VertexTerms terms(static_cast<int>(mesh.vertices.size()), mesh.splits);
-  std::map<int, int> minus_of;
-  for (auto const& split : mesh.splits) {
-    minus_of[split.plus] = split.minus;
-  }
+  const mesh::FaultSides<Dim> sides(mesh.splits);
   auto facets = mesh.boundaries.at(boundary);
   for (auto& facet : facets) {
-    for (int& vertex : facet) {
-      vertex = terms.inCells(side == Side::plus ? vertex : minus_of.at(vertex));
-    }
+    facet = side == Side::plus ? sides.plusSide(facet) : sides.minusSide(facet);
   }
   return facets;
 }

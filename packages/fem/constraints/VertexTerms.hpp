@@ -52,8 +52,6 @@ public:
 
   // Whether the node carries the jump over a fault, which rigid motions of the body do not have.
   bool isJump(int node) const { return is_jump_[node]; }
-  // The vertex that cells have in place of this one: another one only for the `plus` of a tip.
-  int inCells(int vertex) const { return represented_[vertex]; }
 
 private:
   std::vector<SplitVertex> splits_; // without tips
