@@ -62,8 +62,8 @@ class PlaneMeshes(mesh_tool.Case):
         self.assertIn("vertices         32, 7 of them copies at faults\n", info)
         self.assertIn("fault            main: 3 facets, 4 vertices, 1 tip, ", info)
         self.assertIn("fault            splay: 2 facets, 3 vertices, 1 tip, ", info)
-        self.assert_done("box", "split_box.h5", "--cells-x", "2", "--cells-y", "2", "--cells-z", "2",
-                         "--fault", "main=abs(z - 0.5) < 1e-6")
+        self.assert_done("box", "split_box.h5", "--cells-x", "2", "--cells-y", "2",
+                         "--cells-z", "2", "--fault", "main=abs(z - 0.5) < 1e-6")
         info = self.assert_done("info", "split_box.h5")
         self.assertIn("fault            main: 8 facets, 9 vertices, 0 tips, ", info)
 
