@@ -121,7 +121,7 @@ private:
     number(ghosts, part);
   }
 
-  // Of every pair with a vertex here the other one, too, and again of the pairs that this one is in:
+  // Of every pair with a vertex here the other one, too, and again of the pairs that have this one:
   // at a branch the minus of a pair is the plus of another one.
   void addPartners(std::vector<int> const& owned, std::vector<int>& ghosts) const
   {
