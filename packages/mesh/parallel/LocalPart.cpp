@@ -1,8 +1,11 @@
 #include "mesh/parallel/Partition.hpp"
 
 #include "base/Errors.hpp"
+#include "mesh/faults/SplitVertices.hpp"
 
 #include <algorithm>
+#include <unordered_map>
+#include <unordered_set>
 
 namespace asperity::mesh
 {
@@ -61,7 +64,15 @@ template <int Dim>
 class Cutter
 {
 public:
-  explicit Cutter(GlobalMesh<Dim> const& mesh) : mesh_(mesh), local_(mesh.vertices.size(), -1) {}
+  explicit Cutter(GlobalMesh<Dim> const& mesh)
+      : mesh_(mesh)
+      , local_(mesh.vertices.size(), -1)
+      , sides_(mesh.splits)
+  {
+    for (auto const& pair : mesh.splits) {
+      plus_of_minus_.emplace(pair.minus, pair.plus);
+    }
+  }
 
   Mesh<Dim> part(Selection const& selection)
   {
@@ -83,14 +94,7 @@ public:
         }
       }
     }
-    part.faults = mesh_.faults;
-    for (auto const& [plus, minus, is_tip] : mesh_.splits) {
-      if (local_[plus] >= 0) {
-        part.splits.push_back({local_[plus], local_[minus], is_tip});
-      }
-    }
-    std::sort(part.splits.begin(), part.splits.end(),
-              [](SplitVertex const& a, SplitVertex const& b) { return a.plus < b.plus; });
+    addPairs(part);
     for (GlobalOrdinal vertex : part.global_ids) {
       local_[static_cast<std::size_t>(vertex)] = -1;
     }
@@ -113,29 +117,45 @@ private:
     }
     std::sort(ghosts.begin(), ghosts.end());
     ghosts.erase(std::unique(ghosts.begin(), ghosts.end()), ghosts.end());
-    addPartners(ghosts);
+    addPartners(selection.owned, ghosts);
     number(ghosts, part);
   }
 
-  // Of every pair with a vertex here the other one, too. At a branch the minus of a pair is the
-  // plus of another one, so one round may not do.
-  void addPartners(std::vector<int>& ghosts) const
+  // Of every pair with a vertex here the other one, too, and again of the pairs that have this one:
+  // at a branch the minus of a pair is the plus of another one.
+  void addPartners(std::vector<int> const& owned, std::vector<int>& ghosts) const
   {
-    const auto is_here = [&](int vertex) {
-      return local_[vertex] >= 0 || std::binary_search(ghosts.begin(), ghosts.end(), vertex);
-    };
-    for (bool is_complete = mesh_.splits.empty(); !is_complete;) {
-      std::vector<int> missing;
-      for (auto const& pair : mesh_.splits) {
-        const bool has_plus = is_here(pair.plus), has_minus = is_here(pair.minus);
-        if (has_plus != has_minus) {
-          missing.push_back(has_plus ? pair.minus : pair.plus);
-        }
+    if (mesh_.splits.empty()) {
+      return;
+    }
+    std::vector<int> reached = owned;
+    reached.insert(reached.end(), ghosts.begin(), ghosts.end());
+    std::unordered_set<int> added;
+    const auto add = [&](int vertex) {
+      if (local_[vertex] < 0 && !std::binary_search(ghosts.begin(), ghosts.end(), vertex) &&
+          added.insert(vertex).second) {
+        reached.push_back(vertex);
       }
-      is_complete = missing.empty();
-      ghosts.insert(ghosts.end(), missing.begin(), missing.end());
-      std::sort(ghosts.begin(), ghosts.end());
-      ghosts.erase(std::unique(ghosts.begin(), ghosts.end()), ghosts.end());
+    };
+    for (std::size_t next = 0; next < reached.size(); ++next) {
+      const int vertex = reached[next];
+      if (auto const* pair = sides_.find(vertex)) {
+        add(pair->minus);
+      }
+      const auto [first, last] = plus_of_minus_.equal_range(vertex);
+      std::for_each(first, last, [&](auto const& entry) { add(entry.second); });
+    }
+    ghosts.insert(ghosts.end(), added.begin(), added.end());
+    std::sort(ghosts.begin(), ghosts.end());
+  }
+
+  void addPairs(Mesh<Dim>& part) const
+  {
+    part.faults = mesh_.faults;
+    for (std::size_t v = 0; v < part.global_ids.size(); ++v) {
+      if (auto const* pair = sides_.find(static_cast<int>(part.global_ids[v]))) {
+        part.splits.push_back({static_cast<int>(v), local_[pair->minus], pair->is_tip});
+      }
     }
   }
 
@@ -159,6 +179,8 @@ private:
 
   GlobalMesh<Dim> const& mesh_;
   std::vector<int> local_; // of the present part; -1 elsewhere
+  FaultSides<Dim> sides_;
+  std::unordered_multimap<int, int> plus_of_minus_;
 };
 } // namespace
 

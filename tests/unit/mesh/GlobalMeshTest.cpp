@@ -76,8 +76,11 @@ TEST(GlobalMesh, NamesFacetThatIsNone)
   auto mesh = square();
   mesh.boundaries["top"] = {{1, 3}};
   expectRefused(mesh, {"'top' with vertices 1, 3 at (1, 0), (0, 1) is not a facet of any cell"});
-  mesh.boundaries["top"] = {{0, 2}};
-  expectRefused(mesh, {"'top'", "lies inside the body, between cells 0 and 1"});
+  mesh.boundaries["top"] = {{2, 3}, {0, 2}};
+  expectRefused(mesh, {"'top' has facets inside the body, one at (0.5, 0.5), and on its surface, "
+                       "one at (0.5, 1)"});
+  mesh.boundaries["top"] = {{0, 2}}; // a fault
+  checkMesh(mesh, "test");
   mesh.boundaries["top"] = {{2, 3}, {3, 2}};
   expectRefused(mesh, {"'top'", "twice"});
 }

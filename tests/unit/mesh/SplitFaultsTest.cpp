@@ -189,6 +189,16 @@ TEST(SplitFaults, RefusesFaultsThatCross)
     {"3 facets of fault 'star' meet at (2, 0)"});
 }
 
+TEST(SplitFaults, RefusesAFaultThatTouchesTheSurface)
+{
+  expectRefused(
+    faultedRectangle(
+      {{"bump", [](auto& p) { return std::abs(std::abs(p[0] - 2.0) + p[1] - 2.0) < 1e-9; }}}),
+    {"Here: fault 'bump' crosses itself, or touches the boundary of the body and goes on, at (2, "
+     "2)",
+     "3 parts"});
+}
+
 TEST(SplitFaults, RefusesAFaultWithoutANodeThatSlips)
 {
   expectRefused(

@@ -54,6 +54,32 @@ class PlaneMeshes(mesh_tool.Case):
             self.assert_refused(["rectangle", "a.h5", *options], *pieces)
         self.assertFalse(pathlib.Path("a.h5").exists())
 
+    def test_faults(self):
+        self.assert_done("rectangle", "split.h5", "--width", "4", "--height", "4", "--cells-x", "4",
+                         "--cells-y", "4", "--fault", "main=abs(y - 2) < 1e-6 && x < 3.5",
+                         "--fault", "splay=x == 1 && y > 1.5")
+        info = self.assert_done("info", "split.h5")
+        self.assertIn("vertices         32, 7 of them copies at faults\n", info)
+        self.assertIn("fault            main: 3 facets, 4 vertices, 1 tip, ", info)
+        self.assertIn("fault            splay: 2 facets, 3 vertices, 1 tip, ", info)
+        self.assert_done("box", "split_box.h5", "--cells-x", "2", "--cells-y", "2",
+                         "--cells-z", "2", "--fault", "main=abs(z - 0.5) < 1e-6")
+        info = self.assert_done("info", "split_box.h5")
+        self.assertIn("fault            main: 8 facets, 9 vertices, 0 tips, ", info)
+
+    def test_faults_that_are_refused(self):
+        def refused(condition, *pieces):
+            self.assert_refused(["rectangle", "a.h5", "--cells-x", "2", "--cells-y", "2",
+                                 "--fault", condition], *pieces)
+            self.assertFalse(pathlib.Path("a.h5").exists())
+        refused("main=x == 0.3", "Option --fault / main: the fault has no facet")
+        refused("net=1", "Option --fault", "facets of fault 'net' meet at")
+        refused("top=x == 0.5", "Option --fault / top: a boundary on the surface")
+        refused("main=x == 0.5 && t > 1", "Option --fault main depends on t")
+        refused("main=x ==", "Option --fault main")
+        refused("x == 0.5", "Option --fault x", "no valid expression")
+        refused("0.5", "not of the form NAME=CONDITION")
+
     def test_info_of_bad_files(self):
         self.assert_refused(["info", "none.h5"], "'none.h5' does not exist")
         pathlib.Path("text.h5").write_text("This is no HDF5 file.")

@@ -9,10 +9,10 @@ namespace asperity::mesh::detail
 {
 namespace
 {
-// "'a', 'b' and 'c'"
+// "fault 'a'", "faults 'a', 'b' and 'c'"
 std::string list(std::set<int> const& faults, std::vector<std::string> const& names)
 {
-  std::string text;
+  std::string text = faults.size() == 1 ? "fault " : "faults ";
   std::size_t left = faults.size();
   for (int fault : faults) {
     text += "'" + names[static_cast<std::size_t>(fault)] + "'";
@@ -62,7 +62,7 @@ private:
   void requireTipInside() const
   {
     ASPERITY_REQUIRE(!vertex_.is_on_surface || vertex_.is_on_trace,
-                     where_ << ": a tip of fault " << list(faults_, names_)
+                     where_ << ": a tip of " << list(faults_, names_)
                             << " lies on the boundary of the body, at " << text(vertex_.place)
                             << ", and nothing else of the fault does. Let the fault reach the "
                                "boundary along an edge, or end inside the body.");
@@ -71,9 +71,10 @@ private:
   [[noreturn]] void refuseCrossing(int num_sets) const
   {
     throw InputError(
-      where_ + ": " +
-      (faults_.size() == 1 ? "fault " + list(faults_, names_) + " crosses itself"
-                           : "faults " + list(faults_, names_) + " cross") +
+      where_ + ": " + list(faults_, names_) +
+      (faults_.size() > 1      ? " cross"
+       : vertex_.is_on_surface ? " crosses itself, or touches the boundary of the body and goes on,"
+                               : " crosses itself") +
       " at " + text(vertex_.place) + ": the cells there are in " + std::to_string(num_sets) +
       " parts, and more than two copies of a node are supported only where a fault with one name "
       "ends inside the body at another fault. Let one of them end there, with a name of its own, "
@@ -152,7 +153,7 @@ private:
           refuseCrossing(sets.count);
         }
         ASPERITY_REQUIRE(plus < 0 || plus == there,
-                         where_ << ": fault " << list(main, names_) << " cannot be oriented at "
+                         where_ << ": " << list(main, names_) << " cannot be oriented at "
                                 << text(vertex_.place)
                                 << ": its upper side changes there. Let parts of it that only "
                                    "touch have names and places of their own.");
