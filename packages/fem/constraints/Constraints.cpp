@@ -1,6 +1,7 @@
 #include "fem/constraints/Constraints.hpp"
 
 #include "base/Errors.hpp"
+#include "base/parallel/Agreement.hpp"
 #include "fem/constraints/detail/SplitDirections.hpp"
 #include "mesh/PointText.hpp"
 
@@ -54,7 +55,9 @@ Constraints<Dim>::Constraints(Mesh<Dim> const& mesh, DofMap const& dofs,
 {
   auto const at_vertices = detail::collectDirections(mesh, conditions_, dofs.components());
   largest_ = largestVelocities(at_vertices, *dofs.communicator());
-  auto const at_nodes = detail::meansAndJumps(at_vertices, mesh, conditions_);
+  detail::NodalDirections at_nodes;
+  onEveryRank(*dofs.communicator(),
+              [&] { at_nodes = detail::meansAndJumps(at_vertices, mesh, conditions_); });
   for (auto const& [node, of_node] : at_nodes) {
     constrain(dofs, node, of_node);
   }
