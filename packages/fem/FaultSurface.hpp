@@ -34,8 +34,8 @@ struct FaultNode
 };
 
 // The one description of a fault's nodes: places, copies, weights, dofs, what is held, colours, and
-// the map from unknowns to slip, plate rate included. It is made once and never changes; friction, the solver and the
-// outputs have views of it, all in the order of its nodes.
+// the map from unknowns to slip, plate rate included. It is made once and never changes; friction,
+// the solver and the outputs have views of it, all in the order of its nodes.
 class FaultSurface
 {
 public:

@@ -11,12 +11,12 @@
 #include "mesh/Boundaries.hpp"
 #include "scenario/setup/BoundaryChecks.hpp"
 #include "scenario/setup/BulkSetup.hpp"
-#include "scenario/setup/FaultLoads.hpp"
 #include "scenario/setup/FrictionSetup.hpp"
 #include "scenario/setup/InitialSetup.hpp"
 #include "scenario/setup/MeshSetup.hpp"
 #include "scenario/setup/SolverSetup.hpp"
 #include "scenario/setup/TimeSetup.hpp"
+#include "scenario/setup/fault/FaultLoads.hpp"
 
 #include <Tpetra_CrsMatrix.hpp>
 

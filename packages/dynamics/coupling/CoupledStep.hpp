@@ -88,8 +88,8 @@ public:
   StepSolvers const& solvers() const { return solvers_; }
 
   // From `from` over a step of the given level to `to`, which must have the shapes of `from`. `to`
-  // holds a guess of v and alpha, and of a coupled normal stress, on entry; where the step fails its content is of no use. All ranks
-  // together.
+  // holds a guess of v and alpha, and of a coupled normal stress, on entry; where the step fails
+  // its content is of no use. All ranks together.
   CoupledResult solve(State const& from, int level, State& to, SolveCount& count);
 
 private:

@@ -173,8 +173,8 @@ void requireDirectionOfPlates(BoundaryCondition const& condition,
                         "Give both the same.");
 }
 
-// v_t = (slip rate - Vp) / slip factor: along the tangent of the frames, in three dimensions along the
-// projection of the direction onto the boundary, and none at right angles to it.
+// v_t = (slip rate - Vp) / slip factor: along the tangent of the frames, in three dimensions along
+// the projection of the direction onto the boundary, and none at right angles to it.
 template <int Dim>
 void prescribedSlipRate(BoundaryCondition const& condition, Setting const& setting,
                         BoundaryConditions<Dim>& result)

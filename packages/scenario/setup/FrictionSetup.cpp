@@ -30,7 +30,7 @@ RCP<const ParameterList> frictionParameters()
             "change up to the beginning of each step, an error of first order in the step. "
             "Coupled: by the change up to its end, found together with the state of the fault.")
     .real("Normal Stress Floor", 0., "Pa", Range::atLeast(0),
-          "The normal stress does not fall below this value.")
+          "The normal stress takes this value where it would fall below.")
     .field("Shear Traction", 0., "Pa", Range::any(),
            "This shear traction acts on the fault in addition to that of the deformation. It "
            "points along the tangent of the fault's frame, which is +x on a fault below the body, "

@@ -62,7 +62,8 @@ def convergence():
         changed = numpy.ptp(reference["normal_stress"]) / 1e4
         assert changed > 0.1, changed
         passed.append(orders(f"{scheme}, Coupled", settings, reference, *SECOND))
-        passed.append(orders(f"{scheme}, Lagged", {**settings, CHANGE: "Lagged"}, reference, *FIRST))
+        lagged = {**settings, CHANGE: "Lagged"}
+        passed.append(orders(f"{scheme}, Lagged", lagged, reference, *FIRST))
     return passed
 
 
@@ -95,8 +96,9 @@ def statics():
         found = history["fields/normal_stress"]
         error = numpy.abs(found - expected[:, None]).max() / 1e4
         fine = error < 1e-9
-        print(f"pressed {'solid' if more else 'block'}, {change:8s} up to {found.max():.6g} Pa, error {error:.1e}"
-              f"{'' if fine else ' NO'}", flush=True)
+        name = f"pressed {'solid' if more else 'block'}, {change}"
+        print(f"{name:24s} up to {found.max():.6g} Pa, error {error:.1e}{'' if fine else ' NO'}",
+              flush=True)
         passed.append(fine)
     return passed
 
@@ -170,8 +172,8 @@ def restarted():
         floors = [[line for line in (folder / "run.log").read_text().splitlines()
                    if "its floor of" in line][-1] for folder in (whole, half)]
         fine = fine and floors[0] == floors[1]
-        print(f"restart, {change}{', adaptive' if more else ''}: {'the same' if fine else 'NOT the same ' + result.stderr}",
-              flush=True)
+        verdict = "the same" if fine else f"NOT the same {result.stderr}"
+        print(f"restart, {change}{', adaptive' if more else ''}: {verdict}", flush=True)
         passed.append(fine)
     return passed
 

@@ -1,8 +1,8 @@
-#include "scenario/setup/FaultLoads.hpp"
+#include "scenario/setup/fault/FaultLoads.hpp"
 
 #include "base/parallel/Reductions.hpp"
 #include "mesh/PointText.hpp"
-#include "scenario/setup/PlateRate.hpp"
+#include "scenario/setup/fault/PlateRate.hpp"
 
 #include <Tpetra_Vector.hpp>
 
