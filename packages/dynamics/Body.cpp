@@ -7,11 +7,22 @@ namespace asperity::dynamics
 {
 RCP<Vector> Body::vector() const { return rcp(new Vector(dofs->owned())); }
 
+void Body::applyMass(Vector const& x, Vector& y, double alpha, double beta) const
+{
+  if (!matrices.is_massless) {
+    matrices.mass->apply(x, y, Teuchos::NO_TRANS, alpha, beta);
+  } else if (beta == 0) {
+    y.putScalar(0);
+  } else if (beta != 1) {
+    y.scale(beta);
+  }
+}
+
 void Body::residual(Vector const& l, Vector const& u, Vector const& v, Vector const& a,
                     Vector& result) const
 {
   Tpetra::deep_copy(result, l);
-  matrices.mass->apply(a, result, Teuchos::NO_TRANS, -1, 1);
+  applyMass(a, result, -1, 1);
   matrices.viscosity->apply(v, result, Teuchos::NO_TRANS, -1, 1);
   matrices.stiffness->apply(u, result, Teuchos::NO_TRANS, -1, 1);
 }

@@ -25,6 +25,8 @@ struct Body
 
   int numOwnedDofs() const { return dofs->numOwnedNodes() * dofs->components(); }
   RCP<Vector> vector() const;
+  // y = alpha M x + beta y, without a product where the body has no mass.
+  void applyMass(Vector const& x, Vector& y, double alpha, double beta) const;
   // l - M a - C v - K u
   void residual(Vector const& l, Vector const& u, Vector const& v, Vector const& a,
                 Vector& result) const;

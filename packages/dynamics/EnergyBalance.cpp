@@ -48,7 +48,8 @@ EnergyBalance::EnergyBalance(Body const& body, Fault const& fault, DyadicTime co
 
 EnergyBalance::Snapshot EnergyBalance::snapshot() const
 {
-  return {body_.vector(), body_.vector(), body_.vector(), body_.vector(), body_.vector()};
+  return {body_.vector(), body_.vector(), body_.vector(),
+          body_.vector(), body_.vector(), body_.vector()};
 }
 
 void EnergyBalance::fill(State const& state, Snapshot& result)
@@ -62,12 +63,13 @@ void EnergyBalance::fill(State const& state, Snapshot& result)
 
   // work = l - M a - C v - K u: what friction and reactions hold; kept where they act.
   Tpetra::deep_copy(*work_, *result.load);
-  body_.matrices.mass->apply(*state.a, *work_, Teuchos::NO_TRANS, -1, 1);
-  body_.matrices.viscosity->apply(*state.v, *work_, Teuchos::NO_TRANS, -1, 1);
+  body_.applyMass(*state.a, *work_, -1, 1);
+  body_.matrices.viscosity->apply(*state.v, *result.viscous_force);
+  work_->update(-1, *result.viscous_force, 1);
   body_.matrices.stiffness->apply(*state.u, *mean_);
   work_->update(-1, *mean_, 1);
   result.elastic = 0.5 * mean_->dot(*state.u);
-  body_.matrices.mass->apply(*state.v, *mean_);
+  body_.applyMass(*state.v, *mean_, 1, 0);
   result.kinetic = 0.5 * mean_->dot(*state.v);
 
   auto const& surface = fault_.surface();
@@ -117,10 +119,10 @@ void EnergyBalance::start(State const& state, Energy const& so_far)
 double EnergyBalance::numericalDissipation()
 {
   mean_->update(0.5, *before_.a, 0.5, *after_.a, 0);
-  body_.matrices.mass->apply(*mean_, *work_);
+  body_.applyMass(*mean_, *work_, 1, 0);
   const double work_of_inertia = du_->dot(*work_);
   mean_->update(1, *after_.v, -1, *before_.v, 0);
-  body_.matrices.mass->apply(*mean_, *work_);
+  body_.applyMass(*mean_, *work_, 1, 0);
   mean_->update(0.5, *before_.v, 0.5, *after_.v, 0);
   return work_of_inertia - mean_->dot(*work_);
 }
@@ -178,9 +180,8 @@ Energy const& EnergyBalance::advance(State const& state)
   mean_->update(0.5, *before_.force, 0.5, *after_.force, 0);
   const double friction = dotOver(fault_dofs_, *mean_, *du_) + of_plates.friction_work;
   const double boundary = -dotOver(body_.held.owned(), *mean_, *du_);
-  mean_->update(0.5, *before_.v, 0.5, *after_.v, 0);
-  body_.matrices.viscosity->apply(*mean_, *work_);
-  const double viscous = work_->dot(*du_) + of_plates.viscous_work;
+  mean_->update(0.5, *before_.viscous_force, 0.5, *after_.viscous_force, 0);
+  const double viscous = mean_->dot(*du_) + of_plates.viscous_work;
   const double numerical = numericalDissipation();
 
   const double change = after_.kinetic - before_.kinetic + after_.elastic - before_.elastic;

@@ -54,7 +54,7 @@ public:
 private:
   struct Snapshot
   {
-    RCP<Vector> u, v, a, load, force;
+    RCP<Vector> u, v, a, load, force, viscous_force;
     double kinetic = 0, elastic = 0;
     DyadicTime::Ticks time = 0;
   };

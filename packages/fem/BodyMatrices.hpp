@@ -20,6 +20,7 @@ struct BodyMatrices
   RCP<const CrsMatrix> mass;
   RCP<const CrsMatrix> viscosity;
   RCP<const CrsMatrix> stiffness;
+  bool is_massless = false; // whether mass is zero, for those who multiply by it
 };
 
 // materials(num_cells). Collective, but without communication, since every rank has all cells of

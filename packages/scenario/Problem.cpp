@@ -190,6 +190,7 @@ Problem<Dim> makeProblem(ParameterList const& deck, RCP<const Communicator> cons
   matrices.viscosity = dampedViscosity(of, matrices.viscosity, bulk, *surface, eta);
   if (quasiDynamic(bulk)) {
     matrices.mass = fem::zeroLike(*matrices.mass);
+    matrices.is_massless = true;
   }
 
   auto const gravity = fem::assembleGravity<Dim>(of.mesh, *of.dofs, of.frames(), of.materials,

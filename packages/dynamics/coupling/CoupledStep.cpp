@@ -139,7 +139,7 @@ void CoupledStep::rightSide(State const& from, double tau)
   update_.predict(from, tau, *u_hat_, *a_hat_);
   work_a_->update(1, *a_hat_, -update_.mass_weight / tau, *prescribed_, 0);
   work_u_->update(1, *u_hat_, tau * update_.stiffness_weight, *prescribed_, 0);
-  body_.matrices.mass->apply(*work_a_, *b_, Teuchos::NO_TRANS, 1, 1);
+  body_.applyMass(*work_a_, *b_, 1, 1);
   body_.matrices.viscosity->apply(*prescribed_, *b_, Teuchos::NO_TRANS, -1, 1);
   body_.matrices.stiffness->apply(*work_u_, *b_, Teuchos::NO_TRANS, -1, 1);
   stress_.takeRightSide(*b_);
