@@ -97,8 +97,8 @@ private:
   Kokkos::View<const double*, MemorySpace> weights_, slip_factors_;
 };
 
-// The fault on a boundary of the body, or on the plus side of a fault inside it. graph: of the body's
-// matrices, which decides on the colours. Collective.
+// The fault on a boundary of the body, or on the plus side of a fault inside it. graph: of the
+// body's matrices, which decides on the colours. Collective.
 template <int Dim>
 std::shared_ptr<const FaultSurface>
 makeFaultSurface(Mesh<Dim> const& mesh, std::string const& boundary,

@@ -21,8 +21,8 @@ void overrideBoundaries(Mesh<Dim>& part, std::vector<NamedCondition<Dim>> const&
                         Communicator const& communicator,
                         std::string const& where = "Mesh / Boundaries");
 
-// The name of a boundary with the facets of all these, which the mesh has: the one that is given, or
-// a new one.
+// The name of a boundary with the facets of all these, which the mesh has: the one that is given,
+// or a new one.
 template <int Dim>
 std::string joinBoundaries(Mesh<Dim>& part, std::vector<std::string> const& names);
 } // namespace asperity::mesh

@@ -77,7 +77,8 @@ private:
   VertexTerms terms_;
 };
 
-// Components along the axes at the vertices (num owned nodes, components) of a vector of owned dofs.
+// Components along the axes at the vertices (num owned nodes, components) of a vector of owned
+// dofs.
 std::vector<double> alongAxes(NodalFrames const& frames, DofMap const& dofs, Vector const& x);
 
 // The components of a node's frame along a boundary, ascending: all but the one that is nearest to

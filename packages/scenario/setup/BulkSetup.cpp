@@ -23,10 +23,11 @@ RCP<const ParameterList> bulkParameters()
 {
   auto const quasi_dynamic =
     Declare()
-      .field(radiation_damping, optional, "Pa s/m", Range::atLeast(0),
-             "This is eta in tau = friction + eta V, where V is the slip rate. If it is left out, "
-             "eta is G / (2 cs) on an antisymmetric fault and G / cs in bilateral contact; between two "
-             "bodies it is Z1 Z2 / (Z1 + Z2) with their impedances Z = G / cs.")
+      .field(
+        radiation_damping, optional, "Pa s/m", Range::atLeast(0),
+        "This is eta in tau = friction + eta V, where V is the slip rate. If it is left out, "
+        "eta is G / (2 cs) on an antisymmetric fault and G / cs in bilateral contact; between two "
+        "bodies it is Z1 Z2 / (Z1 + Z2) with their impedances Z = G / cs.")
       .list();
   return Declare()
     .choice("Model", "Plane Strain", {"Plane Strain", "Antiplane", "Solid"},

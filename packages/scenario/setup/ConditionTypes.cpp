@@ -82,11 +82,11 @@ bool isDriven(ParameterList const& list)
 template <int Dim>
 void takeFault(BoundaryCondition const& condition, BoundaryConditions<Dim>& result)
 {
-  ASPERITY_REQUIRE(result.faults.empty(),
-                   condition.name << ": there is already friction on the boundary '"
-                                  << result.faults.front()
-                                  << "'. Several boundaries can have it only if all are of the Type "
-                                     "'Two-Sided Fault'.");
+  ASPERITY_REQUIRE(
+    result.faults.empty(),
+    condition.name << ": there is already friction on the boundary '" << result.faults.front()
+                   << "'. Several boundaries can have it only if all are of the Type "
+                      "'Two-Sided Fault'.");
   result.faults.push_back(condition.boundary);
 }
 
@@ -136,8 +136,7 @@ template <int Dim>
 fem::VelocityFunction<Dim> withoutPlates(std::shared_ptr<const Field> const& rate,
                                          BoundaryConditions<Dim> const& conditions)
 {
-  auto const plate =
-    conditions.plate_rates.empty() ? nullptr : conditions.plate_rates.front().rate;
+  auto const plate = conditions.plate_rates.empty() ? nullptr : conditions.plate_rates.front().rate;
   return
     [rate, plate, factor = fem::slipFactor(conditions.other_side)](Point<Dim> const& x, double t) {
       const double of_bodies =

@@ -181,7 +181,7 @@ TEST(TwoSidedFault, doesNotOpenAndEndsAtItsTip)
   EXPECT_EQ(sumOverRanks(num_pairs), 5);
 }
 
-// K has a zero energy for motions of one side along the fault against the other, and for rigid ones.
+// K has no energy for motions of one side along the fault against the other, and for rigid ones.
 TEST(TwoSidedFault, slidesWithoutForce)
 {
   const Constrained<2> body(cut(0, 3), contact<2>());

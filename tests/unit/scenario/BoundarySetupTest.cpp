@@ -61,7 +61,7 @@ TEST(BoundarySetup, turnsConditionsIntoPrescribedVelocities)
                                                             {"Ground", "left", "Fixed"},
                                                             {"Air", "top", "Free Surface"}}),
                                                 2);
-  EXPECT_EQ(result.fault, "bottom");
+  EXPECT_EQ(result.faults, fem::Boundaries{"bottom"});
   EXPECT_EQ(result.surface, "top");
   EXPECT_EQ(result.ramp_end, 0);
   ASSERT_EQ(result.velocities.size(), 4U);
@@ -120,7 +120,7 @@ TEST(BoundarySetup, leavesAnAntisymmetricFaultFreeAcross)
       conditions({{"Wall", "right", "Sliding Wall"}, {"Fault", "bottom", "Antisymmetric Fault"}},
                  false),
       components);
-    EXPECT_EQ(result.fault, "bottom");
+    EXPECT_EQ(result.faults, fem::Boundaries{"bottom"});
     EXPECT_EQ(result.other_side, fem::OtherSide::mirror_image);
     if (components == 2) {
       EXPECT_EQ(result.velocities.at(0).boundary, "bottom");

@@ -70,8 +70,7 @@ public:
       const double sign = dot(one.vector, partner->vector) < 0 ? -1 : 1;
       mean_.push_back({one.vector, one.condition,
                        sum(scaled(one.terms, 0.5), scaled(partner->terms, 0.5 * sign))});
-      jump_.push_back(
-        {one.vector, one.condition, sum(one.terms, scaled(partner->terms, -sign))});
+      jump_.push_back({one.vector, one.condition, sum(one.terms, scaled(partner->terms, -sign))});
       minus_.erase(partner);
     }
     alone_.insert(alone_.end(), minus_.begin(), minus_.end());
