@@ -8,11 +8,16 @@ import numpy
 DECK = pathlib.Path(__file__).with_name("bodies.xml")
 
 
+def condition(name, boundary, entries):
+    """Settings of one condition: its Type and what else it takes."""
+    return {f"Boundary Conditions/{name}/{entry}": value
+            for entry, value in {"Boundary": boundary, **entries}.items()}
+
+
 def conditions(**of_boundaries):
-    """Settings of one condition on each boundary, its Type and what else it takes."""
-    return {f"Boundary Conditions/{boundary}/{name}": value
-            for boundary, entries in of_boundaries.items()
-            for name, value in {"Boundary": boundary, **entries}.items()}
+    """One on each boundary, named like it."""
+    return {entry: value for boundary, entries in of_boundaries.items()
+            for entry, value in condition(boundary, boundary, entries).items()}
 
 
 def prescribed(velocity, *direction):
