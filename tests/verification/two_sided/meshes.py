@@ -22,8 +22,10 @@ class Mesh:
     upper: numpy.ndarray     # (num_cells), whether the cell lies at y > 0 of the grid
 
     def mapped(self, place):
-        """The same with each vertex at place(vertices); `place` keeps the orientation."""
-        return dataclasses.replace(self, vertices=place(self.vertices))
+        """The same with each vertex at place(vertices)."""
+        vertices = place(self.vertices)
+        return dataclasses.replace(self, vertices=vertices,
+                                   cells=oriented(vertices, self.cells.copy()))
 
     def write(self, name):
         """The regions are `lower` and `upper`."""
@@ -83,22 +85,43 @@ def facets_where(vertices, cells, condition):
     return numpy.unique(numpy.sort(facets[holds[facets].all(axis=1)], axis=1), axis=0)
 
 
-def with_sides(vertices, cells, faults):
-    """A mesh with the sides of the grid's box and the faults, {name: condition(vertices)}."""
-    lowest, highest = vertices.min(axis=0), vertices.max(axis=0)
-    names = (("left", "right"), ("bottom", "top"), ("back", "front"))
+def collapsed(vertices, cells):
+    """What has x = 0 and differs in y alone is one vertex, at y = 0: where polar coordinates begin.
+    """
+    at_origin = numpy.abs(vertices[:, 0]) < CLOSE
+    moved = vertices.copy()
+    moved[at_origin, 1] = 0
+    kept, number = numpy.unique(moved, axis=0, return_inverse=True)
+    cells = numpy.sort(number.reshape(-1)[cells], axis=1)
+    return kept, cells[(numpy.diff(cells, axis=1) > 0).all(axis=1)]
+
+
+SIDES = (("left", "right"), ("bottom", "top"), ("back", "front"))
+
+
+def with_sides(vertices, cells, more, names=SIDES):
+    """A mesh with the sides of the grid's box, where each axis begins and ends, those called None
+    left out, and more boundaries and faults, {name: condition(vertices)}."""
     conditions = {}
-    for axis in range(vertices.shape[1]):
-        for name, value in zip(names[axis], (lowest[axis], highest[axis])):
-            conditions[name] = (lambda x, axis=axis, value=value:
-                                numpy.abs(x[:, axis] - value) < CLOSE)
-    if lowest[1] > -CLOSE:  # the fault of a half lies on its surface
-        del conditions["bottom"]
-    conditions.update(faults)
+    for axis, pair in enumerate(names[:vertices.shape[1]]):
+        ends = vertices[:, axis].min(), vertices[:, axis].max()
+        for name, end in zip(pair, ends):
+            conditions[name] = (lambda x, axis=axis, end=end: numpy.abs(x[:, axis] - end) < CLOSE)
+    conditions.pop(None, None)
+    conditions.update(more)
     boundaries = {name: facets_where(vertices, cells, condition)
                   for name, condition in conditions.items()}
     upper = vertices[cells][:, :, 1].mean(axis=1) > 0
     return Mesh(vertices, cells, boundaries, upper)
+
+
+def graded(end, num_equal, ratio, far):
+    """From 0 by num_equal equal steps to `end`, then by steps that grow by `ratio` beyond `far`."""
+    step, points = end / num_equal, list(numpy.linspace(0, end, num_equal + 1))
+    while points[-1] < far:
+        step *= ratio
+        points.append(points[-1] + step)
+    return numpy.array(points)
 
 
 def on_the_fault(x):

@@ -59,7 +59,8 @@ def check(model, dynamics, solvers, change="Fixed"):
     the normal stress in them, which by symmetry is none."""
     vertices, cells = half(model)
     fault = {"fault": meshes.on_the_fault}
-    alone = runs.run("half", meshes.with_sides(vertices, cells, fault),
+    sides = (meshes.SIDES[0], (None, "top"), meshes.SIDES[2])  # the fault is at the bottom
+    alone = runs.run("half", meshes.with_sides(vertices, cells, fault, sides),
                      of_the_half(model, dynamics))
     expected, places = runs.fields_by_place(alone, FIELDS)
     varied = numpy.ptp(expected["slip_rate"]) / VP
