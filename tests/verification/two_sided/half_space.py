@@ -1,7 +1,8 @@
 """The surface of an elastic half space in which a dipping fault slips.
 
 The fault's trace is the axis of the second coordinate, along strike; it dips towards x > 0. Slip is
-that of a thrust: the hanging wall, x > 0, moves up dip. Displacements are along x, strike and up.
+that of a thrust: the hanging wall, x > 0, moves up dip. Displacements are along x, z and up, x to the
+right of who looks along strike, z.
 """
 
 import math
@@ -22,8 +23,8 @@ def edge_dislocation(x, dip, depth):
 
 
 def rectangle(x, strike, dip, width, length, poisson, top=0.0):
-    """(u_x, u_strike, u_up) of unit slip on a rectangle that reaches down dip from `top` to `width`
-    and along strike from -length/2 to length/2 (Okada 1985, equations 25 to 30, dip slip)."""
+    """(u_x, u_z, u_up) of unit slip on a rectangle that reaches down dip from `top` to `width`
+    and along strike, z, from -length/2 to length/2 (Okada 1985, equations 25 to 30, dip slip)."""
     s, c = math.sin(dip), math.cos(dip)
     ratio = 1 - 2 * poisson  # G / (lambda + G)
     # Okada's x is along strike, his y horizontal and up dip, both from the lower edge
@@ -49,4 +50,4 @@ def rectangle(x, strike, dip, width, length, poisson, top=0.0):
     down = width - top
     along, up_dip, up = -(corner(west, p) - corner(west, p - down)
                           - corner(east, p) + corner(east, p - down)) / (2 * math.pi)
-    return numpy.stack((-up_dip, -along, up))
+    return numpy.stack((-up_dip, along, up))
