@@ -1,0 +1,99 @@
+"""Two equal bodies, mirror images of each other: the same as one of them on an antisymmetric fault."""
+
+import sys
+
+import meshes
+import numpy
+import runs
+
+VP = 1e-4
+TOLERANCE = 1e-9  # of the largest value; the solvers' tolerances are 1e-11 and 1e-12
+FIELDS = ("slip", "slip_rate", "alpha", "traction")
+COMPONENT = {"Antiplane": "Z", "Plane Strain": "X", "Solid": "X"}
+
+
+def half(model):
+    if model == "Solid":
+        axes = numpy.linspace(0, 1, 7), numpy.linspace(0, 0.5, 4), numpy.linspace(0, 0.5, 4)
+    else:
+        axes = numpy.linspace(0, 1, 21), numpy.linspace(0, 0.5, 9)
+    return meshes.grid(*axes)
+
+
+def settings(model, dynamics):
+    """Both plates move by half the plate rate; the sides let the fault slip past them."""
+    result = {"Bulk/Model": model, "Bulk/Dynamics": dynamics, "Initial State/Slip Rate": VP}
+    if model != "Antiplane":
+        across = (0, 1) if model == "Plane Strain" else (0, 1, 0)
+        result.update(runs.conditions(left=runs.prescribed(0, *across),
+                                      right=runs.prescribed(0, *across)))
+    if model == "Solid":
+        result.update(runs.conditions(front={"Type": "Sliding Wall"}))
+        # what solvers in space reach in the rounding of their numbers
+        result.update({"Coupling/Tolerance": 1e-10, "Time Stepping/Final Time": 0.5})
+    return result
+
+
+def of_the_half(model, dynamics):
+    given = settings(model, dynamics)
+    del given["Initial State/Slip Rate"]
+    return {**given, **runs.conditions(fault={"Type": "Antisymmetric Fault"},
+                                       top=runs.prescribed(VP / 2)),
+            **initial_velocity(model, VP / 2)}
+
+
+def of_both(model, dynamics):
+    given = settings(model, dynamics)
+    return {**given, **runs.conditions(fault={"Type": "Two-Sided Fault"},
+                                       top=runs.prescribed(VP / 2),
+                                       bottom=runs.prescribed(-VP / 2)),
+            **initial_velocity(model, f"y > 0 ? {VP / 2} : (y < 0 ? -{VP / 2} : 0)")}
+
+
+def initial_velocity(model, value):
+    return {f"Initial State/Velocity {COMPONENT[model]}": value}
+
+
+def check(model, dynamics, solvers, change="Fixed"):
+    """`solvers`: (linear correction, number of ranks) of the runs with both bodies; `change`: of
+    the normal stress in them, which by symmetry is none."""
+    vertices, cells = half(model)
+    fault = {"fault": meshes.on_the_fault}
+    sides = (meshes.SIDES[0], (None, "top"), meshes.SIDES[2])  # the fault is at the bottom
+    alone = runs.run("half", meshes.with_sides(vertices, cells, fault, sides),
+                     of_the_half(model, dynamics))
+    expected, places = runs.fields_by_place(alone, FIELDS)
+    varied = numpy.ptp(expected["slip_rate"]) / VP
+    passed = []
+    for correction, ranks in solvers:
+        both = runs.run("both", meshes.with_sides(*meshes.mirrored(vertices, cells), fault),
+                        {**of_both(model, dynamics), "TNNMG/Linear Correction": correction,
+                         "Friction/Normal Stress Change": change}, ranks=ranks)
+        found, same_places = runs.fields_by_place(both, FIELDS)
+        differences = {name: runs.largest_difference(found[name], expected[name])
+                       for name in FIELDS}
+        fine = (max(differences.values()) < TOLERANCE and varied > 0.5
+                and runs.energy_rises(both) == 0 and numpy.allclose(places, same_places))
+        shown = " ".join(f"{name} {value:.1e}" for name, value in differences.items())
+        print(f"{model}, {dynamics}, {change} normal stress, {correction}, "
+              f"{ranks} ranks: {shown}; slip rates vary by "
+              f"{varied:.1f} Vp{'' if fine else ' NO'}", flush=True)
+        passed.append(fine)
+    return passed
+
+
+def main():
+    every = (("Direct", 1), ("MueLu", 1), ("MueLu", 2))
+    passed = [
+        *check("Antiplane", "Quasi-dynamic", every),
+        *check("Antiplane", "Inertial", every[:1]),
+        *check("Plane Strain", "Quasi-dynamic", every[:1]),
+        *check("Plane Strain", "Quasi-dynamic", every[:1], "Coupled"),
+        *check("Plane Strain", "Inertial", every),
+        *check("Solid", "Quasi-dynamic", (every[0], every[2])),
+        *check("Solid", "Inertial", every[:1], "Coupled")]
+    return passed.count(False)
+
+
+if __name__ == "__main__":
+    sys.exit(main())
