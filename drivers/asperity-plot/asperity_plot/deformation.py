@@ -1,4 +1,4 @@
-"""Displacement of the free surface in the years before an event and in the event itself.
+"""Displacement of the free surface in the years before an event and in the event.
 
 Where a fault cuts the surface there is one node on each side of it, and the lines break. Under back
 slip it is the displacement of the bodies, without the steady motion of the plates.
@@ -16,7 +16,8 @@ from .run import Run
 from .windows import View, Window
 
 FIELD = "displacement"
-SHOWN = 0.01  # what moves less than this share of the largest displacement lies outside the figure
+SETTLING = 5.0  # durations of an event in which its waves leave
+SHOWN = 0.01    # places that move less than this share of the largest are left out
 
 
 def draw(run: Run, view: View):
@@ -39,19 +40,22 @@ def draw(run: Run, view: View):
     axes[0, 0].set_xlim(_limits(where, run.surface.position, np.array(changes)))
     if len(directions) > 1:
         axes[0, 0].legend()
-    axes[0, 0].set_title(f"In the {units.text(spans[0][1] - spans[0][0], 's')} before event "
-                         f"{view.number}")
-    axes[0, 1].set_title(f"In event {view.number}, {units.text(view.end - view.onset, 's')}")
+    lengths = [units.text(last - first, "s") for first, last in spans]
+    axes[0, 0].set_title(f"In the {lengths[0]} before event {view.number}")
+    axes[0, 1].set_title(f"In the {lengths[1]} from the onset of event {view.number}")
     style.title(figure, "Displacement of the surface")
     return figure
 
 
 def _spans(run: Run, view: View) -> Tuple[Window, Window]:
-    """From the end of the event before, or the start of the run, to the onset; and the event."""
+    """From the event before, or the run's start, to the onset; and the event with its waves."""
     events = run.complete_events
-    ends = events["onset"] + events["duration"]
-    before = ends[ends <= view.onset]
-    return (before[-1] if before.size else run.span[0], view.onset), (view.onset, view.end)
+    onsets, durations = events["onset"], events["duration"]
+    later = np.append(onsets[1:], run.surface.time[-1])
+    settled = np.minimum(onsets + (1.0 + SETTLING) * durations, later)
+    before = settled[onsets < view.onset]
+    return ((before[-1] if before.size else run.span[0], view.onset),
+            (view.onset, settled[onsets == view.onset][0]))
 
 
 def _directions(run: Run) -> List[Tuple[str, np.ndarray, str]]:

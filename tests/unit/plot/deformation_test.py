@@ -33,7 +33,9 @@ class Deformation(unittest.TestCase):
         """Displacement grows from event to event, and returns within each."""
         events = self.run_.complete_events
         onsets, ends = events["onset"], events["onset"] + events["duration"]
-        times = np.unique(np.concatenate(([0.0], onsets, ends, [ends[-1] + 1.0])))
+        # The run ends before the waves of the last event have left.
+        final = ends[-1] + 2.0 * events["duration"][-1]
+        times = np.unique(np.concatenate(([0.0], onsets, ends, [final])))
         # Time between events until `times`, since the last of them.
         since = np.array([time - max([0.0, *ends[ends <= time]]) for time in times])
         since[np.isin(times, ends)] = 0.0
@@ -49,18 +51,21 @@ class Deformation(unittest.TestCase):
 
     def test_each_side_has_its_own_displacement(self):
         run = self.write()
-        view, (before, during) = self.panels(run)
-        events = run.complete_events
-        row = view.number - 1
-        self.assertGreater(row, 0)
-        years = events["onset"][row] - events["onset"][row - 1] - events["duration"][row - 1]
+        events, row = run.complete_events, 2
+        onset, duration = events["onset"], events["duration"]
+        view, (before, during) = self.panels(run, (onset[row] - 1.0, onset[row] + 1.0))
+        self.assertEqual(view.number, row + 1)
+        # Waves are given five durations to leave.
+        start = onset[row - 1] + 6 * duration[row - 1]
+        grown = onset[row] - start
+        returned = onset[row] - onset[row - 1] - duration[row - 1] - 5 * duration[row]
         for name, component in (("horizontal", 0), ("up", 1)):
-            for lines, sign in ((before, 1.0), (during, -1.0)):
+            for lines, time in ((before, grown), (during, -returned)):
                 x, y = lines[name].get_data()
                 self.assertEqual(np.flatnonzero(np.isnan(x)).tolist(), [3])
                 kept = ~np.isnan(x)
                 np.testing.assert_allclose(x[kept], X)
-                np.testing.assert_allclose(y[kept], sign * years * RATES[:, component],
+                np.testing.assert_allclose(y[kept], time * RATES[:, component],
                                            rtol=1e-6, atol=1e-9)
 
     def test_the_first_event_counts_from_the_start(self):
@@ -70,6 +75,16 @@ class Deformation(unittest.TestCase):
         self.assertEqual(view.number, 1)
         y = before["up"].get_ydata()
         self.assertAlmostEqual(y[4], onset * RATES[3, 1], delta=1e-6 * onset)
+
+    def test_the_last_event_ends_with_the_run_at_the_latest(self):
+        run = self.write()
+        events = run.complete_events
+        onset, last = events["onset"][-1], events["duration"][-1]
+        view, (_, during) = self.panels(run, (onset - 1.0, onset + 1.0))
+        self.assertEqual(view.number, EVENTS)
+        gap = onset - events["onset"][-2] - events["duration"][-2]
+        self.assertAlmostEqual(during["up"].get_ydata()[1], (2 * last - gap) * RATES[1, 1],
+                               places=6)
 
     def test_without_an_event_it_says_so(self):
         run = self.write()
