@@ -13,12 +13,15 @@ BLOCK_BYTES = 16 * 2**20
 
 
 def positions(file: H5File) -> np.ndarray:
-    """(nodes) distance [m] along the curve; OtherDimension if the nodes lie on a surface."""
+    """(nodes) distance [m] along the curve; OtherDimension if the nodes lie on a surface.
+
+    Two are equal where a fault cuts the curve, or where it goes on elsewhere: a copy on each side.
+    """
     if not file.has("geometry/positions") and file.has("geometry/coordinates") \
             and file.dataset("geometry/coordinates").shape[-1] == 3:
         raise OtherDimension(f"{file.path.name} is not over a curve, as in two dimensions")
     along = file.array("geometry/positions")
-    if along.size < 2 or np.any(np.diff(along) <= 0.0):
+    if along.size < 2 or along[0] == along[-1] or not np.all(np.diff(along) >= 0.0):
         raise InputError(f"{file.path} has no two nodes with increasing positions, which a "
                          "figure over position needs.")
     return along

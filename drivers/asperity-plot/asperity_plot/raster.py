@@ -23,9 +23,13 @@ def centres(limits: np.ndarray) -> np.ndarray:
 
 
 def along(positions: np.ndarray, values: np.ndarray, where: np.ndarray) -> np.ndarray:
-    """(times, where): `values` (times, nodes) linear between nodes, as P1 elements have it."""
+    """(times, where): `values` (times, nodes) linear between nodes, as P1 elements have it.
+
+    Where two nodes are at one place, values jump, and the place itself has those of the first.
+    """
     right = np.clip(np.searchsorted(positions, where), 1, positions.size - 1)
-    weight = (where - positions[right - 1]) / (positions[right] - positions[right - 1])
+    length = positions[right] - positions[right - 1]
+    weight = (where - positions[right - 1]) / np.where(length > 0.0, length, 1.0)
     return (1.0 - weight) * values[:, right - 1] + weight * values[:, right]
 
 

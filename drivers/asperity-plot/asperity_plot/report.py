@@ -5,9 +5,9 @@ from argparse import Namespace
 from pathlib import Path
 from typing import List, Optional
 
-from . import (boxes, energy, event_table, fault_history, fault_maps, iterations, moment_rate,
-               receivers, rupture_patterns, rupture_times, slip, slip_profiles, slip_rate, style,
-               surface, windows)
+from . import (boxes, deformation, energy, event_table, fault_history, fault_maps, iterations,
+               moment_rate, receivers, rupture_patterns, rupture_times, slip, slip_profiles,
+               slip_rate, style, surface, windows)
 from .errors import InputError, NothingToShow, OtherDimension
 from .options import Options
 from .run import Run
@@ -15,6 +15,7 @@ from .run import Run
 FIGURES = {  # name: (module with draw(run, view), the file it needs)
     "slip_rate": (slip_rate, "fault.h5"),
     "surface": (surface, "surface.h5"),
+    "deformation": (deformation, "surface.h5"),
     "events": (boxes, "events.csv"),
     "iterations": (iterations, "steps.csv"),
     "slip": (slip, "fault.h5"),

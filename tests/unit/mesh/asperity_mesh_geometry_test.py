@@ -136,7 +136,10 @@ class Faults(Geometry):
                 (["bp3.geo", "--set", "h=1000"], {"fault": 0, "deep": 0}),
                 (["bp3.geo", "--set", "h=1000", "--set", "dip=30"], {"fault": 0, "deep": 0}),
                 (["subduction_2d.geo", "--set", "h=4000"], {"megathrust": 0, "deep": 0}),
-                (["splay_2d.geo", "--set", "h=2000"], {"megathrust": 0, "deep": 0, "splay": 1})):
+                (["splay_2d.geo", "--set", "h=2000"], {"megathrust": 0, "deep": 0, "splay": 1}),
+                (["subduction_3d.geo", "--set", "h=16e3"], {"megathrust": 0, "deep": 0}),
+                (["subduction_3d.geo", "--set", "h=16e3", "--set", "right=500e3"],
+                 {"megathrust": 0, "deep": 0})):
             with self.subTest(arguments):
                 self.assert_done("convert", arguments[0], "deck.h5", "--overwrite", *arguments[1:])
                 info = self.assert_done("info", "deck.h5")
@@ -146,7 +149,27 @@ class Faults(Geometry):
                 for name in ("surface", "left", "right", "bottom"):
                     self.assertRegex(info, rf"boundary +{name}: ")
         self.assertEqual({path.name for path in MESHES.glob("*.geo")},
-                         {"bp3.geo", "subduction_2d.geo", "splay_2d.geo"})
+                         {"bp3.geo", "subduction_2d.geo", "splay_2d.geo", "subduction_3d.geo"})
+
+    def test_dip_in_space(self):
+        """The interface of subduction_3d.geo steepens in proportion to its depth."""
+        shutil.copy(MESHES / "subduction_3d.geo", ".")
+        self.assert_done("convert", "subduction_3d.geo", "coast.h5", "--set", "h=8e3")
+        with h5py.File("coast.h5") as file:
+            corners = file["vertices"][:][file["boundaries/megathrust/facets"][:]]
+            faces = {name: file["vertices"][:][file[f"boundaries/{name}/facets"][:]]
+                     for name in ("front", "back", "left", "right", "bottom", "surface", "deep")}
+        normals = numpy.cross(corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0])
+        sizes = numpy.linalg.norm(normals, axis=1)
+        dip = numpy.degrees(numpy.arccos(numpy.abs(normals[:, 1]) / sizes))
+        depth = -corners[:, :, 1].mean(axis=1)
+        numpy.testing.assert_allclose(dip, 8 + 17 * depth / 40e3, atol=1)
+        self.assertAlmostEqual(depth.max(), 40e3, delta=3e3)
+        # Flat boundaries, each where it belongs.
+        for name, axis, place in (("front", 2, 0), ("back", 2, 200e3), ("left", 0, -150e3),
+                                  ("right", 0, 350e3), ("bottom", 1, -150e3), ("surface", 1, 0)):
+            numpy.testing.assert_allclose(faces[name][:, :, axis], place, atol=1e-3, err_msg=name)
+        self.assertAlmostEqual(faces["deep"][:, :, 1].max(), -40e3, delta=1)
 
     def test_cells_on_bp3(self):
         shutil.copy(MESHES / "bp3.geo", ".")

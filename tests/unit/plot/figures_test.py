@@ -88,7 +88,7 @@ class Figures(unittest.TestCase):
         status, out, err = self.plot("one")
         self.assertEqual((status, err), (0, ""))
         self.assertIn("1 event.", out)
-        self.assertEqual(len(list((self.folder / "one" / "figures").glob("*.png"))), 7)
+        self.assertEqual(len(list((self.folder / "one" / "figures").glob("*.png"))), 8)
 
     def test_no_event(self):
         status, out, err = self.plot("none", "--figures", "events,slip_rate,slip_profiles")
