@@ -1,11 +1,26 @@
 """Every deck in xml/ is valid as it stands, and the program prints what a deck may contain."""
 
+import subprocess
 import unittest
 import xml.etree.ElementTree as ElementTree
 
 import asperity_run
 
 DECKS = sorted((asperity_run.SOURCE / "xml").glob("*.xml"))
+
+
+MESH_TOOL = asperity_run.PROGRAM.parent / "asperity-mesh"
+
+
+def make_mesh_of(deck):
+    """A deck that reads X.h5 goes with the geometry meshes/X.geo."""
+    entries = ElementTree.parse(deck).getroot().iter("Parameter")
+    for entry in entries:
+        if entry.get("name") == "File Name" and entry.get("value").endswith(".h5"):
+            mesh = entry.get("value")
+            geometry = deck.parent / "meshes" / mesh.replace(".h5", ".geo")
+            subprocess.run([MESH_TOOL, "convert", geometry, mesh], check=True,
+                           capture_output=True, timeout=60)
 
 
 class Decks(unittest.TestCase):
@@ -15,6 +30,8 @@ class Decks(unittest.TestCase):
                               "wedge_2d_printed.xml"}, names)
 
     def test_all_are_valid(self):
+        for deck in DECKS:
+            make_mesh_of(deck)
         before = asperity_run.checksums(".")
         for deck in DECKS:
             with self.subTest(deck.name):
