@@ -210,6 +210,15 @@ class Refusals(Geometry):
         self.assert_not_converted("", "neither a surface nor a volume")
         self.assert_refused(["convert", "none.geo", "bad.h5"], "'none.geo' cannot be opened")
 
+    def test_a_dip_that_leaves_no_room(self):
+        """The fault along the surface, on either side, and one that rises above it."""
+        shutil.copy(MESHES / "bp3.geo", ".")
+        for dip in (0, 180, -30):
+            with self.subTest(dip):
+                self.assert_refused(["convert", "bp3.geo", "bad.h5", "--set", "h=2000",
+                                     "--set", f"dip={dip}"], "bp3.geo")
+                self.assertFalse(pathlib.Path("bad.h5").exists())
+
     def test_no_names(self):
         unnamed = square().replace('Physical Surface("rock") = {1};', "")
         self.assert_not_converted(unnamed, "has no physical Surface")

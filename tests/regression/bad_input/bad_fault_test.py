@@ -1,0 +1,172 @@
+"""Bad input about faults between two bodies: one clear message and exit status 2, on 1 and 2 ranks.
+
+Every case runs in a folder of its own, of which each file is compared afterwards.
+"""
+
+import unittest
+
+import h5py
+import numpy
+
+from bad_input_test import DECK, Case, settings
+
+LEVEL, UPRIGHT = "abs(y - 0.5) < 1e-6", "abs(x - 0.5) < 1e-6"
+CONDITIONS = "Asperity / Boundary Conditions"
+# The square of square.xml, cut through the middle.
+TWO_SIDED = {"Mesh/Faults/main": LEVEL, "Boundary Conditions/Fault/Boundary": "main",
+             "Boundary Conditions/Fault/Type": "Two-Sided Fault"}
+
+IN_TWO_PIECES = {**TWO_SIDED, "Mesh/Faults/main": f"{LEVEL} && x < 0.501",
+                 "Mesh/Faults/rest": f"{LEVEL} && x > 0.499"}
+
+
+def condition(name, boundary, type_name, **more):
+    return {f"Boundary Conditions/{name}/{entry}": value
+            for entry, value in {"Boundary": boundary, "Type": type_name, **more}.items()}
+
+
+def without(name, changes):
+    return {entry: value for entry, value in changes.items() if entry != name}
+
+
+class FaultCase(Case):
+    def arguments(self, changes):
+        return [DECK, *settings(*(f"{name}={value}" for name, value in changes.items()))]
+
+    def refuse(self, changes, *pieces, on=(1, 2)):
+        for ranks in on:
+            with self.subTest(ranks=ranks):
+                self.assert_refused(self.arguments(changes), *pieces, ranks=ranks)
+
+
+class Conditions(FaultCase):
+    def test_the_deck_itself_is_good(self):
+        for ranks in (1, 2):
+            self.assert_done(*self.arguments(TWO_SIDED), "--output", f"results_{ranks}",
+                             ranks=ranks)
+
+    def test_on_the_surface_of_the_body(self):
+        self.refuse({"Boundary Conditions/Fault/Type": "Two-Sided Fault"},
+                    f"{CONDITIONS} / Fault / Boundary = 'bottom' is no fault inside the body",
+                    "Mesh / Faults")
+        self.refuse({**TWO_SIDED, **condition("Other", "right", "Two-Sided Fault")},
+                    f"{CONDITIONS} / Other / Boundary = 'right' is no fault inside the body")
+        self.refuse({**TWO_SIDED, **condition("Deep", "right", "Prescribed Slip Rate",
+                                              **{"Slip Rate": 1e-6})},
+                    f"{CONDITIONS} / Deep / Boundary = 'right' is no fault inside the body")
+
+    def test_no_condition_on_a_fault(self):
+        self.refuse({"Mesh/Faults/main": LEVEL}, CONDITIONS, "nothing is said about the fault 'main'")
+        self.refuse(IN_TWO_PIECES, CONDITIONS, "nothing is said about the fault 'rest'")
+
+    def test_a_type_that_is_not_for_faults(self):
+        for type_name in ("Antisymmetric Fault", "Bilateral Contact"):
+            self.refuse({**TWO_SIDED, "Boundary Conditions/Fault/Type": type_name},
+                        f"{CONDITIONS} / Fault / Boundary = 'main' is a fault inside the body",
+                        f"'{type_name}'", "'Two-Sided Fault'")
+        for type_name in ("Fixed", "Free Surface", "Absorbing", "Prescribed Velocity",
+                          "Sliding Wall"):
+            self.refuse({**IN_TWO_PIECES, **condition("Rest", "rest", type_name)},
+                        f"{CONDITIONS} / Rest / Boundary = 'rest' is a fault inside the body",
+                        f"'{type_name}'", "'Two-Sided Fault'", on=(1,))
+        self.refuse({**TWO_SIDED, "Boundary Conditions/Fault/Type": "Fixed"}, CONDITIONS,
+                    "has no condition of Type", "'Two-Sided Fault'", on=(1,))
+
+    def test_two_types_on_one_fault(self):
+        self.refuse({**TWO_SIDED, **condition("Deep", "main", "Prescribed Slip Rate",
+                                              **{"Slip Rate": 1e-6})},
+                    f"{CONDITIONS} / Deep", "contradicts", f"{CONDITIONS} / Fault", "'main'")
+
+    def test_slip_prescribed_and_no_friction_anywhere(self):
+        changes = {"Mesh/Faults/main": LEVEL, **condition(
+            "Fault", "main", "Prescribed Slip Rate", **{"Slip Rate": 1e-6})}
+        self.refuse(changes, CONDITIONS, "'Two-Sided Fault'")
+
+    def test_beside_friction_on_the_surface(self):
+        for other in ("Antisymmetric Fault", "Bilateral Contact"):
+            self.refuse({**TWO_SIDED, **condition("Other", "bottom", other)},
+                        f"{CONDITIONS} / Other")
+
+    def test_a_condition_on_one_side_alone(self):
+        upright = {**TWO_SIDED, "Mesh/Faults/main": UPRIGHT,
+                   "Mesh/Boundaries/half": "y > 0.999 && x < 0.5",
+                   "Boundary Conditions/Drive/Boundary": "half"}
+        self.refuse(upright, f"{CONDITIONS} / Drive", "one side of a fault alone", "(0.5, 1)")
+
+
+class Meshes(FaultCase):
+    def setUp(self):
+        super().setUp()
+        self.from_file = {**without("Mesh/Faults/main", TWO_SIDED), "Mesh/Type": "File",
+                          "Mesh/File/File Name": "mesh.h5"}
+
+    @staticmethod
+    def write(**faults):
+        """A square of 16 vertices, numbered row by row, two triangles in each of its 9 squares."""
+        lower_left = numpy.array([4 * j + i for j in range(3) for i in range(3)])
+        cells = numpy.concatenate((lower_left[:, None] + [0, 1, 5], lower_left[:, None] + [0, 5, 4]))
+        sides = {"bottom": [[0, 1], [1, 2], [2, 3]], "top": [[12, 13], [13, 14], [14, 15]],
+                 "left": [[0, 4], [4, 8], [8, 12]], "right": [[3, 7], [7, 11], [11, 15]]}
+        for name, facets in faults.items():
+            sides[name] = sides.get(name, []) + facets
+        with h5py.File("mesh.h5", "w") as file:
+            file.attrs.update({"format": "asperity-mesh", "version": 1, "dimension": 2})
+            file["vertices"] = [[i / 3, j / 3] for j in range(4) for i in range(4)]
+            file["cells"] = cells
+            file["cell_regions"] = numpy.zeros(len(cells), dtype=int)
+            file["region_names"] = [b"body"]
+            for side, facets in sides.items():
+                file[f"boundaries/{side}/facets"] = facets
+
+    def test_a_good_file(self):
+        self.write(main=[[4, 5], [5, 6], [6, 7]])
+        for ranks in (1, 2):
+            self.assert_done(*self.arguments(self.from_file), "--output", f"results_{ranks}",
+                             ranks=ranks)
+
+    def test_a_side_without_cells(self):
+        """It goes on along the surface of the body, where there is nothing on its other side."""
+        self.write(main=[[4, 5], [5, 6], [6, 7], [7, 11]])
+        self.refuse(self.from_file, "Mesh file 'mesh.h5'", "boundary 'main' has facets inside the body",
+                    "and on its surface, one at (1, 0.5)")
+        self.write(right=[[4, 5], [5, 6], [6, 7]])
+        self.refuse({**self.from_file, "Boundary Conditions/Fault/Boundary": "right"},
+                    "boundary 'right' has facets inside the body", "on its surface")
+
+    def test_facets_that_no_cell_has(self):
+        self.write(main=[[4, 5], [5, 8]])
+        self.refuse(self.from_file, "mesh.h5", "'main'")
+        self.write(main=[[6, 9]])
+        self.refuse(self.from_file, "mesh.h5", "'main'")
+
+    def test_a_closed_fault(self):
+        """Around the square in the middle: which side would be up?"""
+        self.write(main=[[5, 6], [6, 10], [10, 9], [9, 5]])
+        self.refuse(self.from_file, "fault 'main' cannot be oriented")
+
+    def test_faults_that_cross(self):
+        self.write(main=[[4, 5], [5, 6], [6, 7]], dyke=[[1, 5], [5, 9], [9, 13]])
+        self.refuse({**self.from_file, **condition("Dyke", "dyke", "Two-Sided Fault")},
+                    "faults 'dyke' and 'main' cross at (0.3333333333, 0.3333333333)")
+
+    def test_one_facet_in_two_faults(self):
+        self.write(main=[[4, 5], [5, 6], [6, 7]], other=[[6, 7]])
+        self.refuse({**self.from_file, **condition("Other", "other", "Two-Sided Fault")},
+                    "'main'", "'other'")
+
+    def test_a_fault_that_forks_under_one_name(self):
+        self.write(main=[[4, 5], [5, 6], [6, 7], [6, 10], [10, 14]])
+        self.refuse(self.from_file, "'main' meet at", "give a branch a name of its own")
+
+    def test_a_fault_that_cuts_no_facet(self):
+        for place in ("abs(y - 0.4) < 1e-6", "y > 2"):
+            self.refuse({**TWO_SIDED, "Mesh/Faults/main": place},
+                        "Asperity / Mesh / Faults / main: the fault has no facet")
+
+    def test_names(self):
+        self.refuse({**TWO_SIDED, "Boundary Conditions/Fault/Boundary": "mian"},
+                    f"{CONDITIONS} / Fault / Boundary = 'mian'", "Did you mean 'main'?")
+
+
+if __name__ == "__main__":
+    unittest.main()
