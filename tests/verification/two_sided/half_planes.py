@@ -12,7 +12,7 @@ of the upper past the lower one, without opening, leaves -(C+ + C-) T = (d, 0), 
 
 T_x = -|k| A / (A^2 - B^2) d, and the compression -T_y is i s (B / A) |k| A / (A^2 - B^2) d: where
 the upper half plane is the softer one, it falls where slip decreases along x, ahead of slip that
-spreads the way in which the upper half plane moves (Weertman 1980).
+spreads the way in which the upper half plane moves (Weertman 1980). impedance.py checks C.
 """
 
 import dataclasses
