@@ -124,7 +124,7 @@ def check_solver(expected, unturned, dynamics, ranks):
     found = answer(folder, unturned)
     difference = max(runs.largest_difference(found[key], expected[key]) for key in expected)
     fine = difference < TOLERANCE and runs.energy_rises(folder) == 0
-    print(f"{dynamics}, multigrid, ranks: {ranks}: {difference:.1e}{'' if fine else ' NO'}", flush=True)
+    print(f"{dynamics}, multigrid, ranks {ranks}: {difference:.1e}{'' if fine else ' NO'}", flush=True)
     return fine
 
 
