@@ -11,9 +11,9 @@
 #include <cmath>
 #include <map>
 
-// What slip e^(ikx) between two half planes does to shear traction and compression, by the stiffness
-// matrix of two bodies: one wavelength of them, whose sides are made one here, since meshes with
-// faults are not periodic.
+// What slip e^(ikx) between two half planes does to shear traction and compression, by the
+// stiffness matrix of two bodies: one wavelength of them, whose sides are made one here, since
+// meshes with faults are not periodic.
 namespace asperity::verification
 {
 namespace

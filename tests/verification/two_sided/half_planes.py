@@ -4,9 +4,9 @@ A half plane y > 0 moves by u = C t under the traction t = (t_x, t_y) e^(ikx) on
 
     C = 1 / (G |k|) [[1 - nu, i s (1 - 2 nu) / 2], [-i s (1 - 2 nu) / 2, 1 - nu]],  s = sign(k);
 
-one at y < 0 by that of -k. Let T be the traction that the upper one exerts on the lower one. A slip d
-of the upper past the lower one, without opening, leaves -(C+ + C-) T = (d, 0), C+ at k and C- at
--k. With
+one at y < 0 by that of -k. Let T be the traction that the upper one exerts on the lower one. A
+slip d of the upper past the lower one, without opening, leaves -(C+ + C-) T = (d, 0), C+ at k and
+C- at -k. With
 
     A = (1 - nu+) / G+ + (1 - nu-) / G-,  B = [(1 - 2 nu+) / G+ - (1 - 2 nu-) / G-] / 2,
 

@@ -8,8 +8,8 @@ from half_planes import Body, per_slip
 
 
 def decaying(body, k):
-    """C of the half plane y > 0 from its solutions (u_x, u_y, s_xy, s_yy)(y) e^(ikx) that vanish far
-    away, by the matrix of d/dy, which Hooke's law and equilibrium give."""
+    """C of the half plane y > 0 from its solutions (u_x, u_y, s_xy, s_yy)(y) e^(ikx) that vanish
+    far away, by the matrix of d/dy, which Hooke's law and equilibrium give."""
     G, nu = body.shear_modulus, body.poissons_ratio
     lame = 2 * G * nu / (1 - 2 * nu)
     P = lame + 2 * G

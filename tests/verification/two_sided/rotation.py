@@ -66,7 +66,7 @@ def mesh_of(turn):
 
 
 def settings(turn, dynamics):
-    """The bodies are sheared and pressed together more and more, the upper one four times as stiff."""
+    """The bodies are sheared and pressed together; the upper one is four times as stiff."""
     along, across = turn.of(1, 0, 0), turn.of(0, 1, 0)
     sign = turn.side * (turn.along_tangent if turn.dimension == 2 else 1)
     given = {
@@ -120,11 +120,13 @@ def check(name, turn, dynamics, expected):
 def check_solver(expected, unturned, dynamics, ranks):
     """Multigrid gives what one rank got directly."""
     folder = runs.run("multigrid", mesh_of(unturned),
-                      {**settings(unturned, dynamics), "TNNMG/Linear Correction": "MueLu"}, ranks=ranks)
+                      {**settings(unturned, dynamics), "TNNMG/Linear Correction": "MueLu"},
+                      ranks=ranks)
     found = answer(folder, unturned)
     difference = max(runs.largest_difference(found[key], expected[key]) for key in expected)
     fine = difference < TOLERANCE and runs.energy_rises(folder) == 0
-    print(f"{dynamics}, multigrid, ranks {ranks}: {difference:.1e}{'' if fine else ' NO'}", flush=True)
+    print(f"{dynamics}, multigrid, ranks {ranks}: {difference:.1e}{'' if fine else ' NO'}",
+          flush=True)
     return fine
 
 
