@@ -64,7 +64,7 @@ def check(name, upper, lower, over_critical):
     expected = roots(stiffness(upper, lower, K, FRICTION))
     folder = asperity_run.run_to_end(
         name.replace(" ", "_"), HERE / "bodies.xml", "--overlay", HERE / "half_planes.xml",
-        *settings(upper, lower))
+        *settings(upper, lower), timeout=240)
     history = asperity_run.series(folder / "fault.h5")
     t, y = history["time"], amplitude(history)
     settled = t > t[-1] / 8
