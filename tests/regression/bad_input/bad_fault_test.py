@@ -56,7 +56,8 @@ class Conditions(FaultCase):
                     f"{CONDITIONS} / Deep / Boundary = 'right' is no fault inside the body")
 
     def test_no_condition_on_a_fault(self):
-        self.refuse({"Mesh/Faults/main": LEVEL}, CONDITIONS, "nothing is said about the fault 'main'")
+        self.refuse({"Mesh/Faults/main": LEVEL}, CONDITIONS,
+                    "nothing is said about the fault 'main'")
         self.refuse(IN_TWO_PIECES, CONDITIONS, "nothing is said about the fault 'rest'")
 
     def test_a_type_that_is_not_for_faults(self):
@@ -104,7 +105,8 @@ class Meshes(FaultCase):
     def write(**faults):
         """A square of 16 vertices, numbered row by row, two triangles in each of its 9 squares."""
         lower_left = numpy.array([4 * j + i for j in range(3) for i in range(3)])
-        cells = numpy.concatenate((lower_left[:, None] + [0, 1, 5], lower_left[:, None] + [0, 5, 4]))
+        cells = numpy.concatenate([lower_left[:, None] + corners
+                                   for corners in ([0, 1, 5], [0, 5, 4])])
         sides = {"bottom": [[0, 1], [1, 2], [2, 3]], "top": [[12, 13], [13, 14], [14, 15]],
                  "left": [[0, 4], [4, 8], [8, 12]], "right": [[3, 7], [7, 11], [11, 15]]}
         for name, facets in faults.items():
@@ -127,7 +129,8 @@ class Meshes(FaultCase):
     def test_a_side_without_cells(self):
         """It goes on along the surface of the body, where there is nothing on its other side."""
         self.write(main=[[4, 5], [5, 6], [6, 7], [7, 11]])
-        self.refuse(self.from_file, "Mesh file 'mesh.h5'", "boundary 'main' has facets inside the body",
+        self.refuse(self.from_file, "Mesh file 'mesh.h5'",
+                    "boundary 'main' has facets inside the body",
                     "and on its surface, one at (1, 0.5)")
         self.write(right=[[4, 5], [5, 6], [6, 7]])
         self.refuse({**self.from_file, "Boundary Conditions/Fault/Boundary": "right"},

@@ -26,8 +26,8 @@ def mesh(dip, cells, far, space):
     distance `far` cells as long as wide, or in space, where strike is z, longer ones. Up is y."""
     sectors = max(5, round(cells * dip / 2))
     ratio = 1.4 if space else 1 + dip / sectors
-    around = numpy.concatenate((numpy.linspace(dip - math.pi, 0, round(sectors * (math.pi / dip - 1)),
-                                               endpoint=False),
+    below = round(sectors * (math.pi / dip - 1))
+    around = numpy.concatenate((numpy.linspace(dip - math.pi, 0, below, endpoint=False),
                                 numpy.linspace(0, dip, sectors + 1)))
     step = WIDTH / cells
     axes = [meshes.graded(WIDTH + 2 * step, cells + 2, ratio, far), around]
@@ -50,7 +50,8 @@ def mesh(dip, cells, far, space):
     boundaries = {"slipping": between(0, WIDTH), "fault": between(WIDTH, WIDTH + 2 * step),
                   "surface": on_top}
     names = ((None, "far"), (None, None), ("middle", "end"))
-    return meshes.with_sides(*meshes.collapsed(*meshes.grid(*axes)), boundaries, names).mapped(place)
+    cells = meshes.collapsed(*meshes.grid(*axes))
+    return meshes.with_sides(*cells, boundaries, names).mapped(place)
 
 
 def settings(dip, space):
@@ -118,7 +119,7 @@ def check(degrees, cells, far, space=False):
 
 
 def reference():
-    """The formulas: Okada's checklist (his table 2, case 2, dip slip), and both for a long fault."""
+    """The formulas: Okada's checklist (table 2, case 2, dip slip), and both for a long fault."""
     dip = math.radians(70)
     lower = 4 / math.sin(dip)
     found = half_space.rectangle(lower * math.cos(dip) - 3, 0.5, dip, lower, 3, 0.25, lower - 2)

@@ -1,7 +1,7 @@
-"""How a disturbance of steady sliding between two different half planes grows, and which way it runs.
+"""How a disturbance of steady sliding between two different half planes grows, and where it runs.
 
-A packet of waves is laid on the state of a long fault. While it does not reach the ends, each of its
-Fourier coefficients, here that of e^(ikx), k > 0, is a sum of two e^(pt), p the roots of
+A packet of waves is laid on the state of a long fault. While it does not reach the ends, each of
+its Fourier coefficients, here that of e^(ikx), k > 0, is a sum of two e^(pt), p the roots of
 
     a sigma p (p + r) - b sigma r p + K V (p + r) = 0,   r = V / L,
 
@@ -64,7 +64,7 @@ def check(name, upper, lower, over_critical):
     expected = roots(stiffness(upper, lower, K, FRICTION))
     folder = asperity_run.run_to_end(
         name.replace(" ", "_"), HERE / "bodies.xml", "--overlay", HERE / "half_planes.xml",
-        *settings(upper, lower))
+        *settings(upper, lower), timeout=240)
     history = asperity_run.series(folder / "fault.h5")
     t, y = history["time"], amplitude(history)
     settled = t > t[-1] / 8

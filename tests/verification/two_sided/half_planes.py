@@ -4,15 +4,15 @@ A half plane y > 0 moves by u = C t under the traction t = (t_x, t_y) e^(ikx) on
 
     C = 1 / (G |k|) [[1 - nu, i s (1 - 2 nu) / 2], [-i s (1 - 2 nu) / 2, 1 - nu]],  s = sign(k);
 
-one at y < 0 by that of -k. Let T be the traction that the upper one exerts on the lower one. A slip d
-of the upper past the lower one, without opening, leaves -(C+ + C-) T = (d, 0), C+ at k and C- at
--k. With
+one at y < 0 by that of -k. Let T be the traction that the upper one exerts on the lower one. A
+slip d of the upper past the lower one, without opening, leaves -(C+ + C-) T = (d, 0), C+ at k and
+C- at -k. With
 
     A = (1 - nu+) / G+ + (1 - nu-) / G-,  B = [(1 - 2 nu+) / G+ - (1 - 2 nu-) / G-] / 2,
 
 T_x = -|k| A / (A^2 - B^2) d, and the compression -T_y is i s (B / A) |k| A / (A^2 - B^2) d: where
 the upper half plane is the softer one, it falls where slip decreases along x, ahead of slip that
-spreads the way in which the upper half plane moves (Weertman 1980).
+spreads the way in which the upper half plane moves (Weertman 1980). impedance.py checks C.
 """
 
 import dataclasses

@@ -1,8 +1,7 @@
 """The surface of an elastic half space in which a dipping fault slips.
 
 The fault's trace is the axis of the second coordinate, along strike; it dips towards x > 0. Slip is
-that of a thrust: the hanging wall, x > 0, moves up dip. Displacements are along x, z and up, x to the
-right of who looks along strike, z.
+that of a thrust: the hanging wall, x > 0, moves up dip. x, up and strike are right-handed axes.
 """
 
 import math

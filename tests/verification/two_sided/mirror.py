@@ -1,4 +1,4 @@
-"""Two equal bodies, mirror images of each other: the same as one of them on an antisymmetric fault."""
+"""Two bodies that mirror each other: the same as one of them on an antisymmetric fault."""
 
 import sys
 

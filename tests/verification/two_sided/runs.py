@@ -33,10 +33,10 @@ def words(settings):
     return [word for name, value in settings.items() for word in ("--set", f"{name}={value}")]
 
 
-def run(folder, mesh, settings, **options):
+def run(folder, mesh, settings, ranks=1):
     mesh.write(f"{folder}.h5")
     return asperity_run.run_to_end(folder, DECK, "--set", f"Mesh/File/File Name={folder}.h5",
-                                   *words(settings), **options)
+                                   *words(settings), ranks=ranks, timeout=240)
 
 
 def fields_by_place(folder, names, place=lambda x: x):
