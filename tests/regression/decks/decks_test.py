@@ -1,5 +1,6 @@
 """Every deck in xml/ is valid as it stands, and the program prints what a deck may contain."""
 
+import pathlib
 import subprocess
 import unittest
 import xml.etree.ElementTree as ElementTree
@@ -20,6 +21,7 @@ def meshes_of(deck):
 
 def make_mesh(deck, mesh):
     geometry = deck.parent / "meshes" / mesh.replace(".h5", ".geo")
+    pathlib.Path(mesh).unlink(missing_ok=True)  # of an earlier run of this test
     subprocess.run([MESH_TOOL, "convert", geometry, mesh], check=True, capture_output=True,
                    timeout=60)
 
