@@ -12,22 +12,27 @@
 //   regions      hanging, foot
 //
 // On the fault cells are exactly h long down to `fine`; from there on they grow by `fault_growth`
-// per length along the fault and by `growth` per length away from it, up to `largest`.
+// per length along the fault and by `growth` per length away from it, up to `largest`. Beside the
+// fault lie two strips of right triangles that are mirror images of each other: where cells are
+// not, slip that changes from node to node changes the normal stress, which moves the first event
+// of BP3 by years. The strips begin below the surface, where the upper one would stick out of it.
 
 DefineConstant[
   dip = 60,             // of the fault, between 0 and 90
   h = 100,              // size of the cells on the fault
   fine = 20e3,          // down dip, where cells begin to grow
   locked = 40e3,        // down dip, where `fault` ends and `deep` begins
-  half_width = 400e3,   // the model reaches so far to the left and to the right of the origin
-  depth = 300e3,        // and so deep
-  fault_growth = 0.05,  // -, at most growth
-  growth = 0.15,        // -
-  largest = 40e3        // size of a cell
+  strip = 1e3,          // width of each strip beside the fault
+  half_width = 800e3,   // the model reaches so far to the left and to the right of the origin
+  depth = 600e3,        // and so deep
+  fault_growth = 0.02,  // -, at most growth
+  growth = 0.08,        // -
+  largest = 80e3        // size of a cell
 ];
 
 c = Cos(dip * Pi / 180);
 s = Sin(dip * Pi / 180);
+top = Round(Max(2, 3 * c / s) * strip / h) * h; // where the strips begin, down dip
 // Where the fault leaves the model: through the bottom or, if its dip is small, through the right.
 through_bottom = depth * c < half_width * s;
 If (through_bottom)
@@ -44,41 +49,62 @@ Point(5) = {-half_width, 0, 0};
 Point(6) = {-half_width, -depth, 0};
 Point(7) = {half_width, -depth, 0};
 Point(8) = {half_width, 0, 0};
+Point(9) = {top * c, -top * s, 0};
+// The corners of the strips, above and below the fault.
+Point(10) = {top * c + strip * s, -top * s + strip * c, 0};
+Point(11) = {fine * c + strip * s, -fine * s + strip * c, 0};
+Point(12) = {top * c - strip * s, -top * s - strip * c, 0};
+Point(13) = {fine * c - strip * s, -fine * s - strip * c, 0};
 
-Line(1) = {1, 2};
-Line(2) = {2, 3};
-Line(3) = {3, 4};
-Line(4) = {1, 5};
-Line(5) = {5, 6};
-Line(6) = {8, 1};
+Line(1) = {1, 9};
+Line(2) = {9, 2};
+Line(3) = {2, 3};
+Line(4) = {3, 4};
+Line(5) = {1, 5};
+Line(6) = {5, 6};
+Line(7) = {8, 1};
+Line(11) = {9, 10};
+Line(12) = {10, 11};
+Line(13) = {11, 2};
+Line(14) = {9, 12};
+Line(15) = {12, 13};
+Line(16) = {13, 2};
 If (through_bottom)
-  Line(7) = {6, 4};
-  Line(8) = {4, 7};
-  Line(9) = {7, 8};
-  Curve Loop(1) = {4, 5, 7, -3, -2, -1};
-  Curve Loop(2) = {1, 2, 3, 8, 9, 6};
-  Physical Curve("bottom") = {7, 8};
-  Physical Curve("right") = {9};
+  Line(8) = {6, 4};
+  Line(9) = {4, 7};
+  Line(10) = {7, 8};
+  Curve Loop(1) = {5, 6, 8, -4, -3, -16, -15, -14, -1};
+  Curve Loop(2) = {1, 11, 12, 13, 3, 4, 9, 10, 7};
+  Physical Curve("bottom") = {8, 9};
+  Physical Curve("right") = {10};
 Else
-  Line(7) = {6, 7};
-  Line(8) = {7, 4};
-  Line(9) = {4, 8};
-  Curve Loop(1) = {4, 5, 7, 8, -3, -2, -1};
-  Curve Loop(2) = {1, 2, 3, 9, 6};
-  Physical Curve("bottom") = {7};
-  Physical Curve("right") = {8, 9};
+  Line(8) = {6, 7};
+  Line(9) = {7, 4};
+  Line(10) = {4, 8};
+  Curve Loop(1) = {5, 6, 8, 9, -4, -3, -16, -15, -14, -1};
+  Curve Loop(2) = {1, 11, 12, 13, 3, 4, 10, 7};
+  Physical Curve("bottom") = {8};
+  Physical Curve("right") = {9, 10};
 EndIf
+Curve Loop(3) = {2, -13, -12, -11};
+Curve Loop(4) = {2, -16, -15, -14};
 Plane Surface(1) = {1};
 Plane Surface(2) = {2};
+Plane Surface(3) = {3};
+Plane Surface(4) = {4};
 
-Physical Curve("surface") = {4, 6};
-Physical Curve("left") = {5};
-Physical Curve("fault") = {1, 2};
-Physical Curve("deep") = {3};
-Physical Surface("foot") = {1};
-Physical Surface("hanging") = {2};
+Physical Curve("surface") = {5, 7};
+Physical Curve("left") = {6};
+Physical Curve("fault") = {1, 2, 3};
+Physical Curve("deep") = {4};
+Physical Surface("foot") = {1, 4};
+Physical Surface("hanging") = {2, 3};
 
-Transfinite Curve {1} = Round(fine / h) + 1;
+Transfinite Curve {1} = Round(top / h) + 1;
+Transfinite Curve {2, 12, 15} = Round((fine - top) / h) + 1;
+Transfinite Curve {11, 13, 14, 16} = Round(strip / h) + 1;
+Transfinite Surface {3} = {9, 2, 11, 10} Left;
+Transfinite Surface {4} = {9, 2, 13, 12} Left;
 
 // The size on the fault at the place x_d that is nearest, between 0 and `locked`, and the distance
 // from there.
