@@ -4,10 +4,9 @@
 #include "base/Errors.hpp"
 #include "base/parallel/Reductions.hpp"
 #include "fem/BoundaryMeasure.hpp"
+#include "mesh/faults/SplitVertices.hpp"
 
 #include <Tpetra_CrsGraph.hpp>
-
-#include <map>
 
 namespace asperity::fem
 {
@@ -91,16 +90,13 @@ makeFaultSurface(Mesh<Dim> const& mesh, std::string const& boundary,
                  OtherSide other_side)
 {
   constexpr int num_tangents = Dim - 1;
-  std::map<int, int> minus_of;
-  for (auto const& split : mesh.splits) {
-    minus_of[split.plus] = split.minus;
-  }
+  const mesh::FaultSides<Dim> sides(mesh.splits);
   std::vector<FaultNode> nodes;
   for (auto const& measure : boundaryMeasure(mesh, boundary, *dofs.communicator())) {
     FaultNode node;
     node.copies = {measure.node};
-    if (const auto split = minus_of.find(measure.node); split != minus_of.end()) {
-      node.copies.push_back(split->second);
+    if (auto const* split = sides.find(measure.node)) {
+      node.copies.push_back(split->minus);
     }
     node.weight = measure.weight;
     for (int i = 0; i < Dim; ++i) {

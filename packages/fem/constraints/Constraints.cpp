@@ -55,12 +55,12 @@ Constraints<Dim>::Constraints(Mesh<Dim> const& mesh, DofMap const& dofs,
 {
   auto const at_vertices = detail::collectDirections(mesh, conditions_, dofs.components());
   largest_ = largestVelocities(at_vertices, *dofs.communicator());
-  detail::NodalDirections at_nodes;
-  onEveryRank(*dofs.communicator(),
-              [&] { at_nodes = detail::meansAndJumps(at_vertices, mesh, conditions_); });
-  for (auto const& [node, of_node] : at_nodes) {
-    constrain(dofs, node, of_node);
-  }
+  // What is wrong at a node is seen by its owner alone.
+  onEveryRank(*dofs.communicator(), [&] {
+    for (auto const& [node, of_node] : detail::meansAndJumps(at_vertices, mesh, conditions_)) {
+      constrain(dofs, node, of_node);
+    }
+  });
   holdTips(mesh, dofs);
   shareWithGhosts(dofs);
   held_.emplace(std::move(held_flags_), dofs.numOwnedNodes() * dofs.components());

@@ -178,9 +178,6 @@ TEST(Constraints, acceptConditionsThatSayTheSame)
 
 TEST(Constraints, refuseConditionsThatContradictEachOther)
 {
-  if (!oneRank()) {
-    GTEST_SKIP() << "only the rank of the node refuses it";
-  }
   auto const speed = [](double value) { return [value](auto const&, double) { return value; }; };
   expectInputError(
     [&] {
@@ -203,9 +200,6 @@ TEST(Constraints, refuseConditionsThatContradictEachOther)
 
 TEST(Constraints, refuseContradictionsThatComeLater)
 {
-  if (!oneRank()) {
-    GTEST_SKIP() << "only the rank of the node refuses it";
-  }
   auto const later = [](auto const&, double t) { return t < 10 ? 0. : 1.; };
   auto const make = [&](std::vector<double> const& times) {
     Constrained<2>(rectangle(),

@@ -148,9 +148,6 @@ TEST(FaultConstraints, takeTwoObliqueConditionsOnAFreeBoundary)
 
 TEST(FaultConstraints, refuseAConditionObliqueToAFreeBoundary)
 {
-  if (!oneRank()) {
-    GTEST_SKIP() << "only the rank of the node refuses it";
-  }
   expectInputError(
     [] {
       Constrained<2>(rectangle(0.3),
@@ -161,9 +158,6 @@ TEST(FaultConstraints, refuseAConditionObliqueToAFreeBoundary)
 
 TEST(FaultConstraints, nameTheObliqueOneOfSeveralConditions)
 {
-  if (!oneRank()) {
-    GTEST_SKIP() << "only the rank of the node refuses it";
-  }
   const VelocityCondition<3> open{"Fault", "bottom", FreeAcrossFault{}};
   expectInputError(
     [&] {

@@ -164,9 +164,6 @@ TEST(SpaceConstraints, meetAVelocityObliqueToWallsAndFault)
 
 TEST(SpaceConstraints, refuseContradictionsAtACorner)
 {
-  if (!oneRank()) {
-    GTEST_SKIP() << "only the rank of the node refuses it";
-  }
   expectInputError(
     [] {
       Body(boxOn(dipping),
@@ -225,9 +222,6 @@ TEST(SpaceConstraints, layTheNormalOfAFreeFaultIntoTheWallsThatItEndsAt)
 
 TEST(SpaceConstraints, refuseWallsObliqueToAFreeFault)
 {
-  if (!oneRank()) {
-    GTEST_SKIP() << "only the rank of the node refuses it";
-  }
   expectInputError(
     [] {
       Body(boxOn(dipping), {free("bottom"), across("Wall", "left")});
