@@ -12,9 +12,9 @@ TIMES = 3 * LARGEST_STEP * numpy.arange(1, 17)  # where all runs can be compared
 LEVELS = (2, 3, 4)                              # of the steps, halved each time
 REFERENCE_LEVEL = 7
 FIELDS = ("slip", "slip_rate", "alpha", "normal_stress")
-# Of orders: the normal stress has compressional waves in it, which cross a cell in about as long as
-# the largest of these steps, and comes to its order last: 1.78 was measured, and the lower bound was
-# set with that in view.
+# Of orders: the normal stress has compressional waves in it, which cross a cell in about as long
+# as the largest of these steps, and comes to its order last: 1.78 was measured, and the lower
+# bound was set with that in view.
 SECOND, FIRST = (1.75, 2.1), (0.9, 1.1)
 CHANGE = "Friction/Normal Stress Change"
 
