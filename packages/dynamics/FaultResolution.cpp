@@ -41,15 +41,15 @@ std::vector<CellSizes> cellSizes(Mesh<Dim> const& mesh, fem::FaultSurface const&
 }
 } // namespace
 
-double slipModulus(fem::Material const& material, int components, fem::OtherSide other_side)
+double slipModulus(fem::Material const& material, int components, fem::OtherSide const& other_side)
 {
-  const bool antisymmetric = other_side != fem::OtherSide::rigid_foundation;
+  const bool is_shared = other_side.deforming_sides == 2;
   const double G = material.shear_modulus;
   if (components != 2) {
-    return antisymmetric ? G : 2 * G;
+    return is_shared ? G : 2 * G;
   }
   const double nu = material.poissonsRatio();
-  return antisymmetric ? G / (1 - nu) : 8 * G * (1 - nu) / (3 - 4 * nu);
+  return is_shared ? G / (1 - nu) : 8 * G * (1 - nu) / (3 - 4 * nu);
 }
 
 double cohesiveZone(double slip_modulus, double b, double L, double sigma_n)

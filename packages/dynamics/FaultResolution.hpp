@@ -10,13 +10,14 @@
 namespace asperity::dynamics
 {
 // The modulus G' [Pa] with which slip of wavenumber q loads the fault, G' q / 2 per slip:
-//   mirror image, two equal bodies
+//   two sides deform (a mirror image, two equal bodies)
 //                      G antiplane, G / (1 - nu) plane strain
-//   rigid foundation   2 G antiplane, 8 G (1 - nu) / (3 - 4 nu) plane strain (u_n = 0)
+//   one (on a rigid foundation)
+//                      2 G antiplane, 8 G (1 - nu) / (3 - 4 nu) plane strain (u_n = 0)
 // In three dimensions that of antiplane, the smaller one: along one of the fault's directions slip
 // is of that kind.
-// The foundation is rigid: one side alone bears the slip that two share, hence about the double.
-double slipModulus(fem::Material const& material, int components, fem::OtherSide other_side);
+// One side alone bears the slip that two share, hence about the double.
+double slipModulus(fem::Material const& material, int components, fem::OtherSide const& other_side);
 
 // The size of the cohesive zone at rest, Lambda0 = G' L / (b sigma_n) [m].
 double cohesiveZone(double slip_modulus, double b, double L, double sigma_n);

@@ -113,7 +113,7 @@ std::vector<Material> materialsAtNodes(Mesh<Dim> const& mesh, FaultSurface const
                                        std::vector<Material> const& materials)
 {
   auto result = materialsOnSide(mesh, fault, materials, Side::plus);
-  if (fault.otherSide() == OtherSide::body) {
+  if (fault.otherSide().is_inside) {
     auto const below = materialsOnSide(mesh, fault, materials, Side::minus);
     std::transform(result.begin(), result.end(), below.begin(), result.begin(), inSeries);
   }

@@ -27,11 +27,9 @@ NodeDofView dofView(std::vector<FaultNode> const& nodes, int num_tangents)
 }
 } // namespace
 
-double slipFactor(OtherSide side) { return side == OtherSide::mirror_image ? 2 : 1; }
-
 FaultSurface::FaultSurface(std::string name, std::vector<FaultNode> nodes, int num_tangents,
-                           HeldDofs held, std::vector<IndexView> colours, OtherSide other_side,
-                           RCP<const Communicator> const& communicator)
+                           HeldDofs held, std::vector<IndexView> colours,
+                           OtherSide const& other_side, RCP<const Communicator> const& communicator)
     : name_(std::move(name))
     , nodes_(std::move(nodes))
     , num_tangents_(num_tangents)
@@ -87,7 +85,7 @@ template <int Dim>
 std::shared_ptr<const FaultSurface>
 makeFaultSurface(Mesh<Dim> const& mesh, std::string const& boundary,
                  Constraints<Dim> const& constraints, DofMap const& dofs, CrsGraph const& graph,
-                 OtherSide other_side)
+                 OtherSide const& other_side)
 {
   constexpr int num_tangents = Dim - 1;
   const mesh::FaultSides<Dim> sides(mesh.splits);
@@ -117,7 +115,7 @@ makeFaultSurface(Mesh<Dim> const& mesh, std::string const& boundary,
 #define ASPERITY_INSTANTIATE(DIM)                                                                  \
   template std::shared_ptr<const FaultSurface> makeFaultSurface(                                   \
     Mesh<DIM> const&, std::string const&, Constraints<DIM> const&, DofMap const&, CrsGraph const&, \
-    OtherSide);
+    OtherSide const&);
 
 ASPERITY_INSTANTIATE(2)
 ASPERITY_INSTANTIATE(3)

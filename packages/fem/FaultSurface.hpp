@@ -1,6 +1,7 @@
 #pragma once
 
 #include "base/Views.hpp"
+#include "fem/OtherSide.hpp"
 #include "fem/constraints/Constraints.hpp"
 #include "fem/constraints/HeldDofs.hpp"
 
@@ -10,17 +11,6 @@
 
 namespace asperity::fem
 {
-// What lies on the other side of a fault decides how slip follows from the tangential unknowns w_t
-// of its nodes: slip = factor w_t. The kinds of fault differ by this map alone.
-enum class OtherSide
-{
-  rigid_foundation, // slip = v_t: the other side rests
-  mirror_image,     // slip = 2 v_t: the other side moves the opposite way
-  body              // slip = d_t, the jump v+ - v- of which w_t is a part (VertexTerms)
-};
-
-double slipFactor(OtherSide side);
-
 // One node of a fault, on the rank that owns it.
 struct FaultNode
 {
@@ -41,7 +31,7 @@ class FaultSurface
 public:
   // colours as of colourFreeNodes. Collective.
   FaultSurface(std::string name, std::vector<FaultNode> nodes, int num_tangents, HeldDofs held,
-               std::vector<IndexView> colours, OtherSide other_side,
+               std::vector<IndexView> colours, OtherSide const& other_side,
                RCP<const Communicator> const& communicator);
 
   std::string const& name() const { return name_; } // of the boundary in the mesh
@@ -49,8 +39,8 @@ public:
   int numTangents() const { return num_tangents_; } // T
   GlobalOrdinal numGlobalNodes() const { return num_global_nodes_; }
   double totalWeight() const { return total_weight_; } // the measure of the fault, over all ranks
-  OtherSide otherSide() const { return other_side_; }
-  double slipFactor() const { return fem::slipFactor(other_side_); }
+  OtherSide const& otherSide() const { return other_side_; }
+  double slipFactor() const { return other_side_.slip_factor; }
   RCP<const Communicator> const& communicator() const { return communicator_; }
 
   FaultNode const& operator[](int node) const { return nodes_[node]; }
@@ -103,5 +93,5 @@ template <int Dim>
 std::shared_ptr<const FaultSurface>
 makeFaultSurface(Mesh<Dim> const& mesh, std::string const& boundary,
                  Constraints<Dim> const& constraints, DofMap const& dofs, CrsGraph const& graph,
-                 OtherSide other_side);
+                 OtherSide const& other_side);
 } // namespace asperity::fem

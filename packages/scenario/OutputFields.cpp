@@ -189,19 +189,12 @@ void registerMotion(io::FieldRegistry& registry, Problem<Dim> const& problem, Ru
     {"acceleration", "m/s^2", "Acceleration along the axes.", &dynamics::State::a}};
   for (auto const& motion : motions) {
     auto const vector = motion.vector;
-    registry.add(io::OutputField{
-      motion.name, motion.unit, motion.description, domain.name, problem.components,
-      [&problem, &view, &domain, vector](Values& values) {
-        auto const all =
-          fem::alongAxes(problem.constraints->frames(), *problem.body.dofs, *(view.state->*vector));
-        const int components = problem.components;
-        values.clear();
-        for (int vertex : domain.vertices) {
-          for (int c = 0; c < components; ++c) {
-            values.push_back(all[static_cast<std::size_t>(vertex) * components + c]);
-          }
-        }
-      }});
+    registry.add(
+      io::OutputField{motion.name, motion.unit, motion.description, domain.name, problem.components,
+                      [&problem, &view, &domain, vector](Values& values) {
+                        values = fem::alongAxes(problem.constraints->frames(), *problem.body.dofs,
+                                                *(view.state->*vector), domain.vertices);
+                      }});
   }
 }
 

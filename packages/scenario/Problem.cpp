@@ -114,7 +114,7 @@ StaticStart staticStart(ParameterList const& deck, Discretisation<Dim> const& of
   ASPERITY_REQUIRE(stress_given || of.dofs->components() == Dim,
                    "Asperity / Friction / Normal Stress is missing: an antiplane model has no "
                    "normal stress of its own.");
-  ASPERITY_REQUIRE(stress_given || surface.otherSide() != fem::OtherSide::mirror_image,
+  ASPERITY_REQUIRE(stress_given || !surface.otherSide().is_mirrored,
                    "Asperity / Friction / Normal Stress is missing: on an antisymmetric fault it "
                    "is that of the undisturbed state, which only the deck knows.");
   const bool follows = normalStressChange(friction) != dynamics::NormalStressChange::fixed;
@@ -122,7 +122,7 @@ StaticStart staticStart(ParameterList const& deck, Discretisation<Dim> const& of
                    "Asperity / Friction / Normal Stress Change = "
                      << friction.get<std::string>("Normal Stress Change")
                      << ", but antiplane motion does not press across the fault. Choose Fixed.");
-  ASPERITY_REQUIRE(!follows || surface.otherSide() != fem::OtherSide::mirror_image,
+  ASPERITY_REQUIRE(!follows || !surface.otherSide().is_mirrored,
                    "Asperity / Friction / Normal Stress Change = "
                      << friction.get<std::string>("Normal Stress Change")
                      << ", but by symmetry the normal stress of an Antisymmetric Fault does not "

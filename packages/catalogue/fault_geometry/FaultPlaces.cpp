@@ -3,6 +3,8 @@
 #include "base/parallel/Reductions.hpp"
 #include "io/parallel/NodeGather.hpp"
 
+#include <Teuchos_CommHelpers.hpp>
+
 #include <cmath>
 
 namespace asperity::catalogue
@@ -27,6 +29,27 @@ FaultAxis faultAxis(io::OutputDomain const& fault)
   const double level = std::abs(last_y - first_y) <= 1e-9 * length ? 1 : 0;
   axis.is_level = maxOverRanks(fault.comm->getRank() == 0 ? level : 0, *fault.comm) > 0;
   return axis;
+}
+
+std::optional<std::array<double, 2>> pointAlong(io::OutputDomain const& fault, double distance)
+{
+  const io::NodeGather gather(fault);
+  const auto coordinates = gather(fault.coordinates, 1, fault.dimension);
+  auto const distances = faultAxis(fault).distances;
+  constexpr double rounding = 1e-9;
+  double found[3] = {0, 0, 0}; // a flag and the point
+  for (std::size_t i = 1; i < distances.size(); ++i) {
+    const double length = distances[i] - distances[i - 1];
+    const double part = (distance - distances[i - 1]) / length;
+    if (part >= -rounding && part <= 1 + rounding) {
+      found[0] = 1;
+      for (int d = 0; d < 2; ++d) {
+        found[1 + d] = (1 - part) * coordinates[2 * (i - 1) + d] + part * coordinates[2 * i + d];
+      }
+    }
+  }
+  Teuchos::broadcast(*fault.comm, 0, 3, found);
+  return found[0] > 0 ? std::optional(std::array<double, 2>{found[1], found[2]}) : std::nullopt;
 }
 
 namespace

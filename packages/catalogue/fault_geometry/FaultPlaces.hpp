@@ -2,6 +2,8 @@
 
 #include "catalogue/fault_geometry/FaultPlane.hpp"
 
+#include <array>
+#include <optional>
 #include <vector>
 
 namespace asperity::catalogue
@@ -17,6 +19,10 @@ struct FaultAxis
 
 // Collective.
 FaultAxis faultAxis(io::OutputDomain const& fault);
+
+// The point of a fault that is a curve at a distance [m] along it, counted as those of its axis;
+// nothing if it is not as long. The same on all ranks. Collective.
+std::optional<std::array<double, 2>> pointAlong(io::OutputDomain const& fault, double distance);
 
 // Where the nodes of the fault are along strike and down dip, by node number, on rank 0; empty
 // elsewhere.

@@ -3,6 +3,7 @@
 #include "base/Errors.hpp"
 #include "base/Text.hpp"
 #include "base/parallel/Reductions.hpp"
+#include "catalogue/fault_geometry/FaultPlaces.hpp"
 #include "io/series/SeriesLayout.hpp"
 
 #include <algorithm>
@@ -66,6 +67,30 @@ void requireNear(std::string const& path, NamedPlace const& place, LocatedPoint 
 }
 } // namespace
 
+namespace
+{
+// Of a place as the deck has it.
+std::vector<double> pointOf(std::string const& path, NamedPlace const& place,
+                            io::OutputDomain const& domain)
+{
+  auto const& given = place.coordinates;
+  if (given.size() == 1 && domain.isCurve()) {
+    auto const point = pointAlong(domain, given.front());
+    ASPERITY_REQUIRE(point, path << " / " << place.name << ": the " << domain.name
+                                 << " is not as long as " << formatShort(given.front())
+                                 << " m; it extends " << extentText(domain) << ".");
+    return {point->begin(), point->end()};
+  }
+  ASPERITY_REQUIRE(static_cast<int>(given.size()) == domain.dimension,
+                   path << " / " << place.name << " has " << given.size()
+                        << " coordinates; a position in this mesh has " << domain.dimension
+                        << (domain.isCurve() ? ", or one, the distance along the " + domain.name +
+                                                 " from its upper end."
+                                             : "."));
+  return given;
+}
+} // namespace
+
 ReceiverGroup::ReceiverGroup(std::string const& path, std::vector<NamedPlace> const& places,
                              io::OutputDomain const& domain)
     : domain_(domain)
@@ -74,11 +99,8 @@ ReceiverGroup::ReceiverGroup(std::string const& path, std::vector<NamedPlace> co
   std::vector<double> wanted;
   for (auto const& place : places) {
     requireFileName(path, place.name);
-    ASPERITY_REQUIRE(static_cast<int>(place.coordinates.size()) == domain.dimension,
-                     path << " / " << place.name << " has " << place.coordinates.size()
-                          << " coordinates; a position in this mesh has " << domain.dimension
-                          << ".");
-    wanted.insert(wanted.end(), place.coordinates.begin(), place.coordinates.end());
+    auto const point = pointOf(path, place, domain);
+    wanted.insert(wanted.end(), point.begin(), point.end());
   }
   const auto located = locate(domain, wanted);
   for (std::size_t i = 0; i < located.size(); ++i) {

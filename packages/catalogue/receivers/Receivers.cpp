@@ -42,10 +42,14 @@ io::SegmentedTable::Options tableOf(io::OutputContext const& context,
 
 Teuchos::RCP<const Teuchos::ParameterList> Receivers::validParameters()
 {
-  const auto place = Declare()
-                       .realArray("<receiver>", required, "m", Range::any(),
-                                  "The receiver lies at this position, in coordinates of the mesh.")
-                       .list();
+  const auto place =
+    Declare()
+      .realArray(
+        "<receiver>", required, "m", Range::any(),
+        "The receiver lies at this position, in coordinates of the mesh. On a fault in two "
+        "dimensions a single number is the distance along it from its upper end, or along "
+        "+x where the fault is level.")
+      .list();
   Declare parameters;
   parameters
     .boolean("Enabled", true,

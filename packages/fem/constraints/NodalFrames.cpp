@@ -4,27 +4,45 @@
 
 #include <Tpetra_Vector.hpp>
 
+#include <array>
 #include <cmath>
+#include <numeric>
 
 namespace asperity::fem
 {
 std::vector<double> alongAxes(NodalFrames const& frames, DofMap const& dofs, Vector const& x)
 {
+  std::vector<int> all(dofs.numOwnedNodes());
+  std::iota(all.begin(), all.end(), 0);
+  return alongAxes(frames, dofs, x, all);
+}
+
+std::vector<double> alongAxes(NodalFrames const& frames, DofMap const& dofs, Vector const& x,
+                              std::vector<int> const& vertices)
+{
   const int components = dofs.components();
   auto const values = x.getLocalViewHost(Tpetra::Access::ReadOnly);
-  std::vector<double> result(static_cast<std::size_t>(dofs.numOwnedNodes()) * components);
-  for (int vertex = 0; vertex < dofs.numOwnedNodes(); ++vertex) {
-    for (auto const& [node, factor] : frames.terms(vertex)) {
-      std::array<double, 3> local{};
-      std::array<double, 3> global{};
+  std::vector<double> result(vertices.size() * components, 0.);
+  double* at_vertex = result.data();
+  for (int vertex : vertices) {
+    if (frames.isPlain(vertex)) {
       for (int c = 0; c < components; ++c) {
-        local[c] = values(dofs.dof(node, c), 0);
+        at_vertex[c] = values(dofs.dof(vertex, c), 0);
       }
-      frames.fromFrame(node, local.data(), global.data());
-      for (int c = 0; c < components; ++c) {
-        result[static_cast<std::size_t>(vertex) * components + c] += factor * global[c];
+    } else {
+      for (auto const& [node, factor] : frames.terms(vertex)) {
+        std::array<double, 3> local{};
+        std::array<double, 3> global{};
+        for (int c = 0; c < components; ++c) {
+          local[c] = values(dofs.dof(node, c), 0);
+        }
+        frames.fromFrame(node, local.data(), global.data());
+        for (int c = 0; c < components; ++c) {
+          at_vertex[c] += factor * global[c];
+        }
       }
     }
+    at_vertex += components;
   }
   return result;
 }

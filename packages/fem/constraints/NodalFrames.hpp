@@ -25,6 +25,7 @@ public:
   NodalFrames(int num_nodes, int components, std::vector<SplitVertex> const& splits = {})
       : components_(components)
       , frames_(num_nodes, identity(components))
+      , is_turned_(num_nodes, false)
       , terms_(num_nodes, splits)
   {
   }
@@ -44,7 +45,14 @@ public:
   int components() const { return components_; }
   int numNodes() const { return static_cast<int>(frames_.size()); }
   Matrix const& frame(int node) const { return frames_[node]; }
-  void set(int node, Matrix const& frame) { frames_[node] = frame; }
+  void set(int node, Matrix const& frame)
+  {
+    frames_[node] = frame;
+    is_turned_[node] = frame != identity(components_);
+  }
+  // Whether the unknowns at the vertex's node are the components of its vector along the axes, as
+  // they are at most vertices.
+  bool isPlain(int vertex) const { return !is_turned_[vertex] && terms_.isNode(vertex); }
   double entry(int node, int row, int column) const
   {
     return frames_[node][row * components_ + column];
@@ -74,12 +82,15 @@ public:
 private:
   int components_;
   std::vector<Matrix> frames_;
+  std::vector<bool> is_turned_;
   VertexTerms terms_;
 };
 
-// Components along the axes at the vertices (num owned nodes, components) of a vector of owned
-// dofs.
+// Components along the axes of a vector of owned dofs: at all owned vertices (num owned nodes,
+// components), or at some of them (vertices, components).
 std::vector<double> alongAxes(NodalFrames const& frames, DofMap const& dofs, Vector const& x);
+std::vector<double> alongAxes(NodalFrames const& frames, DofMap const& dofs, Vector const& x,
+                              std::vector<int> const& vertices);
 
 // The components of a node's frame along a boundary, ascending: all but the one that is nearest to
 // the boundary's normal, which has Dim numbers. The frame follows that normal, except where the

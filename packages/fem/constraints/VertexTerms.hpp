@@ -50,6 +50,9 @@ public:
             {splits_[split].plus, represented_[vertex] == splits_[split].plus ? 0.5 : -0.5}};
   }
 
+  // Whether the vertex is a node of its own.
+  bool isNode(int vertex) const { return split_of_[vertex] < 0 && represented_[vertex] == vertex; }
+
   // Whether the node carries the jump over a fault, which rigid motions of the body do not have.
   bool isJump(int node) const { return is_jump_[node]; }
 

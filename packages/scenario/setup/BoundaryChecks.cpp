@@ -1,8 +1,10 @@
 #include "scenario/setup/BoundaryChecks.hpp"
 
 #include "base/NearestName.hpp"
+#include "base/Text.hpp"
 #include "scenario/setup/ConditionTypes.hpp"
 #include "scenario/setup/NodalField.hpp"
+#include "scenario/setup/fault/FaultKind.hpp"
 
 #include <algorithm>
 
@@ -97,16 +99,16 @@ void requireFaults(ParameterList const& list, Mesh<Dim> const& mesh)
     return std::find(mesh.faults.begin(), mesh.faults.end(), boundary) != mesh.faults.end();
   };
   const bool two_sided =
-    std::any_of(conditions.begin(), conditions.end(), [](BoundaryCondition const& condition) {
-      return condition.type->name == two_sided_fault;
-    });
+    std::any_of(conditions.begin(), conditions.end(),
+                [](BoundaryCondition const& condition) { return condition.isFaultInside(); });
+  auto const kinds = quotedAlternatives(faultKindsInside());
   for (auto const& condition : conditions) {
     auto const& type = condition.type->name;
     ASPERITY_REQUIRE(!is_inside(condition.boundary) || (two_sided && condition.liesAlongFault()),
                      condition.name << " / Boundary = '" << condition.boundary
                                     << "' is a fault inside the body, where the Type '" << type
-                                    << "' says nothing. Choose '" << two_sided_fault
-                                    << "', or 'Prescribed Slip Rate' where it continues one.");
+                                    << "' says nothing. Choose " << kinds
+                                    << ", or 'Prescribed Slip Rate' where it continues one.");
     ASPERITY_REQUIRE(is_inside(condition.boundary) || !two_sided || !condition.liesAlongFault(),
                      condition.name << " / Boundary = '" << condition.boundary
                                     << "' is no fault inside the body, which the Type '" << type
@@ -119,8 +121,8 @@ void requireFaults(ParameterList const& list, Mesh<Dim> const& mesh)
                                    return condition.boundary == fault;
                                  }),
                      "Asperity / Boundary Conditions: nothing is said about the fault '"
-                       << fault << "' inside the mesh. Add a condition of the Type '"
-                       << two_sided_fault << "' or 'Prescribed Slip Rate'.");
+                       << fault << "' inside the mesh. Add a condition of the Type " << kinds
+                       << " or 'Prescribed Slip Rate'.");
   }
 }
 

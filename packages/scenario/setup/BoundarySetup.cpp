@@ -1,6 +1,8 @@
 #include "scenario/setup/BoundarySetup.hpp"
 
+#include "base/Text.hpp"
 #include "scenario/setup/BoundaryChecks.hpp"
+#include "scenario/setup/fault/FaultKind.hpp"
 
 namespace asperity::scenario
 {
@@ -48,7 +50,7 @@ void layAlongFault(Conditions const& conditions, Setting const& setting,
     if (condition.liesAlongFault()) {
       fem::VelocityCondition<Dim> across = {condition.name, condition.boundary,
                                             fem::ContactAcrossFault{setting.along_fault}};
-      if (result.other_side == fem::OtherSide::mirror_image) {
+      if (result.other_side.is_mirrored) {
         across.kind = fem::FreeAcrossFault{setting.along_fault};
       }
       const bool is_fault = condition.type->place == Place::fault;
@@ -112,9 +114,9 @@ BoundaryConditions<Dim> makeBoundaryConditions(ParameterList const& list, int co
     }
   }
   ASPERITY_REQUIRE(!result.faults.empty(),
-                   "Asperity / Boundary Conditions has no condition of Type 'Bilateral Contact', "
-                   "'Antisymmetric Fault' or 'Two-Sided Fault'. Name the boundary that is the "
-                   "fault.");
+                   "Asperity / Boundary Conditions has no condition of Type "
+                     << quotedAlternatives(faultKinds())
+                     << ". Name the boundary that is the fault.");
   if (components > 1) {
     layAlongFault(conditions, setting, result);
   }

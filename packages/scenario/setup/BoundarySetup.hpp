@@ -18,9 +18,8 @@ struct BoundaryConditions
 {
   // Boundaries with friction: one, or several faults between two bodies, which have one surface.
   fem::Boundaries faults;
-  // A rigid foundation in bilateral contact (u_n = 0), the other half of a planar fault, where the
-  // displacement across it is free, or a second body, of which there is no opening (d_n = 0).
-  fem::OtherSide other_side = fem::OtherSide::rigid_foundation;
+  // Of all of them.
+  fem::OtherSide other_side;
   std::vector<PlateRate> plate_rates; // of the faults that have one
   std::string surface;                // of the first free surface; empty if there is none
   std::vector<std::string> absorbing; // boundaries with dashpots

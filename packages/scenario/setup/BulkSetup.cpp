@@ -94,9 +94,9 @@ std::vector<double> radiationDamping(ParameterList const& list, Mesh<Dim> const&
                        surface.vertices());
   }
   std::vector<double> eta;
-  const double sides = surface.otherSide() == fem::OtherSide::rigid_foundation ? 1 : 2;
   for (auto const& material : at_nodes) {
-    eta.push_back(material.shearImpedance() / sides); // G / cs = rho cs
+    // G / cs = rho cs, shared by the sides that radiate
+    eta.push_back(material.shearImpedance() / surface.otherSide().deforming_sides);
   }
   return eta;
 }

@@ -1,8 +1,10 @@
 #include "scenario/setup/ConditionTypes.hpp"
 
 #include "base/Errors.hpp"
+#include "base/Text.hpp"
 #include "base/fields/Field.hpp"
 #include "scenario/setup/NodalField.hpp"
+#include "scenario/setup/fault/FaultKind.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -79,55 +81,23 @@ bool isDriven(ParameterList const& list)
          !(list.isType<double>("Velocity") && list.get<double>("Velocity") == 0);
 }
 
+// One fault, or several inside the body.
 template <int Dim>
-void takeFault(BoundaryCondition const& condition, BoundaryConditions<Dim>& result)
+void fault(BoundaryCondition const& condition, Setting const& setting,
+           BoundaryConditions<Dim>& result)
 {
+  auto const& other_side = condition.type->other_side;
   ASPERITY_REQUIRE(
-    result.faults.empty(),
+    result.faults.empty() || (result.other_side.is_inside && other_side.is_inside),
     condition.name << ": there is already friction on the boundary '" << result.faults.front()
                    << "'. Several boundaries can have it only if all are of the Type "
-                      "'Two-Sided Fault'.");
+                   << quotedAlternatives(faultKindsInside()) << ".");
   result.faults.push_back(condition.boundary);
-}
-
-template <int Dim>
-void takePlateRate(BoundaryCondition const& condition, Setting const& setting,
-                   BoundaryConditions<Dim>& result)
-{
+  result.other_side = other_side;
   auto const plate = plateRateOf(condition, setting.components);
   if (plate) {
     result.plate_rates.push_back(plate);
   }
-}
-
-template <int Dim>
-void bilateralContact(BoundaryCondition const& condition, Setting const& setting,
-                      BoundaryConditions<Dim>& result)
-{
-  takeFault(condition, result);
-  takePlateRate(condition, setting, result);
-}
-
-template <int Dim>
-void antisymmetricFault(BoundaryCondition const& condition, Setting const& setting,
-                        BoundaryConditions<Dim>& result)
-{
-  takeFault(condition, result);
-  takePlateRate(condition, setting, result);
-  result.other_side = fem::OtherSide::mirror_image;
-}
-
-template <int Dim>
-void twoSidedFault(BoundaryCondition const& condition, Setting const& setting,
-                   BoundaryConditions<Dim>& result)
-{
-  if (result.other_side != fem::OtherSide::body) {
-    takeFault(condition, result);
-  } else {
-    result.faults.push_back(condition.boundary);
-  }
-  takePlateRate(condition, setting, result);
-  result.other_side = fem::OtherSide::body;
 }
 
 // Under back slip a continuation, too, slips by slip factor v_t + Vp, where Vp is that of the first
@@ -137,12 +107,11 @@ fem::VelocityFunction<Dim> withoutPlates(std::shared_ptr<const Field> const& rat
                                          BoundaryConditions<Dim> const& conditions)
 {
   auto const plate = conditions.plate_rates.empty() ? nullptr : conditions.plate_rates.front().rate;
-  return
-    [rate, plate, factor = fem::slipFactor(conditions.other_side)](Point<Dim> const& x, double t) {
-      const double of_bodies =
-        (*rate)(inSpace<Dim>(x), t, 0) - (plate ? (*plate)(inSpace<Dim>(x), 0, 0) : 0);
-      return of_bodies / factor;
-    };
+  return [rate, plate, factor = conditions.other_side.slip_factor](Point<Dim> const& x, double t) {
+    const double of_bodies =
+      (*rate)(inSpace<Dim>(x), t, 0) - (plate ? (*plate)(inSpace<Dim>(x), 0, 0) : 0);
+    return of_bodies / factor;
+  };
 }
 
 // The continuation of a fault in three dimensions slips where the plates go.
@@ -258,31 +227,21 @@ void freeSurface(BoundaryCondition const& condition, Setting const&,
     result.surface = condition.boundary;
   }
 }
-} // namespace
-
-std::vector<ConditionType> const& conditionTypes()
+// A word for each kind of fault, then those for other boundaries.
+std::vector<ConditionType> makeTypes()
 {
-  static const std::vector<ConditionType> types = {
-    {"Bilateral Contact",
-     "rate-and-state friction acts on a rigid foundation (v . n = 0).",
-     {"Direction", "Plate Rate"},
-     Place::fault,
-     DecidesOn::traction,
-     {bilateralContact<2>, bilateralContact<3>}},
-    {"Antisymmetric Fault",
-     "the same on a planar fault of which the body is one half; the slip is twice its tangential "
-     "displacement, the displacement across the fault is free and the normal stress unchanged.",
-     {"Direction", "Plate Rate"},
-     Place::fault,
-     DecidesOn::traction,
-     {antisymmetricFault<2>, antisymmetricFault<3>}},
-    {two_sided_fault,
-     "rate-and-state friction acts between two bodies on a fault inside the mesh, which does not "
-     "open; several boundaries may be of this type.",
-     {"Direction", "Plate Rate"},
-     Place::fault,
-     DecidesOn::traction,
-     {twoSidedFault<2>, twoSidedFault<3>}},
+  std::vector<ConditionType> types;
+  for (auto const& name : faultKinds()) {
+    auto const kind = FaultKindRegistry::instance().create(name, "");
+    types.push_back({name,
+                     kind->meaning,
+                     {"Direction", "Plate Rate"},
+                     Place::fault,
+                     DecidesOn::traction,
+                     {fault<2>, fault<3>},
+                     kind->other_side});
+  }
+  const std::vector<ConditionType> others = {
     {"Prescribed Slip Rate",
      "the boundary continues the fault and slips at that rate.",
      {"Direction", "Slip Rate"},
@@ -319,6 +278,14 @@ std::vector<ConditionType> const& conditionTypes()
      Place::elsewhere,
      DecidesOn::everything,
      {freeSurface<2>, freeSurface<3>}}};
+  types.insert(types.end(), others.begin(), others.end());
+  return types;
+}
+} // namespace
+
+std::vector<ConditionType> const& conditionTypes()
+{
+  static const auto types = makeTypes();
   return types;
 }
 

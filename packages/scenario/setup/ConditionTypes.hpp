@@ -46,12 +46,10 @@ struct ConditionType
   Place place;
   DecidesOn decides_on;
   std::tuple<ConditionMaker<2>, ConditionMaker<3>> makers;
+  fem::OtherSide other_side = {}; // of a fault
 };
 
-// The Type of a fault inside the body.
-inline constexpr char const* two_sided_fault = "Two-Sided Fault";
-
-// All that a deck may choose from, each once.
+// All that a deck may choose from, each once: registered kinds of fault and the rest.
 std::vector<ConditionType> const& conditionTypes();
 ConditionType const& conditionType(std::string const& name);
 
@@ -72,5 +70,6 @@ struct BoundaryCondition
   std::string boundary;
 
   bool liesAlongFault() const { return type->place != Place::elsewhere; }
+  bool isFaultInside() const { return type->place == Place::fault && type->other_side.is_inside; }
 };
 } // namespace asperity::scenario

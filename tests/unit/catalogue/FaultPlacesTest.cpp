@@ -32,3 +32,14 @@ TEST(FaultPlaces, DistancesAreDownDip)
     EXPECT_NEAR(level.distances[1], 1.0 / 9, 1e-15);
   }
 }
+
+TEST(FaultPlaces, APointIsFoundByItsDistance)
+{
+  const auto upright = pointAlong(uprightFault(4), 0.3); // between nodes
+  ASSERT_TRUE(upright);
+  EXPECT_NEAR((*upright)[0], 0, 1e-15);
+  EXPECT_NEAR((*upright)[1], -0.3, 1e-15);
+  const auto level = io::boundaryDomain("fault", test::stripMesh(4), "base", world());
+  EXPECT_NEAR((*pointAlong(level, 1))[0], 1, 1e-15);
+  EXPECT_FALSE(pointAlong(level, 1.001) || pointAlong(level, -0.001));
+}

@@ -96,6 +96,27 @@ TEST(Receivers, WriteSeriesOfInterpolatedFields)
   });
 }
 
+TEST(Receivers, ANumberIsADistanceAlongTheFault)
+{
+  test::TemporaryDirectory directory;
+  Fault fault;
+  auto list = parameters();
+  list.sublist("On Fault").set("dp003", position({0.3}));
+  Receivers receivers(complete(list), fault.context(directory.path()));
+  run(fault, receivers);
+  test::onRankZero([&] {
+    const auto file = h5::File::open(directory / "receivers.h5");
+    const auto places = file.openDataset("on_fault/coordinates").read<double>();
+    EXPECT_NEAR(places[0], 0.3, 1e-15);
+    EXPECT_NEAR(places[1], 0, 1e-15);
+  });
+  list.sublist("On Fault").set("dp003", position({1.5}));
+  const auto message = refusal(list);
+  EXPECT_TRUE(test::contains(message, "On Fault / dp003: the fault is not as long as 1.5 m; it "
+                                      "extends from (0, 0) to (1, 0) m"))
+    << message;
+}
+
 TEST(Receivers, WithoutAnyNothingIsWritten)
 {
   test::TemporaryDirectory directory;

@@ -10,6 +10,8 @@
 #include <Tpetra_CrsMatrix.hpp>
 #include <gtest/gtest.h>
 
+#include <numeric>
+
 // Faults inside the body: what the unknowns at their nodes, mean and jump, mean.
 namespace asperity::fem
 {
@@ -157,6 +159,15 @@ TEST(TwoSidedFault, givesBackTheVectorsAtItsVertices)
   for (int vertex = 0; vertex < body.mesh.num_owned; ++vertex) {
     for (int d = 0; d < 2; ++d) {
       EXPECT_NEAR(vectors[2 * vertex + d], value(vertex)[d], 1e-15);
+    }
+  }
+  std::vector<int> backwards(body.mesh.num_owned);
+  std::iota(backwards.rbegin(), backwards.rend(), 0);
+  auto const chosen =
+    alongAxes(body.constraints.frames(), body.dofs, *unknowns(body, value), backwards);
+  for (std::size_t i = 0; i < backwards.size(); ++i) {
+    for (int d = 0; d < 2; ++d) {
+      EXPECT_EQ(chosen[2 * i + d], vectors[2 * backwards[i] + d]);
     }
   }
 }

@@ -1,0 +1,72 @@
+#include "scenario/setup/fault/FaultKind.hpp"
+
+#include "SampleDeck.hpp"
+#include "scenario/Problem.hpp"
+#include "scenario/setup/BoundarySetup.hpp"
+
+namespace asperity::scenario
+{
+using namespace test;
+
+namespace
+{
+// All that a new kind of fault is.
+struct ThreefoldFault final : FaultKind
+{
+  ThreefoldFault()
+      : FaultKind("it slips three times as far as its body moves.", {3, 2, false, true})
+  {
+  }
+};
+
+fem::OtherSide otherSideOf(std::string const& name)
+{
+  return FaultKindRegistry::instance().create(name, "")->other_side;
+}
+} // namespace
+
+ASPERITY_REGISTER(FaultKindRegistry, "Threefold Fault", ThreefoldFault)
+
+TEST(FaultKind, theThreeOfDecksDifferByTheirMap)
+{
+  auto const foundation = otherSideOf("Bilateral Contact");
+  EXPECT_EQ(foundation.slip_factor, 1) << "slip = v_t";
+  EXPECT_EQ(foundation.deforming_sides, 1);
+  EXPECT_FALSE(foundation.is_inside || foundation.is_mirrored);
+
+  auto const mirror = otherSideOf("Antisymmetric Fault");
+  EXPECT_EQ(mirror.slip_factor, 2) << "slip = 2 v_t";
+  EXPECT_EQ(mirror.deforming_sides, 2);
+  EXPECT_TRUE(mirror.is_mirrored && !mirror.is_inside);
+
+  auto const body = otherSideOf("Two-Sided Fault");
+  EXPECT_EQ(body.slip_factor, 1) << "slip = d_t";
+  EXPECT_EQ(body.deforming_sides, 2);
+  EXPECT_TRUE(body.is_inside && !body.is_mirrored);
+  EXPECT_EQ(faultKindsInside(), std::vector<std::string>{"Two-Sided Fault"});
+}
+
+TEST(FaultKind, isOneFile)
+{
+  const auto deck = column([](ParameterList& given) {
+    auto& conditions = given.sublist("Boundary Conditions");
+    conditions.sublist("Fault").set("Type", "Threefold Fault");
+    conditions.sublist("Left").set("Type", "Prescribed Slip Rate").set("Slip Rate", 6.);
+    given.sublist("Friction").set("Normal Stress", 1e4);
+  });
+  const auto result = makeBoundaryConditions<2>(deck.sublist("Boundary Conditions"), 2);
+  ASSERT_FALSE(result.velocities.empty());
+  EXPECT_TRUE(std::holds_alternative<fem::FreeAcrossFault>(result.velocities.front().kind));
+  auto const problem = makeProblem<2>(deck, world());
+  EXPECT_EQ(problem.surface->slipFactor(), 3);
+
+  for (auto const& condition : result.velocities) {
+    if (condition.name == "Asperity / Boundary Conditions / Left" &&
+        std::holds_alternative<fem::SlipAlongTangent<2>>(condition.kind)) {
+      EXPECT_EQ(condition.velocity({0, 0}, 0), 2) << "slip rate 6 = 3 v_t";
+      return;
+    }
+  }
+  FAIL() << "nothing slips on the left";
+}
+} // namespace asperity::scenario
