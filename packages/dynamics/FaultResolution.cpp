@@ -1,8 +1,7 @@
 #include "dynamics/FaultResolution.hpp"
 
+#include "base/parallel/Reductions.hpp"
 #include "mesh/SimplexGeometry.hpp"
-
-#include <Teuchos_CommHelpers.hpp>
 
 #include <algorithm>
 #include <array>
@@ -86,9 +85,7 @@ faultResolution(Mesh<Dim> const& mesh, fem::FaultSurface const& surface, int com
     std::transform(here.begin(), here.end(), mine.begin(), mine.begin(),
                    [](double x, double y) { return std::min(x, y); });
   }
-  auto all = mine;
-  Teuchos::reduceAll(*surface.communicator(), Teuchos::REDUCE_MIN, static_cast<int>(mine.size()),
-                     mine.data(), all.data());
+  auto const all = minOverRanks(mine, *surface.communicator());
   if (all[1] > 0) {
     return std::nullopt;
   }

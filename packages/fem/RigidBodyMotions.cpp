@@ -1,6 +1,7 @@
 #include "fem/RigidBodyMotions.hpp"
 
-#include <Teuchos_CommHelpers.hpp>
+#include "base/parallel/Reductions.hpp"
+
 #include <Tpetra_MultiVector.hpp>
 
 #include <algorithm>
@@ -28,8 +29,7 @@ struct Box
         mine[Dim + d] = std::min(mine[Dim + d], -mesh.vertices[node][d]);
       }
     }
-    auto all = mine;
-    Teuchos::reduceAll(communicator, Teuchos::REDUCE_MIN, 2 * Dim, mine.data(), all.data());
+    auto const all = minOverRanks(mine, communicator);
     for (int d = 0; d < Dim; ++d) {
       centre[d] = (all[d] - all[Dim + d]) / 2;
       half_size = std::max(half_size, -(all[d] + all[Dim + d]) / 2);

@@ -1,7 +1,7 @@
 #include "mesh/Boundaries.hpp"
 
 #include "base/Errors.hpp"
-#include "base/parallel/Agreement.hpp"
+#include "base/parallel/Reductions.hpp"
 #include "mesh/SimplexGeometry.hpp"
 #include "mesh/detail/FacetTable.hpp"
 #include "mesh/faults/Faults.hpp"
@@ -201,8 +201,9 @@ template <int Dim>
 void overrideBoundaries(Mesh<Dim>& part, std::vector<NamedCondition<Dim>> const& conditions,
                         Communicator const& communicator, std::string const& where)
 {
-  assignBoundaries(part, conditions, where,
-                   [&](std::vector<int> const& flags) { return onAnyRank(flags, communicator); });
+  assignBoundaries(part, conditions, where, [&](std::vector<int> const& flags) {
+    return maxOverRanks(flags, communicator);
+  });
 }
 
 template <int Dim>

@@ -1,7 +1,7 @@
 #include "mesh/Regions.hpp"
 
 #include "base/Errors.hpp"
-#include "base/parallel/Agreement.hpp"
+#include "base/parallel/Reductions.hpp"
 #include "mesh/SimplexGeometry.hpp"
 
 namespace asperity::mesh
@@ -84,7 +84,7 @@ void overrideRegions(Mesh<Dim>& part, std::vector<NamedCondition<Dim>> const& co
                      Communicator const& communicator, std::string const& where)
 {
   assignRegions(part, conditions, where,
-                [&](std::vector<int> const& flags) { return onAnyRank(flags, communicator); });
+                [&](std::vector<int> const& flags) { return maxOverRanks(flags, communicator); });
 }
 
 template void overrideRegions(GlobalMesh<2>&, std::vector<NamedCondition<2>> const&,

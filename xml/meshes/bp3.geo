@@ -13,26 +13,40 @@
 //
 // On the fault cells are exactly h long down to `fine`; from there on they grow by `fault_growth`
 // per length along the fault and by `growth` per length away from it, up to `largest`. Beside the
-// fault lie two strips of right triangles that are mirror images of each other: where cells are
-// not, slip that changes from node to node changes the normal stress, which moves the first event
-// of BP3 by years. The strips begin below the surface, where the upper one would stick out of it.
+// fault lie two strips of triangles in rows, mirror images of each other, whose cells are h wide at
+// the fault and wider by the factor `across` from column to column: where cells on the two sides
+// are not mirror images, slip that changes from node to node changes the normal stress, and where
+// they lie without order, slip makes shear stress that it should not; both move events of BP3 by
+// years. The strips begin `top` below the surface and become wider with depth.
 
 DefineConstant[
   dip = 60,             // of the fault, between 0 and 90
   h = 100,              // size of the cells on the fault
-  fine = 20e3,          // down dip, where cells begin to grow
+  fine = 36e3,          // down dip, where cells begin to grow
   locked = 40e3,        // down dip, where `fault` ends and `deep` begins
-  strip = 1e3,          // width of each strip beside the fault
-  half_width = 800e3,   // the model reaches so far to the left and to the right of the origin
-  depth = 600e3,        // and so deep
-  fault_growth = 0.02,  // -, at most growth
-  growth = 0.08,        // -
-  largest = 80e3        // size of a cell
+  top = 4e3,            // down dip, where the strips beside the fault begin
+  narrow = 1.5e3,       // largest width of a strip there
+  wide = 8e3,           // and at `fine`
+  across = 1.05,        // -, widths of neighbouring cells across a strip
+  half_width = 2400e3,  // the model reaches so far to the left and to the right of the origin
+  depth = 1800e3,       // and so deep
+  fault_growth = 0.01,  // -, at most growth
+  growth = 0.05,        // -
+  largest = 240e3       // size of a cell
 ];
 
 c = Cos(dip * Pi / 180);
 s = Sin(dip * Pi / 180);
-top = Round(Max(2, 3 * c / s) * strip / h) * h; // where the strips begin, down dip
+If (dip <= 0 || dip > 90)
+  Error("dip = %g, which has to be above 0 and at most 90 degrees", dip);
+  Abort;
+EndIf
+// The upper strip stays below the surface.
+If (dip < 90)
+  narrow = Min(narrow, 0.7 * top * s / c);
+  wide = Min(wide, 0.7 * fine * s / c);
+EndIf
+columns = Round(Log(1 + (across - 1) * wide / h) / Log(across));
 // Where the fault leaves the model: through the bottom or, if its dip is small, through the right.
 through_bottom = depth * c < half_width * s;
 If (through_bottom)
@@ -51,10 +65,10 @@ Point(7) = {half_width, -depth, 0};
 Point(8) = {half_width, 0, 0};
 Point(9) = {top * c, -top * s, 0};
 // The corners of the strips, above and below the fault.
-Point(10) = {top * c + strip * s, -top * s + strip * c, 0};
-Point(11) = {fine * c + strip * s, -fine * s + strip * c, 0};
-Point(12) = {top * c - strip * s, -top * s - strip * c, 0};
-Point(13) = {fine * c - strip * s, -fine * s - strip * c, 0};
+Point(10) = {top * c + narrow * s, -top * s + narrow * c, 0};
+Point(11) = {fine * c + wide * s, -fine * s + wide * c, 0};
+Point(12) = {top * c - narrow * s, -top * s - narrow * c, 0};
+Point(13) = {fine * c - wide * s, -fine * s - wide * c, 0};
 
 Line(1) = {1, 9};
 Line(2) = {9, 2};
@@ -102,7 +116,7 @@ Physical Surface("hanging") = {2, 3};
 
 Transfinite Curve {1} = Round(top / h) + 1;
 Transfinite Curve {2, 12, 15} = Round((fine - top) / h) + 1;
-Transfinite Curve {11, 13, 14, 16} = Round(strip / h) + 1;
+Transfinite Curve {11, -13, 14, -16} = columns + 1 Using Progression across;
 Transfinite Surface {3} = {9, 2, 11, 10} Left;
 Transfinite Surface {4} = {9, 2, 13, 12} Left;
 

@@ -1,6 +1,7 @@
 #include "base/parallel/Agreement.hpp"
 
 #include "base/Errors.hpp"
+#include "base/parallel/Reductions.hpp"
 
 #include <Teuchos_CommHelpers.hpp>
 
@@ -84,18 +85,9 @@ void onEveryRank(Communicator const& communicator, std::function<void()> const& 
   const Outcome outcome = outcomeOf(work);
   const int num_ranks = communicator.getSize();
   const int mine = outcome.kind == done ? num_ranks : communicator.getRank();
-  int lowest = mine;
-  Teuchos::reduceAll(communicator, Teuchos::REDUCE_MIN, 1, &mine, &lowest);
+  const int lowest = minOverRanks(mine, communicator);
   if (lowest < num_ranks) {
     share(outcome, lowest, communicator);
   }
-}
-
-std::vector<int> onAnyRank(std::vector<int> const& flags, Communicator const& communicator)
-{
-  std::vector<int> result(flags.size(), 0);
-  Teuchos::reduceAll(communicator, Teuchos::REDUCE_MAX, static_cast<int>(flags.size()),
-                     flags.data(), result.data());
-  return result;
 }
 } // namespace asperity

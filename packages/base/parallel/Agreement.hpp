@@ -3,7 +3,6 @@
 #include "base/Types.hpp"
 
 #include <functional>
-#include <vector>
 
 // Errors that one rank notices, thrown on all: a rank that throws alone leaves the others waiting.
 namespace asperity
@@ -16,7 +15,4 @@ void onRoot(Communicator const& communicator, std::function<void()> const& work)
 // every rank, as by onRoot. Of work that is collective itself give one step at a time, because a
 // rank that has failed takes no part in the next one. Collective.
 void onEveryRank(Communicator const& communicator, std::function<void()> const& work);
-
-// What is not zero here or on any other rank is not zero in the answer. Collective.
-std::vector<int> onAnyRank(std::vector<int> const& flags, Communicator const& communicator);
 } // namespace asperity

@@ -4,37 +4,46 @@
 
 #include <Teuchos_CommHelpers.hpp>
 
+#include <type_traits>
+
 namespace asperity
 {
-// Sum, maximum and minimum of one number of each rank (int, double, std::int64_t), the same result
-// on every rank. Collective. On one rank they cost nothing.
+// Sum, maximum and minimum over the ranks of one number of each (int, double, std::int64_t), or of
+// as many numbers of each (std::vector, std::array, Eigen's matrices), entry by entry. The result
+// is the same on every rank. Collective. On one rank they cost nothing but a copy.
 namespace detail
 {
-template <class Number>
-Number reduced(Number mine, Teuchos::EReductionType operation, Communicator const& communicator)
+template <class Numbers>
+Numbers reduced(Numbers const& mine, Teuchos::EReductionType operation,
+                Communicator const& communicator)
 {
-  Number all = mine;
+  Numbers all = mine;
   if (communicator.getSize() > 1) {
-    Teuchos::reduceAll(communicator, operation, mine, Teuchos::outArg(all));
+    if constexpr (std::is_arithmetic_v<Numbers>) {
+      Teuchos::reduceAll(communicator, operation, mine, Teuchos::outArg(all));
+    } else {
+      Teuchos::reduceAll(communicator, operation, static_cast<int>(mine.size()), mine.data(),
+                         all.data());
+    }
   }
   return all;
 }
 } // namespace detail
 
-template <class Number>
-Number sumOverRanks(Number mine, Communicator const& communicator)
+template <class Numbers>
+Numbers sumOverRanks(Numbers const& mine, Communicator const& communicator)
 {
   return detail::reduced(mine, Teuchos::REDUCE_SUM, communicator);
 }
 
-template <class Number>
-Number maxOverRanks(Number mine, Communicator const& communicator)
+template <class Numbers>
+Numbers maxOverRanks(Numbers const& mine, Communicator const& communicator)
 {
   return detail::reduced(mine, Teuchos::REDUCE_MAX, communicator);
 }
 
-template <class Number>
-Number minOverRanks(Number mine, Communicator const& communicator)
+template <class Numbers>
+Numbers minOverRanks(Numbers const& mine, Communicator const& communicator)
 {
   return detail::reduced(mine, Teuchos::REDUCE_MIN, communicator);
 }

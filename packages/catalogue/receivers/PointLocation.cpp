@@ -5,8 +5,6 @@
 #include "catalogue/receivers/NearestPoint.hpp"
 #include "io/parallel/Gather.hpp"
 
-#include <Teuchos_CommHelpers.hpp>
-
 #include <algorithm>
 #include <limits>
 #include <map>
@@ -151,14 +149,12 @@ Sampling::Sampling(io::OutputDomain const& domain, std::vector<LocatedPoint> con
 
 std::vector<double> Sampling::operator()(std::vector<double> const& nodal, int components) const
 {
-  std::vector<double> mine(num_points_ * components, 0), sum(mine.size(), 0);
+  std::vector<double> mine(num_points_ * components, 0);
   for (auto const& term : terms_) {
     for (int c = 0; c < components; ++c) {
       mine[term.point * components + c] += term.weight * nodal[term.node * components + c];
     }
   }
-  Teuchos::reduceAll(*comm_, Teuchos::REDUCE_SUM, static_cast<int>(mine.size()), mine.data(),
-                     sum.data());
-  return sum;
+  return sumOverRanks(mine, *comm_);
 }
 } // namespace asperity::catalogue

@@ -1,7 +1,8 @@
 #include "dynamics/coupling/AndersonAcceleration.hpp"
 
+#include "base/parallel/Reductions.hpp"
+
 #include <Eigen/Dense>
-#include <Teuchos_CommHelpers.hpp>
 
 namespace asperity::dynamics
 {
@@ -60,9 +61,7 @@ std::vector<double> AndersonAcceleration::weights() const
       mine(j, l + 1) = product(surface_.weights(), last, residual, iterates_[l + 1].residual);
     }
   }
-  Eigen::MatrixXd products = mine;
-  Teuchos::reduceAll(*surface_.communicator(), Teuchos::REDUCE_SUM, static_cast<int>(mine.size()),
-                     mine.data(), products.data());
+  const Eigen::MatrixXd products = sumOverRanks(mine, *surface_.communicator());
   Eigen::CompleteOrthogonalDecomposition<Eigen::MatrixXd> normal;
   normal.setThreshold(parallel);
   normal.compute(products.rightCols(size));

@@ -2,26 +2,13 @@
 
 #include "base/Errors.hpp"
 #include "base/Text.hpp"
+#include "base/parallel/Reductions.hpp"
 #include "base/program/WorkTimers.hpp"
-
-#include <Teuchos_CommHelpers.hpp>
 
 #include <chrono>
 
 namespace asperity::dynamics
 {
-namespace
-{
-// Set-ups are collective, so what is forgotten must not depend on a rank's share of the mesh.
-std::size_t largestOverRanks(Communicator const& communicator, std::size_t bytes)
-{
-  const auto mine = static_cast<double>(bytes);
-  double largest = 0;
-  Teuchos::reduceAll(communicator, Teuchos::REDUCE_MAX, mine, Teuchos::outArg(largest));
-  return static_cast<std::size_t>(largest);
-}
-} // namespace
-
 StepSolvers::StepSolvers(Body const& body, fem::FaultSurface const& surface,
                          RateUpdate const& update, DyadicTime const& clock,
                          RateSolverSettings const& settings, std::size_t budget_bytes,
@@ -59,7 +46,8 @@ RateSolver& StepSolvers::at(int level)
                      " s (the largest step halved " + std::to_string(level) +
                      " times) could not be set up. " + error.what());
   }
-  bytes = largestOverRanks(*surface_.communicator(), solver->bytes());
+  // Set-ups are collective, so what is forgotten must not depend on a rank's share of the mesh.
+  bytes = maxOverRanks(static_cast<std::int64_t>(solver->bytes()), *surface_.communicator());
   bytes_ += bytes;
   while (bytes_ > budget_bytes_ && recent_.size() > 1) {
     auto const oldest = solvers_.find(recent_.back());

@@ -2,10 +2,10 @@
 
 #include "base/Errors.hpp"
 #include "base/parallel/Agreement.hpp"
+#include "base/parallel/Reductions.hpp"
 #include "fem/constraints/detail/SplitDirections.hpp"
 #include "mesh/PointText.hpp"
 
-#include <Teuchos_CommHelpers.hpp>
 #include <Tpetra_Import.hpp>
 #include <Tpetra_Map.hpp>
 #include <Tpetra_MultiVector.hpp>
@@ -82,10 +82,7 @@ std::vector<double> Constraints<Dim>::largestVelocities(NodalDirections const& d
       }
     }
   }
-  auto all = mine;
-  Teuchos::reduceAll(communicator, Teuchos::REDUCE_MAX, static_cast<int>(mine.size()), mine.data(),
-                     all.data());
-  return all;
+  return maxOverRanks(mine, communicator);
 }
 
 template <int Dim>

@@ -1,13 +1,14 @@
 #include "tnnmg/detail/MultigridPreconditioner.hpp"
 
 #include "base/Errors.hpp"
+#include "base/parallel/Reductions.hpp"
 #include "tnnmg/detail/MultigridNodeBlock.hpp"
 
-#include <Teuchos_CommHelpers.hpp>
 #include <Tpetra_CrsMatrix.hpp>
 #include <Tpetra_Map.hpp>
 #include <Tpetra_MultiVector.hpp>
 
+#include <array>
 #include <utility>
 
 namespace asperity::tnnmg::detail
@@ -116,10 +117,10 @@ double MultigridPreconditioner::outdatedShare() const
       sum += now(node) != before(node) || (!now(node) && differs);
     },
     changed);
-  const double mine[2] = {static_cast<double>(changed), static_cast<double>(nodes_->size())};
-  double all[2] = {0, 0};
-  Teuchos::reduceAll(*Z_->getComm(), Teuchos::REDUCE_SUM, 2, mine, all);
-  return all[1] > 0 ? all[0] / all[1] : 0.0;
+  const std::array<double, 2> mine = {static_cast<double>(changed),
+                                      static_cast<double>(nodes_->size())};
+  auto const [all_changed, all_nodes] = sumOverRanks(mine, *Z_->getComm());
+  return all_nodes > 0 ? all_changed / all_nodes : 0.0;
 }
 
 void MultigridPreconditioner::rebuild()
