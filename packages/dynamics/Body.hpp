@@ -10,8 +10,8 @@
 
 namespace asperity::dynamics
 {
-// All that is linear: M u'' + C u' + K u = load(t) + friction and reaction forces (Pipping 2014,
-// eq. 14), in nodal frames.
+// The linear part of the model: M u'' + C u' + K u = load(t) + friction and reaction forces
+// (Pipping 2014, eq. 14), in nodal frames.
 struct Body
 {
   std::shared_ptr<const fem::DofMap> dofs;
@@ -25,7 +25,7 @@ struct Body
 
   int numOwnedDofs() const { return dofs->numOwnedNodes() * dofs->components(); }
   RCP<Vector> vector() const;
-  // y = alpha M x + beta y, without a product where the body has no mass.
+  // y = alpha M x + beta y; the product is left out if the body has no mass.
   void applyMass(Vector const& x, Vector& y, double alpha, double beta) const;
   // l - M a - C v - K u
   void residual(Vector const& l, Vector const& u, Vector const& v, Vector const& a,

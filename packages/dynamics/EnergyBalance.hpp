@@ -8,7 +8,8 @@
 
 namespace asperity::dynamics
 {
-// Energies and works per unit of thickness [J/m in 2D]; the works since the start of the run.
+// Energies and works: in J, in 2D per unit of thickness [J/m]. Works count from the start of the
+// run.
 struct Energy
 {
   double kinetic = 0;
@@ -18,7 +19,8 @@ struct Energy
   double friction_work = 0;         // dissipated on the fault
   double viscous_work = 0;          // dissipated in the body, by radiation damping and by dashpots
   double numerical_dissipation = 0; // by the scheme; may be negative for a while
-  // Change of kinetic and elastic energy minus all of the above: what the solvers leave over.
+  // Change of kinetic and elastic energy minus (load_work + boundary_work - friction_work -
+  // viscous_work - numerical_dissipation): what the tolerances of the solvers leave over.
   double defect = 0;
 
   struct Member
@@ -33,10 +35,10 @@ struct Energy
 // of the step:
 //   change of (1/2 v'Mv + 1/2 u'Ku) = du . (mean l - C mean v - mean f) - D
 //   D = du . M mean a - mean v . M dv
-// f are the friction forces of the last rate problem and the reactions of prescribed dofs. Exact
-// where the balance of momentum holds at both ends; D is what the scheme dissipates, and vanishes
+// f are the friction forces of the last rate problem and the reactions of prescribed dofs. The
+// balance is exact where that of momentum holds at both ends; D is what the scheme dissipates, zero
 // for Newmark with beta = 1/4 (README.md). Under back slip the fault slips by Vp tau more than the
-// bodies move: what friction and radiation damping dissipate in that is work of the plates.
+// bodies move: what friction and radiation damping dissipate in this slip is work of the plates.
 class EnergyBalance
 {
 public:
@@ -44,7 +46,7 @@ public:
 
   // Begins at a state, with the works done so far (after a restart).
   void start(State const& state, Energy const& so_far);
-  // Adds the step to the given state. All ranks together.
+  // Adds the step that has led to the given state. All ranks together.
   Energy const& advance(State const& state);
   Energy const& energy() const { return energy_; }
   // Friction forces on the fault and reactions at held dofs, at the last state [N per unit of

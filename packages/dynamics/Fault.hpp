@@ -19,7 +19,7 @@ struct FaultLaws
   friction::ConstNodeView cohesion;            // (num_nodes) [Pa]
   std::string state;
   friction::ParameterView state_parameters; // (num_parameters, num_nodes)
-  // (num_nodes) of a quasi-dynamic body, per slip rate [Pa s/m]; empty where there is none.
+  // (num_nodes) traction per slip rate [Pa s/m] of a quasi-dynamic body; empty if there is none.
   std::vector<double> radiation_damping = {};
   // c / b of Linker and Dieterich's term, d(alpha) = -(c / b) d(ln sigma_n): (num_nodes) [-];
   // a view without entries means none.
@@ -41,7 +41,7 @@ public:
   friction::FrictionKernels const& friction() const { return *friction_; }
   friction::StateKernels const& state() const { return *state_; }
 
-  // Kernels of the same law with another cohesion(num_nodes) [Pa].
+  // Friction kernels of the same law with another cohesion(num_nodes) [Pa].
   std::unique_ptr<friction::FrictionKernels>
   frictionWith(friction::ConstNodeView const& cohesion) const;
 

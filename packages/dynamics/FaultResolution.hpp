@@ -12,22 +12,22 @@ namespace asperity::dynamics
 // The modulus G' [Pa] with which slip of wavenumber q loads the fault, G' q / 2 per slip:
 //   two sides deform (a mirror image, two equal bodies)
 //                      G antiplane, G / (1 - nu) plane strain
-//   one (on a rigid foundation)
+//   one side deforms (on a rigid foundation)
 //                      2 G antiplane, 8 G (1 - nu) / (3 - 4 nu) plane strain (u_n = 0)
-// In three dimensions that of antiplane, the smaller one: along one of the fault's directions slip
-// is of that kind.
-// One side alone bears the slip that two share, hence about the double.
+// In three dimensions G' is the antiplane modulus, the smaller one, because slip along one of the
+// fault's directions is antiplane. One side alone bears the slip that two sides share, so its G' is
+// about twice as large.
 double slipModulus(fem::Material const& material, int components, fem::OtherSide const& other_side);
 
 // The size of the cohesive zone at rest, Lambda0 = G' L / (b sigma_n) [m].
 double cohesiveZone(double slip_modulus, double b, double L, double sigma_n);
 
-// Length of the patch that slip accelerates on, under the ageing law (Rubin & Ampuero 2005):
-// h* = (2 / pi) G' b L / ((b - a)^2 sigma_n) for a above about b / 2, and 2.7548 Lambda0 below.
-// For b > a. With the slip law nucleation is smaller.
+// The nucleation length [m]: the length of the patch on which slip accelerates under the ageing law
+// (Rubin & Ampuero 2005), h* = (2 / pi) G' b L / ((b - a)^2 sigma_n) for a above about b / 2, and
+// 2.7548 Lambda0 below. Requires b > a. Under the slip law the patch is smaller.
 double nucleationLength(double slip_modulus, double a, double b, double L, double sigma_n);
 
-// At the nodes of a fault, each (num_nodes).
+// The parameters of friction and the normal stress at the nodes of a fault, (num_nodes) each.
 struct FrictionOfNodes
 {
   std::vector<double> a, b;    // direct and evolution effect
@@ -35,17 +35,17 @@ struct FrictionOfNodes
   std::vector<double> sigma_n; // [Pa]
 };
 
-// Where b > a and the normal stress is not zero, over all ranks; lengths in m.
+// Extremes over the nodes of all ranks where b > a and the normal stress is positive; lengths in m.
 struct FaultResolution
 {
-  double smallest_cell; // of the fault's facets; the leg of a right triangle of the same area
+  double smallest_cell; // length of a facet; in 3D the leg of a right triangle of the same area
   double largest_cell;
   double cohesive_zone;     // smallest
   double nucleation_length; // smallest
   double cells_per_zone;    // fewest: Lambda0 at a node over the larger cell beside it
 };
 
-// Nothing where friction weakens nowhere. materials(num_nodes): of the body beside the fault.
+// Empty if friction weakens nowhere. materials(num_nodes): of the body beside the fault.
 // components: of the displacement. Collective.
 template <int Dim>
 std::optional<FaultResolution>

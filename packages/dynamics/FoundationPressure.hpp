@@ -7,9 +7,9 @@
 
 namespace asperity::dynamics
 {
-// The pressure of a rigid foundation at the nodes of a fault [Pa] in the static state u, positive
-// in compression: the reaction K u - load across the fault per weight of what bears it.
-// support(num_nodes): these weights, see fem::supportWeights. u and load live on the owned dofs.
+// The pressure between the body and a rigid foundation at the nodes of a fault [Pa], (num_nodes),
+// in the static state u; positive in compression. It is the reaction K u - load across the fault
+// divided by support(num_nodes), see fem::supportWeights. u and load live on the owned dofs.
 std::vector<double> foundationPressure(Body const& body, fem::NodalFrames const& frames,
                                        fem::FaultSurface const& surface,
                                        std::vector<double> const& support, Vector const& load,

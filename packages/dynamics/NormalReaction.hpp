@@ -10,12 +10,12 @@
 
 namespace asperity::dynamics
 {
-// How a moving body presses across its fault. At node i the frame's component across the fault is
-// held, and its reaction r_i = [M a + C v + K u - l]_i is what holds it:
-//   R_i = -(outward normal) . r_i / support_i [Pa], positive in compression,
-// the outward normal (FaultNode::normal) being that of the body whose motion, or whose motion
-// relative to the other side, the dofs of the node are. R_i = 0 where friction does not decide on
-// the motion of the node. Fault nodes in the order of the surface.
+// The compression R that a moving body exerts across its fault. At node i the component across the
+// fault is held by the reaction r_i = [M a + C v + K u - l]_i:
+//   R_i = -(outward normal) . r_i / support_i [Pa], positive in compression.
+// The outward normal (FaultNode::normal) is that of the body; between two bodies, of the one on the
+// plus side. R_i = 0 where friction does not decide on the motion of the node. Fault nodes are in
+// the order of the surface.
 class NormalReaction
 {
 public:
@@ -24,7 +24,8 @@ public:
   NormalReaction(Body const& body, fem::FaultSurface const& surface, fem::NodalFrames const& frames,
                  std::vector<double> const& support);
 
-  // R(num_nodes) in a state with the load l; vectors of owned dofs. Collective.
+  // R(num_nodes) [Pa] in the state u, v, a under the load l, all of them vectors of owned dofs.
+  // Collective.
   void compression(Vector const& l, Vector const& u, Vector const& v, Vector const& a,
                    friction::NodeView const& R) const;
 
@@ -32,7 +33,7 @@ public:
   // the fault, without the columns of held dofs: (num_nodes, owned dofs). Collective.
   RCP<const CrsMatrix> rows(double factor_mass, double factor_viscosity,
                             double factor_stiffness) const;
-  // The entries of x(owned dofs) at those components: (num_nodes).
+  // The entries of x(owned dofs) at the components across the fault: (num_nodes).
   void gather(Vector const& x, std::vector<double>& entries) const;
   // R(num_nodes) of the reactions r(num_nodes).
   void compression(std::vector<double> const& r, friction::NodeView const& R) const;
@@ -44,8 +45,8 @@ private:
   std::vector<double> per_force_; // R_i / r_i
 };
 
-// The reaction of a run, and what it was at its start; without a reaction where the normal stress
-// does not follow the body.
+// The reaction across the fault of a run, and R at the start of the run; both are empty if the
+// normal stress does not follow the body.
 struct ReactionSinceStart
 {
   std::shared_ptr<const NormalReaction> reaction = {};

@@ -11,14 +11,13 @@ namespace asperity::dynamics
 enum class NormalStressChange
 {
   fixed,  // lambda = 0
-  lagged, // that of the step's beginning: first order in the step
-  coupled // that of the step's end, found together with the state of the fault
+  lagged, // lambda at the beginning of the step: first order in the step size
+  coupled // lambda at the end of the step, found together with the state of the fault
 };
 
-// The normal stress at the nodes of the fault [Pa], positive in compression: what is known of it
-// before the body moves, a constant or a function of time that is never negative, and how it
-// follows the body. Its value is an argument of a step (State::sigma_n) and nothing that the fault
-// remembers.
+// The law of the normal stress at the nodes of the fault [Pa], positive in compression: sigma_0, a
+// constant or a function of time that is never negative, and the way in which the normal stress
+// follows the body. The current value is not stored here but in State::sigma_n.
 class NormalStress
 {
 public:
@@ -29,7 +28,7 @@ public:
   // Fills sigma_0(num_nodes) for the time t [s].
   explicit NormalStress(Function at);
 
-  // The same that follows the body, and stays above a floor >= 0 [Pa].
+  // Returns a copy that follows the body as `change` says and stays above a floor >= 0 [Pa].
   NormalStress following(NormalStressChange change, double floor) const;
   NormalStressChange change() const { return change_; }
   double floor() const { return floor_; }
@@ -37,8 +36,8 @@ public:
   bool dependsOnTime() const { return static_cast<bool>(at_); }
   // sigma_0(num_nodes) at the time t [s].
   void at(double t, friction::NodeView const& sigma_0) const;
-  // sigma_n(num_nodes) = max(floor, sigma_0 + now - start), R(num_nodes) in both; sigma_n may be
-  // sigma_0.
+  // sigma_n(num_nodes) = max(floor, sigma_0 + now - start), where now and start hold R(num_nodes).
+  // sigma_n and sigma_0 may be the same view.
   void add(friction::ConstNodeView const& sigma_0, friction::ConstNodeView const& now,
            friction::ConstNodeView const& start, friction::NodeView const& sigma_n) const;
   // sigma_n(num_nodes) = max(floor, sigma_n)

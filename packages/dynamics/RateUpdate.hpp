@@ -13,17 +13,17 @@ namespace asperity::dynamics
 //   a1 = lambda_M / tau v1 - a^,    a^ = d_v / tau v0 + d_a A0
 //   A0 = a0 + alpha_M tau j0,       j1 = (a1 - A0) / ((1 - alpha_M) tau)
 //
-// M a1 + C v1 + K u1 = l1 - f1 holds at the end of the step in all of them. A is the scheme's own
-// acceleration, which lags behind a by |alpha_M| steps; it is a where alpha_M = 0. A state keeps
-// the jerk j instead of A, since the lag is that of the step to come: with A0 as the last step left
-// it a change of the step would cost an order.
+// In all schemes M a1 + C v1 + K u1 = l1 - f1 holds at the end of the step. A is the scheme's own
+// acceleration: it lags behind a by |alpha_M| steps, and equals a if alpha_M = 0. A state stores
+// the jerk j instead of A, because A0 has to lag by a share of the step to come: with the A of the
+// last step, a change of the step size would cost an order of accuracy.
 //
 // Newmark: u1 = u0 + tau v0 + tau^2/2 ((1 - 2 beta) a0 + 2 beta a1), v1 = v0 + tau (a0 + a1)/2.
 // Backward Euler: u1 = u0 + tau v1, v1 = v0 + tau a1.
 // Generalised alpha: Newmark's formulas with gamma = 1/2 - alpha_M, beta = (1 - alpha_M)^2/4 and A
 // instead of a, where a1 = (1 - alpha_M) A1 + alpha_M A0 (Wood, Bossak and Zienkiewicz 1980;
-// Chung and Hulbert 1993 with alpha_f = 0, so that friction and state are met at the end of the
-// step and the rate problem stays convex).
+// Chung and Hulbert 1993 with alpha_f = 0, so that friction and state enter at the end of the step
+// and the rate problem stays convex).
 struct RateUpdate
 {
   std::string name;
@@ -36,7 +36,7 @@ struct RateUpdate
 
   // Second order; unconditionally stable for beta in [1/4, 1/2].
   static RateUpdate newmark(double beta);
-  // First order, damps everything.
+  // First order; damps all modes.
   static RateUpdate backwardEuler();
   // Second order, unconditionally stable; a step much longer than a mode's period multiplies the
   // mode by the spectral radius in [0, 1]: 0 forgets it at once, 1 is Newmark with beta = 1/4.
@@ -46,7 +46,7 @@ struct RateUpdate
   void laggingAcceleration(State const& from, double tau, Vector& A) const;
   // u^ and a^ for a step of tau [s].
   void predict(State const& from, double tau, Vector& u_hat, Vector& a_hat) const;
-  // u, a and the jerk in `to`, whose v is v1.
+  // Computes u, a and the jerk of `to`, whose v holds v1 already.
   void complete(State const& from, Vector const& u_hat, Vector const& a_hat, double tau,
                 State& to) const;
 };

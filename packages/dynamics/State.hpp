@@ -8,7 +8,8 @@
 
 namespace asperity::dynamics
 {
-// Everything the future depends on, at one time. Vectors of owned dofs in nodal frames.
+// Everything that the future of a run depends on, at one time. The vectors have the owned dofs, in
+// nodal frames.
 struct State
 {
   DyadicTime::Ticks time = 0;
@@ -16,7 +17,7 @@ struct State
   RCP<Vector> jerk;           // m/s^3, of the last step, see RateUpdate; zero to begin with
   friction::NodeView alpha;   // (num fault nodes)
   friction::NodeView sigma_n; // (num fault nodes) [Pa], positive in compression
-  // The state the velocity was computed with: alpha of the last rate problem.
+  // The alpha of the last rate problem, with which v was computed.
   friction::NodeView alpha_of_rate;
 
   State clone() const

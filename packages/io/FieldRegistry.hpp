@@ -30,7 +30,8 @@ struct OutputScalar
   std::function<double()> value;
 };
 
-// What a run has to offer to its outputs. The scenario fills it; outputs ask by name.
+// The fields and scalars that a run offers to its outputs. The scenario adds them; outputs ask for
+// them by name.
 class FieldRegistry
 {
 public:
@@ -38,12 +39,12 @@ public:
   void add(OutputField field);
   void add(OutputScalar scalar);
 
-  // InputError that names the nearest known one if there is no such field or scalar.
+  // Throw InputError, which names the nearest known name, if there is no such field or scalar.
   OutputField const& field(std::string const& domain, std::string const& name) const;
   OutputScalar const& scalar(std::string const& name) const;
 
-  // Those of the names, in their order; `where` is the entry of the deck that has the names.
-  // InputError as for field, and if a name stands there twice.
+  // The fields of these names, in this order; `where` is the entry of the deck that has the names.
+  // Throws InputError as field() does, and if a name occurs twice.
   std::vector<OutputField const*> fields(std::string const& domain,
                                          std::vector<std::string> const& names,
                                          std::string const& where) const;

@@ -5,8 +5,8 @@
 
 namespace asperity::io
 {
-// What the outputs of a run let others read, by its type: one of each. Outputs add to it, the files
-// of a text format ask:
+// The objects that the outputs of a run let others read, found by type: at most one of each type.
+// Outputs add themselves, and the files of a text format look them up:
 //
 //   offers.add(*this);                                        // in Receivers::offer
 //   if (auto const* receivers = offers.find<Receivers>()) ... // null if the deck has none

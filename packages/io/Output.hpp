@@ -36,49 +36,51 @@ struct OutputContext
   RCP<const Communicator> comm;
   FieldRegistry const& fields;
   std::map<std::string, OutputDomain> const& domains; // by name
-  std::array<double, 3> up{0, 1, 0}; // direction, in three dimensions; the OutputSet reads the deck
+  std::array<double, 3> up{0, 1, 0}; // direction, in three dimensions; OutputSet sets it
 
-  // InputError that says what to change in the deck if there is no such domain.
+  // Throws InputError, which says what to change in the deck, if there is no such domain.
   OutputDomain const& domain(std::string const& name) const;
 };
 
-// How many of something there have been so far: {3, "event"}.
+// A count of something so far in a run: {3, "event"}.
 struct Count
 {
   std::int64_t number = 0;
-  std::string of; // one of them
+  std::string of; // in the singular
 };
 
-// Something that a run leaves on disk. All functions are collective.
+// One kind of result that a run writes to disk. All functions are collective.
 class Output
 {
 public:
   virtual ~Output() = default;
 
-  // After every accepted step, and once before the first one.
+  // Called after every accepted step, and once before the first one.
   virtual void write(StepInfo const& step) = 0;
 
-  // Everything written so far is complete and readable on disk afterwards. Called before a
+  // Afterwards everything written so far is complete and readable on disk. Called before a
   // checkpoint; `index` counts the checkpoints from 0.
   virtual void closeSegment(int index) = 0;
 
-  // At the end of the run, after the last closeSegment and the last checkpoint.
+  // Called at the end of the run, after the last closeSegment and the last checkpoint.
   virtual void finish() = 0;
 
-  // What write needs from the past. restore brings the files back to the state of the archive.
+  // Save and restore what write needs from the past. restore also brings the files back to their
+  // state at the checkpoint.
   virtual void save(Archive& archive) const = 0;
   virtual void restore(Archive const& archive) = 0;
 
-  // Adds what files of a text format may read, normally itself.
+  // Adds the objects that files of a text format may read, normally this output itself.
   virtual void offer(Offers&) const {}
 
-  // For the lines of progress, and a paragraph for the report at the end of the run.
+  // Counts for the lines of progress, and a paragraph for the report at the end of the run.
   virtual std::vector<Count> counts() const { return {}; }
   virtual std::string report() const { return ""; }
 
-  // Of a kind that says nothing else: the domain without which it is left out ("": it is never),
-  // and its files, relative to the folder of the run. A name may end in '*' for any ending;
-  // segments need not be named. A class declares functions of the same names for its kind.
+  // Defaults for a kind of output, which a class replaces by static functions of the same names:
+  // the domain without which the output is left out ("" means it is never left out), and its files,
+  // relative to the folder of the run. A file name may end in '*' for any ending; segments need not
+  // be named.
   static std::string neededDomain() { return ""; }
   static std::vector<std::string> files() { return {}; }
 };
@@ -89,11 +91,11 @@ class OutputKind
 public:
   virtual ~OutputKind() = default;
 
-  // With the bool `Enabled` among them, and one sentence that says what is written.
+  // The parameters, the bool `Enabled` among them, and one sentence that says what is written.
   virtual Teuchos::RCP<const Teuchos::ParameterList> validParameters() const = 0;
   virtual std::string meaning() const = 0;
 
-  // As Output has them.
+  // As the functions of Output.
   virtual std::string neededDomain() const = 0;
   virtual std::vector<std::string> files() const = 0;
 
@@ -102,8 +104,8 @@ public:
                                        OutputContext const& context) const = 0;
 };
 
-// Of a class with static validParameters(), static meaning() and a constructor
-// (ParameterList const&, OutputContext const&). At the bottom of its file:
+// The kind of an output class that has static validParameters(), static meaning() and a constructor
+// (ParameterList const&, OutputContext const&). At the bottom of the file of the class:
 //   ASPERITY_REGISTER(OutputRegistry, "Fault History", OutputKindOf<FaultHistory>)
 template <class Type>
 class OutputKindOf : public OutputKind

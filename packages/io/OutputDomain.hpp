@@ -31,10 +31,10 @@ struct OutputDomain
   std::vector<GlobalOrdinal> connectivity; // (num_owned_elements, nodes_per_element), by number
   std::vector<double> corners;             // (num_owned_elements, nodes_per_element, dimension) [m]
 
-  // Where the mesh is periodic an element may reach across: its corners above are those of one
-  // piece, unlike the coordinates of its nodes.
+  // In a periodic mesh an element may reach across a period: its corners above lie next to each
+  // other, but the coordinates of its nodes do not.
   bool is_periodic = false;
-  std::vector<char> wraps; // (num_owned_elements) 1 where the element reaches across
+  std::vector<char> wraps; // (num_owned_elements) 1 where the element reaches across a period
 
   std::size_t numOwned() const { return vertices.size(); }
   std::size_t numOwnedElements() const { return connectivity.size() / nodes_per_element; }
@@ -44,9 +44,10 @@ struct OutputDomain
 // The domain `name` made of the mesh's boundary `boundary` (num_owned may be 0 on a rank).
 //
 // In two dimensions positions are the distance along the boundary from its first end, which is the
-// one with the smaller coordinates (x, then y); further pieces of a boundary continue where the
-// piece before it ended, and a closed curve starts at its least vertex. InputError if the mesh has
-// no boundary of that name or if it is empty on all ranks. Collective.
+// end with the smaller coordinates (x, then y). Each further piece of a boundary continues where
+// the piece before it ended; a closed curve starts at the vertex with the smallest coordinates.
+// Throws InputError if the mesh has no boundary of that name, or if the boundary has no facets on
+// any rank. Collective.
 template <int Dim>
 OutputDomain boundaryDomain(std::string const& name, Mesh<Dim> const& mesh,
                             std::string const& boundary, RCP<const Communicator> const& comm);

@@ -9,8 +9,8 @@
 namespace asperity::io
 {
 // All outputs of a run, made from the deck's list `Output`: one sublist for every registered kind,
-// each with the bool `Enabled`, and the choice `Text Format`. A kind whose domain the run has not
-// is left out, whatever the deck says.
+// each with the bool `Enabled`, the direction `Up`, and the choice `Text Format`. An output is left
+// out, whatever the deck says, if the run does not have the domain that it needs.
 //
 //   OutputSet outputs(deck.sublist("Output"), context);
 //   outputs.write(initial);                        // not after a restart
@@ -22,8 +22,8 @@ namespace asperity::io
 class OutputSet
 {
 public:
-  // One sublist for every registered kind, and the text format; declare adds them to the caller's
-  // list `Output`.
+  // One sublist for every registered kind, `Up` and `Text Format`; declare adds them to the
+  // caller's list `Output`.
   static Teuchos::RCP<const Teuchos::ParameterList> validParameters();
   static void declare(Teuchos::ParameterList& list);
 
@@ -37,7 +37,7 @@ public:
   void restore(Archive const& archive);
   void finish();
 
-  // Of all outputs: for the lines of progress, and the paragraphs for the report at the end.
+  // The counts of all outputs for the lines of progress, and their paragraphs for the report.
   std::vector<Count> counts() const;
   std::string report() const;
 
@@ -50,7 +50,7 @@ private:
   void makeOutputs(Teuchos::ParameterList const& parameters, OutputContext const& context);
   void makeTexts(Teuchos::ParameterList const& parameters, OutputContext const& context);
 
-  std::vector<Entry> entries_; // the files of the text format stand last
+  std::vector<Entry> entries_; // the output of the text format is the last one
   int num_closed_segments_ = 0;
   std::string text_format_; // "None", "SEAS"
 };

@@ -4,8 +4,8 @@
 
 namespace asperity::io
 {
-// Files in text besides the others, in a form that somebody else's tools read. A text format is a
-// word of the choice `Text Format` in the deck's list `Output`, and has the list of that name:
+// Additional text files in a form that other people's tools read. A text format is a word of the
+// choice `Text Format` in the deck's list `Output`, and has a list of the same name there:
 //   ASPERITY_REGISTER(TextFormatRegistry, "SEAS", Seas)
 class TextFormat
 {
@@ -14,7 +14,7 @@ public:
 
   virtual Teuchos::RCP<const Teuchos::ParameterList> validParameters() const = 0;
 
-  // As Output has them.
+  // As Output::files.
   virtual std::vector<std::string> files() const = 0;
 
   // An output that is called after all others of the run and may read what they offer.

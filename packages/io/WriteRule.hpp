@@ -8,9 +8,10 @@
 
 namespace asperity::io
 {
-// Which accepted steps are worth a row: the first and the last one, every nth, those where the peak
-// slip rate has changed by a factor since the last row, the first at or past given times, and the
-// first at or past each multiple of an interval, which may be another one while the fault ruptures.
+// Decides which accepted steps get a row: the first and the last one, every nth, those where the
+// peak slip rate has changed by a factor since the last row, the first one at or after each of
+// given times, and the first one at or after each multiple of an interval; while the fault
+// ruptures, a second interval applies as well.
 class WriteRule
 {
 public:
@@ -20,7 +21,7 @@ public:
 
   explicit WriteRule(Teuchos::ParameterList const& parameters);
 
-  // Whether to write a row for this step; if so, it is the last row from now on.
+  // Whether to write a row for this step; if so, the step is remembered as that of the last row.
   bool isDue(StepInfo const& step);
 
   void save(Archive& archive) const;
@@ -30,9 +31,9 @@ private:
   bool hasReason(StepInfo const& step) const;
   bool passesMultiple(double interval, double time) const;
 
-  int every_n_steps_;          // 0: not for this reason
-  double log_rate_change_;     // infinite: not for this reason
-  double interval_;            // [s], 0: not for this reason
+  int every_n_steps_;          // 0: rule is off
+  double log_rate_change_;     // infinite: rule is off
+  double interval_;            // [s], 0: rule is off
   double interval_of_rupture_; // likewise, while the peak slip rate is at least rupture_rate_
   double rupture_rate_;        // [m/s]
   std::vector<double> times_;  // sorted [s]

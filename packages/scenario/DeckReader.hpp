@@ -8,10 +8,10 @@
 
 namespace asperity::scenario
 {
-// All parameters of a deck, those of every registered plugin among them.
+// All parameters of a deck, including those of every registered plugin.
 RCP<const ParameterList> deckParameters();
 
-// The deck of a command line: read, overlaid, overridden, checked and completed. InputError
-// otherwise.
+// Reads the deck that the command line names, applies its overlays and overrides, checks and
+// completes it. Throws InputError if that fails.
 RCP<ParameterList> readCompleteDeck(CommandLine const& command_line);
 } // namespace asperity::scenario

@@ -6,10 +6,10 @@
 
 namespace asperity::scenario
 {
-// What must not change between a run and its restart: everything in the deck but the output, the
-// final time and how the rate problems are solved; of the mesh file and of datasets their content,
-// whatever their names; and how the mesh is numbered over the ranks. The same on every rank.
-// Collective.
+// The input that must not change between a run and its restart: everything in the deck but the
+// output, the final time and the solver of the rate problems (`TNNMG`); the content, but not the
+// names, of the mesh file and of datasets; and the numbering of the mesh over the ranks. The same
+// on every rank. Collective.
 template <int Dim>
 io::Fingerprint fingerprint(ParameterList const& deck, Mesh<Dim> const& mesh,
                             Communicator const& communicator);

@@ -8,23 +8,23 @@
 
 namespace asperity::scenario
 {
-// How often the floor of the normal stress acts, at the accepted steps of a run: nodes that slide
-// and whose normal stress is not above it.
+// Counts how often the floor of the normal stress acts at the accepted steps of a run: at the nodes
+// that slide and whose normal stress is not above the floor.
 class FloorCount
 {
 public:
   // The fault must outlive this.
   explicit FloorCount(dynamics::Fault const& fault);
 
-  // Whether the normal stress may come to its floor: it follows the body, or the floor is not zero.
+  // Whether the normal stress can reach its floor: it follows the body, or the floor is not zero.
   bool matters() const;
-  // The end of a step. Collective.
+  // Counts the nodes on the floor at the end of a step. Collective.
   void add(dynamics::State const& state);
-  // The part of the fault that is on the floor since the last step [-], by measure, where friction
-  // decides on the motion.
+  // The share [-], by measure, of the sliding part of the fault that was on the floor at the end of
+  // the last step.
   double share() const { return share_; }
 
-  // For run.log, a line; empty if it does not matter.
+  // A line for run.log; empty if the floor does not matter.
   std::string report() const;
 
   void save(io::Archive& archive, std::string const& path) const;

@@ -11,7 +11,7 @@
 
 namespace asperity::scenario
 {
-// What outputs read while a run goes on; the simulation keeps it up to date.
+// The present state of a run, from which outputs read; the simulation keeps it up to date.
 struct RunView
 {
   dynamics::State const* state = nullptr;
@@ -22,7 +22,8 @@ struct RunView
   dynamics::SolveCount count; // of the last step alone
 };
 
-// Fault, volume and, where the deck names one, the free surface. Collective.
+// The domains of the outputs by name: fault, volume and, if the deck has one, the free surface.
+// Collective.
 template <int Dim>
 std::map<std::string, io::OutputDomain> makeDomains(Problem<Dim> const& problem);
 

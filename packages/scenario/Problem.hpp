@@ -16,7 +16,7 @@
 
 namespace asperity::scenario
 {
-// What a deck describes, discretised: the body, its fault and the state it starts from.
+// The discretised model of a deck: the body, its fault and the initial state.
 template <int Dim>
 struct Problem
 {
@@ -31,11 +31,11 @@ struct Problem
   dynamics::Body body;
   dynamics::Fault fault;
   dynamics::State initial;
-  dynamics::ReactionSinceStart reaction; // what the normal stress follows, if it follows the body
-  std::vector<std::string> remarks;      // what the user should know, for the log
+  dynamics::ReactionSinceStart reaction; // empty unless the normal stress follows the body
+  std::vector<std::string> remarks;      // for the user, in the log
 };
 
-// `deck` is completed. Collective.
+// `deck` must be complete. Collective.
 template <int Dim>
 Problem<Dim> makeProblem(ParameterList const& deck, RCP<const Communicator> const& communicator);
 } // namespace asperity::scenario

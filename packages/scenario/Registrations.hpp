@@ -5,7 +5,7 @@
 
 namespace asperity::scenario
 {
-// "friction law 'Truncated'", "state law 'Slip'", "output 'Global'", ...: everything a deck may
-// choose that plugins can bring. What is registered twice stands there twice.
+// All registered laws, outputs and kinds of fault: "friction law 'Truncated'", "state law 'Slip'",
+// "output 'Global'", ... A name that is registered twice occurs twice.
 std::vector<std::string> registrations();
 } // namespace asperity::scenario

@@ -6,7 +6,8 @@
 
 namespace asperity::scenario
 {
-// The parts of a run in a checkpoint. `like` gives the shapes of a state that is read.
+// Save the parts of a run in a checkpoint and load them. `like` gives the shapes of the state that
+// is loaded.
 void save(io::Archive& archive, std::string const& path, dynamics::State const& state);
 dynamics::State loadState(io::Archive const& archive, std::string const& path,
                           dynamics::State const& like);

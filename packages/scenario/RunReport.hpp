@@ -10,7 +10,7 @@
 
 namespace asperity::scenario
 {
-// What is about to be computed, one line each. Collective.
+// Lines for the log that say what the run is going to compute. Collective.
 template <int Dim>
 std::vector<std::string> describe(Problem<Dim> const& problem, ParameterList const& deck);
 
@@ -18,17 +18,17 @@ struct RunSummary
 {
   bool finished = false;
   int dimension = 2; // of space
-  double time = 0;   // reached [s]
+  double time = 0;   // the time reached [s]
   std::int64_t num_steps = 0;
   std::int64_t forced_steps = 0; // accepted although the smallest step did not meet the tolerance
   dynamics::SolveCount count;
-  std::string of_floor; // of the normal stress, a line or nothing
+  std::string of_floor; // the line of FloorCount::report, or nothing
   dynamics::Energy energy;
   int setups = 0;
   double setup_seconds = 0;
   std::string directory;
 };
 
-// The closing paragraphs: what the outputs report, effort, energy.
+// The closing paragraphs: the report of the outputs, the effort and the energy.
 std::string summarise(RunSummary const& summary, std::string const& of_outputs);
 } // namespace asperity::scenario

@@ -9,22 +9,24 @@
 
 namespace asperity::scenario
 {
-// A run: a problem, its steps, and what it leaves in a directory.
+// A run: a problem, its steps, and the files that it writes to a directory.
 class Simulation
 {
 public:
   virtual ~Simulation() = default;
 
-  // To the final time, or until SIGTERM or SIGINT. Returns the exit status (base/MpiScope.hpp).
-  // SolveError if even the smallest step fails; the last good state is on disk then.
+  // Runs to the final time, or until SIGTERM or SIGINT. Returns the exit status
+  // (base/program/MpiScope.hpp). Throws SolveError if even the smallest step fails; the last good
+  // state is on disk then.
   virtual int run() = 0;
 };
 
-// `deck` is completed. Prepares the directory; reads the checkpoint of a restart. Collective.
+// `deck` must be complete. Unless the command line says --validate, reads the checkpoint of a
+// restart and prepares the directory. Collective.
 std::unique_ptr<Simulation> makeSimulation(RCP<ParameterList> const& deck,
                                            CommandLine const& command_line,
                                            RCP<const Communicator> const& communicator);
 
-// Where results go if the command line does not say: results/<name of the deck>.
+// The directory of the results: that of the command line, or results/<name of the deck>.
 std::filesystem::path outputDirectory(CommandLine const& command_line);
 } // namespace asperity::scenario

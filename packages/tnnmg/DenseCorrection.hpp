@@ -13,7 +13,8 @@ namespace asperity::tnnmg
 class DenseCorrection final : public LinearCorrection
 {
 public:
-  // Z in CRS form; nonlinear(num_nodes, T) its rows. The entries are copied.
+  // nonlinear(num_nodes, T): the local rows of Z at the nonlinear nodes. The entries of Z are
+  // copied.
   DenseCorrection(CrsMatrix const& Z, NodeDofView const& nonlinear);
   ~DenseCorrection() override;
 

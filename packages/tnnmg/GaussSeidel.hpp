@@ -7,11 +7,12 @@
 
 namespace asperity::tnnmg
 {
-// The largest eigenvalue of each node's diagonal block of Z in its free components: the curvature
-// of the model I^m (Pipping 2014, ch. 4).
+// The curvature of the model I^m (Pipping 2014, ch. 4), (num_nodes): the largest eigenvalue of each
+// node's diagonal block of Z in its free components, or for T = 3 Gershgorin's bound of it.
 NodeView nodalCurvature(CrsMatrix const& Z, NonlinearNodes const& nodes);
 
-// Z on the device. A sweep takes it once, because asking Tpetra for it costs as much as using it.
+// This rank's rows of Z on the device. A sweep gets them from Tpetra only once, because that costs
+// as much as using them.
 using LocalMatrix = CrsMatrix::local_matrix_device_type;
 
 // residual(node, k) = b - sum_j Z_kj v_j + curvature v at the rows of the given nodes. This is the
@@ -21,10 +22,11 @@ void modelResidual(LocalMatrix const& matrix, NonlinearNodes const& nodes, Index
                    ConstNodeView const& curvature, Vector const& b, Vector const& v_columns,
                    BlockView const& residual);
 
-// One sweep of nonlinear block Gauss-Seidel over the nonlinear nodes: node by node (a colour at a
-// time, over all ranks) the model is minimised, so that J does not rise. Updates v (domain map) and
-// blocks(num_nodes, T), its values at the nonlinear nodes. Returns the number of nodes whose
-// minimisation failed on this rank.
+// One sweep of nonlinear block Gauss-Seidel over the nonlinear nodes: the model is minimised node
+// by node (a colour at a time, over all ranks), so that J does not rise. Updates v_columns (v on
+// Z's column map, ghosts included) and blocks(num_nodes, T), the values of v at the nonlinear
+// nodes. residual(num_nodes, T) is work space. Returns the number of nodes whose minimisation
+// failed on this rank.
 template <class NodalProblem>
 int gaussSeidel(CrsMatrix const& Z, NonlinearNodes const& nodes, ConstNodeView const& curvature,
                 NodalProblem const& problem, Vector const& b, Vector& v_columns,

@@ -12,10 +12,11 @@ struct LineSearchResult
 
 // Finds the step along a direction at which the derivative of a convex function changes sign.
 //
-// slope(t) is the function's derivative along the direction at step t; nondecreasing, possibly with
-// jumps (one-sided). start = slope(0) < 0. Stops where |slope| <= tolerance |start|, or where the
-// bracket cannot shrink; in the latter case the end to the left of the sign change is returned, up
-// to which the function decreases.
+// slope(t) is the function's derivative along the direction at step t (one-sided at a jump); it
+// must not decrease. start = slope(0); the step is zero unless start < 0. The search stops where
+// |slope| <= tolerance |start|, at step 1024 if the slope is still negative there, or where the
+// bracket cannot shrink. In the last case it returns the end to the left of the sign change, up to
+// which the function decreases.
 template <class Slope>
 LineSearchResult findSignChange(Slope const& slope, double start, double tolerance)
 {
@@ -42,8 +43,8 @@ LineSearchResult findSignChange(Slope const& slope, double start, double toleran
   }
   int stalled = 0;
   for (int iteration = 0; iteration < 80 && right - left > 1e-14 * right; ++iteration) {
-    // Regula falsi that halves the value at an end that stays (Illinois), and bisection when that
-    // stalls.
+    // Regula falsi that halves the slope at an end that stays (Illinois), and bisection when regula
+    // falsi stalls.
     double middle = (left * slope_right - right * slope_left) / (slope_right - slope_left);
     if (stalled > 3 || !(middle > left && middle < right)) {
       middle = (left + right) / 2;

@@ -15,9 +15,9 @@ struct NonlinearBlocks
   Kokkos::View<const int*, MemorySpace> truncated;
 };
 
-// The effort of one correction. A correction that has not converged is usable, because the line
-// search limits the step along it. If it is zero as well, TNNMG cannot use it and does not stop
-// with it.
+// The effort of one correction. A correction that has not converged is still usable, because the
+// line search limits the step along it. If it is zero as well, TNNMG cannot use it and does not
+// count as converged in that iteration.
 struct CorrectionResult
 {
   bool converged = false;

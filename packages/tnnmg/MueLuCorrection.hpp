@@ -28,7 +28,7 @@ struct MultigridProblem
   int components = 0;     // displacement components per node
   // Rigid body motions in the dofs' frames: 1 antiplane, 3 in 2D, 6 in 3D.
   RCP<const MultiVector> near_null_space;
-  IndexView held_rows;  // whose off-diagonal entries are zero in Z
+  IndexView held_rows;  // rows of held dofs: their off-diagonal entries in Z are zero
   NonlinearNodes nodes; // the same T for all
 };
 
@@ -40,8 +40,8 @@ class MueLuCorrection final : public LinearCorrection
 public:
   static RCP<const Teuchos::ParameterList> validParameters();
 
-  // InputError unless MueLu and Belos take the lists that bear their names: a small problem on this
-  // rank alone is solved with them. Nothing is tried where both are empty.
+  // Throws InputError unless MueLu and Belos accept the sublists `MueLu` and `Belos`: a small
+  // problem on this rank alone is solved with them. If both are empty, nothing is tried.
   static void requireAccepted(Teuchos::ParameterList const& parameters);
 
   // Throws SolveError if MueLu's set-up fails, or if the V-cycle turns out not to be symmetric (a

@@ -15,14 +15,15 @@ using FlagView = Kokkos::View<int*, MemorySpace>;
 
 // Views of the nodes that carry a nonlinearity on this rank: which rows of Z they have, which rows
 // are held, and in which groups a sweep visits them. A node may be held in some components and free
-// in others: its velocity in the held ones is zero then, their rows of Z are diagonal, and the
-// nonlinearity is isotropic, so that a force along the free ones moves the node along them.
+// in others. Then its velocity is zero in the held components, their rows of Z are diagonal, and
+// the nonlinearity is isotropic, so that a force along the free components moves the node along
+// these.
 struct NonlinearNodes
 {
   NodeDofView dofs; // (num_nodes, T), local rows of Z
-  // (num local rows at least): 1 where the velocity is prescribed.
+  // (at least num local rows): 1 where the velocity is prescribed.
   ConstFlagView held;
-  // Nodes that are free in some component, by colour; as many colours on every rank.
+  // Nodes that are free in some component, by colour. All ranks have the same number of colours.
   std::vector<IndexView> colours;
 
   int numNodes() const { return static_cast<int>(dofs.extent(0)); }

@@ -17,19 +17,20 @@ namespace asperity::tnnmg
 class SchurComplement
 {
 public:
-  // Z symmetric positive definite, on one rank; rows: the local rows to keep. SolveError if Z is
-  // not definite.
+  // Z must be symmetric and live on one rank; rows: the local rows to keep. Throws SolveError if Z
+  // is not positive definite.
   SchurComplement(CrsMatrix const& Z, std::vector<int> const& rows);
   ~SchurComplement();
 
   // S as a full matrix in CRS form, in the order of `rows`.
   RCP<const CrsMatrix> const& matrix() const { return matrix_; }
 
-  // b (all rows) -> b_F - Z_FI Z_II^-1 b_I (the kept rows). Keeps L_I^-1 b_I for expand.
+  // Computes b_kept = b_F - Z_FI Z_II^-1 b_I (the kept rows) from b (all rows). Stores L_I^-1 b_I
+  // for expand.
   void condense(Vector const& b, Vector& b_kept);
 
-  // The minimiser over all other dofs, for the b of the last condense and given values on the kept
-  // rows.
+  // v (all rows) has the values v_kept on the kept rows and minimises J over all other dofs, for
+  // the b of the last condense.
   void expand(Vector const& v_kept, Vector& v) const;
 
   std::size_t factorEntries() const; // of L

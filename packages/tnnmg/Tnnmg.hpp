@@ -23,7 +23,7 @@ struct TnnmgResult
   int correction_iterations = 0; // of conjugate gradients
   int v_cycles = 0;
   int rises = 0;            // half steps after which J was larger by more than rounding
-  int lost_corrections = 0; // that found nothing, or no way down
+  int lost_corrections = 0; // corrections that were zero, or along which J did not fall
   double last_change = 0;   // energy norm
   int failed_nodes = 0;     // on any rank
 
@@ -39,10 +39,11 @@ struct TnnmgResult
 //
 // NodalProblem (host object, its members launch kernels; views as in NonlinearNodes.hpp):
 //   int minimise(IndexView nodes, ConstNodeView curvature, ConstBlockView r, BlockView v) const
-//       v_i = argmin curvature_i/2 |w|^2 - <r_i, w> + psi_i(w) for the given nodes; the number of
-//       failures
+//       v_i = argmin curvature_i/2 |w|^2 - <r_i, w> + psi_i(w) for the given nodes; returns the
+//       number of nodes where this failed
 //   void linearise(ConstBlockView v, BlockView gradient, HessianView hessian, FlagView kinked)
 //       const
+//       of psi_i at v_i; kinked_i = 1 where psi_i has no second derivative
 //   double slope(ConstBlockView v, ConstBlockView d, double t) const
 //       sum of psi_i'(v_i + t d_i; d_i)
 //   {double change, magnitude;} difference(ConstBlockView v, ConstBlockView d) const
@@ -65,13 +66,13 @@ public:
   {
   }
 
-  // v: the initial guess, overwritten by the solution. b and v on Z's domain map. All ranks
-  // together.
+  // v holds the initial guess and is overwritten by the solution. b and v live on Z's domain map.
+  // All ranks call it together.
   TnnmgResult solve(NodalProblem const& problem, Vector const& b, Vector& v)
   {
     return iterate(problem, b, v, settings_.max_iterations);
   }
-  // One iteration: for problems that change before they need to be solved.
+  // Makes one iteration only, for problems that change before they need to be solved.
   TnnmgResult improve(NodalProblem const& problem, Vector const& b, Vector& v)
   {
     return iterate(problem, b, v, 1);
@@ -108,7 +109,8 @@ TnnmgResult Tnnmg<NodalProblem>::iterate(NodalProblem const& problem, Vector con
     smooth(problem, b, result);
     const bool corrected = correct(problem, b, result);
     result.last_change = vectors_.energyOfChange();
-    // What Gauss-Seidel alone still changes says nothing about the dofs that it does not visit.
+    // Without a correction, the last change says nothing about the dofs that Gauss-Seidel does not
+    // visit.
     result.converged = corrected && result.last_change <= smallChange(b);
   }
   result.failed_nodes = sumOverRanks(result.failed_nodes, *Z_->getComm());
@@ -117,7 +119,7 @@ TnnmgResult Tnnmg<NodalProblem>::iterate(NodalProblem const& problem, Vector con
   return result;
 }
 
-// In the energy norm.
+// The largest change that counts as converged, in the energy norm.
 template <class NodalProblem>
 double Tnnmg<NodalProblem>::smallChange(Vector const& b) const
 {
@@ -145,7 +147,7 @@ bool Tnnmg<NodalProblem>::correct(NodalProblem const& problem, Vector const& b, 
   return findCorrection(problem, result) && searchAlong(problem, b, result);
 }
 
-// False where the linear correction found nothing though there was something to correct.
+// False if the linear correction has not converged and is zero or not a number.
 template <class NodalProblem>
 bool Tnnmg<NodalProblem>::findCorrection(NodalProblem const& problem, TnnmgResult& result)
 {
@@ -166,7 +168,7 @@ bool Tnnmg<NodalProblem>::findCorrection(NodalProblem const& problem, TnnmgResul
   return true;
 }
 
-// False where J does not fall along a correction that is too large to be left out.
+// False if J does not fall along the correction although the correction is too large to be ignored.
 template <class NodalProblem>
 bool Tnnmg<NodalProblem>::searchAlong(NodalProblem const& problem, Vector const& b,
                                       TnnmgResult& result)
@@ -182,8 +184,8 @@ bool Tnnmg<NodalProblem>::searchAlong(NodalProblem const& problem, Vector const&
   double step = findSignChange(slope, start, 1e-2).step;
   auto change = vectors_.changeAlong(*Z_, problem, blocks_, step);
   if (change.change > 0 && step > 0) {
-    // The slope at the step found was small but positive; where it is not, J is below its start for
-    // certain.
+    // The slope at this step was small but positive. Where the slope is not positive, J is certain
+    // to be below its start.
     step = findSignChange(slope, start, 0.).step;
     change = vectors_.changeAlong(*Z_, problem, blocks_, step);
   }

@@ -6,10 +6,10 @@
 #include <Tpetra_CrsMatrix.hpp>
 #include <Tpetra_Vector.hpp>
 
-// The vectors of a TNNMG iteration and the arithmetic on them that does not see the nonlinearity.
+// The vectors of a TNNMG iteration, and the arithmetic on them that does not involve psi.
 namespace asperity::tnnmg::detail
 {
-// A change of J and the sum of the magnitudes of the terms it was added up from.
+// A change of J, and the sum of the magnitudes of the terms that add up to it.
 struct EnergyChange
 {
   double change = 0;
@@ -25,8 +25,8 @@ struct TnnmgBlocks
 
   void differenceTo(BlockView const& reference,
                     BlockView const& result) const; // result = v - reference
-  // Adds to the kinked nodes those that are held, and those whose Hessian exceeds stiff *
-  // curvature. The others' Hessians lose their held components.
+  // Truncates, besides the nodes at a kink, those that are held in all components and those whose
+  // Hessian exceeds stiff * curvature. Sets the held components of all Hessians to zero.
   void truncate(NonlinearNodes const& nodes, ConstNodeView const& curvature, double stiff) const;
 
   BlockView v, before, d, scaled, residual, gradient;
@@ -40,8 +40,8 @@ struct TnnmgVectors
 
   void start(CrsMatrix const& Z, Vector const& b, Vector const& guess);
   void beginIteration();
-  // After sweeps that changed v: renews the residual; 1 if J rose. The nonlinear part of the change
-  // is this rank's.
+  // Computes the residual r again after sweeps have changed v. Returns 1 if J rose, else 0.
+  // nonlinear_change and magnitude: this rank's part of the change of psi. Collective.
   int finishSweeps(CrsMatrix const& Z, Vector const& b, double nonlinear_change, double magnitude);
   // newton_residual = b - Z v - gradient, zero in the held components of nonlinear nodes
   void newtonResidual(NonlinearNodes const& nodes, ConstBlockView const& gradient);

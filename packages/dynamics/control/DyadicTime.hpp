@@ -6,7 +6,7 @@
 namespace asperity::dynamics
 {
 // Time as a count of ticks, so that centuries and milliseconds add without loss: step sizes are
-// largest_step 2^-level, 0 <= level <= finest_level, and one tick is the finest of them.
+// largest_step 2^-level, 0 <= level <= finest_level, and one tick is the smallest step.
 class DyadicTime
 {
 public:
@@ -28,7 +28,7 @@ public:
     // once.
     return std::ldexp(static_cast<double>(ticks), -finest_level_) * largest_step_;
   }
-  // The level of the largest step of at most so many ticks, at least one.
+  // The level of the largest step that has at most `count` ticks; count >= 1.
   int levelWithin(Ticks count) const
   {
     int level = 0;
@@ -37,14 +37,15 @@ public:
     }
     return level;
   }
-  // The first count of ticks at or after a time, up to rounding: 1.1 s / 0.1 s is a bit above 11.
+  // The smallest count of ticks that reaches a time, up to rounding: 1.1 s / 0.1 s is a bit above
+  // 11.
   Ticks reaching(double seconds) const
   {
     constexpr double rounding = 4 * 2.220446049250313e-16;
     const double count = std::ldexp(seconds / largest_step_, finest_level_);
     return static_cast<Ticks>(std::ceil(count * (1 - rounding)));
   }
-  // Whether a time fits into the count.
+  // Whether a count of ticks can be as large as this time.
   bool reaches(double seconds) const
   {
     return std::ldexp(seconds / largest_step_, finest_level_) < 9.0e18;

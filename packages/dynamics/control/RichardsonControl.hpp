@@ -4,14 +4,14 @@
 
 namespace asperity::dynamics
 {
-// Steps in pairs. One step of twice the size is compared with the pair, which is kept: of three
-// coupled steps two are accepted. With a scheme of order p the error of the pair is about
+// Makes steps in pairs. One step of twice the size is compared with the pair, and the pair is kept:
+// two of three coupled steps are accepted. With a scheme of order p the error of the pair is about
 //
 //   |alpha(one step) - alpha(two steps)| / (2^p - 1)
 //
 // (Richardson's extrapolation; Hairer, Norsett and Wanner 1993, II.4) and has to meet the
-// tolerance. It changes by 2^(p+1) with the size of the step, so that the size of the next pair is
-// predicted, with the trend of the last two errors, rather than tried.
+// tolerance. Twice the step size means 2^(p+1) times the error. So the size of the next pair is
+// predicted from the last error and its trend, instead of being found by trial.
 class RichardsonControl final : public StepControl
 {
 public:
@@ -22,17 +22,17 @@ public:
 private:
   struct Pair
   {
-    std::optional<Trial> first, second; // nothing: no solution
+    std::optional<Trial> first, second; // empty: not solved
     double error = 0;                   // infinite if there is nothing to compare with
   };
-  // A step from the present state to the end of the pair of the level memory_.level.
+  // One step from the present state to the end of a pair of steps of level memory_.level.
   std::optional<Trial> wholeStep(State const& current, SolveCount& count);
   Pair pairOf(State const& current, std::optional<Trial> const& whole, SolveCount& count);
   Pair acceptablePair(State const& current, SolveCount& count);
   void predictLevel(double error);
   AcceptedStep firstOfPair(State& current, SolveCount& count);
   AcceptedStep secondOfPair(State& current);
-  // The last tick before an instant, which no pair fits into.
+  // Takes the last tick before an instant, into which no pair fits.
   AcceptedStep singleStep(State& current, SolveCount& count);
 
   AdaptiveSettings settings_;

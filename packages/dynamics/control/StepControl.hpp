@@ -10,7 +10,8 @@
 
 namespace asperity::dynamics
 {
-// First guess for the end of a step: weight * a + (1 - weight) * b for velocity and state.
+// First guess for the end of a step: weight * a + (1 - weight) * b for velocity, alpha and normal
+// stress; everything else is copied from a.
 State blend(double weight, State const& a, State const& b);
 
 // A solved step that has not been accepted.
@@ -28,14 +29,14 @@ struct AcceptedStep
   bool within_tolerance = true; // false: even the smallest step did not meet it
 };
 
-// What a control remembers from one step to the next, and a checkpoint has to keep.
+// What a control remembers from one step to the next; a checkpoint has to keep all of it.
 struct ControlMemory
 {
   int level = 0;
   std::int64_t num_steps = 0;
   std::optional<Trial> trial; // the next step, already solved
-  // Of RichardsonControl: where the last pair of steps began and its level; its error and that of
-  // the pair before it, had its steps been of the same size (0: unknown).
+  // For RichardsonControl: the state in which the last pair of steps began, and its level; the
+  // error of that pair, and of the pair before, scaled to steps of the same size (0: unknown).
   std::optional<State> before;
   int level_before = 0;
   double error = 0, previous_error = 0;
@@ -44,16 +45,16 @@ struct ControlMemory
   int level_after = none;
 };
 
-// Chooses step sizes. SolveError if the smallest step cannot be solved either.
+// Chooses step sizes. Throws SolveError if even the smallest step cannot be solved.
 //
-// No step passes an instant: the end of a run, or a time at which a load changes. What is left
-// before one is covered by steps that descend by powers of two, each the largest that fits, so that
-// no size comes twice; the control goes on afterwards with the size that it had before.
+// No step passes an instant: the end of a run, or a time at which a load changes. The time left
+// before an instant is covered by smaller and smaller steps, each the largest size that fits, so
+// that no size occurs twice. After the instant the control goes on with its earlier size.
 class StepControl
 {
 public:
   explicit StepControl(CoupledStep& step);
-  // In ticks, ascending.
+  // The instants in ticks, ascending.
   void setInstants(std::vector<DyadicTime::Ticks> instants) { instants_ = std::move(instants); }
   virtual ~StepControl() = default;
   // Replaces `current` by the state after the next accepted step.
@@ -63,23 +64,23 @@ public:
   void restore(ControlMemory memory) { memory_ = std::move(memory); }
 
 protected:
-  // A step of the given level from a guess of its end.
+  // Tries a step of the given level, from a guess of its end. Empty if the step is not solved.
   std::optional<Trial> attempt(State const& from, int level, State const& guess, SolveCount& count);
   DyadicTime const& clock() const { return step_.clock(); }
   fem::FaultSurface const& surface() const { return step_.surface(); }
   [[noreturn]] void giveUp(State const& from, int level) const;
 
-  // From a time to the next instant; more than any step if there is none.
+  // The ticks from a time to the next instant; more than any step has if there is none.
   DyadicTime::Ticks ticksLeft(DyadicTime::Ticks time) const;
-  // Whether the trial, if there is one, ends after an instant that `current` is before.
+  // Whether there is a trial and it ends after the next instant.
   bool trialGoesTooFar(State const& current) const;
-  // Makes the level at least `level`, and remembers what it was.
+  // Raises the level to `level` if it is lower (larger steps), and remembers the earlier level.
   void shorten(int level);
-  // Smaller steps than those cut short are needed: the size of before is forgotten. level_before:
-  // the level that a step was begun with.
+  // If a step that was cut short to level_before had to be refined further, the size of before is
+  // forgotten: after the instant the control goes on with the refined size.
   void noteRefinement(int level_before);
-  // Where steps were cut short to meet this instant: goes on with the level of before, or returns
-  // false.
+  // If steps were cut short to meet an instant and `current` is at it, restores the earlier level,
+  // removes the trial and returns true; otherwise returns false.
   bool resume(State const& current);
 
   ControlMemory memory_;

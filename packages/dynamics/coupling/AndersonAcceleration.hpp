@@ -9,9 +9,10 @@
 namespace asperity::dynamics
 {
 // Anderson's acceleration of a fixed point iteration x -> g(x) for the state of a fault (Anderson
-// 1965; Walker and Ni 2011): of all affine combinations of the last iterates, that one is mapped
-// next whose residual g(x) - x has the smallest mean square over the fault. x has one value at each
-// node, or several: (num_unknowns * num_nodes), all nodes of the first unknown first.
+// 1965; Walker and Ni 2011): the next x is the affine combination of the last images g(x) for which
+// the same combination of the residuals g(x) - x has the smallest mean square over the fault. x has
+// one value at each node, or several: (num_unknowns * num_nodes), all nodes of the first unknown
+// first.
 class AndersonAcceleration
 {
 public:
@@ -21,7 +22,7 @@ public:
   // Forgets all iterates.
   void reset() { iterates_.clear(); }
 
-  // Replaces x by what should be mapped next, given image = g(x). All ranks together.
+  // Replaces x by the next iterate, given image = g(x). All ranks together.
   void advance(friction::NodeView const& x, friction::ConstNodeView const& image);
 
 private:
@@ -30,8 +31,8 @@ private:
     friction::NodeView residual, image;
   };
 
-  // Of each remembered iterate, in the order of iterates_ after its first: how much of its
-  // difference from the first is taken out.
+  // The weights w_j in x = g_0 - sum_j w_j (g_0 - g_j), where g_0 is the last image and g_j are the
+  // earlier ones, in the order of iterates_.
   std::vector<double> weights() const;
 
   fem::FaultSurface const& surface_;

@@ -23,7 +23,7 @@ struct CouplingSettings
   static CouplingSettings from(Teuchos::ParameterList const& parameters);
 };
 
-// What solving cost, summed over any number of steps.
+// The cost of solving, summed over any number of steps.
 struct SolveCount
 {
   std::int64_t coupled_steps = 0;
@@ -43,7 +43,7 @@ struct SolveCount
     char const* name;
     std::int64_t SolveCount::*value;
   };
-  // All of them, for whoever reads, writes or compares them one by one.
+  // All counts with their names, to read, write or compare them one by one.
   static std::array<Member, 8> const& members();
 };
 
@@ -63,21 +63,23 @@ struct CoupledResult
 };
 
 // One time step: the fixed point alpha -> rate problem -> V -> state flow -> alpha (Pipping 2014,
-// problem 4.3), accelerated, the rate problem solved as far as the state is. The state sees the
-// mean slip rate of the step, V = slip_factor |u1 - u0|_t / tau, which is of second order with
-// every scheme and damped wherever the scheme damps u; it is that of thesis eq. (25), lambda = 1/2,
-// for Newmark with beta = 1/4. Under back slip V = |slip_factor (u1 - u0)_t / tau + Vp|.
+// problem 4.3), accelerated. While alpha still changes, each rate problem gets one iteration of
+// TNNMG only. The state evolves with the mean slip rate of the step,
+// V = slip_factor |u1 - u0|_t / tau, which is of second order with every scheme and damped wherever
+// the scheme damps u; for Newmark with beta = 1/4 it is that of thesis eq. (25) with lambda = 1/2.
+// Under back slip V = |slip_factor (u1 - u0)_t / tau + Vp|.
 //
 // A normal stress that is coupled to the body is a second unknown of the fixed point beside alpha:
 // (alpha, sigma_n) -> rate problem -> V, reaction across the fault -> (alpha, sigma_n). Each rate
-// problem is convex as before, since both are fixed in it. A change of the normal stress moves the
-// state by Linker and Dieterich's term: half of it before the flow of the state law and half after
-// (Strang 1968), which is of second order.
+// problem is convex as before, since both are fixed in it. A change of the normal stress shifts the
+// state by Linker and Dieterich's term: half of the shift comes before the flow of the state law,
+// half after it (Strang 1968), which is of second order.
 class CoupledStep
 {
 public:
-  // budget_bytes: of the solvers of different step sizes, see StepSolvers. since_start: what the
-  // normal stress follows, unless it is fixed. body and fault must outlive the step.
+  // budget_bytes: memory for the solvers of different step sizes, see StepSolvers. since_start: the
+  // reaction that the normal stress follows, unless it is fixed. body and fault must outlive the
+  // step.
   CoupledStep(Body const& body, Fault const& fault, RateUpdate const& update,
               DyadicTime const& clock, CouplingSettings const& settings,
               RateSolverSettings const& solver_settings, std::size_t budget_bytes,
@@ -87,9 +89,9 @@ public:
   fem::FaultSurface const& surface() const { return fault_.surface(); }
   StepSolvers const& solvers() const { return solvers_; }
 
-  // From `from` over a step of the given level to `to`, which must have the shapes of `from`. `to`
-  // holds a guess of v and alpha, and of a coupled normal stress, on entry; where the step fails
-  // its content is of no use. All ranks together.
+  // Makes a step of the given level from `from` to `to`, which must have the shapes of `from`. On
+  // entry `to` holds a guess of v and alpha, and of the normal stress if it is coupled. If the step
+  // fails, the content of `to` is of no use. All ranks together.
   CoupledResult solve(State const& from, int level, State& to, SolveCount& count);
 
 private:
@@ -114,11 +116,12 @@ private:
   StepSolvers solvers_;
   AndersonAcceleration acceleration_;
   RCP<Vector> b_, prescribed_, u_hat_, a_hat_, work_u_, work_a_, guess_;
-  // What the mean velocity owes to the past and to prescribed velocities; the mean itself.
+  // The part of the mean velocity that follows from the past and from prescribed velocities; the
+  // mean velocity itself.
   friction::BlockView mean_offset_, mean_;
   friction::NodeView V_, alpha_next_;
-  // Where the normal stress is coupled: its answer, in Pa; alpha and the normal stress in units of
-  // NormalStressUpdate::perPascal, one after the other, and what they are mapped to.
+  // If the normal stress is coupled: its response [Pa]; the unknowns, alpha first and then the
+  // normal stress times NormalStressUpdate::perPascal; and the image of the unknowns.
   friction::NodeView sigma_next_, unknowns_, image_;
   friction::NodeView shifted_; // alpha before the flow, where the normal stress moves it
 };

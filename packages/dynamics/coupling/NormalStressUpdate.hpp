@@ -7,8 +7,8 @@
 
 namespace asperity::dynamics
 {
-// The normal stress within a step: what it is to begin with, and its answer to a velocity where it
-// is coupled. Calls in the order of the declarations.
+// The normal stress within a step: its value at first and, if it is coupled, its response to the
+// velocity. The functions are called in the order of their declarations.
 class NormalStressUpdate
 {
 public:
@@ -19,20 +19,22 @@ public:
   bool coupled() const { return change_ == NormalStressChange::coupled; }
   bool lagged() const { return change_ == NormalStressChange::lagged; }
 
-  // sigma_0 at the step's end t1 [s] and, if it lags, the load at its beginning t0 [s]. On this
-  // rank alone; an error of an expression is thrown here.
+  // Evaluates sigma_0 at the end t1 [s] of the step and, if the normal stress lags, the load at the
+  // beginning t0 [s]. Not collective: where an expression fails, this rank alone throws.
   void evaluate(double t0, double t1);
-  // sigma_n(num_nodes) for the step; where it is coupled its content is the first guess.
+  // Sets sigma_n(num_nodes) for the step if it lags. If it is coupled, its content is the first
+  // guess, which is raised to the floor. All ranks together.
   void begin(State const& from, friction::NodeView const& sigma_n);
-  // Of a step's b = l + M a^ - K u^ - Z v_D the rows across the fault, which a rate problem leaves
-  // out: with Z of all dofs the reaction is r = Z w - b.
+  // Keeps the rows across the fault of a step's b = l + M a^ - K u^ - Z v_D, which a rate problem
+  // leaves out. With the same rows of Z the reaction is r = Z w - b.
   void takeRightSide(Vector const& b);
   // sigma_n(num_nodes) that follows from the solver's last answer. All ranks together.
   void respond(RateSolver const& solver, friction::NodeView const& sigma_n);
 
-  // sigma_n in units that make a change count like one of alpha: a relative change of eps changes
-  // the strength f sigma_n of the fault as much as a change f / b eps of alpha, and f / b is about
-  // 50. Relative to sigma_n at the step's beginning, but where that is far below the largest.
+  // The factor that makes a change of sigma_n count like one of alpha: a relative change eps of
+  // sigma_n changes the strength f sigma_n of the fault as much as a change f / b eps of alpha, and
+  // f / b is about 50. So it is 50 / sigma_n at the beginning of the step; a sigma_n below 1 % of
+  // the largest counts as that 1 %.
   friction::ConstNodeView const& perPascal() const { return per_pascal_; } // (num_nodes) [1/Pa]
 
 private:

@@ -15,7 +15,7 @@ namespace asperity::dynamics
 // How the linear correction of TNNMG is found; see README.md.
 enum class Correction
 {
-  // Sparse Cholesky of Z, the friction Hessian by the Schur complement on the fault; one rank.
+  // Sparse Cholesky factorisation of Z, then TNNMG on the Schur complement on the fault; one rank.
   direct,
   multigrid
 };
@@ -35,28 +35,31 @@ class RateSolver
 public:
   virtual ~RateSolver() = default;
 
-  // A new right side (zero at held dofs), and a first guess for w.
+  // Sets a new right side (zero at held dofs) and a first guess for w.
   virtual void begin(Vector const& b, Vector const& guess) = 0;
-  // Goes on from the last answer.
+  // Solves a rate problem, starting from the last answer.
   virtual tnnmg::TnnmgResult solve(FrictionProblem const& problem) = 0;
-  // The same, by one iteration of TNNMG.
+  // Makes one iteration of TNNMG from the last answer.
   virtual tnnmg::TnnmgResult improve(FrictionProblem const& problem) = 0;
-  // Of the last answer: at the fault nodes, and everywhere.
+  // The last answer w: at the fault nodes, (num_nodes, T), and at all owned dofs.
   virtual void faultVelocity(friction::BlockView const& w) const = 0;
   virtual void velocity(Vector& w) const = 0;
-  // N w (rows of N on this rank) of the last answer, with the rows N that the solver was made with.
+  // N w of the last answer, for this rank's rows of the N that the solver was made with; empty if
+  // it was made without.
   virtual std::vector<double> reactions() const = 0;
-  virtual std::size_t bytes() const = 0; // on this rank, about
+  virtual std::size_t bytes() const = 0; // estimated memory on this rank
 };
 
-// Z with the rows of held dofs replaced by their diagonal entry. reactions: linear functionals N
-// (any number of rows, owned dofs) of w that are wanted after every iteration, if any.
+// The rows of held dofs in Z must have their diagonal entries only. reactions: the matrix N (any
+// number of rows, owned dofs) of linear functionals of w that are needed after every iteration, or
+// null.
 std::unique_ptr<RateSolver> makeRateSolver(RCP<const CrsMatrix> const& Z, Body const& body,
                                            fem::FaultSurface const& surface,
                                            RateSolverSettings const& settings,
                                            RCP<const CrsMatrix> const& reactions = Teuchos::null);
 
-// x = Z^-1 b without friction, to 1e-12 of |b| with multigrid. SolveError if that fails.
+// Solves Z x = b without friction; with multigrid until the residual is at most 1e-12 |b|. Throws
+// SolveError if that fails.
 void solveLinear(RCP<const CrsMatrix> const& Z, Body const& body,
                  RateSolverSettings const& settings, Vector const& b, Vector& x);
 } // namespace asperity::dynamics

@@ -12,10 +12,10 @@
 namespace asperity::dynamics
 {
 // One solver for each step size: Z = (lambda_M/tau) M + C + (tau/lambda_K) K depends on nothing
-// else. Set up when first asked for; the least recently used ones go when the memory budget of a
-// rank is exceeded. All ranks forget the same: each solver counts on all with what it takes on the
-// rank where it takes most. With a reaction the solvers know Z's rows across the fault, see
-// RateSolver::reactions.
+// else. A solver is set up when it is first asked for; the least recently used solvers are removed
+// when the memory budget of a rank is exceeded. All ranks remove the same ones: on every rank a
+// solver counts with the memory of the rank where it takes most. With a reaction the solvers know
+// Z's rows across the fault, see RateSolver::reactions.
 class StepSolvers
 {
 public:

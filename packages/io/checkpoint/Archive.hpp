@@ -9,7 +9,7 @@
 
 namespace asperity::io
 {
-// What one rank needs to go on exactly where it stopped: values by path, for example
+// The values that one rank needs to go on exactly where it stopped, by path, for example
 // "state/velocity". A path may hold an integer, a double, a string or a vector of the first two.
 class Archive
 {
@@ -17,7 +17,7 @@ public:
   using Value =
     std::variant<std::int64_t, double, std::string, std::vector<double>, std::vector<std::int64_t>>;
 
-  // Replaces what the path held. Every integral type is kept as int64.
+  // Sets the value at the path or replaces it. Every integral type is stored as int64.
   template <class T>
   void set(std::string const& path, T const& value)
   {
@@ -42,7 +42,7 @@ public:
 
   bool has(std::string const& path) const { return values_.count(path) > 0; }
 
-  // All values of `part` under `path`, and the archive of what lies under `path`.
+  // insert() adds all values of `part` under `path`; child() returns the values under `path`.
   void insert(std::string const& path, Archive const& part);
   Archive child(std::string const& path) const;
 

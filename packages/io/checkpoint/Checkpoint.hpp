@@ -15,9 +15,9 @@ namespace asperity::io
 void writeCheckpoint(std::filesystem::path const& file, Archive const& archive,
                      Fingerprint const& fingerprint, Communicator const& comm);
 
-// What this rank has written, bit for bit. InputError, the same on every rank, if the file is
-// missing, damaged, of another format version, of another number of ranks, or if the fingerprint is
-// another one, with what differs first.
+// Returns the archive that this rank has written, bit for bit. Throws the same InputError on every
+// rank if the file is missing, damaged, of another format version or of another number of ranks, or
+// if the fingerprint differs; the message names the first difference.
 Archive readCheckpoint(std::filesystem::path const& file, Fingerprint const& fingerprint,
                        Communicator const& comm);
 } // namespace asperity::io

@@ -5,20 +5,20 @@
 
 namespace asperity::io
 {
-// What must not change between a run and its restart: a value for each parameter of the deck, and
-// in place of the name of a file the checksum of what it holds.
+// The input that must not change between a run and its restart: a value for each parameter of the
+// deck, and instead of the name of a file the checksum of its content.
 struct Fingerprint
 {
   struct Entry
   {
     std::string parameter; // "Asperity / Friction / a"
     std::string value;     // as text, or a checksum
-    std::string content;   // what the checksum is of, "mesh file 'body.h5'"; or empty
+    std::string content;   // source of the checksum, "mesh file 'body.h5'"; or empty
   };
   std::vector<Entry> entries;
 };
 
-// Why `now` is not what `then` was, in one sentence with the parameter: the first difference. Empty
-// if they agree; where a content lies does not matter.
+// One sentence about the first difference between `then` and `now`, with the name of the parameter.
+// Empty if they agree. The name of a file does not count, only its content.
 std::string difference(Fingerprint const& then, Fingerprint const& now);
 } // namespace asperity::io

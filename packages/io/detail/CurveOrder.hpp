@@ -18,9 +18,10 @@ struct CurveOrder
   std::vector<double> positions;         // arc length [m] of each
 };
 
-// Walks along the segments, from the end with the smaller coordinates (x, then y). Pieces follow
-// each other by the coordinates of their first vertex, each continuing where the one before it
-// ended; closed curves begin at their least vertex. InputError if the curve branches.
+// Walks along the segments from the end with the smaller coordinates (x, then y). Pieces come in
+// the order of the coordinates of their first vertex, closed curves last, and positions continue
+// from one piece to the next. A closed curve begins at the vertex with the smallest coordinates.
+// Throws InputError if the curve branches.
 CurveOrder orderCurve(std::vector<Segment> const& segments,
                       std::map<GlobalOrdinal, PlanePoint> const& coordinates);
 } // namespace asperity::io::detail

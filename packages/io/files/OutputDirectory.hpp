@@ -14,13 +14,13 @@ enum class ExistingResult
   keep       // a restart continues it
 };
 
-// Makes the directory if there is none and checks that it can be written. InputError on every rank,
-// with every existing file untouched, if that fails or if an existing result would be lost.
-// Collective; rank 0 alone touches the disk.
+// Makes the directory if there is none, and checks that files can be written there. If this fails,
+// or if an existing result would be lost, throws InputError on every rank and leaves every existing
+// file untouched. Collective; rank 0 alone touches the disk.
 void prepareOutputDirectory(std::filesystem::path const& directory, ExistingResult existing,
                             Communicator const& comm);
 
-// The files in `directory` that a run writes: parameters.xml, run.log, checkpoint.h5, the segments
-// and what the registered outputs and text formats name.
+// The existing files in `directory` that a run writes: parameters.xml, run.log, checkpoint.h5, the
+// segments, and the files that the registered outputs and text formats name.
 std::vector<std::filesystem::path> resultFiles(std::filesystem::path const& directory);
 } // namespace asperity::io

@@ -26,10 +26,10 @@ struct Progress
   std::vector<Count> counts;
 };
 
-// Tells the user how the run goes: on a terminal one line that updates in place, elsewhere a line
-// every 30 s of wall time and at each 5 % of simulated time. DIR/run.log always gets the latter,
-// and all messages. The time left is judged by the speed of the last minutes (TimeLeft). Only rank
-// 0 writes; elsewhere every function returns at once.
+// Tells the user how the run goes: on a terminal by one line that is updated in place, elsewhere by
+// a line every 30 s of wall time and at each 5 % of simulated time. DIR/run.log always gets these
+// lines, and all messages. The time left is estimated from the speed of the last minutes
+// (TimeLeft). Only rank 0 writes; on other ranks every function returns at once.
 class RunLog
 {
 public:
@@ -40,11 +40,11 @@ public:
     double seconds_per_line = 30; // wall time between lines
     double seconds_per_update = 0.1;
   };
-  // Of standard output: in_place if it is a terminal, with its width.
+  // The style for standard output: in_place if that is a terminal, with its width.
   static Style detectStyle();
 
-  // Appends to `file` if `append`, that is after a restart, else starts a new one. InputError on
-  // every rank if the file cannot be opened.
+  // Appends to `file` if `append` is true (after a restart), otherwise starts a new file. Throws
+  // InputError on every rank if the file cannot be opened.
   RunLog(std::filesystem::path const& file, bool append, Communicator const& comm);
   RunLog(std::filesystem::path const& file, bool append, Communicator const& comm,
          std::ostream& terminal, Style const& style);

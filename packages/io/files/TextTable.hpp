@@ -10,28 +10,29 @@
 
 namespace asperity::io
 {
-// A table in text, written by rank 0, that a restart cuts back to where the checkpoint was made.
+// A table in text, written by rank 0; a restart cuts it back to its length at the checkpoint.
 class TextTable
 {
 public:
-  // Nothing is touched before the first row or flush; then the folder is made and the file begins
-  // with the header: any number of lines, of which the last one names the columns.
+  // The constructor touches no file. The first row or flush makes the folder and the file, which
+  // begins with the header: any number of lines, the last of which names the columns.
   TextTable(std::filesystem::path file, std::string header, RCP<const Communicator> comm);
 
-  // Without the end of the line. Ignored on other ranks.
+  // `row` has no end of line. Ignored on ranks other than 0.
   void writeRow(std::string const& row);
 
-  // Replaces the header by one of the same length, on disk after the next flush.
+  // Replaces the header by one of the same length; it is on disk after the next flush.
   void setHeader(std::string const& header);
 
-  // On disk afterwards. Collective; InputError on every rank if writing has failed.
+  // Writes everything to disk. Collective; OutputError on every rank if writing has failed.
   void flush();
 
-  // How much has been written; call flush first.
+  // Stores how much has been written; call flush first.
   void save(Archive& archive) const;
 
-  // Removes what was written after the archive. InputError if the file is shorter, has other
-  // columns or a header of another length; one of the same length is replaced. Collective.
+  // Removes the rows written after the checkpoint. Throws InputError if the file is shorter than
+  // then, has other columns or a header of another length; another header of the same length is
+  // replaced. Collective.
   void restore(Archive const& archive);
 
 private:
@@ -46,7 +47,7 @@ private:
   std::int64_t num_bytes_ = 0;
 };
 
-// Numbers as the tables have them: times so that they read back exactly, others with 8 digits.
+// Numbers as text for tables: times, which must read back exactly, and others with 8 digits.
 std::string exactNumber(double value); // %.17g
 std::string shortNumber(double value); // %.8g
 

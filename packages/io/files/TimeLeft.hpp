@@ -4,15 +4,16 @@
 
 namespace asperity::io
 {
-// The wall time that a run still needs, judged by its recent speed: an average over wall time in
-// which what happened `memory` seconds ago has the weight 1/e. A mean since the start would promise
-// half a minute all through an earthquake of ten.
+// The wall time that a run still needs, estimated from its recent speed: an average over wall time
+// in which the speed of `memory` seconds ago has the weight 1/e. With a mean since the start, the
+// estimate would stay at half a minute all through an earthquake that takes ten minutes.
 class TimeLeft
 {
 public:
   static constexpr double memory = 120; // [s]
 
-  // fraction: of the simulated time that is done. seconds: wall time since any fixed moment.
+  // fraction: the part of the simulated time that is done. seconds: wall time since any fixed
+  // moment.
   void note(double fraction, double seconds)
   {
     if (has_begun_) {
@@ -26,7 +27,7 @@ public:
     last_seconds_ = seconds;
   }
 
-  // [s]; negative as long as there is nothing to judge by.
+  // The time left [s]; negative as long as the speed is unknown.
   double seconds() const { return done_ > 0 ? (1 - last_fraction_) * spent_ / done_ : -1; }
 
 private:

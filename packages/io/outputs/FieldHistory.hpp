@@ -23,7 +23,7 @@ public:
   void save(Archive& archive) const override;
   void restore(Archive const& archive) override;
 
-  // Whether the step that was written last has a row.
+  // Whether the last call of write() has added a row.
   bool hasRow() const { return has_row_; }
 
 protected:

@@ -7,8 +7,8 @@
 
 namespace asperity::io
 {
-// The ranks' vectors one after the other, on rank 0 or on all; empty elsewhere. T is double,
-// GlobalOrdinal or char. Collective.
+// Return the vectors of all ranks one after the other, on rank 0 (empty elsewhere) or on all ranks.
+// T is double, GlobalOrdinal or char. Collective.
 template <class T>
 std::vector<T> gatherToRoot(std::vector<T> const& mine, Communicator const& comm);
 

@@ -6,8 +6,8 @@
 
 namespace asperity::io
 {
-// The nodes of a domain by number, in one block of equal length for each rank: as files have
-// them, so that every rank writes one contiguous part.
+// Distributes the nodes of a domain by number, in one block of equal length for each rank. Files
+// have the same order, so every rank writes one contiguous part.
 class NodeBlocks
 {
 public:
@@ -18,8 +18,9 @@ public:
   GlobalOrdinal count() const { return begin(domain_.comm->getRank() + 1) - first(); }
   int rankOf(GlobalOrdinal number) const;
 
-  // mine: (num_rows, num_owned, num_components) in the order of the domain; the result is
-  // (num_rows, count(), num_components) by number. T is double or GlobalOrdinal. Collective.
+  // Sends nodal values to these blocks. mine: (num_rows, num_owned, num_components) in the order of
+  // the domain; the result is (num_rows, count(), num_components) by number. T is double or
+  // GlobalOrdinal. Collective.
   template <class T>
   std::vector<T> operator()(std::vector<T> const& mine, std::size_t num_rows,
                             std::size_t num_components) const;

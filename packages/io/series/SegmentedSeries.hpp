@@ -18,7 +18,7 @@ namespace asperity::io
 // by DIR/<name>.xdmf. README.md has the layout.
 //
 // Rows are kept in memory, then written by all ranks together. Until closeSegment they may be
-// lost; what was closed before stays whole whatever happens. All functions are collective.
+// lost; closed segments stay complete whatever happens. All functions are collective.
 class SegmentedSeries
 {
 public:
@@ -30,21 +30,21 @@ public:
     int rows_per_write = 64; // fewer where rows are long
   };
 
-  // OutputDomain and fields must outlive the series.
+  // The domain and the fields must outlive the series.
   SegmentedSeries(Options const& options, OutputDomain const& domain,
                   std::vector<OutputField const*> const& fields);
-  SegmentedSeries(SegmentedSeries const&) = delete; // the table describes itself with the members
+  SegmentedSeries(SegmentedSeries const&) = delete;
   SegmentedSeries& operator=(SegmentedSeries const&) = delete;
 
-  // Adds a row with the fields' values of this moment.
+  // Adds a row with the present values of the fields.
   void append(StepInfo const& step);
 
   // Completes the segment `index`, one more than that of the last call, and writes the index anew.
   // A segment without rows has no file.
   void closeSegment(int index);
 
-  // Everything up to the last closed segment. restore removes later segments; InputError if an
-  // earlier one is missing.
+  // Save and restore everything up to the last closed segment. restore removes later segments; it
+  // throws InputError if an earlier one is missing.
   void save(Archive& archive) const;
   void restore(Archive const& archive);
 

@@ -18,13 +18,13 @@ namespace asperity::io
 // "segments/fault_000012.h5", relative to the folder of the index.
 std::string segmentName(std::string const& name, std::size_t segment);
 
-// Names `dataset`'s unit and meaning in its attributes.
+// Writes the unit and the meaning of `dataset` into its attributes.
 void describe(h5::Dataset dataset, std::string const& unit, std::string const& description);
 
 // Rows of a few columns in closed segments DIR/segments/<name>_<nnnnnn>.h5, tied together by the
-// virtual datasets of the index DIR/<name>.h5. What was closed stays whole whatever happens; what
-// was not may be lost. Every rank holds and writes its part of the nodal columns, rank 0 the rest.
-// No file is open between two calls. All functions are collective.
+// virtual datasets of the index DIR/<name>.h5. A closed segment stays complete whatever happens; an
+// open one may be lost. Every rank holds and writes its part of the nodal columns, rank 0 all other
+// columns. No file is open between two calls. All functions are collective.
 class SegmentedTable
 {
 public:
@@ -42,32 +42,33 @@ public:
     std::string name;
     std::vector<Column> columns;
     std::size_t rows_per_write = 64;
-    // Of the nodal columns; its geometry is linked to as the group `geometry`. Null: there are
-    // none.
+    // The domain of the nodal columns, or null if there are none. The index links to its geometry
+    // as the group `geometry`.
     OutputDomain const* nodes = nullptr;
-    // Adds to the index what does not grow, such as attributes. On rank 0.
+    // Adds to the index everything that does not grow, such as attributes. Called on rank 0.
     std::function<void(h5::File&)> describe_index;
   };
 
   SegmentedTable(Options options, RCP<const Communicator> comm);
 
-  // Adds rows, for each column: of a nodal one (num_rows, num_owned, components) on every rank, of
-  // the others (num_rows, row shape) on rank 0, where the others pass anything.
+  // Adds rows. `values` has one vector for each column: (num_rows, num_owned, components) on every
+  // rank for a nodal column, (num_rows, row shape) on rank 0 for any other; there the values of
+  // other ranks are ignored.
   void append(std::size_t num_rows, std::vector<std::vector<double>> const& values);
 
   // Completes the segment `index`, one more than that of the last call, and writes the index anew.
   // A segment without rows has no file.
   void closeSegment(int index);
 
-  // Everything up to the last closed segment. restore removes later segments; InputError if an
-  // earlier one is missing.
+  // Save and restore everything up to the last closed segment. restore removes later segments; it
+  // throws InputError if an earlier one is missing.
   void save(Archive& archive) const;
   void restore(Archive const& archive);
 
-  // Of the closed segments.
+  // The number of rows of each closed segment.
   std::vector<std::int64_t> const& rowsOfSegment() const { return rows_of_segment_; }
 
-  // Once a segment was closed, or after restore.
+  // May be called once a segment has been closed, or after restore.
   detail::GeometryFile const& geometry() const { return *geometry_; }
 
 private:

@@ -11,7 +11,7 @@
 
 namespace asperity::io
 {
-// What the files of a history have in common.
+// The properties that the index, the segments and the XDMF file of a history share.
 struct SeriesLayout
 {
   std::filesystem::path directory;
@@ -25,13 +25,13 @@ struct SeriesLayout
   h5::Shape rowShape(OutputField const& field) const; // (num_nodes) or (num_nodes, components)
 };
 
-// (num_points) or, of more than one component, (num_points, components).
+// (num_points), or (num_points, components) if there is more than one component.
 h5::Shape rowShape(std::size_t num_points, int components);
 
 // The columns `time` and `step`.
 std::vector<SegmentedTable::Column> timeColumns();
 
-// A dataset of double or GlobalOrdinal with unit and description.
+// Writes a dataset of double or GlobalOrdinal with its unit and description.
 template <class T>
 void writeDataset(h5::File& file, std::string const& path, std::vector<T> const& values,
                   h5::Shape const& shape, std::string const& unit, std::string const& description);

@@ -16,14 +16,14 @@ RCP<const ParameterList> bulkParameters();
 // Displacement components of the chosen model: 1 antiplane, 2 in plane strain, 3 of a solid.
 int displacementComponents(ParameterList const& list);
 
-// The same, with an InputError unless the model is one for a mesh of this dimension.
+// The same, but throws InputError unless the model fits a mesh of this dimension.
 int displacementComponents(ParameterList const& list, int dimension);
 
-// Whether the body has no mass, and its fault a radiation damping instead.
+// Whether the body has no mass, and its fault has radiation damping instead.
 bool quasiDynamic(ParameterList const& list);
 
-// The radiation damping eta [Pa s/m] at the nodes of a fault, per slip rate; zero unless
-// quasi-dynamic. at_nodes(num_nodes): the material there, for its default.
+// The radiation damping eta [Pa s/m] at the nodes of a fault, traction per slip rate; zero unless
+// quasi-dynamic. at_nodes(num_nodes): the materials that the default follows from.
 template <int Dim>
 std::vector<double> radiationDamping(ParameterList const& list, Mesh<Dim> const& mesh,
                                      fem::FaultSurface const& surface,
@@ -33,7 +33,7 @@ std::vector<double> radiationDamping(ParameterList const& list, Mesh<Dim> const&
 template <int Dim>
 std::vector<fem::Material> makeMaterials(ParameterList const& list, Mesh<Dim> const& mesh);
 
-// Along the axes, m/s^2; zero without gravity.
+// The gravitational acceleration along the axes [m/s^2]; zero without gravity.
 template <int Dim>
 std::array<double, Dim> gravity(ParameterList const& list);
 } // namespace asperity::scenario

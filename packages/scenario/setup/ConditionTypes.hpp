@@ -24,8 +24,9 @@ enum class Place
   elsewhere
 };
 
-// What a condition leaves to others on the same boundary: two may each prescribe a direction, but
-// only one the traction, and nothing goes with one that decides on everything.
+// What a condition decides on. It limits the other conditions on the same boundary: two may each
+// prescribe a direction, but only one the traction, and a condition that decides on everything
+// allows no other.
 enum class DecidesOn
 {
   direction,
@@ -33,7 +34,7 @@ enum class DecidesOn
   everything
 };
 
-// Adds to the result what the deck's condition says.
+// Adds a condition of the deck to the result.
 template <int Dim>
 using ConditionMaker = void (*)(BoundaryCondition const&, Setting const&, BoundaryConditions<Dim>&);
 
@@ -49,11 +50,11 @@ struct ConditionType
   fem::OtherSide other_side = {}; // of a fault
 };
 
-// All that a deck may choose from, each once: registered kinds of fault and the rest.
+// All types that a deck may choose from, each once: the registered kinds of fault and all others.
 std::vector<ConditionType> const& conditionTypes();
 ConditionType const& conditionType(std::string const& name);
 
-// One list of the deck's list `Boundary Conditions`, completed.
+// One completed sublist of the deck's list `Boundary Conditions`.
 struct BoundaryCondition
 {
   BoundaryCondition(std::string const& path, ParameterList const& completed)

@@ -6,16 +6,18 @@
 
 namespace asperity::scenario
 {
-// The deck's list `Friction`: laws with their parameters, and what friction needs besides.
+// The deck's list `Friction`: the laws with their parameters, cohesion, normal stress and shear
+// traction.
 RCP<const ParameterList> frictionParameters();
 
-// How the normal stress follows the body, and what it does not fall below [Pa].
+// How the normal stress follows the body, and the floor that it does not fall below [Pa].
 dynamics::NormalStressChange normalStressChange(ParameterList const& list);
 double normalStressFloor(ParameterList const& list);
 
-// What acts on the fault: the laws of the list with their parameters at its nodes, and the normal
-// stress with the list's Normal Stress Change and Floor. radiation_damping(num_nodes) [Pa s/m], or
-// empty. InputError where Linker and Dieterich's term meets a normal stress of zero.
+// Makes the fault: the laws of the list with their parameters at the nodes of the surface, and the
+// normal stress with the list's Normal Stress Change and Floor. radiation_damping(num_nodes)
+// [Pa s/m], or empty. Throws InputError where Linker and Dieterich's term meets a normal stress of
+// zero.
 template <int Dim>
 dynamics::Fault makeFault(ParameterList const& list, Mesh<Dim> const& mesh,
                           std::shared_ptr<const fem::FaultSurface> const& surface,

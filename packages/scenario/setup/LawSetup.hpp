@@ -11,7 +11,7 @@
 // registered.
 namespace asperity::scenario
 {
-// The two choices, and for every law the parameters of its table.
+// Declares the choices of the two laws, and for every law the parameters of its table.
 void declareLaws(Declare& declare);
 
 // Values of the chosen law's parameters at fault nodes (num_parameters, num_nodes), on the device.
@@ -22,8 +22,8 @@ template <int Dim>
 friction::ParameterView stateLawValues(ParameterList const& list, Mesh<Dim> const& mesh,
                                        std::vector<int> const& nodes);
 
-// What the chosen laws say of themselves at the nodes, see friction/LawProperties.hpp; nothing
-// where a law does not say it.
+// Properties of the chosen laws at the nodes, see friction/LawProperties.hpp; empty if a law does
+// not declare the property.
 template <int Dim>
 std::optional<std::vector<friction::Sensitivity>>
 sensitivities(ParameterList const& list, Mesh<Dim> const& mesh, std::vector<int> const& nodes);

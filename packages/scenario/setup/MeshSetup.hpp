@@ -8,12 +8,13 @@ namespace asperity::scenario
 // The deck's list `Mesh`.
 RCP<const ParameterList> meshParameters();
 
-// Of the mesh that the list describes: 2 or 3. Reads the header of a file. Collective.
+// The dimension of the mesh that the list describes, 2 or 3. If the mesh is in a file, its header
+// is read. Collective.
 int meshDimension(ParameterList const& list, Communicator const& communicator);
 
 // Makes or reads the mesh and gives every rank its part, with as many vertices of the boundary
-// `fault` as the others have, unless a file has chosen the parts. The mesh is split along the
-// faults inside the body. Dim is meshDimension. Collective.
+// `fault` as any other rank has, unless the mesh file defines the parts. The mesh is split along
+// the faults inside the body. Dim must be meshDimension. Collective.
 template <int Dim>
 Mesh<Dim> makeMesh(ParameterList const& list, std::string const& fault,
                    RCP<const Communicator> const& communicator);

@@ -10,8 +10,8 @@
 
 namespace asperity::scenario
 {
-// The entry `name` of a list at some local vertices. Where a vertex lies between regions the first
-// cell that has it decides.
+// The values of the entry `name` of a list at some local vertices. Where a vertex lies between
+// regions, the first cell that has the vertex decides.
 class NodalField
 {
 public:
@@ -30,14 +30,15 @@ private:
   std::vector<double> values_; // of a dataset
 };
 
-// The same of a field that does not change in time; InputError if it depends on time.
+// The values of a field that does not change in time, (num_nodes). Throws InputError if it depends
+// on time.
 template <int Dim>
 std::vector<double> nodalValues(ParameterList const& list, std::string const& name,
                                 std::string const& path, Mesh<Dim> const& mesh,
                                 std::vector<int> const& nodes);
 
-// A field that is read once, at time zero. InputError if it depends on time.
-// region_names: those of the mesh.
+// A field that is evaluated once, at time zero. Throws InputError if it depends on time.
+// region_names: the regions of the mesh.
 Field steadyField(ParameterList const& list, std::string const& name, std::string const& path,
                   std::vector<std::string> const& region_names);
 

@@ -8,10 +8,10 @@ namespace asperity::scenario
 // The deck's list `TNNMG`.
 RCP<const ParameterList> solverParameters();
 
-// `Auto` becomes the direct correction on one rank up to some 100,000 unknowns in two dimensions of
-// space and 10,000 in three, and multigrid beyond.
+// `Auto` becomes the direct correction on one rank with up to 100,000 unknowns in two dimensions of
+// space or 10,000 in three, and multigrid otherwise.
 dynamics::RateSolverSettings makeSolverSettings(ParameterList const& list, int num_ranks,
                                                 int dimension, long long num_unknowns);
 
-std::size_t memoryBudget(ParameterList const& list); // bytes
+std::size_t memoryBudget(ParameterList const& list); // of each rank, in bytes
 } // namespace asperity::scenario

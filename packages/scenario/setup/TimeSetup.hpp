@@ -9,12 +9,12 @@ namespace asperity::scenario
 RCP<const ParameterList> timeParameters();
 
 double finalTime(ParameterList const& list);
-// Final Time and Instants, ascending.
+// `Final Time` and `Instants` of the list in ticks, ascending.
 std::vector<dynamics::DyadicTime::Ticks> instants(ParameterList const& list,
                                                   dynamics::DyadicTime const& clock);
 dynamics::DyadicTime makeClock(ParameterList const& list);
-// Without mass InputError for a scheme that never forgets: Newmark's velocity then has the
-// amplification factor -1.
+// Without mass throws InputError for a scheme that damps nothing (Newmark, or generalised alpha
+// with spectral radius 1): its velocity would have the amplification factor -1.
 dynamics::RateUpdate makeRateUpdate(ParameterList const& list, bool has_mass = true);
 std::unique_ptr<dynamics::StepControl> makeStepControl(ParameterList const& list,
                                                        dynamics::CoupledStep& step);

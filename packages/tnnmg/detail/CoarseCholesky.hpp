@@ -17,7 +17,7 @@ public:
   explicit CoarseCholesky(CrsMatrix const& A);
   ~CoarseCholesky();
 
-  // x = A^-1 b, both on A's row map. All ranks call it together.
+  // x = A^-1 b for one vector b; both live on A's row map. All ranks call it together.
   void solve(MultiVector const& b, MultiVector& x) const;
 
 private:

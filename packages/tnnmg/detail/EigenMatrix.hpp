@@ -16,7 +16,8 @@ enum class StoredZeros
   drop
 };
 
-// A square matrix whose rows all live on this rank, for Eigen, by local rows. On the host.
+// Copies a square matrix, whose rows must all live on this rank, to an Eigen matrix with the same
+// local rows. Runs on the host.
 inline Eigen::SparseMatrix<double> toEigen(CrsMatrix const& A, StoredZeros zeros)
 {
   const auto local = A.getLocalMatrixHost();

@@ -12,12 +12,13 @@ namespace asperity::tnnmg::detail
 class MultigridHierarchy
 {
 public:
-  // MueLu's parameters, in its own spelling, which the user may override. `components` is the
-  // number of displacement components of a node.
+  // The default parameters, in MueLu's own spelling; the user may override them. `components` is
+  // the number of displacement components of a node.
   static Teuchos::ParameterList defaults(int components);
 
-  // A is symmetric positive definite. near_null_space is almost zero at rows without off-diagonal
-  // entries. SolveError where MueLu fails, here and in rebuild(); std::bad_alloc passes.
+  // A must be symmetric positive definite, and near_null_space almost zero at rows without
+  // off-diagonal entries. The constructor and rebuild() throw SolveError if MueLu fails;
+  // std::bad_alloc is passed on.
   MultigridHierarchy(RCP<const CrsMatrix> A, RCP<const MultiVector> near_null_space,
                      Teuchos::ParameterList const& muelu);
   ~MultigridHierarchy();
@@ -26,7 +27,7 @@ public:
   // stored zeros included.
   void rebuild(RCP<const CrsMatrix> A);
 
-  // z = one V-cycle for A z = r, from zero.
+  // z is the result of one V-cycle for A z = r that starts from zero.
   void apply(MultiVector const& r, MultiVector& z) const;
 
 private:

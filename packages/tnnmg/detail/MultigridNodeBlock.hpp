@@ -16,7 +16,7 @@ struct NodeBlock
 
   KOKKOS_FUNCTION explicit NodeBlock(int tangents) : size(tangents) {}
 
-  // View(node, T, T)
+  // Reads the block of `node` from blocks(num_nodes, T, T); store() writes it.
   template <class View>
   KOKKOS_FUNCTION NodeBlock(View const& blocks, int node) : size(static_cast<int>(blocks.extent(1)))
   {
@@ -57,7 +57,7 @@ struct NodeBlock
   }
 };
 
-// The lower triangular L with A = L L^T; A symmetric positive definite.
+// Returns the lower triangular L with A = L L^T. A must be symmetric positive definite.
 KOKKOS_INLINE_FUNCTION NodeBlock cholesky(NodeBlock const& A)
 {
   NodeBlock L(A.size);
@@ -114,7 +114,7 @@ KOKKOS_INLINE_FUNCTION NodeBlock transposedProduct(NodeBlock const& A, NodeBlock
   return result;
 }
 
-// A^-1 for symmetric positive definite A: with A = L L^T, L^-T L^-1.
+// Returns A^-1 = L^-T L^-1, where A = L L^T. A must be symmetric positive definite.
 KOKKOS_INLINE_FUNCTION NodeBlock inverse(NodeBlock const& A)
 {
   const NodeBlock X = inverseOfLower(cholesky(A));

@@ -7,15 +7,16 @@ namespace asperity::tnnmg::detail
 {
 using NodeBlockView = Kokkos::View<double***, Kokkos::LayoutRight, MemorySpace>;
 
-// A view of the nonlinear nodes of this rank, and their blocks in the current solve. Shared by
-// operator, smoother and preconditioner of one correction; all blocks are (num_nodes, T, T).
+// A view of the nonlinear nodes of this rank, and their blocks in the current solve, shared by the
+// operator, the smoother and the preconditioner of one correction. All blocks are
+// (num_nodes, T, T).
 struct MultigridNodes
 {
   NonlinearNodes view;
   IndexView held_rows;
   NodeBlockView diagonal; // of Z at the node
   NodeBlockView hessian;  // of this solve; zero where the node is removed
-  FlagView removed;       // of this solve: truncated
+  FlagView removed;       // (num_nodes) 1 where the node is truncated in this solve
 
   int size() const { return static_cast<int>(view.dofs.extent(0)); }
   int tangents() const { return static_cast<int>(view.dofs.extent(1)); }
@@ -23,7 +24,7 @@ struct MultigridNodes
   // Takes the Hessians and the truncated nodes of the next solve.
   void set(NonlinearBlocks const& blocks);
 
-  // x = 0 at removed and held dofs.
+  // Sets x to zero at removed and held dofs.
   void project(MultiVector& x) const;
 };
 

@@ -5,7 +5,7 @@
 
 namespace asperity::tnnmg::detail
 {
-// The choices of MueLuCorrection.
+// The parameters of MueLuCorrection as values.
 struct MultigridParameters
 {
   enum class Method

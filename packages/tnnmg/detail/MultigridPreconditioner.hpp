@@ -12,10 +12,10 @@
 
 namespace asperity::tnnmg::detail
 {
-// A symmetric approximation of (Z + H)^-1 on the dofs that are left: a V-cycle between two sweeps
-// of block Gauss-Seidel on the nonlinear nodes. The V-cycle works with a matrix that may have other
-// Hessians, or none, and is scaled at each node by S = L^-T L0^T, where L L^T and L0 L0^T are the
-// node's blocks of Z + H and of that matrix.
+// A symmetric approximation of (Z + H)^-1 on the dofs that are neither removed nor held: a V-cycle
+// between two sweeps of block Gauss-Seidel on the nonlinear nodes. The matrix of the V-cycle may
+// have other Hessians than H, or none. The V-cycle is therefore scaled at each node by
+// S = L^-T L0^T, where L L^T and L0 L0^T are the node's blocks of Z + H and of that matrix.
 class MultigridPreconditioner : public Operator
 {
 public:
@@ -24,21 +24,22 @@ public:
                           std::shared_ptr<const MultigridNodes> nodes,
                           Teuchos::ParameterList const& muelu);
 
-  // To be called after the nodes have got new blocks: adapts smoother and scaling, and keeps the
-  // hierarchy unless a rebuild from Z is pending.
+  // Adapts the smoother and the scaling; has to be called after the blocks of the nodes have
+  // changed. Keeps the hierarchy unless a rebuild from Z is pending.
   void setup();
 
-  // The share of all ranks' nonlinear nodes that the hierarchy treats wrongly: it includes a node
-  // that is now removed or stiff, excludes one that is neither, or has a Hessian that differs from
-  // the current one by an order of magnitude. Its coarse levels then correct smooth errors by too
-  // much or too little; this effect grows as the mesh is refined.
+  // The share of the nonlinear nodes, over all ranks, at which the hierarchy is out of date: it
+  // includes the node although the node is now removed or stiff, excludes it although it is
+  // neither, or has a Hessian that differs from the current one by an order of magnitude. The
+  // coarse levels then correct smooth errors by too much or too little, the more so the finer the
+  // mesh is. Collective.
   double outdatedShare() const;
 
   // Builds the hierarchy from the current blocks and keeps the prolongators.
   void rebuild();
-  // Returns to a hierarchy of Z without Hessians. The next set-up makes it, unless a rebuild comes
-  // first. It is made in the same way as by a rebuild, because on several ranks the hierarchy of
-  // the constructor differs in the last digits.
+  // Goes back to a hierarchy of Z without Hessians: the next set-up rebuilds it from Z, unless
+  // rebuild() comes first. Even the hierarchy of the constructor is rebuilt, because on several
+  // ranks it differs from a rebuilt one in the last digits.
   void returnToHierarchyOfZ();
   // Whether the next set-up will make the hierarchy from Z.
   bool willRebuildFromZ() const { return rebuild_from_Z_is_pending_; }
@@ -64,8 +65,8 @@ private:
   MultigridSmoother smoother_;
   RCP<CrsMatrix> coupled_; // the hierarchy's matrix without Hessians, if it is not Z
   MultigridHierarchy hierarchy_;
-  std::optional<MultigridTruncatedMatrix> truncated_; // what the hierarchy was rebuilt from
-  bool hierarchy_is_of_Z_ = false;                    // after a rebuild
+  std::optional<MultigridTruncatedMatrix> truncated_; // the matrix of the last rebuild()
+  bool hierarchy_is_of_Z_ = false;                    // it was rebuilt from Z
   bool rebuild_from_Z_is_pending_ = false;
 
   FlagView excluded_;       // nodes whose couplings the hierarchy's matrix leaves out

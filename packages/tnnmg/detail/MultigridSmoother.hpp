@@ -7,14 +7,14 @@
 namespace asperity::tnnmg::detail
 {
 // Linear block Gauss-Seidel for Z + H on the nonlinear nodes alone, where coefficients differ by
-// orders of magnitude from node to node and from solve to solve. It goes colour by colour and is
-// therefore the same on any number of ranks.
+// orders of magnitude from node to node and from solve to solve. A sweep goes colour by colour, so
+// its result is the same on any number of ranks.
 class MultigridSmoother
 {
 public:
   MultigridSmoother(CrsMatrix const& Z, std::shared_ptr<const MultigridNodes> nodes);
 
-  // To be called after the nodes have got new blocks.
+  // Inverts the diagonal blocks; has to be called after the blocks of the nodes have changed.
   void setup();
 
   enum class Order

@@ -6,9 +6,9 @@
 
 namespace asperity::tnnmg::detail
 {
-// Of the pages that Trilinos throws, what tells a user something, in one line.
+// Returns, in one line, the part of a long Trilinos error message that helps a user.
 std::string complaint(std::string const& thrown);
 
-// MueLuCorrection::requireAccepted
+// Implements MueLuCorrection::requireAccepted.
 void tryParameters(Teuchos::ParameterList const& parameters);
 } // namespace asperity::tnnmg::detail

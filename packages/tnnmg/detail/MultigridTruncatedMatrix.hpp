@@ -22,10 +22,10 @@ private:
   RCP<CrsMatrix> matrix_;
 };
 
-// Z for the first set-up of a hierarchy that will be rebuilt with Hessians. The Galerkin products
-// leave out entries that are zero, and a rebuild cannot add entries. So where Z does not couple a
-// node's free tangents, which happens on regular meshes, this matrix couples them by a tiny value.
-// The result is null if no rank has such a node, and Z itself is to be used. Constrained rows get
-// neither Hessian nor coupling.
+// Returns a copy of Z for the first set-up of a hierarchy that will be rebuilt with Hessians. The
+// Galerkin products leave out entries that are zero, and a rebuild cannot add entries. So where Z
+// does not couple a node's free tangents, which happens on regular meshes, the copy couples them by
+// a tiny value; held rows get no coupling. Returns null if no rank has such a node: then Z itself
+// serves. Collective.
 RCP<CrsMatrix> withCoupledTangents(CrsMatrix const& Z, MultigridNodes const& nodes);
 } // namespace asperity::tnnmg::detail

@@ -8,12 +8,12 @@
 
 namespace asperity::scenario
 {
-// A kind of fault: a word for the entry `Type` of a boundary condition. Each is one file beside
-// this one, or in a library of your own, which ends in
+// A kind of fault: a word for the entry `Type` of a boundary condition. Each kind is one file,
+// beside this one or in a library of your own; the file ends in
 //
 //   ASPERITY_REGISTER(FaultKindRegistry, "Bilateral Contact", BilateralContact)
 //
-// All kinds read `Direction` and `Plate Rate`, and differ by what lies on their other side.
+// All kinds read `Direction` and `Plate Rate`; they differ in what lies on their other side.
 struct FaultKind
 {
   FaultKind(std::string meaning_of_kind, fem::OtherSide const& what_lies_there)
@@ -29,7 +29,7 @@ struct FaultKind
 
 using FaultKindRegistry = Registry<FaultKind>;
 
-// The names of all kinds; of those inside the mesh.
+// The names of all kinds, and of the kinds that lie inside the mesh.
 std::vector<std::string> faultKinds();
 std::vector<std::string> faultKindsInside();
 } // namespace asperity::scenario

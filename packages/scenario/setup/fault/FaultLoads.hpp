@@ -17,20 +17,20 @@ public:
                 fem::FaultSurface const& surface, fem::NodalFrames const& frames);
 
   bool dependsOnTime() const { return size_.dependsOnTime(); }
-  // (num_nodes, T) along the fault's tangents at the time t [s], in Pa.
+  // The traction [Pa] at the time t [s] in components along the fault's tangents, (num_nodes, T).
   std::vector<double> at(double t) const;
-  // (num_nodes, T) where it points: a unit vector along the tangents.
+  // The direction of positive traction: unit vectors in the same components, (num_nodes, T).
   std::vector<double> const& direction() const { return direction_; }
 
 private:
   NodalField size_;
-  // (num_nodes, T) a unit vector: along the tangent, in three dimensions along the projection of
-  // the deck's `Slip Direction`. InputError where that is the fault's normal.
+  // The tangent; in three dimensions the projection of the deck's `Slip Direction` onto the fault.
+  // InputError where that direction is normal to the fault.
   std::vector<double> direction_;
 };
 
-// Adds the deck's `Shear Traction` on the fault to a constant load: the load of the body at any
-// time, evaluated once only where the traction does not depend on t.
+// Returns the load of the body as a function of time: a constant load and the deck's `Shear
+// Traction` on the fault. If the traction does not depend on t, it is evaluated only once.
 std::function<void(double, Vector&)>
 loadWithTraction(ShearTraction const& traction,
                  std::shared_ptr<const fem::FaultSurface> const& surface,
@@ -42,9 +42,10 @@ struct NormalStressOfDeck
   std::vector<std::string> remarks; // for the log
 };
 
-// |sigma_n| = factor * max(values, 0), of the deck where it gives `Normal Stress`, else the
-// pressure(num_nodes) [Pa] of the foundation. InputError if the deck's normal stress is negative at
-// t = 0; if it depends on t, what becomes negative later counts as zero. Collective.
+// sigma_n = factor * max(values, 0), where factor is the deck's `Normal Stress Factor`. The values
+// are the deck's `Normal Stress` if it is given, else the pressure(num_nodes) [Pa] of the
+// foundation. Throws InputError if the deck's normal stress is negative at t = 0; values that
+// become negative later count as zero. Collective.
 template <int Dim>
 NormalStressOfDeck makeNormalStress(ParameterList const& friction, Mesh<Dim> const& mesh,
                                     fem::FaultSurface const& surface,

@@ -13,34 +13,37 @@ namespace asperity::scenario
 {
 struct BoundaryCondition;
 
-// Back slip: the plates slide past each other at the rate Vp [m/s] along the fault, which friction
-// sees beside the motion of the bodies, slip rate = slip factor v_t + Vp. It is the entry
-// `Plate Rate` of the fault's boundary condition, constant in time, and points along the tangent
-// of the fault's frame, in three dimensions along the projection of `Direction` onto the fault.
+// Back slip: the plates slide past each other along the fault at the rate Vp [m/s], which adds to
+// the motion of the bodies: slip rate = slip factor v_t + Vp. Vp is the entry `Plate Rate` of the
+// fault's boundary condition and constant in time. It points along the tangent of the fault's
+// frame, in three dimensions along the projection of `Direction` onto the fault.
 struct PlateRate
 {
   std::string name;                  // of the condition, for messages
-  std::string boundary;              // the fault
-  std::shared_ptr<const Field> rate; // in x [m/s]; none if the plates do not move
+  std::string boundary;              // name of the fault in the mesh
+  std::shared_ptr<const Field> rate; // Vp(x) [m/s]; null if the plates do not move
   std::vector<double> direction;     // along the axes; empty in two dimensions
 
   explicit operator bool() const { return static_cast<bool>(rate); }
 };
 
-// That of a condition on a fault, without a rate where the deck gives none. components: of the
-// displacement. InputError if it depends on time, or for a Direction that has no effect.
+// The plate rate of a condition on a fault; `rate` is null if the deck gives none. components: of
+// the displacement. Throws InputError if the rate depends on time or is a dataset, or if
+// `Direction` is zero or has no effect.
 PlateRate plateRateOf(BoundaryCondition const& condition, int components);
 
 // The rates (num_nodes, T) along the tangents of a fault's nodes, as for
-// fem::FaultSurface::withPlateRate. A node of two faults has the rate of the first, one of none of
-// them zero. InputError, on all ranks, where Direction is at right angles to the fault. Collective.
+// fem::FaultSurface::withPlateRate. A node that lies on several of the plates' boundaries has the
+// rate of the first, a node on none of them has the rate zero. Throws InputError on all ranks where
+// Direction is at right angles to the fault. Collective.
 template <int Dim>
 std::vector<double> nodalPlateRates(std::vector<PlateRate> const& plates, Mesh<Dim> const& mesh,
                                     fem::FaultSurface const& surface,
                                     fem::NodalFrames const& frames);
 
-// `towards` (three numbers) projected onto the fault at a node: a unit vector along the tangents
-// there, (T). InputError that begins with `entry` where they are at right angles.
+// The direction of the projection of `towards` (three numbers) onto the fault at a node: a unit
+// vector in components along the tangents there, (T). Throws InputError, with a message that begins
+// with `entry`, if `towards` is at right angles to the fault.
 std::vector<double> directionAlongFault(std::vector<double> const& towards,
                                         fem::NodalFrames const& frames, fem::FaultNode const& node,
                                         std::string const& entry);
