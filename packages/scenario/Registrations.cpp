@@ -2,6 +2,7 @@
 
 #include "friction/Registry.hpp"
 #include "io/Output.hpp"
+#include "io/TextFormat.hpp"
 #include "scenario/setup/fault/FaultKind.hpp"
 
 namespace asperity::scenario
@@ -11,6 +12,9 @@ std::vector<std::string> registrations()
   auto all = friction::registeredLaws();
   for (auto const& name : io::OutputRegistry::instance().registrations()) {
     all.push_back("output '" + name + "'");
+  }
+  for (auto const& name : io::TextFormatRegistry::instance().registrations()) {
+    all.push_back("text format '" + name + "'");
   }
   for (auto const& name : FaultKindRegistry::instance().registrations()) {
     all.push_back("kind of fault '" + name + "'");
