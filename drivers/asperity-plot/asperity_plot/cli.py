@@ -11,7 +11,7 @@ MODULES = {"numpy": "python3-numpy", "h5py": "python3-h5py", "matplotlib": "pyth
 FIGURES = {
     "slip_rate": "slip rate over position and time, with a zoom into a rupture",
     "surface": "vertical displacement of the surface relative to its time average",
-    "deformation": "displacement of the surface before and in an event",
+    "deformation": "displacement of the surface before and in an event; in 3D maps",
     "events": "box plots of recurrence time, rupture width, peak slip and more",
     "iterations": "fixed point iterations and step size",
     "slip": "profiles of cumulative slip",

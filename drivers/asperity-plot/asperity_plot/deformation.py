@@ -9,7 +9,7 @@ from typing import List, Tuple
 import numpy as np
 from matplotlib.axes import Axes
 
-from . import along, raster, style, units
+from . import along, deformation_maps, plane, raster, style, units
 from .along import Axis
 from .errors import NothingToShow
 from .run import Run
@@ -27,6 +27,11 @@ def draw(run: Run, view: View):
     if not view.number:
         raise NothingToShow("no event ended in the time shown")
     spans = _spans(run, view)
+    lengths = [units.text(last - first, "s") for first, last in spans]
+    titles = [f"In the {lengths[0]} before event {view.number}",
+              f"In the {lengths[1]} from the onset of event {view.number}"]
+    if plane.is_surface(run.surface):
+        return deformation_maps.draw(run, spans, titles)
     directions = _directions(run)
     changes = [[_change(run, span, direction) for _, direction, _ in directions] for span in spans]
     where, unit = along.axis(run, run.surface, "surface"), units.length(np.array(changes))
@@ -40,9 +45,8 @@ def draw(run: Run, view: View):
     axes[0, 0].set_xlim(_limits(where, run.surface.position, np.array(changes)))
     if len(directions) > 1:
         axes[0, 0].legend()
-    lengths = [units.text(last - first, "s") for first, last in spans]
-    axes[0, 0].set_title(f"In the {lengths[0]} before event {view.number}")
-    axes[0, 1].set_title(f"In the {lengths[1]} from the onset of event {view.number}")
+    for panel, text in zip(axes[0], titles):
+        panel.set_title(text)
     style.title(figure, "Displacement of the surface")
     return figure
 

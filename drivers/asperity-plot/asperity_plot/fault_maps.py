@@ -59,18 +59,8 @@ def interval_of(run: Run, row: int) -> Tuple[float, float]:
 
 def event_slip(run: Run, onset: float, end: float) -> np.ndarray:
     """(nodes) magnitude [m] of the slip from onset to end, linear between the rows of fault.h5."""
-    time = run.fault.time
-    before, after = (_slip_at(run, time, at) for at in (onset, min(end, time[-1])))
+    before, after = (run.fault.at("slip", at) for at in (onset, min(end, run.fault.time[-1])))
     return np.linalg.norm(after - before, axis=-1)
-
-
-def _slip_at(run: Run, time: np.ndarray, at: float) -> np.ndarray:
-    row = int(np.clip(np.searchsorted(time, at) - 1, 0, max(time.size - 2, 0)))
-    slip = run.fault.array("fields/slip", slice(row, row + 2))
-    if slip.shape[0] < 2:
-        return slip[0]
-    part = (at - time[row]) / (time[row + 1] - time[row])
-    return slip[0] + part * (slip[1] - slip[0])
 
 
 def arrivals(run: Run, row: int) -> Optional[np.ndarray]:

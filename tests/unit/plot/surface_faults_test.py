@@ -7,13 +7,14 @@ import unittest
 from dataclasses import replace
 from pathlib import Path
 
+import h5py
 import numpy as np
 from matplotlib import pyplot
 
 import synthetic_run
 import synthetic_surface as surface
-from asperity_plot import (fault_history, fault_maps, moment_rate, plane, rupture_patterns, style,
-                           windows)
+from asperity_plot import (deformation, fault_history, fault_maps, moment_rate, plane,
+                           rupture_patterns, style, windows)
 from asperity_plot.cli import main
 from asperity_plot.errors import NothingToShow
 from asperity_plot.run import Run
@@ -42,6 +43,28 @@ class SurfaceFaults(unittest.TestCase):
         strike, dip = plane.directions(corners, np.array([0.0, 1, 0]))
         np.testing.assert_allclose(strike, [0, 0, 1], atol=1e-15)
         np.testing.assert_allclose(np.abs(dip), [1, 0, 0], atol=1e-15)
+
+    def test_maps_of_the_surface_on_both_sides(self):
+        x, z = (values.ravel() for values in np.meshgrid([-1e3, 0.0, 0.0, 1e3], [0.0, 2e3]))
+        side = np.array([0.0, 0.0, 1.0, 1.0] * 2)[:, None]  # 1 in the hanging wall
+        rates = (1 - side) * [0.1, 0.02, 0.0] + side * [-0.3, 0.05, 0.1]
+        time = np.array([0.0, surface.ONSET, 118.0, 200.0])  # five durations after the end
+        moved = np.array([0.0, surface.ONSET, -10.0, 0.0])[:, None, None] * rates
+        corners = np.array([[0, 1, 5], [0, 5, 4], [2, 3, 7], [2, 7, 6]])
+        with h5py.File(self.folder / "surface.h5", "w") as file:
+            file["time"], file["fields/displacement"] = time, moved
+            surface.write_geometry(file, np.stack((x, 0.0 * x, z), axis=1), corners)
+        axes = deformation.draw(Run(self.folder), self.view).axes
+        for panel, factor in zip(axes[:2], (surface.ONSET, -10.0 - surface.ONSET)):
+            self.assertEqual((panel.get_xlabel(), panel.get_ylabel()[:1]), ("x [km]", panel
+                             is axes[0] and "z" or ""))
+            colours, arrows = panel.collections[:2]
+            unit = 100.0 if np.abs(factor * rates[:, 1]).max() < 1.0 else 1.0
+            np.testing.assert_allclose(colours.get_array(), unit * factor * rates[:, 1])
+            left = arrows.XY[:, 0] < 0.0
+            self.assertTrue(left.any() and not left.all())
+            np.testing.assert_allclose(arrows.U[left], factor * 0.1)
+            np.testing.assert_allclose(arrows.V[arrows.XY[:, 0] > 0.5], factor * 0.1)
 
     def test_slip_and_arrivals_of_the_event(self):
         strike, dip, _ = surface.grid()
