@@ -22,17 +22,17 @@
 DefineConstant[
   dip = 60,             // of the fault, between 0 and 90
   h = 100,              // size of the cells on the fault
-  fine = 36e3,          // down dip, where cells begin to grow
+  fine = 20e3,          // down dip, where cells begin to grow
   locked = 40e3,        // down dip, where `fault` ends and `deep` begins
   top = 4e3,            // down dip, where the strips beside the fault begin
   narrow = 1.5e3,       // largest width of a strip there
   wide = 8e3,           // and at `fine`
-  across = 1.05,        // -, widths of neighbouring cells across a strip
-  half_width = 2400e3,  // the model reaches so far to the left and to the right of the origin
-  depth = 1800e3,       // and so deep
-  fault_growth = 0.01,  // -, at most growth
-  growth = 0.05,        // -
-  largest = 240e3       // size of a cell
+  across = 1.08,        // -, widths of neighbouring cells across a strip
+  half_width = 800e3,   // the model reaches so far to the left and to the right of the origin
+  depth = 600e3,        // and so deep
+  fault_growth = 0.02,  // -, at most growth
+  growth = 0.08,        // -
+  largest = 80e3        // size of a cell
 ];
 
 c = Cos(dip * Pi / 180);
