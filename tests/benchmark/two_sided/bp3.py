@@ -51,6 +51,8 @@ def of_60_degrees(found):
     for number, (interval, expected) in enumerate(zip(intervals, (100.2, 57.0, 87.0, 92.4, 97.4))):
         fine = check(f"interval {number + 1} [yr]", interval, expected, 0.05) and fine
     fine = check("mean of four [yr]", intervals[5:9].mean(), 84.7, 0.03) and fine
+    # 44.0 MPa is that of the first event: the check of the later ones was dropped when runs were
+    # known to have 43.1 to 43.6 MPa there, as the code of the published answers has.
     fine = check("shear traction before [MPa]", found[0]["before"], 44.0, 0.01) and fine
     for event in found[:5]:
         fine = check("normal stress [MPa]", event["sigma"], 50.5, 0.01) and fine
