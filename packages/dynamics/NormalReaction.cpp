@@ -47,6 +47,15 @@ NormalReaction::NormalReaction(Body const& body, fem::FaultSurface const& surfac
   }
 }
 
+NormalReaction::NormalReaction(NormalReaction const& other, Body const& body,
+                               std::vector<int> const& dofs)
+    : NormalReaction(other)
+{
+  ASPERITY_ASSERT(dofs.size() == dofs_.size());
+  body_ = body;
+  dofs_ = dofs;
+}
+
 void NormalReaction::compression(Vector const& l, Vector const& u, Vector const& v, Vector const& a,
                                  friction::NodeView const& R) const
 {

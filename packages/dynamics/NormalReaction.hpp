@@ -23,6 +23,10 @@ public:
   // across the fault must be held at each node that slides.
   NormalReaction(Body const& body, fem::FaultSurface const& surface, fem::NodalFrames const& frames,
                  std::vector<double> const& support);
+  // The same reaction in another body, whose dofs across the fault are these (num_nodes).
+  NormalReaction(NormalReaction const& other, Body const& body, std::vector<int> const& dofs);
+
+  std::vector<int> const& dofs() const { return dofs_; } // across the fault, (num_nodes)
 
   // R(num_nodes) [Pa] in the state u, v, a under the load l, all of them vectors of owned dofs.
   // Collective.

@@ -76,7 +76,7 @@ void registerTangential(io::FieldRegistry& registry, Problem<Dim> const& problem
                                  written.components(), value});
   };
   add("slip", "m", "Tangential slip since the start,", [=, &view](Values& values) {
-    auto blocks = tangential(*view.state->u, *surface);
+    auto blocks = tangential(*view.state->u, *view.surface);
     for (std::size_t i = 0; i < blocks.size(); ++i) {
       blocks[i] -= initial[i];
     }
@@ -91,12 +91,12 @@ void registerTangential(io::FieldRegistry& registry, Problem<Dim> const& problem
     values = written(blocks, slip_factor);
   });
   add("traction", "Pa", "Shear traction that friction bears,", [=, &view](Values& values) {
-    values = written(tangential(view.balance->force(), *surface),
+    values = written(tangential(view.balance->force(), *view.surface),
                      [&](int i) { return 1 / (*surface)[i].weight; });
   });
   if (Dim == 3) {
     add("slip_velocity", "m/s", "Slip rate as a vector,", [=, &view](Values& values) {
-      values = written(dynamics::slipUnknowns(*surface, *view.state->v), slip_factor);
+      values = written(dynamics::slipUnknowns(*view.surface, *view.state->v), slip_factor);
     });
   }
 }
@@ -109,7 +109,7 @@ void registerFaultFields(io::FieldRegistry& registry, Problem<Dim> const& proble
   registry.add(io::OutputField{"slip_rate", "m/s", "Magnitude of the slip rate.", "fault", 1,
                                [surface, &view](Values& values) {
                                  auto const blocks =
-                                   dynamics::slipUnknowns(*surface, *view.state->v);
+                                   dynamics::slipUnknowns(*view.surface, *view.state->v);
                                  values.assign(surface->numNodes(), 0.);
                                  for (std::size_t i = 0; i < blocks.size(); ++i) {
                                    double& value = values[i / surface->numTangents()];
@@ -171,6 +171,18 @@ void registerTheta(io::FieldRegistry& registry, Problem<Dim> const& problem, Run
                     }});
 }
 
+RCP<const Vector> ofWholeBody(RunView const& view, dynamics::Body const& body,
+                              RCP<Vector> dynamics::State::*member)
+{
+  auto const of_state = view.state->*member;
+  if (!view.condensation) {
+    return of_state;
+  }
+  auto const result = body.vector();
+  view.condensation->expand(*of_state, *result);
+  return result;
+}
+
 // Displacement, velocity and acceleration, along the axes, at the vertices of a domain.
 template <int Dim>
 void registerMotion(io::FieldRegistry& registry, Problem<Dim> const& problem, RunView const& view,
@@ -189,12 +201,12 @@ void registerMotion(io::FieldRegistry& registry, Problem<Dim> const& problem, Ru
     {"acceleration", "m/s^2", "Acceleration along the axes.", &dynamics::State::a}};
   for (auto const& motion : motions) {
     auto const vector = motion.vector;
-    registry.add(
-      io::OutputField{motion.name, motion.unit, motion.description, domain.name, problem.components,
-                      [&problem, &view, &domain, vector](Values& values) {
-                        values = fem::alongAxes(problem.constraints->frames(), *problem.body.dofs,
-                                                *(view.state->*vector), domain.vertices);
-                      }});
+    registry.add(io::OutputField{
+      motion.name, motion.unit, motion.description, domain.name, problem.components,
+      [&problem, &view, &domain, vector](Values& values) {
+        values = fem::alongAxes(problem.constraints->frames(), *problem.body.dofs,
+                                *ofWholeBody(view, problem.body, vector), domain.vertices);
+      }});
   }
 }
 

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "dynamics/EnergyBalance.hpp"
+#include "dynamics/StaticCondensation.hpp"
 #include "dynamics/control/StepControl.hpp"
 #include "io/FieldRegistry.hpp"
 #include "io/OutputDomain.hpp"
@@ -15,6 +16,9 @@ namespace asperity::scenario
 struct RunView
 {
   dynamics::State const* state = nullptr;
+  fem::FaultSurface const* surface = nullptr; // with the dofs of the state
+  // If the state is that of a condensed model: the way to that of the whole body.
+  dynamics::StaticCondensation const* condensation = nullptr;
   dynamics::DyadicTime const* clock = nullptr;
   dynamics::EnergyBalance const* balance = nullptr;
   FloorCount const* floor_count = nullptr;

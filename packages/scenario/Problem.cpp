@@ -216,7 +216,8 @@ Problem<Dim> makeProblem(ParameterList const& deck, RCP<const Communicator> cons
   auto initial = makeInitialState(deck, of.mesh, *constraints, body, fault, solver,
                                   {start.displacement, traction.at(0), traction.direction(), eta});
   auto reaction = reactionSinceStart(of, body, fault, initial);
-  return {communicator,
+  return {{std::move(body), std::move(fault), std::move(initial), std::move(reaction)},
+          communicator,
           components,
           std::move(of.boundary),
           std::move(of.mesh),
@@ -224,10 +225,6 @@ Problem<Dim> makeProblem(ParameterList const& deck, RCP<const Communicator> cons
           surface,
           fault_materials,
           solver,
-          std::move(body),
-          std::move(fault),
-          std::move(initial),
-          std::move(reaction),
           std::move(stress.remarks)};
 }
 

@@ -1,10 +1,7 @@
 #pragma once
 
 #include "base/parameters/Parameters.hpp"
-#include "dynamics/Body.hpp"
-#include "dynamics/Fault.hpp"
-#include "dynamics/NormalReaction.hpp"
-#include "dynamics/State.hpp"
+#include "dynamics/Model.hpp"
 #include "dynamics/coupling/RateSolver.hpp"
 #include "fem/Material.hpp"
 #include "fem/constraints/Constraints.hpp"
@@ -16,9 +13,9 @@
 
 namespace asperity::scenario
 {
-// The discretised model of a deck: the body, its fault and the initial state.
+// The discretised model of a deck, with the mesh and the conditions that it was made from.
 template <int Dim>
-struct Problem
+struct Problem : dynamics::Model
 {
   RCP<const Communicator> communicator;
   int components; // of the displacement
@@ -28,11 +25,7 @@ struct Problem
   std::shared_ptr<const fem::FaultSurface> surface;
   std::vector<fem::Material> fault_materials; // (num fault nodes) of the body beside the fault
   dynamics::RateSolverSettings solver;
-  dynamics::Body body;
-  dynamics::Fault fault;
-  dynamics::State initial;
-  dynamics::ReactionSinceStart reaction; // empty unless the normal stress follows the body
-  std::vector<std::string> remarks;      // for the user, in the log
+  std::vector<std::string> remarks; // for the user, in the log
 };
 
 // `deck` must be complete. Collective.

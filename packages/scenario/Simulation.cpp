@@ -12,6 +12,7 @@
 #include "io/checkpoint/Checkpoint.hpp"
 #include "io/files/OutputDirectory.hpp"
 #include "io/files/RunLog.hpp"
+#include "scenario/Condensation.hpp"
 #include "scenario/DeckReader.hpp"
 #include "scenario/Fingerprint.hpp"
 #include "scenario/OutputFields.hpp"
@@ -64,6 +65,8 @@ private:
   std::filesystem::path directory_;
   std::unique_ptr<io::RunLog> log_;
   Problem<Dim> problem_;
+  std::unique_ptr<dynamics::StaticCondensation> condensation_;
+  dynamics::Model const& model_; // the problem, or what it is condensed to
   dynamics::DyadicTime clock_;
   dynamics::DyadicTime::Ticks end_;
   std::unique_ptr<dynamics::CoupledStep> coupled_step_;
@@ -102,11 +105,13 @@ SimulationOf<Dim>::SimulationOf(RCP<ParameterList> const& deck, CommandLine cons
     , meeting_point_(*communicator)
     , directory_(outputDirectory(command_line))
     , problem_(makeProblem<Dim>(*deck, communicator))
+    , condensation_(makeCondensation(problem_, *deck))
+    , model_(condensation_ ? condensation_->model() : problem_)
     , clock_(makeClock(deck->sublist("Time Stepping")))
     , end_(clock_.reaching(finalTime(deck->sublist("Time Stepping"))))
-    , balance_(problem_.body, problem_.fault, clock_)
-    , state_(problem_.initial.clone())
-    , floor_count_(problem_.fault)
+    , balance_(model_.body, model_.fault, clock_)
+    , state_(model_.initial.clone())
+    , floor_count_(model_.fault)
     , domains_(makeDomains(problem_))
     , restart_(command_line.restart)
     , fingerprint_(fingerprint(*deck, problem_.mesh, *communicator))
@@ -115,11 +120,13 @@ SimulationOf<Dim>::SimulationOf(RCP<ParameterList> const& deck, CommandLine cons
   auto const update =
     makeRateUpdate(deck->sublist("Time Stepping"), !quasiDynamic(deck->sublist("Bulk")));
   coupled_step_ = std::make_unique<dynamics::CoupledStep>(
-    problem_.body, problem_.fault, update, clock_,
+    model_.body, model_.fault, update, clock_,
     dynamics::CouplingSettings::from(deck->sublist("Coupling")), problem_.solver,
-    memoryBudget(deck->sublist("TNNMG")), problem_.reaction);
+    memoryBudget(deck->sublist("TNNMG")), model_.reaction);
   control_ = makeStepControl(deck->sublist("Time Stepping"), *coupled_step_);
   view_.state = &state_;
+  view_.surface = &model_.fault.surface();
+  view_.condensation = condensation_.get();
   view_.clock = &clock_;
   view_.floor_count = &floor_count_;
   view_.balance = &balance_;
@@ -158,7 +165,7 @@ io::StepInfo SimulationOf<Dim>::stepInfo() const
   info.step = control_->memory().num_steps;
   info.time = clock_.seconds(state_.time);
   info.step_size = info.step > 0 ? clock_.stepSize(view_.step.level) : 0;
-  info.peak_slip_rate = dynamics::peakSlipRate(*problem_.surface, *state_.v);
+  info.peak_slip_rate = dynamics::peakSlipRate(model_.fault.surface(), *state_.v);
   info.is_last = atEnd();
   return info;
 }
@@ -169,6 +176,12 @@ int SimulationOf<Dim>::run()
   const StopSignals signals;
   for (auto const& line : describe(problem_, *deck_)) {
     log_->message(line);
+  }
+  if (condensation_) {
+    log_->message("The body is in equilibrium at all times: it is condensed to its fault, which "
+                  "eliminates " +
+                  std::to_string(condensation_->numEliminated()) + " of " +
+                  std::to_string(problem_.body.numOwnedDofs()) + " unknowns for all steps.");
   }
   begin();
   try {
@@ -222,8 +235,8 @@ void SimulationOf<Dim>::begin()
     outputs_->write(stepInfo());
     return;
   }
-  state_ = loadState(checkpoint_, "state", problem_.initial);
-  control_->restore(loadControl(checkpoint_, "control", problem_.initial));
+  state_ = loadState(checkpoint_, "state", model_.initial);
+  control_->restore(loadControl(checkpoint_, "control", model_.initial));
   count_ = loadCount(checkpoint_, "count");
   forced_steps_ = checkpoint_.getInteger("forced_steps");
   floor_count_.restore(checkpoint_, "normal_stress_floor");

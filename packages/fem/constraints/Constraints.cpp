@@ -240,6 +240,19 @@ void Constraints<Dim>::prescribedVelocity(double t, Vector& v) const
 }
 
 template <int Dim>
+std::vector<int> Constraints<Dim>::dofsThatVary() const
+{
+  std::vector<int> result;
+  for (auto const& row : rows_) {
+    if (std::any_of(row.terms.begin(), row.terms.end(),
+                    [&](auto const& term) { return conditions_[term.first].dependsOnTime(); })) {
+      result.push_back(row.dof);
+    }
+  }
+  return result;
+}
+
+template <int Dim>
 void Constraints<Dim>::shareWithGhosts(DofMap const& dofs)
 {
   const int components = dofs.components();

@@ -39,6 +39,8 @@ public:
   // Sets v(owned dofs) to the prescribed velocity at time t [s] in nodal frames, and to zero at
   // dofs that are not held.
   void prescribedVelocity(double t, Vector& v) const;
+  // The owned dofs whose prescribed velocity may depend on time.
+  std::vector<int> dofsThatVary() const;
 
 private:
   using Direction = detail::Direction;

@@ -73,6 +73,12 @@ double VelocityCondition<Dim>::velocity(Point<Dim> const& x, double t) const
 }
 
 template <int Dim>
+bool VelocityCondition<Dim>::dependsOnTime() const
+{
+  return std::visit([](auto const& one) { return one.velocity.dependsOnTime(); }, kind);
+}
+
+template <int Dim>
 Boundaries VelocityCondition<Dim>::boundariesOfNormal() const
 {
   auto boundaries =

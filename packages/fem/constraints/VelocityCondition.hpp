@@ -4,6 +4,7 @@
 
 #include <functional>
 #include <string>
+#include <utility>
 #include <variant>
 #include <vector>
 
@@ -29,12 +30,30 @@ enum class Normal
   of_fault
 };
 
-// At x and the time t [s], in m/s.
+// At x and the time t [s], in m/s. Whoever makes one may say that it does not depend on t, so that
+// a body in equilibrium need not ask for it in each step.
 template <int Dim>
-using VelocityFunction = std::function<double(Point<Dim> const& x, double t)>;
+class VelocityFunction
+{
+public:
+  template <class Function>
+  VelocityFunction(Function function, bool depends_on_time = true)
+      : function_(std::move(function))
+      , depends_on_time_(depends_on_time)
+  {
+  }
+
+  double operator()(Point<Dim> const& x, double t) const { return function_(x, t); }
+  bool dependsOnTime() const { return depends_on_time_; }
+
+private:
+  std::function<double(Point<Dim> const& x, double t)> function_;
+  bool depends_on_time_;
+};
 
 struct ZeroVelocity
 {
+  constexpr bool dependsOnTime() const { return false; }
   template <class Place>
   constexpr double operator()(Place const&, double) const
   {
@@ -149,6 +168,7 @@ struct VelocityCondition
   bool prescribes() const;
   bool holdsAcross() const;
   double velocity(Point<Dim> const& x, double t) const;
+  bool dependsOnTime() const; // whether the velocity may
 
   // The boundaries over whose facets n is the mean: this one and its continuations, sorted.
   Boundaries boundariesOfNormal() const;

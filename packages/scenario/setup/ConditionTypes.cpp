@@ -107,11 +107,12 @@ fem::VelocityFunction<Dim> withoutPlates(std::shared_ptr<const Field> const& rat
                                          BoundaryConditions<Dim> const& conditions)
 {
   auto const plate = conditions.plate_rates.empty() ? nullptr : conditions.plate_rates.front().rate;
-  return [rate, plate, factor = conditions.other_side.slip_factor](Point<Dim> const& x, double t) {
-    const double of_bodies =
-      (*rate)(inSpace<Dim>(x), t, 0) - (plate ? (*plate)(inSpace<Dim>(x), 0, 0) : 0);
-    return of_bodies / factor;
+  const double factor = conditions.other_side.slip_factor;
+  auto const of_bodies = [rate, plate, factor](Point<Dim> const& x, double t) {
+    return ((*rate)(inSpace<Dim>(x), t, 0) - (plate ? (*plate)(inSpace<Dim>(x), 0, 0) : 0)) /
+           factor;
   };
+  return {of_bodies, rate->dependsOnTime()};
 }
 
 // The continuation of a fault in three dimensions slips where the plates go.
@@ -179,9 +180,11 @@ void prescribedVelocity(BoundaryCondition const& condition, Setting const& setti
 {
   auto const field = velocityField(condition);
   const double duration = rampDuration(condition.list);
-  auto const velocity = [field, duration](Point<Dim> const& x, double t) {
-    return ramp(t, duration) * (*field)(inSpace<Dim>(x), t, 0);
-  };
+  const fem::VelocityFunction<Dim> velocity(
+    [field, duration](Point<Dim> const& x, double t) {
+      return ramp(t, duration) * (*field)(inSpace<Dim>(x), t, 0);
+    },
+    duration > 0 || field->dependsOnTime());
   auto const direction = directionOf(condition, setting.components);
   result.velocities.push_back(
     {condition.name, condition.boundary, fem::PrescribedVelocity<Dim>{direction, velocity}});

@@ -25,6 +25,7 @@ struct Start
   {
     balance.start(problem.initial, {});
     view.state = &problem.initial;
+    view.surface = problem.surface.get();
     view.balance = &balance;
     registerFields(registry, problem, view, domains, deck.sublist("Friction"));
   }

@@ -59,6 +59,7 @@ std::vector<double> onFault(Problem<3> const& problem, ParameterList const& deck
   balance.start(problem.initial, {});
   RunView view;
   view.state = &problem.initial;
+  view.surface = problem.surface.get();
   view.balance = &balance;
   auto const domains = makeDomains(problem);
   io::FieldRegistry registry;

@@ -1,0 +1,18 @@
+#pragma once
+
+#include "dynamics/Body.hpp"
+#include "dynamics/Fault.hpp"
+#include "dynamics/NormalReaction.hpp"
+#include "dynamics/State.hpp"
+
+namespace asperity::dynamics
+{
+// A body, its fault, and where they start: all that the steps of a run depend on.
+struct Model
+{
+  Body body;
+  Fault fault;
+  State initial;
+  ReactionSinceStart reaction; // empty unless the normal stress follows the body
+};
+} // namespace asperity::dynamics

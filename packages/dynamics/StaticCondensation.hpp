@@ -1,0 +1,68 @@
+#pragma once
+
+#include "dynamics/Model.hpp"
+
+#include <memory>
+#include <vector>
+
+namespace asperity::tnnmg
+{
+class SchurComplement;
+}
+
+namespace asperity::dynamics
+{
+// Static condensation (Guyan 1965) of a body that has neither inertia nor viscosity off its fault,
+// and that nothing loads there. It is in equilibrium at all times, so that the fault and the
+// boundaries decide on its displacement:
+//
+//   u = E u_F + s P:    K_II u_I = -K_IF u_F - s K_ID d,    u_D = s d
+//
+// F are all dofs at the vertices of the fault, D the other held dofs, I the rest. D moves at the
+// constant velocity d, so that its amplitude s [s] is a single held dof, which moves at rate 1. The
+// condensed model has [E P]'K[E P], which is full, for K. Works, energies and reactions are the
+// same in both models, and so is every step of a scheme that is linear in u, v and a. A step costs
+// what it costs a boundary element code, whatever the number of cells.
+class StaticCondensation
+{
+public:
+  // `whole` must live on one rank, its load must act on F alone, and d must be constant in time;
+  // it must outlive the result. Null if the body has mass, viscosity off F, or a displacement at
+  // the start, or is not in equilibrium for some motion of F.
+  static std::unique_ptr<StaticCondensation> make(Model const& whole);
+  ~StaticCondensation();
+
+  // Vertex i of its dofs is node i of the fault, with all components; the last vertex has s.
+  Model const& model() const { return *model_; }
+  int numEliminated() const; // the size of I and D
+  // From displacement, velocity or acceleration of the condensed model, that of the whole body.
+  void expand(Vector const& x, Vector& whole) const;
+
+private:
+  explicit StaticCondensation(Model const& whole);
+
+  bool isFaultAlone(CrsMatrix const& viscosity) const;
+  bool findPattern();
+  bool isInEquilibrium(Vector const& u) const;
+  bool balancesMotionOfFault() const;
+  void condense();
+  Body condensedBody() const;
+  RCP<const CrsMatrix> condensedStiffness(RCP<const CrsGraph> const& graph) const;
+  RCP<const CrsMatrix> condensedViscosity(RCP<const CrsGraph> const& graph) const;
+  fem::HeldDofs condensedHeld(int num_dofs) const;
+  std::shared_ptr<const fem::FaultSurface> condensedSurface(fem::HeldDofs const& held) const;
+  State condensedState(Body const& body) const;
+  ReactionSinceStart condensedReaction(Body const& body) const;
+  void gather(Vector const& whole, Vector& x) const; // F alone; s and what is beside it are zero
+
+  int numKept() const { return static_cast<int>(kept_.size()); }
+
+  Model const& whole_;
+  std::vector<int> kept_;                          // F, in the order of the condensed dofs
+  std::vector<int> place_;                         // of a dof of the whole body in F, or -1
+  RCP<Vector> pattern_;                            // P
+  bool is_driven_ = false;                         // whether d is not zero
+  std::unique_ptr<tnnmg::SchurComplement> factor_; // of K without the rows and columns of D
+  std::unique_ptr<Model> model_;
+};
+} // namespace asperity::dynamics

@@ -1,0 +1,163 @@
+#include "dynamics/StaticCondensation.hpp"
+
+#include "dynamics/coupling/CoupledStep.hpp"
+#include "fem/NodalDamping.hpp"
+#include "unit/dynamics/SmallModel.hpp"
+#include "unit/fem/SampleMeshes.hpp"
+
+#include <gtest/gtest.h>
+
+namespace asperity::dynamics
+{
+using namespace testing;
+
+namespace
+{
+constexpr double top_velocity = 2e-4;
+
+// A block on a foundation, driven at its top, without viscosity.
+ModelOptions drivenBlock()
+{
+  ModelOptions options;
+  options.mesh = fem::testing::uniformRectangle(5, 4, 0.5, 0.3);
+  options.material.shear_viscosity = 0;
+  options.material.bulk_viscosity = 0;
+  options.conditions = {
+    {"Drive", "top",
+     fem::PrescribedVelocity<2>{{1, 0}, [](auto const&, double) { return top_velocity; }}},
+    {"Lid", "top", fem::AtRestAlong{{0, 1}}}};
+  return options;
+}
+
+// Without mass, and with radiation damping on the fault.
+dynamics::Model quasiDynamic(testing::Model const& model)
+{
+  dynamics::Model whole{model.body,
+                        Fault(model.surface, model.fault.laws(), model.fault.normalStress()),
+                        model.restingState(),
+                        {}};
+  auto& matrices = whole.body.matrices;
+  matrices.mass = fem::zeroLike(*matrices.mass);
+  matrices.is_massless = true;
+  const std::vector<double> eta(model.surface->numNodes(), 30.);
+  matrices.viscosity = fem::withDampers(*matrices.viscosity, *model.dofs,
+                                        fem::radiationDampers(*model.surface, *model.dofs, eta));
+  return whole;
+}
+
+Eigen::MatrixXd block(Eigen::MatrixXd const& K, std::vector<int> const& rows,
+                      std::vector<int> const& columns)
+{
+  Eigen::MatrixXd result(rows.size(), columns.size());
+  for (std::size_t i = 0; i < rows.size(); ++i) {
+    for (std::size_t j = 0; j < columns.size(); ++j) {
+      result(i, j) = K(rows[i], columns[j]);
+    }
+  }
+  return result;
+}
+
+State stepped(dynamics::Model const& model, int num_steps)
+{
+  const DyadicTime clock(0.5, 0);
+  CoupledStep step(model.body, model.fault, RateUpdate::generalisedAlpha(0.5), clock,
+                   tightCoupling(), tightSettings(), 1u << 30);
+  SolveCount count;
+  auto state = model.initial.clone();
+  for (int i = 0; i < num_steps; ++i) {
+    auto next = state.clone();
+    EXPECT_TRUE(step.solve(state, 0, next, count).solved());
+    state = next;
+  }
+  return state;
+}
+} // namespace
+
+// [E P]'K[E P] by dense algebra: S = K_FF - K_FI K_II^-1 K_IF, and the same for the driven top.
+TEST(StaticCondensation, stiffnessIsThatOfTheBodyInEquilibrium)
+{
+  const testing::Model model(drivenBlock(), fem::testing::selfCommunicator());
+  auto const whole = quasiDynamic(model);
+  auto const condensation = StaticCondensation::make(whole);
+  ASSERT_TRUE(condensation);
+
+  std::vector<int> fault;
+  for (int node = 0; node < model.surface->numNodes(); ++node) {
+    fault.push_back(model.dofs->dof(model.surface->vertex(node), 0));
+    fault.push_back(model.dofs->dof(model.surface->vertex(node), 1));
+  }
+  std::vector<int> inside;
+  std::vector<int> held;
+  for (int dof = 0; dof < whole.body.numOwnedDofs(); ++dof) {
+    if (std::find(fault.begin(), fault.end(), dof) == fault.end()) {
+      (whole.body.held[dof] ? held : inside).push_back(dof);
+    }
+  }
+  EXPECT_EQ(condensation->numEliminated(), static_cast<int>(inside.size() + held.size()));
+  auto const K = denseOf(*whole.body.matrices.stiffness);
+  auto const prescribed = whole.body.vector();
+  whole.body.prescribed_velocity(0, *prescribed);
+  Eigen::VectorXd d(held.size());
+  for (std::size_t i = 0; i < held.size(); ++i) {
+    d[i] = denseOf(*prescribed)[held[i]];
+  }
+  const Eigen::MatrixXd inverse = block(K, inside, inside).inverse();
+  const Eigen::MatrixXd S =
+    block(K, fault, fault) - block(K, fault, inside) * inverse * block(K, inside, fault);
+  const Eigen::VectorXd at_fault =
+    (block(K, fault, held) - block(K, fault, inside) * inverse * block(K, inside, held)) * d;
+  const double of_top =
+    d.dot((block(K, held, held) - block(K, held, inside) * inverse * block(K, inside, held)) * d);
+
+  auto const condensed = denseOf(*condensation->model().body.matrices.stiffness);
+  const int size = static_cast<int>(fault.size());
+  const double scale = S.lpNorm<Eigen::Infinity>();
+  EXPECT_LE((condensed.topLeftCorner(size, size) - S).lpNorm<Eigen::Infinity>(), 1e-12 * scale);
+  EXPECT_LE((condensed.col(size).head(size) - at_fault).norm(), 1e-12 * at_fault.norm());
+  EXPECT_LE((condensed.row(size).head(size).transpose() - at_fault).norm(),
+            1e-12 * at_fault.norm());
+  EXPECT_NEAR(condensed(size, size), of_top, 1e-12 * of_top);
+}
+
+TEST(StaticCondensation, stepsAreThoseOfTheWholeBody)
+{
+  const testing::Model model(drivenBlock(), fem::testing::selfCommunicator());
+  auto const whole = quasiDynamic(model);
+  auto const condensation = StaticCondensation::make(whole);
+  ASSERT_TRUE(condensation);
+  auto const expected = stepped(whole, 20);
+  auto const found = stepped(condensation->model(), 20);
+  auto const u = whole.body.vector();
+  condensation->expand(*found.u, *u);
+  auto const expected_u = denseOf(*expected.u);
+  auto const expected_alpha = denseOf(expected.alpha);
+  EXPECT_GT(expected_u.norm(), 0);
+  EXPECT_LE((denseOf(*u) - expected_u).norm(), 1e-10 * expected_u.norm());
+  EXPECT_LE((denseOf(found.alpha) - expected_alpha).norm(), 1e-10 * expected_alpha.norm());
+}
+
+TEST(StaticCondensation, isRefusedWhereTheBodyIsNotInEquilibrium)
+{
+  const testing::Model model(drivenBlock(), fem::testing::selfCommunicator());
+  auto const whole = quasiDynamic(model);
+  EXPECT_TRUE(StaticCondensation::make(whole));
+
+  auto with_mass = quasiDynamic(model);
+  with_mass.body.matrices.is_massless = false;
+  EXPECT_FALSE(StaticCondensation::make(with_mass));
+
+  auto strained = quasiDynamic(model);
+  strained.initial.u->putScalar(1e-6);
+  EXPECT_FALSE(StaticCondensation::make(strained));
+
+  auto viscous = drivenBlock();
+  viscous.material.shear_viscosity = 1;
+  const testing::Model viscous_model(viscous, fem::testing::selfCommunicator());
+  EXPECT_FALSE(StaticCondensation::make(quasiDynamic(viscous_model)));
+
+  auto loose = drivenBlock();
+  loose.conditions.clear(); // only the fault holds it
+  const testing::Model loose_model(loose, fem::testing::selfCommunicator());
+  EXPECT_FALSE(StaticCondensation::make(quasiDynamic(loose_model)));
+}
+} // namespace asperity::dynamics
