@@ -12,6 +12,7 @@ template <int Dim>
 void requireRoom(Mesh<Dim> const& part, int refinements, Communicator const& communicator,
                  std::string const& where);
 
-// At the highest point of the last refinement, coarse part included.
-constexpr double bytes_per_cell = 50;
+// Measured on large meshes of tetrahedra, at the highest point of the last refinement
+// (docs/performance.md).
+constexpr double bytes_per_cell = 40;
 } // namespace asperity::refinement

@@ -97,6 +97,7 @@ template <int Dim>
 void Points<Dim>::chooseOwners()
 {
   const auto places = idsOfPlaces(part_);
+  owners_.reserve(parents_.size());
   for (std::size_t point = owners_.size(); point < parents_.size(); ++point) {
     auto [a, b] = parents_[point];
     if (places[b] < places[a]) {

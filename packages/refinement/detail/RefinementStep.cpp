@@ -64,6 +64,8 @@ private:
   void divideCells()
   {
     auto& cells = fine_.mesh.cells;
+    cells.reserve(coarse_.cells.size() << Dim); // ghosts have fewer: memory that is never touched
+    fine_.mesh.cell_regions.reserve(coarse_.cells.size() << Dim);
     constexpr auto num_edges = std::size(RedRule<Dim>::edges);
     std::array<int, Dim + 1 + num_edges> points;
     for (std::size_t c = 0; c < coarse_.cells.size(); ++c) {
@@ -102,6 +104,12 @@ private:
   {
     using Entry = std::pair<GlobalOrdinal, int>;
     std::vector<Entry> owned, ghosts;
+    const auto num_needed =
+      static_cast<std::size_t>(std::count(needed_.begin(), needed_.end(), char(1)));
+    owned.reserve(num_needed);
+    fine_.mesh.global_ids.reserve(num_needed);
+    fine_.mesh.vertices.reserve(num_needed);
+    fine_.owners.reserve(num_needed);
     for (int point = 0; point < points_.size(); ++point) {
       if (needed_[point]) {
         (isOwned(point) ? owned : ghosts).push_back({points_.id(point), point});
