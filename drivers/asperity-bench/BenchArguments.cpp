@@ -56,8 +56,18 @@ BenchArguments parseBenchArguments(int argc, char const* const* argv)
   if (arguments.help) {
     return arguments;
   }
-  ASPERITY_REQUIRE(words.size() == 2 && words[0] == "scaling",
-                   "asperity-bench scaling DECK.xml is what there is. See asperity-bench --help.");
+  ASPERITY_REQUIRE(
+    words.size() == 2 && (words[0] == "scaling" || words[0] == "mesh"),
+    "asperity-bench scaling DECK.xml and asperity-bench mesh DECK.xml are what there "
+    "is. See asperity-bench --help.");
+  arguments.counts_mesh = words[0] == "mesh";
+  if (arguments.counts_mesh) {
+    ASPERITY_REQUIRE(given.sizes.empty() && given.steps.empty() && given.rupture_rate.empty() &&
+                       arguments.output.empty(),
+                     "asperity-bench mesh takes --set and --plugin alone.");
+    arguments.deck.deck = words[1];
+    return arguments;
+  }
   ASPERITY_REQUIRE(!given.sizes.empty() && !given.steps.empty(),
                    "--sizes and --steps are needed, e.g. --sizes 0.02,0.01 --steps 1,1e-3.");
   arguments.deck.deck = words[1];
@@ -80,6 +90,10 @@ void printBenchHelp(std::ostream& out)
        "  asperity-bench scaling DECK.xml --sizes H,H,... --steps TAU,TAU,...\n"
        "    Rate problems of a stuck, a nucleating and a rupturing fault with each step size [s],\n"
        "    on meshes from coarse to fine, solved from rest: TNNMG iterations, V-cycles, seconds\n"
-       "    and memory. The deck is three-dimensional with a plane fault.\n"
+       "    and memory. The deck is three-dimensional with a plane fault.\n\n"
+       "  asperity-bench mesh DECK.xml\n"
+       "    Makes the mesh alone: how many cells and vertices, how evenly the ranks have them, "
+       "and\n"
+       "    how much memory it takes.\n"
     << options.help() << "\nExit status: 0 done, 2 the input is at fault.\n";
 }

@@ -9,7 +9,8 @@ struct BenchArguments
 {
   asperity::CommandLine deck; // the deck and its overrides
   ScalingOptions scaling;
-  std::string output; // JSON file, "" for none
+  std::string output;       // JSON file, "" for none
+  bool counts_mesh = false; // asperity-bench mesh
   bool help = false;
 };
 

@@ -1,5 +1,6 @@
 #include "Scaling.hpp"
 
+#include "PeakMemory.hpp"
 #include "base/parallel/Reductions.hpp"
 #include "scenario/setup/BulkSetup.hpp"
 #include "scenario/setup/TimeSetup.hpp"
@@ -7,7 +8,6 @@
 #include <Tpetra_Vector.hpp>
 
 #include <chrono>
-#include <fstream>
 
 using namespace asperity;
 
@@ -24,20 +24,6 @@ public:
 private:
   std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
 };
-
-// The largest memory that this process has used: VmHWM of the kernel, in bytes.
-double peakBytes()
-{
-  std::ifstream status("/proc/self/status");
-  for (std::string word; status >> word;) {
-    if (word == "VmHWM:") {
-      double kilobytes = 0;
-      status >> kilobytes;
-      return 1024 * kilobytes;
-    }
-  }
-  return 0;
-}
 
 double productSeconds(dynamics::Body const& body)
 {

@@ -1,6 +1,8 @@
 // asperity-bench scaling DECK.xml --sizes H,H,... --steps TAU,TAU,... [--size-parameter PATH]
 // [--rupture-rate V] [--set "Path/To/Parameter=value"]... [--output FILE.json]
+// asperity-bench mesh DECK.xml [--set "Path/To/Parameter=value"]...
 #include "BenchArguments.hpp"
+#include "MeshCounts.hpp"
 #include "Scaling.hpp"
 #include "base/Errors.hpp"
 #include "base/program/MpiScope.hpp"
@@ -14,6 +16,17 @@
 
 namespace
 {
+int countMesh(BenchArguments const& arguments,
+              asperity::RCP<const asperity::Communicator> const& communicator)
+{
+  auto const deck = asperity::scenario::readCompleteDeck(arguments.deck);
+  auto const text = meshCounts(*deck, communicator);
+  if (communicator->getRank() == 0) {
+    std::cout << text << std::flush;
+  }
+  return asperity::exit_done;
+}
+
 int scaling(BenchArguments const& arguments,
             asperity::RCP<const asperity::Communicator> const& communicator)
 {
@@ -59,7 +72,8 @@ int main(int argc, char** argv)
         return int(asperity::exit_done);
       }
       asperity::loadPlugins(arguments.deck.plugins, asperity::scenario::registrations);
-      return scaling(arguments, communicator);
+      return arguments.counts_mesh ? countMesh(arguments, communicator)
+                                   : scaling(arguments, communicator);
     },
     "asperity-bench");
 }

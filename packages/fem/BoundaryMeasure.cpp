@@ -54,7 +54,7 @@ std::vector<NodalMeasure<Dim>> boundaryMeasure(Mesh<Dim> const& mesh, std::strin
     }
     result.push_back(sum);
   }
-  const int num_nodes = sumOverRanks(static_cast<int>(result.size()), communicator);
+  const auto num_nodes = sumOverRanks(static_cast<std::int64_t>(result.size()), communicator);
   ASPERITY_REQUIRE(num_nodes > 0, "Boundary '" << boundary << "' of the mesh has no facets.");
   return result;
 }

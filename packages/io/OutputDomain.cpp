@@ -94,28 +94,38 @@ void addElements(OutputDomain& domain, Mesh<Dim> const& mesh, std::vector<Elemen
   domain.is_periodic = mesh.period != Point<Dim>{};
 }
 
-// `order`: the global ids of all nodes of the domain by number, on every rank.
-template <int Dim, class Element>
+// number_of: from a global id to the number among all `num_nodes` nodes of the domain.
+template <int Dim, class Element, class NumberOf>
 void number(OutputDomain& domain, Mesh<Dim> const& mesh, std::vector<Element> const& elements,
-            std::vector<GlobalOrdinal> const& order)
+            std::size_t num_nodes, NumberOf const& number_of)
+{
+  domain.num_global_nodes = static_cast<GlobalOrdinal>(num_nodes);
+  for (const GlobalOrdinal id : domain.vertex_ids) {
+    domain.node_numbers.push_back(number_of(id));
+  }
+  addElements(domain, mesh, elements,
+              [&](int vertex) { return number_of(mesh.global_ids[vertex]); });
+}
+
+void numberAlong(OutputDomain& domain, Mesh<2> const& mesh,
+                 std::vector<Mesh<2>::Facet> const& facets, std::vector<GlobalOrdinal> const& order)
 {
   std::map<GlobalOrdinal, GlobalOrdinal> number_of_id;
   for (std::size_t i = 0; i < order.size(); ++i) {
     number_of_id[order[i]] = static_cast<GlobalOrdinal>(i);
   }
-  domain.num_global_nodes = static_cast<GlobalOrdinal>(order.size());
-  for (const GlobalOrdinal id : domain.vertex_ids) {
-    domain.node_numbers.push_back(number_of_id.at(id));
-  }
-  addElements(domain, mesh, elements,
-              [&](int vertex) { return number_of_id.at(mesh.global_ids[vertex]); });
+  number(domain, mesh, facets, order.size(), [&](GlobalOrdinal id) { return number_of_id.at(id); });
 }
 
-std::vector<GlobalOrdinal> orderById(OutputDomain const& domain)
+// A surface may have many nodes, and every rank has the ids of all: sorted, they are the numbering.
+void numberById(OutputDomain& domain, Mesh<3> const& mesh,
+                std::vector<Mesh<3>::Facet> const& facets)
 {
   std::vector<GlobalOrdinal> ids = gatherToAll(domain.vertex_ids, *domain.comm);
   std::sort(ids.begin(), ids.end());
-  return ids;
+  number(domain, mesh, facets, ids.size(), [&](GlobalOrdinal id) {
+    return static_cast<GlobalOrdinal>(std::lower_bound(ids.begin(), ids.end(), id) - ids.begin());
+  });
 }
 
 detail::CurveOrder orderAlong(OutputDomain const& domain, Mesh<2> const& mesh,
@@ -163,12 +173,12 @@ OutputDomain boundaryDomain(std::string const& name, Mesh<Dim> const& mesh,
                                                << ", has no facets. Check the mesh.");
   if constexpr (Dim == 2) {
     const detail::CurveOrder order = orderAlong(domain, mesh, facets);
-    number(domain, mesh, facets, order.vertex_ids);
+    numberAlong(domain, mesh, facets, order.vertex_ids);
     for (const GlobalOrdinal node : domain.node_numbers) {
       domain.positions.push_back(order.positions[node]);
     }
   } else {
-    number(domain, mesh, facets, orderById(domain));
+    numberById(domain, mesh, facets);
   }
   return domain;
 }

@@ -38,4 +38,17 @@ void sendBytes(std::vector<char> const& bytes, int rank, Communicator const& com
                std::size_t piece = largest_piece);
 std::vector<char> receiveBytes(int rank, Communicator const& communicator,
                                std::size_t piece = largest_piece);
+
+// Sends every item to a rank: items (num_items, item_size), destinations (num_items). Returns the
+// items sent to this rank, (any number, item_size): those of rank 0 first, and those of each rank
+// in the order in which it has them. T is double or GlobalOrdinal. InputError, on every rank, if
+// one of them sends or receives 2^31 numbers or more, which MPI cannot count. Collective.
+template <class T>
+std::vector<T> sendItems(std::vector<T> const& items, std::size_t item_size,
+                         std::vector<int> const& destinations, Communicator const& communicator);
+
+// The offsets of blocks of these sizes that stand one after the other, and the end of the last one:
+// (num_blocks + 1). InputError, which says what is too large, if an int cannot count that far.
+// Where ranks have the same counts all of them throw.
+std::vector<int> blockOffsets(std::vector<std::int64_t> const& counts, char const* what);
 } // namespace asperity

@@ -2,10 +2,6 @@
 
 #include "base/parallel/Messages.hpp"
 
-#include <Teuchos_CommHelpers.hpp>
-
-#include <numeric>
-
 namespace asperity::io
 {
 namespace
@@ -16,19 +12,21 @@ MPI_Datatype typeOf(char) { return MPI_CHAR; }
 
 struct Blocks
 {
-  std::vector<int> counts, offsets;
+  std::vector<int> counts, offsets; // (num_ranks)
   int total = 0;
 };
 
+// MPI counts with int: what is too large for that is refused on every rank.
 Blocks blocksOfRanks(std::size_t mine, Communicator const& comm)
 {
+  const auto count = static_cast<std::int64_t>(mine);
+  std::vector<std::int64_t> counts(static_cast<std::size_t>(comm.getSize()));
+  MPI_Allgather(&count, 1, MPI_INT64_T, counts.data(), 1, MPI_INT64_T, rawCommunicator(comm));
   Blocks blocks;
-  const int count = static_cast<int>(mine);
-  blocks.counts.resize(comm.getSize());
-  blocks.offsets.resize(comm.getSize(), 0);
-  MPI_Allgather(&count, 1, MPI_INT, blocks.counts.data(), 1, MPI_INT, rawCommunicator(comm));
-  std::partial_sum(blocks.counts.begin(), blocks.counts.end() - 1, blocks.offsets.begin() + 1);
-  blocks.total = blocks.offsets.back() + blocks.counts.back();
+  blocks.offsets = blockOffsets(counts, "What one rank gathers from all");
+  blocks.total = blocks.offsets.back();
+  blocks.offsets.pop_back();
+  blocks.counts.assign(counts.begin(), counts.end());
   return blocks;
 }
 } // namespace

@@ -1,7 +1,7 @@
 #include "io/parallel/NodeBlocks.hpp"
 
 #include "base/Errors.hpp"
-#include "io/parallel/Exchange.hpp"
+#include "base/parallel/Messages.hpp"
 
 #include <algorithm>
 
@@ -12,7 +12,7 @@ NodeBlocks::NodeBlocks(OutputDomain const& domain) : domain_(domain)
   for (const GlobalOrdinal number : domain.node_numbers) {
     destinations_.push_back(rankOf(number));
   }
-  numbers_ = detail::sendItems(domain.node_numbers, 1, destinations_, *domain.comm);
+  numbers_ = sendItems(domain.node_numbers, 1, destinations_, *domain.comm);
   ASPERITY_ASSERT(static_cast<GlobalOrdinal>(numbers_.size()) == count());
 }
 
@@ -45,8 +45,7 @@ std::vector<T> NodeBlocks::operator()(std::vector<T> const& mine, std::size_t nu
       items.insert(items.end(), from, from + num_components);
     }
   }
-  const auto arrived =
-    detail::sendItems(items, num_rows * num_components, destinations_, *domain_.comm);
+  const auto arrived = sendItems(items, num_rows * num_components, destinations_, *domain_.comm);
   std::vector<T> block(arrived.size());
   auto from = arrived.begin();
   for (const GlobalOrdinal number : numbers_) {

@@ -4,7 +4,6 @@
 #include "base/parallel/Agreement.hpp"
 #include "base/parallel/Messages.hpp"
 #include "io/files/DurableFile.hpp"
-#include "io/parallel/Exchange.hpp"
 #include "io/parallel/Gather.hpp"
 #include "io/series/SegmentedTable.hpp"
 

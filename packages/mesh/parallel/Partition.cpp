@@ -75,26 +75,41 @@ struct Constraints
   std::vector<real_t> tolerances{1.03f, 1.05f}; // largest part over mean
 };
 
+template <class Simplices>
+std::vector<idx_t> timesUsed(Simplices const& simplices, std::size_t num_vertices)
+{
+  std::vector<idx_t> times(num_vertices, 0);
+  for (auto const& simplex : simplices) {
+    for (int vertex : simplex) {
+      ++times[static_cast<std::size_t>(vertex)];
+    }
+  }
+  return times;
+}
+
 template <int Dim>
 Constraints constraints(GlobalMesh<Dim> const& mesh, Nodes const& nodes, int num_parts,
                         PartitionOptions const& options)
 {
-  std::vector<bool> is_on_boundary(mesh.vertices.size(), false);
+  const std::size_t num_vertices = mesh.vertices.size();
+  std::vector<idx_t> on_boundary(num_vertices, 0), everywhere(num_vertices, 1);
   idx_t num_on_boundary = 0;
   if (!options.boundary.empty()) {
-    for (int vertex : boundaryVertices(mesh, options.boundary)) {
-      is_on_boundary[static_cast<std::size_t>(vertex)] = true;
-      ++num_on_boundary;
-    }
+    on_boundary = timesUsed(boundaryFacets(mesh, options.boundary), num_vertices);
+    num_on_boundary = static_cast<idx_t>(boundaryVertices(mesh, options.boundary).size());
+  }
+  if (options.by_cells) {
+    everywhere = timesUsed(mesh.cells, num_vertices);
   }
   Constraints result;
   result.number = num_on_boundary > 0 && num_on_boundary >= num_parts ? 2 : 1;
   result.weights.assign(static_cast<std::size_t>(nodes.count * result.number), 0);
-  for (std::size_t v = 0; v < is_on_boundary.size(); ++v) {
+  for (std::size_t v = 0; v < num_vertices; ++v) {
     idx_t* weights = &result.weights[static_cast<std::size_t>(nodes.of_vertex[v] * result.number)];
-    weights[0] += is_on_boundary[v] ? options.boundary_weight : 1;
+    const bool is_heavy = on_boundary[v] > 0 && !options.by_cells;
+    weights[0] += is_heavy ? options.boundary_weight : everywhere[v];
     if (result.number == 2) {
-      weights[1] += is_on_boundary[v] ? 1 : 0;
+      weights[1] += options.by_cells ? on_boundary[v] : std::min<idx_t>(on_boundary[v], 1);
     }
   }
   return result;

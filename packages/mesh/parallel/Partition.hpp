@@ -12,6 +12,11 @@ struct PartitionOptions
   // boundary.
   std::string boundary;
   int boundary_weight = 4;
+
+  // Balances what a mesh has when every cell is refined, instead of vertices: a vertex counts as
+  // often as it has cells, and in the boundary as often as it has facets there. boundary_weight
+  // then means nothing.
+  bool by_cells = false;
 };
 
 // The owner of every vertex, 0 <= owner < num_parts, by METIS's k-way partition of the graph whose

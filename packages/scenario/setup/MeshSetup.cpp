@@ -15,6 +15,7 @@
 #include "mesh/generation/RectangleMesh.hpp"
 #include "mesh/generation/WedgeMesh.hpp"
 #include "mesh/parallel/Partition.hpp"
+#include "refinement/UniformRefinement.hpp"
 #include "scenario/setup/NodalField.hpp"
 
 #include <memory>
@@ -257,6 +258,43 @@ std::vector<mesh::NamedCondition<Dim>> conditionsIn(ParameterList const& mesh,
   }
   return conditions;
 }
+// This rank's part of the mesh before it is refined.
+template <int Dim>
+Mesh<Dim> coarsePart(ParameterList const& list, std::string const& fault,
+                     RCP<const Communicator> const& communicator)
+{
+  auto const type = list.get<std::string>("Type");
+  auto const& of_type = list.sublist(type);
+  auto const regions = conditionsIn<Dim>(list, "Regions");
+  auto const boundaries = conditionsIn<Dim>(list, "Boundaries");
+  auto const where_regions = joinPath(path, "Regions");
+  auto const where_boundaries = joinPath(path, "Boundaries");
+  auto const faults = conditionsIn<Dim>(list, "Faults");
+  auto const where_faults = joinPath(path, "Faults");
+  auto const file_name = type == "File" ? of_type.get<std::string>("File Name") : std::string();
+  if (type == "File" && mesh::isPartitioned(file_name, *communicator)) {
+    ASPERITY_REQUIRE(faults.empty(),
+                     where_faults << " / " << faults.front().name << ": mesh file '" << file_name
+                                  << "' is partitioned, and was split along its faults before. "
+                                  << "Put the fault into the mesh and then partition that.");
+    auto part = mesh::readPart<Dim>(file_name, communicator);
+    mesh::overrideRegions(part, regions, *communicator, where_regions);
+    mesh::overrideBoundaries(part, boundaries, *communicator, where_boundaries);
+    return part;
+  }
+  auto whole =
+    type == "File" ? mesh::readMesh<Dim>(file_name, *communicator) : generate<Dim>(type, of_type);
+  mesh::overrideRegions(whole, regions, where_regions);
+  mesh::overrideBoundaries(whole, boundaries, where_boundaries);
+  mesh::addFaults(whole, faults, where_faults);
+  if (type == "File" || !faults.empty()) { // generators make none
+    mesh::splitFaults(whole, path);
+  }
+  mesh::PartitionOptions options;
+  options.boundary = whole.boundaries.count(fault) > 0 ? fault : "";
+  options.by_cells = list.get<int>("Refinements") > 0;
+  return mesh::distribute(whole, *communicator, options);
+}
 } // namespace
 
 RCP<const ParameterList> meshParameters()
@@ -277,6 +315,11 @@ RCP<const ParameterList> meshParameters()
       "Selects the shape of the body. In two dimensions it is the analogue wedge (thesis A.1) or a "
       "rectangle; in three dimensions the wedge with a depth along z or a box; in both a mesh from "
       "a file.")
+    .integer("Refinements", 0, Range::atLeast(0),
+             "Every cell is divided this number of times, triangles into 4 and tetrahedra into 8, "
+             "on all ranks at once, with its region, boundaries and faults. The body keeps the "
+             "shape of the coarse mesh, for which the conditions in 'Regions', 'Boundaries' and "
+             "'Faults' are evaluated.")
     .openSublist(
       "Regions",
       Declare()
@@ -323,36 +366,9 @@ Mesh<Dim> makeMesh(ParameterList const& list, std::string const& fault,
                    RCP<const Communicator> const& communicator)
 {
   ASPERITY_TIME_WORK("mesh");
-  auto const type = list.get<std::string>("Type");
-  auto const& of_type = list.sublist(type);
-  auto const regions = conditionsIn<Dim>(list, "Regions");
-  auto const boundaries = conditionsIn<Dim>(list, "Boundaries");
-  auto const where_regions = joinPath(path, "Regions");
-  auto const where_boundaries = joinPath(path, "Boundaries");
-  auto const faults = conditionsIn<Dim>(list, "Faults");
-  auto const where_faults = joinPath(path, "Faults");
-  auto const file_name = type == "File" ? of_type.get<std::string>("File Name") : std::string();
-  if (type == "File" && mesh::isPartitioned(file_name, *communicator)) {
-    ASPERITY_REQUIRE(faults.empty(),
-                     where_faults << " / " << faults.front().name << ": mesh file '" << file_name
-                                  << "' is partitioned, and was split along its faults before. "
-                                  << "Put the fault into the mesh and then partition that.");
-    auto part = mesh::readPart<Dim>(file_name, communicator);
-    mesh::overrideRegions(part, regions, *communicator, where_regions);
-    mesh::overrideBoundaries(part, boundaries, *communicator, where_boundaries);
-    return part;
-  }
-  auto whole =
-    type == "File" ? mesh::readMesh<Dim>(file_name, *communicator) : generate<Dim>(type, of_type);
-  mesh::overrideRegions(whole, regions, where_regions);
-  mesh::overrideBoundaries(whole, boundaries, where_boundaries);
-  mesh::addFaults(whole, faults, where_faults);
-  if (type == "File" || !faults.empty()) { // generators make none
-    mesh::splitFaults(whole, path);
-  }
-  mesh::PartitionOptions options;
-  options.boundary = whole.boundaries.count(fault) > 0 ? fault : "";
-  return mesh::distribute(whole, *communicator, options);
+  return refinement::refineUniformly(coarsePart<Dim>(list, fault, communicator),
+                                     list.get<int>("Refinements"), *communicator,
+                                     joinPath(path, "Refinements"));
 }
 
 template Mesh<2> makeMesh(ParameterList const&, std::string const&, RCP<const Communicator> const&);

@@ -1,0 +1,60 @@
+#include "refinement/UniformRefinement.hpp"
+
+#include "base/Errors.hpp"
+#include "mesh/SimplexGeometry.hpp"
+#include "refinement/Room.hpp"
+#include "refinement/detail/Directory.hpp"
+#include "refinement/detail/Points.hpp"
+#include "refinement/detail/RedRule.hpp"
+#include "refinement/detail/RefinementStep.hpp"
+
+namespace asperity::refinement
+{
+namespace
+{
+void order(Mesh<2>&) {}
+
+// By the ids that the vertices had before the mesh was split.
+void order(Mesh<3>& part)
+{
+  const auto ids = detail::idsOfPlaces(part);
+  for (auto& cell : part.cells) {
+    auto sorted = cell;
+    std::sort(sorted.begin(), sorted.end(), [&](int a, int b) { return ids[a] < ids[b]; });
+    cell = detail::firstOrder(sorted, mesh::corners(part, sorted));
+  }
+}
+
+template <int Dim>
+void orient(Mesh<Dim>& part)
+{
+  for (auto& cell : part.cells) {
+    if (mesh::signedMeasure(mesh::corners(part, cell)) < 0.0) {
+      std::swap(cell[Dim - 1], cell[Dim]);
+    }
+  }
+}
+} // namespace
+
+template <int Dim>
+Mesh<Dim> refineUniformly(Mesh<Dim> part, int refinements, Communicator const& communicator,
+                          std::string const& where)
+{
+  ASPERITY_REQUIRE(refinements >= 0, where << " = " << refinements << " is outside [0, inf).");
+  if (refinements == 0) {
+    return part;
+  }
+  requireRoom(part, refinements, communicator, where);
+  auto owners = detail::Directory(part.num_global_vertices, communicator).owners(part);
+  detail::OwnedPart<Dim> refined{std::move(part), std::move(owners)};
+  order(refined.mesh);
+  for (int i = 0; i < refinements; ++i) {
+    refined = detail::refineOnce(refined, communicator, where);
+  }
+  orient(refined.mesh);
+  return std::move(refined.mesh);
+}
+
+template Mesh<2> refineUniformly(Mesh<2>, int, Communicator const&, std::string const&);
+template Mesh<3> refineUniformly(Mesh<3>, int, Communicator const&, std::string const&);
+} // namespace asperity::refinement

@@ -1,0 +1,116 @@
+#include "refinement/detail/CutCells.hpp"
+
+#include "mesh/detail/FacetTable.hpp"
+#include "refinement/detail/Questions.hpp"
+
+namespace asperity::refinement::detail
+{
+using mesh::detail::sorted;
+
+template <int Dim>
+CutCells<Dim>::CutCells(OwnedPart<Dim> const& coarse, FaultEdges<Dim> const& faults,
+                        Points<Dim>& points, Communicator const& communicator)
+    : part_(coarse.mesh)
+    , points_(points)
+{
+  if (part_.faults.empty()) { // on all ranks
+    return;
+  }
+  for (auto const& ring : faults.rings()) {
+    if (auto const* cut = faults.find(ring.first)) {
+      const int point = points.midpoint(cut->plus[0], cut->plus[1]);
+      for (int cell : cut->plus_cells) {
+        cells_[ring.first].push_back({cell, point});
+      }
+    }
+  }
+  askOwners(coarse, faults, communicator);
+}
+
+// A question is the global ids of a cell, the ends of the edge in front.
+template <int Dim>
+void CutCells<Dim>::askOwners(OwnedPart<Dim> const& coarse, FaultEdges<Dim> const& faults,
+                              Communicator const& communicator)
+{
+  Rows questions;
+  std::vector<int> destinations;
+  std::vector<std::pair<Edge, int>> asked; // edge and cell
+  for (auto const& [edge, cells] : faults.rings()) {
+    if (edge[0] < part_.num_owned || edge[1] < part_.num_owned) {
+      continue;
+    }
+    for (int cell : cells) {
+      asked.push_back({edge, cell});
+      destinations.push_back(coarse.owners[edge[0]]);
+      questions.insert(questions.end(), {part_.global_ids[edge[0]], part_.global_ids[edge[1]]});
+      for (int vertex : part_.cells[cell]) {
+        if (vertex != edge[0] && vertex != edge[1]) {
+          questions.push_back(part_.global_ids[vertex]);
+        }
+      }
+    }
+  }
+  const auto answer = [&](GlobalOrdinal const* ids, Rows& reply) {
+    typename Mesh<Dim>::Cell vertices;
+    for (int i = 0; i <= Dim; ++i) {
+      vertices[i] = localVertex(part_, ids[i]);
+    }
+    if (auto const* cut = faults.find(sorted(Edge{vertices[0], vertices[1]}))) {
+      for (int cell : cut->plus_cells) {
+        if (sorted(part_.cells[cell]) == sorted(vertices)) {
+          reply.push_back(points_.id(points_.midpoint(cut->plus[0], cut->plus[1])));
+        }
+      }
+    }
+  };
+  const Rows rows = ask(questions, Dim + 1, destinations, 1, answer, communicator);
+  for (std::size_t i = 0; i < rows.size(); i += 2) {
+    auto const& [edge, cell] = asked[static_cast<std::size_t>(rows[i])];
+    const int twin = points_.midpoint(edge[0], edge[1]);
+    cells_[edge].push_back({cell, points_.add(rows[i + 1], twin)});
+  }
+}
+
+template <int Dim>
+typename CutCells<Dim>::Cells const* CutCells<Dim>::find(int a, int b) const
+{
+  if (cells_.empty()) {
+    return nullptr;
+  }
+  const auto found = cells_.find(sorted(Edge{a, b}));
+  return found == cells_.end() ? nullptr : &found->second;
+}
+
+template <int Dim>
+int CutCells<Dim>::midpoint(int cell, int a, int b) const
+{
+  if (auto const* cells = find(a, b)) {
+    for (auto const& each : *cells) {
+      if (each.cell == cell) {
+        return each.point;
+      }
+    }
+  }
+  return points_.midpoint(a, b);
+}
+
+// Its cell has all its vertices.
+template <int Dim>
+int CutCells<Dim>::midpointOfFacet(typename Mesh<Dim>::Facet const& facet, int a, int b) const
+{
+  if (auto const* cells = find(a, b)) {
+    for (auto const& each : *cells) {
+      auto const& cell = part_.cells[each.cell];
+      if (std::all_of(facet.begin(), facet.end(), [&](int vertex) {
+            return std::find(cell.begin(), cell.end(), vertex) != cell.end();
+          })) {
+        return each.point;
+      }
+    }
+  }
+  return points_.midpoint(a, b);
+}
+
+template class CutCells<2>;
+template class CutCells<3>;
+} // namespace asperity::refinement::detail

@@ -1,0 +1,88 @@
+#pragma once
+
+#include "mesh/Mesh.hpp"
+#include "mesh/faults/SplitVertices.hpp"
+#include "refinement/detail/PartEdges.hpp"
+
+#include <map>
+
+namespace asperity::refinement::detail
+{
+// The pairs that arise at the midpoints of edges of a fault's facets: those of two edges are plus
+// and minus.
+struct MidpointPair
+{
+  Edge plus, minus; // local vertices, ascending
+  bool is_tip = false;
+};
+
+// An edge whose ends are tips, but whose middle slips: it leads from tip to tip through the inside
+// of a fault, as at the corner of one. Cells on the plus side get the midpoint of another edge.
+struct CutEdge
+{
+  Edge plus;
+  std::vector<int> plus_cells;
+};
+
+// What the facets of faults ask for where a part is refined. The midpoint of an edge has two copies
+// if cells around it fall into two sets when the facets of the faults are cut, as in splitFaults.
+template <int Dim>
+class FaultEdges
+{
+public:
+  using Facet = typename Mesh<Dim>::Facet;
+
+  // InputError, which starts with `where`, if a midpoint needs three copies. Not collective.
+  FaultEdges(Mesh<Dim> const& part, std::string const& where);
+
+  // Edges of facets between two tips, by their plus vertices: no cell has them.
+  std::vector<Edge> const& edgesOfTips() const { return edges_of_tips_; }
+
+  // The cells around the edges that may be cut: all of them if an end of the edge is owned.
+  std::map<Edge, std::vector<int>> const& rings() const { return rings_; }
+
+  // nullptr if the edge is not cut. An end of it is owned.
+  CutEdge const* find(Edge const& edge) const
+  {
+    const auto found = cuts_.find(edge);
+    return found == cuts_.end() ? nullptr : &found->second;
+  }
+
+  // Of the edges with an owned end; each once.
+  std::vector<MidpointPair> const& pairs() const { return pairs_; }
+
+  // The edge whose midpoint is a vertex of the fault: `edge` is one of a facet, of plus vertices.
+  Edge edgeOfFacet(Edge const& edge) const;
+
+  bool isOfPair(int vertex) const { return has_pair_[static_cast<std::size_t>(vertex)]; }
+
+private:
+  struct TipFacet
+  {
+    std::string const* fault;
+    Facet facet;
+    Edge plus;
+  };
+  struct Labels;
+
+  void addFacet(std::string const& fault, Facet const& facet);
+  void findRings();
+  void decide(Edge const& edge, std::vector<TipFacet> const& facets);
+  Labels labelsAround(Edge const& edge, std::vector<TipFacet> const& facets) const;
+  int labelBeside(Labels const& labels, Facet const& facet, bool plus_side) const;
+  bool isOwned(Edge const& edge) const
+  {
+    return edge[0] < part_.num_owned || edge[1] < part_.num_owned;
+  }
+
+  Mesh<Dim> const& part_;
+  std::string const& where_;
+  mesh::FaultSides<Dim> sides_;
+  std::vector<bool> has_pair_, is_below_tip_; // (num_local)
+  std::vector<Edge> edges_of_tips_;
+  std::map<Edge, std::vector<TipFacet>> tip_facets_; // by the edge that the cells have
+  std::map<Edge, std::vector<int>> rings_;
+  std::map<Edge, CutEdge> cuts_;
+  std::vector<MidpointPair> pairs_;
+};
+} // namespace asperity::refinement::detail

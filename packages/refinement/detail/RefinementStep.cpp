@@ -1,0 +1,219 @@
+#include "refinement/detail/RefinementStep.hpp"
+
+#include "base/parallel/Agreement.hpp"
+#include "mesh/detail/FacetTable.hpp"
+#include "refinement/detail/CutCells.hpp"
+#include "refinement/detail/RedRule.hpp"
+#include "refinement/detail/RefinedPairs.hpp"
+
+#include <memory>
+
+namespace asperity::refinement::detail
+{
+namespace
+{
+template <int Dim>
+class Step
+{
+public:
+  using Cell = typename Mesh<Dim>::Cell;
+  using Facet = typename Mesh<Dim>::Facet;
+
+  Step(OwnedPart<Dim> const& coarse, FaultEdges<Dim> const& faults,
+       Communicator const& communicator)
+      : coarse_(coarse.mesh)
+      , faults_(faults)
+      , communicator_(communicator)
+      , edges_(coarse_, faults.edgesOfTips())
+      , points_(coarse, edges_, communicator)
+      , cut_cells_(coarse, faults, points_, communicator)
+      , needed_(static_cast<std::size_t>(points_.size()), 0)
+  {
+  }
+
+  OwnedPart<Dim> run()
+  {
+    for (int point = 0; point < points_.size(); ++point) {
+      needed_[point] = isOwned(point);
+    }
+    divideCells();
+    pairs_ = pairsOf(needed_, coarse_, faults_, points_, communicator_);
+    numberVertices();
+    renumber(fine_.mesh.cells);
+    for (auto const& [name, facets] : coarse_.boundaries) {
+      divideFacets(name, facets);
+    }
+    addPairs();
+    fine_.mesh.num_global_vertices = points_.numGlobal();
+    fine_.mesh.period = coarse_.period;
+    fine_.mesh.region_names = coarse_.region_names;
+    fine_.mesh.faults = coarse_.faults;
+    return std::move(fine_);
+  }
+
+private:
+  bool isOwned(int point) const { return points_.owner(point) == communicator_.getRank(); }
+
+  template <std::size_t N>
+  bool isOwned(std::array<int, N> const& simplex) const
+  {
+    return std::any_of(simplex.begin(), simplex.end(), [this](int v) { return isOwned(v); });
+  }
+
+  // The children that touch an owned vertex, by points.
+  void divideCells()
+  {
+    auto& cells = fine_.mesh.cells;
+    cells.reserve(coarse_.cells.size() << Dim); // ghosts have fewer: memory that is never touched
+    fine_.mesh.cell_regions.reserve(coarse_.cells.size() << Dim);
+    constexpr auto num_edges = std::size(RedRule<Dim>::edges);
+    std::array<int, Dim + 1 + num_edges> points;
+    for (std::size_t c = 0; c < coarse_.cells.size(); ++c) {
+      auto const& cell = coarse_.cells[c];
+      std::copy(cell.begin(), cell.end(), points.begin());
+      for (std::size_t e = 0; e < num_edges; ++e) {
+        auto const& [i, j] = RedRule<Dim>::edges[e];
+        points[Dim + 1 + e] = cut_cells_.midpoint(static_cast<int>(c), cell[i], cell[j]);
+      }
+      for (auto const& child : RedRule<Dim>::children) {
+        const auto fine = childOf<Cell>(points, child);
+        if (isOwned(fine)) {
+          cells.push_back(fine);
+          fine_.mesh.cell_regions.push_back(coarse_.cell_regions[c]);
+          for (int point : fine) {
+            needed_[point] = 1;
+          }
+        }
+      }
+    }
+  }
+
+  template <class Simplex, class Points, class Child>
+  static Simplex childOf(Points const& points, Child const& child)
+  {
+    Simplex simplex;
+    for (std::size_t i = 0; i < simplex.size(); ++i) {
+      simplex[i] = points[child[i]];
+    }
+    return simplex;
+  }
+
+  // Owned vertices, then ghosts, each by their global ids. Two points may have one id, where
+  // another rank sent what this rank has, too.
+  void numberVertices()
+  {
+    using Entry = std::pair<GlobalOrdinal, int>;
+    std::vector<Entry> owned, ghosts;
+    const auto num_needed =
+      static_cast<std::size_t>(std::count(needed_.begin(), needed_.end(), char(1)));
+    owned.reserve(num_needed);
+    fine_.mesh.global_ids.reserve(num_needed);
+    fine_.mesh.vertices.reserve(num_needed);
+    fine_.owners.reserve(num_needed);
+    for (int point = 0; point < points_.size(); ++point) {
+      if (needed_[point]) {
+        (isOwned(point) ? owned : ghosts).push_back({points_.id(point), point});
+      }
+    }
+    number_.assign(static_cast<std::size_t>(points_.size()), -1);
+    for (auto* entries : {&owned, &ghosts}) {
+      std::sort(entries->begin(), entries->end());
+      for (auto const& [id, point] : *entries) {
+        auto& ids = fine_.mesh.global_ids;
+        const bool is_known = entries->front().first != id && ids.back() == id;
+        if (!is_known) {
+          ids.push_back(id);
+          fine_.mesh.vertices.push_back(points_.coordinates(point));
+          fine_.owners.push_back(points_.owner(point));
+        }
+        number_[point] = static_cast<int>(ids.size()) - 1;
+      }
+      if (entries == &owned) {
+        fine_.mesh.num_owned = static_cast<int>(fine_.mesh.global_ids.size());
+      }
+    }
+  }
+
+  template <std::size_t N>
+  void renumber(std::vector<std::array<int, N>>& simplices) const
+  {
+    for (auto& simplex : simplices) {
+      for (int& vertex : simplex) {
+        vertex = number_[vertex];
+      }
+    }
+  }
+
+  // The point of a facet may have the number of another point with the same id.
+  int numberOf(int point) const
+  {
+    const int number = number_[static_cast<std::size_t>(point)];
+    return number >= 0 ? number : localVertex(fine_.mesh, points_.id(point));
+  }
+
+  void divideFacets(std::string const& name, std::vector<Facet> const& facets)
+  {
+    auto& fine = fine_.mesh.boundaries[name];
+    const bool is_fault = std::binary_search(coarse_.faults.begin(), coarse_.faults.end(), name);
+    constexpr auto num_edges = std::size(FacetRule<Dim>::edges);
+    std::array<int, Dim + num_edges> points;
+    for (auto const& facet : facets) {
+      std::copy(facet.begin(), facet.end(), points.begin());
+      for (std::size_t e = 0; e < num_edges; ++e) {
+        auto const& [i, j] = FacetRule<Dim>::edges[e];
+        points[Dim + e] = is_fault ? midpointOnFault({facet[i], facet[j]})
+                                   : cut_cells_.midpointOfFacet(facet, facet[i], facet[j]);
+      }
+      for (auto const& child : FacetRule<Dim>::children) {
+        auto simplex = childOf<Facet>(points, child);
+        if (isOwned(simplex)) {
+          std::transform(simplex.begin(), simplex.end(), simplex.begin(),
+                         [this](int point) { return numberOf(point); });
+          fine.push_back(simplex);
+        }
+      }
+    }
+  }
+
+  int midpointOnFault(Edge const& edge) const
+  {
+    const Edge cells_have = faults_.edgeOfFacet(edge);
+    return points_.midpoint(cells_have[0], cells_have[1]);
+  }
+
+  void addPairs()
+  {
+    auto& splits = fine_.mesh.splits;
+    for (auto const& [plus, minus, is_tip] : pairs_) {
+      splits.push_back({numberOf(plus), numberOf(minus), is_tip});
+    }
+    std::sort(splits.begin(), splits.end(),
+              [](auto const& a, auto const& b) { return a.plus < b.plus; });
+  }
+
+  Mesh<Dim> const& coarse_;
+  FaultEdges<Dim> const& faults_;
+  Communicator const& communicator_;
+  PartEdges<Dim> edges_;
+  Points<Dim> points_;
+  CutCells<Dim> cut_cells_;
+  std::vector<char> needed_; // (num_points) 1 if a vertex of the refined part
+  std::vector<int> number_;  // (num_points) its local number, or -1
+  std::vector<PointPair> pairs_;
+  OwnedPart<Dim> fine_;
+};
+} // namespace
+
+template <int Dim>
+OwnedPart<Dim> refineOnce(OwnedPart<Dim> const& coarse, Communicator const& communicator,
+                          std::string const& where)
+{
+  std::unique_ptr<const FaultEdges<Dim>> faults;
+  onEveryRank(communicator,
+              [&] { faults = std::make_unique<const FaultEdges<Dim>>(coarse.mesh, where); });
+  return Step<Dim>(coarse, *faults, communicator).run();
+}
+
+template OwnedPart<2> refineOnce(OwnedPart<2> const&, Communicator const&, std::string const&);
+template OwnedPart<3> refineOnce(OwnedPart<3> const&, Communicator const&, std::string const&);
+} // namespace asperity::refinement::detail

@@ -1,0 +1,205 @@
+#include "RefinementSamples.hpp"
+
+#include "unit/mesh/RandomFaults.hpp"
+
+using namespace asperity;
+using namespace asperity::refinement;
+using namespace asperity::refinement::testing;
+
+namespace
+{
+// A vertex by its place and by what it is: 0 an ordinary one, or a sum of 1 for the minus of a
+// pair, 2 for the plus of one, 4 for a tip.
+template <int Dim>
+using Copy = std::pair<Point<Dim>, int>;
+
+template <int Dim>
+std::vector<Copy<Dim>> copies(GlobalMesh<Dim> const& mesh)
+{
+  std::vector<Copy<Dim>> result;
+  for (auto const& point : mesh.vertices) {
+    result.push_back({point, 0});
+  }
+  for (auto const& [plus, minus, is_tip] : mesh.splits) {
+    result[plus].second += is_tip ? 6 : 2;
+    result[minus].second += is_tip ? 0 : 1;
+  }
+  return result;
+}
+
+template <class Simplex, class OneCopy>
+std::multiset<std::vector<OneCopy>> ofCopies(std::vector<Simplex> const& simplices,
+                                             std::vector<OneCopy> const& copies)
+{
+  std::multiset<std::vector<OneCopy>> result;
+  for (auto const& simplex : simplices) {
+    std::vector<OneCopy> places;
+    for (int vertex : simplex) {
+      places.push_back(copies[vertex]);
+    }
+    std::sort(places.begin(), places.end());
+    result.insert(places);
+  }
+  return result;
+}
+
+template <int Dim>
+std::multiset<std::vector<Copy<Dim>>> pairsOf(GlobalMesh<Dim> const& mesh)
+{
+  std::vector<std::array<int, 2>> pairs;
+  for (auto const& pair : mesh.splits) {
+    pairs.push_back({pair.plus, pair.minus});
+  }
+  return ofCopies(pairs, copies(mesh));
+}
+
+// The same cells on the same sides of the same faults, whatever the numbers.
+template <int Dim>
+void expectSameSplit(GlobalMesh<Dim> const& refined, GlobalMesh<Dim> const& made)
+{
+  EXPECT_EQ(refined.vertices.size(), made.vertices.size());
+  EXPECT_EQ(refined.splits.size(), made.splits.size());
+  EXPECT_TRUE(pairsOf(refined) == pairsOf(made));
+  EXPECT_TRUE(ofCopies(refined.cells, copies(refined)) == ofCopies(made.cells, copies(made)));
+  EXPECT_EQ(refined.faults, made.faults);
+  for (auto const& [name, facets] : made.boundaries) {
+    EXPECT_TRUE(ofCopies(refined.boundaries.at(name), copies(refined)) ==
+                ofCopies(facets, copies(made)))
+      << name;
+    const auto ours = integralOfNormal(refined, name), theirs = integralOfNormal(made, name);
+    for (int d = 0; d < Dim; ++d) {
+      EXPECT_NEAR(ours[d], theirs[d], 1e-12) << name;
+    }
+  }
+}
+
+template <int Dim>
+void expectGoodParts(GlobalMesh<Dim> const& coarse, int refinements)
+{
+  const auto fine = wholeRefined(coarse, refinements);
+  checkMesh(fine, "test");
+  expectPartOf(fine, refined(coarse, refinements));
+}
+
+GlobalMesh<3> boxWith(Conditions<3> const& faults, int cells)
+{
+  auto mesh = boxMesh({{4, 4, 4}, {cells, cells, cells}, {0, -2, 0}});
+  addFaults(mesh, faults);
+  return split(mesh);
+}
+
+// Refined after the split, and split after the refinement: all comes to the same.
+void expectGoodRefinement(Conditions<3> const& faults)
+{
+  const auto coarse = boxWith(faults, 4);
+  expectSameSplit(wholeRefined(coarse, 1), boxWith(faults, 8));
+  expectGoodParts(coarse, 1);
+  expectGoodParts(coarse, 2);
+}
+
+// Squares of two triangles with parallel diagonals, which stay so when they are refined.
+GlobalMesh<2> slanted(Conditions<2> const& faults, int cells)
+{
+  auto mesh = rectangleMesh({4, 4, cells, cells, {0, -2}});
+  mesh.cells.clear();
+  for (int j = 0; j < cells; ++j) {
+    for (int i = 0; i < cells; ++i) {
+      const int a = j * (cells + 1) + i, d = a + cells + 1;
+      mesh.cells.push_back({a, a + 1, d + 1});
+      mesh.cells.push_back({a, d + 1, d});
+    }
+  }
+  addFaults(mesh, faults);
+  return split(mesh);
+}
+template <int Dim>
+bool canSplit(GlobalMesh<Dim>& mesh)
+{
+  try {
+    splitFaults(mesh, "test");
+  } catch (InputError const&) {
+    return false;
+  }
+  return true;
+}
+
+// How many of the meshes can be split before the refinement. All of them can be split afterwards,
+// or both ways are refused.
+template <int Dim>
+int numRefined(GlobalMesh<Dim> const& mesh, int num_trials)
+{
+  std::mt19937 random(1);
+  int num_refined = 0;
+  for (int trial = 0; trial < num_trials; ++trial) {
+    SCOPED_TRACE(trial);
+    const auto faulted = withRandomFaults(mesh, random);
+    auto coarse = faulted;
+    if (!canSplit(coarse)) {
+      continue;
+    }
+    auto made = wholeRefined(faulted, 1);
+    if (canSplit(made)) {
+      expectSameSplit(wholeRefined(coarse, 1), made);
+      expectGoodParts(coarse, 1);
+      ++num_refined;
+    } else {
+      EXPECT_THROW(refined(coarse, 1), InputError);
+    }
+  }
+  return num_refined;
+}
+} // namespace
+
+TEST(FaultRefinement, OfBranchesInThePlane)
+{
+  const auto coarse = slanted(branchInThePlane(), 4);
+  expectSameSplit(wholeRefined(coarse, 1), slanted(branchInThePlane(), 8));
+  expectSameSplit(wholeRefined(coarse, 2), slanted(branchInThePlane(), 16));
+  expectGoodParts(coarse, 1);
+  expectGoodParts(coarse, 3);
+}
+
+// A piece of one facet, which has two tips and no node that slips before it is refined.
+TEST(FaultRefinement, OfASingleFacet)
+{
+  const Conditions<2> faults = {
+    {"main", [](auto& p) { return p[1] == 0.0 && ((p[0] >= 0.0 && p[0] <= 2.0) || p[0] >= 3.0); }},
+    {"upper",
+     [](auto& p) { return p[1] == 1.0 && (p[0] <= 1.0 || (p[0] >= 2.0 && p[0] <= 3.0)); }}};
+  const auto coarse = slanted(faults, 4);
+  expectSameSplit(wholeRefined(coarse, 1), slanted(faults, 8));
+  expectGoodParts(coarse, 1);
+  expectGoodParts(coarse, 2);
+}
+
+TEST(FaultRefinement, OfBranchesInSpace) { expectGoodRefinement(branchInSpace()); }
+TEST(FaultRefinement, OfAFaultInsideTheBody) { expectGoodRefinement(buried()); }
+
+TEST(FaultRefinement, OfAFaultThroughTheBody)
+{
+  expectGoodRefinement({{"main", [](auto& p) { return p[1] == 0.0; }}});
+}
+
+TEST(FaultRefinement, OfFaultsThatContinueEachOther)
+{
+  expectGoodRefinement(
+    {{"shallow", [](auto& p) { return p[1] == 0.0 && p[2] >= 2.0 && p[0] >= 1.0 && p[0] <= 3.0; }},
+     {"deep", [](auto& p) { return p[1] == 0.0 && p[2] <= 2.0 && p[2] >= 1.0 && p[0] >= 1.0; }}});
+}
+
+// A fault whose trace on the surface is a single edge.
+TEST(FaultRefinement, OfANeckBelowTheSurface)
+{
+  expectGoodRefinement({{"main", [](auto& p) {
+                           return p[1] == 0.0 && p[0] >= 1.0 && p[2] >= 1.0 &&
+                                  p[0] <= (p[2] > 3.0 ? 2.0 : 3.0);
+                         }}});
+}
+
+// Two routes to one mesh: the coarse mesh is split and refined, or refined and then split.
+TEST(FaultRefinement, OfRandomFaultsInThePlane)
+{
+  EXPECT_GT(numRefined(rectangleMesh({4.0, 4.0, 4, 4, {0.0, 0.0}}), 300), 100);
+}
+
+TEST(FaultRefinement, OfRandomFaultsInSpace) { EXPECT_GT(numRefined(unitBox(3), 300), 40); }
