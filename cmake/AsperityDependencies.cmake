@@ -10,7 +10,7 @@ find_package(MPI REQUIRED COMPONENTS C CXX)
 # Trilinos 14 and newer exports Trilinos::all_libs; 13 only sets variables. Either becomes
 # Asperity::Trilinos.
 find_package(Trilinos REQUIRED COMPONENTS
-  Tpetra Belos MueLu Ifpack2 Amesos2 Zoltan2 Teuchos Kokkos KokkosKernels)
+  Tpetra Belos MueLu Ifpack2 Teuchos Kokkos KokkosKernels)
 if(TARGET Trilinos::all_libs)
   add_library(Asperity::Trilinos INTERFACE IMPORTED)
   target_link_libraries(Asperity::Trilinos INTERFACE Trilinos::all_libs MPI::MPI_CXX)
@@ -22,24 +22,9 @@ else()
   target_link_libraries(Asperity::Trilinos INTERFACE ${Trilinos_LIBRARIES} MPI::MPI_CXX)
 endif()
 
-# Friction needs Kokkos alone. Debian's Kokkos::kokkos (from Trilinos 13) names an include directory
-# that does not exist, so there the library is named by hand.
-if(TARGET Kokkos::kokkos AND TARGET Trilinos::all_libs)
-  add_library(Asperity::Kokkos ALIAS Kokkos::kokkos)
-else()
-  find_library(ASPERITY_KOKKOS_CORE NAMES kokkoscore trilinos_kokkoscore
-    HINTS ${Trilinos_LIBRARY_DIRS} REQUIRED)
-  add_library(Asperity::Kokkos INTERFACE IMPORTED)
-  target_include_directories(Asperity::Kokkos SYSTEM INTERFACE ${Trilinos_INCLUDE_DIRS})
-  target_link_libraries(Asperity::Kokkos INTERFACE ${ASPERITY_KOKKOS_CORE})
-  find_file(ASPERITY_KOKKOS_CONFIG KokkosCore_config.h
-    HINTS ${Trilinos_INCLUDE_DIRS} NO_DEFAULT_PATH REQUIRED)
-  file(STRINGS "${ASPERITY_KOKKOS_CONFIG}" kokkos_openmp REGEX "^#define KOKKOS_ENABLE_OPENMP")
-  if(kokkos_openmp)
-    find_package(OpenMP REQUIRED COMPONENTS CXX)
-    target_link_libraries(Asperity::Kokkos INTERFACE OpenMP::OpenMP_CXX)
-    target_link_libraries(Asperity::Trilinos INTERFACE OpenMP::OpenMP_CXX)
-  endif()
+include("${CMAKE_CURRENT_LIST_DIR}/AsperityKokkos.cmake")
+if(ASPERITY_KOKKOS_BACKEND STREQUAL "OpenMP" AND TARGET OpenMP::OpenMP_CXX)
+  target_link_libraries(Asperity::Trilinos INTERFACE OpenMP::OpenMP_CXX)
 endif()
 
 set(HDF5_PREFER_PARALLEL ON)

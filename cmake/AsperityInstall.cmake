@@ -48,6 +48,7 @@ function(asperity_install_config)
     "${PROJECT_BINARY_DIR}/AsperityConfig.cmake"
     "${PROJECT_BINARY_DIR}/AsperityConfigVersion.cmake"
     "${PROJECT_SOURCE_DIR}/cmake/AsperityDependencies.cmake"
+    "${PROJECT_SOURCE_DIR}/cmake/AsperityKokkos.cmake"
     "${PROJECT_SOURCE_DIR}/cmake/AsperityPrivateDependencies.cmake"
     DESTINATION "${ASPERITY_INSTALL_CMAKE}")
   install(DIRECTORY "${PROJECT_SOURCE_DIR}/xml/" DESTINATION "${ASPERITY_INSTALL_SHARE}/decks"

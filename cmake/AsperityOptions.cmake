@@ -10,6 +10,15 @@ option(ASPERITY_ENABLE_INSTALL "Install and export the packages" ${ASPERITY_IS_T
 option(ASPERITY_PRECOMPILED_HEADERS "Compile the headers of Trilinos once, for faster builds" ON)
 # Off, so that the warnings of a compiler of the future stop nobody; quickstart.sh --strict sets it.
 option(ASPERITY_WARNINGS_AS_ERRORS "Treat warnings in Asperity's own code as errors" OFF)
+# packages/friction and its tests alone, which need neither Trilinos nor MPI (docs/backends.md).
+option(ASPERITY_FRICTION_ONLY "Build packages/friction alone, on any Kokkos from 3.4 on" OFF)
+set(ASPERITY_BACKEND "" CACHE STRING
+  "The execution space that Kokkos must have: Serial, OpenMP, Cuda; empty accepts any")
+set_property(CACHE ASPERITY_BACKEND PROPERTY STRINGS "" Serial OpenMP Cuda)
+if(NOT ASPERITY_BACKEND MATCHES "^(|Serial|OpenMP|Cuda)$")
+  message(FATAL_ERROR "ASPERITY_BACKEND is '${ASPERITY_BACKEND}'; it may be Serial, OpenMP or "
+    "Cuda, or empty for what the Kokkos found has.")
+endif()
 option(BUILD_SHARED_LIBS "Shared libraries, which `asperity --plugin` needs" ON)
 
 if(NOT BUILD_SHARED_LIBS AND CMAKE_VERSION VERSION_LESS 3.24)

@@ -1,8 +1,15 @@
-# tests/support/TestMain.cpp starts MPI and Kokkos around every GoogleTest program.
-add_library(asperity_test_main OBJECT "${PROJECT_SOURCE_DIR}/tests/support/TestMain.cpp")
-asperity_compile_options(asperity_test_main)
-target_compile_features(asperity_test_main PUBLIC cxx_std_17)
-target_link_libraries(asperity_test_main PUBLIC Asperity::Kokkos GTest::gtest MPI::MPI_CXX)
+# Main programs of the tests: tests/support/TestMain.cpp starts MPI and Kokkos around GoogleTest,
+# KokkosTestMain.cpp, for the packages that stand on Kokkos alone, only Kokkos.
+function(asperity_add_test_main target source)
+  add_library(${target} OBJECT "${PROJECT_SOURCE_DIR}/tests/support/${source}")
+  asperity_compile_options(${target})
+  target_compile_features(${target} PUBLIC cxx_std_17)
+  target_link_libraries(${target} PUBLIC Asperity::Kokkos GTest::gtest ${ARGN})
+endfunction()
+asperity_add_test_main(asperity_kokkos_test_main KokkosTestMain.cpp asperity_portability)
+if(NOT ASPERITY_FRICTION_ONLY)
+  asperity_add_test_main(asperity_test_main TestMain.cpp MPI::MPI_CXX)
+endif()
 
 # Open MPI refuses to run as root, as containers do, and its waiting ranks keep a core busy, which
 # delays other ranks on that core. These options change both; other MPIs get no options. Open MPI's
@@ -10,8 +17,11 @@ target_link_libraries(asperity_test_main PUBLIC Asperity::Kokkos GTest::gtest MP
 set(ASPERITY_TEST_ENVIRONMENT OMPI_ALLOW_RUN_AS_ROOT=1 OMPI_ALLOW_RUN_AS_ROOT_CONFIRM=1
   HWLOC_HIDE_ERRORS=2)
 set(ASPERITY_MPI_OPTIONS "")
-execute_process(COMMAND "${MPIEXEC_EXECUTABLE}" --version
-  OUTPUT_VARIABLE mpiexec_version ERROR_QUIET)
+set(mpiexec_version "")
+if(MPIEXEC_EXECUTABLE)
+  execute_process(COMMAND "${MPIEXEC_EXECUTABLE}" --version
+    OUTPUT_VARIABLE mpiexec_version ERROR_QUIET)
+endif()
 if(mpiexec_version MATCHES "Open MPI|OpenRTE")
   set(ASPERITY_MPI_OPTIONS --oversubscribe --bind-to none --mca mpi_yield_when_idle 1)
 endif()
@@ -50,8 +60,10 @@ function(asperity_add_test name)
   asperity_compile_options(${name})
   target_include_directories(${name} PRIVATE "${PROJECT_SOURCE_DIR}/tests")
   asperity_link_packages(${name} PRIVATE ${TEST_PACKAGES})
-  target_link_libraries(${name} PRIVATE asperity_test_main ${TEST_LIBRARIES})
-  if(NOT TEST_PACKAGES STREQUAL "friction") # which does not link Trilinos
+  if(TEST_PACKAGES MATCHES "^(portability|friction)$") # which do not know Trilinos
+    target_link_libraries(${name} PRIVATE asperity_kokkos_test_main ${TEST_LIBRARIES})
+  else()
+    target_link_libraries(${name} PRIVATE asperity_test_main ${TEST_LIBRARIES})
     asperity_use_precompiled_headers(${name} tests)
   endif()
   if("quick" IN_LIST TEST_LABELS)

@@ -1,8 +1,9 @@
 // asperity DECK.xml [--set "Path/To/Parameter=value"]... [--output DIR] [--restart FILE]
-// [--validate] [--plugin LIBRARY]...
+// [--validate] [--plugin LIBRARY]... | --version
 #include "base/program/MpiScope.hpp"
 #include "base/program/Plugins.hpp"
 #include "scenario/DeckReader.hpp"
+#include "scenario/Environment.hpp"
 #include "scenario/Registrations.hpp"
 #include "scenario/Simulation.hpp"
 
@@ -39,6 +40,12 @@ int main(int argc, char** argv)
     if (command_line.help) {
       if (speaks) {
         asperity::printHelp(std::cout);
+      }
+      return int(asperity::exit_done);
+    }
+    if (command_line.version) {
+      if (speaks) {
+        asperity::scenario::printEnvironment(*communicator, std::cout);
       }
       return int(asperity::exit_done);
     }

@@ -2,6 +2,7 @@
 
 #include "base/Hashes.hpp"
 #include "base/parallel/Reductions.hpp"
+#include "portability/Renamed.hpp"
 
 #include <Tpetra_CrsGraph.hpp>
 #include <Tpetra_Import.hpp>
@@ -34,10 +35,10 @@ struct Neighbourhood
     const auto local = graph.getLocalGraphHost();
     const auto rows = graph.getRowMap()->getLocalMap();
     const auto columns = graph.getColMap()->getLocalMap();
-    for (std::size_t column = 0; column < graph.getNodeNumCols(); ++column) {
+    for (std::size_t column = 0; column < numLocalColumns(graph); ++column) {
       weights.push_back(weightOf(columns.getGlobalElement(static_cast<int>(column))));
     }
-    for (std::size_t row = 0; row < graph.getNodeNumRows(); ++row) {
+    for (std::size_t row = 0; row < numLocalRows(graph); ++row) {
       const GlobalOrdinal id = rows.getGlobalElement(static_cast<int>(row));
       own_weights.push_back(weightOf(id));
       const LocalOrdinal own_column =
@@ -83,7 +84,7 @@ int colourHeaviest(CrsGraph const& graph, Neighbourhood const& neighbourhood,
   const auto before = seen.getLocalViewHost(Tpetra::Access::ReadOnly);
   auto after = colours.getLocalViewHost(Tpetra::Access::ReadWrite);
   int num_chosen = 0;
-  for (int row = 0; row < static_cast<int>(graph.getNodeNumRows()); ++row) {
+  for (int row = 0; row < static_cast<int>(numLocalRows(graph)); ++row) {
     if (after(row, 0) == uncoloured) {
       after(row, 0) = neighbourhood.choose(row, before);
       num_chosen += after(row, 0) != uncoloured;
@@ -96,7 +97,7 @@ Colouring gather(CrsGraph const& graph, ColourVector const& colours)
 {
   Colouring result;
   const auto host = colours.getLocalViewHost(Tpetra::Access::ReadOnly);
-  for (std::size_t row = 0; row < graph.getNodeNumRows(); ++row) {
+  for (std::size_t row = 0; row < numLocalRows(graph); ++row) {
     result.colour.push_back(host(row, 0));
   }
   int mine = 0;

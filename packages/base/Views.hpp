@@ -1,6 +1,7 @@
 #pragma once
 
 #include "base/Types.hpp"
+#include "portability/Spaces.hpp"
 
 #include <Kokkos_Core.hpp>
 
@@ -10,8 +11,6 @@
 // Kokkos views of what the parts of a solver share about nodes, and the ways to and from the host.
 namespace asperity
 {
-using MemorySpace = Kokkos::DefaultExecutionSpace::memory_space;
-
 // Any number of local rows, columns or nodes.
 using IndexView = Kokkos::View<const int*, MemorySpace>;
 // One flag for each local row or node: 0 or 1.

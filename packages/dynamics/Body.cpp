@@ -29,9 +29,10 @@ void Body::residual(Vector const& l, Vector const& u, Vector const& v, Vector co
 
 void Body::clearHeld(Vector& x) const
 {
-  auto values = x.getLocalViewHost(Tpetra::Access::ReadWrite);
-  for (int dof : held.owned()) {
-    values(dof, 0) = 0;
-  }
+  auto const values = x.getLocalViewDevice(Tpetra::Access::ReadWrite);
+  auto const rows = held.ownedOnDevice();
+  Kokkos::parallel_for(
+    "asperity::dynamics::clearHeld", Kokkos::RangePolicy<ExecutionSpace>(0, rows.extent_int(0)),
+    KOKKOS_LAMBDA(int k) { values(rows(k), 0) = 0; });
 }
 } // namespace asperity::dynamics

@@ -2,6 +2,7 @@
 
 #include "base/Errors.hpp"
 #include "base/parallel/Reductions.hpp"
+#include "portability/Renamed.hpp"
 
 #include <Tpetra_Map.hpp>
 #include <Tpetra_Vector.hpp>
@@ -24,67 +25,111 @@ double plateSpeed(fem::FaultSurface const& surface, int node)
   }
   return std::sqrt(square);
 }
+
+using Nodes = Kokkos::RangePolicy<friction::ExecutionSpace>;
+
+// Whether a held component of a node that slides does not slip.
+template <class Values>
+bool restsAt(fem::FaultSurface const& surface, int node, int k, Values const& values)
+{
+  const double slip_rate =
+    surface.slipFactor() * values(surface[node].dofs[k], 0) + surface.plateRate(node, k);
+  return std::abs(slip_rate) <= rounding * plateSpeed(surface, node);
+}
+
+// The first node of this rank that is held in one tangential component, slips in it, and is free in
+// another; num_nodes if there is none.
+int nodeThatSlipsBesideSliding(fem::FaultSurface const& surface, Vector const& prescribed_velocity)
+{
+  auto const values = prescribed_velocity.getLocalViewDevice(Tpetra::Access::ReadOnly);
+  auto const dofs = surface.dofs();
+  auto const held = surface.heldDofs();
+  auto const rates = surface.plateRates();
+  const double factor = surface.slipFactor();
+  const bool plates = surface.hasPlateRate();
+  int first = surface.numNodes();
+  Kokkos::parallel_reduce(
+    "asperity::dynamics::slipsBesideSliding", Nodes(0, surface.numNodes()),
+    KOKKOS_LAMBDA(int node, int& least) {
+      const int size = dofs.extent_int(1);
+      double square = 0;
+      bool slides = false;
+      for (int k = 0; k < size; ++k) {
+        const double rate = plates ? rates(node * size + k) : 0;
+        square += rate * rate;
+        slides = slides || !held(dofs(node, k));
+      }
+      for (int k = 0; k < size && slides; ++k) {
+        const double rate = plates ? rates(node * size + k) : 0;
+        const double slip_rate = factor * values(dofs(node, k), 0) + rate;
+        const bool rests = math::fabs(slip_rate) <= rounding * math::sqrt(square);
+        least = held(dofs(node, k)) && !rests && node < least ? node : least;
+      }
+    },
+    Kokkos::Min<int>(first));
+  return std::min(first, surface.numNodes()); // a rank may have no nodes
+}
 } // namespace
 
 void requireRestBesideSliding(fem::FaultSurface const& surface, Vector const& prescribed_velocity,
                               int components, double t)
 {
-  auto const values = prescribed_velocity.getLocalViewHost(Tpetra::Access::ReadOnly);
-  for (int node = 0; node < surface.numNodes(); ++node) {
-    if (!surface.slides(node)) {
-      continue;
-    }
-    for (int k = 0; k < surface.numTangents(); ++k) {
-      const int dof = surface[node].dofs[k];
-      const double slip_rate = surface.slipFactor() * values(dof, 0) + surface.plateRate(node, k);
-      ASPERITY_REQUIRE(
-        !surface.held(node, k) || std::abs(slip_rate) <= rounding * plateSpeed(surface, node),
-        "At vertex " << prescribed_velocity.getMap()->getGlobalElement(dof) / components
-                     << " of the fault one tangential velocity is prescribed as " << values(dof, 0)
-                     << " m/s at t = " << t << " s"
-                     << (surface.hasPlateRate() ? ", which is slip beside the plate rate," : ",")
-                     << " and the other one is left to friction. Prescribe zero (a wall that "
-                        "the fault ends at), or both.");
-    }
+  const int node = nodeThatSlipsBesideSliding(surface, prescribed_velocity);
+  if (node == surface.numNodes()) {
+    return;
   }
+  auto const values = prescribed_velocity.getLocalViewHost(Tpetra::Access::ReadOnly);
+  int k = 0;
+  while (!surface.held(node, k) || restsAt(surface, node, k, values)) {
+    ++k;
+  }
+  const int dof = surface[node].dofs[k];
+  ASPERITY_REQUIRE(
+    false, "At vertex " << prescribed_velocity.getMap()->getGlobalElement(dof) / components
+                        << " of the fault one tangential velocity is prescribed as "
+                        << values(dof, 0) << " m/s at t = " << t << " s"
+                        << (surface.hasPlateRate() ? ", which is slip beside the plate rate," : ",")
+                        << " and the other one is left to friction. Prescribe zero (a wall that "
+                           "the fault ends at), or both.");
 }
 
 void gather(fem::FaultSurface const& surface, Vector const& v, friction::BlockView const& blocks)
 {
-  auto const values = v.getLocalViewHost(Tpetra::Access::ReadOnly);
-  auto const host = Kokkos::create_mirror_view(blocks);
-  for (int node = 0; node < surface.numNodes(); ++node) {
-    for (int k = 0; k < surface.numTangents(); ++k) {
-      host(node, k) = values(surface[node].dofs[k], 0);
-    }
-  }
-  Kokkos::deep_copy(blocks, host);
-}
-
-std::vector<double> slipUnknowns(fem::FaultSurface const& surface, Vector const& v)
-{
-  auto const values = v.getLocalViewHost(Tpetra::Access::ReadOnly);
-  std::vector<double> result;
-  for (int node = 0; node < surface.numNodes(); ++node) {
-    for (int k = 0; k < surface.numTangents(); ++k) {
-      const double of_body = values(surface[node].dofs[k], 0);
-      result.push_back(surface.hasPlateRate()
-                         ? of_body + surface.plateRate(node, k) / surface.slipFactor()
-                         : of_body);
-    }
-  }
-  return result;
+  auto const values = v.getLocalViewDevice(Tpetra::Access::ReadOnly);
+  auto const dofs = surface.dofs();
+  Kokkos::parallel_for(
+    "asperity::dynamics::gather", Nodes(0, dofs.extent_int(0)), KOKKOS_LAMBDA(int node) {
+      for (int k = 0; k < dofs.extent_int(1); ++k) {
+        blocks(node, k) = values(dofs(node, k), 0);
+      }
+    });
 }
 
 void gatherSlip(fem::FaultSurface const& surface, Vector const& v,
                 friction::BlockView const& blocks)
 {
-  auto const slip = slipUnknowns(surface, v);
-  auto const host = Kokkos::create_mirror_view(blocks);
-  for (std::size_t i = 0; i < slip.size(); ++i) {
-    host(i / surface.numTangents(), i % surface.numTangents()) = slip[i];
+  gather(surface, v, blocks);
+  if (!surface.hasPlateRate()) {
+    return;
   }
-  Kokkos::deep_copy(blocks, host);
+  auto const rates = surface.plateRates();
+  const double factor = surface.slipFactor();
+  const int size = surface.numTangents();
+  Kokkos::parallel_for(
+    "asperity::dynamics::addPlateRate", Nodes(0, surface.numNodes()), KOKKOS_LAMBDA(int node) {
+      for (int k = 0; k < size; ++k) {
+        blocks(node, k) += rates(node * size + k) / factor;
+      }
+    });
+}
+
+std::vector<double> slipUnknowns(fem::FaultSurface const& surface, Vector const& v)
+{
+  const friction::BlockView blocks("asperity::dynamics::slip", surface.numNodes(),
+                                   surface.numTangents());
+  gatherSlip(surface, v, blocks);
+  auto const host = toHost(blocks);
+  return {host.data(), host.data() + host.size()};
 }
 
 void stickToPlates(fem::FaultSurface const& surface, Vector& v)
@@ -92,14 +137,19 @@ void stickToPlates(fem::FaultSurface const& surface, Vector& v)
   if (!surface.hasPlateRate()) {
     return;
   }
-  auto const values = v.getLocalViewHost(Tpetra::Access::ReadWrite);
-  for (int node = 0; node < surface.numNodes(); ++node) {
-    for (int k = 0; k < surface.numTangents(); ++k) {
-      if (!surface.held(node, k)) {
-        values(surface[node].dofs[k], 0) = -surface.plateRate(node, k) / surface.slipFactor();
+  auto const values = v.getLocalViewDevice(Tpetra::Access::ReadWrite);
+  auto const dofs = surface.dofs();
+  auto const held = surface.heldDofs();
+  auto const rates = surface.plateRates();
+  const double factor = surface.slipFactor();
+  Kokkos::parallel_for(
+    "asperity::dynamics::stickToPlates", Nodes(0, dofs.extent_int(0)), KOKKOS_LAMBDA(int node) {
+      for (int k = 0; k < dofs.extent_int(1); ++k) {
+        if (!held(dofs(node, k))) {
+          values(dofs(node, k), 0) = -rates(node * dofs.extent_int(1) + k) / factor;
+        }
       }
-    }
-  }
+    });
 }
 
 void slipRate(fem::FaultSurface const& surface, friction::ConstBlockView const& v,
@@ -108,8 +158,7 @@ void slipRate(fem::FaultSurface const& surface, friction::ConstBlockView const& 
   const int size = surface.numTangents();
   const double factor = surface.slipFactor();
   Kokkos::parallel_for(
-    "asperity::dynamics::slipRate",
-    Kokkos::RangePolicy<friction::ExecutionSpace>(0, surface.numNodes()), KOKKOS_LAMBDA(int node) {
+    "asperity::dynamics::slipRate", Nodes(0, surface.numNodes()), KOKKOS_LAMBDA(int node) {
       double largest = 0;
       for (int k = 0; k < size; ++k) {
         const double magnitude = v(node, k) < 0 ? -v(node, k) : v(node, k);
@@ -120,25 +169,31 @@ void slipRate(fem::FaultSurface const& surface, friction::ConstBlockView const& 
       for (int k = 0; k < size && largest > 0; ++k) {
         square += (v(node, k) / largest) * (v(node, k) / largest);
       }
-      V(node) = factor * (size == 1 ? largest : largest * Kokkos::Experimental::sqrt(square));
+      V(node) = factor * (size == 1 ? largest : largest * math::sqrt(square));
     });
 }
 
 double peakSlipRate(fem::FaultSurface const& surface, Vector const& v)
 {
-  auto const slip = slipUnknowns(surface, v);
+  const int size = surface.numTangents();
+  const friction::BlockView slip("asperity::dynamics::slip", surface.numNodes(), size);
+  const friction::NodeView V("asperity::dynamics::slipRate", surface.numNodes());
+  gatherSlip(surface, v, slip);
+  slipRate(surface, slip, V);
+  auto const dofs = surface.dofs();
+  auto const held = surface.heldDofs();
   double mine = 0;
-  for (int node = 0; node < surface.numNodes(); ++node) {
-    if (!surface.slides(node)) {
-      continue;
-    }
-    double magnitude = 0;
-    for (int k = 0; k < surface.numTangents(); ++k) {
-      magnitude = std::hypot(magnitude, slip[node * surface.numTangents() + k]);
-    }
-    mine = std::max(mine, surface.slipFactor() * magnitude);
-  }
-  return maxOverRanks(mine, *surface.communicator());
+  Kokkos::parallel_reduce(
+    "asperity::dynamics::peakSlipRate", Nodes(0, surface.numNodes()),
+    KOKKOS_LAMBDA(int node, double& largest) {
+      bool slides = false;
+      for (int k = 0; k < size; ++k) {
+        slides = slides || !held(dofs(node, k));
+      }
+      largest = slides && V(node) > largest ? V(node) : largest;
+    },
+    Kokkos::Max<double>(mine));
+  return maxOverRanks(std::max(mine, 0.), *surface.communicator()); // a rank may have no nodes
 }
 
 double distance(fem::FaultSurface const& surface, friction::ConstNodeView const& a,
@@ -147,7 +202,7 @@ double distance(fem::FaultSurface const& surface, friction::ConstNodeView const&
   auto const weight = surface.weights();
   double mine = 0;
   const bool largest = norm == Norm::maximum;
-  auto const nodes = Kokkos::RangePolicy<friction::ExecutionSpace>(0, surface.numNodes());
+  auto const nodes = Nodes(0, surface.numNodes());
   if (largest) {
     // Not a number counts as infinitely far, which a maximum would overlook.
     Kokkos::parallel_reduce(

@@ -1,6 +1,7 @@
 #include "dynamics/NormalReaction.hpp"
 
 #include "base/Errors.hpp"
+#include "portability/Renamed.hpp"
 
 #include <Teuchos_OrdinalTraits.hpp>
 #include <Tpetra_CrsMatrix.hpp>
@@ -74,7 +75,7 @@ RCP<const CrsMatrix> NormalReaction::rows(double factor_mass, double factor_visc
 {
   auto const& body = body_.matrices;
   auto const graph = body.mass->getCrsGraph();
-  auto result = rcp(new CrsMatrix(map_, graph->getColMap(), graph->getNodeMaxNumRowEntries()));
+  auto result = rcp(new CrsMatrix(map_, graph->getColMap(), maxLocalRowEntries(*graph)));
   auto const m = body.mass->getLocalMatrixHost();
   auto const c = body.viscosity->getLocalMatrixHost().values;
   auto const k = body.stiffness->getLocalMatrixHost().values;

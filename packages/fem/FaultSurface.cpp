@@ -59,6 +59,7 @@ FaultSurface::withPlateRate(std::vector<double> const& rates) const
   auto result = std::make_shared<FaultSurface>(*this);
   result->has_plate_rate_ = true;
   result->plate_rate_ = rates;
+  result->plate_rates_ = toDevice(rates, "asperity::fem::plateRates");
   return result;
 }
 

@@ -69,6 +69,10 @@ public:
   ConstFlagView heldDofs() const { return held_.flagsOnDevice(); }   // (num local dofs)
   std::vector<IndexView> const& colours() const { return colours_; } // of nodes that slide
   Kokkos::View<const double*, MemorySpace> weights() const { return weights_; }
+  Kokkos::View<const double*, MemorySpace> plateRates() const // (num_nodes T), empty without one
+  {
+    return plate_rates_;
+  }
   Kokkos::View<const double*, MemorySpace> slipFactors() const { return slip_factors_; }
 
 private:
@@ -85,6 +89,7 @@ private:
   double total_weight_ = 0;
   NodeDofView dofs_;
   Kokkos::View<const double*, MemorySpace> weights_, slip_factors_;
+  Kokkos::View<const double*, MemorySpace> plate_rates_; // (num_nodes T), empty without one
 };
 
 // The fault on a boundary of the body, or on the plus side of a fault inside it. graph: of the

@@ -1,12 +1,14 @@
 #pragma once
 
+#include "portability/Spaces.hpp"
+
 #include <Kokkos_Core.hpp>
 
 // Views over the nodes of the fault. Every array is indexed by the node's local number.
 namespace asperity::friction
 {
-using ExecutionSpace = Kokkos::DefaultExecutionSpace;
-using MemorySpace = ExecutionSpace::memory_space;
+using asperity::ExecutionSpace;
+using asperity::MemorySpace;
 
 using NodeView = Kokkos::View<double*, MemorySpace>; // (num_nodes)
 using ConstNodeView = Kokkos::View<const double*, MemorySpace>;

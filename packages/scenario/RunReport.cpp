@@ -2,6 +2,7 @@
 
 #include "base/Text.hpp"
 #include "base/parallel/Reductions.hpp"
+#include "scenario/Environment.hpp"
 #include "scenario/ResolutionCheck.hpp"
 #include "scenario/setup/BulkSetup.hpp"
 
@@ -13,15 +14,13 @@ namespace asperity::scenario
 template <int Dim>
 std::vector<std::string> describe(Problem<Dim> const& problem, ParameterList const& deck)
 {
-  std::vector<std::string> lines;
+  auto lines = describeEnvironment(*problem.communicator);
   std::ostringstream first;
   auto const& bulk = deck.sublist("Bulk");
   first << bulk.get<std::string>("Model") << ", "
         << (quasiDynamic(bulk) ? "quasi-dynamic, " : "inertial, ")
         << problem.mesh.num_global_vertices << " vertices, " << problem.surface->numGlobalNodes()
-        << " of them on the fault '" << problem.surface->name() << "', "
-        << problem.communicator->getSize() << " rank"
-        << (problem.communicator->getSize() > 1 ? "s" : "") << '.';
+        << " of them on the fault '" << problem.surface->name() << "'.";
   lines.push_back(first.str());
   auto const& friction = deck.sublist("Friction");
   lines.push_back(

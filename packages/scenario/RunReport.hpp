@@ -10,7 +10,8 @@
 
 namespace asperity::scenario
 {
-// Lines for the log that say what the run is going to compute. Collective.
+// Lines for the log that say what the program runs on and what the run is going to compute.
+// Collective.
 template <int Dim>
 std::vector<std::string> describe(Problem<Dim> const& problem, ParameterList const& deck);
 

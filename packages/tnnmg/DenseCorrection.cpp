@@ -14,6 +14,11 @@ namespace
 constexpr int max_iterations = 8;
 } // namespace
 
+// The factor is Eigen's, on the host; where nodes live on a device, their blocks are copied. They
+// belong to the nodes of the fault alone.
+template <class View>
+using HostCopy = decltype(toHost(std::declval<View>()));
+
 struct DenseCorrection::Implementation
 {
   Eigen::MatrixXd Z;
@@ -27,12 +32,16 @@ struct DenseCorrection::Implementation
   bool has_factor = false;
 
   // The current solve has H by node, and 1 on the dofs that take part.
-  NonlinearBlocks blocks;
+  struct
+  {
+    HostCopy<decltype(NonlinearBlocks::hessian)> hessian;
+    HostCopy<decltype(NonlinearBlocks::truncated)> truncated;
+  } blocks;
   Eigen::VectorXd mask;
 
-  void read(NonlinearBlocks const& new_blocks)
+  void read(NonlinearBlocks const& given)
   {
-    blocks = new_blocks;
+    blocks = {toHost(given.hessian), toHost(given.truncated)};
     mask.setOnes(Z.rows());
     for (std::size_t node = 0; node < dofs.size(); ++node) {
       if (blocks.truncated(node)) {
@@ -149,7 +158,7 @@ DenseCorrection::DenseCorrection(CrsMatrix const& Z, NodeDofView const& nonlinea
       self.Z(row, local.graph.entries(k)) = local.values(k);
     }
   }
-  auto const dofs = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace(), nonlinear);
+  auto const dofs = toHost(nonlinear);
   for (std::size_t node = 0; node < dofs.extent(0); ++node) {
     auto& rows = self.dofs.emplace_back();
     for (std::size_t k = 0; k < dofs.extent(1); ++k) {

@@ -1,5 +1,7 @@
 #include "tnnmg/GaussSeidel.hpp"
 
+#include "portability/Renamed.hpp"
+
 #include <Tpetra_Import.hpp>
 #include <Tpetra_Map.hpp>
 
@@ -45,8 +47,7 @@ NodeView nodalCurvature(CrsMatrix const& Z, NonlinearNodes const& nodes)
       } else if (size == 2) {
         const double mean = (block[0][0] + block[1][1]) / 2;
         const double half = (block[0][0] - block[1][1]) / 2;
-        curvature(node) =
-          mean + Kokkos::Experimental::sqrt(half * half + block[0][1] * block[0][1]);
+        curvature(node) = mean + math::sqrt(half * half + block[0][1] * block[0][1]);
       } else {
         for (int k = 0; k < size; ++k) {
           double sum = 0;

@@ -1,6 +1,7 @@
 #include "tnnmg/SchurComplement.hpp"
 
 #include "base/Errors.hpp"
+#include "portability/Renamed.hpp"
 #include "tnnmg/detail/EigenMatrix.hpp"
 
 #include <Eigen/OrderingMethods>
@@ -188,6 +189,6 @@ std::size_t SchurComplement::factorEntries() const { return factor_->L.nonZeros(
 
 std::size_t SchurComplement::bytes() const
 {
-  return factorEntries() * (sizeof(double) + sizeof(int)) + matrix_->getNodeNumEntries() * 16;
+  return factorEntries() * (sizeof(double) + sizeof(int)) + numLocalEntries(*matrix_) * 16;
 }
 } // namespace asperity::tnnmg

@@ -31,6 +31,11 @@ GOOD = {
         'Kokkos::parallel_for(\n  "asperity::friction::a", n, f);\n'
         "Kokkos::parallel_for(Kokkos::TeamThreadRange(team, n), f);\n"
         "Kokkos::parallel_reduce(label, n, f, sum); // parallel_for(n, f)\n",
+    # Device lambdas where nvcc takes them; other functions of the class are private.
+    "packages/mesh/Kernels.cpp":
+        "namespace a\n{\nclass A\n{\npublic:\n  void f(int n);\nprivate:\n  void h();\n};\n"
+        "void A::f(int n)\n{\n  g(n, KOKKOS_LAMBDA(int i) { h(i); });\n}\n"
+        "void h()\n{\n  g(1, KOKKOS_LAMBDA(int) {});\n}\n} // namespace a\n",
     "drivers/asperity.cpp": "int main(int, char**)\n{\n}\n",
     "tests/ATest.cpp": 'GTEST_' 'SKIP() << "one rank only";\n',
     "xml/wedge.xml": "<!-- Ranks: 1. Run time: 1 s. Expected: two events. -->\n"
@@ -111,6 +116,19 @@ BAD = {
         ("packages/friction/Law.cpp", "Kokkos::parallel_scan(label, n, f);\n"),
         ("packages/friction/Law.cpp", 'label = "b";\nKokkos::parallel_for(label, n, f);\n'),
         ("packages/friction/Law.cpp", "// \"\nKokkos::parallel_for<Policy<A, B>>(n, f);\n"),
+    ],
+    "renamed": [
+        ("packages/mesh/Rows.cpp", "int n = A.getNodeNumRows();\n"),
+        ("packages/mesh/Rows.cpp", "int n = A->getLocalNumEntries();\n"),
+        ("tests/ATest.cpp", "double x = Kokkos::Experimental::sqrt(2.);\n"),
+    ],
+    "devices": [
+        ("packages/mesh/A.cpp", "class A\n{\n  void f() { g(KOKKOS_LAMBDA(int) {}); }\n};\n"),
+        ("packages/mesh/A.cpp", "struct A\n{\nprivate:\n  void f() const;\n};\n"
+                                "void A::f() const\n{\n  if (x) {\n    g(KOKKOS_LAMBDA(int i) "
+                                "{ h(i); });\n  }\n}\n"),
+        ("tests/ATest.cpp", "TEST(A, b)\n{\n  g(KOKKOS_LAMBDA(int i) { h(i); });\n}\n"),
+        ("packages/tnnmg/Sweep.cpp", "auto x = r.getLocalViewHost(ReadOnly);\n"),
     ],
     "layout": [
         ("cmake/Long.cmake", "#" + "x" * 100 + "\n"),

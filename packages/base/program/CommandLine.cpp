@@ -23,6 +23,7 @@ void declare(Options& options, CommandLine& line, std::string& format)
     .flag("--print-parameters", line.print_parameters,
           "print every parameter with default, unit, range and meaning")
     .value("--format", format, "text|xml", "how --print-parameters writes")
+    .flag("--version", line.version, "print the versions and what the program runs on")
     .flag("-h,--help", line.help, "print this text");
 }
 
@@ -47,7 +48,7 @@ CommandLine parseCommandLine(int argc, char const* const* argv)
                                         << "'. Lay one over the other with --overlay.");
   line.deck = decks.empty() ? "" : decks.front();
   ASPERITY_REQUIRE(
-    !line.deck.empty() || line.help || line.print_parameters,
+    !line.deck.empty() || line.help || line.version || line.print_parameters,
     "No deck is given. Usage: asperity DECK.xml [options]; --help lists the options.");
   return line;
 }
@@ -64,7 +65,7 @@ void printHelp(std::ostream& out)
          "Simulates the earthquakes that the deck describes.\n"
       << options.help()
       << "\n"
-         "Options of Kokkos (--kokkos-...) pass through.\n"
+         "Kokkos takes its own options (--kokkos-help lists them).\n"
          "Exit status: 0 done, 2 the input is at fault, 3 a solve failed, 4 stopped by a signal, 5 "
          "a file cannot be written, 1 other.\n";
 }

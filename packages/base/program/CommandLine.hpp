@@ -23,10 +23,11 @@ struct CommandLine
   bool print_parameters = false;
   ParameterFormat format = ParameterFormat::text;
   bool help = false;
+  bool version = false;
 };
 
 // InputError on an unknown option (with the nearest valid one), a missing value, a second or
-// missing deck. Options of Kokkos (--kokkos-...) pass.
+// missing deck.
 CommandLine parseCommandLine(int argc, char const* const* argv);
 
 void printHelp(std::ostream& out);

@@ -1,14 +1,26 @@
 #include "base/program/MpiScope.hpp"
 
+#include "portability/Spaces.hpp"
+
 #include <Teuchos_DefaultMpiComm.hpp>
 #include <Tpetra_Core.hpp>
+#include <Tpetra_Map.hpp>
 #include <mpi.h>
 
 #include <cstring>
+#include <type_traits>
 #include <vector>
 
 namespace asperity
 {
+// The kernels of friction, assembly and solver read and write what Tpetra allocates.
+static_assert(std::is_same<Map::execution_space, ExecutionSpace>::value,
+              "Tpetra's default node type runs in another space than Kokkos's default. Configure "
+              "Trilinos with the node type of its backend: Tpetra_INST_OPENMP, Tpetra_INST_CUDA.");
+static_assert(std::is_same<Map::memory_space, MemorySpace>::value,
+              "Tpetra's default node type has its data in another memory space than Kokkos's "
+              "default: with CUDA both must use CudaSpace, or both CudaUVMSpace.");
+
 namespace
 {
 bool isForKokkos(char const* argument) { return std::strncmp(argument, "--kokkos", 8) == 0; }
@@ -45,6 +57,11 @@ MpiScope::MpiScope(int& argc, char**& argv)
   int kokkos_argc = static_cast<int>(kokkos_arguments.size()) - 1;
   char** kokkos_argv = kokkos_arguments.data();
   Tpetra::initialize(&kokkos_argc, &kokkos_argv, communicator_);
+  // Kokkos has taken what it knows. Options, which reads the rest, refuses what is left.
+  for (int i = 1; i < kokkos_argc; ++i) {
+    argv[argc++] = kokkos_argv[i];
+  }
+  argv[argc] = nullptr;
 }
 
 // Tpetra finalises Kokkos only if it initialised it, and never MPI, which was there before it.

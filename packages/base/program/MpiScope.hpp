@@ -15,9 +15,10 @@ namespace asperity
 //     return asperity::runGuarded(*scope.communicator(), [&] { ...; return 0; });
 //   }
 //
-// Kokkos gets only the arguments that start with --kokkos, which are removed from argv; --help is
-// left for the program. If MPI or Kokkos was running before, the scope leaves it running. Tpetra
-// objects must die before the scope: keep them inside the guarded function.
+// Kokkos gets only the arguments that start with --kokkos; those that it knows are removed from
+// argv. --help and what Kokkos does not know are left for the program, whose Options refuse it. If
+// MPI or Kokkos was running before, the scope leaves it running. Tpetra objects must die before the
+// scope: keep them inside the guarded function.
 class MpiScope
 {
 public:

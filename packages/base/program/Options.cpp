@@ -2,6 +2,7 @@
 
 #include "base/Errors.hpp"
 #include "base/NearestName.hpp"
+#include "portability/Backend.hpp"
 
 #include <CLI/App.hpp>
 #include <CLI/Config.hpp>
@@ -148,7 +149,12 @@ std::vector<std::string> Options::parse(std::vector<std::string> const& words)
   for (auto const& word : implementation_->app.remaining()) {
     if (word.size() < 2 || word[0] != '-') {
       others.push_back(word);
-    } else if (!startsWith(word, "--kokkos")) {
+    } else if (startsWith(word, "--kokkos")) {
+      throw InputError("The option " + optionIn(word) + " is unknown to Kokkos " + kokkosVersion() +
+                       ", with which this program was built." +
+                       didYouMean(optionIn(word), kokkosOptions()) +
+                       " --kokkos-help lists its options.");
+    } else {
       throw InputError("The option " + optionIn(word) + " is unknown." +
                        didYouMean(optionIn(word), implementation_->names));
     }

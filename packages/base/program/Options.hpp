@@ -28,7 +28,8 @@ public:
                   std::string const& sample, std::string const& meaning);
   Options& flag(std::string const& name, bool& target, std::string const& meaning);
 
-  // What is neither an option nor its value, in its order; options of Kokkos (--kokkos-...) pass.
+  // What is neither an option nor its value, in its order. MpiScope has taken out the options that
+  // Kokkos knows, so that a --kokkos-... that is left is refused.
   // InputError for an unknown option, with the nearest one, for a missing value, a second value,
   // and a value where none is taken.
   std::vector<std::string> parse(std::vector<std::string> const& words);

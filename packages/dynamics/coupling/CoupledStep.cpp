@@ -5,6 +5,7 @@
 #include "base/parameters/Parameters.hpp"
 #include "base/program/WorkTimers.hpp"
 #include "dynamics/FaultMotion.hpp"
+#include "portability/Renamed.hpp"
 
 #include <Tpetra_CrsMatrix.hpp>
 
@@ -14,6 +15,63 @@
 
 namespace asperity::dynamics
 {
+namespace
+{
+using friction::ConstNodeView;
+using Nodes = Kokkos::RangePolicy<friction::ExecutionSpace>;
+
+// mean := offset + weight mean, (num_nodes, T)
+void meanVelocity(friction::ConstBlockView const& offset, double weight,
+                  friction::BlockView const& mean)
+{
+  Kokkos::parallel_for(
+    "asperity::dynamics::meanVelocity", Nodes(0, mean.extent_int(0)), KOKKOS_LAMBDA(int node) {
+      for (int k = 0; k < mean.extent_int(1); ++k) {
+        mean(node, k) = offset(node, k) + weight * mean(node, k);
+      }
+    });
+}
+
+// Half of what the change of the normal stress over the step does to the state: alpha moves by
+// -(c / b) ln(sigma1 / sigma0) / 2 (Linker and Dieterich 1992).
+void shiftByStress(ConstNodeView const& sensitivity, ConstNodeView const& before,
+                   ConstNodeView const& after, ConstNodeView const& alpha,
+                   friction::NodeView const& shifted)
+{
+  Kokkos::parallel_for(
+    "asperity::dynamics::shiftByStress", Nodes(0, shifted.extent_int(0)), KOKKOS_LAMBDA(int node) {
+      const double shift =
+        sensitivity(node) == 0
+          ? 0
+          : sensitivity(node) / 2 * (math::log(after(node)) - math::log(before(node)));
+      shifted(node) = alpha(node) - shift;
+    });
+}
+
+// packed(2 num_nodes) := alpha, then sigma_n times what makes it comparable with alpha.
+void pack(ConstNodeView const& alpha, ConstNodeView const& sigma_n, ConstNodeView const& per_pascal,
+          friction::NodeView const& packed)
+{
+  const int size = alpha.extent_int(0);
+  Kokkos::parallel_for(
+    "asperity::dynamics::pack", Nodes(0, size), KOKKOS_LAMBDA(int node) {
+      packed(node) = alpha(node);
+      packed(size + node) = sigma_n(node) * per_pascal(node);
+    });
+}
+
+void unpack(ConstNodeView const& packed, ConstNodeView const& per_pascal,
+            friction::NodeView const& alpha, friction::NodeView const& sigma_n)
+{
+  const int size = alpha.extent_int(0);
+  Kokkos::parallel_for(
+    "asperity::dynamics::unpack", Nodes(0, size), KOKKOS_LAMBDA(int node) {
+      alpha(node) = packed(node);
+      sigma_n(node) = packed(size + node) / per_pascal(node);
+    });
+}
+} // namespace
+
 Teuchos::RCP<Teuchos::ParameterList> CouplingSettings::validParameters()
 {
   const CouplingSettings defaults;
@@ -181,18 +239,7 @@ CoupledResult CoupledStep::solve(State const& from, int level, State& to, SolveC
 void CoupledStep::meanSlipRate(RateSolver& solver)
 {
   solver.faultVelocity(mean_);
-  auto const mean = mean_;
-  auto const offset = mean_offset_;
-  const int size = surface().numTangents();
-  const double weight = update_.stiffness_weight;
-  Kokkos::parallel_for(
-    "asperity::dynamics::meanVelocity",
-    Kokkos::RangePolicy<friction::ExecutionSpace>(0, surface().numNodes()),
-    KOKKOS_LAMBDA(int node) {
-      for (int k = 0; k < size; ++k) {
-        mean(node, k) = offset(node, k) + weight * mean(node, k);
-      }
-    });
+  meanVelocity(mean_offset_, update_.stiffness_weight, mean_);
   slipRate(surface(), mean_, V_);
 }
 
@@ -203,36 +250,15 @@ bool CoupledStep::updateState(State const& from, double tau, RateSolver& solver,
   meanSlipRate(solver);
   const bool moved_by_stress = shifted_.extent(0) > 0;
   if (moved_by_stress) {
-    shiftByStress(from, to, from.alpha, shifted_);
+    shiftByStress(fault_.laws().stress_sensitivity, from.sigma_n, to.sigma_n, from.alpha, shifted_);
   }
   const int failures =
     fault_.state().flow(V_, tau, moved_by_stress ? shifted_ : from.alpha, alpha_next_);
   if (moved_by_stress) {
-    shiftByStress(from, to, alpha_next_, alpha_next_);
+    shiftByStress(fault_.laws().stress_sensitivity, from.sigma_n, to.sigma_n, alpha_next_,
+                  alpha_next_);
   }
   return sumOverRanks(failures, *surface().communicator()) == 0;
-}
-
-// Half of what the change of the normal stress over the step does to the state: alpha moves by
-// -(c / b) ln(sigma1 / sigma0) / 2 (Linker and Dieterich 1992).
-void CoupledStep::shiftByStress(State const& from, State const& to,
-                                friction::ConstNodeView const& alpha,
-                                friction::NodeView const& shifted) const
-{
-  auto const sensitivity = fault_.laws().stress_sensitivity;
-  auto const before = from.sigma_n;
-  auto const after = to.sigma_n;
-  Kokkos::parallel_for(
-    "asperity::dynamics::shiftByStress",
-    Kokkos::RangePolicy<friction::ExecutionSpace>(0, surface().numNodes()),
-    KOKKOS_LAMBDA(int node) {
-      const double shift =
-        sensitivity(node) == 0
-          ? 0
-          : sensitivity(node) / 2 *
-              (Kokkos::Experimental::log(after(node)) - Kokkos::Experimental::log(before(node)));
-      shifted(node) = alpha(node) - shift;
-    });
 }
 
 // Of alpha and, where it is coupled, of the normal stress between iterate and image.
@@ -257,18 +283,8 @@ void CoupledStep::accelerate(State& to)
     return;
   }
   acceleration_.advance(unknowns_, image_);
-  const int size = surface().numNodes();
-  auto const per_pascal = stress_.perPascal();
-  auto const unknowns = unknowns_;
-  auto const alpha = to.alpha;
-  auto const sigma_n = to.sigma_n;
-  Kokkos::parallel_for(
-    "asperity::dynamics::unpack", Kokkos::RangePolicy<friction::ExecutionSpace>(0, size),
-    KOKKOS_LAMBDA(int node) {
-      alpha(node) = unknowns(node);
-      sigma_n(node) = unknowns(size + node) / per_pascal(node);
-    });
-  fault_.normalStress().raiseToFloor(sigma_n); // extrapolation may pass it
+  unpack(unknowns_, stress_.perPascal(), to.alpha, to.sigma_n);
+  fault_.normalStress().raiseToFloor(to.sigma_n); // extrapolation may pass it
 }
 
 // alpha and the normal stress, and their images under the velocity of the solver.
@@ -278,22 +294,8 @@ void CoupledStep::respond(RateSolver const& solver, State const& to)
     return;
   }
   stress_.respond(solver, sigma_next_);
-  const int size = surface().numNodes();
-  auto const per_pascal = stress_.perPascal();
-  auto const unknowns = unknowns_;
-  auto const image = image_;
-  auto const alpha = to.alpha;
-  auto const alpha_next = alpha_next_;
-  auto const sigma_n = to.sigma_n;
-  auto const sigma_next = sigma_next_;
-  Kokkos::parallel_for(
-    "asperity::dynamics::pack", Kokkos::RangePolicy<friction::ExecutionSpace>(0, size),
-    KOKKOS_LAMBDA(int node) {
-      unknowns(node) = alpha(node);
-      unknowns(size + node) = sigma_n(node) * per_pascal(node);
-      image(node) = alpha_next(node);
-      image(size + node) = sigma_next(node) * per_pascal(node);
-    });
+  pack(to.alpha, to.sigma_n, stress_.perPascal(), unknowns_);
+  pack(alpha_next_, sigma_next_, stress_.perPascal(), image_);
 }
 
 // Rate problem and state take turns, one iteration of TNNMG for one update of the state: both

@@ -101,8 +101,6 @@ private:
                         SolveCount& count);
   void meanSlipRate(RateSolver& solver);
   bool updateState(State const& from, double tau, RateSolver& solver, State const& to);
-  void shiftByStress(State const& from, State const& to, friction::ConstNodeView const& alpha,
-                     friction::NodeView const& shifted) const;
   void respond(RateSolver const& solver, State const& to);
   double changeOf(State const& to) const;
   void accelerate(State& to);

@@ -2,6 +2,7 @@
 
 #include "base/Errors.hpp"
 #include "base/program/WorkTimers.hpp"
+#include "portability/Renamed.hpp"
 #include "tnnmg/DenseCorrection.hpp"
 #include "tnnmg/MueLuCorrection.hpp"
 #include "tnnmg/SchurComplement.hpp"
@@ -55,7 +56,7 @@ public:
       , at_rest_(N->getDomainMap())
       , constant_(N->getRangeMap())
       , w_kept_(schur.matrix()->getDomainMap())
-      , matrix_(N->getNodeNumRows(), schur.matrix()->getNodeNumRows())
+      , matrix_(numLocalRows(*N), numLocalRows(*schur.matrix()))
   {
     auto const local = N->getLocalMatrixHost();
     for (int row = 0; row < local.numRows(); ++row) {
@@ -220,7 +221,7 @@ public:
     return {values.data(), values.data() + values.extent(0)};
   }
   // A hierarchy weighs about as much as two copies of its matrix.
-  std::size_t bytes() const override { return 3 * 12 * Z_->getNodeNumEntries(); }
+  std::size_t bytes() const override { return 3 * 12 * numLocalEntries(*Z_); }
 
 private:
   RCP<const CrsMatrix> Z_, reactions_;

@@ -1,17 +1,12 @@
 #pragma once
 
+#include "portability/Renamed.hpp"
+
 #include <Kokkos_Core.hpp>
-#include <Kokkos_MathematicalFunctions.hpp>
 
 // Functions that both friction laws use, on host and device. All quantities are dimensionless.
 namespace asperity::friction
 {
-#if KOKKOS_VERSION >= 30700
-namespace math = Kokkos;
-#else
-namespace math = Kokkos::Experimental;
-#endif
-
 namespace detail
 {
 inline constexpr double epsilon = 2.220446049250313e-16; // 2^-52

@@ -25,6 +25,43 @@ constexpr double stiff = 1e3;
 // factor `wrong`. A Hessian below the share `small` of Z's block counts as that share.
 constexpr double wrong = 10;
 constexpr double small = 0.1;
+
+// 1 at nodes that the hierarchy has to leave out: removed or stiff.
+FlagView nodesToExclude(MultigridNodes const& nodes)
+{
+  const FlagView result("asperity::tnnmg::nodesToExclude", nodes.size());
+  const auto diagonal = nodes.diagonal;
+  const auto hessian = nodes.hessian;
+  const auto removed = nodes.removed;
+  Kokkos::parallel_for(
+    "asperity::tnnmg::nodesToExclude", Kokkos::RangePolicy<Execution>(0, nodes.size()),
+    KOKKOS_LAMBDA(int node) {
+      result(node) = removed(node) ||
+                     NodeBlock(hessian, node).trace() > stiff * NodeBlock(diagonal, node).trace();
+    });
+  return result;
+}
+
+// x_i := blocks_i x_i, or blocks_i^T x_i, at the nodes.
+void multiplyBlocks(NodeBlockView const& scaling, NodeDofView const& dofs, bool transposed,
+                    MultiVector& x)
+{
+  const auto values = x.getLocalViewDevice(Tpetra::Access::ReadWrite);
+  Kokkos::parallel_for(
+    "asperity::tnnmg::scale", Kokkos::RangePolicy<Execution>(0, dofs.extent_int(0)),
+    KOKKOS_LAMBDA(int node) {
+      double result[max_tangents] = {};
+      for (int s = 0; s < dofs.extent_int(1); ++s) {
+        for (int t = 0; t < dofs.extent_int(1); ++t) {
+          const double entry = transposed ? scaling(node, t, s) : scaling(node, s, t);
+          result[s] += entry * values(dofs(node, t), 0);
+        }
+      }
+      for (int s = 0; s < dofs.extent_int(1); ++s) {
+        values(dofs(node, s), 0) = result[s];
+      }
+    });
+}
 } // namespace
 
 MultigridPreconditioner::MultigridPreconditioner(RCP<const MultigridOperator> A,
@@ -84,24 +121,9 @@ void MultigridPreconditioner::setup()
     });
 }
 
-FlagView MultigridPreconditioner::nodesToExclude() const
-{
-  const FlagView result("asperity::tnnmg::nodesToExclude", nodes_->size());
-  const auto diagonal = nodes_->diagonal;
-  const auto hessian = nodes_->hessian;
-  const auto removed = nodes_->removed;
-  Kokkos::parallel_for(
-    "asperity::tnnmg::nodesToExclude", Kokkos::RangePolicy<Execution>(0, nodes_->size()),
-    KOKKOS_LAMBDA(int node) {
-      result(node) = removed(node) ||
-                     NodeBlock(hessian, node).trace() > stiff * NodeBlock(diagonal, node).trace();
-    });
-  return result;
-}
-
 double MultigridPreconditioner::outdatedShare() const
 {
-  const auto now = nodesToExclude();
+  const auto now = nodesToExclude(*nodes_);
   const auto before = excluded_;
   const auto diagonal = nodes_->diagonal;
   const auto hessian = nodes_->hessian;
@@ -131,7 +153,7 @@ void MultigridPreconditioner::rebuild()
   }
   hierarchy_is_of_Z_ = false;
   rebuild_from_Z_is_pending_ = false;
-  excluded_ = nodesToExclude();
+  excluded_ = nodesToExclude(*nodes_);
   truncated_->fill(*nodes_, excluded_);
   hierarchy_.rebuild(truncated_->matrix());
   const auto diagonal = nodes_->diagonal;
@@ -175,25 +197,7 @@ void MultigridPreconditioner::apply(MultiVector const& r, MultiVector& z, Teucho
 // Replaces x by S x or by S^T x, and by zero at constrained dofs.
 void MultigridPreconditioner::scale(MultiVector& x, bool transposed) const
 {
-  {
-    const auto values = x.getLocalViewDevice(Tpetra::Access::ReadWrite);
-    const auto dofs = nodes_->view.dofs;
-    const auto scaling = scaling_;
-    Kokkos::parallel_for(
-      "asperity::tnnmg::scale", Kokkos::RangePolicy<Execution>(0, nodes_->size()),
-      KOKKOS_LAMBDA(int node) {
-        double result[max_tangents] = {};
-        for (int s = 0; s < dofs.extent_int(1); ++s) {
-          for (int t = 0; t < dofs.extent_int(1); ++t) {
-            const double entry = transposed ? scaling(node, t, s) : scaling(node, s, t);
-            result[s] += entry * values(dofs(node, t), 0);
-          }
-        }
-        for (int s = 0; s < dofs.extent_int(1); ++s) {
-          values(dofs(node, s), 0) = result[s];
-        }
-      });
-  }
+  multiplyBlocks(scaling_, nodes_->view.dofs, transposed, x);
   nodes_->project(x);
 }
 } // namespace asperity::tnnmg::detail

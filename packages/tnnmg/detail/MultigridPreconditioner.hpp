@@ -56,7 +56,6 @@ public:
 
 private:
   RCP<const CrsMatrix> withoutHessians();
-  FlagView nodesToExclude() const;
   void scale(MultiVector& x, bool transposed) const;
 
   RCP<const MultigridOperator> A_;

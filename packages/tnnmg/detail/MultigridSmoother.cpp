@@ -32,6 +32,41 @@ RCP<const CrsMatrix> extractRows(CrsMatrix const& Z, HostDofs const& dofs)
   return Tpetra::importAndFillCompleteCrsMatrix<CrsMatrix>(
     Teuchos::rcpFromRef(Z), Import(Z.getRowMap(), map), Z.getDomainMap(), map);
 }
+
+// z += (diagonal + Hessian)^-1 (r - (Z + H) z) at the nodes of one colour.
+struct RelaxRows
+{
+  using ConstColumns = MultiVector::dual_view_type::t_dev::const_type;
+
+  CrsMatrix::local_matrix_device_type rows; // of Z, T successive ones per node
+  NodeDofView dofs;
+  NodeBlockView hessian, inverse;
+  ConstColumns before, right; // z at the columns of the rows, r
+  MultiVector::dual_view_type::t_dev after;
+  IndexView colour;
+
+  KOKKOS_FUNCTION void operator()(int k) const
+  {
+    const int node = colour(k);
+    const int tangents = dofs.extent_int(1);
+    double residual[max_tangents] = {};
+    for (int s = 0; s < tangents; ++s) {
+      const auto row = rows.rowConst(node * tangents + s);
+      residual[s] = right(dofs(node, s), 0);
+      for (int entry = 0; entry < row.length; ++entry) {
+        residual[s] -= row.value(entry) * before(row.colidx(entry), 0);
+      }
+      for (int t = 0; t < tangents; ++t) {
+        residual[s] -= hessian(node, s, t) * after(dofs(node, t), 0);
+      }
+    }
+    for (int s = 0; s < tangents; ++s) {
+      for (int t = 0; t < tangents; ++t) {
+        after(dofs(node, s), 0) += inverse(node, s, t) * residual[t];
+      }
+    }
+  }
+};
 } // namespace
 
 MultigridSmoother::MultigridSmoother(CrsMatrix const& Z,
@@ -82,34 +117,15 @@ void MultigridSmoother::sweep(Order order, MultiVector const& r, MultiVector& z)
 void MultigridSmoother::relax(IndexView const& colour, MultiVector const& r, MultiVector& z) const
 {
   neighbours_->doImport(z, *columns_, Tpetra::INSERT);
-  const auto before = neighbours_->getLocalViewDevice(Tpetra::Access::ReadOnly);
-  const auto right = r.getLocalViewDevice(Tpetra::Access::ReadOnly);
-  const auto after = z.getLocalViewDevice(Tpetra::Access::ReadWrite);
-  const auto matrix = rows_->getLocalMatrixDevice();
-  const auto dofs = nodes_->view.dofs;
-  const auto hessian = nodes_->hessian;
-  const auto inverse = inverse_;
-  const int tangents = nodes_->tangents();
-  Kokkos::parallel_for(
-    "asperity::tnnmg::relax", Kokkos::RangePolicy<Execution>(0, colour.extent_int(0)),
-    KOKKOS_LAMBDA(int k) {
-      const int node = colour(k);
-      double residual[max_tangents] = {};
-      for (int s = 0; s < tangents; ++s) {
-        const auto row = matrix.rowConst(node * tangents + s);
-        residual[s] = right(dofs(node, s), 0);
-        for (int entry = 0; entry < row.length; ++entry) {
-          residual[s] -= row.value(entry) * before(row.colidx(entry), 0);
-        }
-        for (int t = 0; t < tangents; ++t) {
-          residual[s] -= hessian(node, s, t) * after(dofs(node, t), 0);
-        }
-      }
-      for (int s = 0; s < tangents; ++s) {
-        for (int t = 0; t < tangents; ++t) {
-          after(dofs(node, s), 0) += inverse(node, s, t) * residual[t];
-        }
-      }
-    });
+  const RelaxRows kernel{rows_->getLocalMatrixDevice(),
+                         nodes_->view.dofs,
+                         nodes_->hessian,
+                         inverse_,
+                         neighbours_->getLocalViewDevice(Tpetra::Access::ReadOnly),
+                         r.getLocalViewDevice(Tpetra::Access::ReadOnly),
+                         z.getLocalViewDevice(Tpetra::Access::ReadWrite),
+                         colour};
+  Kokkos::parallel_for("asperity::tnnmg::relax",
+                       Kokkos::RangePolicy<Execution>(0, colour.extent_int(0)), kernel);
 }
 } // namespace asperity::tnnmg::detail

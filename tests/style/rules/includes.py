@@ -10,6 +10,8 @@ _ANGLED = re.compile(r"^\s*#\s*include\s+<([^>]+)>", re.MULTILINE)
 
 # What the design promises whatever the lines say: package -> packages it never includes.
 FORBIDDEN = {
+    "portability": {"friction", "base", "mesh", "fem", "tnnmg", "dynamics", "io", "catalogue",
+                    "platforms", "scenario"},
     "friction": {"base", "mesh", "fem", "tnnmg", "dynamics", "io", "catalogue", "platforms",
                  "scenario"},
     "tnnmg": {"mesh", "fem", "friction", "dynamics", "io", "catalogue", "platforms", "scenario"},
@@ -59,8 +61,11 @@ def _sources(root, packages):
                 allowed = ", ".join(sorted(packages[name])) or "no other package"
                 message = f'includes "{match.group(1)}"; {name} may include {allowed}'
                 yield source.breach(root, path, source.line_of(text, match.start(1)), message)
-        if name == "friction":
+        if name in ON_KOKKOS_ALONE:
             yield from _beyond_kokkos(root, path, text)
+
+
+ON_KOKKOS_ALONE = {"portability", "friction"}
 
 
 # Headers of the C++ standard library have no suffix.
@@ -68,5 +73,6 @@ def _beyond_kokkos(root, path, text):
     for match in _ANGLED.finditer(text):
         header = match.group(1)
         if "." in header and not header.startswith("Kokkos_"):
-            message = f"includes <{header}>; friction stands on Kokkos and the standard library"
+            message = f"includes <{header}>; {' and '.join(sorted(ON_KOKKOS_ALONE))} stand on " \
+                      "Kokkos and the standard library"
             yield source.breach(root, path, source.line_of(text, match.start(1)), message)

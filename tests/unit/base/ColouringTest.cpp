@@ -1,5 +1,7 @@
 #include "base/Colouring.hpp"
 
+#include "portability/Renamed.hpp"
+
 #include <Teuchos_CommHelpers.hpp>
 #include <Teuchos_DefaultMpiComm.hpp>
 #include <Tpetra_CrsGraph.hpp>
@@ -103,7 +105,7 @@ int checkColouring(GlobalOrdinal num_nodes, Neighbours const& neighbours,
       ++num_listed;
     }
   }
-  EXPECT_EQ(num_listed, spread->getNodeNumRows());
+  EXPECT_EQ(num_listed, numLocalRows(*spread));
   return colouring.num_colours;
 }
 } // namespace

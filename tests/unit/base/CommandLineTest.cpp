@@ -1,5 +1,6 @@
 #include "base/program/CommandLine.hpp"
 
+#include "portability/Backend.hpp"
 #include "unit/base/Refusal.hpp"
 
 #include <sstream>
@@ -53,11 +54,15 @@ TEST(CommandLine, WithoutADeck)
   expectParts(refused({"--validate"}), {"No deck"});
 }
 
-TEST(CommandLine, KokkosOptionsPass)
+// What Kokkos knows, MpiScope has taken out: unit.base.Guard.
+TEST(CommandLine, RefusesWhatKokkosDoesNotKnow)
 {
-  EXPECT_EQ(parse({"--kokkos-num-threads=4", "deck.xml", "--kokkos-disable-warnings"}).deck,
-            "deck.xml");
+  expectParts(refused({"deck.xml", "--kokkos-treads=4"}),
+              {"--kokkos-treads is unknown to Kokkos " + kokkosVersion(), "threads'"});
+  expectParts(refused({"--kokkos-colour", "deck.xml"}), {"--kokkos-colour is unknown"});
 }
+
+TEST(CommandLine, VersionNeedsNoDeck) { EXPECT_TRUE(parse({"--version"}).version); }
 
 TEST(CommandLine, Refusals)
 {

@@ -1,6 +1,7 @@
 #include "fem/BodyMatrices.hpp"
 
 #include "mesh/SimplexGeometry.hpp"
+#include "portability/Renamed.hpp"
 #include "unit/fem/SampleMeshes.hpp"
 
 #include <Eigen/Dense>
@@ -180,6 +181,82 @@ double relativeDistance(Vector const& x, Vector const& expected)
   return difference.normInf() / expected.normInf();
 }
 
+// The vectors at the corners of a cell, one after the other, as a linear map of the unknowns of the
+// whole mesh on this rank: the terms and frames of the corners.
+template <class Body>
+Eigen::MatrixXd unknownsToCorners(Body const& body, NodalFrames const& frames, int cell)
+{
+  constexpr int Components = Body::Components;
+  Eigen::MatrixXd result =
+    Eigen::MatrixXd::Zero((Body::Dim + 1) * Components, body.dofs.numLocalNodes() * Components);
+  for (int i = 0; i <= Body::Dim; ++i) {
+    for (auto const& [node, factor] : frames.terms(body.mesh.cells[cell][i])) {
+      for (int c = 0; c < Components; ++c) {
+        for (int k = 0; k < Components; ++k) {
+          result(i * Components + c, body.dofs.dof(node, k)) += factor * frames.entry(node, k, c);
+        }
+      }
+    }
+  }
+  return result;
+}
+
+// The gradients of a cell's basis functions, (Dim + 1) x Dim, from the inverse of its edges.
+template <class Body>
+Eigen::MatrixXd gradientsOf(Body const& body, int cell, double& measure)
+{
+  constexpr int Dim = Body::Dim;
+  Eigen::Matrix<double, Dim, Dim> edges;
+  for (int k = 0; k < Dim; ++k) {
+    for (int i = 0; i < Dim; ++i) {
+      edges(i, k) = body.mesh.vertices[body.mesh.cells[cell][k + 1]][i] -
+                    body.mesh.vertices[body.mesh.cells[cell][0]][i];
+    }
+  }
+  measure = edges.determinant() / (Dim == 2 ? 2 : 6);
+  Eigen::MatrixXd result(Dim + 1, Dim);
+  result.bottomRows(Dim) = edges.inverse();
+  result.row(0) = -result.bottomRows(Dim).colwise().sum();
+  return result;
+}
+
+// Mass, viscosity and stiffness on all local dofs, a sum of dense products over the cells: M, C, K
+// of a cell are B'DB with the strains or gradients B of its basis functions.
+template <class Body>
+std::array<Eigen::MatrixXd, 3> sumsOverCells(Body const& body, NodalFrames const& frames)
+{
+  constexpr int Dim = Body::Dim;
+  constexpr int Components = Body::Components;
+  const int size = body.dofs.numLocalNodes() * Components;
+  std::array<Eigen::MatrixXd, 3> sums;
+  sums.fill(Eigen::MatrixXd::Zero(size, size));
+  for (std::size_t cell = 0; cell < body.mesh.cells.size(); ++cell) {
+    double measure = 0;
+    auto const gradients = gradientsOf(body, static_cast<int>(cell), measure);
+    auto const& m = body.materials[cell];
+    constexpr int n = (Dim + 1) * Components;
+    std::array<Eigen::MatrixXd, 3> local;
+    local.fill(Eigen::MatrixXd::Zero(n, n));
+    for (int a = 0; a < n; ++a) {
+      for (int b = 0; b < n; ++b) {
+        const int p = a / Components, i = a % Components, q = b / Components, j = b % Components;
+        typename Body::Gradient of_a = Body::Gradient::Zero(), of_b = Body::Gradient::Zero();
+        of_a.row(i) = gradients.row(p);
+        of_b.row(j) = gradients.row(q);
+        local[0](a, b) = i == j ? m.density * (p == q ? 2. : 1.) / ((Dim + 1) * (Dim + 2)) : 0;
+        local[1](a, b) =
+          of_a.cwiseProduct(stressOf(of_b, m.bulk_viscosity, m.shear_viscosity)).sum();
+        local[2](a, b) = of_a.cwiseProduct(stressOf(of_b, m.bulk_modulus, m.shear_modulus)).sum();
+      }
+    }
+    auto const T = unknownsToCorners(body, frames, static_cast<int>(cell));
+    for (int k = 0; k < 3; ++k) {
+      sums[k] += measure * T.transpose() * local[k] * T;
+    }
+  }
+  return sums;
+}
+
 template <class Body>
 class BodyMatricesTest : public ::testing::Test
 {
@@ -289,6 +366,28 @@ TYPED_TEST(BodyMatricesTest, nodalFramesTurnTheMatricesAndNothingElse)
   }
 }
 
+// Each entry by itself: a wrong place of a block in the rows of the kernel would show here.
+TYPED_TEST(BodyMatricesTest, entriesAreSumsOverTheCells)
+{
+  auto const& body = this->varied_body;
+  auto const frames = body.turned();
+  auto const matrices = assemble(body, frames);
+  auto const expected = sumsOverCells(body, frames);
+  int k = 0;
+  for (auto const& matrix : {matrices.mass, matrices.viscosity, matrices.stiffness}) {
+    auto const rows = matrix->getLocalMatrixHost();
+    Eigen::MatrixXd stored = Eigen::MatrixXd::Zero(rows.numRows(), expected[k].cols());
+    for (int row = 0; row < rows.numRows(); ++row) {
+      for (auto e = rows.graph.row_map(row); e < rows.graph.row_map(row + 1); ++e) {
+        stored(row, rows.graph.entries(e)) = rows.values(e);
+      }
+    }
+    EXPECT_LE((stored - expected[k].topRows(rows.numRows())).cwiseAbs().maxCoeff(),
+              1e-13 * expected[k].cwiseAbs().maxCoeff());
+    ++k;
+  }
+}
+
 TYPED_TEST(BodyMatricesTest, gravityIsMassTimesAcceleration)
 {
   using Value = typename TypeParam::Value;
@@ -322,7 +421,7 @@ TYPED_TEST(BodyMatricesTest, combinationsKeepOnlyTheDiagonalOfHeldDofs)
   auto const matrices = assemble(body, body.turned());
   auto const& overlap = *body.dofs.overlap();
   std::vector<int> fixed;
-  for (std::size_t dof = 0; dof < overlap.getNodeNumElements(); ++dof) {
+  for (std::size_t dof = 0; dof < numLocalElements(overlap); ++dof) {
     fixed.push_back(pseudorandom(overlap.getGlobalElement(dof), 9) > 0.2);
   }
   auto const combined = combine(matrices, 2, 3, 5, {fixed, 0});

@@ -1,6 +1,7 @@
 #include "ElasticModel.hpp"
 
 #include "base/Colouring.hpp"
+#include "portability/Renamed.hpp"
 
 #include <Teuchos_CommHelpers.hpp>
 #include <Teuchos_DefaultMpiComm.hpp>
@@ -145,7 +146,7 @@ RCP<const MultiVector> rigidMotions(ElasticModelOptions const& options, RCP<cons
 {
   const auto result = rcp(new MultiVector(map, options.components == 1 ? 1 : 3));
   const double h = 1.0 / options.cells_x;
-  for (std::size_t row = 0; row < map->getNodeNumElements(); ++row) {
+  for (std::size_t row = 0; row < numLocalElements(*map); ++row) {
     const auto dof = static_cast<int>(map->getGlobalElement(static_cast<int>(row)));
     const int node = dof / options.components;
     const int component = dof % options.components;
@@ -242,7 +243,7 @@ void ElasticModel::makeViews()
 
 NonlinearNodes ElasticModel::nodesWith(std::vector<std::vector<int>> const& further) const
 {
-  std::vector<int> held(map->getNodeNumElements(), 0);
+  std::vector<int> held(numLocalElements(*map), 0);
   for (int row : constrained) {
     if (map->isNodeGlobalElement(row)) {
       held[map->getLocalElement(row)] = 1;
@@ -265,7 +266,7 @@ MultigridProblem ElasticModel::problem() const
 Vector ElasticModel::scatter(Eigen::VectorXd const& vector) const
 {
   Vector local(map);
-  for (std::size_t row = 0; row < map->getNodeNumElements(); ++row) {
+  for (std::size_t row = 0; row < numLocalElements(*map); ++row) {
     local.replaceLocalValue(static_cast<int>(row),
                             vector(map->getGlobalElement(static_cast<int>(row))));
   }
@@ -276,7 +277,7 @@ Eigen::VectorXd ElasticModel::gather(Vector const& local) const
 {
   Eigen::VectorXd part = Eigen::VectorXd::Zero(global.rows());
   const auto host = local.getLocalViewHost(Tpetra::Access::ReadOnly);
-  for (std::size_t row = 0; row < map->getNodeNumElements(); ++row) {
+  for (std::size_t row = 0; row < numLocalElements(*map); ++row) {
     part(map->getGlobalElement(static_cast<int>(row))) = host(row, 0);
   }
   Eigen::VectorXd all(part.size());

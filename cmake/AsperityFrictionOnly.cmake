@@ -1,0 +1,20 @@
+# ASPERITY_FRICTION_ONLY: packages/friction, what it stands on and its tests, on any Kokkos from 3.4
+# on. Neither Trilinos nor MPI is looked for, and nothing is installed.
+set(ASPERITY_ENABLE_INSTALL OFF)
+set(ASPERITY_PRECOMPILED_HEADERS OFF)
+include(AsperityKokkos)
+include(AsperityPrecompiled)
+include(AsperityInstall)
+include(AsperityTargets)
+
+asperity_add_package(portability LIBRARIES Asperity::Kokkos)
+asperity_add_package(friction PACKAGES portability LIBRARIES Asperity::Kokkos)
+
+if(ASPERITY_ENABLE_TESTS)
+  enable_testing()
+  find_package(GTest REQUIRED)
+  include(AsperityTests)
+  foreach(folder unit/portability unit/friction verification/friction_kernel)
+    add_subdirectory(tests/${folder})
+  endforeach()
+endif()

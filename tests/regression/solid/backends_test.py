@@ -1,0 +1,83 @@
+"""The solver as it is configured on threads and on devices, run on the backend of this build.
+
+On parallel node types MueLu takes other factories ("use kokkos refactor"), and the smoothers are
+others (packages/tnnmg/detail/MultigridHierarchy.cpp). Fields must be those of the defaults to the
+tolerance of the solver, for about as many V-cycles. "aggregation: drop tol", which was a default in
+space, made the factories of threads and devices throw.
+"""
+
+import re
+import unittest
+
+import asperity_run
+import wedge_runs
+
+MUELU = "TNNMG/MueLu Correction/MueLu"
+RUN = [*wedge_runs.RUPTURE, *wedge_runs.PERIODIC,
+       *wedge_runs.settings("Time Stepping/Final Time=0.03", "TNNMG/Linear Correction=MueLu")]
+PARALLEL = {"use kokkos refactor": "true"}
+THREADS = {**PARALLEL, "smoother: type": "RELAXATION",
+           "smoother: params/relaxation: type": "MT Symmetric Gauss-Seidel",
+           "smoother: params/relaxation: sweeps": 1}
+DEVICE = {**PARALLEL, "smoother: type": "CHEBYSHEV", "smoother: params/chebyshev: degree": 2}
+
+
+def run(name, parameters, ranks=1):
+    changes = wedge_runs.settings(*(f"{MUELU}/{key}={value}" for key, value in parameters.items()))
+    return wedge_runs.run_deck(f"{name}_{ranks}", *RUN, *changes, ranks=ranks)
+
+
+def v_cycles(folder):
+    return sum(row["v_cycles"] for row in asperity_run.table(folder / "steps.csv"))
+
+
+class Backends(unittest.TestCase):
+    def check(self, name, parameters, most, ranks):
+        defaults, found = run("defaults", {}, ranks), run(name, parameters, ranks)
+        self.assertGreater(asperity_run.series(defaults / "fault.h5")["fields/slip_rate"].max(),
+                           1e-3)
+        for field, error in wedge_runs.largest_errors(defaults, found).items():
+            self.assertLess(error, 1e-8, field)
+        print(f"{name}, {ranks} ranks: {v_cycles(found)} V-cycles, {v_cycles(defaults)} by default")
+        self.assertGreater(v_cycles(defaults), 0)
+        self.assertLess(v_cycles(found), most * v_cycles(defaults))
+
+    def test_threads(self):
+        for ranks in (1, 2):
+            with self.subTest(ranks=ranks):
+                self.check("threads", THREADS, 1.1, ranks)
+
+    def test_devices(self):
+        for ranks in (1, 2):
+            with self.subTest(ranks=ranks):
+                self.check("device", DEVICE, 1.3, ranks)
+
+
+class Environment(unittest.TestCase):
+    VERSION = re.compile(r"Asperity [\d.]+ on \w+( with \d+ threads?| on [^,]+)?, (\d+) ranks?\.\n"
+                         r"Kokkos [\d.]+, Trilinos [\d.]+, \S.*\.\n")
+
+    def test_version_is_what_the_log_begins_with(self):
+        for ranks in (1, 2):
+            told = asperity_run.run("--version", ranks=ranks)
+            self.assertEqual(told.returncode, 0, told.stderr)
+            match = self.VERSION.fullmatch(told.stdout)
+            self.assertTrue(match, told.stdout)
+            self.assertEqual(int(match.group(2)), ranks)
+            log = (run("defaults", {}, ranks) / "run.log").read_text()
+            self.assertTrue(log.startswith(told.stdout), log)
+
+    def test_options_of_kokkos(self):
+        good = asperity_run.run("--kokkos-disable-warnings", "--version")
+        self.assertEqual(good.returncode, 0, good.stderr)
+        for ranks in (1, 2):
+            bad = asperity_run.run("--kokkos-treads=2", "--version", ranks=ranks)
+            self.assertEqual(bad.returncode, 2)
+            messages = [line for line in bad.stderr.splitlines() if line.startswith("asperity: ")]
+            self.assertEqual(len(messages), 1, bad.stderr)
+            self.assertIn("--kokkos-treads is unknown to Kokkos", messages[0])
+            self.assertRegex(messages[0], "Did you mean '--kokkos-(num-)?threads'")
+
+
+if __name__ == "__main__":
+    unittest.main()

@@ -1,0 +1,100 @@
+#!/usr/bin/env python3
+"""Runs nvcc's front end over every file that compiles a device lambda.
+
+usage: device_front_end.py NVCC COMPILE_COMMANDS.json ROOT
+
+The front end refuses what no other compiler looks at: device lambdas in private functions, or that
+capture what devices cannot have. Kokkos need not be built for CUDA: its macros are set to CUDA's
+own marks, and no code for a device is made, so that this says nothing about results. Errors fail
+the test; warnings of Kokkos's and Trilinos's headers, which are then for the host alone, do not.
+"""
+
+import functools
+import json
+import pathlib
+import re
+import shlex
+import subprocess
+import sys
+import tempfile
+
+MARKS = {"KOKKOS_LAMBDA": "[=] __host__ __device__",
+         "KOKKOS_IMPL_FUNCTION": "__host__ __device__",
+         "KOKKOS_IMPL_INLINE_FUNCTION": "inline __host__ __device__",
+         "KOKKOS_IMPL_FORCEINLINE_FUNCTION": "inline __host__ __device__"}
+_LAMBDA = re.compile(r"\bKOKKOS_(?:CLASS_)?LAMBDA\b")
+_QUOTED = re.compile(r'^\s*#\s*include\s+"([^"]+)"', re.MULTILINE)
+_KEPT = ("-I", "-D", "-isystem")
+# A device lambda in a private function.
+SAMPLE = """#include <Kokkos_Core.hpp>
+class A
+{
+  void f()
+  {
+    Kokkos::parallel_for("a", 1, KOKKOS_LAMBDA(int) {});
+  }
+
+public:
+  void g() { f(); }
+};
+void h() { A().g(); }
+"""
+
+
+def files_with_lambdas(root):
+    """Sources that have a device lambda, or in whose headers of ours one stands."""
+    packages = root / "packages"
+
+    @functools.lru_cache(maxsize=None)
+    def compiles_one(path):
+        text = path.read_text()
+        headers = (packages / name for name in _QUOTED.findall(text))
+        return bool(_LAMBDA.search(text)) or any(
+            compiles_one(header) for header in headers if header.exists() and header != path)
+
+    return [path for path in sorted(packages.rglob("*.cpp")) if compiles_one(path)]
+
+
+def options(command):
+    """-I, -D and -isystem of a compiler's command, and the standard; no precompiled header."""
+    words, kept = shlex.split(command), []
+    for word, following in zip(words, words[1:] + [""]):
+        if word.startswith("-isystem") or word in _KEPT:
+            kept += [word, following] if word in _KEPT else [word]
+        elif word.startswith(_KEPT) or word.startswith("-std="):
+            kept.append(word)
+    return [word for word in kept if "cmake_pch" not in word]
+
+
+def front_end(nvcc, words, path):
+    """What nvcc says, or None if it finds no error."""
+    with tempfile.TemporaryDirectory() as folder:
+        marks = [f"-D{name}={text}" for name, text in MARKS.items()]
+        run = subprocess.run(
+            [nvcc, "-x", "cu", "--cuda", "-o", f"{folder}/out.ii", "-w", "--extended-lambda",
+             "--expt-relaxed-constexpr", *marks, *words, str(path)], capture_output=True, text=True)
+    return None if run.returncode == 0 else run.stdout + run.stderr
+
+
+def main(nvcc, commands_file, root):
+    root = pathlib.Path(root)
+    commands = {pathlib.Path(entry["file"]).resolve(): entry["command"]
+                for entry in json.loads(pathlib.Path(commands_file).read_text())}
+    files = [path for path in files_with_lambdas(root) if path.resolve() in commands]
+    if not files:
+        return f"no file of {commands_file} has a device lambda"
+    with tempfile.TemporaryDirectory() as folder:
+        sample = pathlib.Path(folder) / "private.cpp"
+        sample.write_text(SAMPLE)
+        if front_end(nvcc, options(commands[files[0].resolve()]), sample) is None:
+            return "nvcc took a device lambda in a private function: this check sees nothing"
+    errors = []
+    for path in files:
+        told = front_end(nvcc, options(commands[path.resolve()]), path)
+        print(path.relative_to(root), "refused" if told else "good", flush=True)
+        errors += [told] if told else []
+    return "\n".join(errors)
+
+
+if __name__ == "__main__":
+    sys.exit(main(*sys.argv[1:]))

@@ -1,0 +1,16 @@
+#include "portability/Backend.hpp"
+
+#include <Kokkos_Core.hpp>
+#include <gtest/gtest.h>
+
+#include <iostream>
+
+// Starts Kokkos around GoogleTest, for the packages that stand on Kokkos alone.
+int main(int argc, char** argv)
+{
+  Kokkos::ScopeGuard kokkos(argc, argv);
+  std::cout << "Kokkos " << asperity::kokkosVersion() << ", " << asperity::describeBackend()
+            << '\n';
+  ::testing::InitGoogleTest(&argc, argv);
+  return RUN_ALL_TESTS();
+}
