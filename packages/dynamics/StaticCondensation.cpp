@@ -1,6 +1,7 @@
 #include "dynamics/StaticCondensation.hpp"
 
 #include "base/Errors.hpp"
+#include "portability/Renamed.hpp"
 #include "tnnmg/SchurComplement.hpp"
 
 #include <Tpetra_CrsGraph.hpp>
@@ -32,7 +33,7 @@ std::vector<int> dofsOfFault(fem::FaultSurface const& surface, fem::DofMap const
 
 RCP<const CrsGraph> fullGraph(RCP<const Map> const& map)
 {
-  const int size = static_cast<int>(map->getNodeNumElements());
+  const int size = static_cast<int>(numLocalElements(*map));
   auto const graph = rcp(new CrsGraph(map, map, size));
   std::vector<int> columns(size);
   std::iota(columns.begin(), columns.end(), 0);

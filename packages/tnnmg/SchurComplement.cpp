@@ -3,12 +3,15 @@
 #include "base/Errors.hpp"
 #include "portability/Renamed.hpp"
 #include "tnnmg/detail/EigenMatrix.hpp"
+#include "tnnmg/detail/SupernodalFactor.hpp"
 
 #include <Eigen/OrderingMethods>
 #include <Eigen/SparseCholesky>
 #include <Tpetra_CrsMatrix.hpp>
 #include <Tpetra_Map.hpp>
 #include <Tpetra_Vector.hpp>
+
+#include <algorithm>
 
 namespace asperity::tnnmg
 {
@@ -87,13 +90,13 @@ RCP<const CrsMatrix> fullMatrix(Eigen::MatrixXd const& S,
 }
 } // namespace
 
-// L by columns, each with its diagonal entry first; x holds permuted vectors.
 struct SchurComplement::Factor
 {
   std::vector<int> position; // of every row of Z
   int num_eliminated = 0;
-  Sparse L;
-  std::vector<double> half_solved; // L_I^-1 b_I in its first num_eliminated entries
+  std::size_t entries = 0;          // of L
+  detail::SupernodalFactor columns; // of L_I and L_FI
+  std::vector<double> half_solved;  // L_I^-1 b_I in its first num_eliminated entries
   mutable std::vector<double> work;
 };
 
@@ -107,22 +110,22 @@ SchurComplement::SchurComplement(CrsMatrix const& Z, std::vector<int> const& row
   const int size = static_cast<int>(matrix.rows());
   const int kept = static_cast<int>(rows.size());
   factor.num_eliminated = size - kept;
-  {
-    Eigen::SimplicialLLT<Sparse, Eigen::Lower, Eigen::NaturalOrdering<int>> cholesky(
-      permuted(matrix, factor.position));
-    if (cholesky.info() != Eigen::Success) {
-      throw SolveError(
-        "The matrix of a rate problem is not positive definite: some part of the body can move "
-        "without resistance. Check the moduli and the boundary conditions.");
-    }
-    factor.L = cholesky.matrixL();
+  const Eigen::SimplicialLLT<Sparse, Eigen::Lower, Eigen::NaturalOrdering<int>> cholesky(
+    permuted(matrix, factor.position));
+  if (cholesky.info() != Eigen::Success) {
+    throw SolveError(
+      "The matrix of a rate problem is not positive definite: some part of the body can move "
+      "without resistance. Check the moduli and the boundary conditions.");
   }
+  const Sparse L = cholesky.matrixL();
+  factor.entries = L.nonZeros();
+  factor.columns = detail::SupernodalFactor(L, factor.num_eliminated);
   factor.half_solved.resize(size);
   factor.work.resize(size);
 
   Eigen::MatrixXd L_F = Eigen::MatrixXd::Zero(kept, kept);
   for (int column = 0; column < kept; ++column) {
-    for (Sparse::InnerIterator entry(factor.L, factor.num_eliminated + column); entry; ++entry) {
+    for (Sparse::InnerIterator entry(L, factor.num_eliminated + column); entry; ++entry) {
       L_F(entry.row() - factor.num_eliminated, column) = entry.value();
     }
   }
@@ -140,19 +143,7 @@ void SchurComplement::condense(Vector const& b, Vector& b_kept)
   for (int row = 0; row < size; ++row) {
     x[factor.position[row]] = values(row, 0);
   }
-  const int* starts = factor.L.outerIndexPtr();
-  const int* rows = factor.L.innerIndexPtr();
-  const double* entries = factor.L.valuePtr();
-  for (int column = 0; column < factor.num_eliminated; ++column) {
-    const int diagonal = starts[column];
-    const double solved = x[column] / entries[diagonal];
-    x[column] = solved;
-    if (solved != 0) {
-      for (int k = diagonal + 1; k < starts[column + 1]; ++k) {
-        x[rows[k]] -= entries[k] * solved;
-      }
-    }
-  }
+  factor.columns.forward(x.data());
   auto const kept = b_kept.getLocalViewHost(Tpetra::Access::OverwriteAll);
   for (int i = factor.num_eliminated; i < size; ++i) {
     kept(i - factor.num_eliminated, 0) = x[i];
@@ -168,27 +159,19 @@ void SchurComplement::expand(Vector const& v_kept, Vector& v) const
   for (int i = factor.num_eliminated; i < size; ++i) {
     x[i] = kept(i - factor.num_eliminated, 0);
   }
-  const int* starts = factor.L.outerIndexPtr();
-  const int* rows = factor.L.innerIndexPtr();
-  const double* entries = factor.L.valuePtr();
-  for (int column = factor.num_eliminated - 1; column >= 0; --column) {
-    const int diagonal = starts[column];
-    double sum = factor.half_solved[column];
-    for (int k = diagonal + 1; k < starts[column + 1]; ++k) {
-      sum -= entries[k] * x[rows[k]];
-    }
-    x[column] = sum / entries[diagonal];
-  }
+  std::copy(factor.half_solved.begin(), factor.half_solved.begin() + factor.num_eliminated,
+            x.begin());
+  factor.columns.backward(x.data());
   auto const values = v.getLocalViewHost(Tpetra::Access::OverwriteAll);
   for (int row = 0; row < size; ++row) {
     values(row, 0) = x[factor.position[row]];
   }
 }
 
-std::size_t SchurComplement::factorEntries() const { return factor_->L.nonZeros(); }
+std::size_t SchurComplement::factorEntries() const { return factor_->entries; }
 
 std::size_t SchurComplement::bytes() const
 {
-  return factorEntries() * (sizeof(double) + sizeof(int)) + numLocalEntries(*matrix_) * 16;
+  return factor_->columns.bytes() + numLocalEntries(*matrix_) * 16;
 }
 } // namespace asperity::tnnmg

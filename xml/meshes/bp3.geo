@@ -25,10 +25,10 @@
 DefineConstant[
   dip = 60,             // of the fault, between 0 and 90
   h = 100,              // size of the cells on the fault
-  fine = 20e3,          // down dip, where cells begin to grow
+  fine = 36e3,          // down dip, where cells begin to grow
   locked = 40e3,        // down dip, where `fault` ends and `deep` begins
-  top = (dip < 60 ? 4e3 : 0), // down dip, where the rows begin
-  rows = 30,            // on either side
+  top = (dip < 60 ? 4e3 : 1e3), // down dip, where the rows begin
+  rows = (dip < 60 ? 30 : 44),  // on either side
   first = 0.35,         // -
   across = 1.04,        // -
   half_width = 2400e3,  // the model reaches so far to the left and to the right of the origin

@@ -23,6 +23,7 @@ HOST = {
     "packages/dynamics/FoundationPressure.cpp": "set-up",
     "packages/dynamics/InitialState.cpp": "set-up",
     "packages/dynamics/NormalReaction.cpp": "the nodes of the fault alone",
+    "packages/dynamics/StaticCondensation.cpp": "beside the direct solver; a load's part on the fault",
     "packages/dynamics/coupling/RateSolver.cpp": "the direct solver, on Eigen's factors",
 }
 _TO_HOST = re.compile(r"\b(?:getLocalViewHost|getLocalMatrixHost|create_mirror_view\w*|toHost)\b")

@@ -12,7 +12,8 @@
 // the shape of the cells beside the fault decides on it. In rows of right triangles of height H the
 // antiplane traction is, by the difference equation that is their stencil,
 //
-//   G k sin(kh/2)/(kh/2) sqrt(1 + (H/h)^2 sin(kh/2)^2) = G k (1 + (kh)^2 (H^2/(8 h^2) - 1/24) + ...)
+//   G k sin(kh/2)/(kh/2) sqrt(1 + (H/h)^2 sin(kh/2)^2)
+//     = G k (1 + (kh)^2 (H^2/(8 h^2) - 1/24) + ...)
 //
 // so that the fault is too stiff by (kh)^2/12 beside squares, and by nothing of second order for
 // H = h/sqrt(3). Equilateral triangles have the same error, since they are isotropic. In plane
@@ -108,8 +109,8 @@ Eigen::SparseMatrix<double> stiffnessOf(fem::testing::Constrained<2> const& body
   return K;
 }
 
-// The forces that hold the body where the first component of the fault moves by cos(kx) and the top rests; the
-// body is in balance everywhere else.
+// The forces that hold the body where the first component of the fault moves by cos(kx) and the top
+// rests; the body is in balance everywhere else.
 Eigen::VectorXd forcesOn(Eigen::SparseMatrix<double> const& K, Mesh<2> const& mesh, int components)
 {
   double highest = 0;

@@ -1,0 +1,148 @@
+#include "tnnmg/detail/SupernodalFactor.hpp"
+
+#include <Eigen/Core>
+
+#include <algorithm>
+
+namespace asperity::tnnmg::detail
+{
+namespace
+{
+using Block = Eigen::Map<const Eigen::MatrixXd, 0, Eigen::OuterStride<>>;
+using Values = Eigen::Map<Eigen::VectorXd>;
+
+constexpr int largest_width = 48;
+// Zeros that may be stored to make supernodes wider, as a share of all entries.
+constexpr double most_zeros = 0.2;
+
+// Of entries in a dense block over columns whose last one has `rows_of_last` rows, with the
+// diagonal.
+long long entriesOf(int width, long long rows_of_last)
+{
+  return width * (rows_of_last - 1) + width * (width + 1LL) / 2;
+}
+
+int rowsOf(Eigen::SparseMatrix<double> const& L, int column)
+{
+  return L.outerIndexPtr()[column + 1] - L.outerIndexPtr()[column];
+}
+
+// Whether the next column is the first row below the diagonal of this one.
+bool leadsToNext(Eigen::SparseMatrix<double> const& L, int column)
+{
+  return rowsOf(L, column) > 1 && L.innerIndexPtr()[L.outerIndexPtr()[column] + 1] == column + 1;
+}
+} // namespace
+
+SupernodalFactor::SupernodalFactor(Eigen::SparseMatrix<double> const& L, int num_columns)
+{
+  for (int first = 0; first < num_columns;) {
+    int width = 1;
+    long long entries = rowsOf(L, first);
+    while (width < largest_width && first + width < num_columns &&
+           leadsToNext(L, first + width - 1)) {
+      entries += rowsOf(L, first + width);
+      const auto stored = entriesOf(width + 1, rowsOf(L, first + width));
+      if (static_cast<double>(stored - entries) > most_zeros * static_cast<double>(stored)) {
+        break;
+      }
+      ++width;
+    }
+    add(L, first, width);
+    first += width;
+  }
+  std::size_t most_rows = 0;
+  for (auto const& node : supernodes_) {
+    most_rows = std::max(most_rows, node.num_rows);
+  }
+  work_.resize(most_rows);
+}
+
+void SupernodalFactor::add(Eigen::SparseMatrix<double> const& L, int first, int width)
+{
+  const int last = first + width - 1;
+  const int* starts = L.outerIndexPtr();
+  const int* rows = L.innerIndexPtr();
+  Supernode node{};
+  node.first_column = first;
+  node.width = width;
+  node.first_row = rows_.size();
+  node.num_rows = static_cast<std::size_t>(rowsOf(L, last) - 1);
+  node.values = values_.size();
+  rows_.insert(rows_.end(), rows + starts[last] + 1, rows + starts[last + 1]);
+  const std::size_t height = width + node.num_rows;
+  values_.resize(values_.size() + height * width, 0.);
+  for (int column = first; column <= last; ++column) {
+    double* to = values_.data() + node.values + height * (column - first);
+    std::size_t below = 0;
+    for (int k = starts[column]; k < starts[column + 1]; ++k) {
+      if (rows[k] <= last) {
+        to[rows[k] - first] = L.valuePtr()[k];
+        continue;
+      }
+      while (rows_[node.first_row + below] != rows[k]) {
+        ++below;
+      }
+      to[width + below] = L.valuePtr()[k];
+    }
+  }
+  supernodes_.push_back(node);
+}
+
+void SupernodalFactor::forward(double* x) const
+{
+  for (auto const& node : supernodes_) {
+    Values own(x + node.first_column, node.width);
+    if (own.isZero(0)) {
+      continue;
+    }
+    const auto height = static_cast<Eigen::Index>(node.width + node.num_rows);
+    const double* values = values_.data() + node.values;
+    for (int c = 0; c < node.width; ++c) {
+      const double* column = values + height * c;
+      const double solved = own[c] / column[c];
+      own[c] = solved;
+      for (int row = c + 1; row < node.width; ++row) {
+        own[row] -= column[row] * solved;
+      }
+    }
+    const auto num_rows = static_cast<Eigen::Index>(node.num_rows);
+    const Block below(values + node.width, num_rows, node.width, Eigen::OuterStride<>(height));
+    Values update(work_.data(), num_rows);
+    update.noalias() = below * own;
+    for (Eigen::Index i = 0; i < num_rows; ++i) {
+      x[rows_[node.first_row + i]] -= update[i];
+    }
+  }
+}
+
+void SupernodalFactor::backward(double* x) const
+{
+  for (auto node = supernodes_.rbegin(); node != supernodes_.rend(); ++node) {
+    Values own(x + node->first_column, node->width);
+    const auto height = static_cast<Eigen::Index>(node->width + node->num_rows);
+    const double* values = values_.data() + node->values;
+    const auto num_rows = static_cast<Eigen::Index>(node->num_rows);
+    const Block below(values + node->width, num_rows, node->width, Eigen::OuterStride<>(height));
+    Values gathered(work_.data(), num_rows);
+    for (Eigen::Index i = 0; i < num_rows; ++i) {
+      gathered[i] = x[rows_[node->first_row + i]];
+    }
+    own.noalias() -= below.transpose() * gathered;
+    for (int c = node->width - 1; c >= 0; --c) {
+      const double* column = values + height * c;
+      double sum = own[c];
+      for (int row = c + 1; row < node->width; ++row) {
+        sum -= column[row] * own[row];
+      }
+      own[c] = sum / column[c];
+    }
+  }
+}
+
+std::size_t SupernodalFactor::bytes() const
+{
+  return values_.size() * sizeof(double) + rows_.size() * sizeof(int) +
+         supernodes_.size() * sizeof(Supernode);
+}
+} // namespace asperity::tnnmg::detail
