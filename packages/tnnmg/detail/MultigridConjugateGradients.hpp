@@ -16,7 +16,7 @@ struct IterationResult
 void checkBelosParameters(Teuchos::ParameterList const& belos);
 
 // Preconditioned conjugate gradients (Belos) for A c = r from c = 0 until |r - A c| <=
-// relative_tolerance |r|. Afterwards the true residual is computed; if rounding has made it larger
+// relative_tolerance |r|. After a tight tolerance the true residual is computed; if rounding has made it larger
 // than the residual that the iteration updates, the iteration is continued. belos: Belos's own
 // parameters, without tolerance and number of iterations.
 IterationResult conjugateGradients(RCP<const Operator> A, RCP<const Operator> preconditioner,
