@@ -43,9 +43,9 @@ class MultigridTerms
 {
 public:
   MultigridTerms() = default; // none: a correction makes its own, of Z alone
-  // like: near null space, held rows and nodes of the problems to come; its Z is not read. The first
-  // term decides the prolongators. Rows and columns of held dofs are diagonal in all terms. Throws
-  // SolveError if MueLu's set-up fails.
+  // like: near null space, held rows and nodes of the problems to come; its Z is not read. The
+  // first term decides the prolongators. Rows and columns of held dofs are diagonal in all terms.
+  // Throws SolveError if MueLu's set-up fails.
   MultigridTerms(std::vector<RCP<const CrsMatrix>> const& terms, MultigridProblem const& like,
                  Teuchos::ParameterList const& parameters);
 
@@ -69,7 +69,8 @@ public:
   static void requireAccepted(Teuchos::ParameterList const& parameters);
 
   // Z is the sum of the terms times weights; if terms are empty, Z is the only one. Throws
-  // SolveError if MueLu's set-up fails, or if the V-cycle turns out not to be symmetric and positive.
+  // SolveError if MueLu's set-up fails, or if the V-cycle turns out not to be symmetric and
+  // positive.
   MueLuCorrection(MultigridProblem const& problem, Teuchos::ParameterList const& parameters,
                   MultigridTerms const& terms = {}, std::vector<double> const& weights = {});
   ~MueLuCorrection() override;

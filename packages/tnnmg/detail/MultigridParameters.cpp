@@ -1,7 +1,7 @@
 #include "tnnmg/detail/MultigridParameters.hpp"
 
 #include "base/parameters/Parameters.hpp"
-#include "tnnmg/detail/MultigridFamily.hpp"
+#include "tnnmg/levels/MultigridFamily.hpp"
 
 #include <string>
 

@@ -1,7 +1,7 @@
 #pragma once
 
-#include "tnnmg/detail/MultigridCycle.hpp"
 #include "tnnmg/detail/MultigridOperator.hpp"
+#include "tnnmg/levels/MultigridCycle.hpp"
 
 #include <memory>
 #include <vector>
@@ -9,8 +9,8 @@
 namespace asperity::tnnmg::detail
 {
 // A symmetric approximation of (Z + H)^-1 on the dofs that are neither removed nor held: a V-cycle
-// whose fine level has the Hessians and removed nodes of the solve, while those of the coarse levels
-// are brought up to date on demand, with a limit for those that dwarf Z.
+// whose fine level has the Hessians and removed nodes of the solve, while those of the coarse
+// levels are brought up to date on demand, with a limit for those that dwarf Z.
 class MultigridPreconditioner : public Operator
 {
 public:

@@ -1,10 +1,10 @@
 #include "FaultState.hpp"
 #include "base/Errors.hpp"
 #include "base/parallel/Reductions.hpp"
-#include "tnnmg/detail/CoarseFault.hpp"
+#include "tnnmg/levels/CoarseFault.hpp"
 #include "tnnmg/detail/MultigridPreconditioner.hpp"
 #include "tnnmg/detail/MultigridSymmetry.hpp"
-#include "tnnmg/detail/NodeKernels.hpp"
+#include "tnnmg/levels/NodeKernels.hpp"
 
 #include <Eigen/SparseCholesky>
 #include <Tpetra_CrsMatrix.hpp>

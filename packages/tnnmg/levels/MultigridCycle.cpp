@@ -1,7 +1,7 @@
-#include "tnnmg/detail/MultigridCycle.hpp"
+#include "tnnmg/levels/MultigridCycle.hpp"
 
-#include "tnnmg/detail/CoarseFault.hpp"
-#include "tnnmg/detail/NodeKernels.hpp"
+#include "tnnmg/levels/CoarseFault.hpp"
+#include "tnnmg/levels/NodeKernels.hpp"
 
 #include <Tpetra_CrsMatrix.hpp>
 #include <Tpetra_Import.hpp>

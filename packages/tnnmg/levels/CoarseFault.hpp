@@ -1,7 +1,7 @@
 #pragma once
 
 #include "tnnmg/NonlinearNodes.hpp"
-#include "tnnmg/detail/MultigridFamily.hpp"
+#include "tnnmg/levels/MultigridFamily.hpp"
 
 namespace asperity::tnnmg::detail
 {

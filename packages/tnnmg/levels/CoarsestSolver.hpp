@@ -1,6 +1,6 @@
 #pragma once
 
-#include "tnnmg/detail/NodeMatrix.hpp"
+#include "tnnmg/levels/NodeMatrix.hpp"
 
 #include <Eigen/Cholesky>
 
@@ -13,8 +13,8 @@ class CoarsestSolver
 {
 public:
   // Throws SolveError on every rank if A is not positive definite. Components that are not free
-  // (free is (owned dofs), 1 or 0) are left out. Rounding of A to single precision is allowed for by
-  // a millionth on the diagonal. Collective.
+  // (free is (owned dofs), 1 or 0) are left out. Rounding of A to single precision is allowed for
+  // by a millionth on the diagonal. Collective.
   CoarsestSolver(NodeGraph const& graph, NodeBlocks const& A, std::vector<char> const& free);
 
   // x = A^-1 b for the owned dofs. Collective.

@@ -1,4 +1,4 @@
-#include "tnnmg/detail/CoarseFault.hpp"
+#include "tnnmg/levels/CoarseFault.hpp"
 
 #include <Tpetra_CrsMatrix.hpp>
 #include <Tpetra_Import.hpp>

@@ -1,8 +1,8 @@
 #pragma once
 
-#include "tnnmg/detail/CoarsestSolver.hpp"
-#include "tnnmg/detail/MultigridFamily.hpp"
 #include "tnnmg/detail/MultigridNodes.hpp"
+#include "tnnmg/levels/CoarsestSolver.hpp"
+#include "tnnmg/levels/MultigridFamily.hpp"
 
 #include <memory>
 #include <optional>

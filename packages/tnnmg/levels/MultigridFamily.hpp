@@ -1,7 +1,7 @@
 #pragma once
 
 #include "tnnmg/NonlinearNodes.hpp"
-#include "tnnmg/detail/NodeMatrix.hpp"
+#include "tnnmg/levels/NodeMatrix.hpp"
 
 #include <Teuchos_ParameterList.hpp>
 

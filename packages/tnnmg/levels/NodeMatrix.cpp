@@ -1,6 +1,6 @@
-#include "tnnmg/detail/NodeMatrix.hpp"
+#include "tnnmg/levels/NodeMatrix.hpp"
 
-#include "tnnmg/detail/NodeKernels.hpp"
+#include "tnnmg/levels/NodeKernels.hpp"
 
 #include <Tpetra_CrsMatrix.hpp>
 #include <Tpetra_Import.hpp>

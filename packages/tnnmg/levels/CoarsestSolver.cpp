@@ -1,4 +1,4 @@
-#include "tnnmg/detail/CoarsestSolver.hpp"
+#include "tnnmg/levels/CoarsestSolver.hpp"
 
 #include "base/Errors.hpp"
 

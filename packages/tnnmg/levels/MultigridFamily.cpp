@@ -1,9 +1,9 @@
-#include "tnnmg/detail/MultigridFamily.hpp"
+#include "tnnmg/levels/MultigridFamily.hpp"
 
 #include "base/Errors.hpp"
 #include "base/parallel/Reductions.hpp"
-#include "tnnmg/detail/CoarseFault.hpp"
-#include "tnnmg/detail/MultigridProlongators.hpp"
+#include "tnnmg/levels/CoarseFault.hpp"
+#include "tnnmg/levels/MultigridProlongators.hpp"
 
 #include <TpetraExt_MatrixMatrix.hpp>
 #include <Tpetra_CrsMatrix.hpp>

@@ -1,4 +1,4 @@
-#include "tnnmg/detail/MultigridProlongators.hpp"
+#include "tnnmg/levels/MultigridProlongators.hpp"
 
 #include "base/Errors.hpp"
 #include "tnnmg/detail/MultigridTrial.hpp"
