@@ -4,6 +4,7 @@
 #include "base/Text.hpp"
 #include "base/program/Options.hpp"
 
+#include <cmath>
 #include <ostream>
 
 using asperity::readNumber;
@@ -35,7 +36,8 @@ struct Given
 void declare(asperity::Options& options, BenchArguments& arguments, Given& given)
 {
   options.value("--sizes", given.sizes, "H,H,...", "cell sizes of the meshes, from coarse to fine")
-    .value("--steps", given.steps, "TAU,TAU,...", "step sizes, s")
+    .value("--steps", given.steps, "TAU,TAU,...",
+           "scaling: step sizes, s; steps: a number of accepted steps")
     .value("--size-parameter", arguments.scaling.cell_size, "PATH",
            "the deck's parameter that the sizes are given to (Mesh/Deep Wedge/Cell Size)")
     .value("--rupture-rate", given.rupture_rate, "V", "slip rate of the rupture, m/s (0.01)")
@@ -57,20 +59,27 @@ BenchArguments parseBenchArguments(int argc, char const* const* argv)
     return arguments;
   }
   ASPERITY_REQUIRE(
-    words.size() == 2 && (words[0] == "scaling" || words[0] == "mesh"),
-    "asperity-bench scaling DECK.xml and asperity-bench mesh DECK.xml are what there "
-    "is. See asperity-bench --help.");
+    words.size() == 2 && (words[0] == "scaling" || words[0] == "steps" || words[0] == "mesh"),
+    "asperity-bench scaling DECK.xml, asperity-bench steps DECK.xml and asperity-bench mesh "
+    "DECK.xml are what there is. See asperity-bench --help.");
+  arguments.deck.deck = words[1];
   arguments.counts_mesh = words[0] == "mesh";
   if (arguments.counts_mesh) {
     ASPERITY_REQUIRE(given.sizes.empty() && given.steps.empty() && given.rupture_rate.empty() &&
                        arguments.output.empty(),
                      "asperity-bench mesh takes --set and --plugin alone.");
-    arguments.deck.deck = words[1];
+    return arguments;
+  }
+  if (words[0] == "steps") {
+    ASPERITY_REQUIRE(!given.steps.empty(), "--steps is needed, e.g. --steps 20.");
+    const double number = positive("--steps", given.steps);
+    ASPERITY_REQUIRE(number >= 1 && number <= 1e6 && number == std::floor(number),
+                     "--steps " << given.steps << ": this is no number of steps from 1 to 1e6.");
+    arguments.steps.num_steps = static_cast<int>(number);
     return arguments;
   }
   ASPERITY_REQUIRE(!given.sizes.empty() && !given.steps.empty(),
                    "--sizes and --steps are needed, e.g. --sizes 0.02,0.01 --steps 1,1e-3.");
-  arguments.deck.deck = words[1];
   arguments.scaling.sizes = positives("--sizes", given.sizes);
   arguments.scaling.steps = positives("--steps", given.steps);
   if (!given.rupture_rate.empty()) {
@@ -91,6 +100,10 @@ void printBenchHelp(std::ostream& out)
        "    Rate problems of a stuck, a nucleating and a rupturing fault with each step size [s],\n"
        "    on meshes from coarse to fine, solved from rest: TNNMG iterations, V-cycles, seconds\n"
        "    and memory. The deck is three-dimensional with a plane fault.\n\n"
+       "  asperity-bench steps DECK.xml --steps N\n"
+       "    The first N accepted steps of a three-dimensional deck: what a coupled step costs, in\n"
+       "    counts and in products with K, apart for inertial and quasi-static steps; set-up and\n"
+       "    memory.\n\n"
        "  asperity-bench mesh DECK.xml\n"
        "    Makes the mesh alone: how many cells and vertices, how evenly the ranks have them, "
        "and\n"

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "Scaling.hpp"
+#include "Steps.hpp"
 #include "base/program/CommandLine.hpp"
 
 #include <iosfwd>
@@ -9,6 +10,7 @@ struct BenchArguments
 {
   asperity::CommandLine deck; // the deck and its overrides
   ScalingOptions scaling;
+  StepsOptions steps;       // num_steps is 0 unless `steps` is asked for
   std::string output;       // JSON file, "" for none
   bool counts_mesh = false; // asperity-bench mesh
   bool help = false;

@@ -1,6 +1,6 @@
 #include "MeshCounts.hpp"
 
-#include "PeakMemory.hpp"
+#include "Meters.hpp"
 #include "base/parallel/Reductions.hpp"
 #include "scenario/setup/BoundarySetup.hpp"
 #include "scenario/setup/BulkSetup.hpp"

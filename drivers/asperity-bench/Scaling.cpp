@@ -1,43 +1,16 @@
 #include "Scaling.hpp"
 
-#include "PeakMemory.hpp"
+#include "Meters.hpp"
 #include "base/parallel/Reductions.hpp"
 #include "scenario/setup/BulkSetup.hpp"
 #include "scenario/setup/TimeSetup.hpp"
 
 #include <Tpetra_Vector.hpp>
 
-#include <chrono>
-
 using namespace asperity;
 
 namespace
 {
-class Stopwatch
-{
-public:
-  double seconds() const
-  {
-    return std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count();
-  }
-
-private:
-  std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
-};
-
-double productSeconds(dynamics::Body const& body)
-{
-  constexpr int count = 10;
-  auto const x = body.vector(), y = body.vector();
-  x->randomize();
-  body.matrices.stiffness->apply(*x, *y);
-  const Stopwatch watch;
-  for (int i = 0; i < count; ++i) {
-    body.matrices.stiffness->apply(*x, *y);
-  }
-  return watch.seconds() / count;
-}
-
 SolveSample solve(scenario::Problem<3> const& problem, KnownProblem const& known,
                   dynamics::RateSolver& solver)
 {

@@ -15,6 +15,7 @@ using Policy = Kokkos::RangePolicy<Kokkos::DefaultExecutionSpace>;
 
 // Labels are made once: a sweep launches hundreds of kernels.
 const std::string label_residual = "asperity::tnnmg::modelResidual";
+const std::string label_columns = "asperity::tnnmg::subtractColumns";
 const std::string label_gather = "asperity::tnnmg::gather";
 const std::string label_scatter = "asperity::tnnmg::scatter";
 } // namespace
@@ -111,6 +112,38 @@ void scatter(NonlinearNodes const& nodes, IndexView const& which, ConstBlockView
         values(dofs(node, k), 0) = blocks(node, k);
       }
     });
+}
+
+void subtractColumns(CrsMatrix const& Z, NonlinearNodes const& nodes, ConstBlockView const& d,
+                     Vector& columns, Vector& r)
+{
+  columns.putScalar(0);
+  {
+    auto const matrix = Z.getLocalMatrixDevice();
+    auto const sum = columns.getLocalViewDevice(Tpetra::Access::ReadWrite);
+    auto const dofs = nodes.dofs;
+    const int size = nodes.blockSize();
+    Kokkos::parallel_for(
+      label_columns, Policy(0, nodes.numNodes()), KOKKOS_LAMBDA(int node) {
+        for (int k = 0; k < size; ++k) {
+          const int row = dofs(node, k);
+          const double change = d(node, k);
+          for (auto e = matrix.graph.row_map(row); change != 0 && e < matrix.graph.row_map(row + 1);
+               ++e) {
+            Kokkos::atomic_add(&sum(matrix.graph.entries(e), 0), matrix.values(e) * change);
+          }
+        }
+      });
+  }
+  auto const importer = Z.getGraph()->getImporter();
+  auto const owned = columns.offsetViewNonConst(Z.getDomainMap(), 0)->getVectorNonConst(0);
+  r.update(-1, *owned, 1);
+  if (!importer.is_null()) {
+    owned->putScalar(0); // the ghosts are left
+    Vector of_ghosts(Z.getDomainMap());
+    of_ghosts.doExport(columns, *importer, Tpetra::ADD);
+    r.update(-1, of_ghosts, 1);
+  }
 }
 
 void shareGhosts(CrsMatrix const& Z, Vector& v_columns)

@@ -22,6 +22,12 @@ void modelResidual(LocalMatrix const& matrix, NonlinearNodes const& nodes, Index
                    ConstNodeView const& curvature, Vector const& b, Vector const& v_columns,
                    BlockView const& residual);
 
+// r -= Z d for a d that is zero but at the nonlinear nodes, d(num_nodes, T). Z is symmetric, so
+// that the rows of these nodes serve as their columns: much less work than a product, unless these
+// nodes are all there is. columns is work space on Z's column map. Collective.
+void subtractColumns(CrsMatrix const& Z, NonlinearNodes const& nodes, ConstBlockView const& d,
+                     Vector& columns, Vector& r);
+
 // One sweep of nonlinear block Gauss-Seidel over the nonlinear nodes: the model is minimised node
 // by node (a colour at a time, over all ranks), so that J does not rise. Updates v_columns (v on
 // Z's column map, ghosts included) and blocks(num_nodes, T), the values of v at the nonlinear

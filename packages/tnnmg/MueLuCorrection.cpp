@@ -15,12 +15,6 @@ namespace asperity::tnnmg
 {
 namespace
 {
-// The trial of a kept hierarchy. With all nodes truncated it was measured to need 3 or 4 iterations
-// in small steps, where a rebuilt hierarchy saves one, and 10 to 27 in large steps, where a rebuilt
-// hierarchy saves half.
-constexpr double trial_tolerance = 1e-4;
-constexpr int trial_iterations = 8;
-
 // Held rows are decoupled and their residuals are zero, so their entries of the near null
 // space have no effect. The entries are made small but not zero, because MueLu refuses an aggregate
 // on which a vector vanishes, as between the nodes of a wall.
@@ -70,54 +64,28 @@ struct MueLuCorrection::Implementation
 {
   using Parameters = detail::MultigridParameters;
 
-  Implementation(MultigridProblem const& problem, Teuchos::ParameterList const& list)
-      : parameters(list, problem.components)
+  Implementation(MultigridProblem const& problem, Parameters const& values,
+                 std::shared_ptr<const detail::MultigridFamily> const& family,
+                 std::vector<double> const& weights)
+      : parameters(values)
       , nodes(std::make_shared<detail::MultigridNodes>(
           detail::makeNodes(*problem.Z, problem.nodes, problem.held_rows)))
       , A(rcp(new detail::MultigridOperator(problem.Z, nodes)))
       , residual(problem.Z->getRowMap())
   {
     Teuchos::TimeMonitor const timed(setup_timer);
-    preconditioner = rcp(new detail::MultigridPreconditioner(
-      A, problem.Z, withTraceAt(*problem.near_null_space, problem.held_rows), nodes,
-      parameters.muelu));
-    ++statistics.setups;
+    preconditioner = rcp(new detail::MultigridPreconditioner(family, weights, problem.Z, nodes));
     detail::requireSymmetric(*preconditioner, *nodes);
-    rebuilds =
-      parameters.hierarchy == Parameters::Hierarchy::rebuild ||
-      (parameters.hierarchy == Parameters::Hierarchy::automatic && !withstandsTruncation());
-    reset();
-  }
-
-  void reset()
-  {
-    if (rebuilds) {
-      preconditioner->returnToHierarchyOfZ();
-    }
-  }
-
-  // Whether conjugate gradients converge with Z's hierarchy when all nodes are truncated, for a
-  // right hand side of all frequencies.
-  bool withstandsTruncation()
-  {
-    Kokkos::deep_copy(nodes->removed, 1);
-    preconditioner->setup();
-    Vector r = detail::pseudorandomVector(residual.getMap(), 0, *nodes);
-    Vector c(residual.getMap());
-    const auto trial = detail::conjugateGradients(A, preconditioner, r, trial_tolerance,
-                                                  trial_iterations, parameters.belos, c);
-    return trial.converged;
   }
 
   void prepare(NonlinearBlocks const& blocks)
   {
     Teuchos::TimeMonitor const timed(setup_timer);
     nodes->set(blocks);
-    if (rebuilds && preconditioner->outdatedShare() > parameters.outdated_share) {
+    if (parameters.rebuilds && preconditioner->outdatedShare() > parameters.outdated_share) {
       preconditioner->rebuild();
       ++statistics.rebuilds;
     } else {
-      statistics.rebuilds += preconditioner->willRebuildFromZ() ? 1 : 0;
       preconditioner->setup();
     }
   }
@@ -136,7 +104,6 @@ struct MueLuCorrection::Implementation
   RCP<const detail::MultigridOperator> A;
   RCP<detail::MultigridPreconditioner> preconditioner;
   Vector residual;
-  bool rebuilds = false; // the hierarchy follows the truncated nodes
   Teuchos::Time setup_timer{"set-up of a correction"};
   MultigridStatistics statistics;
 };
@@ -151,10 +118,27 @@ void MueLuCorrection::requireAccepted(Teuchos::ParameterList const& parameters)
   detail::tryParameters(parameters);
 }
 
-MueLuCorrection::MueLuCorrection(MultigridProblem const& problem,
-                                 Teuchos::ParameterList const& parameters)
-    : implementation_(std::make_unique<Implementation>(problem, parameters))
+MultigridTerms::MultigridTerms(std::vector<RCP<const CrsMatrix>> const& terms,
+                               MultigridProblem const& like,
+                               Teuchos::ParameterList const& parameters)
+    : family_(std::make_shared<detail::MultigridFamily>(
+        terms, like.components, withTraceAt(*like.near_null_space, like.held_rows), like.nodes.dofs,
+        detail::MultigridParameters(parameters, like.components).muelu))
 {
+}
+
+std::size_t MultigridTerms::bytes() const { return family_ ? family_->bytes() : 0; }
+
+MueLuCorrection::MueLuCorrection(MultigridProblem const& problem,
+                                 Teuchos::ParameterList const& parameters,
+                                 MultigridTerms const& terms, std::vector<double> const& weights)
+{
+  const detail::MultigridParameters values(parameters, problem.components);
+  implementation_ = terms.empty()
+                      ? std::make_unique<Implementation>(
+                          problem, values, MultigridTerms({problem.Z}, problem, parameters).family_,
+                          std::vector<double>{1})
+                      : std::make_unique<Implementation>(problem, values, terms.family_, weights);
 }
 
 MueLuCorrection::~MueLuCorrection() = default;
@@ -180,7 +164,9 @@ CorrectionResult MueLuCorrection::solve(NonlinearBlocks const& blocks, Vector co
   return result;
 }
 
-void MueLuCorrection::reset() { implementation_->reset(); }
+void MueLuCorrection::reset() { implementation_->preconditioner->forgetHessians(); }
+
+std::size_t MueLuCorrection::bytes() const { return implementation_->preconditioner->bytes(); }
 
 MultigridStatistics MueLuCorrection::statistics() const
 {

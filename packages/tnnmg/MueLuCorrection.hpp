@@ -6,9 +6,15 @@
 #include <Teuchos_ParameterList.hpp>
 
 #include <memory>
+#include <vector>
 
 namespace asperity::tnnmg
 {
+namespace detail
+{
+class MultigridFamily;
+}
+
 // The effort of a multigrid correction since it was made.
 struct MultigridStatistics
 {
@@ -16,9 +22,8 @@ struct MultigridStatistics
   int iterations = 0; // of conjugate gradients, or V-cycles if they are used alone
   int v_cycles = 0;   // of the solves
 
-  int setups = 0;           // whole hierarchies
-  int rebuilds = 0;         // Galerkin products with kept prolongators
-  double setup_seconds = 0; // for both and for the tests of a new hierarchy, on this rank
+  int rebuilds = 0;         // Hessians brought into the coarse levels
+  double setup_seconds = 0; // for these and for the tests of a new V-cycle, on this rank
 };
 
 // What multigrid needs to know about Z in addition to its entries. All vectors live on Z's row map.
@@ -32,9 +37,28 @@ struct MultigridProblem
   NonlinearNodes nodes; // the same T for all
 };
 
-// The linear correction by smoothed aggregation multigrid (MueLu): V-cycles, or conjugate gradients
-// (Belos) on the exact operator with a V-cycle as preconditioner. One hierarchy per Z, made by the
-// constructor.
+// What the corrections of all matrices Z = sum_k w_k A_k with the same terms A_k share: MueLu's
+// prolongators, made once, and the terms projected to the coarse levels. A copy shares them, too.
+class MultigridTerms
+{
+public:
+  MultigridTerms() = default; // none: a correction makes its own, of Z alone
+  // like: near null space, held rows and nodes of the problems to come; its Z is not read. The
+  // first term decides the prolongators. Rows and columns of held dofs are diagonal in all terms.
+  // Throws SolveError if MueLu's set-up fails.
+  MultigridTerms(std::vector<RCP<const CrsMatrix>> const& terms, MultigridProblem const& like,
+                 Teuchos::ParameterList const& parameters);
+
+  bool empty() const { return !family_; }
+  std::size_t bytes() const; // on this rank
+
+private:
+  friend class MueLuCorrection;
+  std::shared_ptr<const detail::MultigridFamily> family_;
+};
+
+// The linear correction by smoothed aggregation multigrid with MueLu's prolongators: V-cycles, or
+// conjugate gradients (Belos) on the exact operator with a V-cycle as preconditioner.
 class MueLuCorrection final : public LinearCorrection
 {
 public:
@@ -44,9 +68,11 @@ public:
   // problem on this rank alone is solved with them. If both are empty, nothing is tried.
   static void requireAccepted(Teuchos::ParameterList const& parameters);
 
-  // Throws SolveError if MueLu's set-up fails, or if the V-cycle turns out not to be symmetric (a
-  // broken coarse solver or smoother).
-  MueLuCorrection(MultigridProblem const& problem, Teuchos::ParameterList const& parameters);
+  // Z is the sum of the terms times weights; if terms are empty, Z is the only one. Throws
+  // SolveError if MueLu's set-up fails, or if the V-cycle turns out not to be symmetric and
+  // positive.
+  MueLuCorrection(MultigridProblem const& problem, Teuchos::ParameterList const& parameters,
+                  MultigridTerms const& terms = {}, std::vector<double> const& weights = {});
   ~MueLuCorrection() override;
 
   CorrectionResult solve(NonlinearBlocks const& blocks, Vector const& r, double relative_tolerance,
@@ -54,6 +80,7 @@ public:
   void reset() override;
 
   MultigridStatistics statistics() const;
+  std::size_t bytes() const; // of this correction alone, on this rank
 
 private:
   struct Implementation;

@@ -61,7 +61,7 @@ public:
       , correction_(std::move(correction))
       , settings_(settings)
       , curvature_(nodalCurvature(*Z, nodes_))
-      , vectors_(*Z)
+      , vectors_(*Z, nodes_)
       , blocks_(nodes_)
   {
   }
@@ -70,16 +70,19 @@ public:
   // All ranks call it together.
   TnnmgResult solve(NodalProblem const& problem, Vector const& b, Vector& v)
   {
-    return iterate(problem, b, v, settings_.max_iterations);
+    return iterate(problem, b, v, settings_.max_iterations, false);
   }
-  // Makes one iteration only, for problems that change before they need to be solved.
-  TnnmgResult improve(NodalProblem const& problem, Vector const& b, Vector& v)
+  // Makes one iteration only, for problems that change before they need to be solved. continues: b
+  // is that of the last call and v what it left; b - Z v is then known and saves a product.
+  TnnmgResult improve(NodalProblem const& problem, Vector const& b, Vector& v,
+                      bool continues = false)
   {
-    return iterate(problem, b, v, 1);
+    return iterate(problem, b, v, 1, continues);
   }
 
 private:
-  TnnmgResult iterate(NodalProblem const& problem, Vector const& b, Vector& v, int max_iterations);
+  TnnmgResult iterate(NodalProblem const& problem, Vector const& b, Vector& v, int max_iterations,
+                      bool continues);
   void smooth(NodalProblem const& problem, Vector const& b, TnnmgResult& result);
   bool correct(NodalProblem const& problem, Vector const& b, TnnmgResult& result);
   bool findCorrection(NodalProblem const& problem, TnnmgResult& result);
@@ -98,11 +101,13 @@ private:
 
 template <class NodalProblem>
 TnnmgResult Tnnmg<NodalProblem>::iterate(NodalProblem const& problem, Vector const& b, Vector& v,
-                                         int max_iterations)
+                                         int max_iterations, bool continues)
 {
   TnnmgResult result;
-  vectors_.start(*Z_, b, v);
-  gather(nodes_, *vectors_.v, blocks_.v);
+  if (!continues) {
+    vectors_.start(*Z_, b, v);
+    gather(nodes_, *vectors_.v, blocks_.v);
+  }
   while (result.iterations < max_iterations && !result.converged) {
     ++result.iterations;
     vectors_.beginIteration();
@@ -138,7 +143,8 @@ void Tnnmg<NodalProblem>::smooth(NodalProblem const& problem, Vector const& b, T
   }
   blocks_.differenceTo(blocks_.before, blocks_.d);
   auto const nonlinear = problem.difference(blocks_.before, blocks_.d);
-  result.rises += vectors_.finishSweeps(*Z_, b, nonlinear.change, nonlinear.magnitude);
+  result.rises +=
+    vectors_.finishSweeps(*Z_, nodes_, blocks_, b, nonlinear.change, nonlinear.magnitude);
 }
 
 template <class NodalProblem>

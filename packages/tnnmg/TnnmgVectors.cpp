@@ -79,7 +79,7 @@ void TnnmgBlocks::truncate(NonlinearNodes const& nodes, ConstNodeView const& cur
     });
 }
 
-TnnmgVectors::TnnmgVectors(CrsMatrix const& Z)
+TnnmgVectors::TnnmgVectors(CrsMatrix const& Z, NonlinearNodes const& nodes)
     : v_columns(rcp(new Vector(Z.getColMap())))
     , v(v_columns->offsetViewNonConst(Z.getDomainMap(), 0)->getVectorNonConst(0))
     , v_before(rcp(new Vector(Z.getDomainMap())))
@@ -89,7 +89,12 @@ TnnmgVectors::TnnmgVectors(CrsMatrix const& Z)
     , c(rcp(new Vector(Z.getDomainMap())))
     , Zc(rcp(new Vector(Z.getDomainMap())))
     , b_copy(rcp(new Vector(Z.getDomainMap())))
+    , few_nodes_(8. * sumOverRanks(nodes.numNodes() * nodes.blockSize(), *Z.getComm()) <
+                 static_cast<double>(Z.getGlobalNumRows()))
 {
+  if (few_nodes_) {
+    columns_ = rcp(new Vector(Z.getColMap()));
+  }
 }
 
 void TnnmgVectors::start(CrsMatrix const& Z, Vector const& b, Vector const& guess)
@@ -107,11 +112,16 @@ void TnnmgVectors::beginIteration()
   Tpetra::deep_copy(*r_before, *r);
 }
 
-int TnnmgVectors::finishSweeps(CrsMatrix const& Z, Vector const& b, double nonlinear_change,
+int TnnmgVectors::finishSweeps(CrsMatrix const& Z, NonlinearNodes const& nodes,
+                               TnnmgBlocks const& blocks, Vector const& b, double nonlinear_change,
                                double magnitude)
 {
-  Tpetra::deep_copy(*r, b);
-  Z.apply(*v, *r, Teuchos::NO_TRANS, -1, 1);
+  if (few_nodes_) {
+    subtractColumns(Z, nodes, blocks.d, *columns_, *r);
+  } else {
+    Tpetra::deep_copy(*r, b);
+    Z.apply(*v, *r, Teuchos::NO_TRANS, -1, 1);
+  }
   // With Z d = r_before - r, <Z v - b + 1/2 Z d, d> = -1/2 <r_before + r, d>.
   c->update(1, *v, -1, *v_before, 0);
   Zc->update(1, *r_before, 1, *r, 0);

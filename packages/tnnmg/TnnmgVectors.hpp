@@ -36,13 +36,14 @@ struct TnnmgBlocks
 
 struct TnnmgVectors
 {
-  explicit TnnmgVectors(CrsMatrix const& Z);
+  TnnmgVectors(CrsMatrix const& Z, NonlinearNodes const& nodes);
 
   void start(CrsMatrix const& Z, Vector const& b, Vector const& guess);
   void beginIteration();
-  // Computes the residual r again after sweeps have changed v. Returns 1 if J rose, else 0.
-  // nonlinear_change and magnitude: this rank's part of the change of psi. Collective.
-  int finishSweeps(CrsMatrix const& Z, Vector const& b, double nonlinear_change, double magnitude);
+  // Brings the residual r up to date after sweeps have changed v by blocks.d. Returns 1 if J rose,
+  // else 0. nonlinear_change and magnitude: this rank's part of the change of psi. Collective.
+  int finishSweeps(CrsMatrix const& Z, NonlinearNodes const& nodes, TnnmgBlocks const& blocks,
+                   Vector const& b, double nonlinear_change, double magnitude);
   // newton_residual = b - Z v - gradient, zero in the held components of nonlinear nodes
   void newtonResidual(NonlinearNodes const& nodes, ConstBlockView const& gradient);
 
@@ -68,6 +69,8 @@ struct TnnmgVectors
 private:
   EnergyChange linearChange(double step) const;
   Along along_{};
+  bool few_nodes_ = false; // the nonlinear nodes have few of the dofs of all ranks
+  RCP<Vector> columns_;    // work space
 };
 
 template <class NodalProblem>

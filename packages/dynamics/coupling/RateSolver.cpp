@@ -12,6 +12,7 @@
 #include <Tpetra_Map.hpp>
 
 #include <optional>
+#include <utility>
 
 namespace asperity::dynamics
 {
@@ -180,12 +181,14 @@ class FullRateSolver final : public RateSolver
 {
 public:
   FullRateSolver(RCP<const CrsMatrix> const& Z, Body const& body, fem::FaultSurface const& surface,
-                 RateSolverSettings const& settings, RCP<const CrsMatrix> const& reactions)
+                 RateSolverSettings const& settings, RCP<const CrsMatrix> const& reactions,
+                 OfBody const& of_body)
       : Z_(Z)
       , reactions_(reactions)
       , nodes_(nodesOf(surface))
-      , correction_(std::make_shared<tnnmg::MueLuCorrection>(multigridProblem(Z, body, nodes_),
-                                                             settings.multigrid))
+      , correction_(std::make_shared<tnnmg::MueLuCorrection>(
+          multigridProblem(Z, body, nodes_), settings.multigrid,
+          of_body.shared ? of_body.shared->terms() : tnnmg::MultigridTerms(), of_body.weights))
       , tnnmg_(Z, nodes_, correction_, settings.tnnmg)
       , b_(Z->getDomainMap())
       , w_(Z->getDomainMap())
@@ -197,15 +200,17 @@ public:
     Tpetra::deep_copy(b_, b);
     Tpetra::deep_copy(w_, guess);
     correction_->reset();
+    continues_ = false;
   }
 
   tnnmg::TnnmgResult solve(FrictionProblem const& problem) override
   {
+    continues_ = true;
     return tnnmg_.solve(problem, b_, w_);
   }
   tnnmg::TnnmgResult improve(FrictionProblem const& problem) override
   {
-    return tnnmg_.improve(problem, b_, w_);
+    return tnnmg_.improve(problem, b_, w_, std::exchange(continues_, true));
   }
 
   void faultVelocity(friction::BlockView const& w) const override { gather(nodes_, w_, w); }
@@ -220,8 +225,11 @@ public:
     auto const values = result.getLocalViewHost(Tpetra::Access::ReadOnly);
     return {values.data(), values.data() + values.extent(0)};
   }
-  // A hierarchy weighs about as much as two copies of its matrix.
-  std::size_t bytes() const override { return 3 * 12 * numLocalEntries(*Z_); }
+  // Z's values, the preconditioner, and some twenty vectors.
+  std::size_t bytes() const override
+  {
+    return 8 * numLocalEntries(*Z_) + correction_->bytes() + 20 * 8 * numLocalRows(*Z_);
+  }
 
 private:
   RCP<const CrsMatrix> Z_, reactions_;
@@ -229,18 +237,58 @@ private:
   std::shared_ptr<tnnmg::MueLuCorrection> correction_;
   Solver tnnmg_;
   Vector b_, w_;
+  bool continues_ = false; // w_ and b_ are those of the last call
 };
 } // namespace
+
+namespace
+{
+std::vector<RCP<const CrsMatrix>> termsOf(Body const& body, bool has_mass, bool has_viscosity)
+{
+  std::vector<RCP<const CrsMatrix>> terms = {fem::combine(body.matrices, 0, 0, 1, body.held)};
+  if (has_mass) {
+    terms.push_back(fem::combine(body.matrices, 1, 0, 0, body.held));
+  }
+  if (has_viscosity) {
+    terms.push_back(fem::combine(body.matrices, 0, 1, 0, body.held));
+  }
+  return terms;
+}
+} // namespace
+
+SharedMultigrid::SharedMultigrid(Body const& body, fem::FaultSurface const& surface,
+                                 RateSolverSettings const& settings)
+    : has_mass_(!body.matrices.is_massless)
+    , has_viscosity_(body.matrices.viscosity->getFrobeniusNorm() > 0)
+{
+  auto const terms = termsOf(body, has_mass_, has_viscosity_);
+  terms_ = tnnmg::MultigridTerms(terms, multigridProblem(terms.front(), body, nodesOf(surface)),
+                                 settings.multigrid);
+}
+
+std::vector<double> SharedMultigrid::weights(double of_mass, double of_viscosity,
+                                             double of_stiffness) const
+{
+  std::vector<double> result = {of_stiffness};
+  if (has_mass_) {
+    result.push_back(of_mass);
+  }
+  if (has_viscosity_) {
+    result.push_back(of_viscosity);
+  }
+  return result;
+}
 
 std::unique_ptr<RateSolver> makeRateSolver(RCP<const CrsMatrix> const& Z, Body const& body,
                                            fem::FaultSurface const& surface,
                                            RateSolverSettings const& settings,
-                                           RCP<const CrsMatrix> const& reactions)
+                                           RCP<const CrsMatrix> const& reactions,
+                                           OfBody const& of_body)
 {
   if (settings.correction == Correction::direct) {
     return std::make_unique<CondensedRateSolver>(*Z, surface, settings.tnnmg, reactions);
   }
-  return std::make_unique<FullRateSolver>(Z, body, surface, settings, reactions);
+  return std::make_unique<FullRateSolver>(Z, body, surface, settings, reactions, of_body);
 }
 
 namespace

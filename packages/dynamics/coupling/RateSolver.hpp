@@ -3,6 +3,7 @@
 #include "dynamics/Body.hpp"
 #include "dynamics/coupling/FrictionProblem.hpp"
 #include "fem/FaultSurface.hpp"
+#include "tnnmg/MueLuCorrection.hpp"
 #include "tnnmg/Tnnmg.hpp"
 
 #include <Teuchos_ParameterList.hpp>
@@ -50,13 +51,37 @@ public:
   virtual std::size_t bytes() const = 0; // estimated memory on this rank
 };
 
+// What multigrid solvers of all Z = of_mass M + of_viscosity C + of_stiffness K of a body share.
+class SharedMultigrid
+{
+public:
+  // Throws SolveError if MueLu's set-up fails. Collective.
+  SharedMultigrid(Body const& body, fem::FaultSurface const& surface,
+                  RateSolverSettings const& settings);
+
+  tnnmg::MultigridTerms const& terms() const { return terms_; }
+  std::vector<double> weights(double of_mass, double of_viscosity, double of_stiffness) const;
+
+private:
+  bool has_mass_ = false, has_viscosity_ = false;
+  tnnmg::MultigridTerms terms_; // stiffness, and mass and viscosity unless they are zero
+};
+
+// Where a matrix Z comes from, for solvers that share what they can.
+struct OfBody
+{
+  std::shared_ptr<const SharedMultigrid> shared; // may be null
+  std::vector<double> weights;
+};
+
 // The rows of held dofs in Z must have their diagonal entries only. reactions: the matrix N (any
 // number of rows, owned dofs) of linear functionals of w that are needed after every iteration, or
 // null.
 std::unique_ptr<RateSolver> makeRateSolver(RCP<const CrsMatrix> const& Z, Body const& body,
                                            fem::FaultSurface const& surface,
                                            RateSolverSettings const& settings,
-                                           RCP<const CrsMatrix> const& reactions = Teuchos::null);
+                                           RCP<const CrsMatrix> const& reactions = Teuchos::null,
+                                           OfBody const& of_body = {});
 
 // Solves Z x = b without friction; with multigrid until the residual is at most 1e-12 |b|. Throws
 // SolveError if that fails.

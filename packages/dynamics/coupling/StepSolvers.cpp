@@ -9,6 +9,13 @@
 
 namespace asperity::dynamics
 {
+namespace
+{
+// With multigrid a step size is set up in the time of a fraction of a step. A control alternates
+// between a size, its half and its double; more would only take memory.
+constexpr std::size_t most_with_multigrid = 4;
+} // namespace
+
 StepSolvers::StepSolvers(Body const& body, fem::FaultSurface const& surface,
                          RateUpdate const& update, DyadicTime const& clock,
                          RateSolverSettings const& settings, std::size_t budget_bytes,
@@ -40,7 +47,14 @@ RateSolver& StepSolvers::at(int level)
   const RCP<const CrsMatrix> across =
     reaction_ ? reaction_->rows(of_mass, 1, of_stiffness) : Teuchos::null;
   try {
-    solver = makeRateSolver(Z, body_, surface_, settings_, across);
+    if (settings_.correction == Correction::multigrid && !shared_) {
+      shared_ = std::make_shared<const SharedMultigrid>(body_, surface_, settings_);
+    }
+    OfBody of_body;
+    if (shared_) {
+      of_body = {shared_, shared_->weights(of_mass, 1, of_stiffness)};
+    }
+    solver = makeRateSolver(Z, body_, surface_, settings_, across, of_body);
   } catch (SolveError const& error) {
     throw SolveError("The solver for steps of " + formatShort(tau) +
                      " s (the largest step halved " + std::to_string(level) +
@@ -49,7 +63,8 @@ RateSolver& StepSolvers::at(int level)
   // Set-ups are collective, so what is forgotten must not depend on a rank's share of the mesh.
   bytes = maxOverRanks(static_cast<std::int64_t>(solver->bytes()), *surface_.communicator());
   bytes_ += bytes;
-  while (bytes_ > budget_bytes_ && recent_.size() > 1) {
+  const std::size_t most = shared_ ? most_with_multigrid : recent_.size();
+  while ((bytes_ > budget_bytes_ || recent_.size() > most) && recent_.size() > 1) {
     auto const oldest = solvers_.find(recent_.back());
     bytes_ -= oldest->second.bytes;
     solvers_.erase(oldest);

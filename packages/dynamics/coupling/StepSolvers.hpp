@@ -12,10 +12,11 @@
 namespace asperity::dynamics
 {
 // One solver for each step size: Z = (lambda_M/tau) M + C + (tau/lambda_K) K depends on nothing
-// else. A solver is set up when it is first asked for; the least recently used solvers are removed
-// when the memory budget of a rank is exceeded. All ranks remove the same ones: on every rank a
-// solver counts with the memory of the rank where it takes most. With a reaction the solvers know
-// Z's rows across the fault, see RateSolver::reactions.
+// else. A solver is set up when it is first asked for; the least recently used ones are removed
+// when the memory budget of a rank is exceeded, and with multigrid, whose solvers share what is
+// costly to make, beyond the last four. All ranks remove the same ones: on every rank a solver
+// counts with the memory of the rank where it takes most. With a reaction the solvers know Z's rows
+// across the fault, see RateSolver::reactions.
 class StepSolvers
 {
 public:
@@ -43,6 +44,7 @@ private:
   DyadicTime clock_;
   RateSolverSettings settings_;
   std::shared_ptr<const NormalReaction> reaction_;
+  std::shared_ptr<const SharedMultigrid> shared_; // made with the first solver, if multigrid
   std::size_t budget_bytes_;
   std::size_t bytes_ = 0;
   std::map<int, Kept> solvers_;

@@ -46,6 +46,16 @@ struct NodeBlock
     return sum;
   }
 
+  KOKKOS_FUNCTION NodeBlock& operator*=(double factor)
+  {
+    for (int s = 0; s < size; ++s) {
+      for (int t = 0; t < size; ++t) {
+        entry[s][t] *= factor;
+      }
+    }
+    return *this;
+  }
+
   KOKKOS_FUNCTION NodeBlock& operator+=(NodeBlock const& other)
   {
     for (int s = 0; s < size; ++s) {

@@ -1,7 +1,7 @@
 #include "tnnmg/detail/MultigridParameters.hpp"
 
 #include "base/parameters/Parameters.hpp"
-#include "tnnmg/detail/MultigridHierarchy.hpp"
+#include "tnnmg/levels/MultigridFamily.hpp"
 
 #include <string>
 
@@ -11,26 +11,19 @@ namespace
 {
 bool isAboutSmoothers(std::string const& name) { return name.rfind("smoother:", 0) == 0; }
 
-// MueLu's complete list. If the user gives any entry about smoothers, all our entries about
-// smoothers are left out, because MueLu refuses parameters of one smoother for another.
+// MueLu's complete list.
 ParameterList completeMueLu(ParameterList const& given, int components, std::string const& path)
 {
-  for (char const* ours :
-       {"coarse: type", "repartition: enable", "reuse: type", "number of equations"}) {
-    ASPERITY_REQUIRE(!given.isParameter(ours),
-                     path << " / " << ours
-                          << " cannot be chosen: rank 0 solves on the coarsest level by a Cholesky "
-                          << "factorisation, and the hierarchy is rebuilt in place. Remove it.");
-  }
-  auto list = MultigridHierarchy::defaults(components);
-  bool chooses_smoothers = false;
   for (auto const& entry : given) {
-    chooses_smoothers = chooses_smoothers || isAboutSmoothers(entry.first);
+    auto const& name = entry.first;
+    ASPERITY_REQUIRE(
+      !isAboutSmoothers(name) && name != "coarse: type" && name != "repartition: enable" &&
+        name != "reuse: type" && name != "number of equations",
+      path << " / " << name
+           << " cannot be chosen: of MueLu only the prolongators are used, and the V-cycle has "
+           << "smoothers and a coarse solver of its own. Remove it.");
   }
-  if (chooses_smoothers) {
-    list.remove("smoother: type");
-    list.remove("smoother: params");
-  }
+  auto list = MultigridFamily::defaults(components);
   list.setParameters(given);
   return list;
 }
@@ -46,18 +39,17 @@ Teuchos::RCP<const ParameterList> MultigridParameters::valid()
              "Conjugate gradients make at most this number of iterations in one correction.")
     .integer("V-Cycles", 1, Range::atLeast(1),
              "With Method = V-Cycles one correction makes at most this number of cycles.")
-    .choice("Hierarchy", "Automatic", {"Automatic", "Keep", "Rebuild"},
-            "Selects whether the Galerkin products are repeated when truncated nodes change. "
-            "Automatic decides by a trial for each step size: in large steps they pay off.")
-    .real(
-      "Outdated Share", 0.1, "-", Range::closedOpen(0, 1),
-      "The hierarchy is rebuilt when more than this share of the fault's nodes has become "
-      "truncated, is no longer truncated, or has a Hessian that changed by an order of magnitude.")
-    .hint("A share of 0.1 costs one or two more iterations; a rebuild costs as much as four "
-          "V-cycles in 2D and fifteen in 3D.")
+    .choice("Hierarchy", "Rebuild", {"Keep", "Rebuild"},
+            "Selects whether the Hessians of friction are brought into the coarse levels when they "
+            "change.")
+    .real("Outdated Share", 0.1, "-", Range::closedOpen(0, 1),
+          "The coarse levels are brought up to date when more than this share of the fault's nodes "
+          "has become truncated, is no longer truncated, or has a Hessian that changed by an order "
+          "of magnitude.")
+    .hint("A share of 0.1 costs one or two more iterations.")
     .foreignSublist("MueLu", ParameterList("MueLu"),
-                    "MueLu reads these entries, in its own spelling. Each replaces one default; an "
-                    "entry about smoothers replaces all defaults of smoothers.")
+                    "MueLu reads these entries, in its own spelling, when it makes the "
+                    "prolongators. Each replaces one default.")
     .foreignSublist(
       "Belos", ParameterList("Belos"),
       "Belos reads these entries, in its own spelling, for its pseudo-block conjugate gradients.")
@@ -71,10 +63,7 @@ MultigridParameters::MultigridParameters(ParameterList const& given, int compone
   method = list.get<std::string>("Method") == "CG" ? Method::conjugate_gradients : Method::v_cycles;
   max_iterations = list.get<int>("Maximum Iterations");
   v_cycles = list.get<int>("V-Cycles");
-  const auto choice = list.get<std::string>("Hierarchy");
-  hierarchy = choice == "Keep"      ? Hierarchy::keep
-              : choice == "Rebuild" ? Hierarchy::rebuild
-                                    : Hierarchy::automatic;
+  rebuilds = list.get<std::string>("Hierarchy") == "Rebuild";
   outdated_share = list.get<double>("Outdated Share");
   muelu =
     completeMueLu(list.sublist("MueLu"), components, "Asperity / TNNMG / MueLu Correction / MueLu");

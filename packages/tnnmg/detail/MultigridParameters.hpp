@@ -13,17 +13,10 @@ struct MultigridParameters
     conjugate_gradients,
     v_cycles
   };
-  enum class Hierarchy
-  {
-    automatic,
-    keep,
-    rebuild
-  };
-
   Method method = Method::conjugate_gradients;
   int max_iterations = 0;
   int v_cycles = 0;
-  Hierarchy hierarchy = Hierarchy::automatic;
+  bool rebuilds = true;         // the coarse levels follow the Hessians
   double outdated_share = 0;    // of the nonlinear nodes
   Teuchos::ParameterList muelu; // complete
   Teuchos::ParameterList belos;

@@ -1,51 +1,39 @@
 #pragma once
 
-#include "tnnmg/detail/MultigridHierarchy.hpp"
 #include "tnnmg/detail/MultigridOperator.hpp"
-#include "tnnmg/detail/MultigridSmoother.hpp"
-#include "tnnmg/detail/MultigridTruncatedMatrix.hpp"
-
-#include <Teuchos_ParameterList.hpp>
+#include "tnnmg/levels/MultigridCycle.hpp"
 
 #include <memory>
-#include <optional>
+#include <vector>
 
 namespace asperity::tnnmg::detail
 {
 // A symmetric approximation of (Z + H)^-1 on the dofs that are neither removed nor held: a V-cycle
-// between two sweeps of block Gauss-Seidel on the nonlinear nodes. The matrix of the V-cycle may
-// have other Hessians than H, or none. The V-cycle is therefore scaled at each node by
-// S = L^-T L0^T, where L L^T and L0 L0^T are the node's blocks of Z + H and of that matrix.
+// whose fine level has the Hessians and removed nodes of the solve, while those of the coarse
+// levels are brought up to date on demand, with a limit for those that dwarf Z.
 class MultigridPreconditioner : public Operator
 {
 public:
-  MultigridPreconditioner(RCP<const MultigridOperator> A, RCP<const CrsMatrix> Z,
-                          RCP<const MultiVector> near_null_space,
-                          std::shared_ptr<const MultigridNodes> nodes,
-                          Teuchos::ParameterList const& muelu);
+  // Z is the sum of the family's terms times weights.
+  MultigridPreconditioner(std::shared_ptr<const MultigridFamily> family,
+                          std::vector<double> weights, RCP<const CrsMatrix> Z,
+                          std::shared_ptr<const MultigridNodes> nodes);
 
-  // Adapts the smoother and the scaling; has to be called after the blocks of the nodes have
-  // changed. Keeps the hierarchy unless a rebuild from Z is pending.
+  // Adapts the fine level; has to be called after the blocks of the nodes have changed.
   void setup();
 
-  // The share of the nonlinear nodes, over all ranks, at which the hierarchy is out of date: it
-  // includes the node although the node is now removed or stiff, excludes it although it is
-  // neither, or has a Hessian that differs from the current one by an order of magnitude. The
-  // coarse levels then correct smooth errors by too much or too little, the more so the finer the
-  // mesh is. Collective.
+  // The share of the nonlinear nodes, over all ranks, whose Hessian on the coarse levels differs
+  // from the current one by more than a factor. Smooth errors are then corrected by too much or too
+  // little, the more so the finer the mesh is. Collective.
   double outdatedShare() const;
 
-  // Builds the hierarchy from the current blocks and keeps the prolongators.
+  // Brings the current Hessians into the coarse levels.
   void rebuild();
-  // Goes back to a hierarchy of Z without Hessians: the next set-up rebuilds it from Z, unless
-  // rebuild() comes first. Even the hierarchy of the constructor is rebuilt, because on several
-  // ranks it differs from a rebuilt one in the last digits.
-  void returnToHierarchyOfZ();
-  // Whether the next set-up will make the hierarchy from Z.
-  bool willRebuildFromZ() const { return rebuild_from_Z_is_pending_; }
+  // The next set-up takes the Hessians out of the coarse levels, unless rebuild() comes first.
+  void forgetHessians();
 
-  RCP<const Map> getDomainMap() const override { return A_->getDomainMap(); }
-  RCP<const Map> getRangeMap() const override { return A_->getRangeMap(); }
+  RCP<const Map> getDomainMap() const override { return Z_->getDomainMap(); }
+  RCP<const Map> getRangeMap() const override { return Z_->getRangeMap(); }
 
   // Computes z = B r for r = P r; only alpha = 1 and beta = 0 are allowed.
   void apply(MultiVector const& r, MultiVector& z, Teuchos::ETransp mode = Teuchos::NO_TRANS,
@@ -53,25 +41,16 @@ public:
 
   // The number of V-cycles so far.
   int numCycles() const { return num_cycles_; }
+  std::size_t bytes() const { return cycle_.bytes(); } // of this rank, without the family
 
 private:
-  RCP<const CrsMatrix> withoutHessians();
-  void scale(MultiVector& x, bool transposed) const;
-
-  RCP<const MultigridOperator> A_;
   RCP<const CrsMatrix> Z_;
   std::shared_ptr<const MultigridNodes> nodes_;
-  MultigridSmoother smoother_;
-  RCP<CrsMatrix> coupled_; // the hierarchy's matrix without Hessians, if it is not Z
-  MultigridHierarchy hierarchy_;
-  std::optional<MultigridTruncatedMatrix> truncated_; // the matrix of the last rebuild()
-  bool hierarchy_is_of_Z_ = false;                    // it was rebuilt from Z
-  bool rebuild_from_Z_is_pending_ = false;
+  MultigridCycle cycle_;
+  bool has_coarse_hessians_ = false;
+  bool is_to_forget_ = false;
 
-  FlagView excluded_;       // nodes whose couplings the hierarchy's matrix leaves out
-  NodeBlockView reference_; // blocks of the other nodes in that matrix
-  NodeBlockView scaling_;   // S, zero where excluded or removed
-  RCP<MultiVector> residual_, cycle_;
+  NodeBlockView coarse_; // the Hessians on the coarse levels
   mutable int num_cycles_ = 0;
 };
 } // namespace asperity::tnnmg::detail

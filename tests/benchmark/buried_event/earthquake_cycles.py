@@ -116,7 +116,7 @@ class Event:
 
 
 def events(problem, operator, end, tolerance=1e-6):
-    """Yields the events up to the time `end` [yr]; one has ended when all is slower than 0.1 mm/s."""
+    """Yields the events up to `end` [yr]; one has ended when all is slower than 0.1 mm/s."""
     cycles = Cycles(problem, operator, tolerance)
     onset = before = None
     while cycles.time < end * YEAR or onset is not None:

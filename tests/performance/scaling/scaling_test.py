@@ -68,11 +68,31 @@ class Scaling(unittest.TestCase):
             self.assertLess(theirs["error"], 1e-4)
 
 
+class Stretch(unittest.TestCase):
+    def test_counts_the_steps_of_a_run(self):
+        output = pathlib.Path("stretch.json")
+        output.unlink(missing_ok=True)
+        result = bench("steps", DECK, "--steps", "3", "--set", f"{FACTOR}=8", "--set",
+                       "TNNMG/Linear Correction=MueLu", "--output", output)
+        self.assertEqual(result.returncode, 0, result.stderr)
+        numbers = json.loads(output.read_text())
+        self.assertEqual(numbers["inertial"]["accepted"], 0)  # quasi-dynamic: no mass
+        steps = numbers["quasi_static"]
+        self.assertEqual(steps["accepted"], 3)
+        self.assertGreaterEqual(steps["coupled_steps"], 3)
+        self.assertGreater(steps["v_cycles"], 0)
+        self.assertEqual(steps["rises"], 0)
+        self.assertGreater(numbers["product_seconds"], 0)
+        self.assertIn(f"{numbers['unknowns']} unknowns", result.stdout)
+
+
 class BadInput(unittest.TestCase):
     def test_is_refused(self):
         cases = [(["scaling", DECK, "--sizes", "1"], "--steps"),
                  (["scaling", DECK, "--sizes", "1,x", "--steps", "1"], "--sizes x"),
                  (["scaling", DECK, "--sises", "1"], "'--sizes'"),
+                 (["steps", DECK], "--steps"),
+                 (["steps", DECK, "--steps", "1.5"], "--steps 1.5"),
                  (["scalding", DECK, "--sizes", "1", "--steps", "1"], "--help")]
         for words, part in cases:
             result = bench(*words)

@@ -2,6 +2,7 @@
 
 #include "FaultState.hpp"
 #include "base/Errors.hpp"
+#include "portability/Renamed.hpp"
 
 #include <Eigen/SparseCholesky>
 #include <Tpetra_CrsMatrix.hpp>
@@ -48,13 +49,6 @@ ElasticModel modelWithTangents(bool coupled)
   options.tangents = 2;
   options.components_are_coupled = coupled;
   return ElasticModel(options);
-}
-
-Teuchos::ParameterList rebuilding()
-{
-  auto list = parameters();
-  list.set("Hierarchy", "Rebuild");
-  return list;
 }
 
 Eigen::VectorXd rightHandSide(ElasticModel const& model)
@@ -146,10 +140,10 @@ TEST_P(MueLuCorrectionCase, meetsDirectSolveForHessiansOfAllSizes)
 }
 
 INSTANTIATE_TEST_SUITE_P(Steps, MueLuCorrectionCase,
-                         ::testing::Values(Case{1e-6, 2, 1, 6}, Case{1e-3, 2, 1, 6},
-                                           Case{1e-1, 2, 1, 13}, Case{1, 2, 1, 13},
-                                           Case{1e3, 2, 1, 13}, Case{1e-3, 2, 2, 6},
-                                           Case{1, 2, 2, 14}, Case{1, 1, 1, 10}));
+                         ::testing::Values(Case{1e-6, 2, 1, 8}, Case{1e-3, 2, 1, 7},
+                                           Case{1e-1, 2, 1, 18}, Case{1, 2, 1, 19},
+                                           Case{1e3, 2, 1, 19}, Case{1e-3, 2, 2, 8},
+                                           Case{1, 2, 2, 27}, Case{1, 1, 1, 18}));
 
 TEST(MueLuCorrection, mildHessiansAreSolvedWithBothHierarchies)
 {
@@ -168,79 +162,76 @@ TEST(MueLuCorrection, mildHessiansAreSolvedWithBothHierarchies)
   }
 }
 
-TEST(MueLuCorrection, smallStepsKeepTheHierarchy)
+TEST(MueLuCorrection, smallStepsNeedNoHessiansOnCoarseLevels)
 {
   const auto model = modelWith(small_step);
-  MueLuCorrection correction(model.problem(), parameters());
+  auto list = parameters();
+  list.set("Hierarchy", "Keep");
+  MueLuCorrection correction(model.problem(), list);
   for (auto truncation : {Truncation::none, Truncation::left_half, Truncation::all}) {
-    solve(correction, model, FaultState(model, truncation), rightHandSide(model));
+    const FaultState state(model, truncation);
+    EXPECT_LE(solve(correction, model, state, rightHandSide(model)).result.iterations, 10);
   }
-  EXPECT_EQ(correction.statistics().setups, 1);
   EXPECT_EQ(correction.statistics().rebuilds, 0);
 }
 
-TEST(MueLuCorrection, largeStepsRebuildWhenManyNodesChange)
+// On coarse levels a truncated node counts like one whose Hessian rivals Z.
+TEST(MueLuCorrection, coarseLevelsFollowWhenManyNodesChange)
 {
   const auto model = modelWith(large_step);
   const auto r = rightHandSide(model);
   MueLuCorrection correction(model.problem(), parameters());
-  FaultState state(model, Truncation::left_half, -2, 2);
+  FaultState state(model, Truncation::none, -9, -8);
   solve(correction, model, state, r);
-  EXPECT_EQ(correction.statistics().rebuilds, 1);
-
-  for (auto& hessian : state.hessian) {
-    hessian *= 3;
-  }
+  EXPECT_EQ(correction.statistics().rebuilds, 0) << "these Hessians do not count";
   state.truncated.back() = 1;
-  EXPECT_TRUE(solve(correction, model, state, r).result.converged);
-  EXPECT_EQ(correction.statistics().rebuilds, 1) << "for other Hessians and one node of 40";
+  solve(correction, model, state, r);
+  EXPECT_EQ(correction.statistics().rebuilds, 0) << "for one node of 40";
 
-  solve(correction, model, FaultState(model, Truncation::none, -2, 2), r);
-  EXPECT_EQ(correction.statistics().rebuilds, 2);
-  EXPECT_EQ(correction.statistics().setups, 1);
-  EXPECT_EQ(correction.statistics().solves, 3);
-  EXPECT_GT(correction.statistics().setup_seconds, 0);
-}
-
-// Moderate Hessians count in smooth modes long before they rival the diagonal: without them the
-// coarse levels correct by too much.
-TEST(MueLuCorrection, largeStepsRebuildForHessiansOfAnotherMagnitude)
-{
-  const auto model = modelWith(large_step);
-  const auto r = rightHandSide(model);
-  MueLuCorrection correction(model.problem(), parameters());
-  FaultState state(model, Truncation::none, 0, 0);
-  const auto followed = solve(correction, model, state, r);
+  const FaultState truncated(model, Truncation::left_half, -9, -8);
+  const auto followed = solve(correction, model, truncated, r);
   EXPECT_EQ(correction.statistics().rebuilds, 1);
+  solve(correction, model, truncated, r);
+  EXPECT_EQ(correction.statistics().rebuilds, 1);
+  solve(correction, model, state, r);
+  EXPECT_EQ(correction.statistics().rebuilds, 2);
+  EXPECT_EQ(correction.statistics().solves, 5);
+  EXPECT_GT(correction.statistics().setup_seconds, 0);
 
   auto kept_parameters = parameters();
   kept_parameters.set("Hierarchy", "Keep");
   MueLuCorrection kept(model.problem(), kept_parameters);
-  EXPECT_LT(followed.result.iterations, solve(kept, model, state, r).result.iterations);
+  EXPECT_LT(followed.result.iterations, solve(kept, model, truncated, r).result.iterations);
+}
 
-  for (double factor : {3., 30.}) {
-    for (auto& hessian : state.hessian) {
-      hessian *= factor;
-    }
-    const auto answer = solve(correction, model, state, r);
-    checkSolution(model, state, r, answer.correction);
-    EXPECT_EQ(correction.statistics().rebuilds, factor > 10 ? 2 : 1);
+// Moderate Hessians count in smooth modes long before they rival the diagonal: without them the
+// coarse levels correct by too much.
+TEST(MueLuCorrection, coarseLevelsFollowHessiansOfAnotherMagnitude)
+{
+  const auto model = modelWith(large_step);
+  const auto r = rightHandSide(model);
+  MueLuCorrection correction(model.problem(), parameters());
+  int rebuilds = 0;
+  for (double exponent : {-1.3, -1.0, -2.5}) { // of ten
+    const FaultState state(model, Truncation::none, exponent, exponent);
+    checkSolution(model, state, r, solve(correction, model, state, r).correction);
+    rebuilds += exponent == -1.0 ? 0 : 1; // a factor of two is let pass
+    EXPECT_EQ(correction.statistics().rebuilds, rebuilds) << exponent;
   }
 }
 
-// Products leave out the zeros of Z, and friction brings something there: on regular meshes Z does
-// not couple the tangents of a node.
-TEST(MueLuCorrection, rebuildsWhereZDoesNotCoupleTheTangents)
+// On regular meshes Z does not couple the tangents of a node; friction does.
+TEST(MueLuCorrection, worksWhereZDoesNotCoupleTheTangents)
 {
   const auto model = modelWithTangents(false);
   const auto r = rightHandSide(model);
-  MueLuCorrection correction(model.problem(), rebuilding());
+  MueLuCorrection correction(model.problem(), parameters());
   for (auto truncation : {Truncation::left_half, Truncation::none, Truncation::every_second}) {
     const FaultState state(model, truncation, -2, 2);
     checkSolution(model, state, r, solve(correction, model, state, r).correction);
   }
-  EXPECT_EQ(correction.statistics().rebuilds, 3);
-  correction.reset(); // to a hierarchy of Z, whose place for the coupling stays
+  EXPECT_GT(correction.statistics().rebuilds, 0);
+  correction.reset();
   const FaultState state(model, Truncation::none, -2, 2);
   checkSolution(model, state, r, solve(correction, model, state, r).correction);
 }
@@ -265,7 +256,7 @@ TEST(MueLuCorrection, takesAPatchThatSlidesAlongAWall)
   }
 }
 
-// To the last bit, whether the next solve has a hierarchy of its Hessians or of Z alone.
+// To the last bit, whether the next solve has coarse levels of its Hessians or of Z alone.
 TEST(MueLuCorrection, resetForgetsEarlierSolves)
 {
   for (bool coupled : {true, false}) {
@@ -275,16 +266,16 @@ TEST(MueLuCorrection, resetForgetsEarlierSolves)
       SCOPED_TRACE(::testing::Message() << coupled << ' ' << of_hessians);
       const FaultState state = of_hessians ? FaultState(model, Truncation::every_second, -2, 2)
                                            : FaultState(model, Truncation::none, -9, -8);
-      MueLuCorrection fresh(model.problem(), rebuilding());
-      MueLuCorrection used(model.problem(), rebuilding());
+      MueLuCorrection fresh(model.problem(), parameters());
+      MueLuCorrection used(model.problem(), parameters());
       solve(used, model, FaultState(model, Truncation::left_half, -2, 2), r);
       EXPECT_EQ(used.statistics().rebuilds, 1);
       used.reset();
       const Eigen::VectorXd difference =
         solve(fresh, model, state, r).correction - solve(used, model, state, r).correction;
       EXPECT_EQ(difference.norm(), 0);
-      EXPECT_EQ(fresh.statistics().rebuilds, 1);
-      EXPECT_EQ(used.statistics().rebuilds, 2);
+      EXPECT_EQ(fresh.statistics().rebuilds, of_hessians ? 1 : 0);
+      EXPECT_EQ(used.statistics().rebuilds, of_hessians ? 2 : 1);
     }
   }
 }
@@ -296,12 +287,12 @@ TEST(MueLuCorrection, cyclesAloneContract)
   {
     double tau;
     char const* hierarchy;
-    double contraction; // measured, the most on 1 to 3 ranks: 0.050, 0.021, 0.85, 0.43
+    double contraction; // measured, the most on 1 to 3 ranks
   };
   constexpr int cycles = 4;
   for (auto [tau, hierarchy, contraction] :
-       {Expected{small_step, "Keep", 0.06}, Expected{small_step, "Rebuild", 0.03},
-        Expected{large_step, "Keep", 0.9}, Expected{large_step, "Rebuild", 0.5}}) {
+       {Expected{small_step, "Keep", 0.06}, Expected{small_step, "Rebuild", 0.06},
+        Expected{large_step, "Keep", 0.9}, Expected{large_step, "Rebuild", 0.6}}) {
     const auto model = modelWith(tau);
     const auto r = rightHandSide(model);
     const FaultState state(model, Truncation::every_second);
@@ -370,27 +361,36 @@ TEST(MueLuCorrection, aBodyWithoutFaultIsALinearProblem)
   checkSolution(model, state, rightHandSide(model), answer.correction);
 }
 
-TEST(MueLuCorrection, refusesAnAsymmetricSmoother)
+// Z = 3 A + 0.5 B from the terms A and B, of which the first makes the prolongators.
+TEST(MueLuCorrection, sharesProlongatorsAndProjectedTerms)
 {
-  const auto model = modelWith(large_step);
-  auto list = parameters();
-  auto& muelu = list.sublist("MueLu");
-  muelu.set("smoother: type", "RELAXATION"); // forward before and after the coarse correction
-  muelu.sublist("smoother: params").set("relaxation: type", "Gauss-Seidel");
-  EXPECT_THROW(MueLuCorrection(model.problem(), list), SolveError);
-}
-
-TEST(MueLuCorrection, takesAnotherSymmetricSmoother)
-{
-  const auto model = modelWith(large_step);
-  auto list = parameters();
-  list.sublist("MueLu").set("smoother: type", "CHEBYSHEV");
-  list.sublist("MueLu").sublist("smoother: params").set("chebyshev: degree", 3);
-  list.sublist("Belos").set("Timer Label", "correction");
-  MueLuCorrection correction(model.problem(), list);
-  const FaultState state(model, Truncation::every_second);
-  checkSolution(model, state, rightHandSide(model),
-                solve(correction, model, state, rightHandSide(model)).correction);
+  const auto stiff = modelWith(large_step), heavy = modelWith(small_step);
+  auto sum = stiff;
+  sum.global = 3 * stiff.global + 0.5 * heavy.global;
+  const auto Z = rcp(new CrsMatrix(*stiff.Z, Teuchos::Copy));
+  Z->resumeFill();
+  for (int row = 0; row < static_cast<int>(numLocalRows(*Z)); ++row) {
+    const auto id = Z->getRowMap()->getGlobalElement(row);
+    for (Eigen::SparseMatrix<double>::InnerIterator entry(sum.global, static_cast<int>(id)); entry;
+         ++entry) {
+      const GlobalOrdinal column = entry.row();
+      const double value = entry.value();
+      Z->replaceGlobalValues(id, 1, &value, &column);
+    }
+  }
+  Z->fillComplete();
+  sum.Z = Z;
+  const MultigridTerms terms({stiff.Z, heavy.Z}, stiff.problem(), parameters());
+  EXPECT_GT(terms.bytes(), 0U);
+  MueLuCorrection shared(sum.problem(), parameters(), terms, {3, 0.5});
+  MueLuCorrection own(sum.problem(), parameters());
+  const auto r = rightHandSide(sum);
+  for (auto truncation : {Truncation::none, Truncation::left_half}) {
+    const FaultState state(sum, truncation);
+    const auto answer = solve(shared, sum, state, r);
+    checkSolution(sum, state, r, answer.correction);
+    EXPECT_LE(answer.result.iterations, 2 + solve(own, sum, state, r).result.iterations);
+  }
 }
 
 TEST(MueLuCorrection, refusesParametersThatNobodyKnows)
@@ -398,6 +398,9 @@ TEST(MueLuCorrection, refusesParametersThatNobodyKnows)
   const auto model = modelWith(small_step);
   auto with_coarse_solver = parameters();
   with_coarse_solver.sublist("MueLu").set("coarse: type", "KLU2");
+  auto with_smoother = parameters();
+  with_smoother.sublist("MueLu").set("smoother: type", "CHEBYSHEV");
+  EXPECT_THROW(MueLuCorrection(model.problem(), with_smoother), InputError);
   EXPECT_THROW(MueLuCorrection(model.problem(), with_coarse_solver), InputError);
   auto with_unknown_method = parameters();
   with_unknown_method.set("Method", "W-Cycles");
@@ -426,8 +429,8 @@ std::string refusal(std::string const& list, std::function<void(Teuchos::Paramet
 TEST(MueLuCorrection, refusesListsThatMueLuOrBelosDoesNotTake)
 {
   using List = Teuchos::ParameterList;
-  const auto smoother = [](List& list) { list.set("smoother: type", "SANDPAPER"); };
-  EXPECT_NE(refusal("MueLu", smoother).find("SANDPAPER"), std::string::npos);
+  const auto algorithm = [](List& list) { list.set("multigrid algorithm", "SANDPAPER"); };
+  EXPECT_NE(refusal("MueLu", algorithm).find("SANDPAPER"), std::string::npos);
   const auto misspelt = refusal("MueLu", [](List& list) { list.set("max level", 3); });
   EXPECT_NE(misspelt.find("Did you mean \"max levels\""), std::string::npos) << misspelt;
   const auto wrong_type = refusal("MueLu", [](List& list) { list.set("max levels", "three"); });
@@ -440,7 +443,6 @@ TEST(MueLuCorrection, takesListsThatMueLuAndBelosTake)
 {
   using List = Teuchos::ParameterList;
   EXPECT_EQ(refusal("MueLu", [](List& list) { list.set("verbosity", "extreme"); }), "");
-  EXPECT_EQ(refusal("MueLu", [](List& list) { list.set("smoother: type", "CHEBYSHEV"); }), "");
   EXPECT_EQ(refusal("MueLu", [](List& list) { list.set("multigrid algorithm", "unsmoothed"); }),
             "");
   EXPECT_EQ(refusal("Belos", [](List& list) { list.set("Timer Label", "correction"); }), "");

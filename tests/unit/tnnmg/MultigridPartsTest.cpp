@@ -1,9 +1,11 @@
 #include "FaultState.hpp"
-#include "base/Colouring.hpp"
 #include "base/Errors.hpp"
-#include "tnnmg/detail/CoarseCholesky.hpp"
+#include "base/parallel/Reductions.hpp"
+#include "portability/Renamed.hpp"
 #include "tnnmg/detail/MultigridPreconditioner.hpp"
 #include "tnnmg/detail/MultigridSymmetry.hpp"
+#include "tnnmg/levels/CoarseFault.hpp"
+#include "tnnmg/levels/NodeKernels.hpp"
 
 #include <Eigen/SparseCholesky>
 #include <Tpetra_CrsMatrix.hpp>
@@ -11,7 +13,10 @@
 #include <Tpetra_Vector.hpp>
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cmath>
 #include <memory>
+#include <vector>
 
 namespace asperity::tnnmg
 {
@@ -34,10 +39,9 @@ struct Parts
   RCP<const detail::MultigridOperator> A;
 };
 
-RCP<detail::MultigridPreconditioner> makePreconditioner(ElasticModel const& model,
-                                                        Parts const& parts)
+std::shared_ptr<const detail::MultigridFamily> familyOf(ElasticModel const& model)
 {
-  auto muelu = detail::MultigridHierarchy::defaults(model.options.components);
+  auto muelu = detail::MultigridFamily::defaults(model.options.components);
   muelu.set("coarse: max size", 100);
   const auto near_null_space = rcp(new MultiVector(*model.near_null_space, Teuchos::Copy));
   {
@@ -48,8 +52,15 @@ RCP<detail::MultigridPreconditioner> makePreconditioner(ElasticModel const& mode
       }
     }
   }
-  return rcp(
-    new detail::MultigridPreconditioner(parts.A, model.Z, near_null_space, parts.nodes, muelu));
+  return std::make_shared<const detail::MultigridFamily>(std::vector<RCP<const CrsMatrix>>{model.Z},
+                                                         model.options.components, near_null_space,
+                                                         model.nodes.dofs, muelu);
+}
+
+RCP<detail::MultigridPreconditioner> makePreconditioner(ElasticModel const& model,
+                                                        Parts const& parts)
+{
+  return rcp(new detail::MultigridPreconditioner(familyOf(model), {1}, model.Z, parts.nodes));
 }
 
 RCP<CrsMatrix> copyOf(ElasticModel const& model)
@@ -74,12 +85,12 @@ TEST(MultigridPreconditioner, isSymmetricAfterEveryKindOfSetup)
       const auto model = modelWith(tau, tangents);
       const Parts parts(model, FaultState(model, Truncation::none));
       const auto B = makePreconditioner(model, parts);
-      EXPECT_LE(detail::relativeAsymmetry(*B, *parts.nodes), 1e-12);
+      EXPECT_LE(detail::relativeAsymmetry(*B, *parts.nodes), 1e-8);
       parts.nodes->set(FaultState(model, Truncation::left_half).blocks(model));
       B->setup();
-      EXPECT_LE(detail::relativeAsymmetry(*B, *parts.nodes), 1e-12);
+      EXPECT_LE(detail::relativeAsymmetry(*B, *parts.nodes), 1e-8);
       B->rebuild();
-      EXPECT_LE(detail::relativeAsymmetry(*B, *parts.nodes), 1e-12);
+      EXPECT_LE(detail::relativeAsymmetry(*B, *parts.nodes), 1e-8);
       EXPECT_EQ(B->outdatedShare(), 0);
     }
   }
@@ -100,37 +111,73 @@ TEST(MultigridOperator, isTheTruncatedMatrix)
   }
 }
 
-// The sweep in the order of the colours, on the whole matrix.
-TEST(MultigridSmoother, isGaussSeidelInTheOrderOfTheColours)
+// On the coarse levels P^T (A + sum of Q^T H Q) P is the Galerkin product of A + H: the energy of a
+// coarse function is that of the fine function that it stands for.
+TEST(CoarseFault, isTheGalerkinProductOfTheHessians)
 {
-  const auto model = modelWith(1.0, 1);
-  const FaultState state(model, Truncation::every_second, -2, 4);
-  const Parts parts(model, state);
-  detail::MultigridSmoother smoother(*model.Z, parts.nodes);
-  smoother.setup();
-  const auto r = state.project(model, pseudorandomVector(static_cast<int>(model.global.rows()), 1));
-  const auto start =
-    state.project(model, pseudorandomVector(static_cast<int>(model.global.rows()), 2));
-  Vector z = model.scatter(start);
-  smoother.sweep(detail::MultigridSmoother::Order::forward, model.scatter(r), z);
-
-  const auto colouring = colourNodes(*model.Z->getCrsGraph(), model.nodes.dofs);
-  Vector colour(model.map);
-  for (std::size_t k = 0; k < model.mine.size(); ++k) {
-    colour.replaceLocalValue(model.nodes.dofs(k, 0), 1.0 + colouring.colour[k]);
-  }
-  const auto colours = model.gather(colour);
-  const auto A = state.matrix(model);
-  Eigen::VectorXd expected = start;
-  for (int c = 0; c < colouring.num_colours; ++c) {
-    for (std::size_t node = 0; node < model.nonlinear.size(); ++node) {
-      const int row = model.nonlinear[node][0];
-      if (colours(row) == 1.0 + c && !state.truncated[node]) {
-        expected(row) += (r(row) - A.col(row).dot(expected)) / A.coeff(row, row);
-      }
+  for (int tangents : {1, 2}) {
+    const auto model = modelWith(1.0, tangents);
+    const FaultState state(model, Truncation::none, -2, 0);
+    const Parts parts(model, state);
+    const auto family = familyOf(model);
+    ASSERT_GE(family->levels().size(), 2U);
+    auto const& fine = family->levels()[0];
+    auto const& coarse = family->levels()[1];
+    const detail::GhostExchange to_columns(fine.prolongation), of_level(coarse.graph);
+    // Of a coarse function x, the fine function P x.
+    detail::NodeVector x(fine.prolongation.ghosts.is_null()
+                           ? coarse.graph.num_owned * coarse.graph.column_size
+                           : numLocalElements(*fine.prolongation.ghosts->getTargetMap()));
+    const auto owned = static_cast<std::size_t>(coarse.graph.num_rows * coarse.graph.row_size);
+    for (std::size_t i = 0; i < owned; ++i) {
+      x[i] = std::sin(1.0 + coarse.graph.row_map->getGlobalElement(static_cast<int>(i)));
     }
+    to_columns.share(x);
+    detail::NodeVector Px(fine.graph.num_rows * fine.graph.row_size, 0.);
+    multiplyAdd(fine.prolongation, fine.P, x, Px);
+    Vector Px_vector(model.map);
+    std::copy(Px.begin(), Px.end(),
+              Px_vector.getLocalViewHost(Tpetra::Access::OverwriteAll).data());
+    const auto u = model.gather(Px_vector);
+    const double expected = u.dot(state.matrix(model) * u);
+
+    auto A = coarse.terms[0];
+    std::vector<double> hessian;
+    for (int k = 0; k < static_cast<int>(parts.nodes->hessian.size()); ++k) {
+      hessian.push_back(parts.nodes->hessian.data()[k]);
+    }
+    detail::addHessians(coarse.fault, hessian, A);
+    detail::NodeVector on_level(coarse.graph.ghosts.is_null()
+                                  ? owned
+                                  : numLocalElements(*coarse.graph.ghosts->getTargetMap()));
+    std::copy_n(x.begin(), owned, on_level.begin());
+    of_level.share(on_level);
+    detail::NodeVector Ax(owned, 0.);
+    multiplyAdd(coarse.graph, A, on_level, Ax);
+    double energy = 0;
+    for (std::size_t i = 0; i < owned; ++i) {
+      energy += x[i] * Ax[i];
+    }
+    EXPECT_NEAR(sumOverRanks(energy, *model.map->getComm()), expected, 1e-5 * expected);
   }
-  EXPECT_LE((model.gather(z) - expected).norm(), 1e-13 * expected.norm());
+}
+
+TEST(NodeKernels, invertsInTheFreeComponents)
+{
+  double a[3][3] = {{4, 1, 2}, {1, 3, 0}, {2, 0, 5}};
+  float inverse[9];
+  detail::invertFree(
+    a, [](int c) { return c != 1; }, inverse);
+  // The inverse of {{4, 2}, {2, 5}} is {{5, -2}, {-2, 4}} / 16.
+  const float expected[9] = {5 / 16.f, 0, -2 / 16.f, 0, 0, 0, -2 / 16.f, 0, 4 / 16.f};
+  for (int i = 0; i < 9; ++i) {
+    EXPECT_NEAR(inverse[i], expected[i], 1e-7) << i;
+  }
+  double singular[2][2] = {{1, 1}, {1, 1}};
+  detail::invertFree(
+    singular, [](int) { return true; }, inverse);
+  EXPECT_EQ(inverse[0], 1);
+  EXPECT_EQ(inverse[1] == 0 && inverse[2] == 0 && inverse[3] == 0, true);
 }
 
 TEST(MultigridSymmetry, acceptsASymmetricMatrix)
@@ -167,17 +214,42 @@ TEST(MultigridSymmetry, refusesANegativeMatrix)
   EXPECT_THROW(detail::requireSymmetric(*matrix, *parts.nodes), SolveError);
 }
 
-TEST(CoarseCholesky, solvesWhatIsSpreadOverRanks)
+namespace
+{
+// Solves with the whole matrix of a model.
+struct Coarsest
+{
+  explicit Coarsest(RCP<const CrsMatrix> const& matrix, int size)
+      : graph(detail::makeNodeGraph({matrix}, size, size))
+      , solver(graph, detail::blocksOf(graph, *matrix), std::vector<char>(numLocalRows(*matrix), 1))
+  {
+  }
+
+  detail::NodeGraph graph;
+  detail::CoarsestSolver solver;
+};
+} // namespace
+
+// To single precision, in which multigrid has its matrices: an inexact solve is a preconditioner.
+TEST(CoarsestSolver, solvesWhatIsSpreadOverRanks)
 {
   const auto model = modelWith(1.0, 1);
+  const Coarsest coarsest(model.Z, model.options.components);
   const auto exact = pseudorandomVector(static_cast<int>(model.global.rows()), 1);
   const Vector b = model.scatter(model.global * exact);
   Vector x(model.map);
-  detail::CoarseCholesky(*model.Z).solve(b, x);
-  EXPECT_LE((model.gather(x) - exact).norm(), 1e-10 * exact.norm());
+  const auto rows = b.getLocalLength();
+  const auto values = b.getLocalViewHost(Tpetra::Access::ReadOnly);
+  detail::NodeVector mine(values.data(), values.data() + rows), solution(rows);
+  coarsest.solver.solve(mine, solution);
+  std::copy(solution.begin(), solution.end(),
+            x.getLocalViewHost(Tpetra::Access::OverwriteAll).data());
+  const Eigen::VectorXd error = model.gather(x) - exact;
+  EXPECT_LE(std::sqrt(error.dot(model.global * error)),
+            1e-4 * std::sqrt(exact.dot(model.global * exact)));
 }
 
-TEST(CoarseCholesky, refusesAnIndefiniteMatrixOnAllRanks)
+TEST(CoarsestSolver, refusesAnIndefiniteMatrixOnAllRanks)
 {
   const auto model = modelWith(1.0, 1);
   const auto matrix = copyOf(model);
@@ -187,24 +259,6 @@ TEST(CoarseCholesky, refusesAnIndefiniteMatrixOnAllRanks)
     matrix->sumIntoGlobalValues(row, 1, &change, &row);
   }
   matrix->fillComplete();
-  EXPECT_THROW(detail::CoarseCholesky{*matrix}, SolveError);
-}
-
-TEST(CoarseCholesky, takesARowOfZerosForIdentity)
-{
-  const auto model = modelWith(1.0, 1);
-  const auto matrix = copyOf(model);
-  const int row = model.constrained.front();
-  matrix->resumeFill();
-  if (const GlobalOrdinal id = row; matrix->getRowMap()->isNodeGlobalElement(id)) {
-    const double zero = 0;
-    matrix->replaceGlobalValues(id, 1, &zero, &id);
-  }
-  matrix->fillComplete();
-  Eigen::VectorXd expected = Eigen::VectorXd::Zero(model.global.rows());
-  expected(row) = 3;
-  Vector x(model.map);
-  detail::CoarseCholesky(*matrix).solve(model.scatter(expected), x);
-  EXPECT_EQ((model.gather(x) - expected).norm(), 0);
+  EXPECT_THROW(Coarsest(matrix, model.options.components), SolveError);
 }
 } // namespace asperity::tnnmg

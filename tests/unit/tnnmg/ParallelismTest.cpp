@@ -1,32 +1,24 @@
 #include "FaultState.hpp"
 #include "tnnmg/MueLuCorrection.hpp"
-#include "tnnmg/detail/MultigridHierarchy.hpp"
 
 #include <Eigen/SparseCholesky>
 #include <Tpetra_Vector.hpp>
 #include <gtest/gtest.h>
 
-#include <string>
-
 namespace asperity::tnnmg
 {
 using namespace testing;
-using detail::Parallelism;
 
 namespace
 {
 constexpr double tolerance = 1e-8;
 
-// The parameters that a build with such kernels takes. MueLu's factories for threads and devices
-// are those of "use kokkos refactor", which on one thread is off unless asked for.
-Teuchos::ParameterList parametersOf(Parallelism kernels, bool parallel_factories)
+// MueLu's factories for threads and devices are those of "use kokkos refactor", which on one thread
+// is off unless asked for.
+Teuchos::ParameterList parametersOf(bool parallel_factories)
 {
   Teuchos::ParameterList list("Linear Correction");
   auto& muelu = list.sublist("MueLu");
-  muelu.setParameters(detail::MultigridHierarchy::defaults(2, kernels));
-  for (char const* ours : {"coarse: type", "reuse: type", "number of equations"}) {
-    muelu.remove(ours);
-  }
   muelu.set("use kokkos refactor", parallel_factories);
   muelu.set("coarse: max size", 100); // several levels in a small model
   return list;
@@ -34,9 +26,9 @@ Teuchos::ParameterList parametersOf(Parallelism kernels, bool parallel_factories
 
 // Solves with random right sides for all truncations in turn, compares each with a direct solve,
 // and returns the sum of the iterations.
-int iterations(ElasticModel const& model, Parallelism kernels, bool parallel_factories)
+int iterations(ElasticModel const& model, bool parallel_factories)
 {
-  MueLuCorrection correction(model.problem(), parametersOf(kernels, parallel_factories));
+  MueLuCorrection correction(model.problem(), parametersOf(parallel_factories));
   int sum = 0;
   for (auto truncation :
        {Truncation::none, Truncation::every_second, Truncation::left_half, Truncation::all}) {
@@ -53,52 +45,21 @@ int iterations(ElasticModel const& model, Parallelism kernels, bool parallel_fac
   return sum;
 }
 
-struct Case
-{
-  double tau;    // s
-  double device; // iterations with Chebyshev's smoother over those with Gauss-Seidel
-};
-
-class OtherBackends : public ::testing::TestWithParam<Case>
+class OtherBackends : public ::testing::TestWithParam<double>
 {
 };
 
 TEST_P(OtherBackends, NeedAboutAsManyIterations)
 {
   ElasticModelOptions options;
-  options.tau = GetParam().tau;
+  options.tau = GetParam();
   const ElasticModel model(options);
-  const int serial = iterations(model, Parallelism::serial, false);
-  const int threads = iterations(model, Parallelism::threads, true);
-  const int device = iterations(model, Parallelism::device, true);
-  RecordProperty("iterations", std::to_string(serial) + " serial, " + std::to_string(threads) +
-                                 " threads, " + std::to_string(device) + " device");
+  const int serial = iterations(model, false);
+  const int parallel = iterations(model, true);
   EXPECT_GT(serial, 0);
-  EXPECT_LE(threads, 1.2 * serial) << serial << " on one thread";
-  EXPECT_LE(device, GetParam().device * serial) << serial << " on one thread";
+  EXPECT_LE(parallel, 1.2 * serial) << serial << " on one thread";
 }
 
-// Measured on a box of 53,000 unknowns: 5 iterations with Gauss-Seidel and 11 with Chebyshev in
-// small steps, 18 and 24 in large ones.
-INSTANTIATE_TEST_SUITE_P(Steps, OtherBackends,
-                         ::testing::Values(Case{1e-6, 11. / 5}, Case{1e-3, 11. / 5},
-                                           Case{1, 24. / 18}));
-
-// The serial build takes Ifpack2's serial loop, the others must not.
-TEST(Parallelism, DecidesOnTheSmoother)
-{
-  const auto smoother = [](Parallelism kernels) {
-    return detail::MultigridHierarchy::defaults(3, kernels)
-      .sublist("smoother: params")
-      .get<std::string>("relaxation: type", "none");
-  };
-  EXPECT_EQ(smoother(Parallelism::serial), "Symmetric Gauss-Seidel");
-  EXPECT_EQ(smoother(Parallelism::threads), "MT Symmetric Gauss-Seidel");
-  EXPECT_EQ(smoother(Parallelism::device), "none");
-  for (auto kernels : {Parallelism::serial, Parallelism::threads, Parallelism::device}) {
-    EXPECT_FALSE(
-      detail::MultigridHierarchy::defaults(3, kernels).isParameter("aggregation: drop tol"));
-  }
-}
+INSTANTIATE_TEST_SUITE_P(Steps, OtherBackends, ::testing::Values(1e-6, 1e-3, 1.)); // s
 } // namespace
 } // namespace asperity::tnnmg

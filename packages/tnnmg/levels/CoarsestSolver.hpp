@@ -1,0 +1,28 @@
+#pragma once
+
+#include "tnnmg/levels/NodeMatrix.hpp"
+
+#include <Eigen/Cholesky>
+
+namespace asperity::tnnmg::detail
+{
+// A direct solve with the few hundred rows of the coarsest level: every rank has the whole dense
+// matrix and its Cholesky factor. Amesos2's KLU2, MueLu's default, gives wrong answers on two and
+// more ranks.
+class CoarsestSolver
+{
+public:
+  // Throws SolveError on every rank if A is not positive definite. Components that are not free
+  // (free is (owned dofs), 1 or 0) are left out. Rounding of A to single precision is allowed for
+  // by a millionth on the diagonal. Collective.
+  CoarsestSolver(NodeGraph const& graph, NodeBlocks const& A, std::vector<char> const& free);
+
+  // x = A^-1 b for the owned dofs. Collective.
+  void solve(NodeVector const& b, NodeVector& x) const;
+
+private:
+  RCP<const Map> map_;
+  std::vector<char> free_;
+  Eigen::LLT<Eigen::MatrixXd> factor_;
+};
+} // namespace asperity::tnnmg::detail

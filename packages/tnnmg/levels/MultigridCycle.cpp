@@ -1,0 +1,298 @@
+#include "tnnmg/levels/MultigridCycle.hpp"
+#include "portability/Renamed.hpp"
+
+#include "tnnmg/levels/CoarseFault.hpp"
+#include "tnnmg/levels/NodeKernels.hpp"
+
+#include <Tpetra_CrsMatrix.hpp>
+#include <Tpetra_Import.hpp>
+#include <Tpetra_Map.hpp>
+#include <Tpetra_MultiVector.hpp>
+
+#include <algorithm>
+#include <utility>
+
+namespace asperity::tnnmg::detail
+{
+namespace
+{
+template <class Work>
+void withSize(int size, Work const& work)
+{
+  withBlockSizes(size, size, [&](auto rows, auto) { work(rows); });
+}
+
+std::size_t numColumns(NodeGraph const& graph)
+{
+  return graph.ghosts.is_null() ? static_cast<std::size_t>(graph.num_owned) * graph.column_size
+                                : numLocalElements(*graph.ghosts->getTargetMap());
+}
+} // namespace
+
+MultigridCycle::Level::Level(MultigridLevel const& shared)
+    : A(static_cast<std::size_t>(shared.graph.numCouplings()) * shared.graph.blockSize())
+    , inverse(static_cast<std::size_t>(shared.graph.num_rows) * shared.graph.blockSize())
+    , b(static_cast<std::size_t>(shared.graph.num_rows) * shared.graph.row_size)
+    , x(numColumns(shared.graph))
+    , residual(b.size())
+    , ghosts(shared.graph)
+{
+  if (!shared.P.empty() || shared.prolongation.row_size > 0) {
+    coarse.resize(numColumns(shared.prolongation));
+    coarse_ghosts.emplace(shared.prolongation);
+  }
+}
+
+MultigridCycle::MultigridCycle(std::shared_ptr<const MultigridFamily> family,
+                               std::vector<double> weights, CrsMatrix const& Z,
+                               std::shared_ptr<const MultigridNodes> nodes)
+    : family_(std::move(family))
+    , weights_(std::move(weights))
+    , nodes_(std::move(nodes))
+    , fault_(Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace(), nodes_->view.dofs))
+    , held_(numLocalRows(Z), 0)
+{
+  const auto held = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace(), nodes_->held_rows);
+  for (int k = 0; k < held.extent_int(0); ++k) {
+    held_[held(k)] = 1;
+  }
+  for (auto const& shared : family_->levels()) {
+    levels_.emplace_back(shared);
+  }
+  levels_[0].A = blocksOf(family_->levels()[0].graph, Z);
+  for (int row = 0; row < family_->levels()[0].graph.num_rows; ++row) {
+    invertFine(row, nullptr, nullptr);
+  }
+  for (std::size_t l = 1; l < levels_.size(); ++l) {
+    for (int row = 0; row < family_->levels()[l].graph.num_rows; ++row) {
+      sumTerms(l, row);
+      invert(l, row);
+    }
+  }
+}
+
+// A row of the level's matrix, without Hessians.
+void MultigridCycle::sumTerms(std::size_t l, int row)
+{
+  auto const& shared = family_->levels()[l];
+  const auto size = static_cast<std::size_t>(shared.graph.blockSize());
+  for (auto i = shared.graph.first[row] * size; i < shared.graph.first[row + 1] * size; ++i) {
+    double sum = 0;
+    for (std::size_t k = 0; k < weights_.size(); ++k) {
+      sum += weights_[k] * shared.terms[k][i];
+    }
+    levels_[l].A[i] = static_cast<float>(sum);
+  }
+}
+
+void MultigridCycle::invert(std::size_t l, int row)
+{
+  auto const& shared = family_->levels()[l];
+  auto& level = levels_[l];
+  withSize(shared.graph.row_size, [&](auto rows) {
+    constexpr int N = decltype(rows)::value;
+    double block[N][N] = {};
+    if (shared.after[row] > shared.before[row]) {
+      std::copy_n(&level.A[static_cast<std::size_t>(shared.before[row]) * N * N], N * N,
+                  &block[0][0]);
+    }
+    detail::invertFree(
+      block, [](int) { return true; }, &level.inverse[static_cast<std::size_t>(row) * N * N]);
+  });
+}
+
+// hessian(N, N) is added to the block of Z; both may be null.
+void MultigridCycle::invertFine(int row, double const* hessian, bool const* removed)
+{
+  auto const& shared = family_->levels()[0];
+  auto& level = levels_[0];
+  withSize(shared.graph.row_size, [&](auto rows) {
+    constexpr int N = decltype(rows)::value;
+    double block[N][N];
+    std::copy_n(&level.A[static_cast<std::size_t>(shared.before[row]) * N * N], N * N,
+                &block[0][0]);
+    for (int i = 0; hessian != nullptr && i < N * N; ++i) {
+      block[i / N][i % N] += hessian[i];
+    }
+    const auto free = [&](int c) {
+      return !held_[row * N + c] && (removed == nullptr || !removed[c]);
+    };
+    detail::invertFree(block, free, &level.inverse[static_cast<std::size_t>(row) * N * N]);
+  });
+}
+
+void MultigridCycle::setup()
+{
+  const auto H = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace(), nodes_->hessian);
+  const auto flags = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace(), nodes_->removed);
+  auto const& shared = family_->levels()[0];
+  const int size = shared.graph.row_size;
+  NodeBlocks with_hessians;
+  if (isCoarsest(0)) {
+    with_hessians = levels_[0].A;
+  }
+  for (int node = 0; node < fault_.extent_int(0); ++node) {
+    const int row = fault_(node, 0) / size;
+    double hessian[9] = {};
+    bool removed[3] = {};
+    for (int s = 0; s < fault_.extent_int(1); ++s) {
+      const int component = fault_(node, s) % size;
+      removed[component] = flags(node) != 0;
+      for (int t = 0; t < fault_.extent_int(1); ++t) {
+        hessian[component * size + fault_(node, t) % size] = H(node, s, t);
+      }
+    }
+    invertFine(row, hessian, removed);
+    for (int i = 0; isCoarsest(0) && i < size * size; ++i) {
+      with_hessians[static_cast<std::size_t>(shared.before[row]) * size * size + i] +=
+        static_cast<float>(hessian[i]);
+    }
+  }
+  if (isCoarsest(0)) {
+    factorise(with_hessians);
+  } else if (!coarsest_) {
+    factorise(levels_.back().A);
+  }
+}
+
+// A: the matrix of the coarsest level.
+void MultigridCycle::factorise(NodeBlocks const& A)
+{
+  auto const& graph = family_->levels().back().graph;
+  std::vector<char> free;
+  for (int i = 0; i < graph.num_rows * graph.row_size; ++i) {
+    const std::size_t row = i / graph.row_size, c = i % graph.row_size;
+    free.push_back(levels_.back().inverse[(row * graph.row_size + c) * graph.row_size + c] != 0);
+  }
+  coarsest_ = std::make_unique<CoarsestSolver>(graph, A, free);
+}
+
+void MultigridCycle::setCoarseHessians(std::vector<double> const& hessian)
+{
+  for (std::size_t l = 1; l < levels_.size(); ++l) {
+    auto const& fault = family_->levels()[l].fault;
+    for (int row : fault.rows) {
+      sumTerms(l, row);
+    }
+    if (!hessian.empty() || !fault.nodes.is_null()) {
+      addHessians(fault, hessian, levels_[l].A);
+    }
+    for (int row : fault.rows) {
+      invert(l, row);
+    }
+  }
+  coarsest_.reset();
+}
+
+// x from zero, and the residual that it leaves.
+template <int N>
+void MultigridCycle::smoothForward(std::size_t l) const
+{
+  auto const& shared = family_->levels()[l];
+  auto const& level = levels_[l];
+  auto const& columns = shared.graph.columns;
+  std::fill(level.x.begin(), level.x.end(), 0.);
+  for (int row = 0; row < shared.graph.num_rows; ++row) {
+    double sum[N];
+    std::copy_n(&level.b[row * N], N, sum);
+    for (int k = shared.graph.first[row]; k < shared.before[row]; ++k) {
+      addProduct<N, N>(-1, &level.A[static_cast<std::size_t>(k) * N * N], &level.x[columns[k] * N],
+                       sum);
+    }
+    addProduct<N, N>(1, &level.inverse[static_cast<std::size_t>(row) * N * N], sum,
+                     &level.x[row * N]);
+  }
+  level.ghosts.share(level.x);
+  std::fill(level.residual.begin(), level.residual.end(), 0.);
+  for (int row = 0; row < shared.graph.num_rows; ++row) {
+    for (int k = shared.after[row]; k < shared.graph.first[row + 1]; ++k) {
+      addProduct<N, N>(-1, &level.A[static_cast<std::size_t>(k) * N * N], &level.x[columns[k] * N],
+                       &level.residual[row * N]);
+    }
+  }
+}
+
+template <int N>
+void MultigridCycle::smoothBackward(std::size_t l) const
+{
+  auto const& shared = family_->levels()[l];
+  auto const& level = levels_[l];
+  auto const& columns = shared.graph.columns;
+  level.ghosts.share(level.x);
+  for (int row = shared.graph.num_rows - 1; row >= 0; --row) {
+    double sum[N];
+    std::copy_n(&level.b[row * N], N, sum);
+    const auto subtract = [&](int begin, int end) {
+      for (int k = begin; k < end; ++k) {
+        addProduct<N, N>(-1, &level.A[static_cast<std::size_t>(k) * N * N],
+                         &level.x[columns[k] * N], sum);
+      }
+    };
+    subtract(shared.graph.first[row], shared.before[row]);
+    subtract(shared.after[row], shared.graph.first[row + 1]);
+    std::fill_n(&level.x[row * N], N, 0.);
+    addProduct<N, N>(1, &level.inverse[static_cast<std::size_t>(row) * N * N], sum,
+                     &level.x[row * N]);
+  }
+}
+
+// Sets the components that are not free to zero.
+template <int N>
+void MultigridCycle::clearHeld(NodeVector& x, Level const& level) const
+{
+  for (std::size_t row = 0; row * N * N < level.inverse.size(); ++row) {
+    for (int c = 0; c < N; ++c) {
+      if (level.inverse[row * N * N + c * N + c] == 0) {
+        x[row * N + c] = 0;
+      }
+    }
+  }
+}
+
+void MultigridCycle::cycle(std::size_t l) const
+{
+  auto const& shared = family_->levels()[l];
+  auto const& level = levels_[l];
+  if (isCoarsest(l)) {
+    coarsest_->solve(level.b, level.x);
+    return;
+  }
+  withSize(shared.graph.row_size, [&](auto rows) {
+    constexpr int N = decltype(rows)::value;
+    smoothForward<N>(l);
+    clearHeld<N>(level.residual, level);
+    multiplyTransposed(shared.prolongation, shared.P, level.residual, level.coarse);
+    level.coarse_ghosts->gather(level.coarse);
+    auto const& next = levels_[l + 1];
+    std::copy_n(level.coarse.begin(), next.b.size(), next.b.begin());
+    cycle(l + 1);
+    std::copy_n(next.x.begin(), next.b.size(), level.coarse.begin());
+    level.coarse_ghosts->share(level.coarse);
+    multiplyAdd(shared.prolongation, shared.P, level.coarse, level.x);
+    clearHeld<N>(level.x, level);
+    smoothBackward<N>(l);
+  });
+}
+
+void MultigridCycle::apply(MultiVector const& r, MultiVector& z) const
+{
+  auto const& fine = levels_.front();
+  {
+    auto const values = r.getLocalViewHost(Tpetra::Access::ReadOnly);
+    std::copy_n(values.data(), fine.b.size(), fine.b.begin());
+  }
+  cycle(0);
+  auto const values = z.getLocalViewHost(Tpetra::Access::OverwriteAll);
+  std::copy_n(fine.x.begin(), fine.b.size(), values.data());
+}
+
+std::size_t MultigridCycle::bytes() const
+{
+  std::size_t sum = 0;
+  for (auto const& level : levels_) {
+    sum += 4 * (level.A.size() + level.inverse.size()) +
+           8 * (level.b.size() + level.x.size() + level.residual.size() + level.coarse.size());
+  }
+  return sum;
+}
+} // namespace asperity::tnnmg::detail

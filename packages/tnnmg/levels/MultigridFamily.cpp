@@ -1,0 +1,117 @@
+#include "tnnmg/levels/MultigridFamily.hpp"
+
+#include "base/Errors.hpp"
+#include "base/parallel/Reductions.hpp"
+#include "tnnmg/levels/CoarseFault.hpp"
+#include "tnnmg/levels/MultigridProlongators.hpp"
+
+#include <TpetraExt_MatrixMatrix.hpp>
+#include <Tpetra_CrsMatrix.hpp>
+#include <Tpetra_Map.hpp>
+#include <Tpetra_MultiVector.hpp>
+
+namespace asperity::tnnmg::detail
+{
+namespace
+{
+RCP<const CrsMatrix> multiply(CrsMatrix const& A, CrsMatrix const& B, Map const& rows)
+{
+  const auto result = rcp(new CrsMatrix(Teuchos::rcpFromRef(rows), 0));
+  Tpetra::MatrixMatrix::Multiply(A, false, B, false, *result);
+  return result;
+}
+
+// P^T A P
+RCP<const CrsMatrix> project(CrsMatrix const& A, CrsMatrix const& P)
+{
+  const auto AP = multiply(A, P, *A.getRowMap());
+  const auto result = rcp(new CrsMatrix(P.getDomainMap(), 0));
+  Tpetra::MatrixMatrix::Multiply(P, true, *AP, false, *result);
+  return result;
+}
+
+void findDiagonals(MultigridLevel& level)
+{
+  auto const& graph = level.graph;
+  for (int row = 0; row < graph.num_rows; ++row) {
+    int k = graph.first[row];
+    while (k < graph.first[row + 1] && graph.columns[k] < row) {
+      ++k;
+    }
+    level.before.push_back(k);
+    level.after.push_back(k + (k < graph.first[row + 1] && graph.columns[k] == row ? 1 : 0));
+  }
+}
+
+std::size_t bytesOf(NodeGraph const& graph)
+{
+  return 4 * (graph.first.size() + graph.columns.size());
+}
+} // namespace
+
+Teuchos::ParameterList MultigridFamily::defaults(int components)
+{
+  Teuchos::ParameterList list("MueLu");
+  list.set("verbosity", "none");
+  list.set("number of equations", components);
+  list.set("multigrid algorithm", "sa");
+  list.set("coarse: max size", 200);
+  list.set("coarse: type", "none"); // the cycle has a solver and smoothers of its own
+  list.set("smoother: pre or post", "none");
+  list.set("reuse: type", "RP");             // keeps the prolongators
+  list.set("transpose: use implicit", true); // makes no restrictions
+  list.set("rap: fix zero diagonals",
+           true); // where an aggregate loses a near null vector to constraints
+  // "aggregation: drop tol" stays at zero: MueLu's factories for threads and devices refuse it
+  // where a node has several equations.
+  return list;
+}
+
+MultigridFamily::MultigridFamily(std::vector<RCP<const CrsMatrix>> const& terms, int components,
+                                 RCP<const MultiVector> const& near_null_space,
+                                 NodeDofView const& fault, Teuchos::ParameterList const& muelu)
+{
+  const auto transfers = prolongators(terms.front(), *near_null_space, muelu);
+  const int motions = static_cast<int>(near_null_space->getNumVectors());
+  const bool has_fault =
+    sumOverRanks(fault.extent_int(0), *near_null_space->getMap()->getComm()) > 0;
+  auto matrices = terms;
+  RCP<const CrsMatrix> Q;
+  for (std::size_t l = 0; l <= transfers.size(); ++l) {
+    MultigridLevel level;
+    const int size = l == 0 ? components : motions;
+    level.graph = makeNodeGraph(matrices, size, size);
+    findDiagonals(level);
+    for (std::size_t k = 0; l > 0 && k < matrices.size(); ++k) {
+      level.terms.push_back(blocksOf(level.graph, *matrices[k]));
+    }
+    if (l > 0 && has_fault) {
+      Q = l == 1 ? rowsAtNodes(*transfers[0], fault)
+                 : multiply(*Q, *transfers[l - 1], *Q->getRowMap());
+      level.fault = makeCoarseFault(Q, fault.extent_int(1), level.graph);
+    }
+    if (l < transfers.size()) {
+      level.prolongation = makeNodeGraph({transfers[l]}, size, motions);
+      level.P = blocksOf(level.prolongation, *transfers[l]);
+      for (auto& matrix : matrices) {
+        matrix = project(*matrix, *transfers[l]);
+      }
+    }
+    levels_.push_back(std::move(level));
+  }
+}
+
+std::size_t MultigridFamily::bytes() const
+{
+  std::size_t sum = 0;
+  for (auto const& level : levels_) {
+    sum += bytesOf(level.graph) + 8 * level.before.size() + 4 * level.P.size() +
+           4 * (level.fault.Q.size() + level.fault.couplings.size());
+    sum += level.P.empty() ? 0 : bytesOf(level.prolongation);
+    for (auto const& term : level.terms) {
+      sum += 4 * term.size();
+    }
+  }
+  return sum;
+}
+} // namespace asperity::tnnmg::detail

@@ -1,0 +1,195 @@
+#include "tnnmg/levels/NodeMatrix.hpp"
+#include "portability/Renamed.hpp"
+
+#include "tnnmg/levels/NodeKernels.hpp"
+
+#include <Tpetra_CrsMatrix.hpp>
+#include <Tpetra_Import.hpp>
+#include <Tpetra_Map.hpp>
+#include <Tpetra_MultiVector.hpp>
+
+#include <algorithm>
+
+namespace asperity::tnnmg::detail
+{
+namespace
+{
+// The owned and ghost nodes of the columns of matrices, as a map of single columns.
+RCP<const Map> columnMap(std::vector<RCP<const CrsMatrix>> const& matrices, Map const& domain,
+                         int size)
+{
+  std::vector<GlobalOrdinal> ghosts;
+  for (auto const& matrix : matrices) {
+    auto const& columns = *matrix->getColMap();
+    for (LocalOrdinal k = 0; k < static_cast<LocalOrdinal>(numLocalElements(columns)); ++k) {
+      const auto id = columns.getGlobalElement(k);
+      if (!domain.isNodeGlobalElement(id)) {
+        ghosts.push_back(id / size);
+      }
+    }
+  }
+  std::sort(ghosts.begin(), ghosts.end());
+  ghosts.erase(std::unique(ghosts.begin(), ghosts.end()), ghosts.end());
+  std::vector<GlobalOrdinal> ids;
+  for (LocalOrdinal k = 0; k < static_cast<LocalOrdinal>(numLocalElements(domain)); ++k) {
+    ids.push_back(domain.getGlobalElement(k));
+  }
+  for (auto ghost : ghosts) {
+    for (int c = 0; c < size; ++c) {
+      ids.push_back(ghost * size + c);
+    }
+  }
+  const auto num_global = Teuchos::OrdinalTraits<Tpetra::global_size_t>::invalid();
+  return rcp(new Map(num_global, Teuchos::arrayViewFromVector(ids), 0, domain.getComm()));
+}
+
+// The local node and component of each column of a matrix, as node * size + component.
+std::vector<int> placesOfColumns(NodeGraph const& graph, CrsMatrix const& matrix)
+{
+  auto const& from = *matrix.getColMap();
+  auto const& to = graph.ghosts.is_null() ? *graph.domain_map : *graph.ghosts->getTargetMap();
+  std::vector<int> places(numLocalElements(from));
+  for (std::size_t k = 0; k < places.size(); ++k) {
+    places[k] = to.getLocalElement(from.getGlobalElement(static_cast<LocalOrdinal>(k)));
+  }
+  return places;
+}
+} // namespace
+
+int NodeGraph::find(int row, int column) const
+{
+  auto const begin = columns.begin() + first[row], end = columns.begin() + first[row + 1];
+  auto const place = std::lower_bound(begin, end, column);
+  return place != end && *place == column ? static_cast<int>(place - columns.begin()) : -1;
+}
+
+NodeGraph makeNodeGraph(std::vector<RCP<const CrsMatrix>> const& matrices, int row_size,
+                        int column_size)
+{
+  NodeGraph graph;
+  graph.row_size = row_size;
+  graph.column_size = column_size;
+  graph.row_map = matrices.front()->getRowMap();
+  graph.domain_map = matrices.front()->getDomainMap();
+  graph.num_rows = static_cast<int>(numLocalElements(*graph.row_map)) / row_size;
+  graph.num_owned = static_cast<int>(numLocalElements(*graph.domain_map)) / column_size;
+  if (graph.row_map->getComm()->getSize() > 1) {
+    graph.ghosts =
+      rcp(new Import(graph.domain_map, columnMap(matrices, *graph.domain_map, column_size)));
+  }
+  std::vector<std::vector<int>> places;
+  for (auto const& matrix : matrices) {
+    places.push_back(placesOfColumns(graph, *matrix));
+  }
+  graph.first = {0};
+  std::vector<int> row_columns;
+  for (int row = 0; row < graph.num_rows; ++row) {
+    row_columns.clear();
+    for (std::size_t m = 0; m < matrices.size(); ++m) {
+      auto const local = matrices[m]->getLocalMatrixHost();
+      for (int r = row * row_size; r < (row + 1) * row_size; ++r) {
+        for (auto k = local.graph.row_map(r); k < local.graph.row_map(r + 1); ++k) {
+          row_columns.push_back(places[m][local.graph.entries(k)] / column_size);
+        }
+      }
+    }
+    std::sort(row_columns.begin(), row_columns.end());
+    row_columns.erase(std::unique(row_columns.begin(), row_columns.end()), row_columns.end());
+    graph.columns.insert(graph.columns.end(), row_columns.begin(), row_columns.end());
+    graph.first.push_back(static_cast<int>(graph.columns.size()));
+  }
+  graph.columns.shrink_to_fit();
+  return graph;
+}
+
+NodeBlocks blocksOf(NodeGraph const& graph, CrsMatrix const& matrix)
+{
+  auto const places = placesOfColumns(graph, matrix);
+  auto const local = matrix.getLocalMatrixHost();
+  const int rows = graph.row_size, columns = graph.column_size;
+  NodeBlocks blocks(static_cast<std::size_t>(graph.numCouplings()) * graph.blockSize(), 0.f);
+  for (int row = 0; row < graph.num_rows; ++row) {
+    for (int r = 0; r < rows; ++r) {
+      int coupling = graph.first[row];
+      auto const& map = local.graph.row_map;
+      for (auto k = map(row * rows + r); k < map(row * rows + r + 1); ++k) {
+        const int place = places[local.graph.entries(k)];
+        const int column = place / columns;
+        if (graph.columns[coupling] != column) { // mostly the entry before was beside it
+          coupling = coupling + 1 < graph.first[row + 1] && graph.columns[coupling + 1] == column
+                       ? coupling + 1
+                       : graph.find(row, column);
+        }
+        blocks[(static_cast<std::size_t>(coupling) * rows + r) * columns + place % columns] =
+          static_cast<float>(local.values(k));
+      }
+    }
+  }
+  return blocks;
+}
+
+GhostExchange::GhostExchange(NodeGraph const& graph) : import_(graph.ghosts)
+{
+  if (!import_.is_null()) {
+    owned_ = rcp(new MultiVector(import_->getSourceMap(), 1));
+    columns_ = rcp(new MultiVector(import_->getTargetMap(), 1));
+  }
+}
+
+void GhostExchange::share(NodeVector& x) const
+{
+  if (import_.is_null()) {
+    return;
+  }
+  const auto num_owned = owned_->getLocalLength();
+  std::copy_n(x.begin(), num_owned, owned_->getLocalViewHost(Tpetra::Access::OverwriteAll).data());
+  columns_->doImport(*owned_, *import_, Tpetra::INSERT);
+  auto const values = columns_->getLocalViewHost(Tpetra::Access::ReadOnly);
+  std::copy(values.data() + num_owned, values.data() + x.size(), x.begin() + num_owned);
+}
+
+void GhostExchange::gather(NodeVector& x) const
+{
+  if (import_.is_null()) {
+    return;
+  }
+  std::copy(x.begin(), x.end(), columns_->getLocalViewHost(Tpetra::Access::OverwriteAll).data());
+  owned_->putScalar(0);
+  owned_->doExport(*columns_, *import_, Tpetra::ADD);
+  auto const values = owned_->getLocalViewHost(Tpetra::Access::ReadOnly);
+  std::copy_n(values.data(), owned_->getLocalLength(), x.begin());
+}
+
+void multiplyAdd(NodeGraph const& graph, NodeBlocks const& A, NodeVector const& x, NodeVector& y)
+{
+  withBlockSizes(graph.row_size, graph.column_size, [&](auto rows, auto columns) {
+    constexpr int R = decltype(rows)::value, C = decltype(columns)::value;
+    for (int row = 0; row < graph.num_rows; ++row) {
+      for (int k = graph.first[row]; k < graph.first[row + 1]; ++k) {
+        addProduct<R, C>(1, &A[static_cast<std::size_t>(k) * R * C], &x[graph.columns[k] * C],
+                         &y[row * R]);
+      }
+    }
+  });
+}
+
+void multiplyTransposed(NodeGraph const& graph, NodeBlocks const& A, NodeVector const& x,
+                        NodeVector& y)
+{
+  std::fill(y.begin(), y.end(), 0.);
+  withBlockSizes(graph.row_size, graph.column_size, [&](auto rows, auto columns) {
+    constexpr int R = decltype(rows)::value, C = decltype(columns)::value;
+    for (int row = 0; row < graph.num_rows; ++row) {
+      for (int k = graph.first[row]; k < graph.first[row + 1]; ++k) {
+        float const* a = &A[static_cast<std::size_t>(k) * R * C];
+        double* to = &y[graph.columns[k] * C];
+        for (int r = 0; r < R; ++r) {
+          for (int c = 0; c < C; ++c) {
+            to[c] += a[r * C + c] * x[row * R + r];
+          }
+        }
+      }
+    }
+  });
+}
+} // namespace asperity::tnnmg::detail
