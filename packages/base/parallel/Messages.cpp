@@ -13,8 +13,6 @@ namespace asperity
 {
 namespace
 {
-constexpr int tag = 0x6173; // "as"
-
 MPI_Datatype typeOf(double) { return MPI_DOUBLE; }
 MPI_Datatype typeOf(GlobalOrdinal) { return MPI_LONG_LONG; }
 
@@ -75,32 +73,6 @@ MPI_Comm rawCommunicator(Communicator const& communicator)
 {
   auto const* mpi = dynamic_cast<Teuchos::MpiComm<int> const*>(&communicator);
   return mpi ? static_cast<MPI_Comm>(*mpi->getRawMpiComm()) : MPI_COMM_SELF;
-}
-
-void sendBytes(std::vector<char> const& bytes, int rank, Communicator const& communicator,
-               std::size_t piece)
-{
-  const MPI_Comm comm = rawCommunicator(communicator);
-  const std::uint64_t size = bytes.size();
-  MPI_Send(&size, 1, MPI_UINT64_T, rank, tag, comm);
-  const Pieces pieces(size, piece);
-  for (std::uint64_t i = 0; i < pieces.count(); ++i) {
-    MPI_Send(bytes.data() + pieces.first(i), pieces.size(i), MPI_CHAR, rank, tag, comm);
-  }
-}
-
-std::vector<char> receiveBytes(int rank, Communicator const& communicator, std::size_t piece)
-{
-  const MPI_Comm comm = rawCommunicator(communicator);
-  std::uint64_t size = 0;
-  MPI_Recv(&size, 1, MPI_UINT64_T, rank, tag, comm, MPI_STATUS_IGNORE);
-  std::vector<char> bytes(size);
-  const Pieces pieces(size, piece);
-  for (std::uint64_t i = 0; i < pieces.count(); ++i) {
-    MPI_Recv(bytes.data() + pieces.first(i), pieces.size(i), MPI_CHAR, rank, tag, comm,
-             MPI_STATUS_IGNORE);
-  }
-  return bytes;
 }
 
 template <class T>

@@ -14,10 +14,10 @@ namespace asperity
 // MPI_COMM_SELF of a communicator without MPI.
 MPI_Comm rawCommunicator(Communicator const& communicator);
 
-// MPI counts with int: what is larger than this, in bytes, is sent in pieces.
+// MPI counts with int: what is larger than this, in bytes, goes in pieces.
 constexpr std::size_t largest_piece = std::size_t(1) << 30;
 
-// Something of `total` bytes in pieces of `piece` bytes, of which the last may be smaller.
+// `total` bytes or numbers in pieces of `piece` of them, of which the last may be smaller.
 class Pieces
 {
 public:
@@ -31,13 +31,6 @@ private:
   std::uint64_t total_;
   std::uint64_t piece_;
 };
-
-// Any number of bytes from one rank to another, which calls the other function with the same size
-// of pieces.
-void sendBytes(std::vector<char> const& bytes, int rank, Communicator const& communicator,
-               std::size_t piece = largest_piece);
-std::vector<char> receiveBytes(int rank, Communicator const& communicator,
-                               std::size_t piece = largest_piece);
 
 // Sends every item to a rank: items (num_items, item_size), destinations (num_items). Returns the
 // items sent to this rank, (any number, item_size): those of rank 0 first, and those of each rank

@@ -1,14 +1,17 @@
 #include "io/checkpoint/Checkpoint.hpp"
 
 #include "base/Errors.hpp"
-#include "base/Hashes.hpp"
 #include "base/hdf5/File.hpp"
 #include "base/parallel/Agreement.hpp"
 #include "base/parallel/Messages.hpp"
-#include "io/checkpoint/ArchiveBytes.hpp"
+#include "io/checkpoint/SharedArchive.hpp"
 #include "io/files/DurableFile.hpp"
 
+#include "io/parallel/Gather.hpp"
+
+#include <functional>
 #include <optional>
+#include <sstream>
 #include <vector>
 
 namespace asperity::io
@@ -16,82 +19,7 @@ namespace asperity::io
 namespace
 {
 constexpr char const* format_name = "asperity checkpoint";
-constexpr std::int64_t format_version = 2;
-
-std::int64_t checksumOf(std::vector<char> const& bytes)
-{
-  return static_cast<std::int64_t>(Checksum().add(bytes).value());
-}
-
-std::string groupOfRank(int rank) { return "rank_" + std::to_string(rank); }
-
-struct ValueWriter
-{
-  h5::Group& group;
-  std::string const& path;
-
-  void operator()(std::int64_t value) const { group.store(path, &value, {}); }
-  void operator()(double value) const { group.store(path, &value, {}); }
-  void operator()(std::string const& text) const
-  {
-    group.store(path, reinterpret_cast<std::int8_t const*>(text.data()), {text.size()});
-  }
-  void operator()(std::vector<double> const& values) const
-  {
-    group.store(path, values.data(), {values.size()});
-  }
-  void operator()(std::vector<std::int64_t> const& values) const
-  {
-    group.store(path, values.data(), {values.size()});
-  }
-};
-
-void writeRank(h5::File& file, int rank, std::vector<char> const& bytes)
-{
-  h5::Group group = file.createGroup(groupOfRank(rank));
-  group.setAttribute("checksum", checksumOf(bytes));
-  const Archive archive = detail::fromBytes(bytes);
-  for (auto const& entry : archive.values()) {
-    std::visit(ValueWriter{group, entry.first}, entry.second);
-  }
-}
-
-void readValue(h5::Dataset const& dataset, std::string const& path, Archive& archive)
-{
-  const bool is_single = dataset.shape().empty();
-  if (dataset.type() == h5::Type::int8) {
-    archive.set(path, dataset.readBytes());
-  } else if (dataset.type() == h5::Type::float64) {
-    const auto values = dataset.read<double>();
-    is_single ? archive.set(path, values[0]) : archive.set(path, values);
-  } else {
-    const auto values = dataset.read<std::int64_t>();
-    is_single ? archive.set(path, values[0]) : archive.set(path, values);
-  }
-}
-
-void readGroup(h5::Group const& group, std::string const& prefix, Archive& archive)
-{
-  for (auto const& name : group.names()) {
-    if (group.isGroup(name)) {
-      readGroup(group.openGroup(name), prefix + name + "/", archive);
-    } else {
-      readValue(group.openDataset(name), prefix + name, archive);
-    }
-  }
-}
-
-std::vector<char> readRank(h5::File const& file, int rank, std::string const& name)
-{
-  const h5::Group group = file.openGroup(groupOfRank(rank));
-  Archive archive;
-  readGroup(group, "", archive);
-  const auto bytes = detail::toBytes(archive);
-  ASPERITY_REQUIRE(group.integerAttribute("checksum") == checksumOf(bytes),
-                   name << " is damaged: the values of rank " << rank
-                        << " differ from what was written. Use an earlier checkpoint.");
-  return bytes;
-}
+constexpr std::int64_t format_version = 3;
 
 void writeHeader(h5::File& file, Fingerprint const& fingerprint, int num_ranks)
 {
@@ -168,57 +96,85 @@ h5::File openCheckpoint(std::filesystem::path const& path, Fingerprint const& fi
   });
 }
 
-// The bytes of the rank `from` on the rank `to`; nothing elsewhere.
-std::vector<char> moveBytes(std::vector<char> const& bytes, int from, int to,
-                            Communicator const& comm)
+// What the first rank reads of the file before the others, the same for all of them.
+std::vector<detail::ArchiveEntry> entriesOf(std::filesystem::path const& path,
+                                            Fingerprint const& fingerprint,
+                                            Communicator const& comm)
 {
-  const int rank = comm.getRank();
-  if (rank == from && from != to) {
-    sendBytes(bytes, to, comm);
+  std::vector<detail::ArchiveEntry> entries;
+  std::ostringstream lines;
+  onRoot(comm, [&] {
+    const h5::File file = openCheckpoint(path, fingerprint, comm.getSize());
+    entries = orRefuse(path.string(), [&] { return detail::readEntries(file); });
+    for (auto const& entry : entries) {
+      lines << entry.kind << ' ' << entry.path << '\n';
+    }
+  });
+  const std::string text = lines.str();
+  const auto all = gatherToAll(std::vector<char>(text.begin(), text.end()), comm);
+  std::istringstream received(std::string(all.begin(), all.end()));
+  entries.clear();
+  detail::ArchiveEntry entry;
+  while (received >> entry.kind && received.get() && std::getline(received, entry.path)) {
+    entries.push_back(entry);
   }
-  if (rank == to) {
-    return from == to ? bytes : receiveBytes(from, comm);
-  }
-  return {};
+  return entries;
 }
 } // namespace
 
-// The first rank has the bytes of one rank at a time.
 void writeCheckpoint(std::filesystem::path const& path, Archive const& archive,
                      Fingerprint const& fingerprint, Communicator const& comm)
 {
-  const auto mine = detail::toBytes(archive);
+  const detail::ArchiveLayout layout(archive, comm);
+  const auto temporary = detail::temporaryName(path);
+  onRoot(comm, [&] {
+    h5::File file = h5::File::create(temporary);
+    writeHeader(file, fingerprint, comm.getSize());
+    layout.create(file, comm.getSize());
+    file.close();
+  });
   std::optional<h5::File> file;
-  onRoot(comm, [&] {
-    file = h5::File::create(detail::temporaryName(path));
-    writeHeader(*file, fingerprint, comm.getSize());
-  });
-  for (int rank = 0; rank < comm.getSize(); ++rank) {
-    const auto bytes = moveBytes(mine, rank, 0, comm);
-    onRoot(comm, [&] { writeRank(*file, rank, bytes); });
-  }
-  onRoot(comm, [&] {
-    file->close();
-    detail::replaceDurably(path);
-  });
+  onEveryRank(comm, [&] { file = h5::File::openShared(temporary, rawCommunicator(comm)); });
+  layout.write(*file, archive, comm);
+  onEveryRank(comm, [&] { file->close(); });
+  onEveryRank(comm, [&] { detail::synchronise(temporary); });
+  onRoot(comm, [&] { detail::replaceDurably(path); });
 }
 
 Archive readCheckpoint(std::filesystem::path const& path, Fingerprint const& fingerprint,
                        Communicator const& comm)
 {
-  std::optional<h5::File> file;
-  onRoot(comm, [&] { file = openCheckpoint(path, fingerprint, comm.getSize()); });
-  std::vector<char> mine;
-  for (int rank = 0; rank < comm.getSize(); ++rank) {
-    std::vector<char> bytes;
-    onRoot(comm, [&] {
-      bytes = orRefuse(path.string(), [&] { return readRank(*file, rank, path.string()); });
+  const std::string name = path.string();
+  auto entries = entriesOf(path, fingerprint, comm);
+  const auto together = [&](std::function<void()> const& work) {
+    onEveryRank(comm, [&] {
+      orRefuse(name, [&] {
+        work();
+        return 0;
+      });
     });
-    bytes = moveBytes(bytes, 0, rank, comm);
-    if (comm.getRank() == rank) {
-      mine = std::move(bytes);
+  };
+  std::optional<h5::File> file;
+  together([&] { file = h5::File::openSharedForReading(path, rawCommunicator(comm)); });
+  const h5::Part mine{hsize_t(comm.getRank()), 1};
+  std::vector<std::int64_t> sizes(entries.size(), 0);
+  std::int64_t checksum = 0;
+  together([&] {
+    const auto all_sizes = file->openDataset("sizes");
+    if (all_sizes.shape() != h5::Shape{hsize_t(comm.getSize()), entries.size()} ||
+        file->openDataset("checksums").shape() != h5::Shape{hsize_t(comm.getSize())}) {
+      throw h5::Error("Sizes or checksums in " + file->what() + " are incomplete.");
     }
-  }
-  return detail::fromBytes(mine);
+  });
+  together([&] { file->openDataset("sizes").readPart(sizes.data(), mine); });
+  together([&] { file->openDataset("checksums").readPart(&checksum, mine); });
+  const detail::ArchiveLayout layout(std::move(entries), std::move(sizes), comm);
+  Archive archive = layout.read(*file, together);
+  together([&] {
+    ASPERITY_REQUIRE(checksum == detail::checksumOf(archive),
+                     name << " is damaged: the values of rank " << comm.getRank()
+                          << " differ from what was written. Use an earlier checkpoint.");
+  });
+  return archive;
 }
 } // namespace asperity::io

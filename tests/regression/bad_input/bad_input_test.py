@@ -200,7 +200,7 @@ class CommandLine(Case):
         """The bytes of a checkpoint of which one velocity is another one."""
         pathlib.Path("damaged.h5").write_bytes(content)
         with h5py.File("damaged.h5", "r+") as file:
-            velocity = file["rank_0/state/v"]
+            velocity = file["values/state/v"]
             velocity[3] = velocity[3] + 1e-9
         return pathlib.Path("damaged.h5").read_bytes()
 

@@ -1,26 +1,48 @@
 #include "base/parallel/Messages.hpp"
 
+#include "base/Errors.hpp"
+
 #include <Teuchos_DefaultComm.hpp>
 #include <gtest/gtest.h>
 
+#include <limits>
+
 using namespace asperity;
 
-// More bytes than one message may have go in pieces, whatever the size of the last.
-TEST(Messages, BytesArriveInPieces)
+// Every rank sends rank r so many items: r + 1.
+TEST(Messages, ItemsArriveInTheOrderOfTheRanks)
 {
   const auto world = Teuchos::DefaultComm<int>::getComm();
-  const int last = world->getSize() - 1;
-  for (const std::size_t size : {0, 1, 6, 7, 8, 21, 1000}) {
-    std::vector<char> bytes;
-    for (std::size_t i = 0; i < size; ++i) {
-      bytes.push_back(static_cast<char>(i % 251));
+  const int rank = world->getRank(), size = world->getSize();
+  std::vector<GlobalOrdinal> items;
+  std::vector<int> destinations;
+  for (int to = 0; to < size; ++to) {
+    for (int i = 0; i <= to; ++i) {
+      items.insert(items.end(), {rank, i});
+      destinations.push_back(to);
     }
-    if (last > 0 && world->getRank() == last) {
-      sendBytes(bytes, 0, *world, 7);
+  }
+  std::vector<GlobalOrdinal> expected;
+  for (int from = 0; from < size; ++from) {
+    for (int i = 0; i <= rank; ++i) {
+      expected.insert(expected.end(), {from, i});
     }
-    if (last > 0 && world->getRank() == 0) {
-      EXPECT_EQ(receiveBytes(last, *world, 7), bytes);
-    }
+  }
+  EXPECT_EQ(sendItems(items, 2, destinations, *world), expected);
+}
+
+// What an int cannot count is refused, and not sent with a count that has overflowed.
+TEST(Messages, OffsetsStopAtWhatAnIntCounts)
+{
+  EXPECT_EQ(blockOffsets({3, 0, 4}, "A test"), (std::vector<int>{0, 3, 3, 7}));
+  const std::int64_t largest = std::numeric_limits<int>::max();
+  EXPECT_EQ(blockOffsets({largest - 1, 1}, "A test").back(), largest);
+  try {
+    blockOffsets({largest, 1}, "A test");
+    ADD_FAILURE() << "2^31 numbers were accepted";
+  } catch (InputError const& error) {
+    EXPECT_EQ(std::string(error.what()).rfind("A test would have 2147483648 numbers", 0), 0u)
+      << error.what();
   }
 }
 

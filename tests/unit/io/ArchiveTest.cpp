@@ -1,9 +1,5 @@
 #include "io/checkpoint/Archive.hpp"
-#include "io/checkpoint/ArchiveBytes.hpp"
 #include "unit/io/Support.hpp"
-
-#include <cstring>
-#include <limits>
 
 using namespace asperity;
 using io::Archive;
@@ -44,18 +40,4 @@ TEST(Archive, ChildHoldsWhatWasInserted)
   archive.insert("outputs", part);
   EXPECT_EQ(archive.child("outputs").values(), part.values());
   EXPECT_TRUE(archive.has("outputs/a/b"));
-}
-
-TEST(Archive, BytesReadBackExactly)
-{
-  const double infinity = std::numeric_limits<double>::infinity();
-  Archive archive;
-  archive.set("zero", -0.0);
-  archive.set("numbers", std::vector<double>{5e-324, -infinity, 1.0 / 3});
-  archive.set("empty", std::vector<std::int64_t>{});
-  archive.set("text", std::string("a\0b", 3));
-  const auto bytes = io::detail::toBytes(archive);
-  const Archive copy = io::detail::fromBytes(bytes);
-  EXPECT_EQ(copy.values(), archive.values());
-  EXPECT_TRUE(std::signbit(copy.getDouble("zero")));
 }

@@ -1,7 +1,9 @@
 #include "io/checkpoint/Checkpoint.hpp"
 #include "base/hdf5/File.hpp"
+#include "io/checkpoint/SharedArchive.hpp"
 #include "unit/io/Support.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <cstring>
 #include <limits>
@@ -24,6 +26,11 @@ Archive stateOfRank()
   archive.set("state/alpha", std::vector<double>{-0.0, 1e308, -1.0 / 3});
   archive.set("state/none", std::vector<double>{});
   archive.set("outputs/Event Catalogue/ruptured", std::vector<std::int64_t>{0, 1, -1});
+  if (rank == 0) {
+    archive.set("outputs/table", std::string("only here"));
+  } else {
+    archive.set("ranks/others", rank);
+  }
   return archive;
 }
 
@@ -54,6 +61,53 @@ TEST_F(Checkpoint, ReadsBackBitForBit)
   const Archive copy = io::readCheckpoint(file, deck(), *world());
   EXPECT_EQ(io::Archive(copy).values(), stateOfRank().values());
   EXPECT_TRUE(std::signbit(copy.get<std::vector<double>>("state/alpha")[0]));
+}
+
+// Every value has one dataset, whatever the number of ranks.
+TEST_F(Checkpoint, HasTheValuesOfOneRankAfterTheOther)
+{
+  const auto num_ranks = static_cast<std::size_t>(world()->getSize());
+  test::onRankZero([&] {
+    const auto h5 = h5::File::open(file);
+    EXPECT_EQ(h5.openDataset("values/state/alpha").shape(), h5::Shape{3 * num_ranks});
+    EXPECT_EQ(h5.openDataset("values/state/velocity").shape(),
+              h5::Shape{num_ranks + 10 * num_ranks * (num_ranks - 1) / 2});
+    const auto steps = h5.openDataset("values/step").read<std::int64_t>();
+    EXPECT_EQ(steps.back() - steps.front(), static_cast<std::int64_t>(num_ranks) - 1);
+  });
+}
+
+// Sizes that do not fit the datasets are refused before any rank reads, and none waits.
+TEST_F(Checkpoint, SizesThatDoNotFitAreRefused)
+{
+  test::onRankZero([&] {
+    auto h5 = h5::File::openShared(file, MPI_COMM_SELF);
+    const auto entries = h5.openDataset("entries").readTexts();
+    auto sizes = h5.openDataset("sizes").read<std::int64_t>();
+    const auto alpha = std::find(entries.begin(), entries.end(), "state/alpha") - entries.begin();
+    ASSERT_EQ(sizes.at(alpha), 3);
+    sizes[alpha] = 4;
+    h5.openDataset("sizes").writePart(sizes.data(), {0, 1});
+    h5.close();
+  });
+  const auto message = errorOfReading();
+  EXPECT_TRUE(test::contains(message, "values/state/alpha has another shape")) << message;
+}
+
+// Values of many gigabytes go in rounds; here of a few numbers, and ranks have differently many.
+TEST_F(Checkpoint, LargeValuesGoInRounds)
+{
+  const Archive archive = stateOfRank();
+  const io::detail::ArchiveLayout layout(archive, *world());
+  const auto path = directory / "rounds.h5";
+  test::onRankZero([&] {
+    auto h5 = h5::File::create(path);
+    layout.create(h5, world()->getSize());
+  });
+  auto h5 = h5::File::openShared(path, rawCommunicator(*world()));
+  layout.write(h5, archive, *world(), 2);
+  const auto together = [](std::function<void()> const& work) { work(); };
+  EXPECT_EQ(layout.read(h5, together, 7).values(), archive.values());
 }
 
 TEST_F(Checkpoint, IsReplacedAndLeavesNoTemporaryFile)
@@ -139,8 +193,8 @@ TEST_F(Checkpoint, OtherVersionAndNumberOfRanksAreRefused)
     });
   };
   writeHeader(99, world()->getSize());
-  EXPECT_TRUE(test::contains(errorOfReading(), "has format version 99, but 2 is read"));
-  writeHeader(2, 17);
+  EXPECT_TRUE(test::contains(errorOfReading(), "has format version 99, but 3 is read"));
+  writeHeader(3, 17);
   EXPECT_TRUE(test::contains(errorOfReading(), "Restart with mpirun -np 17"));
 }
 

@@ -84,6 +84,25 @@ TEST(MeshSetup, splitsAlongFaults)
   EXPECT_EQ(mesh.vertices.size(), 25 + 8);
 }
 
+TEST(MeshSetup, refinesWithBoundariesAndFaults)
+{
+  const auto refined = [](int refinements) {
+    return halfSpace([=](ParameterList& list) {
+      list.set("Refinements", refinements);
+      list.sublist("Rectangle").set("Cells X", 4).set("Cells Y", 4);
+      list.sublist("Faults").set("main", "abs(y + 2e3) < 1");
+    });
+  };
+  const auto mesh = refined(2);
+  EXPECT_EQ(mesh.cells.size(), 32 * 16);
+  EXPECT_EQ(facetsOn(mesh, "main"), 16);
+  EXPECT_EQ(facetsOn(mesh, "left"), 16);
+  EXPECT_EQ(mesh.splits.size(), 17);
+  EXPECT_EQ(mesh.vertices.size(), 17 * 17 + 17);
+  expectParts(refusal([&] { refined(-1); }), {"Asperity / Mesh / Refinements = -1"});
+  expectParts(refusal([&] { refined(25); }), {"Asperity / Mesh / Refinements = 25 makes some"});
+}
+
 TEST(MeshSetup, refusesWhatIsNoFault)
 {
   const auto with_fault = [](char const* name, char const* condition) {

@@ -1,0 +1,66 @@
+#pragma once
+
+#include "base/Types.hpp"
+#include "base/hdf5/File.hpp"
+#include "base/parallel/Messages.hpp"
+#include "io/checkpoint/Archive.hpp"
+
+#include <functional>
+
+// The archives of all ranks in one HDF5 file, which all ranks write and read together.
+//
+// /entries (num_entries) the paths of all values, /kinds (num_entries) which alternative of
+// Archive::Value each is; /values/<path> the numbers or bytes of one rank after the other; /sizes
+// (num_ranks, num_entries) how many of them each rank has, -1 where it has no such value;
+// /checksums (num_ranks). So the number of objects in the file does not grow with the ranks.
+namespace asperity::io::detail
+{
+struct ArchiveEntry
+{
+  std::string path;
+  std::int64_t kind = 0; // index in Archive::Value
+};
+
+// Of larger values a rank writes and reads so many numbers at a time: HDF5 and MPI count bytes with
+// int.
+constexpr std::size_t numbers_per_round = largest_piece / sizeof(double);
+
+// The values that the ranks have and where those of this one stand. Sizes have 64 bits.
+class ArchiveLayout
+{
+public:
+  // The entries are those of any rank, sorted by path. Collective.
+  ArchiveLayout(Archive const& archive, Communicator const& comm);
+
+  // sizes(num_entries) of this rank. Collective.
+  ArchiveLayout(std::vector<ArchiveEntry> entries, std::vector<std::int64_t> sizes,
+                Communicator const& comm);
+
+  std::vector<ArchiveEntry> const& entries() const { return entries_; }
+
+  // Rank 0 makes the datasets; then all ranks write, each what it has. `write` is collective.
+  void create(h5::File& file, int num_ranks) const;
+  void write(h5::File& file, Archive const& archive, Communicator const& comm,
+             std::size_t round = numbers_per_round) const;
+
+  // Runs a step of the work on every rank, and throws on all of them what one of them throws.
+  using Together = std::function<void(std::function<void()> const&)>;
+
+  // The archive of this rank. Steps throw h5::Error for what is damaged. Collective.
+  Archive read(h5::File const& file, Together const& together,
+               std::size_t round = numbers_per_round) const;
+
+private:
+  void place(Communicator const& comm);
+
+  std::vector<ArchiveEntry> entries_;
+  std::vector<std::int64_t> sizes_, firsts_;   // of this rank, (num_entries)
+  std::vector<std::int64_t> totals_, largest_; // over the ranks, (num_entries)
+};
+
+// What ArchiveLayout::create has made, read by one rank alone. Throws h5::Error.
+std::vector<ArchiveEntry> readEntries(h5::File const& file);
+
+// Of the paths and values, in their order.
+std::int64_t checksumOf(Archive const& archive);
+} // namespace asperity::io::detail
