@@ -15,7 +15,7 @@ namespace asperity::tnnmg::detail
 {
 namespace
 {
-using Execution = Kokkos::DefaultExecutionSpace;
+using Execution = ExecutionSpace;
 
 // A node whose Hessian exceeds Z's block by this factor is left out of the V-cycle, where the
 // Hessian would only increase rounding errors.

@@ -14,7 +14,7 @@ namespace asperity::tnnmg::detail
 namespace
 {
 using HostDofs = Kokkos::View<const LocalOrdinal**, Kokkos::LayoutRight, Kokkos::HostSpace>;
-using Execution = Kokkos::DefaultExecutionSpace;
+using Execution = ExecutionSpace;
 
 // The rows of Z at the nodes' dofs, T successive rows for each node, under their own global ids.
 RCP<const CrsMatrix> extractRows(CrsMatrix const& Z, HostDofs const& dofs)

@@ -14,7 +14,7 @@ namespace asperity::tnnmg::detail
 namespace
 {
 using FlagVector = Tpetra::Vector<int, LocalOrdinal, GlobalOrdinal>;
-using Execution = Kokkos::DefaultExecutionSpace;
+using Execution = ExecutionSpace;
 
 // 1 at the dofs of excluded nodes, on the columns of Z.
 FlagVector excludedColumns(CrsMatrix const& Z, NodeDofView const& dofs, FlagView const& excluded)
