@@ -80,7 +80,8 @@ void requireRestBesideSliding(fem::FaultSurface const& surface, Vector const& pr
   }
   auto const values = prescribed_velocity.getLocalViewHost(Tpetra::Access::ReadOnly);
   int k = 0;
-  while (!surface.held(node, k) || restsAt(surface, node, k, values)) {
+  while (k + 1 < surface.numTangents() &&
+         (!surface.held(node, k) || restsAt(surface, node, k, values))) {
     ++k;
   }
   const int dof = surface[node].dofs[k];

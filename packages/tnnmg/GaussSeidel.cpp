@@ -11,7 +11,7 @@ namespace asperity::tnnmg
 {
 namespace
 {
-using Policy = Kokkos::RangePolicy<Kokkos::DefaultExecutionSpace>;
+using Policy = Kokkos::RangePolicy<ExecutionSpace>;
 
 // Labels are made once: a sweep launches hundreds of kernels.
 const std::string label_residual = "asperity::tnnmg::modelResidual";

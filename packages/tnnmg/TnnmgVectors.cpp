@@ -11,7 +11,7 @@ namespace asperity::tnnmg::detail
 {
 namespace
 {
-using Policy = Kokkos::RangePolicy<Kokkos::DefaultExecutionSpace>;
+using Policy = Kokkos::RangePolicy<ExecutionSpace>;
 
 // This rank's part of the sum of (|b_i| + |b_i - r_i|) |d_i|, the magnitudes of the terms of <Z v -
 // b, d>, which nearly cancel.
@@ -174,10 +174,9 @@ void TnnmgVectors::move(double step)
 
 double TnnmgVectors::energyOfChange() const
 {
-  // Z (v - v_before) = r_before - r
-  Vector change(*v, Teuchos::Copy);
-  change.update(-1, *v_before, 1);
-  const double square = r_before->dot(change) - r->dot(change);
+  // Z (v - v_before) = r_before - r. The correction has been added to v; its place is free.
+  c->update(1, *v, -1, *v_before, 0);
+  const double square = r_before->dot(*c) - r->dot(*c);
   return std::isfinite(square) ? std::sqrt(std::max(square, 0.)) : square;
 }
 

@@ -81,7 +81,7 @@ EnergyChange TnnmgVectors::changeAlong(CrsMatrix const& Z, NodalProblem const& p
   auto const d = blocks.d;
   const int size = static_cast<int>(d.extent(1));
   Kokkos::parallel_for(
-    "asperity::tnnmg::scale", Kokkos::RangePolicy<Kokkos::DefaultExecutionSpace>(0, d.extent(0)),
+    "asperity::tnnmg::scale", Kokkos::RangePolicy<ExecutionSpace>(0, d.extent(0)),
     KOKKOS_LAMBDA(int node) {
       for (int k = 0; k < size; ++k) {
         scaled(node, k) = step * d(node, k);

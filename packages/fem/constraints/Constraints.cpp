@@ -41,6 +41,18 @@ NodalFrames::Matrix frameFrom(Vectors basis, int components)
   }
   return frame;
 }
+
+// x(dofs) := values. What is evaluated on the host goes to the device, and not the vector to the
+// host and back.
+void set(Vector& x, std::vector<int> const& dofs, std::vector<double> const& values)
+{
+  auto const target = x.getLocalViewDevice(Tpetra::Access::ReadWrite);
+  auto const rows = toDevice(dofs, "asperity::fem::prescribedRows");
+  auto const given = toDevice(values, "asperity::fem::prescribedValues");
+  Kokkos::parallel_for(
+    "asperity::fem::prescribe", Kokkos::RangePolicy<ExecutionSpace>(0, rows.extent_int(0)),
+    KOKKOS_LAMBDA(int k) { target(rows(k), 0) = given(k); });
+}
 } // namespace
 
 template <int Dim>
@@ -228,15 +240,18 @@ void Constraints<Dim>::requireAgreement(int node, int condition, Terms const& te
 template <int Dim>
 void Constraints<Dim>::prescribedVelocity(double t, Vector& v) const
 {
-  v.putScalar(0);
-  auto values = v.getLocalViewHost(Tpetra::Access::ReadWrite);
+  std::vector<int> dofs;
+  std::vector<double> values;
   for (auto const& row : rows_) {
     double sum = 0;
     for (auto const& [condition, coefficient] : row.terms) {
       sum += coefficient * conditions_[condition].velocity(owned_vertices_[row.node], t);
     }
-    values(row.dof, 0) = sum;
+    dofs.push_back(row.dof);
+    values.push_back(sum);
   }
+  v.putScalar(0);
+  set(v, dofs, values);
 }
 
 template <int Dim>

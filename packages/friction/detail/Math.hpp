@@ -7,6 +7,8 @@
 // Functions that both friction laws use, on host and device. All quantities are dimensionless.
 namespace asperity::friction
 {
+namespace math = asperity::math; // for laws, those of plugins too
+
 namespace detail
 {
 inline constexpr double epsilon = 2.220446049250313e-16; // 2^-52

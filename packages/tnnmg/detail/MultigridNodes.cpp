@@ -9,7 +9,7 @@
 
 namespace asperity::tnnmg::detail
 {
-using Execution = Kokkos::DefaultExecutionSpace;
+using Execution = ExecutionSpace;
 
 void MultigridNodes::set(NonlinearBlocks const& blocks)
 {

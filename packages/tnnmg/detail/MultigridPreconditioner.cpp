@@ -15,7 +15,7 @@ namespace asperity::tnnmg::detail
 {
 namespace
 {
-using Execution = Kokkos::DefaultExecutionSpace;
+using Execution = ExecutionSpace;
 
 // On coarse levels a Hessian H counts as the parallel sum of itself and B = share * (block of Z),
 // (H^-1 + B^-1)^-1 = B - B (H + B)^-1 B, which is no larger than either, and a removed node as B. A

@@ -19,13 +19,17 @@ const std::string path = "Asperity / Friction";
 void addTraction(std::vector<double> const& traction, fem::FaultSurface const& surface,
                  Vector& load)
 {
-  auto const values = load.getLocalViewHost(Tpetra::Access::ReadWrite);
-  std::size_t entry = 0;
-  for (auto const& node : surface) {
-    for (int dof : node.dofs) {
-      values(dof, 0) += node.weight * traction[entry++];
-    }
-  }
+  auto const values = load.getLocalViewDevice(Tpetra::Access::ReadWrite);
+  auto const given = toDevice(traction, "asperity::scenario::traction");
+  auto const dofs = surface.dofs();
+  auto const weights = surface.weights();
+  Kokkos::parallel_for(
+    "asperity::scenario::addTraction", Kokkos::RangePolicy<ExecutionSpace>(0, surface.numNodes()),
+    KOKKOS_LAMBDA(int node) {
+      for (int k = 0; k < dofs.extent_int(1); ++k) {
+        values(dofs(node, k), 0) += weights(node) * given(node * dofs.extent_int(1) + k);
+      }
+    });
 }
 
 std::vector<double> compression(std::vector<double> values, double factor)
