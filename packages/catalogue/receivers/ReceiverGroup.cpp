@@ -17,11 +17,11 @@ namespace
 // fault or surface are rounded.
 constexpr double reach = 0.01;
 
-std::string pointText(double const* point, int dimension)
+std::string pointText(std::vector<double> const& point)
 {
   std::string text;
-  for (int d = 0; d < dimension; ++d) {
-    text += (d > 0 ? ", " : "(") + formatNumber(point[d]);
+  for (double coordinate : point) {
+    text += (text.empty() ? "(" : ", ") + formatNumber(coordinate);
   }
   return text + ")";
 }
@@ -39,8 +39,7 @@ std::string extentText(io::OutputDomain const& domain)
     least.push_back(minOverRanks(low, *domain.comm));
     largest.push_back(maxOverRanks(high, *domain.comm));
   }
-  return "from " + pointText(least.data(), domain.dimension) + " to " +
-         pointText(largest.data(), domain.dimension) + " m";
+  return "from " + pointText(least) + " to " + pointText(largest) + " m";
 }
 
 // Files are named after receivers.
@@ -59,11 +58,11 @@ void requireNear(std::string const& path, NamedPlace const& place, LocatedPoint 
   }
   const bool is_volume = domain.nodes_per_element == domain.dimension + 1;
   const std::string where = is_volume ? "mesh" : domain.name;
-  throw InputError(
-    path + " / " + place.name + " = " + pointText(place.coordinates.data(), domain.dimension) +
-    " is " + formatShort(located.distance) + " m outside of the " + where + ", which extends " +
-    extentText(domain) + "; its nearest element has " + formatShort(located.element_size) +
-    " m. A receiver may be " + formatShort(reach * located.element_size) + " m beside it.");
+  throw InputError(path + " / " + place.name + " = " + pointText(place.coordinates) + " is " +
+                   formatShort(located.distance) + " m outside of the " + where +
+                   ", which extends " + extentText(domain) + "; its nearest element has " +
+                   formatShort(located.element_size) + " m. A receiver may be " +
+                   formatShort(reach * located.element_size) + " m beside it.");
 }
 } // namespace
 
@@ -139,7 +138,8 @@ std::vector<double> ReceiverGroup::sample(io::OutputField const& field) const
 
 std::string ReceiverGroup::placeText(std::size_t receiver) const
 {
-  return pointText(&coordinates_[receiver * domain_.dimension], domain_.dimension);
+  auto const first = coordinates_.begin() + static_cast<long>(receiver * domain_.dimension);
+  return pointText({first, first + domain_.dimension});
 }
 
 void ReceiverGroup::describe(h5::File& file, std::string const& group) const
@@ -162,7 +162,7 @@ std::string ReceiverGroup::signature() const
 {
   std::string text;
   for (auto const& place : places_) {
-    text += place.name + ' ' + pointText(place.coordinates.data(), domain_.dimension) + '\n';
+    text += place.name + ' ' + pointText(place.coordinates) + '\n';
   }
   for (auto const* field : chosen_) {
     text += field->name + '\n';

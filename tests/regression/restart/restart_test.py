@@ -34,6 +34,11 @@ RUPTURE = [asperity_run.SOURCE / "xml" / "tpv101_2d.xml", *settings(
     "Mesh/Rectangle/Cell Size Factor=8", "Time Stepping/Final Time=3",
     "Output/SCEC/Date=2024/05/31", "Output/Checkpoint Every n Steps=40")]
 
+# A body in equilibrium, condensed to its fault, with a receiver at a distance along it.
+CONDENSED = [asperity_run.SOURCE / "tests" / "verification" / "back_slip" / "strip.xml", *settings(
+    "Boundary Conditions/Fault/Plate Rate=1e-4", "Time Stepping/Final Time=40",
+    "Output/Receivers/On Fault/near={0.2}", "Output/Checkpoint Every n Steps=40")]
+
 
 class Restarting(unittest.TestCase):
     """Stops runs, lets them go on and compares what they leave."""
@@ -215,6 +220,17 @@ class RestartOfARupture(Restarting):
             self.assertIn(message, result.stderr)
             for name, before in zip(("run.log", "parameters.xml"), kept):
                 self.assertEqual((folder / name).read_bytes(), before, change)
+
+
+class CondensedRestart(Restarting):
+    def test_condensed_to_the_fault(self):
+        whole = asperity_run.run_to_end("condensed", *CONDENSED)
+        self.assertIn("condensed to its fault", (whole / "run.log").read_text())
+        folder = self.fresh("condensed_stopped")
+        self.stop(self.start(folder, deck=CONDENSED), signal.SIGTERM)
+        self.finish(folder, deck=CONDENSED)
+        self.assert_same_series(whole, folder, "fault.h5", "receivers.h5")
+        self.assert_same_bytes(whole, folder, "steps.csv")
 
 
 if __name__ == "__main__":
