@@ -28,7 +28,7 @@ DefineConstant[
   fine = 36e3,          // down dip, where cells begin to grow
   locked = 40e3,        // down dip, where `fault` ends and `deep` begins
   top = (dip < 60 ? 4e3 : 1e3), // down dip, where the rows begin
-  rows = (dip < 60 ? 30 : 44),  // on either side
+  wide = (dip < 60 ? 2e3 : 4.1e3), // the rows reach so far from the fault at most
   first = 0.35,         // -
   across = 1.04,        // -
   half_width = 2400e3,  // the model reaches so far to the left and to the right of the origin
@@ -44,13 +44,21 @@ If (dip <= 0 || dip > 90)
   Error("dip = %g, which has to be above 0 and at most 90 degrees", dip);
   Abort;
 EndIf
-// The far side of the rows: so far down dip of where they begin, and so far from the fault.
-along = rows * h / 2;
-away = first * h * (across^rows - 1) / (across - 1);
-If (dip < 90 && away * c > 0.8 * (top + along) * s)
-  Error("The rows above the fault come to the surface. Give fewer rows or a larger top.");
-  Abort;
-EndIf
+// As many rows as are not wider than that, and whose far corner above the fault, `along` down dip of
+// where they begin, uses four fifths of the room below the surface at most.
+rows = 1;
+away = first * h;
+fits = 1;
+For row In {2:1000}
+  next_away = away + first * h * across^(row - 1);
+  along = row * h / 2;
+  If (fits == 1 && next_away <= wide && next_away * c <= 0.8 * (top + along) * s)
+    rows = row;
+    away = next_away;
+  Else
+    fits = 0;
+  EndIf
+EndFor
 // Where the fault leaves the model: through the bottom or, if its dip is small, through the right.
 through_bottom = depth * c < half_width * s;
 If (through_bottom)

@@ -149,7 +149,8 @@ class Faults(Geometry):
                 for name in ("surface", "left", "right", "bottom"):
                     self.assertRegex(info, rf"boundary +{name}: ")
         self.assertEqual({path.name for path in MESHES.glob("*.geo")},
-                         {"bp3.geo", "subduction_2d.geo", "splay_2d.geo", "subduction_3d.geo"})
+                         {"bp1.geo", "bp3.geo", "subduction_2d.geo", "splay_2d.geo",
+                          "subduction_3d.geo"})
 
     def test_dip_in_space(self):
         """The interface of subduction_3d.geo steepens in proportion to its depth."""
@@ -180,7 +181,38 @@ class Faults(Geometry):
         numpy.testing.assert_allclose(facets @ [numpy.sin(dip), numpy.cos(dip)], 0, atol=1e-6)
         self.assertAlmostEqual(down_dip.max(), 40e3, places=3)
         lengths = numpy.abs(down_dip[:, 1] - down_dip[:, 0])
-        numpy.testing.assert_allclose(lengths[down_dip.max(axis=1) < 20e3 + 1], 500)
+        numpy.testing.assert_allclose(lengths[down_dip.max(axis=1) < 36e3 + 1], 500)
+
+    def test_rows_beside_bp3(self):
+        """Next to the fault lie rows whose first is 0.35 h high, its vertices between those of the
+        fault, and each side mirrors the other."""
+        shutil.copy(MESHES / "bp3.geo", ".")
+        self.assert_done("convert", "bp3.geo", "rows.h5", "--set", "h=500")
+        with h5py.File("rows.h5") as file:
+            vertices = file["vertices"][:]
+        dip = numpy.radians(60)
+        along = vertices @ [numpy.cos(dip), -numpy.sin(dip)]
+        away = vertices @ [numpy.sin(dip), numpy.cos(dip)]
+        for height in (0.35 * 500, 0.35 * 500 * (1 + 1.04)):
+            above, below = (numpy.sort(along[numpy.abs(away - side * height) < 1e-6])
+                            for side in (1, -1))
+            self.assertEqual(len(above), (36e3 - 1e3) / 500 + 1)
+            numpy.testing.assert_allclose(above, below, atol=1e-6)
+            numpy.testing.assert_allclose(numpy.diff(above), 500)
+        numpy.testing.assert_allclose(above[0], 1e3 + 500)  # of the second row
+
+    def test_columns_beside_bp1(self):
+        shutil.copy(MESHES / "bp1.geo", ".")
+        self.assert_done("convert", "bp1.geo", "bp1.h5", "--set", "h=1000")
+        with h5py.File("bp1.h5") as file:
+            vertices = file["vertices"][:]
+            fault = vertices[file["boundaries/fault/facets"][:]]
+        numpy.testing.assert_allclose(fault[:, :, 0], 0, atol=1e-9)
+        numpy.testing.assert_allclose(numpy.abs(numpy.diff(fault[:, :, 1], axis=1)), 1000)
+        for column in range(3):
+            x = column * 1000 / numpy.sqrt(3)
+            y = numpy.sort(vertices[numpy.abs(vertices[:, 0] - x) < 1e-6, 1])
+            numpy.testing.assert_allclose(y[y > -40e3 - 1], numpy.arange(-40e3, 1, 1000), atol=1e-6)
 
 
 class Refusals(Geometry):
