@@ -1,4 +1,6 @@
 #include "tnnmg/levels/CoarseFault.hpp"
+
+#include "base/Errors.hpp"
 #include "portability/Renamed.hpp"
 
 #include <Tpetra_CrsMatrix.hpp>
@@ -199,10 +201,13 @@ void addAll(CoarseFault const& fault, std::vector<double> const& hessian, NodeBl
 template <int T>
 void addWithTangents(CoarseFault const& fault, std::vector<double> const& hessian, NodeBlocks& A)
 {
-  switch (fault.graph.column_size) {
+  switch (fault.graph.column_size) { // rigid body motions, as in withBlockSizes
   case 1: return addAll<T, 1>(fault, hessian, A);
+  case 2: return addAll<T, 2>(fault, hessian, A);
   case 3: return addAll<T, 3>(fault, hessian, A);
-  default: return addAll<T, 6>(fault, hessian, A);
+  case 4: return addAll<T, 4>(fault, hessian, A);
+  case 6: return addAll<T, 6>(fault, hessian, A);
+  default: ASPERITY_ASSERT(!"a number of motions that multigrid knows");
   }
 }
 } // namespace

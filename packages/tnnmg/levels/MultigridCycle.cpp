@@ -1,6 +1,6 @@
 #include "tnnmg/levels/MultigridCycle.hpp"
-#include "portability/Renamed.hpp"
 
+#include "portability/Renamed.hpp"
 #include "tnnmg/levels/CoarseFault.hpp"
 #include "tnnmg/levels/NodeKernels.hpp"
 

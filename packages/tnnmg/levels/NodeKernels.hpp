@@ -8,7 +8,8 @@
 namespace asperity::tnnmg::detail
 {
 // Calls work(rows, columns) with the sizes of a block as compile-time constants: 1 to 3 components
-// of a fine node, and the 1, 3 or 6 rigid body motions of a coarse one.
+// of a fine node, and the 1, 3 or 6 rigid body motions of a coarse one; a body that is periodic in
+// one direction has 2 of 3 in the plane and 4 of 6 in space, in two directions 3.
 template <class Work>
 void withBlockSizes(int rows, int columns, Work const& work)
 {
@@ -19,8 +20,10 @@ void withBlockSizes(int rows, int columns, Work const& work)
   ASPERITY_BLOCK_SIZE(1, 1)
   ASPERITY_BLOCK_SIZE(2, 2)
   ASPERITY_BLOCK_SIZE(3, 3)
+  ASPERITY_BLOCK_SIZE(4, 4)
   ASPERITY_BLOCK_SIZE(6, 6)
   ASPERITY_BLOCK_SIZE(2, 3)
+  ASPERITY_BLOCK_SIZE(3, 4)
   ASPERITY_BLOCK_SIZE(3, 6)
 #undef ASPERITY_BLOCK_SIZE
   ASPERITY_ASSERT(!"a size of blocks that multigrid knows");

@@ -1,6 +1,6 @@
 #include "tnnmg/levels/NodeMatrix.hpp"
-#include "portability/Renamed.hpp"
 
+#include "portability/Renamed.hpp"
 #include "tnnmg/levels/NodeKernels.hpp"
 
 #include <Tpetra_CrsMatrix.hpp>

@@ -13,7 +13,7 @@ ONSETS = (151.2, 208.9, 233.1)  # yr
 
 
 def main(mesh_tool):
-    subprocess.run([mesh_tool, "convert", GEOMETRY, "bp2.h5", "--set", "h=50"], check=True)
+    subprocess.run([mesh_tool, "convert", GEOMETRY, "bp1.h5", "--set", "h=50"], check=True)
     folder = asperity_run.run_to_end("bp2", DECK, "--set", f"Time Stepping/Final Time={END}",
                                      timeout=14000)
     found = sequence(folder)
