@@ -3,6 +3,8 @@
 #include "tnnmg/detail/MultigridOperator.hpp"
 #include "tnnmg/levels/MultigridCycle.hpp"
 
+#include <Tpetra_CrsMatrix.hpp>
+
 #include <memory>
 #include <vector>
 
