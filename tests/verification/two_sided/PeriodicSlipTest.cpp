@@ -6,6 +6,7 @@
 #include "unit/fem/Constrained.hpp"
 
 #include <Eigen/SparseCholesky>
+#include <Tpetra_CrsMatrix.hpp>
 #include <gtest/gtest.h>
 
 #include <cmath>
