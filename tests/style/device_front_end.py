@@ -93,7 +93,7 @@ def main(nvcc, commands_file, root):
         told = front_end(nvcc, options(commands[path.resolve()]), path)
         print(path.relative_to(root), "refused" if told else "good", flush=True)
         errors += [told] if told else []
-    return "\n".join(errors)
+    return "\n".join(errors) or None
 
 
 if __name__ == "__main__":
