@@ -8,7 +8,6 @@ namespace asperity::tnnmg::detail
 {
 // The first columns of a sparse Cholesky factor L, stored in supernodes: columns that follow each
 // other and have nearly the same rows are one dense block, with a list of rows for all of them.
-// Triangular solves read this in half the time that they take with single columns.
 class SupernodalFactor
 {
 public:
