@@ -29,13 +29,16 @@ done
 mkdir -p "$folder"
 folder=$(cd "$folder" && pwd)
 
+# The archive that this machine takes its packages from.
+own_mirror() { apt-get indextargets --format '$(SITE)' | sort -u | sed -n 1p; }
+
 # Lists of source packages of apt's own kind, but in FOLDER: /etc/apt stays as it is.
 fetch_source()
 {
   local apt=$folder/apt
   mkdir -p "$apt/lists/partial" "$apt/cache/archives/partial"
   echo "deb-src [signed-by=/usr/share/keyrings/debian-archive-keyring.gpg]" \
-    "${DEBIAN_MIRROR:-http://deb.debian.org/debian} bookworm main" > "$apt/sources.list"
+    "${DEBIAN_MIRROR:-$(own_mirror)} bookworm main" > "$apt/sources.list"
   local -a options=(-q -o "Dir::Etc::sourcelist=$apt/sources.list" -o Dir::Etc::sourceparts=-
     -o "Dir::State::lists=$apt/lists" -o "Dir::Cache=$apt/cache")
   apt-get "${options[@]}" update
