@@ -73,22 +73,20 @@ void NormalReaction::compression(Vector const& l, Vector const& u, Vector const&
 RCP<const CrsMatrix> NormalReaction::rows(double factor_mass, double factor_viscosity,
                                           double factor_stiffness) const
 {
-  auto const& body = body_.matrices;
-  auto const graph = body.mass->getCrsGraph();
+  auto const Z = fem::combine(body_.matrices, factor_mass, factor_viscosity, factor_stiffness);
+  auto const graph = Z->getCrsGraph();
   auto result = rcp(new CrsMatrix(map_, graph->getColMap(), maxLocalRowEntries(*graph)));
-  auto const m = body.mass->getLocalMatrixHost();
-  auto const c = body.viscosity->getLocalMatrixHost().values;
-  auto const k = body.stiffness->getLocalMatrixHost().values;
+  auto const local = Z->getLocalMatrixHost();
   std::vector<int> columns;
   std::vector<double> values;
   for (std::size_t i = 0; i < dofs_.size(); ++i) {
     columns.clear();
     values.clear();
-    for (auto entry = m.graph.row_map(dofs_[i]); entry < m.graph.row_map(dofs_[i] + 1); ++entry) {
-      if (!body_.held[m.graph.entries(entry)]) {
-        columns.push_back(m.graph.entries(entry));
-        values.push_back(factor_mass * m.values(entry) + factor_viscosity * c(entry) +
-                         factor_stiffness * k(entry));
+    for (auto entry = local.graph.row_map(dofs_[i]); entry < local.graph.row_map(dofs_[i] + 1);
+         ++entry) {
+      if (!body_.held[local.graph.entries(entry)]) {
+        columns.push_back(local.graph.entries(entry));
+        values.push_back(local.values(entry));
       }
     }
     result->insertLocalValues(static_cast<int>(i), static_cast<int>(columns.size()), values.data(),

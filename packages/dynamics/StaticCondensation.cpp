@@ -10,6 +10,7 @@
 #include <Tpetra_Vector.hpp>
 
 #include <cmath>
+#include <functional>
 #include <numeric>
 
 namespace asperity::dynamics
@@ -31,14 +32,16 @@ std::vector<int> dofsOfFault(fem::FaultSurface const& surface, fem::DofMap const
   return result;
 }
 
-RCP<const CrsGraph> fullGraph(RCP<const Map> const& map)
+// The given columns of each row and its diagonal.
+RCP<const CrsGraph> graphOf(RCP<const Map> const& map,
+                            std::function<std::vector<int>(int)> const& columnsOf)
 {
   const int size = static_cast<int>(numLocalElements(*map));
   auto const graph = rcp(new CrsGraph(map, map, size));
-  std::vector<int> columns(size);
-  std::iota(columns.begin(), columns.end(), 0);
   for (int row = 0; row < size; ++row) {
-    graph->insertLocalIndices(row, size, columns.data());
+    auto columns = columnsOf(row);
+    columns.push_back(row);
+    graph->insertLocalIndices(row, static_cast<int>(columns.size()), columns.data());
   }
   graph->fillComplete();
   return graph;
@@ -50,6 +53,14 @@ RCP<CrsMatrix> zeroMatrix(RCP<const CrsGraph> const& graph)
   matrix->setAllToScalar(0);
   return matrix;
 }
+
+// Adds to an entry, which the graph of the matrix must have unless the value is zero.
+void add(CrsMatrix& matrix, int row, int column, double value)
+{
+  if (value != 0) {
+    ASPERITY_ASSERT(matrix.sumIntoLocalValues(row, 1, &value, &column) == 1);
+  }
+}
 } // namespace
 
 StaticCondensation::~StaticCondensation() = default;
@@ -58,6 +69,7 @@ StaticCondensation::StaticCondensation(Model const& whole)
     : whole_(whole)
     , kept_(dofsOfFault(whole.fault.surface(), *whole.body.dofs))
     , place_(whole.body.numOwnedDofs(), -1)
+    , moves_(kept_.size(), true)
     , pattern_(whole.body.vector())
 {
   for (int i = 0; i < numKept(); ++i) {
@@ -118,8 +130,14 @@ bool StaticCondensation::findPattern()
   Vector forces(pattern_->getMap());
   {
     auto const values = pattern_->getLocalViewHost(Tpetra::Access::ReadWrite);
-    for (int dof : kept_) {
-      values(dof, 0) = 0;
+    for (int i = 0; i < numKept(); ++i) {
+      moves_[i] = !body.held[kept_[i]] || values(kept_[i], 0) != 0;
+      values(kept_[i], 0) = 0;
+    }
+    for (auto const& node : whole_.fault.surface()) {
+      for (int dof : node.dofs) {
+        moves_[place_[dof]] = true;
+      }
     }
   }
   is_driven_ = pattern_->normInf() > 0;
@@ -202,44 +220,62 @@ void StaticCondensation::gather(Vector const& whole, Vector& x) const
   }
 }
 
-// S at F; at s the forces on F and P'KP. The other dofs of the last vertex do nothing.
-RCP<const CrsMatrix> StaticCondensation::condensedStiffness(RCP<const CrsGraph> const& graph) const
+// S at F; at s the forces on F and P'KP. The other dofs of the last vertex do nothing. The columns
+// of dofs that never move are left out, which are half of all in plane strain.
+RCP<const CrsMatrix> StaticCondensation::condensedStiffness(RCP<const Map> const& map) const
 {
   Vector forces(pattern_->getMap());
   whole_.body.matrices.stiffness->apply(*pattern_, forces);
   const double of_pattern = pattern_->dot(forces);
   auto const at = forces.getLocalViewHost(Tpetra::Access::ReadOnly);
   auto const S = factor_->matrix()->getLocalMatrixHost();
-  auto const matrix = zeroMatrix(graph);
-  {
-    auto const to = matrix->getLocalMatrixHost();
-    const int size = to.numRows();
-    const int s = numKept();
-    for (int row = 0; row < s; ++row) {
-      for (auto k = S.graph.row_map(row); k < S.graph.row_map(row + 1); ++k) {
-        to.values(row * size + S.graph.entries(k)) = S.values(k);
-      }
-      to.values(row * size + s) = at(kept_[row], 0);
-      to.values(s * size + row) = at(kept_[row], 0);
+  const int s = numKept();
+  std::vector<int> moving;
+  for (int i = 0; i < s; ++i) {
+    if (moves_[i]) {
+      moving.push_back(i);
     }
-    to.values(s * size + s) = of_pattern;
   }
+  moving.push_back(s);
+  const std::vector<int> none;
+  auto const matrix = zeroMatrix(graphOf(map, [&](int row) { return row <= s ? moving : none; }));
+  for (int row = 0; row < s; ++row) {
+    for (auto k = S.graph.row_map(row); k < S.graph.row_map(row + 1); ++k) {
+      const int column = S.graph.entries(k);
+      if (moves_[column] || column == row) {
+        add(*matrix, row, column, S.values(k));
+      }
+    }
+    add(*matrix, row, s, at(kept_[row], 0));
+    if (moves_[row]) {
+      add(*matrix, s, row, at(kept_[row], 0));
+    }
+  }
+  add(*matrix, s, s, of_pattern);
   matrix->fillComplete();
   return matrix;
 }
 
-RCP<const CrsMatrix> StaticCondensation::condensedViscosity(RCP<const CrsGraph> const& graph) const
+RCP<const CrsMatrix> StaticCondensation::condensedViscosity(RCP<const Map> const& map) const
 {
   auto const C = whole_.body.matrices.viscosity->getLocalMatrixHost();
-  auto const matrix = zeroMatrix(graph);
-  {
-    auto const to = matrix->getLocalMatrixHost();
-    for (int row : kept_) {
-      for (auto k = C.graph.row_map(row); k < C.graph.row_map(row + 1); ++k) {
-        const int column = place_[C.graph.entries(k)];
-        if (column >= 0) {
-          to.values(place_[row] * to.numRows() + column) = C.values(k);
-        }
+  auto const coupled = graphOf(map, [&](int row) {
+    std::vector<int> columns;
+    for (auto k = row < numKept() ? C.graph.row_map(kept_[row]) : 0;
+         row < numKept() && k < C.graph.row_map(kept_[row] + 1); ++k) {
+      const int column = place_[C.graph.entries(k)];
+      if (column >= 0 && moves_[column] && C.values(k) != 0) {
+        columns.push_back(column);
+      }
+    }
+    return columns;
+  });
+  auto const matrix = zeroMatrix(coupled);
+  for (int row = 0; row < numKept(); ++row) {
+    for (auto k = C.graph.row_map(kept_[row]); k < C.graph.row_map(kept_[row] + 1); ++k) {
+      const int column = place_[C.graph.entries(k)];
+      if (column >= 0 && (moves_[column] || column == row)) {
+        add(*matrix, row, column, C.values(k));
       }
     }
   }
@@ -264,13 +300,12 @@ Body StaticCondensation::condensedBody() const
   std::iota(ids.begin(), ids.end(), 0);
   auto const dofs =
     std::make_shared<fem::DofMap>(ids, num_nodes, components, whole_.body.dofs->communicator());
-  auto const graph = fullGraph(dofs->owned());
-  auto const mass = zeroMatrix(graph);
+  auto const mass = zeroMatrix(graphOf(dofs->owned(), [](int) { return std::vector<int>(); }));
   mass->fillComplete();
   auto const work = whole_.body.vector();
   const double rate = is_driven_ ? 1 : 0;
   return {dofs,
-          {mass, condensedViscosity(graph), condensedStiffness(graph), true},
+          {mass, condensedViscosity(dofs->owned()), condensedStiffness(dofs->owned()), true},
           condensedHeld(num_nodes * components),
           Teuchos::null,
           [this, work](double t, Vector& load) {

@@ -26,9 +26,10 @@ namespace asperity::dynamics
 class StaticCondensation
 {
 public:
-  // `whole` must live on one rank, its load must act on F alone, and d must be constant in time;
-  // it must outlive the result. Null if the body has mass, viscosity off F, or a displacement at
-  // the start, or is not in equilibrium for some motion of F.
+  // `whole` must live on one rank, its load must act on F alone, and what is prescribed must be
+  // constant in time but for the tangential dofs of the fault; it must outlive the result.
+  // Null if the body has mass, viscosity off F, or a displacement at the start, or is not in
+  // equilibrium for some motion of F.
   static std::unique_ptr<StaticCondensation> make(Model const& whole);
   ~StaticCondensation();
 
@@ -47,8 +48,8 @@ private:
   bool balancesMotionOfFault() const;
   void condense();
   Body condensedBody() const;
-  RCP<const CrsMatrix> condensedStiffness(RCP<const CrsGraph> const& graph) const;
-  RCP<const CrsMatrix> condensedViscosity(RCP<const CrsGraph> const& graph) const;
+  RCP<const CrsMatrix> condensedStiffness(RCP<const Map> const& map) const;
+  RCP<const CrsMatrix> condensedViscosity(RCP<const Map> const& map) const;
   fem::HeldDofs condensedHeld(int num_dofs) const;
   std::shared_ptr<const fem::FaultSurface> condensedSurface(fem::HeldDofs const& held) const;
   State condensedState(Body const& body) const;
@@ -60,6 +61,7 @@ private:
   Model const& whole_;
   std::vector<int> kept_;                          // F, in the order of the condensed dofs
   std::vector<int> place_;                         // of a dof of the whole body in F, or -1
+  std::vector<bool> moves_;                        // whether a dof of F may have a velocity
   RCP<Vector> pattern_;                            // P
   bool is_driven_ = false;                         // whether d is not zero
   std::unique_ptr<tnnmg::SchurComplement> factor_; // of K without the rows and columns of D

@@ -129,45 +129,75 @@ RCP<Vector> assembleGravity(Mesh<Dim> const& mesh, DofMap const& dofs, NodalFram
 
 namespace
 {
-struct Factors
+// result += factor matrix, whose graph is a part of that of the result. Columns are sorted in both.
+void addEntries(CrsMatrix::local_matrix_device_type const& result, double factor,
+                CrsMatrix::local_matrix_device_type const& matrix)
 {
-  double mass, viscosity, stiffness;
-};
-
-void combineRows(CrsMatrix::local_matrix_device_type const& result, CrsMatrix const& mass,
-                 CrsMatrix const& viscosity, CrsMatrix const& stiffness, Factors const& factors,
-                 ConstFlagView const& held)
-{
-  auto const m = mass.getLocalMatrixDevice().values;
-  auto const c = viscosity.getLocalMatrixDevice().values;
-  auto const k = stiffness.getLocalMatrixDevice().values;
   Kokkos::parallel_for(
-    "asperity::fem::combine", Kokkos::RangePolicy<ExecutionSpace>(0, result.numRows()),
+    "asperity::fem::addEntries", Kokkos::RangePolicy<ExecutionSpace>(0, matrix.numRows()),
     KOKKOS_LAMBDA(int row) {
-      for (auto entry = result.graph.row_map(row); entry < result.graph.row_map(row + 1); ++entry) {
-        const int column = result.graph.entries(entry);
-        const bool kept = column == row || (!held(row) && !held(column));
-        result.values(entry) = kept ? factors.mass * m(entry) + factors.viscosity * c(entry) +
-                                        factors.stiffness * k(entry)
-                                    : 0;
-        if (column == row && held(row) && result.values(entry) == 0) {
-          result.values(entry) = 1; // the jump at a tip of a fault, of which no cell knows
+      auto to = result.graph.row_map(row);
+      for (auto from = matrix.graph.row_map(row); from < matrix.graph.row_map(row + 1); ++from) {
+        while (result.graph.entries(to) != matrix.graph.entries(from)) {
+          ++to;
+        }
+        result.values(to) += factor * matrix.values(from);
+      }
+    });
+}
+
+void leaveDiagonalOfHeld(CrsMatrix::local_matrix_device_type const& matrix,
+                         ConstFlagView const& held)
+{
+  Kokkos::parallel_for(
+    "asperity::fem::leaveDiagonalOfHeld", Kokkos::RangePolicy<ExecutionSpace>(0, matrix.numRows()),
+    KOKKOS_LAMBDA(int row) {
+      for (auto entry = matrix.graph.row_map(row); entry < matrix.graph.row_map(row + 1); ++entry) {
+        const int column = matrix.graph.entries(entry);
+        if (column != row && (held(row) || held(column))) {
+          matrix.values(entry) = 0;
+        } else if (column == row && held(row) && matrix.values(entry) == 0) {
+          matrix.values(entry) = 1; // the jump at a tip of a fault, of which no cell knows
         }
       }
     });
+}
+
+RCP<CrsMatrix> combineEntries(BodyMatrices const& body, double factor_mass, double factor_viscosity,
+                              double factor_stiffness)
+{
+  ASPERITY_ASSERT(body.mass->getColMap()->isSameAs(*body.stiffness->getColMap()) &&
+                  body.viscosity->getColMap()->isSameAs(*body.stiffness->getColMap()));
+  auto result = rcp(new CrsMatrix(body.stiffness->getCrsGraph()));
+  auto const to = result->getLocalMatrixDevice();
+  Kokkos::deep_copy(to.values, 0.);
+  addEntries(to, factor_mass, body.mass->getLocalMatrixDevice());
+  addEntries(to, factor_viscosity, body.viscosity->getLocalMatrixDevice());
+  addEntries(to, factor_stiffness, body.stiffness->getLocalMatrixDevice());
+  return result;
+}
+
+RCP<CrsMatrix> finished(RCP<CrsMatrix> const& matrix)
+{
   ExecutionSpace().fence();
+  auto const graph = matrix->getCrsGraph();
+  matrix->fillComplete(graph->getDomainMap(), graph->getRangeMap());
+  return matrix;
 }
 } // namespace
 
 RCP<CrsMatrix> combine(BodyMatrices const& body, double factor_mass, double factor_viscosity,
+                       double factor_stiffness)
+{
+  return finished(combineEntries(body, factor_mass, factor_viscosity, factor_stiffness));
+}
+
+RCP<CrsMatrix> combine(BodyMatrices const& body, double factor_mass, double factor_viscosity,
                        double factor_stiffness, HeldDofs const& held)
 {
-  auto const graph = body.mass->getCrsGraph();
-  auto result = rcp(new CrsMatrix(graph));
-  combineRows(result->getLocalMatrixDevice(), *body.mass, *body.viscosity, *body.stiffness,
-              {factor_mass, factor_viscosity, factor_stiffness}, held.flagsOnDevice());
-  result->fillComplete(graph->getDomainMap(), graph->getRangeMap());
-  return result;
+  auto const result = combineEntries(body, factor_mass, factor_viscosity, factor_stiffness);
+  leaveDiagonalOfHeld(result->getLocalMatrixDevice(), held.flagsOnDevice());
+  return finished(result);
 }
 
 template <int Dim>

@@ -12,9 +12,10 @@
 namespace asperity::fem
 {
 // Consistent mass M [kg/m^(3-Dim)], viscosity C and stiffness K of P1 elements in nodal frames,
-// without any boundary condition, on one common graph (Pipping 2014, eq. 14). Components is 1
-// (antiplane) or Dim. At a split vertex the unknowns are mean and jump (VertexTerms): with v = T x
-// the matrices are T'MT, T'CT and T'KT.
+// without any boundary condition (Pipping 2014, eq. 14). Those of a mesh share one graph; in
+// general the graph of stiffness holds those of mass and viscosity, and all three have its columns.
+// Components is 1 (antiplane) or Dim. At a split vertex the unknowns are mean and jump
+// (VertexTerms): with v = T x the matrices are T'MT, T'CT and T'KT.
 struct BodyMatrices
 {
   RCP<const CrsMatrix> mass;
@@ -47,8 +48,10 @@ RCP<Vector> assembleGravity(Mesh<Dim> const& mesh, DofMap const& dofs, NodalFram
                             std::vector<Material> const& materials,
                             std::array<double, Dim> const& acceleration);
 
-// factor_mass M + factor_viscosity C + factor_stiffness K with the rows and columns of held dofs
-// replaced by their diagonal entry.
+// factor_mass M + factor_viscosity C + factor_stiffness K on the graph of stiffness; with `held`,
+// the rows and columns of held dofs are replaced by their diagonal entry.
+RCP<CrsMatrix> combine(BodyMatrices const& body, double factor_mass, double factor_viscosity,
+                       double factor_stiffness);
 RCP<CrsMatrix> combine(BodyMatrices const& body, double factor_mass, double factor_viscosity,
                        double factor_stiffness, HeldDofs const& held);
 } // namespace asperity::fem

@@ -44,6 +44,11 @@ public:
                        ConstBlockView const& r, StateAndStress const& at,
                        BlockView const& v) const = 0;
 
+  // A sweep of Gauss-Seidel in one launch: for each node i of `nodes`, one after the other,
+  // minimises as above, with r_i = b_i - (Z v)_i + curvature_i v_i of the present v, zero in held components.
+  virtual int sweep(IndexView const& nodes, CoupledNodes const& coupled, StateAndStress const& at,
+                    BlockView const& v) const = 0;
+
   // Gradient [N] and Hessian [N s/m] of psi_i at v_i. kinked_i = 1 where psi_i has no second
   // derivative (v_i = 0 with cohesion, the kink of a law) or an infinite one: there the Hessian is
   // set to zero, and the gradient is the subgradient of least norm.

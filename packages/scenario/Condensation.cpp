@@ -8,14 +8,17 @@ namespace asperity::scenario
 {
 namespace
 {
-// Whether all that is prescribed off the fault is constant in time.
+// Whether all that is prescribed is constant in time, but for slip.
 template <int Dim>
 bool boundariesMoveSteadily(Problem<Dim> const& problem)
 {
-  auto const at_fault = problem.surface->vertices();
+  std::vector<int> slipping;
+  for (auto const& node : *problem.surface) {
+    slipping.insert(slipping.end(), node.dofs.begin(), node.dofs.end());
+  }
   auto const varying = problem.constraints->dofsThatVary();
   return std::all_of(varying.begin(), varying.end(), [&](int dof) {
-    return std::find(at_fault.begin(), at_fault.end(), dof / problem.components) != at_fault.end();
+    return std::find(slipping.begin(), slipping.end(), dof) != slipping.end();
   });
 }
 

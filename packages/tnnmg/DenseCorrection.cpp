@@ -169,6 +169,16 @@ DenseCorrection::DenseCorrection(CrsMatrix const& Z, NodeDofView const& nonlinea
 
 DenseCorrection::~DenseCorrection() = default;
 
+void DenseCorrection::applyMatrix(CrsMatrix const&, Vector const& x, Vector& y) const
+{
+  auto const& Z = implementation_->Z;
+  auto const from = x.getLocalViewHost(Tpetra::Access::ReadOnly);
+  auto const to = y.getLocalViewHost(Tpetra::Access::OverwriteAll);
+  // Symmetry halves what is read.
+  Eigen::Map<Eigen::VectorXd>(to.data(), Z.rows()).noalias() =
+    Z.selfadjointView<Eigen::Lower>() * Eigen::Map<const Eigen::VectorXd>(from.data(), Z.rows());
+}
+
 void DenseCorrection::reset() { implementation_->has_factor = false; }
 
 CorrectionResult DenseCorrection::solve(NonlinearBlocks const& blocks, Vector const& r,

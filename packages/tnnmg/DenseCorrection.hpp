@@ -20,6 +20,7 @@ public:
 
   CorrectionResult solve(NonlinearBlocks const& blocks, Vector const& r, double relative_tolerance,
                          Vector& c) override;
+  void applyMatrix(CrsMatrix const& Z, Vector const& x, Vector& y) const override;
   void reset() override;
 
   std::size_t bytes() const; // of Z and the factor

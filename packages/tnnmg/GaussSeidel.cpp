@@ -1,5 +1,6 @@
 #include "tnnmg/GaussSeidel.hpp"
 
+#include "base/Errors.hpp"
 #include "portability/Renamed.hpp"
 
 #include <Tpetra_Import.hpp>
@@ -84,6 +85,18 @@ void modelResidual(LocalMatrix const& matrix, NonlinearNodes const& nodes, Index
           held(dofs(node, k)) ? 0 : right_side(row, 0) - sum + curvature(node) * v(row, 0);
       }
     });
+}
+
+CoupledSystem coupledSystem(CrsMatrix const& Z, NonlinearNodes const& nodes,
+                            ConstNodeView const& curvature, Vector const& b)
+{
+  auto const matrix = Z.getLocalMatrixDevice();
+  const std::size_t size = matrix.numRows();
+  ASPERITY_ASSERT(matrix.nnz() == size * size);
+  auto const right_side = b.getLocalViewDevice(Tpetra::Access::ReadOnly);
+  return {ConstBlockView(matrix.values.data(), size, size),
+          ConstBlockView(right_side.data(), nodes.numNodes(), nodes.blockSize()), nodes.held,
+          curvature};
 }
 
 void gather(NonlinearNodes const& nodes, Vector const& v, BlockView const& blocks)

@@ -38,6 +38,11 @@ int gaussSeidel(CrsMatrix const& Z, NonlinearNodes const& nodes, ConstNodeView c
                 NodalProblem const& problem, Vector const& b, Vector& v_columns,
                 BlockView const& blocks, BlockView const& residual);
 
+// The system of coupled nodes with a full Z, whose entries must be stored row by row: views of the
+// memory of Z and b, which must outlive the result.
+CoupledSystem coupledSystem(CrsMatrix const& Z, NonlinearNodes const& nodes,
+                            ConstNodeView const& curvature, Vector const& b);
+
 // Copy v(dofs) to blocks and back; v may live on the domain or on the column map (owned rows come
 // first in both).
 void gather(NonlinearNodes const& nodes, Vector const& v, BlockView const& blocks);
@@ -51,6 +56,12 @@ int gaussSeidel(CrsMatrix const& Z, NonlinearNodes const& nodes, ConstNodeView c
                 NodalProblem const& problem, Vector const& b, Vector& v_columns,
                 BlockView const& blocks, BlockView const& residual)
 {
+  if (nodes.are_coupled) {
+    auto const& all = nodes.colours.front();
+    const int failures = problem.sweep(all, coupledSystem(Z, nodes, curvature, b), blocks);
+    scatter(nodes, all, blocks, v_columns);
+    return failures;
+  }
   auto const matrix = Z.getLocalMatrixDevice();
   int failures = 0;
   for (auto const& colour : nodes.colours) {

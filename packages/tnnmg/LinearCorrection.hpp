@@ -2,6 +2,8 @@
 
 #include "base/Views.hpp"
 
+#include <Tpetra_CrsMatrix.hpp>
+
 namespace asperity::tnnmg
 {
 // The second derivatives of the nonlinearity at the rank's nonlinear nodes, in the order of
@@ -37,6 +39,10 @@ public:
   // remaining dofs).
   virtual CorrectionResult solve(NonlinearBlocks const& blocks, Vector const& r,
                                  double relative_tolerance, Vector& c) = 0;
+
+  // y = Z x. Z is the matrix of solve(), of which a correction may have a copy that multiplies
+  // faster.
+  virtual void applyMatrix(CrsMatrix const& Z, Vector const& x, Vector& y) const { Z.apply(x, y); }
 
   // Discards what earlier solves have left, such as a kept hierarchy, so that the next solve
   // depends on its arguments alone.

@@ -25,13 +25,24 @@ struct NonlinearNodes
   ConstFlagView held;
   // Nodes that are free in some component, by colour. All ranks have the same number of colours.
   std::vector<IndexView> colours;
+  // Whether each node is coupled with each, as coupledNodes() says; then one colour has all of
+  // them, in the order in which a sweep visits them.
+  bool are_coupled = false;
 
   int numNodes() const { return static_cast<int>(dofs.extent(0)); }
   int blockSize() const { return static_cast<int>(dofs.extent(1)); }
 };
 
-// The nodes of a matrix that couples all of them, on one rank: every node has block_size successive
-// rows, and every node that is free in some component has a colour of its own.
-// held(num_nodes * block_size).
+// The linear part of a problem of coupled nodes: the force b - Z v, in the order of coupledNodes().
+struct CoupledSystem
+{
+  ConstBlockView Z; // (num_nodes T, num_nodes T), symmetric
+  ConstBlockView b; // (num_nodes, T)
+  ConstFlagView held;
+  ConstNodeView curvature;
+};
+
+// The nodes of a full matrix, on one rank: the rows of every node's block_size components follow
+// those of the node before. held(num_nodes * block_size).
 NonlinearNodes coupledNodes(int num_nodes, int block_size, std::vector<int> const& held);
 } // namespace asperity::tnnmg

@@ -41,6 +41,9 @@ struct TnnmgResult
 //   int minimise(IndexView nodes, ConstNodeView curvature, ConstBlockView r, BlockView v) const
 //       v_i = argmin curvature_i/2 |w|^2 - <r_i, w> + psi_i(w) for the given nodes; returns the
 //       number of nodes where this failed
+//   int sweep(IndexView nodes, CoupledSystem const&, BlockView v) const
+//       the same for the given nodes one after the other, with r_i = b_i - (Z v)_i +
+//       curvature_i v_i of the present v, zero in held components; only for coupledNodes()
 //   void linearise(ConstBlockView v, BlockView gradient, HessianView hessian, FlagView kinked)
 //       const
 //       of psi_i at v_i; kinked_i = 1 where psi_i has no second derivative
@@ -61,7 +64,7 @@ public:
       , correction_(std::move(correction))
       , settings_(settings)
       , curvature_(nodalCurvature(*Z, nodes_))
-      , vectors_(*Z, nodes_)
+      , vectors_(*Z, nodes_, *correction_)
       , blocks_(nodes_)
   {
   }

@@ -79,7 +79,8 @@ void TnnmgBlocks::truncate(NonlinearNodes const& nodes, ConstNodeView const& cur
     });
 }
 
-TnnmgVectors::TnnmgVectors(CrsMatrix const& Z, NonlinearNodes const& nodes)
+TnnmgVectors::TnnmgVectors(CrsMatrix const& Z, NonlinearNodes const& nodes,
+                           LinearCorrection const& linear)
     : v_columns(rcp(new Vector(Z.getColMap())))
     , v(v_columns->offsetViewNonConst(Z.getDomainMap(), 0)->getVectorNonConst(0))
     , v_before(rcp(new Vector(Z.getDomainMap())))
@@ -89,6 +90,7 @@ TnnmgVectors::TnnmgVectors(CrsMatrix const& Z, NonlinearNodes const& nodes)
     , c(rcp(new Vector(Z.getDomainMap())))
     , Zc(rcp(new Vector(Z.getDomainMap())))
     , b_copy(rcp(new Vector(Z.getDomainMap())))
+    , linear_(linear)
     , few_nodes_(8. * sumOverRanks(nodes.numNodes() * nodes.blockSize(), *Z.getComm()) <
                  static_cast<double>(Z.getGlobalNumRows()))
 {
@@ -102,8 +104,13 @@ void TnnmgVectors::start(CrsMatrix const& Z, Vector const& b, Vector const& gues
   Tpetra::deep_copy(*v, guess);
   Tpetra::deep_copy(*b_copy, b);
   shareGhosts(Z, *v_columns);
-  Tpetra::deep_copy(*r, b);
-  Z.apply(*v, *r, Teuchos::NO_TRANS, -1, 1);
+  residual(Z, b);
+}
+
+void TnnmgVectors::residual(CrsMatrix const& Z, Vector const& b)
+{
+  linear_.applyMatrix(Z, *v, *r);
+  r->update(1, b, -1);
 }
 
 void TnnmgVectors::beginIteration()
@@ -119,8 +126,7 @@ int TnnmgVectors::finishSweeps(CrsMatrix const& Z, NonlinearNodes const& nodes,
   if (few_nodes_) {
     subtractColumns(Z, nodes, blocks.d, *columns_, *r);
   } else {
-    Tpetra::deep_copy(*r, b);
-    Z.apply(*v, *r, Teuchos::NO_TRANS, -1, 1);
+    residual(Z, b);
   }
   // With Z d = r_before - r, <Z v - b + 1/2 Z d, d> = -1/2 <r_before + r, d>.
   c->update(1, *v, -1, *v_before, 0);
@@ -151,7 +157,7 @@ void TnnmgVectors::newtonResidual(NonlinearNodes const& nodes, ConstBlockView co
 
 TnnmgVectors::Along TnnmgVectors::derivativeAlongCorrection(CrsMatrix const& Z)
 {
-  Z.apply(*c, *Zc);
+  linear_.applyMatrix(Z, *c, *Zc);
   along_ = {-r->dot(*c), Zc->dot(*c)};
   return along_;
 }

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "base/parallel/Reductions.hpp"
+#include "tnnmg/LinearCorrection.hpp"
 #include "tnnmg/NonlinearNodes.hpp"
 
 #include <Tpetra_CrsMatrix.hpp>
@@ -36,7 +37,8 @@ struct TnnmgBlocks
 
 struct TnnmgVectors
 {
-  TnnmgVectors(CrsMatrix const& Z, NonlinearNodes const& nodes);
+  // `linear` multiplies by Z, and must outlive this.
+  TnnmgVectors(CrsMatrix const& Z, NonlinearNodes const& nodes, LinearCorrection const& linear);
 
   void start(CrsMatrix const& Z, Vector const& b, Vector const& guess);
   void beginIteration();
@@ -67,7 +69,10 @@ struct TnnmgVectors
   RCP<Vector> v_before, r, r_before, newton_residual, c, Zc, b_copy;
 
 private:
+  void residual(CrsMatrix const& Z, Vector const& b); // r = b - Z v
   EnergyChange linearChange(double step) const;
+
+  LinearCorrection const& linear_;
   Along along_{};
   bool few_nodes_ = false; // the nonlinear nodes have few of the dofs of all ranks
   RCP<Vector> columns_;    // work space

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "friction/FrictionKernels.hpp"
+#include "tnnmg/NonlinearNodes.hpp"
 
 namespace asperity::dynamics
 {
@@ -14,6 +15,11 @@ struct FrictionProblem
                friction::ConstBlockView const& r, friction::BlockView const& v) const
   {
     return kernels.minimise(nodes, curvature, r, at, v);
+  }
+  int sweep(friction::IndexView const& nodes, tnnmg::CoupledSystem const& system,
+            friction::BlockView const& v) const
+  {
+    return kernels.sweep(nodes, {system.Z, system.b, system.held, system.curvature}, at, v);
   }
   void linearise(friction::ConstBlockView const& v, friction::BlockView const& gradient,
                  friction::HessianView const& hessian, friction::FlagView const& kinked) const

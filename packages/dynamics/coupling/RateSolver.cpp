@@ -134,15 +134,17 @@ public:
       to(i, 0) = from(rows_[i], 0);
     }
     correction_->reset();
+    continues_ = false;
   }
 
   tnnmg::TnnmgResult solve(FrictionProblem const& problem) override
   {
+    continues_ = true;
     return tnnmg_.solve(problem, b_, w_);
   }
   tnnmg::TnnmgResult improve(FrictionProblem const& problem) override
   {
-    return tnnmg_.improve(problem, b_, w_);
+    return tnnmg_.improve(problem, b_, w_, std::exchange(continues_, true));
   }
 
   void faultVelocity(friction::BlockView const& w) const override { gather(nodes_, w_, w); }
@@ -167,6 +169,7 @@ private:
   Solver tnnmg_;
   std::vector<int> rows_;
   Vector b_, w_;
+  bool continues_ = false; // w_ and b_ are those of the last call
   std::optional<CondensedFunctionals> reactions_;
 };
 

@@ -7,6 +7,23 @@
 // references, which would take longer than the work at one node.
 namespace asperity::friction::detail
 {
+// v_i := the minimiser under the force r_i. False: there is none.
+template <int T, class Potential>
+KOKKOS_INLINE_FUNCTION bool minimiseAt(Potential const& potential, double curvature,
+                                       double const (&force)[T], double* v)
+{
+  double rate[T];
+  for (int j = 0; j < T; ++j) {
+    rate[j] = v[j];
+  }
+  const double load = length(force);
+  const auto solution = potential.minimise(curvature, load, length(rate));
+  for (int j = 0; j < T && solution.converged; ++j) {
+    v[j] = solution.V == 0 ? 0 : solution.V * (force[j] / load);
+  }
+  return solution.converged;
+}
+
 template <class Law, int T>
 struct Minimise
 {
@@ -19,20 +36,69 @@ struct Minimise
   KOKKOS_INLINE_FUNCTION void operator()(int k, int& num_failed) const
   {
     const int node = nodes(k);
-    double force[T], rate[T];
+    double force[T];
     for (int j = 0; j < T; ++j) {
       force[j] = r(node, j);
-      rate[j] = v(node, j);
     }
-    const double load = length(force);
-    const auto solution = potentials(node).minimise(curvature(node), load, length(rate));
-    if (!solution.converged) {
-      ++num_failed;
-      return;
+    num_failed += minimiseAt(potentials(node), curvature(node), force, &v(node, 0)) ? 0 : 1;
+  }
+};
+
+// One team goes from node to node; its threads share the product with a row.
+template <class Law, int T>
+struct Sweep
+{
+  using Team = Kokkos::TeamPolicy<ExecutionSpace>::member_type;
+
+  NodePotentials<Law> potentials;
+  Unmanaged<IndexView> nodes;
+  Unmanaged<ConstBlockView> Z;
+  Unmanaged<ConstBlockView> b;
+  Unmanaged<IndexView> held;
+  Unmanaged<ConstNodeView> curvature;
+  Unmanaged<BlockView> v;
+
+  KOKKOS_INLINE_FUNCTION void operator()(Team const& team, int& num_failed) const
+  {
+    for (int k = 0; k < static_cast<int>(nodes.extent(0)); ++k) {
+      const int node = nodes(k);
+      double force[T];
+      for (int j = 0; j < T; ++j) {
+        const int row = node * T + j;
+        const double product = timesRow(team, row);
+        force[j] = held(row) ? 0 : b(node, j) - product + curvature(node) * v(node, j);
+      }
+      team.team_barrier(); // all have read v
+      Kokkos::single(Kokkos::PerTeam(team), [&]() {
+        num_failed += minimiseAt(potentials(node), curvature(node), force, &v(node, 0)) ? 0 : 1;
+      });
+      team.team_barrier();
     }
-    for (int j = 0; j < T; ++j) {
-      v(node, j) = solution.V == 0 ? 0 : solution.V * (force[j] / load);
+  }
+
+private:
+  // Sums of a few terms at a time do not wait for each other.
+  static constexpr int chunk = 8;
+
+  KOKKOS_INLINE_FUNCTION double timesRow(Team const& team, int row) const
+  {
+    const int size = static_cast<int>(Z.extent(1));
+    double const* const z = &Z(row, 0);
+    double const* const x = v.data();
+    double sum = 0;
+    Kokkos::parallel_reduce(
+      Kokkos::TeamThreadRange(team, size / chunk),
+      [&](int i, double& partial) {
+        double const* const zs = z + chunk * i;
+        double const* const xs = x + chunk * i;
+        partial += ((zs[0] * xs[0] + zs[1] * xs[1]) + (zs[2] * xs[2] + zs[3] * xs[3])) +
+                   ((zs[4] * xs[4] + zs[5] * xs[5]) + (zs[6] * xs[6] + zs[7] * xs[7]));
+      },
+      sum);
+    for (int i = size / chunk * chunk; i < size; ++i) {
+      sum += z[i] * x[i];
     }
+    return sum;
   }
 };
 

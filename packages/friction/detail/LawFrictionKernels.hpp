@@ -30,6 +30,20 @@ public:
     });
   }
 
+  int sweep(IndexView const& nodes, CoupledNodes const& coupled, StateAndStress const& at,
+            BlockView const& v) const override
+  {
+    static const std::string label = "asperity::friction::sweep";
+    return withComponents(v.extent(1), [&](auto T) {
+      int num_failed = 0;
+      Kokkos::parallel_reduce(label, Kokkos::TeamPolicy<ExecutionSpace>(1, Kokkos::AUTO),
+                              Sweep<Law, T>{nodes_.at(at), nodes, coupled.Z, coupled.b,
+                                            coupled.held, coupled.curvature, v},
+                              num_failed);
+      return num_failed;
+    });
+  }
+
   void linearise(ConstBlockView const& v, StateAndStress const& at, BlockView const& gradient,
                  HessianView const& hessian, FlagView const& kinked) const override
   {

@@ -116,6 +116,35 @@ int RoughNodes::minimise(IndexView const& nodes, ConstNodeView const& curvature,
   return 0;
 }
 
+int RoughNodes::sweep(IndexView const& nodes, CoupledSystem const& system, BlockView const& v) const
+{
+  auto const which = onHost(nodes);
+  auto const Z = onHost(system.Z);
+  auto const b = onHost(system.b);
+  auto const held = onHost(system.held);
+  auto const c = onHost(system.curvature);
+  auto const result = onHost(v);
+  const std::size_t T = v.extent(1);
+  for (std::size_t i = 0; i < which.extent(0); ++i) {
+    const int node = which(i);
+    Block force(T, 0);
+    for (std::size_t k = 0; k < T; ++k) {
+      const std::size_t row = node * T + k;
+      for (std::size_t column = 0; column < Z.extent(1) && !held(row); ++column) {
+        force[k] -= Z(row, column) * result(column / T, column % T);
+      }
+      force[k] += held(row) ? 0 : b(node, k) + c(node) * result(node, k);
+    }
+    const double size = norm(force);
+    const double speed = nodes_[node].minimiser(c(node), size);
+    for (std::size_t k = 0; k < T; ++k) {
+      result(node, k) = speed > 0 ? speed * (force[k] / size) : 0;
+    }
+  }
+  Kokkos::deep_copy(v, result);
+  return 0;
+}
+
 void RoughNodes::linearise(ConstBlockView const& v, BlockView const& gradient,
                            HessianView const& hessian, FlagView const& kinked) const
 {

@@ -31,6 +31,7 @@ public:
 
   int minimise(IndexView const& nodes, ConstNodeView const& curvature, ConstBlockView const& r,
                BlockView const& v) const;
+  int sweep(IndexView const& nodes, CoupledSystem const& system, BlockView const& v) const;
   void linearise(ConstBlockView const& v, BlockView const& gradient, HessianView const& hessian,
                  FlagView const& kinked) const;
   double slope(ConstBlockView const& v, ConstBlockView const& d, double t) const;

@@ -20,7 +20,7 @@ PUBLISHED = {9600: 0.83, 12000: 0.98, 14400: 0.83}  # slip [m] at depths [m]
 def main(name, cell, expected):
     operator = StressOperator(name, float(cell), BP2.length, BP2.shear_modulus)
     event = next(events(BP2, operator, END))
-    at = {depth: float(numpy.interp(depth, operator.depths, event.slip)) for depth in PUBLISHED}
+    at = {depth: float(numpy.interp(depth, operator.positions, event.slip)) for depth in PUBLISHED}
     print(f"{name}, cells of {cell} m: onset {event.onset:.3f} yr, slip at the surface "
           f"{event.slip[0]:.3f} m, at depth", {depth: round(slip, 3) for depth, slip in at.items()})
     if expected == "buried":

@@ -1,5 +1,9 @@
 """Quasi-dynamic earthquakes on a fault with the regularised law and the ageing law, by an explicit
-Runge-Kutta scheme: SEAS BP1 and BP2, independent of everything that the program does."""
+Runge-Kutta scheme: SEAS BP1, BP2 and BP3, independent of everything that the program does.
+
+An operator has `positions`, the distances down dip [m] at which slip and stress are known, and
+`stress_of(slip)`: what slip beyond that of the plates adds to shear stress and compression [Pa].
+"""
 
 import dataclasses
 
@@ -10,7 +14,8 @@ YEAR = 31557600.  # s
 
 @dataclasses.dataclass(frozen=True)
 class Problem:
-    """SEAS BP1-QD (Erickson et al. 2020) but for L; psi = f* + b ln(V* theta / L)."""
+    """SEAS BP1-QD (Erickson et al. 2020) but for L, and BP3-QD (Erickson et al. 2023) with 8 mm;
+    psi = f* + b ln(V* theta / L)."""
     critical_slip: float  # L [m]
     shear_modulus: float = 32.038120320e9
     shear_speed: float = 3464.
@@ -26,8 +31,8 @@ class Problem:
     def damping(self):
         return self.shear_modulus / (2 * self.shear_speed)
 
-    def a(self, depths):
-        return 0.010 + 0.015 * numpy.clip((depths - 15e3) / 3e3, 0, 1)
+    def a(self, positions):
+        return 0.010 + 0.015 * numpy.clip((positions - 15e3) / 3e3, 0, 1)
 
     def initial_stress(self):
         at_plate_rate = (self.reference_friction
@@ -43,11 +48,12 @@ class Cycles:
 
     def __init__(self, problem, operator, tolerance):
         self.problem, self.operator, self.tolerance = problem, operator, tolerance
-        self.a = problem.a(operator.depths)
+        self.a = problem.a(operator.positions)
         self.time, self.step = 0., 1e3
-        self.slip = numpy.zeros(operator.count)
+        count = len(operator.positions)
+        self.slip = numpy.zeros(count)
         self.psi = self._balanced_state()
-        self._log_rate = numpy.full(operator.count, numpy.log(problem.plate_rate))
+        self._log_rate = numpy.full(count, numpy.log(problem.plate_rate))
         self._slope = self._slopes(self.slip, self.psi)
 
     @property
@@ -63,7 +69,7 @@ class Cycles:
         return self.a * (numpy.log(p.reference_rate / p.plate_rate) + x
                          + numpy.log1p(-numpy.exp(-2 * x)))
 
-    def _balance(self, stress, psi):
+    def _balance(self, stress, sigma, psi):
         """ln V with stress = a sigma asinh(V / (2 V*) exp(psi / a)) + eta V, by Newton."""
         p, log_rate = self.problem, self._log_rate
         for _ in range(60):
@@ -72,8 +78,8 @@ class Cycles:
             small = numpy.exp(numpy.minimum(q, 20))  # asinh(e^q) is q + ln 2 beyond, to rounding
             strength = numpy.where(q > 20, q + numpy.log(2), numpy.arcsinh(small))
             growth = numpy.where(q > 20, 1., small / numpy.sqrt(1 + small ** 2))
-            rest = p.damping * rate + self.a * p.normal_stress * strength - stress
-            change = -rest / (p.damping * rate + self.a * p.normal_stress * growth)
+            rest = p.damping * rate + self.a * sigma * strength - stress
+            change = -rest / (p.damping * rate + self.a * sigma * growth)
             log_rate = log_rate + numpy.clip(change, -2, 2)
             if numpy.abs(change).max() < 1e-11:
                 break
@@ -81,7 +87,9 @@ class Cycles:
 
     def _slopes(self, slip, psi):
         p = self.problem
-        self._log_rate = self._balance(p.initial_stress() + self.operator @ slip, psi)
+        shear, compression = self.operator.stress_of(slip)
+        self._log_rate = self._balance(p.initial_stress() + shear, p.normal_stress + compression,
+                                       psi)
         rate = self.rates
         ageing = (p.b * p.reference_rate / p.critical_slip
                   * (numpy.exp((p.reference_friction - psi) / p.b) - rate / p.reference_rate))

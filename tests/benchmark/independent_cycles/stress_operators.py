@@ -25,13 +25,13 @@ _SAMPLES = 1 << 21  # of the symbol, for the stress of one node at another
 
 
 class StressOperator:
-    """`operator @ slip` is the shear stress [Pa] at `depths` [m], in the middle of elements or at
-    the vertices of finite elements, of which the first lies at the surface."""
+    """As in earthquake_cycles, in the middle of elements or at the vertices of finite elements, of
+    which the first lies at the surface. Nothing compresses the fault."""
 
     def __init__(self, name, cell, length, shear_modulus):
         self.count = int(round(length / cell))
         has_surface_node = name != "elements"
-        self.depths = cell * (numpy.arange(self.count) + (0 if has_surface_node else 0.5))
+        self.positions = cell * (numpy.arange(self.count) + (0 if has_surface_node else 0.5))
         self._mirrored_from = 1 if has_surface_node else 0
         self._size = 2 * self.count - self._mirrored_from
         angles = 2 * numpy.pi * numpy.arange(_SAMPLES) / _SAMPLES
@@ -43,7 +43,7 @@ class StressOperator:
         kernel[1 - self._size:] = at_distance[:0:-1]
         self._kernel = numpy.fft.rfft(-shear_modulus / (2 * cell) * kernel)
 
-    def __matmul__(self, slip):
+    def stress_of(self, slip):
         whole = numpy.concatenate([slip[self._mirrored_from:][::-1], slip])
         stress = numpy.fft.irfft(numpy.fft.rfft(whole, self._length) * self._kernel, self._length)
-        return stress[self._size - self.count:self._size]
+        return stress[self._size - self.count:self._size], 0
