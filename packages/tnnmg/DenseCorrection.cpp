@@ -25,7 +25,8 @@ struct DenseCorrection::Implementation
   std::vector<std::vector<int>> dofs; // of each node
 
   // The factor of Z + H on the dofs that took part when it was made; the other dofs have their
-  // diagonal. In the long time between earthquakes most nodes are too stiff to take part.
+  // diagonal. In the long time between earthquakes most nodes are too stiff to take part. Without a
+  // factor all dofs have their diagonal.
   Eigen::LLT<Eigen::MatrixXd> factor;
   std::vector<int> factored;
   Eigen::VectorXd diagonal;
@@ -66,6 +67,22 @@ struct DenseCorrection::Implementation
     }
   }
 
+  void readDiagonal()
+  {
+    diagonal = Z.diagonal();
+    forEachHessianEntry(
+      [&](int row, int column, double value) { diagonal(row) += row == column ? value : 0; });
+  }
+
+  // In the steps of a rupture Z is nearly diagonal: radiation damping or mass outweigh the stress
+  // that a step adds. Whether a factor costs more than to try without one.
+  bool isWorthTryingDiagonal() const
+  {
+    const double taking_part = mask.sum();
+    const double product = 2. * static_cast<double>(Z.size());
+    return taking_part * taking_part * taking_part / 3 > max_iterations * product;
+  }
+
   bool factorise()
   {
     factored.clear();
@@ -83,11 +100,9 @@ struct DenseCorrection::Implementation
         A(row, column) = Z(factored[row], factored[column]);
       }
     }
-    diagonal = Z.diagonal();
-    forEachHessianEntry([&](int row, int column, double value) {
-      A(place[row], place[column]) += value;
-      diagonal(row) += row == column ? value : 0;
-    });
+    readDiagonal();
+    forEachHessianEntry(
+      [&](int row, int column, double value) { A(place[row], place[column]) += value; });
     if (size > 0) {
       factor.compute(A);
     }
@@ -194,7 +209,11 @@ CorrectionResult DenseCorrection::solve(NonlinearBlocks const& blocks, Vector co
   Eigen::Map<Eigen::VectorXd> solution(c_view.data(), self.Z.rows());
 
   CorrectionResult result;
-  if (self.has_factor) {
+  if (!self.has_factor) {
+    self.factored.clear();
+    self.readDiagonal();
+  }
+  if (self.has_factor || self.isWorthTryingDiagonal()) {
     Eigen::VectorXd iterate;
     result = self.iterate(right, relative_tolerance, iterate);
     solution = iterate;

@@ -7,7 +7,8 @@
 namespace asperity::tnnmg
 {
 // The linear correction for a small matrix that couples all its dofs (a Schur complement on the
-// fault), on one rank: a dense Cholesky factorisation of Z + H, kept until reset(). While the
+// fault), on one rank: a few conjugate gradients with the diagonal, or, where these do not suffice
+// or a factor is cheap, a dense Cholesky factorisation of Z + H, kept until reset(). While the
 // factor is kept, it preconditions conjugate gradients for later Hessians; it is made anew when
 // they need too many iterations.
 class DenseCorrection final : public LinearCorrection
