@@ -45,7 +45,7 @@ public:
                        BlockView const& v) const = 0;
 
   // A sweep of Gauss-Seidel in one launch: for each node i of `nodes`, one after the other,
-  // minimises as above, with r_i = b_i - (Z v)_i + curvature_i v_i of the present v, which is zero in
+  // minimises as above. There r_i = b_i - (Z v)_i + curvature_i v_i of the present v, and zero in
   // held components.
   virtual int sweep(IndexView const& nodes, CoupledNodes const& coupled, StateAndStress const& at,
                     BlockView const& v) const = 0;
