@@ -5,7 +5,7 @@
 #include "tnnmg/detail/EigenMatrix.hpp"
 #include "tnnmg/detail/SupernodalFactor.hpp"
 
-#include <Eigen/OrderingMethods>
+#include <Eigen/MetisSupport>
 #include <Eigen/SparseCholesky>
 #include <Tpetra_CrsMatrix.hpp>
 #include <Tpetra_Map.hpp>
@@ -44,7 +44,9 @@ std::vector<int> eliminationOrder(Sparse const& Z, std::vector<int> const& last)
   Sparse first(num_first, num_first);
   first.setFromTriplets(entries.begin(), entries.end());
   Eigen::PermutationMatrix<Eigen::Dynamic, Eigen::Dynamic, int> order(num_first);
-  Eigen::AMDOrdering<int>()(first, order); // order.indices()(k) is the row eliminated as number k
+  if (num_first > 0) {
+    Eigen::MetisOrdering<int>()(first, order); // the row eliminated as number k is indices()(k)
+  }
   std::vector<int> place(num_first);
   for (int k = 0; k < num_first; ++k) {
     place[order.indices()(k)] = k;
