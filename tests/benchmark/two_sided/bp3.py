@@ -10,6 +10,7 @@ from sequence import DAY, YEAR, check
 
 THRESHOLD = 1e-3  # m/s
 END = {60: 3.1e10, 30: 1.8e10}  # s, ten and six events
+CELL = {60: 50, 30: 100}  # m
 
 
 def at_threshold(rate, values, after):
@@ -73,7 +74,8 @@ def of_30_degrees(found):
 
 def main(mesh_tool, dip):
     subprocess.run([mesh_tool, "convert", asperity_run.SOURCE / "xml/meshes/bp3.geo", "bp3.h5",
-                    "--set", f"dip={dip}", "--overwrite"], check=True, timeout=60)
+                    "--set", f"dip={dip}", "--set", f"h={CELL[dip]}", "--overwrite"], check=True,
+                   timeout=300)
     folder = asperity_run.run_to_end("out", asperity_run.SOURCE / "xml/bp3_qd.xml", "--set",
                                      f"Time Stepping/Final Time={END[dip]}", timeout=28000)
     return 0 if {60: of_60_degrees, 30: of_30_degrees}[dip](events(folder)) else 1
