@@ -62,6 +62,7 @@ MultigridPreconditioner::MultigridPreconditioner(std::shared_ptr<const Multigrid
     : Z_(std::move(Z))
     , nodes_(std::move(nodes))
     , cycle_(std::move(family), std::move(weights), *Z_, nodes_)
+    , gradients_(cycle_, Z_->getComm())
     , coarse_("asperity::tnnmg::coarseHessian", nodes_->size(), nodes_->tangents(),
               nodes_->tangents())
 {
@@ -119,7 +120,31 @@ void MultigridPreconditioner::apply(MultiVector const& r, MultiVector& z, Teucho
                                     double alpha, double beta) const
 {
   ASPERITY_ASSERT(alpha == 1 && beta == 0);
-  cycle_.apply(r, z);
+  const double norm = r.getVector(0)->norm2();
+  if (!(norm > 0)) {
+    z.putScalar(0);
+    return;
+  }
+  {
+    const auto from = r.getLocalViewHost(Tpetra::Access::ReadOnly);
+    auto& scaled = cycle_.r();
+    for (std::size_t i = 0; i < scaled.size(); ++i) {
+      scaled[i] = static_cast<float>(from(i, 0) / norm);
+    }
+  }
+  cycle_.run(false);
   ++num_cycles_;
+  const auto to = z.getLocalViewHost(Tpetra::Access::OverwriteAll);
+  for (std::size_t i = 0; i < to.extent(0); ++i) {
+    to(i, 0) = norm * cycle_.z()[i];
+  }
+}
+
+IterationResult MultigridPreconditioner::solveLoosely(Vector const& r, double relative_tolerance,
+                                                      int max_iterations, Vector& c) const
+{
+  const auto result = gradients_.solve(r, relative_tolerance, max_iterations, c);
+  num_cycles_ += result.iterations;
+  return result;
 }
 } // namespace asperity::tnnmg::detail

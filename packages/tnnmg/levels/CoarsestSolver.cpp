@@ -71,7 +71,8 @@ void CoarsestSolver::solve(NodeVector const& b, NodeVector& x) const
   sumInPlace(*map_->getComm(), all.data(), static_cast<int>(all.size()));
   factor_.solveInPlace(all);
   for (std::size_t i = 0; i < free_.size(); ++i) {
-    x[i] = free_[i] ? all(map_->getGlobalElement(static_cast<LocalOrdinal>(i))) : 0;
+    const double value = free_[i] ? all(map_->getGlobalElement(static_cast<LocalOrdinal>(i))) : 0;
+    x[i] = static_cast<float>(value);
   }
 }
 } // namespace asperity::tnnmg::detail

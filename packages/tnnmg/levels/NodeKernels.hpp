@@ -3,6 +3,7 @@
 #include "base/Errors.hpp"
 
 #include <cmath>
+#include <cstring>
 #include <type_traits>
 
 namespace asperity::tnnmg::detail
@@ -29,16 +30,88 @@ void withBlockSizes(int rows, int columns, Work const& work)
   ASPERITY_ASSERT(!"a size of blocks that multigrid knows");
 }
 
-// sum += sign * a x
-template <int R, int C>
-inline void addProduct(double sign, float const* a, double const* x, double* sum)
+// Four numbers that a processor multiplies at once: compilers do not find this in blocks of three.
+using Lanes = float __attribute__((vector_size(16)));
+
+// The first Count of four numbers; the others are zero.
+template <int Count>
+inline Lanes load(float const* from)
 {
-  for (int r = 0; r < R; ++r) {
-    double product = 0;
-    for (int c = 0; c < C; ++c) {
-      product += a[r * C + c] * x[c];
+  Lanes lanes = {};
+  std::memcpy(&lanes, from, sizeof(float) * (Count < 4 ? Count : 4));
+  return lanes;
+}
+
+template <int Count>
+inline void store(Lanes const& lanes, float* to)
+{
+  std::memcpy(to, &lanes, sizeof(float) * (Count < 4 ? Count : 4));
+}
+
+inline float sumOf(Lanes const& lanes) { return (lanes[0] + lanes[2]) + (lanes[1] + lanes[3]); }
+
+// Sums of products of rows with a vector, lane by lane. A row that is followed by another one is
+// loaded together with the beginning of that; the lanes of the vector are zero there.
+template <int R, int C>
+class RowSums
+{
+public:
+  // += a x
+  void add(float const* a, float const* x)
+  {
+    const Lanes low = load<C>(x), high = load < C - 4 < 0 ? 0 : C - 4 > (x + (C > 4 ? 4 : 0));
+    addRows(a, low, high, std::integral_constant<int, 0>());
+  }
+  float operator[](int r) const { return sumOf(sums_[r]); }
+
+private:
+  template <int Row>
+  void addRows(float const* a, Lanes const& low, Lanes const& high,
+               std::integral_constant<int, Row>)
+  {
+    if constexpr (Row < R) {
+      sums_[Row] += load<(R - Row) * C>(a + Row * C) * low;
+      if constexpr (C > 4) {
+        sums_[Row] += load<(R - Row) * C - 4>(a + Row * C + 4) * high;
+      }
+      addRows(a, low, high, std::integral_constant<int, Row + 1>());
     }
-    sum[r] += sign * product;
+  }
+
+  Lanes sums_[R] = {};
+};
+
+// to = a x with a symmetric a
+template <int N>
+inline void multiplySymmetric(float const* a, float const (&x)[N], float* to)
+{
+  Lanes low = {}, high = {};
+  for (int c = 0; c < N; ++c) {
+    low += load<N>(a + c * N) * x[c];
+    if constexpr (N > 4) {
+      high += load<N - 4>(a + c * N + 4) * x[c];
+    }
+  }
+  store<N>(low, to);
+  if constexpr (N > 4) {
+    store<N - 4>(high, to + 4);
+  }
+}
+
+// to += a^T x
+template <int R, int C>
+inline void addTransposed(float const* a, float const* x, float* to)
+{
+  Lanes low = load<C>(to), high = load < C - 4 < 0 ? 0 : C - 4 > (to + (C > 4 ? 4 : 0));
+  for (int r = 0; r < R; ++r) {
+    low += load<C>(a + r * C) * x[r];
+    if constexpr (C > 4) {
+      high += load<C - 4>(a + r * C + 4) * x[r];
+    }
+  }
+  store<C>(low, to);
+  if constexpr (C > 4) {
+    store<C - 4>(high, to + 4);
   }
 }
 

@@ -145,7 +145,9 @@ void GhostExchange::share(NodeVector& x) const
   std::copy_n(x.begin(), num_owned, owned_->getLocalViewHost(Tpetra::Access::OverwriteAll).data());
   columns_->doImport(*owned_, *import_, Tpetra::INSERT);
   auto const values = columns_->getLocalViewHost(Tpetra::Access::ReadOnly);
-  std::copy(values.data() + num_owned, values.data() + x.size(), x.begin() + num_owned);
+  for (std::size_t i = num_owned; i < x.size(); ++i) {
+    x[i] = static_cast<float>(values(i, 0));
+  }
 }
 
 void GhostExchange::gather(NodeVector& x) const
@@ -157,7 +159,9 @@ void GhostExchange::gather(NodeVector& x) const
   owned_->putScalar(0);
   owned_->doExport(*columns_, *import_, Tpetra::ADD);
   auto const values = owned_->getLocalViewHost(Tpetra::Access::ReadOnly);
-  std::copy_n(values.data(), owned_->getLocalLength(), x.begin());
+  for (std::size_t i = 0; i < owned_->getLocalLength(); ++i) {
+    x[i] = static_cast<float>(values(i, 0));
+  }
 }
 
 void multiplyAdd(NodeGraph const& graph, NodeBlocks const& A, NodeVector const& x, NodeVector& y)
@@ -165,9 +169,12 @@ void multiplyAdd(NodeGraph const& graph, NodeBlocks const& A, NodeVector const& 
   withBlockSizes(graph.row_size, graph.column_size, [&](auto rows, auto columns) {
     constexpr int R = decltype(rows)::value, C = decltype(columns)::value;
     for (int row = 0; row < graph.num_rows; ++row) {
+      RowSums<R, C> sum;
       for (int k = graph.first[row]; k < graph.first[row + 1]; ++k) {
-        addProduct<R, C>(1, &A[static_cast<std::size_t>(k) * R * C], &x[graph.columns[k] * C],
-                         &y[row * R]);
+        sum.add(&A[static_cast<std::size_t>(k) * R * C], &x[graph.columns[k] * C]);
+      }
+      for (int r = 0; r < R; ++r) {
+        y[row * R + r] += sum[r];
       }
     }
   });
@@ -176,18 +183,13 @@ void multiplyAdd(NodeGraph const& graph, NodeBlocks const& A, NodeVector const& 
 void multiplyTransposed(NodeGraph const& graph, NodeBlocks const& A, NodeVector const& x,
                         NodeVector& y)
 {
-  std::fill(y.begin(), y.end(), 0.);
+  std::fill(y.begin(), y.end(), 0.f);
   withBlockSizes(graph.row_size, graph.column_size, [&](auto rows, auto columns) {
     constexpr int R = decltype(rows)::value, C = decltype(columns)::value;
     for (int row = 0; row < graph.num_rows; ++row) {
       for (int k = graph.first[row]; k < graph.first[row + 1]; ++k) {
-        float const* a = &A[static_cast<std::size_t>(k) * R * C];
-        double* to = &y[graph.columns[k] * C];
-        for (int r = 0; r < R; ++r) {
-          for (int c = 0; c < C; ++c) {
-            to[c] += a[r * C + c] * x[row * R + r];
-          }
-        }
+        addTransposed<R, C>(&A[static_cast<std::size_t>(k) * R * C], &x[row * R],
+                            &y[graph.columns[k] * C]);
       }
     }
   });

@@ -38,7 +38,7 @@ using NodeBlocks = std::vector<float>;
 NodeBlocks blocksOf(NodeGraph const& graph, CrsMatrix const& matrix);
 
 // Local vectors, node after node. Vectors on columns have the ghosts at their end.
-using NodeVector = std::vector<double>;
+using NodeVector = std::vector<float>;
 
 // Sends owned values to the ghosts of other ranks. Nothing to do on one rank.
 class GhostExchange
