@@ -33,25 +33,55 @@ void withBlockSizes(int rows, int columns, Work const& work)
 // Four numbers that a processor multiplies at once: compilers do not find this in blocks of three.
 using Lanes = float __attribute__((vector_size(16)));
 
-// The first Count of four numbers; the others are zero.
-template <int Count>
+// A block's row is loaded together with the numbers behind it, and the last one with what
+// PaddedVector keeps there.
 inline Lanes load(float const* from)
 {
-  Lanes lanes = {};
-  std::memcpy(&lanes, from, sizeof(float) * (Count < 4 ? Count : 4));
+  Lanes lanes;
+  std::memcpy(&lanes, from, sizeof(lanes));
   return lanes;
 }
 
+// The last Count numbers of a block's row. The other lanes are zero but where Count is 3: to make
+// the fourth zero would take longer than the rest.
 template <int Count>
-inline void store(Lanes const& lanes, float* to)
+inline Lanes loadRest(float const* from)
 {
-  std::memcpy(to, &lanes, sizeof(float) * (Count < 4 ? Count : 4));
+  if constexpr (Count == 1) {
+    return Lanes{from[0], 0, 0, 0};
+  } else if constexpr (Count == 2) {
+    return Lanes{from[0], from[1], 0, 0};
+  } else {
+    return load(from);
+  }
 }
 
-inline float sumOf(Lanes const& lanes) { return (lanes[0] + lanes[2]) + (lanes[1] + lanes[3]); }
+// A vector of N numbers, N = 1, 2, 3, 4 or 6, in lanes.
+template <int N>
+struct Packed
+{
+  static constexpr int num_parts = (N + 3) / 4;
+  static constexpr int last = N - 4 * (num_parts - 1); // numbers in the last part
+  Lanes part[num_parts] = {};
 
-// Sums of products of rows with a vector, lane by lane. A row that is followed by another one is
-// loaded together with the beginning of that; the lanes of the vector are zero there.
+  static Packed of(float const* from)
+  {
+    Packed packed;
+    for (int k = 0; k + 1 < num_parts; ++k) {
+      packed.part[k] = load(from + 4 * k);
+    }
+    packed.part[num_parts - 1] = loadRest<last>(from + 4 * (num_parts - 1));
+    return packed;
+  }
+  void store(float* to) const
+  {
+    for (int i = 0; i < N; ++i) {
+      to[i] = part[i / 4][i % 4];
+    }
+  }
+};
+
+// Sums of products of a block's R rows with a vector of C numbers.
 template <int R, int C>
 class RowSums
 {
@@ -59,25 +89,20 @@ public:
   // += a x
   void add(float const* a, float const* x)
   {
-    const Lanes low = load<C>(x), high = load < C - 4 < 0 ? 0 : C - 4 > (x + (C > 4 ? 4 : 0));
-    addRows(a, low, high, std::integral_constant<int, 0>());
-  }
-  float operator[](int r) const { return sumOf(sums_[r]); }
-
-private:
-  template <int Row>
-  void addRows(float const* a, Lanes const& low, Lanes const& high,
-               std::integral_constant<int, Row>)
-  {
-    if constexpr (Row < R) {
-      sums_[Row] += load<(R - Row) * C>(a + Row * C) * low;
-      if constexpr (C > 4) {
-        sums_[Row] += load<(R - Row) * C - 4>(a + Row * C + 4) * high;
+    const auto packed = Packed<C>::of(x);
+    for (int r = 0; r < R; ++r) {
+      for (int k = 0; k < Packed<C>::num_parts; ++k) {
+        sums_[r] += load(a + r * C + 4 * k) * packed.part[k];
       }
-      addRows(a, low, high, std::integral_constant<int, Row + 1>());
     }
   }
+  float operator[](int r) const
+  {
+    const float three = sums_[r][0] + sums_[r][1] + sums_[r][2];
+    return C == 3 ? three : three + sums_[r][3];
+  }
 
+private:
   Lanes sums_[R] = {};
 };
 
@@ -85,34 +110,26 @@ private:
 template <int N>
 inline void multiplySymmetric(float const* a, float const (&x)[N], float* to)
 {
-  Lanes low = {}, high = {};
+  Packed<N> result;
   for (int c = 0; c < N; ++c) {
-    low += load<N>(a + c * N) * x[c];
-    if constexpr (N > 4) {
-      high += load<N - 4>(a + c * N + 4) * x[c];
+    for (int k = 0; k < Packed<N>::num_parts; ++k) {
+      result.part[k] += load(a + c * N + 4 * k) * x[c];
     }
   }
-  store<N>(low, to);
-  if constexpr (N > 4) {
-    store<N - 4>(high, to + 4);
-  }
+  result.store(to);
 }
 
 // to += a^T x
 template <int R, int C>
 inline void addTransposed(float const* a, float const* x, float* to)
 {
-  Lanes low = load<C>(to), high = load < C - 4 < 0 ? 0 : C - 4 > (to + (C > 4 ? 4 : 0));
+  auto sum = Packed<C>::of(to);
   for (int r = 0; r < R; ++r) {
-    low += load<C>(a + r * C) * x[r];
-    if constexpr (C > 4) {
-      high += load<C - 4>(a + r * C + 4) * x[r];
+    for (int k = 0; k < Packed<C>::num_parts; ++k) {
+      sum.part[k] += load(a + r * C + 4 * k) * x[r];
     }
   }
-  store<C>(low, to);
-  if constexpr (C > 4) {
-    store<C - 4>(high, to + 4);
-  }
+  sum.store(to);
 }
 
 // The inverse of a symmetric positive semidefinite block in the components with free(c), zero in

@@ -2,6 +2,9 @@
 
 #include "base/Types.hpp"
 
+#include <algorithm>
+#include <cstddef>
+#include <memory>
 #include <vector>
 
 namespace asperity::tnnmg::detail
@@ -29,16 +32,43 @@ struct NodeGraph
 NodeGraph makeNodeGraph(std::vector<RCP<const CrsMatrix>> const& matrices, int row_size,
                         int column_size);
 
+// Zeros behind the last number, so that four lanes may be loaded from any place.
+template <class T>
+struct PaddingAllocator
+{
+  using value_type = T;
+  static constexpr std::size_t padding = 4;
+
+  PaddingAllocator() = default;
+  template <class Other>
+  PaddingAllocator(PaddingAllocator<Other> const&) noexcept
+  {
+  }
+  T* allocate(std::size_t count)
+  {
+    T* memory = std::allocator<T>().allocate(count + padding);
+    std::fill_n(memory + count, padding, T(0));
+    return memory;
+  }
+  void deallocate(T* memory, std::size_t count) noexcept
+  {
+    std::allocator<T>().deallocate(memory, count + padding);
+  }
+  friend bool operator==(PaddingAllocator, PaddingAllocator) { return true; }
+  friend bool operator!=(PaddingAllocator, PaddingAllocator) { return false; }
+};
+using PaddedVector = std::vector<float, PaddingAllocator<float>>;
+
 // Blocks in the order of the couplings, row by row, in single precision: the matrices of a
 // preconditioner, whose cost is the memory that they read. A product with single blocks reads a
 // third of what a sparse matrix of scalars needs.
-using NodeBlocks = std::vector<float>;
+using NodeBlocks = PaddedVector;
 
 // The entries of a matrix at the couplings of a graph that includes its own; zero elsewhere.
 NodeBlocks blocksOf(NodeGraph const& graph, CrsMatrix const& matrix);
 
 // Local vectors, node after node. Vectors on columns have the ghosts at their end.
-using NodeVector = std::vector<float>;
+using NodeVector = PaddedVector;
 
 // Sends owned values to the ghosts of other ranks. Nothing to do on one rank.
 class GhostExchange
