@@ -1,5 +1,6 @@
 #include "tnnmg/levels/MultigridCycle.hpp"
 
+#include "base/program/WorkTimers.hpp"
 #include "portability/Renamed.hpp"
 #include "tnnmg/levels/CoarseFault.hpp"
 #include "tnnmg/levels/FlushDenormals.hpp"
@@ -314,6 +315,7 @@ void MultigridCycle::cycle(std::size_t l) const
 
 void MultigridCycle::run(bool with_image) const
 {
+  ASPERITY_NAME_WORK("V-cycles");
   const FlushDenormals flushed;
   cycle(0);
   if (with_image) {
