@@ -3,7 +3,6 @@
 #include "base/Errors.hpp"
 
 #include <Teuchos_CommHelpers.hpp>
-#include <Tpetra_Import.hpp>
 #include <Tpetra_Map.hpp>
 
 namespace asperity::tnnmg::detail
@@ -27,7 +26,7 @@ CoarsestSolver::CoarsestSolver(NodeGraph const& graph, NodeBlocks const& A,
   // Multigrid numbers its coarse rows 0 .. n - 1.
   const auto n = static_cast<Eigen::Index>(map_->getGlobalNumElements());
   const int size = graph.row_size;
-  auto const& columns = graph.ghosts.is_null() ? *graph.domain_map : *graph.ghosts->getTargetMap();
+  auto const& columns = graph.column_map.is_null() ? *graph.domain_map : *graph.column_map;
   Eigen::MatrixXd matrix = Eigen::MatrixXd::Zero(n, n);
   for (int row = 0; row < graph.num_rows; ++row) {
     for (int k = graph.first[row]; k < graph.first[row + 1]; ++k) {

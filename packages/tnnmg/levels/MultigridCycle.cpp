@@ -7,7 +7,6 @@
 #include "tnnmg/levels/NodeKernels.hpp"
 
 #include <Tpetra_CrsMatrix.hpp>
-#include <Tpetra_Import.hpp>
 #include <Tpetra_Map.hpp>
 #include <Tpetra_MultiVector.hpp>
 
@@ -26,8 +25,8 @@ void withSize(int size, Work const& work)
 
 std::size_t numColumns(NodeGraph const& graph)
 {
-  return graph.ghosts.is_null() ? static_cast<std::size_t>(graph.num_owned) * graph.column_size
-                                : numLocalElements(*graph.ghosts->getTargetMap());
+  return graph.column_map.is_null() ? static_cast<std::size_t>(graph.num_owned) * graph.column_size
+                                    : numLocalElements(*graph.column_map);
 }
 } // namespace
 

@@ -4,9 +4,7 @@
 #include "tnnmg/levels/NodeKernels.hpp"
 
 #include <Tpetra_CrsMatrix.hpp>
-#include <Tpetra_Import.hpp>
 #include <Tpetra_Map.hpp>
-#include <Tpetra_MultiVector.hpp>
 
 #include <algorithm>
 
@@ -47,7 +45,7 @@ RCP<const Map> columnMap(std::vector<RCP<const CrsMatrix>> const& matrices, Map 
 std::vector<int> placesOfColumns(NodeGraph const& graph, CrsMatrix const& matrix)
 {
   auto const& from = *matrix.getColMap();
-  auto const& to = graph.ghosts.is_null() ? *graph.domain_map : *graph.ghosts->getTargetMap();
+  auto const& to = graph.column_map.is_null() ? *graph.domain_map : *graph.column_map;
   std::vector<int> places(numLocalElements(from));
   for (std::size_t k = 0; k < places.size(); ++k) {
     places[k] = to.getLocalElement(from.getGlobalElement(static_cast<LocalOrdinal>(k)));
@@ -74,8 +72,13 @@ NodeGraph makeNodeGraph(std::vector<RCP<const CrsMatrix>> const& matrices, int r
   graph.num_rows = static_cast<int>(numLocalElements(*graph.row_map)) / row_size;
   graph.num_owned = static_cast<int>(numLocalElements(*graph.domain_map)) / column_size;
   if (graph.row_map->getComm()->getSize() > 1) {
-    graph.ghosts =
-      rcp(new Import(graph.domain_map, columnMap(matrices, *graph.domain_map, column_size)));
+    graph.column_map = columnMap(matrices, *graph.domain_map, column_size);
+    std::vector<GlobalOrdinal> ghosts;
+    for (auto k = static_cast<LocalOrdinal>(numLocalElements(*graph.domain_map));
+         k < static_cast<LocalOrdinal>(numLocalElements(*graph.column_map)); ++k) {
+      ghosts.push_back(graph.column_map->getGlobalElement(k));
+    }
+    graph.halo = std::make_shared<const Halo>(*graph.domain_map, ghosts);
   }
   std::vector<std::vector<int>> places;
   for (auto const& matrix : matrices) {
@@ -128,39 +131,41 @@ NodeBlocks blocksOf(NodeGraph const& graph, CrsMatrix const& matrix)
   return blocks;
 }
 
-GhostExchange::GhostExchange(NodeGraph const& graph) : import_(graph.ghosts)
+GhostExchange::GhostExchange(NodeGraph const& graph)
+    : halo_(graph.halo)
+    , num_owned_(graph.num_owned * graph.column_size)
 {
-  if (!import_.is_null()) {
-    owned_ = rcp(new MultiVector(import_->getSourceMap(), 1));
-    columns_ = rcp(new MultiVector(import_->getTargetMap(), 1));
+  if (halo_) {
+    sent_.resize(halo_->sent().size());
+    received_.resize(halo_->received().size());
   }
 }
 
 void GhostExchange::share(NodeVector& x) const
 {
-  if (import_.is_null()) {
+  if (!halo_) {
     return;
   }
-  const auto num_owned = owned_->getLocalLength();
-  std::copy_n(x.begin(), num_owned, owned_->getLocalViewHost(Tpetra::Access::OverwriteAll).data());
-  columns_->doImport(*owned_, *import_, Tpetra::INSERT);
-  auto const values = columns_->getLocalViewHost(Tpetra::Access::ReadOnly);
-  for (std::size_t i = num_owned; i < x.size(); ++i) {
-    x[i] = static_cast<float>(values(i, 0));
+  for (std::size_t i = 0; i < sent_.size(); ++i) {
+    sent_[i] = x[halo_->sent()[i]];
+  }
+  halo_->share(sent_.data(), received_.data());
+  for (std::size_t i = 0; i < received_.size(); ++i) {
+    x[num_owned_ + halo_->received()[i]] = received_[i];
   }
 }
 
 void GhostExchange::gather(NodeVector& x) const
 {
-  if (import_.is_null()) {
+  if (!halo_) {
     return;
   }
-  std::copy(x.begin(), x.end(), columns_->getLocalViewHost(Tpetra::Access::OverwriteAll).data());
-  owned_->putScalar(0);
-  owned_->doExport(*columns_, *import_, Tpetra::ADD);
-  auto const values = owned_->getLocalViewHost(Tpetra::Access::ReadOnly);
-  for (std::size_t i = 0; i < owned_->getLocalLength(); ++i) {
-    x[i] = static_cast<float>(values(i, 0));
+  for (std::size_t i = 0; i < received_.size(); ++i) {
+    received_[i] = x[num_owned_ + halo_->received()[i]];
+  }
+  halo_->gather(received_.data(), sent_.data());
+  for (std::size_t i = 0; i < sent_.size(); ++i) {
+    x[halo_->sent()[i]] += sent_[i];
   }
 }
 

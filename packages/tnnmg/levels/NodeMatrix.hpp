@@ -1,6 +1,7 @@
 #pragma once
 
 #include "base/Types.hpp"
+#include "base/parallel/Halo.hpp"
 
 #include <algorithm>
 #include <cstddef>
@@ -20,7 +21,8 @@ struct NodeGraph
   std::vector<int> first;   // (num_rows + 1) where the couplings of a row begin
   std::vector<int> columns; // (num couplings) local nodes, ascending within a row
   RCP<const Map> row_map, domain_map;
-  RCP<const Import> ghosts; // from owned to owned and ghost columns; null on one rank
+  RCP<const Map> column_map;        // of owned and ghost columns; null on one rank
+  std::shared_ptr<const Halo> halo; // of the columns; null on one rank
 
   int numCouplings() const { return first.back(); }
   int blockSize() const { return row_size * column_size; }
@@ -81,8 +83,9 @@ public:
   void gather(NodeVector& x) const;
 
 private:
-  RCP<const Import> import_;
-  RCP<MultiVector> owned_, columns_;
+  std::shared_ptr<const Halo> halo_;
+  int num_owned_;
+  mutable std::vector<float> sent_, received_;
 };
 
 // y = A x, y = y + A x and y(columns) = A^T x.

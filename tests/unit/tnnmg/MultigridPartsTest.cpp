@@ -125,9 +125,9 @@ TEST(CoarseFault, isTheGalerkinProductOfTheHessians)
     auto const& coarse = family->levels()[1];
     const detail::GhostExchange to_columns(fine.prolongation), of_level(coarse.graph);
     // Of a coarse function x, the fine function P x.
-    detail::NodeVector x(fine.prolongation.ghosts.is_null()
+    detail::NodeVector x(fine.prolongation.column_map.is_null()
                            ? coarse.graph.num_owned * coarse.graph.column_size
-                           : numLocalElements(*fine.prolongation.ghosts->getTargetMap()));
+                           : numLocalElements(*fine.prolongation.column_map));
     const auto owned = static_cast<std::size_t>(coarse.graph.num_rows * coarse.graph.row_size);
     for (std::size_t i = 0; i < owned; ++i) {
       x[i] = std::sin(1.0 + coarse.graph.row_map->getGlobalElement(static_cast<int>(i)));
@@ -147,9 +147,9 @@ TEST(CoarseFault, isTheGalerkinProductOfTheHessians)
       hessian.push_back(parts.nodes->hessian.data()[k]);
     }
     detail::addHessians(coarse.fault, hessian, A);
-    detail::NodeVector on_level(coarse.graph.ghosts.is_null()
+    detail::NodeVector on_level(coarse.graph.column_map.is_null()
                                   ? owned
-                                  : numLocalElements(*coarse.graph.ghosts->getTargetMap()));
+                                  : numLocalElements(*coarse.graph.column_map));
     std::copy_n(x.begin(), owned, on_level.begin());
     of_level.share(on_level);
     detail::NodeVector Ax(owned, 0.);
