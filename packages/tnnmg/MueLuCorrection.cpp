@@ -124,8 +124,7 @@ void MueLuCorrection::requireAccepted(Teuchos::ParameterList const& parameters)
   detail::tryParameters(parameters);
 }
 
-MultigridTerms::MultigridTerms(std::vector<RCP<const CrsMatrix>> const& terms,
-                               MultigridProblem const& like,
+MultigridTerms::MultigridTerms(std::vector<MatrixSource> const& terms, MultigridProblem const& like,
                                Teuchos::ParameterList const& parameters)
     : family_(std::make_shared<detail::MultigridFamily>(
         terms, like.components, withTraceAt(*like.near_null_space, like.held_rows), like.nodes.dofs,
@@ -140,11 +139,12 @@ MueLuCorrection::MueLuCorrection(MultigridProblem const& problem,
                                  MultigridTerms const& terms, std::vector<double> const& weights)
 {
   const detail::MultigridParameters values(parameters, problem.components);
-  implementation_ = terms.empty()
-                      ? std::make_unique<Implementation>(
-                          problem, values, MultigridTerms({problem.Z}, problem, parameters).family_,
-                          std::vector<double>{1})
-                      : std::make_unique<Implementation>(problem, values, terms.family_, weights);
+  implementation_ =
+    terms.empty()
+      ? std::make_unique<Implementation>(
+          problem, values, MultigridTerms({[&] { return problem.Z; }}, problem, parameters).family_,
+          std::vector<double>{1})
+      : std::make_unique<Implementation>(problem, values, terms.family_, weights);
 }
 
 MueLuCorrection::~MueLuCorrection() = default;

@@ -1,5 +1,6 @@
 #include "tnnmg/levels/NodeMatrix.hpp"
 
+#include "base/Errors.hpp"
 #include "portability/Renamed.hpp"
 #include "tnnmg/levels/NodeKernels.hpp"
 
@@ -122,6 +123,7 @@ NodeBlocks blocksOf(NodeGraph const& graph, CrsMatrix const& matrix)
           coupling = coupling + 1 < graph.first[row + 1] && graph.columns[coupling + 1] == column
                        ? coupling + 1
                        : graph.find(row, column);
+          ASPERITY_ASSERT(coupling >= 0);
         }
         blocks[(static_cast<std::size_t>(coupling) * rows + r) * columns + place % columns] =
           static_cast<float>(local.values(k));

@@ -381,7 +381,8 @@ TEST(MueLuCorrection, sharesProlongatorsAndProjectedTerms)
   }
   Z->fillComplete();
   sum.Z = Z;
-  const MultigridTerms terms({stiff.Z, heavy.Z}, stiff.problem(), parameters());
+  const MultigridTerms terms({[&] { return stiff.Z; }, [&] { return heavy.Z; }}, stiff.problem(),
+                             parameters());
   EXPECT_GT(terms.bytes(), 0U);
   MueLuCorrection shared(sum.problem(), parameters(), terms, {3, 0.5});
   MueLuCorrection own(sum.problem(), parameters());

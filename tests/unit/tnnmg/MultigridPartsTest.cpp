@@ -52,9 +52,9 @@ std::shared_ptr<const detail::MultigridFamily> familyOf(ElasticModel const& mode
       }
     }
   }
-  return std::make_shared<const detail::MultigridFamily>(std::vector<RCP<const CrsMatrix>>{model.Z},
-                                                         model.options.components, near_null_space,
-                                                         model.nodes.dofs, muelu);
+  return std::make_shared<const detail::MultigridFamily>(
+    std::vector<detail::MatrixSource>{[&] { return model.Z; }}, model.options.components,
+    near_null_space, model.nodes.dofs, muelu);
 }
 
 RCP<detail::MultigridPreconditioner> makePreconditioner(ElasticModel const& model,
@@ -147,9 +147,8 @@ TEST(CoarseFault, isTheGalerkinProductOfTheHessians)
       hessian.push_back(parts.nodes->hessian.data()[k]);
     }
     detail::addHessians(coarse.fault, hessian, A);
-    detail::NodeVector on_level(coarse.graph.column_map.is_null()
-                                  ? owned
-                                  : numLocalElements(*coarse.graph.column_map));
+    detail::NodeVector on_level(
+      coarse.graph.column_map.is_null() ? owned : numLocalElements(*coarse.graph.column_map));
     std::copy_n(x.begin(), owned, on_level.begin());
     of_level.share(on_level);
     detail::NodeVector Ax(owned, 0.);
