@@ -96,6 +96,36 @@ TEST(MultigridPreconditioner, isSymmetricAfterEveryKindOfSetup)
   }
 }
 
+// The product with Z + H that a cycle leaves is that of the operator, to single precision.
+TEST(MultigridCycle, givesTheImageOfItsResult)
+{
+  for (int tangents : {1, 2}) {
+    for (auto truncation : {Truncation::none, Truncation::every_second}) {
+      const auto model = modelWith(1.0, tangents);
+      const Parts parts(model, FaultState(model, truncation, -2, 2));
+      detail::MultigridCycle cycle(familyOf(model), {1}, *model.Z, parts.nodes);
+      cycle.setup();
+      const auto r = detail::pseudorandomVector(model.map, 0, *parts.nodes);
+      const auto given = r.getLocalViewHost(Tpetra::Access::ReadOnly);
+      for (std::size_t i = 0; i < cycle.r().size(); ++i) {
+        cycle.r()[i] = static_cast<float>(given(i, 0));
+      }
+      cycle.run(true);
+      Vector z(model.map), image(model.map), expected(model.map);
+      const auto copy = [](detail::NodeVector const& from, Vector& to) {
+        std::copy_n(from.begin(), to.getLocalLength(),
+                    to.getLocalViewHost(Tpetra::Access::OverwriteAll).data());
+      };
+      copy(cycle.z(), z);
+      copy(cycle.image(), image);
+      EXPECT_GT(z.norm2(), 0);
+      parts.A->apply(z, expected);
+      image.update(-1, expected, 1);
+      EXPECT_LE(image.norm2(), 1e-5 * expected.norm2());
+    }
+  }
+}
+
 TEST(MultigridOperator, isTheTruncatedMatrix)
 {
   for (int tangents : {1, 2}) {
@@ -159,6 +189,52 @@ TEST(CoarseFault, isTheGalerkinProductOfTheHessians)
     }
     EXPECT_NEAR(sumOverRanks(energy, *model.map->getComm()), expected, 1e-5 * expected);
   }
+}
+
+TEST(NodeKernels, multipliesBlocksOfAllSizes)
+{
+  const auto check = [](auto rows, auto columns) {
+    constexpr int R = decltype(rows)::value, C = decltype(columns)::value;
+    detail::NodeBlocks a(R * C);
+    detail::NodeVector x(C), y(R), sum(C, 1.f);
+    for (int i = 0; i < R * C; ++i) {
+      a[i] = static_cast<float>(1 + i);
+    }
+    for (int c = 0; c < C; ++c) {
+      x[c] = static_cast<float>(2 + c);
+    }
+    detail::RowSums<R, C> product;
+    product.add(a.data(), x.data());
+    for (int r = 0; r < R; ++r) {
+      float expected = 0;
+      for (int c = 0; c < C; ++c) {
+        expected += a[r * C + c] * x[c];
+      }
+      EXPECT_EQ(product[r], expected) << R << ' ' << C;
+      y[r] = static_cast<float>(3 + r);
+    }
+    detail::addTransposed<R, C>(a.data(), y.data(), sum.data());
+    for (int c = 0; c < C; ++c) {
+      float expected = 1;
+      for (int r = 0; r < R; ++r) {
+        expected += a[r * C + c] * y[r];
+      }
+      EXPECT_EQ(sum[c], expected) << R << ' ' << C;
+    }
+  };
+  using One = std::integral_constant<int, 1>;
+  using Two = std::integral_constant<int, 2>;
+  using Three = std::integral_constant<int, 3>;
+  using Four = std::integral_constant<int, 4>;
+  using Six = std::integral_constant<int, 6>;
+  check(One(), One());
+  check(Two(), Two());
+  check(Two(), Three());
+  check(Three(), Three());
+  check(Three(), Four());
+  check(Three(), Six());
+  check(Four(), Four());
+  check(Six(), Six());
 }
 
 TEST(NodeKernels, invertsInTheFreeComponents)
