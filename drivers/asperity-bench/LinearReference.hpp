@@ -16,7 +16,7 @@ public:
 
   // x from zero after a number of iterations for Z x = b.
   void iterate(asperity::Vector const& b, int num_iterations, asperity::Vector& x) const;
-  // The least number of iterations after which the error of x in the energy norm is at most `error`.
+  // The least number of iterations after which the energy norm of the error is at most `error`.
   int iterationsFor(asperity::Vector const& b, asperity::Vector const& solution,
                     double error) const;
 

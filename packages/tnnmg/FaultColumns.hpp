@@ -1,6 +1,6 @@
 #pragma once
 
-#include "base/parallel/Halo.hpp"
+#include "tnnmg/Halo.hpp"
 #include "tnnmg/NonlinearNodes.hpp"
 
 #include <Tpetra_CrsMatrix.hpp>

@@ -31,9 +31,9 @@ void subtractColumns(CrsMatrix const& Z, NonlinearNodes const& nodes, FaultColum
 
 // One sweep of nonlinear block Gauss-Seidel over the nonlinear nodes: the model is minimised node
 // by node (a colour at a time, over all ranks), so that J does not rise. Updates v_columns (v on
-// Z's column map, with the ghosts that the nodes' rows touch) and blocks(num_nodes, T), the values of v at the nonlinear
-// nodes. residual(num_nodes, T) is work space. Returns the number of nodes whose minimisation
-// failed on this rank.
+// Z's column map, with the ghosts that the nodes' rows touch) and blocks(num_nodes, T), the values
+// of v at the nonlinear nodes. residual(num_nodes, T) is work space. Returns the number of nodes
+// whose minimisation failed on this rank.
 template <class NodalProblem>
 int gaussSeidel(CrsMatrix const& Z, NonlinearNodes const& nodes, FaultColumns const& exchange,
                 ConstNodeView const& curvature, NodalProblem const& problem, Vector const& b,

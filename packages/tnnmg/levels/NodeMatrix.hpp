@@ -1,7 +1,7 @@
 #pragma once
 
 #include "base/Types.hpp"
-#include "base/parallel/Halo.hpp"
+#include "tnnmg/Halo.hpp"
 
 #include <algorithm>
 #include <cstddef>

@@ -1,4 +1,4 @@
-#include "base/parallel/Halo.hpp"
+#include "tnnmg/Halo.hpp"
 
 #include "base/Errors.hpp"
 
@@ -9,13 +9,13 @@
 #include <algorithm>
 #include <vector>
 
-namespace asperity
+namespace asperity::tnnmg
 {
 namespace
 {
 constexpr int owned_ids = 4; // of each rank, one after the other
 
-// Every rank has copies of the first two numbers of the next rank and of the last of the one before.
+// Every rank has copies of two numbers of the next rank and of the last of the one before.
 struct Ring
 {
   Ring()
@@ -105,4 +105,4 @@ TEST(Halo, refusesWhatNobodyOwns)
     EXPECT_THROW(Halo(ring.map, {owned_ids * 1000}), InputError);
   }
 }
-} // namespace asperity
+} // namespace asperity::tnnmg

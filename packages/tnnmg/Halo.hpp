@@ -4,7 +4,7 @@
 
 #include <vector>
 
-namespace asperity
+namespace asperity::tnnmg
 {
 // Which of this rank's numbers other ranks have copies of (ghosts), and which copies it has of
 // theirs; made once, to send nothing but values later: one message to each neighbour. Nothing is
@@ -40,4 +40,4 @@ private:
   std::vector<int> sent_, received_;
   std::vector<Neighbour> to_, from_;
 };
-} // namespace asperity
+} // namespace asperity::tnnmg

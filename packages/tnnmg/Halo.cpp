@@ -1,4 +1,4 @@
-#include "base/parallel/Halo.hpp"
+#include "tnnmg/Halo.hpp"
 
 #include "base/Errors.hpp"
 #include "base/parallel/Messages.hpp"
@@ -8,7 +8,7 @@
 #include <algorithm>
 #include <numeric>
 
-namespace asperity
+namespace asperity::tnnmg
 {
 namespace
 {
@@ -146,4 +146,4 @@ template void Halo::share(double const*, double*) const;
 template void Halo::gather(char const*, char*) const;
 template void Halo::gather(float const*, float*) const;
 template void Halo::gather(double const*, double*) const;
-} // namespace asperity
+} // namespace asperity::tnnmg
