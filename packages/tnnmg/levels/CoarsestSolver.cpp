@@ -5,6 +5,8 @@
 #include <Teuchos_CommHelpers.hpp>
 #include <Tpetra_Map.hpp>
 
+#include <string>
+
 namespace asperity::tnnmg::detail
 {
 namespace
@@ -25,6 +27,12 @@ CoarsestSolver::CoarsestSolver(NodeGraph const& graph, NodeBlocks const& A,
 {
   // Multigrid numbers its coarse rows 0 .. n - 1.
   const auto n = static_cast<Eigen::Index>(map_->getGlobalNumElements());
+  if (n > most_rows) {
+    throw SolveError("Multigrid: the coarsest level has " + std::to_string(n) + " rows on " +
+                     std::to_string(map_->getComm()->getSize()) + " ranks, and at most " +
+                     std::to_string(most_rows) +
+                     " can be factorised on every rank. Use fewer ranks.");
+  }
   const int size = graph.row_size;
   auto const& columns = graph.column_map.is_null() ? *graph.domain_map : *graph.column_map;
   Eigen::MatrixXd matrix = Eigen::MatrixXd::Zero(n, n);

@@ -16,6 +16,7 @@
 #include <algorithm>
 #include <cmath>
 #include <memory>
+#include <string>
 #include <vector>
 
 namespace asperity::tnnmg
@@ -322,6 +323,26 @@ TEST(CoarsestSolver, solvesWhatIsSpreadOverRanks)
   const Eigen::VectorXd error = model.gather(x) - exact;
   EXPECT_LE(std::sqrt(error.dot(model.global * error)),
             1e-4 * std::sqrt(exact.dot(model.global * exact)));
+}
+
+// Before it has taken memory for them.
+TEST(CoarsestSolver, refusesMoreRowsThanEveryRankCanHave)
+{
+  const auto rows =
+    rcp(new Map(detail::CoarsestSolver::most_rows + 1, 0, modelWith(1.0, 1).map->getComm()));
+  const auto identity = rcp(new CrsMatrix(rows, 1));
+  for (std::size_t row = 0; row < numLocalElements(*rows); ++row) {
+    const auto id = rows->getGlobalElement(static_cast<int>(row));
+    const double one = 1;
+    identity->insertGlobalValues(id, 1, &one, &id);
+  }
+  identity->fillComplete();
+  try {
+    Coarsest(identity, 1);
+    FAIL() << "was factorised";
+  } catch (SolveError const& error) {
+    EXPECT_NE(std::string(error.what()).find("20001 rows"), std::string::npos) << error.what();
+  }
 }
 
 TEST(CoarsestSolver, refusesAnIndefiniteMatrixOnAllRanks)
