@@ -23,6 +23,23 @@ void pack(IndexView const& places, Values const& from, NodeView const& to)
     label_pack, Policy(0, places.extent(0)), KOKKOS_LAMBDA(int i) { to(i) = from(places(i), 0); });
 }
 
+template <class Values>
+void unpack(NodeView const& from, IndexView const& places, Values const& to)
+{
+  Kokkos::parallel_for(
+    label_unpack, Policy(0, places.extent(0)),
+    KOKKOS_LAMBDA(int i) { to(places(i), 0) = from(i); });
+}
+
+// Several ranks may have a ghost of a place.
+template <class Values>
+void subtract(NodeView const& from, IndexView const& places, Values const& to)
+{
+  Kokkos::parallel_for(
+    label_unpack, Policy(0, places.extent(0)),
+    KOKKOS_LAMBDA(int i) { Kokkos::atomic_add(&to(places(i), 0), -from(i)); });
+}
+
 // Values on the device to the host, over the ranks, and back.
 template <class Exchange>
 void overHost(NodeView const& from, NodeView const& to, Exchange const& exchange)
@@ -52,12 +69,7 @@ void FaultColumns::Part::share(Vector& columns) const
   pack(sent, columns.getLocalViewDevice(Tpetra::Access::ReadOnly), sent_values);
   overHost(sent_values, received_values,
            [&](double const* from, double* to) { halo.share(from, to); });
-  auto const values = columns.getLocalViewDevice(Tpetra::Access::ReadWrite);
-  auto const places = received;
-  auto const from = received_values;
-  Kokkos::parallel_for(
-    label_unpack, Policy(0, places.extent(0)),
-    KOKKOS_LAMBDA(int i) { values(places(i), 0) = from(i); });
+  unpack(received_values, received, columns.getLocalViewDevice(Tpetra::Access::ReadWrite));
 }
 
 FaultColumns::FaultColumns(CrsMatrix const& Z, NonlinearNodes const& nodes)
@@ -122,12 +134,6 @@ void FaultColumns::subtractGhosts(Vector const& columns, Vector& r) const
   pack(all_.received, columns.getLocalViewDevice(Tpetra::Access::ReadOnly), all_.received_values);
   overHost(all_.received_values, all_.sent_values,
            [&](double const* from, double* to) { all_.halo.gather(from, to); });
-  auto const values = r.getLocalViewDevice(Tpetra::Access::ReadWrite);
-  auto const places = all_.sent;
-  auto const from = all_.sent_values;
-  Kokkos::parallel_for(
-    label_unpack, Policy(0, places.extent(0)), KOKKOS_LAMBDA(int i) {
-      Kokkos::atomic_add(&values(places(i), 0), -from(i)); // several ranks may have a ghost
-    });
+  subtract(all_.sent_values, all_.sent, r.getLocalViewDevice(Tpetra::Access::ReadWrite));
 }
 } // namespace asperity::tnnmg
