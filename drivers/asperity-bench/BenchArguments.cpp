@@ -37,7 +37,7 @@ void declare(asperity::Options& options, BenchArguments& arguments, Given& given
 {
   options.value("--sizes", given.sizes, "H,H,...", "cell sizes of the meshes, from coarse to fine")
     .value("--steps", given.steps, "TAU,TAU,...",
-           "scaling: step sizes, s; steps: a number of accepted steps")
+           "scaling: step sizes, s; steps, compare: a number of accepted steps")
     .value("--size-parameter", arguments.scaling.cell_size, "PATH",
            "the deck's parameter that the sizes are given to (Mesh/Deep Wedge/Cell Size)")
     .value("--rupture-rate", given.rupture_rate, "V", "slip rate of the rupture, m/s (0.01)")
@@ -59,9 +59,10 @@ BenchArguments parseBenchArguments(int argc, char const* const* argv)
     return arguments;
   }
   ASPERITY_REQUIRE(
-    words.size() == 2 && (words[0] == "scaling" || words[0] == "steps" || words[0] == "mesh"),
-    "asperity-bench scaling DECK.xml, asperity-bench steps DECK.xml and asperity-bench mesh "
-    "DECK.xml are what there is. See asperity-bench --help.");
+    words.size() == 2 &&
+      (words[0] == "scaling" || words[0] == "steps" || words[0] == "compare" || words[0] == "mesh"),
+    "asperity-bench scaling DECK.xml, asperity-bench steps DECK.xml, asperity-bench compare "
+    "DECK.xml and asperity-bench mesh DECK.xml are what there is. See asperity-bench --help.");
   arguments.deck.deck = words[1];
   arguments.counts_mesh = words[0] == "mesh";
   if (arguments.counts_mesh) {
@@ -70,12 +71,13 @@ BenchArguments parseBenchArguments(int argc, char const* const* argv)
                      "asperity-bench mesh takes --set and --plugin alone.");
     return arguments;
   }
-  if (words[0] == "steps") {
+  if (words[0] == "steps" || words[0] == "compare") {
     ASPERITY_REQUIRE(!given.steps.empty(), "--steps is needed, e.g. --steps 20.");
     const double number = positive("--steps", given.steps);
     ASPERITY_REQUIRE(number >= 1 && number <= 1e6 && number == std::floor(number),
                      "--steps " << given.steps << ": this is no number of steps from 1 to 1e6.");
-    arguments.steps.num_steps = static_cast<int>(number);
+    (words[0] == "steps" ? arguments.steps.num_steps : arguments.compare.num_steps) =
+      static_cast<int>(number);
     return arguments;
   }
   ASPERITY_REQUIRE(!given.sizes.empty() && !given.steps.empty(),
@@ -104,6 +106,9 @@ void printBenchHelp(std::ostream& out)
        "    The first N accepted steps of a three-dimensional deck: what a coupled step costs, in\n"
        "    counts and in products with K, apart for inertial and quasi-static steps; set-up and\n"
        "    memory.\n\n"
+       "  asperity-bench compare DECK.xml --steps N\n"
+       "    After each of N accepted steps: a coupled step, its rate problem, and the linear\n"
+       "    problem with the same matrix, guess and error by CG with MueLu's multigrid.\n\n"
        "  asperity-bench mesh DECK.xml\n"
        "    Makes the mesh alone: how many cells and vertices, how evenly the ranks have them, "
        "and\n"

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "Compare.hpp"
 #include "Scaling.hpp"
 #include "Steps.hpp"
 #include "base/program/CommandLine.hpp"
@@ -11,6 +12,7 @@ struct BenchArguments
   asperity::CommandLine deck; // the deck and its overrides
   ScalingOptions scaling;
   StepsOptions steps;       // num_steps is 0 unless `steps` is asked for
+  CompareOptions compare;   // likewise for `compare`
   std::string output;       // JSON file, "" for none
   bool counts_mesh = false; // asperity-bench mesh
   bool help = false;

@@ -1,5 +1,6 @@
 #include "Commands.hpp"
 
+#include "Compare.hpp"
 #include "MeshCounts.hpp"
 #include "Scaling.hpp"
 #include "Steps.hpp"
@@ -32,6 +33,20 @@ int measureStretch(BenchArguments const& arguments,
     std::cout << stepsTable(sample, communicator->getSize()) << "\n" << work;
     if (!arguments.output.empty()) {
       write(arguments.output, stepsJson(sample, communicator->getSize()));
+    }
+  }
+  return asperity::exit_done;
+}
+
+int compareStretch(BenchArguments const& arguments,
+                   asperity::RCP<const asperity::Communicator> const& communicator)
+{
+  auto const deck = asperity::scenario::readCompleteDeck(arguments.deck);
+  auto const comparison = compareWithLinear(*deck, arguments.compare, communicator);
+  if (communicator->getRank() == 0) {
+    std::cout << comparisonTable(comparison, communicator->getSize()) << std::flush;
+    if (!arguments.output.empty()) {
+      write(arguments.output, comparisonJson(comparison, communicator->getSize()));
     }
   }
   return asperity::exit_done;
@@ -78,6 +93,9 @@ int measure(BenchArguments const& arguments,
 {
   if (arguments.counts_mesh) {
     return countMesh(arguments, communicator);
+  }
+  if (arguments.compare.num_steps > 0) {
+    return compareStretch(arguments, communicator);
   }
   return arguments.steps.num_steps > 0 ? measureStretch(arguments, communicator)
                                        : measureScaling(arguments, communicator);

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "MessageCounts.hpp"
 #include "base/parameters/Parameters.hpp"
 #include "dynamics/coupling/CoupledStep.hpp"
 
@@ -30,6 +31,8 @@ struct StretchSample
   double peak_bytes = 0;      // over all ranks
   int setups = 0;             // of step sizes
   StepsSample inertial, quasi_static;
+  // In the steps, set-up of step sizes included, by the kind of work; the largest of the ranks.
+  MessageCounts messages;
 };
 
 // Runs a three-dimensional deck from its beginning, without outputs. Collective.

@@ -27,6 +27,46 @@ void addJson(std::ostream& out, char const* name, StepsSample const& kind)
   }
   out << ", \"seconds\": " << kind.seconds << ", \"setup_seconds\": " << kind.setup_seconds << "}";
 }
+// What a V-cycle, a sweep, a line search and a coupled step send.
+void addMessages(std::ostream& out, StretchSample const& sample)
+{
+  if (sample.messages.empty()) {
+    return;
+  }
+  auto const of = [&](std::int64_t asperity::dynamics::SolveCount::*number) {
+    return static_cast<double>(sample.inertial.count.*number + sample.quasi_static.count.*number);
+  };
+  using Count = asperity::dynamics::SolveCount;
+  out << "\nThe largest of the ranks. Point to point, and collective calls.\n\n"
+         "| for each | work | messages | kB | collective |\n|---|---|---|---|---|\n";
+  MessageCount step;
+  for (auto const& [name, count] : sample.messages) {
+    const bool is_cycle = name == "V-cycles", is_setup = name == "set-up of step sizes";
+    const bool in_iteration = name == "Gauss-Seidel sweeps" || name == "line searches" ||
+                              name == "linear corrections" || name == "Tnnmg";
+    const double each = is_setup       ? sample.setups
+                        : is_cycle     ? of(&Count::v_cycles)
+                        : in_iteration ? of(&Count::tnnmg_iterations)
+                                       : of(&Count::coupled_steps);
+    const auto mean = [&](std::int64_t number) { return static_cast<double>(number) / each; };
+    out << "| "
+        << (is_setup       ? "step size"
+            : is_cycle     ? "V-cycle"
+            : in_iteration ? "iteration"
+                           : "step")
+        << " | " << (name.empty() ? "other" : name) << " | " << mean(count.messages) << " | "
+        << mean(count.bytes) / 1e3 << " | " << mean(count.reductions) << " |\n";
+    if (!is_setup) {
+      step.messages += count.messages;
+      step.bytes += count.bytes;
+      step.reductions += count.reductions;
+    }
+  }
+  const double steps = of(&Count::coupled_steps);
+  out << "| step | all but set-up | " << static_cast<double>(step.messages) / steps << " | "
+      << static_cast<double>(step.bytes) / steps / 1e3 << " | "
+      << static_cast<double>(step.reductions) / steps << " |\n";
+}
 } // namespace
 
 std::string stepsTable(StretchSample const& sample, int num_ranks)
@@ -44,6 +84,7 @@ std::string stepsTable(StretchSample const& sample, int num_ranks)
          "|---|---|---|---|---|---|---|---|---|---|\n";
   addRow(out, "inertial", sample.inertial, sample.product_seconds);
   addRow(out, "quasi-static", sample.quasi_static, sample.product_seconds);
+  addMessages(out, sample);
   return out.str();
 }
 
@@ -56,6 +97,11 @@ std::string stepsJson(StretchSample const& sample, int num_ranks)
       << ", \"peak_bytes\": " << sample.peak_bytes << ", \"setups\": " << sample.setups;
   addJson(out, "inertial", sample.inertial);
   addJson(out, "quasi_static", sample.quasi_static);
-  out << "}\n";
+  for (auto const& [name, count] : sample.messages) {
+    out << (name == sample.messages.begin()->first ? ", \"messages\": {\"" : ", \"") << name
+        << "\": {\"messages\": " << count.messages << ", \"bytes\": " << count.bytes
+        << ", \"reductions\": " << count.reductions << "}";
+  }
+  out << (sample.messages.empty() ? "}\n" : "}}\n");
   return out.str();
 }

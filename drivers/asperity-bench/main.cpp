@@ -1,6 +1,7 @@
 // asperity-bench scaling DECK.xml --sizes H,H,... --steps TAU,TAU,... [--size-parameter PATH]
 // [--rupture-rate V] [--set "Path/To/Parameter=value"]... [--output FILE.json]
 // asperity-bench steps DECK.xml --steps N [--set ...]... [--output FILE.json]
+// asperity-bench compare DECK --steps N [--set ...]... [--output FILE.json]
 // asperity-bench mesh DECK.xml [--set ...]...
 #include "Commands.hpp"
 #include "base/Errors.hpp"

@@ -3,7 +3,6 @@
 #include "base/Errors.hpp"
 #include "portability/Renamed.hpp"
 
-#include <Tpetra_Import.hpp>
 #include <Tpetra_Map.hpp>
 
 #include <string>
@@ -127,8 +126,8 @@ void scatter(NonlinearNodes const& nodes, IndexView const& which, ConstBlockView
     });
 }
 
-void subtractColumns(CrsMatrix const& Z, NonlinearNodes const& nodes, ConstBlockView const& d,
-                     Vector& columns, Vector& r)
+void subtractColumns(CrsMatrix const& Z, NonlinearNodes const& nodes, FaultColumns const& exchange,
+                     ConstBlockView const& d, Vector& columns, Vector& r)
 {
   columns.putScalar(0);
   {
@@ -148,24 +147,8 @@ void subtractColumns(CrsMatrix const& Z, NonlinearNodes const& nodes, ConstBlock
         }
       });
   }
-  auto const importer = Z.getGraph()->getImporter();
-  auto const owned = columns.offsetViewNonConst(Z.getDomainMap(), 0)->getVectorNonConst(0);
+  auto const owned = columns.offsetView(Z.getDomainMap(), 0)->getVector(0);
   r.update(-1, *owned, 1);
-  if (!importer.is_null()) {
-    owned->putScalar(0); // the ghosts are left
-    Vector of_ghosts(Z.getDomainMap());
-    of_ghosts.doExport(columns, *importer, Tpetra::ADD);
-    r.update(-1, of_ghosts, 1);
-  }
-}
-
-void shareGhosts(CrsMatrix const& Z, Vector& v_columns)
-{
-  auto const importer = Z.getGraph()->getImporter();
-  if (importer.is_null()) {
-    return;
-  }
-  const Vector owned(*v_columns.offsetView(Z.getDomainMap(), 0)->getVector(0), Teuchos::Copy);
-  v_columns.doImport(owned, *importer, Tpetra::INSERT);
+  exchange.subtractGhosts(columns, r);
 }
 } // namespace asperity::tnnmg

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "tnnmg/FaultColumns.hpp"
 #include "tnnmg/NonlinearNodes.hpp"
 
 #include <Tpetra_CrsMatrix.hpp>
@@ -25,18 +26,18 @@ void modelResidual(LocalMatrix const& matrix, NonlinearNodes const& nodes, Index
 // r -= Z d for a d that is zero but at the nonlinear nodes, d(num_nodes, T). Z is symmetric, so
 // that the rows of these nodes serve as their columns: much less work than a product, unless these
 // nodes are all there is. columns is work space on Z's column map. Collective.
-void subtractColumns(CrsMatrix const& Z, NonlinearNodes const& nodes, ConstBlockView const& d,
-                     Vector& columns, Vector& r);
+void subtractColumns(CrsMatrix const& Z, NonlinearNodes const& nodes, FaultColumns const& exchange,
+                     ConstBlockView const& d, Vector& columns, Vector& r);
 
 // One sweep of nonlinear block Gauss-Seidel over the nonlinear nodes: the model is minimised node
 // by node (a colour at a time, over all ranks), so that J does not rise. Updates v_columns (v on
-// Z's column map, ghosts included) and blocks(num_nodes, T), the values of v at the nonlinear
-// nodes. residual(num_nodes, T) is work space. Returns the number of nodes whose minimisation
-// failed on this rank.
+// Z's column map, with the ghosts that the nodes' rows touch) and blocks(num_nodes, T), the values
+// of v at the nonlinear nodes. residual(num_nodes, T) is work space. Returns the number of nodes
+// whose minimisation failed on this rank.
 template <class NodalProblem>
-int gaussSeidel(CrsMatrix const& Z, NonlinearNodes const& nodes, ConstNodeView const& curvature,
-                NodalProblem const& problem, Vector const& b, Vector& v_columns,
-                BlockView const& blocks, BlockView const& residual);
+int gaussSeidel(CrsMatrix const& Z, NonlinearNodes const& nodes, FaultColumns const& exchange,
+                ConstNodeView const& curvature, NodalProblem const& problem, Vector const& b,
+                Vector& v_columns, BlockView const& blocks, BlockView const& residual);
 
 // The system of coupled nodes with a full Z, whose entries must be stored row by row: views of the
 // memory of Z and b, which must outlive the result.
@@ -48,13 +49,11 @@ CoupledSystem coupledSystem(CrsMatrix const& Z, NonlinearNodes const& nodes,
 void gather(NonlinearNodes const& nodes, Vector const& v, BlockView const& blocks);
 void scatter(NonlinearNodes const& nodes, IndexView const& which, ConstBlockView const& blocks,
              Vector& v);
-// Sends owned values to the ghosts of other ranks; does nothing on one rank.
-void shareGhosts(CrsMatrix const& Z, Vector& v_columns);
 
 template <class NodalProblem>
-int gaussSeidel(CrsMatrix const& Z, NonlinearNodes const& nodes, ConstNodeView const& curvature,
-                NodalProblem const& problem, Vector const& b, Vector& v_columns,
-                BlockView const& blocks, BlockView const& residual)
+int gaussSeidel(CrsMatrix const& Z, NonlinearNodes const& nodes, FaultColumns const& exchange,
+                ConstNodeView const& curvature, NodalProblem const& problem, Vector const& b,
+                Vector& v_columns, BlockView const& blocks, BlockView const& residual)
 {
   if (nodes.are_coupled) {
     auto const& all = nodes.colours.front();
@@ -64,13 +63,14 @@ int gaussSeidel(CrsMatrix const& Z, NonlinearNodes const& nodes, ConstNodeView c
   }
   auto const matrix = Z.getLocalMatrixDevice();
   int failures = 0;
-  for (auto const& colour : nodes.colours) {
+  for (std::size_t k = 0; k < nodes.colours.size(); ++k) {
+    auto const& colour = nodes.colours[k];
     if (colour.extent(0) > 0) {
       modelResidual(matrix, nodes, colour, curvature, b, v_columns, residual);
       failures += problem.minimise(colour, curvature, residual, blocks);
       scatter(nodes, colour, blocks, v_columns);
     }
-    shareGhosts(Z, v_columns);
+    exchange.shareColour(k, v_columns);
   }
   return failures;
 }

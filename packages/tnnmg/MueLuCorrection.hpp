@@ -5,6 +5,7 @@
 
 #include <Teuchos_ParameterList.hpp>
 
+#include <functional>
 #include <memory>
 #include <vector>
 
@@ -42,11 +43,13 @@ struct MultigridProblem
 class MultigridTerms
 {
 public:
+  using MatrixSource = std::function<RCP<const CrsMatrix>()>; // collective
   MultigridTerms() = default; // none: a correction makes its own, of Z alone
   // like: near null space, held rows and nodes of the problems to come; its Z is not read. The
-  // first term decides the prolongators. Rows and columns of held dofs are diagonal in all terms.
+  // first term decides the prolongators, and the others have no couplings that it has not; they are
+  // made one after the other. Rows and columns of held dofs are diagonal in all terms.
   // Throws SolveError if MueLu's set-up fails.
-  MultigridTerms(std::vector<RCP<const CrsMatrix>> const& terms, MultigridProblem const& like,
+  MultigridTerms(std::vector<MatrixSource> const& terms, MultigridProblem const& like,
                  Teuchos::ParameterList const& parameters);
 
   bool empty() const { return !family_; }

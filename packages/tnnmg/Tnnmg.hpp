@@ -10,6 +10,7 @@
 #include "tnnmg/TnnmgVectors.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <memory>
 
@@ -86,12 +87,15 @@ public:
 private:
   TnnmgResult iterate(NodalProblem const& problem, Vector const& b, Vector& v, int max_iterations,
                       bool continues);
-  void smooth(NodalProblem const& problem, Vector const& b, TnnmgResult& result);
+  int smooth(NodalProblem const& problem, Vector const& b, TnnmgResult& result);
   bool correct(NodalProblem const& problem, Vector const& b, TnnmgResult& result);
   bool findCorrection(NodalProblem const& problem, TnnmgResult& result);
   bool searchAlong(NodalProblem const& problem, Vector const& b, TnnmgResult& result);
-  double smallChange(Vector const& b) const;
-  double moveAlong(NodalProblem const& problem, double step);
+  // The largest change that counts as converged, in the energy norm; norm: that of v.
+  double smallChange(double norm) const
+  {
+    return std::max(settings_.absolute_tolerance, settings_.relative_tolerance * norm);
+  }
 
   RCP<const CrsMatrix> Z_;
   NonlinearNodes nodes_;
@@ -111,43 +115,40 @@ TnnmgResult Tnnmg<NodalProblem>::iterate(NodalProblem const& problem, Vector con
     vectors_.start(*Z_, b, v);
     gather(nodes_, *vectors_.v, blocks_.v);
   }
+  int failed_here = 0; // on this rank
   while (result.iterations < max_iterations && !result.converged) {
     ++result.iterations;
     vectors_.beginIteration();
-    smooth(problem, b, result);
+    failed_here += smooth(problem, b, result);
     const bool corrected = correct(problem, b, result);
-    result.last_change = vectors_.energyOfChange();
+    auto const norms = vectors_.norms(b, failed_here);
+    result.last_change = norms.change;
+    result.failed_nodes = norms.failed_nodes;
     // Without a correction, the last change says nothing about the dofs that Gauss-Seidel does not
     // visit.
-    result.converged = corrected && result.last_change <= smallChange(b);
+    result.converged = corrected && result.last_change <= smallChange(norms.v);
   }
-  result.failed_nodes = sumOverRanks(result.failed_nodes, *Z_->getComm());
   result.converged = result.converged && !result.failed();
   Tpetra::deep_copy(v, *vectors_.v);
   return result;
 }
 
-// The largest change that counts as converged, in the energy norm.
+// Returns the number of nodes whose minimisation failed on this rank.
 template <class NodalProblem>
-double Tnnmg<NodalProblem>::smallChange(Vector const& b) const
-{
-  return std::max(settings_.absolute_tolerance,
-                  settings_.relative_tolerance * vectors_.energyNorm(b));
-}
-
-template <class NodalProblem>
-void Tnnmg<NodalProblem>::smooth(NodalProblem const& problem, Vector const& b, TnnmgResult& result)
+int Tnnmg<NodalProblem>::smooth(NodalProblem const& problem, Vector const& b, TnnmgResult& result)
 {
   ASPERITY_TIME_WORK("Gauss-Seidel sweeps");
   Kokkos::deep_copy(blocks_.before, blocks_.v);
+  int failed_nodes = 0;
   for (int sweep = 0; sweep < settings_.sweeps; ++sweep) {
-    result.failed_nodes += gaussSeidel(*Z_, nodes_, curvature_, problem, b, *vectors_.v_columns,
-                                       blocks_.v, blocks_.residual);
+    failed_nodes += gaussSeidel(*Z_, nodes_, vectors_.exchange, curvature_, problem, b,
+                                *vectors_.v_columns, blocks_.v, blocks_.residual);
   }
   blocks_.differenceTo(blocks_.before, blocks_.d);
   auto const nonlinear = problem.difference(blocks_.before, blocks_.d);
   result.rises +=
     vectors_.finishSweeps(*Z_, nodes_, blocks_, b, nonlinear.change, nonlinear.magnitude);
+  return failed_nodes;
 }
 
 template <class NodalProblem>
@@ -184,27 +185,47 @@ bool Tnnmg<NodalProblem>::searchAlong(NodalProblem const& problem, Vector const&
 {
   ASPERITY_TIME_WORK("line searches");
   gather(nodes_, *vectors_.c, blocks_.d);
-  auto const along = vectors_.derivativeAlongCorrection(*Z_);
+  // All that a step of one needs, which is most often the answer, is summed over the ranks at once.
+  auto const of_correction = vectors_.derivativeAlongCorrection(*Z_);
+  auto const of_step = vectors_.nonlinearChange(problem, blocks_, 1);
+  auto const& communicator = *Z_->getComm();
+  auto const sums =
+    sumOverRanks(std::array<double, 7>{of_correction[0], of_correction[1], of_correction[2],
+                                       problem.slope(blocks_.v, blocks_.d, 0),
+                                       problem.slope(blocks_.v, blocks_.d, 1), of_step.change,
+                                       of_step.magnitude},
+                 communicator);
+  auto const along = vectors_.keep(sums.data());
   auto const slope = [&](double t) {
-    return sumOverRanks(problem.slope(blocks_.v, blocks_.d, t), *Z_->getComm()) + along.start +
-           t * along.curvature;
+    const double of_nodes = t == 0 ? sums[3]
+                            : t == 1
+                              ? sums[4]
+                              : sumOverRanks(problem.slope(blocks_.v, blocks_.d, t), communicator);
+    return of_nodes + along.start + t * along.curvature;
+  };
+  auto const changeAlong = [&](double t) {
+    if (t == 1) {
+      return vectors_.changeAlong(t, {sums[5], sums[6]});
+    }
+    auto const mine = vectors_.nonlinearChange(problem, blocks_, t);
+    auto const all = sumOverRanks(std::array<double, 2>{mine.change, mine.magnitude}, communicator);
+    return vectors_.changeAlong(t, {all[0], all[1]});
   };
   const double start = slope(0);
   double step = findSignChange(slope, start, 1e-2).step;
-  auto change = vectors_.changeAlong(*Z_, problem, blocks_, step);
+  auto change = changeAlong(step);
   if (change.change > 0 && step > 0) {
     // The slope at this step was small but positive. Where the slope is not positive, J is certain
     // to be below its start.
     step = findSignChange(slope, start, 0.).step;
-    change = vectors_.changeAlong(*Z_, problem, blocks_, step);
+    change = changeAlong(step);
   }
-  if (!(step > 0) && !(std::sqrt(along.curvature) <= smallChange(b))) {
+  if (!(step > 0) && !(std::sqrt(along.curvature) <= smallChange(vectors_.norms(b, 0).v))) {
     ++result.lost_corrections;
     return false;
   }
   result.rises += change.rises();
   vectors_.move(step);
-  shareGhosts(*Z_, *vectors_.v_columns);
   gather(nodes_, *vectors_.v, blocks_.v);
   return true;
 }

@@ -31,6 +31,17 @@ double magnitudeOfLinearTerms(Vector const& b, Vector const& r, Vector const& d)
     sum);
   return sum;
 }
+// This rank's part of <x, y>.
+double localProduct(Vector const& x, Vector const& y)
+{
+  auto const xs = x.getLocalViewDevice(Tpetra::Access::ReadOnly);
+  auto const ys = y.getLocalViewDevice(Tpetra::Access::ReadOnly);
+  double sum = 0;
+  Kokkos::parallel_reduce(
+    "asperity::tnnmg::localProduct", Policy(0, xs.extent(0)),
+    KOKKOS_LAMBDA(int i, double& partial) { partial += xs(i, 0) * ys(i, 0); }, sum);
+  return sum;
+}
 } // namespace
 
 TnnmgBlocks::TnnmgBlocks(NonlinearNodes const& nodes)
@@ -81,7 +92,8 @@ void TnnmgBlocks::truncate(NonlinearNodes const& nodes, ConstNodeView const& cur
 
 TnnmgVectors::TnnmgVectors(CrsMatrix const& Z, NonlinearNodes const& nodes,
                            LinearCorrection const& linear)
-    : v_columns(rcp(new Vector(Z.getColMap())))
+    : exchange(Z, nodes)
+    , v_columns(rcp(new Vector(Z.getColMap())))
     , v(v_columns->offsetViewNonConst(Z.getDomainMap(), 0)->getVectorNonConst(0))
     , v_before(rcp(new Vector(Z.getDomainMap())))
     , r(rcp(new Vector(Z.getDomainMap())))
@@ -103,7 +115,7 @@ void TnnmgVectors::start(CrsMatrix const& Z, Vector const& b, Vector const& gues
 {
   Tpetra::deep_copy(*v, guess);
   Tpetra::deep_copy(*b_copy, b);
-  shareGhosts(Z, *v_columns);
+  exchange.share(*v_columns);
   residual(Z, b);
 }
 
@@ -124,19 +136,18 @@ int TnnmgVectors::finishSweeps(CrsMatrix const& Z, NonlinearNodes const& nodes,
                                double magnitude)
 {
   if (few_nodes_) {
-    subtractColumns(Z, nodes, blocks.d, *columns_, *r);
+    subtractColumns(Z, nodes, exchange, blocks.d, *columns_, *r);
   } else {
     residual(Z, b);
   }
   // With Z d = r_before - r, <Z v - b + 1/2 Z d, d> = -1/2 <r_before + r, d>.
   c->update(1, *v, -1, *v_before, 0);
   Zc->update(1, *r_before, 1, *r, 0);
-  const double linear = -0.5 * Zc->dot(*c);
+  const double linear = -0.5 * localProduct(*Zc, *c);
   magnitude += (magnitudeOfLinearTerms(b, *r_before, *c) + magnitudeOfLinearTerms(b, *r, *c)) / 2;
-  auto const& communicator = *Z.getComm();
-  return EnergyChange{linear + sumOverRanks(nonlinear_change, communicator),
-                      sumOverRanks(magnitude, communicator)}
-    .rises();
+  auto const sums =
+    sumOverRanks(std::array<double, 2>{linear + nonlinear_change, magnitude}, *Z.getComm());
+  return EnergyChange{sums[0], sums[1]}.rises();
 }
 
 void TnnmgVectors::newtonResidual(NonlinearNodes const& nodes, ConstBlockView const& gradient)
@@ -155,39 +166,41 @@ void TnnmgVectors::newtonResidual(NonlinearNodes const& nodes, ConstBlockView co
     });
 }
 
-TnnmgVectors::Along TnnmgVectors::derivativeAlongCorrection(CrsMatrix const& Z)
+std::array<double, 3> TnnmgVectors::derivativeAlongCorrection(CrsMatrix const& Z)
 {
   linear_.applyMatrix(Z, *c, *Zc);
-  along_ = {-r->dot(*c), Zc->dot(*c)};
+  return {-localProduct(*r, *c), localProduct(*Zc, *c), magnitudeOfLinearTerms(*b_copy, *r, *c)};
+}
+
+TnnmgVectors::Along TnnmgVectors::keep(double const* sums)
+{
+  along_ = {sums[0], sums[1]};
+  magnitude_ = sums[2];
   return along_;
 }
 
-EnergyChange TnnmgVectors::linearChange(double step) const
+EnergyChange TnnmgVectors::changeAlong(double step, EnergyChange const& nonlinear) const
 {
-  EnergyChange result;
-  result.change = step * (along_.start + step / 2 * along_.curvature);
-  const double terms =
-    sumOverRanks(magnitudeOfLinearTerms(*b_copy, *r, *c), *v->getMap()->getComm());
-  result.magnitude = step * (terms + step / 2 * along_.curvature);
-  return result;
+  return {step * (along_.start + step / 2 * along_.curvature) + nonlinear.change,
+          step * (magnitude_ + step / 2 * along_.curvature) + nonlinear.magnitude};
 }
 
 void TnnmgVectors::move(double step)
 {
   v->update(step, *c, 1);
   r->update(-step, *Zc, 1);
+  exchange.share(*v_columns);
 }
 
-double TnnmgVectors::energyOfChange() const
+TnnmgVectors::Norms TnnmgVectors::norms(Vector const& b, int failed_nodes) const
 {
   // Z (v - v_before) = r_before - r. The correction has been added to v; its place is free.
   c->update(1, *v, -1, *v_before, 0);
-  const double square = r_before->dot(*c) - r->dot(*c);
-  return std::isfinite(square) ? std::sqrt(std::max(square, 0.)) : square;
-}
-
-double TnnmgVectors::energyNorm(Vector const& b) const
-{
-  return std::sqrt(std::max(b.dot(*v) - r->dot(*v), 0.));
+  const std::array<double, 3> mine = {localProduct(*r_before, *c) - localProduct(*r, *c),
+                                      localProduct(b, *v) - localProduct(*r, *v),
+                                      static_cast<double>(failed_nodes)};
+  auto const [change, of_v, failed] = sumOverRanks(mine, *v->getMap()->getComm());
+  return {std::isfinite(change) ? std::sqrt(std::max(change, 0.)) : change,
+          std::sqrt(std::max(of_v, 0.)), static_cast<int>(failed)};
 }
 } // namespace asperity::tnnmg::detail

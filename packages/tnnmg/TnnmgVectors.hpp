@@ -1,11 +1,14 @@
 #pragma once
 
 #include "base/parallel/Reductions.hpp"
+#include "tnnmg/FaultColumns.hpp"
 #include "tnnmg/LinearCorrection.hpp"
 #include "tnnmg/NonlinearNodes.hpp"
 
 #include <Tpetra_CrsMatrix.hpp>
 #include <Tpetra_Vector.hpp>
+
+#include <array>
 
 // The vectors of a TNNMG iteration, and the arithmetic on them that does not involve psi.
 namespace asperity::tnnmg::detail
@@ -54,33 +57,45 @@ struct TnnmgVectors
     double start;     // <Z v - b, c>
     double curvature; // <Z c, c>
   };
-  Along derivativeAlongCorrection(CrsMatrix const& Z);
+  // This rank's parts of what a line search needs to know of the correction; keep() takes the sums
+  // over the ranks. One product with Z.
+  std::array<double, 3> derivativeAlongCorrection(CrsMatrix const& Z);
+  Along keep(double const* sums);
 
-  // J(v + step c) - J(v); blocks.d holds c at the nonlinear nodes.
+  // This rank's part of J(v + step c) - J(v) from psi; blocks.d holds c at the nonlinear nodes.
   template <class NodalProblem>
-  EnergyChange changeAlong(CrsMatrix const& Z, NodalProblem const& problem,
-                           TnnmgBlocks const& blocks, double step) const;
-  void move(double step); // v += step c
+  EnergyChange nonlinearChange(NodalProblem const& problem, TnnmgBlocks const& blocks,
+                               double step) const;
+  // J(v + step c) - J(v), from the sum of that over the ranks.
+  EnergyChange changeAlong(double step, EnergyChange const& nonlinear) const;
+  void move(double step); // v += step c, and the ghosts of v that the nonlinear nodes need
 
-  double energyOfChange() const;            // of v - v_before, in the norm of Z
-  double energyNorm(Vector const& b) const; // of v
+  struct Norms
+  {
+    double change = 0, v = 0; // of v - v_before and of v in the norm of Z
+    int failed_nodes = 0;     // on any rank
+  };
+  // Collective.
+  Norms norms(Vector const& b, int failed_nodes) const;
+
+  FaultColumns exchange;
 
   RCP<Vector> v_columns, v; // v is the owned part of v_columns
   RCP<Vector> v_before, r, r_before, newton_residual, c, Zc, b_copy;
 
 private:
   void residual(CrsMatrix const& Z, Vector const& b); // r = b - Z v
-  EnergyChange linearChange(double step) const;
 
   LinearCorrection const& linear_;
   Along along_{};
+  double magnitude_ = 0;   // of the terms of the derivative along the correction
   bool few_nodes_ = false; // the nonlinear nodes have few of the dofs of all ranks
   RCP<Vector> columns_;    // work space
 };
 
 template <class NodalProblem>
-EnergyChange TnnmgVectors::changeAlong(CrsMatrix const& Z, NodalProblem const& problem,
-                                       TnnmgBlocks const& blocks, double step) const
+EnergyChange TnnmgVectors::nonlinearChange(NodalProblem const& problem, TnnmgBlocks const& blocks,
+                                           double step) const
 {
   auto const scaled = blocks.scaled;
   auto const d = blocks.d;
@@ -93,8 +108,6 @@ EnergyChange TnnmgVectors::changeAlong(CrsMatrix const& Z, NodalProblem const& p
       }
     });
   auto const nonlinear = problem.difference(blocks.v, scaled);
-  auto const linear = linearChange(step);
-  return {linear.change + sumOverRanks(nonlinear.change, *Z.getComm()),
-          linear.magnitude + sumOverRanks(nonlinear.magnitude, *Z.getComm())};
+  return {nonlinear.change, nonlinear.magnitude};
 }
 } // namespace asperity::tnnmg::detail

@@ -58,6 +58,24 @@ std::string line(Row const& row, double total)
 }
 } // namespace
 
+namespace
+{
+char const* current_work = "";
+}
+
+char const* currentWork() { return current_work; }
+
+NamedWork::NamedWork(char const* name) : before_(current_work) { current_work = name; }
+
+NamedWork::~NamedWork() { current_work = before_; }
+
+TimedWork::TimedWork(Teuchos::Time& timer)
+    : timer_(timer)
+    , named_(timer.name().c_str() + prefix.size())
+{
+  timer_.start();
+}
+
 RCP<Teuchos::Time> workTimer(std::string const& name)
 {
   auto const existing = Teuchos::TimeMonitor::lookupCounter(prefix + name);

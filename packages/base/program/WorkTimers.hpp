@@ -13,17 +13,35 @@
   static auto const asperity_work = ::asperity::workTimer(name);                                   \
   ::asperity::TimedWork const asperity_timed_work(*asperity_work)
 
+// The same name for the rest of the block without a clock, for work within a kind of work.
+#define ASPERITY_NAME_WORK(name) ::asperity::NamedWork const asperity_named_work(name)
+
 namespace asperity
 {
 // The timer of a kind of work, one for each name.
 RCP<Teuchos::Time> workTimer(std::string const& name);
+
+// The innermost name of what is being done, "" where nothing is named: for programs that count.
+char const* currentWork();
+
+class NamedWork
+{
+public:
+  explicit NamedWork(char const* name);
+  ~NamedWork();
+  NamedWork(NamedWork const&) = delete;
+  NamedWork& operator=(NamedWork const&) = delete;
+
+private:
+  char const* before_;
+};
 
 // Runs a timer while it lives. Teuchos::TimeMonitor does the same and reports to a stacked timer,
 // too, which takes as long as some of the work that is timed here.
 class TimedWork
 {
 public:
-  explicit TimedWork(Teuchos::Time& timer) : timer_(timer) { timer_.start(); }
+  explicit TimedWork(Teuchos::Time& timer);
   ~TimedWork()
   {
     timer_.stop();
@@ -34,6 +52,7 @@ public:
 
 private:
   Teuchos::Time& timer_;
+  NamedWork named_;
 };
 
 // Where the wall time of this process went since its start: one line for each kind of work that was

@@ -246,14 +246,20 @@ private:
 
 namespace
 {
-std::vector<RCP<const CrsMatrix>> termsOf(Body const& body, bool has_mass, bool has_viscosity)
+std::vector<tnnmg::MultigridTerms::MatrixSource> termsOf(Body const& body, bool has_mass,
+                                                         bool has_viscosity)
 {
-  std::vector<RCP<const CrsMatrix>> terms = {fem::combine(body.matrices, 0, 0, 1, body.held)};
+  const auto term = [&](double mass, double viscosity, double stiffness) {
+    return [&body, mass, viscosity, stiffness]() -> RCP<const CrsMatrix> {
+      return fem::combine(body.matrices, mass, viscosity, stiffness, body.held);
+    };
+  };
+  std::vector<tnnmg::MultigridTerms::MatrixSource> terms = {term(0, 0, 1)};
   if (has_mass) {
-    terms.push_back(fem::combine(body.matrices, 1, 0, 0, body.held));
+    terms.push_back(term(1, 0, 0));
   }
   if (has_viscosity) {
-    terms.push_back(fem::combine(body.matrices, 0, 1, 0, body.held));
+    terms.push_back(term(0, 1, 0));
   }
   return terms;
 }
@@ -264,8 +270,9 @@ SharedMultigrid::SharedMultigrid(Body const& body, fem::FaultSurface const& surf
     : has_mass_(!body.matrices.is_massless)
     , has_viscosity_(body.matrices.viscosity->getFrobeniusNorm() > 0)
 {
-  auto const terms = termsOf(body, has_mass_, has_viscosity_);
-  terms_ = tnnmg::MultigridTerms(terms, multigridProblem(terms.front(), body, nodesOf(surface)),
+  // Of the problem only its nodes are read, no matrix.
+  terms_ = tnnmg::MultigridTerms(termsOf(body, has_mass_, has_viscosity_),
+                                 multigridProblem(Teuchos::null, body, nodesOf(surface)),
                                  settings.multigrid);
 }
 

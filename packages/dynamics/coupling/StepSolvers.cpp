@@ -13,7 +13,7 @@ namespace
 {
 // With multigrid a step size is set up in the time of a fraction of a step. A control alternates
 // between a size, its half and its double; more would only take memory.
-constexpr std::size_t most_with_multigrid = 4;
+constexpr std::size_t most_with_multigrid = 3;
 } // namespace
 
 StepSolvers::StepSolvers(Body const& body, fem::FaultSurface const& surface,
@@ -30,26 +30,38 @@ StepSolvers::StepSolvers(Body const& body, fem::FaultSurface const& surface,
 {
 }
 
+void StepSolvers::forgetOldest()
+{
+  auto const oldest = solvers_.find(recent_.back());
+  bytes_ -= oldest->second.bytes;
+  solvers_.erase(oldest);
+  recent_.pop_back();
+}
+
 RateSolver& StepSolvers::at(int level)
 {
   recent_.remove(level);
   recent_.push_front(level);
-  auto& [solver, bytes] = solvers_[level];
-  if (solver) {
-    return *solver;
+  if (auto const known = solvers_.find(level); known != solvers_.end() && known->second.solver) {
+    return *known->second.solver;
   }
+  // Make room first: a solver that is not needed must not count at the peak.
+  while (shared_ && recent_.size() > most_with_multigrid) {
+    forgetOldest();
+  }
+  auto& [solver, bytes] = solvers_[level];
   ASPERITY_TIME_WORK("set-up of step sizes");
   auto const start = std::chrono::steady_clock::now();
   const double tau = clock_.stepSize(level);
   const double of_mass = update_.mass_weight / tau;
   const double of_stiffness = tau * update_.stiffness_weight;
-  auto const Z = fem::combine(body_.matrices, of_mass, 1, of_stiffness, body_.held);
   const RCP<const CrsMatrix> across =
     reaction_ ? reaction_->rows(of_mass, 1, of_stiffness) : Teuchos::null;
   try {
     if (settings_.correction == Correction::multigrid && !shared_) {
       shared_ = std::make_shared<const SharedMultigrid>(body_, surface_, settings_);
     }
+    auto const Z = fem::combine(body_.matrices, of_mass, 1, of_stiffness, body_.held);
     OfBody of_body;
     if (shared_) {
       of_body = {shared_, shared_->weights(of_mass, 1, of_stiffness)};
@@ -63,12 +75,8 @@ RateSolver& StepSolvers::at(int level)
   // Set-ups are collective, so what is forgotten must not depend on a rank's share of the mesh.
   bytes = maxOverRanks(static_cast<std::int64_t>(solver->bytes()), *surface_.communicator());
   bytes_ += bytes;
-  const std::size_t most = shared_ ? most_with_multigrid : recent_.size();
-  while ((bytes_ > budget_bytes_ || recent_.size() > most) && recent_.size() > 1) {
-    auto const oldest = solvers_.find(recent_.back());
-    bytes_ -= oldest->second.bytes;
-    solvers_.erase(oldest);
-    recent_.pop_back();
+  while (bytes_ > budget_bytes_ && recent_.size() > 1) {
+    forgetOldest();
   }
   ++setups_;
   setup_seconds_ += std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();

@@ -52,7 +52,8 @@ Teuchos::RCP<const ParameterList> MultigridParameters::valid()
                     "prolongators. Each replaces one default.")
     .foreignSublist(
       "Belos", ParameterList("Belos"),
-      "Belos reads these entries, in its own spelling, for its pseudo-block conjugate gradients.")
+      "Belos reads these entries, in its own spelling, for its pseudo-block conjugate gradients, "
+      "which solve corrections to a relative residual below 1e-3; looser ones do without.")
     .list();
 }
 

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "tnnmg/detail/MultigridOperator.hpp"
-#include "tnnmg/levels/MultigridCycle.hpp"
+#include "tnnmg/levels/SingleGradients.hpp"
 
 #include <Tpetra_CrsMatrix.hpp>
 
@@ -41,6 +41,11 @@ public:
   void apply(MultiVector const& r, MultiVector& z, Teuchos::ETransp mode = Teuchos::NO_TRANS,
              double alpha = 1, double beta = 0) const override;
 
+  // (Z + H) c = r by conjugate gradients in single precision with this preconditioner, for
+  // relative tolerances from SingleGradients::certain.
+  IterationResult solveLoosely(Vector const& r, double relative_tolerance, int max_iterations,
+                               Vector& c) const;
+
   // The number of V-cycles so far.
   int numCycles() const { return num_cycles_; }
   std::size_t bytes() const { return cycle_.bytes(); } // of this rank, without the family
@@ -49,6 +54,7 @@ private:
   RCP<const CrsMatrix> Z_;
   std::shared_ptr<const MultigridNodes> nodes_;
   MultigridCycle cycle_;
+  SingleGradients gradients_;
   bool has_coarse_hessians_ = false;
   bool is_to_forget_ = false;
 

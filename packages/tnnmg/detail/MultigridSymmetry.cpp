@@ -15,8 +15,6 @@ namespace asperity::tnnmg::detail
 {
 namespace
 {
-constexpr double tolerance = 1e-8;
-
 // A number in [-1, 1).
 double pseudorandom(std::uint64_t id)
 {
@@ -55,7 +53,7 @@ double relativeAsymmetry(Operator const& B, MultigridNodes const& nodes)
                             : std::numeric_limits<double>::infinity();
 }
 
-void requireSymmetric(Operator const& B, MultigridNodes const& nodes)
+void requireSymmetric(Operator const& B, MultigridNodes const& nodes, double tolerance)
 {
   const double asymmetry = relativeAsymmetry(B, nodes);
   if (!(asymmetry <= tolerance)) {

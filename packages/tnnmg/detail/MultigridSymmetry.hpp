@@ -12,7 +12,7 @@ Vector pseudorandomVector(RCP<const Map> const& map, int seed, MultigridNodes co
 // if B is not positive at these vectors. Applies B twice.
 double relativeAsymmetry(Operator const& B, MultigridNodes const& nodes);
 
-// Throws SolveError on all ranks if B is not symmetric to 1e-8 and positive, because conjugate
-// gradients would stall.
-void requireSymmetric(Operator const& B, MultigridNodes const& nodes);
+// Throws SolveError on all ranks if B is not symmetric to the tolerance and positive, because
+// conjugate gradients would stall.
+void requireSymmetric(Operator const& B, MultigridNodes const& nodes, double tolerance);
 } // namespace asperity::tnnmg::detail

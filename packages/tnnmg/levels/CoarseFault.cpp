@@ -42,15 +42,15 @@ RCP<const Map> actingOnOwned(CrsMatrix const& Q, int tangents)
 // The nodes of Q's columns in the numbering of the level's matrix, -1 where it has no such column.
 std::vector<int> inLevel(NodeGraph const& graph, NodeGraph const& of_level)
 {
-  if (graph.ghosts.is_null()) {
+  if (graph.column_map.is_null()) {
     std::vector<int> same(graph.num_owned);
     for (int node = 0; node < graph.num_owned; ++node) {
       same[node] = node;
     }
     return same;
   }
-  auto const& from = *graph.ghosts->getTargetMap();
-  auto const& to = *of_level.ghosts->getTargetMap();
+  auto const& from = *graph.column_map;
+  auto const& to = *of_level.column_map;
   std::vector<int> result(numLocalElements(from) / graph.column_size);
   for (std::size_t node = 0; node < result.size(); ++node) {
     const auto id = from.getGlobalElement(static_cast<LocalOrdinal>(node) * graph.column_size);

@@ -3,8 +3,9 @@
 #include "base/Errors.hpp"
 
 #include <Teuchos_CommHelpers.hpp>
-#include <Tpetra_Import.hpp>
 #include <Tpetra_Map.hpp>
+
+#include <string>
 
 namespace asperity::tnnmg::detail
 {
@@ -26,8 +27,14 @@ CoarsestSolver::CoarsestSolver(NodeGraph const& graph, NodeBlocks const& A,
 {
   // Multigrid numbers its coarse rows 0 .. n - 1.
   const auto n = static_cast<Eigen::Index>(map_->getGlobalNumElements());
+  if (n > most_rows) {
+    throw SolveError("Multigrid: the coarsest level has " + std::to_string(n) + " rows on " +
+                     std::to_string(map_->getComm()->getSize()) + " ranks, and at most " +
+                     std::to_string(most_rows) +
+                     " can be factorised on every rank. Use fewer ranks.");
+  }
   const int size = graph.row_size;
-  auto const& columns = graph.ghosts.is_null() ? *graph.domain_map : *graph.ghosts->getTargetMap();
+  auto const& columns = graph.column_map.is_null() ? *graph.domain_map : *graph.column_map;
   Eigen::MatrixXd matrix = Eigen::MatrixXd::Zero(n, n);
   for (int row = 0; row < graph.num_rows; ++row) {
     for (int k = graph.first[row]; k < graph.first[row + 1]; ++k) {
@@ -71,7 +78,8 @@ void CoarsestSolver::solve(NodeVector const& b, NodeVector& x) const
   sumInPlace(*map_->getComm(), all.data(), static_cast<int>(all.size()));
   factor_.solveInPlace(all);
   for (std::size_t i = 0; i < free_.size(); ++i) {
-    x[i] = free_[i] ? all(map_->getGlobalElement(static_cast<LocalOrdinal>(i))) : 0;
+    const double value = free_[i] ? all(map_->getGlobalElement(static_cast<LocalOrdinal>(i))) : 0;
+    x[i] = static_cast<float>(value);
   }
 }
 } // namespace asperity::tnnmg::detail

@@ -12,9 +12,13 @@ namespace asperity::tnnmg::detail
 class CoarsestSolver
 {
 public:
-  // Throws SolveError on every rank if A is not positive definite. Components that are not free
-  // (free is (owned dofs), 1 or 0) are left out. Rounding of A to single precision is allowed for
-  // by a millionth on the diagonal. Collective.
+  // More rows make a matrix of gigabytes on every rank: aggregates do not cross ranks, so that on
+  // many ranks even the coarsest level is large.
+  static constexpr int most_rows = 20000;
+
+  // Throws SolveError on every rank if A is not positive definite or has more rows. Components that
+  // are not free (free is (owned dofs), 1 or 0) are left out. Rounding of A to single precision is
+  // allowed for by a millionth on the diagonal. Collective.
   CoarsestSolver(NodeGraph const& graph, NodeBlocks const& A, std::vector<char> const& free);
 
   // x = A^-1 b for the owned dofs. Collective.

@@ -1,11 +1,12 @@
 #include "tnnmg/levels/MultigridCycle.hpp"
 
+#include "base/program/WorkTimers.hpp"
 #include "portability/Renamed.hpp"
 #include "tnnmg/levels/CoarseFault.hpp"
+#include "tnnmg/levels/FlushDenormals.hpp"
 #include "tnnmg/levels/NodeKernels.hpp"
 
 #include <Tpetra_CrsMatrix.hpp>
-#include <Tpetra_Import.hpp>
 #include <Tpetra_Map.hpp>
 #include <Tpetra_MultiVector.hpp>
 
@@ -24,8 +25,8 @@ void withSize(int size, Work const& work)
 
 std::size_t numColumns(NodeGraph const& graph)
 {
-  return graph.ghosts.is_null() ? static_cast<std::size_t>(graph.num_owned) * graph.column_size
-                                : numLocalElements(*graph.ghosts->getTargetMap());
+  return graph.column_map.is_null() ? static_cast<std::size_t>(graph.num_owned) * graph.column_size
+                                    : numLocalElements(*graph.column_map);
 }
 } // namespace
 
@@ -188,52 +189,89 @@ void MultigridCycle::setCoarseHessians(std::vector<double> const& hessian)
 template <int N>
 void MultigridCycle::smoothForward(std::size_t l) const
 {
+  auto const& graph = family_->levels()[l].graph;
   auto const& shared = family_->levels()[l];
   auto const& level = levels_[l];
-  auto const& columns = shared.graph.columns;
-  std::fill(level.x.begin(), level.x.end(), 0.);
-  for (int row = 0; row < shared.graph.num_rows; ++row) {
-    double sum[N];
-    std::copy_n(&level.b[row * N], N, sum);
-    for (int k = shared.graph.first[row]; k < shared.before[row]; ++k) {
-      addProduct<N, N>(-1, &level.A[static_cast<std::size_t>(k) * N * N], &level.x[columns[k] * N],
-                       sum);
+  std::fill(level.x.begin(), level.x.end(), 0.f);
+  for (int row = 0; row < graph.num_rows; ++row) {
+    RowSums<N, N> before;
+    for (int k = graph.first[row]; k < shared.before[row]; ++k) {
+      before.add(&level.A[static_cast<std::size_t>(k) * N * N], &level.x[graph.columns[k] * N]);
     }
-    addProduct<N, N>(1, &level.inverse[static_cast<std::size_t>(row) * N * N], sum,
-                     &level.x[row * N]);
+    float rest[N];
+    for (int c = 0; c < N; ++c) {
+      rest[c] = level.b[row * N + c] - before[c];
+    }
+    multiplySymmetric<N>(&level.inverse[static_cast<std::size_t>(row) * N * N], rest,
+                         &level.x[row * N]);
   }
   level.ghosts.share(level.x);
-  std::fill(level.residual.begin(), level.residual.end(), 0.);
-  for (int row = 0; row < shared.graph.num_rows; ++row) {
-    for (int k = shared.after[row]; k < shared.graph.first[row + 1]; ++k) {
-      addProduct<N, N>(-1, &level.A[static_cast<std::size_t>(k) * N * N], &level.x[columns[k] * N],
-                       &level.residual[row * N]);
+  for (int row = 0; row < graph.num_rows; ++row) {
+    RowSums<N, N> after;
+    for (int k = shared.after[row]; k < graph.first[row + 1]; ++k) {
+      after.add(&level.A[static_cast<std::size_t>(k) * N * N], &level.x[graph.columns[k] * N]);
+    }
+    for (int c = 0; c < N; ++c) {
+      level.residual[row * N + c] = -after[c];
     }
   }
 }
 
+// Leaves b - (L + G) x with the x before the sweep in the place of the residual, L the couplings
+// with earlier nodes and G those with other ranks.
 template <int N>
 void MultigridCycle::smoothBackward(std::size_t l) const
 {
   auto const& shared = family_->levels()[l];
+  auto const& graph = shared.graph;
   auto const& level = levels_[l];
-  auto const& columns = shared.graph.columns;
   level.ghosts.share(level.x);
-  for (int row = shared.graph.num_rows - 1; row >= 0; --row) {
-    double sum[N];
-    std::copy_n(&level.b[row * N], N, sum);
-    const auto subtract = [&](int begin, int end) {
-      for (int k = begin; k < end; ++k) {
-        addProduct<N, N>(-1, &level.A[static_cast<std::size_t>(k) * N * N],
-                         &level.x[columns[k] * N], sum);
-      }
-    };
-    subtract(shared.graph.first[row], shared.before[row]);
-    subtract(shared.after[row], shared.graph.first[row + 1]);
-    std::fill_n(&level.x[row * N], N, 0.);
-    addProduct<N, N>(1, &level.inverse[static_cast<std::size_t>(row) * N * N], sum,
-                     &level.x[row * N]);
+  for (int row = graph.num_rows - 1; row >= 0; --row) {
+    RowSums<N, N> old, updated;
+    for (int k = graph.first[row]; k < shared.before[row]; ++k) {
+      old.add(&level.A[static_cast<std::size_t>(k) * N * N], &level.x[graph.columns[k] * N]);
+    }
+    int k = shared.after[row];
+    for (; k < graph.first[row + 1] && graph.columns[k] < graph.num_owned; ++k) {
+      updated.add(&level.A[static_cast<std::size_t>(k) * N * N], &level.x[graph.columns[k] * N]);
+    }
+    for (; k < graph.first[row + 1]; ++k) {
+      old.add(&level.A[static_cast<std::size_t>(k) * N * N], &level.x[graph.columns[k] * N]);
+    }
+    float rest[N];
+    for (int c = 0; c < N; ++c) {
+      level.residual[row * N + c] = level.b[row * N + c] - old[c];
+      rest[c] = level.residual[row * N + c] - updated[c];
+    }
+    multiplySymmetric<N>(&level.inverse[static_cast<std::size_t>(row) * N * N], rest,
+                         &level.x[row * N]);
   }
+}
+
+// (Z + H) x after the backward sweep, which solved (D + U) x = b - (L + G) x_before: only the
+// couplings L + G have to be read.
+template <int N>
+void MultigridCycle::addImage() const
+{
+  auto const& shared = family_->levels()[0];
+  auto const& graph = shared.graph;
+  auto const& level = levels_[0];
+  level.ghosts.share(level.x);
+  for (int row = 0; row < graph.num_rows; ++row) {
+    RowSums<N, N> sum;
+    for (int k = graph.first[row]; k < shared.before[row]; ++k) {
+      sum.add(&level.A[static_cast<std::size_t>(k) * N * N], &level.x[graph.columns[k] * N]);
+    }
+    int k = graph.first[row + 1];
+    for (; k > shared.after[row] && graph.columns[k - 1] >= graph.num_owned; --k) {
+      sum.add(&level.A[static_cast<std::size_t>(k - 1) * N * N],
+              &level.x[graph.columns[k - 1] * N]);
+    }
+    for (int c = 0; c < N; ++c) {
+      level.residual[row * N + c] += sum[c];
+    }
+  }
+  clearHeld<N>(level.residual, level);
 }
 
 // Sets the components that are not free to zero.
@@ -274,24 +312,30 @@ void MultigridCycle::cycle(std::size_t l) const
   });
 }
 
-void MultigridCycle::apply(MultiVector const& r, MultiVector& z) const
+void MultigridCycle::run(bool with_image) const
 {
-  auto const& fine = levels_.front();
-  {
-    auto const values = r.getLocalViewHost(Tpetra::Access::ReadOnly);
-    std::copy_n(values.data(), fine.b.size(), fine.b.begin());
-  }
+  ASPERITY_NAME_WORK("V-cycles");
+  const FlushDenormals flushed;
   cycle(0);
-  auto const values = z.getLocalViewHost(Tpetra::Access::OverwriteAll);
-  std::copy_n(fine.x.begin(), fine.b.size(), values.data());
+  if (with_image) {
+    withSize(family_->levels()[0].graph.row_size, [&](auto rows) {
+      constexpr int N = decltype(rows)::value;
+      if (isCoarsest(0)) { // solved exactly
+        levels_[0].residual = levels_[0].b;
+        clearHeld<N>(levels_[0].residual, levels_[0]);
+      } else {
+        addImage<N>();
+      }
+    });
+  }
 }
 
 std::size_t MultigridCycle::bytes() const
 {
   std::size_t sum = 0;
   for (auto const& level : levels_) {
-    sum += 4 * (level.A.size() + level.inverse.size()) +
-           8 * (level.b.size() + level.x.size() + level.residual.size() + level.coarse.size());
+    sum += 4 * (level.A.size() + level.inverse.size() + level.b.size() + level.x.size() +
+                level.residual.size() + level.coarse.size());
   }
   return sum;
 }

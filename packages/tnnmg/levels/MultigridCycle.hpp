@@ -30,9 +30,14 @@ public:
   // host, or empty for none. Collective.
   void setCoarseHessians(std::vector<double> const& hessian);
 
-  // z is the result of one cycle for (Z + H) z = r that starts from zero; z is zero at removed and
-  // held dofs, where r is not read. Collective.
-  void apply(MultiVector const& r, MultiVector& z) const;
+  // One cycle for (Z + H) z = r that starts from zero, in single precision: r should be of the
+  // order of one. z is zero at removed and held dofs, where r is not read. With image, (Z + H) z
+  // comes with it at a fraction of the price of a product, since the backward sweep has most of it.
+  // Collective.
+  void run(bool with_image) const;
+  NodeVector& r() const { return levels_.front().b; }
+  NodeVector const& z() const { return levels_.front().x; } // ghosts follow
+  NodeVector const& image() const { return levels_.front().residual; }
 
   std::size_t bytes() const; // of this rank, without the family
 
@@ -41,9 +46,10 @@ private:
   {
     explicit Level(MultigridLevel const& shared);
 
-    NodeBlocks A, inverse;             // inverse of the diagonal blocks, zero where not free
-    mutable NodeVector b, x, residual; // x with ghosts
-    mutable NodeVector coarse;         // on the columns of the prolongation
+    NodeBlocks A, inverse;   // inverse of the diagonal blocks, zero where not free
+    mutable NodeVector b, x; // x with ghosts
+    mutable NodeVector residual;
+    mutable NodeVector coarse; // on the columns of the prolongation
     GhostExchange ghosts;
     std::optional<GhostExchange> coarse_ghosts;
   };
@@ -52,6 +58,8 @@ private:
   void smoothForward(std::size_t l) const;
   template <int N>
   void smoothBackward(std::size_t l) const;
+  template <int N>
+  void addImage() const;
   template <int N>
   void clearHeld(NodeVector& x, Level const& level) const;
   void cycle(std::size_t l) const;

@@ -67,23 +67,24 @@ Teuchos::ParameterList MultigridFamily::defaults(int components)
   return list;
 }
 
-MultigridFamily::MultigridFamily(std::vector<RCP<const CrsMatrix>> const& terms, int components,
+MultigridFamily::MultigridFamily(std::vector<MatrixSource> const& terms, int components,
                                  RCP<const MultiVector> const& near_null_space,
                                  NodeDofView const& fault, Teuchos::ParameterList const& muelu)
 {
-  const auto transfers = prolongators(terms.front(), *near_null_space, muelu);
+  auto matrix = terms.front()();
+  const auto transfers = prolongators(matrix, *near_null_space, muelu);
   const int motions = static_cast<int>(near_null_space->getNumVectors());
   const bool has_fault =
     sumOverRanks(fault.extent_int(0), *near_null_space->getMap()->getComm()) > 0;
-  auto matrices = terms;
   RCP<const CrsMatrix> Q;
+  levels_.reserve(transfers.size() + 1);
   for (std::size_t l = 0; l <= transfers.size(); ++l) {
     MultigridLevel level;
     const int size = l == 0 ? components : motions;
-    level.graph = makeNodeGraph(matrices, size, size);
+    level.graph = makeNodeGraph({matrix}, size, size);
     findDiagonals(level);
-    for (std::size_t k = 0; l > 0 && k < matrices.size(); ++k) {
-      level.terms.push_back(blocksOf(level.graph, *matrices[k]));
+    if (l > 0) {
+      level.terms.push_back(blocksOf(level.graph, *matrix));
     }
     if (l > 0 && has_fault) {
       Q = l == 1 ? rowsAtNodes(*transfers[0], fault)
@@ -93,11 +94,16 @@ MultigridFamily::MultigridFamily(std::vector<RCP<const CrsMatrix>> const& terms,
     if (l < transfers.size()) {
       level.prolongation = makeNodeGraph({transfers[l]}, size, motions);
       level.P = blocksOf(level.prolongation, *transfers[l]);
-      for (auto& matrix : matrices) {
-        matrix = project(*matrix, *transfers[l]);
-      }
+      matrix = project(*matrix, *transfers[l]);
     }
     levels_.push_back(std::move(level));
+  }
+  for (std::size_t k = 1; k < terms.size(); ++k) {
+    matrix = terms[k]();
+    for (std::size_t l = 0; l < transfers.size(); ++l) {
+      matrix = project(*matrix, *transfers[l]);
+      levels_[l + 1].terms.push_back(blocksOf(levels_[l + 1].graph, *matrix));
+    }
   }
 }
 

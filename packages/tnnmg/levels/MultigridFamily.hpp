@@ -5,6 +5,7 @@
 
 #include <Teuchos_ParameterList.hpp>
 
+#include <functional>
 #include <memory>
 #include <vector>
 
@@ -23,6 +24,9 @@ struct CoarseFault
   std::vector<int> couplings, first;
   std::vector<int> rows; // owned nodes that some nonlinear node acts on
 };
+
+// Makes a matrix. Collective.
+using MatrixSource = std::function<RCP<const CrsMatrix>()>;
 
 struct MultigridLevel
 {
@@ -45,10 +49,12 @@ public:
   // The default parameters of the aggregation, in MueLu's own spelling.
   static Teuchos::ParameterList defaults(int components);
 
-  // All terms share the row map; rows and columns of held dofs are diagonal. near_null_space is
+  // All terms share the row map, and their couplings are among those of the first one; rows and
+  // columns of held dofs are diagonal. They are made one after the other, to have one at a time in
+  // memory. near_null_space is
   // almost zero at rows without off-diagonal entries. fault: local rows of the nonlinear nodes, T
   // each. Throws SolveError if MueLu fails; std::bad_alloc is passed on. Collective.
-  MultigridFamily(std::vector<RCP<const CrsMatrix>> const& terms, int components,
+  MultigridFamily(std::vector<MatrixSource> const& terms, int components,
                   RCP<const MultiVector> const& near_null_space, NodeDofView const& fault,
                   Teuchos::ParameterList const& muelu);
 

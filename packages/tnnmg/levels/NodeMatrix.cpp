@@ -1,12 +1,11 @@
 #include "tnnmg/levels/NodeMatrix.hpp"
 
+#include "base/Errors.hpp"
 #include "portability/Renamed.hpp"
 #include "tnnmg/levels/NodeKernels.hpp"
 
 #include <Tpetra_CrsMatrix.hpp>
-#include <Tpetra_Import.hpp>
 #include <Tpetra_Map.hpp>
-#include <Tpetra_MultiVector.hpp>
 
 #include <algorithm>
 
@@ -47,7 +46,7 @@ RCP<const Map> columnMap(std::vector<RCP<const CrsMatrix>> const& matrices, Map 
 std::vector<int> placesOfColumns(NodeGraph const& graph, CrsMatrix const& matrix)
 {
   auto const& from = *matrix.getColMap();
-  auto const& to = graph.ghosts.is_null() ? *graph.domain_map : *graph.ghosts->getTargetMap();
+  auto const& to = graph.column_map.is_null() ? *graph.domain_map : *graph.column_map;
   std::vector<int> places(numLocalElements(from));
   for (std::size_t k = 0; k < places.size(); ++k) {
     places[k] = to.getLocalElement(from.getGlobalElement(static_cast<LocalOrdinal>(k)));
@@ -74,8 +73,13 @@ NodeGraph makeNodeGraph(std::vector<RCP<const CrsMatrix>> const& matrices, int r
   graph.num_rows = static_cast<int>(numLocalElements(*graph.row_map)) / row_size;
   graph.num_owned = static_cast<int>(numLocalElements(*graph.domain_map)) / column_size;
   if (graph.row_map->getComm()->getSize() > 1) {
-    graph.ghosts =
-      rcp(new Import(graph.domain_map, columnMap(matrices, *graph.domain_map, column_size)));
+    graph.column_map = columnMap(matrices, *graph.domain_map, column_size);
+    std::vector<GlobalOrdinal> ghosts;
+    for (auto k = static_cast<LocalOrdinal>(numLocalElements(*graph.domain_map));
+         k < static_cast<LocalOrdinal>(numLocalElements(*graph.column_map)); ++k) {
+      ghosts.push_back(graph.column_map->getGlobalElement(k));
+    }
+    graph.halo = std::make_shared<const Halo>(*graph.domain_map, ghosts);
   }
   std::vector<std::vector<int>> places;
   for (auto const& matrix : matrices) {
@@ -119,6 +123,7 @@ NodeBlocks blocksOf(NodeGraph const& graph, CrsMatrix const& matrix)
           coupling = coupling + 1 < graph.first[row + 1] && graph.columns[coupling + 1] == column
                        ? coupling + 1
                        : graph.find(row, column);
+          ASPERITY_ASSERT(coupling >= 0);
         }
         blocks[(static_cast<std::size_t>(coupling) * rows + r) * columns + place % columns] =
           static_cast<float>(local.values(k));
@@ -128,36 +133,42 @@ NodeBlocks blocksOf(NodeGraph const& graph, CrsMatrix const& matrix)
   return blocks;
 }
 
-GhostExchange::GhostExchange(NodeGraph const& graph) : import_(graph.ghosts)
+GhostExchange::GhostExchange(NodeGraph const& graph)
+    : halo_(graph.halo)
+    , num_owned_(graph.num_owned * graph.column_size)
 {
-  if (!import_.is_null()) {
-    owned_ = rcp(new MultiVector(import_->getSourceMap(), 1));
-    columns_ = rcp(new MultiVector(import_->getTargetMap(), 1));
+  if (halo_) {
+    sent_.resize(halo_->sent().size());
+    received_.resize(halo_->received().size());
   }
 }
 
 void GhostExchange::share(NodeVector& x) const
 {
-  if (import_.is_null()) {
+  if (!halo_) {
     return;
   }
-  const auto num_owned = owned_->getLocalLength();
-  std::copy_n(x.begin(), num_owned, owned_->getLocalViewHost(Tpetra::Access::OverwriteAll).data());
-  columns_->doImport(*owned_, *import_, Tpetra::INSERT);
-  auto const values = columns_->getLocalViewHost(Tpetra::Access::ReadOnly);
-  std::copy(values.data() + num_owned, values.data() + x.size(), x.begin() + num_owned);
+  for (std::size_t i = 0; i < sent_.size(); ++i) {
+    sent_[i] = x[halo_->sent()[i]];
+  }
+  halo_->share(sent_.data(), received_.data());
+  for (std::size_t i = 0; i < received_.size(); ++i) {
+    x[num_owned_ + halo_->received()[i]] = received_[i];
+  }
 }
 
 void GhostExchange::gather(NodeVector& x) const
 {
-  if (import_.is_null()) {
+  if (!halo_) {
     return;
   }
-  std::copy(x.begin(), x.end(), columns_->getLocalViewHost(Tpetra::Access::OverwriteAll).data());
-  owned_->putScalar(0);
-  owned_->doExport(*columns_, *import_, Tpetra::ADD);
-  auto const values = owned_->getLocalViewHost(Tpetra::Access::ReadOnly);
-  std::copy_n(values.data(), owned_->getLocalLength(), x.begin());
+  for (std::size_t i = 0; i < received_.size(); ++i) {
+    received_[i] = x[num_owned_ + halo_->received()[i]];
+  }
+  halo_->gather(received_.data(), sent_.data());
+  for (std::size_t i = 0; i < sent_.size(); ++i) {
+    x[halo_->sent()[i]] += sent_[i];
+  }
 }
 
 void multiplyAdd(NodeGraph const& graph, NodeBlocks const& A, NodeVector const& x, NodeVector& y)
@@ -165,9 +176,12 @@ void multiplyAdd(NodeGraph const& graph, NodeBlocks const& A, NodeVector const& 
   withBlockSizes(graph.row_size, graph.column_size, [&](auto rows, auto columns) {
     constexpr int R = decltype(rows)::value, C = decltype(columns)::value;
     for (int row = 0; row < graph.num_rows; ++row) {
+      RowSums<R, C> sum;
       for (int k = graph.first[row]; k < graph.first[row + 1]; ++k) {
-        addProduct<R, C>(1, &A[static_cast<std::size_t>(k) * R * C], &x[graph.columns[k] * C],
-                         &y[row * R]);
+        sum.add(&A[static_cast<std::size_t>(k) * R * C], &x[graph.columns[k] * C]);
+      }
+      for (int r = 0; r < R; ++r) {
+        y[row * R + r] += sum[r];
       }
     }
   });
@@ -176,18 +190,13 @@ void multiplyAdd(NodeGraph const& graph, NodeBlocks const& A, NodeVector const& 
 void multiplyTransposed(NodeGraph const& graph, NodeBlocks const& A, NodeVector const& x,
                         NodeVector& y)
 {
-  std::fill(y.begin(), y.end(), 0.);
+  std::fill(y.begin(), y.end(), 0.f);
   withBlockSizes(graph.row_size, graph.column_size, [&](auto rows, auto columns) {
     constexpr int R = decltype(rows)::value, C = decltype(columns)::value;
     for (int row = 0; row < graph.num_rows; ++row) {
       for (int k = graph.first[row]; k < graph.first[row + 1]; ++k) {
-        float const* a = &A[static_cast<std::size_t>(k) * R * C];
-        double* to = &y[graph.columns[k] * C];
-        for (int r = 0; r < R; ++r) {
-          for (int c = 0; c < C; ++c) {
-            to[c] += a[r * C + c] * x[row * R + r];
-          }
-        }
+        addTransposed<R, C>(&A[static_cast<std::size_t>(k) * R * C], &x[row * R],
+                            &y[graph.columns[k] * C]);
       }
     }
   });

@@ -1,7 +1,11 @@
 #pragma once
 
 #include "base/Types.hpp"
+#include "tnnmg/Halo.hpp"
 
+#include <algorithm>
+#include <cstddef>
+#include <memory>
 #include <vector>
 
 namespace asperity::tnnmg::detail
@@ -17,7 +21,8 @@ struct NodeGraph
   std::vector<int> first;   // (num_rows + 1) where the couplings of a row begin
   std::vector<int> columns; // (num couplings) local nodes, ascending within a row
   RCP<const Map> row_map, domain_map;
-  RCP<const Import> ghosts; // from owned to owned and ghost columns; null on one rank
+  RCP<const Map> column_map;        // of owned and ghost columns; null on one rank
+  std::shared_ptr<const Halo> halo; // of the columns; null on one rank
 
   int numCouplings() const { return first.back(); }
   int blockSize() const { return row_size * column_size; }
@@ -29,16 +34,43 @@ struct NodeGraph
 NodeGraph makeNodeGraph(std::vector<RCP<const CrsMatrix>> const& matrices, int row_size,
                         int column_size);
 
+// Zeros behind the last number, so that four lanes may be loaded from any place.
+template <class T>
+struct PaddingAllocator
+{
+  using value_type = T;
+  static constexpr std::size_t padding = 4;
+
+  PaddingAllocator() = default;
+  template <class Other>
+  PaddingAllocator(PaddingAllocator<Other> const&) noexcept
+  {
+  }
+  T* allocate(std::size_t count)
+  {
+    T* memory = std::allocator<T>().allocate(count + padding);
+    std::fill_n(memory + count, padding, T(0));
+    return memory;
+  }
+  void deallocate(T* memory, std::size_t count) noexcept
+  {
+    std::allocator<T>().deallocate(memory, count + padding);
+  }
+  friend bool operator==(PaddingAllocator, PaddingAllocator) { return true; }
+  friend bool operator!=(PaddingAllocator, PaddingAllocator) { return false; }
+};
+using PaddedVector = std::vector<float, PaddingAllocator<float>>;
+
 // Blocks in the order of the couplings, row by row, in single precision: the matrices of a
 // preconditioner, whose cost is the memory that they read. A product with single blocks reads a
 // third of what a sparse matrix of scalars needs.
-using NodeBlocks = std::vector<float>;
+using NodeBlocks = PaddedVector;
 
 // The entries of a matrix at the couplings of a graph that includes its own; zero elsewhere.
 NodeBlocks blocksOf(NodeGraph const& graph, CrsMatrix const& matrix);
 
 // Local vectors, node after node. Vectors on columns have the ghosts at their end.
-using NodeVector = std::vector<double>;
+using NodeVector = PaddedVector;
 
 // Sends owned values to the ghosts of other ranks. Nothing to do on one rank.
 class GhostExchange
@@ -51,8 +83,9 @@ public:
   void gather(NodeVector& x) const;
 
 private:
-  RCP<const Import> import_;
-  RCP<MultiVector> owned_, columns_;
+  std::shared_ptr<const Halo> halo_;
+  int num_owned_;
+  mutable std::vector<float> sent_, received_;
 };
 
 // y = A x, y = y + A x and y(columns) = A^T x.

@@ -86,6 +86,92 @@ class Stretch(unittest.TestCase):
         self.assertIn(f"{numbers['unknowns']} unknowns", result.stdout)
 
 
+def stretch(ranks, steps=8):
+    """The numbers of the first steps of BP5 with cells of 4 km, 7,299 unknowns."""
+    output = pathlib.Path(f"stretch_{ranks}.json")
+    output.unlink(missing_ok=True)
+    result = bench("steps", DECK, "--steps", steps, "--set", f"{FACTOR}=2", "--set",
+                   "TNNMG/Linear Correction=MueLu", "--output", output, ranks=ranks)
+    if result.returncode != 0:
+        raise AssertionError(result.stdout + result.stderr)
+    return json.loads(output.read_text())
+
+
+class Counts(unittest.TestCase):
+    """What ranks send. The limits are a tenth above what was counted."""
+
+    @classmethod
+    def setUpClass(cls):
+        cls.numbers = {ranks: stretch(ranks) for ranks in (1, 2, 4)}
+
+    def each(self, ranks, work, what, number):
+        numbers = self.numbers[ranks]
+        return numbers["messages"][work][what] / numbers["quasi_static"][number]
+
+    def all(self, ranks, what):
+        return sum(count[what] for work, count in self.numbers[ranks]["messages"].items()
+                   if work != "set-up of step sizes") / self.numbers[ranks]["quasi_static"][
+                       "coupled_steps"]
+
+    def test_ranks_hardly_change_the_iterations(self):
+        alone = self.numbers[1]["quasi_static"]
+        for ranks in (2, 4):
+            steps = self.numbers[ranks]["quasi_static"]
+            self.assertEqual(steps["coupled_steps"], alone["coupled_steps"])
+            for count in ("tnnmg_iterations", "v_cycles"):
+                self.assertLess(abs(steps[count] - alone[count]), 0.1 * alone[count], count)
+            self.assertEqual(steps["rises"], 0)
+
+    def test_a_coupled_step_takes_few_v_cycles(self):
+        steps = self.numbers[1]["quasi_static"]
+        self.assertLess(steps["v_cycles"], 1.1 * 13.3 * steps["coupled_steps"])
+        self.assertLess(steps["tnnmg_iterations"], 1.1 * 4.33 * steps["coupled_steps"])
+
+    def test_one_rank_sends_nothing(self):
+        self.assertEqual(self.all(1, "messages") + self.all(1, "bytes") +
+                         self.all(1, "reductions"), 0)
+
+    def test_a_v_cycle(self):
+        self.assertLess(self.each(2, "V-cycles", "messages", "v_cycles"), 1.1 * 9.54)
+        self.assertLess(self.each(2, "V-cycles", "bytes", "v_cycles"), 1.1 * 7840)
+        self.assertLess(self.each(2, "V-cycles", "reductions", "v_cycles"), 1.1 * 1.07)
+
+    def test_a_sweep_sends_the_columns_of_the_fault_alone(self):
+        self.assertLess(self.each(2, "Gauss-Seidel sweeps", "messages", "tnnmg_iterations"),
+                        1.1 * 6)
+        self.assertLess(self.each(2, "Gauss-Seidel sweeps", "bytes", "tnnmg_iterations"),
+                        1.1 * 784)
+        self.assertLess(self.each(2, "Gauss-Seidel sweeps", "reductions", "tnnmg_iterations"), 1.1)
+
+    def test_a_line_search_takes_one_reduction(self):
+        self.assertLess(self.each(2, "line searches", "reductions", "tnnmg_iterations"), 1.1)
+
+    def test_a_coupled_step(self):
+        self.assertLess(self.all(2, "messages"), 1.1 * 159)
+        self.assertLess(self.all(2, "bytes"), 1.1 * 133e3)
+        self.assertLess(self.all(2, "reductions"), 1.1 * 54.4)
+
+
+class Comparison(unittest.TestCase):
+    def test_a_rate_problem_takes_hardly_more_cycles_than_a_linear_one(self):
+        output = pathlib.Path("comparison.json")
+        output.unlink(missing_ok=True)
+        result = bench("compare", DECK, "--steps", "4", "--set", f"{FACTOR}=2", "--set",
+                       "TNNMG/Linear Correction=MueLu", "--output", output)
+        self.assertEqual(result.returncode, 0, result.stderr)
+        numbers = json.loads(output.read_text())["quasi_static"]
+        self.assertEqual(numbers["count"], 4)
+        self.assertLess(numbers["worst_error"], 1e-5)  # of the deck's relative tolerance
+        self.assertGreater(numbers["linear_cycles"], 0)
+        self.assertLess(numbers["rate_cycles"], 2 * numbers["linear_cycles"])
+        self.assertLess(numbers["coupled_cycles"], 1.7 * numbers["rate_cycles"])
+
+    def test_runs_on_one_rank_alone(self):
+        result = bench("compare", DECK, "--steps", "1", ranks=2)
+        self.assertEqual(result.returncode, 2)
+        self.assertIn("one rank", result.stderr)
+
+
 class BadInput(unittest.TestCase):
     def test_is_refused(self):
         cases = [(["scaling", DECK, "--sizes", "1"], "--steps"),
@@ -93,6 +179,7 @@ class BadInput(unittest.TestCase):
                  (["scaling", DECK, "--sises", "1"], "'--sizes'"),
                  (["steps", DECK], "--steps"),
                  (["steps", DECK, "--steps", "1.5"], "--steps 1.5"),
+                 (["compare", DECK], "--steps"),
                  (["scalding", DECK, "--sizes", "1", "--steps", "1"], "--help")]
         for words, part in cases:
             result = bench(*words)

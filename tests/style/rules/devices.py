@@ -19,6 +19,8 @@ HOST = {
     "packages/tnnmg/levels/CoarseFault.cpp": "the V-cycle runs on the host",
     "packages/tnnmg/levels/MultigridCycle.cpp": "the V-cycle runs on the host",
     "packages/tnnmg/levels/NodeMatrix.cpp": "the V-cycle runs on the host",
+    "packages/tnnmg/levels/SingleGradients.cpp": "the V-cycle runs on the host",
+    "packages/tnnmg/FaultColumns.cpp": "MPI sends some hundred numbers of the fault from the host",
     "packages/tnnmg/detail/MultigridSymmetry.cpp": "set-up: the trial of the preconditioner",
     "packages/dynamics/EnergyBalance.cpp": "sums in double-double, once a step",
     "packages/dynamics/FaultMotion.cpp": "the message of a refusal; fields that are written",

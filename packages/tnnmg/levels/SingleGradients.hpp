@@ -1,0 +1,37 @@
+#pragma once
+
+#include "tnnmg/levels/MultigridCycle.hpp"
+
+namespace asperity::tnnmg::detail
+{
+struct IterationResult
+{
+  bool converged = false;
+  int iterations = 0;
+};
+
+// Conjugate gradients in single precision with a V-cycle as preconditioner, for relative tolerances
+// of a thousandth and above. The cycle gives the product with Z + H along with its result, the
+// image of the direction follows from it by recurrence (Chronopoulos and Gear 1989), and all inner
+// products of an iteration are summed over the ranks at once. Belos has no interface for this.
+class SingleGradients
+{
+public:
+  // The least relative tolerance: rounding cannot part the true residual from the one that the
+  // iteration updates by this much.
+  static constexpr double certain = 1e-3;
+
+  explicit SingleGradients(MultigridCycle const& cycle, RCP<const Communicator> communicator);
+
+  // (Z + H) c = r, from zero, until the residual is at most relative_tolerance |r|; r is zero at
+  // removed and held dofs. Not converged: rounding has made the cycle indefinite, or after
+  // max_iterations. Collective.
+  IterationResult solve(Vector const& r, double relative_tolerance, int max_iterations,
+                        Vector& c) const;
+
+private:
+  MultigridCycle const& cycle_;
+  RCP<const Communicator> communicator_;
+  mutable NodeVector c_, p_, s_; // s = (Z + H) p
+};
+} // namespace asperity::tnnmg::detail
