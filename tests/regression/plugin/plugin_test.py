@@ -47,6 +47,8 @@ class Installation(unittest.TestCase):
         for name in ("bin/asperity", "bin/asperity-plot", "include/asperity/io/Output.hpp",
                      "include/asperity/friction/Registration.hpp",
                      "share/asperity/decks/wedge_2d.xml",
+                     "share/asperity/python/asperity/run.py",
+                     "share/asperity/python/pyproject.toml",
                      "share/asperity/examples/plugin/README.md"):
             self.assertTrue((PREFIX / name).is_file(), name)
         self.assertEqual(list((PREFIX / "include").rglob("*.cpp")), [])

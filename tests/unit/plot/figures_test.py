@@ -16,7 +16,7 @@ import synthetic_cycle
 import synthetic_run
 from asperity_plot import boxes, cli, energy, iterations, maps, raster, slip, slip_rate, style
 from asperity_plot import surface, windows
-from asperity_plot.run import Run
+from asperity.run import Run
 
 
 def shown(axes) -> np.ndarray:

@@ -16,8 +16,8 @@ import synthetic_surface as surface
 from asperity_plot import (deformation, fault_history, fault_maps, moment_rate, plane,
                            rupture_patterns, style, windows)
 from asperity_plot.cli import main
-from asperity_plot.errors import NothingToShow
-from asperity_plot.run import Run
+from asperity.errors import NothingToShow
+from asperity.run import Run
 
 
 class SurfaceFaults(unittest.TestCase):
