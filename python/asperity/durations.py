@@ -22,3 +22,19 @@ def seconds(text: str) -> float:
     if not math.isfinite(value):
         raise ValueError(f"'{text}' is too large for a time")
     return value
+
+
+def text(seconds_: float) -> str:
+    """A duration as the program's log has it: '42 s', '12 min 4 s', '1 h 6 min', '3 d 2 h'."""
+    if seconds_ < 10.0:
+        return f"{seconds_:.3g} s"
+    for large, small, names in ((MINUTE, 1.0, ("min", "s")), (HOUR, MINUTE, ("h", "min")),
+                                (DAY, HOUR, ("d", "h"))):
+        limit = {MINUTE: HOUR, HOUR: DAY}.get(large, YEAR)
+        if seconds_ < large:
+            break
+        count = round(seconds_ / small)
+        if count * small < limit:
+            whole, rest = divmod(count, round(large / small))
+            return f"{whole} {names[0]}" + (f" {rest} {names[1]}" if rest else "")
+    return f"{seconds_:.0f} s" if seconds_ < MINUTE else f"{seconds_ / YEAR:.3g} yr"

@@ -44,7 +44,8 @@ def exact_slip(time):
 
 class Installation(unittest.TestCase):
     def test_has_what_a_user_needs(self):
-        for name in ("bin/asperity", "bin/asperity-plot", "include/asperity/io/Output.hpp",
+        for name in ("bin/asperity", "bin/asperity-plot", "bin/asperity-status",
+                     "include/asperity/io/Output.hpp",
                      "include/asperity/friction/Registration.hpp",
                      "share/asperity/decks/wedge_2d.xml",
                      "share/asperity/python/asperity/run.py",
@@ -56,7 +57,8 @@ class Installation(unittest.TestCase):
     def test_programs_run_where_they_were_moved_to(self):
         result = asperity_run.run(PREFIX / "share/asperity/decks/spring_slider.xml", "--validate")
         self.assertEqual((result.returncode, result.stderr), (0, ""))
-        self.assertIn("usage", call(PREFIX / "bin/asperity-plot", "--help").lower())
+        for tool in (PREFIX / "bin").glob("asperity-*"):
+            self.assertIn("usage", call(tool, "--help").lower(), tool)
 
     def test_names_no_folder_of_the_build(self):
         for path in (PREFIX / "lib").rglob("*.cmake"):
