@@ -14,8 +14,8 @@ _PROGRESS = re.compile(
 _EVENTS = re.compile(r", (\d+) events?\b")
 _WALL = re.compile(r", wall (\S+) s\b")
 _END = re.compile(r"(?P<how>Finished|Stopped) at t = (?P<time>\S+) s after (?P<step>\d+) steps\.$")
-_WORK = re.compile(r"(?P<name>\S.*?)\s{2,}(?P<least>[\d.]+)\s+(?P<most>[\d.]+)\s+(?P<share>[\d.]+) %"
-                   r"\s+(?P<count>\d+)$")
+_WORK = re.compile(r"(?P<name>\S.*?)\s{2,}(?P<least>[\d.]+)\s+(?P<most>[\d.]+)\s+"
+                   r"(?P<share>[\d.]+) %\s+(?P<count>\d+)$")
 
 
 @dataclass(frozen=True)
@@ -58,7 +58,8 @@ class RunLog:
             if _BEGIN.fullmatch(line):
                 before = log.wall
                 log._begin(line)
-            elif log.processes and len(log.environment) == 1 and line.startswith("Kokkos"):
+            elif log.processes and line.startswith(
+                    ("Kokkos ", "Built from ", "Machine: ")):
                 log.environment.append(line)
             else:
                 log._take(line, before)

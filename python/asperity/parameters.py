@@ -4,7 +4,7 @@ import difflib
 import re
 import xml.etree.ElementTree as ElementTree
 from pathlib import Path
-from typing import Dict, List, Optional
+from typing import Dict, List, Optional, Set
 
 from .errors import InputError
 
@@ -14,8 +14,9 @@ NUMBER = r"[-+]?(?:\d+\.?\d*|\.\d+)(?:[eE][-+]?\d+)?"
 class Parameters:
     """Parameters by path below the root list: text('Mesh/Type'), number('Mesh/Wedge/Height')."""
 
-    def __init__(self, values: Dict[str, str]):
+    def __init__(self, values: Dict[str, str], defaults: Optional[Set[str]] = None):
         self._values = values
+        self._defaults = defaults or set()
 
     @classmethod
     def read(cls, path: Path) -> "Parameters":
@@ -28,8 +29,13 @@ class Parameters:
             raise InputError(f"{path} cannot be read as XML ({error}). "
                              "Is it the parameters.xml that the run wrote?") from error
         values: Dict[str, str] = {}
-        _collect(root, "", values)
-        return cls(values)
+        defaults: Set[str] = set()
+        _collect(root, "", values, defaults)
+        return cls(values, defaults)
+
+    def changed(self) -> Dict[str, str]:
+        """Those whose values are not the defaults, as far as the file tells."""
+        return {path: value for path, value in self._values.items() if path not in self._defaults}
 
     def __getitem__(self, path: str) -> str:
         """A parameter as it stands in the deck; InputError if there is none of this path."""
@@ -59,10 +65,13 @@ class Parameters:
         return list(self._values)
 
 
-def _collect(node: ElementTree.Element, prefix: str, values: Dict[str, str]) -> None:
+def _collect(node: ElementTree.Element, prefix: str, values: Dict[str, str],
+             defaults: Set[str]) -> None:
     for child in node:
         path = prefix + child.get("name", "")
         if child.tag == "ParameterList":
-            _collect(child, path + "/", values)
+            _collect(child, path + "/", values, defaults)
         elif child.tag == "Parameter":
             values[path] = child.get("value", "")
+            if child.get("isDefault") == "true":
+                defaults.add(path)

@@ -13,8 +13,8 @@ namespace asperity::io
 // The wall time that a run still needs. Between earthquakes a run may be a thousand times faster
 // than in them, so that no speed of the last minutes tells the end. Once this process has seen a
 // whole cycle, from one event to the next, the rest of the run is taken to cost what past cycles
-// did. Before that, and where there are no events, the estimate is from the recent speed: an average
-// over wall time in which the speed of `memory` seconds ago has the weight 1/e.
+// did. Before that, and where there are no events, the estimate is from the recent speed: an
+// average over wall time in which the speed of `memory` seconds ago has the weight 1/e.
 //
 // python/asperity/estimate.py does the same with what a run leaves on disk.
 class TimeLeft
@@ -112,8 +112,8 @@ private:
     return (after->seconds - begin.seconds) / (end.seconds - begin.seconds);
   }
 
-  // What is left of the current cycle, and the cycles after it; of one in which the run ends a part.
-  // 0 where that has cost more than a cycle does.
+  // What is left of the current cycle, and the cycles after it; of one in which the run ends a
+  // part. 0 where that has cost more than a cycle does.
   double ofCycles() const
   {
     auto const &first = onsets_.front(), &last = onsets_.back();
