@@ -45,7 +45,8 @@ def exact_slip(time):
 class Installation(unittest.TestCase):
     def test_has_what_a_user_needs(self):
         for name in ("bin/asperity", "bin/asperity-plot", "bin/asperity-status",
-                     "bin/asperity-report",
+                     "bin/asperity-report", "bin/asperity-study",
+                     "share/asperity/examples/study/thesis.xml",
                      "include/asperity/io/Output.hpp",
                      "include/asperity/friction/Registration.hpp",
                      "share/asperity/decks/wedge_2d.xml",
