@@ -15,9 +15,10 @@ function(asperity_install_package name)
     INSTALL_RPATH "$ORIGIN" INSTALL_RPATH_USE_LINK_PATH ON)
   install(TARGETS asperity_${name} EXPORT AsperityPackages
     LIBRARY DESTINATION "${CMAKE_INSTALL_LIBDIR}"
-    ARCHIVE DESTINATION "${CMAKE_INSTALL_LIBDIR}")
+      COMPONENT programs NAMELINK_COMPONENT headers
+    ARCHIVE DESTINATION "${CMAKE_INSTALL_LIBDIR}" COMPONENT headers)
   install(DIRECTORY "${PROJECT_SOURCE_DIR}/packages/${name}"
-    DESTINATION "${ASPERITY_INSTALL_HEADERS}" FILES_MATCHING PATTERN "*.hpp")
+    DESTINATION "${ASPERITY_INSTALL_HEADERS}" COMPONENT headers FILES_MATCHING PATTERN "*.hpp")
 endfunction()
 
 # A driver that is left out of the build is not installed.
@@ -28,8 +29,12 @@ function(asperity_install_driver name)
   file(RELATIVE_PATH to_libraries "/${CMAKE_INSTALL_BINDIR}" "/${CMAKE_INSTALL_LIBDIR}")
   set_target_properties(${name} PROPERTIES
     INSTALL_RPATH "$ORIGIN/${to_libraries}" INSTALL_RPATH_USE_LINK_PATH ON)
+  set(component programs)
+  if(name STREQUAL asperity-mesh) # which links Gmsh's library, under another licence
+    set(component mesh_tool)
+  endif()
   install(TARGETS ${name} EXPORT AsperityPackages
-    RUNTIME DESTINATION "${CMAKE_INSTALL_BINDIR}")
+    RUNTIME DESTINATION "${CMAKE_INSTALL_BINDIR}" COMPONENT ${component})
 endfunction()
 
 # After all packages and drivers.
@@ -37,7 +42,8 @@ function(asperity_install_config)
   if(NOT ASPERITY_ENABLE_INSTALL)
     return()
   endif()
-  install(EXPORT AsperityPackages NAMESPACE Asperity:: DESTINATION "${ASPERITY_INSTALL_CMAKE}")
+  install(EXPORT AsperityPackages NAMESPACE Asperity:: DESTINATION "${ASPERITY_INSTALL_CMAKE}"
+    COMPONENT headers)
   configure_package_config_file("${PROJECT_SOURCE_DIR}/cmake/AsperityConfig.cmake.in"
     "${PROJECT_BINARY_DIR}/AsperityConfig.cmake"
     INSTALL_DESTINATION "${ASPERITY_INSTALL_CMAKE}"
@@ -50,13 +56,17 @@ function(asperity_install_config)
     "${PROJECT_SOURCE_DIR}/cmake/AsperityDependencies.cmake"
     "${PROJECT_SOURCE_DIR}/cmake/AsperityKokkos.cmake"
     "${PROJECT_SOURCE_DIR}/cmake/AsperityPrivateDependencies.cmake"
-    DESTINATION "${ASPERITY_INSTALL_CMAKE}")
+    DESTINATION "${ASPERITY_INSTALL_CMAKE}" COMPONENT headers)
   install(DIRECTORY "${PROJECT_SOURCE_DIR}/xml/" DESTINATION "${ASPERITY_INSTALL_SHARE}/decks"
-    FILES_MATCHING PATTERN "*.xml" PATTERN "*.geo")
-  install(DIRECTORY "${PROJECT_SOURCE_DIR}/examples" DESTINATION "${ASPERITY_INSTALL_SHARE}")
-  foreach(page IN ITEMS LICENSE README.md CHANGELOG.md CITATION.cff CONTRIBUTING.md SECURITY.md)
-    install(FILES "${PROJECT_SOURCE_DIR}/${page}" DESTINATION "${CMAKE_INSTALL_DOCDIR}")
+    COMPONENT programs FILES_MATCHING PATTERN "*.xml" PATTERN "*.geo")
+  install(DIRECTORY "${PROJECT_SOURCE_DIR}/examples" DESTINATION "${ASPERITY_INSTALL_SHARE}"
+    COMPONENT programs)
+  install(FILES "${PROJECT_SOURCE_DIR}/LICENSE" DESTINATION "${CMAKE_INSTALL_DOCDIR}"
+    COMPONENT programs)
+  foreach(page IN ITEMS README.md CHANGELOG.md CITATION.cff CONTRIBUTING.md SECURITY.md)
+    install(FILES "${PROJECT_SOURCE_DIR}/${page}" DESTINATION "${CMAKE_INSTALL_DOCDIR}"
+      COMPONENT documents)
   endforeach()
   install(DIRECTORY "${PROJECT_SOURCE_DIR}/docs" DESTINATION "${CMAKE_INSTALL_DOCDIR}"
-    FILES_MATCHING PATTERN "*.md" PATTERN "*.png")
+    COMPONENT documents FILES_MATCHING PATTERN "*.md" PATTERN "*.png")
 endfunction()
