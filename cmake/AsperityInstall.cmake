@@ -6,6 +6,7 @@ include(CMakePackageConfigHelpers)
 set(ASPERITY_INSTALL_HEADERS "${CMAKE_INSTALL_INCLUDEDIR}/asperity")
 set(ASPERITY_INSTALL_CMAKE "${CMAKE_INSTALL_LIBDIR}/cmake/Asperity")
 set(ASPERITY_INSTALL_SHARE "${CMAKE_INSTALL_DATADIR}/asperity")
+set(ASPERITY_INSTALL_DOC "${CMAKE_INSTALL_DATAROOTDIR}/doc/asperity")
 
 function(asperity_install_package name)
   if(NOT ASPERITY_ENABLE_INSTALL)
@@ -59,14 +60,18 @@ function(asperity_install_config)
     DESTINATION "${ASPERITY_INSTALL_CMAKE}" COMPONENT headers)
   install(DIRECTORY "${PROJECT_SOURCE_DIR}/xml/" DESTINATION "${ASPERITY_INSTALL_SHARE}/decks"
     COMPONENT programs FILES_MATCHING PATTERN "*.xml" PATTERN "*.geo")
+  # The studies of the examples name decks as they lie in the source tree.
+  install(CODE "file(CREATE_LINK decks \
+    \"\$ENV{DESTDIR}\${CMAKE_INSTALL_PREFIX}/${ASPERITY_INSTALL_SHARE}/xml\" SYMBOLIC)"
+    COMPONENT programs)
   install(DIRECTORY "${PROJECT_SOURCE_DIR}/examples" DESTINATION "${ASPERITY_INSTALL_SHARE}"
     COMPONENT programs)
-  install(FILES "${PROJECT_SOURCE_DIR}/LICENSE" DESTINATION "${CMAKE_INSTALL_DOCDIR}"
+  install(FILES "${PROJECT_SOURCE_DIR}/LICENSE" DESTINATION "${ASPERITY_INSTALL_DOC}"
     COMPONENT programs)
   foreach(page IN ITEMS README.md CHANGELOG.md CITATION.cff CONTRIBUTING.md SECURITY.md)
-    install(FILES "${PROJECT_SOURCE_DIR}/${page}" DESTINATION "${CMAKE_INSTALL_DOCDIR}"
+    install(FILES "${PROJECT_SOURCE_DIR}/${page}" DESTINATION "${ASPERITY_INSTALL_DOC}"
       COMPONENT documents)
   endforeach()
-  install(DIRECTORY "${PROJECT_SOURCE_DIR}/docs" DESTINATION "${CMAKE_INSTALL_DOCDIR}"
+  install(DIRECTORY "${PROJECT_SOURCE_DIR}/docs" DESTINATION "${ASPERITY_INSTALL_DOC}"
     COMPONENT documents FILES_MATCHING PATTERN "*.md" PATTERN "*.png")
 endfunction()

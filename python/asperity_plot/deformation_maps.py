@@ -32,7 +32,7 @@ def draw(run: Run, spans: Tuple[Window, Window], titles: List[str]):
     figure, panels = style.panels(1, 2, (11.0, 1.5 + min(4.4 * shape, 8.0)), sharey=True)
     for panel, displacement, title in zip(panels[0], moved, titles):
         mesh = Triangulation(*far(places).T, triangles)
-        _uplift(figure, panel, mesh, displacement @ upwards)
+        _uplift(panel, mesh, displacement @ upwards)
         _arrows(panel, far(places), displacement[:, axes], far(limits))
         panel.set(title=title, xlabel=f"{'xyz'[axes[0]]} [{far.name}]", aspect="equal",
                   xlim=far(limits[:, 0]), ylim=far(limits[:, 1]))
@@ -54,11 +54,11 @@ def _limits(places: np.ndarray, moved: List[np.ndarray]) -> np.ndarray:
     return np.array([moving.min(axis=0), moving.max(axis=0)])
 
 
-def _uplift(figure, panel, mesh: Triangulation, uplift: np.ndarray) -> None:
+def _uplift(panel, mesh: Triangulation, uplift: np.ndarray) -> None:
     unit, size = units.length(uplift), float(np.abs(uplift).max()) or 1.0
     picture = panel.tripcolor(mesh, unit(uplift), shading="gouraud", rasterized=True,
                               cmap=style.SURFACE_COLOURS, vmin=-unit(size), vmax=unit(size))
-    figure.colorbar(picture, ax=panel, pad=0.02).set_label(f"Uplift [{unit.name}]")
+    style.bar_beside(panel, picture).set_label(f"Uplift [{unit.name}]")
 
 
 def _arrows(panel, places: np.ndarray, flat: np.ndarray, limits: np.ndarray) -> None:

@@ -20,10 +20,10 @@ def draw(run: Run, view: View):
     onset, end = interval_of(run, row)
     slip = event_slip(run, onset, end)
     figure, panels = _panels(where)
-    _colours(figure, panels[0], where, slip, units.length(slip), "Slip in the event")
+    _colours(panels[0], where, slip, units.length(slip), "Slip in the event")
     front = arrivals(run, row)
     if front is not None:
-        _front(figure, panels[1], where, front)
+        _front(panels[1], where, front)
     for panel in panels:
         where.label(panel)
     number = windows.number(run.events, row)
@@ -79,14 +79,14 @@ def arrivals(run: Run, row: int) -> Optional[np.ndarray]:
     return None
 
 
-def _colours(figure, axes, where: plane.Plane, values, unit: units.Unit, name: str) -> None:
+def _colours(axes, where: plane.Plane, values, unit: units.Unit, name: str) -> None:
     shown = unit(values)
     picture = axes.tripcolor(where.triangulation, shown, shading="gouraud", rasterized=True,
                              cmap=style.SEQUENCE_COLOURS)
     if np.ptp(shown) > 0.0:
         axes.tricontour(where.triangulation, shown, levels=LINES // 2, colors="white",
                         linewidths=0.6)
-    figure.colorbar(picture, ax=axes, pad=0.02).set_label(f"{name} [{unit.name}]")
+    style.bar_beside(axes, picture).set_label(f"{name} [{unit.name}]")
 
 
 def interval(front: np.ndarray) -> float:
@@ -113,7 +113,7 @@ def contours(axes, where: plane.Plane, front: np.ndarray, unit: units.Unit, step
     return picture
 
 
-def _front(figure, axes, where: plane.Plane, front: np.ndarray) -> None:
+def _front(axes, where: plane.Plane, front: np.ndarray) -> None:
     last, step = units.largest(front), interval(front)
     unit = units.duration(last)
     picture = contours(axes, where, front, unit, step, last)
@@ -121,5 +121,5 @@ def _front(figure, axes, where: plane.Plane, front: np.ndarray) -> None:
         axes.set_title("The front crossed no triangle", fontsize=9)
         return
     axes.set_title(f"Rupture front every {units.plain(step, 's')}", fontsize=9)
-    figure.colorbar(picture, ax=axes, pad=0.02).set_label(
+    style.bar_beside(axes, picture).set_label(
         f"Time since the onset [{unit.name}]")

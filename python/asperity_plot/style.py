@@ -73,6 +73,12 @@ def save(figure: Figure, path: Path, dpi: int) -> Path:
     return path
 
 
+def bar_beside(axes: Axes, picture):
+    """A colour bar as high as its panel, also where equal scales make that smaller."""
+    place = axes.inset_axes([1.02, 0.0, 0.03, 1.0])
+    return axes.figure.colorbar(picture, cax=place)
+
+
 def mark_zone(axes: Axes, run: Run, along: Axis, colour: str, label: bool) -> None:
     """The limits of the seismogenic zone as dashed lines, its name beside the right edge."""
     zone = run.seismogenic_zone
@@ -91,13 +97,13 @@ def mark_zone(axes: Axes, run: Run, along: Axis, colour: str, label: bool) -> No
 
 
 def shade_zone(axes: Axes, run: Run, along: Axis) -> None:
-    """The seismogenic zone as a grey band over the horizontal axis, with its name."""
+    """The seismogenic zone as a grey band over the horizontal axis, with its name above."""
     zone = run.seismogenic_zone
     if zone is None:
         return
     low, high = along(zone)
     axes.axvspan(low, high, color="#eeeeee", zorder=0)
-    axes.text(0.5 * (low + high), 0.02, "seismogenic zone", ha="center", va="bottom",
+    axes.text(0.5 * (low + high), 1.01, "seismogenic zone", ha="center", va="bottom",
               color=DARK, fontsize=8.5, transform=axes.get_xaxis_transform())
 
 
