@@ -54,7 +54,7 @@ class Decks(unittest.TestCase):
         self.assertRegex(result.stdout, r"Memory: [\d.]+ MB on all ranks")
         self.assertIn("cells of 0.00202 m; cohesive zone", result.stdout)
         self.assertNotIn("WARNING", result.stdout)
-        coarse = asperity_run.run(wedge, "--validate", "--set", "Mesh/Wedge/Cell Size=0.1")
+        coarse = asperity_run.run(wedge, "--validate", "--set", "Friction/L=1e-6")
         self.assertEqual(coarse.returncode, 0)
         self.assertIn("WARNING: fewer than 3 cells per cohesive zone", coarse.stdout)
         ranks = asperity_run.run(wedge, "--validate", "--set",
