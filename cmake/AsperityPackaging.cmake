@@ -33,7 +33,8 @@ set(CPACK_DEBIAN_PROGRAMS_PACKAGE_DEPENDS
   "openmpi-bin, python3, python3-h5py, python3-numpy, python3-matplotlib")
 
 set(CPACK_DEBIAN_MESH_TOOL_PACKAGE_NAME asperity-mesh)
-set(CPACK_COMPONENT_MESH_TOOL_DESCRIPTION "Makes and converts meshes; links Gmsh's library (GPL).")
+set(CPACK_COMPONENT_MESH_TOOL_DESCRIPTION
+  "Makes and converts meshes; links Gmsh's library (GPL).")
 set(CPACK_DEBIAN_MESH_TOOL_PACKAGE_DEPENDS "asperity ${same_version}")
 
 # The packages that TrilinosConfig.cmake and our headers ask for: those of quickstart.sh.
@@ -47,8 +48,10 @@ list(TRANSFORM required PREPEND ", ")
 string(REPLACE ";" "" required "${required}")
 set(CPACK_DEBIAN_HEADERS_PACKAGE_NAME libasperity-dev)
 set(CPACK_DEBIAN_HEADERS_PACKAGE_SECTION libdevel)
-set(CPACK_COMPONENT_HEADERS_DESCRIPTION "Headers and CMake files, for laws and outputs of your own.")
-set(CPACK_DEBIAN_HEADERS_PACKAGE_DEPENDS "asperity ${same_version}, g++, cmake, make | ninja-build${required}")
+set(CPACK_COMPONENT_HEADERS_DESCRIPTION
+  "Headers and CMake files, for laws and outputs of your own.")
+set(CPACK_DEBIAN_HEADERS_PACKAGE_DEPENDS
+  "asperity ${same_version}, g++, cmake, make | ninja-build${required}")
 if(TARGET asperity-mesh)
   string(APPEND CPACK_DEBIAN_HEADERS_PACKAGE_DEPENDS ", asperity-mesh ${same_version}")
 endif()

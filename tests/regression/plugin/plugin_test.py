@@ -60,7 +60,10 @@ class Installation(unittest.TestCase):
         result = asperity_run.run(PREFIX / "share/asperity/decks/spring_slider.xml", "--validate")
         self.assertEqual((result.returncode, result.stderr), (0, ""))
         for tool in (PREFIX / "bin").glob("asperity-*"):
-            self.assertIn("usage", call(tool, "--help").lower(), tool)
+            self.assertIn(tool.name, call(tool, "--help"))
+        study = call(PREFIX / "bin/asperity-study",
+                     PREFIX / "share/asperity/examples/study/thesis.xml", "--list")
+        self.assertEqual(len(study.splitlines()), 18)
 
     def test_names_no_folder_of_the_build(self):
         for path in (PREFIX / "lib").rglob("*.cmake"):
