@@ -6,6 +6,7 @@ include(CMakePackageConfigHelpers)
 set(ASPERITY_INSTALL_HEADERS "${CMAKE_INSTALL_INCLUDEDIR}/asperity")
 set(ASPERITY_INSTALL_CMAKE "${CMAKE_INSTALL_LIBDIR}/cmake/Asperity")
 set(ASPERITY_INSTALL_SHARE "${CMAKE_INSTALL_DATADIR}/asperity")
+set(ASPERITY_INSTALL_DOC "${CMAKE_INSTALL_DATAROOTDIR}/doc/asperity")
 
 function(asperity_install_package name)
   if(NOT ASPERITY_ENABLE_INSTALL)
@@ -15,9 +16,10 @@ function(asperity_install_package name)
     INSTALL_RPATH "$ORIGIN" INSTALL_RPATH_USE_LINK_PATH ON)
   install(TARGETS asperity_${name} EXPORT AsperityPackages
     LIBRARY DESTINATION "${CMAKE_INSTALL_LIBDIR}"
-    ARCHIVE DESTINATION "${CMAKE_INSTALL_LIBDIR}")
+      COMPONENT programs NAMELINK_COMPONENT headers
+    ARCHIVE DESTINATION "${CMAKE_INSTALL_LIBDIR}" COMPONENT headers)
   install(DIRECTORY "${PROJECT_SOURCE_DIR}/packages/${name}"
-    DESTINATION "${ASPERITY_INSTALL_HEADERS}" FILES_MATCHING PATTERN "*.hpp")
+    DESTINATION "${ASPERITY_INSTALL_HEADERS}" COMPONENT headers FILES_MATCHING PATTERN "*.hpp")
 endfunction()
 
 # A driver that is left out of the build is not installed.
@@ -28,8 +30,12 @@ function(asperity_install_driver name)
   file(RELATIVE_PATH to_libraries "/${CMAKE_INSTALL_BINDIR}" "/${CMAKE_INSTALL_LIBDIR}")
   set_target_properties(${name} PROPERTIES
     INSTALL_RPATH "$ORIGIN/${to_libraries}" INSTALL_RPATH_USE_LINK_PATH ON)
+  set(component programs)
+  if(name STREQUAL asperity-mesh) # which links Gmsh's library, under another licence
+    set(component mesh_tool)
+  endif()
   install(TARGETS ${name} EXPORT AsperityPackages
-    RUNTIME DESTINATION "${CMAKE_INSTALL_BINDIR}")
+    RUNTIME DESTINATION "${CMAKE_INSTALL_BINDIR}" COMPONENT ${component})
 endfunction()
 
 # After all packages and drivers.
@@ -37,7 +43,8 @@ function(asperity_install_config)
   if(NOT ASPERITY_ENABLE_INSTALL)
     return()
   endif()
-  install(EXPORT AsperityPackages NAMESPACE Asperity:: DESTINATION "${ASPERITY_INSTALL_CMAKE}")
+  install(EXPORT AsperityPackages NAMESPACE Asperity:: DESTINATION "${ASPERITY_INSTALL_CMAKE}"
+    COMPONENT headers)
   configure_package_config_file("${PROJECT_SOURCE_DIR}/cmake/AsperityConfig.cmake.in"
     "${PROJECT_BINARY_DIR}/AsperityConfig.cmake"
     INSTALL_DESTINATION "${ASPERITY_INSTALL_CMAKE}"
@@ -50,10 +57,21 @@ function(asperity_install_config)
     "${PROJECT_SOURCE_DIR}/cmake/AsperityDependencies.cmake"
     "${PROJECT_SOURCE_DIR}/cmake/AsperityKokkos.cmake"
     "${PROJECT_SOURCE_DIR}/cmake/AsperityPrivateDependencies.cmake"
-    DESTINATION "${ASPERITY_INSTALL_CMAKE}")
+    DESTINATION "${ASPERITY_INSTALL_CMAKE}" COMPONENT headers)
   install(DIRECTORY "${PROJECT_SOURCE_DIR}/xml/" DESTINATION "${ASPERITY_INSTALL_SHARE}/decks"
-    FILES_MATCHING PATTERN "*.xml" PATTERN "*.geo")
-  install(DIRECTORY "${PROJECT_SOURCE_DIR}/examples" DESTINATION "${ASPERITY_INSTALL_SHARE}")
-  install(FILES "${PROJECT_SOURCE_DIR}/LICENSE" "${PROJECT_SOURCE_DIR}/README.md"
-    "${PROJECT_SOURCE_DIR}/CHANGELOG.md" DESTINATION "${CMAKE_INSTALL_DOCDIR}")
+    COMPONENT programs FILES_MATCHING PATTERN "*.xml" PATTERN "*.geo")
+  # The studies of the examples name decks as they lie in the source tree.
+  install(CODE "file(CREATE_LINK decks \
+    \"\$ENV{DESTDIR}\${CMAKE_INSTALL_PREFIX}/${ASPERITY_INSTALL_SHARE}/xml\" SYMBOLIC)"
+    COMPONENT programs)
+  install(DIRECTORY "${PROJECT_SOURCE_DIR}/examples" DESTINATION "${ASPERITY_INSTALL_SHARE}"
+    COMPONENT programs)
+  install(FILES "${PROJECT_SOURCE_DIR}/LICENSE" DESTINATION "${ASPERITY_INSTALL_DOC}"
+    COMPONENT programs)
+  foreach(page IN ITEMS README.md CHANGELOG.md CITATION.cff CONTRIBUTING.md SECURITY.md)
+    install(FILES "${PROJECT_SOURCE_DIR}/${page}" DESTINATION "${ASPERITY_INSTALL_DOC}"
+      COMPONENT documents)
+  endforeach()
+  install(DIRECTORY "${PROJECT_SOURCE_DIR}/docs" DESTINATION "${ASPERITY_INSTALL_DOC}"
+    COMPONENT documents FILES_MATCHING PATTERN "*.md" PATTERN "*.png")
 endfunction()

@@ -1,7 +1,7 @@
-# ASPERITY_PYTHON: the Python 3 of the plot tool and of the tests written in Python. It should have
-# h5py, numpy and matplotlib. The system's own Python is tried first, because Debian's packages
-# belong to it and another `python3` on PATH does not find them. A value given by the user is kept.
-
+# ASPERITY_PYTHON: the Python 3 of the programs in python/ and of the tests written in Python. It
+# should have h5py, numpy and matplotlib. The system's own Python is tried first, because Debian's
+# packages belong to it and another `python3` on PATH does not find them. A value given by the user
+# is kept.
 # Stores the modules that `python` lacks in the variable named by `result`, or "python" if it does
 # not run.
 function(asperity_missing_python_modules python result)

@@ -7,7 +7,10 @@
 #include "scenario/Registrations.hpp"
 #include "scenario/Simulation.hpp"
 
+#include <algorithm>
 #include <iostream>
+#include <iterator>
+#include <string>
 
 namespace
 {
@@ -18,7 +21,9 @@ int runDeck(asperity::CommandLine const& command_line,
   auto const deck = asperity::scenario::readCompleteDeck(command_line);
   auto const simulation = asperity::scenario::makeSimulation(deck, command_line, communicator);
   if (command_line.validate) {
+    auto const lines = simulation->description();
     if (communicator->getRank() == 0) {
+      std::copy(lines.begin(), lines.end(), std::ostream_iterator<std::string>(std::cout, "\n"));
       std::cout << command_line.deck << " is valid.\n";
     }
     return asperity::exit_done;

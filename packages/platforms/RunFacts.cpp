@@ -32,7 +32,11 @@ Declare RunFacts::declare(std::string const& problem)
           "The files give this as the version of the program.")
     .real("Element Size", 0.0, "m", Range::atLeast(0),
           "The files give this as the size of the elements on the fault; 0 means the size of the "
-          "shortest one.");
+          "shortest one.")
+    .real("Depth of Upper End", 0.0, "m", Range::any(),
+          "Distances down dip in the files of rupture times are this one at the upper end of the "
+          "fault. It is not 0 where the model is the part of space below a plane of symmetry and "
+          "the problem counts from the surface.");
   return parameters;
 }
 
@@ -47,6 +51,7 @@ RunFacts RunFacts::from(Teuchos::ParameterList const& parameters, io::OutputCont
   }
   facts.code_version = parameters.get<std::string>("Code Version");
   facts.element_size = parameters.get<double>("Element Size");
+  facts.depth_of_upper_end = parameters.get<double>("Depth of Upper End");
   if (facts.element_size == 0) {
     facts.element_size = catalogue::shortestElement(context.domain("fault"));
   }

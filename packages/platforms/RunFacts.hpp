@@ -14,7 +14,8 @@ struct RunFacts
   std::string author;
   std::string date; // "2024/05/31"
   std::string code_version;
-  double element_size = 0; // [m] on the fault
+  double element_size = 0;       // [m] on the fault
+  double depth_of_upper_end = 0; // [m] down dip, where the problem begins to count above the mesh
 
   // The entries of a platform's list; `problem` is the default of `Problem`.
   static Declare declare(std::string const& problem);

@@ -1,5 +1,6 @@
 #include "scenario/DeckReader.hpp"
 
+#include "base/fields/VertexDataset.hpp"
 #include "io/OutputSet.hpp"
 #include "scenario/setup/BoundarySetup.hpp"
 #include "scenario/setup/BulkSetup.hpp"
@@ -8,6 +9,11 @@
 #include "scenario/setup/MeshSetup.hpp"
 #include "scenario/setup/SolverSetup.hpp"
 #include "scenario/setup/TimeSetup.hpp"
+
+#include <filesystem>
+#include <string>
+#include <system_error>
+#include <vector>
 
 namespace asperity::scenario
 {
@@ -19,6 +25,36 @@ RCP<const ParameterList> outputParameters()
   Declare(*list).integer("Checkpoint Every n Steps", 5000, Range::atLeast(1),
                          "A checkpoint is written after this number of accepted steps.");
   return list;
+}
+
+// A name of a file in a deck is looked for beside the deck first. What is not there counts from
+// where the program was started.
+std::string besideDeck(std::string const& name, std::filesystem::path const& folder)
+{
+  std::error_code ignored;
+  const auto place = (folder / name).lexically_normal();
+  return std::filesystem::exists(place, ignored) ? place.string() : name;
+}
+
+void findFilesBesideDeck(ParameterList& list, std::filesystem::path const& folder)
+{
+  std::vector<std::string> names;
+  for (auto const& item : list) {
+    names.push_back(item.first);
+  }
+  for (auto const& name : names) {
+    if (list.isSublist(name)) {
+      findFilesBesideDeck(list.sublist(name), folder);
+    } else if (list.isType<std::string>(name)) {
+      const auto text = list.get<std::string>(name);
+      if (name == "File Name") {
+        list.set(name, besideDeck(text, folder));
+      } else if (VertexDataset::isName(text)) {
+        const auto colon = text.find(":/");
+        list.set(name, besideDeck(text.substr(0, colon), folder) + text.substr(colon));
+      }
+    }
+  }
 }
 } // namespace
 
@@ -53,6 +89,7 @@ RCP<ParameterList> readCompleteDeck(CommandLine const& command_line)
 {
   auto const valid = deckParameters();
   auto deck = readDeck(command_line.deck);
+  findFilesBesideDeck(*deck, std::filesystem::path(command_line.deck).parent_path());
   for (auto const& overlay : command_line.overlays) {
     overlayDeck(*deck, overlay);
   }

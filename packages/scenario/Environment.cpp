@@ -4,9 +4,12 @@
 
 #include <Trilinos_version.h>
 #include <mpi.h>
+#include <sys/utsname.h>
 
 #include <algorithm>
+#include <fstream>
 #include <ostream>
+#include <thread>
 
 namespace asperity::scenario
 {
@@ -26,6 +29,33 @@ std::string mpiVersion()
   }
   return text;
 }
+
+// "AMD EPYC 7B13" of Linux's /proc/cpuinfo; nothing elsewhere.
+std::string processor()
+{
+  std::ifstream file("/proc/cpuinfo");
+  for (std::string line; std::getline(file, line);) {
+    const auto colon = line.find(": ");
+    if (line.rfind("model name", 0) == 0 && colon != std::string::npos) {
+      return line.substr(colon + 2);
+    }
+  }
+  return "";
+}
+
+// "Machine: node17, 16 cores of AMD EPYC 7B13, Linux 6.1.0-18-amd64 x86_64."
+std::string describeMachine()
+{
+  utsname system{};
+  if (::uname(&system) != 0) {
+    return "Machine: unknown.";
+  }
+  const std::string name = processor();
+  return std::string("Machine: ") + system.nodename + ", " +
+         std::to_string(std::thread::hardware_concurrency()) + " cores" +
+         (name.empty() ? "" : " of " + name) + ", " + system.sysname + ' ' + system.release + ' ' +
+         system.machine + ".";
+}
 } // namespace
 
 std::vector<std::string> describeEnvironment(Communicator const& communicator)
@@ -34,7 +64,8 @@ std::vector<std::string> describeEnvironment(Communicator const& communicator)
   return {std::string("Asperity ") + ASPERITY_VERSION + " on " + describeBackend() + ", " +
             std::to_string(ranks) + (ranks == 1 ? " rank." : " ranks."),
           "Kokkos " + kokkosVersion() + ", Trilinos " + TRILINOS_VERSION_STRING + ", " +
-            mpiVersion() + "."};
+            mpiVersion() + ".",
+          std::string("Built from ") + ASPERITY_BUILT_FROM + ".", describeMachine()};
 }
 
 void printEnvironment(Communicator const& communicator, std::ostream& out)

@@ -12,8 +12,10 @@ namespace asperity::scenario
 //
 //   Asperity 0.1.0 on Serial, 2 ranks.
 //   Kokkos 3.4.1, Trilinos 13.2, Open MPI v4.1.4.
+//   Built from commit 25a786b3f0c1, GNU 12.2.0, Release, HDF5 1.10.8, Eigen 3.4.0.
+//   Machine: node17, 16 cores of AMD EPYC 7B13, Linux 6.1.0-18-amd64 x86_64.
 //
-// The execution space, threads or device are those of this rank.
+// The execution space, threads or device, and the machine, are those of this rank.
 std::vector<std::string> describeEnvironment(Communicator const& communicator);
 
 // The same, line by line.

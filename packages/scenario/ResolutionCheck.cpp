@@ -1,9 +1,16 @@
 #include "scenario/ResolutionCheck.hpp"
 
 #include "base/Text.hpp"
+#include "base/parallel/Reductions.hpp"
+#include "mesh/MeshQuality.hpp"
 #include "scenario/setup/LawSetup.hpp"
 
+#include <sys/resource.h>
+
+#include <algorithm>
 #include <cmath>
+#include <limits>
+#include <sstream>
 
 namespace asperity::scenario
 {
@@ -18,7 +25,67 @@ std::string rounded(double value)
   return formatShort(std::round(value / unit) * unit);
 }
 
+// Peak of this rank so far.
+double peakBytes()
+{
+  rusage usage{};
+  ::getrusage(RUSAGE_SELF, &usage);
+  return 1024.0 * static_cast<double>(usage.ru_maxrss);
+}
+
+struct CellCount
+{
+  double number = 0, smallest = 0, largest = 0; // diameters in m
+};
+
+// Each cell counts once: where its first vertex is owned.
+template <int Dim>
+CellCount countCells(Mesh<Dim> const& mesh, Communicator const& communicator)
+{
+  double number = 0;
+  for (auto const& cell : mesh.cells) {
+    number += cell[0] < mesh.num_owned ? 1 : 0;
+  }
+  double smallest = std::numeric_limits<double>::infinity(), largest = 0;
+  for (const double diameter : mesh::cellDiameters(mesh)) {
+    smallest = std::min(smallest, diameter);
+    largest = std::max(largest, diameter);
+  }
+  return {sumOverRanks(number, communicator), minOverRanks(smallest, communicator),
+          maxOverRanks(largest, communicator)};
+}
+
+// Measured, docs/performance.md: for one step size on large models, and with ten that are kept.
+constexpr double multigrid_bytes[] = {4.3e3, 11e3};
 } // namespace
+
+template <int Dim>
+std::vector<std::string> describeSize(Problem<Dim> const& problem)
+{
+  const auto cells = countCells(problem.mesh, *problem.communicator);
+  const double unknowns =
+    static_cast<double>(problem.mesh.num_global_vertices) * problem.components;
+  const double peak = sumOverRanks(peakBytes(), *problem.communicator);
+  std::ostringstream mesh, memory;
+  mesh.precision(12);
+  mesh << "Mesh: " << cells.number << (Dim == 2 ? " triangles, " : " tetrahedra, ")
+       << problem.mesh.num_global_vertices << " vertices, " << unknowns
+       << " unknowns; cells have diameters of " << rounded(cells.smallest) << " to "
+       << rounded(cells.largest) << " m.";
+  memory << "Memory: " << rounded(peak / 1e6) << " MB on all ranks with mesh and matrices; ";
+  if (problem.solver.correction == dynamics::Correction::direct) {
+    memory << "the factors of the direct correction add to it.";
+  } else {
+    memory << "multigrid has taken " << rounded(multigrid_bytes[0] / 1e3) << " to "
+           << rounded(multigrid_bytes[1] / 1e3) << " kB an unknown, here "
+           << rounded(multigrid_bytes[0] * unknowns / 1e6) << " to "
+           << rounded(multigrid_bytes[1] * unknowns / 1e6) << " MB.";
+  }
+  return {mesh.str(), memory.str()};
+}
+
+template std::vector<std::string> describeSize(Problem<2> const&);
+template std::vector<std::string> describeSize(Problem<3> const&);
 
 template <int Dim>
 std::optional<dynamics::FaultResolution> faultResolution(Problem<Dim> const& problem,

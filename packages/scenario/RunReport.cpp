@@ -29,6 +29,8 @@ std::vector<std::string> describe(Problem<Dim> const& problem, ParameterList con
     ". Time stepping: " + deck.sublist("Time Stepping").get<std::string>("Scheme") + ", " +
     deck.sublist("Time Stepping").get<std::string>("Control") + ". Linear correction: " +
     (problem.solver.correction == dynamics::Correction::direct ? "Direct." : "MueLu."));
+  const auto size = describeSize(problem);
+  lines.insert(lines.end(), size.begin(), size.end());
   lines.insert(lines.end(), problem.remarks.begin(), problem.remarks.end());
   if (auto const resolution = faultResolution(problem, friction)) {
     auto const of_fault = describe(*resolution);

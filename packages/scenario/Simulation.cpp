@@ -47,6 +47,7 @@ public:
                RCP<const Communicator> const& communicator);
 
   int run() override;
+  std::vector<std::string> description() const override { return describe(problem_, *deck_); }
 
 private:
   void begin();
@@ -174,7 +175,7 @@ template <int Dim>
 int SimulationOf<Dim>::run()
 {
   const StopSignals signals;
-  for (auto const& line : describe(problem_, *deck_)) {
+  for (auto const& line : description()) {
     log_->message(line);
   }
   if (condensation_) {

@@ -6,6 +6,8 @@
 
 #include <filesystem>
 #include <memory>
+#include <string>
+#include <vector>
 
 namespace asperity::scenario
 {
@@ -19,6 +21,10 @@ public:
   // (base/program/MpiScope.hpp). Throws SolveError if even the smallest step fails; the last good
   // state is on disk then.
   virtual int run() = 0;
+
+  // Lines that say what the program runs on, what the run is going to compute, how large it is and
+  // how well the mesh resolves it: the first ones of the log. Collective.
+  virtual std::vector<std::string> description() const = 0;
 };
 
 // `deck` must be complete. Unless the command line says --validate, reads the checkpoint of a

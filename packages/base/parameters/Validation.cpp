@@ -32,11 +32,38 @@ void refuseUnknownNames(ParameterList const& list, ParameterList const& valid,
                    (info.hint.empty() ? "" : " " + info.hint));
 }
 
+// parameters.xml says which values are the defaults, whether the deck gives them or not.
+void markDefault(Teuchos::ParameterEntry& entry)
+{
+  const auto validator = entry.validator();
+  const auto doc_string = entry.docString();
+  const auto value = entry.getAny(false);
+  entry.setAnyValue(value, true);
+  entry.setValidator(validator);
+  entry.setDocString(doc_string);
+}
+
+void setDefault(ParameterList& list, std::string const& name,
+                Teuchos::ParameterEntry const& declared)
+{
+  list.setEntry(name, declared);
+  if (!declared.isList()) {
+    markDefault(list.getEntry(name));
+  }
+}
+
+bool isDefault(Teuchos::ParameterEntry const& entry, Teuchos::ParameterEntry const& declared,
+               ParameterInfo const& info)
+{
+  return info.presence == Presence::has_default && !declared.isList() && !entry.isList() &&
+         plainText(entry) == plainText(declared);
+}
+
 void copyMissing(ParameterList& list, ParameterList const& defaults)
 {
   for (auto const& name : namesIn(defaults)) {
     if (!list.isParameter(name)) {
-      list.setEntry(name, defaults.getEntry(name));
+      setDefault(list, name, defaults.getEntry(name));
     } else if (list.isSublist(name) && defaults.isSublist(name)) {
       copyMissing(list.sublist(name), defaults.sublist(name));
     }
@@ -58,6 +85,9 @@ void processEntry(ParameterList& list, std::string const& name,
   info->convert(entry);
   entry.setValidator(info);
   entry.setDocString(declared.docString());
+  if (isDefault(entry, declared, *info)) {
+    markDefault(entry);
+  }
   if (declared.isList()) {
     processContent(list.sublist(name), get<ParameterList>(declared), *info, path, completion);
   }
@@ -97,7 +127,7 @@ void addMissing(ParameterList& list, std::string const& name,
     list.sublist(name);
     processEntry(list, name, declared, path, Completion::full);
   } else {
-    list.setEntry(name, declared);
+    setDefault(list, name, declared);
   }
 }
 

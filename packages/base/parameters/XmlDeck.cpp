@@ -169,7 +169,8 @@ std::string xmlEscaped(std::string const& text)
 std::string xmlParameter(std::string const& name, ParameterEntry const& entry)
 {
   return "<Parameter name=\"" + xmlEscaped(name) + "\" type=\"" + xmlType(entry) + "\" value=\"" +
-         xmlEscaped(plainText(entry)) + "\"/>";
+         xmlEscaped(plainText(entry)) + "\"" + (entry.isDefault() ? " isDefault=\"true\"" : "") +
+         "/>";
 }
 
 void writeXml(Teuchos::ParameterList const& list, std::string const& name, std::ostream& out,

@@ -21,7 +21,7 @@ void readList(Teuchos::XMLObject const& element, std::string const& file_name,
 // With & < > " replaced for use in an attribute.
 std::string xmlEscaped(std::string const& text);
 
-// <Parameter name="..." type="..." value="..."/>
+// <Parameter name="..." type="..." value="..."/>, with isDefault="true" where the entry says so.
 std::string xmlParameter(std::string const& name, Teuchos::ParameterEntry const& entry);
 
 // The list as <ParameterList>, indented by `depth` steps.

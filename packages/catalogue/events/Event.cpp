@@ -143,17 +143,24 @@ void printSummary(std::ostream& out, EventSummary const& summary)
   if (summary.num_events == 0) {
     return;
   }
-  std::vector<Row> rows{{"quartiles", "25 %", "50 %", "75 %"},
-                        describe("recurrence [s]", summary.recurrence)};
+  std::vector<Row> rows{{"quartiles", "25 %", "50 %", "75 %"}};
+  const auto add = [&rows](char const* name, Quartiles const& values) {
+    if (!std::isnan(values.median)) { // of one event there is no recurrence
+      rows.push_back(describe(name, values));
+    }
+  };
+  add("recurrence [s]", summary.recurrence);
   if (summary.is_on_surface) {
-    rows.push_back(describe("area [m^2]", summary.area));
-    rows.push_back(describe("Mw", summary.magnitude));
+    add("area [m^2]", summary.area);
+    add("Mw", summary.magnitude);
   } else {
-    rows.push_back(describe("width [m]", summary.width));
+    add("width [m]", summary.width);
   }
-  rows.push_back(describe("peak slip [m]", summary.peak_slip));
-  rows.push_back(describe("duration [s]", summary.duration));
-  rows.push_back(describe("peak rate [m/s]", summary.peak_slip_rate));
-  printAligned(out, rows);
+  add("peak slip [m]", summary.peak_slip);
+  add("duration [s]", summary.duration);
+  add("peak rate [m/s]", summary.peak_slip_rate);
+  if (rows.size() > 1) {
+    printAligned(out, rows);
+  }
 }
 } // namespace asperity::catalogue

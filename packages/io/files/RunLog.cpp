@@ -20,6 +20,16 @@ double fractionDone(Progress const& progress)
   return progress.final_time > 0 ? std::clamp(progress.time / progress.final_time, 0.0, 1.0) : 0;
 }
 
+std::int64_t numEvents(Progress const& progress)
+{
+  for (auto const& count : progress.counts) {
+    if (count.of == "event") {
+      return count.number;
+    }
+  }
+  return 0;
+}
+
 // "t = 612.4 s of 1800 s (34 %), step 12034, dt 0.0313 s, V 5.1e-05 m/s, 3 iterations, 31 events"
 std::string describe(Progress const& progress)
 {
@@ -110,13 +120,14 @@ void RunLog::progress(Progress const& progress)
   const double fraction = fractionDone(progress);
   const int twentieth = static_cast<int>(20 * fraction);
   last_twentieth_ = last_twentieth_ < 0 ? twentieth : last_twentieth_;
-  time_left_.note(fraction, secondsSince(start_));
+  time_left_.note(fraction, secondsSince(start_), numEvents(progress));
   const double seconds_left = time_left_.seconds();
   const std::string left = seconds_left >= 0 ? formatDuration(seconds_left) : "";
   if (twentieth > last_twentieth_ || secondsSince(last_line_) >= style_.seconds_per_line) {
     last_twentieth_ = twentieth;
     last_line_ = Clock::now();
-    const std::string line = describe(progress) + (left.empty() ? "" : ", " + left + " left");
+    const std::string line =
+      describe(progress) + ", wall " + formatShort(secondsSince(start_)) + " s" + sayLeft(left);
     file_ << line << std::endl;
     if (!style_.in_place) {
       terminal_ << line << std::endl;
@@ -126,6 +137,16 @@ void RunLog::progress(Progress const& progress)
   if (style_.in_place && !is_fresh) {
     updateLine(describeShort(progress, left));
   }
+}
+
+// ", about 1 h 6 min left", or ", 3 min left at this speed" before a whole cycle has been seen.
+std::string RunLog::sayLeft(std::string const& left) const
+{
+  if (left.empty()) {
+    return "";
+  }
+  return time_left_.knowsCycles() ? ", about " + left + " left"
+                                  : ", " + left + " left at this speed";
 }
 
 // One column stays free: some terminals wrap when the last one is used.

@@ -28,8 +28,9 @@ struct Progress
 
 // Tells the user how the run goes: on a terminal by one line that is updated in place, elsewhere by
 // a line every 30 s of wall time and at each 5 % of simulated time. DIR/run.log always gets these
-// lines, and all messages. The time left is estimated from the speed of the last minutes
-// (TimeLeft). Only rank 0 writes; on other ranks every function returns at once.
+// lines, and all messages. They say the wall time since this process began, and the time left: from
+// the cost of past cycles, or, before one is known, at the speed of the last minutes (TimeLeft).
+// Only rank 0 writes; on other ranks every function returns at once.
 class RunLog
 {
 public:
@@ -57,6 +58,7 @@ private:
   using Clock = std::chrono::steady_clock;
 
   static double secondsSince(Clock::time_point begin);
+  std::string sayLeft(std::string const& left) const;
   void updateLine(std::string line);
   void clearLine();
 

@@ -1,38 +1,141 @@
 #pragma once
 
+#include <algorithm>
 #include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <deque>
+#include <utility>
+#include <vector>
 
 namespace asperity::io
 {
-// The wall time that a run still needs, estimated from its recent speed: an average over wall time
-// in which the speed of `memory` seconds ago has the weight 1/e. With a mean since the start, the
-// estimate would stay at half a minute all through an earthquake that takes ten minutes.
+// The wall time that a run still needs. Between earthquakes a run may be a thousand times faster
+// than in them, so that no speed of the last minutes tells the end. Once this process has seen a
+// whole cycle, from one event to the next, the rest of the run is taken to cost what past cycles
+// did. Before that, and where there are no events, the estimate is from the recent speed: an
+// average over wall time in which the speed of `memory` seconds ago has the weight 1/e.
+//
+// python/asperity/estimate.py does the same with what a run leaves on disk.
 class TimeLeft
 {
 public:
-  static constexpr double memory = 120; // [s]
+  static constexpr double memory = 120;        // [s]
+  static constexpr std::size_t cycles = 10;    // the last ones, which the estimate looks at
+  static constexpr std::size_t samples = 2000; // of a cycle, at most
 
   // fraction: the part of the simulated time that is done. seconds: wall time since any fixed
-  // moment.
-  void note(double fraction, double seconds)
+  // moment. num_events: that have begun so far, in the whole run.
+  void note(double fraction, double seconds, std::int64_t num_events = 0)
   {
+    const Moment now{fraction, seconds};
     if (has_begun_) {
-      const double elapsed = seconds - last_seconds_;
+      const double elapsed = seconds - now_.seconds;
       const double decay = std::exp(-elapsed / memory);
-      done_ = decay * done_ + (fraction - last_fraction_);
+      done_ = decay * done_ + (fraction - now_.fraction);
       spent_ = decay * spent_ + elapsed;
+      if (num_events > num_events_) {
+        beginCycle(now);
+      }
+      sample(now);
     }
+    now_ = now;
+    num_events_ = num_events;
     has_begun_ = true;
-    last_fraction_ = fraction;
-    last_seconds_ = seconds;
   }
 
-  // The time left [s]; negative as long as the speed is unknown.
-  double seconds() const { return done_ > 0 ? (1 - last_fraction_) * spent_ / done_ : -1; }
+  // Whether the estimate is from past cycles.
+  bool knowsCycles() const { return onsets_.size() > 1; }
+
+  // The time left [s]; negative as long as the speed is unknown. The recent speed counts again in a
+  // cycle that costs more than others did, and is the last one.
+  double seconds() const
+  {
+    if (now_.fraction >= 1) {
+      return 0;
+    }
+    const double of_cycles = knowsCycles() ? ofCycles() : 0;
+    if (of_cycles > 0) {
+      return of_cycles;
+    }
+    return done_ > 0 ? (1 - now_.fraction) * spent_ / done_ : -1;
+  }
 
 private:
+  struct Moment
+  {
+    double fraction = 0, seconds = 0;
+  };
+
+  void beginCycle(Moment const& onset)
+  {
+    onsets_.push_back(onset);
+    if (onsets_.size() > cycles + 1) {
+      onsets_.pop_front();
+    }
+    last_cycle_ = std::move(this_cycle_);
+    last_cycle_.push_back(onset);
+    this_cycle_.clear();
+    spacing_ = 0;
+  }
+
+  // Every other sample goes when there are too many, so that they are never much more than
+  // `samples`, and evenly spaced in wall time.
+  void sample(Moment const& now)
+  {
+    if (this_cycle_.empty() || now.seconds - this_cycle_.back().seconds >= spacing_) {
+      this_cycle_.push_back(now);
+    }
+    if (this_cycle_.size() > samples) {
+      for (std::size_t i = 0; 2 * i < this_cycle_.size(); ++i) {
+        this_cycle_[i] = this_cycle_[2 * i];
+      }
+      this_cycle_.resize((this_cycle_.size() + 1) / 2);
+      spacing_ = 2 * (this_cycle_.back().seconds - this_cycle_.front().seconds) / samples;
+    }
+  }
+
+  // The part of a cycle's wall time that its first `share` of simulated time took, by the last one.
+  double wallShare(double share) const
+  {
+    auto const &begin = last_cycle_.front(), &end = last_cycle_.back();
+    const double fraction = begin.fraction + share * (end.fraction - begin.fraction);
+    const auto after =
+      std::upper_bound(last_cycle_.begin(), last_cycle_.end(), fraction,
+                       [](double value, Moment const& at) { return value < at.fraction; });
+    if (share <= 0) {
+      return 0;
+    }
+    if (share >= 1 || after == last_cycle_.end() || !(end.seconds > begin.seconds)) {
+      return 1;
+    }
+    return (after->seconds - begin.seconds) / (end.seconds - begin.seconds);
+  }
+
+  // What is left of the current cycle, and the cycles after it; of one in which the run ends a
+  // part. 0 where that has cost more than a cycle does.
+  double ofCycles() const
+  {
+    auto const &first = onsets_.front(), &last = onsets_.back();
+    const double number = static_cast<double>(onsets_.size() - 1);
+    const double fraction = (last.fraction - first.fraction) / number;
+    const double seconds = (last.seconds - first.seconds) / number;
+    if (!(fraction > 0)) {
+      return 0;
+    }
+    const double part = seconds * wallShare((1 - last.fraction) / fraction);
+    const double of_this = std::max(0.0, part - (now_.seconds - last.seconds));
+    const double after = 1 - std::max(last.fraction + fraction, now_.fraction);
+    const double more = std::max(0.0, after) / fraction; // cycles
+    return of_this + seconds * (std::floor(more) + wallShare(more - std::floor(more)));
+  }
+
   bool has_begun_ = false;
-  double last_fraction_ = 0, last_seconds_ = 0;
+  Moment now_;
   double done_ = 0, spent_ = 0; // recently
+  std::int64_t num_events_ = 0;
+  std::deque<Moment> onsets_; // of the last events
+  std::vector<Moment> last_cycle_, this_cycle_;
+  double spacing_ = 0; // of samples [s]
 };
 } // namespace asperity::io

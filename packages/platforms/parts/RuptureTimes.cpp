@@ -36,7 +36,8 @@ std::string RuptureTimes::text() const
   std::string text = fileHeader(platform_, content, nullptr) + '\n';
   auto const& times = rupture_.firstTimes();
   for (std::size_t i = 0; i < times.size(); ++i) {
-    text += numberText(places_.along_strike[i]) + ' ' + numberText(places_.down_dip[i]) + ' ' +
+    text += numberText(places_.along_strike[i]) + ' ' +
+            numberText(platform_.run.depth_of_upper_end + places_.down_dip[i]) + ' ' +
             timeText(std::isnan(times[i]) ? never : times[i]) + '\n';
   }
   return text;

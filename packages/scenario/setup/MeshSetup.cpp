@@ -310,7 +310,8 @@ RCP<const ParameterList> meshParameters()
                   .fileName("File Name", required,
                             "The mesh is read from this HDF5 file, as asperity-mesh writes it, in "
                             "two or three dimensions. A file that asperity-mesh has partitioned "
-                            "must have as many parts as there are ranks.")
+                            "must have as many parts as there are ranks. A relative name is looked "
+                            "for beside the deck, and then from where the program was started.")
                   .list()}},
       "Selects the shape of the body. In two dimensions it is the analogue wedge (thesis A.1) or a "
       "rectangle; in three dimensions the wedge with a depth along z or a box; in both a mesh from "

@@ -46,6 +46,24 @@ class Decks(unittest.TestCase):
                 self.assertIn(f"{deck} is valid", result.stdout)
         self.assertEqual(asperity_run.checksums("."), before)
 
+    def test_size_and_resolution_are_said(self):
+        wedge = asperity_run.SOURCE / "xml" / "wedge_2d.xml"
+        result = asperity_run.run(wedge, "--validate")
+        self.assertRegex(result.stdout, r"Mesh: \d+ triangles, 1364 vertices, 2728 unknowns; cells "
+                                        r"have diameters of 0\.00\d+ to 0\.\d+ m\.")
+        self.assertRegex(result.stdout, r"Memory: [\d.]+ MB on all ranks")
+        self.assertIn("cells of 0.00202 m; cohesive zone", result.stdout)
+        self.assertNotIn("WARNING", result.stdout)
+        coarse = asperity_run.run(wedge, "--validate", "--set", "Friction/L=1e-6")
+        self.assertEqual(coarse.returncode, 0)
+        self.assertIn("WARNING: fewer than 3 cells per cohesive zone", coarse.stdout)
+        ranks = asperity_run.run(wedge, "--validate", "--set",
+                                 "TNNMG/Linear Correction=MueLu", ranks=2)
+        self.assertIn("multigrid has taken", ranks.stdout)
+        mesh = [line.split(";")[0] for text in (result.stdout, ranks.stdout)
+                for line in text.splitlines() if line.startswith("Mesh: ")]
+        self.assertEqual(mesh[0], mesh[1])
+
     def test_a_spoilt_deck_is_not(self):
         for change in ("Friction/a=-1", "Output/Fault History/Fields={slip_rat}",
                        "Boundary Conditions/Backstop/Boundary=rigth"):

@@ -44,9 +44,14 @@ def exact_slip(time):
 
 class Installation(unittest.TestCase):
     def test_has_what_a_user_needs(self):
-        for name in ("bin/asperity", "bin/asperity-plot", "include/asperity/io/Output.hpp",
+        for name in ("bin/asperity", "bin/asperity-plot", "bin/asperity-status",
+                     "bin/asperity-report", "bin/asperity-study",
+                     "share/asperity/examples/study/thesis.xml",
+                     "include/asperity/io/Output.hpp",
                      "include/asperity/friction/Registration.hpp",
                      "share/asperity/decks/wedge_2d.xml",
+                     "share/asperity/python/asperity/run.py",
+                     "share/asperity/python/pyproject.toml",
                      "share/asperity/examples/plugin/README.md"):
             self.assertTrue((PREFIX / name).is_file(), name)
         self.assertEqual(list((PREFIX / "include").rglob("*.cpp")), [])
@@ -54,7 +59,11 @@ class Installation(unittest.TestCase):
     def test_programs_run_where_they_were_moved_to(self):
         result = asperity_run.run(PREFIX / "share/asperity/decks/spring_slider.xml", "--validate")
         self.assertEqual((result.returncode, result.stderr), (0, ""))
-        self.assertIn("usage", call(PREFIX / "bin/asperity-plot", "--help").lower())
+        for tool in (PREFIX / "bin").glob("asperity-*"):
+            self.assertIn(tool.name, call(tool, "--help"))
+        study = call(PREFIX / "bin/asperity-study",
+                     PREFIX / "share/asperity/examples/study/thesis.xml", "--list")
+        self.assertEqual(len(study.splitlines()), 18)
 
     def test_names_no_folder_of_the_build(self):
         for path in (PREFIX / "lib").rglob("*.cmake"):

@@ -2,6 +2,8 @@
 
 import json
 import pathlib
+import re
+import shutil
 import unittest
 
 import h5py
@@ -58,6 +60,30 @@ class TinyWedge(unittest.TestCase):
         rows = asperity_run.table(folder / "steps.csv")
         self.assertEqual(len(rows), 10)
         self.assertEqual(sum(row["energy_rises"] for row in rows), 0)
+
+    def test_the_mesh_lies_beside_the_deck(self):
+        """Then in the working directory; a name on the command line counts from there alone."""
+        folder = pathlib.Path("elsewhere")
+        shutil.rmtree(folder, ignore_errors=True)
+        folder.mkdir()
+        deck = folder / "deck.xml"
+        deck.write_text((HERE / "tiny_wedge.xml").read_text())
+        shutil.copy(MESH, folder / "beside.h5")
+        named = ["--set", "Mesh/File/File Name=beside.h5"]
+        self.assertEqual(asperity_run.run(deck, "--validate", *named).returncode, 2)
+        text = re.sub(r'(name="File Name"[^>]*value=")[^"]*', r"\1beside.h5", deck.read_text())
+        deck.write_text(text)
+        self.assertIn("beside.h5", text)
+        for words in ([deck, "--validate"], [deck.resolve(), "--validate"]):
+            result = asperity_run.run(*words)
+            self.assertEqual((result.returncode, result.stderr), (0, ""))
+        run = asperity_run.run_to_end("beside", deck)
+        written = (run / "parameters.xml").read_text()
+        self.assertIn('value="elsewhere/beside.h5"', written)
+        (folder / "beside.h5").rename("beside.h5")
+        self.assertEqual(asperity_run.run(deck, "--validate").returncode, 0)
+        pathlib.Path("beside.h5").unlink()
+        self.assertEqual(asperity_run.run(deck, "--validate").returncode, 2)
 
     def assert_close(self, field, answer, name):
         answer = numpy.array(answer)

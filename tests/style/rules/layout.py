@@ -4,7 +4,7 @@ from . import source
 
 LONGEST_LINE = 100
 LONGEST_FILE = 500
-FOLDERS = ["packages", "drivers", "cmake", "tests", "xml", "examples"]
+FOLDERS = ["packages", "drivers", "python", "cmake", "tests", "xml", "examples"]
 
 
 def check(root):

@@ -10,7 +10,7 @@ _TYPE = re.compile(r"\b(?:class|struct|enum class|namespace|using)\s+(\w+)")
 
 def check(root):
     breaches = []
-    for path in source.files(root, ["packages", "drivers", "tests", "cmake"]):
+    for path in source.files(root, ["packages", "drivers", "python", "tests", "cmake"]):
         if _EMPTY.search(path.name):
             breaches.append(source.breach(root, path, 1, f"the name '{path.name}' says nothing"))
         if path.suffix in source.CXX:

@@ -2,7 +2,10 @@
 
 #include "unit/base/Refusal.hpp"
 
+#include <fstream>
+#include <map>
 #include <sstream>
+#include <string>
 
 namespace
 {
@@ -175,6 +178,41 @@ TEST(Deck, WrittenListReadsBackTheSame)
   EXPECT_EQ(again->get<double>("tenth"), 0.1);
   EXPECT_EQ(again->get<double>("small"), 1e-300);
   EXPECT_EQ(again->get<Array<double>>("array")[1], 1.0 / 3.0);
+}
+
+// Whether the deck gives them or not; a value of another one is none.
+TEST(Deck, WrittenListMarksDefaults)
+{
+  const auto valid = Declare()
+                       .real("left out", 0.1, "m", Range::any(), "A number.")
+                       .real("given", 0.1, "m", Range::any(), "A number.")
+                       .real("changed", 0.1, "m", Range::any(), "A number.")
+                       .field("field", 3.0, "m", Range::any(), "A field.")
+                       .realArray("array", std::vector<double>{1, 2}, "m", Range::any(), "Some.")
+                       .real("required", required, "m", Range::any(), "A number.")
+                       .list();
+  ParameterList list("Asperity");
+  list.set("given", 0.1);
+  list.set("changed", 0.2);
+  list.set("field", "x");
+  list.set("required", 0.1);
+  completeAndValidate(list, *valid, "Asperity");
+  EXPECT_EQ(list.getEntry("left out").docString(), "A number.");
+  const TemporaryDirectory directory;
+  writeParameters(list, directory.file("parameters.xml"));
+  std::ifstream file(directory.file("parameters.xml"));
+  std::map<std::string, bool> marked;
+  for (std::string line; std::getline(file, line);) {
+    const auto begin = line.find("<Parameter name=\"");
+    if (begin != std::string::npos) {
+      const std::string rest = line.substr(begin + 17);
+      marked[rest.substr(0, rest.find('"'))] = line.find("isDefault=\"true\"") != line.npos;
+    }
+  }
+  const std::map<std::string, bool> expected{{"left out", true}, {"given", true},
+                                             {"changed", false}, {"field", false},
+                                             {"array", true},    {"required", false}};
+  EXPECT_EQ(marked, expected);
 }
 
 TEST(Deck, WritingWhereNothingCanBeWritten)

@@ -55,6 +55,11 @@ TEST(EventSummary, OfNothingIsNotANumber)
   std::ostringstream out;
   catalogue::printSummary(out, catalogue::summarise({}));
   EXPECT_EQ(out.str(), "0 events\n");
+  std::ostringstream of_one;
+  catalogue::printSummary(of_one, catalogue::summarise(events(1)));
+  EXPECT_EQ(of_one.str().find("nan"), std::string::npos) << of_one.str();
+  EXPECT_EQ(of_one.str().find("recurrence"), std::string::npos);
+  EXPECT_NE(of_one.str().find("width"), std::string::npos);
 }
 
 TEST(EventTable, ColumnsAreAligned)

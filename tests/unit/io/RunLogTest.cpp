@@ -58,8 +58,28 @@ TEST(RunLog, WithoutATerminalALineNowAndThen)
   EXPECT_EQ(countOf(shown.file, "\n"), 22u) << shown.file; // 20 times 5 %, two messages
   EXPECT_TRUE(test::contains(shown.file, "t = 50 s of 100 s (50 %), step 17, dt 0.25 s, "
                                          "V 5.1e-05 m/s, 3 iterations, 2 events, "));
-  EXPECT_TRUE(test::contains(shown.file, " left\n"));
+  EXPECT_TRUE(test::contains(shown.file, " left at this speed\n"));
+  EXPECT_TRUE(test::contains(shown.file, "2 events, wall "));
   EXPECT_EQ(shown.terminal.str(), world()->getRank() == 0 ? shown.file : "");
+}
+
+TEST(RunLog, SaysWhetherTheTimeLeftKnowsPastCycles)
+{
+  test::TemporaryDirectory directory;
+  std::ostringstream terminal;
+  {
+    RunLog log(directory / "run.log", false, *world(), terminal, RunLog::Style());
+    for (int step = 0; step <= 100; ++step) {
+      auto progress = at(0.9 * step);
+      progress.counts = {{step / 20, "event"}};
+      log.progress(progress);
+    }
+  }
+  world()->barrier();
+  const std::string text = test::contents(directory / "run.log");
+  EXPECT_TRUE(test::contains(text, " left at this speed\n")) << text;
+  EXPECT_TRUE(test::contains(text, ", about ")) << text;
+  EXPECT_TRUE(test::contains(text, " left\n")) << text;
 }
 
 TEST(RunLog, LinesComeByWallTimeToo)

@@ -2,6 +2,10 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+
 using asperity::io::TimeLeft;
 
 namespace
@@ -15,12 +19,41 @@ struct Simulated
     for (int step = 0; step < num_steps; ++step) {
       fraction += speed * wall_seconds / num_steps;
       seconds += wall_seconds / num_steps;
-      left.note(fraction, seconds);
+      left.note(fraction, seconds, num_events);
     }
   }
   TimeLeft left;
   double fraction = 0, seconds = 1e5;
+  std::int64_t num_events = 0;
 };
+
+constexpr int num_cycles = 20;
+
+// Almost all of a cycle's time in a sixth of the wall time that it takes, the rest in an event.
+// Calls check(seconds left in truth, cycles done) after every step.
+template <class Check>
+void goThroughCycles(Simulated& run, double spread, Check const& check)
+{
+  const auto calm = [=](int k) { return 100 * (1 + spread * std::cos(2.5 * k)); };
+  const auto event = [=](int k) { return 500 * (1 + spread * std::sin(1.7 * k)); };
+  double truth = 0;
+  for (int k = 0; k < num_cycles; ++k) {
+    truth += calm(k) + event(k);
+  }
+  run.left.note(0, run.seconds, 0);
+  const auto go = [&](double share, double wall_seconds, int cycles_done) {
+    for (int step = 0; step < 50; ++step) {
+      run.go(share / num_cycles / wall_seconds, wall_seconds / 50, 1);
+      truth -= wall_seconds / 50;
+      check(truth, cycles_done);
+    }
+  };
+  for (int k = 0; k < num_cycles; ++k) {
+    go(0.999, calm(k), k);
+    ++run.num_events;
+    go(0.001, event(k), k);
+  }
+}
 } // namespace
 
 TEST(TimeLeft, IsUnknownBeforeTheFirstStep)
@@ -66,4 +99,55 @@ TEST(TimeLeft, IsTheSameForFewLongAndManyShortSteps)
   few.go(1e-4, 100, 50);
   many.go(1e-4, 100, 5000);
   EXPECT_NEAR(few.left.seconds(), many.left.seconds(), 0.02 * many.left.seconds());
+}
+
+// The recent speed would say half an hour before an event and months in it.
+TEST(TimeLeft, KnowsWhatPastCyclesTook)
+{
+  Simulated run;
+  int known = 0;
+  goThroughCycles(run, 0, [&](double truth, int cycles_done) {
+    if (cycles_done >= 2) {
+      ++known;
+      EXPECT_TRUE(run.left.knowsCycles());
+      EXPECT_NEAR(run.left.seconds(), truth, 0.02 * 600) << "cycle " << cycles_done;
+    }
+  });
+  EXPECT_EQ(known, (num_cycles - 2) * 100);
+  run.left.note(1, run.seconds, num_cycles);
+  EXPECT_EQ(run.left.seconds(), 0);
+}
+
+TEST(TimeLeft, IsWithinACycleOrAFifthWhereCyclesDiffer)
+{
+  Simulated run;
+  goThroughCycles(run, 0.3, [&](double truth, int cycles_done) {
+    if (cycles_done >= 4) {
+      EXPECT_NEAR(run.left.seconds(), truth, std::max(600.0, 0.2 * truth)) << cycles_done;
+      EXPECT_GE(run.left.seconds(), 0);
+    }
+  });
+}
+
+TEST(TimeLeft, DoesNotKnowCyclesBeforeTwoEvents)
+{
+  Simulated run;
+  goThroughCycles(run, 0, [&](double, int) {
+    if (run.num_events < 2) {
+      EXPECT_FALSE(run.left.knowsCycles());
+    }
+  });
+  EXPECT_TRUE(run.left.knowsCycles());
+}
+
+// A run that was restarted has events that it did not see.
+TEST(TimeLeft, CountsOnlyTheCyclesThatItSaw)
+{
+  Simulated run;
+  run.num_events = 7;
+  run.left.note(0.3, run.seconds, run.num_events);
+  run.fraction = 0.3;
+  run.go(1e-3, 10, 10);
+  EXPECT_FALSE(run.left.knowsCycles());
+  EXPECT_NEAR(run.left.seconds(), 690, 1);
 }

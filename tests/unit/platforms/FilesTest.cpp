@@ -127,6 +127,29 @@ TEST(RuptureTimes, OfTheNodesOfASurface)
   });
 }
 
+TEST(RuptureTimes, CountFromWhereTheProblemDoes)
+{
+  test::TemporaryDirectory directory;
+  DippingFault fault;
+  auto deck = test::deckWith("Rupture", "SCEC");
+  deck.sublist("Rupture").set("Threshold", 1e-2);
+  deck.sublist("SCEC").set("Depth of Upper End", 7500.0);
+  run(fault, deck, directory.path(), 1);
+  test::onRankZero([&] {
+    const auto lines = test::dataLines(directory / "scec/cplot");
+    EXPECT_EQ(std::count_if(lines.begin(), lines.end(),
+                            [](std::string const& line) {
+                              return test::contains(line, "  2.000000E+00   7.502000E+03");
+                            }),
+              1);
+    EXPECT_EQ(std::count_if(lines.begin(), lines.end(),
+                            [](std::string const& line) {
+                              return test::contains(line, "  2.000000E+00   2.000000E+00");
+                            }),
+              0);
+  });
+}
+
 namespace
 {
 // The strip, turned so that its base, the fault, is the line from (0, -1) up to (0, 0).

@@ -9,8 +9,8 @@ from matplotlib import pyplot
 
 import synthetic_run
 from asperity_plot import deformation, raster, style, surface, windows
-from asperity_plot.errors import InputError, NothingToShow
-from asperity_plot.run import Run
+from asperity.errors import InputError, NothingToShow
+from asperity.run import Run
 
 EVENTS = 4
 X = np.array([-2.0, -1.0, 0.0, 0.0, 0.5, 2.0])   # [m]; the fault comes up at 0

@@ -10,9 +10,9 @@ import numpy as np
 
 import synthetic_cycle as cycle
 from asperity_plot import cli, event_table, markdown, units, windows
-from asperity_plot.errors import InputError, NothingToShow
+from asperity.errors import InputError, NothingToShow
 from asperity_plot.options import Options
-from asperity_plot.run import Run
+from asperity.run import Run
 
 
 class EventTables(unittest.TestCase):

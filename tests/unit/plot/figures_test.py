@@ -16,7 +16,7 @@ import synthetic_cycle
 import synthetic_run
 from asperity_plot import boxes, cli, energy, iterations, maps, raster, slip, slip_rate, style
 from asperity_plot import surface, windows
-from asperity_plot.run import Run
+from asperity.run import Run
 
 
 def shown(axes) -> np.ndarray:
@@ -122,6 +122,15 @@ class Figures(unittest.TestCase):
         self.assertIn(f"event {view.number}", axes[1].get_title())
         self.assertIn("[ms]", axes[1].get_xlabel())
         self.assertIn("seismogenic zone", [text.get_text() for text in axes[1].texts])
+
+    def test_the_name_of_the_zone_lies_over_no_curve(self):
+        run, _ = self.view("many")
+        figure, axes = style.panels(1, 1, (5.0, 4.0))
+        axes[0, 0].plot([0.0, 1.0], [0.0, 1.0])
+        style.shade_zone(axes[0, 0], run, lambda places: places)
+        figure.canvas.draw()
+        label = axes[0, 0].texts[0].get_window_extent()
+        self.assertGreaterEqual(label.y0, axes[0, 0].get_window_extent().y1)
 
     def test_surface_shows_the_component_against_gravity_without_its_average(self):
         run, view = self.view("many")

@@ -9,9 +9,10 @@ import h5py
 import numpy as np
 
 import synthetic_run
-from asperity_plot import history, raster
-from asperity_plot.errors import InputError, NothingToShow
-from asperity_plot.history import History
+from asperity import history
+from asperity_plot import raster
+from asperity.errors import InputError, NothingToShow
+from asperity.history import History
 
 
 class Histories(unittest.TestCase):

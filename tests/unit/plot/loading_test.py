@@ -5,7 +5,7 @@ import unittest
 import numpy as np
 
 from asperity_plot import loading
-from asperity_plot.parameters import Parameters
+from asperity.parameters import Parameters
 
 CONDITION = {"Boundary Conditions/Back/Type": "Prescribed Velocity",
              "Boundary Conditions/Back/Velocity": "2.0",

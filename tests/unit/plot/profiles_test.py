@@ -12,10 +12,10 @@ from matplotlib.colors import to_hex
 import synthetic_cycle as cycle
 import synthetic_run
 from asperity_plot import along, profiles, slip_profiles, style, windows
-from asperity_plot.history import History
+from asperity.history import History
 from asperity_plot.options import Options
-from asperity_plot.run import Run
-from asperity_plot.tables import Table
+from asperity.run import Run
+from asperity.tables import Table
 
 YEAR = cycle.YEAR
 

@@ -10,10 +10,10 @@ from matplotlib import pyplot
 
 import synthetic_cycle as cycle
 from asperity_plot import receivers, reference, style, units, windows
-from asperity_plot.errors import InputError, NothingToShow
+from asperity.errors import InputError, NothingToShow
 from asperity_plot.options import Options
-from asperity_plot.run import Run
-from asperity_plot.series import Series
+from asperity.run import Run
+from asperity.series import Series
 
 HEADER = "# a comment\nt slip slip_rate shear_stress state\n"
 # V passes 1 mm/s at 2e9 s + 2.5 s.

@@ -10,8 +10,8 @@ from matplotlib import pyplot
 
 import synthetic_cycle as cycle
 from asperity_plot import moment_rate, rupture_times, style, units, windows
-from asperity_plot.errors import InputError, NothingToShow
-from asperity_plot.run import Run
+from asperity.errors import InputError, NothingToShow
+from asperity.run import Run
 
 
 class Ruptures(unittest.TestCase):

@@ -6,6 +6,7 @@ import tempfile
 import unittest
 from dataclasses import replace
 from pathlib import Path
+from unittest import mock
 
 import h5py
 import numpy as np
@@ -16,8 +17,8 @@ import synthetic_surface as surface
 from asperity_plot import (deformation, fault_history, fault_maps, moment_rate, plane,
                            rupture_patterns, style, windows)
 from asperity_plot.cli import main
-from asperity_plot.errors import NothingToShow
-from asperity_plot.run import Run
+from asperity.errors import NothingToShow
+from asperity.run import Run
 
 
 class SurfaceFaults(unittest.TestCase):
@@ -90,6 +91,22 @@ class SurfaceFaults(unittest.TestCase):
         np.testing.assert_array_equal(np.isfinite(early), times <= middle)
         np.testing.assert_array_equal(np.isfinite(late), times > middle)
         self.assertEqual(np.nanmin(late), 0.0)
+
+    def test_colour_bars_are_as_high_as_their_panels(self):
+        for size in ((21, 11), (21, 5), (21, 21), (9, 31)):
+            with self.subTest(size=size), mock.patch.multiple(surface, NX=size[0], NZ=size[1]), \
+                    tempfile.TemporaryDirectory() as name:
+                surface.write_run(Path(name))
+                run = Run(Path(name))
+                figure = fault_maps.draw(run, windows.choose(run, None))
+                figure.canvas.draw()
+                bars = [(each.ax, each.mappable.axes) for each in
+                        (image.colorbar for panel in figure.axes for image in panel.collections)
+                        if each is not None]
+                self.assertEqual(len(bars), 2)
+                for bar, panel in bars:
+                    heights = [axes.get_window_extent().height for axes in (bar, panel)]
+                    self.assertLess(abs(heights[0] / heights[1] - 1.0), 0.01)
 
     def test_patterns_show_what_was_reached(self):
         where = plane.plane(self.run_, self.run_.ruptures)

@@ -2,7 +2,8 @@
 
 import unittest
 
-from asperity_plot import durations, units
+from asperity import durations
+from asperity_plot import units
 
 
 class Units(unittest.TestCase):

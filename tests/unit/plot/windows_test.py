@@ -8,9 +8,9 @@ import numpy as np
 
 import synthetic_run
 from asperity_plot import windows
-from asperity_plot.errors import InputError
-from asperity_plot.parameters import Parameters
-from asperity_plot.run import Run
+from asperity.errors import InputError
+from asperity.parameters import Parameters
+from asperity.run import Run
 
 
 class Windows(unittest.TestCase):

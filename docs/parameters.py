@@ -1,0 +1,91 @@
+#!/usr/bin/env python3
+"""Writes docs/parameters.md from what the program says of its parameters; `--check` compares.
+
+    python3 docs/parameters.py [--check] [PROGRAM]      build/drivers/asperity by default
+"""
+
+import pathlib
+import re
+import subprocess
+import sys
+
+PAGE = pathlib.Path(__file__).with_name("parameters.md")
+TOP = """# Parameters
+
+All parameters of a deck, in the order in which `asperity --print-parameters` prints them. **This page
+is made by `docs/parameters.py`; a test compares it with the program.** Units are SI. A deck is an
+XML file of lists; a path such as `Time Stepping / Final Time` is a parameter in the list
+`Time Stepping`, and `--set "Time Stepping/Final Time=100"` changes it. Names in `<angle brackets>`
+are yours. "field" stands for a number, an expression in `x`, `y`, `z`, `t`, a dataset
+`"file.h5:/dataset"` with one value for each vertex, or a list with one entry for each region.
+Laws and outputs of plugins add their own: `asperity --print-parameters --plugin libmine.so`.
+"""
+FIELD = 'a number, an expression in x, y, z, t, "file.h5:/dataset" or a list of regions'
+ENTRY = re.compile(
+    r"(?P<allowed>.*?); (?:(?P<need>required|optional)|default (?P<default>.*?))\."
+    r"(?: Unit: (?P<unit>.+?)\.(?= |$))?(?: (?P<text>.*))?")
+
+
+def page(printed: str) -> str:
+    parts, remark, table = [TOP], "", False
+    lines = iter(printed.splitlines()[1:])  # without the root
+    for line in lines:
+        if line.startswith("# "):
+            remark = line[2:]
+        elif line.startswith("Asperity /"):
+            path = line[len("Asperity / "):].split(", with ")
+            parts.append(f"\n## {path[0].replace('<', '&lt;')}"
+                         + (f", with {path[1]}" if len(path) > 1 else "") + "\n")
+            if remark:
+                parts.append(escaped(remark) + "\n")
+            remark, table = "", False
+        elif line.startswith("  ") and line.strip():
+            if not table:
+                parts += ["| name | allowed | default | unit | meaning |", "|---|---|---|---|---|"]
+                table = True
+            parts.append(row(line.strip(), next(lines).strip()))
+    return "\n".join(parts) + "\n"
+
+
+def row(name: str, text: str) -> str:
+    """A line of the table; ValueError where the program prints another form."""
+    found = ENTRY.fullmatch(text)
+    if not found:
+        raise ValueError(f"'{name}': the text '{text}' has not the form that this script knows.")
+    allowed, unit = found["allowed"].replace(FIELD, "field"), found["unit"] or ""
+    if unit and allowed.endswith(" " + unit):
+        allowed = allowed[:-len(unit) - 1]
+    default = f"`{found['default']}`" if found["default"] is not None else found["need"]
+    unit = "" if unit == "1" else unit
+    cells = [f"`{name}`", escaped(allowed), default, escaped(unit), escaped(found["text"] or "")]
+    return f"| {' | '.join(cells)} |"
+
+
+def escaped(text: str) -> str:
+    for letter in "|<*_":
+        text = text.replace(letter, "\\" + letter)
+    return text
+
+
+def main(arguments):
+    check = "--check" in arguments
+    rest = [word for word in arguments if word != "--check"]
+    program = rest[0] if rest else "build/drivers/asperity"
+    printed = subprocess.run([program, "--print-parameters"], check=True, capture_output=True,
+                             text=True).stdout
+    text = page(printed)
+    if not check:
+        PAGE.write_text(text, encoding="utf-8")
+        return 0
+    old = PAGE.read_text(encoding="utf-8").splitlines() if PAGE.exists() else []
+    for number, (is_there, wanted) in enumerate(zip(old + [""] * len(text), text.splitlines()), 1):
+        if is_there != wanted:
+            print(f"docs/parameters.md:{number}: is not what the program says. Run "
+                  f"python3 docs/parameters.py {program}\n  page:    {is_there}\n"
+                  f"  program: {wanted}")
+            return 1
+    return int(len(old) != len(text.splitlines()))
+
+
+if __name__ == "__main__":
+    sys.exit(main(sys.argv[1:]))

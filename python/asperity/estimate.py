@@ -1,0 +1,114 @@
+"""When a run ends: from what past cycles cost in wall time, as the program itself estimates it.
+
+Between earthquakes a run may be a thousand times faster than in them, so that no speed of the last
+minutes tells the end. Once a whole cycle is known, from one event to the next, the rest is taken to
+cost what past cycles did (packages/io/files/TimeLeft.hpp does the same); before, the speed of the
+last minutes is all there is, and whoever shows it should say so.
+"""
+
+from dataclasses import dataclass
+from typing import Optional, Tuple
+
+import numpy as np
+
+from .log import RunLog
+from .run import Run
+
+CYCLES = 10     # the last ones, which the estimate looks at
+RECENT = 120.0  # [s] of wall time, over which a speed is taken
+
+
+@dataclass(frozen=True)
+class TimeLeft:
+    """`seconds` of wall time; from past cycles, or at the speed of the last minutes."""
+
+    seconds: float
+    knows_cycles: bool
+
+
+def time_left(run: Run, log: RunLog) -> Optional[TimeLeft]:
+    """None where the log tells no speed or no final time."""
+    time, wall = moments(run, log)
+    if log.final_time is None or time.size < 2 or not wall[-1] > wall[0]:
+        return None
+    onsets = _onsets(run, log)
+    onsets = onsets[(onsets > time[0]) & (onsets <= time[-1])][-(CYCLES + 1):]
+    seconds = _of_cycles(time, wall, onsets, log.final_time) if onsets.size > 1 else 0.0
+    if seconds > 0.0:
+        return TimeLeft(seconds, True)
+    speed = recent_speed(time, wall)
+    if not speed > 0.0:
+        return None
+    return TimeLeft((log.final_time - time[-1]) / speed, onsets.size > 1)
+
+
+def moments(run: Run, log: RunLog) -> Tuple[np.ndarray, np.ndarray]:
+    """Simulated time and wall time [s], increasing: of each step, as far as it is known.
+
+    The log has the wall time now and then; between its lines steps are taken to cost in proportion
+    to what was solved in them.
+    """
+    lines = [line for line in log.progress if line.wall is not None]
+    if not lines:
+        return np.empty(0), np.empty(0)
+    steps, work, time = _work(run)
+    marks = np.array([line.step for line in lines])
+    walls = np.array([line.wall for line in lines])
+    # the process began at wall time 0 with the step that its first line counts from
+    known = steps <= marks[-1]
+    at_marks = np.interp(marks, steps, work) if steps.size else np.empty(0)
+    inside = marks <= (steps[-1] if steps.size else -1)
+    if inside.sum() < 2:
+        return np.array([line.time for line in lines]), walls
+    first = known & (steps >= marks[0])
+    wall = np.interp(work[first], at_marks[inside], walls[inside])
+    chosen = steps[first] <= marks[inside][-1]
+    after = ~inside
+    return (np.concatenate((time[first][chosen], [lines[i].time for i in np.flatnonzero(after)])),
+            np.concatenate((wall[chosen], walls[after])))
+
+
+def recent_speed(time: np.ndarray, wall: np.ndarray, recent: float = RECENT) -> float:
+    """Simulated seconds per second of wall time, over the last `recent` seconds of that."""
+    if time.size < 2:
+        return 0.0
+    begin = max(wall[-1] - recent, wall[0])
+    elapsed = wall[-1] - begin
+    return float((time[-1] - np.interp(begin, wall, time)) / elapsed) if elapsed > 0.0 else 0.0
+
+
+def _work(run: Run):
+    """Numbers of the steps, what was solved up to each, their times; of steps.csv."""
+    if not run.has("steps.csv") or not len(run.steps) or "step" not in run.steps:
+        return np.empty(0), np.empty(0), np.empty(0)
+    table = run.steps
+    weight = next((table[name] for name in ("tnnmg_iterations", "coupled_steps",
+                                            "fixed_point_iterations") if name in table), None)
+    work = np.ones(len(table)) if weight is None else np.maximum(weight, 1.0)
+    return table["step"], np.cumsum(work), table["time"]
+
+
+def _onsets(run: Run, log: RunLog) -> np.ndarray:
+    """Of the events in events.csv, and of those that only the log knows of as yet."""
+    known = run.events["onset"] if run.has("events.csv") else np.empty(0)
+    later = [line.time for before, line in zip(log.progress, log.progress[1:])
+             if line.num_events > max(before.num_events, known.size)]
+    return np.sort(np.concatenate((known, later)))
+
+
+def _of_cycles(time, wall, onsets, final: float) -> float:
+    """What is left of the current cycle, and the cycles after it; of one in which the run ends a
+    part, by the course of the last cycle. 0 where the current one has cost more than a cycle."""
+    at = np.interp(onsets, time, wall)
+    length, cost = np.diff(onsets).mean(), np.diff(at).mean()
+
+    def part(share: float) -> float:
+        """Of the wall time of a cycle in the first `share` of its simulated time."""
+        if share >= 1.0 or not at[-1] > at[-2]:
+            return 1.0
+        there = onsets[-2] + max(share, 0.0) * (onsets[-1] - onsets[-2])
+        return (np.interp(there, time, wall) - at[-2]) / (at[-1] - at[-2])
+
+    of_this = max(cost * part((final - onsets[-1]) / length) - (wall[-1] - at[-1]), 0.0)
+    more = max(final - max(onsets[-1] + length, time[-1]), 0.0) / length
+    return of_this + cost * (np.floor(more) + part(more - np.floor(more)))

@@ -1,0 +1,162 @@
+"""The results of a run in its directory; each file is opened when a figure needs it."""
+
+import math
+from functools import cached_property
+from pathlib import Path
+from typing import Optional, Tuple, Union
+
+import numpy as np
+
+from .errors import InputError
+from .h5file import H5File
+from .history import History
+from .parameters import Parameters
+from .receivers import Receivers
+from .stations import Stations
+from .tables import Table, read_table
+
+FILES = ("fault.h5", "surface.h5", "events.csv", "steps.csv", "run.log")
+
+
+class Run:
+    """A result directory; InputError unless it holds one of FILES.
+
+    What has been read is kept: `again()` shows what a run that goes on has written since.
+    """
+
+    def __init__(self, directory: Union[str, Path]):
+        directory = Path(directory)
+        if not directory.is_dir():
+            raise InputError(f"{directory} is not a directory. Give the folder in which a run of "
+                             "asperity left its results.")
+        if not any((directory / name).exists() for name in FILES):
+            raise InputError(f"{directory} holds no result of a run: none of {', '.join(FILES)} "
+                             "is in it.")
+        self.directory = directory
+
+    def again(self) -> "Run":
+        """The same directory as it is now."""
+        return Run(self.directory)
+
+    def has(self, name: str) -> bool:
+        return (self.directory / name).exists()
+
+    def _path(self, name: str) -> Path:
+        if not self.has(name):
+            raise InputError(f"{self.directory / name} does not exist. Is this output enabled in "
+                             "the deck's list 'Output', and has the run come to its first "
+                             "checkpoint?")
+        return self.directory / name
+
+    @cached_property
+    def parameters(self) -> Parameters:
+        return Parameters.read(self.directory / "parameters.xml")
+
+    @cached_property
+    def fault(self) -> History:
+        return History(self._path("fault.h5"))
+
+    @cached_property
+    def surface(self) -> History:
+        return History(self._path("surface.h5"))
+
+    @cached_property
+    def volume(self) -> History:
+        return History(self._path("volume.h5"))
+
+    @cached_property
+    def receivers(self) -> Receivers:
+        """Series at the receivers on and off the fault, as they were written."""
+        return Receivers(self._path("receivers.h5"))
+
+    @cached_property
+    def stations(self) -> Stations:
+        """The receivers on the fault as figures show them: magnitudes, along the total slip."""
+        return Stations(self._path("receivers.h5"))
+
+    @cached_property
+    def ruptures(self) -> H5File:
+        """First arrivals of each event."""
+        return H5File(self._path("rupture.h5"))
+
+    @cached_property
+    def totals(self) -> Table:
+        """Sums over the fault for each step."""
+        return read_table(self._path("global.csv"), ["time"])
+
+    @cached_property
+    def events(self) -> Table:
+        """All events in the order of time."""
+        return read_table(self._path("events.csv"), ["onset", "duration"])
+
+    @cached_property
+    def complete_events(self) -> Table:
+        """The events that ended; the end of the run may have cut one off."""
+        table = self.events
+        return table.select(table["complete"] != 0) if "complete" in table else table
+
+    @cached_property
+    def steps(self) -> Table:
+        return read_table(self._path("steps.csv"), ["time", "step_size"])
+
+    @cached_property
+    def span(self) -> Tuple[float, float]:
+        """First and last time [s] of the run, from the first file that knows it."""
+        for name in ("fault", "surface"):
+            if self.has(name + ".h5"):
+                time = getattr(self, name).time
+                return float(time[0]), float(time[-1])
+        if self.has("steps.csv") and len(self.steps):
+            time, size = self.steps["time"], self.steps["step_size"]
+            return float(time[0] - size[0]), float(time[-1])
+        raise InputError(f"{self.directory} holds no time step yet: its tables are empty and it "
+                         "has no history. Look into run.log.")
+
+    @property
+    def threshold(self) -> float:
+        """Slip rate [m/s] from which on the catalogue calls the fault seismic."""
+        return self.parameters.number("Output/Event Catalogue/Threshold") or 1e-3
+
+    @property
+    def is_wedge(self) -> bool:
+        return self.parameters.text("Mesh/Type") == "Wedge"
+
+    @property
+    def dip(self) -> Optional[float]:
+        """Angle th [rad] between base and surface of the wedge."""
+        height = self.parameters.number("Mesh/Wedge/Height")
+        length = self.parameters.number("Mesh/Wedge/Length")
+        if not self.is_wedge or height is None or not length:
+            return None
+        return math.atan2(height, length)
+
+    @property
+    def seismogenic_zone(self) -> Optional[Tuple[float, float]]:
+        """Positions [m] along the base between which the wedge weakens with the slip rate.
+
+        The deck measures the zone's end along the surface, its width along the base.
+        """
+        end = self.parameters.number("Mesh/Wedge/Seismogenic Zone End")
+        width = self.parameters.number("Mesh/Wedge/Seismogenic Zone Width")
+        if self.dip is None or end is None or width is None:
+            return None
+        end /= math.cos(self.dip)
+        return end - width, end
+
+    def upwards(self, dimension: int) -> np.ndarray:
+        """Unit vector against gravity in mesh coordinates: from the deck, or +y without one."""
+        gravity = _gravity(self.parameters)
+        if gravity is not None and gravity.size >= dimension:
+            return -gravity[:dimension] / np.linalg.norm(gravity[:dimension])
+        if self.dip is not None and dimension == 2:
+            return np.array([-math.sin(self.dip), math.cos(self.dip)])
+        up = np.zeros(dimension)
+        up[1 if dimension > 1 else 0] = 1.0
+        return up
+
+
+def _gravity(parameters: Parameters) -> Optional[np.ndarray]:
+    """The deck's direction of gravity; None without gravity or direction."""
+    direction = np.array(parameters.numbers("Bulk/Gravity Direction"))
+    weightless = parameters.number("Bulk/Gravitational Acceleration") == 0.0
+    return direction if direction.any() and not weightless else None

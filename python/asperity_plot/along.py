@@ -1,0 +1,79 @@
+"""Where the nodes of a fault or surface lie, in the words and units of an axis."""
+
+from dataclasses import dataclass
+from typing import Tuple
+
+import numpy as np
+
+from asperity.h5file import H5File
+from asperity.history import positions
+from asperity.run import Run
+
+from . import units
+
+PRESCRIBED = "fields/prescribed"
+
+
+@dataclass(frozen=True)
+class Axis:
+    """Coordinate along a curve: `axis(positions [m])` are the numbers beside its ticks."""
+
+    name: str
+    unit: units.Unit
+    origin: float                # [m] of the coordinate where positions are 0
+    sign: float                  # -1 if it decreases along the curve
+    limits: Tuple[float, float]  # positions [m] of what is worth showing
+    is_depth: bool = False
+
+    def __call__(self, where):
+        return self.unit(self.metres(where))
+
+    def metres(self, where):
+        """The coordinate [m] at positions [m]."""
+        return self.origin + self.sign * np.asarray(where, dtype=float)
+
+    def positions(self, metres):
+        """The positions [m] of coordinates [m]."""
+        return (np.asarray(metres, dtype=float) - self.origin) * self.sign
+
+    @property
+    def label(self) -> str:
+        return f"{self.name} [{self.unit.name}]"
+
+
+def axis(run: Run, file: H5File, place: str) -> Axis:
+    """The axis of the 'fault' or 'surface' whose nodes `file` lists.
+
+    Depth on a vertical fault below y = 0, x on a horizontal one, else the distance from its start.
+    """
+    where = positions(file)
+    name, origin, sign, is_depth = f"Position along the {place}", 0.0, 1.0, False
+    if run.is_wedge:
+        name = f"Distance from the trench along the {'base' if place == 'fault' else 'surface'}"
+    elif file.has("geometry/coordinates"):
+        nodes = file.array("geometry/coordinates")
+        if _is_vertical(run, nodes, where):
+            name, origin, sign, is_depth = "Depth", where[-1] - nodes[-1, 1], -1.0, True
+        elif _is_constant(nodes[:, 1], where):
+            origin = nodes[0, 0]
+    limits = _limits(file, where)
+    shown = units.length(origin + sign * np.array(limits))
+    return Axis(name, shown, origin, sign, limits, is_depth)
+
+
+def _is_constant(coordinate: np.ndarray, where: np.ndarray) -> bool:
+    return float(np.ptp(coordinate)) <= 1e-9 * (where[-1] - where[0])
+
+
+def _is_vertical(run: Run, nodes: np.ndarray, where: np.ndarray) -> bool:
+    below = nodes[:, 1].max() <= 1e-9 * (where[-1] - where[0])
+    return below and _is_constant(nodes[:, 0], where) and run.upwards(2)[1] > 1.0 - 1e-9
+
+
+def _limits(file: H5File, where: np.ndarray) -> Tuple[float, float]:
+    """All, or what is left without the ends on which the deck prescribes the slip rate."""
+    if file.has(PRESCRIBED):
+        free = where[file.array(PRESCRIBED, slice(0, 1))[0] == 0.0]
+        if free.size > 1:
+            return float(free[0]), float(free[-1])
+    return float(where[0]), float(where[-1])

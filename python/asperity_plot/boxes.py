@@ -1,0 +1,83 @@
+"""Box plots of the quantities that describe a rupture, and the same as numbers."""
+
+from typing import Dict, List, Tuple
+
+import numpy as np
+
+from asperity.errors import NothingToShow
+from asperity.run import Run
+
+from . import style, units
+from .windows import View
+
+QUANTITIES = (("Recurrence time", "recurrence", "s"), ("Rupture width", "width", "m"),
+              ("Peak slip", "peak_slip", "m"), ("Duration", "duration", "s"),
+              ("Peak slip rate", "peak_slip_rate", "m/s"))
+
+
+def samples(run: Run) -> Dict[str, np.ndarray]:
+    """Finite values [SI] of each of QUANTITIES, of the complete events.
+
+    Recurrence is the time between the onsets of all events: that of an incomplete one is known.
+    """
+    columns = dict(run.complete_events.columns, recurrence=np.diff(run.events["onset"]))
+    return {name: columns[name][np.isfinite(columns[name])] if name in columns else np.empty(0)
+            for _, name, _ in QUANTITIES}
+
+
+def summary(run: Run) -> List[Tuple[str, int, str, str, str]]:
+    """Rows of name, count, lower quartile, median, upper quartile, for the terminal."""
+    rows = []
+    values_of = samples(run)
+    for label, name, unit in QUANTITIES:
+        values = values_of[name]
+        if values.size:
+            quartiles = np.percentile(values, [25, 50, 75])
+            rows.append((label, values.size, *(units.text(q, unit) for q in quartiles)))
+    return rows
+
+
+def draw(run: Run, view: View):
+    """The figure; NothingToShow for a run without a complete event."""
+    if not len(run.complete_events):
+        raise NothingToShow("the run has no complete event")
+    figure, axes = style.panels(len(QUANTITIES), 1, (7.5, 6.2))
+    values = samples(run)
+    for panel, (label, name, unit) in zip(axes[:, 0], QUANTITIES):
+        _box(panel, label, values[name], unit)
+    count = style.counted(len(run.complete_events), "event")
+    style.title(figure, f"Recurrence, size and speed of {count}")
+    figure.supxlabel("box: quartiles and median; whiskers: extremes; ticks: single events",
+                     fontsize=8.5, color=style.DARK)
+    return figure
+
+
+def _unit(values: np.ndarray, name: str) -> units.Unit:
+    if name == "s":
+        return units.duration(units.largest(values))
+    return units.length(values) if name == "m" else units.prefixed(values, name)
+
+
+def _box(axes, label: str, values: np.ndarray, name: str) -> None:
+    """Whiskers reach to the extremes; every event is a faint point below the box."""
+    axes.set_ylim(-0.75, 0.6)
+    unit = _unit(values, name)
+    axes.set_yticks([0.0], [f"{label} [{unit.name}]"])
+    axes.tick_params(axis="y", length=0)
+    axes.spines["left"].set_visible(False)
+    if not values.size:
+        axes.set_xticks([])
+        axes.text(0.5, 0.5, "too few events", transform=axes.transAxes, ha="center", va="center",
+                  color=style.GREY)
+        return
+    shown = unit(values)
+    axes.boxplot(shown, vert=False, positions=[0.0], widths=0.55, whis=(0, 100),
+                 manage_ticks=False, patch_artist=True,
+                 boxprops={"facecolor": "#d5e0ea", "edgecolor": style.BLUE},
+                 medianprops={"color": style.ORANGE, "linewidth": 1.8},
+                 whiskerprops={"color": style.BLUE}, capprops={"color": style.BLUE})
+    axes.plot(shown, np.full(shown.size, -0.52), "|", color=style.GREY, markersize=6, alpha=0.6)
+    axes.grid(axis="x")
+    axes.set_axisbelow(True)
+    axes.set_title(f"median {units.text(float(np.median(values)), name)}", loc="right",
+                   fontsize=8.5, color=style.ORANGE, pad=1)

@@ -1,0 +1,92 @@
+"""Displacement of the free surface in the years before an event and in the event.
+
+Where a fault cuts the surface there is one node on each side of it, and the lines break. Under back
+slip it is the displacement of the bodies, without the steady motion of the plates.
+"""
+
+from typing import List, Tuple
+
+import numpy as np
+from matplotlib.axes import Axes
+
+from asperity.errors import NothingToShow
+from asperity.run import Run
+
+from . import along, deformation_maps, plane, raster, style, units
+from .along import Axis
+from .windows import View, Window
+
+FIELD = "displacement"
+SETTLING = 5.0  # durations of an event in which its waves leave
+SHOWN = 0.01    # places that move less than this share of the largest are left out
+
+
+def draw(run: Run, view: View):
+    """The figure; NothingToShow without an event or in a history with a single row."""
+    if run.surface.time.size < 2:
+        raise NothingToShow("surface.h5 has a single time")
+    if not view.number:
+        raise NothingToShow("no event ended in the time shown")
+    spans = _spans(run, view)
+    lengths = [units.text(last - first, "s") for first, last in spans]
+    titles = [f"In the {lengths[0]} before event {view.number}",
+              f"In the {lengths[1]} from the onset of event {view.number}"]
+    if plane.is_surface(run.surface):
+        return deformation_maps.draw(run, spans, titles)
+    directions = _directions(run)
+    changes = [[_change(run, span, direction) for _, direction, _ in directions] for span in spans]
+    where, unit = along.axis(run, run.surface, "surface"), units.length(np.array(changes))
+    figure, axes = style.panels(1, 2, (11.0, 4.2), sharex=True)
+    for panel, lines in zip(axes[0], changes):
+        for (name, _, colour), line in zip(directions, lines):
+            _line(panel, where, run.surface.position, unit(line), colour, name)
+        panel.axhline(0.0, color=style.GREY, linewidth=0.6, zorder=0)
+        panel.set(xlabel=where.label, ylabel=f"Displacement [{unit.name}]")
+        panel.grid(True)
+    axes[0, 0].set_xlim(_limits(where, run.surface.position, np.array(changes)))
+    if len(directions) > 1:
+        axes[0, 0].legend()
+    for panel, text in zip(axes[0], titles):
+        panel.set_title(text)
+    style.title(figure, "Displacement of the surface")
+    return figure
+
+
+def _spans(run: Run, view: View) -> Tuple[Window, Window]:
+    """From the event before, or the run's start, to the onset; and the event with its waves."""
+    events = run.complete_events
+    onsets, durations = events["onset"], events["duration"]
+    later = np.append(onsets[1:], run.surface.time[-1])
+    settled = np.minimum(onsets + (1.0 + SETTLING) * durations, later)
+    before = settled[onsets < view.onset]
+    return ((before[-1] if before.size else run.span[0], view.onset),
+            (view.onset, settled[onsets == view.onset][0]))
+
+
+def _directions(run: Run) -> List[Tuple[str, np.ndarray, str]]:
+    """Name, direction in the plane, and colour; an antiplane displacement has one."""
+    if run.surface.components(FIELD) < 2:
+        return [("along strike", None, style.BLUE)]
+    up = run.upwards(2)
+    return [("horizontal", np.array([up[1], -up[0]]), style.BLUE), ("up", up, style.ORANGE)]
+
+
+def _change(run: Run, span: Window, direction) -> np.ndarray:
+    """(nodes) [m]: by how much the displacement changed over `span`."""
+    first, last = raster.interpolated(run.surface, FIELD, np.array(span), direction)
+    return last - first
+
+
+def _line(axes: Axes, where: Axis, positions: np.ndarray, values: np.ndarray, colour: str,
+          name: str) -> None:
+    """A line that breaks where two nodes are at one place."""
+    cuts = np.flatnonzero(np.diff(positions) == 0.0) + 1
+    axes.plot(np.insert(where(positions), cuts, np.nan), np.insert(values, cuts, np.nan),
+              color=colour, label=name)
+
+
+def _limits(where: Axis, positions: np.ndarray, changes: np.ndarray):
+    """Coordinates between which something moves."""
+    size = np.abs(changes).max(axis=(0, 1))
+    moving = where(positions[size >= SHOWN * size.max()])
+    return moving.min(), moving.max()

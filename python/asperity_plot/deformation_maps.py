@@ -1,0 +1,76 @@
+"""Displacement of the free surface in three dimensions before an event and in the event: colours of
+the uplift, arrows of the horizontal displacement.
+
+Where a fault cuts the surface there is one node on each side of it, and the colours break.
+"""
+
+from typing import List, Tuple
+
+import numpy as np
+from matplotlib.tri import Triangulation
+
+from asperity.run import Run
+
+from . import plane, style, units
+from .windows import Window
+
+FIELD = "displacement"
+ARROWS = 24     # along the longer side of a panel
+SHOWN = 0.01    # places that move less than this share of the largest are left out
+
+
+def draw(run: Run, spans: Tuple[Window, Window], titles: List[str]):
+    """One panel for each span of time [s]."""
+    nodes = run.surface.array("geometry/coordinates")
+    triangles = run.surface.array("geometry/connectivity").astype(int)
+    upwards = plane.up(run)
+    axes = [axis for axis in range(3) if axis != int(np.argmax(np.abs(upwards)))]
+    places, far = nodes[:, axes], units.length(np.ptp(nodes, axis=0))
+    moved = [change(run, span) for span in spans]
+    limits = _limits(places, moved)
+    shape = float(np.divide(*np.ptp(limits, axis=0)[::-1]))
+    figure, panels = style.panels(1, 2, (11.0, 1.5 + min(4.4 * shape, 8.0)), sharey=True)
+    for panel, displacement, title in zip(panels[0], moved, titles):
+        mesh = Triangulation(*far(places).T, triangles)
+        _uplift(panel, mesh, displacement @ upwards)
+        _arrows(panel, far(places), displacement[:, axes], far(limits))
+        panel.set(title=title, xlabel=f"{'xyz'[axes[0]]} [{far.name}]", aspect="equal",
+                  xlim=far(limits[:, 0]), ylim=far(limits[:, 1]))
+    panels[0, 0].set_ylabel(f"{'xyz'[axes[1]]} [{far.name}]")
+    style.title(figure, "Displacement of the surface")
+    return figure
+
+
+def change(run: Run, span: Window) -> np.ndarray:
+    """(nodes, 3) [m]: by how much the displacement changed over `span`."""
+    return run.surface.at(FIELD, span[1]) - run.surface.at(FIELD, span[0])
+
+
+def _limits(places: np.ndarray, moved: List[np.ndarray]) -> np.ndarray:
+    """((least, largest), axis) coordinates between which something moves."""
+    size = np.max([np.linalg.norm(one, axis=1) / max(np.linalg.norm(one, axis=1).max(), 1e-300)
+                   for one in moved], axis=0)
+    moving = places[size >= SHOWN]
+    return np.array([moving.min(axis=0), moving.max(axis=0)])
+
+
+def _uplift(panel, mesh: Triangulation, uplift: np.ndarray) -> None:
+    unit, size = units.length(uplift), float(np.abs(uplift).max()) or 1.0
+    picture = panel.tripcolor(mesh, unit(uplift), shading="gouraud", rasterized=True,
+                              cmap=style.SURFACE_COLOURS, vmin=-unit(size), vmax=unit(size))
+    style.bar_beside(panel, picture).set_label(f"Uplift [{unit.name}]")
+
+
+def _arrows(panel, places: np.ndarray, flat: np.ndarray, limits: np.ndarray) -> None:
+    """At the nodes that are nearest to an even grid; the longest is as long as the key says."""
+    spacing = np.ptp(limits, axis=0).max() / ARROWS
+    grid = np.stack(np.meshgrid(*(np.arange(low + spacing / 2, high, spacing)
+                                  for low, high in limits.T)), axis=-1).reshape(-1, 2)
+    chosen = np.unique([int(np.argmin(((places - point) ** 2).sum(axis=1))) for point in grid])
+    longest = float(np.linalg.norm(flat, axis=1).max())
+    if longest == 0.0:
+        return
+    arrows = panel.quiver(*places[chosen].T, *flat[chosen].T, angles="xy", scale_units="xy",
+                          scale=longest / (2 * spacing), width=0.003, color=style.DARK)
+    panel.quiverkey(arrows, 0.82, 0.04, longest, units.text(longest, "m"), labelpos="E",
+                    coordinates="axes")

@@ -1,0 +1,125 @@
+"""Maps of one event on a fault in three dimensions: its slip, and how its front ran."""
+
+from typing import Optional, Tuple
+
+import numpy as np
+
+from asperity.errors import NothingToShow
+from asperity.run import Run
+
+from . import plane, style, units, windows
+from .windows import View
+
+LINES = 12  # of contours at most, about
+
+
+def draw(run: Run, view: View):
+    """The figure; NothingToShow in two dimensions or without an event in the time shown."""
+    where = plane.plane(run, run.ruptures if run.has("rupture.h5") else run.fault)
+    row = _row(run, view)
+    onset, end = interval_of(run, row)
+    slip = event_slip(run, onset, end)
+    figure, panels = _panels(where)
+    _colours(panels[0], where, slip, units.length(slip), "Slip in the event")
+    front = arrivals(run, row)
+    if front is not None:
+        _front(panels[1], where, front)
+    for panel in panels:
+        where.label(panel)
+    number = windows.number(run.events, row)
+    style.title(figure, f"Event {number} at {units.text(onset, 's', 5)}, lasting "
+                        f"{units.text(end - onset, 's')}")
+    return figure
+
+
+def _panels(where: plane.Plane):
+    """Two panels, above each other where the fault is long along strike, or else side by side."""
+    shape = float(np.ptp(where.dip) / np.ptp(where.strike))
+    if shape < 0.6:
+        figure, axes = style.panels(2, 1, (8.5, 1.6 + 12.0 * max(shape, 0.15)), sharex=True)
+    else:
+        figure, axes = style.panels(1, 2, (10.5, 1.2 + min(4.2 * shape, 8.0)), sharey=True)
+    return figure, axes.ravel()
+
+
+def _row(run: Run, view: View) -> int:
+    """Of the event that the zoom shows, or else the largest."""
+    events = run.events
+    if not len(events):
+        raise NothingToShow("the run has no event")
+    if view.zoom is not None:
+        return [windows.number(events, row) for row in range(len(events))].index(view.number)
+    return int(np.argmax(events["peak_slip"]))
+
+
+def interval_of(run: Run, row: int) -> Tuple[float, float]:
+    """Onset and end [s] of an event by its row in the catalogue."""
+    onset = float(run.events["onset"][row])
+    return onset, onset + float(run.events["duration"][row])
+
+
+def event_slip(run: Run, onset: float, end: float) -> np.ndarray:
+    """(nodes) magnitude [m] of the slip from onset to end, linear between the rows of fault.h5."""
+    before, after = (run.fault.at("slip", at) for at in (onset, min(end, run.fault.time[-1])))
+    return np.linalg.norm(after - before, axis=-1)
+
+
+def arrivals(run: Run, row: int) -> Optional[np.ndarray]:
+    """(nodes) when the front of an event arrived [s], 0 where first; nan where it did not between
+    the end of the event before and that of this one. Ruptures have a threshold of their own: one of
+    them may go on through several events."""
+    if not run.has("rupture.h5"):
+        return None
+    onset, end = interval_of(run, row)
+    before = interval_of(run, row - 1)[1] if row > 0 else -np.inf
+    for times in run.ruptures.array("rupture_time"):
+        inside = (times > before) & (times <= end)
+        if inside.any() and times[inside].max() >= onset:
+            return np.where(inside, times - times[inside].min(), np.nan)
+    return None
+
+
+def _colours(axes, where: plane.Plane, values, unit: units.Unit, name: str) -> None:
+    shown = unit(values)
+    picture = axes.tripcolor(where.triangulation, shown, shading="gouraud", rasterized=True,
+                             cmap=style.SEQUENCE_COLOURS)
+    if np.ptp(shown) > 0.0:
+        axes.tricontour(where.triangulation, shown, levels=LINES // 2, colors="white",
+                        linewidths=0.6)
+    style.bar_beside(axes, picture).set_label(f"{name} [{unit.name}]")
+
+
+def interval(front: np.ndarray) -> float:
+    """The time [s] between two contours: 1, 2 or 5 times a power of ten."""
+    return units.nice(max(float(np.nanmax(front) - np.nanmin(front)), 1e-9) / (LINES / 2.0))
+
+
+def contours(axes, where: plane.Plane, front: np.ndarray, unit: units.Unit, step: float,
+             last: float, labels: bool = True):
+    """Colours of the arrival from 0 to `last` [s] and a line every `step` [s]; triangles that the
+    front did not reach as a whole are blank. The colours, for a colour bar; None without any."""
+    reached = np.isfinite(front)
+    mesh = where.triangulation
+    mesh.set_mask(~reached[mesh.triangles].all(axis=1))
+    if mesh.mask.all():
+        return None
+    shown = unit(np.where(reached, front, 0.0))
+    picture = axes.tripcolor(mesh, shown, shading="gouraud", cmap="cividis", rasterized=True,
+                             vmin=0.0, vmax=float(unit(last)))
+    levels = unit(np.arange(np.ceil(np.nanmin(front) / step), np.nanmax(front) / step + 1.0) * step)
+    lines = axes.tricontour(mesh, shown, levels=levels, colors="white", linewidths=0.8)
+    if labels:
+        axes.clabel(lines, fontsize=7, fmt="%g")
+    return picture
+
+
+def _front(axes, where: plane.Plane, front: np.ndarray) -> None:
+    last, step = units.largest(front), interval(front)
+    unit = units.duration(last)
+    picture = contours(axes, where, front, unit, step, last)
+    if picture is None:
+        axes.set_title("The front crossed no triangle", fontsize=9)
+        return
+    axes.set_title(f"Rupture front every {units.plain(step, 's')}", fontsize=9)
+    style.bar_beside(axes, picture).set_label(
+        f"Time since the onset [{unit.name}]")

@@ -1,0 +1,87 @@
+"""What the maps over position and time share: the two panels, their axes and titles."""
+
+from typing import List, Tuple
+
+import numpy as np
+from matplotlib.axes import Axes
+from matplotlib.figure import Figure
+
+from asperity.history import History
+
+from . import raster, style, units
+from .along import Axis
+from .windows import View
+
+COLUMNS = 500    # of the picture of several cycles: two pixels each, so that none is lost
+POSITIONS = 500  # its rows
+
+
+def panels(view: View) -> Tuple[Figure, List[Axes]]:
+    """One panel for the cycles and, if the view has one, a second for the rupture."""
+    count = 1 if view.zoom is None else 2
+    widths = [1.0] if count == 1 else [1.25, 1.0]
+    figure, axes = style.panels(1, count, (11.0, 4.6), sharey=True,
+                                gridspec_kw={"width_ratios": widths})
+    for panel in axes[0]:
+        for spine in panel.spines.values():
+            spine.set_visible(True)
+    return figure, list(axes[0])
+
+
+def colours(axes: Axes, times: np.ndarray, history: History, values: np.ndarray, along: Axis,
+            **options):
+    """Colours for `values` (times, nodes) between the limits `times` of their cells."""
+    limits = raster.edges(along.limits, POSITIONS)
+    picture = raster.along(history.position, values, raster.centres(limits))
+    return axes.pcolormesh(times, along(limits), picture.T, rasterized=True, **options)
+
+
+def time_axes(axes: List[Axes], view: View) -> None:
+    """Titles and labels of the time axes; the zoom counts from the event's onset."""
+    label_cycles(axes[0], view)
+    if view.zoom is not None:
+        label_zoom(axes[1], view)
+
+
+def label_cycles(axes: Axes, view: View) -> None:
+    unit = cycles_unit(view)
+    axes.set_xlim(unit(view.cycles))
+    axes.set_xlabel(f"Time [{unit.name}]")
+    axes.set_title(cycles_title(view))
+    if view.zoom is not None:
+        # A small mark on the time axis says where the zoom is.
+        axes.plot(unit(view.onset), 1.0, marker="v", color=style.DARK, markersize=5,
+                  transform=axes.get_xaxis_transform(), clip_on=False, zorder=5)
+
+
+def label_zoom(axes: Axes, view: View) -> None:
+    unit = zoom_unit(view)
+    axes.set_xlim(unit(np.array(view.zoom) - view.onset))
+    axes.set_xlabel(f"Time since the onset of event {view.number} [{unit.name}]")
+    axes.set_title(zoom_title(view))
+
+
+def cycles_title(view: View) -> str:
+    length = units.text(view.cycles[1] - view.cycles[0], "s")
+    events = style.counted(view.num_events, "event")
+    return f"The whole run: {events} in {length}" if view.whole_run else f"{events} in {length}"
+
+
+def zoom_title(view: View) -> str:
+    start = units.text(view.onset, "s", 5)
+    return f"Zoom into event {view.number} at {start} (▾), lasting " \
+           f"{units.text(view.end - view.onset, 's')}"
+
+
+def cycles_unit(view: View) -> units.Unit:
+    return units.duration(view.cycles[1])
+
+
+def zoom_unit(view: View) -> units.Unit:
+    return units.duration(max(abs(view.zoom[0] - view.onset), view.zoom[1] - view.onset))
+
+
+def position_axis(axes: List[Axes], along: Axis) -> None:
+    """Labels the shared axis of positions; depth grows downwards."""
+    axes[0].set_ylabel(along.label)
+    axes[0].set_ylim(along(along.limits))

@@ -1,0 +1,60 @@
+"""Moment rate and moment of each event over the time since its onset."""
+
+from typing import Iterator, Tuple
+
+import numpy as np
+
+from asperity.errors import NothingToShow
+from asperity.run import Run
+
+from . import profiles, style, units, windows
+from .windows import View
+
+MARGIN = 0.1  # durations of an event, before its onset and after its end
+
+
+def draw(run: Run, view: View):
+    """The figure; NothingToShow without an event in the time shown."""
+    events = list(curves(run, view))
+    if not events:
+        raise NothingToShow("no event is in the time shown")
+    clock = units.duration(max(units.largest(time) for _, time, _, _ in events))
+    per_length, newtons = (" per length", "N") if on_curve(run) else ("", "N m")
+    rate_unit = units.scientific([units.largest(rate) for _, _, rate, _ in events], newtons + "/s")
+    moment_unit = units.scientific([units.largest(moment) for *_, moment in events], newtons)
+    figure, axes = style.panels(1, 2, (11.0, 4.4))
+    colours = style.event_colours(axes[0, 1], np.array([number for number, *_ in events]))
+    for number, time, rate, moment in events:
+        axes[0, 0].plot(clock(time), rate_unit(rate), color=colours(number))
+        axes[0, 1].plot(clock(time), moment_unit(moment), color=colours(number))
+    axes[0, 0].set(ylabel=f"Moment rate{per_length} [{rate_unit.name}]", title="Moment rate")
+    axes[0, 1].set(ylabel=f"Moment{per_length} [{moment_unit.name}]",
+                   title="Moment since the onset")
+    for panel in axes[0]:
+        panel.set_xlabel(f"Time since the onset of the event [{clock.name}]")
+        panel.margins(x=0.02)
+        panel.grid(True)
+    style.title(figure, "Moment of the events" + (" per length of the fault" if per_length else ""))
+    return figure
+
+
+def on_curve(run: Run) -> bool:
+    """Whether the run is in two dimensions, where moments are per length of the fault."""
+    return "moment_rate" not in run.totals
+
+
+def curves(run: Run, view: View) -> Iterator[Tuple[int, np.ndarray, np.ndarray, np.ndarray]]:
+    """Of each event: its number, times [s] since its onset, moment rate [N m/s], and moment [N m]
+    since its onset, in two dimensions per length of the fault."""
+    table = run.totals
+    suffix = "_per_length" if on_curve(run) else ""
+    time, rate, moment = table["time"], table["moment_rate" + suffix], table["moment" + suffix]
+    events = profiles.events_within(run, view.sequence)
+    if events is None or time.size < 2:
+        return
+    for row, (onset, duration) in enumerate(zip(events["onset"], events["duration"])):
+        margin = MARGIN * duration
+        rows = (time >= onset - margin) & (time <= onset + duration + margin)
+        times = np.union1d(time[rows], [onset, min(onset + duration, time[-1])])
+        yield (windows.number(events, row), times - onset, np.interp(times, time, rate),
+               np.interp(times, time, moment) - np.interp(onset, time, moment))

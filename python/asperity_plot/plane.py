@@ -1,0 +1,74 @@
+"""A fault that is a surface in three dimensions, unrolled into its mean plane."""
+
+from dataclasses import dataclass
+from typing import Tuple
+
+import numpy as np
+from matplotlib.tri import Triangulation
+
+from asperity.errors import OtherDimension
+from asperity.h5file import H5File
+from asperity.run import Run
+
+from . import units
+
+ELEMENTS = ("geometry/whole_elements", "geometry/connectivity")  # without those across a period
+
+
+@dataclass(frozen=True)
+class Plane:
+    """Nodes by distance along strike and down dip from the upper end, both in [m]."""
+
+    strike: np.ndarray  # (nodes)
+    dip: np.ndarray     # (nodes)
+    triangles: np.ndarray
+    unit: units.Unit    # of both axes
+
+    @property
+    def triangulation(self) -> Triangulation:
+        return Triangulation(self.unit(self.strike), self.unit(self.dip), self.triangles)
+
+    def label(self, axes) -> None:
+        """Equal scales on both axes, down dip downwards."""
+        axes.set(xlabel=f"Along strike [{self.unit.name}]", ylabel=f"Down dip [{self.unit.name}]",
+                 aspect="equal")
+        axes.set_ylim(self.unit(self.dip.max()), self.unit(self.dip.min()))
+        axes.set_xlim(self.unit(self.strike.min()), self.unit(self.strike.max()))
+
+
+def is_surface(file: H5File) -> bool:
+    return not file.has("geometry/positions") and file.has("geometry/coordinates") \
+        and file.dataset("geometry/coordinates").shape[-1] == 3
+
+
+def plane(run: Run, file: H5File) -> Plane:
+    """OtherDimension unless the nodes of `file` lie on a surface in three dimensions."""
+    if not is_surface(file):
+        raise OtherDimension(f"{file.path.name} is not over a surface, as in three dimensions")
+    nodes = file.array("geometry/coordinates")
+    triangles = file.array(ELEMENTS[0] if file.has(ELEMENTS[0]) else ELEMENTS[1]).astype(int)
+    strike, dip = directions(nodes[triangles], up(run))
+    along, down = nodes @ strike, nodes @ dip
+    return Plane(along, down - down.min(), triangles, units.length(np.ptp(nodes, axis=0)))
+
+
+def up(run: Run) -> np.ndarray:
+    """The deck's direction up (Output / Up); +y without one."""
+    direction = np.array(run.parameters.numbers("Output/Up"))
+    if direction.size != 3 or not direction.any():
+        return np.array([0.0, 1.0, 0.0])
+    return direction / np.linalg.norm(direction)
+
+
+def directions(corners: np.ndarray, upwards: np.ndarray) -> Tuple[np.ndarray, np.ndarray]:
+    """Unit vectors along strike and down dip of the mean plane of triangles (n, 3, 3), as the
+    outputs of asperity choose them: the strike's largest component is positive."""
+    normal = np.cross(corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0]).sum(axis=0)
+    normal /= np.linalg.norm(normal)
+    dip = (upwards @ normal) * normal - upwards
+    if np.linalg.norm(dip) < 1e-6:  # level: across the axis after that which points up
+        axis = np.eye(3)[(np.argmax(np.abs(upwards)) + 2) % 3]
+        dip = axis - (axis @ normal) * normal
+    dip /= np.linalg.norm(dip)
+    strike = np.cross(normal, dip)
+    return strike * np.sign(strike[np.argmax(np.abs(strike).round(9))]), dip

@@ -1,0 +1,86 @@
+"""Rupture fronts of several events side by side, on the part of the fault that they reached."""
+
+from typing import List, Tuple
+
+import numpy as np
+
+from asperity.errors import NothingToShow
+from asperity.run import Run
+
+from . import fault_maps, plane, style, units, windows
+from .windows import View
+
+MOST = 8      # events shown, the last ones
+COLUMNS = 4
+LINES = 4     # of contours in the longest event at least
+MARGIN = 0.1  # around what was reached, as a share of its length
+
+
+def draw(run: Run, view: View):
+    """The figure; NothingToShow in two dimensions, or where no front was recorded."""
+    if not run.has("rupture.h5"):
+        raise NothingToShow("the run has no rupture.h5")
+    where = plane.plane(run, run.ruptures)
+    rows, fronts = chosen(run, view)
+    if not rows:
+        raise NothingToShow("no event in the time shown has a rupture front")
+    columns = min(COLUMNS, len(rows))
+    lines = -(-len(rows) // columns)
+    limits = extent(where, fronts)
+    figure, axes = style.panels(lines, columns, _size(limits, lines, columns), sharex=True,
+                                sharey=True)
+    last = max(float(np.nanmax(front)) for front in fronts)
+    unit, step = units.duration(last), units.nice(last / LINES)
+    for panel, row, front in zip(axes.flat, rows, fronts):
+        colours = fault_maps.contours(panel, where, front, unit, step, last, labels=False)
+        panel.set_title(_title(run, row), fontsize=9)
+        panel.set(xlim=limits[0], ylim=limits[1][::-1], aspect="equal")
+    for panel in axes.flat[len(rows):]:
+        panel.axis("off")
+    for panel in axes[-1, :]:
+        panel.set_xlabel(f"Along strike [{where.unit.name}]")
+    for panel in axes[:, 0]:
+        panel.set_ylabel(f"Down dip [{where.unit.name}]")
+    figure.colorbar(colours, ax=axes, pad=0.02, aspect=30).set_label(
+        f"Time since the onset [{unit.name}]\na line every {units.plain(step, 's')}")
+    style.title(figure, f"Rupture fronts of {style.counted(len(rows), 'event')}")
+    return figure
+
+
+def chosen(run: Run, view: View) -> Tuple[List[int], List[np.ndarray]]:
+    """Rows of the last events of the sequence shown whose fronts crossed a triangle, and these
+    fronts [s]."""
+    rows, fronts = [], []
+    triangles = plane.plane(run, run.ruptures).triangles
+    for row, onset in enumerate(run.events["onset"]):
+        front = fault_maps.arrivals(run, row)
+        inside = view.sequence[0] <= onset <= view.sequence[1]
+        if inside and front is not None and np.isfinite(front)[triangles].all(axis=1).any():
+            rows.append(row)
+            fronts.append(front)
+    return rows[-MOST:], fronts[-MOST:]
+
+
+def extent(where: plane.Plane, fronts: List[np.ndarray]) -> Tuple[np.ndarray, np.ndarray]:
+    """Limits along strike and down dip, in the plane's unit, of what any front reached."""
+    reached = np.isfinite(fronts).any(axis=0)
+    limits = []
+    for along in (where.strike, where.dip):
+        low, high = along[reached].min(), along[reached].max()
+        room = MARGIN * (high - low)
+        limits.append(where.unit([max(low - room, along.min()), min(high + room, along.max())]))
+    return limits[0], limits[1]
+
+
+def _size(limits, lines: int, columns: int) -> Tuple[float, float]:
+    width = 9.5 / columns
+    height = width * np.ptp(limits[1]) / np.ptp(limits[0])
+    return 11.0, lines * (min(height, 4.0) + 0.4) + 0.9
+
+
+def _title(run: Run, row: int) -> str:
+    onset = units.text(float(run.events["onset"][row]), "s", 6)
+    text = f"{windows.number(run.events, row)}: {onset}"
+    if "magnitude" in run.events:
+        text += f", Mw {run.events['magnitude'][row]:.1f}"
+    return text

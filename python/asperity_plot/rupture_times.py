@@ -1,0 +1,50 @@
+"""When the rupture of each event reached each place on the fault."""
+
+from typing import Tuple
+
+import numpy as np
+
+from asperity.errors import NothingToShow
+from asperity.run import Run
+
+from . import along, style, units
+from .windows import View
+
+
+def draw(run: Run, view: View):
+    """The figure; NothingToShow without a rupture in the time shown."""
+    numbers, arrivals = after_onset(run, view)
+    if not numbers.size:
+        raise NothingToShow("rupture.h5 has no event in the time shown")
+    where = along.axis(run, run.ruptures, "fault")
+    clock = units.duration(units.largest(arrivals))
+    figure, axes = style.panels(1, 1, (7.5, 5.0))
+    colours = style.event_colours(axes[0, 0], numbers)
+    # Nodes that no event reached at the ends of the fault would only widen the axis.
+    reached = np.flatnonzero(np.isfinite(arrivals).any(axis=0))
+    reached = slice(reached[0], reached[-1] + 1)
+    shown = where(run.ruptures.array("geometry/positions"))[reached]
+    for number, times in zip(numbers, clock(arrivals)[:, reached]):
+        x, y = (times, shown) if where.is_depth else (shown, times)
+        axes[0, 0].plot(x, y, color=colours(number), marker=".", markersize=2.0, linewidth=0.9)
+    label = f"Time since the onset of the event [{clock.name}]"
+    if where.is_depth:
+        axes[0, 0].set(xlabel=label, ylabel=where.label)
+        axes[0, 0].invert_yaxis()
+    else:
+        axes[0, 0].set(xlabel=where.label, ylabel=label)
+        style.shade_zone(axes[0, 0], run, where)
+    axes[0, 0].grid(True)
+    threshold = float(run.ruptures.array("threshold")[0])
+    style.title(figure, f"First time with V ≥ {units.plain(threshold, 'm/s')}")
+    return figure
+
+
+def after_onset(run: Run, view: View) -> Tuple[np.ndarray, np.ndarray]:
+    """Numbers (n) of the events that began in the time shown, and (n, n_nodes) arrivals [s]
+    since their onsets, nan where they did not arrive."""
+    numbers, onsets = run.ruptures.array("number"), run.ruptures.array("onset")
+    rows = np.flatnonzero((onsets >= view.sequence[0]) & (onsets <= view.sequence[1]))
+    times = run.ruptures.array("rupture_time")[rows] - onsets[rows, None]
+    arrived = np.isfinite(times).any(axis=1)
+    return numbers[rows][arrived].astype(int), times[arrived]

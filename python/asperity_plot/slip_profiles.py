@@ -1,0 +1,88 @@
+"""Cumulative slip over depth or along the fault: some years apart, and seconds in ruptures."""
+
+import textwrap
+from dataclasses import replace
+from typing import List
+
+import numpy as np
+from matplotlib.axes import Axes
+
+from asperity.errors import NothingToShow
+from asperity.run import Run
+
+from . import along, profiles, style, units
+from .windows import View
+
+ADVICE = "let Fault History write more rows"
+
+
+def draw(run: Run, view: View):
+    """The figure; NothingToShow if the history has a single row."""
+    if run.fault.time.size < 2:
+        raise NothingToShow("fault.h5 has a single time")
+    families = lines(run, view)
+    where = along.axis(run, run.fault, "fault")
+    figure, axes = style.panels(1, 1, (7.5, 5.0) if where.is_depth else (9.0, 5.0))
+    _draw(axes[0, 0], run, families, where)
+    clock = units.duration(view.sequence[1])
+    first, last = (units.rounded(time, 4) for time in clock(view.sequence))
+    axes[0, 0].set_title(f"From {first} to {last} {clock.name}", loc="left")
+    remark = doubts(families)
+    if remark:
+        figure.supxlabel(textwrap.fill(remark, 110), fontsize=8.5, color=style.DARK)
+    style.title(figure, profiles.title(run))
+    return figure
+
+
+def lines(run: Run, view: View) -> List[profiles.Family]:
+    """The profiles between events and those in them; slip since the start of the time shown."""
+    window = view.sequence
+    events = profiles.events_within(run, window)
+    between, during = view.options.intervals or profiles.intervals(window, events)
+    families = [
+        profiles.family(run.fault, profiles.between_events(window, between, events), between),
+        profiles.family(run.fault, profiles.in_events(window, during, events), during)]
+    if _is_cut(run, view):
+        start = profiles.family(run.fault, np.array(window[:1]), between).slip
+        families = [replace(each, slip=each.slip - start) for each in families]
+    return families
+
+
+def _is_cut(run: Run, view: View) -> bool:
+    """Whether slip counts from a later time than the start of the run."""
+    return view.sequence[0] > run.span[0]
+
+
+def doubts(families: List[profiles.Family]) -> str:
+    """What a reader has to know of lines whose course lies between rows far apart; or ''."""
+    remarks = [f"{each.num_doubtful} of the {each.times.size} lines {name} are interpolated "
+               f"between times more than {units.plain(each.interval, 's')} apart"
+               for each, name in zip(families, ("between events", "in events"))
+               if each.num_doubtful]
+    return f"{' and '.join(remarks)}: {ADVICE}" if remarks else ""
+
+
+def _draw(axes: Axes, run: Run, families: List[profiles.Family], where: along.Axis) -> None:
+    """Slip across and depth downwards, or slip upwards over the position."""
+    unit = units.length([units.largest(each.slip) for each in families])
+    shown = where(run.fault.position)
+    for each, colour in zip(families, (style.BLUE, style.ORANGE)):
+        for number, slip in enumerate(unit(each.slip)):
+            x, y = (slip, shown) if where.is_depth else (shown, slip)
+            label = f"every {units.plain(each.interval, 's')}" if number == 0 else None
+            axes.plot(x, y, color=colour, linewidth=0.6, label=label)
+    limits = where(where.limits)
+    label = profiles.label(run, unit)
+    if where.is_depth:
+        axes.set_ylim(limits)
+        axes.set(xlabel=label, ylabel=where.label)
+    else:
+        axes.set_xlim(limits)
+        axes.margins(y=0.08)
+        axes.set(xlabel=where.label, ylabel=label)
+        style.shade_zone(axes, run, where)
+    legend = axes.legend(loc="lower right", bbox_to_anchor=(1.0, 1.0), ncol=2, fontsize=8.5,
+                         borderaxespad=0.2)
+    for line in legend.get_lines():
+        line.set_linewidth(1.5)
+    axes.grid(True)

@@ -1,0 +1,73 @@
+"""Slip rate over position and time: several cycles, and a zoom into one rupture."""
+
+from typing import Tuple
+
+import numpy as np
+from matplotlib.axes import Axes
+from matplotlib.colors import Normalize
+from matplotlib.ticker import FuncFormatter, MaxNLocator
+
+from asperity.errors import NothingToShow
+from asperity.run import Run
+
+from . import along, maps, raster, style
+from .windows import View
+
+FIELD = "slip_rate"
+DECADES = 12  # below the largest slip rate: from ruptures to what is locked below plate rates
+
+
+def draw(run: Run, view: View):
+    """The figure; NothingToShow if the history has a single row."""
+    if run.fault.time.size < 2:
+        raise NothingToShow("fault.h5 has a single time")
+    cycles = raster.maxima(run.fault, FIELD, view.cycles, maps.COLUMNS)
+    norm = _norm(cycles)
+    figure, axes = maps.panels(view)
+    where = along.axis(run, run.fault, "fault")
+    maps.position_axis(axes, where)
+    times = maps.cycles_unit(view)(raster.edges(view.cycles, maps.COLUMNS))
+    mesh = maps.colours(axes[0], times, run.fault, cycles, where, norm=norm,
+                        cmap=style.RATE_COLOURS)
+    lines = _zoom(run, view, axes[1], where, norm) if view.zoom is not None else None
+    for panel in axes:
+        style.mark_zone(panel, run, where, "white", label=panel is axes[-1])
+    maps.time_axes(axes, view)
+    bar = figure.colorbar(mesh, ax=axes, pad=0.03, aspect=28, extend="min",
+                          format=FuncFormatter(lambda exponent, _: f"$10^{{{exponent:.0f}}}$"),
+                          ticks=MaxNLocator(nbins=10, integer=True))
+    bar.set_label("Slip rate V [m/s]")
+    if lines is not None:
+        bar.ax.hlines(lines, 0.0, 1.0, color="white", linewidth=0.7)
+    style.title(figure, "Slip rate on the base of the wedge" if run.is_wedge
+                else "Slip rate on the fault")
+    return figure
+
+
+def _norm(logarithms: np.ndarray) -> Normalize:
+    """Colours for log10 V, between half decades that hold all but the very slowest rates."""
+    high = 0.5 * np.ceil(2.0 * logarithms.max())
+    low = 0.5 * np.floor(2.0 * np.percentile(logarithms, 0.5))
+    return Normalize(min(max(low, high - DECADES), high - 1.0), high)
+
+
+def _zoom(run: Run, view: View, axes: Axes, where: along.Axis, norm: Normalize) -> np.ndarray:
+    """The rupture on its true time steps, with a contour for each decade; returns their levels."""
+    time, logarithms = zoom_rows(run, view)
+    shown = maps.zoom_unit(view)(time - view.onset)
+    maps.colours(axes, raster.midpoints(shown), run.fault, logarithms, where, norm=norm,
+                 cmap=style.RATE_COLOURS)
+    decades = np.arange(np.ceil(norm.vmin + 0.25), np.floor(norm.vmax) + 1.0)
+    axes.contour(shown, where(run.fault.position), logarithms.T, levels=decades, colors="white",
+                 linewidths=0.7, linestyles="solid")
+    return decades
+
+
+def zoom_rows(run: Run, view: View) -> Tuple[np.ndarray, np.ndarray]:
+    """Times and log10 V of the rows in the zoom, thinned evenly if they are very many."""
+    rows = run.fault.rows(view.zoom)
+    if rows.stop - rows.start > 2 * maps.COLUMNS:
+        limits = raster.edges(view.zoom, maps.COLUMNS)
+        return (raster.centres(limits),
+                raster.maxima(run.fault, FIELD, view.zoom, maps.COLUMNS))
+    return run.fault.time[rows], raster.log10(run.fault.read(FIELD, rows))

@@ -1,0 +1,152 @@
+"""One look for all figures: fonts, colours, and what several figures draw alike."""
+
+import re
+from pathlib import Path
+from typing import Callable, List, Optional
+
+import matplotlib
+
+matplotlib.use("Agg")
+
+import matplotlib.pyplot as plt  # noqa: E402  (the backend comes first)
+import numpy as np  # noqa: E402
+from matplotlib.axes import Axes  # noqa: E402
+from matplotlib.colors import Normalize  # noqa: E402
+from matplotlib.figure import Figure  # noqa: E402
+from matplotlib.lines import Line2D  # noqa: E402
+
+from asperity.run import Run  # noqa: E402
+
+from .along import Axis  # noqa: E402
+
+BLUE, ORANGE, GREY, DARK = "#2b5c8a", "#c8602a", "#8c8c8c", "#333333"
+RATE_COLOURS = "magma"
+SURFACE_COLOURS = "RdBu_r"
+SEQUENCE_COLOURS = "viridis"
+FEW_EVENTS = 10  # that a legend lists one by one
+
+SETTINGS = {
+    "font.family": "DejaVu Sans",
+    "font.size": 9.5,
+    "axes.titlesize": 10,
+    "axes.labelsize": 9.5,
+    "figure.titlesize": 12,
+    "axes.titlepad": 7,
+    "axes.edgecolor": DARK,
+    "axes.linewidth": 0.8,
+    "axes.spines.top": False,
+    "axes.spines.right": False,
+    "axes.grid": False,
+    "grid.color": "#dddddd",
+    "grid.linewidth": 0.6,
+    "xtick.color": DARK,
+    "ytick.color": DARK,
+    "lines.linewidth": 1.2,
+    "legend.frameon": False,
+    "axes.formatter.useoffset": False,
+    "axes.formatter.limits": (-3, 5),
+    "axes.formatter.use_mathtext": True,
+    "figure.constrained_layout.use": True,
+    "figure.constrained_layout.w_pad": 0.06,
+    "figure.constrained_layout.h_pad": 0.06,
+}
+
+
+def use() -> None:
+    """Makes SETTINGS those of every figure made from now on."""
+    plt.rcdefaults()
+    plt.rcParams.update(SETTINGS)
+
+
+def panels(rows: int, columns: int, size, **options):
+    """A figure of `size` [inches] and its axes as an array (rows, columns)."""
+    return plt.subplots(rows, columns, figsize=size, squeeze=False, **options)
+
+
+def title(figure: Figure, text: str) -> None:
+    figure.suptitle(text, fontweight="bold", color=DARK)
+
+
+def save(figure: Figure, path: Path, dpi: int) -> Path:
+    figure.savefig(path, dpi=dpi, facecolor="white")
+    plt.close(figure)
+    return path
+
+
+def bar_beside(axes: Axes, picture):
+    """A colour bar as high as its panel, also where equal scales make that smaller."""
+    place = axes.inset_axes([1.02, 0.0, 0.03, 1.0])
+    return axes.figure.colorbar(picture, cax=place)
+
+
+def mark_zone(axes: Axes, run: Run, along: Axis, colour: str, label: bool) -> None:
+    """The limits of the seismogenic zone as dashed lines, its name beside the right edge."""
+    zone = run.seismogenic_zone
+    if zone is None:
+        return
+    low, high = along(zone)
+    for position in (low, high):
+        axes.axhline(position, color=colour, linewidth=0.9, linestyle=(0, (5, 4)))
+    if not label:
+        return
+    across = axes.get_yaxis_transform()
+    axes.plot([1.02, 1.02], [low, high], transform=across, clip_on=False, color=DARK,
+              linewidth=2.0, solid_capstyle="butt")
+    axes.text(1.035, 0.5 * (low + high), "seismogenic zone", transform=across, rotation=270,
+              ha="left", va="center", color=DARK, fontsize=8.5)
+
+
+def shade_zone(axes: Axes, run: Run, along: Axis) -> None:
+    """The seismogenic zone as a grey band over the horizontal axis, with its name above."""
+    zone = run.seismogenic_zone
+    if zone is None:
+        return
+    low, high = along(zone)
+    axes.axvspan(low, high, color="#eeeeee", zorder=0)
+    axes.text(0.5 * (low + high), 1.01, "seismogenic zone", ha="center", va="bottom",
+              color=DARK, fontsize=8.5, transform=axes.get_xaxis_transform())
+
+
+def counted(count: int, noun: str) -> str:
+    """'no event', '1 event', '12 events'."""
+    return f"{count or 'no'} {noun}{'' if count < 2 else 's'}"
+
+
+def wrapped(label: str, width: int = 24) -> str:
+    """`label` in lines of at most about `width` characters; names of files break at _."""
+    words = re.findall(r"[^_ \n]+[_ \n]?", label)
+    lines = [""]
+    for word in words:
+        if len(lines[-1]) + len(word.rstrip()) > width or lines[-1].endswith("\n"):
+            lines.append("")
+        lines[-1] += word
+    return "\n".join(line.rstrip() for line in lines)
+
+
+def step_line(axes: Axes, x: np.ndarray, y: np.ndarray, colour: str, label: Optional[str] = None):
+    return axes.plot(x, y, drawstyle="steps-pre", color=colour, label=label)
+
+
+def spread(count: int) -> List:
+    """`count` colours that can be told apart, in an order that the eye sees."""
+    if count == 1:
+        return [BLUE]
+    return list(matplotlib.colormaps[SEQUENCE_COLOURS](np.linspace(0.0, 0.92, count)))
+
+
+def event_colours(axes: Axes, numbers: np.ndarray) -> Callable[[int], object]:
+    """The colour of an event by its number; explained beside `axes`."""
+    if len(numbers) <= FEW_EVENTS:
+        colours = dict(zip(numbers, spread(len(numbers))))
+        handles = [Line2D([], [], color=colours[number], label=f"event {number}")
+                   for number in numbers]
+        axes.legend(handles=handles, loc="upper left", bbox_to_anchor=(1.01, 1.0), fontsize=8.5)
+        return colours.__getitem__
+    colours = colour_map(SEQUENCE_COLOURS, Normalize(min(numbers), max(numbers)))
+    axes.figure.colorbar(colours, ax=axes, pad=0.02, aspect=32).set_label("Event")
+    return colours.to_rgba
+
+
+def colour_map(name: str, norm) -> matplotlib.cm.ScalarMappable:
+    """Colours for lines by a number, ready for a colour bar."""
+    return matplotlib.cm.ScalarMappable(norm=norm, cmap=name)

@@ -1,0 +1,125 @@
+"""Which stretch of a run the figures show: several cycles, and one rupture among them."""
+
+from dataclasses import dataclass, replace
+from typing import Optional, Tuple
+
+import numpy as np
+
+from asperity.errors import InputError
+from asperity.run import Run
+from asperity.tables import Table
+
+from .options import Options
+
+CYCLES = 5.0           # shown around the chosen event
+MANY_EVENTS = 40       # more lines, one for each, would merge
+LEAD, TRAIL = 1.0, 2.0   # durations of the event before its onset and after its end
+MAGNIFICATION = 5.0      # a zoom that magnifies less is not worth a panel
+
+
+Window = Tuple[float, float]
+
+
+@dataclass(frozen=True)
+class View:
+    """Intervals of time [s]: `cycles`, and `zoom` into event `number` from `onset` to `end`.
+
+    `sequence` is for figures that show event beside event: all of them, if they are not too many.
+    """
+
+    cycles: Tuple[float, float]
+    zoom: Optional[Tuple[float, float]] = None
+    onset: float = 0.0
+    end: float = 0.0
+    number: int = 0
+    chosen: bool = False
+    num_events: int = 0  # in `cycles`
+    sequence: Window = (0.0, 0.0)
+    options: Options = Options()
+
+    @property
+    def whole_run(self) -> bool:
+        return self.number == 0 and not self.chosen
+
+
+def choose(run: Run, window: Optional[Tuple[float, float]], options=Options()) -> View:
+    """The user's `window`, or some cycles around a median event of the run's second half."""
+    view = _choose(run, window, run.span)
+    many = run.has("events.csv") and len(run.events) > MANY_EVENTS
+    sequence = view.cycles if view.chosen or many else run.span
+    return replace(view, sequence=sequence, options=options,
+                   num_events=_count(run, view.cycles))
+
+
+def _count(run: Run, window: Window) -> int:
+    """The events that began in `window`, also one that the end of the run cut off."""
+    return _within(run.events, window).size if run.has("events.csv") else 0
+
+
+def _choose(run: Run, window: Optional[Tuple[float, float]], span: Tuple[float, float]) -> View:
+    events = run.complete_events if run.has("events.csv") else None
+    if window is not None:
+        _check(window, span)
+        window = (max(window[0], span[0]), min(window[1], span[1]))
+        inside = _within(events, window)
+        return _view(window, events, _median(events, inside), True)
+    if events is None or not len(events):
+        return View(span)
+    onsets = events["onset"]
+    index = _median(events, np.flatnonzero(onsets >= 0.5 * (span[0] + span[1])))
+    if index is None:
+        index = len(events) - 1
+    return _view(_cycles(onsets, index, span), events, index, False)
+
+
+def over_sequence(run: Run, view: View) -> View:
+    """The same view with the whole sequence in place of some cycles."""
+    return replace(view, cycles=view.sequence, num_events=_count(run, view.sequence))
+
+
+def _check(window: Tuple[float, float], span: Tuple[float, float]) -> None:
+    if not window[0] < window[1]:
+        raise InputError(f"--window {window[0]:g} {window[1]:g}: the first time must be smaller "
+                         "than the second.")
+    if window[1] <= span[0] or window[0] >= span[1]:
+        raise InputError(f"--window {window[0]:g} {window[1]:g} lies outside the run, which goes "
+                         f"from {span[0]:g} s to {span[1]:g} s.")
+
+
+def _within(events: Optional[Table], window: Tuple[float, float]) -> np.ndarray:
+    if events is None:
+        return np.empty(0, dtype=int)
+    onsets = events["onset"]
+    return np.flatnonzero((onsets >= window[0]) & (onsets <= window[1]))
+
+
+def _median(events: Optional[Table], rows: np.ndarray) -> Optional[int]:
+    """The event of median size among `rows`, by its peak slip if the table has it."""
+    if events is None or not rows.size:
+        return None
+    size = events["peak_slip" if "peak_slip" in events else "duration"][rows]
+    return int(rows[np.argsort(size, kind="stable")[(rows.size - 1) // 2]])
+
+
+def _cycles(onsets: np.ndarray, index: int, span: Tuple[float, float]) -> Tuple[float, float]:
+    """CYCLES median recurrence times around event `index`, moved and cut to fit the run."""
+    if onsets.size < 2:
+        return span
+    width = CYCLES * float(np.median(np.diff(onsets)))
+    first = min(max(onsets[index] - 0.5 * width, span[0]), max(span[1] - width, span[0]))
+    return first, min(first + width, span[1])
+
+
+def number(events: Table, row: int) -> int:
+    """What the catalogue calls the event in `row`."""
+    return int(events["number"][row]) if "number" in events else row + 1
+
+
+def _view(cycles, events: Optional[Table], index: Optional[int], chosen: bool) -> View:
+    if events is None or index is None:
+        return View(cycles, chosen=chosen)
+    onset, duration = float(events["onset"][index]), float(events["duration"][index])
+    zoom = (onset - LEAD * duration, onset + (1.0 + TRAIL) * duration)
+    if duration <= 0.0 or zoom[1] - zoom[0] > (cycles[1] - cycles[0]) / MAGNIFICATION:
+        zoom = None
+    return View(cycles, zoom, onset, onset + duration, number(events, index), chosen)

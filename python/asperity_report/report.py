@@ -1,0 +1,47 @@
+"""Puts the page together."""
+
+from pathlib import Path
+from typing import List, Tuple
+
+from asperity.errors import InputError
+from asperity.log import RunLog
+from asperity.run import Run
+from asperity_plot import windows
+from asperity_status.facts import facts
+
+from . import figures, page, provenance, sections
+
+SILENT_AFTER = 1800.0  # [s], as asperity-status
+
+
+def report(directory: Path) -> Tuple[str, List[str]]:
+    """The page, and what is wrong with single files; InputError if there is no run."""
+    run = Run(directory)
+    log = RunLog.read(directory / "run.log")
+    wrong: List[str] = []
+    parts = [("state", "State", sections.summary(facts(directory, SILENT_AFTER))),
+             ("parameters", "Parameters that differ from the defaults", sections.parameters(run))]
+    try:
+        view = windows.choose(run, None)
+    except InputError as error:
+        parts.append(("events", "Events", page.paragraph(str(error))))
+    else:
+        if run.has("events.csv"):
+            parts.append(("events", "Events", sections.events(run, view, wrong)))
+        parts.append(("figures", "Figures", _figures(run, view, wrong)))
+    parts += [("solver", "Solver, and where time went", sections.solver(run, log)),
+              ("provenance", "Provenance", provenance.section(run, log, wrong))]
+    wrong = list(dict.fromkeys(wrong))
+    if wrong:
+        parts.insert(1, ("wrong", "What is wrong",
+                         "\n".join(page.paragraph(each, "wrong") for each in wrong)))
+    return page.page(f"Run {directory.resolve().name}", parts), wrong
+
+
+def _figures(run: Run, view, wrong: List[str]) -> str:
+    drawn, missing, errors = figures.draw_all(run, view)
+    wrong += errors
+    parts = [page.picture(*each) for each in drawn]
+    if missing:
+        parts.append(page.paragraph(f"Without data here: {'; '.join(missing)}.", "note"))
+    return "\n".join(parts)

@@ -1,0 +1,81 @@
+"""The sections of the page, each from what the run left for it."""
+
+from typing import List
+
+import numpy as np
+
+from asperity.errors import InputError, NothingToShow
+from asperity.log import RunLog
+from asperity.run import Run
+from asperity_plot import boxes, event_table
+from asperity_plot.markdown import Column
+from asperity_plot.windows import View
+from asperity_status.facts import Facts
+from asperity_status.text import describe
+
+from . import page
+
+SUMS = ("coupled_steps", "rate_problems", "tnnmg_iterations", "corrections", "v_cycles",
+        "failed_steps", "energy_rises")
+EACH = ("fixed_point_iterations", "tnnmg_iterations", "step_size", "error")
+
+
+def summary(facts: Facts) -> str:
+    return "\n".join(page.paragraph(line) for line in describe(facts).splitlines())
+
+
+def parameters(run: Run) -> str:
+    changed = run.parameters.changed()
+    if not changed:
+        return page.paragraph("The run left no parameters.xml, or all values are the defaults.")
+    note = "" if len(changed) < len(run.parameters.paths()) else page.paragraph(
+        "parameters.xml does not say which values are the defaults: these are all.", "note")
+    return note + page.table(["parameter", "value"], list(changed.items()), True)
+
+
+def _columns(columns: List[Column]) -> str:
+    rows = list(zip(*(column.cells() for column in columns)))
+    return page.table([column.header for column in columns], rows)
+
+
+def events(run: Run, view: View, wrong: List[str]) -> str:
+    try:
+        if not len(run.events):
+            return page.paragraph("No event.")
+        parts = [page.table(["", "events", "lower quartile", "median", "upper quartile"],
+                            boxes.summary(run)),
+                 _columns(event_table.events(run, view))]
+        for table in (event_table.cycles, event_table.energy):
+            try:
+                parts.append(_columns(table(run)))
+            except NothingToShow:
+                pass
+        return "\n".join(parts) + page.paragraph(
+            event_table.CYCLE_NOTE + " " + event_table.ENERGY_NOTE, "note")
+    except InputError as error:
+        wrong.append(str(error))
+        return page.paragraph(str(error), "wrong")
+
+
+def solver(run: Run, log: RunLog) -> str:
+    parts = []
+    if run.has("steps.csv") and len(run.steps):
+        parts.append(page.table(["in all steps", "number"], [["accepted_steps", len(run.steps)]] + [
+            [name, f"{run.steps[name].sum():.0f}"] for name in SUMS if name in run.steps]))
+        rows = []
+        for name in EACH:
+            if name in run.steps:
+                values = np.percentile(run.steps[name], [0, 50, 90, 99, 100])
+                unit = run.steps.units[name]
+                rows.append([f"{name} [{unit}]" if unit else name,
+                             *(f"{value:.4g}" for value in values)])
+        parts.append(page.table(["of a step", "least", "median", "90 %", "99 %", "most"], rows))
+    if log.work:
+        parts.append(page.table(["work", "min [s]", "max [s]", "share", "count"], [
+            [name, f"{least:g}", f"{most:g}", f"{share:.1f} %", str(count)]
+            for name, least, most, share, count in log.work]))
+        parts.append(page.paragraph("Wall time of the last process, least and most of its ranks.",
+                                    "note"))
+    parts += [page.paragraph(line) for line in log.report
+              if line.startswith(("Effort:", "Energy", "WARNING"))]
+    return "\n".join(parts) or page.paragraph("There is no step yet.")

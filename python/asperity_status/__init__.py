@@ -1,0 +1,1 @@
+"""Where a run is, how fast, and when it ends."""

@@ -1,0 +1,82 @@
+"""The command line of asperity-status."""
+
+import argparse
+import dataclasses
+import json
+import sys
+import time
+from pathlib import Path
+from typing import List, Optional
+
+from asperity.durations import seconds
+
+STATUS = {"finished": 0, "stopped": 4, "silent": 6, "running": 10}
+INPUT_ERROR = 2
+ENDS = """exit status:
+  0   finished: the run has reached its final time
+  2   DIR holds no run, or its files cannot be read
+  4   stopped: by a signal or an error, with its last complete state in checkpoint.h5
+  6   silent: nothing was written for the time --silent-after; the run was killed, or hangs
+  10  running"""
+
+
+def main(arguments: Optional[List[str]] = None) -> int:
+    options = _parse(arguments)
+    try:
+        from asperity.errors import InputError  # here, since numpy and h5py may be missing
+        from .facts import facts
+    except ImportError as error:
+        return _fail(str(error))
+    try:
+        while True:
+            now = facts(options.directory, options.silent_after)
+            _show(now, options)
+            if not options.follow or now.state != "running":
+                return STATUS[now.state]
+            time.sleep(options.every)
+    except InputError as error:
+        return _fail(str(error))
+    except KeyboardInterrupt:
+        return STATUS["running"]
+
+
+def _show(now, options) -> None:
+    from .text import describe, line
+    if options.json:
+        print(json.dumps(dataclasses.asdict(now)), flush=True)
+    elif options.follow and now.state == "running":
+        print(line(now), flush=True)
+    else:
+        print(describe(now), flush=True)
+
+
+def _parse(arguments: Optional[List[str]]) -> argparse.Namespace:
+    parser = argparse.ArgumentParser(
+        prog="asperity-status", formatter_class=argparse.RawDescriptionHelpFormatter, epilog=ENDS,
+        description="Says where a run of asperity is, how fast, and when it ends.")
+    parser.add_argument("directory", metavar="DIR", type=Path, help="the run's output directory")
+    parser.add_argument("--follow", action="store_true",
+                        help="go on, a line each time, until the run does not run any more")
+    parser.add_argument("--every", metavar="TIME", type=_time, default=30.0,
+                        help="from one line of --follow to the next (default: 30s)")
+    parser.add_argument("--silent-after", metavar="TIME", type=_time, default=1800.0,
+                        help="a run that writes nothing for so long counts as silent; a running "
+                             "one logs a line after the first step past each 30 s (default: "
+                             "30min)")
+    parser.add_argument("--json", action="store_true", help="one JSON object instead of text")
+    return parser.parse_args(arguments)
+
+
+def _time(text: str) -> float:
+    try:
+        value = seconds(text)
+    except ValueError as error:
+        raise argparse.ArgumentTypeError(str(error)) from None
+    if value < 0.0:
+        raise argparse.ArgumentTypeError(f"'{text}' is negative")
+    return value
+
+
+def _fail(message: str) -> int:
+    print(f"asperity-status: {message}", file=sys.stderr)
+    return INPUT_ERROR

@@ -1,0 +1,1 @@
+"""Many runs of one deck: which values, side by side, one table."""

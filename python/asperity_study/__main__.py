@@ -1,0 +1,13 @@
+"""Makes `python3 -m asperity_study DIR` the same as `asperity-study DIR`."""
+
+from asperity.program import run_program
+
+from asperity_study.cli import main
+
+
+def run() -> None:
+    run_program(main)
+
+
+if __name__ == "__main__":
+    run()

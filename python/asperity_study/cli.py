@@ -1,0 +1,111 @@
+"""The command line of asperity-study."""
+
+import argparse
+import json
+import os
+import sys
+from pathlib import Path
+from typing import List, Optional
+
+DONE, INPUT_ERROR, SOME_FAILED, STOPPED = 0, 2, 3, 4
+ENDS = """exit status:
+  0   all runs are finished
+  2   the study, its deck or the command line is at fault; nothing was computed
+  3   some runs failed; the table says which, DIR/runs/*/output.txt why
+  4   stopped by a signal; the same command goes on"""
+
+
+def main(arguments: Optional[List[str]] = None) -> int:
+    options = _parse(arguments)
+    try:
+        from asperity.errors import InputError  # here, since modules may be missing
+        from . import figure, results, runner, study
+    except ImportError as error:
+        return _fail(f"{error}. On Debian: apt-get install python3-numpy python3-h5py "
+                     "python3-matplotlib")
+    try:
+        what = study.read(options.study)
+        values = what.runs()
+        if options.list:
+            for number, each in enumerate(values, start=1):
+                print(number, *(f"{name}={value}" for name, value in each.items()))
+            return DONE
+        folder = options.output or Path("results") / options.study.stem
+        program = runner.find_program(options.program)
+        jobs = _jobs(what, values, folder)
+        team = runner.Runner(program, max(1, options.cores // what.ranks),
+                             runner.launcher(what.ranks, options.mpirun),
+                             tell=lambda text: print(text, flush=True))
+        team.validate([job for job in jobs if job.state == "waiting"])
+        _remember(folder, what, values)
+        complete = team.run(jobs)
+        table = results.columns(what, jobs, values)
+        for path in results.write(folder, table):
+            print(path)
+        print(figure.draw(what, table, folder / "study.png"))
+    except InputError as error:
+        return _fail(str(error))
+    except OSError as error:
+        return _fail(f"{error.filename or options.output}: {error.strerror}.")
+    print(", ".join(f"{count} {state}" for state, count in runner.counts(jobs).items()))
+    if not complete:
+        return STOPPED
+    return SOME_FAILED if any(job.state == "failed" for job in jobs) else DONE
+
+
+def _jobs(what, values, folder: Path):
+    from .runner import Job, is_finished
+    digits = max(4, len(str(len(values))))
+    jobs = []
+    for number, each in enumerate(values, start=1):
+        arguments = [str(what.deck)]
+        for override in what.overrides(each):
+            arguments += ["--set", override]
+        job = Job(number, folder / "runs" / f"{number:0{digits}d}", arguments)
+        if is_finished(job.folder):
+            job.state = "finished"
+        jobs.append(job)
+    return jobs
+
+
+def _remember(folder: Path, what, values) -> None:
+    """Writes what the runs of this folder are; InputError if it holds those of another study."""
+    from asperity.errors import InputError
+    text = json.dumps({"deck": str(what.deck.resolve()), "ranks": what.ranks,
+                       "runs": [what.overrides(each) for each in values]}, indent=1) + "\n"
+    path = folder / "study.json"
+    if path.exists() and path.read_text(encoding="utf-8") != text:
+        raise InputError(f"{folder} holds the runs of another study, or of this one before it was "
+                         "changed. Choose another place with --output, or remove the folder.")
+    folder.mkdir(parents=True, exist_ok=True)
+    path.write_text(text, encoding="utf-8")
+
+
+def _parse(arguments: Optional[List[str]]) -> argparse.Namespace:
+    parser = argparse.ArgumentParser(
+        prog="asperity-study", formatter_class=argparse.RawDescriptionHelpFormatter, epilog=ENDS,
+        description="Runs a deck with many values side by side, continues what was killed, and "
+                    "writes one table and one figure. The same command goes on where it was "
+                    "stopped.")
+    parser.add_argument("study", metavar="STUDY.xml", type=Path)
+    parser.add_argument("--output", metavar="DIR", type=Path,
+                        help="where runs and results go (default: results/<name of the study>)")
+    parser.add_argument("--cores", metavar="N", type=_count, default=len(os.sched_getaffinity(0)),
+                        help="cores to use at a time (default: all of this machine)")
+    parser.add_argument("--program", metavar="FILE", type=Path, help="the program asperity")
+    parser.add_argument("--mpirun", metavar="COMMAND", default="mpirun",
+                        help="starts runs with more than one rank, with its options (default: "
+                             "mpirun)")
+    parser.add_argument("--list", action="store_true", help="only say which runs there would be")
+    return parser.parse_args(arguments)
+
+
+def _count(text: str) -> int:
+    if not text.isdigit() or int(text) < 1:
+        raise argparse.ArgumentTypeError(f"'{text}' is no number of cores")
+    return int(text)
+
+
+def _fail(message: str) -> int:
+    print(f"asperity-study: {message}", file=sys.stderr)
+    return INPUT_ERROR

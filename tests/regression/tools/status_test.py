@@ -1,0 +1,79 @@
+"""asperity-status beside a run: while it runs, killed, stopped by a signal, and finished."""
+
+import json
+import os
+import pathlib
+import shutil
+import signal
+import subprocess
+import time
+import unittest
+
+import asperity_run
+
+STATUS = pathlib.Path(os.environ["ASPERITY_BUILD_DIR"]) / "drivers" / "asperity-status"
+DECK = asperity_run.SOURCE / "xml" / "wedge_2d.xml"
+LONG = ["--set", "Time Stepping/Final Time=1e6"]
+PATIENCE = 60  # [s]
+
+
+def status(folder, *options):
+    """Exit status and facts."""
+    result = subprocess.run([str(STATUS), str(folder), "--json", *options], text=True,
+                            capture_output=True, check=False)
+    facts = json.loads(result.stdout) if result.stdout else None
+    return result.returncode, facts, result.stderr
+
+
+class Beside(unittest.TestCase):
+    def begin(self, folder):
+        shutil.rmtree(folder, ignore_errors=True)
+        command = asperity_run.command(DECK, *LONG, "--output", folder, "--set",
+                                       "Output/Checkpoint Every n Steps=100")
+        process = subprocess.Popen(command, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
+        self.addCleanup(process.wait)
+        self.addCleanup(process.kill)
+        steps = pathlib.Path(folder) / "steps.csv"
+        begin = time.time()
+        while not steps.exists() or steps.stat().st_size < 20000:
+            self.assertIsNone(process.poll())
+            self.assertLess(time.time() - begin, PATIENCE)
+            time.sleep(0.1)
+        return process
+
+    def test_running_then_stopped(self):
+        process = self.begin("stopped")
+        code, facts, _ = status("stopped")
+        self.assertEqual((code, facts["state"]), (10, "running"))
+        self.assertGreater(facts["step"], 50)
+        self.assertLess(facts["time"], 1e6)
+        process.send_signal(signal.SIGTERM)
+        self.assertEqual(process.wait(PATIENCE), 4)
+        code, facts, _ = status("stopped")
+        self.assertEqual((code, facts["state"]), (4, "stopped"))
+        rows = asperity_run.table("stopped/steps.csv")
+        self.assertEqual((facts["step"], facts["time"]), (rows[-1]["step"], rows[-1]["time"]))
+
+    def test_killed(self):
+        process = self.begin("killed")
+        process.kill()
+        process.wait(PATIENCE)
+        self.assertEqual(status("killed")[0], 10)  # it may be in a long step
+        time.sleep(0.2)
+        code, facts, _ = status("killed", "--silent-after", "0.1s")
+        self.assertEqual((code, facts["state"]), (6, "silent"))
+
+    def test_finished(self):
+        folder = asperity_run.run_to_end("finished", DECK, "--set", "Time Stepping/Final Time=50")
+        code, facts, _ = status(folder)
+        self.assertEqual((code, facts["state"], facts["time"]), (0, "finished", 50))
+        self.assertEqual(facts["seconds_left"], None)
+        self.assertLess(abs(facts["relative_energy_defect"]), 1e-6)
+
+    def test_no_run(self):
+        code, facts, error = status("nowhere")
+        self.assertEqual((code, facts, error.count("\n")), (2, None, 1))
+
+
+if __name__ == "__main__":
+    unittest.main()

@@ -1,0 +1,193 @@
+"""asperity-report: one page that has everything and fetches nothing."""
+
+import contextlib
+import io
+import re
+import shutil
+import subprocess
+import tempfile
+import unittest
+from pathlib import Path
+from unittest import mock
+
+import h5py
+from matplotlib.image import imread
+
+import synthetic_run
+from asperity_plot import cli as plot_cli
+from asperity_plot import maps
+from asperity_report import cli, figures
+from page_checks import Page
+
+LOG = """Asperity 0.1.0 on Serial, 2 ranks.
+Kokkos 3.4.1, Trilinos 13.2, Open MPI v4.1.4.
+Built from commit 0123456789ab, GNU 12.2.0, Release, HDF5 1.10.8.
+Machine: node17, 16 cores of Some CPU, Linux 6.1.0 x86_64.
+t = 80 s of 100 s (80 %), step 900, dt 0.25 s, V 1.0e-09 m/s, 2 iterations, 3 events, wall 40 s
+Finished at t = 100 s after 1000 steps.
+Effort: 4000 coupled steps (3 failed), 5000 rate problems.
+
+Work                                min [s]    max [s]    share      count
+linear corrections                    9.31      10.31   62.5 %     161958
+whole run                            16.44      16.44  100.0 %          1
+"""
+DECK = """<ParameterList name="Asperity">
+  <ParameterList name="Mesh">
+    <Parameter name="Type" type="string" value="Wedge" isDefault="true"/>
+    <ParameterList name="Wedge">
+      <Parameter name="Length" type="double" value="1" isDefault="true"/>
+      <Parameter name="Height" type="double" value="0.31"/>
+    </ParameterList>
+  </ParameterList>
+  <ParameterList name="Friction">
+    <Parameter name="b" type="string" value="x &lt; 0.2 ? 0.005 : 0.014"/>
+  </ParameterList>
+</ParameterList>
+"""
+
+
+class Report(unittest.TestCase):
+    @classmethod
+    def setUpClass(cls):
+        cls.temporary = tempfile.TemporaryDirectory()
+        cls.addClassCleanup(cls.temporary.cleanup)
+        for module, name, size in ((maps, "COLUMNS", 300), (maps, "POSITIONS", 100),
+                                   (figures, "DPI", 60)):
+            coarse = mock.patch.object(module, name, size)
+            coarse.start()
+            cls.addClassCleanup(coarse.stop)
+        cls.folder = Path(cls.temporary.name) / "a <run> & more"
+        synthetic_run.write_run(cls.folder, 4, nodes=30)
+        (cls.folder / "run.log").write_text(LOG)
+        (cls.folder / "parameters.xml").write_text(DECK)
+        with h5py.File(cls.folder / "checkpoint.h5", "w") as file:
+            text = h5py.string_dtype()
+            group = file.create_group("fingerprint")
+            group.create_dataset("parameters", data=["Asperity / Mesh", "Asperity / Friction / b"],
+                                 dtype=text)
+            group.create_dataset("values", data=["00c0ffee", "0.1"], dtype=text)
+            group.create_dataset("contents", data=["the numbered mesh", ""], dtype=text)
+        cls.status, cls.out, cls.err = cls.report(cls.folder)
+        cls.path = cls.folder / "report.html"
+        cls.html = cls.path.read_text(encoding="utf-8")
+        cls.page = Page(cls.html)
+
+    @staticmethod
+    def report(*arguments):
+        out, err = io.StringIO(), io.StringIO()
+        with contextlib.redirect_stdout(out), contextlib.redirect_stderr(err):
+            status = cli.main([str(word) for word in arguments])
+        return status, out.getvalue(), err.getvalue()
+
+    def test_says_where_the_page_is(self):
+        self.assertEqual((self.status, self.err), (0, ""))
+        self.assertEqual(self.out.strip(), str(self.path))
+
+    def test_fetches_nothing_and_runs_nothing(self):
+        self.assertEqual(self.page.external(), [])
+        self.assertEqual(self.page.scripts, 0)
+        self.assertIn("a <run> & more", "".join(self.page.headings))
+
+    def test_links_lead_somewhere(self):
+        links = [each[1:] for each in self.page.references if str(each).startswith("#")]
+        self.assertGreater(len(links), 3)
+        self.assertEqual([each for each in links if each not in self.page.ids], [])
+
+    def test_only_parameters_that_differ(self):
+        rows = {row[0]: row[1:] for row in self.page.rows if row}
+        self.assertEqual(rows["Mesh/Wedge/Height"], ["0.31"])
+        self.assertEqual(rows["Friction/b"], ["x < 0.2 ? 0.005 : 0.014"])
+        self.assertNotIn("Mesh/Wedge/Length", rows)
+        self.assertNotIn("Mesh/Type", rows)
+
+    def test_all_events(self):
+        header = next(row for row in self.page.rows if row[:1] == ["event"])
+        self.assertIn("onset", header[1])
+        events = [row for row in self.page.rows if row[0] in "1234" and len(row) == len(header)]
+        self.assertEqual([row[0] for row in events], ["1", "2", "3", "4"])
+
+    def test_all_figures_that_asperity_plot_draws(self):
+        with contextlib.redirect_stdout(io.StringIO()):
+            plot_cli.main([str(self.folder), "--dpi", "40", "--output",
+                           str(Path(self.temporary.name) / "figures")])
+        drawn = {path.stem for path in (Path(self.temporary.name) / "figures").glob("*.png")}
+        self.assertEqual({image["id"] for image in self.page.images}, drawn)
+        for image in self.page.images:
+            self.assertTrue(image["src"].startswith("data:image/png;base64,"))
+            self.assertTrue(image["alt"])
+
+    def test_where_time_went(self):
+        rows = {row[0]: row[1:] for row in self.page.rows if row}
+        self.assertEqual(rows["linear corrections"], ["9.31", "10.31", "62.5 %", "161958"])
+        self.assertIn("4000 coupled steps (3 failed)", "".join(self.page.text))
+
+    def test_provenance(self):
+        text = "".join(self.page.text)
+        for words in ("commit 0123456789ab", "Trilinos 13.2", "node17", "2 ranks", "00c0ffee",
+                      "the numbered mesh"):
+            self.assertIn(words, text)
+        rows = {row[0]: row[1:] for row in self.page.rows if row}
+        digest = subprocess.run(["sha256sum", str(self.folder / "parameters.xml")], text=True,
+                                capture_output=True, check=True).stdout.split()[0].lstrip("\\")
+        self.assertIn(digest, rows["parameters.xml"])
+
+    def test_a_run_that_has_just_begun(self):
+        folder = Path(self.temporary.name) / "new"
+        folder.mkdir()
+        (folder / "run.log").write_text("Asperity 0.1.0 on Serial, 1 rank.\n")
+        status, _, err = self.report(folder)
+        self.assertEqual((status, err), (0, ""))
+        self.assertEqual(Page((folder / "report.html").read_text()).images, [])
+
+    def test_what_is_damaged_is_named_and_the_rest_is_there(self):
+        folder = Path(self.temporary.name) / "damaged"
+        shutil.copytree(self.folder, folder)
+        (folder / "steps.csv").unlink()
+        (folder / "surface.h5").write_bytes(b"no HDF5")
+        status, _, err = self.report(folder)
+        self.assertEqual((status, err.count("surface.h5")), (2, 1), err)
+        page = Page((folder / "report.html").read_text())
+        self.assertIn("slip_rate", {image["id"] for image in page.images})
+
+    def test_no_run(self):
+        status, out, err = self.report(Path(self.temporary.name) / "nothing")
+        self.assertEqual((status, out, err.count("\n")), (2, "", 1))
+
+    def test_another_place(self):
+        target = Path(self.temporary.name) / "elsewhere.html"
+        folder = Path(self.temporary.name) / "small"
+        folder.mkdir()
+        (folder / "run.log").write_text(LOG)
+        self.assertEqual(self.report(folder, "--output", target)[0], 0)
+        self.assertTrue(target.exists())
+        status, _, err = self.report(folder, "--output", "/nowhere/at/all.html")
+        self.assertEqual((status, err.count("\n")), (2, 1))
+
+    @unittest.skipUnless(shutil.which("chromium"), "there is no chromium")
+    def test_in_a_browser_without_a_network(self):
+        picture = Path(self.temporary.name) / "page.png"
+        command = ["chromium", "--headless", "--no-sandbox", "--disable-gpu",
+                   "--host-resolver-rules=MAP * ~NOTFOUND", "--hide-scrollbars",
+                   f"--user-data-dir={self.temporary.name}/profile"]
+        page = self.path.resolve().as_uri()
+        subprocess.run([*command, "--window-size=1000,6000", f"--screenshot={picture}", page],
+                       check=True, capture_output=True, timeout=90)
+        shown = imread(picture)[..., :3]
+        self.assertEqual(shown.shape[:2], (6000, 1000))
+        # figures have colour; a page whose pictures are missing has text and grey lines alone
+        coloured = (shown.max(axis=2) - shown.min(axis=2) > 0.3).sum(axis=1) > 20
+        self.assertGreater(coloured.sum(), 20 * len(self.page.images))
+        without = Path(self.temporary.name) / "without.html"
+        without.write_text(re.sub('src="data:[^"]*"', "", self.html), encoding="utf-8")
+        subprocess.run([*command, "--window-size=1000,6000", f"--screenshot={picture}",
+                        without.as_uri()], check=True, capture_output=True, timeout=90)
+        bare = imread(picture)[..., :3]
+        left = (bare.max(axis=2) - bare.min(axis=2) > 0.3).sum(axis=1) > 20
+        self.assertLess(left.sum(), 0.1 * coloured.sum())  # the links
+        dom = subprocess.run([*command, "--dump-dom", page], check=True, capture_output=True,
+                             timeout=90).stdout.decode()
+        self.assertEqual(len(Page(dom).images), len(self.page.images))
+
+
+if __name__ == "__main__":
+    unittest.main()

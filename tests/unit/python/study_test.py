@@ -1,0 +1,162 @@
+"""Studies: which runs a file asks for, and what is wrong with one that asks badly."""
+
+import csv
+import tempfile
+import unittest
+from pathlib import Path
+
+import h5py
+import numpy as np
+
+import synthetic_run
+from asperity.errors import InputError
+from asperity_study import figure, results, study
+from asperity_study.runner import Job
+
+EXAMPLES = Path(__file__).resolve().parents[3] / "examples" / "study"
+
+
+class Studies(unittest.TestCase):
+    def setUp(self):
+        self.temporary = tempfile.TemporaryDirectory()
+        self.addCleanup(self.temporary.cleanup)
+        self.folder = Path(self.temporary.name)
+        (self.folder / "deck.xml").write_text("<ParameterList name='Asperity'/>")
+
+    def write(self, variables: str, rest: str = "", sampling: str = "Grid") -> Path:
+        path = self.folder / "study.xml"
+        path.write_text(f"""<ParameterList name="Asperity Study">
+          <Parameter name="Deck" type="string" value="deck.xml"/>
+          <Parameter name="Sampling" type="string" value="{sampling}"/>{rest}
+          <ParameterList name="Variables">{variables}</ParameterList></ParameterList>""")
+        return path
+
+    @staticmethod
+    def listed(name: str, path: str, values: str) -> str:
+        return (f'<ParameterList name="{name}"><Parameter name="Parameters" value="{{{path}}}"/>'
+                f'<Parameter name="Values" value="{{{values}}}"/></ParameterList>')
+
+    @staticmethod
+    def sampled(name: str, low: str, high: str, how: str = "Uniform") -> str:
+        return (f'<ParameterList name="{name}"><Parameter name="Parameters" value="F/{name}"/>'
+                f'<Parameter name="Lowest" value="{low}"/><Parameter name="Highest" '
+                f'value="{high}"/><Parameter name="Distribution" value="{how}"/></ParameterList>')
+
+    def refuse(self, words: str, *arguments, **options):
+        with self.assertRaisesRegex(InputError, words):
+            study.read(self.write(*arguments, **options)).runs()
+
+
+class Runs(Studies):
+    def test_grid_is_every_combination(self):
+        what = study.read(self.write(self.listed("law", "F/Law", "A, B")
+                                     + self.listed("h", "M/h", "1, 2, 3")))
+        self.assertEqual([tuple(run.values()) for run in what.runs()],
+                         [("A", "1"), ("A", "2"), ("A", "3"), ("B", "1"), ("B", "2"), ("B", "3")])
+        self.assertEqual(what.overrides(what.runs()[4]), ["F/Law=B", "M/h=2"])
+
+    def test_list_goes_row_by_row(self):
+        what = study.read(self.write(self.listed("a", "F/a", "1, 2") +
+                                     self.listed("b", "F/b", "max(x, 0), 7"), sampling="List"))
+        self.assertEqual([tuple(run.values()) for run in what.runs()],
+                         [("1", "max(x, 0)"), ("2", "7")])
+
+    def test_a_value_may_go_to_several_parameters(self):
+        what = study.read(self.write(self.listed("tol", "S/Tolerance, C/Tolerance", "1e-4, 1e-5"),
+                                     '<ParameterList name="Settings"><Parameter name="T" '
+                                     'value="3"/></ParameterList>'))
+        self.assertEqual(what.overrides(what.runs()[1]),
+                         ["T=3", "S/Tolerance=1e-5", "C/Tolerance=1e-5"])
+
+    def samples(self, seed: int, number: int = 2000):
+        rest = (f'<Parameter name="Samples" value="{number}"/>'
+                f'<Parameter name="Seed" value="{seed}"/>')
+        what = study.read(self.write(self.sampled("b", "-1", "3")
+                                     + self.sampled("L", "1e-6", "1e-2", "Logarithmic"), rest,
+                                     "Random"))
+        return np.array([[float(value) for value in run.values()] for run in what.runs()])
+
+    def test_random_samples_fill_their_limits(self):
+        values = self.samples(5)
+        shares = np.stack(((values[:, 0] + 1.0) / 4.0, (np.log10(values[:, 1]) + 6.0) / 4.0))
+        for share in shares:
+            self.assertGreaterEqual(share.min(), 0.0)
+            self.assertLess(share.max(), 1.0)
+            # each tenth has a tenth of them, to four standard deviations
+            counts = np.histogram(share, 10, (0.0, 1.0))[0]
+            self.assertLess(np.abs(counts - 200).max(), 4.0 * np.sqrt(200 * 0.9))
+        self.assertLess(abs(np.corrcoef(shares)[0, 1]), 4.0 / np.sqrt(2000))
+
+    def test_a_seed_is_a_sequence(self):
+        np.testing.assert_array_equal(self.samples(5, 10), self.samples(5, 10))
+        np.testing.assert_array_equal(self.samples(5, 10), self.samples(5, 20)[:10])
+        self.assertFalse((self.samples(5, 10) == self.samples(6, 10)).any())
+
+    def test_the_examples(self):
+        for name, number in (("thesis", 18), ("slider", 4), ("random", 6)):
+            what = study.read(EXAMPLES / f"{name}.xml")
+            self.assertEqual(len(what.runs()), number, name)
+            self.assertTrue(what.deck.is_file(), name)
+
+
+class BadStudies(Studies):
+    def test_what_is_wrong_is_named(self):
+        one = self.listed("a", "F/a", "1, 2")
+        self.refuse("Sampling = 'Gird'; one of Grid", one, sampling="Gird")
+        self.refuse("'Valeus' is unknown", one.replace('"Values"', '"Valeus"'))
+        self.refuse("'Values' is missing", one.replace('<Parameter name="Values" value="{1, 2}"/>',
+                                                       ""))
+        self.refuse("variable 'a' is given twice", one + one)
+        self.refuse("parameter 'F/a' is given twice", one + one.replace('"a"', '"c"'))
+        self.refuse("same number of values", one + self.listed("b", "F/b", "1, 2, 3"),
+                    sampling="List")
+        self.refuse("nothing varies", "")
+        self.refuse("'Samples' is missing", self.sampled("b", "1", "2"), sampling="Random")
+        samples = '<Parameter name="Samples" value="3"/>'
+        self.refuse("Lowest = 2 and Highest = 1", self.sampled("b", "2", "1"), samples, "Random")
+        self.refuse("both above 0", self.sampled("b", "0", "1", "Logarithmic"), samples, "Random")
+        self.refuse("'x' is no number", self.sampled("b", "x", "1"), samples, "Random")
+        self.refuse("Samples = '0'; a whole number from 1", self.sampled("b", "0", "1"),
+                    samples.replace("3", "0"), "Random")
+
+    def test_files(self):
+        with self.assertRaisesRegex(InputError, "cannot be read"):
+            study.read(self.folder / "none.xml")
+        with self.assertRaisesRegex(InputError, "the root is not"):
+            study.read(self.folder / "deck.xml")
+        path = self.write(self.listed("a", "F/a", "1"))
+        (self.folder / "deck.xml").unlink()
+        with self.assertRaisesRegex(InputError, "Deck: there is no file.*relative"):
+            study.read(path)
+
+
+class Tables(Studies):
+    def test_table_and_figure_of_runs_that_are_done_or_not(self):
+        what = study.read(self.write(self.listed("law", "F/Law", "A, B, C")))
+        jobs = [Job(number, self.folder / f"{number}", [], state) for number, state in
+                ((1, "finished"), (2, "waiting"), (3, "failed"))]
+        synthetic_run.write_run(jobs[0].folder, 6, nodes=20)
+        synthetic_run.write_run(jobs[1].folder, 1, nodes=20)
+        (jobs[0].folder / "run.log").write_text("")
+        table = results.columns(what, jobs, what.runs())
+        results.write(self.folder, table)
+        figure.draw(what, table, self.folder / "study.png")
+        with open(self.folder / "results.csv", newline="") as file:
+            rows = list(csv.DictReader(file))
+        self.assertEqual([(row["run"], row["law"], row["state"]) for row in rows],
+                         [("1", "A", "finished"), ("2", "B", "waiting"), ("3", "C", "failed")])
+        self.assertEqual((rows[0]["events"], rows[1]["events"], rows[2]["events"]),
+                         ("6", "1", "nan"))
+        onsets = synthetic_run.event_times(6)
+        self.assertAlmostEqual(float(rows[0]["recurrence_median [s]"]), np.median(np.diff(onsets)),
+                               delta=0.05)
+        with h5py.File(self.folder / "results.h5") as file:
+            np.testing.assert_array_equal(file["complete_events"][:2], [6, 1])
+            self.assertEqual(file["recurrence_median"].attrs["unit"], "s")
+            self.assertEqual(list(file["law"].asstr()), ["A", "B", "C"])
+            self.assertEqual(len(file), len(rows[0]))
+        self.assertGreater((self.folder / "study.png").stat().st_size, 10000)
+
+
+if __name__ == "__main__":
+    unittest.main()
