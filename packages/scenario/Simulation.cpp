@@ -63,6 +63,7 @@ private:
   RCP<const Communicator> communicator_;
   MeetingPoint meeting_point_;
   std::filesystem::path directory_;
+  io::DirectoryLock lock_; // of the directory, on rank 0
   std::unique_ptr<io::RunLog> log_;
   Problem<Dim> problem_;
   std::unique_ptr<dynamics::StaticCondensation> condensation_;
@@ -142,7 +143,7 @@ SimulationOf<Dim>::SimulationOf(RCP<ParameterList> const& deck, CommandLine cons
   if (!restart_.empty()) {
     checkpoint_ = io::readCheckpoint(restart_, fingerprint_, *communicator);
   }
-  io::prepareOutputDirectory(directory_, existingResult(command_line), *communicator);
+  lock_ = io::prepareOutputDirectory(directory_, existingResult(command_line), *communicator);
   if (!restart_.empty()) {
     outputs_->restore(checkpoint_.child("outputs"));
   }
