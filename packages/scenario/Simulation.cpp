@@ -56,6 +56,7 @@ private:
   void writeCheckpoint();
   void saveWhatThereIs();
   void report(bool finished);
+  io::NodeSets nodeSets() const;
   io::StepInfo stepInfo() const;
   bool atEnd() const;
 
@@ -74,6 +75,7 @@ private:
   std::unique_ptr<dynamics::StepControl> control_;
   dynamics::EnergyBalance balance_;
   dynamics::State state_;
+  StateFormat format_;
   dynamics::SolveCount count_;
   std::int64_t forced_steps_ = 0;
   FloorCount floor_count_;
@@ -112,6 +114,7 @@ SimulationOf<Dim>::SimulationOf(RCP<ParameterList> const& deck, CommandLine cons
     , end_(clock_.reaching(finalTime(deck->sublist("Time Stepping"))))
     , balance_(model_.body, model_.fault, clock_)
     , state_(model_.initial.clone())
+    , format_(problem_.initial, condensation_.get(), clock_)
     , floor_count_(model_.fault)
     , domains_(makeDomains(problem_))
     , restart_(command_line.restart)
@@ -141,7 +144,7 @@ SimulationOf<Dim>::SimulationOf(RCP<ParameterList> const& deck, CommandLine cons
   // be continued are refused before the log and the parameters are: other tables may have been cut
   // back to the checkpoint then, as by any restart from it.
   if (!restart_.empty()) {
-    checkpoint_ = io::readCheckpoint(restart_, fingerprint_, *communicator);
+    checkpoint_ = io::readCheckpoint(restart_, fingerprint_, *communicator, nodeSets());
   }
   lock_ = io::prepareOutputDirectory(directory_, existingResult(command_line), *communicator);
   if (!restart_.empty()) {
@@ -236,8 +239,8 @@ void SimulationOf<Dim>::begin()
     outputs_->write(stepInfo());
     return;
   }
-  state_ = loadState(checkpoint_, "state", model_.initial);
-  control_->restore(loadControl(checkpoint_, "control", model_.initial));
+  state_ = format_.load(checkpoint_, "state");
+  control_->restore(format_.loadControl(checkpoint_, "control"));
   count_ = loadCount(checkpoint_, "count");
   forced_steps_ = checkpoint_.getInteger("forced_steps");
   floor_count_.restore(checkpoint_, "normal_stress_floor");
@@ -286,20 +289,37 @@ void SimulationOf<Dim>::write(io::StepInfo const& info)
   outputs_->write(info);
 }
 
+// What the values of a checkpoint may belong to.
+template <int Dim>
+io::NodeSets SimulationOf<Dim>::nodeSets() const
+{
+  auto const& ids = problem_.mesh.global_ids;
+  io::NodeSets sets;
+  sets[nodes_of_body].assign(ids.begin(), ids.begin() + problem_.mesh.num_owned);
+  for (const int vertex : problem_.surface->vertices()) {
+    sets[nodes_of_friction].push_back(ids[vertex]);
+  }
+  for (auto const& [name, domain] : domains_) {
+    sets[name].assign(domain.node_numbers.begin(), domain.node_numbers.end());
+  }
+  return sets;
+}
+
 template <int Dim>
 void SimulationOf<Dim>::writeCheckpoint()
 {
   ASPERITY_TIME_WORK("checkpoints");
   outputs_->closeSegment();
   io::Archive archive;
-  save(archive, "state", state_);
-  save(archive, "control", control_->memory());
+  format_.save(archive, "state", state_);
+  format_.save(archive, "control", control_->memory());
   save(archive, "count", count_);
   save(archive, "energy", balance_.energy());
   archive.set("forced_steps", forced_steps_);
   floor_count_.save(archive, "normal_stress_floor");
   archive.insert("outputs", outputs_->save());
-  io::writeCheckpoint(directory_ / "checkpoint.h5", archive, fingerprint_, *communicator_);
+  io::writeCheckpoint(directory_ / "checkpoint.h5", archive, fingerprint_, *communicator_,
+                      nodeSets());
 }
 
 template <int Dim>
