@@ -1,17 +1,23 @@
 #include "scenario/Simulation.hpp"
 
+#include "base/Errors.hpp"
 #include "base/Text.hpp"
+#include "base/hdf5/File.hpp"
+#include "base/parallel/Agreement.hpp"
 #include "base/parallel/MeetingPoint.hpp"
+#include "base/parallel/Reductions.hpp"
 #include "base/program/MpiScope.hpp"
 #include "base/program/Signals.hpp"
 #include "base/program/WorkTimers.hpp"
 #include "dynamics/FaultMotion.hpp"
+#include "dynamics/control/NotFinite.hpp"
 #include "dynamics/coupling/CoupledStep.hpp"
 #include "io/OutputSet.hpp"
 #include "io/checkpoint/Archive.hpp"
 #include "io/checkpoint/Checkpoint.hpp"
 #include "io/files/OutputDirectory.hpp"
 #include "io/files/RunLog.hpp"
+#include "mesh/PointText.hpp"
 #include "scenario/Condensation.hpp"
 #include "scenario/DeckReader.hpp"
 #include "scenario/Fingerprint.hpp"
@@ -19,10 +25,14 @@
 #include "scenario/Problem.hpp"
 #include "scenario/RunArchive.hpp"
 #include "scenario/RunReport.hpp"
+#include "scenario/run/StallWatch.hpp"
 #include "scenario/setup/BulkSetup.hpp"
 #include "scenario/setup/MeshSetup.hpp"
 #include "scenario/setup/SolverSetup.hpp"
 #include "scenario/setup/TimeSetup.hpp"
+
+#include <fstream>
+#include <sstream>
 
 namespace asperity::scenario
 {
@@ -49,10 +59,15 @@ public:
   int run() override;
 
 private:
+  int makeSteps(StopSignals const& signals);
+  void endEarly(std::string const& reason);
   void begin();
   void advance();
+  void requireFinite() const;
+  void watchProgress(io::StepInfo const& info);
   void balanceEnergy();
   void write(io::StepInfo const& info);
+  void requireDirectory() const;
   void writeCheckpoint();
   void saveWhatThereIs();
   void report(bool finished);
@@ -79,7 +94,8 @@ private:
   dynamics::SolveCount count_;
   std::int64_t forced_steps_ = 0;
   FloorCount floor_count_;
-  bool step_is_complete_ = true; // energy and outputs know of it
+  StallWatch stall_watch_;
+  bool step_is_complete_ = false; // energy and outputs know of it
   RunView view_;
   std::map<std::string, io::OutputDomain> domains_;
   io::FieldRegistry registry_;
@@ -116,6 +132,7 @@ SimulationOf<Dim>::SimulationOf(RCP<ParameterList> const& deck, CommandLine cons
     , state_(model_.initial.clone())
     , format_(problem_.initial, condensation_.get(), clock_)
     , floor_count_(model_.fault)
+    , stall_watch_(deck->sublist("Time Stepping").get<int>("Most Forced Steps"))
     , domains_(makeDomains(problem_))
     , restart_(command_line.restart)
     , fingerprint_(fingerprint(*deck, problem_.mesh, *communicator))
@@ -151,6 +168,9 @@ SimulationOf<Dim>::SimulationOf(RCP<ParameterList> const& deck, CommandLine cons
     outputs_->restore(checkpoint_.child("outputs"));
   }
   log_ = std::make_unique<io::RunLog>(directory_ / "run.log", !restart_.empty(), *communicator);
+  h5::whenSharingFails([log = directory_ / "run.log"](std::string const& message) {
+    std::ofstream(log, std::ios::app) << "The run has ended: " << message << '\n';
+  });
   if (communicator->getRank() == 0) {
     writeParameters(*deck, (directory_ / "parameters.xml").string());
   }
@@ -187,32 +207,55 @@ int SimulationOf<Dim>::run()
                   std::to_string(condensation_->numEliminated()) + " of " +
                   std::to_string(problem_.body.numOwnedDofs()) + " unknowns for all steps.");
   }
-  begin();
   try {
-    while (!atEnd()) {
-      advance();
-      if (signals.agreed(*communicator_) != 0) {
-        writeCheckpoint();
-        outputs_->finish(); // a restart takes back what is not complete
-        report(false);
-        return exit_signal;
-      }
-      if (control_->memory().num_steps % checkpoint_interval_ == 0) {
-        writeCheckpoint();
-      }
-    }
-  } catch (...) {
-    // A rank that fails alone leaves the others in the middle of something collective, and a
-    // checkpoint is that, too.
-    if (meeting_point_.meet(patience)) {
-      saveWhatThereIs();
-    }
+    begin();
+    step_is_complete_ = true;
+    return makeSteps(signals);
+  } catch (OutputError const& error) {
+    // What is half written is not written again: the checkpoint before is the last complete state.
+    log_->note(std::string("The run has ended: ") + error.what());
     throw;
+  } catch (std::exception const& error) {
+    endEarly(error.what());
+    throw;
+  } catch (...) {
+    endEarly("an exception of unknown type was thrown.");
+    throw;
+  }
+}
+
+template <int Dim>
+int SimulationOf<Dim>::makeSteps(StopSignals const& signals)
+{
+  while (!atEnd()) {
+    advance();
+    if (const int signal = signals.agreed(*communicator_)) {
+      writeCheckpoint();
+      outputs_->finish(); // a restart takes back what is not complete
+      report(false);
+      log_->message("Stopped by " + signalName(signal) + "; --restart " +
+                    (directory_ / "checkpoint.h5").string() + " goes on.");
+      return exit_signal;
+    }
+    if (control_->memory().num_steps % checkpoint_interval_ == 0) {
+      writeCheckpoint();
+    }
   }
   writeCheckpoint();
   outputs_->finish();
   report(true);
   return exit_done;
+}
+
+// A rank that fails alone leaves the others in the middle of something collective, and a checkpoint
+// is that, too.
+template <int Dim>
+void SimulationOf<Dim>::endEarly(std::string const& reason)
+{
+  if (meeting_point_.meet(patience)) {
+    saveWhatThereIs();
+  }
+  log_->note("The run has ended: " + reason);
 }
 
 // What fails here must not hide why the run ends. Where a step has been made but not written, the
@@ -257,6 +300,7 @@ void SimulationOf<Dim>::advance()
   view_.step = control_->advance(state_, count_);
   step_is_complete_ = false;
   view_.count = count_.since(before);
+  requireFinite();
   forced_steps_ += view_.step.within_tolerance ? 0 : 1;
   floor_count_.add(state_);
   balanceEnergy();
@@ -273,6 +317,52 @@ void SimulationOf<Dim>::advance()
   progress.fixed_point_iterations = view_.step.iterations;
   progress.counts = outputs_->counts();
   log_->progress(progress);
+  watchProgress(info);
+}
+
+template <int Dim>
+void SimulationOf<Dim>::watchProgress(io::StepInfo const& info)
+{
+  const bool is_adaptive =
+    deck_->sublist("Time Stepping").get<std::string>("Control") != "Prescribed";
+  StallWatch::Step step;
+  step.is_smallest =
+    is_adaptive && clock_.finestLevel() > 0 && view_.step.level == clock_.finestLevel();
+  step.is_forced = !view_.step.within_tolerance;
+  step.time = info.time;
+  step.step_size = info.step_size;
+  step.time_left = clock_.seconds(end_ - state_.time);
+  const auto line = stall_watch_.note(step);
+  if (!line.empty()) {
+    log_->message(line);
+  }
+}
+
+// The step that has just been made. Where a number is lost, it spreads: the first sight tells most.
+template <int Dim>
+void SimulationOf<Dim>::requireFinite() const
+{
+  const auto found = dynamics::firstNotFinite(state_);
+  if (maxOverRanks(found ? 1 : 0, *communicator_) == 0) {
+    return;
+  }
+  onEveryRank(*communicator_, [&] {
+    if (!found) {
+      return;
+    }
+    const int vertex = found->is_at_fault ? problem_.surface->vertex(found->index)
+                                          : found->index / model_.body.dofs->components();
+    std::ostringstream message;
+    message << "Step " << control_->memory().num_steps
+            << ", t = " << formatShort(clock_.seconds(state_.time)) << " s: " << found->field
+            << " is " << found->value;
+    if (found->is_at_fault || !condensation_) {
+      message << " at node " << problem_.mesh.global_ids[vertex] << ", "
+              << mesh::text(problem_.mesh.vertices[vertex]);
+    }
+    message << ". Check loads, moduli and friction there. The checkpoint is of an earlier step.";
+    throw SolveError(message.str());
+  });
 }
 
 template <int Dim>
@@ -306,8 +396,21 @@ io::NodeSets SimulationOf<Dim>::nodeSets() const
 }
 
 template <int Dim>
+void SimulationOf<Dim>::requireDirectory() const
+{
+  onRoot(*communicator_, [&] {
+    if (!std::filesystem::is_directory(directory_)) {
+      throw OutputError("The output directory " + directory_.string() +
+                        " has been removed while the run was writing to it. What it held is lost: "
+                        "begin anew.");
+    }
+  });
+}
+
+template <int Dim>
 void SimulationOf<Dim>::writeCheckpoint()
 {
+  requireDirectory();
   ASPERITY_TIME_WORK("checkpoints");
   outputs_->closeSegment();
   io::Archive archive;

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "dynamics/FaultMotion.hpp"
+#include "dynamics/control/NotFinite.hpp"
 #include "dynamics/coupling/CoupledStep.hpp"
 
 #include <memory>
@@ -86,9 +87,12 @@ protected:
   ControlMemory memory_;
 
 private:
+  std::string failure(State const& from, int level, std::string const& lost) const;
+
   CoupledStep& step_;
   std::vector<DyadicTime::Ticks> instants_;
   StepStatus last_status_ = StepStatus::solved;
+  std::optional<NotFinite> not_finite_; // on this rank, in the last attempt that failed
 };
 
 // Steps of given levels, one after the other; the last one is repeated.
