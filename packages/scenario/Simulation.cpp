@@ -63,6 +63,7 @@ private:
   void endEarly(std::string const& reason);
   void begin();
   void advance();
+  std::string placeOf(int vertex) const;
   void requireFinite() const;
   void watchProgress(io::StepInfo const& info);
   void balanceEnergy();
@@ -145,6 +146,7 @@ SimulationOf<Dim>::SimulationOf(RCP<ParameterList> const& deck, CommandLine cons
     dynamics::CouplingSettings::from(deck->sublist("Coupling")), problem_.solver,
     memoryBudget(deck->sublist("TNNMG")), model_.reaction);
   control_ = makeStepControl(deck->sublist("Time Stepping"), *coupled_step_);
+  control_->setPlaces([this](int vertex) { return placeOf(vertex); });
   view_.state = &state_;
   view_.surface = &model_.fault.surface();
   view_.condensation = condensation_.get();
@@ -338,6 +340,18 @@ void SimulationOf<Dim>::watchProgress(io::StepInfo const& info)
   }
 }
 
+// Of a vertex of the model: the condensed one has the nodes of the fault, and the boundaries' motion.
+template <int Dim>
+std::string SimulationOf<Dim>::placeOf(int vertex) const
+{
+  if (condensation_ && vertex >= problem_.surface->numNodes()) {
+    return "the boundaries that move";
+  }
+  vertex = condensation_ ? problem_.surface->vertex(vertex) : vertex;
+  return "node " + std::to_string(problem_.mesh.global_ids[vertex]) + ", " +
+         mesh::text(problem_.mesh.vertices[vertex]);
+}
+
 // The step that has just been made. Where a number is lost, it spreads: the first sight tells most.
 template <int Dim>
 void SimulationOf<Dim>::requireFinite() const
@@ -350,16 +364,12 @@ void SimulationOf<Dim>::requireFinite() const
     if (!found) {
       return;
     }
-    const int vertex = found->is_at_fault ? problem_.surface->vertex(found->index)
+    const int vertex = found->is_at_fault ? model_.fault.surface().vertex(found->index)
                                           : found->index / model_.body.dofs->components();
     std::ostringstream message;
     message << "Step " << control_->memory().num_steps
             << ", t = " << formatShort(clock_.seconds(state_.time)) << " s: " << found->field
-            << " is " << found->value;
-    if (found->is_at_fault || !condensation_) {
-      message << " at node " << problem_.mesh.global_ids[vertex] << ", "
-              << mesh::text(problem_.mesh.vertices[vertex]);
-    }
+            << " is " << found->value << " at " << placeOf(vertex);
     message << ". Check loads, moduli and friction there. The checkpoint is of an earlier step.";
     throw SolveError(message.str());
   });
@@ -448,9 +458,15 @@ std::unique_ptr<Simulation> makeSimulation(RCP<ParameterList> const& deck,
                                            CommandLine const& command_line,
                                            RCP<const Communicator> const& communicator)
 {
-  if (meshDimension(deck->sublist("Mesh"), *communicator) == 3) {
-    return std::make_unique<SimulationOf<3>>(deck, command_line, communicator);
+  // Nothing has been computed yet: what cannot be solved here is what the deck asks for.
+  try {
+    if (meshDimension(deck->sublist("Mesh"), *communicator) == 3) {
+      return std::make_unique<SimulationOf<3>>(deck, command_line, communicator);
+    }
+    return std::make_unique<SimulationOf<2>>(deck, command_line, communicator);
+  } catch (SolveError const& error) {
+    throw InputError(std::string("The state at the start cannot be computed. ") + error.what() +
+                     " Check Boundary Conditions, Bulk and Initial State.");
   }
-  return std::make_unique<SimulationOf<2>>(deck, command_line, communicator);
 }
 } // namespace asperity::scenario

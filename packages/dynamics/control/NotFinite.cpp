@@ -49,4 +49,9 @@ std::optional<NotFinite> firstNotFinite(State const& state)
   found = found ? found : lookIn("alpha", state.alpha);
   return found ? found : lookIn("normal stress", state.sigma_n);
 }
+
+std::optional<NotFinite> firstNotFinite(char const* field, Vector const& x)
+{
+  return lookIn(field, x);
+}
 } // namespace asperity::dynamics

@@ -19,4 +19,5 @@ struct NotFinite
 // The first one on this rank, in the order velocity, displacement, acceleration, alpha, normal
 // stress. Not collective.
 std::optional<NotFinite> firstNotFinite(State const& state);
+std::optional<NotFinite> firstNotFinite(char const* field, Vector const& x);
 } // namespace asperity::dynamics

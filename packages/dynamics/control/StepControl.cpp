@@ -2,7 +2,6 @@
 
 #include "base/Errors.hpp"
 #include "base/parallel/Agreement.hpp"
-#include "mesh/PointText.hpp"
 
 #include <algorithm>
 #include <limits>
@@ -49,7 +48,12 @@ std::optional<Trial> StepControl::attempt(State const& from, int level, State co
   auto const result = step_.solve(from, level, trial.state, count);
   trial.iterations = result.iterations;
   last_status_ = result.status;
-  not_finite_ = result.solved() ? std::nullopt : firstNotFinite(trial.state);
+  not_finite_.reset();
+  if (!result.solved()) {
+    not_finite_ = firstNotFinite(trial.state);
+    not_finite_ =
+      not_finite_ ? not_finite_ : firstNotFinite("the sum of loads", step_.lastRightSide());
+  }
   return result.solved() ? std::optional<Trial>(std::move(trial)) : std::nullopt;
 }
 
@@ -59,9 +63,9 @@ void StepControl::giveUp(State const& from, int level) const
   onEveryRank(*surface().communicator(), [&] {
     if (not_finite_) {
       lost << "; " << not_finite_->field << " became " << not_finite_->value;
-      if (not_finite_->is_at_fault) {
-        lost << " at node " << mesh::text(surface()[not_finite_->index].place) << " of the fault";
-      }
+      const int vertex = not_finite_->is_at_fault ? surface().vertex(not_finite_->index)
+                                                  : not_finite_->index / step_.components();
+      lost << (place_of_ ? " at " + place_of_(vertex) : "");
       throw SolveError(failure(from, level, lost.str()));
     }
   });

@@ -1,6 +1,7 @@
 #include "io/checkpoint/Checkpoint.hpp"
 
 #include "base/Errors.hpp"
+#include "base/Hashes.hpp"
 #include "base/hdf5/File.hpp"
 #include "base/parallel/Agreement.hpp"
 #include "base/parallel/Messages.hpp"
@@ -23,6 +24,13 @@ namespace
 constexpr char const* format_name = "asperity checkpoint";
 constexpr std::int64_t format_version = 4;
 
+std::string checksumOf(std::vector<std::string> const& parameters,
+                       std::vector<std::string> const& values,
+                       std::vector<std::string> const& contents)
+{
+  return hexadecimal(Checksum().add(parameters).add(values).add(contents).value());
+}
+
 void writeHeader(h5::File& file, Fingerprint const& fingerprint, int num_ranks)
 {
   file.setAttribute("format", format_name, h5::TextLength::fixed);
@@ -34,6 +42,7 @@ void writeHeader(h5::File& file, Fingerprint const& fingerprint, int num_ranks)
     values.push_back(entry.value);
     contents.push_back(entry.content);
   }
+  file.setAttribute("fingerprint", checksumOf(parameters, values, contents), h5::TextLength::fixed);
   file.createTexts("fingerprint/parameters", parameters, h5::TextLength::fixed);
   file.createTexts("fingerprint/values", values, h5::TextLength::fixed);
   file.createTexts("fingerprint/contents", contents, h5::TextLength::fixed);
@@ -44,8 +53,9 @@ Fingerprint readFingerprint(h5::File const& file)
   const auto parameters = file.openDataset("fingerprint/parameters").readTexts();
   const auto values = file.openDataset("fingerprint/values").readTexts();
   const auto contents = file.openDataset("fingerprint/contents").readTexts();
-  if (values.size() != parameters.size() || contents.size() != parameters.size()) {
-    throw h5::Error("The fingerprint in " + file.what() + " is incomplete.");
+  if (values.size() != parameters.size() || contents.size() != parameters.size() ||
+      file.textAttribute("fingerprint") != checksumOf(parameters, values, contents)) {
+    throw h5::Error("The fingerprint in " + file.what() + " is damaged.");
   }
   Fingerprint fingerprint;
   for (std::size_t i = 0; i < parameters.size(); ++i) {

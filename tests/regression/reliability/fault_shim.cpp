@@ -93,15 +93,16 @@ extern "C" {
 ssize_t write(int file, void const* data, size_t size)
 {
   static const auto next = original<ssize_t (*)(int, void const*, size_t)>("write");
-  return disturbed(file, [&] { return next(file, data, size); },
-                   [&] { next(file, data, size / 2); });
+  return disturbed(
+    file, [&] { return next(file, data, size); }, [&] { next(file, data, size / 2); });
 }
 
 ssize_t pwrite(int file, void const* data, size_t size, off_t place)
 {
   static const auto next = original<ssize_t (*)(int, void const*, size_t, off_t)>("pwrite");
-  return disturbed(file, [&] { return next(file, data, size, place); },
-                   [&] { next(file, data, size / 2, place); });
+  return disturbed(
+    file, [&] { return next(file, data, size, place); },
+    [&] { next(file, data, size / 2, place); });
 }
 
 ssize_t pwrite64(int file, void const* data, size_t size, off64_t place)
@@ -112,15 +113,16 @@ ssize_t pwrite64(int file, void const* data, size_t size, off64_t place)
 ssize_t writev(int file, iovec const* parts, int count)
 {
   static const auto next = original<ssize_t (*)(int, iovec const*, int)>("writev");
-  return disturbed(file, [&] { return next(file, parts, count); },
-                   [&] { next(file, parts, count / 2); });
+  return disturbed(
+    file, [&] { return next(file, parts, count); }, [&] { next(file, parts, count / 2); });
 }
 
 ssize_t pwritev(int file, iovec const* parts, int count, off_t place)
 {
   static const auto next = original<ssize_t (*)(int, iovec const*, int, off_t)>("pwritev");
-  return disturbed(file, [&] { return next(file, parts, count, place); },
-                   [&] { next(file, parts, count / 2, place); });
+  return disturbed(
+    file, [&] { return next(file, parts, count, place); },
+    [&] { next(file, parts, count / 2, place); });
 }
 
 ssize_t pwritev64(int file, iovec const* parts, int count, off64_t place)
