@@ -11,7 +11,7 @@ import asperity_run
 import faults
 import runs
 
-TRIALS = 1000 if faults.is_long() else 30
+TRIALS = faults.trials(30, 1000)
 MEMORY = 4 << 30  # bytes of addresses, most of which MPI asks for
 BEFORE_THE_END = runs.settings("Time Stepping/Instants={7.8}")
 MESH_TOOL = asperity_run.PROGRAM.with_name("asperity-mesh")
@@ -88,7 +88,8 @@ class Damage(unittest.TestCase):
     def test_meshes(self):
         mesh = pathlib.Path("wedge.h5")
         mesh.unlink(missing_ok=True)
-        subprocess.run([MESH_TOOL, "wedge", mesh, "--cell-size", "0.02"], check=True,
+        subprocess.run([MESH_TOOL, "wedge", mesh, "--cell-size", "0.01",
+                        "--growth-factor", "1.5"], check=True,
                        capture_output=True, timeout=60)
         original = mesh.read_bytes()
         deck = [*runs.RUN, *runs.settings("Time Stepping/Final Time=0.05", "Mesh/Type=File",

@@ -14,6 +14,11 @@ def is_long():
     return bool(os.environ.get("ASPERITY_LONG_FORM"))
 
 
+def trials(short, long):
+    """How many trials there are in each form; ASPERITY_TRIALS sets another number."""
+    return int(os.environ.get("ASPERITY_TRIALS") or (long if is_long() else short))
+
+
 def environment(folder, kind, number, rank=None, **more):
     folder = pathlib.Path(folder).absolute()
     result = {**os.environ, "LD_PRELOAD": SHIM, "FAULT_FOLDER": f"{folder}/",

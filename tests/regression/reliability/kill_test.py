@@ -11,7 +11,8 @@ import faults
 import runs
 
 # How many trials of each kind.
-AT_RANDOM, TWICE, IN_A_WRITE, OF_RANKS = (50, 10, 50, 20) if faults.is_long() else (4, 1, 6, 2)
+AT_RANDOM = IN_A_WRITE = faults.trials(4, 50)
+TWICE, OF_RANKS = -(-AT_RANDOM // 5), faults.trials(2, 50)
 
 
 class Killed(unittest.TestCase):
@@ -62,6 +63,7 @@ class Killed(unittest.TestCase):
                 for _ in range(2 if seed < TWICE else 1):
                     self.kill_at(folder, chance.uniform(0.1, self.seconds[1]), 1)
                 self.assert_goes_on(folder, 1)
+        print(f"{AT_RANDOM} runs killed at random moments, {TWICE} of them twice")
 
     def test_at_any_moment_on_two_ranks(self):
         for seed in range(OF_RANKS):
@@ -69,6 +71,7 @@ class Killed(unittest.TestCase):
                 folder = runs.fresh("two_ranks")
                 self.kill_at(folder, random.Random(seed).uniform(0.5, self.seconds[2]), 2)
                 self.assert_goes_on(folder, 2)
+        print(f"{OF_RANKS} runs of two ranks killed at random moments")
 
     def test_in_any_write(self):
         total = faults.count_operations(runs.fresh("in_a_write"), *runs.RUN, kind="kill")
@@ -80,6 +83,7 @@ class Killed(unittest.TestCase):
                     result = self.kill_in(folder, chance.randrange(1, total))
                     self.assertIn(result.returncode, (-signal.SIGKILL, runs.DONE))
                 self.assert_goes_on(folder, 1)
+        print(f"{IN_A_WRITE} runs killed in one of {total} operations, {TWICE} of them twice")
 
     def test_one_rank_of_two(self):
         """The other one does not wait for ever, and the last checkpoint is good."""
@@ -93,6 +97,7 @@ class Killed(unittest.TestCase):
                 self.assertNotEqual(result.returncode, runs.DONE, f"{number} of {total}")
                 wait_for_lock(folder)
                 self.assert_goes_on(folder, 2)
+        print(f"{OF_RANKS} runs of which one rank of two was killed")
 
 
 def wait_for_lock(folder, seconds=20):
