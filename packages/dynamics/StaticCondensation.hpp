@@ -42,8 +42,8 @@ public:
   void expand(Vector const& x, Vector& whole) const;
 
   // The state of the whole body that a state of the condensed model stands for, and back, where it
-  // has to be told s and its derivatives with u, v, a and jerk: those of a condensed state, or those
-  // of a body that has never been condensed at a time [s].
+  // has to be told s and its derivatives with u, v, a and jerk: those of a condensed state, or
+  // those of a body that has never been condensed at a time [s].
   State expand(State const& state) const;
   State gather(State const& whole, Amplitudes const& of) const;
   Amplitudes amplitudes(State const& state) const;

@@ -340,7 +340,8 @@ void SimulationOf<Dim>::watchProgress(io::StepInfo const& info)
   }
 }
 
-// Of a vertex of the model: the condensed one has the nodes of the fault, and the boundaries' motion.
+// Of a vertex of the model: the condensed one has the nodes of the fault, and the boundaries'
+// motion.
 template <int Dim>
 std::string SimulationOf<Dim>::placeOf(int vertex) const
 {

@@ -16,8 +16,8 @@ public:
   using OutputError::OutputError;
 };
 
-// Whether HDF5 holds something that it could not close, for example because the disk is full. Its own
-// end, in MPI_Finalize and at the exit of the program, would then try again and crash.
+// Whether HDF5 holds something that it could not close, for example because the disk is full. Its
+// own end, in MPI_Finalize and at the exit of the program, would then try again and crash.
 bool holdsUnclosed();
 void noteUnclosed();
 

@@ -124,8 +124,8 @@ GlobalMesh<Dim> readMesh(std::string const& file_name)
   for (auto const& name : file.groupEntries("/boundaries")) {
     mesh.boundaries[name] = file.integerRows<Dim>(facetsPath(name));
   }
+  checkMesh(mesh, file.where()); // says more
   requireChecksum(mesh, file);
-  checkMesh(mesh, file.where());
   orientFacets(mesh);
   return mesh;
 }

@@ -28,7 +28,8 @@ class FullDisk(unittest.TestCase):
         self.assertEqual(len(lines), 1, result.stderr)
         self.assertNotIn("Segmentation", result.stderr)
         message = lines[0].removeprefix("asperity: ")
-        self.assertRegex(message, "cannot be (written|made|replaced)|No space left on device|disk full")
+        self.assertRegex(message,
+                         "cannot be (written|made|replaced)|No space left on device|disk full")
         if "parameters.xml" not in message:  # written before there is a run
             self.assertIn(message, (folder / "run.log").read_text())
 

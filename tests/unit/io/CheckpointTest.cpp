@@ -202,7 +202,7 @@ TEST_F(Checkpoint, OtherVersionIsRefused)
 
 namespace
 {
-// Of 10 nodes a rank has those for which number % parts == rank, from the last one down if so asked.
+// Of 10 nodes a rank has those for which number % parts == rank, from the last one down if asked.
 io::NodeSets nodesOfRank(int parts, bool is_reversed = false)
 {
   io::NodeSets sets{{"body", {}}, {"none", {}}};
