@@ -30,8 +30,8 @@ struct Progress
 // a line every 30 s of wall time and at each 5 % of simulated time. DIR/run.log always gets these
 // lines, and all messages. The time left is estimated from the speed of the last minutes
 // (TimeLeft). Some space on the disk is kept for the file, where the file system can, so that it
-// says why a run has ended even if the disk is full. Only rank 0 writes; on other ranks every function
-// returns at once.
+// says why a run has ended even if the disk is full. Only rank 0 writes; on other ranks every
+// function returns at once.
 class RunLog
 {
 public:
