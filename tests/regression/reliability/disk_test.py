@@ -57,6 +57,7 @@ class FullDisk(unittest.TestCase):
                     self.assert_goes_on(whole, folder)
         print(f"full disk at {len(chosen)} of {total} writes")
 
+    @unittest.skipUnless(faults.is_long(), "not settled: see docs/reliability.md")
     def test_of_ranks_together(self):
         total = faults.count_operations(runs.fresh("ranks"), *runs.SHORT_RUN, ranks=2)
         self.assertGreater(total, 200)
