@@ -31,6 +31,7 @@ void run(std::vector<std::string> const& words)
 int report(std::exception const& error, int status)
 {
   std::cerr << "asperity-mesh: " << error.what() << '\n';
+  asperity::leaveIfHdf5Cannot(status);
   return status;
 }
 } // namespace

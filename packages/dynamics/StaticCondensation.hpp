@@ -26,6 +26,9 @@ namespace asperity::dynamics
 class StaticCondensation
 {
 public:
+  // Of the motion of D, in u, v, a and jerk.
+  using Amplitudes = std::vector<double>; // (4)
+
   // `whole` must live on one rank, its load must act on F alone, and what is prescribed must be
   // constant in time but for the tangential dofs of the fault; it must outlive the result.
   // Null if the body has mass, viscosity off F, or a displacement at the start, or is not in
@@ -38,6 +41,14 @@ public:
   int numEliminated() const; // the size of I and D
   // From displacement, velocity or acceleration of the condensed model, that of the whole body.
   void expand(Vector const& x, Vector& whole) const;
+
+  // The state of the whole body that a state of the condensed model stands for, and back, where it
+  // has to be told s and its derivatives with u, v, a and jerk: those of a condensed state, or
+  // those of a body that has never been condensed at a time [s].
+  State expand(State const& state) const;
+  State gather(State const& whole, Amplitudes const& of) const;
+  Amplitudes amplitudes(State const& state) const;
+  Amplitudes amplitudesAt(double time) const;
 
 private:
   explicit StaticCondensation(Model const& whole);

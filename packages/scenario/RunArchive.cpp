@@ -32,32 +32,31 @@ Values const& sized(io::Archive const& archive, std::string const& path, std::si
   return values;
 }
 
-void load(io::Archive const& archive, std::string const& path, Vector& x)
+void read(io::Archive const& archive, std::string const& path, Vector& x)
 {
   auto const view = x.getLocalViewHost(Tpetra::Access::OverwriteAll);
   auto const& values = sized(archive, path, view.extent(0));
   std::copy(values.begin(), values.end(), view.data());
 }
 
-void load(io::Archive const& archive, std::string const& path, friction::NodeView const& x)
+void read(io::Archive const& archive, std::string const& path, friction::NodeView const& x)
 {
   auto const host = Kokkos::create_mirror_view(x);
   auto const& values = sized(archive, path, host.extent(0));
   std::copy(values.begin(), values.end(), host.data());
   Kokkos::deep_copy(x, host);
 }
-} // namespace
 
-void save(io::Archive& archive, std::string const& path, dynamics::State const& state)
+void saveState(io::Archive& archive, std::string const& path, dynamics::State const& state)
 {
   archive.set(path + "/time", state.time);
-  archive.set(path + "/u", valuesOf(*state.u));
-  archive.set(path + "/v", valuesOf(*state.v));
-  archive.set(path + "/a", valuesOf(*state.a));
-  archive.set(path + "/jerk", valuesOf(*state.jerk));
-  archive.set(path + "/alpha", valuesOf(state.alpha));
-  archive.set(path + "/sigma_n", valuesOf(state.sigma_n));
-  archive.set(path + "/alpha_of_rate", valuesOf(state.alpha_of_rate));
+  archive.setAtNodes(path + "/u", valuesOf(*state.u), nodes_of_body);
+  archive.setAtNodes(path + "/v", valuesOf(*state.v), nodes_of_body);
+  archive.setAtNodes(path + "/a", valuesOf(*state.a), nodes_of_body);
+  archive.setAtNodes(path + "/jerk", valuesOf(*state.jerk), nodes_of_body);
+  archive.setAtNodes(path + "/alpha", valuesOf(state.alpha), nodes_of_friction);
+  archive.setAtNodes(path + "/sigma_n", valuesOf(state.sigma_n), nodes_of_friction);
+  archive.setAtNodes(path + "/alpha_of_rate", valuesOf(state.alpha_of_rate), nodes_of_friction);
 }
 
 dynamics::State loadState(io::Archive const& archive, std::string const& path,
@@ -65,17 +64,43 @@ dynamics::State loadState(io::Archive const& archive, std::string const& path,
 {
   auto state = like.clone();
   state.time = archive.getInteger(path + "/time");
-  load(archive, path + "/u", *state.u);
-  load(archive, path + "/v", *state.v);
-  load(archive, path + "/a", *state.a);
-  load(archive, path + "/jerk", *state.jerk);
-  load(archive, path + "/alpha", state.alpha);
-  load(archive, path + "/sigma_n", state.sigma_n);
-  load(archive, path + "/alpha_of_rate", state.alpha_of_rate);
+  read(archive, path + "/u", *state.u);
+  read(archive, path + "/v", *state.v);
+  read(archive, path + "/a", *state.a);
+  read(archive, path + "/jerk", *state.jerk);
+  read(archive, path + "/alpha", state.alpha);
+  read(archive, path + "/sigma_n", state.sigma_n);
+  read(archive, path + "/alpha_of_rate", state.alpha_of_rate);
   return state;
 }
+} // namespace
 
-void save(io::Archive& archive, std::string const& path, dynamics::ControlMemory const& memory)
+void StateFormat::save(io::Archive& archive, std::string const& path,
+                       dynamics::State const& state) const
+{
+  if (condensation_ == nullptr) {
+    saveState(archive, path, state);
+    return;
+  }
+  saveState(archive, path, condensation_->expand(state));
+  archive.set(path + "/amplitudes", condensation_->amplitudes(state));
+}
+
+dynamics::State StateFormat::load(io::Archive const& archive, std::string const& path) const
+{
+  auto state = loadState(archive, path, like_);
+  if (condensation_ == nullptr) {
+    return state;
+  }
+  const auto name = path + "/amplitudes";
+  auto const amplitudes = archive.has(name)
+                            ? sized(archive, name, 4)
+                            : condensation_->amplitudesAt(clock_.seconds(state.time));
+  return condensation_->gather(state, amplitudes);
+}
+
+void StateFormat::save(io::Archive& archive, std::string const& path,
+                       dynamics::ControlMemory const& memory) const
 {
   archive.set(path + "/level", memory.level);
   archive.set(path + "/level_after", memory.level_after);
@@ -92,8 +117,8 @@ void save(io::Archive& archive, std::string const& path, dynamics::ControlMemory
   }
 }
 
-dynamics::ControlMemory loadControl(io::Archive const& archive, std::string const& path,
-                                    dynamics::State const& like)
+dynamics::ControlMemory StateFormat::loadControl(io::Archive const& archive,
+                                                 std::string const& path) const
 {
   dynamics::ControlMemory memory;
   memory.level = static_cast<int>(archive.getInteger(path + "/level"));
@@ -104,11 +129,11 @@ dynamics::ControlMemory loadControl(io::Archive const& archive, std::string cons
   memory.previous_error = archive.getDouble(path + "/previous_error");
   if (archive.has(path + "/trial/iterations")) {
     memory.trial =
-      dynamics::Trial{loadState(archive, path + "/trial/state", like),
+      dynamics::Trial{load(archive, path + "/trial/state"),
                       static_cast<int>(archive.getInteger(path + "/trial/iterations"))};
   }
   if (archive.has(path + "/before/time")) {
-    memory.before = loadState(archive, path + "/before", like);
+    memory.before = load(archive, path + "/before");
   }
   return memory;
 }

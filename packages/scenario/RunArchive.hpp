@@ -1,20 +1,43 @@
 #pragma once
 
 #include "dynamics/EnergyBalance.hpp"
+#include "dynamics/StaticCondensation.hpp"
 #include "dynamics/control/StepControl.hpp"
 #include "io/checkpoint/Archive.hpp"
 
 namespace asperity::scenario
 {
-// Save the parts of a run in a checkpoint and load them. `like` gives the shapes of the state that
-// is loaded.
-void save(io::Archive& archive, std::string const& path, dynamics::State const& state);
-dynamics::State loadState(io::Archive const& archive, std::string const& path,
-                          dynamics::State const& like);
+// The sets of nodes whose values states have: the owned vertices, and the nodes of the fault.
+constexpr char const* nodes_of_body = "vertices";
+constexpr char const* nodes_of_friction = "friction";
 
-void save(io::Archive& archive, std::string const& path, dynamics::ControlMemory const& memory);
-dynamics::ControlMemory loadControl(io::Archive const& archive, std::string const& path,
-                                    dynamics::State const& like);
+// How states stand in a checkpoint: as those of the whole body, even where the run is condensed to
+// its fault, since only a single rank condenses and a restart may have others. What is condensed
+// comes back bit for bit.
+class StateFormat
+{
+public:
+  // like: a state of the whole body. condensation may be null. Both must outlive this.
+  StateFormat(dynamics::State const& like, dynamics::StaticCondensation const* condensation,
+              dynamics::DyadicTime const& clock)
+      : like_(like)
+      , condensation_(condensation)
+      , clock_(clock)
+  {
+  }
+
+  void save(io::Archive& archive, std::string const& path, dynamics::State const& state) const;
+  dynamics::State load(io::Archive const& archive, std::string const& path) const;
+
+  void save(io::Archive& archive, std::string const& path,
+            dynamics::ControlMemory const& memory) const;
+  dynamics::ControlMemory loadControl(io::Archive const& archive, std::string const& path) const;
+
+private:
+  dynamics::State const& like_;
+  dynamics::StaticCondensation const* condensation_;
+  dynamics::DyadicTime clock_;
+};
 
 void save(io::Archive& archive, std::string const& path, dynamics::SolveCount const& count);
 dynamics::SolveCount loadCount(io::Archive const& archive, std::string const& path);

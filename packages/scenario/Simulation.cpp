@@ -1,17 +1,23 @@
 #include "scenario/Simulation.hpp"
 
+#include "base/Errors.hpp"
 #include "base/Text.hpp"
+#include "base/hdf5/File.hpp"
+#include "base/parallel/Agreement.hpp"
 #include "base/parallel/MeetingPoint.hpp"
+#include "base/parallel/Reductions.hpp"
 #include "base/program/MpiScope.hpp"
 #include "base/program/Signals.hpp"
 #include "base/program/WorkTimers.hpp"
 #include "dynamics/FaultMotion.hpp"
+#include "dynamics/control/NotFinite.hpp"
 #include "dynamics/coupling/CoupledStep.hpp"
 #include "io/OutputSet.hpp"
 #include "io/checkpoint/Archive.hpp"
 #include "io/checkpoint/Checkpoint.hpp"
 #include "io/files/OutputDirectory.hpp"
 #include "io/files/RunLog.hpp"
+#include "mesh/PointText.hpp"
 #include "scenario/Condensation.hpp"
 #include "scenario/DeckReader.hpp"
 #include "scenario/Fingerprint.hpp"
@@ -19,10 +25,14 @@
 #include "scenario/Problem.hpp"
 #include "scenario/RunArchive.hpp"
 #include "scenario/RunReport.hpp"
+#include "scenario/run/StallWatch.hpp"
 #include "scenario/setup/BulkSetup.hpp"
 #include "scenario/setup/MeshSetup.hpp"
 #include "scenario/setup/SolverSetup.hpp"
 #include "scenario/setup/TimeSetup.hpp"
+
+#include <fstream>
+#include <sstream>
 
 namespace asperity::scenario
 {
@@ -50,13 +60,20 @@ public:
   std::vector<std::string> description() const override { return describe(problem_, *deck_); }
 
 private:
+  int makeSteps(StopSignals const& signals);
+  void endEarly(std::string const& reason);
   void begin();
   void advance();
+  std::string placeOf(int vertex) const;
+  void requireFinite() const;
+  void watchProgress(io::StepInfo const& info);
   void balanceEnergy();
   void write(io::StepInfo const& info);
+  void requireDirectory() const;
   void writeCheckpoint();
   void saveWhatThereIs();
   void report(bool finished);
+  io::NodeSets nodeSets() const;
   io::StepInfo stepInfo() const;
   bool atEnd() const;
 
@@ -64,6 +81,7 @@ private:
   RCP<const Communicator> communicator_;
   MeetingPoint meeting_point_;
   std::filesystem::path directory_;
+  io::DirectoryLock lock_; // of the directory, on rank 0
   std::unique_ptr<io::RunLog> log_;
   Problem<Dim> problem_;
   std::unique_ptr<dynamics::StaticCondensation> condensation_;
@@ -74,10 +92,12 @@ private:
   std::unique_ptr<dynamics::StepControl> control_;
   dynamics::EnergyBalance balance_;
   dynamics::State state_;
+  StateFormat format_;
   dynamics::SolveCount count_;
   std::int64_t forced_steps_ = 0;
   FloorCount floor_count_;
-  bool step_is_complete_ = true; // energy and outputs know of it
+  StallWatch stall_watch_;
+  bool step_is_complete_ = false; // energy and outputs know of it
   RunView view_;
   std::map<std::string, io::OutputDomain> domains_;
   io::FieldRegistry registry_;
@@ -112,7 +132,9 @@ SimulationOf<Dim>::SimulationOf(RCP<ParameterList> const& deck, CommandLine cons
     , end_(clock_.reaching(finalTime(deck->sublist("Time Stepping"))))
     , balance_(model_.body, model_.fault, clock_)
     , state_(model_.initial.clone())
+    , format_(problem_.initial, condensation_.get(), clock_)
     , floor_count_(model_.fault)
+    , stall_watch_(deck->sublist("Time Stepping").get<int>("Most Forced Steps"))
     , domains_(makeDomains(problem_))
     , restart_(command_line.restart)
     , fingerprint_(fingerprint(*deck, problem_.mesh, *communicator))
@@ -125,6 +147,7 @@ SimulationOf<Dim>::SimulationOf(RCP<ParameterList> const& deck, CommandLine cons
     dynamics::CouplingSettings::from(deck->sublist("Coupling")), problem_.solver,
     memoryBudget(deck->sublist("TNNMG")), model_.reaction);
   control_ = makeStepControl(deck->sublist("Time Stepping"), *coupled_step_);
+  control_->setPlaces([this](int vertex) { return placeOf(vertex); });
   view_.state = &state_;
   view_.surface = &model_.fault.surface();
   view_.condensation = condensation_.get();
@@ -141,13 +164,16 @@ SimulationOf<Dim>::SimulationOf(RCP<ParameterList> const& deck, CommandLine cons
   // be continued are refused before the log and the parameters are: other tables may have been cut
   // back to the checkpoint then, as by any restart from it.
   if (!restart_.empty()) {
-    checkpoint_ = io::readCheckpoint(restart_, fingerprint_, *communicator);
+    checkpoint_ = io::readCheckpoint(restart_, fingerprint_, *communicator, nodeSets());
   }
-  io::prepareOutputDirectory(directory_, existingResult(command_line), *communicator);
+  lock_ = io::prepareOutputDirectory(directory_, existingResult(command_line), *communicator);
   if (!restart_.empty()) {
     outputs_->restore(checkpoint_.child("outputs"));
   }
   log_ = std::make_unique<io::RunLog>(directory_ / "run.log", !restart_.empty(), *communicator);
+  h5::whenSharingFails([log = directory_ / "run.log"](std::string const& message) {
+    std::ofstream(log, std::ios::app) << "The run has ended: " << message << '\n';
+  });
   if (communicator->getRank() == 0) {
     writeParameters(*deck, (directory_ / "parameters.xml").string());
   }
@@ -184,32 +210,55 @@ int SimulationOf<Dim>::run()
                   std::to_string(condensation_->numEliminated()) + " of " +
                   std::to_string(problem_.body.numOwnedDofs()) + " unknowns for all steps.");
   }
-  begin();
   try {
-    while (!atEnd()) {
-      advance();
-      if (signals.agreed(*communicator_) != 0) {
-        writeCheckpoint();
-        outputs_->finish(); // a restart takes back what is not complete
-        report(false);
-        return exit_signal;
-      }
-      if (control_->memory().num_steps % checkpoint_interval_ == 0) {
-        writeCheckpoint();
-      }
-    }
-  } catch (...) {
-    // A rank that fails alone leaves the others in the middle of something collective, and a
-    // checkpoint is that, too.
-    if (meeting_point_.meet(patience)) {
-      saveWhatThereIs();
-    }
+    begin();
+    step_is_complete_ = true;
+    return makeSteps(signals);
+  } catch (OutputError const& error) {
+    // What is half written is not written again: the checkpoint before is the last complete state.
+    log_->note(std::string("The run has ended: ") + error.what());
     throw;
+  } catch (std::exception const& error) {
+    endEarly(error.what());
+    throw;
+  } catch (...) {
+    endEarly("an exception of unknown type was thrown.");
+    throw;
+  }
+}
+
+template <int Dim>
+int SimulationOf<Dim>::makeSteps(StopSignals const& signals)
+{
+  while (!atEnd()) {
+    advance();
+    if (const int signal = signals.agreed(*communicator_)) {
+      writeCheckpoint();
+      outputs_->finish(); // a restart takes back what is not complete
+      report(false);
+      log_->message("Stopped by " + signalName(signal) + "; --restart " +
+                    (directory_ / "checkpoint.h5").string() + " goes on.");
+      return exit_signal;
+    }
+    if (control_->memory().num_steps % checkpoint_interval_ == 0) {
+      writeCheckpoint();
+    }
   }
   writeCheckpoint();
   outputs_->finish();
   report(true);
   return exit_done;
+}
+
+// A rank that fails alone leaves the others in the middle of something collective, and a checkpoint
+// is that, too.
+template <int Dim>
+void SimulationOf<Dim>::endEarly(std::string const& reason)
+{
+  if (meeting_point_.meet(patience)) {
+    saveWhatThereIs();
+  }
+  log_->note("The run has ended: " + reason);
 }
 
 // What fails here must not hide why the run ends. Where a step has been made but not written, the
@@ -236,8 +285,8 @@ void SimulationOf<Dim>::begin()
     outputs_->write(stepInfo());
     return;
   }
-  state_ = loadState(checkpoint_, "state", model_.initial);
-  control_->restore(loadControl(checkpoint_, "control", model_.initial));
+  state_ = format_.load(checkpoint_, "state");
+  control_->restore(format_.loadControl(checkpoint_, "control"));
   count_ = loadCount(checkpoint_, "count");
   forced_steps_ = checkpoint_.getInteger("forced_steps");
   floor_count_.restore(checkpoint_, "normal_stress_floor");
@@ -254,6 +303,7 @@ void SimulationOf<Dim>::advance()
   view_.step = control_->advance(state_, count_);
   step_is_complete_ = false;
   view_.count = count_.since(before);
+  requireFinite();
   forced_steps_ += view_.step.within_tolerance ? 0 : 1;
   floor_count_.add(state_);
   balanceEnergy();
@@ -270,6 +320,61 @@ void SimulationOf<Dim>::advance()
   progress.fixed_point_iterations = view_.step.iterations;
   progress.counts = outputs_->counts();
   log_->progress(progress);
+  watchProgress(info);
+}
+
+template <int Dim>
+void SimulationOf<Dim>::watchProgress(io::StepInfo const& info)
+{
+  const bool is_adaptive =
+    deck_->sublist("Time Stepping").get<std::string>("Control") != "Prescribed";
+  StallWatch::Step step;
+  step.is_smallest =
+    is_adaptive && clock_.finestLevel() > 0 && view_.step.level == clock_.finestLevel();
+  step.is_forced = !view_.step.within_tolerance;
+  step.time = info.time;
+  step.step_size = info.step_size;
+  step.time_left = clock_.seconds(end_ - state_.time);
+  const auto line = stall_watch_.note(step);
+  if (!line.empty()) {
+    log_->message(line);
+  }
+}
+
+// Of a vertex of the model: the condensed one has the nodes of the fault, and the boundaries'
+// motion.
+template <int Dim>
+std::string SimulationOf<Dim>::placeOf(int vertex) const
+{
+  if (condensation_ && vertex >= problem_.surface->numNodes()) {
+    return "the boundaries that move";
+  }
+  vertex = condensation_ ? problem_.surface->vertex(vertex) : vertex;
+  return "node " + std::to_string(problem_.mesh.global_ids[vertex]) + ", " +
+         mesh::text(problem_.mesh.vertices[vertex]);
+}
+
+// The step that has just been made. Where a number is lost, it spreads: the first sight tells most.
+template <int Dim>
+void SimulationOf<Dim>::requireFinite() const
+{
+  const auto found = dynamics::firstNotFinite(state_);
+  if (maxOverRanks(found ? 1 : 0, *communicator_) == 0) {
+    return;
+  }
+  onEveryRank(*communicator_, [&] {
+    if (!found) {
+      return;
+    }
+    const int vertex = found->is_at_fault ? model_.fault.surface().vertex(found->index)
+                                          : found->index / model_.body.dofs->components();
+    std::ostringstream message;
+    message << "Step " << control_->memory().num_steps
+            << ", t = " << formatShort(clock_.seconds(state_.time)) << " s: " << found->field
+            << " is " << found->value << " at " << placeOf(vertex);
+    message << ". Check loads, moduli and friction there. The checkpoint is of an earlier step.";
+    throw SolveError(message.str());
+  });
 }
 
 template <int Dim>
@@ -286,20 +391,50 @@ void SimulationOf<Dim>::write(io::StepInfo const& info)
   outputs_->write(info);
 }
 
+// What the values of a checkpoint may belong to.
+template <int Dim>
+io::NodeSets SimulationOf<Dim>::nodeSets() const
+{
+  auto const& ids = problem_.mesh.global_ids;
+  io::NodeSets sets;
+  sets[nodes_of_body].assign(ids.begin(), ids.begin() + problem_.mesh.num_owned);
+  for (const int vertex : problem_.surface->vertices()) {
+    sets[nodes_of_friction].push_back(ids[vertex]);
+  }
+  for (auto const& [name, domain] : domains_) {
+    sets[name].assign(domain.node_numbers.begin(), domain.node_numbers.end());
+  }
+  return sets;
+}
+
+template <int Dim>
+void SimulationOf<Dim>::requireDirectory() const
+{
+  onRoot(*communicator_, [&] {
+    if (!std::filesystem::is_directory(directory_)) {
+      throw OutputError("The output directory " + directory_.string() +
+                        " has been removed while the run was writing to it. What it held is lost: "
+                        "begin anew.");
+    }
+  });
+}
+
 template <int Dim>
 void SimulationOf<Dim>::writeCheckpoint()
 {
+  requireDirectory();
   ASPERITY_TIME_WORK("checkpoints");
   outputs_->closeSegment();
   io::Archive archive;
-  save(archive, "state", state_);
-  save(archive, "control", control_->memory());
+  format_.save(archive, "state", state_);
+  format_.save(archive, "control", control_->memory());
   save(archive, "count", count_);
   save(archive, "energy", balance_.energy());
   archive.set("forced_steps", forced_steps_);
   floor_count_.save(archive, "normal_stress_floor");
   archive.insert("outputs", outputs_->save());
-  io::writeCheckpoint(directory_ / "checkpoint.h5", archive, fingerprint_, *communicator_);
+  io::writeCheckpoint(directory_ / "checkpoint.h5", archive, fingerprint_, *communicator_,
+                      nodeSets());
 }
 
 template <int Dim>
@@ -325,9 +460,15 @@ std::unique_ptr<Simulation> makeSimulation(RCP<ParameterList> const& deck,
                                            CommandLine const& command_line,
                                            RCP<const Communicator> const& communicator)
 {
-  if (meshDimension(deck->sublist("Mesh"), *communicator) == 3) {
-    return std::make_unique<SimulationOf<3>>(deck, command_line, communicator);
+  // Nothing has been computed yet: what cannot be solved here is what the deck asks for.
+  try {
+    if (meshDimension(deck->sublist("Mesh"), *communicator) == 3) {
+      return std::make_unique<SimulationOf<3>>(deck, command_line, communicator);
+    }
+    return std::make_unique<SimulationOf<2>>(deck, command_line, communicator);
+  } catch (SolveError const& error) {
+    throw InputError(std::string("The state at the start cannot be computed. ") + error.what() +
+                     " Check Boundary Conditions, Bulk and Initial State.");
   }
-  return std::make_unique<SimulationOf<2>>(deck, command_line, communicator);
 }
 } // namespace asperity::scenario

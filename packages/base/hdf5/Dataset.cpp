@@ -39,8 +39,33 @@ Shape Dataset::shape() const { return shapeOf(space(), what_); }
 
 std::size_t Dataset::numValues() const
 {
+  requireRoom();
   const Shape all = shape();
   return std::accumulate(all.begin(), all.end(), std::size_t(1), std::multiplies<>());
+}
+
+void Dataset::requireRoom() const
+{
+  const Handle properties = opened("Asking the layout of " + what_, H5Pclose,
+                                   [&] { return H5Dget_create_plist(handle_.get()); });
+  const H5D_layout_t layout = H5Pget_layout(properties.get());
+  if (layout == H5D_VIRTUAL || H5Pget_external_count(properties.get()) > 0) {
+    return; // the values are in other files
+  }
+  const Handle file =
+    opened("Asking the file of " + what_, H5Fclose, [&] { return H5Iget_file_id(handle_.get()); });
+  hsize_t file_size = 0;
+  checked("Asking the size of " + what_, [&] { return H5Fget_filesize(file.get(), &file_size); });
+  // Deflate makes at most 1032 bytes of one.
+  double room = (layout == H5D_CHUNKED ? 1032. : 1.) * static_cast<double>(file_size);
+  room /= static_cast<double>(H5Tget_size(fileType().get()));
+  double size = 1;
+  for (const hsize_t extent : shape()) {
+    size *= static_cast<double>(extent);
+  }
+  if (size > room) {
+    throw Error(what_ + " has a shape that the file is too small for.");
+  }
 }
 
 void Dataset::writeAll(Type type, void const* values)

@@ -61,6 +61,10 @@ public:
   Type type() const; // of numbers; the next larger one if the file's own is not among them
   Shape shape() const;
 
+  // Throws Error if the file is too small for values of this shape, as one with a damaged shape is:
+  // ask before memory is taken for them. What reads whole datasets here asks by itself.
+  void requireRoom() const;
+
   // All values.
   template <class Number>
   void write(Number const* values)

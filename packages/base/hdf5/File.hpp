@@ -5,6 +5,7 @@
 #include <mpi.h>
 
 #include <filesystem>
+#include <functional>
 #include <string>
 #include <utility>
 
@@ -18,6 +19,10 @@ enum class Layout
   sealed // HDF5's own structures have checksums too; texts, for that, need a fixed length
 };
 
+// A rank that cannot write to a file that all ranks write prints a message, calls this with it, and
+// ends the program with status 5: HDF5 would leave the other ranks waiting.
+void whenSharingFails(std::function<void(std::string const&)> tell);
+
 class File : public Group
 {
 public:
@@ -28,8 +33,9 @@ public:
   static File open(std::filesystem::path const& path); // for reading
 
   // For writing to what exists, or for reading, by all ranks of the communicator: objects may be
-  // opened, and parts of datasets written or read, by all at once. Close it before anything may
-  // throw on one rank alone: closing is collective. Collective.
+  // opened, and parts of datasets written or read, by all at once. One for writing has to be
+  // closed by close(), which is collective; if something is thrown before, it stays open, as no
+  // other ranks could be waited for. Collective.
   static File openShared(std::filesystem::path const& path, MPI_Comm comm);
   static File openSharedForReading(std::filesystem::path const& path, MPI_Comm comm);
 

@@ -12,12 +12,24 @@ herr_t describeError(unsigned, H5E_error2_t const* entry, void* text)
   *static_cast<std::string*>(text) = entry->desc ? entry->desc : "";
   return 0;
 }
+bool holds_unclosed = false;
 } // namespace
+
+bool holdsUnclosed() { return holds_unclosed; }
+
+void noteUnclosed() { holds_unclosed = true; }
 
 void fail(std::string const& what)
 {
   std::string reason;
   H5Ewalk2(H5E_DEFAULT, H5E_WALK_DOWNWARD, describeError, &reason);
+  // Of a call of the system HDF5 tells time, address and more: the system's own words are enough.
+  const std::string words = "error message = '";
+  if (const auto begin = reason.find(words); begin != std::string::npos) {
+    reason = reason.substr(begin + words.size());
+    reason = reason.substr(0, reason.find('\''));
+    throw Error(what + " failed: " + reason + ".");
+  }
   throw Error(what + " failed" + (reason.empty() ? "" : " (HDF5: " + reason + ")") + ".");
 }
 
@@ -31,17 +43,26 @@ Silence::~Silence() { H5Eset_auto2(H5E_DEFAULT, function_, data_); }
 
 Handle::~Handle()
 {
-  if (id_ >= 0) {
-    const Silence silence;
-    close_(id_);
+  if (id_ < 0) {
+    return;
   }
+  if (only_on_demand_) {
+    holds_unclosed = true;
+    return;
+  }
+  const Silence silence;
+  holds_unclosed |= close_(id_) < 0;
 }
 
 void Handle::close(std::string const& what)
 {
   if (id_ >= 0) {
     const hid_t id = std::exchange(id_, hid_t(H5I_INVALID_HID));
-    checked(what, [&] { return close_(id); });
+    checked(what, [&] {
+      const herr_t result = close_(id);
+      holds_unclosed |= result < 0;
+      return result;
+    });
   }
 }
 } // namespace asperity::h5

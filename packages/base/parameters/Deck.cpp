@@ -39,7 +39,9 @@ void writeParameters(ParameterList const& list, std::string const& file_name)
   out << "<!-- Every parameter of the run, those left out of the deck with their defaults. -->\n";
   writeXml(list, root_name, out, 0);
   out.close();
-  ASPERITY_REQUIRE(
-    out, "'" << file_name << "' cannot be written. Is the directory there, and the disk not full?");
+  if (!out) {
+    throw OutputError("'" + file_name +
+                      "' cannot be written. Is the directory there, and the disk not full?");
+  }
 }
 } // namespace asperity

@@ -1,4 +1,5 @@
 #include "base/Errors.hpp"
+#include "base/hdf5/Handle.hpp"
 #include "base/parallel/MeetingPoint.hpp"
 #include "base/program/MpiScope.hpp"
 
@@ -6,6 +7,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <cstdio>
 #include <cstdlib>
 #include <iostream>
 #include <new>
@@ -45,6 +47,13 @@ Outcome call(std::function<int()> const& body)
   }
 }
 
+void flushAll()
+{
+  std::cout.flush();
+  std::cerr.flush();
+  std::fflush(nullptr);
+}
+
 class GuardCommunicator
 {
 public:
@@ -61,6 +70,8 @@ public:
   // The program's status on every rank. The lowest rank that has thrown speaks for all: where many
   // fail at once, each with a vertex of its own, one message is enough.
   int agree(Outcome const& outcome, std::string const& program) const;
+
+  bool any(bool value) const { return smallest(value ? 0 : 1) == 0; }
 
   [[noreturn]] void abort(Outcome const& outcome, std::string const& program) const;
 
@@ -130,6 +141,14 @@ void GuardCommunicator::abort(Outcome const& outcome, std::string const& program
 }
 } // namespace
 
+void leaveIfHdf5Cannot(int status)
+{
+  if (h5::holdsUnclosed()) {
+    flushAll();
+    std::_Exit(status);
+  }
+}
+
 int runGuarded(Communicator const& communicator, std::function<int()> const& body,
                std::string const& program, double patience)
 {
@@ -138,6 +157,11 @@ int runGuarded(Communicator const& communicator, std::function<int()> const& bod
   if (!guard.meet(outcome.has_thrown ? patience : -1.0)) {
     guard.abort(outcome, program);
   }
-  return guard.agree(outcome, program);
+  const int status = guard.agree(outcome, program);
+  if (guard.any(h5::holdsUnclosed())) {
+    flushAll();
+    std::_Exit(status);
+  }
+  return status;
 }
 } // namespace asperity

@@ -30,14 +30,21 @@ StopSignals::StopSignals()
   action.sa_handler = noteSignal;
   sigemptyset(&action.sa_mask);
   action.sa_flags = SA_RESTART; // no interrupted system calls in MPI or HDF5
-  sigaction(SIGTERM, &action, &previous_terminate_);
-  sigaction(SIGINT, &action, &previous_interrupt_);
+  for (std::size_t i = 0; i < watched.size(); ++i) {
+    sigaction(watched[i], nullptr, &previous_[i]);
+    const bool stays_ignored =
+      previous_[i].sa_handler == SIG_IGN && (watched[i] == SIGHUP || watched[i] == SIGPIPE);
+    if (!stays_ignored) {
+      sigaction(watched[i], &action, nullptr);
+    }
+  }
 }
 
 StopSignals::~StopSignals()
 {
-  sigaction(SIGTERM, &previous_terminate_, nullptr);
-  sigaction(SIGINT, &previous_interrupt_, nullptr);
+  for (std::size_t i = 0; i < watched.size(); ++i) {
+    sigaction(watched[i], &previous_[i], nullptr);
+  }
   is_watching = false;
 }
 
@@ -46,5 +53,17 @@ int StopSignals::received() const { return last_signal; }
 int StopSignals::agreed(Communicator const& communicator) const
 {
   return maxOverRanks(received(), communicator);
+}
+
+std::string signalName(int number)
+{
+  switch (number) {
+  case SIGTERM: return "SIGTERM";
+  case SIGINT: return "SIGINT";
+  case SIGHUP: return "SIGHUP";
+  case SIGUSR1: return "SIGUSR1";
+  case SIGPIPE: return "SIGPIPE";
+  default: return "signal " + std::to_string(number);
+  }
 }
 } // namespace asperity

@@ -2,12 +2,16 @@
 
 #include "base/Types.hpp"
 
+#include <array>
 #include <csignal>
+#include <string>
 
 namespace asperity
 {
-// While it lives, SIGTERM and SIGINT raise a flag instead of ending the process, so that a run can
-// leave a last checkpoint. A second SIGINT ends the process at once. Only one object may exist at a
+// While it lives, SIGTERM, SIGINT, SIGHUP (the end of a session), SIGUSR1 (a queue's warning, which
+// mpirun passes on) and SIGPIPE (nobody reads the output) raise a flag instead of ending the
+// process, so that a run can leave a last checkpoint. A second SIGINT ends the process at once.
+// SIGHUP and SIGPIPE stay ignored where they are, as under nohup. Only one object may exist at a
 // time; its destructor restores the handlers that were there before.
 class StopSignals
 {
@@ -24,7 +28,10 @@ public:
   int agreed(Communicator const& communicator) const;
 
 private:
-  struct sigaction previous_terminate_;
-  struct sigaction previous_interrupt_;
+  static constexpr std::array<int, 5> watched = {SIGTERM, SIGINT, SIGHUP, SIGUSR1, SIGPIPE};
+  std::array<struct sigaction, watched.size()> previous_;
 };
+
+// "SIGTERM", or the number of a signal that is not watched.
+std::string signalName(int number);
 } // namespace asperity

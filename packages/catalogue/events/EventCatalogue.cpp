@@ -256,10 +256,10 @@ void EventCatalogue::save(io::Archive& archive) const
   appendNumbers(open_, fault().dimension, open);
   archive.set("events", numbers);
   archive.set("open_event", open);
-  archive.set("seismic_slip", seismic_slip_);
-  archive.set("ruptured", ruptured_);
+  archive.setAtNodes("seismic_slip", seismic_slip_, fault().name);
+  archive.setAtNodes("ruptured", ruptured_, fault().name);
   archive.set("energies_at_begin", energies_at_begin_);
-  archive.set("before/slip", before_.slip);
+  archive.setAtNodes("before/slip", before_.slip, fault().name);
   archive.set("before/energies", before_.energies);
 }
 

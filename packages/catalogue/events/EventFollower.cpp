@@ -59,7 +59,7 @@ void EventFollower::save(io::Archive& archive) const
   archive.set("previous/exists", has_previous_);
   archive.set("previous/time", previous_.time);
   archive.set("previous/peak", previous_.peak);
-  archive.set("previous/rates", previous_.rates);
+  archive.setAtNodes("previous/rates", previous_.rates, fault_.name);
 }
 
 void EventFollower::restore(io::Archive const& archive)

@@ -60,8 +60,8 @@ void Rupture::save(io::Archive& archive) const
   archive.insert("table", table);
   archive.set("num_events", num_events_);
   archive.set("onset", onset_);
-  archive.set("event_time", event_time_);
-  archive.set("first_time", first_time_);
+  archive.setAtNodes("event_time", event_time_, fault().name);
+  archive.setAtNodes("first_time", first_time_, fault().name);
 }
 
 void Rupture::restore(io::Archive const& archive)

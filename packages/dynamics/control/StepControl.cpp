@@ -1,6 +1,7 @@
 #include "dynamics/control/StepControl.hpp"
 
 #include "base/Errors.hpp"
+#include "base/parallel/Agreement.hpp"
 
 #include <algorithm>
 #include <limits>
@@ -47,16 +48,37 @@ std::optional<Trial> StepControl::attempt(State const& from, int level, State co
   auto const result = step_.solve(from, level, trial.state, count);
   trial.iterations = result.iterations;
   last_status_ = result.status;
+  not_finite_.reset();
+  if (!result.solved()) {
+    not_finite_ = firstNotFinite(trial.state);
+    not_finite_ =
+      not_finite_ ? not_finite_ : firstNotFinite("the sum of loads", step_.lastRightSide());
+  }
   return result.solved() ? std::optional<Trial>(std::move(trial)) : std::nullopt;
 }
 
 void StepControl::giveUp(State const& from, int level) const
 {
+  std::ostringstream lost; // of the lowest rank that has lost a number
+  onEveryRank(*surface().communicator(), [&] {
+    if (not_finite_) {
+      lost << "; " << not_finite_->field << " became " << not_finite_->value;
+      const int vertex = not_finite_->is_at_fault ? surface().vertex(not_finite_->index)
+                                                  : not_finite_->index / step_.components();
+      lost << (place_of_ ? " at " + place_of_(vertex) : "");
+      throw SolveError(failure(from, level, lost.str()));
+    }
+  });
+  throw SolveError(failure(from, level, ""));
+}
+
+std::string StepControl::failure(State const& from, int level, std::string const& lost) const
+{
   std::ostringstream message;
   message << "At t = " << clock().seconds(from.time) << " s a step of " << clock().stepSize(level)
-          << " s, the smallest allowed, failed: " << reason(last_status_)
+          << " s, the smallest allowed, failed: " << reason(last_status_) << lost
           << ". Try a smaller 'Smallest Step', a looser tolerance or more iterations.";
-  throw SolveError(message.str());
+  return message.str();
 }
 
 DyadicTime::Ticks StepControl::ticksLeft(DyadicTime::Ticks time) const

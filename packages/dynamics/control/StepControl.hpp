@@ -1,8 +1,10 @@
 #pragma once
 
 #include "dynamics/FaultMotion.hpp"
+#include "dynamics/control/NotFinite.hpp"
 #include "dynamics/coupling/CoupledStep.hpp"
 
+#include <functional>
 #include <memory>
 #include <optional>
 #include <string>
@@ -56,6 +58,9 @@ public:
   explicit StepControl(CoupledStep& step);
   // The instants in ticks, ascending.
   void setInstants(std::vector<DyadicTime::Ticks> instants) { instants_ = std::move(instants); }
+  // For messages, where a local vertex of the body is, "node 17, (0, 1)"; else they do not say.
+  using PlaceOf = std::function<std::string(int)>;
+  void setPlaces(PlaceOf place_of) { place_of_ = std::move(place_of); }
   virtual ~StepControl() = default;
   // Replaces `current` by the state after the next accepted step.
   virtual AcceptedStep advance(State& current, SolveCount& count) = 0;
@@ -86,9 +91,13 @@ protected:
   ControlMemory memory_;
 
 private:
+  std::string failure(State const& from, int level, std::string const& lost) const;
+
   CoupledStep& step_;
   std::vector<DyadicTime::Ticks> instants_;
+  PlaceOf place_of_;
   StepStatus last_status_ = StepStatus::solved;
+  std::optional<NotFinite> not_finite_; // on this rank, in the last attempt that failed
 };
 
 // Steps of given levels, one after the other; the last one is repeated.

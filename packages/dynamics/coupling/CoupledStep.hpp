@@ -87,7 +87,10 @@ public:
 
   DyadicTime const& clock() const { return clock_; }
   fem::FaultSurface const& surface() const { return fault_.surface(); }
+  int components() const { return body_.dofs->components(); } // of the displacement
   StepSolvers const& solvers() const { return solvers_; }
+  // Of the last rate problem: loads, and what follows from the past and from prescribed velocities.
+  Vector const& lastRightSide() const { return *b_; }
 
   // Makes a step of the given level from `from` to `to`, which must have the shapes of `from`. On
   // entry `to` holds a guess of v and alpha, and of the normal stress if it is coupled. If the step

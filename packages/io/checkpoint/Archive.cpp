@@ -2,6 +2,7 @@
 
 #include "base/Errors.hpp"
 
+#include <algorithm>
 #include <array>
 
 namespace asperity::io
@@ -11,6 +12,22 @@ void Archive::insert(std::string const& path, Archive const& part)
   for (auto const& entry : part.values_) {
     values_[path + "/" + entry.first] = entry.second;
   }
+  for (auto const& entry : part.nodes_) {
+    nodes_[path + "/" + entry.first] = entry.second;
+  }
+}
+
+std::string const& Archive::nodesOf(std::string const& path) const
+{
+  static const std::string none;
+  const auto found = nodes_.find(path);
+  return found == nodes_.end() ? none : found->second;
+}
+
+bool Archive::belongsTo(std::string const& nodes) const
+{
+  return std::any_of(nodes_.begin(), nodes_.end(),
+                     [&](auto const& entry) { return entry.second == nodes; });
 }
 
 Archive Archive::child(std::string const& path) const

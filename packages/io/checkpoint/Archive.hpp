@@ -27,6 +27,20 @@ public:
       values_[path] = Value(value);
   }
 
+  // A list with as many numbers for each node of a set of nodes, in the order that this rank has
+  // them in: (num_nodes, any number), or empty on all ranks. A restart on other ranks sends them to
+  // where the nodes are then. The set has a name without blanks, NodeSets has its nodes.
+  template <class T>
+  void setAtNodes(std::string const& path, std::vector<T> const& values, std::string const& nodes)
+  {
+    set(path, values);
+    nodes_[path] = nodes;
+  }
+  // The set of nodes that the value belongs to, or "".
+  std::string const& nodesOf(std::string const& path) const;
+  // Whether some value belongs to that set.
+  bool belongsTo(std::string const& nodes) const;
+
   // archive.get<double>("time"); InputError if the path is missing or holds another type.
   template <class T>
   T const& get(std::string const& path) const
@@ -53,5 +67,10 @@ private:
   [[noreturn]] static void throwWrongType(std::string const& path, Value const& value);
 
   std::map<std::string, Value> values_;
+  std::map<std::string, std::string> nodes_; // by path, where it is not ""
 };
+
+// The nodes of this rank by the name of their set: numbers that do not depend on the ranks, each
+// of which one rank has.
+using NodeSets = std::map<std::string, std::vector<std::int64_t>>;
 } // namespace asperity::io

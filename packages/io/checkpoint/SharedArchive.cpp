@@ -8,7 +8,7 @@
 #include "io/parallel/Gather.hpp"
 
 #include <algorithm>
-#include <set>
+#include <map>
 #include <sstream>
 
 namespace asperity::io::detail
@@ -67,33 +67,28 @@ Archive::Value valueOf(std::int64_t kind, std::int64_t size)
   }
 }
 
-// A line for each value, "<kind> <path>".
-std::vector<char> linesOf(Archive const& archive)
-{
-  std::ostringstream lines;
-  for (auto const& [path, value] : archive.values()) {
-    lines << value.index() << ' ' << path << '\n';
-  }
-  const std::string all = lines.str();
-  return {all.begin(), all.end()};
-}
-
 std::vector<ArchiveEntry> entriesOfAll(Archive const& archive, Communicator const& comm)
 {
-  const auto bytes = gatherToAll(linesOf(archive), comm);
-  std::istringstream lines(std::string(bytes.begin(), bytes.end()));
-  std::map<std::string, std::int64_t> kinds;
-  std::int64_t kind = 0;
-  for (std::string path; lines >> kind && lines.get() && std::getline(lines, path);) {
-    const auto known = kinds.emplace(path, kind).first;
-    ASPERITY_ASSERT(known->second == kind); // every rank has another value, but the same kind
+  std::vector<ArchiveEntry> mine;
+  for (auto const& [path, value] : archive.values()) {
+    mine.push_back({path, std::int64_t(value.index()), archive.nodesOf(path)});
+  }
+  const std::string lines = linesOf(mine);
+  const auto all = gatherToAll(std::vector<char>(lines.begin(), lines.end()), comm);
+  std::map<std::string, ArchiveEntry> known;
+  for (auto const& entry : entriesOf(std::string(all.begin(), all.end()))) {
+    auto const& first = known.emplace(entry.path, entry).first->second;
+    // Every rank has another value, but the same kind.
+    ASPERITY_ASSERT(first.kind == entry.kind && first.nodes == entry.nodes);
   }
   std::vector<ArchiveEntry> entries;
-  for (auto const& [path, its_kind] : kinds) {
-    entries.push_back({path, its_kind});
+  for (auto const& [path, entry] : known) {
+    entries.push_back(entry);
   }
   return entries;
 }
+
+constexpr char const* no_nodes = "-";
 
 // What a rank writes or reads of a value: in rounds, of which all ranks have as many.
 class Rounds
@@ -129,17 +124,52 @@ void requireShape(h5::Dataset const& dataset, h5::Shape const& shape, h5::Type t
   }
 }
 
-void requireSize(h5::Dataset const& dataset, std::int64_t size, bool is_single)
+void put(Archive& archive, ArchiveEntry const& entry, Archive::Value const& value)
 {
-  if (size < -1 || (is_single && size != -1 && size != 1)) {
-    throw h5::Error(dataset.what() + " has a size of " + std::to_string(size) + " for a rank.");
-  }
+  std::visit(
+    [&](auto const& each) {
+      using Each = std::decay_t<decltype(each)>;
+      if constexpr (std::is_same_v<Each, std::vector<double>> ||
+                    std::is_same_v<Each, std::vector<std::int64_t>>) {
+        if (!entry.nodes.empty()) {
+          archive.setAtNodes(entry.path, each, entry.nodes);
+          return;
+        }
+      }
+      archive.set(entry.path, each);
+    },
+    value);
 }
 } // namespace
+
+bool isRealList(ArchiveEntry const& entry) { return entry.kind == reals; }
+
+std::string linesOf(std::vector<ArchiveEntry> const& entries)
+{
+  std::ostringstream lines;
+  for (auto const& entry : entries) {
+    lines << entry.kind << ' ' << (entry.nodes.empty() ? no_nodes : entry.nodes) << ' '
+          << entry.path << '\n';
+  }
+  return lines.str();
+}
+
+std::vector<ArchiveEntry> entriesOf(std::string const& lines)
+{
+  std::istringstream stream(lines);
+  std::vector<ArchiveEntry> entries;
+  ArchiveEntry entry;
+  while (stream >> entry.kind >> entry.nodes && stream.get() && std::getline(stream, entry.path)) {
+    entry.nodes = entry.nodes == no_nodes ? "" : entry.nodes;
+    entries.push_back(entry);
+  }
+  return entries;
+}
 
 ArchiveLayout::ArchiveLayout(Archive const& archive, Communicator const& comm)
     : entries_(entriesOfAll(archive, comm))
 {
+  std::vector<std::int64_t> counts;
   for (auto const& entry : entries_) {
     const auto found = archive.values().find(entry.path);
     sizes_.push_back(-1);
@@ -148,22 +178,8 @@ ArchiveLayout::ArchiveLayout(Archive const& archive, Communicator const& comm)
         sizes_.back() = static_cast<std::int64_t>(size);
       });
     }
+    counts.push_back(std::max(sizes_.back(), std::int64_t(0)));
   }
-  place(comm);
-}
-
-ArchiveLayout::ArchiveLayout(std::vector<ArchiveEntry> entries, std::vector<std::int64_t> sizes,
-                             Communicator const& comm)
-    : entries_(std::move(entries))
-    , sizes_(std::move(sizes))
-{
-  place(comm);
-}
-
-void ArchiveLayout::place(Communicator const& comm)
-{
-  auto counts = sizes_;
-  std::replace(counts.begin(), counts.end(), std::int64_t(-1), std::int64_t(0));
   firsts_.assign(counts.size(), 0);
   MPI_Exscan(counts.data(), firsts_.data(), static_cast<int>(counts.size()), MPI_INT64_T, MPI_SUM,
              rawCommunicator(comm));
@@ -174,16 +190,41 @@ void ArchiveLayout::place(Communicator const& comm)
   largest_ = maxOverRanks(counts, comm);
 }
 
+ArchiveLayout::ArchiveLayout(std::vector<ArchiveEntry> const& entries,
+                             std::vector<std::int64_t> const& sizes, std::optional<std::size_t> row,
+                             Wanted const& wanted, Communicator const& comm)
+    : entries_(entries)
+    , sizes_(entries.size(), -1)
+    , firsts_(entries.size(), 0)
+    , totals_(entries.size(), 0)
+{
+  for (std::size_t i = 0; i < sizes.size(); ++i) {
+    const std::size_t e = i % entries.size();
+    const auto size = std::max(sizes[i], std::int64_t(0));
+    totals_[e] += size;
+    firsts_[e] += row && i / entries.size() < *row ? size : 0;
+    if (row && i / entries.size() == *row && wanted(entries[e])) {
+      sizes_[e] = sizes[i];
+    }
+  }
+  auto counts = sizes_;
+  std::replace(counts.begin(), counts.end(), std::int64_t(-1), std::int64_t(0));
+  largest_ = maxOverRanks(counts, comm);
+}
+
 void ArchiveLayout::create(h5::File& file, int num_ranks) const
 {
   std::vector<std::string> paths;
+  std::vector<std::string> nodes;
   std::vector<std::int64_t> kinds;
   for (std::size_t e = 0; e < entries_.size(); ++e) {
     paths.push_back(entries_[e].path);
+    nodes.push_back(entries_[e].nodes.empty() ? no_nodes : entries_[e].nodes);
     kinds.push_back(entries_[e].kind);
     file.create(pathOf(entries_[e]), typeOf(entries_[e].kind), {hsize_t(totals_[e])});
   }
-  file.createTexts("entries", paths);
+  file.createTexts("entries", paths, h5::TextLength::fixed);
+  file.createTexts("nodes", nodes, h5::TextLength::fixed);
   file.store("kinds", kinds.data(), {kinds.size()});
   file.create("sizes", h5::Type::int64, {hsize_t(num_ranks), entries_.size()});
   file.create("checksums", h5::Type::int64, {hsize_t(num_ranks)});
@@ -221,9 +262,7 @@ Archive ArchiveLayout::read(h5::File const& file, Together const& together, std:
     const auto kind = entries_[e].kind;
     const auto size = std::max(sizes_[e], std::int64_t(0));
     together([&] {
-      const auto dataset = file.openDataset(pathOf(entries_[e]));
-      requireShape(dataset, {hsize_t(totals_[e])}, typeOf(kind));
-      requireSize(dataset, sizes_[e], kind == integer || kind == real);
+      requireShape(file.openDataset(pathOf(entries_[e])), {hsize_t(totals_[e])}, typeOf(kind));
     });
     auto value = valueOf(kind, size);
     Rounds(firsts_[e], size, largest_[e], round).forEach([&](auto offset, h5::Part const& part) {
@@ -234,7 +273,7 @@ Archive ArchiveLayout::read(h5::File const& file, Together const& together, std:
       });
     });
     if (sizes_[e] >= 0) {
-      std::visit([&](auto const& each) { archive.set(entries_[e].path, each); }, value);
+      put(archive, entries_[e], value);
     }
   }
   return archive;
@@ -243,18 +282,46 @@ Archive ArchiveLayout::read(h5::File const& file, Together const& together, std:
 std::vector<ArchiveEntry> readEntries(h5::File const& file)
 {
   const auto paths = file.openDataset("entries").readTexts();
+  const auto nodes = file.openDataset("nodes").readTexts();
   const auto kinds = file.openDataset("kinds").read<std::int64_t>();
   const bool is_known = std::all_of(kinds.begin(), kinds.end(), [](std::int64_t kind) {
     return kind >= 0 && kind < std::int64_t(num_kinds);
   });
-  if (kinds.size() != paths.size() || !is_known) {
+  if (kinds.size() != paths.size() || nodes.size() != paths.size() || !is_known) {
     throw h5::Error("Entries and kinds in " + file.what() + " do not fit each other.");
   }
   std::vector<ArchiveEntry> entries;
   for (std::size_t e = 0; e < paths.size(); ++e) {
-    entries.push_back({paths[e], kinds[e]});
+    if ((kinds[e] != reals && kinds[e] != integers) && nodes[e] != no_nodes) {
+      throw h5::Error(paths[e] + " in " + file.what() + " cannot belong to nodes.");
+    }
+    entries.push_back({paths[e], kinds[e], nodes[e] == no_nodes ? "" : nodes[e]});
   }
   return entries;
+}
+
+std::vector<std::int64_t> readSizes(h5::File const& file, std::vector<ArchiveEntry> const& entries,
+                                    std::size_t num_ranks)
+{
+  const auto dataset = file.openDataset("sizes");
+  requireShape(dataset, {num_ranks, entries.size()}, h5::Type::int64);
+  requireShape(file.openDataset("checksums"), {num_ranks}, h5::Type::int64);
+  auto sizes = dataset.read<std::int64_t>();
+  for (std::size_t e = 0; e < entries.size(); ++e) {
+    const auto values = file.openDataset(pathOf(entries[e]));
+    const auto shape = values.shape();
+    // No size is larger than what is left: sums cannot overflow.
+    auto left = shape.size() == 1 ? static_cast<std::int64_t>(shape[0]) : -1;
+    const bool is_single = entries[e].kind == integer || entries[e].kind == real;
+    for (std::size_t rank = 0; rank < num_ranks; ++rank) {
+      const std::int64_t size = sizes[rank * entries.size() + e];
+      if (size < -1 || size > left || (is_single && size != -1 && size != 1)) {
+        throw h5::Error(values.what() + " has another shape or type than sizes and kinds say.");
+      }
+      left -= std::max(size, std::int64_t(0));
+    }
+  }
+  return sizes;
 }
 
 std::int64_t checksumOf(Archive const& archive)

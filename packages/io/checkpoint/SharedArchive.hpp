@@ -6,20 +6,30 @@
 #include "io/checkpoint/Archive.hpp"
 
 #include <functional>
+#include <optional>
 
 // The archives of all ranks in one HDF5 file, which all ranks write and read together.
 //
 // /entries (num_entries) the paths of all values, /kinds (num_entries) which alternative of
-// Archive::Value each is; /values/<path> the numbers or bytes of one rank after the other; /sizes
-// (num_ranks, num_entries) how many of them each rank has, -1 where it has no such value;
-// /checksums (num_ranks). So the number of objects in the file does not grow with the ranks.
+// Archive::Value each is, /nodes (num_entries) the set of nodes that it belongs to, "-" for none;
+// /values/<path> the numbers or bytes of one rank after the other; /sizes (num_ranks, num_entries)
+// how many of them each rank has, -1 where it has no such value; /checksums (num_ranks). So the
+// number of objects in the file does not grow with the ranks.
 namespace asperity::io::detail
 {
 struct ArchiveEntry
 {
   std::string path;
   std::int64_t kind = 0; // index in Archive::Value
+  std::string nodes;     // name of a set of nodes, or ""
 };
+
+// Whether values of the entry are lists of real numbers.
+bool isRealList(ArchiveEntry const& entry);
+
+// As one line of text for each, and back.
+std::string linesOf(std::vector<ArchiveEntry> const& entries);
+std::vector<ArchiveEntry> entriesOf(std::string const& lines);
 
 // Of larger values a rank writes and reads so many numbers at a time: HDF5 and MPI count bytes with
 // int.
@@ -32,9 +42,12 @@ public:
   // The entries are those of any rank, sorted by path. Collective.
   ArchiveLayout(Archive const& archive, Communicator const& comm);
 
-  // sizes(num_entries) of this rank. Collective.
-  ArchiveLayout(std::vector<ArchiveEntry> entries, std::vector<std::int64_t> sizes,
-                Communicator const& comm);
+  // What a rank reads: the archive of the rank `row` that wrote the file, of which it wants some
+  // entries, or nothing if there is no such rank. sizes(num_ranks, num_entries), valid as of
+  // readSizes. Collective.
+  using Wanted = std::function<bool(ArchiveEntry const&)>;
+  ArchiveLayout(std::vector<ArchiveEntry> const& entries, std::vector<std::int64_t> const& sizes,
+                std::optional<std::size_t> row, Wanted const& wanted, Communicator const& comm);
 
   std::vector<ArchiveEntry> const& entries() const { return entries_; }
 
@@ -51,15 +64,16 @@ public:
                std::size_t round = numbers_per_round) const;
 
 private:
-  void place(Communicator const& comm);
-
   std::vector<ArchiveEntry> entries_;
   std::vector<std::int64_t> sizes_, firsts_;   // of this rank, (num_entries)
   std::vector<std::int64_t> totals_, largest_; // over the ranks, (num_entries)
 };
 
-// What ArchiveLayout::create has made, read by one rank alone. Throws h5::Error.
+// What ArchiveLayout::create has made, read by each rank for itself. Throws h5::Error, also if it
+// does not fit the values.
 std::vector<ArchiveEntry> readEntries(h5::File const& file);
+std::vector<std::int64_t> readSizes(h5::File const& file, std::vector<ArchiveEntry> const& entries,
+                                    std::size_t num_ranks);
 
 // Of the paths and values, in their order.
 std::int64_t checksumOf(Archive const& archive);

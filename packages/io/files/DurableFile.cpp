@@ -27,7 +27,17 @@ void synchronise(std::filesystem::path const& file)
   }
   if (!written) {
     throw OutputError(file.string() + " cannot be written to the disk: " + std::strerror(error) +
-                      ". Is the disk full?");
+                      (opened ? ". Is the disk full?" : ". Has it been removed?"));
+  }
+}
+
+void makeFolderOf(std::filesystem::path const& file)
+{
+  std::error_code error;
+  std::filesystem::create_directory(file.parent_path(), error);
+  if (error) {
+    throw OutputError(file.parent_path().string() + " cannot be made: " + error.message() +
+                      ". Has the output directory been removed?");
   }
 }
 

@@ -91,6 +91,17 @@ void requireWritable(fs::path const& directory)
                         "choose another one with --output DIR.");
 }
 
+void requireNoResult(fs::path const& directory)
+{
+  const auto earlier = resultFiles(directory);
+  ASPERITY_REQUIRE(earlier.empty(),
+                   "The output directory "
+                     << directory.string() << " holds the result of an earlier run ("
+                     << earlier.front().string()
+                     << "). Replace it with --overwrite, or choose another one with --output "
+                        "DIR.");
+}
+
 void removeResult(fs::path const& directory)
 {
   for (auto const& file : resultFiles(directory)) {
@@ -121,22 +132,25 @@ std::vector<fs::path> resultFiles(fs::path const& directory)
   return files;
 }
 
-void prepareOutputDirectory(fs::path const& directory, ExistingResult existing,
-                            Communicator const& comm)
+DirectoryLock prepareOutputDirectory(fs::path const& directory, ExistingResult existing,
+                                     Communicator const& comm)
 {
+  DirectoryLock lock;
   onRoot(comm, [&] {
     ASPERITY_REQUIRE(!directory.empty(), "The name of the output directory is empty.");
-    const auto earlier = resultFiles(directory);
-    ASPERITY_REQUIRE(existing != ExistingResult::refuse || earlier.empty(),
-                     "The output directory "
-                       << directory.string() << " holds the result of an earlier run ("
-                       << earlier.front().string()
-                       << "). Replace it with --overwrite, or choose another one with --output "
-                          "DIR.");
+    const bool must_be_new = existing == ExistingResult::refuse;
+    if (must_be_new) {
+      requireNoResult(directory);
+    }
     requireWritable(directory);
+    lock = DirectoryLock(directory);
+    if (must_be_new) {
+      requireNoResult(directory); // of a run that ended in between
+    }
     if (existing == ExistingResult::overwrite) {
       removeResult(directory);
     }
   });
+  return lock;
 }
 } // namespace asperity::io

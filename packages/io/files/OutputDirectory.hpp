@@ -1,6 +1,7 @@
 #pragma once
 
 #include "base/Types.hpp"
+#include "io/files/DirectoryLock.hpp"
 
 #include <filesystem>
 #include <vector>
@@ -15,10 +16,11 @@ enum class ExistingResult
 };
 
 // Makes the directory if there is none, and checks that files can be written there. If this fails,
-// or if an existing result would be lost, throws InputError on every rank and leaves every existing
-// file untouched. Collective; rank 0 alone touches the disk.
-void prepareOutputDirectory(std::filesystem::path const& directory, ExistingResult existing,
-                            Communicator const& comm);
+// if another process has the lock of the directory, or if an existing result would be lost, throws
+// InputError on every rank and leaves every existing file untouched. On rank 0 returns the lock,
+// which others may not have as long as the run writes. Collective; rank 0 alone touches the disk.
+DirectoryLock prepareOutputDirectory(std::filesystem::path const& directory,
+                                     ExistingResult existing, Communicator const& comm);
 
 // The existing files in `directory` that a run writes: parameters.xml, run.log, checkpoint.h5, the
 // segments, and the files that the registered outputs and text formats name.

@@ -6,9 +6,11 @@
 
 #include <algorithm>
 #include <cstdio>
+#include <fcntl.h>
 #include <iostream>
 #include <sstream>
 #include <sys/ioctl.h>
+#include <sys/stat.h>
 #include <unistd.h>
 
 namespace asperity::io
@@ -62,12 +64,27 @@ std::string describeShort(Progress const& progress, std::string const& left)
   }
   return line + (left.empty() ? "" : " left " + left);
 }
+
+// Beyond the end of the file, whose size does not change. What fails here is no harm.
+void keepSpace(std::filesystem::path const& file)
+{
+  constexpr off_t bytes = 16384;
+  const int descriptor = ::open(file.c_str(), O_WRONLY | O_CLOEXEC);
+  if (descriptor >= 0) {
+    struct stat status = {};
+    if (::fstat(descriptor, &status) == 0) {
+      static_cast<void>(::fallocate(descriptor, FALLOC_FL_KEEP_SIZE, status.st_size, bytes));
+    }
+    ::close(descriptor);
+  }
+}
 } // namespace
 
 RunLog::Style RunLog::detectStyle()
 {
   Style style;
-  style.in_place = ::isatty(STDOUT_FILENO) == 1;
+  // mpirun gives a rank a terminal of its own as standard output, even if that goes to a file.
+  style.in_place = ::isatty(STDOUT_FILENO) == 1 && ::isatty(STDERR_FILENO) == 1;
   winsize size{};
   if (::ioctl(STDOUT_FILENO, TIOCGWINSZ, &size) == 0 && size.ws_col > 0) {
     style.width = size.ws_col;
@@ -83,6 +100,7 @@ RunLog::RunLog(std::filesystem::path const& file, bool append, Communicator cons
 RunLog::RunLog(std::filesystem::path const& file, bool append, Communicator const& comm,
                std::ostream& terminal, Style const& style)
     : active_(comm.getRank() == 0)
+    , path_(file)
     , terminal_(terminal)
     , style_(style)
     , start_(Clock::now())
@@ -109,7 +127,21 @@ void RunLog::message(std::string const& text)
   }
   clearLine();
   terminal_ << text << std::endl;
-  file_ << text << std::endl;
+  write(text);
+}
+
+void RunLog::note(std::string const& text)
+{
+  if (active_) {
+    write(text);
+  }
+}
+
+void RunLog::write(std::string const& line)
+{
+  file_.clear(); // after a failure the next line may succeed
+  file_ << line << std::endl;
+  keepSpace(path_);
 }
 
 void RunLog::progress(Progress const& progress)
@@ -128,7 +160,7 @@ void RunLog::progress(Progress const& progress)
     last_line_ = Clock::now();
     const std::string line =
       describe(progress) + ", wall " + formatShort(secondsSince(start_)) + " s" + sayLeft(left);
-    file_ << line << std::endl;
+    write(line);
     if (!style_.in_place) {
       terminal_ << line << std::endl;
     }

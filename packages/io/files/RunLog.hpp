@@ -30,7 +30,9 @@ struct Progress
 // a line every 30 s of wall time and at each 5 % of simulated time. DIR/run.log always gets these
 // lines, and all messages. They say the wall time since this process began, and the time left: from
 // the cost of past cycles, or, before one is known, at the speed of the last minutes (TimeLeft).
-// Only rank 0 writes; on other ranks every function returns at once.
+// Some space on the disk is kept for the file, where the file system can, so that it says why a run
+// has ended even if the disk is full. Only rank 0 writes; on other ranks every function returns at
+// once.
 class RunLog
 {
 public:
@@ -41,7 +43,8 @@ public:
     double seconds_per_line = 30; // wall time between lines
     double seconds_per_update = 0.1;
   };
-  // The style for standard output: in_place if that is a terminal, with its width.
+  // The style for standard output: in_place if that and standard error are terminals, with its
+  // width.
   static Style detectStyle();
 
   // Appends to `file` if `append` is true (after a restart), otherwise starts a new file. Throws
@@ -53,16 +56,20 @@ public:
 
   void progress(Progress const& progress);
   void message(std::string const& text);
+  // In the file alone, for what is told on the terminal elsewhere.
+  void note(std::string const& text);
 
 private:
   using Clock = std::chrono::steady_clock;
 
   static double secondsSince(Clock::time_point begin);
   std::string sayLeft(std::string const& left) const;
+  void write(std::string const& line);
   void updateLine(std::string line);
   void clearLine();
 
   bool active_;
+  std::filesystem::path path_;
   std::ofstream file_;
   std::ostream& terminal_;
   Style style_;

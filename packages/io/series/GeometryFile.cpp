@@ -121,7 +121,7 @@ Piece elementPiece(std::string const& name, std::string const& description,
 
 void create(std::filesystem::path const& path, std::vector<Piece> const& pieces)
 {
-  std::filesystem::create_directories(path.parent_path());
+  makeFolderOf(path);
   h5::File file = h5::File::create(path);
   for (auto const& piece : pieces) {
     const bool is_real = piece.values.index() == 0;

@@ -80,7 +80,7 @@ void SegmentedTable::append(std::size_t num_rows, std::vector<std::vector<double
 void SegmentedTable::openSegment() const
 {
   const auto path = segmentPath(rows_of_segment_.size());
-  std::filesystem::create_directories(path.parent_path());
+  detail::makeFolderOf(path);
   h5::File segment = h5::File::create(path);
   constexpr hsize_t numbers_per_chunk = 1024;
   for (auto const& column : options_.columns) {

@@ -1,6 +1,7 @@
 #include "mesh/file/MeshFile.hpp"
 
 #include "base/Errors.hpp"
+#include "base/Hashes.hpp"
 #include "base/hdf5/File.hpp"
 #include "base/parallel/Agreement.hpp"
 #include "mesh/file/detail/CompleteFile.hpp"
@@ -27,10 +28,34 @@ void writeRows(h5::File& file, std::string const& path,
 }
 
 template <int Dim>
+std::string checksumOf(GlobalMesh<Dim> const& mesh)
+{
+  Checksum checksum;
+  checksum.add(Dim).add(mesh.vertices).add(mesh.cells).add(mesh.cell_regions);
+  checksum.add(mesh.region_names).add(std::vector<Point<Dim>>{mesh.period});
+  for (auto const& [name, facets] : mesh.boundaries) {
+    checksum.add(name).add(facets);
+  }
+  return hexadecimal(checksum.value());
+}
+
+// A file that others have made may be without.
+template <int Dim>
+void requireChecksum(GlobalMesh<Dim> const& mesh, detail::MeshFileReader const& file)
+{
+  ASPERITY_REQUIRE(
+    !file.hasAttribute("checksum") || file.stringAttribute("checksum") == checksumOf(mesh),
+    file.where() << " is damaged: its content does not fit its checksum. If you have "
+                    "edited it, remove its attribute 'checksum'.");
+}
+
+template <int Dim>
 void writeContents(GlobalMesh<Dim> const& mesh, std::string const& file_name)
 {
-  h5::File file = h5::File::create(file_name);
-  file.setAttribute("format", format_name);
+  constexpr auto fixed = h5::TextLength::fixed;
+  h5::File file = h5::File::create(file_name, h5::Layout::sealed);
+  file.setAttribute("format", format_name, fixed);
+  file.setAttribute("checksum", checksumOf(mesh), fixed);
   file.setAttribute("version", format_version);
   file.setAttribute("dimension", Dim);
   if (mesh.period != Point<Dim>{}) {
@@ -39,7 +64,7 @@ void writeContents(GlobalMesh<Dim> const& mesh, std::string const& file_name)
   writeRows(file, "/vertices", mesh.vertices);
   writeRows(file, "/cells", mesh.cells);
   file.store("/cell_regions", mesh.cell_regions.data(), {mesh.cell_regions.size()});
-  file.createTexts("/region_names", mesh.region_names);
+  file.createTexts("/region_names", mesh.region_names, fixed);
   file.createGroup("/boundaries");
   for (auto const& [name, facets] : mesh.boundaries) {
     file.createGroup("/boundaries/" + name);
@@ -99,7 +124,8 @@ GlobalMesh<Dim> readMesh(std::string const& file_name)
   for (auto const& name : file.groupEntries("/boundaries")) {
     mesh.boundaries[name] = file.integerRows<Dim>(facetsPath(name));
   }
-  checkMesh(mesh, file.where());
+  checkMesh(mesh, file.where()); // says more
+  requireChecksum(mesh, file);
   orientFacets(mesh);
   return mesh;
 }

@@ -123,6 +123,9 @@ RCP<const ParameterList> timeParameters()
        {"Backward Euler", Declare().list()},
        {"Generalised Alpha", generalised_alpha}},
       "Selects the scheme by which displacement and acceleration follow from the velocity.")
+    .integer("Most Forced Steps", 10000, Range::atLeast(0),
+             "The run ends with an error after this number of steps in a row that even at the "
+             "smallest size did not meet the tolerance; 0 means that it goes on for ever.")
     .real("Largest Step", required, "s", Range::positive(),
           "The size of every step is this one divided by a power of two.")
     .real(
@@ -163,10 +166,12 @@ dynamics::DyadicTime makeClock(ParameterList const& list)
   ASPERITY_REQUIRE(smallest <= largest, path << " / Smallest Step = " << smallest
                                              << " s is larger than the largest step, " << largest
                                              << " s.");
-  const int levels = static_cast<int>(std::ceil(std::log2(largest / smallest) - 1e-9));
+  // As a difference, which does not overflow.
+  const double levels = std::ceil(std::log2(largest) - std::log2(smallest) - 1e-9);
   ASPERITY_REQUIRE(levels <= 60, path << " / Smallest Step = " << smallest
-                                      << " s is less than the largest one divided by 2^60.");
-  const dynamics::DyadicTime clock(largest, levels);
+                                      << " s is less than the largest one, " << largest
+                                      << " s, divided by 2^60.");
+  const dynamics::DyadicTime clock(largest, static_cast<int>(levels));
   ASPERITY_REQUIRE(clock.reaches(finalTime(list) + largest),
                    path << " / Final Time = " << finalTime(list)
                         << " s is more than 9e18 smallest steps. "

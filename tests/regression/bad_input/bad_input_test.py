@@ -192,7 +192,6 @@ class CommandLine(Case):
                 pathlib.Path("damaged.h5").write_bytes(damaged)
                 self.assert_refused([*restart, "damaged.h5"], "damaged.h5")
         self.assert_refused([*restart, "results/fault.h5"], "results/fault.h5")
-        self.assert_refused([*restart, checkpoint], "1 rank", "mpirun -np 1", ranks=2)
         self.assert_refused([*restart, checkpoint, *settings("Friction/a=0.016")], "another deck")
 
     @staticmethod

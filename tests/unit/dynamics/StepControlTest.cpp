@@ -6,6 +6,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <limits>
 
 namespace asperity::dynamics
 {
@@ -203,5 +204,37 @@ TEST_F(StepControlTest, prescribedStepsThatFailEndTheRun)
   SolveCount count;
   EXPECT_THROW(control.advance(state, count), SolveError);
   EXPECT_EQ(state.time, 0);
+}
+
+TEST_F(StepControlTest, namesTheNumberThatWasLost)
+{
+  const double nan = std::numeric_limits<double>::quiet_NaN();
+  EXPECT_FALSE(firstNotFinite(state));
+  state.u->putScalar(nan);
+  const auto found = firstNotFinite(state);
+  ASSERT_TRUE(found);
+  EXPECT_EQ(found->field, "displacement");
+  EXPECT_EQ(found->index, 0);
+  StepDoubling control(stepper.step, adaptive(1e-4, 16));
+  control.setPlaces([](int vertex) { return "vertex " + std::to_string(vertex); });
+  SolveCount count;
+  try {
+    control.advance(state, count);
+    FAIL() << "a step from nan was accepted";
+  } catch (SolveError const& error) {
+    EXPECT_NE(std::string(error.what()).find("nan at vertex "), std::string::npos) << error.what();
+  }
+}
+
+TEST_F(StepControlTest, findsInfinityInEachField)
+{
+  const double infinity = std::numeric_limits<double>::infinity();
+  auto lost = state.clone();
+  Kokkos::deep_copy(lost.alpha, -infinity);
+  EXPECT_EQ(firstNotFinite(lost)->field, "alpha");
+  EXPECT_TRUE(firstNotFinite(lost)->is_at_fault);
+  lost.a->replaceLocalValue(1, infinity);
+  EXPECT_EQ(firstNotFinite(lost)->field, "acceleration");
+  EXPECT_EQ(firstNotFinite(lost)->index, 1);
 }
 } // namespace asperity::dynamics

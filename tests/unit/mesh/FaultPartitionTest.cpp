@@ -163,3 +163,15 @@ TEST(FaultPartition, ChecksumSeesThePairs)
   }
   EXPECT_NE(checksum(part, ChecksumOf::numbering, *world()), before);
 }
+
+TEST(FaultPartition, ChecksumDoesNotDependOnTheParts)
+{
+  const Teuchos::MpiComm<int> alone(MPI_COMM_SELF);
+  const auto mesh = branchedBox();
+  const auto whole = localPart(mesh, partitionVertices(mesh, 1), 0);
+  const auto part =
+    localPart(mesh, partitionVertices(mesh, world()->getSize()), world()->getRank());
+  for (const auto what : {ChecksumOf::numbering, ChecksumOf::everything}) {
+    EXPECT_EQ(checksum(part, what, *world()), checksum(whole, what, alone));
+  }
+}

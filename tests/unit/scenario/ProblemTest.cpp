@@ -199,8 +199,9 @@ TEST(RunArchive, returnsWhatWasSaved)
   memory.trial->state.v->putScalar(1e-300);
   Kokkos::deep_copy(memory.trial->state.alpha, -0.1);
   io::Archive archive;
-  save(archive, "control", memory);
-  const auto read = loadControl(archive, "control", problem.initial);
+  const StateFormat format(problem.initial, nullptr, dynamics::DyadicTime(1, 10));
+  format.save(archive, "control", memory);
+  const auto read = format.loadControl(archive, "control");
   EXPECT_EQ(read.level, 3);
   EXPECT_EQ(read.num_steps, 17);
   ASSERT_TRUE(read.trial);
@@ -212,8 +213,8 @@ TEST(RunArchive, returnsWhatWasSaved)
 
   memory.trial.reset();
   io::Archive without_trial;
-  save(without_trial, "control", memory);
-  EXPECT_FALSE(loadControl(without_trial, "control", problem.initial).trial);
+  format.save(without_trial, "control", memory);
+  EXPECT_FALSE(format.loadControl(without_trial, "control").trial);
 
   dynamics::SolveCount count;
   count.tnnmg_iterations = 7;
@@ -236,8 +237,9 @@ TEST(RunArchive, refusesTheStateOfAnotherMesh)
     column([](auto& deck) { deck.sublist("Mesh").sublist("Rectangle").set("Cells X", 3); }),
     world());
   io::Archive archive;
-  save(archive, "state", finer.initial);
-  expectParts(refusal([&] { loadState(archive, "state", problem.initial); }),
+  const dynamics::DyadicTime clock(1, 10);
+  StateFormat(finer.initial, nullptr, clock).save(archive, "state", finer.initial);
+  expectParts(refusal([&] { StateFormat(problem.initial, nullptr, clock).load(archive, "state"); }),
               {"state/u", "18", "24", "another mesh"});
 }
 } // namespace asperity::scenario

@@ -21,7 +21,9 @@ void writeCompletely(std::string const& file_name, std::string const& where,
     reason = error.code().message() + ".";
   }
   std::error_code ignored;
-  std::filesystem::remove(unfinished, ignored);
+  if (std::filesystem::remove(unfinished, ignored)) {
+    throw OutputError(where + " cannot be written. " + reason + " Is the disk full?");
+  }
   throw InputError(where + " cannot be written. " + reason +
                    " Does the folder exist, may you write there, and is there space?");
 }

@@ -104,6 +104,7 @@ h5::Dataset MeshFileReader::datasetOf(std::string const& path, std::size_t colum
                    where_ << ": dataset '" << path << "' has not the shape " << wanted << '.');
   ASPERITY_REQUIRE(shape[0] < static_cast<hsize_t>(std::numeric_limits<int>::max()),
                    where_ << ": dataset '" << path << "' is too long: " << shape[0] << " rows.");
+  dataset.requireRoom();
   return dataset;
 }
 

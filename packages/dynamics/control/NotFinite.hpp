@@ -1,0 +1,23 @@
+#pragma once
+
+#include "dynamics/State.hpp"
+
+#include <optional>
+#include <string>
+
+namespace asperity::dynamics
+{
+// A value of a state that is not a number, or infinite.
+struct NotFinite
+{
+  std::string field; // "velocity"
+  bool is_at_fault = false;
+  int index = 0; // local: node of the fault, or dof
+  double value = 0;
+};
+
+// The first one on this rank, in the order velocity, displacement, acceleration, alpha, normal
+// stress. Not collective.
+std::optional<NotFinite> firstNotFinite(State const& state);
+std::optional<NotFinite> firstNotFinite(char const* field, Vector const& x);
+} // namespace asperity::dynamics

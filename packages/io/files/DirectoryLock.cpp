@@ -1,0 +1,83 @@
+#include "io/files/DirectoryLock.hpp"
+
+#include "base/Errors.hpp"
+
+#include <cerrno>
+#include <cstring>
+#include <fcntl.h>
+#include <fstream>
+#include <string>
+#include <sys/file.h>
+#include <sys/stat.h>
+#include <unistd.h>
+#include <utility>
+
+namespace asperity::io
+{
+namespace
+{
+// "process 4711 on node12"
+std::string nameOfThisProcess()
+{
+  char host[256] = "";
+  ::gethostname(host, sizeof host - 1);
+  return "process " + std::to_string(::getpid()) + " on " + host;
+}
+
+bool isFileOf(int descriptor, std::filesystem::path const& path)
+{
+  struct stat opened = {}, named = {};
+  return ::fstat(descriptor, &opened) == 0 && ::stat(path.c_str(), &named) == 0 &&
+         opened.st_dev == named.st_dev && opened.st_ino == named.st_ino;
+}
+} // namespace
+
+DirectoryLock::DirectoryLock(std::filesystem::path const& directory) : file_(directory / ".lock")
+{
+  while (!openAndLock()) {
+  }
+  // What others read if they are refused; that it fails is no harm.
+  const std::string name = nameOfThisProcess() + "\n";
+  const bool is_written =
+    ::ftruncate(descriptor_, 0) == 0 && ::pwrite(descriptor_, name.data(), name.size(), 0) > 0;
+  static_cast<void>(is_written);
+}
+
+// False if the file that was locked is one that its last owner has just removed.
+bool DirectoryLock::openAndLock()
+{
+  descriptor_ = ::open(file_.c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0666);
+  if (descriptor_ < 0) {
+    throw OutputError(file_.string() + " cannot be made: " + std::strerror(errno) + ".");
+  }
+  if (::flock(descriptor_, LOCK_EX | LOCK_NB) != 0 && errno == EWOULDBLOCK) {
+    ::close(std::exchange(descriptor_, -1));
+    std::string other;
+    std::getline(std::ifstream(file_), other);
+    throw InputError("Another run is writing to " + file_.parent_path().string() +
+                     (other.empty() ? "" : " (" + other + ")") +
+                     ". Wait for its end, or choose another directory with --output DIR.");
+  }
+  if (isFileOf(descriptor_, file_)) {
+    return true;
+  }
+  ::close(std::exchange(descriptor_, -1));
+  return false;
+}
+
+void DirectoryLock::release()
+{
+  if (descriptor_ >= 0) {
+    if (isFileOf(descriptor_, file_)) {
+      ::unlink(file_.c_str());
+    }
+    ::close(std::exchange(descriptor_, -1));
+  }
+}
+
+void DirectoryLock::swap(DirectoryLock& other) noexcept
+{
+  std::swap(file_, other.file_);
+  std::swap(descriptor_, other.descriptor_);
+}
+} // namespace asperity::io

@@ -1,0 +1,35 @@
+#pragma once
+
+#include <filesystem>
+
+namespace asperity::io
+{
+// While it lives, no other process has a lock of the same directory. The system ends a lock with
+// its process, however that ends, so that no lock is left behind. Where a file system knows no
+// locks there is none.
+class DirectoryLock
+{
+public:
+  DirectoryLock() = default; // of nothing
+
+  // Throws InputError, which names the other process, if there is one that has the lock, and
+  // OutputError if the directory cannot be written.
+  explicit DirectoryLock(std::filesystem::path const& directory);
+
+  ~DirectoryLock() { release(); }
+  DirectoryLock(DirectoryLock&& other) noexcept { swap(other); }
+  DirectoryLock& operator=(DirectoryLock&& other) noexcept
+  {
+    swap(other);
+    return *this;
+  }
+
+private:
+  void swap(DirectoryLock& other) noexcept;
+  bool openAndLock();
+  void release();
+
+  std::filesystem::path file_; // DIR/.lock, which is there as long as the lock
+  int descriptor_ = -1;
+};
+} // namespace asperity::io

@@ -1,0 +1,46 @@
+#include "scenario/run/StallWatch.hpp"
+
+#include "base/Errors.hpp"
+#include "base/Text.hpp"
+
+namespace asperity::scenario
+{
+namespace
+{
+constexpr std::int64_t first_warning = 100;
+
+// first_warning times 1, 10, 100, ...
+bool isWorthALine(std::int64_t count)
+{
+  while (count > first_warning && count % 10 == 0) {
+    count /= 10;
+  }
+  return count == first_warning;
+}
+
+constexpr char const* advice = "Try a smaller 'Smallest Step' or a looser tolerance, and check "
+                               "rates, lengths and stresses of friction.";
+} // namespace
+
+std::string StallWatch::note(Step const& step)
+{
+  smallest_ = step.is_smallest ? smallest_ + 1 : 0;
+  forced_ = step.is_forced ? forced_ + 1 : 0;
+  const std::string size = formatShort(step.step_size) + " s";
+  if (most_forced_ > 0 && forced_ >= most_forced_) {
+    throw SolveError("At t = " + formatShort(step.time) + " s the last " + std::to_string(forced_) +
+                     " steps, of the smallest size " + size + ", did not meet the tolerance. " +
+                     advice + " 'Time Stepping / Most Forced Steps' is the limit.");
+  }
+  if (isWorthALine(forced_)) {
+    return "Warning: the last " + std::to_string(forced_) + " steps, of the smallest size " + size +
+           ", did not meet the tolerance. " + advice;
+  }
+  if (forced_ == 0 && isWorthALine(smallest_)) {
+    return "The last " + std::to_string(smallest_) + " steps had the smallest size, " + size +
+           "; the end of the run is " + formatShort(step.time_left / step.step_size) +
+           " such steps away.";
+  }
+  return "";
+}
+} // namespace asperity::scenario

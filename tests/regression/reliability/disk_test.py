@@ -1,0 +1,100 @@
+"""A full disk ends a run with status 5 and one message, which run.log has too; what was complete
+stays complete."""
+
+import itertools
+import os
+import pathlib
+import re
+import shutil
+import subprocess
+import unittest
+
+import asperity_run
+import faults
+import runs
+
+MESH_TOOL = asperity_run.PROGRAM.with_name("asperity-mesh")
+
+
+class FullDisk(unittest.TestCase):
+    def assert_ends_well(self, result, folder):
+        if result.returncode == runs.DONE:
+            self.fail("the disk was not full")
+        if not (folder / "run.log").exists():
+            runs.assert_one_message(self, result, runs.INPUT, "the space on the disk")
+            return
+        self.assertEqual(result.returncode, runs.OUTPUT, result.stdout + result.stderr)
+        lines = [line for line in result.stderr.splitlines() if line.startswith("asperity: ")]
+        self.assertEqual(len(lines), 1, result.stderr)
+        self.assertNotIn("Segmentation", result.stderr)
+        message = lines[0].removeprefix("asperity: ")
+        self.assertRegex(message,
+                         "cannot be (written|made|replaced)|No space left on device|disk full")
+        if "parameters.xml" not in message:  # written before there is a run
+            self.assertIn(message, (folder / "run.log").read_text())
+
+    def assert_goes_on(self, whole, folder):
+        checkpoint = folder / "checkpoint.h5"
+        way = ("--restart", checkpoint) if checkpoint.exists() else ("--overwrite",)
+        result = asperity_run.run(*runs.RUN, "--output", folder, *way)
+        self.assertEqual((result.returncode, result.stderr), (0, ""))
+        runs.assert_same_results(self, whole, folder)
+
+    def test_at_any_write(self):
+        whole = asperity_run.run_to_end("whole", *runs.RUN)
+        folder = runs.fresh("full")
+        total = faults.count_operations(folder, *runs.RUN)
+        self.assertGreater(total, 200)
+        chosen = {*range(1, 30, 4), *range(30, total, total // 5)}
+        if faults.is_long():
+            chosen = set(range(1, total))
+        for number in sorted(chosen):
+            with self.subTest(number=number):
+                folder = runs.fresh("full")
+                result = faults.run(folder, "full", number, *runs.RUN)
+                self.assert_ends_well(result, folder)
+                if number % 3 == 0 or number > 100:
+                    self.assert_goes_on(whole, folder)
+        print(f"full disk at {len(chosen)} of {total} writes")
+
+    @unittest.skipUnless(faults.is_long(), "not settled: see docs/reliability.md")
+    def test_of_ranks_together(self):
+        total = faults.count_operations(runs.fresh("ranks"), *runs.SHORT_RUN, ranks=2)
+        self.assertGreater(total, 200)
+        numbers = range(10, total // 2, 20) if faults.is_long() else (total // 10, total // 4)
+        for number, rank in itertools.product(numbers, (0, 1)):
+            with self.subTest(number=number, rank=rank):
+                folder = runs.fresh("ranks")
+                result = faults.run(folder, "full", number, *runs.SHORT_RUN, ranks=2, rank=rank)
+                if result.returncode != runs.DONE:  # a rank may have less to write
+                    self.assert_ends_well(result, folder)
+
+    def test_mesh_tool(self):
+        folder = runs.fresh("mesh")
+        folder.mkdir()
+        words = [str(MESH_TOOL), "rectangle", str(folder / "mesh.h5"), "--cells-x", "20",
+                 "--cells-y", "20"]
+        for number in (1, 2, 4):
+            result = subprocess.run(words, capture_output=True, text=True, check=False, timeout=60,
+                                    env=faults.environment(folder, "full", number))
+            self.assertEqual(result.returncode, runs.OUTPUT, result.stdout + result.stderr)
+            self.assertRegex(result.stderr, r"\Aasperity-mesh: .*cannot be written.*\n\Z")
+            self.assertEqual(list(folder.iterdir()), [])
+
+
+class VanishedDirectory(unittest.TestCase):
+    def test_is_named(self):
+        folder = runs.fresh("vanished")
+        process = runs.start(*runs.ENDLESS, "--output", folder)
+        runs.wait_for(folder / "checkpoint.h5", process)
+        os.rename(folder, "elsewhere_vanished")
+        _, errors = process.communicate(timeout=60)
+        shutil.rmtree("elsewhere_vanished")
+        self.assertEqual(process.returncode, runs.OUTPUT, errors)
+        self.assertRegex(errors, r"\Aasperity: .*removed.*\n\Z")
+        self.assertFalse(re.search("disk full", errors))
+        self.assertFalse(pathlib.Path(folder).exists())
+
+
+if __name__ == "__main__":
+    unittest.main()

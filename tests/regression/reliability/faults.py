@@ -1,0 +1,45 @@
+"""Runs whose n-th operation on a file is disturbed (fault_shim.cpp)."""
+
+import os
+import pathlib
+import subprocess
+
+import asperity_run
+
+SHIM = os.environ["ASPERITY_FAULT_SHIM"]
+
+
+def is_long():
+    """Whether this is the long form, of the label `reliability`."""
+    return bool(os.environ.get("ASPERITY_LONG_FORM"))
+
+
+def trials(short, long):
+    """How many trials there are in each form; ASPERITY_TRIALS sets another number."""
+    return int(os.environ.get("ASPERITY_TRIALS") or (long if is_long() else short))
+
+
+def environment(folder, kind, number, rank=None, **more):
+    folder = pathlib.Path(folder).absolute()
+    result = {**os.environ, "LD_PRELOAD": SHIM, "FAULT_FOLDER": f"{folder}/",
+              "FAULT_KIND": kind, "FAULT_AT": str(number), **more}
+    if rank is not None:
+        result["FAULT_RANK"] = str(rank)
+    return result
+
+
+def run(folder, kind, number, *arguments, ranks=1, rank=None, timeout=60, **more):
+    """Of the operations on files below the folder, those of one process counted."""
+    words = asperity_run.command(*arguments, "--output", folder, ranks=ranks)
+    return subprocess.run(words, capture_output=True, text=True, timeout=timeout, check=False,
+                          env=environment(folder, kind, number, rank, **more))
+
+
+def count_operations(folder, *arguments, ranks=1, kind="full"):
+    """How many operations the run has when nothing disturbs it."""
+    counter = pathlib.Path(f"{folder}.count").absolute()
+    counter.unlink(missing_ok=True)
+    result = run(folder, kind, 0, *arguments, ranks=ranks, FAULT_COUNT=str(counter))
+    if result.returncode != 0:
+        raise AssertionError(result.stdout + result.stderr)
+    return counter.stat().st_size

@@ -1,0 +1,119 @@
+"""Runs that are killed go on bit for bit, whenever and in the middle of whatever it happens."""
+
+import fcntl
+import random
+import signal
+import time
+import unittest
+
+import asperity_run
+import faults
+import runs
+
+# How many trials of each kind.
+AT_RANDOM = IN_A_WRITE = faults.trials(4, 50)
+TWICE, OF_RANKS = -(-AT_RANDOM // 5), faults.trials(2, 50)
+
+
+class Killed(unittest.TestCase):
+    @classmethod
+    def setUpClass(cls):
+        cls.whole, cls.seconds = {}, {}
+        for ranks, deck in ((1, runs.RUN), (2, runs.SHORT_RUN)):
+            begin = time.monotonic()
+            cls.whole[ranks] = asperity_run.run_to_end(f"whole_{ranks}", *deck, ranks=ranks,
+                                                       timeout=200)
+            cls.seconds[ranks] = time.monotonic() - begin
+
+    @staticmethod
+    def deck(ranks):
+        return runs.RUN if ranks == 1 else runs.SHORT_RUN
+
+    @staticmethod
+    def way_on(folder):
+        """What goes on with a run, or begins it anew where there is nothing yet."""
+        checkpoint = folder / "checkpoint.h5"
+        return ["--restart", checkpoint] if checkpoint.exists() else ["--overwrite"]
+
+    def assert_goes_on(self, folder, ranks):
+        result = asperity_run.run(*self.deck(ranks), "--output", folder, *self.way_on(folder),
+                                  ranks=ranks, timeout=200)
+        self.assertEqual(result.returncode, 0, result.stdout + result.stderr)
+        runs.assert_same_results(self, self.whole[ranks], folder)
+
+    def kill_at(self, folder, moment, ranks):
+        process = runs.start(*self.deck(ranks), "--output", folder, *self.way_on(folder),
+                             ranks=ranks)
+        time.sleep(moment)
+        process.kill()
+        process.communicate(timeout=60)
+        if ranks > 1:
+            wait_for_lock(folder)
+
+    def kill_in(self, folder, number, ranks=1, rank=None):
+        """In the n-th operation on a file."""
+        return faults.run(folder, "kill", number, *self.deck(ranks), *self.way_on(folder),
+                          ranks=ranks, rank=rank, timeout=200)
+
+    def test_at_any_moment(self):
+        for seed in range(AT_RANDOM):
+            with self.subTest(seed=seed):
+                chance = random.Random(seed)
+                folder = runs.fresh("at_random")
+                for _ in range(2 if seed < TWICE else 1):
+                    self.kill_at(folder, chance.uniform(0.1, self.seconds[1]), 1)
+                self.assert_goes_on(folder, 1)
+        print(f"{AT_RANDOM} runs killed at random moments, {TWICE} of them twice")
+
+    def test_at_any_moment_on_two_ranks(self):
+        for seed in range(OF_RANKS):
+            with self.subTest(seed=seed):
+                folder = runs.fresh("two_ranks")
+                self.kill_at(folder, random.Random(seed).uniform(0.5, self.seconds[2]), 2)
+                self.assert_goes_on(folder, 2)
+        print(f"{OF_RANKS} runs of two ranks killed at random moments")
+
+    def test_in_any_write(self):
+        total = faults.count_operations(runs.fresh("in_a_write"), *runs.RUN, kind="kill")
+        for seed in range(IN_A_WRITE):
+            with self.subTest(seed=seed):
+                chance = random.Random(seed)
+                folder = runs.fresh("in_a_write")
+                for _ in range(2 if seed < TWICE else 1):
+                    result = self.kill_in(folder, chance.randrange(1, total))
+                    self.assertIn(result.returncode, (-signal.SIGKILL, runs.DONE))
+                self.assert_goes_on(folder, 1)
+        print(f"{IN_A_WRITE} runs killed in one of {total} operations, {TWICE} of them twice")
+
+    def test_one_rank_of_two(self):
+        """The other one does not wait for ever, and the last checkpoint is good."""
+        total = faults.count_operations(runs.fresh("one_rank"), *runs.SHORT_RUN, ranks=2,
+                                        kind="kill")
+        for seed in range(OF_RANKS):
+            with self.subTest(seed=seed):
+                folder = runs.fresh("one_rank")
+                number = random.Random(seed).randrange(1, total // 3)
+                result = self.kill_in(folder, number, ranks=2, rank=seed % 2)
+                self.assertNotEqual(result.returncode, runs.DONE, f"{number} of {total}")
+                wait_for_lock(folder)
+                self.assert_goes_on(folder, 2)
+        print(f"{OF_RANKS} runs of which one rank of two was killed")
+
+
+def wait_for_lock(folder, seconds=20):
+    """mpirun that is killed takes its ranks with it, but not at once."""
+    end = time.monotonic() + seconds
+    while time.monotonic() < end:
+        try:
+            with open(folder / ".lock") as lock:
+                fcntl.flock(lock, fcntl.LOCK_EX | fcntl.LOCK_NB)
+            return
+        except FileNotFoundError:
+            return
+        except BlockingIOError:
+            pass
+        time.sleep(0.1)
+
+
+if __name__ == "__main__":
+    unittest.main()

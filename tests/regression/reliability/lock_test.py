@@ -1,0 +1,59 @@
+"""Two runs do not write to one directory, and a run that was killed leaves no lock."""
+
+import signal
+import unittest
+
+import asperity_run
+import runs
+
+
+class Lock(unittest.TestCase):
+    def assert_locked(self, folder, *arguments, ranks=1):
+        result = asperity_run.run(*runs.ENDLESS, "--output", folder, *arguments, ranks=ranks,
+                                  timeout=20)
+        runs.assert_one_message(self, result, runs.INPUT, "Another run is writing to", "process",
+                                "--output DIR")
+
+    def stop(self, process, number=signal.SIGTERM):
+        process.send_signal(number)
+        _, errors = process.communicate(timeout=60)
+        self.assertEqual(errors, "")
+        self.assertEqual(process.returncode,
+                         runs.STOPPED if number == signal.SIGTERM else -number)
+
+    def test_a_second_run_is_refused(self):
+        folder = runs.fresh("second_run")
+        process = runs.start(*runs.ENDLESS, "--output", folder)
+        runs.wait_for(folder / "checkpoint.h5", process)
+        self.assert_locked(folder, "--overwrite")
+        self.assert_locked(folder, "--restart", folder / "checkpoint.h5")
+        self.assert_locked(folder, "--overwrite", ranks=2)
+        self.stop(process)
+        self.assertFalse((folder / ".lock").exists())
+        steps = asperity_run.table(folder / "steps.csv")
+        self.assertEqual([row["step"] for row in steps], list(range(1, len(steps) + 1)))
+
+    def test_two_first_runs_at_once(self):
+        whole = asperity_run.run_to_end("first_whole", *runs.RUN)
+        for _ in range(3):
+            folder = runs.fresh("first_runs")
+            processes = [runs.start(*runs.RUN, "--output", folder) for _ in range(2)]
+            errors = [process.communicate(timeout=60)[1] for process in processes]
+            self.assertEqual(sorted(process.returncode for process in processes),
+                             [runs.DONE, runs.INPUT], errors)
+            runs.assert_same_results(self, whole, folder)
+
+    def test_a_killed_run_leaves_no_lock(self):
+        whole = asperity_run.run_to_end("killed_whole", *runs.RUN)
+        folder = runs.fresh("killed")
+        process = runs.start(*runs.RUN, "--output", folder)
+        runs.wait_for(folder / "checkpoint.h5", process)
+        self.stop(process, signal.SIGKILL)
+        result = asperity_run.run(*runs.RUN, "--output", folder, "--restart",
+                                  folder / "checkpoint.h5")
+        self.assertEqual((result.returncode, result.stderr), (0, ""))
+        runs.assert_same_results(self, whole, folder)
+
+
+if __name__ == "__main__":
+    unittest.main()

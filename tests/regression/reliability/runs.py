@@ -1,0 +1,73 @@
+"""Runs that are disturbed, for the tests of this folder."""
+
+import atexit
+import pathlib
+import shutil
+import subprocess
+import time
+
+import asperity_run
+import numpy
+
+DECK = asperity_run.SOURCE / "tests" / "regression" / "parallel" / "coarse_wedge.xml"
+DONE, INPUT, SOLVE, STOPPED, OUTPUT = 0, 2, 3, 4, 5
+
+
+def settings(*changes):
+    return [word for change in changes for word in ("--set", change)]
+
+
+# Some 250 steps, an event, about a second.
+RUN = [DECK, *settings("Time Stepping/Final Time=8", "Output/Checkpoint Every n Steps=20",
+                       "Output/Fault History/Every n Steps=7")]
+# Some 40 steps.
+SHORT_RUN = [DECK, *settings(
+    "Time Stepping/Final Time=2", "Time Stepping/Step Doubling/Tolerance=1e-3",
+    "Mesh/Wedge/Cell Size=0.02", "TNNMG/Linear Correction=MueLu",
+    "Output/Checkpoint Every n Steps=10")]
+# Some 15,000 steps: longer than any test waits.
+ENDLESS = [DECK, *settings("Time Stepping/Final Time=600", "Output/Checkpoint Every n Steps=20")]
+
+
+def fresh(name):
+    shutil.rmtree(name, ignore_errors=True)
+    return pathlib.Path(name)
+
+
+def start(*arguments, ranks=1, **options):
+    """A run in the background, which does not outlive the test."""
+    options = {"stdout": subprocess.DEVNULL, "stderr": subprocess.PIPE, "text": True, **options}
+    process = subprocess.Popen(asperity_run.command(*arguments, ranks=ranks), **options)
+    atexit.register(lambda: process.poll() is None and process.kill())
+    return process
+
+
+def wait_for(path, process, seconds=60):
+    """Until the file is there."""
+    end = time.monotonic() + seconds
+    while not path.exists():
+        if process.poll() is not None or time.monotonic() > end:
+            process.kill()
+            raise AssertionError(f"no {path}: {process.communicate()[1]}")
+        time.sleep(0.002)
+
+
+def assert_one_message(test, result, status, *pieces):
+    """One line on stderr with these pieces, and the status."""
+    test.assertEqual(result.returncode, status, result.stdout + result.stderr)
+    lines = [line for line in result.stderr.splitlines() if line.startswith("asperity: ")]
+    test.assertEqual(len(lines), 1, result.stderr)
+    for piece in pieces:
+        test.assertIn(piece, lines[0])
+
+
+def assert_same_results(test, whole, folder, series=("fault.h5", "surface.h5"),
+                        tables=("steps.csv", "events.csv")):
+    """Bit for bit."""
+    for name in series:
+        ours, theirs = (asperity_run.series(each / name) for each in (whole, folder))
+        test.assertEqual(set(ours), set(theirs))
+        for dataset, values in ours.items():
+            numpy.testing.assert_array_equal(values, theirs[dataset], f"{name}: {dataset}")
+    for name in tables:
+        test.assertEqual((whole / name).read_bytes(), (folder / name).read_bytes(), name)

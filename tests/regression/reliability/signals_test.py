@@ -1,0 +1,99 @@
+"""A run that is told to stop leaves a checkpoint, says so, and goes on bit for bit."""
+
+import os
+import pathlib
+import pty
+import re
+import signal
+import subprocess
+import unittest
+
+import asperity_run
+import runs
+
+
+class Signals(unittest.TestCase):
+    @classmethod
+    def setUpClass(cls):
+        cls.whole = asperity_run.run_to_end("whole", *runs.RUN)
+
+    def begin(self, name, **options):
+        folder = runs.fresh(name)
+        process = runs.start(*runs.RUN, "--output", folder, **options)
+        runs.wait_for(folder / "checkpoint.h5", process)
+        return folder, process
+
+    def assert_stopped(self, folder, process, name):
+        _, errors = process.communicate(timeout=60)
+        self.assertEqual((process.returncode, errors), (runs.STOPPED, ""))
+        self.assertIn(f"Stopped by {name}", (folder / "run.log").read_text())
+        result = asperity_run.run(*runs.RUN, "--output", folder, "--restart",
+                                  folder / "checkpoint.h5")
+        self.assertEqual((result.returncode, result.stderr), (0, ""))
+        runs.assert_same_results(self, self.whole, folder)
+
+    def test_each(self):
+        for number in (signal.SIGTERM, signal.SIGINT, signal.SIGHUP, signal.SIGUSR1,
+                       signal.SIGPIPE):
+            with self.subTest(number.name):
+                folder, process = self.begin(f"by_{number.name}")
+                process.send_signal(number)
+                self.assert_stopped(folder, process, number.name)
+
+    def test_nobody_reads_the_output(self):
+        """As under `| head`: the next line that is printed meets a closed pipe."""
+        reader, writer = os.pipe()
+        folder = runs.fresh("pipe")
+        process = runs.start(*runs.RUN, "--output", folder, stdout=writer)
+        os.close(writer)
+        os.close(reader)
+        self.assert_stopped(folder, process, "SIGPIPE")
+
+    def test_nohup_goes_on(self):
+        folder, process = self.begin(
+            "nohup", preexec_fn=lambda: signal.signal(signal.SIGHUP, signal.SIG_IGN))
+        process.send_signal(signal.SIGHUP)
+        _, errors = process.communicate(timeout=60)
+        self.assertEqual((process.returncode, errors), (0, ""))
+        runs.assert_same_results(self, self.whole, folder)
+
+    def test_mpirun_passes_the_warning_of_a_queue_on(self):
+        folder = runs.fresh("mpirun")
+        process = runs.start(*runs.ENDLESS, "--output", folder, ranks=2)
+        runs.wait_for(folder / "checkpoint.h5", process)
+        process.send_signal(signal.SIGUSR1)
+        _, errors = process.communicate(timeout=60)
+        self.assertEqual(process.returncode, runs.STOPPED, errors)
+        self.assertIn("Stopped by SIGUSR1", (folder / "run.log").read_text())
+
+
+class Terminal(unittest.TestCase):
+    def output_of(self, name, ranks, stderr):
+        """What a run writes to a terminal, as mpirun gives its ranks one."""
+        ours, theirs = pty.openpty()
+        folder = runs.fresh(name)
+        command = asperity_run.command(*runs.SHORT_RUN, "--output", folder, ranks=ranks)
+        process = subprocess.Popen(command, stdout=theirs, stderr=stderr(theirs))
+        os.close(theirs)
+        text = b""
+        try:
+            while piece := os.read(ours, 65536):
+                text += piece
+        except OSError:  # the terminal has gone
+            pass
+        self.assertEqual(process.wait(), 0)
+        return text.decode().replace("\r\n", "\n")
+
+    def test_a_line_in_place_is_for_terminals(self):
+        self.assertIn("\r", self.output_of("terminal", 1, lambda terminal: terminal))
+        self.assertNotIn("\r", self.output_of("no_terminal", 1, lambda _: subprocess.DEVNULL))
+
+    def test_a_file_under_mpirun_has_no_carriage_returns(self):
+        result = asperity_run.run(*runs.SHORT_RUN, "--output", runs.fresh("ranks"), ranks=2)
+        self.assertEqual(result.returncode, 0, result.stderr)
+        self.assertFalse(re.search("\r(?!\n)", result.stdout))
+        self.assertTrue(pathlib.Path("ranks/run.log").exists())
+
+
+if __name__ == "__main__":
+    unittest.main()
