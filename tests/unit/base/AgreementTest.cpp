@@ -50,7 +50,11 @@ void expectItsKindOnEveryRank(Agree agree, int thrower)
 
 TEST(Agreement, ErrorOfOneRankIsThrownOnEveryRankAsItsKind)
 {
-  expectItsKindOnEveryRank(onEveryRank, last());
+  expectItsKindOnEveryRank(
+    [](Communicator const& communicator, std::function<void()> const& work) {
+      onEveryRank(communicator, work);
+    },
+    last());
   expectItsKindOnEveryRank(onRoot, 0);
 }
 
