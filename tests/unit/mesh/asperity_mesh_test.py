@@ -113,8 +113,10 @@ class Convert(mesh_tool.Case):
         pathlib.Path("square.msh").write_text(msh())
         self.assertIn("5 vertices, 4 cells", self.assert_done("convert", "square.msh", "square.h5"))
         with h5py.File("square.h5") as file:
-            self.assertEqual(dict(file.attrs),
-                             {"format": "asperity-mesh", "version": 1, "dimension": 2})
+            attributes = dict(file.attrs)
+            self.assertRegex(attributes.pop("checksum").decode(), "^[0-9a-f]{16}$")
+            self.assertEqual(attributes,
+                             {"format": b"asperity-mesh", "version": 1, "dimension": 2})
             vertices, cells = file["vertices"][:], file["cells"][:]
             numpy.testing.assert_array_equal(vertices, [[0, 0], [2, 0], [2, 2], [0, 2], [1, 1]])
             names = file["region_names"].asstr()[:]
