@@ -27,9 +27,21 @@ std::function<void(std::string const&)>& teller()
   return tell;
 }
 
+// Whether all ranks hear of an error, so that each can throw: a file cannot be opened.
+bool isOfOpening(int error)
+{
+  int kind = MPI_SUCCESS;
+  MPI_Error_class(error, &kind);
+  return kind == MPI_ERR_NO_SUCH_FILE || kind == MPI_ERR_ACCESS || kind == MPI_ERR_FILE_EXISTS ||
+         kind == MPI_ERR_BAD_FILE || kind == MPI_ERR_READ_ONLY || kind == MPI_ERR_AMODE;
+}
+
 // Called by MPI. Several ranks may fail: the lowest of them ends the others while they wait.
 void endOfSharing(MPI_File*, int* error, ...)
 {
+  if (isOfOpening(*error)) {
+    return;
+  }
   constexpr int exit_output = 5;
   int rank = 0, length = 0;
   char words[MPI_MAX_ERROR_STRING] = "";

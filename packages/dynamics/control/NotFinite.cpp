@@ -6,38 +6,37 @@ namespace asperity::dynamics
 {
 namespace
 {
-template <class View>
-int firstIn(View const& host, std::size_t size)
+// Whether all values are finite, on the device. The product with zero is zero for finite numbers
+// alone.
+bool areFinite(Kokkos::View<const double*, MemorySpace> const& values)
 {
-  // The product with zero is zero for finite numbers alone, which a loop without branches adds up.
   double sum = 0;
-  for (std::size_t i = 0; i < size; ++i) {
-    sum += 0 * host[i];
+  Kokkos::parallel_reduce(
+    "asperity::dynamics::areFinite", Kokkos::RangePolicy<ExecutionSpace>(0, values.extent_int(0)),
+    KOKKOS_LAMBDA(int i, double& partial) { partial += 0 * values(i); }, sum);
+  return sum == 0;
+}
+
+std::optional<NotFinite> lookIn(char const* field, bool at_fault,
+                                Kokkos::View<const double*, MemorySpace> const& values)
+{
+  if (areFinite(values)) {
+    return std::nullopt;
   }
-  if (sum == 0) {
-    return -1;
-  }
-  std::size_t i = 0;
-  while (i < size && std::isfinite(host[i])) {
+  auto const host = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace(), values);
+  int i = 0;
+  while (i < host.extent_int(0) && std::isfinite(host(i))) {
     ++i;
   }
-  return i < size ? static_cast<int>(i) : -1;
+  return i < host.extent_int(0) ? std::optional<NotFinite>({field, at_fault, i, host(i)})
+                                : std::nullopt;
 }
 
 std::optional<NotFinite> lookIn(char const* field, Vector const& x)
 {
-  auto const view = x.getLocalViewHost(Tpetra::Access::ReadOnly);
-  const int found = firstIn(view.data(), view.extent(0));
-  return found < 0 ? std::nullopt
-                   : std::optional<NotFinite>({field, false, found, view.data()[found]});
-}
-
-std::optional<NotFinite> lookIn(char const* field, friction::NodeView const& x)
-{
-  auto const view = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace(), x);
-  const int found = firstIn(view.data(), view.extent(0));
-  return found < 0 ? std::nullopt
-                   : std::optional<NotFinite>({field, true, found, view.data()[found]});
+  auto const view = x.getLocalViewDevice(Tpetra::Access::ReadOnly);
+  return lookIn(field, false,
+                Kokkos::View<const double*, MemorySpace>(view.data(), view.extent(0)));
 }
 } // namespace
 
@@ -46,8 +45,8 @@ std::optional<NotFinite> firstNotFinite(State const& state)
   auto found = lookIn("velocity", *state.v);
   found = found ? found : lookIn("displacement", *state.u);
   found = found ? found : lookIn("acceleration", *state.a);
-  found = found ? found : lookIn("alpha", state.alpha);
-  return found ? found : lookIn("normal stress", state.sigma_n);
+  found = found ? found : lookIn("alpha", true, state.alpha);
+  return found ? found : lookIn("normal stress", true, state.sigma_n);
 }
 
 std::optional<NotFinite> firstNotFinite(char const* field, Vector const& x)

@@ -28,6 +28,8 @@ HOST = {
     "packages/dynamics/InitialState.cpp": "set-up",
     "packages/dynamics/NormalReaction.cpp": "the nodes of the fault alone",
     "packages/dynamics/StaticCondensation.cpp": "the direct solver; loads on the fault",
+    "packages/dynamics/StaticCondensationState.cpp": "checkpoints of the direct solver",
+    "packages/dynamics/control/NotFinite.cpp": "the place of a number that ends the run",
     "packages/dynamics/coupling/RateSolver.cpp": "the direct solver, on Eigen's factors",
 }
 _TO_HOST = re.compile(r"\b(?:getLocalViewHost|getLocalMatrixHost|create_mirror_view\w*|toHost)\b")
