@@ -8,7 +8,7 @@
 
 namespace asperity
 {
-// While it lives, SIGTERM, SIGINT, SIGHUP (the end of a session), SIGUSR1 (a queue's warning, which
+// While it lives, SIGTERM, SIGINT, SIGHUP (the user logs out), SIGUSR1 (a queue's warning, which
 // mpirun passes on) and SIGPIPE (nobody reads the output) raise a flag instead of ending the
 // process, so that a run can leave a last checkpoint. A second SIGINT ends the process at once.
 // SIGHUP and SIGPIPE stay ignored where they are, as under nohup. Only one object may exist at a
