@@ -6,6 +6,7 @@
 #include "mesh/generation/detail/MarkedSimplex.hpp"
 #include "mesh/generation/detail/VertexEstimate.hpp"
 
+#include <algorithm>
 #include <tuple>
 
 namespace asperity::mesh
@@ -244,6 +245,33 @@ SizeFunction<Dim> diameterFrom(CellSize<Dim> const& size)
     return std::sqrt(double(Dim)) * (1.0 + rounding) * smallest;
   };
 }
+
+template <int Dim>
+GlobalMesh<Dim> bisectedBricks(GlobalMesh<Dim> mesh, Point<Dim> const& brick,
+                               CellSize<Dim> const& size)
+{
+  Point<Dim> stretch;
+  for (int axis = 0; axis < Dim; ++axis) {
+    stretch[axis] = *std::max_element(brick.begin(), brick.end()) / brick[axis];
+  }
+  const auto scaled = [&stretch](Point<Dim> x, bool back) {
+    for (int axis = 0; axis < Dim; ++axis) {
+      x[axis] = back ? x[axis] / stretch[axis] : x[axis] * stretch[axis];
+    }
+    return x;
+  };
+  const auto scaleAll = [&scaled](GlobalMesh<Dim>& all, bool back) {
+    for (auto& x : all.vertices) {
+      x = scaled(x, back);
+    }
+    all.period = scaled(all.period, back);
+  };
+  scaleAll(mesh, false);
+  auto result = bisected<Dim>(
+    mesh, diameterFrom<Dim>([&](Point<Dim> const& x) { return size(scaled(x, true)); }));
+  scaleAll(result, true);
+  return result;
+}
 } // namespace
 
 GlobalMesh<2> bisect(GlobalMesh<2> const& mesh, SizeFunction<2> const& largest_diameter)
@@ -259,4 +287,16 @@ GlobalMesh<3> bisect(GlobalMesh<3> const& mesh, SizeFunction<3> const& largest_d
 SizeFunction<2> largestDiameter(CellSize<2> const& size) { return diameterFrom<2>(size); }
 
 SizeFunction<3> largestDiameter(CellSize<3> const& size) { return diameterFrom<3>(size); }
+
+GlobalMesh<2> bisectBricks(GlobalMesh<2> const& mesh, Point<2> const& brick,
+                           CellSize<2> const& size)
+{
+  return bisectedBricks<2>(mesh, brick, size);
+}
+
+GlobalMesh<3> bisectBricks(GlobalMesh<3> const& mesh, Point<3> const& brick,
+                           CellSize<3> const& size)
+{
+  return bisectedBricks<3>(mesh, brick, size);
+}
 } // namespace asperity::mesh

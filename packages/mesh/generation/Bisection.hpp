@@ -34,4 +34,12 @@ using CellSize = std::function<double(Point<Dim> const&)>;
 // the size is that of the first cells' sides divided by a power of two.
 SizeFunction<2> largestDiameter(CellSize<2> const& size);
 SizeFunction<3> largestDiameter(CellSize<3> const& size);
+
+// Refines by bisection a mesh of right-angled bricks of these sides [m], each cut into simplices.
+// All bricks keep these proportions, and the cell size limits their longest side: the mesh is
+// bisected where it is a mesh of squares or cubes, in coordinates stretched along the short sides.
+GlobalMesh<2> bisectBricks(GlobalMesh<2> const& mesh, Point<2> const& brick,
+                           CellSize<2> const& size);
+GlobalMesh<3> bisectBricks(GlobalMesh<3> const& mesh, Point<3> const& brick,
+                           CellSize<3> const& size);
 } // namespace asperity::mesh

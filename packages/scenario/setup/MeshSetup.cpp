@@ -101,10 +101,10 @@ RCP<const ParameterList> rectangleParameters()
     .realArray("Lower Left", std::vector<double>{0., 0.}, "m", Range::any(),
                "The lower left corner of the rectangle lies at this position.")
     .field("Cell Size", optional, "m", Range::positive(),
-           "Cells are bisected until their longest edge is at most sqrt(2) times this function of "
-           "x and y, which is evaluated at corners, centroid and midpoints of edges. Where the "
-           "cells are squares of 2^k times this size, edges on a side of the rectangle get exactly "
-           "this length. Without this entry no cell is bisected.")
+           "The longer side of rectangles is at most this function of x and y, which is evaluated "
+           "at corners, centroid and midpoints of edges of the triangles: they are bisected until "
+           "that is so, and keep the proportions of columns and rows. From 2^k times this size "
+           "follows exactly this size. Without this entry no cell is bisected.")
     .real("Cell Size Factor", 1., "-", Range::positive(),
           "This factor multiplies the cell size: 2 makes the whole mesh coarser.")
     .list();
@@ -155,9 +155,9 @@ RCP<const ParameterList> boxParameters()
     .integer("Cells Z", 1, Range::atLeast(1),
              "The box is divided into this number of cuboids along z.")
     .field("Cell Size", optional, "m", Range::positive(),
-           "Cells are bisected until their longest edge is at most sqrt(3) times this function of "
-           "x, y and z. From cubes of 2^k times this size follow cubes of exactly this size. "
-           "Without this entry no cell is bisected.")
+           "The longest side of cuboids is at most this function of x, y and z: tetrahedra are "
+           "bisected until that is so, and keep the proportions of the first cuboids. From 2^k "
+           "times this size follows exactly this size. Without this entry no cell is bisected.")
     .real("Cell Size Factor", 1., "-", Range::positive(),
           "This factor multiplies the cell size: 2 makes the whole mesh coarser.")
     .boolean("Periodic Along z", false, periodic_meaning)
@@ -199,21 +199,27 @@ std::function<double(Point<Dim> const&)> cellSize(ParameterList const& list,
 
 GlobalMesh<2> makeRectangle(ParameterList const& list)
 {
-  auto coarse = mesh::rectangleMesh(rectangleShape(list));
+  auto const shape = rectangleShape(list);
+  auto coarse = mesh::rectangleMesh(shape);
+  const Point<2> brick = {shape.width / shape.cells_x, shape.height / shape.cells_y};
   return isGiven(list, "Cell Size")
-           ? mesh::bisect(coarse, mesh::largestDiameter(cellSize<2>(list, "Rectangle")))
+           ? mesh::bisectBricks(coarse, brick, cellSize<2>(list, "Rectangle"))
            : coarse;
 }
 
 GlobalMesh<3> makeBox(ParameterList const& list)
 {
-  auto box = mesh::boxMesh(boxShape(list));
+  auto const shape = boxShape(list);
+  auto box = mesh::boxMesh(shape);
   if (list.get<bool>("Periodic Along z")) {
     mesh::makePeriodic(box, 2, "front", "back"); // bisection keeps it so
   }
-  return isGiven(list, "Cell Size")
-           ? mesh::bisect(box, mesh::largestDiameter(cellSize<3>(list, "Box")))
-           : box;
+  Point<3> brick;
+  for (int axis = 0; axis < 3; ++axis) {
+    brick[axis] = shape.size[axis] / shape.num_cells[axis];
+  }
+  return isGiven(list, "Cell Size") ? mesh::bisectBricks(box, brick, cellSize<3>(list, "Box"))
+                                    : box;
 }
 
 GlobalMesh<3> makeDeepWedge(ParameterList const& list)

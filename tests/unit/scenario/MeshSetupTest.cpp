@@ -51,6 +51,17 @@ TEST(MeshSetup, gradesARectangleByItsCellSize)
   EXPECT_EQ(facetsOn(coarse, "right"), 2);
 }
 
+TEST(MeshSetup, keepsTheProportionsOfColumnsAndRows)
+{
+  const auto mesh = halfSpace([](ParameterList& list) {
+    list.sublist("Rectangle").set("Cells X", 7).set("Cells Y", 4).set("Cell Size", "125 + x - x");
+  });
+  EXPECT_EQ(facetsOn(mesh, "left"), 32);
+  EXPECT_EQ(facetsOn(mesh, "top"), 56);
+  EXPECT_EQ(mesh.cells.size(), 2 * 32 * 56);
+  EXPECT_EQ(mesh.vertices.size(), 33 * 57);
+}
+
 TEST(MeshSetup, refusesCellSizesThatAreNone)
 {
   expectParts(refusal([] { graded("100 + t"); }), {"Mesh / Rectangle / Cell Size depends on t"});

@@ -1,8 +1,5 @@
-#include "fem/BodyMatrices.hpp"
-#include "unit/fem/Constrained.hpp"
+#include "ForcesInBalance.hpp"
 
-#include <Eigen/SparseCholesky>
-#include <Tpetra_CrsMatrix.hpp>
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -86,76 +83,25 @@ GlobalMesh<2> wavelength(int n, Rows const& rows)
   return mesh;
 }
 
-Eigen::SparseMatrix<double> stiffnessOf(fem::testing::Constrained<2> const& body, int components)
-{
-  const double bulk_modulus =
-    2 * shear_modulus * (1 + poissons_ratio) / (3 * (1 - 2 * poissons_ratio));
-  const std::vector<fem::Material> rock(body.mesh.cells.size(),
-                                        {1, bulk_modulus, shear_modulus, 0, 0});
-  auto const matrices = fem::assembleBody<2>(body.mesh, body.dofs, body.constraints.frames(), rock);
-  auto const& A = *matrices.stiffness;
-  auto const local = A.getLocalMatrixHost();
-  std::vector<Eigen::Triplet<double>> entries;
-  for (int row = 0; row < local.numRows(); ++row) {
-    for (auto k = local.graph.row_map(row); k < local.graph.row_map(row + 1); ++k) {
-      const int column =
-        A.getRowMap()->getLocalElement(A.getColMap()->getGlobalElement(local.graph.entries(k)));
-      entries.emplace_back(row, column, local.values(k));
-    }
-  }
-  const int size = static_cast<int>(body.mesh.vertices.size()) * components;
-  Eigen::SparseMatrix<double> K(size, size);
-  K.setFromTriplets(entries.begin(), entries.end());
-  return K;
-}
-
-// The forces that hold the body where the first component of the fault moves by cos(kx) and the top
-// rests; the body is in balance everywhere else.
-Eigen::VectorXd forcesOn(Eigen::SparseMatrix<double> const& K, Mesh<2> const& mesh, int components)
-{
-  double highest = 0;
-  for (auto const& x : mesh.vertices) {
-    highest = std::max(highest, x[1]);
-  }
-  std::vector<bool> prescribed(K.rows(), false);
-  Eigen::VectorXd u = Eigen::VectorXd::Zero(K.rows());
-  for (std::size_t node = 0; node < mesh.vertices.size(); ++node) {
-    auto const& x = mesh.vertices[node];
-    const int dof = static_cast<int>(node) * components;
-    prescribed[dof] = x[1] < close;
-    u[dof] = x[1] < close ? std::cos(2 * M_PI * x[0]) : 0;
-    for (int c = 0; c < components && x[1] > highest - close; ++c) {
-      prescribed[dof + c] = true;
-    }
-  }
-  Eigen::VectorXd right_side = -K * u;
-  auto A = K;
-  for (int column = 0; column < A.outerSize(); ++column) {
-    for (Eigen::SparseMatrix<double>::InnerIterator entry(A, column); entry; ++entry) {
-      if (prescribed[entry.row()] || prescribed[entry.col()]) {
-        entry.valueRef() = entry.row() == entry.col() ? 1 : 0;
-      }
-    }
-  }
-  for (int dof = 0; dof < K.rows(); ++dof) {
-    right_side[dof] = prescribed[dof] ? 0 : right_side[dof];
-  }
-  const Eigen::SimplicialLDLT<Eigen::SparseMatrix<double>> solver(A);
-  EXPECT_EQ(solver.info(), Eigen::Success);
-  u += solver.solve(right_side);
-  return K * u;
-}
-
 // The relative error of the traction along the fault, with n cells for a wavelength; what is across
 // the fault is free, as it is by symmetry between two bodies that are alike.
 double errorOf(Rows const& rows, int components, int n)
 {
-  const fem::testing::Constrained<2> body(wavelength(n, rows), {}, components);
-  auto const forces = forcesOn(stiffnessOf(body, components), body.mesh, components);
+  auto const mesh = wavelength(n, rows);
+  const auto at_fault = [](Point<2> const& x) { return x[1] < close; };
+  const double highest = mesh.vertices.back()[1];
+  // The first component of the fault moves by cos(kx), and the top rests.
+  const auto forces = forcesInBalance<2>(mesh, components, {shear_modulus, poissons_ratio},
+                                         [&](Point<2> const& x, int component) {
+                                           if (at_fault(x) && component == 0) {
+                                             return Motion{true, std::cos(2 * M_PI * x[0])};
+                                           }
+                                           return Motion{x[1] > highest - close, 0};
+                                         });
   double traction = 0;
-  for (std::size_t node = 0; node < body.mesh.vertices.size(); ++node) {
-    auto const& x = body.mesh.vertices[node];
-    if (x[1] < close) {
+  for (std::size_t node = 0; node < mesh.vertices.size(); ++node) {
+    auto const& x = mesh.vertices[node];
+    if (at_fault(x)) {
       traction += 2 * forces[static_cast<int>(node) * components] * std::cos(2 * M_PI * x[0]);
     }
   }
