@@ -1,19 +1,16 @@
-"""SEAS BP2-QD, bp2.py MESH_TOOL: events by the deck, against what boundary elements converge to."""
+"""SEAS BP2-QD: events by the deck, against what boundary elements converge to."""
 
-import subprocess
 import sys
 
 import asperity_run
 from sequence import YEAR, check, sequence, slip_in_events
 
 DECK = asperity_run.SOURCE / "xml" / "bp2_qd.xml"
-GEOMETRY = asperity_run.SOURCE / "xml" / "meshes" / "bp1.geo"
 END = 240 * YEAR  # three events
 ONSETS = (151.2, 208.9, 233.1)  # yr
 
 
-def main(mesh_tool):
-    subprocess.run([mesh_tool, "convert", GEOMETRY, "bp1.h5", "--set", "h=50"], check=True)
+def main():
     folder = asperity_run.run_to_end("bp2", DECK, "--set", f"Time Stepping/Final Time={END}",
                                      timeout=14000)
     found = sequence(folder)
@@ -27,4 +24,4 @@ def main(mesh_tool):
 
 
 if __name__ == "__main__":
-    sys.exit(main(*sys.argv[1:]))
+    sys.exit(main())

@@ -42,17 +42,24 @@ class Problem:
         return (self.normal_stress * self.largest_a * strength
                 + self.damping * self.plate_rate)
 
+    def initial_state(self, positions):
+        """psi in balance with the initial stress at the plate rate."""
+        a = self.a(positions)
+        x = (self.initial_stress() - self.damping * self.plate_rate) / (a * self.normal_stress)
+        return a * (numpy.log(self.reference_rate / self.plate_rate) + x
+                    + numpy.log1p(-numpy.exp(-2 * x)))
+
 
 class Cycles:
     """Goes on from step to step: `time` [s], `slip` beyond that of the plates, `rates` [m/s]."""
 
-    def __init__(self, problem, operator, tolerance):
+    def __init__(self, problem, operator, tolerance, first_step=1e3):
         self.problem, self.operator, self.tolerance = problem, operator, tolerance
         self.a = problem.a(operator.positions)
-        self.time, self.step = 0., 1e3
+        self.time, self.step = 0., first_step
         count = len(operator.positions)
         self.slip = numpy.zeros(count)
-        self.psi = self._balanced_state()
+        self.psi = problem.initial_state(operator.positions)
         self._log_rate = numpy.full(count, numpy.log(problem.plate_rate))
         self._slope = self._slopes(self.slip, self.psi)
 
@@ -62,12 +69,6 @@ class Cycles:
 
     def total_slip(self):
         return self.slip + self.problem.plate_rate * self.time
-
-    def _balanced_state(self):
-        p = self.problem
-        x = (p.initial_stress() - p.damping * p.plate_rate) / (self.a * p.normal_stress)
-        return self.a * (numpy.log(p.reference_rate / p.plate_rate) + x
-                         + numpy.log1p(-numpy.exp(-2 * x)))
 
     def _balance(self, stress, sigma, psi):
         """ln V with stress = a sigma asinh(V / (2 V*) exp(psi / a)) + eta V, by Newton."""
@@ -97,7 +98,9 @@ class Cycles:
 
     def advance(self):
         """One step of Bogacki and Shampine's third-order pair; its last slope is the next first."""
-        scale = 10 * self.tolerance * numpy.array([[self.problem.critical_slip], [self.problem.b]])
+        p, count = self.problem, len(self.psi)
+        scale = 10 * self.tolerance * numpy.array([numpy.broadcast_to(p.critical_slip, count),
+                                                   numpy.full(count, p.b)])
         start = numpy.array([self.slip, self.psi])
         while True:
             dt, k1, before = self.step, self._slope, self._log_rate

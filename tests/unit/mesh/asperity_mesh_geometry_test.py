@@ -149,8 +149,7 @@ class Faults(Geometry):
                 for name in ("surface", "left", "right", "bottom"):
                     self.assertRegex(info, rf"boundary +{name}: ")
         self.assertEqual({path.name for path in MESHES.glob("*.geo")},
-                         {"bp1.geo", "bp3.geo", "subduction_2d.geo", "splay_2d.geo",
-                          "subduction_3d.geo"})
+                         {"bp3.geo", "subduction_2d.geo", "splay_2d.geo", "subduction_3d.geo"})
 
     def test_dip_in_space(self):
         """The interface of subduction_3d.geo steepens in proportion to its depth."""
@@ -200,19 +199,6 @@ class Faults(Geometry):
             numpy.testing.assert_allclose(above, below, atol=1e-6)
             numpy.testing.assert_allclose(numpy.diff(above), 500)
         numpy.testing.assert_allclose(above[0], 1e3 + 500)  # of the second row
-
-    def test_columns_beside_bp1(self):
-        shutil.copy(MESHES / "bp1.geo", ".")
-        self.assert_done("convert", "bp1.geo", "bp1.h5", "--set", "h=1000")
-        with h5py.File("bp1.h5") as file:
-            vertices = file["vertices"][:]
-            fault = vertices[file["boundaries/fault/facets"][:]]
-        numpy.testing.assert_allclose(fault[:, :, 0], 0, atol=1e-9)
-        numpy.testing.assert_allclose(numpy.abs(numpy.diff(fault[:, :, 1], axis=1)), 1000)
-        for column in range(3):
-            x = column * 1000 / numpy.sqrt(3)
-            y = numpy.sort(vertices[numpy.abs(vertices[:, 0] - x) < 1e-6, 1])
-            numpy.testing.assert_allclose(y[y > -40e3 - 1], numpy.arange(-40e3, 1, 1000), atol=1e-6)
 
 
 class Refusals(Geometry):
