@@ -2,7 +2,8 @@
 of constant slip, whose stress in the whole space is known in closed form, and the image that frees
 the surface from traction, a double couple of Mindlin's forces, by Gauss's rule.
 
-Axes: 1 along strike, 2 across the fault, 3 up, as in Okada (1992), Bull. Seismol. Soc. Am. 82, 1018.
+Axes: 1 along strike, 2 across the fault, 3 up, as in Okada, Bull. Seismol. Soc. Am. 82 (1992),
+1018, whose equations 1 and 2 these are.
 """
 
 import itertools
@@ -16,7 +17,7 @@ def _image_kernel(poisson):
     (0, 0, xi3) has in the half space and not in the whole space: a function of x, x3, xi3."""
     x = sympy.symbols("x1:4", real=True)
     xi = sympy.symbols("xi1:4", real=True)
-    alpha = 1 / (2 * (1 - sympy.nsimplify(poisson)))  # (lambda + mu) / (lambda + 2 mu)
+    alpha = 1 / (2 * (1 - sympy.nsimplify(poisson)))
     delta = sympy.eye(3)
 
     def distances(x3):
@@ -48,8 +49,7 @@ def _image_kernel(poisson):
 
 
 class StrikeSlipElements:
-    """Slip on squares of `cell` [m], `columns` along strike and `rows` from the surface down; arrays
-    are (rows, columns)."""
+    """Slip on squares of `cell` [m], `columns` along strike and `rows` from the surface down."""
 
     def __init__(self, cell, columns, rows, shear_modulus, poisson=0.25, points=6):
         self.along = cell * (numpy.arange(columns) + 0.5)

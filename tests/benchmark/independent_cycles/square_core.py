@@ -1,6 +1,6 @@
-"""The first event of SEAS BP5-QD by the independent program: coarse_core.py CELL [m]. Slip goes along
-strike alone. Prints, of the places that docs/results.md compares, when they pass 1 cm/s, their peak
-slip rate and their slip after 60 s."""
+"""The first event of SEAS BP5-QD by the independent program: square_core.py CELL [m]. Slip goes
+along strike alone. No answer of another group is at hand that has converged at the surface, so
+this one stands for it: the limits are its own numbers."""
 
 import dataclasses
 import sys
@@ -11,8 +11,14 @@ from strike_slip_operators import StrikeSlipElements
 
 LENGTH, DEPTH = 100e3, 40e3  # of the fault with friction [m]
 END = 90  # s
-PLACES = {"strk+00dp10": (0, 10e3), "strk+16dp10": (16e3, 10e3), "strk+00dp00": (0, 0),
-          "strk+16dp00": (16e3, 0), "strk-24dp00": (-24e3, 0)}
+# Receiver: where it is, along strike and down [m]; with cells of 500 m when it slips at 1 cm/s [s],
+# its peak rate [m/s], its slip after 60 s [m]. Limits chosen when these had been found.
+PLACES = {"strk+00dp10": ((0, 10e3), (26.28, 0.874, 6.96)),
+          "strk+16dp10": ((16e3, 10e3), (33.77, 0.985, 6.19)),
+          "strk+00dp00": ((0, 0), (40.17, 0.663, 4.58)),
+          "strk+16dp00": ((16e3, 0), (45.72, 0.511, 3.52)),
+          "strk-24dp00": ((-24e3, 0), (47.48, 0.256, 2.07))}
+LIMIT = 0.01
 
 
 @dataclasses.dataclass(frozen=True)
@@ -50,29 +56,41 @@ def problem_on(operator):
     return dataclasses.replace(whole, critical_slip=numpy.where(whole.square(), 0.13, 0.14))
 
 
+def check_against_screw_dislocations():
+    """Slip that does not change along strike is antiplane: in the middle of a long fault."""
+    cell, rows = 1e3, 6
+    operator = StrikeSlipElements(cell, 400, rows, Problem.shear_modulus)
+    found = operator.kernel[:, :, 0] + 2 * operator.kernel[:, :, 1:].sum(axis=2)
+    depth, ends = operator.depths[:, None], cell * numpy.arange(rows + 1)
+    dislocations = 1 / (depth - ends) - 1 / (depth + ends)  # and their images
+    exact = Problem.shear_modulus / (2 * numpy.pi) * numpy.diff(dislocations, axis=1)
+    assert numpy.abs(found - exact).max() < 1e-3 * numpy.abs(exact).max()
+
+
 def main(cell):
+    check_against_screw_dislocations()
     operator = StrikeSlipElements(cell, round(LENGTH / cell), round(DEPTH / cell),
                                   Problem.shear_modulus)
     operator.positions[:, 0] -= LENGTH / 2
     cycles = Cycles(problem_on(operator), operator, 1e-5, first_step=1e-3)
     # The elements that touch a place, whose mean is taken.
-    near = {name: numpy.abs(operator.positions - place).max(axis=1) < 0.51 * cell
-            for name, place in PLACES.items()}
+    near = [numpy.abs(operator.positions - place).max(axis=1) < 0.51 * cell
+            for place, _ in PLACES.values()]
     times, rates, slips = [], [], []
     while cycles.time < END:
         cycles.advance()
         times.append(cycles.time)
-        rates.append([cycles.rates[chosen].mean() for chosen in near.values()])
-        slips.append([cycles.total_slip()[chosen].mean() for chosen in near.values()])
-        if len(times) % 200 == 0:
-            print(f"{cycles.time:.3f} s, {len(times)} steps, {cycles.rates.max():.3g} m/s",
-                  flush=True)
+        rates.append([cycles.rates[chosen].mean() for chosen in near])
+        slips.append([cycles.total_slip()[chosen].mean() for chosen in near])
     rates, slips = numpy.array(rates), numpy.array(slips)
-    for number, name in enumerate(near):
+    misses = []
+    for number, (name, (_, expected)) in enumerate(PLACES.items()):
         fast = numpy.flatnonzero(rates[:, number] > 0.01)
         arrival = times[fast[0]] if len(fast) else numpy.inf
-        print(f"{name}: 1 cm/s after {arrival:.2f} s, at most {rates[:, number].max():.3f} m/s, "
-              f"{numpy.interp(60, times, slips[:, number]):.2f} m after 60 s", flush=True)
+        found = (arrival, rates[:, number].max(), numpy.interp(60, times, slips[:, number]))
+        print(f"{name}: 1 cm/s after %.2f s, at most %.3f m/s, %.2f m after 60 s" % found)
+        misses.append(numpy.abs(numpy.divide(found, expected) - 1).max())
+    return int(max(misses) > LIMIT)
 
 
 if __name__ == "__main__":
