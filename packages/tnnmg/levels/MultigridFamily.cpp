@@ -69,10 +69,11 @@ Teuchos::ParameterList MultigridFamily::defaults(int components)
 
 MultigridFamily::MultigridFamily(std::vector<MatrixSource> const& terms, int components,
                                  RCP<const MultiVector> const& near_null_space,
-                                 NodeDofView const& fault, Teuchos::ParameterList const& muelu)
+                                 NodeDofView const& fault, Aggregation const& aggregation)
 {
   auto matrix = terms.front()();
-  const auto transfers = prolongators(matrix, *near_null_space, muelu);
+  const auto transfers =
+    prolongators(matrix, near_null_space, aggregation.muelu, aggregation.rows_per_rank);
   const int motions = static_cast<int>(near_null_space->getNumVectors());
   const bool has_fault =
     sumOverRanks(fault.extent_int(0), *near_null_space->getMap()->getComm()) > 0;
