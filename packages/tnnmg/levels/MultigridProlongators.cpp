@@ -55,19 +55,19 @@ public:
   }
 
   int numLevels() const { return hierarchy_->GetNumLevels(); }
-  RCP<const CrsMatrix> prolongator(int level) const { return matrix(level, "P"); }
-  // Of a level between the first and the last: its matrix, and the near null space that MueLu keeps
-  // because it is asked to keep what "reuse: type" = "RP" needs.
-  Level at(int level) const
+  RCP<const CrsMatrix> prolongator(int level) const { return get(level, "P"); }
+  RCP<const CrsMatrix> matrix(int level) const { return get(level, "A"); }
+  // Of a level between the first and the last: MueLu has it because it is asked to keep what
+  // "reuse: type" = "RP" needs.
+  RCP<const MultiVector> nearNullSpace(int level) const
   {
     auto const factory = interpreter_.GetFactoryManager(level)->GetFactory("Nullspace");
-    return {matrix(level, "A"),
-            XpetraTools::MV2TpetraMV(
-              hierarchy_->GetLevel(level)->Get<RCP<XpetraVectors>>("Nullspace", factory.get()))};
+    return XpetraTools::MV2TpetraMV(
+      hierarchy_->GetLevel(level)->Get<RCP<XpetraVectors>>("Nullspace", factory.get()));
   }
 
 private:
-  RCP<const CrsMatrix> matrix(int level, char const* name) const
+  RCP<const CrsMatrix> get(int level, char const* name) const
   {
     return XpetraTools::Op2TpetraCrs(hierarchy_->GetLevel(level)->Get<RCP<XpetraMatrix>>(name));
   }
@@ -77,19 +77,23 @@ private:
   RCP<MueLu::Hierarchy<double, LocalOrdinal, GlobalOrdinal, Node>> hierarchy_;
 };
 
-// Appends the prolongators down to the first level that has to move, and returns that level where
-// it moved to; a level without matrix if there is nothing to be aggregated any more.
+// Appends the levels down to the first one that has to move, and returns that where it moved to; a
+// level without matrix if there is nothing to be aggregated any more.
 Level aggregate(Level const& level, Teuchos::ParameterList const& muelu, int rows_per_rank,
-                std::vector<RCP<const CrsMatrix>>& prolongators)
+                std::vector<ProjectedLevel>& levels)
 {
   const Hierarchy hierarchy(level, muelu);
   for (int l = 1; l < hierarchy.numLevels(); ++l) {
     const auto P = hierarchy.prolongator(l);
     const auto owners = onFewerRanks(*P->getDomainMap(), rows_per_rank);
-    prolongators.push_back(owners.is_null() ? P : withColumnsOn(owners, *P));
-    if (!owners.is_null() && l + 1 < hierarchy.numLevels()) {
-      const auto next = hierarchy.at(l);
-      return {movedTo(owners, next.A), movedTo(owners, *next.near_null_space)};
+    const auto A = hierarchy.matrix(l);
+    if (owners.is_null()) {
+      levels.push_back({P, A});
+      continue;
+    }
+    levels.push_back({withColumnsOn(owners, *P), movedTo(owners, A)});
+    if (l + 1 < hierarchy.numLevels()) {
+      return {levels.back().A, movedTo(owners, *hierarchy.nearNullSpace(l))};
     }
   }
   return {};
@@ -97,13 +101,12 @@ Level aggregate(Level const& level, Teuchos::ParameterList const& muelu, int row
 } // namespace
 
 // The set-up fails for its matrix or its list; memory that is missing is no matter of either.
-std::vector<RCP<const CrsMatrix>> prolongators(RCP<const CrsMatrix> const& A,
-                                               RCP<const MultiVector> const& near_null_space,
-                                               Teuchos::ParameterList const& muelu,
-                                               int rows_per_rank)
+std::vector<ProjectedLevel> coarseLevels(RCP<const CrsMatrix> const& A,
+                                         RCP<const MultiVector> const& near_null_space,
+                                         Teuchos::ParameterList const& muelu, int rows_per_rank)
 {
   Teuchos::ParameterList list(muelu);
-  std::vector<RCP<const CrsMatrix>> result;
+  std::vector<ProjectedLevel> result;
   try {
     const int most_levels =
       list.get("max levels", MueLu::MasterList::getDefault<int>("max levels"));
