@@ -40,7 +40,8 @@ struct Parts
   RCP<const detail::MultigridOperator> A;
 };
 
-constexpr int all_on_one = 100000; // rows per rank: more than any level here has
+// Rows per rank: more than any level here has, and enough to move level 1 from three ranks to two.
+constexpr int all_on_one = 100000, some_on_one = 80;
 
 std::shared_ptr<const detail::MultigridFamily> familyOf(ElasticModel const& model,
                                                         int rows_per_rank = 0)
@@ -95,7 +96,10 @@ TEST(MultigridPreconditioner, isSymmetricAfterEveryKindOfSetup)
       SCOPED_TRACE(tau);
       const auto model = modelWith(tau, tangents);
       const Parts parts(model, FaultState(model, Truncation::none));
-      const auto B = makePreconditioner(model, parts, tau < 1 ? 0 : all_on_one);
+      const auto B = makePreconditioner(model, parts,
+                                        tau > 1         ? all_on_one
+                                        : tangents == 1 ? 0
+                                                        : some_on_one);
       EXPECT_LE(detail::relativeAsymmetry(*B, *parts.nodes), 1e-5); // single precision
       parts.nodes->set(FaultState(model, Truncation::left_half).blocks(model));
       B->setup();
@@ -122,6 +126,11 @@ TEST(MultigridFamily, hasCoarseLevelsOnFewerRanks)
     EXPECT_EQ(ranksOf(moved->levels()[l]), 1) << "level " << l;
   }
   EXPECT_LE(moved->levels().back().graph.row_map->getGlobalNumElements(), 100U);
+  if (num_ranks == 3) {
+    const auto partly = familyOf(model, some_on_one);
+    EXPECT_EQ(ranksOf(partly->levels()[1]), 2);
+    EXPECT_EQ(ranksOf(partly->levels().back()), 1);
+  }
 }
 
 // The product with Z + H that a cycle leaves is that of the operator, to single precision.
@@ -178,7 +187,7 @@ TEST(CoarseFault, isTheGalerkinProductOfTheHessians)
     const auto model = modelWith(1.0, tangents);
     const FaultState state(model, Truncation::none, -2, 0);
     const Parts parts(model, state);
-    const auto family = familyOf(model, tangents == 1 ? 0 : all_on_one);
+    const auto family = familyOf(model, tangents == 1 ? some_on_one : all_on_one);
     ASSERT_GE(family->levels().size(), 2U);
     auto const& fine = family->levels()[0];
     auto const& coarse = family->levels()[1];
