@@ -43,7 +43,8 @@ void declare(asperity::Options& options, BenchArguments& arguments, Given& given
     .value("--rupture-rate", given.rupture_rate, "V", "slip rate of the rupture, m/s (0.01)")
     .values("--set", arguments.deck.overrides, "\"PATH=value\"", "change the deck")
     .values("--plugin", arguments.deck.plugins, "LIBRARY", "load laws of your own")
-    .value("--output", arguments.output, "FILE.json", "write the same numbers for programs")
+    .value("--output", arguments.output, "FILE",
+           "write the same numbers for programs: JSON, of stiffness text")
     .flag("-h,--help", arguments.help, "print this text");
 }
 } // namespace
@@ -59,16 +60,22 @@ BenchArguments parseBenchArguments(int argc, char const* const* argv)
     return arguments;
   }
   ASPERITY_REQUIRE(
-    words.size() == 2 &&
-      (words[0] == "scaling" || words[0] == "steps" || words[0] == "compare" || words[0] == "mesh"),
-    "asperity-bench scaling DECK.xml, asperity-bench steps DECK.xml, asperity-bench compare "
-    "DECK.xml and asperity-bench mesh DECK.xml are what there is. See asperity-bench --help.");
+    words.size() == 2 && (words[0] == "scaling" || words[0] == "steps" || words[0] == "compare" ||
+                          words[0] == "stiffness" || words[0] == "mesh"),
+    "asperity-bench scaling, steps, compare, stiffness and mesh, each with DECK.xml, are what "
+    "there is. See asperity-bench --help.");
   arguments.deck.deck = words[1];
   arguments.counts_mesh = words[0] == "mesh";
   if (arguments.counts_mesh) {
     ASPERITY_REQUIRE(given.sizes.empty() && given.steps.empty() && given.rupture_rate.empty() &&
                        arguments.output.empty(),
                      "asperity-bench mesh takes --set and --plugin alone.");
+    return arguments;
+  }
+  arguments.writes_stiffness = words[0] == "stiffness";
+  if (arguments.writes_stiffness) {
+    ASPERITY_REQUIRE(given.sizes.empty() && given.steps.empty() && given.rupture_rate.empty(),
+                     "asperity-bench stiffness takes --set, --plugin and --output alone.");
     return arguments;
   }
   if (words[0] == "steps" || words[0] == "compare") {
@@ -109,6 +116,10 @@ void printBenchHelp(std::ostream& out)
        "  asperity-bench compare DECK.xml --steps N\n"
        "    After each of N accepted steps: a coupled step, its rate problem, and the linear\n"
        "    problem with the same matrix, guess and error by CG with MueLu's multigrid.\n\n"
+       "  asperity-bench stiffness DECK.xml\n"
+       "    How slip stresses the fault of a deck in the plane on its mesh: the error of the\n"
+       "    traction of waves of slip, and with --output FILE.txt the condensed matrix, for\n"
+       "    numpy.loadtxt: position, weight, a row of traction [Pa/m] and one of compression.\n\n"
        "  asperity-bench mesh DECK.xml\n"
        "    Makes the mesh alone: how many cells and vertices, how evenly the ranks have them, "
        "and\n"

@@ -1,9 +1,9 @@
 #pragma once
 
-#include "Compare.hpp"
-#include "Scaling.hpp"
-#include "Steps.hpp"
 #include "base/program/CommandLine.hpp"
+#include "compare/Compare.hpp"
+#include "scaling/Scaling.hpp"
+#include "steps/Steps.hpp"
 
 #include <iosfwd>
 
@@ -11,10 +11,11 @@ struct BenchArguments
 {
   asperity::CommandLine deck; // the deck and its overrides
   ScalingOptions scaling;
-  StepsOptions steps;       // num_steps is 0 unless `steps` is asked for
-  CompareOptions compare;   // likewise for `compare`
-  std::string output;       // JSON file, "" for none
-  bool counts_mesh = false; // asperity-bench mesh
+  StepsOptions steps;            // num_steps is 0 unless `steps` is asked for
+  CompareOptions compare;        // likewise for `compare`
+  std::string output;            // JSON file, of stiffness a text file; "" for none
+  bool counts_mesh = false;      // asperity-bench mesh
+  bool writes_stiffness = false; // asperity-bench stiffness
   bool help = false;
 };
 

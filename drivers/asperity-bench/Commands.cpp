@@ -1,13 +1,14 @@
 #include "Commands.hpp"
 
-#include "Compare.hpp"
-#include "MeshCounts.hpp"
-#include "Scaling.hpp"
-#include "Steps.hpp"
 #include "base/Errors.hpp"
 #include "base/program/MpiScope.hpp"
 #include "base/program/WorkTimers.hpp"
+#include "compare/Compare.hpp"
+#include "mesh/MeshCounts.hpp"
+#include "scaling/Scaling.hpp"
 #include "scenario/DeckReader.hpp"
+#include "steps/Steps.hpp"
+#include "stiffness/FaultStiffness.hpp"
 
 #include <fstream>
 #include <iostream>
@@ -15,10 +16,10 @@
 
 namespace
 {
-void write(std::string const& file_name, std::string const& json)
+void write(std::string const& file_name, std::string const& text)
 {
   std::ofstream file(file_name);
-  file << json;
+  file << text;
   file.close();
   ASPERITY_REQUIRE(file.good(), "Cannot write '" << file_name << "'.");
 }
@@ -76,6 +77,18 @@ int measureScaling(BenchArguments const& arguments,
   return asperity::exit_done;
 }
 
+int writeStiffness(BenchArguments const& arguments,
+                   asperity::RCP<const asperity::Communicator> const& communicator)
+{
+  auto const deck = asperity::scenario::readCompleteDeck(arguments.deck);
+  auto const stiffness = stiffnessOfFault(*deck, communicator);
+  std::cout << stiffnessTable(stiffness) << std::flush;
+  if (!arguments.output.empty()) {
+    write(arguments.output, stiffnessText(stiffness));
+  }
+  return asperity::exit_done;
+}
+
 int countMesh(BenchArguments const& arguments,
               asperity::RCP<const asperity::Communicator> const& communicator)
 {
@@ -93,6 +106,9 @@ int measure(BenchArguments const& arguments,
 {
   if (arguments.counts_mesh) {
     return countMesh(arguments, communicator);
+  }
+  if (arguments.writes_stiffness) {
+    return writeStiffness(arguments, communicator);
   }
   if (arguments.compare.num_steps > 0) {
     return compareStretch(arguments, communicator);

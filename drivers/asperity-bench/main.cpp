@@ -2,11 +2,13 @@
 // [--rupture-rate V] [--set "Path/To/Parameter=value"]... [--output FILE.json]
 // asperity-bench steps DECK.xml --steps N [--set ...]... [--output FILE.json]
 // asperity-bench compare DECK --steps N [--set ...]... [--output FILE.json]
+// asperity-bench stiffness DECK.xml [--set ...]... [--output FILE.txt]
 // asperity-bench mesh DECK.xml [--set ...]...
 #include "Commands.hpp"
 #include "base/Errors.hpp"
 #include "base/program/MpiScope.hpp"
 #include "base/program/Plugins.hpp"
+#include "measuring/CountedProducts.hpp"
 #include "scenario/Registrations.hpp"
 
 #include <iostream>
@@ -14,6 +16,7 @@
 int main(int argc, char** argv)
 {
   // 1. Start MPI and Kokkos.
+  CountedProducts::prepare();
   asperity::MpiScope parallel(argc, argv);
   auto const communicator = parallel.communicator();
   return asperity::runGuarded(

@@ -128,7 +128,7 @@ MultigridTerms::MultigridTerms(std::vector<MatrixSource> const& terms, Multigrid
                                Teuchos::ParameterList const& parameters)
     : family_(std::make_shared<detail::MultigridFamily>(
         terms, like.components, withTraceAt(*like.near_null_space, like.held_rows), like.nodes.dofs,
-        detail::MultigridParameters(parameters, like.components).muelu))
+        detail::MultigridParameters(parameters, like.components).aggregation))
 {
 }
 

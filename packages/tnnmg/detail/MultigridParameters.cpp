@@ -47,6 +47,10 @@ Teuchos::RCP<const ParameterList> MultigridParameters::valid()
           "has become truncated, is no longer truncated, or has a Hessian that changed by an order "
           "of magnitude.")
     .hint("A share of 0.1 costs one or two more iterations.")
+    .integer("Rows per Rank", 1000, Range::atLeast(0),
+             "A coarse level with fewer rows on the mean rank moves to fewer ranks, so that the "
+             "coarsest level does not grow with the number of ranks. With 0 all levels stay on all "
+             "ranks.")
     .foreignSublist("MueLu", ParameterList("MueLu"),
                     "MueLu reads these entries, in its own spelling, when it makes the "
                     "prolongators. Each replaces one default.")
@@ -66,8 +70,9 @@ MultigridParameters::MultigridParameters(ParameterList const& given, int compone
   v_cycles = list.get<int>("V-Cycles");
   rebuilds = list.get<std::string>("Hierarchy") == "Rebuild";
   outdated_share = list.get<double>("Outdated Share");
-  muelu =
+  aggregation.muelu =
     completeMueLu(list.sublist("MueLu"), components, "Asperity / TNNMG / MueLu Correction / MueLu");
+  aggregation.rows_per_rank = list.get<int>("Rows per Rank");
   belos = list.sublist("Belos");
 }
 } // namespace asperity::tnnmg::detail

@@ -1,5 +1,7 @@
 #pragma once
 
+#include "tnnmg/levels/MultigridFamily.hpp"
+
 #include <Teuchos_ParameterList.hpp>
 #include <Teuchos_RCP.hpp>
 
@@ -16,9 +18,9 @@ struct MultigridParameters
   Method method = Method::conjugate_gradients;
   int max_iterations = 0;
   int v_cycles = 0;
-  bool rebuilds = true;         // the coarse levels follow the Hessians
-  double outdated_share = 0;    // of the nonlinear nodes
-  Teuchos::ParameterList muelu; // complete
+  bool rebuilds = true;      // the coarse levels follow the Hessians
+  double outdated_share = 0; // of the nonlinear nodes
+  Aggregation aggregation;
   Teuchos::ParameterList belos;
 
   static Teuchos::RCP<const Teuchos::ParameterList> valid();

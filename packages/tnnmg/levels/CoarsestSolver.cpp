@@ -1,6 +1,8 @@
 #include "tnnmg/levels/CoarsestSolver.hpp"
 
 #include "base/Errors.hpp"
+#include "base/parallel/Reductions.hpp"
+#include "portability/Renamed.hpp"
 
 #include <Teuchos_CommHelpers.hpp>
 #include <Tpetra_Map.hpp>
@@ -9,16 +11,15 @@
 
 namespace asperity::tnnmg::detail
 {
-namespace
+// Over the ranks that have the factor.
+void CoarsestSolver::sumInPlace(double* values, Eigen::Index count) const
 {
-void sumInPlace(Communicator const& communicator, double* values, int count)
-{
-  if (communicator.getSize() > 1) {
+  if (is_shared_) {
     const std::vector<double> mine(values, values + count);
-    Teuchos::reduceAll(communicator, Teuchos::REDUCE_SUM, count, mine.data(), values);
+    Teuchos::reduceAll(*map_->getComm(), Teuchos::REDUCE_SUM, static_cast<int>(count), mine.data(),
+                       values);
   }
 }
-} // namespace
 
 CoarsestSolver::CoarsestSolver(NodeGraph const& graph, NodeBlocks const& A,
                                std::vector<char> const& free)
@@ -31,8 +32,22 @@ CoarsestSolver::CoarsestSolver(NodeGraph const& graph, NodeBlocks const& A,
     throw SolveError("Multigrid: the coarsest level has " + std::to_string(n) + " rows on " +
                      std::to_string(map_->getComm()->getSize()) + " ranks, and at most " +
                      std::to_string(most_rows) +
-                     " can be factorised on every rank. Use fewer ranks.");
+                     " can be factorised. Set TNNMG / MueLu Correction / Rows per Rank to its "
+                     "default, or use fewer ranks.");
   }
+  const auto mine = static_cast<Eigen::Index>(numLocalElements(*map_));
+  is_shared_ = maxOverRanks(mine > 0 && mine < n ? 1 : 0, *map_->getComm()) > 0;
+  const bool has_factor = is_shared_ || mine == n;
+  const int failed = has_factor && !factorise(graph, A, n) ? 1 : 0;
+  if (maxOverRanks(failed, *map_->getComm()) > 0) {
+    throw SolveError(
+      "Multigrid: the coarsest matrix is not positive definite, so neither is the fine one. "
+      "Check the sign of moduli, viscosities and densities.");
+  }
+}
+
+bool CoarsestSolver::factorise(NodeGraph const& graph, NodeBlocks const& A, Eigen::Index n)
+{
   const int size = graph.row_size;
   auto const& columns = graph.column_map.is_null() ? *graph.domain_map : *graph.column_map;
   Eigen::MatrixXd matrix = Eigen::MatrixXd::Zero(n, n);
@@ -51,8 +66,8 @@ CoarsestSolver::CoarsestSolver(NodeGraph const& graph, NodeBlocks const& A,
   for (std::size_t i = 0; i < free_.size(); ++i) {
     is_free(map_->getGlobalElement(static_cast<LocalOrdinal>(i))) = free_[i];
   }
-  sumInPlace(*map_->getComm(), matrix.data(), static_cast<int>(matrix.size()));
-  sumInPlace(*map_->getComm(), is_free.data(), static_cast<int>(n));
+  sumInPlace(matrix.data(), matrix.size());
+  sumInPlace(is_free.data(), n);
   for (Eigen::Index i = 0; i < n; ++i) {
     if (is_free(i) == 0) {
       matrix.row(i).setZero();
@@ -62,20 +77,19 @@ CoarsestSolver::CoarsestSolver(NodeGraph const& graph, NodeBlocks const& A,
   }
   matrix.diagonal() *= 1 + 1e-6;
   factor_.compute(matrix);
-  if (factor_.info() != Eigen::Success) { // the same on all ranks
-    throw SolveError(
-      "Multigrid: the coarsest matrix is not positive definite, so neither is the fine one. "
-      "Check the sign of moduli, viscosities and densities.");
-  }
+  return factor_.info() == Eigen::Success;
 }
 
 void CoarsestSolver::solve(NodeVector const& b, NodeVector& x) const
 {
+  if (factor_.rows() == 0) {
+    return; // another rank has all rows
+  }
   Eigen::VectorXd all = Eigen::VectorXd::Zero(factor_.rows());
   for (std::size_t i = 0; i < free_.size(); ++i) {
     all(map_->getGlobalElement(static_cast<LocalOrdinal>(i))) = free_[i] ? b[i] : 0;
   }
-  sumInPlace(*map_->getComm(), all.data(), static_cast<int>(all.size()));
+  sumInPlace(all.data(), all.size());
   factor_.solveInPlace(all);
   for (std::size_t i = 0; i < free_.size(); ++i) {
     const double value = free_[i] ? all(map_->getGlobalElement(static_cast<LocalOrdinal>(i))) : 0;

@@ -69,16 +69,17 @@ Teuchos::ParameterList MultigridFamily::defaults(int components)
 
 MultigridFamily::MultigridFamily(std::vector<MatrixSource> const& terms, int components,
                                  RCP<const MultiVector> const& near_null_space,
-                                 NodeDofView const& fault, Teuchos::ParameterList const& muelu)
+                                 NodeDofView const& fault, Aggregation const& aggregation)
 {
   auto matrix = terms.front()();
-  const auto transfers = prolongators(matrix, *near_null_space, muelu);
+  const auto coarse =
+    coarseLevels(matrix, near_null_space, aggregation.muelu, aggregation.rows_per_rank);
   const int motions = static_cast<int>(near_null_space->getNumVectors());
   const bool has_fault =
     sumOverRanks(fault.extent_int(0), *near_null_space->getMap()->getComm()) > 0;
   RCP<const CrsMatrix> Q;
-  levels_.reserve(transfers.size() + 1);
-  for (std::size_t l = 0; l <= transfers.size(); ++l) {
+  levels_.reserve(coarse.size() + 1);
+  for (std::size_t l = 0; l <= coarse.size(); ++l) {
     MultigridLevel level;
     const int size = l == 0 ? components : motions;
     level.graph = makeNodeGraph({matrix}, size, size);
@@ -87,21 +88,21 @@ MultigridFamily::MultigridFamily(std::vector<MatrixSource> const& terms, int com
       level.terms.push_back(blocksOf(level.graph, *matrix));
     }
     if (l > 0 && has_fault) {
-      Q = l == 1 ? rowsAtNodes(*transfers[0], fault)
-                 : multiply(*Q, *transfers[l - 1], *Q->getRowMap());
+      Q =
+        l == 1 ? rowsAtNodes(*coarse[0].P, fault) : multiply(*Q, *coarse[l - 1].P, *Q->getRowMap());
       level.fault = makeCoarseFault(Q, fault.extent_int(1), level.graph);
     }
-    if (l < transfers.size()) {
-      level.prolongation = makeNodeGraph({transfers[l]}, size, motions);
-      level.P = blocksOf(level.prolongation, *transfers[l]);
-      matrix = project(*matrix, *transfers[l]);
+    if (l < coarse.size()) {
+      level.prolongation = makeNodeGraph({coarse[l].P}, size, motions);
+      level.P = blocksOf(level.prolongation, *coarse[l].P);
+      matrix = coarse[l].A;
     }
     levels_.push_back(std::move(level));
   }
   for (std::size_t k = 1; k < terms.size(); ++k) {
     matrix = terms[k]();
-    for (std::size_t l = 0; l < transfers.size(); ++l) {
-      matrix = project(*matrix, *transfers[l]);
+    for (std::size_t l = 0; l < coarse.size(); ++l) {
+      matrix = project(*matrix, *coarse[l].P);
       levels_[l + 1].terms.push_back(blocksOf(levels_[l + 1].graph, *matrix));
     }
   }

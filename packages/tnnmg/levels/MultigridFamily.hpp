@@ -39,6 +39,14 @@ struct MultigridLevel
   CoarseFault fault; // empty on the finest level
 };
 
+// How a family is made coarser.
+struct Aggregation
+{
+  Teuchos::ParameterList muelu; // complete, in MueLu's own spelling
+  // A coarse level with fewer rows on the mean rank moves to fewer ranks; 0: levels stay.
+  int rows_per_rank = 0;
+};
+
 // The grid transfers of all matrices sum_k w_k A_k with the same terms A_k, and the terms projected
 // to the coarse levels. The matrix of any weights is on each level a sum of the terms there: no
 // Galerkin product, and nothing that is kept for each set of weights on its own has to be set up by
@@ -56,7 +64,7 @@ public:
   // each. Throws SolveError if MueLu fails; std::bad_alloc is passed on. Collective.
   MultigridFamily(std::vector<MatrixSource> const& terms, int components,
                   RCP<const MultiVector> const& near_null_space, NodeDofView const& fault,
-                  Teuchos::ParameterList const& muelu);
+                  Aggregation const& aggregation);
 
   std::vector<MultigridLevel> const& levels() const { return levels_; }
   std::size_t bytes() const; // on this rank

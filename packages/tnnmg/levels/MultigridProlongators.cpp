@@ -2,12 +2,17 @@
 
 #include "base/Errors.hpp"
 #include "tnnmg/detail/MultigridTrial.hpp"
+#include "tnnmg/levels/FewerRanks.hpp"
 
 #include <MueLu_CreateTpetraPreconditioner.hpp>
+#include <MueLu_ParameterListInterpreter.hpp>
 #include <Tpetra_CrsMatrix.hpp>
+#include <Tpetra_Map.hpp>
+#include <Tpetra_MultiVector.hpp>
 
 #include <exception>
 #include <new>
+#include <string>
 
 namespace asperity::tnnmg::detail
 {
@@ -15,28 +20,102 @@ namespace
 {
 using Node = CrsMatrix::node_type;
 using XpetraMatrix = Xpetra::Matrix<double, LocalOrdinal, GlobalOrdinal, Node>;
+using XpetraVectors = Xpetra::MultiVector<double, LocalOrdinal, GlobalOrdinal, Node>;
 using XpetraTools = MueLu::Utilities<double, LocalOrdinal, GlobalOrdinal, Node>;
+using Interpreter = MueLu::ParameterListInterpreter<double, LocalOrdinal, GlobalOrdinal, Node>;
+
+// A level to be aggregated.
+struct Level
+{
+  RCP<const CrsMatrix> A;
+  RCP<const MultiVector> near_null_space;
+};
+
+// MueLu's hierarchy below a level, which is its level 0.
+class Hierarchy
+{
+public:
+  Hierarchy(Level const& level, Teuchos::ParameterList const& muelu)
+      : list_(muelu) // MueLu writes into it
+      , interpreter_(list_, level.A->getComm())
+      , hierarchy_(interpreter_.CreateHierarchy())
+  {
+    hierarchy_->setlib(Xpetra::UseTpetra);
+    // MueLu's interface takes a matrix that is not const. It changes the matrix only if it scales
+    // or rebalances it, which we never ask for.
+    hierarchy_->GetLevel(0)->Set(
+      "A", MueLu::TpetraCrs_To_XpetraMatrix<double, LocalOrdinal, GlobalOrdinal, Node>(
+             Teuchos::rcp_const_cast<CrsMatrix>(level.A)));
+    const auto vectors = rcp(new MultiVector(*level.near_null_space, Teuchos::Copy));
+    hierarchy_->GetLevel(0)->Set(
+      "Nullspace",
+      MueLu::TpetraMultiVector_To_XpetraMultiVector<double, LocalOrdinal, GlobalOrdinal, Node>(
+        vectors));
+    interpreter_.SetupHierarchy(*hierarchy_);
+  }
+
+  int numLevels() const { return hierarchy_->GetNumLevels(); }
+  RCP<const CrsMatrix> prolongator(int level) const { return get(level, "P"); }
+  RCP<const CrsMatrix> matrix(int level) const { return get(level, "A"); }
+  // Of a level between the first and the last: MueLu has it because it is asked to keep what
+  // "reuse: type" = "RP" needs.
+  RCP<const MultiVector> nearNullSpace(int level) const
+  {
+    auto const factory = interpreter_.GetFactoryManager(level)->GetFactory("Nullspace");
+    return XpetraTools::MV2TpetraMV(
+      hierarchy_->GetLevel(level)->Get<RCP<XpetraVectors>>("Nullspace", factory.get()));
+  }
+
+private:
+  RCP<const CrsMatrix> get(int level, char const* name) const
+  {
+    return XpetraTools::Op2TpetraCrs(hierarchy_->GetLevel(level)->Get<RCP<XpetraMatrix>>(name));
+  }
+
+  Teuchos::ParameterList list_;
+  Interpreter interpreter_;
+  RCP<MueLu::Hierarchy<double, LocalOrdinal, GlobalOrdinal, Node>> hierarchy_;
+};
+
+// Appends the levels down to the first one that has to move, and returns that where it moved to; a
+// level without matrix if there is nothing to be aggregated any more.
+Level aggregate(Level const& level, Teuchos::ParameterList const& muelu, int rows_per_rank,
+                std::vector<ProjectedLevel>& levels)
+{
+  const Hierarchy hierarchy(level, muelu);
+  for (int l = 1; l < hierarchy.numLevels(); ++l) {
+    const auto P = hierarchy.prolongator(l);
+    const auto owners = onFewerRanks(*P->getDomainMap(), rows_per_rank);
+    const auto A = hierarchy.matrix(l);
+    if (owners.is_null()) {
+      levels.push_back({P, A});
+      continue;
+    }
+    levels.push_back({withColumnsOn(owners, *P), movedTo(owners, A)});
+    if (l + 1 < hierarchy.numLevels()) {
+      return {levels.back().A, movedTo(owners, *hierarchy.nearNullSpace(l))};
+    }
+  }
+  return {};
+}
 } // namespace
 
 // The set-up fails for its matrix or its list; memory that is missing is no matter of either.
-std::vector<RCP<const CrsMatrix>> prolongators(RCP<const CrsMatrix> const& A,
-                                               MultiVector const& near_null_space,
-                                               Teuchos::ParameterList const& muelu)
+std::vector<ProjectedLevel> coarseLevels(RCP<const CrsMatrix> const& A,
+                                         RCP<const MultiVector> const& near_null_space,
+                                         Teuchos::ParameterList const& muelu, int rows_per_rank)
 {
-  Teuchos::ParameterList list(muelu); // MueLu writes into it
-  list.sublist("user data").set("Nullspace", rcp(new MultiVector(near_null_space, Teuchos::Copy)));
-  // MueLu's interface takes a matrix that is not const. It changes the matrix only if it scales or
-  // rebalances it, which we never ask for.
-  RCP<Tpetra::Operator<double, LocalOrdinal, GlobalOrdinal, Node>> fine =
-    Teuchos::rcp_const_cast<CrsMatrix>(A);
+  Teuchos::ParameterList list(muelu);
+  std::vector<ProjectedLevel> result;
   try {
-    const auto hierarchy = MueLu::CreateTpetraPreconditioner(fine, list)->GetHierarchy();
-    std::vector<RCP<const CrsMatrix>> result;
-    for (int level = 1; level < hierarchy->GetNumLevels(); ++level) {
-      result.push_back(
-        XpetraTools::Op2TpetraCrs(hierarchy->GetLevel(level)->Get<RCP<XpetraMatrix>>("P")));
+    const int most_levels =
+      list.get("max levels", MueLu::MasterList::getDefault<int>("max levels"));
+    Level level = {A, near_null_space};
+    while (!level.A.is_null()) {
+      list.set("max levels", most_levels - static_cast<int>(result.size()));
+      level = aggregate(level, list, rows_per_rank, result);
+      list.set("number of equations", static_cast<int>(near_null_space->getNumVectors()));
     }
-    return result;
   } catch (std::bad_alloc const&) {
     throw;
   } catch (std::exception const& error) {
@@ -44,5 +123,6 @@ std::vector<RCP<const CrsMatrix>> prolongators(RCP<const CrsMatrix> const& A,
                      " Other parameters in the list MueLu, or 'Linear Correction' = Direct on one "
                      "rank, may help.");
   }
+  return result;
 }
 } // namespace asperity::tnnmg::detail

@@ -8,10 +8,19 @@
 
 namespace asperity::tnnmg::detail
 {
-// The prolongators of MueLu's hierarchy for A, from the finest level to the coarsest; none if A is
-// as small as the coarsest level may be. The parameters are MueLu's. Throws SolveError if MueLu
-// fails; std::bad_alloc is passed on.
-std::vector<RCP<const CrsMatrix>> prolongators(RCP<const CrsMatrix> const& A,
-                                               MultiVector const& near_null_space,
-                                               Teuchos::ParameterList const& muelu);
+// A coarse level of a matrix: the prolongator to the level above, and the matrix P^T A P.
+struct ProjectedLevel
+{
+  RCP<const CrsMatrix> P, A;
+};
+
+// The coarse levels of MueLu's aggregation for A, from fine to coarse; none if A is as small as the
+// coarsest level may be. The parameters are MueLu's. A coarse level that has
+// fewer than rows_per_rank rows on the mean rank moves to fewer ranks before it is aggregated
+// further, since aggregates do not cross ranks; its prolongator's domain map has rows on those
+// ranks alone. With rows_per_rank = 0 all levels stay. Throws SolveError if MueLu fails;
+// std::bad_alloc is passed on. Collective.
+std::vector<ProjectedLevel> coarseLevels(RCP<const CrsMatrix> const& A,
+                                         RCP<const MultiVector> const& near_null_space,
+                                         Teuchos::ParameterList const& muelu, int rows_per_rank);
 } // namespace asperity::tnnmg::detail

@@ -17,6 +17,7 @@ HOST = {
     "packages/tnnmg/detail/EigenMatrix.hpp": "set-up of Eigen's factors",
     "packages/tnnmg/detail/MultigridPreconditioner.cpp": "the V-cycle runs on the host",
     "packages/tnnmg/levels/CoarseFault.cpp": "the V-cycle runs on the host",
+    "packages/tnnmg/levels/FewerRanks.cpp": "set-up of coarse levels",
     "packages/tnnmg/levels/MultigridCycle.cpp": "the V-cycle runs on the host",
     "packages/tnnmg/levels/NodeMatrix.cpp": "the V-cycle runs on the host",
     "packages/tnnmg/levels/SingleGradients.cpp": "the V-cycle runs on the host",

@@ -40,7 +40,11 @@ struct Parts
   RCP<const detail::MultigridOperator> A;
 };
 
-std::shared_ptr<const detail::MultigridFamily> familyOf(ElasticModel const& model)
+// Rows per rank: more than any level here has, and enough to move level 1 from three ranks to two.
+constexpr int all_on_one = 100000, some_on_one = 80;
+
+std::shared_ptr<const detail::MultigridFamily> familyOf(ElasticModel const& model,
+                                                        int rows_per_rank = 0)
 {
   auto muelu = detail::MultigridFamily::defaults(model.options.components);
   muelu.set("coarse: max size", 100);
@@ -55,13 +59,20 @@ std::shared_ptr<const detail::MultigridFamily> familyOf(ElasticModel const& mode
   }
   return std::make_shared<const detail::MultigridFamily>(
     std::vector<detail::MatrixSource>{[&] { return model.Z; }}, model.options.components,
-    near_null_space, model.nodes.dofs, muelu);
+    near_null_space, model.nodes.dofs, detail::Aggregation{muelu, rows_per_rank});
 }
 
 RCP<detail::MultigridPreconditioner> makePreconditioner(ElasticModel const& model,
-                                                        Parts const& parts)
+                                                        Parts const& parts, int rows_per_rank)
 {
-  return rcp(new detail::MultigridPreconditioner(familyOf(model), {1}, model.Z, parts.nodes));
+  return rcp(
+    new detail::MultigridPreconditioner(familyOf(model, rows_per_rank), {1}, model.Z, parts.nodes));
+}
+
+// How many ranks have rows of a level.
+int ranksOf(detail::MultigridLevel const& level)
+{
+  return sumOverRanks(level.graph.num_rows > 0 ? 1 : 0, *level.graph.row_map->getComm());
 }
 
 RCP<CrsMatrix> copyOf(ElasticModel const& model)
@@ -85,7 +96,10 @@ TEST(MultigridPreconditioner, isSymmetricAfterEveryKindOfSetup)
       SCOPED_TRACE(tau);
       const auto model = modelWith(tau, tangents);
       const Parts parts(model, FaultState(model, Truncation::none));
-      const auto B = makePreconditioner(model, parts);
+      const auto B = makePreconditioner(model, parts,
+                                        tau > 1         ? all_on_one
+                                        : tangents == 1 ? 0
+                                                        : some_on_one);
       EXPECT_LE(detail::relativeAsymmetry(*B, *parts.nodes), 1e-5); // single precision
       parts.nodes->set(FaultState(model, Truncation::left_half).blocks(model));
       B->setup();
@@ -97,6 +111,28 @@ TEST(MultigridPreconditioner, isSymmetricAfterEveryKindOfSetup)
   }
 }
 
+// Aggregates do not cross ranks, so that more ranks make coarser levels larger unless these move.
+TEST(MultigridFamily, hasCoarseLevelsOnFewerRanks)
+{
+  const auto model = modelWith(1.0, 1);
+  const int num_ranks = model.map->getComm()->getSize();
+  const auto spread = familyOf(model, 0), moved = familyOf(model, all_on_one);
+  ASSERT_GE(moved->levels().size(), 3U); // so that a level is aggregated after it has moved
+  EXPECT_EQ(ranksOf(spread->levels()[1]), num_ranks);
+  EXPECT_EQ(ranksOf(moved->levels()[0]), num_ranks);
+  EXPECT_EQ(moved->levels()[1].graph.row_map->getGlobalNumElements(),
+            spread->levels()[1].graph.row_map->getGlobalNumElements());
+  for (std::size_t l = 1; l < moved->levels().size(); ++l) {
+    EXPECT_EQ(ranksOf(moved->levels()[l]), 1) << "level " << l;
+  }
+  EXPECT_LE(moved->levels().back().graph.row_map->getGlobalNumElements(), 100U);
+  if (num_ranks == 3) {
+    const auto partly = familyOf(model, some_on_one);
+    EXPECT_EQ(ranksOf(partly->levels()[1]), 2);
+    EXPECT_EQ(ranksOf(partly->levels().back()), 1);
+  }
+}
+
 // The product with Z + H that a cycle leaves is that of the operator, to single precision.
 TEST(MultigridCycle, givesTheImageOfItsResult)
 {
@@ -104,7 +140,8 @@ TEST(MultigridCycle, givesTheImageOfItsResult)
     for (auto truncation : {Truncation::none, Truncation::every_second}) {
       const auto model = modelWith(1.0, tangents);
       const Parts parts(model, FaultState(model, truncation, -2, 2));
-      detail::MultigridCycle cycle(familyOf(model), {1}, *model.Z, parts.nodes);
+      detail::MultigridCycle cycle(familyOf(model, tangents == 1 ? 0 : all_on_one), {1}, *model.Z,
+                                   parts.nodes);
       cycle.setup();
       const auto r = detail::pseudorandomVector(model.map, 0, *parts.nodes);
       const auto given = r.getLocalViewHost(Tpetra::Access::ReadOnly);
@@ -150,7 +187,7 @@ TEST(CoarseFault, isTheGalerkinProductOfTheHessians)
     const auto model = modelWith(1.0, tangents);
     const FaultState state(model, Truncation::none, -2, 0);
     const Parts parts(model, state);
-    const auto family = familyOf(model);
+    const auto family = familyOf(model, tangents == 1 ? some_on_one : all_on_one);
     ASSERT_GE(family->levels().size(), 2U);
     auto const& fine = family->levels()[0];
     auto const& coarse = family->levels()[1];

@@ -1,13 +1,11 @@
-#include "Compare.hpp"
+#include "compare/Compare.hpp"
 
-#include "LinearReference.hpp"
-#include "Meters.hpp"
-#include "StepKinds.hpp"
 #include "base/Errors.hpp"
-#include "dynamics/FaultMotion.hpp"
-#include "scenario/setup/BulkSetup.hpp"
+#include "compare/LinearReference.hpp"
+#include "measuring/Meters.hpp"
+#include "rate_problems/FrictionForces.hpp"
 #include "scenario/setup/SolverSetup.hpp"
-#include "scenario/setup/TimeSetup.hpp"
+#include "stretch/Stretch.hpp"
 
 #include <algorithm>
 #include <optional>
@@ -25,12 +23,11 @@ struct Known
 class Comparer
 {
 public:
-  Comparer(scenario::Problem<3> const& problem, ParameterList const& deck,
-           dynamics::RateUpdate const& update, dynamics::CoupledStep& step)
-      : problem_(problem)
-      , update_(update)
-      , step_(step)
-      , solvers_(problem.body, *problem.surface, update, step.clock(), problem.solver,
+  Comparer(Stretch& stretch, ParameterList const& deck)
+      : problem_(stretch.problem())
+      , update_(stretch.update())
+      , step_(stretch.step())
+      , solvers_(problem_.body, *problem_.surface, update_, step_.clock(), problem_.solver,
                  scenario::memoryBudget(deck.sublist("TNNMG")))
   {
   }
@@ -77,7 +74,6 @@ private:
   Known knownProblem(dynamics::State const& end, dynamics::State const& guess) const
   {
     auto const& body = problem_.body;
-    auto const& surface = *problem_.surface;
     Known known = {body.vector(), body.vector(), body.vector()};
     auto const prescribed = body.vector();
     body.prescribed_velocity(step_.clock().seconds(end.time), *prescribed);
@@ -86,23 +82,9 @@ private:
     body.clearHeld(*known.w);
     body.clearHeld(*known.guess);
     Z_->apply(*known.w, *known.b);
-    const int num_nodes = surface.numNodes(), size = surface.numTangents();
-    const friction::BlockView w("asperity::bench::w", num_nodes, size);
-    const friction::BlockView gradient("asperity::bench::gradient", num_nodes, size);
-    const friction::HessianView hessian("asperity::bench::hessian", num_nodes, size, size);
-    const friction::FlagView kinked("asperity::bench::kinked", num_nodes);
-    dynamics::gather(surface, *known.w, w);
-    problem_.fault.friction().linearise(w, {end.alpha_of_rate, end.sigma_n}, gradient, hessian,
-                                        kinked);
-    {
-      auto const values = known.b->getLocalViewHost(Tpetra::Access::ReadWrite);
-      auto const host = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace(), gradient);
-      for (int node = 0; node < num_nodes; ++node) {
-        for (int k = 0; k < size; ++k) {
-          values(surface[node].dofs[k], 0) += host(node, k);
-        }
-      }
-    }
+    addFrictionForces(*problem_.surface,
+                      {problem_.fault.friction(), {end.alpha_of_rate, end.sigma_n}}, *known.w,
+                      *known.b);
     body.clearHeld(*known.b);
     return known;
   }
@@ -158,29 +140,21 @@ Comparison compareWithLinear(ParameterList const& deck, CompareOptions const& op
   ASPERITY_REQUIRE(communicator->getSize() == 1,
                    "asperity-bench compare runs on one rank: MueLu's coarse solver is wrong on "
                    "more.");
-  auto const problem = scenario::makeProblem<3>(deck, communicator);
-  ASPERITY_REQUIRE(!problem.reaction.reaction,
+  Stretch stretch(deck, communicator);
+  ASPERITY_REQUIRE(!stretch.problem().reaction.reaction,
                    "asperity-bench compare takes no deck whose normal stress is coupled.");
-  auto const& time = deck.sublist("Time Stepping");
-  auto const update = scenario::makeRateUpdate(time, !scenario::quasiDynamic(deck.sublist("Bulk")));
-  dynamics::CoupledStep step(problem.body, problem.fault, update, scenario::makeClock(time),
-                             dynamics::CouplingSettings::from(deck.sublist("Coupling")),
-                             problem.solver, scenario::memoryBudget(deck.sublist("TNNMG")));
-  auto const control = scenario::makeStepControl(time, step);
-  Comparer comparer(problem, deck, update, step);
+  Comparer comparer(stretch, deck);
   Comparison comparison;
-  comparison.num_unknowns = problem.mesh.num_global_vertices * problem.components;
-  const double crossing = crossingTime(deck, problem);
-  auto state = problem.initial.clone();
-  dynamics::SolveCount count;
-  ProductMeter product(problem.body);
+  comparison.num_unknowns = stretch.numUnknowns();
+  ProductMeter product(stretch.problem().body);
   for (int i = 0; i < options.num_steps; ++i) {
-    auto const before = state.clone();
-    auto const accepted = control->advance(state, count);
+    auto const before = stretch.state().clone();
+    const int level = stretch.advance();
     product.sample();
-    const double tau = step.clock().stepSize(accepted.level);
-    comparer.compare(state, before, accepted.level,
-                     tau < crossing ? comparison.inertial : comparison.quasi_static);
+    comparer.compare(stretch.state(), before, level,
+                     stretch.isInertial(stretch.step().clock().stepSize(level))
+                       ? comparison.inertial
+                       : comparison.quasi_static);
   }
   comparison.product_seconds = product.mean();
   return comparison;

@@ -1,7 +1,7 @@
-#include "Scaling.hpp"
+#include "scaling/Scaling.hpp"
 
-#include "Meters.hpp"
 #include "base/parallel/Reductions.hpp"
+#include "measuring/Meters.hpp"
 #include "scenario/setup/BulkSetup.hpp"
 #include "scenario/setup/TimeSetup.hpp"
 

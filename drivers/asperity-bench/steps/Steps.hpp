@@ -1,8 +1,8 @@
 #pragma once
 
-#include "MessageCounts.hpp"
 #include "base/parameters/Parameters.hpp"
 #include "dynamics/coupling/CoupledStep.hpp"
+#include "measuring/MessageCounts.hpp"
 
 #include <map>
 #include <string>
@@ -18,12 +18,12 @@ struct StepsSample
   int accepted = 0;
   double smallest = 0, largest = 0; // step size tau, s
   asperity::dynamics::SolveCount count;
+  long long products = 0;   // of sparse matrices with vectors, without the V-cycles' own
   double seconds = 0;       // CPU time of this rank, without set-up
   double setup_seconds = 0; // of step sizes
 };
 
-// A stretch of a run. A step is inertial if the body has a mass and the slowest shear wave goes
-// through less than the body's longest side during the step; otherwise it is quasi-static.
+// A stretch of a run, see Stretch.
 struct StretchSample
 {
   long long num_unknowns = 0;

@@ -1,6 +1,6 @@
-#include "Phases.hpp"
+#include "rate_problems/Phases.hpp"
 
-#include "dynamics/FaultMotion.hpp"
+#include "rate_problems/FrictionForces.hpp"
 #include "scenario/setup/NodalField.hpp"
 
 #include <Teuchos_CommHelpers.hpp>
@@ -112,25 +112,6 @@ Point<3> slipDirection(Point<3> const& normal)
   return direction;
 }
 
-void addFriction(scenario::Problem<3> const& problem, KnownProblem const& known)
-{
-  auto const& surface = *problem.surface;
-  const int num_nodes = surface.numNodes(), size = surface.numTangents();
-  const friction::BlockView v("asperity::bench::v", num_nodes, size);
-  const friction::BlockView gradient("asperity::bench::gradient", num_nodes, size);
-  const friction::HessianView hessian("asperity::bench::hessian", num_nodes, size, size);
-  const friction::FlagView kinked("asperity::bench::kinked", num_nodes);
-  dynamics::gather(surface, *known.v, v);
-  problem.fault.friction().linearise(v, {known.alpha, problem.initial.sigma_n}, gradient, hessian,
-                                     kinked);
-  auto const values = known.b->getLocalViewHost(Tpetra::Access::ReadWrite);
-  auto const host = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace(), gradient);
-  for (int node = 0; node < num_nodes; ++node) {
-    for (int k = 0; k < size; ++k) {
-      values(surface[node].dofs[k], 0) += host(node, k);
-    }
-  }
-}
 } // namespace
 
 char const* nameOf(Phase phase)
@@ -176,7 +157,9 @@ KnownProblem makeKnownProblem(scenario::Problem<3> const& problem, ParameterList
   matrices.viscosity->apply(*known.v, *known.b, Teuchos::NO_TRANS, 1, 1);
   matrices.stiffness->apply(*known.v, *known.b, Teuchos::NO_TRANS, tau * update.stiffness_weight,
                             1);
-  addFriction(problem, known);
+  addFrictionForces(*problem.surface,
+                    {problem.fault.friction(), {known.alpha, problem.initial.sigma_n}}, *known.v,
+                    *known.b);
   body.clearHeld(*known.b);
   return known;
 }

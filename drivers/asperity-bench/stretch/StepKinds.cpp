@@ -1,4 +1,4 @@
-#include "StepKinds.hpp"
+#include "stretch/StepKinds.hpp"
 
 #include "base/parallel/Reductions.hpp"
 #include "scenario/setup/BulkSetup.hpp"

@@ -1,4 +1,4 @@
-#include "LinearReference.hpp"
+#include "compare/LinearReference.hpp"
 
 #include "base/Errors.hpp"
 

@@ -1,4 +1,4 @@
-#include "Meters.hpp"
+#include "measuring/Meters.hpp"
 
 #include <Tpetra_CrsMatrix.hpp>
 #include <Tpetra_Vector.hpp>

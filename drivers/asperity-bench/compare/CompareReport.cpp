@@ -1,4 +1,4 @@
-#include "Compare.hpp"
+#include "compare/Compare.hpp"
 
 #include <iomanip>
 #include <sstream>

@@ -1,4 +1,4 @@
-#include "Scaling.hpp"
+#include "scaling/Scaling.hpp"
 
 #include <iomanip>
 #include <sstream>

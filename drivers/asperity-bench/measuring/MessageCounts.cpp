@@ -1,4 +1,4 @@
-#include "MessageCounts.hpp"
+#include "measuring/MessageCounts.hpp"
 
 #include "base/parallel/Messages.hpp"
 #include "base/parallel/Reductions.hpp"

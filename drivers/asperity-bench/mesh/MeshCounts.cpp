@@ -1,7 +1,7 @@
-#include "MeshCounts.hpp"
+#include "mesh/MeshCounts.hpp"
 
-#include "Meters.hpp"
 #include "base/parallel/Reductions.hpp"
+#include "measuring/Meters.hpp"
 #include "scenario/setup/BoundarySetup.hpp"
 #include "scenario/setup/BulkSetup.hpp"
 #include "scenario/setup/MeshSetup.hpp"

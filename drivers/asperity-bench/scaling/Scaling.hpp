@@ -1,7 +1,7 @@
 #pragma once
 
-#include "Phases.hpp"
 #include "base/parameters/Parameters.hpp"
+#include "rate_problems/Phases.hpp"
 
 #include <string>
 #include <vector>
