@@ -1,12 +1,7 @@
 #include "base/hdf5/File.hpp"
 
 #include "base/hdf5/detail/Calls.hpp"
-
-#include <algorithm>
-#include <chrono>
-#include <cstdlib>
-#include <iostream>
-#include <thread>
+#include "base/hdf5/detail/SharedWrites.hpp"
 
 namespace asperity::h5
 {
@@ -21,66 +16,6 @@ int numRanks(MPI_Comm comm)
   return num_ranks;
 }
 
-std::function<void(std::string const&)>& teller()
-{
-  static std::function<void(std::string const&)> tell;
-  return tell;
-}
-
-// Whether all ranks hear of an error, so that each can throw: a file cannot be opened.
-bool isOfOpening(int error)
-{
-  int kind = MPI_SUCCESS;
-  MPI_Error_class(error, &kind);
-  return kind == MPI_ERR_NO_SUCH_FILE || kind == MPI_ERR_ACCESS || kind == MPI_ERR_FILE_EXISTS ||
-         kind == MPI_ERR_BAD_FILE || kind == MPI_ERR_READ_ONLY || kind == MPI_ERR_AMODE;
-}
-
-// Called by MPI. Several ranks may fail: the lowest of them ends the others while they wait.
-void endOfSharing(MPI_File*, int* error, ...)
-{
-  if (isOfOpening(*error)) {
-    return;
-  }
-  constexpr int exit_output = 5;
-  int rank = 0, length = 0;
-  char words[MPI_MAX_ERROR_STRING] = "";
-  MPI_Comm_rank(MPI_COMM_WORLD, &rank);
-  MPI_Error_string(*error, words, &length);
-  std::this_thread::sleep_for(std::chrono::milliseconds(500) * std::min(rank, 20));
-  const std::string message = "A file that all ranks write cannot be written by rank " +
-                              std::to_string(rank) + " (MPI: " + words + "). Is the disk full?";
-  std::cout.flush();
-  std::cerr << "asperity: " + message + "\n" << std::flush;
-  if (teller()) {
-    teller()(message);
-  }
-  MPI_Abort(MPI_COMM_WORLD, exit_output);
-  std::abort();
-}
-
-// As long as it lives, files are opened by MPI with that handler of errors.
-class EndOfSharing
-{
-public:
-  EndOfSharing()
-  {
-    MPI_File_get_errhandler(MPI_FILE_NULL, &before_);
-    MPI_File_create_errhandler(endOfSharing, &here_);
-    MPI_File_set_errhandler(MPI_FILE_NULL, here_);
-  }
-  ~EndOfSharing()
-  {
-    MPI_File_set_errhandler(MPI_FILE_NULL, before_);
-    MPI_Errhandler_free(&here_); // files keep it
-  }
-  EndOfSharing(EndOfSharing const&) = delete;
-  EndOfSharing& operator=(EndOfSharing const&) = delete;
-
-private:
-  MPI_Errhandler before_ = MPI_ERRHANDLER_NULL, here_ = MPI_ERRHANDLER_NULL;
-};
-
 Handle sharedAccess(std::filesystem::path const& path, MPI_Comm comm)
 {
   Handle access = makeProperties(H5P_FILE_ACCESS, path.string());
@@ -91,8 +26,6 @@ Handle sharedAccess(std::filesystem::path const& path, MPI_Comm comm)
   return access;
 }
 } // namespace
-
-void whenSharingFails(std::function<void(std::string const&)> tell) { teller() = std::move(tell); }
 
 File File::create(std::filesystem::path const& path, Layout layout)
 {
@@ -130,9 +63,9 @@ File File::openShared(std::filesystem::path const& path, MPI_Comm comm)
   if (numRanks(comm) == 1) {
     return openWith(path, H5F_ACC_RDWR, access);
   }
-  const EndOfSharing handler;
   File file = openWith(path, H5F_ACC_RDWR, access);
   file.handle_.closeOnlyOnDemand();
+  file.shared_ = beginSharing(file.handle_.get(), path.string());
   return file;
 }
 
@@ -146,5 +79,9 @@ void File::flush()
   checked("Writing " + what_, [&] { return H5Fflush(handle_.get(), H5F_SCOPE_LOCAL); });
 }
 
-void File::close() { handle_.close("Closing " + what_); }
+void File::close()
+{
+  handle_.close("Closing " + what_);
+  endSharing(shared_);
+}
 } // namespace asperity::h5
