@@ -1,7 +1,13 @@
 #include "base/hdf5/File.hpp"
 
 #include "base/hdf5/detail/Calls.hpp"
-#include "base/hdf5/detail/SharedWrites.hpp"
+
+#include <algorithm>
+#include <chrono>
+#include <cstdlib>
+#include <iostream>
+#include <map>
+#include <thread>
 
 namespace asperity::h5
 {
@@ -25,7 +31,80 @@ Handle sharedAccess(std::filesystem::path const& path, MPI_Comm comm)
   }
   return access;
 }
+// HDF5 tells a failed write to the rank that failed, and sometimes only after it has waited for the
+// others, which wait for it. So no such error reaches HDF5: MPI's own functions for writing are
+// replaced (MPI's profiling interface) by ones that look at what was written. MPI's handlers of
+// errors are not enough: Open MPI 4.1 does not call them where fewer bytes were written than asked.
+std::function<void(std::string const&)>& teller()
+{
+  static std::function<void(std::string const&)> tell;
+  return tell;
+}
+
+std::map<MPI_File, std::string>& sharedFiles()
+{
+  static std::map<MPI_File, std::string> paths;
+  return paths;
+}
+
+// Several ranks may fail: the lowest of them ends the others while they wait.
+[[noreturn]] void endProgram(std::string const& path, MPI_Count written, MPI_Count size)
+{
+  constexpr int exit_output = 5;
+  int rank = 0;
+  MPI_Comm_rank(MPI_COMM_WORLD, &rank);
+  std::this_thread::sleep_for(std::chrono::milliseconds(500) * std::min(rank, 20));
+  const std::string message = path + " cannot be written: of " + std::to_string(size) +
+                              " bytes of rank " + std::to_string(rank) + " " +
+                              std::to_string(written) + " were written. Is the disk full?";
+  std::cout.flush();
+  std::cerr << "asperity: " + message + "\n" << std::flush;
+  if (teller()) {
+    teller()(message);
+  }
+  MPI_Abort(MPI_COMM_WORLD, exit_output);
+  std::abort();
+}
+
+MPI_Count bytesOf(int count, MPI_Datatype type)
+{
+  MPI_Count size = 0;
+  MPI_Type_size_x(type, &size);
+  return size * count;
+}
+
+// write(status), which is to write `count` of `type`.
+template <class Write>
+int lookedAt(MPI_File file, int count, MPI_Datatype type, MPI_Status* status, Write const& write)
+{
+  MPI_Status own;
+  MPI_Status* const told = status == MPI_STATUS_IGNORE ? &own : status;
+  const int error = write(told);
+  const auto found = sharedFiles().find(file);
+  if (found == sharedFiles().end()) {
+    return error;
+  }
+  MPI_Count written = 0;
+  if (error == MPI_SUCCESS) {
+    MPI_Get_elements_x(told, MPI_BYTE, &written);
+  }
+  if (written != bytesOf(count, type)) {
+    endProgram(found->second, written, bytesOf(count, type));
+  }
+  return error;
+}
+// From here on writes to the file, opened with MPI's driver, are looked at.
+MPI_File beginSharing(hid_t file, std::string const& path)
+{
+  void* handle = nullptr;
+  checked("Sharing " + path, [&] { return H5Fget_vfd_handle(file, H5P_DEFAULT, &handle); });
+  const MPI_File mpi_file = *static_cast<MPI_File*>(handle);
+  sharedFiles()[mpi_file] = path;
+  return mpi_file;
+}
 } // namespace
+
+void whenSharingFails(std::function<void(std::string const&)> tell) { teller() = std::move(tell); }
 
 File File::create(std::filesystem::path const& path, Layout layout)
 {
@@ -82,6 +161,25 @@ void File::flush()
 void File::close()
 {
   handle_.close("Closing " + what_);
-  endSharing(shared_);
+  sharedFiles().erase(shared_);
 }
 } // namespace asperity::h5
+
+// HDF5 calls these instead of MPI's.
+extern "C" {
+int MPI_File_write_at(MPI_File file, MPI_Offset offset, void const* values, int count,
+                      MPI_Datatype type, MPI_Status* status)
+{
+  return asperity::h5::lookedAt(file, count, type, status, [&](MPI_Status* told) {
+    return PMPI_File_write_at(file, offset, values, count, type, told);
+  });
+}
+
+int MPI_File_write_at_all(MPI_File file, MPI_Offset offset, void const* values, int count,
+                          MPI_Datatype type, MPI_Status* status)
+{
+  return asperity::h5::lookedAt(file, count, type, status, [&](MPI_Status* told) {
+    return PMPI_File_write_at_all(file, offset, values, count, type, told);
+  });
+}
+}
