@@ -1,5 +1,6 @@
 #include "scenario/ResolutionCheck.hpp"
 
+#include "base/Errors.hpp"
 #include "base/Text.hpp"
 #include "base/parallel/Reductions.hpp"
 #include "mesh/MeshQuality.hpp"
@@ -117,6 +118,10 @@ template std::optional<dynamics::FaultResolution> faultResolution(Problem<3> con
 std::vector<std::string> describe(dynamics::FaultResolution const& resolution)
 {
   auto const& r = resolution;
+  ASPERITY_REQUIRE(r.cells_per_zone > 0 && r.cohesive_zone > 0,
+                   "The cohesive zone G' L / (b sigma_n) of the fault is not a positive number. "
+                   "Check moduli, Density, L, b and Normal Stress: one is far too large or too "
+                   "small.");
   const bool one_size = r.largest_cell <= r.smallest_cell * (1 + 1e-6);
   std::vector<std::string> lines = {
     "Resolution where friction weakens: cells of " +

@@ -25,6 +25,7 @@
 #include "scenario/Problem.hpp"
 #include "scenario/RunArchive.hpp"
 #include "scenario/RunReport.hpp"
+#include "scenario/run/OtherRun.hpp"
 #include "scenario/run/StallWatch.hpp"
 #include "scenario/setup/BulkSetup.hpp"
 #include "scenario/setup/MeshSetup.hpp"
@@ -73,7 +74,6 @@ private:
   void writeCheckpoint();
   void saveWhatThereIs();
   void report(bool finished);
-  io::NodeSets nodeSets() const;
   io::StepInfo stepInfo() const;
   bool atEnd() const;
 
@@ -102,9 +102,9 @@ private:
   std::map<std::string, io::OutputDomain> domains_;
   io::FieldRegistry registry_;
   std::unique_ptr<io::OutputSet> outputs_;
-  std::string restart_;
+  std::string restart_, restart_from_;
   io::Fingerprint fingerprint_;
-  io::Archive checkpoint_; // of a restart, until it begins
+  io::Archive checkpoint_; // of a restart, or the state of another run, until it begins
   int checkpoint_interval_;
 };
 
@@ -137,6 +137,7 @@ SimulationOf<Dim>::SimulationOf(RCP<ParameterList> const& deck, CommandLine cons
     , stall_watch_(deck->sublist("Time Stepping").get<int>("Most Forced Steps"))
     , domains_(makeDomains(problem_))
     , restart_(command_line.restart)
+    , restart_from_(command_line.restart_from)
     , fingerprint_(fingerprint(*deck, problem_.mesh, *communicator))
     , checkpoint_interval_(deck->sublist("Output").get<int>("Checkpoint Every n Steps"))
 {
@@ -157,6 +158,10 @@ SimulationOf<Dim>::SimulationOf(RCP<ParameterList> const& deck, CommandLine cons
   registerFields(registry_, problem_, view_, domains_, deck->sublist("Friction"));
   outputs_ = std::make_unique<io::OutputSet>(
     deck->sublist("Output"), io::OutputContext{directory_, communicator, registry_, domains_});
+  if (!restart_from_.empty()) {
+    checkpoint_ = stateOfOtherRun(restart_from_, problem_, domains_, *deck, clock_,
+                                  finalTime(deck->sublist("Time Stepping")));
+  }
   if (command_line.validate) {
     return;
   }
@@ -164,7 +169,8 @@ SimulationOf<Dim>::SimulationOf(RCP<ParameterList> const& deck, CommandLine cons
   // be continued are refused before the log and the parameters are: other tables may have been cut
   // back to the checkpoint then, as by any restart from it.
   if (!restart_.empty()) {
-    checkpoint_ = io::readCheckpoint(restart_, fingerprint_, *communicator, nodeSets());
+    checkpoint_ =
+      io::readCheckpoint(restart_, fingerprint_, *communicator, nodeSets(problem_, domains_));
   }
   lock_ = io::prepareOutputDirectory(directory_, existingResult(command_line), *communicator);
   if (!restart_.empty()) {
@@ -281,6 +287,12 @@ template <int Dim>
 void SimulationOf<Dim>::begin()
 {
   if (restart_.empty()) {
+    if (!restart_from_.empty()) {
+      state_ = format_.load(checkpoint_, "state");
+      checkpoint_ = {};
+      log_->message("A new run from the state of " + restart_from_ +
+                    " at t = " + formatShort(clock_.seconds(state_.time)) + " s.");
+    }
     balance_.start(state_, {});
     outputs_->write(stepInfo());
     return;
@@ -391,22 +403,6 @@ void SimulationOf<Dim>::write(io::StepInfo const& info)
   outputs_->write(info);
 }
 
-// What the values of a checkpoint may belong to.
-template <int Dim>
-io::NodeSets SimulationOf<Dim>::nodeSets() const
-{
-  auto const& ids = problem_.mesh.global_ids;
-  io::NodeSets sets;
-  sets[nodes_of_body].assign(ids.begin(), ids.begin() + problem_.mesh.num_owned);
-  for (const int vertex : problem_.surface->vertices()) {
-    sets[nodes_of_friction].push_back(ids[vertex]);
-  }
-  for (auto const& [name, domain] : domains_) {
-    sets[name].assign(domain.node_numbers.begin(), domain.node_numbers.end());
-  }
-  return sets;
-}
-
 template <int Dim>
 void SimulationOf<Dim>::requireDirectory() const
 {
@@ -434,7 +430,7 @@ void SimulationOf<Dim>::writeCheckpoint()
   floor_count_.save(archive, "normal_stress_floor");
   archive.insert("outputs", outputs_->save());
   io::writeCheckpoint(directory_ / "checkpoint.h5", archive, fingerprint_, *communicator_,
-                      nodeSets());
+                      nodeSets(problem_, domains_));
 }
 
 template <int Dim>

@@ -79,7 +79,9 @@ void Field::readRegions(ParameterList const& regions, std::vector<std::string> c
       std::find(region_names.begin(), region_names.end(), name) != region_names.end();
     ASPERITY_REQUIRE(exists, path_ << " / " << name << ": '" << name
                                    << "' is not a region of the mesh."
-                                   << didYouMean(name, region_names));
+                                   << didYouMean(name, region_names)
+                                   << " A layer thinner than the cells is none: is the cell size "
+                                      "too large?");
   }
   for (auto const& name : region_names) {
     ASPERITY_REQUIRE(regions.isParameter(name),

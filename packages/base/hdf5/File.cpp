@@ -6,6 +6,7 @@
 #include <chrono>
 #include <cstdlib>
 #include <iostream>
+#include <map>
 #include <thread>
 
 namespace asperity::h5
@@ -21,35 +22,41 @@ int numRanks(MPI_Comm comm)
   return num_ranks;
 }
 
+Handle sharedAccess(std::filesystem::path const& path, MPI_Comm comm)
+{
+  Handle access = makeProperties(H5P_FILE_ACCESS, path.string());
+  if (numRanks(comm) > 1) { // a single rank needs no MPI-IO, which some file systems lack
+    checked("Sharing " + path.string(),
+            [&] { return H5Pset_fapl_mpio(access.get(), comm, MPI_INFO_NULL); });
+  }
+  return access;
+}
+// HDF5 tells a failed write to the rank that failed, and sometimes only after it has waited for the
+// others, which wait for it. So no such error reaches HDF5: MPI's own functions for writing are
+// replaced (MPI's profiling interface) by ones that look at what was written. MPI's handlers of
+// errors are not enough: Open MPI 4.1 does not call them where fewer bytes were written than asked.
 std::function<void(std::string const&)>& teller()
 {
   static std::function<void(std::string const&)> tell;
   return tell;
 }
 
-// Whether all ranks hear of an error, so that each can throw: a file cannot be opened.
-bool isOfOpening(int error)
+std::map<MPI_File, std::string>& sharedFiles()
 {
-  int kind = MPI_SUCCESS;
-  MPI_Error_class(error, &kind);
-  return kind == MPI_ERR_NO_SUCH_FILE || kind == MPI_ERR_ACCESS || kind == MPI_ERR_FILE_EXISTS ||
-         kind == MPI_ERR_BAD_FILE || kind == MPI_ERR_READ_ONLY || kind == MPI_ERR_AMODE;
+  static std::map<MPI_File, std::string> paths;
+  return paths;
 }
 
-// Called by MPI. Several ranks may fail: the lowest of them ends the others while they wait.
-void endOfSharing(MPI_File*, int* error, ...)
+// Several ranks may fail: the lowest of them ends the others while they wait.
+[[noreturn]] void endProgram(std::string const& path, MPI_Count written, MPI_Count size)
 {
-  if (isOfOpening(*error)) {
-    return;
-  }
   constexpr int exit_output = 5;
-  int rank = 0, length = 0;
-  char words[MPI_MAX_ERROR_STRING] = "";
+  int rank = 0;
   MPI_Comm_rank(MPI_COMM_WORLD, &rank);
-  MPI_Error_string(*error, words, &length);
   std::this_thread::sleep_for(std::chrono::milliseconds(500) * std::min(rank, 20));
-  const std::string message = "A file that all ranks write cannot be written by rank " +
-                              std::to_string(rank) + " (MPI: " + words + "). Is the disk full?";
+  const std::string message = path + " cannot be written: of " + std::to_string(size) +
+                              " bytes of rank " + std::to_string(rank) + " " +
+                              std::to_string(written) + " were written. Is the disk full?";
   std::cout.flush();
   std::cerr << "asperity: " + message + "\n" << std::flush;
   if (teller()) {
@@ -59,36 +66,41 @@ void endOfSharing(MPI_File*, int* error, ...)
   std::abort();
 }
 
-// As long as it lives, files are opened by MPI with that handler of errors.
-class EndOfSharing
+MPI_Count bytesOf(int count, MPI_Datatype type)
 {
-public:
-  EndOfSharing()
-  {
-    MPI_File_get_errhandler(MPI_FILE_NULL, &before_);
-    MPI_File_create_errhandler(endOfSharing, &here_);
-    MPI_File_set_errhandler(MPI_FILE_NULL, here_);
-  }
-  ~EndOfSharing()
-  {
-    MPI_File_set_errhandler(MPI_FILE_NULL, before_);
-    MPI_Errhandler_free(&here_); // files keep it
-  }
-  EndOfSharing(EndOfSharing const&) = delete;
-  EndOfSharing& operator=(EndOfSharing const&) = delete;
+  MPI_Count size = 0;
+  MPI_Type_size_x(type, &size);
+  return size * count;
+}
 
-private:
-  MPI_Errhandler before_ = MPI_ERRHANDLER_NULL, here_ = MPI_ERRHANDLER_NULL;
-};
-
-Handle sharedAccess(std::filesystem::path const& path, MPI_Comm comm)
+// write(status), which is to write `count` of `type`.
+template <class Write>
+int lookedAt(MPI_File file, int count, MPI_Datatype type, MPI_Status* status, Write const& write)
 {
-  Handle access = makeProperties(H5P_FILE_ACCESS, path.string());
-  if (numRanks(comm) > 1) { // a single rank needs no MPI-IO, which some file systems lack
-    checked("Sharing " + path.string(),
-            [&] { return H5Pset_fapl_mpio(access.get(), comm, MPI_INFO_NULL); });
+  MPI_Status own;
+  MPI_Status* const told = status == MPI_STATUS_IGNORE ? &own : status;
+  const int error = write(told);
+  const auto found = sharedFiles().find(file);
+  if (found == sharedFiles().end()) {
+    return error;
   }
-  return access;
+  MPI_Count written = 0;
+  if (error == MPI_SUCCESS) {
+    MPI_Get_elements_x(told, MPI_BYTE, &written);
+  }
+  if (written != bytesOf(count, type)) {
+    endProgram(found->second, written, bytesOf(count, type));
+  }
+  return error;
+}
+// From here on writes to the file, opened with MPI's driver, are looked at.
+MPI_File beginSharing(hid_t file, std::string const& path)
+{
+  void* handle = nullptr;
+  checked("Sharing " + path, [&] { return H5Fget_vfd_handle(file, H5P_DEFAULT, &handle); });
+  const MPI_File mpi_file = *static_cast<MPI_File*>(handle);
+  sharedFiles()[mpi_file] = path;
+  return mpi_file;
 }
 } // namespace
 
@@ -130,9 +142,9 @@ File File::openShared(std::filesystem::path const& path, MPI_Comm comm)
   if (numRanks(comm) == 1) {
     return openWith(path, H5F_ACC_RDWR, access);
   }
-  const EndOfSharing handler;
   File file = openWith(path, H5F_ACC_RDWR, access);
   file.handle_.closeOnlyOnDemand();
+  file.shared_ = beginSharing(file.handle_.get(), path.string());
   return file;
 }
 
@@ -146,5 +158,28 @@ void File::flush()
   checked("Writing " + what_, [&] { return H5Fflush(handle_.get(), H5F_SCOPE_LOCAL); });
 }
 
-void File::close() { handle_.close("Closing " + what_); }
+void File::close()
+{
+  handle_.close("Closing " + what_);
+  sharedFiles().erase(shared_);
+}
 } // namespace asperity::h5
+
+// HDF5 calls these instead of MPI's.
+extern "C" {
+int MPI_File_write_at(MPI_File file, MPI_Offset offset, void const* values, int count,
+                      MPI_Datatype type, MPI_Status* status)
+{
+  return asperity::h5::lookedAt(file, count, type, status, [&](MPI_Status* told) {
+    return PMPI_File_write_at(file, offset, values, count, type, told);
+  });
+}
+
+int MPI_File_write_at_all(MPI_File file, MPI_Offset offset, void const* values, int count,
+                          MPI_Datatype type, MPI_Status* status)
+{
+  return asperity::h5::lookedAt(file, count, type, status, [&](MPI_Status* told) {
+    return PMPI_File_write_at_all(file, offset, values, count, type, told);
+  });
+}
+}

@@ -19,8 +19,9 @@ enum class Layout
   sealed // HDF5's own structures have checksums too; texts, for that, need a fixed length
 };
 
-// A rank that cannot write to a file that all ranks write prints a message, calls this with it, and
-// ends the program with status 5: HDF5 would leave the other ranks waiting.
+// A rank that cannot write to a file that several ranks write (openShared) prints a message, calls
+// this with it, and ends the program with status 5 at once: HDF5 would leave the other ranks
+// waiting. So what comes back from such a write has been written by all, and need not be agreed on.
 void whenSharingFails(std::function<void(std::string const&)> tell);
 
 class File : public Group
@@ -45,5 +46,7 @@ public:
 private:
   File(Handle handle, std::string what) : Group(std::move(handle), std::move(what)) {}
   static File openWith(std::filesystem::path const& path, unsigned mode, Handle const& access);
+
+  MPI_File shared_ = MPI_FILE_NULL; // if several ranks write it
 };
 } // namespace asperity::h5

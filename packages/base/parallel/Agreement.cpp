@@ -1,15 +1,12 @@
 #include "base/parallel/Agreement.hpp"
 
 #include "base/Errors.hpp"
-#include "base/parallel/Messages.hpp"
 
 #include <Teuchos_CommHelpers.hpp>
 
-#include <chrono>
 #include <exception>
 #include <new>
 #include <string>
-#include <thread>
 
 namespace asperity
 {
@@ -75,25 +72,6 @@ void share(Outcome outcome, int rank, Communicator const& communicator)
   Teuchos::broadcast(communicator, rank, report[1], outcome.message.data());
   raise(static_cast<Kind>(report[0]), outcome.message);
 }
-
-// Waits for ever if `patience` is negative, or else so many seconds.
-bool isDone(MPI_Request& request, double patience)
-{
-  if (patience < 0) {
-    MPI_Wait(&request, MPI_STATUS_IGNORE);
-    return true;
-  }
-  using Clock = std::chrono::steady_clock;
-  const auto end = Clock::now() + std::chrono::duration<double>(patience);
-  int is_done = 0;
-  while (!is_done && Clock::now() < end) {
-    MPI_Test(&request, &is_done, MPI_STATUS_IGNORE);
-    if (!is_done) {
-      std::this_thread::sleep_for(std::chrono::milliseconds(1));
-    }
-  }
-  return is_done != 0;
-}
 } // namespace
 
 void onRoot(Communicator const& communicator, std::function<void()> const& work)
@@ -101,20 +79,13 @@ void onRoot(Communicator const& communicator, std::function<void()> const& work)
   share(communicator.getRank() == 0 ? outcomeOf(work) : Outcome(), 0, communicator);
 }
 
-void onEveryRank(Communicator const& communicator, std::function<void()> const& work,
-                 double patience)
+void onEveryRank(Communicator const& communicator, std::function<void()> const& work)
 {
   const Outcome outcome = outcomeOf(work);
   const int num_ranks = communicator.getSize();
   const int mine = outcome.kind == done ? num_ranks : communicator.getRank();
   int lowest = mine;
-  if (num_ranks > 1) {
-    MPI_Request request;
-    MPI_Iallreduce(&mine, &lowest, 1, MPI_INT, MPI_MIN, rawCommunicator(communicator), &request);
-    if (!isDone(request, outcome.kind == done ? -1 : patience)) {
-      raise(outcome.kind, outcome.message);
-    }
-  }
+  Teuchos::reduceAll(communicator, Teuchos::REDUCE_MIN, mine, Teuchos::outArg(lowest));
   if (lowest < num_ranks) {
     share(outcome, lowest, communicator);
   }

@@ -12,10 +12,7 @@ namespace asperity
 void onRoot(Communicator const& communicator, std::function<void()> const& work);
 
 // Runs `work` on every rank; if it throws on some, the error of the lowest of them is thrown on
-// every rank, as by onRoot. Of work that is collective itself give one step at a time, because a
-// rank that has failed takes no part in the next one. Where others do not come to the end of a step
-// that is collective itself, because this rank has failed in its middle, it throws alone after
-// `patience` seconds, which ends the program. Collective.
-void onEveryRank(Communicator const& communicator, std::function<void()> const& work,
-                 double patience = 10);
+// every rank, as by onRoot. Not for work in whose middle ranks wait for each other: one that has
+// failed waits here for the others, which wait for it there. Collective.
+void onEveryRank(Communicator const& communicator, std::function<void()> const& work);
 } // namespace asperity

@@ -18,6 +18,9 @@ void declare(Options& options, CommandLine& line, std::string& format)
             "load laws and outputs of your own from a shared library")
     .value("--output", line.output, "DIR", "where the results go")
     .value("--restart", line.restart, "FILE", "go on from a checkpoint")
+    .value("--restart-from", line.restart_from, "RUN",
+           "begin a new run with the state of another run (its directory or checkpoint), whose "
+           "mesh and fields may differ")
     .flag("--overwrite", line.overwrite, "replace results that are already there")
     .flag("--validate", line.validate, "check deck and mesh, compute nothing")
     .flag("--print-parameters", line.print_parameters,
@@ -47,6 +50,9 @@ CommandLine parseCommandLine(int argc, char const* const* argv)
                                         << decks[0] << "' and '" << decks[1]
                                         << "'. Lay one over the other with --overlay.");
   line.deck = decks.empty() ? "" : decks.front();
+  ASPERITY_REQUIRE(line.restart.empty() || line.restart_from.empty(),
+                   "--restart goes on with a run and --restart-from begins a new one. Give one of "
+                   "the two.");
   ASPERITY_REQUIRE(
     !line.deck.empty() || line.help || line.version || line.print_parameters,
     "No deck is given. Usage: asperity DECK.xml [options]; --help lists the options.");

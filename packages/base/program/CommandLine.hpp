@@ -18,6 +18,7 @@ struct CommandLine
   std::vector<std::string> plugins; // shared libraries, in their order
   std::string output;               // directory
   std::string restart;              // checkpoint file
+  std::string restart_from;         // directory of another run, or its checkpoint
   bool validate = false;            // check the input, compute nothing
   bool overwrite = false;           // replace an existing result
   bool print_parameters = false;

@@ -75,7 +75,8 @@ void StepControl::giveUp(State const& from, int level) const
 std::string StepControl::failure(State const& from, int level, std::string const& lost) const
 {
   std::ostringstream message;
-  message << "At t = " << clock().seconds(from.time) << " s a step of " << clock().stepSize(level)
+  message << "Step " << memory_.num_steps + 1 << ", from t = " << clock().seconds(from.time)
+          << " s: a step of " << clock().stepSize(level)
           << " s, the smallest allowed, failed: " << reason(last_status_) << lost
           << ". Try a smaller 'Smallest Step', a looser tolerance or more iterations.";
   return message.str();

@@ -322,6 +322,10 @@ CoupledResult CoupledStep::iterate(State const& from, double tau, RateSolver& so
     respond(solver, to);
     const double change = changeOf(to);
     if (!updated || !std::isfinite(change)) {
+      Kokkos::deep_copy(to.alpha, alpha_next_); // where a number was lost can be found there
+      if (stress_.coupled()) {
+        Kokkos::deep_copy(to.sigma_n, sigma_next_);
+      }
       result.status = StepStatus::state_failed;
       return result;
     }

@@ -310,7 +310,9 @@ void requireSolution(CrsMatrix const& Z, Vector const& b, Vector const& x)
   Z.apply(x, rest, Teuchos::NO_TRANS, -1, 1);
   if (!(rest.norm2() <= 1e-6 * b.norm2())) {
     throw SolveError("The static problem has no solution: some part of the body can move without "
-                     "resistance. Check that the boundary conditions hold it.");
+                     "resistance, or its numbers are too large to compute with. Check that the "
+                     "boundary conditions hold it, and Bulk: moduli, viscosities and density in SI "
+                     "units, Poisson's Ratio not almost 0.5.");
   }
 }
 } // namespace

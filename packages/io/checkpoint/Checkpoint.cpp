@@ -227,7 +227,7 @@ void writeCheckpoint(std::filesystem::path const& path, Archive archive,
   std::optional<h5::File> file;
   onEveryRank(comm, [&] { file = h5::File::openShared(temporary, rawCommunicator(comm)); });
   layout.write(*file, archive, comm);
-  onEveryRank(comm, [&] { file->close(); });
+  file->close();
   onEveryRank(comm, [&] { detail::synchronise(temporary); });
   onRoot(comm, [&] { detail::replaceDurably(path); });
 }

@@ -2,7 +2,6 @@
 
 #include "base/Errors.hpp"
 #include "base/Hashes.hpp"
-#include "base/parallel/Agreement.hpp"
 #include "base/parallel/Messages.hpp"
 #include "base/parallel/Reductions.hpp"
 #include "io/parallel/Gather.hpp"
@@ -235,9 +234,9 @@ void ArchiveLayout::write(h5::File& file, Archive const& archive, Communicator c
 {
   const h5::Part mine{hsize_t(comm.getRank()), 1};
   const std::int64_t checksum = checksumOf(archive);
-  onEveryRank(comm, [&] { file.openDataset("checksums").writePart(&checksum, mine); });
+  file.openDataset("checksums").writePart(&checksum, mine);
   if (!entries_.empty()) {
-    onEveryRank(comm, [&] { file.openDataset("sizes").writePart(sizes_.data(), mine); });
+    file.openDataset("sizes").writePart(sizes_.data(), mine);
   }
   for (std::size_t e = 0; e < entries_.size(); ++e) {
     const auto found = archive.values().find(entries_[e].path);
@@ -245,11 +244,9 @@ void ArchiveLayout::write(h5::File& file, Archive const& archive, Communicator c
     auto const& value = found == archive.values().end() ? nothing : found->second;
     const auto size = std::max(sizes_[e], std::int64_t(0));
     Rounds(firsts_[e], size, largest_[e], round).forEach([&](auto offset, h5::Part const& part) {
-      onEveryRank(comm, [&] {
-        auto dataset = file.openDataset(pathOf(entries_[e]));
-        withNumbers(value, [&](auto const* numbers, std::size_t) {
-          dataset.writePart(numbers + offset, part);
-        });
+      auto dataset = file.openDataset(pathOf(entries_[e]));
+      withNumbers(value, [&](auto const* numbers, std::size_t) {
+        dataset.writePart(numbers + offset, part);
       });
     });
   }

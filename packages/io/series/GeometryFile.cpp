@@ -132,13 +132,11 @@ void create(std::filesystem::path const& path, std::vector<Piece> const& pieces)
   file.close();
 }
 
-void fill(h5::File& file, Piece const& piece, Communicator const& comm)
+void fill(h5::File& file, Piece const& piece)
 {
-  onEveryRank(comm, [&] {
-    auto dataset = file.openDataset("geometry/" + piece.name);
-    std::visit([&](auto const& values) { dataset.writePart(values.data(), piece.part); },
-               piece.values);
-  });
+  auto dataset = file.openDataset("geometry/" + piece.name);
+  std::visit([&](auto const& values) { dataset.writePart(values.data(), piece.part); },
+             piece.values);
 }
 } // namespace
 
@@ -165,9 +163,9 @@ GeometryFile writeGeometry(std::filesystem::path const& directory, std::string c
   onEveryRank(comm,
               [&] { file = h5::File::openShared(temporaryName(path), rawCommunicator(comm)); });
   for (auto const& piece : pieces) {
-    fill(*file, piece, comm);
+    fill(*file, piece);
   }
-  onEveryRank(comm, [&] { file->close(); });
+  file->close();
   onEveryRank(comm, [&] { synchronise(temporaryName(path)); });
   onRoot(comm, [&] { replaceDurably(path); });
   return result;

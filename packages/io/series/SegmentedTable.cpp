@@ -108,7 +108,7 @@ void SegmentedTable::writeRows()
     writeColumn(*segment, i);
     waiting_[i].clear();
   }
-  onEveryRank(*comm_, [&] { segment->close(); });
+  segment->close();
   rows_waiting_ = 0;
 }
 
@@ -125,9 +125,7 @@ void SegmentedTable::writeColumn(h5::File& segment, std::size_t i)
     part = {static_cast<hsize_t>(blocks_->first()), static_cast<hsize_t>(blocks_->count())};
     values = &block;
   }
-  onEveryRank(*comm_, [&] {
-    segment.openDataset(column.path).appendPart(values->data(), rows_waiting_, part);
-  });
+  segment.openDataset(column.path).appendPart(values->data(), rows_waiting_, part);
 }
 
 void SegmentedTable::closeSegment(int index)

@@ -109,7 +109,10 @@ private:
       if (!cell.is_small) {
         const auto points = corners(mesh_, cell.simplex.vertices());
         const double allowed = largest_diameter(points);
-        ASPERITY_ASSERT(allowed > 0.0);
+        ASPERITY_REQUIRE(allowed > 0.0,
+                         "Mesh: the size of the cells is somewhere not a positive number. Check "
+                         "Cell Size, Growth Factor and Growth Length: one is far too large or "
+                         "too small.");
         cell.is_small = longestEdge(points) <= allowed;
       }
       if (!cell.is_small) {
@@ -212,6 +215,8 @@ template <int Dim>
 void refuseTooMany(GlobalMesh<Dim> const& mesh, SizeFunction<Dim> const& largest_diameter)
 {
   const double sum = detail::fewestVertices<Dim>(mesh, largest_diameter);
+  ASPERITY_REQUIRE(!std::isnan(sum), "Mesh: the number of cells cannot be counted. Check the "
+                                     "extents of the body and Cell Size: one is too large.");
   ASPERITY_REQUIRE(sum <= most_vertices, "Mesh: cells of this size would have about "
                                            << formatShort(sum) << " vertices, more than "
                                            << most_vertices << ". Is the cell size meant in m?");

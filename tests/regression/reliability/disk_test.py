@@ -1,9 +1,9 @@
 """A full disk ends a run with status 5 and one message, which run.log has too; what was complete
 stays complete."""
 
-import itertools
 import os
 import pathlib
+import random
 import re
 import shutil
 import subprocess
@@ -33,10 +33,10 @@ class FullDisk(unittest.TestCase):
         if "parameters.xml" not in message:  # written before there is a run
             self.assertIn(message, (folder / "run.log").read_text())
 
-    def assert_goes_on(self, whole, folder):
+    def assert_goes_on(self, whole, folder, *arguments, ranks=1):
         checkpoint = folder / "checkpoint.h5"
         way = ("--restart", checkpoint) if checkpoint.exists() else ("--overwrite",)
-        result = asperity_run.run(*runs.RUN, "--output", folder, *way)
+        result = asperity_run.run(*arguments, "--output", folder, *way, ranks=ranks)
         self.assertEqual((result.returncode, result.stderr), (0, ""))
         runs.assert_same_results(self, whole, folder)
 
@@ -54,20 +54,23 @@ class FullDisk(unittest.TestCase):
                 result = faults.run(folder, "full", number, *runs.RUN)
                 self.assert_ends_well(result, folder)
                 if number % 3 == 0 or number > 100:
-                    self.assert_goes_on(whole, folder)
+                    self.assert_goes_on(whole, folder, *runs.RUN)
         print(f"full disk at {len(chosen)} of {total} writes")
 
-    @unittest.skipUnless(faults.is_long(), "not settled: see docs/reliability.md")
-    def test_of_ranks_together(self):
-        total = faults.count_operations(runs.fresh("ranks"), *runs.SHORT_RUN, ranks=2)
-        self.assertGreater(total, 200)
-        numbers = range(10, total // 2, 20) if faults.is_long() else (total // 10, total // 4)
-        for number, rank in itertools.product(numbers, (0, 1)):
-            with self.subTest(number=number, rank=rank):
-                folder = runs.fresh("ranks")
-                result = faults.run(folder, "full", number, *runs.SHORT_RUN, ranks=2, rank=rank)
-                if result.returncode != runs.DONE:  # a rank may have less to write
+    def test_of_one_of_two_ranks(self):
+        run = runs.SHORT_RUN
+        whole = asperity_run.run_to_end("whole_ranks", *run, ranks=2)
+        for rank in (0, 1):
+            total = faults.count_operations(runs.fresh("ranks"), *run, ranks=2, rank=rank)
+            self.assertGreater(total, 200)
+            chosen = random.Random(rank).sample(range(1, total + 1), faults.trials(2, 60))
+            for number in sorted(chosen):
+                with self.subTest(number=number, rank=rank):
+                    folder = runs.fresh("ranks")
+                    result = faults.run(folder, "full", number, *run, ranks=2, rank=rank)
                     self.assert_ends_well(result, folder)
+                    self.assert_goes_on(whole, folder, *run, ranks=2)
+            print(f"full disk of rank {rank} of 2 at {sorted(chosen)} of {total} writes")
 
     def test_mesh_tool(self):
         folder = runs.fresh("mesh")
