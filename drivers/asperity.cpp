@@ -1,5 +1,5 @@
-// asperity DECK.xml [--set "Path/To/Parameter=value"]... [--output DIR] [--restart FILE]
-// [--validate] [--plugin LIBRARY]... | --version
+// asperity DECK.xml [--set "Path/To/Parameter=value"]... [--output DIR] [--restart DIR]
+// [--validate] [--plugin LIBRARY]... | --restart DIR | --version
 #include "base/program/MpiScope.hpp"
 #include "base/program/Plugins.hpp"
 #include "scenario/DeckReader.hpp"
@@ -40,7 +40,7 @@ int main(int argc, char** argv)
   auto const communicator = parallel.communicator();
   return asperity::runGuarded(*communicator, [&] {
     // 2. Read the command line.
-    auto const command_line = asperity::parseCommandLine(argc, argv);
+    auto command_line = asperity::parseCommandLine(argc, argv);
     const bool speaks = communicator->getRank() == 0;
     if (command_line.help) {
       if (speaks) {
@@ -62,6 +62,7 @@ int main(int argc, char** argv)
       }
       return int(asperity::exit_done);
     }
+    asperity::completeRestart(command_line);
     return runDeck(command_line, communicator);
   });
 }

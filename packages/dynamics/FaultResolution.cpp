@@ -63,6 +63,11 @@ double nucleationLength(double slip_modulus, double a, double b, double L, doubl
   return 2 * half * cohesiveZone(slip_modulus, b, L, sigma_n);
 }
 
+double unstableWavelength(double slip_modulus, double a, double b, double L, double sigma_n)
+{
+  return M_PI * slip_modulus * L / ((b - a) * sigma_n);
+}
+
 template <int Dim>
 std::optional<FaultResolution>
 faultResolution(Mesh<Dim> const& mesh, fem::FaultSurface const& surface, int components,
@@ -71,7 +76,7 @@ faultResolution(Mesh<Dim> const& mesh, fem::FaultSurface const& surface, int com
   auto const& [a, b, L, sigma_n] = friction;
   auto const sizes = cellSizes(mesh, surface);
   // Smallest of all, the largest cell with the opposite sign.
-  std::array<double, 5> mine;
+  std::array<double, 6> mine;
   mine.fill(std::numeric_limits<double>::max());
   for (int i = 0; i < surface.numNodes(); ++i) {
     if (!(b[i] > a[i]) || !(sigma_n[i] > 0)) {
@@ -79,8 +84,11 @@ faultResolution(Mesh<Dim> const& mesh, fem::FaultSurface const& surface, int com
     }
     const double modulus = slipModulus(materials[i], components, surface.otherSide());
     const double zone = cohesiveZone(modulus, b[i], L[i], sigma_n[i]);
-    const std::array<double, 5> here = {sizes[i].smallest, -sizes[i].largest, zone,
+    const std::array<double, 6> here = {sizes[i].smallest,
+                                        -sizes[i].largest,
+                                        zone,
                                         nucleationLength(modulus, a[i], b[i], L[i], sigma_n[i]),
+                                        unstableWavelength(modulus, a[i], b[i], L[i], sigma_n[i]),
                                         zone / sizes[i].largest};
     std::transform(here.begin(), here.end(), mine.begin(), mine.begin(),
                    [](double x, double y) { return std::min(x, y); });
@@ -89,7 +97,7 @@ faultResolution(Mesh<Dim> const& mesh, fem::FaultSurface const& surface, int com
   if (all[1] > 0) {
     return std::nullopt;
   }
-  return FaultResolution{all[0], -all[1], all[2], all[3], all[4]};
+  return FaultResolution{all[0], -all[1], all[2], all[3], all[4], all[5]};
 }
 
 #define ASPERITY_INSTANTIATE(DIM)                                                                  \

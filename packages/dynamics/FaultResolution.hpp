@@ -27,6 +27,11 @@ double cohesiveZone(double slip_modulus, double b, double L, double sigma_n);
 // 2.7548 Lambda0 below. Requires b > a. Under the slip law the patch is smaller.
 double nucleationLength(double slip_modulus, double a, double b, double L, double sigma_n);
 
+// The shortest wavelength [m] of a disturbance of steady slip that grows, pi G' L / ((b - a)
+// sigma_n). It follows from linear stability and is that of every law with these a, b and L.
+// Requires b > a.
+double unstableWavelength(double slip_modulus, double a, double b, double L, double sigma_n);
+
 // The parameters of friction and the normal stress at the nodes of a fault, (num_nodes) each.
 struct FrictionOfNodes
 {
@@ -40,9 +45,10 @@ struct FaultResolution
 {
   double smallest_cell; // length of a facet; in 3D the leg of a right triangle of the same area
   double largest_cell;
-  double cohesive_zone;     // smallest
-  double nucleation_length; // smallest
-  double cells_per_zone;    // fewest: Lambda0 at a node over the larger cell beside it
+  double cohesive_zone;       // smallest
+  double nucleation_length;   // smallest, of the ageing law
+  double unstable_wavelength; // smallest
+  double cells_per_zone;      // fewest: Lambda0 at a node over the larger cell beside it
 };
 
 // Empty if friction weakens nowhere. materials(num_nodes): of the body beside the fault.

@@ -32,7 +32,7 @@ Declare RunFacts::declare(std::string const& problem)
           "The files give this as the version of the program.")
     .real("Element Size", 0.0, "m", Range::atLeast(0),
           "The files give this as the size of the elements on the fault; 0 means the size of the "
-          "shortest one.")
+          "shortest one, in three dimensions the side of a square that two of them fill.")
     .real("Depth of Upper End", 0.0, "m", Range::any(),
           "Distances down dip in the files of rupture times are this one at the upper end of the "
           "fault. It is not 0 where the model is the part of space below a plane of symmetry and "

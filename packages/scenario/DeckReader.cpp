@@ -1,16 +1,20 @@
 #include "scenario/DeckReader.hpp"
 
 #include "base/fields/VertexDataset.hpp"
+#include "base/parameters/ParameterValue.hpp"
 #include "io/OutputSet.hpp"
 #include "scenario/setup/BoundarySetup.hpp"
 #include "scenario/setup/BulkSetup.hpp"
 #include "scenario/setup/FrictionSetup.hpp"
 #include "scenario/setup/InitialSetup.hpp"
 #include "scenario/setup/MeshSetup.hpp"
+#include "scenario/setup/Names.hpp"
 #include "scenario/setup/SolverSetup.hpp"
 #include "scenario/setup/TimeSetup.hpp"
 
+#include <algorithm>
 #include <filesystem>
+#include <iterator>
 #include <string>
 #include <system_error>
 #include <vector>
@@ -28,12 +32,18 @@ RCP<const ParameterList> outputParameters()
 }
 
 // A name of a file in a deck is looked for beside the deck first. What is not there counts from
-// where the program was started.
+// where the program was started. A name that leads to a file becomes absolute, so that the run's
+// parameters.xml can be read from anywhere.
 std::string besideDeck(std::string const& name, std::filesystem::path const& folder)
 {
+  namespace fs = std::filesystem;
   std::error_code ignored;
-  const auto place = (folder / name).lexically_normal();
-  return std::filesystem::exists(place, ignored) ? place.string() : name;
+  for (auto const& place : {folder / name, fs::path(name)}) {
+    if (!name.empty() && fs::exists(place, ignored)) {
+      return fs::absolute(place).lexically_normal().string();
+    }
+  }
+  return name;
 }
 
 void findFilesBesideDeck(ParameterList& list, std::filesystem::path const& folder)
@@ -56,12 +66,30 @@ void findFilesBesideDeck(ParameterList& list, std::filesystem::path const& folde
     }
   }
 }
+
+std::vector<std::string> namesOf(ParameterList const& deck)
+{
+  auto names =
+    deck.isSublist(names_list) ? namesIn(deck.sublist(names_list)) : std::vector<std::string>();
+  std::sort(names.begin(), names.end());
+  return names;
+}
+
+std::vector<std::string> addedTo(std::vector<std::string> const& before,
+                                 std::vector<std::string> const& after)
+{
+  std::vector<std::string> added;
+  std::set_difference(after.begin(), after.end(), before.begin(), before.end(),
+                      std::back_inserter(added));
+  return added;
+}
 } // namespace
 
 RCP<const ParameterList> deckParameters()
 {
   auto const list =
     Declare()
+      .openSublist(names_list, nameParameters(), meaningOfNames())
       .sublist(
         "Mesh", meshParameters(),
         "This list says which region of space the body fills and how it is divided into cells.")
@@ -93,9 +121,15 @@ RCP<ParameterList> readCompleteDeck(CommandLine const& command_line)
   for (auto const& overlay : command_line.overlays) {
     overlayDeck(*deck, overlay);
   }
+  for (auto const& path : command_line.removals) {
+    removeEntry(*deck, path);
+  }
+  auto const names = namesOf(*deck);
   for (auto const& assignment : command_line.overrides) {
     applyOverride(*deck, *valid, assignment);
   }
+  findFilesBesideDeck(*deck, ""); // what overlays and overrides name
+  resolveNames(*deck, *valid, addedTo(names, namesOf(*deck)));
   completeAndValidate(*deck, *valid, "Asperity");
   return deck;
 }

@@ -3,12 +3,14 @@
 #include "base/Errors.hpp"
 #include "base/Text.hpp"
 #include "base/parallel/Reductions.hpp"
+#include "friction/laws/AgeingLaw.hpp"
 #include "mesh/MeshQuality.hpp"
 #include "scenario/setup/LawSetup.hpp"
 
 #include <sys/resource.h>
 
 #include <algorithm>
+#include <chrono>
 #include <cmath>
 #include <limits>
 #include <sstream>
@@ -58,6 +60,41 @@ CellCount countCells(Mesh<Dim> const& mesh, Communicator const& communicator)
 
 // Measured, docs/performance.md: for one step size on large models, and with ten that are kept.
 constexpr double multigrid_bytes[] = {4.3e3, 11e3};
+
+// [s] for one product of the stiffness matrix with a vector, the shortest of a few.
+double secondsOfProduct(dynamics::Body const& body)
+{
+  auto const x = body.vector(), y = body.vector();
+  x->putScalar(1);
+  double shortest = std::numeric_limits<double>::infinity();
+  for (int i = 0; i < 5; ++i) {
+    const auto start = std::chrono::steady_clock::now();
+    body.matrices.stiffness->apply(*x, *y);
+    const std::chrono::duration<double> taken = std::chrono::steady_clock::now() - start;
+    shortest = std::min(shortest, taken.count());
+  }
+  return shortest;
+}
+
+// Products that a coupled step has taken, docs/performance.md, "What --validate says".
+constexpr double multigrid_products[] = {40, 130};
+constexpr double direct_products = 45;
+
+template <int Dim>
+std::string describeCost(Problem<Dim> const& problem)
+{
+  const double product = maxOverRanks(secondsOfProduct(problem.body), *problem.communicator);
+  const bool is_direct = problem.solver.correction == dynamics::Correction::direct;
+  return "Cost: a product of the stiffness matrix takes " + formatDuration(product) +
+         " here; a coupled step has taken " +
+         (is_direct ? "about 45 of them, here " + formatDuration(direct_products * product) +
+                        ", and less where the body is condensed to its fault"
+                    : "40 to 130 of them, here " + formatDuration(multigrid_products[0] * product) +
+                        " to " + formatDuration(multigrid_products[1] * product)) +
+         "; an accepted step takes one and a half. asperity-status says how long the rest takes "
+         "once "
+         "a cycle has passed.";
+}
 } // namespace
 
 template <int Dim>
@@ -82,7 +119,7 @@ std::vector<std::string> describeSize(Problem<Dim> const& problem)
            << rounded(multigrid_bytes[0] * unknowns / 1e6) << " to "
            << rounded(multigrid_bytes[1] * unknowns / 1e6) << " MB.";
   }
-  return {mesh.str(), memory.str()};
+  return {mesh.str(), memory.str(), describeCost(problem)};
 }
 
 template std::vector<std::string> describeSize(Problem<2> const&);
@@ -115,7 +152,8 @@ template std::optional<dynamics::FaultResolution> faultResolution(Problem<2> con
 template std::optional<dynamics::FaultResolution> faultResolution(Problem<3> const&,
                                                                   ParameterList const&);
 
-std::vector<std::string> describe(dynamics::FaultResolution const& resolution)
+std::vector<std::string> describe(dynamics::FaultResolution const& resolution,
+                                  std::string const& state_law)
 {
   auto const& r = resolution;
   ASPERITY_REQUIRE(r.cells_per_zone > 0 && r.cohesive_zone > 0,
@@ -125,12 +163,17 @@ std::vector<std::string> describe(dynamics::FaultResolution const& resolution)
   const bool one_size = r.largest_cell <= r.smallest_cell * (1 + 1e-6);
   std::vector<std::string> lines = {
     "Resolution where friction weakens: cells of " +
-    (one_size ? "" : rounded(r.smallest_cell) + " to ") + rounded(r.largest_cell) +
-    " m; cohesive zone G' L / (b sigma_n) >= " + rounded(r.cohesive_zone) + " m, at least " +
-    rounded(r.cells_per_zone) +
-    " cells; nucleation length (ageing law, Rubin & Ampuero 2005) "
-    ">= " +
-    rounded(r.nucleation_length) + " m."};
+      (one_size ? "" : rounded(r.smallest_cell) + " to ") + rounded(r.largest_cell) +
+      " m; cohesive zone G' L / (b sigma_n) >= " + rounded(r.cohesive_zone) + " m, at least " +
+      rounded(r.cells_per_zone) + " cells.",
+    state_law == friction::AgeingLaw::name
+      ? "Nucleation length >= " + rounded(r.nucleation_length) +
+          " m (ageing law on an endless fault, Rubin & Ampuero 2005): an estimate, zones a little "
+          "shorter may rupture, too."
+      : "Disturbances of steady slip grow if they are longer than " +
+          rounded(r.unstable_wavelength) +
+          " m (linear stability, any law); for the nucleation length of '" + state_law +
+          "' there is no formula here."};
   if (r.cells_per_zone < enough_cells) {
     lines.push_back("WARNING: fewer than 3 cells per cohesive zone. Ruptures will depend on the "
                     "mesh; refine the fault by a factor of " +

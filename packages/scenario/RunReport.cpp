@@ -11,6 +11,35 @@
 
 namespace asperity::scenario
 {
+namespace
+{
+// Of a generated wedge: what its cell size means, and a warning if gravity is not vertical.
+std::vector<std::string> describeWedge(ParameterList const& deck)
+{
+  auto const& mesh = deck.sublist("Mesh");
+  auto const type = mesh.get<std::string>("Type");
+  if (type != "Wedge" && type != "Deep Wedge") {
+    return {};
+  }
+  auto const& wedge = mesh.sublist(type);
+  std::vector<std::string> lines = {
+    "Cell Size = " + formatShort(wedge.get<double>("Cell Size")) +
+    " m is the most that cells at the seismogenic zone have; they are bisected until they have no "
+    "more, and so may have half of it."};
+  auto const& bulk = deck.sublist("Bulk");
+  const double slope = wedge.get<double>("Height") / wedge.get<double>("Length");
+  auto const down = bulk.get<Teuchos::Array<double>>("Gravity Direction");
+  if (bulk.get<double>("Gravitational Acceleration") > 0 && down.size() >= 2 &&
+      !(std::abs(down[0] + slope * down[1]) <= 1e-6 * std::hypot(down[0], down[1]))) {
+    lines.push_back("WARNING: Gravity Direction = {" + formatShort(down[0]) + ", " +
+                    formatShort(down[1]) +
+                    "} is not perpendicular to the surface of the wedge. With Height / Length = " +
+                    formatShort(slope) + " it would be {" + formatShort(slope) + ", -1}.");
+  }
+  return lines;
+}
+} // namespace
+
 template <int Dim>
 std::vector<std::string> describe(Problem<Dim> const& problem, ParameterList const& deck)
 {
@@ -31,9 +60,11 @@ std::vector<std::string> describe(Problem<Dim> const& problem, ParameterList con
     (problem.solver.correction == dynamics::Correction::direct ? "Direct." : "MueLu."));
   const auto size = describeSize(problem);
   lines.insert(lines.end(), size.begin(), size.end());
+  auto const of_wedge = describeWedge(deck);
+  lines.insert(lines.end(), of_wedge.begin(), of_wedge.end());
   lines.insert(lines.end(), problem.remarks.begin(), problem.remarks.end());
   if (auto const resolution = faultResolution(problem, friction)) {
-    auto const of_fault = describe(*resolution);
+    auto const of_fault = describe(*resolution, friction.get<std::string>("State Evolution"));
     lines.insert(lines.end(), of_fault.begin(), of_fault.end());
   }
   return lines;

@@ -3,7 +3,7 @@
 import math
 from functools import cached_property
 from pathlib import Path
-from typing import Optional, Tuple, Union
+from typing import List, Optional, Tuple, Union
 
 import numpy as np
 
@@ -142,6 +142,15 @@ class Run:
             return None
         end /= math.cos(self.dip)
         return end - width, end
+
+    @property
+    def seismogenic_zones(self) -> List[Tuple[float, float]]:
+        """The seismogenic zone and the further intervals of the base with small cells, which are
+        for patches that weaken; in the order of positions [m]."""
+        if self.seismogenic_zone is None:
+            return []
+        ends = self.parameters.numbers("Mesh/Wedge/Refined Intervals")
+        return sorted([self.seismogenic_zone, *zip(ends[::2], ends[1::2])])
 
     def upwards(self, dimension: int) -> np.ndarray:
         """Unit vector against gravity in mesh coordinates: from the deck, or +y without one."""

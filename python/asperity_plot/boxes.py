@@ -19,8 +19,11 @@ def samples(run: Run) -> Dict[str, np.ndarray]:
     """Finite values [SI] of each of QUANTITIES, of the complete events.
 
     Recurrence is the time between the onsets of all events: that of an incomplete one is known.
+    The width of an event in which a single node slipped fast is not known: less than two cells.
     """
     columns = dict(run.complete_events.columns, recurrence=np.diff(run.events["onset"]))
+    if "width" in columns:
+        columns["width"] = columns["width"][columns["width"] > 0.0]
     return {name: columns[name][np.isfinite(columns[name])] if name in columns else np.empty(0)
             for _, name, _ in QUANTITIES}
 
@@ -47,9 +50,16 @@ def draw(run: Run, view: View):
         _box(panel, label, values[name], unit)
     count = style.counted(len(run.complete_events), "event")
     style.title(figure, f"Recurrence, size and speed of {count}")
-    figure.supxlabel("box: quartiles and median; whiskers: extremes; ticks: single events",
-                     fontsize=8.5, color=style.DARK)
+    figure.supxlabel("box: quartiles and median; whiskers: extremes; ticks: single events"
+                     + _note(run), fontsize=8.5, color=style.DARK)
     return figure
+
+
+def _note(run: Run) -> str:
+    """Of what the box of widths leaves out."""
+    single = int(np.sum(run.complete_events["width"] == 0.0)) \
+        if "width" in run.complete_events else 0
+    return f"\nwithout width: {style.counted(single, 'event')} of a single node" if single else ""
 
 
 def _unit(values: np.ndarray, name: str) -> units.Unit:

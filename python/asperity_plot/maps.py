@@ -36,6 +36,16 @@ def colours(axes: Axes, times: np.ndarray, history: History, values: np.ndarray,
     return axes.pcolormesh(times, along(limits), picture.T, rasterized=True, **options)
 
 
+def smooth_colours(axes: Axes, times: np.ndarray, history: History, values: np.ndarray,
+                   along: Axis, **options):
+    """The same, linear in time between rows at `times`."""
+    limits = raster.edges(along.limits, POSITIONS)
+    places = raster.centres(limits)
+    picture = raster.along(history.position, values, places)
+    return axes.pcolormesh(times, along(places), picture.T, shading="gouraud", rasterized=True,
+                           **options)
+
+
 def time_axes(axes: List[Axes], view: View) -> None:
     """Titles and labels of the time axes; the zoom counts from the event's onset."""
     label_cycles(axes[0], view)

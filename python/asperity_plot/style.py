@@ -80,31 +80,32 @@ def bar_beside(axes: Axes, picture):
 
 
 def mark_zone(axes: Axes, run: Run, along: Axis, colour: str, label: bool) -> None:
-    """The limits of the seismogenic zone as dashed lines, its name beside the right edge."""
-    zone = run.seismogenic_zone
-    if zone is None:
-        return
-    low, high = along(zone)
-    for position in (low, high):
-        axes.axhline(position, color=colour, linewidth=0.9, linestyle=(0, (5, 4)))
-    if not label:
-        return
+    """The limits of seismogenic zones as dashed lines, their name beside the right edge."""
     across = axes.get_yaxis_transform()
-    axes.plot([1.02, 1.02], [low, high], transform=across, clip_on=False, color=DARK,
-              linewidth=2.0, solid_capstyle="butt")
-    axes.text(1.035, 0.5 * (low + high), "seismogenic zone", transform=across, rotation=270,
-              ha="left", va="center", color=DARK, fontsize=8.5)
+    for zone in run.seismogenic_zones:
+        low, high = along(zone)
+        for position in (low, high):
+            axes.axhline(position, color=colour, linewidth=0.9, linestyle=(0, (5, 4)))
+        if label:
+            axes.plot([1.02, 1.02], [low, high], transform=across, clip_on=False, color=DARK,
+                      linewidth=2.0, solid_capstyle="butt")
+            axes.text(1.035, 0.5 * (low + high), _name(run, zone), transform=across,
+                      rotation=270, ha="left", va="center", color=DARK, fontsize=8.5)
+
+
+def _name(run: Run, zone) -> str:
+    """What stands beside one of several zones: the long name beside the widest alone."""
+    widest = max(run.seismogenic_zones, key=lambda each: each[1] - each[0])
+    return "seismogenic zone" if zone == widest else ""
 
 
 def shade_zone(axes: Axes, run: Run, along: Axis) -> None:
-    """The seismogenic zone as a grey band over the horizontal axis, with its name above."""
-    zone = run.seismogenic_zone
-    if zone is None:
-        return
-    low, high = along(zone)
-    axes.axvspan(low, high, color="#eeeeee", zorder=0)
-    axes.text(0.5 * (low + high), 1.01, "seismogenic zone", ha="center", va="bottom",
-              color=DARK, fontsize=8.5, transform=axes.get_xaxis_transform())
+    """Seismogenic zones as grey bands over the horizontal axis, with their name above."""
+    for zone in run.seismogenic_zones:
+        low, high = along(zone)
+        axes.axvspan(low, high, color="#eeeeee", zorder=0)
+        axes.text(0.5 * (low + high), 1.01, _name(run, zone), ha="center", va="bottom",
+                  color=DARK, fontsize=8.5, transform=axes.get_xaxis_transform())
 
 
 def counted(count: int, noun: str) -> str:

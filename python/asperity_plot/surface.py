@@ -1,5 +1,6 @@
 """Vertical displacement of the free surface relative to its average over the time shown.
 
+Over several events it is also relative to its steady trend, in which the cycle would drown.
 Where one boundary drives the run, the displacement is taken relative to it: against the plate a
 wedge that slides steadily rises all the time, and the cycle would drown in that.
 """
@@ -14,6 +15,7 @@ from . import along, loading, maps, raster, style, units
 from .windows import View
 
 FIELD = "displacement"
+FEWEST = 3  # events in the time shown that have a trend
 
 
 def draw(run: Run, view: View):
@@ -28,8 +30,8 @@ def draw(run: Run, view: View):
     cycles = _seen_from_the_loading(run, upwards, raster.centres(limits),
                                     raster.interpolated(surface, FIELD, raster.centres(limits),
                                                         upwards))
-    average = cycles.mean(axis=0)
-    cycles -= average
+    trend = _trend(raster.centres(limits), cycles, view)
+    cycles = cycles - trend(raster.centres(limits))
     unit = units.prefixed(cycles, "m")
     norm = _norm(unit(cycles))
     figure, axes = maps.panels(view)
@@ -44,14 +46,27 @@ def draw(run: Run, view: View):
                                       raster.interpolated(surface, FIELD, raster.centres(limits),
                                                           upwards))
         times = maps.zoom_unit(view)(limits - view.onset)
-        maps.colours(axes[1], times, surface, unit(zoom - average), where, **colours)
+        zoom = zoom - trend(raster.centres(limits))
+        maps.colours(axes[1], times, surface, unit(zoom), where, **colours)
     maps.time_axes(axes, view)
     bar = figure.colorbar(mesh, ax=axes, pad=0.02, aspect=28, extend="both")
     what = "Uplift" if components > 1 else "Displacement"
-    bar.set_label(f"{what} relative to the time average [{unit.name}]")
-    style.title(figure, "Vertical displacement of the surface relative to its time average"
-                if components > 1 else "Displacement of the surface relative to its time average")
+    steady = "trend" if view.num_events >= FEWEST else "time average"
+    bar.set_label(f"{what} relative to the {steady} [{unit.name}]")
+    style.title(figure, f"Vertical displacement of the surface relative to its {steady}"
+                if components > 1 else f"Displacement of the surface relative to its {steady}")
     return figure
+
+
+def _trend(times: np.ndarray, values: np.ndarray, view: View):
+    """What is subtracted, (n, n_nodes) at n times: the line of least squares through `values` of
+    each node, or their average where the time shown has too few events for a steady trend."""
+    average, middle = values.mean(axis=0), times.mean()
+    slope = np.zeros_like(average)
+    if view.num_events >= FEWEST:
+        since = times - middle
+        slope = since @ (values - average) / (since @ since)
+    return lambda at: average + (at - middle)[:, None] * slope
 
 
 def _seen_from_the_loading(run: Run, upwards, times: np.ndarray, values: np.ndarray) -> np.ndarray:

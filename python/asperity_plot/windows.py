@@ -14,6 +14,7 @@ from .options import Options
 CYCLES = 5.0           # shown around the chosen event
 MANY_EVENTS = 40       # more lines, one for each, would merge
 LEAD, TRAIL = 1.0, 2.0   # durations of the event before its onset and after its end
+SIZEABLE = 0.1           # of the largest event's slip: smaller ones do not choose what is shown
 MAGNIFICATION = 5.0      # a zoom that magnifies less is not worth a panel
 
 
@@ -65,11 +66,11 @@ def _choose(run: Run, window: Optional[Tuple[float, float]], span: Tuple[float, 
         return _view(window, events, _median(events, inside), True)
     if events is None or not len(events):
         return View(span)
-    onsets = events["onset"]
-    index = _median(events, np.flatnonzero(onsets >= 0.5 * (span[0] + span[1])))
+    onsets, rows = events["onset"], _sizeable(events)
+    index = _median(events, rows[onsets[rows] >= 0.5 * (span[0] + span[1])])
     if index is None:
-        index = len(events) - 1
-    return _view(_cycles(onsets, index, span), events, index, False)
+        index = int(rows[-1])
+    return _view(_cycles(onsets[rows], onsets[index], span), events, index, False)
 
 
 def over_sequence(run: Run, view: View) -> View:
@@ -93,6 +94,12 @@ def _within(events: Optional[Table], window: Tuple[float, float]) -> np.ndarray:
     return np.flatnonzero((onsets >= window[0]) & (onsets <= window[1]))
 
 
+def _sizeable(events: Table) -> np.ndarray:
+    """The rows of events that are not tiny beside the largest; in order."""
+    size = events["peak_slip" if "peak_slip" in events else "duration"]
+    return np.flatnonzero(size >= SIZEABLE * size.max())
+
+
 def _median(events: Optional[Table], rows: np.ndarray) -> Optional[int]:
     """The event of median size among `rows`, by its peak slip if the table has it."""
     if events is None or not rows.size:
@@ -101,12 +108,12 @@ def _median(events: Optional[Table], rows: np.ndarray) -> Optional[int]:
     return int(rows[np.argsort(size, kind="stable")[(rows.size - 1) // 2]])
 
 
-def _cycles(onsets: np.ndarray, index: int, span: Tuple[float, float]) -> Tuple[float, float]:
-    """CYCLES median recurrence times around event `index`, moved and cut to fit the run."""
+def _cycles(onsets: np.ndarray, centre: float, span: Tuple[float, float]) -> Tuple[float, float]:
+    """CYCLES median recurrence times around `centre` [s], moved and cut to fit the run."""
     if onsets.size < 2:
         return span
     width = CYCLES * float(np.median(np.diff(onsets)))
-    first = min(max(onsets[index] - 0.5 * width, span[0]), max(span[1] - width, span[0]))
+    first = min(max(centre - 0.5 * width, span[0]), max(span[1] - width, span[0]))
     return first, min(first + width, span[1])
 
 

@@ -24,12 +24,23 @@ struct Expression::Parser
     parser.DefineConst("e", 2.71828182845904523536);
     parser.DefineFun("floor", static_cast<double (*)(double)>(std::floor));
     parser.DefineFun("ceil", static_cast<double (*)(double)>(std::ceil));
+    parser.DefineFun("erf", static_cast<double (*)(double)>(std::erf));
+    parser.DefineFun("erfc", static_cast<double (*)(double)>(std::erfc));
     parser.DefineFun("if", [](double c, double a, double b) { return c != 0.0 ? a : b; });
   }
 };
 
 namespace
 {
+std::string joined(std::vector<std::string> const& words)
+{
+  std::string text;
+  for (auto const& word : words) {
+    text += (text.empty() ? "" : ", ") + word;
+  }
+  return text;
+}
+
 [[noreturn]] void refuse(std::string const& text, std::string const& path,
                          mu::ParserError const& error)
 {
@@ -39,8 +50,9 @@ namespace
   if (position < text.size()) {
     message << " (character " << position + 1 << ", before '" << text.substr(position) << "')";
   }
-  message << " It may use x, y, z, t, pi, + - * / ^, comparisons, c ? a : b and functions such as"
-             " exp, tanh, min, max.";
+  message << " It may use x, y, z, t, pi, e, the deck's Names, + - * / ^, comparisons, && || !, "
+             "c ? a : b, and the functions "
+          << joined(Expression::functionNames()) << ".";
   throw InputError(message.str());
 }
 } // namespace
@@ -65,6 +77,25 @@ Expression::Expression(std::string const& text, std::string const& path)
 }
 
 Expression::~Expression() = default;
+
+std::vector<std::string> Expression::functionNames()
+{
+  std::vector<std::string> names;
+  const Parser with_all;
+  for (auto const& function : with_all.parser.GetFunDef()) {
+    names.push_back(function.first);
+  }
+  return names;
+}
+
+std::vector<std::string> Expression::reservedNames()
+{
+  auto names = functionNames();
+  for (char const* name : {"x", "y", "z", "t", "pi", "e"}) {
+    names.emplace_back(name);
+  }
+  return names;
+}
 
 double Expression::operator()(std::array<double, 3> const& x, double t) const
 {

@@ -3,12 +3,13 @@
 #include <array>
 #include <memory>
 #include <string>
+#include <vector>
 
 namespace asperity
 {
 // A formula in x, y, z [m] and t [s], evaluated by muParser: + - * / ^, comparisons, && ||, c ? a :
-// b, sin, tanh, exp, ln, min, max, ... and floor, ceil, if(c, a, b), pi, e. One host thread at a
-// time.
+// b, pi, e, muParser's functions (sin, tanh, exp, ln, min, max, ...) and floor, ceil, erf, erfc,
+// if(c, a, b). One host thread at a time.
 class Expression
 {
 public:
@@ -20,6 +21,11 @@ public:
 
   // The result is not checked; it may be infinite or NaN.
   double operator()(std::array<double, 3> const& x, double t) const;
+
+  // In the order of the alphabet.
+  static std::vector<std::string> functionNames();
+  // Functions, coordinates and constants: names that have a meaning here.
+  static std::vector<std::string> reservedNames();
 
   bool dependsOnSpace() const;
   bool dependsOnTime() const;

@@ -1,3 +1,4 @@
+#include "base/NearestName.hpp"
 #include "base/Text.hpp"
 #include "base/parameters/Alternatives.hpp"
 #include "base/parameters/Deck.hpp"
@@ -163,10 +164,36 @@ void setValue(Place const& place, std::string const& name, std::string const& va
     return;
   }
   const ParameterEntry entry = readAs(info->kind, value);
-  info->check(entry, path);
+  const bool may_be_computed =
+    info->kind == ParameterKind::real || info->kind == ParameterKind::real_array;
+  if (!may_be_computed || !holds<std::string>(entry)) {
+    info->check(entry, path);
+  }
   place.list->setEntry(name, entry);
 }
 } // namespace
+
+void removeEntry(ParameterList& list, std::string const& path_text)
+{
+  auto names = split(path_text, '/');
+  if (names.size() > 1 && names.front() == "Asperity") {
+    names.erase(names.begin());
+  }
+  ParameterList* place = &list;
+  std::string path = "Asperity";
+  for (std::size_t i = 0; i < names.size(); ++i) {
+    const bool is_last = i + 1 == names.size();
+    path = joinPath(path, names[i]);
+    ASPERITY_REQUIRE(is_last ? place->isParameter(names[i]) : place->isSublist(names[i]),
+                     "--remove '" << path_text << "': the deck has no "
+                                  << (is_last ? "entry " : "list ") << path << "."
+                                  << didYouMean(names[i], namesIn(*place)));
+    if (!is_last) {
+      place = &place->sublist(names[i]);
+    }
+  }
+  place->remove(names.back());
+}
 
 void applyOverride(ParameterList& list, ParameterList const& valid, std::string const& assignment)
 {

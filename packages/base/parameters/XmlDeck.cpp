@@ -1,6 +1,7 @@
 #include "base/parameters/XmlDeck.hpp"
 
 #include "base/Errors.hpp"
+#include "base/NearestName.hpp"
 #include "base/Text.hpp"
 #include "base/parameters/ParameterValue.hpp"
 #include "base/parameters/Parameters.hpp"
@@ -39,8 +40,10 @@ std::string attribute(XMLObject const& element, std::string const& name, std::st
 [[noreturn]] void refuseValue(std::string const& where, std::string const& type,
                               std::string const& value)
 {
+  const bool may_be_computed = type == "double" || type == "Array(double)";
   throw InputError(where + ": the value '" + value + "' is not of the type '" + type +
-                   "' given with it.");
+                   "' given with it." +
+                   (may_be_computed ? " What has to be computed needs the type 'string'." : ""));
 }
 
 template <class T, class Read>
@@ -103,6 +106,18 @@ ParameterEntry readValue(XMLObject const& element, std::string const& where)
 }
 } // namespace
 
+namespace
+{
+// <Remove name="..."/> in an overlay.
+void removeEntry(ParameterList& list, std::string const& name, std::string const& where)
+{
+  ASPERITY_REQUIRE(list.isParameter(name), where
+                                             << ": <Remove> finds no such entry in the deck below."
+                                             << didYouMean(name, namesIn(list)));
+  list.remove(name);
+}
+} // namespace
+
 XMLObject parseXml(std::string const& file_name)
 {
   namespace fs = std::filesystem;
@@ -133,11 +148,16 @@ void readList(XMLObject const& element, std::string const& file_name, std::strin
     XMLObject const& child = element.getChild(i);
     const std::string tag = child.getTag();
     const std::string here = file_name + ": " + path;
-    ASPERITY_REQUIRE(tag == "Parameter" || tag == "ParameterList",
+    ASPERITY_REQUIRE(tag == "Parameter" || tag == "ParameterList" || tag == "Remove",
                      here << ": <" << tag
-                          << "> is unknown; only <Parameter> and <ParameterList> are allowed.");
+                          << "> is unknown; only <Parameter>, <ParameterList> and, in overlays, "
+                             "<Remove> are allowed.");
     const std::string name = attribute(child, "name", here);
     const std::string entry_path = joinPath(path, name);
+    if (tag == "Remove") {
+      removeEntry(list, name, file_name + ": " + entry_path);
+      continue;
+    }
     ASPERITY_REQUIRE(names.insert(name).second,
                      file_name << ": " << entry_path << " is given twice.");
     if (tag == "Parameter") {

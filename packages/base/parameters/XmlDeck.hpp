@@ -13,7 +13,8 @@ namespace asperity
 // The root element of a file. InputError if the file is missing, empty or malformed.
 Teuchos::XMLObject parseXml(std::string const& file_name);
 
-// Adds the element's entries to the list and replaces those that are there, list by list.
+// Adds the element's entries to the list and replaces those that are there, list by list; what
+// <Remove name="..."/> names is taken out before what follows it is read.
 // InputError with `file_name` and the path of the entry.
 void readList(Teuchos::XMLObject const& element, std::string const& file_name,
               std::string const& path, Teuchos::ParameterList& list);

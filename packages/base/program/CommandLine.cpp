@@ -3,7 +3,9 @@
 #include "base/NearestName.hpp"
 #include "base/program/Options.hpp"
 
+#include <filesystem>
 #include <ostream>
+#include <system_error>
 
 namespace asperity
 {
@@ -14,10 +16,15 @@ void declare(Options& options, CommandLine& line, std::string& format)
   options
     .values("--set", line.overrides, "\"Path/To/Parameter=value\"", "replace or add a parameter")
     .values("--overlay", line.overlays, "FILE", "lay a second short deck over the first")
+    .values("--remove", line.removals, "\"Path/To/Entry\"",
+            "take a parameter or a list out of the deck")
     .values("--plugin", line.plugins, "LIBRARY",
             "load laws and outputs of your own from a shared library")
     .value("--output", line.output, "DIR", "where the results go")
-    .value("--restart", line.restart, "FILE", "go on from a checkpoint")
+    .value(
+      "--restart", line.restart, "DIR|FILE",
+      "go on with the run in a directory, or from a checkpoint file; without a deck the run's own "
+      "parameters.xml is taken")
     .value("--restart-from", line.restart_from, "RUN",
            "begin a new run with the state of another run (its directory or checkpoint), whose "
            "mesh and fields may differ")
@@ -54,9 +61,35 @@ CommandLine parseCommandLine(int argc, char const* const* argv)
                    "--restart goes on with a run and --restart-from begins a new one. Give one of "
                    "the two.");
   ASPERITY_REQUIRE(
-    !line.deck.empty() || line.help || line.version || line.print_parameters,
+    !line.deck.empty() || !line.restart.empty() || line.help || line.version ||
+      line.print_parameters,
     "No deck is given. Usage: asperity DECK.xml [options]; --help lists the options.");
   return line;
+}
+
+void completeRestart(CommandLine& line)
+{
+  namespace fs = std::filesystem;
+  if (line.restart.empty()) {
+    return;
+  }
+  std::error_code ignored;
+  fs::path checkpoint = line.restart;
+  if (fs::is_directory(checkpoint, ignored)) {
+    checkpoint /= "checkpoint.h5";
+    line.restart = checkpoint.string();
+  }
+  const fs::path folder = checkpoint.has_parent_path() ? checkpoint.parent_path() : fs::path(".");
+  if (line.output.empty()) {
+    line.output = folder.string();
+  }
+  if (line.deck.empty()) {
+    line.deck = (folder / "parameters.xml").string();
+    ASPERITY_REQUIRE(fs::exists(line.deck, ignored),
+                     "--restart " << line.restart << " without a deck needs '" << line.deck
+                                  << "', which is not there. Is this the directory of a run? If it "
+                                     "is, name the deck and every --set.");
+  }
 }
 
 void printHelp(std::ostream& out)
@@ -66,6 +99,7 @@ void printHelp(std::ostream& out)
   Options options;
   declare(options, line, format);
   out << "Usage: asperity DECK.xml [options]\n"
+         "       asperity --restart DIR [options]\n"
          "       asperity --print-parameters [--format=text|xml] [--plugin LIBRARY]...\n"
          "\n"
          "Simulates the earthquakes that the deck describes.\n"

@@ -21,7 +21,8 @@ struct LocatedPoint
 // not be empty. Collective.
 std::vector<LocatedPoint> locate(io::OutputDomain const& domain, std::vector<double> const& points);
 
-// The least of the elements' longest edges [m], over all ranks. Collective.
+// The size of the smallest element [m], over all ranks: its longest edge or, of a triangle in
+// space, the leg of a right one of the same area. Collective.
 double shortestElement(io::OutputDomain const& domain);
 
 // Linear interpolation of nodal values at located points.

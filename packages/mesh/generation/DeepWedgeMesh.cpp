@@ -47,12 +47,13 @@ GlobalMesh<3> coarseWedge(WedgeShape const& shape, DeepWedge const& deep)
   return mesh;
 }
 
-// The rectangles of the base that are the seismogenic zone.
+// The rectangles of the base that are the seismogenic zone, and the strips of the further zones.
 class SeismogenicZone
 {
 public:
   SeismogenicZone(WedgeShape const& shape, DeepWedge const& deep)
       : along_x_{shape.zoneLeft(), shape.zoneRight()}
+      , strips_(shape.further_zones)
       , along_z_(deep.patches)
   {
     if (along_z_.empty()) {
@@ -79,8 +80,13 @@ public:
     for (auto const& patch : along_z_) {
       nearest = std::min(nearest, gap({low[2], high[2]}, patch));
     }
-    return std::hypot(gap({low[0], high[0]}, along_x_), gap({low[1], high[1]}, {0.0, 0.0}),
-                      nearest);
+    const Interval in_x = {low[0], high[0]};
+    const double above = gap({low[1], high[1]}, {0.0, 0.0});
+    double distance = std::hypot(gap(in_x, along_x_), above, nearest);
+    for (auto const& strip : strips_) {
+      distance = std::min(distance, std::hypot(gap(in_x, strip), above));
+    }
+    return distance;
   }
 
 private:
@@ -90,6 +96,7 @@ private:
   }
 
   Interval along_x_;
+  std::vector<Interval> strips_; // over the whole depth
   std::vector<Interval> along_z_;
 };
 } // namespace

@@ -5,6 +5,8 @@
 #include "mesh/generation/Bisection.hpp"
 #include "mesh/generation/detail/WedgeParts.hpp"
 
+#include <limits>
+
 namespace asperity::mesh
 {
 namespace
@@ -63,6 +65,12 @@ void checkWedge(WedgeShape const& shape)
                    "Mesh / Wedge / Viscous Thickness = "
                      << shape.viscous_thickness << " is outside [0, Height = " << shape.height
                      << "].");
+  for (auto const& [low, high] : shape.further_zones) {
+    ASPERITY_REQUIRE(low >= 0 && low < high && high <= shape.baseLength(),
+                     "Mesh / Wedge / Refined Intervals: the interval from "
+                       << low << " to " << high << " m does not lie on the base, which goes from 0 "
+                       << "to " << shape.baseLength() << " m.");
+  }
 }
 
 GlobalMesh<2> wedgeTriangle(WedgeShape const& shape)
@@ -109,10 +117,15 @@ Point<2> WedgeShape::gravityDirection() const { return {std::sin(angle()), -std:
 GlobalMesh<2> wedgeMesh(WedgeShape const& shape)
 {
   detail::checkWedge(shape);
-  const Point<2> left = {shape.zoneLeft(), 0.0}, right = {shape.zoneRight(), 0.0};
+  auto zones = shape.further_zones;
+  zones.push_back({shape.zoneLeft(), shape.zoneRight()});
   const double growth = shape.growth_factor / shape.growth_length;
   auto mesh = bisect(detail::wedgeTriangle(shape), [&](Triangle const& cell) {
-    return (growth * distanceToZone(cell, left, right) + 1.0) * shape.cell_size;
+    double nearest = std::numeric_limits<double>::infinity();
+    for (auto const& [left, right] : zones) {
+      nearest = std::min(nearest, distanceToZone(cell, {left, 0.0}, {right, 0.0}));
+    }
+    return (growth * nearest + 1.0) * shape.cell_size;
   });
   detail::assignWedgeRegions(shape, mesh);
   return mesh;

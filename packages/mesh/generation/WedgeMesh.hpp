@@ -2,6 +2,8 @@
 
 #include "mesh/GlobalMesh.hpp"
 
+#include <vector>
+
 namespace asperity::mesh
 {
 // The subduction wedge of Pipping 2014, fig. 5.2 and A.1: a right triangle between surface, back
@@ -17,6 +19,8 @@ struct WedgeShape
   double growth_factor = 8.0;      // s
   double growth_length = 0.10;     // l
   double viscous_thickness = 0.06; // of region `lower`, vertically from the deepest point
+  // Intervals of the base, x in m, with cells as at the seismogenic zone.
+  std::vector<Point<2>> further_zones = {};
 
   double angle() const;      // th in rad
   double baseLength() const; // sqrt(length^2 + height^2)
@@ -26,7 +30,7 @@ struct WedgeShape
 };
 
 // Cells are bisected while they exceed (s d / l + 1) times the cell size, d being the distance of
-// the cell from the seismogenic zone. Boundaries `base`, `right`, `surface`; regions `upper` and
-// `lower`. Throws InputError if the shape is not valid.
+// the cell from the nearest of the seismogenic zone and the further zones. Boundaries `base`,
+// `right`, `surface`; regions `upper` and `lower`. Throws InputError if the shape is not valid.
 GlobalMesh<2> wedgeMesh(WedgeShape const& shape = {});
 } // namespace asperity::mesh

@@ -17,6 +17,8 @@ const std::string path = "Asperity / Friction";
 const std::string friction_choice = "Law";
 const std::string state_choice = "State Evolution";
 
+constexpr char const* of_plugins = "Laws of your own need --plugin LIBRARY.";
+
 using Table = std::vector<friction::Parameter>;
 
 Range rangeOf(friction::Parameter const& parameter)
@@ -114,8 +116,10 @@ void declareLaws(Declare& declare)
   declare
     .choice(friction_choice, friction::RegularisedLaw::name, laws,
             "Selects the law that gives the friction coefficient from slip rate and state.")
+    .hint(of_plugins)
     .choice(state_choice, friction::AgeingLaw::name, state_laws,
-            "Selects the law by which the state evolves.");
+            "Selects the law by which the state evolves.")
+    .hint(of_plugins);
   for (auto const& name : laws) {
     declare.entriesWith(friction_choice, name, declared(friction::frictionLawParameters(name)));
   }

@@ -48,7 +48,11 @@ Declare wedgeParameters()
           "Cells grow with the distance from the seismogenic zone, measured in this length; see "
           "'Growth Factor'.")
     .real("Viscous Thickness", defaults.viscous_thickness, "m", Range::atLeast(0),
-          "The region 'lower' reaches from the deepest point vertically up to this height.");
+          "The region 'lower' reaches from the deepest point vertically up to this height.")
+    .realArray("Refined Intervals", optional, "m", Range::atLeast(0),
+               "Cells are as small as at the seismogenic zone in these intervals of the base, too, "
+               "for further patches that weaken; each is given by the distances of its two ends "
+               "from the trench along the base, one interval after the other.");
   return declare;
 }
 
@@ -73,6 +77,24 @@ RCP<const ParameterList> deepWedgeParameters()
     .list();
 }
 
+// The pairs of numbers that an array of the wedge's list holds; none if it is not given.
+std::vector<Point<2>> intervals(ParameterList const& list, std::string const& name,
+                                std::string const& axis)
+{
+  if (!isGiven(list, name)) {
+    return {};
+  }
+  auto const ends = list.get<Teuchos::Array<double>>(name);
+  ASPERITY_REQUIRE(ends.size() > 0 && ends.size() % 2 == 0,
+                   joinPath(joinPath(path, list.name()), name)
+                     << " needs pairs: where each interval begins and ends, along " << axis << ".");
+  std::vector<Point<2>> pairs;
+  for (int i = 0; i < ends.size(); i += 2) {
+    pairs.push_back({ends[i], ends[i + 1]});
+  }
+  return pairs;
+}
+
 mesh::WedgeShape wedgeShape(ParameterList const& list)
 {
   mesh::WedgeShape shape;
@@ -84,6 +106,7 @@ mesh::WedgeShape wedgeShape(ParameterList const& list)
   shape.growth_factor = list.get<double>("Growth Factor");
   shape.growth_length = list.get<double>("Growth Length");
   shape.viscous_thickness = list.get<double>("Viscous Thickness");
+  shape.further_zones = intervals(list, "Refined Intervals", "the base");
   return shape;
 }
 
@@ -122,22 +145,6 @@ mesh::RectangleShape rectangleShape(ParameterList const& list)
                    path << " / Rectangle / Lower Left needs two numbers, x and y.");
   shape.lower_left = {corner[0], corner[1]};
   return shape;
-}
-
-std::vector<Point<2>> seismogenicIntervals(ParameterList const& list)
-{
-  if (!isGiven(list, "Seismogenic Intervals")) {
-    return {};
-  }
-  auto const ends = list.get<Teuchos::Array<double>>("Seismogenic Intervals");
-  ASPERITY_REQUIRE(ends.size() > 0 && ends.size() % 2 == 0,
-                   path << " / Deep Wedge / Seismogenic Intervals needs pairs: where each interval "
-                           "begins and ends, along z.");
-  std::vector<Point<2>> intervals;
-  for (int i = 0; i < ends.size(); i += 2) {
-    intervals.push_back({ends[i], ends[i + 1]});
-  }
-  return intervals;
 }
 
 RCP<const ParameterList> boxParameters()
@@ -228,7 +235,8 @@ GlobalMesh<3> makeDeepWedge(ParameterList const& list)
   const double depth = list.get<double>("Depth");
   const bool is_periodic = list.get<bool>("Periodic Along z");
   if (list.get<std::string>("Cells") == "Graded") {
-    return mesh::deepWedgeMesh(shape, {depth, seismogenicIntervals(list), is_periodic});
+    return mesh::deepWedgeMesh(shape,
+                               {depth, intervals(list, "Seismogenic Intervals", "z"), is_periodic});
   }
   auto wedge = mesh::layeredWedgeMesh(shape, depth, list.get<int>("Layers"));
   if (is_periodic) {

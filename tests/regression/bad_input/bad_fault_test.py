@@ -129,7 +129,7 @@ class Meshes(FaultCase):
     def test_a_side_without_cells(self):
         """It goes on along the surface of the body, where there is nothing on its other side."""
         self.write(main=[[4, 5], [5, 6], [6, 7], [7, 11]])
-        self.refuse(self.from_file, "Mesh file 'mesh.h5'",
+        self.refuse(self.from_file, "Mesh file '", "mesh.h5'",
                     "boundary 'main' has facets inside the body",
                     "and on its surface, one at (1, 0.5)")
         self.write(right=[[4, 5], [5, 6], [6, 7]])

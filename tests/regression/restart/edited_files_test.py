@@ -101,18 +101,19 @@ class EditedFiles(unittest.TestCase):
     def test_an_edited_mesh(self):
         self.begin()
         self.move_a_vertex()
-        self.assert_refused(f"mesh file '{self.mesh}'", "Asperity / Mesh / File / File Name")
+        self.assert_refused(f"mesh file '{self.mesh.absolute()}'",
+                            "Asperity / Mesh / File / File Name")
 
     def test_an_edited_mesh_on_two_ranks(self):
         self.begin(ranks=2)
         self.move_a_vertex()
-        self.assert_refused(f"mesh file '{self.mesh}'", ranks=2)
+        self.assert_refused(f"mesh file '{self.mesh.absolute()}'", ranks=2)
 
     def test_an_edited_dataset(self):
         self.begin()
         with h5py.File(self.fields, "r+") as file:
             file["b"][3] += 1e-12
-        self.assert_refused(f"dataset '{self.fields}:/b'", "Asperity / Friction / b")
+        self.assert_refused(f"dataset '{self.fields.absolute()}:/b'", "Asperity / Friction / b")
 
 
 if __name__ == "__main__":

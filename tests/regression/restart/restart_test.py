@@ -4,6 +4,7 @@ import pathlib
 import shutil
 import signal
 import subprocess
+import sys
 import time
 import unittest
 
@@ -11,23 +12,14 @@ import numpy
 
 import asperity_run
 
-HERE = pathlib.Path(__file__).parent
-DECK = HERE.parent / "parallel" / "coarse_wedge.xml"
-STOPPED = 4
-
-
-def settings(*changes):
-    return [word for change in changes for word in ("--set", change)]
-
+sys.path.insert(0, str(pathlib.Path(__file__).parents[1] / "reliability"))
+import runs  # noqa: E402  (its folder comes first)
+from runs import STOPPED, fresh, settings  # noqa: E402
 
 # Some 550 steps, three events, about two seconds.
-RUN = [DECK, *settings("Time Stepping/Final Time=20", "Output/Checkpoint Every n Steps=40",
-                       "Output/Fault History/Every n Steps=7")]
+RUN = [*runs.RUN, *settings("Time Stepping/Final Time=20", "Output/Checkpoint Every n Steps=40")]
 # Some 80 steps with the multigrid correction.
-SHORT_RUN = [DECK, *settings(
-    "Time Stepping/Final Time=5", "Time Stepping/Step Doubling/Tolerance=1e-3",
-    "Mesh/Wedge/Cell Size=0.02", "TNNMG/Linear Correction=MueLu",
-    "Output/Checkpoint Every n Steps=10")]
+SHORT_RUN = [*runs.SHORT_RUN, *settings("Time Stepping/Final Time=5")]
 
 # TPV101 with cells of 800 m on the fault.
 RUPTURE = [asperity_run.SOURCE / "xml" / "tpv101_2d.xml", *settings(
@@ -69,10 +61,6 @@ class Restarting(unittest.TestCase):
                                   "--output", folder)
         self.assertEqual((result.returncode, result.stderr), (0, ""))
 
-    def fresh(self, name):
-        shutil.rmtree(name, ignore_errors=True)
-        return pathlib.Path(name)
-
     def assert_same_series(self, whole, folder, *names):
         for name in names:
             ours, theirs = asperity_run.series(whole / name), asperity_run.series(folder / name)
@@ -102,11 +90,13 @@ class Restart(Restarting):
         self.assertGreaterEqual(len(asperity_run.table(self.whole / "events.csv")), 3)
 
     def test_stopped_once(self):
-        folder = self.fresh("stopped_once")
+        folder = fresh("stopped_once")
         self.stop(self.start(folder), signal.SIGTERM)
         steps = asperity_run.table(folder / "steps.csv")
         self.assertLess(len(steps), len(asperity_run.table(self.whole / "steps.csv")))
-        self.finish(folder)
+        # the directory alone says what is to go on
+        result = asperity_run.run("--restart", folder)
+        self.assertEqual((result.returncode, result.stderr), (0, ""))
         self.assert_same_results(folder)
         self.assertIn("Restarted from", (folder / "run.log").read_text())
 
@@ -114,7 +104,7 @@ class Restart(Restarting):
         """What has happened of it has its row, and a restart takes that back."""
         always = [*RUN, *settings("Output/Event Catalogue/Threshold=1e-30")]
         whole = asperity_run.run_to_end("one_event", *always)
-        folder = self.fresh("stopped_in_an_event")
+        folder = fresh("stopped_in_an_event")
         self.stop(self.start(folder, deck=always), signal.SIGTERM)
         row, = asperity_run.table(folder / "events.csv")
         self.assertEqual(row["complete"], 0)
@@ -123,7 +113,7 @@ class Restart(Restarting):
         self.assert_same_results(folder, whole)
 
     def test_stopped_twice(self):
-        folder = self.fresh("stopped_twice")
+        folder = fresh("stopped_twice")
         self.stop(self.start(folder), signal.SIGTERM)
         restart = ("--restart", folder / "checkpoint.h5")
         self.stop(self.start(folder, *restart), signal.SIGTERM)
@@ -131,7 +121,7 @@ class Restart(Restarting):
         self.assert_same_results(folder)
 
     def test_killed(self):
-        folder = self.fresh("killed")
+        folder = fresh("killed")
         process = self.start(folder)
         time.sleep(0.03)  # well into the steps that no checkpoint has
         self.stop(process, signal.SIGKILL)
@@ -139,7 +129,7 @@ class Restart(Restarting):
         self.assert_same_results(folder)
 
     def test_killed_twice_from_the_same_checkpoint(self):
-        folder = self.fresh("killed_twice")
+        folder = fresh("killed_twice")
         self.stop(self.start(folder), signal.SIGKILL)
         kept = folder / "kept.h5"
         shutil.copy(folder / "checkpoint.h5", kept)
@@ -149,14 +139,14 @@ class Restart(Restarting):
         self.assert_same_results(folder)
 
     def test_restarted_from_the_completed_parameters(self):
-        folder = self.fresh("completed_parameters")
+        folder = fresh("completed_parameters")
         self.stop(self.start(folder), signal.SIGTERM)
         self.finish(folder, deck=[folder / "parameters.xml"])
         self.assert_same_results(folder)
 
     def test_with_multigrid(self):
         whole = asperity_run.run_to_end("multigrid_whole", *SHORT_RUN)
-        folder = self.fresh("multigrid")
+        folder = fresh("multigrid")
         self.stop(self.start(folder, deck=SHORT_RUN), signal.SIGTERM)
         self.finish(folder, deck=SHORT_RUN)
         self.assert_same_results(folder, whole)
@@ -172,7 +162,7 @@ class Restart(Restarting):
             self.assertEqual((whole / name).read_bytes(), (folder / name).read_bytes())
 
     def test_refuses_another_deck(self):
-        folder = self.fresh("other_deck")
+        folder = fresh("other_deck")
         self.stop(self.start(folder), signal.SIGTERM)
         before = asperity_run.checksums(folder)
         for change in ("Friction/L=25.000001e-6", "Mesh/Wedge/Cell Size=0.012",
@@ -196,7 +186,7 @@ class RestartOfARupture(Restarting):
         steps = asperity_run.table(whole / "steps.csv")
         self.assertGreater(len(steps), 300)
         self.assertGreater(max(row["peak_slip_rate"] for row in steps), 1)
-        folder = self.fresh("rupture")
+        folder = fresh("rupture")
         self.stop(self.start(folder, deck=RUPTURE), signal.SIGTERM)
         restart = ("--restart", folder / "checkpoint.h5")
         self.stop(self.start(folder, *restart, deck=RUPTURE), signal.SIGKILL)
@@ -207,7 +197,7 @@ class RestartOfARupture(Restarting):
         self.assert_same_bytes(whole, folder, "steps.csv", "events.csv", "global.csv", *texts)
 
     def test_refusals_leave_the_log_and_the_parameters(self):
-        folder = self.fresh("rupture_refused")
+        folder = fresh("rupture_refused")
         self.stop(self.start(folder, deck=RUPTURE), signal.SIGTERM)
         kept = [(folder / name).read_bytes() for name in ("run.log", "parameters.xml")]
         for change, message in (
@@ -226,7 +216,7 @@ class CondensedRestart(Restarting):
     def test_condensed_to_the_fault(self):
         whole = asperity_run.run_to_end("condensed", *CONDENSED)
         self.assertIn("condensed to its fault", (whole / "run.log").read_text())
-        folder = self.fresh("condensed_stopped")
+        folder = fresh("condensed_stopped")
         self.stop(self.start(folder, deck=CONDENSED), signal.SIGTERM)
         self.finish(folder, deck=CONDENSED)
         self.assert_same_series(whole, folder, "fault.h5", "receivers.h5")

@@ -54,6 +54,34 @@ TEST(CommandLine, WithoutADeck)
   expectParts(refused({"--validate"}), {"No deck"});
 }
 
+TEST(CommandLine, ARestartTakesFromTheRunWhatIsNotGiven)
+{
+  const asperity::test::TemporaryDirectory directory;
+  directory.write("parameters.xml", "");
+  const auto run = directory.file("");
+  auto line = parse({"--restart", run.c_str(), "--set", "a=1", "--remove", "b/c"});
+  completeRestart(line);
+  EXPECT_EQ(line.removals, std::vector<std::string>{"b/c"});
+  EXPECT_TRUE(std::filesystem::equivalent(line.deck, directory.file("parameters.xml")));
+  EXPECT_EQ(std::filesystem::path(line.restart), std::filesystem::path(run) / "checkpoint.h5");
+  EXPECT_TRUE(std::filesystem::equivalent(line.output, run));
+
+  const auto file = directory.file("older.h5");
+  line = parse({"--restart", file.c_str()});
+  completeRestart(line);
+  EXPECT_EQ(line.restart, file);
+  EXPECT_EQ(line.deck, directory.file("parameters.xml"));
+
+  line = parse({"deck.xml", "--restart", file.c_str(), "--output", "out"});
+  completeRestart(line);
+  EXPECT_EQ(line.deck, "deck.xml");
+  EXPECT_EQ(line.output, "out");
+
+  line = parse({"--restart", "nowhere"});
+  expectParts(refusal([&] { completeRestart(line); }),
+              {"--restart nowhere", "./parameters.xml", "not there", "name the deck"});
+}
+
 // What Kokkos knows, MpiScope has taken out: unit.base.Guard.
 TEST(CommandLine, RefusesWhatKokkosDoesNotKnow)
 {

@@ -135,6 +135,29 @@ TEST(Deck, ValuesThatAreNotOfTheirType)
   expectParts(refused("Array(int)", "1, 2"), {"'1, 2'", "'Array(int)'"});
 }
 
+TEST(Deck, OverlayRemoves)
+{
+  const TemporaryDirectory directory;
+  auto list = readContent(R"(
+    <ParameterList name="a"> <Parameter name="one" type="int" value="1"/> </ParameterList>
+    <ParameterList name="b"> <Parameter name="two" type="int" value="2"/> </ParameterList>
+    <Parameter name="c" type="int" value="3"/>)");
+  overlayDeck(*list, directory.write("overlay.xml", R"(<ParameterList name="Asperity">
+    <Remove name="a"/>
+    <ParameterList name="a"> <Parameter name="three" type="int" value="3"/> </ParameterList>
+    <ParameterList name="b"> <Remove name="two"/> </ParameterList>
+    <Remove name="c"/>
+  </ParameterList>)"));
+  EXPECT_FALSE(list->sublist("a").isParameter("one"));
+  EXPECT_EQ(list->sublist("a").get<int>("three"), 3);
+  EXPECT_EQ(list->sublist("b").numParams(), 0);
+  EXPECT_FALSE(list->isParameter("c"));
+  const auto wrong = directory.write("wrong.xml", R"(<ParameterList name="Asperity">
+    <ParameterList name="a"> <Remove name="thee"/> </ParameterList> </ParameterList>)");
+  expectParts(refusal([&] { overlayDeck(*list, wrong); }),
+              {"wrong.xml", "Asperity / a / thee", "no such entry", "Did you mean 'three'?"});
+}
+
 TEST(Deck, OverlayReplacesAndExtends)
 {
   const TemporaryDirectory directory;

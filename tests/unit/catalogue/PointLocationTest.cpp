@@ -108,6 +108,7 @@ TEST(PointLocation, TetrahedraAndTheirFaces)
   EXPECT_NEAR(inside[0].distance, 0, 1e-14);
   EXPECT_NEAR(Sampling(volume, inside)(nodal(volume, function), 1)[0], -95.5, 1e-12);
   const OutputDomain fault = boundaryDomain("fault", mesh, "base", world());
+  EXPECT_NEAR(shortestElement(fault), std::sqrt(2 * 3.), 1e-14); // of area 3
   const auto beside = locate(fault, {0.5, 1, -0.25});
   EXPECT_NEAR(beside[0].distance, 0.25, 1e-15);
   EXPECT_NEAR(Sampling(fault, beside)(nodal(fault, function), 1)[0], 10.5, 1e-13);

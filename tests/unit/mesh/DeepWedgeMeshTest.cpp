@@ -90,6 +90,23 @@ TEST(DeepWedgeMesh, RefinesItsPatchesOnly)
   EXPECT_GT(smallest_between, 0.03);
 }
 
+TEST(DeepWedgeMesh, RefinesFurtherZones)
+{
+  const auto largest = [](WedgeShape const& shape) {
+    const auto mesh = deepWedgeMesh(shape, {0.1, {}, false});
+    double size = 0.0;
+    for (auto const& facet : mesh.boundaries.at("base")) {
+      const double x = centroid(corners(mesh, facet))[0];
+      size = x > 0.7 && x < 0.8 ? std::max(size, longestEdge(corners(mesh, facet))) : size;
+    }
+    return size;
+  };
+  auto shape = coarseShape();
+  EXPECT_GT(largest(shape), 2.0 * shape.cell_size);
+  shape.further_zones = {{0.7, 0.8}};
+  EXPECT_LE(largest(shape), (1.0 + 1e-8) * shape.cell_size);
+}
+
 // Bisection begins with prisms that are about as long as wide: the smallest angle of the wedge, th,
 // stays the smallest one nearly.
 TEST(DeepWedgeMesh, HasGoodShapes)

@@ -79,6 +79,31 @@ TEST(WedgeMesh, ResolvesTheSeismogenicZone)
   EXPECT_GT(num_cells_at_zone, 200);
 }
 
+// Along the base, in the middle of a second patch near the back and in the one from the start.
+TEST(WedgeMesh, ResolvesFurtherZones)
+{
+  const auto largest = [](WedgeShape const& shape, double low, double high) {
+    const auto mesh = wedgeMesh(shape);
+    expectConforming(mesh);
+    double size = 0;
+    for (auto const& [first, second] : mesh.boundaries.at("base")) {
+      const double x = mesh.vertices[first][0], end = mesh.vertices[second][0];
+      if (std::max(x, end) > low && std::min(x, end) < high) {
+        size = std::max(size, std::abs(end - x));
+      }
+    }
+    return size;
+  };
+  WedgeShape shape;
+  shape.cell_size = 0.01;
+  EXPECT_GT(largest(shape, 0.7, 0.8), 0.02);
+  shape.further_zones = {{0.7, 0.8}};
+  EXPECT_LE(largest(shape, 0.7, 0.8), 0.01);
+  EXPECT_LE(largest(shape, shape.zoneLeft(), shape.zoneRight()), 0.01);
+  shape.further_zones = {{0.7, 1.1}};
+  expectInputError([&] { wedgeMesh(shape); }, {"Refined Intervals", "0.7 to 1.1", "base"});
+}
+
 // The region is cut by centroids: its area is that below the plane within a row of cells there.
 TEST(WedgeMesh, HasTheViscousRegionAtTheBottom)
 {

@@ -118,10 +118,29 @@ class Figures(unittest.TestCase):
         fastest = np.log10(rates[inside].max())
         self.assertLess(abs(shown(axes[0]).max() - fastest), 0.05)
         inside = (run.fault.time >= view.zoom[0]) & (run.fault.time <= view.zoom[1])
-        self.assertLess(abs(shown(axes[1]).max() - np.log10(rates[inside].max())), 0.05)
+        zoom = next(child for child in axes[1].get_children() if isinstance(child, QuadMesh))
+        self.assertLess(abs(zoom.get_array().max() - np.log10(rates[inside].max())), 0.05)
+        # colours are linear in time between rows, as the contours are
+        self.assertEqual(zoom.get_coordinates()[..., 0].size, zoom.get_array().size)
         self.assertIn(f"event {view.number}", axes[1].get_title())
         self.assertIn("[ms]", axes[1].get_xlabel())
         self.assertIn("seismogenic zone", [text.get_text() for text in axes[1].texts])
+
+    def test_every_zone_is_marked(self):
+        text = (self.folder / "many" / "parameters.xml").read_text()
+        folder = self.folder / "two_zones"
+        folder.mkdir()
+        mark = '<ParameterList name="Wedge">\n'
+        (folder / "parameters.xml").write_text(text.replace(
+            mark, mark + '<Parameter name="Refined Intervals" type="Array(double)" '
+                         'value="{0.7, 0.8}"/>\n'))
+        (folder / "run.log").write_text("")
+        _, axes = style.panels(1, 2, (5.0, 4.0))
+        style.mark_zone(axes[0, 0], Run(folder), np.array, "white", label=True)
+        style.shade_zone(axes[0, 1], Run(folder), np.array)
+        lines = [line.get_ydata()[0] for line in axes[0, 0].lines if line.get_color() == "white"]
+        np.testing.assert_allclose(sorted(lines)[2:], [0.7, 0.8])
+        self.assertEqual(len(axes[0, 1].patches), 2)
 
     def test_the_name_of_the_zone_lies_over_no_curve(self):
         run, _ = self.view("many")
@@ -132,14 +151,17 @@ class Figures(unittest.TestCase):
         label = axes[0, 0].texts[0].get_window_extent()
         self.assertGreaterEqual(label.y0, axes[0, 0].get_window_extent().y1)
 
-    def test_surface_shows_the_component_against_gravity_without_its_average(self):
+    def test_surface_shows_the_component_against_gravity_without_its_trend(self):
         run, view = self.view("many")
+        self.assertGreaterEqual(view.num_events, surface.FEWEST)
         values = shown(surface.draw(run, view).axes[0])
         np.testing.assert_allclose(values.mean(axis=1), 0.0, atol=1e-9 * np.abs(values).max())
         columns = raster.centres(raster.edges(view.cycles, values.shape[1]))
         where = raster.centres(raster.edges((0.0, 1.0), values.shape[0]))
         expected = synthetic_run.uplift(columns, where, synthetic_run.event_times(7))
-        expected = 1e6 * (expected - expected.mean(axis=0)).T
+        lines = np.polynomial.Polynomial.fit
+        expected = 1e6 * np.array([line - lines(columns, line, 1)(columns)
+                                   for line in expected.T])
         error = np.abs(values - expected)
         self.assertLess(np.median(error), 0.01 * np.abs(expected).max())
 
@@ -149,6 +171,21 @@ class Figures(unittest.TestCase):
         titles = [axes.get_title(loc="right") for axes in boxes.draw(run, view).axes]
         median = np.median(np.diff(run.events["onset"]))
         self.assertEqual(titles[0], f"median {median:.1f} s")
+
+    def test_widths_of_single_nodes_count_as_unknown(self):
+        text = (self.folder / "many" / "events.csv").read_text().splitlines()
+        column = text[0].split(",").index("width [m]")
+        cells = text[1].split(",")
+        cells[column] = "0"
+        folder = self.folder / "single_node"
+        folder.mkdir()
+        (folder / "events.csv").write_text("\n".join([text[0], ",".join(cells), *text[2:], ""]))
+        widths = boxes.samples(Run(folder))["width"]
+        self.assertEqual(widths.size, 6)
+        self.assertGreater(widths.min(), 0.0)
+        figure = boxes.draw(Run(folder), self.view("many")[1])
+        self.assertTrue(any("1 event of a single node" in text.get_text()
+                            for text in figure.texts))
 
     def test_iterations_show_every_step_of_the_zoom(self):
         run, view = self.view("many")

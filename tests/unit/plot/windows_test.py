@@ -46,6 +46,15 @@ class Windows(unittest.TestCase):
         self.assertEqual(len(run.events), 3)
         self.assertEqual(windows.choose(run, (500.0, 1000.0)).num_events, 2)
 
+    def test_tiny_events_do_not_choose_what_is_shown(self):
+        rows = [(100 * n, 1.0) for n in range(1, 10)]
+        rows += [(100 * n + part, 0.01) for n in range(5, 10) for part in (10, 20, 30, 40)]
+        run = self.run_with("".join(f"{n},{onset},0.1,{slip},1\n"
+                                    for n, (onset, slip) in enumerate(sorted(rows), start=1)))
+        view = windows.choose(run, None)
+        self.assertEqual(view.onset % 100.0, 0.0)
+        np.testing.assert_allclose(view.cycles[1] - view.cycles[0], 500.0)
+
     def test_no_event(self):
         view = windows.choose(self.run_with(""), None)
         self.assertEqual(view.cycles, (0.0, 1000.0))
@@ -85,6 +94,13 @@ class Windows(unittest.TestCase):
         run = self.run_with("", synthetic_run.PARAMETERS)
         end = 0.35 * np.sqrt(1.0 + 0.27**2)
         np.testing.assert_allclose(run.seismogenic_zone, (end - 0.2, end))
+        self.assertEqual(run.seismogenic_zones, [run.seismogenic_zone])
+        further = '<Parameter name="Refined Intervals" type="Array(double)" ' \
+                  'value="{0.6, 0.7, 0.05, 0.1}"/>\n'
+        mark = '<ParameterList name="Wedge">\n'
+        run = self.run_with("", synthetic_run.PARAMETERS.replace(mark, mark + further))
+        np.testing.assert_allclose(run.seismogenic_zones,
+                                   [(0.05, 0.1), (end - 0.2, end), (0.6, 0.7)])
 
     def test_up_is_against_gravity_or_off_the_surface_of_the_wedge_or_y(self):
         up = (-np.sin(np.arctan(0.27)), np.cos(np.arctan(0.27)))

@@ -65,6 +65,24 @@ TEST(ResolutionCheck, looksAtThePartThatWeakens)
   EXPECT_FALSE(warns(describe(problem, deck)));
 }
 
+TEST(ResolutionCheck, saysTheNucleationLengthOfTheAgeingLawAlone)
+{
+  // a spring of stiffness pi G' / lambda per slip is critical at (b - a) sigma_n / L
+  const double wavelength = dynamics::unstableWavelength(40e9, 0.010, 0.015, 0.008, 50e6);
+  EXPECT_NEAR(M_PI * 40e9 / wavelength, (0.015 - 0.010) * 50e6 / 0.008, 1e-3);
+  dynamics::FaultResolution resolution{1, 1, 10, 47, wavelength, 10};
+  const auto text = [&](std::string const& law) {
+    std::string all;
+    for (auto const& line : describe(resolution, law)) {
+      all += line;
+    }
+    return all;
+  };
+  expectParts(text("Ageing"), {"10 cells", "Nucleation length >= 47 m (ageing law"});
+  expectParts(text("Slip"), {"10 cells", "longer than 4020 m", "'Slip'"});
+  EXPECT_EQ(text("Slip").find("47"), std::string::npos);
+}
+
 TEST(ResolutionCheck, warnsOfCellsThatAreTooLarge)
 {
   const auto lines = [](double L) {
