@@ -47,6 +47,34 @@ std::size_t bytesOf(NodeGraph const& graph)
 {
   return 4 * (graph.first.size() + graph.columns.size());
 }
+
+// The coarse levels, and on each of them all terms. These have to be there together, since products
+// leave out what is multiplied by a stored zero: one term may couple nodes that another does not.
+struct Projections
+{
+  std::vector<ProjectedLevel> levels;
+  std::vector<std::vector<RCP<const CrsMatrix>>> terms; // of each coarse level
+};
+
+Projections projections(RCP<const CrsMatrix> const& first, std::vector<MatrixSource> const& terms,
+                        RCP<const MultiVector> const& near_null_space,
+                        Aggregation const& aggregation)
+{
+  Projections result;
+  result.levels =
+    coarseLevels(first, near_null_space, aggregation.muelu, aggregation.rows_per_rank);
+  for (auto const& level : result.levels) {
+    result.terms.push_back({level.A});
+  }
+  for (std::size_t k = 1; k < terms.size(); ++k) {
+    auto matrix = terms[k]();
+    for (std::size_t l = 0; l < result.levels.size(); ++l) {
+      matrix = project(*matrix, *result.levels[l].P);
+      result.terms[l].push_back(matrix);
+    }
+  }
+  return result;
+}
 } // namespace
 
 Teuchos::ParameterList MultigridFamily::defaults(int components)
@@ -71,9 +99,9 @@ MultigridFamily::MultigridFamily(std::vector<MatrixSource> const& terms, int com
                                  RCP<const MultiVector> const& near_null_space,
                                  NodeDofView const& fault, Aggregation const& aggregation)
 {
-  auto matrix = terms.front()();
-  const auto coarse =
-    coarseLevels(matrix, near_null_space, aggregation.muelu, aggregation.rows_per_rank);
+  auto finest = terms.front()();
+  auto const projected = projections(finest, terms, near_null_space, aggregation);
+  auto const& coarse = projected.levels;
   const int motions = static_cast<int>(near_null_space->getNumVectors());
   const bool has_fault =
     sumOverRanks(fault.extent_int(0), *near_null_space->getMap()->getComm()) > 0;
@@ -82,10 +110,12 @@ MultigridFamily::MultigridFamily(std::vector<MatrixSource> const& terms, int com
   for (std::size_t l = 0; l <= coarse.size(); ++l) {
     MultigridLevel level;
     const int size = l == 0 ? components : motions;
-    level.graph = makeNodeGraph({matrix}, size, size);
+    auto const matrices =
+      l == 0 ? std::vector<RCP<const CrsMatrix>>{finest} : projected.terms[l - 1];
+    level.graph = makeNodeGraph(matrices, size, size);
     findDiagonals(level);
-    if (l > 0) {
-      level.terms.push_back(blocksOf(level.graph, *matrix));
+    for (std::size_t k = 0; l > 0 && k < matrices.size(); ++k) {
+      level.terms.push_back(blocksOf(level.graph, *matrices[k]));
     }
     if (l > 0 && has_fault) {
       Q =
@@ -95,16 +125,9 @@ MultigridFamily::MultigridFamily(std::vector<MatrixSource> const& terms, int com
     if (l < coarse.size()) {
       level.prolongation = makeNodeGraph({coarse[l].P}, size, motions);
       level.P = blocksOf(level.prolongation, *coarse[l].P);
-      matrix = coarse[l].A;
     }
     levels_.push_back(std::move(level));
-  }
-  for (std::size_t k = 1; k < terms.size(); ++k) {
-    matrix = terms[k]();
-    for (std::size_t l = 0; l < coarse.size(); ++l) {
-      matrix = project(*matrix, *coarse[l].P);
-      levels_[l + 1].terms.push_back(blocksOf(levels_[l + 1].graph, *matrix));
-    }
+    finest = Teuchos::null;
   }
 }
 

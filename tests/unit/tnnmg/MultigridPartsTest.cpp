@@ -43,8 +43,9 @@ struct Parts
 // Rows per rank: more than any level here has, and enough to move level 1 from three ranks to two.
 constexpr int all_on_one = 100000, some_on_one = 80;
 
-std::shared_ptr<const detail::MultigridFamily> familyOf(ElasticModel const& model,
-                                                        int rows_per_rank = 0)
+std::shared_ptr<const detail::MultigridFamily>
+familyOf(ElasticModel const& model, std::vector<detail::MatrixSource> const& terms,
+         int rows_per_rank)
 {
   auto muelu = detail::MultigridFamily::defaults(model.options.components);
   muelu.set("coarse: max size", 100);
@@ -57,9 +58,15 @@ std::shared_ptr<const detail::MultigridFamily> familyOf(ElasticModel const& mode
       }
     }
   }
-  return std::make_shared<const detail::MultigridFamily>(
-    std::vector<detail::MatrixSource>{[&] { return model.Z; }}, model.options.components,
-    near_null_space, model.nodes.dofs, detail::Aggregation{muelu, rows_per_rank});
+  return std::make_shared<const detail::MultigridFamily>(terms, model.options.components,
+                                                         near_null_space, model.nodes.dofs,
+                                                         detail::Aggregation{muelu, rows_per_rank});
+}
+
+std::shared_ptr<const detail::MultigridFamily> familyOf(ElasticModel const& model,
+                                                        int rows_per_rank = 0)
+{
+  return familyOf(model, {[&] { return model.Z; }}, rows_per_rank);
 }
 
 RCP<detail::MultigridPreconditioner> makePreconditioner(ElasticModel const& model,
@@ -131,6 +138,31 @@ TEST(MultigridFamily, hasCoarseLevelsOnFewerRanks)
     EXPECT_EQ(ranksOf(partly->levels()[1]), 2);
     EXPECT_EQ(ranksOf(partly->levels().back()), 1);
   }
+}
+
+// Products leave out what is multiplied by a stored zero, and the stiffness of right-angled
+// tetrahedra has many: a coarse matrix of another term may couple more.
+TEST(MultigridFamily, hasTheCouplingsOfAllTerms)
+{
+  const auto model = modelWith(1.0, 1);
+  const auto cut = copyOf(model);
+  const auto half = static_cast<GlobalOrdinal>(model.map->getGlobalNumElements() / 2);
+  const auto is_first = [half](Map const& map, LocalOrdinal k) {
+    return map.getGlobalElement(k) < half;
+  };
+  auto const local = cut->getLocalMatrixHost();
+  for (int row = 0; row < local.numRows(); ++row) {
+    for (auto k = local.graph.row_map(row); k < local.graph.row_map(row + 1); ++k) {
+      if (is_first(*cut->getRowMap(), row) != is_first(*cut->getColMap(), local.graph.entries(k))) {
+        local.values(k) = 0;
+      }
+    }
+  }
+  const auto family = familyOf(model, {[&] { return cut; }, [&] { return model.Z; }}, 0);
+  ASSERT_GE(family->levels().size(), 2U);
+  const auto cut_alone = familyOf(model, {[&] { return cut; }}, 0);
+  EXPECT_GT(sumOverRanks(family->levels()[1].graph.numCouplings(), *model.map->getComm()),
+            sumOverRanks(cut_alone->levels()[1].graph.numCouplings(), *model.map->getComm()));
 }
 
 // The product with Z + H that a cycle leaves is that of the operator, to single precision.
