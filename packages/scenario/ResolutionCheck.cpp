@@ -88,7 +88,7 @@ std::string describeCost(Problem<Dim> const& problem)
   return "Cost: a product of the stiffness matrix takes " + formatDuration(product) +
          " here; a coupled step has taken " +
          (is_direct ? "about 45 of them, here " + formatDuration(direct_products * product) +
-                        ", and less where the body is condensed to its fault"
+                        ", and less with static condensation"
                     : "40 to 130 of them, here " + formatDuration(multigrid_products[0] * product) +
                         " to " + formatDuration(multigrid_products[1] * product)) +
          "; an accepted step takes one and a half. asperity-status says how long the rest takes "
