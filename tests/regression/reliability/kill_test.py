@@ -1,6 +1,5 @@
 """Runs that are killed go on bit for bit, whenever and in the middle of whatever it happens."""
 
-import fcntl
 import random
 import signal
 import time
@@ -45,10 +44,10 @@ class Killed(unittest.TestCase):
         process = runs.start(*self.deck(ranks), "--output", folder, *self.way_on(folder),
                              ranks=ranks)
         time.sleep(moment)
+        children = runs.children_of(process)
         process.kill()
         process.communicate(timeout=60)
-        if ranks > 1:
-            wait_for_lock(folder)
+        runs.wait_for_ends(children)
 
     def kill_in(self, folder, number, ranks=1, rank=None):
         """In the n-th operation on a file."""
@@ -95,24 +94,9 @@ class Killed(unittest.TestCase):
                 number = random.Random(seed).randrange(1, total // 3)
                 result = self.kill_in(folder, number, ranks=2, rank=seed % 2)
                 self.assertNotEqual(result.returncode, runs.DONE, f"{number} of {total}")
-                wait_for_lock(folder)
+                runs.wait_for_lock(folder)
                 self.assert_goes_on(folder, 2)
         print(f"{OF_RANKS} runs of which one rank of two was killed")
-
-
-def wait_for_lock(folder, seconds=20):
-    """mpirun that is killed takes its ranks with it, but not at once."""
-    end = time.monotonic() + seconds
-    while time.monotonic() < end:
-        try:
-            with open(folder / ".lock") as lock:
-                fcntl.flock(lock, fcntl.LOCK_EX | fcntl.LOCK_NB)
-            return
-        except FileNotFoundError:
-            return
-        except BlockingIOError:
-            pass
-        time.sleep(0.1)
 
 
 if __name__ == "__main__":

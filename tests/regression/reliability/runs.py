@@ -1,6 +1,7 @@
 """Runs that are disturbed, for the tests of this folder."""
 
 import atexit
+import fcntl
 import pathlib
 import shutil
 import subprocess
@@ -40,6 +41,35 @@ def start(*arguments, ranks=1, **options):
     process = subprocess.Popen(asperity_run.command(*arguments, ranks=ranks), **options)
     atexit.register(lambda: process.poll() is None and process.kill())
     return process
+
+
+def children_of(process):
+    """The ranks of mpirun; none of a run without it."""
+    tasks = pathlib.Path(f"/proc/{process.pid}/task/{process.pid}/children")
+    return tasks.read_text().split() if tasks.exists() else []
+
+
+def wait_for_ends(processes, seconds=60):
+    """mpirun that is killed takes its ranks with it, but not at once."""
+    end = time.monotonic() + seconds
+    while any(pathlib.Path(f"/proc/{process}").exists() for process in processes):
+        if time.monotonic() > end:
+            raise AssertionError(f"of {processes} one has not ended")
+        time.sleep(0.1)
+
+
+def wait_for_lock(folder, seconds=20):
+    """Until no process writes there any more."""
+    end = time.monotonic() + seconds
+    while time.monotonic() < end:
+        try:
+            with open(folder / ".lock") as lock:
+                fcntl.flock(lock, fcntl.LOCK_EX | fcntl.LOCK_NB)
+            return
+        except FileNotFoundError:
+            return
+        except BlockingIOError:
+            time.sleep(0.1)
 
 
 def wait_for(path, process, seconds=60):

@@ -79,7 +79,7 @@ class TinyWedge(unittest.TestCase):
             self.assertEqual((result.returncode, result.stderr), (0, ""))
         run = asperity_run.run_to_end("beside", deck)
         written = (run / "parameters.xml").read_text()
-        self.assertIn('value="elsewhere/beside.h5"', written)
+        self.assertIn(f'value="{(folder / "beside.h5").resolve()}"', written)
         (folder / "beside.h5").rename("beside.h5")
         self.assertEqual(asperity_run.run(deck, "--validate").returncode, 0)
         pathlib.Path("beside.h5").unlink()
