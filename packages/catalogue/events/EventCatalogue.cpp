@@ -126,6 +126,7 @@ void EventCatalogue::begin(Sample const& now)
   const auto first = firstNode(fault(), lateness);
   open_.nucleation = first.position;
   open_.hypocentre = first.coordinates;
+  earlier_ = Sample();
   energies_at_begin_ = hasPrevious() ? before_.energies : now_.energies;
   seismic_slip_.assign(fault().numOwned(), 0);
   ruptured_.assign(fault().numOwned(), 0);
@@ -133,7 +134,7 @@ void EventCatalogue::begin(Sample const& now)
 
 void EventCatalogue::follow(Sample const& now)
 {
-  open_.peak_slip_rate = std::max(open_.peak_slip_rate, now.peak);
+  open_.peak_slip_rate = std::max({open_.peak_slip_rate, now.peak, peakSince(now)});
   const std::size_t components = slip_.components;
   for (std::size_t i = 0; i < fault().numOwned(); ++i) {
     if (now.rates[i] >= threshold()) {
@@ -148,6 +149,19 @@ void EventCatalogue::follow(Sample const& now)
         seismicFraction(previous().rates[i], now.rates[i], threshold()) * std::sqrt(square);
     }
   }
+  if (hasPrevious()) {
+    earlier_ = previous();
+  }
+}
+
+double EventCatalogue::peakSince(Sample const& now) const
+{
+  double largest = 0;
+  for (std::size_t i = 0; i < earlier_.rates.size(); ++i) {
+    largest = std::max(largest, peakRate({earlier_.time, previous().time, now.time},
+                                         {earlier_.rates[i], previous().rates[i], now.rates[i]}));
+  }
+  return maxOverRanks(largest, *fault().comm);
 }
 
 void EventCatalogue::end(Sample const& now)
@@ -259,6 +273,8 @@ void EventCatalogue::save(io::Archive& archive) const
   archive.setAtNodes("seismic_slip", seismic_slip_, fault().name);
   archive.setAtNodes("ruptured", ruptured_, fault().name);
   archive.set("energies_at_begin", energies_at_begin_);
+  archive.set("earlier/time", earlier_.time);
+  archive.setAtNodes("earlier/rates", earlier_.rates, fault().name);
   archive.setAtNodes("before/slip", before_.slip, fault().name);
   archive.set("before/energies", before_.energies);
 }
@@ -278,6 +294,8 @@ void EventCatalogue::restore(io::Archive const& archive)
   seismic_slip_ = archive.get<Numbers>("seismic_slip");
   ruptured_ = archive.get<std::vector<std::int64_t>>("ruptured");
   energies_at_begin_ = archive.get<Numbers>("energies_at_begin");
+  earlier_.time = archive.getDouble("earlier/time");
+  earlier_.rates = archive.get<Numbers>("earlier/rates");
   before_.slip = archive.get<Numbers>("before/slip");
   before_.energies = archive.get<Numbers>("before/energies");
 }

@@ -18,7 +18,8 @@ namespace asperity::catalogue
 //
 // Needs the fields `slip_rate`, `slip` (of any number of components) and `shear_modulus` on the
 // domain `fault`. A node's slip counts while the node itself is at or above the threshold
-// (Pipping 2014, §5.4: the displacement at the base that occurs at seismic velocities). On a
+// (Pipping 2014, §5.4: the displacement at the base that occurs at seismic velocities). The peak
+// slip rate is that of a node between steps (peakRate), not at their ends, which fall by chance. On a
 // surface an event has an area, a moment and a magnitude, a hypocentre, and extents along strike
 // and down dip of the fault's mean plane; on a curve a width and a moment per length.
 class EventCatalogue : public EventFollower
@@ -63,6 +64,7 @@ private:
   double extent(Coordinate const& coordinate) const; // of the nodes that have ruptured
   double const* place(std::size_t i) const { return &fault().coordinates[3 * i]; }
   void record(Event const& event, std::vector<double> const& energies); // at its end
+  double peakSince(Sample const& now) const; // [m/s] around the previous sample, of all nodes
 
   io::OutputField const& slip_;
   EventEnergies energies_;
@@ -72,7 +74,8 @@ private:
   std::vector<Event> events_;
 
   More now_, before_;
-  Event open_; // onset, first node and peak rate of the event in progress
+  Event open_;     // onset, first node and peak rate of the event in progress
+  Sample earlier_; // the one before the previous one; no rates in the first step of an event
   std::vector<double> energies_at_begin_;
   std::vector<double> seismic_slip_;   // (num_owned) [m]
   std::vector<std::int64_t> ruptured_; // (num_owned) 1 where the node reached the threshold

@@ -3,12 +3,18 @@
 #include "io/FieldRegistry.hpp"
 #include "io/OutputDomain.hpp"
 
+#include <array>
 #include <vector>
 
 namespace asperity::catalogue
 {
 // Where between two samples a rate meets the threshold, linear in its logarithm: 0 to 1.
 double crossing(double before, double after, double threshold);
+
+// The rate [m/s] at the vertex of the parabola in time [s] through the logarithms of three
+// successive samples. The middle sample itself if it is not the largest, or more than twice one of
+// the others: such samples do not resolve a peak.
+double peakRate(std::array<double, 3> const& times, std::array<double, 3> const& rates);
 
 // The slip rate where friction decides on it: zero at the nodes whose slip rate is prescribed
 // (field `prescribed`, if there is one), which are no part of an earthquake.

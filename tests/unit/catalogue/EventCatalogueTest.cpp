@@ -131,6 +131,38 @@ TEST(EventCatalogue, MeasuresASingleEvent)
               1e-5);
 }
 
+// Samples of one and the same history must give one peak, wherever they fall.
+TEST(EventCatalogue, ThePeakRateIsBetweenTheSamples)
+{
+  for (const double peak_at : {1.6, 2.0, 2.3, 2.49}) {
+    History history{quiet};
+    for (const double time : {1, 2, 3, 4}) {
+      const double logarithm = -(time - peak_at) * (time - peak_at) / 8;
+      history.push_back({1e-4, 3 * std::exp(logarithm), 0.1, 1e-4, 1e-4});
+    }
+    history.push_back(quiet);
+    test::TemporaryDirectory directory;
+    Observed run(directory.path());
+    EXPECT_NEAR(run.all(history).at(0).peak_slip_rate, 3, 1e-13) << peak_at;
+  }
+}
+
+TEST(PeakRate, KeepsTheSampleWhereThePeakIsNotResolved)
+{
+  EXPECT_EQ(peakRate({0, 1, 2}, {1e-9, 1, 0.9}), 1); // a front passed between two samples
+  EXPECT_EQ(peakRate({0, 1, 2}, {0, 1, 0}), 1);
+  EXPECT_EQ(peakRate({0, 1, 2}, {1, 1, 1}), 1);
+  EXPECT_EQ(peakRate({0, 1, 2}, {1, 2, 3}), 2); // it grows still
+  EXPECT_EQ(peakRate({0, 1, 2}, {0, 0, 0}), 0);
+}
+
+TEST(PeakRate, UnequalStepsGiveTheSameParabola)
+{
+  const auto rate = [](double time) { return 4 * std::exp(-3 * (time - 0.1) * (time - 0.1)); };
+  EXPECT_NEAR(peakRate({-0.25, 0, 0.5}, {rate(-0.25), rate(0), rate(0.5)}), 4, 1e-14);
+  EXPECT_NEAR(peakRate({-0.25, 0.125, 0.25}, {rate(-0.25), rate(0.125), rate(0.25)}), 4, 1e-14);
+}
+
 TEST(EventCatalogue, WritesTheTable)
 {
   test::TemporaryDirectory directory;
