@@ -11,6 +11,8 @@ namespace asperity::tnnmg
 // or a factor is cheap, a dense Cholesky factorisation of Z + H, kept until reset(). While the
 // factor is kept, it preconditions conjugate gradients for later Hessians; it is made anew when
 // they need too many iterations.
+// In single precision, if the tolerance allows and the residual says that it suffices; otherwise in
+// double.
 class DenseCorrection final : public LinearCorrection
 {
 public:
@@ -24,7 +26,7 @@ public:
   void applyMatrix(CrsMatrix const& Z, Vector const& x, Vector& y) const override;
   void reset() override;
 
-  std::size_t bytes() const; // of Z and the factor
+  std::size_t bytes() const; // of Z, in all precisions used, and the factors
 
 private:
   struct Implementation;

@@ -46,12 +46,13 @@ struct Answer
   double error = 0; // of the residual, relative
 };
 
-Answer solve(DenseCorrection& correction, ElasticModel const& model, FaultState const& state)
+Answer solve(DenseCorrection& correction, ElasticModel const& model, FaultState const& state,
+             double to = tolerance)
 {
   Vector c(model.map);
   c.putScalar(std::nan("")); // to be overwritten
   Answer answer;
-  answer.result = correction.solve(state.blocks(model), residual(model, state), tolerance, c);
+  answer.result = correction.solve(state.blocks(model), residual(model, state), to, c);
   const auto solution = model.gather(c);
   const int size = static_cast<int>(model.global.rows());
   auto r = pseudorandomVector(size, 5);
@@ -80,6 +81,87 @@ TEST(DenseCorrection, solvesWithHessiansAndTruncation)
       EXPECT_LE(answer.error, 1e-10) << "Hessians of all sizes ask for a factor";
     }
   }
+}
+
+// Tolerances that single precision meets.
+TEST(DenseCorrection, solvesLooselyInSinglePrecision)
+{
+  for (int tangents : {1, 2}) {
+    const auto model = modelWith(tangents);
+    for (auto truncation :
+         {Truncation::none, Truncation::every_second, Truncation::left_half, Truncation::all}) {
+      DenseCorrection correction(*model.Z, model.nodes.dofs);
+      for (const double loose : {1e-2, 1e-3}) {
+        const auto answer = solve(correction, model, FaultState(model, truncation, -2, 6), loose);
+        EXPECT_TRUE(answer.result.converged);
+        EXPECT_LE(answer.error, 1.01 * loose);
+        EXPECT_GT(answer.error, 1e-12) << "no double has been here";
+      }
+    }
+  }
+}
+
+// Units must not matter: the squares of these leave the range of single precision.
+TEST(DenseCorrection, solvesWhateverTheUnits)
+{
+  for (const double unit : {1e-30, 1e30}) {
+    const auto model = modelWith(1);
+    const auto scaled = rcp(new CrsMatrix(*model.Z, Teuchos::Copy));
+    scaled->resumeFill();
+    scaled->scale(unit);
+    scaled->fillComplete();
+    FaultState state(model, Truncation::every_second, -2, 6);
+    const Vector r = residual(model, state);
+    Vector expected(model.map), c(model.map), tiny_r(model.map);
+    DenseCorrection correction(*model.Z, model.nodes.dofs);
+    ASSERT_TRUE(correction.solve(state.blocks(model), r, 1e-2, expected).converged);
+    for (auto& value : state.hessian) {
+      value *= unit;
+    }
+    tiny_r.update(1e-25, r, 0);
+    DenseCorrection in_units(*scaled, model.nodes.dofs);
+    ASSERT_TRUE(in_units.solve(state.blocks(model), tiny_r, 1e-2, c).converged);
+    c.update(-1, expected, unit / 1e-25);
+    EXPECT_LE(c.norm2(), 1e-3 * expected.norm2()) << unit;
+  }
+}
+
+// Two dofs that differ only by a tenth of the precision of floats: their difference is free there.
+TEST(DenseCorrection, turnsToDoubleWhereSinglePrecisionDoesNotSuffice)
+{
+  auto model = modelWith(1);
+  const auto nearly_singular = rcp(new CrsMatrix(*model.Z, Teuchos::Copy));
+  nearly_singular->resumeFill();
+  nearly_singular->setAllToScalar(0);
+  const int size = static_cast<int>(model.global.rows());
+  for (int row = 0; row < size; ++row) {
+    const double one = 1;
+    ASSERT_EQ(nearly_singular->replaceLocalValues(row, 1, &one, &row), 1);
+  }
+  const int first = model.nonlinear[0][0];
+  int second = -1;
+  auto const local = model.Z->getLocalMatrixHost();
+  for (auto k = local.graph.row_map(first); k < local.graph.row_map(first + 1); ++k) {
+    second = local.graph.entries(k) != first ? local.graph.entries(k) : second;
+  }
+  ASSERT_GE(second, 0);
+  const double nearly_one = 1 - 6e-9;
+  nearly_singular->replaceLocalValues(first, 1, &nearly_one, &second);
+  nearly_singular->replaceLocalValues(second, 1, &nearly_one, &first);
+  nearly_singular->fillComplete();
+
+  FaultState state(model, Truncation::none, -2, 2);
+  for (auto& value : state.hessian) {
+    value.setZero();
+  }
+  Vector r(model.map), c(model.map);
+  r.putScalar(0);
+  r.replaceLocalValue(first, 1);
+  r.replaceLocalValue(second, -1);
+  DenseCorrection correction(*nearly_singular, model.nodes.dofs);
+  ASSERT_TRUE(correction.solve(state.blocks(model), r, 1e-2, c).converged);
+  EXPECT_NEAR(c.getData()[first] * 6e-9, 1, 2e-2);
+  EXPECT_NEAR(c.getData()[second] * 6e-9, -1, 2e-2);
 }
 
 // The condition number with the diagonal is at most 1.003, so that an iteration reduces the error
