@@ -20,17 +20,29 @@ struct State
   // The alpha of the last rate problem, with which v was computed.
   friction::NodeView alpha_of_rate;
 
+  // A state of the same shapes, whose values are not set.
+  State sameShape() const
+  {
+    constexpr bool set_to_zero = false;
+    State other;
+    other.u = rcp(new Vector(u->getMap(), set_to_zero));
+    other.v = rcp(new Vector(v->getMap(), set_to_zero));
+    other.a = rcp(new Vector(a->getMap(), set_to_zero));
+    other.jerk = rcp(new Vector(jerk->getMap(), set_to_zero));
+    other.alpha = friction::NodeView("asperity::dynamics::alpha", alpha.extent(0));
+    other.sigma_n = friction::NodeView("asperity::dynamics::sigma_n", sigma_n.extent(0));
+    other.alpha_of_rate = friction::NodeView("asperity::dynamics::alphaOfRate", alpha.extent(0));
+    return other;
+  }
+
   State clone() const
   {
-    State copy;
+    State copy = sameShape();
     copy.time = time;
-    copy.u = rcp(new Vector(*u, Teuchos::Copy));
-    copy.v = rcp(new Vector(*v, Teuchos::Copy));
-    copy.a = rcp(new Vector(*a, Teuchos::Copy));
-    copy.jerk = rcp(new Vector(*jerk, Teuchos::Copy));
-    copy.alpha = friction::NodeView("asperity::dynamics::alpha", alpha.extent(0));
-    copy.sigma_n = friction::NodeView("asperity::dynamics::sigma_n", sigma_n.extent(0));
-    copy.alpha_of_rate = friction::NodeView("asperity::dynamics::alphaOfRate", alpha.extent(0));
+    Tpetra::deep_copy(*copy.u, *u);
+    Tpetra::deep_copy(*copy.v, *v);
+    Tpetra::deep_copy(*copy.a, *a);
+    Tpetra::deep_copy(*copy.jerk, *jerk);
     Kokkos::deep_copy(copy.alpha, alpha);
     Kokkos::deep_copy(copy.sigma_n, sigma_n);
     Kokkos::deep_copy(copy.alpha_of_rate, alpha_of_rate);

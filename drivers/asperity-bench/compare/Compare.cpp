@@ -39,7 +39,7 @@ public:
     auto const& clock = step_.clock();
     const double ratio =
       static_cast<double>(clock.ticks(level)) / static_cast<double>(now.time - before.time);
-    auto const guess = dynamics::blend(1 + ratio, now, before);
+    auto const guess = dynamics::blend({1 + ratio, now, before});
     auto end = guess.clone();
     dynamics::SolveCount count;
     step_.solve(now, level, end, count); // sets the step size up

@@ -49,6 +49,13 @@ std::optional<NotFinite> firstNotFinite(State const& state)
   return found ? found : lookIn("normal stress", true, state.sigma_n);
 }
 
+std::optional<NotFinite> firstNotFiniteAtFault(State const& state)
+{
+  auto found = lookIn("velocity", *state.v);
+  found = found ? found : lookIn("alpha", true, state.alpha);
+  return found ? found : lookIn("normal stress", true, state.sigma_n);
+}
+
 std::optional<NotFinite> firstNotFinite(char const* field, Vector const& x)
 {
   return lookIn(field, x);

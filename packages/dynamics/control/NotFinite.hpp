@@ -19,5 +19,7 @@ struct NotFinite
 // The first one on this rank, in the order velocity, displacement, acceleration, alpha, normal
 // stress. Not collective.
 std::optional<NotFinite> firstNotFinite(State const& state);
+// The same of a step that failed: displacement and acceleration are not known.
+std::optional<NotFinite> firstNotFiniteAtFault(State const& state);
 std::optional<NotFinite> firstNotFinite(char const* field, Vector const& x);
 } // namespace asperity::dynamics

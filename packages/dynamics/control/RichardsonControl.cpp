@@ -80,7 +80,7 @@ AcceptedStep RichardsonControl::secondOfPair(State& current)
 AcceptedStep RichardsonControl::singleStep(State& current, SolveCount& count)
 {
   shorten(clock().finestLevel());
-  auto next = attempt(current, memory_.level, current, count);
+  auto next = attempt(current, memory_.level, straightFrom(current), count);
   if (!next) {
     giveUp(current, memory_.level);
   }
@@ -95,11 +95,11 @@ AcceptedStep RichardsonControl::singleStep(State& current, SolveCount& count)
 std::optional<Trial> RichardsonControl::wholeStep(State const& current, SolveCount& count)
 {
   if (!memory_.before) {
-    return attempt(current, memory_.level - 1, current, count);
+    return attemptAtFault(current, memory_.level - 1, straightFrom(current), count);
   }
   // Straight on from where the last pair began.
   const double ratio = std::ldexp(1., memory_.level_before - memory_.level);
-  return attempt(current, memory_.level - 1, blend(1 + ratio, current, *memory_.before), count);
+  return attemptAtFault(current, memory_.level - 1, {1 + ratio, current, *memory_.before}, count);
 }
 
 RichardsonControl::Pair RichardsonControl::pairOf(State const& current,
@@ -109,9 +109,9 @@ RichardsonControl::Pair RichardsonControl::pairOf(State const& current,
   State const& end = whole ? whole->state : current;
   Pair pair;
   pair.error = std::numeric_limits<double>::infinity();
-  pair.first = attempt(current, memory_.level, blend(0.5, end, current), count);
+  pair.first = attempt(current, memory_.level, {0.5, end, current}, count);
   if (pair.first) {
-    pair.second = attempt(pair.first->state, memory_.level, end, count);
+    pair.second = attempt(pair.first->state, memory_.level, straightFrom(end), count);
   }
   if (whole && pair.second) {
     pair.error =

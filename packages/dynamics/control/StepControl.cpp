@@ -22,35 +22,45 @@ char const* reason(StepStatus status)
 }
 } // namespace
 
-State blend(double weight, State const& a, State const& b)
+State blend(Guess const& guess)
 {
-  State result = a.clone();
-  result.v->update(1 - weight, *b.v, weight);
-  auto const alpha = result.alpha;
-  auto const other = b.alpha;
-  auto const sigma_n = result.sigma_n;
-  auto const other_sigma_n = b.sigma_n;
+  const double of_a = guess.weight, of_b = 1 - guess.weight;
+  State result = guess.a.sameShape();
+  result.v->update(of_a, *guess.a.v, of_b, *guess.b.v, 0);
+  auto const alpha = result.alpha, sigma_n = result.sigma_n;
+  auto const alpha_a = guess.a.alpha, alpha_b = guess.b.alpha;
+  auto const sigma_a = guess.a.sigma_n, sigma_b = guess.b.sigma_n;
   Kokkos::parallel_for(
     "asperity::dynamics::blend", Kokkos::RangePolicy<friction::ExecutionSpace>(0, alpha.extent(0)),
     KOKKOS_LAMBDA(int node) {
-      alpha(node) = weight * alpha(node) + (1 - weight) * other(node);
-      sigma_n(node) = weight * sigma_n(node) + (1 - weight) * other_sigma_n(node);
+      alpha(node) = of_a * alpha_a(node) + of_b * alpha_b(node);
+      sigma_n(node) = of_a * sigma_a(node) + of_b * sigma_b(node);
     });
   return result;
 }
 
 StepControl::StepControl(CoupledStep& step) : step_(step) {}
 
-std::optional<Trial> StepControl::attempt(State const& from, int level, State const& guess,
+std::optional<Trial> StepControl::attempt(State const& from, int level, Guess const& guess,
                                           SolveCount& count)
 {
-  Trial trial{guess.clone(), 0};
-  auto const result = step_.solve(from, level, trial.state, count);
+  auto trial = attemptAtFault(from, level, guess, count);
+  if (trial) {
+    complete(from, level, *trial);
+  }
+  return trial;
+}
+
+std::optional<Trial> StepControl::attemptAtFault(State const& from, int level, Guess const& guess,
+                                                 SolveCount& count)
+{
+  Trial trial{blend(guess), 0};
+  auto const result = step_.solveAtFault(from, level, trial.state, count);
   trial.iterations = result.iterations;
   last_status_ = result.status;
   not_finite_.reset();
   if (!result.solved()) {
-    not_finite_ = firstNotFinite(trial.state);
+    not_finite_ = firstNotFiniteAtFault(trial.state);
     not_finite_ =
       not_finite_ ? not_finite_ : firstNotFinite("the sum of loads", step_.lastRightSide());
   }
@@ -133,7 +143,7 @@ AcceptedStep PrescribedSteps::advance(State& current, SolveCount& count)
 {
   auto const which = std::min<std::size_t>(memory_.num_steps, levels_.size() - 1);
   memory_.level = std::max(levels_[which], clock().levelWithin(ticksLeft(current.time)));
-  auto next = attempt(current, memory_.level, current, count);
+  auto next = attempt(current, memory_.level, straightFrom(current), count);
   if (!next) {
     giveUp(current, memory_.level);
   }
@@ -156,7 +166,7 @@ StepDoubling::StepDoubling(CoupledStep& step, AdaptiveSettings const& settings)
 void StepDoubling::findTrial(State const& current, SolveCount& count)
 {
   while (!memory_.trial) {
-    memory_.trial = attempt(current, memory_.level, current, count);
+    memory_.trial = attempt(current, memory_.level, straightFrom(current), count);
     if (!memory_.trial) {
       if (memory_.level >= settings_.finest_level) {
         giveUp(current, memory_.level);
@@ -202,11 +212,11 @@ bool StepDoubling::coarsen(State const& current, std::optional<Trial>& next, dou
     std::max(settings_.coarsest_level, clock().levelWithin(ticksLeft(current.time)));
   while (memory_.level > coarsest) {
     State const& end = memory_.trial->state;
-    next = attempt(end, memory_.level, blend(2, end, current), count);
+    next = attempt(end, memory_.level, {2, end, current}, count);
     if (!next) {
       break;
     }
-    auto doubled = attempt(current, memory_.level - 1, next->state, count);
+    auto doubled = attemptAtFault(current, memory_.level - 1, straightFrom(next->state), count);
     if (!doubled) {
       break;
     }
@@ -216,6 +226,7 @@ bool StepDoubling::coarsen(State const& current, std::optional<Trial>& next, dou
       break;
     }
     error = difference;
+    complete(current, memory_.level - 1, *doubled);
     memory_.trial = std::move(doubled);
     next.reset();
     --memory_.level;
@@ -231,13 +242,15 @@ bool StepDoubling::refine(State const& current, std::optional<Trial>& next, doub
 {
   while (memory_.level < settings_.finest_level) {
     State const& end = memory_.trial->state;
-    auto first = attempt(current, memory_.level + 1, blend(0.5, end, current), count);
-    auto second = first ? attempt(first->state, memory_.level + 1, end, count) : std::nullopt;
+    auto first = attempt(current, memory_.level + 1, {0.5, end, current}, count);
+    auto second = first ? attemptAtFault(first->state, memory_.level + 1, straightFrom(end), count)
+                        : std::nullopt;
     if (second) {
       error = distance(surface(), memory_.trial->state.alpha, second->state.alpha, settings_.norm);
       if (error <= settings_.tolerance) {
         return true;
       }
+      complete(first->state, memory_.level + 1, *second);
     }
     ++memory_.level;
     next = std::move(second);

@@ -13,8 +13,16 @@
 namespace asperity::dynamics
 {
 // First guess for the end of a step: weight * a + (1 - weight) * b for velocity, alpha and normal
-// stress; everything else is copied from a.
-State blend(double weight, State const& a, State const& b);
+// stress.
+struct Guess
+{
+  double weight;
+  State const& a;
+  State const& b;
+};
+inline Guess straightFrom(State const& state) { return {1, state, state}; }
+// A state with these, whose other values are not set.
+State blend(Guess const& guess);
 
 // A solved step that has not been accepted.
 struct Trial
@@ -70,7 +78,15 @@ public:
 
 protected:
   // Tries a step of the given level, from a guess of its end. Empty if the step is not solved.
-  std::optional<Trial> attempt(State const& from, int level, State const& guess, SolveCount& count);
+  std::optional<Trial> attempt(State const& from, int level, Guess const& guess, SolveCount& count);
+  // The same at the fault alone, for a step that is to be compared; complete() must come before any
+  // other attempt, or never.
+  std::optional<Trial> attemptAtFault(State const& from, int level, Guess const& guess,
+                                      SolveCount& count);
+  void complete(State const& from, int level, Trial& trial)
+  {
+    step_.complete(from, level, trial.state);
+  }
   DyadicTime const& clock() const { return step_.clock(); }
   fem::FaultSurface const& surface() const { return step_.surface(); }
   [[noreturn]] void giveUp(State const& from, int level) const;

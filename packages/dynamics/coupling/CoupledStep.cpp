@@ -1,5 +1,6 @@
 #include "dynamics/coupling/CoupledStep.hpp"
 
+#include "base/Errors.hpp"
 #include "base/parallel/Agreement.hpp"
 #include "base/parallel/Reductions.hpp"
 #include "base/parameters/Parameters.hpp"
@@ -206,6 +207,16 @@ void CoupledStep::rightSide(State const& from, double tau)
 
 CoupledResult CoupledStep::solve(State const& from, int level, State& to, SolveCount& count)
 {
+  auto const result = solveAtFault(from, level, to, count);
+  if (result.solved()) {
+    complete(from, level, to);
+  }
+  return result;
+}
+
+CoupledResult CoupledStep::solveAtFault(State const& from, int level, State& to, SolveCount& count)
+{
+  solved_level_.reset();
   const double tau = clock_.stepSize(level);
   to.time = from.time + clock_.ticks(level);
   evaluateLoads(clock_.seconds(from.time), clock_.seconds(to.time), to);
@@ -229,10 +240,19 @@ CoupledResult CoupledStep::solve(State const& from, int level, State& to, SolveC
     ++count.failures;
     return result;
   }
-  solver.velocity(*to.v);
-  to.v->update(1, *prescribed_, 1);
-  update_.complete(from, *u_hat_, *a_hat_, tau, to);
+  solver.knownVelocity(*guess_);
+  to.v->update(1, *guess_, 1, *prescribed_, 0);
+  solved_level_ = level;
   return result;
+}
+
+void CoupledStep::complete(State const& from, int level, State& to)
+{
+  ASPERITY_ASSERT(solved_level_ == level);
+  solvers_.at(level).velocity(*to.v);
+  to.v->update(1, *prescribed_, 1);
+  update_.complete(from, *u_hat_, *a_hat_, clock_.stepSize(level), to);
+  solved_level_.reset();
 }
 
 // |c (u1 - u0)_t / tau + Vp| at the fault nodes.

@@ -9,6 +9,7 @@
 #include "dynamics/coupling/StepSolvers.hpp"
 
 #include <array>
+#include <optional>
 
 namespace asperity::dynamics
 {
@@ -97,6 +98,13 @@ public:
   // fails, the content of `to` is of no use. All ranks together.
   CoupledResult solve(State const& from, int level, State& to, SolveCount& count);
 
+  // The same for the fault alone: alpha, normal stress and v there; v elsewhere is a guess, and u,
+  // a and jerk are not touched. Of a step that is only to be compared no more is needed, and with
+  // the direct correction half of the elimination is saved.
+  CoupledResult solveAtFault(State const& from, int level, State& to, SolveCount& count);
+  // The rest of the step that was solved last.
+  void complete(State const& from, int level, State& to);
+
 private:
   void evaluateLoads(double t0, double t1, State& to);
   void rightSide(State const& from, double tau);
@@ -116,6 +124,7 @@ private:
   NormalStressUpdate stress_;
   StepSolvers solvers_;
   AndersonAcceleration acceleration_;
+  std::optional<int> solved_level_; // of the step that may be completed
   RCP<Vector> b_, prescribed_, u_hat_, a_hat_, work_u_, work_a_, guess_;
   // The part of the mean velocity that follows from the past and from prescribed velocities; the
   // mean velocity itself.

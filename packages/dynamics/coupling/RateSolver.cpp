@@ -153,6 +153,14 @@ public:
     ASPERITY_TIME_WORK("elimination of the body");
     schur_.expand(w_, w);
   }
+  void knownVelocity(Vector& w) const override
+  {
+    auto const from = w_.getLocalViewHost(Tpetra::Access::ReadOnly);
+    auto const to = w.getLocalViewHost(Tpetra::Access::ReadWrite);
+    for (std::size_t i = 0; i < rows_.size(); ++i) {
+      to(rows_[i], 0) = from(i, 0);
+    }
+  }
   std::vector<double> reactions() const override
   {
     return reactions_ ? (*reactions_)(w_) : std::vector<double>();
@@ -218,6 +226,7 @@ public:
 
   void faultVelocity(friction::BlockView const& w) const override { gather(nodes_, w_, w); }
   void velocity(Vector& w) const override { Tpetra::deep_copy(w, w_); }
+  void knownVelocity(Vector& w) const override { velocity(w); }
   std::vector<double> reactions() const override
   {
     if (reactions_.is_null()) {

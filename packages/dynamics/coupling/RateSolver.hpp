@@ -45,6 +45,8 @@ public:
   // The last answer w: at the fault nodes, (num_nodes, T), and at all owned dofs.
   virtual void faultVelocity(friction::BlockView const& w) const = 0;
   virtual void velocity(Vector& w) const = 0;
+  // The same at those dofs alone where it is known without further work, the fault's at least.
+  virtual void knownVelocity(Vector& w) const = 0;
   // N w of the last answer, for this rank's rows of the N that the solver was made with; empty if
   // it was made without.
   virtual std::vector<double> reactions() const = 0;

@@ -149,6 +149,30 @@ INSTANTIATE_TEST_SUITE_P(
                     SchemeCase{RateUpdate::generalisedAlpha(0.5), Scheme::generalised_alpha, 0.5}));
 
 // Every step ends at the same fixed point, and sooner.
+// To the last bit: only then may a control complete what it accepts, and leave out the rest.
+TEST(CoupledStep, mayBeCompletedLater)
+{
+  const Model model(slidingBlock(2), alone());
+  const State from = slidingState(model);
+  for (auto const& update : {RateUpdate::newmark(0.25), RateUpdate::generalisedAlpha(0.5)}) {
+    Stepper stepper(model, update, milliseconds), in_parts(model, update, milliseconds);
+    const auto expected = solved(stepper, from, 1);
+    auto to = from.clone();
+    ASSERT_TRUE(in_parts.step.solveAtFault(from, 1, to, in_parts.count).solved());
+    EXPECT_EQ(distance(*model.surface, to.alpha, expected.alpha, Norm::maximum), 0);
+    EXPECT_EQ(denseOf(*to.u), denseOf(*from.u)) << "only the fault was asked for";
+    EXPECT_EQ(denseOf(*to.a), denseOf(*from.a));
+    for (int dof : (*model.surface)[2].dofs) {
+      EXPECT_EQ(denseOf(*to.v)[dof], denseOf(*expected.v)[dof]);
+    }
+    in_parts.step.complete(from, 1, to);
+    EXPECT_EQ(denseOf(*to.u), denseOf(*expected.u));
+    EXPECT_EQ(denseOf(*to.v), denseOf(*expected.v));
+    EXPECT_EQ(denseOf(*to.a), denseOf(*expected.a));
+    EXPECT_EQ(denseOf(*to.jerk), denseOf(*expected.jerk));
+  }
+}
+
 TEST(CoupledStep, takesFewerIterationsFromSeveralIterates)
 {
   const Model model(slidingBlock(2), alone());

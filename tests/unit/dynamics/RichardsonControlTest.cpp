@@ -331,7 +331,7 @@ TEST_F(RichardsonControlTest, guessesLieOnTheLineThroughTwoStates)
 {
   auto const later = stepped(state, {6, 6});
   for (double weight : {0.5, 2.}) {
-    auto const guess = blend(weight, later, state);
+    auto const guess = blend({weight, later, state});
     auto const expected_v = (weight * denseOf(*later.v) + (1 - weight) * denseOf(*state.v)).eval();
     auto const expected_alpha =
       (weight * denseOf(later.alpha) + (1 - weight) * denseOf(state.alpha)).eval();
