@@ -1,5 +1,7 @@
 #include "dynamics/Body.hpp"
 
+#include "fem/MatrixProducts.hpp"
+
 #include <Tpetra_CrsMatrix.hpp>
 #include <Tpetra_Vector.hpp>
 
@@ -16,6 +18,27 @@ void Body::applyMass(Vector const& x, Vector& y, double alpha, double beta) cons
   } else if (beta != 1) {
     y.scale(beta);
   }
+}
+
+BodyForces Body::noForces() const { return {vector(), vector(), vector()}; }
+
+void Body::computeForces(Vector const& u, Vector const& v, Vector const& a, BodyForces& forces,
+                         Vector* momentum) const
+{
+  std::vector<fem::MatrixProduct> products = {{*matrices.stiffness, u, *forces.elastic},
+                                              {*matrices.viscosity, v, *forces.viscous}};
+  const auto addMassTimes = [&](Vector const& x, Vector& y) {
+    if (matrices.is_massless) {
+      y.putScalar(0);
+    } else {
+      products.push_back({*matrices.mass, x, y});
+    }
+  };
+  addMassTimes(a, *forces.inertial);
+  if (momentum) {
+    addMassTimes(v, *momentum);
+  }
+  fem::multiply(products);
 }
 
 void Body::residual(Vector const& l, Vector const& u, Vector const& v, Vector const& a,

@@ -10,6 +10,12 @@
 
 namespace asperity::dynamics
 {
+// What resists a motion [N], in 2D per unit of thickness.
+struct BodyForces
+{
+  RCP<Vector> elastic, viscous, inertial; // K u, C v, M a
+};
+
 // The linear part of the model: M u'' + C u' + K u = load(t) + friction and reaction forces
 // (Pipping 2014, eq. 14), in nodal frames.
 struct Body
@@ -27,6 +33,11 @@ struct Body
   RCP<Vector> vector() const;
   // y = alpha M x + beta y; the product is left out if the body has no mass.
   void applyMass(Vector const& x, Vector& y, double alpha, double beta) const;
+  BodyForces noForces() const;
+  // In one reading of the matrices, with the momentum M v unless that is null. Of a massless body
+  // inertial forces and momentum are zero.
+  void computeForces(Vector const& u, Vector const& v, Vector const& a, BodyForces& forces,
+                     Vector* momentum = nullptr) const;
   // l - M a - C v - K u
   void residual(Vector const& l, Vector const& u, Vector const& v, Vector const& a,
                 Vector& result) const;

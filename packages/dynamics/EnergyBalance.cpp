@@ -27,9 +27,7 @@ EnergyBalance::EnergyBalance(Body const& body, Fault const& fault, DyadicTime co
     , clock_(clock)
     , before_(snapshot())
     , after_(snapshot())
-    , du_(body.vector())
-    , work_(body.vector())
-    , mean_(body.vector())
+    , momentum_(body.vector())
     , v_("asperity::dynamics::v", fault.surface().numNodes(), fault.surface().numTangents())
     , gradient_("asperity::dynamics::gradient", fault.surface().numNodes(),
                 fault.surface().numTangents())
@@ -48,39 +46,39 @@ EnergyBalance::EnergyBalance(Body const& body, Fault const& fault, DyadicTime co
 
 EnergyBalance::Snapshot EnergyBalance::snapshot() const
 {
-  return {body_.vector(), body_.vector(), body_.vector(),
-          body_.vector(), body_.vector(), body_.vector()};
+  return {body_.vector(), body_.vector(), body_.vector(), body_.vector(), body_.noForces()};
 }
 
 void EnergyBalance::fill(State const& state, Snapshot& result)
 {
   Tpetra::deep_copy(*result.u, *state.u);
   Tpetra::deep_copy(*result.v, *state.v);
-  Tpetra::deep_copy(*result.a, *state.a);
   result.time = state.time;
-  const double t = clock_.seconds(state.time);
-  body_.load(t, *result.load);
+  body_.load(clock_.seconds(state.time), *result.load);
+  body_.computeForces(*state.u, *state.v, *state.a, result.resisting, momentum_.get());
+  result.elastic = 0.5 * result.resisting.elastic->dot(*state.u);
+  result.kinetic = 0.5 * momentum_->dot(*state.v);
+  fillForce(state, result);
+}
 
-  // work = l - M a - C v - K u: what friction and reactions hold; kept where they act.
-  Tpetra::deep_copy(*work_, *result.load);
-  body_.applyMass(*state.a, *work_, -1, 1);
-  body_.matrices.viscosity->apply(*state.v, *result.viscous_force);
-  work_->update(-1, *result.viscous_force, 1);
-  body_.matrices.stiffness->apply(*state.u, *mean_);
-  work_->update(-1, *mean_, 1);
-  result.elastic = 0.5 * mean_->dot(*state.u);
-  body_.applyMass(*state.v, *mean_, 1, 0);
-  result.kinetic = 0.5 * mean_->dot(*state.v);
-
+// What friction and reactions hold, kept where they act.
+void EnergyBalance::fillForce(State const& state, Snapshot const& at)
+{
   auto const& surface = fault_.surface();
   gatherSlip(surface, *state.v, v_);
   fault_.friction().linearise(v_, {state.alpha_of_rate, state.sigma_n}, gradient_, hessian_,
                               kinked_);
   auto const gradient = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace(), gradient_);
   auto const v = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace(), v_);
-  auto const residual = work_->getLocalViewHost(Tpetra::Access::ReadOnly);
-  result.force->putScalar(0);
-  auto const force = result.force->getLocalViewHost(Tpetra::Access::ReadWrite);
+  auto const load = at.load->getLocalViewHost(Tpetra::Access::ReadOnly);
+  auto const elastic = at.resisting.elastic->getLocalViewHost(Tpetra::Access::ReadOnly);
+  auto const viscous = at.resisting.viscous->getLocalViewHost(Tpetra::Access::ReadOnly);
+  auto const inertial = at.resisting.inertial->getLocalViewHost(Tpetra::Access::ReadOnly);
+  const auto residual = [&](int dof) {
+    return load(dof, 0) - inertial(dof, 0) - viscous(dof, 0) - elastic(dof, 0);
+  };
+  at.force->putScalar(0);
+  auto const force = at.force->getLocalViewHost(Tpetra::Access::ReadWrite);
   for (int node = 0; node < surface.numNodes(); ++node) {
     bool sliding = false;
     for (int k = 0; k < surface.numTangents(); ++k) {
@@ -88,23 +86,12 @@ void EnergyBalance::fill(State const& state, Snapshot& result)
     }
     for (int k = 0; k < surface.numTangents(); ++k) {
       const int dof = surface[node].dofs[k];
-      force(dof, 0) = sliding ? gradient(node, k) : residual(dof, 0);
+      force(dof, 0) = sliding ? gradient(node, k) : residual(dof);
     }
   }
   for (int dof : body_.held.owned()) {
-    force(dof, 0) = residual(dof, 0);
+    force(dof, 0) = residual(dof);
   }
-}
-
-double EnergyBalance::dotOver(std::vector<int> const& dofs, Vector const& x, Vector const& y) const
-{
-  auto const xs = x.getLocalViewHost(Tpetra::Access::ReadOnly);
-  auto const ys = y.getLocalViewHost(Tpetra::Access::ReadOnly);
-  double mine = 0;
-  for (int dof : dofs) {
-    mine += xs(dof, 0) * ys(dof, 0);
-  }
-  return sumOverRanks(mine, *body_.dofs->communicator());
 }
 
 void EnergyBalance::start(State const& state, Energy const& so_far)
@@ -115,28 +102,54 @@ void EnergyBalance::start(State const& state, Energy const& so_far)
   energy_.elastic = before_.elastic;
 }
 
-// Of the step from before_ to after_, whose du_ is known.
-double EnergyBalance::numericalDissipation()
+// Of this rank, in the step from before_ to after_: the forces' means over its ends times du.
+EnergyBalance::Works EnergyBalance::worksOfStep() const
 {
-  mean_->update(0.5, *before_.a, 0.5, *after_.a, 0);
-  body_.applyMass(*mean_, *work_, 1, 0);
-  const double work_of_inertia = du_->dot(*work_);
-  mean_->update(1, *after_.v, -1, *before_.v, 0);
-  body_.applyMass(*mean_, *work_, 1, 0);
-  mean_->update(0.5, *before_.v, 0.5, *after_.v, 0);
-  return work_of_inertia - mean_->dot(*work_);
+  const auto read = [](RCP<Vector> const& x) {
+    return x->getLocalViewDevice(Tpetra::Access::ReadOnly);
+  };
+  Works works;
+  {
+    auto const u0 = read(before_.u), u1 = read(after_.u);
+    auto const l0 = read(before_.load), l1 = read(after_.load);
+    auto const c0 = read(before_.resisting.viscous), c1 = read(after_.resisting.viscous);
+    auto const m0 = read(before_.resisting.inertial), m1 = read(after_.resisting.inertial);
+    Kokkos::parallel_reduce(
+      "asperity::dynamics::worksOfStep", Kokkos::RangePolicy<ExecutionSpace>(0, u0.extent(0)),
+      KOKKOS_LAMBDA(int dof, double& load, double& viscous, double& inertial) {
+        const double half_du = (u1(dof, 0) - u0(dof, 0)) / 2;
+        load += (l0(dof, 0) + l1(dof, 0)) * half_du;
+        viscous += (c0(dof, 0) + c1(dof, 0)) * half_du;
+        inertial += (m0(dof, 0) + m1(dof, 0)) * half_du;
+      },
+      works.load, works.viscous, works.inertial);
+  }
+  auto const u0 = before_.u->getLocalViewHost(Tpetra::Access::ReadOnly);
+  auto const u1 = after_.u->getLocalViewHost(Tpetra::Access::ReadOnly);
+  auto const f0 = before_.force->getLocalViewHost(Tpetra::Access::ReadOnly);
+  auto const f1 = after_.force->getLocalViewHost(Tpetra::Access::ReadOnly);
+  const auto workAt = [&](std::vector<int> const& dofs) {
+    double work = 0;
+    for (int dof : dofs) {
+      work += (f0(dof, 0) + f1(dof, 0)) / 2 * (u1(dof, 0) - u0(dof, 0));
+    }
+    return work;
+  };
+  works.friction = workAt(fault_dofs_);
+  works.boundary = -workAt(body_.held.owned());
+  return works;
 }
 
-// Of the step from before_ to after_, whose du_ is known: the parts of friction_work and
-// viscous_work that the motion of the plates adds, and the load_work that they do in it. A part of
-// radiation damping's traction, eta Vp, is a load of the body (fem::addRadiationOfPlates): its work
-// is moved from the loads to what damping dissipates.
-Energy EnergyBalance::workOfPlates() const
+// Of this rank, in the step from before_ to after_: the parts of the works of friction and
+// viscosity that the motion of the plates adds, and the work of the loads that they do in it. A
+// part of radiation damping's traction, eta Vp, is a load of the body (fem::addRadiationOfPlates):
+// its work is moved from the loads to what damping dissipates.
+EnergyBalance::Works EnergyBalance::workOfPlates() const
 {
-  Energy mine;
+  Works works;
   auto const& surface = fault_.surface();
   if (!surface.hasPlateRate()) {
-    return mine;
+    return works;
   }
   const double tau = clock_.seconds(after_.time - before_.time);
   const double factor = surface.slipFactor();
@@ -145,46 +158,40 @@ Energy EnergyBalance::workOfPlates() const
   auto const f1 = after_.force->getLocalViewHost(Tpetra::Access::ReadOnly);
   auto const v0 = before_.v->getLocalViewHost(Tpetra::Access::ReadOnly);
   auto const v1 = after_.v->getLocalViewHost(Tpetra::Access::ReadOnly);
-  auto const du = du_->getLocalViewHost(Tpetra::Access::ReadOnly);
+  auto const u0 = before_.u->getLocalViewHost(Tpetra::Access::ReadOnly);
+  auto const u1 = after_.u->getLocalViewHost(Tpetra::Access::ReadOnly);
   for (int node = 0; node < surface.numNodes(); ++node) {
     for (int k = 0; k < surface.numTangents(); ++k) {
       const int dof = surface[node].dofs[k];
       const double Vp = surface.plateRate(node, k);
       const double by_plates = tau * Vp / factor;
       if (!surface.held(node, k)) {
-        mine.friction_work += (f0(dof, 0) + f1(dof, 0)) / 2 * by_plates;
+        works.friction += (f0(dof, 0) + f1(dof, 0)) / 2 * by_plates;
       }
       if (!eta.empty()) {
         const double slip_rate = factor * (v0(dof, 0) + v1(dof, 0)) / 2 + Vp;
-        mine.viscous_work +=
-          surface[node].weight * eta[node] * (Vp * du(dof, 0) + slip_rate * by_plates);
+        const double du = u1(dof, 0) - u0(dof, 0);
+        works.viscous += surface[node].weight * eta[node] * (Vp * du + slip_rate * by_plates);
       }
     }
   }
-  Energy result;
-  auto const& communicator = *body_.dofs->communicator();
-  result.friction_work = sumOverRanks(mine.friction_work, communicator);
-  result.viscous_work = sumOverRanks(mine.viscous_work, communicator);
-  result.load_work = result.friction_work + result.viscous_work;
-  return result;
+  works.load = works.friction + works.viscous;
+  return works;
 }
 
 Energy const& EnergyBalance::advance(State const& state)
 {
   fill(state, after_);
-  du_->update(1, *after_.u, -1, *before_.u, 0);
-
-  mean_->update(0.5, *before_.load, 0.5, *after_.load, 0);
+  auto const of_body = worksOfStep();
   auto const of_plates = workOfPlates();
-  const double load = mean_->dot(*du_) + of_plates.load_work;
-  mean_->update(0.5, *before_.force, 0.5, *after_.force, 0);
-  const double friction = dotOver(fault_dofs_, *mean_, *du_) + of_plates.friction_work;
-  const double boundary = -dotOver(body_.held.owned(), *mean_, *du_);
-  mean_->update(0.5, *before_.viscous_force, 0.5, *after_.viscous_force, 0);
-  const double viscous = mean_->dot(*du_) + of_plates.viscous_work;
-  const double numerical = numericalDissipation();
-
-  const double change = after_.kinetic - before_.kinetic + after_.elastic - before_.elastic;
+  auto const [load, boundary, friction, viscous, inertial] =
+    sumOverRanks(std::array<double, 5>{of_body.load + of_plates.load, of_body.boundary,
+                                       of_body.friction + of_plates.friction,
+                                       of_body.viscous + of_plates.viscous, of_body.inertial},
+                 *body_.dofs->communicator());
+  const double of_kinetic = after_.kinetic - before_.kinetic;
+  const double numerical = inertial - of_kinetic;
+  const double change = of_kinetic + after_.elastic - before_.elastic;
   energy_.kinetic = after_.kinetic;
   energy_.elastic = after_.elastic;
   energy_.load_work += load;

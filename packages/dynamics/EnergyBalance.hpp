@@ -34,7 +34,7 @@ struct Energy
 // The balance of energy from step to step, with du = u1 - u0, dv = v1 - v0 and means over the ends
 // of the step:
 //   change of (1/2 v'Mv + 1/2 u'Ku) = du . (mean l - C mean v - mean f) - D
-//   D = du . M mean a - mean v . M dv
+//   D = du . M mean a - mean v . M dv,    mean v . M dv = change of 1/2 v'Mv
 // f are the friction forces of the last rate problem and the reactions of prescribed dofs. The
 // balance is exact where that of momentum holds at both ends; D is what the scheme dissipates, zero
 // for Newmark with beta = 1/4 (README.md). Under back slip the fault slips by Vp tau more than the
@@ -56,22 +56,28 @@ public:
 private:
   struct Snapshot
   {
-    RCP<Vector> u, v, a, load, force, viscous_force;
+    RCP<Vector> u, v, load, force;
+    BodyForces resisting;
     double kinetic = 0, elastic = 0;
     DyadicTime::Ticks time = 0;
   };
+  // Works of one step.
+  struct Works
+  {
+    double load = 0, boundary = 0, friction = 0, viscous = 0, inertial = 0;
+  };
   Snapshot snapshot() const;
   void fill(State const& state, Snapshot& result);
-  double numericalDissipation();
-  Energy workOfPlates() const;
-  double dotOver(std::vector<int> const& dofs, Vector const& x, Vector const& y) const;
+  void fillForce(State const& state, Snapshot const& at);
+  Works worksOfStep() const;
+  Works workOfPlates() const;
 
   Body const& body_;
   Fault const& fault_;
   DyadicTime clock_;
   std::vector<int> fault_dofs_; // that are not held
   Snapshot before_, after_;
-  RCP<Vector> du_, work_, mean_;
+  RCP<Vector> momentum_;
   friction::BlockView v_, gradient_;
   friction::HessianView hessian_;
   friction::FlagView kinked_;

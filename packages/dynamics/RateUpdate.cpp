@@ -4,6 +4,14 @@
 
 namespace asperity::dynamics
 {
+namespace
+{
+using Dofs = Kokkos::RangePolicy<ExecutionSpace>;
+
+auto readOnly(Vector const& x) { return x.getLocalViewDevice(Tpetra::Access::ReadOnly); }
+auto overwritten(Vector& x) { return x.getLocalViewDevice(Tpetra::Access::OverwriteAll); }
+} // namespace
+
 RateUpdate RateUpdate::newmark(double beta)
 {
   RateUpdate update;
@@ -45,30 +53,61 @@ RateUpdate RateUpdate::generalisedAlpha(double spectral_radius)
   return update;
 }
 
-void RateUpdate::laggingAcceleration(State const& from, double tau, Vector& A) const
-{
-  Tpetra::deep_copy(A, *from.a);
-  if (lag != 0) {
-    A.update(lag * tau, *from.jerk, 1);
-  }
-}
-
 void RateUpdate::predict(State const& from, double tau, Vector& u_hat, Vector& a_hat) const
 {
-  laggingAcceleration(from, tau, a_hat);
-  Tpetra::deep_copy(u_hat, *from.u);
-  u_hat.update(tau * velocity_in_displacement, *from.v, tau * tau * acceleration_in_displacement,
-               a_hat, 1);
-  a_hat.update(velocity_in_acceleration / tau, *from.v, acceleration_in_acceleration);
+  auto const u0 = readOnly(*from.u), v0 = readOnly(*from.v);
+  auto const a0 = readOnly(*from.a), j0 = readOnly(*from.jerk);
+  auto const u = overwritten(u_hat), a = overwritten(a_hat);
+  const double u_of_v = tau * velocity_in_displacement;
+  const double u_of_A = tau * tau * acceleration_in_displacement;
+  const double a_of_v = velocity_in_acceleration / tau;
+  const double a_of_A = acceleration_in_acceleration;
+  const double A_of_j = lag * tau;
+  Kokkos::parallel_for(
+    "asperity::dynamics::predict", Dofs(0, u.extent(0)), KOKKOS_LAMBDA(int dof) {
+      const double A0 = a0(dof, 0) + A_of_j * j0(dof, 0);
+      u(dof, 0) = u0(dof, 0) + u_of_v * v0(dof, 0) + u_of_A * A0;
+      a(dof, 0) = a_of_v * v0(dof, 0) + a_of_A * A0;
+    });
 }
 
 void RateUpdate::complete(State const& from, Vector const& u_hat, Vector const& a_hat, double tau,
                           State& to) const
 {
-  to.u->update(1, u_hat, tau * stiffness_weight, *to.v, 0);
-  laggingAcceleration(from, tau, *to.jerk);
-  to.a->update(mass_weight / tau, *to.v, -1, a_hat, 0);
+  auto const a0 = readOnly(*from.a), j0 = readOnly(*from.jerk);
+  auto const u = readOnly(u_hat), a = readOnly(a_hat), v1 = readOnly(*to.v);
+  auto const u1 = overwritten(*to.u), a1 = overwritten(*to.a), j1 = overwritten(*to.jerk);
+  const double u_of_v = tau * stiffness_weight;
+  const double a_of_v = mass_weight / tau;
+  const double A_of_j = lag * tau;
   const double per_time = 1 / ((1 - lag) * tau);
-  to.jerk->update(per_time, *to.a, -per_time);
+  Kokkos::parallel_for(
+    "asperity::dynamics::complete", Dofs(0, u.extent(0)), KOKKOS_LAMBDA(int dof) {
+      const double acceleration = a_of_v * v1(dof, 0) - a(dof, 0);
+      const double A0 = a0(dof, 0) + A_of_j * j0(dof, 0);
+      u1(dof, 0) = u(dof, 0) + u_of_v * v1(dof, 0);
+      a1(dof, 0) = acceleration;
+      j1(dof, 0) = per_time * acceleration - per_time * A0;
+    });
+}
+
+void RateUpdate::meanVelocity(State const& from, double tau, Vector const& v1,
+                              NodeDofView const& dofs, Vector& mean) const
+{
+  auto const v0 = readOnly(*from.v), a0 = readOnly(*from.a), j0 = readOnly(*from.jerk);
+  auto const end = readOnly(v1);
+  auto const result = mean.getLocalViewDevice(Tpetra::Access::ReadWrite);
+  const double of_v0 = velocity_in_displacement;
+  const double of_A0 = tau * acceleration_in_displacement;
+  const double of_v1 = stiffness_weight;
+  const double A_of_j = lag * tau;
+  Kokkos::parallel_for(
+    "asperity::dynamics::meanVelocityAt", Dofs(0, dofs.extent(0)), KOKKOS_LAMBDA(int node) {
+      for (int k = 0; k < dofs.extent_int(1); ++k) {
+        const int dof = dofs(node, k);
+        result(dof, 0) =
+          of_v0 * v0(dof, 0) + of_A0 * (a0(dof, 0) + A_of_j * j0(dof, 0)) + of_v1 * end(dof, 0);
+      }
+    });
 }
 } // namespace asperity::dynamics

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "base/Views.hpp"
 #include "dynamics/State.hpp"
 
 #include <string>
@@ -42,12 +43,14 @@ struct RateUpdate
   // mode by the spectral radius in [0, 1]: 0 forgets it at once, 1 is Newmark with beta = 1/4.
   static RateUpdate generalisedAlpha(double spectral_radius);
 
-  // A0 for a step of tau [s].
-  void laggingAcceleration(State const& from, double tau, Vector& A) const;
   // u^ and a^ for a step of tau [s].
   void predict(State const& from, double tau, Vector& u_hat, Vector& a_hat) const;
   // Computes u, a and the jerk of `to`, whose v holds v1 already.
   void complete(State const& from, Vector const& u_hat, Vector const& a_hat, double tau,
                 State& to) const;
+  // (u1 - u0) / tau for the velocity v1 at the end of the step, at the given dofs alone; without
+  // the difference of displacements, whose rounding exceeds the motion of a locked fault.
+  void meanVelocity(State const& from, double tau, Vector const& v1, NodeDofView const& dofs,
+                    Vector& mean) const;
 };
 } // namespace asperity::dynamics

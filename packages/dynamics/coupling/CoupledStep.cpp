@@ -148,6 +148,7 @@ CoupledStep::CoupledStep(Body const& body, Fault const& fault, RateUpdate const&
     , solvers_(body, fault.surface(), update, clock, solver_settings, budget_bytes,
                stress_.coupled() ? since_start.reaction : nullptr)
     , acceleration_(fault.surface(), settings.anderson_depth)
+    , forces_(body.noForces())
     , b_(body.vector())
     , prescribed_(body.vector())
     , u_hat_(body.vector())
@@ -198,9 +199,9 @@ void CoupledStep::rightSide(State const& from, double tau)
   update_.predict(from, tau, *u_hat_, *a_hat_);
   work_a_->update(1, *a_hat_, -update_.mass_weight / tau, *prescribed_, 0);
   work_u_->update(1, *u_hat_, tau * update_.stiffness_weight, *prescribed_, 0);
-  body_.applyMass(*work_a_, *b_, 1, 1);
-  body_.matrices.viscosity->apply(*prescribed_, *b_, Teuchos::NO_TRANS, -1, 1);
-  body_.matrices.stiffness->apply(*work_u_, *b_, Teuchos::NO_TRANS, -1, 1);
+  body_.computeForces(*work_u_, *prescribed_, *work_a_, forces_);
+  b_->update(1, *forces_.inertial, -1, *forces_.viscous, 1);
+  b_->update(-1, *forces_.elastic, 1);
   stress_.takeRightSide(*b_);
   body_.clearHeld(*b_);
 }
@@ -227,11 +228,7 @@ CoupledResult CoupledStep::solveAtFault(State const& from, int level, State& to,
   body_.clearHeld(*guess_);
   auto& solver = solvers_.at(level);
   solver.begin(*b_, *guess_);
-  // (u^ - u0)/tau without their difference: a locked fault moves by less than the rounding of u.
-  update_.laggingAcceleration(from, tau, *work_a_);
-  work_u_->update(update_.velocity_in_displacement, *from.v,
-                  tau * update_.acceleration_in_displacement, *work_a_, 0);
-  work_u_->update(update_.stiffness_weight, *prescribed_, 1);
+  update_.meanVelocity(from, tau, *prescribed_, surface().dofs(), *work_u_);
   gatherSlip(surface(), *work_u_, mean_offset_);
 
   auto const result = iterate(from, tau, solver, to, count);

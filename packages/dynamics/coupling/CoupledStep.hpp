@@ -124,6 +124,7 @@ private:
   NormalStressUpdate stress_;
   StepSolvers solvers_;
   AndersonAcceleration acceleration_;
+  BodyForces forces_;
   std::optional<int> solved_level_; // of the step that may be completed
   RCP<Vector> b_, prescribed_, u_hat_, a_hat_, work_u_, work_a_, guess_;
   // The part of the mean velocity that follows from the past and from prescribed velocities; the

@@ -1,0 +1,80 @@
+#include "fem/MatrixProducts.hpp"
+
+#include "base/Errors.hpp"
+#include "base/Views.hpp"
+
+#include <Tpetra_CrsMatrix.hpp>
+#include <Tpetra_Vector.hpp>
+
+#include <algorithm>
+
+namespace asperity::fem
+{
+namespace
+{
+using Graph = CrsMatrix::local_matrix_device_type::StaticCrsGraphType;
+
+Graph graphOf(CrsMatrix const& A) { return A.getLocalMatrixDevice().graph; }
+
+bool areOnOneLocalGraph(std::vector<MatrixProduct> const& products)
+{
+  auto const* const entries = graphOf(products.front().A).entries.data();
+  return std::all_of(products.begin(), products.end(), [entries](MatrixProduct const& product) {
+    auto const graph = product.A.getCrsGraph();
+    return graph->getImporter().is_null() && graph->getExporter().is_null() &&
+           graphOf(product.A).entries.data() == entries;
+  });
+}
+
+template <int N>
+struct Rows
+{
+  Graph graph;
+  Kokkos::Array<const double*, N> values, x;
+  Kokkos::Array<double*, N> y;
+
+  KOKKOS_FUNCTION void operator()(int row) const
+  {
+    double sums[N] = {};
+    for (auto k = graph.row_map(row); k < graph.row_map(row + 1); ++k) {
+      const int column = graph.entries(k);
+      for (int n = 0; n < N; ++n) {
+        sums[n] += values[n][k] * x[n][column];
+      }
+    }
+    for (int n = 0; n < N; ++n) {
+      y[n][row] = sums[n];
+    }
+  }
+};
+
+template <int N>
+void multiplyInOnePass(std::vector<MatrixProduct> const& products)
+{
+  Rows<N> rows{graphOf(products.front().A), {}, {}, {}};
+  for (int n = 0; n < N; ++n) {
+    auto const& product = products[n];
+    rows.values[n] = product.A.getLocalMatrixDevice().values.data();
+    rows.x[n] = product.x.getLocalViewDevice(Tpetra::Access::ReadOnly).data();
+    rows.y[n] = product.y.getLocalViewDevice(Tpetra::Access::OverwriteAll).data();
+  }
+  Kokkos::parallel_for("asperity::fem::multiply",
+                       Kokkos::RangePolicy<ExecutionSpace>(0, rows.graph.numRows()), rows);
+}
+} // namespace
+
+void multiply(std::vector<MatrixProduct> const& products)
+{
+  if (products.size() > 1 && areOnOneLocalGraph(products)) {
+    switch (products.size()) {
+    case 2: return multiplyInOnePass<2>(products);
+    case 3: return multiplyInOnePass<3>(products);
+    case 4: return multiplyInOnePass<4>(products);
+    default: ASPERITY_ASSERT(false);
+    }
+  }
+  for (auto const& [A, x, y] : products) {
+    A.apply(x, y);
+  }
+}
+} // namespace asperity::fem
