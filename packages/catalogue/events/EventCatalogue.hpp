@@ -19,8 +19,8 @@ namespace asperity::catalogue
 // Needs the fields `slip_rate`, `slip` (of any number of components) and `shear_modulus` on the
 // domain `fault`. A node's slip counts while the node itself is at or above the threshold
 // (Pipping 2014, §5.4: the displacement at the base that occurs at seismic velocities). The peak
-// slip rate is that of a node between steps (peakRate), not at their ends, which fall by chance. On a
-// surface an event has an area, a moment and a magnitude, a hypocentre, and extents along strike
+// slip rate is that of a node between steps (peakRate), not at their ends, which fall by chance. On
+// a surface an event has an area, a moment and a magnitude, a hypocentre, and extents along strike
 // and down dip of the fault's mean plane; on a curve a width and a moment per length.
 class EventCatalogue : public EventFollower
 {
