@@ -1,5 +1,7 @@
 #include "tnnmg/detail/DenseSystem.hpp"
 
+#include "tnnmg/levels/FlushDenormals.hpp"
+
 #include <cmath>
 #include <type_traits>
 #include <utility>
@@ -168,6 +170,7 @@ template <class Scalar>
 CorrectionResult DenseSystem<Scalar>::solve(NonlinearBlocks const& blocks, Eigen::VectorXd const& r,
                                             double relative_tolerance, Eigen::VectorXd& c)
 {
+  const FlushDenormals flushed; // a condensed mass decays by orders of magnitude from node to node
   read(blocks);
   // A product with the mask would keep a NaN at entries of r that must not be read.
   const Eigen::VectorXd given = (mask_.array() == 0).select(0, r);
