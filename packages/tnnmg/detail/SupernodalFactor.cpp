@@ -32,6 +32,38 @@ bool leadsToNext(Eigen::SparseMatrix<double> const& L, int column)
 {
   return rowsOf(L, column) > 1 && L.innerIndexPtr()[L.outerIndexPtr()[column] + 1] == column + 1;
 }
+// x(rows) -= block own and own -= block' x(rows) for the narrow supernodes, which are most: a call
+// of a general product would cost more than the product.
+template <int Width>
+void subtract(const double* block, std::size_t stride, const int* rows, std::size_t num_rows,
+              const double* own, double* x)
+{
+  double factors[Width];
+  std::copy(own, own + Width, factors);
+  for (std::size_t i = 0; i < num_rows; ++i) {
+    double sum = 0;
+    for (int c = 0; c < Width; ++c) {
+      sum += block[stride * c + i] * factors[c];
+    }
+    x[rows[i]] -= sum;
+  }
+}
+
+template <int Width>
+void subtractTransposed(const double* block, std::size_t stride, const int* rows,
+                        std::size_t num_rows, const double* x, double* own)
+{
+  double sums[Width] = {};
+  for (std::size_t i = 0; i < num_rows; ++i) {
+    const double value = x[rows[i]];
+    for (int c = 0; c < Width; ++c) {
+      sums[c] += block[stride * c + i] * value;
+    }
+  }
+  for (int c = 0; c < Width; ++c) {
+    own[c] -= sums[c];
+  }
+}
 } // namespace
 
 SupernodalFactor::SupernodalFactor(Eigen::SparseMatrix<double> const& L, int num_columns)
@@ -96,7 +128,7 @@ void SupernodalFactor::forward(double* x) const
     if (own.isZero(0)) {
       continue;
     }
-    const auto height = static_cast<Eigen::Index>(node.width + node.num_rows);
+    const std::size_t height = node.width + node.num_rows;
     const double* values = values_.data() + node.values;
     for (int c = 0; c < node.width; ++c) {
       const double* column = values + height * c;
@@ -106,12 +138,25 @@ void SupernodalFactor::forward(double* x) const
         own[row] -= column[row] * solved;
       }
     }
-    const auto num_rows = static_cast<Eigen::Index>(node.num_rows);
-    const Block below(values + node.width, num_rows, node.width, Eigen::OuterStride<>(height));
-    Values update(work_.data(), num_rows);
-    update.noalias() = below * own;
-    for (Eigen::Index i = 0; i < num_rows; ++i) {
-      x[rows_[node.first_row + i]] -= update[i];
+    const double* below = values + node.width;
+    const int* rows = rows_.data() + node.first_row;
+    switch (node.width) {
+    case 1: subtract<1>(below, height, rows, node.num_rows, own.data(), x); break;
+    case 2: subtract<2>(below, height, rows, node.num_rows, own.data(), x); break;
+    case 3: subtract<3>(below, height, rows, node.num_rows, own.data(), x); break;
+    case 4: subtract<4>(below, height, rows, node.num_rows, own.data(), x); break;
+    case 5: subtract<5>(below, height, rows, node.num_rows, own.data(), x); break;
+    case 6: subtract<6>(below, height, rows, node.num_rows, own.data(), x); break;
+    default: {
+      const auto num_rows = static_cast<Eigen::Index>(node.num_rows);
+      const Block block(below, num_rows, node.width,
+                        Eigen::OuterStride<>(static_cast<Eigen::Index>(height)));
+      Values update(work_.data(), num_rows);
+      update.noalias() = block * own;
+      for (Eigen::Index i = 0; i < num_rows; ++i) {
+        x[rows[i]] -= update[i];
+      }
+    }
     }
   }
 }
@@ -120,15 +165,28 @@ void SupernodalFactor::backward(double* x) const
 {
   for (auto node = supernodes_.rbegin(); node != supernodes_.rend(); ++node) {
     Values own(x + node->first_column, node->width);
-    const auto height = static_cast<Eigen::Index>(node->width + node->num_rows);
+    const std::size_t height = node->width + node->num_rows;
     const double* values = values_.data() + node->values;
-    const auto num_rows = static_cast<Eigen::Index>(node->num_rows);
-    const Block below(values + node->width, num_rows, node->width, Eigen::OuterStride<>(height));
-    Values gathered(work_.data(), num_rows);
-    for (Eigen::Index i = 0; i < num_rows; ++i) {
-      gathered[i] = x[rows_[node->first_row + i]];
+    const double* below = values + node->width;
+    const int* rows = rows_.data() + node->first_row;
+    switch (node->width) {
+    case 1: subtractTransposed<1>(below, height, rows, node->num_rows, x, own.data()); break;
+    case 2: subtractTransposed<2>(below, height, rows, node->num_rows, x, own.data()); break;
+    case 3: subtractTransposed<3>(below, height, rows, node->num_rows, x, own.data()); break;
+    case 4: subtractTransposed<4>(below, height, rows, node->num_rows, x, own.data()); break;
+    case 5: subtractTransposed<5>(below, height, rows, node->num_rows, x, own.data()); break;
+    case 6: subtractTransposed<6>(below, height, rows, node->num_rows, x, own.data()); break;
+    default: {
+      const auto num_rows = static_cast<Eigen::Index>(node->num_rows);
+      const Block block(below, num_rows, node->width,
+                        Eigen::OuterStride<>(static_cast<Eigen::Index>(height)));
+      Values gathered(work_.data(), num_rows);
+      for (Eigen::Index i = 0; i < num_rows; ++i) {
+        gathered[i] = x[rows[i]];
+      }
+      own.noalias() -= block.transpose() * gathered;
     }
-    own.noalias() -= below.transpose() * gathered;
+    }
     for (int c = node->width - 1; c >= 0; --c) {
       const double* column = values + height * c;
       double sum = own[c];
