@@ -5,7 +5,6 @@
 #include "tnnmg/detail/EigenMatrix.hpp"
 #include "tnnmg/detail/SupernodalFactor.hpp"
 
-#include <Eigen/MetisSupport>
 #include <Eigen/SparseCholesky>
 #include <Tpetra_CrsMatrix.hpp>
 #include <Tpetra_Map.hpp>
@@ -19,46 +18,11 @@ namespace
 {
 using Sparse = Eigen::SparseMatrix<double, Eigen::ColMajor, int>;
 
-// position[row] in an order that keeps the factor sparse and puts the given rows last.
-std::vector<int> eliminationOrder(Sparse const& Z, std::vector<int> const& last)
+EliminationOrder::Pattern patternOf(Sparse const& Z) // which is compressed
 {
-  const int size = static_cast<int>(Z.rows());
-  std::vector<int> number(size, 0);
-  for (int row : last) {
-    number[row] = -1;
-  }
-  int num_first = 0;
-  for (int row = 0; row < size; ++row) {
-    if (number[row] == 0) {
-      number[row] = num_first++;
-    }
-  }
-  std::vector<Eigen::Triplet<double>> entries;
-  for (int column = 0; column < size; ++column) {
-    for (Sparse::InnerIterator entry(Z, column); entry; ++entry) {
-      if (number[entry.row()] >= 0 && number[column] >= 0) {
-        entries.emplace_back(number[entry.row()], number[column], 1.);
-      }
-    }
-  }
-  Sparse first(num_first, num_first);
-  first.setFromTriplets(entries.begin(), entries.end());
-  Eigen::PermutationMatrix<Eigen::Dynamic, Eigen::Dynamic, int> order(num_first);
-  if (num_first > 0) {
-    Eigen::MetisOrdering<int>()(first, order); // the row eliminated as number k is indices()(k)
-  }
-  std::vector<int> place(num_first);
-  for (int k = 0; k < num_first; ++k) {
-    place[order.indices()(k)] = k;
-  }
-  std::vector<int> position(size);
-  for (int row = 0; row < size; ++row) {
-    position[row] = number[row] >= 0 ? place[number[row]] : 0;
-  }
-  for (std::size_t i = 0; i < last.size(); ++i) {
-    position[last[i]] = num_first + static_cast<int>(i);
-  }
-  return position;
+  const int* starts = Z.outerIndexPtr();
+  const int* rows = Z.innerIndexPtr();
+  return {{starts, starts + Z.cols() + 1}, {rows, rows + Z.nonZeros()}};
 }
 
 Sparse permuted(Sparse const& Z, std::vector<int> const& position)
@@ -103,12 +67,18 @@ struct SchurComplement::Factor
 };
 
 SchurComplement::SchurComplement(CrsMatrix const& Z, std::vector<int> const& rows)
+    : SchurComplement(Z, rows, *std::make_unique<EliminationOrder>())
+{
+}
+
+SchurComplement::SchurComplement(CrsMatrix const& Z, std::vector<int> const& rows,
+                                 EliminationOrder& order)
     : factor_(std::make_unique<Factor>())
 {
   ASPERITY_ASSERT(Z.getRowMap()->getComm()->getSize() == 1);
   auto const matrix = detail::toEigen(Z, detail::StoredZeros::drop);
   auto& factor = *factor_;
-  factor.position = eliminationOrder(matrix, rows);
+  factor.position = order.positions(patternOf(matrix), rows);
   const int size = static_cast<int>(matrix.rows());
   const int kept = static_cast<int>(rows.size());
   factor.num_eliminated = size - kept;

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "base/Types.hpp"
+#include "tnnmg/EliminationOrder.hpp"
 
 #include <memory>
 #include <vector>
@@ -20,6 +21,8 @@ public:
   // Z must be symmetric and live on one rank; rows: the local rows to keep. Throws SolveError if Z
   // is not positive definite.
   SchurComplement(CrsMatrix const& Z, std::vector<int> const& rows);
+  // With an order that other matrices of the same entries may have found, or find here.
+  SchurComplement(CrsMatrix const& Z, std::vector<int> const& rows, EliminationOrder& order);
   ~SchurComplement();
 
   // S as a full matrix in CRS form, in the order of `rows`.

@@ -107,8 +107,9 @@ class CondensedRateSolver final : public RateSolver
 {
 public:
   CondensedRateSolver(CrsMatrix const& Z, fem::FaultSurface const& surface,
-                      tnnmg::TnnmgSettings const& settings, RCP<const CrsMatrix> const& reactions)
-      : schur_(Z, rowsOf(surface))
+                      tnnmg::TnnmgSettings const& settings, RCP<const CrsMatrix> const& reactions,
+                      tnnmg::EliminationOrder& order)
+      : schur_(Z, rowsOf(surface), order)
       , nodes_(condensedNodes(surface))
       , correction_(std::make_shared<tnnmg::DenseCorrection>(*schur_.matrix(), nodes_.dofs))
       , tnnmg_(schur_.matrix(), nodes_, correction_, settings)
@@ -305,7 +306,9 @@ std::unique_ptr<RateSolver> makeRateSolver(RCP<const CrsMatrix> const& Z, Body c
                                            OfBody const& of_body)
 {
   if (settings.correction == Correction::direct) {
-    return std::make_unique<CondensedRateSolver>(*Z, surface, settings.tnnmg, reactions);
+    tnnmg::EliminationOrder own;
+    return std::make_unique<CondensedRateSolver>(*Z, surface, settings.tnnmg, reactions,
+                                                 of_body.order ? *of_body.order : own);
   }
   return std::make_unique<FullRateSolver>(Z, body, surface, settings, reactions, of_body);
 }

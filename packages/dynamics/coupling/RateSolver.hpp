@@ -3,6 +3,7 @@
 #include "dynamics/Body.hpp"
 #include "dynamics/coupling/FrictionProblem.hpp"
 #include "fem/FaultSurface.hpp"
+#include "tnnmg/EliminationOrder.hpp"
 #include "tnnmg/MueLuCorrection.hpp"
 #include "tnnmg/Tnnmg.hpp"
 
@@ -74,6 +75,7 @@ struct OfBody
 {
   std::shared_ptr<const SharedMultigrid> shared; // may be null
   std::vector<double> weights;
+  tnnmg::EliminationOrder* order = nullptr; // of the direct correction; may be null
 };
 
 // The rows of held dofs in Z must have their diagonal entries only. reactions: the matrix N (any

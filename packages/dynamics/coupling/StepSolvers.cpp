@@ -62,9 +62,10 @@ RateSolver& StepSolvers::at(int level)
       shared_ = std::make_shared<const SharedMultigrid>(body_, surface_, settings_);
     }
     auto const Z = fem::combine(body_.matrices, of_mass, 1, of_stiffness, body_.held);
-    OfBody of_body;
+    OfBody of_body{nullptr, {}, &order_};
     if (shared_) {
-      of_body = {shared_, shared_->weights(of_mass, 1, of_stiffness)};
+      of_body.shared = shared_;
+      of_body.weights = shared_->weights(of_mass, 1, of_stiffness);
     }
     solver = makeRateSolver(Z, body_, surface_, settings_, across, of_body);
   } catch (SolveError const& error) {

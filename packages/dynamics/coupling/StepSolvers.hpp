@@ -47,6 +47,7 @@ private:
   RateSolverSettings settings_;
   std::shared_ptr<const NormalReaction> reaction_;
   std::shared_ptr<const SharedMultigrid> shared_; // made with the first solver, if multigrid
+  tnnmg::EliminationOrder order_; // of the direct correction, that of all step sizes
   std::size_t budget_bytes_;
   std::size_t bytes_ = 0;
   std::map<int, Kept> solvers_;

@@ -200,4 +200,39 @@ TEST(SchurComplement, refusesAMatrixThatIsNotDefinite)
     }
   }
 }
+// To the last bit, whichever matrix was first: a restart sets other step sizes up first.
+TEST(SchurComplement, takesTheOrderOfAMatrixWithTheSameEntries)
+{
+  const auto model = modelOf();
+  const auto rows = faultRows(model);
+  CrsMatrix other(*model.Z, Teuchos::Copy);
+  other.resumeFill();
+  other.scale(3);
+  other.fillComplete();
+  EliminationOrder order;
+  const SchurComplement first(other, rows, order);
+  SchurComplement shared(*model.Z, rows, order), alone(*model.Z, rows);
+  EXPECT_EQ(shared.factorEntries(), alone.factorEntries());
+  EXPECT_EQ(dense(shared.matrix()), dense(alone.matrix()));
+  // Another set of rows asks for another order.
+  SchurComplement reversed(*model.Z, {rows.rbegin(), rows.rend()}, order);
+  EXPECT_NEAR(dense(reversed.matrix())(0, 0), dense(alone.matrix()).bottomRightCorner(1, 1)(0, 0),
+              1e-12 * dense(alone.matrix()).norm());
+}
+
+TEST(EliminationOrder, knowsItsMatrixAgain)
+{
+  // A path 0 - 1 - 2 - 3 - 4, and one whose ends meet.
+  EliminationOrder order;
+  const EliminationOrder::Pattern path{{0, 2, 5, 8, 11, 13},
+                                       {0, 1, 0, 1, 2, 1, 2, 3, 2, 3, 4, 3, 4}};
+  auto const* const where = order.positions(path, {2}).data();
+  EXPECT_EQ(order.positions(path, {2}).data(), where) << "found anew";
+  EXPECT_EQ(order.positions(path, {2})[2], 4);
+  EXPECT_EQ(order.positions(path, {4, 0})[4], 3);
+  EXPECT_EQ(order.positions(path, {4, 0})[0], 4);
+  auto positions = order.positions(path, {});
+  std::sort(positions.begin(), positions.end());
+  EXPECT_EQ(positions, (std::vector<int>{0, 1, 2, 3, 4}));
+}
 } // namespace asperity::tnnmg
