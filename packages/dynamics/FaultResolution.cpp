@@ -16,23 +16,30 @@ struct CellSizes
 {
   double smallest = std::numeric_limits<double>::max();
   double largest = 0;
+  double height = 0; // over their length, of the highest
 };
 
-// (num_nodes) of the facets that meet at each fault node.
+// (num_nodes) of the facets that meet at each fault node, and of the cells beside them.
 template <int Dim>
 std::vector<CellSizes> cellSizes(Mesh<Dim> const& mesh, fem::FaultSurface const& surface)
 {
   auto const nodes = surface.vertices();
   std::vector<CellSizes> sizes(nodes.size());
-  for (auto const& facet : mesh.boundaries.at(surface.name())) {
+  auto const& facets = mesh.boundaries.at(surface.name());
+  auto const cells = fem::cellsBeside(mesh, surface.name());
+  for (std::size_t i = 0; i < facets.size(); ++i) {
+    auto const& facet = facets[i];
     const double measure = mesh::facetMeasure(mesh::corners(mesh, facet));
     const double size = Dim == 2 ? measure : std::sqrt(2 * measure);
+    const double volume = mesh::signedMeasure(mesh::corners(mesh, mesh.cells[cells[i]]));
+    const double height = Dim * std::abs(volume) / measure / size;
     for (int node : facet) {
       auto const place = std::lower_bound(nodes.begin(), nodes.end(), node);
       if (place != nodes.end() && *place == node) {
         auto& at_node = sizes[place - nodes.begin()];
         at_node.smallest = std::min(at_node.smallest, size);
         at_node.largest = std::max(at_node.largest, size);
+        at_node.height = std::max(at_node.height, height);
       }
     }
   }
@@ -75,8 +82,8 @@ faultResolution(Mesh<Dim> const& mesh, fem::FaultSurface const& surface, int com
 {
   auto const& [a, b, L, sigma_n] = friction;
   auto const sizes = cellSizes(mesh, surface);
-  // Smallest of all, the largest cell with the opposite sign.
-  std::array<double, 6> mine;
+  // Smallest of all, what is the largest with the opposite sign.
+  std::array<double, 7> mine;
   mine.fill(std::numeric_limits<double>::max());
   for (int i = 0; i < surface.numNodes(); ++i) {
     if (!(b[i] > a[i]) || !(sigma_n[i] > 0)) {
@@ -84,12 +91,13 @@ faultResolution(Mesh<Dim> const& mesh, fem::FaultSurface const& surface, int com
     }
     const double modulus = slipModulus(materials[i], components, surface.otherSide());
     const double zone = cohesiveZone(modulus, b[i], L[i], sigma_n[i]);
-    const std::array<double, 6> here = {sizes[i].smallest,
+    const std::array<double, 7> here = {sizes[i].smallest,
                                         -sizes[i].largest,
                                         zone,
                                         nucleationLength(modulus, a[i], b[i], L[i], sigma_n[i]),
                                         unstableWavelength(modulus, a[i], b[i], L[i], sigma_n[i]),
-                                        zone / sizes[i].largest};
+                                        zone / sizes[i].largest,
+                                        -sizes[i].height};
     std::transform(here.begin(), here.end(), mine.begin(), mine.begin(),
                    [](double x, double y) { return std::min(x, y); });
   }
@@ -97,7 +105,7 @@ faultResolution(Mesh<Dim> const& mesh, fem::FaultSurface const& surface, int com
   if (all[1] > 0) {
     return std::nullopt;
   }
-  return FaultResolution{all[0], -all[1], all[2], all[3], all[4], all[5]};
+  return FaultResolution{all[0], -all[1], all[2], all[3], all[4], all[5], -all[6]};
 }
 
 #define ASPERITY_INSTANTIATE(DIM)                                                                  \

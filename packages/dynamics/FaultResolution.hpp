@@ -49,6 +49,9 @@ struct FaultResolution
   double nucleation_length;   // smallest, of the ageing law
   double unstable_wavelength; // smallest
   double cells_per_zone;      // fewest: Lambda0 at a node over the larger cell beside it
+  // Height of the cells beside the fault over the length of their facets, largest: 1 for squares
+  // and cubes. Lower cells make the fault's stiffness more accurate (verification.fault_stiffness).
+  double cell_height;
 };
 
 // Empty if friction weakens nowhere. materials(num_nodes): of the body beside the fault.

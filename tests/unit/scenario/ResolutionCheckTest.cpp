@@ -62,6 +62,7 @@ TEST(ResolutionCheck, looksAtThePartThatWeakens)
   EXPECT_NEAR(resolution->cohesive_zone, zone, 1e-9 * zone);
   EXPECT_NEAR(resolution->cells_per_zone, zone, 1e-9 * zone);
   EXPECT_NEAR(resolution->nucleation_length, 2 / M_PI * 9 * zone, 1e-6 * zone);
+  EXPECT_NEAR(resolution->cell_height, 1, 1e-12);
   EXPECT_FALSE(warns(describe(problem, deck)));
 }
 
@@ -70,7 +71,7 @@ TEST(ResolutionCheck, saysTheNucleationLengthOfTheAgeingLawAlone)
   // a spring of stiffness pi G' / lambda per slip is critical at (b - a) sigma_n / L
   const double wavelength = dynamics::unstableWavelength(40e9, 0.010, 0.015, 0.008, 50e6);
   EXPECT_NEAR(M_PI * 40e9 / wavelength, (0.015 - 0.010) * 50e6 / 0.008, 1e-3);
-  dynamics::FaultResolution resolution{1, 1, 10, 47, wavelength, 10};
+  dynamics::FaultResolution resolution{1, 1, 10, 47, wavelength, 10, 1};
   const auto text = [&](std::string const& law) {
     std::string all;
     for (auto const& line : describe(resolution, law)) {
@@ -92,6 +93,19 @@ TEST(ResolutionCheck, warnsOfCellsThatAreTooLarge)
   // Lambda0 = L 1e6 / 150 m against cells of 1 m.
   EXPECT_TRUE(warns(lines(2.9 * 150 / 1e6)));
   EXPECT_FALSE(warns(lines(3.1 * 150 / 1e6)));
+}
+
+TEST(ResolutionCheck, advisesLowCellsWhereThereAreFew)
+{
+  const auto advises = [](double cells_per_zone, double height) {
+    const auto lines = describe({1, 1, 10, 47, 40, cells_per_zone, height}, "Ageing");
+    return std::any_of(lines.begin(), lines.end(), [](std::string const& line) {
+      return line.find("times as high as they are long") != std::string::npos;
+    });
+  };
+  EXPECT_TRUE(advises(4, 1));
+  EXPECT_FALSE(advises(4, 0.577));
+  EXPECT_FALSE(advises(20, 1));
 }
 
 TEST(ResolutionCheck, saysNothingWhereFrictionDoesNotWeaken)
