@@ -114,9 +114,11 @@ void addLine(h5::File& file, std::string const& line)
 }
 } // namespace
 
+bool isRecipe(std::string const& input) { return input.rfind("#recipe", 0) == 0; }
+
 bool makeFile(std::string const& input, Scratch const& file)
 {
-  if (input.rfind("#recipe", 0) != 0) {
+  if (!isRecipe(input)) {
     file.write(input);
     return true;
   }

@@ -16,6 +16,8 @@
 // Values that are missing are 0; lines that say something else are left out.
 namespace asperity::fuzz
 {
+bool isRecipe(std::string const& input);
+
 // Makes the file of a recipe, or else one of these bytes. False if a recipe cannot be made.
 bool makeFile(std::string const& input, Scratch const& file);
 } // namespace asperity::fuzz

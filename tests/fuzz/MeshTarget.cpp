@@ -2,6 +2,7 @@
 
 #include "FileRecipe.hpp"
 
+#include "base/hdf5/File.hpp"
 #include "mesh/faults/SplitFaults.hpp"
 #include "mesh/file/MeshFile.hpp"
 #include "mesh/file/PartitionedFile.hpp"
@@ -28,6 +29,9 @@ void tryInput(std::string const& input)
   const Scratch file("mesh.h5");
   if (!makeFile(input, file)) {
     return;
+  }
+  if (!isRecipe(input) && !h5::File::isSealed(file.path())) {
+    return; // HDF5 1.10.8 crashes on damaged files of its old format (README.md)
   }
   const bool is_partitioned = mesh::isPartitioned(file.path());
   const int dimension = is_partitioned ? mesh::partitionSummary(file.path()).dimension

@@ -45,15 +45,6 @@ def recipe(path, layout):
     return "\n".join(lines) + "\n"
 
 
-def plain_copy(path, target):
-    """As other programs write it: without HDF5's checksums."""
-    with h5py.File(path) as file, h5py.File(target, "w", libver="earliest") as copy:
-        for name, value in file.attrs.items():
-            copy.attrs[name] = value
-        for name in file:
-            file.copy(name, copy)
-
-
 def main(seeds):
     with tempfile.TemporaryDirectory() as folder:
         subprocess.run([seeds, folder], check=True)
@@ -63,8 +54,6 @@ def main(seeds):
             shutil.copy(path, target / path.name)
             layout = " sealed" if path.stem == "checkpoint" else ""
             (target / f"{path.stem}.input").write_text(recipe(path, layout))
-            if path.stem == "square":
-                plain_copy(path, target / "square_plain.h5")
 
 
 if __name__ == "__main__":

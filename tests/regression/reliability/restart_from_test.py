@@ -90,19 +90,21 @@ class RestartFrom(unittest.TestCase):
         runs.assert_same_results(self, self.new_run("unbroken", *FINE), folder, ("fault.h5",))
 
     def test_across_a_fault_on_the_same_mesh(self):
-        whole = asperity_run.run_to_end("cut_whole", *CUT)
+        """On two ranks to the tolerance of the solver, by which runs on one and two differ."""
         other = asperity_run.run_to_end("cut_other", *CUT, *CUT_SHORT)
-        slip = asperity_run.series(whole / "fault.h5")["fields/slip"][-1]
-        moved = asperity_run.series(whole / "volume.h5")["fields/displacement"][-1]
-        self.assertGreater(numpy.abs(slip).max(), 0.1 * numpy.abs(moved).max())
         for ranks in (1, 2):
+            whole = asperity_run.run_to_end(f"cut_whole_{ranks}", *CUT, ranks=ranks)
             ours = asperity_run.run_to_end(f"cut_same_{ranks}", *CUT, "--restart-from", other,
                                            ranks=ranks)
+            slip = asperity_run.series(whole / "fault.h5")["fields/slip"][-1]
+            moved = asperity_run.series(whole / "volume.h5")["fields/displacement"][-1]
+            self.assertGreater(numpy.abs(slip).max(), 0.1 * numpy.abs(moved).max())
             for name, field in (("fault.h5", "alpha"), ("fault.h5", "slip"),
                                 ("volume.h5", "displacement"), ("volume.h5", "velocity")):
                 expected = asperity_run.series(whole / name)[f"fields/{field}"][-1]
                 last = asperity_run.series(ours / name)[f"fields/{field}"][-1]
-                self.assertLess(largest_difference(last, expected), 1e-8, (ranks, field))
+                self.assertLess(largest_difference(last, expected), 1e-12 if ranks == 1 else 1e-6,
+                                (ranks, field))
 
     def test_across_a_fault_on_a_finer_mesh(self):
         """At vertices of the coarse mesh, on both sides of the fault, the values are the same."""
