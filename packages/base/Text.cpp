@@ -1,6 +1,8 @@
 #include "base/Text.hpp"
 
+#include <algorithm>
 #include <array>
+#include <cctype>
 #include <charconv>
 #include <cmath>
 #include <cstdio>
@@ -101,6 +103,16 @@ std::string trimmed(std::string const& text)
   const auto first = text.find_first_not_of(blanks);
   return first == std::string::npos ? ""
                                     : text.substr(first, text.find_last_not_of(blanks) - first + 1);
+}
+
+std::string excerpt(std::string const& text)
+{
+  constexpr std::size_t most_characters = 200;
+  const bool is_long = text.size() > most_characters;
+  std::string line = is_long ? text.substr(0, most_characters) + "..." : text;
+  std::replace_if(
+    line.begin(), line.end(), [](unsigned char c) { return std::iscntrl(c) != 0; }, ' ');
+  return line;
 }
 
 std::vector<std::string> split(std::string const& text, char separator)

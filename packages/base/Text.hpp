@@ -19,6 +19,10 @@ std::string formatDuration(double seconds);
 // The text without blanks at its ends.
 std::string trimmed(std::string const& text);
 
+// For messages: the text on one line, other control characters as blanks, too, and of a long one
+// the first 200 characters and "...".
+std::string excerpt(std::string const& text);
+
 // The pieces between the separators, each trimmed; one empty piece for an empty text.
 std::vector<std::string> split(std::string const& text, char separator);
 

@@ -3,6 +3,7 @@
 #include "dynamics/FaultMotion.hpp"
 #include "dynamics/FoundationPressure.hpp"
 #include "dynamics/InitialState.hpp"
+#include "fem/BodyPieces.hpp"
 #include "fem/BoundaryCells.hpp"
 #include "fem/BoundaryMeasure.hpp"
 #include "fem/NodalDamping.hpp"
@@ -216,6 +217,8 @@ Problem<Dim> makeProblem(ParameterList const& deck, RCP<const Communicator> cons
   auto initial = makeInitialState(deck, of.mesh, *constraints, body, fault, solver,
                                   {start.displacement, traction.at(0), traction.direction(), eta});
   auto reaction = reactionSinceStart(of, body, fault, initial);
+  auto remarks = fem::warnOfPieces(of.mesh, communicator);
+  remarks.insert(remarks.end(), stress.remarks.begin(), stress.remarks.end());
   return {{std::move(body), std::move(fault), std::move(initial), std::move(reaction)},
           communicator,
           components,
@@ -225,7 +228,7 @@ Problem<Dim> makeProblem(ParameterList const& deck, RCP<const Communicator> cons
           surface,
           fault_materials,
           solver,
-          std::move(stress.remarks)};
+          std::move(remarks)};
 }
 
 template Problem<2> makeProblem(ParameterList const&, RCP<const Communicator> const&);

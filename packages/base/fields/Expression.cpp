@@ -1,6 +1,7 @@
 #include "base/fields/Expression.hpp"
 
 #include "base/Errors.hpp"
+#include "base/Text.hpp"
 
 #include <muParser.h>
 
@@ -46,9 +47,11 @@ std::string joined(std::vector<std::string> const& words)
 {
   const auto position = static_cast<std::size_t>(error.GetPos());
   std::ostringstream message;
-  message << path << " = '" << text << "' is no valid expression: " << error.GetMsg();
+  message << path << " = '" << excerpt(text)
+          << "' is no valid expression: " << excerpt(error.GetMsg());
   if (position < text.size()) {
-    message << " (character " << position + 1 << ", before '" << text.substr(position) << "')";
+    message << " (character " << position + 1 << ", before '" << excerpt(text.substr(position))
+            << "')";
   }
   message << " It may use x, y, z, t, pi, e, the deck's Names, + - * / ^, comparisons, && || !, "
              "c ? a : b, and the functions "
@@ -69,7 +72,7 @@ Expression::Expression(std::string const& text, std::string const& path)
     }
     int results = 0;
     parser_->parser.Eval(results);
-    ASPERITY_REQUIRE(results == 1, path << " = '" << text << "' has " << results
+    ASPERITY_REQUIRE(results == 1, path << " = '" << excerpt(text) << "' has " << results
                                         << " values; write 1.5 rather than 1,5.");
   } catch (mu::ParserError const& error) {
     refuse(text, path, error);

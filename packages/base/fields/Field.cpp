@@ -102,9 +102,9 @@ double Field::evaluate(Part const& part, std::array<double, 3> const& x, double 
 {
   const double value = (*part.expression)(x, t);
   ASPERITY_REQUIRE(range_.contains(value),
-                   part.path << " = '" << part.expression->text() << "' is " << formatNumber(value)
-                             << " at " << positionText(x, t) << ", outside " << range_.text() << "."
-                             << nextSentence(hint_));
+                   part.path << " = '" << excerpt(part.expression->text()) << "' is "
+                             << formatNumber(value) << " at " << positionText(x, t) << ", outside "
+                             << range_.text() << "." << nextSentence(hint_));
   return value;
 }
 

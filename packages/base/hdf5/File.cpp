@@ -3,8 +3,10 @@
 #include "base/hdf5/detail/Calls.hpp"
 
 #include <algorithm>
+#include <array>
 #include <chrono>
 #include <cstdlib>
+#include <fstream>
 #include <iostream>
 #include <map>
 #include <thread>
@@ -134,6 +136,17 @@ File File::openWith(std::filesystem::path const& path, unsigned mode, Handle con
 File File::open(std::filesystem::path const& path)
 {
   return openWith(path, H5F_ACC_RDONLY, makeProperties(H5P_FILE_ACCESS, path.string()));
+}
+
+bool File::isSealed(std::filesystem::path const& path)
+{
+  constexpr char signature[] = "\x89HDF\r\n\x1a\n";
+  constexpr std::size_t length = sizeof(signature) - 1;
+  constexpr int oldest_with_checksums = 2; // version of HDF5's first structure
+  std::array<char, length + 1> start{};
+  std::ifstream(path, std::ios::binary).read(start.data(), start.size());
+  return std::equal(signature, signature + length, start.begin()) &&
+         start[length] >= oldest_with_checksums;
 }
 
 File File::openShared(std::filesystem::path const& path, MPI_Comm comm)

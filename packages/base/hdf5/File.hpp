@@ -33,6 +33,10 @@ public:
   static File create(std::filesystem::path const& path, Layout layout = Layout::plain);
   static File open(std::filesystem::path const& path); // for reading
 
+  // Whether a file begins as those of Layout::sealed do. HDF5 itself may crash on a damaged file
+  // whose structures have no checksums.
+  static bool isSealed(std::filesystem::path const& path);
+
   // For writing to what exists, or for reading, by all ranks of the communicator: objects may be
   // opened, and parts of datasets written or read, by all at once. One for writing has to be
   // closed by close(), which is collective; if something is thrown before, it stays open, as no

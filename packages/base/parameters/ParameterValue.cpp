@@ -65,7 +65,8 @@ std::string plainText(ParameterEntry const& entry)
 
 std::string valueText(ParameterEntry const& entry)
 {
-  return holds<std::string>(entry) ? "'" + plainText(entry) + "'" : plainText(entry);
+  const std::string text = excerpt(plainText(entry));
+  return holds<std::string>(entry) ? "'" + text + "'" : text;
 }
 
 std::string typeText(ParameterEntry const& entry)

@@ -39,7 +39,7 @@ std::optional<double> numberIn(Teuchos::ParameterEntry const& entry);
 // The value as a deck writes it: 0.015, true, {1, 2}; a string without quotes; "a list" for a list.
 std::string plainText(Teuchos::ParameterEntry const& entry);
 
-// The same for messages, with strings in quotes.
+// The same for messages, with strings in quotes, and long ones shortened.
 std::string valueText(Teuchos::ParameterEntry const& entry);
 
 // "a real number", "an integer", "a text", ...

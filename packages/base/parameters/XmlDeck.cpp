@@ -10,7 +10,10 @@
 #include <Teuchos_FileInputSource.hpp>
 #include <Teuchos_ParameterEntryXMLConverterDB.hpp>
 
+#include <algorithm>
 #include <filesystem>
+#include <fstream>
+#include <iterator>
 #include <ostream>
 #include <set>
 
@@ -41,7 +44,7 @@ std::string attribute(XMLObject const& element, std::string const& name, std::st
                               std::string const& value)
 {
   const bool may_be_computed = type == "double" || type == "Array(double)";
-  throw InputError(where + ": the value '" + value + "' is not of the type '" + type +
+  throw InputError(where + ": the value '" + excerpt(value) + "' is not of the type '" + type +
                    "' given with it." +
                    (may_be_computed ? " What has to be computed needs the type 'string'." : ""));
 }
@@ -118,6 +121,54 @@ void removeEntry(ParameterList& list, std::string const& name, std::string const
 }
 } // namespace
 
+namespace
+{
+std::string contentOf(std::string const& file_name)
+{
+  std::ifstream file(file_name, std::ios::binary);
+  return {std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>()};
+}
+
+// Behind the end of the tag whose '<' is at `begin`; an attribute's value may have a '>'.
+std::size_t endOfTag(std::string const& text, std::size_t begin)
+{
+  char quote = 0;
+  for (std::size_t i = begin; i < text.size(); ++i) {
+    if (quote == 0 && text[i] == '>') {
+      return i + 1;
+    }
+    if (quote == 0 && (text[i] == '"' || text[i] == '\'')) {
+      quote = text[i];
+    } else if (text[i] == quote) {
+      quote = 0;
+    }
+  }
+  return text.size();
+}
+
+// Teuchos builds its tree, and takes it down, by functions that call themselves: lists in lists in
+// lists would fill the stack.
+void refuseDeepLists(std::string const& text, std::string const& file_name)
+{
+  constexpr int deepest = 100;
+  int depth = 0;
+  for (std::size_t i = text.find('<'); i != std::string::npos; i = text.find('<', i)) {
+    if (text.compare(i, 4, "<!--") == 0) {
+      i = std::min(text.find("-->", i), text.size());
+      continue;
+    }
+    const std::size_t end = endOfTag(text, i);
+    const bool is_declaration = text.compare(i, 2, "<?") == 0 || text.compare(i, 2, "<!") == 0;
+    const bool is_whole = end - i > 2 && text.compare(end - 2, 2, "/>") == 0;
+    depth += text.compare(i, 2, "</") == 0 ? -1 : is_declaration || is_whole ? 0 : 1;
+    ASPERITY_REQUIRE(depth <= deepest, "The deck '" << file_name
+                                                    << "' has lists in lists, more than " << deepest
+                                                    << " deep.");
+    i = end;
+  }
+}
+} // namespace
+
 XMLObject parseXml(std::string const& file_name)
 {
   namespace fs = std::filesystem;
@@ -126,6 +177,7 @@ XMLObject parseXml(std::string const& file_name)
   ASPERITY_REQUIRE(!fs::is_directory(file_name, ignored),
                    "The deck '" << file_name
                                 << "' is a directory; the name of an XML file is wanted.");
+  refuseDeepLists(contentOf(file_name), file_name);
   try {
     return Teuchos::FileInputSource(file_name).getObject();
   } catch (std::exception const& error) {

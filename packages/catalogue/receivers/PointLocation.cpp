@@ -14,10 +14,11 @@ namespace asperity::catalogue
 {
 namespace
 {
+constexpr double rounding = 1e-9; // of the size of an element
+
 // Whether `left` is to be preferred. Distances that are rounding are no distances.
 bool isNearer(LocatedPoint const& left, LocatedPoint const& right)
 {
-  constexpr double rounding = 1e-9;
   const auto apart = [](LocatedPoint const& point) {
     return point.distance <= rounding * point.element_size ? 0 : point.distance;
   };
@@ -58,35 +59,19 @@ LocatedPoint located(io::OutputDomain const& domain, std::size_t element, Simple
   return result;
 }
 
-LocatedPoint nearestOfRank(io::OutputDomain const& domain, double const* point)
+// As numbers, to be sent to the other ranks; node numbers are exact in a double.
+std::size_t numNumbers(io::OutputDomain const& domain)
 {
-  LocatedPoint best;
-  best.distance = std::numeric_limits<double>::infinity();
-  best.nodes.assign(domain.nodes_per_element, 0);
-  best.weights.assign(domain.nodes_per_element, 0);
-  best.coordinates.assign(domain.dimension, 0);
-  for (std::size_t element = 0; element < domain.numOwnedElements(); ++element) {
-    const Simplex simplex = simplexOf(domain, element);
-    const double to_corner = distance(simplex.corners[0], point, domain.dimension);
-    if (to_corner - simplex.longestEdge() > best.distance) {
-      continue; // no point of it can be nearer; most of them
-    }
-    LocatedPoint candidate = located(domain, element, simplex, point);
-    if (isNearer(candidate, best)) {
-      best = std::move(candidate);
-    }
-  }
-  return best;
+  return 2 + 2 * static_cast<std::size_t>(domain.nodes_per_element) +
+         static_cast<std::size_t>(domain.dimension);
 }
 
-// As numbers, to be sent to the other ranks; node numbers are exact in a double.
-std::vector<double> asNumbers(LocatedPoint const& point)
+void append(std::vector<double>& numbers, LocatedPoint const& point)
 {
-  std::vector<double> numbers{point.distance, point.element_size};
+  numbers.insert(numbers.end(), {point.distance, point.element_size});
   numbers.insert(numbers.end(), point.nodes.begin(), point.nodes.end());
   numbers.insert(numbers.end(), point.weights.begin(), point.weights.end());
   numbers.insert(numbers.end(), point.coordinates.begin(), point.coordinates.end());
-  return numbers;
 }
 
 LocatedPoint fromNumbers(double const* numbers, io::OutputDomain const& domain)
@@ -104,20 +89,86 @@ LocatedPoint fromNumbers(double const* numbers, io::OutputDomain const& domain)
 }
 } // namespace
 
-std::vector<LocatedPoint> locate(io::OutputDomain const& domain, std::vector<double> const& points)
+PointLocation::PointLocation(io::OutputDomain const& domain) : domain_(domain), tree_(domain)
 {
-  std::vector<LocatedPoint> result;
-  for (std::size_t first = 0; first < points.size(); first += domain.dimension) {
-    const auto mine = asNumbers(nearestOfRank(domain, &points[first]));
-    const auto all = io::gatherToAll(mine, *domain.comm);
-    LocatedPoint best = fromNumbers(all.data(), domain);
-    for (std::size_t rank = mine.size(); rank < all.size(); rank += mine.size()) {
-      auto const other = fromNumbers(&all[rank], domain);
-      best = isNearer(other, best) ? other : best;
+  for (std::size_t element = 0; element < domain.numOwnedElements(); ++element) {
+    largest_element_ = std::max(largest_element_, simplexOf(domain, element).longestEdge());
+  }
+}
+
+LocatedPoint PointLocation::nearestOfRank(double const* point, std::size_t& element_of_it) const
+{
+  LocatedPoint best;
+  best.distance = std::numeric_limits<double>::infinity();
+  best.nodes.assign(domain_.nodes_per_element, 0);
+  best.weights.assign(domain_.nodes_per_element, 0);
+  best.coordinates.assign(domain_.dimension, 0);
+  const double margin = rounding * largest_element_;
+  tree_.visitNear(point, [&](std::size_t element) {
+    LocatedPoint candidate = located(domain_, element, simplexOf(domain_, element), point);
+    if (isNearer(candidate, best)) {
+      best = std::move(candidate);
+      element_of_it = element;
     }
-    result.push_back(best);
+    return best.distance + margin; // what is as near, but for rounding, may have lesser nodes
+  });
+  return best;
+}
+
+std::vector<LocatedPoint> PointLocation::operator()(std::vector<double> const& points) const
+{
+  return (*this)(points, points);
+}
+
+std::vector<LocatedPoint> PointLocation::operator()(std::vector<double> const& points,
+                                                    std::vector<double> const& searched) const
+{
+  constexpr std::size_t most_at_once = 65536; // of all ranks: every rank knows what others found
+  const auto num_ranks = static_cast<std::size_t>(domain_.comm->getSize());
+  const std::size_t at_once = std::max(most_at_once / num_ranks, std::size_t(1)) *
+                              static_cast<std::size_t>(domain_.dimension);
+  std::vector<LocatedPoint> result;
+  for (std::size_t first = 0; first < points.size(); first += at_once) {
+    const auto size = std::min(at_once, points.size() - first);
+    locateSome(&points[first], &searched[first], size, result);
   }
   return result;
+}
+
+void PointLocation::locateSome(double const* points, double const* searched, std::size_t size,
+                               std::vector<LocatedPoint>& result) const
+{
+  std::vector<double> mine;
+  for (std::size_t i = 0; i < size; i += domain_.dimension) {
+    std::size_t element = 0;
+    const auto nearest = nearestOfRank(searched + i, element);
+    const bool is_it = points == searched || !std::isfinite(nearest.distance);
+    append(mine, nearest);
+    append(mine,
+           is_it ? nearest : located(domain_, element, simplexOf(domain_, element), points + i));
+  }
+  const auto all = io::gatherToAll(mine, *domain_.comm);
+  const std::size_t length = numNumbers(domain_), num_points = size / domain_.dimension;
+  for (std::size_t point = 0; point < num_points; ++point) {
+    const auto of_rank = [&](std::size_t rank, std::size_t which) {
+      return fromNumbers(&all[(rank * num_points + point) * 2 * length + which * length], domain_);
+    };
+    std::size_t best_rank = 0;
+    auto best = of_rank(0, 0);
+    for (std::size_t rank = 1; rank < all.size() / (2 * length * num_points); ++rank) {
+      auto other = of_rank(rank, 0);
+      if (isNearer(other, best)) {
+        best = std::move(other);
+        best_rank = rank;
+      }
+    }
+    result.push_back(of_rank(best_rank, 1));
+  }
+}
+
+std::vector<LocatedPoint> locate(io::OutputDomain const& domain, std::vector<double> const& points)
+{
+  return PointLocation(domain)(points);
 }
 
 namespace

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "catalogue/receivers/ElementTree.hpp"
 #include "io/OutputDomain.hpp"
 
 #include <vector>
@@ -16,9 +17,33 @@ struct LocatedPoint
   std::vector<double> coordinates;  // (dimension) [m] of the point of the domain
 };
 
-// points: (num_points, dimension) [m], the same on every rank, as is the result. A point between
-// elements belongs to that with the least node numbers, on any number of ranks. The domain may
-// not be empty. Collective.
+// Finds points in a domain, which it refers to and which may not be empty. One is made for many
+// points.
+class PointLocation
+{
+public:
+  explicit PointLocation(io::OutputDomain const& domain);
+
+  // points: (num_points, dimension) [m], the same on every rank, as is the result. A point between
+  // elements belongs to that with the least node numbers, on any number of ranks. Collective.
+  std::vector<LocatedPoint> operator()(std::vector<double> const& points) const;
+
+  // The same, but the element is the one that is nearest to another point each: on a fault inside
+  // the body, whose two sides lie at one place, that point says which of them is meant. Collective.
+  std::vector<LocatedPoint> operator()(std::vector<double> const& points,
+                                       std::vector<double> const& searched) const;
+
+private:
+  LocatedPoint nearestOfRank(double const* point, std::size_t& element_of_it) const;
+  void locateSome(double const* points, double const* searched, std::size_t size,
+                  std::vector<LocatedPoint>& result) const;
+
+  io::OutputDomain const& domain_;
+  ElementTree tree_;
+  double largest_element_ = 0; // [m]
+};
+
+// With a PointLocation made for these points alone.
 std::vector<LocatedPoint> locate(io::OutputDomain const& domain, std::vector<double> const& points);
 
 // The size of the smallest element [m], over all ranks: its longest edge or, of a triangle in

@@ -96,6 +96,9 @@ h5::File openCheckpoint(std::filesystem::path const& path, Fingerprint const& fi
   const std::string name = path.string();
   ASPERITY_REQUIRE(std::filesystem::is_regular_file(path),
                    "There is no checkpoint " << name << ". Check the path after --restart.");
+  ASPERITY_REQUIRE(
+    h5::File::isSealed(path),
+    name << " is damaged or not a checkpoint of Asperity. It does not begin as one.");
   return orRefuse(name, [&] {
     h5::File file = h5::File::open(path);
     checkHeader(file, name, fingerprint);

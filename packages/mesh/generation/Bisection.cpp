@@ -15,8 +15,6 @@ namespace
 {
 using detail::Edge;
 
-constexpr std::size_t most_vertices = 10'000'000;
-
 // A sweep marks the refinement edges of the cells that are too large, marks more until every cell
 // with a marked edge has its refinement edge marked too, and bisects along all marked edges.
 // This ends because there are finitely many edges, for every choice of the refinement edges of the
@@ -212,25 +210,25 @@ private:
 
 // Refuses a size that needs too many vertices before hours of bisection, and not after them.
 template <int Dim>
-void refuseTooMany(GlobalMesh<Dim> const& mesh, SizeFunction<Dim> const& largest_diameter)
+void refuseTooMany(GlobalMesh<Dim> const& mesh, SizeFunction<Dim> const& largest_diameter,
+                   VertexLimit const& limit)
 {
   const double sum = detail::fewestVertices<Dim>(mesh, largest_diameter);
   ASPERITY_REQUIRE(!std::isnan(sum), "Mesh: the number of cells cannot be counted. Check the "
                                      "extents of the body and Cell Size: one is too large.");
-  ASPERITY_REQUIRE(sum <= most_vertices, "Mesh: cells of this size would have about "
-                                           << formatShort(sum) << " vertices, more than "
-                                           << most_vertices << ". Is the cell size meant in m?");
+  requireFewVertices(sum, limit);
 }
 
 template <int Dim>
-GlobalMesh<Dim> bisected(GlobalMesh<Dim> const& mesh, SizeFunction<Dim> const& largest_diameter)
+GlobalMesh<Dim> bisected(GlobalMesh<Dim> const& mesh, SizeFunction<Dim> const& largest_diameter,
+                         VertexLimit const& limit)
 {
-  refuseTooMany<Dim>(mesh, largest_diameter);
+  refuseTooMany<Dim>(mesh, largest_diameter, limit);
   Bisection<Dim> bisection(mesh);
   while (bisection.sweep(largest_diameter)) {
-    ASPERITY_REQUIRE(bisection.numVertices() <= most_vertices,
-                     "Mesh: the cells would have more than "
-                       << most_vertices << " vertices. Is the cell size meant in m?");
+    ASPERITY_REQUIRE(static_cast<double>(bisection.numVertices()) <= limit.most,
+                     "Mesh: the cells would have more than " << formatShort(limit.most)
+                                                             << " vertices. " << limit.advice);
   }
   return bisection.mesh();
 }
@@ -253,7 +251,7 @@ SizeFunction<Dim> diameterFrom(CellSize<Dim> const& size)
 
 template <int Dim>
 GlobalMesh<Dim> bisectedBricks(GlobalMesh<Dim> mesh, Point<Dim> const& brick,
-                               CellSize<Dim> const& size)
+                               CellSize<Dim> const& size, VertexLimit const& limit)
 {
   Point<Dim> stretch;
   for (int axis = 0; axis < Dim; ++axis) {
@@ -273,20 +271,29 @@ GlobalMesh<Dim> bisectedBricks(GlobalMesh<Dim> mesh, Point<Dim> const& brick,
   };
   scaleAll(mesh, false);
   auto result = bisected<Dim>(
-    mesh, diameterFrom<Dim>([&](Point<Dim> const& x) { return size(scaled(x, true)); }));
+    mesh, diameterFrom<Dim>([&](Point<Dim> const& x) { return size(scaled(x, true)); }), limit);
   scaleAll(result, true);
   return result;
 }
 } // namespace
 
-GlobalMesh<2> bisect(GlobalMesh<2> const& mesh, SizeFunction<2> const& largest_diameter)
+void requireFewVertices(double num_vertices, VertexLimit const& limit)
 {
-  return bisected<2>(mesh, largest_diameter);
+  ASPERITY_REQUIRE(num_vertices <= limit.most,
+                   "Mesh: about " << formatShort(num_vertices) << " vertices are too many; at most "
+                                  << formatShort(limit.most) << " are allowed. " << limit.advice);
 }
 
-GlobalMesh<3> bisect(GlobalMesh<3> const& mesh, SizeFunction<3> const& largest_diameter)
+GlobalMesh<2> bisect(GlobalMesh<2> const& mesh, SizeFunction<2> const& largest_diameter,
+                     VertexLimit const& limit)
 {
-  return bisected<3>(mesh, largest_diameter);
+  return bisected<2>(mesh, largest_diameter, limit);
+}
+
+GlobalMesh<3> bisect(GlobalMesh<3> const& mesh, SizeFunction<3> const& largest_diameter,
+                     VertexLimit const& limit)
+{
+  return bisected<3>(mesh, largest_diameter, limit);
 }
 
 SizeFunction<2> largestDiameter(CellSize<2> const& size) { return diameterFrom<2>(size); }
@@ -294,14 +301,14 @@ SizeFunction<2> largestDiameter(CellSize<2> const& size) { return diameterFrom<2
 SizeFunction<3> largestDiameter(CellSize<3> const& size) { return diameterFrom<3>(size); }
 
 GlobalMesh<2> bisectBricks(GlobalMesh<2> const& mesh, Point<2> const& brick,
-                           CellSize<2> const& size)
+                           CellSize<2> const& size, VertexLimit const& limit)
 {
-  return bisectedBricks<2>(mesh, brick, size);
+  return bisectedBricks<2>(mesh, brick, size, limit);
 }
 
 GlobalMesh<3> bisectBricks(GlobalMesh<3> const& mesh, Point<3> const& brick,
-                           CellSize<3> const& size)
+                           CellSize<3> const& size, VertexLimit const& limit)
 {
-  return bisectedBricks<3>(mesh, brick, size);
+  return bisectedBricks<3>(mesh, brick, size, limit);
 }
 } // namespace asperity::mesh

@@ -3,6 +3,7 @@
 #include "mesh/GlobalMesh.hpp"
 
 #include <functional>
+#include <string>
 
 namespace asperity::mesh
 {
@@ -14,15 +15,26 @@ using Tetrahedron = std::array<Point<3>, 4>;
 template <int Dim>
 using SizeFunction = std::function<double(std::array<Point<Dim>, Dim + 1> const&)>;
 
+// How many vertices a mesh may have, and what is said to the user whose mesh would have more.
+struct VertexLimit
+{
+  double most = 1e7;
+  std::string advice = "Is the cell size meant in m?";
+};
+
+// Throws an InputError that says how many vertices there would be, and the advice.
+void requireFewVertices(double num_vertices, VertexLimit const& limit);
+
 // Refines a mesh by bisection until no cell exceeds its allowed diameter, and no more than that and
 // conformity ask for. Triangles: newest vertex bisection; tetrahedra: Arnold, Mukherjee & Pouly,
 // SIAM J. Sci. Comput. 22 (2000), 431. The refinement edges of the given cells are their longest
 // edges. Regions, boundaries and periods are inherited. Angles stay away from zero: a cell has
 // descendants of finitely many shapes, a triangle of four, a sixth of a cube of three.
-// Throws InputError if that takes more than 10 million vertices, and at once if an estimate says
-// so.
-GlobalMesh<2> bisect(GlobalMesh<2> const& mesh, SizeFunction<2> const& largest_diameter);
-GlobalMesh<3> bisect(GlobalMesh<3> const& mesh, SizeFunction<3> const& largest_diameter);
+// Throws InputError if that takes more vertices than the limit, and at once if an estimate says so.
+GlobalMesh<2> bisect(GlobalMesh<2> const& mesh, SizeFunction<2> const& largest_diameter,
+                     VertexLimit const& limit = {});
+GlobalMesh<3> bisect(GlobalMesh<3> const& mesh, SizeFunction<3> const& largest_diameter,
+                     VertexLimit const& limit = {});
 
 // The wanted size of cells at a point, in m. It has to be positive.
 template <int Dim>
@@ -39,7 +51,7 @@ SizeFunction<3> largestDiameter(CellSize<3> const& size);
 // All bricks keep these proportions, and the cell size limits their longest side: the mesh is
 // bisected where it is a mesh of squares or cubes, in coordinates stretched along the short sides.
 GlobalMesh<2> bisectBricks(GlobalMesh<2> const& mesh, Point<2> const& brick,
-                           CellSize<2> const& size);
+                           CellSize<2> const& size, VertexLimit const& limit = {});
 GlobalMesh<3> bisectBricks(GlobalMesh<3> const& mesh, Point<3> const& brick,
-                           CellSize<3> const& size);
+                           CellSize<3> const& size, VertexLimit const& limit = {});
 } // namespace asperity::mesh

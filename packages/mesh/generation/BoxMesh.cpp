@@ -21,9 +21,7 @@ void check(BoxShape const& shape)
     require_positive(shape.num_cells[d], std::string("Cells ") + "XYZ"[d]);
     num_vertices *= shape.num_cells[d] + 1.0;
   }
-  ASPERITY_REQUIRE(num_vertices < 3e8,
-                   "Mesh / Box: " << shape.num_cells[0] << " x " << shape.num_cells[1] << " x "
-                                  << shape.num_cells[2] << " cells are too many for one mesh.");
+  requireFewVertices(num_vertices, shape.limit);
 }
 
 // The six ways from the lowest to the highest corner of a brick, one axis at a time. The last three

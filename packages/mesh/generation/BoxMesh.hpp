@@ -1,6 +1,6 @@
 #pragma once
 
-#include "mesh/GlobalMesh.hpp"
+#include "mesh/generation/Bisection.hpp"
 
 namespace asperity::mesh
 {
@@ -9,6 +9,7 @@ struct BoxShape
   Point<3> size = {1.0, 1.0, 1.0};       // m
   std::array<int, 3> num_cells{1, 1, 1}; // along the axes, of six tetrahedra each
   Point<3> lowest_corner{};
+  VertexLimit limit = {3e8, "Take fewer cells."};
 };
 
 // Bricks cut into six tetrahedra around the diagonal from their lowest to their highest corner

@@ -38,7 +38,10 @@ GlobalMesh<3> coarseWedge(WedgeShape const& shape, DeepWedge const& deep)
 {
   const int fewest_layers = deep.is_periodic ? 3 : 1;
   const double size = 2.0 * std::min(deep.depth / fewest_layers, shape.height);
-  const auto plane = bisect(detail::wedgeTriangle(shape), [=](Triangle const&) { return size; });
+  const auto plane = bisect(
+    detail::wedgeTriangle(shape), [=](Triangle const&) { return size; }, shape.limit);
+  requireFewVertices(2.0 * deep.depth / size * static_cast<double>(plane.vertices.size()),
+                     shape.limit);
   const auto num_layers = static_cast<int>(std::lround(2.0 * deep.depth / size));
   auto mesh = extrude(plane, equalLevels(deep.depth, num_layers));
   if (deep.is_periodic) {
@@ -108,9 +111,12 @@ GlobalMesh<3> deepWedgeMesh(WedgeShape const& shape, DeepWedge const& deep)
   const SeismogenicZone zone(shape, deep);
   const double growth = shape.growth_factor / shape.growth_length;
   constexpr double rounding = 1e-9;
-  auto mesh = bisect(coarseWedge(shape, deep), [&](Tetrahedron const& cell) {
-    return (1.0 + rounding) * (growth * zone.distanceToBoxOf(cell) + 1.0) * shape.cell_size;
-  });
+  auto mesh = bisect(
+    coarseWedge(shape, deep),
+    [&](Tetrahedron const& cell) {
+      return (1.0 + rounding) * (growth * zone.distanceToBoxOf(cell) + 1.0) * shape.cell_size;
+    },
+    shape.limit);
   detail::assignWedgeRegions(shape, mesh);
   return mesh;
 }
@@ -120,6 +126,8 @@ GlobalMesh<3> layeredWedgeMesh(WedgeShape const& shape, double depth, int num_la
   checkDepth(depth);
   ASPERITY_REQUIRE(num_layers > 0,
                    "Mesh / Wedge / Layers = " << num_layers << " is outside [1, inf).");
-  return extrude(wedgeMesh(shape), equalLevels(depth, num_layers));
+  const auto plane = wedgeMesh(shape);
+  requireFewVertices(static_cast<double>(plane.vertices.size()) * (num_layers + 1.0), shape.limit);
+  return extrude(plane, equalLevels(depth, num_layers));
 }
 } // namespace asperity::mesh

@@ -18,9 +18,7 @@ void check(RectangleShape const& shape)
   require_positive(shape.height, "Height");
   require_positive(shape.cells_x, "Cells X");
   require_positive(shape.cells_y, "Cells Y");
-  ASPERITY_REQUIRE((shape.cells_x + 1.0) * (shape.cells_y + 1.0) < 1e9,
-                   "Mesh / Rectangle: " << shape.cells_x << " x " << shape.cells_y
-                                        << " cells are too many for one mesh.");
+  requireFewVertices((shape.cells_x + 1.0) * (shape.cells_y + 1.0), shape.limit);
 }
 
 void addCells(int lower_left, int upper_left, bool rises, GlobalMesh<2>& mesh)

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "mesh/GlobalMesh.hpp"
+#include "mesh/generation/Bisection.hpp"
 
 namespace asperity::mesh
 {
@@ -11,6 +11,7 @@ struct RectangleShape
   int cells_x = 1;     // columns of two triangles each
   int cells_y = 1;
   Point<2> lower_left = {0.0, 0.0};
+  VertexLimit limit = {1e9, "Take fewer cells."};
 };
 
 // Right triangles, two in each rectangle, with diagonals that alternate as on a chessboard.

@@ -120,13 +120,16 @@ GlobalMesh<2> wedgeMesh(WedgeShape const& shape)
   auto zones = shape.further_zones;
   zones.push_back({shape.zoneLeft(), shape.zoneRight()});
   const double growth = shape.growth_factor / shape.growth_length;
-  auto mesh = bisect(detail::wedgeTriangle(shape), [&](Triangle const& cell) {
-    double nearest = std::numeric_limits<double>::infinity();
-    for (auto const& [left, right] : zones) {
-      nearest = std::min(nearest, distanceToZone(cell, {left, 0.0}, {right, 0.0}));
-    }
-    return (growth * nearest + 1.0) * shape.cell_size;
-  });
+  auto mesh = bisect(
+    detail::wedgeTriangle(shape),
+    [&](Triangle const& cell) {
+      double nearest = std::numeric_limits<double>::infinity();
+      for (auto const& [left, right] : zones) {
+        nearest = std::min(nearest, distanceToZone(cell, {left, 0.0}, {right, 0.0}));
+      }
+      return (growth * nearest + 1.0) * shape.cell_size;
+    },
+    shape.limit);
   detail::assignWedgeRegions(shape, mesh);
   return mesh;
 }

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "mesh/GlobalMesh.hpp"
+#include "mesh/generation/Bisection.hpp"
 
 #include <vector>
 
@@ -21,6 +22,7 @@ struct WedgeShape
   double viscous_thickness = 0.06; // of region `lower`, vertically from the deepest point
   // Intervals of the base, x in m, with cells as at the seismogenic zone.
   std::vector<Point<2>> further_zones = {};
+  VertexLimit limit = {};
 
   double angle() const;      // th in rad
   double baseLength() const; // sqrt(length^2 + height^2)

@@ -1,21 +1,20 @@
 #include "scenario/run/OtherRun.hpp"
 
 #include "base/Errors.hpp"
-#include "base/Text.hpp"
-#include "base/parallel/Reductions.hpp"
 #include "base/program/CommandLine.hpp"
-#include "catalogue/receivers/PointLocation.hpp"
 #include "fem/constraints/NodalFrames.hpp"
 #include "io/checkpoint/Checkpoint.hpp"
-#include "io/parallel/Gather.hpp"
+#include "mesh/SimplexGeometry.hpp"
 #include "scenario/DeckReader.hpp"
 #include "scenario/Fingerprint.hpp"
 #include "scenario/OutputFields.hpp"
 #include "scenario/RunArchive.hpp"
+#include "scenario/run/Interpolation.hpp"
 #include "scenario/setup/MeshSetup.hpp"
 #include "scenario/setup/TimeSetup.hpp"
 
 #include <algorithm>
+#include <map>
 #include <vector>
 
 namespace asperity::scenario
@@ -34,79 +33,6 @@ void requireSame(std::string const& what, std::string const& here, std::string c
                                           "problems of the same kind.");
 }
 
-// Values at the nodes of a domain of the other run, at the nodes of the new run's domain.
-class Interpolation
-{
-public:
-  Interpolation(io::OutputDomain const& from, io::OutputDomain const& to, std::string const& run)
-      : from_(from)
-      , to_(to)
-      , run_(run)
-  {
-  }
-
-  // Fields of (num_owned, components) each, in the order of the nodes of the domains. All at once,
-  // since it takes longest to find the points.
-  std::vector<Values> operator()(std::vector<Values> const& fields, int components) const
-  {
-    constexpr std::size_t points_at_once = 4096; // bounds what ranks know of each other's points
-    const int rank = to_.comm->getRank(), num_ranks = to_.comm->getSize();
-    std::vector<Values> result(fields.size());
-    for (int of = 0; of < num_ranks; ++of) {
-      const auto size = maxOverRanks(rank == of ? GlobalOrdinal(to_.numOwned()) : 0, *to_.comm);
-      for (std::size_t first = 0; first < static_cast<std::size_t>(size); first += points_at_once) {
-        const auto last = std::min(first + points_at_once, static_cast<std::size_t>(size));
-        const auto located = find(rank == of ? pointsOf(first, last) : Values());
-        const catalogue::Sampling sampling(from_, located);
-        for (std::size_t i = 0; i < fields.size(); ++i) {
-          auto const values = sampling(fields[i], components);
-          if (rank == of) {
-            result[i].insert(result[i].end(), values.begin(), values.end());
-          }
-        }
-      }
-    }
-    return result;
-  }
-
-private:
-  Values pointsOf(std::size_t first, std::size_t last) const
-  {
-    const auto d = static_cast<std::ptrdiff_t>(to_.dimension);
-    return {to_.coordinates.begin() + static_cast<std::ptrdiff_t>(first) * d,
-            to_.coordinates.begin() + static_cast<std::ptrdiff_t>(last) * d};
-  }
-
-  // points: of one rank.
-  std::vector<catalogue::LocatedPoint> find(Values const& points) const
-  {
-    constexpr double tolerance = 0.1; // of an element: chords of a curved boundary lie so far apart
-    auto const all = io::gatherToAll(points, *to_.comm);
-    auto const located = catalogue::locate(from_, all);
-    for (std::size_t i = 0; i < located.size(); ++i) {
-      ASPERITY_REQUIRE(located[i].distance <= tolerance * located[i].element_size,
-                       "The point " << text(&all[i * to_.dimension]) << " of the " << to_.name
-                                    << " is " << formatShort(located[i].distance)
-                                    << " m outside that of the run of --restart-from " << run_
-                                    << ", which has no values there. Give both the same extent.");
-    }
-    return located;
-  }
-
-  std::string text(double const* point) const
-  {
-    std::string words = "(";
-    for (int d = 0; d < to_.dimension; ++d) {
-      words += (d > 0 ? ", " : "") + formatShort(point[d]);
-    }
-    return words + ")";
-  }
-
-  io::OutputDomain const& from_;
-  io::OutputDomain const& to_;
-  std::string run_;
-};
-
 // The places, among the nodes of friction, of the nodes of the fault as a domain.
 template <int Dim>
 std::vector<std::size_t> nodesOfFriction(Problem<Dim> const& problem,
@@ -124,14 +50,53 @@ std::vector<std::size_t> nodesOfFriction(Problem<Dim> const& problem,
   return order;
 }
 
+// A point near each of the vertices, within a cell that has it.
 template <int Dim>
-Values inFrames(Problem<Dim> const& problem, Values along_axes)
+Values pointsInCells(Mesh<Dim> const& mesh, std::vector<int> const& vertices)
+{
+  constexpr double step = 1e-3; // of the way to the centroid
+  std::vector<Point<Dim>> near = mesh.vertices;
+  for (auto const& cell : mesh.cells) {
+    auto const centre = mesh::centroid(mesh::corners(mesh, cell));
+    for (const int vertex : cell) {
+      for (int d = 0; d < Dim; ++d) {
+        auto const& x = mesh.vertices[vertex];
+        near[vertex][d] = x[d] + step * (centre[d] - x[d]);
+      }
+    }
+  }
+  Values points;
+  for (const int vertex : vertices) {
+    points.insert(points.end(), near[vertex].begin(), near[vertex].end());
+  }
+  return points;
+}
+
+// The unknowns at the owned nodes that make these vectors at these vertices, which are all that
+// cells have (fem::VertexTerms).
+template <int Dim>
+Values unknowns(Problem<Dim> const& problem, std::vector<int> const& vertices,
+                Values const& along_axes)
 {
   auto const& frames = problem.constraints->frames();
-  Values result(along_axes.size());
+  const auto components = static_cast<std::size_t>(problem.components);
+  Values vectors(problem.mesh.num_owned * components, 0); // tips are in no cell
+  for (std::size_t i = 0; i < vertices.size(); ++i) {
+    std::copy_n(&along_axes[i * components], components, &vectors[vertices[i] * components]);
+  }
+  for (auto const& [plus, minus, is_tip] : problem.mesh.splits) {
+    for (int c = 0; c < problem.components && plus < problem.mesh.num_owned; ++c) {
+      double &jump = vectors[plus * problem.components + c],
+             &mean = vectors[minus * problem.components + c];
+      const double above = jump, below = mean;
+      jump = is_tip ? 0 : above - below;
+      mean = is_tip ? below : 0.5 * (above + below);
+    }
+  }
+  Values result(vectors.size());
   for (int node = 0; node < problem.mesh.num_owned; ++node) {
     const auto first = static_cast<std::size_t>(node) * problem.components;
-    frames.toFrame(node, &along_axes[first], &result[first]);
+    frames.toFrame(node, &vectors[first], &result[first]);
   }
   return result;
 }
@@ -178,9 +143,6 @@ void requireSameKind(Problem<Dim> const& here, ParameterList const& deck, Proble
   };
   requireSame("The kind of the fault (Asperity / Boundary Conditions)", kind(here), kind(there),
               run);
-  ASPERITY_REQUIRE(!here.surface->otherSide().is_inside,
-                   "--restart-from cannot interpolate across a Two-Sided Fault yet. Continue the "
-                   "run itself with --restart.");
 }
 
 template <int Dim>
@@ -246,16 +208,21 @@ io::Archive stateOfOtherRun(std::filesystem::path const& run, Problem<Dim> const
 
   io::Archive archive;
   archive.set("state/time", clock.reaching(time));
+  auto const &from_volume = other_domains.at("volume"), &to_volume = domains.at("volume");
   std::vector<Values> motions;
   state.u->update(-1, *other.initial.u, 1); // displacement since the start
   for (auto const& motion : {state.u, state.v, state.a, state.jerk}) {
-    motions.push_back(fem::alongAxes(other.constraints->frames(), *other.body.dofs, *motion));
+    motions.push_back(
+      fem::alongAxes(other.constraints->frames(), *other.body.dofs, *motion, from_volume.vertices));
   }
-  motions = Interpolation(other_domains.at("volume"), domains.at("volume"),
-                          run.string())(motions, problem.components);
+  Interpolation in_body(from_volume, to_volume, run.string());
+  if (!problem.mesh.faults.empty()) {
+    in_body.searchAt(pointsInCells(problem.mesh, to_volume.vertices));
+  }
+  motions = in_body(motions, problem.components);
   char const* const of_body[] = {"state/u", "state/v", "state/a", "state/jerk"};
   for (std::size_t i = 0; i < motions.size(); ++i) {
-    auto values = inFrames(problem, motions[i]);
+    auto values = unknowns(problem, to_volume.vertices, motions[i]);
     if (i == 0) {
       auto const start = problem.initial.u->getLocalViewHost(Tpetra::Access::ReadOnly);
       for (std::size_t dof = 0; dof < values.size(); ++dof) {

@@ -95,9 +95,26 @@ std::vector<Point<2>> intervals(ParameterList const& list, std::string const& na
   return pairs;
 }
 
-mesh::WedgeShape wedgeShape(ParameterList const& list)
+// Of the list "Mesh": what is said where an extent or a size is forgotten.
+mesh::VertexLimit vertexLimit(ParameterList const& list)
+{
+  auto const type = list.get<std::string>("Type");
+  const bool is_wedge = type == "Wedge" || type == "Deep Wedge";
+  std::string names = is_wedge ? "Length, Height, Seismogenic Zone Width, Cell Size, Growth Factor"
+                               : "Cell Size, Cells X, Cells Y";
+  names += type == "Deep Wedge"  ? ", Depth"
+           : type == "Rectangle" ? ", Width, Height"
+           : type == "Box"       ? ", Cells Z, Size"
+                                 : "";
+  return {static_cast<double>(list.get<int>("Most Vertices")),
+          "Is one of the entries of " + joinPath(path, type) + " missing, or not in m: " + names +
+            "? A larger mesh is made where " + joinPath(path, "Most Vertices") + " allows it."};
+}
+
+mesh::WedgeShape wedgeShape(ParameterList const& list, mesh::VertexLimit const& limit)
 {
   mesh::WedgeShape shape;
+  shape.limit = limit;
   shape.length = list.get<double>("Length");
   shape.height = list.get<double>("Height");
   shape.zone_width = list.get<double>("Seismogenic Zone Width");
@@ -133,9 +150,10 @@ RCP<const ParameterList> rectangleParameters()
     .list();
 }
 
-mesh::RectangleShape rectangleShape(ParameterList const& list)
+mesh::RectangleShape rectangleShape(ParameterList const& list, mesh::VertexLimit const& limit)
 {
   mesh::RectangleShape shape;
+  shape.limit = limit;
   shape.width = list.get<double>("Width");
   shape.height = list.get<double>("Height");
   shape.cells_x = list.get<int>("Cells X");
@@ -178,9 +196,10 @@ Point<3> threeNumbers(ParameterList const& list, std::string const& name)
   return {given[0], given[1], given[2]};
 }
 
-mesh::BoxShape boxShape(ParameterList const& list)
+mesh::BoxShape boxShape(ParameterList const& list, mesh::VertexLimit const& limit)
 {
   mesh::BoxShape shape;
+  shape.limit = limit;
   shape.size = threeNumbers(list, "Size");
   shape.lowest_corner = threeNumbers(list, "Lowest Corner");
   shape.num_cells = {list.get<int>("Cells X"), list.get<int>("Cells Y"), list.get<int>("Cells Z")};
@@ -204,19 +223,19 @@ std::function<double(Point<Dim> const&)> cellSize(ParameterList const& list,
   return [size, factor](Point<Dim> const& x) { return factor * (*size)(inSpace<Dim>(x), 0, 0); };
 }
 
-GlobalMesh<2> makeRectangle(ParameterList const& list)
+GlobalMesh<2> makeRectangle(ParameterList const& list, mesh::VertexLimit const& limit)
 {
-  auto const shape = rectangleShape(list);
+  auto const shape = rectangleShape(list, limit);
   auto coarse = mesh::rectangleMesh(shape);
   const Point<2> brick = {shape.width / shape.cells_x, shape.height / shape.cells_y};
   return isGiven(list, "Cell Size")
-           ? mesh::bisectBricks(coarse, brick, cellSize<2>(list, "Rectangle"))
+           ? mesh::bisectBricks(coarse, brick, cellSize<2>(list, "Rectangle"), limit)
            : coarse;
 }
 
-GlobalMesh<3> makeBox(ParameterList const& list)
+GlobalMesh<3> makeBox(ParameterList const& list, mesh::VertexLimit const& limit)
 {
-  auto const shape = boxShape(list);
+  auto const shape = boxShape(list, limit);
   auto box = mesh::boxMesh(shape);
   if (list.get<bool>("Periodic Along z")) {
     mesh::makePeriodic(box, 2, "front", "back"); // bisection keeps it so
@@ -225,13 +244,14 @@ GlobalMesh<3> makeBox(ParameterList const& list)
   for (int axis = 0; axis < 3; ++axis) {
     brick[axis] = shape.size[axis] / shape.num_cells[axis];
   }
-  return isGiven(list, "Cell Size") ? mesh::bisectBricks(box, brick, cellSize<3>(list, "Box"))
-                                    : box;
+  return isGiven(list, "Cell Size")
+           ? mesh::bisectBricks(box, brick, cellSize<3>(list, "Box"), limit)
+           : box;
 }
 
-GlobalMesh<3> makeDeepWedge(ParameterList const& list)
+GlobalMesh<3> makeDeepWedge(ParameterList const& list, mesh::VertexLimit const& limit)
 {
-  auto const shape = wedgeShape(list);
+  auto const shape = wedgeShape(list, limit);
   const double depth = list.get<double>("Depth");
   const bool is_periodic = list.get<bool>("Periodic Along z");
   if (list.get<std::string>("Cells") == "Graded") {
@@ -246,12 +266,13 @@ GlobalMesh<3> makeDeepWedge(ParameterList const& list)
 }
 
 template <int Dim>
-GlobalMesh<Dim> generate(std::string const& type, ParameterList const& list)
+GlobalMesh<Dim> generate(std::string const& type, ParameterList const& list,
+                         mesh::VertexLimit const& limit)
 {
   if constexpr (Dim == 2) {
-    return type == "Wedge" ? mesh::wedgeMesh(wedgeShape(list)) : makeRectangle(list);
+    return type == "Wedge" ? mesh::wedgeMesh(wedgeShape(list, limit)) : makeRectangle(list, limit);
   } else {
-    return type == "Box" ? makeBox(list) : makeDeepWedge(list);
+    return type == "Box" ? makeBox(list, limit) : makeDeepWedge(list, limit);
   }
 }
 
@@ -296,8 +317,8 @@ Mesh<Dim> coarsePart(ParameterList const& list, std::string const& fault,
     mesh::overrideBoundaries(part, boundaries, *communicator, where_boundaries);
     return part;
   }
-  auto whole =
-    type == "File" ? mesh::readMesh<Dim>(file_name, *communicator) : generate<Dim>(type, of_type);
+  auto whole = type == "File" ? mesh::readMesh<Dim>(file_name, *communicator)
+                              : generate<Dim>(type, of_type, vertexLimit(list));
   mesh::overrideRegions(whole, regions, where_regions);
   mesh::overrideBoundaries(whole, boundaries, where_boundaries);
   mesh::addFaults(whole, faults, where_faults);
@@ -330,6 +351,10 @@ RCP<const ParameterList> meshParameters()
       "Selects the shape of the body. In two dimensions it is the analogue wedge (thesis A.1) or a "
       "rectangle; in three dimensions the wedge with a depth along z or a box; in both a mesh from "
       "a file.")
+    .integer("Most Vertices", 200000, Range::atLeast(3),
+             "A mesh that is made here, and not read from a file, has at most this number of "
+             "vertices, before 'Refinements'; a larger one is refused before it is made. A "
+             "forgotten extent or cell size is found so.")
     .integer("Refinements", 0, Range::atLeast(0),
              "Every cell is divided this number of times, triangles into 4 and tetrahedra into 8, "
              "on all ranks at once, with its region, boundaries and faults. The body keeps the "

@@ -75,6 +75,33 @@ class Case(unittest.TestCase):
         self.assertEqual(result.returncode, 0, result.stdout + result.stderr)
 
 
+class Pieces(Case):
+    """A body that does not hang together runs with a warning."""
+
+    ON_FILE = settings("Mesh/Type=File", "Mesh/File/File Name=mesh.h5")
+
+    def log_of(self, cells, vertices, ranks):
+        write_mesh("mesh.h5", cells, vertices=vertices)
+        self.assert_done(DECK, *self.ON_FILE, "--output", "out", "--overwrite", ranks=ranks)
+        return pathlib.Path("out/run.log").read_text()
+
+    def test_pieces_that_do_not_touch_and_bow_ties(self):
+        square = ((0, 1, 2), (0, 2, 3))
+        apart = (square + ((4, 5, 6), (4, 6, 7)), numpy.vstack((CORNERS, CORNERS + [3, 0])))
+        beyond = numpy.vstack((CORNERS, [[2, 1], [2, 2], [1, 2]]))
+        bow_tie = (square + ((2, 4, 5), (2, 5, 6)), beyond)
+        for ranks in (1, 2):
+            with self.subTest(ranks):
+                log = self.log_of(*apart, ranks)
+                self.assertIn("WARNING: the body consists of 2 pieces", log)
+                self.assertNotIn("bow tie", log)
+                log = self.log_of(*bow_tie, ranks)
+                self.assertIn("WARNING: at 1 vertex cells meet that share no edge", log)
+                self.assertIn("the first is vertex 2 at (1, 1) m", log)
+                self.assertIn("WARNING: the body consists of 2 pieces", log)
+                self.assertNotIn("WARNING: the body", self.log_of(square, CORNERS, ranks))
+
+
 class Decks(Case):
     def test_the_deck_itself_is_good(self):
         self.assert_done(DECK)

@@ -31,6 +31,24 @@ class ExtremeValues(unittest.TestCase):
         self.assert_refused("Mesh/Wedge/Growth Length=1e-308", "Growth Length")
         self.assert_refused("Mesh/Wedge/Length=1e308", "Mesh: ", "extents")
 
+    def test_forgotten_extents_and_sizes(self):
+        """The mesh is refused before it is made."""
+        for deck, entry in (("bp1_fd", "Rectangle/Width"), ("wedge_3d", "Deep Wedge/Cell Size"),
+                            ("megathrust_2d", "Wedge/Cell Size"),
+                            ("megathrust_3d", "Deep Wedge/Cell Size")):
+            with self.subTest(deck=deck, entry=entry):
+                path = DECK.with_name(f"{deck}.xml")
+                result = asperity_run.run(path, "--validate", "--remove", f"Mesh/{entry}",
+                                          timeout=20)
+                runs.assert_one_message(self, result, runs.INPUT, entry.split("/")[1],
+                                        "vertices", "200000", "Asperity / Mesh / Most Vertices")
+
+    def test_larger_meshes_are_made_where_they_are_allowed(self):
+        few = runs.settings("Mesh/Most Vertices=1000")
+        result = asperity_run.run(DECK, "--validate", *few)
+        runs.assert_one_message(self, result, runs.INPUT, "more than 1000 vertices", "Cell Size",
+                                "Asperity / Mesh / Most Vertices")
+
 
 if __name__ == "__main__":
     unittest.main()

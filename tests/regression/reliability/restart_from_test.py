@@ -12,6 +12,18 @@ SMOOTH = runs.settings("Time Stepping/Prescribed/Levels={2}",
 DECK = [runs.DECK, "--overlay", runs.DECK.parent / "rupture.xml", *SMOOTH]
 SHORT = runs.settings(f"Time Stepping/Final Time={HALF}")
 FINE = runs.settings("Mesh/Wedge/Cell Size=0.005")
+SQUARE = asperity_run.SOURCE / "tests" / "regression" / "bad_input" / "square.xml"
+# A square that is cut in two, of which the upper half is driven.
+CUT = [SQUARE, *runs.settings(
+    "Mesh/Faults/main=abs(y - 0.5) < 1e-6", "Boundary Conditions/Fault/Boundary=main",
+    "Boundary Conditions/Fault/Type=Two-Sided Fault", "Boundary Conditions/Ground/Boundary=bottom",
+    "Boundary Conditions/Ground/Type=Fixed", "Friction/a=0.015 + 0.01 * x",
+    "Friction/Normal Stress=1", "Boundary Conditions/Drive/Velocity=1e-5",
+    "Time Stepping/Prescribed/Levels={2}",
+    "Output/Volume Snapshots/Enabled=true", "Output/Volume Snapshots/Precision=Double",
+    "Output/Fault History/Precision=Double",
+    "Output/Volume Snapshots/Fields={displacement, velocity}", "Time Stepping/Final Time=0.4")]
+CUT_SHORT = runs.settings("Time Stepping/Final Time=0.2")
 FIELDS = ("fields/alpha", "fields/slip", "fields/slip_rate")
 
 
@@ -21,6 +33,15 @@ def fields(folder):
 
 def largest_difference(ours, theirs):
     return numpy.abs(ours - theirs).max() / numpy.abs(theirs).max()
+
+
+def values_at_places(series, field, row):
+    """{place: vectors, sorted} of a field in the body; a place on a fault has two."""
+    places = {}
+    vectors = series[f"fields/{field}"][row]
+    for place, vector in zip(series["geometry/coordinates"], vectors):
+        places.setdefault(tuple(numpy.round(place, 9)), []).append(tuple(vector))
+    return {place: numpy.array(sorted(vectors)) for place, vectors in places.items()}
 
 
 class RestartFrom(unittest.TestCase):
@@ -67,6 +88,42 @@ class RestartFrom(unittest.TestCase):
                                   folder)
         self.assertEqual((result.returncode, result.stderr), (0, ""))
         runs.assert_same_results(self, self.new_run("unbroken", *FINE), folder, ("fault.h5",))
+
+    def test_across_a_fault_on_the_same_mesh(self):
+        """On two ranks to the tolerance of the solver, by which runs on one and two differ."""
+        other = asperity_run.run_to_end("cut_other", *CUT, *CUT_SHORT)
+        for ranks in (1, 2):
+            whole = asperity_run.run_to_end(f"cut_whole_{ranks}", *CUT, ranks=ranks)
+            ours = asperity_run.run_to_end(f"cut_same_{ranks}", *CUT, "--restart-from", other,
+                                           ranks=ranks)
+            slip = asperity_run.series(whole / "fault.h5")["fields/slip"][-1]
+            moved = asperity_run.series(whole / "volume.h5")["fields/displacement"][-1]
+            self.assertGreater(numpy.abs(slip).max(), 0.1 * numpy.abs(moved).max())
+            for name, field in (("fault.h5", "alpha"), ("fault.h5", "slip"),
+                                ("volume.h5", "displacement"), ("volume.h5", "velocity")):
+                expected = asperity_run.series(whole / name)[f"fields/{field}"][-1]
+                last = asperity_run.series(ours / name)[f"fields/{field}"][-1]
+                self.assertLess(largest_difference(last, expected), 1e-12 if ranks == 1 else 1e-6,
+                                (ranks, field))
+
+    def test_across_a_fault_on_a_finer_mesh(self):
+        """At vertices of the coarse mesh, on both sides of the fault, the values are the same."""
+        other = asperity_run.run_to_end("cut_coarse", *CUT, *CUT_SHORT)
+        fine = asperity_run.run_to_end("cut_fine", *CUT, *runs.settings("Mesh/Refinements=1"),
+                                       "--restart-from", other)
+        before, after = (asperity_run.series(each / "volume.h5") for each in (other, fine))
+        for field in ("displacement", "velocity"):
+            expected = values_at_places(before, field, -1)
+            ours = values_at_places(after, field, 0)
+            size = max(numpy.abs(values).max() for values in expected.values())
+            self.assertEqual({place: len(values) for place, values in expected.items()},
+                             {place: len(ours[place]) for place in expected})
+            for place, values in expected.items():
+                self.assertLess(numpy.abs(ours[place] - values).max(), 1e-9 * size, place)
+        # The two sides of the fault have moved apart.
+        jumps = [values for values in values_at_places(before, "displacement", -1).values()
+                 if len(values) == 2]
+        self.assertGreater(max(numpy.ptp(values[:, 0]) for values in jumps), 0)
 
     def assert_refused(self, *arguments, pieces, run=None):
         result = asperity_run.run(*DECK, *arguments, "--restart-from", run or self.other,

@@ -87,6 +87,30 @@ TEST(Deck, MalformedFilesNameFileAndLine)
   expectParts(refusedContent("<!-- two -- hyphens -->\n"), {"line 2", "must not contain '--'"});
 }
 
+TEST(Deck, ListsInListsWithoutEndAreRefused)
+{
+  const auto nested = [](int depth) {
+    std::string text;
+    for (int i = 0; i < depth; ++i) {
+      text += "<ParameterList name=\"a > b\"><!-- <a> -->";
+    }
+    for (int i = 0; i < depth; ++i) {
+      text += "</ParameterList>";
+    }
+    return text;
+  };
+  EXPECT_TRUE(readContent(nested(99))->isSublist("a > b"));
+  expectParts(refusedContent(nested(100)), {"deck.xml", "more than 100 deep"});
+  expectParts(refusedContent(nested(200000)), {"deck.xml", "more than 100 deep"});
+  std::string flat;
+  for (int i = 0; i < 300; ++i) {
+    const auto name = std::to_string(i);
+    flat += "<ParameterList name=\"l" + name + "\"/><Parameter name='p" + name +
+            "' type='string' value='a/>b'></Parameter>";
+  }
+  EXPECT_EQ(readContent(flat)->numParams(), 600);
+}
+
 TEST(Deck, MalformedMessageIsOneLineWithoutTheToolkitsHeader)
 {
   const auto message = refusedText("hello\n");

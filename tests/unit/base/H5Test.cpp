@@ -2,6 +2,7 @@
 #include "unit/base/Refusal.hpp"
 
 #include <cmath>
+#include <fstream>
 
 using namespace asperity;
 
@@ -120,6 +121,12 @@ TEST_F(H5, TextsOfFixedLengthReadBackFromASealedFile)
     file.createTexts("names", texts, h5::TextLength::fixed);
     file.close();
   }
+  EXPECT_TRUE(h5::File::isSealed(path()));
+  h5::File::create(path("plain")).close();
+  EXPECT_FALSE(h5::File::isSealed(path("plain")));
+  EXPECT_FALSE(h5::File::isSealed(path("none")));
+  std::ofstream(path("text")) << "\x89HDF";
+  EXPECT_FALSE(h5::File::isSealed(path("text")));
   const auto file = h5::File::open(path());
   EXPECT_EQ(file.openDataset("names").readTexts(), texts);
   EXPECT_EQ(file.textAttribute("format"), "asperity");

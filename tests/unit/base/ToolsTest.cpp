@@ -132,6 +132,8 @@ TEST(Text, Pieces)
 {
   EXPECT_EQ(trimmed("  a b\n"), "a b");
   EXPECT_EQ(trimmed("  "), "");
+  EXPECT_EQ(excerpt("a\nb\tc"), "a b c");
+  EXPECT_EQ(excerpt(std::string(300, 'x')), std::string(200, 'x') + "...");
   EXPECT_EQ(split("a / b/", '/'), (std::vector<std::string>{"a", "b", ""}));
   EXPECT_EQ(split("", '/'), (std::vector<std::string>{""}));
   EXPECT_EQ(quotedNames({"a", "b"}), "'a', 'b'");

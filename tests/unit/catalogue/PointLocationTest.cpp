@@ -1,6 +1,12 @@
 #include "catalogue/receivers/PointLocation.hpp"
+
+#include "base/parallel/Reductions.hpp"
+#include "catalogue/receivers/NearestPoint.hpp"
+#include "mesh/generation/RectangleMesh.hpp"
+#include "mesh/parallel/Partition.hpp"
 #include "unit/io/Support.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <numeric>
 
@@ -112,6 +118,58 @@ TEST(PointLocation, TetrahedraAndTheirFaces)
   const auto beside = locate(fault, {0.5, 1, -0.25});
   EXPECT_NEAR(beside[0].distance, 0.25, 1e-15);
   EXPECT_NEAR(Sampling(fault, beside)(nodal(fault, function), 1)[0], 10.5, 1e-13);
+}
+
+TEST(PointLocation, TheNearestOfAllElements)
+{
+  auto whole = mesh::rectangleMesh({1, 1, 23, 17, {0, 0}});
+  for (auto& x : whole.vertices) {
+    x = {x[0] * x[0], x[1] + 0.2 * x[0] * x[1]}; // cells of many sizes
+  }
+  const OutputDomain volume = volumeDomain(mesh::distribute(whole, *world()), world());
+  std::vector<double> points;
+  for (int i = 0; i < 400; ++i) {
+    points.push_back(2 * std::fmod(0.618034 * i, 1) - 0.5);
+    points.push_back(2 * std::fmod(0.754878 * i, 1) - 0.5);
+  }
+  const auto located = locate(volume, points);
+  ASSERT_EQ(located.size(), 400U);
+  for (std::size_t i = 0; i < located.size(); ++i) {
+    double nearest = 1e30;
+    for (std::size_t element = 0; element < volume.numOwnedElements(); ++element) {
+      Simplex simplex{{}, 2};
+      for (int corner = 0; corner < 3; ++corner) {
+        simplex.corners.push_back(&volume.corners[(3 * element + corner) * 2]);
+      }
+      nearest = std::min(nearest, nearestPoint(simplex, &points[2 * i]).distance);
+    }
+    EXPECT_EQ(located[i].distance, minOverRanks(nearest, *world())) << i;
+  }
+}
+
+TEST(PointLocation, AnotherPointSaysWhichSideOfAFaultIsMeant)
+{
+  Mesh<2> mesh; // two triangles above each other, whose vertices on y = 0 are pairs
+  mesh.num_global_vertices = 6;
+  if (world()->getRank() == 0) {
+    mesh.vertices = {{0, 0}, {2, 0}, {0, 2}, {0, 0}, {2, 0}, {0, -2}};
+    mesh.global_ids = {0, 1, 2, 3, 4, 5};
+    mesh.num_owned = 6;
+    mesh.cells = {{0, 1, 2}, {3, 5, 4}};
+  }
+  const OutputDomain volume = volumeDomain(mesh, world());
+  const auto located = PointLocation(volume)({0.5, 0, 0.5, 0}, {0.5, 0.01, 0.5, -0.01});
+  std::vector<double> sides;
+  for (const GlobalOrdinal id : volume.vertex_ids) {
+    sides.push_back(id < 3 ? 1 : -1);
+  }
+  const auto values = Sampling(volume, located)(sides, 1);
+  EXPECT_NEAR(values[0], 1, 1e-14);
+  EXPECT_NEAR(values[1], -1, 1e-14);
+  for (auto const& point : located) {
+    EXPECT_NEAR(point.distance, 0, 1e-14); // of the point itself
+    EXPECT_NEAR(point.coordinates[0], 0.5, 1e-14);
+  }
 }
 
 TEST(PointLocation, TheShortestElement)

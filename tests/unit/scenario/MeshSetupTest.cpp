@@ -69,6 +69,31 @@ TEST(MeshSetup, refusesCellSizesThatAreNone)
               {"Mesh / Rectangle / Cell Size = 'x - 1000' is -1000 at ", "outside (0, inf)"});
 }
 
+TEST(MeshSetup, refusesMoreVerticesThanAllowedAndNamesWhatMayBeMissing)
+{
+  const auto limited = [](int most, char const* size, double width = 4e3) {
+    return refusal([&] {
+      halfSpace([&](ParameterList& list) {
+        list.set("Most Vertices", most);
+        list.sublist("Rectangle").set("Width", width).set("Cell Size", size);
+      });
+    });
+  };
+  // 1025 x 1025 vertices; the estimate is a lower one.
+  expectParts(limited(100000, "3.90625 + 0 * x"),
+              {"about ", "vertices are too many; at most 100000 ", "Asperity / Mesh / Rectangle",
+               "Width, Height", "Asperity / Mesh / Most Vertices"});
+  // Columns keep their proportion: a millimetre wide, they are as many as the rows.
+  expectParts(limited(100000, "3.90625 + 0 * x", 1e-3), {"too many", "Width"});
+  const auto graded = refusal([&] {
+    halfSpace([](ParameterList& list) {
+      list.set("Most Vertices", 10);
+      list.sublist("Rectangle").set("Cells X", 40);
+    });
+  });
+  expectParts(graded, {"Mesh: about 123 vertices are too many; at most 10"});
+}
+
 TEST(MeshSetup, namesPiecesOfTheBoundary)
 {
   const auto mesh = halfSpace([](ParameterList& list) {

@@ -1,4 +1,4 @@
-#include "scenario/setup/Names.hpp"
+#include "scenario/deck/Names.hpp"
 
 #include "SampleDeck.hpp"
 #include "base/fields/Expression.hpp"
@@ -93,6 +93,22 @@ TEST(Names, arithmeticNeedsNone)
   deck.sublist("Bulk").set("Height", "3 * 3600");
   resolveNames(deck, *valid());
   EXPECT_EQ(deck.sublist("Bulk").get<double>("Height"), 10800);
+}
+
+TEST(Names, thatGrowWithoutEndAreRefused)
+{
+  std::vector<std::pair<std::string, std::string>> doubling, chain;
+  for (int i = 0; i < 40; ++i) {
+    const auto next = "n" + std::to_string(i + 1);
+    doubling.push_back({"n" + std::to_string(i), next + " + " + next});
+  }
+  doubling.push_back({"n40", "1"});
+  expectParts(refused(doubling), {"Names / n", "more than 20000 characters"});
+  for (int i = 0; i < 2000; ++i) {
+    chain.push_back({"n" + std::to_string(i), "n" + std::to_string(i + 1)});
+  }
+  chain.push_back({"n2000", "1"});
+  expectParts(refused(chain), {"Names / n", "more than 100 names"});
 }
 
 TEST(Names, areRefusedWithWhatIsWrong)

@@ -108,6 +108,17 @@ h5::Dataset MeshFileReader::datasetOf(std::string const& path, std::size_t colum
   return dataset;
 }
 
+hsize_t MeshFileReader::numRows(std::string const& path) const
+{
+  const h5::Dataset dataset = open(path);
+  h5::Shape shape;
+  refuseIfUnreadable(path, [&] {
+    dataset.requireRoom();
+    shape = dataset.shape();
+  });
+  return shape.empty() ? 0 : shape[0];
+}
+
 std::vector<int> MeshFileReader::integers(std::string const& path) const
 {
   return rows<int, int>(path, 0, true);

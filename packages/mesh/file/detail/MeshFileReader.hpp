@@ -27,6 +27,9 @@ public:
   std::vector<double> numbersAttribute(std::string const& name, std::size_t count) const;
   std::vector<std::string> groupEntries(std::string const& path) const; // names, sorted
 
+  // Of a dataset that the file has room for.
+  hsize_t numRows(std::string const& path) const;
+
   std::vector<int> integers(std::string const& path) const; // of a one-dimensional dataset
   std::vector<std::string> strings(std::string const& path) const;
 

@@ -36,6 +36,25 @@ void requireFormat(MeshFileReader const& file)
 }
 } // namespace
 
+namespace
+{
+// Memory is taken for as many as the attribute says.
+void requireRows(MeshFileReader const& file, std::string const& attribute, int number,
+                 std::string const& array)
+{
+  const std::string path = array + "/values";
+  ASPERITY_REQUIRE(file.hasDataset(path),
+                   file.where() << ": '" << path
+                                << "' is not there, is damaged or has another shape. Partition "
+                                   "the mesh again.");
+  const auto num_rows = file.numRows(path);
+  ASPERITY_REQUIRE(static_cast<hsize_t>(number) <= num_rows,
+                   file.where() << ": the attribute '" << attribute << "' = " << number << ", but '"
+                                << array << "' has " << num_rows
+                                << " rows. Partition the mesh again.");
+}
+} // namespace
+
 PartitionSummary readSummary(MeshFileReader const& file)
 {
   requireFormat(file);
@@ -47,6 +66,8 @@ PartitionSummary readSummary(MeshFileReader const& file)
   summary.num_parts = positiveAttribute(file, "num_parts");
   summary.num_vertices = positiveAttribute(file, "num_vertices");
   summary.num_cells = positiveAttribute(file, "num_cells");
+  requireRows(file, "num_vertices", summary.num_vertices, "/global_ids");
+  requireRows(file, "num_cells", summary.num_cells, "/cells");
   summary.period = file.numbersAttribute("period", static_cast<std::size_t>(summary.dimension));
   summary.fingerprint = file.stringAttribute("fingerprint");
   summary.options.boundary = file.stringAttribute("boundary");

@@ -1,4 +1,4 @@
-#include "scenario/setup/Names.hpp"
+#include "scenario/deck/Names.hpp"
 
 #include "base/NearestName.hpp"
 #include "base/Text.hpp"
@@ -53,6 +53,9 @@ bool isCalled(std::string const& text, std::size_t end)
   const auto next = text.find_first_not_of(' ', end);
   return next != std::string::npos && text[next] == '(';
 }
+
+constexpr std::size_t longest_text = 20000; // muParser reads no longer ones
+constexpr std::size_t most_levels = 100;
 
 // The names of a deck, each with its text, in which other names are replaced.
 class Names
@@ -125,6 +128,11 @@ private:
       const auto word = text.substr(i, end - i);
       const bool is_name = texts_.count(word) > 0 && !isCalled(text, end);
       result += is_name ? "(" + replaced(word, open) + ")" : word;
+      ASPERITY_REQUIRE(result.size() <= longest_text,
+                       "Asperity / Names" << (open.empty() ? "" : " / " + open.back()) << ": '"
+                                          << excerpt(text) << "' has more than " << longest_text
+                                          << " characters when its names are replaced. Names that "
+                                             "contain each other twice double at every step.");
       i = end;
     }
     return result;
@@ -135,6 +143,10 @@ private:
     const bool is_circle = std::find(open.begin(), open.end(), name) != open.end();
     ASPERITY_REQUIRE(!is_circle, "Asperity / Names / " << name << " needs its own value to be "
                                                        << "computed. Remove the circle.");
+    ASPERITY_REQUIRE(open.size() < most_levels,
+                     "Asperity / Names / " << open.front() << " needs more than " << most_levels
+                                           << " names, one inside the other, "
+                                           << "down to '" << name << "'. Shorten the chain.");
     used_.insert(name);
     open.push_back(name);
     return expanded(texts_.at(name), open);

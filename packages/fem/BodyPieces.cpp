@@ -1,0 +1,279 @@
+#include "fem/BodyPieces.hpp"
+
+#include "base/parallel/Reductions.hpp"
+#include "mesh/PointText.hpp"
+
+#include <Tpetra_Import.hpp>
+#include <Tpetra_Map.hpp>
+#include <Tpetra_Vector.hpp>
+
+#include <algorithm>
+#include <array>
+#include <limits>
+#include <numeric>
+
+namespace asperity::fem
+{
+namespace
+{
+// Sets that are united, of numbers 0 <= i < size.
+class Sets
+{
+public:
+  explicit Sets(std::size_t size) : parent_(size) { std::iota(parent_.begin(), parent_.end(), 0); }
+
+  int find(int i)
+  {
+    while (parent_[i] != i) {
+      i = parent_[i] = parent_[parent_[i]];
+    }
+    return i;
+  }
+  void unite(int i, int j) { parent_[find(i)] = find(j); }
+
+private:
+  std::vector<int> parent_;
+};
+
+// The cells at each owned vertex: those of vertex v stand from first[v] to first[v + 1].
+struct Stars
+{
+  std::vector<std::size_t> first;
+  std::vector<int> cells;
+};
+
+template <int Dim>
+Stars starsOf(Mesh<Dim> const& mesh)
+{
+  Stars stars;
+  stars.first.assign(static_cast<std::size_t>(mesh.num_owned) + 1, 0);
+  for (auto const& cell : mesh.cells) {
+    for (const int v : cell) {
+      if (v < mesh.num_owned) {
+        ++stars.first[v + 1];
+      }
+    }
+  }
+  std::partial_sum(stars.first.begin(), stars.first.end(), stars.first.begin());
+  stars.cells.resize(stars.first.back());
+  auto next = stars.first;
+  for (std::size_t c = 0; c < mesh.cells.size(); ++c) {
+    for (const int v : mesh.cells[c]) {
+      if (v < mesh.num_owned) {
+        stars.cells[next[v]++] = static_cast<int>(c);
+      }
+    }
+  }
+  return stars;
+}
+
+// Whether cells at a vertex do not hang together by facets that have the vertex.
+template <int Dim>
+bool isPinched(Mesh<Dim> const& mesh, int vertex, int const* begin, int const* end)
+{
+  using Key = std::array<int, Dim - 1>; // the other vertices of a facet
+  std::vector<std::pair<Key, int>> facets;
+  for (int const* cell = begin; cell != end; ++cell) {
+    auto const& corners = mesh.cells[*cell];
+    for (const int left_out : corners) {
+      if (left_out == vertex) {
+        continue;
+      }
+      Key key{};
+      auto place = key.begin();
+      for (const int v : corners) {
+        if (v != vertex && v != left_out) {
+          *place++ = v;
+        }
+      }
+      std::sort(key.begin(), key.end());
+      facets.push_back({key, static_cast<int>(cell - begin)});
+    }
+  }
+  std::sort(facets.begin(), facets.end());
+  auto num_groups = end - begin;
+  Sets groups(static_cast<std::size_t>(num_groups));
+  for (std::size_t i = 1; i < facets.size(); ++i) {
+    auto const& [before, one] = facets[i - 1];
+    auto const& [key, other] = facets[i];
+    if (before == key && groups.find(one) != groups.find(other)) {
+      groups.unite(one, other);
+      --num_groups;
+    }
+  }
+  return num_groups > 1;
+}
+
+// Numbers at owned vertices and ghosts.
+class Exchange
+{
+public:
+  template <int Dim>
+  Exchange(Mesh<Dim> const& mesh, RCP<const Communicator> const& communicator)
+      : is_parallel_(communicator->getSize() > 1)
+  {
+    if (is_parallel_) {
+      const auto none = Teuchos::OrdinalTraits<Tpetra::global_size_t>::invalid();
+      auto const& ids = mesh.global_ids;
+      const Teuchos::ArrayView<GlobalOrdinal const> all(ids.data(), ids.size());
+      here_ = rcp(new Map(none, all, 0, communicator));
+      owned_ = rcp(new Map(none, all.view(0, mesh.num_owned), 0, communicator));
+      import_ = rcp(new Import(owned_, here_));
+    }
+  }
+
+  // Every vertex gets the largest of the numbers (>= 0) that ranks have for it.
+  void takeLargest(std::vector<double>& numbers) const
+  {
+    if (!is_parallel_) {
+      return;
+    }
+    Vector here(here_), owned(owned_);
+    copy(numbers, here);
+    owned.doExport(here, *import_, Tpetra::ABSMAX);
+    here.doImport(owned, *import_, Tpetra::REPLACE);
+    auto const values = here.getLocalViewHost(Tpetra::Access::ReadOnly);
+    for (std::size_t i = 0; i < numbers.size(); ++i) {
+      numbers[i] = std::max(numbers[i], values(i, 0));
+    }
+  }
+
+private:
+  static void copy(std::vector<double> const& numbers, Vector& to)
+  {
+    auto const values = to.getLocalViewHost(Tpetra::Access::OverwriteAll);
+    for (std::size_t i = 0; i < numbers.size(); ++i) {
+      values(i, 0) = numbers[i];
+    }
+  }
+
+  bool is_parallel_;
+  RCP<const Map> here_, owned_;
+  RCP<const Import> import_;
+};
+
+// (num_local) 1 at pinched vertices, ghosts too, else 0.
+template <int Dim>
+std::vector<double> pinchedVertices(Mesh<Dim> const& mesh, Exchange const& exchange)
+{
+  const auto stars = starsOf(mesh);
+  std::vector<double> is_pinched(mesh.vertices.size(), 0);
+  for (int v = 0; v < mesh.num_owned; ++v) {
+    int const* const cells = stars.cells.data();
+    is_pinched[v] = isPinched(mesh, v, cells + stars.first[v], cells + stars.first[v + 1]) ? 1 : 0;
+  }
+  exchange.takeLargest(is_pinched);
+  return is_pinched;
+}
+
+// What hangs together on this rank. Pinched vertices join nothing.
+template <int Dim>
+Sets localPieces(Mesh<Dim> const& mesh, std::vector<double> const& is_pinched)
+{
+  Sets pieces(mesh.vertices.size());
+  for (auto const& cell : mesh.cells) {
+    int first = -1;
+    for (const int v : cell) {
+      if (is_pinched[v] == 0) {
+        pieces.unite(first < 0 ? v : first, v);
+        first = v;
+      }
+    }
+  }
+  for (auto const& pair : mesh.splits) {
+    if (is_pinched[pair.plus] == 0 && is_pinched[pair.minus] == 0) {
+      pieces.unite(pair.plus, pair.minus);
+    }
+  }
+  return pieces;
+}
+
+// Every vertex ends with the largest global id of its piece, plus one; ranks tell each other until
+// nothing changes.
+template <int Dim>
+std::vector<double> largestIds(Mesh<Dim> const& mesh, Sets pieces, Exchange const& exchange,
+                               Communicator const& communicator)
+{
+  std::vector<double> labels;
+  for (const GlobalOrdinal id : mesh.global_ids) {
+    labels.push_back(static_cast<double>(id + 1));
+  }
+  for (int has_changed = 1; has_changed == 1;) {
+    const auto before = labels;
+    auto largest = labels;
+    for (std::size_t v = 0; v < labels.size(); ++v) {
+      double& of_piece = largest[pieces.find(static_cast<int>(v))];
+      of_piece = std::max(of_piece, labels[v]);
+    }
+    for (std::size_t v = 0; v < labels.size(); ++v) {
+      labels[v] = largest[pieces.find(static_cast<int>(v))];
+    }
+    exchange.takeLargest(labels);
+    has_changed = maxOverRanks(labels != before ? 1 : 0, communicator);
+  }
+  return labels;
+}
+} // namespace
+
+template <int Dim>
+BodyPieces<Dim> bodyPieces(Mesh<Dim> const& mesh, RCP<const Communicator> const& communicator)
+{
+  const Exchange exchange(mesh, communicator);
+  const auto is_pinched = pinchedVertices(mesh, exchange);
+  const auto labels = largestIds(mesh, localPieces(mesh, is_pinched), exchange, *communicator);
+  constexpr auto none = std::numeric_limits<GlobalOrdinal>::max();
+  BodyPieces<Dim> result;
+  GlobalOrdinal first = none;
+  Point<Dim> place{};
+  for (int v = 0; v < mesh.num_owned; ++v) {
+    const GlobalOrdinal id = mesh.global_ids[v];
+    if (is_pinched[v] == 0) {
+      result.num_pieces += labels[v] == static_cast<double>(id + 1) ? 1 : 0;
+      continue;
+    }
+    ++result.num_pinched;
+    if (id < first) {
+      first = id;
+      place = mesh.vertices[v];
+    }
+  }
+  result.num_pieces = sumOverRanks(result.num_pieces, *communicator);
+  result.num_pinched = sumOverRanks(result.num_pinched, *communicator);
+  const auto least = minOverRanks(first, *communicator);
+  if (result.num_pinched > 0) {
+    result.first_pinched = least;
+    // One rank has it; on all others the sum gets nothing.
+    result.place = sumOverRanks(first == least ? place : Point<Dim>{}, *communicator);
+  }
+  return result;
+}
+
+template <int Dim>
+std::vector<std::string> warnOfPieces(Mesh<Dim> const& mesh,
+                                      RCP<const Communicator> const& communicator)
+{
+  const auto pieces = bodyPieces(mesh, communicator);
+  std::vector<std::string> warnings;
+  if (pieces.num_pinched > 0) {
+    warnings.push_back("WARNING: at " + std::to_string(pieces.num_pinched) +
+                       (pieces.num_pinched == 1 ? " vertex" : " vertices") +
+                       " cells meet that share no " + (Dim == 2 ? "edge" : "face") +
+                       " there, as in a bow tie; the first is vertex " +
+                       std::to_string(pieces.first_pinched) + " at " + mesh::text(pieces.place) +
+                       " m. Nothing but the vertex holds the body together. Check the mesh.");
+  }
+  if (pieces.num_pieces > 1) {
+    warnings.push_back("WARNING: the body consists of " + std::to_string(pieces.num_pieces) +
+                       " pieces that share no " + (Dim == 2 ? "edge" : "face") +
+                       " and no fault. Each moves by itself. Check the mesh.");
+  }
+  return warnings;
+}
+
+#define ASPERITY_INSTANTIATE(Dim)                                                                  \
+  template BodyPieces<Dim> bodyPieces(Mesh<Dim> const&, RCP<const Communicator> const&);           \
+  template std::vector<std::string> warnOfPieces(Mesh<Dim> const&, RCP<const Communicator> const&);
+ASPERITY_INSTANTIATE(2)
+ASPERITY_INSTANTIATE(3)
+#undef ASPERITY_INSTANTIATE
+} // namespace asperity::fem
