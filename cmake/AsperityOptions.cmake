@@ -10,6 +10,8 @@ option(ASPERITY_ENABLE_INSTALL "Install and export the packages" ${ASPERITY_IS_T
 option(ASPERITY_PRECOMPILED_HEADERS "Compile the headers of Trilinos once, for faster builds" ON)
 # Off, so that the warnings of a compiler of the future stop nobody; quickstart.sh --strict sets it.
 option(ASPERITY_WARNINGS_AS_ERRORS "Treat warnings in Asperity's own code as errors" OFF)
+set(ASPERITY_TEST_TIME_FACTOR 1 CACHE STRING
+  "Whole number that the time limits of tests are multiplied by, for slow builds and machines")
 # packages/friction and its tests alone, which need neither Trilinos nor MPI (docs/backends.md).
 option(ASPERITY_FRICTION_ONLY "Build packages/friction alone, on any Kokkos from 3.4 on" OFF)
 set(ASPERITY_BACKEND "" CACHE STRING

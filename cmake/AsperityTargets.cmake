@@ -23,6 +23,8 @@ function(asperity_add_package name)
     "$<BUILD_INTERFACE:${PROJECT_SOURCE_DIR}/packages>"
     "$<INSTALL_INTERFACE:${ASPERITY_INSTALL_HEADERS}>")
   target_compile_features(${target} PUBLIC cxx_std_17)
+  # Programs of other projects need it, too: the sanitizer has to be their first library.
+  target_link_options(${target} PUBLIC ${asperity_sanitizer_flags})
   add_dependencies(asperity_packages ${target})
   asperity_link_packages(${target} PUBLIC ${PACKAGE_PACKAGES})
   target_link_libraries(${target} PUBLIC ${PACKAGE_LIBRARIES} PRIVATE ${PACKAGE_PRIVATE_LIBRARIES})
