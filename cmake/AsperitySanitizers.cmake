@@ -8,6 +8,13 @@ if(NOT ASPERITY_SANITIZER MATCHES "^(|address|undefined|address,undefined)$")
   message(FATAL_ERROR "ASPERITY_SANITIZER is '${ASPERITY_SANITIZER}'; it may be address, undefined "
     "or address,undefined, or empty for none.")
 endif()
+# asperity_sanitize_program(<target>): what a program needs for findings with names.
+function(asperity_sanitize_program target)
+  if(ASPERITY_SANITIZER MATCHES "address")
+    target_link_libraries(${target} PRIVATE asperity_keep_libraries)
+  endif()
+endfunction()
+
 set(asperity_sanitizer_flags "")
 set(asperity_sanitizer_environment "")
 if(NOT ASPERITY_SANITIZER)
@@ -37,3 +44,10 @@ foreach(name IN ITEMS asan lsan ubsan)
   string(TOUPPER "${name}" name)
   list(APPEND asperity_sanitizer_environment "${name}_OPTIONS=${options}")
 endforeach()
+
+if(ASPERITY_SANITIZER MATCHES "address")
+  add_library(asperity_keep_libraries OBJECT
+    "${PROJECT_SOURCE_DIR}/cmake/sanitizers/KeepLibraries.cpp")
+  target_link_options(asperity_keep_libraries INTERFACE
+    "LINKER:--export-dynamic-symbol=dlclose")
+endif()

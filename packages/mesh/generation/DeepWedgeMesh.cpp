@@ -7,6 +7,7 @@
 #include "mesh/generation/PeriodicMesh.hpp"
 #include "mesh/generation/detail/WedgeParts.hpp"
 
+#include <cmath>
 #include <limits>
 
 namespace asperity::mesh
@@ -39,8 +40,13 @@ GlobalMesh<3> coarseWedge(WedgeShape const& shape, DeepWedge const& deep)
   const int fewest_layers = deep.is_periodic ? 3 : 1;
   const double size = 2.0 * std::min(deep.depth / fewest_layers, shape.height);
   const auto plane = bisect(detail::wedgeTriangle(shape), [=](Triangle const&) { return size; });
-  const auto num_layers = static_cast<int>(std::lround(2.0 * deep.depth / size));
-  auto mesh = extrude(plane, equalLevels(deep.depth, num_layers));
+  const double num_layers = std::round(2.0 * deep.depth / size);
+  ASPERITY_REQUIRE((num_layers + 1) * static_cast<double>(plane.vertices.size()) <=
+                     std::numeric_limits<int>::max(),
+                   "Mesh / Wedge / Depth = "
+                     << deep.depth << " m is too large for a height of " << shape.height
+                     << " m: the mesh would have more vertices than can be numbered.");
+  auto mesh = extrude(plane, equalLevels(deep.depth, static_cast<int>(num_layers)));
   if (deep.is_periodic) {
     makePeriodic(mesh, 2, "front", "back");
   }
