@@ -40,8 +40,8 @@ def damage(data, seed):
 
 
 def little_memory():
-    """What subprocess needs for it. AddressSanitizer takes terabytes of addresses for itself; there a
-    single piece of that size ends the program with a finding."""
+    """What subprocess needs for it. AddressSanitizer takes terabytes of addresses for itself; with
+    it a single piece of that size ends the program with a finding."""
     if "address" in os.environ.get("ASPERITY_SANITIZER", ""):
         options = f"{os.environ['ASAN_OPTIONS']}:max_allocation_size_mb={MEMORY >> 20}"
         return {"env": {**os.environ, "ASAN_OPTIONS": options}}
