@@ -23,6 +23,7 @@ function(asperity_add_precompiled_headers use)
   target_compile_features(${target} PRIVATE cxx_std_17)
   set_target_properties(${target} PROPERTIES CXX_EXTENSIONS OFF POSITION_INDEPENDENT_CODE ON)
   target_link_libraries(${target} PRIVATE Asperity::Trilinos Asperity::HDF5 ${ADD_LIBRARIES})
+  target_link_options(${target} PRIVATE ${asperity_sanitizer_flags})
   target_precompile_headers(${target} PRIVATE ${asperity_precompiled_headers} ${ADD_HEADERS})
 endfunction()
 

@@ -16,6 +16,8 @@ endif()
 # library hwloc writes an error to stderr if there is no /sys, unless HWLOC_HIDE_ERRORS is set.
 set(ASPERITY_TEST_ENVIRONMENT OMPI_ALLOW_RUN_AS_ROOT=1 OMPI_ALLOW_RUN_AS_ROOT_CONFIRM=1
   HWLOC_HIDE_ERRORS=2)
+list(APPEND ASPERITY_TEST_ENVIRONMENT ${asperity_sanitizer_environment}
+  ASPERITY_TEST_TIME_FACTOR=${ASPERITY_TEST_TIME_FACTOR})
 set(ASPERITY_MPI_OPTIONS "")
 set(mpiexec_version "")
 if(MPIEXEC_EXECUTABLE)
@@ -31,6 +33,21 @@ endif()
 add_custom_target(asperity_quick_tests)
 
 asperity_add_precompiled_headers(tests HEADERS <gtest/gtest.h> LIBRARIES GTest::gtest)
+
+# asperity_time_limit(<test> <seconds>): of an ordinary build.
+function(asperity_time_limit name seconds)
+  math(EXPR seconds "${seconds} * ${ASPERITY_TEST_TIME_FACTOR}")
+  set_tests_properties(${name} PROPERTIES TIMEOUT ${seconds})
+endfunction()
+
+# asperity_not_with_sanitizer(<sanitizer> <test> <reason>): ctest names the test as disabled in a
+# build with that sanitizer, which cannot do what the test needs.
+function(asperity_not_with_sanitizer sanitizer name reason)
+  if(ASPERITY_SANITIZER MATCHES "${sanitizer}")
+    message(STATUS "${name} is left out with the sanitizer ${sanitizer}: ${reason}")
+    set_tests_properties(${name} PROPERTIES DISABLED TRUE)
+  endif()
+endfunction()
 
 # asperity_add_test(<level>.<package>.<Name> SOURCES <file>... PACKAGES <package>...
 #                   [LIBRARIES <target>...] [RANKS <n>...] [LABELS <label>...] [TIMEOUT <seconds>])
@@ -60,6 +77,7 @@ function(asperity_add_test name)
   asperity_compile_options(${name})
   target_include_directories(${name} PRIVATE "${PROJECT_SOURCE_DIR}/tests")
   asperity_link_packages(${name} PRIVATE ${TEST_PACKAGES})
+  asperity_sanitize_program(${name})
   if(TEST_PACKAGES MATCHES "^(portability|friction)$") # which do not know Trilinos
     target_link_libraries(${name} PRIVATE asperity_kokkos_test_main ${TEST_LIBRARIES})
   else()
@@ -72,7 +90,8 @@ function(asperity_add_test name)
   foreach(ranks IN LISTS TEST_RANKS)
     asperity_add_mpi_command(${name}_MPI_${ranks} RANKS ${ranks} COMMAND $<TARGET_FILE:${name}>)
     set_tests_properties(${name}_MPI_${ranks} PROPERTIES
-      LABELS "${level};${TEST_LABELS}" TIMEOUT ${TEST_TIMEOUT} PROCESSORS ${ranks})
+      LABELS "${level};${TEST_LABELS}" PROCESSORS ${ranks})
+    asperity_time_limit(${name}_MPI_${ranks} ${TEST_TIMEOUT})
   endforeach()
 endfunction()
 
@@ -132,8 +151,9 @@ function(asperity_add_python_test name)
   set(mpiexec "${MPIEXEC_EXECUTABLE} ${ASPERITY_MPI_OPTIONS} ${MPIEXEC_NUMPROC_FLAG}")
   string(REPLACE ";" " " mpiexec "${mpiexec}")
   set_tests_properties(${name} PROPERTIES
-    LABELS "${level};${TEST_LABELS}" TIMEOUT ${TEST_TIMEOUT} PROCESSORS ${TEST_PROCESSORS}
+    LABELS "${level};${TEST_LABELS}" PROCESSORS ${TEST_PROCESSORS}
     ENVIRONMENT "${ASPERITY_TEST_ENVIRONMENT};ASPERITY_SOURCE_DIR=${PROJECT_SOURCE_DIR};\
 ASPERITY_BUILD_DIR=${PROJECT_BINARY_DIR};ASPERITY_MPIEXEC=${mpiexec};PYTHONDONTWRITEBYTECODE=1;\
 PYTHONPATH=${PROJECT_SOURCE_DIR}/tests/support;${TEST_ENVIRONMENT}")
+  asperity_time_limit(${name} ${TEST_TIMEOUT})
 endfunction()

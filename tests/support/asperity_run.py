@@ -9,6 +9,7 @@ import shutil
 import subprocess
 
 import h5py
+import time_limits
 
 SOURCE = pathlib.Path(os.environ["ASPERITY_SOURCE_DIR"])
 PROGRAM = pathlib.Path(os.environ["ASPERITY_BUILD_DIR"]) / "drivers" / "asperity"
@@ -24,7 +25,7 @@ def command(*arguments, ranks=1):
 def run(*arguments, ranks=1, timeout=60):
     """A finished run; exit status, stdout and stderr as text."""
     return subprocess.run(command(*arguments, ranks=ranks), capture_output=True, text=True,
-                          timeout=timeout, check=False)
+                          timeout=time_limits.seconds(timeout), check=False)
 
 
 def run_to_end(folder, *arguments, ranks=1, timeout=60):

@@ -7,6 +7,7 @@
 #include "mesh/generation/PeriodicMesh.hpp"
 #include "mesh/generation/detail/WedgeParts.hpp"
 
+#include <cmath>
 #include <limits>
 
 namespace asperity::mesh
@@ -40,10 +41,9 @@ GlobalMesh<3> coarseWedge(WedgeShape const& shape, DeepWedge const& deep)
   const double size = 2.0 * std::min(deep.depth / fewest_layers, shape.height);
   const auto plane = bisect(
     detail::wedgeTriangle(shape), [=](Triangle const&) { return size; }, shape.limit);
-  requireFewVertices(2.0 * deep.depth / size * static_cast<double>(plane.vertices.size()),
-                     shape.limit);
-  const auto num_layers = static_cast<int>(std::lround(2.0 * deep.depth / size));
-  auto mesh = extrude(plane, equalLevels(deep.depth, num_layers));
+  const double num_layers = std::round(2.0 * deep.depth / size);
+  requireFewVertices((num_layers + 1) * static_cast<double>(plane.vertices.size()), shape.limit);
+  auto mesh = extrude(plane, equalLevels(deep.depth, static_cast<int>(num_layers)));
   if (deep.is_periodic) {
     makePeriodic(mesh, 2, "front", "back");
   }

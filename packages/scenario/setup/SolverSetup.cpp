@@ -2,6 +2,8 @@
 
 #include "tnnmg/MueLuCorrection.hpp"
 
+#include <limits>
+
 namespace asperity::scenario
 {
 namespace
@@ -51,6 +53,8 @@ dynamics::RateSolverSettings makeSolverSettings(ParameterList const& list, int n
 
 std::size_t memoryBudget(ParameterList const& list)
 {
-  return static_cast<std::size_t>(list.get<double>("Memory Budget") * 1e6);
+  constexpr auto most = std::numeric_limits<std::size_t>::max();
+  const double bytes = list.get<double>("Memory Budget") * 1e6;
+  return bytes < static_cast<double>(most) ? static_cast<std::size_t>(bytes) : most;
 }
 } // namespace asperity::scenario

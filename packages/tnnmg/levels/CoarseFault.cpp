@@ -73,7 +73,9 @@ RCP<const CrsMatrix> rowsAtNodes(CrsMatrix const& P, NodeDofView const& fault)
   for (int node = 0; node < dofs.extent_int(0); ++node) {
     for (int t = 0; t < tangents; ++t) {
       const auto row = local.rowConst(dofs(node, t));
-      Q->insertLocalValues(node * tangents + t, row.length, &row.value(0), &row.colidx(0));
+      if (row.length > 0) { // a matrix without entries has no place that these could point to
+        Q->insertLocalValues(node * tangents + t, row.length, &row.value(0), &row.colidx(0));
+      }
     }
   }
   Q->fillComplete(P.getDomainMap(), rows);

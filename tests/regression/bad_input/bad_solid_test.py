@@ -12,6 +12,7 @@ import h5py
 import numpy
 
 import asperity_run
+import time_limits
 from bad_input_test import Case, settings
 
 HERE = pathlib.Path(__file__).parent
@@ -22,7 +23,8 @@ WHOLE, PARTS = "cube.h5", "parts.h5"
 
 
 def mesh_tool(*arguments):
-    subprocess.run([TOOL, *map(str, arguments)], check=True, capture_output=True, timeout=60)
+    subprocess.run([TOOL, *map(str, arguments)], check=True, capture_output=True,
+                   timeout=time_limits.seconds(60))
 
 
 def make_mesh(name, *options):

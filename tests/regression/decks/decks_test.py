@@ -6,6 +6,7 @@ import unittest
 import xml.etree.ElementTree as ElementTree
 
 import asperity_run
+import time_limits
 
 DECKS = sorted((asperity_run.SOURCE / "xml").glob("*.xml"))
 
@@ -23,7 +24,7 @@ def make_mesh(deck, mesh):
     geometry = deck.parent / "meshes" / mesh.replace(".h5", ".geo")
     pathlib.Path(mesh).unlink(missing_ok=True)  # of an earlier run of this test
     subprocess.run([MESH_TOOL, "convert", geometry, mesh], check=True, capture_output=True,
-                   timeout=60)
+                   timeout=time_limits.seconds(60))
 
 
 class Decks(unittest.TestCase):

@@ -12,6 +12,7 @@ import sys
 import unittest
 
 import asperity_run
+import time_limits
 
 sys.path.insert(0, str(pathlib.Path(__file__).parents[1] / "reliability"))
 import runs  # noqa: E402  (its folder comes first)
@@ -68,7 +69,7 @@ class Wedge(unittest.TestCase):
                              "--output", folder, ranks=2)
         runs.wait_for(folder / "checkpoint.h5", process)
         process.send_signal(signal.SIGUSR1)
-        _, errors = process.communicate(timeout=60)
+        _, errors = process.communicate(timeout=time_limits.seconds(60))
         self.assertEqual(process.returncode, runs.STOPPED, errors)
         self.assertEqual(value(folder, "Gravity Direction"), "{0.3, -1}")
         stopped = self.status(folder, runs.STOPPED)

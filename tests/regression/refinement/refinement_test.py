@@ -13,6 +13,7 @@ import h5py
 import numpy
 
 import asperity_run
+import time_limits
 
 HERE = pathlib.Path(__file__).parent
 BURIED = HERE / "buried_fault.xml"
@@ -103,7 +104,8 @@ class TinyWedge(unittest.TestCase):
     def test_in_parts(self):
         pathlib.Path("tiny_wedge_2.h5").unlink(missing_ok=True)
         subprocess.run([MESH_TOOL, "partition", "tiny_wedge.h5", "--parts", "2", "--output",
-                        "tiny_wedge_2.h5"], check=True, capture_output=True, timeout=60)
+                        "tiny_wedge_2.h5"], check=True, capture_output=True,
+                       timeout=time_limits.seconds(60))
         self.assert_same(self.run_deck("tiny_parts", 2, "tiny_wedge_2.h5"))
 
 

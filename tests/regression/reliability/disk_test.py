@@ -12,6 +12,7 @@ import unittest
 import asperity_run
 import faults
 import runs
+import time_limits
 
 MESH_TOOL = asperity_run.PROGRAM.with_name("asperity-mesh")
 
@@ -78,7 +79,8 @@ class FullDisk(unittest.TestCase):
         words = [str(MESH_TOOL), "rectangle", str(folder / "mesh.h5"), "--cells-x", "20",
                  "--cells-y", "20"]
         for number in (1, 2, 4):
-            result = subprocess.run(words, capture_output=True, text=True, check=False, timeout=60,
+            result = subprocess.run(words, capture_output=True, text=True, check=False,
+                                    timeout=time_limits.seconds(60),
                                     env=faults.environment(folder, "full", number))
             self.assertEqual(result.returncode, runs.OUTPUT, result.stdout + result.stderr)
             self.assertRegex(result.stderr, r"\Aasperity-mesh: .*cannot be written.*\n\Z")
@@ -91,7 +93,7 @@ class VanishedDirectory(unittest.TestCase):
         process = runs.start(*runs.ENDLESS, "--output", folder)
         runs.wait_for(folder / "checkpoint.h5", process)
         os.rename(folder, "elsewhere_vanished")
-        _, errors = process.communicate(timeout=60)
+        _, errors = process.communicate(timeout=time_limits.seconds(60))
         shutil.rmtree("elsewhere_vanished")
         self.assertEqual(process.returncode, runs.OUTPUT, errors)
         self.assertRegex(errors, r"\Aasperity: .*removed.*\n\Z")

@@ -5,6 +5,7 @@ import pathlib
 import subprocess
 
 import asperity_run
+import time_limits
 
 SHIM = os.environ["ASPERITY_FAULT_SHIM"]
 
@@ -31,7 +32,8 @@ def environment(folder, kind, number, rank=None, **more):
 def run(folder, kind, number, *arguments, ranks=1, rank=None, timeout=60, **more):
     """Of the operations on files below the folder, those of one process counted."""
     words = asperity_run.command(*arguments, "--output", folder, ranks=ranks)
-    return subprocess.run(words, capture_output=True, text=True, timeout=timeout, check=False,
+    return subprocess.run(words, capture_output=True, text=True, check=False,
+                          timeout=time_limits.seconds(timeout),
                           env=environment(folder, kind, number, rank, **more))
 
 

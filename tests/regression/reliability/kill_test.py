@@ -8,6 +8,7 @@ import unittest
 import asperity_run
 import faults
 import runs
+import time_limits
 
 # How many trials of each kind.
 AT_RANDOM = IN_A_WRITE = faults.trials(4, 50)
@@ -46,7 +47,7 @@ class Killed(unittest.TestCase):
         time.sleep(moment)
         children = runs.children_of(process)
         process.kill()
-        process.communicate(timeout=60)
+        process.communicate(timeout=time_limits.seconds(60))
         runs.wait_for_ends(children)
 
     def kill_in(self, folder, number, ranks=1, rank=None):

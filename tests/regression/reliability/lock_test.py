@@ -5,6 +5,7 @@ import unittest
 
 import asperity_run
 import runs
+import time_limits
 
 
 class Lock(unittest.TestCase):
@@ -16,7 +17,7 @@ class Lock(unittest.TestCase):
 
     def stop(self, process, number=signal.SIGTERM):
         process.send_signal(number)
-        _, errors = process.communicate(timeout=60)
+        _, errors = process.communicate(timeout=time_limits.seconds(60))
         self.assertEqual(errors, "")
         self.assertEqual(process.returncode,
                          runs.STOPPED if number == signal.SIGTERM else -number)
@@ -38,7 +39,8 @@ class Lock(unittest.TestCase):
         for _ in range(3):
             folder = runs.fresh("first_runs")
             processes = [runs.start(*runs.RUN, "--output", folder) for _ in range(2)]
-            errors = [process.communicate(timeout=60)[1] for process in processes]
+            errors = [process.communicate(timeout=time_limits.seconds(60))[1]
+                      for process in processes]
             self.assertEqual(sorted(process.returncode for process in processes),
                              [runs.DONE, runs.INPUT], errors)
             runs.assert_same_results(self, whole, folder)

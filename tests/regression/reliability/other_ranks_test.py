@@ -6,6 +6,7 @@ import unittest
 import asperity_run
 import numpy
 import runs
+import time_limits
 
 PARALLEL = runs.DECK.parent
 SOLID = asperity_run.SOURCE / "tests" / "regression" / "solid"
@@ -78,8 +79,8 @@ class OtherRanks(unittest.TestCase):
         process = runs.start(*deck, "--output", first)
         runs.wait_for(first / "checkpoint.h5", process)
         process.send_signal(signal.SIGTERM)
-        self.assertEqual((process.communicate(timeout=60)[1], process.returncode),
-                         ("", runs.STOPPED))
+        errors = process.communicate(timeout=time_limits.seconds(60))[1]
+        self.assertEqual((errors, process.returncode), ("", runs.STOPPED))
         begin = checkpoint_values(first)
         deck = [*deck, *runs.settings("Time Stepping/Final Time=1e-9")]
         for number in (*ranks, 1):

@@ -9,6 +9,7 @@ import time
 
 import asperity_run
 import numpy
+import time_limits
 
 DECK = asperity_run.SOURCE / "tests" / "regression" / "parallel" / "coarse_wedge.xml"
 DONE, INPUT, SOLVE, STOPPED, OUTPUT = 0, 2, 3, 4, 5
@@ -51,7 +52,7 @@ def children_of(process):
 
 def wait_for_ends(processes, seconds=60):
     """mpirun that is killed takes its ranks with it, but not at once."""
-    end = time.monotonic() + seconds
+    end = time.monotonic() + time_limits.seconds(seconds)
     while any(pathlib.Path(f"/proc/{process}").exists() for process in processes):
         if time.monotonic() > end:
             raise AssertionError(f"of {processes} one has not ended")
@@ -60,7 +61,7 @@ def wait_for_ends(processes, seconds=60):
 
 def wait_for_lock(folder, seconds=20):
     """Until no process writes there any more."""
-    end = time.monotonic() + seconds
+    end = time.monotonic() + time_limits.seconds(seconds)
     while time.monotonic() < end:
         try:
             with open(folder / ".lock") as lock:
@@ -74,7 +75,7 @@ def wait_for_lock(folder, seconds=20):
 
 def wait_for(path, process, seconds=60):
     """Until the file is there."""
-    end = time.monotonic() + seconds
+    end = time.monotonic() + time_limits.seconds(seconds)
     while not path.exists():
         if process.poll() is not None or time.monotonic() > end:
             process.kill()

@@ -10,6 +10,7 @@ import unittest
 
 import asperity_run
 import runs
+import time_limits
 
 
 class Signals(unittest.TestCase):
@@ -24,7 +25,7 @@ class Signals(unittest.TestCase):
         return folder, process
 
     def assert_stopped(self, folder, process, name):
-        _, errors = process.communicate(timeout=60)
+        _, errors = process.communicate(timeout=time_limits.seconds(60))
         self.assertEqual((process.returncode, errors), (runs.STOPPED, ""))
         self.assertIn(f"Stopped by {name}", (folder / "run.log").read_text())
         result = asperity_run.run(*runs.RUN, "--output", folder, "--restart",
@@ -53,7 +54,7 @@ class Signals(unittest.TestCase):
         folder, process = self.begin(
             "nohup", preexec_fn=lambda: signal.signal(signal.SIGHUP, signal.SIG_IGN))
         process.send_signal(signal.SIGHUP)
-        _, errors = process.communicate(timeout=60)
+        _, errors = process.communicate(timeout=time_limits.seconds(60))
         self.assertEqual((process.returncode, errors), (0, ""))
         runs.assert_same_results(self, self.whole, folder)
 
@@ -62,7 +63,7 @@ class Signals(unittest.TestCase):
         process = runs.start(*runs.ENDLESS, "--output", folder, ranks=2)
         runs.wait_for(folder / "checkpoint.h5", process)
         process.send_signal(signal.SIGUSR1)
-        _, errors = process.communicate(timeout=60)
+        _, errors = process.communicate(timeout=time_limits.seconds(60))
         self.assertEqual(process.returncode, runs.STOPPED, errors)
         self.assertIn("Stopped by SIGUSR1", (folder / "run.log").read_text())
 

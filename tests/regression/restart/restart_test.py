@@ -11,6 +11,7 @@ import unittest
 import numpy
 
 import asperity_run
+import time_limits
 
 sys.path.insert(0, str(pathlib.Path(__file__).parents[1] / "reliability"))
 import runs  # noqa: E402  (its folder comes first)
@@ -42,7 +43,7 @@ class Restarting(unittest.TestCase):
         process = subprocess.Popen(
             asperity_run.command(*(deck or RUN), "--output", folder, *arguments),
             stdout=subprocess.DEVNULL, stderr=subprocess.PIPE, text=True)
-        end = time.monotonic() + 60
+        end = time.monotonic() + time_limits.seconds(60)
         while not checkpoint.exists() or checkpoint.stat().st_ino == before:
             if process.poll() is not None or time.monotonic() > end:
                 process.kill()
@@ -52,7 +53,7 @@ class Restarting(unittest.TestCase):
 
     def stop(self, process, number):
         process.send_signal(number)
-        _, errors = process.communicate(timeout=60)
+        _, errors = process.communicate(timeout=time_limits.seconds(60))
         self.assertEqual(errors, "")
         self.assertEqual(process.returncode, STOPPED if number == signal.SIGTERM else -number)
 

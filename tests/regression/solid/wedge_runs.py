@@ -6,6 +6,7 @@ import subprocess
 import numpy
 
 import asperity_run
+import time_limits
 
 HERE = pathlib.Path(__file__).parent
 DECK = HERE.parent / "parallel" / "coarse_wedge.xml"
@@ -27,7 +28,8 @@ def from_file(name):
 
 
 def mesh_tool(*arguments):
-    subprocess.run([TOOL, *map(str, arguments)], check=True, capture_output=True, timeout=60)
+    subprocess.run([TOOL, *map(str, arguments)], check=True, capture_output=True,
+                   timeout=time_limits.seconds(60))
 
 
 def run_deck(name, *changes, ranks=1):

@@ -9,6 +9,7 @@ import unittest
 import numpy
 
 import asperity_run
+import time_limits
 
 MESH_TOOL = sys.argv.pop(1)
 OVERLAY = pathlib.Path(__file__).parent / "short_subduction.xml"
@@ -24,7 +25,8 @@ class Subduction(unittest.TestCase):
         """The folder of a run."""
         geometry = asperity_run.SOURCE / f"xml/meshes/{deck}.geo"
         subprocess.run([MESH_TOOL, "convert", geometry, "coarse.h5", "--set", "h=1000",
-                        "--overwrite"], check=True, capture_output=True, timeout=60)
+                        "--overwrite"], check=True, capture_output=True,
+                       timeout=time_limits.seconds(60))
         words = [word for setting in settings for word in ("--set", setting)]
         folder = asperity_run.run_to_end("out", asperity_run.SOURCE / f"xml/{deck}.xml",
                                          "--overlay", OVERLAY, *words, timeout=300)

@@ -10,11 +10,12 @@ import time
 import unittest
 
 import asperity_run
+import time_limits
 
 STATUS = pathlib.Path(os.environ["ASPERITY_BUILD_DIR"]) / "drivers" / "asperity-status"
 DECK = asperity_run.SOURCE / "xml" / "wedge_2d.xml"
 LONG = ["--set", "Time Stepping/Final Time=1e6"]
-PATIENCE = 60  # [s]
+PATIENCE = time_limits.seconds(60)  # [s]
 
 
 def status(folder, *options):

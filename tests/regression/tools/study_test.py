@@ -11,6 +11,7 @@ import time
 import unittest
 
 import asperity_run
+import time_limits
 
 STUDY = pathlib.Path(os.environ["ASPERITY_BUILD_DIR"]) / "drivers" / "asperity-study"
 SLIDER = asperity_run.SOURCE / "examples" / "study" / "slider.xml"
@@ -29,7 +30,7 @@ TEXT = """<ParameterList name="Asperity Study">
   </ParameterList>
 </ParameterList>
 """
-PATIENCE = 60  # [s]
+PATIENCE = time_limits.seconds(60)  # [s]
 
 
 def write(name, final="3000", parameter="Friction/b"):

@@ -1,6 +1,7 @@
 # Runs COMMAND (a list) and expects exit STATUS, MESSAGE on stderr exactly TIMES times, and an end
 # within 30 s.
-execute_process(COMMAND ${COMMAND} TIMEOUT 30
+math(EXPR seconds "30 * $ENV{ASPERITY_TEST_TIME_FACTOR}")
+execute_process(COMMAND ${COMMAND} TIMEOUT ${seconds}
   RESULT_VARIABLE status ERROR_VARIABLE errors OUTPUT_VARIABLE output)
 if(NOT "${status}" MATCHES "^${STATUS}$")
   message(FATAL_ERROR "exit status '${status}' instead of '${STATUS}'\n${errors}")

@@ -161,6 +161,7 @@ TEST(DeepWedgeMesh, NamesTheParameterThatIsWrong)
     expectInputError([&] { deepWedgeMesh(coarseShape(), deep); }, pieces);
   };
   expect_refused({0.0, {}, false}, {"Wedge / Depth = 0"});
+  expect_refused({1e20, {}, false}, {"vertices are too many", "cell size"});
   expect_refused({0.6, {{0.0, 0.2}, {0.5, 0.7}}, false},
                  {"Wedge / Seismogenic Intervals", "0.5 to 0.7", "0.6"});
   expect_refused({0.6, {{0.2, 0.2}}, false}, {"Wedge / Seismogenic Intervals", "0.2 to 0.2"});

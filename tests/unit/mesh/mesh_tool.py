@@ -5,11 +5,14 @@ import subprocess
 import sys
 import unittest
 
+import time_limits
+
 PROGRAM = sys.argv.pop(1)
 
 
 def run(*arguments):
-    return subprocess.run([PROGRAM, *arguments], capture_output=True, text=True, timeout=60)
+    return subprocess.run([PROGRAM, *arguments], capture_output=True, text=True,
+                          timeout=time_limits.seconds(60))
 
 
 class Case(unittest.TestCase):

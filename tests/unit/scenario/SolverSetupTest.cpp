@@ -3,6 +3,8 @@
 #include "SampleDeck.hpp"
 #include "scenario/setup/TimeSetup.hpp"
 
+#include <limits>
+
 namespace asperity::scenario
 {
 using namespace test;
@@ -109,5 +111,9 @@ TEST(SolverSetup, readsTolerancesAndBudget)
   EXPECT_EQ(settings.tnnmg.absolute_tolerance, 3e-7);
   EXPECT_EQ(settings.tnnmg.max_iterations, 4);
   EXPECT_EQ(memoryBudget(list), 12500000U);
+  for (const double no_limit : {2e13, 1e308}) {
+    list.set("Memory Budget", no_limit);
+    EXPECT_EQ(memoryBudget(list), std::numeric_limits<std::size_t>::max());
+  }
 }
 } // namespace asperity::scenario

@@ -261,6 +261,18 @@ TEST(CoarseFault, isTheGalerkinProductOfTheHessians)
   }
 }
 
+// A rank may have none.
+TEST(CoarseFault, takesAMatrixWithoutEntries)
+{
+  const auto model = modelWith(1.0, 1);
+  CrsMatrix P(model.map, 0);
+  P.fillComplete();
+  const Kokkos::View<LocalOrdinal**, Kokkos::LayoutRight, MemorySpace> dofs("dofs", 3, 1);
+  const auto Q = detail::rowsAtNodes(P, dofs);
+  EXPECT_EQ(numLocalElements(*Q->getRowMap()), 3U);
+  EXPECT_EQ(Q->getGlobalNumEntries(), 0U);
+}
+
 TEST(NodeKernels, multipliesBlocksOfAllSizes)
 {
   const auto check = [](auto rows, auto columns) {

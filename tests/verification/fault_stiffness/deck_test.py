@@ -5,6 +5,7 @@ import subprocess
 import unittest
 
 import asperity_run
+import time_limits
 
 PROGRAM = asperity_run.PROGRAM.parent / "asperity-bench"
 DECKS = asperity_run.SOURCE / "xml"
@@ -14,7 +15,7 @@ SHEAR_MODULUS = 2670 * 3464. ** 2  # Pa
 
 def stiffness(*arguments):
     return subprocess.run([str(PROGRAM), "stiffness", *map(str, arguments)], capture_output=True,
-                          text=True, timeout=100, check=False)
+                          text=True, timeout=time_limits.seconds(100), check=False)
 
 
 def error_of_squares(cells):
