@@ -22,6 +22,11 @@ def command(*arguments, ranks=1):
     return words if ranks == 1 else [*MPIEXEC, str(ranks), *words]
 
 
+def settings(*changes):
+    """Arguments that change entries of a deck: settings("Mesh/Refinements=1", ...)."""
+    return [word for change in changes for word in ("--set", change)]
+
+
 def run(*arguments, ranks=1, timeout=60):
     """A finished run; exit status, stdout and stderr as text."""
     return subprocess.run(command(*arguments, ranks=ranks), capture_output=True, text=True,

@@ -13,6 +13,7 @@ import h5py
 import numpy
 
 import asperity_run
+from asperity_run import settings
 
 HERE = pathlib.Path(__file__).parent
 DECK = HERE / "square.xml"
@@ -31,10 +32,6 @@ def write_mesh(name, cells=((0, 1, 2), (0, 2, 3)), sides=tuple(SIDES), vertices=
         file["region_names"] = [b"body"]
         for side in sides:
             file[f"boundaries/{side}/facets"] = SIDES[side]
-
-
-def settings(*changes):
-    return [word for change in changes for word in ("--set", change)]
 
 
 class Case(unittest.TestCase):

@@ -4,13 +4,10 @@ import pathlib
 import unittest
 
 import asperity_run
+from asperity_run import settings
 
 DECK = pathlib.Path(__file__).parent.parent / "bad_input" / "square.xml"
 TICK = 0.15 / 2**11  # the smallest step: no larger than 1e-4 s
-
-
-def settings(*changes):
-    return [word for change in changes for word in ("--set", change)]
 
 
 class Instants(unittest.TestCase):

@@ -14,16 +14,13 @@ import numpy
 
 import asperity_run
 import time_limits
+from asperity_run import settings
 
 HERE = pathlib.Path(__file__).parent
 BURIED = HERE / "buried_fault.xml"
 TINY = HERE.parent / "tiny_wedge"
 MESH_TOOL = sys.argv.pop(1) if len(sys.argv) > 1 else ""
 REFINED = "Mesh/Refinements=1"
-
-
-def settings(*changes):
-    return [word for change in changes for word in ("--set", change)]
 
 
 def error(ours, theirs):

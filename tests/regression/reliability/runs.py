@@ -10,13 +10,10 @@ import time
 import asperity_run
 import numpy
 import time_limits
+from asperity_run import settings
 
 DECK = asperity_run.SOURCE / "tests" / "regression" / "parallel" / "coarse_wedge.xml"
 DONE, INPUT, SOLVE, STOPPED, OUTPUT = 0, 2, 3, 4, 5
-
-
-def settings(*changes):
-    return [word for change in changes for word in ("--set", change)]
 
 
 # Some 250 steps, an event, about a second.

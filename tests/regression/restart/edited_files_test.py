@@ -8,14 +8,11 @@ import h5py
 import numpy
 
 import asperity_run
+from asperity_run import settings
 
 DECK = pathlib.Path(__file__).parent.parent / "bad_input" / "square.xml"
 CELLS = 4  # along each side of the square
 MESH = "Mesh/File/File Name"
-
-
-def settings(*changes):
-    return [word for change in changes for word in ("--set", change)]
 
 
 def vertex(i, j):

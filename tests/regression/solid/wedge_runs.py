@@ -7,6 +7,7 @@ import numpy
 
 import asperity_run
 import time_limits
+from asperity_run import settings
 
 HERE = pathlib.Path(__file__).parent
 DECK = HERE.parent / "parallel" / "coarse_wedge.xml"
@@ -17,10 +18,6 @@ TOOL = asperity_run.PROGRAM.with_name("asperity-mesh")
 
 FIELDS = [("fault", "slip_rate"), ("fault", "alpha"), ("fault", "slip"), ("fault", "traction"),
           ("volume", "displacement"), ("volume", "velocity")]
-
-
-def settings(*changes):
-    return [word for change in changes for word in ("--set", change)]
 
 
 def from_file(name):
