@@ -31,6 +31,13 @@ void makeResult(fs::path const& directory)
   }
 }
 
+// Until rank 0 has given the lock back, whose file the other ranks might see otherwise.
+void prepare(fs::path const& directory, ExistingResult existing)
+{
+  io::prepareOutputDirectory(directory, existing, *world());
+  world()->barrier();
+}
+
 std::string refusal(fs::path const& directory, ExistingResult existing = ExistingResult::refuse)
 {
   return test::inputError([&] { io::prepareOutputDirectory(directory, existing, *world()); });
@@ -40,7 +47,7 @@ std::string refusal(fs::path const& directory, ExistingResult existing = Existin
 TEST(OutputDirectory, IsMadeWithItsParents)
 {
   test::TemporaryDirectory directory;
-  io::prepareOutputDirectory(directory / "a/b", ExistingResult::refuse, *world());
+  prepare(directory / "a/b", ExistingResult::refuse);
   EXPECT_TRUE(fs::is_directory(directory / "a/b"));
   EXPECT_TRUE(fs::is_empty(directory / "a/b"));
 }
@@ -49,7 +56,7 @@ TEST(OutputDirectory, ForeignFilesAreNoResult)
 {
   test::TemporaryDirectory directory;
   test::write(directory / "notes.txt", "mine");
-  io::prepareOutputDirectory(directory.path(), ExistingResult::refuse, *world());
+  prepare(directory.path(), ExistingResult::refuse);
   EXPECT_EQ(test::contents(directory / "notes.txt"), "mine");
 }
 
@@ -79,7 +86,7 @@ TEST(OutputDirectory, OverwriteRemovesOnlyWhatARunWrites)
   makeResult(directory.path());
   test::write(directory / "notes.txt", "mine");
   test::write(directory / "segments/notes_12.h5", "mine");
-  io::prepareOutputDirectory(directory.path(), ExistingResult::overwrite, *world());
+  prepare(directory.path(), ExistingResult::overwrite);
   const std::map<std::string, std::string> expected{
     {(directory / "notes.txt").string(), "mine"},
     {(directory / "segments").string(), ""},
@@ -93,7 +100,7 @@ TEST(OutputDirectory, RestartKeepsEverything)
   makeResult(directory.path());
   const auto before = everything(directory.path());
   world()->barrier();
-  io::prepareOutputDirectory(directory.path(), ExistingResult::keep, *world());
+  prepare(directory.path(), ExistingResult::keep);
   EXPECT_EQ(everything(directory.path()), before);
 }
 
