@@ -227,8 +227,9 @@ GlobalMesh<Dim> bisected(GlobalMesh<Dim> const& mesh, SizeFunction<Dim> const& l
   Bisection<Dim> bisection(mesh);
   while (bisection.sweep(largest_diameter)) {
     ASPERITY_REQUIRE(static_cast<double>(bisection.numVertices()) <= limit.most,
-                     "Mesh: the cells would have more than " << formatShort(limit.most)
-                                                             << " vertices. " << limit.advice);
+                     "Mesh: the cells would have more than "
+                       << std::to_string(static_cast<long long>(limit.most)) << " vertices. "
+                       << limit.advice);
   }
   return bisection.mesh();
 }
@@ -281,7 +282,8 @@ void requireFewVertices(double num_vertices, VertexLimit const& limit)
 {
   ASPERITY_REQUIRE(num_vertices <= limit.most,
                    "Mesh: about " << formatShort(num_vertices) << " vertices are too many; at most "
-                                  << formatShort(limit.most) << " are allowed. " << limit.advice);
+                                  << std::to_string(static_cast<long long>(limit.most))
+                                  << " are allowed. " << limit.advice);
 }
 
 GlobalMesh<2> bisect(GlobalMesh<2> const& mesh, SizeFunction<2> const& largest_diameter,
