@@ -7,6 +7,24 @@
 
 namespace asperity::dynamics
 {
+namespace
+{
+// Of this rank: the mean of a force over the ends of a step times the displacement in it.
+double work(Vector const& u0, Vector const& u1, Vector const& f0, Vector const& f1)
+{
+  const auto read = [](Vector const& x) { return x.getLocalViewDevice(Tpetra::Access::ReadOnly); };
+  auto const from = read(u0), to = read(u1), before = read(f0), after = read(f1);
+  double sum = 0;
+  Kokkos::parallel_reduce(
+    "asperity::dynamics::work", Kokkos::RangePolicy<ExecutionSpace>(0, from.extent(0)),
+    KOKKOS_LAMBDA(int dof, double& part) {
+      part += (before(dof, 0) + after(dof, 0)) / 2 * (to(dof, 0) - from(dof, 0));
+    },
+    sum);
+  return sum;
+}
+} // namespace
+
 std::array<Energy::Member, 8> const& Energy::members()
 {
   static constexpr std::array<Member, 8> all = {
@@ -102,28 +120,15 @@ void EnergyBalance::start(State const& state, Energy const& so_far)
   energy_.elastic = before_.elastic;
 }
 
-// Of this rank, in the step from before_ to after_: the forces' means over its ends times du.
+// Of this rank, in the step from before_ to after_.
 EnergyBalance::Works EnergyBalance::worksOfStep() const
 {
-  const auto read = [](RCP<Vector> const& x) {
-    return x->getLocalViewDevice(Tpetra::Access::ReadOnly);
-  };
   Works works;
-  {
-    auto const u0 = read(before_.u), u1 = read(after_.u);
-    auto const l0 = read(before_.load), l1 = read(after_.load);
-    auto const c0 = read(before_.resisting.viscous), c1 = read(after_.resisting.viscous);
-    auto const m0 = read(before_.resisting.inertial), m1 = read(after_.resisting.inertial);
-    Kokkos::parallel_reduce(
-      "asperity::dynamics::worksOfStep", Kokkos::RangePolicy<ExecutionSpace>(0, u0.extent(0)),
-      KOKKOS_LAMBDA(int dof, double& load, double& viscous, double& inertial) {
-        const double half_du = (u1(dof, 0) - u0(dof, 0)) / 2;
-        load += (l0(dof, 0) + l1(dof, 0)) * half_du;
-        viscous += (c0(dof, 0) + c1(dof, 0)) * half_du;
-        inertial += (m0(dof, 0) + m1(dof, 0)) * half_du;
-      },
-      works.load, works.viscous, works.inertial);
-  }
+  works.load = work(*before_.u, *after_.u, *before_.load, *after_.load);
+  works.viscous =
+    work(*before_.u, *after_.u, *before_.resisting.viscous, *after_.resisting.viscous);
+  works.inertial =
+    work(*before_.u, *after_.u, *before_.resisting.inertial, *after_.resisting.inertial);
   auto const u0 = before_.u->getLocalViewHost(Tpetra::Access::ReadOnly);
   auto const u1 = after_.u->getLocalViewHost(Tpetra::Access::ReadOnly);
   auto const f0 = before_.force->getLocalViewHost(Tpetra::Access::ReadOnly);

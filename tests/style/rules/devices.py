@@ -11,9 +11,11 @@ from . import source
 FOLDERS = ["packages", "drivers", "tests", "examples"]
 COMPUTING = ["packages/tnnmg", "packages/dynamics"]
 HOST = {
-    "packages/tnnmg/DenseCorrection.cpp": "Eigen's dense factor, of the fault's unknowns",
+    "packages/tnnmg/DenseCorrection.cpp": "right sides and answers of Eigen's dense factor",
     "packages/tnnmg/NonlinearNodes.cpp": "set-up",
     "packages/tnnmg/SchurComplement.cpp": "Eigen's sparse factor, on one rank",
+    "packages/tnnmg/detail/DenseSystem.cpp": "Eigen's dense factor, of the fault's unknowns",
+    "packages/tnnmg/detail/DenseSystem.hpp": "Eigen's dense factor, of the fault's unknowns",
     "packages/tnnmg/detail/EigenMatrix.hpp": "set-up of Eigen's factors",
     "packages/tnnmg/detail/MultigridPreconditioner.cpp": "the V-cycle runs on the host",
     "packages/tnnmg/levels/CoarseFault.cpp": "the V-cycle runs on the host",
@@ -23,7 +25,7 @@ HOST = {
     "packages/tnnmg/levels/SingleGradients.cpp": "the V-cycle runs on the host",
     "packages/tnnmg/FaultColumns.cpp": "MPI sends some hundred numbers of the fault from the host",
     "packages/tnnmg/detail/MultigridSymmetry.cpp": "set-up: the trial of the preconditioner",
-    "packages/dynamics/EnergyBalance.cpp": "sums in double-double, once a step",
+    "packages/dynamics/EnergyBalance.cpp": "forces of the fault and of what is held, once a step",
     "packages/dynamics/FaultMotion.cpp": "the message of a refusal; fields that are written",
     "packages/dynamics/FoundationPressure.cpp": "set-up",
     "packages/dynamics/InitialState.cpp": "set-up",
