@@ -60,29 +60,42 @@ Outcome outcomeOf(std::function<void()> const& work)
   }
 }
 
+void raiseUnlessDone(Outcome const& outcome)
+{
+  if (outcome.kind != done) {
+    raise(outcome.kind, outcome.message);
+  }
+}
+
 // Throws the outcome of the rank `rank` on every rank.
 void share(Outcome outcome, int rank, Communicator const& communicator)
 {
   int report[2] = {outcome.kind, static_cast<int>(outcome.message.size())};
   Teuchos::broadcast(communicator, rank, 2, report);
-  if (report[0] == done) {
-    return;
+  if (report[0] != done) {
+    outcome.message.resize(static_cast<std::size_t>(report[1]));
+    Teuchos::broadcast(communicator, rank, report[1], outcome.message.data());
+    raise(static_cast<Kind>(report[0]), outcome.message);
   }
-  outcome.message.resize(static_cast<std::size_t>(report[1]));
-  Teuchos::broadcast(communicator, rank, report[1], outcome.message.data());
-  raise(static_cast<Kind>(report[0]), outcome.message);
 }
 } // namespace
 
 void onRoot(Communicator const& communicator, std::function<void()> const& work)
 {
-  share(communicator.getRank() == 0 ? outcomeOf(work) : Outcome(), 0, communicator);
+  const Outcome outcome = communicator.getRank() == 0 ? outcomeOf(work) : Outcome();
+  if (communicator.getSize() == 1) {
+    return raiseUnlessDone(outcome);
+  }
+  share(outcome, 0, communicator);
 }
 
 void onEveryRank(Communicator const& communicator, std::function<void()> const& work)
 {
   const Outcome outcome = outcomeOf(work);
   const int num_ranks = communicator.getSize();
+  if (num_ranks == 1) {
+    return raiseUnlessDone(outcome); // once a step: without a collective call
+  }
   const int mine = outcome.kind == done ? num_ranks : communicator.getRank();
   int lowest = mine;
   Teuchos::reduceAll(communicator, Teuchos::REDUCE_MIN, mine, Teuchos::outArg(lowest));

@@ -37,11 +37,12 @@ def run(folder, kind, number, *arguments, ranks=1, rank=None, timeout=60, **more
                           env=environment(folder, kind, number, rank, **more))
 
 
-def count_operations(folder, *arguments, ranks=1, rank=None, kind="full"):
+def count_operations(folder, *arguments, ranks=1, rank=None, kind="full", timeout=60):
     """How many operations the run has when nothing disturbs it."""
     counter = pathlib.Path(f"{folder}.count").absolute()
     counter.unlink(missing_ok=True)
-    result = run(folder, kind, 0, *arguments, ranks=ranks, rank=rank, FAULT_COUNT=str(counter))
+    result = run(folder, kind, 0, *arguments, ranks=ranks, rank=rank, timeout=timeout,
+                 FAULT_COUNT=str(counter))
     if result.returncode != 0:
         raise AssertionError(result.stdout + result.stderr)
     return counter.stat().st_size
