@@ -1,0 +1,186 @@
+#include "scenario/run/Evolution.hpp"
+
+#include "base/Errors.hpp"
+#include "base/Text.hpp"
+#include "base/parallel/Agreement.hpp"
+#include "base/parallel/Reductions.hpp"
+#include "base/program/WorkTimers.hpp"
+#include "dynamics/FaultMotion.hpp"
+#include "dynamics/control/NotFinite.hpp"
+#include "mesh/PointText.hpp"
+#include "scenario/setup/BulkSetup.hpp"
+#include "scenario/setup/SolverSetup.hpp"
+#include "scenario/setup/TimeSetup.hpp"
+
+#include <sstream>
+
+namespace asperity::scenario
+{
+template <int Dim>
+Evolution<Dim>::Evolution(ParameterList const& deck, RCP<const Communicator> const& communicator)
+    : communicator_(communicator)
+    , problem_(makeProblem<Dim>(deck, communicator))
+    , condensation_(makeCondensation(problem_, deck))
+    , model_(condensation_ ? condensation_->model() : problem_)
+    , clock_(makeClock(deck.sublist("Time Stepping")))
+    , end_(clock_.reaching(scenario::finalTime(deck.sublist("Time Stepping"))))
+    , is_adaptive_(deck.sublist("Time Stepping").get<std::string>("Control") != "Prescribed")
+    , balance_(model_.body, model_.fault, clock_)
+    , state_(model_.initial.clone())
+    , format_(problem_.initial, condensation_.get(), clock_)
+    , floor_count_(model_.fault)
+{
+  auto const update =
+    makeRateUpdate(deck.sublist("Time Stepping"), !quasiDynamic(deck.sublist("Bulk")));
+  coupled_step_ = std::make_unique<dynamics::CoupledStep>(
+    model_.body, model_.fault, update, clock_,
+    dynamics::CouplingSettings::from(deck.sublist("Coupling")), problem_.solver,
+    memoryBudget(deck.sublist("TNNMG")), model_.reaction);
+  control_ = makeStepControl(deck.sublist("Time Stepping"), *coupled_step_);
+  control_->setPlaces([this](int vertex) { return placeOf(vertex); });
+  view_.state = &state_;
+  view_.surface = &model_.fault.surface();
+  view_.condensation = condensation_.get();
+  view_.clock = &clock_;
+  view_.floor_count = &floor_count_;
+  view_.balance = &balance_;
+}
+
+template <int Dim>
+void Evolution<Dim>::start()
+{
+  balance_.start(state_, {});
+}
+
+template <int Dim>
+void Evolution<Dim>::startFrom(io::Archive const& state)
+{
+  state_ = format_.load(state, "state");
+  start();
+}
+
+template <int Dim>
+void Evolution<Dim>::restore(io::Archive const& checkpoint)
+{
+  state_ = format_.load(checkpoint, "state");
+  control_->restore(format_.loadControl(checkpoint, "control"));
+  count_ = loadCount(checkpoint, "count");
+  forced_steps_ = checkpoint.getInteger("forced_steps");
+  floor_count_.restore(checkpoint, "normal_stress_floor");
+  balance_.start(state_, loadEnergy(checkpoint, "energy"));
+}
+
+template <int Dim>
+void Evolution<Dim>::save(io::Archive& checkpoint) const
+{
+  format_.save(checkpoint, "state", state_);
+  format_.save(checkpoint, "control", control_->memory());
+  scenario::save(checkpoint, "count", count_);
+  scenario::save(checkpoint, "energy", balance_.energy());
+  checkpoint.set("forced_steps", forced_steps_);
+  floor_count_.save(checkpoint, "normal_stress_floor");
+}
+
+template <int Dim>
+void Evolution<Dim>::advance()
+{
+  auto const before = count_;
+  view_.step = control_->advance(state_, count_);
+  view_.count = count_.since(before);
+}
+
+template <int Dim>
+void Evolution<Dim>::account()
+{
+  requireFinite();
+  forced_steps_ += view_.step.within_tolerance ? 0 : 1;
+  floor_count_.add(state_);
+  ASPERITY_TIME_WORK("energy balance");
+  balance_.advance(state_);
+}
+
+template <int Dim>
+io::StepInfo Evolution<Dim>::stepInfo() const
+{
+  io::StepInfo info;
+  info.step = numSteps();
+  info.time = time();
+  info.step_size = info.step > 0 ? clock_.stepSize(view_.step.level) : 0;
+  info.peak_slip_rate = dynamics::peakSlipRate(model_.fault.surface(), *state_.v);
+  info.is_last = atEnd();
+  return info;
+}
+
+template <int Dim>
+StallWatch::Step Evolution<Dim>::progress() const
+{
+  StallWatch::Step step;
+  step.is_smallest =
+    is_adaptive_ && clock_.finestLevel() > 0 && view_.step.level == clock_.finestLevel();
+  step.is_forced = !view_.step.within_tolerance;
+  step.time = time();
+  step.step_size = clock_.stepSize(view_.step.level);
+  step.time_left = clock_.seconds(end_ - state_.time);
+  return step;
+}
+
+template <int Dim>
+RunSummary Evolution<Dim>::summary() const
+{
+  RunSummary summary;
+  summary.dimension = Dim;
+  summary.time = time();
+  summary.num_steps = numSteps();
+  summary.forced_steps = forced_steps_;
+  summary.count = count_;
+  summary.of_floor = floor_count_.report();
+  summary.energy = balance_.energy();
+  summary.setups = coupled_step_->solvers().setups();
+  summary.setup_seconds = coupled_step_->solvers().setupSeconds();
+  return summary;
+}
+
+template <int Dim>
+int Evolution<Dim>::numEliminated() const
+{
+  return condensation_ ? condensation_->numEliminated() : 0;
+}
+
+// Of a vertex of the model: the condensed one has the nodes of the fault, and the boundaries'
+// motion.
+template <int Dim>
+std::string Evolution<Dim>::placeOf(int vertex) const
+{
+  if (condensation_ && vertex >= problem_.surface->numNodes()) {
+    return "the boundaries that move";
+  }
+  vertex = condensation_ ? problem_.surface->vertex(vertex) : vertex;
+  return "node " + std::to_string(problem_.mesh.global_ids[vertex]) + ", " +
+         mesh::text(problem_.mesh.vertices[vertex]);
+}
+
+// The step that has just been made. Where a number is lost, it spreads: the first sight tells most.
+template <int Dim>
+void Evolution<Dim>::requireFinite() const
+{
+  const auto found = dynamics::firstNotFinite(state_);
+  if (maxOverRanks(found ? 1 : 0, *communicator_) == 0) {
+    return;
+  }
+  onEveryRank(*communicator_, [&] {
+    if (!found) {
+      return;
+    }
+    const int vertex = found->is_at_fault ? model_.fault.surface().vertex(found->index)
+                                          : found->index / model_.body.dofs->components();
+    std::ostringstream message;
+    message << "Step " << numSteps() << ", t = " << formatShort(time()) << " s: " << found->field
+            << " is " << found->value << " at " << placeOf(vertex);
+    message << ". Check loads, moduli and friction there. The checkpoint is of an earlier step.";
+    throw SolveError(message.str());
+  });
+}
+
+template class Evolution<2>;
+template class Evolution<3>;
+} // namespace asperity::scenario

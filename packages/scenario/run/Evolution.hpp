@@ -1,0 +1,75 @@
+#pragma once
+
+#include "dynamics/coupling/CoupledStep.hpp"
+#include "io/Output.hpp"
+#include "scenario/Condensation.hpp"
+#include "scenario/FloorCount.hpp"
+#include "scenario/OutputFields.hpp"
+#include "scenario/Problem.hpp"
+#include "scenario/RunArchive.hpp"
+#include "scenario/RunReport.hpp"
+#include "scenario/run/StallWatch.hpp"
+
+#include <memory>
+#include <string>
+
+namespace asperity::scenario
+{
+// A problem on its way through time: its state, its steps, and their accounts of energy, effort and
+// the floor of the normal stress.
+template <int Dim>
+class Evolution
+{
+public:
+  // `deck` must be complete. Throws SolveError if the state at the start cannot be computed.
+  // Collective, as all that follows.
+  Evolution(ParameterList const& deck, RCP<const Communicator> const& communicator);
+
+  Problem<Dim> const& problem() const { return problem_; }
+  dynamics::DyadicTime const& clock() const { return clock_; }
+  RunView const& view() const { return view_; } // lives as long as this
+  int numEliminated() const; // unknowns that steps do not have; 0 unless the body is condensed
+
+  // From the deck's initial state, from a state of another run (`state` of stateOfOtherRun), or
+  // from a checkpoint.
+  void start();
+  void startFrom(io::Archive const& state);
+  void restore(io::Archive const& checkpoint);
+  void save(io::Archive& checkpoint) const;
+
+  // Makes a step. Throws SolveError if even the smallest one fails; the state stays what it was.
+  void advance();
+  // The accounts of that step. Throws SolveError if a number has been lost: the message names
+  // field, place, step and time.
+  void account();
+
+  bool atEnd() const { return state_.time >= end_; }
+  double time() const { return clock_.seconds(state_.time); } // [s]
+  double finalTime() const { return clock_.seconds(end_); }   // [s]
+  std::int64_t numSteps() const { return control_->memory().num_steps; }
+  io::StepInfo stepInfo() const;     // of the last step
+  StallWatch::Step progress() const; // of the last step
+  RunSummary summary() const;        // all but whether it has finished, and the directory
+
+private:
+  std::string placeOf(int vertex) const;
+  void requireFinite() const;
+
+  RCP<const Communicator> communicator_;
+  Problem<Dim> problem_;
+  std::unique_ptr<dynamics::StaticCondensation> condensation_;
+  dynamics::Model const& model_; // the problem, or what it is condensed to
+  dynamics::DyadicTime clock_;
+  dynamics::DyadicTime::Ticks end_;
+  bool is_adaptive_;
+  std::unique_ptr<dynamics::CoupledStep> coupled_step_;
+  std::unique_ptr<dynamics::StepControl> control_;
+  dynamics::EnergyBalance balance_;
+  dynamics::State state_;
+  StateFormat format_;
+  dynamics::SolveCount count_;
+  std::int64_t forced_steps_ = 0;
+  FloorCount floor_count_;
+  RunView view_;
+};
+} // namespace asperity::scenario
