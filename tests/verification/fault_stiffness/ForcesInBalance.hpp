@@ -3,8 +3,8 @@
 #include "fem/BodyMatrices.hpp"
 #include "tnnmg/detail/EigenMatrix.hpp"
 #include "unit/fem/Constrained.hpp"
+#include "verification/fault_stiffness/Balance.hpp"
 
-#include <Eigen/SparseCholesky>
 #include <gtest/gtest.h>
 
 #include <functional>
@@ -48,21 +48,6 @@ forcesInBalance(GlobalMesh<Dim> const& mesh, int components, Rock const& rock,
     is_given[dof] = given.is_given;
     u[dof] = given.is_given ? given.displacement : 0;
   }
-  Eigen::VectorXd right_side = -K * u;
-  auto A = K;
-  for (int column = 0; column < A.outerSize(); ++column) {
-    for (Eigen::SparseMatrix<double>::InnerIterator entry(A, column); entry; ++entry) {
-      if (is_given[entry.row()] || is_given[entry.col()]) {
-        entry.valueRef() = entry.row() == entry.col() ? 1 : 0;
-      }
-    }
-  }
-  for (int dof = 0; dof < K.rows(); ++dof) {
-    right_side[dof] = is_given[dof] ? 0 : right_side[dof];
-  }
-  const Eigen::SimplicialLDLT<Eigen::SparseMatrix<double>> solver(A);
-  EXPECT_EQ(solver.info(), Eigen::Success);
-  u += solver.solve(right_side);
-  return K * u;
+  return forcesOfGiven(K, is_given, u);
 }
 } // namespace asperity::verification

@@ -4,8 +4,8 @@
 #include "mesh/generation/Bisection.hpp"
 #include "mesh/generation/RectangleMesh.hpp"
 #include "unit/fem/Constrained.hpp"
+#include "verification/fault_stiffness/Balance.hpp"
 
-#include <Eigen/SparseCholesky>
 #include <Tpetra_CrsMatrix.hpp>
 #include <gtest/gtest.h>
 
@@ -172,23 +172,7 @@ private:
         u[number_[body_.dofs.dof(split.plus, c)]] = body_.row(split.plus, c)[0] * slip;
       }
     }
-    auto const K = stiffness();
-    Eigen::VectorXd right_side = -K * u;
-    auto A = K;
-    for (int column = 0; column < A.outerSize(); ++column) {
-      for (Eigen::SparseMatrix<double>::InnerIterator entry(A, column); entry; ++entry) {
-        if (prescribed_[entry.row()] || prescribed_[entry.col()]) {
-          entry.valueRef() = entry.row() == entry.col() ? 1 : 0;
-        }
-      }
-    }
-    for (int n = 0; n < num_unknowns_; ++n) {
-      right_side[n] = prescribed_[n] ? 0 : right_side[n];
-    }
-    const Eigen::SimplicialLDLT<Eigen::SparseMatrix<double>> solver(A);
-    EXPECT_EQ(solver.info(), Eigen::Success);
-    u += solver.solve(right_side);
-    return K * u;
+    return forcesOfGiven(stiffness(), prescribed_, u);
   }
 
   fem::testing::Constrained<2> body_;
