@@ -63,6 +63,12 @@ Columns seasBody(ModelView const& view)
           {"Velocity 2 (m/s)", "vel_2", "velocity", second_component, unchanged}};
 }
 
+// BP3, the problem in plane strain, has its stations at the surface and calls them so.
+std::string seasBodyPrefix(ModelView const& view)
+{
+  return view.plane || view.antiplane ? "blkst_" : "srfst_";
+}
+
 std::vector<std::string> seasStepLines(StepFacts const& facts)
 {
   const double shortest = facts.count > 0 ? facts.shortest : 0;
@@ -81,7 +87,8 @@ public:
 
   std::vector<std::string> files() const override
   {
-    return {"seas/fltst_*", "seas/blkst_*", "seas/global.dat", "seas/rupture.dat", "seas/slip.dat"};
+    return {"seas/fltst_*",    "seas/blkst_*",     "seas/srfst_*",
+            "seas/global.dat", "seas/rupture.dat", "seas/slip.dat"};
   }
 
   std::unique_ptr<io::Output> make(Teuchos::ParameterList const& parameters,
@@ -118,9 +125,10 @@ private:
                               receivers, *group));
     }
     if (auto const* group = receivers.inBody()) {
-      const auto columns = seasBody(ModelView::of(context));
+      const auto view = ModelView::of(context);
       files.add("off_fault", std::make_unique<Stations>(
-                               platform, context, Stations::Kind{"blkst_", "off fault", columns},
+                               platform, context,
+                               Stations::Kind{seasBodyPrefix(view), "off fault", seasBody(view)},
                                receivers, *group));
     }
   }

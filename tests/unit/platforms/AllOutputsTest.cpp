@@ -118,7 +118,7 @@ TEST(OutputSet, AKilledAndRestartedRunLeavesTheSameData) { expectRestartsExactly
 
 TEST(OutputSet, AndTheSameFilesForThePlatforms)
 {
-  expectRestartsExactly("SEAS", {"seas/fltst_dp001", "seas/blkst_inside", "seas/global.dat",
+  expectRestartsExactly("SEAS", {"seas/fltst_dp001", "seas/srfst_inside", "seas/global.dat",
                                  "seas/rupture.dat", "seas/slip.dat"});
   expectRestartsExactly("SCEC", {"scec/faultdp001", "scec/bodyinside", "scec/cplot"});
 }

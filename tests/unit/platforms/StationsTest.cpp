@@ -112,7 +112,7 @@ TEST(Stations, InPlaneStrainSeasTakesNormalStressAndTwoComponents)
     const auto on_fault = test::dataLines(directory / "seas/fltst_dp000");
     EXPECT_EQ(on_fault[0], "t slip slip_rate shear_stress normal_stress state");
     EXPECT_TRUE(test::contains(on_fault[1], " 5.000000E+01   8.000000E+00")) << on_fault[1];
-    const auto body = test::dataLines(directory / "seas/blkst_inside");
+    const auto body = test::dataLines(directory / "seas/srfst_inside");
     EXPECT_EQ(body[0], "t disp_1 disp_2 vel_1 vel_2");
     EXPECT_EQ(body[1], " 0.00000000000000E+00   2.000000E+00   4.000000E+00   7.500000E-01"
                        "   1.500000E+00");
