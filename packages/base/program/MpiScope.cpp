@@ -25,6 +25,9 @@ namespace
 {
 bool isForKokkos(char const* argument) { return std::strncmp(argument, "--kokkos", 8) == 0; }
 
+// Kokkos's advice on the binding of threads goes to stdout, among what --print-parameters prints.
+char quiet[] = "--kokkos-disable-warnings";
+
 // Moves Kokkos's arguments out of argv; what is left stays in order. argv[0] goes to both.
 std::vector<char*> takeKokkosArguments(int& argc, char** argv)
 {
@@ -39,6 +42,7 @@ std::vector<char*> takeKokkosArguments(int& argc, char** argv)
   }
   argc = left;
   argv[argc] = nullptr;
+  taken.push_back(quiet);
   taken.push_back(nullptr);
   return taken;
 }

@@ -90,8 +90,10 @@ Teuchos::ParameterList MultigridFamily::defaults(int components)
   list.set("transpose: use implicit", true); // makes no restrictions
   list.set("rap: fix zero diagonals",
            true); // where an aggregate loses a near null vector to constraints
-  // "aggregation: drop tol" stays at zero: MueLu's factories for threads and devices refuse it
-  // where a node has several equations.
+  // The same prolongators on every backend. MueLu's factories for threads and devices, its default
+  // there, throw on one rank alone where an aggregate loses a near null vector to constraints, and
+  // refuse "aggregation: drop tol" where a node has several equations.
+  list.set("use kokkos refactor", false);
   return list;
 }
 

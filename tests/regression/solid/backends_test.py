@@ -1,6 +1,7 @@
-"""The solver as it is configured on threads and on devices, run on the backend of this build.
+"""The solver with MueLu's factories for threads and devices, run on the backend of this build.
 
-On parallel node types MueLu makes the prolongators with other factories ("use kokkos refactor").
+MueLu would take them on parallel node types ("use kokkos refactor"); here a deck has to ask for
+them.
 Fields must be those of the defaults to the tolerance of the solver, for about as many V-cycles.
 "aggregation: drop tol", which was a default in space, made these factories throw.
 """

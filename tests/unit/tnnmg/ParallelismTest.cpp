@@ -13,8 +13,8 @@ namespace
 {
 constexpr double tolerance = 1e-8;
 
-// MueLu's factories for threads and devices are those of "use kokkos refactor", which on one thread
-// is off unless asked for.
+// MueLu's factories for threads and devices are those of "use kokkos refactor", which is off unless
+// asked for.
 Teuchos::ParameterList parametersOf(bool parallel_factories)
 {
   Teuchos::ParameterList list("Linear Correction");
