@@ -3,7 +3,8 @@
 Round after round runs the deck on one or two ranks until it has finished. Now and then it is
 killed at some moment or in the middle of a write, told to stop, meets a full disk or a second run
 in its directory; then it goes on from its checkpoint. Each round has to end with the results of
-the run left alone, bit for bit, and each disturbance with the status that is documented for it.
+the run left alone, bit for bit; the status of a run that is stopped, meets a full disk or is
+refused must be the documented one.
 
     soak.py [--hours H | --rounds N] [--seed N] [--final-time T]
 
@@ -47,7 +48,7 @@ class Soak:
             self.seconds[ranks] = time.monotonic() - begin
 
     def round(self, number):
-        """One run from its begin to its end, disturbed four times on average."""
+        """One run from its begin to its end."""
         ranks = 2 if number % 4 == 3 else 1
         folder = runs.fresh("disturbed")
         kinds = []

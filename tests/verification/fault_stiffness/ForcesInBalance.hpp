@@ -3,7 +3,7 @@
 #include "fem/BodyMatrices.hpp"
 #include "tnnmg/detail/EigenMatrix.hpp"
 #include "unit/fem/Constrained.hpp"
-#include "verification/fault_stiffness/Balance.hpp"
+#include "verification/fault_stiffness/ForcesOfGiven.hpp"
 
 #include <gtest/gtest.h>
 

@@ -4,7 +4,7 @@
 #include "mesh/generation/Bisection.hpp"
 #include "mesh/generation/RectangleMesh.hpp"
 #include "unit/fem/Constrained.hpp"
-#include "verification/fault_stiffness/Balance.hpp"
+#include "verification/fault_stiffness/ForcesOfGiven.hpp"
 
 #include <Tpetra_CrsMatrix.hpp>
 #include <gtest/gtest.h>
