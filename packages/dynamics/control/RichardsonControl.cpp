@@ -13,6 +13,11 @@ namespace
 // A larger step is tried if its error should be below this fraction of the tolerance: failing costs
 // two coupled steps, trying later a half of one for each step.
 constexpr double safety = 0.8;
+
+// How far alpha may be from a straight line, as a root mean square over the fault, for guesses to
+// come from there. Steps that are accepted are nearer by far; where a patch of a hundredth of the
+// fault ruptures, alpha falls there by ten and more.
+constexpr double near = 0.1;
 } // namespace
 
 RichardsonControl::RichardsonControl(CoupledStep& step, int order, AdaptiveSettings const& settings)
@@ -92,30 +97,44 @@ AcceptedStep RichardsonControl::singleStep(State& current, SolveCount& count)
   return accepted;
 }
 
-std::optional<Trial> RichardsonControl::wholeStep(State const& current, SolveCount& count)
+Guess RichardsonControl::straightOn(State const& current, double steps) const
 {
   if (!memory_.before) {
-    return attemptAtFault(current, memory_.level - 1, straightFrom(current), count);
+    return straightFrom(current);
   }
-  // Straight on from where the last pair began.
-  const double ratio = std::ldexp(1., memory_.level_before - memory_.level);
-  return attemptAtFault(current, memory_.level - 1, {1 + ratio, current, *memory_.before}, count);
+  const double ratio = steps / 2 * std::ldexp(1., memory_.level_before - memory_.level);
+  return {1 + ratio, current, *memory_.before};
+}
+
+std::optional<Trial> RichardsonControl::wholeStep(State const& current, SolveCount& count)
+{
+  return attemptAtFault(current, memory_.level - 1, straightOn(current, 2), count);
+}
+
+bool RichardsonControl::isNearStraightLine(State const& current, State const& end) const
+{
+  auto const expected = blend(straightOn(current, 2));
+  return distance(surface(), end.alpha, expected.alpha, Norm::root_mean_square) <= near;
 }
 
 RichardsonControl::Pair RichardsonControl::pairOf(State const& current,
                                                   std::optional<Trial> const& whole,
                                                   SolveCount& count)
 {
-  State const& end = whole ? whole->state : current;
+  State const* const end =
+    whole && isNearStraightLine(current, whole->state) ? &whole->state : nullptr;
   Pair pair;
   pair.error = std::numeric_limits<double>::infinity();
-  pair.first = attempt(current, memory_.level, {0.5, end, current}, count);
+  pair.first = attempt(current, memory_.level,
+                       end ? Guess{0.5, *end, current} : straightOn(current, 1), count);
   if (pair.first) {
-    pair.second = attempt(pair.first->state, memory_.level, straightFrom(end), count);
+    State const& middle = pair.first->state;
+    pair.second =
+      attempt(middle, memory_.level, end ? straightFrom(*end) : Guess{2, middle, current}, count);
   }
   if (whole && pair.second) {
-    pair.error =
-      distance(surface(), end.alpha, pair.second->state.alpha, settings_.norm) / extrapolation_;
+    pair.error = distance(surface(), whole->state.alpha, pair.second->state.alpha, settings_.norm) /
+                 extrapolation_;
   }
   return pair;
 }

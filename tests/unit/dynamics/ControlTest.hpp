@@ -33,8 +33,9 @@ inline AdaptiveSettings adaptive(double tolerance, int first_level, int finest_l
 class ControlTest : public ::testing::Test
 {
 protected:
-  explicit ControlTest(RateUpdate const& update = RateUpdate::newmark(0.25))
-      : model(slidingBlock(2), fem::testing::selfCommunicator())
+  explicit ControlTest(RateUpdate const& update = RateUpdate::newmark(0.25),
+                       ModelOptions const& options = slidingBlock(2))
+      : model(options, fem::testing::selfCommunicator())
       , stepper(model, update, half_seconds)
       , state(slidingState(model))
   {

@@ -24,6 +24,40 @@ protected:
   SolveCount count;
 };
 
+// A free block, light, that friction can just bear: 0.1 mm/s, and the state is three times that of
+// steady sliding, so that it runs away within L / V = 0.25 s. In longer steps it has done so, and a
+// step of some milliseconds is long enough for that as a second solution.
+ModelOptions blockThatRunsAway()
+{
+  ModelOptions options;
+  options.mesh = fem::testing::uniformRectangle(2, 1, 0.2, 0.1);
+  options.material.density = 9;
+  return options;
+}
+constexpr double runaway_rate = 1e-4; // m/s
+
+class RunawayRichardsonTest : public ControlTest
+{
+protected:
+  RunawayRichardsonTest() : ControlTest(RateUpdate::newmark(0.25), optionsInBalance())
+  {
+    model.setFree(*state.v, [](Point<2> const&) -> Point<2> { return {runaway_rate, 0}; });
+    state.alpha = model.nodeView([](Point<2> const&) { return alpha(); });
+    Kokkos::deep_copy(state.alpha_of_rate, state.alpha);
+  }
+
+private:
+  static double logOfRate() { return std::log(runaway_rate / ModelOptions().reference_rate); }
+  static double alpha() { return std::log(3.) - logOfRate(); }
+  static ModelOptions optionsInBalance()
+  {
+    auto options = blockThatRunsAway();
+    options.traction = options.sigma_n *
+                       (options.reference_friction + options.a * logOfRate() + options.b * alpha());
+    return options;
+  }
+};
+
 class FirstOrderRichardsonTest : public ControlTest
 {
 protected:
@@ -116,6 +150,23 @@ TEST_F(RichardsonControlTest, halvesUntilThePairIsFineEnough)
   EXPECT_LE(difference(state, stepped(before, {level})), 1e-10);
   EXPECT_EQ(count.coupled_steps, 3 + 2 * (level - 2));
   EXPECT_EQ(control.memory().previous_error, std::ldexp(0.5, 3 * (2 - level)));
+}
+
+// The largest pair whose steps, solved from their begin, meet the tolerance; guesses that come from
+// a refused step's second solution would lead on to smaller ones.
+TEST_F(RunawayRichardsonTest, takesTheLargestPairThatHasNotRunAway)
+{
+  const double tolerance = 1e-2;
+  RichardsonControl control(stepper.step, 2, adaptive(tolerance, 1));
+  SolveCount count;
+  const double fell = dynamics::distance(*model.surface, stepped(state, {0}).alpha, state.alpha);
+  ASSERT_GT(fell, 1) << "half a second was meant to be too long";
+  auto const before = state.clone();
+  const int level = control.advance(state, count).level;
+  EXPECT_LE(errorOf(before, level - 1) / 3, tolerance);
+  EXPECT_GT(errorOf(before, level - 2) / 3, tolerance);
+  EXPECT_LE(difference(state, stepped(before, {level})), 1e-8);
+  EXPECT_EQ(count.failures, 0);
 }
 
 TEST_F(RichardsonControlTest, measuresInTheNormAskedFor)
