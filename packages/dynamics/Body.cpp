@@ -7,6 +7,19 @@
 
 namespace asperity::dynamics
 {
+void BodyForces::subtractFrom(Vector& b) const
+{
+  auto const inertia = inertial->getLocalViewDevice(Tpetra::Access::ReadOnly);
+  auto const viscosity = viscous->getLocalViewDevice(Tpetra::Access::ReadOnly);
+  auto const elasticity = elastic->getLocalViewDevice(Tpetra::Access::ReadOnly);
+  auto const result = b.getLocalViewDevice(Tpetra::Access::ReadWrite);
+  Kokkos::parallel_for(
+    "asperity::dynamics::subtractForces",
+    Kokkos::RangePolicy<ExecutionSpace>(0, result.extent_int(0)), KOKKOS_LAMBDA(int dof) {
+      result(dof, 0) = result(dof, 0) - inertia(dof, 0) - viscosity(dof, 0) - elasticity(dof, 0);
+    });
+}
+
 RCP<Vector> Body::vector() const { return rcp(new Vector(dofs->owned())); }
 
 void Body::applyMass(Vector const& x, Vector& y, double alpha, double beta) const

@@ -14,6 +14,9 @@ namespace asperity::dynamics
 struct BodyForces
 {
   RCP<Vector> elastic, viscous, inertial; // K u, C v, M a
+
+  // b -= M a + C v + K u, in one pass over the vectors.
+  void subtractFrom(Vector& b) const;
 };
 
 // The linear part of the model: M u'' + C u' + K u = load(t) + friction and reaction forces

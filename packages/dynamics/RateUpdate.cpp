@@ -71,6 +71,20 @@ void RateUpdate::predict(State const& from, double tau, Vector& u_hat, Vector& a
     });
 }
 
+void RateUpdate::withVelocity(Vector const& velocity, Vector const& u_hat, Vector const& a_hat,
+                              double tau, Vector& displacement, Vector& acceleration) const
+{
+  auto const v = readOnly(velocity), u0 = readOnly(u_hat), a0 = readOnly(a_hat);
+  auto const u = overwritten(displacement), a = overwritten(acceleration);
+  const double u_of_v = tau * stiffness_weight;
+  const double a_of_v = mass_weight / tau;
+  Kokkos::parallel_for(
+    "asperity::dynamics::withVelocity", Dofs(0, u.extent(0)), KOKKOS_LAMBDA(int dof) {
+      u(dof, 0) = u0(dof, 0) + u_of_v * v(dof, 0);
+      a(dof, 0) = a_of_v * v(dof, 0) - a0(dof, 0);
+    });
+}
+
 void RateUpdate::complete(State const& from, Vector const& u_hat, Vector const& a_hat, double tau,
                           State& to) const
 {

@@ -45,6 +45,9 @@ struct RateUpdate
 
   // u^ and a^ for a step of tau [s].
   void predict(State const& from, double tau, Vector& u_hat, Vector& a_hat) const;
+  // u1 and a1 for the velocity v1 = `velocity`.
+  void withVelocity(Vector const& velocity, Vector const& u_hat, Vector const& a_hat, double tau,
+                    Vector& displacement, Vector& acceleration) const;
   // Computes u, a and the jerk of `to`, whose v holds v1 already.
   void complete(State const& from, Vector const& u_hat, Vector const& a_hat, double tau,
                 State& to) const;

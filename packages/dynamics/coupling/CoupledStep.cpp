@@ -190,18 +190,17 @@ void CoupledStep::evaluateLoads(double t0, double t1, State& to)
   });
 }
 
-// b = l(t1) + M a^ - K u^ - Z v_D on the free dofs, v_D the prescribed velocity: the rate problem
-// is solved for w = v1 - v_D, which is zero at held dofs. Under back slip v_D is the motion of the
-// plates at the free dofs of the fault, so that there w is what friction sees (gatherSlip).
+// b = l(t1) - M a_D - C v_D - K u_D on the free dofs, v_D the prescribed velocity, u_D and a_D what
+// the step makes of it: the rate problem is solved for w = v1 - v_D, which is zero at held dofs.
+// Under back slip v_D is the motion of the plates at the free dofs of the fault, so that there w is
+// what friction sees (gatherSlip).
 void CoupledStep::rightSide(State const& from, double tau)
 {
   ASPERITY_TIME_WORK("right sides of steps");
   update_.predict(from, tau, *u_hat_, *a_hat_);
-  work_a_->update(1, *a_hat_, -update_.mass_weight / tau, *prescribed_, 0);
-  work_u_->update(1, *u_hat_, tau * update_.stiffness_weight, *prescribed_, 0);
+  update_.withVelocity(*prescribed_, *u_hat_, *a_hat_, tau, *work_u_, *work_a_);
   body_.computeForces(*work_u_, *prescribed_, *work_a_, forces_);
-  b_->update(1, *forces_.inertial, -1, *forces_.viscous, 1);
-  b_->update(-1, *forces_.elastic, 1);
+  forces_.subtractFrom(*b_);
   stress_.takeRightSide(*b_);
   body_.clearHeld(*b_);
 }

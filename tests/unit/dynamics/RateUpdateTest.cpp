@@ -118,6 +118,10 @@ TEST(RateUpdate, meanVelocityIsThatOfTheDisplacement)
     update.predict(from, tau, u_hat, a_hat);
     update.complete(from, u_hat, a_hat, tau, to);
     update.meanVelocity(from, tau, *to.v, second, mean);
+    Vector u(map), a(map);
+    update.withVelocity(*to.v, u_hat, a_hat, tau, u, a);
+    EXPECT_EQ(u.getData()[1], to.u->getData()[1]);
+    EXPECT_EQ(a.getData()[1], to.a->getData()[1]);
     EXPECT_NEAR(mean.getData()[1], (to.u->getData()[1] - from.u->getData()[1]) / tau, 1e-14);
     EXPECT_EQ(mean.getData()[0], 0) << "not asked for";
   }
