@@ -35,9 +35,8 @@ class FullDisk(unittest.TestCase):
             self.assertIn(message, (folder / "run.log").read_text())
 
     def assert_goes_on(self, whole, folder, *arguments, ranks=1):
-        checkpoint = folder / "checkpoint.h5"
-        way = ("--restart", checkpoint) if checkpoint.exists() else ("--overwrite",)
-        result = asperity_run.run(*arguments, "--output", folder, *way, ranks=ranks)
+        result = asperity_run.run(*arguments, "--output", folder, *runs.way_on(folder),
+                                  ranks=ranks)
         self.assertEqual((result.returncode, result.stderr), (0, ""))
         runs.assert_same_results(self, whole, folder)
 

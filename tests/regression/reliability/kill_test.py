@@ -29,20 +29,14 @@ class Killed(unittest.TestCase):
     def deck(ranks):
         return runs.RUN if ranks == 1 else runs.SHORT_RUN
 
-    @staticmethod
-    def way_on(folder):
-        """What goes on with a run, or begins it anew where there is nothing yet."""
-        checkpoint = folder / "checkpoint.h5"
-        return ["--restart", checkpoint] if checkpoint.exists() else ["--overwrite"]
-
     def assert_goes_on(self, folder, ranks):
-        result = asperity_run.run(*self.deck(ranks), "--output", folder, *self.way_on(folder),
+        result = asperity_run.run(*self.deck(ranks), "--output", folder, *runs.way_on(folder),
                                   ranks=ranks, timeout=200)
         self.assertEqual(result.returncode, 0, result.stdout + result.stderr)
         runs.assert_same_results(self, self.whole[ranks], folder)
 
     def kill_at(self, folder, moment, ranks):
-        process = runs.start(*self.deck(ranks), "--output", folder, *self.way_on(folder),
+        process = runs.start(*self.deck(ranks), "--output", folder, *runs.way_on(folder),
                              ranks=ranks)
         time.sleep(moment)
         children = runs.children_of(process)
@@ -52,7 +46,7 @@ class Killed(unittest.TestCase):
 
     def kill_in(self, folder, number, ranks=1, rank=None):
         """In the n-th operation on a file."""
-        return faults.run(folder, "kill", number, *self.deck(ranks), *self.way_on(folder),
+        return faults.run(folder, "kill", number, *self.deck(ranks), *runs.way_on(folder),
                           ranks=ranks, rank=rank, timeout=200)
 
     def test_at_any_moment(self):

@@ -33,6 +33,12 @@ def fresh(name):
     return pathlib.Path(name)
 
 
+def way_on(folder):
+    """What goes on with a run, or begins it anew where there is nothing yet."""
+    checkpoint = folder / "checkpoint.h5"
+    return ["--restart", checkpoint] if checkpoint.exists() else ["--overwrite"]
+
+
 def start(*arguments, ranks=1, **options):
     """A run in the background, which does not outlive the test."""
     options = {"stdout": subprocess.DEVNULL, "stderr": subprocess.PIPE, "text": True, **options}

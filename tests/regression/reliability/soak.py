@@ -63,9 +63,7 @@ class Soak:
         return f"round {number}, {ranks} rank{'s'[:ranks - 1]}: {' '.join(kinds)}: equal"
 
     def arguments(self, folder, ranks):
-        checkpoint = folder / "checkpoint.h5"
-        way = ["--restart", checkpoint] if checkpoint.exists() else ["--overwrite"]
-        return [*self.decks[ranks], "--output", folder, *way]
+        return [*self.decks[ranks], "--output", folder, *runs.way_on(folder)]
 
     def moment(self, folder, ranks):
         """Killed at a moment between the begin and the end of a whole run."""
