@@ -53,7 +53,8 @@ void requireRoom(Mesh<Dim> const& part, int refinements, Communicator const& com
   const double largest = maxOverRanks(mine, communicator);
   const double all = sumOverRanks(mine, communicator);
   const std::string what = where + " = " + std::to_string(refinements);
-  const double num_global = std::numeric_limits<GlobalOrdinal>::max() / 8.0; // dofs and room
+  // Dofs, and room.
+  const double num_global = static_cast<double>(std::numeric_limits<GlobalOrdinal>::max()) / 8;
   ASPERITY_REQUIRE(all < num_global, what << " makes some " << all << " cells, more than 64 bits "
                                           << "can number. Refine less often.");
   const double num_local = 0.9 * std::numeric_limits<int>::max(); // ghosts, too
