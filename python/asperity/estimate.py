@@ -2,8 +2,8 @@
 
 Between earthquakes a run may be a thousand times faster than in them, so that no speed of the last
 minutes tells the end. Once a whole cycle is known, from one event to the next, the rest is taken to
-cost what past cycles did (packages/io/files/TimeLeft.hpp does the same); before, the speed of the
-last minutes is all there is, and whoever shows it should say so.
+cost what past cycles did (packages/io/files/TimeLeft.hpp does the same); an aftershock begins no
+cycle. Before, the speed of the last minutes is all there is, and whoever shows it should say so.
 """
 
 from dataclasses import dataclass
@@ -14,8 +14,9 @@ import numpy as np
 from .log import RunLog
 from .run import Run
 
-CYCLES = 10     # the last ones, which the estimate looks at
-RECENT = 120.0  # [s] of wall time, over which a speed is taken
+CYCLES = 10        # the last ones, which the estimate looks at
+RECENT = 120.0     # [s] of wall time, over which a speed is taken
+AFTERSHOCK = 1e-3  # of the longest time between events
 
 
 @dataclass(frozen=True)
@@ -32,7 +33,8 @@ def time_left(run: Run, log: RunLog) -> Optional[TimeLeft]:
     if log.final_time is None or time.size < 2 or not wall[-1] > wall[0]:
         return None
     onsets = _onsets(run, log)
-    onsets = onsets[(onsets > time[0]) & (onsets <= time[-1])][-(CYCLES + 1):]
+    onsets = onsets[(onsets > time[0]) & (onsets <= time[-1])]
+    onsets = _without_aftershocks(onsets, time[0])[-(CYCLES + 1):]
     seconds = _of_cycles(time, wall, onsets, log.final_time) if onsets.size > 1 else 0.0
     if seconds > 0.0:
         return TimeLeft(seconds, True)
@@ -94,6 +96,13 @@ def _onsets(run: Run, log: RunLog) -> np.ndarray:
     later = [line.time for before, line in zip(log.progress, log.progress[1:])
              if line.num_events > max(before.num_events, known.size)]
     return np.sort(np.concatenate((known, later)))
+
+
+def _without_aftershocks(onsets: np.ndarray, begin: float) -> np.ndarray:
+    """Without events that follow another within AFTERSHOCK of the longest time without one."""
+    quiet = np.diff(onsets, prepend=begin)
+    longest_before = np.concatenate(([0.0], np.maximum.accumulate(quiet)[:-1]))
+    return onsets[quiet > AFTERSHOCK * longest_before]
 
 
 def _of_cycles(time, wall, onsets, final: float) -> float:

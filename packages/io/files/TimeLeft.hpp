@@ -13,7 +13,8 @@ namespace asperity::io
 // The wall time that a run still needs. Between earthquakes a run may be a thousand times faster
 // than in them, so that no speed of the last minutes tells the end. Once this process has seen a
 // whole cycle, from one event to the next, the rest of the run is taken to cost what past cycles
-// did. Before that, and where there are no events, the estimate is from the recent speed: an
+// did. An event that follows another within a thousandth of the longest time without one is an
+// aftershock and begins no cycle. Before that, and where there are no events, the estimate is from the recent speed: an
 // average over wall time in which the speed of `memory` seconds ago has the weight 1/e.
 //
 // python/asperity/estimate.py does the same with what a run leaves on disk.
@@ -23,6 +24,7 @@ public:
   static constexpr double memory = 120;        // [s]
   static constexpr std::size_t cycles = 10;    // the last ones, which the estimate looks at
   static constexpr std::size_t samples = 2000; // of a cycle, at most
+  static constexpr double aftershock = 1e-3;   // of the longest time between events
 
   // fraction: the part of the simulated time that is done. seconds: wall time since any fixed
   // moment. num_events: that have begun so far, in the whole run.
@@ -35,9 +37,11 @@ public:
       done_ = decay * done_ + (fraction - now_.fraction);
       spent_ = decay * spent_ + elapsed;
       if (num_events > num_events_) {
-        beginCycle(now);
+        noteEvent(now);
       }
       sample(now);
+    } else {
+      last_event_ = fraction;
     }
     now_ = now;
     num_events_ = num_events;
@@ -66,6 +70,16 @@ private:
   {
     double fraction = 0, seconds = 0;
   };
+
+  void noteEvent(Moment const& onset)
+  {
+    const double quiet = onset.fraction - last_event_;
+    if (onsets_.empty() || quiet > aftershock * longest_quiet_) {
+      beginCycle(onset);
+    }
+    longest_quiet_ = std::max(longest_quiet_, quiet);
+    last_event_ = onset.fraction;
+  }
 
   void beginCycle(Moment const& onset)
   {
@@ -134,7 +148,8 @@ private:
   Moment now_;
   double done_ = 0, spent_ = 0; // recently
   std::int64_t num_events_ = 0;
-  std::deque<Moment> onsets_; // of the last events
+  double last_event_ = 0, longest_quiet_ = 0; // parts of the simulated time; the begin for an event
+  std::deque<Moment> onsets_;                 // of the last events
   std::vector<Moment> last_cycle_, this_cycle_;
   double spacing_ = 0; // of samples [s]
 };

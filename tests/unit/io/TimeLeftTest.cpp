@@ -29,10 +29,11 @@ struct Simulated
 
 constexpr int num_cycles = 20;
 
-// Almost all of a cycle's time in a sixth of the wall time that it takes, the rest in an event.
-// Calls check(seconds left in truth, cycles done) after every step.
+// Almost all of a cycle's time in a sixth of the wall time that it takes, the rest in an event, in
+// the middle of which `aftershocks` begin. Calls check(seconds left in truth, cycles done) after
+// every step.
 template <class Check>
-void goThroughCycles(Simulated& run, double spread, Check const& check)
+void goThroughCycles(Simulated& run, double spread, Check const& check, int aftershocks = 0)
 {
   const auto calm = [=](int k) { return 100 * (1 + spread * std::cos(2.5 * k)); };
   const auto event = [=](int k) { return 500 * (1 + spread * std::sin(1.7 * k)); };
@@ -51,7 +52,9 @@ void goThroughCycles(Simulated& run, double spread, Check const& check)
   for (int k = 0; k < num_cycles; ++k) {
     go(0.999, calm(k), k);
     ++run.num_events;
-    go(0.001, event(k), k);
+    go(0.0005, event(k) / 2, k);
+    run.num_events += aftershocks;
+    go(0.0005, event(k) / 2, k);
   }
 }
 } // namespace
@@ -113,9 +116,22 @@ TEST(TimeLeft, KnowsWhatPastCyclesTook)
       EXPECT_NEAR(run.left.seconds(), truth, 0.02 * 600) << "cycle " << cycles_done;
     }
   });
-  EXPECT_EQ(known, (num_cycles - 2) * 100);
+  EXPECT_EQ(known, (num_cycles - 2) * 150);
   run.left.note(1, run.seconds, num_cycles);
   EXPECT_EQ(run.left.seconds(), 0);
+}
+
+// The first aftershock alone would make a cycle of half an event, and years of the time left.
+TEST(TimeLeft, TakesAftershocksForPartsOfTheirCycle)
+{
+  Simulated run;
+  const auto check = [&](double truth, int cycles_done) {
+    EXPECT_EQ(run.left.knowsCycles(), run.num_events > 2) << run.num_events;
+    if (cycles_done >= 2) {
+      EXPECT_NEAR(run.left.seconds(), truth, 0.02 * 600) << "cycle " << cycles_done;
+    }
+  };
+  goThroughCycles(run, 0, check, 1);
 }
 
 TEST(TimeLeft, IsWithinACycleOrAFifthWhereCyclesDiffer)

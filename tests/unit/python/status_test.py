@@ -167,6 +167,16 @@ class TimeLeft(Folder):
         self.assertTrue(left.knows_cycles)
         self.assertLess(abs(left.seconds - truth), 0.1 * synthetic_log.cycle_wall())
 
+    def test_takes_aftershocks_for_parts_of_their_cycle(self):
+        cycles = 8
+        self.assertFalse(self.left(2 * STEPS - 250, cycles, aftershocks=True).knows_cycles)
+        for steps in (3 * STEPS, 5 * STEPS + 40, 6 * STEPS - 100):
+            with self.subTest(steps=steps):
+                left = self.left(steps, cycles, aftershocks=True)
+                truth = (cycles * STEPS - steps) * synthetic_log.WALL_PER_STEP
+                self.assertTrue(left.knows_cycles)
+                self.assertLess(abs(left.seconds - truth), 0.1 * synthetic_log.cycle_wall())
+
     def test_says_that_it_knows_no_cycle(self):
         left = self.left(45, 8)
         self.assertFalse(left.knows_cycles)

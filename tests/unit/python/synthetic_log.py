@@ -21,9 +21,11 @@ def step_times(cycles):
     return times
 
 
-def write(folder: Path, steps: int, cycles: int, ending="", flushed=None, every=15):
+def write(folder: Path, steps: int, cycles: int, ending="", flushed=None, every=15,
+          aftershocks=False):
     """A run of `cycles` cycles after its first `steps` steps, which ends with the text `ending`.
-    Tables have `flushed` rows; the log has a line for each `every` steps."""
+    Tables have `flushed` rows; the log has a line for each `every` steps. With `aftershocks` a
+    second event begins soon after each."""
     folder.mkdir(parents=True, exist_ok=True)
     times = step_times(cycles)
     final = cycles * CYCLE
@@ -33,7 +35,8 @@ def write(folder: Path, steps: int, cycles: int, ending="", flushed=None, every=
     lines, onsets = [HEADER.rstrip("\n")], []
     for number, time in enumerate(times[:steps], start=1):
         in_event = time % CYCLE > CYCLE - EVENT or time % CYCLE == 0
-        if in_event and (number - 1) % (CALM_STEPS + EVENT_STEPS) == CALM_STEPS:
+        step = (number - 1) % (CALM_STEPS + EVENT_STEPS)
+        if step == CALM_STEPS or (aftershocks and step == CALM_STEPS + EVENT_STEPS // 8):
             onsets.append(time)
         rows.append(f"{number},{time!r},{time - (times[number - 2] if number > 1 else 0.0)!r},"
                     f"{0.1 if in_event else 1e-9},{9 if number == 77 else 2},1,"
