@@ -83,9 +83,11 @@ void registerTangential(io::FieldRegistry& registry, Problem<Dim> const& problem
     if (surface->hasPlateRate()) {
       const double t = view.clock->seconds(view.state->time);
       const int num_tangents = surface->numTangents();
-      for (std::size_t i = 0; i < blocks.size(); ++i) {
-        blocks[i] +=
-          surface->plateRate(i / num_tangents, i % num_tangents) * t / surface->slipFactor();
+      for (int node = 0; node < surface->numNodes(); ++node) {
+        for (int k = 0; k < num_tangents; ++k) {
+          blocks[node * num_tangents + k] +=
+            surface->plateRate(node, k) * t / surface->slipFactor();
+        }
       }
     }
     values = written(blocks, slip_factor);

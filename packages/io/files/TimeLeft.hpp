@@ -14,8 +14,9 @@ namespace asperity::io
 // than in them, so that no speed of the last minutes tells the end. Once this process has seen a
 // whole cycle, from one event to the next, the rest of the run is taken to cost what past cycles
 // did. An event that follows another within a thousandth of the longest time without one is an
-// aftershock and begins no cycle. Before that, and where there are no events, the estimate is from the recent speed: an
-// average over wall time in which the speed of `memory` seconds ago has the weight 1/e.
+// aftershock and begins no cycle. Before a cycle is known, and where there are no events, the
+// estimate is from the recent speed: an average over wall time in which the speed of `memory`
+// seconds ago has the weight 1/e.
 //
 // python/asperity/estimate.py does the same with what a run leaves on disk.
 class TimeLeft

@@ -63,8 +63,9 @@ void Stations::write(io::StepInfo const& step)
 
 void Stations::writeRowsUntil(double time, Rows const& now)
 {
-  for (; num_rows_ * kind_.row_distance <= time; ++num_rows_) {
-    const double row_time = num_rows_ * kind_.row_distance;
+  const auto next = [this] { return static_cast<double>(num_rows_) * kind_.row_distance; };
+  for (; next() <= time; ++num_rows_) {
+    const double row_time = next();
     Rows row = now;
     if (!previous_.empty() && time > previous_time_) {
       const double part = (row_time - previous_time_) / (time - previous_time_);

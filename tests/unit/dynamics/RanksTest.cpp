@@ -9,6 +9,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cstdlib>
 
 namespace asperity::dynamics
 {
@@ -139,8 +140,8 @@ TEST(Ranks, slideInSpaceLikeOne)
     EXPECT_LE(models.differenceOfAlpha(shared, exact), 1e-8);
     const auto effort = together.count.since(before),
                effort_alone = alone.count.since(before_alone);
-    EXPECT_NEAR(effort.rate_problems, effort_alone.rate_problems, 1);
-    EXPECT_NEAR(effort.tnnmg_iterations, effort_alone.tnnmg_iterations, 2);
+    EXPECT_LE(std::abs(effort.rate_problems - effort_alone.rate_problems), 1);
+    EXPECT_LE(std::abs(effort.tnnmg_iterations - effort_alone.tnnmg_iterations), 2);
   }
   EXPECT_EQ(together.count.rises, 0);
 }

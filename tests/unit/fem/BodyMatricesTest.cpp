@@ -460,7 +460,7 @@ TYPED_TEST(BodyMatricesTest, combinationsKeepOnlyTheDiagonalOfHeldDofs)
   auto const matrices = assemble(body, body.turned());
   auto const& overlap = *body.dofs.overlap();
   std::vector<int> fixed;
-  for (std::size_t dof = 0; dof < numLocalElements(overlap); ++dof) {
+  for (int dof = 0; dof < static_cast<int>(numLocalElements(overlap)); ++dof) {
     fixed.push_back(pseudorandom(overlap.getGlobalElement(dof), 9) > 0.2);
   }
   auto const combined = combine(matrices, 2, 3, 5, {fixed, 0});

@@ -79,7 +79,7 @@ TEST(Difference, AddsUpOverTheFault)
     std::vector<Values> v, d;
     Real exact = 0;
     double magnitude = 0;
-    for (std::size_t i = 0; i < nodes.size(); ++i) {
+    for (int i = 0; i < static_cast<int>(nodes.size()); ++i) {
       v.push_back(scaled(direction(2, i), i % 5 == 0 ? 0 : 1e-3 * i));
       d.push_back(scaled(direction(2, 3 * i), i % 7 == 0 ? 0 : 2e-3));
       Real growth = 0;

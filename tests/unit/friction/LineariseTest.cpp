@@ -45,7 +45,7 @@ TEST(Linearise, GradientAndHessianAreThoseOfTheFunctional)
     for (const int T : {1, 2}) {
       for (const double length : {1e-300, 1e-20, 1e-6, 1.0, 1e2}) {
         std::vector<Values> rates;
-        for (std::size_t i = 0; i < nodes.size(); ++i) {
+        for (int i = 0; i < static_cast<int>(nodes.size()); ++i) {
           rates.push_back(scaled(direction(T, i), length));
         }
         const Linearisation result(nodes, rates);
@@ -141,7 +141,7 @@ TEST(Coefficient, IsTheLawAtTheSlipRate)
     for (const int T : {1, 2}) {
       for (const double length : lengths) {
         std::vector<Values> rates;
-        for (std::size_t i = 0; i < nodes.size(); ++i) {
+        for (int i = 0; i < static_cast<int>(nodes.size()); ++i) {
           rates.push_back(scaled(direction(T, i), length));
         }
         const NodeView mu("mu", nodes.size());

@@ -23,7 +23,8 @@ std::vector<Values> minimise(std::vector<Problem> const& problems, int T, int& n
   std::vector<ReferenceNode> nodes;
   Values curvature;
   std::vector<Values> r, guess;
-  for (std::size_t i = 0; i < problems.size(); ++i) {
+  const int num_nodes = static_cast<int>(problems.size());
+  for (int i = 0; i < num_nodes; ++i) {
     nodes.push_back(problems[i].node);
     curvature.push_back(problems[i].curvature);
     r.push_back(scaled(direction(T, i), problems[i].load));
@@ -32,7 +33,7 @@ std::vector<Values> minimise(std::vector<Problem> const& problems, int T, int& n
   const Fault fault(nodes);
   const auto v = toDevice(guess);
   num_failed =
-    fault.kernels->minimise(allNodes(nodes.size()), toDevice(curvature), toDevice(r), fault.at, v);
+    fault.kernels->minimise(allNodes(num_nodes), toDevice(curvature), toDevice(r), fault.at, v);
   const auto host = toHost(v);
   std::vector<Values> result;
   for (std::size_t i = 0; i < problems.size(); ++i) {
@@ -139,7 +140,7 @@ TEST(Minimise, SolvesItsEquationOverAWideRangeOfParameters)
       int num_failed = -1;
       const auto v = minimise(problems, T, num_failed);
       EXPECT_EQ(num_failed, 0);
-      for (std::size_t i = 0; i < problems.size(); ++i) {
+      for (int i = 0; i < static_cast<int>(problems.size()); ++i) {
         expectMinimiser(problems[i], v[i], direction(T, i));
         if (::testing::Test::HasFailure()) {
           auto const& p = problems[i];

@@ -56,7 +56,7 @@ TEST(Slope, GrowsAlongEveryLine)
     const auto nodes = variousNodes(law);
     const Fault fault(nodes);
     std::vector<Values> v, d;
-    for (std::size_t i = 0; i < nodes.size(); ++i) {
+    for (int i = 0; i < static_cast<int>(nodes.size()); ++i) {
       v.push_back(scaled(direction(2, i), 1e-3 * (i % 9)));
       d.push_back(scaled(direction(2, 3 * i), -2e-3 * (i % 4)));
     }

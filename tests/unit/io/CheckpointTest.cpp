@@ -232,7 +232,8 @@ Archive atNodes(io::NodeSets const& sets)
   std::vector<double> values;
   std::vector<std::int64_t> marks;
   for (const auto node : sets.at("body")) {
-    values.insert(values.end(), {0.1 * node, -1e-300 * node});
+    const auto number = static_cast<double>(node);
+    values.insert(values.end(), {0.1 * number, -1e-300 * number});
     marks.push_back((std::int64_t(1) << 60) + node);
   }
   Archive archive;

@@ -102,14 +102,14 @@ TEST(OutputDomain, GatherPutsRowsAndComponentsInOrder)
   for (int row = 0; row < 3; ++row) {
     for (const GlobalOrdinal number : fault.node_numbers) {
       for (int component = 0; component < 2; ++component) {
-        mine.push_back(100.0 * row + 10.0 * number + component);
+        mine.push_back(100.0 * row + 10.0 * static_cast<double>(number) + component);
       }
     }
   }
   const auto whole = gather(mine, 3, 2);
   ASSERT_EQ(whole.size(), world()->getRank() == 0 ? std::size_t(3 * num_base * 2) : 0u);
-  for (std::size_t i = 0; i < whole.size(); ++i) {
-    const std::size_t row = i / (2 * num_base), node = i / 2 % num_base;
+  for (int i = 0; i < static_cast<int>(whole.size()); ++i) {
+    const int row = i / (2 * num_base), node = i / 2 % num_base;
     EXPECT_EQ(whole[i], 100.0 * row + 10.0 * node + i % 2);
   }
 }

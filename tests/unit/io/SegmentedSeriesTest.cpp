@@ -26,7 +26,7 @@ public:
               [this](std::vector<double>& values) {
                 values.clear();
                 for (const GlobalOrdinal node : domain.node_numbers) {
-                  values.push_back(row + node / 16.0);
+                  values.push_back(row + static_cast<double>(node) / 16);
                 }
               }}
       , slip{"slip",
@@ -73,11 +73,12 @@ void expectRows(fs::path const& directory, std::size_t rows)
     const auto times = file.openDataset("time").read<double>();
     const auto steps = file.openDataset("step").read<std::int64_t>();
     for (std::size_t row = 0; row < rows; ++row) {
-      EXPECT_EQ(times[row], row / 8.0);
+      const auto number = static_cast<double>(row);
+      EXPECT_EQ(times[row], number / 8);
       EXPECT_EQ(steps[row], std::int64_t(10 * row));
       for (int node = 0; node < num_base; ++node) {
-        EXPECT_EQ(alphas[row * num_base + node], row + node / 16.0);
-        EXPECT_EQ(slips[2 * (row * num_base + node)], double(row));
+        EXPECT_EQ(alphas[row * num_base + node], number + node / 16.0);
+        EXPECT_EQ(slips[2 * (row * num_base + node)], number);
         EXPECT_EQ(slips[2 * (row * num_base + node) + 1], -node);
       }
     }

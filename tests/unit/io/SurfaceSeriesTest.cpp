@@ -53,7 +53,7 @@ void expectFields(std::filesystem::path const& path)
   for (std::size_t row = 0; row < 5; ++row) {
     for (std::size_t node = 0; node < nodes; ++node) {
       const double expected =
-        0.5 * row + x[3 * node] + 10 * x[3 * node + 1] + 100 * x[3 * node + 2];
+        0.5 * static_cast<double>(row) + x[3 * node] + 10 * x[3 * node + 1] + 100 * x[3 * node + 2];
       ASSERT_EQ(scalar[row * nodes + node], expected);
       ASSERT_EQ(vectors[3 * (row * nodes + node) + 2], 3 * expected);
     }

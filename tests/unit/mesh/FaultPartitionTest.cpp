@@ -98,7 +98,8 @@ void expectGoodParts(GlobalMesh<Dim> const& mesh)
 {
   for (int num_parts : {1, 2, 3, 5}) {
     const auto owners = partitionVertices(mesh, num_parts, {"main", 4});
-    int num_owned = 0, num_pairs = 0;
+    int num_owned = 0;
+    std::ptrdiff_t num_pairs = 0;
     for (auto const& part : localParts(mesh, owners, num_parts)) {
       expectGoodPart(mesh, part.mesh);
       num_owned += part.mesh.num_owned;

@@ -168,7 +168,7 @@ TEST_F(MeshFile, RefusesMissingAndForeignFiles)
 TEST_F(MeshFile, RefusesTruncatedFiles)
 {
   writeMesh(wedgeMesh(), file("cut.h5"));
-  const auto size = std::filesystem::file_size(file("cut.h5"));
+  const auto size = static_cast<double>(std::filesystem::file_size(file("cut.h5")));
   for (double share : {0.9, 0.5, 0.01}) {
     std::filesystem::resize_file(file("cut.h5"), static_cast<std::uintmax_t>(share * size));
     expectRefusedFile(file("cut.h5"), {"truncated"});

@@ -178,7 +178,8 @@ TEST(Partition, IsBalancedAndTheSameAgain)
       ++sizes.at(owner);
     }
     for (double size : sizes) {
-      EXPECT_NEAR(size * num_parts / owners.size(), 1.0, 0.15) << num_parts << " parts";
+      EXPECT_NEAR(size * num_parts / static_cast<double>(owners.size()), 1.0, 0.15)
+        << num_parts << " parts";
     }
   }
 }

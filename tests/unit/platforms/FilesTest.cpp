@@ -30,7 +30,7 @@ struct RupturingFault : test::Stage
   RupturingFault() : Stage(5)
   {
     add("fault", "slip_rate", 1, [this](double const* x, int) {
-      const auto node = std::lround(4 * std::sqrt(*x));
+      const double node = std::round(4 * std::sqrt(*x));
       return node < 4 && node <= time ? 1 : 1e-4;
     });
   }
