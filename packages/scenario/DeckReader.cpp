@@ -18,8 +18,13 @@ namespace
 RCP<const ParameterList> outputParameters()
 {
   auto list = rcp(new ParameterList(*io::OutputSet::validParameters()));
-  Declare(*list).integer("Checkpoint Every n Steps", 5000, Range::atLeast(1),
-                         "A checkpoint is written after this number of accepted steps.");
+  Declare(*list)
+    .integer("Checkpoint Every n Steps", 5000, Range::atLeast(1),
+             "A checkpoint is written after this number of accepted steps.")
+    .real("Checkpoint Every Minutes", 60, "min", Range::positive(),
+          "A checkpoint is also written when this much wall time has gone by since the last one: "
+          "what a run that is killed loses at most, and what others read of it lags behind. Each "
+          "closes a file of every history: a few hundred in all are enough.");
   return list;
 }
 } // namespace

@@ -23,6 +23,7 @@
 #include "scenario/setup/MeshSetup.hpp"
 #include "scenario/setup/TimeSetup.hpp"
 
+#include <chrono>
 #include <fstream>
 
 namespace asperity::scenario
@@ -59,6 +60,7 @@ private:
   void advance();
   void write(io::StepInfo const& info);
   void requireDirectory() const;
+  bool timeForCheckpoint() const;
   void writeCheckpoint();
   void endEarly(std::string const& reason);
   void saveWhatThereIs();
@@ -80,6 +82,9 @@ private:
   io::Fingerprint fingerprint_;
   io::Archive checkpoint_; // of a restart, or the state of another run, until it begins
   int checkpoint_interval_;
+  using Clock = std::chrono::steady_clock;
+  std::chrono::duration<double, std::ratio<60>> checkpoint_minutes_;
+  Clock::time_point last_checkpoint_ = Clock::now();
 };
 } // namespace
 
@@ -105,6 +110,7 @@ SimulationOf<Dim>::SimulationOf(RCP<ParameterList> const& deck, CommandLine cons
     , restart_from_(command_line.restart_from)
     , fingerprint_(fingerprint(*deck, evolution_.problem().mesh, *communicator))
     , checkpoint_interval_(deck->sublist("Output").get<int>("Checkpoint Every n Steps"))
+    , checkpoint_minutes_(deck->sublist("Output").get<double>("Checkpoint Every Minutes"))
 {
   registerFields(registry_, evolution_.problem(), evolution_.view(), domains_,
                  deck->sublist("Friction"));
@@ -173,15 +179,16 @@ int SimulationOf<Dim>::makeSteps(StopSignals const& signals)
 {
   while (!evolution_.atEnd()) {
     advance();
-    if (const int signal = signals.agreed(*communicator_)) {
+    auto const agreed = signals.agreed(timeForCheckpoint(), *communicator_);
+    if (agreed.signal != 0) {
       writeCheckpoint();
       outputs_->finish(); // a restart takes back what is not complete
       report(false);
-      log_->message("Stopped by " + signalName(signal) + "; --restart " +
+      log_->message("Stopped by " + signalName(agreed.signal) + "; --restart " +
                     (directory_ / "checkpoint.h5").string() + " goes on.");
       return exit_signal;
     }
-    if (evolution_.numSteps() % checkpoint_interval_ == 0) {
+    if (agreed.wished || evolution_.numSteps() % checkpoint_interval_ == 0) {
       writeCheckpoint();
     }
   }
@@ -282,6 +289,12 @@ void SimulationOf<Dim>::requireDirectory() const
 }
 
 template <int Dim>
+bool SimulationOf<Dim>::timeForCheckpoint() const
+{
+  return Clock::now() - last_checkpoint_ >= checkpoint_minutes_;
+}
+
+template <int Dim>
 void SimulationOf<Dim>::writeCheckpoint()
 {
   requireDirectory();
@@ -292,6 +305,7 @@ void SimulationOf<Dim>::writeCheckpoint()
   archive.insert("outputs", outputs_->save());
   io::writeCheckpoint(directory_ / "checkpoint.h5", archive, fingerprint_, *communicator_,
                       nodeSets(evolution_.problem(), domains_));
+  last_checkpoint_ = Clock::now();
 }
 
 template <int Dim>

@@ -50,9 +50,10 @@ StopSignals::~StopSignals()
 
 int StopSignals::received() const { return last_signal; }
 
-int StopSignals::agreed(Communicator const& communicator) const
+StopSignals::Agreed StopSignals::agreed(bool wish, Communicator const& communicator) const
 {
-  return maxOverRanks(received(), communicator);
+  const int all = maxOverRanks(2 * received() + (wish ? 1 : 0), communicator);
+  return {all / 2, all % 2 != 0};
 }
 
 std::string signalName(int number)

@@ -24,8 +24,14 @@ public:
   // The last signal this rank received, 0 if none.
   int received() const;
 
-  // The largest signal number any rank received, the same on all ranks; 0 if none. Collective.
-  int agreed(Communicator const& communicator) const;
+  struct Agreed
+  {
+    int signal;  // the largest number that any rank received, 0 if none
+    bool wished; // by any rank; unknown if there is a signal
+  };
+  // What the ranks received and what else they wish, a checkpoint for one, the same on all ranks.
+  // In one reduction, since it stands after every step. Collective.
+  Agreed agreed(bool wish, Communicator const& communicator) const;
 
 private:
   static constexpr std::array<int, 5> watched = {SIGTERM, SIGINT, SIGHUP, SIGUSR1, SIGPIPE};

@@ -39,6 +39,10 @@ class Killed(unittest.TestCase):
         process = runs.start(*self.deck(ranks), "--output", folder, *runs.way_on(folder),
                              ranks=ranks)
         time.sleep(moment)
+        self.kill(process)
+
+    @staticmethod
+    def kill(process):
         children = runs.children_of(process)
         process.kill()
         process.communicate(timeout=time_limits.seconds(60))
@@ -66,6 +70,17 @@ class Killed(unittest.TestCase):
                 self.kill_at(folder, random.Random(seed).uniform(0.5, self.seconds[2]), 2)
                 self.assert_goes_on(folder, 2)
         print(f"{OF_RANKS} runs of two ranks killed at random moments")
+
+    def test_with_checkpoints_by_wall_time_alone(self):
+        by_time = runs.settings("Output/Checkpoint Every n Steps=1000000",
+                                "Output/Checkpoint Every Minutes=2e-3")
+        for ranks in (1, 2):
+            with self.subTest(ranks=ranks):
+                folder = runs.fresh("by_wall_time")
+                process = runs.start(*self.deck(ranks), *by_time, "--output", folder, ranks=ranks)
+                runs.wait_for(folder / "checkpoint.h5", process)
+                self.kill(process)
+                self.assert_goes_on(folder, ranks)
 
     def test_in_any_write(self):
         total = faults.count_operations(runs.fresh("in_a_write"), *runs.RUN, kind="kill")

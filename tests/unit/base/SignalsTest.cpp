@@ -15,12 +15,17 @@ TEST(Signals, AllRanksLearnOfASignalToOne)
   const Teuchos::MpiComm<int> communicator(MPI_COMM_WORLD);
   const int last = communicator.getSize() - 1;
   StopSignals signals;
-  EXPECT_EQ(signals.agreed(communicator), 0);
-  if (communicator.getRank() == last) {
+  const bool is_last = communicator.getRank() == last;
+  EXPECT_EQ(signals.agreed(false, communicator).signal, 0);
+  EXPECT_FALSE(signals.agreed(false, communicator).wished);
+  EXPECT_EQ(signals.agreed(is_last, communicator).signal, 0);
+  EXPECT_TRUE(signals.agreed(is_last, communicator).wished);
+  if (is_last) {
     std::raise(SIGTERM);
   }
-  EXPECT_EQ(signals.received(), communicator.getRank() == last ? SIGTERM : 0);
-  EXPECT_EQ(signals.agreed(communicator), SIGTERM);
+  EXPECT_EQ(signals.received(), is_last ? SIGTERM : 0);
+  EXPECT_EQ(signals.agreed(false, communicator).signal, SIGTERM);
+  EXPECT_EQ(signals.agreed(true, communicator).signal, SIGTERM);
 }
 
 TEST(Signals, InterruptIsNotedOnceAndEndsTheProcessTheSecondTime)
