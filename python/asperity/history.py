@@ -84,14 +84,14 @@ class History(H5File):
         return values
 
     def at(self, field: str, time: float) -> np.ndarray:
-        """(nodes[, components]) of `field` at a time, linear between its rows; over a curve or a
-        surface."""
+        """(nodes[, components]) of `field` at a time, linear between its rows, the first or the
+        last row beyond them; over a curve or a surface."""
         row = int(np.clip(np.searchsorted(self.time, time) - 1, 0, max(self.time.size - 2, 0)))
         values = self.array(f"fields/{field}", slice(row, row + 2))
         if values.shape[0] < 2:
             return values[0]
         part = (time - self.time[row]) / (self.time[row + 1] - self.time[row])
-        return values[0] + part * (values[1] - values[0])
+        return values[0] + min(max(part, 0.0), 1.0) * (values[1] - values[0])
 
     def blocks(self, field: str, rows: slice,
                direction: Optional[np.ndarray] = None) -> Iterator[Tuple[slice, np.ndarray]]:

@@ -18,6 +18,9 @@ def draw(run: Run, view: View):
     where = plane.plane(run, run.ruptures if run.has("rupture.h5") else run.fault)
     row = _row(run, view)
     onset, end = interval_of(run, row)
+    if onset >= run.fault.time[-1]:
+        raise NothingToShow("fault.h5 ends before the event: a run that goes on writes it with its "
+                            "next checkpoint")
     slip = event_slip(run, onset, end)
     figure, panels = _panels(where)
     _colours(panels[0], where, slip, units.length(slip), "Slip in the event")
@@ -60,7 +63,7 @@ def interval_of(run: Run, row: int) -> Tuple[float, float]:
 
 def event_slip(run: Run, onset: float, end: float) -> np.ndarray:
     """(nodes) magnitude [m] of the slip from onset to end, linear between the rows of fault.h5."""
-    before, after = (run.fault.at("slip", at) for at in (onset, min(end, run.fault.time[-1])))
+    before, after = (run.fault.at("slip", at) for at in (onset, end))
     return np.linalg.norm(after - before, axis=-1)
 
 

@@ -76,6 +76,18 @@ class SurfaceFaults(unittest.TestCase):
         np.testing.assert_allclose(front, surface.arrivals(strike, dip), atol=1e-9)
         self.assertEqual(fault_maps.interval(front), 0.2)  # 1.75 s in about six parts
 
+    def test_an_event_after_the_end_of_the_history_is_not_drawn(self):
+        rows = (self.folder / "events.csv").read_text().splitlines()
+        late = rows[1].split(",")
+        last = float(self.run_.fault.time[-1])
+        late[1], late[2] = str(last + 1e6), str(last + 1e6 + 3.0)
+        (self.folder / "events.csv").write_text("\n".join([rows[0], ",".join(late)]) + "\n")
+        run = Run(self.folder)
+        with self.assertRaisesRegex(NothingToShow, "fault.h5 ends before the event"):
+            fault_maps.draw(run, windows.choose(run, None))
+        slip = fault_maps.event_slip(run, last, last + 1e6)
+        np.testing.assert_array_equal(slip, 0.0)
+
     def test_events_share_a_rupture_that_goes_on_through_them(self):
         strike, dip, _ = surface.grid()
         times, middle = surface.arrivals(strike, dip), 1.0
