@@ -15,8 +15,7 @@ namespace
 constexpr double safety = 0.8;
 
 // How far alpha may be from a straight line, as a root mean square over the fault, for guesses to
-// come from there. Steps that are accepted are nearer by far; where a patch of a hundredth of the
-// fault ruptures, alpha falls there by ten and more.
+// come from there. Where alpha falls by 10 on a hundredth of the fault, that is 1.
 constexpr double near = 0.1;
 } // namespace
 
