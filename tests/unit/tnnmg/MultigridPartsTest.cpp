@@ -237,7 +237,8 @@ TEST(CoarseFault, isTheGalerkinProductOfTheHessians)
                            : numLocalElements(*fine.prolongation.column_map));
     const auto owned = static_cast<std::size_t>(coarse.graph.num_rows * coarse.graph.row_size);
     for (std::size_t i = 0; i < owned; ++i) {
-      x[i] = std::sin(1.0 + coarse.graph.row_map->getGlobalElement(static_cast<int>(i)));
+      const auto row = coarse.graph.row_map->getGlobalElement(static_cast<int>(i));
+      x[i] = static_cast<float>(std::sin(1.0 + static_cast<double>(row)));
     }
     to_columns.share(x);
     detail::NodeVector Px(fine.graph.num_rows * fine.graph.row_size, 0.);
