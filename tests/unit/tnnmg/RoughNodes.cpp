@@ -19,7 +19,7 @@ auto onHost(View const& view)
 using Block = std::vector<double>;
 
 template <class View>
-Block blockAt(View const& view, int node)
+Block blockAt(View const& view, std::size_t node)
 {
   Block block;
   for (std::size_t k = 0; k < view.extent(1); ++k) {

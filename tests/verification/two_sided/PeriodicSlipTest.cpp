@@ -98,7 +98,7 @@ public:
       const fem::testing::Constrained<2>::Value along =
         body_.row(split.plus, 0) * forces[number_[body_.dofs.dof(split.plus, 0)]] +
         body_.row(split.plus, 1) * forces[number_[body_.dofs.dof(split.plus, 1)]];
-      const double spacing = 1. / (body_.mesh.splits.size() - 1);
+      const double spacing = 1 / static_cast<double>(body_.mesh.splits.size() - 1);
       found.shear += along[0] / spacing * std::cos(wavenumber * x);
       found.compression -= along[1] / spacing * std::sin(wavenumber * x);
       weight += std::pow(std::cos(wavenumber * x), 2);
