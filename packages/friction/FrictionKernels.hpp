@@ -45,8 +45,8 @@ public:
                        BlockView const& v) const = 0;
 
   // A sweep of Gauss-Seidel in one launch: for each node i of `nodes`, one after the other,
-  // minimises as above. There r_i = b_i - (Z v)_i + curvature_i v_i of the present v, and zero in
-  // held components.
+  // minimises as above, with the force r_i + curvature_i v_i, zero in held components, and
+  // subtracts from r what Z times the change of v_i is: r stays b - Z v.
   virtual int sweep(IndexView const& nodes, CoupledNodes const& coupled, StateAndStress const& at,
                     BlockView const& v) const = 0;
 

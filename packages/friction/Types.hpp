@@ -43,12 +43,13 @@ struct Response
   double second;
 };
 
-// The linear part of a rate problem in which each node is coupled with each: the force b - Z v. The
-// rows and columns of Z are the T components of node 0, then those of node 1, and so on.
+// The linear part of a rate problem in which each node is coupled with each: Z, and the force
+// r = b - Z v of the present v. The rows and columns of Z are the T components of node 0, then
+// those of node 1, and so on.
 struct CoupledNodes
 {
   ConstBlockView Z;        // (num_nodes T, num_nodes T), symmetric, N s/m
-  ConstBlockView b;        // (num_nodes, T), N
+  BlockView r;             // (num_nodes, T), N
   IndexView held;          // (num_nodes T): 1 where the force does not count
   ConstNodeView curvature; // (num_nodes), > 0, N s/m
 };

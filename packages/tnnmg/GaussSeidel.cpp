@@ -87,15 +87,14 @@ void modelResidual(LocalMatrix const& matrix, NonlinearNodes const& nodes, Index
 }
 
 CoupledSystem coupledSystem(CrsMatrix const& Z, NonlinearNodes const& nodes,
-                            ConstNodeView const& curvature, Vector const& b)
+                            ConstNodeView const& curvature, Vector& r)
 {
   auto const matrix = Z.getLocalMatrixDevice();
   const std::size_t size = matrix.numRows();
   ASPERITY_ASSERT(matrix.nnz() == size * size);
-  auto const right_side = b.getLocalViewDevice(Tpetra::Access::ReadOnly);
+  auto const force = r.getLocalViewDevice(Tpetra::Access::ReadWrite);
   return {ConstBlockView(matrix.values.data(), size, size),
-          ConstBlockView(right_side.data(), nodes.numNodes(), nodes.blockSize()), nodes.held,
-          curvature};
+          BlockView(force.data(), nodes.numNodes(), nodes.blockSize()), nodes.held, curvature};
 }
 
 void gather(NonlinearNodes const& nodes, Vector const& v, BlockView const& blocks)

@@ -32,17 +32,18 @@ void subtractColumns(CrsMatrix const& Z, NonlinearNodes const& nodes, FaultColum
 // One sweep of nonlinear block Gauss-Seidel over the nonlinear nodes: the model is minimised node
 // by node (a colour at a time, over all ranks), so that J does not rise. Updates v_columns (v on
 // Z's column map, with the ghosts that the nodes' rows touch) and blocks(num_nodes, T), the values
-// of v at the nonlinear nodes. residual(num_nodes, T) is work space. Returns the number of nodes
-// whose minimisation failed on this rank.
+// of v at the nonlinear nodes. r = b - Z v is read and updated if the nodes are coupled, and not
+// touched otherwise. residual(num_nodes, T) is work space. Returns the number of nodes whose
+// minimisation failed on this rank.
 template <class NodalProblem>
 int gaussSeidel(CrsMatrix const& Z, NonlinearNodes const& nodes, FaultColumns const& exchange,
                 ConstNodeView const& curvature, NodalProblem const& problem, Vector const& b,
-                Vector& v_columns, BlockView const& blocks, BlockView const& residual);
+                Vector& v_columns, Vector& r, BlockView const& blocks, BlockView const& residual);
 
 // The system of coupled nodes with a full Z, whose entries must be stored row by row: views of the
-// memory of Z and b, which must outlive the result.
+// memory of Z and r, which must outlive the result.
 CoupledSystem coupledSystem(CrsMatrix const& Z, NonlinearNodes const& nodes,
-                            ConstNodeView const& curvature, Vector const& b);
+                            ConstNodeView const& curvature, Vector& r);
 
 // Copy v(dofs) to blocks and back; v may live on the domain or on the column map (owned rows come
 // first in both).
@@ -53,11 +54,11 @@ void scatter(NonlinearNodes const& nodes, IndexView const& which, ConstBlockView
 template <class NodalProblem>
 int gaussSeidel(CrsMatrix const& Z, NonlinearNodes const& nodes, FaultColumns const& exchange,
                 ConstNodeView const& curvature, NodalProblem const& problem, Vector const& b,
-                Vector& v_columns, BlockView const& blocks, BlockView const& residual)
+                Vector& v_columns, Vector& r, BlockView const& blocks, BlockView const& residual)
 {
   if (nodes.are_coupled) {
     auto const& all = nodes.colours.front();
-    const int failures = problem.sweep(all, coupledSystem(Z, nodes, curvature, b), blocks);
+    const int failures = problem.sweep(all, coupledSystem(Z, nodes, curvature, r), blocks);
     scatter(nodes, all, blocks, v_columns);
     return failures;
   }

@@ -33,11 +33,11 @@ struct NonlinearNodes
   int blockSize() const { return static_cast<int>(dofs.extent(1)); }
 };
 
-// The linear part of a problem of coupled nodes: the force b - Z v, in the order of coupledNodes().
+// The linear part of a problem of coupled nodes, in the order of coupledNodes().
 struct CoupledSystem
 {
   ConstBlockView Z; // (num_nodes T, num_nodes T), symmetric
-  ConstBlockView b; // (num_nodes, T)
+  BlockView r;      // (num_nodes, T): b - Z v of the present v
   ConstFlagView held;
   ConstNodeView curvature;
 };

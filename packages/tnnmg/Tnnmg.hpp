@@ -43,8 +43,8 @@ struct TnnmgResult
 //       v_i = argmin curvature_i/2 |w|^2 - <r_i, w> + psi_i(w) for the given nodes; returns the
 //       number of nodes where this failed
 //   int sweep(IndexView nodes, CoupledSystem const&, BlockView v) const
-//       the same for the given nodes one after the other, with r_i = b_i - (Z v)_i +
-//       curvature_i v_i of the present v, zero in held components; only for coupledNodes()
+//       the same for the given nodes one after the other, with the force r_i + curvature_i v_i,
+//       zero in held components, for r = b - Z v, which stays that; only for coupledNodes()
 //   void linearise(ConstBlockView v, BlockView gradient, HessianView hessian, FlagView kinked)
 //       const
 //       of psi_i at v_i; kinked_i = 1 where psi_i has no second derivative
@@ -142,7 +142,7 @@ int Tnnmg<NodalProblem>::smooth(NodalProblem const& problem, Vector const& b, Tn
   int failed_nodes = 0;
   for (int sweep = 0; sweep < settings_.sweeps; ++sweep) {
     failed_nodes += gaussSeidel(*Z_, nodes_, vectors_.exchange, curvature_, problem, b,
-                                *vectors_.v_columns, blocks_.v, blocks_.residual);
+                                *vectors_.v_columns, *vectors_.r, blocks_.v, blocks_.residual);
   }
   blocks_.differenceTo(blocks_.before, blocks_.d);
   auto const nonlinear = problem.difference(blocks_.before, blocks_.d);

@@ -137,7 +137,7 @@ int TnnmgVectors::finishSweeps(CrsMatrix const& Z, NonlinearNodes const& nodes,
 {
   if (few_nodes_) {
     subtractColumns(Z, nodes, exchange, blocks.d, *columns_, *r);
-  } else {
+  } else if (!nodes.are_coupled) {
     residual(Z, b);
   }
   // With Z d = r_before - r, <Z v - b + 1/2 Z d, d> = -1/2 <r_before + r, d>.

@@ -19,7 +19,7 @@ struct FrictionProblem
   int sweep(friction::IndexView const& nodes, tnnmg::CoupledSystem const& system,
             friction::BlockView const& v) const
   {
-    return kernels.sweep(nodes, {system.Z, system.b, system.held, system.curvature}, at, v);
+    return kernels.sweep(nodes, {system.Z, system.r, system.held, system.curvature}, at, v);
   }
   void linearise(friction::ConstBlockView const& v, friction::BlockView const& gradient,
                  friction::HessianView const& hessian, friction::FlagView const& kinked) const

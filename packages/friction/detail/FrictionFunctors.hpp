@@ -44,7 +44,8 @@ struct Minimise
   }
 };
 
-// One team goes from node to node; its threads share the product with a row.
+// One team goes from node to node. All of its threads minimise at the node, with the same result,
+// and each subtracts its part of Z times the change, for which rows of Z serve as columns.
 template <class Law, int T>
 struct Sweep
 {
@@ -53,7 +54,7 @@ struct Sweep
   NodePotentials<Law> potentials;
   Unmanaged<IndexView> nodes;
   Unmanaged<ConstBlockView> Z;
-  Unmanaged<ConstBlockView> b;
+  Unmanaged<BlockView> r;
   Unmanaged<IndexView> held;
   Unmanaged<ConstNodeView> curvature;
   Unmanaged<BlockView> v;
@@ -62,43 +63,45 @@ struct Sweep
   {
     for (int k = 0; k < static_cast<int>(nodes.extent(0)); ++k) {
       const int node = nodes(k);
-      double force[T];
+      double force[T], after[T], change[T];
       for (int j = 0; j < T; ++j) {
-        const int row = node * T + j;
-        const double product = timesRow(team, row);
-        force[j] = held(row) ? 0 : b(node, j) - product + curvature(node) * v(node, j);
+        after[j] = v(node, j);
+        force[j] = held(node * T + j) ? 0 : r(node, j) + curvature(node) * after[j];
       }
-      team.team_barrier(); // all have read v
+      const bool found = minimiseAt(potentials(node), curvature(node), force, after);
+      bool changed = false;
+      for (int j = 0; j < T; ++j) {
+        change[j] = after[j] - v(node, j);
+        changed = changed || change[j] != 0;
+      }
+      team.team_barrier(); // all have read v and r
       Kokkos::single(Kokkos::PerTeam(team), [&]() {
-        num_failed += minimiseAt(potentials(node), curvature(node), force, &v(node, 0)) ? 0 : 1;
+        num_failed += found ? 0 : 1;
+        for (int j = 0; j < T; ++j) {
+          v(node, j) = after[j];
+        }
       });
+      if (changed) {
+        subtractColumns(team, node * T, change);
+      }
       team.team_barrier();
     }
   }
 
 private:
-  // Sums of a few terms at a time do not wait for each other.
-  static constexpr int chunk = 8;
-
-  KOKKOS_INLINE_FUNCTION double timesRow(Team const& team, int row) const
+  KOKKOS_INLINE_FUNCTION void subtractColumns(Team const& team, int first,
+                                              double const (&change)[T]) const
   {
     const int size = static_cast<int>(Z.extent(1));
-    double const* const z = &Z(row, 0);
-    double const* const x = v.data();
-    double sum = 0;
-    Kokkos::parallel_reduce(
-      Kokkos::TeamThreadRange(team, size / chunk),
-      [&](int i, double& partial) {
-        double const* const zs = z + chunk * i;
-        double const* const xs = x + chunk * i;
-        partial += ((zs[0] * xs[0] + zs[1] * xs[1]) + (zs[2] * xs[2] + zs[3] * xs[3])) +
-                   ((zs[4] * xs[4] + zs[5] * xs[5]) + (zs[6] * xs[6] + zs[7] * xs[7]));
-      },
-      sum);
-    for (int i = size / chunk * chunk; i < size; ++i) {
-      sum += z[i] * x[i];
-    }
-    return sum;
+    double const* const z = &Z(first, 0);
+    double* const force = r.data();
+    Kokkos::parallel_for(Kokkos::TeamThreadRange(team, size), [&](int i) {
+      double sum = 0;
+      for (int j = 0; j < T; ++j) {
+        sum += z[j * size + i] * change[j];
+      }
+      force[i] -= sum;
+    });
   }
 };
 

@@ -37,7 +37,7 @@ public:
     return withComponents(v.extent(1), [&](auto T) {
       int num_failed = 0;
       Kokkos::parallel_reduce(label, Kokkos::TeamPolicy<ExecutionSpace>(1, Kokkos::AUTO),
-                              Sweep<Law, T>{nodes_.at(at), nodes, coupled.Z, coupled.b,
+                              Sweep<Law, T>{nodes_.at(at), nodes, coupled.Z, coupled.r,
                                             coupled.held, coupled.curvature, v},
                               num_failed);
       return num_failed;

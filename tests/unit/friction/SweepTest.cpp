@@ -34,17 +34,27 @@ struct System
     }
   }
 
+  // b - Z v
+  std::vector<Values> residual(std::vector<Values> const& v) const
+  {
+    auto result = b;
+    const std::size_t T = v[0].size();
+    for (std::size_t row = 0; row < Z.size(); ++row) {
+      Real sum = b[row / T][row % T];
+      for (std::size_t column = 0; column < Z.size(); ++column) {
+        sum -= Real(Z[row][column]) * v[column / T][column % T];
+      }
+      result[row / T][row % T] = static_cast<double>(sum);
+    }
+    return result;
+  }
+
   // b - Z v + curvature v at a node; zero in held components.
   Values force(int node, std::vector<Values> const& v) const
   {
-    Values result;
-    const int T = static_cast<int>(v[0].size());
-    for (int j = 0; j < T; ++j) {
-      Real sum = b[node][j] + Real(curvature[node]) * v[node][j];
-      for (std::size_t column = 0; column < Z.size(); ++column) {
-        sum -= Real(Z[node * T + j][column]) * v[column / T][column % T];
-      }
-      result.push_back(held[node * T + j] != 0 ? 0 : static_cast<double>(sum));
+    auto result = residual(v)[node];
+    for (std::size_t j = 0; j < result.size(); ++j) {
+      result[j] = held[node * result.size() + j] ? 0 : result[j] + curvature[node] * v[node][j];
     }
     return result;
   }
@@ -97,13 +107,17 @@ TEST(Sweep, MinimisesNodeByNode)
         }
 
         const auto v = toDevice(start);
-        const CoupledNodes coupled{toDevice(system.Z), toDevice(system.b), flags(system.held),
-                                   curvature};
+        const CoupledNodes coupled{toDevice(system.Z), toDevice(system.residual(start)),
+                                   flags(system.held), curvature};
         EXPECT_EQ(fault.kernels->sweep(allNodes(num_nodes), coupled, fault.at, v), 0);
         const auto found = onHost(v);
+        const auto left = onHost(coupled.r);
+        const auto expected_left = system.residual(found);
         for (int node = 0; node < num_nodes; ++node) {
           for (int j = 0; j < T; ++j) {
             EXPECT_NEAR(found[node][j], expected[node][j], 1e-10 * std::abs(expected[node][j]))
+              << law << ", node " << node << " of " << num_nodes << ", component " << j;
+            EXPECT_NEAR(left[node][j], expected_left[node][j], 1e-13 * 1e7 * num_nodes)
               << law << ", node " << node << " of " << num_nodes << ", component " << j;
           }
         }
@@ -118,9 +132,10 @@ TEST(Sweep, VisitsTheNodesGivenAndCountsFailures)
   const int num_nodes = static_cast<int>(fault.alpha.extent(0));
   System system(num_nodes, 1);
   system.curvature[5] = 0; // without a minimiser
-  const auto v = toDevice(std::vector<Values>(num_nodes, Values{0.5}));
-  const CoupledNodes coupled{toDevice(system.Z), toDevice(system.b), flags(system.held),
-                             toDevice(system.curvature)};
+  const std::vector<Values> start(num_nodes, Values{0.5});
+  const auto v = toDevice(start);
+  const CoupledNodes coupled{toDevice(system.Z), toDevice(system.residual(start)),
+                             flags(system.held), toDevice(system.curvature)};
   EXPECT_EQ(fault.kernels->sweep(flags({2, 5, 9}), coupled, fault.at, v), 1);
   const auto found = onHost(v);
   for (int node = 0; node < num_nodes; ++node) {

@@ -120,7 +120,7 @@ int RoughNodes::sweep(IndexView const& nodes, CoupledSystem const& system, Block
 {
   auto const which = onHost(nodes);
   auto const Z = onHost(system.Z);
-  auto const b = onHost(system.b);
+  auto const r = onHost(system.r);
   auto const held = onHost(system.held);
   auto const c = onHost(system.curvature);
   auto const result = onHost(v);
@@ -129,19 +129,20 @@ int RoughNodes::sweep(IndexView const& nodes, CoupledSystem const& system, Block
     const int node = which(i);
     Block force(T, 0);
     for (std::size_t k = 0; k < T; ++k) {
-      const std::size_t row = node * T + k;
-      for (std::size_t column = 0; column < Z.extent(1) && !held(row); ++column) {
-        force[k] -= Z(row, column) * result(column / T, column % T);
-      }
-      force[k] += held(row) ? 0 : b(node, k) + c(node) * result(node, k);
+      force[k] = held(node * T + k) ? 0 : r(node, k) + c(node) * result(node, k);
     }
     const double size = norm(force);
     const double speed = nodes_[node].minimiser(c(node), size);
     for (std::size_t k = 0; k < T; ++k) {
+      const double before = result(node, k);
       result(node, k) = speed > 0 ? speed * (force[k] / size) : 0;
+      for (std::size_t row = 0; row < Z.extent(0); ++row) {
+        r(row / T, row % T) -= Z(row, node * T + k) * (result(node, k) - before);
+      }
     }
   }
   Kokkos::deep_copy(v, result);
+  Kokkos::deep_copy(system.r, r);
   return 0;
 }
 
