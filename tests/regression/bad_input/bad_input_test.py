@@ -15,7 +15,8 @@ import numpy
 import asperity_run
 from asperity_run import settings
 
-# After a status that is not 0 Open MPI's mpirun waits a second before it kills ranks that have ended.
+# After a status that is not 0 mpirun waits a second before it kills ranks, also those that have
+# ended.
 os.environ["OMPI_MCA_odls_base_sigkill_timeout"] = "0"
 
 HERE = pathlib.Path(__file__).parent
