@@ -1,6 +1,7 @@
 #include "tnnmg/FaultColumns.hpp"
 
 #include "portability/Renamed.hpp"
+#include "tnnmg/detail/OrderedSums.hpp"
 
 #include <Tpetra_Import.hpp>
 #include <Tpetra_Map.hpp>
@@ -35,8 +36,8 @@ void unpack(NodeView const& from, IndexView const& places, Values const& to)
 template <class Values>
 void subtract(NodeView const& from, IndexView const& places, Values const& to)
 {
-  Kokkos::parallel_for(
-    label_unpack, Policy(0, places.extent(0)),
+  detail::addInOrder(
+    places.extent_int(0),
     KOKKOS_LAMBDA(int i) { Kokkos::atomic_add(&to(places(i), 0), -from(i)); });
 }
 

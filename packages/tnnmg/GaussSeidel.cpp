@@ -2,6 +2,7 @@
 
 #include "base/Errors.hpp"
 #include "portability/Renamed.hpp"
+#include "tnnmg/detail/OrderedSums.hpp"
 
 #include <Tpetra_Map.hpp>
 
@@ -15,7 +16,6 @@ using Policy = Kokkos::RangePolicy<ExecutionSpace>;
 
 // Labels are made once: a sweep launches hundreds of kernels.
 const std::string label_residual = "asperity::tnnmg::modelResidual";
-const std::string label_columns = "asperity::tnnmg::subtractColumns";
 const std::string label_gather = "asperity::tnnmg::gather";
 const std::string label_scatter = "asperity::tnnmg::scatter";
 } // namespace
@@ -134,8 +134,8 @@ void subtractColumns(CrsMatrix const& Z, NonlinearNodes const& nodes, FaultColum
     auto const sum = columns.getLocalViewDevice(Tpetra::Access::ReadWrite);
     auto const dofs = nodes.dofs;
     const int size = nodes.blockSize();
-    Kokkos::parallel_for(
-      label_columns, Policy(0, nodes.numNodes()), KOKKOS_LAMBDA(int node) {
+    detail::addInOrder(
+      nodes.numNodes(), KOKKOS_LAMBDA(int node) {
         for (int k = 0; k < size; ++k) {
           const int row = dofs(node, k);
           const double change = d(node, k);
