@@ -118,7 +118,8 @@ endfunction()
 # Runs a Python script in a folder of its own, where the files of its last run may lie. It finds in
 # its environment ASPERITY_SOURCE_DIR, ASPERITY_BUILD_DIR (programs in drivers/), ASPERITY_MPIEXEC
 # (the command before the number of ranks) and tests/support on PYTHONPATH.
-# With CONFIGURATIONS it runs only if `ctest -C` names one of them.
+# With CONFIGURATIONS it runs only if `ctest -C` names one of them. PROCESSORS: the cores that it
+# keeps busy on average; a script that waits, or runs most programs on one rank, needs one only.
 function(asperity_add_python_test name)
   cmake_parse_arguments(TEST "" "SCRIPT;TIMEOUT;PROCESSORS"
     "ARGUMENTS;ENVIRONMENT;LABELS;CONFIGURATIONS" ${ARGN})

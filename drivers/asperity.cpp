@@ -37,7 +37,7 @@ int main(int argc, char** argv)
 {
   // 1. Start MPI and Kokkos.
   asperity::MpiScope parallel(argc, argv);
-  auto const communicator = parallel.communicator();
+  auto const& communicator = parallel.communicator();
   return asperity::runGuarded(*communicator, [&] {
     // 2. Read the command line.
     auto command_line = asperity::parseCommandLine(argc, argv);

@@ -18,7 +18,7 @@ int main(int argc, char** argv)
   // 1. Start MPI and Kokkos.
   CountedProducts::prepare();
   asperity::MpiScope parallel(argc, argv);
-  auto const communicator = parallel.communicator();
+  auto const& communicator = parallel.communicator();
   return asperity::runGuarded(
     *communicator,
     [&] {

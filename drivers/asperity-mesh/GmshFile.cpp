@@ -43,8 +43,9 @@ void requireMeshFormat(std::string const& file_name, std::string const& where)
 void initializeGmsh(std::vector<std::string>& arguments)
 {
   std::vector<char*> words;
+  words.reserve(arguments.size());
   for (auto& argument : arguments) {
-    words.push_back(&argument[0]);
+    words.push_back(argument.data());
   }
   constexpr bool read_configuration = false;
   gmsh::initialize(static_cast<int>(words.size()), words.data(), read_configuration);

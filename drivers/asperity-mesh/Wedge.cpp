@@ -92,7 +92,7 @@ void makeWedge(std::vector<std::string> const& words)
   AllowedArguments allowed{
     {"OUT.h5"}, {"--depth", "--patches", "--layers"}, {"--overwrite", "--periodic"}};
   for (auto const& parameter : parameters) {
-    allowed.options.push_back(parameter.option);
+    allowed.options.emplace_back(parameter.option);
   }
   const auto arguments = parseArguments(words, allowed);
   requireNew(arguments.files[0], arguments);

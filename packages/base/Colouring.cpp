@@ -208,7 +208,7 @@ std::vector<IndexView> colourFreeNodes(CrsGraph const& graph, NodeDofView const&
         free.push_back(node);
       }
     }
-    colours.push_back(toDevice(free, "asperity::base::colour"));
+    colours.emplace_back(toDevice(free, "asperity::base::colour"));
   }
   return colours;
 }

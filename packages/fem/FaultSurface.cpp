@@ -66,6 +66,7 @@ FaultSurface::withPlateRate(std::vector<double> const& rates) const
 std::vector<int> FaultSurface::vertices() const
 {
   std::vector<int> result;
+  result.reserve(static_cast<std::size_t>(numNodes()));
   for (int node = 0; node < numNodes(); ++node) {
     result.push_back(vertex(node));
   }

@@ -109,13 +109,13 @@ bool registerStateLaw()
 #define ASPERITY_REGISTER_FRICTION_LAW(Law)                                                        \
   namespace                                                                                        \
   {                                                                                                \
-  [[maybe_unused]] const bool ASPERITY_FRICTION_JOIN(friction_law_registered_, __LINE__) =         \
+  [[maybe_unused]] const bool ASPERITY_FRICTION_JOIN(friction_law_registered_, __COUNTER__) =      \
     ::asperity::friction::registerFrictionLaw<Law>();                                              \
   }
 
 #define ASPERITY_REGISTER_STATE_LAW(Law)                                                           \
   namespace                                                                                        \
   {                                                                                                \
-  [[maybe_unused]] const bool ASPERITY_FRICTION_JOIN(state_law_registered_, __LINE__) =            \
+  [[maybe_unused]] const bool ASPERITY_FRICTION_JOIN(state_law_registered_, __COUNTER__) =         \
     ::asperity::friction::registerStateLaw<Law>();                                                 \
   }

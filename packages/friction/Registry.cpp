@@ -144,7 +144,7 @@ std::vector<Parameter> const& stateLawParameters(std::string const& name)
 
 std::unique_ptr<StateKernels> makeStateKernels(std::string const& name, ParameterView parameters)
 {
-  return find(stateLaws(), name).make(parameters);
+  return find(stateLaws(), name).make(std::move(parameters));
 }
 
 std::vector<std::string> registeredLaws()

@@ -125,6 +125,7 @@ public:
       used.insert(named.boundary);
     }
     std::vector<int> flags;
+    flags.reserve(conditions.size());
     for (auto const& condition : conditions) {
       flags.push_back(static_cast<int>(used.count(condition.name)));
     }

@@ -70,6 +70,7 @@ std::string fileHeader(Platform const& platform, FileContent const& content, Ste
 std::vector<std::string> columnRemarks(std::vector<std::string> const& columns)
 {
   std::vector<std::string> remarks;
+  remarks.reserve(columns.size());
   for (auto const& column : columns) {
     remarks.push_back("Column #" + std::to_string(remarks.size() + 1) + " = " + column);
   }

@@ -23,6 +23,7 @@ std::string describeBackend()
   if (kernels_run_serially || !kernels_run_on_host) {
     return backendName();
   }
+  // Static in Kokkos 3 alone. NOLINTNEXTLINE(readability-static-accessed-through-instance)
   const auto threads = ExecutionSpace().concurrency();
   return backendName() + " with " + std::to_string(threads) +
          (threads == 1 ? " thread" : " threads");

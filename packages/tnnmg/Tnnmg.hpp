@@ -58,8 +58,8 @@ class Tnnmg
 {
 public:
   // Z is fill-complete; its column map starts with the owned rows, in the order of the domain map.
-  Tnnmg(RCP<const CrsMatrix> Z, NonlinearNodes nodes, std::shared_ptr<LinearCorrection> correction,
-        TnnmgSettings const& settings)
+  Tnnmg(RCP<const CrsMatrix> const& Z, NonlinearNodes nodes,
+        std::shared_ptr<LinearCorrection> correction, TnnmgSettings const& settings)
       : Z_(Z)
       , nodes_(std::move(nodes))
       , correction_(std::move(correction))

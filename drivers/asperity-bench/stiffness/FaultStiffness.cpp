@@ -82,6 +82,7 @@ FaultStiffness stiffnessOfFault(ParameterList const& deck,
                    "deck's lies on a rigid foundation.");
   auto const nodes = slidingNodes(surface);
   std::vector<int> dofs;
+  dofs.reserve(nodes.size());
   for (int node : nodes) {
     dofs.push_back(surface[node].dofs[0]);
   }

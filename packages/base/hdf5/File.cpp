@@ -100,7 +100,7 @@ MPI_File beginSharing(hid_t file, std::string const& path)
 {
   void* handle = nullptr;
   checked("Sharing " + path, [&] { return H5Fget_vfd_handle(file, H5P_DEFAULT, &handle); });
-  const MPI_File mpi_file = *static_cast<MPI_File*>(handle);
+  MPI_File mpi_file = *static_cast<MPI_File*>(handle);
   sharedFiles()[mpi_file] = path;
   return mpi_file;
 }

@@ -85,7 +85,7 @@ Declare& Declare::boolean(std::string const& name, DefaultOr<bool> value,
   return *this;
 }
 
-Declare& Declare::text(std::string const& name, DefaultOr<std::string> value,
+Declare& Declare::text(std::string const& name, DefaultOr<std::string> const& value,
                        std::string const& meaning)
 {
   addValue(*list_, name, value, std::string(), meaning, makeInfo(ParameterKind::text));
@@ -93,7 +93,7 @@ Declare& Declare::text(std::string const& name, DefaultOr<std::string> value,
   return *this;
 }
 
-Declare& Declare::fileName(std::string const& name, DefaultOr<std::string> value,
+Declare& Declare::fileName(std::string const& name, DefaultOr<std::string> const& value,
                            std::string const& meaning)
 {
   addValue(*list_, name, value, std::string(), meaning, makeInfo(ParameterKind::file_name));
@@ -101,7 +101,7 @@ Declare& Declare::fileName(std::string const& name, DefaultOr<std::string> value
   return *this;
 }
 
-Declare& Declare::choice(std::string const& name, DefaultOr<std::string> value,
+Declare& Declare::choice(std::string const& name, DefaultOr<std::string> const& value,
                          std::vector<std::string> const& words, std::string const& meaning)
 {
   auto info = makeInfo(ParameterKind::choice);
@@ -111,10 +111,11 @@ Declare& Declare::choice(std::string const& name, DefaultOr<std::string> value,
   return *this;
 }
 
-Declare& Declare::choiceOfLists(std::string const& name, DefaultOr<std::string> value,
+Declare& Declare::choiceOfLists(std::string const& name, DefaultOr<std::string> const& value,
                                 std::vector<NamedList> const& lists, std::string const& meaning)
 {
   std::vector<std::string> words;
+  words.reserve(lists.size());
   for (auto const& named : lists) {
     words.push_back(named.first);
   }
@@ -139,7 +140,7 @@ Declare& Declare::entriesWith(std::string const& choice, std::string const& word
   return *this;
 }
 
-Declare& Declare::field(std::string const& name, DefaultOr<FieldValue> value,
+Declare& Declare::field(std::string const& name, DefaultOr<FieldValue> const& value,
                         std::string const& unit, Range range, std::string const& meaning)
 {
   const auto info = makeInfo(ParameterKind::field, unit, range);
@@ -156,7 +157,7 @@ Declare& Declare::field(std::string const& name, DefaultOr<FieldValue> value,
   return *this;
 }
 
-Declare& Declare::realArray(std::string const& name, DefaultOr<std::vector<double>> value,
+Declare& Declare::realArray(std::string const& name, DefaultOr<std::vector<double>> const& value,
                             std::string const& unit, Range range, std::string const& meaning)
 {
   addValue(*list_, name, asTeuchosArray(value), Teuchos::Array<double>(), meaning,
@@ -165,7 +166,7 @@ Declare& Declare::realArray(std::string const& name, DefaultOr<std::vector<doubl
   return *this;
 }
 
-Declare& Declare::integerArray(std::string const& name, DefaultOr<std::vector<int>> value,
+Declare& Declare::integerArray(std::string const& name, DefaultOr<std::vector<int>> const& value,
                                Range range, std::string const& meaning)
 {
   addValue(*list_, name, asTeuchosArray(value), Teuchos::Array<int>(), meaning,
@@ -174,7 +175,8 @@ Declare& Declare::integerArray(std::string const& name, DefaultOr<std::vector<in
   return *this;
 }
 
-Declare& Declare::textArray(std::string const& name, DefaultOr<std::vector<std::string>> value,
+Declare& Declare::textArray(std::string const& name,
+                            DefaultOr<std::vector<std::string>> const& value,
                             std::string const& meaning)
 {
   addValue(*list_, name, asTeuchosArray(value), Teuchos::Array<std::string>(), meaning,

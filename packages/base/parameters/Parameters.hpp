@@ -43,17 +43,18 @@ public:
   Declare& integer(std::string const& name, DefaultOr<int> value, Range range,
                    std::string const& meaning);
   Declare& boolean(std::string const& name, DefaultOr<bool> value, std::string const& meaning);
-  Declare& text(std::string const& name, DefaultOr<std::string> value, std::string const& meaning);
-  Declare& fileName(std::string const& name, DefaultOr<std::string> value,
+  Declare& text(std::string const& name, DefaultOr<std::string> const& value,
+                std::string const& meaning);
+  Declare& fileName(std::string const& name, DefaultOr<std::string> const& value,
                     std::string const& meaning);
 
   // One of a few words.
-  Declare& choice(std::string const& name, DefaultOr<std::string> value,
+  Declare& choice(std::string const& name, DefaultOr<std::string> const& value,
                   std::vector<std::string> const& words, std::string const& meaning);
 
   // A choice, and for each word a list of that name, of which only the chosen one is completed.
   using NamedList = std::pair<std::string, Teuchos::RCP<const ParameterList>>;
-  Declare& choiceOfLists(std::string const& name, DefaultOr<std::string> value,
+  Declare& choiceOfLists(std::string const& name, DefaultOr<std::string> const& value,
                          std::vector<NamedList> const& lists, std::string const& meaning);
 
   // Entries that this list has only where the choice, declared before, is this word: parameters of
@@ -63,16 +64,16 @@ public:
 
   // A number, an expression in x, y, z, t, a dataset "file.h5:/dataset", or a list with one number
   // or expression per region. Read it with Field. The range holds wherever the field is evaluated.
-  Declare& field(std::string const& name, DefaultOr<FieldValue> value, std::string const& unit,
-                 Range range, std::string const& meaning);
+  Declare& field(std::string const& name, DefaultOr<FieldValue> const& value,
+                 std::string const& unit, Range range, std::string const& meaning);
 
   // Teuchos::Array of double (of int in the deck is accepted), int, std::string; each number in the
   // range.
-  Declare& realArray(std::string const& name, DefaultOr<std::vector<double>> value,
+  Declare& realArray(std::string const& name, DefaultOr<std::vector<double>> const& value,
                      std::string const& unit, Range range, std::string const& meaning);
-  Declare& integerArray(std::string const& name, DefaultOr<std::vector<int>> value, Range range,
-                        std::string const& meaning);
-  Declare& textArray(std::string const& name, DefaultOr<std::vector<std::string>> value,
+  Declare& integerArray(std::string const& name, DefaultOr<std::vector<int>> const& value,
+                        Range range, std::string const& meaning);
+  Declare& textArray(std::string const& name, DefaultOr<std::vector<std::string>> const& value,
                      std::string const& meaning);
 
   // A list with entries of its own; completed even where the deck leaves it out.

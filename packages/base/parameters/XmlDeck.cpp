@@ -198,7 +198,7 @@ void readList(XMLObject const& element, std::string const& file_name, std::strin
   std::set<std::string> names;
   for (int i = 0; i < element.numChildren(); ++i) {
     XMLObject const& child = element.getChild(i);
-    const std::string tag = child.getTag();
+    std::string const& tag = child.getTag();
     const std::string here = file_name + ": " + path;
     ASPERITY_REQUIRE(tag == "Parameter" || tag == "ParameterList" || tag == "Remove",
                      here << ": <" << tag

@@ -99,7 +99,7 @@ int GuardCommunicator::countOthers(Outcome const& outcome, int speaker) const
   MPI_Bcast(&length, 1, MPI_INT, speaker, communicator_);
   std::string spoken = outcome.message;
   spoken.resize(static_cast<std::size_t>(length));
-  MPI_Bcast(&spoken[0], length, MPI_CHAR, speaker, communicator_);
+  MPI_Bcast(spoken.data(), length, MPI_CHAR, speaker, communicator_);
   const int differs = outcome.has_thrown && outcome.message != spoken ? 1 : 0;
   int count = 0;
   MPI_Reduce(&differs, &count, 1, MPI_INT, MPI_SUM, speaker, communicator_);

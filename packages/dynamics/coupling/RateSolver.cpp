@@ -266,10 +266,10 @@ std::vector<tnnmg::MultigridTerms::MatrixSource> termsOf(Body const& body, bool 
   };
   std::vector<tnnmg::MultigridTerms::MatrixSource> terms = {term(0, 0, 1)};
   if (has_mass) {
-    terms.push_back(term(1, 0, 0));
+    terms.emplace_back(term(1, 0, 0));
   }
   if (has_viscosity) {
-    terms.push_back(term(0, 1, 0));
+    terms.emplace_back(term(0, 1, 0));
   }
   return terms;
 }

@@ -44,6 +44,7 @@ public:
   std::vector<int> of(std::vector<std::int64_t> const& numbers) const
   {
     std::vector<int> ranks;
+    ranks.reserve(numbers.size());
     for (const std::int64_t number : numbers) {
       ranks.push_back(static_cast<int>(number / length_));
     }

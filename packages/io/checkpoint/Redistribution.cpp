@@ -76,13 +76,10 @@ void transfer(std::vector<Archive> const& archives, ArchiveEntry const& entry,
 
 bool hasNodes(Archive const& archive, NodeSets const& here)
 {
-  for (auto const& [name, nodes] : here) {
-    const auto path = pathOfNodes(name);
-    if (archive.has(path) && archive.get<Integers>(path) != nodes) {
-      return false;
-    }
-  }
-  return true;
+  return std::all_of(here.begin(), here.end(), [&](auto const& item) {
+    const auto path = pathOfNodes(item.first);
+    return !archive.has(path) || archive.get<Integers>(path) == item.second;
+  });
 }
 
 Archive redistributed(Archive common, std::vector<Archive> const& archives,

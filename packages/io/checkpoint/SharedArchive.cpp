@@ -81,6 +81,7 @@ std::vector<ArchiveEntry> entriesOfAll(Archive const& archive, Communicator cons
     ASPERITY_ASSERT(first.kind == entry.kind && first.nodes == entry.nodes);
   }
   std::vector<ArchiveEntry> entries;
+  entries.reserve(known.size());
   for (auto const& [path, entry] : known) {
     entries.push_back(entry);
   }

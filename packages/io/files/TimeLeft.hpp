@@ -132,7 +132,7 @@ private:
   double ofCycles() const
   {
     auto const &first = onsets_.front(), &last = onsets_.back();
-    const double number = static_cast<double>(onsets_.size() - 1);
+    const auto number = static_cast<double>(onsets_.size() - 1);
     const double fraction = (last.fraction - first.fraction) / number;
     const double seconds = (last.seconds - first.seconds) / number;
     if (!(fraction > 0)) {

@@ -95,13 +95,18 @@ private:
     }
   }
 
+  bool isEdgeOnSurface(int first, int second) const
+  {
+    return edges_on_surface_.count({std::min(first, second), std::max(first, second)}) > 0;
+  }
+
   bool isOnTrace(int vertex) const
   {
     for (int facet : facets_at_[number_[vertex]]) {
-      for (int other : facets_[facet].key) {
-        if (edges_on_surface_.count({std::min(vertex, other), std::max(vertex, other)}) > 0) {
-          return true;
-        }
+      auto const& others = facets_[facet].key;
+      if (std::any_of(others.begin(), others.end(),
+                      [&](int other) { return isEdgeOnSurface(vertex, other); })) {
+        return true;
       }
     }
     return false;

@@ -58,6 +58,7 @@ using SplitRow = std::array<int, 3>;
 inline std::vector<SplitRow> asRows(std::vector<SplitVertex> const& splits)
 {
   std::vector<SplitRow> rows;
+  rows.reserve(splits.size());
   for (auto const& pair : splits) {
     rows.push_back({pair.plus, pair.minus, pair.is_tip ? 1 : 0});
   }
@@ -67,6 +68,7 @@ inline std::vector<SplitRow> asRows(std::vector<SplitVertex> const& splits)
 inline std::vector<SplitVertex> fromRows(std::vector<SplitRow> const& rows)
 {
   std::vector<SplitVertex> splits;
+  splits.reserve(rows.size());
   for (auto const& [plus, minus, is_tip] : rows) {
     splits.push_back({plus, minus, is_tip != 0});
   }

@@ -16,7 +16,7 @@ void check(GlobalMesh<2> const& plane, std::vector<double> const& levels)
                      "Mesh: the levels of an extrusion have to ascend, but number "
                        << k << " is at " << levels[k] << " m.");
   }
-  const double size = static_cast<double>(plane.vertices.size());
+  const auto size = static_cast<double>(plane.vertices.size());
   ASPERITY_REQUIRE(size * static_cast<double>(levels.size()) < 3e8,
                    "Mesh: " << levels.size() << " levels of " << plane.vertices.size()
                             << " vertices are too many for one mesh.");

@@ -137,7 +137,8 @@ private:
         reached.push_back(vertex);
       }
     };
-    for (std::size_t next = 0; next < reached.size(); ++next) {
+    // `reached` grows meanwhile.
+    for (std::size_t next = 0; next < reached.size(); ++next) { // NOLINT(modernize-loop-convert)
       const int vertex = reached[next];
       if (auto const* pair = sides_.find(vertex)) {
         add(pair->minus);

@@ -103,9 +103,12 @@ Constraints constraints(GlobalMesh<Dim> const& mesh, Nodes const& nodes, int num
   }
   Constraints result;
   result.number = num_on_boundary > 0 && num_on_boundary >= num_parts ? 2 : 1;
-  result.weights.assign(static_cast<std::size_t>(nodes.count * result.number), 0);
+  const auto begin_of = [number = static_cast<std::size_t>(result.number)](idx_t node) {
+    return static_cast<std::size_t>(node) * number;
+  };
+  result.weights.assign(begin_of(nodes.count), 0);
   for (std::size_t v = 0; v < num_vertices; ++v) {
-    idx_t* weights = &result.weights[static_cast<std::size_t>(nodes.of_vertex[v] * result.number)];
+    idx_t* weights = &result.weights[begin_of(nodes.of_vertex[v])];
     const bool is_heavy = on_boundary[v] > 0 && !options.by_cells;
     weights[0] += is_heavy ? options.boundary_weight : everywhere[v];
     if (result.number == 2) {
@@ -178,6 +181,7 @@ double imbalance(std::vector<int> const& owners, int num_parts)
 double imbalance(std::vector<int> const& owners, int num_parts, std::vector<int> const& vertices)
 {
   std::vector<int> their_owners;
+  their_owners.reserve(vertices.size());
   for (int vertex : vertices) {
     their_owners.push_back(owners[static_cast<std::size_t>(vertex)]);
   }

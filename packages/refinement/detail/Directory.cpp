@@ -28,6 +28,7 @@ std::vector<GlobalOrdinal> Directory::lookUp(std::vector<GlobalOrdinal> const& i
                                              std::vector<GlobalOrdinal> const& here) const
 {
   std::vector<int> destinations;
+  destinations.reserve(ids.size());
   for (const GlobalOrdinal id : ids) {
     destinations.push_back(rankOf(id));
   }

@@ -62,6 +62,7 @@ template <int Dim>
 void Points<Dim>::number(Communicator const& communicator)
 {
   std::vector<GlobalOrdinal> counts;
+  counts.reserve(static_cast<std::size_t>(part_.num_owned));
   for (int v = 0; v < part_.num_owned; ++v) {
     counts.push_back(edges_.begin(v + 1) - edges_.begin(v));
   }

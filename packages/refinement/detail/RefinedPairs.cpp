@@ -46,6 +46,7 @@ public:
       }
     }
     std::vector<Row> result;
+    result.reserve(found.size());
     for (const std::size_t row : found) {
       result.push_back(rows_[row]);
     }

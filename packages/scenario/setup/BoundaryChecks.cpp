@@ -42,8 +42,8 @@ std::vector<BoundaryCondition> readConditions(ParameterList const& list)
 {
   std::vector<BoundaryCondition> conditions;
   for (auto const& entry : list) {
-    conditions.push_back(
-      {joinPath("Asperity / Boundary Conditions", entry.first), list.sublist(entry.first)});
+    conditions.emplace_back(joinPath("Asperity / Boundary Conditions", entry.first),
+                            list.sublist(entry.first));
   }
   return conditions;
 }

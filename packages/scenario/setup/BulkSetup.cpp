@@ -94,6 +94,7 @@ std::vector<double> radiationDamping(ParameterList const& list, Mesh<Dim> const&
                        surface.vertices());
   }
   std::vector<double> eta;
+  eta.reserve(at_nodes.size());
   for (auto const& material : at_nodes) {
     // G / cs = rho cs, shared by the sides that radiate
     eta.push_back(material.shearImpedance() / surface.otherSide().deforming_sides);

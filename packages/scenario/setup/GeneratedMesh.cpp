@@ -75,8 +75,8 @@ std::vector<Point<2>> intervals(ParameterList const& list, std::string const& na
   if (!isGiven(list, name)) {
     return {};
   }
-  auto const ends = list.get<Teuchos::Array<double>>(name);
-  ASPERITY_REQUIRE(ends.size() > 0 && ends.size() % 2 == 0,
+  auto const& ends = list.get<Teuchos::Array<double>>(name);
+  ASPERITY_REQUIRE(!ends.empty() && ends.size() % 2 == 0,
                    joinPath(joinPath(path, list.name()), name)
                      << " needs pairs: where each interval begins and ends, along " << axis << ".");
   std::vector<Point<2>> pairs;
@@ -182,7 +182,7 @@ RCP<const ParameterList> boxParameters()
 
 Point<3> threeNumbers(ParameterList const& list, std::string const& name)
 {
-  auto const given = list.get<Teuchos::Array<double>>(name);
+  auto const& given = list.get<Teuchos::Array<double>>(name);
   ASPERITY_REQUIRE(given.size() == 3, path << " / Box / " << name << " needs three numbers.");
   return {given[0], given[1], given[2]};
 }

@@ -48,6 +48,7 @@ NodalField::NodalField(ParameterList const& list, std::string const& name, std::
 {
   if (field_.isDataset()) {
     std::vector<long long> ids;
+    ids.reserve(nodes.size());
     for (int node : nodes) {
       ids.push_back(mesh.global_ids[node]);
     }

@@ -253,7 +253,7 @@ TEST(Deck, WrittenListMarksDefaults)
     const auto begin = line.find("<Parameter name=\"");
     if (begin != std::string::npos) {
       const std::string rest = line.substr(begin + 17);
-      marked[rest.substr(0, rest.find('"'))] = line.find("isDefault=\"true\"") != line.npos;
+      marked[rest.substr(0, rest.find('"'))] = line.find("isDefault=\"true\"") != std::string::npos;
     }
   }
   const std::map<std::string, bool> expected{{"left out", true}, {"given", true},

@@ -102,7 +102,7 @@ TEST(Field, ValuePerRegion)
 TEST(Field, CopiesGiveTheSameValues)
 {
   const Field field = expression("x + t");
-  const Field copy = field;
+  const Field copy = field; // NOLINT(performance-unnecessary-copy-initialization): the test
   EXPECT_EQ(copy({1, 0, 0}, 2, 0), 3.0);
   EXPECT_EQ(field({5, 0, 0}, 2, 0), 7.0);
 }

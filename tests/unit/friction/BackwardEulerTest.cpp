@@ -1,6 +1,7 @@
 #include "friction/Registration.hpp"
 #include "friction/Registry.hpp"
 #include "friction/laws/AgeingLaw.hpp"
+#include "unit/friction/StateConstants.hpp"
 #include "unit/friction/Views.hpp"
 
 #include <gtest/gtest.h>
@@ -39,9 +40,6 @@ namespace asperity::friction::test
 {
 namespace
 {
-constexpr double L = 2e-5;
-constexpr double reference_rate = 5e-5;
-
 static_assert(detail::HasFlow<AgeingLaw>::value, "the ageing law has its flow map");
 static_assert(!detail::HasFlow<AgeingWithoutFlow>::value, "this one falls back on backward Euler");
 

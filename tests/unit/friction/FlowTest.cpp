@@ -1,5 +1,6 @@
 #include "friction/Registry.hpp"
 #include "unit/friction/Reference.hpp"
+#include "unit/friction/StateConstants.hpp"
 #include "unit/friction/Views.hpp"
 
 #include <gtest/gtest.h>
@@ -8,9 +9,6 @@ namespace asperity::friction::test
 {
 namespace
 {
-constexpr double L = 2e-5;
-constexpr double reference_rate = 5e-5;
-
 const std::vector<double> slip_rates{0, 1e-300, 1e-20, 1e-9, 1e-6, 5e-5, 1, 1e2};
 const std::vector<double> step_sizes{0, 1e-6, 1e-3, 0.3, 1, 1e3, 1e9};
 const std::vector<double> states{-100, -31.4, -2, -1e-9, 0, 1, 12, 55, 100};

@@ -32,6 +32,7 @@ std::vector<bool> areOnFaults(std::vector<VelocityCondition<Dim>> const& conditi
                               Mesh<Dim> const& mesh)
 {
   std::vector<bool> result;
+  result.reserve(conditions.size());
   for (auto const& condition : conditions) {
     result.push_back(std::count(mesh.faults.begin(), mesh.faults.end(), condition.boundary) > 0);
   }
