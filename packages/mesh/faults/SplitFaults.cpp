@@ -5,6 +5,7 @@
 #include "mesh/faults/Faults.hpp"
 #include "mesh/faults/detail/VertexSplit.hpp"
 
+#include <algorithm>
 #include <set>
 
 namespace asperity::mesh

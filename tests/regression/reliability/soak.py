@@ -78,8 +78,10 @@ class Soak:
         process, _ = self.begin(folder, ranks)
         process.send_signal(signal.SIGUSR1)
         _, errors = process.communicate(timeout=time_limits.seconds(LIMIT))
-        # Before MPI has begun nobody listens yet.
-        self.expect(process.returncode, errors, runs.DONE, runs.STOPPED, -signal.SIGUSR1)
+        # Before MPI has begun nobody listens yet: the signal ends the program, and mpirun, which
+        # passes it on, returns 128 + signal.
+        self.expect(process.returncode, errors, runs.DONE, runs.STOPPED, -signal.SIGUSR1,
+                    128 + signal.SIGUSR1)
         runs.wait_for_lock(folder)
         return process.returncode == runs.DONE
 
