@@ -1,9 +1,9 @@
 #include "fem/FaultSurface.hpp"
 
-#include "base/Colouring.hpp"
 #include "base/Errors.hpp"
 #include "base/parallel/Reductions.hpp"
 #include "fem/BoundaryMeasure.hpp"
+#include "fem/Colouring.hpp"
 #include "mesh/faults/SplitVertices.hpp"
 
 #include <Tpetra_CrsGraph.hpp>

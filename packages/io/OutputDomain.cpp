@@ -2,6 +2,7 @@
 
 #include "base/Errors.hpp"
 #include "base/NearestName.hpp"
+#include "base/parallel/Directory.hpp"
 #include "base/parallel/Reductions.hpp"
 #include "io/detail/CurveOrder.hpp"
 #include "io/parallel/Gather.hpp"
@@ -94,17 +95,17 @@ void addElements(OutputDomain& domain, Mesh<Dim> const& mesh, std::vector<Elemen
   domain.is_periodic = mesh.period != Point<Dim>{};
 }
 
-// number_of: from a global id to the number among all `num_nodes` nodes of the domain.
-template <int Dim, class Element, class NumberOf>
+// number_of_id: from a global id to the number among all `num_nodes` nodes of the domain.
+template <int Dim, class Element>
 void number(OutputDomain& domain, Mesh<Dim> const& mesh, std::vector<Element> const& elements,
-            std::size_t num_nodes, NumberOf const& number_of)
+            GlobalOrdinal num_nodes, std::map<GlobalOrdinal, GlobalOrdinal> const& number_of_id)
 {
-  domain.num_global_nodes = static_cast<GlobalOrdinal>(num_nodes);
+  domain.num_global_nodes = num_nodes;
   for (const GlobalOrdinal id : domain.vertex_ids) {
-    domain.node_numbers.push_back(number_of(id));
+    domain.node_numbers.push_back(number_of_id.at(id));
   }
   addElements(domain, mesh, elements,
-              [&](int vertex) { return number_of(mesh.global_ids[vertex]); });
+              [&](int vertex) { return number_of_id.at(mesh.global_ids[vertex]); });
 }
 
 void numberAlong(OutputDomain& domain, Mesh<2> const& mesh,
@@ -114,18 +115,36 @@ void numberAlong(OutputDomain& domain, Mesh<2> const& mesh,
   for (std::size_t i = 0; i < order.size(); ++i) {
     number_of_id[order[i]] = static_cast<GlobalOrdinal>(i);
   }
-  number(domain, mesh, facets, order.size(), [&](GlobalOrdinal id) { return number_of_id.at(id); });
+  number(domain, mesh, facets, static_cast<GlobalOrdinal>(order.size()), number_of_id);
 }
 
-// A surface may have many nodes, and every rank has the ids of all: sorted, they are the numbering.
+// A surface may have many nodes: no rank has the ids of all.
 void numberById(OutputDomain& domain, Mesh<3> const& mesh,
                 std::vector<Mesh<3>::Facet> const& facets)
 {
-  std::vector<GlobalOrdinal> ids = gatherToAll(domain.vertex_ids, *domain.comm);
-  std::sort(ids.begin(), ids.end());
-  number(domain, mesh, facets, ids.size(), [&](GlobalOrdinal id) {
-    return static_cast<GlobalOrdinal>(std::lower_bound(ids.begin(), ids.end(), id) - ids.begin());
-  });
+  std::map<GlobalOrdinal, GlobalOrdinal> number_of_id; // of all nodes of this rank's elements
+  for (const GlobalOrdinal id : domain.vertex_ids) {
+    number_of_id[id] = 0;
+  }
+  for (auto const& facet : facets) {
+    for (const int vertex : facet) {
+      number_of_id[mesh.global_ids[vertex]] = 0;
+    }
+  }
+  std::vector<GlobalOrdinal> asked;
+  asked.reserve(number_of_id.size());
+  for (auto const& entry : number_of_id) {
+    asked.push_back(entry.first);
+  }
+  const std::vector<GlobalOrdinal> ones(domain.vertex_ids.size(), 1);
+  const Directory directory(mesh.num_global_vertices, *domain.comm);
+  const auto numbers = directory.sumsBefore(asked, domain.vertex_ids, ones);
+  std::size_t i = 0;
+  for (auto& entry : number_of_id) {
+    entry.second = numbers[i++];
+  }
+  const auto num_nodes = sumOverRanks(static_cast<GlobalOrdinal>(domain.numOwned()), *domain.comm);
+  number(domain, mesh, facets, num_nodes, number_of_id);
 }
 
 detail::CurveOrder orderAlong(OutputDomain const& domain, Mesh<2> const& mesh,

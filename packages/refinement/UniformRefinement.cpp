@@ -1,12 +1,14 @@
 #include "refinement/UniformRefinement.hpp"
 
 #include "base/Errors.hpp"
+#include "base/parallel/Directory.hpp"
 #include "mesh/SimplexGeometry.hpp"
 #include "refinement/Room.hpp"
-#include "refinement/detail/Directory.hpp"
 #include "refinement/detail/Points.hpp"
 #include "refinement/detail/RedRule.hpp"
 #include "refinement/detail/RefinementStep.hpp"
+
+#include <algorithm>
 
 namespace asperity::refinement
 {
@@ -34,6 +36,19 @@ void orient(Mesh<Dim>& part)
     }
   }
 }
+
+// The rank that owns each vertex of a part, (num_local).
+template <int Dim>
+std::vector<int> ownersOf(Mesh<Dim> const& part, Communicator const& communicator)
+{
+  const std::vector<GlobalOrdinal> owned(part.global_ids.begin(),
+                                         part.global_ids.begin() + part.num_owned);
+  const std::vector<GlobalOrdinal> me(owned.size(), communicator.getRank());
+  const Directory directory(part.num_global_vertices, communicator);
+  const auto owners = directory.valuesAt(part.global_ids, owned, me);
+  ASPERITY_ASSERT(std::find(owners.begin(), owners.end(), -1) == owners.end());
+  return {owners.begin(), owners.end()};
+}
 } // namespace
 
 template <int Dim>
@@ -45,7 +60,7 @@ Mesh<Dim> refineUniformly(Mesh<Dim> part, int refinements, Communicator const& c
     return part;
   }
   requireRoom(part, refinements, communicator, where);
-  auto owners = detail::Directory(part.num_global_vertices, communicator).owners(part);
+  auto owners = ownersOf(part, communicator);
   detail::OwnedPart<Dim> refined{std::move(part), std::move(owners)};
   order(refined.mesh);
   for (int i = 0; i < refinements; ++i) {

@@ -30,16 +30,9 @@ std::string Rupture::meaning()
 
 Rupture::Rupture(Teuchos::ParameterList const& parameters, io::OutputContext const& context)
     : EventFollower(context, parameters.get<double>("Threshold"))
-    , gather_(fault())
     , table_(tableOptions(context.directory), context.comm)
     , first_time_(fault().numOwned(), nan)
 {
-}
-
-void Rupture::closeSegment(int index)
-{
-  whole_first_time_ = gather_(first_time_, 1, 1);
-  table_.closeSegment(index);
 }
 
 void Rupture::finish()
@@ -72,7 +65,6 @@ void Rupture::restore(io::Archive const& archive)
   onset_ = archive.getDouble("onset");
   event_time_ = archive.get<Numbers>("event_time");
   first_time_ = archive.get<Numbers>("first_time");
-  whole_first_time_ = gather_(first_time_, 1, 1);
   table_.restore(archive.child("table"));
 }
 
@@ -109,14 +101,15 @@ io::SegmentedTable::Options Rupture::tableOptions(std::filesystem::path const& d
     {"onset", "s", "When the first node reached the threshold.", h5::Type::float64, {}},
     {"rupture_time", "s", "When each node first reached the threshold in the event; nan: never.",
      h5::Type::float64, nodes, true}};
-  options.describe_index = [this, nodes](h5::File& file) {
+  options.describe_index = [this](h5::File& file) {
     file.setAttribute("format", "asperity rupture");
     file.setAttribute("format_version", std::int64_t(1));
     io::writeDataset(file, "threshold", std::vector<double>{threshold()}, {1}, "m/s",
                      "Slip rate with which the rupture has arrived.");
-    io::writeDataset(file, "first_rupture_time", whole_first_time_, nodes, "s",
-                     "When each node first reached the threshold; nan: never.");
   };
+  options.nodal_numbers = {{"first_rupture_time", "s",
+                            "When each node first reached the threshold; nan: never.",
+                            &first_time_}};
   return options;
 }
 

@@ -1,7 +1,6 @@
 #pragma once
 
 #include "catalogue/events/EventFollower.hpp"
-#include "io/parallel/NodeGather.hpp"
 #include "io/series/SegmentedTable.hpp"
 
 #include <cstdint>
@@ -24,15 +23,14 @@ public:
   Rupture(Rupture const&) = delete; // the table describes itself with the members
   Rupture& operator=(Rupture const&) = delete;
 
-  void closeSegment(int index) override;
+  void closeSegment(int index) override { table_.closeSegment(index); }
   void finish() override;
   void save(io::Archive& archive) const override;
   void restore(io::Archive const& archive) override;
   void offer(io::Offers& offers) const override { offers.add(*this); }
 
-  // When each node first reached the threshold in the run, up to the last closeSegment; nan: never.
-  // By node number, on rank 0. [s]
-  std::vector<double> const& firstTimes() const { return whole_first_time_; }
+  // (num_owned) When each node first reached the threshold in the run [s]; nan: not yet.
+  std::vector<double> const& firstTimes() const { return first_time_; }
   using EventFollower::threshold;
 
 protected:
@@ -44,13 +42,11 @@ private:
   io::SegmentedTable::Options tableOptions(std::filesystem::path const& directory);
   void addRow();
 
-  io::NodeGather gather_;
   io::SegmentedTable table_;
 
-  std::int64_t num_events_ = 0;          // that have ended
-  double onset_ = 0;                     // [s]
-  std::vector<double> event_time_;       // (num_owned) [s] in the event in progress
-  std::vector<double> first_time_;       // (num_owned) [s]
-  std::vector<double> whole_first_time_; // (num_nodes), on rank 0
+  std::int64_t num_events_ = 0;    // that have ended
+  double onset_ = 0;               // [s]
+  std::vector<double> event_time_; // (num_owned) [s] in the event in progress
+  std::vector<double> first_time_; // (num_owned) [s]
 };
 } // namespace asperity::catalogue

@@ -11,23 +11,26 @@ namespace asperity::catalogue
 {
 FaultAxis faultAxis(io::OutputDomain const& fault)
 {
-  const io::NodeGather gather(fault);
-  const auto coordinates = gather(fault.coordinates, 1, fault.dimension);
-  FaultAxis axis;
-  axis.distances = gather(fault.positions, 1, 1);
-  double first_y = 0, last_y = 0, length = 0;
-  if (!axis.distances.empty()) {
-    first_y = coordinates[1];
-    last_y = coordinates.back();
-    length = axis.distances.back();
-    if (last_y > first_y) {
-      for (double& distance : axis.distances) {
-        distance = length - distance;
-      }
+  std::vector<double> ends{0, 0, 0}; // y of the first node, y and position of the last one
+  for (std::size_t i = 0; i < fault.numOwned(); ++i) {
+    if (fault.node_numbers[i] == 0) {
+      ends[0] = fault.coordinates[2 * i + 1];
+    }
+    if (fault.node_numbers[i] == fault.num_global_nodes - 1) {
+      ends[1] = fault.coordinates[2 * i + 1];
+      ends[2] = fault.positions[i];
     }
   }
-  const double level = std::abs(last_y - first_y) <= 1e-9 * length ? 1 : 0;
-  axis.is_level = maxOverRanks(fault.comm->getRank() == 0 ? level : 0, *fault.comm) > 0;
+  ends = sumOverRanks(ends, *fault.comm); // others have zeros
+  const double first_y = ends[0], last_y = ends[1], length = ends[2];
+  FaultAxis axis;
+  axis.distances = fault.positions;
+  if (last_y > first_y) {
+    for (double& distance : axis.distances) {
+      distance = length - distance;
+    }
+  }
+  axis.is_level = std::abs(last_y - first_y) <= 1e-9 * length;
   return axis;
 }
 
@@ -35,7 +38,7 @@ std::optional<std::array<double, 2>> pointAlong(io::OutputDomain const& fault, d
 {
   const io::NodeGather gather(fault);
   const auto coordinates = gather(fault.coordinates, 1, fault.dimension);
-  auto const distances = faultAxis(fault).distances;
+  auto const distances = gather(faultAxis(fault).distances, 1, 1);
   constexpr double rounding = 1e-9;
   double found[3] = {0, 0, 0}; // a flag and the point
   for (std::size_t i = 1; i < distances.size(); ++i) {
@@ -64,13 +67,12 @@ FaultPlaces onCurve(io::OutputDomain const& fault)
 FaultPlaces onSurface(io::OutputDomain const& fault, Direction const& up)
 {
   const FaultPlane plane = faultPlane(fault, up);
-  FaultPlaces mine;
+  FaultPlaces places;
   for (std::size_t i = 0; i < fault.numOwned(); ++i) {
-    mine.along_strike.push_back(plane.alongStrike(&fault.coordinates[3 * i]));
-    mine.down_dip.push_back(plane.downDip(&fault.coordinates[3 * i]));
+    places.along_strike.push_back(plane.alongStrike(&fault.coordinates[3 * i]));
+    places.down_dip.push_back(plane.downDip(&fault.coordinates[3 * i]));
   }
-  const io::NodeGather gather(fault);
-  return {gather(mine.along_strike, 1, 1), gather(mine.down_dip, 1, 1)};
+  return places;
 }
 } // namespace
 

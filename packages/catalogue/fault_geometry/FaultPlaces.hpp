@@ -11,8 +11,8 @@ namespace asperity::catalogue
 // The places on a fault that is a curve in the x-y plane, as seismologists count them.
 struct FaultAxis
 {
-  // Of the fault's nodes on rank 0, by number: the distance along the fault from the end with the
-  // larger y, which is down dip; along +x where the fault is level.
+  // (num_owned) The distance along the fault [m] from the end with the larger y, which is down dip;
+  // along +x where the fault is level.
   std::vector<double> distances;
   bool is_level = false; // the plane is a map, and the fault runs along strike
 };
@@ -24,8 +24,7 @@ FaultAxis faultAxis(io::OutputDomain const& fault);
 // nothing if it is not as long. The same on all ranks. Collective.
 std::optional<std::array<double, 2>> pointAlong(io::OutputDomain const& fault, double distance);
 
-// Where the nodes of the fault are along strike and down dip, by node number, on rank 0; empty
-// elsewhere.
+// Where this rank's nodes of the fault are along strike and down dip, (num_owned).
 //
 // Of a surface in its mean plane. Of a curve, the distance along it is along strike where the curve
 // is level, because the plane of the mesh is a map then, otherwise down dip; the other one is zero.

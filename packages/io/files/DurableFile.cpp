@@ -5,7 +5,6 @@
 #include <cerrno>
 #include <cstring>
 #include <fcntl.h>
-#include <fstream>
 #include <unistd.h>
 
 namespace asperity::io::detail
@@ -62,15 +61,19 @@ void replaceDurably(std::filesystem::path const& file)
 
 namespace asperity::io
 {
-void replaceText(std::filesystem::path const& file, std::string const& text)
+ReplacingText::ReplacingText(std::filesystem::path const& file) : file_(file)
 {
   std::error_code ignored; // a folder that cannot be made is one that cannot be written to
   std::filesystem::create_directory(file.parent_path(), ignored);
-  std::ofstream stream(detail::temporaryName(file), std::ios::binary);
-  stream << text << std::flush;
-  if (!stream) {
-    throw OutputError(file.string() + " cannot be written. Is the disk full?");
+  stream_.open(detail::temporaryName(file), std::ios::binary);
+}
+
+void ReplacingText::finish()
+{
+  stream_.close();
+  if (!stream_) {
+    throw OutputError(file_.string() + " cannot be written. Is the disk full?");
   }
-  detail::replace(file);
+  detail::replace(file_);
 }
 } // namespace asperity::io

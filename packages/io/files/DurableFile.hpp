@@ -1,6 +1,7 @@
 #pragma once
 
 #include <filesystem>
+#include <fstream>
 #include <string>
 
 namespace asperity::io::detail
@@ -24,7 +25,17 @@ void replaceDurably(std::filesystem::path const& file);
 
 namespace asperity::io
 {
-// Replaces the file by one with this text; makes its folder if there is none. Throws OutputError if
-// the file cannot be written.
-void replaceText(std::filesystem::path const& file, std::string const& text);
+// A text that takes the place of a file once it is complete.
+class ReplacingText
+{
+public:
+  explicit ReplacingText(std::filesystem::path const& file); // makes its folder if there is none
+
+  void add(std::string const& text) { stream_ << text; }
+  void finish(); // throws OutputError if anything could not be written
+
+private:
+  std::filesystem::path file_;
+  std::ofstream stream_;
+};
 } // namespace asperity::io

@@ -4,6 +4,7 @@
 #include "base/parallel/Agreement.hpp"
 #include "base/parallel/Messages.hpp"
 #include "io/files/DurableFile.hpp"
+#include "io/parallel/BlocksInOrder.hpp"
 
 #include <algorithm>
 #include <cstdio>
@@ -60,6 +61,11 @@ SegmentedTable::SegmentedTable(Options options, RCP<const Communicator> comm)
 std::filesystem::path SegmentedTable::segmentPath(std::size_t segment) const
 {
   return options_.directory / segmentName(options_.name, segment);
+}
+
+std::filesystem::path SegmentedTable::indexPath() const
+{
+  return options_.directory / (options_.name + ".h5");
 }
 
 void SegmentedTable::append(std::size_t num_rows, std::vector<std::vector<double>> const& values)
@@ -138,7 +144,7 @@ void SegmentedTable::closeSegment(int index)
   rows_of_segment_.push_back(rows_in_open_segment_);
   rows_in_open_segment_ = 0;
   writeGeometry();
-  onRoot(*comm_, [&] { writeIndex(); });
+  writeIndex();
 }
 
 void SegmentedTable::writeGeometry()
@@ -150,13 +156,35 @@ void SegmentedTable::writeGeometry()
 
 void SegmentedTable::writeIndex() const
 {
+  std::optional<h5::File> file; // of rank 0
+  onRoot(*comm_, [&] { file = createIndex(); });
+  for (auto const& number : options_.nodal_numbers) {
+    hsize_t first = 0;
+    visitInOrder((*blocks_)(*number.values, 1, 1), *comm_, [&](std::vector<double> const& block) {
+      if (!block.empty()) {
+        file->openDataset(number.path).writePart(block.data(), {first, block.size()});
+      }
+      first += block.size();
+    });
+  }
+  onRoot(*comm_, [&] {
+    file->close();
+    detail::replace(indexPath()); // a restart makes it anew
+  });
+}
+
+h5::File SegmentedTable::createIndex() const
+{
   std::vector<h5::VirtualPart> parts;
   for (std::size_t i = 0; i < rows_of_segment_.size(); ++i) {
     parts.push_back({segmentName(options_.name, i), static_cast<hsize_t>(rows_of_segment_[i])});
   }
-  const auto path = options_.directory / (options_.name + ".h5");
-  h5::File file = h5::File::create(detail::temporaryName(path));
+  h5::File file = h5::File::create(detail::temporaryName(indexPath()));
   options_.describe_index(file);
+  for (auto const& number : options_.nodal_numbers) {
+    const h5::Shape nodes{static_cast<hsize_t>(options_.nodes->num_global_nodes)};
+    describe(file.create(number.path, h5::Type::float64, nodes), number.unit, number.description);
+  }
   if (geometry_) {
     file.link("geometry", geometry_->name);
   }
@@ -164,8 +192,7 @@ void SegmentedTable::writeIndex() const
     describe(file.createVirtual(column.path, column.type, column.row_shape, parts), column.unit,
              column.description);
   }
-  file.close();
-  detail::replace(path); // a restart makes it anew
+  return file;
 }
 
 void SegmentedTable::save(Archive& archive) const
@@ -179,7 +206,7 @@ void SegmentedTable::restore(Archive const& archive)
   rows_of_segment_ = archive.get<std::vector<std::int64_t>>("rows_of_segment");
   onRoot(*comm_, [&] { removeLaterSegments(); });
   writeGeometry();
-  onRoot(*comm_, [&] { writeIndex(); });
+  writeIndex();
 }
 
 void SegmentedTable::removeLaterSegments() const

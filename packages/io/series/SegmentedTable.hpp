@@ -47,6 +47,13 @@ public:
     OutputDomain const* nodes = nullptr;
     // Adds to the index everything that does not grow, such as attributes. Called on rank 0.
     std::function<void(h5::File&)> describe_index;
+    // A number for each node, (num_owned), in a dataset of the index, which every index has anew.
+    struct NodalNumber
+    {
+      std::string path, unit, description;
+      std::vector<double> const* values;
+    };
+    std::vector<NodalNumber> nodal_numbers;
   };
 
   SegmentedTable(Options options, RCP<const Communicator> comm);
@@ -77,7 +84,9 @@ private:
   void writeColumn(h5::File& segment, std::size_t i);
   void writeGeometry();
   void writeIndex() const;
+  h5::File createIndex() const;
   void removeLaterSegments() const;
+  std::filesystem::path indexPath() const;
   std::filesystem::path segmentPath(std::size_t segment) const;
 
   Options options_;

@@ -2,11 +2,18 @@
 
 #include "base/parallel/Agreement.hpp"
 #include "io/files/DurableFile.hpp"
+#include "io/parallel/BlocksInOrder.hpp"
 
 #include <cmath>
+#include <optional>
 
 namespace asperity::platforms
 {
+namespace
+{
+constexpr double never = 1e9; // [s] what the platforms agreed on
+} // namespace
+
 RuptureTimes::RuptureTimes(Platform const& platform, io::OutputContext const& context,
                            std::string name, std::string fields, catalogue::Rupture const& rupture)
     : platform_(platform)
@@ -16,30 +23,41 @@ RuptureTimes::RuptureTimes(Platform const& platform, io::OutputContext const& co
     , comm_(context.comm)
     , rupture_(rupture)
     , places_(catalogue::faultPlaces(context.domain("fault"), context.up))
+    , blocks_(context.domain("fault"))
 {
 }
 
 void RuptureTimes::flush(StepFacts const&)
 {
-  onRoot(*comm_, [&] { io::replaceText(directory_ / platform_.folder / name_, text()); });
+  auto const& times = rupture_.firstTimes();
+  std::vector<double> rows; // (num_owned, 3)
+  for (std::size_t i = 0; i < times.size(); ++i) {
+    rows.insert(rows.end(),
+                {places_.along_strike[i], platform_.run.depth_of_upper_end + places_.down_dip[i],
+                 std::isnan(times[i]) ? never : times[i]});
+  }
+  std::optional<io::ReplacingText> file; // of rank 0
+  onRoot(*comm_, [&] {
+    file.emplace(directory_ / platform_.folder / name_);
+    file->add(header() + '\n');
+  });
+  io::visitInOrder(blocks_(rows, 1, 3), *comm_, [&](std::vector<double> const& block) {
+    for (std::size_t i = 0; i < block.size(); i += 3) {
+      file->add(numberText(block[i]) + ' ' + numberText(block[i + 1]) + ' ' +
+                timeText(block[i + 2]) + '\n');
+    }
+  });
+  onRoot(*comm_, [&] { file->finish(); });
 }
 
-std::string RuptureTimes::text() const
+std::string RuptureTimes::header() const
 {
-  constexpr double never = 1e9; // what the platforms agreed on
   FileContent content;
   content.name = name_;
   content.remarks = columnRemarks({"Distance along strike (m)", "Distance down dip (m)",
                                    "Time (s) at which the slip rate first reached " +
                                      io::shortNumber(rupture_.threshold()) + " m/s; 1E+09: never"});
   content.fields = fields_;
-  std::string text = fileHeader(platform_, content, nullptr) + '\n';
-  auto const& times = rupture_.firstTimes();
-  for (std::size_t i = 0; i < times.size(); ++i) {
-    text += numberText(places_.along_strike[i]) + ' ' +
-            numberText(platform_.run.depth_of_upper_end + places_.down_dip[i]) + ' ' +
-            timeText(std::isnan(times[i]) ? never : times[i]) + '\n';
-  }
-  return text;
+  return fileHeader(platform_, content, nullptr);
 }
 } // namespace asperity::platforms

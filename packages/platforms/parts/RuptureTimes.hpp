@@ -2,6 +2,7 @@
 
 #include "catalogue/events/Rupture.hpp"
 #include "catalogue/fault_geometry/FaultPlaces.hpp"
+#include "io/parallel/NodeBlocks.hpp"
 #include "platforms/PlatformFiles.hpp"
 
 #include <string>
@@ -22,7 +23,7 @@ public:
   void restore(io::Archive const&) override {}
 
 private:
-  std::string text() const;
+  std::string header() const;
 
   Platform platform_;
   std::string name_, fields_;
@@ -30,5 +31,6 @@ private:
   RCP<const Communicator> comm_;
   catalogue::Rupture const& rupture_;
   catalogue::FaultPlaces places_;
+  io::NodeBlocks blocks_;
 };
 } // namespace asperity::platforms

@@ -8,23 +8,15 @@ namespace asperity::platforms
 {
 namespace
 {
-// From the upper end of the fault down, on rank 0.
-std::vector<double> depths(io::OutputDomain const& fault)
+// Of all nodes by number, on rank 0.
+std::vector<double> distances(io::NodeGather const& gather, io::OutputDomain const& fault)
 {
-  auto distances = catalogue::faultAxis(fault).distances;
-  std::sort(distances.begin(), distances.end());
-  return distances;
+  return gather(catalogue::faultAxis(fault).distances, 1, 1);
 }
 
-bool startsBelow(io::OutputDomain const& fault)
+FileContent contentFor(std::vector<double> z)
 {
-  const auto distances = catalogue::faultAxis(fault).distances;
-  return !distances.empty() && distances.front() > distances.back();
-}
-
-FileContent contentFor(io::OutputDomain const& fault)
-{
-  const auto z = depths(fault);
+  std::sort(z.begin(), z.end()); // from the upper end of the fault down
   FileContent content;
   content.name = "slip.dat";
   content.remarks = {"Row #1 = Distance along the fault (m) with two zeros first",
@@ -44,8 +36,8 @@ SlipProfiles::SlipProfiles(Platform const& platform, io::OutputContext const& co
     , gather_(context.domain("fault"))
     , rates_(context.domain("fault"), context.fields)
     , slip_(context.fields.field("fault", "slip"))
-    , is_reversed_(startsBelow(context.domain("fault")))
-    , file_(platform, contentFor(context.domain("fault")), context)
+    , distances_(distances(gather_, context.domain("fault")))
+    , file_(platform, contentFor(distances_), context)
 {
 }
 
@@ -62,7 +54,7 @@ void SlipProfiles::write(io::StepInfo const& step)
   for (std::size_t node = 0; node < whole.size(); node += components) {
     row.push_back(whole[node]);
   }
-  if (is_reversed_) {
+  if (!row.empty() && distances_.front() > distances_.back()) {
     std::reverse(row.begin(), row.end());
   }
   row.insert(row.begin(), decimalLogarithm(rates_.sample().peak));

@@ -26,7 +26,7 @@ private:
   io::NodeGather gather_;
   catalogue::FaultRates rates_;
   io::OutputField const& slip_;
-  bool is_reversed_; // the upper end is the last node
+  std::vector<double> distances_; // [m] along the fault from its upper end, by node; on rank 0
   TimeSeries file_;
 };
 } // namespace asperity::platforms

@@ -1,7 +1,7 @@
 #include "refinement/detail/CutCells.hpp"
 
+#include "base/parallel/Messages.hpp"
 #include "mesh/detail/FacetTable.hpp"
-#include "refinement/detail/Questions.hpp"
 
 namespace asperity::refinement::detail
 {

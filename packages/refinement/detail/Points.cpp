@@ -1,8 +1,8 @@
 #include "refinement/detail/Points.hpp"
 
+#include "base/parallel/Directory.hpp"
+#include "base/parallel/Messages.hpp"
 #include "base/parallel/Reductions.hpp"
-#include "refinement/detail/Directory.hpp"
-#include "refinement/detail/Questions.hpp"
 
 #include <numeric>
 
@@ -67,7 +67,8 @@ void Points<Dim>::number(Communicator const& communicator)
     counts.push_back(edges_.begin(v + 1) - edges_.begin(v));
   }
   const std::vector<GlobalOrdinal> owned(ids_.begin(), ids_.begin() + part_.num_owned);
-  const auto before = Directory(part_.num_global_vertices, communicator).sumsBefore(owned, counts);
+  const auto before =
+    Directory(part_.num_global_vertices, communicator).sumsBefore(owned, owned, counts);
   num_global_ =
     part_.num_global_vertices +
     sumOverRanks(std::accumulate(counts.begin(), counts.end(), GlobalOrdinal(0)), communicator);

@@ -1,6 +1,6 @@
 #include "refinement/detail/RefinedPairs.hpp"
 
-#include "refinement/detail/Questions.hpp"
+#include "base/parallel/Messages.hpp"
 
 #include <unordered_map>
 

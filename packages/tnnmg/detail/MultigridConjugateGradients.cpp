@@ -63,8 +63,9 @@ void checkBelosParameters(Teuchos::ParameterList const& belos)
   belos.validateParameters(*Solver().getValidParameters());
 }
 
-IterationResult conjugateGradients(RCP<const Operator> A, RCP<const Operator> preconditioner,
-                                   Vector const& r, double relative_tolerance, int max_iterations,
+IterationResult conjugateGradients(RCP<const Operator> const& A,
+                                   RCP<const Operator> const& preconditioner, Vector const& r,
+                                   double relative_tolerance, int max_iterations,
                                    Teuchos::ParameterList const& belos, Vector& c)
 {
   IterationResult result;

@@ -14,7 +14,8 @@ void checkBelosParameters(Teuchos::ParameterList const& belos);
 // relative_tolerance |r|. The true residual is computed at the end; if rounding has made it larger
 // than the residual that the iteration updates, the iteration is continued. belos: Belos's own
 // parameters, without tolerance and number of iterations.
-IterationResult conjugateGradients(RCP<const Operator> A, RCP<const Operator> preconditioner,
-                                   Vector const& r, double relative_tolerance, int max_iterations,
+IterationResult conjugateGradients(RCP<const Operator> const& A,
+                                   RCP<const Operator> const& preconditioner, Vector const& r,
+                                   double relative_tolerance, int max_iterations,
                                    Teuchos::ParameterList const& belos, Vector& c);
 } // namespace asperity::tnnmg::detail

@@ -177,6 +177,9 @@ void SupernodalFactor::backward(double* x) const
     case 5: subtractTransposed<5>(below, height, rows, node->num_rows, x, own.data()); break;
     case 6: subtractTransposed<6>(below, height, rows, node->num_rows, x, own.data()); break;
     default: {
+      if (node->num_rows == 0) {
+        break; // a root of the elimination tree
+      }
       const auto num_rows = static_cast<Eigen::Index>(node->num_rows);
       const Block block(below, num_rows, node->width,
                         Eigen::OuterStride<>(static_cast<Eigen::Index>(height)));

@@ -30,6 +30,7 @@ RCP<const Map> columnMap(std::vector<RCP<const CrsMatrix>> const& matrices, Map 
   std::sort(ghosts.begin(), ghosts.end());
   ghosts.erase(std::unique(ghosts.begin(), ghosts.end()), ghosts.end());
   std::vector<GlobalOrdinal> ids;
+  ids.reserve(numLocalElements(domain) + ghosts.size() * static_cast<std::size_t>(size));
   for (LocalOrdinal k = 0; k < static_cast<LocalOrdinal>(numLocalElements(domain)); ++k) {
     ids.push_back(domain.getGlobalElement(k));
   }
@@ -82,6 +83,7 @@ NodeGraph makeNodeGraph(std::vector<RCP<const CrsMatrix>> const& matrices, int r
     graph.halo = std::make_shared<const Halo>(*graph.domain_map, ghosts);
   }
   std::vector<std::vector<int>> places;
+  places.reserve(matrices.size());
   for (auto const& matrix : matrices) {
     places.push_back(placesOfColumns(graph, *matrix));
   }

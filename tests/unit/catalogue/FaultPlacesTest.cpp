@@ -20,16 +20,17 @@ io::OutputDomain uprightFault(int num_base)
 
 TEST(FaultPlaces, DistancesAreDownDip)
 {
-  const auto upright = faultAxis(uprightFault(4));
-  const auto level = faultAxis(io::boundaryDomain("fault", test::stripMesh(4), "base", world()));
-  EXPECT_FALSE(upright.is_level);
-  EXPECT_TRUE(level.is_level);
-  if (world()->getRank() == 0) {
-    ASSERT_EQ(upright.distances.size(), 4u); // the nodes are numbered from below
-    EXPECT_NEAR(upright.distances[0], 1, 1e-15);
-    EXPECT_NEAR(upright.distances[1], 8.0 / 9, 1e-15);
-    EXPECT_NEAR(upright.distances[3], 0, 1e-15);
-    EXPECT_NEAR(level.distances[1], 1.0 / 9, 1e-15);
+  const auto upright = uprightFault(4);
+  const auto level = io::boundaryDomain("fault", test::stripMesh(4), "base", world());
+  const auto along_upright = faultAxis(upright), along_level = faultAxis(level);
+  EXPECT_FALSE(along_upright.is_level);
+  EXPECT_TRUE(along_level.is_level);
+  ASSERT_EQ(along_upright.distances.size(), upright.numOwned());
+  for (std::size_t i = 0; i < upright.numOwned(); ++i) { // the nodes are numbered from below
+    EXPECT_NEAR(along_upright.distances[i], -upright.coordinates[2 * i + 1], 1e-15);
+  }
+  for (std::size_t i = 0; i < level.numOwned(); ++i) {
+    EXPECT_NEAR(along_level.distances[i], level.coordinates[2 * i], 1e-15);
   }
 }
 

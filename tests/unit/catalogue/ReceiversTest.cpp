@@ -7,7 +7,6 @@ using namespace asperity;
 using namespace asperity::catalogue;
 using namespace asperity::io;
 using test::position;
-using test::world;
 
 namespace
 {

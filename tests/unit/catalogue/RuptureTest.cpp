@@ -7,7 +7,6 @@
 
 using namespace asperity;
 using namespace asperity::io;
-using test::world;
 
 namespace
 {

@@ -9,7 +9,6 @@
 using namespace asperity;
 using namespace asperity::catalogue;
 using namespace asperity::io;
-using test::world;
 
 namespace
 {

@@ -120,7 +120,8 @@ DenseState DenseReference::step(DenseState const& from, double t1, double tau) c
     const Eigen::VectorXd change = jacobian(step, to).lu().solve(rest);
     // Halved while it leads to a larger imbalance, or across a standstill of the fault.
     DenseState next = to;
-    for (double length = 1; length > 1e-6; length /= 2) {
+    double length = 1;
+    for (int halving = 0; halving < 20; ++halving, length /= 2) {
       next.v(free_) = to.v(free_) - length * change;
       const Eigen::VectorXd next_rest = imbalance(step, next);
       if (next_rest.norm() < rest.norm()) {

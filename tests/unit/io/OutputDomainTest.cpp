@@ -1,6 +1,9 @@
 #include "io/OutputDomain.hpp"
+#include "base/Errors.hpp"
 #include "base/parallel/Reductions.hpp"
 #include "io/detail/CurveOrder.hpp"
+#include "io/parallel/BlocksInOrder.hpp"
+#include "io/parallel/NodeBlocks.hpp"
 #include "io/parallel/NodeGather.hpp"
 #include "unit/io/BlockMesh.hpp"
 #include "unit/io/Support.hpp"
@@ -112,6 +115,45 @@ TEST(OutputDomain, GatherPutsRowsAndComponentsInOrder)
     const int row = i / (2 * num_base), node = i / 2 % num_base;
     EXPECT_EQ(whole[i], 100.0 * row + 10.0 * node + i % 2);
   }
+}
+
+TEST(OutputDomain, RootSeesTheBlocksOfAllRanksInOrder)
+{
+  const OutputDomain fault = boundaryDomain("fault", test::stripMesh(num_base), "base", world());
+  const std::vector<double> numbers(fault.node_numbers.begin(), fault.node_numbers.end());
+  const auto block = NodeBlocks(fault)(numbers, 1, 1);
+  std::vector<double> seen;
+  int calls = 0;
+  visitInOrder(block, *world(), [&](std::vector<double> const& next) {
+    seen.insert(seen.end(), next.begin(), next.end());
+    ++calls;
+  });
+  if (world()->getRank() > 0) {
+    EXPECT_EQ(calls, 0);
+    return;
+  }
+  std::vector<double> expected(num_base);
+  std::iota(expected.begin(), expected.end(), 0);
+  EXPECT_EQ(seen, expected);
+  EXPECT_EQ(calls, world()->getSize());
+}
+
+// All ranks throw, none waits, and what comes next arrives.
+TEST(OutputDomain, WhatRootCannotUseIsThrownEverywhere)
+{
+  const std::vector<double> block(3, world()->getRank());
+  int calls = 0;
+  EXPECT_THROW(visitInOrder(block, *world(),
+                            [&](std::vector<double> const&) {
+                              ++calls;
+                              throw OutputError("The disk is full.");
+                            }),
+               OutputError);
+  EXPECT_EQ(calls, world()->getRank() == 0 ? 1 : 0);
+  double sum = 0;
+  visitInOrder(block, *world(), [&](std::vector<double> const& next) { sum += next[2]; });
+  const int size = world()->getSize();
+  EXPECT_EQ(sum, world()->getRank() == 0 ? size * (size - 1) / 2 : 0);
 }
 
 TEST(OutputDomain, UnknownOrEmptyBoundariesAreRefused)

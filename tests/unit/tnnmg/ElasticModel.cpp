@@ -1,6 +1,6 @@
 #include "ElasticModel.hpp"
 
-#include "base/Colouring.hpp"
+#include "fem/Colouring.hpp"
 #include "portability/Renamed.hpp"
 
 #include <Teuchos_CommHelpers.hpp>
@@ -255,7 +255,8 @@ NonlinearNodes ElasticModel::nodesWith(std::vector<std::vector<int>> const& furt
       held[dofs(node, k)] |= further[node][k];
     }
   }
-  return {nodes.dofs, toDevice(held, "held"), colourFreeNodes(*Z->getCrsGraph(), nodes.dofs, held)};
+  return {nodes.dofs, toDevice(held, "held"),
+          fem::colourFreeNodes(*Z->getCrsGraph(), nodes.dofs, held)};
 }
 
 MultigridProblem ElasticModel::problem() const

@@ -1,4 +1,4 @@
-#include "base/Colouring.hpp"
+#include "fem/Colouring.hpp"
 
 #include "base/Hashes.hpp"
 #include "base/parallel/Reductions.hpp"
@@ -14,7 +14,7 @@
 #include <set>
 #include <utility>
 
-namespace asperity
+namespace asperity::fem
 {
 namespace
 {
@@ -212,4 +212,4 @@ std::vector<IndexView> colourFreeNodes(CrsGraph const& graph, NodeDofView const&
   }
   return colours;
 }
-} // namespace asperity
+} // namespace asperity::fem

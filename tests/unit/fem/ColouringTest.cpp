@@ -1,4 +1,4 @@
-#include "base/Colouring.hpp"
+#include "fem/Colouring.hpp"
 
 #include "portability/Renamed.hpp"
 
@@ -12,7 +12,7 @@
 #include <map>
 #include <vector>
 
-namespace asperity
+namespace asperity::fem
 {
 namespace
 {
@@ -147,4 +147,4 @@ TEST(Colouring, noNodesTakeNoColour)
   const auto neighbours = [](GlobalOrdinal) { return std::vector<GlobalOrdinal>{}; };
   EXPECT_EQ(checkColouring(0, neighbours, [](GlobalOrdinal) { return 0; }), 0);
 }
-} // namespace asperity
+} // namespace asperity::fem

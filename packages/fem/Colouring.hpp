@@ -5,7 +5,7 @@
 
 #include <vector>
 
-namespace asperity
+namespace asperity::fem
 {
 // Nodes of one colour are not neighbours, on no rank: they may be smoothed at the same time.
 struct Colouring
@@ -28,4 +28,4 @@ Colouring colourNodes(CrsGraph const& graph, NodeDofView const& dofs);
 // is. As many colours on every rank.
 std::vector<IndexView> colourFreeNodes(CrsGraph const& graph, NodeDofView const& dofs,
                                        std::vector<int> const& held);
-} // namespace asperity
+} // namespace asperity::fem

@@ -1,0 +1,14 @@
+#pragma once
+
+#include "base/Types.hpp"
+
+#include <functional>
+#include <vector>
+
+namespace asperity::io
+{
+// Calls use(block) on rank 0 for the block of every rank, that of rank 0 first. Besides its own,
+// rank 0 holds one block at a time. What `use` throws is thrown on every rank. Collective.
+void visitInOrder(std::vector<double> const& block, Communicator const& comm,
+                  std::function<void(std::vector<double> const&)> const& use);
+} // namespace asperity::io

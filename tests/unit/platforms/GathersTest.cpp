@@ -1,0 +1,92 @@
+#include "unit/io/BlockMesh.hpp"
+#include "unit/platforms/Deck.hpp"
+
+#include <mpi.h>
+
+#include <algorithm>
+#include <cstdint>
+#include <numeric>
+
+// A fault has too many nodes for one rank: outputs gather a few numbers of each rank, no node's.
+using namespace asperity;
+using namespace asperity::io;
+
+namespace
+{
+std::int64_t largest_gather = 0; // in bytes, of those that this rank has received
+
+void note(int const* counts, MPI_Datatype type, MPI_Comm comm)
+{
+  if (type == MPI_BYTE) {
+    return; // HDF5's own: where the chunks of all ranks are
+  }
+  int num_ranks = 0, size = 0;
+  PMPI_Comm_size(comm, &num_ranks);
+  PMPI_Type_size(type, &size);
+  const auto count = std::accumulate(counts, counts + num_ranks, std::int64_t(0));
+  largest_gather = std::max(largest_gather, count * size);
+}
+} // namespace
+
+// All libraries of the program call these instead of MPI's.
+extern "C" {
+int MPI_Gatherv(const void* mine, int count, MPI_Datatype type, void* all, const int* counts,
+                const int* offsets, MPI_Datatype all_type, int root, MPI_Comm comm)
+{
+  int rank = 0;
+  PMPI_Comm_rank(comm, &rank);
+  if (rank == root) {
+    note(counts, all_type, comm);
+  }
+  return PMPI_Gatherv(mine, count, type, all, counts, offsets, all_type, root, comm);
+}
+int MPI_Allgatherv(const void* mine, int count, MPI_Datatype type, void* all, const int* counts,
+                   const int* offsets, MPI_Datatype all_type, MPI_Comm comm)
+{
+  note(counts, all_type, comm);
+  return PMPI_Allgatherv(mine, count, type, all, counts, offsets, all_type, comm);
+}
+}
+
+namespace
+{
+struct Fault : test::Stage
+{
+  Fault() : Stage(test::blockMesh())
+  {
+    for (auto const* name : {"alpha", "shear_modulus"}) {
+      add("fault", name, 1, [](double const*, int) { return 20; });
+    }
+    add("fault", "slip", 3, [](double const* x, int c) { return x[c]; });
+    add("fault", "slip_rate", 1, [](double const* x, int) { return x[0]; });
+    add("fault", "slip_velocity", 3, [](double const*, int c) { return 0.3 * c; });
+    add("fault", "traction", 3, [](double const*, int c) { return 1e6 * (1 + c); });
+    add("fault", "normal_stress", 1, [](double const*, int) { return 2.5e7; });
+    add("fault", "theta", 1, [](double const*, int) { return 1e8; });
+    add("volume", "displacement", 3, [](double const* x, int c) { return x[c]; });
+    add("volume", "velocity", 3, [](double const*, int c) { return c + 1; });
+  }
+};
+
+void expectSmallGathers(std::string const& output, std::string const& platform)
+{
+  test::TemporaryDirectory directory;
+  largest_gather = 0;
+  Fault fault;
+  OutputSet outputs(test::deckWith(output, platform), fault.context(directory.path()));
+  outputs.write(fault.at(0, 1));
+  outputs.write(fault.at(1, 1, true));
+  outputs.closeSegment();
+  const std::int64_t few = 2 * sizeof(double) * test::world()->getSize();
+  static_assert((test::block_nx + 1) * (test::block_nz + 1) > 3 * 2 * 2, "more nodes than that");
+  EXPECT_LE(largest_gather, few) << output << ", " << platform;
+}
+} // namespace
+
+TEST(Gathers, NoOutputHasAllNodesOfASurfaceOnOneRank)
+{
+  for (auto const* output : {"Fault History", "Rupture", "Event Catalogue", "Volume Snapshots"}) {
+    expectSmallGathers(output, "SCEC"); // cplot, with each of them
+    expectSmallGathers(output, "SEAS");
+  }
+}
