@@ -146,7 +146,7 @@ simulate()
 run_tests()
 {
   phase "Test (after $SECONDS s)"
-  ctest --test-dir "$build" --label-exclude '^(benchmark|performance)$' \
+  ctest --test-dir "$build" --label-exclude '^benchmark$' \
     --parallel "$(nproc)" --output-on-failure
 }
 

@@ -61,8 +61,8 @@ CellCount countCells(Mesh<Dim> const& mesh, Communicator const& communicator)
           maxOverRanks(largest, communicator)};
 }
 
-// Measured, docs/performance.md: for one step size on large models, and with ten that are kept.
-constexpr double multigrid_bytes[] = {4.3e3, 11e3};
+// Measured, docs/performance.md: with three step sizes on large models, and on small ones.
+constexpr double multigrid_bytes[] = {4.3e3, 6.7e3};
 
 // [s] for one product of the stiffness matrix with a vector, the shortest of a few.
 double secondsOfProduct(dynamics::Body const& body)

@@ -9,6 +9,7 @@ own marks, and no code for a device is made, so that this says nothing about res
 the test; warnings of Kokkos's and Trilinos's headers, which are then for the host alone, do not.
 """
 
+import collections
 import functools
 import json
 import pathlib
@@ -76,23 +77,44 @@ def front_end(nvcc, words, path):
     return None if run.returncode == 0 else run.stdout + run.stderr
 
 
+def grouped(files, commands, root):
+    """[(options, files)], each of one package: their headers are read once."""
+    groups = collections.defaultdict(list)
+    for path in files:
+        words = options(commands[path.resolve()])
+        groups[path.relative_to(root / "packages").parts[0], tuple(words)].append(path)
+    return [(list(words), members) for (_, words), members in groups.items()]
+
+
+def refused(nvcc, words, files, folder):
+    """What nvcc says about those of the files that it refuses, {file: text}. All at once, or, if
+    that is refused, one by one: two files may use a name that each has for itself."""
+    joined = pathlib.Path(folder) / "joined.cpp"
+    joined.write_text("".join(f'#include "{path}"\n' for path in files))
+    if len(files) > 1 and front_end(nvcc, words, joined) is None:
+        return {}
+    told = {path: front_end(nvcc, words, path) for path in files}
+    return {path: text for path, text in told.items() if text is not None}
+
+
 def main(nvcc, commands_file, root):
-    root = pathlib.Path(root)
+    root = pathlib.Path(root).resolve()
     commands = {pathlib.Path(entry["file"]).resolve(): entry["command"]
                 for entry in json.loads(pathlib.Path(commands_file).read_text())}
     files = [path for path in files_with_lambdas(root) if path.resolve() in commands]
     if not files:
         return f"no file of {commands_file} has a device lambda"
+    errors = []
     with tempfile.TemporaryDirectory() as folder:
         sample = pathlib.Path(folder) / "private.cpp"
         sample.write_text(SAMPLE)
-        if front_end(nvcc, options(commands[files[0].resolve()]), sample) is None:
+        if not refused(nvcc, options(commands[files[0].resolve()]), [sample], folder):
             return "nvcc took a device lambda in a private function: this check sees nothing"
-    errors = []
-    for path in files:
-        told = front_end(nvcc, options(commands[path.resolve()]), path)
-        print(path.relative_to(root), "refused" if told else "good", flush=True)
-        errors += [told] if told else []
+        for words, members in grouped(files, commands, root):
+            bad = refused(nvcc, words, members, folder)
+            for path in members:
+                print(path.relative_to(root), "refused" if path in bad else "good", flush=True)
+            errors += bad.values()
     return "\n".join(errors) or None
 
 

@@ -25,7 +25,8 @@ FaultAxis faultAxis(io::OutputDomain const& fault)
   const double first_y = ends[0], last_y = ends[1], length = ends[2];
   FaultAxis axis;
   axis.distances = fault.positions;
-  if (last_y > first_y) {
+  axis.rises = last_y > first_y;
+  if (axis.rises) {
     for (double& distance : axis.distances) {
       distance = length - distance;
     }

@@ -15,6 +15,7 @@ struct FaultAxis
   // along +x where the fault is level.
   std::vector<double> distances;
   bool is_level = false; // the plane is a map, and the fault runs along strike
+  bool rises = false;    // with x, the direction of the fault's tangent
 };
 
 // Collective.

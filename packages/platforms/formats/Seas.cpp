@@ -26,10 +26,11 @@ Columns seasFault(ModelView const& view)
   if (view.plane) {
     return seasFaultInSpace(*view.plane);
   }
+  const Direction slip{view.thrust_sign, 0, 0};
   Columns columns{
-    {"Slip (m)", "slip", "slip", first_component, unchanged},
+    {"Slip (m)", "slip", "slip", slip, unchanged},
     {"Slip rate (log10 m/s)", "slip_rate", "slip_rate", first_component, decimalLogarithm},
-    {"Shear stress (MPa)", "shear_stress", "traction", first_component, megapascal}};
+    {"Shear stress (MPa)", "shear_stress", "traction", slip, megapascal}};
   if (!view.antiplane) {
     columns.push_back(
       {"Normal stress (MPa)", "normal_stress", "normal_stress", first_component, megapascal});
@@ -57,10 +58,11 @@ Columns seasBody(ModelView const& view)
     return {{"Displacement (m)", "disp", "displacement", first_component, unchanged},
             {"Velocity (m/s)", "vel", "velocity", first_component, unchanged}};
   }
+  auto const& second = view.is_level ? second_component : down;
   return {{"Displacement 1 (m)", "disp_1", "displacement", first_component, unchanged},
-          {"Displacement 2 (m)", "disp_2", "displacement", second_component, unchanged},
+          {"Displacement 2 (m)", "disp_2", "displacement", second, unchanged},
           {"Velocity 1 (m/s)", "vel_1", "velocity", first_component, unchanged},
-          {"Velocity 2 (m/s)", "vel_2", "velocity", second_component, unchanged}};
+          {"Velocity 2 (m/s)", "vel_2", "velocity", second, unchanged}};
 }
 
 // BP3, the problem in plane strain, has its stations at the surface and calls them so.

@@ -21,7 +21,11 @@ ModelView ModelView::of(io::OutputContext const& context)
     return view;
   }
   view.antiplane = context.fields.field("volume", "displacement").components == 1;
-  view.is_level = catalogue::faultAxis(fault).is_level;
+  const auto axis = catalogue::faultAxis(fault);
+  view.is_level = axis.is_level;
+  if (!view.antiplane && !axis.is_level && !axis.rises) {
+    view.thrust_sign = -1;
+  }
   return view;
 }
 

@@ -26,6 +26,7 @@ using Columns = std::vector<Column>;
 // Directions and conversions of columns.
 inline constexpr Direction first_component{1, 0, 0};
 inline constexpr Direction second_component{0, 1, 0};
+inline constexpr Direction down{0, -1, 0};
 double unchanged(double value);
 double megapascal(double value);      // of Pa
 double logarithmOfSize(double value); // decimal
@@ -35,6 +36,9 @@ struct ModelView
 {
   bool antiplane = false; // displacement across the plane of the mesh, which is along strike
   bool is_level = false;  // plane strain in a map: the fault runs along strike
+  // Plane strain in a section: the sign with which slip along the tangent is positive in a thrust,
+  // where the hanging wall moves up dip.
+  double thrust_sign = 1;
   std::optional<catalogue::FaultPlane> plane = {}; // in three dimensions; the rest says nothing
 
   static ModelView of(io::OutputContext const& context); // collective

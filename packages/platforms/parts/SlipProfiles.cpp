@@ -36,6 +36,7 @@ SlipProfiles::SlipProfiles(Platform const& platform, io::OutputContext const& co
     , gather_(context.domain("fault"))
     , rates_(context.domain("fault"), context.fields)
     , slip_(context.fields.field("fault", "slip"))
+    , sign_(ModelView::of(context).thrust_sign)
     , distances_(distances(gather_, context.domain("fault")))
     , file_(platform, contentFor(distances_), context)
 {
@@ -52,7 +53,7 @@ void SlipProfiles::write(io::StepInfo const& step)
   const auto whole = gather_(slip, 1, components);
   std::vector<double> row;
   for (std::size_t node = 0; node < whole.size(); node += components) {
-    row.push_back(whole[node]);
+    row.push_back(sign_ * whole[node]);
   }
   if (!row.empty() && distances_.front() > distances_.back()) {
     std::reverse(row.begin(), row.end());

@@ -4,6 +4,7 @@
 #include "io/outputs/FieldHistory.hpp"
 #include "io/parallel/NodeGather.hpp"
 #include "platforms/PlatformFiles.hpp"
+#include "platforms/parts/Columns.hpp"
 
 namespace asperity::platforms
 {
@@ -26,6 +27,7 @@ private:
   io::NodeGather gather_;
   catalogue::FaultRates rates_;
   io::OutputField const& slip_;
+  double sign_;                   // of the slip in the file
   std::vector<double> distances_; // [m] along the fault from its upper end, by node; on rank 0
   TimeSeries file_;
 };

@@ -159,6 +159,27 @@ class Counts(unittest.TestCase):
         self.assertLess(self.all(2, "reductions"), 1.1 * 41.2)
 
 
+class Inertial(unittest.TestCase):
+    """The first steps of TPV101 with cells of 800 m, from 1 to 31 ms. The limits are a tenth above
+    what was counted."""
+
+    def test_a_coupled_step(self):
+        output = pathlib.Path("inertial.json")
+        output.unlink(missing_ok=True)
+        result = bench("steps", asperity_run.SOURCE / "xml" / "tpv101_3d.xml", "--steps", "12",
+                       "--set", f"{FACTOR}=2", "--set", "TNNMG/Linear Correction=MueLu",
+                       "--output", output)
+        self.assertEqual(result.returncode, 0, result.stderr)
+        numbers = json.loads(output.read_text())
+        self.assertEqual(numbers["quasi_static"]["accepted"], 0)
+        self.assertLessEqual(numbers["setups"], 7)  # one for each step size
+        steps = numbers["inertial"]
+        self.assertEqual((steps["accepted"], steps["rises"], steps["failures"]), (12, 0, 0))
+        for count, expected in (("tnnmg_iterations", 2.44), ("v_cycles", 6.5), ("products", 8)):
+            self.assertGreater(steps[count], 0)
+            self.assertLess(steps[count], 1.1 * expected * steps["coupled_steps"], count)
+
+
 class Comparison(unittest.TestCase):
     def test_a_rate_problem_takes_hardly_more_cycles_than_a_linear_one(self):
         output = pathlib.Path("comparison.json")

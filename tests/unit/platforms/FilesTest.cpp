@@ -163,28 +163,57 @@ OutputDomain uprightFault(int num_base)
 }
 } // namespace
 
-TEST(SlipProfiles, RowsFromTheUpperEndDown)
+namespace
+{
+// The lines of slip.dat with slip 2 - y on a fault after two seconds; the displacement has so many
+// components.
+std::vector<std::string> slipProfile(io::OutputDomain const& fault, int components)
 {
   test::TemporaryDirectory directory;
   test::Stage stage(3);
-  stage.domains["fault"] = uprightFault(3);
+  stage.domains["fault"] = fault;
   stage.add("fault", "slip_rate", 1, [](double const*, int) { return 0.01; });
   stage.add("fault", "slip", 1, [&](double const* x, int) { return stage.time - x[1]; });
+  stage.add("volume", "displacement", components, [](double const*, int) { return 0; });
   auto deck = test::deckWith("Fault History", "SEAS");
   deck.sublist("Fault History").set("Fields", Teuchos::Array<std::string>(1, "slip"));
   OutputSet outputs(deck, stage.context(directory.path()));
   outputs.write(stage.at(1, 2));
   outputs.closeSegment();
+  std::vector<std::string> lines;
+  test::onRankZero([&] { lines = test::dataLines(directory / "seas/slip.dat"); });
+  return lines;
+}
+} // namespace
+
+TEST(SlipProfiles, RowsFromTheUpperEndDown)
+{
+  for (const int components : {1, 2}) {
+    const auto lines = slipProfile(uprightFault(3), components);
+    test::onRankZero([&] {
+      const std::vector<std::string> expected{
+        "z",
+        "t",
+        "max_slip_rate",
+        "slip",
+        " 0.00000000000000E+00   0.000000E+00   0.000000E+00   7.500000E-01   1.000000E+00",
+        " 2.00000000000000E+00  -2.000000E+00   2.000000E+00   2.750000E+00   3.000000E+00"};
+      EXPECT_EQ(lines, expected);
+    });
+  }
+}
+
+// Down dip along the tangent of a fault that dips to the right is slip of a normal fault.
+TEST(SlipProfiles, ThrustsArePositive)
+{
+  auto mesh = test::stripMesh(3);
+  for (auto& vertex : mesh.vertices) {
+    vertex[1] -= vertex[0];
+  }
+  const auto lines = slipProfile(io::boundaryDomain("fault", mesh, "base", test::world()), 2);
   test::onRankZero([&] {
-    const auto lines = test::dataLines(directory / "seas/slip.dat");
-    const std::vector<std::string> expected{
-      "z",
-      "t",
-      "max_slip_rate",
-      "slip",
-      " 0.00000000000000E+00   0.000000E+00   0.000000E+00   7.500000E-01   1.000000E+00",
-      " 2.00000000000000E+00  -2.000000E+00   2.000000E+00   2.750000E+00   3.000000E+00"};
-    EXPECT_EQ(lines, expected);
+    EXPECT_EQ(lines.back(), " 2.00000000000000E+00  -2.000000E+00  -2.000000E+00  -2.250000E+00"
+                            "  -3.000000E+00");
   });
 }
 

@@ -1,5 +1,7 @@
 #include "unit/platforms/Deck.hpp"
 
+#include <cmath>
+
 using namespace asperity;
 using namespace asperity::io;
 using test::position;
@@ -116,6 +118,32 @@ TEST(Stations, InPlaneStrainSeasTakesNormalStressAndTwoComponents)
     EXPECT_EQ(body[0], "t disp_1 disp_2 vel_1 vel_2");
     EXPECT_EQ(body[1], " 0.00000000000000E+00   2.000000E+00   4.000000E+00   7.500000E-01"
                        "   1.500000E+00");
+  });
+}
+
+// A fault that dips to the right, its hanging wall there. Its tangent points down dip: in a thrust
+// slip along it is negative, and positive in the files.
+TEST(Stations, InASectionSeasCountsThrustsAndDepthsPositive)
+{
+  test::TemporaryDirectory directory;
+  auto mesh = test::stripMesh(num_base);
+  for (auto& vertex : mesh.vertices) {
+    vertex[1] -= vertex[0];
+  }
+  Fault fault(2, mesh);
+  auto list = test::deckWith("Receivers", "SEAS");
+  auto& receivers = list.sublist("Receivers");
+  receivers.sublist("On Fault").set("dp003", position({0.3 * std::sqrt(2.0)}));
+  receivers.sublist("Off Fault").set("inside", position({0.5, 0.25}));
+  OutputSet outputs(list, fault.context(directory.path()));
+  run(fault, outputs);
+  test::onRankZero([&] {
+    const auto on_fault = test::dataLines(directory / "seas/fltst_dp003"); // at 0, 0.8 and 1.6 s
+    EXPECT_EQ(on_fault[5], " 1.60000000000000E+00  -4.800000E-01  -5.228787E-01   1.300000E+00"
+                           "   5.030000E+01   8.000000E+00");
+    const auto body = test::dataLines(directory / "seas/srfst_inside");
+    EXPECT_EQ(body[1], " 0.00000000000000E+00   1.000000E+00  -2.000000E+00   2.500000E-01"
+                       "  -5.000000E-01");
   });
 }
 
