@@ -13,35 +13,9 @@ namespace
 {
 using Policy = Kokkos::RangePolicy<ExecutionSpace>;
 
-// This rank's part of the sum of (|b_i| + |b_i - r_i|) |d_i|, the magnitudes of the terms of <Z v -
-// b, d>, which nearly cancel.
-double magnitudeOfLinearTerms(Vector const& b, Vector const& r, Vector const& d)
-{
-  auto const bs = b.getLocalViewDevice(Tpetra::Access::ReadOnly);
-  auto const rs = r.getLocalViewDevice(Tpetra::Access::ReadOnly);
-  auto const ds = d.getLocalViewDevice(Tpetra::Access::ReadOnly);
-  double sum = 0;
-  Kokkos::parallel_reduce(
-    "asperity::tnnmg::magnitude", Policy(0, bs.extent(0)),
-    KOKKOS_LAMBDA(int i, double& partial) {
-      const double Zv = bs(i, 0) - rs(i, 0);
-      partial += ((bs(i, 0) < 0 ? -bs(i, 0) : bs(i, 0)) + (Zv < 0 ? -Zv : Zv)) *
-                 (ds(i, 0) < 0 ? -ds(i, 0) : ds(i, 0));
-    },
-    sum);
-  return sum;
-}
-// This rank's part of <x, y>.
-double localProduct(Vector const& x, Vector const& y)
-{
-  auto const xs = x.getLocalViewDevice(Tpetra::Access::ReadOnly);
-  auto const ys = y.getLocalViewDevice(Tpetra::Access::ReadOnly);
-  double sum = 0;
-  Kokkos::parallel_reduce(
-    "asperity::tnnmg::localProduct", Policy(0, xs.extent(0)),
-    KOKKOS_LAMBDA(int i, double& partial) { partial += xs(i, 0) * ys(i, 0); }, sum);
-  return sum;
-}
+// The magnitudes |b| + |b - r| of the terms of Z v - b = -r, which nearly cancel.
+KOKKOS_INLINE_FUNCTION
+double magnitudeOfTerms(double b, double r) { return std::fabs(b) + std::fabs(b - r); }
 } // namespace
 
 TnnmgBlocks::TnnmgBlocks(NonlinearNodes const& nodes)
@@ -140,13 +114,27 @@ int TnnmgVectors::finishSweeps(CrsMatrix const& Z, NonlinearNodes const& nodes,
   } else if (!nodes.are_coupled) {
     residual(Z, b);
   }
-  // With Z d = r_before - r, <Z v - b + 1/2 Z d, d> = -1/2 <r_before + r, d>.
-  c->update(1, *v, -1, *v_before, 0);
-  Zc->update(1, *r_before, 1, *r, 0);
-  const double linear = -0.5 * localProduct(*Zc, *c);
-  magnitude += (magnitudeOfLinearTerms(b, *r_before, *c) + magnitudeOfLinearTerms(b, *r, *c)) / 2;
+  // With Z d = r_before - r, <Z v - b + 1/2 Z d, d> = -1/2 <r_before + r, d>; d is zero elsewhere.
+  auto const d = blocks.d;
+  auto const dofs = nodes.dofs;
+  auto const bs = b.getLocalViewDevice(Tpetra::Access::ReadOnly);
+  auto const now = r->getLocalViewDevice(Tpetra::Access::ReadOnly);
+  auto const before = r_before->getLocalViewDevice(Tpetra::Access::ReadOnly);
+  const int size = nodes.blockSize();
+  double linear = 0, terms = 0;
+  Kokkos::parallel_reduce(
+    "asperity::tnnmg::changeInSweeps", Policy(0, nodes.numNodes()),
+    KOKKOS_LAMBDA(int node, double& change, double& sum) {
+      for (int k = 0; k < size; ++k) {
+        const int i = dofs(node, k);
+        change -= 0.5 * (before(i, 0) + now(i, 0)) * d(node, k);
+        sum += 0.5 * std::fabs(d(node, k)) *
+               (magnitudeOfTerms(bs(i, 0), before(i, 0)) + magnitudeOfTerms(bs(i, 0), now(i, 0)));
+      }
+    },
+    linear, terms);
   auto const sums =
-    sumOverRanks(std::array<double, 2>{linear + nonlinear_change, magnitude}, *Z.getComm());
+    sumOverRanks(std::array<double, 2>{linear + nonlinear_change, terms + magnitude}, *Z.getComm());
   return EnergyChange{sums[0], sums[1]}.rises();
 }
 
@@ -169,7 +157,20 @@ void TnnmgVectors::newtonResidual(NonlinearNodes const& nodes, ConstBlockView co
 std::array<double, 3> TnnmgVectors::derivativeAlongCorrection(CrsMatrix const& Z)
 {
   linear_.applyMatrix(Z, *c, *Zc);
-  return {-localProduct(*r, *c), localProduct(*Zc, *c), magnitudeOfLinearTerms(*b_copy, *r, *c)};
+  auto const bs = b_copy->getLocalViewDevice(Tpetra::Access::ReadOnly);
+  auto const rs = r->getLocalViewDevice(Tpetra::Access::ReadOnly);
+  auto const cs = c->getLocalViewDevice(Tpetra::Access::ReadOnly);
+  auto const Zcs = Zc->getLocalViewDevice(Tpetra::Access::ReadOnly);
+  std::array<double, 3> sums{};
+  Kokkos::parallel_reduce(
+    "asperity::tnnmg::derivativeAlongCorrection", Policy(0, bs.extent(0)),
+    KOKKOS_LAMBDA(int i, double& start, double& curvature, double& magnitude) {
+      start -= rs(i, 0) * cs(i, 0);
+      curvature += Zcs(i, 0) * cs(i, 0);
+      magnitude += magnitudeOfTerms(bs(i, 0), rs(i, 0)) * std::fabs(cs(i, 0));
+    },
+    sums[0], sums[1], sums[2]);
+  return sums;
 }
 
 TnnmgVectors::Along TnnmgVectors::keep(double const* sums)
@@ -194,11 +195,20 @@ void TnnmgVectors::move(double step)
 
 TnnmgVectors::Norms TnnmgVectors::norms(Vector const& b, int failed_nodes) const
 {
-  // Z (v - v_before) = r_before - r. The correction has been added to v; its place is free.
-  c->update(1, *v, -1, *v_before, 0);
-  const std::array<double, 3> mine = {localProduct(*r_before, *c) - localProduct(*r, *c),
-                                      localProduct(b, *v) - localProduct(*r, *v),
-                                      static_cast<double>(failed_nodes)};
+  // Z (v - v_before) = r_before - r.
+  auto const bs = b.getLocalViewDevice(Tpetra::Access::ReadOnly);
+  auto const vs = v->getLocalViewDevice(Tpetra::Access::ReadOnly);
+  auto const rs = r->getLocalViewDevice(Tpetra::Access::ReadOnly);
+  auto const vs_before = v_before->getLocalViewDevice(Tpetra::Access::ReadOnly);
+  auto const rs_before = r_before->getLocalViewDevice(Tpetra::Access::ReadOnly);
+  std::array<double, 3> mine{0, 0, static_cast<double>(failed_nodes)};
+  Kokkos::parallel_reduce(
+    "asperity::tnnmg::norms", Policy(0, bs.extent(0)),
+    KOKKOS_LAMBDA(int i, double& of_change, double& of_all) {
+      of_change += (rs_before(i, 0) - rs(i, 0)) * (vs(i, 0) - vs_before(i, 0));
+      of_all += (bs(i, 0) - rs(i, 0)) * vs(i, 0);
+    },
+    mine[0], mine[1]);
   auto const [change, of_v, failed] = sumOverRanks(mine, *v->getMap()->getComm());
   return {std::isfinite(change) ? std::sqrt(std::max(change, 0.)) : change,
           std::sqrt(std::max(of_v, 0.)), static_cast<int>(failed)};

@@ -1,6 +1,7 @@
 #include "scenario/setup/BulkSetup.hpp"
 
 #include "fem/Simplex.hpp"
+#include "scenario/setup/DeckPaths.hpp"
 #include "scenario/setup/NodalField.hpp"
 
 #include <cmath>
@@ -10,8 +11,6 @@ namespace asperity::scenario
 {
 namespace
 {
-const std::string path = "Asperity / Bulk";
-
 // Elastic constants of which any two determine the others.
 constexpr char const* bulk_modulus = "Bulk Modulus";
 constexpr char const* shear_modulus = "Shear Modulus";
@@ -69,9 +68,9 @@ int displacementComponents(ParameterList const& list, int dimension)
 {
   const int components = displacementComponents(list);
   ASPERITY_REQUIRE((components == 3) == (dimension == 3),
-                   path << " / Model = " << list.get<std::string>("Model") << ", but the mesh has "
-                        << dimension << " dimensions. Choose "
-                        << (dimension == 3 ? "Solid." : "Plane Strain or Antiplane."));
+                   bulk_path << " / Model = " << list.get<std::string>("Model")
+                             << ", but the mesh has " << dimension << " dimensions. Choose "
+                             << (dimension == 3 ? "Solid." : "Plane Strain or Antiplane."));
   return components;
 }
 
@@ -90,7 +89,7 @@ std::vector<double> radiationDamping(ParameterList const& list, Mesh<Dim> const&
   }
   auto const& chosen = list.sublist("Quasi-dynamic");
   if (isGiven(chosen, radiation_damping)) {
-    return nodalValues(chosen, radiation_damping, path + " / Quasi-dynamic", mesh,
+    return nodalValues(chosen, radiation_damping, bulk_path + " / Quasi-dynamic", mesh,
                        surface.vertices());
   }
   std::vector<double> eta;
@@ -111,17 +110,17 @@ std::array<double, Dim> gravity(ParameterList const& list)
     return result;
   }
   ASPERITY_REQUIRE(displacementComponents(list) > 1,
-                   path << " / Gravitational Acceleration = " << acceleration
-                        << " does nothing to an antiplane model. Leave it out.");
+                   bulk_path << " / Gravitational Acceleration = " << acceleration
+                             << " does nothing to an antiplane model. Leave it out.");
   auto const direction = list.get<Teuchos::Array<double>>("Gravity Direction");
   double square = 0;
   for (double component : direction) {
     square += component * component;
   }
   ASPERITY_REQUIRE(square > 0 && direction.size() >= 2 && direction.size() <= Dim,
-                   path << " / Gravity Direction = " << direction.toString()
-                        << " is no direction. Give two numbers" << (Dim == 3 ? " or three" : "")
-                        << ", not all zero.");
+                   bulk_path << " / Gravity Direction = " << direction.toString()
+                             << " is no direction. Give two numbers"
+                             << (Dim == 3 ? " or three" : "") << ", not all zero.");
   for (int d = 0; d < direction.size(); ++d) {
     result[d] = acceleration * direction[d] / std::sqrt(square);
   }
@@ -141,10 +140,10 @@ public:
   {
     const int given = bulk_.has_value() + shear_.has_value() + poisson_.has_value();
     const bool enough = given == 2 || (antiplane_ && shear_ && given == 1);
-    ASPERITY_REQUIRE(enough, path << ": " << given << " of '" << bulk_modulus << "', '"
-                                  << shear_modulus << "' and '" << poisson
-                                  << "' are given; the elastic body needs exactly two"
-                                  << (antiplane_ ? ", or the shear modulus alone." : "."));
+    ASPERITY_REQUIRE(enough, bulk_path << ": " << given << " of '" << bulk_modulus << "', '"
+                                       << shear_modulus << "' and '" << poisson
+                                       << "' are given; the elastic body needs exactly two"
+                                       << (antiplane_ ? ", or the shear modulus alone." : "."));
   }
 
   void set(fem::Material& material, std::array<double, 3> const& x, int region) const
@@ -168,8 +167,9 @@ private:
   static std::optional<Field> read(ParameterList const& list, char const* name,
                                    std::vector<std::string> const& region_names)
   {
-    return isGiven(list, name) ? std::optional<Field>(steadyField(list, name, path, region_names))
-                               : std::nullopt;
+    return isGiven(list, name)
+             ? std::optional<Field>(steadyField(list, name, bulk_path, region_names))
+             : std::nullopt;
   }
 
   std::optional<Field> bulk_, shear_, poisson_;
@@ -182,9 +182,9 @@ std::vector<fem::Material> makeMaterials(ParameterList const& list, Mesh<Dim> co
 {
   auto const& regions = mesh.region_names;
   const Elasticity elasticity(list, regions);
-  auto const density = steadyField(list, "Density", path, regions);
-  auto const shear_viscosity = steadyField(list, "Shear Viscosity", path, regions);
-  auto const bulk_viscosity = steadyField(list, "Bulk Viscosity", path, regions);
+  auto const density = steadyField(list, "Density", bulk_path, regions);
+  auto const shear_viscosity = steadyField(list, "Shear Viscosity", bulk_path, regions);
+  auto const bulk_viscosity = steadyField(list, "Bulk Viscosity", bulk_path, regions);
   std::vector<fem::Material> materials(mesh.cells.size());
   for (std::size_t cell = 0; cell < mesh.cells.size(); ++cell) {
     auto const x = inSpace<Dim>(fem::simplexOf(mesh, static_cast<int>(cell)).centroid);

@@ -2,13 +2,13 @@
 
 #include "base/parallel/Agreement.hpp"
 #include "mesh/PointText.hpp"
+#include "scenario/setup/DeckPaths.hpp"
 #include "scenario/setup/LawSetup.hpp"
 
 namespace asperity::scenario
 {
 namespace
 {
-const std::string path = "Asperity / Friction";
 } // namespace
 
 RCP<const ParameterList> frictionParameters()
@@ -65,7 +65,7 @@ void requirePressure(ParameterList const& list, Mesh<Dim> const& mesh,
   if (c_over_b.empty() || normalStressFloor(list) > 0) {
     return;
   }
-  auto const refused = joinPath(path, "c") + " > 0 needs a normal stress above zero, ";
+  auto const refused = joinPath(friction_path, "c") + " > 0 needs a normal stress above zero, ";
   ASPERITY_REQUIRE(!normal_stress.dependsOnTime() &&
                      normal_stress.change() == dynamics::NormalStressChange::fixed,
                    refused << "and this one changes. Give a Normal Stress Floor above zero.");
@@ -94,13 +94,13 @@ dynamics::Fault makeFault(ParameterList const& list, Mesh<Dim> const& mesh,
     c_over_b = stressSensitivities(list, mesh, nodes);
     requirePressure(list, mesh, *surface, c_over_b, stress);
   });
-  return {
-    surface,
-    {list.get<std::string>("Law"), frictionLawValues(list, mesh, nodes),
-     toDevice(nodalValues(list, "Cohesion", path, mesh, nodes), "asperity::scenario::cohesion"),
-     list.get<std::string>("State Evolution"), stateLawValues(list, mesh, nodes), radiation_damping,
-     toDevice(c_over_b, "asperity::scenario::stressSensitivity")},
-    stress};
+  return {surface,
+          {list.get<std::string>("Law"), frictionLawValues(list, mesh, nodes),
+           toDevice(nodalValues(list, "Cohesion", friction_path, mesh, nodes),
+                    "asperity::scenario::cohesion"),
+           list.get<std::string>("State Evolution"), stateLawValues(list, mesh, nodes),
+           radiation_damping, toDevice(c_over_b, "asperity::scenario::stressSensitivity")},
+          stress};
 }
 
 template dynamics::Fault makeFault(ParameterList const&, Mesh<2> const&,

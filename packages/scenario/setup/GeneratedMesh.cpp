@@ -7,6 +7,7 @@
 #include "mesh/generation/PeriodicMesh.hpp"
 #include "mesh/generation/RectangleMesh.hpp"
 #include "mesh/generation/WedgeMesh.hpp"
+#include "scenario/setup/DeckPaths.hpp"
 #include "scenario/setup/NodalField.hpp"
 
 #include <memory>
@@ -15,8 +16,6 @@ namespace asperity::scenario
 {
 namespace
 {
-const std::string path = "Asperity / Mesh";
-
 Declare wedgeEntries()
 {
   const mesh::WedgeShape defaults;
@@ -77,7 +76,7 @@ std::vector<Point<2>> intervals(ParameterList const& list, std::string const& na
   }
   auto const& ends = list.get<Teuchos::Array<double>>(name);
   ASPERITY_REQUIRE(!ends.empty() && ends.size() % 2 == 0,
-                   joinPath(joinPath(path, list.name()), name)
+                   joinPath(joinPath(mesh_path, list.name()), name)
                      << " needs pairs: where each interval begins and ends, along " << axis << ".");
   std::vector<Point<2>> pairs;
   for (int i = 0; i < ends.size(); i += 2) {
@@ -98,8 +97,9 @@ mesh::VertexLimit vertexLimit(ParameterList const& list)
            : type == "Box"       ? ", Cells Z, Size"
                                  : "";
   return {static_cast<double>(list.get<int>("Most Vertices")),
-          "Is one of the entries of " + joinPath(path, type) + " missing, or not in m: " + names +
-            "? A larger mesh is made where " + joinPath(path, "Most Vertices") + " allows it."};
+          "Is one of the entries of " + joinPath(mesh_path, type) +
+            " missing, or not in m: " + names + "? A larger mesh is made where " +
+            joinPath(mesh_path, "Most Vertices") + " allows it."};
 }
 
 mesh::WedgeShape wedgeShape(ParameterList const& list, mesh::VertexLimit const& limit)
@@ -151,7 +151,7 @@ mesh::RectangleShape rectangleShape(ParameterList const& list, mesh::VertexLimit
   shape.cells_y = list.get<int>("Cells Y");
   auto const corner = list.get<Teuchos::Array<double>>("Lower Left");
   ASPERITY_REQUIRE(corner.size() == 2,
-                   path << " / Rectangle / Lower Left needs two numbers, x and y.");
+                   mesh_path << " / Rectangle / Lower Left needs two numbers, x and y.");
   shape.lower_left = {corner[0], corner[1]};
   return shape;
 }
@@ -183,7 +183,7 @@ RCP<const ParameterList> boxParameters()
 Point<3> threeNumbers(ParameterList const& list, std::string const& name)
 {
   auto const& given = list.get<Teuchos::Array<double>>(name);
-  ASPERITY_REQUIRE(given.size() == 3, path << " / Box / " << name << " needs three numbers.");
+  ASPERITY_REQUIRE(given.size() == 3, mesh_path << " / Box / " << name << " needs three numbers.");
   return {given[0], given[1], given[2]};
 }
 
@@ -203,7 +203,7 @@ std::function<double(Point<Dim> const&)> cellSize(ParameterList const& list,
                                                   std::string const& type)
 {
   auto const size =
-    std::make_shared<Field>(steadyField(list, "Cell Size", joinPath(path, type), {"body"}));
+    std::make_shared<Field>(steadyField(list, "Cell Size", joinPath(mesh_path, type), {"body"}));
   const double factor = list.get<double>("Cell Size Factor");
   return [size, factor](Point<Dim> const& x) { return factor * (*size)(inSpace<Dim>(x), 0, 0); };
 }

@@ -5,6 +5,7 @@
 #include "dynamics/InitialState.hpp"
 #include "mesh/PointText.hpp"
 #include "scenario/setup/BulkSetup.hpp"
+#include "scenario/setup/DeckPaths.hpp"
 #include "scenario/setup/NodalField.hpp"
 #include "scenario/setup/TimeSetup.hpp"
 
@@ -18,7 +19,6 @@ namespace asperity::scenario
 {
 namespace
 {
-const std::string path = "Asperity / Initial State";
 constexpr std::array<char const*, 3> velocity_names = {"Velocity X", "Velocity Y", "Velocity Z"};
 } // namespace
 
@@ -78,7 +78,8 @@ RCP<Vector> initialVelocity(ParameterList const& list, Mesh<Dim> const& mesh,
   std::iota(nodes.begin(), nodes.end(), 0);
   std::vector<std::vector<double>> along(components);
   for (int c = 0; c < components; ++c) {
-    along[c] = nodalValues(list, velocity_names[components == 1 ? 2 : c], path, mesh, nodes);
+    along[c] =
+      nodalValues(list, velocity_names[components == 1 ? 2 : c], initial_path, mesh, nodes);
   }
   for (auto const& split : mesh.splits) {
     for (int c = 0; c < components && split.plus < mesh.num_owned; ++c) {
@@ -111,7 +112,7 @@ void setSlipRate(ParameterList const& list, Mesh<Dim> const& mesh, fem::FaultSur
   if (!isGiven(list, "Slip Rate")) {
     return;
   }
-  auto const rate = nodalValues(list, "Slip Rate", path, mesh, surface.vertices());
+  auto const rate = nodalValues(list, "Slip Rate", initial_path, mesh, surface.vertices());
   auto const values = v.getLocalViewHost(Tpetra::Access::ReadWrite);
   for (int node = 0; node < surface.numNodes(); ++node) {
     for (int k = 0; k < surface.numTangents(); ++k) {
@@ -155,19 +156,21 @@ struct InitialFault
 double balancingCoefficient(InitialFault const& at_start, int i, double speed, double V,
                             double sigma_n, double cohesion, std::string const& place)
 {
-  ASPERITY_REQUIRE(sigma_n > 0, path << " / State = Stress Balance: " << place
-                                     << " there is no normal stress, hence no friction that could "
-                                        "bear the shear traction.");
+  ASPERITY_REQUIRE(sigma_n > 0, initial_path
+                                  << " / State = Stress Balance: " << place
+                                  << " there is no normal stress, hence no friction that could "
+                                     "bear the shear traction.");
   const int size = static_cast<int>(at_start.velocity.size() / at_start.radiation.size());
   const double driving = product(at_start.traction, at_start.velocity, size, i) / speed;
   const double rest = driving - cohesion - at_start.radiation[i] * V;
-  ASPERITY_REQUIRE(rest > 0, path << " / State = Stress Balance: " << place
-                                  << " the shear traction along the initial velocity, "
-                                  << formatShort(driving) << " Pa, does not exceed the cohesion of "
-                                  << formatShort(cohesion) << " Pa and the radiation damping of "
-                                  << formatShort(at_start.radiation[i] * V)
-                                  << " Pa: friction would have to push. Check the signs of 'Shear "
-                                     "Traction' and of the initial velocity.");
+  ASPERITY_REQUIRE(rest > 0, initial_path
+                               << " / State = Stress Balance: " << place
+                               << " the shear traction along the initial velocity, "
+                               << formatShort(driving) << " Pa, does not exceed the cohesion of "
+                               << formatShort(cohesion) << " Pa and the radiation damping of "
+                               << formatShort(at_start.radiation[i] * V)
+                               << " Pa: friction would have to push. Check the signs of 'Shear "
+                                  "Traction' and of the initial velocity.");
   return rest / sigma_n;
 }
 
@@ -179,7 +182,7 @@ friction::NodeView initialAlpha(ParameterList const& list, Mesh<Dim> const& mesh
   auto const& surface = fault.surface();
   auto const nodes = surface.vertices();
   const int num_tangents = surface.numTangents();
-  auto const given = nodalValues(list, "alpha", path, mesh, nodes);
+  auto const given = nodalValues(list, "alpha", initial_path, mesh, nodes);
   auto const state = list.get<std::string>("State");
   if (state == "Given") {
     return toDevice(given, "asperity::scenario::alpha");
@@ -198,9 +201,10 @@ friction::NodeView initialAlpha(ParameterList const& list, Mesh<Dim> const& mesh
     if (V[i] == 0 && !surface.slides(i)) {
       continue;
     }
-    ASPERITY_REQUIRE(V[i] > 0, path << " / State = " << state << ": " << place
-                                    << " the initial slip rate is zero, where there is no such "
-                                       "state. Give an initial velocity, or State = Given.");
+    ASPERITY_REQUIRE(V[i] > 0, initial_path
+                                 << " / State = " << state << ": " << place
+                                 << " the initial slip rate is zero, where there is no such "
+                                    "state. Give an initial velocity, or State = Given.");
     if (state == "Stress Balance") {
       mu[i] = balancingCoefficient(at_start, i, speed, V[i], sigma_n(i), cohesion(i), place);
     }
@@ -218,10 +222,11 @@ friction::NodeView initialAlpha(ParameterList const& list, Mesh<Dim> const& mesh
     if (V[i] == 0) {
       result(i) = given[i];
     }
-    ASPERITY_REQUIRE(std::isfinite(result(i)),
-                     path << " / State = " << state << ": " << placeOf(mesh, nodes[i])
-                          << " no state does this. Friction has to depend on the state; see the "
-                             "parameters of the law.");
+    ASPERITY_REQUIRE(
+      std::isfinite(result(i)),
+      initial_path << " / State = " << state << ": " << placeOf(mesh, nodes[i])
+                   << " no state does this. Friction has to depend on the state; see the "
+                      "parameters of the law.");
   }
   Kokkos::deep_copy(alpha, result);
   return alpha;

@@ -4,6 +4,7 @@
 #include "friction/laws/AgeingLaw.hpp"
 #include "friction/laws/RegularisedLaw.hpp"
 #include "mesh/PointText.hpp"
+#include "scenario/setup/DeckPaths.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -13,7 +14,6 @@ namespace asperity::scenario
 {
 namespace
 {
-const std::string path = "Asperity / Friction";
 const std::string friction_choice = "Law";
 const std::string state_choice = "State Evolution";
 
@@ -69,7 +69,7 @@ std::vector<double> valuesByNode(Table const& table, ParameterList const& list,
 {
   std::vector<double> values(nodes.size() * table.size());
   for (std::size_t row = 0; row < table.size(); ++row) {
-    auto const of_nodes = nodalValues(list, table[row].name, path, mesh, nodes);
+    auto const of_nodes = nodalValues(list, table[row].name, friction_path, mesh, nodes);
     for (std::size_t node = 0; node < nodes.size(); ++node) {
       values[node * table.size() + row] = of_nodes[node];
     }
@@ -176,7 +176,7 @@ std::vector<double> stressSensitivities(ParameterList const& list, Mesh<Dim> con
     return {};
   }
   auto const of_friction = sensitivities(list, mesh, nodes);
-  ASPERITY_REQUIRE(of_friction, joinPath(path, "c")
+  ASPERITY_REQUIRE(of_friction, joinPath(friction_path, "c")
                                   << " is given, but the friction law '"
                                   << list.get<std::string>(friction_choice)
                                   << "' has no b, which the term of Linker and Dieterich is "
@@ -185,7 +185,7 @@ std::vector<double> stressSensitivities(ParameterList const& list, Mesh<Dim> con
   for (std::size_t i = 0; i < nodes.size(); ++i) {
     const double b = (*of_friction)[i].state;
     ASPERITY_REQUIRE((*c)[i] == 0 || b > 0,
-                     joinPath(path, "c")
+                     joinPath(friction_path, "c")
                        << " = " << (*c)[i] << " at x = " << mesh::text(mesh.vertices[nodes[i]])
                        << ", where b = " << b
                        << ": without an evolution effect the normal stress has "

@@ -10,6 +10,7 @@
 #include "mesh/file/PartitionedFile.hpp"
 #include "mesh/parallel/Partition.hpp"
 #include "refinement/UniformRefinement.hpp"
+#include "scenario/setup/DeckPaths.hpp"
 #include "scenario/setup/GeneratedMesh.hpp"
 #include "scenario/setup/NodalField.hpp"
 
@@ -19,8 +20,6 @@ namespace asperity::scenario
 {
 namespace
 {
-const std::string path = "Asperity / Mesh";
-
 // The entries of the list `name`, one condition each.
 template <int Dim>
 std::vector<mesh::NamedCondition<Dim>> conditionsIn(ParameterList const& mesh,
@@ -30,7 +29,7 @@ std::vector<mesh::NamedCondition<Dim>> conditionsIn(ParameterList const& mesh,
   std::vector<mesh::NamedCondition<Dim>> conditions;
   for (auto const& entry : list) {
     auto const condition =
-      std::make_shared<Field>(steadyField(list, entry.first, joinPath(path, name), {}));
+      std::make_shared<Field>(steadyField(list, entry.first, joinPath(mesh_path, name), {}));
     conditions.push_back({entry.first, [condition](Point<Dim> const& x) {
                             return (*condition)(inSpace<Dim>(x), 0, 0) != 0;
                           }});
@@ -45,10 +44,10 @@ Mesh<Dim> coarsePart(ParameterList const& list, std::string const& fault,
   auto const type = list.get<std::string>("Type");
   auto const regions = conditionsIn<Dim>(list, "Regions");
   auto const boundaries = conditionsIn<Dim>(list, "Boundaries");
-  auto const where_regions = joinPath(path, "Regions");
-  auto const where_boundaries = joinPath(path, "Boundaries");
+  auto const where_regions = joinPath(mesh_path, "Regions");
+  auto const where_boundaries = joinPath(mesh_path, "Boundaries");
   auto const faults = conditionsIn<Dim>(list, "Faults");
-  auto const where_faults = joinPath(path, "Faults");
+  auto const where_faults = joinPath(mesh_path, "Faults");
   auto const file_name =
     type == "File" ? list.sublist(type).get<std::string>("File Name") : std::string();
   if (type == "File" && mesh::isPartitioned(file_name, *communicator)) {
@@ -67,7 +66,7 @@ Mesh<Dim> coarsePart(ParameterList const& list, std::string const& fault,
   mesh::overrideBoundaries(whole, boundaries, where_boundaries);
   mesh::addFaults(whole, faults, where_faults);
   if (type == "File" || !faults.empty()) { // generators make none
-    mesh::splitFaults(whole, path);
+    mesh::splitFaults(whole, mesh_path);
   }
   mesh::PartitionOptions options;
   options.boundary = whole.boundaries.count(fault) > 0 ? fault : "";
@@ -150,7 +149,7 @@ Mesh<Dim> makeMesh(ParameterList const& list, std::string const& fault,
   ASPERITY_TIME_WORK("mesh");
   return refinement::refineUniformly(coarsePart<Dim>(list, fault, communicator),
                                      list.get<int>("Refinements"), *communicator,
-                                     joinPath(path, "Refinements"));
+                                     joinPath(mesh_path, "Refinements"));
 }
 
 template Mesh<2> makeMesh(ParameterList const&, std::string const&, RCP<const Communicator> const&);

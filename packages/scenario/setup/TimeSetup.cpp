@@ -1,6 +1,7 @@
 #include "scenario/setup/TimeSetup.hpp"
 
 #include "dynamics/control/RichardsonControl.hpp"
+#include "scenario/setup/DeckPaths.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -9,8 +10,6 @@ namespace asperity::scenario
 {
 namespace
 {
-const std::string path = "Asperity / Time Stepping";
-
 // The level of the largest dyadic step that is not above `size`.
 int levelOf(dynamics::DyadicTime const& clock, double size)
 {
@@ -24,11 +23,12 @@ int levelOf(dynamics::DyadicTime const& clock, double size)
 std::vector<int> prescribedLevels(ParameterList const& list, dynamics::DyadicTime const& clock)
 {
   auto const levels = list.get<Teuchos::Array<int>>("Levels").toVector();
-  ASPERITY_REQUIRE(!levels.empty(), path << " / Prescribed / Levels is empty.");
+  ASPERITY_REQUIRE(!levels.empty(), time_path << " / Prescribed / Levels is empty.");
   for (int level : levels) {
-    ASPERITY_REQUIRE(level <= clock.finestLevel(), path << " / Prescribed / Levels: " << level
-                                                        << " is below the smallest step, level "
-                                                        << clock.finestLevel() << ".");
+    ASPERITY_REQUIRE(level <= clock.finestLevel(), time_path
+                                                     << " / Prescribed / Levels: " << level
+                                                     << " is below the smallest step, level "
+                                                     << clock.finestLevel() << ".");
   }
   return levels;
 }
@@ -42,12 +42,12 @@ dynamics::RateUpdate newmark(ParameterList const& list)
     const double largest = list.get<double>("Largest Step");
     ASPERITY_REQUIRE(
       limit > 0,
-      path << " / Newmark / beta = " << beta
-           << " is only conditionally stable. Give the 'Stability Limit' of the step, or "
-              "choose beta from 0.25 to 0.5.");
-    ASPERITY_REQUIRE(largest <= limit, path << " / Largest Step = " << largest
-                                            << " s is above the stability limit of " << limit
-                                            << " s that beta = " << beta << " needs.");
+      time_path << " / Newmark / beta = " << beta
+                << " is only conditionally stable. Give the 'Stability Limit' of the step, or "
+                   "choose beta from 0.25 to 0.5.");
+    ASPERITY_REQUIRE(largest <= limit, time_path << " / Largest Step = " << largest
+                                                 << " s is above the stability limit of " << limit
+                                                 << " s that beta = " << beta << " needs.");
   }
   return dynamics::RateUpdate::newmark(beta);
 }
@@ -149,8 +149,9 @@ std::vector<dynamics::DyadicTime::Ticks> instants(ParameterList const& list,
   std::vector<dynamics::DyadicTime::Ticks> result;
   for (double t : times) {
     ASPERITY_REQUIRE(clock.reaches(t + clock.stepSize(0)),
-                     path << " / Instants: " << t << " s is more than 9e18 smallest steps. Remove "
-                          << "it, or choose a larger 'Smallest Step'.");
+                     time_path << " / Instants: " << t
+                               << " s is more than 9e18 smallest steps. Remove "
+                               << "it, or choose a larger 'Smallest Step'.");
     result.push_back(clock.reaching(t));
   }
   std::sort(result.begin(), result.end());
@@ -163,19 +164,19 @@ dynamics::DyadicTime makeClock(ParameterList const& list)
 {
   const double largest = list.get<double>("Largest Step");
   const double smallest = list.get<double>("Smallest Step");
-  ASPERITY_REQUIRE(smallest <= largest, path << " / Smallest Step = " << smallest
-                                             << " s is larger than the largest step, " << largest
-                                             << " s.");
+  ASPERITY_REQUIRE(smallest <= largest, time_path << " / Smallest Step = " << smallest
+                                                  << " s is larger than the largest step, "
+                                                  << largest << " s.");
   // As a difference, which does not overflow.
   const double levels = std::ceil(std::log2(largest) - std::log2(smallest) - 1e-9);
-  ASPERITY_REQUIRE(levels <= 60, path << " / Smallest Step = " << smallest
-                                      << " s is less than the largest one, " << largest
-                                      << " s, divided by 2^60.");
+  ASPERITY_REQUIRE(levels <= 60, time_path << " / Smallest Step = " << smallest
+                                           << " s is less than the largest one, " << largest
+                                           << " s, divided by 2^60.");
   const dynamics::DyadicTime clock(largest, static_cast<int>(levels));
   ASPERITY_REQUIRE(clock.reaches(finalTime(list) + largest),
-                   path << " / Final Time = " << finalTime(list)
-                        << " s is more than 9e18 smallest steps. "
-                        << "Choose a larger 'Smallest Step'.");
+                   time_path << " / Final Time = " << finalTime(list)
+                             << " s is more than 9e18 smallest steps. "
+                             << "Choose a larger 'Smallest Step'.");
   return clock;
 }
 
@@ -189,15 +190,16 @@ dynamics::RateUpdate makeRateUpdate(ParameterList const& list, bool has_mass)
     const double radius = list.sublist(scheme).get<double>("Spectral Radius");
     ASPERITY_REQUIRE(
       has_mass || radius < 1,
-      path << " / Generalised Alpha / Spectral Radius = 1 damps nothing, and without "
-              "mass (Quasi-dynamic) the velocity would change its sign in every "
-              "step for ever. Choose one below 1.");
+      time_path << " / Generalised Alpha / Spectral Radius = 1 damps nothing, and without "
+                   "mass (Quasi-dynamic) the velocity would change its sign in every "
+                   "step for ever. Choose one below 1.");
     return dynamics::RateUpdate::generalisedAlpha(radius);
   }
-  ASPERITY_REQUIRE(has_mass, path << " / Scheme = 'Newmark' needs inertia: without mass "
-                                     "(Quasi-dynamic) its velocity would change its sign in every "
-                                     "step for ever. Choose 'Generalised Alpha' or 'Backward "
-                                     "Euler'.");
+  ASPERITY_REQUIRE(has_mass, time_path
+                               << " / Scheme = 'Newmark' needs inertia: without mass "
+                                  "(Quasi-dynamic) its velocity would change its sign in every "
+                                  "step for ever. Choose 'Generalised Alpha' or 'Backward "
+                                  "Euler'.");
   return newmark(list);
 }
 
@@ -216,9 +218,10 @@ std::unique_ptr<dynamics::StepControl> chosenControl(ParameterList const& list,
   if (control == "Step Doubling") {
     return std::make_unique<dynamics::StepDoubling>(step, settings);
   }
-  ASPERITY_REQUIRE(clock.finestLevel() > 0, path << " / Smallest Step = " << clock.stepSize(0)
-                                                 << " s has to be at most half of the largest one, "
-                                                    "which a pair of steps is compared with.");
+  ASPERITY_REQUIRE(clock.finestLevel() > 0, time_path
+                                              << " / Smallest Step = " << clock.stepSize(0)
+                                              << " s has to be at most half of the largest one, "
+                                                 "which a pair of steps is compared with.");
   return std::make_unique<dynamics::RichardsonControl>(step, makeRateUpdate(list).order, settings);
 }
 } // namespace

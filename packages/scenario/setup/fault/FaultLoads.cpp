@@ -2,6 +2,7 @@
 
 #include "base/parallel/Reductions.hpp"
 #include "mesh/PointText.hpp"
+#include "scenario/setup/DeckPaths.hpp"
 #include "scenario/setup/fault/PlateRate.hpp"
 
 #include <Tpetra_Vector.hpp>
@@ -13,8 +14,6 @@ namespace asperity::scenario
 {
 namespace
 {
-const std::string path = "Asperity / Friction";
-
 // traction(num_nodes, T), times each node's share of the fault.
 void addTraction(std::vector<double> const& traction, fem::FaultSurface const& surface,
                  Vector& load)
@@ -46,7 +45,7 @@ std::vector<double> givenStress(NodalField const& field, Mesh<Dim> const& mesh,
 {
   auto const values = field.at(0);
   for (std::size_t i = 0; i < values.size(); ++i) {
-    ASPERITY_REQUIRE(values[i] >= 0, joinPath(path, "Normal Stress")
+    ASPERITY_REQUIRE(values[i] >= 0, joinPath(friction_path, "Normal Stress")
                                        << " = " << values[i]
                                        << " at x = " << mesh::text(mesh.vertices[nodes[i]])
                                        << ", t = 0, is outside [0, inf). Check the sign: "
@@ -59,7 +58,7 @@ std::vector<double> slipDirection(ParameterList const& friction)
 {
   auto const given = friction.get<Teuchos::Array<double>>("Slip Direction").toVector();
   ASPERITY_REQUIRE(given.size() == 3 && std::hypot(given[0], given[1], given[2]) > 0,
-                   joinPath(path, "Slip Direction")
+                   joinPath(friction_path, "Slip Direction")
                      << " needs three numbers, not all zero: where the shear traction points.");
   return given;
 }
@@ -68,7 +67,7 @@ std::vector<double> slipDirection(ParameterList const& friction)
 template <int Dim>
 ShearTraction::ShearTraction(ParameterList const& friction, Mesh<Dim> const& mesh,
                              fem::FaultSurface const& surface, fem::NodalFrames const& frames)
-    : size_(friction, "Shear Traction", path, mesh, surface.vertices())
+    : size_(friction, "Shear Traction", friction_path, mesh, surface.vertices())
 {
   if (Dim == 2) {
     direction_.assign(surface.numNodes(), 1.);
@@ -77,7 +76,7 @@ ShearTraction::ShearTraction(ParameterList const& friction, Mesh<Dim> const& mes
   auto const towards = slipDirection(friction);
   for (auto const& node : surface) {
     auto const projected =
-      directionAlongFault(towards, frames, node, joinPath(path, "Slip Direction"));
+      directionAlongFault(towards, frames, node, joinPath(friction_path, "Slip Direction"));
     direction_.insert(direction_.end(), projected.begin(), projected.end());
   }
 }
@@ -132,7 +131,7 @@ NormalStressOfDeck makeNormalStress(ParameterList const& friction, Mesh<Dim> con
     }
     return {constant(pressure), remarks};
   }
-  const NodalField given(friction, "Normal Stress", path, mesh, surface.vertices());
+  const NodalField given(friction, "Normal Stress", friction_path, mesh, surface.vertices());
   auto const at_start = givenStress(given, mesh, surface.vertices());
   if (!given.dependsOnTime()) {
     return {constant(at_start), {}};
