@@ -18,7 +18,7 @@ std::int64_t largest_gather = 0; // in bytes, of those that this rank has receiv
 void note(int const* counts, MPI_Datatype type, MPI_Comm comm)
 {
   if (type == MPI_BYTE) {
-    return; // HDF5's own: where the chunks of all ranks are
+    return; // ours have other types; HDF5 gathers bytes of its own
   }
   int num_ranks = 0, size = 0;
   PMPI_Comm_size(comm, &num_ranks);
