@@ -1,5 +1,4 @@
-#include "unit/io/BlockMesh.hpp"
-#include "unit/platforms/Deck.hpp"
+#include "unit/platforms/VerticalFault.hpp"
 
 #include <mpi.h>
 
@@ -50,21 +49,13 @@ int MPI_Allgatherv(const void* mine, int count, MPI_Datatype type, void* all, co
 
 namespace
 {
-struct Fault : test::Stage
+struct Fault : test::VerticalFault
 {
-  Fault() : Stage(test::blockMesh())
+  Fault()
   {
     for (auto const* name : {"alpha", "shear_modulus"}) {
       add("fault", name, 1, [](double const*, int) { return 20; });
     }
-    add("fault", "slip", 3, [](double const* x, int c) { return x[c]; });
-    add("fault", "slip_rate", 1, [](double const* x, int) { return x[0]; });
-    add("fault", "slip_velocity", 3, [](double const*, int c) { return 0.3 * c; });
-    add("fault", "traction", 3, [](double const*, int c) { return 1e6 * (1 + c); });
-    add("fault", "normal_stress", 1, [](double const*, int) { return 2.5e7; });
-    add("fault", "theta", 1, [](double const*, int) { return 1e8; });
-    add("volume", "displacement", 3, [](double const* x, int c) { return x[c]; });
-    add("volume", "velocity", 3, [](double const*, int c) { return c + 1; });
   }
 };
 

@@ -1,5 +1,4 @@
-#include "unit/io/BlockMesh.hpp"
-#include "unit/platforms/Deck.hpp"
+#include "unit/platforms/VerticalFault.hpp"
 
 using namespace asperity;
 using namespace asperity::io;
@@ -7,28 +6,9 @@ using test::position;
 
 namespace
 {
-// A vertical fault: the base is turned about the z axis into the plane x = 0, the body is x > 0,
-// the fault goes from y = 0 down to y = -4, and strike is along z.
-Point<3> upright(Point<3> const& x) { return {x[1], 0 - x[0], x[2]}; }
-
-struct Fault : test::Stage
-{
-  explicit Fault(bool periodic = false) : Stage(test::blockMesh(periodic, upright))
-  {
-    add("fault", "slip", 3, [](double const* x, int c) { return c == 0 ? 0 : c * (x[2] - x[1]); });
-    add("fault", "slip_rate", 1, [](double const*, int) { return 0.5; });
-    add("fault", "slip_velocity", 3, [](double const*, int c) { return c == 0 ? 0 : 0.3 * c; });
-    add("fault", "traction", 3, [](double const* x, int c) { return 1e6 * (c + x[2]); });
-    add("fault", "normal_stress", 1, [](double const*, int) { return 2.5e7; });
-    add("fault", "theta", 1, [](double const*, int) { return 1e8; });
-    add("volume", "displacement", 3, [](double const* x, int c) { return x[c]; });
-    add("volume", "velocity", 3, [](double const*, int c) { return c + 1; });
-  }
-};
-
 void run(std::filesystem::path const& directory, std::string const& platform)
 {
-  Fault fault;
+  test::VerticalFault fault;
   auto list = test::deckWith("Receivers", platform);
   auto& receivers = list.sublist("Receivers");
   receivers.sublist("On Fault").set("st12dp07", position({0., -0.7, 1.2}));
