@@ -95,12 +95,37 @@ OutputSet::OutputSet(Teuchos::ParameterList const& parameters, OutputContext con
   makeTexts(textFormatIn(parameters), context);
 }
 
+namespace
+{
+// The output's list, complete.
+ParameterList completeList(Teuchos::ParameterList const& outputs, std::string const& name,
+                           OutputKind const& kind)
+{
+  ParameterList list = outputs.isSublist(name) ? outputs.sublist(name) : ParameterList();
+  completeAndValidate(list, *kind.validParameters(), "Asperity / Output / " + name);
+  return list;
+}
+} // namespace
+
+std::vector<double> OutputSet::times(Teuchos::ParameterList const& parameters)
+{
+  std::vector<double> result;
+  for (auto const& name : OutputRegistry::instance().names()) {
+    auto const list =
+      completeList(parameters, name, *OutputRegistry::instance().create(name, "Output"));
+    if (list.get<bool>("Enabled") && list.isParameter("Times")) {
+      auto const times = list.get<Teuchos::Array<double>>("Times");
+      result.insert(result.end(), times.begin(), times.end());
+    }
+  }
+  return result;
+}
+
 void OutputSet::makeOutputs(Teuchos::ParameterList const& parameters, OutputContext const& context)
 {
   for (auto const& name : OutputRegistry::instance().names()) {
     const auto kind = OutputRegistry::instance().create(name, "Output");
-    ParameterList list = parameters.isSublist(name) ? parameters.sublist(name) : ParameterList();
-    completeAndValidate(list, *kind->validParameters(), "Asperity / Output / " + name);
+    auto const list = completeList(parameters, name, *kind);
     const auto domain = kind->neededDomain();
     const bool is_possible = domain.empty() || context.domains.count(domain) > 0;
     if (is_possible && list.get<bool>("Enabled")) {

@@ -26,6 +26,8 @@ public:
   // caller's list `Output`.
   static Teuchos::RCP<const Teuchos::ParameterList> validParameters();
   static void declare(Teuchos::ParameterList& list);
+  // `Times` [s] of all enabled outputs of a list as above, in no order.
+  static std::vector<double> times(Teuchos::ParameterList const& parameters);
 
   // Completes and validates the entries that declare adds, in a copy; reads no other entry.
   OutputSet(Teuchos::ParameterList const& parameters, OutputContext const& context);

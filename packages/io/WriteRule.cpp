@@ -34,8 +34,12 @@ void WriteRule::declare(Declare& parameters, int every_n_steps, double rate_chan
           "accepted step at or after each multiple of this time; 0 switches this rule off.")
     .real("Rupture Rate", 1e-3, "m/s", Range::positive(),
           "The rule 'Every Seconds of Rupture' applies while the peak slip rate is at least this.")
-    .realArray("Times", std::vector<double>{}, "s", Range::any(),
-               "A row is written at the first accepted step at or after each of these times.");
+    .realArray(
+      "Times", std::vector<double>{}, "s", Range::any(),
+      "A row is written at each of these times, which no step passes, to within the smallest "
+      "step.")
+    .hint("Each of them may take as many steps as there are powers of two between a step and the "
+          "smallest one; 'Every Seconds' takes steps as they come.");
 }
 
 WriteRule::WriteRule(Teuchos::ParameterList const& parameters)

@@ -10,8 +10,8 @@ namespace asperity::io
 {
 // Decides which accepted steps get a row: the first and the last one, every nth, those where the
 // peak slip rate has changed by a factor since the last row, the first one at or after each of
-// given times, and the first one at or after each multiple of an interval; while the fault
-// ruptures, a second interval applies as well.
+// given times (at which the step control ends a step), and the first one at or after each multiple
+// of an interval; while the fault ruptures, a second interval applies as well.
 class WriteRule
 {
 public:

@@ -7,6 +7,7 @@
 #include "base/program/WorkTimers.hpp"
 #include "dynamics/FaultMotion.hpp"
 #include "dynamics/control/NotFinite.hpp"
+#include "io/OutputSet.hpp"
 #include "mesh/PointText.hpp"
 #include "scenario/setup/BulkSetup.hpp"
 #include "scenario/setup/SolverSetup.hpp"
@@ -36,7 +37,8 @@ Evolution<Dim>::Evolution(ParameterList const& deck, RCP<const Communicator> con
     model_.body, model_.fault, update, clock_,
     dynamics::CouplingSettings::from(deck.sublist("Coupling")), problem_.solver,
     memoryBudget(deck.sublist("TNNMG")), model_.reaction);
-  control_ = makeStepControl(deck.sublist("Time Stepping"), *coupled_step_);
+  control_ = makeStepControl(deck.sublist("Time Stepping"),
+                             io::OutputSet::times(deck.sublist("Output")), *coupled_step_);
   control_->setPlaces([this](int vertex) { return placeOf(vertex); });
   view_.state = &state_;
   view_.surface = &model_.fault.surface();

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 
 namespace asperity::scenario
 {
@@ -142,9 +143,12 @@ RCP<const ParameterList> timeParameters()
 }
 
 std::vector<dynamics::DyadicTime::Ticks> instants(ParameterList const& list,
+                                                  std::vector<double> const& output_times,
                                                   dynamics::DyadicTime const& clock)
 {
   auto times = list.get<Teuchos::Array<double>>("Instants").toVector();
+  std::copy_if(output_times.begin(), output_times.end(), std::back_inserter(times),
+               [&](double t) { return t > 0 && t < finalTime(list); });
   times.push_back(finalTime(list));
   std::vector<dynamics::DyadicTime::Ticks> result;
   for (double t : times) {
@@ -227,10 +231,11 @@ std::unique_ptr<dynamics::StepControl> chosenControl(ParameterList const& list,
 } // namespace
 
 std::unique_ptr<dynamics::StepControl> makeStepControl(ParameterList const& list,
+                                                       std::vector<double> const& output_times,
                                                        dynamics::CoupledStep& step)
 {
   auto control = chosenControl(list, step);
-  control->setInstants(instants(list, step.clock()));
+  control->setInstants(instants(list, output_times, step.clock()));
   return control;
 }
 } // namespace asperity::scenario

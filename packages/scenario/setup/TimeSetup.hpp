@@ -9,13 +9,17 @@ namespace asperity::scenario
 RCP<const ParameterList> timeParameters();
 
 double finalTime(ParameterList const& list);
-// `Final Time` and `Instants` of the list in ticks, ascending.
+// `Final Time`, `Instants` of the list and those of the output times [s] that are in the run, in
+// ticks, ascending.
 std::vector<dynamics::DyadicTime::Ticks> instants(ParameterList const& list,
+                                                  std::vector<double> const& output_times,
                                                   dynamics::DyadicTime const& clock);
 dynamics::DyadicTime makeClock(ParameterList const& list);
 // Without mass throws InputError for a scheme that damps nothing (Newmark, or generalised alpha
 // with spectral radius 1): its velocity would have the amplification factor -1.
 dynamics::RateUpdate makeRateUpdate(ParameterList const& list, bool has_mass = true);
+// No step passes the end of the run, an instant of the list, or an output time [s].
 std::unique_ptr<dynamics::StepControl> makeStepControl(ParameterList const& list,
+                                                       std::vector<double> const& output_times,
                                                        dynamics::CoupledStep& step);
 } // namespace asperity::scenario

@@ -38,6 +38,18 @@ class Instants(unittest.TestCase):
                 plain = self.run_deck("plain", control=control)
                 self.assertLess(len(steps), len(plain) + 4 * 24)
 
+    def test_outputs_have_rows_at_their_times(self):
+        for control in ("Step Doubling", "Richardson", "Prescribed"):
+            with self.subTest(control):
+                self.run_deck("rows", *(f"Output/Fault History/{rule}" for rule in (
+                    "Times={-1, 0.25, 0.1007, 7}", "Every n Steps=0", "Rate Change Factor=0")),
+                              control=control)
+                times = asperity_run.series("rows/fault.h5")["time"]
+                self.assertEqual(len(times), 4, times)
+                for time, expected in zip(times, (0, 0.1007, 0.25, 0.4)):
+                    self.assertGreaterEqual(time, expected - 1e-9)
+                    self.assertLess(time - expected, TICK)
+
     def test_a_short_pulse_is_seen(self):
         """The fault is pushed for a millisecond, which steps of 0.15 s pass without a trace."""
         pulse = "Friction/Shear Traction=t > 0.2 && t < 0.202 ? 9000 : 0"

@@ -180,7 +180,7 @@ TEST(StepControl, wantsPrescribedLevelsThatExist)
     auto const problem = makeProblem<2>(deck, world());
     dynamics::CoupledStep step(problem.body, problem.fault, makeRateUpdate(time), makeClock(time),
                                {}, problem.solver, 1000000);
-    return makeStepControl(time, step) != nullptr;
+    return makeStepControl(time, {}, step) != nullptr;
   };
   EXPECT_TRUE(control({0, 3, 2}));
   expectParts(refusal([&] { control({}); }), {"Prescribed / Levels is empty"});
