@@ -35,8 +35,10 @@ class H5File:
         return list(group) if isinstance(group, h5py.Group) else []
 
     def attribute(self, dataset: str, name: str) -> str:
-        """A text that belongs to a dataset, such as its `unit`; '' where there is none."""
-        value = self.dataset(dataset).attrs.get(name, "")
+        """A text that belongs to a dataset, such as its `unit`, or to the file, which is '/'; ''
+        where there is none."""
+        item = self._file if dataset == "/" else self.dataset(dataset)
+        value = item.attrs.get(name, "")
         return value.decode() if isinstance(value, bytes) else str(value)
 
     def dataset(self, name: str) -> h5py.Dataset:

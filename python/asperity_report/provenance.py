@@ -13,6 +13,7 @@ from asperity.run import Run
 from . import page
 
 HASHED = ("parameters.xml", "run.log", "events.csv", "steps.csv", "global.csv", "checkpoint.h5")
+WHOLE = "what a restart compares: the deck without Output, TNNMG and Final Time, mesh, datasets"
 
 
 def section(run: Run, log: RunLog, wrong: List[str]) -> str:
@@ -25,13 +26,16 @@ def section(run: Run, log: RunLog, wrong: List[str]) -> str:
         parts.append(page.table(["input", "checksum"], inputs, True))
     parts.append(page.table(["file", "bytes", "last written (UTC)", "SHA-256"],
                             _files(run.directory), True))
-    parts.append(page.paragraph("Histories lie in the folder segments; their index files name "
-                                "them. A run has no random numbers.", "note"))
+    parts.append(page.paragraph(
+        "parameters.xml is the deck with all that --set and --overlay changed and every default "
+        "filled in; it runs again as it is. The file that it was made from is not kept. Histories "
+        "lie in the folder segments; their index files name them. A run has no random numbers, and "
+        "so no seed.", "note"))
     return "\n".join(parts)
 
 
 def _inputs(run: Run, wrong: List[str]) -> List[List[str]]:
-    """Meshes and datasets by what their checkpoint says of their content."""
+    """The deck, meshes and datasets by what the checkpoint says of their content."""
     if not run.has("checkpoint.h5"):
         return []
     try:
@@ -39,10 +43,12 @@ def _inputs(run: Run, wrong: List[str]) -> List[List[str]]:
         if not file.has("fingerprint/contents"):
             return []
         names = [file.strings(f"fingerprint/{name}") for name in ("contents", "values")]
+        whole = file.attribute("/", "fingerprint")
     except InputError as error:
         wrong.append(str(error))
         return []
-    return [[content, value] for content, value in zip(*names) if content]
+    return [[WHOLE, whole]] * bool(whole) + [
+        [content, value] for content, value in zip(*names) if content]
 
 
 def _files(directory: Path) -> List[List[str]]:

@@ -7,6 +7,7 @@ import sys
 import unittest
 
 import asperity_run
+import h5py
 
 sys.path.insert(0, str(asperity_run.SOURCE / "tests" / "unit" / "python"))
 from page_checks import Page  # noqa: E402
@@ -31,6 +32,9 @@ class Report(unittest.TestCase):
         self.assertNotIn("Mesh/Refinements", rows)
         self.assertEqual(rows["whole run"][2], "100.0 %")
         self.assertEqual(len(rows["the numbered mesh"][0]), 16)
+        with h5py.File(folder / "checkpoint.h5") as file:
+            whole, = [value for name, value in rows.items() if "a restart compares" in name]
+            self.assertEqual(whole, [file.attrs["fingerprint"].decode()])
         text = "".join(page.text)
         version = asperity_run.run("--version").stdout
         for line in version.splitlines():

@@ -16,7 +16,7 @@ from matplotlib.image import imread
 import synthetic_run
 from asperity_plot import cli as plot_cli
 from asperity_plot import maps
-from asperity_report import cli, figures
+from asperity_report import cli, figures, provenance
 from page_checks import Page
 
 LOG = """Asperity 0.1.0 on Serial, 2 ranks.
@@ -62,6 +62,7 @@ class Report(unittest.TestCase):
         (cls.folder / "parameters.xml").write_text(DECK)
         with h5py.File(cls.folder / "checkpoint.h5", "w") as file:
             text = h5py.string_dtype()
+            file.attrs["fingerprint"] = "0123456789abcdef"
             group = file.create_group("fingerprint")
             group.create_dataset("parameters", data=["Asperity / Mesh", "Asperity / Friction / b"],
                                  dtype=text)
@@ -130,6 +131,9 @@ class Report(unittest.TestCase):
         digest = subprocess.run(["sha256sum", str(self.folder / "parameters.xml")], text=True,
                                 capture_output=True, check=True).stdout.split()[0].lstrip("\\")
         self.assertIn(digest, rows["parameters.xml"])
+        self.assertEqual(rows[provenance.WHOLE], ["0123456789abcdef"])
+        for words in ("no random numbers", "no seed"):
+            self.assertIn(words, text)
 
     def test_a_run_that_has_just_begun(self):
         folder = Path(self.temporary.name) / "new"
