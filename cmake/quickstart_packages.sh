@@ -1,6 +1,6 @@
 # The first phase of quickstart.sh, which sources this file: names the Debian packages that are
 # missing, says what they are for, and installs them as root or through sudo.
-# Taken from quickstart.sh: install (yes or no), fail, phase, phase_done.
+# Taken from quickstart.sh: mode (run or test), install (yes or no), fail, phase, phase_done.
 # shellcheck shell=bash disable=SC2154
 
 # "purpose: packages", one line each.
@@ -33,6 +33,11 @@ optional_packages()
 faster rebuilds (optional): ccache
 meshes from Gmsh, asperity-mesh (optional): libgmsh-dev
 LIST
+  if [ "${mode:-}" = test ]; then
+    printf 'tests of pip without a network (optional):'
+    printf ' python3-%s' pip venv setuptools wheel
+    printf '\n'
+  fi
 }
 
 # The TrilinosConfig.cmake the user points to, by the places where CMake looks.
