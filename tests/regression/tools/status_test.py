@@ -1,4 +1,4 @@
-"""asperity-status beside a run: while it runs, killed, stopped by a signal, and finished."""
+"""asperity-status beside a run: while it runs, followed to its end, killed, stopped, finished."""
 
 import json
 import os
@@ -54,6 +54,27 @@ class Beside(unittest.TestCase):
         self.assertEqual((code, facts["state"]), (4, "stopped"))
         rows = asperity_run.table("stopped/steps.csv")
         self.assertEqual((facts["step"], facts["time"]), (rows[-1]["step"], rows[-1]["time"]))
+
+    def test_follow_until_stopped(self):
+        process = self.begin("followed")
+        follower = subprocess.Popen([str(STATUS), "followed", "--follow", "--every", "0.05s",
+                                     "--json"], stdout=subprocess.PIPE, stderr=subprocess.PIPE,
+                                    text=True)
+        self.addCleanup(follower.communicate)
+        self.addCleanup(follower.kill)
+        seen = [json.loads(follower.stdout.readline()) for _ in range(3)]
+        self.assertEqual({facts["state"] for facts in seen}, {"running"})
+        self.assertIsNone(follower.poll())
+        process.send_signal(signal.SIGTERM)
+        self.assertEqual(process.wait(PATIENCE), 4)
+        out, errors = follower.communicate(timeout=PATIENCE)
+        self.assertEqual((follower.returncode, errors), (4, ""))
+        seen += [json.loads(line) for line in out.splitlines()]
+        self.assertEqual([facts["state"] for facts in seen],
+                         ["running"] * (len(seen) - 1) + ["stopped"])
+        steps = [facts["step"] for facts in seen]
+        self.assertEqual(steps, sorted(steps))
+        self.assertEqual(steps[-1], asperity_run.table("followed/steps.csv")[-1]["step"])
 
     def test_killed(self):
         process = self.begin("killed")
