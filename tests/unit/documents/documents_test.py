@@ -9,6 +9,9 @@ import unittest
 SOURCE = pathlib.Path(os.environ["ASPERITY_SOURCE_DIR"])
 BUILD = pathlib.Path(os.environ["ASPERITY_BUILD_DIR"])
 LINK = re.compile(r"\]\(([^)#\s]+)(?:#[^)]*)?\)")
+PICTURE = re.compile(r"!\[[^]]+\]\(([^)\s]+\.png)\)")
+OTHER_PROGRAMS = {"--build", "--install", "--prefix", "--list-presets",  # cmake
+                  "--test-dir", "--oversubscribe", "--bind-to", "--mca"}  # ctest, mpirun
 PROGRAM = re.compile(r"^ {4}(?:\S+ )*?(?:\S*/)?(asperity(?:-[a-z]+)?) ", re.MULTILINE)
 
 
@@ -23,6 +26,12 @@ def text(name):
     return (SOURCE / name).read_text(encoding="utf-8")
 
 
+def claims():
+    """The first column of the page's first table."""
+    table = text("docs/claims.md").split("\n## ")[0]
+    return [row.strip() for row in re.findall(r"^\|([^|]*)\|", table, re.MULTILINE)]
+
+
 class Documents(unittest.TestCase):
     def test_links_lead_somewhere(self):
         found = [(path.relative_to(SOURCE), link) for path in pages()
@@ -34,11 +43,29 @@ class Documents(unittest.TestCase):
     def test_every_deck_has_a_tutorial(self):
         tutorial = text("docs/tutorials.md")
         for deck in sorted((SOURCE / "xml").glob("*.xml")):
-            section = re.search(rf"^## .*`{deck.stem}`.*?(?=^## |\Z)", tutorial,
+            section = re.search(rf"^## [^\n]*`{deck.stem}`\n.*?(?=^## |\Z)", tutorial,
                                 re.MULTILINE | re.DOTALL)
             self.assertIsNotNone(section, f"{deck.name} has no section")
             for words in (f"xml/{deck.name}", "**Look at:**", "**Change:**"):
                 self.assertIn(words, section[0], deck.name)
+            pictures = PICTURE.findall(section[0])
+            self.assertTrue(pictures, f"{deck.name} has no picture")
+            for picture in pictures:
+                self.assertTrue((SOURCE / "docs" / picture).is_file(), f"{deck.name}: {picture}")
+
+    def test_options_of_the_readme_have_a_claim(self):
+        options = set(re.findall(r"--[a-z][a-z-]+", text("README.md"))) - OTHER_PROGRAMS
+        self.assertGreater(len(options), 10)
+        claimed = set(re.findall(r"--[a-z][a-z-]+", " ".join(claims())))
+        self.assertEqual(sorted(options - claimed), [])
+
+    def test_exit_statuses_of_the_readme_have_a_claim(self):
+        statuses = re.search(r"^Exit status: (.*?)\. ", text("README.md"), re.MULTILINE | re.DOTALL)
+        numbers = re.findall(r"\b\d\b", statuses[1])
+        self.assertGreater(len(numbers), 5)
+        for number in numbers:
+            rows = [row for row in claims() if row.startswith(f"exit status {number}: ")]
+            self.assertEqual(len(rows), 1, f"exit status {number}")
 
     def test_commands_name_programs_that_exist(self):
         for page in ("README.md", "docs/tutorials.md", "docs/cluster.md"):
