@@ -251,6 +251,29 @@ class Meshes(Case):
         for ranks in (1, 2):
             self.assert_refused(self.deck, "mesh.h5", "cell 1", ranks=ranks)
 
+    def test_a_moved_vertex(self):
+        """Where no cell turns over it is another mesh, and as good as any."""
+        cells = ((0, 1, 4), (1, 2, 4), (2, 3, 4), (3, 0, 4))
+        for place in ((0.5, 0.5), (0.51, 0.48), (0.999, 0.5)):
+            write_mesh("mesh.h5", cells, vertices=[*CORNERS, place])
+            self.assert_done(*self.deck, "--output", f"results_{place[0]}")
+        for place, cell in (((1.5, 0.5), 1), ((0.5, -30), 0)):
+            write_mesh("mesh.h5", cells, vertices=[*CORNERS, place])
+            for ranks in (1, 2):
+                self.assert_refused(self.deck, "mesh.h5", f"cell {cell} ", "is inverted",
+                                    ranks=ranks)
+        write_mesh("mesh.h5", cells, vertices=[*CORNERS, (1, 0.5)])
+        self.assert_refused(self.deck, "mesh.h5", "cell 1 ", "is degenerate")
+        self.assert_moved_corners(cells)
+
+    def assert_moved_corners(self, cells):
+        far, inside = CORNERS.copy(), CORNERS.copy()
+        far[2], inside[2] = (3, 2), (0.2, 0.3)
+        write_mesh("mesh.h5", cells, vertices=[*far, (0.5, 0.5)])
+        self.assert_done(*self.deck, "--output", "results_far")
+        write_mesh("mesh.h5", cells, vertices=[*inside, (0.5, 0.5)])
+        self.assert_refused(self.deck, "mesh.h5", "cell 1 ", "is inverted")
+
     def test_broken_numbers(self):
         write_mesh("mesh.h5", cells=((0, 1, 2), (0, 2, 9)))
         self.assert_refused(self.deck, "mesh.h5", "cell 1", "9")
