@@ -1,5 +1,6 @@
 """Runs whose n-th operation on a file is disturbed (fault_shim.cpp)."""
 
+import collections
 import os
 import pathlib
 import subprocess
@@ -8,6 +9,8 @@ import asperity_run
 import time_limits
 
 SHIM = os.environ["ASPERITY_FAULT_SHIM"]
+OPERATIONS = {"w": "write", "p": "pwrite", "v": "writev", "q": "pwritev", "s": "fsync",
+              "t": "ftruncate", "r": "rename"}
 
 
 def is_long():
@@ -37,12 +40,17 @@ def run(folder, kind, number, *arguments, ranks=1, rank=None, timeout=60, **more
                           env=environment(folder, kind, number, rank, **more))
 
 
-def count_operations(folder, *arguments, ranks=1, rank=None, kind="full", timeout=60):
-    """How many operations the run has when nothing disturbs it."""
+def operations(folder, *arguments, ranks=1, rank=None, kind="full", timeout=60):
+    """{letter: how many} of the run when nothing disturbs it."""
     counter = pathlib.Path(f"{folder}.count").absolute()
     counter.unlink(missing_ok=True)
     result = run(folder, kind, 0, *arguments, ranks=ranks, rank=rank, timeout=timeout,
                  FAULT_COUNT=str(counter))
     if result.returncode != 0:
         raise AssertionError(result.stdout + result.stderr)
-    return counter.stat().st_size
+    return collections.Counter(counter.read_text())
+
+
+def count_operations(*arguments, **options):
+    """How many operations there are of all kinds."""
+    return sum(operations(*arguments, **options).values())

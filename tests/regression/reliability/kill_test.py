@@ -1,5 +1,6 @@
 """Runs that are killed go on bit for bit, whenever and in the middle of whatever it happens."""
 
+import collections
 import random
 import signal
 import time
@@ -12,7 +13,8 @@ import time_limits
 
 # How many trials of each kind.
 AT_RANDOM = IN_A_WRITE = faults.trials(4, 50)
-TWICE, OF_RANKS = -(-AT_RANDOM // 5), faults.trials(2, 50)
+OF_RANKS = faults.trials(2, 50)
+TWICE, TWICE_OF_RANKS = -(-AT_RANDOM // 5), -(-OF_RANKS // 5)
 
 
 class Killed(unittest.TestCase):
@@ -48,10 +50,10 @@ class Killed(unittest.TestCase):
         process.communicate(timeout=time_limits.seconds(60))
         runs.wait_for_ends(children)
 
-    def kill_in(self, folder, number, ranks=1, rank=None):
-        """In the n-th operation on a file."""
+    def kill_in(self, folder, number, ranks=1, rank=None, only=""):
+        """In the n-th operation on a file, or the n-th one of a letter."""
         return faults.run(folder, "kill", number, *self.deck(ranks), *runs.way_on(folder),
-                          ranks=ranks, rank=rank, timeout=200)
+                          ranks=ranks, rank=rank, timeout=200, FAULT_ONLY=only)
 
     def test_at_any_moment(self):
         for seed in range(AT_RANDOM):
@@ -66,10 +68,13 @@ class Killed(unittest.TestCase):
     def test_at_any_moment_on_two_ranks(self):
         for seed in range(OF_RANKS):
             with self.subTest(seed=seed):
+                chance = random.Random(seed)
                 folder = runs.fresh("two_ranks")
-                self.kill_at(folder, random.Random(seed).uniform(0.5, self.seconds[2]), 2)
+                for _ in range(2 if seed < TWICE_OF_RANKS else 1):
+                    self.kill_at(folder, chance.uniform(0.5, self.seconds[2]), 2)
                 self.assert_goes_on(folder, 2)
-        print(f"{OF_RANKS} runs of two ranks killed at random moments")
+        print(f"{OF_RANKS} runs of two ranks killed at random moments, {TWICE_OF_RANKS} of them "
+              "twice")
 
     def test_with_checkpoints_by_wall_time_alone(self):
         by_time = runs.settings("Output/Checkpoint Every n Steps=1000000",
@@ -83,16 +88,25 @@ class Killed(unittest.TestCase):
                 self.assert_goes_on(folder, ranks)
 
     def test_in_any_write(self):
-        total = faults.count_operations(runs.fresh("in_a_write"), *runs.RUN, kind="kill")
+        """Each kind of operation in turn."""
+        counts = faults.operations(runs.fresh("in_a_write"), *runs.RUN, kind="kill")
+        killed = collections.Counter()
         for seed in range(IN_A_WRITE):
-            with self.subTest(seed=seed):
+            letter = sorted(counts)[seed % len(counts)]
+            with self.subTest(seed=seed, operation=faults.OPERATIONS[letter]):
                 chance = random.Random(seed)
                 folder = runs.fresh("in_a_write")
                 for _ in range(2 if seed < TWICE else 1):
-                    result = self.kill_in(folder, chance.randrange(1, total))
+                    number = chance.randrange(1, counts[letter] + 1)
+                    result = self.kill_in(folder, number, only=letter)
                     self.assertIn(result.returncode, (-signal.SIGKILL, runs.DONE))
+                    killed[letter] += result.returncode == -signal.SIGKILL
                 self.assert_goes_on(folder, 1)
-        print(f"{IN_A_WRITE} runs killed in one of {total} operations, {TWICE} of them twice")
+        if IN_A_WRITE >= len(counts):
+            self.assertEqual({letter for letter in counts if killed[letter] == 0}, set())
+        print(f"{IN_A_WRITE} runs killed in an operation on a file, {TWICE} of them twice: " +
+              ", ".join(f"{killed[letter]} times in one of {counts[letter]} of "
+                        f"{faults.OPERATIONS[letter]}" for letter in sorted(counts)))
 
     def test_one_rank_of_two(self):
         """The other one does not wait for ever, and the last checkpoint is good."""
@@ -100,13 +114,19 @@ class Killed(unittest.TestCase):
                                         kind="kill")
         for seed in range(OF_RANKS):
             with self.subTest(seed=seed):
+                chance = random.Random(seed)
                 folder = runs.fresh("one_rank")
-                number = random.Random(seed).randrange(1, total // 3)
+                number = chance.randrange(1, total // 3)
                 result = self.kill_in(folder, number, ranks=2, rank=seed % 2)
                 self.assertNotEqual(result.returncode, runs.DONE, f"{number} of {total}")
                 runs.wait_for_lock(folder)
+                if seed < TWICE_OF_RANKS:  # then the other rank
+                    self.kill_in(folder, chance.randrange(1, total // 3), ranks=2,
+                                 rank=(seed + 1) % 2)
+                    runs.wait_for_lock(folder)
                 self.assert_goes_on(folder, 2)
-        print(f"{OF_RANKS} runs of which one rank of two was killed")
+        print(f"{OF_RANKS} runs of which one rank of two was killed, {TWICE_OF_RANKS} of them "
+              "twice, each rank once")
 
 
 if __name__ == "__main__":
