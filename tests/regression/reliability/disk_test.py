@@ -1,5 +1,6 @@
 """A full disk ends a run with status 5 and one message, which run.log has too; what was complete
-stays complete."""
+stays complete. So does a file system that can only be read from some moment on, but that run.log
+cannot have the message."""
 
 import os
 import pathlib
@@ -15,6 +16,12 @@ import runs
 import time_limits
 
 MESH_TOOL = asperity_run.PROGRAM.with_name("asperity-mesh")
+
+
+def assert_goes_on(test, whole, folder, *arguments, ranks=1):
+    result = asperity_run.run(*arguments, "--output", folder, *runs.way_on(folder), ranks=ranks)
+    test.assertEqual((result.returncode, result.stderr), (0, ""))
+    runs.assert_same_results(test, whole, folder)
 
 
 class FullDisk(unittest.TestCase):
@@ -34,12 +41,6 @@ class FullDisk(unittest.TestCase):
         if "parameters.xml" not in message:  # written before there is a run
             self.assertIn(message, (folder / "run.log").read_text())
 
-    def assert_goes_on(self, whole, folder, *arguments, ranks=1):
-        result = asperity_run.run(*arguments, "--output", folder, *runs.way_on(folder),
-                                  ranks=ranks)
-        self.assertEqual((result.returncode, result.stderr), (0, ""))
-        runs.assert_same_results(self, whole, folder)
-
     def test_at_any_write(self):
         whole = asperity_run.run_to_end("whole", *runs.RUN)
         folder = runs.fresh("full")
@@ -54,7 +55,7 @@ class FullDisk(unittest.TestCase):
                 result = faults.run(folder, "full", number, *runs.RUN)
                 self.assert_ends_well(result, folder)
                 if number % 3 == 0 or number > 100:
-                    self.assert_goes_on(whole, folder, *runs.RUN)
+                    assert_goes_on(self, whole, folder, *runs.RUN)
         print(f"full disk at {len(chosen)} of {total} writes")
 
     def test_of_one_of_two_ranks(self):
@@ -69,7 +70,7 @@ class FullDisk(unittest.TestCase):
                     folder = runs.fresh("ranks")
                     result = faults.run(folder, "full", number, *run, ranks=2, rank=rank)
                     self.assert_ends_well(result, folder)
-                    self.assert_goes_on(whole, folder, *run, ranks=2)
+                    assert_goes_on(self, whole, folder, *run, ranks=2)
             print(f"full disk of rank {rank} of 2 at {sorted(chosen)} of {total} writes")
 
     def test_mesh_tool(self):
@@ -86,18 +87,56 @@ class FullDisk(unittest.TestCase):
             self.assertEqual(list(folder.iterdir()), [])
 
 
+class ReadOnly(unittest.TestCase):
+    """From some write in the middle of the run on, on every rank."""
+
+    def check(self, ranks, run):
+        whole = asperity_run.run_to_end(f"whole_readonly_{ranks}", *run, ranks=ranks)
+        # Of the rank that writes most, which comes there first.
+        total = max(faults.count_operations(runs.fresh("readonly"), *run, ranks=ranks, rank=rank,
+                                            kind="readonly") for rank in range(ranks))
+        chosen = random.Random(ranks).sample(range(total // 2, total), faults.trials(3, 60))
+        for number in sorted(chosen):
+            with self.subTest(number=number, ranks=ranks):
+                folder = runs.fresh("readonly")
+                result = faults.run(folder, "readonly", number, *run, ranks=ranks)
+                runs.assert_one_message(self, result, runs.OUTPUT, str(folder))
+                self.assertNotIn("Segmentation", result.stderr)
+                self.assertTrue((folder / "checkpoint.h5").exists())
+                runs.wait_for_lock(folder)
+                assert_goes_on(self, whole, folder, *run, ranks=ranks)
+        print(f"read-only from {sorted(chosen)} of {total} writes on, {ranks} ranks")
+
+    def test_on_one_rank(self):
+        self.check(1, runs.RUN)
+
+    def test_on_two_ranks(self):
+        self.check(2, runs.SHORT_RUN)
+
+
 class VanishedDirectory(unittest.TestCase):
-    def test_is_named(self):
-        folder = runs.fresh("vanished")
-        process = runs.start(*runs.ENDLESS, "--output", folder)
+    def check(self, ranks, run):
+        folder = runs.fresh(f"vanished_{ranks}")
+        process = runs.start(*run, "--output", folder, ranks=ranks)
         runs.wait_for(folder / "checkpoint.h5", process)
-        os.rename(folder, "elsewhere_vanished")
+        os.rename(folder, f"elsewhere_{ranks}")
         _, errors = process.communicate(timeout=time_limits.seconds(60))
-        shutil.rmtree("elsewhere_vanished")
+        shutil.rmtree(f"elsewhere_{ranks}")
         self.assertEqual(process.returncode, runs.OUTPUT, errors)
-        self.assertRegex(errors, r"\Aasperity: .*removed.*\n\Z")
+        messages = [line for line in errors.splitlines() if line.startswith("asperity: ")]
+        self.assertEqual(len(messages), 1, errors)
+        self.assertIn("removed", messages[0])
+        if ranks == 1:  # mpirun has words of its own
+            self.assertEqual(errors, messages[0] + "\n")
         self.assertFalse(re.search("disk full", errors))
         self.assertFalse(pathlib.Path(folder).exists())
+
+    def test_is_named(self):
+        self.check(1, runs.ENDLESS)
+
+    def test_is_named_on_two_ranks(self):
+        self.check(2, [*runs.ENDLESS, *runs.settings("Mesh/Wedge/Cell Size=0.02",
+                                                     "TNNMG/Linear Correction=MueLu")])
 
 
 if __name__ == "__main__":
