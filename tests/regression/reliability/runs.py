@@ -95,6 +95,13 @@ def assert_one_message(test, result, status, *pieces):
         test.assertIn(piece, lines[0])
 
 
+def assert_finite_checkpoint(test, folder):
+    """The state in the checkpoint."""
+    values = asperity_run.series(folder / "checkpoint.h5")
+    for name in ("alpha", "u", "v", "a"):
+        test.assertTrue(numpy.isfinite(values[f"values/state/{name}"]).all(), name)
+
+
 def assert_same_results(test, whole, folder, series=("fault.h5", "surface.h5"),
                         tables=("steps.csv", "events.csv")):
     """Bit for bit."""

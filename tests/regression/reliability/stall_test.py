@@ -31,6 +31,15 @@ class Stalls(unittest.TestCase):
             timeout=100)
         runs.assert_one_message(self, result, runs.SOLVE, "did not meet the tolerance")
 
+    def test_a_reference_slip_rate_beyond_all_rates(self):
+        """The state adapts, in small steps; then the run gets ahead."""
+        folder = asperity_run.run_to_end("reference", *COARSE, *runs.settings(
+            "Friction/Reference Slip Rate=1e10", "Time Stepping/Final Time=1",
+            "Time Stepping/Most Forced Steps=150"))
+        self.assertNotIn("Warning", (folder / "run.log").read_text())
+        sizes = [row["step_size"] for row in asperity_run.table(folder / "steps.csv")]
+        self.assertGreater(max(sizes), 100 * sizes[0])
+
     def test_a_largest_step_beyond_all_numbers(self):
         result = asperity_run.run(*COARSE, *runs.settings("Time Stepping/Largest Step=1e308"),
                                   "--output", runs.fresh("largest"))
@@ -38,16 +47,63 @@ class Stalls(unittest.TestCase):
 
 
 class LostNumbers(unittest.TestCase):
-    def test_is_named(self):
-        """A load without bound: what it does to the body is not a number any more."""
+    """A field of the deck that is no number any more after a second, or far too large a one."""
+
+    def run_with(self, ranks, *changes):
         folder = runs.fresh("lost")
         result = asperity_run.run(*COARSE, *runs.settings(
-            "Boundary Conditions/Backstop/Velocity=t < 1 ? 5e-5 : 1e300 * t"),
-            "--output", folder)
-        self.assertEqual(result.returncode, runs.SOLVE, result.stderr)
-        runs.assert_one_message(self, result, runs.SOLVE, "t = ")
-        self.assertRegex(result.stderr, "is (-?inf|-?nan)|became (-?inf|-?nan)|did not converge")
-        self.assertTrue((folder / "checkpoint.h5").exists())
+            "TNNMG/Linear Correction=MueLu", *changes), "--output", folder, ranks=ranks)
+        return folder, result
+
+    def assert_load_named(self, ranks, name, before):
+        for value, text in (("(t - t) / (t - t)", "nan"), ("1 / (t - t)", "inf")):
+            with self.subTest(name=name, value=text, ranks=ranks):
+                folder, result = self.run_with(ranks, f"{name}=t < 1 ? {before} : {value}")
+                runs.assert_one_message(self, result, runs.INPUT, name.replace("/", " / "),
+                                        text, "at (x, y, z) = (", "t = ")
+                if (folder / "steps.csv").exists():  # the first trial step may go as far
+                    runs.assert_finite_checkpoint(self, folder)
+
+    def test_loads_that_are_no_numbers(self):
+        """What the deck says is at fault, whenever that is found."""
+        for ranks in (1, 2):
+            self.assert_load_named(ranks, "Boundary Conditions/Backstop/Velocity", "5e-5")
+            self.assert_load_named(ranks, "Friction/Normal Stress", "4200 * x")
+            self.assert_load_named(ranks, "Friction/Shear Traction", "-(0.7 * 4200 * x + 10)")
+
+    def test_sums_of_loads(self):
+        """Each load is a number, what they do to the body is none."""
+        for change, steps in (("Boundary Conditions/Backstop/Velocity=t < 1 ? 5e-5 : 1e308", 20),
+                              ("Bulk/Gravitational Acceleration=1e308", 0),
+                              ("Initial State/Velocity X=1e308", 0)):
+            for ranks in (1, 2):
+                with self.subTest(change=change, ranks=ranks):
+                    folder, result = self.run_with(ranks, change)
+                    runs.assert_one_message(self, result, runs.SOLVE, "Step ", "t = ",
+                                            "the sum of loads became ", "at node ")
+                    self.assertRegex(result.stderr, "became (-?inf|-?nan) at node")
+                    self.assertGreaterEqual(len(asperity_run.table(folder / "steps.csv")), steps)
+                    if steps > 0:
+                        runs.assert_finite_checkpoint(self, folder)
+
+    def test_loads_too_large_to_compute_with(self):
+        """Numbers whose squares are none: the solver ends, and names no field."""
+        for change in ("Boundary Conditions/Backstop/Velocity=t < 1 ? 5e-5 : 1e300 * t",
+                       "Friction/Shear Traction=t < 1 ? -(0.7 * 4200 * x + 10) : 1e200"):
+            for ranks in (1, 2):
+                with self.subTest(change=change, ranks=ranks):
+                    folder, result = self.run_with(ranks, change)
+                    runs.assert_one_message(self, result, runs.SOLVE, "Step ", "t = ",
+                                            "a rate problem did not converge")
+                    runs.assert_finite_checkpoint(self, folder)
+
+    def test_fields_that_do_not_change_in_time(self):
+        """Time in them is refused."""
+        for change, piece in (("Friction/a=t < 1 ? 0.01 : 0", "Friction / a depends on t"),
+                              ("Bulk/Gravitational Acceleration=t < 1 ? 9.81 : 0",
+                               "Gravitational Acceleration = 't < 1 ? 9.81 : 0' is a text")):
+            _, result = self.run_with(1, change)
+            runs.assert_one_message(self, result, runs.INPUT, piece)
 
 
 if __name__ == "__main__":
