@@ -1,30 +1,10 @@
 """Every deck in xml/ is valid as it stands, and the program prints what a deck may contain."""
 
-import pathlib
-import subprocess
 import unittest
 import xml.etree.ElementTree as ElementTree
 
 import asperity_run
-import time_limits
-
-DECKS = sorted((asperity_run.SOURCE / "xml").glob("*.xml"))
-
-
-MESH_TOOL = asperity_run.PROGRAM.parent / "asperity-mesh"
-
-
-def meshes_of(deck):
-    """The mesh files X.h5 that a deck reads; each is made from the geometry meshes/X.geo."""
-    entries = ElementTree.parse(deck).getroot().iter("Parameter")
-    return [entry.get("value") for entry in entries if entry.get("name") == "File Name"]
-
-
-def make_mesh(deck, mesh):
-    geometry = deck.parent / "meshes" / mesh.replace(".h5", ".geo")
-    pathlib.Path(mesh).unlink(missing_ok=True)  # of an earlier run of this test
-    subprocess.run([MESH_TOOL, "convert", geometry, mesh], check=True, capture_output=True,
-                   timeout=time_limits.seconds(60))
+from deck_meshes import DECKS, MESH_TOOL, make_meshes, meshes_of
 
 
 class Decks(unittest.TestCase):
@@ -37,8 +17,7 @@ class Decks(unittest.TestCase):
         # asperity-mesh is there only where Gmsh is.
         decks = [deck for deck in DECKS if MESH_TOOL.exists() or not meshes_of(deck)]
         for deck in decks:
-            for mesh in meshes_of(deck):
-                make_mesh(deck, mesh)
+            make_meshes(deck)
         before = asperity_run.checksums(".")
         for deck in decks:
             with self.subTest(deck.name):
