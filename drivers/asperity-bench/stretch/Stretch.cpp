@@ -15,7 +15,7 @@ Stretch::Stretch(ParameterList const& deck, RCP<const Communicator> const& commu
             scenario::makeClock(deck.sublist("Time Stepping")),
             dynamics::CouplingSettings::from(deck.sublist("Coupling")), problem_.solver,
             scenario::memoryBudget(deck.sublist("TNNMG")), problem_.reaction)
-    , control_(scenario::makeStepControl(deck.sublist("Time Stepping"), step_))
+    , control_(scenario::makeStepControl(deck.sublist("Time Stepping"), {}, step_))
     , state_(problem_.initial.clone())
     , crossing_time_(crossingTime(deck, problem_))
 {
