@@ -5,6 +5,8 @@
 
 #include <Tpetra_CrsMatrix.hpp>
 
+#include <sstream>
+
 namespace asperity::dynamics
 {
 RCP<Vector> staticDisplacement(Body const& body, RateSolverSettings const& settings,
@@ -91,8 +93,11 @@ RCP<Vector> initialAcceleration(Body const& body, Fault const& fault,
     auto const kernels = fault.frictionWith(start.cohesion);
     auto const result = solver->solve({*kernels, {at.alpha, start.no_stress}});
     if (!result.converged) {
-      throw SolveError("The initial acceleration was not found: TNNMG did not converge on the "
-                       "balance of momentum.");
+      std::ostringstream message;
+      message << "The initial acceleration was not found: TNNMG did not converge on the balance of "
+                 "momentum, whose largest force is "
+              << b->normInf() << " N.";
+      throw SolveError(message.str());
     }
     solver->velocity(*a);
   }

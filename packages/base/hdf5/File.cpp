@@ -4,12 +4,16 @@
 
 #include <algorithm>
 #include <array>
+#include <cerrno>
 #include <chrono>
 #include <cstdlib>
+#include <cstring>
+#include <fcntl.h>
 #include <fstream>
 #include <iostream>
 #include <map>
 #include <thread>
+#include <unistd.h>
 
 namespace asperity::h5
 {
@@ -49,6 +53,18 @@ std::map<MPI_File, std::string>& sharedFiles()
   return paths;
 }
 
+// MPI keeps the error of the write to itself, but the file cannot be opened for most of the same
+// reasons.
+std::string whyNotWritten(std::string const& path)
+{
+  const int file = ::open(path.c_str(), O_WRONLY | O_CLOEXEC);
+  if (file < 0) {
+    return std::string("The system says: ") + std::strerror(errno) + ".";
+  }
+  ::close(file);
+  return "Is the disk full?";
+}
+
 // Several ranks may fail: the lowest of them ends the others while they wait.
 [[noreturn]] void endProgram(std::string const& path, MPI_Count written, MPI_Count size)
 {
@@ -58,7 +74,7 @@ std::map<MPI_File, std::string>& sharedFiles()
   std::this_thread::sleep_for(std::chrono::milliseconds(500) * std::min(rank, 20));
   const std::string message = path + " cannot be written: of " + std::to_string(size) +
                               " bytes of rank " + std::to_string(rank) + " " +
-                              std::to_string(written) + " were written. Is the disk full?";
+                              std::to_string(written) + " were written. " + whyNotWritten(path);
   std::cout.flush();
   std::cerr << "asperity: " + message + "\n" << std::flush;
   if (teller()) {

@@ -1,32 +1,37 @@
 #include "dynamics/control/NotFinite.hpp"
 
-#include <cmath>
+#include <limits>
 
 namespace asperity::dynamics
 {
 namespace
 {
-// Whether all values are finite, on the device. The difference of a number and itself is zero for
-// finite numbers alone. What is not is counted, since integers add up faster than numbers, each of
-// whose sums waits for the last.
-bool areFinite(Kokkos::View<const double*, MemorySpace> const& values)
+KOKKOS_INLINE_FUNCTION bool hasFiniteSquare(double x)
+{
+  return x * x <= std::numeric_limits<double>::max();
+}
+
+// Whether all values have one, on the device. What has none is counted, since integers add up faster
+// than numbers, each of whose sums waits for the last.
+bool haveFiniteSquares(Kokkos::View<const double*, MemorySpace> const& values)
 {
   int others = 0;
   Kokkos::parallel_reduce(
-    "asperity::dynamics::areFinite", Kokkos::RangePolicy<ExecutionSpace>(0, values.extent_int(0)),
-    KOKKOS_LAMBDA(int i, int& partial) { partial += values(i) - values(i) != 0 ? 1 : 0; }, others);
+    "asperity::dynamics::haveFiniteSquares",
+    Kokkos::RangePolicy<ExecutionSpace>(0, values.extent_int(0)),
+    KOKKOS_LAMBDA(int i, int& partial) { partial += hasFiniteSquare(values(i)) ? 0 : 1; }, others);
   return others == 0;
 }
 
 std::optional<NotFinite> lookIn(char const* field, bool at_fault,
                                 Kokkos::View<const double*, MemorySpace> const& values)
 {
-  if (areFinite(values)) {
+  if (haveFiniteSquares(values)) {
     return std::nullopt;
   }
   auto const host = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace(), values);
   int i = 0;
-  while (i < host.extent_int(0) && std::isfinite(host(i))) {
+  while (i < host.extent_int(0) && hasFiniteSquare(host(i))) {
     ++i;
   }
   return i < host.extent_int(0) ? std::optional<NotFinite>({field, at_fault, i, host(i)})

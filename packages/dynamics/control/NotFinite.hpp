@@ -7,7 +7,8 @@
 
 namespace asperity::dynamics
 {
-// A value of a state that is not a number, or infinite.
+// A value of a state that is no number or infinite, or so large that its square is: norms and energies
+// are made of squares.
 struct NotFinite
 {
   std::string field; // "velocity"

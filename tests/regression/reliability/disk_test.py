@@ -102,6 +102,7 @@ class ReadOnly(unittest.TestCase):
                 result = faults.run(folder, "readonly", number, *run, ranks=ranks)
                 runs.assert_one_message(self, result, runs.OUTPUT, str(folder))
                 self.assertNotIn("Segmentation", result.stderr)
+                self.assertNotIn("Is the disk full", result.stderr)
                 self.assertTrue((folder / "checkpoint.h5").exists())
                 runs.wait_for_lock(folder)
                 assert_goes_on(self, whole, folder, *run, ranks=ranks)

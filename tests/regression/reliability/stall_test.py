@@ -87,14 +87,16 @@ class LostNumbers(unittest.TestCase):
                         runs.assert_finite_checkpoint(self, folder)
 
     def test_loads_too_large_to_compute_with(self):
-        """Numbers whose squares are none: the solver ends, and names no field."""
-        for change in ("Boundary Conditions/Backstop/Velocity=t < 1 ? 5e-5 : 1e300 * t",
-                       "Friction/Shear Traction=t < 1 ? -(0.7 * 4200 * x + 10) : 1e200"):
+        """Numbers whose squares are none."""
+        for change, value in (
+                ("Boundary Conditions/Backstop/Velocity=t < 1 ? 5e-5 : 1e300 * t", "e+3"),
+                ("Friction/Shear Traction=t < 1 ? -(0.7 * 4200 * x + 10) : 1e200", "e+1")):
             for ranks in (1, 2):
                 with self.subTest(change=change, ranks=ranks):
                     folder, result = self.run_with(ranks, change)
                     runs.assert_one_message(self, result, runs.SOLVE, "Step ", "t = ",
-                                            "a rate problem did not converge")
+                                            "a rate problem did not converge", " became ",
+                                            value, " at node ")
                     runs.assert_finite_checkpoint(self, folder)
 
     def test_fields_that_do_not_change_in_time(self):

@@ -1,6 +1,5 @@
 #include "catalogue/receivers/Receivers.hpp"
-#include "unit/io/BlockMesh.hpp"
-#include "unit/io/Stage.hpp"
+#include "unit/io/VerticalFault.hpp"
 
 #include <cmath>
 
@@ -11,25 +10,6 @@ using test::position;
 
 namespace
 {
-// A vertical fault: the base is turned about the z axis into the plane x = 0, the body is x > 0,
-// the fault goes from y = 0 down to y = -4, and strike is along z.
-Point<3> upright(Point<3> const& x) { return {x[1], 0 - x[0], x[2]}; }
-
-struct Fault : test::Stage
-{
-  explicit Fault(bool periodic = false) : Stage(test::blockMesh(periodic, upright))
-  {
-    add("fault", "slip", 3, [](double const* x, int c) { return c == 0 ? 0 : c * (x[2] - x[1]); });
-    add("fault", "slip_rate", 1, [](double const*, int) { return 0.5; });
-    add("fault", "slip_velocity", 3, [](double const*, int c) { return c == 0 ? 0 : 0.3 * c; });
-    add("fault", "traction", 3, [](double const* x, int c) { return 1e6 * (c + x[2]); });
-    add("fault", "normal_stress", 1, [](double const*, int) { return 2.5e7; });
-    add("fault", "theta", 1, [](double const*, int) { return 1e8; });
-    add("volume", "displacement", 3, [](double const* x, int c) { return x[c]; });
-    add("volume", "velocity", 3, [](double const*, int c) { return c + 1; });
-  }
-};
-
 ParameterList complete(ParameterList list)
 {
   completeAndValidate(list, *Receivers::validParameters(), "Asperity / Output / Receivers");
@@ -46,7 +26,7 @@ ParameterList parameters()
 
 void run(std::filesystem::path const& directory, ParameterList const& list, bool periodic = false)
 {
-  Fault fault(periodic);
+  test::VerticalFault fault(periodic);
   Receivers receivers(complete(list), fault.context(directory));
   receivers.write(fault.at(0, 1));
   receivers.write(fault.at(1, 1, true));

@@ -1,4 +1,5 @@
-#include "unit/platforms/VerticalFault.hpp"
+#include "unit/io/VerticalFault.hpp"
+#include "unit/platforms/Deck.hpp"
 
 #include <mpi.h>
 

@@ -1,4 +1,5 @@
-#include "unit/platforms/VerticalFault.hpp"
+#include "unit/io/VerticalFault.hpp"
+#include "unit/platforms/Deck.hpp"
 
 using namespace asperity;
 using namespace asperity::io;

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "unit/io/BlockMesh.hpp"
-#include "unit/platforms/Deck.hpp"
+#include "unit/io/Stage.hpp"
 
 namespace asperity::test
 {
@@ -9,8 +9,8 @@ namespace asperity::test
 // strike is along z. It is the base of the block mesh, turned about the z axis.
 struct VerticalFault : Stage
 {
-  VerticalFault()
-      : Stage(blockMesh(false, [](Point<3> const& x) {
+  explicit VerticalFault(bool periodic = false)
+      : Stage(blockMesh(periodic, [](Point<3> const& x) {
         return Point<3>{x[1], 0 - x[0], x[2]};
       }))
   {
