@@ -1,0 +1,118 @@
+"""What quickstart.sh asks of the system, with stand-ins for apt-get, cmake and our own programs."""
+
+import os
+import pathlib
+import shutil
+import subprocess
+import unittest
+
+QUICKSTART = pathlib.Path(__file__).resolve().parents[3] / "cmake" / "quickstart.sh"
+CALLS = pathlib.Path("calls.txt").absolute()
+
+# Each one notes its name and its arguments.
+STAND_IN = f"""#!/bin/sh
+printf '%s\\n' "${{0##*/}} $*" >> "{CALLS}"
+"""
+
+
+class QuickStart(unittest.TestCase):
+    def setUp(self):
+        shutil.rmtree("system", ignore_errors=True)
+        self.system = pathlib.Path("system").absolute()
+        self.system.mkdir()
+        for name in ("apt-get", "dpkg-query", "cmake", "ctest", "sudo", "ninja"):
+            self.stand_in(self.system / name)
+        for name in ("asperity", "asperity-plot"):
+            self.stand_in(self.system / "build" / "drivers" / name)
+
+    @staticmethod
+    def stand_in(path, text=STAND_IN):
+        path.parent.mkdir(parents=True, exist_ok=True)
+        path.write_text(text)
+        path.chmod(0o755)
+
+    def run_with(self, *words, status=0, **environment):
+        """What is printed, and the calls without names of folders."""
+        CALLS.write_text("")
+        own = {name: value for name, value in os.environ.items()
+               if name not in ("Trilinos_ROOT", "Trilinos_DIR", "CMAKE_PREFIX_PATH")}
+        own.update(environment, PATH=f"{self.system}:{os.environ['PATH']}")
+        done = subprocess.run(["bash", str(QUICKSTART), *words, "--build",
+                               str(self.system / "build")], env=own, capture_output=True,
+                              text=True, check=False, timeout=60)
+        self.assertEqual(done.returncode, status, done.stdout + done.stderr)
+        calls = CALLS.read_text()
+        for folder in (self.system, QUICKSTART.parents[1]):
+            calls = calls.replace(f"{folder}/", "")
+        return done.stdout + done.stderr, calls.splitlines()
+
+    @staticmethod
+    def programs(calls):
+        return [call.split()[0] for call in calls]
+
+    def test_installs_what_is_missing(self):
+        printed, calls = self.run_with("run", "--jobs", "3", "--output", "here")
+        installs = [call for call in calls if " install -y " in call]
+        self.assertEqual(len(installs), 1)
+        for package in ("g++", "libtrilinos-muelu-dev", "libhdf5-openmpi-dev", "python3-h5py"):
+            self.assertIn(f" {package} ", installs[0] + " ")
+            self.assertIn(package, printed)
+        self.assertEqual(self.programs(calls)[-4:], ["cmake", "cmake", "asperity", "asperity-plot"])
+        self.assertIn("--parallel 3 --target asperity-programs", calls[-3])
+        self.assertEqual(calls[-2].split()[:2], ["asperity", "xml/wedge_2d.xml"])
+        self.assertRegex(calls[-2], r"--output /.*/here --overwrite$")
+
+    def test_installs_nothing_when_told(self):
+        printed, calls = self.run_with("run", "--no-install")
+        self.assertEqual(self.programs(calls), ["cmake", "cmake", "asperity", "asperity-plot"])
+        self.assertIn("No package is installed, because of --no-install.", printed)
+
+    def test_installs_nothing_that_is_there(self):
+        _, calls = self.run_with("run")
+        names = next(call for call in calls if " install -y " in call).split()
+        names = names[names.index("--no-install-recommends") + 1:]
+        listing = "".join(f"echo 'installed {name}'\n" for name in names)
+        self.stand_in(self.system / "dpkg-query", STAND_IN + listing)
+        printed, calls = self.run_with("run")
+        self.assertNotIn("apt-get", self.programs(calls))
+        self.assertIn("All packages are installed.", printed)
+
+    def test_does_without_trilinos_of_debian(self):
+        cmake_file = self.system / "own" / "lib" / "cmake" / "Trilinos" / "TrilinosConfig.cmake"
+        cmake_file.parent.mkdir(parents=True)
+        cmake_file.touch()
+        _, calls = self.run_with("run", Trilinos_ROOT=str(self.system / "own"))
+        install = next(call for call in calls if " install -y " in call)
+        self.assertNotIn("libtrilinos", install)
+        self.assertIn(" libmetis-dev ", install)
+
+    def test_a_failing_apt_is_reported(self):
+        self.stand_in(self.system / "apt-get", STAND_IN + "echo 'E: no such thing'\nexit 100\n")
+        printed, calls = self.run_with("run", status=1)
+        self.assertIn("E: no such thing", printed)
+        self.assertIn("apt-get could not install the packages", printed)
+        self.assertNotIn("cmake", self.programs(calls))
+
+    def test_runs_the_suite(self):
+        _, calls = self.run_with("test", "--no-install")
+        self.assertEqual(self.programs(calls), ["cmake", "cmake", "ctest"])
+        self.assertIn("-DASPERITY_ENABLE_TESTS=ON", calls[0])
+        self.assertIn("--label-exclude ^benchmark$", calls[2])
+
+    def test_strict_has_a_second_build(self):
+        _, calls = self.run_with("test", "--no-install", "--strict")
+        self.assertEqual(self.programs(calls), ["cmake"] * 4 + ["ctest"] * 2)
+        self.assertIn("-DASPERITY_WARNINGS_AS_ERRORS=ON", calls[0])
+        self.assertIn("--preset debug", calls[2])
+
+    def test_refuses_what_it_does_not_know(self):
+        for words, piece in ((["run", "--jobs", "0"], "--jobs 0 is not a positive number"),
+                             (["run", "--strict"], "--strict belongs to `test`"),
+                             (["run", "--fast"], "unknown argument '--fast'")):
+            printed, calls = self.run_with(*words, status=1)
+            self.assertIn(piece, printed)
+            self.assertEqual(calls, [])
+
+
+if __name__ == "__main__":
+    unittest.main()
