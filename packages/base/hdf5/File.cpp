@@ -1,19 +1,16 @@
 #include "base/hdf5/File.hpp"
 
+#include "base/WriteFailure.hpp"
 #include "base/hdf5/detail/Calls.hpp"
 
 #include <algorithm>
 #include <array>
-#include <cerrno>
 #include <chrono>
 #include <cstdlib>
-#include <cstring>
-#include <fcntl.h>
 #include <fstream>
 #include <iostream>
 #include <map>
 #include <thread>
-#include <unistd.h>
 
 namespace asperity::h5
 {
@@ -51,18 +48,6 @@ std::map<MPI_File, std::string>& sharedFiles()
 {
   static std::map<MPI_File, std::string> paths;
   return paths;
-}
-
-// MPI keeps the error of the write to itself, but the file cannot be opened for most of the same
-// reasons.
-std::string whyNotWritten(std::string const& path)
-{
-  const int file = ::open(path.c_str(), O_WRONLY | O_CLOEXEC);
-  if (file < 0) {
-    return std::string("The system says: ") + std::strerror(errno) + ".";
-  }
-  ::close(file);
-  return "Is the disk full?";
 }
 
 // Several ranks may fail: the lowest of them ends the others while they wait.

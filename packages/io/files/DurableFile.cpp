@@ -1,6 +1,7 @@
 #include "io/files/DurableFile.hpp"
 
 #include "base/Errors.hpp"
+#include "base/WriteFailure.hpp"
 
 #include <cerrno>
 #include <cstring>
@@ -72,7 +73,8 @@ void ReplacingText::finish()
 {
   stream_.close();
   if (!stream_) {
-    throw OutputError(file_.string() + " cannot be written. Is the disk full?");
+    throw OutputError(file_.string() + " cannot be written. " +
+                      whyNotWritten(detail::temporaryName(file_)));
   }
   detail::replace(file_);
 }

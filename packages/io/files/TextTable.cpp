@@ -1,6 +1,7 @@
 #include "io/files/TextTable.hpp"
 
 #include "base/Errors.hpp"
+#include "base/WriteFailure.hpp"
 #include "base/parallel/Agreement.hpp"
 #include "io/files/DurableFile.hpp"
 
@@ -75,7 +76,7 @@ void TextTable::flush()
     stream_.seekp(num_bytes_);
     stream_.flush();
     if (!stream_) {
-      throw OutputError(file_.string() + " cannot be written. Is the disk full?");
+      throw OutputError(file_.string() + " cannot be written. " + whyNotWritten(file_));
     }
     detail::synchronise(file_);
   });

@@ -2,6 +2,7 @@
 
 #include "base/Errors.hpp"
 #include "base/Text.hpp"
+#include "base/WriteFailure.hpp"
 
 #include <fstream>
 
@@ -94,7 +95,8 @@ void closeChecked(std::ostream& out, SeriesLayout const& layout)
 {
   out << footer << std::flush;
   if (!out) {
-    throw OutputError(xdmfPath(layout).string() + " cannot be written. Is the disk full?");
+    auto const path = xdmfPath(layout);
+    throw OutputError(path.string() + " cannot be written. " + whyNotWritten(path));
   }
 }
 } // namespace

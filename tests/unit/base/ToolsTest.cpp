@@ -2,9 +2,12 @@
 #include "base/NearestName.hpp"
 #include "base/Registry.hpp"
 #include "base/Text.hpp"
+#include "base/WriteFailure.hpp"
 
 #include "unit/base/Refusal.hpp"
 
+#include <filesystem>
+#include <fstream>
 #include <limits>
 #include <sstream>
 #include <thread>
@@ -138,5 +141,17 @@ TEST(Text, Pieces)
   EXPECT_EQ(split("", '/'), (std::vector<std::string>{""}));
   EXPECT_EQ(quotedNames({"a", "b"}), "'a', 'b'");
   EXPECT_EQ(quotedAlternatives({"a", "b", "c"}), "'a', 'b' or 'c'");
+}
+TEST(WriteFailure, SaysWhatTheSystemSays)
+{
+  test::TemporaryDirectory directory;
+  auto const folder = std::filesystem::path(directory.file("x")).parent_path();
+  EXPECT_EQ(whyNotWritten(folder / "there is space"), "Is the disk full?");
+  EXPECT_TRUE(std::filesystem::is_empty(folder));
+  std::ofstream(folder / "mine") << "words";
+  EXPECT_EQ(whyNotWritten(folder / "mine"), "Is the disk full?");
+  EXPECT_EQ(std::filesystem::file_size(folder / "mine"), 5u);
+  EXPECT_EQ(whyNotWritten(folder / "gone" / "mine"), "The system says: No such file or directory.");
+  EXPECT_EQ(whyNotWritten(folder), "The system says: Is a directory.");
 }
 } // namespace

@@ -1,0 +1,40 @@
+#pragma once
+
+#include <cerrno>
+#include <cstring>
+#include <fcntl.h>
+#include <filesystem>
+#include <string>
+#include <unistd.h>
+
+namespace asperity
+{
+// The system's error when a file is opened for writing, 0 if there is none.
+inline int errorOfOpening(std::filesystem::path const& path, int flags = 0)
+{
+  constexpr int private_file = 0600;
+  const int descriptor = ::open(path.c_str(), O_WRONLY | O_CLOEXEC | flags, private_file);
+  if (descriptor < 0) {
+    return errno;
+  }
+  ::close(descriptor);
+  return 0;
+}
+
+// Why a file could not be written, a sentence for the end of a message. Streams and MPI keep the
+// system's error to themselves, so the file is opened once more, or where it is not there, an
+// unnamed one beside it: "The system says: Read-only file system." If that succeeds, the space is
+// what is most likely missing: "Is the disk full?". Leaves files as they are.
+inline std::string whyNotWritten(std::filesystem::path const& file)
+{
+  int error = errorOfOpening(file);
+  if (error == ENOENT) {
+    auto const folder = file.parent_path();
+    error = errorOfOpening(folder.empty() ? "." : folder, O_TMPFILE);
+  }
+  // Not every file system knows unnamed files.
+  return error == 0 || error == EOPNOTSUPP
+           ? "Is the disk full?"
+           : std::string("The system says: ") + std::strerror(error) + ".";
+}
+} // namespace asperity
