@@ -1,8 +1,10 @@
 """A run that does not get ahead says so while it runs, and ends; a number that is lost is named."""
 
+import itertools
 import unittest
 
 import asperity_run
+import faults
 import runs
 
 COARSE = [runs.DECK, *runs.settings("Mesh/Wedge/Cell Size=0.02", "Time Stepping/Final Time=600",
@@ -46,6 +48,13 @@ class Stalls(unittest.TestCase):
         runs.assert_one_message(self, result, runs.INPUT, "Smallest Step", "1e+308")
 
 
+def on_ranks(cases):
+    """Each case on 1 and on 2 ranks; in the short form, taken by turns on 1 and on 2."""
+    for index, case in enumerate(cases):
+        for ranks in (1, 2) if faults.is_long() else (1 + index % 2,):
+            yield ranks, case
+
+
 class LostNumbers(unittest.TestCase):
     """A field of the deck that is no number any more after a second, or far too large a one."""
 
@@ -55,8 +64,13 @@ class LostNumbers(unittest.TestCase):
             "TNNMG/Linear Correction=MueLu", *changes), "--output", folder, ranks=ranks)
         return folder, result
 
-    def assert_load_named(self, ranks, name, before):
-        for value, text in (("(t - t) / (t - t)", "nan"), ("1 / (t - t)", "inf")):
+    def test_loads_that_are_no_numbers(self):
+        """What the deck says is at fault, whenever that is found."""
+        loads = (("Boundary Conditions/Backstop/Velocity", "5e-5"),
+                 ("Friction/Normal Stress", "4200 * x"),
+                 ("Friction/Shear Traction", "-(0.7 * 4200 * x + 10)"))
+        values = (("(t - t) / (t - t)", "nan"), ("1 / (t - t)", "inf"))
+        for ranks, ((name, before), (value, text)) in on_ranks(itertools.product(loads, values)):
             with self.subTest(name=name, value=text, ranks=ranks):
                 folder, result = self.run_with(ranks, f"{name}=t < 1 ? {before} : {value}")
                 runs.assert_one_message(self, result, runs.INPUT, name.replace("/", " / "),
@@ -64,42 +78,32 @@ class LostNumbers(unittest.TestCase):
                 if (folder / "steps.csv").exists():  # the first trial step may go as far
                     runs.assert_finite_checkpoint(self, folder)
 
-    def test_loads_that_are_no_numbers(self):
-        """What the deck says is at fault, whenever that is found."""
-        for ranks in (1, 2):
-            self.assert_load_named(ranks, "Boundary Conditions/Backstop/Velocity", "5e-5")
-            self.assert_load_named(ranks, "Friction/Normal Stress", "4200 * x")
-            self.assert_load_named(ranks, "Friction/Shear Traction", "-(0.7 * 4200 * x + 10)")
-
     def test_sums_of_loads(self):
         """Each load is a number, what they do to the body, or the square of it, is none."""
         loads = "the sum of loads became "
-        for change, steps, piece in (
+        for ranks, (change, steps, piece) in on_ranks((
                 ("Boundary Conditions/Backstop/Velocity=t < 1 ? 5e-5 : 1e308", 20, loads),
                 ("Bulk/Gravitational Acceleration=1e308", 0, loads),
-                ("Initial State/Velocity X=1e308", 0, "velocity became 1e+308 at node ")):
-            for ranks in (1, 2):
-                with self.subTest(change=change, ranks=ranks):
-                    folder, result = self.run_with(ranks, change)
-                    runs.assert_one_message(self, result, runs.SOLVE, "Step ", "t = ",
-                                            piece)
-                    self.assertRegex(result.stderr, r"became -?(inf|nan|\d.*e\+30\d) at node")
-                    self.assertGreaterEqual(len(asperity_run.table(folder / "steps.csv")), steps)
-                    if steps > 0:
-                        runs.assert_finite_checkpoint(self, folder)
+                ("Initial State/Velocity X=1e308", 0, "velocity became 1e+308 at node "))):
+            with self.subTest(change=change, ranks=ranks):
+                folder, result = self.run_with(ranks, change)
+                runs.assert_one_message(self, result, runs.SOLVE, "Step ", "t = ", piece)
+                self.assertRegex(result.stderr, r"became -?(inf|nan|\d.*e\+30\d) at node")
+                self.assertGreaterEqual(len(asperity_run.table(folder / "steps.csv")), steps)
+                if steps > 0:
+                    runs.assert_finite_checkpoint(self, folder)
 
     def test_loads_too_large_to_compute_with(self):
         """Numbers whose squares are none."""
-        for change, value in (
+        for ranks, (change, value) in on_ranks((
                 ("Boundary Conditions/Backstop/Velocity=t < 1 ? 5e-5 : 1e300 * t", "e+3"),
-                ("Friction/Shear Traction=t < 1 ? -(0.7 * 4200 * x + 10) : 1e200", "e+1")):
-            for ranks in (1, 2):
-                with self.subTest(change=change, ranks=ranks):
-                    folder, result = self.run_with(ranks, change)
-                    runs.assert_one_message(self, result, runs.SOLVE, "Step ", "t = ",
-                                            "a rate problem did not converge", " became ",
-                                            value, " at node ")
-                    runs.assert_finite_checkpoint(self, folder)
+                ("Friction/Shear Traction=t < 1 ? -(0.7 * 4200 * x + 10) : 1e200", "e+1"))):
+            with self.subTest(change=change, ranks=ranks):
+                folder, result = self.run_with(ranks, change)
+                runs.assert_one_message(self, result, runs.SOLVE, "Step ", "t = ",
+                                        "a rate problem did not converge", " became ", value,
+                                        " at node ")
+                runs.assert_finite_checkpoint(self, folder)
 
     def test_fields_that_do_not_change_in_time(self):
         """Time in them is refused."""
