@@ -5,7 +5,6 @@
 
 using namespace asperity;
 using namespace asperity::io;
-using test::world;
 
 namespace
 {

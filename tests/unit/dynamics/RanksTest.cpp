@@ -155,7 +155,7 @@ TEST(Ranks, forgetTheSameStepSolvers)
                        onSeveralLevels(), budget);
   };
   auto roomy = makeSolvers(1u << 30);
-  const double mine = static_cast<double>(roomy.at(0).bytes());
+  const auto mine = static_cast<double>(roomy.at(0).bytes());
   double least = 0, most = 0;
   Teuchos::reduceAll(*world(), Teuchos::REDUCE_MIN, mine, Teuchos::outArg(least));
   Teuchos::reduceAll(*world(), Teuchos::REDUCE_MAX, mine, Teuchos::outArg(most));

@@ -408,6 +408,7 @@ TYPED_TEST(BodyMatricesTest, productsTakenTogetherAreThoseTakenAlone)
     const Vector u = body.random(body.axes(), 0), v = body.random(body.axes(), 1);
     const Vector a = body.random(body.axes(), 2);
     std::vector<Vector> y; // a copy of a vector is another view of it
+    y.reserve(4);
     for (int k = 0; k < 4; ++k) {
       y.emplace_back(u.getMap());
     }
@@ -459,9 +460,9 @@ TYPED_TEST(BodyMatricesTest, combinationsKeepOnlyTheDiagonalOfHeldDofs)
   auto const& body = this->varied_body;
   auto const matrices = assemble(body, body.turned());
   auto const& overlap = *body.dofs.overlap();
-  std::vector<int> fixed;
-  for (int dof = 0; dof < static_cast<int>(numLocalElements(overlap)); ++dof) {
-    fixed.push_back(pseudorandom(overlap.getGlobalElement(dof), 9) > 0.2);
+  std::vector<int> fixed(numLocalElements(overlap));
+  for (int dof = 0; dof < static_cast<int>(fixed.size()); ++dof) {
+    fixed[dof] = pseudorandom(overlap.getGlobalElement(dof), 9) > 0.2 ? 1 : 0;
   }
   auto const combined = combine(matrices, 2, 3, 5, {fixed, 0});
   auto const rows = combined->getLocalMatrixHost();

@@ -29,6 +29,7 @@ template <int Dim>
 std::vector<double> weightsOf(std::vector<NodalMeasure<Dim>> const& nodes)
 {
   std::vector<double> weights;
+  weights.reserve(nodes.size());
   for (auto const& node : nodes) {
     weights.push_back(node.weight);
   }
@@ -43,9 +44,9 @@ TEST(BoundaryMeasure, weighTheirHalvesOfTheNeighbouringFacets)
   auto const mesh = mesh::distribute(whole, *worldCommunicator());
   auto const bottom = boundaryMeasure(mesh, "bottom", *worldCommunicator());
   const std::vector<double> expected = {0.25, 0.55, 0.5, 0.45, 0.5, 0.5, 0.25};
-  for (std::size_t i = 0; i < bottom.size(); ++i) {
-    ASSERT_LT(mesh.global_ids[bottom[i].node], 7);
-    EXPECT_NEAR(bottom[i].weight, expected[mesh.global_ids[bottom[i].node]], 1e-15);
+  for (auto const& each : bottom) {
+    ASSERT_LT(mesh.global_ids[each.node], 7);
+    EXPECT_NEAR(each.weight, expected[mesh.global_ids[each.node]], 1e-15);
   }
   EXPECT_TRUE(std::is_sorted(bottom.begin(), bottom.end(),
                              [](auto const& a, auto const& b) { return a.node < b.node; }));
@@ -75,11 +76,11 @@ TEST(BoundaryMeasure, averageTheNormalsAtCornersByTheLengthOfTheFacets)
   hull.insert(hull.end(), whole.boundaries["right"].begin(), whole.boundaries["right"].end());
   auto const mesh = mesh::distribute(whole, *worldCommunicator());
   auto const nodes = boundaryMeasure(mesh, "hull", *worldCommunicator());
-  for (std::size_t i = 0; i < nodes.size(); ++i) {
-    if (mesh.global_ids[nodes[i].node] == 2) {
-      EXPECT_NEAR(nodes[i].normal[0], 0.8, 1e-15);
-      EXPECT_NEAR(nodes[i].normal[1], -0.6, 1e-15);
-      EXPECT_NEAR(nodes[i].weight, 3.5, 1e-15);
+  for (auto const& each : nodes) {
+    if (mesh.global_ids[each.node] == 2) {
+      EXPECT_NEAR(each.normal[0], 0.8, 1e-15);
+      EXPECT_NEAR(each.normal[1], -0.6, 1e-15);
+      EXPECT_NEAR(each.weight, 3.5, 1e-15);
     }
   }
   EXPECT_NEAR(sumOverRanks(weightsOf(nodes)), 10, 1e-14);
@@ -90,9 +91,9 @@ TEST(BoundaryMeasure, ofACubeHaveItsAreaAndNormals)
   auto const mesh = mesh::distribute(uniformCube(3), *worldCommunicator());
   auto const top = boundaryMeasure(mesh, "top", *worldCommunicator());
   EXPECT_NEAR(sumOverRanks(weightsOf(top)), 1, 1e-14);
-  for (std::size_t i = 0; i < top.size(); ++i) {
-    EXPECT_EQ(mesh.vertices[top[i].node][2], 1);
-    EXPECT_NEAR(top[i].normal[2], 1, 1e-15);
+  for (auto const& each : top) {
+    EXPECT_EQ(mesh.vertices[each.node][2], 1);
+    EXPECT_NEAR(each.normal[2], 1, 1e-15);
   }
   EXPECT_NEAR(sumOverRanks(weightsOf(boundaryMeasure(mesh, "sides", *worldCommunicator()))), 4,
               1e-14);

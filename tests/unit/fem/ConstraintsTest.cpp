@@ -39,10 +39,10 @@ TEST(Constraints, takeTheNormalsOfTheBoundaryNodesWhereItBends)
   }
   const Constrained<2> body(whole, {Condition{"Contact", "bottom", SlidingWall{}}});
   auto const bottom = boundaryMeasure(body.mesh, "bottom", *worldCommunicator());
-  for (std::size_t i = 0; i < bottom.size(); ++i) {
-    const Eigen::Vector2d outward(bottom[i].normal.data());
-    EXPECT_LE((body.row(bottom[i].node, 1) + outward).norm(), 1e-14);
-    EXPECT_NEAR(body.row(bottom[i].node, 0).dot(outward), 0, 1e-14);
+  for (auto const& each : bottom) {
+    const Eigen::Vector2d outward(each.normal.data());
+    EXPECT_LE((body.row(each.node, 1) + outward).norm(), 1e-14);
+    EXPECT_NEAR(body.row(each.node, 0).dot(outward), 0, 1e-14);
   }
 }
 

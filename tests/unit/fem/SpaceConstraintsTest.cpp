@@ -50,8 +50,8 @@ struct Body : Constrained<3>
   {
     std::map<int, Vector3d> result;
     auto const nodes = boundaryMeasure(mesh, boundary, *worldCommunicator());
-    for (std::size_t i = 0; i < nodes.size(); ++i) {
-      result[nodes[i].node] = -Vector3d(nodes[i].normal.data());
+    for (auto const& each : nodes) {
+      result[each.node] = -Vector3d(each.normal.data());
     }
     return result;
   }

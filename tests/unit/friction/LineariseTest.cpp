@@ -45,6 +45,7 @@ TEST(Linearise, GradientAndHessianAreThoseOfTheFunctional)
     for (const int T : {1, 2}) {
       for (const double length : {1e-300, 1e-20, 1e-6, 1.0, 1e2}) {
         std::vector<Values> rates;
+        rates.reserve(nodes.size());
         for (int i = 0; i < static_cast<int>(nodes.size()); ++i) {
           rates.push_back(scaled(direction(T, i), length));
         }
@@ -141,6 +142,7 @@ TEST(Coefficient, IsTheLawAtTheSlipRate)
     for (const int T : {1, 2}) {
       for (const double length : lengths) {
         std::vector<Values> rates;
+        rates.reserve(nodes.size());
         for (int i = 0; i < static_cast<int>(nodes.size()); ++i) {
           rates.push_back(scaled(direction(T, i), length));
         }

@@ -116,7 +116,7 @@ public:
                     coin() ? 0 : magnitude(-18, 2)};
     if (coin()) {
       const double s = magnitude(-20, 2);
-      const double force = static_cast<double>(problem.node.force(s));
+      const auto force = static_cast<double>(problem.node.force(s));
       problem.curvature = (1e-3 + force) / s * magnitude(-6, 6);
       problem.load = problem.curvature * s + force;
       problem.guess = coin() ? s : s * uniform(0.5, 2);
@@ -134,6 +134,7 @@ TEST(Minimise, SolvesItsEquationOverAWideRangeOfParameters)
   for (auto const& law : both_laws) {
     for (const int T : {1, 2}) {
       std::vector<Problem> problems;
+      problems.reserve(4000);
       for (int i = 0; i < 4000; ++i) {
         problems.push_back(draw.problem(law));
       }

@@ -28,7 +28,7 @@ std::string onRankZero(std::string text)
   auto size = static_cast<int>(text.size());
   MPI_Bcast(&size, 1, MPI_INT, 0, MPI_COMM_WORLD);
   text.resize(static_cast<std::size_t>(size));
-  MPI_Bcast(&text[0], size, MPI_CHAR, 0, MPI_COMM_WORLD);
+  MPI_Bcast(text.data(), size, MPI_CHAR, 0, MPI_COMM_WORLD);
   return text;
 }
 

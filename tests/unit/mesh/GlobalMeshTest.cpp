@@ -10,7 +10,7 @@ namespace
 template <int Dim>
 void expectRefused(GlobalMesh<Dim> const& mesh, std::vector<std::string> pieces)
 {
-  pieces.push_back("the file: ");
+  pieces.emplace_back("the file: ");
   expectInputError([&] { checkMesh(mesh, "the file"); }, pieces);
 }
 } // namespace

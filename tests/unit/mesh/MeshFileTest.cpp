@@ -44,7 +44,7 @@ protected:
     ASSERT_GE(id, 0);
     change(id);
     H5Fclose(id);
-    expectRefusedFile(name, pieces);
+    expectRefusedFile(name, std::move(pieces));
   }
 
   template <int Dim = 2>

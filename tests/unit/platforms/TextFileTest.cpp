@@ -7,7 +7,6 @@
 using namespace asperity;
 using namespace asperity::io;
 using namespace asperity::platforms;
-using test::world;
 
 TEST(TextFile, WhatHasNoLogarithmHasTheSmallest)
 {

@@ -23,6 +23,7 @@ TEST(Backend, IsDescribedWithItsThreads)
   if (kernels_run_serially) {
     EXPECT_EQ(text, "Serial");
   } else if (kernels_run_on_host) {
+    // Static in Kokkos 3 alone. NOLINTNEXTLINE(readability-static-accessed-through-instance)
     const auto threads = std::to_string(ExecutionSpace().concurrency());
     EXPECT_NE(text.find(" with " + threads + " thread"), std::string::npos) << text;
   }

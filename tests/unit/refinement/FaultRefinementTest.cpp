@@ -34,6 +34,7 @@ std::multiset<std::vector<OneCopy>> ofCopies(std::vector<Simplex> const& simplic
   std::multiset<std::vector<OneCopy>> result;
   for (auto const& simplex : simplices) {
     std::vector<OneCopy> places;
+    places.reserve(simplex.size());
     for (int vertex : simplex) {
       places.push_back(copies[vertex]);
     }

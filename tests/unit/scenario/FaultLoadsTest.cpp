@@ -17,6 +17,7 @@ std::vector<double> tractionAt(Problem<2> const& problem, double t)
   problem.body.load(t, *load);
   const auto values = valuesOf(*load);
   std::vector<double> traction;
+  traction.reserve(problem.surface->numNodes());
   for (int i = 0; i < problem.surface->numNodes(); ++i) {
     traction.push_back(values[(*problem.surface)[i].dofs[0]] / (*problem.surface)[i].weight);
   }

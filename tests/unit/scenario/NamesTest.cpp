@@ -100,14 +100,14 @@ TEST(Names, thatGrowWithoutEndAreRefused)
   std::vector<std::pair<std::string, std::string>> doubling, chain;
   for (int i = 0; i < 40; ++i) {
     const auto next = "n" + std::to_string(i + 1);
-    doubling.push_back({"n" + std::to_string(i), next + " + " + next});
+    doubling.emplace_back("n" + std::to_string(i), next + " + " + next);
   }
-  doubling.push_back({"n40", "1"});
+  doubling.emplace_back("n40", "1");
   expectParts(refused(doubling), {"Names / n", "more than 20000 characters"});
   for (int i = 0; i < 2000; ++i) {
-    chain.push_back({"n" + std::to_string(i), "n" + std::to_string(i + 1)});
+    chain.emplace_back("n" + std::to_string(i), "n" + std::to_string(i + 1));
   }
-  chain.push_back({"n2000", "1"});
+  chain.emplace_back("n2000", "1");
   expectParts(refused(chain), {"Names / n", "more than 100 names"});
 }
 

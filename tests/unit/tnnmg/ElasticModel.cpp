@@ -150,7 +150,8 @@ RCP<const MultiVector> rigidMotions(ElasticModelOptions const& options, RCP<cons
     const auto dof = static_cast<int>(map->getGlobalElement(static_cast<int>(row)));
     const int node = dof / options.components;
     const int component = dof % options.components;
-    const double x = h * (node / (options.cells_y + 1));
+    const int column = node / (options.cells_y + 1);
+    const double x = h * column;
     const double y = h * (node % (options.cells_y + 1));
     result->replaceLocalValue(static_cast<int>(row), component, 1.0);
     if (options.components == 2) {

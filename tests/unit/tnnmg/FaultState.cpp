@@ -38,7 +38,7 @@ FaultState::FaultState(ElasticModel const& model, Truncation truncation, double 
   for (int node = 0; node < num_nodes; ++node) {
     const int first = model.nonlinear[node][0];
     const double diagonal = model.global.coeff(first, first);
-    hessian.push_back(diagonal * randomHessian(node, model.options.tangents, lowest, highest));
+    hessian.emplace_back(diagonal * randomHessian(node, model.options.tangents, lowest, highest));
     truncated.push_back(isTruncated(node, num_nodes, truncation));
   }
 }

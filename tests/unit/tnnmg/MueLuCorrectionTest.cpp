@@ -412,7 +412,8 @@ TEST(MueLuCorrection, refusesParametersThatNobodyKnows)
 namespace
 {
 // The message of the error of the input, or nothing where the list is accepted.
-std::string refusal(std::string const& list, std::function<void(Teuchos::ParameterList&)> change)
+std::string refusal(std::string const& list,
+                    std::function<void(Teuchos::ParameterList&)> const& change)
 {
   auto given = parameters();
   change(given.sublist(list));

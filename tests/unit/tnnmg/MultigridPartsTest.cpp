@@ -235,7 +235,7 @@ TEST(CoarseFault, isTheGalerkinProductOfTheHessians)
     detail::NodeVector x(fine.prolongation.column_map.is_null()
                            ? coarse.graph.num_owned * coarse.graph.column_size
                            : numLocalElements(*fine.prolongation.column_map));
-    const auto owned = static_cast<std::size_t>(coarse.graph.num_rows * coarse.graph.row_size);
+    const auto owned = static_cast<std::size_t>(coarse.graph.num_rows) * coarse.graph.row_size;
     for (std::size_t i = 0; i < owned; ++i) {
       const auto row = coarse.graph.row_map->getGlobalElement(static_cast<int>(i));
       x[i] = static_cast<float>(std::sin(1.0 + static_cast<double>(row)));
@@ -251,6 +251,7 @@ TEST(CoarseFault, isTheGalerkinProductOfTheHessians)
 
     auto A = coarse.terms[0];
     std::vector<double> hessian;
+    hessian.reserve(parts.nodes->hessian.size());
     for (int k = 0; k < static_cast<int>(parts.nodes->hessian.size()); ++k) {
       hessian.push_back(parts.nodes->hessian.data()[k]);
     }
@@ -427,7 +428,7 @@ TEST(CoarsestSolver, refusesMoreRowsThanEveryRankCanHave)
   }
   identity->fillComplete();
   try {
-    Coarsest(identity, 1);
+    const Coarsest solver(identity, 1);
     FAIL() << "was factorised";
   } catch (SolveError const& error) {
     EXPECT_NE(std::string(error.what()).find("20001 rows"), std::string::npos) << error.what();

@@ -95,8 +95,8 @@ Eigen::VectorXd push(ElasticModel const& model)
   const int components = model.options.components;
   Eigen::VectorXd target(model.global.rows());
   for (int dof = 0; dof < target.size(); ++dof) {
-    const double x = dof / components / (model.options.cells_y + 1);
-    target(dof) = 1e-2 * std::cos(0.3 * x + 2 * (dof % components));
+    const int column = dof / components / (model.options.cells_y + 1);
+    target(dof) = 1e-2 * std::cos(0.3 * column + 2 * (dof % components));
   }
   Eigen::VectorXd b = model.global * target;
   for (int row : model.constrained) {
