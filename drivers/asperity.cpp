@@ -1,5 +1,6 @@
 // asperity DECK.xml [--set "Path/To/Parameter=value"]... [--output DIR] [--restart DIR]
 // [--validate] [--plugin LIBRARY]... | --restart DIR | --version
+#include "base/Errors.hpp"
 #include "base/program/MpiScope.hpp"
 #include "base/program/Plugins.hpp"
 #include "scenario/DeckReader.hpp"
@@ -16,7 +17,7 @@ namespace
 {
 int runDeck(asperity::CommandLine const& command_line,
             asperity::RCP<const asperity::Communicator> const& communicator)
-{
+try {
   // 3. Read the deck and build what it describes.
   auto const deck = asperity::scenario::readCompleteDeck(command_line);
   auto const simulation = asperity::scenario::makeSimulation(deck, command_line, communicator);
@@ -30,6 +31,9 @@ int runDeck(asperity::CommandLine const& command_line,
   }
   // 4. Run it; it prints its own report.
   return simulation->run();
+} catch (asperity::InputError const& error) { // names also numbers that are rarely meant
+  throw asperity::InputError(error.what() +
+                             asperity::scenario::remarkOnLargeValues(command_line, error.what()));
 }
 } // namespace
 

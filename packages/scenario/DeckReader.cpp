@@ -1,5 +1,8 @@
 #include "scenario/DeckReader.hpp"
 
+#include "base/Errors.hpp"
+#include "base/Text.hpp"
+#include "base/parameters/ParameterValue.hpp"
 #include "io/OutputSet.hpp"
 #include "scenario/deck/DeckAssembly.hpp"
 #include "scenario/deck/Names.hpp"
@@ -10,6 +13,11 @@
 #include "scenario/setup/MeshSetup.hpp"
 #include "scenario/setup/SolverSetup.hpp"
 #include "scenario/setup/TimeSetup.hpp"
+
+#include <cctype>
+#include <cmath>
+#include <cstdlib>
+#include <vector>
 
 namespace asperity::scenario
 {
@@ -26,6 +34,46 @@ RCP<const ParameterList> outputParameters()
           "what a run that is killed loses at most, and what others read of it lags behind. Each "
           "closes a file of every history: a few hundred in all are enough.");
   return list;
+}
+constexpr double large = 1e100;
+constexpr std::size_t most_named = 3;
+
+// In a number, an array or an expression: "1e308", "{1, 1e308}", "x < 1e308 ? a : b".
+bool hasLargeNumber(std::string const& text)
+{
+  const char* place = text.c_str();
+  while (*place != '\0') {
+    const auto letter = static_cast<unsigned char>(*place);
+    if (std::isdigit(letter) != 0 || *place == '.') {
+      char* end = nullptr;
+      const double number = std::strtod(place, &end);
+      if (std::isfinite(number) && number > large) {
+        return true;
+      }
+      place = end > place ? end : place + 1;
+    } else if (std::isalpha(letter) != 0 || *place == '_') { // digits of a name are no number
+      while (std::isalnum(static_cast<unsigned char>(*place)) != 0 || *place == '_') {
+        ++place;
+      }
+    } else {
+      ++place;
+    }
+  }
+  return false;
+}
+
+void collect(ParameterList const& list, std::string const& path, std::string const& message,
+             std::vector<std::string>& found)
+{
+  for (auto const& name : namesIn(list)) {
+    auto const& entry = list.getEntry(name);
+    auto const where = joinPath(path, name);
+    if (entry.isList()) {
+      collect(list.sublist(name), where, message, found);
+    } else if (hasLargeNumber(plainText(entry)) && message.find(where) == std::string::npos) {
+      found.push_back(where + " = " + excerpt(plainText(entry)));
+    }
+  }
 }
 } // namespace
 
@@ -60,5 +108,25 @@ RCP<const ParameterList> deckParameters()
 RCP<ParameterList> readCompleteDeck(CommandLine const& command_line)
 {
   return assembleDeck(command_line, *deckParameters());
+}
+
+std::string remarkOnLargeValues(CommandLine const& command_line, std::string const& message)
+{
+  std::vector<std::string> found;
+  try {
+    collect(*deckAsGiven(command_line, *deckParameters()), "", message, found);
+  } catch (InputError const&) { // the message is about that
+    return "";
+  }
+  if (found.empty()) {
+    return "";
+  }
+  std::string line = "\nThe deck has numbers beyond 1e100: " + found.front();
+  for (std::size_t i = 1; i < found.size() && i < most_named; ++i) {
+    line += ", " + found[i];
+  }
+  return line + (found.size() > most_named
+                   ? " and " + std::to_string(found.size() - most_named) + " more."
+                   : ".");
 }
 } // namespace asperity::scenario

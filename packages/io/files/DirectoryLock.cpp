@@ -48,7 +48,10 @@ bool DirectoryLock::openAndLock()
 {
   descriptor_ = ::open(file_.c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0666);
   if (descriptor_ < 0) {
-    throw OutputError(file_.string() + " cannot be made: " + std::strerror(errno) + ".");
+    throw InputError(
+      file_.string() + " cannot be made: " + std::strerror(errno) +
+      ". Check the permissions of the output directory and the space on the disk, or "
+      "choose another one with --output DIR.");
   }
   if (::flock(descriptor_, LOCK_EX | LOCK_NB) != 0 && errno == EWOULDBLOCK) {
     ::close(std::exchange(descriptor_, -1));

@@ -12,8 +12,8 @@ class DirectoryLock
 public:
   DirectoryLock() = default; // of nothing
 
-  // Throws InputError, which names the other process, if there is one that has the lock, and
-  // OutputError if the directory cannot be written.
+  // Throws InputError, which names the other process, if there is one that has the lock, and also
+  // if the directory cannot be written.
   explicit DirectoryLock(std::filesystem::path const& directory);
 
   ~DirectoryLock() { release(); }

@@ -67,9 +67,10 @@ std::vector<std::string> addedTo(std::vector<std::string> const& before,
                       std::back_inserter(added));
   return added;
 }
-} // namespace
 
-RCP<ParameterList> assembleDeck(CommandLine const& command_line, ParameterList const& valid)
+// The deck as given, and the names in its list `Names` that overrides have added.
+RCP<ParameterList> readGiven(CommandLine const& command_line, ParameterList const& valid,
+                             std::vector<std::string>& added)
 {
   auto deck = readDeck(command_line.deck);
   findFilesBesideDeck(*deck, std::filesystem::path(command_line.deck).parent_path());
@@ -84,7 +85,22 @@ RCP<ParameterList> assembleDeck(CommandLine const& command_line, ParameterList c
     applyOverride(*deck, valid, assignment);
   }
   findFilesBesideDeck(*deck, ""); // what overlays and overrides name
-  resolveNames(*deck, valid, addedTo(names, namesOf(*deck)));
+  added = addedTo(names, namesOf(*deck));
+  return deck;
+}
+} // namespace
+
+RCP<ParameterList> deckAsGiven(CommandLine const& command_line, ParameterList const& valid)
+{
+  std::vector<std::string> added;
+  return readGiven(command_line, valid, added);
+}
+
+RCP<ParameterList> assembleDeck(CommandLine const& command_line, ParameterList const& valid)
+{
+  std::vector<std::string> added;
+  auto deck = readGiven(command_line, valid, added);
+  resolveNames(*deck, valid, added);
   completeAndValidate(*deck, valid, "Asperity");
   return deck;
 }

@@ -6,8 +6,11 @@
 
 namespace asperity::scenario
 {
-// Reads the deck that the command line names, finds the files that it names beside it, applies its
-// overlays, removals and overrides, puts the values of its names in their places, and checks and
-// completes it by these declarations. Throws InputError if that fails.
+// The deck that the command line names as the user gives it: its overlays, removals and overrides
+// are applied, the files that it names are found beside it. Throws InputError if that fails.
+RCP<ParameterList> deckAsGiven(CommandLine const& command_line, ParameterList const& valid);
+
+// The same with the values of its names in their places, checked and completed by these
+// declarations. Throws InputError if that fails.
 RCP<ParameterList> assembleDeck(CommandLine const& command_line, ParameterList const& valid);
 } // namespace asperity::scenario

@@ -1,5 +1,6 @@
 #include "scenario/setup/MeshSetup.hpp"
 
+#include "base/Errors.hpp"
 #include "base/fields/Field.hpp"
 #include "base/program/WorkTimers.hpp"
 #include "mesh/Boundaries.hpp"
@@ -36,6 +37,18 @@ std::vector<mesh::NamedCondition<Dim>> conditionsIn(ParameterList const& mesh,
   }
   return conditions;
 }
+
+// What read() returns of the mesh file; the message of what it refuses names the parameter, too.
+template <class Read>
+auto ofMeshFile(Read const& read)
+{
+  try {
+    return read();
+  } catch (InputError const& error) {
+    throw InputError(joinPath(joinPath(mesh_path, "File"), "File Name") + ": " + error.what());
+  }
+}
+
 // This rank's part of the mesh before it is refined.
 template <int Dim>
 Mesh<Dim> coarsePart(ParameterList const& list, std::string const& fault,
@@ -50,18 +63,19 @@ Mesh<Dim> coarsePart(ParameterList const& list, std::string const& fault,
   auto const where_faults = joinPath(mesh_path, "Faults");
   auto const file_name =
     type == "File" ? list.sublist(type).get<std::string>("File Name") : std::string();
-  if (type == "File" && mesh::isPartitioned(file_name, *communicator)) {
+  if (type == "File" && ofMeshFile([&] { return mesh::isPartitioned(file_name, *communicator); })) {
     ASPERITY_REQUIRE(faults.empty(),
                      where_faults << " / " << faults.front().name << ": mesh file '" << file_name
                                   << "' is partitioned, and was split along its faults before. "
                                   << "Put the fault into the mesh and then partition that.");
-    auto part = mesh::readPart<Dim>(file_name, communicator);
+    auto part = ofMeshFile([&] { return mesh::readPart<Dim>(file_name, communicator); });
     mesh::overrideRegions(part, regions, *communicator, where_regions);
     mesh::overrideBoundaries(part, boundaries, *communicator, where_boundaries);
     return part;
   }
-  auto whole =
-    type == "File" ? mesh::readMesh<Dim>(file_name, *communicator) : generateMesh<Dim>(list);
+  auto whole = type == "File"
+                 ? ofMeshFile([&] { return mesh::readMesh<Dim>(file_name, *communicator); })
+                 : generateMesh<Dim>(list);
   mesh::overrideRegions(whole, regions, where_regions);
   mesh::overrideBoundaries(whole, boundaries, where_boundaries);
   mesh::addFaults(whole, faults, where_faults);
@@ -137,7 +151,8 @@ int meshDimension(ParameterList const& list, Communicator const& communicator)
 {
   auto const type = list.get<std::string>("Type");
   if (type == "File") {
-    return mesh::fileDimension(list.sublist(type).get<std::string>("File Name"), communicator);
+    auto const name = list.sublist(type).get<std::string>("File Name");
+    return ofMeshFile([&] { return mesh::fileDimension(name, communicator); });
   }
   return type == "Box" || type == "Deep Wedge" ? 3 : 2;
 }

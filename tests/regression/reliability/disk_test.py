@@ -58,6 +58,22 @@ class FullDisk(unittest.TestCase):
                     assert_goes_on(self, whole, folder, *runs.RUN)
         print(f"full disk at {len(chosen)} of {total} writes")
 
+    def test_at_any_new_file(self):
+        """What there is can be written, but no file or folder can be made: no inodes are left."""
+        whole = asperity_run.run_to_end("whole_files", *runs.RUN)
+        counts = faults.operations(runs.fresh("files"), *runs.RUN)
+        for letter in "om":
+            numbers = range(1, counts[letter] + 1)
+            chosen = random.Random(letter).sample(
+                numbers, min(len(numbers), faults.trials(2, len(numbers))))
+            for number in sorted(chosen):
+                with self.subTest(number=number, letter=letter):
+                    folder = runs.fresh("files")
+                    result = faults.run(folder, "full", number, *runs.RUN, FAULT_ONLY=letter)
+                    self.assert_ends_well(result, folder)
+                    assert_goes_on(self, whole, folder, *runs.RUN)
+            print(f"no space for {letter} at {sorted(chosen)} of {counts[letter]}")
+
     def test_of_one_of_two_ranks(self):
         run = runs.SHORT_RUN
         whole = asperity_run.run_to_end("whole_ranks", *run, ranks=2)
@@ -78,11 +94,13 @@ class FullDisk(unittest.TestCase):
         folder.mkdir()
         words = [str(MESH_TOOL), "rectangle", str(folder / "mesh.h5"), "--cells-x", "20",
                  "--cells-y", "20"]
-        for number in (1, 2, 4):
+        for number in (1, 2, 3, 5):
             result = subprocess.run(words, capture_output=True, text=True, check=False,
                                     timeout=time_limits.seconds(60),
                                     env=faults.environment(folder, "full", number))
-            self.assertEqual(result.returncode, runs.OUTPUT, result.stdout + result.stderr)
+            # The first one makes the file: where that fails, the name may be wrong.
+            self.assertEqual(result.returncode, runs.INPUT if number == 1 else runs.OUTPUT,
+                             result.stdout + result.stderr)
             self.assertRegex(result.stderr, r"\Aasperity-mesh: .*cannot be written.*\n\Z")
             self.assertEqual(list(folder.iterdir()), [])
 

@@ -3,11 +3,13 @@
 //
 //   FAULT_FOLDER  absolute path
 //   FAULT_AT      n, from 1; 0 only counts
-//   FAULT_KIND    kill: SIGKILL, a write has half of its bytes; full: no space from there on, but
-//                 for run.log, which has space of its own; readonly: from the n-th write on nothing
-//                 can be written, opened for writing, cut, renamed or removed
-//   FAULT_ONLY    kill in the n-th operation of this letter, and count these alone:
-//                 w write, p pwrite, v writev, q pwritev, s fsync, t ftruncate, r rename
+//   FAULT_KIND    kill: SIGKILL, a write has half of its bytes; full: from there on no space to
+//                 write, to make a file or folder or to make a file longer, but for run.log, which
+//                 has space of its own; readonly: from the n-th write on nothing can be written,
+//                 opened for writing, cut, renamed or removed
+//   FAULT_ONLY    disturb the n-th operation of this letter, and count these alone: w write,
+//                 p pwrite, v writev, q pwritev, s fsync, t ftruncate, r rename; where the disk is
+//                 full also o making a file, m making a folder
 //   FAULT_RANK    only this rank of mpirun
 //   FAULT_COUNT   a file that gets the letter of each operation
 #include <cerrno>
@@ -19,6 +21,7 @@
 #include <cstring>
 #include <dlfcn.h>
 #include <fcntl.h>
+#include <sys/stat.h>
 #include <sys/syscall.h>
 #include <sys/uio.h>
 #include <unistd.h>
@@ -118,6 +121,34 @@ bool isReadOnly(int descriptor)
   return true;
 }
 
+bool isThere(char const* path)
+{
+  struct stat ignored = {};
+  return ::stat(path, &ignored) == 0;
+}
+
+// Whether what needs space, but is no write, fails, with errno.
+bool hasNoSpace(char letter, char const* path)
+{
+  if (!isKind("full") || !isBelowFromHere(path) || std::strstr(path, "run.log") || !isDue(letter)) {
+    return false;
+  }
+  errno = ENOSPC;
+  return true;
+}
+
+bool hasNoSpace(int descriptor, off_t size)
+{
+  bool is_log = false;
+  struct stat before = {};
+  if (!isKind("full") || !isBelow(descriptor, is_log) || is_log ||
+      ::fstat(descriptor, &before) != 0 || size <= before.st_size || !isDue('t')) {
+    return false;
+  }
+  errno = ENOSPC;
+  return true;
+}
+
 bool writes(int flags) { return (flags & (O_WRONLY | O_RDWR | O_CREAT | O_TRUNC)) != 0; }
 
 template <class Function>
@@ -203,7 +234,7 @@ int ftruncate(int file, off_t size)
 {
   static const auto next = original<int (*)(int, off_t)>("ftruncate");
   dieAt('t', file);
-  return isReadOnly(file) ? -1 : next(file, size);
+  return isReadOnly(file) || hasNoSpace(file, size) ? -1 : next(file, size);
 }
 
 int ftruncate64(int file, off64_t size) { return ftruncate(file, size); }
@@ -215,6 +246,12 @@ int rename(char const* from, char const* to)
     ::kill(::getpid(), SIGKILL);
   }
   return isReadOnly(from) ? -1 : next(from, to);
+}
+
+int mkdir(char const* path, mode_t mode)
+{
+  static const auto next = original<int (*)(char const*, mode_t)>("mkdir");
+  return isReadOnly(path) || (!isThere(path) && hasNoSpace('m', path)) ? -1 : next(path, mode);
 }
 
 int unlink(char const* path)
@@ -236,7 +273,10 @@ int open(char const* path, int flags, ...)
   va_start(more, flags);
   const mode_t mode = (flags & O_CREAT) ? va_arg(more, mode_t) : 0;
   va_end(more);
-  return writes(flags) && isReadOnly(path) ? -1 : next(path, flags, mode);
+  const bool makes = (flags & O_CREAT) != 0 && !isThere(path);
+  return (writes(flags) && isReadOnly(path)) || (makes && hasNoSpace('o', path))
+           ? -1
+           : next(path, flags, mode);
 }
 
 int open64(char const* path, int flags, ...)
@@ -251,7 +291,10 @@ int open64(char const* path, int flags, ...)
 std::FILE* fopen(char const* path, char const* mode)
 {
   static const auto next = original<std::FILE* (*)(char const*, char const*)>("fopen");
-  return std::strpbrk(mode, "wa+") && isReadOnly(path) ? nullptr : next(path, mode);
+  const bool makes = std::strpbrk(mode, "wa") && !isThere(path);
+  return (std::strpbrk(mode, "wa+") && isReadOnly(path)) || (makes && hasNoSpace('o', path))
+           ? nullptr
+           : next(path, mode);
 }
 
 std::FILE* fopen64(char const* path, char const* mode) { return fopen(path, mode); }

@@ -10,7 +10,7 @@ import time_limits
 
 SHIM = os.environ["ASPERITY_FAULT_SHIM"]
 OPERATIONS = {"w": "write", "p": "pwrite", "v": "writev", "q": "pwritev", "s": "fsync",
-              "t": "ftruncate", "r": "rename"}
+              "t": "ftruncate", "r": "rename", "o": "making a file", "m": "making a folder"}
 
 
 def is_long():

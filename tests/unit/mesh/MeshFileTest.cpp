@@ -12,6 +12,7 @@
 #include <filesystem>
 #include <fstream>
 #include <limits>
+#include <utility>
 
 using namespace asperity;
 using namespace asperity::mesh;

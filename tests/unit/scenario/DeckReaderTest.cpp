@@ -190,6 +190,12 @@ public:
     return readCompleteDeck(line_);
   }
 
+  std::string remark(std::vector<std::string> const& overrides, std::string const& message = "")
+  {
+    line_.overrides = overrides;
+    return remarkOnLargeValues(line_, message);
+  }
+
 private:
   TemporaryDirectory directory_;
   CommandLine line_;
@@ -221,6 +227,24 @@ TEST(DeckReader, refusesAnUnknownLawWithTheNearestName)
               {"Asperity / Friction / Law", "Regularized", "Did you mean 'Regularised'?"});
   expectParts(refusal([&] { file.read({"Friction/State Evolution=Aging"}); }),
               {"Asperity / Friction / State Evolution", "Did you mean 'Ageing'?"});
+}
+
+TEST(DeckReader, remarksOnNumbersThatAreRarelyMeant)
+{
+  DeckFile file;
+  EXPECT_EQ(file.remark({}), "");
+  EXPECT_EQ(file.remark({"Bulk/Density=1e100", "Mesh/Rectangle/Width=inf"}), "");
+  EXPECT_EQ(file.remark({"Mesh/Rectangle/Width=1e308"}),
+            "\nThe deck has numbers beyond 1e100: Mesh / Rectangle / Width = 1e+308.");
+  const std::vector<std::string> in_texts = {"Bulk/Density=x < 2e101 ? 1 : b1e308"};
+  EXPECT_EQ(file.remark(in_texts), "\nThe deck has numbers beyond 1e100: "
+                                   "Bulk / Density = x < 2e101 ? 1 : b1e308.");
+  EXPECT_EQ(file.remark(in_texts, "Bulk / Density = 7 is no good"), "") << "said already";
+  const std::vector<std::string> many = {"Names/p=1e308", "Names/q=-1e200", "Names/r=3e101",
+                                         "Names/s=1e+302"};
+  expectParts(file.remark(many), {"Names / p = 1e+308, Names / q = -1e+200, Names / r = 3e+101 "
+                                  "and 1 more."});
+  EXPECT_EQ(file.remark({"No/Such=1e308"}), "") << "the message is about that";
 }
 
 TEST(DeckReader, fingerprintsWhatARestartMustNotChange)
