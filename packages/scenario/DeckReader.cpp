@@ -35,6 +35,8 @@ RCP<const ParameterList> outputParameters()
           "closes a file of every history: a few hundred in all are enough.");
   return list;
 }
+
+// Beyond what any quantity of an earthquake has in SI units.
 constexpr double large = 1e100;
 constexpr std::size_t most_named = 3;
 

@@ -13,8 +13,8 @@ inline Eigen::VectorXd forcesOfGiven(Eigen::SparseMatrix<double> const& K,
                                      std::vector<bool> const& is_given, Eigen::VectorXd u)
 {
   Eigen::VectorXd right_side = -K * u;
-  Eigen::SparseMatrix<double> A;
-  A = K;
+  // Its values change below, through iterators. NOLINTNEXTLINE(performance-unnecessary-copy*)
+  auto A = K;
   for (int column = 0; column < A.outerSize(); ++column) {
     for (Eigen::SparseMatrix<double>::InnerIterator entry(A, column); entry; ++entry) {
       if (is_given[entry.row()] || is_given[entry.col()]) {
