@@ -32,7 +32,10 @@ endif()
 
 if(ASPERITY_IS_TOP_LEVEL)
   set(CMAKE_EXPORT_COMPILE_COMMANDS ON)
-  find_program(ASPERITY_CCACHE ccache)
+  # Kept from the first time on: with ccache before the compiler all would be compiled again.
+  if(NOT DEFINED ASPERITY_CCACHE)
+    find_program(ASPERITY_CCACHE ccache)
+  endif()
   if(ASPERITY_CCACHE AND NOT CMAKE_CXX_COMPILER_LAUNCHER)
     set(CMAKE_CXX_COMPILER_LAUNCHER "${ASPERITY_CCACHE}")
   endif()

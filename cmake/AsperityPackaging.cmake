@@ -37,13 +37,13 @@ set(CPACK_COMPONENT_MESH_TOOL_DESCRIPTION
   "Makes and converts meshes; links Gmsh's library (GPL).")
 set(CPACK_DEBIAN_MESH_TOOL_PACKAGE_DEPENDS "asperity ${same_version}")
 
-# The packages that TrilinosConfig.cmake and our headers ask for: those of quickstart.sh.
+# The packages that TrilinosConfig.cmake and our headers ask for: those of quickstart.sh, by their
+# names in this release.
 execute_process(
-  COMMAND bash -c ". cmake/quickstart_packages.sh; required_packages"
+  COMMAND bash -c ". cmake/quickstart_packages.sh; read_system; required_packages | select_of any"
   WORKING_DIRECTORY "${PROJECT_SOURCE_DIR}" OUTPUT_VARIABLE required
   OUTPUT_STRIP_TRAILING_WHITESPACE)
 string(REGEX MATCHALL "lib[a-z0-9-]+-dev" required "${required}")
-list(REMOVE_ITEM required libgtest-dev)
 list(TRANSFORM required PREPEND ", ")
 string(REPLACE ";" "" required "${required}")
 set(CPACK_DEBIAN_HEADERS_PACKAGE_NAME libasperity-dev)

@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# From a bare Debian 12 to earthquakes: installs what is missing, configures, builds, and then
+# From a bare Debian to earthquakes: installs what is missing, configures, builds, and then
 #
 #   bash cmake/quickstart.sh run     simulates xml/wedge_2d.xml and draws the figures
 #   bash cmake/quickstart.sh test    runs the default suite of tests
@@ -105,7 +105,12 @@ configure()
     generator=(-DCMAKE_BUILD_TYPE=Release)
     ! command -v ninja > /dev/null || generator+=(-G Ninja)
   fi
-  local -a options=(-DASPERITY_ENABLE_TESTS=ON)
+  local -a options=()
+  if [ "$mode" = test ]; then
+    options=(-DASPERITY_ENABLE_TESTS=ON)
+  elif [ "${#generator[@]}" -gt 0 ]; then # a build folder that has tests keeps them
+    options=(-DASPERITY_ENABLE_TESTS=OFF)
+  fi
   [ "$strict" = no ] || options+=(-DASPERITY_WARNINGS_AS_ERRORS=ON)
   cmake -S "$top" -B "$build" "${generator[@]}" "${options[@]}"
   phase_done

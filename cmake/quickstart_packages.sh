@@ -3,7 +3,7 @@
 # Taken from quickstart.sh: mode (run or test), install (yes or no), fail, phase, phase_done.
 # shellcheck shell=bash disable=SC2154
 
-# "purpose: packages", one line each.
+# "purpose: packages", one line each. Of a|b the first that the release has is taken; - is none.
 required_packages()
 {
   cat <<'LIST'
@@ -14,29 +14,39 @@ mesh partitioning: libmetis-dev
 expressions in decks: libmuparser-dev
 command lines: libcli11-dev
 sparse Cholesky: libeigen3-dev
-tests: libgtest-dev clang-format-14
 figures: python3 python3-h5py python3-numpy python3-matplotlib
 LIST
-  if ! own_trilinos > /dev/null; then
-    # TrilinosConfig.cmake asks for all of these, and Debian's packages do not pull each other in.
-    printf 'linear algebra (Trilinos, Kokkos): libptscotch-dev'
-    printf ' libtrilinos-%s-dev' amesos amesos2 anasazi aztecoo belos epetra epetraext galeri \
-      ifpack ifpack2 intrepid2 isorropia kokkos kokkos-kernels ml muelu rtop sacado shards shylu \
-      stratimikos teko teuchos thyra tpetra triutils trilinosss xpetra zoltan zoltan2
-    printf '\n'
+  if [ "${mode:-}" = test ]; then
+    # Other versions of clang-format lay out other lines; without 14 the test style.format is left
+    # out.
+    echo 'tests: libgtest-dev clang-format-14|-'
   fi
+  own_trilinos > /dev/null || trilinos_packages
+}
+
+# TrilinosConfig.cmake asks for all of these, and Debian's packages do not pull each other in.
+# Trilinos 17 has neither Epetra nor what stands on it.
+trilinos_packages()
+{
+  local name
+  printf 'linear algebra (Trilinos, Kokkos): libptscotch-dev'
+  for name in amesos2 anasazi belos galeri ifpack2 intrepid2 kokkos kokkos-kernels muelu rtop \
+    sacado shards shylu stratimikos teko teuchos thyra tpetra trilinosss xpetra zoltan zoltan2; do
+    printf ' libtrilinos-%s-dev' "$name"
+  done
+  for name in amesos aztecoo epetra epetraext ifpack isorropia ml triutils; do
+    printf ' libtrilinos-%s-dev|-' "$name"
+  done
+  printf '\n'
 }
 
 optional_packages()
 {
-  cat <<'LIST'
-faster rebuilds (optional): ccache
-meshes from Gmsh, asperity-mesh (optional): libgmsh-dev
-LIST
+  echo 'meshes from Gmsh, asperity-mesh (optional): libgmsh-dev|-'
   if [ "${mode:-}" = test ]; then
-    printf 'tests of pip without a network (optional):'
-    printf ' python3-%s' pip venv setuptools wheel
-    printf '\n'
+    echo 'faster rebuilds (optional): ccache|-'
+    echo 'tests of pip without a network (optional): python3-pip|- python3-venv|-' \
+      'python3-setuptools|- python3-wheel|-'
   fi
 }
 
@@ -58,18 +68,56 @@ own_trilinos()
   return 1
 }
 
-# Keeps of "purpose: packages" lines what is not installed; lines with nothing left disappear.
-missing_of()
+# Sets `installed` and `offered`: names of packages, in spaces. Trilinos's of another version than
+# trilinos-dev, as where some come from another release, are not offered.
+read_system()
 {
-  local purpose packages package missing
-  while IFS=: read -r purpose packages; do
-    missing=
-    for package in $packages; do
-      [[ $installed == *" $package "* ]] || missing+=" $package"
+  installed=" $(dpkg-query -W -f '${db:Status-Status} ${Package}\n' 2> /dev/null |
+    sed -n 's/^installed //p' | tr '\n' ' ') "
+  offered=" $({ required_packages; optional_packages; } | sed 's/^[^:]*://' | tr -s ' ' '\n' |
+    tr '|' '\n' | sed '/^-\{0,1\}$/d' | LC_ALL=C xargs apt-cache policy trilinos-dev 2> /dev/null |
+    awk '/^[^ ]/ { name = $1; sub(/:$/, "", name) }
+      $1 == "Candidate:" && $2 != "(none)" {
+        if (name == "trilinos-dev") trilinos = $2
+        else if (name !~ /^libtrilinos-/ || trilinos == "" || $2 == trilinos) print name
+      }' | tr '\n' ' ') "
+}
+
+# Sets `chosen`: of a|b the name that is installed, or else the first that the release has; nothing
+# for -. Where neither holds, as with lists of packages that were never fetched, the first.
+choose()
+{
+  local -a choices
+  IFS='|' read -r -a choices <<< "$1"
+  for chosen in "${choices[@]}"; do
+    [[ $installed != *" $chosen "* ]] || return 0
+  done
+  if [[ $offered == *[a-z]* ]]; then
+    for chosen in "${choices[@]}"; do
+      [ "$chosen" != - ] || { chosen=; return 0; }
+      [[ $offered != *" $chosen "* ]] || return 0
     done
-    [ -z "$missing" ] || printf '%s:%s\n' "$purpose" "$missing"
+  fi
+  chosen=${choices[0]}
+}
+
+# Keeps of "purpose: packages" lines, by their chosen names, those packages that the given
+# condition holds for; lines with nothing left disappear.
+select_of()
+{
+  local purpose packages package chosen kept
+  while IFS=: read -r purpose packages; do
+    kept=
+    for package in $packages; do
+      choose "$package"
+      [ -z "$chosen" ] || ! "$1" "$chosen" || kept+=" $chosen"
+    done
+    [ -z "$kept" ] || printf '%s:%s\n' "$purpose" "$kept"
   done
 }
+any() { true; }
+missing() { [[ $installed != *" $1 "* ]]; }
+unknown() { missing "$1" && [[ $offered == *[a-z]* && $offered != *" $1 "* ]]; }
 
 # "purpose: packages" lines for the reader, wrapped.
 show_packages()
@@ -103,21 +151,61 @@ install_packages()
 {
   local log status=0
   log=$(mktemp)
-  apt update > "$log" 2>&1 ||
-    printf '      apt-get update failed; the known lists of packages are used.\n'
-  apt install -y --no-install-recommends "$@" 2>&1 | tee -a "$log" |
+  apt install -y --no-install-recommends "$@" 2>&1 | tee "$log" |
     sed -n '/^Need to get/s/^/      /p; /^After this operation/s/^/      /p' || status=$?
-  if [ "$status" -ne 0 ]; then
-    tail -n 25 "$log"
-    rm -f "$log"
-    return 1
-  fi
+  [ "$status" -eq 0 ] || tail -n 25 "$log"
   rm -f "$log"
+  return "$status"
+}
+
+# Sets `required`, `optional` and `names`, what is missing of them.
+find_missing()
+{
+  read_system
+  required=$(required_packages | select_of missing)
+  optional=$(optional_packages | select_of missing)
+  names=$(printf '%s\n%s\n' "$required" "$optional" | sed '/^$/d' | names_of)
+}
+
+show_missing()
+{
+  printf '      Debian packages to install, and what for:\n'
+  printf '%s\n%s\n' "$required" "$optional" | show_packages
+}
+
+without_root()
+{
+  show_missing
+  [ -z "$required" ] || fail "you are not root and there is no sudo. Ask for, as root:
+
+  apt-get update && apt-get install --no-install-recommends $names
+
+or, if you have these libraries elsewhere, say --no-install."
+  printf '      You are not root and there is no sudo, so that they are not installed.\n'
+}
+
+# What the release offers is known after its lists have been fetched.
+fetch_and_install()
+{
+  local lacking
+  apt update > /dev/null 2>&1 ||
+    printf '      apt-get update failed; the known lists of packages are used.\n'
+  find_missing
+  [ -n "$names" ] || return 0
+  show_missing
+  lacking=$(required_packages | select_of unknown)
+  [ -z "$lacking" ] || fail "this release does not have, of what the build needs,
+$(show_packages <<< "$lacking")
+If you have these elsewhere, say --no-install; docs/platforms.md names the releases that were tried."
+  # shellcheck disable=SC2086 # a list of names
+  install_packages $names || [ -z "$required" ] ||
+    fail "apt-get could not install the packages; its last lines stand above. If you have these
+libraries elsewhere, say --no-install."
 }
 
 packages()
 {
-  local required optional names
+  local installed offered required optional names
   phase 'Packages'
   if own_trilinos > /dev/null; then
     printf '      Your Trilinos: %s\n' "$(own_trilinos)"
@@ -128,33 +216,17 @@ packages()
   fi
   if ! command -v apt-get > /dev/null || ! command -v dpkg-query > /dev/null; then
     printf '      This is not Debian. The build needs, by their Debian names:\n'
-    { required_packages; optional_packages; } | show_packages
+    { required_packages; optional_packages; } | sed 's/|[^ ]*//g' | show_packages
     printf '      CMake looks for them next.\n'
     return
   fi
-  installed=" $(dpkg-query -W -f '${db:Status-Status} ${Package}\n' 2> /dev/null |
-    sed -n 's/^installed //p' | tr '\n' ' ') "
-  required=$(required_packages | missing_of)
-  optional=$(optional_packages | missing_of)
-  if [ -z "$required$optional" ]; then
+  find_missing
+  if [ -z "$names" ]; then
     printf '      All packages are installed.\n'
-    return
+  elif [ "$(id -u)" -ne 0 ] && ! command -v sudo > /dev/null; then
+    without_root
+  else
+    fetch_and_install
   fi
-  printf '      Debian packages to install, and what for:\n'
-  printf '%s\n%s\n' "$required" "$optional" | show_packages
-  names=$(printf '%s\n%s\n' "$required" "$optional" | sed '/^$/d' | names_of)
-  if [ "$(id -u)" -ne 0 ] && ! command -v sudo > /dev/null; then
-    [ -z "$required" ] || fail "you are not root and there is no sudo. Ask for, as root:
-
-  apt-get update && apt-get install --no-install-recommends $names
-
-or, if you have these libraries elsewhere, say --no-install."
-    printf '      You are not root and there is no sudo, so that they are not installed.\n'
-    return
-  fi
-  # shellcheck disable=SC2086 # a list of names
-  install_packages $names || [ -z "$required" ] ||
-    fail "apt-get could not install the packages; its last lines stand above. The names are those of
-Debian 12. If you have these libraries elsewhere, say --no-install."
   phase_done
 }

@@ -14,6 +14,17 @@ STAND_IN = f"""#!/bin/sh
 printf '%s\\n' "${{0##*/}} $*" >> "{CALLS}"
 """
 
+# As apt-cache of a release that has all packages but those in `lacking`.
+APT_CACHE = """#!/bin/sh
+shift
+for name; do
+  case " {lacking} " in *" $name "*) ;; *)
+    case $name in libtrilinos-epet*) version={epetra} ;; *) version=17.0-1 ;; esac
+    printf '%s:\\n  Installed: (none)\\n  Candidate: %s\\n' "$name" "$version" ;;
+  esac
+done
+"""
+
 
 class QuickStart(unittest.TestCase):
     def setUp(self):
@@ -24,6 +35,11 @@ class QuickStart(unittest.TestCase):
             self.stand_in(self.system / name)
         for name in ("asperity", "asperity-plot"):
             self.stand_in(self.system / "build" / "drivers" / name)
+        self.release_without()
+
+    def release_without(self, *names, epetra="17.0-1"):
+        self.stand_in(self.system / "apt-cache",
+                      APT_CACHE.format(lacking=" ".join(names), epetra=epetra))
 
     @staticmethod
     def stand_in(path, text=STAND_IN):
@@ -31,13 +47,13 @@ class QuickStart(unittest.TestCase):
         path.write_text(text)
         path.chmod(0o755)
 
-    def run_with(self, *words, status=0, **environment):
+    def run_with(self, *words, status=0, script=QUICKSTART, **environment):
         """What is printed, and the calls."""
         CALLS.write_text("")
         own = {name: value for name, value in os.environ.items()
                if name not in ("Trilinos_ROOT", "Trilinos_DIR", "CMAKE_PREFIX_PATH")}
         own.update(environment, PATH=f"{self.system}:{os.environ['PATH']}")
-        done = subprocess.run(["bash", str(QUICKSTART), *words, "--build",
+        done = subprocess.run(["bash", str(script), *words, "--build",
                                str(self.system / "build")], env=own, capture_output=True,
                               text=True, check=False, timeout=60)
         self.assertEqual(done.returncode, status, done.stdout + done.stderr)
@@ -46,6 +62,73 @@ class QuickStart(unittest.TestCase):
     @staticmethod
     def programs(calls):
         return [call.split()[0] for call in calls]
+
+    @staticmethod
+    def installs(calls):
+        """The packages that apt-get is told to install."""
+        words = next(call for call in calls if " install -y " in call).split()
+        return words[words.index("--no-install-recommends") + 1:]
+
+    def test_a_mode_installs_what_it_needs(self):
+        _, calls = self.run_with("run")
+        for_run = self.installs(calls)
+        self.assertIn("libgmsh-dev", for_run)
+        for package in for_run:
+            self.assertNotRegex(package, "clang-format|gtest|ccache|pip|venv|setuptools|wheel")
+        _, calls = self.run_with("test")
+        more = set(self.installs(calls)) - set(for_run)
+        self.assertEqual(more, {"clang-format-14", "libgtest-dev", "ccache", "python3-pip",
+                                "python3-venv", "python3-setuptools", "python3-wheel"})
+
+    def test_run_builds_no_tests(self):
+        _, calls = self.run_with("run", "--no-install")
+        self.assertIn("-DASPERITY_ENABLE_TESTS=OFF", calls[0])
+        (self.system / "build" / "CMakeCache.txt").touch()
+        _, calls = self.run_with("run", "--no-install")
+        self.assertNotIn("ASPERITY_ENABLE_TESTS", calls[0])
+
+    def test_a_release_without_clang_format_14(self):
+        self.release_without("clang-format-14", "python3-wheel")
+        printed, calls = self.run_with("test")
+        self.assertNotIn("clang-format", printed)
+        self.assertNotRegex(" ".join(self.installs(calls)), r"clang-format|python3-wheel|[|]| - ")
+        self.assertIn("libgtest-dev", self.installs(calls))
+
+    def test_a_release_without_epetra(self):
+        """As with Trilinos 17, also beside another release that has Epetra of Trilinos 16."""
+        for lacking, version in (["libtrilinos-epetra-dev", "libtrilinos-epetraext-dev"],
+                                 "17.0-1"), ([], "16.1-5"):
+            self.release_without(*lacking, epetra=version)
+            names = self.installs(self.run_with("run")[1])
+            self.assertNotIn("epetra", " ".join(names))
+            self.assertIn("libtrilinos-tpetra-dev", names)
+
+    def test_a_fallback_has_the_other_name(self):
+        script = self.system / "other" / "cmake" / "quickstart.sh"
+        script.parent.mkdir(parents=True)
+        for path in QUICKSTART.parent.glob("quickstart*.sh"):
+            text = path.read_text().replace("libcli11-dev", "libcli11-dev|libcli12-dev")
+            (script.parent / path.name).write_text(text)
+        for lacking, found in (("libcli11-dev", "libcli12-dev"), ("libcli12-dev", "libcli11-dev")):
+            self.release_without(lacking)
+            names = self.installs(self.run_with("run", script=script)[1])
+            self.assertIn(found, names)
+            self.assertNotIn(lacking, names)
+
+    def test_a_release_without_what_is_needed(self):
+        self.release_without("libmuparser-dev", "libgmsh-dev")
+        printed, calls = self.run_with("run", status=1)
+        self.assertRegex(printed, "this release does not have, of what the build needs,\n"
+                         " *expressions in decks: libmuparser-dev\n")
+        self.assertNotIn("cmake", self.programs(calls))
+        self.assertFalse([call for call in calls if " install " in call])
+
+    def test_lists_that_were_never_fetched(self):
+        """Then names stand for themselves, and apt-get says what it does not find."""
+        self.stand_in(self.system / "apt-cache", "#!/bin/sh\n")
+        names = self.installs(self.run_with("test")[1])
+        self.assertIn("clang-format-14", names)
+        self.assertNotIn("|", " ".join(names))
 
     def test_installs_what_is_missing(self):
         printed, calls = self.run_with("run", "--jobs", "3", "--output", "here")
@@ -66,9 +149,7 @@ class QuickStart(unittest.TestCase):
         self.assertIn("No package is installed, because of --no-install.", printed)
 
     def test_installs_nothing_that_is_there(self):
-        _, calls = self.run_with("run")
-        names = next(call for call in calls if " install -y " in call).split()
-        names = names[names.index("--no-install-recommends") + 1:]
+        names = self.installs(self.run_with("run")[1])
         listing = "".join(f"echo 'installed {name}'\n" for name in names)
         self.stand_in(self.system / "dpkg-query", STAND_IN + listing)
         printed, calls = self.run_with("run")
