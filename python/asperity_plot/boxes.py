@@ -2,6 +2,7 @@
 
 from typing import Dict, List, Tuple
 
+import matplotlib
 import numpy as np
 
 from asperity.errors import NothingToShow
@@ -13,6 +14,8 @@ from .windows import View
 QUANTITIES = (("Recurrence time", "recurrence", "s"), ("Rupture width", "width", "m"),
               ("Peak slip", "peak_slip", "m"), ("Duration", "duration", "s"),
               ("Peak slip rate", "peak_slip_rate", "m/s"))
+HORIZONTAL = {"orientation": "horizontal"} if matplotlib.__version_info__ >= (3, 10) \
+    else {"vert": False}  # of boxplot; the old name is deprecated
 
 
 def samples(run: Run) -> Dict[str, np.ndarray]:
@@ -81,7 +84,7 @@ def _box(axes, label: str, values: np.ndarray, name: str) -> None:
                   color=style.GREY)
         return
     shown = unit(values)
-    axes.boxplot(shown, vert=False, positions=[0.0], widths=0.55, whis=(0, 100),
+    axes.boxplot(shown, **HORIZONTAL, positions=[0.0], widths=0.55, whis=(0, 100),
                  manage_ticks=False, patch_artist=True,
                  boxprops={"facecolor": "#d5e0ea", "edgecolor": style.BLUE},
                  medianprops={"color": style.ORANGE, "linewidth": 1.8},

@@ -120,7 +120,7 @@ def write_totals(path: Path, times: np.ndarray) -> None:
     rate = SHEAR_MODULUS * 100.0 * slip_rate(times, depth).sum(axis=1)
     moment = SHEAR_MODULUS * 100.0 * slip(times, depth).sum(axis=1)
     rows = ["time [s],peak_slip_rate [m/s],moment_rate_per_length [N/s],moment_per_length [N]"]
-    rows += [f"{time!r},{1.0!r},{now!r},{total!r}" for time, now, total in zip(times, rate, moment)]
+    rows += [f"{time},{1.0},{now},{total}" for time, now, total in zip(times, rate, moment)]
     path.write_text("\n".join(rows) + "\n")
 
 
@@ -129,9 +129,9 @@ def write_events(path: Path) -> None:
             "moment_per_length [N],nucleation [m],complete,kinetic_energy [J/m],"
             "friction_work [J/m],numerical_dissipation [J/m],energy_defect [J/m]"]
     for number, (onset, offset) in enumerate(zip(ONSETS, offsets()), start=1):
-        rows.append(f"{number},{onset!r},{onset + duration()!r},{duration()!r},18000,{offset!r},"
-                    f"{offset / RISE!r},{SHEAR_MODULUS * 16.5e3 * offset!r},12000,1,"
-                    f"{1e3 * number!r},{1e9 * number!r},{2e5 * number!r},{-3e4 * number!r}")
+        rows.append(f"{number},{onset},{onset + duration()},{duration()},18000,{offset},"
+                    f"{offset / RISE},{SHEAR_MODULUS * 16.5e3 * offset},12000,1,"
+                    f"{1e3 * number},{1e9 * number},{2e5 * number},{-3e4 * number}")
     path.write_text("\n".join(rows) + "\n")
 
 
@@ -139,6 +139,6 @@ def write_steps(path: Path, times: np.ndarray) -> None:
     """Two coupled steps for each accepted one, three rate problems, five iterations."""
     rows = ["step,time [s],step_size [s],peak_slip_rate [m/s],fixed_point_iterations,"
             "coupled_steps,rate_problems,tnnmg_iterations,v_cycles,failed_steps"]
-    rows += [f"{step},{times[step]!r},{times[step] - times[step - 1]!r},1e-9,2,2,3,5,0,0"
+    rows += [f"{step},{times[step]},{times[step] - times[step - 1]},1e-9,2,2,3,5,0,0"
              for step in range(1, times.size)]
     path.write_text("\n".join(rows) + "\n")

@@ -141,8 +141,8 @@ def write_events(path: Path, times, positions, rate, events) -> None:
         ruptured = positions[seismic.any(axis=0)]
         steps = np.diff(times, prepend=0.0)[:, None]
         slip = np.sum(np.where(seismic, rate * steps, 0.0), axis=0).max()
-        rows.append(f"{number},{active[0]!r},{active[-1]!r},{active[-1] - active[0]!r},"
-                    f"{ruptured[-1] - ruptured[0]!r},{slip!r},{rate[near].max()!r},nan,{CENTRE},1")
+        rows.append(f"{number},{active[0]},{active[-1]},{active[-1] - active[0]},"
+                    f"{ruptured[-1] - ruptured[0]},{slip},{rate[near].max()},nan,{CENTRE},1")
     path.write_text("\n".join(rows) + "\n")
 
 
@@ -153,9 +153,9 @@ def write_steps(path: Path, times, rate) -> None:
     work = np.cumsum(0.05 * np.diff(times) * rate[1:].mean(axis=1)) * 1e3
     for step in range(1, times.size):
         iterations = 2 + (step % 7 == 0) + 2 * (step % 61 == 0)
-        rows.append(f"{step},{times[step]!r},{times[step] - times[step - 1]!r},"
-                    f"{rate[step].max()!r},{iterations},{0.5 * rate[step].mean()**2!r},"
-                    f"{12.0 + PLATE_RATE * times[step] * 50 - work[step - 1]!r},"
-                    f"{PLATE_RATE * times[step] * 50!r},{work[step - 1]!r},"
-                    f"{1e-9 * work[step - 1] * np.sin(0.01 * step)!r}")
+        rows.append(f"{step},{times[step]},{times[step] - times[step - 1]},"
+                    f"{rate[step].max()},{iterations},{0.5 * rate[step].mean()**2},"
+                    f"{12.0 + PLATE_RATE * times[step] * 50 - work[step - 1]},"
+                    f"{PLATE_RATE * times[step] * 50},{work[step - 1]},"
+                    f"{1e-9 * work[step - 1] * np.sin(0.01 * step)}")
     path.write_text("\n".join(rows) + "\n")

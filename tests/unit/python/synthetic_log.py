@@ -38,10 +38,10 @@ def write(folder: Path, steps: int, cycles: int, ending="", flushed=None, every=
         step = (number - 1) % (CALM_STEPS + EVENT_STEPS)
         if step == CALM_STEPS or (aftershocks and step == CALM_STEPS + EVENT_STEPS // 8):
             onsets.append(time)
-        rows.append(f"{number},{time!r},{time - (times[number - 2] if number > 1 else 0.0)!r},"
+        rows.append(f"{number},{time},{time - (times[number - 2] if number > 1 else 0.0)},"
                     f"{0.1 if in_event else 1e-9},{9 if number == 77 else 2},1,"
-                    f"{40 if number == 77 else 3},0,{1 if number == 77 else 0},{2.0 * time!r},"
-                    f"{-1e-9 * time!r}")
+                    f"{40 if number == 77 else 3},0,{1 if number == 77 else 0},{2.0 * time},"
+                    f"{-1e-9 * time}")
         if number % every == 0 or number == len(times):
             plural = "" if len(onsets) == 1 else "s"
             lines.append(
@@ -52,7 +52,7 @@ def write(folder: Path, steps: int, cycles: int, ending="", flushed=None, every=
     (folder / "steps.csv").write_text("\n".join(table) + "\n")
     known = float(table[-1].split(",")[1]) if len(table) > 1 else 0.0
     events = ["number,onset [s],end [s],duration [s],peak_slip [m],complete"]
-    events += [f"{number},{onset!r},{onset + EVENT!r},{EVENT},0.1,1"
+    events += [f"{number},{onset},{onset + EVENT},{EVENT},0.1,1"
                for number, onset in enumerate(onsets, start=1) if onset <= known]
     (folder / "events.csv").write_text("\n".join(events) + "\n")
     (folder / "run.log").write_text("\n".join(lines) + "\n" + ending)
