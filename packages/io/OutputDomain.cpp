@@ -169,9 +169,16 @@ detail::CurveOrder orderAlong(OutputDomain const& domain, Mesh<2> const& mesh,
   for (std::size_t i = 0; i < all_ids.size(); ++i) {
     coordinates[all_ids[i]] = {all_coordinates[2 * i], all_coordinates[2 * i + 1]};
   }
-  return detail::orderCurve(segments, coordinates);
+  return detail::orderCurve(segments, coordinates, domain.start);
 }
 } // namespace
+
+std::string startText(OutputDomain const& domain)
+{
+  return domain.start == CurveStart::upper_end
+           ? "its upper end (greater y; of ends equally high the one with smaller x)"
+           : "the end with smaller x (of equal x, with smaller y)";
+}
 
 template <int Dim>
 OutputDomain boundaryDomain(std::string const& name, Mesh<Dim> const& mesh,
@@ -191,6 +198,7 @@ OutputDomain boundaryDomain(std::string const& name, Mesh<Dim> const& mesh,
   ASPERITY_REQUIRE(nodes > 0, "The boundary '" << boundary << "', to be the " << name
                                                << ", has no facets. Check the mesh.");
   if constexpr (Dim == 2) {
+    domain.start = name == "surface" ? CurveStart::smaller_x : CurveStart::upper_end;
     const detail::CurveOrder order = orderAlong(domain, mesh, facets);
     numberAlong(domain, mesh, facets, order.vertex_ids);
     for (const GlobalOrdinal node : domain.node_numbers) {

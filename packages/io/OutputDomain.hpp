@@ -8,6 +8,11 @@
 
 namespace asperity::io
 {
+// The end of a curve at which its positions are 0. The upper end is the one with the greater y; of
+// ends that are equally high the one with the smaller x. Of surfaces, which are level but for their
+// relief, it is always the one with the smaller x (then y).
+enum class CurveStart { upper_end, smaller_x };
+
 // Where fields live: a boundary or the volume, as this rank sees it.
 //
 // Nodes are this rank's owned vertices that belong to the domain, in the order of the mesh. Every
@@ -31,6 +36,8 @@ struct OutputDomain
   std::vector<GlobalOrdinal> connectivity; // (num_owned_elements, nodes_per_element), by number
   std::vector<double> corners;             // (num_owned_elements, nodes_per_element, dimension) [m]
 
+  CurveStart start = CurveStart::upper_end; // of positions
+
   // In a periodic mesh an element may reach across a period: its corners above lie next to each
   // other, but the coordinates of its nodes do not.
   bool is_periodic = false;
@@ -41,11 +48,14 @@ struct OutputDomain
   bool isCurve() const { return dimension == 2 && nodes_per_element == 2; }
 };
 
+// "its upper end (greater y; ...)": where positions are 0, for descriptions of files.
+std::string startText(OutputDomain const& domain);
+
 // The domain `name` made of the mesh's boundary `boundary` (num_owned may be 0 on a rank).
 //
-// In two dimensions positions are the distance along the boundary from its first end, which is the
-// end with the smaller coordinates (x, then y). Each further piece of a boundary continues where
-// the piece before it ended; a closed curve starts at the vertex with the smallest coordinates.
+// In two dimensions positions are the distance along the boundary from its upper end, as
+// seismologists count them on a fault; along a domain that is called "surface" from the end with
+// the smaller x. Each further piece of a boundary continues where the piece before it ended.
 // Throws InputError if the mesh has no boundary of that name, or if the boundary has no facets on
 // any rank. Collective.
 template <int Dim>

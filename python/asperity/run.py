@@ -7,11 +7,13 @@ from typing import List, Optional, Tuple, Union
 
 import numpy as np
 
+from . import catalogue
 from .errors import InputError
 from .h5file import H5File
 from .history import History
 from .parameters import Parameters
 from .receivers import Receivers
+from .selection import Selection
 from .stations import Stations
 from .tables import Table, read_table
 
@@ -22,9 +24,10 @@ class Run:
     """A result directory; InputError unless it holds one of FILES.
 
     What has been read is kept: `again()` shows what a run that goes on has written since.
+    `selection` says which events count, in all that is read or drawn of them.
     """
 
-    def __init__(self, directory: Union[str, Path]):
+    def __init__(self, directory: Union[str, Path], selection: Selection = Selection()):
         directory = Path(directory)
         if not directory.is_dir():
             raise InputError(f"{directory} is not a directory. Give the folder in which a run of "
@@ -33,10 +36,17 @@ class Run:
             raise InputError(f"{directory} holds no result of a run: none of {', '.join(FILES)} "
                              "is in it.")
         self.directory = directory
+        self.selection = selection
 
     def again(self) -> "Run":
         """The same directory as it is now."""
-        return Run(self.directory)
+        return Run(self.directory, self.selection)
+
+    def select(self, smallest_width: float = 0.0, smallest_magnitude: Optional[float] = None,
+               merging_time: float = 0.0) -> "Run":
+        """The same run with fewer events: without those of a smaller width [m] or magnitude, and
+        with those as one that follow one another within `merging_time` [s]."""
+        return Run(self.directory, Selection(smallest_width, smallest_magnitude, merging_time))
 
     def has(self, name: str) -> bool:
         return (self.directory / name).exists()
@@ -86,8 +96,12 @@ class Run:
 
     @cached_property
     def events(self) -> Table:
-        """All events in the order of time."""
-        return read_table(self._path("events.csv"), ["onset", "duration"])
+        """The events that count, in the order of time; `nucleation` is from the upper end."""
+        table = read_table(self._path("events.csv"), ["onset", "duration"])
+        geometry = next((name for name in ("fault.h5", "rupture.h5") if self.has(name)), None)
+        table = catalogue.with_origin(table, H5File(self.directory / geometry)
+                                      if geometry and catalogue.NUCLEATION in table else None)
+        return catalogue.select(table, self.selection)
 
     @cached_property
     def complete_events(self) -> Table:

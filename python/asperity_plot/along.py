@@ -5,6 +5,7 @@ from typing import Tuple
 
 import numpy as np
 
+from asperity.catalogue import begins_at_upper_end
 from asperity.h5file import H5File
 from asperity.history import positions
 from asperity.run import Run
@@ -37,6 +38,12 @@ class Axis:
         return (np.asarray(metres, dtype=float) - self.origin) * self.sign
 
     @property
+    def range(self) -> Tuple[float, float]:
+        """What is worth showing, as the limits of a vertical axis: depth grows downwards."""
+        low, high = sorted(self(self.limits).tolist())
+        return (high, low) if self.is_depth else (low, high)
+
+    @property
     def label(self) -> str:
         return f"{self.name} [{self.unit.name}]"
 
@@ -44,7 +51,8 @@ class Axis:
 def axis(run: Run, file: H5File, place: str) -> Axis:
     """The axis of the 'fault' or 'surface' whose nodes `file` lists.
 
-    Depth on a vertical fault below y = 0, x on a horizontal one, else the distance from its start.
+    Depth on a vertical fault below y = 0, x on a horizontal one, else the distance from the upper
+    end of a fault, and from the start of a surface.
     """
     where = positions(file)
     name, origin, sign, is_depth = f"Position along the {place}", 0.0, 1.0, False
@@ -53,9 +61,14 @@ def axis(run: Run, file: H5File, place: str) -> Axis:
     elif file.has("geometry/coordinates"):
         nodes = file.array("geometry/coordinates")
         if _is_vertical(run, nodes, where):
-            name, origin, sign, is_depth = "Depth", where[-1] - nodes[-1, 1], -1.0, True
+            sign = 1.0 if begins_at_upper_end(nodes, where) else -1.0
+            name, origin, is_depth = "Depth", -nodes[0, 1], True
         elif _is_constant(nodes[:, 1], where):
             origin = nodes[0, 0]
+        elif place == "fault":
+            name = "Distance from the upper end of the fault"
+            if not begins_at_upper_end(nodes, where):
+                origin, sign = where[-1], -1.0
     limits = _limits(file, where)
     shown = units.length(origin + sign * np.array(limits))
     return Axis(name, shown, origin, sign, limits, is_depth)

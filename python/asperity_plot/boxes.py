@@ -16,6 +16,8 @@ QUANTITIES = (("Recurrence time", "recurrence", "s"), ("Rupture width", "width",
               ("Peak slip rate", "peak_slip_rate", "m/s"))
 HORIZONTAL = {"orientation": "horizontal"} if matplotlib.__version_info__ >= (3, 10) \
     else {"vert": False}  # of boxplot; the old name is deprecated
+SIZES = (("Moment per length", "moment_per_length", "N"), ("Moment", "moment", "N m"),
+         ("Magnitude Mw", "magnitude", ""))
 
 
 def samples(run: Run) -> Dict[str, np.ndarray]:
@@ -28,28 +30,40 @@ def samples(run: Run) -> Dict[str, np.ndarray]:
     if "width" in columns:
         columns["width"] = columns["width"][columns["width"] > 0.0]
     return {name: columns[name][np.isfinite(columns[name])] if name in columns else np.empty(0)
-            for _, name, _ in QUANTITIES}
+            for _, name, _ in QUANTITIES + SIZES}
+
+
+def quantities(run: Run):
+    """QUANTITIES and those of SIZES that the run has: per length on a curve, else both others."""
+    return QUANTITIES + tuple(each for each in SIZES if each[1] in run.events)
 
 
 def summary(run: Run) -> List[Tuple[str, int, str, str, str]]:
     """Rows of name, count, lower quartile, median, upper quartile, for the terminal."""
     rows = []
     values_of = samples(run)
-    for label, name, unit in QUANTITIES:
+    for label, name, unit in quantities(run):
         values = values_of[name]
         if values.size:
             quartiles = np.percentile(values, [25, 50, 75])
-            rows.append((label, values.size, *(units.text(q, unit) for q in quartiles)))
+            rows.append((label, values.size, *(_text(q, unit) for q in quartiles)))
     return rows
+
+
+def _text(value: float, unit: str) -> str:
+    """Moments have no prefix; a magnitude is a number alone."""
+    return units.text(value, unit) if unit not in ("N", "N m", "") \
+        else f"{value:.3g} {unit}" if unit else f"{value:.2f}"
 
 
 def draw(run: Run, view: View):
     """The figure; NothingToShow for a run without a complete event."""
     if not len(run.complete_events):
         raise NothingToShow("the run has no complete event")
-    figure, axes = style.panels(len(QUANTITIES), 1, (7.5, 6.2))
+    shown = quantities(run)
+    figure, axes = style.panels(len(shown), 1, (7.5, 0.95 + 1.05 * len(shown)))
     values = samples(run)
-    for panel, (label, name, unit) in zip(axes[:, 0], QUANTITIES):
+    for panel, (label, name, unit) in zip(axes[:, 0], shown):
         _box(panel, label, values[name], unit)
     count = style.counted(len(run.complete_events), "event")
     style.title(figure, f"Recurrence, size and speed of {count}")
@@ -62,20 +76,25 @@ def _note(run: Run) -> str:
     """Of what the box of widths leaves out."""
     single = int(np.sum(run.complete_events["width"] == 0.0)) \
         if "width" in run.complete_events else 0
-    return f"\nwithout width: {style.counted(single, 'event')} of a single node" if single else ""
+    note = f"\nwithout width: {style.counted(single, 'event')} of a single node" if single else ""
+    return note + (f"\n{run.selection}" if run.selection else "")
 
 
-def _unit(values: np.ndarray, name: str) -> units.Unit:
+def unit_of(values: np.ndarray, name: str) -> units.Unit:
     if name == "s":
         return units.duration(units.largest(values))
+    if not name:
+        return units.Unit("", 1.0)
+    if name in ("N", "N m"):
+        return units.scientific(values, name)
     return units.length(values) if name == "m" else units.prefixed(values, name)
 
 
 def _box(axes, label: str, values: np.ndarray, name: str) -> None:
     """Whiskers reach to the extremes; every event is a faint point below the box."""
     axes.set_ylim(-0.75, 0.6)
-    unit = _unit(values, name)
-    axes.set_yticks([0.0], [f"{label} [{unit.name}]"])
+    unit = unit_of(values, name)
+    axes.set_yticks([0.0], [f"{label} [{unit.name}]" if name else label])
     axes.tick_params(axis="y", length=0)
     axes.spines["left"].set_visible(False)
     if not values.size:
@@ -92,5 +111,5 @@ def _box(axes, label: str, values: np.ndarray, name: str) -> None:
     axes.plot(shown, np.full(shown.size, -0.52), "|", color=style.GREY, markersize=6, alpha=0.6)
     axes.grid(axis="x")
     axes.set_axisbelow(True)
-    axes.set_title(f"median {units.text(float(np.median(values)), name)}", loc="right",
+    axes.set_title(f"median {_text(float(np.median(values)), name)}", loc="right",
                    fontsize=8.5, color=style.ORANGE, pad=1)

@@ -5,6 +5,7 @@ import sys
 from pathlib import Path
 from typing import List, Optional, Tuple
 
+from asperity import selection
 from asperity.durations import seconds
 
 MODULES = {"numpy": "python3-numpy", "h5py": "python3-h5py", "matplotlib": "python3-matplotlib"}
@@ -69,6 +70,7 @@ def _parse(arguments: Optional[List[str]]) -> argparse.Namespace:
     parser.add_argument("--at", metavar="DEPTH[,DEPTH...]", type=_lengths, default=(),
                         help="depths or positions on the fault [m] of the slips in the table of "
                              "events (default: the receivers)")
+    selection.add_options(parser)
     parser.add_argument("--dpi", type=int, default=200, help="dots per inch (default: 200)")
     return parser.parse_args(arguments)
 

@@ -17,13 +17,15 @@ COUNTS = (("coupled_steps", "coupled steps"), ("rate_problems", "rate problems")
           ("failed_steps", "failed steps"))  # of each step, in steps.csv
 ENERGIES = ("friction_work", "viscous_work", "numerical_dissipation", "kinetic_energy",
             "elastic_energy", "energy_defect")  # of each event, in events.csv
+MOMENT_NOTE = ("Moments and largest slips count a node only while it is at least that fast; the figure "
+               "moment_rate counts all slip of the fault from onset to end, which is more.")
 YEAR_NOTE = "A year has 365.25 days."
 
 
 def text(run: Run, view: View) -> str:
     """All tables for which the run left data; InputError without events.csv."""
     if not len(run.events):
-        return "No event."
+        return f"No event. {run.selection}".strip()
     parts = ["### Events", table(events(run, view)), _event_note(run)]
     for heading, columns, note in (("Cycles", cycles, CYCLE_NOTE),
                                    ("Energy of the events", energy, ENERGY_NOTE)):
@@ -155,7 +157,8 @@ def _event_note(run: Run) -> str:
     cut = " The end of the run cut off the last event." \
         if len(run.complete_events) < len(run.events) else ""
     return (f"Events are times with a slip rate of at least {threshold} anywhere; slip at a place "
-            f"is all of it from onset to end. {YEAR_NOTE}{cut}")
+            f"is all of it from onset to end. {MOMENT_NOTE} {YEAR_NOTE}{cut}"
+            + (f" {run.selection}" if run.selection else ""))
 
 
 CYCLE_NOTE = "A cycle is all steps from the end of the event before to the end of this one."

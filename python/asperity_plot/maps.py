@@ -94,4 +94,4 @@ def zoom_unit(view: View) -> units.Unit:
 def position_axis(axes: List[Axes], along: Axis) -> None:
     """Labels the shared axis of positions; depth grows downwards."""
     axes[0].set_ylabel(along.label)
-    axes[0].set_ylim(along(along.limits))
+    axes[0].set_ylim(along.range)

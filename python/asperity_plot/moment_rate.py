@@ -34,6 +34,8 @@ def draw(run: Run, view: View):
         panel.set_xlabel(f"Time since the onset of the event [{clock.name}]")
         panel.margins(x=0.02)
         panel.grid(True)
+    figure.supxlabel("all slip of the fault from onset to end, also slower than the threshold of "
+                     "events.csv, whose moments are smaller", fontsize=8.5, color=style.DARK)
     style.title(figure, "Moment of the events" + (" per length of the fault" if per_length else ""))
     return figure
 

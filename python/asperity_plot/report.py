@@ -5,6 +5,7 @@ from argparse import Namespace
 from pathlib import Path
 from typing import List, Optional
 
+from asperity import selection
 from asperity.errors import InputError, NothingToShow, OtherDimension
 from asperity.run import Run
 
@@ -34,7 +35,7 @@ FIGURES = {  # name: (module with draw(run, view), the file it needs)
 def report(options: Namespace) -> int:
     """Exit status: 0, or 2 if the input is at fault; the other figures are drawn nevertheless."""
     try:
-        run = Run(options.directory)
+        run = Run(options.directory, selection.chosen(options))
         view = windows.choose(run, options.window, _options(options))
         if options.events:
             print(event_table.text(run, view))
@@ -105,11 +106,15 @@ def _print_summary(run: Run) -> None:
     unfinished = len(run.events) - len(run.complete_events)
     last = "the last of them " if len(run.events) > 1 else ""
     remark = f", {last}cut off by the end of the run" if unfinished else ""
-    print(f"\n{count[0].upper()}{count[1:]}{remark}.")
+    print(f"\n{count[0].upper()}{count[1:]}{remark}.{with_space(run)}")
     if rows:
         print(f"{'':<17}{'number':>7}{'quartile':>12}{'median':>12}{'quartile':>12}")
     for name, count, low, median, high in rows:
         print(f"{name:<17}{count:>7}{low:>12}{median:>12}{high:>12}")
+
+
+def with_space(run: Run) -> str:
+    return f" {run.selection}" if run.selection else ""
 
 
 def _status(errors: List[str]) -> int:

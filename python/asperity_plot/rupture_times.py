@@ -7,7 +7,7 @@ import numpy as np
 from asperity.errors import NothingToShow
 from asperity.run import Run
 
-from . import along, style, units
+from . import along, style, units, windows
 from .windows import View
 
 
@@ -43,8 +43,25 @@ def draw(run: Run, view: View):
 def after_onset(run: Run, view: View) -> Tuple[np.ndarray, np.ndarray]:
     """Numbers (n) of the events that began in the time shown, and (n, n_nodes) arrivals [s]
     since their onsets, nan where they did not arrive."""
+    if run.selection and run.has("events.csv"):
+        return _of_selected(run, view)
     numbers, onsets = run.ruptures.array("number"), run.ruptures.array("onset")
     rows = np.flatnonzero((onsets >= view.sequence[0]) & (onsets <= view.sequence[1]))
     times = run.ruptures.array("rupture_time")[rows] - onsets[rows, None]
     arrived = np.isfinite(times).any(axis=1)
     return numbers[rows][arrived].astype(int), times[arrived]
+
+
+def _of_selected(run: Run, view: View) -> Tuple[np.ndarray, np.ndarray]:
+    """As `after_onset` of the events that count: first arrivals from onset to end of each."""
+    events = run.events.select((run.events["onset"] >= view.sequence[0])
+                               & (run.events["onset"] <= view.sequence[1]))
+    times = run.ruptures.array("rupture_time")
+    numbers, arrivals = [], []
+    for row, (onset, duration) in enumerate(zip(events["onset"], events["duration"])):
+        inside = np.where((times >= onset) & (times <= onset + duration), times, np.inf)
+        first = inside.min(axis=0, initial=np.inf) - onset
+        if np.isfinite(first).any():
+            numbers.append(windows.number(events, row))
+            arrivals.append(np.where(np.isfinite(first), first, np.nan))
+    return np.array(numbers, dtype=int), np.array(arrivals).reshape(-1, times.shape[1])

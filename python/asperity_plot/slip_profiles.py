@@ -71,13 +71,12 @@ def _draw(axes: Axes, run: Run, families: List[profiles.Family], where: along.Ax
             x, y = (slip, shown) if where.is_depth else (shown, slip)
             label = f"every {units.plain(each.interval, 's')}" if number == 0 else None
             axes.plot(x, y, color=colour, linewidth=0.6, label=label)
-    limits = where(where.limits)
     label = profiles.label(run, unit)
     if where.is_depth:
-        axes.set_ylim(limits)
+        axes.set_ylim(where.range)
         axes.set(xlabel=label, ylabel=where.label)
     else:
-        axes.set_xlim(limits)
+        axes.set_xlim(where.range)
         axes.margins(y=0.08)
         axes.set(xlabel=where.label, ylabel=label)
         style.shade_zone(axes, run, where)

@@ -5,6 +5,8 @@ import sys
 from pathlib import Path
 from typing import List, Optional
 
+from asperity import selection
+
 INPUT_ERROR = 2
 
 
@@ -19,7 +21,7 @@ def main(arguments: Optional[List[str]] = None) -> int:
                       "python3-matplotlib"])
     path = options.output or options.directory / "report.html"
     try:
-        text, wrong = report(options.directory)
+        text, wrong = report(options.directory, selection.chosen(options))
         path.write_text(text, encoding="utf-8")
     except InputError as error:
         return _fail([str(error)])
@@ -36,6 +38,7 @@ def _parse(arguments: Optional[List[str]]) -> argparse.Namespace:
         description="Writes one page of HTML about a run of asperity, which needs no network: "
                     "parameters, events, figures, solver, provenance.")
     parser.add_argument("directory", metavar="DIR", type=Path, help="the run's output directory")
+    selection.add_options(parser)
     parser.add_argument("--output", metavar="FILE", type=Path,
                         help="the page (default: report.html in the run's directory)")
     return parser.parse_args(arguments)

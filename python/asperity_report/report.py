@@ -6,6 +6,7 @@ from typing import List, Tuple
 from asperity.errors import InputError
 from asperity.log import RunLog
 from asperity.run import Run
+from asperity.selection import Selection
 from asperity_plot import windows
 from asperity_status.facts import facts
 
@@ -14,9 +15,9 @@ from . import figures, page, provenance, sections
 SILENT_AFTER = 1800.0  # [s], as asperity-status
 
 
-def report(directory: Path) -> Tuple[str, List[str]]:
+def report(directory: Path, selection: Selection = Selection()) -> Tuple[str, List[str]]:
     """The page, and what is wrong with single files; InputError if there is no run."""
-    run = Run(directory)
+    run = Run(directory, selection)
     log = RunLog.read(directory / "run.log")
     wrong: List[str] = []
     parts = [("state", "State", sections.summary(facts(directory, SILENT_AFTER))),

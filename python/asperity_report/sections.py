@@ -41,7 +41,7 @@ def _columns(columns: List[Column]) -> str:
 def events(run: Run, view: View, wrong: List[str]) -> str:
     try:
         if not len(run.events):
-            return page.paragraph("No event.")
+            return page.paragraph(f"No event. {run.selection}".strip())
         parts = [page.table(["", "events", "lower quartile", "median", "upper quartile"],
                             boxes.summary(run)),
                  _columns(event_table.events(run, view))]
@@ -51,7 +51,8 @@ def events(run: Run, view: View, wrong: List[str]) -> str:
             except NothingToShow:
                 pass
         return "\n".join(parts) + page.paragraph(
-            event_table.CYCLE_NOTE + " " + event_table.ENERGY_NOTE, "note")
+            " ".join((str(run.selection), event_table.MOMENT_NOTE, event_table.CYCLE_NOTE,
+                      event_table.ENERGY_NOTE)).strip(), "note")
     except InputError as error:
         wrong.append(str(error))
         return page.paragraph(str(error), "wrong")

@@ -7,6 +7,8 @@ import sys
 from pathlib import Path
 from typing import List, Optional
 
+from asperity import selection
+
 DONE, INPUT_ERROR, SOME_FAILED, STOPPED = 0, 2, 3, 4
 ENDS = """exit status:
   0   all runs are finished
@@ -24,6 +26,7 @@ def main(arguments: Optional[List[str]] = None) -> int:
         return _fail(f"{error}. On Debian: apt-get install python3-numpy python3-h5py "
                      "python3-matplotlib")
     try:
+        chosen = selection.chosen(options)
         what = study.read(options.study)
         values = what.runs()
         if options.list:
@@ -39,10 +42,10 @@ def main(arguments: Optional[List[str]] = None) -> int:
         team.validate([job for job in jobs if job.state == "waiting"])
         _remember(folder, what, values)
         complete = team.run(jobs)
-        table = results.columns(what, jobs, values)
+        table = results.columns(what, jobs, values, chosen)
         for path in results.write(folder, table):
             print(path)
-        print(figure.draw(what, table, folder / "study.png"))
+        print(figure.draw(what, table, folder / "study.png", str(chosen)))
     except InputError as error:
         return _fail(str(error))
     except OSError as error:
@@ -96,6 +99,7 @@ def _parse(arguments: Optional[List[str]]) -> argparse.Namespace:
     parser.add_argument("--mpirun", metavar="COMMAND", default="mpirun",
                         help="starts runs with more than one rank, with its options (default: "
                              "mpirun)")
+    selection.add_options(parser)
     parser.add_argument("--list", action="store_true", help="only say which runs there would be")
     return parser.parse_args(arguments)
 

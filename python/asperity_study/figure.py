@@ -8,13 +8,13 @@ import numpy as np
 from asperity_plot import boxes, style, units
 
 from .results import Column
-from .study import Study
+from .study import Study, Variable
 
 MOST_LABELS = 40
 
 
-def draw(study: Study, table: List[Column], path: Path) -> Path:
-    """Rows: number of events, quartiles of what describes them, steps and wall time."""
+def draw(study: Study, table: List[Column], path: Path, note: str = "") -> Path:
+    """Rows: number of events, quartiles of what describes them, steps and wall time; below, a note."""
     style.use()
     data = {name: values for name, _, values in table}
     places, names = _places(study, data)
@@ -40,33 +40,38 @@ def draw(study: Study, table: List[Column], path: Path) -> Path:
     if names:
         axes[-1, 0].set_xticks(places[0][1], names, rotation=90, fontsize=7)
     style.title(figure, f"{len(data['run'])} runs of {study.deck.stem}; lines: quartiles")
+    if note:
+        figure.supxlabel(note, fontsize=8.5, color=style.DARK)
     return style.save(figure, path, 150)
 
 
 def _places(study: Study, data: Dict):
     """Where runs stand: side by side under their values, or over each variable sampled."""
     if study.sampling == "Random":
-        return [(f"{each.name} [{each.unit}]" if each.unit else each.name,
-                 np.array(data[each.name], dtype=float)) for each in study.variables], []
+        return [(_label(each), np.array(data[each.name], dtype=float))
+                for each in study.variables], []
     names = [", ".join(f"{data[each.name][run]:g}" if isinstance(data[each.name][run], float)
                        else data[each.name][run] for each in study.variables)
              for run in range(len(data["run"]))]
-    label = ", ".join(each.name for each in study.variables)
+    label = ", ".join(_label(each) for each in study.variables)
     return [(label, np.array(data["run"]))], names if len(names) <= MOST_LABELS else []
+
+
+def _label(variable: Variable) -> str:
+    return f"{variable.name} [{variable.unit}]" if variable.unit else variable.name
 
 
 def _rows(data: Dict):
     """(label, middles, (lower, upper), whether logarithmic)."""
     yield "Events", _numbers(data, "complete_events"), None, False
-    for label, name, unit in boxes.QUANTITIES:
+    for label, name, unit in boxes.QUANTITIES + boxes.SIZES:
         middle = _numbers(data, f"{name}_median")
         if middle is None or not np.isfinite(middle).any():
             continue
-        shown = units.duration(units.largest(middle)) if unit == "s" \
-            else units.length(middle) if unit == "m" else units.prefixed(middle, unit)
+        shown = boxes.unit_of(middle, unit)
         ends = tuple(shown(_numbers(data, f"{name}_{word}"))
                      for word in ("lower_quartile", "upper_quartile"))
-        yield f"{label}\n[{shown.name}]", shown(middle), ends, False
+        yield f"{label}\n[{shown.name}]" if unit else label, shown(middle), ends, False
     yield "Steps", _numbers(data, "steps"), None, True
     wall = _numbers(data, "wall_time")
     if wall is not None:

@@ -11,6 +11,7 @@ import numpy as np
 from asperity.errors import InputError
 from asperity.log import RunLog
 from asperity.run import Run
+from asperity.selection import Selection
 from asperity_plot import boxes
 
 from .runner import Job
@@ -22,9 +23,10 @@ COSTS = ("coupled_steps", "rate_problems", "tnnmg_iterations", "v_cycles", "fail
 Column = Tuple[str, str, List]  # name, unit, a value for each run
 
 
-def columns(study: Study, jobs: List[Job], values: List[Dict[str, str]]) -> List[Column]:
-    """nan or -1 where a run did not tell."""
-    rows = [_row(job) for job in jobs]
+def columns(study: Study, jobs: List[Job], values: List[Dict[str, str]],
+            selection: Selection = Selection()) -> List[Column]:
+    """Of the events that count; nan or -1 where a run did not tell."""
+    rows = [_row(job, selection) for job in jobs]
     table: List[Column] = [("run", "", [job.number for job in jobs])]
     table += [(variable.name, variable.unit, [_value(each[variable.name]) for each in values])
               for variable in study.variables]
@@ -43,15 +45,15 @@ def _value(text: str):
         return text
 
 
-def _row(job: Job) -> Dict[Tuple[str, str], float]:
+def _row(job: Job, selection: Selection) -> Dict[Tuple[str, str], float]:
     row: Dict[Tuple[str, str], float] = {}
     try:
-        run = Run(job.folder)
+        run = Run(job.folder, selection)
         if run.has("events.csv"):
             row["events", ""] = len(run.events)
             row["complete_events", ""] = len(run.complete_events)
             samples = boxes.samples(run)
-            for _, name, unit in boxes.QUANTITIES:
+            for _, name, unit in boxes.quantities(run):
                 for percent, word in QUARTILES:
                     found = samples[name]
                     row[f"{name}_{word}", unit] = float(np.percentile(found, percent)) \

@@ -58,7 +58,7 @@ Row titles(bool on_surface)
             "Mw",    "peak slip [m]", "peak rate [m/s]", "hypocentre [m]"};
   }
   return {"event",         "onset [s]",       "duration [s]",  "width [m]",
-          "peak slip [m]", "peak rate [m/s]", "nucleation [m]"};
+          "peak slip [m]", "peak rate [m/s]", "nucleation from upper end [m]"};
 }
 
 std::string place(std::vector<double> const& point)
@@ -70,9 +70,9 @@ std::string place(std::vector<double> const& point)
   return text + ")";
 }
 
-Row describe(std::size_t number, Event const& event)
+Row describe(Event const& event)
 {
-  Row row{std::to_string(number), formatShort(event.onset), formatShort(event.duration())};
+  Row row{std::to_string(event.number), formatShort(event.onset), formatShort(event.duration())};
   if (event.isOnSurface()) {
     row.insert(row.end(), {formatShort(event.area), formatShort(event.magnitude())});
   } else {
@@ -129,7 +129,7 @@ void printEvents(std::ostream& out, std::vector<Event> const& events)
     const bool is_shown =
       events.size() <= most_rows || i < most_rows / 2 || i + most_rows / 2 >= events.size();
     if (is_shown) {
-      rows.push_back(describe(i + 1, events[i]));
+      rows.push_back(describe(events[i]));
     } else if (i == most_rows / 2) {
       rows.push_back({"..."});
     }

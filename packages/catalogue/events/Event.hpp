@@ -6,7 +6,8 @@
 
 namespace asperity::catalogue
 {
-// One contiguous time in which some node slides at least as fast as the threshold. On a fault that
+// A time in which some node slides at least as fast as the threshold: contiguous, or with pauses
+// shorter than the catalogue's merging time. On a fault that
 // is a curve moment is per metre of the third dimension, and there is neither area nor length.
 struct Event
 {
@@ -17,8 +18,12 @@ struct Event
   double peak_slip = 0;      // [m] largest slip of a node while it was at seismic rates
   double peak_slip_rate = 0; // [m/s]
   double moment = 0;         // [N m], or [N m/m]
-  double nucleation = 0;     // [m] position of the first node above the threshold, on a curve
+  double nucleation = 0;     // [m] position of the first node above the threshold, on a curve:
+                             // from its upper end
   bool complete = true;      // false if it was in progress when the run ended
+
+  // Of its first part among all events of the run, from 1, as in rupture.h5.
+  std::int64_t number = 0;
 
   double area = 0;                // [m^2] of the nodes that reached the threshold
   double length = 0;              // [m] as width, along strike

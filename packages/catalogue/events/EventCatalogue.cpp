@@ -1,7 +1,9 @@
 #include "catalogue/events/EventCatalogue.hpp"
 
+#include "base/Errors.hpp"
 #include "base/parallel/Reductions.hpp"
 #include "base/parameters/Parameters.hpp"
+#include "catalogue/events/EventTable.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -12,6 +14,7 @@ namespace asperity::catalogue
 {
 namespace
 {
+constexpr double no_magnitude = -99;
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
 // The part of the time between two samples during which the rate is at least the threshold.
@@ -31,47 +34,6 @@ double largest(std::vector<double> const& values)
 {
   return values.empty() ? 0 : *std::max_element(values.begin(), values.end());
 }
-
-std::string columns(bool on_surface)
-{
-  const std::string times = "number,onset [s],end [s],duration [s],";
-  if (on_surface) {
-    return times + "area [m^2],length [m],width [m],peak_slip [m],peak_slip_rate [m/s],"
-                   "moment [N m],magnitude,hypocentre_x [m],hypocentre_y [m],hypocentre_z [m],"
-                   "complete";
-  }
-  return times + "width [m],peak_slip [m],peak_slip_rate [m/s],moment_per_length [N],"
-                 "nucleation [m],complete";
-}
-
-// An event as numbers, for the checkpoint: these and the hypocentre.
-constexpr std::size_t numbers_of_event = 10;
-
-void appendNumbers(Event const& event, std::size_t dimension, std::vector<double>& numbers)
-{
-  numbers.insert(numbers.end(), {event.onset, event.end, event.width, event.peak_slip,
-                                 event.peak_slip_rate, event.moment, event.nucleation,
-                                 event.complete ? 1.0 : 0.0, event.area, event.length});
-  auto hypocentre = event.hypocentre;
-  hypocentre.resize(dimension, 0);
-  numbers.insert(numbers.end(), hypocentre.begin(), hypocentre.end());
-}
-
-Event eventFrom(double const* numbers, std::size_t dimension)
-{
-  double const* hypocentre = numbers + numbers_of_event;
-  return {numbers[0],
-          numbers[1],
-          numbers[2],
-          numbers[3],
-          numbers[4],
-          numbers[5],
-          numbers[6],
-          numbers[7] != 0,
-          numbers[8],
-          numbers[9],
-          {hypocentre, hypocentre + dimension}};
-}
 } // namespace
 
 Teuchos::RCP<const Teuchos::ParameterList> EventCatalogue::validParameters()
@@ -81,6 +43,13 @@ Teuchos::RCP<const Teuchos::ParameterList> EventCatalogue::validParameters()
     .real("Threshold", 1e-3, "m/s", Range::positive(),
           "A node is seismic while its slip rate is at least this. An event lasts as long as some "
           "node is seismic.")
+    .real("Merging Time", 0.0, "s", Range::atLeast(0),
+          "Events are one if less than this passes from the end of one to the onset of the next.")
+    .real("Smallest Width", 0.0, "m", Range::atLeast(0),
+          "Events of a smaller width are left out of the table. Their numbers are left out, too.")
+    .real("Smallest Magnitude", no_magnitude, "-", Range::atLeast(no_magnitude),
+          "Events of a smaller moment magnitude are left out of the table, in three dimensions; "
+          "-99 leaves out none.")
     .list();
 }
 
@@ -94,10 +63,18 @@ EventCatalogue::EventCatalogue(Teuchos::ParameterList const& parameters,
     : EventFollower(context, parameters.get<double>("Threshold"))
     , slip_(context.fields.field("fault", "slip"))
     , energies_(context.fields)
-    , file_(context.directory / "events.csv", columns(!fault().isCurve()) + energies_.header(),
+    , file_(context.directory / "events.csv", eventColumns(!fault().isCurve()) + energies_.header(),
             context.comm)
+    , merging_time_(parameters.get<double>("Merging Time"))
+    , smallest_width_(parameters.get<double>("Smallest Width"))
+    , smallest_magnitude_(parameters.get<double>("Smallest Magnitude"))
 {
   context.fields.field("fault", "shear_modulus").values(shear_modulus_);
+  ASPERITY_REQUIRE(!fault().isCurve() || smallest_magnitude_ == no_magnitude,
+                   "Asperity / Output / Event Catalogue / Smallest Magnitude = "
+                     << smallest_magnitude_
+                     << ": in two dimensions an event has a moment per length and no magnitude. Give "
+                        "a Smallest Width instead.");
   if (!fault().isCurve()) {
     plane_ = faultPlane(fault(), context.up);
   }
@@ -108,13 +85,27 @@ void EventCatalogue::write(io::StepInfo const& step)
   slip_.values(now_.slip);
   now_.energies = energies_.sample();
   EventFollower::write(step);
+  if (waits_ && step.time - last_.end >= merging_time_) {
+    recordLast();
+  }
   std::swap(before_, now_);
 }
 
 void EventCatalogue::begin(Sample const& now)
 {
+  earlier_ = Sample();
+  const double onset = crossingTime(now);
+  if (waits_ && onset - last_.end < merging_time_) {
+    waits_ = false; // the event before goes on
+    ++num_events_;
+    return;
+  }
+  if (waits_) {
+    recordLast();
+  }
   open_ = Event();
-  open_.onset = crossingTime(now);
+  open_.onset = onset;
+  open_.number = ++num_events_;
   // If the very first sample is seismic, the fastest node counts as the first one.
   std::vector<double> lateness(fault().numOwned(), infinity);
   for (std::size_t i = 0; i < lateness.size(); ++i) {
@@ -126,7 +117,6 @@ void EventCatalogue::begin(Sample const& now)
   const auto first = firstNode(fault(), lateness);
   open_.nucleation = first.position;
   open_.hypocentre = first.coordinates;
-  earlier_ = Sample();
   energies_at_begin_ = hasPrevious() ? before_.energies : now_.energies;
   seismic_slip_.assign(fault().numOwned(), 0);
   ruptured_.assign(fault().numOwned(), 0);
@@ -166,7 +156,9 @@ double EventCatalogue::peakSince(Sample const& now) const
 
 void EventCatalogue::end(Sample const& now)
 {
-  record(measure(crossingTime(now), true), now_.energies);
+  last_ = measure(crossingTime(now), true);
+  energies_at_end_ = now_.energies;
+  waits_ = true;
 }
 
 Event EventCatalogue::measure(double end_time, bool complete) const
@@ -206,27 +198,20 @@ double EventCatalogue::extent(Coordinate const& coordinate) const
   return maxOverRanks(last, comm) - minOverRanks(first, comm);
 }
 
-void EventCatalogue::record(Event const& event, std::vector<double> const& energies)
+bool EventCatalogue::isSmall(Event const& event) const
 {
-  events_.push_back(event);
-  std::string row = std::to_string(events_.size());
-  for (const double time : {event.onset, event.end}) {
-    row += ',' + io::exactNumber(time);
+  return event.width < smallest_width_ ||
+         (smallest_magnitude_ > no_magnitude && event.magnitude() < smallest_magnitude_);
+}
+
+void EventCatalogue::recordLast()
+{
+  waits_ = false;
+  if (isSmall(last_)) {
+    return;
   }
-  std::vector<double> values{event.duration()};
-  if (plane_) {
-    values.insert(values.end(), {event.area, event.length, event.width, event.peak_slip,
-                                 event.peak_slip_rate, event.moment, event.magnitude()});
-    values.insert(values.end(), event.hypocentre.begin(), event.hypocentre.end());
-  } else {
-    values.insert(values.end(), {event.width, event.peak_slip, event.peak_slip_rate, event.moment,
-                                 event.nucleation});
-  }
-  for (const double value : values) {
-    row += ',' + io::shortNumber(value);
-  }
-  row += event.complete ? ",1" : ",0";
-  file_.writeRow(row + energies_.columns(energies_at_begin_, energies));
+  events_.push_back(last_);
+  file_.writeRow(eventRow(last_) + energies_.columns(energies_at_begin_, energies_at_end_));
   file_.flush(); // rare, and waited for
 }
 
@@ -235,15 +220,21 @@ void EventCatalogue::closeSegment(int) { file_.flush(); }
 void EventCatalogue::finish()
 {
   if (eventInProgress()) {
-    record(measure(previous().time, false), before_.energies);
+    last_ = measure(previous().time, false);
+    energies_at_end_ = before_.energies;
+    waits_ = true;
     stop();
+  }
+  if (waits_) {
+    recordLast();
   }
   file_.flush();
 }
 
 std::vector<io::Count> EventCatalogue::counts() const
 {
-  return {{static_cast<std::int64_t>(events_.size()) + eventInProgress(), "event"}};
+  const bool one_more = eventInProgress() || waits_;
+  return {{static_cast<std::int64_t>(events_.size()) + one_more, "event"}};
 }
 
 std::string EventCatalogue::report() const
@@ -263,11 +254,17 @@ void EventCatalogue::save(io::Archive& archive) const
   file_.save(file);
   archive.insert("follower", follower);
   archive.insert("file", file);
-  std::vector<double> numbers, open;
+  std::vector<double> numbers, open, last;
   for (auto const& event : events_) {
     appendNumbers(event, fault().dimension, numbers);
   }
   appendNumbers(open_, fault().dimension, open);
+  appendNumbers(last_, fault().dimension, last);
+  archive.set("choice", choice());
+  archive.set("num_events", num_events_);
+  archive.set("last_event", last);
+  archive.set("last_waits", waits_);
+  archive.set("energies_at_end", energies_at_end_);
   archive.set("events", numbers);
   archive.set("open_event", open);
   archive.setAtNodes("seismic_slip", seismic_slip_, fault().name);
@@ -283,14 +280,22 @@ void EventCatalogue::restore(io::Archive const& archive)
 {
   using Numbers = std::vector<double>;
   EventFollower::restore(archive.child("follower"));
+  ASPERITY_REQUIRE(archive.get<Numbers>("choice") == choice(),
+                   "Asperity / Output / Event Catalogue: the checkpoint continues a table with "
+                   "another Merging Time, Smallest Width or Smallest Magnitude. Restart with those "
+                   "of the earlier run; asperity-plot and asperity-report can leave out more.");
   file_.restore(archive.child("file"));
   const std::size_t dimension = fault().dimension;
   auto const& numbers = archive.get<Numbers>("events");
   events_.clear();
-  for (std::size_t i = 0; i < numbers.size(); i += numbers_of_event + dimension) {
+  for (std::size_t i = 0; i < numbers.size(); i += numbersOfEvent(dimension)) {
     events_.push_back(eventFrom(&numbers[i], dimension));
   }
   open_ = eventFrom(archive.get<Numbers>("open_event").data(), dimension);
+  last_ = eventFrom(archive.get<Numbers>("last_event").data(), dimension);
+  num_events_ = archive.getInteger("num_events");
+  waits_ = archive.getInteger("last_waits") != 0;
+  energies_at_end_ = archive.get<Numbers>("energies_at_end");
   seismic_slip_ = archive.get<Numbers>("seismic_slip");
   ruptured_ = archive.get<std::vector<std::int64_t>>("ruptured");
   energies_at_begin_ = archive.get<Numbers>("energies_at_begin");

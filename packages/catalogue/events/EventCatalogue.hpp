@@ -21,7 +21,9 @@ namespace asperity::catalogue
 // (Pipping 2014, §5.4: the displacement at the base that occurs at seismic velocities). The peak
 // slip rate is that of a node between steps (peakRate), not at their ends, which fall by chance. On
 // a surface an event has an area, a moment and a magnitude, a hypocentre, and extents along strike
-// and down dip of the fault's mean plane; on a curve a width and a moment per length.
+// and down dip of the fault's mean plane; on a curve a width and a moment per length. Events that
+// follow one another within `Merging Time` are one, from the first onset to the last end; smaller
+// ones than the deck asks for have no row.
 class EventCatalogue : public EventFollower
 {
 public:
@@ -63,7 +65,9 @@ private:
   template <class Coordinate>
   double extent(Coordinate const& coordinate) const; // of the nodes that have ruptured
   double const* place(std::size_t i) const { return &fault().coordinates[3 * i]; }
-  void record(Event const& event, std::vector<double> const& energies); // at its end
+  bool isSmall(Event const& event) const;
+  void recordLast(); // when no further event can be part of it
+  std::vector<double> choice() const { return {merging_time_, smallest_width_, smallest_magnitude_}; }
   double peakSince(Sample const& now) const; // [m/s] around the previous sample, of all nodes
 
   io::OutputField const& slip_;
@@ -71,12 +75,18 @@ private:
   std::optional<FaultPlane> plane_;   // of a surface
   std::vector<double> shear_modulus_; // (num_owned) [Pa]
   io::TextTable file_;
+  double merging_time_;       // [s]
+  double smallest_width_;     // [m]
+  double smallest_magnitude_; // of a surface
   std::vector<Event> events_;
+  std::int64_t num_events_ = 0; // also those that are parts of others, or small
 
   More now_, before_;
   Event open_;     // onset, first node and peak rate of the event in progress
   Sample earlier_; // the one before the previous one; no rates in the first step of an event
-  std::vector<double> energies_at_begin_;
+  Event last_;         // the one that ended last,
+  bool waits_ = false; // while another one may become part of it
+  std::vector<double> energies_at_begin_, energies_at_end_;
   std::vector<double> seismic_slip_;   // (num_owned) [m]
   std::vector<std::int64_t> ruptured_; // (num_owned) 1 where the node reached the threshold
 };

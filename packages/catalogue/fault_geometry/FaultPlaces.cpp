@@ -5,33 +5,32 @@
 
 #include <Teuchos_CommHelpers.hpp>
 
+#include <algorithm>
 #include <cmath>
 
 namespace asperity::catalogue
 {
 FaultAxis faultAxis(io::OutputDomain const& fault)
 {
-  std::vector<double> ends{0, 0, 0}; // y of the first node, y and position of the last one
+  std::vector<double> ends(5, 0.); // x and y of the first node; x, y and position of the last one
   for (std::size_t i = 0; i < fault.numOwned(); ++i) {
+    double const* x = &fault.coordinates[2 * i];
     if (fault.node_numbers[i] == 0) {
-      ends[0] = fault.coordinates[2 * i + 1];
+      std::copy(x, x + 2, ends.begin());
     }
     if (fault.node_numbers[i] == fault.num_global_nodes - 1) {
-      ends[1] = fault.coordinates[2 * i + 1];
-      ends[2] = fault.positions[i];
+      std::copy(x, x + 2, ends.begin() + 2);
+      ends[4] = fault.positions[i];
     }
   }
   ends = sumOverRanks(ends, *fault.comm); // others have zeros
-  const double first_y = ends[0], last_y = ends[1], length = ends[2];
-  FaultAxis axis;
-  axis.distances = fault.positions;
-  axis.rises = last_y > first_y;
-  if (axis.rises) {
-    for (double& distance : axis.distances) {
-      distance = length - distance;
-    }
-  }
-  axis.is_level = std::abs(last_y - first_y) <= 1e-9 * length;
+  FaultAxis axis{{ends[0], ends[1]}, {ends[2], ends[3]}, ends[4]};
+  axis.is_level = std::abs(axis.upper[1] - axis.lower[1]) <= 1e-9 * axis.length;
+  // Tangents point along +x unless the fault is steep (fem::detail::completing), then along +y.
+  constexpr double steep = 0.4; // the part along x of a unit vector
+  const double run = axis.upper[0] - axis.lower[0];
+  const double extent = std::hypot(run, axis.upper[1] - axis.lower[1]);
+  axis.tangent_rises = !axis.is_level && (std::abs(run) <= steep * extent || run > 0);
   return axis;
 }
 
@@ -39,7 +38,7 @@ std::optional<std::array<double, 2>> pointAlong(io::OutputDomain const& fault, d
 {
   const io::NodeGather gather(fault);
   const auto coordinates = gather(fault.coordinates, 1, fault.dimension);
-  auto const distances = gather(faultAxis(fault).distances, 1, 1);
+  const auto distances = gather(fault.positions, 1, 1);
   constexpr double rounding = 1e-9;
   double found[3] = {0, 0, 0}; // a flag and the point
   for (std::size_t i = 1; i < distances.size(); ++i) {
@@ -60,9 +59,9 @@ namespace
 {
 FaultPlaces onCurve(io::OutputDomain const& fault)
 {
-  FaultAxis axis = faultAxis(fault);
-  const std::vector<double> zeros(axis.distances.size(), 0);
-  return axis.is_level ? FaultPlaces{axis.distances, zeros} : FaultPlaces{zeros, axis.distances};
+  const std::vector<double> zeros(fault.positions.size(), 0);
+  return faultAxis(fault).is_level ? FaultPlaces{fault.positions, zeros}
+                                   : FaultPlaces{zeros, fault.positions};
 }
 
 FaultPlaces onSurface(io::OutputDomain const& fault, Direction const& up)

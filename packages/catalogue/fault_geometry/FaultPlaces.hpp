@@ -8,21 +8,21 @@
 
 namespace asperity::catalogue
 {
-// The places on a fault that is a curve in the x-y plane, as seismologists count them.
+// How a fault that is a curve lies in the x-y plane, by its ends. Its positions count from the
+// upper end, down dip; along +x where the fault is level.
 struct FaultAxis
 {
-  // (num_owned) The distance along the fault [m] from the end with the larger y, which is down dip;
-  // along +x where the fault is level.
-  std::vector<double> distances;
-  bool is_level = false; // the plane is a map, and the fault runs along strike
-  bool rises = false;    // with x, the direction of the fault's tangent
+  std::array<double, 2> upper{}, lower{}; // [m] where positions are least and largest
+  double length = 0;                      // [m] largest position
+  bool is_level = false;                  // the plane is a map, and the fault runs along strike
+  bool tangent_rises = false;             // the direction in which slip is positive has a part up
 };
 
 // Collective.
 FaultAxis faultAxis(io::OutputDomain const& fault);
 
-// The point of a fault that is a curve at a distance [m] along it, counted as those of its axis;
-// nothing if it is not as long. The same on all ranks. Collective.
+// The point of a fault that is a curve at a position [m]; nothing if it is not as long. The same on
+// all ranks. Collective.
 std::optional<std::array<double, 2>> pointAlong(io::OutputDomain const& fault, double distance);
 
 // Where this rank's nodes of the fault are along strike and down dip, (num_owned).

@@ -154,7 +154,8 @@ void ReceiverGroup::describe(h5::File& file, std::string const& group) const
                    "Coordinates of the receivers.");
   if (!positions_.empty()) {
     io::writeDataset(file, group + "/positions", positions_, {places_.size()}, "m",
-                     "Distance along the boundary from its first end.");
+                     "Distance along the " + domain_.name + " from " + io::startText(domain_) +
+                       '.');
   }
 }
 

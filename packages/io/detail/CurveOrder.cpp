@@ -32,32 +32,63 @@ Neighbours neighboursAlong(std::vector<Segment> const& segments,
   return neighbours;
 }
 
-// Vertices by coordinates: first the ends of open pieces, then all (for closed pieces).
-std::vector<GlobalOrdinal> possibleStarts(Neighbours const& neighbours,
-                                          std::map<GlobalOrdinal, PlanePoint> const& coordinates)
+constexpr double rounding = 1e-9; // of the curve's extent: such heights are equal
+
+// Of each vertex how many greater heights there are; 0 for all if height does not matter.
+std::map<GlobalOrdinal, int> ranksByHeight(std::map<GlobalOrdinal, PlanePoint> const& coordinates,
+                                           CurveStart start)
 {
+  std::vector<std::pair<double, GlobalOrdinal>> heights;
+  PlanePoint least = coordinates.begin()->second, largest = least;
+  for (auto const& [vertex, point] : coordinates) {
+    heights.emplace_back(point[1], vertex);
+    for (int d = 0; d < 2; ++d) {
+      least[d] = std::min(least[d], point[d]);
+      largest[d] = std::max(largest[d], point[d]);
+    }
+  }
+  std::sort(heights.rbegin(), heights.rend());
+  const double equal = rounding * std::hypot(largest[0] - least[0], largest[1] - least[1]);
+  std::map<GlobalOrdinal, int> ranks;
+  double before = heights.front().first;
+  int rank = 0;
+  for (auto const& [height, vertex] : heights) {
+    rank += start == CurveStart::upper_end && before - height > equal ? 1 : 0;
+    ranks[vertex] = rank;
+    before = height;
+  }
+  return ranks;
+}
+
+// Vertices in the order in which a walk may begin at them: first the ends of open pieces, then all
+// (for closed pieces).
+std::vector<GlobalOrdinal> possibleStarts(Neighbours const& neighbours,
+                                          std::map<GlobalOrdinal, PlanePoint> const& coordinates,
+                                          CurveStart start)
+{
+  const auto ranks = ranksByHeight(coordinates, start);
   std::vector<GlobalOrdinal> starts;
   for (auto const& entry : neighbours) {
     starts.push_back(entry.first);
   }
   const auto isInner = [&](GlobalOrdinal vertex) { return neighbours.at(vertex).size() == 2; };
   std::sort(starts.begin(), starts.end(), [&](GlobalOrdinal left, GlobalOrdinal right) {
-    return std::make_tuple(isInner(left), coordinates.at(left), left) <
-           std::make_tuple(isInner(right), coordinates.at(right), right);
+    return std::make_tuple(isInner(left), ranks.at(left), coordinates.at(left), left) <
+           std::make_tuple(isInner(right), ranks.at(right), coordinates.at(right), right);
   });
   return starts;
 }
 } // namespace
 
 CurveOrder orderCurve(std::vector<Segment> const& segments,
-                      std::map<GlobalOrdinal, PlanePoint> const& coordinates)
+                      std::map<GlobalOrdinal, PlanePoint> const& coordinates, CurveStart start)
 {
   const Neighbours neighbours = neighboursAlong(segments, coordinates);
   CurveOrder order;
   std::set<GlobalOrdinal> visited;
   double position = 0;
-  for (const GlobalOrdinal start : possibleStarts(neighbours, coordinates)) {
-    GlobalOrdinal vertex = start;
+  for (const GlobalOrdinal first : possibleStarts(neighbours, coordinates, start)) {
+    GlobalOrdinal vertex = first;
     while (visited.insert(vertex).second) {
       order.vertex_ids.push_back(vertex);
       order.positions.push_back(position);

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "base/Types.hpp"
+#include "io/OutputDomain.hpp"
 
 #include <array>
 #include <map>
@@ -18,10 +19,9 @@ struct CurveOrder
   std::vector<double> positions;         // arc length [m] of each
 };
 
-// Walks along the segments from the end with the smaller coordinates (x, then y). Pieces come in
-// the order of the coordinates of their first vertex, closed curves last, and positions continue
-// from one piece to the next. A closed curve begins at the vertex with the smallest coordinates.
-// Throws InputError if the curve branches.
+// Walks along the segments from the end that `start` names. Pieces come in the order of their first
+// vertices, closed curves last, and positions continue from one piece to the next. A closed curve
+// begins at the vertex that would be the first of all ends. Throws InputError if the curve branches.
 CurveOrder orderCurve(std::vector<Segment> const& segments,
-                      std::map<GlobalOrdinal, PlanePoint> const& coordinates);
+                      std::map<GlobalOrdinal, PlanePoint> const& coordinates, CurveStart start);
 } // namespace asperity::io::detail

@@ -30,6 +30,11 @@ Integers integers(std::vector<GlobalOrdinal> const& values)
   return {values.begin(), values.end()};
 }
 
+std::string positionMeaning(OutputDomain const& domain)
+{
+  return "Distance along the " + domain.name + " from " + startText(domain) + ".";
+}
+
 std::vector<Piece> nodePieces(OutputDomain const& domain, NodeBlocks const& blocks)
 {
   char const* units[] = {"m", "m", "m^2", "m^3"};
@@ -57,7 +62,7 @@ std::vector<Piece> nodePieces(OutputDomain const& domain, NodeBlocks const& bloc
   if (domain.isCurve()) {
     pieces.push_back({"positions",
                       "m",
-                      "Distance along the boundary from its first end.",
+                      positionMeaning(domain),
                       {nodes},
                       blocks(domain.positions, 1, 1),
                       part});

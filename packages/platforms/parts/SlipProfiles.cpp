@@ -1,25 +1,15 @@
 #include "platforms/parts/SlipProfiles.hpp"
 
-#include "catalogue/fault_geometry/FaultPlaces.hpp"
-
-#include <algorithm>
-
 namespace asperity::platforms
 {
 namespace
 {
-// Of all nodes by number, on rank 0.
-std::vector<double> distances(io::NodeGather const& gather, io::OutputDomain const& fault)
+// z: of all nodes by number, on rank 0.
+FileContent contentFor(std::vector<double> const& z)
 {
-  return gather(catalogue::faultAxis(fault).distances, 1, 1);
-}
-
-FileContent contentFor(std::vector<double> z)
-{
-  std::sort(z.begin(), z.end()); // from the upper end of the fault down
   FileContent content;
   content.name = "slip.dat";
-  content.remarks = {"Row #1 = Distance along the fault (m) with two zeros first",
+  content.remarks = {"Row #1 = Distance along the fault from its upper end (m) with two zeros first",
                      "Column #1 = Time (s)", "Column #2 = Max slip rate (log10 m/s)",
                      "Column #3-" + std::to_string(z.size() + 2) + " = Slip (m)"};
   content.fields = "z\nt\nmax_slip_rate\nslip\n" + timeText(0) + ' ' + numberText(0);
@@ -37,8 +27,7 @@ SlipProfiles::SlipProfiles(Platform const& platform, io::OutputContext const& co
     , rates_(context.domain("fault"), context.fields)
     , slip_(context.fields.field("fault", "slip"))
     , sign_(ModelView::of(context).thrust_sign)
-    , distances_(distances(gather_, context.domain("fault")))
-    , file_(platform, contentFor(distances_), context)
+    , file_(platform, contentFor(gather_(context.domain("fault").positions, 1, 1)), context)
 {
 }
 
@@ -54,9 +43,6 @@ void SlipProfiles::write(io::StepInfo const& step)
   std::vector<double> row;
   for (std::size_t node = 0; node < whole.size(); node += components) {
     row.push_back(sign_ * whole[node]);
-  }
-  if (!row.empty() && distances_.front() > distances_.back()) {
-    std::reverse(row.begin(), row.end());
   }
   row.insert(row.begin(), decimalLogarithm(rates_.sample().peak));
   file_.writeRow(step.time, row.data(), row.size());

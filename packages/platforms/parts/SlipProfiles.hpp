@@ -28,7 +28,6 @@ private:
   catalogue::FaultRates rates_;
   io::OutputField const& slip_;
   double sign_;                   // of the slip in the file
-  std::vector<double> distances_; // [m] along the fault from its upper end, by node; on rank 0
   TimeSeries file_;
 };
 } // namespace asperity::platforms

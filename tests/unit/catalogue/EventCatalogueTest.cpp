@@ -21,8 +21,9 @@ using History = std::vector<Rates>;                // at the times 0, 1, 2, ...
 // A fault whose rates are prescribed; slip grows by the trapezoidal rule.
 struct Observed
 {
-  explicit Observed(std::filesystem::path const& directory, Rates const& prescribed = {})
-      : domains{{"fault", boundaryDomain("fault", test::stripMesh(num_base), "base", world())}}
+  explicit Observed(std::filesystem::path const& directory, Rates const& prescribed = {},
+                    ParameterList list = {}, Mesh<2> const& mesh = test::stripMesh(num_base))
+      : domains{{"fault", boundaryDomain("fault", mesh, "base", world())}}
       , context{directory, world(), fields, domains}
   {
     fields.add({"slip_rate", "m/s", "Slip rate.", "fault", 1,
@@ -38,7 +39,6 @@ struct Observed
     fields.add(OutputScalar{"steps", "", "No energy.", [] { return 1.0; }});
     fields.add(OutputScalar{"friction_work", "J/m", "Work.", [this] { return work; }});
     fields.add(OutputScalar{"energy_defect", "J/m", "Defect.", [this] { return -work / 8; }});
-    ParameterList list;
     list.set("Threshold", threshold);
     completeAndValidate(list, *EventCatalogue::validParameters(), "Event Catalogue");
     catalogue = std::make_unique<EventCatalogue>(list, context);
@@ -171,7 +171,8 @@ TEST(EventCatalogue, WritesTheTable)
   const auto table = lines(directory / "events.csv");
   ASSERT_EQ(table.size(), 2u);
   EXPECT_EQ(table[0], "number,onset [s],end [s],duration [s],width [m],peak_slip [m],"
-                      "peak_slip_rate [m/s],moment_per_length [N],nucleation [m],complete,"
+                      "peak_slip_rate [m/s],moment_per_length [N],"
+                      "nucleation_from_upper_end [m],complete,"
                       "friction_work [J/m],energy_defect [J/m]");
   EXPECT_EQ(table[1], "1," + exactNumber(run.catalogue->events()[0].onset) + "," +
                         exactNumber(run.catalogue->events()[0].end) + ",3,0.5,3.50005,2," +
@@ -312,6 +313,117 @@ TEST(EventCatalogue, ARestartAtAnyStepGivesTheSameTable)
     EXPECT_EQ(test::contents(directory / "events.csv"), expected) << "stopped before " << stop;
     EXPECT_EQ(after.catalogue->events().size(), 2u);
   }
+}
+
+namespace
+{
+// Main events of nodes 1 to 3 at t = 1 and t = 11, each with one of node 0 two steps later.
+History mainEventsAndAftershocks()
+{
+  Rates main = quiet, after = quiet;
+  main[1] = main[2] = main[3] = 1;
+  after[0] = 0.5;
+  History history(20, quiet);
+  history[1] = history[11] = main;
+  history[3] = history[13] = after;
+  return history;
+}
+
+ParameterList choice(double merging_time, double smallest_width)
+{
+  ParameterList list;
+  list.set("Merging Time", merging_time);
+  list.set("Smallest Width", smallest_width);
+  return list;
+}
+} // namespace
+
+TEST(EventCatalogue, SmallEventsHaveNoRowAndKeepTheirNumbers)
+{
+  test::TemporaryDirectory directory;
+  Observed run(directory.path(), {}, choice(0, 0.1));
+  auto const& events = run.all(mainEventsAndAftershocks());
+  ASSERT_EQ(events.size(), 2u);
+  EXPECT_EQ(events[0].number, 1);
+  EXPECT_EQ(events[1].number, 3);
+  EXPECT_NEAR(run.catalogue->summary().recurrence.median, 10, 1e-12);
+  EXPECT_EQ(lines(directory / "events.csv").size(), 3u);
+  EXPECT_EQ(lines(directory / "events.csv")[2].substr(0, 2), "3,");
+}
+
+TEST(EventCatalogue, EventsWithinTheMergingTimeAreOne)
+{
+  test::TemporaryDirectory directory, apart_directory;
+  Observed apart(apart_directory.path()), run(directory.path(), {}, choice(3, 0));
+  const auto single = apart.all(mainEventsAndAftershocks());
+  auto const& events = run.all(mainEventsAndAftershocks());
+  ASSERT_EQ(single.size(), 4u);
+  ASSERT_EQ(events.size(), 2u);
+  for (const std::size_t i : {0u, 1u}) {
+    EXPECT_EQ(events[i].number, single[2 * i].number);
+    EXPECT_EQ(events[i].onset, single[2 * i].onset);
+    EXPECT_EQ(events[i].end, single[2 * i + 1].end);
+    EXPECT_NEAR(events[i].moment, single[2 * i].moment + single[2 * i + 1].moment, 1e-6);
+    EXPECT_NEAR(events[i].width, 9.0 / 16, 1e-15) << "nodes 0 to 3";
+    EXPECT_EQ(events[i].peak_slip_rate, 1);
+  }
+}
+
+TEST(EventCatalogue, ARestartKeepsAnEventThatWaitsForAnother)
+{
+  const auto history = mainEventsAndAftershocks();
+  test::TemporaryDirectory whole, directory;
+  Observed expected(whole.path(), {}, choice(3, 0.1));
+  expected.all(history);
+  for (std::size_t stop = 1; stop < history.size(); ++stop) {
+    Archive archive;
+    Observed before(directory.path(), {}, choice(3, 0.1)), after(directory.path(), {}, choice(3, 0.1));
+    for (std::size_t i = 0; i < stop; ++i) {
+      before.step(history, i);
+    }
+    before.catalogue->closeSegment(0);
+    before.catalogue->save(archive);
+    after.slip = before.slip;
+    after.catalogue->restore(archive);
+    for (std::size_t i = stop; i < history.size(); ++i) {
+      after.step(history, i);
+    }
+    after.catalogue->finish();
+    EXPECT_EQ(test::contents(directory / "events.csv"), test::contents(whole / "events.csv"))
+      << "stopped before " << stop;
+  }
+}
+
+TEST(EventCatalogue, RefusesAnotherChoiceOnRestartAndMagnitudesInThePlane)
+{
+  test::TemporaryDirectory directory;
+  Archive archive;
+  Observed run(directory.path());
+  run.catalogue->save(archive);
+  Observed other(directory.path(), {}, choice(3, 0));
+  EXPECT_TRUE(test::contains(test::inputError([&] { other.catalogue->restore(archive); }),
+                             "another Merging Time, Smallest Width or Smallest Magnitude"));
+  ParameterList magnitude;
+  magnitude.set("Smallest Magnitude", 5.0);
+  EXPECT_TRUE(
+    test::contains(test::inputError([&] { Observed(directory.path(), {}, magnitude); }),
+                   "Smallest Magnitude = 5: in two dimensions"));
+}
+
+// Node 1 of an upright fault, 1/16 below its upper end, slides first.
+TEST(EventCatalogue, NucleationIsTheDepthOnAnUprightFault)
+{
+  auto mesh = test::stripMesh(num_base);
+  for (auto& vertex : mesh.vertices) {
+    vertex = {vertex[1], -vertex[0]};
+  }
+  Rates fast = quiet;
+  fast[1] = 1;
+  test::TemporaryDirectory directory;
+  Observed run(directory.path(), {}, {}, mesh);
+  auto const& event = run.all({quiet, fast, quiet}).at(0);
+  EXPECT_NEAR(event.nucleation, 1.0 / 16, 1e-15);
+  EXPECT_NEAR(event.hypocentre[1], -1.0 / 16, 1e-15);
 }
 
 TEST(EventCatalogue, RefusesAnotherThresholdOnRestart)

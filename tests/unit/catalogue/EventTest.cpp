@@ -13,6 +13,7 @@ std::vector<Event> events(int number)
   std::vector<Event> events;
   for (int i = 0; i < number; ++i) {
     Event event;
+    event.number = i + 1;
     event.onset = 10.0 * i * i;
     event.end = event.onset + 0.5;
     event.width = 0.1 * (i + 1);

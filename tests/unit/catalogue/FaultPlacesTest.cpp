@@ -18,20 +18,38 @@ io::OutputDomain uprightFault(int num_base)
 }
 } // namespace
 
-TEST(FaultPlaces, DistancesAreDownDip)
+TEST(FaultPlaces, PositionsAreDownDip)
 {
   const auto upright = uprightFault(4);
   const auto level = io::boundaryDomain("fault", test::stripMesh(4), "base", world());
-  const auto along_upright = faultAxis(upright), along_level = faultAxis(level);
-  EXPECT_FALSE(along_upright.is_level);
-  EXPECT_TRUE(along_level.is_level);
-  ASSERT_EQ(along_upright.distances.size(), upright.numOwned());
-  for (std::size_t i = 0; i < upright.numOwned(); ++i) { // the nodes are numbered from below
-    EXPECT_NEAR(along_upright.distances[i], -upright.coordinates[2 * i + 1], 1e-15);
+  EXPECT_FALSE(faultAxis(upright).is_level);
+  EXPECT_TRUE(faultAxis(level).is_level);
+  for (std::size_t i = 0; i < upright.numOwned(); ++i) {
+    EXPECT_NEAR(upright.positions[i], -upright.coordinates[2 * i + 1], 1e-15);
   }
   for (std::size_t i = 0; i < level.numOwned(); ++i) {
-    EXPECT_NEAR(along_level.distances[i], level.coordinates[2 * i], 1e-15);
+    EXPECT_NEAR(level.positions[i], level.coordinates[2 * i], 1e-15);
   }
+}
+
+// The base of the strip from (0, 0) in a direction; a tangent points along +x, or along +y where
+// its part along x would be less than 0.4.
+TEST(FaultPlaces, ATangentRisesAsTheFaultDoesUnlessItIsSteep)
+{
+  const auto tangentRises = [](double x, double y) {
+    auto mesh = test::stripMesh(4);
+    for (auto& vertex : mesh.vertices) {
+      vertex = {vertex[0] * x - vertex[1] * y, vertex[0] * y + vertex[1] * x};
+    }
+    return faultAxis(io::boundaryDomain("fault", mesh, "base", world())).tangent_rises;
+  };
+  EXPECT_FALSE(tangentRises(1, 0)) << "level";
+  EXPECT_TRUE(tangentRises(0.8, 0.6));
+  EXPECT_FALSE(tangentRises(0.8, -0.6));
+  EXPECT_TRUE(tangentRises(0.28, 0.96));
+  EXPECT_TRUE(tangentRises(0.28, -0.96)) << "steep, dips to the right";
+  EXPECT_TRUE(tangentRises(0, -1));
+  EXPECT_TRUE(tangentRises(1e-17, -1)) << "upright but for rounding";
 }
 
 TEST(FaultPlaces, APointIsFoundByItsDistance)

@@ -192,12 +192,32 @@ TEST(CurveOrder, ClosedAndSeparatePieces)
 {
   const std::map<GlobalOrdinal, io::detail::PlanePoint> square{
     {10, {0, 0}}, {11, {1, 0}}, {12, {1, 1}}, {13, {0, 1}}};
-  const auto closed = io::detail::orderCurve({{12, 13}, {10, 11}, {13, 10}, {11, 12}}, square);
+  const auto closed = io::detail::orderCurve({{12, 13}, {10, 11}, {13, 10}, {11, 12}}, square,
+                                             io::CurveStart::smaller_x);
   EXPECT_EQ(closed.vertex_ids.front(), 10);
   EXPECT_EQ(closed.positions, (std::vector<double>{0, 1, 2, 3}));
-  const auto pieces = io::detail::orderCurve({{12, 13}, {10, 11}}, square); // y = 1 and y = 0
+  const auto pieces = io::detail::orderCurve({{12, 13}, {10, 11}}, square, // y = 1 and y = 0
+                                             io::CurveStart::smaller_x);
   EXPECT_EQ(pieces.vertex_ids, (std::vector<GlobalOrdinal>{10, 11, 13, 12}));
   EXPECT_EQ(pieces.positions, (std::vector<double>{0, 1, 1, 2}));
+  const auto from_above =
+    io::detail::orderCurve({{12, 13}, {10, 11}}, square, io::CurveStart::upper_end);
+  EXPECT_EQ(from_above.vertex_ids, (std::vector<GlobalOrdinal>{13, 12, 10, 11}));
+}
+
+// The end with the greater y; of ends equally high but for rounding the one with the smaller x.
+TEST(CurveOrder, FaultsBeginAtTheirUpperEnd)
+{
+  const auto first = [](io::detail::PlanePoint a, io::detail::PlanePoint b) {
+    return io::detail::orderCurve({{0, 1}}, {{0, a}, {1, b}}, io::CurveStart::upper_end)
+      .vertex_ids.front();
+  };
+  EXPECT_EQ(first({0, -4e4}, {0, 0}), 1) << "upright";
+  EXPECT_EQ(first({0, 0}, {0, -4e4}), 0) << "upright";
+  EXPECT_EQ(first({0, -100}, {300, 0}), 1) << "dips to the left";
+  EXPECT_EQ(first({0, 0}, {300, -100}), 0) << "dips to the right";
+  EXPECT_EQ(first({5, 2}, {-5, 2}), 1) << "level";
+  EXPECT_EQ(first({4e4, 1e-12}, {0, 0}), 1) << "level but for rounding";
 }
 
 TEST(CurveOrder, BranchesAreRefused)
@@ -205,7 +225,7 @@ TEST(CurveOrder, BranchesAreRefused)
   const std::map<GlobalOrdinal, io::detail::PlanePoint> star{
     {0, {0, 0}}, {1, {1, 0}}, {2, {0, 1}}, {3, {-1, 0}}};
   const auto message = test::inputError([&] {
-    io::detail::orderCurve({{0, 1}, {0, 2}, {0, 3}}, star);
+    io::detail::orderCurve({{0, 1}, {0, 2}, {0, 3}}, star, io::CurveStart::upper_end);
   });
   EXPECT_TRUE(test::contains(message, "branches at x = 0, y = 0 m: 3 segments")) << message;
 }

@@ -171,11 +171,26 @@ class Axes(unittest.TestCase):
         np.testing.assert_allclose(axis.positions([40e3, 10e3]), [0.0, 30e3])
         self.assertEqual(axis.limits, (0.0, 39e3))
 
+        self.assertEqual(axis.range, (40.0, 1.0))
+
+    def test_depth_where_nodes_begin_at_the_upper_end(self):
+        axis = self.axis([(5.0, -1e3), (5.0, -10e3), (5.0, -40e3)])
+        self.assertEqual((axis.label, axis.is_depth), ("Depth [km]", True))
+        np.testing.assert_allclose(axis([0.0, 9e3, 39e3]), [1.0, 10.0, 40.0])
+        np.testing.assert_allclose(axis.positions([1e3, 40e3]), [0.0, 39e3])
+        self.assertEqual(axis.range, (40.0, 1.0))
+
     def test_no_depth_above_the_surface_or_on_a_slope(self):
-        for coordinates in ([(0.0, 0.0), (0.0, 1.0)], [(-1.0, -1.0), (0.0, 0.0)]):
+        """The distance from the upper end, also where an older run counts from the lower one."""
+        for coordinates in ([(0.0, 0.0), (0.0, 5.0)], [(-4.0, -3.0), (0.0, 0.0)],
+                            [(0.0, 5.0), (0.0, 0.0)], [(0.0, 0.0), (-4.0, -3.0)],
+                            [(0.0, 0.0), (4.0, -3.0)]):
             axis = self.axis(coordinates)
-            self.assertEqual((axis.name, axis.is_depth), ("Position along the fault", False))
-            self.assertEqual(float(axis.metres(0.0)), 0.0)
+            self.assertEqual((axis.name, axis.is_depth),
+                             ("Distance from the upper end of the fault", False))
+            begins_above = coordinates[0][1] > coordinates[1][1]
+            np.testing.assert_allclose(axis.metres([0.0, 5.0]),
+                                       [0.0, 5.0] if begins_above else [5.0, 0.0])
 
     def test_x_on_a_horizontal_fault(self):
         axis = self.axis([(-3e3, 0.0), (9e3, 0.0)])

@@ -1,0 +1,83 @@
+"""The events of a run: where their places count from, and which of them count."""
+
+from typing import Optional
+
+import numpy as np
+
+from .errors import InputError
+from .h5file import H5File
+from .selection import Selection
+from .tables import Table
+
+LARGEST = {"width", "length", "area", "peak_slip", "peak_slip_rate"}
+SUMS = {"moment", "moment_per_length"}
+LAST = {"end"}
+LEVEL = 1e-9  # of the length of a fault: ends that differ less in height are equally high
+NUCLEATION, FROM_UPPER_END = "nucleation", "nucleation_from_upper_end"
+
+
+def begins_at_upper_end(nodes: np.ndarray, positions: np.ndarray) -> bool:
+    """Whether positions along a fault, of nodes (n, 2), count from its upper end. In runs of versions
+    before 0.1 they count from the end with smaller x, then y: from below on an upright fault."""
+    return bool(nodes[-1, 1] - nodes[0, 1] <= LEVEL * positions[-1])
+
+
+def with_origin(table: Table, geometry: Optional[H5File]) -> Table:
+    """The events with `nucleation` [m] from the upper end of the fault; of an older run by the
+    `geometry` of its fault and, without one, as `nucleation_from_smaller_coordinates`."""
+    columns, units = dict(table.columns), dict(table.units)
+
+    def rename(name: str, new: str, values: np.ndarray) -> Table:
+        units[new] = units.pop(name)
+        del columns[name]
+        columns[new] = values
+        return Table(table.path, columns, units)
+
+    if FROM_UPPER_END in columns:
+        return rename(FROM_UPPER_END, NUCLEATION, columns[FROM_UPPER_END])
+    if NUCLEATION not in columns:
+        return table
+    if geometry is None or not geometry.has("geometry/positions"):
+        return rename(NUCLEATION, "nucleation_from_smaller_coordinates", columns[NUCLEATION])
+    positions = geometry.array("geometry/positions")
+    if not begins_at_upper_end(geometry.array("geometry/coordinates"), positions):
+        columns[NUCLEATION] = positions[-1] - columns[NUCLEATION]
+    return Table(table.path, columns, units)
+
+
+def select(table: Table, selection: Selection) -> Table:
+    """The events that count. What is merged has the first onset, place and number, the last end, the
+    sum of moments and energies, and the largest of its parts' sizes, slips and rates: a part of the
+    fault that slips in two of them counts once."""
+    if selection.merging_time > 0.0 and len(table):
+        table = _merged(table, selection.merging_time)
+    if selection.smallest_width > 0.0:
+        table = table.select(table["width"] >= selection.smallest_width)
+    if selection.smallest_magnitude is not None:
+        if "magnitude" not in table:
+            raise InputError(f"{table.path} has no magnitudes, as in two dimensions: choose events "
+                             "by a smallest width.")
+        table = table.select(table["magnitude"] >= selection.smallest_magnitude)
+    return table
+
+
+def _merged(table: Table, merging_time: float) -> Table:
+    onset = table["onset"]
+    end = table["end"] if "end" in table else onset + table["duration"]
+    first = np.flatnonzero(np.concatenate(([True], onset[1:] - end[:-1] >= merging_time)))
+    last = np.append(first[1:], len(table)) - 1
+    columns = {}
+    for name, values in table.columns.items():
+        if name in LARGEST:
+            columns[name] = np.maximum.reduceat(values, first)
+        elif name in SUMS or table.units[name].startswith("J"):
+            columns[name] = np.add.reduceat(values, first)
+        elif name == "complete":
+            columns[name] = np.minimum.reduceat(values, first)
+        else:
+            columns[name] = values[last if name in LAST else first]
+    columns["duration"] = end[last] - onset[first]
+    if "magnitude" in columns and "moment" in columns:
+        with np.errstate(divide="ignore"):
+            columns["magnitude"] = (np.log10(columns["moment"]) - 9.1) / 1.5
+    return Table(table.path, columns, table.units)

@@ -1,0 +1,74 @@
+"""Which events of a catalogue count: a smallest size, and a time within which events are one."""
+
+import argparse
+import math
+from dataclasses import dataclass
+from typing import Optional
+
+from .durations import seconds, text
+
+
+@dataclass(frozen=True)
+class Selection:
+    """Events that follow one another within `merging_time` [s] are one; of these, those of at least
+    `smallest_width` [m] and, in three dimensions, `smallest_magnitude` count."""
+
+    smallest_width: float = 0.0
+    smallest_magnitude: Optional[float] = None
+    merging_time: float = 0.0
+
+    def __bool__(self) -> bool:
+        return self != Selection()
+
+    def __str__(self) -> str:
+        parts = []
+        if self.merging_time > 0.0:
+            parts.append(f"less than {text(self.merging_time)} apart are one")
+        if self.smallest_width > 0.0:
+            parts.append(f"narrower than {self.smallest_width:g} m are left out")
+        if self.smallest_magnitude is not None:
+            parts.append(f"below Mw {self.smallest_magnitude:g} are left out")
+        return "Events " + ", ".join(parts) + "." if parts else ""
+
+
+def add_options(parser: argparse.ArgumentParser) -> None:
+    group = parser.add_argument_group("which events count")
+    group.add_argument("--smallest-width", metavar="METRES", type=_size, default=0.0,
+                       help="leave out events with a smaller rupture width")
+    group.add_argument("--smallest-magnitude", metavar="MW", type=_number, default=None,
+                       help="leave out smaller events, in three dimensions")
+    group.add_argument("--merging-time", metavar="TIME", type=_time, default=0.0,
+                       help="events are one if less than this lies between them, in seconds or as "
+                            "30d, so that aftershocks do not count in recurrence times")
+
+
+def chosen(options: argparse.Namespace) -> Selection:
+    return Selection(options.smallest_width, options.smallest_magnitude, options.merging_time)
+
+
+def _time(words: str) -> float:
+    try:
+        value = seconds(words)
+    except ValueError as error:
+        raise argparse.ArgumentTypeError(str(error)) from None
+    return _not_negative(value, words)
+
+
+def _size(words: str) -> float:
+    return _not_negative(_number(words), words)
+
+
+def _not_negative(value: float, words: str) -> float:
+    if value < 0.0:
+        raise argparse.ArgumentTypeError(f"'{words}' is negative")
+    return value
+
+
+def _number(words: str) -> float:
+    try:
+        value = float(words)
+    except ValueError:
+        value = math.nan
+    if not math.isfinite(value):
+        raise argparse.ArgumentTypeError(f"'{words}' is no number")
+    return value

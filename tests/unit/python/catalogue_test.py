@@ -1,0 +1,119 @@
+"""Which events count, and where their places count from."""
+
+import tempfile
+import unittest
+from pathlib import Path
+
+import numpy as np
+
+import asperity
+import synthetic_run
+from asperity.selection import Selection
+from asperity_plot import boxes
+
+YEAR, DAY = 365.25 * 86400.0, 86400.0
+RECURRENCE = np.array([29.0, 41.0, 77.0, 53.0]) * YEAR  # between main events
+AFTERSHOCKS = np.array([2.0, 9.0, 26.0]) * DAY          # after each of them
+HEADER = ("number,onset [s],end [s],duration [s],width [m],peak_slip [m],peak_slip_rate [m/s],"
+          "moment_per_length [N],nucleation_from_upper_end [m],complete,friction_work [J/m]")
+
+
+def rows():
+    """Main events of 60 s, 10 km and 4e13 N, aftershocks of 5 s, 800 m and 1e10 N."""
+    table = []
+    for main in np.concatenate(([YEAR], YEAR + np.cumsum(RECURRENCE))):
+        table.append([main, main + 60.0, 60.0, 10e3, 2.0, 1.0, 4e13, 12e3, 1, 5e9])
+        table += [[main + delay, main + delay + 5.0, 5.0, 800.0, 0.1, 0.02, 1e10, 9e3, 1, 1e6]
+                  for delay in AFTERSHOCKS]
+    return [[number, *row] for number, row in enumerate(table, start=1)]
+
+
+def write(folder: Path, header: str = HEADER) -> None:
+    folder.mkdir(exist_ok=True)
+    lines = [header] + [",".join(f"{float(value)!r}" for value in row) for row in rows()]
+    (folder / "events.csv").write_text("\n".join(lines) + "\n", encoding="utf-8")
+
+
+class Choosing(unittest.TestCase):
+    def setUp(self):
+        temporary = tempfile.TemporaryDirectory()
+        self.addCleanup(temporary.cleanup)
+        self.folder = Path(temporary.name)
+        write(self.folder)
+        self.run_ = asperity.Run(self.folder)
+
+    def median(self, run: asperity.Run) -> float:
+        return float(np.median(boxes.samples(run)["recurrence"]))
+
+    def test_all_events_count_without_a_choice(self):
+        self.assertEqual(len(self.run_.events), 20)
+        self.assertLess(self.median(self.run_), 27.0 * DAY)
+
+    def test_without_small_ones_recurrence_is_that_of_the_main_events(self):
+        run = self.run_.select(smallest_width=1e3)
+        np.testing.assert_allclose(np.diff(run.events["onset"]), RECURRENCE)
+        self.assertAlmostEqual(self.median(run) / YEAR, 47.0)
+        np.testing.assert_array_equal(run.events["number"], [1, 5, 9, 13, 17])
+
+    def test_merged_events_are_one(self):
+        events = self.run_.select(merging_time=30.0 * DAY).events
+        np.testing.assert_allclose(np.diff(events["onset"]), RECURRENCE)
+        np.testing.assert_allclose(events["moment_per_length"], 4e13 + 3e10)
+        np.testing.assert_allclose(events["friction_work"], 5e9 + 3e6)
+        np.testing.assert_array_equal(events["width"], 10e3)
+        np.testing.assert_array_equal(events["nucleation"], 12e3)
+        np.testing.assert_allclose(events["duration"], 26.0 * DAY + 5.0)
+        np.testing.assert_allclose(events["end"] - events["onset"], events["duration"])
+
+    def test_a_pause_of_the_merging_time_separates(self):
+        self.assertEqual(len(self.run_.select(merging_time=7.0 * DAY - 5.0).events), 15)
+        self.assertEqual(len(self.run_.select(merging_time=7.0 * DAY - 4.0).events), 10)
+
+    def test_again_keeps_the_choice(self):
+        self.assertEqual(len(self.run_.select(smallest_width=1e3).again().events), 5)
+
+    def test_magnitudes_need_a_surface(self):
+        with self.assertRaisesRegex(asperity.InputError, "no magnitudes.*smallest width"):
+            len(self.run_.select(smallest_magnitude=5.0).events)
+
+    def test_magnitudes(self):
+        write(self.folder, HEADER.replace("moment_per_length [N]", "moment [N m]")
+              .replace("nucleation_from_upper_end [m]", "magnitude"))
+        table = self.run_.again().select(merging_time=30.0 * DAY).events
+        np.testing.assert_allclose(table["magnitude"], (np.log10(4e13 + 3e10) - 9.1) / 1.5)
+        self.assertEqual(len(self.run_.select(smallest_magnitude=1e4).events), 5)
+
+    def test_it_says_what_was_chosen(self):
+        self.assertEqual(str(Selection(1e3, None, 60.0 * DAY)), "Events less than 60 d apart are "
+                         "one, narrower than 1000 m are left out.")
+        self.assertFalse(Selection())
+
+
+class Origin(unittest.TestCase):
+    """An upright fault from y = -40 km to 0, whose events begin at 12 km depth."""
+
+    def nucleation(self, header: str, nodes) -> asperity.Run:
+        with tempfile.TemporaryDirectory() as name:
+            write(Path(name), header)
+            if nodes is not None:
+                synthetic_run.write_history(Path(name) / "fault.h5", np.array([0.0, 1.0]),
+                                            np.array(nodes), {})
+            return asperity.Run(name).events
+
+    def test_new_runs_count_from_the_upper_end(self):
+        for nodes in (None, [(0.0, 0.0), (0.0, -40e3)]):
+            self.assertEqual(self.nucleation(HEADER, nodes)["nucleation"][0], 12e3)
+
+    def test_older_runs_are_converted(self):
+        old = HEADER.replace("nucleation_from_upper_end", "nucleation")
+        self.assertEqual(self.nucleation(old, [(0.0, -40e3), (0.0, 0.0)])["nucleation"][0], 28e3)
+        self.assertEqual(self.nucleation(old, [(0.0, 0.0), (30e3, 0.0)])["nucleation"][0], 12e3)
+
+    def test_an_older_run_without_its_fault_is_labelled(self):
+        events = self.nucleation(HEADER.replace("nucleation_from_upper_end", "nucleation"), None)
+        self.assertNotIn("nucleation", events)
+        self.assertEqual(events["nucleation_from_smaller_coordinates"][0], 12e3)
+
+
+if __name__ == "__main__":
+    unittest.main()
