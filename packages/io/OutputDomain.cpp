@@ -169,13 +169,18 @@ detail::CurveOrder orderAlong(OutputDomain const& domain, Mesh<2> const& mesh,
   for (std::size_t i = 0; i < all_ids.size(); ++i) {
     coordinates[all_ids[i]] = {all_coordinates[2 * i], all_coordinates[2 * i + 1]};
   }
-  return detail::orderCurve(segments, coordinates, domain.start);
+  return detail::orderCurve(segments, coordinates, startOf(domain));
 }
 } // namespace
 
-std::string startText(OutputDomain const& domain)
+CurveStart startOf(OutputDomain const& curve)
 {
-  return domain.start == CurveStart::upper_end
+  return curve.name == "surface" ? CurveStart::smaller_x : CurveStart::upper_end;
+}
+
+std::string startText(OutputDomain const& curve)
+{
+  return startOf(curve) == CurveStart::upper_end
            ? "its upper end (greater y; of ends equally high the one with smaller x)"
            : "the end with smaller x (of equal x, with smaller y)";
 }
@@ -198,7 +203,6 @@ OutputDomain boundaryDomain(std::string const& name, Mesh<Dim> const& mesh,
   ASPERITY_REQUIRE(nodes > 0, "The boundary '" << boundary << "', to be the " << name
                                                << ", has no facets. Check the mesh.");
   if constexpr (Dim == 2) {
-    domain.start = name == "surface" ? CurveStart::smaller_x : CurveStart::upper_end;
     const detail::CurveOrder order = orderAlong(domain, mesh, facets);
     numberAlong(domain, mesh, facets, order.vertex_ids);
     for (const GlobalOrdinal node : domain.node_numbers) {

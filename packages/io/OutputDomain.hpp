@@ -36,8 +36,6 @@ struct OutputDomain
   std::vector<GlobalOrdinal> connectivity; // (num_owned_elements, nodes_per_element), by number
   std::vector<double> corners;             // (num_owned_elements, nodes_per_element, dimension) [m]
 
-  CurveStart start = CurveStart::upper_end; // of positions
-
   // In a periodic mesh an element may reach across a period: its corners above lie next to each
   // other, but the coordinates of its nodes do not.
   bool is_periodic = false;
@@ -48,8 +46,9 @@ struct OutputDomain
   bool isCurve() const { return dimension == 2 && nodes_per_element == 2; }
 };
 
-// "its upper end (greater y; ...)": where positions are 0, for descriptions of files.
-std::string startText(OutputDomain const& domain);
+// Where the positions of a curve are 0; in words for descriptions of files, "its upper end (...)".
+CurveStart startOf(OutputDomain const& curve);
+std::string startText(OutputDomain const& curve);
 
 // The domain `name` made of the mesh's boundary `boundary` (num_owned may be 0 on a rank).
 //

@@ -17,5 +17,12 @@ def __getattr__(name):
     # On first use, so that the programs can say that numpy or h5py is missing.
     if name not in _PLACES:
         raise AttributeError(f"module 'asperity' has no attribute '{name}'")
+    import sys
     from importlib import import_module
-    return getattr(import_module(f".{_PLACES[name]}", __name__), name)
+    try:
+        return getattr(import_module(f".{_PLACES[name]}", __name__), name)
+    except ModuleNotFoundError as error:
+        raise ImportError(f"{sys.executable} has no module {error.name}. asperity needs numpy and "
+                          "h5py: apt-get install python3-numpy python3-h5py, and start Debian's "
+                          "/usr/bin/python3 if it is not the first on PATH; or pip install numpy "
+                          "h5py.") from None

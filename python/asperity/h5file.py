@@ -27,11 +27,19 @@ class H5File:
                              "Was the run killed while writing, or is it another file?") from error
 
     def has(self, name: str) -> bool:
-        return name in self._file
+        return self._item(name) is not None
+
+    def _item(self, name: str):
+        """What stands in the file under the name, or None; InputError where links go in a loop."""
+        try:
+            return self._file.get(name)
+        except (KeyError, OSError, RuntimeError, ValueError) as error:
+            raise InputError(f"{self.path}: '{name}' cannot be opened ({error}). The file is "
+                             "damaged.") from error
 
     def entries(self, folder: str) -> List[str]:
         """The names in a group of the file; none where there is no such group."""
-        group = self._file.get(folder)
+        group = self._item(folder)
         return list(group) if isinstance(group, h5py.Group) else []
 
     def attribute(self, dataset: str, name: str) -> str:
@@ -43,7 +51,7 @@ class H5File:
 
     def dataset(self, name: str) -> h5py.Dataset:
         """InputError unless there is such a dataset, with all its segments."""
-        dataset = self._file.get(name)
+        dataset = self._item(name)
         if not isinstance(dataset, h5py.Dataset):
             raise InputError(f"{self.path} has no dataset '{name}'. {self._contents(name)}")
         for source in dataset.virtual_sources() if dataset.is_virtual else ():
@@ -58,6 +66,10 @@ class H5File:
         except (OSError, ValueError, TypeError) as error:
             raise InputError(f"{self.path}: '{dataset.name}' cannot be read ({error}). "
                              "The file is damaged.") from error
+        except MemoryError as error:
+            raise InputError(f"{self.path}: '{dataset.name}' has {dataset.size:.3g} numbers, for "
+                             "which the memory does not suffice. If the run was not that long, the "
+                             "file is damaged.") from error
 
     def strings(self, name: str) -> List[str]:
         try:

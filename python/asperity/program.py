@@ -5,6 +5,13 @@ import sys
 from typing import Callable
 
 
+def what_to_install(error: ImportError) -> str:
+    """The message where a module is missing: which Python, and the packages that it needs."""
+    return (f"{sys.executable}: {error}. On Debian: apt-get install python3-numpy python3-h5py "
+            "python3-matplotlib, for /usr/bin/python3; another Python first on PATH does not see "
+            "them.")
+
+
 def run_program(main: Callable[[], int]) -> None:
     """Exits with the status that `main` returns."""
     try:

@@ -29,6 +29,11 @@ class Run:
 
     def __init__(self, directory: Union[str, Path], selection: Selection = Selection()):
         directory = Path(directory)
+        try:
+            str(directory.absolute()).encode("utf-8")
+        except UnicodeEncodeError:
+            raise InputError(f"{ascii(str(directory))}: a name in this path is not UTF-8, and no "
+                             "file or figure can say it. Rename the folder.") from None
         if not directory.is_dir():
             raise InputError(f"{directory} is not a directory. Give the folder in which a run of "
                              "asperity left its results.")

@@ -6,6 +6,7 @@ from pathlib import Path
 from typing import List, Optional
 
 from asperity import selection
+from asperity.program import what_to_install
 
 INPUT_ERROR = 2
 
@@ -17,8 +18,7 @@ def main(arguments: Optional[List[str]] = None) -> int:
         from asperity.errors import InputError  # here, since modules may be missing
         from .report import report
     except ImportError as error:
-        return _fail([f"{error}. On Debian: apt-get install python3-numpy python3-h5py "
-                      "python3-matplotlib"])
+        return _fail([what_to_install(error)])
     path = options.output or options.directory / "report.html"
     try:
         text, wrong = report(options.directory, selection.chosen(options))

@@ -9,6 +9,7 @@ from pathlib import Path
 from typing import List, Optional
 
 from asperity.durations import seconds
+from asperity.program import what_to_install
 
 STATUS = {"finished": 0, "stopped": 4, "silent": 6, "running": 10}
 INPUT_ERROR = 2
@@ -26,7 +27,7 @@ def main(arguments: Optional[List[str]] = None) -> int:
         from asperity.errors import InputError  # here, since numpy and h5py may be missing
         from .facts import facts
     except ImportError as error:
-        return _fail(str(error))
+        return _fail(what_to_install(error))
     try:
         while True:
             now = facts(options.directory, options.silent_after)

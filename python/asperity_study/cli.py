@@ -8,6 +8,7 @@ from pathlib import Path
 from typing import List, Optional
 
 from asperity import selection
+from asperity.program import what_to_install
 
 DONE, INPUT_ERROR, SOME_FAILED, STOPPED = 0, 2, 3, 4
 ENDS = """exit status:
@@ -23,8 +24,7 @@ def main(arguments: Optional[List[str]] = None) -> int:
         from asperity.errors import InputError  # here, since modules may be missing
         from . import figure, results, runner, study
     except ImportError as error:
-        return _fail(f"{error}. On Debian: apt-get install python3-numpy python3-h5py "
-                     "python3-matplotlib")
+        return _fail(what_to_install(error))
     try:
         chosen = selection.chosen(options)
         what = study.read(options.study)
@@ -40,12 +40,14 @@ def main(arguments: Optional[List[str]] = None) -> int:
                              runner.launcher(what.ranks, options.mpirun),
                              tell=lambda text: print(text, flush=True))
         team.validate([job for job in jobs if job.state == "waiting"])
-        _remember(folder, what, values)
-        complete = team.run(jobs)
-        table = results.columns(what, jobs, values, chosen)
-        for path in results.write(folder, table):
-            print(path)
-        print(figure.draw(what, table, folder / "study.png", str(chosen)))
+        with runner.alone(folder):
+            runner.mark_finished(jobs)
+            _remember(folder, what, values)
+            complete = team.run(jobs)
+            table = results.columns(what, jobs, values, chosen)
+            for path in results.write(folder, table):
+                print(path)
+            print(figure.draw(what, table, folder / "study.png", str(chosen)))
     except InputError as error:
         return _fail(str(error))
     except OSError as error:
@@ -57,17 +59,15 @@ def main(arguments: Optional[List[str]] = None) -> int:
 
 
 def _jobs(what, values, folder: Path):
-    from .runner import Job, is_finished
+    from .runner import Job, mark_finished
     digits = max(4, len(str(len(values))))
     jobs = []
     for number, each in enumerate(values, start=1):
         arguments = [str(what.deck)]
         for override in what.overrides(each):
             arguments += ["--set", override]
-        job = Job(number, folder / "runs" / f"{number:0{digits}d}", arguments)
-        if is_finished(job.folder):
-            job.state = "finished"
-        jobs.append(job)
+        jobs.append(Job(number, folder / "runs" / f"{number:0{digits}d}", arguments))
+    mark_finished(jobs)
     return jobs
 
 
@@ -80,7 +80,6 @@ def _remember(folder: Path, what, values) -> None:
     if path.exists() and path.read_text(encoding="utf-8") != text:
         raise InputError(f"{folder} holds the runs of another study, or of this one before it was "
                          "changed. Choose another place with --output, or remove the folder.")
-    folder.mkdir(parents=True, exist_ok=True)
     path.write_text(text, encoding="utf-8")
 
 

@@ -1,6 +1,8 @@
 """Runs side by side on the cores given; what was killed is continued from its checkpoint."""
 
+import contextlib
 import ctypes
+import fcntl
 import os
 import shlex
 import signal
@@ -9,7 +11,7 @@ import sys
 import time
 from dataclasses import dataclass, field
 from pathlib import Path
-from typing import Callable, Dict, List, Optional
+from typing import Callable, Dict, Iterator, List, Optional
 
 from asperity.errors import InputError
 from asperity.log import RunLog
@@ -137,6 +139,30 @@ def is_finished(folder: Path) -> bool:
         return RunLog.read(folder / "run.log").ending == "Finished"
     except InputError:
         return False
+
+
+def mark_finished(jobs: List[Job]) -> None:
+    for job in jobs:
+        if is_finished(job.folder):
+            job.state = "finished"
+
+
+@contextlib.contextmanager
+def alone(folder: Path) -> Iterator[None]:
+    """Makes the folder of a study; InputError while another process works on the study in it. The
+    lock ends with the process, however that ends."""
+    folder.mkdir(parents=True, exist_ok=True)
+    descriptor = os.open(folder / "study.lock", os.O_RDWR | os.O_CREAT | os.O_NOFOLLOW, 0o644)
+    try:
+        fcntl.flock(descriptor, fcntl.LOCK_EX | fcntl.LOCK_NB)
+    except BlockingIOError:
+        os.close(descriptor)
+        raise InputError(f"Another asperity-study works in {folder}. Wait for it, or choose another "
+                         "place with --output.") from None
+    try:
+        yield
+    finally:
+        os.close(descriptor)
 
 
 def find_program(given: Optional[Path]) -> Path:

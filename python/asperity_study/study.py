@@ -91,14 +91,24 @@ def read(path: Path) -> Study:
     sampling = _choice(entries, "Sampling", SAMPLINGS, str(path))
     variables = tuple(_variable(each, f"{path}: {each.get('name')}", sampling)
                       for each in entries.get("Variables", ()))
-    settings = {each.get("name", ""): each.get("value", "") for each in
-                entries.get("Settings", ())}
+    settings = _settings(entries.get("Settings", ()), path)
     study = Study(deck, sampling, variables, settings,
                   _count(entries, "Ranks", str(path), 1),
                   *((_count(entries, "Samples", str(path)), _count(entries, "Seed", str(path), 0))
                     if sampling == "Random" else ()))
     _check(study, path)
     return study
+
+
+def _settings(nodes, path: Path) -> Dict[str, str]:
+    settings: Dict[str, str] = {}
+    for node in nodes:
+        name = node.get("name", "")
+        if name in settings:
+            raise InputError(f"{path}: Settings: '{name}' is given twice, as '{settings[name]}' and "
+                             f"'{node.get('value', '')}'. Keep one.")
+        settings[name] = node.get("value", "")
+    return settings
 
 
 def _check(study: Study, path: Path) -> None:
@@ -158,6 +168,8 @@ def _entries(node: ElementTree.Element, where: str, allowed: set) -> Dict[str, A
         if name not in allowed:
             raise InputError(f"{where}: '{name}' is unknown; {', '.join(sorted(allowed))} are "
                              "known here.")
+        if name in found:
+            raise InputError(f"{where}: '{name}' is given twice. Keep one.")
         found[name] = list(child) if child.tag == "ParameterList" else child.get("value", "")
     return found
 

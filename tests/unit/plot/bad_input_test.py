@@ -54,6 +54,28 @@ class BadInput(unittest.TestCase):
         (self.folder / "fault.h5").write_bytes(data[:600])
         self.expect("fault.h5", "cannot be opened", figures="slip_rate,slip")
 
+    def test_a_history_of_very_many_rows(self):
+        with h5py.File(self.folder / "fault.h5", "a") as file:
+            del file["time"]
+            file.create_dataset("time", shape=(2**40,), chunks=(1024,), dtype="f8")
+        self.expect("fault.h5", "'/time' has 1.1e+12 numbers", "damaged", figures="slip_rate")
+
+    def test_links_in_a_loop(self):
+        with h5py.File(self.folder / "fault.h5", "a") as file:
+            del file["time"]
+            file["time"], file["other"] = h5py.SoftLink("/other"), h5py.SoftLink("/time")
+        self.expect("fault.h5", "'time'", figures="slip_rate")
+
+    def test_a_name_that_is_not_utf8(self):
+        folder = os.fsdecode(os.fsencode(self.folder.parent) + b"/caf\xe9")
+        shutil.move(self.folder, folder)
+        self.expect("caf\\udce9", "not UTF-8", folder=Path(folder))
+        for program in ("asperity_plot", "asperity_report"):
+            result = subprocess.run([sys.executable, "-m", program, folder], text=True,
+                                    capture_output=True, check=False)
+            self.assertEqual(result.returncode, 2)
+            self.assertEqual(len(result.stderr.strip().splitlines()), 1, result.stderr)
+
     def test_damaged_segment(self):
         path = self.folder / "segments" / "surface_000001.h5"
         path.write_bytes(path.read_bytes()[:600])

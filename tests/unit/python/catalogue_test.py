@@ -10,6 +10,9 @@ import asperity
 import synthetic_run
 from asperity.selection import Selection
 from asperity_plot import boxes
+from asperity_study import results
+from asperity_study.runner import Job
+from asperity_study.study import Study, Variable
 
 YEAR, DAY = 365.25 * 86400.0, 86400.0
 RECURRENCE = np.array([29.0, 41.0, 77.0, 53.0]) * YEAR  # between main events
@@ -87,6 +90,19 @@ class Choosing(unittest.TestCase):
         self.assertEqual(str(Selection(1e3, None, 60.0 * DAY)), "Events less than 60 d apart are "
                          "one, narrower than 1000 m are left out.")
         self.assertFalse(Selection())
+
+
+class Studies(Choosing):
+    def test_the_table_of_a_study_counts_what_is_chosen_and_has_moments(self):
+        what = Study(Path("deck.xml"), "Grid", (Variable("a", ("F/a",), values=("1",)),))
+        (self.folder / "run.log").write_text("")
+        jobs = [Job(1, self.folder, [], "finished")]
+        table = {name: (unit, values[0]) for name, unit, values in results.columns(
+            what, jobs, what.runs(), Selection(smallest_width=1e3))}
+        self.assertEqual(table["events"], ("", 5))
+        self.assertAlmostEqual(table["recurrence_median"][1] / YEAR, 47.0)
+        self.assertEqual(table["moment_per_length_median"], ("N", 4e13))
+        self.assertNotIn("magnitude_median", table)
 
 
 class Origin(unittest.TestCase):

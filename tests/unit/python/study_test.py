@@ -10,7 +10,7 @@ import numpy as np
 
 import synthetic_run
 from asperity.errors import InputError
-from asperity_study import figure, results, study
+from asperity_study import figure, results, runner, study
 from asperity_study.runner import Job
 
 EXAMPLES = Path(__file__).resolve().parents[3] / "examples" / "study"
@@ -118,6 +118,24 @@ class BadStudies(Studies):
         self.refuse("'x' is no number", self.sampled("b", "x", "1"), samples, "Random")
         self.refuse("Samples = '0'; a whole number from 1", self.sampled("b", "0", "1"),
                     samples.replace("3", "0"), "Random")
+
+    def test_what_is_given_twice_is_refused(self):
+        variable = self.listed("a", "F/a", "1, 2")
+        once = '<Parameter name="T" value="3"/>'
+        settings = f'<ParameterList name="Settings">{once}{{}}</ParameterList>'
+        study.read(self.write(variable, settings.format("")))
+        self.refuse("Settings: 'T' is given twice, as '3' and '4'", variable,
+                    settings.format(once.replace("3", "4")))
+        self.refuse("'Ranks' is given twice", variable, '<Parameter name="Ranks" value="1"/>' * 2)
+
+    def test_a_folder_has_one_study_at_a_time(self):
+        folder = self.folder / "results"
+        with runner.alone(folder):
+            with self.assertRaisesRegex(InputError, "Another asperity-study works in .*results"):
+                with runner.alone(folder):
+                    self.fail("two studies at once")
+        with runner.alone(folder):
+            self.assertTrue(folder.is_dir())
 
     def test_files(self):
         with self.assertRaisesRegex(InputError, "cannot be read"):
