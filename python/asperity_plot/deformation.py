@@ -35,8 +35,10 @@ def draw(run: Run, view: View):
         return deformation_maps.draw(run, spans, titles)
     directions = _directions(run)
     changes = [[_change(run, span, direction) for _, direction, _ in directions] for span in spans]
+    shown = deformation_maps.moving(changes)
+    changes, titles = [changes[i] for i in shown], [titles[i] for i in shown]
     where, unit = along.axis(run, run.surface, "surface"), units.length(np.array(changes))
-    figure, axes = style.panels(1, 2, (11.0, 4.2), sharex=True)
+    figure, axes = style.panels(1, len(shown), (11.0 if len(shown) > 1 else 6.5, 4.2), sharex=True)
     for panel, lines in zip(axes[0], changes):
         for (name, _, colour), line in zip(directions, lines):
             _line(panel, where, run.surface.position, unit(line), colour, name)

@@ -16,6 +16,7 @@ from .windows import Window
 
 FIELD = "displacement"
 ARROWS = 24     # along the longer side of a panel
+NOTHING = 1e-6  # of the largest displacement: a panel of this would be empty
 SHOWN = 0.01    # places that move less than this share of the largest are left out
 
 
@@ -27,9 +28,12 @@ def draw(run: Run, spans: Tuple[Window, Window], titles: List[str]):
     axes = [axis for axis in range(3) if axis != int(np.argmax(np.abs(upwards)))]
     places, far = nodes[:, axes], units.length(np.ptp(nodes, axis=0))
     moved = [change(run, span) for span in spans]
+    shown = moving(moved)
+    moved, titles = [moved[i] for i in shown], [titles[i] for i in shown]
     limits = _limits(places, moved)
     shape = float(np.divide(*np.ptp(limits, axis=0)[::-1]))
-    figure, panels = style.panels(1, 2, (11.0, 1.5 + min(4.4 * shape, 8.0)), sharey=True)
+    width = 11.0 if len(shown) > 1 else 6.5
+    figure, panels = style.panels(1, len(shown), (width, 1.5 + min(4.4 * shape, 8.0)), sharey=True)
     for panel, displacement, title in zip(panels[0], moved, titles):
         mesh = Triangulation(*far(places).T, triangles)
         _uplift(panel, mesh, displacement @ upwards)
@@ -39,6 +43,13 @@ def draw(run: Run, spans: Tuple[Window, Window], titles: List[str]):
     panels[0, 0].set_ylabel(f"{'xyz'[axes[1]]} [{far.name}]")
     style.title(figure, "Displacement of the surface")
     return figure
+
+
+def moving(moved: List[np.ndarray]) -> List[int]:
+    """Which of the spans have a displacement to show: where an event begins with the run, nothing
+    moves before it."""
+    sizes = [float(np.abs(one).max()) for one in moved]
+    return [i for i, size in enumerate(sizes) if size > NOTHING * max(sizes)] or [len(moved) - 1]
 
 
 def change(run: Run, span: Window) -> np.ndarray:

@@ -29,10 +29,22 @@ def draw(run: Run, view: View):
         _front(panels[1], where, front)
     for panel in panels:
         where.label(panel)
+        _hypocentre(panel, run, row, where)
     number = windows.number(run.events, row)
+    size = f", Mw {run.events['magnitude'][row]:.2f}" if "magnitude" in run.events else ""
     style.title(figure, f"Event {number} at {units.text(onset, 's', 5)}, lasting "
-                        f"{units.text(end - onset, 's')}")
+                        f"{units.text(end - onset, 's')}{size}")
     return figure
+
+
+def _hypocentre(panel, run: Run, row: int, where: plane.Plane) -> None:
+    """A star where the first node passed the threshold, if the catalogue says where."""
+    names = [f"hypocentre_{axis}" for axis in "xyz"]
+    if all(name in run.events for name in names):
+        place = where.place([run.events[name][row] for name in names])
+        panel.plot(*place, "*", color="white", markeredgecolor="black", markersize=12,
+                   label="hypocentre", clip_on=False, zorder=5)
+        panel.legend(loc="lower right", fontsize=8)
 
 
 def _panels(where: plane.Plane):

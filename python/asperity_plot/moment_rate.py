@@ -10,6 +10,7 @@ from asperity.run import Run
 from . import profiles, style, units, windows
 from .windows import View
 
+SMALL = 0.01  # of the largest moment rate of an event
 MARGIN = 0.1  # durations of an event, before its onset and after its end
 
 
@@ -18,7 +19,8 @@ def draw(run: Run, view: View):
     events = list(curves(run, view))
     if not events:
         raise NothingToShow("no event is in the time shown")
-    clock = units.duration(max(units.largest(time) for _, time, _, _ in events))
+    last = max(pulse_end(time, rate) for _, time, rate, _ in events)
+    clock = units.duration(last)
     per_length, newtons = (" per length", "N") if on_curve(run) else ("", "N m")
     rate_unit = units.scientific([units.largest(rate) for _, _, rate, _ in events], newtons + "/s")
     moment_unit = units.scientific([units.largest(moment) for *_, moment in events], newtons)
@@ -32,12 +34,19 @@ def draw(run: Run, view: View):
                    title="Moment since the onset")
     for panel in axes[0]:
         panel.set_xlabel(f"Time since the onset of the event [{clock.name}]")
-        panel.margins(x=0.02)
+        panel.set_xlim(clock(-MARGIN * last), clock((1.0 + MARGIN) * last))
         panel.grid(True)
     figure.supxlabel("all slip of the fault from onset to end, also slower than the threshold of "
                      "events.csv, whose moments are smaller", fontsize=8.5, color=style.DARK)
     style.title(figure, "Moment of the events" + (" per length of the fault" if per_length else ""))
     return figure
+
+
+def pulse_end(time: np.ndarray, rate: np.ndarray) -> float:
+    """The last time [s] since the onset with a rate that is not small beside the largest: afterwards
+    an event may creep above the threshold for long."""
+    fast = time[rate >= SMALL * units.largest(rate)]
+    return float(fast[-1]) if fast.size and fast[-1] > 0.0 else float(time[-1])
 
 
 def on_curve(run: Run) -> bool:

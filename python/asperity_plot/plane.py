@@ -23,6 +23,13 @@ class Plane:
     dip: np.ndarray     # (nodes)
     triangles: np.ndarray
     unit: units.Unit    # of both axes
+    axes: np.ndarray    # (2, 3) unit vectors along strike and down dip
+    top: float          # [m] of the upper end, along the second
+
+    def place(self, point) -> Tuple[float, float]:
+        """Where a point of the mesh [m] is in a panel."""
+        along, down = self.axes @ np.asarray(point, dtype=float)
+        return float(self.unit(along)), float(self.unit(down - self.top))
 
     @property
     def triangulation(self) -> Triangulation:
@@ -49,7 +56,8 @@ def plane(run: Run, file: H5File) -> Plane:
     triangles = file.array(ELEMENTS[0] if file.has(ELEMENTS[0]) else ELEMENTS[1]).astype(int)
     strike, dip = directions(nodes[triangles], up(run))
     along, down = nodes @ strike, nodes @ dip
-    return Plane(along, down - down.min(), triangles, units.length(np.ptp(nodes, axis=0)))
+    return Plane(along, down - down.min(), triangles, units.length(np.ptp(nodes, axis=0)),
+                 np.stack((strike, dip)), float(down.min()))
 
 
 def up(run: Run) -> np.ndarray:

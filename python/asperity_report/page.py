@@ -9,9 +9,10 @@ body{font:15px/1.5 "DejaVu Sans",Verdana,sans-serif;color:#333;max-width:60em;ma
 padding:0 1em}
 h1{font-size:1.6em}h2{font-size:1.25em;border-bottom:1px solid #bbb;margin-top:2em}
 table{border-collapse:collapse;font-size:.85em;margin:1em 0;display:block;overflow-x:auto}
-th,td{padding:.2em .7em;text-align:right;border-bottom:1px solid #ddd;vertical-align:top}
+th,td{padding:.2em .45em;text-align:right;border-bottom:1px solid #ddd;vertical-align:top}
 td:first-child,th:first-child{text-align:left}th{background:#f2f2f2}
 .words td,.words th{text-align:left;overflow-wrap:anywhere}
+.words td:first-child{overflow-wrap:normal;min-width:14em}
 img{max-width:100%;border:1px solid #ddd}nav a{margin-right:1em}
 p.note{color:#666;font-size:.85em}p.wrong{color:#a03018}
 @media print{nav{display:none}h2{break-after:avoid}img{break-inside:avoid}}
@@ -26,7 +27,10 @@ def paragraph(text: str, kind: str = "") -> str:
 def table(header: Sequence[str], rows: Sequence[Sequence[str]], words: bool = False) -> str:
     """Numbers stand on the right; with `words` all stands on the left."""
     def line(cells: Sequence[str], tag: str) -> str:
-        return "<tr>" + "".join(f"<{tag}>{escape(str(cell))}</{tag}>" for cell in cells) + "</tr>"
+        texts = (escape(str(cell)) for cell in cells)
+        if words:  # paths break between their parts
+            texts = (text.replace("/", "/<wbr>") for text in texts)
+        return "<tr>" + "".join(f"<{tag}>{text}</{tag}>" for text in texts) + "</tr>"
     mark = ' class="words"' if words else ""
     body = "\n".join(line(row, "td") for row in rows)
     return f"<table{mark}>\n{line(header, 'th')}\n{body}\n</table>"

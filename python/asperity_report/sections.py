@@ -15,6 +15,7 @@ from asperity_status.text import describe
 
 from . import page
 
+MOST_COLUMNS = 9  # of a table that need not be moved sideways
 SUMS = ("coupled_steps", "rate_problems", "tnnmg_iterations", "corrections", "v_cycles",
         "failed_steps", "energy_rises")
 EACH = ("fixed_point_iterations", "tnnmg_iterations", "step_size", "error")
@@ -34,8 +35,13 @@ def parameters(run: Run) -> str:
 
 
 def _columns(columns: List[Column]) -> str:
-    rows = list(zip(*(column.cells() for column in columns)))
-    return page.table([column.header for column in columns], rows)
+    """As many tables as fit the page, each with the first column."""
+    parts = []
+    for first in range(1, len(columns), MOST_COLUMNS - 1):
+        shown = columns[:1] + columns[first:first + MOST_COLUMNS - 1]
+        rows = list(zip(*(column.cells() for column in shown)))
+        parts.append(page.table([column.header for column in shown], rows))
+    return "\n".join(parts)
 
 
 def events(run: Run, view: View, wrong: List[str]) -> str:
