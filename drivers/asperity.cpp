@@ -3,6 +3,7 @@
 #include "base/Errors.hpp"
 #include "base/program/MpiScope.hpp"
 #include "base/program/Plugins.hpp"
+#include "base/program/Signals.hpp"
 #include "scenario/DeckReader.hpp"
 #include "scenario/Environment.hpp"
 #include "scenario/Registrations.hpp"
@@ -35,6 +36,11 @@ try {
   throw asperity::InputError(error.what() +
                              asperity::scenario::remarkOnLargeValues(command_line, error.what()));
 }
+
+#ifdef __ELF__
+using Start = void (*)(int, char**, char**);
+[[gnu::section(".preinit_array"), gnu::used]] const Start at_start = asperity::noteIgnoredSignals;
+#endif
 } // namespace
 
 int main(int argc, char** argv)

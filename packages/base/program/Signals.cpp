@@ -9,6 +9,20 @@ namespace
 {
 volatile std::sig_atomic_t last_signal = 0;
 bool is_watching = false;
+bool hangup_was_ignored = false, pipe_was_ignored = false;
+
+bool isIgnored(int number)
+{
+  struct sigaction action = {};
+  sigaction(number, nullptr, &action);
+  return action.sa_handler == SIG_IGN;
+}
+
+bool staysIgnored(int number)
+{
+  return (number == SIGHUP && (hangup_was_ignored || isIgnored(number))) ||
+         (number == SIGPIPE && (pipe_was_ignored || isIgnored(number)));
+}
 
 // The handler may only do what POSIX calls async-signal-safe.
 extern "C" void noteSignal(int number)
@@ -32,9 +46,11 @@ StopSignals::StopSignals()
   action.sa_flags = SA_RESTART; // no interrupted system calls in MPI or HDF5
   for (std::size_t i = 0; i < watched.size(); ++i) {
     sigaction(watched[i], nullptr, &previous_[i]);
-    const bool stays_ignored =
-      previous_[i].sa_handler == SIG_IGN && (watched[i] == SIGHUP || watched[i] == SIGPIPE);
-    if (!stays_ignored) {
+    if (staysIgnored(watched[i])) {
+      previous_[i].sa_handler = SIG_IGN;
+      previous_[i].sa_flags = 0; // no SA_SIGINFO, which has its handler elsewhere
+      sigaction(watched[i], &previous_[i], nullptr);
+    } else {
       sigaction(watched[i], &action, nullptr);
     }
   }
@@ -54,6 +70,12 @@ StopSignals::Agreed StopSignals::agreed(bool wish, Communicator const& communica
 {
   const int all = maxOverRanks(2 * received() + (wish ? 1 : 0), communicator);
   return {all / 2, all % 2 != 0};
+}
+
+void noteIgnoredSignals(int, char**, char**)
+{
+  hangup_was_ignored = isIgnored(SIGHUP);
+  pipe_was_ignored = isIgnored(SIGPIPE);
 }
 
 std::string signalName(int number)

@@ -11,7 +11,8 @@ namespace asperity
 // While it lives, SIGTERM, SIGINT, SIGHUP (the user logs out), SIGUSR1 (a queue's warning, which
 // mpirun passes on) and SIGPIPE (nobody reads the output) raise a flag instead of ending the
 // process, so that a run can leave a last checkpoint. A second SIGINT ends the process at once.
-// SIGHUP and SIGPIPE stay ignored where they are, as under nohup. Only one object may exist at a
+// SIGHUP and SIGPIPE stay ignored where they are, as under nohup, or were by what
+// noteIgnoredSignals found. Only one object may exist at a
 // time; its destructor restores the handlers that were there before.
 class StopSignals
 {
@@ -37,6 +38,11 @@ private:
   static constexpr std::array<int, 5> watched = {SIGTERM, SIGINT, SIGHUP, SIGUSR1, SIGPIPE};
   std::array<struct sigaction, watched.size()> previous_;
 };
+
+// Notes whether SIGHUP and SIGPIPE are ignored now. For the loader's .preinit_array, before the
+// libraries' own constructors: UCX, which comes with Open MPI 5, puts a handler of its own in the
+// place of nohup's. The arguments are main's and the environment; they are not used.
+void noteIgnoredSignals(int, char**, char**);
 
 // "SIGTERM", or the number of a signal that is not watched.
 std::string signalName(int number);

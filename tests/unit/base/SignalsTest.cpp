@@ -55,6 +55,25 @@ TEST(Signals, PreviousHandlersComeBack)
   EXPECT_EQ(StopSignals().received(), 0);
 }
 
+TEST(Signals, WhatWasIgnoredAtTheStartStaysIgnored)
+{
+  for (const int number : {SIGHUP, SIGPIPE}) {
+    const auto original = std::signal(number, SIG_IGN);
+    noteIgnoredSignals(0, nullptr, nullptr);
+    std::signal(number, previousHandler); // as a library does
+    caught_by_previous = 0;
+    {
+      StopSignals signals;
+      std::raise(number);
+      EXPECT_EQ(signals.received(), 0) << number;
+    }
+    std::raise(number);
+    EXPECT_EQ(caught_by_previous, 0) << number;
+    std::signal(number, original);
+    noteIgnoredSignals(0, nullptr, nullptr);
+  }
+}
+
 TEST(Signals, OneWatcherAtATime)
 {
   StopSignals signals;
