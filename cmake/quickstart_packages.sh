@@ -196,7 +196,7 @@ fetch_and_install()
   lacking=$(required_packages | select_of unknown)
   [ -z "$lacking" ] || fail "this release does not have, of what the build needs,
 $(show_packages <<< "$lacking")
-If you have these elsewhere, say --no-install; docs/platforms.md names the releases that were tried."
+If you have these elsewhere, say --no-install; docs/platforms.md names the releases tried."
   # shellcheck disable=SC2086 # a list of names
   install_packages $names || [ -z "$required" ] ||
     fail "apt-get could not install the packages; its last lines stand above. If you have these
