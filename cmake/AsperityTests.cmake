@@ -56,12 +56,23 @@ function(asperity_not_with_sanitizer sanitizer name reason)
   endif()
 endfunction()
 
+# Stores the labels of packages that a test has (`ctest -L '^tnnmg$'`): a unit test that of its
+# folder, others those that are given and those of the variable `tested_packages`, which a folder
+# sets whose tests run the whole program to test them.
+function(asperity_package_labels result level)
+  set(labels ${ARGN} ${tested_packages})
+  if(level STREQUAL "unit")
+    get_filename_component(labels "${CMAKE_CURRENT_SOURCE_DIR}" NAME)
+  endif()
+  set(${result} ${labels} PARENT_SCOPE)
+endfunction()
+
 # asperity_add_test(<level>.<package>.<Name> SOURCES <file>... PACKAGES <package>...
 #                   [LIBRARIES <target>...] [RANKS <n>...] [LABELS <label>...] [TIMEOUT <seconds>])
 #
 # A GoogleTest program, run once for each number of ranks as <level>.<package>.<Name>_MPI_<n>.
-# Labels: the level, and short (the default), medium or long. Tests with the label quick also run in
-# continuous integration's build with assertions.
+# Labels: the level, packages, and short (the default), medium or long. Tests with the label quick
+# also run in continuous integration's build with assertions.
 function(asperity_add_test name)
   cmake_parse_arguments(TEST "" "TIMEOUT" "SOURCES;PACKAGES;LIBRARIES;RANKS;LABELS" ${ARGN})
   if(NOT TEST_SOURCES)
@@ -94,10 +105,11 @@ function(asperity_add_test name)
   if("quick" IN_LIST TEST_LABELS)
     add_dependencies(asperity_quick_tests ${name})
   endif()
+  asperity_package_labels(packages ${level} ${TEST_PACKAGES})
   foreach(ranks IN LISTS TEST_RANKS)
     asperity_add_mpi_command(${name}_MPI_${ranks} RANKS ${ranks} COMMAND $<TARGET_FILE:${name}>)
     set_tests_properties(${name}_MPI_${ranks} PROPERTIES
-      LABELS "${level};${TEST_LABELS}" PROCESSORS ${ranks})
+      LABELS "${level};${packages};${TEST_LABELS}" PROCESSORS ${ranks})
     asperity_time_limit(${name}_MPI_${ranks} ${TEST_TIMEOUT})
   endforeach()
 endfunction()
@@ -156,10 +168,11 @@ function(asperity_add_python_test name)
   endif()
   add_test(NAME ${name} COMMAND "${ASPERITY_PYTHON}" "${script}" ${TEST_ARGUMENTS}
     WORKING_DIRECTORY "${folder}" ${configurations})
+  asperity_package_labels(packages ${level})
   set(mpiexec "${MPIEXEC_EXECUTABLE} ${ASPERITY_MPI_OPTIONS} ${MPIEXEC_NUMPROC_FLAG}")
   string(REPLACE ";" " " mpiexec "${mpiexec}")
   set_tests_properties(${name} PROPERTIES
-    LABELS "${level};${TEST_LABELS}" PROCESSORS ${TEST_PROCESSORS}
+    LABELS "${level};${packages};${TEST_LABELS}" PROCESSORS ${TEST_PROCESSORS}
     ENVIRONMENT "${ASPERITY_TEST_ENVIRONMENT};ASPERITY_SOURCE_DIR=${PROJECT_SOURCE_DIR};\
 ASPERITY_BUILD_DIR=${PROJECT_BINARY_DIR};ASPERITY_MPIEXEC=${mpiexec};PYTHONDONTWRITEBYTECODE=1;\
 PYTHONPATH=${PROJECT_SOURCE_DIR}/tests/support;${TEST_ENVIRONMENT}")

@@ -10,6 +10,7 @@ root=$folder/root
 log=/dev/null
 mkdir -p "$root"
 
+# shellcheck disable=SC2317 # called by the trap
 show_failure()
 {
   [ "$?" -eq 0 ] || tail -n 25 "$log"
