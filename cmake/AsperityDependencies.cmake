@@ -7,15 +7,13 @@ endif()
 
 find_package(MPI REQUIRED COMPONENTS C CXX)
 
-# Trilinos 14 and newer exports Trilinos::all_libs; 13 only sets variables. Either becomes
-# Asperity::Trilinos.
-find_package(Trilinos REQUIRED COMPONENTS
-  Tpetra Belos MueLu Ifpack2 Teuchos Kokkos KokkosKernels)
-if(TARGET Trilinos::all_libs)
-  add_library(Asperity::Trilinos INTERFACE IMPORTED)
-  target_link_libraries(Asperity::Trilinos INTERFACE Trilinos::all_libs MPI::MPI_CXX)
+# Trilinos 14 and newer exports targets; 13 only sets variables. Trilinos::all_libs is of no use: it
+# names the targets of all packages, also of those that were not asked for and not installed.
+find_package(Trilinos REQUIRED COMPONENTS Tpetra Belos MueLu Teuchos Kokkos KokkosKernels)
+add_library(Asperity::Trilinos INTERFACE IMPORTED)
+if(TARGET Trilinos::all_selected_libs)
+  target_link_libraries(Asperity::Trilinos INTERFACE Trilinos::all_selected_libs MPI::MPI_CXX)
 else()
-  add_library(Asperity::Trilinos INTERFACE IMPORTED)
   target_include_directories(Asperity::Trilinos SYSTEM INTERFACE
     ${Trilinos_INCLUDE_DIRS} ${Trilinos_TPL_INCLUDE_DIRS})
   target_link_directories(Asperity::Trilinos INTERFACE ${Trilinos_LIBRARY_DIRS})

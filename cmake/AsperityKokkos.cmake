@@ -7,8 +7,12 @@ endif()
 if(NOT Trilinos_FOUND)
   find_package(Kokkos REQUIRED)
 endif()
+set(asperity_kokkos_folders "")
+if(TARGET Kokkos::kokkoscore)
+  get_target_property(asperity_kokkos_folders Kokkos::kokkoscore INTERFACE_INCLUDE_DIRECTORIES)
+endif()
 find_file(ASPERITY_KOKKOS_CONFIG KokkosCore_config.h NO_DEFAULT_PATH
-  HINTS ${Kokkos_INCLUDE_DIRS} ${Trilinos_INCLUDE_DIRS}
+  HINTS ${asperity_kokkos_folders} ${Kokkos_INCLUDE_DIRS} ${Trilinos_INCLUDE_DIRS}
     "${Kokkos_DIR}/../../../include" "${Kokkos_DIR}/../../../../include"
   PATH_SUFFIXES kokkos trilinos REQUIRED)
 

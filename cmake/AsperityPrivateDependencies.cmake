@@ -12,7 +12,11 @@ target_link_libraries(Asperity::METIS INTERFACE ${METIS_LIBRARY})
 
 find_package(muparser REQUIRED)
 find_package(CLI11 REQUIRED)
-find_package(Eigen3 3.3 REQUIRED NO_MODULE)
+# Eigen 5 says that it does not fit who asks for a version 3.
+find_package(Eigen3 REQUIRED NO_MODULE)
+if(Eigen3_VERSION VERSION_LESS 3.3)
+  message(FATAL_ERROR "Asperity needs Eigen 3.3 or newer; ${Eigen3_DIR} is of ${Eigen3_VERSION}.")
+endif()
 
 if(ASPERITY_ENABLE_TESTS)
   find_package(GTest REQUIRED)

@@ -121,6 +121,8 @@ BAD = {
         ("packages/mesh/Rows.cpp", "int n = A.getNodeNumRows();\n"),
         ("packages/mesh/Rows.cpp", "int n = A->getLocalNumEntries();\n"),
         ("tests/ATest.cpp", "double x = Kokkos::Experimental::sqrt(2.);\n"),
+        ("packages/tnnmg/A.cpp", "auto A = MueLu::Utilities<double>::Op2TpetraCrs(wrapped);\n"),
+        ("drivers/A.cpp", "auto A = MueLu::TpetraCrs_To_XpetraMatrix<double>(matrix);\n"),
     ],
     "devices": [
         ("packages/mesh/A.cpp", "class A\n{\n  void f() { g(KOKKOS_LAMBDA(int) {}); }\n};\n"),

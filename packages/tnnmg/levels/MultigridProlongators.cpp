@@ -4,11 +4,16 @@
 #include "tnnmg/detail/MultigridTrial.hpp"
 #include "tnnmg/levels/FewerRanks.hpp"
 
-#include <MueLu_CreateTpetraPreconditioner.hpp>
+#include <MueLu_Hierarchy.hpp>
+#include <MueLu_Level.hpp>
+#include <MueLu_MasterList.hpp>
 #include <MueLu_ParameterListInterpreter.hpp>
 #include <Tpetra_CrsMatrix.hpp>
 #include <Tpetra_Map.hpp>
 #include <Tpetra_MultiVector.hpp>
+#include <Xpetra_CrsMatrixWrap.hpp>
+#include <Xpetra_TpetraCrsMatrix.hpp>
+#include <Xpetra_TpetraMultiVector.hpp>
 
 #include <exception>
 #include <new>
@@ -19,9 +24,14 @@ namespace asperity::tnnmg::detail
 namespace
 {
 using Node = CrsMatrix::node_type;
+// MueLu's interface is made of Xpetra's wrappers. These classes are in every release of Trilinos;
+// the functions that wrap and unwrap have changed their names twice.
 using XpetraMatrix = Xpetra::Matrix<double, LocalOrdinal, GlobalOrdinal, Node>;
+using XpetraCrsMatrix = Xpetra::CrsMatrix<double, LocalOrdinal, GlobalOrdinal, Node>;
+using XpetraWrap = Xpetra::CrsMatrixWrap<double, LocalOrdinal, GlobalOrdinal, Node>;
+using XpetraTpetraMatrix = Xpetra::TpetraCrsMatrix<double, LocalOrdinal, GlobalOrdinal, Node>;
 using XpetraVectors = Xpetra::MultiVector<double, LocalOrdinal, GlobalOrdinal, Node>;
-using XpetraTools = MueLu::Utilities<double, LocalOrdinal, GlobalOrdinal, Node>;
+using XpetraTpetraVectors = Xpetra::TpetraMultiVector<double, LocalOrdinal, GlobalOrdinal, Node>;
 using Interpreter = MueLu::ParameterListInterpreter<double, LocalOrdinal, GlobalOrdinal, Node>;
 
 // A level to be aggregated.
@@ -43,14 +53,12 @@ public:
     hierarchy_->setlib(Xpetra::UseTpetra);
     // MueLu's interface takes a matrix that is not const. It changes the matrix only if it scales
     // or rebalances it, which we never ask for.
-    hierarchy_->GetLevel(0)->Set(
-      "A", MueLu::TpetraCrs_To_XpetraMatrix<double, LocalOrdinal, GlobalOrdinal, Node>(
-             Teuchos::rcp_const_cast<CrsMatrix>(level.A)));
+    const RCP<XpetraCrsMatrix> A =
+      rcp(new XpetraTpetraMatrix(Teuchos::rcp_const_cast<CrsMatrix>(level.A)));
+    hierarchy_->GetLevel(0)->Set<RCP<XpetraMatrix>>("A", rcp(new XpetraWrap(A)));
     const auto vectors = rcp(new MultiVector(*level.near_null_space, Teuchos::Copy));
-    hierarchy_->GetLevel(0)->Set(
-      "Nullspace",
-      MueLu::TpetraMultiVector_To_XpetraMultiVector<double, LocalOrdinal, GlobalOrdinal, Node>(
-        vectors));
+    hierarchy_->GetLevel(0)->Set<RCP<XpetraVectors>>("Nullspace",
+                                                     rcp(new XpetraTpetraVectors(vectors)));
     interpreter_.SetupHierarchy(*hierarchy_);
   }
 
@@ -62,14 +70,18 @@ public:
   RCP<const MultiVector> nearNullSpace(int level) const
   {
     auto const factory = interpreter_.GetFactoryManager(level)->GetFactory("Nullspace");
-    return XpetraTools::MV2TpetraMV(
-      hierarchy_->GetLevel(level)->Get<RCP<XpetraVectors>>("Nullspace", factory.get()));
+    return Teuchos::rcp_dynamic_cast<XpetraTpetraVectors>(
+             hierarchy_->GetLevel(level)->Get<RCP<XpetraVectors>>("Nullspace", factory.get()), true)
+      ->getTpetra_MultiVector();
   }
 
 private:
   RCP<const CrsMatrix> get(int level, char const* name) const
   {
-    return XpetraTools::Op2TpetraCrs(hierarchy_->GetLevel(level)->Get<RCP<XpetraMatrix>>(name));
+    const auto wrap = Teuchos::rcp_dynamic_cast<XpetraWrap>(
+      hierarchy_->GetLevel(level)->Get<RCP<XpetraMatrix>>(name), true);
+    return Teuchos::rcp_dynamic_cast<XpetraTpetraMatrix>(wrap->getCrsMatrix(), true)
+      ->getTpetra_CrsMatrix();
   }
 
   Teuchos::ParameterList list_;
