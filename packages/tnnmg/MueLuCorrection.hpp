@@ -61,7 +61,8 @@ private:
 };
 
 // The linear correction by smoothed aggregation multigrid with MueLu's prolongators: V-cycles, or
-// conjugate gradients (Belos) on the exact operator with a V-cycle as preconditioner.
+// conjugate gradients with a V-cycle as preconditioner: to relative tolerances of 1e-3 and above in
+// single precision, to tighter ones by Belos on the exact operator.
 class MueLuCorrection final : public LinearCorrection
 {
 public:

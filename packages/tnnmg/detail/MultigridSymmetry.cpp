@@ -60,8 +60,8 @@ void requireSymmetric(Operator const& B, MultigridNodes const& nodes, double tol
     std::ostringstream message;
     message << "Multigrid: the V-cycle is not symmetric and positive (relative asymmetry "
             << asymmetry << ", allowed " << tolerance
-            << "). A smoother or coarse solver in the list MueLu is not symmetric, "
-            << "or a library's direct solver is broken. Try the defaults.";
+            << "). Smoothers and coarse solver are symmetric on a symmetric positive Z: check the "
+            << "bulk's moduli, viscosities and density, and try an empty list MueLu.";
     throw SolveError(message.str());
   }
 }
