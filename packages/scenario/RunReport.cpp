@@ -110,8 +110,10 @@ std::string summarise(RunSummary const& summary, std::string const& of_outputs)
          << " steps of the smallest size were accepted above the tolerance.\n";
   }
   if (count.rises > 0) {
-    text << "WARNING: J rose in " << count.rises
-         << " half iterations of TNNMG, by more than rounding explains.\n";
+    text << "WARNING: J grew in " << count.rises << " sweeps or corrections of TNNMG (energy_rises "
+         << "in steps.csv) by more than rounding. J is the energy that every time step minimises; "
+         << "it must fall. Results of these steps may be wrong: please report this with the "
+         << "deck.\n";
   }
   text << summary.of_floor;
   writeBalance(text, summary.energy, summary.dimension == 2 ? "J/m" : "J");

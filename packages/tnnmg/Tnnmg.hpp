@@ -23,7 +23,7 @@ struct TnnmgResult
   int corrections = 0;
   int correction_iterations = 0; // of conjugate gradients
   int v_cycles = 0;
-  int rises = 0;            // half steps after which J was larger by more than rounding
+  int rises = 0;            // sweeps and corrections in which J grew by more than rounding
   int lost_corrections = 0; // corrections that were zero, or along which J did not fall
   double last_change = 0;   // energy norm
   int failed_nodes = 0;     // on any rank

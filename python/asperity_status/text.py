@@ -79,7 +79,8 @@ def _worst(now: Facts) -> str:
         parts.append(f"Failed attempts at a step, repeated with a smaller one: "
                      f"{now.failed_steps}.")
     if now.energy_rises:
-        parts.append(f"WARNING: J rose in {now.energy_rises} half iterations of TNNMG.")
+        parts.append(f"WARNING: J grew in {now.energy_rises} sweeps or corrections of TNNMG "
+                     "(energy_rises in steps.csv); it must fall. Results may be wrong.")
     return " ".join(part for part in parts if part)
 
 

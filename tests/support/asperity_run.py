@@ -29,8 +29,17 @@ def settings(*changes):
 
 def run(*arguments, ranks=1, timeout=60):
     """A finished run; exit status, stdout and stderr as text."""
-    return subprocess.run(command(*arguments, ranks=ranks), capture_output=True, text=True,
-                          timeout=time_limits.seconds(timeout), check=False)
+    result = subprocess.run(command(*arguments, ranks=ranks), capture_output=True, text=True,
+                            timeout=time_limits.seconds(timeout), check=False)
+    require_no_rise(result.stdout)
+    return result
+
+
+def require_no_rise(printed):
+    """Whatever ends a run, TNNMG lowers J; `printed` is what the run had to say."""
+    for line in printed.splitlines():
+        if line.startswith("WARNING: J grew"):
+            raise AssertionError(line)
 
 
 def run_to_end(folder, *arguments, ranks=1, timeout=60):

@@ -30,6 +30,7 @@ def call(*words, **options):
     is_ours = pathlib.Path(words[0]).name.startswith("asperity")
     if result.returncode != 0 or (is_ours and result.stderr):
         raise AssertionError(f"{words}\n{result.returncode}\n{result.stdout}{result.stderr}")
+    asperity_run.require_no_rise(result.stdout)
     return result.stdout
 
 

@@ -35,9 +35,11 @@ def environment(folder, kind, number, rank=None, **more):
 def run(folder, kind, number, *arguments, ranks=1, rank=None, timeout=60, **more):
     """Of the operations on files below the folder, those of one process counted."""
     words = asperity_run.command(*arguments, "--output", folder, ranks=ranks)
-    return subprocess.run(words, capture_output=True, text=True, check=False,
-                          timeout=time_limits.seconds(timeout),
-                          env=environment(folder, kind, number, rank, **more))
+    result = subprocess.run(words, capture_output=True, text=True, check=False,
+                            timeout=time_limits.seconds(timeout),
+                            env=environment(folder, kind, number, rank, **more))
+    asperity_run.require_no_rise(result.stdout)
+    return result
 
 
 def operations(folder, *arguments, ranks=1, rank=None, kind="full", timeout=60):

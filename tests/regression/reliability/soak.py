@@ -112,9 +112,11 @@ class Soak:
         words = asperity_run.command(*self.arguments(folder, ranks), ranks=ranks)
         number = self.chance.randrange(1, self.operations[ranks])
         rank = self.chance.randrange(ranks)
-        return subprocess.run(words, capture_output=True, text=True, check=False,
-                              timeout=time_limits.seconds(LIMIT),
-                              env=faults.environment(folder, kind, number, rank))
+        result = subprocess.run(words, capture_output=True, text=True, check=False,
+                                timeout=time_limits.seconds(LIMIT),
+                                env=faults.environment(folder, kind, number, rank))
+        asperity_run.require_no_rise(result.stdout)
+        return result
 
     def second(self, folder, ranks):
         """A second run in the same directory is refused, and the first goes on; then it is told

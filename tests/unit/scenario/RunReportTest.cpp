@@ -24,4 +24,14 @@ TEST(RunReport, printsABalanceThatAddsUp)
                "friction 64, viscosity 8 and the time stepping 2",
                "change of kinetic and elastic energy 46.5", "defect of 0.5 (0.0078"});
 }
+
+TEST(RunReport, warnsWhereTheEnergyOfAStepGrew)
+{
+  RunSummary summary;
+  EXPECT_EQ(summarise(summary, "").find("WARNING"), std::string::npos);
+  summary.count.rises = 2;
+  // tests/support/asperity_run.py looks for the first words in what every run prints.
+  expectParts(summarise(summary, ""),
+              {"WARNING: J grew in 2 sweeps or corrections of TNNMG (energy_rises in steps.csv)"});
+}
 } // namespace asperity::scenario
