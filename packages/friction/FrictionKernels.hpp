@@ -26,7 +26,7 @@ public:
   struct Difference
   {
     double change;    // sum of psi_i(v_i + d_i) - psi_i(v_i)
-    double magnitude; // sum of the magnitudes of its terms, the scale of its rounding
+    double magnitude; // sum of its terms' magnitudes, also of log V: the scale of its rounding
   };
 
   virtual ~FrictionKernels() = default;

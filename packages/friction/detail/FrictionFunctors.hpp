@@ -185,7 +185,8 @@ struct Differences
       after[j] = before[j] + d(node, j);
     }
     const double s = length(before);
-    const double sum = s + length(after);
+    const double s_after = length(after);
+    const double sum = s + s_after;
     if (sum == 0) {
       return;
     }
@@ -195,9 +196,9 @@ struct Differences
       growth += term;
       terms += math::fabs(term);
     }
-    const double force = potentials(node).meanDerivative(s, growth);
-    change += force * growth;
-    magnitude += force * terms;
+    const auto potential = potentials(node);
+    change += potential.meanDerivative(s, growth) * growth;
+    magnitude += potential.termsOfDerivative(larger(s, s_after)) * terms;
   }
 };
 

@@ -2,8 +2,33 @@
 
 #include "friction/detail/RateSolve.hpp"
 
+#include <type_traits>
+#include <utility>
+
 namespace asperity::friction::detail
 {
+template <class Curve, class = void>
+struct KnowsItsTerms : std::false_type
+{
+};
+template <class Curve>
+struct KnowsItsTerms<Curve, std::void_t<decltype(std::declval<Curve const&>().terms(1.))>>
+    : std::true_type
+{
+};
+
+// The sum of the magnitudes of the terms that mu(V) is computed from, V > 0; mu itself for a law
+// without `terms`.
+template <class Curve>
+KOKKOS_INLINE_FUNCTION double termsOf(Curve const& curve, double V)
+{
+  if constexpr (KnowsItsTerms<Curve>::value) {
+    return curve.terms(V);
+  } else {
+    return curve.mu(V);
+  }
+}
+
 // psi(w) = weight [ sigma_n mubar(c |w|) / c + cohesion |w| ] at one node and one state.
 template <class Curve>
 struct NodePotential
@@ -24,6 +49,15 @@ struct NodePotential
   KOKKOS_INLINE_FUNCTION double meanDerivative(double s, double h) const
   {
     return weight * (sigma_n * curve.mean(factor * s, factor * h) + cohesion);
+  }
+
+  // The sum of the magnitudes of the terms of the derivative at |w| = s, in N: the scale of its
+  // rounding. It is that of meanDerivative as well, s the faster end: where log V is larger at the
+  // slower end, the magnitude of shift makes up for it.
+  KOKKOS_INLINE_FUNCTION double termsOfDerivative(double s) const
+  {
+    const double V = factor * s;
+    return weight * (sigma_n * (V > 0 ? termsOf(curve, V) : 0) + cohesion);
   }
 
   // d^2 psi / d|w|^2 in N s/m.

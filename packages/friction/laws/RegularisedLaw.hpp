@@ -57,6 +57,14 @@ struct RegularisedLaw
     // difference of mubar, accurate to the relative rounding of this difference.
     KOKKOS_INLINE_FUNCTION double mean(double V, double h) const;
 
+    // The sum of the magnitudes of the terms of mu, of log V and shift as well, which may nearly
+    // cancel; V > 0. Times the rounding unit this is what mu and mean may be off.
+    KOKKOS_INLINE_FUNCTION double terms(double V) const
+    {
+      const auto at = response(V);
+      return at.mu + at.first * (math::fabs(math::log(V)) + math::fabs(shift));
+    }
+
     KOKKOS_INLINE_FUNCTION bool kinkedAt(double) const { return false; }
   };
 

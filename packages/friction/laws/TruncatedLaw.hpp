@@ -44,6 +44,14 @@ struct TruncatedLaw
       return x1 > 0 ? a * (1 + low / width) * meanFromKink(x1) : 0;
     }
 
+    // The sum of the magnitudes of the terms of mu, of log V and shift as well, which may nearly
+    // cancel; V > 0. Times the rounding unit this is what mu and mean may be off.
+    KOKKOS_INLINE_FUNCTION double terms(double V) const
+    {
+      const bool slides = kinkedAt(V) || logRatio(V) > 0;
+      return slides ? a * (math::fabs(math::log(V)) + math::fabs(shift)) : 0;
+    }
+
     // The slip rate of the kink, V_alpha. It is 0 where it underflows and infinite where it
     // overflows.
     KOKKOS_INLINE_FUNCTION double kink() const { return math::exp(-shift); }

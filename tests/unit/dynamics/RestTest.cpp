@@ -1,0 +1,114 @@
+#include "dynamics/coupling/FrictionProblem.hpp"
+
+#include "base/Views.hpp"
+#include "tnnmg/DenseCorrection.hpp"
+#include "tnnmg/Tnnmg.hpp"
+#include "unit/friction/Fault.hpp"
+
+#include <Tpetra_Core.hpp>
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <memory>
+
+namespace asperity::dynamics
+{
+namespace
+{
+constexpr double Z = 3e3; // N s/m, drag of the body
+
+// One node at which friction holds a load while it creeps at 1e-16 m/s or less.
+struct RestingNode
+{
+  RestingNode()
+      : node{{"Regularised", 0.025, 0.005, 5e-5, 0.7}, 2e-2, 2e3, 0, 1, alpha}
+      , fault({node})
+      , map(Teuchos::rcp(new Map(1, 0, Tpetra::getDefaultComm())))
+      , matrix(Teuchos::rcp(new CrsMatrix(map, 1)))
+      , nodes(tnnmg::coupledNodes(1, 1, {0}))
+  {
+    const double entry = Z;
+    const GlobalOrdinal column = 0;
+    matrix->insertGlobalValues(0, 1, &entry, &column);
+    matrix->fillComplete();
+  }
+
+  // The load at which the node creeps at V.
+  double loadFor(double V) const { return static_cast<double>(Z * V + node.force(V)); }
+
+  template <class Problem>
+  tnnmg::TnnmgResult solve(Problem const& problem, double load, double& v) const
+  {
+    tnnmg::TnnmgSettings settings;
+    settings.absolute_tolerance = 0;
+    settings.relative_tolerance = 0;
+    settings.max_iterations = 30; // the last ones move the node by its last digits, if at all
+    tnnmg::Tnnmg<Problem> solver(
+      matrix, nodes, std::make_shared<tnnmg::DenseCorrection>(*matrix, nodes.dofs), settings);
+    Vector b(map), x(map);
+    b.putScalar(load);
+    x.putScalar(v);
+    const auto result = solver.solve(problem, b, x);
+    v = x.getData()[0];
+    return result;
+  }
+
+  static constexpr double alpha = 0.003;
+  friction::test::ReferenceNode node;
+  friction::test::Fault fault;
+  RCP<const Map> map;
+  RCP<CrsMatrix> matrix;
+  tnnmg::NonlinearNodes nodes;
+};
+} // namespace
+
+// The rounding of log V exceeds that of mu here. No iteration may take it for a rise of J.
+TEST(Rest, RaisesNoEnergyInTheLastDigit)
+{
+  const RestingNode rest;
+  const FrictionProblem problem{*rest.fault.kernels, rest.fault.at};
+  int rises = 0;
+  for (int k = 0; k < 2000; ++k) {
+    const double V = 1e-16 * std::exp(-32. * k / 2000);
+    double v = V * (1 - 1e-3);
+    rises += rest.solve(problem, rest.loadFor(V), v).rises;
+    EXPECT_NEAR(v, V, 1e-13 * V);
+  }
+  EXPECT_EQ(rises, 0);
+}
+
+namespace
+{
+// Goes beyond the minimiser by a part of the rate.
+struct BeyondTheMinimum : FrictionProblem
+{
+  double part;
+
+  int sweep(friction::IndexView const& nodes, tnnmg::CoupledSystem const& system,
+            friction::BlockView const& v) const
+  {
+    const int failed = FrictionProblem::sweep(nodes, system, v);
+    const double excess = part;
+    Kokkos::parallel_for(
+      "beyond", Kokkos::RangePolicy<ExecutionSpace>(0, 1), KOKKOS_LAMBDA(int) {
+        const double before = v(0, 0);
+        v(0, 0) += excess * before;
+        system.r(0, 0) -= system.Z(0, 0) * (v(0, 0) - before);
+      });
+    return failed;
+  }
+};
+} // namespace
+
+TEST(Rest, CountsARiseOfTheTwelfthDigit)
+{
+  const RestingNode rest;
+  const double V = 9e-18;
+  double v = V;
+  const FrictionProblem problem{*rest.fault.kernels, rest.fault.at};
+  rest.solve(problem, rest.loadFor(V), v);
+  const BeyondTheMinimum beyond{problem, 1e-11};
+  // In the first sweep; the others start where they end, since so stiff a node is truncated.
+  EXPECT_EQ(rest.solve(beyond, rest.loadFor(V), v).rises, 1);
+}
+} // namespace asperity::dynamics
