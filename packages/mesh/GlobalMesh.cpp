@@ -3,6 +3,7 @@
 #include "base/Errors.hpp"
 #include "mesh/PointText.hpp"
 #include "mesh/SimplexGeometry.hpp"
+#include "mesh/detail/Conformity.hpp"
 #include "mesh/detail/FacetTable.hpp"
 #include "mesh/faults/Faults.hpp"
 #include "mesh/faults/SplitCheck.hpp"
@@ -175,6 +176,7 @@ private:
     ASPERITY_REQUIRE(inner.empty() || mesh_.faults.empty(),
                      where_ << ": the mesh is split along its faults, but not along '"
                             << inner.front() << "', which lies inside the body, too.");
+    detail::requireConforming(mesh_, table, where_);
   }
 
   void checkBoundaryFacet(detail::FacetTable<Dim> const& table, std::string const& name,

@@ -13,6 +13,20 @@ void expectRefused(GlobalMesh<Dim> const& mesh, std::vector<std::string> pieces)
   pieces.emplace_back("the file: ");
   expectInputError([&] { checkMesh(mesh, "the file"); }, pieces);
 }
+
+// Cells on the unit cube, with these bottoms and one tip.
+GlobalMesh<3> cubeUnder(std::vector<std::array<int, 3>> const& bottoms,
+                        std::vector<Point<3>> const& more_vertices = {})
+{
+  auto mesh = cube(); // its top is (4, 5, 7), (4, 6, 7)
+  mesh.vertices.push_back({0.5, 0.5, 2.0});
+  mesh.vertices.insert(mesh.vertices.end(), more_vertices.begin(), more_vertices.end());
+  for (auto const& bottom : bottoms) {
+    mesh.cells.push_back({bottom[0], bottom[1], bottom[2], 8});
+    mesh.cell_regions.push_back(0);
+  }
+  return mesh;
+}
 } // namespace
 
 TEST(GlobalMesh, AcceptsMeshes)
@@ -92,6 +106,29 @@ TEST(GlobalMesh, NamesCellsThatShareAFacet)
   mesh.cells.push_back({0, 2, 4});
   mesh.cell_regions.push_back(0);
   expectRefused(mesh, {"cells 0, 1 and 2 share the facet with vertices 0, 2"});
+}
+
+// Beside the undivided edge from (0, 0) to (1, 1) two cells have a vertex in its middle.
+TEST(GlobalMesh, NamesAVertexThatHangsInAnEdge)
+{
+  auto mesh = square();
+  mesh.vertices.push_back({0.5, 0.5});
+  mesh.cells = {{0, 1, 2}, {0, 4, 3}, {4, 2, 3}};
+  mesh.cell_regions = {0, 1, 1};
+  expectRefused(mesh, {"vertex 4 at (0.5, 0.5) m lies inside the edge", "(0, 0)", "(1, 1)",
+                       "does not conform"});
+  mesh.vertices[4] = {0.45, 0.55}; // a hole
+  EXPECT_NO_THROW(checkMesh(mesh, "the file"));
+}
+
+TEST(GlobalMesh, NamesFacesOfCellsThatDoNotMatch)
+{
+  EXPECT_NO_THROW(checkMesh(cubeUnder({{4, 5, 7}, {4, 7, 6}}), "the file"));
+  expectRefused(cubeUnder({{4, 5, 6}, {5, 7, 6}}), {"lie on each other and are not the same"});
+  expectRefused(cubeUnder({{4, 5, 9}, {5, 7, 9}, {7, 6, 9}, {6, 4, 9}}, {{0.5, 0.5, 1}}),
+                {"vertex 9 at (0.5, 0.5, 1) m lies inside the face"});
+  expectRefused(cubeUnder({{4, 9, 7}, {9, 5, 7}, {4, 7, 6}}, {{0.5, 0, 1}}),
+                {"vertex 9 at (0.5, 0, 1) m lies inside the face"});
 }
 
 TEST(GlobalMesh, RefusesAMeshWithoutCells) { expectRefused(GlobalMesh<2>(), {"no cells"}); }

@@ -2,6 +2,7 @@
 
 #include "base/Errors.hpp"
 #include "mesh/SimplexGeometry.hpp"
+#include "mesh/detail/Conformity.hpp"
 #include "mesh/faults/SplitVertices.hpp"
 
 #include <algorithm>
@@ -120,6 +121,7 @@ void checkPart(Mesh<Dim> const& part, std::string const& where)
   }
   checkPairs(part, where);
   checkFaults(part, where);
+  requireConforming(part, FacetTable<Dim>(part.cells), where);
 }
 
 template void checkPart(Mesh<2> const&, std::string const&);
