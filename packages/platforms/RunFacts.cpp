@@ -1,7 +1,12 @@
 #include "platforms/RunFacts.hpp"
 
+#include "base/Errors.hpp"
+#include "base/Text.hpp"
+#include "base/parameters/Parameters.hpp"
 #include "catalogue/receivers/PointLocation.hpp"
 
+#include <algorithm>
+#include <cctype>
 #include <ctime>
 
 namespace asperity::platforms
@@ -15,6 +20,20 @@ std::string today()
   gmtime_r(&now, &calendar);
   char text[16];
   std::strftime(text, sizeof text, "%Y/%m/%d", &calendar);
+  return text;
+}
+
+// Every line of a header begins with '#': a line end in a text would put the rest among the data.
+std::string oneLine(Teuchos::ParameterList const& parameters, std::string const& name)
+{
+  auto const& text = parameters.get<std::string>(name);
+  const bool is_one_line = std::none_of(text.begin(), text.end(), [](char letter) {
+    return std::iscntrl(static_cast<unsigned char>(letter)) != 0;
+  });
+  ASPERITY_REQUIRE(is_one_line, joinPath(parameters.name(), name)
+                                  << " = '" << excerpt(text)
+                                  << "' has a line end or another control character, and stands in "
+                                     "the files' headers. Write it in one line.");
   return text;
 }
 } // namespace
@@ -43,13 +62,13 @@ Declare RunFacts::declare(std::string const& problem)
 RunFacts RunFacts::from(Teuchos::ParameterList const& parameters, io::OutputContext const& context)
 {
   RunFacts facts;
-  facts.problem = parameters.get<std::string>("Problem");
-  facts.author = parameters.get<std::string>("Author");
-  facts.date = parameters.get<std::string>("Date");
+  facts.problem = oneLine(parameters, "Problem");
+  facts.author = oneLine(parameters, "Author");
+  facts.date = oneLine(parameters, "Date");
   if (facts.date.empty()) {
     facts.date = today();
   }
-  facts.code_version = parameters.get<std::string>("Code Version");
+  facts.code_version = oneLine(parameters, "Code Version");
   facts.element_size = parameters.get<double>("Element Size");
   facts.depth_of_upper_end = parameters.get<double>("Depth of Upper End");
   if (facts.element_size == 0) {

@@ -42,6 +42,21 @@ std::string joined(std::vector<std::string> const& words)
   return text;
 }
 
+// muParser takes a single = for an assignment, which changes what comes after it.
+void refuseAssignment(std::string const& text, std::string const& path)
+{
+  for (std::size_t i = 0; i < text.size(); ++i) {
+    if (std::string("<>=!").find(text[i]) != std::string::npos && text[i + 1] == '=') {
+      ++i; // a comparison
+    } else {
+      ASPERITY_REQUIRE(text[i] != '=', path << " = '" << excerpt(text) << "' has a single = ("
+                                            << "character " << i + 1 << ", before '"
+                                            << excerpt(text.substr(i))
+                                            << "'). Write == to compare.");
+    }
+  }
+}
+
 [[noreturn]] void refuse(std::string const& text, std::string const& path,
                          mu::ParserError const& error)
 {
@@ -64,6 +79,7 @@ Expression::Expression(std::string const& text, std::string const& path)
     : parser_(std::make_unique<Parser>())
     , text_(text)
 {
+  refuseAssignment(text, path);
   try {
     parser_->parser.SetExpr(text);
     parser_->parser.Eval(); // GetUsedVar alone accepts unknown names

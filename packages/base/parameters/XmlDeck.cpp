@@ -43,10 +43,8 @@ std::string attribute(XMLObject const& element, std::string const& name, std::st
 [[noreturn]] void refuseValue(std::string const& where, std::string const& type,
                               std::string const& value)
 {
-  const bool may_be_computed = type == "double" || type == "Array(double)";
   throw InputError(where + ": the value '" + excerpt(value) + "' is not of the type '" + type +
-                   "' given with it." +
-                   (may_be_computed ? " What has to be computed needs the type 'string'." : ""));
+                   "' given with it.");
 }
 
 template <class T, class Read>
@@ -97,9 +95,9 @@ ParameterEntry readValue(XMLObject const& element, std::string const& where)
     return word == "true" || word == "false" ? ParameterEntry(word == "true")
                                              : (refuseValue(where, type, value), ParameterEntry());
   }
-  if (type == "double" || type == "float") {
+  if (type == "double" || type == "float") { // what is no number may be a name or an expression
     const auto number = readNumber(value);
-    return number ? ParameterEntry(*number) : (refuseValue(where, type, value), ParameterEntry());
+    return number ? ParameterEntry(*number) : ParameterEntry(value);
   }
   if (type == "int") {
     const auto number = readInteger(value);

@@ -60,6 +60,8 @@ constexpr std::size_t most_levels = 100;
 // The names of a deck, each with its text, in which other names are replaced.
 class Names
 {
+  using Open = std::vector<std::string>; // the names that are being replaced
+
 public:
   explicit Names(ParameterList const& list)
   {
@@ -75,7 +77,7 @@ public:
       texts_[name] = number ? formatNumber(*number) : get<std::string>(entry);
     }
     for (auto const& [name, text] : texts_) {
-      Expression(expanded(text, {name}), joinPath(joinPath("Asperity", names_list), name));
+      Expression(expanded(text, Open{name}), joinPath(joinPath("Asperity", names_list), name));
     }
     used_.clear();
   }
@@ -83,12 +85,17 @@ public:
   bool areIn(std::string const& text) const
   {
     const auto before = used_;
-    const bool found = expanded(text, {}) != text;
+    const bool found = expanded(text, Open()) != text;
     used_ = before;
     return found;
   }
 
-  std::string expanded(std::string const& text) const { return expanded(text, {}); }
+  // path: of the entry that has the text, for messages.
+  std::string expanded(std::string const& text, std::string const& path) const
+  {
+    path_ = path;
+    return expanded(text, Open());
+  }
 
   bool isUsed(std::string const& name) const { return used_.count(name) > 0; }
 
@@ -114,10 +121,10 @@ private:
                           << "Take another name.");
   }
 
-  // `open`: the names that are being replaced.
-  std::string expanded(std::string const& text, std::vector<std::string> const& open) const
+  std::string expanded(std::string const& text, Open const& open) const
   {
     std::string result;
+    bool has_names = false;
     for (std::size_t i = 0; i < text.size();) {
       std::size_t end = i + 1;
       if (isDigit(text[i]) || text[i] == '.') {
@@ -127,18 +134,21 @@ private:
       }
       const auto word = text.substr(i, end - i);
       const bool is_name = texts_.count(word) > 0 && !isCalled(text, end);
+      has_names = has_names || is_name;
       result += is_name ? "(" + replaced(word, open) + ")" : word;
-      ASPERITY_REQUIRE(result.size() <= longest_text,
-                       "Asperity / Names" << (open.empty() ? "" : " / " + open.back()) << ": '"
-                                          << excerpt(text) << "' has more than " << longest_text
-                                          << " characters when its names are replaced. Names that "
-                                             "contain each other twice double at every step.");
+      ASPERITY_REQUIRE(
+        result.size() <= longest_text,
+        (open.empty() ? path_ : "Asperity / Names / " + open.back())
+          << ": '" << excerpt(text) << "' has more than " << longest_text << " characters"
+          << (open.empty() && !has_names ? "."
+                                         : " when its names are replaced. Names that "
+                                           "contain each other twice double at every step."));
       i = end;
     }
     return result;
   }
 
-  std::string replaced(std::string const& name, std::vector<std::string> open) const
+  std::string replaced(std::string const& name, Open open) const
   {
     const bool is_circle = std::find(open.begin(), open.end(), name) != open.end();
     ASPERITY_REQUIRE(!is_circle, "Asperity / Names / " << name << " needs its own value to be "
@@ -154,6 +164,7 @@ private:
 
   std::map<std::string, std::string> texts_;
   mutable std::set<std::string> used_;
+  mutable std::string path_ = "Asperity / Names"; // of what is being expanded
 };
 
 // The pieces between commas that stand in no brackets.
@@ -191,7 +202,7 @@ std::optional<double> constantIn(std::string const& text, std::string const& pat
 void resolveNumber(ParameterEntry& entry, Names const& names, std::string const& path)
 {
   const auto text = get<std::string>(entry);
-  if (const auto value = constantIn(names.expanded(text), path, names.areIn(text))) {
+  if (const auto value = constantIn(names.expanded(text, path), path, names.areIn(text))) {
     entry = ParameterEntry(*value);
   }
 }
@@ -204,7 +215,7 @@ void resolveArray(ParameterEntry& entry, Names const& names, std::string const& 
   }
   Teuchos::Array<double> values;
   for (auto const& piece : pieces(text.substr(1, text.size() - 2))) {
-    const auto value = constantIn(names.expanded(piece), path, names.areIn(piece));
+    const auto value = constantIn(names.expanded(piece, path), path, names.areIn(piece));
     if (!value) {
       return;
     }
@@ -213,15 +224,15 @@ void resolveArray(ParameterEntry& entry, Names const& names, std::string const& 
   entry = ParameterEntry(values);
 }
 
-void resolveField(ParameterEntry& entry, Names const& names)
+void resolveField(ParameterEntry& entry, Names const& names, std::string const& path)
 {
   if (entry.isList()) {
     auto& regions = Teuchos::getValue<ParameterList>(entry);
     for (auto const& region : namesIn(regions)) {
-      resolveField(regions.getEntry(region), names);
+      resolveField(regions.getEntry(region), names, joinPath(path, region));
     }
   } else if (holds<std::string>(entry) && !VertexDataset::isName(get<std::string>(entry))) {
-    replaceValue(entry, names.expanded(get<std::string>(entry)));
+    replaceValue(entry, names.expanded(get<std::string>(entry), path));
   }
 }
 
@@ -236,7 +247,7 @@ void resolveEntry(ParameterEntry& entry, ParameterEntry const& declared, Names c
     return;
   }
   if (info->kind == ParameterKind::field) {
-    resolveField(entry, names);
+    resolveField(entry, names, path);
   } else if (info->kind == ParameterKind::real && holds<std::string>(entry)) {
     resolveNumber(entry, names, path);
   } else if (info->kind == ParameterKind::real_array && holds<std::string>(entry)) {

@@ -44,6 +44,14 @@ Field expression(std::string const& text, Range range = Range::any())
   return fieldOf(text, range);
 }
 
+TEST(Field, RefusesAnAssignmentInAnExpression)
+{
+  for (char const* text : {"x=0 ? 5e6 : 4e6", "(x=3)*0 + x", "x <= 1 && y = 2", "x===1"}) {
+    expectParts(refusal([&] { expression(text); }), {"Friction / a = '", "single =", "=="});
+  }
+  EXPECT_EQ(expression("x == 0 && y <= 1 && y >= -1 && z != 1 ? 5 : 4")(origin, 0.0, 0), 5.0);
+}
+
 TEST(Field, Number)
 {
   const Field field = fieldOf(2.5);

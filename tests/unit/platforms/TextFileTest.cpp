@@ -1,4 +1,5 @@
 #include "platforms/TextFile.hpp"
+#include "base/Errors.hpp"
 #include "io/TextFormat.hpp"
 #include "unit/platforms/Deck.hpp"
 
@@ -52,4 +53,6 @@ TEST(RunFacts, ComeFromTheDeck)
   EXPECT_EQ(facts(list).problem, "TPV101");
   EXPECT_EQ(facts(list).date, "2024/05/31");
   EXPECT_EQ(facts(list).element_size, 50);
+  list.set("Problem", "TPV101\n1 2 3");
+  EXPECT_THROW(facts(list), InputError);
 }
