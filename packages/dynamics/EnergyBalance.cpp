@@ -5,6 +5,9 @@
 
 #include <Tpetra_CrsMatrix.hpp>
 
+#include <algorithm>
+#include <cmath>
+
 namespace asperity::dynamics
 {
 namespace
@@ -112,8 +115,46 @@ void EnergyBalance::fillForce(State const& state, Snapshot const& at)
   }
 }
 
-void EnergyBalance::start(State const& state, Energy const& so_far)
+void EnergyBalance::start(State const& state)
 {
+  resume(state, {});
+  if (body_.matrices.is_massless) {
+    noteImbalance();
+  }
+}
+
+void EnergyBalance::noteImbalance()
+{
+  start_residual_ = body_.vector();
+  start_residual_->update(1, *before_.load, 0);
+  before_.resisting.subtractFrom(*start_residual_);
+  auto const driving = *start_residual_; // l - C v - K u
+  start_residual_->update(-1, *before_.force, 1);
+  body_.clearHeld(*start_residual_);
+
+  auto const r0 = start_residual_->getLocalViewHost(Tpetra::Access::ReadOnly);
+  auto const r = driving.getLocalViewHost(Tpetra::Access::ReadOnly);
+  auto const f = before_.force->getLocalViewHost(Tpetra::Access::ReadOnly);
+  std::array<double, 4> squares{}; // of r0 everywhere; r0, r and f on the fault
+  for (int dof = 0; dof < body_.numOwnedDofs(); ++dof) {
+    squares[0] += r0(dof, 0) * r0(dof, 0);
+  }
+  for (const int dof : fault_dofs_) {
+    squares[1] += r0(dof, 0) * r0(dof, 0);
+    squares[2] += r(dof, 0) * r(dof, 0);
+    squares[3] += f(dof, 0) * f(dof, 0);
+  }
+  auto const all = sumOverRanks(squares, *body_.dofs->communicator());
+  const auto ratio = [](double part, double whole) { return part > 0 ? part / whole : 0; };
+  const double whole = std::max(before_.load->norm2(), before_.resisting.elastic->norm2());
+  start_imbalance_ = std::max(std::sqrt(ratio(all[1], std::max(all[2], all[3]))),
+                              std::sqrt(ratio(std::max(all[0] - all[1], 0.), whole * whole)));
+}
+
+void EnergyBalance::resume(State const& state, Energy const& so_far)
+{
+  start_residual_ = Teuchos::null;
+  start_imbalance_ = 0;
   fill(state, before_);
   energy_ = so_far;
   energy_.kinetic = before_.kinetic;
@@ -184,11 +225,41 @@ EnergyBalance::Works EnergyBalance::workOfPlates() const
   return works;
 }
 
+// Of this rank, in the first step: what r0 adds to the works of the forces at its beginning.
+void EnergyBalance::addJump(Works& works) const
+{
+  auto const& surface = fault_.surface();
+  auto const r0 = start_residual_->getLocalViewHost(Tpetra::Access::ReadOnly);
+  auto const u0 = before_.u->getLocalViewHost(Tpetra::Access::ReadOnly);
+  auto const u1 = after_.u->getLocalViewHost(Tpetra::Access::ReadOnly);
+  const auto workAt = [&](int dof) { return r0(dof, 0) / 2 * (u1(dof, 0) - u0(dof, 0)); };
+  for (int dof = 0; dof < body_.numOwnedDofs(); ++dof) {
+    works.inertial += workAt(dof);
+  }
+  for (const int dof : fault_dofs_) {
+    works.friction += workAt(dof);
+    works.inertial -= workAt(dof);
+  }
+  const double tau = clock_.seconds(after_.time - before_.time);
+  for (int node = 0; node < surface.numNodes(); ++node) {
+    for (int k = 0; k < surface.numTangents(); ++k) {
+      const double by_plates = tau * surface.plateRate(node, k) / surface.slipFactor();
+      const double work = r0(surface[node].dofs[k], 0) / 2 * by_plates;
+      works.friction += work;
+      works.load += work;
+    }
+  }
+}
+
 Energy const& EnergyBalance::advance(State const& state)
 {
   fill(state, after_);
-  auto const of_body = worksOfStep();
+  auto of_body = worksOfStep();
   auto const of_plates = workOfPlates();
+  if (!start_residual_.is_null()) {
+    addJump(of_body);
+    start_residual_ = Teuchos::null;
+  }
   auto const [load, boundary, friction, viscous, inertial] =
     sumOverRanks(std::array<double, 5>{of_body.load + of_plates.load, of_body.boundary,
                                        of_body.friction + of_plates.friction,

@@ -13,12 +13,14 @@ namespace asperity::dynamics
 struct Energy
 {
   double kinetic = 0;
-  double elastic = 0;               // 1/2 u'Ku
-  double load_work = 0;             // by gravity and tractions, and by plates that move (back slip)
-  double boundary_work = 0;         // by whatever moves the prescribed boundaries
-  double friction_work = 0;         // dissipated on the fault
-  double viscous_work = 0;          // dissipated in the body, by radiation damping and by dashpots
-  double numerical_dissipation = 0; // by the scheme; may be negative for a while
+  double elastic = 0;       // 1/2 u'Ku
+  double load_work = 0;     // by gravity and tractions, and by plates that move (back slip)
+  double boundary_work = 0; // by whatever moves the prescribed boundaries
+  double friction_work = 0; // dissipated on the fault
+  double viscous_work = 0;  // dissipated in the body, by radiation damping and by dashpots
+  // By the scheme; may be negative for a while. Also what a quasi-dynamic body loses at once when
+  // it starts out of balance.
+  double numerical_dissipation = 0;
   // Change of kinetic and elastic energy minus (load_work + boundary_work - friction_work -
   // viscous_work - numerical_dissipation): what the tolerances of the solvers leave over.
   double defect = 0;
@@ -39,13 +41,27 @@ struct Energy
 // balance is exact where that of momentum holds at both ends; D is what the scheme dissipates, zero
 // for Newmark with beta = 1/4 (README.md). Under back slip the fault slips by Vp tau more than the
 // bodies move: what friction and radiation damping dissipate in this slip is work of the plates.
+//
+// A quasi-dynamic body cannot stay out of balance: if r0 = l - C v - K u - f is not zero at the
+// start, then velocity and forces jump at once. The first step is driven by the forces after the
+// jump, for which the mean over its ends takes f + r0 in place of f at its beginning:
+//   on the fault      1/2 r0 . du more of friction work, in which the part of radiation damping is
+//   inside the body   1/2 r0 . du of numerical dissipation: the energy l . du - change of 1/2 u'Ku
+//                     that the body gives off when it falls into place, as waves if it had inertia
 class EnergyBalance
 {
 public:
   EnergyBalance(Body const& body, Fault const& fault, DyadicTime const& clock);
 
-  // Begins at a state, with the works done so far (after a restart).
-  void start(State const& state, Energy const& so_far);
+  // Begins a run at a state.
+  void start(State const& state);
+  // Goes on from a state that a step has led to, with the works done so far.
+  void resume(State const& state, Energy const& so_far);
+  // How far a quasi-dynamic body was out of balance at the start, the larger one of
+  //   on the fault      |r0| / max(|f|, |l - C v - K u|)
+  //   inside the body   |r0| / max(|l|, |K u|), these two everywhere
+  // in Euclidean norms over unknowns that are not held; 0 for a body with inertia, and on resume.
+  double startImbalance() const { return start_imbalance_; }
   // Adds the step that has led to the given state. All ranks together.
   Energy const& advance(State const& state);
   Energy const& energy() const { return energy_; }
@@ -67,10 +83,12 @@ private:
     double load = 0, boundary = 0, friction = 0, viscous = 0, inertial = 0;
   };
   Snapshot snapshot() const;
+  void noteImbalance();
   void fill(State const& state, Snapshot& result);
   void fillForce(State const& state, Snapshot const& at);
   Works worksOfStep() const;
   Works workOfPlates() const;
+  void addJump(Works& works) const;
 
   Body const& body_;
   Fault const& fault_;
@@ -78,6 +96,8 @@ private:
   std::vector<int> fault_dofs_; // that are not held
   Snapshot before_, after_;
   RCP<Vector> momentum_;
+  RCP<Vector> start_residual_; // r0, until the first step is made; null if there is none
+  double start_imbalance_ = 0;
   friction::BlockView v_, gradient_;
   friction::HessianView hessian_;
   friction::FlagView kinked_;

@@ -241,6 +241,9 @@ void SimulationOf<Dim>::begin()
     }
     outputs_->write(evolution_.stepInfo());
   }
+  for (auto const& warning : evolution_.warnings()) {
+    log_->message("WARNING: " + warning.text);
+  }
   checkpoint_ = {};
 }
 

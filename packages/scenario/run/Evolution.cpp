@@ -48,10 +48,31 @@ Evolution<Dim>::Evolution(ParameterList const& deck, RCP<const Communicator> con
   view_.balance = &balance_;
 }
 
+// Of the forces at the start. What solvers leave over and what a deck's rounded numbers do is less;
+// a state of one run under the loads of another, or a traction in other units, is far more.
+constexpr double largest_imbalance = 0.01;
+
+template <int Dim>
+void Evolution<Dim>::beginBalance()
+{
+  balance_.start(state_);
+  const double imbalance = balance_.startImbalance();
+  if (imbalance > largest_imbalance) {
+    warnings_.push_back(
+      {"start out of balance",
+       "The run starts out of balance: " + formatShort(imbalance) +
+         " of the forces have nothing that opposes them (at most " +
+         formatShort(largest_imbalance) +
+         " is usual). A quasi-dynamic body has no inertia, so that velocities and stresses jump in "
+         "the first step, whatever its size. Check Friction / Shear Traction, its unit is Pa, or "
+         "choose Initial State / State = Stress Balance."});
+  }
+}
+
 template <int Dim>
 void Evolution<Dim>::start()
 {
-  balance_.start(state_, {});
+  beginBalance();
 }
 
 template <int Dim>
@@ -69,7 +90,11 @@ void Evolution<Dim>::restore(io::Archive const& checkpoint)
   count_ = loadCount(checkpoint, "count");
   forced_steps_ = checkpoint.getInteger("forced_steps");
   floor_count_.restore(checkpoint, "normal_stress_floor");
-  balance_.start(state_, loadEnergy(checkpoint, "energy"));
+  if (numSteps() == 0) {
+    beginBalance();
+  } else {
+    balance_.resume(state_, loadEnergy(checkpoint, "energy"));
+  }
 }
 
 template <int Dim>

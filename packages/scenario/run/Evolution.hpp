@@ -1,6 +1,7 @@
 #pragma once
 
 #include "dynamics/coupling/CoupledStep.hpp"
+#include "fem/Warning.hpp"
 #include "io/Output.hpp"
 #include "scenario/Condensation.hpp"
 #include "scenario/FloorCount.hpp"
@@ -46,6 +47,8 @@ public:
   bool atEnd() const { return state_.time >= end_; }
   double time() const { return clock_.seconds(state_.time); } // [s]
   double finalTime() const { return clock_.seconds(end_); }   // [s]
+  // Of what has been found at the start.
+  std::vector<Warning> const& warnings() const { return warnings_; }
   std::int64_t numSteps() const { return control_->memory().num_steps; }
   io::StepInfo stepInfo() const;     // of the last step
   StallWatch::Step progress() const; // of the last step
@@ -54,6 +57,7 @@ public:
 private:
   std::string placeOf(int vertex) const;
   void requireFinite() const;
+  void beginBalance();
 
   RCP<const Communicator> communicator_;
   Problem<Dim> problem_;
@@ -71,5 +75,6 @@ private:
   std::int64_t forced_steps_ = 0;
   FloorCount floor_count_;
   RunView view_;
+  std::vector<Warning> warnings_;
 };
 } // namespace asperity::scenario

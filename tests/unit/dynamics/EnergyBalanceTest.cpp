@@ -1,6 +1,7 @@
 #include "dynamics/EnergyBalance.hpp"
 
 #include "dynamics/InitialState.hpp"
+#include "fem/NodalDamping.hpp"
 #include "unit/dynamics/SlidingBlock.hpp"
 
 #include <Tpetra_Vector.hpp>
@@ -53,7 +54,7 @@ TEST(EnergyBalance, closesWithTheTrapezoidalRuleWhateverTheSteps)
     EnergyBalance balance(model.body, model.fault, milliseconds);
     auto state = balancedState(model);
     auto const u0 = denseOf(*state.u);
-    balance.start(state, {});
+    balance.start(state);
     for (int level : {2, 2, 1, 4, 0, 0, 1, 2, 3, 0, 0, 0}) {
       const double before = balance.energy().defect;
       advance(stepper, state, level);
@@ -87,7 +88,7 @@ TEST(EnergyBalance, closesWhereAlphaIsStillMoving)
   Stepper stepper(model, RateUpdate::newmark(0.25), milliseconds, loose);
   EnergyBalance balance(model.body, model.fault, milliseconds);
   auto state = balancedState(model);
-  balance.start(state, {});
+  balance.start(state);
   for (int n = 0; n < 8; ++n) {
     advance(stepper, state, 1);
     balance.advance(state);
@@ -119,7 +120,7 @@ TEST(EnergyBalance, splitsTheWorkOfFrictionAndOfThePushedBoundary)
   state.u = staticDisplacement(model.body, tightSettings(), force);
   Stepper stepper(model, RateUpdate::newmark(0.25), milliseconds);
   EnergyBalance balance(model.body, model.fault, milliseconds);
-  balance.start(state, {});
+  balance.start(state);
   for (int n = 0; n < 4; ++n) {
     advance(stepper, state, 1);
     balance.advance(state);
@@ -147,7 +148,7 @@ TEST(EnergyBalance, namesWhatBackwardEulerDissipates)
   Stepper stepper(model, RateUpdate::backwardEuler(), milliseconds);
   EnergyBalance balance(model.body, model.fault, milliseconds);
   auto state = slidingState(model);
-  balance.start(state, {});
+  balance.start(state);
   for (int n = 0; n < 5; ++n) {
     auto const before = state.clone();
     const double dissipated = balance.energy().numerical_dissipation;
@@ -175,7 +176,7 @@ TEST_P(EnergyOfSchemes, closesOnceTheirDissipationIsCounted)
     Stepper stepper(model, GetParam(), milliseconds);
     EnergyBalance balance(model.body, model.fault, milliseconds);
     auto state = balancedState(model);
-    balance.start(state, {});
+    balance.start(state);
     for (int level : {2, 2, 1, 4, 0, 0, 1, 2, 3, 0, 0, 0}) {
       const double before = balance.energy().defect;
       advance(stepper, state, level);
@@ -202,7 +203,7 @@ TEST_P(EnergyOfSchemes, isDissipatedWhereTheBodyIsLeftAlone)
     return {std::sin(20 * x[0]), std::cos(9 * x[0] * x[1])};
   });
   state = balanced(model, state);
-  balance.start(state, {});
+  balance.start(state);
   const double first = balance.energy().kinetic;
   for (int level : {2, 2, 1, 4, 0, 0, 1, 2, 3, 0, 0, 0}) {
     advance(stepper, state, level);
@@ -230,7 +231,7 @@ TEST(EnergyBalance, followsAChangingNormalStress)
   Stepper stepper(model, RateUpdate::newmark(0.25), milliseconds);
   EnergyBalance balance(model.body, model.fault, milliseconds);
   auto state = balancedState(model);
-  balance.start(state, {});
+  balance.start(state);
   for (int level : {2, 1, 3, 2}) {
     advance(stepper, state, level);
     auto trial = state.clone();
@@ -251,12 +252,12 @@ TEST(EnergyBalance, goesOnFromTheWorksOfAnEarlierRun)
   EnergyBalance whole(model.body, model.fault, milliseconds);
   EnergyBalance second(model.body, model.fault, milliseconds);
   auto state = balancedState(model);
-  whole.start(state, {});
+  whole.start(state);
   for (int n = 0; n < 4; ++n) {
     advance(stepper, state, 1);
     whole.advance(state);
     if (n == 1) {
-      second.start(state, whole.energy());
+      second.resume(state, whole.energy());
     } else if (n > 1) {
       second.advance(state);
     }
@@ -280,7 +281,7 @@ TEST(EnergyBalance, seesNoWorkWhereTheFaultIsHeld)
   state.a =
     initialAcceleration(model.body, model.fault, tightSettings(), *load, *model.body.vector(),
                         *state.u, *state.v, {state.alpha, state.sigma_n});
-  balance.start(state, {});
+  balance.start(state);
   for (int n = 0; n < 3; ++n) {
     advance(stepper, state, 1);
     balance.advance(state);
@@ -313,5 +314,91 @@ TEST(Energy, listsAllItsMembersOnce)
   }
   EXPECT_EQ(sizeof(Energy), n * sizeof(double));
   EXPECT_EQ(names.size(), Energy::members().size());
+}
+namespace
+{
+// A block whose top rests, without viscosity and mass, with radiation damping on its fault.
+dynamics::Model quasiDynamic(testing::Model const& model)
+{
+  dynamics::Model result{model.body,
+                         Fault(model.surface, model.fault.laws(), model.fault.normalStress()),
+                         model.restingState(),
+                         {}};
+  auto& matrices = result.body.matrices;
+  matrices.mass = fem::zeroLike(*matrices.mass);
+  matrices.is_massless = true;
+  const std::vector<double> eta(model.surface->numNodes(), 30.);
+  matrices.viscosity = fem::withDampers(*matrices.viscosity, *model.dofs,
+                                        fem::radiationDampers(*model.surface, *model.dofs, eta));
+  return result;
+}
+
+ModelOptions hangingBlock()
+{
+  auto options = slidingBlock(2);
+  options.gravity = {0, 0};
+  options.traction = 0;
+  options.material.shear_viscosity = options.material.bulk_viscosity = 0;
+  options.conditions = {{"Top", "top", fem::AtRestAlong{{1, 0}}},
+                        {"Lid", "top", fem::AtRestAlong{{0, 1}}}};
+  return options;
+}
+
+void advance(dynamics::Model const& model, EnergyBalance& balance, State& state, int num_steps)
+{
+  CoupledStep step(model.body, model.fault, RateUpdate::generalisedAlpha(0.5), milliseconds,
+                   tightCoupling(), tightSettings(), 1u << 30);
+  SolveCount count;
+  for (int n = 0; n < num_steps; ++n) {
+    auto next = state.clone();
+    ASSERT_TRUE(step.solve(state, 0, next, count).solved());
+    state = next;
+    balance.advance(state);
+  }
+}
+} // namespace
+
+// A massless body under a load that comes at once: the load does the work l u, of which half
+// becomes elastic energy and the other half is given off.
+TEST(EnergyBalance, countsWhatAMasslessBodyGivesOffWhenItFallsIntoPlace)
+{
+  auto options = hangingBlock();
+  options.gravity = {0, -9.81};
+  options.sigma_n = 1e9; // the fault is locked
+  const testing::Model block(options, fem::testing::selfCommunicator());
+  auto const model = quasiDynamic(block);
+  EnergyBalance balance(model.body, model.fault, milliseconds);
+  auto state = model.initial.clone();
+  balance.start(state);
+  EXPECT_NEAR(balance.startImbalance(), 1, 0.2); // but for the weight that held nodes bear
+  advance(model, balance, state, 3);
+  auto const& energy = balance.energy();
+  EXPECT_GT(energy.elastic, 0);
+  EXPECT_NEAR(energy.numerical_dissipation / energy.elastic, 1, 1e-6);
+  EXPECT_NEAR(energy.load_work / energy.elastic, 2, 1e-6);
+  EXPECT_NEAR(energy.defect / energy.elastic, 0, 1e-9);
+}
+
+// The state slides at a rate that no traction drives: friction at that rate acts on no motion.
+TEST(EnergyBalance, startsWithTheForcesAfterTheJumpOfAQuasiDynamicBody)
+{
+  const testing::Model block(hangingBlock(), fem::testing::selfCommunicator());
+  auto const model = quasiDynamic(block);
+  EnergyBalance balance(model.body, model.fault, milliseconds);
+  auto state = model.initial.clone();
+  block.setFree(*state.v, [](auto const&) -> std::array<double, 2> { return {1e-3, 0}; });
+  auto const u0 = denseOf(*state.u);
+  balance.start(state);
+  EXPECT_NEAR(balance.startImbalance(), 1, 1e-9);
+  auto const force = denseOf(balance.force());
+  advance(model, balance, state, 2);
+  const double naive = 0.5 * std::abs(force.dot(denseOf(*state.u) - u0));
+  auto const& energy = balance.energy();
+  EXPECT_NEAR(energy.defect, 0, 1e-9 * std::max(naive, 1e-9));
+  EXPECT_LT(energy.friction_work, 0.01 * std::max(naive, 1e-9));
+
+  // What a step has led to is in balance.
+  balance.resume(state, energy);
+  EXPECT_EQ(balance.startImbalance(), 0);
 }
 } // namespace asperity::dynamics

@@ -91,8 +91,8 @@ TEST(Ranks, multigridOnAllStepsLikeCholeskyOnOne)
   EnergyBalance energy_together(models.together.body, models.together.fault, clock);
   auto own = slidingState(models.alone);
   auto shared = slidingState(models.together);
-  energy_alone.start(own, {});
-  energy_together.start(shared, {});
+  energy_alone.start(own);
+  energy_together.start(shared);
   PrescribedSteps steps_alone(alone.step, {0, 1, 2});
   PrescribedSteps steps_together(together.step, {0, 1, 2});
   for (int n = 0; n < 4; ++n) {

@@ -27,7 +27,7 @@ struct SpaceRun
     model.body.load(0, *load);
     state.a = initialAcceleration(model.body, model.fault, settings, *load, *model.body.vector(),
                                   *state.u, *state.v, {state.alpha, state.sigma_n});
-    energy.start(state, {});
+    energy.start(state);
     PrescribedSteps steps(stepper.step, {0, 1, 2});
     for (int n = 0; n < 4; ++n) {
       steps.advance(state, stepper.count);

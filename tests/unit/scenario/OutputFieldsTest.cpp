@@ -23,7 +23,7 @@ struct Start
       , balance(problem.body, problem.fault, makeClock(deck.sublist("Time Stepping")))
       , domains(makeDomains(problem))
   {
-    balance.start(problem.initial, {});
+    balance.start(problem.initial);
     view.state = &problem.initial;
     view.surface = problem.surface.get();
     view.balance = &balance;

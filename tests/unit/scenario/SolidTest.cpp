@@ -56,7 +56,7 @@ std::vector<double> onFault(Problem<3> const& problem, ParameterList const& deck
 {
   dynamics::EnergyBalance balance(problem.body, problem.fault,
                                   makeClock(deck.sublist("Time Stepping")));
-  balance.start(problem.initial, {});
+  balance.start(problem.initial);
   RunView view;
   view.state = &problem.initial;
   view.surface = problem.surface.get();
