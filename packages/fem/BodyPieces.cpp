@@ -227,6 +227,7 @@ BodyPieces<Dim> bodyPieces(Mesh<Dim> const& mesh, RCP<const Communicator> const&
   Point<Dim> place{};
   for (int v = 0; v < mesh.num_owned; ++v) {
     const GlobalOrdinal id = mesh.global_ids[v];
+    result.labels.push_back(is_pinched[v] == 0 ? static_cast<GlobalOrdinal>(labels[v]) - 1 : -1);
     if (is_pinched[v] == 0) {
       result.num_pieces += labels[v] == static_cast<double>(id + 1) ? 1 : 0;
       continue;
@@ -246,6 +247,17 @@ BodyPieces<Dim> bodyPieces(Mesh<Dim> const& mesh, RCP<const Communicator> const&
     result.place = sumOverRanks(first == least ? place : Point<Dim>{}, *communicator);
   }
   return result;
+}
+
+template <int Dim>
+GlobalOrdinal BodyPieces<Dim>::nextPiece(GlobalOrdinal above,
+                                         Communicator const& communicator) const
+{
+  GlobalOrdinal least = std::numeric_limits<GlobalOrdinal>::max();
+  for (const GlobalOrdinal label : labels) {
+    least = label > above ? std::min(least, label) : least;
+  }
+  return minOverRanks(least, communicator);
 }
 
 template <int Dim>
@@ -271,6 +283,7 @@ std::vector<std::string> warnOfPieces(Mesh<Dim> const& mesh,
 }
 
 #define ASPERITY_INSTANTIATE(Dim)                                                                  \
+  template struct BodyPieces<Dim>;                                                                 \
   template BodyPieces<Dim> bodyPieces(Mesh<Dim> const&, RCP<const Communicator> const&);           \
   template std::vector<std::string> warnOfPieces(Mesh<Dim> const&, RCP<const Communicator> const&);
 ASPERITY_INSTANTIATE(2)

@@ -18,6 +18,11 @@ struct BodyPieces
   GlobalOrdinal num_pinched = 0;
   GlobalOrdinal first_pinched = -1; // the least global id of them
   Point<Dim> place{};               // of that one [m]
+  // (num_owned) each vertex has the largest global id of its piece, a pinched one -1.
+  std::vector<GlobalOrdinal> labels;
+
+  // The smallest label above this one. Collective.
+  GlobalOrdinal nextPiece(GlobalOrdinal above, Communicator const& communicator) const;
 };
 
 // The same on any number of ranks. Collective.

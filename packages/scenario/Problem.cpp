@@ -1,5 +1,6 @@
 #include "scenario/Problem.hpp"
 
+#include "base/parallel/Reductions.hpp"
 #include "dynamics/FaultMotion.hpp"
 #include "dynamics/FoundationPressure.hpp"
 #include "dynamics/InitialState.hpp"
@@ -9,7 +10,9 @@
 #include "fem/NodalDamping.hpp"
 #include "fem/RigidBodyMotions.hpp"
 #include "fem/SupportWeights.hpp"
+#include "fem/constraints/FreeMotions.hpp"
 #include "mesh/Boundaries.hpp"
+#include "scenario/deck/PlausibleValues.hpp"
 #include "scenario/setup/BoundaryChecks.hpp"
 #include "scenario/setup/BulkSetup.hpp"
 #include "scenario/setup/FrictionSetup.hpp"
@@ -18,8 +21,12 @@
 #include "scenario/setup/SolverSetup.hpp"
 #include "scenario/setup/TimeSetup.hpp"
 #include "scenario/setup/fault/FaultLoads.hpp"
+#include "scenario/setup/fault/FreeFault.hpp"
 
 #include <Tpetra_CrsMatrix.hpp>
+
+#include <algorithm>
+#include <limits>
 
 namespace asperity::scenario
 {
@@ -49,6 +56,7 @@ Discretisation<Dim> discretise(ParameterList const& deck,
   auto mesh = makeMesh<Dim>(deck.sublist("Mesh"), boundary.faults.front(), communicator);
   requireBoundaries(conditions, mesh);
   requireFaults(conditions, mesh);
+  requireFreeFault(boundary, mesh, components, *communicator);
   if (!boundary.surface.empty()) {
     fem::boundaryMeasure(mesh, boundary.surface, *communicator); // refuses one without facets
   }
@@ -98,6 +106,33 @@ RCP<const Vector> withRadiationOfPlates(RCP<const Vector> const& load,
   return result;
 }
 
+// Without inertia every rigid motion of the body needs something that stops or resists it: a
+// condition, or friction and radiation damping along the fault that is given, unless it is null.
+template <int Dim>
+void requireNoFreeMotion(Discretisation<Dim> const& of, dynamics::Body const& body,
+                         fem::FaultSurface const* resisting_fault, std::string const& why)
+{
+  std::vector<int> resisting(body.numOwnedDofs(), 0);
+  for (const int dof : body.held.owned()) {
+    resisting[dof] = 1;
+  }
+  if (resisting_fault != nullptr) {
+    for (auto const& node : *resisting_fault) {
+      for (const int dof : node.dofs) {
+        resisting[dof] = 1;
+      }
+    }
+  }
+  auto const free = fem::freeMotions(of.mesh, of.dofs->components(), *body.near_null_space,
+                                     resisting, of.dofs->communicator());
+  ASPERITY_REQUIRE(
+    free.empty(), "Asperity / Boundary Conditions: nothing stops or resists the body when it moves "
+                    << free.front() << ", and " << why
+                    << " does not exist or is not unique. Add a condition on a boundary that "
+                       "stops this motion: Fixed, Sliding Wall, or Prescribed Velocity in that "
+                       "direction, with a Velocity of 0 if it is to rest.");
+}
+
 // Where the body starts, and how its foundation presses on it there.
 struct StaticStart
 {
@@ -137,6 +172,8 @@ StaticStart staticStart(ParameterList const& deck, Discretisation<Dim> const& of
   if (!has_gravity || (stress_given && !start_static)) {
     return start;
   }
+  requireNoFreeMotion(of, body, nullptr,
+                      "its static displacement, for which the fault slides without friction,");
   auto const u = dynamics::staticDisplacement(body, solver, gravity);
   if (!stress_given) {
     auto const support = fem::supportWeights(of.mesh, surface, of.boundary.velocities);
@@ -146,6 +183,37 @@ StaticStart staticStart(ParameterList const& deck, Discretisation<Dim> const& of
     start.displacement = u;
   }
   return start;
+}
+
+Extremes extremesOf(std::vector<double> const& values, Communicator const& communicator)
+{
+  Extremes mine{std::numeric_limits<double>::max(), -std::numeric_limits<double>::max()};
+  for (const double value : values) {
+    mine = {std::min(mine.smallest, value), std::max(mine.largest, value)};
+  }
+  return {minOverRanks(mine.smallest, communicator), maxOverRanks(mine.largest, communicator)};
+}
+
+BesideFault valuesBeside(std::vector<fem::Material> const& materials,
+                         std::vector<double> const& eta, dynamics::State const& initial,
+                         int components, Communicator const& communicator)
+{
+  const auto extremes = [&](auto const& value) {
+    std::vector<double> values;
+    for (auto const& material : materials) {
+      values.push_back(value(material));
+    }
+    return extremesOf(values, communicator);
+  };
+  using fem::Material;
+  auto const sigma_n = toHost(initial.sigma_n);
+  return {extremes([](Material const& m) { return m.density; }),
+          extremes([](Material const& m) { return m.shear_modulus; }),
+          extremes([](Material const& m) { return m.shearImpedance() / m.density; }),
+          extremes([](Material const& m) { return m.compressionalImpedance() / m.density; }),
+          extremesOf(eta, communicator),
+          extremesOf({sigma_n.data(), sigma_n.data() + sigma_n.extent(0)}, communicator),
+          components == 1};
 }
 
 // What the body presses on its fault with, now that it is known how it starts.
@@ -205,6 +273,9 @@ Problem<Dim> makeProblem(ParameterList const& deck, RCP<const Communicator> cons
     fem::rigidBodyMotions(of.mesh, *of.dofs, of.frames()),
     loadWithTraction(traction, surface, withRadiationOfPlates(gravity, *surface, eta)),
     [constraints](double t, Vector& v) { constraints->prescribedVelocity(t, v); }};
+  if (body.matrices.is_massless) {
+    requireNoFreeMotion(of, body, surface.get(), "the velocity of a quasi-dynamic body");
+  }
   for (double t : of.samples) {
     auto const prescribed = body.vector();
     body.prescribed_velocity(t, *prescribed);
@@ -219,6 +290,11 @@ Problem<Dim> makeProblem(ParameterList const& deck, RCP<const Communicator> cons
   auto reaction = reactionSinceStart(of, body, fault, initial);
   auto remarks = fem::warnOfPieces(of.mesh, communicator);
   remarks.insert(remarks.end(), stress.remarks.begin(), stress.remarks.end());
+  auto const beside = valuesBeside(fault_materials, eta, initial, components, *communicator);
+  remarks.push_back(describeSpeeds(beside));
+  for (auto const& question : questionValues(beside)) {
+    remarks.push_back("WARNING: " + question.text);
+  }
   return {{std::move(body), std::move(fault), std::move(initial), std::move(reaction)},
           communicator,
           components,

@@ -12,7 +12,7 @@ Teuchos::RCP<Teuchos::ParameterList> TnnmgSettings::validParameters()
           Range::atLeast(0),
           "A rate problem counts as solved when the last change of the velocity, in the energy "
           "norm of Z, is at most this.")
-    .real("Relative Tolerance", defaults.relative_tolerance, "-", Range::atLeast(0),
+    .real("Relative Tolerance", defaults.relative_tolerance, "-", Range::closedOpen(0, 1),
           "This tolerance is relative to the energy norm of the velocity; the larger of it and the "
           "absolute tolerance counts.")
     .integer("Maximum Iterations", defaults.max_iterations, Range::atLeast(1),

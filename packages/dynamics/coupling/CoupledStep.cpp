@@ -77,7 +77,7 @@ Teuchos::RCP<Teuchos::ParameterList> CouplingSettings::validParameters()
 {
   const CouplingSettings defaults;
   return Declare()
-    .real("Tolerance", defaults.tolerance, "-", Range::positive(),
+    .real("Tolerance", defaults.tolerance, "-", Range::open(0, 1),
           "The fixed-point iteration of rate and state ends when alpha changes by at most this "
           "between two iterates, in the norm chosen.")
     .choice("Norm", "Root Mean Square", {"Root Mean Square", "Maximum"},

@@ -81,7 +81,7 @@ RCP<const ParameterList> timeParameters()
       .list();
   auto const doubling =
     Declare()
-      .real("Tolerance", 1e-5, "-", Range::positive(),
+      .real("Tolerance", 1e-5, "-", Range::open(0, 1),
             "A step is accepted if alpha differs by at most this between one step and two of half "
             "its size, as root mean square over the fault.")
       .real("First Step", 0., "s", Range::atLeast(0),
@@ -89,7 +89,7 @@ RCP<const ParameterList> timeParameters()
       .list();
   auto const richardson =
     Declare()
-      .real("Tolerance", 1e-5, "-", Range::positive(),
+      .real("Tolerance", 1e-5, "-", Range::open(0, 1),
             "A pair of steps is accepted if the estimated error of alpha after it is at most this. "
             "The estimate follows from the difference to one step of twice the size.")
       .choice("Norm", "Root Mean Square", {"Root Mean Square", "Maximum"},

@@ -7,6 +7,7 @@ import os
 import pathlib
 import re
 import shutil
+import subprocess
 import unittest
 
 import h5py
@@ -141,6 +142,10 @@ class Decks(Case):
             TEXT.replace('type="double" value="0.1"/>\n    <Parameter name="Smallest',
                          'type="string" value="fast"/>\n    <Parameter name="Smallest'),
             "Asperity / Time Stepping / Largest Step", "'fast'")
+        self.assert_deck_refused(
+            TEXT.replace('type="double" value="0.1"/>\n    <Parameter name="Smallest',
+                         'type="double" value="fast"/>\n    <Parameter name="Smallest'),
+            "Asperity / Time Stepping / Largest Step", "'fast'")
         self.assert_deck_refused(TEXT.replace('type="int" value="4"', 'type="int" value="four"', 1),
                                  "bad.xml", "Cells X", "'four'")
 
@@ -159,6 +164,21 @@ class Decks(Case):
         self.assert_setting_refused("Bulk/Density=1000 +", "Asperity / Bulk / Density")
         self.assert_setting_refused("Bulk/Density=1000 * q", "Asperity / Bulk / Density", "q")
         self.assert_setting_refused("Friction/b=fields.h5:/b", "fields.h5")
+        self.assert_setting_refused("Friction/Normal Stress=x=0 ? 5e6 : 4e6",
+                                    "Asperity / Friction / Normal Stress", "==")
+        self.assert_setting_refused("Bulk/Density=1000" + 20000 * "+", "Asperity / Bulk / Density",
+                                    "20000 characters")
+
+    def test_names_beside_the_type_of_a_number(self):
+        names = '<ParameterList name="Names">\n    <Parameter name="rho" type="double" value="{}"/>'
+        named = TEXT.replace('<ParameterList name="Mesh">',
+                             names + '\n  </ParameterList>\n  <ParameterList name="Mesh">', 1)
+        named = named.replace('type="double" value="1000"', 'type="double" value="2 * rho"')
+        pathlib.Path("named.xml").write_text(named.format("500"))
+        self.assert_done("named.xml", "--output", "named")
+        written = pathlib.Path("named/parameters.xml").read_text()
+        self.assertIn('value="2 * (500)"', written)
+        self.assert_deck_refused(named.format("=500"), "Asperity / Names / rho", "==")
 
     def test_datasets_where_there_is_no_vertex(self):
         with h5py.File("fields.h5", "w") as file:
@@ -250,6 +270,18 @@ class Meshes(Case):
         write_mesh("mesh.h5", cells=((0, 1, 2), (0, 3, 2)))
         for ranks in (1, 2):
             self.assert_refused(self.deck, "mesh.h5", "cell 1", ranks=ranks)
+
+    def test_a_hanging_vertex(self):
+        """Beside an undivided edge; asperity-mesh says it, too."""
+        cells = ((0, 1, 2), (0, 4, 3), (4, 2, 3))
+        write_mesh("mesh.h5", cells, vertices=[*CORNERS, (0.5, 0.5)])
+        message = "vertex 4 at (0.5, 0.5) m lies inside the edge with the ends"
+        for ranks in (1, 2):
+            self.assert_refused(self.deck, "mesh.h5", message, "does not conform", ranks=ranks)
+        tool = subprocess.run([asperity_run.PROGRAM.with_name("asperity-mesh"), "info", "mesh.h5"],
+                              capture_output=True, text=True)
+        self.assertEqual(tool.returncode, 2)
+        self.assertIn(message, tool.stderr)
 
     def test_a_moved_vertex(self):
         """Where no cell turns over it is another mesh, and as good as any."""
@@ -360,6 +392,38 @@ class Physics(Case):
         self.assert_deck_refused(TEXT.replace(condition, changed),
                                  "Asperity / Boundary Conditions / Side", "contradicts",
                                  "Asperity / Boundary Conditions / Drive")
+
+    def test_a_fault_whose_motion_is_prescribed(self):
+        for ranks in (1, 2):
+            self.assert_setting_refused("Boundary Conditions/Drive/Boundary=bottom",
+                                        "Asperity / Boundary Conditions / Drive",
+                                        "prescribes the velocity along the fault 'bottom'",
+                                        "Prescribed Slip Rate", ranks=ranks)
+
+    def test_a_body_that_may_move_freely(self):
+        """Whatever solver would meet it: without inertia nothing stops y, or turns."""
+        massless = ("Bulk/Dynamics=Quasi-dynamic", "Time Stepping/Scheme=Backward Euler",
+                    "Boundary Conditions/Fault/Type=Antisymmetric Fault")
+        for correction in ("Direct", "MueLu"):
+            with self.subTest(correction):
+                self.assert_refused(
+                    [DECK, *settings(*massless, f"TNNMG/Linear Correction={correction}")],
+                    "Asperity / Boundary Conditions", "moves along y", "Sliding Wall")
+
+    def test_questionable_units(self):
+        for change, topic in (("Bulk/Density=1", "Bulk / Density is 1 kg/m^3"),
+                              ("Bulk/Shear Modulus=32", "The shear modulus is 32 Pa"),
+                              ("Friction/Normal Stress=0.05", "normal stress at the start, 0.05")):
+            with self.subTest(change):
+                result = asperity_run.run(DECK, *settings(change), "--validate")
+                self.assertEqual(result.returncode, 0, result.stderr)
+                self.assertIn("WARNING: ", result.stdout)
+                self.assertIn(topic, result.stdout)
+        result = asperity_run.run(DECK, "--validate")
+        self.assertIn("c_s = 31.6228 m/s", result.stdout)
+        self.assertNotIn("WARNING", result.stdout)
+        self.assert_setting_refused("Coupling/Tolerance=10", "Asperity / Coupling / Tolerance",
+                                    "(0, 1)")
 
     def test_no_fault(self):
         self.assert_setting_refused("Boundary Conditions/Fault/Type=Fixed",

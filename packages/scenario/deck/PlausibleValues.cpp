@@ -1,0 +1,105 @@
+#include "scenario/deck/PlausibleValues.hpp"
+
+#include "base/Text.hpp"
+
+namespace asperity::scenario
+{
+namespace
+{
+struct Bounds
+{
+  double from, to;
+};
+
+// The bounds lie a factor of about 3 beyond what has been measured.
+//
+// Density: foam rubber, in which Brune (1973) made stick slip, has about 30 kg/m^3; steel 7850.
+constexpr Bounds densities = {10, 25e3};
+// Shear modulus: gelatine of analogue subduction zones (Corbi et al. 2013) has about 1 kPa, the
+// lower mantle (PREM, Dziewonski & Anderson 1981) 290 GPa.
+constexpr Bounds shear_moduli = {300, 1e12};
+// c_s: gelatine 1 to 10 m/s; the lower mantle 7.3 km/s.
+constexpr Bounds shear_speeds = {0.3, 22e3};
+// Soft mud, the slowest of sediments, has 50 m/s and more than 1300 kg/m^3 (Hamilton 1979); what is
+// denser than gels, 1100 kg/m^3, and slower than mud is none of them.
+constexpr double density_of_sediment = 1300;
+constexpr double speed_of_sediment = 15;
+// Normal stress by shear modulus: creeping faults with nearly lithostatic pore pressure, 0.1 MPa by
+// 30 GPa (3e-6), to blocks of gel that bear their own weight (Corbi et al. 2013), up to 0.1.
+constexpr Bounds stress_ratios = {1e-7, 0.3};
+
+std::string interval(Extremes const& values)
+{
+  return formatShort(values.smallest) +
+         (values.largest > values.smallest ? " to " + formatShort(values.largest) : "");
+}
+
+bool isOutside(Extremes const& values, Bounds const& bounds)
+{
+  return values.smallest < bounds.from || values.largest > bounds.to;
+}
+
+std::string outside(Bounds const& bounds, std::string const& unit)
+{
+  return ", outside " + formatShort(bounds.from) + " to " + formatShort(bounds.to) +
+         (unit.empty() ? "" : " " + unit) + " of rocks, gels and foams.";
+}
+
+void questionMaterial(BesideFault const& values, std::vector<Warning>& questions)
+{
+  auto const& cs = values.shear_speed;
+  if (isOutside(values.density, densities)) {
+    questions.push_back({"density", "Bulk / Density is " + interval(values.density) +
+                                      " kg/m^3 beside the fault" + outside(densities, "kg/m^3") +
+                                      " Is it in g/cm^3?"});
+  }
+  if (isOutside(values.shear_modulus, shear_moduli)) {
+    questions.push_back({"shear modulus", "The shear modulus is " + interval(values.shear_modulus) +
+                                            " Pa beside the fault" + outside(shear_moduli, "Pa") +
+                                            " Is it in MPa or GPa?"});
+  }
+  if (isOutside(cs, shear_speeds)) {
+    questions.push_back(
+      {"speed of shear waves", "Shear waves travel at " + interval(cs) + " m/s beside the fault" +
+                                 outside(shear_speeds, "m/s") +
+                                 " Check the units of Bulk / Density and of the moduli."});
+  } else if (values.density.largest > density_of_sediment && cs.smallest < speed_of_sediment) {
+    questions.push_back(
+      {"speed of shear waves",
+       "Shear waves travel at " + interval(cs) + " m/s beside the fault, where the density is " +
+         interval(values.density) +
+         " kg/m^3: rocks and sediments of that density have 50 to 7000 m/s. Check the units of "
+         "Bulk / Density and of the moduli."});
+  }
+}
+} // namespace
+
+std::string describeSpeeds(BesideFault const& values)
+{
+  std::string text =
+    "Beside the fault shear waves travel at c_s = " + interval(values.shear_speed) + " m/s";
+  if (!values.is_antiplane) {
+    text += ", pressure waves at c_p = " + interval(values.pressure_speed) + " m/s";
+  }
+  if (values.radiation_damping.largest > 0) {
+    text += "; radiation damping eta = " + interval(values.radiation_damping) + " Pa s/m";
+  }
+  return text + ". Normal stress at the start: " + interval(values.normal_stress) + " Pa.";
+}
+
+std::vector<Warning> questionValues(BesideFault const& values)
+{
+  std::vector<Warning> questions;
+  questionMaterial(values, questions);
+  const double stress = values.normal_stress.largest; // near the surface there is none
+  const double ratio = stress / values.shear_modulus.largest;
+  if (stress > 0 && (ratio < stress_ratios.from || ratio > stress_ratios.to)) {
+    questions.push_back({"normal stress", "The largest normal stress at the start, " +
+                                            formatShort(stress) + " Pa, is " + formatShort(ratio) +
+                                            " of the shear modulus, " +
+                                            formatShort(values.shear_modulus.largest) + " Pa" +
+                                            outside(stress_ratios, "") + " Is it in MPa?"});
+  }
+  return questions;
+}
+} // namespace asperity::scenario
