@@ -3,6 +3,7 @@
 #include "base/Text.hpp"
 #include "base/parallel/Reductions.hpp"
 #include "scenario/Environment.hpp"
+#include "scenario/FaultSense.hpp"
 #include "scenario/ResolutionCheck.hpp"
 #include "scenario/setup/BulkSetup.hpp"
 
@@ -62,6 +63,8 @@ std::vector<std::string> describe(Problem<Dim> const& problem, ParameterList con
   lines.insert(lines.end(), size.begin(), size.end());
   auto const of_wedge = describeWedge(deck);
   lines.insert(lines.end(), of_wedge.begin(), of_wedge.end());
+  const auto sense = describeSense(problem, deck);
+  lines.insert(lines.end(), sense.begin(), sense.end());
   lines.insert(lines.end(), problem.remarks.begin(), problem.remarks.end());
   if (auto const resolution = faultResolution(problem, friction)) {
     auto const of_fault = describe(*resolution, friction.get<std::string>("State Evolution"));
