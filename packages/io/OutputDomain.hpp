@@ -11,7 +11,11 @@ namespace asperity::io
 // The end of a curve at which its positions are 0. The upper end is the one with the greater y; of
 // ends that are equally high the one with the smaller x. Of surfaces, which are level but for their
 // relief, it is always the one with the smaller x (then y).
-enum class CurveStart { upper_end, smaller_x };
+enum class CurveStart
+{
+  upper_end,
+  smaller_x
+};
 
 // Where fields live: a boundary or the volume, as this rank sees it.
 //

@@ -44,7 +44,7 @@ def _hypocentre(panel, run: Run, row: int, where: plane.Plane) -> None:
         place = where.place([run.events[name][row] for name in names])
         panel.plot(*place, "*", color="white", markeredgecolor="black", markersize=12,
                    label="hypocentre", clip_on=False, zorder=5)
-        panel.legend(loc="lower right", fontsize=8)
+        panel.legend(loc="lower right", fontsize=8, frameon=True, facecolor="white", framealpha=0.9)
 
 
 def _panels(where: plane.Plane):

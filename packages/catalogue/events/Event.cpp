@@ -57,8 +57,13 @@ Row titles(bool on_surface)
     return {"event", "onset [s]",     "duration [s]",    "area [m^2]",
             "Mw",    "peak slip [m]", "peak rate [m/s]", "hypocentre [m]"};
   }
-  return {"event",         "onset [s]",       "duration [s]",  "width [m]",
-          "peak slip [m]", "peak rate [m/s]", "nucleation from upper end [m]"};
+  return {"event",
+          "onset [s]",
+          "duration [s]",
+          "width [m]",
+          "peak slip [m]",
+          "peak rate [m/s]",
+          "nucleation from upper end [m]"};
 }
 
 std::string place(std::vector<double> const& point)

@@ -70,11 +70,12 @@ EventCatalogue::EventCatalogue(Teuchos::ParameterList const& parameters,
     , smallest_magnitude_(parameters.get<double>("Smallest Magnitude"))
 {
   context.fields.field("fault", "shear_modulus").values(shear_modulus_);
-  ASPERITY_REQUIRE(!fault().isCurve() || smallest_magnitude_ == no_magnitude,
-                   "Asperity / Output / Event Catalogue / Smallest Magnitude = "
-                     << smallest_magnitude_
-                     << ": in two dimensions an event has a moment per length and no magnitude. Give "
-                        "a Smallest Width instead.");
+  ASPERITY_REQUIRE(
+    !fault().isCurve() || smallest_magnitude_ == no_magnitude,
+    "Asperity / Output / Event Catalogue / Smallest Magnitude = "
+      << smallest_magnitude_
+      << ": in two dimensions an event has a moment per length and no magnitude. Give "
+         "a Smallest Width instead.");
   if (!fault().isCurve()) {
     plane_ = faultPlane(fault(), context.up);
   }

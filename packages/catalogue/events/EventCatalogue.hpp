@@ -67,7 +67,10 @@ private:
   double const* place(std::size_t i) const { return &fault().coordinates[3 * i]; }
   bool isSmall(Event const& event) const;
   void recordLast(); // when no further event can be part of it
-  std::vector<double> choice() const { return {merging_time_, smallest_width_, smallest_magnitude_}; }
+  std::vector<double> choice() const
+  {
+    return {merging_time_, smallest_width_, smallest_magnitude_};
+  }
   double peakSince(Sample const& now) const; // [m/s] around the previous sample, of all nodes
 
   io::OutputField const& slip_;
@@ -82,8 +85,8 @@ private:
   std::int64_t num_events_ = 0; // also those that are parts of others, or small
 
   More now_, before_;
-  Event open_;     // onset, first node and peak rate of the event in progress
-  Sample earlier_; // the one before the previous one; no rates in the first step of an event
+  Event open_;         // onset, first node and peak rate of the event in progress
+  Sample earlier_;     // the one before the previous one; no rates in the first step of an event
   Event last_;         // the one that ended last,
   bool waits_ = false; // while another one may become part of it
   std::vector<double> energies_at_begin_, energies_at_end_;

@@ -46,10 +46,10 @@ std::string eventRow(Event const& event)
 
 void appendNumbers(Event const& event, std::size_t dimension, std::vector<double>& numbers)
 {
-  numbers.insert(numbers.end(), {event.onset, event.end, event.width, event.peak_slip,
-                                 event.peak_slip_rate, event.moment, event.nucleation,
-                                 event.complete ? 1.0 : 0.0, event.area, event.length,
-                                 static_cast<double>(event.number)});
+  numbers.insert(numbers.end(),
+                 {event.onset, event.end, event.width, event.peak_slip, event.peak_slip_rate,
+                  event.moment, event.nucleation, event.complete ? 1.0 : 0.0, event.area,
+                  event.length, static_cast<double>(event.number)});
   auto hypocentre = event.hypocentre;
   hypocentre.resize(dimension, 0);
   numbers.insert(numbers.end(), hypocentre.begin(), hypocentre.end());

@@ -60,12 +60,8 @@ std::vector<Piece> nodePieces(OutputDomain const& domain, NodeBlocks const& bloc
                              integers(blocks(domain.vertex_ids, 1, 1)),
                              part}};
   if (domain.isCurve()) {
-    pieces.push_back({"positions",
-                      "m",
-                      positionMeaning(domain),
-                      {nodes},
-                      blocks(domain.positions, 1, 1),
-                      part});
+    pieces.push_back(
+      {"positions", "m", positionMeaning(domain), {nodes}, blocks(domain.positions, 1, 1), part});
   }
   return pieces;
 }

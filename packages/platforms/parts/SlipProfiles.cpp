@@ -9,9 +9,10 @@ FileContent contentFor(std::vector<double> const& z)
 {
   FileContent content;
   content.name = "slip.dat";
-  content.remarks = {"Row #1 = Distance along the fault from its upper end (m) with two zeros first",
-                     "Column #1 = Time (s)", "Column #2 = Max slip rate (log10 m/s)",
-                     "Column #3-" + std::to_string(z.size() + 2) + " = Slip (m)"};
+  content.remarks = {
+    "Row #1 = Distance along the fault from its upper end (m) with two zeros first",
+    "Column #1 = Time (s)", "Column #2 = Max slip rate (log10 m/s)",
+    "Column #3-" + std::to_string(z.size() + 2) + " = Slip (m)"};
   content.fields = "z\nt\nmax_slip_rate\nslip\n" + timeText(0) + ' ' + numberText(0);
   for (const double value : z) {
     content.fields += ' ' + numberText(value);

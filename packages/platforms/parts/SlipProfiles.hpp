@@ -27,7 +27,7 @@ private:
   io::NodeGather gather_;
   catalogue::FaultRates rates_;
   io::OutputField const& slip_;
-  double sign_;                   // of the slip in the file
+  double sign_; // of the slip in the file
   TimeSeries file_;
 };
 } // namespace asperity::platforms

@@ -377,7 +377,8 @@ TEST(EventCatalogue, ARestartKeepsAnEventThatWaitsForAnother)
   expected.all(history);
   for (std::size_t stop = 1; stop < history.size(); ++stop) {
     Archive archive;
-    Observed before(directory.path(), {}, choice(3, 0.1)), after(directory.path(), {}, choice(3, 0.1));
+    Observed before(directory.path(), {}, choice(3, 0.1)),
+      after(directory.path(), {}, choice(3, 0.1));
     for (std::size_t i = 0; i < stop; ++i) {
       before.step(history, i);
     }
@@ -405,9 +406,8 @@ TEST(EventCatalogue, RefusesAnotherChoiceOnRestartAndMagnitudesInThePlane)
                              "another Merging Time, Smallest Width or Smallest Magnitude"));
   ParameterList magnitude;
   magnitude.set("Smallest Magnitude", 5.0);
-  EXPECT_TRUE(
-    test::contains(test::inputError([&] { Observed(directory.path(), {}, magnitude); }),
-                   "Smallest Magnitude = 5: in two dimensions"));
+  EXPECT_TRUE(test::contains(test::inputError([&] { Observed(directory.path(), {}, magnitude); }),
+                             "Smallest Magnitude = 5: in two dimensions"));
 }
 
 // Node 1 of an upright fault, 1/16 below its upper end, slides first.
