@@ -17,8 +17,8 @@ NUCLEATION, FROM_UPPER_END = "nucleation", "nucleation_from_upper_end"
 
 
 def begins_at_upper_end(nodes: np.ndarray, positions: np.ndarray) -> bool:
-    """Whether positions along a fault, of nodes (n, 2), count from its upper end. In runs of versions
-    before 0.1 they count from the end with smaller x, then y: from below on an upright fault."""
+    """Whether positions along a fault, of nodes (n, 2), count from its upper end. Earlier versions
+    count from the end with smaller x, then y: from below on an upright fault."""
     return bool(nodes[-1, 1] - nodes[0, 1] <= LEVEL * positions[-1])
 
 
