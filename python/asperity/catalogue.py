@@ -46,9 +46,9 @@ def with_origin(table: Table, geometry: Optional[H5File]) -> Table:
 
 
 def select(table: Table, selection: Selection) -> Table:
-    """The events that count. What is merged has the first onset, place and number, the last end, the
-    sum of moments and energies, and the largest of its parts' sizes, slips and rates: a part of the
-    fault that slips in two of them counts once."""
+    """The events that count. What is merged has the first onset, place and number, the last end, a
+    sum of moments and energies, and the largest of its parts' sizes, slips and rates, below which
+    those of the whole do not lie."""
     if selection.merging_time > 0.0 and len(table):
         table = _merged(table, selection.merging_time)
     if selection.smallest_width > 0.0:

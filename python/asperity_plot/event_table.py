@@ -17,8 +17,8 @@ COUNTS = (("coupled_steps", "coupled steps"), ("rate_problems", "rate problems")
           ("failed_steps", "failed steps"))  # of each step, in steps.csv
 ENERGIES = ("friction_work", "viscous_work", "numerical_dissipation", "kinetic_energy",
             "elastic_energy", "energy_defect")  # of each event, in events.csv
-MOMENT_NOTE = ("Moments and largest slips count a node only while it is at least that fast; the figure "
-               "moment_rate counts all slip of the fault from onset to end, which is more.")
+MOMENT_NOTE = ("Moments and largest slips count a node only while it is at least that fast; the "
+               "figure moment_rate counts all slip of the fault from onset to end, which is more.")
 YEAR_NOTE = "A year has 365.25 days."
 
 

@@ -36,15 +36,15 @@ def draw(run: Run, view: View):
         panel.set_xlabel(f"Time since the onset of the event [{clock.name}]")
         panel.set_xlim(clock(-MARGIN * last), clock((1.0 + MARGIN) * last))
         panel.grid(True)
-    figure.supxlabel("all slip of the fault from onset to end, also slower than the threshold of "
+    figure.supxlabel("all slip of the fault from onset to end, also below the threshold of "
                      "events.csv, whose moments are smaller", fontsize=8.5, color=style.DARK)
     style.title(figure, "Moment of the events" + (" per length of the fault" if per_length else ""))
     return figure
 
 
 def pulse_end(time: np.ndarray, rate: np.ndarray) -> float:
-    """The last time [s] since the onset with a rate that is not small beside the largest: afterwards
-    an event may creep above the threshold for long."""
+    """The last time [s] since the onset with a rate that is not small beside the largest: later an
+    event may creep above the threshold for long."""
     fast = time[rate >= SMALL * units.largest(rate)]
     return float(fast[-1]) if fast.size and fast[-1] > 0.0 else float(time[-1])
 

@@ -14,7 +14,7 @@ MOST_LABELS = 40
 
 
 def draw(study: Study, table: List[Column], path: Path, note: str = "") -> Path:
-    """Rows: number of events, quartiles of what describes them, steps and wall time; below, a note."""
+    """Rows: number of events, quartiles of what describes them, steps, wall time; then a note."""
     style.use()
     data = {name: values for name, _, values in table}
     places, names = _places(study, data)

@@ -157,8 +157,8 @@ def alone(folder: Path) -> Iterator[None]:
         fcntl.flock(descriptor, fcntl.LOCK_EX | fcntl.LOCK_NB)
     except BlockingIOError:
         os.close(descriptor)
-        raise InputError(f"Another asperity-study works in {folder}. Wait for it, or choose another "
-                         "place with --output.") from None
+        raise InputError(f"Another asperity-study works in {folder}. Wait for it, or choose "
+                         "another place with --output.") from None
     try:
         yield
     finally:

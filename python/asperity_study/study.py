@@ -105,8 +105,8 @@ def _settings(nodes, path: Path) -> Dict[str, str]:
     for node in nodes:
         name = node.get("name", "")
         if name in settings:
-            raise InputError(f"{path}: Settings: '{name}' is given twice, as '{settings[name]}' and "
-                             f"'{node.get('value', '')}'. Keep one.")
+            raise InputError(f"{path}: Settings: '{name}' is given twice, as '{settings[name]}' "
+                             f"and '{node.get('value', '')}'. Keep one.")
         settings[name] = node.get("value", "")
     return settings
 
