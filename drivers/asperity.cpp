@@ -9,9 +9,7 @@
 #include "scenario/Registrations.hpp"
 #include "scenario/Simulation.hpp"
 
-#include <algorithm>
 #include <iostream>
-#include <iterator>
 #include <string>
 
 namespace
@@ -23,9 +21,14 @@ try {
   auto const deck = asperity::scenario::readCompleteDeck(command_line);
   auto const simulation = asperity::scenario::makeSimulation(deck, command_line, communicator);
   if (command_line.validate) {
-    auto const lines = simulation->description();
+    auto const description = simulation->description();
     if (communicator->getRank() == 0) {
-      std::copy(lines.begin(), lines.end(), std::ostream_iterator<std::string>(std::cout, "\n"));
+      for (auto const& line : description.lines) {
+        std::cout << line << '\n';
+      }
+      for (auto const& warning : description.warnings) {
+        std::cout << "WARNING: " << warning.text << '\n';
+      }
       std::cout << command_line.deck << " is valid.\n";
     }
     return asperity::exit_done;

@@ -47,6 +47,22 @@ std::vector<CellSizes> cellSizes(Mesh<Dim> const& mesh, fem::FaultSurface const&
 }
 } // namespace
 
+namespace
+{
+// [m/s], see FaultResolution::seismic_time; 1 m/s for a body without density.
+double seismicRate(fem::Material const& material, fem::OtherSide const& other_side, double b,
+                   double sigma_n)
+{
+  const double impedance = material.shearImpedance() / other_side.deforming_sides;
+  return impedance > 0 ? 20 * b * sigma_n / impedance : 1;
+}
+
+double crossingTime(fem::Material const& material, double length)
+{
+  return length * std::sqrt(material.density / material.shear_modulus);
+}
+} // namespace
+
 double slipModulus(fem::Material const& material, int components, fem::OtherSide const& other_side)
 {
   const bool is_shared = other_side.deforming_sides == 2;
@@ -83,21 +99,29 @@ faultResolution(Mesh<Dim> const& mesh, fem::FaultSurface const& surface, int com
   auto const& [a, b, L, sigma_n] = friction;
   auto const sizes = cellSizes(mesh, surface);
   // Smallest of all, what is the largest with the opposite sign.
-  std::array<double, 7> mine;
+  std::array<double, 10> mine;
   mine.fill(std::numeric_limits<double>::max());
+  double weakening = 0;
+  bool weakens_everywhere = true;
   for (int i = 0; i < surface.numNodes(); ++i) {
     if (!(b[i] > a[i]) || !(sigma_n[i] > 0)) {
+      weakens_everywhere = false;
       continue;
     }
+    weakening += surface[i].weight;
     const double modulus = slipModulus(materials[i], components, surface.otherSide());
     const double zone = cohesiveZone(modulus, b[i], L[i], sigma_n[i]);
-    const std::array<double, 7> here = {sizes[i].smallest,
-                                        -sizes[i].largest,
-                                        zone,
-                                        nucleationLength(modulus, a[i], b[i], L[i], sigma_n[i]),
-                                        unstableWavelength(modulus, a[i], b[i], L[i], sigma_n[i]),
-                                        zone / sizes[i].largest,
-                                        -sizes[i].height};
+    const std::array<double, 10> here = {
+      sizes[i].smallest,
+      -sizes[i].largest,
+      zone,
+      nucleationLength(modulus, a[i], b[i], L[i], sigma_n[i]),
+      unstableWavelength(modulus, a[i], b[i], L[i], sigma_n[i]),
+      zone / sizes[i].largest,
+      -sizes[i].height,
+      L[i],
+      L[i] / seismicRate(materials[i], surface.otherSide(), b[i], sigma_n[i]),
+      crossingTime(materials[i], sizes[i].smallest)};
     std::transform(here.begin(), here.end(), mine.begin(), mine.begin(),
                    [](double x, double y) { return std::min(x, y); });
   }
@@ -105,7 +129,20 @@ faultResolution(Mesh<Dim> const& mesh, fem::FaultSurface const& surface, int com
   if (all[1] > 0) {
     return std::nullopt;
   }
-  return FaultResolution{all[0], -all[1], all[2], all[3], all[4], all[5], -all[6]};
+  auto const& comm = *surface.communicator();
+  const double measure = sumOverRanks(weakening, comm);
+  return FaultResolution{all[0],
+                         -all[1],
+                         all[2],
+                         all[3],
+                         all[4],
+                         all[5],
+                         -all[6],
+                         all[7],
+                         all[8],
+                         all[9],
+                         Dim == 2 ? measure : std::sqrt(measure),
+                         minOverRanks(weakens_everywhere ? 1 : 0, comm) == 1};
 }
 
 #define ASPERITY_INSTANTIATE(DIM)                                                                  \

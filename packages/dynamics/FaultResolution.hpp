@@ -52,6 +52,15 @@ struct FaultResolution
   // Height of the cells beside the fault over the length of their facets, largest: 1 for squares
   // and cubes. Lower cells make the fault's stiffness more accurate (verification.fault_stiffness).
   double cell_height;
+  double slip_distance = 0; // L, smallest
+  // L over a seismic slip rate V_s = 20 b sigma_n / Z, smallest [s]: stress drops by about b
+  // sigma_n times ln of V_s over the plates' rate, and Z, the shear impedance of the bodies at the
+  // fault over the number of sides, is what waves or radiation damping resist with.
+  double seismic_time = 0;
+  double crossing_time = 0; // that a shear wave takes along a facet, smallest [s]
+  // Length [m] of the part that weakens, all patches together; in 3D the root of its area.
+  double weakening_length = 0;
+  bool weakens_everywhere = false;
 };
 
 // Empty if friction weakens nowhere. materials(num_nodes): of the body beside the fault.

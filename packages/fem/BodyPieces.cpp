@@ -261,23 +261,24 @@ GlobalOrdinal BodyPieces<Dim>::nextPiece(GlobalOrdinal above,
 }
 
 template <int Dim>
-std::vector<std::string> warnOfPieces(Mesh<Dim> const& mesh,
-                                      RCP<const Communicator> const& communicator)
+std::vector<Warning> warnOfPieces(Mesh<Dim> const& mesh,
+                                  RCP<const Communicator> const& communicator)
 {
   const auto pieces = bodyPieces(mesh, communicator);
-  std::vector<std::string> warnings;
+  std::vector<Warning> warnings;
   if (pieces.num_pinched > 0) {
-    warnings.push_back("WARNING: at " + std::to_string(pieces.num_pinched) +
-                       (pieces.num_pinched == 1 ? " vertex" : " vertices") +
-                       " cells meet that share no " + (Dim == 2 ? "edge" : "face") +
-                       " there, as in a bow tie; the first is vertex " +
-                       std::to_string(pieces.first_pinched) + " at " + mesh::text(pieces.place) +
-                       " m. Nothing but the vertex holds the body together. Check the mesh.");
+    warnings.push_back({"cells that touch",
+                        "at " + std::to_string(pieces.num_pinched) +
+                          (pieces.num_pinched == 1 ? " vertex" : " vertices") +
+                          " cells meet that share no " + (Dim == 2 ? "edge" : "face") +
+                          " there, as in a bow tie; the first is vertex " +
+                          std::to_string(pieces.first_pinched) + " at " + mesh::text(pieces.place) +
+                          " m. Nothing but the vertex holds the body together. Check the mesh."});
   }
   if (pieces.num_pieces > 1) {
-    warnings.push_back("WARNING: the body consists of " + std::to_string(pieces.num_pieces) +
-                       " pieces that share no " + (Dim == 2 ? "edge" : "face") +
-                       " and no fault. Each moves by itself. Check the mesh.");
+    warnings.push_back({"pieces", "the body consists of " + std::to_string(pieces.num_pieces) +
+                                    " pieces that share no " + (Dim == 2 ? "edge" : "face") +
+                                    " and no fault. Each moves by itself. Check the mesh."});
   }
   return warnings;
 }
@@ -285,7 +286,7 @@ std::vector<std::string> warnOfPieces(Mesh<Dim> const& mesh,
 #define ASPERITY_INSTANTIATE(Dim)                                                                  \
   template struct BodyPieces<Dim>;                                                                 \
   template BodyPieces<Dim> bodyPieces(Mesh<Dim> const&, RCP<const Communicator> const&);           \
-  template std::vector<std::string> warnOfPieces(Mesh<Dim> const&, RCP<const Communicator> const&);
+  template std::vector<Warning> warnOfPieces(Mesh<Dim> const&, RCP<const Communicator> const&);
 ASPERITY_INSTANTIATE(2)
 ASPERITY_INSTANTIATE(3)
 #undef ASPERITY_INSTANTIATE

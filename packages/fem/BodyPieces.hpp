@@ -1,9 +1,9 @@
 #pragma once
 
 #include "base/Types.hpp"
+#include "fem/Warning.hpp"
 #include "mesh/Mesh.hpp"
 
-#include <string>
 #include <vector>
 
 namespace asperity::fem
@@ -29,8 +29,8 @@ struct BodyPieces
 template <int Dim>
 BodyPieces<Dim> bodyPieces(Mesh<Dim> const& mesh, RCP<const Communicator> const& communicator);
 
-// Warnings for the log; none if the body is one piece. Collective.
+// None if the body is one piece. Collective.
 template <int Dim>
-std::vector<std::string> warnOfPieces(Mesh<Dim> const& mesh,
-                                      RCP<const Communicator> const& communicator);
+std::vector<Warning> warnOfPieces(Mesh<Dim> const& mesh,
+                                  RCP<const Communicator> const& communicator);
 } // namespace asperity::fem

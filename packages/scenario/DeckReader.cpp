@@ -109,7 +109,14 @@ RCP<const ParameterList> deckParameters()
 
 RCP<ParameterList> readCompleteDeck(CommandLine const& command_line)
 {
-  return assembleDeck(command_line, *deckParameters());
+  auto const valid = deckParameters();
+  auto deck = assembleDeck(command_line, *valid);
+  auto& time = deck->sublist("Time Stepping");
+  if (time.getEntry("Scheme").isDefault() && quasiDynamic(deck->sublist("Bulk"))) {
+    time.setEntry("Scheme", Teuchos::ParameterEntry(std::string(massless_scheme), true));
+    completeAndValidate(*deck, *valid, "Asperity");
+  }
+  return deck;
 }
 
 std::string remarkOnLargeValues(CommandLine const& command_line, std::string const& message)

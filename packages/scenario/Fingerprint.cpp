@@ -108,7 +108,15 @@ io::Fingerprint fingerprint(ParameterList const& deck, Mesh<Dim> const& mesh,
   ParameterList relevant(deck);
   relevant.remove("Output");
   relevant.remove("TNNMG");
-  relevant.sublist("Time Stepping").remove("Final Time");
+  relevant.remove("Coupling");
+  auto& time = relevant.sublist("Time Stepping");
+  for (auto const* name :
+       {"Final Time", "Smallest Step", "Most Forced Steps", "Most Hiding Steps"}) {
+    time.remove(name, false);
+  }
+  for (auto const* control : {"Step Doubling", "Richardson"}) {
+    time.remove(control, false); // tolerance, norm, and the first step, which has been made
+  }
   Collection<Dim> collection(mesh, communicator);
   collection.add(relevant, "Asperity");
   collection.addNumbering();

@@ -7,10 +7,10 @@
 #include "fem/BodyPieces.hpp"
 #include "fem/BoundaryCells.hpp"
 #include "fem/BoundaryMeasure.hpp"
-#include "fem/NodalDamping.hpp"
 #include "fem/RigidBodyMotions.hpp"
 #include "fem/SupportWeights.hpp"
 #include "fem/constraints/FreeMotions.hpp"
+#include "fem/constraints/NodalDamping.hpp"
 #include "mesh/Boundaries.hpp"
 #include "scenario/deck/PlausibleValues.hpp"
 #include "scenario/setup/BoundaryChecks.hpp"
@@ -288,13 +288,11 @@ Problem<Dim> makeProblem(ParameterList const& deck, RCP<const Communicator> cons
   auto initial = makeInitialState(deck, of.mesh, *constraints, body, fault, solver,
                                   {start.displacement, traction.at(0), traction.direction(), eta});
   auto reaction = reactionSinceStart(of, body, fault, initial);
-  auto remarks = fem::warnOfPieces(of.mesh, communicator);
-  remarks.insert(remarks.end(), stress.remarks.begin(), stress.remarks.end());
+  auto warnings = fem::warnOfPieces(of.mesh, communicator);
   auto const beside = valuesBeside(fault_materials, eta, initial, components, *communicator);
-  remarks.push_back(describeSpeeds(beside));
-  for (auto const& question : questionValues(beside)) {
-    remarks.push_back("WARNING: " + question.text);
-  }
+  stress.remarks.push_back(describeSpeeds(beside));
+  auto const questions = questionValues(beside);
+  warnings.insert(warnings.end(), questions.begin(), questions.end());
   return {{std::move(body), std::move(fault), std::move(initial), std::move(reaction)},
           communicator,
           components,
@@ -304,7 +302,8 @@ Problem<Dim> makeProblem(ParameterList const& deck, RCP<const Communicator> cons
           surface,
           fault_materials,
           solver,
-          std::move(remarks)};
+          std::move(stress.remarks),
+          std::move(warnings)};
 }
 
 template Problem<2> makeProblem(ParameterList const&, RCP<const Communicator> const&);

@@ -4,6 +4,7 @@
 #include "dynamics/Model.hpp"
 #include "dynamics/coupling/RateSolver.hpp"
 #include "fem/Material.hpp"
+#include "fem/Warning.hpp"
 #include "fem/constraints/Constraints.hpp"
 #include "scenario/setup/BoundarySetup.hpp"
 
@@ -26,6 +27,7 @@ struct Problem : dynamics::Model
   std::vector<fem::Material> fault_materials; // (num fault nodes) of the body beside the fault
   dynamics::RateSolverSettings solver;
   std::vector<std::string> remarks; // for the user, in the log
+  std::vector<Warning> warnings;    // of what has been found while this was made
 };
 
 // `deck` must be complete. Collective.

@@ -5,7 +5,10 @@
 #include "base/parallel/Reductions.hpp"
 #include "friction/laws/AgeingLaw.hpp"
 #include "mesh/MeshQuality.hpp"
+#include "scenario/setup/BulkSetup.hpp"
+#include "scenario/setup/DeckPaths.hpp"
 #include "scenario/setup/LawSetup.hpp"
+#include "scenario/setup/TimeSetup.hpp"
 
 #include <sys/resource.h>
 
@@ -177,11 +180,6 @@ std::vector<std::string> describe(dynamics::FaultResolution const& resolution,
           rounded(r.unstable_wavelength) +
           " m (linear stability, any law); for the nucleation length of '" + state_law +
           "' there is no formula here."};
-  if (r.cells_per_zone < enough_cells) {
-    lines.push_back("WARNING: fewer than 3 cells per cohesive zone. Ruptures will depend on the "
-                    "mesh; refine the fault by a factor of " +
-                    rounded(enough_cells / r.cells_per_zone) + ".");
-  }
   if (r.cells_per_zone < cells_of_any_shape && r.cell_height > high_cell) {
     lines.push_back("Cells beside the fault are up to " + rounded(r.cell_height) +
                     " times as high as they are long. Lower ones resolve ruptures better with the "
@@ -190,4 +188,90 @@ std::vector<std::string> describe(dynamics::FaultResolution const& resolution,
   }
   return lines;
 }
+
+std::vector<Warning> warnOfResolution(dynamics::FaultResolution const& resolution,
+                                      std::string const& state_law)
+{
+  std::vector<Warning> warnings;
+  if (resolution.cells_per_zone < enough_cells) {
+    warnings.push_back(
+      {"cohesive zone", "fewer than 3 cells per cohesive zone. Ruptures will depend on the mesh; "
+                        "refine the fault by a factor of " +
+                          rounded(enough_cells / resolution.cells_per_zone) + "."});
+  }
+  const bool has_formula = state_law == friction::AgeingLaw::name;
+  const double needed = has_formula ? resolution.nucleation_length : resolution.unstable_wavelength;
+  if (!resolution.weakens_everywhere && needed > resolution.weakening_length) {
+    warnings.push_back(
+      {"nucleation length",
+       std::string(has_formula ? "the nucleation length" : "the shortest length that is unstable") +
+         ", " + rounded(needed) + " m, is longer than the part of the fault that weakens, " +
+         rounded(resolution.weakening_length) +
+         " m: it will creep without earthquakes. Check L, a, b, Normal Stress and moduli."});
+  }
+  return warnings;
+}
+
+namespace
+{
+constexpr char const* step_name = "Smallest Step";
+
+double defaultStep(dynamics::FaultResolution const& resolution, ParameterList const& deck)
+{
+  auto const& time = deck.sublist("Time Stepping");
+  const double largest = time.get<double>("Largest Step");
+  double size = 0.01 * resolution.seismic_time;
+  if (!quasiDynamic(deck.sublist("Bulk"))) {
+    size = std::min(size, 0.1 * resolution.crossing_time);
+  }
+  size = std::min(size, largest / 2);
+  // Ticks count to 9e18, and sizes are the largest one divided by at most 2^60.
+  return std::max({size, std::ldexp(largest, -60), 2 * (finalTime(time) + largest) / 9e18});
+}
+} // namespace
+
+template <int Dim>
+double smallestStep(Problem<Dim> const& problem, ParameterList const& deck)
+{
+  auto const& time = deck.sublist("Time Stepping");
+  if (time.isParameter(step_name)) {
+    return time.get<double>(step_name);
+  }
+  const auto resolution = faultResolution(problem, deck.sublist("Friction"));
+  ASPERITY_REQUIRE(resolution, time_path << " / " << step_name
+                                         << " is missing. It has a default only where friction "
+                                            "weakens, and its laws say what a, b and L are. Give "
+                                            "a step that resolves the fastest slip.");
+  return defaultStep(*resolution, deck);
+}
+
+template <int Dim>
+void describeSmallestStep(Problem<Dim> const& problem, ParameterList const& deck,
+                          Description& description)
+{
+  auto const& time = deck.sublist("Time Stepping");
+  const auto resolution = faultResolution(problem, deck.sublist("Friction"));
+  if (!resolution || time.get<std::string>("Control") == "Prescribed") {
+    return;
+  }
+  const double seismic = resolution->seismic_time, advised = defaultStep(*resolution, deck);
+  if (!time.isParameter(step_name)) {
+    description.lines.push_back(
+      "Smallest Step = " + formatShort(advised) + " s by default: an earthquake slips by L in " +
+      formatShort(seismic) + " s or more; a shear wave takes " +
+      formatShort(resolution->crossing_time) + " s through a cell at the fault.");
+  } else if (time.get<double>(step_name) > seismic) {
+    description.warnings.push_back(
+      {"smallest step", "Smallest Step = " + formatShort(time.get<double>(step_name)) +
+                          " s is longer than an earthquake takes to slip by L, " +
+                          formatShort(seismic) +
+                          " s: earthquakes will be lost. Leave it out for the default of " +
+                          formatShort(advised) + " s, or choose a smaller one."});
+  }
+}
+
+template double smallestStep(Problem<2> const&, ParameterList const&);
+template double smallestStep(Problem<3> const&, ParameterList const&);
+template void describeSmallestStep(Problem<2> const&, ParameterList const&, Description&);
+template void describeSmallestStep(Problem<3> const&, ParameterList const&, Description&);
 } // namespace asperity::scenario

@@ -2,6 +2,7 @@
 
 #include "dynamics/FaultResolution.hpp"
 #include "scenario/Problem.hpp"
+#include "scenario/RunReport.hpp"
 
 #include <optional>
 #include <string>
@@ -21,9 +22,25 @@ std::optional<dynamics::FaultResolution> faultResolution(Problem<Dim> const& pro
 template <int Dim>
 std::vector<std::string> describeSize(Problem<Dim> const& problem);
 
-// Lines for the log, with a warning if there are fewer than three cells per cohesive zone. The
-// nucleation length is known for the ageing law; of other laws the lines have the shortest
-// wavelength that grows.
+// Lines for the log. The nucleation length is known for the ageing law; of other laws the lines
+// have the shortest wavelength that grows.
 std::vector<std::string> describe(dynamics::FaultResolution const& resolution,
                                   std::string const& state_law);
+// Of fewer than three cells per cohesive zone, and of a part that weakens, beside others that do
+// not, which is shorter than ruptures need to nucleate.
+std::vector<Warning> warnOfResolution(dynamics::FaultResolution const& resolution,
+                                      std::string const& state_law);
+
+// `Time Stepping / Smallest Step` [s]; where the deck leaves it out, a hundredth of L over a
+// seismic slip rate (dynamics::FaultResolution), and with inertia at most a tenth of the time that
+// a shear wave takes through a cell at the fault; such that ticks can count to the end of the run.
+// Throws InputError where a default is needed and friction weakens nowhere. Collective.
+template <int Dim>
+double smallestStep(Problem<Dim> const& problem, ParameterList const& deck);
+
+// A line about the default, where it is used, or a warning where the step of the deck is longer
+// than an earthquake takes to slip by L. Collective.
+template <int Dim>
+void describeSmallestStep(Problem<Dim> const& problem, ParameterList const& deck,
+                          Description& description);
 } // namespace asperity::scenario

@@ -89,6 +89,14 @@ void StateFormat::save(io::Archive& archive, std::string const& path,
 dynamics::State StateFormat::load(io::Archive const& archive, std::string const& path) const
 {
   auto state = loadState(archive, path, like_);
+  if (archive.has("finest_level")) {
+    const auto level = static_cast<int>(archive.getInteger("finest_level"));
+    const auto time = clock_.fromLevel(state.time, level);
+    ASPERITY_REQUIRE(time, "The checkpoint is of a time between two steps of the smallest size. "
+                           "Choose a smaller 'Time Stepping / Smallest Step', or go on with "
+                           "--restart-from.");
+    state.time = *time;
+  }
   if (condensation_ == nullptr) {
     return state;
   }

@@ -15,36 +15,37 @@ namespace asperity::scenario
 namespace
 {
 // Of a generated wedge: what its cell size means, and a warning if gravity is not vertical.
-std::vector<std::string> describeWedge(ParameterList const& deck)
+void describeWedge(ParameterList const& deck, Description& description)
 {
   auto const& mesh = deck.sublist("Mesh");
   auto const type = mesh.get<std::string>("Type");
   if (type != "Wedge" && type != "Deep Wedge") {
-    return {};
+    return;
   }
   auto const& wedge = mesh.sublist(type);
-  std::vector<std::string> lines = {
+  description.lines.push_back(
     "Cell Size = " + formatShort(wedge.get<double>("Cell Size")) +
     " m is the most that cells at the seismogenic zone have; they are bisected until they have no "
-    "more, and so may have half of it."};
+    "more, and so may have half of it.");
   auto const& bulk = deck.sublist("Bulk");
   const double slope = wedge.get<double>("Height") / wedge.get<double>("Length");
   auto const down = bulk.get<Teuchos::Array<double>>("Gravity Direction");
   if (bulk.get<double>("Gravitational Acceleration") > 0 && down.size() >= 2 &&
       !(std::abs(down[0] + slope * down[1]) <= 1e-6 * std::hypot(down[0], down[1]))) {
-    lines.push_back("WARNING: Gravity Direction = {" + formatShort(down[0]) + ", " +
-                    formatShort(down[1]) +
-                    "} is not perpendicular to the surface of the wedge. With Height / Length = " +
-                    formatShort(slope) + " it would be {" + formatShort(slope) + ", -1}.");
+    description.warnings.push_back(
+      {"direction of gravity",
+       "Gravity Direction = {" + formatShort(down[0]) + ", " + formatShort(down[1]) +
+         "} is not perpendicular to the surface of the wedge. With Height / Length = " +
+         formatShort(slope) + " it would be {" + formatShort(slope) + ", -1}."});
   }
-  return lines;
 }
 } // namespace
 
 template <int Dim>
-std::vector<std::string> describe(Problem<Dim> const& problem, ParameterList const& deck)
+Description describe(Problem<Dim> const& problem, ParameterList const& deck)
 {
-  auto lines = describeEnvironment(*problem.communicator);
+  Description description{describeEnvironment(*problem.communicator), problem.warnings};
+  auto& lines = description.lines;
   std::ostringstream first;
   auto const& bulk = deck.sublist("Bulk");
   first << bulk.get<std::string>("Model") << ", "
@@ -61,20 +62,23 @@ std::vector<std::string> describe(Problem<Dim> const& problem, ParameterList con
     (problem.solver.correction == dynamics::Correction::direct ? "Direct." : "MueLu."));
   const auto size = describeSize(problem);
   lines.insert(lines.end(), size.begin(), size.end());
-  auto const of_wedge = describeWedge(deck);
-  lines.insert(lines.end(), of_wedge.begin(), of_wedge.end());
+  describeWedge(deck, description);
   const auto sense = describeSense(problem, deck);
   lines.insert(lines.end(), sense.begin(), sense.end());
   lines.insert(lines.end(), problem.remarks.begin(), problem.remarks.end());
   if (auto const resolution = faultResolution(problem, friction)) {
     auto const of_fault = describe(*resolution, friction.get<std::string>("State Evolution"));
     lines.insert(lines.end(), of_fault.begin(), of_fault.end());
+    auto const warnings =
+      warnOfResolution(*resolution, friction.get<std::string>("State Evolution"));
+    description.warnings.insert(description.warnings.end(), warnings.begin(), warnings.end());
   }
-  return lines;
+  describeSmallestStep(problem, deck, description);
+  return description;
 }
 
-template std::vector<std::string> describe(Problem<2> const&, ParameterList const&);
-template std::vector<std::string> describe(Problem<3> const&, ParameterList const&);
+template Description describe(Problem<2> const&, ParameterList const&);
+template Description describe(Problem<3> const&, ParameterList const&);
 
 namespace
 {

@@ -3,6 +3,7 @@
 #include "base/parameters/Parameters.hpp"
 #include "dynamics/EnergyBalance.hpp"
 #include "dynamics/coupling/CoupledStep.hpp"
+#include "fem/Warning.hpp"
 #include "scenario/Problem.hpp"
 
 #include <string>
@@ -10,10 +11,15 @@
 
 namespace asperity::scenario
 {
-// Lines for the log that say what the program runs on and what the run is going to compute.
-// Collective.
+// What the program runs on, what the run is going to compute, how well the mesh resolves it: lines
+// for the log, and what is wrong with it. Collective.
+struct Description
+{
+  std::vector<std::string> lines;
+  std::vector<Warning> warnings;
+};
 template <int Dim>
-std::vector<std::string> describe(Problem<Dim> const& problem, ParameterList const& deck);
+Description describe(Problem<Dim> const& problem, ParameterList const& deck);
 
 struct RunSummary
 {

@@ -1,6 +1,7 @@
 #include "scenario/Simulation.hpp"
 
 #include "base/Errors.hpp"
+#include "base/Hashes.hpp"
 #include "base/Text.hpp"
 #include "base/hdf5/File.hpp"
 #include "base/parallel/Agreement.hpp"
@@ -12,6 +13,7 @@
 #include "io/checkpoint/Archive.hpp"
 #include "io/checkpoint/Checkpoint.hpp"
 #include "io/files/OutputDirectory.hpp"
+#include "io/files/RunJournal.hpp"
 #include "io/files/RunLog.hpp"
 #include "scenario/DeckReader.hpp"
 #include "scenario/Fingerprint.hpp"
@@ -23,8 +25,10 @@
 #include "scenario/setup/MeshSetup.hpp"
 #include "scenario/setup/TimeSetup.hpp"
 
+#include <algorithm>
 #include <chrono>
 #include <fstream>
+#include <sstream>
 
 namespace asperity::scenario
 {
@@ -41,6 +45,24 @@ io::ExistingResult existingResult(CommandLine const& command_line)
   return command_line.overwrite ? io::ExistingResult::overwrite : io::ExistingResult::refuse;
 }
 
+// Of the content of these files, one after the other, in a fixed order.
+std::string checksums(std::vector<std::string> const& files)
+{
+  std::vector<std::string> of_each;
+  for (auto const& name : files) {
+    std::ifstream file(name, std::ios::binary);
+    std::ostringstream content;
+    content << file.rdbuf();
+    of_each.push_back(hexadecimal(Checksum().add(content.str()).value()));
+  }
+  std::sort(of_each.begin(), of_each.end());
+  std::string all;
+  for (auto const& checksum : of_each) {
+    all += checksum + ' ';
+  }
+  return all;
+}
+
 template <int Dim>
 class SimulationOf final : public Simulation
 {
@@ -49,10 +71,7 @@ public:
                RCP<const Communicator> const& communicator);
 
   int run() override;
-  std::vector<std::string> description() const override
-  {
-    return describe(evolution_.problem(), *deck_);
-  }
+  Description description() const override { return describe(evolution_.problem(), *deck_); }
 
 private:
   int makeSteps(StopSignals const& signals);
@@ -60,9 +79,12 @@ private:
   void advance();
   void write(io::StepInfo const& info);
   void requireDirectory() const;
+  void requireSamePlugins() const;
   bool timeForCheckpoint() const;
   void writeCheckpoint();
-  void endEarly(std::string const& reason);
+  void warn(Warning const& warning);
+  void warnOfEvolution();
+  void endEarly(std::exception const& error);
   void saveWhatThereIs();
   void report(bool finished);
 
@@ -72,13 +94,14 @@ private:
   std::filesystem::path directory_;
   io::DirectoryLock lock_; // of the directory, on rank 0
   std::unique_ptr<io::RunLog> log_;
+  std::unique_ptr<io::RunJournal> journal_;
   Evolution<Dim> evolution_;
   StallWatch stall_watch_;
   bool step_is_complete_ = false; // energy and outputs know of it
   std::map<std::string, io::OutputDomain> domains_;
   io::FieldRegistry registry_;
   std::unique_ptr<io::OutputSet> outputs_;
-  std::string restart_, restart_from_;
+  std::string restart_, restart_from_, plugins_;
   io::Fingerprint fingerprint_;
   io::Archive checkpoint_; // of a restart, or the state of another run, until it begins
   int checkpoint_interval_;
@@ -108,6 +131,7 @@ SimulationOf<Dim>::SimulationOf(RCP<ParameterList> const& deck, CommandLine cons
     , domains_(makeDomains(evolution_.problem()))
     , restart_(command_line.restart)
     , restart_from_(command_line.restart_from)
+    , plugins_(checksums(command_line.plugins))
     , fingerprint_(fingerprint(*deck, evolution_.problem().mesh, *communicator))
     , checkpoint_interval_(deck->sublist("Output").get<int>("Checkpoint Every n Steps"))
     , checkpoint_minutes_(deck->sublist("Output").get<double>("Checkpoint Every Minutes"))
@@ -130,11 +154,14 @@ SimulationOf<Dim>::SimulationOf(RCP<ParameterList> const& deck, CommandLine cons
     checkpoint_ = io::readCheckpoint(restart_, fingerprint_, *communicator,
                                      nodeSets(evolution_.problem(), domains_));
   }
+  requireSamePlugins();
   lock_ = io::prepareOutputDirectory(directory_, existingResult(command_line), *communicator);
   if (!restart_.empty()) {
     outputs_->restore(checkpoint_.child("outputs"));
   }
   log_ = std::make_unique<io::RunLog>(directory_ / "run.log", !restart_.empty(), *communicator);
+  journal_ =
+    std::make_unique<io::RunJournal>(directory_ / "run.jsonl", !restart_.empty(), *communicator);
   h5::whenSharingFails([log = directory_ / "run.log"](std::string const& message) {
     std::ofstream(log, std::ios::app) << "The run has ended: " << message << '\n';
   });
@@ -147,8 +174,12 @@ template <int Dim>
 int SimulationOf<Dim>::run()
 {
   const StopSignals signals;
-  for (auto const& line : description()) {
+  auto const of_start = description();
+  for (auto const& line : of_start.lines) {
     log_->message(line);
+  }
+  for (auto const& warning : of_start.warnings) {
+    warn(warning);
   }
   if (const int eliminated = evolution_.numEliminated()) {
     log_->message("The body is in equilibrium at all times: it is condensed to its fault, which "
@@ -164,12 +195,13 @@ int SimulationOf<Dim>::run()
   } catch (OutputError const& error) {
     // What is half written is not written again: the checkpoint before is the last complete state.
     log_->note(std::string("The run has ended: ") + error.what());
+    journal_->end("failed", exit_output, error.what());
     throw;
   } catch (std::exception const& error) {
-    endEarly(error.what());
+    endEarly(error);
     throw;
   } catch (...) {
-    endEarly("an exception of unknown type was thrown.");
+    endEarly(std::runtime_error("an exception of unknown type was thrown."));
     throw;
   }
 }
@@ -184,6 +216,7 @@ int SimulationOf<Dim>::makeSteps(StopSignals const& signals)
       writeCheckpoint();
       outputs_->finish(); // a restart takes back what is not complete
       report(false);
+      journal_->end("stopped", exit_signal, "");
       log_->message("Stopped by " + signalName(agreed.signal) + "; --restart " +
                     (directory_ / "checkpoint.h5").string() + " goes on.");
       return exit_signal;
@@ -195,18 +228,46 @@ int SimulationOf<Dim>::makeSteps(StopSignals const& signals)
   writeCheckpoint();
   outputs_->finish();
   report(true);
+  journal_->end("finished", exit_done, "");
   return exit_done;
 }
+
+template <int Dim>
+void SimulationOf<Dim>::warn(Warning const& warning)
+{
+  log_->message("WARNING: " + warning.text);
+  journal_->warn(warning);
+}
+
+template <int Dim>
+void SimulationOf<Dim>::warnOfEvolution()
+{
+  journal_->at(evolution_.numSteps(), evolution_.time());
+  for (auto const& warning : evolution_.takeWarnings()) {
+    warn(warning);
+  }
+}
+
+namespace
+{
+int exitStatus(std::exception const& error)
+{
+  return dynamic_cast<InputError const*>(&error) != nullptr   ? exit_input
+         : dynamic_cast<SolveError const*>(&error) != nullptr ? exit_solve
+                                                              : exit_other;
+}
+} // namespace
 
 // A rank that fails alone leaves the others in the middle of something collective, and a checkpoint
 // is that, too.
 template <int Dim>
-void SimulationOf<Dim>::endEarly(std::string const& reason)
+void SimulationOf<Dim>::endEarly(std::exception const& error)
 {
   if (meeting_point_.meet(patience)) {
     saveWhatThereIs();
   }
-  log_->note("The run has ended: " + reason);
+  log_->note(std::string("The run has ended: ") + error.what());
+  journal_->end("failed", exitStatus(error), error.what());
 }
 
 // What fails here must not hide why the run ends. Where a step has been made but not written, the
@@ -231,6 +292,8 @@ void SimulationOf<Dim>::begin()
   const auto at = [this] { return " at t = " + formatShort(evolution_.time()) + " s."; };
   if (!restart_.empty()) {
     evolution_.restore(checkpoint_);
+    journal_->at(evolution_.numSteps(), evolution_.time());
+    journal_->restart();
     log_->message("Restarted from " + restart_ + at());
   } else {
     if (!restart_from_.empty()) {
@@ -241,8 +304,11 @@ void SimulationOf<Dim>::begin()
     }
     outputs_->write(evolution_.stepInfo());
   }
-  for (auto const& warning : evolution_.warnings()) {
-    log_->message("WARNING: " + warning.text);
+  warnOfEvolution();
+  if (evolution_.atEnd()) {
+    log_->message("The final time, " + formatShort(evolution_.finalTime()) +
+                  " s, has passed: there is nothing to do. A later 'Time Stepping / Final Time' "
+                  "goes on.");
   }
   checkpoint_ = {};
 }
@@ -256,6 +322,9 @@ void SimulationOf<Dim>::advance()
   auto const info = evolution_.stepInfo();
   write(info);
   step_is_complete_ = true;
+  journal_->at(info.step, info.time);
+  evolution_.watchGrowth();
+  warnOfEvolution();
 
   io::Progress progress;
   progress.time = info.time;
@@ -291,6 +360,17 @@ void SimulationOf<Dim>::requireDirectory() const
   });
 }
 
+// A law of the same name with another formula would go on with the state of the first.
+template <int Dim>
+void SimulationOf<Dim>::requireSamePlugins() const
+{
+  ASPERITY_REQUIRE(
+    restart_.empty() || checkpoint_.get<std::string>("plugins") == plugins_,
+    restart_ << " was written with other plugin libraries (--plugin), or with others "
+                "of the same names: their content differs. Restart with those, or "
+                "begin a new run from its state with --restart-from.");
+}
+
 template <int Dim>
 bool SimulationOf<Dim>::timeForCheckpoint() const
 {
@@ -306,6 +386,7 @@ void SimulationOf<Dim>::writeCheckpoint()
   io::Archive archive;
   evolution_.save(archive);
   archive.insert("outputs", outputs_->save());
+  archive.set("plugins", plugins_);
   io::writeCheckpoint(directory_ / "checkpoint.h5", archive, fingerprint_, *communicator_,
                       nodeSets(evolution_.problem(), domains_));
   last_checkpoint_ = Clock::now();

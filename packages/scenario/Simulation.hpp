@@ -3,11 +3,10 @@
 #include "base/Types.hpp"
 #include "base/parameters/Parameters.hpp"
 #include "base/program/CommandLine.hpp"
+#include "scenario/RunReport.hpp"
 
 #include <filesystem>
 #include <memory>
-#include <string>
-#include <vector>
 
 namespace asperity::scenario
 {
@@ -22,9 +21,9 @@ public:
   // state is on disk then.
   virtual int run() = 0;
 
-  // Lines that say what the program runs on, what the run is going to compute, how large it is and
-  // how well the mesh resolves it: the first ones of the log. Collective.
-  virtual std::vector<std::string> description() const = 0;
+  // What the program runs on, what the run is going to compute, how large it is and how well the
+  // mesh resolves it: the first lines of the log. Collective.
+  virtual Description description() const = 0;
 };
 
 // `deck` must be complete. Unless the command line says --validate, reads the checkpoint of a

@@ -6,6 +6,7 @@ from pathlib import Path
 from typing import List, Optional, Tuple
 
 from .errors import InputError
+from .journal import Journal
 
 _BEGIN = re.compile(r"Asperity \S+ on .*\.$")
 _PROGRESS = re.compile(
@@ -14,6 +15,8 @@ _PROGRESS = re.compile(
 _EVENTS = re.compile(r", (\d+) events?\b")
 _WALL = re.compile(r", wall (\S+) s\b")
 _END = re.compile(r"(?P<how>Finished|Stopped) at t = (?P<time>\S+) s after (?P<step>\d+) steps\.$")
+_FAILED = "The run has ended: "
+_WARNING = "WARNING: "
 _WORK = re.compile(r"(?P<name>\S.*?)\s{2,}(?P<least>[\d.]+)\s+(?P<most>[\d.]+)\s+"
                    r"(?P<share>[\d.]+) %\s+(?P<count>\d+)$")
 
@@ -39,10 +42,13 @@ class RunLog:
     progress: List[Progress] = field(default_factory=list)
     final_time: Optional[float] = None
     ending: str = ""
+    failure: str = ""             # why the last process ended by itself
+    warnings: List[str] = field(default_factory=list)
     processes: int = 0
     report: List[str] = field(default_factory=list)       # the lines after its end
     work: List[Tuple[str, float, float, float, int]] = field(default_factory=list)
     # of each kind of work: its name, least and most seconds of a rank, percent, count
+    _ended: float = 0.0           # wall time [s] at the end of the last process, if known
 
     @classmethod
     def read(cls, path: Path) -> "RunLog":
@@ -54,10 +60,15 @@ class RunLog:
                              "a run of asperity writes its results.") from error
         log = cls(path)
         before = 0.0  # wall time of earlier processes
+        begins = sum(1 for line in lines if _BEGIN.fullmatch(line))
+        ends = Journal.read(path.with_name("run.jsonl")).walls  # older runs have none
+        ends = ([None] * begins + ends)[-begins:] if begins else []
         for line in lines:
             if _BEGIN.fullmatch(line):
                 before = log.wall
                 log._begin(line)
+                wall = ends[log.processes - 1]
+                log._ended = before + wall if wall is not None else 0.0
             elif log.processes and line.startswith(
                     ("Kokkos ", "Built from ", "Machine: ")):
                 log.environment.append(line)
@@ -67,11 +78,14 @@ class RunLog:
 
     @property
     def wall(self) -> float:
-        """Wall time [s] of all processes up to their last lines; 0 if the log has none."""
-        return next((line.wall for line in reversed(self.progress) if line.wall is not None), 0.0)
+        """Wall time [s] of all processes up to their ends, or to their last lines; 0 if the log
+        has none."""
+        of_lines = (line.wall for line in reversed(self.progress) if line.wall is not None)
+        return max(next(of_lines, 0.0), self._ended)
 
     def _begin(self, line: str) -> None:
         self.environment, self.ending, self.report, self.work = [line], "", [], []
+        self.failure = ""
         self.processes += 1
 
     def _take(self, line: str, before: float) -> None:
@@ -79,6 +93,10 @@ class RunLog:
         if found:
             self._add(found, before)
             return
+        if line.startswith(_FAILED):
+            self.failure = line[len(_FAILED):]
+        if line.startswith(_WARNING):
+            self.warnings.append(line[len(_WARNING):])
         end = _END.match(line)
         if end:
             self.ending = end["how"]

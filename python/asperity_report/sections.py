@@ -22,7 +22,8 @@ EACH = ("fixed_point_iterations", "tnnmg_iterations", "step_size", "error")
 
 
 def summary(facts: Facts) -> str:
-    return "\n".join(page.paragraph(line) for line in describe(facts).splitlines())
+    return "\n".join(page.paragraph(line, "wrong" if line.startswith("WARNING") else "")
+                     for line in describe(facts).splitlines())
 
 
 def parameters(run: Run) -> str:

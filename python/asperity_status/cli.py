@@ -11,13 +11,14 @@ from typing import List, Optional
 from asperity.durations import seconds
 from asperity.program import what_to_install
 
-STATUS = {"finished": 0, "stopped": 4, "silent": 6, "running": 10}
+STATUS = {"finished": 0, "failed": 3, "stopped": 4, "killed": 6, "silent": 6, "running": 10}
 INPUT_ERROR = 2
 ENDS = """exit status:
   0   finished: the run has reached its final time
   2   DIR holds no run, or its files cannot be read
-  4   stopped: by a signal or an error, with its last complete state in checkpoint.h5
-  6   silent: nothing was written for the time --silent-after; the run was killed, or hangs
+  3   failed: the program has ended it with an error, and a restart may end there again
+  4   stopped by a signal, with its last complete state in checkpoint.h5
+  6   killed; or silent: nothing was written for the time --silent-after
   10  running"""
 
 

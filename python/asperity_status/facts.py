@@ -1,17 +1,20 @@
 """What the files of a run say of its state, as one flat record."""
 
 import time as clock
-from dataclasses import dataclass
+from dataclasses import asdict, dataclass
 from pathlib import Path
-from typing import Any, Dict, Optional
+from typing import Any, Dict, List, Optional
 
 import numpy as np
 
 from asperity import estimate
+from asperity.journal import Journal
+from asperity.lock import owner_is_gone
 from asperity.log import RunLog
 from asperity.run import Run
 
-FINISHED, STOPPED, SILENT, RUNNING = "finished", "stopped", "silent", "running"
+FINISHED, STOPPED, FAILED = "finished", "stopped", "failed"
+KILLED, SILENT, RUNNING = "killed", "silent", "running"
 WORKS = ("boundary_work", "load_work", "friction_work", "viscous_work")
 WORST = ("fixed_point_iterations", "tnnmg_iterations", "step_size", "time")
 
@@ -38,28 +41,50 @@ class Facts:
     failed_steps: Optional[int]
     energy_rises: Optional[int]
     worst_step: Optional[Dict[str, float]]
+    message: Optional[str]      # why a failed run has ended
+    exit_status: Optional[int]  # of the program, where it has ended by itself
+    has_checkpoint: bool
+    warnings: List[Dict[str, Any]]  # topic, text, step, time
 
 
 def facts(directory: Path, silent_after: float) -> Facts:
     """InputError if `directory` has no log of a run, or what is there cannot be read."""
     log = RunLog.read(directory / "run.log")
+    journal = Journal.read(directory / "run.jsonl")
     run = Run(directory)
     age = max(clock.time() - (directory / "run.log").stat().st_mtime, 0.0)
-    state = _state(log, age, silent_after)
+    state = _state(log, journal, directory, age, silent_after)
     moments = estimate.moments(run, log)
     left = estimate.time_left(run, log) if state != FINISHED else None
     since = age if state == RUNNING else 0.0  # the last line of the log
     return Facts(directory=str(directory), state=state, age=age, final_time=log.final_time,
                  processes=log.processes, wall=log.wall + since or None, **_place(run, log),
                  **_speed(log, *moments), **_steps(run),
+                 message=journal.message or log.failure or None, exit_status=journal.exit_status,
+                 has_checkpoint=run.has("checkpoint.h5"), warnings=_warnings(log, journal),
                  seconds_left=max(left.seconds - since, 0.0) if left else None,
                  knows_cycles=bool(left and left.knows_cycles))
 
 
-def _state(log: RunLog, age: float, silent_after: float) -> str:
+def _state(log: RunLog, journal: Journal, directory: Path, age: float,
+           silent_after: float) -> str:
+    """From run.jsonl; from the log where an earlier version has written no other."""
+    if journal.how:
+        return journal.how
+    if log.failure:
+        return FAILED
     if log.ending:
         return FINISHED if log.ending == "Finished" else STOPPED
+    if owner_is_gone(directory):
+        return KILLED
     return SILENT if age > silent_after else RUNNING
+
+
+def _warnings(log: RunLog, journal: Journal) -> List[Dict[str, Any]]:
+    if journal.walls:
+        return [asdict(each) for each in journal.warnings]
+    return [{"topic": None, "text": text, "step": None, "time": None}
+            for text in dict.fromkeys(log.warnings)]
 
 
 def _place(run: Run, log: RunLog) -> Dict[str, Any]:

@@ -6,14 +6,14 @@ from asperity import durations
 
 from .facts import Facts
 
-WORDS = {"finished": "finished", "running": "running", "stopped": "stopped before its end; "
-         "asperity --restart DIR/checkpoint.h5 continues it"}
+ON = "asperity --restart DIR/checkpoint.h5 continues it"
 
 
 def describe(now: Facts) -> str:
     """Several lines; what the files do not tell is left out."""
     lines = [f"{now.directory}: {_state(now)}.", _place(now), _speed(now), _left(now),
-             _balance(now), _worst(now)]
+             _balance(now), _worst(now),
+             *(f"WARNING: {each['text']}" for each in now.warnings)]
     return "\n".join(line for line in lines if line)
 
 
@@ -23,10 +23,18 @@ def line(now: Facts) -> str:
 
 
 def _state(now: Facts) -> str:
+    on = ON if now.has_checkpoint else "there is no checkpoint of it"
+    if now.state == "failed":
+        why = (now.message or "the log says why").rstrip(".")
+        again = "once the disk has space" if now.exit_status == 5 else (
+            "only from the same state, and with the same settings it fails again")
+        return f"failed: {why}. {on[0].upper()}{on[1:]}" + (f", {again}" * now.has_checkpoint)
+    if now.state == "killed":
+        return f"killed: its process is gone; {on}"
     if now.state == "silent":
         return (f"silent for {durations.text(now.age)}: killed, or hanging; if no process of it "
-                "is left, asperity --restart DIR/checkpoint.h5 continues it")
-    return WORDS[now.state]
+                f"is left, {on}")
+    return f"stopped before its end; {on}" if now.state == "stopped" else now.state
 
 
 def _place(now: Facts) -> str:

@@ -2,6 +2,8 @@
 
 #include <cmath>
 #include <cstdint>
+#include <cstdlib>
+#include <optional>
 
 namespace asperity::dynamics
 {
@@ -44,6 +46,16 @@ public:
     constexpr double rounding = 4 * 2.220446049250313e-16;
     const double count = std::ldexp(seconds / largest_step_, finest_level_);
     return static_cast<Ticks>(std::ceil(count * (1 - rounding)));
+  }
+  // Ticks of a clock with the same largest step and another finest level; empty where it is no
+  // whole number of them here.
+  std::optional<Ticks> fromLevel(Ticks count, int finest_level) const
+  {
+    const Ticks factor = Ticks(1) << std::abs(finest_level_ - finest_level);
+    if (finest_level_ >= finest_level) {
+      return count * factor;
+    }
+    return count % factor == 0 ? std::optional<Ticks>(count / factor) : std::nullopt;
   }
   // Whether a count of ticks can be as large as this time.
   bool reaches(double seconds) const

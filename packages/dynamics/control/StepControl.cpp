@@ -88,7 +88,8 @@ std::string StepControl::failure(State const& from, int level, std::string const
   message << "Step " << memory_.num_steps + 1 << ", from t = " << clock().seconds(from.time)
           << " s: a step of " << clock().stepSize(level)
           << " s, the smallest allowed, failed: " << reason(last_status_) << lost
-          << ". Try a smaller 'Smallest Step', a looser tolerance or more iterations.";
+          << ". Try a smaller 'Smallest Step', a looser tolerance or more iterations of Coupling "
+             "and TNNMG: --restart goes on with them.";
   return message.str();
 }
 
@@ -130,6 +131,16 @@ bool StepControl::resume(State const& current)
   memory_.level_after = ControlMemory::none;
   memory_.trial.reset();
   return true;
+}
+
+void StepControl::adaptToClock()
+{
+  const int finest = clock().finestLevel();
+  memory_.level = std::min(memory_.level, finest);
+  memory_.level_after = std::min(memory_.level_after, finest);
+  memory_.trial.reset();
+  memory_.before.reset();
+  memory_.error = memory_.previous_error = 0;
 }
 
 PrescribedSteps::PrescribedSteps(CoupledStep& step, std::vector<int> levels)

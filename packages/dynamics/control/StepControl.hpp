@@ -75,6 +75,9 @@ public:
 
   ControlMemory const& memory() const { return memory_; }
   void restore(ControlMemory memory) { memory_ = std::move(memory); }
+  // What is remembered of a clock with another smallest step: forgets trials, and steps that are
+  // too small.
+  void adaptToClock();
 
 protected:
   // Tries a step of the given level, from a guess of its end. Empty if the step is not solved.

@@ -77,7 +77,8 @@ void checkHeader(h5::File const& file, std::string const& name, Fingerprint cons
   ASPERITY_REQUIRE(change.empty(), name << " belongs to another deck: " << change
                                         << " Restart it with the deck and the files that it was "
                                            "written for (parameters.xml beside it is a copy of "
-                                           "the deck).");
+                                           "the deck), or begin a new run from its state with "
+                                           "--restart-from.");
 }
 
 // Calls read(); what HDF5 cannot read is damaged.

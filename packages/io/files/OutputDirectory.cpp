@@ -20,7 +20,7 @@ namespace fs = std::filesystem;
 // Of the outputs and of what every run writes, relative to its folder; '*' at the end is anything.
 std::vector<std::string> namesOfFiles()
 {
-  std::vector<std::string> names{"parameters.xml", "run.log", "checkpoint.h5"};
+  std::vector<std::string> names{"parameters.xml", "run.log", "run.jsonl", "checkpoint.h5"};
   const auto add = [&names](std::vector<std::string> const& more) {
     names.insert(names.end(), more.begin(), more.end());
   };

@@ -22,7 +22,7 @@ enum class ExistingResult
 DirectoryLock prepareOutputDirectory(std::filesystem::path const& directory,
                                      ExistingResult existing, Communicator const& comm);
 
-// The existing files in `directory` that a run writes: parameters.xml, run.log, checkpoint.h5, the
-// segments, and the files that the registered outputs and text formats name.
+// The existing files in `directory` that a run writes: parameters.xml, run.log, run.jsonl,
+// checkpoint.h5, the segments, and the files that the registered outputs and text formats name.
 std::vector<std::filesystem::path> resultFiles(std::filesystem::path const& directory);
 } // namespace asperity::io

@@ -9,6 +9,7 @@
 #include "dynamics/control/NotFinite.hpp"
 #include "io/OutputSet.hpp"
 #include "mesh/PointText.hpp"
+#include "scenario/ResolutionCheck.hpp"
 #include "scenario/setup/BulkSetup.hpp"
 #include "scenario/setup/SolverSetup.hpp"
 #include "scenario/setup/TimeSetup.hpp"
@@ -17,19 +18,32 @@
 
 namespace asperity::scenario
 {
+namespace
+{
+// L [m], the smallest where friction weakens; 0 if unknown.
+template <int Dim>
+double slipDistance(Problem<Dim> const& problem, ParameterList const& friction)
+{
+  const auto resolution = faultResolution(problem, friction);
+  return resolution ? resolution->slip_distance : 0;
+}
+} // namespace
+
 template <int Dim>
 Evolution<Dim>::Evolution(ParameterList const& deck, RCP<const Communicator> const& communicator)
     : communicator_(communicator)
     , problem_(makeProblem<Dim>(deck, communicator))
     , condensation_(makeCondensation(problem_, deck))
     , model_(condensation_ ? condensation_->model() : problem_)
-    , clock_(makeClock(deck.sublist("Time Stepping")))
+    , clock_(makeClock(deck.sublist("Time Stepping"), smallestStep(problem_, deck)))
     , end_(clock_.reaching(scenario::finalTime(deck.sublist("Time Stepping"))))
     , is_adaptive_(deck.sublist("Time Stepping").get<std::string>("Control") != "Prescribed")
     , balance_(model_.body, model_.fault, clock_)
     , state_(model_.initial.clone())
     , format_(problem_.initial, condensation_.get(), clock_)
     , floor_count_(model_.fault)
+    , growth_watch_(slipDistance(problem_, deck.sublist("Friction")),
+                    deck.sublist("Time Stepping").get<int>("Most Hiding Steps"))
 {
   auto const update =
     makeRateUpdate(deck.sublist("Time Stepping"), !quasiDynamic(deck.sublist("Bulk")));
@@ -87,6 +101,10 @@ void Evolution<Dim>::restore(io::Archive const& checkpoint)
 {
   state_ = format_.load(checkpoint, "state");
   control_->restore(format_.loadControl(checkpoint, "control"));
+  const bool is_rescaled = checkpoint.getInteger("finest_level") != clock_.finestLevel();
+  if (is_rescaled) {
+    control_->adaptToClock();
+  }
   count_ = loadCount(checkpoint, "count");
   forced_steps_ = checkpoint.getInteger("forced_steps");
   floor_count_.restore(checkpoint, "normal_stress_floor");
@@ -105,6 +123,7 @@ void Evolution<Dim>::save(io::Archive& checkpoint) const
   scenario::save(checkpoint, "count", count_);
   scenario::save(checkpoint, "energy", balance_.energy());
   checkpoint.set("forced_steps", forced_steps_);
+  checkpoint.set("finest_level", clock_.finestLevel());
   floor_count_.save(checkpoint, "normal_stress_floor");
 }
 
@@ -112,6 +131,7 @@ template <int Dim>
 void Evolution<Dim>::advance()
 {
   auto const before = count_;
+  rate_before_ = dynamics::peakSlipRate(model_.fault.surface(), *state_.v);
   view_.step = control_->advance(state_, count_);
   view_.count = count_.since(before);
 }
@@ -149,6 +169,17 @@ StallWatch::Step Evolution<Dim>::progress() const
   step.step_size = clock_.stepSize(view_.step.level);
   step.time_left = clock_.seconds(end_ - state_.time);
   return step;
+}
+
+template <int Dim>
+void Evolution<Dim>::watchGrowth()
+{
+  auto const info = stepInfo();
+  const auto warning = growth_watch_.note(
+    {!view_.step.within_tolerance, info.time, info.step_size, rate_before_, info.peak_slip_rate});
+  if (warning) {
+    warnings_.push_back(*warning);
+  }
 }
 
 template <int Dim>

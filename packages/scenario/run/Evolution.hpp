@@ -1,5 +1,6 @@
 #pragma once
 
+#include "dynamics/control/GrowthWatch.hpp"
 #include "dynamics/coupling/CoupledStep.hpp"
 #include "fem/Warning.hpp"
 #include "io/Output.hpp"
@@ -13,6 +14,8 @@
 
 #include <memory>
 #include <string>
+#include <utility>
+#include <vector>
 
 namespace asperity::scenario
 {
@@ -47,12 +50,15 @@ public:
   bool atEnd() const { return state_.time >= end_; }
   double time() const { return clock_.seconds(state_.time); } // [s]
   double finalTime() const { return clock_.seconds(end_); }   // [s]
-  // Of what has been found at the start.
-  std::vector<Warning> const& warnings() const { return warnings_; }
   std::int64_t numSteps() const { return control_->memory().num_steps; }
   io::StepInfo stepInfo() const;     // of the last step
   StallWatch::Step progress() const; // of the last step
-  RunSummary summary() const;        // all but whether it has finished, and the directory
+  // Warns of that step where it hides a slip rate that grows, or throws SolveError for one too
+  // many.
+  void watchGrowth();
+  // What has been found to be wrong since the last call, the same on all ranks.
+  std::vector<Warning> takeWarnings() { return std::exchange(warnings_, {}); }
+  RunSummary summary() const; // all but whether it has finished, and the directory
 
 private:
   std::string placeOf(int vertex) const;
@@ -74,7 +80,9 @@ private:
   dynamics::SolveCount count_;
   std::int64_t forced_steps_ = 0;
   FloorCount floor_count_;
-  RunView view_;
   std::vector<Warning> warnings_;
+  dynamics::GrowthWatch growth_watch_;
+  double rate_before_ = 0; // peak slip rate before the last step [m/s]
+  RunView view_;
 };
 } // namespace asperity::scenario

@@ -8,6 +8,7 @@
 #include "scenario/DeckReader.hpp"
 #include "scenario/Fingerprint.hpp"
 #include "scenario/OutputFields.hpp"
+#include "scenario/ResolutionCheck.hpp"
 #include "scenario/RunArchive.hpp"
 #include "scenario/run/Interpolation.hpp"
 #include "scenario/setup/MeshSetup.hpp"
@@ -197,7 +198,8 @@ io::Archive stateOfOtherRun(std::filesystem::path const& run, Problem<Dim> const
   auto const other = makeProblem<Dim>(*other_deck, problem.communicator);
   requireSameKind(problem, deck, other, *other_deck, run.string());
   auto const other_domains = makeDomains(other);
-  auto const other_clock = makeClock(other_deck->sublist("Time Stepping"));
+  auto const other_clock =
+    makeClock(other_deck->sublist("Time Stepping"), smallestStep(other, *other_deck));
   auto const state =
     loaded(is_folder ? run / "checkpoint.h5" : run, other, other_domains, *other_deck, other_clock);
   const double time = other_clock.seconds(state.time);

@@ -7,7 +7,6 @@
 #include "scenario/setup/BulkSetup.hpp"
 #include "scenario/setup/DeckPaths.hpp"
 #include "scenario/setup/NodalField.hpp"
-#include "scenario/setup/TimeSetup.hpp"
 
 #include <Tpetra_Vector.hpp>
 
@@ -269,7 +268,7 @@ dynamics::State makeInitialState(ParameterList const& deck, Mesh<Dim> const& mes
   state.alpha_of_rate = friction::NodeView("asperity::scenario::alphaOfRate", num_nodes);
   Kokkos::deep_copy(state.alpha_of_rate, state.alpha);
   if (list.get<std::string>("Acceleration") == "Balanced" && !quasiDynamic(deck.sublist("Bulk"))) {
-    const double dt = makeClock(deck.sublist("Time Stepping")).stepSize(0) * 1e-6;
+    const double dt = deck.sublist("Time Stepping").get<double>("Largest Step") * 1e-6;
     auto const load = body.vector();
     body.load(0, *load);
     state.a =

@@ -123,15 +123,26 @@ RCP<const ParameterList> timeParameters()
       {{"Newmark", newmark},
        {"Backward Euler", Declare().list()},
        {"Generalised Alpha", generalised_alpha}},
-      "Selects the scheme by which displacement and acceleration follow from the velocity.")
+      "Selects the scheme by which displacement and acceleration follow from the velocity. Newmark "
+      "needs inertia: where the deck names no scheme, a quasi-dynamic body has Generalised Alpha.")
     .integer("Most Forced Steps", 10000, Range::atLeast(0),
              "The run ends with an error after this number of steps in a row that even at the "
              "smallest size did not meet the tolerance; 0 means that it goes on for ever.")
+    .integer("Most Hiding Steps", 10, Range::atLeast(0),
+             "The run ends with an error after this number of forced steps that hide a rate which "
+             "grows: steps that even at the smallest size do not meet the tolerance, at whose end "
+             "the peak slip rate is above twice that before they began and slips by more than a "
+             "tenth of L in a step. 0 means that it goes on for ever, with a warning.")
     .real("Largest Step", required, "s", Range::positive(),
           "The size of every step is this one divided by a power of two.")
     .real(
-      "Smallest Step", required, "s", Range::positive(),
-      "No step is smaller than this, rounded down to the largest step divided by a power of two.")
+      "Smallest Step", optional, "s", Range::positive(),
+      "No step is smaller than this, rounded down to the largest step divided by a power of two. "
+      "Without it this is a hundredth of L over a seismic slip rate 20 b sigma_n / Z, where Z is "
+      "the shear impedance at the fault, and with inertia at most a tenth of the time that a shear "
+      "wave takes through a cell at the fault.")
+    .hint("Steps that are too large to follow an earthquake lose it: choose it a few hundred times "
+          "smaller than L over the slip rate of earthquakes.")
     .choiceOfLists(
       "Control", "Step Doubling",
       {{"Step Doubling", doubling}, {"Richardson", richardson}, {"Prescribed", prescribed}},
@@ -166,8 +177,14 @@ double finalTime(ParameterList const& list) { return list.get<double>("Final Tim
 
 dynamics::DyadicTime makeClock(ParameterList const& list)
 {
+  ASPERITY_REQUIRE(list.isParameter("Smallest Step"),
+                   time_path << " / Smallest Step is missing here. Give it.");
+  return makeClock(list, list.get<double>("Smallest Step"));
+}
+
+dynamics::DyadicTime makeClock(ParameterList const& list, double smallest)
+{
   const double largest = list.get<double>("Largest Step");
-  const double smallest = list.get<double>("Smallest Step");
   ASPERITY_REQUIRE(smallest <= largest, time_path << " / Smallest Step = " << smallest
                                                   << " s is larger than the largest step, "
                                                   << largest << " s.");

@@ -8,13 +8,19 @@ namespace asperity::scenario
 // The deck's list `Time Stepping`.
 RCP<const ParameterList> timeParameters();
 
+// The default of `Scheme` for a body without mass.
+constexpr char const* massless_scheme = "Generalised Alpha";
+
 double finalTime(ParameterList const& list);
 // `Final Time`, `Instants` of the list and those of the output times [s] that are in the run, in
 // ticks, ascending.
 std::vector<dynamics::DyadicTime::Ticks> instants(ParameterList const& list,
                                                   std::vector<double> const& output_times,
                                                   dynamics::DyadicTime const& clock);
+// With the smallest step [s] of the list, or another one. Throws InputError where it is missing, or
+// where ticks of it cannot count to the end of the run.
 dynamics::DyadicTime makeClock(ParameterList const& list);
+dynamics::DyadicTime makeClock(ParameterList const& list, double smallest);
 // Without mass throws InputError for a scheme that damps nothing (Newmark, or generalised alpha
 // with spectral radius 1): its velocity would have the amplification factor -1.
 dynamics::RateUpdate makeRateUpdate(ParameterList const& list, bool has_mass = true);

@@ -1,7 +1,7 @@
 #include "dynamics/StaticCondensation.hpp"
 
 #include "dynamics/coupling/CoupledStep.hpp"
-#include "fem/NodalDamping.hpp"
+#include "fem/constraints/NodalDamping.hpp"
 #include "unit/dynamics/SmallModel.hpp"
 #include "unit/fem/SampleMeshes.hpp"
 

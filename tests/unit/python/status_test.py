@@ -1,9 +1,12 @@
 """What asperity-status says of runs that go on, were stopped, were killed, or are done."""
 
 import contextlib
+import fcntl
 import io
 import json
 import os
+import socket
+import subprocess
 import tempfile
 import time
 import unittest
@@ -89,6 +92,111 @@ class State(Folder):
     def test_a_line_of_the_log_without_its_end_is_left_out(self):
         synthetic_log.write(self.folder, 2 * STEPS, 5, "t = 230 s of 50")
         self.assertAlmostEqual(self.facts()["time"], 200.0)
+
+
+class Journal(Folder):
+    """What run.jsonl tells, which the program writes beside the log."""
+
+    def write(self, *events, steps=2 * STEPS + 30, ending=STOPPED):
+        synthetic_log.write(self.folder, steps, 5, ending)
+        lines = [json.dumps({"step": 0, "time": 0.0, **event}) for event in events]
+        (self.folder / "run.jsonl").write_text("\n".join(lines) + "\n")
+
+    @staticmethod
+    def end(how, status, message="", wall=1.0):
+        return {"event": "end", "how": how, "exit_status": status, "message": message,
+                "wall": wall}
+
+    def test_a_failed_run_is_no_stopped_one(self):
+        self.write({"event": "begin"}, self.end("failed", 3, "Step 7 failed. Try other steps."))
+        (self.folder / "checkpoint.h5").touch()
+        status, out, _ = self.status()
+        self.assertEqual(status, 3)
+        self.assertIn("failed: Step 7 failed. Try other steps", out)
+        self.assertIn("with the same settings it fails again", out)
+        facts = self.facts()
+        self.assertEqual((facts["state"], facts["exit_status"]), ("failed", 3))
+        self.assertEqual(facts["message"], "Step 7 failed. Try other steps.")
+
+    def test_the_log_of_earlier_versions_tells_a_failure_too(self):
+        synthetic_log.write(self.folder, 2 * STEPS, 5, STOPPED + "The run has ended: no root.\n")
+        status, out, _ = self.status()
+        self.assertEqual(status, 3)
+        self.assertIn("failed: no root", out)
+
+    def test_a_restart_after_a_failure_is_running(self):
+        self.write({"event": "begin"}, self.end("failed", 3, "no."), {"event": "begin"},
+                   ending=STOPPED + "The run has ended: no.\n" + synthetic_log.HEADER)
+        self.assertEqual(self.status()[0], 10)
+
+    def test_warnings_in_text_and_json(self):
+        self.write({"event": "begin"},
+                   {"event": "warning", "topic": "cohesive zone", "text": "fewer than 3 cells."},
+                   {"event": "warning", "topic": "hidden growth", "text": "1 step.", "step": 5},
+                   {"event": "warning", "topic": "hidden growth", "text": "10 steps.", "step": 9})
+        _, out, _ = self.status()
+        self.assertIn("WARNING: fewer than 3 cells.\n", out)
+        self.assertIn("WARNING: 10 steps.", out)
+        self.assertNotIn("1 step.", out)
+        self.assertEqual([each["topic"] for each in self.facts()["warnings"]],
+                         ["cohesive zone", "hidden growth"])
+
+    def test_a_restart_takes_back_what_came_after_its_checkpoint(self):
+        self.write({"event": "begin"},
+                   {"event": "warning", "topic": "early", "text": "early.", "step": 5},
+                   {"event": "warning", "topic": "late", "text": "late.", "step": 9},
+                   {"event": "begin"}, {"event": "restart", "step": 7})
+        self.assertEqual([each["topic"] for each in self.facts()["warnings"]], ["early"])
+
+    def test_warnings_of_a_run_without_run_jsonl(self):
+        synthetic_log.write(self.folder, 2 * STEPS, 5, "WARNING: too few cells.\n")
+        self.assertIn("WARNING: too few cells.", self.status()[1])
+
+    def test_a_line_without_its_end_is_left_out(self):
+        self.write({"event": "begin"}, self.end("finished", 0))
+        with open(self.folder / "run.jsonl", "a") as journal:
+            journal.write('{"event": "warn')
+        self.assertEqual(self.status()[0], 0)
+
+    def test_wall_time_counts_to_the_end_of_each_process(self):
+        """Also where the last line of progress was long before it."""
+        self.write({"event": "begin"}, self.end("stopped", 4, wall=5000.0), {"event": "begin"},
+                   self.end("finished", 0, wall=45.0), ending=STOPPED + synthetic_log.HEADER)
+        self.assertAlmostEqual(self.facts()["wall"], 5045.0)
+
+
+class Lock(Folder):
+    """The lock that a process leaves behind if it is killed."""
+
+    def leave_lock(self, process, host=socket.gethostname()):
+        synthetic_log.write(self.folder, 2 * STEPS + 30, 5)
+        (self.folder / ".lock").write_text(f"process {process} on {host}\n")
+
+    @staticmethod
+    def ended_process():
+        process = subprocess.Popen(["true"])
+        process.wait()
+        return process.pid
+
+    def test_killed(self):
+        self.leave_lock(self.ended_process())
+        status, out, _ = self.status()
+        self.assertEqual(status, 6)
+        self.assertIn("killed: its process is gone; there is no checkpoint of it", out)
+
+    def test_of_a_process_that_is_there(self):
+        self.leave_lock(os.getpid())
+        self.assertEqual(self.status()[0], 10)
+
+    def test_held_from_another_process_namespace(self):
+        self.leave_lock(self.ended_process())
+        with open(self.folder / ".lock") as lock:
+            fcntl.flock(lock, fcntl.LOCK_EX)
+            self.assertEqual(self.status()[0], 10)
+
+    def test_of_another_machine(self):
+        self.leave_lock(self.ended_process(), "another-machine")
+        self.assertEqual(self.status()[0], 10)
 
 
 class Facts(Folder):

@@ -13,11 +13,11 @@ namespace
 {
 const fem::Material crust = {2670, 50e9, 30e9, 0, 0}; // Poisson's ratio 1/4
 
-bool warns(std::vector<std::string> const& lines)
+bool warns(Description const& description, std::string const& topic = "cohesive zone")
 {
-  return std::any_of(lines.begin(), lines.end(), [](std::string const& line) {
-    return line.find("WARNING: fewer than 3 cells") != std::string::npos;
-  });
+  auto const& warnings = description.warnings;
+  return std::any_of(warnings.begin(), warnings.end(),
+                     [&](Warning const& warning) { return warning.topic == topic; });
 }
 } // namespace
 
@@ -95,6 +95,33 @@ TEST(ResolutionCheck, warnsOfCellsThatAreTooLarge)
   EXPECT_FALSE(warns(lines(3.1 * 150 / 1e6)));
 }
 
+TEST(ResolutionCheck, warnsOfAPartTooShortToNucleate)
+{
+  dynamics::FaultResolution r{1, 1, 10, 47, 30, 10, 1};
+  r.weakening_length = 46;
+  ASSERT_EQ(warnOfResolution(r, "Ageing").size(), 1u);
+  expectParts(warnOfResolution(r, "Ageing")[0].text, {"nucleation length, 47 m", "weakens, 46 m"});
+  EXPECT_TRUE(warnOfResolution(r, "Slip").empty()); // 30 m
+  r.weakening_length = 48;
+  EXPECT_TRUE(warnOfResolution(r, "Ageing").empty());
+  // A block whose ends are free slides as a whole, however short it is.
+  r.weakening_length = 1;
+  r.weakens_everywhere = true;
+  EXPECT_TRUE(warnOfResolution(r, "Ageing").empty());
+}
+
+TEST(ResolutionCheck, measuresThePartThatWeakens)
+{
+  // Nodes at x = 0, 1, 2 of a strip; the last one does not weaken.
+  const auto resolution = [](char const* a) {
+    const auto deck = strip([&](ParameterList& given) { given.sublist("Friction").set("a", a); });
+    return faultResolution(makeProblem<2>(deck, world()), deck.sublist("Friction"));
+  };
+  EXPECT_NEAR(resolution("x < 1.5 ? 0.01 : 0.02")->weakening_length, 1.5, 1e-12);
+  EXPECT_FALSE(resolution("x < 1.5 ? 0.01 : 0.02")->weakens_everywhere);
+  EXPECT_TRUE(resolution("x < 9 ? 0.01 : 0.02")->weakens_everywhere);
+}
+
 TEST(ResolutionCheck, advisesLowCellsWhereThereAreFew)
 {
   const auto advises = [](double cells_per_zone, double height) {
@@ -113,7 +140,7 @@ TEST(ResolutionCheck, saysNothingWhereFrictionDoesNotWeaken)
   const auto deck = strip([](ParameterList& given) { given.sublist("Friction").set("b", 0.01); });
   auto const problem = makeProblem<2>(deck, world());
   EXPECT_FALSE(faultResolution(problem, deck.sublist("Friction")));
-  for (auto const& line : describe(problem, deck)) {
+  for (auto const& line : describe(problem, deck).lines) {
     EXPECT_EQ(line.find("Resolution"), std::string::npos) << line;
   }
 }

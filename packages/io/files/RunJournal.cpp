@@ -1,0 +1,73 @@
+#include "io/files/RunJournal.hpp"
+
+#include "base/Text.hpp"
+
+#include <cstdio>
+
+namespace asperity::io
+{
+namespace
+{
+// As JSON has it; what is no UTF-8, in a file's name, is left to the reader.
+std::string quoted(std::string const& text)
+{
+  std::string result = "\"";
+  for (const char letter : text) {
+    if (letter == '"' || letter == '\\') {
+      result += '\\';
+    }
+    if (static_cast<unsigned char>(letter) < 0x20) {
+      char code[8];
+      std::snprintf(code, sizeof code, "\\u%04x", static_cast<unsigned>(letter));
+      result += code;
+    } else {
+      result += letter;
+    }
+  }
+  return result + '"';
+}
+
+std::string member(std::string const& name, std::string const& json)
+{
+  return ", " + quoted(name) + ": " + json;
+}
+} // namespace
+
+RunJournal::RunJournal(std::filesystem::path const& file, bool append, Communicator const& comm)
+{
+  if (comm.getRank() == 0) {
+    file_.open(file, append ? std::ios::app : std::ios::trunc);
+  }
+  const std::chrono::duration<double> clock = std::chrono::system_clock::now().time_since_epoch();
+  write("begin", member("clock", formatNumber(clock.count())));
+}
+
+void RunJournal::at(std::int64_t step, double time)
+{
+  step_ = step;
+  time_ = time;
+}
+
+void RunJournal::restart() { write("restart", ""); }
+
+void RunJournal::warn(Warning const& warning)
+{
+  write("warning", member("topic", quoted(warning.topic)) + member("text", quoted(warning.text)));
+}
+
+void RunJournal::end(std::string const& how, int exit_status, std::string const& message)
+{
+  const std::chrono::duration<double> wall = Clock::now() - start_;
+  write("end", member("how", quoted(how)) + member("exit_status", std::to_string(exit_status)) +
+                 member("message", quoted(message)) + member("wall", formatShort(wall.count())));
+}
+
+void RunJournal::write(std::string const& event, std::string const& more)
+{
+  if (file_.is_open()) {
+    file_.clear(); // after a failure the next line may succeed
+    file_ << "{\"event\": " << quoted(event) << member("step", std::to_string(step_))
+          << member("time", formatNumber(time_)) << more << '}' << std::endl;
+  }
+}
+} // namespace asperity::io

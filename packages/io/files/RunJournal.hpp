@@ -1,0 +1,48 @@
+#pragma once
+
+#include "base/Types.hpp"
+#include "fem/Warning.hpp"
+
+#include <chrono>
+#include <cstdint>
+#include <filesystem>
+#include <fstream>
+#include <string>
+
+namespace asperity::io
+{
+// DIR/run.jsonl: what programs need to know of the course of a run, one JSON object a line, beside
+// run.log, which is for people. Each object has `event`, `step` and `time` [s], and
+//
+//   begin    `clock`, the seconds since 1970; a process begins to write
+//   restart  the process goes on from the checkpoint of that step: what came after it is void
+//   warning  `topic` and `text` (fem/Warning.hpp)
+//   end      `how` ("finished", "stopped", "failed"), `exit_status`, `message`, and `wall`, the
+//            seconds since the begin; a process that is killed has no end
+//
+// asperity.journal reads it. Only rank 0 writes. Not collective; a line that cannot be written is
+// left out, since run.log has it, too.
+class RunJournal
+{
+public:
+  // Appends if `append` is true (after a restart), otherwise starts a new file.
+  RunJournal(std::filesystem::path const& file, bool append, Communicator const& comm);
+
+  // How far the run is: the step and the time that the lines to come have.
+  void at(std::int64_t step, double time);
+
+  void restart();
+  void warn(Warning const& warning);
+  void end(std::string const& how, int exit_status, std::string const& message);
+
+private:
+  using Clock = std::chrono::steady_clock;
+
+  void write(std::string const& event, std::string const& more);
+
+  std::ofstream file_; // open on rank 0 alone
+  Clock::time_point start_ = Clock::now();
+  std::int64_t step_ = 0;
+  double time_ = 0;
+};
+} // namespace asperity::io

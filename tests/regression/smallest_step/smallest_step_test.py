@@ -1,0 +1,84 @@
+"""A smallest step that is too large loses no earthquake without a word."""
+
+import json
+import pathlib
+import shutil
+import sys
+import unittest
+
+import asperity_run
+from asperity_run import settings
+
+sys.path.insert(0, str(asperity_run.SOURCE / "python"))
+from asperity_report import sections  # noqa: E402
+from asperity_status.facts import facts  # noqa: E402
+
+DECK = asperity_run.SOURCE / "xml" / "spring_slider.xml"
+EVENTS, DONE, SOLVE = 5, 0, 3
+
+
+def run(name, *arguments):
+    folder = pathlib.Path(name)
+    shutil.rmtree(folder, ignore_errors=True)
+    return folder, asperity_run.run(DECK, *arguments, "--output", folder, timeout=250)
+
+
+def num_events(folder):
+    return len(asperity_run.table(folder / "events.csv"))
+
+
+class SmallestStep(unittest.TestCase):
+    def warned(self, folder):
+        """Whether there is a warning; log, status and report agree on that."""
+        of_run = facts(folder, 1800.0)
+        log, page = (folder / "run.log").read_text(), sections.summary(of_run)
+        for warning in of_run.warnings:
+            self.assertIn("WARNING: " + warning["text"], log)
+            self.assertIn("WARNING", page)
+        self.assertEqual("WARNING" in log, bool(of_run.warnings))
+        return bool(of_run.warnings)
+
+    def test_each_size_is_fine_or_told(self):
+        for size in (1e-5, 1e-3, 0.1, 1.0, 10.0, 100.0, 1000.0):
+            largest = max(4.0, size)
+            with self.subTest(size=size):
+                folder, result = run(f"size_{size:g}", *settings(
+                    f"Time Stepping/Smallest Step={size}", f"Time Stepping/Largest Step={largest}",
+                    "Time Stepping/Control=Step Doubling"))
+                warned = self.warned(folder)
+                if result.returncode == DONE:
+                    self.assertTrue(warned or num_events(folder) == EVENTS)
+                else:
+                    self.assertEqual(result.returncode, SOLVE, result.stderr)
+                    self.assertEqual(facts(folder, 1800.0).state, "failed")
+
+    def test_the_default_finds_all(self):
+        folder, result = run("default", "--remove", "Time Stepping/Smallest Step")
+        self.assertEqual((result.returncode, result.stderr), (0, ""))
+        self.assertEqual(num_events(folder), EVENTS)
+        self.assertIn("Smallest Step = ", (folder / "run.log").read_text())
+        self.assertFalse(self.warned(folder))
+
+    def test_validate_warns(self):
+        result = asperity_run.run(DECK, "--validate", *settings(
+            "Time Stepping/Largest Step=10", "Time Stepping/Smallest Step=10"))
+        self.assertIn("WARNING: Smallest Step = 10 s is longer than an earthquake", result.stdout)
+
+    def test_a_run_that_hides_growth_ends_with_advice_that_works(self):
+        """The watch alone, without the warning of the start."""
+        folder, result = run("hidden", *settings(
+            "Time Stepping/Largest Step=10", "Time Stepping/Smallest Step=10",
+            "Time Stepping/Control=Step Doubling", "Time Stepping/Most Hiding Steps=1"))
+        self.assertEqual(result.returncode, SOLVE)
+        self.assertIn("Choose a smaller 'Smallest Step'", result.stderr)
+        self.assertEqual(json.loads(json.dumps(facts(folder, 1800.0).exit_status)), SOLVE)
+        result = asperity_run.run(DECK, *settings(
+            "Time Stepping/Largest Step=10", "Time Stepping/Smallest Step=1e-6",
+            "Time Stepping/Control=Step Doubling"), "--restart", folder / "checkpoint.h5",
+            "--output", folder, timeout=250)
+        self.assertEqual((result.returncode, result.stderr), (0, ""))
+        self.assertEqual(facts(folder, 1800.0).state, "finished")
+
+
+if __name__ == "__main__":
+    unittest.main()

@@ -1,0 +1,66 @@
+#include "dynamics/control/GrowthWatch.hpp"
+
+#include "base/Errors.hpp"
+
+#include <gtest/gtest.h>
+
+namespace asperity::dynamics
+{
+namespace
+{
+constexpr double L = 1e-5;
+
+// A step at whose end the rate is `rate`.
+GrowthWatch::Step step(bool is_forced, double size, double before, double rate)
+{
+  return {is_forced, 100, size, before, rate};
+}
+} // namespace
+
+TEST(GrowthWatch, warnsOfAForcedStepInWhichTheRateGrowsAndSlipsByAPartOfL)
+{
+  GrowthWatch watch(L, 0);
+  const auto warning = watch.note(step(true, 1e4, 1e-9, 2.8e-5));
+  ASSERT_TRUE(warning);
+  EXPECT_EQ(warning->topic, "hidden growth");
+  EXPECT_NE(warning->text.find("1 step of the smallest size 10000 s"), std::string::npos);
+  EXPECT_NE(warning->text.find("2.8e-05 m/s"), std::string::npos);
+}
+
+TEST(GrowthWatch, isSilentWhereNothingIsHidden)
+{
+  // not forced; no growth by a factor of two; slip of less than L / 10; a rate that falls
+  for (auto const& calm : {step(false, 1e4, 1e-9, 2.8e-5), step(true, 1e4, 1e-9, 1.9e-9),
+                           step(true, 1e-7, 0.01, 1), step(true, 1e4, 2.8e-5, 1e-9)}) {
+    EXPECT_FALSE(GrowthWatch(L, 1).note(calm));
+  }
+}
+
+TEST(GrowthWatch, seesGrowthOverManyForcedSteps)
+{
+  GrowthWatch watch(L, 0);
+  EXPECT_FALSE(watch.note(step(true, 1e4, 1e-9, 1.5e-9)));
+  EXPECT_TRUE(watch.note(step(true, 1e4, 1.5e-9, 2.1e-9))); // above twice the first rate
+}
+
+TEST(GrowthWatch, beginsAnewAfterAStepThatIsNotForced)
+{
+  GrowthWatch watch(L, 0);
+  EXPECT_FALSE(watch.note(step(true, 1e4, 1e-9, 1.5e-9)));
+  EXPECT_FALSE(watch.note(step(false, 1e4, 1.5e-9, 1.5e-9)));
+  EXPECT_FALSE(watch.note(step(true, 1e4, 1.5e-9, 2.1e-9)));
+}
+
+TEST(GrowthWatch, endsTheRunWithOneTooMany)
+{
+  GrowthWatch watch(L, 3);
+  EXPECT_TRUE(watch.note(step(true, 1, 1e-9, 1)));
+  EXPECT_FALSE(watch.note(step(true, 1, 1e-9, 1)));
+  EXPECT_THROW(watch.note(step(true, 1, 1e-9, 1)), SolveError);
+}
+
+TEST(GrowthWatch, knowsNoSlipDistance)
+{
+  EXPECT_TRUE(GrowthWatch(0, 0).note(step(true, 1e-7, 1e-9, 1)));
+}
+} // namespace asperity::dynamics
