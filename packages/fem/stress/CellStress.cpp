@@ -1,0 +1,212 @@
+#include "fem/stress/CellStress.hpp"
+
+#include "base/Errors.hpp"
+#include "fem/Simplex.hpp"
+
+#include <algorithm>
+#include <array>
+
+namespace asperity::fem
+{
+namespace
+{
+constexpr int numTensorComponents(int components)
+{
+  return components == 1 ? 2 : components == 2 ? 4 : 6;
+}
+
+// The place of entry (i, k), i <= k, among the components of a tensor in the plane or in space.
+template <int Dim>
+KOKKOS_FUNCTION constexpr int placeOf(int i, int k)
+{
+  return i == 0 ? k : (i == 1 ? Dim - 1 + k : 5);
+}
+
+// What becomes of the gradient of a displacement of `Components` components: the strain, or the
+// stress with the Lame constants first and second, which is added to `tensor`.
+template <int Dim, int Components>
+struct Tensor
+{
+  static constexpr int size = numTensorComponents(Components);
+
+  double gradient[Components][Dim] = {}; // d u_i / d x_k
+
+  KOKKOS_FUNCTION void strain(double* tensor) const { add(0, 0.5, tensor); }
+
+  KOKKOS_FUNCTION void add(double first, double second, double* tensor) const
+  {
+    if constexpr (Components == 1) {
+      for (int k = 0; k < Dim; ++k) {
+        tensor[k] += second * gradient[0][k];
+      }
+    } else {
+      double trace = 0;
+      for (int i = 0; i < Dim; ++i) {
+        trace += gradient[i][i];
+        for (int k = i; k < Dim; ++k) {
+          tensor[placeOf<Dim>(i, k)] += second * (gradient[i][k] + gradient[k][i]);
+        }
+      }
+      for (int i = 0; i < Dim; ++i) {
+        tensor[placeOf<Dim>(i, i)] += first * trace;
+      }
+      if constexpr (Dim == 2) {
+        tensor[3] += first * trace; // zz: nothing is strained across the plane
+      }
+    }
+  }
+};
+
+template <int Dim, int Components>
+struct CellKernel
+{
+  using Result =
+    Kokkos::View<double * [numTensorComponents(Components)], Kokkos::LayoutRight, MemorySpace>;
+  using Motion = Kokkos::View<const double*, MemorySpace>; // (vertices, Components)
+
+  Kokkos::View<const int * [Dim + 1], MemorySpace> corners;
+  Kokkos::View<const double * [Dim + 1][Dim], MemorySpace> gradients;
+  Kokkos::View<const Material*, MemorySpace> materials;
+  Motion u, v; // v: empty without viscosity
+  bool is_strain;
+  Result result;
+
+  KOKKOS_FUNCTION Tensor<Dim, Components> tensorOf(Motion const& motion, int cell) const
+  {
+    Tensor<Dim, Components> tensor;
+    for (int corner = 0; corner <= Dim; ++corner) {
+      for (int i = 0; i < Components; ++i) {
+        for (int k = 0; k < Dim; ++k) {
+          tensor.gradient[i][k] +=
+            motion(corners(cell, corner) * Components + i) * gradients(cell, corner, k);
+        }
+      }
+    }
+    return tensor;
+  }
+
+  KOKKOS_FUNCTION void operator()(int cell) const
+  {
+    double tensor[numTensorComponents(Components)] = {};
+    auto const of_displacement = tensorOf(u, cell);
+    if (is_strain) {
+      of_displacement.strain(tensor);
+    } else {
+      auto const& m = materials(cell);
+      of_displacement.add(m.bulk_modulus - 2. / 3 * m.shear_modulus, m.shear_modulus, tensor);
+      if (v.extent(0) > 0) {
+        tensorOf(v, cell).add(m.bulk_viscosity - 2. / 3 * m.shear_viscosity, m.shear_viscosity,
+                              tensor);
+      }
+    }
+    for (int k = 0; k < numTensorComponents(Components); ++k) {
+      result(cell, k) = tensor[k];
+    }
+  }
+
+  std::vector<double> run() &&
+  {
+    const auto cells = static_cast<int>(corners.extent(0));
+    result = Result("asperity::fem::cellTensors", cells);
+    Kokkos::parallel_for("asperity::fem::cellTensors",
+                         Kokkos::RangePolicy<ExecutionSpace>(0, cells), *this);
+    auto const host = toHost(result);
+    return {host.data(), host.data() + host.size()};
+  }
+};
+
+template <int Dim, int Components, class Corners, class Gradients, class Materials>
+std::vector<double> tensors(Corners const& corners, Gradients const& gradients,
+                            Materials const& materials, std::vector<double> const& u,
+                            std::vector<double> const& v, bool is_strain)
+{
+  return CellKernel<Dim, Components>{corners,
+                                     gradients,
+                                     materials,
+                                     toDevice(u, "asperity::fem::displacement"),
+                                     toDevice(v, "asperity::fem::velocity"),
+                                     is_strain,
+                                     {}}
+    .run();
+}
+
+// With the number of components at run time.
+template <int Dim, class... Arguments>
+std::vector<double> tensors(int components, Arguments const&... arguments)
+{
+  if constexpr (Dim == 2) {
+    if (components == 1) {
+      return tensors<2, 1>(arguments...);
+    }
+  }
+  return tensors<Dim, Dim>(arguments...);
+}
+} // namespace
+
+std::vector<std::string> const& tensorComponents(int displacement_components)
+{
+  static const std::array<std::vector<std::string>, 3> names = {
+    {{"xz", "yz"}, {"xx", "xy", "yy", "zz"}, {"xx", "xy", "xz", "yy", "yz", "zz"}}};
+  ASPERITY_ASSERT(displacement_components >= 1 && displacement_components <= 3);
+  return names[displacement_components - 1];
+}
+
+template <int Dim>
+CellStress<Dim>::CellStress(Mesh<Dim> const& mesh, int components,
+                            std::vector<Material> const& materials, std::vector<int> const& cells)
+    : components_(components)
+{
+  ASPERITY_ASSERT(materials.size() == mesh.cells.size());
+  for (int cell : cells) {
+    vertices_.insert(vertices_.end(), mesh.cells[cell].begin(), mesh.cells[cell].end());
+  }
+  std::sort(vertices_.begin(), vertices_.end());
+  vertices_.erase(std::unique(vertices_.begin(), vertices_.end()), vertices_.end());
+
+  const Kokkos::View<int * [Dim + 1], MemorySpace> corners("asperity::fem::corners", cells.size());
+  const Kokkos::View<double * [Dim + 1][Dim], MemorySpace> gradients("asperity::fem::gradients",
+                                                                     cells.size());
+  auto const host_corners = Kokkos::create_mirror_view(corners);
+  auto const host_gradients = Kokkos::create_mirror_view(gradients);
+  std::vector<Material> of_cells;
+  for (std::size_t c = 0; c < cells.size(); ++c) {
+    auto const simplex = simplexOf(mesh, cells[c]);
+    for (int corner = 0; corner <= Dim; ++corner) {
+      const int vertex = mesh.cells[cells[c]][corner];
+      host_corners(c, corner) = static_cast<int>(
+        std::lower_bound(vertices_.begin(), vertices_.end(), vertex) - vertices_.begin());
+      for (int k = 0; k < Dim; ++k) {
+        host_gradients(c, corner, k) = simplex.gradients[corner][k];
+      }
+    }
+    of_cells.push_back(materials[cells[c]]);
+    is_viscous_ =
+      is_viscous_ || of_cells.back().shear_viscosity > 0 || of_cells.back().bulk_viscosity > 0;
+  }
+  Kokkos::deep_copy(corners, host_corners);
+  Kokkos::deep_copy(gradients, host_gradients);
+  corners_ = corners;
+  gradients_ = gradients;
+  materials_ = toDevice(of_cells, "asperity::fem::materialsOfCells");
+}
+
+template <int Dim>
+std::vector<double> CellStress<Dim>::strain(std::vector<double> const& u) const
+{
+  ASPERITY_ASSERT(u.size() == vertices_.size() * components_);
+  return tensors<Dim>(components_, corners_, gradients_, materials_, u, std::vector<double>(),
+                      true);
+}
+
+template <int Dim>
+std::vector<double> CellStress<Dim>::stress(std::vector<double> const& u,
+                                            std::vector<double> const& v) const
+{
+  ASPERITY_ASSERT(u.size() == vertices_.size() * components_ &&
+                  (v.size() == u.size() || (v.empty() && !is_viscous_)));
+  return tensors<Dim>(components_, corners_, gradients_, materials_, u, v, false);
+}
+
+template class CellStress<2>;
+template class CellStress<3>;
+} // namespace asperity::fem

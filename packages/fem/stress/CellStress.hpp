@@ -1,0 +1,44 @@
+#pragma once
+
+#include "base/Views.hpp"
+#include "fem/Material.hpp"
+#include "mesh/Mesh.hpp"
+
+#include <string>
+#include <vector>
+
+namespace asperity::fem
+{
+// The components of symmetric tensors, for a displacement of 1 (antiplane), 2 or 3 components:
+//   1: xz, yz    2: xx, xy, yy, zz    3: xx, xy, xz, yy, yz, zz, the order of XDMF's Tensor6.
+std::vector<std::string> const& tensorComponents(int displacement_components);
+
+// Strain and stress of P1 elements, constant in each cell, along the axes, positive in tension:
+//   eps(u) = (grad u + grad u^T) / 2,   sigma = B : eps(u) + A : eps(v)   (Material)
+template <int Dim>
+class CellStress
+{
+public:
+  // Of these local cells; materials(num cells of the mesh). components: of the displacement.
+  CellStress(Mesh<Dim> const& mesh, int components, std::vector<Material> const& materials,
+             std::vector<int> const& cells);
+
+  // The local vertices of the cells, ascending, ghosts among them. u and v below are displacement
+  // [m] and velocity [m/s] there, (vertices, components), along the axes.
+  std::vector<int> const& vertices() const { return vertices_; }
+  bool isViscous() const { return is_viscous_; } // on any of this rank's cells
+
+  // (cells, tensor components), in the order of the cells. v may be empty where nothing is viscous.
+  std::vector<double> strain(std::vector<double> const& u) const; // [-]
+  std::vector<double> stress(std::vector<double> const& u,
+                             std::vector<double> const& v) const; // [Pa]
+
+private:
+  int components_;
+  std::vector<int> vertices_;
+  bool is_viscous_ = false;
+  Kokkos::View<const int * [Dim + 1], MemorySpace> corners_;           // places in vertices_
+  Kokkos::View<const double * [Dim + 1][Dim], MemorySpace> gradients_; // 1/m
+  Kokkos::View<const Material*, MemorySpace> materials_;
+};
+} // namespace asperity::fem

@@ -1,0 +1,81 @@
+#include "fem/stress/CoulombPlane.hpp"
+
+#include "base/Errors.hpp"
+#include "fem/stress/CellStress.hpp"
+
+#include <cmath>
+
+namespace asperity::fem
+{
+namespace
+{
+using Direction = std::array<double, 3>;
+
+double radians(double degrees) { return degrees * std::acos(-1.) / 180; }
+
+double dot(Direction const& a, Direction const& b)
+{
+  return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+}
+
+Direction cross(Direction const& a, Direction const& b)
+{
+  return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
+}
+
+// x a + y b
+Direction sum(double x, Direction const& a, double y, Direction const& b)
+{
+  return {x * a[0] + y * b[0], x * a[1] + y * b[1], x * a[2] + y * b[2]};
+}
+
+Direction unit(Direction const& a)
+{
+  const double length = std::sqrt(dot(a, a));
+  ASPERITY_ASSERT(length > 0);
+  return sum(1 / length, a, 0, a);
+}
+} // namespace
+
+CoulombPlane CoulombPlane::inPlane(double angle, double rake, double friction)
+{
+  const Direction along = {std::cos(radians(angle)), std::sin(radians(angle)), 0};
+  const Direction z = {0, 0, 1};
+  return {cross(along, z), sum(std::cos(radians(rake)), along, std::sin(radians(rake)), z),
+          friction};
+}
+
+CoulombPlane CoulombPlane::inSpace(double strike, double dip, double rake, double friction,
+                                   Direction const& up, Direction const& east)
+{
+  auto const z = unit(up);
+  auto const x = unit(sum(1, east, -dot(east, z), z));
+  auto const y = cross(z, x); // north
+  auto const along = sum(std::sin(radians(strike)), x, std::cos(radians(strike)), y);
+  auto const right = cross(along, z); // horizontal, to which the plane dips
+  auto const up_dip = sum(-std::cos(radians(dip)), right, std::sin(radians(dip)), z);
+  auto const into_hanging_wall = sum(std::sin(radians(dip)), right, std::cos(radians(dip)), z);
+  return {into_hanging_wall, sum(std::cos(radians(rake)), along, std::sin(radians(rake)), up_dip),
+          friction};
+}
+
+std::vector<double> CoulombPlane::stress(std::vector<double> const& tensors,
+                                         int displacement_components) const
+{
+  auto const& names = tensorComponents(displacement_components);
+  std::vector<double> factors;
+  for (auto const& name : names) {
+    const int i = name[0] - 'x', k = name[1] - 'x';
+    const double entry = slip[i] * normal[k] + friction * normal[i] * normal[k];
+    const double transposed = slip[k] * normal[i] + friction * normal[i] * normal[k];
+    factors.push_back(i == k ? entry : entry + transposed);
+  }
+  std::vector<double> result(tensors.size() / factors.size(), 0.);
+  for (std::size_t cell = 0; cell < result.size(); ++cell) {
+    for (std::size_t c = 0; c < factors.size(); ++c) {
+      result[cell] += factors[c] * tensors[cell * factors.size() + c];
+    }
+  }
+  return result;
+}
+} // namespace asperity::fem
