@@ -7,9 +7,18 @@
 
 namespace asperity::io
 {
+// Whether a field has values at the nodes of its domain, or is constant in each of its elements.
+enum class Centring
+{
+  nodes,
+  elements
+};
+
 // A field that outputs may write, known by its domain and its name.
 struct OutputField
 {
+  using Values = std::function<void(std::vector<double>&)>;
+
   std::string name;        // snake_case, for example "slip_rate"
   std::string unit;        // for example "m/s"; "" if dimensionless
   std::string description; // one sentence
@@ -17,8 +26,17 @@ struct OutputField
   int components = 1;
 
   // Fills this rank's values: (num_owned, components), components fastest, in the order of the
-  // domain's owned nodes. Resizes its argument. Called on every rank at once.
-  std::function<void(std::vector<double>&)> values;
+  // domain's owned nodes, or of its owned elements. Resizes its argument. Called on every rank at
+  // once.
+  Values values;
+
+  Centring centring = Centring::nodes;
+  std::vector<std::string> component_names = {}; // (components) "xx", "xy", ...; may be empty
+
+  // The same at a few places, (places, components): the places are among the owned nodes or
+  // elements. Empty where that is not cheaper than all values. Called on every rank at once, once
+  // before the first values are taken.
+  std::function<Values(std::vector<std::size_t> const& places)> at = {};
 };
 
 // A number that describes an accepted step, the same on every rank.

@@ -79,10 +79,12 @@ template <int Dim, class Element, class Numbering>
 void addElements(OutputDomain& domain, Mesh<Dim> const& mesh, std::vector<Element> const& elements,
                  Numbering const& number_of)
 {
-  for (auto const& element : elements) {
+  for (std::size_t number = 0; number < elements.size(); ++number) {
+    auto const& element = elements[number];
     if (!isOwned(mesh, element)) {
       continue;
     }
+    domain.numbers_in_mesh.push_back(static_cast<int>(number));
     const auto corners = mesh::corners(mesh, element);
     bool wraps = false;
     for (std::size_t k = 0; k < element.size(); ++k) {

@@ -44,6 +44,8 @@ struct OutputDomain
   // other, but the coordinates of its nodes do not.
   bool is_periodic = false;
   std::vector<char> wraps; // (num_owned_elements) 1 where the element reaches across a period
+  // (num_owned_elements) the number of each among this rank's cells, or facets of the boundary
+  std::vector<int> numbers_in_mesh;
 
   std::size_t numOwned() const { return vertices.size(); }
   std::size_t numOwnedElements() const { return connectivity.size() / nodes_per_element; }

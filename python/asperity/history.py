@@ -48,6 +48,19 @@ class History(H5File):
     def unit(self, field: str) -> str:
         return self.attribute(f"fields/{field}", "unit")
 
+    def component_names(self, field: str) -> List[str]:
+        """Of a tensor, such as ["xx", "xy", "xz", "yy", "yz", "zz"]; [] of other fields."""
+        return self.attribute(f"fields/{field}", "components").split()
+
+    def is_of_elements(self, field: str) -> bool:
+        """Whether it is constant in each of `elements`: (rows, elements[, components])."""
+        return self.attribute(f"fields/{field}", "centring") == "elements"
+
+    @cached_property
+    def elements(self) -> np.ndarray:
+        """(elements, corners) the nodes of each, as rows of `coordinates`."""
+        return self.dataset("geometry/connectivity")[:]
+
     @cached_property
     def coordinates(self) -> np.ndarray:
         """(nodes, dimension) [m]."""

@@ -9,6 +9,7 @@
 #include <cmath>
 #include <limits>
 #include <map>
+#include <set>
 
 namespace asperity::catalogue
 {
@@ -194,31 +195,81 @@ double shortestElement(io::OutputDomain const& domain)
   return minOverRanks(shortest, *domain.comm);
 }
 
-Sampling::Sampling(io::OutputDomain const& domain, std::vector<LocatedPoint> const& points)
+namespace
+{
+// The owned elements by their nodes, of those that have a point.
+std::map<std::vector<GlobalOrdinal>, std::size_t>
+elementsByNodes(io::OutputDomain const& domain, std::vector<LocatedPoint> const& points)
+{
+  std::map<std::vector<GlobalOrdinal>, std::size_t> wanted;
+  std::set<GlobalOrdinal> first_nodes;
+  for (auto const& point : points) {
+    first_nodes.insert(point.nodes.front());
+  }
+  for (std::size_t element = 0; element < domain.numOwnedElements(); ++element) {
+    GlobalOrdinal const* nodes = &domain.connectivity[element * domain.nodes_per_element];
+    if (first_nodes.count(*nodes) > 0) {
+      wanted.emplace(std::vector<GlobalOrdinal>(nodes, nodes + domain.nodes_per_element), element);
+    }
+  }
+  return wanted;
+}
+} // namespace
+
+Sampling::Sampling(io::OutputDomain const& domain, std::vector<LocatedPoint> const& points,
+                   io::Centring centring)
     : comm_(domain.comm)
     , num_points_(points.size())
 {
-  std::map<GlobalOrdinal, std::size_t> owned;
-  for (std::size_t i = 0; i < domain.numOwned(); ++i) {
-    owned[domain.node_numbers[i]] = i;
-  }
-  for (std::size_t point = 0; point < points.size(); ++point) {
-    for (std::size_t corner = 0; corner < points[point].nodes.size(); ++corner) {
-      const auto node = owned.find(points[point].nodes[corner]);
-      const double weight = points[point].weights[corner];
-      if (node != owned.end() && weight > 0) {
-        terms_.push_back({point, node->second, weight});
+  if (centring == io::Centring::elements) {
+    auto const owned = elementsByNodes(domain, points);
+    for (std::size_t point = 0; point < points.size(); ++point) {
+      const auto element = owned.find(points[point].nodes);
+      if (element != owned.end()) {
+        terms_.push_back({point, element->second, 1});
+      }
+    }
+  } else {
+    std::map<GlobalOrdinal, std::size_t> owned;
+    for (std::size_t i = 0; i < domain.numOwned(); ++i) {
+      owned[domain.node_numbers[i]] = i;
+    }
+    for (std::size_t point = 0; point < points.size(); ++point) {
+      for (std::size_t corner = 0; corner < points[point].nodes.size(); ++corner) {
+        const auto node = owned.find(points[point].nodes[corner]);
+        const double weight = points[point].weights[corner];
+        if (node != owned.end() && weight > 0) {
+          terms_.push_back({point, node->second, weight});
+        }
       }
     }
   }
+  for (auto const& term : terms_) {
+    places_.push_back(term.place);
+  }
+  std::sort(places_.begin(), places_.end());
+  places_.erase(std::unique(places_.begin(), places_.end()), places_.end());
+  for (auto& term : terms_) {
+    term.place = std::lower_bound(places_.begin(), places_.end(), term.place) - places_.begin();
+  }
 }
 
-std::vector<double> Sampling::operator()(std::vector<double> const& nodal, int components) const
+std::vector<double> Sampling::operator()(std::vector<double> const& all, int components) const
+{
+  std::vector<double> at_places;
+  for (const std::size_t place : places_) {
+    const auto first = all.begin() + static_cast<std::ptrdiff_t>(place * components);
+    at_places.insert(at_places.end(), first, first + components);
+  }
+  return fromPlaces(at_places, components);
+}
+
+std::vector<double> Sampling::fromPlaces(std::vector<double> const& values, int components) const
 {
   std::vector<double> mine(num_points_ * components, 0);
   for (auto const& term : terms_) {
     for (int c = 0; c < components; ++c) {
-      mine[term.point * components + c] += term.weight * nodal[term.node * components + c];
+      mine[term.point * components + c] += term.weight * values[term.place * components + c];
     }
   }
   return sumOverRanks(mine, *comm_);

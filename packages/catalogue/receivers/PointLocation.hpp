@@ -1,6 +1,7 @@
 #pragma once
 
 #include "catalogue/receivers/ElementTree.hpp"
+#include "io/FieldRegistry.hpp"
 #include "io/OutputDomain.hpp"
 
 #include <vector>
@@ -50,24 +51,31 @@ std::vector<LocatedPoint> locate(io::OutputDomain const& domain, std::vector<dou
 // space, the leg of a right one of the same area. Collective.
 double shortestElement(io::OutputDomain const& domain);
 
-// Linear interpolation of nodal values at located points.
+// Values of a field at located points: linear between nodes, or those of the elements.
 class Sampling
 {
 public:
-  Sampling(io::OutputDomain const& domain, std::vector<LocatedPoint> const& points);
+  Sampling(io::OutputDomain const& domain, std::vector<LocatedPoint> const& points,
+           io::Centring centring = io::Centring::nodes);
 
-  // nodal: (num_owned, components) of this rank; (num_points, components) on every rank.
-  // Collective.
-  std::vector<double> operator()(std::vector<double> const& nodal, int components) const;
+  // The owned nodes, or elements, whose values count, ascending.
+  std::vector<std::size_t> const& places() const { return places_; }
+
+  // all: (num_owned, components) of this rank, or (num_owned_elements, components);
+  // (num_points, components) on every rank. Collective.
+  std::vector<double> operator()(std::vector<double> const& all, int components) const;
+  // The same from values at the places alone, (places, components).
+  std::vector<double> fromPlaces(std::vector<double> const& values, int components) const;
 
 private:
   struct Term
   {
-    std::size_t point, node; // an owned node
+    std::size_t point, place; // a place among places_
     double weight;
   };
   RCP<const Communicator> comm_;
   std::size_t num_points_;
+  std::vector<std::size_t> places_;
   std::vector<Term> terms_;
 };
 } // namespace asperity::catalogue

@@ -108,6 +108,7 @@ ReceiverGroup::ReceiverGroup(std::string const& path, std::vector<NamedPlace> co
                         located[i].coordinates.end());
   }
   sampling_ = std::make_unique<Sampling>(domain, located);
+  of_elements_ = std::make_unique<Sampling>(domain, located, io::Centring::elements);
   if (domain.isCurve()) {
     positions_ = (*sampling_)(domain.positions, 1);
   }
@@ -124,16 +125,27 @@ std::vector<io::SegmentedTable::Column> ReceiverGroup::columns(std::string const
   std::vector<io::SegmentedTable::Column> columns;
   for (auto const* field : chosen_) {
     columns.push_back({group + "/fields/" + field->name, field->unit, field->description,
-                       h5::Type::float64, io::rowShape(places_.size(), field->components)});
+                       h5::Type::float64, io::rowShape(places_.size(), field->components),
+                       io::SegmentedTable::Column::Of::run, io::componentsText(*field)});
   }
   return columns;
 }
 
 std::vector<double> ReceiverGroup::sample(io::OutputField const& field) const
 {
-  std::vector<double> nodal;
-  field.values(nodal);
-  return (*sampling_)(nodal, field.components);
+  auto const& sampling = field.centring == io::Centring::nodes ? *sampling_ : *of_elements_;
+  auto found = values_at_places_.find(&field);
+  if (found == values_at_places_.end()) {
+    const auto at_places = field.at ? field.at(sampling.places()) : io::OutputField::Values();
+    found = values_at_places_.emplace(&field, at_places).first;
+  }
+  std::vector<double> values;
+  if (found->second) {
+    found->second(values);
+    return sampling.fromPlaces(values, field.components);
+  }
+  field.values(values);
+  return sampling(values, field.components);
 }
 
 std::string ReceiverGroup::placeText(std::size_t receiver) const

@@ -6,6 +6,14 @@
 
 namespace asperity::io
 {
+// Sends values of `owned` things, mine (num_rows, owned, num_components), each to the rank
+// destinations(owned), where the item that arrives i-th takes the place numbers(i) of the block:
+// (num_rows, block, num_components). T is double or GlobalOrdinal. Collective.
+template <class T>
+std::vector<T> inBlock(std::vector<T> const& mine, std::size_t owned, std::size_t num_rows,
+                       std::size_t num_components, std::vector<int> const& destinations,
+                       std::vector<std::size_t> const& numbers, Communicator const& comm);
+
 // Distributes the nodes of a domain by number, in one block of equal length for each rank. Files
 // have the same order, so every rank writes one contiguous part.
 class NodeBlocks
@@ -29,7 +37,7 @@ private:
   GlobalOrdinal begin(int rank) const;
 
   OutputDomain const& domain_;
-  std::vector<int> destinations_;      // (num_owned)
-  std::vector<GlobalOrdinal> numbers_; // (count()) in the order in which they arrive
+  std::vector<int> destinations_;    // (num_owned)
+  std::vector<std::size_t> numbers_; // (count()) within the block, in the order of arrival
 };
 } // namespace asperity::io

@@ -4,7 +4,7 @@
 #include "base/parallel/Agreement.hpp"
 #include "base/parallel/Messages.hpp"
 #include "io/files/DurableFile.hpp"
-#include "io/parallel/Gather.hpp"
+#include "io/parallel/ElementBlocks.hpp"
 #include "io/series/SegmentedTable.hpp"
 
 #include <algorithm>
@@ -66,58 +66,19 @@ std::vector<Piece> nodePieces(OutputDomain const& domain, NodeBlocks const& bloc
   return pieces;
 }
 
-struct Element
-{
-  std::vector<GlobalOrdinal> sorted, nodes;
-  bool wraps;
-};
-
-// The elements whose least node is in this rank's block, sorted: one rank after the other these are
-// all elements in order.
-std::vector<Element> elementsOfBlock(OutputDomain const& domain, NodeBlocks const& blocks)
-{
-  const std::size_t corners = domain.nodes_per_element;
-  std::vector<GlobalOrdinal> items; // nodes and, after them, whether it reaches across
-  std::vector<int> destinations;
-  for (std::size_t element = 0; element < domain.numOwnedElements(); ++element) {
-    const auto nodes = domain.connectivity.begin() + element * corners;
-    destinations.push_back(blocks.rankOf(*std::min_element(nodes, nodes + corners)));
-    items.insert(items.end(), nodes, nodes + corners);
-    items.push_back(domain.wraps[element]);
-  }
-  const auto arrived = sendItems(items, corners + 1, destinations, *domain.comm);
-  std::vector<Element> elements;
-  for (auto item = arrived.begin(); item != arrived.end(); item += corners + 1) {
-    elements.push_back({{item, item + corners}, {item, item + corners}, item[corners] != 0});
-    std::sort(elements.back().sorted.begin(), elements.back().sorted.end());
-  }
-  std::sort(elements.begin(), elements.end(),
-            [](auto const& left, auto const& right) { return left.sorted < right.sorted; });
-  return elements;
-}
-
-// Of the elements of a rank's block that `belongs` accepts.
-template <class Belongs>
+// Of the elements of a rank's block the first ones of all ranks, as many as `total`.
 Piece elementPiece(std::string const& name, std::string const& description,
-                   std::vector<Element> const& elements, OutputDomain const& domain,
-                   Belongs const& belongs)
+                   ElementBlocks const& elements, GlobalOrdinal total, int corners)
 {
-  Integers nodes;
-  for (auto const& element : elements) {
-    if (belongs(element)) {
-      nodes.insert(nodes.end(), element.nodes.begin(), element.nodes.end());
-    }
-  }
-  const auto corners = static_cast<hsize_t>(domain.nodes_per_element);
-  h5::Part part{0, nodes.size() / corners};
-  const auto counts =
-    gatherToAll(std::vector<GlobalOrdinal>{static_cast<GlobalOrdinal>(part.count)}, *domain.comm);
-  hsize_t total = 0;
-  for (int rank = 0; rank < domain.comm->getSize(); ++rank) {
-    part.first = rank == domain.comm->getRank() ? total : part.first;
-    total += static_cast<hsize_t>(counts[rank]);
-  }
-  return {name, "-", description, {total, corners}, std::move(nodes), part};
+  const auto first = std::min(elements.first(), total);
+  const auto count = std::min(elements.first() + elements.count(), total) - first;
+  auto const& nodes = elements.nodes();
+  return {name,
+          "-",
+          description,
+          {static_cast<hsize_t>(total), static_cast<hsize_t>(corners)},
+          Integers(nodes.begin(), nodes.begin() + count * corners),
+          {static_cast<hsize_t>(first), static_cast<hsize_t>(count)}};
 }
 
 void create(std::filesystem::path const& path, std::vector<Piece> const& pieces)
@@ -146,17 +107,18 @@ GeometryFile writeGeometry(std::filesystem::path const& directory, std::string c
 {
   auto const& comm = *domain.comm;
   auto pieces = nodePieces(domain, blocks);
-  const auto elements = elementsOfBlock(domain, blocks);
+  const ElementBlocks elements(domain, blocks);
   pieces.push_back(elementPiece("connectivity", "Nodes of each element, as rows of coordinates.",
-                                elements, domain, [](Element const&) { return true; }));
+                                elements, elements.total(), domain.nodes_per_element));
   GeometryFile result;
   result.name = "segments/" + name + "_geometry.h5";
-  result.num_elements = result.num_whole = pieces.back().shape[0];
+  result.num_elements = static_cast<hsize_t>(elements.total());
+  result.num_whole = static_cast<hsize_t>(elements.numWhole());
   if (domain.is_periodic) {
-    pieces.push_back(
-      elementPiece("whole_elements", "Those of `connectivity` that do not reach across a period.",
-                   elements, domain, [](Element const& element) { return !element.wraps; }));
-    result.num_whole = pieces.back().shape[0];
+    pieces.push_back(elementPiece("whole_elements",
+                                  "The first ones of `connectivity`, which do not reach across a "
+                                  "period.",
+                                  elements, elements.numWhole(), domain.nodes_per_element));
   }
   const auto path = directory / result.name;
   onRoot(comm, [&] { create(temporaryName(path), pieces); });

@@ -2,6 +2,7 @@
 
 #include "base/Errors.hpp"
 #include "base/parallel/Agreement.hpp"
+#include "base/parallel/Reductions.hpp"
 #include "io/series/Xdmf.hpp"
 
 #include <algorithm>
@@ -10,6 +11,8 @@ namespace asperity::io
 {
 namespace
 {
+bool isOfElements(OutputField const* field) { return field->centring == Centring::elements; }
+
 SeriesLayout makeLayout(SegmentedSeries::Options const& options, OutputDomain const& domain,
                         std::vector<OutputField const*> const& fields)
 {
@@ -23,6 +26,10 @@ SeriesLayout makeLayout(SegmentedSeries::Options const& options, OutputDomain co
   for (OutputField const* field : fields) {
     layout.fields.push_back(*field);
   }
+  if (std::any_of(fields.begin(), fields.end(), isOfElements)) {
+    layout.num_elements = static_cast<hsize_t>(
+      sumOverRanks(static_cast<GlobalOrdinal>(domain.numOwnedElements()), *domain.comm));
+  }
   return layout;
 }
 
@@ -32,7 +39,8 @@ std::size_t rowsPerWrite(SegmentedSeries::Options const& options, SeriesLayout c
   constexpr std::size_t largest_chunk = 1 << 20;
   std::size_t longest_row = 1;
   for (auto const& field : layout.fields) {
-    longest_row = std::max<std::size_t>(longest_row, 8 * layout.num_nodes * field.components);
+    longest_row =
+      std::max<std::size_t>(longest_row, 8 * layout.rowShape(field).front() * field.components);
   }
   return std::clamp<std::size_t>(largest_chunk / longest_row, 1, options.rows_per_write);
 }
@@ -48,7 +56,10 @@ SegmentedTable::Options tableOf(SegmentedSeries::Options const& given, SeriesLay
   options.columns = timeColumns();
   for (auto const& field : layout.fields) {
     options.columns.push_back({"fields/" + field.name, field.unit, field.description, layout.type,
-                               layout.rowShape(field), true});
+                               layout.rowShape(field),
+                               isOfElements(&field) ? SegmentedTable::Column::Of::elements
+                                                    : SegmentedTable::Column::Of::nodes,
+                               componentsText(field)});
   }
   options.describe_index = [name = domain.name](h5::File& file) {
     file.setAttribute("format", "asperity series");
@@ -75,7 +86,9 @@ void SegmentedSeries::append(StepInfo const& step)
   for (OutputField const* field : fields_) {
     columns.emplace_back();
     field->values(columns.back());
-    ASPERITY_ASSERT(columns.back().size() == domain_.numOwned() * field->components);
+    ASPERITY_ASSERT(columns.back().size() ==
+                    (isOfElements(field) ? domain_.numOwnedElements() : domain_.numOwned()) *
+                      field->components);
   }
   times_.push_back(step.time);
   table_.append(1, columns);
@@ -89,7 +102,8 @@ void SegmentedSeries::closeSegment(int index)
       detail::startXdmf(layout_, table_.geometry());
     }
     const std::int64_t rows = table_.rowsOfSegment().back();
-    detail::appendToXdmf(layout_, index, times_.data() + times_.size() - rows, rows);
+    detail::appendToXdmf(layout_, table_.geometry(), index, times_.data() + times_.size() - rows,
+                         rows);
   });
 }
 
@@ -107,7 +121,7 @@ void SegmentedSeries::restore(Archive const& archive)
     detail::startXdmf(layout_, table_.geometry());
     double const* times = times_.data();
     for (std::size_t i = 0; i < table_.rowsOfSegment().size(); ++i) {
-      detail::appendToXdmf(layout_, i, times, table_.rowsOfSegment()[i]);
+      detail::appendToXdmf(layout_, table_.geometry(), i, times, table_.rowsOfSegment()[i]);
       times += table_.rowsOfSegment()[i];
     }
   });

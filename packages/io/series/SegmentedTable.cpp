@@ -27,6 +27,19 @@ void describe(h5::Dataset dataset, std::string const& unit, std::string const& d
 
 namespace
 {
+using Column = SegmentedTable::Column;
+
+void describeColumn(h5::Dataset dataset, Column const& column)
+{
+  if (column.of == Column::Of::elements) {
+    dataset.setAttribute("centring", "elements");
+  }
+  if (!column.components.empty()) {
+    dataset.setAttribute("components", column.components);
+  }
+  describe(std::move(dataset), column.unit, column.description);
+}
+
 // The numbers of the segments of this name on disk.
 std::vector<std::size_t> segmentsOnDisk(std::filesystem::path const& directory,
                                         std::string const& name)
@@ -55,6 +68,11 @@ SegmentedTable::SegmentedTable(Options options, RCP<const Communicator> comm)
 {
   if (options_.nodes != nullptr) {
     blocks_.emplace(*options_.nodes);
+    auto const& columns = options_.columns;
+    if (std::any_of(columns.begin(), columns.end(),
+                    [](Column const& column) { return column.of == Column::Of::elements; })) {
+      elements_.emplace(*options_.nodes, *blocks_);
+    }
   }
 }
 
@@ -74,7 +92,7 @@ void SegmentedTable::append(std::size_t num_rows, std::vector<std::vector<double
   rows_in_open_segment_ += static_cast<std::int64_t>(num_rows);
   rows_waiting_ += num_rows;
   for (std::size_t i = 0; i < waiting_.size(); ++i) {
-    if (options_.columns[i].is_nodal || comm_->getRank() == 0) {
+    if (options_.columns[i].of != Column::Of::run || comm_->getRank() == 0) {
       waiting_[i].insert(waiting_[i].end(), values[i].begin(), values[i].end());
     }
   }
@@ -92,9 +110,9 @@ void SegmentedTable::openSegment() const
   for (auto const& column : options_.columns) {
     const hsize_t rows_per_chunk =
       column.row_shape.empty() ? numbers_per_chunk : options_.rows_per_write;
-    describe(segment.createExtendable(column.path, column.type, column.row_shape, rows_per_chunk,
-                                      comm_->getSize() > 1),
-             column.unit, column.description);
+    describeColumn(segment.createExtendable(column.path, column.type, column.row_shape,
+                                            rows_per_chunk, comm_->getSize() > 1),
+                   column);
   }
   segment.close();
 }
@@ -118,20 +136,27 @@ void SegmentedTable::writeRows()
   rows_waiting_ = 0;
 }
 
+template <class Blocks>
+void SegmentedTable::writeBlock(h5::Dataset dataset, std::size_t i, Blocks const& blocks) const
+{
+  auto const& shape = options_.columns[i].row_shape;
+  const auto block = blocks(waiting_[i], rows_waiting_, shape.size() > 1 ? shape[1] : 1);
+  dataset.appendPart(block.data(), rows_waiting_,
+                     {static_cast<hsize_t>(blocks.first()), static_cast<hsize_t>(blocks.count())});
+}
+
 void SegmentedTable::writeColumn(h5::File& segment, std::size_t i)
 {
   auto const& column = options_.columns[i];
-  const hsize_t all = column.row_shape.empty() ? 1 : column.row_shape[0];
-  h5::Part part{0, comm_->getRank() == 0 ? all : 0};
-  auto const* values = &waiting_[i];
-  std::vector<double> block;
-  if (column.is_nodal) {
-    const hsize_t components = column.row_shape.size() > 1 ? column.row_shape[1] : 1;
-    block = (*blocks_)(waiting_[i], rows_waiting_, components);
-    part = {static_cast<hsize_t>(blocks_->first()), static_cast<hsize_t>(blocks_->count())};
-    values = &block;
+  auto dataset = segment.openDataset(column.path);
+  if (column.of == Column::Of::nodes) {
+    writeBlock(std::move(dataset), i, *blocks_);
+  } else if (column.of == Column::Of::elements) {
+    writeBlock(std::move(dataset), i, *elements_);
+  } else {
+    const hsize_t all = column.row_shape.empty() ? 1 : column.row_shape[0];
+    dataset.appendPart(waiting_[i].data(), rows_waiting_, {0, comm_->getRank() == 0 ? all : 0});
   }
-  segment.openDataset(column.path).appendPart(values->data(), rows_waiting_, part);
 }
 
 void SegmentedTable::closeSegment(int index)
@@ -189,8 +214,7 @@ h5::File SegmentedTable::createIndex() const
     file.link("geometry", geometry_->name);
   }
   for (auto const& column : options_.columns) {
-    describe(file.createVirtual(column.path, column.type, column.row_shape, parts), column.unit,
-             column.description);
+    describeColumn(file.createVirtual(column.path, column.type, column.row_shape, parts), column);
   }
   return file;
 }

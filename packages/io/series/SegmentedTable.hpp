@@ -3,6 +3,7 @@
 #include "base/Types.hpp"
 #include "base/hdf5/File.hpp"
 #include "io/checkpoint/Archive.hpp"
+#include "io/parallel/ElementBlocks.hpp"
 #include "io/parallel/NodeBlocks.hpp"
 #include "io/series/GeometryFile.hpp"
 
@@ -23,8 +24,8 @@ void describe(h5::Dataset dataset, std::string const& unit, std::string const& d
 
 // Rows of a few columns in closed segments DIR/segments/<name>_<nnnnnn>.h5, tied together by the
 // virtual datasets of the index DIR/<name>.h5. A closed segment stays complete whatever happens; an
-// open one may be lost. Every rank holds and writes its part of the nodal columns, rank 0 all other
-// columns. No file is open between two calls. All functions are collective.
+// open one may be lost. Every rank holds and writes its part of the columns of nodes and elements,
+// rank 0 all other columns. No file is open between two calls. All functions are collective.
 class SegmentedTable
 {
 public:
@@ -33,8 +34,16 @@ public:
     std::string path; // of the dataset, "fields/slip"
     std::string unit, description;
     h5::Type type = h5::Type::float64;
-    h5::Shape row_shape;   // of the value in a row; {} is a number
-    bool is_nodal = false; // the first dimension of the row is that of the nodes
+    h5::Shape row_shape; // of the value in a row; {} is a number
+    // What the first dimension of the row is: none of these, or nodes or elements of the domain,
+    // of which each rank has a part.
+    enum class Of
+    {
+      run,
+      nodes,
+      elements
+    } of = Of::run;
+    std::string components = {}; // "xx xy yy", an attribute; "" if they have no names
   };
   struct Options
   {
@@ -42,8 +51,8 @@ public:
     std::string name;
     std::vector<Column> columns;
     std::size_t rows_per_write = 64;
-    // The domain of the nodal columns, or null if there are none. The index links to its geometry
-    // as the group `geometry`.
+    // The domain of the columns of nodes and elements, or null if there are none. The index links
+    // to its geometry as the group `geometry`.
     OutputDomain const* nodes = nullptr;
     // Adds to the index everything that does not grow, such as attributes. Called on rank 0.
     std::function<void(h5::File&)> describe_index;
@@ -59,8 +68,8 @@ public:
   SegmentedTable(Options options, RCP<const Communicator> comm);
 
   // Adds rows. `values` has one vector for each column: (num_rows, num_owned, components) on every
-  // rank for a nodal column, (num_rows, row shape) on rank 0 for any other; there the values of
-  // other ranks are ignored.
+  // rank for a column of nodes or elements, (num_rows, row shape) on rank 0 for any other; there
+  // the values of other ranks are ignored.
   void append(std::size_t num_rows, std::vector<std::vector<double>> const& values);
 
   // Completes the segment `index`, one more than that of the last call, and writes the index anew.
@@ -82,6 +91,8 @@ private:
   void openSegment() const;
   void writeRows();
   void writeColumn(h5::File& segment, std::size_t i);
+  template <class Blocks>
+  void writeBlock(h5::Dataset dataset, std::size_t i, Blocks const& blocks) const;
   void writeGeometry();
   void writeIndex() const;
   h5::File createIndex() const;
@@ -91,7 +102,8 @@ private:
 
   Options options_;
   RCP<const Communicator> comm_;
-  std::optional<NodeBlocks> blocks_;             // of the nodes, if there are nodal columns
+  std::optional<NodeBlocks> blocks_;             // of the nodes, if there is a domain
+  std::optional<ElementBlocks> elements_;        // if there are columns of elements
   std::optional<detail::GeometryFile> geometry_; // once written
   std::vector<std::int64_t> rows_of_segment_;    // closed ones
   std::int64_t rows_in_open_segment_ = 0;        // written or waiting

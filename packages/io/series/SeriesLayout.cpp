@@ -16,7 +16,17 @@ h5::Shape rowShape(std::size_t num_points, int components)
 
 h5::Shape SeriesLayout::rowShape(OutputField const& field) const
 {
-  return io::rowShape(num_nodes, field.components);
+  return io::rowShape(field.centring == Centring::nodes ? num_nodes : num_elements,
+                      field.components);
+}
+
+std::string componentsText(OutputField const& field)
+{
+  std::string text;
+  for (auto const& name : field.component_names) {
+    text += (text.empty() ? "" : " ") + name;
+  }
+  return text;
 }
 
 std::vector<SegmentedTable::Column> timeColumns()

@@ -18,15 +18,20 @@ struct SeriesLayout
   std::string name;
   h5::Type type = h5::Type::float64;
   hsize_t num_nodes = 0;
+  hsize_t num_elements = 0; // 0 unless a field has values in elements
   int dimension = 0;
   int nodes_per_element = 0;
   std::vector<OutputField> fields;
 
-  h5::Shape rowShape(OutputField const& field) const; // (num_nodes) or (num_nodes, components)
+  // (num_nodes) or (num_nodes, components), or the same with the elements
+  h5::Shape rowShape(OutputField const& field) const;
 };
 
 // (num_points), or (num_points, components) if there is more than one component.
 h5::Shape rowShape(std::size_t num_points, int components);
+
+// The names of a field's components in one text: "xx xy yy".
+std::string componentsText(OutputField const& field);
 
 // The columns `time` and `step`.
 std::vector<SegmentedTable::Column> timeColumns();

@@ -34,53 +34,64 @@ void writeMesh(std::ostream& out, SeriesLayout const& layout, GeometryFile const
       << "coordinates</DataItem>\n  </Geometry>\n";
 }
 
-// One row of a segment, whose datasets have num_rows rows.
-struct Slab
+// What the attributes of the file are taken from.
+struct Source
 {
-  std::string file;
-  std::int64_t num_rows;
+  SeriesLayout const& layout;
+  hsize_t num_whole; // elements that are drawn, the first ones of a row
+  std::size_t segment;
+  std::int64_t num_rows; // of the segment's datasets
   std::int64_t row;
 };
 
-// All three components if component < 0, else that one.
-void writeAttribute(std::ostream& out, SeriesLayout const& layout, OutputField const& field,
-                    Slab const& slab, std::string const& name, int component)
+// `width` components of a field, from `first` on.
+void writeAttribute(std::ostream& out, Source const& source, OutputField const& field,
+                    std::string const& name, char const* type, int first, int width)
 {
-  const bool is_vector = component < 0;
+  const bool is_nodal = field.centring == Centring::nodes;
   const bool has_components = field.components > 1;
-  const hsize_t nodes = layout.num_nodes;
-  out << "    <Attribute Name=\"" << name << "\" AttributeType=\""
-      << (is_vector ? "Vector" : "Scalar") << "\" Center=\"Node\">\n"
-      << "     <DataItem ItemType=\"HyperSlab\" Dimensions=\"" << nodes << (is_vector ? " 3" : "")
-      << "\">\n      <DataItem Format=\"XML\" Dimensions=\"3 " << (has_components ? 3 : 2) << "\">";
+  const hsize_t stored = source.layout.rowShape(field).front();
+  const hsize_t drawn = is_nodal ? stored : source.num_whole;
+  const std::string columns = width > 1 ? ' ' + std::to_string(width) : "";
+  out << "    <Attribute Name=\"" << name << "\" AttributeType=\"" << type << "\" Center=\""
+      << (is_nodal ? "Node" : "Cell") << "\">\n"
+      << "     <DataItem ItemType=\"HyperSlab\" Dimensions=\"" << drawn << columns
+      << "\">\n      <DataItem Format=\"XML\" Dimensions=\"3 " << (has_components ? 3 : 2) << "\">"
+      << source.row << " 0";
   if (has_components) {
-    out << slab.row << " 0 " << (is_vector ? 0 : component) << " 1 1 1 1 " << nodes << ' '
-        << (is_vector ? 3 : 1);
+    out << ' ' << first << " 1 1 1 1 " << drawn << ' ' << width;
   } else {
-    out << slab.row << " 0 1 1 1 " << nodes;
+    out << " 1 1 1 " << drawn;
   }
   out << "</DataItem>\n      <DataItem Format=\"HDF\" NumberType=\"Float\" Precision=\""
-      << (layout.type == h5::Type::float32 ? 4 : 8) << "\" Dimensions=\"" << slab.num_rows << ' '
-      << nodes;
+      << (source.layout.type == h5::Type::float32 ? 4 : 8) << "\" Dimensions=\"" << source.num_rows
+      << ' ' << stored;
   if (has_components) {
     out << ' ' << field.components;
   }
-  out << "\">" << slab.file << ":/fields/" << field.name
+  out << "\">" << segmentName(source.layout.name, source.segment) << ":/fields/" << field.name
       << "</DataItem>\n     </DataItem>\n    </Attribute>\n";
 }
 
-// ParaView takes vectors of three components; of two, each becomes a scalar of its own.
-void writeField(std::ostream& out, SeriesLayout const& layout, OutputField const& field,
-                Slab const& slab)
+std::string suffix(OutputField const& field, int component)
 {
-  if (field.components == 3) {
-    writeAttribute(out, layout, field, slab, field.name, -1);
-  } else if (field.components == 1) {
-    writeAttribute(out, layout, field, slab, field.name, 0);
+  if (!field.component_names.empty()) {
+    return "_" + field.component_names[component];
+  }
+  return component < 3 ? std::string("_") + "xyz"[component] : "_" + std::to_string(component);
+}
+
+// ParaView takes vectors of three components and symmetric tensors of six; of others each component
+// becomes a scalar of its own.
+void writeField(std::ostream& out, Source const& source, OutputField const& field)
+{
+  const int components = field.components;
+  if (components == 1 || components == 3 || components == 6) {
+    char const* type = components == 1 ? "Scalar" : components == 3 ? "Vector" : "Tensor6";
+    writeAttribute(out, source, field, field.name, type, 0, components);
   } else {
-    for (int k = 0; k < field.components; ++k) {
-      const std::string suffix = k < 3 ? std::string("_") + "xyz"[k] : "_" + std::to_string(k);
-      writeAttribute(out, layout, field, slab, field.name + suffix, k);
+    for (int k = 0; k < components; ++k) {
+      writeAttribute(out, source, field, field.name + suffix(field, k), "Scalar", k, 1);
     }
   }
 }
@@ -111,8 +122,8 @@ void startXdmf(SeriesLayout const& layout, GeometryFile const& geometry)
   closeChecked(out, layout);
 }
 
-void appendToXdmf(SeriesLayout const& layout, std::size_t segment, double const* times,
-                  std::int64_t num_rows)
+void appendToXdmf(SeriesLayout const& layout, GeometryFile const& geometry, std::size_t segment,
+                  double const* times, std::int64_t num_rows)
 {
   std::fstream out(xdmfPath(layout), std::ios::in | std::ios::out);
   out.seekp(-static_cast<std::streamoff>(sizeof footer - 1), std::ios::end);
@@ -122,7 +133,7 @@ void appendToXdmf(SeriesLayout const& layout, std::size_t segment, double const*
         << "    <Topology Reference=\"/Xdmf/Domain/Topology[1]\"/>\n"
         << "    <Geometry Reference=\"/Xdmf/Domain/Geometry[1]\"/>\n";
     for (auto const& field : layout.fields) {
-      writeField(out, layout, field, {segmentName(layout.name, segment), num_rows, row});
+      writeField(out, {layout, geometry.num_whole, segment, num_rows, row}, field);
     }
     out << "   </Grid>\n";
   }

@@ -11,6 +11,6 @@ namespace asperity::io::detail
 void startXdmf(SeriesLayout const& layout, GeometryFile const& geometry);
 
 // Adds the rows of a closed segment at the end. times(num_rows): the times of its rows [s].
-void appendToXdmf(SeriesLayout const& layout, std::size_t segment, double const* times,
-                  std::int64_t num_rows);
+void appendToXdmf(SeriesLayout const& layout, GeometryFile const& geometry, std::size_t segment,
+                  double const* times, std::int64_t num_rows);
 } // namespace asperity::io::detail
