@@ -210,6 +210,26 @@ void StaticCondensation::expand(Vector const& x, Vector& whole) const
   whole.update(s, *pattern_, 1);
 }
 
+// Z is symmetric, so that the unit vector's forces on F are -K_FI K_II^-1 e, a row of E.
+std::vector<double> StaticCondensation::recoveryRow(int dof) const
+{
+  Vector unit(pattern_->getMap());
+  Vector at_fault(factor_->matrix()->getDomainMap());
+  unit.replaceLocalValue(dof, 1);
+  factor_->condense(unit, at_fault);
+  std::vector<double> row(whole_.body.dofs->components() + numKept(), 0.);
+  {
+    auto const values = at_fault.getLocalViewHost(Tpetra::Access::ReadOnly);
+    std::copy_n(values.data(), numKept(), row.begin());
+  }
+  row[numKept()] = pattern_->getLocalViewHost(Tpetra::Access::ReadOnly)(dof, 0);
+  unit.putScalar(0);
+  factor_->condense(unit, at_fault); // expand() is E again
+  return row;
+}
+
+std::size_t StaticCondensation::factorEntries() const { return factor_->factorEntries(); }
+
 void StaticCondensation::gather(Vector const& whole, Vector& x) const
 {
   auto const from = whole.getLocalViewHost(Tpetra::Access::ReadOnly);

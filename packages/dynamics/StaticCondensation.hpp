@@ -42,6 +42,12 @@ public:
   // From displacement, velocity or acceleration of the condensed model, that of the whole body.
   void expand(Vector const& x, Vector& whole) const;
 
+  // The row of expand() for a dof of the whole body: row . x is its value, with as many numbers as
+  // the condensed model has dofs. Costs a solve with half of the factor.
+  std::vector<double> recoveryRow(int dof) const;
+  // The numbers that expand() reads, each of them once: its cost.
+  std::size_t factorEntries() const;
+
   // The state of the whole body that a state of the condensed model stands for, and back, where it
   // has to be told s and its derivatives with u, v, a and jerk: those of a condensed state, or
   // those of a body that has never been condensed at a time [s].

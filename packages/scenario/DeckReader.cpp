@@ -3,6 +3,7 @@
 #include "base/Errors.hpp"
 #include "base/Text.hpp"
 #include "base/parameters/ParameterValue.hpp"
+#include "catalogue/stress/CoulombPlanes.hpp"
 #include "io/OutputSet.hpp"
 #include "scenario/deck/DeckAssembly.hpp"
 #include "scenario/deck/Names.hpp"
@@ -26,7 +27,9 @@ namespace
 RCP<const ParameterList> outputParameters()
 {
   auto list = rcp(new ParameterList(*io::OutputSet::validParameters()));
-  Declare(*list)
+  Declare declare(*list);
+  catalogue::declareCoulombPlanes(declare);
+  declare
     .integer("Checkpoint Every n Steps", 5000, Range::atLeast(1),
              "A checkpoint is written after this number of accepted steps.")
     .real("Checkpoint Every Minutes", 60, "min", Range::positive(),

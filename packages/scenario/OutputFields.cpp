@@ -1,5 +1,7 @@
 #include "scenario/OutputFields.hpp"
 
+#include "catalogue/stress/CoulombPlanes.hpp"
+#include "catalogue/stress/StressFields.hpp"
 #include "dynamics/FaultMotion.hpp"
 #include "scenario/setup/LawSetup.hpp"
 
@@ -173,16 +175,14 @@ void registerTheta(io::FieldRegistry& registry, Problem<Dim> const& problem, Run
                     }});
 }
 
-RCP<const Vector> ofWholeBody(RunView const& view, dynamics::Body const& body,
-                              RCP<Vector> dynamics::State::*member)
+template <int Dim>
+dynamics::VertexMotion vertexMotion(Problem<Dim> const& problem, RunView const& view,
+                                    std::vector<int> const& vertices,
+                                    std::shared_ptr<dynamics::RecoveryRows> const& rows = nullptr)
 {
-  auto const of_state = view.state->*member;
-  if (!view.condensation) {
-    return of_state;
-  }
-  auto const result = body.vector();
-  view.condensation->expand(*of_state, *result);
-  return result;
+  constexpr bool with_ghosts = false;
+  return {problem.body, problem.constraints->frames(), vertices, with_ghosts, view.condensation,
+          rows};
 }
 
 // Displacement, velocity and acceleration, along the axes, at the vertices of a domain.
@@ -203,12 +203,27 @@ void registerMotion(io::FieldRegistry& registry, Problem<Dim> const& problem, Ru
     {"acceleration", "m/s^2", "Acceleration along the axes.", &dynamics::State::a}};
   for (auto const& motion : motions) {
     auto const vector = motion.vector;
-    registry.add(io::OutputField{
-      motion.name, motion.unit, motion.description, domain.name, problem.components,
-      [&problem, &view, &domain, vector](Values& values) {
-        values = fem::alongAxes(problem.constraints->frames(), *problem.body.dofs,
-                                *ofWholeBody(view, problem.body, vector), domain.vertices);
-      }});
+    io::OutputField field{motion.name,
+                          motion.unit,
+                          motion.description,
+                          domain.name,
+                          problem.components,
+                          [&problem, &view, &domain, vector](Values& values) {
+                            values =
+                              vertexMotion(problem, view, domain.vertices)(*(view.state->*vector));
+                          }};
+    if (view.recovery_rows) {
+      field.at = [&problem, &view, &domain, vector](std::vector<std::size_t> const& places) {
+        std::vector<int> vertices;
+        for (const std::size_t place : places) {
+          vertices.push_back(domain.vertices[place]);
+        }
+        return io::OutputField::Values(
+          [&view, vector, at = vertexMotion(problem, view, vertices, view.recovery_rows)](
+            Values& values) { values = at(*(view.state->*vector)); });
+      };
+    }
+    registry.add(std::move(field));
   }
 }
 
@@ -298,9 +313,38 @@ void registerFields(io::FieldRegistry& registry, Problem<Dim> const& problem, Ru
   registerScalars(registry, view, Dim);
 }
 
+template <int Dim>
+void registerStress(io::FieldRegistry& registry, Problem<Dim> const& problem, RunView const& view,
+                    std::map<std::string, io::OutputDomain> const& domains,
+                    ParameterList const& output)
+{
+  auto const observe = [&problem, &view](std::vector<int> const& vertices, bool are_few) {
+    constexpr bool with_ghosts = true;
+    auto const& frames = problem.constraints->frames();
+    const dynamics::VertexMotion now(problem.body, frames, vertices, with_ghosts, view.condensation,
+                                     are_few ? view.recovery_rows : nullptr);
+    const dynamics::VertexMotion initial(problem.body, frames, vertices, with_ghosts);
+    return catalogue::VertexMotions{[=, &view] { return now(*view.state->u); },
+                                    [=, &view] { return now(*view.state->v); },
+                                    [=, &problem] { return initial(*problem.initial.u); },
+                                    [=, &problem] { return initial(*problem.initial.v); }};
+  };
+  const catalogue::StressedBody<Dim> body{problem.mesh, problem.components, problem.materials,
+                                          problem.boundary.surface, observe};
+  auto const planes = catalogue::coulombPlanes(output, Dim);
+  for (auto const& [name, domain] : domains) {
+    if (name != "fault") {
+      catalogue::registerStressFields(registry, domain, body, planes);
+    }
+  }
+}
+
 #define ASPERITY_INSTANTIATE(Dim)                                                                  \
   template std::map<std::string, io::OutputDomain> makeDomains(Problem<Dim> const&);               \
   template void registerFields(io::FieldRegistry&, Problem<Dim> const&, RunView const&,            \
+                               std::map<std::string, io::OutputDomain> const&,                     \
+                               ParameterList const&);                                              \
+  template void registerStress(io::FieldRegistry&, Problem<Dim> const&, RunView const&,            \
                                std::map<std::string, io::OutputDomain> const&,                     \
                                ParameterList const&);
 

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "dynamics/EnergyBalance.hpp"
-#include "dynamics/StaticCondensation.hpp"
+#include "dynamics/condensation/VertexMotion.hpp"
 #include "dynamics/control/StepControl.hpp"
 #include "io/FieldRegistry.hpp"
 #include "io/OutputDomain.hpp"
@@ -9,6 +9,8 @@
 #include "scenario/Problem.hpp"
 
 #include <map>
+#include <memory>
+#include <string>
 
 namespace asperity::scenario
 {
@@ -19,6 +21,7 @@ struct RunView
   fem::FaultSurface const* surface = nullptr; // with the dofs of the state
   // If the state is that of a condensed model: the way to that of the whole body.
   dynamics::StaticCondensation const* condensation = nullptr;
+  std::shared_ptr<dynamics::RecoveryRows> recovery_rows; // of it, for receivers
   dynamics::DyadicTime const* clock = nullptr;
   dynamics::EnergyBalance const* balance = nullptr;
   FloorCount const* floor_count = nullptr;
@@ -37,4 +40,11 @@ template <int Dim>
 void registerFields(io::FieldRegistry& registry, Problem<Dim> const& problem, RunView const& view,
                     std::map<std::string, io::OutputDomain> const& domains,
                     ParameterList const& friction);
+
+// Registers stress, strain and the Coulomb stress changes on the planes of `output`, the deck's
+// list, in the volume and on the surface, with the same lifetimes.
+template <int Dim>
+void registerStress(io::FieldRegistry& registry, Problem<Dim> const& problem, RunView const& view,
+                    std::map<std::string, io::OutputDomain> const& domains,
+                    ParameterList const& output);
 } // namespace asperity::scenario

@@ -300,6 +300,7 @@ Problem<Dim> makeProblem(ParameterList const& deck, RCP<const Communicator> cons
           std::move(of.mesh),
           constraints,
           surface,
+          std::move(of.materials),
           fault_materials,
           solver,
           std::move(stress.remarks),

@@ -24,6 +24,7 @@ struct Problem : dynamics::Model
   Mesh<Dim> mesh;
   std::shared_ptr<const fem::Constraints<Dim>> constraints;
   std::shared_ptr<const fem::FaultSurface> surface;
+  std::vector<fem::Material> materials;       // (num_cells)
   std::vector<fem::Material> fault_materials; // (num fault nodes) of the body beside the fault
   dynamics::RateSolverSettings solver;
   std::vector<std::string> remarks; // for the user, in the log

@@ -23,6 +23,7 @@
 #include "scenario/run/OtherRun.hpp"
 #include "scenario/run/StallWatch.hpp"
 #include "scenario/setup/MeshSetup.hpp"
+#include "scenario/setup/SolverSetup.hpp"
 #include "scenario/setup/TimeSetup.hpp"
 
 #include <algorithm>
@@ -138,6 +139,8 @@ SimulationOf<Dim>::SimulationOf(RCP<ParameterList> const& deck, CommandLine cons
 {
   registerFields(registry_, evolution_.problem(), evolution_.view(), domains_,
                  deck->sublist("Friction"));
+  registerStress(registry_, evolution_.problem(), evolution_.view(), domains_,
+                 deck->sublist("Output"));
   outputs_ = std::make_unique<io::OutputSet>(
     deck->sublist("Output"), io::OutputContext{directory_, communicator, registry_, domains_});
   if (!restart_from_.empty()) {
@@ -187,6 +190,11 @@ int SimulationOf<Dim>::run()
                   std::to_string(eliminated) + " of " +
                   std::to_string(evolution_.problem().body.numOwnedDofs()) +
                   " unknowns for all steps.");
+  } else if (const auto hint = hintOnDirect(deck_->sublist("TNNMG"), Dim,
+                                            evolution_.problem().mesh.num_global_vertices *
+                                              evolution_.problem().components);
+             !hint.empty()) {
+    log_->message(hint);
   }
   try {
     begin();
@@ -309,6 +317,9 @@ void SimulationOf<Dim>::begin()
     log_->message("The final time, " + formatShort(evolution_.finalTime()) +
                   " s, has passed: there is nothing to do. A later 'Time Stepping / Final Time' "
                   "goes on.");
+  }
+  if (auto const& rows = evolution_.view().recovery_rows; rows && !rows->report().empty()) {
+    log_->message(rows->report());
   }
   checkpoint_ = {};
 }

@@ -56,7 +56,10 @@ Evolution<Dim>::Evolution(ParameterList const& deck, RCP<const Communicator> con
   control_->setPlaces([this](int vertex) { return placeOf(vertex); });
   view_.state = &state_;
   view_.surface = &model_.fault.surface();
-  view_.condensation = condensation_.get();
+  if (condensation_) {
+    view_.condensation = condensation_.get();
+    view_.recovery_rows = std::make_shared<dynamics::RecoveryRows>(*condensation_);
+  }
   view_.clock = &clock_;
   view_.floor_count = &floor_count_;
   view_.balance = &balance_;

@@ -270,7 +270,9 @@ std::vector<ConditionType> makeTypes()
      DecidesOn::direction,
      {slidingWall<2>, slidingWall<3>}},
     {"Fixed",
-     "the body is at rest (v = 0).",
+     "the body is at rest (v = 0), also where slip would move it a little: displacement near by is "
+     "too "
+     "small, so keep the boundary far away.",
      {},
      Place::elsewhere,
      DecidesOn::everything,

@@ -51,6 +51,20 @@ dynamics::RateSolverSettings makeSolverSettings(ParameterList const& list, int n
   return settings;
 }
 
+std::string hintOnDirect(ParameterList const& list, int dimension, long long num_unknowns)
+{
+  if (list.get<std::string>("Linear Correction") != "Direct" ||
+      num_unknowns <= largestDirect(dimension)) {
+    return "";
+  }
+  return "Linear Correction = Direct makes a factor for each step size, which may take most of the "
+         "time with " +
+         std::to_string(num_unknowns) + " unknowns in " + std::to_string(dimension) +
+         " dimensions: the line 'set-up of step sizes' in the table at the end says so. Auto "
+         "chooses MueLu here; "
+         "compare the two over some steps.";
+}
+
 std::size_t memoryBudget(ParameterList const& list)
 {
   constexpr auto most = std::numeric_limits<std::size_t>::max();

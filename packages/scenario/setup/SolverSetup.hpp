@@ -3,6 +3,8 @@
 #include "base/parameters/Parameters.hpp"
 #include "dynamics/coupling/RateSolver.hpp"
 
+#include <string>
+
 namespace asperity::scenario
 {
 // The deck's list `TNNMG`.
@@ -12,6 +14,10 @@ RCP<const ParameterList> solverParameters();
 // space or 10,000 in three, and multigrid otherwise.
 dynamics::RateSolverSettings makeSolverSettings(ParameterList const& list, int num_ranks,
                                                 int dimension, long long num_unknowns);
+
+// For the log: what `Direct` costs where `Auto` would choose multigrid; "" elsewhere. A body that
+// is condensed has one factor in all, which costs less.
+std::string hintOnDirect(ParameterList const& list, int dimension, long long num_unknowns);
 
 std::size_t memoryBudget(ParameterList const& list); // of each rank, in bytes
 } // namespace asperity::scenario

@@ -5,6 +5,7 @@
 #include "unit/dynamics/SmallModel.hpp"
 #include "unit/fem/SampleMeshes.hpp"
 
+#include <Tpetra_Vector.hpp>
 #include <gtest/gtest.h>
 
 namespace asperity::dynamics
@@ -143,6 +144,33 @@ TEST(StaticCondensation, stepsAreThoseOfTheWholeBody)
   EXPECT_GT(expected_u.norm(), 0);
   EXPECT_LE((denseOf(*u) - expected_u).norm(), 1e-10 * expected_u.norm());
   EXPECT_LE((denseOf(found.alpha) - expected_alpha).norm(), 1e-10 * expected_alpha.norm());
+}
+
+// Each row gives one entry of expand(), which making rows does not change.
+TEST(StaticCondensation, rowsOfRecoveryGiveTheMotionOfTheWholeBody)
+{
+  const testing::Model model(drivenBlock(), fem::testing::selfCommunicator());
+  auto const whole = quasiDynamic(model);
+  auto const condensation = StaticCondensation::make(whole);
+  ASSERT_TRUE(condensation);
+  auto const x = condensation->model().body.vector();
+  {
+    auto const values = x->getLocalViewHost(Tpetra::Access::OverwriteAll);
+    for (std::size_t i = 0; i < values.extent(0); ++i) {
+      values(i, 0) = fem::testing::pseudorandom(static_cast<GlobalOrdinal>(i), 3);
+    }
+  }
+  auto const u = whole.body.vector();
+  condensation->expand(*x, *u);
+  auto const expected = denseOf(*u), condensed = denseOf(*x);
+  for (int dof = 0; dof < whole.body.numOwnedDofs(); ++dof) {
+    auto const row = condensation->recoveryRow(dof);
+    ASSERT_EQ(static_cast<Eigen::Index>(row.size()), condensed.size());
+    const Eigen::Map<const Eigen::VectorXd> as_vector(row.data(), condensed.size());
+    EXPECT_NEAR(as_vector.dot(condensed), expected[dof], 1e-13 * expected.norm()) << dof;
+  }
+  condensation->expand(*x, *u);
+  EXPECT_EQ(denseOf(*u), expected);
 }
 
 TEST(StaticCondensation, isRefusedWhereTheBodyIsNotInEquilibrium)

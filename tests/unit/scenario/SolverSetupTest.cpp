@@ -116,4 +116,16 @@ TEST(SolverSetup, readsTolerancesAndBudget)
     EXPECT_EQ(memoryBudget(list), std::numeric_limits<std::size_t>::max());
   }
 }
+TEST(SolverSetup, saysWhatDirectCostsWhereAutoChoosesMultigrid)
+{
+  const auto hint = hintOnDirect(solverList("Direct"), 3, 45000);
+  for (char const* piece :
+       {"Linear Correction = Direct", "45000 unknowns", "set-up of step sizes"}) {
+    EXPECT_NE(hint.find(piece), std::string::npos) << piece;
+  }
+  EXPECT_EQ(hintOnDirect(solverList("Direct"), 3, 9000), "");
+  EXPECT_EQ(hintOnDirect(solverList("Direct"), 2, 45000), "");
+  EXPECT_EQ(hintOnDirect(solverList("MueLu"), 3, 45000), "");
+  EXPECT_EQ(hintOnDirect(solverList("Auto"), 3, 45000), "");
+}
 } // namespace asperity::scenario

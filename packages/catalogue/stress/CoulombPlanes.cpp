@@ -1,0 +1,102 @@
+#include "catalogue/stress/CoulombPlanes.hpp"
+
+#include "base/Errors.hpp"
+#include "base/Text.hpp"
+
+#include <Teuchos_Array.hpp>
+
+#include <algorithm>
+#include <array>
+#include <cctype>
+#include <cmath>
+#include <vector>
+
+namespace asperity::catalogue
+{
+namespace
+{
+constexpr char const* planes_list = "Coulomb Planes";
+constexpr char const* path = "Asperity / Output / ";
+
+std::array<double, 3> direction(ParameterList const& output, char const* name)
+{
+  auto const& given = output.get<Teuchos::Array<double>>(name);
+  ASPERITY_REQUIRE(given.size() == 3 && std::hypot(given[0], given[1], given[2]) > 0,
+                   path << name << " has to be three numbers, not all of them zero.");
+  return {given[0], given[1], given[2]};
+}
+
+void requireFieldName(std::string const& name)
+{
+  ASPERITY_REQUIRE(std::all_of(name.begin(), name.end(),
+                               [](unsigned char c) { return std::isalnum(c) != 0 || c == '_'; }),
+                   path << planes_list << ": a plane cannot be called '" << name
+                        << "', because a field is named after it. Use letters, digits and '_'.");
+}
+
+void requireNumbers(std::string const& name, std::vector<double> const& numbers, int dimension)
+{
+  const std::size_t count = dimension == 3 ? 4 : 3;
+  char const* meaning =
+    dimension == 3 ? "strike, dip, rake [deg] and friction" : "angle, rake [deg] and friction";
+  ASPERITY_REQUIRE(numbers.size() == count, path << planes_list << " / " << name << " has "
+                                                 << numbers.size() << " numbers; in " << dimension
+                                                 << " dimensions it needs " << count << ": "
+                                                 << meaning << '.');
+  ASPERITY_REQUIRE(numbers.back() >= 0, path << planes_list << " / " << name << ": the friction "
+                                             << formatShort(numbers.back())
+                                             << " is negative. Rock has 0.2 to 0.8.");
+  ASPERITY_REQUIRE(dimension == 2 || (numbers[1] >= 0 && numbers[1] <= 90),
+                   path << planes_list << " / " << name << ": the dip " << formatShort(numbers[1])
+                        << " is outside [0, 90] degrees. A plane that dips to the left of its "
+                           "strike has the opposite strike.");
+}
+
+fem::CoulombPlane inSpace(ParameterList const& output, std::vector<double> const& numbers)
+{
+  auto const up = direction(output, "Up");
+  auto const east = direction(output, "East");
+  const double along = up[0] * east[0] + up[1] * east[1] + up[2] * east[2];
+  const double sizes = std::hypot(up[0], up[1], up[2]) * std::hypot(east[0], east[1], east[2]);
+  ASPERITY_REQUIRE(std::abs(along) < 0.999999 * sizes,
+                   path << "East is parallel to Up. Strikes need a horizontal direction.");
+  return fem::CoulombPlane::inSpace(numbers[0], numbers[1], numbers[2], numbers[3], up, east);
+}
+} // namespace
+
+void declareCoulombPlanes(Declare& output)
+{
+  auto const plane =
+    Declare()
+      .realArray("<plane>", required, "-", Range::any(),
+                 "In three dimensions these are strike, dip and rake in degrees (Aki and Richards: "
+                 "the strike counts clockwise from north, the plane dips to its right, the hanging "
+                 "wall slips along the rake) and the effective friction coefficient. In two they "
+                 "are the angle of the plane from +x towards +y, the rake of the side on its "
+                 "right, 0 along that direction and 90 along +z, and the coefficient.")
+      .list();
+  output
+    .openSublist(planes_list, plane,
+                 "Each entry is a plane, and its name gives the field "
+                 "coulomb_stress_change_<plane> of Volume Snapshots, Surface History and Receivers "
+                 "in the body.")
+    .realArray("East", std::vector<double>{1, 0, 0}, "-", Range::any(),
+               "The part of this vector at right angles to Up points east in three dimensions; "
+               "strikes of Coulomb Planes follow from it.");
+}
+
+std::map<std::string, fem::CoulombPlane> coulombPlanes(ParameterList const& output, int dimension)
+{
+  std::map<std::string, fem::CoulombPlane> planes;
+  auto const& list = output.sublist(planes_list);
+  for (auto const& entry : list) {
+    auto const& name = entry.first;
+    auto const numbers = list.get<Teuchos::Array<double>>(name).toVector();
+    requireFieldName(name);
+    requireNumbers(name, numbers, dimension);
+    planes[name] = dimension == 3 ? inSpace(output, numbers)
+                                  : fem::CoulombPlane::inPlane(numbers[0], numbers[1], numbers[2]);
+  }
+  return planes;
+}
+} // namespace asperity::catalogue

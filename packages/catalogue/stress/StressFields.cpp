@@ -1,0 +1,166 @@
+#include "catalogue/stress/StressFields.hpp"
+
+#include "base/parallel/Reductions.hpp"
+#include "fem/BoundaryCells.hpp"
+#include "fem/stress/CellStress.hpp"
+
+#include <memory>
+#include <optional>
+
+namespace asperity::catalogue
+{
+namespace
+{
+// Stress and strain in some cells, as their vertices move.
+template <int Dim>
+class ObservedStress
+{
+public:
+  ObservedStress(StressedBody<Dim> const& body, std::vector<int> const& cells, bool are_few,
+                 Communicator const& comm)
+      : stress_(body.mesh, body.components, body.materials, cells)
+      , motions_(body.observe(stress_.vertices(), are_few))
+      , is_viscous_(maxOverRanks(stress_.isViscous() ? 1 : 0, comm) > 0)
+  {
+  }
+
+  std::vector<double> strain() const { return stress_.strain(motions_.displacement()); }
+
+  std::vector<double> stress() const
+  {
+    return stress_.stress(motions_.displacement(),
+                          is_viscous_ ? motions_.velocity() : std::vector<double>());
+  }
+
+  // Stress is linear in the motion.
+  std::vector<double> stressSinceStart() const
+  {
+    return stress_.stress(difference(motions_.displacement(), motions_.initial_displacement()),
+                          is_viscous_ ? difference(motions_.velocity(), motions_.initial_velocity())
+                                      : std::vector<double>());
+  }
+
+private:
+  static std::vector<double> difference(std::vector<double> now, std::vector<double> const& then)
+  {
+    for (std::size_t i = 0; i < now.size(); ++i) {
+      now[i] -= then[i];
+    }
+    return now;
+  }
+
+  fem::CellStress<Dim> stress_;
+  VertexMotions motions_;
+  bool is_viscous_; // on any rank: velocities are taken together
+};
+
+// The stress in the elements of a domain; that of all elements is made when it is wanted.
+template <int Dim>
+class DomainStress
+{
+public:
+  DomainStress(StressedBody<Dim> const& body, io::OutputDomain const& domain)
+      : body_(body)
+      , domain_(domain)
+  {
+  }
+
+  ObservedStress<Dim> const& everywhere()
+  {
+    if (!everywhere_) {
+      everywhere_.emplace(body_, cells(), false, *domain_.comm);
+    }
+    return *everywhere_;
+  }
+
+  ObservedStress<Dim> at(std::vector<std::size_t> const& elements) const
+  {
+    auto const all = cells();
+    std::vector<int> chosen;
+    for (const std::size_t element : elements) {
+      chosen.push_back(all[element]);
+    }
+    return {body_, chosen, true, *domain_.comm};
+  }
+
+private:
+  // (num_owned_elements) the cell that each one is, or that it bounds.
+  std::vector<int> cells() const
+  {
+    if (domain_.nodes_per_element == Dim + 1) {
+      return domain_.numbers_in_mesh;
+    }
+    auto const beside = fem::cellsBeside(body_.mesh, body_.surface);
+    std::vector<int> result;
+    for (const int facet : domain_.numbers_in_mesh) {
+      result.push_back(beside[facet]);
+    }
+    return result;
+  }
+
+  StressedBody<Dim> body_;
+  io::OutputDomain const& domain_;
+  std::optional<ObservedStress<Dim>> everywhere_;
+};
+
+// evaluate(ObservedStress) fills the field.
+template <int Dim, class Evaluate>
+void add(io::FieldRegistry& registry, io::OutputField field,
+         std::shared_ptr<DomainStress<Dim>> const& stress, Evaluate const& evaluate)
+{
+  field.centring = io::Centring::elements;
+  field.values = [stress, evaluate](std::vector<double>& values) {
+    values = evaluate(stress->everywhere());
+  };
+  field.at = [stress, evaluate](std::vector<std::size_t> const& elements) {
+    return io::OutputField::Values(
+      [of_elements = stress->at(elements), evaluate](std::vector<double>& values) {
+        values = evaluate(of_elements);
+      });
+  };
+  registry.add(std::move(field));
+}
+} // namespace
+
+template <int Dim>
+void registerStressFields(io::FieldRegistry& registry, io::OutputDomain const& domain,
+                          StressedBody<Dim> const& body,
+                          std::map<std::string, fem::CoulombPlane> const& planes)
+{
+  auto const stress = std::make_shared<DomainStress<Dim>>(body, domain);
+  const int components = body.components;
+  auto const tensor = [&](char const* name, char const* unit, char const* meaning) {
+    auto const& names = fem::tensorComponents(components);
+    io::OutputField field{name, unit, meaning, domain.name, static_cast<int>(names.size()), {}};
+    field.component_names = names;
+    return field;
+  };
+  add(registry,
+      tensor("stress", "Pa",
+             "Elastic and viscous stress in each element, positive in tension; without the deck's "
+             "Shear Traction and Normal Stress."),
+      stress, [](ObservedStress<Dim> const& of) { return of.stress(); });
+  add(registry, tensor("strain", "", "Strain in each element, positive in extension."), stress,
+      [](ObservedStress<Dim> const& of) { return of.strain(); });
+  for (auto const& [name, plane] : planes) {
+    add(registry,
+        {"coulomb_stress_change_" + name,
+         "Pa",
+         "Change of the Coulomb stress since the start of the run on the plane " + name +
+           ", in each element; positive is nearer to failure.",
+         domain.name,
+         1,
+         {}},
+        stress, [components, plane = plane](ObservedStress<Dim> const& of) {
+          return plane.stress(of.stressSinceStart(), components);
+        });
+  }
+}
+
+template void registerStressFields(io::FieldRegistry&, io::OutputDomain const&,
+                                   StressedBody<2> const&,
+                                   std::map<std::string, fem::CoulombPlane> const&);
+template void registerStressFields(io::FieldRegistry&, io::OutputDomain const&,
+                                   StressedBody<3> const&,
+                                   std::map<std::string, fem::CoulombPlane> const&);
+} // namespace asperity::catalogue

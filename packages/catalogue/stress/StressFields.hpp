@@ -1,0 +1,45 @@
+#pragma once
+
+#include "fem/Material.hpp"
+#include "fem/stress/CoulombPlane.hpp"
+#include "io/FieldRegistry.hpp"
+#include "io/OutputDomain.hpp"
+#include "mesh/Mesh.hpp"
+
+#include <functional>
+#include <map>
+#include <string>
+#include <vector>
+
+namespace asperity::catalogue
+{
+// The motion at some vertices along the axes, (vertices, components) each, now and at the start of
+// the run. Collective.
+struct VertexMotions
+{
+  std::function<std::vector<double>()> displacement, velocity; // [m], [m/s]
+  std::function<std::vector<double>()> initial_displacement, initial_velocity;
+};
+
+// Of local vertices, ghosts among them; are_few: a few of many, at receivers. Collective.
+using ObserveVertices =
+  std::function<VertexMotions(std::vector<int> const& vertices, bool are_few)>;
+
+// What stress in a body follows from; all of it must outlive the registry but for `observe`.
+template <int Dim>
+struct StressedBody
+{
+  Mesh<Dim> const& mesh;
+  int components;                              // of the displacement
+  std::vector<fem::Material> const& materials; // (num_cells)
+  std::string surface;                         // the boundary that the domain `surface` is
+  ObserveVertices observe;
+};
+
+// Registers `stress`, `strain` and, for each plane, `coulomb_stress_change_<name>` in the elements
+// of a domain, which is `volume` or `surface`: of the cell, or of the cell below the facet.
+template <int Dim>
+void registerStressFields(io::FieldRegistry& registry, io::OutputDomain const& domain,
+                          StressedBody<Dim> const& body,
+                          std::map<std::string, fem::CoulombPlane> const& planes);
+} // namespace asperity::catalogue

@@ -1,0 +1,63 @@
+#pragma once
+
+#include "dynamics/Body.hpp"
+#include "dynamics/StaticCondensation.hpp"
+#include "fem/constraints/NodalFrames.hpp"
+
+#include <map>
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace asperity::dynamics
+{
+// Rows of StaticCondensation::expand by the dof of the whole body, each made once.
+class RecoveryRows
+{
+public:
+  explicit RecoveryRows(StaticCondensation const& condensation) : condensation_(condensation) {}
+
+  // Makes the rows that are missing; false, and no row, if they were longer in all than what
+  // expand() reads.
+  bool add(std::vector<int> const& dofs);
+  // The entry of expand(x) at a dof that has a row; x(length()).
+  double value(int dof, double const* x) const;
+  std::size_t size() const { return rows_.size(); }
+  std::size_t length() const; // of a row
+  // For the log: what rows cost, or that there are none; "" if nobody has asked.
+  std::string report() const;
+
+private:
+  StaticCondensation const& condensation_;
+  std::size_t num_refused_ = 0; // dofs of the largest request
+  std::map<int, std::vector<double>> rows_;
+};
+
+// Vectors of displacement, velocity or acceleration at chosen vertices, along the axes, from those
+// of a model's state. All that it is made of must outlive it.
+class VertexMotion
+{
+public:
+  // `whole` is the body of the mesh. condensation: if states are those of a condensed model, else
+  // null; rows: of it, for points whose motion is wanted without that of the whole body, else null.
+  // vertices: local ones, ghosts among them only if with_ghosts, which is the same on all ranks.
+  VertexMotion(Body const& whole, fem::NodalFrames const& frames, std::vector<int> vertices,
+               bool with_ghosts, StaticCondensation const* condensation = nullptr,
+               std::shared_ptr<RecoveryRows> rows = nullptr);
+
+  // (vertices, components). Collective if there are ghosts.
+  std::vector<double> operator()(Vector const& of_state) const;
+
+private:
+  void addRows();
+  RCP<const Vector> withGhosts(RCP<const Vector> const& owned) const;
+
+  Body const& whole_;
+  fem::NodalFrames const& frames_;
+  std::vector<int> vertices_;
+  bool with_ghosts_;
+  StaticCondensation const* condensation_;
+  std::shared_ptr<RecoveryRows> rows_; // null: the whole body is recovered
+  std::vector<int> dofs_;              // that have rows
+};
+} // namespace asperity::dynamics
