@@ -36,7 +36,8 @@ VertexDataset::VertexDataset(std::string const& name, std::string const& path)
     , file_name_(name.substr(0, colonBeforeDataset(name)))
     , dataset_name_(name.substr(colonBeforeDataset(name) + 1))
 {
-  ASPERITY_REQUIRE(std::filesystem::exists(file_name_),
+  std::error_code ignored;
+  ASPERITY_REQUIRE(std::filesystem::exists(file_name_, ignored),
                    path << " = '" << name << "': there is no file '" << file_name_ << "'.");
   try {
     const h5::Dataset dataset = open();

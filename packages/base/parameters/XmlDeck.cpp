@@ -7,8 +7,8 @@
 #include "base/parameters/Parameters.hpp"
 
 #include <Teuchos_Array.hpp>
-#include <Teuchos_FileInputSource.hpp>
 #include <Teuchos_ParameterEntryXMLConverterDB.hpp>
+#include <Teuchos_StringInputSource.hpp>
 
 #include <algorithm>
 #include <filesystem>
@@ -127,6 +127,18 @@ std::string contentOf(std::string const& file_name)
   return {std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>()};
 }
 
+// A deck in UTF-8. Editors may begin a file with a byte-order mark, which Teuchos does not know.
+std::string withoutMark(std::string text, std::string const& file_name)
+{
+  const std::string begin = text.substr(0, 2);
+  const bool is_utf16 = begin == "\xFF\xFE" || begin == "\xFE\xFF" ||
+                        begin == std::string("<\0", 2) || begin == std::string("\0<", 2);
+  ASPERITY_REQUIRE(!is_utf16, "The deck '" << file_name
+                                           << "' is in UTF-16. Save it in UTF-8, or convert it: "
+                                              "iconv -f UTF-16 -t UTF-8 OLD.xml > NEW.xml");
+  return text.compare(0, 3, "\xEF\xBB\xBF") == 0 ? text.substr(3) : text;
+}
+
 // Behind the end of the tag whose '<' is at `begin`; an attribute's value may have a '>'.
 std::size_t endOfTag(std::string const& text, std::size_t begin)
 {
@@ -175,9 +187,10 @@ XMLObject parseXml(std::string const& file_name)
   ASPERITY_REQUIRE(!fs::is_directory(file_name, ignored),
                    "The deck '" << file_name
                                 << "' is a directory; the name of an XML file is wanted.");
-  refuseDeepLists(contentOf(file_name), file_name);
+  const std::string text = withoutMark(contentOf(file_name), file_name);
+  refuseDeepLists(text, file_name);
   try {
-    return Teuchos::FileInputSource(file_name).getObject();
+    return Teuchos::StringInputSource(text).getObject();
   } catch (std::exception const& error) {
     const std::string reason = lastParagraph(error.what());
     std::string hint;

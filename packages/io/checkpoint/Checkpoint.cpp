@@ -95,7 +95,8 @@ auto orRefuse(std::string const& name, Read const& read)
 h5::File openCheckpoint(std::filesystem::path const& path, Fingerprint const& fingerprint)
 {
   const std::string name = path.string();
-  ASPERITY_REQUIRE(std::filesystem::is_regular_file(path),
+  std::error_code ignored;
+  ASPERITY_REQUIRE(std::filesystem::is_regular_file(path, ignored),
                    "There is no checkpoint " << name << ". Check the path after --restart.");
   ASPERITY_REQUIRE(
     h5::File::isSealed(path),

@@ -27,8 +27,26 @@ std::string nameOfThisProcess()
 bool isFileOf(int descriptor, std::filesystem::path const& path)
 {
   struct stat opened = {}, named = {};
-  return ::fstat(descriptor, &opened) == 0 && ::stat(path.c_str(), &named) == 0 &&
+  return ::fstat(descriptor, &opened) == 0 && ::lstat(path.c_str(), &named) == 0 &&
          opened.st_dev == named.st_dev && opened.st_ino == named.st_ino;
+}
+
+// Of a run that was killed, or empty: a file of which nothing is lost when it is written and removed.
+bool isLockFile(int descriptor)
+{
+  const std::string begin = "process ";
+  std::string text(begin.size(), '\0');
+  struct stat status = {};
+  return ::fstat(descriptor, &status) == 0 && S_ISREG(status.st_mode) && status.st_nlink <= 1 &&
+         (status.st_size == 0 ||
+          (::pread(descriptor, text.data(), text.size(), 0) > 0 && text == begin));
+}
+
+[[noreturn]] void refuseFile(std::filesystem::path const& file, std::string const& what)
+{
+  throw InputError(file.string() + " is " + what +
+                   ", not the lock of a run, which would overwrite it. Rename it, or choose "
+                   "another directory with --output DIR.");
 }
 } // namespace
 
@@ -46,7 +64,10 @@ DirectoryLock::DirectoryLock(std::filesystem::path const& directory) : file_(dir
 // False if the file that was locked is one that its last owner has just removed.
 bool DirectoryLock::openAndLock()
 {
-  descriptor_ = ::open(file_.c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0666);
+  descriptor_ = ::open(file_.c_str(), O_RDWR | O_CREAT | O_NOFOLLOW | O_CLOEXEC, 0666);
+  if (descriptor_ < 0 && errno == ELOOP) {
+    refuseFile(file_, "a link");
+  }
   if (descriptor_ < 0) {
     throw InputError(
       file_.string() + " cannot be made: " + std::strerror(errno) +
@@ -61,10 +82,14 @@ bool DirectoryLock::openAndLock()
                      (other.empty() ? "" : " (" + other + ")") +
                      ". Wait for its end, or choose another directory with --output DIR.");
   }
-  if (isFileOf(descriptor_, file_)) {
+  const bool is_named = isFileOf(descriptor_, file_);
+  if (is_named && isLockFile(descriptor_)) {
     return true;
   }
   ::close(std::exchange(descriptor_, -1));
+  if (is_named) {
+    refuseFile(file_, "another file");
+  }
   return false;
 }
 

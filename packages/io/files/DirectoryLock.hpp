@@ -13,7 +13,7 @@ public:
   DirectoryLock() = default; // of nothing
 
   // Throws InputError, which names the other process, if there is one that has the lock, and also
-  // if the directory cannot be written.
+  // if the directory cannot be written or has a link or another file in the place of the lock.
   explicit DirectoryLock(std::filesystem::path const& directory);
 
   ~DirectoryLock() { release(); }

@@ -7,9 +7,10 @@
 
 #include <algorithm>
 #include <cctype>
-#include <fstream>
+#include <fcntl.h>
 #include <functional>
 #include <string>
+#include <unistd.h>
 
 namespace asperity::io
 {
@@ -33,9 +34,12 @@ std::vector<std::string> namesOfFiles()
   return names;
 }
 
-// "fault_000012.h5", "fault_geometry.h5"
-bool isSegment(fs::path const& file)
+// "fault_000012.h5", "fault_geometry.h5", or the temporary form of one.
+bool isSegment(fs::path file)
 {
+  if (file == detail::temporaryName(file.parent_path() / file.stem())) {
+    file.replace_extension();
+  }
   const std::string stem = file.stem().string();
   const std::string geometry = "_geometry";
   if (file.extension() == ".h5" && stem.size() > geometry.size() &&
@@ -58,18 +62,51 @@ bool hasName(fs::path const& file, std::string const& pattern)
   return name == pattern || name == detail::temporaryName(pattern).string();
 }
 
-// Adds the regular files in a folder, if there is one, that `belongs` accepts.
+// Adds the regular files and the links in a folder, if there is one, that `belongs` accepts.
 void addFiles(fs::path const& folder, std::function<bool(fs::path const&)> const& belongs,
               std::vector<fs::path>& files)
 {
-  if (!fs::is_directory(folder)) {
+  std::error_code error;
+  if (!fs::is_directory(folder, error)) {
     return;
   }
-  for (auto const& entry : fs::directory_iterator(folder)) {
-    if (entry.is_regular_file() && belongs(entry.path())) {
+  const fs::directory_iterator entries(folder, error);
+  ASPERITY_REQUIRE(!error, folder.string() << " cannot be read: " << error.message()
+                                           << ". Choose another directory with --output DIR.");
+  for (auto const& entry : entries) {
+    if ((entry.is_symlink() || entry.is_regular_file()) && belongs(entry.path())) {
       files.push_back(entry.path());
     }
   }
+}
+
+// The same below `directory`. A link in the place of the folder is added itself, not what it leads to.
+void addFilesBelow(fs::path const& directory, fs::path const& folder,
+                   std::function<bool(fs::path const&)> const& belongs,
+                   std::vector<fs::path>& files)
+{
+  std::error_code ignored;
+  if (!folder.empty() && fs::is_symlink(directory / folder, ignored)) {
+    files.push_back(directory / folder);
+  } else {
+    addFiles(directory / folder, belongs, files);
+  }
+}
+
+// Permissions alone do not tell (read-only file systems, quotas, root). Opens no file that is there.
+bool canWriteIn(fs::path const& directory)
+{
+  constexpr int private_file = 0600;
+  const auto probe = directory / (".asperity_write_test." + std::to_string(::getpid()));
+  const int descriptor =
+    ::open(probe.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, private_file);
+  if (descriptor < 0) {
+    return false;
+  }
+  const bool is_written = ::write(descriptor, "test", 4) == 4;
+  ::close(descriptor);
+  ::unlink(probe.c_str());
+  return is_written;
 }
 
 void requireWritable(fs::path const& directory)
@@ -80,15 +117,23 @@ void requireWritable(fs::path const& directory)
                    "The output directory " << directory.string() << " cannot be made"
                                            << (error ? ": " + error.message() : "")
                                            << ". Choose another one with --output DIR.");
-  // Permissions alone do not tell (read-only file systems, quotas, root).
-  const auto probe = directory / ".asperity_write_test";
-  const bool is_writable = static_cast<bool>(std::ofstream(probe) << "test\n" << std::flush);
-  fs::remove(probe, error);
-  ASPERITY_REQUIRE(is_writable,
+  ASPERITY_REQUIRE(canWriteIn(directory),
                    "The output directory "
                      << directory.string()
                      << " cannot be written. Check its permissions and the space on the disk, or "
                         "choose another one with --output DIR.");
+}
+
+// A run would write to what links lead to, wherever that is.
+void requireNoLinks(fs::path const& directory)
+{
+  for (auto const& file : resultFiles(directory)) {
+    std::error_code ignored;
+    ASPERITY_REQUIRE(!fs::is_symlink(file, ignored),
+                     file.string() << " is a link where a run writes; a run follows no link below "
+                                      "its output directory. Remove the link, or choose another "
+                                      "directory with --output DIR.");
+  }
 }
 
 void requireNoResult(fs::path const& directory)
@@ -125,10 +170,11 @@ std::vector<fs::path> resultFiles(fs::path const& directory)
   std::vector<fs::path> files;
   for (auto const& name : namesOfFiles()) {
     const auto pattern = fs::path(name).filename().string();
-    addFiles((directory / name).parent_path(),
-             [&](fs::path const& file) { return hasName(file, pattern); }, files);
+    addFilesBelow(
+      directory, fs::path(name).parent_path(),
+      [&](fs::path const& file) { return hasName(file, pattern); }, files);
   }
-  addFiles(directory / "segments", isSegment, files);
+  addFilesBelow(directory, "segments", isSegment, files);
   return files;
 }
 
@@ -139,6 +185,9 @@ DirectoryLock prepareOutputDirectory(fs::path const& directory, ExistingResult e
   onRoot(comm, [&] {
     ASPERITY_REQUIRE(!directory.empty(), "The name of the output directory is empty.");
     const bool must_be_new = existing == ExistingResult::refuse;
+    if (existing != ExistingResult::overwrite) { // which removes links
+      requireNoLinks(directory);
+    }
     if (must_be_new) {
       requireNoResult(directory);
     }

@@ -161,7 +161,8 @@ RCP<ParameterList> deckOf(std::filesystem::path const& folder)
 {
   CommandLine line;
   line.deck = (folder / "parameters.xml").string();
-  ASPERITY_REQUIRE(std::filesystem::is_regular_file(line.deck),
+  std::error_code ignored;
+  ASPERITY_REQUIRE(std::filesystem::is_regular_file(line.deck, ignored),
                    "--restart-from: there is no " << line.deck
                                                   << ". Give the directory of a run, which has "
                                                      "parameters.xml and checkpoint.h5.");
@@ -189,7 +190,8 @@ io::Archive stateOfOtherRun(std::filesystem::path const& run, Problem<Dim> const
                             Domains const& domains, ParameterList const& deck,
                             dynamics::DyadicTime const& clock, double end)
 {
-  const bool is_folder = std::filesystem::is_directory(run);
+  std::error_code ignored;
+  const bool is_folder = std::filesystem::is_directory(run, ignored);
   const auto folder = is_folder ? run : run.parent_path();
   auto const other_deck = deckOf(folder.empty() ? "." : folder);
   requireSame("The number of dimensions of the mesh", std::to_string(Dim),

@@ -124,6 +124,12 @@ class Decks(Case):
         self.assert_deck_refused(TEXT.replace('"Asperity"', '"Granite"'), "'bad.xml'", "Granite")
         self.assert_deck_refused(TEXT.replace('value="1e-5"', 'value="1 < 2"'), "'bad.xml'")
 
+    def test_encodings(self):
+        pathlib.Path("bad.xml").write_text(TEXT, encoding="utf-16")
+        self.assert_refused(["bad.xml"], "bad.xml", "UTF-16", "UTF-8")
+        pathlib.Path("marked.xml").write_text(TEXT, encoding="utf-8-sig")
+        self.assert_done("marked.xml", "--output", "out")
+
     def test_unknown_names(self):
         self.assert_deck_refused(TEXT.replace('"Largest Step"', '"Largets Step"'),
                                  "Asperity / Time Stepping / Largets Step",
@@ -212,6 +218,17 @@ class CommandLine(Case):
         self.assert_refused([DECK, "--output", "file/results"], "file/results", "--output")
         self.assert_refused([DECK, "--output", "file"], "file")
         self.assert_refused([DECK, "--output", "file/results"], "file/results", ranks=2)
+
+    def test_paths_with_a_part_that_is_too_long(self):
+        part = 256 * "x"
+        dataset = settings(f"Initial State/State={part}.h5:/state")
+        for arguments in ([DECK, "--output", part], [DECK, "--output", f"{part}/results"],
+                          [f"{part}.xml"], [DECK, "--overlay", part], [DECK, "--restart", part],
+                          [DECK, "--restart-from", part], [DECK, "--plugin", part],
+                          [DECK, *settings("Mesh/Type=File", f"Mesh/File/File Name={part}")],
+                          [DECK, *dataset]):
+            with self.subTest(arguments):
+                self.assert_refused(arguments, part)
 
     def test_existing_result(self):
         self.assert_done(DECK, "--output", "results")

@@ -1,5 +1,6 @@
 """Two runs do not write to one directory, and a run that was killed leaves no lock."""
 
+import pathlib
 import signal
 import unittest
 
@@ -55,6 +56,25 @@ class Lock(unittest.TestCase):
                                   folder / "checkpoint.h5")
         self.assertEqual((result.returncode, result.stderr), (0, ""))
         runs.assert_same_results(self, whole, folder)
+
+    def test_a_link_is_not_followed(self):
+        """A file outside of the output directory keeps its bytes, whatever link leads to it."""
+        outside = pathlib.Path("precious.txt")
+        outside.write_text("mine")
+        for name in (".lock", ".asperity_write_test", "run.log", "checkpoint.h5.part", "fault.xdmf"):
+            for options in ((), ("--overwrite",)):
+                with self.subTest(name, options=options):
+                    folder = runs.fresh("links")
+                    folder.mkdir()
+                    (folder / name).symlink_to(outside.resolve())
+                    result = asperity_run.run(*runs.SHORT_RUN, "--output", folder, *options)
+                    self.assertEqual(outside.read_text(), "mine")
+                    refused = name == ".lock" or (not options and name != ".asperity_write_test")
+                    if refused:
+                        runs.assert_one_message(self, result, runs.INPUT, f"{name} is a link",
+                                                "--output DIR")
+                    else:
+                        self.assertEqual((result.returncode, result.stderr), (0, ""))
 
 
 if __name__ == "__main__":

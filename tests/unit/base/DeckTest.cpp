@@ -60,6 +60,38 @@ TEST(Deck, ReadsEveryType)
   EXPECT_EQ(list->sublist("Sub").get<int>("a"), 1);
 }
 
+TEST(Deck, ByteOrderMarkOfUtf8IsSkipped)
+{
+  const TemporaryDirectory directory;
+  const auto list = readDeck(
+    directory.write("deck.xml", "\xEF\xBB\xBF<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n"
+                                "<ParameterList name=\"Asperity\">\n"
+                                "  <Parameter name=\"s\" type=\"string\" value=\"caf\xC3\xA9\"/>\n"
+                                "</ParameterList>\n"));
+  EXPECT_EQ(list->get<std::string>("s"), "caf\xC3\xA9");
+}
+
+// A text of ASCII in two bytes a letter.
+std::string utf16(std::string const& text, bool big_end_first)
+{
+  std::string result;
+  for (const char letter : text) {
+    result += big_end_first ? std::string{'\0', letter} : std::string{letter, '\0'};
+  }
+  return result;
+}
+
+TEST(Deck, Utf16IsNamed)
+{
+  const std::string text = "<ParameterList name=\"Asperity\">\n</ParameterList>\n";
+  for (const bool big_end_first : {false, true}) {
+    const std::string mark = big_end_first ? "\xFE\xFF" : "\xFF\xFE";
+    for (auto const& begin : {std::string(), mark}) {
+      expectParts(refusedText(begin + utf16(text, big_end_first)), {"is in UTF-16", "UTF-8"});
+    }
+  }
+}
+
 TEST(Deck, MissingFileAndDirectory)
 {
   const TemporaryDirectory directory;

@@ -116,3 +116,91 @@ TEST(OutputDirectory, WhatCannotBeMadeOrWrittenIsRefused)
     EXPECT_TRUE(test::contains(refusal("/proc/self"), "cannot be written"));
   }
 }
+
+TEST(OutputDirectory, ALinkInThePlaceOfAFileIsRefusedAndNotFollowed)
+{
+  test::TemporaryDirectory directory;
+  test::write(directory / "precious.txt", "mine");
+  for (auto const& name : {"run.log", "checkpoint.h5.part", "steps.csv", "fault.xdmf", ".lock"}) {
+    for (auto const& target : {"precious.txt", "none.txt"}) {
+      const auto output = directory / "output";
+      test::onRankZero([&] {
+        fs::create_directory(output);
+        fs::create_symlink(directory / target, output / name);
+      });
+      for (const auto existing : {ExistingResult::refuse, ExistingResult::keep}) {
+        const auto message = refusal(output, existing);
+        EXPECT_TRUE(test::contains(message, std::string(name) + " is a link")) << message;
+      }
+      EXPECT_EQ(test::contents(directory / "precious.txt"), "mine") << name;
+      EXPECT_FALSE(fs::exists(directory / "none.txt")) << name;
+      test::onRankZero([&] { fs::remove_all(output); });
+    }
+  }
+}
+
+TEST(OutputDirectory, ALinkInThePlaceOfAFolderIsRefusedAndNotFollowed)
+{
+  test::TemporaryDirectory directory;
+  makeResult(directory / "other");
+  const auto before = everything(directory / "other");
+  test::onRankZero([&] {
+    fs::create_directory(directory / "output");
+    fs::create_directory_symlink(directory / "other/segments", directory / "output/segments");
+  });
+  for (const auto existing : {ExistingResult::refuse, ExistingResult::keep}) {
+    const auto message = refusal(directory / "output", existing);
+    EXPECT_TRUE(test::contains(message, "segments is a link")) << message;
+  }
+  prepare(directory / "output", ExistingResult::overwrite);
+  EXPECT_FALSE(fs::is_symlink(directory / "output/segments"));
+  EXPECT_EQ(everything(directory / "other"), before);
+}
+
+TEST(OutputDirectory, OverwriteRemovesLinksAndNotWhatTheyLeadTo)
+{
+  test::TemporaryDirectory directory;
+  test::write(directory / "precious.txt", "mine");
+  const auto output = directory / "output";
+  test::onRankZero([&] {
+    fs::create_directories(output / "segments");
+    fs::create_symlink(directory / "precious.txt", output / "run.log");
+    fs::create_symlink(directory / "none.txt", output / "steps.csv");
+    fs::create_symlink(directory / "precious.txt", output / "segments/fault_geometry.h5.part");
+  });
+  prepare(output, ExistingResult::overwrite);
+  EXPECT_TRUE(fs::is_empty(output));
+  EXPECT_EQ(test::contents(directory / "precious.txt"), "mine");
+}
+
+TEST(OutputDirectory, TheDirectoryItselfMayBeALink)
+{
+  test::TemporaryDirectory directory;
+  test::onRankZero([&] {
+    fs::create_directory(directory / "disk");
+    fs::create_directory_symlink(directory / "disk", directory / "output");
+  });
+  prepare(directory / "output", ExistingResult::refuse);
+  prepare(directory / "output/", ExistingResult::keep);
+}
+
+TEST(OutputDirectory, AFileInThePlaceOfTheLockIsRefusedAndUntouched)
+{
+  test::TemporaryDirectory directory;
+  test::write(directory / ".lock", "mine, of some length");
+  EXPECT_TRUE(test::contains(refusal(directory.path()), ".lock is another file"));
+  EXPECT_TRUE(test::contains(refusal(directory.path(), ExistingResult::overwrite), ".lock is"));
+  EXPECT_EQ(test::contents(directory / ".lock"), "mine, of some length");
+  test::write(directory / ".lock", "process 4711 on node12\n"); // of a run that was killed
+  prepare(directory.path(), ExistingResult::refuse);
+  EXPECT_TRUE(fs::is_empty(directory.path()));
+}
+
+TEST(OutputDirectory, APathsPartThatIsTooLongIsRefused)
+{
+  test::TemporaryDirectory directory;
+  const std::string part(256, 'x');
+  for (auto const& name : {part, part + "/results", "results/" + part}) {
+    EXPECT_TRUE(test::contains(refusal(directory / name), "File name too long")) << name;
+  }
+}
