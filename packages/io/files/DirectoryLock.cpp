@@ -31,7 +31,7 @@ bool isFileOf(int descriptor, std::filesystem::path const& path)
          opened.st_dev == named.st_dev && opened.st_ino == named.st_ino;
 }
 
-// Of a run that was killed, or empty: a file of which nothing is lost when it is written and removed.
+// Of a run that was killed, or empty: nothing is lost when it is written and removed.
 bool isLockFile(int descriptor)
 {
   const std::string begin = "process ";

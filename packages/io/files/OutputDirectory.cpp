@@ -80,7 +80,7 @@ void addFiles(fs::path const& folder, std::function<bool(fs::path const&)> const
   }
 }
 
-// The same below `directory`. A link in the place of the folder is added itself, not what it leads to.
+// The same below `directory`. Of a link in the place of the folder the link itself is added.
 void addFilesBelow(fs::path const& directory, fs::path const& folder,
                    std::function<bool(fs::path const&)> const& belongs,
                    std::vector<fs::path>& files)
@@ -93,7 +93,7 @@ void addFilesBelow(fs::path const& directory, fs::path const& folder,
   }
 }
 
-// Permissions alone do not tell (read-only file systems, quotas, root). Opens no file that is there.
+// Permissions alone do not tell (read-only file systems, quotas, root). Opens no existing file.
 bool canWriteIn(fs::path const& directory)
 {
   constexpr int private_file = 0600;

@@ -61,7 +61,8 @@ class Lock(unittest.TestCase):
         """A file outside of the output directory keeps its bytes, whatever link leads to it."""
         outside = pathlib.Path("precious.txt")
         outside.write_text("mine")
-        for name in (".lock", ".asperity_write_test", "run.log", "checkpoint.h5.part", "fault.xdmf"):
+        for name in (".lock", ".asperity_write_test", "run.log", "checkpoint.h5.part",
+                     "fault.xdmf"):
             for options in ((), ("--overwrite",)):
                 with self.subTest(name, options=options):
                     folder = runs.fresh("links")
