@@ -191,6 +191,7 @@ TEST(OutputDirectory, AFileInThePlaceOfTheLockIsRefusedAndUntouched)
   EXPECT_TRUE(test::contains(refusal(directory.path()), ".lock is another file"));
   EXPECT_TRUE(test::contains(refusal(directory.path(), ExistingResult::overwrite), ".lock is"));
   EXPECT_EQ(test::contents(directory / ".lock"), "mine, of some length");
+  world()->barrier();
   test::write(directory / ".lock", "process 4711 on node12\n"); // of a run that was killed
   prepare(directory.path(), ExistingResult::refuse);
   EXPECT_TRUE(fs::is_empty(directory.path()));
