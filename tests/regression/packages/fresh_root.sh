@@ -14,6 +14,7 @@ skip() { echo "skipped: $1"; exit 77; }
 [ "$(id -u)" = 0 ] || skip "not root"
 command -v debootstrap > /dev/null || skip "no debootstrap"
 command -v cpack > /dev/null || skip "no cpack"
+command -v dpkg-shlibdeps > /dev/null || skip "no dpkg-shlibdeps, of the package dpkg-dev"
 if [ "${ASPERITY_OWN_MOUNTS:-}" != 1 ]; then # what is mounted below goes with this process
   ASPERITY_OWN_MOUNTS=1 exec unshare --mount -- "$0" "$@"
 fi
@@ -23,7 +24,7 @@ inside()
 {
   chroot "$root" env -i PATH=/usr/sbin:/usr/bin:/sbin:/bin LANG=C.UTF-8 "${proxy[@]}" "$@"
 }
-as_user() { inside su user -c "cd && export HWLOC_HIDE_ERRORS=2 && $1"; }
+as_user() { inside su user -c "cd && $1"; }
 apt_install()
 {
   inside DEBIAN_FRONTEND=noninteractive apt-get install -y -qq --no-install-recommends "$@" \
@@ -48,14 +49,18 @@ for name in asperity asperity-mesh libasperity-dev asperity-doc; do
 done
 
 step "a fresh root"
-suite=$(. /etc/os-release && echo "$VERSION_CODENAME")
-mirror=$(apt-get indextargets --format '$(REPO_URI) $(CODENAME)' |
-  awk -v suite="$suite" '$2 == suite { print $1; exit }')
-[ -n "$mirror" ] || skip "apt names no archive of $suite"
+# The release that the packages are made on; sid calls itself by the next release's name.
+archives=$(apt-get indextargets --format '$(REPO_URI) $(CODENAME)')
+for suite in "$(. /etc/os-release && echo "$VERSION_CODENAME")" sid; do
+  mirror=$(awk -v suite="$suite" '$2 == suite { print $1; exit }' <<< "$archives")
+  [ -z "$mirror" ] || break
+done
+[ -n "$mirror" ] || skip "apt names no archive of this release"
 debootstrap --variant=minbase "$suite" "$root" "$mirror" > "$work/debootstrap.log" 2>&1 ||
   { tail -20 "$work/debootstrap.log"; exit 1; }
 mount -t proc proc "$root/proc"
 mount --rbind /dev "$root/dev"
+mount --rbind /sys "$root/sys" # without it hwloc prints lines of its own
 cp /etc/resolv.conf "$root/etc/"
 rm -f "$root/etc/apt/sources.list"
 cp -r /etc/apt/sources.list* "$root/etc/apt/"
