@@ -3,7 +3,7 @@
 #include "base/Hashes.hpp"
 #include "base/fields/VertexDataset.hpp"
 #include "base/parallel/Agreement.hpp"
-#include "mesh/parallel/MeshChecksum.hpp"
+#include "io/checkpoint/MeshChecksum.hpp"
 
 #include <Teuchos_CommHelpers.hpp>
 
@@ -46,7 +46,7 @@ public:
   // Another version of the program, or of METIS, may number a mesh otherwise.
   void addNumbering()
   {
-    const auto checksum = mesh::checksum(mesh_, mesh::ChecksumOf::numbering, communicator_);
+    const auto checksum = io::checksum(mesh_, io::ChecksumOf::numbering, communicator_);
     result_.entries.push_back({"Asperity / Mesh", hexadecimal(checksum), "the numbered mesh"});
   }
 
@@ -56,7 +56,7 @@ private:
   void addText(std::string const& name, std::string const& text)
   {
     if (name == mesh_file) {
-      const auto checksum = mesh::checksum(mesh_, mesh::ChecksumOf::everything, communicator_);
+      const auto checksum = io::checksum(mesh_, io::ChecksumOf::everything, communicator_);
       result_.entries.push_back({name, hexadecimal(checksum), "mesh file '" + text + "'"});
     } else if (VertexDataset::isName(text)) {
       result_.entries.push_back(

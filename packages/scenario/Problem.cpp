@@ -4,6 +4,7 @@
 #include "dynamics/FaultMotion.hpp"
 #include "dynamics/FoundationPressure.hpp"
 #include "dynamics/InitialState.hpp"
+#include "dynamics/PlausibleValues.hpp"
 #include "fem/BodyPieces.hpp"
 #include "fem/BoundaryCells.hpp"
 #include "fem/BoundaryMeasure.hpp"
@@ -12,7 +13,6 @@
 #include "fem/constraints/FreeMotions.hpp"
 #include "fem/constraints/NodalDamping.hpp"
 #include "mesh/Boundaries.hpp"
-#include "scenario/deck/PlausibleValues.hpp"
 #include "scenario/setup/BoundaryChecks.hpp"
 #include "scenario/setup/BulkSetup.hpp"
 #include "scenario/setup/FrictionSetup.hpp"
@@ -185,18 +185,18 @@ StaticStart staticStart(ParameterList const& deck, Discretisation<Dim> const& of
   return start;
 }
 
-Extremes extremesOf(std::vector<double> const& values, Communicator const& communicator)
+dynamics::Extremes extremesOf(std::vector<double> const& values, Communicator const& communicator)
 {
-  Extremes mine{std::numeric_limits<double>::max(), -std::numeric_limits<double>::max()};
+  dynamics::Extremes mine{std::numeric_limits<double>::max(), -std::numeric_limits<double>::max()};
   for (const double value : values) {
     mine = {std::min(mine.smallest, value), std::max(mine.largest, value)};
   }
   return {minOverRanks(mine.smallest, communicator), maxOverRanks(mine.largest, communicator)};
 }
 
-BesideFault valuesBeside(std::vector<fem::Material> const& materials,
-                         std::vector<double> const& eta, dynamics::State const& initial,
-                         int components, Communicator const& communicator)
+dynamics::BesideFault valuesBeside(std::vector<fem::Material> const& materials,
+                                   std::vector<double> const& eta, dynamics::State const& initial,
+                                   int components, Communicator const& communicator)
 {
   const auto extremes = [&](auto const& value) {
     std::vector<double> values;
@@ -290,8 +290,8 @@ Problem<Dim> makeProblem(ParameterList const& deck, RCP<const Communicator> cons
   auto reaction = reactionSinceStart(of, body, fault, initial);
   auto warnings = fem::warnOfPieces(of.mesh, communicator);
   auto const beside = valuesBeside(fault_materials, eta, initial, components, *communicator);
-  stress.remarks.push_back(describeSpeeds(beside));
-  auto const questions = questionValues(beside);
+  stress.remarks.push_back(dynamics::describeSpeeds(beside));
+  auto const questions = dynamics::questionValues(beside);
   warnings.insert(warnings.end(), questions.begin(), questions.end());
   return {{std::move(body), std::move(fault), std::move(initial), std::move(reaction)},
           communicator,

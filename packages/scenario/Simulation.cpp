@@ -9,6 +9,7 @@
 #include "base/program/MpiScope.hpp"
 #include "base/program/Signals.hpp"
 #include "base/program/WorkTimers.hpp"
+#include "dynamics/control/StallWatch.hpp"
 #include "io/OutputSet.hpp"
 #include "io/checkpoint/Archive.hpp"
 #include "io/checkpoint/Checkpoint.hpp"
@@ -21,7 +22,6 @@
 #include "scenario/RunReport.hpp"
 #include "scenario/run/Evolution.hpp"
 #include "scenario/run/OtherRun.hpp"
-#include "scenario/run/StallWatch.hpp"
 #include "scenario/setup/MeshSetup.hpp"
 #include "scenario/setup/SolverSetup.hpp"
 #include "scenario/setup/TimeSetup.hpp"
@@ -97,7 +97,7 @@ private:
   std::unique_ptr<io::RunLog> log_;
   std::unique_ptr<io::RunJournal> journal_;
   Evolution<Dim> evolution_;
-  StallWatch stall_watch_;
+  dynamics::StallWatch stall_watch_;
   bool step_is_complete_ = false; // energy and outputs know of it
   std::map<std::string, io::OutputDomain> domains_;
   io::FieldRegistry registry_;

@@ -162,9 +162,9 @@ io::StepInfo Evolution<Dim>::stepInfo() const
 }
 
 template <int Dim>
-StallWatch::Step Evolution<Dim>::progress() const
+dynamics::StallWatch::Step Evolution<Dim>::progress() const
 {
-  StallWatch::Step step;
+  dynamics::StallWatch::Step step;
   step.is_smallest =
     is_adaptive_ && clock_.finestLevel() > 0 && view_.step.level == clock_.finestLevel();
   step.is_forced = !view_.step.within_tolerance;

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "dynamics/control/GrowthWatch.hpp"
+#include "dynamics/control/StallWatch.hpp"
 #include "dynamics/coupling/CoupledStep.hpp"
 #include "fem/Warning.hpp"
 #include "io/Output.hpp"
@@ -10,7 +11,6 @@
 #include "scenario/Problem.hpp"
 #include "scenario/RunArchive.hpp"
 #include "scenario/RunReport.hpp"
-#include "scenario/run/StallWatch.hpp"
 
 #include <memory>
 #include <string>
@@ -51,8 +51,8 @@ public:
   double time() const { return clock_.seconds(state_.time); } // [s]
   double finalTime() const { return clock_.seconds(end_); }   // [s]
   std::int64_t numSteps() const { return control_->memory().num_steps; }
-  io::StepInfo stepInfo() const;     // of the last step
-  StallWatch::Step progress() const; // of the last step
+  io::StepInfo stepInfo() const;               // of the last step
+  dynamics::StallWatch::Step progress() const; // of the last step
   // Warns of that step where it hides a slip rate that grows, or throws SolveError for one too
   // many.
   void watchGrowth();

@@ -2,6 +2,7 @@
 
 #include "base/Errors.hpp"
 #include "base/program/CommandLine.hpp"
+#include "catalogue/receivers/Interpolation.hpp"
 #include "fem/constraints/NodalFrames.hpp"
 #include "io/checkpoint/Checkpoint.hpp"
 #include "mesh/SimplexGeometry.hpp"
@@ -10,7 +11,6 @@
 #include "scenario/OutputFields.hpp"
 #include "scenario/ResolutionCheck.hpp"
 #include "scenario/RunArchive.hpp"
-#include "scenario/run/Interpolation.hpp"
 #include "scenario/setup/MeshSetup.hpp"
 #include "scenario/setup/TimeSetup.hpp"
 
@@ -219,7 +219,7 @@ io::Archive stateOfOtherRun(std::filesystem::path const& run, Problem<Dim> const
     motions.push_back(
       fem::alongAxes(other.constraints->frames(), *other.body.dofs, *motion, from_volume.vertices));
   }
-  Interpolation in_body(from_volume, to_volume, run.string());
+  catalogue::Interpolation in_body(from_volume, to_volume, run.string());
   if (!problem.mesh.faults.empty()) {
     in_body.searchAt(pointsInCells(problem.mesh, to_volume.vertices));
   }
@@ -238,7 +238,8 @@ io::Archive stateOfOtherRun(std::filesystem::path const& run, Problem<Dim> const
 
   auto const from = nodesOfFriction(other, other_domains.at("fault"));
   auto const to = nodesOfFriction(problem, domains.at("fault"));
-  const Interpolation along_fault(other_domains.at("fault"), domains.at("fault"), run.string());
+  const catalogue::Interpolation along_fault(other_domains.at("fault"), domains.at("fault"),
+                                             run.string());
   const auto carried = [&](Values const& there) {
     auto const values = along_fault({reordered(there, from)}, 1).front();
     Values result(to.size());

@@ -1,14 +1,16 @@
 #include "FaultSamples.hpp"
 
+#include "io/checkpoint/MeshChecksum.hpp"
 #include "mesh/Boundaries.hpp"
 #include "mesh/MeshQuality.hpp"
-#include "mesh/parallel/MeshChecksum.hpp"
 #include "mesh/parallel/Partition.hpp"
 
 #include <Teuchos_DefaultMpiComm.hpp>
 
 using namespace asperity;
 using namespace asperity::mesh;
+using io::checksum;
+using io::ChecksumOf;
 
 namespace
 {

@@ -3,7 +3,7 @@
 #include <cstdint>
 #include <string>
 
-namespace asperity::scenario
+namespace asperity::dynamics
 {
 // Notices while a run goes on that it does not get ahead: its steps have the smallest size, one
 // after the other.
@@ -28,4 +28,4 @@ private:
   std::int64_t most_forced_;
   std::int64_t smallest_ = 0, forced_ = 0; // in a row
 };
-} // namespace asperity::scenario
+} // namespace asperity::dynamics

@@ -1,4 +1,4 @@
-#include "scenario/run/Interpolation.hpp"
+#include "catalogue/receivers/Interpolation.hpp"
 
 #include "base/Errors.hpp"
 #include "base/Text.hpp"
@@ -8,7 +8,7 @@
 #include <algorithm>
 #include <cstddef>
 
-namespace asperity::scenario
+namespace asperity::catalogue
 {
 namespace
 {
@@ -45,7 +45,7 @@ std::vector<Values> Interpolation::operator()(std::vector<Values> const& fields,
       const auto located = rank == of ? find(part(to_.coordinates, to_.dimension, first, last),
                                              part(searched_, to_.dimension, first, last))
                                       : find({}, {});
-      const catalogue::Sampling sampling(from_, located);
+      const Sampling sampling(from_, located);
       for (std::size_t i = 0; i < fields.size(); ++i) {
         auto const values = sampling(fields[i], components);
         if (rank == of) {
@@ -58,8 +58,7 @@ std::vector<Values> Interpolation::operator()(std::vector<Values> const& fields,
 }
 
 // points: of one rank.
-std::vector<catalogue::LocatedPoint> Interpolation::find(Values const& points,
-                                                         Values const& searched) const
+std::vector<LocatedPoint> Interpolation::find(Values const& points, Values const& searched) const
 {
   constexpr double tolerance = 0.1; // of an element: chords of a curved boundary lie so far apart
   auto const all = io::gatherToAll(points, *to_.comm);
@@ -82,4 +81,4 @@ std::string Interpolation::text(double const* point) const
   }
   return words + ")";
 }
-} // namespace asperity::scenario
+} // namespace asperity::catalogue

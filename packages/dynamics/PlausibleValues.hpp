@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-namespace asperity::scenario
+namespace asperity::dynamics
 {
 // What a deck says of the body beside its fault and of the stress on it: the smallest and largest
 // value at the nodes of the fault, over all ranks.
@@ -31,4 +31,4 @@ std::string describeSpeeds(BesideFault const& values);
 // Questions about values in other units than SI: those that neither rock nor a material of analogue
 // experiments has (see PlausibleValues.cpp for the bounds and where they come from).
 std::vector<Warning> questionValues(BesideFault const& values);
-} // namespace asperity::scenario
+} // namespace asperity::dynamics

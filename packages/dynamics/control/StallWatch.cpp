@@ -1,9 +1,9 @@
-#include "scenario/run/StallWatch.hpp"
+#include "dynamics/control/StallWatch.hpp"
 
 #include "base/Errors.hpp"
 #include "base/Text.hpp"
 
-namespace asperity::scenario
+namespace asperity::dynamics
 {
 namespace
 {
@@ -43,4 +43,4 @@ std::string StallWatch::note(Step const& step)
   }
   return "";
 }
-} // namespace asperity::scenario
+} // namespace asperity::dynamics

@@ -1,8 +1,8 @@
-#include "scenario/deck/PlausibleValues.hpp"
+#include "dynamics/PlausibleValues.hpp"
 
 #include "base/Text.hpp"
 
-namespace asperity::scenario
+namespace asperity::dynamics
 {
 namespace
 {
@@ -102,4 +102,4 @@ std::vector<Warning> questionValues(BesideFault const& values)
   }
   return questions;
 }
-} // namespace asperity::scenario
+} // namespace asperity::dynamics

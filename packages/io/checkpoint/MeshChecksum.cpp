@@ -1,10 +1,10 @@
-#include "mesh/parallel/MeshChecksum.hpp"
+#include "io/checkpoint/MeshChecksum.hpp"
 
 #include "base/Hashes.hpp"
 
 #include <Teuchos_CommHelpers.hpp>
 
-namespace asperity::mesh
+namespace asperity::io
 {
 namespace
 {
@@ -104,4 +104,4 @@ std::uint64_t checksum(Mesh<Dim> const& part, ChecksumOf what, Communicator cons
 
 template std::uint64_t checksum(Mesh<2> const&, ChecksumOf, Communicator const&);
 template std::uint64_t checksum(Mesh<3> const&, ChecksumOf, Communicator const&);
-} // namespace asperity::mesh
+} // namespace asperity::io

@@ -5,7 +5,7 @@
 
 #include <cstdint>
 
-namespace asperity::mesh
+namespace asperity::io
 {
 enum class ChecksumOf
 {
@@ -16,4 +16,4 @@ enum class ChecksumOf
 // Of the whole mesh, however it is divided among ranks; the same on every rank. Collective.
 template <int Dim>
 std::uint64_t checksum(Mesh<Dim> const& part, ChecksumOf what, Communicator const& communicator);
-} // namespace asperity::mesh
+} // namespace asperity::io

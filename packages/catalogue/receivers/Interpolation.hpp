@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-namespace asperity::scenario
+namespace asperity::catalogue
 {
 // Values at the nodes of a domain of the run of --restart-from, at the nodes of the new run's.
 class Interpolation
@@ -27,13 +27,13 @@ public:
   std::vector<Values> operator()(std::vector<Values> const& fields, int components) const;
 
 private:
-  std::vector<catalogue::LocatedPoint> find(Values const& points, Values const& searched) const;
+  std::vector<LocatedPoint> find(Values const& points, Values const& searched) const;
   std::string text(double const* point) const;
 
   io::OutputDomain const& from_;
   io::OutputDomain const& to_;
-  catalogue::PointLocation location_;
+  PointLocation location_;
   Values searched_;
   std::string run_;
 };
-} // namespace asperity::scenario
+} // namespace asperity::catalogue
