@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <utility>
+
 namespace asperity::friction::test
 {
 namespace
@@ -16,6 +18,9 @@ Real distanceFromKink(ReferenceNode const& node, Real s)
 {
   return std::abs(std::log(node.factor * s / node.law.vAlpha(node.alpha)));
 }
+
+template <class View>
+using OnHost = decltype(toHost(std::declval<View>()));
 
 struct Linearisation
 {
@@ -32,9 +37,9 @@ struct Linearisation
     kinked = toHost(kinked_view);
   }
 
-  BlockView::HostMirror gradient;
-  HessianView::HostMirror hessian;
-  FlagView::HostMirror kinked;
+  OnHost<BlockView> gradient;
+  OnHost<HessianView> hessian;
+  OnHost<FlagView> kinked;
 };
 
 TEST(Linearise, GradientAndHessianAreThoseOfTheFunctional)
