@@ -152,7 +152,7 @@ install_packages()
   local log status=0
   log=$(mktemp)
   apt install -y --no-install-recommends "$@" 2>&1 | tee "$log" |
-    sed -n '/^Need to get/s/^/      /p; /^After this operation/s/^/      /p' || status=$?
+    sed -u -n '/^Need to get/s/^/      /p; /^After this operation/s/^/      /p' || status=$?
   [ "$status" -eq 0 ] || tail -n 25 "$log"
   rm -f "$log"
   return "$status"
