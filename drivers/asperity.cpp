@@ -23,12 +23,7 @@ try {
   if (command_line.validate) {
     auto const description = simulation->description();
     if (communicator->getRank() == 0) {
-      for (auto const& line : description.lines) {
-        std::cout << line << '\n';
-      }
-      for (auto const& warning : description.warnings) {
-        std::cout << "WARNING: " << warning.text << '\n';
-      }
+      asperity::scenario::print(description, std::cout);
       std::cout << command_line.deck << " is valid.\n";
     }
     return asperity::exit_done;

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "dynamics/StaticCondensation.hpp"
+#include "dynamics/condensation/StaticCondensation.hpp"
 #include "scenario/Problem.hpp"
 
 #include <memory>

@@ -265,7 +265,7 @@ void describeSmallestStep(Problem<Dim> const& problem, ParameterList const& deck
       {"smallest step", "Smallest Step = " + formatShort(time.get<double>(step_name)) +
                           " s is longer than an earthquake takes to slip by L, " +
                           formatShort(seismic) +
-                          " s: earthquakes will be lost. Leave it out for the default of " +
+                          " s: earthquakes may be lost. Leave it out for the default of " +
                           formatShort(advised) + " s, or choose a smaller one."});
   }
 }

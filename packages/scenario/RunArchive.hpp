@@ -1,7 +1,7 @@
 #pragma once
 
 #include "dynamics/EnergyBalance.hpp"
-#include "dynamics/StaticCondensation.hpp"
+#include "dynamics/condensation/StaticCondensation.hpp"
 #include "dynamics/control/StepControl.hpp"
 #include "io/checkpoint/Archive.hpp"
 

@@ -3,9 +3,9 @@
 #include "base/Text.hpp"
 #include "base/parallel/Reductions.hpp"
 #include "scenario/Environment.hpp"
-#include "scenario/FaultSense.hpp"
 #include "scenario/ResolutionCheck.hpp"
 #include "scenario/setup/BulkSetup.hpp"
+#include "scenario/setup/fault/FaultSense.hpp"
 
 #include <cmath>
 #include <sstream>
@@ -79,6 +79,16 @@ Description describe(Problem<Dim> const& problem, ParameterList const& deck)
 
 template Description describe(Problem<2> const&, ParameterList const&);
 template Description describe(Problem<3> const&, ParameterList const&);
+
+void print(Description const& description, std::ostream& stream)
+{
+  for (auto const& line : description.lines) {
+    stream << line << '\n';
+  }
+  for (auto const& warning : description.warnings) {
+    stream << "WARNING: " << warning.text << '\n';
+  }
+}
 
 namespace
 {

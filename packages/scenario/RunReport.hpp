@@ -6,6 +6,7 @@
 #include "fem/Warning.hpp"
 #include "scenario/Problem.hpp"
 
+#include <iosfwd>
 #include <string>
 #include <vector>
 
@@ -20,6 +21,7 @@ struct Description
 };
 template <int Dim>
 Description describe(Problem<Dim> const& problem, ParameterList const& deck);
+void print(Description const& description, std::ostream& stream);
 
 struct RunSummary
 {

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "dynamics/Body.hpp"
-#include "dynamics/StaticCondensation.hpp"
+#include "dynamics/condensation/StaticCondensation.hpp"
 #include "fem/constraints/NodalFrames.hpp"
 
 #include <map>

@@ -19,9 +19,10 @@ struct CurveOrder
   std::vector<double> positions;         // arc length [m] of each
 };
 
-// Walks along the segments from the end that `start` names. Pieces come in the order of their
-// first vertices, closed curves last, and positions continue from one piece to the next. A closed curve
-// begins at the vertex that would be the first of all ends. Throws InputError if the curve branches.
+// Walks along the segments from the end that `start` names. Pieces come in the order of their first
+// vertices, closed curves last, and positions continue from one piece to the next. A closed curve
+// begins at the vertex that would be the first of all ends. Throws InputError if the curve
+// branches.
 CurveOrder orderCurve(std::vector<Segment> const& segments,
                       std::map<GlobalOrdinal, PlanePoint> const& coordinates, CurveStart start);
 } // namespace asperity::io::detail

@@ -1,6 +1,5 @@
 """A smallest step that is too large loses no earthquake without a word."""
 
-import json
 import pathlib
 import shutil
 import sys
@@ -14,13 +13,15 @@ from asperity_report import sections  # noqa: E402
 from asperity_status.facts import facts  # noqa: E402
 
 DECK = asperity_run.SOURCE / "xml" / "spring_slider.xml"
-EVENTS, DONE, SOLVE = 5, 0, 3
+EVENTS, DONE, SOLVE = 2, 0, 3  # events in FINAL, as with the deck's own step
+FINAL = "Time Stepping/Final Time=2500"
 
 
 def run(name, *arguments):
     folder = pathlib.Path(name)
     shutil.rmtree(folder, ignore_errors=True)
-    return folder, asperity_run.run(DECK, *arguments, "--output", folder, timeout=250)
+    return folder, asperity_run.run(DECK, *settings(FINAL), *arguments, "--output", folder,
+                                    timeout=250)
 
 
 def num_events(folder):
@@ -40,11 +41,10 @@ class SmallestStep(unittest.TestCase):
 
     def test_each_size_is_fine_or_told(self):
         for size in (1e-5, 1e-3, 0.1, 1.0, 10.0, 100.0, 1000.0):
-            largest = max(4.0, size)
+            largest = max(4.0, 2 * size)
             with self.subTest(size=size):
                 folder, result = run(f"size_{size:g}", *settings(
-                    f"Time Stepping/Smallest Step={size}", f"Time Stepping/Largest Step={largest}",
-                    "Time Stepping/Control=Step Doubling"))
+                    f"Time Stepping/Smallest Step={size}", f"Time Stepping/Largest Step={largest}"))
                 warned = self.warned(folder)
                 if result.returncode == DONE:
                     self.assertTrue(warned or num_events(folder) == EVENTS)
@@ -67,15 +67,14 @@ class SmallestStep(unittest.TestCase):
     def test_a_run_that_hides_growth_ends_with_advice_that_works(self):
         """The watch alone, without the warning of the start."""
         folder, result = run("hidden", *settings(
-            "Time Stepping/Largest Step=10", "Time Stepping/Smallest Step=10",
-            "Time Stepping/Control=Step Doubling", "Time Stepping/Most Hiding Steps=1"))
+            "Time Stepping/Largest Step=8", "Time Stepping/Smallest Step=4",
+            "Time Stepping/Most Hiding Steps=1"))
         self.assertEqual(result.returncode, SOLVE)
         self.assertIn("Choose a smaller 'Smallest Step'", result.stderr)
-        self.assertEqual(json.loads(json.dumps(facts(folder, 1800.0).exit_status)), SOLVE)
+        self.assertEqual(facts(folder, 1800.0).exit_status, SOLVE)
         result = asperity_run.run(DECK, *settings(
-            "Time Stepping/Largest Step=10", "Time Stepping/Smallest Step=1e-6",
-            "Time Stepping/Control=Step Doubling"), "--restart", folder / "checkpoint.h5",
-            "--output", folder, timeout=250)
+            FINAL, "Time Stepping/Largest Step=8", "Time Stepping/Smallest Step=1e-6"),
+            "--restart", folder / "checkpoint.h5", "--output", folder, timeout=250)
         self.assertEqual((result.returncode, result.stderr), (0, ""))
         self.assertEqual(facts(folder, 1800.0).state, "finished")
 

@@ -30,8 +30,9 @@ HOST = {
     "packages/dynamics/FoundationPressure.cpp": "set-up",
     "packages/dynamics/InitialState.cpp": "set-up",
     "packages/dynamics/NormalReaction.cpp": "the nodes of the fault alone",
-    "packages/dynamics/StaticCondensation.cpp": "the direct solver; loads on the fault",
-    "packages/dynamics/StaticCondensationState.cpp": "checkpoints of the direct solver",
+    "packages/dynamics/condensation/StaticCondensation.cpp": "direct solver; loads on the fault",
+    "packages/dynamics/condensation/StaticCondensationState.cpp": "checkpoints",
+    "packages/dynamics/condensation/VertexMotion.cpp": "the rows of a few points, on one rank",
     "packages/dynamics/control/NotFinite.cpp": "the place of a number that ends the run",
     "packages/dynamics/coupling/RateSolver.cpp": "the direct solver, on Eigen's factors",
 }

@@ -1,7 +1,7 @@
 #include "dynamics/EnergyBalance.hpp"
 
 #include "dynamics/InitialState.hpp"
-#include "fem/NodalDamping.hpp"
+#include "fem/constraints/NodalDamping.hpp"
 #include "unit/dynamics/SlidingBlock.hpp"
 
 #include <Tpetra_Vector.hpp>

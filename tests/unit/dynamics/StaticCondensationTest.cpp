@@ -1,4 +1,4 @@
-#include "dynamics/StaticCondensation.hpp"
+#include "dynamics/condensation/StaticCondensation.hpp"
 
 #include "dynamics/coupling/CoupledStep.hpp"
 #include "fem/constraints/NodalDamping.hpp"

@@ -133,7 +133,7 @@ TEST(BodyPieces, WarningsNameVertexAndPieces)
   EXPECT_TRUE(warnings(rectangleAt(0, 0)).empty());
   const auto bow_tie = warnings(both(rectangleAt(0, 0), rectangleAt(1, 1), true));
   ASSERT_EQ(bow_tie.size(), 2U);
-  EXPECT_NE(bow_tie[0].find("at 1 vertex"), std::string::npos) << bow_tie[0];
-  EXPECT_NE(bow_tie[0].find("vertex 24 at (1, 1)"), std::string::npos) << bow_tie[0];
-  EXPECT_NE(bow_tie[1].find("2 pieces"), std::string::npos) << bow_tie[1];
+  EXPECT_NE(bow_tie[0].text.find("at 1 vertex"), std::string::npos) << bow_tie[0].text;
+  EXPECT_NE(bow_tie[0].text.find("vertex 24 at (1, 1)"), std::string::npos) << bow_tie[0].text;
+  EXPECT_NE(bow_tie[1].text.find("2 pieces"), std::string::npos) << bow_tie[1].text;
 }

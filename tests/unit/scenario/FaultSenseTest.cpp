@@ -1,4 +1,4 @@
-#include "scenario/FaultSense.hpp"
+#include "scenario/setup/fault/FaultSense.hpp"
 
 #include "SampleDeck.hpp"
 

@@ -1,4 +1,4 @@
-#include "dynamics/StaticCondensation.hpp"
+#include "dynamics/condensation/StaticCondensation.hpp"
 
 #include "base/Errors.hpp"
 #include "portability/Renamed.hpp"

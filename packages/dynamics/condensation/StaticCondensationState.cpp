@@ -1,4 +1,4 @@
-#include "dynamics/StaticCondensation.hpp"
+#include "dynamics/condensation/StaticCondensation.hpp"
 
 #include <Tpetra_Map.hpp>
 #include <Tpetra_Vector.hpp>
