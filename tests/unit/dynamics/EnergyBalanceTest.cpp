@@ -1,6 +1,7 @@
 #include "dynamics/EnergyBalance.hpp"
 
 #include "dynamics/InitialState.hpp"
+#include "dynamics/Model.hpp"
 #include "fem/constraints/NodalDamping.hpp"
 #include "unit/dynamics/SlidingBlock.hpp"
 
@@ -20,7 +21,7 @@ namespace
 const DyadicTime milliseconds(4e-3, 4);
 
 // With an acceleration that balances momentum.
-State balanced(Model const& model, State state)
+State balanced(testing::Model const& model, State state)
 {
   auto load = model.body.vector();
   auto prescribed = model.body.vector();
@@ -34,7 +35,7 @@ State balanced(Model const& model, State state)
   return state;
 }
 
-State balancedState(Model const& model) { return balanced(model, slidingState(model)); }
+State balancedState(testing::Model const& model) { return balanced(model, slidingState(model)); }
 
 void advance(Stepper& stepper, State& state, int level)
 {
@@ -49,7 +50,7 @@ TEST(EnergyBalance, closesWithTheTrapezoidalRuleWhateverTheSteps)
   for (int components : {1, 2}) {
     auto options = slidingBlock(components);
     options.cohesion = 15;
-    const Model model(options, fem::testing::selfCommunicator());
+    const testing::Model model(options, fem::testing::selfCommunicator());
     Stepper stepper(model, RateUpdate::newmark(0.25), milliseconds);
     EnergyBalance balance(model.body, model.fault, milliseconds);
     auto state = balancedState(model);
@@ -82,7 +83,7 @@ TEST(EnergyBalance, closesWithTheTrapezoidalRuleWhateverTheSteps)
 // However loose the coupling: what counts is the state that the velocity was computed with.
 TEST(EnergyBalance, closesWhereAlphaIsStillMoving)
 {
-  const Model model(slidingBlock(2), fem::testing::selfCommunicator());
+  const testing::Model model(slidingBlock(2), fem::testing::selfCommunicator());
   auto loose = tightCoupling();
   loose.tolerance = 0.1;
   Stepper stepper(model, RateUpdate::newmark(0.25), milliseconds, loose);
@@ -106,7 +107,7 @@ TEST(EnergyBalance, splitsTheWorkOfFrictionAndOfThePushedBoundary)
   auto const pushed = [](auto const&, double) { return 1e-3; };
   options.conditions = {{"Push", "right", fem::PrescribedVelocity<2>{{1, 0}, pushed}}};
   options.b = 0;
-  const Model model(options, fem::testing::selfCommunicator());
+  const testing::Model model(options, fem::testing::selfCommunicator());
   auto state = model.restingState();
   model.setFree(*state.v, [](auto const&) -> std::array<double, 2> { return {1e-3, 0}; });
   // K u = traction - friction, at the fixed dofs the push.
@@ -142,7 +143,7 @@ TEST(EnergyBalance, namesWhatBackwardEulerDissipates)
   options.sigma_n = options.traction = 0;
   options.conditions = {};
   options.material.shear_viscosity = 0;
-  const Model model(options, fem::testing::selfCommunicator());
+  const testing::Model model(options, fem::testing::selfCommunicator());
   auto const M = denseOf(*model.body.matrices.mass);
   auto const K = denseOf(*model.body.matrices.stiffness);
   Stepper stepper(model, RateUpdate::backwardEuler(), milliseconds);
@@ -172,7 +173,7 @@ TEST_P(EnergyOfSchemes, closesOnceTheirDissipationIsCounted)
   for (int components : {1, 2}) {
     auto options = slidingBlock(components);
     options.cohesion = 15;
-    const Model model(options, fem::testing::selfCommunicator());
+    const testing::Model model(options, fem::testing::selfCommunicator());
     Stepper stepper(model, GetParam(), milliseconds);
     EnergyBalance balance(model.body, model.fault, milliseconds);
     auto state = balancedState(model);
@@ -195,7 +196,7 @@ TEST_P(EnergyOfSchemes, isDissipatedWhereTheBodyIsLeftAlone)
   options.gravity = {0, 0};
   options.conditions = {};
   options.material.shear_viscosity = options.material.bulk_viscosity = 0;
-  const Model model(options, fem::testing::selfCommunicator());
+  const testing::Model model(options, fem::testing::selfCommunicator());
   Stepper stepper(model, GetParam(), milliseconds);
   EnergyBalance balance(model.body, model.fault, milliseconds);
   auto state = model.restingState();
@@ -227,7 +228,7 @@ TEST(EnergyBalance, followsAChangingNormalStress)
   options.normal_stress = [](Point<2> const& x, double t) {
     return 2000 * (1 + 0.1 * x[0]) * (1 - 30 * t);
   };
-  const Model model(options, fem::testing::selfCommunicator());
+  const testing::Model model(options, fem::testing::selfCommunicator());
   Stepper stepper(model, RateUpdate::newmark(0.25), milliseconds);
   EnergyBalance balance(model.body, model.fault, milliseconds);
   auto state = balancedState(model);
@@ -247,7 +248,7 @@ TEST(EnergyBalance, followsAChangingNormalStress)
 
 TEST(EnergyBalance, goesOnFromTheWorksOfAnEarlierRun)
 {
-  const Model model(slidingBlock(2), fem::testing::selfCommunicator());
+  const testing::Model model(slidingBlock(2), fem::testing::selfCommunicator());
   Stepper stepper(model, RateUpdate::newmark(0.25), milliseconds);
   EnergyBalance whole(model.body, model.fault, milliseconds);
   EnergyBalance second(model.body, model.fault, milliseconds);
@@ -272,7 +273,7 @@ TEST(EnergyBalance, seesNoWorkWhereTheFaultIsHeld)
   auto options = slidingBlock(2);
   options.conditions = {};
   options.cohesion = 1e4;
-  const Model model(options, fem::testing::selfCommunicator());
+  const testing::Model model(options, fem::testing::selfCommunicator());
   Stepper stepper(model, RateUpdate::newmark(0.25), milliseconds);
   EnergyBalance balance(model.body, model.fault, milliseconds);
   auto state = model.restingState();
@@ -315,6 +316,7 @@ TEST(Energy, listsAllItsMembersOnce)
   EXPECT_EQ(sizeof(Energy), n * sizeof(double));
   EXPECT_EQ(names.size(), Energy::members().size());
 }
+
 namespace
 {
 // A block whose top rests, without viscosity and mass, with radiation damping on its fault.

@@ -83,7 +83,8 @@ class InSpace(unittest.TestCase):
         found = self.volume["fields/coulomb_stress_change_thrust"]
         self.assertTrue(numpy.all(found[0] == 0))
         self.assertGreater(numpy.abs(expected).max(), 1)
-        numpy.testing.assert_allclose(found, expected, rtol=0, atol=1e-9 * numpy.abs(expected).max())
+        numpy.testing.assert_allclose(found, expected, rtol=0,
+                                      atol=1e-9 * numpy.abs(expected).max())
 
     def test_the_push_loads_a_thrust(self):
         """On average over the body, which is compressed along x."""
@@ -111,7 +112,8 @@ class InSpace(unittest.TestCase):
             for dataset, values in ours.items():
                 if dataset.endswith(("stress", "strain", "thrust")):
                     scale = numpy.abs(values).max()
-                    numpy.testing.assert_allclose(theirs[dataset], values, rtol=0, atol=1e-7 * scale)
+                    numpy.testing.assert_allclose(theirs[dataset], values, rtol=0,
+                                                  atol=1e-7 * scale)
                 elif dataset.startswith("geometry/") and "weights" not in dataset:
                     numpy.testing.assert_array_equal(theirs[dataset], values, dataset)
 
