@@ -201,13 +201,14 @@ std::vector<Warning> warnOfResolution(dynamics::FaultResolution const& resolutio
   }
   const bool has_formula = state_law == friction::AgeingLaw::name;
   const double needed = has_formula ? resolution.nucleation_length : resolution.unstable_wavelength;
-  if (!resolution.weakens_everywhere && needed > resolution.weakening_length) {
+  if (!resolution.weakens_everywhere && needed > 2 * resolution.weakening_length) {
     warnings.push_back(
       {"nucleation length",
        std::string(has_formula ? "the nucleation length" : "the shortest length that is unstable") +
-         ", " + rounded(needed) + " m, is longer than the part of the fault that weakens, " +
+         ", " + rounded(needed) + " m, is more than twice the part of the fault that weakens, " +
          rounded(resolution.weakening_length) +
-         " m: it will creep without earthquakes. Check L, a, b, Normal Stress and moduli."});
+         " m: it is likely to creep without earthquakes. Check L, a, b, Normal Stress and "
+         "moduli."});
   }
   return warnings;
 }

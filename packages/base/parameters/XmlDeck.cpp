@@ -97,6 +97,9 @@ ParameterEntry readValue(XMLObject const& element, std::string const& where)
   }
   if (type == "double" || type == "float") { // what is no number may be a name or an expression
     const auto number = readNumber(value);
+    if (!number && (value.empty() || value == "nan" || value == "inf")) {
+      refuseValue(where, type, value);
+    }
     return number ? ParameterEntry(*number) : ParameterEntry(value);
   }
   if (type == "int") {

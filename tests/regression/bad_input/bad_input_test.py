@@ -180,11 +180,11 @@ class Decks(Case):
         named = TEXT.replace('<ParameterList name="Mesh">',
                              names + '\n  </ParameterList>\n  <ParameterList name="Mesh">', 1)
         named = named.replace('type="double" value="1000"', 'type="double" value="2 * rho"')
-        pathlib.Path("named.xml").write_text(named.format("500"))
+        pathlib.Path("named.xml").write_text(named.replace("{}", "500"))
         self.assert_done("named.xml", "--output", "named")
         written = pathlib.Path("named/parameters.xml").read_text()
         self.assertIn('value="2 * (500)"', written)
-        self.assert_deck_refused(named.format("=500"), "Asperity / Names / rho", "==")
+        self.assert_deck_refused(named.replace("{}", "=500"), "Asperity / Names / rho", "==")
 
     def test_datasets_where_there_is_no_vertex(self):
         with h5py.File("fields.h5", "w") as file:
@@ -221,7 +221,7 @@ class CommandLine(Case):
 
     def test_paths_with_a_part_that_is_too_long(self):
         part = 256 * "x"
-        dataset = settings(f"Initial State/State={part}.h5:/state")
+        dataset = settings(f"Friction/a={part}.h5:/a")
         for arguments in ([DECK, "--output", part], [DECK, "--output", f"{part}/results"],
                           [f"{part}.xml"], [DECK, "--overlay", part], [DECK, "--restart", part],
                           [DECK, "--restart-from", part], [DECK, "--plugin", part],

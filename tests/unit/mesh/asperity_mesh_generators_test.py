@@ -77,7 +77,7 @@ class PlaneMeshes(mesh_tool.Case):
         refused("top=x == 0.5", "Option --fault / top: a boundary on the surface")
         refused("main=x == 0.5 && t > 1", "Option --fault main depends on t")
         refused("main=x ==", "Option --fault main")
-        refused("x == 0.5", "Option --fault x", "no valid expression")
+        refused("x == 0.5", "Option --fault x", "single =")
         refused("0.5", "not of the form NAME=CONDITION")
 
     def test_info_of_bad_files(self):

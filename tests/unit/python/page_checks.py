@@ -3,7 +3,7 @@
 import re
 from html.parser import HTMLParser
 
-VOID = {"meta", "img", "br", "hr", "link", "input", "col"}
+VOID = {"meta", "img", "br", "hr", "link", "input", "col", "wbr"}
 REFERENCES = {"src", "href", "srcset", "data", "poster", "action", "background", "cite", "ping"}
 
 
