@@ -80,9 +80,10 @@ void declareCoulombPlanes(Declare& output)
                  "Each entry is a plane, and its name gives the field "
                  "coulomb_stress_change_<plane> of Volume Snapshots, Surface History and Receivers "
                  "in the body.")
-    .realArray("East", std::vector<double>{1, 0, 0}, "-", Range::any(),
-               "The part of this vector at right angles to Up points east in three dimensions, at any "
-               "length; strikes of Coulomb Planes follow from it.");
+    .realArray(
+      "East", std::vector<double>{1, 0, 0}, "-", Range::any(),
+      "The part of this vector at right angles to Up points east in three dimensions, at any "
+      "length; strikes of Coulomb Planes follow from it.");
 }
 
 std::map<std::string, fem::CoulombPlane> coulombPlanes(ParameterList const& output, int dimension)

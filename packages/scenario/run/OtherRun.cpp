@@ -191,6 +191,10 @@ io::Archive stateOfOtherRun(std::filesystem::path const& run, Problem<Dim> const
                             dynamics::DyadicTime const& clock, double end)
 {
   std::error_code ignored;
+  ASPERITY_REQUIRE(std::filesystem::exists(run, ignored),
+                   "--restart-from: there is no " << run.string()
+                                                  << ". Give the directory of a run, which has "
+                                                     "parameters.xml and checkpoint.h5.");
   const bool is_folder = std::filesystem::is_directory(run, ignored);
   const auto folder = is_folder ? run : run.parent_path();
   auto const other_deck = deckOf(folder.empty() ? "." : folder);

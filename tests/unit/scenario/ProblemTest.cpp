@@ -37,7 +37,7 @@ TEST(Problem, pressesOnTheFaultWithTheWeightOfTheBody)
   EXPECT_EQ(heldComponents(*problem.surface), (std::vector<std::vector<int>>{{1}, {0}, {1}}))
     << "the walls hold its ends";
   ASSERT_EQ(problem.remarks.size(), 1U);
-  expectParts(problem.remarks[0], {"Speeds of waves beside the fault"});
+  expectParts(problem.remarks[0], {"Beside the fault shear waves travel at c_s"});
 }
 
 // Where a wall goes on in its plane, the fault bears its own share of a node's load alone.
