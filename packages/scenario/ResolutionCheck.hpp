@@ -27,7 +27,7 @@ std::vector<std::string> describeSize(Problem<Dim> const& problem);
 std::vector<std::string> describe(dynamics::FaultResolution const& resolution,
                                   std::string const& state_law);
 // Of fewer than three cells per cohesive zone, and of a part that weakens, beside others that do
-// not, which is shorter than ruptures need to nucleate.
+// not, which is less than half as long as the nucleation length.
 std::vector<Warning> warnOfResolution(dynamics::FaultResolution const& resolution,
                                       std::string const& state_law);
 
