@@ -1,12 +1,12 @@
 #include "scenario/Simulation.hpp"
 
 #include "base/Errors.hpp"
-#include "base/Hashes.hpp"
 #include "base/Text.hpp"
 #include "base/hdf5/File.hpp"
 #include "base/parallel/Agreement.hpp"
 #include "base/parallel/MeetingPoint.hpp"
 #include "base/program/MpiScope.hpp"
+#include "base/program/Plugins.hpp"
 #include "base/program/Signals.hpp"
 #include "base/program/WorkTimers.hpp"
 #include "dynamics/control/StallWatch.hpp"
@@ -26,10 +26,8 @@
 #include "scenario/setup/SolverSetup.hpp"
 #include "scenario/setup/TimeSetup.hpp"
 
-#include <algorithm>
 #include <chrono>
 #include <fstream>
-#include <sstream>
 
 namespace asperity::scenario
 {
@@ -44,24 +42,6 @@ io::ExistingResult existingResult(CommandLine const& command_line)
     return io::ExistingResult::keep;
   }
   return command_line.overwrite ? io::ExistingResult::overwrite : io::ExistingResult::refuse;
-}
-
-// Of the content of these files, one after the other, in a fixed order.
-std::string checksums(std::vector<std::string> const& files)
-{
-  std::vector<std::string> of_each;
-  for (auto const& name : files) {
-    std::ifstream file(name, std::ios::binary);
-    std::ostringstream content;
-    content << file.rdbuf();
-    of_each.push_back(hexadecimal(Checksum().add(content.str()).value()));
-  }
-  std::sort(of_each.begin(), of_each.end());
-  std::string all;
-  for (auto const& checksum : of_each) {
-    all += checksum + ' ';
-  }
-  return all;
 }
 
 template <int Dim>
@@ -132,7 +112,7 @@ SimulationOf<Dim>::SimulationOf(RCP<ParameterList> const& deck, CommandLine cons
     , domains_(makeDomains(evolution_.problem()))
     , restart_(command_line.restart)
     , restart_from_(command_line.restart_from)
-    , plugins_(checksums(command_line.plugins))
+    , plugins_(contentOfPlugins(command_line.plugins))
     , fingerprint_(fingerprint(*deck, evolution_.problem().mesh, *communicator))
     , checkpoint_interval_(deck->sublist("Output").get<int>("Checkpoint Every n Steps"))
     , checkpoint_minutes_(deck->sublist("Output").get<double>("Checkpoint Every Minutes"))
@@ -203,7 +183,7 @@ int SimulationOf<Dim>::run()
   } catch (OutputError const& error) {
     // What is half written is not written again: the checkpoint before is the last complete state.
     log_->note(std::string("The run has ended: ") + error.what());
-    journal_->end("failed", exit_output, error.what());
+    journal_->end("failed", exitStatus(error), error.what());
     throw;
   } catch (std::exception const& error) {
     endEarly(error);
@@ -255,16 +235,6 @@ void SimulationOf<Dim>::warnOfEvolution()
     warn(warning);
   }
 }
-
-namespace
-{
-int exitStatus(std::exception const& error)
-{
-  return dynamic_cast<InputError const*>(&error) != nullptr   ? exit_input
-         : dynamic_cast<SolveError const*>(&error) != nullptr ? exit_solve
-                                                              : exit_other;
-}
-} // namespace
 
 // A rank that fails alone leaves the others in the middle of something collective, and a checkpoint
 // is that, too.

@@ -1,12 +1,15 @@
 #include "base/program/Plugins.hpp"
 
 #include "base/Errors.hpp"
+#include "base/Hashes.hpp"
 
 #include <dlfcn.h>
 
 #include <algorithm>
 #include <filesystem>
+#include <fstream>
 #include <iterator>
+#include <sstream>
 
 namespace asperity
 {
@@ -66,5 +69,21 @@ void loadPlugins(std::vector<std::string> const& files,
                                     << ", which is there already. Give it another name.");
     }
   }
+}
+
+std::string contentOfPlugins(std::vector<std::string> const& files)
+{
+  Names checksums;
+  for (auto const& name : files) {
+    std::ostringstream content;
+    content << std::ifstream(name, std::ios::binary).rdbuf();
+    checksums.push_back(hexadecimal(Checksum().add(content.str()).value()));
+  }
+  std::sort(checksums.begin(), checksums.end());
+  std::string all;
+  for (auto const& checksum : checksums) {
+    all += checksum + ' ';
+  }
+  return all;
 }
 } // namespace asperity

@@ -13,4 +13,8 @@ namespace asperity
 // anything is made from what is registered.
 void loadPlugins(std::vector<std::string> const& files,
                  std::function<std::vector<std::string>()> const& registrations);
+
+// Checksums of the content of these libraries, in an order that does not depend on that of the
+// files: the text differs where a library has been changed or exchanged.
+std::string contentOfPlugins(std::vector<std::string> const& files);
 } // namespace asperity

@@ -32,16 +32,10 @@ Outcome call(std::function<int()> const& body)
 {
   try {
     return {body(), false, ""};
-  } catch (InputError const& error) {
-    return failed(exit_input, error.what());
-  } catch (SolveError const& error) {
-    return failed(exit_solve, error.what());
-  } catch (OutputError const& error) {
-    return failed(exit_output, error.what());
   } catch (std::bad_alloc const&) {
     return failed(exit_other, "Out of memory. Use more ranks on more machines, or a coarser mesh.");
   } catch (std::exception const& error) {
-    return failed(exit_other, error.what());
+    return failed(exitStatus(error), error.what());
   } catch (...) {
     return failed(exit_other, "An exception of unknown type was thrown.");
   }
@@ -140,6 +134,14 @@ void GuardCommunicator::abort(Outcome const& outcome, std::string const& program
   std::abort();
 }
 } // namespace
+
+ExitStatus exitStatus(std::exception const& error)
+{
+  return dynamic_cast<InputError const*>(&error) != nullptr    ? exit_input
+         : dynamic_cast<SolveError const*>(&error) != nullptr  ? exit_solve
+         : dynamic_cast<OutputError const*>(&error) != nullptr ? exit_output
+                                                               : exit_other;
+}
 
 void leaveIfHdf5Cannot(int status)
 {

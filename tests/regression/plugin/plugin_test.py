@@ -92,6 +92,20 @@ class Run(unittest.TestCase):
     def test_on_two_ranks(self):
         self.check(ranks=2)
 
+    def test_a_restart_refuses_a_plugin_that_has_changed(self):
+        plugin = pathlib.Path(shutil.copy(PLUGIN, "changed.so"))
+        folder = asperity_run.run_to_end("changed", DECK, "--plugin", plugin, "--set",
+                                         f"Time Stepping/Final Time={END / 2}")
+        again = ["--restart", folder / "checkpoint.h5", "--plugin", plugin]
+        content = plugin.read_bytes()
+        plugin.write_bytes(content + b"\0")  # it still loads, and behaves as before
+        result = asperity_run.run(DECK, "--output", folder, *again)
+        self.assertEqual(result.returncode, 2, result.stdout)
+        self.assertIn("plugin libraries", result.stderr)
+        plugin.write_bytes(content)
+        result = asperity_run.run(DECK, "--output", folder, *again)
+        self.assertEqual((result.returncode, result.stderr), (0, ""))
+
 
 class Parameters(unittest.TestCase):
     def assert_refused(self, arguments, *pieces):

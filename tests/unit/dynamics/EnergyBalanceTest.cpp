@@ -1,8 +1,7 @@
 #include "dynamics/EnergyBalance.hpp"
 
 #include "dynamics/InitialState.hpp"
-#include "dynamics/Model.hpp"
-#include "fem/constraints/NodalDamping.hpp"
+#include "unit/dynamics/QuasiDynamicModel.hpp"
 #include "unit/dynamics/SlidingBlock.hpp"
 
 #include <Tpetra_Vector.hpp>
@@ -319,22 +318,7 @@ TEST(Energy, listsAllItsMembersOnce)
 
 namespace
 {
-// A block whose top rests, without viscosity and mass, with radiation damping on its fault.
-dynamics::Model quasiDynamic(testing::Model const& model)
-{
-  dynamics::Model result{model.body,
-                         Fault(model.surface, model.fault.laws(), model.fault.normalStress()),
-                         model.restingState(),
-                         {}};
-  auto& matrices = result.body.matrices;
-  matrices.mass = fem::zeroLike(*matrices.mass);
-  matrices.is_massless = true;
-  const std::vector<double> eta(model.surface->numNodes(), 30.);
-  matrices.viscosity = fem::withDampers(*matrices.viscosity, *model.dofs,
-                                        fem::radiationDampers(*model.surface, *model.dofs, eta));
-  return result;
-}
-
+// A block whose top rests, without viscosity.
 ModelOptions hangingBlock()
 {
   auto options = slidingBlock(2);

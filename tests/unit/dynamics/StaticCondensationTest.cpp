@@ -1,8 +1,7 @@
 #include "dynamics/condensation/StaticCondensation.hpp"
 
 #include "dynamics/coupling/CoupledStep.hpp"
-#include "fem/constraints/NodalDamping.hpp"
-#include "unit/dynamics/SmallModel.hpp"
+#include "unit/dynamics/QuasiDynamicModel.hpp"
 #include "unit/fem/SampleMeshes.hpp"
 
 #include <Tpetra_Vector.hpp>
@@ -28,22 +27,6 @@ ModelOptions drivenBlock()
      fem::PrescribedVelocity<2>{{1, 0}, [](auto const&, double) { return top_velocity; }}},
     {"Lid", "top", fem::AtRestAlong{{0, 1}}}};
   return options;
-}
-
-// Without mass, and with radiation damping on the fault.
-dynamics::Model quasiDynamic(testing::Model const& model)
-{
-  dynamics::Model whole{model.body,
-                        Fault(model.surface, model.fault.laws(), model.fault.normalStress()),
-                        model.restingState(),
-                        {}};
-  auto& matrices = whole.body.matrices;
-  matrices.mass = fem::zeroLike(*matrices.mass);
-  matrices.is_massless = true;
-  const std::vector<double> eta(model.surface->numNodes(), 30.);
-  matrices.viscosity = fem::withDampers(*matrices.viscosity, *model.dofs,
-                                        fem::radiationDampers(*model.surface, *model.dofs, eta));
-  return whole;
 }
 
 Eigen::MatrixXd block(Eigen::MatrixXd const& K, std::vector<int> const& rows,
