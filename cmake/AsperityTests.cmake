@@ -92,6 +92,7 @@ function(asperity_add_test name)
     set(TEST_TIMEOUT 120)
   endif()
   add_executable(${name} ${TEST_SOURCES})
+  set_target_properties(${name} PROPERTIES UNITY_BUILD OFF) # files may use the same names
   asperity_compile_options(${name})
   target_include_directories(${name} PRIVATE "${PROJECT_SOURCE_DIR}/tests")
   asperity_link_packages(${name} PRIVATE ${TEST_PACKAGES})

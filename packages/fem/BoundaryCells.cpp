@@ -127,4 +127,5 @@ std::vector<Material> materialsAtNodes(Mesh<Dim> const& mesh, FaultSurface const
 
 ASPERITY_INSTANTIATE(2)
 ASPERITY_INSTANTIATE(3)
+#undef ASPERITY_INSTANTIATE
 } // namespace asperity::fem

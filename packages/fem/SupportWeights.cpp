@@ -14,7 +14,7 @@ namespace
 {
 // Cosines between the outward normals of fault and wall. What is nearly at right angles is taken
 // for that by the frames of the nodes, too.
-constexpr double across = 0.1;
+constexpr double nearly_across = 0.1;
 constexpr double in_line = 0.9;
 } // namespace
 
@@ -53,7 +53,7 @@ std::vector<double> supportWeights(Mesh<Dim> const& mesh, FaultSurface const& fa
           cosine += normal[d] * fault[i].normal[d];
         }
         cosine /= size;
-        ASPERITY_REQUIRE(std::abs(cosine) < across || cosine > in_line,
+        ASPERITY_REQUIRE(std::abs(cosine) < nearly_across || cosine > in_line,
                          "The normal stress of the fault does not follow from gravity at x = "
                            << mesh::text(mesh.vertices[node]) << ": " << condition.name
                            << " holds the fault there at an angle that is neither right nor flat, "

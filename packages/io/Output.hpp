@@ -70,6 +70,9 @@ public:
   virtual void save(Archive& archive) const = 0;
   virtual void restore(Archive const& archive) = 0;
 
+  // Whether the run is to end with the last step written. The same on all ranks.
+  virtual bool endsRun() const { return false; }
+
   // Adds the objects that files of a text format may read, normally this output itself.
   virtual void offer(Offers&) const {}
 

@@ -6,6 +6,7 @@
 
 #include <Teuchos_Array.hpp>
 
+#include <algorithm>
 #include <cmath>
 
 namespace asperity::io
@@ -198,6 +199,12 @@ void OutputSet::finish()
   for (auto& entry : entries_) {
     entry.output->finish();
   }
+}
+
+bool OutputSet::endsRun() const
+{
+  return std::any_of(entries_.begin(), entries_.end(),
+                     [](Entry const& entry) { return entry.output->endsRun(); });
 }
 
 std::vector<Count> OutputSet::counts() const

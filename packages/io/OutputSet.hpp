@@ -39,6 +39,8 @@ public:
   void restore(Archive const& archive);
   void finish();
 
+  bool endsRun() const; // whether one of the outputs does
+
   // The counts of all outputs for the lines of progress, and their paragraphs for the report.
   std::vector<Count> counts() const;
   std::string report() const;

@@ -197,7 +197,7 @@ int SimulationOf<Dim>::run()
 template <int Dim>
 int SimulationOf<Dim>::makeSteps(StopSignals const& signals)
 {
-  while (!evolution_.atEnd()) {
+  while (!evolution_.atEnd() && !outputs_->endsRun()) {
     advance();
     auto const agreed = signals.agreed(timeForCheckpoint(), *communicator_);
     if (agreed.signal != 0) {
@@ -212,6 +212,9 @@ int SimulationOf<Dim>::makeSteps(StopSignals const& signals)
     if (agreed.wished || evolution_.numSteps() % checkpoint_interval_ == 0) {
       writeCheckpoint();
     }
+  }
+  if (!evolution_.atEnd()) {
+    log_->message("The run ends before its final time: it has 'Event Catalogue / Most Events'.");
   }
   writeCheckpoint();
   outputs_->finish();

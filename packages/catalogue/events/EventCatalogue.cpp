@@ -50,6 +50,10 @@ Teuchos::RCP<const Teuchos::ParameterList> EventCatalogue::validParameters()
     .real("Smallest Magnitude", no_magnitude, "-", Range::atLeast(no_magnitude),
           "Events of a smaller moment magnitude are left out of the table, in three dimensions; "
           "-99 leaves out none.")
+    .integer(
+      "Most Events", 0, Range::atLeast(0),
+      "The run ends when the table has this number of events, before its final time; 0 means "
+      "that it goes on. A run that ended so goes on by --restart with a larger number.")
     .list();
 }
 
@@ -68,6 +72,7 @@ EventCatalogue::EventCatalogue(Teuchos::ParameterList const& parameters,
     , merging_time_(parameters.get<double>("Merging Time"))
     , smallest_width_(parameters.get<double>("Smallest Width"))
     , smallest_magnitude_(parameters.get<double>("Smallest Magnitude"))
+    , most_events_(parameters.get<int>("Most Events"))
 {
   context.fields.field("fault", "shear_modulus").values(shear_modulus_);
   ASPERITY_REQUIRE(
@@ -235,7 +240,7 @@ void EventCatalogue::finish()
 std::vector<io::Count> EventCatalogue::counts() const
 {
   const bool one_more = eventInProgress() || waits_;
-  return {{static_cast<std::int64_t>(events_.size()) + one_more, "event"}};
+  return {{numEvents() + one_more, "event"}};
 }
 
 std::string EventCatalogue::report() const

@@ -37,6 +37,7 @@ public:
   void write(io::StepInfo const& step) override;
   void closeSegment(int index) override;
   void finish() override;
+  bool endsRun() const override { return most_events_ > 0 && numEvents() >= most_events_; }
   void save(io::Archive& archive) const override;
   void restore(io::Archive const& archive) override;
 
@@ -66,6 +67,7 @@ private:
   double extent(Coordinate const& coordinate) const; // of the nodes that have ruptured
   double const* place(std::size_t i) const { return &fault().coordinates[3 * i]; }
   bool isSmall(Event const& event) const;
+  std::int64_t numEvents() const { return static_cast<std::int64_t>(events_.size()); }
   void recordLast(); // when no further event can be part of it
   std::vector<double> choice() const
   {
@@ -81,6 +83,7 @@ private:
   double merging_time_;       // [s]
   double smallest_width_;     // [m]
   double smallest_magnitude_; // of a surface
+  std::int64_t most_events_;  // with which the run ends; 0 for any number
   std::vector<Event> events_;
   std::int64_t num_events_ = 0; // also those that are parts of others, or small
 

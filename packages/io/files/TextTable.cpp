@@ -58,6 +58,7 @@ void TextTable::writeRow(std::string const& row)
   if (comm_->getRank() == 0) {
     open();
     writeLine(row);
+    rows_.add(row);
   }
 }
 
@@ -86,6 +87,24 @@ void TextTable::save(Archive& archive) const
 {
   archive.set("num_bytes", num_bytes_);
   archive.set("header_bytes", header_.size());
+  archive.set("rows", hexadecimal(rows_.value()));
+}
+
+void TextTable::requireEarlierRows(Archive const& archive)
+{
+  std::ifstream file(file_, std::ios::binary);
+  const auto num_bytes = archive.getInteger("num_bytes");
+  auto position = archive.getInteger("header_bytes") + 1;
+  file.seekg(position);
+  for (std::string row; position < num_bytes && std::getline(file, row);) {
+    rows_.add(row);
+    position += static_cast<std::int64_t>(row.size()) + 1;
+  }
+  ASPERITY_REQUIRE(hexadecimal(rows_.value()) == archive.get<std::string>("rows"),
+                   file_.string() << " is not the table that the checkpoint continues: a row that "
+                                     "the run had written has been changed. Put the file back as "
+                                     "it was, or begin a new run from the checkpoint with "
+                                     "--restart-from.");
 }
 
 void TextTable::requireEarlierTable(Archive const& archive) const
@@ -115,6 +134,7 @@ void TextTable::restore(Archive const& archive)
 {
   onRoot(*comm_, [&] {
     requireEarlierTable(archive);
+    requireEarlierRows(archive);
     num_bytes_ = archive.getInteger("num_bytes");
     std::error_code error;
     std::filesystem::resize_file(file_, num_bytes_, error);

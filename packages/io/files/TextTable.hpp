@@ -1,5 +1,6 @@
 #pragma once
 
+#include "base/Hashes.hpp"
 #include "base/Types.hpp"
 #include "io/checkpoint/Archive.hpp"
 
@@ -27,17 +28,18 @@ public:
   // Writes everything to disk. Collective; OutputError on every rank if writing has failed.
   void flush();
 
-  // Stores how much has been written; call flush first.
+  // Stores how much has been written, and a checksum of it; call flush first.
   void save(Archive& archive) const;
 
   // Removes the rows written after the checkpoint. Throws InputError if the file is shorter than
-  // then, has other columns or a header of another length; another header of the same length is
-  // replaced. Collective.
+  // then, has other rows or columns, or a header of another length; another header of the same
+  // length is replaced. Collective.
   void restore(Archive const& archive);
 
 private:
   void open();
   void requireEarlierTable(Archive const& archive) const;
+  void requireEarlierRows(Archive const& archive);
   void writeLine(std::string const& line);
 
   std::filesystem::path file_;
@@ -45,6 +47,7 @@ private:
   RCP<const Communicator> comm_;
   std::ofstream stream_;
   std::int64_t num_bytes_ = 0;
+  Checksum rows_; // without the header
 };
 
 // Numbers as text for tables: times, which must read back exactly, and others with 8 digits.

@@ -369,6 +369,21 @@ TEST(EventCatalogue, EventsWithinTheMergingTimeAreOne)
   }
 }
 
+TEST(EventCatalogue, TheRunEndsWhenTheLastOfMostEventsIsInTheTable)
+{
+  const auto history = mainEventsAndAftershocks();
+  auto parameters = choice(3, 0);
+  parameters.set("Most Events", 1);
+  test::TemporaryDirectory directory;
+  Observed run(directory.path(), {}, parameters);
+  // The first event goes on until node 0 is slow again, at t = 4, and waits for 3 s.
+  for (std::size_t i = 0; i < 10; ++i) {
+    run.step(history, i);
+    EXPECT_EQ(run.catalogue->endsRun(), i >= 7) << "t = " << i << " s";
+    EXPECT_EQ(run.catalogue->events().size(), i >= 7 ? 1u : 0u) << "t = " << i << " s";
+  }
+}
+
 TEST(EventCatalogue, ARestartKeepsAnEventThatWaitsForAnother)
 {
   const auto history = mainEventsAndAftershocks();

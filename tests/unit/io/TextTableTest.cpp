@@ -67,6 +67,16 @@ TEST(TextTable, RestartRefusesAnotherTable)
     test::contains(test::inputError([&] { missing.restore(archive); }), "cannot be continued"));
 }
 
+TEST(TextTable, RestartRefusesARowThatWasEditedAtEqualLength)
+{
+  test::TemporaryDirectory directory;
+  const Archive archive = killedAfterCheckpoint(directory / "a.csv");
+  world()->barrier();
+  test::write(directory / "a.csv", "a,b\n1,2\n3,9\n5,6\n");
+  TextTable edited(directory / "a.csv", "a,b", world());
+  EXPECT_TRUE(test::contains(test::inputError([&] { edited.restore(archive); }), "a row"));
+}
+
 TEST(TextTable, FolderThatDoesNotExistIsAnErrorOnEveryRank)
 {
   test::TemporaryDirectory directory;

@@ -1,0 +1,38 @@
+"""A run that ends with a number of events goes on as if it had not ended."""
+
+import pathlib
+import shutil
+import unittest
+
+import asperity_run
+from asperity_run import settings
+
+DECK = asperity_run.SOURCE / "xml" / "spring_slider.xml"
+FINAL = "Time Stepping/Final Time=2500"  # two events
+
+
+def run(most, folder, *arguments):
+    return asperity_run.run(DECK, *settings(FINAL, f"Output/Event Catalogue/Most Events={most}"),
+                            *arguments, "--output", folder)
+
+
+class MostEvents(unittest.TestCase):
+    def test_ends_and_goes_on(self):
+        whole, parts = pathlib.Path("whole"), pathlib.Path("parts")
+        for folder in whole, parts:
+            shutil.rmtree(folder, ignore_errors=True)
+        self.assertEqual(run(0, whole).returncode, 0)
+        one = run(1, parts)
+        self.assertEqual((one.returncode, one.stderr), (0, ""))
+        self.assertIn("Most Events", one.stdout)
+        events = (whole / "events.csv").read_text().splitlines()
+        self.assertEqual(len(events), 3)
+        self.assertEqual((parts / "events.csv").read_text().splitlines(), events[:2])
+        last_time = asperity_run.table(parts / "steps.csv")[-1]["time"]
+        self.assertLess(last_time, 2500)
+        self.assertEqual(run(0, parts, "--restart", parts / "checkpoint.h5").returncode, 0)
+        self.assertEqual((parts / "events.csv").read_text().splitlines(), events)
+
+
+if __name__ == "__main__":
+    unittest.main()
