@@ -13,9 +13,14 @@ namespace
 {
 using Policy = Kokkos::RangePolicy<ExecutionSpace>;
 
-// The magnitudes |b| + |b - r| of the terms of Z v - b = -r, which nearly cancel.
+// The magnitude of what nearly cancels in a row of Z v - b = -r: b and Z v = b - r, and the terms
+// of Z v, of which a motion of a node with its neighbours leaves little. They come in pairs as
+// large as that of the diagonal entry Z_ii.
 KOKKOS_INLINE_FUNCTION
-double magnitudeOfTerms(double b, double r) { return std::fabs(b) + std::fabs(b - r); }
+double magnitudeOfTerms(double b, double r, double Z_ii, double v)
+{
+  return std::fabs(b) + std::fabs(b - r) + 2 * std::fabs(Z_ii * v);
+}
 } // namespace
 
 TnnmgBlocks::TnnmgBlocks(NonlinearNodes const& nodes)
@@ -76,10 +81,12 @@ TnnmgVectors::TnnmgVectors(CrsMatrix const& Z, NonlinearNodes const& nodes,
     , c(rcp(new Vector(Z.getDomainMap())))
     , Zc(rcp(new Vector(Z.getDomainMap())))
     , b_copy(rcp(new Vector(Z.getDomainMap())))
+    , diagonal_(rcp(new Vector(Z.getDomainMap())))
     , linear_(linear)
     , few_nodes_(8. * sumOverRanks(nodes.numNodes() * nodes.blockSize(), *Z.getComm()) <
                  static_cast<double>(Z.getGlobalNumRows()))
 {
+  Z.getLocalDiagCopy(*diagonal_);
   if (few_nodes_) {
     columns_ = rcp(new Vector(Z.getColMap()));
   }
@@ -120,6 +127,8 @@ int TnnmgVectors::finishSweeps(CrsMatrix const& Z, NonlinearNodes const& nodes,
   auto const bs = b.getLocalViewDevice(Tpetra::Access::ReadOnly);
   auto const now = r->getLocalViewDevice(Tpetra::Access::ReadOnly);
   auto const before = r_before->getLocalViewDevice(Tpetra::Access::ReadOnly);
+  auto const vs = v->getLocalViewDevice(Tpetra::Access::ReadOnly);
+  auto const Z_ii = diagonal_->getLocalViewDevice(Tpetra::Access::ReadOnly);
   const int size = nodes.blockSize();
   double linear = 0, terms = 0;
   Kokkos::parallel_reduce(
@@ -129,7 +138,8 @@ int TnnmgVectors::finishSweeps(CrsMatrix const& Z, NonlinearNodes const& nodes,
         const int i = dofs(node, k);
         change -= 0.5 * (before(i, 0) + now(i, 0)) * d(node, k);
         sum += 0.5 * std::fabs(d(node, k)) *
-               (magnitudeOfTerms(bs(i, 0), before(i, 0)) + magnitudeOfTerms(bs(i, 0), now(i, 0)));
+               (magnitudeOfTerms(bs(i, 0), before(i, 0), Z_ii(i, 0), vs(i, 0)) +
+                magnitudeOfTerms(bs(i, 0), now(i, 0), Z_ii(i, 0), vs(i, 0)));
       }
     },
     linear, terms);
@@ -159,6 +169,8 @@ std::array<double, 3> TnnmgVectors::derivativeAlongCorrection(CrsMatrix const& Z
   linear_.applyMatrix(Z, *c, *Zc);
   auto const bs = b_copy->getLocalViewDevice(Tpetra::Access::ReadOnly);
   auto const rs = r->getLocalViewDevice(Tpetra::Access::ReadOnly);
+  auto const vs = v->getLocalViewDevice(Tpetra::Access::ReadOnly);
+  auto const Z_ii = diagonal_->getLocalViewDevice(Tpetra::Access::ReadOnly);
   auto const cs = c->getLocalViewDevice(Tpetra::Access::ReadOnly);
   auto const Zcs = Zc->getLocalViewDevice(Tpetra::Access::ReadOnly);
   std::array<double, 3> sums{};
@@ -167,7 +179,7 @@ std::array<double, 3> TnnmgVectors::derivativeAlongCorrection(CrsMatrix const& Z
     KOKKOS_LAMBDA(int i, double& start, double& curvature, double& magnitude) {
       start -= rs(i, 0) * cs(i, 0);
       curvature += Zcs(i, 0) * cs(i, 0);
-      magnitude += magnitudeOfTerms(bs(i, 0), rs(i, 0)) * std::fabs(cs(i, 0));
+      magnitude += magnitudeOfTerms(bs(i, 0), rs(i, 0), Z_ii(i, 0), vs(i, 0)) * std::fabs(cs(i, 0));
     },
     sums[0], sums[1], sums[2]);
   return sums;

@@ -87,6 +87,7 @@ struct TnnmgVectors
 private:
   void residual(CrsMatrix const& Z, Vector const& b); // r = b - Z v
 
+  RCP<Vector> diagonal_; // of Z
   LinearCorrection const& linear_;
   Along along_{};
   double magnitude_ = 0;   // of the terms of the derivative along the correction

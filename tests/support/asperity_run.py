@@ -27,12 +27,11 @@ def settings(*changes):
     return [word for change in changes for word in ("--set", change)]
 
 
-def run(*arguments, ranks=1, timeout=60, j_falls=True):
+def run(*arguments, ranks=1, timeout=60):
     """A finished run; exit status, stdout and stderr as text."""
     result = subprocess.run(command(*arguments, ranks=ranks), capture_output=True, text=True,
                             timeout=time_limits.seconds(timeout), check=False)
-    if j_falls:
-        require_no_rise(result.stdout)
+    require_no_rise(result.stdout)
     return result
 
 
@@ -43,10 +42,10 @@ def require_no_rise(printed):
             raise AssertionError(line)
 
 
-def run_to_end(folder, *arguments, ranks=1, timeout=60, j_falls=True):
+def run_to_end(folder, *arguments, ranks=1, timeout=60):
     """The folder of a run that must succeed; what it held before is lost."""
     shutil.rmtree(folder, ignore_errors=True)
-    result = run(*arguments, "--output", folder, ranks=ranks, timeout=timeout, j_falls=j_falls)
+    result = run(*arguments, "--output", folder, ranks=ranks, timeout=timeout)
     if result.returncode != 0:
         raise AssertionError(f"exit status {result.returncode}\n{result.stdout}{result.stderr}")
     return pathlib.Path(folder)

@@ -60,7 +60,7 @@ void requireNear(std::string const& path, NamedPlace const& place, LocatedPoint 
   const std::string where = is_volume ? "mesh" : domain.name;
   throw InputError(path + " / " + place.name + " = " + pointText(place.coordinates) + " is " +
                    formatShort(located.distance) + " m outside of the " + where +
-                   ", which extends " + extentText(domain) + "; its nearest element has " +
+                   ", whose coordinates go " + extentText(domain) + "; its nearest element has " +
                    formatShort(located.element_size) + " m. A receiver may be " +
                    formatShort(reach * located.element_size) + " m beside it.");
 }
@@ -77,7 +77,7 @@ std::vector<double> pointOf(std::string const& path, NamedPlace const& place,
     auto const point = pointAlong(domain, given.front());
     ASPERITY_REQUIRE(point, path << " / " << place.name << ": the " << domain.name
                                  << " is not as long as " << formatShort(given.front())
-                                 << " m; it extends " << extentText(domain) << ".");
+                                 << " m; its coordinates go " << extentText(domain) << ".");
     return {point->begin(), point->end()};
   }
   ASPERITY_REQUIRE(static_cast<int>(given.size()) == domain.dimension,

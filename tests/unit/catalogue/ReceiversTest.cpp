@@ -111,8 +111,8 @@ TEST(Receivers, ANumberIsADistanceAlongTheFault)
   });
   list.sublist("On Fault").set("dp003", position({1.5}));
   const auto message = refusal(list);
-  EXPECT_TRUE(test::contains(message, "On Fault / dp003: the fault is not as long as 1.5 m; it "
-                                      "extends from (0, 0) to (1, 0) m"))
+  EXPECT_TRUE(test::contains(message, "On Fault / dp003: the fault is not as long as 1.5 m; its "
+                                      "coordinates go from (0, 0) to (1, 0) m"))
     << message;
 }
 
@@ -131,13 +131,13 @@ TEST(Receivers, ThoseBesideTheFaultOrOutsideOfTheMeshAreRefusedByName)
   list.sublist("On Fault").set("st8", position({0.5, 0.25}));
   const auto beside = refusal(list);
   EXPECT_TRUE(test::contains(beside, "Receivers / On Fault / st8 = (0.5, 0.25) is 0.25 m outside "
-                                     "of the fault, which extends from (0, 0) to (1, 0) m"))
+                                     "of the fault, whose coordinates go from (0, 0) to (1, 0) m"))
     << beside;
   list = parameters();
   list.sublist("Off Fault").set("far", position({3., 0.5}));
   const auto outside = refusal(list);
   EXPECT_TRUE(test::contains(outside, "Receivers / Off Fault / far = (3, 0.5) is 2 m outside of "
-                                      "the mesh, which extends from (0, 0) to (1, 1) m"))
+                                      "the mesh, whose coordinates go from (0, 0) to (1, 1) m"))
     << outside;
   list = parameters();
   list.sublist("Off Fault").set("flat", position({3}));

@@ -59,7 +59,7 @@ TEST(SurfaceReceivers, ThoseOutsideAreRefusedByName)
   list.sublist("On Fault").set("st50", position({0., -0.7, 5.}));
   const auto outside = test::inputError([&] { run(directory.path(), list); });
   EXPECT_TRUE(test::contains(outside, "On Fault / st50 = (0, -0.7, 5) is 2 m outside of the fault, "
-                                      "which extends from (0, -4, 0) to (0, 0, 3) m"))
+                                      "whose coordinates go from (0, -4, 0) to (0, 0, 3) m"))
     << outside;
   list = parameters();
   list.sublist("Off Fault").set("above", position({0.5, 0.25, 1.}));

@@ -224,6 +224,26 @@ INSTANTIATE_TEST_SUITE_P(Problems, TnnmgCase,
                                            RateProblemOptions{1., 2, 1, Kind::both},
                                            RateProblemOptions{1., 2, 2, Kind::both}));
 
+// Nodes whose psi rises with every change that their sweeps make.
+struct RisingNodes : RoughNodes
+{
+  Difference difference(ConstBlockView const& v, ConstBlockView const& d) const
+  {
+    const auto truth = RoughNodes::difference(v, d);
+    return {1e6 * truth.magnitude, truth.magnitude};
+  }
+};
+
+TEST(Tnnmg, countsEveryRiseOfTheEnergy)
+{
+  const RateProblem problem({1., 2, 1, Kind::both});
+  auto once = tight();
+  once.max_iterations = 1;
+  auto v = atRest(problem);
+  const auto result = solveFull(problem, RisingNodes{problem.nodesOfRank()}, once, v);
+  EXPECT_EQ(result.rises, 2) << "after the sweeps and after the correction";
+}
+
 TEST(Tnnmg, keepsTheVelocityOfHeldNodes)
 {
   for (int tangents : {1, 2}) {

@@ -16,9 +16,7 @@ def peak_rates(scheme, levels=(0,), **settings):
                 **settings}
     words = [word for name, value in settings.items()
              for word in ("--set", f"Time Stepping/{name}={value}")]
-    # The bound of rounding leaves out how much cancels in Z v, in cells a hundred times as high as
-    # wide nearly all of it: without friction rises of that size are counted here.
-    folder = asperity_run.run_to_end("out", DECK, *words, j_falls=False)
+    folder = asperity_run.run_to_end("out", DECK, *words)
     history = asperity_run.series(folder / "fault.h5")
     return history["fields/slip_rate"].max(axis=1)
 

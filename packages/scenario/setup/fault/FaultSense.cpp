@@ -84,7 +84,7 @@ std::string senseInWords(FaultSides const& sides, double slip)
 {
   if (sides.components == 1) {
     if (std::abs(sides.plus[0]) < level) {
-      return "along a level fault";
+      return "neither left nor right lateral, as the fault is level";
     }
     return lateral({0, 0, slip}, sides.plus, {0, 1, 0}) + " seen from above";
   }
