@@ -72,7 +72,7 @@ quickstart()
 {
   local start=$SECONDS
   # shellcheck disable=SC2016 # a home in the root
-  inside CCACHE_DIR=/ccache CCACHE_SLOPPINESS=pch_defines,time_macros \
+  inside ${cache:+CCACHE_DIR=/ccache CCACHE_SLOPPINESS=pch_defines,time_macros} \
     su user -c 'cd "$HOME/asperity" && bash cmake/quickstart.sh '"$1" > "$log" 2>&1 ||
     { result=1; tail -n 25 "$log"; }
   seconds=$((SECONDS - start))
