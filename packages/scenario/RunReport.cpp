@@ -110,6 +110,15 @@ void writeBalance(std::ostream& text, dynamics::Energy const& energy, char const
 }
 } // namespace
 
+Warning warnOfRises(std::int64_t rises)
+{
+  return {"rises of J",
+          "J grew in " + std::to_string(rises) +
+            " sweeps or corrections of TNNMG (energy_rises in steps.csv) by more than rounding. J "
+            "is the energy that every time step minimises; it must fall. Results of these steps "
+            "may be wrong: please report this with the deck."};
+}
+
 std::string summarise(RunSummary const& summary, std::string const& of_outputs)
 {
   std::ostringstream text;
@@ -125,12 +134,6 @@ std::string summarise(RunSummary const& summary, std::string const& of_outputs)
   if (summary.forced_steps > 0) {
     text << summary.forced_steps
          << " steps of the smallest size were accepted above the tolerance.\n";
-  }
-  if (count.rises > 0) {
-    text << "WARNING: J grew in " << count.rises << " sweeps or corrections of TNNMG (energy_rises "
-         << "in steps.csv) by more than rounding. J is the energy that every time step minimises; "
-         << "it must fall. Results of these steps may be wrong: please report this with the "
-         << "deck.\n";
   }
   text << summary.of_floor;
   writeBalance(text, summary.energy, summary.dimension == 2 ? "J/m" : "J");

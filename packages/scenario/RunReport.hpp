@@ -38,6 +38,8 @@ struct RunSummary
   std::string directory;
 };
 
+Warning warnOfRises(std::int64_t rises); // sweeps and corrections in which J grew
+
 // The closing paragraphs: the report of the outputs, the effort and the energy.
 std::string summarise(RunSummary const& summary, std::string const& of_outputs);
 } // namespace asperity::scenario

@@ -383,6 +383,11 @@ void SimulationOf<Dim>::report(bool finished)
   summary.finished = finished;
   summary.directory = directory_.string();
   log_->message(summarise(summary, outputs_->report()));
+  if (auto const& topics = journal_->topics(); !topics.empty()) {
+    log_->message(
+      "\nThe results may be wrong: warnings stand above and in asperity-status, about " +
+      quotedNames({topics.begin(), topics.end()}) + ".");
+  }
   log_->message('\n' + tableOfWork(*communicator_));
 }
 

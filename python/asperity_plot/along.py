@@ -24,7 +24,7 @@ class Axis:
     origin: float                # [m] of the coordinate where positions are 0
     sign: float                  # -1 if it decreases along the curve
     limits: Tuple[float, float]  # positions [m] of what is worth showing
-    is_depth: bool = False
+    is_downwards: bool = False   # counted from the upper end, so that figures have it vertical
 
     def __call__(self, where):
         return self.unit(self.metres(where))
@@ -39,9 +39,9 @@ class Axis:
 
     @property
     def range(self) -> Tuple[float, float]:
-        """What is worth showing, as the limits of a vertical axis: depth grows downwards."""
+        """What is worth showing, as the limits of a vertical axis, which may grow downwards."""
         low, high = sorted(self(self.limits).tolist())
-        return (high, low) if self.is_depth else (low, high)
+        return (high, low) if self.is_downwards else (low, high)
 
     @property
     def label(self) -> str:
@@ -55,23 +55,23 @@ def axis(run: Run, file: H5File, place: str) -> Axis:
     end of a fault, and from the start of a surface.
     """
     where = positions(file)
-    name, origin, sign, is_depth = f"Position along the {place}", 0.0, 1.0, False
+    name, origin, sign, is_downwards = f"Position along the {place}", 0.0, 1.0, False
     if run.is_wedge:
         name = f"Distance from the trench along the {'base' if place == 'fault' else 'surface'}"
     elif file.has("geometry/coordinates"):
         nodes = file.array("geometry/coordinates")
         if _is_vertical(run, nodes, where):
             sign = 1.0 if begins_at_upper_end(nodes, where) else -1.0
-            name, origin, is_depth = "Depth", -nodes[0, 1], True
+            name, origin, is_downwards = "Depth", -nodes[0, 1], True
         elif _is_constant(nodes[:, 1], where):
             origin = nodes[0, 0]
         elif place == "fault":
-            name = "Distance from the upper end of the fault"
+            name, is_downwards = "Distance from the upper end of the fault", True
             if not begins_at_upper_end(nodes, where):
                 origin, sign = where[-1], -1.0
     limits = _limits(file, where)
     shown = units.length(origin + sign * np.array(limits))
-    return Axis(name, shown, origin, sign, limits, is_depth)
+    return Axis(name, shown, origin, sign, limits, is_downwards)
 
 
 def _is_constant(coordinate: np.ndarray, where: np.ndarray) -> bool:

@@ -25,10 +25,10 @@ def draw(run: Run, view: View):
     reached = slice(reached[0], reached[-1] + 1)
     shown = where(run.ruptures.array("geometry/positions"))[reached]
     for number, times in zip(numbers, clock(arrivals)[:, reached]):
-        x, y = (times, shown) if where.is_depth else (shown, times)
+        x, y = (times, shown) if where.is_downwards else (shown, times)
         axes[0, 0].plot(x, y, color=colours(number), marker=".", markersize=2.0, linewidth=0.9)
     label = f"Time since the onset of the event [{clock.name}]"
-    if where.is_depth:
+    if where.is_downwards:
         axes[0, 0].set(xlabel=label, ylabel=where.label)
         axes[0, 0].invert_yaxis()
     else:

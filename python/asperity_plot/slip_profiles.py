@@ -22,7 +22,7 @@ def draw(run: Run, view: View):
         raise NothingToShow("fault.h5 has a single time")
     families = lines(run, view)
     where = along.axis(run, run.fault, "fault")
-    figure, axes = style.panels(1, 1, (7.5, 5.0) if where.is_depth else (9.0, 5.0))
+    figure, axes = style.panels(1, 1, (7.5, 5.0) if where.is_downwards else (9.0, 5.0))
     _draw(axes[0, 0], run, families, where)
     clock = units.duration(view.sequence[1])
     first, last = (units.rounded(time, 4) for time in clock(view.sequence))
@@ -68,11 +68,11 @@ def _draw(axes: Axes, run: Run, families: List[profiles.Family], where: along.Ax
     shown = where(run.fault.position)
     for each, colour in zip(families, (style.BLUE, style.ORANGE)):
         for number, slip in enumerate(unit(each.slip)):
-            x, y = (slip, shown) if where.is_depth else (shown, slip)
+            x, y = (slip, shown) if where.is_downwards else (shown, slip)
             label = f"every {units.plain(each.interval, 's')}" if number == 0 else None
             axes.plot(x, y, color=colour, linewidth=0.6, label=label)
     label = profiles.label(run, unit)
-    if where.is_depth:
+    if where.is_downwards:
         axes.set_ylim(where.range)
         axes.set(xlabel=label, ylabel=where.label)
     else:

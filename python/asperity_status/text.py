@@ -6,7 +6,7 @@ from asperity import durations
 
 from .facts import Facts
 
-ON = "asperity --restart DIR/checkpoint.h5 continues it"
+ON = "`asperity --restart DIR/checkpoint.h5` continues it"
 
 
 def describe(now: Facts) -> str:
@@ -28,7 +28,7 @@ def _state(now: Facts) -> str:
         why = (now.message or "the log says why").rstrip(".")
         again = "once the disk has space" if now.exit_status == 5 else (
             "only from the same state, and with the same settings it fails again")
-        return f"failed: {why}. {on[0].upper()}{on[1:]}" + (f", {again}" * now.has_checkpoint)
+        return f"failed: {why}; {on}" + (f", {again}" * now.has_checkpoint)
     if now.state == "killed":
         return f"killed: its process is gone; {on}"
     if now.state == "silent":
@@ -59,7 +59,7 @@ def _speed(now: Facts) -> str:
 
 
 def _left(now: Facts) -> str:
-    if now.seconds_left is None:
+    if now.seconds_left is None or now.state == "failed":
         return ""
     left = durations.text(now.seconds_left) + (" left" if now.state == "running"
                                                else " more once it is continued")
@@ -86,9 +86,6 @@ def _worst(now: Facts) -> str:
     if now.failed_steps:
         parts.append(f"Failed attempts at a step, repeated with a smaller one: "
                      f"{now.failed_steps}.")
-    if now.energy_rises:
-        parts.append(f"WARNING: J grew in {now.energy_rises} sweeps or corrections of TNNMG "
-                     "(energy_rises in steps.csv); it must fall. Results may be wrong.")
     return " ".join(part for part in parts if part)
 
 

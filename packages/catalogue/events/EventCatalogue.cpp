@@ -214,6 +214,7 @@ void EventCatalogue::recordLast()
 {
   waits_ = false;
   if (isSmall(last_)) {
+    ++num_small_;
     return;
   }
   events_.push_back(last_);
@@ -249,6 +250,10 @@ std::string EventCatalogue::report() const
   printEvents(text, events_);
   text << '\n';
   printSummary(text, summary());
+  if (num_small_ > 0) {
+    text << "and " << num_small_ << " that are left out: below 'Smallest Width' or 'Smallest "
+         << "Magnitude' of the event catalogue\n";
+  }
   text << '\n';
   return text.str();
 }
@@ -268,6 +273,7 @@ void EventCatalogue::save(io::Archive& archive) const
   appendNumbers(last_, fault().dimension, last);
   archive.set("choice", choice());
   archive.set("num_events", num_events_);
+  archive.set("num_small", num_small_);
   archive.set("last_event", last);
   archive.set("last_waits", waits_);
   archive.set("energies_at_end", energies_at_end_);
@@ -300,6 +306,7 @@ void EventCatalogue::restore(io::Archive const& archive)
   open_ = eventFrom(archive.get<Numbers>("open_event").data(), dimension);
   last_ = eventFrom(archive.get<Numbers>("last_event").data(), dimension);
   num_events_ = archive.getInteger("num_events");
+  num_small_ = archive.getInteger("num_small");
   waits_ = archive.getInteger("last_waits") != 0;
   energies_at_end_ = archive.get<Numbers>("energies_at_end");
   seismic_slip_ = archive.get<Numbers>("seismic_slip");

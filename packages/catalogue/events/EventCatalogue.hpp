@@ -86,6 +86,7 @@ private:
   std::int64_t most_events_;  // with which the run ends; 0 for any number
   std::vector<Event> events_;
   std::int64_t num_events_ = 0; // also those that are parts of others, or small
+  std::int64_t num_small_ = 0;  // without a row
 
   More now_, before_;
   Event open_;         // onset, first node and peak rate of the event in progress

@@ -24,7 +24,7 @@ bool isPowerOfTen(std::int64_t count)
 
 std::optional<Warning> GrowthWatch::note(Step const& step)
 {
-  if (!step.is_forced) {
+  if (!step.is_forced && !is_prescribed_) {
     least_ = -1;
     return std::nullopt;
   }
@@ -35,10 +35,13 @@ std::optional<Warning> GrowthWatch::note(Step const& step)
   }
   ++count_;
   const std::string text =
-    std::to_string(count_) + (count_ == 1 ? " step" : " steps") + " of the smallest size " +
-    formatShort(step.step_size) + " s, the last one to t = " + formatShort(step.time) +
-    " s, did not meet the tolerance while the slip rate grew, to " + formatShort(step.rate) +
-    " m/s: earthquakes may be lost. Choose a smaller 'Smallest Step'";
+    std::to_string(count_) + (count_ == 1 ? " step" : " steps") + " of the " +
+    (is_prescribed_ ? "prescribed" : "smallest") + " size " + formatShort(step.step_size) +
+    " s, the last one to t = " + formatShort(step.time) +
+    (is_prescribed_ ? " s, slipped by more than a tenth of L" : " s, did not meet the tolerance") +
+    " while the slip rate grew, to " + formatShort(step.rate) +
+    " m/s: earthquakes may be lost. Choose " +
+    (is_prescribed_ ? "smaller steps" : "a smaller 'Smallest Step'");
   if (most_ > 0 && count_ >= most_) {
     throw SolveError(text + ", and begin anew; --restart goes on with it from here, after what has "
                             "been lost. 'Time Stepping / Most Hiding Steps' is the limit.");

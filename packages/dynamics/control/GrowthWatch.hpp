@@ -8,15 +8,19 @@
 namespace asperity::dynamics
 {
 // Notices forced steps that hide a slip rate which grows: earthquakes may be lost in them. A step
-// is forced if even at the smallest size it does not meet the tolerance. It hides growth if at its
-// end the peak slip rate V is above twice the least one since the forced steps in a row began (that
-// before the first of them counts), and V dt > L / 10.
+// is forced if even at the smallest size it does not meet the tolerance, or if its size is
+// prescribed. It hides growth if at its end the peak slip rate V is above twice the least one since
+// the forced steps in a row began (that before the first of them counts), and V dt > L / 10.
 class GrowthWatch
 {
 public:
   // slip_distance: L [m], the smallest of the fault; 0 if unknown, and then growth alone counts.
-  // most: steps that hide growth that are one too many; 0 means any number.
-  GrowthWatch(double slip_distance, std::int64_t most) : slip_distance_(slip_distance), most_(most)
+  // most: steps that hide growth that are one too many; 0 means any number, as for prescribed ones,
+  // of which all are forced.
+  GrowthWatch(double slip_distance, std::int64_t most, bool is_prescribed = false)
+      : slip_distance_(slip_distance)
+      , most_(is_prescribed ? 0 : most)
+      , is_prescribed_(is_prescribed)
   {
   }
 
@@ -35,6 +39,7 @@ public:
 private:
   double slip_distance_;
   std::int64_t most_;
+  bool is_prescribed_;
   double least_ = -1; // rate since forced steps began; negative where the last step was none
   std::int64_t count_ = 0;
 };

@@ -52,6 +52,7 @@ void RunJournal::restart() { write("restart", ""); }
 
 void RunJournal::warn(Warning const& warning)
 {
+  topics_.insert(warning.topic);
   write("warning", member("topic", quoted(warning.topic)) + member("text", quoted(warning.text)));
 }
 

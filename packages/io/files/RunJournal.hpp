@@ -7,6 +7,7 @@
 #include <cstdint>
 #include <filesystem>
 #include <fstream>
+#include <set>
 #include <string>
 
 namespace asperity::io
@@ -33,6 +34,8 @@ public:
 
   void restart();
   void warn(Warning const& warning);
+  // What has been warned of since the run began or was restarted.
+  std::set<std::string> const& topics() const { return topics_; }
   void end(std::string const& how, int exit_status, std::string const& message);
 
 private:
@@ -44,5 +47,6 @@ private:
   Clock::time_point start_ = Clock::now();
   std::int64_t step_ = 0;
   double time_ = 0;
+  std::set<std::string> topics_;
 };
 } // namespace asperity::io

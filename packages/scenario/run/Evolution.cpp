@@ -43,7 +43,7 @@ Evolution<Dim>::Evolution(ParameterList const& deck, RCP<const Communicator> con
     , format_(problem_.initial, condensation_.get(), clock_)
     , floor_count_(model_.fault)
     , growth_watch_(slipDistance(problem_, deck.sublist("Friction")),
-                    deck.sublist("Time Stepping").get<int>("Most Hiding Steps"))
+                    deck.sublist("Time Stepping").get<int>("Most Hiding Steps"), !is_adaptive_)
 {
   auto const update =
     makeRateUpdate(deck.sublist("Time Stepping"), !quasiDynamic(deck.sublist("Bulk")));
@@ -144,6 +144,10 @@ void Evolution<Dim>::account()
 {
   requireFinite();
   forced_steps_ += view_.step.within_tolerance ? 0 : 1;
+  if (view_.count.rises > 0 && count_.rises >= rises_to_tell_) {
+    rises_to_tell_ = 10 * count_.rises;
+    warnings_.push_back(warnOfRises(count_.rises));
+  }
   floor_count_.add(state_);
   ASPERITY_TIME_WORK("energy balance");
   balance_.advance(state_);

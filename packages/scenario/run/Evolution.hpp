@@ -81,6 +81,7 @@ private:
   std::int64_t forced_steps_ = 0;
   FloorCount floor_count_;
   std::vector<Warning> warnings_;
+  std::int64_t rises_to_tell_ = 1; // of J, at which the next warning comes
   dynamics::GrowthWatch growth_watch_;
   double rate_before_ = 0; // peak slip rate before the last step [m/s]
   RunView view_;

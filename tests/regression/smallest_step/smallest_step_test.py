@@ -52,6 +52,13 @@ class SmallestStep(unittest.TestCase):
                     self.assertEqual(result.returncode, SOLVE, result.stderr)
                     self.assertEqual(facts(folder, 1800.0).state, "failed")
 
+    def test_prescribed_steps_that_lose_earthquakes_are_told(self):
+        folder, result = run("prescribed", *settings(
+            "Time Stepping/Control=Prescribed", "Time Stepping/Prescribed/Levels={2}"))
+        self.assertEqual((result.returncode, result.stderr), (0, ""))
+        self.assertTrue(self.warned(folder))
+        self.assertIn("The results may be wrong", (folder / "run.log").read_text())
+
     def test_the_default_finds_all(self):
         folder, result = run("default", "--remove", "Time Stepping/Smallest Step")
         self.assertEqual((result.returncode, result.stderr), (0, ""))

@@ -59,6 +59,15 @@ TEST(GrowthWatch, endsTheRunWithOneTooMany)
   EXPECT_THROW(watch.note(step(true, 1, 1e-9, 1)), SolveError);
 }
 
+TEST(GrowthWatch, takesPrescribedStepsForForcedAndEndsNoRun)
+{
+  GrowthWatch watch(L, 1, true);
+  EXPECT_FALSE(watch.note(step(false, 1e-7, 0.01, 1))) << "slip of less than L / 10";
+  const auto warning = watch.note(step(false, 1, 1e-9, 1e-3));
+  ASSERT_TRUE(warning);
+  EXPECT_NE(warning->text.find("1 step of the prescribed size 1 s"), std::string::npos);
+}
+
 TEST(GrowthWatch, knowsNoSlipDistance)
 {
   EXPECT_TRUE(GrowthWatch(0, 0).note(step(true, 1e-7, 1e-9, 1)));

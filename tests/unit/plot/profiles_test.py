@@ -166,7 +166,7 @@ class Axes(unittest.TestCase):
 
     def test_depth_on_a_vertical_fault(self):
         axis = self.axis([(5.0, -40e3), (5.0, -10e3), (5.0, -1e3)])
-        self.assertEqual((axis.label, axis.is_depth), ("Depth [km]", True))
+        self.assertEqual((axis.label, axis.is_downwards), ("Depth [km]", True))
         np.testing.assert_allclose(axis([0.0, 30e3, 39e3]), [40.0, 10.0, 1.0])
         np.testing.assert_allclose(axis.positions([40e3, 10e3]), [0.0, 30e3])
         self.assertEqual(axis.limits, (0.0, 39e3))
@@ -175,7 +175,7 @@ class Axes(unittest.TestCase):
 
     def test_depth_where_nodes_begin_at_the_upper_end(self):
         axis = self.axis([(5.0, -1e3), (5.0, -10e3), (5.0, -40e3)])
-        self.assertEqual((axis.label, axis.is_depth), ("Depth [km]", True))
+        self.assertEqual((axis.label, axis.is_downwards), ("Depth [km]", True))
         np.testing.assert_allclose(axis([0.0, 9e3, 39e3]), [1.0, 10.0, 40.0])
         np.testing.assert_allclose(axis.positions([1e3, 40e3]), [0.0, 39e3])
         self.assertEqual(axis.range, (40.0, 1.0))
@@ -186,8 +186,8 @@ class Axes(unittest.TestCase):
                             [(0.0, 5.0), (0.0, 0.0)], [(0.0, 0.0), (-4.0, -3.0)],
                             [(0.0, 0.0), (4.0, -3.0)]):
             axis = self.axis(coordinates)
-            self.assertEqual((axis.name, axis.is_depth),
-                             ("Distance from the upper end of the fault", False))
+            self.assertEqual((axis.name, axis.is_downwards),
+                             ("Distance from the upper end of the fault", True))
             begins_above = coordinates[0][1] > coordinates[1][1]
             np.testing.assert_allclose(axis.metres([0.0, 5.0]),
                                        [0.0, 5.0] if begins_above else [5.0, 0.0])
