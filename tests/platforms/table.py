@@ -16,7 +16,7 @@ RELEASES = {"bookworm": "Debian 12 (bookworm)", "trixie": "Debian 13 (trixie)",
             "sid": "Debian sid", "experimental": "Debian sid, Trilinos of experimental"}
 UNKNOWN = "?"
 # What `asperity --version` prints.
-VERSIONS = {"compiler": r"Built from .*?, (GNU \S+?),", "trilinos": r"Trilinos (\S+?)[,.]?\s",
+VERSIONS = {"compiler": r"Built from .*?\b(GNU \S+?),", "trilinos": r"Trilinos (\S+?)[,.]?\s",
             "kokkos": r"Kokkos (\S+?),", "mpi": r"Open MPI v?(\S+?)\.?\s", "hdf5": r"HDF5 (\S+?),"}
 
 

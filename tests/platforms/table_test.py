@@ -60,6 +60,10 @@ class Table(unittest.TestCase):
                          "Open MPI 5.0.7 | 1.14.5 | 216 of 218 | `style.format` (disabled), "
                          "`unit.io.Xdmf` (skipped), `unit.x_MPI_2` (failed) | 300 | 900 |")
 
+    def test_a_tree_that_does_not_know_its_commit(self):
+        row = self.row(version=VERSION.replace("an archive, ", ""))
+        self.assertEqual(row["compiler"], "GNU 14.2.0")
+
     def test_a_row_of_what_was_not_built(self):
         row = self.row(run="CMake Error")
         self.assertIn("| ? | ? | ? |", table.line_of(row))
