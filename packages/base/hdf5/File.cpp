@@ -112,10 +112,10 @@ void whenSharingFails(std::function<void(std::string const&)> tell) { teller() =
 File File::create(std::filesystem::path const& path, Layout layout)
 {
   const Handle access = makeProperties(H5P_FILE_ACCESS, path.string());
-  if (layout == Layout::sealed) {
-    checked("Sealing " + path.string(),
-            [&] { return H5Pset_libver_bounds(access.get(), H5F_LIBVER_V18, H5F_LIBVER_LATEST); });
-  }
+  // The default is another one in HDF5 2.
+  const auto oldest = layout == Layout::sealed ? H5F_LIBVER_V18 : H5F_LIBVER_EARLIEST;
+  checked("Choosing the layout of " + path.string(),
+          [&] { return H5Pset_libver_bounds(access.get(), oldest, H5F_LIBVER_LATEST); });
   try {
     return File(
       opened("Creating " + path.string(), H5Fclose,
