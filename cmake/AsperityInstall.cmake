@@ -74,4 +74,12 @@ function(asperity_install_config)
   endforeach()
   install(DIRECTORY "${PROJECT_SOURCE_DIR}/docs" DESTINATION "${ASPERITY_INSTALL_DOC}"
     COMPONENT documents FILES_MATCHING PATTERN "*.md" PATTERN "*.png")
+  # The documents name these.
+  file(GLOB pages RELATIVE "${PROJECT_SOURCE_DIR}" CONFIGURE_DEPENDS
+    "${PROJECT_SOURCE_DIR}/packages/*/README.md" "${PROJECT_SOURCE_DIR}/python/*/README.md")
+  foreach(page IN LISTS pages)
+    get_filename_component(folder "${page}" DIRECTORY)
+    install(FILES "${PROJECT_SOURCE_DIR}/${page}" DESTINATION "${ASPERITY_INSTALL_DOC}/${folder}"
+      COMPONENT documents)
+  endforeach()
 endfunction()

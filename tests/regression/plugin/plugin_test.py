@@ -52,7 +52,8 @@ class Installation(unittest.TestCase):
                      "share/asperity/decks/wedge_2d.xml",
                      "share/asperity/python/asperity/run.py",
                      "share/asperity/python/pyproject.toml",
-                     "share/asperity/examples/plugin/README.md"):
+                     "share/asperity/examples/plugin/README.md",
+                     "share/doc/asperity/packages/io/README.md"):
             self.assertTrue((PREFIX / name).is_file(), name)
         self.assertEqual(list((PREFIX / "include").rglob("*.cpp")), [])
 
