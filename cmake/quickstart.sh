@@ -102,7 +102,7 @@ configure()
   command -v cmake > /dev/null || fail 'there is no cmake on PATH.'
   local -a generator=()
   if [ ! -f "$build/CMakeCache.txt" ]; then
-    # Eight sources in one unit read the headers of Trilinos once: a third of the time.
+    # Eight sources in one unit read the headers of Trilinos once.
     generator=(-DCMAKE_BUILD_TYPE=Release -DCMAKE_UNITY_BUILD=ON)
     ! command -v ninja > /dev/null || generator+=(-G Ninja)
   fi
