@@ -67,6 +67,17 @@ def options(command):
     return [word for word in kept if "cmake_pch" not in word]
 
 
+def commands_of_sources(entries):
+    """{source: command}; the sources of a unit that CMake joined have that of the unit."""
+    commands = {}
+    for entry in entries:
+        path = pathlib.Path(entry["file"]).resolve()
+        joined = path.name.startswith("unity_") and path.exists()
+        sources = _QUOTED.findall(path.read_text()) if joined else [path]
+        commands.update({pathlib.Path(source).resolve(): entry["command"] for source in sources})
+    return commands
+
+
 def front_end(nvcc, words, path):
     """What nvcc says, or None if it finds no error."""
     with tempfile.TemporaryDirectory() as folder:
@@ -99,8 +110,7 @@ def refused(nvcc, words, files, folder):
 
 def main(nvcc, commands_file, root):
     root = pathlib.Path(root).resolve()
-    commands = {pathlib.Path(entry["file"]).resolve(): entry["command"]
-                for entry in json.loads(pathlib.Path(commands_file).read_text())}
+    commands = commands_of_sources(json.loads(pathlib.Path(commands_file).read_text()))
     files = [path for path in files_with_lambdas(root) if path.resolve() in commands]
     if not files:
         return f"no file of {commands_file} has a device lambda"

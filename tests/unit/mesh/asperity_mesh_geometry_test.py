@@ -219,7 +219,8 @@ class Refusals(Geometry):
     def test_what_gmsh_cannot_mesh(self):
         bow_tie = square().replace("Point(3) = {4, 4, 0}; Point(4) = {0, 4, 0}",
                                    "Point(3) = {0, 4, 0}; Point(4) = {4, 4, 0}")
-        self.assert_not_converted(bow_tie, "Gmsh geometry 'bad.geo' cannot be meshed by Gmsh: ")
+        # Gmsh says so itself, or, from 4.15 on, leaves out a part, which the conversion finds.
+        self.assert_not_converted(bow_tie, "Gmsh geometry 'bad.geo'")
         self.assert_not_converted(square().replace("{6, 3}", "{6, 33}"),
                                   "'bad.geo' cannot be read by Gmsh", "33")
         self.assert_not_converted("Point(1) = {0, 0", "'bad.geo' cannot be read by Gmsh", "line ",
