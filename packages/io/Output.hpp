@@ -26,7 +26,7 @@ struct StepInfo
   double time = 0;           // at the end of the step [s]
   double step_size = 0;      // [s]
   double peak_slip_rate = 0; // maximum over the fault [m/s]
-  bool is_last = false;      // the run has reached its final time
+  bool is_last = false;      // the run ends with it
 };
 
 // What an output may use. Registry and domains must outlive the outputs.
@@ -70,8 +70,10 @@ public:
   virtual void save(Archive& archive) const = 0;
   virtual void restore(Archive const& archive) = 0;
 
-  // Whether the run is to end with the last step written. The same on all ranks.
+  // Whether the run is to end with the last step written, and whether that may happen at all. The
+  // same on all ranks.
   virtual bool endsRun() const { return false; }
+  virtual bool mayEndRun() const { return false; }
 
   // Adds the objects that files of a text format may read, normally this output itself.
   virtual void offer(Offers&) const {}

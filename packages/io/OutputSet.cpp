@@ -94,6 +94,8 @@ OutputSet::OutputSet(Teuchos::ParameterList const& parameters, OutputContext con
   context.up = upIn(parameters);
   makeOutputs(parameters, context);
   makeTexts(textFormatIn(parameters), context);
+  std::stable_partition(entries_.begin(), entries_.end(),
+                        [](Entry const& entry) { return entry.output->mayEndRun(); });
 }
 
 namespace
@@ -152,10 +154,13 @@ void OutputSet::makeTexts(Teuchos::ParameterList const& parameters, OutputContex
 
 OutputSet::~OutputSet() = default;
 
-void OutputSet::write(StepInfo const& step)
+// Those that may end the run are the first, so that the others know their last step.
+void OutputSet::write(StepInfo const& given)
 {
+  StepInfo step = given;
   for (auto& entry : entries_) {
     entry.output->write(step);
+    step.is_last = step.is_last || entry.output->endsRun();
   }
 }
 

@@ -159,7 +159,7 @@ template std::optional<dynamics::FaultResolution> faultResolution(Problem<3> con
                                                                   ParameterList const&);
 
 std::vector<std::string> describe(dynamics::FaultResolution const& resolution,
-                                  std::string const& state_law)
+                                  std::string const& state_law, std::string const& mesh_type)
 {
   auto const& r = resolution;
   ASPERITY_REQUIRE(r.cells_per_zone > 0 && r.cohesive_zone > 0,
@@ -183,8 +183,10 @@ std::vector<std::string> describe(dynamics::FaultResolution const& resolution,
   if (r.cells_per_zone < cells_of_any_shape && r.cell_height > high_cell) {
     lines.push_back("Cells beside the fault are up to " + rounded(r.cell_height) +
                     " times as high as they are long. Lower ones resolve ruptures better with the "
-                    "same nodes on the fault: 0.58 times antiplane, about half otherwise. The "
-                    "first cells of a Rectangle or a Box give their proportions to all.");
+                    "same nodes on the fault: 0.58 times antiplane, about half otherwise." +
+                    (mesh_type == "Rectangle" || mesh_type == "Box"
+                       ? " The first cells of a " + mesh_type + " give their proportions to all."
+                       : ""));
   }
   return lines;
 }

@@ -23,9 +23,9 @@ template <int Dim>
 std::vector<std::string> describeSize(Problem<Dim> const& problem);
 
 // Lines for the log. The nucleation length is known for the ageing law; of other laws the lines
-// have the shortest wavelength that grows.
+// have the shortest wavelength that grows. mesh_type: `Mesh / Type`.
 std::vector<std::string> describe(dynamics::FaultResolution const& resolution,
-                                  std::string const& state_law);
+                                  std::string const& state_law, std::string const& mesh_type);
 // Of fewer than three cells per cohesive zone, and of a part that weakens, beside others that do
 // not, which is less than half as long as the nucleation length.
 std::vector<Warning> warnOfResolution(dynamics::FaultResolution const& resolution,

@@ -67,10 +67,11 @@ Description describe(Problem<Dim> const& problem, ParameterList const& deck)
   lines.insert(lines.end(), sense.begin(), sense.end());
   lines.insert(lines.end(), problem.remarks.begin(), problem.remarks.end());
   if (auto const resolution = faultResolution(problem, friction)) {
-    auto const of_fault = describe(*resolution, friction.get<std::string>("State Evolution"));
+    auto const state_law = friction.get<std::string>("State Evolution");
+    auto const of_fault =
+      describe(*resolution, state_law, deck.sublist("Mesh").get<std::string>("Type"));
     lines.insert(lines.end(), of_fault.begin(), of_fault.end());
-    auto const warnings =
-      warnOfResolution(*resolution, friction.get<std::string>("State Evolution"));
+    auto const warnings = warnOfResolution(*resolution, state_law);
     description.warnings.insert(description.warnings.end(), warnings.begin(), warnings.end());
   }
   describeSmallestStep(problem, deck, description);

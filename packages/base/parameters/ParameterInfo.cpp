@@ -17,11 +17,6 @@ using Teuchos::RCP;
 
 namespace
 {
-std::string withUnit(std::string const& range, std::string const& unit)
-{
-  return unit.empty() || unit == "-" ? range : range + " " + unit;
-}
-
 bool isOfKind(ParameterEntry const& entry, ParameterKind kind)
 {
   switch (kind) {
@@ -45,9 +40,14 @@ bool isOfKind(ParameterEntry const& entry, ParameterKind kind)
 }
 } // namespace
 
+std::string ParameterInfo::rangeText() const
+{
+  return isDimensionless() ? range.text() : range.text() + " " + unit;
+}
+
 std::string ParameterInfo::allowed() const
 {
-  const std::string in_range = " in " + withUnit(range.text(), unit);
+  const std::string in_range = " in " + rangeText();
   switch (kind) {
   case ParameterKind::real: return "a number" + in_range;
   case ParameterKind::integer: return "an integer" + in_range;
@@ -96,7 +96,7 @@ void ParameterInfo::check(ParameterEntry const& entry, std::string const& path) 
 void ParameterInfo::checkRange(double value, std::string const& path) const
 {
   if (!range.contains(value)) {
-    refuse(path, formatNumber(value), "is outside " + withUnit(range.text(), unit) + ".");
+    refuse(path, formatNumber(value), "is outside " + rangeText() + ".");
   }
 }
 

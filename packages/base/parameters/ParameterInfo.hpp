@@ -48,6 +48,8 @@ public:
   std::string chosen_by;          // of a list or alternative: the choice that decides, or ""
   std::string hint;
 
+  bool isDimensionless() const { return unit.empty() || unit == "-"; }
+
   // "a number in (0, inf) m", "one of 'Ageing', 'Slip'"
   std::string allowed() const;
 
@@ -65,6 +67,7 @@ public:
                 std::string const& list_name) const override;
 
 private:
+  std::string rangeText() const; // with the unit
   void checkRange(double value, std::string const& path) const;
   void checkRegions(ParameterList const& regions, std::string const& path) const;
   void checkArray(Teuchos::ParameterEntry const& entry, std::string const& path) const;

@@ -106,9 +106,9 @@ private:
 };
 
 // Refuses unknown names, wrong types, values out of range and missing required entries with an
-// InputError that says path, value, what is allowed and the nearest valid name; then completes the
-// list with the defaults. `path` is where the list stands, e.g. "Asperity / Friction". The entries
-// remember their range.
+// InputError that says path, value, what is allowed and the nearest valid name, a line for each of
+// up to ten errors; completes the list with the defaults. `path` is where the list stands, e.g.
+// "Asperity / Friction". The entries remember their range.
 void completeAndValidate(ParameterList& list, ParameterList const& valid, std::string const& path);
 
 // "Asperity / Friction" + "a" = "Asperity / Friction / a"

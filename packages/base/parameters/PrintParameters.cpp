@@ -31,7 +31,7 @@ std::string withSpaceBefore(std::string const& text) { return text.empty() ? "" 
 std::string description(Teuchos::ParameterEntry const& entry, ParameterInfo const& info)
 {
   std::string text = info.allowed() + "; " + presenceText(entry, info) + ".";
-  if (info.unit.empty() || info.unit == "-") {
+  if (info.isDimensionless()) {
     const bool is_number = info.kind == ParameterKind::real || info.kind == ParameterKind::field;
     text += is_number ? " Unit: 1." : "";
   } else {

@@ -12,15 +12,51 @@ enum class Completion
   none
 };
 
+// All errors of a list are told at once, a line each: who corrects one wants to know of the others.
+class Errors
+{
+public:
+  template <class Check>
+  void collect(Check&& check)
+  {
+    try {
+      check();
+    } catch (InputError const& error) {
+      texts_.emplace_back(error.what());
+    }
+  }
+
+  std::size_t number() const { return texts_.size(); }
+
+  void throwIfAny() const
+  {
+    if (texts_.empty()) {
+      return;
+    }
+    std::string all = texts_.front();
+    for (std::size_t i = 1; i < texts_.size() && i < most_told; ++i) {
+      all += '\n' + texts_[i];
+    }
+    if (texts_.size() > most_told) {
+      all += "\nThere are " + std::to_string(texts_.size() - most_told) + " more errors.";
+    }
+    throw InputError(all);
+  }
+
+private:
+  static constexpr std::size_t most_told = 10;
+  std::vector<std::string> texts_;
+};
+
 void process(ParameterList& list, ParameterList const& valid, std::string const& path,
-             Completion completion);
+             Completion completion, Errors& errors);
 
 void refuseUnknownNames(ParameterList const& list, ParameterList const& valid,
-                        ParameterList const& with_all, std::string const& path)
+                        ParameterList const& with_all, std::string const& path, Errors& errors)
 {
   for (auto const& name : namesIn(list)) {
     if (!valid.isParameter(name)) {
-      refuseUnknownName(valid, with_all, path, name);
+      errors.collect([&] { refuseUnknownName(valid, with_all, path, name); });
     }
   }
 }
@@ -71,39 +107,47 @@ void copyMissing(ParameterList& list, ParameterList const& defaults)
 }
 
 void processContent(ParameterList& content, ParameterList const& valid, ParameterInfo const& info,
-                    std::string const& path, Completion completion);
+                    std::string const& path, Completion completion, Errors& errors);
 
 // Checks an existing entry against its declaration.
 void processEntry(ParameterList& list, std::string const& name,
                   Teuchos::ParameterEntry const& declared, std::string const& path,
-                  Completion completion)
+                  Completion completion, Errors& errors)
 {
   const auto info = Teuchos::rcp_dynamic_cast<const ParameterInfo>(declared.validator());
   ASPERITY_ASSERT(!info.is_null());
   auto& entry = list.getEntry(name);
-  info->check(entry, path);
-  info->convert(entry);
+  const auto before = errors.number();
+  errors.collect([&] {
+    info->check(entry, path);
+    info->convert(entry);
+  });
+  if (errors.number() > before) {
+    return;
+  }
   entry.setValidator(info);
   entry.setDocString(declared.docString());
   if (isDefault(entry, declared, *info)) {
     markDefault(entry);
   }
   if (declared.isList()) {
-    processContent(list.sublist(name), get<ParameterList>(declared), *info, path, completion);
+    processContent(list.sublist(name), get<ParameterList>(declared), *info, path, completion,
+                   errors);
   }
 }
 
 void processContent(ParameterList& content, ParameterList const& valid, ParameterInfo const& info,
-                    std::string const& path, Completion completion)
+                    std::string const& path, Completion completion, Errors& errors)
 {
   if (info.kind == ParameterKind::open_sublist) {
     for (auto const& name : namesIn(content)) {
-      processEntry(content, name, valid.entry(valid.begin()), joinPath(path, name), completion);
+      processEntry(content, name, valid.entry(valid.begin()), joinPath(path, name), completion,
+                   errors);
     }
   } else if (info.kind == ParameterKind::foreign_sublist) {
     copyMissing(content, valid);
   } else {
-    process(content, valid, path, completion);
+    process(content, valid, path, completion, errors);
   }
 }
 
@@ -114,39 +158,48 @@ bool isChosen(ParameterList const& list, ParameterInfo const& info, std::string 
 }
 
 void addMissing(ParameterList& list, std::string const& name,
-                Teuchos::ParameterEntry const& declared, std::string const& path)
+                Teuchos::ParameterEntry const& declared, std::string const& path, Errors& errors)
 {
   const auto info = Teuchos::rcp_dynamic_cast<const ParameterInfo>(declared.validator(), true);
   if (info->presence == Presence::is_required) {
-    refuseMissing(path, declared, *info);
+    errors.collect([&] { refuseMissing(path, declared, *info); });
+    return;
   }
   if (info->presence == Presence::is_optional || !isChosen(list, *info, name)) {
     return;
   }
   if (declared.isList()) {
     list.sublist(name);
-    processEntry(list, name, declared, path, Completion::full);
+    processEntry(list, name, declared, path, Completion::full, errors);
   } else {
     setDefault(list, name, declared);
   }
 }
 
-// Declarations in their order, so that a choice is complete before its lists are.
+// Declarations in their order, so that a choice is complete before its lists are. What is missing
+// beside an unknown name may only be misspelled.
 void process(ParameterList& list, ParameterList const& with_all, std::string const& path,
-             Completion completion)
+             Completion completion, Errors& errors)
 {
-  const auto chosen = withChosenEntries(with_all, list, path);
+  Teuchos::RCP<const ParameterList> chosen;
+  errors.collect([&] { chosen = withChosenEntries(with_all, list, path); });
+  if (chosen.is_null()) {
+    return;
+  }
   ParameterList const& valid = *chosen;
-  refuseUnknownNames(list, valid, with_all, path);
+  const auto before = errors.number();
+  refuseUnknownNames(list, valid, with_all, path, errors);
+  const bool names_are_known = errors.number() == before;
   for (auto const& name : namesIn(valid)) {
     auto const& declared = valid.getEntry(name);
     const std::string entry_path = joinPath(path, name);
     if (list.isParameter(name)) {
       const auto info = parameterInfo(valid, name);
       const bool in_force = info.is_null() || isChosen(list, *info, name);
-      processEntry(list, name, declared, entry_path, in_force ? completion : Completion::none);
-    } else if (completion == Completion::full) {
-      addMissing(list, name, declared, entry_path);
+      processEntry(list, name, declared, entry_path, in_force ? completion : Completion::none,
+                   errors);
+    } else if (completion == Completion::full && names_are_known) {
+      addMissing(list, name, declared, entry_path, errors);
     }
   }
 }
@@ -154,6 +207,8 @@ void process(ParameterList& list, ParameterList const& with_all, std::string con
 
 void completeAndValidate(ParameterList& list, ParameterList const& valid, std::string const& path)
 {
-  process(list, valid, path, Completion::full);
+  Errors errors;
+  process(list, valid, path, Completion::full, errors);
+  errors.throwIfAny();
 }
 } // namespace asperity

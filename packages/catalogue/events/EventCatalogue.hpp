@@ -37,7 +37,8 @@ public:
   void write(io::StepInfo const& step) override;
   void closeSegment(int index) override;
   void finish() override;
-  bool endsRun() const override { return most_events_ > 0 && numEvents() >= most_events_; }
+  bool endsRun() const override { return mayEndRun() && numEvents() >= most_events_; }
+  bool mayEndRun() const override { return most_events_ > 0; }
   void save(io::Archive& archive) const override;
   void restore(io::Archive const& archive) override;
 

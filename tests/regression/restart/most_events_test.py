@@ -8,12 +8,14 @@ import asperity_run
 from asperity_run import settings
 
 DECK = asperity_run.SOURCE / "xml" / "spring_slider.xml"
-FINAL = "Time Stepping/Final Time=2500"  # two events
+# Two events, and rows of one table at the ends alone.
+SETTINGS = ["Time Stepping/Final Time=2500", "Output/Global/Every n Steps=1000000"]
 
 
 def run(most, folder, *arguments):
-    return asperity_run.run(DECK, *settings(FINAL, f"Output/Event Catalogue/Most Events={most}"),
-                            *arguments, "--output", folder)
+    most_events = f"Output/Event Catalogue/Most Events={most}"
+    return asperity_run.run(DECK, *settings(*SETTINGS, most_events), *arguments,
+                            "--output", folder)
 
 
 class MostEvents(unittest.TestCase):
@@ -30,6 +32,7 @@ class MostEvents(unittest.TestCase):
         self.assertEqual((parts / "events.csv").read_text().splitlines(), events[:2])
         last_time = asperity_run.table(parts / "steps.csv")[-1]["time"]
         self.assertLess(last_time, 2500)
+        self.assertEqual(asperity_run.table(parts / "global.csv")[-1]["time"], last_time)
         self.assertEqual(run(0, parts, "--restart", parts / "checkpoint.h5").returncode, 0)
         self.assertEqual((parts / "events.csv").read_text().splitlines(), events)
 

@@ -3,6 +3,7 @@
 
 #include "unit/base/Refusal.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
@@ -189,9 +190,41 @@ TEST(Parameters, MisspelledRequiredIsCalledUnknownAndNotMissing)
               {"Densty is unknown", "'Density'"});
 }
 
+TEST(Parameters, AllErrorsAreToldAtOnce)
+{
+  ParameterList list;
+  list.set("Titel", "wedge");
+  list.set("Largest Step", -1.0);
+  list.sublist("Friction").set("a", -0.01);
+  list.sublist("Mesh").set("Widht", 3.0);
+  auto const valid = Declare()
+                       .real("Largest Step", 1.0, "s", Range::above(0), "Largest time step.")
+                       .text("Title", "untitled", "For the figures.")
+                       .sublist("Friction", frictionParameters(), "Friction.")
+                       .list();
+  const auto message = refusal([&] { completeAndValidate(list, *valid, "Asperity"); });
+  expectParts(message,
+              {"Asperity / Titel is unknown", "\nAsperity / Largest Step = -1",
+               "\nAsperity / Friction / a = -0.01", "\nAsperity / Friction / Density is missing",
+               "Asperity / Mesh is unknown"});
+  EXPECT_EQ(std::count(message.begin(), message.end(), '\n'), 4);
+}
+
+TEST(Parameters, OfManyErrorsTenAreTold)
+{
+  ParameterList list;
+  for (char letter = 'a'; letter < 'n'; ++letter) {
+    list.set(std::string(20, letter), 1);
+  }
+  const auto message = refusal([&] { completeAndValidate(list, *rootParameters(), "Asperity"); });
+  expectParts(message, {"\nThere are 3 more errors."});
+  EXPECT_EQ(std::count(message.begin(), message.end(), '\n'), 10);
+}
+
 TEST(Parameters, HintJoinsTheMessage)
 {
   ParameterList list;
+  list.set("Density", 2700.0);
   list.set("a", -0.01);
   EXPECT_EQ(
     refusal([&] { completeAndValidate(list, *frictionParameters(), "Friction"); }),
