@@ -2,6 +2,7 @@
 
 #include <Teuchos_Comm.hpp>
 #include <Teuchos_RCP.hpp>
+#include <TpetraCore_config.h>
 #include <Tpetra_CrsGraph_fwd.hpp>
 #include <Tpetra_CrsMatrix_fwd.hpp>
 #include <Tpetra_Export_fwd.hpp>
@@ -10,8 +11,8 @@
 #include <Tpetra_MultiVector_fwd.hpp>
 #include <Tpetra_Vector_fwd.hpp>
 
-// The one place that fixes Tpetra's template arguments (double, 32-bit local and 64-bit global
-// ids).
+// The one place that fixes Tpetra's template arguments: double, 32-bit local ids, and 64-bit global
+// ids where Trilinos has them.
 namespace asperity
 {
 using Teuchos::RCP;
@@ -19,7 +20,11 @@ using Teuchos::rcp;
 
 using Communicator = Teuchos::Comm<int>;
 using LocalOrdinal = int;
+#ifdef HAVE_TPETRA_INST_INT_LONG_LONG
 using GlobalOrdinal = long long;
+#else
+using GlobalOrdinal = int; // such a build refuses models with 2^31 unknowns and more
+#endif
 
 using Map = Tpetra::Map<LocalOrdinal, GlobalOrdinal>;
 using Import = Tpetra::Import<LocalOrdinal, GlobalOrdinal>;

@@ -55,8 +55,9 @@ void requireRoom(Mesh<Dim> const& part, int refinements, Communicator const& com
   const std::string what = where + " = " + std::to_string(refinements);
   // Dofs, and room.
   const double num_global = static_cast<double>(std::numeric_limits<GlobalOrdinal>::max()) / 8;
-  ASPERITY_REQUIRE(all < num_global, what << " makes some " << all << " cells, more than 64 bits "
-                                          << "can number. Refine less often.");
+  ASPERITY_REQUIRE(all < num_global, what << " makes some " << all << " cells, more than "
+                                          << 8 * sizeof(GlobalOrdinal)
+                                          << " bits can number. Refine less often.");
   const double num_local = 0.9 * std::numeric_limits<int>::max(); // ghosts, too
   ASPERITY_REQUIRE(largest < num_local, what << " makes some " << all << " cells, " << largest
                                              << " of them on one rank, which can number "

@@ -6,8 +6,8 @@ namespace asperity::refinement
 {
 // Throws an InputError on every rank, which starts with `where`, unless a mesh that is refined so
 // often can be counted and held: a rank numbers its cells with int, global numbers of degrees of
-// freedom have 64 bits, and the ranks of a node share its physical memory, of which the mesh alone
-// takes some bytes per cell (bytes_per_cell, measured). Collective.
+// freedom are of type GlobalOrdinal, and the ranks of a node share its physical memory, of which
+// the mesh alone takes some bytes per cell (bytes_per_cell, measured). Collective.
 template <int Dim>
 void requireRoom(Mesh<Dim> const& part, int refinements, Communicator const& communicator,
                  std::string const& where);

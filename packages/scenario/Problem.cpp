@@ -46,6 +46,18 @@ struct Discretisation
   fem::NodalFrames const& frames() const { return constraints->frames(); }
 };
 
+// The same on all ranks.
+template <int Dim>
+void requireGlobalIds(Mesh<Dim> const& mesh, int components)
+{
+  constexpr auto most = std::numeric_limits<GlobalOrdinal>::max();
+  ASPERITY_REQUIRE(mesh.num_global_vertices < most / components,
+                   "The mesh has " << mesh.num_global_vertices << " vertices with " << components
+                                   << " unknowns each, more than the " << most
+                                   << " that Trilinos, as it was built, can number. Take a coarser "
+                                      "mesh, or a Trilinos with global ids of type long long.");
+}
+
 template <int Dim>
 Discretisation<Dim> discretise(ParameterList const& deck,
                                RCP<const Communicator> const& communicator)
@@ -54,6 +66,7 @@ Discretisation<Dim> discretise(ParameterList const& deck,
   const int components = displacementComponents(deck.sublist("Bulk"), Dim);
   auto boundary = makeBoundaryConditions<Dim>(conditions, components);
   auto mesh = makeMesh<Dim>(deck.sublist("Mesh"), boundary.faults.front(), communicator);
+  requireGlobalIds(mesh, components);
   requireBoundaries(conditions, mesh);
   requireFaults(conditions, mesh);
   requireFreeFault(boundary, mesh, components, *communicator);
