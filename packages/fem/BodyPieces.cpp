@@ -67,9 +67,22 @@ Stars starsOf(Mesh<Dim> const& mesh)
   return stars;
 }
 
-// Whether cells at a vertex do not hang together by facets that have the vertex.
+// The vertices of one place on all sides of its faults are one set.
 template <int Dim>
-bool isPinched(Mesh<Dim> const& mesh, int vertex, int const* begin, int const* end)
+Sets placesOf(Mesh<Dim> const& mesh)
+{
+  Sets places(mesh.vertices.size());
+  for (auto const& pair : mesh.splits) {
+    places.unite(pair.plus, pair.minus);
+  }
+  return places;
+}
+
+// Whether cells at a vertex do not hang together by facets that have the vertex. A facet of a fault
+// joins its two sides: where a fault branches off another one, cells meet at the tip that nothing
+// else joins.
+template <int Dim>
+bool isPinched(Mesh<Dim> const& mesh, Sets& places, int vertex, int const* begin, int const* end)
 {
   using Key = std::array<int, Dim - 1>; // the other vertices of a facet
   std::vector<std::pair<Key, int>> facets;
@@ -83,7 +96,7 @@ bool isPinched(Mesh<Dim> const& mesh, int vertex, int const* begin, int const* e
       auto place = key.begin();
       for (const int v : corners) {
         if (v != vertex && v != left_out) {
-          *place++ = v;
+          *place++ = places.find(v);
         }
       }
       std::sort(key.begin(), key.end());
@@ -157,10 +170,12 @@ template <int Dim>
 std::vector<double> pinchedVertices(Mesh<Dim> const& mesh, Exchange const& exchange)
 {
   const auto stars = starsOf(mesh);
+  int const* const cells = stars.cells.data();
+  auto places = placesOf(mesh);
   std::vector<double> is_pinched(mesh.vertices.size(), 0);
   for (int v = 0; v < mesh.num_owned; ++v) {
-    int const* const cells = stars.cells.data();
-    is_pinched[v] = isPinched(mesh, v, cells + stars.first[v], cells + stars.first[v + 1]) ? 1 : 0;
+    int const* const begin = cells + stars.first[v];
+    is_pinched[v] = isPinched(mesh, places, v, begin, cells + stars.first[v + 1]) ? 1 : 0;
   }
   exchange.takeLargest(is_pinched);
   return is_pinched;

@@ -115,7 +115,9 @@ RCP<ParameterList> readCompleteDeck(CommandLine const& command_line)
   auto const valid = deckParameters();
   auto deck = assembleDeck(command_line, *valid);
   auto& time = deck->sublist("Time Stepping");
-  if (time.getEntry("Scheme").isDefault() && quasiDynamic(deck->sublist("Bulk"))) {
+  const bool names_scheme =
+    deckAsGiven(command_line, *valid)->sublist("Time Stepping").isParameter("Scheme");
+  if (!names_scheme && quasiDynamic(deck->sublist("Bulk"))) {
     time.setEntry("Scheme", Teuchos::ParameterEntry(std::string(massless_scheme), true));
     completeAndValidate(*deck, *valid, "Asperity");
   }

@@ -14,10 +14,6 @@ namespace
 {
 constexpr int tag = 7310;
 
-MPI_Datatype typeOf(char) { return MPI_CHAR; }
-MPI_Datatype typeOf(float) { return MPI_FLOAT; }
-MPI_Datatype typeOf(double) { return MPI_DOUBLE; }
-
 template <class T, class Neighbours>
 void exchange(Neighbours const& to, T const* sent, Neighbours const& from, T* received,
               RCP<const Communicator> const& communicator)
@@ -30,12 +26,12 @@ void exchange(Neighbours const& to, T const* sent, Neighbours const& from, T* re
   requests.reserve(to.size() + from.size());
   for (auto const& neighbour : from) {
     requests.emplace_back();
-    MPI_Irecv(received + neighbour.begin, neighbour.end - neighbour.begin, typeOf(T()),
+    MPI_Irecv(received + neighbour.begin, neighbour.end - neighbour.begin, mpiType(T()),
               neighbour.rank, tag, comm, &requests.back());
   }
   for (auto const& neighbour : to) {
     requests.emplace_back();
-    MPI_Isend(sent + neighbour.begin, neighbour.end - neighbour.begin, typeOf(T()), neighbour.rank,
+    MPI_Isend(sent + neighbour.begin, neighbour.end - neighbour.begin, mpiType(T()), neighbour.rank,
               tag, comm, &requests.back());
   }
   MPI_Waitall(static_cast<int>(requests.size()), requests.data(), MPI_STATUSES_IGNORE);

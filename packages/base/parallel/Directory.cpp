@@ -73,7 +73,7 @@ std::vector<GlobalOrdinal> Directory::sumsBefore(std::vector<GlobalOrdinal> cons
     entry = sum;
     sum += value;
   }
-  MPI_Exscan(&sum, &before, 1, MPI_LONG_LONG, MPI_SUM, rawCommunicator(communicator_));
+  MPI_Exscan(&sum, &before, 1, mpiType(sum), MPI_SUM, rawCommunicator(communicator_));
   before = communicator_.getRank() == 0 ? 0 : before; // MPI leaves it undefined there
   for (auto& entry : here) {
     entry += before;

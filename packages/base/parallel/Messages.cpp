@@ -13,9 +13,6 @@ namespace asperity
 {
 namespace
 {
-MPI_Datatype typeOf(double) { return MPI_DOUBLE; }
-MPI_Datatype typeOf(GlobalOrdinal) { return MPI_LONG_LONG; }
-
 constexpr std::int64_t largest_int = std::numeric_limits<int>::max();
 
 [[noreturn]] void refuseCount(char const* what, std::int64_t count)
@@ -89,8 +86,8 @@ std::vector<T> sendItems(std::vector<T> const& items, std::size_t item_size,
     std::copy_n(items.begin() + i * item_size, item_size, sorted.begin() + place);
     place += static_cast<int>(item_size);
   }
-  MPI_Alltoallv(sorted.data(), counts.sent.data(), from.data(), typeOf(T()), result.data(),
-                counts.received.data(), to.data(), typeOf(T()), rawCommunicator(communicator));
+  MPI_Alltoallv(sorted.data(), counts.sent.data(), from.data(), mpiType(T()), result.data(),
+                counts.received.data(), to.data(), mpiType(T()), rawCommunicator(communicator));
   return result;
 }
 

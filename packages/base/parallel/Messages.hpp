@@ -14,6 +14,13 @@ namespace asperity
 // MPI_COMM_SELF of a communicator without MPI.
 MPI_Comm rawCommunicator(Communicator const& communicator);
 
+// MPI's name for the type of a number.
+inline MPI_Datatype mpiType(double) { return MPI_DOUBLE; }
+inline MPI_Datatype mpiType(float) { return MPI_FLOAT; }
+inline MPI_Datatype mpiType(long long) { return MPI_LONG_LONG; }
+inline MPI_Datatype mpiType(int) { return MPI_INT; }
+inline MPI_Datatype mpiType(char) { return MPI_CHAR; }
+
 // MPI counts with int: what is larger than this, in bytes, goes in pieces.
 constexpr std::size_t largest_piece = std::size_t(1) << 30;
 

@@ -6,10 +6,6 @@ namespace asperity::io
 {
 namespace
 {
-MPI_Datatype typeOf(double) { return MPI_DOUBLE; }
-MPI_Datatype typeOf(GlobalOrdinal) { return MPI_LONG_LONG; }
-MPI_Datatype typeOf(char) { return MPI_CHAR; }
-
 struct Blocks
 {
   std::vector<int> counts, offsets; // (num_ranks)
@@ -36,8 +32,8 @@ std::vector<T> gatherToRoot(std::vector<T> const& mine, Communicator const& comm
 {
   const Blocks blocks = blocksOfRanks(mine.size(), comm);
   std::vector<T> all(comm.getRank() == 0 ? blocks.total : 0);
-  MPI_Gatherv(mine.data(), static_cast<int>(mine.size()), typeOf(T()), all.data(),
-              blocks.counts.data(), blocks.offsets.data(), typeOf(T()), 0, rawCommunicator(comm));
+  MPI_Gatherv(mine.data(), static_cast<int>(mine.size()), mpiType(T()), all.data(),
+              blocks.counts.data(), blocks.offsets.data(), mpiType(T()), 0, rawCommunicator(comm));
   return all;
 }
 
@@ -46,8 +42,8 @@ std::vector<T> gatherToAll(std::vector<T> const& mine, Communicator const& comm)
 {
   const Blocks blocks = blocksOfRanks(mine.size(), comm);
   std::vector<T> all(blocks.total);
-  MPI_Allgatherv(mine.data(), static_cast<int>(mine.size()), typeOf(T()), all.data(),
-                 blocks.counts.data(), blocks.offsets.data(), typeOf(T()), rawCommunicator(comm));
+  MPI_Allgatherv(mine.data(), static_cast<int>(mine.size()), mpiType(T()), all.data(),
+                 blocks.counts.data(), blocks.offsets.data(), mpiType(T()), rawCommunicator(comm));
   return all;
 }
 

@@ -427,6 +427,12 @@ class Physics(Case):
                     [DECK, *settings(*massless, f"TNNMG/Linear Correction={correction}")],
                     "Asperity / Boundary Conditions", "moves along y", "Sliding Wall")
 
+    def test_a_scheme_that_needs_mass(self):
+        """Also where the deck names what the default would be with inertia."""
+        self.assert_refused([DECK, *settings("Bulk/Dynamics=Quasi-dynamic",
+                                             "Time Stepping/Scheme=Newmark")],
+                            "Asperity / Time Stepping / Scheme", "'Newmark' needs inertia")
+
     def test_questionable_units(self):
         for change, topic in (("Bulk/Density=1", "Bulk / Density is 1 kg/m^3"),
                               ("Bulk/Shear Modulus=32", "The shear modulus is 32 Pa"),

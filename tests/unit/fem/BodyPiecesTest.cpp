@@ -124,6 +124,21 @@ TEST(BodyPieces, TheSidesOfAFaultAreOne)
   expectPieces(cut<2>(rectangleAt(0, 0), inside), 1, 0);
 }
 
+TEST(BodyPieces, AFaultThatBranchesOffAnotherOne)
+{
+  const auto level = [](auto const& x) { return std::abs(x[1] - 0.5) < 1e-9; };
+  const auto branch = [](auto const& x) {
+    return std::abs(x[0] - 0.5) < 1e-9 && x[1] > 0.5 - 1e-9;
+  };
+  const auto branched = [&](auto mesh) {
+    mesh::addFaults(mesh, {{"level", level}, {"branch", branch}});
+    mesh::splitFaults(mesh, "test");
+    return mesh;
+  };
+  expectPieces(branched(rectangleAt(0, 0)), 1, 0);
+  expectPieces(branched(boxAt(0, 0, 0)), 1, 0);
+}
+
 TEST(BodyPieces, WarningsNameVertexAndPieces)
 {
   const auto world = fem::testing::worldCommunicator();
