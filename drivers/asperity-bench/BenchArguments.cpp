@@ -124,5 +124,5 @@ void printBenchHelp(std::ostream& out)
        "    Makes the mesh alone: how many cells and vertices, how evenly the ranks have them, "
        "and\n"
        "    how much memory it takes.\n"
-    << options.help() << "\nExit status: 0 done, 2 the input is at fault.\n";
+    << options.help() << "\nExit status: 0 done, 2 the input is at fault; others as of asperity.\n";
 }

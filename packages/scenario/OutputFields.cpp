@@ -1,5 +1,6 @@
 #include "scenario/OutputFields.hpp"
 
+#include "base/parallel/Reductions.hpp"
 #include "catalogue/stress/CoulombPlanes.hpp"
 #include "catalogue/stress/StressFields.hpp"
 #include "dynamics/FaultMotion.hpp"
@@ -288,8 +289,15 @@ template <int Dim>
 std::map<std::string, io::OutputDomain> makeDomains(Problem<Dim> const& problem)
 {
   std::map<std::string, io::OutputDomain> domains;
-  domains.emplace("fault", io::boundaryDomain("fault", problem.mesh, problem.surface->name(),
-                                              problem.communicator));
+  auto fault =
+    io::boundaryDomain("fault", problem.mesh, problem.surface->name(), problem.communicator);
+  double rise = 0; // of the normals, out of the plus side
+  for (auto const& node : *problem.surface) {
+    rise += node.weight * node.normal[1];
+  }
+  const double rounding = 1e-6 * problem.surface->totalWeight(); // of a vertical fault
+  fault.is_foot_wall = Dim == 2 && sumOverRanks(rise, *problem.communicator) > rounding;
+  domains.emplace("fault", std::move(fault));
   domains.emplace("volume", io::volumeDomain(problem.mesh, problem.communicator));
   if (!problem.boundary.surface.empty()) {
     domains.emplace("surface", io::boundaryDomain("surface", problem.mesh, problem.boundary.surface,

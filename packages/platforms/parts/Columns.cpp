@@ -23,7 +23,7 @@ ModelView ModelView::of(io::OutputContext const& context)
   view.antiplane = context.fields.field("volume", "displacement").components == 1;
   const auto axis = catalogue::faultAxis(fault);
   view.is_level = axis.is_level;
-  if (!view.antiplane && !axis.is_level && !axis.tangent_rises) {
+  if (!view.antiplane && !axis.is_level && axis.tangent_rises == fault.is_foot_wall) {
     view.thrust_sign = -1;
   }
   return view;

@@ -146,6 +146,27 @@ TEST(Stations, InASectionSeasCountsThrustsAndDepthsPositive)
   });
 }
 
+// The same with the body below its fault: in a thrust the foot wall moves down dip.
+TEST(Stations, InASectionThrustsOfAFootWallArePositiveToo)
+{
+  test::TemporaryDirectory directory;
+  auto mesh = test::stripMesh(num_base);
+  for (auto& vertex : mesh.vertices) {
+    vertex[1] -= vertex[0];
+  }
+  Fault fault(2, mesh);
+  fault.domains.at("fault").is_foot_wall = true;
+  auto list = test::deckWith("Receivers", "SEAS");
+  list.sublist("Receivers").sublist("On Fault").set("dp003", position({0.3 * std::sqrt(2.0)}));
+  OutputSet outputs(list, fault.context(directory.path()));
+  run(fault, outputs);
+  test::onRankZero([&] {
+    const auto on_fault = test::dataLines(directory / "seas/fltst_dp003");
+    EXPECT_EQ(on_fault[5], " 1.60000000000000E+00   4.800000E-01  -5.228787E-01  -1.300000E+00"
+                           "   5.030000E+01   8.000000E+00");
+  });
+}
+
 TEST(Stations, FilesForScecHaveRowsAtEqualDistances)
 {
   test::TemporaryDirectory directory;

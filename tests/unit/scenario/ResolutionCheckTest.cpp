@@ -74,7 +74,7 @@ TEST(ResolutionCheck, saysTheNucleationLengthOfTheAgeingLawAlone)
   dynamics::FaultResolution resolution{1, 1, 10, 47, wavelength, 10, 1};
   const auto text = [&](std::string const& law) {
     std::string all;
-    for (auto const& line : describe(resolution, law)) {
+    for (auto const& line : describe(resolution, law, "Box")) {
       all += line;
     }
     return all;
@@ -124,15 +124,20 @@ TEST(ResolutionCheck, measuresThePartThatWeakens)
 
 TEST(ResolutionCheck, advisesLowCellsWhereThereAreFew)
 {
-  const auto advises = [](double cells_per_zone, double height) {
-    const auto lines = describe({1, 1, 10, 47, 40, cells_per_zone, height}, "Ageing");
-    return std::any_of(lines.begin(), lines.end(), [](std::string const& line) {
-      return line.find("times as high as they are long") != std::string::npos;
-    });
+  const auto advice = [](double cells_per_zone, double height, std::string const& mesh) {
+    for (auto const& line : describe({1, 1, 10, 47, 40, cells_per_zone, height}, "Ageing", mesh)) {
+      if (line.find("times as high as they are long") != std::string::npos) {
+        return line;
+      }
+    }
+    return std::string();
   };
-  EXPECT_TRUE(advises(4, 1));
-  EXPECT_FALSE(advises(4, 0.577));
-  EXPECT_FALSE(advises(20, 1));
+  expectParts(advice(4, 1, "Box"), {"The first cells of a Box give"});
+  const auto of_file = advice(4, 1, "File");
+  EXPECT_FALSE(of_file.empty());
+  EXPECT_EQ(of_file.find("first cells"), std::string::npos) << of_file;
+  EXPECT_EQ(advice(4, 0.577, "Box"), "");
+  EXPECT_EQ(advice(20, 1, "Box"), "");
 }
 
 TEST(ResolutionCheck, saysNothingWhereFrictionDoesNotWeaken)
