@@ -108,9 +108,9 @@ def _print_summary(run: Run) -> None:
     remark = f", {last}cut off by the end of the run" if unfinished else ""
     print(f"\n{count[0].upper()}{count[1:]}{remark}.{with_space(run)}")
     if rows:
-        print(f"{'':<17}{'number':>7}{'quartile':>12}{'median':>12}{'quartile':>12}")
+        print(f"{'':<17}{'number':>7}{'quartile':>14}{'median':>14}{'quartile':>14}")
     for name, count, low, median, high in rows:
-        print(f"{name:<17}{count:>7}{low:>12}{median:>12}{high:>12}")
+        print(f"{name:<17}{count:>7}{low:>14}{median:>14}{high:>14}")
 
 
 def with_space(run: Run) -> str:

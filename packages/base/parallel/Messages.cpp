@@ -107,6 +107,8 @@ std::vector<int> blockOffsets(std::vector<std::int64_t> const& counts, char cons
 
 template std::vector<double> sendItems(std::vector<double> const&, std::size_t,
                                        std::vector<int> const&, Communicator const&);
-template std::vector<GlobalOrdinal> sendItems(std::vector<GlobalOrdinal> const&, std::size_t,
-                                              std::vector<int> const&, Communicator const&);
+template std::vector<int> sendItems(std::vector<int> const&, std::size_t, std::vector<int> const&,
+                                    Communicator const&);
+template std::vector<long long> sendItems(std::vector<long long> const&, std::size_t,
+                                          std::vector<int> const&, Communicator const&);
 } // namespace asperity

@@ -41,7 +41,7 @@ private:
 
 // Sends every item to a rank: items (num_items, item_size), destinations (num_items). Returns the
 // items sent to this rank, (any number, item_size): those of rank 0 first, and those of each rank
-// in the order in which it has them. T is double or GlobalOrdinal. InputError, on every rank, if
+// in the order in which it has them. T is double, int or long long. InputError, on every rank, if
 // one of them sends or receives 2^31 numbers or more, which MPI cannot count. Collective.
 template <class T>
 std::vector<T> sendItems(std::vector<T> const& items, std::size_t item_size,

@@ -108,7 +108,7 @@ template <class T>
 std::vector<T> NodeTransfer::operator()(std::vector<T> const& values,
                                         std::size_t num_components) const
 {
-  using Sent = std::conditional_t<std::is_same_v<T, double>, double, GlobalOrdinal>;
+  using Sent = std::conditional_t<std::is_same_v<T, double>, double, long long>;
   const auto arrived = sendItems(std::vector<Sent>(values.begin(), values.end()), num_components,
                                  destinations_, comm_);
   std::vector<T> result(arrived.size());
