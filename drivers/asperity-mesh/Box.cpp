@@ -54,7 +54,7 @@ std::string boxOptions()
          "    --cells-x, --cells-y, --cells-z      numbers of bricks (1)\n"
          "    --left, --bottom, --front            smallest x, y and z, m (0)\n"
          "    --periodic              axes, as 'z' or 'x, z'; at least 3 bricks along them\n"
-         "    --cell-size             sides of the cubes, m, a formula in x, y and z\n"
+         "    --cell-size             longest side of the bricks, m, a formula in x, y and z\n"
          "    --fault                 \"NAME=CONDITION\", a fault inside, as \"main=abs(y) < "
          "1e-6\";\n"
          "                            cells have their edges along it; may be repeated\n";
@@ -68,9 +68,14 @@ void makeBox(std::vector<std::string> const& words)
   }
   const auto arguments = parseArguments(words, allowed);
   requireNew(arguments.files[0], arguments);
-  auto coarse = asperity::mesh::boxMesh(shapeFrom(arguments));
+  auto const shape = shapeFrom(arguments);
+  auto coarse = asperity::mesh::boxMesh(shape);
   if (arguments.has("--periodic")) {
     makePeriodicAlong(arguments.options.at("--periodic"), coarse);
   }
-  writeAndReport(withFaults(graded(coarse, arguments), arguments), arguments.files[0]);
+  asperity::Point<3> brick;
+  for (int d = 0; d < 3; ++d) {
+    brick[d] = shape.size[d] / shape.num_cells[d];
+  }
+  writeAndReport(withFaults(graded<3>(coarse, brick, arguments), arguments), arguments.files[0]);
 }

@@ -70,16 +70,16 @@ GlobalMesh<Dim> withFaults(GlobalMesh<Dim> mesh, Arguments const& arguments)
 }
 
 template <int Dim>
-GlobalMesh<Dim> graded(GlobalMesh<Dim> const& mesh, Arguments const& arguments)
+GlobalMesh<Dim> graded(GlobalMesh<Dim> const& mesh, Point<Dim> const& brick,
+                       Arguments const& arguments)
 {
   if (!arguments.has("--cell-size")) {
     return mesh;
   }
   const asperity::Expression size(arguments.options.at("--cell-size"), "Option --cell-size");
   ASPERITY_REQUIRE(!size.dependsOnTime(), "Option --cell-size depends on t. Remove t from it.");
-  return asperity::mesh::bisect(mesh, asperity::mesh::largestDiameter([&](Point<Dim> const& x) {
-                                  return positiveSize<Dim>(size, x);
-                                }));
+  return asperity::mesh::bisectBricks(
+    mesh, brick, [&](Point<Dim> const& x) { return positiveSize<Dim>(size, x); });
 }
 
 template <int Dim>
@@ -90,8 +90,8 @@ void writeAndReport(GlobalMesh<Dim> const& mesh, std::string const& file_name)
             << " cells\n";
 }
 
-template GlobalMesh<2> graded(GlobalMesh<2> const&, Arguments const&);
-template GlobalMesh<3> graded(GlobalMesh<3> const&, Arguments const&);
+template GlobalMesh<2> graded<2>(GlobalMesh<2> const&, Point<2> const&, Arguments const&);
+template GlobalMesh<3> graded<3>(GlobalMesh<3> const&, Point<3> const&, Arguments const&);
 template GlobalMesh<2> withFaults(GlobalMesh<2>, Arguments const&);
 template GlobalMesh<3> withFaults(GlobalMesh<3>, Arguments const&);
 template void writeAndReport(GlobalMesh<2> const&, std::string const&);

@@ -6,10 +6,12 @@
 
 // Functions that all commands that make meshes share, in 2D and 3D.
 
-// Bisects the mesh to --cell-size, a formula in the coordinates, if it is given. InputError if the
-// text is not a formula, depends on t or is not positive somewhere.
+// Bisects a mesh of bricks with these sides [m] to --cell-size, a formula in the coordinates, if it
+// is given: as `Mesh / Cell Size` of a deck does. InputError if the text is not a formula, depends
+// on t or is not positive somewhere.
 template <int Dim>
-asperity::GlobalMesh<Dim> graded(asperity::GlobalMesh<Dim> const& mesh, Arguments const& arguments);
+asperity::GlobalMesh<Dim> graded(asperity::GlobalMesh<Dim> const& mesh,
+                                 asperity::Point<Dim> const& brick, Arguments const& arguments);
 
 // The mesh with the faults of --fault "NAME=CONDITION", formulas in the coordinates that hold where
 // they are not zero (mesh/faults/Faults.hpp); it is not split. InputError if it could not be.

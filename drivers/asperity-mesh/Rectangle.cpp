@@ -26,7 +26,7 @@ std::string rectangleOptions()
   return "    --width, --height       along x and y, m (1)\n"
          "    --cells-x, --cells-y    columns and rows of two triangles each (1)\n"
          "    --left, --bottom        x and y of the lower left corner, m (0)\n"
-         "    --cell-size             legs of the triangles, m, a formula in x and y\n"
+         "    --cell-size             longest leg of the triangles, m, a formula in x and y\n"
          "    --fault                 \"NAME=CONDITION\", a fault inside, as \"main=abs(y) < "
          "1e-6\";\n"
          "                            cells have their edges along it; may be repeated\n";
@@ -40,6 +40,8 @@ void makeRectangle(std::vector<std::string> const& words)
             {"--overwrite"},
             {"--fault"}});
   requireNew(arguments.files[0], arguments);
-  const auto coarse = asperity::mesh::rectangleMesh(shapeFrom(arguments));
-  writeAndReport(withFaults(graded(coarse, arguments), arguments), arguments.files[0]);
+  auto const shape = shapeFrom(arguments);
+  const asperity::Point<2> brick = {shape.width / shape.cells_x, shape.height / shape.cells_y};
+  const auto mesh = graded<2>(asperity::mesh::rectangleMesh(shape), brick, arguments);
+  writeAndReport(withFaults(mesh, arguments), arguments.files[0]);
 }

@@ -45,6 +45,14 @@ class PlaneMeshes(mesh_tool.Case):
         self.assertIn("left: 32 facets, 33 vertices, shortest edge 100 m\n", info)
         self.assertIn("right: 8 facets, 9 vertices, shortest edge 400 m\n", info)
 
+    def test_bricks_keep_their_proportions(self):
+        """As in a deck, where the cell size is that of the longest side."""
+        flat = ["--width", "4", "--height", "1", "--cells-x", "2", "--cells-y", "2",
+                "--cell-size", "0.25"]
+        self.assertIn(f"{17**2} vertices", self.assert_done("rectangle", "flat.h5", *flat))
+        self.assertIn(f"{17**3} vertices", self.assert_done("box", "box.h5", *flat, "--depth", "4",
+                                                            "--cells-z", "2"))
+
     def test_rectangle_refuses(self):
         for options, pieces in ((["--width", "0"], ["Width = 0"]),
                                 (["--cells-x", "2.5"], ["--cells-x", "'2.5'", "whole number"]),
