@@ -46,7 +46,7 @@ class Backends(unittest.TestCase):
 
 class Environment(unittest.TestCase):
     VERSION = re.compile(r"Asperity [\d.]+ on \w+( with \d+ threads?| on [^,]+)?, (\d+) ranks?\.\n"
-                         r"Kokkos [\d.]+, Trilinos [\d.]+, \S.*\.\n"
+                         r"Kokkos [\d.]+, Trilinos [\d.]+(rc\d+)?, \S.*\.\n"
                          r"Built from \S.*, HDF5 [\d.]+, Eigen [\d.]+\.\n"
                          r"Machine: \S.*\.\n")
 
