@@ -45,7 +45,7 @@ if(ASPERITY_BACKEND AND NOT ASPERITY_BACKEND STREQUAL ASPERITY_KOKKOS_BACKEND)
   message(FATAL_ERROR "ASPERITY_BACKEND is ${ASPERITY_BACKEND}, but the Kokkos found "
     "(${ASPERITY_KOKKOS_VERSION}, ${ASPERITY_KOKKOS_CONFIG}) runs on ${ASPERITY_KOKKOS_BACKEND}. "
     "Name another one by Trilinos_ROOT or, with ASPERITY_FRICTION_ONLY, Kokkos_ROOT; "
-    "docs/backends.md says how to build one. Debian's is Serial.")
+    "docs/cost/backends.md says how to build one. Debian's is Serial.")
 endif()
 
 # Trilinos 13 configures Kokkos by variables; its target names an include directory that does not

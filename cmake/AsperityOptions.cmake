@@ -14,7 +14,7 @@ option(ASPERITY_WARNINGS_AS_ERRORS "Treat warnings in Asperity's own code as err
 option(ASPERITY_FUZZERS "Build the fuzz targets with libFuzzer, which needs Clang" OFF)
 set(ASPERITY_TEST_TIME_FACTOR 1 CACHE STRING
   "Whole number that the time limits of tests are multiplied by, for slow builds and machines")
-# packages/friction and its tests alone, which need neither Trilinos nor MPI (docs/backends.md).
+# packages/friction and its tests alone, without Trilinos and MPI (docs/cost/backends.md).
 option(ASPERITY_FRICTION_ONLY "Build packages/friction alone, on any Kokkos from 3.4 on" OFF)
 set(ASPERITY_BACKEND "" CACHE STRING
   "The execution space that Kokkos must have: Serial, OpenMP, Cuda; empty accepts any")

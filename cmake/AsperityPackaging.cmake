@@ -59,5 +59,6 @@ endif()
 set(CPACK_DEBIAN_DOCUMENTS_PACKAGE_NAME asperity-doc)
 set(CPACK_DEBIAN_DOCUMENTS_PACKAGE_SECTION doc)
 set(CPACK_DEBIAN_DOCUMENTS_PACKAGE_ARCHITECTURE all)
-set(CPACK_COMPONENT_DOCUMENTS_DESCRIPTION "README, the model, tutorials, all parameters, results.")
+set(CPACK_COMPONENT_DOCUMENTS_DESCRIPTION
+  "The manual as Markdown: models, examples, reference, validation.")
 include(CPack)

@@ -47,6 +47,8 @@ optional_packages()
     echo 'faster rebuilds (optional): ccache|-'
     echo 'tests of pip without a network (optional): python3-pip|- python3-venv|-' \
       'python3-setuptools|- python3-wheel|-'
+    echo 'the manual, and a browser that reads it (optional): python3-sphinx|-' \
+      'python3-myst-parser|- python3-breathe|- furo|- doxygen|- chromium|-'
   fi
 }
 
@@ -196,7 +198,7 @@ fetch_and_install()
   lacking=$(required_packages | select_of unknown)
   [ -z "$lacking" ] || fail "this release does not have, of what the build needs,
 $(show_packages <<< "$lacking")
-If you have these elsewhere, say --no-install; docs/platforms.md names the releases tried."
+If you have these elsewhere, say --no-install; docs/cost/platforms.md names the releases tried."
   # shellcheck disable=SC2086 # a list of names
   install_packages $names || [ -z "$required" ] ||
     fail "apt-get could not install the packages; its last lines stand above. If you have these

@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Writes docs/parameters.md from what the program says of its parameters; `--check` compares.
+"""Writes docs/reference/parameters.md from what the program says; `--check` compares.
 
     python3 docs/parameters.py [--check] [PROGRAM]      build/drivers/asperity by default
 """
@@ -9,7 +9,7 @@ import re
 import subprocess
 import sys
 
-PAGE = pathlib.Path(__file__).with_name("parameters.md")
+PAGE = pathlib.Path(__file__).parent / "reference" / "parameters.md"
 TOP = """# Parameters
 
 All parameters of a deck, in the order in which `asperity --print-parameters` prints them. **This page

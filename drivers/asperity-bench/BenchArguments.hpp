@@ -11,7 +11,7 @@ struct BenchArguments
 {
   asperity::CommandLine deck; // the deck and its overrides
   ScalingOptions scaling;
-  StepsOptions steps;            // num_steps is 0 unless `steps` is asked for
+  StepsOptions steps;            // num_steps is 0 without `steps`
   CompareOptions compare;        // likewise for `compare`
   std::string output;            // JSON file, of stiffness a text file; "" for none
   bool counts_mesh = false;      // asperity-bench mesh

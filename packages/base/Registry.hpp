@@ -61,7 +61,7 @@ public:
     return sortedNames();
   }
 
-  // `path` is where the name was asked for; an unknown name is an InputError with the nearest one.
+  // `path` is the place of the name in the deck; an unknown one is an InputError with the nearest.
   std::unique_ptr<Product> create(std::string const& name, std::string const& path,
                                   Arguments... arguments) const
   {

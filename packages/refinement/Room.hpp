@@ -13,6 +13,6 @@ void requireRoom(Mesh<Dim> const& part, int refinements, Communicator const& com
                  std::string const& where);
 
 // Measured on large meshes of tetrahedra, at the highest point of the last refinement
-// (docs/performance.md).
+// (log/performance.md).
 constexpr double bytes_per_cell = 40;
 } // namespace asperity::refinement

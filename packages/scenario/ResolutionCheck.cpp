@@ -64,7 +64,7 @@ CellCount countCells(Mesh<Dim> const& mesh, Communicator const& communicator)
           maxOverRanks(largest, communicator)};
 }
 
-// Measured, docs/performance.md: with three step sizes on large models, and on small ones.
+// With three step sizes on large models, and on small ones (log/performance.md).
 constexpr double multigrid_bytes[] = {4.3e3, 6.7e3};
 
 // [s] for one product of the stiffness matrix with a vector, the shortest of a few.
@@ -82,7 +82,7 @@ double secondsOfProduct(dynamics::Body const& body)
   return shortest;
 }
 
-// Products that a coupled step has taken, docs/performance.md, "What --validate says".
+// Products that a coupled step takes (log/performance.md).
 constexpr double multigrid_products[] = {40, 130};
 constexpr double direct_products = 45;
 
@@ -204,7 +204,6 @@ std::vector<Warning> warnOfResolution(dynamics::FaultResolution const& resolutio
   const bool has_formula = state_law == friction::AgeingLaw::name;
   const double needed = has_formula ? resolution.nucleation_length : resolution.unstable_wavelength;
   // It is of an endless fault; a part that ends at a free surface is half of a longer one.
-  // With the factor 1 wedge_2d.xml would be warned of, 0.207 m beside 0.2 m, which has earthquakes.
   if (!resolution.weakens_everywhere && needed > 2 * resolution.weakening_length) {
     warnings.push_back(
       {"nucleation length",

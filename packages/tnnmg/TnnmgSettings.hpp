@@ -13,7 +13,7 @@ struct TnnmgSettings
   double relative_tolerance = 1e-10; // of the last change, relative to the norm of v
   int max_iterations = 50;
   int sweeps = 1; // of Gauss-Seidel in each iteration
-  // Relative residual of the linear correction. Measured in 3D: with 1e-3 the same number of
+  // Relative residual of the linear correction. In 3D with 1e-3 the same number of
   // iterations needs a quarter more V-cycles in large steps and half more in small ones; with 0.1
   // more iterations are needed.
   double correction_tolerance = 1e-2;

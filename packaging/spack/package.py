@@ -14,7 +14,7 @@ class Asperity(CMakePackage, CudaPackage):
     license("BSD-3-Clause")
 
     # The release's archive has no public address: give the source tree by `spack develop`.
-    version("0.1.0")
+    version("0.2.0")
 
     variant("openmp", default=False, description="Threads on each rank, by Kokkos")
     variant("gmsh", default=True, description="asperity-mesh, which links Gmsh (GPL)")

@@ -7,7 +7,7 @@
 All numbers are in SI units. README.md beside this package says what there is.
 """
 
-__version__ = "0.1.0"
+__version__ = "0.2.0"
 __all__ = ["Run", "InputError", "NothingToShow"]
 
 _PLACES = {"Run": "run", "InputError": "errors", "NothingToShow": "errors"}

@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # The quick start of README.md in empty roots of Debian, as an ordinary user with sudo: `run`, then
-# `test`. Writes a row for each suite; table.py puts rows into docs/platforms.md.
+# `test`. Writes a row for each suite; table.py puts rows into docs/cost/platforms.md.
 #
 #   roots.sh [--work DIR] [--ccache DIR] [--keep] SUITE...
 #

@@ -1,7 +1,7 @@
-"""The table of docs/platforms.md.
+"""The table of docs/cost/platforms.md.
 
     table.py row FOLDER RUN_SECONDS TEST_SECONDS [--cached]    writes FOLDER/row.json, for roots.sh
-    table.py page ROW.json...                                  puts rows into docs/platforms.md
+    table.py page ROW.json...                                  puts rows into docs/cost/platforms.md
 
 A row takes the place of the one of the same suite that the page has.
 """
@@ -11,7 +11,7 @@ import json
 import pathlib
 import re
 
-PAGE = pathlib.Path(__file__).resolve().parents[2] / "docs" / "platforms.md"
+PAGE = pathlib.Path(__file__).resolve().parents[2] / "docs" / "cost" / "platforms.md"
 RELEASES = {"bookworm": "Debian 12 (bookworm)", "trixie": "Debian 13 (trixie)",
             "sid": "Debian sid", "experimental": "Debian sid, Trilinos of experimental"}
 UNKNOWN = "?"

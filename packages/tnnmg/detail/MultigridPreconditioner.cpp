@@ -19,9 +19,7 @@ using Execution = ExecutionSpace;
 
 // On coarse levels a Hessian H counts as the parallel sum of itself and B, the block of Z,
 // (H^-1 + B^-1)^-1 = B - B (H + B)^-1 B, which is no larger than either, and a removed node as B. A
-// coarse function that a stiff node holds as a whole corrects nothing. Measured with shares of 0.2,
-// 1 and 5 of the block: 15.2, 15.9 and 17.5 V-cycles to a step of xml/bp5_qd.xml, 4.0, 3.7 and 3.7
-// to an inertial one of xml/wedge_3d.xml; 29, 20 and 18 in the unit test with two tangents.
+// coarse function that a stiff node holds as a whole corrects nothing.
 
 // The Hessian of a node on coarse levels is outdated if it differs from the current one by the
 // factor `wrong`. One below the part `small` of the block counts as that part.

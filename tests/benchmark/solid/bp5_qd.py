@@ -1,6 +1,6 @@
 """SEAS BP5-QD on cells of 1 km: the first event against the converged answer of an independent
 program of boundary elements (independent_cycles/square_core.py with cells of 500 m). Cells of 1 km
-are early by 16 percent; the limits were chosen when that was known (docs/results.md)."""
+are early by 16 percent; the limits were chosen when that was known (docs/validation/bp5.md)."""
 
 import sys
 

@@ -1,4 +1,4 @@
-"""The recipe of docs/starting.md for a field from a file, as it is written there."""
+"""The recipe of docs/first_model/starting_values.md for a field from a file, word by word."""
 
 import os
 import pathlib
@@ -12,7 +12,7 @@ import unittest
 import asperity_run
 import numpy
 
-PAGE = (asperity_run.SOURCE / "docs" / "starting.md").read_text(encoding="utf-8")
+PAGE = (asperity_run.SOURCE / "docs/first_model/starting_values.md").read_text(encoding="utf-8")
 BLOCKS = [textwrap.dedent(block).strip()
           for block in re.findall(r"(?:^ {4}.*\n(?:^\n(?= {4}))?)+", PAGE, re.MULTILINE)]
 

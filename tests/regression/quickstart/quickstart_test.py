@@ -75,11 +75,14 @@ class QuickStart(unittest.TestCase):
         for_run = self.installs(calls)
         self.assertIn("libgmsh-dev", for_run)
         for package in for_run:
-            self.assertNotRegex(package, "clang-format|gtest|ccache|pip|venv|setuptools|wheel")
+            self.assertNotRegex(package, "clang-format|gtest|ccache|pip|venv|setuptools|wheel|"
+                                         "sphinx|chromium")
         _, calls = self.run_with("test")
         more = set(self.installs(calls)) - set(for_run)
         self.assertEqual(more, {"clang-format-14", "libgtest-dev", "ccache", "python3-pip",
-                                "python3-venv", "python3-setuptools", "python3-wheel"})
+                                "python3-venv", "python3-setuptools", "python3-wheel",
+                                "python3-sphinx", "python3-myst-parser", "python3-breathe", "furo",
+                                "doxygen", "chromium"})
 
     def test_run_builds_no_tests(self):
         _, calls = self.run_with("run", "--no-install")

@@ -1,4 +1,4 @@
-"""docs/parameters.md has every parameter of the program, as the program says it."""
+"""docs/reference/parameters.md has every parameter of the program, as the program says it."""
 
 import importlib.util
 import os
@@ -25,7 +25,7 @@ class Page(unittest.TestCase):
         self.assertEqual(result.returncode, 0, result.stdout + result.stderr)
 
     def test_has_every_parameter_with_default_and_unit(self):
-        text = (SOURCE / "docs" / "parameters.md").read_text()
+        text = (SOURCE / "docs" / "reference" / "parameters.md").read_text()
         printed = subprocess.run([PROGRAM, "--print-parameters"], text=True, capture_output=True,
                                  check=True).stdout
         names = re.findall(r"^  (\S.*)$", printed, re.MULTILINE)
@@ -39,7 +39,7 @@ class Page(unittest.TestCase):
     def test_a_change_is_noticed(self):
         with tempfile.TemporaryDirectory() as name:
             copy = pathlib.Path(name) / "parameters.md"
-            text = (SOURCE / "docs" / "parameters.md").read_text()
+            text = (SOURCE / "docs" / "reference" / "parameters.md").read_text()
             for changed in (text.replace("`0.27`", "`0.28`", 1), text + "| more |\n",
                             text[:-200]):
                 copy.write_text(changed)
