@@ -36,6 +36,8 @@ make_root()
     mount --rbind "/$name" "$root/$name"
   done
   cp /etc/resolv.conf "$root/etc/"
+  # Without its name mpirun waits for a name server, seconds each time.
+  echo "127.0.0.1 localhost $(hostname)" > "$root/etc/hosts"
   # A copy of the archive may lag behind.
   echo 'Acquire::Check-Valid-Until "false";' > "$root/etc/apt/apt.conf.d/90archive"
   for name in http https; do
