@@ -20,10 +20,11 @@ constexpr Bounds densities = {10, 25e3};
 constexpr Bounds shear_moduli = {300, 1e12};
 // c_s: gelatine 1 to 10 m/s; the lower mantle 7.3 km/s.
 constexpr Bounds shear_speeds = {0.3, 22e3};
-// Soft mud, the slowest of sediments, has 50 m/s and more than 1300 kg/m^3 (Hamilton 1979); what is
-// denser than gels, 1100 kg/m^3, and slower than mud is none of them.
+// Clay and silt at the sea floor, among the slowest of sediments, have 10 m/s (Osler and Chapman
+// 1996) and more than 1300 kg/m^3; what is denser than gels, 1100 kg/m^3, and slower than half of
+// that is none of them: rock whose modulus is given in MPa has 3 m/s.
 constexpr double density_of_sediment = 1300;
-constexpr double speed_of_sediment = 15;
+constexpr double speed_of_sediment = 5;
 // Normal stress by shear modulus: creeping faults with nearly lithostatic pore pressure, 0.1 MPa by
 // 30 GPa (3e-6), to blocks of gel that bear their own weight (Corbi et al. 2013), up to 0.1.
 constexpr Bounds stress_ratios = {1e-7, 0.3};
@@ -68,7 +69,7 @@ void questionMaterial(BesideFault const& values, std::vector<Warning>& questions
       {"speed of shear waves",
        "Shear waves travel at " + interval(cs) + " m/s beside the fault, where the density is " +
          interval(values.density) +
-         " kg/m^3: rocks and sediments of that density have 50 to 7000 m/s. Check the units of "
+         " kg/m^3: rocks and sediments of that density have 10 to 7000 m/s. Check the units of "
          "Bulk / Density and of the moduli."});
   }
 }

@@ -442,6 +442,10 @@ class Physics(Case):
                 self.assertEqual(result.returncode, 0, result.stderr)
                 self.assertIn("WARNING: ", result.stdout)
                 self.assertIn(topic, result.stdout)
+        for modulus, is_asked in (("32e3", True), ("8e4", False)):
+            rock = settings("Bulk/Density=2700", f"Bulk/Shear Modulus={modulus}")
+            result = asperity_run.run(DECK, *rock, "--validate")
+            self.assertEqual("Shear waves travel" in result.stdout, is_asked, result.stdout)
         result = asperity_run.run(DECK, "--validate")
         self.assertIn("c_s = 31.6228 m/s", result.stdout)
         self.assertNotIn("WARNING", result.stdout)
