@@ -80,7 +80,7 @@ def main(arguments):
     old = PAGE.read_text(encoding="utf-8").splitlines() if PAGE.exists() else []
     for number, (is_there, wanted) in enumerate(zip(old + [""] * len(text), text.splitlines()), 1):
         if is_there != wanted:
-            print(f"docs/parameters.md:{number}: is not what the program says. Run "
+            print(f"docs/reference/parameters.md:{number}: is not what the program says. Run "
                   f"python3 docs/parameters.py {program}\n  page:    {is_there}\n"
                   f"  program: {wanted}")
             return 1
