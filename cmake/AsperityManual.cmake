@@ -11,11 +11,7 @@ if(NOT ASPERITY_DOXYGEN)
   list(APPEND ASPERITY_MANUAL_LACKS doxygen)
 endif()
 if(ASPERITY_PYTHON)
-  execute_process(
-    COMMAND "${ASPERITY_PYTHON}" -c
-      "import importlib.util as u, sys; print(*(m for m in sys.argv[1:] if not u.find_spec(m)))"
-      myst_parser breathe furo
-    OUTPUT_VARIABLE missing ERROR_QUIET OUTPUT_STRIP_TRAILING_WHITESPACE)
+  asperity_missing_python_modules("${ASPERITY_PYTHON}" missing myst_parser breathe furo)
   if(missing)
     list(APPEND ASPERITY_MANUAL_LACKS ${missing})
   endif()

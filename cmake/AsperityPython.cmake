@@ -2,13 +2,13 @@
 # should have h5py, numpy and matplotlib. The system's own Python is tried first, because Debian's
 # packages belong to it and another `python3` on PATH does not find them. A value given by the user
 # is kept.
-# Stores the modules that `python` lacks in the variable named by `result`, or "python" if it does
-# not run.
+# Stores those of the modules that `python` lacks in the variable named by `result`, or "python" if
+# it does not run.
 function(asperity_missing_python_modules python result)
   execute_process(
     COMMAND "${python}" -c
       "import importlib.util as u, sys; print(*(m for m in sys.argv[1:] if not u.find_spec(m)))"
-      h5py numpy matplotlib
+      ${ARGN}
     OUTPUT_VARIABLE missing RESULT_VARIABLE status ERROR_QUIET OUTPUT_STRIP_TRAILING_WHITESPACE)
   if(NOT status EQUAL 0)
     set(missing "python")
@@ -26,7 +26,7 @@ function(asperity_find_python result)
   set(first_that_runs "")
   foreach(candidate IN LISTS candidates)
     if(EXISTS "${candidate}")
-      asperity_missing_python_modules("${candidate}" missing)
+      asperity_missing_python_modules("${candidate}" missing h5py numpy matplotlib)
       if(NOT missing)
         set(${result} "${candidate}" PARENT_SCOPE)
         return()
@@ -47,7 +47,7 @@ if(NOT ASPERITY_PYTHON)
   message(WARNING "No Python 3 was found; asperity-plot needs one. Set ASPERITY_PYTHON, or "
     "on Debian: apt-get install python3 python3-h5py python3-numpy python3-matplotlib")
 else()
-  asperity_missing_python_modules("${ASPERITY_PYTHON}" missing)
+  asperity_missing_python_modules("${ASPERITY_PYTHON}" missing h5py numpy matplotlib)
   if(missing)
     message(WARNING "${ASPERITY_PYTHON} lacks: ${missing}. asperity-plot and some tests will fail. "
       "Set ASPERITY_PYTHON to another one, or on Debian: "

@@ -23,6 +23,7 @@ constexpr Bounds shear_speeds = {0.3, 22e3};
 // Clay and silt at the sea floor, among the slowest of sediments, have 10 m/s (Osler and Chapman
 // 1996) and more than 1300 kg/m^3; what is denser than gels, 1100 kg/m^3, and slower than half of
 // that is none of them: rock whose modulus is given in MPa has 3 m/s.
+// The value was chosen with both known.
 constexpr double density_of_sediment = 1300;
 constexpr double speed_of_sediment = 5;
 // Normal stress by shear modulus: creeping faults with nearly lithostatic pore pressure, 0.1 MPa by

@@ -15,6 +15,7 @@ PROGRAM = re.compile(r"^ {4}(?:\S+ )*?(?:\S*/)?(asperity(?:-[a-z]+)?) ", re.MULT
 DIARY = re.compile(r"beside other work|commit [0-9a-f]{7}|asked for|"
                    r"20[0-9]{2}-[01][0-9]-[0-3][0-9]")
 WORD = re.compile(r"\S*[A-Za-z]\S*")
+# What counts as a word was chosen when the manual had more than 20000 with bars of tables.
 MOST_WORDS = 20000  # of the manual without what is generated and without the validation
 GENERATED = ("parameters.md", "validation")
 

@@ -30,6 +30,16 @@ struct Fault : test::Stage
   }
 };
 
+// The strip with a base, the fault, that dips to the right.
+Mesh<2> dippingMesh()
+{
+  auto mesh = test::stripMesh(num_base);
+  for (auto& vertex : mesh.vertices) {
+    vertex[1] -= vertex[0];
+  }
+  return mesh;
+}
+
 // The strip, turned so that its base, the fault, is the line from (0, -1) up to (0, 0).
 Mesh<2> uprightMesh()
 {
@@ -125,11 +135,7 @@ TEST(Stations, InPlaneStrainSeasTakesNormalStressAndTwoComponents)
 TEST(Stations, InASectionSeasCountsThrustsAndDepthsPositive)
 {
   test::TemporaryDirectory directory;
-  auto mesh = test::stripMesh(num_base);
-  for (auto& vertex : mesh.vertices) {
-    vertex[1] -= vertex[0];
-  }
-  Fault fault(2, mesh);
+  Fault fault(2, dippingMesh());
   auto list = test::deckWith("Receivers", "SEAS");
   auto& receivers = list.sublist("Receivers");
   receivers.sublist("On Fault").set("dp003", position({0.3 * std::sqrt(2.0)}));
@@ -150,11 +156,7 @@ TEST(Stations, InASectionSeasCountsThrustsAndDepthsPositive)
 TEST(Stations, InASectionThrustsOfAFootWallArePositiveToo)
 {
   test::TemporaryDirectory directory;
-  auto mesh = test::stripMesh(num_base);
-  for (auto& vertex : mesh.vertices) {
-    vertex[1] -= vertex[0];
-  }
-  Fault fault(2, mesh);
+  Fault fault(2, dippingMesh());
   fault.domains.at("fault").is_foot_wall = true;
   auto list = test::deckWith("Receivers", "SEAS");
   list.sublist("Receivers").sublist("On Fault").set("dp003", position({0.3 * std::sqrt(2.0)}));
