@@ -1,4 +1,4 @@
-# ASPERITY_COVERAGE: everything of ours is compiled with gcov's counters, which
+# ASPERITY_COVERAGE: all code of Asperity is compiled with gcov's counters, which
 # tests/coverage/by_package.py reads after the tests.
 option(ASPERITY_COVERAGE "Count with gcov which lines the tests run" OFF)
 if(ASPERITY_COVERAGE)

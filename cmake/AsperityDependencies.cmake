@@ -1,14 +1,14 @@
-# What the headers of the packages include is found here, and in AsperityPrivateDependencies.cmake
-# what they hide; each has one name of the form Asperity::<Library>. Installed, this file is a part
-# of AsperityConfig.cmake.
+# Finds the libraries that the headers of the packages include; AsperityPrivateDependencies.cmake
+# finds those that only their sources include. Each gets one target Asperity::<Library>. The
+# installed AsperityConfig.cmake includes this file.
 if(TARGET Asperity::Trilinos)
   return()
 endif()
 
 find_package(MPI REQUIRED COMPONENTS C CXX)
 
-# Trilinos 14 and newer exports targets; 13 only sets variables. Trilinos::all_libs is of no use: it
-# names the targets of all packages, also of those that were not asked for and not installed.
+# Trilinos 14 and newer exports targets; 13 only sets variables. Trilinos::all_libs cannot be used:
+# it names the targets of all packages, also of those that are not requested and not installed.
 find_package(Trilinos REQUIRED COMPONENTS Tpetra Belos MueLu Teuchos Kokkos KokkosKernels)
 add_library(Asperity::Trilinos INTERFACE IMPORTED)
 if(TARGET Trilinos::all_selected_libs)

@@ -1,5 +1,5 @@
-# ASPERITY_FRICTION_ONLY: packages/friction, what it stands on and its tests, on any Kokkos from 3.4
-# on. Neither Trilinos nor MPI is looked for, and nothing is installed.
+# ASPERITY_FRICTION_ONLY: packages/friction, the package that it includes, and their tests, with
+# Kokkos 3.4 or newer. Neither Trilinos nor MPI is looked for, and nothing is installed.
 set(ASPERITY_ENABLE_INSTALL OFF)
 set(ASPERITY_PRECOMPILED_HEADERS OFF)
 include(AsperityKokkos)

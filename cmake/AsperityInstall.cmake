@@ -1,6 +1,6 @@
-# `cmake --install` puts libraries, headers, drivers, figures and decks where GNU's folders are;
-# from there find_package(Asperity) gives a target for each package: Asperity::friction, ...
-# Installed files find each other by relative paths, so the whole may be moved.
+# `cmake --install` puts libraries, headers, programs, examples and decks into the folders of the
+# GNU standard. There find_package(Asperity) gives a target for each package, as Asperity::friction.
+# Installed files find each other by relative paths, so that the installation may be moved.
 include(GNUInstallDirs)
 include(CMakePackageConfigHelpers)
 set(ASPERITY_INSTALL_HEADERS "${CMAKE_INSTALL_INCLUDEDIR}/asperity")
@@ -38,7 +38,7 @@ function(asperity_install_driver name)
     RUNTIME DESTINATION "${CMAKE_INSTALL_BINDIR}" COMPONENT ${component})
 endfunction()
 
-# After all packages and drivers.
+# To be called after all packages and drivers.
 function(asperity_install_config)
   if(NOT ASPERITY_ENABLE_INSTALL)
     return()
@@ -60,7 +60,7 @@ function(asperity_install_config)
     DESTINATION "${ASPERITY_INSTALL_CMAKE}" COMPONENT headers)
   install(DIRECTORY "${PROJECT_SOURCE_DIR}/xml/" DESTINATION "${ASPERITY_INSTALL_SHARE}/decks"
     COMPONENT programs FILES_MATCHING PATTERN "*.xml" PATTERN "*.geo")
-  # The studies of the examples name decks as they lie in the source tree.
+  # The studies of the examples use the paths of decks in the source tree, xml/*.xml.
   install(CODE "file(CREATE_LINK decks \
     \"\$ENV{DESTDIR}\${CMAKE_INSTALL_PREFIX}/${ASPERITY_INSTALL_SHARE}/xml\" SYMBOLIC)"
     COMPONENT programs)
@@ -74,7 +74,7 @@ function(asperity_install_config)
   endforeach()
   install(DIRECTORY "${PROJECT_SOURCE_DIR}/docs" DESTINATION "${ASPERITY_INSTALL_DOC}"
     COMPONENT documents FILES_MATCHING PATTERN "*.md" PATTERN "*.png")
-  # The documents name these.
+  # The documents refer to these pages.
   file(GLOB pages RELATIVE "${PROJECT_SOURCE_DIR}" CONFIGURE_DEPENDS
     "${PROJECT_SOURCE_DIR}/packages/*/README.md" "${PROJECT_SOURCE_DIR}/python/*/README.md")
   foreach(page IN LISTS pages)

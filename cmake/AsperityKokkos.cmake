@@ -1,5 +1,5 @@
-# Makes Asperity::Kokkos of the Kokkos found, 3.4 or newer, with or without a Trilinos around it,
-# and checks that its default execution space is the one of ASPERITY_BACKEND.
+# Makes Asperity::Kokkos of the Kokkos found, 3.4 or newer, alone or as a part of Trilinos, and
+# checks that its default execution space is the one of ASPERITY_BACKEND.
 if(TARGET Asperity::Kokkos)
   return()
 endif()
@@ -25,8 +25,8 @@ math(EXPR asperity_kokkos_patch "${asperity_kokkos_number} % 100")
 set(ASPERITY_KOKKOS_VERSION
   "${asperity_kokkos_major}.${asperity_kokkos_minor}.${asperity_kokkos_patch}")
 if(ASPERITY_KOKKOS_VERSION VERSION_LESS 3.4)
-  message(FATAL_ERROR "Asperity needs Kokkos 3.4 or newer; ${ASPERITY_KOKKOS_CONFIG} is of "
-    "${ASPERITY_KOKKOS_VERSION}.")
+  message(FATAL_ERROR "Asperity needs Kokkos 3.4 or newer; ${ASPERITY_KOKKOS_CONFIG} has "
+    "version ${ASPERITY_KOKKOS_VERSION}.")
 endif()
 
 # Kokkos takes the first of these that it was built with for its default execution space.
@@ -44,12 +44,12 @@ message(STATUS
 if(ASPERITY_BACKEND AND NOT ASPERITY_BACKEND STREQUAL ASPERITY_KOKKOS_BACKEND)
   message(FATAL_ERROR "ASPERITY_BACKEND is ${ASPERITY_BACKEND}, but the Kokkos found "
     "(${ASPERITY_KOKKOS_VERSION}, ${ASPERITY_KOKKOS_CONFIG}) runs on ${ASPERITY_KOKKOS_BACKEND}. "
-    "Name another one by Trilinos_ROOT or, with ASPERITY_FRICTION_ONLY, Kokkos_ROOT; "
-    "docs/cost/backends.md says how to build one. Debian's is Serial.")
+    "Give another one by Trilinos_ROOT or, with ASPERITY_FRICTION_ONLY, Kokkos_ROOT; "
+    "docs/cost/backends.md says how to build one. Debian's runs on Serial.")
 endif()
 
 # Trilinos 13 configures Kokkos by variables; its target names an include directory that does not
-# exist. Everybody else exports a target that works.
+# exist. The target that other versions export works.
 if(TARGET Kokkos::kokkos AND NOT Kokkos_PACKAGE_LIST)
   add_library(Asperity::Kokkos ALIAS Kokkos::kokkos)
 else()

@@ -1,5 +1,6 @@
-# `cmake --build build --target manual` makes the manual of docs/ as a site in build/manual: Sphinx
-# with MyST and Breathe, and Doxygen for the API. Warnings are errors. Nothing is fetched.
+# `cmake --build build --target manual` makes the manual from docs/ as a web site in build/manual,
+# by Sphinx with MyST and Breathe, and Doxygen for the API. Warnings are errors. Nothing is
+# downloaded.
 find_program(ASPERITY_SPHINX NAMES sphinx-build PATHS /usr/bin NO_DEFAULT_PATH)
 find_program(ASPERITY_SPHINX NAMES sphinx-build)
 find_program(ASPERITY_DOXYGEN NAMES doxygen)
@@ -26,7 +27,7 @@ endif()
 set(site "${PROJECT_BINARY_DIR}/manual")
 set(work "${PROJECT_BINARY_DIR}/manual_work")
 configure_file("${PROJECT_SOURCE_DIR}/docs/Doxyfile.in" "${work}/Doxyfile" @ONLY)
-# The pages of packages join a copy of docs/.
+# The pages of the API are added to a copy of docs/.
 add_custom_target(manual
   COMMAND "${CMAKE_COMMAND}" -E rm -rf "${work}/pages" "${work}/xml" "${site}"
   COMMAND "${CMAKE_COMMAND}" -E copy_directory "${PROJECT_SOURCE_DIR}/docs" "${work}/pages"

@@ -1,4 +1,4 @@
-# What belongs to the whole build is left alone where Asperity is part of somebody else's project.
+# Settings of the whole build are not changed where Asperity is part of another project.
 set(ASPERITY_IS_TOP_LEVEL OFF)
 if(CMAKE_SOURCE_DIR STREQUAL PROJECT_SOURCE_DIR)
   set(ASPERITY_IS_TOP_LEVEL ON)
@@ -8,14 +8,16 @@ option(ASPERITY_ENABLE_TESTS "Build the tests" ${ASPERITY_IS_TOP_LEVEL})
 option(ASPERITY_ENABLE_MESH_TOOL "Build asperity-mesh, which links the Gmsh library (GPL)" ON)
 option(ASPERITY_ENABLE_INSTALL "Install and export the packages" ${ASPERITY_IS_TOP_LEVEL})
 option(ASPERITY_PRECOMPILED_HEADERS "Compile the headers of Trilinos once, for faster builds" ON)
-# Off, so that the warnings of a compiler of the future stop nobody; quickstart.sh --strict sets it.
+# Off, so that new warnings of newer compilers do not stop the build; quickstart.sh --strict sets
+# it.
 option(ASPERITY_WARNINGS_AS_ERRORS "Treat warnings in Asperity's own code as errors" OFF)
-# The preset `fuzz`: the programs of tests/fuzz become libFuzzer's, and other tests are left out.
+# The preset `fuzz`: the programs of tests/fuzz are linked with libFuzzer, and other tests are left
+# out.
 option(ASPERITY_FUZZERS "Build the fuzz targets with libFuzzer, which needs Clang" OFF)
 set(ASPERITY_TEST_TIME_FACTOR 1 CACHE STRING
-  "Whole number that the time limits of tests are multiplied by, for slow builds and machines")
+  "Integer factor of the time limits of tests, for slow builds and machines")
 # packages/friction and its tests alone, without Trilinos and MPI (docs/cost/backends.md).
-option(ASPERITY_FRICTION_ONLY "Build packages/friction alone, on any Kokkos from 3.4 on" OFF)
+option(ASPERITY_FRICTION_ONLY "Build packages/friction alone, with Kokkos 3.4 or newer" OFF)
 set(ASPERITY_BACKEND "" CACHE STRING
   "The execution space that Kokkos must have: Serial, OpenMP, Cuda; empty accepts any")
 set_property(CACHE ASPERITY_BACKEND PROPERTY STRINGS "" Serial OpenMP Cuda)
@@ -26,13 +28,13 @@ endif()
 option(BUILD_SHARED_LIBS "Shared libraries, which `asperity --plugin` needs" ON)
 
 if(NOT BUILD_SHARED_LIBS AND CMAKE_VERSION VERSION_LESS 3.24)
-  message(FATAL_ERROR "Asperity's static libraries need CMake 3.24: older versions cannot keep the "
+  message(FATAL_ERROR "Asperity's static libraries need CMake 3.24 or newer: older versions drop "
     "objects that only register a law or an output. Set BUILD_SHARED_LIBS=ON.")
 endif()
 
 if(ASPERITY_IS_TOP_LEVEL)
   set(CMAKE_EXPORT_COMPILE_COMMANDS ON)
-  # Kept from the first time on: with ccache before the compiler all would be compiled again.
+  # Searched only once: a ccache found later would change the command, and compile everything again.
   if(NOT DEFINED ASPERITY_CCACHE)
     find_program(ASPERITY_CCACHE ccache)
   endif()

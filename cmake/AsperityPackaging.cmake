@@ -1,4 +1,4 @@
-# `cpack -G DEB` in the build folder makes packages for the Debian that it runs on:
+# `cpack -G DEB` in the build folder makes packages for the release of Debian that it runs on:
 #
 #   asperity           programs, libraries, the package for Python, decks, examples
 #   asperity-mesh      the mesh tool alone, which links Gmsh's library (GPL)
@@ -37,8 +37,8 @@ set(CPACK_COMPONENT_MESH_TOOL_DESCRIPTION
   "Makes and converts meshes; links Gmsh's library (GPL).")
 set(CPACK_DEBIAN_MESH_TOOL_PACKAGE_DEPENDS "asperity ${same_version}")
 
-# The packages that TrilinosConfig.cmake and our headers ask for: those of quickstart.sh, by their
-# names in this release.
+# The packages that TrilinosConfig.cmake and the headers of Asperity need: those of quickstart.sh,
+# by their names in this release.
 execute_process(
   COMMAND bash -c ". cmake/quickstart_packages.sh; read_system; required_packages | select_of any"
   WORKING_DIRECTORY "${PROJECT_SOURCE_DIR}" OUTPUT_VARIABLE required

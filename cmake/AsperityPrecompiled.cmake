@@ -1,5 +1,5 @@
-# Headers of Trilinos take two thirds of the time to compile a file. They are compiled once for the
-# libraries and once for the test programs, which GCC compiles with other options (-fPIE).
+# Most of the time to compile a file goes into the headers of Trilinos. They are compiled once for
+# the libraries and once for the test programs, which GCC compiles with other options (-fPIE).
 # ASPERITY_PRECOMPILED_HEADERS=OFF, the preset `debug`, shows which file lacks an include.
 set(asperity_precompiled_headers
   <Kokkos_Core.hpp> <Teuchos_CommHelpers.hpp> <Teuchos_ParameterList.hpp> <Tpetra_CrsMatrix.hpp>

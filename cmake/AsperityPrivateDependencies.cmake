@@ -1,5 +1,5 @@
-# What no header of a package includes. Static libraries of Asperity pass it on to those who link
-# them.
+# Finds the libraries that no header of a package includes. Programs that link static libraries of
+# Asperity need them, too.
 if(TARGET Asperity::METIS)
   return()
 endif()
@@ -12,17 +12,18 @@ target_link_libraries(Asperity::METIS INTERFACE ${METIS_LIBRARY})
 
 find_package(muparser REQUIRED)
 find_package(CLI11 REQUIRED)
-# Eigen 5 says that it does not fit who asks for a version 3.
+# No version is given here, because Eigen 5 is refused where version 3 is requested.
 find_package(Eigen3 REQUIRED NO_MODULE)
 if(Eigen3_VERSION VERSION_LESS 3.3)
-  message(FATAL_ERROR "Asperity needs Eigen 3.3 or newer; ${Eigen3_DIR} is of ${Eigen3_VERSION}.")
+  message(FATAL_ERROR "Asperity needs Eigen 3.3 or newer; ${Eigen3_DIR} has version "
+    "${Eigen3_VERSION}.")
 endif()
 
 if(ASPERITY_ENABLE_TESTS)
   find_package(GTest REQUIRED)
 endif()
 
-# Only asperity-mesh links Gmsh, whose licence (GPL) would otherwise be ours.
+# Only asperity-mesh links Gmsh, so that its licence (GPL) does not apply to the rest of Asperity.
 if(ASPERITY_ENABLE_MESH_TOOL)
   find_path(GMSH_INCLUDE_DIR gmsh.h)
   find_library(GMSH_LIBRARY gmsh)

@@ -2,8 +2,9 @@
 # should have h5py, numpy and matplotlib. The system's own Python is tried first, because Debian's
 # packages belong to it and another `python3` on PATH does not find them. A value given by the user
 # is kept.
-# Stores those of the modules that `python` lacks in the variable named by `result`, or "python" if
-# it does not run.
+
+# Stores in the variable named by `result` those of the given modules that `python` lacks, or
+# "python" if it does not run.
 function(asperity_missing_python_modules python result)
   execute_process(
     COMMAND "${python}" -c

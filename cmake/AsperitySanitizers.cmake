@@ -1,6 +1,6 @@
-# ASPERITY_SANITIZER: address, undefined, or both as "address,undefined". Everything of ours is
-# compiled with it, and asperity_sanitizer_environment is what tests set for it. A finding ends a
-# program with status 86, which is nobody else's.
+# ASPERITY_SANITIZER: address, undefined, or both as "address,undefined". All code of Asperity is
+# compiled with it, and tests set the environment variables asperity_sanitizer_environment. A
+# finding ends a program with status 86, which has no other meaning.
 set(ASPERITY_SANITIZER "" CACHE STRING
   "Sanitizers to compile with: address, undefined or address,undefined; empty for none")
 set_property(CACHE ASPERITY_SANITIZER PROPERTY STRINGS "" address undefined address,undefined)
@@ -8,7 +8,8 @@ if(NOT ASPERITY_SANITIZER MATCHES "^(|address|undefined|address,undefined)$")
   message(FATAL_ERROR "ASPERITY_SANITIZER is '${ASPERITY_SANITIZER}'; it may be address, undefined "
     "or address,undefined, or empty for none.")
 endif()
-# asperity_sanitize_program(<target>): what a program needs for findings with names.
+
+# asperity_sanitize_program(<target>): keeps libraries loaded, so that findings have their names.
 function(asperity_sanitize_program target)
   if(ASPERITY_SANITIZER MATCHES "address")
     target_link_libraries(${target} PRIVATE asperity_keep_libraries)
@@ -23,19 +24,20 @@ endif()
 
 set(asperity_sanitizer_flags "-fsanitize=${ASPERITY_SANITIZER}")
 if(ASPERITY_SANITIZER MATCHES "undefined")
-  # Whole numbers from floating-point numbers that they cannot hold. `undefined` leaves it out.
+  # Conversions of floating-point numbers to integers that cannot hold them. `undefined` does not
+  # include them.
   string(APPEND asperity_sanitizer_flags ",float-cast-overflow")
 endif()
 add_compile_options(${asperity_sanitizer_flags} -fno-omit-frame-pointer
   -fno-optimize-sibling-calls)
 
-# verify_asan_link_order: tests preload a library of ours, which then comes before the sanitizer's.
-# detect_stack_use_after_return: also pointers to variables of functions that have returned.
+# verify_asan_link_order: off, since tests preload a library, which comes before the sanitizer's.
+# detect_stack_use_after_return: finds also uses of variables of functions that have returned.
 set(asperity_asan exitcode=86 verify_asan_link_order=0 detect_stack_use_after_return=1
   check_initialization_order=1)
 set(asperity_lsan exitcode=86 print_suppressions=0
   "suppressions='${PROJECT_SOURCE_DIR}/cmake/sanitizers/leaks.supp'")
-# Suppressions work where a program could go on after a finding; halt_on_error ends it all the same.
+# Suppressions work only where a program may continue after a finding; halt_on_error then ends it.
 set(asperity_ubsan exitcode=86 halt_on_error=1 print_stacktrace=1
   "suppressions='${PROJECT_SOURCE_DIR}/cmake/sanitizers/undefined.supp'")
 set(asperity_sanitizer_environment "ASPERITY_SANITIZER=${ASPERITY_SANITIZER}")

@@ -1,11 +1,11 @@
-# One function per kind of thing that is built.
+# A function for each kind of target.
 
 # asperity_add_package(<name> [PACKAGES <package>...] [LIBRARIES <target>...]
 #                      [PRIVATE_LIBRARIES <target>...])
 #
 # A library Asperity::<name> of all packages/<name>/**/*.cpp, shared unless BUILD_SHARED_LIBS is
-# off. PACKAGES is what the package may include, LIBRARIES what its headers include from outside,
-# PRIVATE_LIBRARIES what only its sources do.
+# off. PACKAGES are the packages that it may include, LIBRARIES the external libraries that its
+# headers include, PRIVATE_LIBRARIES those that only its sources include.
 add_custom_target(asperity_packages)
 function(asperity_add_package name)
   cmake_parse_arguments(PACKAGE "" "" "PACKAGES;LIBRARIES;PRIVATE_LIBRARIES" ${ARGN})
@@ -16,14 +16,14 @@ function(asperity_add_package name)
   asperity_compile_options(${target})
   set_target_properties(${target} PROPERTIES DEFINE_SYMBOL "" EXPORT_NAME ${name}
     VERSION ${PROJECT_VERSION} SOVERSION ${PROJECT_VERSION_MAJOR}.${PROJECT_VERSION_MINOR})
-  if(NOT name MATCHES "^(portability|friction)$") # which do not know Trilinos
+  if(NOT name MATCHES "^(portability|friction)$") # built without Trilinos
     asperity_use_precompiled_headers(${target} libraries)
   endif()
   target_include_directories(${target} PUBLIC
     "$<BUILD_INTERFACE:${PROJECT_SOURCE_DIR}/packages>"
     "$<INSTALL_INTERFACE:${ASPERITY_INSTALL_HEADERS}>")
   target_compile_features(${target} PUBLIC cxx_std_17)
-  # Programs of other projects need it, too: the sanitizer has to be their first library.
+  # PUBLIC for programs of other projects: the sanitizer has to be their first library.
   target_link_options(${target} PUBLIC ${asperity_sanitizer_flags})
   add_dependencies(asperity_packages ${target})
   asperity_link_packages(${target} PUBLIC ${PACKAGE_PACKAGES})
@@ -31,8 +31,8 @@ function(asperity_add_package name)
   asperity_install_package(${name})
 endfunction()
 
-# Static libraries are linked whole: the linker would drop objects that only register a law or an
-# output.
+# Static libraries are linked as a whole, since the linker drops objects that only register a law or
+# an output.
 function(asperity_link_packages target scope)
   foreach(name IN LISTS ARGN)
     if(BUILD_SHARED_LIBS)
@@ -43,11 +43,11 @@ function(asperity_link_packages target scope)
   endforeach()
 endfunction()
 
-# Of everything that is compiled; precompiled headers need the same on all that share them.
+# For all targets: those that share precompiled headers need the same options.
 function(asperity_compile_options target)
   set_target_properties(${target} PROPERTIES CXX_EXTENSIONS OFF POSITION_INDEPENDENT_CODE ON)
   target_compile_options(${target} PRIVATE -Wall -Wextra -Wconversion -Wshadow)
-  if(CMAKE_UNITY_BUILD) # GCC takes what is not in the main file for a header
+  if(CMAKE_UNITY_BUILD) # in a unity build GCC takes a source file for a header
     target_compile_options(${target} PRIVATE -Wno-subobject-linkage)
   endif()
   if(ASPERITY_WARNINGS_AS_ERRORS)

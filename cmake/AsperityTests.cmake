@@ -1,5 +1,5 @@
-# Main programs of the tests: tests/support/TestMain.cpp starts MPI and Kokkos around GoogleTest,
-# KokkosTestMain.cpp, for the packages that stand on Kokkos alone, only Kokkos.
+# Main programs of the tests: tests/support/TestMain.cpp starts MPI and Kokkos before GoogleTest;
+# KokkosTestMain.cpp, for packages without MPI, starts only Kokkos.
 function(asperity_add_test_main target source)
   add_library(${target} OBJECT "${PROJECT_SOURCE_DIR}/tests/support/${source}")
   asperity_compile_options(${target})
@@ -11,14 +11,14 @@ if(NOT ASPERITY_FRICTION_ONLY)
   asperity_add_test_main(asperity_test_main TestMain.cpp MPI::MPI_CXX)
 endif()
 
-# Open MPI refuses to run as root, as containers do, and its waiting ranks keep a core busy, which
-# delays other ranks on that core. These options change both; other MPIs get no options. Open MPI's
-# library hwloc writes an error to stderr if there is no /sys, unless HWLOC_HIDE_ERRORS is set.
-# The tests start very many short programs. MPI_Init looks for networks, which are not needed on one
-# machine (self and vader are its memory), and starts a daemon where there is no mpirun. Without
-# both it takes 0.04 s, with them 0.4 s (an empty program, an idle machine of 2 cores).
-# Programs without mpirun and daemon all make, and remove, one temporary folder of the same name:
-# two that start at once may fail. They need none; mpirun does, and is told so.
+# Open MPI refuses to run as root, which is usual in containers, and its waiting ranks keep a core
+# busy, which delays other ranks on that core. These options change both; other MPIs get no options.
+# Open MPI's library hwloc writes an error to stderr if there is no /sys, unless HWLOC_HIDE_ERRORS
+# is set. The tests start many short programs, and the time for MPI_Init matters. It looks for
+# networks, which one machine does not need (self and vader use its memory), and without mpirun it
+# starts a daemon. Both are turned off. Without mpirun and daemon all programs create and remove a
+# temporary folder of the same name, so that two that start at the same time may fail. They do not
+# need it and make none; mpirun needs it, and gets the opposite option.
 set(ASPERITY_TEST_ENVIRONMENT OMPI_ALLOW_RUN_AS_ROOT=1 OMPI_ALLOW_RUN_AS_ROOT_CONFIRM=1
   HWLOC_HIDE_ERRORS=2 OMPI_MCA_pml=ob1 OMPI_MCA_btl=self,vader OMPI_MCA_ess_singleton_isolated=1
   OMPI_MCA_orte_create_session_dirs=0)
@@ -41,14 +41,15 @@ add_custom_target(asperity_quick_tests)
 
 asperity_add_precompiled_headers(tests HEADERS <gtest/gtest.h> LIBRARIES GTest::gtest)
 
-# asperity_time_limit(<test> <seconds>): of an ordinary build.
+# asperity_time_limit(<test> <seconds>): the limit for an ordinary build, times
+# ASPERITY_TEST_TIME_FACTOR.
 function(asperity_time_limit name seconds)
   math(EXPR seconds "${seconds} * ${ASPERITY_TEST_TIME_FACTOR}")
   set_tests_properties(${name} PROPERTIES TIMEOUT ${seconds})
 endfunction()
 
-# asperity_not_with_sanitizer(<sanitizer> <test> <reason>): ctest names the test as disabled in a
-# build with that sanitizer, which cannot do what the test needs.
+# asperity_not_with_sanitizer(<sanitizer> <test> <reason>): disables a test, which ctest then lists
+# as disabled, in a build with a sanitizer under which it cannot work.
 function(asperity_not_with_sanitizer sanitizer name reason)
   if(ASPERITY_SANITIZER MATCHES "${sanitizer}")
     message(STATUS "${name} is left out with the sanitizer ${sanitizer}: ${reason}")
@@ -56,9 +57,9 @@ function(asperity_not_with_sanitizer sanitizer name reason)
   endif()
 endfunction()
 
-# Stores the labels of packages that a test has (`ctest -L '^tnnmg$'`): a unit test that of its
-# folder, others those that are given and those of the variable `tested_packages`, which a folder
-# sets whose tests run the whole program to test them.
+# Stores the names of the packages that a test has as labels (`ctest -L '^tnnmg$'`). A unit test has
+# the name of its folder; others have the given names and those in the variable `tested_packages`,
+# which folders set whose tests run the whole program.
 function(asperity_package_labels result level)
   set(labels ${ARGN} ${tested_packages})
   if(level STREQUAL "unit")
@@ -71,8 +72,8 @@ endfunction()
 #                   [LIBRARIES <target>...] [RANKS <n>...] [LABELS <label>...] [TIMEOUT <seconds>])
 #
 # A GoogleTest program, run once for each number of ranks as <level>.<package>.<Name>_MPI_<n>.
-# Labels: the level, packages, and short (the default), medium or long. Tests with the label quick
-# also run in continuous integration's build with assertions.
+# Labels: the level, packages, and short (the default), medium or long. Continuous integration also
+# runs tests with the label quick in the preset `debug`.
 function(asperity_add_test name)
   cmake_parse_arguments(TEST "" "TIMEOUT" "SOURCES;PACKAGES;LIBRARIES;RANKS;LABELS" ${ARGN})
   if(NOT TEST_SOURCES)
@@ -97,7 +98,7 @@ function(asperity_add_test name)
   target_include_directories(${name} PRIVATE "${PROJECT_SOURCE_DIR}/tests")
   asperity_link_packages(${name} PRIVATE ${TEST_PACKAGES})
   asperity_sanitize_program(${name})
-  if(TEST_PACKAGES MATCHES "^(portability|friction)$") # which do not know Trilinos
+  if(TEST_PACKAGES MATCHES "^(portability|friction)$") # built without Trilinos
     target_link_libraries(${name} PRIVATE asperity_kokkos_test_main ${TEST_LIBRARIES})
   else()
     target_link_libraries(${name} PRIVATE asperity_test_main ${TEST_LIBRARIES})
@@ -132,8 +133,8 @@ endfunction()
 #                          [ENVIRONMENT <name=value>...] [LABELS <label>...]
 #                          [TIMEOUT <seconds>] [PROCESSORS <n>] [CONFIGURATIONS <name>...])
 #
-# Runs a Python script in a folder of its own, where the files of its last run may lie. It finds in
-# its environment ASPERITY_SOURCE_DIR, ASPERITY_BUILD_DIR (programs in drivers/), ASPERITY_MPIEXEC
+# Runs a Python script in a folder of its own, which may contain files of the last run. Its
+# environment has ASPERITY_SOURCE_DIR, ASPERITY_BUILD_DIR (programs in drivers/), ASPERITY_MPIEXEC
 # (the command before the number of ranks) and tests/support on PYTHONPATH.
 # With CONFIGURATIONS it runs only if `ctest -C` names one of them. PROCESSORS: the cores that it
 # keeps busy on average; a script that waits, or runs most programs on one rank, needs one only.

@@ -1,6 +1,6 @@
-# ASPERITY_BUILT_FROM: what the program says of its making, as "commit 1a2b3c4d5e6f, GNU 12.2.0,
-# Release, HDF5 1.10.8, Eigen 3.4.0". A commit in the tree configures anew; changes that are not
-# committed ("-dirty") are seen only when CMake runs for another reason.
+# ASPERITY_BUILT_FROM: what `asperity --version` says about the build, as "commit 1a2b3c4d5e6f, GNU
+# 12.2.0, Release, HDF5 1.10.8, Eigen 3.4.0". CMake runs again after a commit; changes that are not
+# committed ("-dirty") are noticed only when CMake runs for another reason.
 set(ASPERITY_BUILT_FROM "")
 find_package(Git QUIET)
 if(GIT_FOUND AND EXISTS "${PROJECT_SOURCE_DIR}/.git")

@@ -81,7 +81,7 @@ phase_done()
   printf '      %d s\n' "$((SECONDS - phase_start))"
 }
 
-# A file that includes MueLu takes about 1 GB to compile.
+# 1.5 GB of memory for each compiler: files that include MueLu need most of that.
 default_jobs()
 {
   local cores kilobytes limit
@@ -126,8 +126,7 @@ compile()
 }
 
 # The preset `debug` has assertions, a checked standard library and no precompiled headers, so that
-# a missing #include is an error. Without debug symbols, which nobody would use here, it takes a
-# quarter less time.
+# a missing #include is an error. Debug symbols are not needed here and would only take time.
 check_debug()
 {
   phase "Build the packages with assertions and without precompiled headers ($build-debug)"
@@ -160,7 +159,7 @@ run_tests()
 . "$top/cmake/quickstart_packages.sh"
 parse_arguments "$@"
 
-# In a container one is root, and may not read another process's memory.
+# In a container the user is root, and a process may not read the memory of another one.
 export OMPI_ALLOW_RUN_AS_ROOT=1 OMPI_ALLOW_RUN_AS_ROOT_CONFIRM=1
 export OMPI_MCA_btl_vader_single_copy_mechanism=none
 

@@ -3,7 +3,7 @@
 # Taken from quickstart.sh: mode (run or test), install (yes or no), fail, phase, phase_done.
 # shellcheck shell=bash disable=SC2154
 
-# "purpose: packages", one line each. Of a|b the first that the release has is taken; - is none.
+# "purpose: packages", one line each. a|b means the first one that the release has; - means none.
 required_packages()
 {
   cat <<'LIST'
@@ -17,15 +17,15 @@ sparse Cholesky: libeigen3-dev
 figures: python3 python3-h5py python3-numpy python3-matplotlib
 LIST
   if [ "${mode:-}" = test ]; then
-    # Other versions of clang-format lay out other lines; without 14 the test style.format is left
+    # Other versions of clang-format format differently; without 14 the test style.format is left
     # out.
     echo 'tests: libgtest-dev clang-format-14|-'
   fi
   own_trilinos > /dev/null || trilinos_packages
 }
 
-# TrilinosConfig.cmake asks for all of these, and Debian's packages do not pull each other in.
-# Trilinos 17 has neither Epetra nor what stands on it.
+# TrilinosConfig.cmake needs all of these, and Debian's packages do not depend on each other.
+# Trilinos 17 has neither Epetra nor the packages that use it.
 trilinos_packages()
 {
   local name
@@ -52,7 +52,7 @@ optional_packages()
   fi
 }
 
-# The TrilinosConfig.cmake the user points to, by the places where CMake looks.
+# The TrilinosConfig.cmake that the user's environment variables lead to, as CMake finds it.
 own_trilinos()
 {
   local prefix file
@@ -70,8 +70,8 @@ own_trilinos()
   return 1
 }
 
-# Sets `installed` and `offered`: names of packages, in spaces. Trilinos's of another version than
-# trilinos-dev, as where some come from another release, are not offered.
+# Sets `installed` and `offered`: names of packages, with a space before and after each. Packages of
+# Trilinos with another version than trilinos-dev, from another release, do not count as offered.
 read_system()
 {
   installed=" $(dpkg-query -W -f '${db:Status-Status} ${Package}\n' 2> /dev/null |
@@ -86,7 +86,7 @@ read_system()
 }
 
 # Sets `chosen`: of a|b the name that is installed, or else the first that the release has; nothing
-# for -. Where neither holds, as with lists of packages that were never fetched, the first.
+# for -. If neither exists, for example because the lists of packages were never fetched, the first.
 choose()
 {
   local -a choices
@@ -103,8 +103,8 @@ choose()
   chosen=${choices[0]}
 }
 
-# Keeps of "purpose: packages" lines, by their chosen names, those packages that the given
-# condition holds for; lines with nothing left disappear.
+# Replaces the packages of "purpose: packages" lines by their chosen names, and keeps those for
+# which the given condition holds; lines without packages are left out.
 select_of()
 {
   local purpose packages package chosen kept
@@ -160,7 +160,7 @@ install_packages()
   return "$status"
 }
 
-# Sets `required`, `optional` and `names`, what is missing of them.
+# Sets `required`, `optional` and `names` to the packages that are missing.
 find_missing()
 {
   read_system
@@ -178,11 +178,11 @@ show_missing()
 without_root()
 {
   show_missing
-  [ -z "$required" ] || fail "you are not root and there is no sudo. Ask for, as root:
+  [ -z "$required" ] || fail "you are not root and there is no sudo. Run as root:
 
   apt-get update && apt-get install --no-install-recommends $names
 
-or, if you have these libraries elsewhere, say --no-install."
+or, if you have these libraries elsewhere, use --no-install."
   printf '      You are not root and there is no sudo, so that they are not installed.\n'
 }
 
@@ -196,13 +196,13 @@ fetch_and_install()
   [ -n "$names" ] || return 0
   show_missing
   lacking=$(required_packages | select_of unknown)
-  [ -z "$lacking" ] || fail "this release does not have, of what the build needs,
+  [ -z "$lacking" ] || fail "this release does not have these packages, which the build needs:
 $(show_packages <<< "$lacking")
-If you have these elsewhere, say --no-install; docs/cost/platforms.md names the releases tried."
+If you have these elsewhere, use --no-install; docs/cost/platforms.md lists the tested releases."
   # shellcheck disable=SC2086 # a list of names
   install_packages $names || [ -z "$required" ] ||
-    fail "apt-get could not install the packages; its last lines stand above. If you have these
-libraries elsewhere, say --no-install."
+    fail "apt-get could not install the packages; see its last lines above. If you have these
+libraries elsewhere, use --no-install."
 }
 
 packages()

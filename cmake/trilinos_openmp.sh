@@ -5,9 +5,9 @@
 #     bash cmake/trilinos_openmp.sh [--jobs N] [--kokkos-only] FOLDER
 #     cmake -S . -B build-openmp -DASPERITY_BACKEND=OpenMP -DTrilinos_ROOT=FOLDER/install
 #
-# FOLDER takes the source (170 MB to download, 1.5 GB unpacked), the build and the installation. Run
-# it again after an interruption: what is done is kept. No root is needed, and no list of apt's is
-# changed. --kokkos-only builds Kokkos alone, in minutes, for -DASPERITY_FRICTION_ONLY=ON with
+# FOLDER gets the source (170 MB to download, 1.5 GB unpacked), the build and the installation. Run
+# it again after an interruption: it continues. It needs no root and does not change apt's lists.
+# --kokkos-only builds Kokkos alone, in minutes, for -DASPERITY_FRICTION_ONLY=ON with
 # -DKokkos_ROOT=FOLDER/install. The environment variable CXXFLAGS replaces the flags "-O2 -DNDEBUG".
 #
 # Debian packages: g++ gfortran cmake ninja-build dpkg-dev libopenmpi-dev liblapack-dev.
@@ -32,7 +32,7 @@ folder=$(cd "$folder" && pwd)
 # The archive that this machine takes its packages from.
 own_mirror() { apt-get indextargets --format '$(SITE)' | sort -u | sed -n 1p; }
 
-# Lists of source packages of apt's own kind, but in FOLDER: /etc/apt stays as it is.
+# apt's configuration and lists for source packages are in FOLDER: /etc/apt is not changed.
 fetch_source()
 {
   local apt=$folder/apt
@@ -47,9 +47,9 @@ fetch_source()
   mv "$folder/source.part" "$folder/source"
 }
 
-# Tpetra for double, int and long long alone, on one node type: OpenMP. The templates of MueLu and
-# Ifpack2 are not instantiated here but in the one file of Asperity that takes them, which saves 250
-# of 860 objects.
+# Tpetra for double, int and long long only, and for one node type, OpenMP. The templates of MueLu
+# and Ifpack2 are instantiated only in the one file of Asperity that uses them, so that fewer files
+# are compiled here.
 configure()
 {
   local build=$1 package

@@ -30,7 +30,7 @@ try {
   }
   // 4. Run it; it prints its own report.
   return simulation->run();
-} catch (asperity::InputError const& error) { // names also numbers that are rarely meant
+} catch (asperity::InputError const& error) { // adds numbers of the deck that are probably mistakes
   throw asperity::InputError(error.what() +
                              asperity::scenario::remarkOnLargeValues(command_line, error.what()));
 }

@@ -14,7 +14,7 @@ namespace
 double positive(std::string const& option, std::string const& text)
 {
   auto const number = readNumber(text);
-  ASPERITY_REQUIRE(number && *number > 0, option << " " << text << ": this is no positive number.");
+  ASPERITY_REQUIRE(number && *number > 0, option << " " << text << " is not a positive number.");
   return *number;
 }
 
@@ -27,7 +27,7 @@ std::vector<double> positives(std::string const& option, std::string const& text
   return numbers;
 }
 
-// As they stand on the command line; "" was not given.
+// The texts on the command line; "" for options that are not given.
 struct Given
 {
   std::string sizes, steps, rupture_rate;
@@ -44,7 +44,7 @@ void declare(asperity::Options& options, BenchArguments& arguments, Given& given
     .values("--set", arguments.deck.overrides, "\"PATH=value\"", "change the deck")
     .values("--plugin", arguments.deck.plugins, "LIBRARY", "load laws of your own")
     .value("--output", arguments.output, "FILE",
-           "write the same numbers for programs: JSON, of stiffness text")
+           "write the numbers to a file, too: as JSON, for stiffness as text")
     .flag("-h,--help", arguments.help, "print this text");
 }
 } // namespace
@@ -62,27 +62,28 @@ BenchArguments parseBenchArguments(int argc, char const* const* argv)
   ASPERITY_REQUIRE(
     words.size() == 2 && (words[0] == "scaling" || words[0] == "steps" || words[0] == "compare" ||
                           words[0] == "stiffness" || words[0] == "mesh"),
-    "asperity-bench scaling, steps, compare, stiffness and mesh, each with DECK.xml, are what "
-    "there is. See asperity-bench --help.");
+    "Give one of the commands scaling, steps, compare, stiffness and mesh, and then DECK.xml. "
+    "See asperity-bench --help.");
   arguments.deck.deck = words[1];
   arguments.counts_mesh = words[0] == "mesh";
   if (arguments.counts_mesh) {
     ASPERITY_REQUIRE(given.sizes.empty() && given.steps.empty() && given.rupture_rate.empty() &&
                        arguments.output.empty(),
-                     "asperity-bench mesh takes --set and --plugin alone.");
+                     "asperity-bench mesh takes only the options --set and --plugin.");
     return arguments;
   }
   arguments.writes_stiffness = words[0] == "stiffness";
   if (arguments.writes_stiffness) {
     ASPERITY_REQUIRE(given.sizes.empty() && given.steps.empty() && given.rupture_rate.empty(),
-                     "asperity-bench stiffness takes --set, --plugin and --output alone.");
+                     "asperity-bench stiffness takes only the options --set, --plugin and "
+                     "--output.");
     return arguments;
   }
   if (words[0] == "steps" || words[0] == "compare") {
     ASPERITY_REQUIRE(!given.steps.empty(), "--steps is needed, e.g. --steps 20.");
     const double number = positive("--steps", given.steps);
     ASPERITY_REQUIRE(number >= 1 && number <= 1e6 && number == std::floor(number),
-                     "--steps " << given.steps << ": this is no number of steps from 1 to 1e6.");
+                     "--steps " << given.steps << " is not a whole number of steps from 1 to 1e6.");
     (words[0] == "steps" ? arguments.steps.num_steps : arguments.compare.num_steps) =
       static_cast<int>(number);
     return arguments;
@@ -111,7 +112,7 @@ void printBenchHelp(std::ostream& out)
        "    and memory. The deck is three-dimensional with a plane fault.\n\n"
        "  asperity-bench steps DECK.xml --steps N\n"
        "    The first N accepted steps of a three-dimensional deck: what a coupled step costs, in\n"
-       "    counts and in products with K, apart for inertial and quasi-static steps; set-up and\n"
+       "    counts and in products with K, for inertial and for quasi-static steps; set-up and\n"
        "    memory.\n\n"
        "  asperity-bench compare DECK.xml --steps N\n"
        "    After each of N accepted steps: a coupled step, its rate problem, and the linear\n"
@@ -124,5 +125,6 @@ void printBenchHelp(std::ostream& out)
        "    Makes the mesh alone: how many cells and vertices, how evenly the ranks have them, "
        "and\n"
        "    how much memory it takes.\n"
-    << options.help() << "\nExit status: 0 done, 2 the input is at fault; others as of asperity.\n";
+    << options.help()
+    << "\nExit status: 0 done, 2 the input is at fault; others as for asperity.\n";
 }

@@ -13,7 +13,7 @@ struct BenchArguments
   ScalingOptions scaling;
   StepsOptions steps;            // num_steps is 0 without `steps`
   CompareOptions compare;        // likewise for `compare`
-  std::string output;            // JSON file, of stiffness a text file; "" for none
+  std::string output;            // JSON file, for stiffness a text file; "" for none
   bool counts_mesh = false;      // asperity-bench mesh
   bool writes_stiffness = false; // asperity-bench stiffness
   bool help = false;

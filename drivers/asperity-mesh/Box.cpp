@@ -34,8 +34,8 @@ BoxShape shapeFrom(Arguments const& arguments)
   return shape;
 }
 
-// The mesh is made periodic before it is graded: bisection keeps it periodic, but where the cell
-// size differs it refines opposite sides differently.
+// Call this before the mesh is graded: bisection keeps a periodic mesh periodic, but may refine the
+// opposite sides of another mesh differently.
 void makePeriodicAlong(std::string const& names, asperity::GlobalMesh<3>& mesh)
 {
   for (auto const& name : asperity::split(names, ',')) {

@@ -9,7 +9,7 @@
 
 namespace
 {
-// Faults that cannot be split are found here and not only when the mesh is used.
+// Splits a copy of the mesh, to find faults that cannot be split here and not when it is used.
 template <int Dim>
 std::size_t numFaults(asperity::GlobalMesh<Dim> mesh, std::string const& where)
 {

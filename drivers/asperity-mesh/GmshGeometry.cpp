@@ -31,10 +31,10 @@ std::string readOne(std::string const& file_name)
   return withoutComments(text.str());
 }
 
-// The script and behind it those that it includes, whose names are relative to its own folder.
+// The script followed by those that it includes, whose names are relative to its folder.
 std::string readScript(std::string const& file_name, int depth = 0)
 {
-  constexpr int deepest = 10; // scripts that include each other are Gmsh's to refuse
+  constexpr int deepest = 10; // Gmsh refuses scripts that include each other
   std::string script = readOne(file_name);
   const std::string own = script;
   const std::regex include("Include\\s*\"([^\"]*)\"");
@@ -122,8 +122,8 @@ std::string lastErrorOfGmsh()
   return asperity::trimmed(error);
 }
 
-// Some of Gmsh's errors are thrown in threads of its own, where nobody could catch them; so it may
-// only note them.
+// Gmsh throws some errors in threads of its own, where they cannot be caught. Therefore it is told
+// to stop and note an error, and the error is read afterwards.
 void meshGeometry(std::string const& where)
 {
   const int dimension = gmsh::model::getDimension();

@@ -28,5 +28,5 @@ std::vector<GeometryConstant> readConstants(std::string const& file_name,
 // which starts with `where` and has Gmsh's last error, if that fails.
 void meshGeometry(std::string const& where);
 
-// "" without one; gmsh::initialize has been called.
+// "" if there is no error. Call gmsh::initialize before.
 std::string lastErrorOfGmsh();

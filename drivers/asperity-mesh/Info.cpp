@@ -58,7 +58,7 @@ bool isFault(asperity::GlobalMesh<Dim> const& mesh, std::string const& boundary)
   return std::binary_search(mesh.faults.begin(), mesh.faults.end(), boundary);
 }
 
-// Those of a fault's vertices where it ends inside the body.
+// The number of vertices of a fault at which it ends inside the body.
 template <int Dim>
 int numTips(asperity::GlobalMesh<Dim> const& mesh, std::string const& fault)
 {

@@ -1,4 +1,4 @@
-// An output of one's own: DIR/mean_slip.csv, the slip of the fault on the average. io/Output.hpp
+// An output of your own: DIR/mean_slip.csv, the mean slip of the fault. io/Output.hpp
 // says what an output has to have.
 #include "base/parameters/Parameters.hpp"
 #include "io/Output.hpp"

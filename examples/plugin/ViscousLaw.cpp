@@ -1,4 +1,4 @@
-// A friction law of one's own: a film of a Newtonian fluid, whose coefficient of friction grows
+// A friction law of your own: a film of a Newtonian fluid, whose coefficient of friction grows
 // with the slip rate, mu = V / V1. packages/friction/README.md says what a law has to have.
 #include "friction/Registration.hpp"
 
@@ -13,7 +13,7 @@ struct ViscousLaw
     {"Viscous Slip Rate", "m/s", no_default, 0, infinity, false, false,
      "Slip rate V1 at which the coefficient of friction is 1.", "Check the sign."}};
 
-  // The law at one state, on which this one does not depend.
+  // The law at a given state; this law does not depend on the state.
   struct Curve
   {
     double rate;

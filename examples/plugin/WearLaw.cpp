@@ -1,5 +1,5 @@
-// A state law of one's own: slip wears the state down, d(alpha)/dt = -V alpha / D, so that alpha
-// falls to alpha exp(-slip / D). It does not say what its theta is; there is no output `theta`.
+// A state law of your own: slip wears the state down, d(alpha)/dt = -V alpha / D, so that alpha
+// falls to alpha exp(-slip / D). It does not declare theta, so that there is no output `theta`.
 #include "friction/Registration.hpp"
 
 namespace

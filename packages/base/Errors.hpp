@@ -20,8 +20,8 @@ public:
   using std::runtime_error::runtime_error;
 };
 
-// A file of the run cannot be written, or not be read back: the disk is full, or the file damaged.
-// The deck is not at fault, and neither is a solve.
+// A file of the run cannot be written or cannot be read back, because the disk is full or the file
+// is damaged. Neither the deck nor a solve is at fault.
 class OutputError : public std::runtime_error
 {
 public:

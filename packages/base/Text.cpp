@@ -36,8 +36,8 @@ std::string inTwoUnits(double seconds, double larger, std::string const& larger_
   return text;
 }
 
-// The unit one smaller is right where rounding to `digits` would reach the next one: 59.96 s is 60
-// s.
+// The limits are slightly below the round numbers, so that rounding to three digits never gives
+// 1000 of a unit: 999.6 ms becomes 1 s.
 std::string shortDuration(double seconds)
 {
   if (seconds < 0.9995e-6) {
@@ -149,7 +149,7 @@ std::string quotedAlternatives(std::vector<std::string> const& names)
 
 namespace
 {
-// std::from_chars for the whole text; it knows no plus sign.
+// Reads the whole text with std::from_chars, which does not accept a plus sign.
 template <class T>
 std::optional<T> readWhole(std::string const& text)
 {

@@ -19,8 +19,8 @@ std::string formatDuration(double seconds);
 // The text without blanks at its ends.
 std::string trimmed(std::string const& text);
 
-// For messages: the text on one line, other control characters as blanks, too, and of a long one
-// the first 200 characters and "...".
+// The text for a message, on one line: control characters become blanks, and of a text of more than
+// 200 characters the first 200 and "..." remain.
 std::string excerpt(std::string const& text);
 
 // The pieces between the separators, each trimmed; one empty piece for an empty text.

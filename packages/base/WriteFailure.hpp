@@ -21,10 +21,10 @@ inline int errorOfOpening(std::filesystem::path const& path, int flags = 0)
   return 0;
 }
 
-// Why a file could not be written, a sentence for the end of a message. Streams and MPI keep the
-// system's error to themselves, so the file is opened once more, or where it is not there, an
-// unnamed one beside it: "The system says: Read-only file system." If that succeeds, the space is
-// what is most likely missing: "Is the disk full?". Leaves files as they are.
+// A sentence for the end of a message: why a file could not be written. Streams and MPI do not
+// report the system's error, so the file is opened once more or, if it does not exist, an unnamed
+// file in its folder: "The system says: Read-only file system." If that succeeds, a full disk is
+// the most likely cause: "Is the disk full?". No file is changed.
 inline std::string whyNotWritten(std::filesystem::path const& file)
 {
   int error = errorOfOpening(file);
@@ -32,7 +32,7 @@ inline std::string whyNotWritten(std::filesystem::path const& file)
     auto const folder = file.parent_path();
     error = errorOfOpening(folder.empty() ? "." : folder, O_TMPFILE);
   }
-  // Not every file system knows unnamed files.
+  // Not every file system supports unnamed files.
   return error == 0 || error == EOPNOTSUPP
            ? "Is the disk full?"
            : std::string("The system says: ") + std::strerror(error) + ".";

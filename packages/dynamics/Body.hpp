@@ -10,7 +10,7 @@
 
 namespace asperity::dynamics
 {
-// What resists a motion [N], in 2D per unit of thickness.
+// The forces that resist a motion [N], in 2D per unit of thickness [N/m].
 struct BodyForces
 {
   RCP<Vector> elastic, viscous, inertial; // K u, C v, M a
@@ -25,7 +25,7 @@ struct Body
 {
   std::shared_ptr<const fem::DofMap> dofs;
   fem::BodyMatrices matrices;
-  fem::HeldDofs held;                     // whose velocity is prescribed
+  fem::HeldDofs held;                     // dofs whose velocity is prescribed
   RCP<const MultiVector> near_null_space; // rigid body motions on the owned dofs, in nodal frames
 
   // Both fill a vector of owned dofs for the time t [s].
@@ -37,7 +37,7 @@ struct Body
   // y = alpha M x + beta y; the product is left out if the body has no mass.
   void applyMass(Vector const& x, Vector& y, double alpha, double beta) const;
   BodyForces noForces() const;
-  // In one reading of the matrices, with the momentum M v unless that is null. Of a massless body
+  // Also sets `momentum` to M v unless it is null. Reads each matrix once. In a massless body
   // inertial forces and momentum are zero.
   void computeForces(Vector const& u, Vector const& v, Vector const& a, BodyForces& forces,
                      Vector* momentum = nullptr) const;

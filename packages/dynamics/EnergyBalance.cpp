@@ -12,7 +12,7 @@ namespace asperity::dynamics
 {
 namespace
 {
-// Of this rank: the mean of a force over the ends of a step times the displacement in it.
+// This rank's part of the work of a force in a step: mean over the ends times displacement.
 double work(Vector const& u0, Vector const& u1, Vector const& f0, Vector const& f1)
 {
   const auto read = [](Vector const& x) { return x.getLocalViewDevice(Tpetra::Access::ReadOnly); };
@@ -82,7 +82,8 @@ void EnergyBalance::fill(State const& state, Snapshot& result)
   fillForce(state, result);
 }
 
-// What friction and reactions hold, kept where they act.
+// Sets at.force: friction at the dofs of the fault (at nodes at rest the residual, which friction
+// balances), and reactions at held dofs.
 void EnergyBalance::fillForce(State const& state, Snapshot const& at)
 {
   auto const& surface = fault_.surface();
@@ -186,10 +187,10 @@ EnergyBalance::Works EnergyBalance::worksOfStep() const
   return works;
 }
 
-// Of this rank, in the step from before_ to after_: the parts of the works of friction and
-// viscosity that the motion of the plates adds, and the work of the loads that they do in it. A
-// part of radiation damping's traction, eta Vp, is a load of the body (fem::addRadiationOfPlates):
-// its work is moved from the loads to what damping dissipates.
+// Of this rank, in the step from before_ to after_: what the motion of the plates adds to the works
+// of friction and of radiation damping, and to that of the loads, which supply it. The part eta Vp
+// of the traction of radiation damping is a load of the body (fem::addRadiationOfPlates): its work
+// is moved from the loads to what damping dissipates.
 EnergyBalance::Works EnergyBalance::workOfPlates() const
 {
   Works works;

@@ -15,14 +15,14 @@ struct Energy
   double kinetic = 0;
   double elastic = 0;       // 1/2 u'Ku
   double load_work = 0;     // by gravity and tractions, and by plates that move (back slip)
-  double boundary_work = 0; // by whatever moves the prescribed boundaries
+  double boundary_work = 0; // by the forces that move the prescribed boundaries
   double friction_work = 0; // dissipated on the fault
   double viscous_work = 0;  // dissipated in the body, by radiation damping and by dashpots
-  // By the scheme; may be negative for a while. Also what a quasi-dynamic body loses at once when
-  // it starts out of balance.
+  // By the time scheme; may be negative for a while. Includes the energy that a quasi-dynamic body
+  // loses in the first step if it starts out of balance.
   double numerical_dissipation = 0;
   // Change of kinetic and elastic energy minus (load_work + boundary_work - friction_work -
-  // viscous_work - numerical_dissipation): what the tolerances of the solvers leave over.
+  // viscous_work - numerical_dissipation): the error that the tolerances of the solvers leave.
   double defect = 0;
 
   struct Member
@@ -45,9 +45,9 @@ struct Energy
 // A quasi-dynamic body cannot stay out of balance: if r0 = l - C v - K u - f is not zero at the
 // start, then velocity and forces jump at once. The first step is driven by the forces after the
 // jump, for which the mean over its ends takes f + r0 in place of f at its beginning:
-//   on the fault      1/2 r0 . du more of friction work, in which the part of radiation damping is
+//   on the fault      1/2 r0 . du of friction work, which includes the part of radiation damping
 //   inside the body   1/2 r0 . du of numerical dissipation: the energy l . du - change of 1/2 u'Ku
-//                     that the body gives off when it falls into place, as waves if it had inertia
+//                     that the body loses when it moves to equilibrium; with inertia, as waves
 class EnergyBalance
 {
 public:
@@ -55,14 +55,15 @@ public:
 
   // Begins a run at a state.
   void start(State const& state);
-  // Goes on from a state that a step has led to, with the works done so far.
+  // Continues a run from the state at the end of a step, with the works done so far.
   void resume(State const& state, Energy const& so_far);
   // How far a quasi-dynamic body was out of balance at the start, the larger one of
   //   on the fault      |r0| / max(|f|, |l - C v - K u|)
   //   inside the body   |r0| / max(|l|, |K u|), these two everywhere
-  // in Euclidean norms over unknowns that are not held; 0 for a body with inertia, and on resume.
+  // in Euclidean norms over unknowns that are not held; 0 for a body with inertia, and after
+  // resume().
   double startImbalance() const { return start_imbalance_; }
-  // Adds the step that has led to the given state. All ranks together.
+  // Adds the step that ends in the given state. Collective.
   Energy const& advance(State const& state);
   Energy const& energy() const { return energy_; }
   // Friction forces on the fault and reactions at held dofs, at the last state [N per unit of

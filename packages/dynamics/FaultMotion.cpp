@@ -14,7 +14,7 @@ namespace asperity::dynamics
 {
 namespace
 {
-// A plate rate along the fault has components of this share across a wall by rounding.
+// By rounding, a plate rate along a wall has components across the wall of up to this share.
 constexpr double rounding = 1e-9;
 
 double plateSpeed(fem::FaultSurface const& surface, int node)
@@ -28,7 +28,7 @@ double plateSpeed(fem::FaultSurface const& surface, int node)
 
 using Nodes = Kokkos::RangePolicy<friction::ExecutionSpace>;
 
-// Whether a held component of a node that slides does not slip.
+// Whether the slip rate of the held component k is zero, to rounding.
 template <class Values>
 bool restsAt(fem::FaultSurface const& surface, int node, int k, Values const& values)
 {
@@ -89,9 +89,9 @@ void requireRestBesideSliding(fem::FaultSurface const& surface, Vector const& pr
     false, "At vertex " << prescribed_velocity.getMap()->getGlobalElement(dof) / components
                         << " of the fault one tangential velocity is prescribed as "
                         << values(dof, 0) << " m/s at t = " << t << " s"
-                        << (surface.hasPlateRate() ? ", which is slip beside the plate rate," : ",")
-                        << " and the other one is left to friction. Prescribe zero (a wall that "
-                           "the fault ends at), or both.");
+                        << (surface.hasPlateRate() ? ", which with the plate rate is slip," : ",")
+                        << " and the other one is free. Prescribe zero (where the fault ends at a "
+                           "wall), or prescribe both.");
 }
 
 void gather(fem::FaultSurface const& surface, Vector const& v, friction::BlockView const& blocks)
@@ -205,7 +205,7 @@ double distance(fem::FaultSurface const& surface, friction::ConstNodeView const&
   const bool largest = norm == Norm::maximum;
   auto const nodes = Nodes(0, surface.numNodes());
   if (largest) {
-    // Not a number counts as infinitely far, which a maximum would overlook.
+    // A nan counts as an infinite difference; a plain maximum would ignore it.
     Kokkos::parallel_reduce(
       "asperity::dynamics::maximumDistance", nodes,
       KOKKOS_LAMBDA(int node, double& maximum) {

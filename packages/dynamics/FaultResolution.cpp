@@ -16,10 +16,10 @@ struct CellSizes
 {
   double smallest = std::numeric_limits<double>::max();
   double largest = 0;
-  double height = 0; // over their length, of the highest
+  double height = 0; // largest height of a cell over the length of its facet
 };
 
-// (num_nodes) of the facets that meet at each fault node, and of the cells beside them.
+// (num_nodes) sizes of the facets that meet at each fault node, and of the cells beside them.
 template <int Dim>
 std::vector<CellSizes> cellSizes(Mesh<Dim> const& mesh, fem::FaultSurface const& surface)
 {
@@ -98,7 +98,7 @@ faultResolution(Mesh<Dim> const& mesh, fem::FaultSurface const& surface, int com
 {
   auto const& [a, b, L, sigma_n] = friction;
   auto const sizes = cellSizes(mesh, surface);
-  // Smallest of all, what is the largest with the opposite sign.
+  // Minima; values with the opposite sign give maxima.
   std::array<double, 10> mine;
   mine.fill(std::numeric_limits<double>::max());
   double weakening = 0;

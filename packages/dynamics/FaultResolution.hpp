@@ -53,11 +53,11 @@ struct FaultResolution
   // and cubes. Lower cells make the fault's stiffness more accurate (verification.fault_stiffness).
   double cell_height;
   double slip_distance = 0; // L, smallest
-  // L over a seismic slip rate V_s = 20 b sigma_n / Z, smallest [s]: stress drops by about b
-  // sigma_n times ln of V_s over the plates' rate, and Z, the shear impedance of the bodies at the
-  // fault over the number of sides, is what waves or radiation damping resist with.
+  // L / V_s, smallest [s], with a seismic slip rate V_s = 20 b sigma_n / Z. The stress drop, about
+  // b sigma_n times ln(V_s / plate rate), of about 20, equals the resistance Z V_s of waves or
+  // radiation damping. Z is the shear impedance over the number of sides that deform.
   double seismic_time = 0;
-  double crossing_time = 0; // that a shear wave takes along a facet, smallest [s]
+  double crossing_time = 0; // of a shear wave along a facet, smallest [s]
   // Length [m] of the part that weakens, all patches together; in 3D the root of its area.
   double weakening_length = 0;
   bool weakens_everywhere = false;

@@ -79,8 +79,7 @@ RCP<Vector> initialAcceleration(Body const& body, Fault const& fault,
     }
   }
   body.clearHeld(*b);
-  // The rounding of l - K u, which may be large forces in balance, would set a body at rest in
-  // motion.
+  // l - K u may be the difference of large forces. Its rounding must not accelerate a body at rest.
   auto const scale = std::max(load.normInf(), 1e-300);
   auto a = body.vector();
   if (b->normInf() > 1e-12 * scale) {
@@ -96,7 +95,7 @@ RCP<Vector> initialAcceleration(Body const& body, Fault const& fault,
       std::ostringstream message;
       message << "The initial acceleration was not found: TNNMG did not converge on the balance of "
                  "momentum, whose largest force is "
-              << b->normInf() << " N.";
+              << b->normInf() << " N. Try a larger 'TNNMG / Maximum Iterations'.";
       throw SolveError(message.str());
     }
     solver->velocity(*a);

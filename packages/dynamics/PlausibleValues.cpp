@@ -20,14 +20,15 @@ constexpr Bounds densities = {10, 25e3};
 constexpr Bounds shear_moduli = {300, 1e12};
 // c_s: gelatine 1 to 10 m/s; the lower mantle 7.3 km/s.
 constexpr Bounds shear_speeds = {0.3, 22e3};
-// Clay and silt at the sea floor, among the slowest of sediments, have 10 m/s (Osler and Chapman
-// 1996) and more than 1300 kg/m^3; what is denser than gels, 1100 kg/m^3, and slower than half of
-// that is none of them: rock whose modulus is given in MPa has 3 m/s.
-// The value was chosen with both known.
+// The slowest sediments, clay and silt at the sea floor, have 10 m/s (Osler and Chapman 1996) and
+// more than 1300 kg/m^3; gels have 1100 kg/m^3. A material that is denser than gels and slower than
+// 5 m/s is neither: rock whose modulus is given in MPa has 3 m/s. The bound of 5 m/s was chosen
+// between these two known speeds.
 constexpr double density_of_sediment = 1300;
 constexpr double speed_of_sediment = 5;
-// Normal stress by shear modulus: creeping faults with nearly lithostatic pore pressure, 0.1 MPa by
-// 30 GPa (3e-6), to blocks of gel that bear their own weight (Corbi et al. 2013), up to 0.1.
+// Normal stress over shear modulus: from 3e-6 on creeping faults with nearly lithostatic pore
+// pressure (0.1 MPa over 30 GPa) to 0.1 in blocks of gel that bear their own weight (Corbi et al.
+// 2013).
 constexpr Bounds stress_ratios = {1e-7, 0.3};
 
 std::string interval(Extremes const& values)
@@ -43,8 +44,8 @@ bool isOutside(Extremes const& values, Bounds const& bounds)
 
 std::string outside(Bounds const& bounds, std::string const& unit)
 {
-  return ", outside " + formatShort(bounds.from) + " to " + formatShort(bounds.to) +
-         (unit.empty() ? "" : " " + unit) + " of rocks, gels and foams.";
+  return ", outside the range of rocks, gels and foams, " + formatShort(bounds.from) + " to " +
+         formatShort(bounds.to) + (unit.empty() ? "" : " " + unit) + ".";
 }
 
 void questionMaterial(BesideFault const& values, std::vector<Warning>& questions)
@@ -93,7 +94,7 @@ std::vector<Warning> questionValues(BesideFault const& values)
 {
   std::vector<Warning> questions;
   questionMaterial(values, questions);
-  const double stress = values.normal_stress.largest; // near the surface there is none
+  const double stress = values.normal_stress.largest; // the largest: near the surface it may be 0
   const double ratio = stress / values.shear_modulus.largest;
   if (stress > 0 && (ratio < stress_ratios.from || ratio > stress_ratios.to)) {
     questions.push_back({"normal stress", "The largest normal stress at the start, " +

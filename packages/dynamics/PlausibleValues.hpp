@@ -8,12 +8,12 @@
 
 namespace asperity::dynamics
 {
-// What a deck says of the body beside its fault and of the stress on it: the smallest and largest
-// value at the nodes of the fault, over all ranks.
+// The smallest and largest value at the nodes of the fault, over all ranks.
 struct Extremes
 {
   double smallest = 0, largest = 0;
 };
+// What a deck says about the body beside its fault and about the stress on the fault.
 struct BesideFault
 {
   Extremes density;           // [kg/m^3]
@@ -25,10 +25,10 @@ struct BesideFault
   bool is_antiplane = false;
 };
 
-// "Speeds of waves beside the fault: ..." for the log.
+// "Beside the fault shear waves travel at c_s = ...", for the log.
 std::string describeSpeeds(BesideFault const& values);
 
-// Questions about values in other units than SI: those that neither rock nor a material of analogue
-// experiments has (see PlausibleValues.cpp for the bounds and where they come from).
+// Warnings about values that neither rock nor a material of analogue experiments has: they are
+// probably not in SI units. PlausibleValues.cpp has the bounds and their sources.
 std::vector<Warning> questionValues(BesideFault const& values);
 } // namespace asperity::dynamics

@@ -40,7 +40,7 @@ struct RateUpdate
   // First order; damps all modes.
   static RateUpdate backwardEuler();
   // Second order, unconditionally stable; a step much longer than a mode's period multiplies the
-  // mode by the spectral radius in [0, 1]: 0 forgets it at once, 1 is Newmark with beta = 1/4.
+  // mode by the spectral radius in [0, 1]: 0 removes it, 1 is Newmark with beta = 1/4.
   static RateUpdate generalisedAlpha(double spectral_radius);
 
   // u^ and a^ for a step of tau [s].

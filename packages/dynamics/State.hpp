@@ -14,7 +14,7 @@ struct State
 {
   DyadicTime::Ticks time = 0;
   RCP<Vector> u, v, a;        // m, m/s, m/s^2
-  RCP<Vector> jerk;           // m/s^3, of the last step, see RateUpdate; zero to begin with
+  RCP<Vector> jerk;           // m/s^3, of the last step, see RateUpdate; zero at the start
   friction::NodeView alpha;   // (num fault nodes)
   friction::NodeView sigma_n; // (num fault nodes) [Pa], positive in compression
   // The alpha of the last rate problem, with which v was computed.

@@ -157,7 +157,7 @@ void leaveDiagonalOfHeld(CrsMatrix::local_matrix_device_type const& matrix,
         if (column != row && (held(row) || held(column))) {
           matrix.values(entry) = 0;
         } else if (column == row && held(row) && matrix.values(entry) == 0) {
-          matrix.values(entry) = 1; // the jump at a tip of a fault, of which no cell knows
+          matrix.values(entry) = 1; // the jump at a tip of a fault, to which no cell contributes
         }
       }
     });

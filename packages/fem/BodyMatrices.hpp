@@ -21,7 +21,7 @@ struct BodyMatrices
   RCP<const CrsMatrix> mass;
   RCP<const CrsMatrix> viscosity;
   RCP<const CrsMatrix> stiffness;
-  bool is_massless = false; // whether mass is zero, for those who multiply by it
+  bool is_massless = false; // whether mass is zero, so that products with it can be left out
 };
 
 // materials(num_cells). Collective, but without communication, since every rank has all cells of

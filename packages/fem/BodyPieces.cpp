@@ -16,7 +16,7 @@ namespace asperity::fem
 {
 namespace
 {
-// Sets that are united, of numbers 0 <= i < size.
+// Disjoint sets of the numbers 0 <= i < size (union-find).
 class Sets
 {
 public:
@@ -78,9 +78,9 @@ Sets placesOf(Mesh<Dim> const& mesh)
   return places;
 }
 
-// Whether cells at a vertex do not hang together by facets that have the vertex. A facet of a fault
-// joins its two sides: where a fault branches off another one, cells meet at the tip that nothing
-// else joins.
+// Whether the cells at a vertex are not all connected by facets that contain the vertex. A facet of
+// a fault connects its two sides: where a fault branches off another one, nothing else connects the
+// cells that meet at the tip.
 template <int Dim>
 bool isPinched(Mesh<Dim> const& mesh, Sets& places, int vertex, int const* begin, int const* end)
 {
@@ -117,7 +117,7 @@ bool isPinched(Mesh<Dim> const& mesh, Sets& places, int vertex, int const* begin
   return num_groups > 1;
 }
 
-// Numbers at owned vertices and ghosts.
+// Exchanges numbers at owned vertices and ghosts between the ranks.
 class Exchange
 {
 public:
@@ -181,7 +181,7 @@ std::vector<double> pinchedVertices(Mesh<Dim> const& mesh, Exchange const& excha
   return is_pinched;
 }
 
-// What hangs together on this rank. Pinched vertices join nothing.
+// The connected vertices of this rank. Pinched vertices connect nothing.
 template <int Dim>
 Sets localPieces(Mesh<Dim> const& mesh, std::vector<double> const& is_pinched)
 {
@@ -203,8 +203,8 @@ Sets localPieces(Mesh<Dim> const& mesh, std::vector<double> const& is_pinched)
   return pieces;
 }
 
-// Every vertex ends with the largest global id of its piece, plus one; ranks tell each other until
-// nothing changes.
+// (num_local) the largest global id in each vertex's piece, plus one. Ranks exchange the labels
+// until none changes.
 template <int Dim>
 std::vector<double> largestIds(Mesh<Dim> const& mesh, Sets pieces, Exchange const& exchange,
                                Communicator const& communicator)
@@ -258,7 +258,7 @@ BodyPieces<Dim> bodyPieces(Mesh<Dim> const& mesh, RCP<const Communicator> const&
   const auto least = minOverRanks(first, *communicator);
   if (result.num_pinched > 0) {
     result.first_pinched = least;
-    // One rank has it; on all others the sum gets nothing.
+    // Only the rank that owns the vertex adds its place to the sum.
     result.place = sumOverRanks(first == least ? place : Point<Dim>{}, *communicator);
   }
   return result;

@@ -11,7 +11,8 @@ namespace asperity::fem
 {
 namespace
 {
-// The cells beside facets that are given by the vertices that cells have.
+// The cells beside facets, which consist of vertices of cells: at a split vertex, of the vertex on
+// that side.
 template <int Dim>
 std::vector<int> cellsOf(Mesh<Dim> const& mesh,
                          std::vector<typename Mesh<Dim>::Facet> const& facets)
@@ -88,7 +89,7 @@ std::vector<Material> materialsOnSide(Mesh<Dim> const& mesh, FaultSurface const&
 
 double harmonicMean(double a, double b) { return 2 * a * b / (a + b); }
 
-// What both sides do together: compliances and inverse impedances add.
+// The two sides in series: their compliances add, and so do their inverse impedances.
 Material inSeries(Material const& a, Material const& b)
 {
   Material result;

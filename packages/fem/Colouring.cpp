@@ -21,7 +21,7 @@ namespace
 using ColourVector = Tpetra::Vector<int, LocalOrdinal, GlobalOrdinal>;
 using IdVector = Tpetra::Vector<GlobalOrdinal, LocalOrdinal, GlobalOrdinal>;
 using HostDofs = Kokkos::View<const LocalOrdinal**, Kokkos::LayoutRight, Kokkos::HostSpace>;
-using Weight = std::pair<std::uint64_t, GlobalOrdinal>; // where hashes are equal, the id decides
+using Weight = std::pair<std::uint64_t, GlobalOrdinal>; // hash, and the id for equal hashes
 
 constexpr int uncoloured = -1;
 
@@ -111,8 +111,8 @@ Colouring gather(CrsGraph const& graph, ColourVector const& colours)
   }
   return result;
 }
-// For each column of the graph the id of the node it belongs to, which is that of the node's
-// first dof, or -1.
+// For each column of the graph the id of its node, that is, the global id of the node's first dof;
+// -1 for a column of no node.
 IdVector nodesOfColumns(CrsGraph const& graph, HostDofs const& dofs)
 {
   IdVector of_dof(graph.getDomainMap());

@@ -7,7 +7,8 @@
 
 namespace asperity::fem
 {
-// Nodes of one colour are not neighbours, on no rank: they may be smoothed at the same time.
+// No two nodes of one colour are neighbours, also across ranks: they may be smoothed at the same
+// time.
 struct Colouring
 {
   int num_colours = 0; // the same on every rank
@@ -24,8 +25,8 @@ Colouring colourNodes(CrsGraph const& graph);
 // Colours nodes, numbered as in dofs, by what couples their rows in the graph of a matrix.
 Colouring colourNodes(CrsGraph const& graph, NodeDofView const& dofs);
 
-// The same without nodes whose rows are all held; held(num local rows at least) is 1 at a row that
-// is. As many colours on every rank.
+// The same without nodes whose rows are all held. held(num local rows, or more) is 1 at a held row.
+// The number of colours is the same on every rank.
 std::vector<IndexView> colourFreeNodes(CrsGraph const& graph, NodeDofView const& dofs,
                                        std::vector<int> const& held);
 } // namespace asperity::fem

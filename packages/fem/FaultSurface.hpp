@@ -61,7 +61,7 @@ public:
   std::vector<int> vertices() const; // (num_nodes)
   // Whether the velocity of tangential component k is prescribed.
   bool held(int node, int k) const { return held_[nodes_[node].dofs[k]]; }
-  // Whether friction decides on the velocity of a node, or on a part of it.
+  // Whether at least one tangential velocity of the node is not prescribed, so that friction acts.
   bool slides(int node) const;
 
   // On the device.
@@ -93,7 +93,7 @@ private:
 };
 
 // The fault on a boundary of the body, or on the plus side of a fault inside it. graph: of the
-// body's matrices, which decides on the colours. Collective.
+// body's matrices, by which the nodes are coloured. Collective.
 template <int Dim>
 std::shared_ptr<const FaultSurface>
 makeFaultSurface(Mesh<Dim> const& mesh, std::string const& boundary,

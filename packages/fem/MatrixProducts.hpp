@@ -6,7 +6,7 @@
 
 namespace asperity::fem
 {
-// y = A x; all of owned dofs. y may not be an x of any product beside it.
+// y = A x, all on the owned dofs. y must not be the x of any product in the same call.
 struct MatrixProduct
 {
   CrsMatrix const& A;
@@ -14,8 +14,8 @@ struct MatrixProduct
   Vector& y;
 };
 
-// All of them. Matrices on one graph that needs no other rank's values are read in one pass, which
-// reads the graph once: it takes a third of what a matrix has to be read for. At most four.
-// Collective.
+// Computes all the products. Matrices that share a graph without ghost columns are multiplied in
+// one pass, which reads the graph once: its column indices are a third of the data of a matrix. At
+// most four matrices on one graph. Collective.
 void multiply(std::vector<MatrixProduct> const& products);
 } // namespace asperity::fem

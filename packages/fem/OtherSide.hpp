@@ -2,14 +2,14 @@
 
 namespace asperity::fem
 {
-// What lies on the other side of a fault. Friction, the solver, the coupling and the outputs tell
-// kinds of fault apart by these values alone, so that a new kind is one more value (and its name in
-// a deck, scenario/setup/fault).
+// What lies on the other side of a fault. Friction, the solver, the coupling and the outputs
+// distinguish kinds of fault by these values alone, so that a new kind is one more constant here
+// (and its name in a deck, scenario/setup/fault).
 struct OtherSide
 {
   // The map from the tangential unknowns w_t of a node to slip: slip = slip_factor w_t.
   double slip_factor = 1;
-  // Sides that slip strains, and that waves carry energy away from: 1 or 2.
+  // Number of sides, 1 or 2, that slip deforms and into which waves radiate.
   int deforming_sides = 1;
   // Whether the fault lies inside the mesh: then w_t is a part of the jump v+ - v- of its split
   // nodes (VertexTerms). Otherwise it is a boundary of the body, and w_t = v_t.

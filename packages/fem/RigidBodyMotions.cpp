@@ -37,7 +37,7 @@ struct Box
   }
 };
 
-// The rotations that a body may make, each by the two axes of the plane in which it turns.
+// The rotations that the periods of the mesh admit, each given by the two axes of its plane.
 template <int Dim>
 std::vector<std::pair<int, int>> rotations(Mesh<Dim> const& mesh)
 {

@@ -12,8 +12,8 @@ namespace asperity::fem
 {
 namespace
 {
-// Cosines between the outward normals of fault and wall. What is nearly at right angles is taken
-// for that by the frames of the nodes, too.
+// Limits of the cosine between the outward normals of fault and wall. The frames of the nodes use
+// the same limit for walls that are nearly perpendicular to the fault.
 constexpr double nearly_across = 0.1;
 constexpr double in_line = 0.9;
 } // namespace
@@ -54,10 +54,12 @@ std::vector<double> supportWeights(Mesh<Dim> const& mesh, FaultSurface const& fa
         }
         cosine /= size;
         ASPERITY_REQUIRE(std::abs(cosine) < nearly_across || cosine > in_line,
-                         "The normal stress of the fault does not follow from gravity at x = "
-                           << mesh::text(mesh.vertices[node]) << ": " << condition.name
-                           << " holds the fault there at an angle that is neither right nor flat, "
-                              "and shares the weight with it. Give Friction / Normal Stress.");
+                         "The normal stress of the fault cannot be computed from gravity at x = "
+                           << mesh::text(mesh.vertices[node]) << ": the boundary of "
+                           << condition.name
+                           << " bears an unknown share of the weight there, because it is neither "
+                              "perpendicular to the fault nor in line with it. Give "
+                              "Friction / Normal Stress.");
         weights[i] += cosine > in_line ? mesh::facetMeasure(corners) / Dim : 0;
       }
     }

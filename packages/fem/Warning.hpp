@@ -4,11 +4,11 @@
 
 namespace asperity
 {
-// What may make the results of a run wrong or useless. It stands in the log, in asperity-status and
-// in asperity-report.
+// A condition that may make the results of a run wrong or useless. Shown in the log, by
+// asperity-status and by asperity-report.
 struct Warning
 {
-  std::string topic; // "cohesive zone": a later warning about the same topic takes its place
-  std::string text;  // sentences, without "WARNING:" before them
+  std::string topic; // e.g. "cohesive zone"; a later warning on the same topic replaces this one
+  std::string text;  // full sentences, without the prefix "WARNING:"
 };
 } // namespace asperity

@@ -38,15 +38,15 @@ public:
   // up to the rounding of this equation; s = 0 if |r_i| <= weight_i cohesion_i, or if the slip rate
   // would be below 1e-300 m/s. The given v_i is the first guess.
   // curvature(num_nodes) > 0 in N s/m, r(num_nodes, T) in N.
-  // Returns the number of nodes without a solution, where v_i is left alone. There a curvature is
+  // Returns the number of nodes without a solution, where v_i does not change. There a curvature is
   // not positive, a value is not finite, or the iteration does not converge.
   virtual int minimise(IndexView const& nodes, ConstNodeView const& curvature,
                        ConstBlockView const& r, StateAndStress const& at,
                        BlockView const& v) const = 0;
 
   // A sweep of Gauss-Seidel in one launch: for each node i of `nodes`, one after the other,
-  // minimises as above, with the force r_i + curvature_i v_i, zero in held components, and
-  // subtracts from r what Z times the change of v_i is: r stays b - Z v.
+  // minimises as above with the force r_i + curvature_i v_i, zero in held components, and subtracts
+  // Z times the change of v_i from r, so that r remains b - Z v.
   virtual int sweep(IndexView const& nodes, CoupledNodes const& coupled, StateAndStress const& at,
                     BlockView const& v) const = 0;
 

@@ -32,7 +32,7 @@ bool registerStateLaw(std::string const& name, StateLawProperties properties,
 
 namespace detail
 {
-// A law may lack these; one of another type than LawProperties.hpp has does not compile.
+// A law may lack these functions. One whose type differs from LawProperties.hpp does not compile.
 template <class Law, class = void>
 struct SensitivityOf
 {

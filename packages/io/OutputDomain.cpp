@@ -221,7 +221,7 @@ OutputDomain volumeDomain(Mesh<Dim> const& mesh, RCP<const Communicator> const& 
 {
   OutputDomain domain = ownedNodes("volume", mesh, mesh.cells, comm);
   domain.num_global_nodes = mesh.num_global_vertices;
-  domain.node_numbers = domain.vertex_ids; // every vertex is in a cell: no rank counts them all
+  domain.node_numbers = domain.vertex_ids; // every vertex is in a cell: no count is needed
   addElements(domain, mesh, mesh.cells, [&](int vertex) { return mesh.global_ids[vertex]; });
   return domain;
 }

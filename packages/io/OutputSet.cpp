@@ -58,7 +58,7 @@ void declareTextFormat(Declare& parameters)
   parameters.choiceOfLists(
     "Text Format", std::string(no_text), lists,
     "Selects the platform for comparing codes for which additional text files are written: "
-    "time series of the receivers, rupture times and what else the platform takes.");
+    "time series of the receivers, rupture times and other files in the form of that platform.");
 }
 
 // The choice and the list of that name, complete.

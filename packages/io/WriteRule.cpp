@@ -38,8 +38,8 @@ void WriteRule::declare(Declare& parameters, int every_n_steps, double rate_chan
       "Times", std::vector<double>{}, "s", Range::any(),
       "A row is written at each of these times, which no step passes, to within the smallest "
       "step.")
-    .hint("Each of them may take as many steps as there are powers of two between a step and the "
-          "smallest one; 'Every Seconds' takes steps as they come.");
+    .hint("Each of these times may need as many additional steps as there are powers of two "
+          "between a step and the smallest one; 'Every Seconds' needs none.");
 }
 
 WriteRule::WriteRule(Teuchos::ParameterList const& parameters)

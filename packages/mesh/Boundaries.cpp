@@ -33,7 +33,7 @@ FacetKey<Dim> keyOf(Mesh<Dim> const& part, typename Mesh<Dim>::Facet const& face
   return detail::sorted(key);
 }
 
-// Whether this rank has all cells of the facet; it has those that touch its vertices.
+// Whether this rank has all cells of the facet: it has all cells that touch its owned vertices.
 template <int Dim>
 bool isComplete(GlobalMesh<Dim> const&, typename Mesh<Dim>::Facet const&)
 {
@@ -61,7 +61,7 @@ std::set<typename Mesh<Dim>::Facet> sidesOfFaults(AnyMesh<Dim> const& mesh)
   return facets;
 }
 
-// Faults inside the body, those along which the mesh is split or will be.
+// The faults inside the body, along which the mesh is split or will be split.
 template <int Dim>
 std::vector<std::string> faultsOf(GlobalMesh<Dim> const& mesh, std::string const& where)
 {
@@ -149,7 +149,7 @@ private:
   std::map<FacetKey<Dim>, Named> named_;
 };
 
-// `on_any_rank` turns flags of this part into those of all parts of the mesh.
+// on_any_rank(flags) is 1 where the flag of any part of the mesh is 1.
 template <template <int> class AnyMesh, int Dim, class OnAnyRank>
 void assignBoundaries(AnyMesh<Dim>& mesh, std::vector<NamedCondition<Dim>> const& conditions,
                       std::string const& where, OnAnyRank on_any_rank)

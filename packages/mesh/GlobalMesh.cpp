@@ -36,7 +36,7 @@ std::string numbers(std::array<int, N> const& simplex)
   return list;
 }
 
-// The checks stand in an order in which each may rely on those before it.
+// The order matters: each check relies on those before it.
 template <int Dim>
 class Check
 {
@@ -137,7 +137,7 @@ private:
         is_used[static_cast<std::size_t>(vertex)] = true;
       }
     }
-    for (auto const& pair : mesh_.splits) { // checkSplits looks at these
+    for (auto const& pair : mesh_.splits) { // checkSplits checks these
       if (pair.plus >= 0 && static_cast<std::size_t>(pair.plus) < is_used.size()) {
         is_used[static_cast<std::size_t>(pair.plus)] = true;
       }

@@ -30,10 +30,9 @@ namespace mesh
 // Throws an InputError that starts with `where` (a file or a parameter list) unless the mesh is
 // valid: coordinates are finite, vertex numbers and regions are in range, every cell is positively
 // oriented, every vertex is in a cell, no facet is in more than two cells, no vertex hangs inside
-// an edge or a face (detail/Conformity.hpp), and every facet of a
-// boundary is once in the boundary and in exactly one cell or, if all facets of the boundary are
-// inside the body and it is a fault, in two. In a mesh that is split, the pairs and the facets of
-// the faults are as Mesh describes them.
+// an edge or a face (detail/Conformity.hpp), and every facet of a boundary is listed once and is in
+// one cell or, if the boundary is a fault inside the body, in two cells. In a mesh that is split,
+// the pairs and the facets of the faults are as Mesh describes them.
 template <int Dim>
 void checkMesh(GlobalMesh<Dim> const& mesh, std::string const& where);
 

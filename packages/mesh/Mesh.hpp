@@ -14,8 +14,8 @@ using Point = std::array<double, Dim>;
 
 // Two vertices at one place, on the two sides of a fault inside the body. At a tip the body is not
 // cut: no cell refers to `plus`, only facets of the fault do, and `minus` is the vertex of the
-// cells around it. Where a fault branches off another one, its tip's `minus` is the vertex on that
-// side of the other fault on which the branch lies, and may be the plus of a pair itself.
+// cells around it. Where a fault branches off another one, the `minus` of its tip is the vertex on
+// the side of the other fault on which the branch lies, and may itself be the plus of a pair.
 struct SplitVertex
 {
   int plus = 0;
@@ -37,7 +37,7 @@ inline bool operator==(SplitVertex const& a, SplitVertex const& b)
 // some cells reach across the period: corners() gives their geometry (SimplexGeometry.hpp).
 //
 // Along the faults inside the body the mesh is split (faults/SplitFaults.hpp): cells on the two
-// sides have no vertex in common but for the tips. Both vertices of a pair are owned by one rank,
+// sides have no vertex in common except at the tips. Both vertices of a pair are owned by one rank,
 // and a rank that has one of them has the other, so that ghosts may be without a cell.
 template <int Dim>
 struct Mesh
@@ -59,9 +59,10 @@ struct Mesh
   // Outward orientation: the body lies to the left of a 2D facet (first -> second vertex), and the
   // right-hand normal of a 3D facet points out of it.
   //
-  // Those of a fault inside the body are the facets of its plus side, outward from the body there,
-  // and consist of plus vertices alone, tips too; with minus for plus they are those of the other
-  // side (faults/SplitVertices.hpp). The unit normal from minus to plus is opposite to theirs.
+  // The facets of a fault inside the body are those of its plus side, oriented outward from the
+  // body there. They consist of plus vertices only, also at tips; with minus instead of plus they
+  // are the facets of the other side (faults/SplitVertices.hpp). Their normal points from plus to
+  // minus.
   std::map<std::string, std::vector<Facet>> boundaries;
 
   std::vector<SplitVertex> splits; // local vertex numbers, ascending in plus

@@ -21,7 +21,7 @@ struct CellSizes
 template <int Dim>
 CellSizes cellSizes(GlobalMesh<Dim> const& mesh);
 
-// The facets of a boundary. Throws an InputError with the valid names if none has this name.
+// The facets of a boundary. Throws an InputError with similar or valid names if none has this name.
 template <int Dim>
 std::vector<typename Mesh<Dim>::Facet> const& boundaryFacets(GlobalMesh<Dim> const& mesh,
                                                              std::string const& name);
@@ -30,7 +30,7 @@ std::vector<typename Mesh<Dim>::Facet> const& boundaryFacets(Mesh<Dim> const& me
                                                              std::string const& name);
 
 // Vertices of the facets of a boundary, ascending, each once. In a rank's part these are all owned
-// ones, and the ghosts that share a facet with them.
+// vertices of the boundary, and the ghosts that share a facet with them.
 template <int Dim>
 std::vector<int> boundaryVertices(GlobalMesh<Dim> const& mesh, std::string const& name);
 template <int Dim>

@@ -48,7 +48,7 @@ void dropRegions(AnyMesh& mesh, std::vector<int> const& is_kept)
   }
 }
 
-// `on_any_rank` turns flags of this part into those of all parts of the mesh.
+// on_any_rank(flags) is 1 where the flag of any part of the mesh is 1.
 template <int Dim, class AnyMesh, class OnAnyRank>
 void assignRegions(AnyMesh& mesh, std::vector<NamedCondition<Dim>> const& conditions,
                    std::string const& where, OnAnyRank on_any_rank)

@@ -18,7 +18,7 @@ public:
   // After every accepted step, and once before the first one.
   virtual void write(io::StepInfo const& step) = 0;
 
-  // On disk afterwards. `steps` are those of the run.
+  // Writes everything to disk. `steps` are those of the run.
   virtual void flush(StepFacts const& steps) = 0;
 
   virtual void save(io::Archive& archive) const = 0;

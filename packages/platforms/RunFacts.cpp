@@ -23,7 +23,7 @@ std::string today()
   return text;
 }
 
-// Every line of a header begins with '#': a line end in a text would put the rest among the data.
+// Every line of a header begins with '#': the text after a line end would stand among the data.
 std::string oneLine(Teuchos::ParameterList const& parameters, std::string const& name)
 {
   auto const& text = parameters.get<std::string>(name);
@@ -53,9 +53,9 @@ Declare RunFacts::declare(std::string const& problem)
           "The files give this as the size of the elements on the fault; 0 means the size of the "
           "shortest one, in three dimensions the side of a square that two of them fill.")
     .real("Depth of Upper End", 0.0, "m", Range::any(),
-          "Distances down dip in the files of rupture times are this one at the upper end of the "
-          "fault. It is not 0 where the model is the part of space below a plane of symmetry and "
-          "the problem counts from the surface.");
+          "The files of rupture times give this distance down dip for the upper end of the fault. "
+          "It is not 0 where the model is the part of space below a plane of symmetry and the "
+          "problem counts from the surface.");
   return parameters;
 }
 

@@ -15,12 +15,12 @@ struct RunFacts
   std::string date; // "2024/05/31"
   std::string code_version;
   double element_size = 0;       // [m] on the fault
-  double depth_of_upper_end = 0; // [m] down dip, where the problem begins to count above the mesh
+  double depth_of_upper_end = 0; // [m] distance down dip at the fault's upper end
 
   // The entries of a platform's list; `problem` is the default of `Problem`.
   static Declare declare(std::string const& problem);
 
-  // Of such a list, complete. Collective.
+  // Reads such a list after it has been completed. Collective.
   static RunFacts from(Teuchos::ParameterList const& parameters, io::OutputContext const& context);
 };
 } // namespace asperity::platforms

@@ -61,7 +61,7 @@ std::string numberText(double value); // %14.6E
 std::string stepSizeLine(std::string const& name, double value);
 std::string countLine(std::int64_t count);
 
-// What has no logarithm, such as the slip rate of a fault at rest, has this one.
+// The logarithm that is written for values <= 0, such as the slip rate of a fault at rest.
 inline constexpr double smallest_logarithm = -99;
 double decimalLogarithm(double value);
 
@@ -75,7 +75,7 @@ public:
   // On rank 0; ignored elsewhere.
   void writeRow(double time, double const* values, std::size_t number);
 
-  // On disk afterwards, with these facts in the header. Collective.
+  // Writes everything to disk, with these facts in the header. Collective.
   void flush(StepFacts const& facts);
 
   void save(io::Archive& archive) const { table_.save(archive); }

@@ -6,9 +6,10 @@
 #include <cstddef>
 #include <utility>
 
-// What Kokkos 3.7 and 4 and Trilinos 14 to 16 call by another name than Kokkos 3.4 and Trilinos
-// 13.2. The test style.renamed refuses these names anywhere else. Nothing of Tpetra is included:
-// the templates take what has the function by its new name or by its old one.
+// Functions whose names differ between Kokkos 3.4 and Trilinos 13.2 on one side, and Kokkos 3.7 and
+// 4 and Trilinos 14 to 16 on the other. The test style.renamed refuses these names anywhere else.
+// Nothing of Tpetra is included: the templates take any object that has the function by its new or
+// its old name.
 namespace asperity
 {
 // Functions of <cmath> on host and device: math::sqrt, math::log, ...

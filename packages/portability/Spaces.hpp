@@ -5,8 +5,7 @@
 #include <type_traits>
 
 // Where kernels run and where the data of nodes, rows and cells lie: the one choice for all
-// packages. base/program/MpiScope.cpp asserts that Tpetra
-// has made the same.
+// packages. base/program/MpiScope.cpp asserts that Tpetra uses the same spaces.
 namespace asperity
 {
 using ExecutionSpace = Kokkos::DefaultExecutionSpace;

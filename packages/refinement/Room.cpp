@@ -13,8 +13,8 @@ namespace asperity::refinement
 {
 namespace
 {
-// Cells around owned vertices, each as much as its corners are owned: summed over the ranks this is
-// the number of cells. The children of ghost cells that stay here are few.
+// The number of cells around owned vertices, each counted by the share of its corners that is
+// owned: summed over the ranks this is the number of cells. Few children of ghost cells stay here.
 template <int Dim>
 double shareOfCells(Mesh<Dim> const& part)
 {
@@ -32,7 +32,7 @@ double physicalMemory()
   return static_cast<double>(sysconf(_SC_PHYS_PAGES)) * static_cast<double>(sysconf(_SC_PAGE_SIZE));
 }
 
-// Of the ranks that share this rank's memory.
+// The sum over the ranks that share this rank's memory.
 double sumOnNode(double mine, Communicator const& communicator)
 {
   MPI_Comm node = MPI_COMM_NULL;
@@ -53,12 +53,12 @@ void requireRoom(Mesh<Dim> const& part, int refinements, Communicator const& com
   const double largest = maxOverRanks(mine, communicator);
   const double all = sumOverRanks(mine, communicator);
   const std::string what = where + " = " + std::to_string(refinements);
-  // Dofs, and room.
+  // The factor 8 is for several dofs per vertex, with a margin.
   const double num_global = static_cast<double>(std::numeric_limits<GlobalOrdinal>::max()) / 8;
   ASPERITY_REQUIRE(all < num_global, what << " makes some " << all << " cells, more than "
                                           << 8 * sizeof(GlobalOrdinal)
                                           << " bits can number. Refine less often.");
-  const double num_local = 0.9 * std::numeric_limits<int>::max(); // ghosts, too
+  const double num_local = 0.9 * std::numeric_limits<int>::max(); // a margin for ghosts
   ASPERITY_REQUIRE(largest < num_local, what << " makes some " << all << " cells, " << largest
                                              << " of them on one rank, which can number "
                                              << num_local

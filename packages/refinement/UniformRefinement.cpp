@@ -16,7 +16,7 @@ namespace
 {
 void order(Mesh<2>&) {}
 
-// By the ids that the vertices had before the mesh was split.
+// Orders the corners of each cell by the ids that the vertices had before the mesh was split.
 void order(Mesh<3>& part)
 {
   const auto ids = detail::idsOfPlaces(part);

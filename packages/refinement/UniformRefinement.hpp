@@ -14,8 +14,8 @@ namespace asperity::refinement
 // coarse vertices keep their ids. The part is as Mesh says, each rank with its vertices, ghosts and
 // all cells that touch its vertices, in no particular order.
 //
-// InputError on every rank, which starts with `where`, for less than zero refinements, and where
-// checkRoom or a fault refuses. Collective.
+// InputError on every rank, which starts with `where`, for less than zero refinements, if
+// requireRoom refuses, or if a vertex at a fault would need three copies. Collective.
 template <int Dim>
 Mesh<Dim> refineUniformly(Mesh<Dim> part, int refinements, Communicator const& communicator,
                           std::string const& where = "Mesh / Refinements");

@@ -8,7 +8,7 @@ namespace asperity::scenario
 {
 namespace
 {
-// Whether all that is prescribed is constant in time, but for slip.
+// Whether all prescribed velocities are constant in time, except for slip on the fault.
 template <int Dim>
 bool boundariesMoveSteadily(Problem<Dim> const& problem)
 {

@@ -7,9 +7,9 @@
 
 namespace asperity::scenario
 {
-// What the steps of a run need to know of a problem, condensed to its fault. Null where that is not
-// exact, or the deck does not want it (TNNMG / Static Condensation): then the problem itself is the
-// model. `problem` must outlive the result.
+// The problem condensed to the unknowns of its fault. Null where the condensation is not exact, or
+// where the deck switches it off (TNNMG / Static Condensation): the steps then solve the problem
+// itself. `problem` must outlive the result.
 template <int Dim>
 std::unique_ptr<dynamics::StaticCondensation> makeCondensation(Problem<Dim> const& problem,
                                                                ParameterList const& deck);

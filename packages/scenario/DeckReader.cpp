@@ -33,13 +33,13 @@ RCP<const ParameterList> outputParameters()
     .integer("Checkpoint Every n Steps", 5000, Range::atLeast(1),
              "A checkpoint is written after this number of accepted steps.")
     .real("Checkpoint Every Minutes", 60, "min", Range::positive(),
-          "A checkpoint is also written when this much wall time has gone by since the last one: "
-          "what a run that is killed loses at most, and what others read of it lags behind. Each "
-          "closes a file of every history: a few hundred in all are enough.");
+          "A checkpoint is also written when this much wall time has passed since the last one. A "
+          "killed run loses at most this time. Each checkpoint closes one file of every history: "
+          "a few hundred checkpoints in a run are enough.");
   return list;
 }
 
-// Beyond what any quantity of an earthquake has in SI units.
+// No quantity of an earthquake is larger than this in SI units.
 constexpr double large = 1e100;
 constexpr std::size_t most_named = 3;
 
@@ -129,7 +129,7 @@ std::string remarkOnLargeValues(CommandLine const& command_line, std::string con
   std::vector<std::string> found;
   try {
     collect(*deckAsGiven(command_line, *deckParameters()), "", message, found);
-  } catch (InputError const&) { // the message is about that
+  } catch (InputError const&) { // the deck cannot be read: `message` says so
     return "";
   }
   if (found.empty()) {

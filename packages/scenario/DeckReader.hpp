@@ -15,9 +15,9 @@ RCP<const ParameterList> deckParameters();
 // overlays and overrides, checks and completes it. Throws InputError if that fails.
 RCP<ParameterList> readCompleteDeck(CommandLine const& command_line);
 
-// What is added to the message by which a deck is refused: a line with the parameters of the deck,
-// as the user wrote it, that have a finite number beyond 1e100, or nothing if there are none.
-// Such a number is rarely meant, and what it spoils is often another quantity than the parameter.
-// Left out are those that the message names already. Throws nothing.
+// Addition to a message that refuses a deck: a line with the parameters, as the user wrote them,
+// that have a finite number beyond 1e100; empty if there are none. Such a number is usually a
+// mistake, and the message often names another quantity that follows from it. Parameters that the
+// message names already are left out. Throws nothing.
 std::string remarkOnLargeValues(CommandLine const& command_line, std::string const& message);
 } // namespace asperity::scenario

@@ -15,8 +15,8 @@ namespace asperity::scenario
 {
 namespace
 {
-// "Open MPI v4.1.4" of "Open MPI v4.1.4, package: Debian OpenMPI, ident: ..."; "MPICH Version: 4.0"
-// of several lines.
+// The first words or line of what MPI says of itself: "Open MPI v4.1.4" of "Open MPI v4.1.4,
+// package: Debian OpenMPI, ident: ...", "MPICH Version: 4.0" of several lines.
 std::string mpiVersion()
 {
   std::string text(MPI_MAX_LIBRARY_VERSION_STRING, '\0');
@@ -30,7 +30,7 @@ std::string mpiVersion()
   return text;
 }
 
-// "AMD EPYC 7B13" of Linux's /proc/cpuinfo; nothing elsewhere.
+// The name in Linux's /proc/cpuinfo, such as "AMD EPYC 7B13"; "" on other systems.
 std::string processor()
 {
   std::ifstream file("/proc/cpuinfo");

@@ -16,7 +16,7 @@ namespace
 {
 const std::string mesh_file = "Asperity / Mesh / File / File Name";
 
-// Collects an entry for each parameter. In the order of the lists, which matters for regions and
+// Collects an entry for each parameter, in the order of the lists, which matters for regions and
 // boundary conditions.
 template <int Dim>
 class Collection
@@ -43,7 +43,7 @@ public:
     }
   }
 
-  // Another version of the program, or of METIS, may number a mesh otherwise.
+  // Another version of the program, or of METIS, may number the same mesh differently.
   void addNumbering()
   {
     const auto checksum = io::checksum(mesh_, io::ChecksumOf::numbering, communicator_);

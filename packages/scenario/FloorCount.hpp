@@ -8,8 +8,8 @@
 
 namespace asperity::scenario
 {
-// Counts how often the floor of the normal stress acts at the accepted steps of a run: at the nodes
-// that slide and whose normal stress is not above the floor.
+// Counts the sliding nodes whose normal stress is on its floor, at the end of the accepted steps of
+// a run.
 class FloorCount
 {
 public:

@@ -37,7 +37,7 @@ public:
   static int components() { return Dim == 2 ? 1 : Dim; }
   static char const* direction() { return Dim == 2 ? "along the tangent." : "along the axes."; }
 
-  // Of blocks (num_nodes, T); factor(node) multiplies them.
+  // blocks: (num_nodes, T) along the tangents; factor(node) multiplies the values of a node.
   template <class Factor>
   Values operator()(Values const& blocks, Factor const& factor) const
   {
@@ -133,7 +133,7 @@ void registerFaultFields(io::FieldRegistry& registry, Problem<Dim> const& proble
                                }});
 }
 
-// What does not change in time.
+// Fields that do not change in time.
 template <int Dim>
 void registerFaultConstants(io::FieldRegistry& registry, Problem<Dim> const& problem)
 {
@@ -155,7 +155,7 @@ void registerFaultConstants(io::FieldRegistry& registry, Problem<Dim> const& pro
       prescribed);
 }
 
-// theta, for state laws that say how it follows from alpha.
+// theta, for state laws that declare how it follows from alpha.
 template <int Dim>
 void registerTheta(io::FieldRegistry& registry, Problem<Dim> const& problem, RunView const& view,
                    ParameterList const& friction)
@@ -238,7 +238,7 @@ void registerScalars(io::FieldRegistry& registry, RunView const& view, int dimen
                          std::int64_t dynamics::SolveCount::*member) {
     add(name, "", meaning, [&view, member] { return static_cast<double>(view.count.*member); });
   };
-  add("fixed_point_iterations", "", "Of the step that was accepted.",
+  add("fixed_point_iterations", "", "Fixed-point iterations of the accepted step.",
       [&view] { return static_cast<double>(view.step.iterations); });
   add("error", "", "Estimated error of alpha over the fault, in the norm of the step control.",
       [&view] { return view.step.error; });
@@ -246,9 +246,10 @@ void registerScalars(io::FieldRegistry& registry, RunView const& view, int dimen
         &dynamics::SolveCount::coupled_steps);
   count("rate_problems", "Rate problems: one for each iteration of the fixed point.",
         &dynamics::SolveCount::rate_problems);
-  count("tnnmg_iterations", "Of all rate problems.", &dynamics::SolveCount::tnnmg_iterations);
-  count("corrections", "Linear corrections.", &dynamics::SolveCount::corrections);
-  count("correction_iterations", "Conjugate gradients in the corrections.",
+  count("tnnmg_iterations", "TNNMG iterations of all rate problems.",
+        &dynamics::SolveCount::tnnmg_iterations);
+  count("corrections", "Linear corrections of TNNMG.", &dynamics::SolveCount::corrections);
+  count("correction_iterations", "Iterations of conjugate gradients in the corrections.",
         &dynamics::SolveCount::correction_iterations);
   count("v_cycles", "Multigrid cycles.", &dynamics::SolveCount::v_cycles);
   count("energy_rises", "Sweeps and corrections of TNNMG in which J grew; must be 0.",
@@ -260,7 +261,7 @@ void registerScalars(io::FieldRegistry& registry, RunView const& view, int dimen
   }
 
   auto const energy = [&](char const* name, char const* meaning, double dynamics::Energy::*member) {
-    // Slip and moment are those of the whole fault.
+    // Slip and moment, in contrast, are those of the whole fault.
     auto const description = meaning + std::string(" With an antisymmetric fault: of the half "
                                                    "that is modelled.");
     registry.add(io::OutputScalar{name, dimension == 2 ? "J/m" : "J", description,
@@ -280,7 +281,7 @@ void registerScalars(io::FieldRegistry& registry, RunView const& view, int dimen
     &dynamics::Energy::viscous_work);
   energy("numerical_dissipation", "Energy dissipated by the time integrator since the start.",
          &dynamics::Energy::numerical_dissipation);
-  energy("energy_defect", "What is missing in the balance of energy since the start.",
+  energy("energy_defect", "Defect of the energy balance since the start.",
          &dynamics::Energy::defect);
 }
 } // namespace

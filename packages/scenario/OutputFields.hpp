@@ -19,9 +19,9 @@ struct RunView
 {
   dynamics::State const* state = nullptr;
   fem::FaultSurface const* surface = nullptr; // with the dofs of the state
-  // If the state is that of a condensed model: the way to that of the whole body.
+  // Computes the state of the whole body from that of a condensed model; null without condensation.
   dynamics::StaticCondensation const* condensation = nullptr;
-  std::shared_ptr<dynamics::RecoveryRows> recovery_rows; // of it, for receivers
+  std::shared_ptr<dynamics::RecoveryRows> recovery_rows; // of the condensation, for receivers
   dynamics::DyadicTime const* clock = nullptr;
   dynamics::EnergyBalance const* balance = nullptr;
   FloorCount const* floor_count = nullptr;

@@ -32,7 +32,7 @@ namespace asperity::scenario
 {
 namespace
 {
-// The mesh, and what is known at its nodes before anything moves.
+// The mesh with its unknowns, constraints and materials.
 template <int Dim>
 struct Discretisation
 {
@@ -46,7 +46,7 @@ struct Discretisation
   fem::NodalFrames const& frames() const { return constraints->frames(); }
 };
 
-// The same on all ranks.
+// Throws on all ranks or on none.
 template <int Dim>
 void requireGlobalIds(Mesh<Dim> const& mesh, int components)
 {
@@ -105,8 +105,8 @@ RCP<const CrsMatrix> dampedViscosity(Discretisation<Dim> const& of, RCP<const Cr
            : viscosity;
 }
 
-// Radiation damping acts on the whole slip rate, and the dampers of dampedViscosity know that of
-// the body alone.
+// Radiation damping acts on the whole slip rate; the dampers of dampedViscosity act only on the
+// part that is the motion of the body, so that the part of the plates becomes a load.
 RCP<const Vector> withRadiationOfPlates(RCP<const Vector> const& load,
                                         fem::FaultSurface const& surface,
                                         std::vector<double> const& eta)
@@ -146,7 +146,7 @@ void requireNoFreeMotion(Discretisation<Dim> const& of, dynamics::Body const& bo
                        "direction, with a Velocity of 0 if it is to rest.");
 }
 
-// Where the body starts, and how its foundation presses on it there.
+// The displacement at the start, and the pressure of the foundation in it.
 struct StaticStart
 {
   RCP<Vector> displacement;
@@ -162,10 +162,10 @@ StaticStart staticStart(ParameterList const& deck, Discretisation<Dim> const& of
   const bool stress_given = isGiven(friction, "Normal Stress");
   ASPERITY_REQUIRE(stress_given || of.dofs->components() == Dim,
                    "Asperity / Friction / Normal Stress is missing: an antiplane model has no "
-                   "normal stress of its own.");
+                   "normal stress of its own. Give it.");
   ASPERITY_REQUIRE(stress_given || !surface.otherSide().is_mirrored,
                    "Asperity / Friction / Normal Stress is missing: on an antisymmetric fault it "
-                   "is that of the undisturbed state, which only the deck knows.");
+                   "does not follow from the static solution. Give that of the undisturbed state.");
   const bool follows = normalStressChange(friction) != dynamics::NormalStressChange::fixed;
   ASPERITY_REQUIRE(!follows || of.dofs->components() == Dim,
                    "Asperity / Friction / Normal Stress Change = "
@@ -179,8 +179,8 @@ StaticStart staticStart(ParameterList const& deck, Discretisation<Dim> const& of
   const bool start_static = startsStatic(deck.sublist("Initial State"));
   const bool has_gravity = gravity.normInf() > 0;
   ASPERITY_REQUIRE(stress_given || has_gravity,
-                   "Asperity / Friction / Normal Stress is missing, and without gravity there is "
-                   "no normal stress either. Give one of the two.");
+                   "Asperity / Friction / Normal Stress is missing, and without gravity it cannot "
+                   "follow from the static solution. Give one of the two.");
   StaticStart start{body.vector(), {}};
   if (!has_gravity || (stress_given && !start_static)) {
     return start;
@@ -229,7 +229,7 @@ dynamics::BesideFault valuesBeside(std::vector<fem::Material> const& materials,
           components == 1};
 }
 
-// What the body presses on its fault with, now that it is known how it starts.
+// The reaction of the body across its fault, and its value in the initial state.
 template <int Dim>
 dynamics::ReactionSinceStart
 reactionSinceStart(Discretisation<Dim> const& of, dynamics::Body const& body,

@@ -28,7 +28,7 @@ struct Problem : dynamics::Model
   std::vector<fem::Material> fault_materials; // (num fault nodes) of the body beside the fault
   dynamics::RateSolverSettings solver;
   std::vector<std::string> remarks; // for the user, in the log
-  std::vector<Warning> warnings;    // of what has been found while this was made
+  std::vector<Warning> warnings;    // found while the problem was made
 };
 
 // `deck` must be complete. Collective.

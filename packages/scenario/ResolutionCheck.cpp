@@ -22,19 +22,18 @@ namespace asperity::scenario
 {
 namespace
 {
-constexpr double enough_cells = 3; // per cohesive zone
-// With more of them the shape of cells is of no consequence; that of squares, and of good ones.
-constexpr double cells_of_any_shape = 8;
-constexpr double high_cell = 0.9;
+constexpr double enough_cells = 3;       // per cohesive zone
+constexpr double cells_of_any_shape = 8; // per cohesive zone: with more, their height is harmless
+constexpr double high_cell = 0.9;        // height over length; it is 1 for squares and cubes
 
-// Estimates: three digits.
+// Three digits, as these are estimates.
 std::string rounded(double value)
 {
   const double unit = std::pow(10, std::floor(std::log10(value)) - 2);
   return formatShort(std::round(value / unit) * unit);
 }
 
-// Peak of this rank so far.
+// Peak memory of this rank so far.
 double peakBytes()
 {
   rusage usage{};
@@ -64,10 +63,12 @@ CellCount countCells(Mesh<Dim> const& mesh, Communicator const& communicator)
           maxOverRanks(largest, communicator)};
 }
 
-// With three step sizes on large models, and on small ones (log/performance.md).
+// Memory of multigrid per unknown, with solvers for three step sizes: on large models, and on
+// small ones (log/performance.md).
 constexpr double multigrid_bytes[] = {4.3e3, 6.7e3};
 
-// [s] for one product of the stiffness matrix with a vector, the shortest of a few.
+// [s] for one product of the stiffness matrix with a vector: the shortest of a few, which other
+// work on the machine disturbs least.
 double secondsOfProduct(dynamics::Body const& body)
 {
   auto const x = body.vector(), y = body.vector();
@@ -82,7 +83,8 @@ double secondsOfProduct(dynamics::Body const& body)
   return shortest;
 }
 
-// Products that a coupled step takes (log/performance.md).
+// The time of a coupled step in products of the stiffness matrix: least and most
+// (log/performance.md).
 constexpr double multigrid_products[] = {40, 130};
 constexpr double direct_products = 45;
 
@@ -91,15 +93,15 @@ std::string describeCost(Problem<Dim> const& problem)
 {
   const double product = maxOverRanks(secondsOfProduct(problem.body), *problem.communicator);
   const bool is_direct = problem.solver.correction == dynamics::Correction::direct;
-  return "Cost: a product of the stiffness matrix takes " + formatDuration(product) +
-         " here; a coupled step has taken " +
-         (is_direct ? "about 45 of them, here " + formatDuration(direct_products * product) +
-                        ", and less with static condensation"
-                    : "40 to 130 of them, here " + formatDuration(multigrid_products[0] * product) +
-                        " to " + formatDuration(multigrid_products[1] * product)) +
-         "; an accepted step takes one and a half. asperity-status says how long the rest takes "
-         "once "
-         "a cycle has passed.";
+  return "Cost: a product of the stiffness matrix with a vector takes " + formatDuration(product) +
+         " here. A coupled step usually takes the time of " +
+         (is_direct
+            ? "about 45 products, here " + formatDuration(direct_products * product) +
+                ", and less with static condensation"
+            : "40 to 130 products, here " + formatDuration(multigrid_products[0] * product) +
+                " to " + formatDuration(multigrid_products[1] * product)) +
+         "; an accepted step needs about 1.5 coupled steps. asperity-status estimates the time "
+         "left once a cycle has passed.";
 }
 } // namespace
 
@@ -120,8 +122,8 @@ std::vector<std::string> describeSize(Problem<Dim> const& problem)
   if (problem.solver.correction == dynamics::Correction::direct) {
     memory << "the factors of the direct correction add to it.";
   } else {
-    memory << "multigrid has taken " << rounded(multigrid_bytes[0] / 1e3) << " to "
-           << rounded(multigrid_bytes[1] / 1e3) << " kB an unknown, here "
+    memory << "multigrid usually takes " << rounded(multigrid_bytes[0] / 1e3) << " to "
+           << rounded(multigrid_bytes[1] / 1e3) << " kB per unknown, here "
            << rounded(multigrid_bytes[0] * unknowns / 1e6) << " to "
            << rounded(multigrid_bytes[1] * unknowns / 1e6) << " MB.";
   }
@@ -174,19 +176,22 @@ std::vector<std::string> describe(dynamics::FaultResolution const& resolution,
       rounded(r.cells_per_zone) + " cells.",
     state_law == friction::AgeingLaw::name
       ? "Nucleation length >= " + rounded(r.nucleation_length) +
-          " m (ageing law on an endless fault, Rubin & Ampuero 2005): an estimate, zones a little "
-          "shorter may rupture, too."
+          " m (ageing law on an endless fault, Rubin & Ampuero 2005). This is an estimate: "
+          "slightly shorter zones may rupture, too."
       : "Disturbances of steady slip grow if they are longer than " +
           rounded(r.unstable_wavelength) +
-          " m (linear stability, any law); for the nucleation length of '" + state_law +
-          "' there is no formula here."};
+          " m (linear stability, any law); there is no formula for the nucleation length of the "
+          "state law '" +
+          state_law + "'."};
   if (r.cells_per_zone < cells_of_any_shape && r.cell_height > high_cell) {
-    lines.push_back("Cells beside the fault are up to " + rounded(r.cell_height) +
-                    " times as high as they are long. Lower ones resolve ruptures better with the "
-                    "same nodes on the fault: 0.58 times antiplane, about half otherwise." +
-                    (mesh_type == "Rectangle" || mesh_type == "Box"
-                       ? " The first cells of a " + mesh_type + " give their proportions to all."
-                       : ""));
+    lines.push_back(
+      "Cells beside the fault are up to " + rounded(r.cell_height) +
+      " times as high as they are long. Lower cells resolve ruptures better with the "
+      "same nodes on the fault: 0.58 times as high as long in antiplane models, "
+      "about half as high as long in others." +
+      (mesh_type == "Rectangle" || mesh_type == "Box"
+         ? " The first cells of a " + mesh_type + " give all its cells their proportions."
+         : ""));
   }
   return lines;
 }
@@ -203,15 +208,16 @@ std::vector<Warning> warnOfResolution(dynamics::FaultResolution const& resolutio
   }
   const bool has_formula = state_law == friction::AgeingLaw::name;
   const double needed = has_formula ? resolution.nucleation_length : resolution.unstable_wavelength;
-  // It is of an endless fault; a part that ends at a free surface is half of a longer one.
+  // The length is that of an endless fault. A part of length l that ends at a free surface acts as
+  // one of length 2 l, hence the factor.
   if (!resolution.weakens_everywhere && needed > 2 * resolution.weakening_length) {
     warnings.push_back(
       {"nucleation length",
        std::string(has_formula ? "the nucleation length" : "the shortest length that is unstable") +
          ", " + rounded(needed) + " m, is more than twice the part of the fault that weakens, " +
          rounded(resolution.weakening_length) +
-         " m: it is likely to creep without earthquakes. Check L, a, b, Normal Stress and "
-         "moduli."});
+         " m: this part is likely to creep without earthquakes. Check L, a, b, Normal Stress "
+         "and moduli."});
   }
   return warnings;
 }
@@ -243,9 +249,9 @@ double smallestStep(Problem<Dim> const& problem, ParameterList const& deck)
   }
   const auto resolution = faultResolution(problem, deck.sublist("Friction"));
   ASPERITY_REQUIRE(resolution, time_path << " / " << step_name
-                                         << " is missing. It has a default only where friction "
-                                            "weakens, and its laws say what a, b and L are. Give "
-                                            "a step that resolves the fastest slip.");
+                                         << " is missing. It has a default only if friction "
+                                            "weakens somewhere and its laws declare a, b and L. "
+                                            "Give a step that resolves the fastest slip.");
   return defaultStep(*resolution, deck);
 }
 

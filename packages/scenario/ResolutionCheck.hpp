@@ -11,23 +11,23 @@
 namespace asperity::scenario
 {
 // How well the mesh resolves ruptures, with the initial normal stress. Empty if friction weakens
-// nowhere, or if the laws do not say what a, b and L are. Collective.
+// nowhere, or if the laws do not declare a, b and L. Collective.
 template <int Dim>
 std::optional<dynamics::FaultResolution> faultResolution(Problem<Dim> const& problem,
                                                          ParameterList const& friction);
 
-// Lines about size: cells, vertices and unknowns, the true diameters of cells, the memory that the
-// model takes as built and what is known of the solver's, and what a step will cost, from the
-// product of the stiffness matrix with a vector, timed here. Collective.
+// Lines about size: cells, vertices and unknowns; the diameters of cells as they are; the memory of
+// the model as built, and an estimate of that of the solver; and an estimate of the time of a step,
+// from the product of the stiffness matrix with a vector, which is timed here. Collective.
 template <int Dim>
 std::vector<std::string> describeSize(Problem<Dim> const& problem);
 
-// Lines for the log. The nucleation length is known for the ageing law; of other laws the lines
-// have the shortest wavelength that grows. mesh_type: `Mesh / Type`.
+// Lines for the log. For the ageing law they have the nucleation length, for other laws the
+// shortest wavelength that grows. mesh_type: `Mesh / Type`.
 std::vector<std::string> describe(dynamics::FaultResolution const& resolution,
                                   std::string const& state_law, std::string const& mesh_type);
-// Of fewer than three cells per cohesive zone, and of a part that weakens, beside others that do
-// not, which is less than half as long as the nucleation length.
+// Warns if there are fewer than three cells per cohesive zone, and if only a part of the fault
+// weakens and is less than half as long as the nucleation length.
 std::vector<Warning> warnOfResolution(dynamics::FaultResolution const& resolution,
                                       std::string const& state_law);
 

@@ -93,8 +93,8 @@ dynamics::State StateFormat::load(io::Archive const& archive, std::string const&
     const auto level = static_cast<int>(archive.getInteger("finest_level"));
     const auto time = clock_.fromLevel(state.time, level);
     ASPERITY_REQUIRE(time, "The checkpoint is of a time between two steps of the smallest size. "
-                           "Choose a smaller 'Time Stepping / Smallest Step', or go on with "
-                           "--restart-from.");
+                           "Choose a smaller 'Time Stepping / Smallest Step', or begin a new run "
+                           "from its state with --restart-from.");
     state.time = *time;
   }
   if (condensation_ == nullptr) {

@@ -7,13 +7,13 @@
 
 namespace asperity::scenario
 {
-// The sets of nodes whose values states have: the owned vertices, and the nodes of the fault.
+// The sets of nodes at which states have values: the owned vertices, and the nodes of the fault.
 constexpr char const* nodes_of_body = "vertices";
 constexpr char const* nodes_of_friction = "friction";
 
-// How states stand in a checkpoint: as those of the whole body, even where the run is condensed to
-// its fault, since only a single rank condenses and a restart may have others. What is condensed
-// comes back bit for bit.
+// Writes states to a checkpoint and reads them. They are stored as states of the whole body even
+// where the run is condensed to its fault: only runs on one rank condense, and a restart may have
+// more ranks. A condensed run gets its state back bit for bit.
 class StateFormat
 {
 public:

@@ -14,7 +14,8 @@ namespace asperity::scenario
 {
 namespace
 {
-// Of a generated wedge: what its cell size means, and a warning if gravity is not vertical.
+// For a generated wedge: what its cell size means, and a warning if gravity is not perpendicular to
+// the surface.
 void describeWedge(ParameterList const& deck, Description& description)
 {
   auto const& mesh = deck.sublist("Mesh");
@@ -25,8 +26,8 @@ void describeWedge(ParameterList const& deck, Description& description)
   auto const& wedge = mesh.sublist(type);
   description.lines.push_back(
     "Cell Size = " + formatShort(wedge.get<double>("Cell Size")) +
-    " m is the most that cells at the seismogenic zone have; they are bisected until they have no "
-    "more, and so may have half of it.");
+    " m is the largest diameter of cells at the seismogenic zone. They are bisected until none is "
+    "larger, so that some may be half as large.");
   auto const& bulk = deck.sublist("Bulk");
   const double slope = wedge.get<double>("Height") / wedge.get<double>("Length");
   auto const down = bulk.get<Teuchos::Array<double>>("Gravity Direction");
@@ -95,7 +96,8 @@ namespace
 {
 void writeBalance(std::ostream& text, dynamics::Energy const& energy, char const* unit)
 {
-  // By definition of the defect, which counts from the start of the run also after a restart.
+  // This is how the defect is defined. All terms count from the start of the run, also after a
+  // restart.
   const double change = energy.boundary_work + energy.load_work - energy.friction_work -
                         energy.viscous_work - energy.numerical_dissipation + energy.defect;
   text << "Energy [" << unit << "]: work of boundaries " << formatShort(energy.boundary_work)
@@ -103,11 +105,11 @@ void writeBalance(std::ostream& text, dynamics::Energy const& energy, char const
        << formatShort(energy.friction_work) << ", viscosity " << formatShort(energy.viscous_work)
        << " and the time stepping " << formatShort(energy.numerical_dissipation)
        << "; change of kinetic and elastic energy " << formatShort(change)
-       << ", more by the defect of " << formatShort(energy.defect);
+       << ", which includes a defect of the balance of " << formatShort(energy.defect);
   if (energy.friction_work > std::abs(energy.defect)) {
     text << " (" << formatShort(energy.defect / energy.friction_work) << " of the friction work)";
   }
-  text << " than these add up to.";
+  text << ".";
 }
 } // namespace
 

@@ -12,8 +12,8 @@
 
 namespace asperity::scenario
 {
-// What the program runs on, what the run is going to compute, how well the mesh resolves it: lines
-// for the log, and what is wrong with it. Collective.
+// Lines for the log about the machine, the model and how well the mesh resolves it, and warnings.
+// Collective.
 struct Description
 {
   std::vector<std::string> lines;

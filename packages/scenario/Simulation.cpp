@@ -78,7 +78,7 @@ private:
   std::unique_ptr<io::RunJournal> journal_;
   Evolution<Dim> evolution_;
   dynamics::StallWatch stall_watch_;
-  bool step_is_complete_ = false; // energy and outputs know of it
+  bool step_is_complete_ = false; // counted in the energy balance and written to the outputs
   std::map<std::string, io::OutputDomain> domains_;
   io::FieldRegistry registry_;
   std::unique_ptr<io::OutputSet> outputs_;
@@ -130,9 +130,9 @@ SimulationOf<Dim>::SimulationOf(RCP<ParameterList> const& deck, CommandLine cons
   if (command_line.validate) {
     return;
   }
-  // A checkpoint of another deck is refused before the first file is touched. Outputs that cannot
-  // be continued are refused before the log and the parameters are: other tables may have been cut
-  // back to the checkpoint then, as by any restart from it.
+  // A checkpoint of another deck is refused before any file is touched. Outputs that cannot be
+  // continued are refused before the log and the parameters are touched; other tables may have been
+  // cut back to the checkpoint by then, as any restart does.
   if (!restart_.empty()) {
     checkpoint_ = io::readCheckpoint(restart_, fingerprint_, *communicator,
                                      nodeSets(evolution_.problem(), domains_));
@@ -165,11 +165,11 @@ int SimulationOf<Dim>::run()
     warn(warning);
   }
   if (const int eliminated = evolution_.numEliminated()) {
-    log_->message("The body is in equilibrium at all times: it is condensed to its fault, which "
+    log_->message("The body is in equilibrium at all times. It is condensed to its fault, which "
                   "eliminates " +
                   std::to_string(eliminated) + " of " +
                   std::to_string(evolution_.problem().body.numOwnedDofs()) +
-                  " unknowns for all steps.");
+                  " unknowns once for all steps.");
   } else if (const auto hint = hintOnDirect(deck_->sublist("TNNMG"), Dim,
                                             evolution_.problem().mesh.num_global_vertices *
                                               evolution_.problem().components);
@@ -181,7 +181,8 @@ int SimulationOf<Dim>::run()
     step_is_complete_ = true;
     return makeSteps(signals);
   } catch (OutputError const& error) {
-    // What is half written is not written again: the checkpoint before is the last complete state.
+    // No checkpoint is written here: the files of the run are incomplete, and the last checkpoint
+    // belongs to the last complete state.
     log_->note(std::string("The run has ended: ") + error.what());
     journal_->end("failed", exitStatus(error), error.what());
     throw;
@@ -214,7 +215,8 @@ int SimulationOf<Dim>::makeSteps(StopSignals const& signals)
     }
   }
   if (!evolution_.atEnd()) {
-    log_->message("The run ends before its final time: it has 'Event Catalogue / Most Events'.");
+    log_->message("The run ends before its final time: it has as many events as "
+                  "'Event Catalogue / Most Events' allows.");
   }
   writeCheckpoint();
   outputs_->finish();
@@ -239,8 +241,8 @@ void SimulationOf<Dim>::warnOfEvolution()
   }
 }
 
-// A rank that fails alone leaves the others in the middle of something collective, and a checkpoint
-// is that, too.
+// If a single rank fails, the others wait in a collective operation. A checkpoint is collective,
+// too, and is written only if all ranks come here.
 template <int Dim>
 void SimulationOf<Dim>::endEarly(std::exception const& error)
 {
@@ -251,8 +253,8 @@ void SimulationOf<Dim>::endEarly(std::exception const& error)
   journal_->end("failed", exitStatus(error), error.what());
 }
 
-// What fails here must not hide why the run ends. Where a step has been made but not written, the
-// checkpoint before it is the last complete state.
+// An error in here must not hide the reason why the run ends. If a step has been made but not
+// written, the last checkpoint stays: it has the last complete state.
 template <int Dim>
 void SimulationOf<Dim>::saveWhatThereIs()
 {
@@ -288,8 +290,8 @@ void SimulationOf<Dim>::begin()
   warnOfEvolution();
   if (evolution_.atEnd()) {
     log_->message("The final time, " + formatShort(evolution_.finalTime()) +
-                  " s, has passed: there is nothing to do. A later 'Time Stepping / Final Time' "
-                  "goes on.");
+                  " s, has passed: there is nothing to do. Give a later 'Time Stepping / "
+                  "Final Time' to go on.");
   }
   if (auto const& rows = evolution_.view().recovery_rows; rows && !rows->report().empty()) {
     log_->message(rows->report());
@@ -338,20 +340,20 @@ void SimulationOf<Dim>::requireDirectory() const
   onRoot(*communicator_, [&] {
     if (!std::filesystem::is_directory(directory_)) {
       throw OutputError("The output directory " + directory_.string() +
-                        " has been removed while the run was writing to it. What it held is lost: "
-                        "begin anew.");
+                        " has been removed while the run was writing to it. Its results are lost: "
+                        "begin a new run.");
     }
   });
 }
 
-// A law of the same name with another formula would go on with the state of the first.
+// A law with the same name but another formula would continue the state of the earlier law.
 template <int Dim>
 void SimulationOf<Dim>::requireSamePlugins() const
 {
   ASPERITY_REQUIRE(
     restart_.empty() || checkpoint_.get<std::string>("plugins") == plugins_,
-    restart_ << " was written with other plugin libraries (--plugin), or with others "
-                "of the same names: their content differs. Restart with those, or "
+    restart_ << " was written with other plugin libraries (--plugin), or with libraries "
+                "of the same names and other content. Restart with the same libraries, or "
                 "begin a new run from its state with --restart-from.");
 }
 
@@ -385,7 +387,7 @@ void SimulationOf<Dim>::report(bool finished)
   log_->message(summarise(summary, outputs_->report()));
   if (auto const& topics = journal_->topics(); !topics.empty()) {
     log_->message(
-      "\nThe results may be wrong: warnings stand above and in asperity-status, about " +
+      "\nThe results may be wrong. There are warnings, above and in asperity-status, about " +
       quotedNames({topics.begin(), topics.end()}) + ".");
   }
   log_->message('\n' + tableOfWork(*communicator_));
@@ -395,7 +397,7 @@ std::unique_ptr<Simulation> makeSimulation(RCP<ParameterList> const& deck,
                                            CommandLine const& command_line,
                                            RCP<const Communicator> const& communicator)
 {
-  // Nothing has been computed yet: what cannot be solved here is what the deck asks for.
+  // A problem that cannot be solved before the first step is an error of the deck.
   try {
     if (meshDimension(deck->sublist("Mesh"), *communicator) == 3) {
       return std::make_unique<SimulationOf<3>>(deck, command_line, communicator);

@@ -21,8 +21,7 @@ public:
   // state is on disk then.
   virtual int run() = 0;
 
-  // What the program runs on, what the run is going to compute, how large it is and how well the
-  // mesh resolves it: the first lines of the log. Collective.
+  // The first lines of the log, see RunReport.hpp. Collective.
   virtual Description description() const = 0;
 };
 

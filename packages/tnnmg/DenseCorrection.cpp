@@ -12,7 +12,7 @@ namespace asperity::tnnmg
 {
 namespace
 {
-// Tolerances from this one on are for single precision, which takes half the time.
+// Tolerances of at least this value allow single precision, which is faster.
 constexpr double loosest_for_double = 1e-4;
 
 Eigen::MatrixXd denseCopyOf(CrsMatrix const& Z)
@@ -62,7 +62,7 @@ void DenseCorrection::applyMatrix(CrsMatrix const&, Vector const& x, Vector& y) 
   auto const& Z = implementation_->Z;
   auto const from = x.getLocalViewHost(Tpetra::Access::ReadOnly);
   auto const to = y.getLocalViewHost(Tpetra::Access::OverwriteAll);
-  // Symmetry halves what is read.
+  // Only one triangle is read, since Z is symmetric.
   Eigen::Map<Eigen::VectorXd>(to.data(), Z.rows()).noalias() =
     Z.selfadjointView<Eigen::Lower>() * Eigen::Map<const Eigen::VectorXd>(from.data(), Z.rows());
 }

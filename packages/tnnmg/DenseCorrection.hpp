@@ -11,8 +11,8 @@ namespace asperity::tnnmg
 // or a factor is cheap, a dense Cholesky factorisation of Z + H, kept until reset(). While the
 // factor is kept, it preconditions conjugate gradients for later Hessians; it is made anew when
 // they need too many iterations.
-// In single precision, if the tolerance allows and the residual says that it suffices; otherwise in
-// double.
+// It works in single precision if the tolerance allows that and the residual confirms the result,
+// otherwise in double precision.
 class DenseCorrection final : public LinearCorrection
 {
 public:

@@ -9,7 +9,7 @@ namespace
 {
 using Pattern = EliminationOrder::Pattern;
 
-// number[row] of the rows that are not last, ascending, and -1.
+// Numbers the rows that are not last, in ascending order; the number of the others is -1.
 std::vector<int> numbersOfFirst(int size, std::vector<int> const& last)
 {
   std::vector<int> numbers(size, 0);

@@ -32,7 +32,7 @@ void unpack(NodeView const& from, IndexView const& places, Values const& to)
     KOKKOS_LAMBDA(int i) { to(places(i), 0) = from(i); });
 }
 
-// Several ranks may have a ghost of a place.
+// Several ranks may have a ghost of the same place, so that places may repeat.
 template <class Values>
 void subtract(NodeView const& from, IndexView const& places, Values const& to)
 {
@@ -41,7 +41,7 @@ void subtract(NodeView const& from, IndexView const& places, Values const& to)
     KOKKOS_LAMBDA(int i) { Kokkos::atomic_add(&to(places(i), 0), -from(i)); });
 }
 
-// Values on the device to the host, over the ranks, and back.
+// Copies values to the host, exchanges them between the ranks, and copies the result back.
 template <class Exchange>
 void overHost(NodeView const& from, NodeView const& to, Exchange const& exchange)
 {

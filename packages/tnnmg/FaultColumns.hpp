@@ -10,19 +10,19 @@
 
 namespace asperity::tnnmg
 {
-// What ranks send each other of vectors on Z's column map while the nonlinear nodes are smoothed:
-// the ghosts that the rows of these nodes touch, and of these one colour at a time. Nothing on one
-// rank.
+// Exchanges between ranks what smoothing of the nonlinear nodes needs of vectors on Z's column map:
+// the ghosts that the rows of these nodes touch, all of them or those of one colour. It does
+// nothing on one rank.
 class FaultColumns
 {
 public:
   FaultColumns(CrsMatrix const& Z, NonlinearNodes const& nodes); // collective
 
-  // Owned values to the ghosts that the nonlinear nodes' rows touch: all, or those of the nodes of
-  // one colour.
+  // Sends owned values to the ghosts that the nonlinear nodes' rows touch: all, or those of the
+  // nodes of one colour.
   void share(Vector& columns) const;
   void shareColour(std::size_t colour, Vector& columns) const;
-  // r -= what ghosts have, for the owners of the ghosts.
+  // Subtracts the values of the ghosts from r on the ranks that own them.
   void subtractGhosts(Vector const& columns, Vector& r) const;
 
 private:

@@ -23,9 +23,9 @@ void modelResidual(LocalMatrix const& matrix, NonlinearNodes const& nodes, Index
                    ConstNodeView const& curvature, Vector const& b, Vector const& v_columns,
                    BlockView const& residual);
 
-// r -= Z d for a d that is zero but at the nonlinear nodes, d(num_nodes, T). Z is symmetric, so
-// that the rows of these nodes serve as their columns: much less work than a product, unless these
-// nodes are all there is. columns is work space on Z's column map. Collective.
+// r -= Z d for a d that is zero except at the nonlinear nodes, d(num_nodes, T). Z is symmetric, so
+// that the rows of these nodes serve as their columns: much less work than a product with Z, unless
+// most nodes are nonlinear. columns is work space on Z's column map. Collective.
 void subtractColumns(CrsMatrix const& Z, NonlinearNodes const& nodes, FaultColumns const& exchange,
                      ConstBlockView const& d, Vector& columns, Vector& r);
 

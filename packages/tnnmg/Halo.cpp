@@ -48,7 +48,7 @@ Halo::Halo(Map const& owned, std::vector<GlobalOrdinal> const& ghosts)
   owned.getRemoteIndexList(Teuchos::arrayViewFromVector(ghosts),
                            Teuchos::arrayViewFromVector(owners));
   for (std::size_t i = 0; i < owners.size(); ++i) {
-    ASPERITY_REQUIRE(owners[i] >= 0, "No rank owns the number " << ghosts[i] << " of a halo.");
+    ASPERITY_REQUIRE(owners[i] >= 0, "No rank owns the id " << ghosts[i] << " of a halo.");
   }
   received_.resize(ghosts.size());
   std::iota(received_.begin(), received_.end(), 0);

@@ -6,24 +6,25 @@
 
 namespace asperity::tnnmg
 {
-// Which of this rank's numbers other ranks have copies of (ghosts), and which copies it has of
-// theirs; made once, to send nothing but values later: one message to each neighbour. Nothing is
-// sent on one rank. Values are packed by the caller, in the order of `sent` and `received`.
+// Which of this rank's values other ranks have copies of (ghosts), and which copies this rank has
+// of theirs. It is made once; afterwards only values are sent, in one message to each neighbour,
+// and nothing on one rank. The caller packs the values in the order of `sent` and `received`.
 class Halo
 {
 public:
   Halo() = default;
-  // ghosts: ids that other ranks own. InputError if nobody owns one. Collective.
+  // ghosts: ids that other ranks own. InputError if no rank owns one. Collective.
   Halo(Map const& owned, std::vector<GlobalOrdinal> const& ghosts);
 
-  // Only what the flags name: for each owned number, or for each ghost, 0 or 1. Collective.
+  // The part of the halo that the flags name: for each owned number, or for each ghost, 0 or 1.
+  // Collective.
   Halo withOwned(std::vector<char> const& is_taken) const;
   Halo withGhosts(std::vector<char> const& is_taken) const;
 
   std::vector<int> const& sent() const { return sent_; }         // local indices in `owned`
   std::vector<int> const& received() const { return received_; } // places in `ghosts`
 
-  // The values of `sent` to the copies in `received`, and back. T is char, float or double.
+  // Sends the values of `sent` to the copies in `received`, and back. T is char, float or double.
   template <class T>
   void share(T const* sent, T* received) const;
   template <class T>

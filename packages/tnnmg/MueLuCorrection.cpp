@@ -33,8 +33,8 @@ RCP<const MultiVector> withTraceAt(MultiVector const& vectors, IndexView const& 
   return result;
 }
 
-// Steepest descent with the preconditioner's direction: the energy goes down with every cycle, even
-// where the bare cycle would overshoot.
+// Steepest descent with the preconditioner's direction: the energy decreases in every cycle, even
+// where a step of length one would overshoot.
 detail::IterationResult descend(detail::Operator const& A, detail::Operator const& B,
                                 Vector const& r, double relative_tolerance, int num_cycles,
                                 Vector& c)
@@ -74,9 +74,9 @@ struct MueLuCorrection::Implementation
   {
     Teuchos::TimeMonitor const timed(setup_timer);
     preconditioner = rcp(new detail::MultigridPreconditioner(family, weights, problem.Z, nodes));
-    // Rounding to single precision counts against an energy that is smaller than the square of a
-    // random vector by the square root of Z's condition; a defect, as of a direct solver, is of
-    // order one.
+    // The asymmetry is relative to the energy of pseudorandom vectors. Since this energy is small
+    // compared with their squares, by the square root of Z's condition number, rounding to single
+    // precision shows. A defect, for example of a direct solver, gives an asymmetry of order one.
     detail::requireSymmetric(*preconditioner, *nodes, 1e-3);
   }
 

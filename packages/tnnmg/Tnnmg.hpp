@@ -185,7 +185,8 @@ bool Tnnmg<NodalProblem>::searchAlong(NodalProblem const& problem, Vector const&
 {
   ASPERITY_TIME_WORK("line searches");
   gather(nodes_, *vectors_.c, blocks_.d);
-  // All that a step of one needs, which is most often the answer, is summed over the ranks at once.
+  // All that a step of one needs, which is the most frequent result, is summed over the ranks at
+  // once.
   auto const of_correction = vectors_.derivativeAlongCorrection(*Z_);
   auto const of_step = vectors_.nonlinearChange(problem, blocks_, 1);
   auto const& communicator = *Z_->getComm();

@@ -13,9 +13,8 @@ struct TnnmgSettings
   double relative_tolerance = 1e-10; // of the last change, relative to the norm of v
   int max_iterations = 50;
   int sweeps = 1; // of Gauss-Seidel in each iteration
-  // Relative residual of the linear correction. In 3D with 1e-3 the same number of
-  // iterations needs a quarter more V-cycles in large steps and half more in small ones; with 0.1
-  // more iterations are needed.
+  // Relative residual of the linear correction. A smaller one costs V-cycles but saves no
+  // iterations; a larger one costs iterations.
   double correction_tolerance = 1e-2;
   double stiff = 1e6; // a node whose Hessian exceeds this multiple of its curvature is truncated
 

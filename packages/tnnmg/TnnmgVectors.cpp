@@ -13,9 +13,9 @@ namespace
 {
 using Policy = Kokkos::RangePolicy<ExecutionSpace>;
 
-// The magnitude of what nearly cancels in a row of Z v - b = -r: b and Z v = b - r, and the terms
-// of Z v, of which a motion of a node with its neighbours leaves little. They come in pairs as
-// large as that of the diagonal entry Z_ii.
+// The sum of the magnitudes of the terms that nearly cancel in a row of Z v - b = -r: b itself, Z v
+// = b - r, and the terms of Z v. The last ones cancel where a node moves with its neighbours;
+// together they are about twice as large as the term of the diagonal entry Z_ii.
 KOKKOS_INLINE_FUNCTION
 double magnitudeOfTerms(double b, double r, double Z_ii, double v)
 {

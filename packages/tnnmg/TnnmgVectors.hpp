@@ -45,9 +45,9 @@ struct TnnmgVectors
 
   void start(CrsMatrix const& Z, Vector const& b, Vector const& guess);
   void beginIteration();
-  // Brings the residual r up to date, unless sweeps do, after they have changed v by blocks.d.
-  // Returns 1 if J rose, else 0. nonlinear_change and magnitude: this rank's part of the change of
-  // psi. Collective.
+  // Updates the residual r after the sweeps have changed v by blocks.d, unless the sweeps do so
+  // themselves. Returns 1 if J rose, else 0. nonlinear_change and magnitude: this rank's part of
+  // the change of psi. Collective.
   int finishSweeps(CrsMatrix const& Z, NonlinearNodes const& nodes, TnnmgBlocks const& blocks,
                    Vector const& b, double nonlinear_change, double magnitude);
   // newton_residual = b - Z v - gradient, zero in the held components of nonlinear nodes

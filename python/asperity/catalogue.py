@@ -1,4 +1,4 @@
-"""The events of a run: where their places count from, and which of them count."""
+"""The events of a run: the origin of their positions, and which of them count."""
 
 from typing import Optional
 
@@ -46,17 +46,17 @@ def with_origin(table: Table, geometry: Optional[H5File]) -> Table:
 
 
 def select(table: Table, selection: Selection) -> Table:
-    """The events that count. What is merged has the first onset, place and number, the last end, a
-    sum of moments and energies, and the largest of its parts' sizes, slips and rates, below which
-    those of the whole do not lie."""
+    """The events that count. A merged event has the first onset, place and number, the last end,
+    the sums of moments and energies, and the largest size, slip and rate of its parts, which are
+    lower bounds for those of the whole."""
     if selection.merging_time > 0.0 and len(table):
         table = _merged(table, selection.merging_time)
     if selection.smallest_width > 0.0:
         table = table.select(table["width"] >= selection.smallest_width)
     if selection.smallest_magnitude is not None:
         if "magnitude" not in table:
-            raise InputError(f"{table.path} has no magnitudes, as in two dimensions: choose events "
-                             "by a smallest width.")
+            raise InputError(f"{table.path} has no magnitudes, since the run is two-dimensional. "
+                             "Choose events by a smallest width.")
         table = table.select(table["magnitude"] >= selection.smallest_magnitude)
     return table
 

@@ -1,4 +1,4 @@
-"""Times as people write them: 5yr, 36h, 20ms, or seconds without a unit.
+"""Times with a unit, such as 5yr, 36h, 20ms, or in seconds without one.
 
 A year has 365.25 days, 3.15576e7 s, as in the descriptions of the SEAS benchmarks.
 """

@@ -1,9 +1,10 @@
-"""When a run ends: from what past cycles cost in wall time, as the program itself estimates it.
+"""Estimates when a run ends, from the wall time of past cycles, as the program itself does.
 
-Between earthquakes a run may be a thousand times faster than in them, so that no speed of the last
-minutes tells the end. Once a whole cycle is known, from one event to the next, the rest is taken to
-cost what past cycles did (packages/io/files/TimeLeft.hpp does the same); an aftershock begins no
-cycle. Before, the speed of the last minutes is all there is, and whoever shows it should say so.
+Between earthquakes a run may be a thousand times faster than in them, so that the speed of the last
+minutes does not tell the end. Once a whole cycle is known, from one event to the next, the rest is
+assumed to cost the same as past cycles (packages/io/files/TimeLeft.hpp does the same); an
+aftershock begins no cycle. Before that, the estimate uses the speed of the last minutes, and a text
+with it should say so.
 """
 
 from dataclasses import dataclass
@@ -45,10 +46,10 @@ def time_left(run: Run, log: RunLog) -> Optional[TimeLeft]:
 
 
 def moments(run: Run, log: RunLog) -> Tuple[np.ndarray, np.ndarray]:
-    """Simulated time and wall time [s], increasing: of each step, as far as it is known.
+    """Simulated time and wall time [s] of each step, increasing, as far as they are known.
 
-    The log has the wall time now and then; between its lines steps are taken to cost in proportion
-    to what was solved in them.
+    The log has the wall time of some steps; between its lines the cost of a step is assumed to be
+    in proportion to its TNNMG iterations, or to its coupled steps.
     """
     lines = [line for line in log.progress if line.wall is not None]
     if not lines:
@@ -91,7 +92,7 @@ def _work(run: Run):
 
 
 def _onsets(run: Run, log: RunLog) -> np.ndarray:
-    """Of the events in events.csv, and of those that only the log knows of as yet."""
+    """Onsets [s] of the events in events.csv, and of those that so far only the log has."""
     known = run.events["onset"] if run.has("events.csv") else np.empty(0)
     later = [line.time for before, line in zip(log.progress, log.progress[1:])
              if line.num_events > max(before.num_events, known.size)]
@@ -106,13 +107,14 @@ def _without_aftershocks(onsets: np.ndarray, begin: float) -> np.ndarray:
 
 
 def _of_cycles(time, wall, onsets, final: float) -> float:
-    """What is left of the current cycle, and the cycles after it; of one in which the run ends a
-    part, by the course of the last cycle. 0 where the current one has cost more than a cycle."""
+    """Wall time [s] of the rest of the current cycle, and of the cycles after it. Of the cycle in
+    which the run ends only a part counts, by the course of the last cycle. The current cycle adds
+    0 once it has cost more than past cycles."""
     at = np.interp(onsets, time, wall)
     length, cost = np.diff(onsets).mean(), np.diff(at).mean()
 
     def part(share: float) -> float:
-        """Of the wall time of a cycle in the first `share` of its simulated time."""
+        """The share of a cycle's wall time that the first `share` of its simulated time takes."""
         if share >= 1.0 or not at[-1] > at[-2]:
             return 1.0
         there = onsets[-2] + max(share, 0.0) * (onsets[-1] - onsets[-2])

@@ -30,7 +30,7 @@ class H5File:
         return self._item(name) is not None
 
     def _item(self, name: str):
-        """What stands in the file under the name, or None; InputError where links go in a loop."""
+        """The object of this name in the file, or None; InputError if it cannot be opened."""
         try:
             return self._file.get(name)
         except (KeyError, OSError, RuntimeError, ValueError) as error:
@@ -67,8 +67,8 @@ class H5File:
             raise InputError(f"{self.path}: '{dataset.name}' cannot be read ({error}). "
                              "The file is damaged.") from error
         except MemoryError as error:
-            raise InputError(f"{self.path}: '{dataset.name}' has {dataset.size:.3g} numbers, for "
-                             "which the memory does not suffice. If the run was not that long, the "
+            raise InputError(f"{self.path}: '{dataset.name}' has {dataset.size:.3g} numbers, "
+                             "more than the memory can hold. If the run was not that long, the "
                              "file is damaged.") from error
 
     def strings(self, name: str) -> List[str]:

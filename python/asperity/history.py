@@ -15,7 +15,8 @@ BLOCK_BYTES = 16 * 2**20
 def positions(file: H5File) -> np.ndarray:
     """(nodes) distance [m] along the curve; OtherDimension if the nodes lie on a surface.
 
-    Two are equal where a fault cuts the curve, or where it goes on elsewhere: a copy on each side.
+    Two are equal where a fault cuts the curve: it has a node on each side. Two are also equal where
+    the curve has a gap.
     """
     if not file.has("geometry/positions") and file.has("geometry/coordinates") \
             and file.dataset("geometry/coordinates").shape[-1] == 3:

@@ -9,8 +9,8 @@ _OWNER = re.compile(r"process (\d+) on (.*)\n")
 
 
 def owner_is_gone(directory: Path) -> bool:
-    """Whether a lock was left behind: by a process of this machine that was killed. False where
-    that cannot be told, as on another machine."""
+    """Whether a killed process of this machine left its lock behind. False where that is unknown,
+    as on another machine."""
     try:
         with open(directory / ".lock", encoding="utf-8", errors="replace") as lock:
             owner = _OWNER.fullmatch(lock.read())

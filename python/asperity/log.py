@@ -1,4 +1,4 @@
-"""The log of a run: where it is, what it costs, how it ended. One process after the other."""
+"""The log of a run: its progress, cost and end. A restart appends the log of its process."""
 
 import re
 from dataclasses import dataclass, field

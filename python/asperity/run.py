@@ -32,8 +32,8 @@ class Run:
         try:
             str(directory.absolute()).encode("utf-8")
         except UnicodeEncodeError:
-            raise InputError(f"{ascii(str(directory))}: a name in this path is not UTF-8, and no "
-                             "file or figure can say it. Rename the folder.") from None
+            raise InputError(f"{ascii(str(directory))}: a name in this path is not UTF-8, and "
+                             "cannot be written to files and figures. Rename the folder.") from None
         if not directory.is_dir():
             raise InputError(f"{directory} is not a directory. Give the folder in which a run of "
                              "asperity left its results.")

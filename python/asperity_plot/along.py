@@ -1,4 +1,4 @@
-"""Where the nodes of a fault or surface lie, in the words and units of an axis."""
+"""The positions of the nodes of a fault or surface, as an axis with name and unit."""
 
 from dataclasses import dataclass
 from typing import Tuple
@@ -84,7 +84,7 @@ def _is_vertical(run: Run, nodes: np.ndarray, where: np.ndarray) -> bool:
 
 
 def _limits(file: H5File, where: np.ndarray) -> Tuple[float, float]:
-    """All, or what is left without the ends on which the deck prescribes the slip rate."""
+    """The whole curve, or without its ends on which the deck prescribes the slip rate."""
     if file.has(PRESCRIBED):
         free = where[file.array(PRESCRIBED, slice(0, 1))[0] == 0.0]
         if free.size > 1:

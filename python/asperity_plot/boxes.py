@@ -23,8 +23,8 @@ SIZES = (("Moment per length", "moment_per_length", "N"), ("Moment", "moment", "
 def samples(run: Run) -> Dict[str, np.ndarray]:
     """Finite values [SI] of each of QUANTITIES, of the complete events.
 
-    Recurrence is the time between the onsets of all events: that of an incomplete one is known.
-    The width of an event in which a single node slipped fast is not known: less than two cells.
+    Recurrence is the time between the onsets of all events, since an incomplete event has an onset,
+    too. An event in which a single node slipped fast has no width: it is less than two cells.
     """
     columns = dict(run.complete_events.columns, recurrence=np.diff(run.events["onset"]))
     if "width" in columns:
@@ -73,7 +73,7 @@ def draw(run: Run, view: View):
 
 
 def _note(run: Run) -> str:
-    """Of what the box of widths leaves out."""
+    """A note about the events that the box of widths leaves out."""
     single = int(np.sum(run.complete_events["width"] == 0.0)) \
         if "width" in run.complete_events else 0
     note = f"\nwithout width: {style.counted(single, 'event')} of a single node" if single else ""

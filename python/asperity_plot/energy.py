@@ -11,10 +11,10 @@ from asperity.tables import Table
 from . import style, units
 from .windows import View
 
-POINTS = 4000  # of a line; more cannot be told apart
+POINTS = 4000  # of a line; a reader cannot tell more of them apart
 COLOURS = (style.BLUE, style.ORANGE, "#4d8b57", "#7a5195", style.GREY, "#a8893a", "#c06c9b",
            "#3b9aa0")
-SINCE_THE_START = ("work", "dissipation")  # in the names of what counts from there
+SINCE_THE_START = ("work", "dissipation")  # in the names of columns that count from there
 
 
 def draw(run: Run, view: View):

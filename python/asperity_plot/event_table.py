@@ -81,7 +81,7 @@ def _moment(catalogue: Table) -> List[Column]:
 
 
 def slip_at_places(run: Run, view: View) -> List[Column]:
-    """Slip from onset to end of each event: at the depths of `--depths`, or at the receivers."""
+    """Slip from onset to end of each event: at the depths of `--at`, or at the receivers."""
     times = np.stack((run.events["onset"], run.events["onset"] + run.events["duration"]))
     if view.options.depths:
         return _slip_at_depths(run, times, np.array(view.options.depths))

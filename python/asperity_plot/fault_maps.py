@@ -1,4 +1,4 @@
-"""Maps of one event on a fault in three dimensions: its slip, and how its front ran."""
+"""Maps of one event on a fault in three dimensions: its slip, and its rupture front."""
 
 from typing import Optional, Tuple
 
@@ -80,9 +80,9 @@ def event_slip(run: Run, onset: float, end: float) -> np.ndarray:
 
 
 def arrivals(run: Run, row: int) -> Optional[np.ndarray]:
-    """(nodes) when the front of an event arrived [s], 0 where first; nan where it did not between
-    the end of the event before and that of this one. Ruptures have a threshold of their own: one of
-    them may go on through several events."""
+    """(nodes) arrival of the front of an event [s], 0 at the first node; nan where it did not come
+    between the end of the event before and the end of this one. Ruptures have their own threshold,
+    so that one rupture may go on through several events."""
     if not run.has("rupture.h5"):
         return None
     onset, end = interval_of(run, row)

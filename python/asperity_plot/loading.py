@@ -1,4 +1,4 @@
-"""The boundary that drives a run, from its deck: the frame in which cycles repeat."""
+"""The boundary that drives a run, from its deck. Relative to it cycles repeat."""
 
 from dataclasses import dataclass
 from typing import Optional

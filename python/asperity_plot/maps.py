@@ -12,7 +12,7 @@ from . import raster, style, units
 from .along import Axis
 from .windows import View
 
-COLUMNS = 500    # of the picture of several cycles: two pixels each, so that none is lost
+COLUMNS = 500    # of the picture of several cycles: two pixels each, to be visible
 POSITIONS = 500  # its rows
 
 

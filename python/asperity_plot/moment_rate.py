@@ -43,8 +43,8 @@ def draw(run: Run, view: View):
 
 
 def pulse_end(time: np.ndarray, rate: np.ndarray) -> float:
-    """The last time [s] since the onset with a rate that is not small beside the largest: later an
-    event may creep above the threshold for long."""
+    """The last time [s] since the onset with a rate that is not small beside the largest. After it
+    the event may creep above the threshold for a long time."""
     fast = time[rate >= SMALL * units.largest(rate)]
     return float(fast[-1]) if fast.size and fast[-1] > 0.0 else float(time[-1])
 
@@ -55,8 +55,8 @@ def on_curve(run: Run) -> bool:
 
 
 def curves(run: Run, view: View) -> Iterator[Tuple[int, np.ndarray, np.ndarray, np.ndarray]]:
-    """Of each event: its number, times [s] since its onset, moment rate [N m/s], and moment [N m]
-    since its onset, in two dimensions per length of the fault."""
+    """For each event its number, times [s] since its onset, moment rate [N m/s], and moment [N m]
+    since its onset; in two dimensions both per length of the fault."""
     table = run.totals
     suffix = "_per_length" if on_curve(run) else ""
     time, rate, moment = table["time"], table["moment_rate" + suffix], table["moment" + suffix]

@@ -6,7 +6,7 @@ from typing import Optional, Tuple
 
 @dataclass(frozen=True)
 class Options:
-    """Each with its default: the figure's own choice."""
+    """By default the figure chooses."""
 
     intervals: Optional[Tuple[float, float]] = None  # [s] of slip profiles, between and in events
     receivers: Tuple[str, ...] = ()                  # by name

@@ -16,7 +16,7 @@ from .windows import Window
 
 FIELD = "slip"
 BETWEEN, DURING = 5.0 * durations.YEAR, 1.0  # [s], as in the SEAS benchmarks
-FEWEST_BETWEEN, FEWEST_DURING = 20, 5        # lines; else a run is too short for those intervals
+FEWEST_BETWEEN, FEWEST_DURING = 20, 5        # lines; with fewer, the intervals are shortened
 VISIBLE = 0.01  # part of the largest slip that a reader sees
 
 
@@ -24,8 +24,8 @@ VISIBLE = 0.01  # part of the largest slip that a reader sees
 class Family:
     """Profiles `slip` (n, n_nodes) [m] at `times` (n) [s], one every `interval` [s].
 
-    Between written rows slip is linear in time, so it lies between theirs. For `num_doubtful`
-    lines its course is made up: the rows are further apart than `interval`, and visibly so.
+    Slip is interpolated linearly in time between written rows. `num_doubtful` lines are uncertain:
+    their rows are further apart than `interval`, and slip differs visibly between them.
     """
 
     times: np.ndarray

@@ -1,7 +1,7 @@
-"""Fields over nonuniform times brought to the even columns of a picture.
+"""Fields at nonuniform times, resampled to the even columns of a picture.
 
-A run has steps from microseconds to seconds. On an axis of several cycles thousands of steps share
-one column of the picture; which of them is drawn must not be left to chance.
+Steps differ by orders of magnitude in size. On an axis of several cycles thousands of steps share
+one column of the picture; the functions here define which value it shows.
 """
 
 from typing import Optional, Tuple
@@ -87,5 +87,5 @@ def maxima(history: History, field: str, window: Window, columns: int) -> np.nda
 
 
 def log10(values: np.ndarray) -> np.ndarray:
-    """log10 for every slip rate V >= 0; V = 0 is as slow as a number can be."""
+    """log10 for every slip rate V >= 0; V = 0 counts as the smallest positive number."""
     return np.log10(np.maximum(values, np.finfo(float).tiny))

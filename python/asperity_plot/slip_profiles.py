@@ -54,7 +54,7 @@ def _is_cut(run: Run, view: View) -> bool:
 
 
 def doubts(families: List[profiles.Family]) -> str:
-    """What a reader has to know of lines whose course lies between rows far apart; or ''."""
+    """A remark about lines that are interpolated between rows far apart; or ''."""
     remarks = [f"{each.num_doubtful} of the {each.times.size} lines {name} are interpolated "
                f"between times more than {units.plain(each.interval, 's')} apart"
                for each, name in zip(families, ("between events", "in events"))

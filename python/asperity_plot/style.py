@@ -129,7 +129,7 @@ def step_line(axes: Axes, x: np.ndarray, y: np.ndarray, colour: str, label: Opti
 
 
 def spread(count: int) -> List:
-    """`count` colours that can be told apart, in an order that the eye sees."""
+    """`count` colours that can be told apart, from dark to light."""
     if count == 1:
         return [BLUE]
     return list(matplotlib.colormaps[SEQUENCE_COLOURS](np.linspace(0.0, 0.92, count)))

@@ -1,8 +1,8 @@
 """Vertical displacement of the free surface relative to its average over the time shown.
 
-Over several events it is also relative to its steady trend, in which the cycle would drown.
-Where one boundary drives the run, the displacement is taken relative to it: against the plate a
-wedge that slides steadily rises all the time, and the cycle would drown in that.
+Over several events it is also relative to its steady trend, which would hide the cycle. Where one
+boundary drives the run, the displacement is relative to that boundary: against the plate a wedge
+that slides steadily rises all the time, which would hide the cycle, too.
 """
 
 import numpy as np

@@ -73,7 +73,7 @@ def text(value: float, name: str, digits: int = 3) -> str:
 
 
 def plain(value: float, name: str) -> str:
-    """As `text`, without digits that say nothing: '5 yr', '0.25 s' is '250 ms'."""
+    """As `text`, without trailing zeros: '5 yr', '250 ms' for 0.25 s."""
     unit = duration(abs(value)) if name == "s" else prefixed(value, name)
     return f"{value / unit.factor:.4g} {unit.name}"
 

@@ -1,4 +1,4 @@
-"""Which stretch of a run the figures show: several cycles, and one rupture among them."""
+"""The interval of a run that the figures show: several cycles, and one rupture among them."""
 
 from dataclasses import dataclass, replace
 from typing import Optional, Tuple

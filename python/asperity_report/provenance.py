@@ -13,7 +13,8 @@ from asperity.run import Run
 from . import page
 
 HASHED = ("parameters.xml", "run.log", "events.csv", "steps.csv", "global.csv", "checkpoint.h5")
-WHOLE = "what a restart compares: the deck without Output, TNNMG and Final Time, mesh, datasets"
+WHOLE = ("what a restart compares: the deck without the entries that may differ, the mesh and the "
+         "datasets")
 
 
 def section(run: Run, log: RunLog, wrong: List[str]) -> str:
@@ -27,8 +28,8 @@ def section(run: Run, log: RunLog, wrong: List[str]) -> str:
     parts.append(page.table(["file", "bytes", "last written (UTC)", "SHA-256"],
                             _files(run.directory), True))
     parts.append(page.paragraph(
-        "parameters.xml is the deck with all that --set and --overlay changed and every default "
-        "filled in; it runs again as it is. The file that it was made from is not kept. Histories "
+        "parameters.xml is the deck with all changes by --set and --overlay and with every "
+        "default; it can be run again as it is. The original deck is not kept. Histories "
         "lie in the folder segments; their index files name them. A run has no random numbers, and "
         "so no seed.", "note"))
     return "\n".join(parts)

@@ -58,9 +58,9 @@ def _parse(arguments: Optional[List[str]]) -> argparse.Namespace:
         description="Says where a run of asperity is, how fast, and when it ends.")
     parser.add_argument("directory", metavar="DIR", type=Path, help="the run's output directory")
     parser.add_argument("--follow", action="store_true",
-                        help="go on, a line each time, until the run does not run any more")
+                        help="print a line every so often until the run ends (see --every)")
     parser.add_argument("--every", metavar="TIME", type=_time, default=30.0,
-                        help="from one line of --follow to the next (default: 30s)")
+                        help="time between two lines of --follow (default: 30s)")
     parser.add_argument("--silent-after", metavar="TIME", type=_time, default=1800.0,
                         help="a run that writes nothing for so long counts as silent; a running "
                              "one logs a line after the first step past each 30 s (default: "

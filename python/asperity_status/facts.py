@@ -1,4 +1,4 @@
-"""What the files of a run say of its state, as one flat record."""
+"""The state of a run from its files, as one flat record."""
 
 import time as clock
 from dataclasses import asdict, dataclass
@@ -68,7 +68,7 @@ def facts(directory: Path, silent_after: float) -> Facts:
 
 def _state(log: RunLog, journal: Journal, directory: Path, age: float,
            silent_after: float) -> str:
-    """From run.jsonl; from the log where an earlier version has written no other."""
+    """From run.jsonl; from the log if the run has no run.jsonl, as of an earlier version."""
     if journal.how:
         return journal.how
     if log.failure:
@@ -109,7 +109,7 @@ def _speed(log: RunLog, time: np.ndarray, wall: np.ndarray) -> Dict[str, Any]:
 
 
 def _steps(run: Run) -> Dict[str, Any]:
-    """The energy balance, and the step that took most; of steps.csv."""
+    """The energy balance, and the step with the most iterations, from steps.csv."""
     found: Dict[str, Any] = dict.fromkeys(
         ("relative_energy_defect", "failed_steps", "energy_rises", "worst_step"))
     if not run.has("steps.csv") or not len(run.steps):

@@ -1,4 +1,4 @@
-"""Makes `python3 -m asperity_study DIR` the same as `asperity-study DIR`."""
+"""Makes `python3 -m asperity_study STUDY.xml` the same as `asperity-study STUDY.xml`."""
 
 from asperity.program import run_program
 

@@ -99,7 +99,7 @@ def _parse(arguments: Optional[List[str]]) -> argparse.Namespace:
                         help="starts runs with more than one rank, with its options (default: "
                              "mpirun)")
     selection.add_options(parser)
-    parser.add_argument("--list", action="store_true", help="only say which runs there would be")
+    parser.add_argument("--list", action="store_true", help="only list the runs, start none")
     return parser.parse_args(arguments)
 
 

@@ -25,7 +25,7 @@ Column = Tuple[str, str, List]  # name, unit, a value for each run
 
 def columns(study: Study, jobs: List[Job], values: List[Dict[str, str]],
             selection: Selection = Selection()) -> List[Column]:
-    """Of the events that count; nan or -1 where a run did not tell."""
+    """The columns of the table, for the events that count; nan where a run has no value."""
     rows = [_row(job, selection) for job in jobs]
     table: List[Column] = [("run", "", [job.number for job in jobs])]
     table += [(variable.name, variable.unit, [_value(each[variable.name]) for each in values])
@@ -38,7 +38,7 @@ def columns(study: Study, jobs: List[Job], values: List[Dict[str, str]],
 
 
 def _value(text: str):
-    """A number where all of it is one; words and expressions stay."""
+    """A number if the whole text is one, otherwise the text."""
     try:
         return float(text)
     except ValueError:

@@ -17,7 +17,7 @@ from asperity.errors import InputError
 from asperity.log import RunLog
 
 DONE, STOPPED = 0, 4       # exit status of the program
-REFUSALS = {1, 2, 3, 5}    # that a repetition does not change
+REFUSALS = {1, 2, 3, 5}    # exit status: another attempt would end the same way
 PAUSE = 0.05               # [s] between looks at the processes
 
 

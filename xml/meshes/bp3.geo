@@ -11,28 +11,27 @@
 //                where the model ends
 //   regions      hanging, foot
 //
-// Down to `fine` the fault has cells of exactly h. Beside it lie rows of triangles, mirror images of
-// each other, each row shifted along the fault by h/2 against the last. The first has the height
-// first h, and the next are higher by the factor `across`, one after the other. With this shape the
-// shear stress that slip makes has an error of 0.04 % for slip with a wavelength of 24 cells; with
-// rows of squares it has 3.9 % and with equilateral triangles 1.9 % (tests/verification/
-// fault_stiffness). Where cells on the two sides are not mirror images, slip that changes from node
-// to node changes the normal stress; where they lie without order, it makes shear stress that it
-// should not. All of this moves events of BP3 by years. The rows begin `top` below the surface.
-// Outside them cells grow by `growth` per length away from the fault and by `fault_growth` along
-// it, up to `largest`.
+// Down to `fine` the fault has cells of exactly h. Beside it lie rows of triangles, on the two
+// sides mirror images of each other, each row shifted along the fault by h/2 from the row before.
+// The first row has the height first * h, and each next row is higher by the factor `across`. With
+// this shape the shear stress caused by slip is far more accurate than with squares or equilateral
+// triangles (tests/verification/fault_stiffness). If the cells on the two sides were not mirror
+// images, slip that changes from node to node would change the normal stress; irregular cells would
+// cause errors of the shear stress. Such errors shift events of BP3 by years. The rows begin `top`
+// down dip. Outside them cells grow by `growth` per length away from the fault and by
+// `fault_growth` along it, up to `largest`.
 
 DefineConstant[
-  dip = 60,             // of the fault, between 0 and 90
+  dip = 60,             // of the fault, above 0 and at most 90
   h = 100,              // size of the cells on the fault
   fine = 36e3,          // down dip, where cells begin to grow
   locked = 40e3,        // down dip, where `fault` ends and `deep` begins
   top = (dip < 60 ? 4e3 : 1e3), // down dip, where the rows begin
-  wide = (dip < 60 ? 2e3 : 4.1e3), // the rows reach so far from the fault at most
-  first = 0.35,         // -
-  across = 1.04,        // -
-  half_width = 2400e3,  // the model reaches so far to the left and to the right of the origin
-  depth = 1800e3,       // and so deep
+  wide = (dip < 60 ? 2e3 : 4.1e3), // the rows reach at most this far from the fault
+  first = 0.35,         // height of the first row over h
+  across = 1.04,        // factor of the height from row to row
+  half_width = 2400e3,  // extent of the model to the left and to the right of the origin
+  depth = 1800e3,       // of the model
   fault_growth = 0.01,  // -, at most growth
   growth = 0.05,        // -
   largest = 240e3       // size of a cell
@@ -44,8 +43,8 @@ If (dip <= 0 || dip > 90)
   Error("dip = %g, which has to be above 0 and at most 90 degrees", dip);
   Abort;
 EndIf
-// As many rows as are not wider than that, and whose far corner above the fault, `along` down dip of
-// where they begin, uses four fifths of the room below the surface at most.
+// As many rows as fit into `wide`, and whose outer corner above the fault, `along` down dip of
+// where they begin, uses at most four fifths of the depth there.
 rows = 1;
 away = first * h;
 fits = 1;

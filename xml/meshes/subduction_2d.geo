@@ -19,9 +19,9 @@ DefineConstant[
   deep_dip = 25,
   locked_depth = 40e3,
   h = 500,              // size of the cells on the megathrust
-  left = 300e3,         // the model reaches so far to the left of the trench
-  right = 500e3,        // so far to the right
-  depth = 300e3,        // and so deep
+  left = 300e3,         // extent of the model to the left of the trench
+  right = 500e3,        // to the right
+  depth = 300e3,        // and in depth
   growth = 0.15,        // -
   largest = 30e3,       // size of a cell
   splay = 0,            // 1: there is a splay
@@ -29,8 +29,8 @@ DefineConstant[
   splay_dip = 35        // it is straight
 ];
 
-// Points along the megathrust, one in `step` of its length; the last two steps are as short as needed
-// to meet the branch and the end exactly.
+// Points along the megathrust, at distances of `step`. The last step before the branch and before
+// the end is between half as long and 1.5 times as long, so that a point lies exactly there.
 step = 1000;
 px = 0;
 py = 0;
@@ -168,7 +168,7 @@ Physical Curve("left") = {side_left};
 Physical Curve("right") = {sides[]};
 Physical Curve("bottom") = {bottom[]};
 
-// Distances are those from points that are as dense as the cells.
+// Distances are measured from points that are as close to each other as the vertices.
 Field[1] = Distance;
 fine[] = {thrust[]};
 If (splay)

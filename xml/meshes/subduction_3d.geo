@@ -20,9 +20,9 @@ DefineConstant[
   locked_depth = 40e3,
   width = 200e3,
   h = 4e3,              // size of the cells on the megathrust
-  left = 150e3,         // the model reaches so far to the left of the trench
-  right = 350e3,        // so far to the right
-  depth = 150e3,        // and so deep
+  left = 150e3,         // extent of the model to the left of the trench
+  right = 350e3,        // to the right
+  depth = 150e3,        // and in depth
   growth = 0.35,        // -
   largest = 40e3,       // size of a cell
   points = 40           // along the interface of the section

@@ -14,7 +14,7 @@ using namespace asperity;
 
 namespace
 {
-// A rate problem whose solution is known, see makeKnownProblem.
+// A rate problem whose solution w is known, with b = Z w + gradient of friction at w.
 struct Known
 {
   RCP<Vector> w, b, guess; // without the prescribed velocity
@@ -89,7 +89,7 @@ private:
     return known;
   }
 
-  // The error of its answer in the energy norm.
+  // Returns the error of the computed solution in the energy norm.
   double solveRateProblem(Known const& known, dynamics::State const& end, int level,
                           ComparedSteps& sum)
   {
@@ -105,7 +105,7 @@ private:
     sum.rate_iterations += result.iterations;
     sum.rate_cycles += result.v_cycles;
     ASPERITY_REQUIRE(result.converged,
-                     "A rate problem was not solved: its list TNNMG is at fault.");
+                     "A rate problem was not solved. Check the list TNNMG of the deck.");
     w->update(-1, *known.w, 1);
     const double error = energyNorm(*Z_, *w);
     sum.worst_error = std::max(sum.worst_error, error / energyNorm(*Z_, *known.w));
@@ -138,11 +138,11 @@ Comparison compareWithLinear(ParameterList const& deck, CompareOptions const& op
                              RCP<const Communicator> const& communicator)
 {
   ASPERITY_REQUIRE(communicator->getSize() == 1,
-                   "asperity-bench compare runs on one rank: MueLu's coarse solver is wrong on "
-                   "more.");
+                   "asperity-bench compare runs on one rank: MueLu's coarse solver gives wrong "
+                   "results on more.");
   Stretch stretch(deck, communicator);
   ASPERITY_REQUIRE(!stretch.problem().reaction.reaction,
-                   "asperity-bench compare takes no deck whose normal stress is coupled.");
+                   "asperity-bench compare needs Friction / Normal Stress Change = Fixed.");
   Comparer comparer(stretch, deck);
   Comparison comparison;
   comparison.num_unknowns = stretch.numUnknowns();

@@ -27,11 +27,14 @@ struct Comparison
   ComparedSteps inertial, quasi_static;
 };
 
-// After every accepted step of a three-dimensional deck one more step of its size is solved from a
-// guess that the last two states give. Then its rate problem with the state that it ended with is
-// solved from the same guess, and last the linear problem with the same Z, solution and guess, by
-// conjugate gradients preconditioned by MueLu's smoothed aggregation (its defaults), until its
-// error in the energy norm is that of the rate problem's answer. Without set-up. Collective.
+// After every accepted step of a three-dimensional deck, solves and times without set-up, each from
+// the same guess, which is extrapolated from the last two states:
+// 1. one more step of the same size;
+// 2. the rate problem of this step, with the state at its end;
+// 3. the linear problem with the same Z and solution, by conjugate gradients preconditioned by
+//    MueLu's smoothed aggregation with its defaults, until the error in the energy norm is that of
+//    2.
+// Collective.
 Comparison compareWithLinear(asperity::ParameterList const& deck, CompareOptions const& options,
                              asperity::RCP<const asperity::Communicator> const& communicator);
 

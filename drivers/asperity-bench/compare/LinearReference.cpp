@@ -29,7 +29,7 @@ LinearReference::LinearReference(RCP<const CrsMatrix> const& Z, dynamics::Body c
       Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace(), body.held.ownedOnDevice());
     for (int k = 0; k < rows.extent_int(0); ++k) {
       for (int column = 0; column < values.extent_int(1); ++column) {
-        values(rows(k), column) *= 1e-8; // MueLu refuses an aggregate without any share
+        values(rows(k), column) *= 1e-8; // MueLu refuses all 0 on an aggregate
       }
     }
   }

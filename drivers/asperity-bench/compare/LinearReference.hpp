@@ -4,9 +4,9 @@
 
 #include <memory>
 
-// Conjugate gradients (Belos) preconditioned by a V-cycle of MueLu's smoothed aggregation as it
-// comes: symmetric Gauss-Seidel before and after, rigid body motions. One rank: MueLu's direct
-// coarse solver is wrong on more.
+// Conjugate gradients (Belos) preconditioned by a V-cycle of MueLu's smoothed aggregation with its
+// defaults, symmetric Gauss-Seidel before and after, and rigid body motions. For one rank: MueLu's
+// direct coarse solver gives wrong results on more.
 class LinearReference
 {
 public:
@@ -14,7 +14,7 @@ public:
                   asperity::dynamics::Body const& body);
   ~LinearReference();
 
-  // x from zero after a number of iterations for Z x = b.
+  // Iterates for Z x = b, from x = 0.
   void iterate(asperity::Vector const& b, int num_iterations, asperity::Vector& x) const;
   // The least number of iterations after which the energy norm of the error is at most `error`.
   int iterationsFor(asperity::Vector const& b, asperity::Vector const& solution,

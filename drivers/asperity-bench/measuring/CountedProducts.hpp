@@ -1,8 +1,8 @@
 #pragma once
 
-// Counts what this rank multiplies sparse matrices (Tpetra's K, M, C and Z) with vectors while it
-// lives, by the regions of Kokkos' profiling that Tpetra opens around them. The V-cycles have
-// kernels of their own. One at a time.
+// Counts the products of sparse matrices (Tpetra's K, M, C and Z) with vectors on this rank during
+// its lifetime, by the regions of Kokkos' profiling that Tpetra opens around them. Products in
+// V-cycles do not count: they have kernels of their own. Only one object may exist at a time.
 class CountedProducts
 {
 public:

@@ -12,7 +12,7 @@ namespace
 {
 std::map<char const*, MessageCount>& counts()
 {
-  static std::map<char const*, MessageCount> all; // names are compared by place
+  static std::map<char const*, MessageCount> all; // the pointers are compared, not the texts
   return all;
 }
 

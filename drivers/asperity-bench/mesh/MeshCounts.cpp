@@ -13,7 +13,7 @@ using namespace asperity;
 
 namespace
 {
-// What ranks have of something: all together, and the largest share over the mean one.
+// A number over the ranks: its sum, and its largest value over its mean.
 struct Shares
 {
   double sum = 0, largest_over_mean = 0;

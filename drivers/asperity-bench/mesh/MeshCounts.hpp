@@ -5,8 +5,8 @@
 
 #include <string>
 
-// Makes the mesh of a completed deck, which is then forgotten, and says how many cells and vertices
-// it has, how evenly the ranks have them (largest over mean), and the largest memory of the ranks
-// together, before and after, in all and per cell. The same text on every rank. Collective.
+// Makes the mesh of a completed deck and describes it: the numbers of cells and vertices, their
+// largest number on a rank over the mean, and the peak memory of all ranks together before and
+// after, in total and per cell. The same text on every rank. Collective.
 std::string meshCounts(Teuchos::ParameterList const& deck,
                        Teuchos::RCP<const asperity::Communicator> const& communicator);

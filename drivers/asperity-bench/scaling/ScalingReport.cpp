@@ -13,7 +13,7 @@ std::string scalingTable(std::vector<MeshSample> const& samples, int num_ranks)
         << mesh.cell_size << ", " << num_ranks << (num_ranks > 1 ? " ranks" : " rank")
         << "; built in " << mesh.build_seconds << " s; product with K "
         << 1e3 * mesh.product_seconds << " ms; peak memory " << mesh.peak_bytes / 1e6 << " MB, "
-        << mesh.peak_bytes / static_cast<double>(mesh.num_unknowns) / 1e3 << " kB an unknown\n\n"
+        << mesh.peak_bytes / static_cast<double>(mesh.num_unknowns) / 1e3 << " kB per unknown\n\n"
         << "| tau [s] | phase | TNNMG | corrections | V-cycles | set-up [s] | solve [s] | error |\n"
         << "|---|---|---|---|---|---|---|---|\n";
     for (auto const& solve : mesh.solves) {

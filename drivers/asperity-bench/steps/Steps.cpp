@@ -40,7 +40,7 @@ StretchSample measureSteps(ParameterList const& deck, StepsOptions const& option
     const double tau = stretch.step().clock().stepSize(stretch.advance());
     const double seconds = cpu.seconds();
     addDifference(messagesSoFar(), messages_before, sample.messages);
-    // Set-ups are timed by the clock on the wall.
+    // Set-ups are timed in wall time, which is converted to CPU time here.
     const double setup = (solvers.setupSeconds() - setup_before) * seconds / watch.seconds();
     auto& kind = stretch.isInertial(tau) ? sample.inertial : sample.quasi_static;
     add(kind, tau, stretch.count().since(before));

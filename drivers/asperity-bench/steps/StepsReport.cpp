@@ -34,7 +34,7 @@ void addJson(std::ostream& out, char const* name, StepsSample const& kind)
   out << ", \"products\": " << kind.products << ", \"seconds\": " << kind.seconds
       << ", \"setup_seconds\": " << kind.setup_seconds << "}";
 }
-// What a V-cycle, a sweep, a line search and a coupled step send.
+// Messages of a V-cycle, a sweep, a line search and a coupled step.
 void addMessages(std::ostream& out, StretchSample const& sample)
 {
   if (sample.messages.empty()) {
@@ -44,7 +44,7 @@ void addMessages(std::ostream& out, StretchSample const& sample)
     return static_cast<double>(sample.inertial.count.*number + sample.quasi_static.count.*number);
   };
   using Count = asperity::dynamics::SolveCount;
-  out << "\nThe largest of the ranks. Point to point, and collective calls.\n\n"
+  out << "\nMessages from point to point and collective calls, each the largest of the ranks.\n\n"
          "| for each | work | messages | kB | collective |\n|---|---|---|---|---|\n";
   MessageCount step;
   for (auto const& [name, count] : sample.messages) {
@@ -84,7 +84,7 @@ std::string stepsTable(StretchSample const& sample, int num_ranks)
       << "; product with K " << 1e3 * sample.product_seconds << " ms; " << sample.setups
       << " set-ups of step sizes; peak memory " << sample.peak_bytes / 1e6 << " MB, "
       << sample.peak_bytes / static_cast<double>(sample.num_unknowns) / 1e3
-      << " kB an unknown\n\n"
+      << " kB per unknown\n\n"
          "For each coupled step: products of sparse matrices as counted, reads of the finest "
          "matrix by\nthem and by V-cycles, CPU time in products with K.\n\n"
          "| steps | tau [s] | accepted | coupled | rate problems | TNNMG | V-cycles | products | "

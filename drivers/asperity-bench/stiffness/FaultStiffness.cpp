@@ -28,7 +28,8 @@ std::vector<int> slidingNodes(fem::FaultSurface const& surface)
       nodes.push_back(node);
     }
   }
-  ASPERITY_REQUIRE(nodes.size() > 1, "On this deck's fault fewer than two nodes slide.");
+  ASPERITY_REQUIRE(nodes.size() > 1,
+                   "Fewer than two nodes of the fault slide with friction. Refine the mesh.");
   const auto isAbove = [&](int a, int b) {
     auto const& x = surface[a].place;
     auto const& y = surface[b].place;
@@ -43,7 +44,7 @@ double distance(fem::FaultNode const& a, fem::FaultNode const& b)
   return std::hypot(a.place[0] - b.place[0], a.place[1] - b.place[1]);
 }
 
-// The compression of unit slip at each of the nodes in turn.
+// (n, n) row by row: the compression [Pa] at a node for unit slip at another one.
 std::vector<double> compressionOf(Problem const& problem, std::vector<int> const& nodes,
                                   tnnmg::SchurComplement& equilibrium)
 {
@@ -74,7 +75,7 @@ FaultStiffness stiffnessOfFault(ParameterList const& deck,
 {
   ASPERITY_REQUIRE(communicator->getSize() == 1, "asperity-bench stiffness runs on one rank.");
   ASPERITY_REQUIRE(scenario::meshDimension(deck.sublist("Mesh"), *communicator) == 2,
-                   "asperity-bench stiffness takes decks in the plane.");
+                   "asperity-bench stiffness needs a two-dimensional deck.");
   auto const problem = scenario::makeProblem<2>(deck, communicator);
   auto const& surface = *problem.surface;
   ASPERITY_REQUIRE(surface.otherSide().deforming_sides == 2,
@@ -112,8 +113,9 @@ FaultStiffness stiffnessOfFault(ParameterList const& deck,
 
 namespace
 {
-// The slip at a distance x from the middle of the window, and its exact traction: the Fourier
-// transform of the slip has next to nothing at negative wavenumbers, where -k/2 is not -|k|/2.
+// The slip at a distance x from the middle of the window, and its traction. The traction is exact
+// except for the tiny part of the slip's Fourier transform at negative wavenumbers, where -k/2 is
+// not -|k|/2.
 struct Wave
 {
   double k, half_plane;

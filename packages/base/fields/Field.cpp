@@ -80,8 +80,8 @@ void Field::readRegions(ParameterList const& regions, std::vector<std::string> c
     ASPERITY_REQUIRE(exists, path_ << " / " << name << ": '" << name
                                    << "' is not a region of the mesh."
                                    << didYouMean(name, region_names)
-                                   << " A layer thinner than the cells is none: is the cell size "
-                                      "too large?");
+                                   << " A layer that is thinner than the cells is not in the mesh: "
+                                      "is the cell size too large?");
   }
   for (auto const& name : region_names) {
     ASPERITY_REQUIRE(regions.isParameter(name),

@@ -75,7 +75,7 @@ private:
   std::string path_;
   Range range_ = Range::any();
   std::string hint_;
-  std::vector<Part> parts_; // one, or one per region; of a dataset none
+  std::vector<Part> parts_; // one, or one per region; none for a dataset
   std::shared_ptr<const VertexDataset> dataset_;
 };
 } // namespace asperity

@@ -67,8 +67,8 @@ h5::Dataset VertexDataset::open() const
   }
 }
 
-// In blocks of a megabyte or so, skipping those without a wanted id: no rank holds the whole
-// dataset.
+// Reads blocks of about a megabyte and skips those without a wanted id, so that no rank holds the
+// whole dataset.
 std::vector<double> VertexDataset::read(std::vector<long long> const& global_ids,
                                         long long num_vertices) const
 {

@@ -16,15 +16,14 @@ public:
   // Whether the text of a field has this form rather than that of an expression.
   static bool isName(std::string const& text);
 
-  // Looks for file and dataset; InputError with `path` if one is not there or has not one
-  // dimension.
+  // InputError with `path` unless the file and the dataset exist and the dataset has one dimension.
   VertexDataset(std::string const& name, std::string const& path);
 
-  // Values of these ids, in their order. InputError unless there are num_vertices values: it is
-  // another mesh's then.
+  // The values of these ids, in their order. InputError if the number of values is not
+  // num_vertices: the dataset then belongs to another mesh.
   std::vector<double> read(std::vector<long long> const& global_ids, long long num_vertices) const;
 
-  // Of all values; reads them in blocks.
+  // The checksum of all values, which are read in blocks.
   std::uint64_t checksum() const;
 
   std::string const& name() const { return name_; }

@@ -56,7 +56,7 @@ void Dataset::requireRoom() const
     opened("Asking the file of " + what_, H5Fclose, [&] { return H5Iget_file_id(handle_.get()); });
   hsize_t file_size = 0;
   checked("Asking the size of " + what_, [&] { return H5Fget_filesize(file.get(), &file_size); });
-  // Deflate makes at most 1032 bytes of one.
+  // Deflate expands one byte to at most 1032 bytes.
   double room = (layout == H5D_CHUNKED ? 1032. : 1.) * static_cast<double>(file_size);
   room /= static_cast<double>(H5Tget_size(fileType().get()));
   double size = 1;
@@ -64,7 +64,7 @@ void Dataset::requireRoom() const
     size *= static_cast<double>(extent);
   }
   if (size > room) {
-    throw Error(what_ + " has a shape that the file is too small for.");
+    throw Error(what_ + " has a shape for which the file is too small: it is damaged.");
   }
 }
 

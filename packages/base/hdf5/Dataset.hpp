@@ -10,7 +10,7 @@
 
 namespace asperity::h5
 {
-// Of numbers in files and in memory; HDF5 converts between them.
+// The types of numbers in files and in memory; HDF5 converts between them.
 enum class Type
 {
   int8,
@@ -46,8 +46,9 @@ constexpr Type typeOf()
 
 using Shape = std::vector<hsize_t>; // {} is a single value
 
-// What one rank has of a dataset, or of each row that is appended: the numbers first <= i < first +
-// count of the first dimension; none if count is 0. Of rows that are single numbers {0, 1} or none.
+// The part of a dataset, or of each appended row, that belongs to one rank: the `count` indices
+// from `first` on, of the first dimension of the dataset or of the row. If rows are single numbers,
+// the part is {0, 1} or empty.
 struct Part
 {
   hsize_t first = 0;
@@ -61,8 +62,9 @@ public:
   Type type() const; // of numbers; the next larger one if the file's own is not among them
   Shape shape() const;
 
-  // Throws Error if the file is too small for values of this shape, as one with a damaged shape is:
-  // ask before memory is taken for them. What reads whole datasets here asks by itself.
+  // Throws Error if the file is too small for values of this shape, because the shape is damaged.
+  // Call this before memory is allocated for the values; the functions here that return whole
+  // datasets do so.
   void requireRoom() const;
 
   // All values.
@@ -93,18 +95,18 @@ public:
     appendRows(typeOf<Number>(), values, num_rows);
   }
 
-  // The part of the first dimension that this rank wants, whatever others do; values: (part.count,
-  // rest of the shape).
+  // Reads a part of the first dimension, independently of other ranks; values: (part.count, rest of
+  // the shape).
   template <class Number>
   void readAlone(Number* values, Part const& part) const
   {
     readSlab(typeOf<Number>(), values, part, false);
   }
 
-  // The same by all ranks at once, each its part; values: (part.count, rest), or (num_rows,
-  // part.count, rest) of rows that are appended. What writePart writes is of the dataset's own
-  // type. A part lies within the dataset, or other ranks wait in vain. Collective in a file that
-  // is shared.
+  // All ranks read or write at once, each its own part; values: (part.count, rest), or (num_rows,
+  // part.count, rest) of appended rows. The numbers given to writePart must have the dataset's own
+  // type. A part must lie within the dataset, otherwise the other ranks wait for ever. Collective
+  // in a shared file.
   template <class Number>
   void readPart(Number* values, Part const& part) const
   {

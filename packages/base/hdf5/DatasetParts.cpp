@@ -35,7 +35,7 @@ struct Slab
   Shape start, count;
 };
 
-// A part, whose numbers are those of the dimension `d`.
+// The slab of a part, whose indices are those of the dimension `d`.
 Slab slabOf(Shape count, std::size_t d, Part const& part)
 {
   Shape start(count.size(), 0);
@@ -43,12 +43,13 @@ Slab slabOf(Shape count, std::size_t d, Part const& part)
     start[d] = part.first;
     count[d] = part.count;
   } else if (part.count == 0) {
-    count[0] = 0; // of rows that are single numbers
+    count[0] = 0; // rows that are single numbers have no dimension d
   }
   return {start, count};
 }
 
-// The slab's selection in the file and in memory: nothing where the slab is empty, but it is there.
+// Selects the slab in the file space and returns the selection in memory; both are empty if the
+// slab is empty.
 Handle select(Handle const& file_space, Slab const& slab, std::string const& what)
 {
   Handle memory_space = makeSpace(slab.count, slab.count, what);
@@ -82,7 +83,7 @@ void Dataset::readSlab(Type type, void* values, Part const& part, bool together)
   const Handle file_space = space();
   const Shape all = shapeOf(file_space, what_);
   if (std::find(all.begin(), all.end(), 0) != all.end()) {
-    return; // nothing to take part in; HDF5 1.10 would fail
+    return; // there is nothing to read, and HDF5 1.10 would fail
   }
   const Handle memory_space = select(file_space, slabOf(all, 0, part), what_);
   const Handle transfer = transferOf(handle_, together, what_);
@@ -110,7 +111,7 @@ void Dataset::appendPart(double const* values, hsize_t num_rows, Part const& par
   const auto write = [&](Type type, void const* converted) {
     writeSlab(type, converted, slab.start, slab.count, true);
   };
-  // HDF5 writes together only what it need not convert.
+  // HDF5 writes collectively only what it need not convert.
   if (type() == Type::int64) {
     write(Type::int64, std::vector<std::int64_t>(values, values + size).data());
   } else if (type() == Type::float32) {

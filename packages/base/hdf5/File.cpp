@@ -19,7 +19,7 @@ namespace
 int numRanks(MPI_Comm comm)
 {
   int num_ranks = 1;
-  if (comm != MPI_COMM_SELF) { // which a program without MPI names, too
+  if (comm != MPI_COMM_SELF) { // a program without MPI uses it, too
     MPI_Comm_size(comm, &num_ranks);
   }
   return num_ranks;
@@ -34,10 +34,11 @@ Handle sharedAccess(std::filesystem::path const& path, MPI_Comm comm)
   }
   return access;
 }
-// HDF5 tells a failed write to the rank that failed, and sometimes only after it has waited for the
-// others, which wait for it. So no such error reaches HDF5: MPI's own functions for writing are
-// replaced (MPI's profiling interface) by ones that look at what was written. MPI's handlers of
-// errors are not enough: Open MPI 4.1 does not call them where fewer bytes were written than asked.
+// HDF5 reports a failed write only to the rank that failed, and sometimes only after this rank has
+// waited for the others, which wait for it. Therefore no such error may reach HDF5: MPI's functions
+// for writing are replaced (MPI's profiling interface) by functions that check how much was
+// written. MPI's error handlers are not enough: Open MPI 4.1 does not call them if fewer bytes were
+// written than requested.
 std::function<void(std::string const&)>& teller()
 {
   static std::function<void(std::string const&)> tell;
@@ -50,16 +51,16 @@ std::map<MPI_File, std::string>& sharedFiles()
   return paths;
 }
 
-// Several ranks may fail: the lowest of them ends the others while they wait.
+// If several ranks fail, the lowest one aborts first, while the others wait.
 [[noreturn]] void endProgram(std::string const& path, MPI_Count written, MPI_Count size)
 {
   constexpr int exit_output = 5;
   int rank = 0;
   MPI_Comm_rank(MPI_COMM_WORLD, &rank);
   std::this_thread::sleep_for(std::chrono::milliseconds(500) * std::min(rank, 20));
-  const std::string message = path + " cannot be written: of " + std::to_string(size) +
-                              " bytes of rank " + std::to_string(rank) + " " +
-                              std::to_string(written) + " were written. " + whyNotWritten(path);
+  const std::string message = path + " cannot be written: rank " + std::to_string(rank) +
+                              " wrote " + std::to_string(written) + " of " + std::to_string(size) +
+                              " bytes. " + whyNotWritten(path);
   std::cout.flush();
   std::cerr << "asperity: " + message + "\n" << std::flush;
   if (teller()) {
@@ -76,7 +77,8 @@ MPI_Count bytesOf(int count, MPI_Datatype type)
   return size * count;
 }
 
-// write(status), which is to write `count` of `type`.
+// Calls write(status), which should write `count` values of `type`. Ends the program if a shared
+// file has received fewer.
 template <class Write>
 int lookedAt(MPI_File file, int count, MPI_Datatype type, MPI_Status* status, Write const& write)
 {
@@ -96,7 +98,7 @@ int lookedAt(MPI_File file, int count, MPI_Datatype type, MPI_Status* status, Wr
   }
   return error;
 }
-// From here on writes to the file, opened with MPI's driver, are looked at.
+// From here on every write to the file, which was opened with MPI's driver, is checked.
 MPI_File beginSharing(hid_t file, std::string const& path)
 {
   void* handle = nullptr;
@@ -112,7 +114,7 @@ void whenSharingFails(std::function<void(std::string const&)> tell) { teller() =
 File File::create(std::filesystem::path const& path, Layout layout)
 {
   const Handle access = makeProperties(H5P_FILE_ACCESS, path.string());
-  // The default is another one in HDF5 2.
+  // The default is different in HDF5 2.
   const auto oldest = layout == Layout::sealed ? H5F_LIBVER_V18 : H5F_LIBVER_EARLIEST;
   checked("Choosing the layout of " + path.string(),
           [&] { return H5Pset_libver_bounds(access.get(), oldest, H5F_LIBVER_LATEST); });
@@ -122,7 +124,7 @@ File File::create(std::filesystem::path const& path, Layout layout)
              [&] { return H5Fcreate(path.c_str(), H5F_ACC_TRUNC, H5P_DEFAULT, access.get()); }),
       path.string());
   } catch (Error const&) {
-    noteUnclosed(); // where the first bytes find no space, a part of it stays open
+    noteUnclosed(); // if the disk is full, HDF5 keeps a part of the file open
     throw;
   }
 }

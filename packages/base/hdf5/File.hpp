@@ -16,12 +16,12 @@ namespace asperity::h5
 enum class Layout
 {
   plain, // that of the oldest HDF5
-  sealed // HDF5's own structures have checksums too; texts, for that, need a fixed length
+  sealed // HDF5's own structures have checksums, too; so have texts of fixed length
 };
 
-// A rank that cannot write to a file that several ranks write (openShared) prints a message, calls
-// this with it, and ends the program with status 5 at once: HDF5 would leave the other ranks
-// waiting. So what comes back from such a write has been written by all, and need not be agreed on.
+// A rank that cannot write to a file that several ranks write (openShared) prints a message, passes
+// it to `tell`, and ends the program with status 5 at once: HDF5 would leave the other ranks
+// waiting. Hence when such a write returns, all ranks have written, and they need not agree on it.
 void whenSharingFails(std::function<void(std::string const&)> tell);
 
 class File : public Group
@@ -37,10 +37,10 @@ public:
   // whose structures have no checksums.
   static bool isSealed(std::filesystem::path const& path);
 
-  // For writing to what exists, or for reading, by all ranks of the communicator: objects may be
-  // opened, and parts of datasets written or read, by all at once. One for writing has to be
-  // closed by close(), which is collective; if something is thrown before, it stays open, as no
-  // other ranks could be waited for. Collective.
+  // Opens an existing file on all ranks of the communicator, for writing to existing objects or for
+  // reading: all ranks open objects, and write or read parts of datasets, at once. A file opened
+  // for writing must be closed by close(), which is collective. If an exception comes first, the
+  // file stays open, because the other ranks may not arrive. Collective.
   static File openShared(std::filesystem::path const& path, MPI_Comm comm);
   static File openSharedForReading(std::filesystem::path const& path, MPI_Comm comm);
 

@@ -18,7 +18,7 @@ Handle parentsAreMade(std::string const& what)
   return properties;
 }
 
-// Datasets of rows: extendable ones, and virtual ones that join them.
+// The shape of an extendable or virtual dataset, which consists of rows.
 Shape withRows(hsize_t rows, Shape const& row_shape)
 {
   Shape shape{rows};
@@ -40,7 +40,7 @@ Shape chunkOf(hsize_t rows, Shape const& row_shape)
   return chunk;
 }
 
-// What is read where a part is missing.
+// Sets the value that is read where a part is missing: nan or -1.
 void fillGaps(Handle const& properties, Type type, std::string const& what)
 {
   const double nan = std::numeric_limits<double>::quiet_NaN();
@@ -52,7 +52,7 @@ void fillGaps(Handle const& properties, Type type, std::string const& what)
   });
 }
 
-// Selects the rows of the virtual dataset from `first` on that are those of the part.
+// Maps the part to the rows of the virtual dataset from `first` on.
 void mapRows(Handle const& properties, Handle const& space, Shape const& shape, hsize_t first,
              VirtualPart const& part, std::string const& path, std::string const& what)
 {
@@ -71,7 +71,7 @@ void mapRows(Handle const& properties, Handle const& space, Shape const& shape, 
 }
 } // namespace
 
-// HDF5 asks that every group on the way exists.
+// HDF5 demands that every group on the way exists.
 bool Group::has(std::string const& path) const
 {
   const Silence silence;
@@ -214,7 +214,7 @@ Dataset Group::createVirtual(std::string const& path, Type type, Shape const& ro
   fillGaps(properties, type, what);
   hsize_t first = 0;
   for (auto const& part : parts) {
-    if (part.num_rows > 0) { // a selection of nothing is refused
+    if (part.num_rows > 0) { // HDF5 refuses an empty selection
       mapRows(properties, space, shape, first, part, path, what);
       first += part.num_rows;
     }

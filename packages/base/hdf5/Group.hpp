@@ -20,7 +20,7 @@ struct VirtualPart
 class Group : public Object
 {
 public:
-  bool has(std::string const& path) const; // and that links on the way lead somewhere
+  bool has(std::string const& path) const; // false, too, if a link on the way is broken
   std::vector<std::string> names() const;  // of the members, sorted
   bool isGroup(std::string const& path) const;
   bool isDataset(std::string const& path) const;
@@ -29,7 +29,7 @@ public:
   Group openGroup(std::string const& path) const;
   Dataset openDataset(std::string const& path) const;
 
-  // Of fixed shape; `store` also writes it.
+  // Creates a dataset of fixed shape; `store` also writes its values.
   Dataset create(std::string const& path, Type type, Shape const& shape);
   template <class Number>
   Dataset store(std::string const& path, Number const* values, Shape const& shape)
@@ -43,9 +43,9 @@ public:
   Dataset createTexts(std::string const& path, std::vector<std::string> const& texts,
                       TextLength length = TextLength::variable);
 
-  // Rows of shape `row_shape` may be appended; compressed (shuffle, deflate) in chunks of that
-  // many rows, or of parts of them where a chunk would have more than 1 MiB. If several ranks will
-  // append together, `shared`: HDF5 1.10 then looks for chunks that exist.
+  // Rows of shape `row_shape` can be appended. The dataset is compressed (shuffle, deflate) in
+  // chunks of rows_per_chunk rows, or of parts of rows if a chunk would exceed 1 MiB. `shared`:
+  // several ranks will append together, for which HDF5 1.10 needs chunks that are allocated early.
   Dataset createExtendable(std::string const& path, Type type, Shape const& row_shape,
                            hsize_t rows_per_chunk, bool shared = false);
 
@@ -53,7 +53,8 @@ public:
   Dataset createVirtual(std::string const& path, Type type, Shape const& row_shape,
                         std::vector<VirtualPart> const& parts);
 
-  // Stands for the object of the same path in `file`, a path relative to the folder of this file.
+  // Makes `path` a link to the object of the same path in `file`, a path relative to this file's
+  // folder.
   void link(std::string const& path, std::string const& file);
 
 protected:

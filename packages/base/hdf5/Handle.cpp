@@ -6,7 +6,7 @@ namespace asperity::h5
 {
 namespace
 {
-// Keeps the description of the deepest entry, which is where things went wrong.
+// Keeps the description of the deepest entry, where the error occurred.
 herr_t describeError(unsigned, H5E_error2_t const* entry, void* text)
 {
   *static_cast<std::string*>(text) = entry->desc ? entry->desc : "";
@@ -23,7 +23,7 @@ void fail(std::string const& what)
 {
   std::string reason;
   H5Ewalk2(H5E_DEFAULT, H5E_WALK_DOWNWARD, describeError, &reason);
-  // Of a call of the system HDF5 tells time, address and more: the system's own words are enough.
+  // For a failed system call HDF5 gives time, address and more; the system's own message is enough.
   const std::string words = "error message = '";
   if (const auto begin = reason.find(words); begin != std::string::npos) {
     reason = reason.substr(begin + words.size());

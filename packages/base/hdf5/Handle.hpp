@@ -9,20 +9,21 @@
 
 namespace asperity::h5
 {
-// What HDF5 was asked to do, with the file, and its own description of what went wrong.
+// The message has the operation that failed, the file, and HDF5's own description of the error.
 class Error : public OutputError
 {
 public:
   using OutputError::OutputError;
 };
 
-// Whether HDF5 holds something that it could not close, for example because the disk is full. Its
-// own end, in MPI_Finalize and at the exit of the program, would then try again and crash.
+// Whether HDF5 holds something that it could not close, for example because the disk is full.
+// HDF5's own clean-up, in MPI_Finalize and at the exit of the program, would then try again and
+// crash.
 bool holdsUnclosed();
 void noteUnclosed();
 
-// HDF5 prints its stack of errors unless told not to; our messages say what a user needs. It is
-// silent as long as this lives, and afterwards does what it did before.
+// While this object lives, HDF5 does not print its error stack; Asperity's messages say what a user
+// needs. The destructor restores the earlier setting.
 class Silence
 {
 public:
@@ -53,8 +54,8 @@ public:
   ~Handle();
 
   hid_t get() const { return id_; }
-  // Afterwards it is closed by close() alone: where closing is collective, a rank that has failed
-  // would wait for others that have not.
+  // After this call the destructor does not close the object, only close() does: where closing is
+  // collective, a rank that has failed would wait for the others.
   void closeOnlyOnDemand() { only_on_demand_ = true; }
   void close(std::string const& what); // Error if that fails, for example on a full disk
 

@@ -26,7 +26,7 @@ void writeAttribute(Handle const& object, std::string const& name, hid_t type, S
   checked("Writing " + described, [&] { return H5Awrite(attribute.get(), type, value); });
 }
 
-// An attribute that is there.
+// An existing attribute.
 class Attribute
 {
 public:

@@ -9,8 +9,8 @@
 
 namespace asperity::h5
 {
-// How texts are stored. Those of fixed length (the longest, filled up with zeros) are part of what
-// HDF5 has checksums for in a sealed file.
+// How texts are stored. Texts of fixed length (that of the longest; the others are padded with
+// zeros) are covered by HDF5's checksums in a sealed file.
 enum class TextLength
 {
   variable,
@@ -29,7 +29,7 @@ public:
 
   bool hasAttribute(std::string const& name) const;
 
-  // Error if there is none of that name, or it is something else.
+  // Error if there is no attribute of that name, or it has another type.
   std::string textAttribute(std::string const& name) const;
   std::int64_t integerAttribute(std::string const& name) const;
   std::vector<double> numbersAttribute(std::string const& name) const;

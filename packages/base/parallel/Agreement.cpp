@@ -22,7 +22,7 @@ enum Kind
   other_error
 };
 
-// What became of the work on one rank.
+// How the work ended on one rank.
 struct Outcome
 {
   Kind kind = done;

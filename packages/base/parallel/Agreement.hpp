@@ -12,7 +12,7 @@ namespace asperity
 void onRoot(Communicator const& communicator, std::function<void()> const& work);
 
 // Runs `work` on every rank; if it throws on some, the error of the lowest of them is thrown on
-// every rank, as by onRoot. Not for work in whose middle ranks wait for each other: one that has
-// failed waits here for the others, which wait for it there. Collective.
+// every rank, as by onRoot. `work` must not contain collective calls: a rank that has failed would
+// wait here for the others, while they wait for it in the call. Collective.
 void onEveryRank(Communicator const& communicator, std::function<void()> const& work);
 } // namespace asperity

@@ -6,8 +6,8 @@
 
 namespace asperity
 {
-// Every id, 0 <= id < num_ids, has a place on one rank, where others can ask about it: the ids are
-// dealt out in blocks, so that no rank has more than its share.
+// Every id, 0 <= id < num_ids, has a place on one rank, where other ranks can ask about it: the ids
+// are distributed in blocks, so that no rank has more than an equal share.
 class Directory
 {
 public:
@@ -32,8 +32,8 @@ private:
                                     std::vector<GlobalOrdinal> const& here) const;
   std::vector<int> ranksOf(std::vector<GlobalOrdinal> const& ids) const;
 
-  GlobalOrdinal block_; // ids of a rank
-  GlobalOrdinal first_; // of this one
+  GlobalOrdinal block_; // number of ids of each rank
+  GlobalOrdinal first_; // first id of this rank
   Communicator const& communicator_;
 };
 } // namespace asperity

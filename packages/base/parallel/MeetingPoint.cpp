@@ -14,7 +14,7 @@ MeetingPoint::MeetingPoint(Communicator const& communicator)
 
 MeetingPoint::~MeetingPoint()
 {
-  if (!was_missed_) { // a barrier is under way otherwise
+  if (!was_missed_) { // otherwise the barrier is not complete
     MPI_Comm_free(&communicator_);
   }
 }

@@ -6,10 +6,10 @@
 
 namespace asperity
 {
-// Where ranks wait for each other, but not for ever: a rank that has failed alone finds out here
-// that the others are in the middle of something collective, which would wait for it. Has a
-// communicator of its own, so that nothing that is under way can be taken for its messages; make it
-// in good time, collectively.
+// A point at which ranks wait for each other for a limited time: a rank that alone has failed finds
+// out here that the others are inside a collective call, which would wait for it. It has its own
+// communicator, so that its messages cannot be confused with others. Construct it collectively,
+// before a failure is possible.
 class MeetingPoint
 {
 public:
@@ -18,8 +18,8 @@ public:
   MeetingPoint(MeetingPoint const&) = delete;
   MeetingPoint& operator=(MeetingPoint const&) = delete;
 
-  // Waits until every rank is here, but at most so many seconds if `patience` is not negative.
-  // False if that ended it: then there is nothing left but to end the program.
+  // Waits until every rank is here, but at most `patience` seconds unless that is negative. False
+  // if the time has run out: then the program must end.
   bool meet(double patience) const;
 
   MPI_Comm communicator() const { return communicator_; }

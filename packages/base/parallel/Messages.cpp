@@ -19,7 +19,7 @@ constexpr std::int64_t largest_int = std::numeric_limits<int>::max();
 {
   throw InputError(std::string(what) + " would have " + std::to_string(count) +
                    " numbers, and MPI counts up to " + std::to_string(largest_int) +
-                   ". Use more ranks, or less of what is exchanged.");
+                   ". Use more ranks, or a coarser mesh.");
 }
 
 std::vector<int> offsetsOf(std::vector<int> const& counts)
@@ -29,7 +29,7 @@ std::vector<int> offsetsOf(std::vector<int> const& counts)
   return offsets;
 }
 
-// How many numbers each rank gets, and how many it has for each other one.
+// How many numbers this rank sends to each rank, and how many it receives from each.
 struct Traffic
 {
   std::vector<int> sent, received;

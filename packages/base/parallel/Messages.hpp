@@ -8,10 +8,10 @@
 #include <cstdint>
 #include <vector>
 
-// What MPI is asked directly.
+// Functions that call MPI directly.
 namespace asperity
 {
-// MPI_COMM_SELF of a communicator without MPI.
+// MPI's own communicator; MPI_COMM_SELF if the communicator has none.
 MPI_Comm rawCommunicator(Communicator const& communicator);
 
 // MPI's name for the type of a number.
@@ -21,7 +21,7 @@ inline MPI_Datatype mpiType(long long) { return MPI_LONG_LONG; }
 inline MPI_Datatype mpiType(int) { return MPI_INT; }
 inline MPI_Datatype mpiType(char) { return MPI_CHAR; }
 
-// MPI counts with int: what is larger than this, in bytes, goes in pieces.
+// MPI counts with int: messages of more bytes than this are sent in pieces.
 constexpr std::size_t largest_piece = std::size_t(1) << 30;
 
 // `total` bytes or numbers in pieces of `piece` of them, of which the last may be smaller.
@@ -79,7 +79,7 @@ Rows ask(Rows const& questions, std::size_t width, std::vector<int> const& desti
 }
 
 // The offsets of blocks of these sizes that stand one after the other, and the end of the last one:
-// (num_blocks + 1). InputError, which says what is too large, if an int cannot count that far.
-// Where ranks have the same counts all of them throw.
+// (num_blocks + 1). InputError, which begins with `what`, if the end is too large for an int. If
+// the ranks have the same counts, all of them throw.
 std::vector<int> blockOffsets(std::vector<std::int64_t> const& counts, char const* what);
 } // namespace asperity

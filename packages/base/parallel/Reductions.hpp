@@ -8,9 +8,9 @@
 
 namespace asperity
 {
-// Sum, maximum and minimum over the ranks of one number of each (int, double, std::int64_t), or of
-// as many numbers of each (std::vector, std::array, Eigen's matrices), entry by entry. The result
-// is the same on every rank. Collective. On one rank they cost nothing but a copy.
+// Sum, maximum and minimum over the ranks of one number per rank (int, double, std::int64_t), or,
+// entry by entry, of equally many numbers per rank (std::vector, std::array, Eigen's matrices). The
+// result is the same on every rank. Collective.
 namespace detail
 {
 template <class Numbers>

@@ -48,7 +48,7 @@ std::string choicesWithEntry(ParameterList const& valid, std::string const& name
                          " Choose others, or change one of the plugins.");
 }
 
-// One declaration for both.
+// Merges both declarations of an entry into `first`.
 void join(ParameterEntry& first, ParameterEntry const& second, std::string const& path)
 {
   const auto one = Teuchos::rcp_dynamic_cast<const ParameterInfo>(first.validator(), true);

@@ -41,7 +41,7 @@ void writeParameters(ParameterList const& list, std::string const& file_name)
   out.close();
   if (!out) {
     throw OutputError("'" + file_name +
-                      "' cannot be written. Is the directory there, and the disk not full?");
+                      "' cannot be written. Does the directory exist, and is the disk full?");
   }
 }
 } // namespace asperity

@@ -25,7 +25,7 @@ void applyOverride(ParameterList& list, ParameterList const& valid, std::string 
 // Removes the entry or list at "Path/To/Entry". InputError if the deck itself does not have it.
 void removeEntry(ParameterList& list, std::string const& path);
 
-// Writes a completed list as XML that readDeck accepts. InputError if the file cannot be written.
+// Writes a completed list as XML that readDeck accepts. OutputError if the file cannot be written.
 void writeParameters(ParameterList const& list, std::string const& file_name);
 
 enum class ParameterFormat

@@ -35,8 +35,8 @@ enum class Presence
   is_optional
 };
 
-// What a declaration says in addition to default and meaning. It travels in the entry as its
-// validator, so that ParameterList::set refuses wrong types and values out of range as well.
+// What a declaration says in addition to default and meaning. It is the validator of the entry, so
+// that ParameterList::set also refuses wrong types and values out of range.
 class ParameterInfo : public Teuchos::ParameterEntryValidator
 {
 public:
@@ -54,10 +54,10 @@ public:
   std::string allowed() const;
 
   // InputError "<path> = <value> is ... <hint>" unless type and value are allowed. Numbers inside
-  // an open or foreign list are not looked at.
+  // an open or foreign list are not checked.
   void check(Teuchos::ParameterEntry const& entry, std::string const& path) const;
 
-  // Int to double and arrays of int to arrays of double, where the declaration says so.
+  // Converts int to double, and arrays of int to arrays of double, where the declaration says so.
   void convert(Teuchos::ParameterEntry& entry) const;
 
   const std::string getXMLTypeName() const override { return "asperity::ParameterInfo"; }

@@ -30,7 +30,7 @@ void replaceValue(Teuchos::ParameterEntry& entry, T const& value)
   entry.getAny(false) = Teuchos::any(value);
 }
 
-// In their order.
+// The names of the entries, in the order of the list.
 std::vector<std::string> namesIn(Teuchos::ParameterList const& list);
 
 // The number in an entry with an int or a double.

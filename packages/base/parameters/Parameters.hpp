@@ -15,7 +15,7 @@ namespace asperity
 {
 using Teuchos::ParameterList;
 
-// Declares the entries of a list of valid parameters, one call an entry, each with default (or
+// Declares the entries of a list of valid parameters, one call per entry, each with default (or
 // `required`, `optional`), unit ("-" if dimensionless), range and one sentence of meaning:
 //
 //   Teuchos::RCP<const ParameterList> Wedge::validParameters()

@@ -12,7 +12,8 @@ enum class Completion
   none
 };
 
-// All errors of a list are told at once, a line each: who corrects one wants to know of the others.
+// All errors of a list are reported at once, one per line, so that a user can correct them
+// together.
 class Errors
 {
 public:
@@ -176,8 +177,9 @@ void addMissing(ParameterList& list, std::string const& name,
   }
 }
 
-// Declarations in their order, so that a choice is complete before its lists are. What is missing
-// beside an unknown name may only be misspelled.
+// Follows the order of the declarations, so that a choice is complete before its lists. If a name
+// is unknown, missing entries are not reported: the unknown name may be a misspelling of one of
+// them.
 void process(ParameterList& list, ParameterList const& with_all, std::string const& path,
              Completion completion, Errors& errors)
 {

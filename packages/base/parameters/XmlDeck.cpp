@@ -24,8 +24,7 @@ using Teuchos::XMLObject;
 
 namespace
 {
-// Teuchos's message is the last paragraph, after source line, throw number and the test in the
-// code.
+// Teuchos's message is the last paragraph, after source line, throw number and failed test.
 std::string lastParagraph(std::string const& text)
 {
   const std::string body = trimmed(text);
@@ -115,9 +114,8 @@ namespace
 // <Remove name="..."/> in an overlay.
 void removeEntry(ParameterList& list, std::string const& name, std::string const& where)
 {
-  ASPERITY_REQUIRE(list.isParameter(name), where
-                                             << ": <Remove> finds no such entry in the deck below."
-                                             << didYouMean(name, namesIn(list)));
+  ASPERITY_REQUIRE(list.isParameter(name), where << ": <Remove> finds no such entry in the deck."
+                                                 << didYouMean(name, namesIn(list)));
   list.remove(name);
 }
 } // namespace
@@ -142,7 +140,7 @@ std::string withoutMark(std::string text, std::string const& file_name)
   return text.compare(0, 3, "\xEF\xBB\xBF") == 0 ? text.substr(3) : text;
 }
 
-// Behind the end of the tag whose '<' is at `begin`; an attribute's value may have a '>'.
+// The position after the tag whose '<' is at `begin`; the value of an attribute may contain a '>'.
 std::size_t endOfTag(std::string const& text, std::size_t begin)
 {
   char quote = 0;
@@ -159,8 +157,7 @@ std::size_t endOfTag(std::string const& text, std::size_t begin)
   return text.size();
 }
 
-// Teuchos builds its tree, and takes it down, by functions that call themselves: lists in lists in
-// lists would fill the stack.
+// Teuchos builds and destroys its tree recursively: deeply nested lists would overflow the stack.
 void refuseDeepLists(std::string const& text, std::string const& file_name)
 {
   constexpr int deepest = 100;
@@ -174,9 +171,9 @@ void refuseDeepLists(std::string const& text, std::string const& file_name)
     const bool is_declaration = text.compare(i, 2, "<?") == 0 || text.compare(i, 2, "<!") == 0;
     const bool is_whole = end - i > 2 && text.compare(end - 2, 2, "/>") == 0;
     depth += text.compare(i, 2, "</") == 0 ? -1 : is_declaration || is_whole ? 0 : 1;
-    ASPERITY_REQUIRE(depth <= deepest, "The deck '" << file_name
-                                                    << "' has lists in lists, more than " << deepest
-                                                    << " deep.");
+    ASPERITY_REQUIRE(depth <= deepest, "The deck '" << file_name << "' has lists nested more than "
+                                                    << deepest
+                                                    << " deep. Use fewer levels of lists.");
     i = end;
   }
 }

@@ -6,8 +6,8 @@
 #include <iosfwd>
 #include <string>
 
-// XML to ParameterList and back, strict about what it reads: a list has a name, a parameter name,
-// type and value, no two entries of a list have the same name, and a value is nothing but its type.
+// XML to ParameterList and back, with strict reading: a list has a name; a parameter has name, type
+// and value; no two entries of a list have the same name; and a value has exactly the given type.
 namespace asperity
 {
 // The root element of a file. InputError if the file is missing, empty or malformed.

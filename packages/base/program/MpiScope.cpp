@@ -61,7 +61,8 @@ MpiScope::MpiScope(int& argc, char**& argv)
   int kokkos_argc = static_cast<int>(kokkos_arguments.size()) - 1;
   char** kokkos_argv = kokkos_arguments.data();
   Tpetra::initialize(&kokkos_argc, &kokkos_argv, communicator_);
-  // Kokkos has taken what it knows. Options, which reads the rest, refuses what is left.
+  // Kokkos has removed the options that it knows. Options, which reads the rest, refuses the
+  // others.
   for (int i = 1; i < kokkos_argc; ++i) {
     argv[argc++] = kokkos_argv[i];
   }

@@ -49,16 +49,16 @@ enum ExitStatus
 // 5 (OutputError) or 1 (others).
 ExitStatus exitStatus(std::exception const& error);
 
-// Ends the process with this status at once if the end of HDF5 would crash (hdf5/Handle.hpp), after
+// Ends the process with this status at once if HDF5's clean-up would crash (hdf5/Handle.hpp), after
 // all output has been written; returns otherwise.
 void leaveIfHdf5Cannot(int status);
 
 // Runs `body` on every rank and returns the exit status of the program, the same on all ranks: the
-// largest that `body` returned, or after an exception exitStatus of that which the lowest rank that
-// threw has. Its message goes to stderr, once: "<program>: <message>". If some rank has thrown and
-// others have not come to their end `patience` seconds later, they may be waiting for it: MPI_Abort
-// with the same status. If HDF5 holds files that it could not close, all ranks end there, without
-// MPI_Finalize. Collective.
+// largest that `body` returned or, after an exception, exitStatus of the exception on the lowest
+// rank that threw. Its message goes to stderr, once: "<program>: <message>". If some rank has
+// thrown and others have not finished `patience` seconds later, they may be waiting for it:
+// MPI_Abort with the same status. If HDF5 holds files that it could not close, all ranks end there,
+// without MPI_Finalize. Collective.
 int runGuarded(Communicator const& communicator, std::function<int()> const& body,
                std::string const& program = "asperity", double patience = 2.0);
 } // namespace asperity

@@ -23,7 +23,7 @@ bool startsWith(std::string const& text, std::string const& beginning)
 // "--output" of "--output=results".
 std::string optionIn(std::string const& word) { return word.substr(0, word.find('=')); }
 
-// Without the dots that CLI11 puts after every option it takes several values of: the meaning says
+// Leaves out the dots that CLI11 prints after an option that takes several values: the meaning says
 // which options may be repeated.
 class OptionLines : public CLI::Formatter
 {
@@ -42,7 +42,7 @@ public:
 
 struct Options::Implementation
 {
-  // One option with values; the target of one that is given at most once, or of all.
+  // An option with values: `target` if it may be given once, `targets` if it may be repeated.
   struct Valued
   {
     std::string name;

@@ -19,7 +19,7 @@ using Names = std::vector<std::string>;
 
 std::string option(std::string const& file) { return "The plugin '" + file + "'"; }
 
-// An absolute path: of a name without a slash the loader would search the system's folders.
+// The path is made absolute: for a name without a slash the loader searches the system's folders.
 void load(std::string const& file)
 {
   std::error_code error;
@@ -60,7 +60,7 @@ void loadPlugins(std::vector<std::string> const& files,
     ASPERITY_REQUIRE(
       !brought.empty(), option(file)
                           << " registers no law and no output that is not there already. It "
-                             "needs a line as ASPERITY_REGISTER_FRICTION_LAW(MyLaw), has to "
+                             "needs a line such as ASPERITY_REGISTER_FRICTION_LAW(MyLaw), has to "
                              "be linked against this installation of Asperity, and has to "
                              "be given once.");
     for (auto const& name : brought) {

@@ -61,7 +61,7 @@ public:
 
   bool meet(double patience) const { return meeting_point_.meet(patience); }
 
-  // The program's status on every rank. The lowest rank that has thrown speaks for all: where many
+  // The program's status on every rank. Only the lowest rank that has thrown prints: where many
   // fail at once, each with a vertex of its own, one message is enough.
   int agree(Outcome const& outcome, std::string const& program) const;
 
@@ -77,8 +77,7 @@ private:
     return result;
   }
 
-  // How many ranks have thrown with another message than this rank, `speaker`. Known to the
-  // speaker.
+  // The number of ranks that have thrown another message than the rank `speaker`, on that rank.
   int countOthers(Outcome const& outcome, int speaker) const;
 
   MeetingPoint meeting_point_;

@@ -9,11 +9,11 @@
 namespace asperity
 {
 // While it lives, SIGTERM, SIGINT, SIGHUP (the user logs out), SIGUSR1 (a queue's warning, which
-// mpirun passes on) and SIGPIPE (nobody reads the output) raise a flag instead of ending the
-// process, so that a run can leave a last checkpoint. A second SIGINT ends the process at once.
-// SIGHUP and SIGPIPE stay ignored where they are, as under nohup, or were by what
-// noteIgnoredSignals found. Only one object may exist at a
-// time; its destructor restores the handlers that were there before.
+// mpirun passes on) and SIGPIPE (nobody reads the output) set a flag instead of ending the process,
+// so that a run can write a last checkpoint. A second SIGINT ends the process at once. SIGHUP and
+// SIGPIPE stay ignored if they are ignored now, as under nohup, or were ignored when
+// noteIgnoredSignals was called. Only one object may exist at a time; its destructor restores the
+// earlier handlers.
 class StopSignals
 {
 public:
@@ -30,8 +30,9 @@ public:
     int signal;  // the largest number that any rank received, 0 if none
     bool wished; // by any rank; unknown if there is a signal
   };
-  // What the ranks received and what else they wish, a checkpoint for one, the same on all ranks.
-  // In one reduction, since it stands after every step. Collective.
+  // The signals that the ranks received, and whether a rank wishes something else, such as a
+  // checkpoint; the same on all ranks. It takes one reduction, since it is called after every step.
+  // Collective.
   Agreed agreed(bool wish, Communicator const& communicator) const;
 
 private:

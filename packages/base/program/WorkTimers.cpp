@@ -15,7 +15,7 @@ namespace
 {
 const auto program_start = std::chrono::steady_clock::now();
 
-// Trilinos has timers of its own.
+// Distinguishes these timers from those of Trilinos.
 const std::string prefix = "asperity: ";
 
 struct Row

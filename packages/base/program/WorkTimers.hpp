@@ -21,7 +21,8 @@ namespace asperity
 // The timer of a kind of work, one for each name.
 RCP<Teuchos::Time> workTimer(std::string const& name);
 
-// The innermost name of what is being done, "" where nothing is named: for programs that count.
+// The innermost name of the work in progress, "" if it has none; for programs that count
+// operations.
 char const* currentWork();
 
 class NamedWork

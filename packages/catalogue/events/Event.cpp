@@ -150,7 +150,7 @@ void printSummary(std::ostream& out, EventSummary const& summary)
   }
   std::vector<Row> rows{{"quartiles", "25 %", "50 %", "75 %"}};
   const auto add = [&rows](char const* name, Quartiles const& values) {
-    if (!std::isnan(values.median)) { // of one event there is no recurrence
+    if (!std::isnan(values.median)) { // a single event has no recurrence
       rows.push_back(describe(name, values));
     }
   };

@@ -7,8 +7,8 @@
 namespace asperity::catalogue
 {
 // A time in which some node slides at least as fast as the threshold: contiguous, or with pauses
-// shorter than the catalogue's merging time. On a fault that
-// is a curve moment is per metre of the third dimension, and there is neither area nor length.
+// shorter than the catalogue's merging time. On a fault that is a curve the moment is per metre of
+// the third dimension, and there is neither area nor length.
 struct Event
 {
   double onset = 0;          // [s]
@@ -22,7 +22,7 @@ struct Event
                              // from its upper end
   bool complete = true;      // false if it was in progress when the run ended
 
-  // Of its first part among all events of the run, from 1, as in rupture.h5.
+  // The number of its first part among all events of the run, from 1, as in rupture.h5.
   std::int64_t number = 0;
 
   double area = 0;                // [m^2] of the nodes that reached the threshold
@@ -38,7 +38,7 @@ struct Event
 
 struct Quartiles
 {
-  double lower = 0, median = 0, upper = 0; // nan if there is nothing to take them of
+  double lower = 0, median = 0, upper = 0; // nan if there are no values
 };
 
 struct EventSummary

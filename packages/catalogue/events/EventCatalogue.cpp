@@ -44,16 +44,18 @@ Teuchos::RCP<const Teuchos::ParameterList> EventCatalogue::validParameters()
           "A node is seismic while its slip rate is at least this. An event lasts as long as some "
           "node is seismic.")
     .real("Merging Time", 0.0, "s", Range::atLeast(0),
-          "Events are one if less than this passes from the end of one to the onset of the next.")
+          "Two events are one if less than this passes from the end of one to the onset of the "
+          "next.")
     .real("Smallest Width", 0.0, "m", Range::atLeast(0),
-          "Events of a smaller width are left out of the table. Their numbers are left out, too.")
+          "Events of a smaller width are left out of the table; the other events keep their "
+          "numbers.")
     .real("Smallest Magnitude", no_magnitude, "-", Range::atLeast(no_magnitude),
           "Events of a smaller moment magnitude are left out of the table, in three dimensions; "
           "-99 leaves out none.")
     .integer(
       "Most Events", 0, Range::atLeast(0),
-      "The run ends when the table has this number of events, before its final time; 0 means "
-      "that it goes on. A run that ended so goes on by --restart with a larger number.")
+      "The run ends before its final time when the table has this number of events; 0 means no "
+      "limit. With a larger number --restart continues a run that ended so.")
     .list();
 }
 
@@ -219,7 +221,7 @@ void EventCatalogue::recordLast()
   }
   events_.push_back(last_);
   file_.writeRow(eventRow(last_) + energies_.columns(energies_at_begin_, energies_at_end_));
-  file_.flush(); // rare, and waited for
+  file_.flush(); // events are rare, and users wait for them
 }
 
 void EventCatalogue::closeSegment(int) { file_.flush(); }

@@ -19,8 +19,8 @@ namespace asperity::catalogue
 // Needs the fields `slip_rate`, `slip` (of any number of components) and `shear_modulus` on the
 // domain `fault`. A node's slip counts while the node itself is at or above the threshold
 // (Pipping 2014, §5.4: the displacement at the base that occurs at seismic velocities). The peak
-// slip rate is that of a node between steps (peakRate), not at their ends, which fall by chance. On
-// a surface an event has an area, a moment and a magnitude, a hypocentre, and extents along strike
+// slip rate is that of a node between steps (peakRate), since no step need end at the peak. On a
+// surface an event has an area, a moment and a magnitude, a hypocentre, and extents along strike
 // and down dip of the fault's mean plane; on a curve a width and a moment per length. Events that
 // follow one another within `Merging Time` are one, from the first onset to the last end; smaller
 // ones than the deck asks for have no row.
@@ -56,7 +56,7 @@ protected:
   void end(Sample const& now) override;
 
 private:
-  // Besides the rates; known before those of a step are looked at.
+  // What a sample has besides the rates; set before EventFollower::write.
   struct More
   {
     std::vector<double> slip; // (num_owned, components) [m]

@@ -31,8 +31,8 @@ protected:
     std::vector<double> rates; // (num_owned) [m/s]
   };
 
-  // The sample `now` is the first of an event; each of an event and the first after it; the first
-  // after it. Called in this order. Collective.
+  // The sample `now` is, for begin, the first one of an event; for follow, each one of the event
+  // and the first one after it; for end, the first one after it. Called in this order. Collective.
   virtual void begin(Sample const& now) = 0;
   virtual void follow(Sample const& now) = 0;
   virtual void end(Sample const& now) = 0;
@@ -59,14 +59,14 @@ private:
   Sample previous_;
 };
 
-// Of the node that meets the threshold first among those of all ranks.
+// The place of the node that meets the threshold first, among those of all ranks.
 struct FirstNode
 {
   std::vector<double> coordinates;                            // (dimension) [m]
   double position = std::numeric_limits<double>::quiet_NaN(); // [m] on a curve
 };
 
-// lateness: (num_owned) anything that orders the nodes in time, infinity: never. Of equals it is
-// the node of least number. Some node must be finite. Collective.
+// lateness: (num_owned) any number that orders the nodes in time; infinity means never. Among
+// equals the node of least number is the first. Some value must be finite. Collective.
 FirstNode firstNode(io::OutputDomain const& fault, std::vector<double> const& lateness);
 } // namespace asperity::catalogue

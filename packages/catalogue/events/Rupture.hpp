@@ -20,7 +20,7 @@ public:
   static std::vector<std::string> files() { return {"rupture.h5"}; }
 
   Rupture(Teuchos::ParameterList const& parameters, io::OutputContext const& context);
-  Rupture(Rupture const&) = delete; // the table describes itself with the members
+  Rupture(Rupture const&) = delete; // the table refers to this object
   Rupture& operator=(Rupture const&) = delete;
 
   void closeSegment(int index) override { table_.closeSegment(index); }

@@ -26,7 +26,8 @@ ElementTree::ElementTree(io::OutputDomain const& domain) : dimension_(domain.dim
   }
 }
 
-// Halves the elements along the longest side of their box, by the middles of theirs.
+// Splits the elements into halves along the longest side of the box around them, by the middles of
+// their own boxes.
 void ElementTree::grow(std::size_t first, std::size_t last)
 {
   constexpr std::size_t most_in_leaf = 8;

@@ -8,7 +8,7 @@
 
 namespace asperity::catalogue
 {
-// Values at the nodes of a domain of the run of --restart-from, at the nodes of the new run's.
+// Interpolates nodal values of the run of --restart-from at the nodes of the new run's domain.
 class Interpolation
 {
 public:
@@ -22,7 +22,7 @@ public:
   void searchAt(Values const& points) { searched_ = points; }
 
   // Fields of (num_owned, components) each, in the order of the nodes of the domains. All at once,
-  // since it takes longest to find the points. InputError for a node that lies outside the other
+  // because finding the points costs most. InputError for a node that lies outside the other
   // domain. Collective.
   std::vector<Values> operator()(std::vector<Values> const& fields, int components) const;
 

@@ -82,7 +82,8 @@ std::vector<double> barycentric(Simplex const& simplex, double const* point)
 }
 } // namespace
 
-// In the interior or, beyond the faces across from corners with a negative coordinate, on these.
+// The projection, if it is inside; else the nearest point of the faces that are opposite to corners
+// with a negative barycentric coordinate.
 NearestPoint nearestPoint(Simplex const& simplex, double const* point)
 {
   constexpr double rounding = 1e-12; // a point at a node has that node's value

@@ -17,7 +17,7 @@ namespace
 {
 constexpr double rounding = 1e-9; // of the size of an element
 
-// Whether `left` is to be preferred. Distances that are rounding are no distances.
+// Whether `left` is to be preferred. Distances within rounding count as zero.
 bool isNearer(LocatedPoint const& left, LocatedPoint const& right)
 {
   const auto apart = [](LocatedPoint const& point) {
@@ -111,7 +111,7 @@ LocatedPoint PointLocation::nearestOfRank(double const* point, std::size_t& elem
       best = std::move(candidate);
       element_of_it = element;
     }
-    return best.distance + margin; // what is as near, but for rounding, may have lesser nodes
+    return best.distance + margin; // elements as near to rounding may have lesser nodes
   });
   return best;
 }
@@ -174,8 +174,8 @@ std::vector<LocatedPoint> locate(io::OutputDomain const& domain, std::vector<dou
 
 namespace
 {
-// Of a triangle in space the leg of a right one of its area: of squares in two halves that is the
-// side, which benchmarks mean, and not the diagonal.
+// Of a triangle in space, the leg of a right triangle of the same area: for squares cut in two
+// halves this is the side, not the diagonal.
 double size(Simplex const& simplex)
 {
   if (simplex.numEdges() != 2 || simplex.dimension != 3) {
@@ -197,7 +197,7 @@ double shortestElement(io::OutputDomain const& domain)
 
 namespace
 {
-// The owned elements by their nodes, of those that have a point.
+// The owned elements that may have one of the points, by their nodes.
 std::map<std::vector<GlobalOrdinal>, std::size_t>
 elementsByNodes(io::OutputDomain const& domain, std::vector<LocatedPoint> const& points)
 {

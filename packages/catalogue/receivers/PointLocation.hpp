@@ -18,8 +18,7 @@ struct LocatedPoint
   std::vector<double> coordinates;  // (dimension) [m] of the point of the domain
 };
 
-// Finds points in a domain, which it refers to and which may not be empty. One is made for many
-// points.
+// Finds points in a domain, which must not be empty and must outlive this object.
 class PointLocation
 {
 public:
@@ -29,8 +28,9 @@ public:
   // elements belongs to that with the least node numbers, on any number of ranks. Collective.
   std::vector<LocatedPoint> operator()(std::vector<double> const& points) const;
 
-  // The same, but the element is the one that is nearest to another point each: on a fault inside
-  // the body, whose two sides lie at one place, that point says which of them is meant. Collective.
+  // The same, but in the element that is nearest to the corresponding point of `searched`: on a
+  // fault inside the body, whose two sides lie at one place, that point says on which side.
+  // Collective.
   std::vector<LocatedPoint> operator()(std::vector<double> const& points,
                                        std::vector<double> const& searched) const;
 

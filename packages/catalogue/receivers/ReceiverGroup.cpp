@@ -13,8 +13,8 @@ namespace asperity::catalogue
 {
 namespace
 {
-// Of an element's size: how far beside the domain a receiver may lie. Coordinates on an inclined
-// fault or surface are rounded.
+// How far from the domain a receiver may lie, as a share of the element's size: coordinates on an
+// inclined fault or surface are rounded.
 constexpr double reach = 0.01;
 
 std::string pointText(std::vector<double> const& point)
@@ -60,15 +60,16 @@ void requireNear(std::string const& path, NamedPlace const& place, LocatedPoint 
   const std::string where = is_volume ? "mesh" : domain.name;
   throw InputError(path + " / " + place.name + " = " + pointText(place.coordinates) + " is " +
                    formatShort(located.distance) + " m outside of the " + where +
-                   ", whose coordinates go " + extentText(domain) + "; its nearest element has " +
-                   formatShort(located.element_size) + " m. A receiver may be " +
-                   formatShort(reach * located.element_size) + " m beside it.");
+                   ", whose coordinates go " + extentText(domain) +
+                   "; its nearest element has a size of " + formatShort(located.element_size) +
+                   " m. A receiver may be at most " + formatShort(reach * located.element_size) +
+                   " m outside.");
 }
 } // namespace
 
 namespace
 {
-// Of a place as the deck has it.
+// The coordinates of a place in the deck, which on a curve may be given as a distance along it.
 std::vector<double> pointOf(std::string const& path, NamedPlace const& place,
                             io::OutputDomain const& domain)
 {

@@ -22,8 +22,9 @@ struct NamedPlace
 class ReceiverGroup
 {
 public:
-  // `path` is that of the list in the deck, for messages: a place further from the domain than
-  // a hundredth of its element there is an InputError, as is a name that no file can have.
+  // `path` is that of the list in the deck, for messages. Throws InputError for a place farther
+  // from the domain than a hundredth of the nearest element's size, and for a name that no file can
+  // have.
   // Collective.
   ReceiverGroup(std::string const& path, std::vector<NamedPlace> const& places,
                 io::OutputDomain const& domain);

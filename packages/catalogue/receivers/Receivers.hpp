@@ -21,7 +21,7 @@ public:
   static std::vector<std::string> files() { return {"receivers.h5"}; }
 
   Receivers(Teuchos::ParameterList const& parameters, io::OutputContext const& context);
-  Receivers(Receivers const&) = delete; // the table describes itself with the groups
+  Receivers(Receivers const&) = delete; // the table refers to the groups
   Receivers& operator=(Receivers const&) = delete;
 
   void write(io::StepInfo const& step) override;

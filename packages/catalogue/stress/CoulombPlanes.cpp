@@ -82,8 +82,8 @@ void declareCoulombPlanes(Declare& output)
                  "in the body.")
     .realArray(
       "East", std::vector<double>{1, 0, 0}, "-", Range::any(),
-      "The part of this vector at right angles to Up points east in three dimensions, at any "
-      "length; strikes of Coulomb Planes follow from it.");
+      "In three dimensions the part of this vector that is perpendicular to Up points east; "
+      "strikes of Coulomb Planes follow from it. Its length has no effect.");
 }
 
 std::map<std::string, fem::CoulombPlane> coulombPlanes(ParameterList const& output, int dimension)

@@ -51,7 +51,7 @@ private:
 
   fem::CellStress<Dim> stress_;
   VertexMotions motions_;
-  bool is_viscous_; // on any rank: velocities are taken together
+  bool is_viscous_; // on any rank: evaluating velocities is collective
 };
 
 // The stress in the elements of a domain; that of all elements is made when it is wanted.

@@ -21,7 +21,7 @@ struct VertexMotions
   std::function<std::vector<double>()> initial_displacement, initial_velocity;
 };
 
-// Of local vertices, ghosts among them; are_few: a few of many, at receivers. Collective.
+// Observes local vertices, which may be ghosts; are_few: few of many, as at receivers. Collective.
 using ObserveVertices =
   std::function<VertexMotions(std::vector<int> const& vertices, bool are_few)>;
 
@@ -32,7 +32,7 @@ struct StressedBody
   Mesh<Dim> const& mesh;
   int components;                              // of the displacement
   std::vector<fem::Material> const& materials; // (num_cells)
-  std::string surface;                         // the boundary that the domain `surface` is
+  std::string surface;                         // the boundary of the domain `surface`
   ObserveVertices observe;
 };
 

@@ -17,7 +17,7 @@ namespace asperity::dynamics
 {
 namespace
 {
-// Forces out of balance that count as rounding, as a share of those that balance.
+// Unbalanced forces of at most this share of the largest forces count as rounding.
 constexpr double rounding = 1e-9;
 
 // All dofs at the vertices of the fault.
@@ -105,7 +105,7 @@ bool StaticCondensation::isFaultAlone(CrsMatrix const& viscosity) const
   return true;
 }
 
-// The factor and P. False if the body can move without resistance while its fault rests.
+// Computes the factor and P. False if the body can move without resistance while its fault rests.
 bool StaticCondensation::findPattern()
 {
   auto const& body = whole_.body;
@@ -116,7 +116,7 @@ bool StaticCondensation::findPattern()
     for (auto k = K.graph.row_map(dof); k < K.graph.row_map(dof + 1); ++k) {
       stiffness = std::max(stiffness, std::abs(K.values(k)));
     }
-    // No cell knows of the jump at a tip of a fault: it stays held, and rests.
+    // The jump at a tip of a fault belongs to no cell and has no stiffness: it is held at rest.
     flags[dof] = stiffness == 0 ? 1 : 0;
   }
   try {
@@ -154,7 +154,7 @@ bool StaticCondensation::findPattern()
   return isInEquilibrium(*pattern_);
 }
 
-// Whether K u vanishes at I, beside the sums of magnitudes that it is made of.
+// Whether K u vanishes at I, compared with the sums of the magnitudes of its terms.
 bool StaticCondensation::isInEquilibrium(Vector const& u) const
 {
   auto const K = whole_.body.matrices.stiffness->getLocalMatrixHost();
@@ -177,7 +177,7 @@ bool StaticCondensation::isInEquilibrium(Vector const& u) const
   return rest <= rounding * largest;
 }
 
-// Tried with one motion in which all free dofs of the fault take part.
+// Tests one motion, in which all dofs of the fault take part.
 bool StaticCondensation::balancesMotionOfFault() const
 {
   Vector x(factor_->matrix()->getDomainMap());
@@ -240,8 +240,9 @@ void StaticCondensation::gather(Vector const& whole, Vector& x) const
   }
 }
 
-// S at F; at s the forces on F and P'KP. The other dofs of the last vertex do nothing. The columns
-// of dofs that never move are left out, which are half of all in plane strain.
+// The Schur complement S at F; in the row and column of s, K P at F and P'KP. The other dofs of the
+// last vertex have no stiffness. Columns of dofs that never move are left out: half of all in plane
+// strain.
 RCP<const CrsMatrix> StaticCondensation::condensedStiffness(RCP<const Map> const& map) const
 {
   Vector forces(pattern_->getMap());

@@ -12,9 +12,9 @@ class SchurComplement;
 
 namespace asperity::dynamics
 {
-// Static condensation (Guyan 1965) of a body that has neither inertia nor viscosity off its fault,
-// and that nothing loads there. It is in equilibrium at all times, so that the fault and the
-// boundaries decide on its displacement:
+// Static condensation (Guyan 1965) of a body that has neither inertia, viscosity nor loads off its
+// fault. It is in equilibrium at all times, so that the fault and the boundaries determine its
+// displacement:
 //
 //   u = E u_F + s P:    K_II u_I = -K_IF u_F - s K_ID d,    u_D = s d
 //
@@ -22,15 +22,15 @@ namespace asperity::dynamics
 // constant velocity d, so that its amplitude s [s] is a single held dof, which moves at rate 1. The
 // condensed model has [E P]'K[E P], which is full, for K. Works, energies and reactions are the
 // same in both models, and so is every step of a scheme that is linear in u, v and a. A step costs
-// what it costs a boundary element code, whatever the number of cells.
+// as much as in a boundary element code, for any number of cells.
 class StaticCondensation
 {
 public:
-  // Of the motion of D, in u, v, a and jerk.
+  // The amplitudes of the motion of D in u, v, a and jerk: s and its derivatives.
   using Amplitudes = std::vector<double>; // (4)
 
-  // `whole` must live on one rank, its load must act on F alone, and what is prescribed must be
-  // constant in time but for the tangential dofs of the fault; it must outlive the result.
+  // `whole` must live on one rank, its load must act on F alone, and prescribed velocities must
+  // be constant in time, except at the tangential dofs of the fault; it must outlive the result.
   // Null if the body has mass, viscosity off F, or a displacement at the start, or is not in
   // equilibrium for some motion of F.
   static std::unique_ptr<StaticCondensation> make(Model const& whole);
@@ -39,18 +39,18 @@ public:
   // Vertex i of its dofs is node i of the fault, with all components; the last vertex has s.
   Model const& model() const { return *model_; }
   int numEliminated() const; // the size of I and D
-  // From displacement, velocity or acceleration of the condensed model, that of the whole body.
+  // Displacement, velocity or acceleration of the whole body from that of the condensed model.
   void expand(Vector const& x, Vector& whole) const;
 
   // The row of expand() for a dof of the whole body: row . x is its value, with as many numbers as
   // the condensed model has dofs. Costs a solve with half of the factor.
   std::vector<double> recoveryRow(int dof) const;
-  // The numbers that expand() reads, each of them once: its cost.
+  // How many numbers expand() reads, which is its cost.
   std::size_t factorEntries() const;
 
-  // The state of the whole body that a state of the condensed model stands for, and back, where it
-  // has to be told s and its derivatives with u, v, a and jerk: those of a condensed state, or
-  // those of a body that has never been condensed at a time [s].
+  // expand: the state of the whole body from one of the condensed model; gather: the reverse, which
+  // also needs the amplitudes: those of a condensed state, or, for a state of a body that has never
+  // been condensed, those at its time [s].
   State expand(State const& state) const;
   State gather(State const& whole, Amplitudes const& of) const;
   Amplitudes amplitudes(State const& state) const;

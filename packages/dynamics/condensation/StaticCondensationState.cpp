@@ -5,7 +5,7 @@
 
 #include <array>
 
-// States of the condensed model as states of the whole body, which do not depend on the model.
+// Conversion of states between the condensed model and the whole body.
 namespace asperity::dynamics
 {
 namespace

@@ -29,17 +29,17 @@ bool RecoveryRows::add(std::vector<int> const& dofs)
 
 std::string RecoveryRows::report() const
 {
-  const std::string whole = std::to_string(condensation_.factorEntries()) + " of the whole body";
+  const std::string whole = std::to_string(condensation_.factorEntries()) + " for the whole body";
   const std::string by_length = " times " + std::to_string(length());
   std::string text;
   if (!rows_.empty()) {
     text = "Receivers in the body: " + std::to_string(rows_.size()) + by_length +
-           " products give their motion, in place of " + whole + '.';
+           " products give their motion, instead of " + whole + '.';
   }
   if (num_refused_ > 0) {
     text += (text.empty() ? "" : " ") +
-            ("Receivers in the body: there are so many that each of their rows recovers the whole "
-             "body, " +
+            ("Receivers in the body: there are so many that every row computes the motion of "
+             "the whole body, " +
              std::to_string(condensation_.factorEntries()) +
              " products for each field. Choose fewer receivers, or a larger Every n Steps.");
   }

@@ -17,14 +17,14 @@ class RecoveryRows
 public:
   explicit RecoveryRows(StaticCondensation const& condensation) : condensation_(condensation) {}
 
-  // Makes the rows that are missing; false, and no row, if they were longer in all than what
-  // expand() reads.
+  // Makes the rows that are missing. If all these rows have at least as many numbers as expand()
+  // reads, makes none and returns false.
   bool add(std::vector<int> const& dofs);
   // The entry of expand(x) at a dof that has a row; x(length()).
   double value(int dof, double const* x) const;
   std::size_t size() const { return rows_.size(); }
   std::size_t length() const; // of a row
-  // For the log: what rows cost, or that there are none; "" if nobody has asked.
+  // For the log: the cost of the rows, or why there are none; "" if none were requested.
   std::string report() const;
 
 private:
@@ -34,12 +34,13 @@ private:
 };
 
 // Vectors of displacement, velocity or acceleration at chosen vertices, along the axes, from those
-// of a model's state. All that it is made of must outlive it.
+// of a model's state. Refers to the arguments of its constructor, which must outlive it.
 class VertexMotion
 {
 public:
-  // `whole` is the body of the mesh. condensation: if states are those of a condensed model, else
-  // null; rows: of it, for points whose motion is wanted without that of the whole body, else null.
+  // `whole` is the body of the mesh. condensation: that of the model whose states are given, or
+  // null if they are states of `whole`. rows: to compute the motion of few vertices without that of
+  // the whole body, or null.
   // vertices: local ones, ghosts among them only if with_ghosts, which is the same on all ranks.
   VertexMotion(Body const& whole, fem::NodalFrames const& frames, std::vector<int> vertices,
                bool with_ghosts, StaticCondensation const* condensation = nullptr,

@@ -47,8 +47,8 @@ public:
     const double count = std::ldexp(seconds / largest_step_, finest_level_);
     return static_cast<Ticks>(std::ceil(count * (1 - rounding)));
   }
-  // Ticks of a clock with the same largest step and another finest level; empty where it is no
-  // whole number of them here.
+  // Converts ticks of a clock with the same largest step and another finest level; empty if they
+  // are not a whole number of ticks here.
   std::optional<Ticks> fromLevel(Ticks count, int finest_level) const
   {
     const Ticks factor = Ticks(1) << std::abs(finest_level_ - finest_level);

@@ -11,8 +11,8 @@ KOKKOS_INLINE_FUNCTION bool hasFiniteSquare(double x)
   return x * x <= std::numeric_limits<double>::max();
 }
 
-// Whether all values have one, on the device. What has none is counted, since integers add up
-// faster than numbers, each of whose sums waits for the last.
+// Whether all values have a finite square. Counts those that do not, because sums of integers are
+// faster on the device than sums of floating-point numbers.
 bool haveFiniteSquares(Kokkos::View<const double*, MemorySpace> const& values)
 {
   int others = 0;

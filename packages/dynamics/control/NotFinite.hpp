@@ -7,8 +7,7 @@
 
 namespace asperity::dynamics
 {
-// A value of a state that is no number or infinite, or so large that its square is: norms and
-// energies are made of squares.
+// A value of a state whose square is nan or infinite: norms and energies are made of squares.
 struct NotFinite
 {
   std::string field; // "velocity"

@@ -10,12 +10,13 @@ namespace asperity::dynamics
 {
 namespace
 {
-// A larger step is tried if its error should be below this fraction of the tolerance: failing costs
-// two coupled steps, trying later a half of one for each step.
+// A larger step is tried if its expected error is at most this fraction of the tolerance: a pair
+// that fails costs more than to try the larger step later.
 constexpr double safety = 0.8;
 
-// How far alpha may be from a straight line, as a root mean square over the fault, for guesses to
-// come from there. Where alpha falls by 10 on a hundredth of the fault, that is 1.
+// Guesses come from the step of twice the size if its alpha is at most this far from the straight
+// line (root mean square over the fault). Where alpha falls by 10 on a hundredth of the fault, the
+// distance is 1.
 constexpr double near = 0.1;
 } // namespace
 
@@ -25,7 +26,7 @@ RichardsonControl::RichardsonControl(CoupledStep& step, int order, AdaptiveSetti
     , extrapolation_(std::ldexp(1., order) - 1)
     , error_ratio_(std::ldexp(1., order + 1))
 {
-  // The step of twice the size exists as well.
+  // A pair is compared with a step of twice the size.
   ASPERITY_ASSERT(settings.finest_level > settings.coarsest_level);
   memory_.level = std::max(settings.first_level, settings.coarsest_level + 1);
 }
@@ -42,7 +43,7 @@ AcceptedStep RichardsonControl::advance(State& current, SolveCount& count)
   accepted.within_tolerance = accepted.error <= settings_.tolerance;
   ++memory_.num_steps;
   if (resume(current)) {
-    // What comes may have nothing to do with what was.
+    // Loads may change at an instant: the last pairs do not predict the next one.
     memory_.before.reset();
     memory_.error = memory_.previous_error = 0;
   }

@@ -13,10 +13,10 @@ namespace asperity::dynamics
 // tolerance. Twice the step size means 2^(p+1) times the error. So the size of the next pair is
 // predicted from the last error and its trend, instead of being found by trial.
 //
-// The first guess of the pair comes from the step of twice the size, unless that is far from a
-// straight line through what was before. Where a rupture begins, a step that is too long has a
-// second solution, in which the fault has ruptured already, or no other. Guesses that come from
-// there lead shorter steps to their own second solutions, down to the shortest that has one.
+// The first guess of the pair comes from the step of twice the size, unless that is far from the
+// straight line through the states before. Where a rupture begins, a step that is too long may have
+// a second solution in which the fault has ruptured already, or only that one. Guesses from such a
+// solution lead shorter steps to their own second solutions, down to the shortest that has one.
 class RichardsonControl final : public StepControl
 {
 public:
@@ -30,7 +30,8 @@ private:
     std::optional<Trial> first, second; // empty: not solved
     double error = 0;                   // infinite if there is nothing to compare with
   };
-  // Straight on from where the last pair began, `steps` steps of level memory_.level.
+  // The straight line from the beginning of the last pair through `current`, extended by `steps`
+  // steps of level memory_.level.
   Guess straightOn(State const& current, double steps) const;
   // One step from the present state to the end of a pair of steps of level memory_.level.
   std::optional<Trial> wholeStep(State const& current, SolveCount& count);

@@ -19,7 +19,7 @@ bool isWorthALine(std::int64_t count)
 }
 
 constexpr char const* advice = "Try a smaller 'Smallest Step' or a looser tolerance, and check "
-                               "rates, lengths and stresses of friction.";
+                               "the slip rates, lengths and stresses of the friction law.";
 } // namespace
 
 std::string StallWatch::note(Step const& step)

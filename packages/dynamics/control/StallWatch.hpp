@@ -5,12 +5,11 @@
 
 namespace asperity::dynamics
 {
-// Notices while a run goes on that it does not get ahead: its steps have the smallest size, one
-// after the other.
+// Reports that a run hardly advances, because all its steps have the smallest size.
 class StallWatch
 {
 public:
-  // most_forced: steps in a row above the tolerance that are one too many; 0 means any number.
+  // most_forced: the number of forced steps in a row at which the run ends; 0 means no limit.
   explicit StallWatch(std::int64_t most_forced) : most_forced_(most_forced) {}
 
   struct Step
@@ -21,7 +20,7 @@ public:
     double step_size = 0;   // [s]
     double time_left = 0;   // to the end of the run [s]
   };
-  // A sentence for the log, or "" for most steps. Throws SolveError for one forced step too many.
+  // A sentence for the log, or "" for most steps. Throws SolveError at the limit most_forced.
   std::string note(Step const& step);
 
 private:

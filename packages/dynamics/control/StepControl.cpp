@@ -69,7 +69,7 @@ std::optional<Trial> StepControl::attemptAtFault(State const& from, int level, G
 
 void StepControl::giveUp(State const& from, int level) const
 {
-  std::ostringstream lost; // of the lowest rank that has lost a number
+  std::ostringstream lost; // of the lowest rank that has a value that is not finite
   onEveryRank(*surface().communicator(), [&] {
     if (not_finite_) {
       lost << "; " << not_finite_->field << " became " << not_finite_->value;
@@ -173,7 +173,7 @@ StepDoubling::StepDoubling(CoupledStep& step, AdaptiveSettings const& settings)
   memory_.level = settings.first_level;
 }
 
-// A solved step from `current`, the largest that works not above the present level.
+// Finds the largest step from `current` that can be solved, of at most the present size.
 void StepDoubling::findTrial(State const& current, SolveCount& count)
 {
   while (!memory_.trial) {
@@ -199,7 +199,7 @@ AcceptedStep StepDoubling::advance(State& current, SolveCount& count)
   std::optional<Trial> next;
   if (!coarsen(current, next, accepted.error, count)) {
     accepted.within_tolerance = refine(current, next, accepted.error, count);
-    // A step cut short to the smallest has nothing to be compared with, nor any need of it.
+    // A step cut short to the smallest size cannot be compared with smaller ones.
     const bool is_cut_short = memory_.level_after != ControlMemory::none;
     accepted.within_tolerance |= is_cut_short && memory_.level == first_level;
   }
@@ -213,8 +213,8 @@ AcceptedStep StepDoubling::advance(State& current, SolveCount& count)
   return accepted;
 }
 
-// Doubles the trial as long as its double agrees with two of it. `next` continues the trial where
-// that is known.
+// Doubles the trial as long as one step of twice its size agrees with two of its size. `next` is
+// the step after the trial, if it is known.
 bool StepDoubling::coarsen(State const& current, std::optional<Trial>& next, double& error,
                            SolveCount& count)
 {

@@ -66,7 +66,7 @@ public:
   explicit StepControl(CoupledStep& step);
   // The instants in ticks, ascending.
   void setInstants(std::vector<DyadicTime::Ticks> instants) { instants_ = std::move(instants); }
-  // For messages, where a local vertex of the body is, "node 17, (0, 1)"; else they do not say.
+  // Sets what messages say about the place of a local vertex, "node 17, (0, 1)"; else nothing.
   using PlaceOf = std::function<std::string(int)>;
   void setPlaces(PlaceOf place_of) { place_of_ = std::move(place_of); }
   virtual ~StepControl() = default;
@@ -75,8 +75,8 @@ public:
 
   ControlMemory const& memory() const { return memory_; }
   void restore(ControlMemory memory) { memory_ = std::move(memory); }
-  // What is remembered of a clock with another smallest step: forgets trials, and steps that are
-  // too small.
+  // Adapts the memory restored from a run with another smallest step: forgets trials and errors,
+  // and raises step sizes that are too small now.
   void adaptToClock();
 
 protected:

@@ -12,8 +12,8 @@ using friction::ConstNodeView;
 using friction::NodeView;
 using Nodes = Kokkos::RangePolicy<friction::ExecutionSpace>;
 
-// Differences of residuals that lie in one direction up to the root of this share of the largest
-// one's length tell nothing apart: lengths enter squared in the normal equations.
+// Rank threshold of the normal equations. Differences of residuals that are parallel up to the
+// square root of this share count as dependent, because lengths enter squared.
 constexpr double parallel = 1e-10;
 
 NodeView copyOf(ConstNodeView const& values)

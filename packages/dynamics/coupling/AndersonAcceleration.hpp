@@ -22,7 +22,7 @@ public:
   // Forgets all iterates.
   void reset() { iterates_.clear(); }
 
-  // Replaces x by the next iterate, given image = g(x). All ranks together.
+  // Replaces x by the next iterate, given image = g(x). Collective.
   void advance(friction::NodeView const& x, friction::ConstNodeView const& image);
 
 private:

@@ -81,8 +81,8 @@ Teuchos::RCP<Teuchos::ParameterList> CouplingSettings::validParameters()
           "The fixed-point iteration of rate and state ends when alpha changes by at most this "
           "between two iterates, in the norm chosen.")
     .choice("Norm", "Root Mean Square", {"Root Mean Square", "Maximum"},
-            "Selects how that change is measured over the fault: Maximum sees a nucleation that is "
-            "small beside the fault, which a mean dilutes.")
+            "Selects how that change is measured over the fault. Maximum also responds to a "
+            "nucleation much smaller than the fault, which has little weight in a mean.")
     .integer("Maximum Iterations", defaults.max_iterations, Range::atLeast(1),
              "A step is rejected after this number of fixed-point iterations. The step control "
              "then halves it; a run with prescribed steps ends.")
@@ -172,8 +172,8 @@ CoupledStep::CoupledStep(Body const& body, Fault const& fault, RateUpdate const&
   }
 }
 
-// What the deck says about the time t1. Where that fails (an expression is no number), it may fail
-// on one rank alone, and is thrown on all.
+// Evaluates the expressions of the deck at the time t1. One of them may be nan on one rank alone;
+// the error is thrown on all ranks.
 void CoupledStep::evaluateLoads(double t0, double t1, State& to)
 {
   ASPERITY_TIME_WORK("right sides of steps");
@@ -190,10 +190,10 @@ void CoupledStep::evaluateLoads(double t0, double t1, State& to)
   });
 }
 
-// b = l(t1) - M a_D - C v_D - K u_D on the free dofs, v_D the prescribed velocity, u_D and a_D what
-// the step makes of it: the rate problem is solved for w = v1 - v_D, which is zero at held dofs.
-// Under back slip v_D is the motion of the plates at the free dofs of the fault, so that there w is
-// what friction sees (gatherSlip).
+// b = l(t1) - M a_D - C v_D - K u_D on the free dofs, where v_D is the prescribed velocity, and u_D
+// and a_D follow from it by the rate update: the rate problem is solved for w = v1 - v_D, which is
+// zero at held dofs. Under back slip v_D is the motion of the plates at the free dofs of the fault,
+// so that friction depends on w there (gatherSlip).
 void CoupledStep::rightSide(State const& from, double tau)
 {
   ASPERITY_TIME_WORK("right sides of steps");
@@ -259,7 +259,7 @@ void CoupledStep::meanSlipRate(RateSolver& solver)
   slipRate(surface(), mean_, V_);
 }
 
-// The state's answer to the velocity that the solver has now. False: it has none.
+// Updates the state with the solver's present velocity. False if the state law fails at a node.
 bool CoupledStep::updateState(State const& from, double tau, RateSolver& solver, State const& to)
 {
   ASPERITY_TIME_WORK("state updates");
@@ -277,7 +277,7 @@ bool CoupledStep::updateState(State const& from, double tau, RateSolver& solver,
   return sumOverRanks(failures, *surface().communicator()) == 0;
 }
 
-// Of alpha and, where it is coupled, of the normal stress between iterate and image.
+// The change of alpha and, if it is coupled, of the normal stress from the iterate to its image.
 double CoupledStep::changeOf(State const& to) const
 {
   const double of_alpha = distance(surface(), alpha_next_, to.alpha, settings_.norm);
@@ -303,7 +303,7 @@ void CoupledStep::accelerate(State& to)
   fault_.normalStress().raiseToFloor(to.sigma_n); // extrapolation may pass it
 }
 
-// alpha and the normal stress, and their images under the velocity of the solver.
+// Packs alpha and the normal stress, and their images for the solver's velocity, if coupled.
 void CoupledStep::respond(RateSolver const& solver, State const& to)
 {
   if (!stress_.coupled()) {
@@ -314,9 +314,9 @@ void CoupledStep::respond(RateSolver const& solver, State const& to)
   pack(alpha_next_, sigma_next_, stress_.perPascal(), image_);
 }
 
-// Rate problem and state take turns, one iteration of TNNMG for one update of the state: both
-// contract about tenfold, and to solve a rate problem whose state is about to change is lost. Once
-// the state has come to rest the rate problem is solved with it.
+// Alternates one iteration of TNNMG and one update of the state: both reduce the error by similar
+// factors, and more iterations for a state that still changes would be wasted. When the state has
+// converged, the rate problem is solved with it.
 CoupledResult CoupledStep::iterate(State const& from, double tau, RateSolver& solver, State& to,
                                    SolveCount& count)
 {
@@ -338,7 +338,7 @@ CoupledResult CoupledStep::iterate(State const& from, double tau, RateSolver& so
     respond(solver, to);
     const double change = changeOf(to);
     if (!updated || !std::isfinite(change)) {
-      Kokkos::deep_copy(to.alpha, alpha_next_); // where a number was lost can be found there
+      Kokkos::deep_copy(to.alpha, alpha_next_); // a value that is not finite can be found there
       if (stress_.coupled()) {
         Kokkos::deep_copy(to.sigma_n, sigma_next_);
       }

@@ -90,19 +90,21 @@ public:
   fem::FaultSurface const& surface() const { return fault_.surface(); }
   int components() const { return body_.dofs->components(); } // of the displacement
   StepSolvers const& solvers() const { return solvers_; }
-  // Of the last rate problem: loads, and what follows from the past and from prescribed velocities.
+  // The right side of the last rate problem: loads, and terms from the past and from prescribed
+  // velocities.
   Vector const& lastRightSide() const { return *b_; }
 
   // Makes a step of the given level from `from` to `to`, which must have the shapes of `from`. On
   // entry `to` holds a guess of v and alpha, and of the normal stress if it is coupled. If the step
-  // fails, the content of `to` is of no use. All ranks together.
+  // fails, only alpha and the normal stress of `to`, the last iterates, may be used, in messages.
+  // Collective.
   CoupledResult solve(State const& from, int level, State& to, SolveCount& count);
 
   // The same for the fault alone: alpha, normal stress and v there; v elsewhere is a guess, and u,
-  // a and jerk are not touched. Of a step that is only to be compared no more is needed, and with
-  // the direct correction half of the elimination is saved.
+  // a and jerk are not set. This is enough for a step that is only compared with others, and saves
+  // half of the elimination with the direct correction.
   CoupledResult solveAtFault(State const& from, int level, State& to, SolveCount& count);
-  // The rest of the step that was solved last.
+  // Computes the rest of the step that was solved last.
   void complete(State const& from, int level, State& to);
 
 private:
@@ -134,6 +136,6 @@ private:
   // If the normal stress is coupled: its response [Pa]; the unknowns, alpha first and then the
   // normal stress times NormalStressUpdate::perPascal; and the image of the unknowns.
   friction::NodeView sigma_next_, unknowns_, image_;
-  friction::NodeView shifted_; // alpha before the flow, where the normal stress moves it
+  friction::NodeView shifted_; // alpha before the flow, if the normal stress shifts it
 };
 } // namespace asperity::dynamics

@@ -13,8 +13,7 @@ namespace
 using Nodes = Kokkos::RangePolicy<friction::ExecutionSpace>;
 
 constexpr double friction_over_b = 50;
-// Nodes whose normal stress is below this share of the largest are measured by that share: relative
-// changes of next to nothing are of no consequence.
+// See perPascal(): relative changes of a normal stress near zero do not matter.
 constexpr double small_share = 1e-2;
 
 double largest(friction::ConstNodeView const& values)

@@ -23,12 +23,12 @@ public:
   // beginning t0 [s]. Not collective: where an expression fails, this rank alone throws.
   void evaluate(double t0, double t1);
   // Sets sigma_n(num_nodes) for the step if it lags. If it is coupled, its content is the first
-  // guess, which is raised to the floor. All ranks together.
+  // guess, which is raised to the floor. Collective.
   void begin(State const& from, friction::NodeView const& sigma_n);
   // Keeps the rows across the fault of a step's b = l + M a^ - K u^ - Z v_D, which a rate problem
   // leaves out. With the same rows of Z the reaction is r = Z w - b.
   void takeRightSide(Vector const& b);
-  // sigma_n(num_nodes) that follows from the solver's last answer. All ranks together.
+  // sigma_n(num_nodes) that follows from the solver's last answer. Collective.
   void respond(RateSolver const& solver, friction::NodeView const& sigma_n);
 
   // The factor that makes a change of sigma_n count like one of alpha: a relative change eps of

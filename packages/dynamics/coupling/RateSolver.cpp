@@ -315,7 +315,7 @@ std::unique_ptr<RateSolver> makeRateSolver(RCP<const CrsMatrix> const& Z, Body c
 
 namespace
 {
-// Rounding makes the factor of a singular matrix: its answer solves nothing.
+// With rounding even a singular matrix may have a factor; then x is not a solution.
 void requireSolution(CrsMatrix const& Z, Vector const& b, Vector const& x)
 {
   Vector rest(b, Teuchos::Copy);
@@ -323,8 +323,8 @@ void requireSolution(CrsMatrix const& Z, Vector const& b, Vector const& x)
   if (!(rest.norm2() <= 1e-6 * b.norm2())) {
     throw SolveError("The static problem has no solution: some part of the body can move without "
                      "resistance, or its numbers are too large to compute with. Check that the "
-                     "boundary conditions hold it, and Bulk: moduli, viscosities and density in SI "
-                     "units, Poisson's Ratio not almost 0.5.");
+                     "boundary conditions hold it, that the moduli, viscosities and density in "
+                     "Bulk are in SI units, and that Poisson's Ratio is not close to 0.5.");
   }
 }
 } // namespace
@@ -343,8 +343,8 @@ void solveLinear(RCP<const CrsMatrix> const& Z, Body const& body,
   const Kokkos::View<LocalOrdinal**, Kokkos::LayoutRight, MemorySpace> none(
     "asperity::dynamics::none", 0, 1);
   Teuchos::ParameterList list(settings.multigrid);
-  list.set("Method", "CG");      // a few cycles are for corrections, not for the last digits
-  list.set("Hierarchy", "Keep"); // without friction there is nothing to follow
+  list.set("Method", "CG");      // a few cycles would not meet the tolerance
+  list.set("Hierarchy", "Keep"); // without friction there are no Hessians
   tnnmg::MueLuCorrection multigrid(multigridProblem(Z, body, {none, body.held.flagsOnDevice(), {}}),
                                    list);
   auto const result = multigrid.solve({}, b, 1e-12, x);

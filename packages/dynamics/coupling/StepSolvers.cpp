@@ -45,7 +45,7 @@ RateSolver& StepSolvers::at(int level)
   if (auto const known = solvers_.find(level); known != solvers_.end() && known->second.solver) {
     return *known->second.solver;
   }
-  // Make room first: a solver that is not needed must not count at the peak.
+  // Make room first, so that the old solver does not add to the peak of the memory.
   while (shared_ && recent_.size() > most_with_multigrid) {
     forgetOldest();
   }

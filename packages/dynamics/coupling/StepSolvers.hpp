@@ -24,7 +24,7 @@ public:
               DyadicTime const& clock, RateSolverSettings const& settings, std::size_t budget_bytes,
               std::shared_ptr<const NormalReaction> reaction = nullptr);
 
-  // The reference is valid until the next call. All ranks together.
+  // The reference is valid until the next call. Collective.
   RateSolver& at(int level);
 
   int setups() const { return setups_; }

@@ -42,8 +42,8 @@ NodalFrames::Matrix frameFrom(Vectors basis, int components)
   return frame;
 }
 
-// x(dofs) := values. What is evaluated on the host goes to the device, and not the vector to the
-// host and back.
+// x(dofs) := values. Copies only these values to the device, and not the whole vector to the host
+// and back.
 void set(Vector& x, std::vector<int> const& dofs, std::vector<double> const& values)
 {
   auto const target = x.getLocalViewDevice(Tpetra::Access::ReadWrite);
@@ -67,7 +67,7 @@ Constraints<Dim>::Constraints(Mesh<Dim> const& mesh, DofMap const& dofs,
 {
   auto const at_vertices = detail::collectDirections(mesh, conditions_, dofs.components());
   largest_ = largestVelocities(at_vertices, *dofs.communicator());
-  // What is wrong at a node is seen by its owner alone.
+  // Only the owner of a node sees an error there; all ranks have to throw it.
   onEveryRank(*dofs.communicator(), [&] {
     for (auto const& [node, of_node] : detail::meansAndJumps(at_vertices, mesh, conditions_)) {
       constrain(dofs, node, of_node);
@@ -78,8 +78,8 @@ Constraints<Dim>::Constraints(Mesh<Dim> const& mesh, DofMap const& dofs,
   held_.emplace(std::move(held_flags_), dofs.numOwnedNodes() * dofs.components());
 }
 
-// Differences of velocities are compared with these, since at a corner the prescribed velocity
-// itself may consist of rounding alone.
+// The scale for differences of velocities: at a corner the prescribed velocity itself may be zero
+// up to rounding.
 template <int Dim>
 std::vector<double> Constraints<Dim>::largestVelocities(NodalDirections const& directions,
                                                         Communicator const& communicator) const

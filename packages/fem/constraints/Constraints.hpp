@@ -15,15 +15,17 @@ namespace asperity::fem
 {
 // The conditions of all boundaries, turned into nodal frames and fixed dofs.
 //
-// At a node the directions of its conditions are orthonormalised in the order given, but those of
-// FreeAcrossFault come before all others; the frame's last rows are these directions, its first
-// rows the remaining (tangential) ones. Where a fault (Normal::of_fault) ends at walls at right
-// angles, its normal lies in their planes. Where the directions are axes the frame is the identity.
-// Where there are more conditions than directions, they must agree with one another to 1e-10 of the
-// largest velocity that they prescribe anywhere; otherwise an InputError names both.
+// At a node the directions of its conditions are orthonormalised in the order given, except that
+// those of FreeAcrossFault come first. These directions are the last rows of the frame, the
+// remaining (tangential) ones its first rows. Where a fault (Normal::of_fault) ends at walls that
+// are nearly perpendicular to it, its normal is projected onto their planes. Where the directions
+// are axes, the frame is the identity. Conditions with linearly dependent directions must agree to
+// 1e-10 of the largest velocity that they prescribe anywhere; otherwise an InputError names two of
+// them.
 //
-// At the two vertices of a fault inside the body conditions hold for mean and jump (VertexTerms):
-// those on the fault for the jump, those on other boundaries in pairs, one on each side.
+// At a pair of vertices of a fault inside the body, conditions hold for mean and jump
+// (VertexTerms): conditions on the fault for the jump, those on other boundaries in pairs, one on
+// each side.
 template <int Dim>
 class Constraints
 {

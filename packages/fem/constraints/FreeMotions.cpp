@@ -14,10 +14,11 @@ namespace asperity::fem
 {
 namespace
 {
-// Of the trace of G. Held dofs on a ten thousandth of the body still have more, rounding has less.
+// An eigenvalue of G below this share of its trace counts as zero. Rounding stays below it; held
+// dofs exceed it even if they lie on a small part of the body.
 constexpr double smallest_eigenvalue = 1e-12;
 
-// A symmetric matrix (size, size), with eigenvalues in ascending order and their eigenvectors.
+// The eigenvalues of a symmetric matrix (size, size), ascending, and the eigenvectors.
 struct Eigensystem
 {
   int size;
@@ -83,8 +84,8 @@ std::vector<std::vector<double>> translationsIn(std::vector<std::vector<double>>
   return found;
 }
 
-// The axis about which a body of three dimensions turns; rotations are given by their planes (xy,
-// xz, yz).
+// The axis about which a body in three dimensions turns. Entries 3 to 5 of a vector in `free` are
+// rotations in the planes xy, xz and yz.
 std::vector<double> axisOf(std::vector<std::vector<double>> const& free)
 {
   std::vector<double> squares(9, 0.);
@@ -121,15 +122,15 @@ std::string inWords(std::vector<std::vector<double>> const& free, int components
   }
   text += text.empty() ? "" : " and ";
   if (Dim == 2) {
-    return text + "in its plane, turning about a point";
+    return text + "by turning in its plane about a point";
   }
   const bool has_all_axes = free.front().size() == 6;
-  return text + (num_turns > 1  ? "in turning about more than one axis"
-                 : has_all_axes ? "in turning about an axis along " + directionText(axisOf(free))
-                                : "in turning about the axis of its period");
+  return text + (num_turns > 1  ? "by turning about more than one axis"
+                 : has_all_axes ? "by turning about an axis along " + directionText(axisOf(free))
+                                : "by turning about the axis of its period");
 }
 
-// The combinations of motions that vanish at the resisting dofs, of which G is the matrix.
+// The combinations of motions that vanish at all resisting dofs: the null vectors of G.
 std::vector<std::vector<double>> nullVectors(int size, std::vector<double> const& gram)
 {
   auto const eigen = decompose(size, gram);
@@ -145,7 +146,7 @@ std::vector<std::vector<double>> nullVectors(int size, std::vector<double> const
   return found;
 }
 
-// Of all ranks, over the owned dofs of one piece.
+// The matrix G of one piece, summed over all ranks.
 template <class IsOfPiece>
 std::vector<double> gramOf(MultiVector const& motions, std::vector<int> const& resisting,
                            int components, IsOfPiece const& is_of_piece,

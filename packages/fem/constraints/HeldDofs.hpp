@@ -7,8 +7,8 @@
 
 namespace asperity::fem
 {
-// The dofs of a rank whose velocity the boundary conditions prescribe. Immutable; copies share one
-// memory. Owned dofs come first, as in DofMap.
+// The dofs of a rank whose velocity the boundary conditions prescribe. Immutable; copies share the
+// data. Owned dofs come first, as in DofMap.
 class HeldDofs
 {
 public:

@@ -16,12 +16,12 @@
 namespace asperity::fem
 {
 // Dampers of owned nodes: blocks in nodal frames, row-major in the leading components x components
-// entries [N s/m, in 2D per metre], by the nodes of their rows and of their columns. These differ
-// only where a fault has split a vertex; the whole is symmetric.
+// entries [N s/m, in 2D per metre], by the nodes of their rows and columns. The two nodes differ
+// only at the pair of a split vertex. The matrix of all blocks is symmetric.
 using NodalDampers = std::map<std::pair<int, int>, std::array<double, 9>>;
 
-// The dampers of an absorbing boundary (Lysmer & Kuhlemeyer 1969), which takes up plane waves that
-// arrive at right angles: tractions -rho cp v_n and -rho cs v_t (antiplane: -rho cs v) with the
+// The dampers of an absorbing boundary (Lysmer & Kuhlemeyer 1969), which absorbs plane waves at
+// normal incidence: tractions -rho cp v_n and -rho cs v_t (antiplane: -rho cs v) with the
 // material beside each facet, lumped at its nodes.
 template <int Dim, int Components>
 NodalDampers absorbingBoundary(Mesh<Dim> const& mesh, std::string const& boundary,
@@ -37,9 +37,8 @@ NodalDampers absorbingBoundary(Mesh<Dim> const& mesh, std::string const& boundar
 NodalDampers radiationDampers(FaultSurface const& fault, DofMap const& dofs,
                               std::vector<double> const& eta);
 
-// Adds to a load what radiation damping takes from the plates' motion, -eta Vp, lumped like
-// friction: with the dampers above the fault then bears eta (factor v_t + Vp). eta(num_nodes)
-// [Pa s/m].
+// Adds to a load the radiation damping of the plate rate, -eta Vp, lumped like friction: together
+// with the dampers above, the traction is eta (factor v_t + Vp). eta(num_nodes) [Pa s/m].
 void addRadiationOfPlates(FaultSurface const& fault, std::vector<double> const& eta, Vector& load);
 
 // A copy of a matrix of assembleBody with the dampers added.

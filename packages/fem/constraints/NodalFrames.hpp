@@ -13,8 +13,8 @@ namespace asperity::fem
 // component. components <= 3; row r, column c of the frame of a node is entry(node, r, c). A frame
 // is the identity until it is set.
 //
-// With the terms of the vertices they say what the unknowns x mean: the vector at a vertex is the
-// sum over its terms of factor * frame(node)^T x(node).
+// The vector at a vertex follows from the unknowns x as the sum over the terms of the vertex of
+// factor * frame(node)^T x(node).
 class NodalFrames
 {
 public:
@@ -93,8 +93,8 @@ std::vector<double> alongAxes(NodalFrames const& frames, DofMap const& dofs, Vec
                               std::vector<int> const& vertices);
 
 // The components of a node's frame along a boundary, ascending: all but the one that is nearest to
-// the boundary's normal, which has Dim numbers. The frame follows that normal, except where the
-// boundary bends or ends at a wall. The one component of antiplane motion is along any boundary.
+// the boundary's normal. The frame may deviate from that normal where the boundary bends or ends at
+// a wall. In antiplane motion the single component is along any boundary.
 template <std::size_t Dim>
 std::vector<int> tangentialComponents(NodalFrames const& frames, int node,
                                       std::array<double, Dim> const& normal);

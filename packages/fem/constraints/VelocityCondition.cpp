@@ -24,14 +24,15 @@ Overloaded(Cases...) -> Overloaded<Cases...>;
 Components normalised(Components vector, std::string const& condition)
 {
   const double size = std::sqrt(detail::dot(vector, vector));
-  ASPERITY_REQUIRE(size > 0, condition << ": the direction has no length.");
+  ASPERITY_REQUIRE(size > 0, condition << ": the direction has length zero.");
   for (double& x : vector) {
     x /= size;
   }
   return vector;
 }
 
-// In space: the direction of the part of d along the boundary, or the one at right angles to it.
+// In space: the direction of the part of d along the boundary, or the direction along the boundary
+// at right angles to d.
 template <int Dim>
 Components alongBoundary(VelocityCondition<Dim> const& condition, Components const& normal,
                          Components const& d, bool at_right_angles)
@@ -41,9 +42,8 @@ Components alongBoundary(VelocityCondition<Dim> const& condition, Components con
   auto const tangent = detail::withinPlane(n, d, at_right_angles);
   ASPERITY_REQUIRE(detail::dot(tangent, tangent) > detail::parallel * detail::dot(d, d),
                    condition.name << ": the direction (" << d[0] << ", " << d[1] << ", " << d[2]
-                                  << ") stands at right angles on the boundary '"
-                                  << condition.boundary
-                                  << "', so that nothing of it lies along it. Give another one.");
+                                  << ") is perpendicular to the boundary '" << condition.boundary
+                                  << "' and has no part along it. Give another direction.");
   return normalised(tangent, condition.name);
 }
 } // namespace
@@ -93,7 +93,8 @@ Boundaries VelocityCondition<Dim>::boundariesOfNormal() const
                           [](NoSlipSidewaysAtEdge const&) { return Boundaries(); }},
                kind);
   boundaries.push_back(boundary);
-  // Boundaries that continue each other have the same order, and normals equal to the last digit.
+  // Sorted, so that boundaries that continue each other sum the facets in the same order, and their
+  // normals are equal to the last digit.
   std::sort(boundaries.begin(), boundaries.end());
   boundaries.erase(std::unique(boundaries.begin(), boundaries.end()), boundaries.end());
   return boundaries;

@@ -30,8 +30,8 @@ enum class Normal
   of_fault
 };
 
-// At x and the time t [s], in m/s. Whoever makes one may say that it does not depend on t, so that
-// a body in equilibrium need not ask for it in each step.
+// A velocity [m/s] as a function of x and the time t [s]. With depends_on_time = false a body in
+// equilibrium need not evaluate it in each step.
 template <int Dim>
 class VelocityFunction
 {
@@ -91,7 +91,7 @@ struct SlidingWall
   static constexpr ZeroVelocity velocity = {};
 };
 
-// v . n = 0 on the fault, or on what continues it, between the body and a rigid foundation.
+// v . n = 0 on the fault, or on its continuation, between the body and a rigid foundation.
 struct ContactAcrossFault
 {
   static constexpr auto normal = Normal::of_fault;
@@ -100,7 +100,7 @@ struct ContactAcrossFault
   Boundaries continuations; // the normal is the mean over their facets, too
 };
 
-// No equation: the body moves freely across the fault, or across what continues it. The frames of
+// No equation: the body moves freely across the fault, or across its continuation. The frames of
 // the nodes follow n.
 struct FreeAcrossFault
 {
@@ -168,13 +168,13 @@ struct VelocityCondition
   bool prescribes() const;
   bool holdsAcross() const;
   double velocity(Point<Dim> const& x, double t) const;
-  bool dependsOnTime() const; // whether the velocity may
+  bool dependsOnTime() const; // whether the velocity may depend on time
 
   // The boundaries over whose facets n is the mean: this one and its continuations, sorted.
   Boundaries boundariesOfNormal() const;
 
   // The unit vector along which the velocity is prescribed or free at a node with this inward
-  // normal, of any length. Throws InputError where there is no such vector.
+  // normal, which may have any length above zero. Throws InputError where there is no such vector.
   std::vector<double> unitDirection(std::vector<double> const& inward_normal) const;
 };
 } // namespace asperity::fem

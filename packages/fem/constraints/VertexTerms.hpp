@@ -13,8 +13,8 @@ namespace asperity::fem
 //
 //   v+ = m + d/2,  v- = m - d/2
 //
-// At a tip nothing jumps: no cell has the vertex `plus`, and the jump there is held at zero. Every
-// other vertex is a node of its own.
+// At a tip the jump is held at zero, and no cell has the vertex `plus`. Every other vertex is a
+// node of its own.
 class VertexTerms
 {
 public:

@@ -10,7 +10,7 @@ namespace
 {
 using HostPolicy = Kokkos::RangePolicy<Kokkos::DefaultHostExecutionSpace>;
 
-// A view on the device that fill(host view) has filled.
+// A view on the device with the values that fill(host view) sets.
 template <class View, class Fill, class... Extents>
 View filled(std::string const& label, Fill const& fill, Extents... extents)
 {

@@ -7,7 +7,8 @@
 
 namespace asperity::fem::detail
 {
-// Corner number `corner` of a cell belongs to a node, of whose unknowns it has the share `factor`.
+// Corner number `corner` of a cell; the vector there contains the unknowns of a node times
+// `factor`.
 struct Corner
 {
   int cell;
@@ -15,8 +16,8 @@ struct Corner
   double factor;
 };
 
-// The cells as assembly needs them, copied to the device. What belongs to the nodes or vertices is
-// listed one after the other; that of number i stands between begin(i) and begin(i + 1).
+// The cells as assembly needs them, copied to the device. Lists that belong to nodes or vertices
+// are stored one after the other: that of number i has the places begin(i) to begin(i + 1) - 1.
 template <int Dim>
 struct CellViews
 {

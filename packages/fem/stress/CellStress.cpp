@@ -22,8 +22,8 @@ KOKKOS_FUNCTION constexpr int placeOf(int i, int k)
   return i == 0 ? k : (i == 1 ? Dim - 1 + k : 5);
 }
 
-// What becomes of the gradient of a displacement of `Components` components: the strain, or the
-// stress with the Lame constants first and second, which is added to `tensor`.
+// The gradient of a displacement or velocity with `Components` components. strain() and add() add
+// to `tensor` the strain, and the stress with the Lame constants first and second.
 template <int Dim, int Components>
 struct Tensor
 {
@@ -51,7 +51,7 @@ struct Tensor
         tensor[placeOf<Dim>(i, i)] += first * trace;
       }
       if constexpr (Dim == 2) {
-        tensor[3] += first * trace; // zz: nothing is strained across the plane
+        tensor[3] += first * trace; // zz, where the strain is zero
       }
     }
   }

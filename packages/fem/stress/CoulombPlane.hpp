@@ -8,8 +8,8 @@ namespace asperity::fem
 // A plane on which stress is resolved: n is a unit normal of it, s the unit vector along which the
 // side to which n points slips. With sigma positive in tension, the Coulomb stress is
 //   s . sigma n + friction n . sigma n
-// where a larger one is nearer to failure; friction is the effective coefficient (King, Stein and
-// Lin 1994), which stands for the pore pressure, too.
+// A larger value is nearer to failure. friction is the effective coefficient (King, Stein and Lin
+// 1994), which includes the effect of pore pressure.
 struct CoulombPlane
 {
   std::array<double, 3> normal{};
@@ -22,13 +22,13 @@ struct CoulombPlane
 
   // Aki and Richards: strike [deg] clockwise from north, seen from above; the plane dips [deg] to
   // the right of the strike, and its hanging wall slips at the rake [deg] from the strike, upwards
-  // for 0 < rake < 180. up and east need not have unit length; of east the horizontal part counts,
-  // which must not vanish.
+  // for 0 < rake < 180. up and east need not have unit length; only the horizontal part of east is
+  // used, which must not vanish.
   static CoulombPlane inSpace(double strike, double dip, double rake, double friction,
                               std::array<double, 3> const& up, std::array<double, 3> const& east);
 
-  // Of tensors (num_cells, tensor components) of bodies whose displacement has this number of
-  // components (tensorComponents): (num_cells).
+  // (num_cells) the Coulomb stress [Pa] of stress tensors (num_cells, tensor components [Pa]) in
+  // the order of tensorComponents(displacement_components).
   std::vector<double> stress(std::vector<double> const& tensors, int displacement_components) const;
 };
 } // namespace asperity::fem

@@ -52,8 +52,8 @@ struct NodePotential
   }
 
   // The sum of the magnitudes of the terms of the derivative at |w| = s, in N: the scale of its
-  // rounding. It is that of meanDerivative as well, s the faster end: where log V is larger at the
-  // slower end, the magnitude of shift makes up for it.
+  // rounding. With s the faster end it serves for meanDerivative, too: where |log V| is larger at
+  // the slower end, the magnitude of shift is of the same size.
   KOKKOS_INLINE_FUNCTION double termsOfDerivative(double s) const
   {
     const double V = factor * s;

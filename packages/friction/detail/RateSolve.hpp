@@ -16,11 +16,10 @@ struct RateSolution
 // The slip rate V at which drag V + strength mu(V) = load; drag > 0 in N s/m, strength >= 0 and
 // load > 0 in N. The left-hand side grows with V from 0, hence 0 < V <= load / drag.
 //
-// Newton's method in the variable V^p, which takes the part of the curve that is logarithmic in V
-// (p = 0) as it takes the linear one (p = 1): p is chosen such that the second derivative vanishes,
-// so the order is three. From V = load / drag as well as from a neighbouring solution it takes two
-// to four evaluations. The solution stays in a bracket: an iterate that leaves it is replaced by
-// the geometric mean of its ends.
+// Newton's method in the variable V^p, which is exact where the curve is logarithmic in V (p = 0)
+// and where it is linear (p = 1): p is chosen such that the second derivative vanishes, so the
+// order is three. The solution stays in a bracket: an iterate that leaves it is replaced by the
+// geometric mean of its ends.
 template <class Curve>
 class RateSolve
 {

@@ -57,8 +57,8 @@ struct RegularisedLaw
     // difference of mubar, accurate to the relative rounding of this difference.
     KOKKOS_INLINE_FUNCTION double mean(double V, double h) const;
 
-    // The sum of the magnitudes of the terms of mu, of log V and shift as well, which may nearly
-    // cancel; V > 0. Times the rounding unit this is what mu and mean may be off.
+    // The sum of the magnitudes of the terms of mu, including log V and shift, which may nearly
+    // cancel; V > 0. Times the rounding unit it is the size of the errors of mu and mean.
     KOKKOS_INLINE_FUNCTION double terms(double V) const
     {
       const auto at = response(V);

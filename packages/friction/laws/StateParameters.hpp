@@ -14,8 +14,8 @@ struct StateParameters
      "This is the characteristic slip distance, over which the state adapts to a new slip rate."},
     reference_slip_rate,
     {"c", "-", 0, 0, infinity, true, false,
-     "A change of the normal stress shifts the state by alpha = -(c / b) ln of the ratio of the "
-     "normal stresses after and before it (Linker and Dieterich 1992); 0 means that it does not."},
+     "A change of the normal stress shifts the state alpha by -(c / b) times the logarithm of the "
+     "ratio of the new to the old normal stress (Linker and Dieterich 1992); 0 means no shift."},
   };
 
   // What laws with this table say of themselves, see LawProperties.hpp.

@@ -44,8 +44,8 @@ struct TruncatedLaw
       return x1 > 0 ? a * (1 + low / width) * meanFromKink(x1) : 0;
     }
 
-    // The sum of the magnitudes of the terms of mu, of log V and shift as well, which may nearly
-    // cancel; V > 0. Times the rounding unit this is what mu and mean may be off.
+    // The sum of the magnitudes of the terms of mu, including log V and shift, which may nearly
+    // cancel; V > 0. Times the rounding unit it is the size of the errors of mu and mean.
     KOKKOS_INLINE_FUNCTION double terms(double V) const
     {
       const bool slides = kinkedAt(V) || logRatio(V) > 0;

@@ -55,6 +55,6 @@ void Archive::throwWrongType(std::string const& path, Value const& value)
   static constexpr std::array<char const*, std::variant_size_v<Value>> names = {
     "an integer", "a number", "a text", "a list of numbers", "a list of integers"};
   throw InputError("The checkpoint holds " + std::string(names[value.index()]) + " as '" + path +
-                   "', which is not what belongs there. It was written by another version.");
+                   "', and this version reads another type. It was written by another version.");
 }
 } // namespace asperity::io

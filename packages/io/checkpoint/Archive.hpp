@@ -27,9 +27,10 @@ public:
       values_[path] = Value(value);
   }
 
-  // A list with as many numbers for each node of a set of nodes, in the order that this rank has
-  // them in: (num_nodes, any number), or empty on all ranks. A restart on other ranks sends them to
-  // where the nodes are then. The set has a name without blanks, NodeSets has its nodes.
+  // A list with the same number of values for each node of a set, in the order of this rank's
+  // nodes: (num_nodes, any number), or empty on all ranks. A restart on other ranks sends the
+  // values to the ranks that have the nodes then. The name of the set has no blanks; NodeSets has
+  // its nodes.
   template <class T>
   void setAtNodes(std::string const& path, std::vector<T> const& values, std::string const& nodes)
   {

@@ -70,8 +70,9 @@ void checkHeader(h5::File const& file, std::string const& name, Fingerprint cons
                    name << " is not a checkpoint of Asperity.");
   const auto version = file.integerAttribute("format_version");
   ASPERITY_REQUIRE(version == format_version,
-                   name << " has format version " << version << ", but " << format_version
-                        << " is read. Restart it with the version that wrote it.");
+                   name << " has format version " << version << ", but this version "
+                        << "reads " << format_version
+                        << ". Restart it with the version that wrote it.");
   ASPERITY_REQUIRE(file.integerAttribute("num_ranks") > 0, name << " was written by no rank.");
   const std::string change = difference(readFingerprint(file), fingerprint);
   ASPERITY_REQUIRE(change.empty(), name << " belongs to another deck: " << change

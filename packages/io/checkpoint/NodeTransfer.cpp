@@ -21,7 +21,7 @@ void refuse()
   throw InputError("The checkpoint has other nodes than the mesh. It belongs to another mesh.");
 }
 
-// Equal blocks of numbers, one for each rank, which knows of them what others ask.
+// Equal blocks of node numbers, one for each rank, which finds who holds and who wants each number.
 class Blocks
 {
 public:

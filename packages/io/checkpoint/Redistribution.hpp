@@ -6,7 +6,7 @@
 
 #include <vector>
 
-// The archives of some ranks as those of others would be.
+// Converts the archives of the ranks that wrote a checkpoint to those of the present ranks.
 namespace asperity::io::detail
 {
 // The path of a set of nodes in an archive.
@@ -15,9 +15,9 @@ inline std::string pathOfNodes(std::string const& name) { return "nodes/" + name
 // Whether the archive has these nodes, in this order, of all sets that it has.
 bool hasNodes(Archive const& archive, NodeSets const& here);
 
-// The archive of this rank: the values of `common`, which belong to no nodes, and those at nodes of
-// `archives`, which were written by any ranks, wherever they are now, for the nodes of `here`.
-// entries: all values of all archives. Throws InputError on every rank if values do not fit their
+// The archive of this rank: the values of `common`, which belong to no nodes, and the values at the
+// nodes of `here` from the `archives` of all present ranks, whichever ranks wrote them. entries:
+// all values of all archives. Throws InputError on every rank if values do not fit their
 // nodes, or other nodes are wanted. Collective.
 Archive redistributed(Archive common, std::vector<Archive> const& archives,
                       std::vector<ArchiveEntry> const& entries, NodeSets const& here,

@@ -77,7 +77,7 @@ std::vector<ArchiveEntry> entriesOfAll(Archive const& archive, Communicator cons
   std::map<std::string, ArchiveEntry> known;
   for (auto const& entry : entriesOf(std::string(all.begin(), all.end()))) {
     auto const& first = known.emplace(entry.path, entry).first->second;
-    // Every rank has another value, but the same kind.
+    // Ranks may have different values of a path, but of the same kind.
     ASPERITY_ASSERT(first.kind == entry.kind && first.nodes == entry.nodes);
   }
   std::vector<ArchiveEntry> entries;
@@ -90,7 +90,7 @@ std::vector<ArchiveEntry> entriesOfAll(Archive const& archive, Communicator cons
 
 constexpr char const* no_nodes = "-";
 
-// What a rank writes or reads of a value: in rounds, of which all ranks have as many.
+// A rank's part of a value is written or read in rounds; all ranks have the same number of rounds.
 class Rounds
 {
 public:

@@ -31,11 +31,10 @@ bool isRealList(ArchiveEntry const& entry);
 std::string linesOf(std::vector<ArchiveEntry> const& entries);
 std::vector<ArchiveEntry> entriesOf(std::string const& lines);
 
-// Of larger values a rank writes and reads so many numbers at a time: HDF5 and MPI count bytes with
-// int.
+// The most numbers that a rank writes or reads at a time: HDF5 and MPI count bytes with int.
 constexpr std::size_t numbers_per_round = largest_piece / sizeof(double);
 
-// The values that the ranks have and where those of this one stand. Sizes have 64 bits.
+// The values of all ranks, and where those of this rank stand in the file. Sizes have 64 bits.
 class ArchiveLayout
 {
 public:

@@ -31,7 +31,7 @@ bool isFileOf(int descriptor, std::filesystem::path const& path)
          opened.st_dev == named.st_dev && opened.st_ino == named.st_ino;
 }
 
-// Of a run that was killed, or empty: nothing is lost when it is written and removed.
+// Whether the file is empty or the lock of a run that was killed: it may be overwritten, removed.
 bool isLockFile(int descriptor)
 {
   const std::string begin = "process ";
@@ -54,7 +54,7 @@ DirectoryLock::DirectoryLock(std::filesystem::path const& directory) : file_(dir
 {
   while (!openAndLock()) {
   }
-  // What others read if they are refused; that it fails is no harm.
+  // For the message of processes that are refused; a failure to write it does no harm.
   const std::string name = nameOfThisProcess() + "\n";
   const bool is_written =
     ::ftruncate(descriptor_, 0) == 0 && ::pwrite(descriptor_, name.data(), name.size(), 0) > 0;

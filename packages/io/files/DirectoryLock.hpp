@@ -5,8 +5,8 @@
 namespace asperity::io
 {
 // While it lives, no other process has a lock of the same directory. The system ends a lock with
-// its process, however that ends, so that no lock is left behind. Where a file system knows no
-// locks there is none.
+// its process, however that ends, so that no lock is left behind. On a file system without
+// locks it has no effect.
 class DirectoryLock
 {
 public:

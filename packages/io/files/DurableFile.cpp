@@ -64,7 +64,7 @@ namespace asperity::io
 {
 ReplacingText::ReplacingText(std::filesystem::path const& file) : file_(file)
 {
-  std::error_code ignored; // a folder that cannot be made is one that cannot be written to
+  std::error_code ignored; // without the folder the file cannot be opened, which finish() reports
   std::filesystem::create_directory(file.parent_path(), ignored);
   stream_.open(detail::temporaryName(file), std::ios::binary);
 }

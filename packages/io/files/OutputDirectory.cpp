@@ -18,7 +18,7 @@ namespace
 {
 namespace fs = std::filesystem;
 
-// Of the outputs and of what every run writes, relative to its folder; '*' at the end is anything.
+// Files of the outputs and of every run, relative to its folder; '*' at the end is any ending.
 std::vector<std::string> namesOfFiles()
 {
   std::vector<std::string> names{"parameters.xml", "run.log", "run.jsonl", "checkpoint.h5"};

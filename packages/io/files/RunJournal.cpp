@@ -8,7 +8,7 @@ namespace asperity::io
 {
 namespace
 {
-// As JSON has it; what is no UTF-8, in a file's name, is left to the reader.
+// A string of JSON. Bytes that are not UTF-8, as in the name of a file, are written unchanged.
 std::string quoted(std::string const& text)
 {
   std::string result = "\"";

@@ -34,7 +34,7 @@ public:
 
   void restart();
   void warn(Warning const& warning);
-  // What has been warned of since the run began or was restarted.
+  // The topics of the warnings since the run began or was restarted.
   std::set<std::string> const& topics() const { return topics_; }
   void end(std::string const& how, int exit_status, std::string const& message);
 

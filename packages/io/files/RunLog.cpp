@@ -51,7 +51,7 @@ std::string describe(Progress const& progress)
   return text.str();
 }
 
-// The same in a line's width: what matters most stands first.
+// The same for one line of a terminal, which may cut it: the most important values come first.
 std::string describeShort(Progress const& progress, std::string const& left)
 {
   char text[200];
@@ -65,7 +65,7 @@ std::string describeShort(Progress const& progress, std::string const& left)
   return line + (left.empty() ? "" : " left " + left);
 }
 
-// Beyond the end of the file, whose size does not change. What fails here is no harm.
+// Reserves space beyond the end of the file, whose size does not change. A failure does no harm.
 void keepSpace(std::filesystem::path const& file)
 {
   constexpr off_t bytes = 16384;

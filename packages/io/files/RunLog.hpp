@@ -56,7 +56,7 @@ public:
 
   void progress(Progress const& progress);
   void message(std::string const& text);
-  // In the file alone, for what is told on the terminal elsewhere.
+  // Writes to the file alone, for text that reaches the terminal in another way.
   void note(std::string const& text);
 
 private:

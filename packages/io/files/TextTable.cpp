@@ -40,7 +40,7 @@ TextTable::TextTable(std::filesystem::path file, std::string header, RCP<const C
 void TextTable::open()
 {
   if (!stream_.is_open()) {
-    std::error_code ignored; // a folder that cannot be made is one that cannot be written to
+    std::error_code ignored; // without the folder the file cannot be opened: flush() reports it
     std::filesystem::create_directory(file_.parent_path(), ignored);
     stream_.open(file_, std::ios::binary | std::ios::trunc);
     writeLine(header_);
@@ -116,8 +116,9 @@ void TextTable::requireEarlierTable(Archive const& archive) const
   const auto num_bytes = archive.getInteger("num_bytes");
   ASPERITY_REQUIRE(static_cast<std::int64_t>(size) >= num_bytes,
                    file_.string() << " is not the table that the checkpoint continues: it has "
-                                  << size << " bytes, of which the checkpoint knows " << num_bytes
-                                  << ".");
+                                  << size << " bytes, but had " << num_bytes
+                                  << " at the checkpoint. Put the file back as it was, or begin a "
+                                     "new run from the checkpoint with --restart-from.");
   std::string header(archive.getInteger("header_bytes"), '\0');
   std::ifstream(file_, std::ios::binary)
     .read(header.data(), static_cast<std::streamsize>(header.size()));
@@ -127,7 +128,7 @@ void TextTable::requireEarlierTable(Archive const& archive) const
                               << " is not the table that the checkpoint continues: its "
                                  "header has the line '"
                               << earlier << "', where that of this run has '" << now
-                              << "'. Restart with the former.");
+                              << "'. Restart with the deck of the earlier run.");
 }
 
 void TextTable::restore(Archive const& archive)

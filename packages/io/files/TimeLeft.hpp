@@ -11,12 +11,12 @@
 namespace asperity::io
 {
 // The wall time that a run still needs. Between earthquakes a run may be a thousand times faster
-// than in them, so that no speed of the last minutes tells the end. Once this process has seen a
-// whole cycle, from one event to the next, the rest of the run is taken to cost what past cycles
-// did. An event that follows another within a thousandth of the longest time without one is an
-// aftershock and begins no cycle. Before a cycle is known, and where there are no events, the
-// estimate is from the recent speed: an average over wall time in which the speed of `memory`
-// seconds ago has the weight 1/e.
+// than in them, so that the speed of the last minutes does not predict the end. Once this process
+// has seen a whole cycle, from one event to the next, the rest of the run is taken to cost what
+// past cycles did. An event that follows another within a thousandth of the longest time without
+// one is an aftershock and begins no cycle. Before a cycle is known, and where there are no
+// events, the estimate is from the recent speed: an average over wall time in which the speed of
+// `memory` seconds ago has the weight 1/e.
 //
 // python/asperity/estimate.py does the same with what a run leaves on disk.
 class TimeLeft
@@ -52,8 +52,8 @@ public:
   // Whether the estimate is from past cycles.
   bool knowsCycles() const { return onsets_.size() > 1; }
 
-  // The time left [s]; negative as long as the speed is unknown. The recent speed counts again in a
-  // cycle that costs more than others did, and is the last one.
+  // The time left [s]; negative as long as the speed is unknown. In the last cycle of the run, once
+  // it costs more than earlier ones, the estimate is from the recent speed.
   double seconds() const
   {
     if (now_.fraction >= 1) {
@@ -94,8 +94,8 @@ private:
     spacing_ = 0;
   }
 
-  // Every other sample goes when there are too many, so that they are never much more than
-  // `samples`, and evenly spaced in wall time.
+  // Removes every other sample when there are more than `samples`. They stay evenly spaced in wall
+  // time.
   void sample(Moment const& now)
   {
     if (this_cycle_.empty() || now.seconds - this_cycle_.back().seconds >= spacing_) {
@@ -127,8 +127,8 @@ private:
     return (after->seconds - begin.seconds) / (end.seconds - begin.seconds);
   }
 
-  // What is left of the current cycle, and the cycles after it; of one in which the run ends a
-  // part. 0 where that has cost more than a cycle does.
+  // The rest of the current cycle, the whole cycles after it, and the part of the cycle in which
+  // the run ends [s]. 0 in the last cycle if it has cost more than expected.
   double ofCycles() const
   {
     auto const &first = onsets_.front(), &last = onsets_.back();
@@ -149,7 +149,7 @@ private:
   Moment now_;
   double done_ = 0, spent_ = 0; // recently
   std::int64_t num_events_ = 0;
-  double last_event_ = 0, longest_quiet_ = 0; // parts of the simulated time; the begin for an event
+  double last_event_ = 0, longest_quiet_ = 0; // parts of the simulated time; the start is an event
   std::deque<Moment> onsets_;                 // of the last events
   std::vector<Moment> last_cycle_, this_cycle_;
   double spacing_ = 0; // of samples [s]

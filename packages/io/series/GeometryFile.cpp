@@ -66,7 +66,7 @@ std::vector<Piece> nodePieces(OutputDomain const& domain, NodeBlocks const& bloc
   return pieces;
 }
 
-// Of the elements of a rank's block the first ones of all ranks, as many as `total`.
+// The first `total` elements of all ranks; this rank's part is what its block has of them.
 Piece elementPiece(std::string const& name, std::string const& description,
                    ElementBlocks const& elements, GlobalOrdinal total, int corners)
 {

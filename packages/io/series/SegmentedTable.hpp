@@ -35,8 +35,8 @@ public:
     std::string unit, description;
     h5::Type type = h5::Type::float64;
     h5::Shape row_shape; // of the value in a row; {} is a number
-    // What the first dimension of the row is: none of these, or nodes or elements of the domain,
-    // of which each rank has a part.
+    // The first dimension of a row: nodes or elements of the domain, of which each rank has a part,
+    // or neither (`run`).
     enum class Of
     {
       run,
@@ -56,7 +56,7 @@ public:
     OutputDomain const* nodes = nullptr;
     // Adds to the index everything that does not grow, such as attributes. Called on rank 0.
     std::function<void(h5::File&)> describe_index;
-    // A number for each node, (num_owned), in a dataset of the index, which every index has anew.
+    // A number for each node, (num_owned), in a dataset that each index has.
     struct NodalNumber
     {
       std::string path, unit, description;

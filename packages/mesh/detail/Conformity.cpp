@@ -11,9 +11,8 @@ namespace asperity::mesh::detail
 {
 namespace
 {
-// Facets are on each other if the angle between them is less than this. It is more than what
-// coordinates of single precision leave over (6e-8 of the body's size) in a body a thousand cells
-// long.
+// Facets overlap if the angle between them is smaller than this [rad]. It exceeds the rounding of
+// coordinates in single precision (6e-8 of the body's size) in a body a thousand cells long.
 constexpr double smallest_angle = 1e-4;
 constexpr double pi = 3.14159265358979323846;
 
@@ -23,7 +22,7 @@ double length(Point<Dim> const& vector)
   return std::sqrt(dot<Dim>(vector, vector));
 }
 
-// A facet as seen from one of its corners: where the others lie from there.
+// A facet by the vectors from one of its corners to the others.
 template <int Dim>
 using Arms = std::array<Point<Dim>, Dim - 1>;
 
@@ -51,7 +50,7 @@ double angleIn(Point<3> const& first, Point<3> const& second, Point<3> const& di
   return std::atan2(dot<3>(direction, second), dot<3>(direction, first));
 }
 
-// Two sectors of one plane have an angle in common.
+// Whether two sectors lie in one plane and overlap.
 bool overlap(Arms<3> const& a, Arms<3> const& b)
 {
   auto const normal = cross(a[0], a[1]);
@@ -108,7 +107,7 @@ bool contains(Arms<2> const& edge, Point<2> const& place)
   return haveSameDirection(edge[0], place) && length<2>(place) < length<2>(edge[0]);
 }
 
-// place = s a0 + t a1, of a point in the plane of the face.
+// Whether s, t >= 0 and s + t <= 1 in place = s a0 + t a1, for a point in the plane of the face.
 bool contains(Arms<3> const& face, Point<3> const& place)
 {
   auto const& [a, b] = face;
@@ -149,7 +148,8 @@ struct AtCorner
   typename FacetTable<Dim>::Entry const* entry;
 };
 
-// Facets of one cell, at each of their vertices whose cells are all here, by vertex.
+// The facets that belong to one cell only, once for each of their vertices of which this rank has
+// all cells, sorted by vertex.
 template <int Dim>
 std::vector<AtCorner<Dim>> facetsOfOneCell(FacetTable<Dim> const& table, int num_complete)
 {
@@ -193,7 +193,7 @@ std::string hangingIn(AnyMesh<Dim> const& mesh, AtCorner<Dim> const& facet,
       const int corner = (other.corner + 1 + i) % Dim;
       return "vertex " + std::to_string(idOf(mesh, other.entry->outward[corner])) + " at " +
              mesh::text(points[corner]) + " m lies inside the " + (Dim == 2 ? "edge" : "face") +
-             " with the ends " + cornersText(mesh, facet) + ", which no second cell shares";
+             " with the corners " + cornersText(mesh, facet) + ", which no second cell shares";
     }
   }
   return "";
@@ -208,7 +208,7 @@ template <template <int> class AnyMesh, int Dim>
     what = hangingIn(mesh, b, a);
   }
   if (what.empty()) {
-    what = "the face with the ends " + cornersText(mesh, a) + " and the one with the ends " +
+    what = "the face with the corners " + cornersText(mesh, a) + " and the one with the corners " +
            cornersText(mesh, b) + " lie on each other and are not the same";
   }
   throw InputError(where + ": " + what +

@@ -56,7 +56,7 @@ public:
     });
   }
 
-  // Sorted by key: the facets that cells share stand together.
+  // Sorted by key, so that the two entries of a shared facet are neighbours.
   std::vector<Entry> const& entries() const { return entries_; }
 
   std::pair<Iterator, Iterator> find(Facet const& facet) const

@@ -7,7 +7,7 @@
 
 namespace asperity::mesh::detail
 {
-// Finds points by their coordinates but for a tolerance.
+// Finds points by their coordinates, up to a tolerance.
 template <int Dim>
 class PointTable
 {

@@ -11,7 +11,7 @@ namespace
 template <int Dim>
 using Facets = std::vector<typename GlobalMesh<Dim>::Facet>;
 
-// The condition that holds on the facet, the last one of several; -1 if none does.
+// The number of the last condition that holds on the facet; -1 if none does.
 template <int Dim>
 int conditionOn(std::array<Point<Dim>, Dim> const& corners,
                 std::vector<NamedCondition<Dim>> const& conditions)

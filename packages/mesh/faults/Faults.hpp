@@ -17,9 +17,9 @@ std::vector<std::string> innerBoundaries(GlobalMesh<Dim> const& mesh,
                                          detail::FacetTable<Dim> const& table,
                                          std::string const& where);
 
-// Gives a facet inside the body to the last fault whose condition holds at all its vertices and at
-// its centroid; facets where none holds keep their fault, if they have one. splitFaults comes
-// after this. Faults of the mesh that lose all their facets are dropped. Throws an InputError,
+// Assigns a facet inside the body to the last fault whose condition holds at all its vertices and
+// at its centroid; facets where none holds keep their fault, if they have one. To be called before
+// splitFaults. Faults of the mesh that lose all their facets are dropped. Throws an InputError,
 // whose message starts with `where`, if a fault named here gets no facet or has the name of a
 // boundary on the surface.
 template <int Dim>

@@ -32,8 +32,8 @@ void checkPairs(GlobalMesh<Dim> const& mesh, std::string const& where)
     ASPERITY_REQUIRE(is_in_cell[plus] != is_tip && is_in_cell[minus],
                      where << ": vertices " << plus << " and " << minus << " at "
                            << text(mesh.vertices[plus])
-                           << " are a pair at a fault; one of them "
-                              "belongs to no cell, or that of a tip to one.");
+                           << " are a pair at a fault, but one of them belongs to no cell, or the "
+                              "pair is a tip and its first vertex belongs to one.");
     before = plus;
   }
 }

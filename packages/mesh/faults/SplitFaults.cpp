@@ -44,7 +44,7 @@ public:
   }
 
 private:
-  // The vertices of faults, ascending, with the facets of faults and the cells around each.
+  // Finds the vertices of faults, ascending, with the fault facets and the cells at each.
   void findVertices()
   {
     number_.assign(mesh_.vertices.size(), -1);
@@ -73,7 +73,7 @@ private:
     findSurface();
   }
 
-  // Which vertices of faults, and which edges between two of them, lie in the surface of the body.
+  // Finds the vertices of faults, and the edges between two of them, on the surface of the body.
   void findSurface()
   {
     auto const& entries = table_.entries();
@@ -152,7 +152,7 @@ private:
     return plus;
   }
 
-  // The copy of a vertex of which the facets of a fault consist.
+  // The copy of a vertex that the facets of a fault use.
   int plusOf(int fault, int vertex) const
   {
     const auto branch = tips_of_branches_.find({fault, vertex});
@@ -231,8 +231,8 @@ void splitFaults(GlobalMesh<Dim>& mesh, std::string const& where)
   }
   ASPERITY_ASSERT(mesh.splits.empty());
   ASPERITY_REQUIRE(mesh.period == Point<Dim>{},
-                   where << ": a periodic mesh cannot have faults inside. Take the period or the "
-                            "faults away.");
+                   where << ": a periodic mesh cannot have faults inside the body. Remove the "
+                            "period or the faults.");
   mesh = splitter.run();
 }
 

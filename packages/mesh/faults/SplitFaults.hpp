@@ -4,20 +4,19 @@
 
 namespace asperity::mesh
 {
-// Splits the mesh along all boundaries that lie inside the body, its faults, together. A mesh
-// without faults stays as it is.
+// Splits the mesh along all its faults, that is, the boundaries inside the body. A mesh without
+// faults is not changed.
 //
-// Which side is which: along a fault, also where another name continues it, all facets are oriented
-// alike, and the plus side is the upper one: the mean of the unit normals from minus to plus,
+// Sides: along a fault, also where a fault of another name continues it, all facets have the same
+// orientation, and the plus side is the upper one: the mean of the unit normals from minus to plus,
 // weighted by area, has n_y > 0; or if |n_y| < 1e-6 |n|, n_x > 0; or else n_z > 0. Plus is the
-// hanging wall of a fault that dips and the side with larger x of a vertical one.
+// hanging wall of a dipping fault and the side with larger x of a vertical one.
 //
-// What is cut: at a vertex whose cells fall into two sets when the facets of the faults are cut,
-// the cells of the plus side get a copy, plus, and all others keep the vertex, minus. At a vertex
-// whose cells stay together the fault ends inside the body: a tip. Where the facets of one fault
-// divide a side of another one, or only touch it, that fault is a branch, and ends there with a
-// tip. Copies are numbered behind the original vertices, in the order of these; cells and facets
-// keep their order.
+// Copies: if the facets of the faults divide the cells at a vertex into two sets, the cells of the
+// plus side get a copy of the vertex, plus, and all others keep the vertex, minus. If they do not
+// divide the cells, the fault ends inside the body: a tip. A fault whose facets divide the cells on
+// one side of another fault, or only touch it, is a branch and ends there with a tip. Copies are
+// numbered after the original vertices, in the order of these; cells and facets keep their order.
 //
 // InputError, which starts with `where`, for faults that cross or otherwise need a third copy of a
 // vertex, that cannot be oriented, that touch the surface of the body in a single point, or that

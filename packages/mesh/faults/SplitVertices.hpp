@@ -27,7 +27,7 @@ public:
     return found == pair_of_plus_.end() ? nullptr : &found->second;
   }
 
-  // The facet of the cell on the plus side: tips are there vertices that both sides share.
+  // The facet of the cell on the plus side. At a tip both sides share the vertex minus.
   Facet plusSide(Facet facet) const
   {
     for (int& vertex : facet) {
@@ -37,8 +37,8 @@ public:
     return facet;
   }
 
-  // The facet of the cell on the minus side, whose body lies on the other side than the facet's
-  // orientation says.
+  // The facet of the cell on the minus side. It keeps the orientation of the plus side: for the
+  // cell on the minus side it is inward.
   Facet minusSide(Facet facet) const
   {
     for (int& vertex : facet) {
@@ -52,7 +52,7 @@ private:
   std::unordered_map<int, SplitVertex> pair_of_plus_;
 };
 
-// Pairs as rows of numbers, as messages, checksums and files have them: plus, minus, 1 for a tip.
+// Pairs as rows of numbers, for MPI, checksums and files: plus, minus, and 1 for a tip or else 0.
 using SplitRow = std::array<int, 3>;
 
 inline std::vector<SplitRow> asRows(std::vector<SplitVertex> const& splits)

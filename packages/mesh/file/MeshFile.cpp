@@ -39,7 +39,7 @@ std::string checksumOf(GlobalMesh<Dim> const& mesh)
   return hexadecimal(checksum.value());
 }
 
-// A file that others have made may be without.
+// Files that other programs write may have no checksum.
 template <int Dim>
 void requireChecksum(GlobalMesh<Dim> const& mesh, detail::MeshFileReader const& file)
 {
@@ -73,7 +73,7 @@ void writeContents(GlobalMesh<Dim> const& mesh, std::string const& file_name)
   file.close();
 }
 
-// Format and version checked.
+// Also checks format and version.
 int readDimension(detail::MeshFileReader const& file)
 {
   const std::string format = file.stringAttribute("format");
@@ -111,7 +111,7 @@ GlobalMesh<Dim> readMesh(std::string const& file_name)
   const detail::MeshFileReader file(file_name);
   const int dimension = readDimension(file);
   ASPERITY_REQUIRE(dimension == Dim, file.where() << " has dimension " << dimension << ", not "
-                                                  << Dim << " as wanted here.");
+                                                  << Dim << " as needed here.");
   GlobalMesh<Dim> mesh;
   mesh.vertices = file.numberRows<Dim>("/vertices");
   if (file.hasAttribute("period")) {
@@ -124,7 +124,7 @@ GlobalMesh<Dim> readMesh(std::string const& file_name)
   for (auto const& name : file.groupEntries("/boundaries")) {
     mesh.boundaries[name] = file.integerRows<Dim>(facetsPath(name));
   }
-  checkMesh(mesh, file.where()); // says more
+  checkMesh(mesh, file.where()); // first, since its messages are more specific
   requireChecksum(mesh, file);
   orientFacets(mesh);
   return mesh;

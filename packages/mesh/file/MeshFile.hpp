@@ -16,8 +16,8 @@
 // A boundary whose facets have two neighbouring cells each is a fault inside the body; the mesh is
 // not split in the file (faults/SplitFaults.hpp).
 //
-// Coordinates may be integers or floating point numbers of any size, all others integers of any
-// size; strings may have fixed or variable length.
+// Coordinates may be integers or floating-point numbers of any width, all other numbers integers of
+// any width; strings may have fixed or variable length.
 namespace asperity::mesh
 {
 // Overwrites an existing file. The file is written under another name and then renamed, so that it
@@ -25,8 +25,8 @@ namespace asperity::mesh
 template <int Dim>
 void writeMesh(GlobalMesh<Dim> const& mesh, std::string const& file_name);
 
-// The mesh of the file, after checkMesh. Throws an InputError with the name of the file if this is
-// missing, malformed, truncated, of another dimension, or not a mesh.
+// The mesh of the file, after checkMesh. Throws an InputError with the name of the file if the file
+// is missing, malformed, truncated, of another dimension, or not a mesh.
 template <int Dim>
 GlobalMesh<Dim> readMesh(std::string const& file_name);
 

@@ -23,10 +23,10 @@ void requireDimension(std::string const& file_name, PartitionSummary const& summ
 {
   ASPERITY_REQUIRE(summary.dimension == wanted, whereIs(file_name)
                                                   << " has dimension " << summary.dimension
-                                                  << ", not " << wanted << " as wanted here.");
+                                                  << ", not " << wanted << " as needed here.");
 }
 
-// The first rank reads and sends the result to all others.
+// Rank 0 reads and sends the result to all others.
 PartitionSummary summaryOnEveryRank(std::string const& file_name, Communicator const& communicator)
 {
   PartitionSummary summary;
@@ -45,7 +45,7 @@ PartitionSummary summaryOnEveryRank(std::string const& file_name, Communicator c
   return summary;
 }
 
-// The mesh of a part, which is valid only if the reader has no problem afterwards.
+// The mesh of a part; valid only if reader.problem() is empty afterwards.
 template <int Dim>
 Mesh<Dim> readMeshOf(detail::SlabReader& reader, PartitionSummary const& summary, int part)
 {
@@ -100,7 +100,7 @@ Mesh<Dim> readPart(std::string const& file_name, RCP<const Communicator> const& 
                      << (summary.num_parts == 1 ? " rank" : " ranks") << ", and this run has "
                      << num_ranks << ". Use as many, or partition it again: "
                      << detail::partitionCommand(file_name, summary.num_parts, num_ranks));
-  // All ranks open the file together, which must not fail on some of them only.
+  // All ranks open the file together; if only some of them failed, the others would wait forever.
   onEveryRank(*communicator, [&] {
     ASPERITY_REQUIRE(std::ifstream(file_name).good(),
                      whereIs(file_name) << " cannot be read by rank " << rank

@@ -14,8 +14,8 @@
 //   /region_names           (num_regions)    strings
 //   /boundaries             a group that holds a group for each boundary
 //   /faults                 (num_faults)     strings: the boundaries that are faults inside the
-//                                            body, along which the mesh is split; not there without
-//                                            faults
+//                                            body, along which the mesh is split; missing if there
+//                                            are none
 //
 // and these arrays, whose rows are those of part 0, then those of part 1, and so on:
 //
@@ -33,7 +33,7 @@
 // where n, c, s and f differ from part to part. An array is a group of three datasets:
 //
 //   <array>/values          (rows of all parts) or (rows of all parts, columns)
-//   <array>/offsets         (num_parts + 1)  a part's first row, and behind the last part the end
+//   <array>/offsets         (num_parts + 1)  first row of each part, and the number of all rows
 //   <array>/checksums       (num_parts)      of the part's rows (detail::partChecksum)
 //
 // HDF5's own structures have checksums as well (its format of version 1.8), and strings, which have
@@ -54,9 +54,9 @@ struct PartitionSummary
   std::vector<std::string> faults;         // those inside the body, sorted
 };
 
-// Divides the mesh as `owners` says and writes all parts; partitionVertices has made `owners` with
-// these options. The mesh is split along its faults, if it has some. The file is complete if it
-// exists. Throws InputError if it cannot be written.
+// Divides the mesh by `owners`, the result of partitionVertices with these options, and writes all
+// parts. If the mesh has faults, it is split along them already. The file is complete if it exists.
+// Throws InputError if it cannot be written.
 template <int Dim>
 void writeParts(GlobalMesh<Dim> const& mesh, std::vector<int> const& owners, int num_parts,
                 PartitionOptions const& options, std::string const& file_name);
@@ -64,7 +64,7 @@ void writeParts(GlobalMesh<Dim> const& mesh, std::vector<int> const& owners, int
 // The part of this rank, equal to localPart of the whole mesh. All ranks read their own rows in
 // parallel, and none has the whole mesh at any time. Every rank throws the same InputError if the
 // file is missing, malformed, truncated, damaged, of another dimension, or made for another number
-// of ranks; its message has the command that partitions anew. Collective.
+// of ranks; in the last case the message contains the command that partitions it again. Collective.
 template <int Dim>
 Mesh<Dim> readPart(std::string const& file_name, RCP<const Communicator> const& communicator);
 
@@ -76,11 +76,11 @@ GlobalMesh<Dim> readParts(std::string const& file_name);
 // not a partitioned mesh.
 PartitionSummary partitionSummary(std::string const& file_name);
 
-// True for a partitioned mesh, false for one of MeshFile.hpp. InputError for anything else; the
-// same on every rank, of which the first reads. Collective with a communicator.
+// True for a partitioned mesh, false for one of MeshFile.hpp. InputError for anything else. With a
+// communicator rank 0 reads, every rank has the same result, and the call is collective.
 bool isPartitioned(std::string const& file_name);
 bool isPartitioned(std::string const& file_name, Communicator const& communicator);
 
-// 2 or 3, of a file of either kind; errors as isPartitioned.
+// The dimension, 2 or 3, of a file of either kind; errors as isPartitioned. Collective.
 int fileDimension(std::string const& file_name, Communicator const& communicator);
 } // namespace asperity::mesh

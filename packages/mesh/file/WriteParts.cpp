@@ -10,7 +10,7 @@ namespace asperity::mesh
 {
 namespace
 {
-// Writes the arrays of all parts, one after the other.
+// Writes the arrays, each with the rows of all parts.
 template <int Dim>
 class PartsWriter
 {

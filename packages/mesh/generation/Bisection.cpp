@@ -85,7 +85,7 @@ private:
   {
     Simplex simplex;
     int region;
-    bool is_small; // it is known to be small enough
+    bool is_small; // whether it is known to be small enough
   };
   static constexpr int unknown = -1;
 
@@ -108,9 +108,9 @@ private:
         const auto points = corners(mesh_, cell.simplex.vertices());
         const double allowed = largest_diameter(points);
         ASPERITY_REQUIRE(allowed > 0.0,
-                         "Mesh: the size of the cells is somewhere not a positive number. Check "
-                         "Cell Size, Growth Factor and Growth Length: one is far too large or "
-                         "too small.");
+                         "Mesh: the cell size is not a positive number everywhere. Check Cell "
+                         "Size, Growth Factor and Growth Length: one is far too large or too "
+                         "small.");
         cell.is_small = longestEdge(points) <= allowed;
       }
       if (!cell.is_small) {
@@ -142,7 +142,7 @@ private:
     return has_marked;
   }
 
-  // Numbers them in the order of the cells, so that the numbers do not depend on the hash table.
+  // Midpoints are numbered in the order of the cells, and not in that of the hash table.
   void createMidpoints()
   {
     for (auto const& cell : cells_) {
@@ -202,13 +202,13 @@ private:
     }
   }
 
-  GlobalMesh<Dim> mesh_; // its cells and boundaries are those before any bisection
+  GlobalMesh<Dim> mesh_; // current vertices; cells and boundaries of the given mesh
   std::vector<Cell> cells_;
   std::map<std::string, std::vector<Facet>> facets_;
   detail::EdgeTable midpoints_; // marked edge -> vertex, or unknown
 };
 
-// Refuses a size that needs too many vertices before hours of bisection, and not after them.
+// Refuses a size that needs too many vertices before the bisection, which might take hours.
 template <int Dim>
 void refuseTooMany(GlobalMesh<Dim> const& mesh, SizeFunction<Dim> const& largest_diameter,
                    VertexLimit const& limit)

@@ -15,7 +15,7 @@ using Tetrahedron = std::array<Point<3>, 4>;
 template <int Dim>
 using SizeFunction = std::function<double(std::array<Point<Dim>, Dim + 1> const&)>;
 
-// How many vertices a mesh may have, and what is said to the user whose mesh would have more.
+// How many vertices a mesh may have, and the advice in the message if it would have more.
 struct VertexLimit
 {
   double most = 1e7;
@@ -25,12 +25,13 @@ struct VertexLimit
 // Throws an InputError that says how many vertices there would be, and the advice.
 void requireFewVertices(double num_vertices, VertexLimit const& limit);
 
-// Refines a mesh by bisection until no cell exceeds its allowed diameter, and no more than that and
-// conformity ask for. Triangles: newest vertex bisection; tetrahedra: Arnold, Mukherjee & Pouly,
-// SIAM J. Sci. Comput. 22 (2000), 431. The refinement edges of the given cells are their longest
-// edges. Regions, boundaries and periods are inherited. Angles stay away from zero: a cell has
-// descendants of finitely many shapes, a triangle of four, a sixth of a cube of three.
-// Throws InputError if that takes more vertices than the limit, and at once if an estimate says so.
+// Refines a mesh by bisection until no cell exceeds its allowed diameter, with no more bisections
+// than that and conformity require. Triangles: newest vertex bisection; tetrahedra: Arnold,
+// Mukherjee & Pouly, SIAM J. Sci. Comput. 22 (2000), 431. The refinement edges of the given cells
+// are their longest edges. Regions, boundaries and periods are inherited. Angles stay away from
+// zero: the descendants of a cell have finitely many shapes, those of a triangle four, those of a
+// sixth of a cube three. Throws InputError if more vertices than the limit are needed, before any
+// bisection if an estimate shows it.
 GlobalMesh<2> bisect(GlobalMesh<2> const& mesh, SizeFunction<2> const& largest_diameter,
                      VertexLimit const& limit = {});
 GlobalMesh<3> bisect(GlobalMesh<3> const& mesh, SizeFunction<3> const& largest_diameter,
@@ -47,9 +48,10 @@ using CellSize = std::function<double(Point<Dim> const&)>;
 SizeFunction<2> largestDiameter(CellSize<2> const& size);
 SizeFunction<3> largestDiameter(CellSize<3> const& size);
 
-// Refines by bisection a mesh of right-angled bricks of these sides [m], each cut into simplices.
-// All bricks keep these proportions, and the cell size limits their longest side: the mesh is
-// bisected where it is a mesh of squares or cubes, in coordinates stretched along the short sides.
+// Refines by bisection a mesh of rectangles or cuboids with these sides [m], each cut into
+// simplices. They keep their proportions, and the cell size limits their longest side: the mesh is
+// bisected in coordinates stretched along the short sides, in which it consists of squares or
+// cubes.
 GlobalMesh<2> bisectBricks(GlobalMesh<2> const& mesh, Point<2> const& brick,
                            CellSize<2> const& size, VertexLimit const& limit = {});
 GlobalMesh<3> bisectBricks(GlobalMesh<3> const& mesh, Point<3> const& brick,

@@ -53,7 +53,7 @@ void addSide(int lowest, int u, int v, bool is_higher, std::vector<GlobalMesh<3>
   facets.push_back({lowest, lowest + u, lowest + u + v});
   facets.push_back({lowest, lowest + u + v, lowest + v});
 }
-// Calls the function with all (i, j, k) from 0 to below the counts; i runs fastest.
+// Calls the function with all (i, j, k) with 0 <= (i, j, k) < counts; i runs fastest.
 template <class Call>
 void forEach(std::array<int, 3> const& counts, Call const& call)
 {

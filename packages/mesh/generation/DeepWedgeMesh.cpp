@@ -33,8 +33,8 @@ void check(DeepWedge const& deep)
   }
 }
 
-// Prisms about half as long as the diameter of their triangles, which is short enough for the
-// layers that are needed. Bisection keeps such shapes.
+// Prisms about half as long as the diameter of their triangles, and short enough for at least three
+// layers if the mesh is periodic. Bisection preserves such shapes.
 GlobalMesh<3> coarseWedge(WedgeShape const& shape, DeepWedge const& deep)
 {
   const int fewest_layers = deep.is_periodic ? 3 : 1;

@@ -19,7 +19,7 @@ void check(GlobalMesh<2> const& plane, std::vector<double> const& levels)
   const auto size = static_cast<double>(plane.vertices.size());
   ASPERITY_REQUIRE(size * static_cast<double>(levels.size()) < 3e8,
                    "Mesh: " << levels.size() << " levels of " << plane.vertices.size()
-                            << " vertices are too many for one mesh.");
+                            << " vertices are too many: a mesh has fewer than 3e8 vertices.");
   for (char const* name : {"front", "back"}) {
     ASPERITY_REQUIRE(plane.boundaries.count(name) == 0,
                      "Mesh: a mesh with a boundary '"
@@ -28,8 +28,8 @@ void check(GlobalMesh<2> const& plane, std::vector<double> const& levels)
 }
 
 // The prism over triangle (a, b, c), whose vertices have these numbers on the lower level and
-// numbers higher by `up` on the upper one. Its tetrahedra climb from the least vertex to the
-// greatest: with p < q < r they are p q r r', p q q' r', p p' q' r'.
+// numbers higher by `up` on the upper one. Its tetrahedra go from the smallest vertex number to
+// the largest: with p < q < r they are p q r r', p q q' r', p p' q' r'.
 void addPrism(GlobalMesh<2>::Cell const& triangle, int up, std::vector<GlobalMesh<3>::Cell>& cells)
 {
   auto [p, q, r] = triangle;

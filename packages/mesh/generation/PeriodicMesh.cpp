@@ -55,9 +55,9 @@ std::vector<int> identified(GlobalMesh<Dim> const& mesh, int axis, double period
     point[axis] -= period;
     target[vertex] = table.find(point);
     ASPERITY_REQUIRE(target[vertex] >= 0,
-                     where << ": no vertex of the first one lies " << period
-                           << " m before the vertex at " << text(mesh.vertices[vertex])
-                           << " of the second one. They have to be translates of each other.");
+                     where << ": the vertex of the second one at " << text(mesh.vertices[vertex])
+                           << " has no counterpart on the first one at a distance of " << period
+                           << " m. They have to be translates of each other.");
   }
   std::vector<int> numbers(mesh.vertices.size(), -1);
   int next = 0;

@@ -14,7 +14,8 @@ struct RectangleShape
   VertexLimit limit = {1e9, "Take fewer cells."};
 };
 
-// Right triangles, two in each rectangle, with diagonals that alternate as on a chessboard.
+// Right triangles, two in each rectangle, with diagonals whose direction alternates along rows and
+// columns.
 // Vertices are numbered row by row from the lower left: (i, j) has the number j (cells_x + 1) + i.
 // Boundaries `bottom`, `top`, `left`, `right`; region `body`. Throws InputError if the shape is not
 // valid.

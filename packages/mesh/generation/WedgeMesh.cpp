@@ -25,8 +25,8 @@ double distanceToSegment(Point<2> const& p, Point<2> const& a, Point<2> const& b
   return distance<2>(p, {a[0] + t * ab[0], a[1] + t * ab[1]});
 }
 
-// The seismogenic segment lies on the boundary of the wedge, so that no cell has it inside and the
-// nearest points are a corner of the cell or an end of the segment.
+// The seismogenic segment lies on the boundary of the wedge, not inside a cell, so that one of the
+// nearest points is a corner of the cell or an end of the segment.
 double distanceToZone(Triangle const& cell, Point<2> const& left, Point<2> const& right)
 {
   double nearest = distanceToSegment(cell[0], left, right);

@@ -20,7 +20,7 @@ struct WedgeShape
   double growth_factor = 8.0;      // s
   double growth_length = 0.10;     // l
   double viscous_thickness = 0.06; // of region `lower`, vertically from the deepest point
-  // Intervals of the base, x in m, with cells as at the seismogenic zone.
+  // Intervals of the base, x in m, with cells of the same size as at the seismogenic zone.
   std::vector<Point<2>> further_zones = {};
   VertexLimit limit = {};
 
@@ -31,8 +31,8 @@ struct WedgeShape
   Point<2> gravityDirection() const;
 };
 
-// Cells are bisected while they exceed (s d / l + 1) times the cell size, d being the distance of
-// the cell from the nearest of the seismogenic zone and the further zones. Boundaries `base`,
-// `right`, `surface`; regions `upper` and `lower`. Throws InputError if the shape is not valid.
+// Cells are bisected while they exceed (s d / l + 1) times the cell size, where d is the distance
+// of the cell from the nearest zone, seismogenic or further. Boundaries `base`, `right`, `surface`;
+// regions `upper` and `lower`. Throws InputError if the shape is not valid.
 GlobalMesh<2> wedgeMesh(WedgeShape const& shape = {});
 } // namespace asperity::mesh

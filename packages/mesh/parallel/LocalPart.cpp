@@ -32,7 +32,7 @@ void forOwners(std::array<int, N> const& simplex, std::vector<int> const& owners
   }
 }
 
-// selection(part) takes the numbers of that part; nullptr if they are not wanted.
+// Adds to selection(part) the numbers of that part, unless it is nullptr.
 template <int Dim, class SelectionOf>
 void select(GlobalMesh<Dim> const& mesh, std::vector<int> const& owners, SelectionOf selection)
 {
@@ -59,7 +59,7 @@ void select(GlobalMesh<Dim> const& mesh, std::vector<int> const& owners, Selecti
   }
 }
 
-// Makes the meshes of parts, one after the other.
+// Makes the meshes of the parts.
 template <int Dim>
 class Cutter
 {
@@ -121,8 +121,8 @@ private:
     number(ghosts, part);
   }
 
-  // Of every pair with a vertex here the other one, too, and again of the pairs that have this one:
-  // at a branch the minus of a pair is the plus of another one.
+  // Adds both vertices of every pair of which the part has one, and repeats this for the added
+  // vertices: at a branch the minus of one pair is the plus of another.
   void addPartners(std::vector<int> const& owned, std::vector<int>& ghosts) const
   {
     if (mesh_.splits.empty()) {
@@ -137,7 +137,7 @@ private:
         reached.push_back(vertex);
       }
     };
-    // `reached` grows meanwhile.
+    // `reached` grows in the loop.
     for (std::size_t next = 0; next < reached.size(); ++next) { // NOLINT(modernize-loop-convert)
       const int vertex = reached[next];
       if (auto const* pair = sides_.find(vertex)) {
@@ -179,7 +179,7 @@ private:
   }
 
   GlobalMesh<Dim> const& mesh_;
-  std::vector<int> local_; // of the present part; -1 elsewhere
+  std::vector<int> local_; // vertex number in the current part, -1 for other vertices
   FaultSides<Dim> sides_;
   std::unordered_multimap<int, int> plus_of_minus_;
 };

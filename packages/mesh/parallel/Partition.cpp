@@ -12,9 +12,8 @@ namespace asperity::mesh
 {
 namespace
 {
-// The nodes of the graph that is partitioned: a vertex each, or all vertices of the pairs at one
-// place of a fault inside the body, which thus get one owner. METIS sees the mesh as it was before
-// the split.
+// The nodes of the graph that METIS partitions: those of the mesh before the split. A node is a
+// vertex, or all vertices at one place of a fault inside the body, which thus get one owner.
 struct Nodes
 {
   std::vector<idx_t> of_vertex; // (num_vertices)
@@ -66,8 +65,8 @@ public:
   idx_t* neighbours = nullptr;
 };
 
-// What METIS balances: the vertices by weight, and those of the boundary if there are enough of
-// them for every part to have one.
+// The quantities that METIS balances: the weights of the vertices and, if there are enough vertices
+// on the boundary for every part to have one, the number of those.
 struct Constraints
 {
   idx_t number = 1;
@@ -195,7 +194,7 @@ Mesh<Dim> distribute(GlobalMesh<Dim> const& mesh, Communicator const& communicat
   const int num_ranks = communicator.getSize();
   std::vector<int> owners(mesh.vertices.size(), 0);
   if (num_ranks > 1) {
-    // All ranks throw the same error if the input is wrong; all take the partition of rank 0.
+    // Every rank partitions, so that all throw the same error, and then takes the result of rank 0.
     owners = partitionVertices(mesh, num_ranks, options);
     Teuchos::broadcast(communicator, 0, static_cast<int>(owners.size()), owners.data());
   }

@@ -6,30 +6,29 @@ namespace asperity::mesh
 {
 struct PartitionOptions
 {
-  // The vertices of this boundary are balanced, too, since the work of friction is at these
-  // vertices alone: parts with equal numbers of vertices may leave one rank with the whole fault.
-  // Among all vertices they count `boundary_weight` times. The name is "" if there is no such
-  // boundary.
+  // The vertices of this boundary are balanced, too, since friction causes work only there: parts
+  // with equal numbers of vertices may leave one rank with the whole fault. In the balance of all
+  // vertices, one of these counts `boundary_weight` times. "" for no boundary.
   std::string boundary;
   int boundary_weight = 4;
 
-  // Balances what a mesh has when every cell is refined, instead of vertices: a vertex counts as
-  // often as it has cells, and in the boundary as often as it has facets there. boundary_weight
-  // then means nothing.
+  // Balances the mesh that results if every cell is refined: a vertex counts once for each of its
+  // cells and, in the balance of the boundary, once for each of its facets there. boundary_weight
+  // then has no effect.
   bool by_cells = false;
 };
 
 // The owner of every vertex, 0 <= owner < num_parts, by METIS's k-way partition of the graph whose
-// edges are those of the cells. It aims at 3 % above the mean at most for all vertices, weighted,
-// and at 5 % for those of the boundary, unless there are fewer of these than parts. Both vertices
-// of a pair at a fault inside the body have one owner: for METIS they are one. Every part has a
-// vertex. The same input gives the same answer. InputError if there are more parts than vertices.
+// edges are those of the cells. METIS aims at parts of at most 3 % above the mean weight of all
+// vertices, and 5 % for the vertices of the boundary, unless there are fewer of these than parts.
+// Both vertices of a pair at a fault inside the body have one owner: for METIS they are one. Every
+// part has a vertex. Deterministic. InputError if there are more parts than vertices.
 template <int Dim>
 std::vector<int> partitionVertices(GlobalMesh<Dim> const& mesh, int num_parts,
                                    PartitionOptions const& options = {});
 
-// The largest part's number of vertices divided by the mean of all parts, 1 at best. It counts all
-// vertices, or some of them (at least one).
+// The number of vertices of the largest part divided by the mean over all parts, 1 at best; of all
+// vertices, or only of the given ones (at least one).
 double imbalance(std::vector<int> const& owners, int num_parts);
 double imbalance(std::vector<int> const& owners, int num_parts, std::vector<int> const& vertices);
 
@@ -50,7 +49,7 @@ struct NumberedPart
   std::map<std::string, std::vector<int>> facets; // per boundary, as mesh.boundaries; ascending
 };
 
-// All parts at once, each as localPart, in a time proportional to the mesh and not to the parts.
+// All parts, each as localPart, in a time that does not grow with the number of parts.
 template <int Dim>
 std::vector<NumberedPart<Dim>> localParts(GlobalMesh<Dim> const& mesh,
                                           std::vector<int> const& owners, int num_parts);

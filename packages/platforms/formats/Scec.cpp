@@ -67,7 +67,7 @@ public:
   {
     return RunFacts::declare("TPV")
       .real("Time Step", 0.01, "s", Range::positive(),
-            "Two rows are this time apart, as the platform demands.")
+            "The rows are this time apart; the platform demands equally spaced times.")
       .list();
   }
 

@@ -65,7 +65,7 @@ Columns seasBody(ModelView const& view)
           {"Velocity 2 (m/s)", "vel_2", "velocity", second, unchanged}};
 }
 
-// BP3, the problem in plane strain, has its stations at the surface and calls them so.
+// The stations of BP3, the problem in plane strain, are at the surface, hence srfst_.
 std::string seasBodyPrefix(ModelView const& view)
 {
   return view.plane || view.antiplane ? "blkst_" : "srfst_";

@@ -17,7 +17,7 @@ struct Column
 {
   char const* description; // "Slip (m)"
   char const* name;        // "slip"
-  char const* field;       // of the registry; nullptr: zeros, what the model has not
+  char const* field;       // of the registry; nullptr: the model has none, write zeros
   Direction direction;     // (1, 0, 0) of a field with one component
   double (*convert)(double);
 };
@@ -28,7 +28,7 @@ inline constexpr Direction first_component{1, 0, 0};
 inline constexpr Direction second_component{0, 1, 0};
 inline constexpr Direction down{0, -1, 0};
 double unchanged(double value);
-double megapascal(double value);      // of Pa
+double megapascal(double value);      // from Pa
 double logarithmOfSize(double value); // decimal
 
 // How the mesh lies in the platform's space.

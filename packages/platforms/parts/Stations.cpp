@@ -118,8 +118,8 @@ void Stations::restore(io::Archive const& archive)
                    "Asperity / Output: `" << platform_ << " / Time Step` is "
                                           << formatNumber(kind_.row_distance) << " s, but it was "
                                           << formatNumber(earlier)
-                                          << " s in the run that the checkpoint continues. Restart "
-                                             "with the Time Step of the earlier run.");
+                                          << " s in the run that wrote the checkpoint. Restart "
+                                             "with the Time Step of that run.");
   num_rows_ = archive.getInteger("num_rows");
   previous_time_ = archive.getDouble("previous_time");
   previous_ = archive.get<std::vector<double>>("previous");

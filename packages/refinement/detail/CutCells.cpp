@@ -94,7 +94,7 @@ int CutCells<Dim>::midpoint(int cell, int a, int b) const
   return points_.midpoint(a, b);
 }
 
-// Its cell has all its vertices.
+// The cell of the facet is the one that has all vertices of the facet.
 template <int Dim>
 int CutCells<Dim>::midpointOfFacet(typename Mesh<Dim>::Facet const& facet, int a, int b) const
 {

@@ -5,7 +5,7 @@
 
 namespace asperity::refinement::detail
 {
-// Which cells have another midpoint than that of their edge, because they lie on the plus side of
+// Which cells have a midpoint other than that of their edge, because they lie on the plus side of
 // an edge that a fault cuts open. A rank that owns no end of such an edge asks the owner.
 template <int Dim>
 class CutCells

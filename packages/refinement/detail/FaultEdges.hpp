@@ -8,8 +8,8 @@
 
 namespace asperity::refinement::detail
 {
-// The pairs that arise at the midpoints of edges of a fault's facets: those of two edges are plus
-// and minus.
+// A pair of new vertices on a fault: the midpoints of the edges `plus` and `minus`, which are
+// copies of one edge of a facet.
 struct MidpointPair
 {
   Edge plus, minus; // local vertices, ascending
@@ -24,8 +24,9 @@ struct CutEdge
   std::vector<int> plus_cells;
 };
 
-// What the facets of faults ask for where a part is refined. The midpoint of an edge has two copies
-// if cells around it fall into two sets when the facets of the faults are cut, as in splitFaults.
+// The copies of midpoints that faults need when a part is refined. The midpoint of an edge has two
+// copies if the cells around it fall into two sets when the facets of the faults are cut, as in
+// splitFaults.
 template <int Dim>
 class FaultEdges
 {
@@ -41,14 +42,14 @@ public:
   // The cells around the edges that may be cut: all of them if an end of the edge is owned.
   std::map<Edge, std::vector<int>> const& rings() const { return rings_; }
 
-  // nullptr if the edge is not cut. An end of it is owned.
+  // nullptr if the edge is not cut. This rank must own an end of it.
   CutEdge const* find(Edge const& edge) const
   {
     const auto found = cuts_.find(edge);
     return found == cuts_.end() ? nullptr : &found->second;
   }
 
-  // Of the edges with an owned end; each once.
+  // The pairs of the edges with an owned end; each once.
   std::vector<MidpointPair> const& pairs() const { return pairs_; }
 
   // The edge whose midpoint is a vertex of the fault: `edge` is one of a facet, of plus vertices.

@@ -14,9 +14,9 @@ namespace asperity::refinement::detail
 // Global ids: coarse vertices keep theirs. Midpoints follow them in the order of the global ids of
 // their edges' ends, the smaller one first. So ids do not depend on the ranks.
 //
-// Owners: a midpoint belongs to the owner of one of the two ends, which by a hash of their ids is
-// either with equal chance. This rank has all cells around the midpoint. All copies of a vertex at
-// a fault have one owner, and so have those of a midpoint.
+// Owners: a midpoint belongs to the owner of one of the two ends, which a hash of their ids chooses
+// with equal probability. That rank has all cells around the midpoint. All copies of a vertex at a
+// fault have one owner, and so have those of a midpoint.
 template <int Dim>
 class Points
 {

@@ -52,8 +52,9 @@ struct FacetRule<3>
 
 // The order of the corners with which the division of a tetrahedron starts. Of the corners sorted
 // by their global ids, s0 .. s3, and of the orders s0 s1 s2 s3, s0 s1 s3 s2 and s0 s2 s1 s3 it is
-// the first one whose diagonal inside is as short as the shortest one, but for rounding: so all
-// ranks choose the same. From the cubes of six tetrahedra of BoxMesh follow those of half the size.
+// the first one whose diagonal inside is, up to rounding, the shortest one, so that all
+// ranks choose the same. The cubes of six tetrahedra of BoxMesh are divided into such cubes of half
+// the size.
 inline std::array<int, 4> firstOrder(std::array<int, 4> const& sorted,
                                      std::array<Point<3>, 4> const& corners)
 {

@@ -58,7 +58,7 @@ private:
   std::unordered_multimap<GlobalOrdinal, std::size_t> at_;
 };
 
-// Of the coarse part, which has either both vertices of a pair or none.
+// The pairs of the coarse part, which has either both vertices of a pair or none.
 template <int Dim>
 std::vector<PointPair> coarsePairs(std::vector<char>& needed, Mesh<Dim> const& coarse)
 {

@@ -64,7 +64,7 @@ private:
   void divideCells()
   {
     auto& cells = fine_.mesh.cells;
-    cells.reserve(coarse_.cells.size() << Dim); // ghosts have fewer: memory that is never touched
+    cells.reserve(coarse_.cells.size() << Dim); // too much for ghosts: memory that is never touched
     fine_.mesh.cell_regions.reserve(coarse_.cells.size() << Dim);
     constexpr auto num_edges = std::size(RedRule<Dim>::edges);
     std::array<int, Dim + 1 + num_edges> points;
@@ -144,7 +144,7 @@ private:
     }
   }
 
-  // The point of a facet may have the number of another point with the same id.
+  // The local number of a point of a facet, perhaps that of another point with the same id.
   int numberOf(int point) const
   {
     const int number = number_[static_cast<std::size_t>(point)];

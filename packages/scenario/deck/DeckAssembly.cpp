@@ -15,9 +15,9 @@ namespace asperity::scenario
 {
 namespace
 {
-// A name of a file in a deck is looked for beside the deck first. What is not there counts from
-// where the program was started. A name that leads to a file becomes absolute, so that the run's
-// parameters.xml can be read from anywhere.
+// The file that a deck names is looked for beside the deck, and then in the folder in which the
+// program was started. If it is found, its name becomes absolute, so that the run's parameters.xml
+// can be read from anywhere.
 std::string besideDeck(std::string const& name, std::filesystem::path const& folder)
 {
   namespace fs = std::filesystem;

@@ -6,11 +6,11 @@
 
 namespace asperity::scenario
 {
-// The deck that the command line names as the user gives it: its overlays, removals and overrides
-// are applied, the files that it names are found beside it. Throws InputError if that fails.
+// The deck that the command line names, as the user gives it: overlays, removals and overrides are
+// applied, and the files that it names are found. Throws InputError if that fails.
 RCP<ParameterList> deckAsGiven(CommandLine const& command_line, ParameterList const& valid);
 
-// The same with the values of its names in their places, checked and completed by these
-// declarations. Throws InputError if that fails.
+// The same deck in which names are replaced by their values, checked and completed by the
+// declarations `valid`. Throws InputError if that fails.
 RCP<ParameterList> assembleDeck(CommandLine const& command_line, ParameterList const& valid);
 } // namespace asperity::scenario

@@ -54,7 +54,7 @@ bool isCalled(std::string const& text, std::size_t end)
   return next != std::string::npos && text[next] == '(';
 }
 
-constexpr std::size_t longest_text = 20000; // muParser reads no longer ones
+constexpr std::size_t longest_text = 20000; // muParser reads no longer texts
 constexpr std::size_t most_levels = 100;
 
 // The names of a deck, each with its text, in which other names are replaced.
@@ -113,8 +113,8 @@ private:
   {
     ASPERITY_REQUIRE(isLetter(name[0]) && endOfWord(name, 0) == name.size(),
                      path << ": '" << name
-                          << "' cannot stand in an expression. Take letters, digits and _, a "
-                             "letter first.");
+                          << "' cannot be used in an expression. Use letters, digits and _, "
+                             "and begin with a letter.");
     const auto taken = Expression::reservedNames();
     ASPERITY_REQUIRE(std::find(taken.begin(), taken.end(), name) == taken.end(),
                      path << ": '" << name << "' has a meaning in expressions already. "
@@ -141,8 +141,9 @@ private:
         (open.empty() ? path_ : "Asperity / Names / " + open.back())
           << ": '" << excerpt(text) << "' has more than " << longest_text << " characters"
           << (open.empty() && !has_names ? "."
-                                         : " when its names are replaced. Names that "
-                                           "contain each other twice double at every step."));
+                                         : " when its names are replaced. A chain of "
+                                           "names that each use the next one twice doubles the "
+                                           "text with every name."));
       i = end;
     }
     return result;
@@ -152,7 +153,7 @@ private:
   {
     const bool is_circle = std::find(open.begin(), open.end(), name) != open.end();
     ASPERITY_REQUIRE(!is_circle, "Asperity / Names / " << name << " needs its own value to be "
-                                                       << "computed. Remove the circle.");
+                                                       << "computed. Remove this loop.");
     ASPERITY_REQUIRE(open.size() < most_levels,
                      "Asperity / Names / " << open.front() << " needs more than " << most_levels
                                            << " names, one inside the other, "
@@ -167,7 +168,7 @@ private:
   mutable std::string path_ = "Asperity / Names"; // of what is being expanded
 };
 
-// The pieces between commas that stand in no brackets.
+// The pieces between commas, except commas in brackets.
 std::vector<std::string> pieces(std::string const& text)
 {
   std::vector<std::string> result(1);
@@ -183,7 +184,7 @@ std::vector<std::string> pieces(std::string const& text)
   return result;
 }
 
-// Empty if the text is no constant: what is wanted instead is said where the type is checked.
+// Empty if the text is not a constant: the check of the type then refuses it with a message.
 std::optional<double> constantIn(std::string const& text, std::string const& path, bool has_names)
 {
   try {
@@ -271,7 +272,7 @@ void resolveIn(ParameterList& list, ParameterList const& with_all, Names const& 
 {
   const auto valid = withChosenEntries(with_all, list, path);
   for (auto const& name : namesIn(list)) {
-    if (valid->isParameter(name)) { // what is unknown is refused later
+    if (valid->isParameter(name)) { // unknown names are refused later
       resolveEntry(list.getEntry(name), valid->getEntry(name), names, joinPath(path, name));
     }
   }
@@ -282,7 +283,7 @@ ParameterList takeNames(ParameterList& deck)
   if (!deck.isParameter(names_list)) {
     return {};
   }
-  ASPERITY_REQUIRE(deck.isSublist(names_list), "Asperity / Names is no list.");
+  ASPERITY_REQUIRE(deck.isSublist(names_list), "Asperity / Names is not a list.");
   const ParameterList names = deck.sublist(names_list);
   deck.remove(names_list);
   return names;
@@ -293,8 +294,8 @@ RCP<const ParameterList> nameParameters()
 {
   return Declare()
     .field("<name>", required, "-", Range::any(),
-           "Fields, numbers and arrays of numbers that use the name have this number or expression "
-           "in its place.")
+           "This number or expression replaces the name wherever a field, a number or an array of "
+           "numbers uses it.")
     .list();
 }
 
@@ -304,11 +305,10 @@ std::string meaningOfNames()
   for (auto const& name : Expression::functionNames()) {
     functions += (functions.empty() ? "" : ", ") + name;
   }
-  return "Each entry in here, of any name, is a number or an expression that others may use. Where "
-         "a "
-         "number is wanted, a text with an expression of names and numbers will do, as \"slope * "
-         "3600\" or \"{slope, -1}\"; parameters.xml has the values in their places. Expressions "
-         "may "
+  return "Each entry in here, of any name, is a number or an expression that other parameters may "
+         "use. Instead of a number, a parameter may have a text with an expression of names and "
+         "numbers, such as \"slope * 3600\" or \"{slope, -1}\"; parameters.xml has the values in "
+         "their places. Expressions may "
          "use x, y, z, t, pi, e, + - * / ^, comparisons, && || !, c ? a : b, and the functions " +
          functions + " (log is the natural logarithm).";
 }

@@ -21,10 +21,10 @@ inline constexpr char const* names_list = "Names";
 RCP<const ParameterList> nameParameters();
 std::string meaningOfNames();
 
-// Puts the value of each name in its place, in fields, numbers and arrays of numbers of the deck,
-// and removes the list. A text where `valid` wants a number, as "slope * 3600", or an array of
-// numbers, as "{slope, -1}", becomes that. InputError for names that are no names, are those of
-// functions or coordinates, or refer to each other in a circle; also for one of `to_be_used` that
+// Replaces each name by its value in fields, numbers and arrays of numbers of the deck, and removes
+// the list. Where `valid` wants a number or an array of numbers, a text such as "slope * 3600" or
+// "{slope, -1}" becomes one. InputError for names that are not identifiers, that functions or
+// coordinates have, or that refer to each other in a loop; also for one of `to_be_used` that
 // nothing uses. Call it before completeAndValidate.
 void resolveNames(ParameterList& deck, ParameterList const& valid,
                   std::vector<std::string> const& to_be_used = {});

@@ -65,8 +65,9 @@ Evolution<Dim>::Evolution(ParameterList const& deck, RCP<const Communicator> con
   view_.balance = &balance_;
 }
 
-// Of the forces at the start. What solvers leave over and what a deck's rounded numbers do is less;
-// a state of one run under the loads of another, or a traction in other units, is far more.
+// Share of the forces at the start. The tolerance of solvers and the rounded numbers of a deck
+// leave less; a state of one run under the loads of another, or a traction in other units, leaves
+// far more.
 constexpr double largest_imbalance = 0.01;
 
 template <int Dim>
@@ -78,11 +79,10 @@ void Evolution<Dim>::beginBalance()
     warnings_.push_back(
       {"start out of balance",
        "The run starts out of balance: " + formatShort(imbalance) +
-         " of the forces have nothing that opposes them (at most " +
-         formatShort(largest_imbalance) +
+         " of the forces are not balanced (at most " + formatShort(largest_imbalance) +
          " is usual). A quasi-dynamic body has no inertia, so that velocities and stresses jump in "
-         "the first step, whatever its size. Check Friction / Shear Traction, its unit is Pa, or "
-         "choose Initial State / State = Stress Balance."});
+         "the first step, however small it is. Check Friction / Shear Traction, whose unit is Pa, "
+         "or choose Initial State / State = Stress Balance."});
   }
 }
 
@@ -211,8 +211,8 @@ int Evolution<Dim>::numEliminated() const
   return condensation_ ? condensation_->numEliminated() : 0;
 }
 
-// Of a vertex of the model: the condensed one has the nodes of the fault, and the boundaries'
-// motion.
+// The place of a vertex of the model, for messages. The vertices of a condensed model are the nodes
+// of the fault, followed by those that stand for the motion of the boundaries.
 template <int Dim>
 std::string Evolution<Dim>::placeOf(int vertex) const
 {
@@ -224,7 +224,7 @@ std::string Evolution<Dim>::placeOf(int vertex) const
          mesh::text(problem_.mesh.vertices[vertex]);
 }
 
-// The step that has just been made. Where a number is lost, it spreads: the first sight tells most.
+// Checks the step that has just been made: nan spreads quickly, and the first place tells most.
 template <int Dim>
 void Evolution<Dim>::requireFinite() const
 {

@@ -19,7 +19,7 @@
 
 namespace asperity::scenario
 {
-// A problem on its way through time: its state, its steps, and their accounts of energy, effort and
+// The time stepping of a problem: its state, its steps, and the sums of energy, effort and nodes on
 // the floor of the normal stress.
 template <int Dim>
 class Evolution
@@ -32,7 +32,7 @@ public:
   Problem<Dim> const& problem() const { return problem_; }
   dynamics::DyadicTime const& clock() const { return clock_; }
   RunView const& view() const { return view_; } // lives as long as this
-  int numEliminated() const; // unknowns that steps do not have; 0 unless the body is condensed
+  int numEliminated() const; // unknowns eliminated; 0 unless the body is condensed
 
   // From the deck's initial state, from a state of another run (`state` of stateOfOtherRun), or
   // from a checkpoint.
@@ -43,8 +43,8 @@ public:
 
   // Makes a step. Throws SolveError if even the smallest one fails; the state stays what it was.
   void advance();
-  // The accounts of that step. Throws SolveError if a number has been lost: the message names
-  // field, place, step and time.
+  // Adds that step to energy, effort and the count of the floor. Throws SolveError if a value of
+  // the state is not finite: the message names field, place, step and time.
   void account();
 
   bool atEnd() const { return state_.time >= end_; }
@@ -53,12 +53,11 @@ public:
   std::int64_t numSteps() const { return control_->memory().num_steps; }
   io::StepInfo stepInfo() const;               // of the last step
   dynamics::StallWatch::Step progress() const; // of the last step
-  // Warns of that step where it hides a slip rate that grows, or throws SolveError for one too
-  // many.
+  // Warns if that step hides a growing slip rate; throws SolveError after too many such steps.
   void watchGrowth();
-  // What has been found to be wrong since the last call, the same on all ranks.
+  // The warnings since the last call, the same on all ranks.
   std::vector<Warning> takeWarnings() { return std::exchange(warnings_, {}); }
-  RunSummary summary() const; // all but whether it has finished, and the directory
+  RunSummary summary() const; // without `finished` and `directory`
 
 private:
   std::string placeOf(int vertex) const;
@@ -81,7 +80,7 @@ private:
   std::int64_t forced_steps_ = 0;
   FloorCount floor_count_;
   std::vector<Warning> warnings_;
-  std::int64_t rises_to_tell_ = 1; // of J, at which the next warning comes
+  std::int64_t rises_to_tell_ = 1; // number of rises of J at which the next warning comes
   dynamics::GrowthWatch growth_watch_;
   double rate_before_ = 0; // peak slip rate before the last step [m/s]
   RunView view_;

@@ -30,11 +30,11 @@ void requireSame(std::string const& what, std::string const& here, std::string c
 {
   ASPERITY_REQUIRE(here == there, what << " is '" << here << "', but '" << there
                                        << "' in the run of --restart-from " << run
-                                       << ". A state goes from one to the other only between "
-                                          "problems of the same kind.");
+                                       << ". A state goes from one to the other only if they "
+                                          "are the same.");
 }
 
-// The places, among the nodes of friction, of the nodes of the fault as a domain.
+// For each node of the output domain `fault`: its index among the nodes of friction.
 template <int Dim>
 std::vector<std::size_t> nodesOfFriction(Problem<Dim> const& problem,
                                          io::OutputDomain const& domain)
@@ -51,7 +51,8 @@ std::vector<std::size_t> nodesOfFriction(Problem<Dim> const& problem,
   return order;
 }
 
-// A point near each of the vertices, within a cell that has it.
+// For each vertex a point near it, inside a cell that has the vertex, which tells the side of a
+// fault.
 template <int Dim>
 Values pointsInCells(Mesh<Dim> const& mesh, std::vector<int> const& vertices)
 {
@@ -73,8 +74,8 @@ Values pointsInCells(Mesh<Dim> const& mesh, std::vector<int> const& vertices)
   return points;
 }
 
-// The unknowns at the owned nodes that make these vectors at these vertices, which are all that
-// cells have (fem::VertexTerms).
+// The unknowns at the owned nodes that give these vectors at these vertices. The vertices are all
+// that cells have; at a fault the unknowns are jump and mean (fem::VertexTerms).
 template <int Dim>
 Values unknowns(Problem<Dim> const& problem, std::vector<int> const& vertices,
                 Values const& along_axes)

@@ -11,7 +11,7 @@
 
 namespace asperity::scenario
 {
-// What the values of a checkpoint of the problem may belong to.
+// The sets of nodes to which values in a checkpoint of the problem may belong, by name.
 template <int Dim>
 io::NodeSets nodeSets(Problem<Dim> const& problem,
                       std::map<std::string, io::OutputDomain> const& domains);
@@ -19,14 +19,13 @@ io::NodeSets nodeSets(Problem<Dim> const& problem,
 // The state of another run for a new one, as StateFormat reads it from "state": `run` is the
 // directory of a run of this program, or a checkpoint in it. The other run's mesh and fields may
 // differ: displacement since the start and the rates are interpolated linearly in the other run's
-// cells, the state variable and the change of the normal stress along its fault. What the body
-// bears at the start (gravity) is the new deck's own. The time is the other run's, as `clock` has
-// it.
+// cells, the state variable and the change of the normal stress along its fault. The initial
+// displacement and normal stress (gravity) are those of the new deck. The time is the other run's,
+// in ticks of `clock`.
 //
 // InputError, on every rank, if the dimension, the components of the displacement, the laws or the
-// kind of fault differ, if a fault lies inside one of the bodies, if a point of the new mesh is
-// farther from the other one than a tenth of the element there, or if the time of the state is not
-// before `end` [s]. Collective.
+// kind of fault differ, if a point of the new mesh is farther from the other one than a tenth of
+// the element there, or if the time of the state is not before `end` [s]. Collective.
 template <int Dim>
 io::Archive stateOfOtherRun(std::filesystem::path const& run, Problem<Dim> const& problem,
                             std::map<std::string, io::OutputDomain> const& domains,

@@ -107,7 +107,7 @@ void requireFaults(ParameterList const& list, Mesh<Dim> const& mesh)
     ASPERITY_REQUIRE(!is_inside(condition.boundary) || (two_sided && condition.liesAlongFault()),
                      condition.name << " / Boundary = '" << condition.boundary
                                     << "' is a fault inside the body, where the Type '" << type
-                                    << "' says nothing. Choose " << kinds
+                                    << "' does not apply. Choose " << kinds
                                     << ", or 'Prescribed Slip Rate' where it continues one.");
     ASPERITY_REQUIRE(is_inside(condition.boundary) || !two_sided || !condition.liesAlongFault(),
                      condition.name << " / Boundary = '" << condition.boundary

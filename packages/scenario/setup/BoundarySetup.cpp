@@ -39,8 +39,8 @@ fem::Boundaries faultAndContinuations(Conditions const& conditions)
   return boundaries;
 }
 
-// The fault comes first, then what continues it, so that the frames of their nodes follow them and
-// have the same normal where they meet.
+// The fault comes first, then its continuations: the frames of their nodes follow these conditions,
+// and have the same normal where fault and continuation meet.
 template <int Dim>
 void layAlongFault(Conditions const& conditions, Setting const& setting,
                    BoundaryConditions<Dim>& result)
@@ -77,20 +77,20 @@ RCP<const ParameterList> boundaryParameters()
         "Direction", optional, "-", Range::any(),
         "Prescribed Velocity: components along the axes that say where the velocity points, of any "
         "length; it points along +x if they are left out, and an antiplane body moves along z "
-        "alone. Prescribed Slip Rate, and faults with a Plate Rate, in three dimensions: they say "
-        "where the boundary slips, after their projection onto it.")
+        "alone. Prescribed Slip Rate, and faults with a Plate Rate, in three dimensions: the slip "
+        "points along the projection of this vector onto the boundary.")
       .field(
         "Velocity", optional, "m/s", Range::any(),
         "Prescribed Velocity: says how fast the boundary moves in that direction; it is at rest if "
         "this is left out.")
       .real("Ramp Duration", optional, "s", Range::atLeast(0),
             "Prescribed Velocity: sets the time over which the velocity grows smoothly from zero; "
-            "it does so at once if this is left out.")
+            "without this entry there is no ramp.")
       .field("Plate Rate", optional, "m/s", Range::any(),
              "Faults: says how fast the plates slide past each other along the fault (back slip). "
-             "Friction and all outputs of slip see this rate beside the motion of the bodies, "
-             "whose far boundaries rest then. It points along the tangent of the fault's frame, "
-             "in three dimensions along Direction, and is constant in time.")
+             "Friction and all outputs of slip include this rate in addition to the motion of the "
+             "bodies, whose far boundaries are then at rest. It points along the tangent of the "
+             "fault's frame, in three dimensions along Direction, and is constant in time.")
       .field("Slip Rate", optional, "m/s", Range::any(),
              "Prescribed Slip Rate: says how fast the boundary slips; in two dimensions along the "
              "tangent of the fault's frame, which points along +x on a fault below the body.")

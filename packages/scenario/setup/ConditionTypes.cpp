@@ -100,8 +100,8 @@ void fault(BoundaryCondition const& condition, Setting const& setting,
   }
 }
 
-// Under back slip a continuation, too, slips by slip factor v_t + Vp, where Vp is that of the first
-// fault that has one.
+// Under back slip the slip rate of a continuation, too, is slip factor v_t + Vp, where Vp is the
+// plate rate of the first fault that has one.
 template <int Dim>
 fem::VelocityFunction<Dim> withoutPlates(std::shared_ptr<const Field> const& rate,
                                          BoundaryConditions<Dim> const& conditions)
@@ -115,7 +115,7 @@ fem::VelocityFunction<Dim> withoutPlates(std::shared_ptr<const Field> const& rat
   return {of_bodies, rate->dependsOnTime()};
 }
 
-// The continuation of a fault in three dimensions slips where the plates go.
+// In three dimensions the continuation of a fault slips in the direction of the plates.
 template <int Dim>
 void requireDirectionOfPlates(BoundaryCondition const& condition,
                               std::vector<double> const& direction,
@@ -150,7 +150,7 @@ void prescribedSlipRate(BoundaryCondition const& condition, Setting const& setti
 {
   ASPERITY_REQUIRE(isGiven(condition.list, "Slip Rate"),
                    joinPath(condition.name, "Slip Rate")
-                     << " is missing: at which rate the continuation of "
+                     << " is missing: the rate at which the continuation of "
                         "the fault slips, 0 if it is locked.");
   auto const rate = fieldOf(condition, "Slip Rate");
   auto const velocity = withoutPlates(rate, result);
@@ -172,8 +172,9 @@ void prescribedSlipRate(BoundaryCondition const& condition, Setting const& setti
   }
 }
 
-// In three dimensions friction does not move the fault sideways where a driven boundary meets it:
-// friction knows the direction of slip only where nothing else drives.
+// Where a driven boundary meets the fault in three dimensions, slip at right angles to its
+// direction is zero: friction determines the direction of slip only where nothing else drives the
+// node.
 template <int Dim>
 void prescribedVelocity(BoundaryCondition const& condition, Setting const& setting,
                         BoundaryConditions<Dim>& result)
@@ -230,7 +231,7 @@ void freeSurface(BoundaryCondition const& condition, Setting const&,
     result.surface = condition.boundary;
   }
 }
-// A word for each kind of fault, then those for other boundaries.
+// A type for each kind of fault, then the types for other boundaries.
 std::vector<ConditionType> makeTypes()
 {
   std::vector<ConditionType> types;
@@ -270,9 +271,8 @@ std::vector<ConditionType> makeTypes()
      DecidesOn::direction,
      {slidingWall<2>, slidingWall<3>}},
     {"Fixed",
-     "the body is at rest (v = 0), also where slip would move it a little: displacement near by is "
-     "too "
-     "small, so keep the boundary far away.",
+     "the body is at rest (v = 0), although slip would move it a little: displacements near the "
+     "boundary are too small, so keep it far away.",
      {},
      Place::elsewhere,
      DecidesOn::everything,

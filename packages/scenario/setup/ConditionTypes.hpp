@@ -38,7 +38,7 @@ enum class DecidesOn
 template <int Dim>
 using ConditionMaker = void (*)(BoundaryCondition const&, Setting const&, BoundaryConditions<Dim>&);
 
-// A word for the entry `Type` of a boundary condition.
+// A value of the entry `Type` of a boundary condition.
 struct ConditionType
 {
   std::string name;

@@ -25,10 +25,10 @@ RCP<const ParameterList> frictionParameters()
     .real("Normal Stress Factor", 1., "-", Range::atLeast(0),
           "This factor multiplies the normal stress.")
     .choice("Normal Stress Change", "Fixed", {"Fixed", "Lagged", "Coupled"},
-            "Selects how the normal stress follows the compression across the fault, of which the "
-            "change since the start of the run is added to it. Fixed: it does not. Lagged: by the "
-            "change up to the beginning of each step, an error of first order in the step. "
-            "Coupled: by the change up to its end, found together with the state of the fault.")
+            "Selects whether the change of the compression across the fault since the start of the "
+            "run is added to the normal stress. Fixed: it is not. Lagged: the change up to the "
+            "beginning of each step is added, with an error of first order in the step size. "
+            "Coupled: the change up to its end, solved together with the state of the fault.")
     .real("Normal Stress Floor", 0., "Pa", Range::atLeast(0),
           "The normal stress takes this value where it would fall below.")
     .field("Shear Traction", 0., "Pa", Range::any(),

@@ -16,8 +16,8 @@ double normalStressFloor(ParameterList const& list);
 
 // Makes the fault: the laws of the list with their parameters at the nodes of the surface, and the
 // normal stress with the list's Normal Stress Change and Floor. radiation_damping(num_nodes)
-// [Pa s/m], or empty. Throws InputError where Linker and Dieterich's term meets a normal stress of
-// zero.
+// [Pa s/m], or empty. Throws InputError where the term of Linker and Dieterich (c > 0) is used with
+// a normal stress that is or may become zero.
 template <int Dim>
 dynamics::Fault makeFault(ParameterList const& list, Mesh<Dim> const& mesh,
                           std::shared_ptr<const fem::FaultSurface> const& surface,

@@ -85,7 +85,7 @@ std::vector<Point<2>> intervals(ParameterList const& list, std::string const& na
   return pairs;
 }
 
-// Of the list "Mesh": what is said where an extent or a size is forgotten.
+// The limit of the list `Mesh`, with the advice for a mesh that is too large.
 mesh::VertexLimit vertexLimit(ParameterList const& list)
 {
   auto const type = list.get<std::string>("Type");
@@ -133,9 +133,10 @@ RCP<const ParameterList> rectangleParameters()
                "The lower left corner of the rectangle lies at this position.")
     .field("Cell Size", optional, "m", Range::positive(),
            "The longer side of rectangles is at most this function of x and y, which is evaluated "
-           "at corners, centroid and midpoints of edges of the triangles: they are bisected until "
-           "that is so, and keep the proportions of columns and rows. From 2^k times this size "
-           "follows exactly this size. Without this entry no cell is bisected.")
+           "at corners, centroid and midpoints of edges of the triangles. They are bisected until "
+           "that is so, and keep the proportions of columns and rows. If columns and rows are 2^k "
+           "times this size, the result has exactly this size. Without this entry no cell is "
+           "bisected.")
     .real("Cell Size Factor", 1., "-", Range::positive(),
           "This factor multiplies the cell size: 2 makes the whole mesh coarser.")
     .list();
@@ -172,8 +173,9 @@ RCP<const ParameterList> boxParameters()
              "The box is divided into this number of cuboids along z.")
     .field("Cell Size", optional, "m", Range::positive(),
            "The longest side of cuboids is at most this function of x, y and z: tetrahedra are "
-           "bisected until that is so, and keep the proportions of the first cuboids. From 2^k "
-           "times this size follows exactly this size. Without this entry no cell is bisected.")
+           "bisected until that is so, and keep the proportions of the first cuboids. If these are "
+           "2^k times this size, the result has exactly this size. Without this entry no cell is "
+           "bisected.")
     .real("Cell Size Factor", 1., "-", Range::positive(),
           "This factor multiplies the cell size: 2 makes the whole mesh coarser.")
     .boolean("Periodic Along z", false, periodic_meaning)

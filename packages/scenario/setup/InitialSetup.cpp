@@ -143,7 +143,7 @@ double product(std::vector<double> const& a, std::vector<double> const& b, int n
   return sum;
 }
 
-// What the state of the fault follows from.
+// The data from which the initial state of the fault follows.
 struct InitialFault
 {
   std::vector<double> const& traction;  // (num_nodes, T)
@@ -151,7 +151,7 @@ struct InitialFault
   std::vector<double> const& radiation; // (num_nodes)
 };
 
-// The coefficient that friction needs to bear the traction; the reasons why there may be none.
+// The coefficient of friction that balances the traction. Throws InputError if there is none.
 double balancingCoefficient(InitialFault const& at_start, int i, double speed, double V,
                             double sigma_n, double cohesion, std::string const& place)
 {
@@ -202,7 +202,7 @@ friction::NodeView initialAlpha(ParameterList const& list, Mesh<Dim> const& mesh
     }
     ASPERITY_REQUIRE(V[i] > 0, initial_path
                                  << " / State = " << state << ": " << place
-                                 << " the initial slip rate is zero, where there is no such "
+                                 << " the initial slip rate is zero, for which there is no such "
                                     "state. Give an initial velocity, or State = Given.");
     if (state == "Stress Balance") {
       mu[i] = balancingCoefficient(at_start, i, speed, V[i], sigma_n(i), cohesion(i), place);
@@ -231,7 +231,7 @@ friction::NodeView initialAlpha(ParameterList const& list, Mesh<Dim> const& mesh
   return alpha;
 }
 
-// By a difference over a time dt [s] in which nothing else happens.
+// As a difference quotient over dt [s], which is small beside all steps.
 RCP<Vector> prescribedAcceleration(dynamics::Body const& body, double dt)
 {
   auto result = body.vector();

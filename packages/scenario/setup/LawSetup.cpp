@@ -179,8 +179,8 @@ std::vector<double> stressSensitivities(ParameterList const& list, Mesh<Dim> con
   ASPERITY_REQUIRE(of_friction, joinPath(friction_path, "c")
                                   << " is given, but the friction law '"
                                   << list.get<std::string>(friction_choice)
-                                  << "' has no b, which the term of Linker and Dieterich is "
-                                     "measured by. Remove it, or choose another law.");
+                                  << "' has no b, by which the term of Linker and Dieterich "
+                                     "is divided. Remove c, or choose another law.");
   std::vector<double> result;
   for (std::size_t i = 0; i < nodes.size(); ++i) {
     const double b = (*of_friction)[i].state;
@@ -188,8 +188,8 @@ std::vector<double> stressSensitivities(ParameterList const& list, Mesh<Dim> con
                      joinPath(friction_path, "c")
                        << " = " << (*c)[i] << " at x = " << mesh::text(mesh.vertices[nodes[i]])
                        << ", where b = " << b
-                       << ": without an evolution effect the normal stress has "
-                          "no state to change. Set c to zero there.");
+                       << ": the term of Linker and Dieterich is divided by b. "
+                          "Set c to zero there.");
     result.push_back((*c)[i] == 0 ? 0 : (*c)[i] / b);
   }
   return result;

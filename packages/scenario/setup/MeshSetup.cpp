@@ -38,7 +38,7 @@ std::vector<mesh::NamedCondition<Dim>> conditionsIn(ParameterList const& mesh,
   return conditions;
 }
 
-// What read() returns of the mesh file; the message of what it refuses names the parameter, too.
+// The result of read(), which reads the mesh file; its InputErrors get the path of the parameter.
 template <class Read>
 auto ofMeshFile(Read const& read)
 {
@@ -67,7 +67,7 @@ Mesh<Dim> coarsePart(ParameterList const& list, std::string const& fault,
     ASPERITY_REQUIRE(faults.empty(),
                      where_faults << " / " << faults.front().name << ": mesh file '" << file_name
                                   << "' is partitioned, and was split along its faults before. "
-                                  << "Put the fault into the mesh and then partition that.");
+                                  << "Put the fault into the mesh and then partition it.");
     auto part = ofMeshFile([&] { return mesh::readPart<Dim>(file_name, communicator); });
     mesh::overrideRegions(part, regions, *communicator, where_regions);
     mesh::overrideBoundaries(part, boundaries, *communicator, where_boundaries);
@@ -108,8 +108,8 @@ RCP<const ParameterList> meshParameters()
       "a file.")
     .integer("Most Vertices", 500000, Range::atLeast(3),
              "A mesh that is made here, and not read from a file, has at most this number of "
-             "vertices, before 'Refinements'; a larger one is refused before it is made. A "
-             "forgotten extent or cell size is found so.")
+             "vertices, before 'Refinements'; a larger one is refused before it is made. This "
+             "finds a forgotten extent or cell size.")
     .integer("Refinements", 0, Range::atLeast(0),
              "Every cell is divided this number of times, triangles into 4 and tetrahedra into 8, "
              "on all ranks at once, with its region, boundaries and faults. The body keeps the "

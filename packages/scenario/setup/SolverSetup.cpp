@@ -8,7 +8,7 @@ namespace asperity::scenario
 {
 namespace
 {
-// Beyond this the fill of a factor costs more than a few V-cycles.
+// Number of unknowns from which on a factor with its fill costs more than a few V-cycles.
 long long largestDirect(int dimension) { return dimension == 2 ? 100000 : 10000; }
 } // namespace
 
@@ -24,8 +24,7 @@ RCP<const ParameterList> solverParameters()
     .choice("Static Condensation", "Auto", {"Auto", "Off"},
             "Auto: with the direct correction, a quasi-dynamic body without gravity or viscosity, "
             "whose boundaries move at constant velocities, is condensed to its fault once for all "
-            "steps, which changes nothing but rounding. Off: all its unknowns take part in each "
-            "step.")
+            "steps, which changes only rounding errors. Off: every step has all unknowns.")
     .real("Memory Budget", 2000., "MB", Range::positive(),
           "Each rank keeps solvers of different step sizes up to this amount of memory. The least "
           "recently used ones are removed first.")
@@ -57,12 +56,11 @@ std::string hintOnDirect(ParameterList const& list, int dimension, long long num
       num_unknowns <= largestDirect(dimension)) {
     return "";
   }
-  return "Linear Correction = Direct makes a factor for each step size, which may take most of the "
-         "time with " +
+  return "Linear Correction = Direct factorises a matrix for each step size, which may take most "
+         "of the time with " +
          std::to_string(num_unknowns) + " unknowns in " + std::to_string(dimension) +
-         " dimensions: the line 'set-up of step sizes' in the table at the end says so. Auto "
-         "chooses MueLu here; "
-         "compare the two over some steps.";
+         " dimensions: see 'set-up of step sizes' in the table at the end. Auto would choose "
+         "MueLu here; compare the two over some steps.";
 }
 
 std::size_t memoryBudget(ParameterList const& list)

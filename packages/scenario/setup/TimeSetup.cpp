@@ -127,12 +127,12 @@ RCP<const ParameterList> timeParameters()
       "needs inertia: where the deck names no scheme, a quasi-dynamic body has Generalised Alpha.")
     .integer("Most Forced Steps", 10000, Range::atLeast(0),
              "The run ends with an error after this number of steps in a row that even at the "
-             "smallest size did not meet the tolerance; 0 means that it goes on for ever.")
+             "smallest size did not meet the tolerance; 0 means that there is no limit.")
     .integer("Most Hiding Steps", 10, Range::atLeast(0),
-             "The run ends with an error after this number of forced steps that hide a rate which "
-             "grows: steps that even at the smallest size do not meet the tolerance, at whose end "
-             "the peak slip rate is above twice that before they began and slips by more than a "
-             "tenth of L in a step. 0 means that it goes on for ever, with a warning.")
+             "The run ends with an error after this number of steps that hide a growing slip rate: "
+             "after them the peak slip rate is more than twice that before, and slips by more than "
+             "a tenth of L in a step. Steps that do not meet the tolerance even at the smallest "
+             "size and steps that meet it are counted apart. 0 means no limit, but a warning.")
     .real("Largest Step", required, "s", Range::positive(),
           "The size of every step is this one divided by a power of two.")
     .real(
@@ -178,7 +178,7 @@ double finalTime(ParameterList const& list) { return list.get<double>("Final Tim
 dynamics::DyadicTime makeClock(ParameterList const& list)
 {
   ASPERITY_REQUIRE(list.isParameter("Smallest Step"),
-                   time_path << " / Smallest Step is missing here. Give it.");
+                   time_path << " / Smallest Step is missing: it has no default here. Give it.");
   return makeClock(list, list.get<double>("Smallest Step"));
 }
 
@@ -241,8 +241,9 @@ std::unique_ptr<dynamics::StepControl> chosenControl(ParameterList const& list,
   }
   ASPERITY_REQUIRE(clock.finestLevel() > 0, time_path
                                               << " / Smallest Step = " << clock.stepSize(0)
-                                              << " s has to be at most half of the largest one, "
-                                                 "which a pair of steps is compared with.");
+                                              << " s has to be at most half of the largest one: "
+                                                 "a pair is compared with one step of twice the "
+                                                 "size.");
   return std::make_unique<dynamics::RichardsonControl>(step, makeRateUpdate(list).order, settings);
 }
 } // namespace

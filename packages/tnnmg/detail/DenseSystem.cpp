@@ -74,8 +74,9 @@ void DenseSystem<Scalar>::readDiagonal()
   });
 }
 
-// In the steps of a rupture Z is nearly diagonal: radiation damping or mass outweigh the stress
-// that a step adds. Whether a factor costs more than to try without one.
+// Whether a factorisation costs more than to try the diagonal as preconditioner first. The diagonal
+// suffices where Z is nearly diagonal, as in the steps of a rupture: radiation damping or mass
+// outweigh the stress that a step adds.
 template <class Scalar>
 bool DenseSystem<Scalar>::isWorthTryingDiagonal() const
 {
@@ -137,10 +138,10 @@ auto DenseSystem<Scalar>::precondition(Values const& x) const -> Values
   return result.cwiseProduct(mask_);
 }
 
-// Preconditioned conjugate gradients from c = 0 with the kept factor. By hand: Belos works on
-// Tpetra's vectors and wants a new solver for each solve, too much for a few iterations on some
-// hundred unknowns; Eigen's do not stop where <r, z> <= 0, that is where rounding has spoilt the
-// kept factor and a new one is due.
+// Preconditioned conjugate gradients from c = 0 with the kept factor. Neither library fits: Belos
+// works on Tpetra's vectors and needs a new solver for each solve, which is too much for a few
+// iterations on some hundred unknowns. Eigen's solver does not stop where <r, z> <= 0, which means
+// that rounding has made the kept factor useless and a new one is needed.
 template <class Scalar>
 CorrectionResult DenseSystem<Scalar>::iterate(Values r, double relative_tolerance, Values& c) const
 {
@@ -187,7 +188,8 @@ CorrectionResult DenseSystem<Scalar>::solve(NonlinearBlocks const& blocks, Eigen
   }
   if (!result.converged && factorise()) {
     solution = precondition(right);
-    // Double precision solves directly whatever has a factor; single precision is looked at.
+    // In double precision a solve with the factor is exact enough; in single precision it is
+    // checked.
     result.converged =
       std::is_same_v<Scalar, double> ||
       (right - apply(solution)).norm() <= static_cast<Scalar>(relative_tolerance) * right.norm();

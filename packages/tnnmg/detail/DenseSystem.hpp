@@ -23,8 +23,8 @@ public:
   DenseSystem(Eigen::MatrixXd const& Z, std::vector<std::vector<int>> dofs);
 
   // Solves until the residual, relative to r in the Euclidean norm, is at most the tolerance; c is
-  // zero at truncated nodes, where r is not read. Not converged: c is of no use; Z + H is not
-  // positive definite, or too ill-conditioned for the precision.
+  // zero at truncated nodes, where r is not read. If the result has not converged, c is not
+  // set: Z + H is not positive definite, or too ill-conditioned for the precision.
   CorrectionResult solve(NonlinearBlocks const& blocks, Eigen::VectorXd const& r,
                          double relative_tolerance, Eigen::VectorXd& c);
   void forgetFactor() { has_factor_ = false; }
@@ -57,7 +57,7 @@ private:
   Values diagonal_;
   bool has_factor_ = false;
 
-  // The current solve has H by node, and 1 on the dofs that take part.
+  // The Hessians of the current solve by node; mask_ is 1 on the dofs that take part, else 0.
   struct
   {
     HostCopy<decltype(NonlinearBlocks::hessian)> hessian;

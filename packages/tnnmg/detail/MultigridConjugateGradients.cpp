@@ -15,8 +15,7 @@ using Problem = Belos::LinearProblem<double, MultiVector, Operator>;
 using Solver = Belos::PseudoBlockCGSolMgr<double, MultiVector, Operator>;
 
 // In the last iteration, too, Belos preconditions the residual before it tests whether the residual
-// is small enough, and then does not use the result. This would cost one V-cycle more than the
-// usual three to six.
+// is small enough, and then does not use the result. This class avoids that V-cycle.
 class UntilSolved : public Operator
 {
 public:

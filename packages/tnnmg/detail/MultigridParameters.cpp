@@ -44,11 +44,11 @@ Teuchos::RCP<const ParameterList> MultigridParameters::valid()
             "change.")
     .real("Outdated Share", 0.1, "-", Range::closedOpen(0, 1),
           "The coarse levels are brought up to date when more than this share of the fault's nodes "
-          "has become truncated, is no longer truncated, or has a Hessian that changed by an order "
-          "of magnitude.")
-    .hint("A share of 0.1 costs one or two more iterations.")
+          "has become truncated, is no longer truncated, or has a Hessian that changed by more "
+          "than a factor of three.")
+    .hint("A larger share costs more iterations, a smaller one more updates.")
     .integer("Rows per Rank", 1000, Range::atLeast(0),
-             "A coarse level with fewer rows on the mean rank moves to fewer ranks, so that the "
+             "A coarse level with fewer rows per rank on average moves to fewer ranks, so that the "
              "coarsest level does not grow with the number of ranks. With 0 all levels stay on all "
              "ranks.")
     .foreignSublist("MueLu", ParameterList("MueLu"),
@@ -57,7 +57,7 @@ Teuchos::RCP<const ParameterList> MultigridParameters::valid()
     .foreignSublist(
       "Belos", ParameterList("Belos"),
       "Belos reads these entries, in its own spelling, for its pseudo-block conjugate gradients, "
-      "which solve corrections to a relative residual below 1e-3; looser ones do without.")
+      "which solve corrections to a relative residual below 1e-3; looser ones do not use Belos.")
     .list();
 }
 

@@ -18,11 +18,12 @@ namespace
 using Execution = ExecutionSpace;
 
 // On coarse levels a Hessian H counts as the parallel sum of itself and B, the block of Z,
-// (H^-1 + B^-1)^-1 = B - B (H + B)^-1 B, which is no larger than either, and a removed node as B. A
-// coarse function that a stiff node holds as a whole corrects nothing.
+// (H^-1 + B^-1)^-1 = B - B (H + B)^-1 B, which is no larger than either, and a removed node as B.
+// Without this limit a stiff node would hold whole coarse functions, which then correct nothing.
 
-// The Hessian of a node on coarse levels is outdated if it differs from the current one by the
-// factor `wrong`. One below the part `small` of the block counts as that part.
+// The Hessian of a node on coarse levels is outdated if its trace differs from that of the current
+// one by more than the factor `wrong`. The part `small` of the trace of Z's block is added to both,
+// so that changes of small Hessians do not count.
 constexpr double wrong = 3;
 constexpr double small = 0.01;
 

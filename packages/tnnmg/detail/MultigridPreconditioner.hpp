@@ -12,7 +12,7 @@ namespace asperity::tnnmg::detail
 {
 // A symmetric approximation of (Z + H)^-1 on the dofs that are neither removed nor held: a V-cycle
 // whose fine level has the Hessians and removed nodes of the solve, while those of the coarse
-// levels are brought up to date on demand, with a limit for those that dwarf Z.
+// levels are brought up to date on demand, with a limit for those much larger than Z.
 class MultigridPreconditioner : public Operator
 {
 public:

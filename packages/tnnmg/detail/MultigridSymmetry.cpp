@@ -60,8 +60,8 @@ void requireSymmetric(Operator const& B, MultigridNodes const& nodes, double tol
     std::ostringstream message;
     message << "Multigrid: the V-cycle is not symmetric and positive (relative asymmetry "
             << asymmetry << ", allowed " << tolerance
-            << "). Smoothers and coarse solver are symmetric on a symmetric positive Z: check the "
-            << "bulk's moduli, viscosities and density, and try an empty list MueLu.";
+            << "). It is symmetric and positive if Z is: check the bulk's moduli, viscosities and "
+            << "density, and try an empty list MueLu.";
     throw SolveError(message.str());
   }
 }

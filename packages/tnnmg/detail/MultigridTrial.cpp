@@ -23,7 +23,7 @@ namespace
 {
 constexpr int length = 64;
 
-// Springs in a row, antiplane, each held a little.
+// The stiffness of a chain of springs, antiplane, with a weak support at each node.
 RCP<const CrsMatrix> chain()
 {
   const RCP<const Communicator> alone = rcp(new Teuchos::MpiComm<int>(MPI_COMM_SELF));
@@ -53,7 +53,7 @@ MultigridProblem chainProblem()
   return problem;
 }
 
-// While it lives, MueLu writes nothing: it prints all names that it knows where it refuses one.
+// While it lives, MueLu prints nothing: when it refuses a name, it prints all names that it knows.
 class SilentMueLu
 {
 public:

@@ -6,9 +6,9 @@
 
 namespace asperity::tnnmg::detail
 {
-// add(i) for i = 0 ... size - 1, where each may add, by Kokkos::atomic_add, to what others add to,
-// too. On the host in the order of i and by one thread, so that sums have the same bits in every
-// run; on a device at once.
+// Calls add(i) for i = 0 ... size - 1; several calls may add to the same place, by
+// Kokkos::atomic_add. On the host one thread makes the calls in the order of i, so that sums have
+// the same bits in every run; on a device they run at the same time.
 template <class Add>
 void addInOrder(int size, Add const& add)
 {

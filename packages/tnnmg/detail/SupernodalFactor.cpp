@@ -15,8 +15,8 @@ constexpr int largest_width = 48;
 // Zeros that may be stored to make supernodes wider, as a share of all entries.
 constexpr double most_zeros = 0.2;
 
-// Of entries in a dense block over columns whose last one has `rows_of_last` rows, with the
-// diagonal.
+// The number of entries in a dense block of `width` columns, the last of which has `rows_of_last`
+// rows, with the diagonal.
 long long entriesOf(int width, long long rows_of_last)
 {
   return width * (rows_of_last - 1) + width * (width + 1LL) / 2;

@@ -147,7 +147,7 @@ std::vector<double> acting(CoarseFault const& fault, std::vector<double> const& 
   return result;
 }
 
-// Adds Q_J^T H Q_K and, if J is not K, its transpose: as computed once, the sum is symmetric.
+// Adds Q_J^T H Q_K and, if J is not K, its transpose: one product for both keeps the sum symmetric.
 template <int T, int N>
 void addNode(CoarseFault const& fault, int node, double const* H, NodeBlocks& A)
 {

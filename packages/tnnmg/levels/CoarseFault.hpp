@@ -5,7 +5,7 @@
 
 namespace asperity::tnnmg::detail
 {
-// The rows of P at the nonlinear nodes, T successive rows each, numbered for themselves.
+// The rows of P at the nonlinear nodes, T successive rows each, with a numbering of their own.
 RCP<const CrsMatrix> rowsAtNodes(CrsMatrix const& P, NodeDofView const& fault);
 
 // Q: T rows for each nonlinear node that this rank owns; of_level: the graph of the level's matrix.

@@ -11,7 +11,7 @@
 
 namespace asperity::tnnmg::detail
 {
-// Over the ranks that have the factor.
+// Sums over the ranks, if several of them have rows.
 void CoarsestSolver::sumInPlace(double* values, Eigen::Index count) const
 {
   if (is_shared_) {

@@ -16,9 +16,9 @@ public:
   // the coarsest level is large unless levels move to fewer ranks.
   static constexpr int most_rows = 20000;
 
-  // Throws SolveError on every rank if A is not positive definite or has more rows. Components that
-  // are not free (free is (owned dofs), 1 or 0) are left out. Rounding of A to single precision is
-  // allowed for by a millionth on the diagonal. Collective.
+  // Throws SolveError on every rank if A is not positive definite or has more than most_rows
+  // rows. Components that are not free (free is (owned dofs), 1 or 0) are left out. A millionth is
+  // added to the diagonal, to allow for the rounding of A to single precision. Collective.
   CoarsestSolver(NodeGraph const& graph, NodeBlocks const& A, std::vector<char> const& free);
 
   // x = A^-1 b for the owned dofs. Collective.

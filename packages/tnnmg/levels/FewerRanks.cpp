@@ -17,7 +17,7 @@ namespace asperity::tnnmg::detail
 {
 namespace
 {
-// How many rows each rank has: eight bytes a rank, as a Tpetra::Map has them, too.
+// How many rows each rank has, eight bytes per rank, which a Tpetra::Map also stores.
 std::vector<GlobalOrdinal> rowsOfRanks(Map const& rows)
 {
   auto const& communicator = *rows.getComm();

@@ -6,7 +6,7 @@ namespace asperity::tnnmg::detail
 {
 // The rows of a coarse level on fewer ranks, such that these have at least `rows_per_rank` rows
 // each on average (one rank has all if there are fewer): groups of successive ranks give their rows
-// to the first of them that has any. Ids stay, so that entries of matrices do. Null if the rows may
+// to the first of them that has any. Global ids do not change. Null if the rows may
 // stay where they are. rows: ids ascend with the ranks and are successive on each. Collective.
 RCP<const Map> onFewerRanks(Map const& rows, int rows_per_rank);
 

@@ -7,8 +7,8 @@
 namespace asperity::tnnmg::detail
 {
 // While it lives, results below 1e-38 are zero on this thread. Ahead of a wave a solution decays by
-// orders of magnitude from cell to cell, and many processors need a hundred times longer for
-// numbers that small. Nothing depends on it but time; other processors go without.
+// orders of magnitude from cell to cell, and many processors are very slow with numbers that small.
+// Only the speed depends on it; on processors without SSE it does nothing.
 class FlushDenormals
 {
 public:

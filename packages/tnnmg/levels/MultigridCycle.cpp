@@ -185,8 +185,8 @@ void MultigridCycle::setCoarseHessians(std::vector<double> const& hessian)
   coarsest_.reset();
 }
 
-// Rows whose blocks are on their way into the cache while another one is computed. A sweep skips
-// half of a row or goes backward, which processors do not foresee.
+// The blocks of a row are fetched into the cache this number of rows before they are used. A sweep
+// skips half of each row or goes backward, which the processor does not predict.
 constexpr int rows_ahead = 8;
 
 // Fetches the blocks first <= k < end of A into the cache.
@@ -200,7 +200,7 @@ void fetch(NodeBlocks const& A, int first, int end)
   }
 }
 
-// x from zero, and the residual that it leaves.
+// The forward sweep from x = 0, and the residual after it.
 template <int N>
 void MultigridCycle::smoothForward(std::size_t l) const
 {
@@ -238,8 +238,8 @@ void MultigridCycle::smoothForward(std::size_t l) const
   }
 }
 
-// Leaves b - (L + G) x with the x before the sweep in the place of the residual, L the couplings
-// with earlier nodes and G those with other ranks.
+// Stores b - (L + G) x_before in `residual`, with the x before the sweep; L are the couplings with
+// earlier nodes and G those with other ranks.
 template <int N>
 void MultigridCycle::smoothBackward(std::size_t l) const
 {

@@ -23,7 +23,7 @@ public:
                  CrsMatrix const& Z, std::shared_ptr<const MultigridNodes> nodes);
 
   // Takes the fine Hessians and the removed nodes; to be called after the nodes or the coarse
-  // Hessians have changed, before apply(). Throws SolveError if a matrix is not positive definite.
+  // Hessians have changed, before run(). Throws SolveError if a matrix is not positive definite.
   // Collective.
   void setup();
   // Brings Hessians into the coarse levels, in place of those before: (num_nodes, T, T) on the
@@ -31,9 +31,9 @@ public:
   void setCoarseHessians(std::vector<double> const& hessian);
 
   // One cycle for (Z + H) z = r that starts from zero, in single precision: r should be of the
-  // order of one. z is zero at removed and held dofs, where r is not read. With image, (Z + H) z
-  // comes with it at a fraction of the price of a product, since the backward sweep has most of it.
-  // Collective.
+  // order of one. z is zero at removed and held dofs, where r is not read. With image, it also
+  // computes (Z + H) z, which costs much less than a product, since the backward sweep has most of
+  // it. Collective.
   void run(bool with_image) const;
   NodeVector& r() const { return levels_.front().b; }
   NodeVector const& z() const { return levels_.front().x; } // ghosts follow

@@ -43,14 +43,14 @@ struct MultigridLevel
 struct Aggregation
 {
   Teuchos::ParameterList muelu; // complete, in MueLu's own spelling
-  // A coarse level with fewer rows on the mean rank moves to fewer ranks; 0: levels stay.
+  // A coarse level with fewer rows per rank on average moves to fewer ranks; 0: levels stay.
   int rows_per_rank = 0;
 };
 
 // The grid transfers of all matrices sum_k w_k A_k with the same terms A_k, and the terms projected
-// to the coarse levels. The matrix of any weights is on each level a sum of the terms there: no
-// Galerkin product, and nothing that is kept for each set of weights on its own has to be set up by
-// MueLu. Prolongators are those of MueLu's smoothed aggregation for the first term.
+// to the coarse levels. On each level the matrix of any weights is a sum of the terms there, so
+// that new weights need neither a Galerkin product nor a set-up by MueLu. The prolongators are
+// those of MueLu's smoothed aggregation for the first term.
 class MultigridFamily
 {
 public:
@@ -58,10 +58,10 @@ public:
   static Teuchos::ParameterList defaults(int components);
 
   // All terms share the row map, and their couplings are among those of the first one; rows and
-  // columns of held dofs are diagonal. They are made one after the other, to have one at a time in
-  // memory. near_null_space is
-  // almost zero at rows without off-diagonal entries. fault: local rows of the nonlinear nodes, T
-  // each. Throws SolveError if MueLu fails; std::bad_alloc is passed on. Collective.
+  // columns of held dofs are diagonal. They are made one after the other, so that not all are in
+  // memory at once. near_null_space is almost zero at rows without off-diagonal entries. fault:
+  // local rows of the nonlinear nodes, T each. Throws SolveError if MueLu fails; std::bad_alloc is
+  // passed on. Collective.
   MultigridFamily(std::vector<MatrixSource> const& terms, int components,
                   RCP<const MultiVector> const& near_null_space, NodeDofView const& fault,
                   Aggregation const& aggregation);

@@ -24,8 +24,8 @@ namespace asperity::tnnmg::detail
 namespace
 {
 using Node = CrsMatrix::node_type;
-// MueLu's interface is made of Xpetra's wrappers. These classes are in every release of Trilinos;
-// the functions that wrap and unwrap have changed their names twice.
+// MueLu's interface uses Xpetra's wrappers. These classes are in every release of Trilinos; the
+// functions that wrap and unwrap have different names in different releases.
 using XpetraMatrix = Xpetra::Matrix<double, LocalOrdinal, GlobalOrdinal, Node>;
 using XpetraCrsMatrix = Xpetra::CrsMatrix<double, LocalOrdinal, GlobalOrdinal, Node>;
 using XpetraWrap = Xpetra::CrsMatrixWrap<double, LocalOrdinal, GlobalOrdinal, Node>;
@@ -89,8 +89,8 @@ private:
   RCP<MueLu::Hierarchy<double, LocalOrdinal, GlobalOrdinal, Node>> hierarchy_;
 };
 
-// Appends the levels down to the first one that has to move, and returns that where it moved to; a
-// level without matrix if there is nothing to be aggregated any more.
+// Appends the levels down to the first one that has to move, and returns that level after the move;
+// a level without matrix if nothing is left to be aggregated.
 Level aggregate(Level const& level, Teuchos::ParameterList const& muelu, int rows_per_rank,
                 std::vector<ProjectedLevel>& levels)
 {
@@ -112,7 +112,7 @@ Level aggregate(Level const& level, Teuchos::ParameterList const& muelu, int row
 }
 } // namespace
 
-// The set-up fails for its matrix or its list; memory that is missing is no matter of either.
+// A failure is due to the matrix or the list, except a lack of memory, which is passed on.
 std::vector<ProjectedLevel> coarseLevels(RCP<const CrsMatrix> const& A,
                                          RCP<const MultiVector> const& near_null_space,
                                          Teuchos::ParameterList const& muelu, int rows_per_rank)

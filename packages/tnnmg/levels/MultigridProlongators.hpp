@@ -15,11 +15,11 @@ struct ProjectedLevel
 };
 
 // The coarse levels of MueLu's aggregation for A, from fine to coarse; none if A is as small as the
-// coarsest level may be. The parameters are MueLu's. A coarse level that has
-// fewer than rows_per_rank rows on the mean rank moves to fewer ranks before it is aggregated
-// further, since aggregates do not cross ranks; its prolongator's domain map has rows on those
-// ranks alone. With rows_per_rank = 0 all levels stay. Throws SolveError if MueLu fails;
-// std::bad_alloc is passed on. Collective.
+// coarsest level may be. The parameters are MueLu's. A coarse level with fewer than rows_per_rank
+// rows per rank on average moves to fewer ranks before it is aggregated further, since aggregates
+// do not cross ranks; its prolongator's domain map has rows on those ranks alone. With
+// rows_per_rank = 0 all levels stay. Throws SolveError if MueLu fails; std::bad_alloc is passed on.
+// Collective.
 std::vector<ProjectedLevel> coarseLevels(RCP<const CrsMatrix> const& A,
                                          RCP<const MultiVector> const& near_null_space,
                                          Teuchos::ParameterList const& muelu, int rows_per_rank);

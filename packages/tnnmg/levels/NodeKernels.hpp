@@ -30,11 +30,11 @@ void withBlockSizes(int rows, int columns, Work const& work)
   ASPERITY_ASSERT(!"a size of blocks that multigrid knows");
 }
 
-// Four numbers that a processor multiplies at once: compilers do not find this in blocks of three.
+// Four numbers that a processor multiplies at once; compilers do not do so with blocks of three.
 using Lanes = float __attribute__((vector_size(16)));
 
-// A block's row is loaded together with the numbers behind it, and the last one with what
-// PaddedVector keeps there.
+// Loads four numbers: a block's row and what follows it, after the last row the padding of
+// PaddedVector.
 inline Lanes load(float const* from)
 {
   Lanes lanes;

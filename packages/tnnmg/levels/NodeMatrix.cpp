@@ -121,7 +121,7 @@ NodeBlocks blocksOf(NodeGraph const& graph, CrsMatrix const& matrix)
       for (auto k = map(row * rows + r); k < map(row * rows + r + 1); ++k) {
         const int place = places[local.graph.entries(k)];
         const int column = place / columns;
-        if (graph.columns[coupling] != column) { // mostly the entry before was beside it
+        if (graph.columns[coupling] != column) { // usually the next coupling is the right one
           coupling = coupling + 1 < graph.first[row + 1] && graph.columns[coupling + 1] == column
                        ? coupling + 1
                        : graph.find(row, column);

@@ -88,7 +88,7 @@ private:
   mutable std::vector<float> sent_, received_;
 };
 
-// y = A x, y = y + A x and y(columns) = A^T x.
+// y += A x, and y(columns) = A^T x.
 void multiplyAdd(NodeGraph const& graph, NodeBlocks const& A, NodeVector const& x, NodeVector& y);
 void multiplyTransposed(NodeGraph const& graph, NodeBlocks const& A, NodeVector const& x,
                         NodeVector& y);

@@ -17,15 +17,15 @@ struct IterationResult
 class SingleGradients
 {
 public:
-  // The least relative tolerance: rounding cannot part the true residual from the one that the
-  // iteration updates by this much.
+  // The smallest relative tolerance: rounding separates the true residual from the one that the
+  // iteration updates by less than this.
   static constexpr double certain = 1e-3;
 
   explicit SingleGradients(MultigridCycle const& cycle, RCP<const Communicator> communicator);
 
   // (Z + H) c = r, from zero, until the residual is at most relative_tolerance |r|; r is zero at
-  // removed and held dofs. Not converged: rounding has made the cycle indefinite, or after
-  // max_iterations. Collective.
+  // removed and held dofs. It does not converge if rounding has made the cycle indefinite, or if
+  // max_iterations are not enough. Collective.
   IterationResult solve(Vector const& r, double relative_tolerance, int max_iterations,
                         Vector& c) const;
 

@@ -292,7 +292,7 @@ class Meshes(Case):
         """Beside an undivided edge; asperity-mesh says it, too."""
         cells = ((0, 1, 2), (0, 4, 3), (4, 2, 3))
         write_mesh("mesh.h5", cells, vertices=[*CORNERS, (0.5, 0.5)])
-        message = "vertex 4 at (0.5, 0.5) m lies inside the edge with the ends"
+        message = "vertex 4 at (0.5, 0.5) m lies inside the edge with the corners"
         for ranks in (1, 2):
             self.assert_refused(self.deck, "mesh.h5", message, "does not conform", ranks=ranks)
         tool = subprocess.run([asperity_run.PROGRAM.with_name("asperity-mesh"), "info", "mesh.h5"],

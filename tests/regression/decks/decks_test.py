@@ -39,7 +39,7 @@ class Decks(unittest.TestCase):
         self.assertIn("WARNING: fewer than 3 cells per cohesive zone", coarse.stdout)
         ranks = asperity_run.run(wedge, "--validate", "--set",
                                  "TNNMG/Linear Correction=MueLu", ranks=2)
-        self.assertIn("multigrid has taken", ranks.stdout)
+        self.assertIn("multigrid usually takes", ranks.stdout)
         mesh = [line.split(";")[0] for text in (result.stdout, ranks.stdout)
                 for line in text.splitlines() if line.startswith("Mesh: ")]
         self.assertEqual(mesh[0], mesh[1])

@@ -122,8 +122,8 @@ class QuickStart(unittest.TestCase):
     def test_a_release_without_what_is_needed(self):
         self.release_without("libmuparser-dev", "libgmsh-dev")
         printed, calls = self.run_with("run", status=1)
-        self.assertRegex(printed, "this release does not have, of what the build needs,\n"
-                         " *expressions in decks: libmuparser-dev\n")
+        self.assertRegex(printed, "this release does not have these packages, which the build "
+                         "needs:\n *expressions in decks: libmuparser-dev\n")
         self.assertNotIn("cmake", self.programs(calls))
         self.assertFalse([call for call in calls if " install " in call])
 

@@ -269,7 +269,7 @@ TEST_F(DamagedPartition, WithoutADataset)
   for (char const* path :
        {"/cells", "/vertices/values", "/boundaries/top/facets/values", "/splits"}) {
     expectChangeRefused([&](hid_t file) { H5Ldelete(file, path, H5P_DEFAULT); },
-                        {path, "is not there, is damaged or has another shape"});
+                        {path, "is missing, damaged or of another shape"});
   }
   expectChangeRefused([](hid_t file) { H5Ldelete(file, "/cells/offsets", H5P_DEFAULT); },
                       {"'/cells' has no valid offsets"});

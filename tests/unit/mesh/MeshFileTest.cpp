@@ -196,7 +196,7 @@ TEST_F(MeshFile, NamesTheDatasetThatIsWrong)
                 {"has no dataset '/boundaries/top/facets'"});
   expectRefused(
     [](hid_t id) { replace(id, "/vertices", {8}, std::vector<double>(8), H5T_IEEE_F64LE); },
-    {"'/vertices' has not the shape (n, 2)"});
+    {"'/vertices' does not have the shape (n, 2)"});
   expectRefused(
     [](hid_t id) {
       replace(id, "/cells", {2, 3}, {0, 1, 2, 0, 2, 3}, H5T_IEEE_F64LE);

@@ -118,7 +118,7 @@ def lifted():
     share = [row["share_on_floor"] for row in asperity_run.table(folder / "steps.csv")]
     node_steps = int(beyond.sum()) * found.shape[1]
     log = (folder / "run.log").read_text()
-    said = f"on its floor of {floor} Pa at {node_steps} nodes of all steps together" in log
+    said = f"on its floor of {floor} Pa at {node_steps} nodes in the sum over all steps" in log
     sides = {row for row, at in zip(share, beyond[1:]) if at}, {
         row for row, at in zip(share, beyond[1:]) if not at}
     fine = error < 1e-9 and said and sides == ({1.}, {0.})

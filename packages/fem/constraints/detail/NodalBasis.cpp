@@ -120,8 +120,8 @@ std::vector<double> completing(std::vector<std::vector<double>> const& direction
       addScaled(candidate, -dot(candidate, known), known);
     }
     const double length = std::sqrt(dot(candidate, candidate));
-    // The remainder of one of the axes is at least this long, since the squares of the lengths add
-    // up to 1 or more.
+    // At least one axis has a longer remainder, since the squares of the lengths of all add up to 1
+    // or more.
     if (length > 0.4) {
       for (double& x : candidate) {
         x /= length;

@@ -9,7 +9,7 @@ namespace asperity::fem::detail
 // numbers.
 using Terms = std::vector<std::pair<int, double>>;
 
-// Below this the sine of the angle between two directions counts as zero.
+// Two directions are parallel if the sine of the angle between them is below this.
 inline constexpr double parallel = 1e-8;
 
 // Orthonormal directions at a node, each with the velocity along it.
@@ -18,7 +18,7 @@ class NodalBasis
 public:
   // Adds the part of the unit vector `direction` that is orthogonal to all others as the next one;
   // `terms` is the velocity along `direction`. Returns false if there is no such part. Then `terms`
-  // becomes the velocity that is prescribed in excess, which has to be zero.
+  // becomes the difference from the velocity that the others prescribe, which has to be zero.
   bool add(std::vector<double> const& direction, Terms& terms);
 
   // With empty `terms` the velocity along direction k is free.
@@ -51,7 +51,8 @@ std::vector<double> withinPlane(std::vector<double> const& normal,
 // The axis that a unit vector is parallel to, in either direction; -1 if there is none.
 int axisOf(std::vector<double> const& direction);
 
-// The direction at right angles to orthonormal ones that is nearest to the first possible axis; the
-// tangent of a boundary from its normal points along +x unless the boundary is steep.
+// The unit vector at right angles to orthonormal ones that is nearest to the first axis which is
+// far enough from their span. From the normal of a boundary it makes the tangent, which points to
+// +x unless the boundary is steep.
 std::vector<double> completing(std::vector<std::vector<double>> const& directions, int components);
 } // namespace asperity::fem::detail

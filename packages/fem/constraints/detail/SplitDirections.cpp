@@ -26,7 +26,7 @@ Terms sum(Terms a, Terms const& b)
   return a;
 }
 
-// Which conditions are about the slip of a fault inside the body.
+// Whether each condition is on a fault inside the body.
 template <int Dim>
 std::vector<bool> areOnFaults(std::vector<VelocityCondition<Dim>> const& conditions,
                               Mesh<Dim> const& mesh)
@@ -58,7 +58,7 @@ class Pair
 public:
   Pair(Directions plus, Directions minus) : plus_(std::move(plus)), minus_(std::move(minus)) {}
 
-  // Takes each direction of the plus side with its partner on the minus side, first the one of the
+  // Pairs each direction of the plus side with a parallel one of the minus side, if possible of the
   // same condition.
   void match()
   {

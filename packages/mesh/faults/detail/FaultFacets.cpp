@@ -8,7 +8,7 @@ namespace asperity::mesh::detail
 {
 namespace
 {
-// A ridge is where facets meet: a vertex in the plane, an edge in space.
+// A ridge is the common part of two facets: a vertex in the plane, an edge in space.
 template <int Dim>
 using Ridge = std::array<int, Dim - 1>;
 
@@ -32,13 +32,13 @@ std::vector<FaultFacet<Dim>> collect(GlobalMesh<Dim> const& mesh, FacetTable<Dim
     ASPERITY_REQUIRE(all[f].key != all[f - 1].key,
                      where << ": the facet at " << text(centroid(corners(mesh, all[f].key)))
                            << " is in fault '" << names[all[f - 1].fault] << "' and in fault '"
-                           << names[all[f].fault] << "'. Take it out of one of them.");
+                           << names[all[f].fault] << "'. Remove it from one of them.");
   }
   return all;
 }
 
-// Makes connected facets look to the same side, and each connected set of them to the lower one,
-// which is where they look from the plus side.
+// Gives all facets of a connected set the same orientation, with normals that point downwards, out
+// of the body on the plus side.
 template <int Dim>
 class Orientation
 {
@@ -68,12 +68,12 @@ private:
   struct AtRidge
   {
     int facet;
-    int sign; // whether the facet runs along its ridge or against it
+    int sign; // of the ridge in the boundary of the facet, 1 or -1
   };
   struct Neighbour
   {
     int facet;
-    bool looks_alike; // both have the same orientation now
+    bool looks_alike; // both have the same orientation before any is turned
   };
 
   // The boundary of the simplex (v_0, v_1, ...) is the sum of (-1)^i times the simplex without v_i.
@@ -116,7 +116,7 @@ private:
     neighbours_[b.facet].push_back({a.facet, looks_alike});
   }
 
-  // At a junction of faults each goes on by itself.
+  // At a junction of several faults only facets of the same fault are connected.
   void joinFacetsOfOneFault(Ridge<Dim> const& vertices, std::vector<AtRidge> const& there)
   {
     std::map<int, std::vector<AtRidge>> of_fault;
@@ -140,7 +140,8 @@ private:
     std::swap(facet.outward[0], facet.outward[1]);
   }
 
-  // All facets that are connected with this one, itself too, after they have been turned alike.
+  // Gives all facets that are connected with this one the same orientation, and returns them with
+  // this one.
   std::vector<int> orientConnected(int first, std::vector<bool>& is_done)
   {
     std::vector<int> connected = {first};
@@ -157,7 +158,7 @@ private:
         }
         ASPERITY_REQUIRE(known.first->second == turned,
                          where_ << ": fault '" << names_[facets_[facet].fault]
-                                << "' cannot be oriented: on a way along it that returns to "
+                                << "' cannot be oriented: along a closed path on it through "
                                 << text(centroid(corners(mesh_, facets_[facet].key)))
                                 << " its two sides are exchanged.");
       }

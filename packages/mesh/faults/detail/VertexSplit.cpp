@@ -58,14 +58,14 @@ public:
 private:
   int faultOf(int facet) const { return facets_[static_cast<std::size_t>(facet)].fault; }
 
-  // An end of the line along which a fault comes to the surface is a tip as any other.
+  // A fault may end on the surface only where its trace on the surface ends.
   void requireTipInside() const
   {
     ASPERITY_REQUIRE(!vertex_.is_on_surface || vertex_.is_on_trace,
                      where_ << ": a tip of " << list(faults_, names_)
                             << " lies on the boundary of the body, at " << text(vertex_.place)
-                            << ", and nothing else of the fault does. Let the fault reach the "
-                               "boundary along an edge, or end inside the body.");
+                            << ", but no edge of the fault does. Let the fault reach the boundary "
+                               "along an edge, or end inside the body.");
   }
 
   [[noreturn]] void refuseCrossing(int num_sets) const
@@ -77,8 +77,8 @@ private:
                                : " crosses itself") +
       " at " + text(vertex_.place) + ": the cells there are in " + std::to_string(num_sets) +
       " parts, and more than two copies of a node are supported only where a fault with one name "
-      "ends inside the body at another fault. Let one of them end there, with a name of its own, "
-      "or before.");
+      "ends inside the body at another fault. Let one fault, with a name of its own, end at the "
+      "other or before it.");
   }
 
   int setOf(Sets const& sets, int cell) const
@@ -105,7 +105,7 @@ private:
     return splitAlong(main, sets);
   }
 
-  // Three sets: one fault divides a side of the other one.
+  // Three sets: a branch divides the cells on one side of another fault.
   VertexSplit splitAtBranch() const
   {
     std::set<int> branches;
@@ -155,8 +155,8 @@ private:
         ASPERITY_REQUIRE(plus < 0 || plus == there,
                          where_ << ": " << list(main, names_) << " cannot be oriented at "
                                 << text(vertex_.place)
-                                << ": its upper side changes there. Let parts of it that only "
-                                   "touch have names and places of their own.");
+                                << ": its upper side changes there. Give parts that only touch "
+                                   "each other different names, and separate them.");
         plus = there;
       }
     }

@@ -5,10 +5,10 @@
 
 namespace asperity::mesh::detail
 {
-// What becomes of one vertex of a fault.
+// How one vertex of a fault is split.
 struct VertexSplit
 {
-  bool is_cut = false;         // or else it is a tip of all faults there
+  bool is_cut = false;         // false: the vertex is a tip of all faults there
   std::vector<int> plus_cells; // of the cut
   struct Branch
   {
@@ -18,7 +18,7 @@ struct VertexSplit
   std::vector<Branch> branches; // faults with a tip at the cut, ascending
 };
 
-// What the vertex is part of.
+// A vertex of a fault and its surroundings.
 template <int Dim>
 struct FaultVertex
 {
@@ -28,8 +28,8 @@ struct FaultVertex
   bool is_on_trace;        // an edge of these facets through the vertex lies in the surface
 };
 
-// InputError, which starts with `where`, for what cannot be split; `facets` are those of all faults
-// and `names` their names.
+// InputError, which starts with `where`, if the vertex cannot be split. `facets` are the facets of
+// all faults, `names` the names of the faults.
 template <int Dim>
 VertexSplit splitVertex(VertexStar<Dim> const& star, FaultVertex<Dim> const& vertex,
                         std::vector<FaultFacet<Dim>> const& facets,

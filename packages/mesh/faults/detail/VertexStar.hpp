@@ -7,7 +7,7 @@
 
 namespace asperity::mesh::detail
 {
-// The cells around a vertex, and how they hang together.
+// The cells around a vertex, and how their facets connect them.
 template <int Dim>
 class VertexStar
 {
@@ -65,7 +65,7 @@ public:
     Sets sets;
     sets.of_cell.resize(cells_.size());
     for (std::size_t c = 0; c < cells_.size(); ++c) {
-      const int first = find(static_cast<int>(c)); // of the set, not behind c
+      const int first = find(static_cast<int>(c)); // the first cell of the set, at most c
       sets.of_cell[c] = first == static_cast<int>(c) ? sets.count++ : sets.of_cell[first];
     }
     return sets;

@@ -31,6 +31,8 @@ void writeCompletely(std::string const& file_name, std::string const& where,
 void requireGroupName(std::string const& boundary, std::string const& where)
 {
   ASPERITY_REQUIRE(!boundary.empty() && boundary != "." && boundary.find('/') == std::string::npos,
-                   where << ": '" << boundary << "' cannot be the name of a boundary.");
+                   where << ": '" << boundary
+                         << "' cannot be the name of a boundary. A name has at least one "
+                            "character, is not '.' and contains no '/'.");
 }
 } // namespace asperity::mesh::detail

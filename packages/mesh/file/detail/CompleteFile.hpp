@@ -5,10 +5,10 @@
 
 namespace asperity::mesh::detail
 {
-// A file that is complete or not there: write(name) writes it under another name; then it is
-// renamed. If write throws an OutputError, or the file cannot be renamed, InputError that begins
-// with `where` and names the reason, or OutputError if the file could be made but not
-// be filled, as on a full disk.
+// Makes a file that is complete if it exists: write(name) writes it under another name, and then it
+// is renamed. If write throws an OutputError, or the file cannot be renamed, throws an InputError
+// that begins with `where` and contains the reason; or an OutputError if the file could be created
+// but not completed, as on a full disk.
 void writeCompletely(std::string const& file_name, std::string const& where,
                      std::function<void(std::string const&)> const& write);
 

@@ -24,8 +24,8 @@ h5::File openFile(std::string const& file_name, std::string const& where)
 {
   std::error_code error;
   ASPERITY_REQUIRE(std::filesystem::exists(file_name, error), where << " does not exist.");
-  return orRefuse(where + " cannot be opened as an HDF5 file. It is truncated, of another kind, or "
-                          "not readable for you.",
+  return orRefuse(where + " cannot be opened as an HDF5 file. It is truncated or of another kind, "
+                          "or you may not read it.",
                   [&] { return h5::File::open(file_name); });
 }
 } // namespace
@@ -100,8 +100,8 @@ h5::Dataset MeshFileReader::datasetOf(std::string const& path, std::size_t colum
   const h5::Shape shape = dataset.shape();
   const bool is_fit = columns == 0 ? shape.size() == 1 : shape.size() == 2 && shape[1] == columns;
   const std::string wanted = columns == 0 ? "(n)" : "(n, " + std::to_string(columns) + ")";
-  ASPERITY_REQUIRE(is_fit,
-                   where_ << ": dataset '" << path << "' has not the shape " << wanted << '.');
+  ASPERITY_REQUIRE(is_fit, where_ << ": dataset '" << path << "' does not have the shape " << wanted
+                                  << '.');
   ASPERITY_REQUIRE(shape[0] < static_cast<hsize_t>(std::numeric_limits<int>::max()),
                    where_ << ": dataset '" << path << "' is too long: " << shape[0] << " rows.");
   dataset.requireRoom();

@@ -10,8 +10,8 @@
 
 namespace asperity::mesh::detail
 {
-// Reads what mesh files consist of. Whatever is missing or of another kind is an InputError that
-// starts with where().
+// Reads attributes, groups and datasets of a mesh file. Throws an InputError that starts with
+// where() if one is missing or has another type or shape.
 class MeshFileReader
 {
 public:
@@ -27,7 +27,7 @@ public:
   std::vector<double> numbersAttribute(std::string const& name, std::size_t count) const;
   std::vector<std::string> groupEntries(std::string const& path) const; // names, sorted
 
-  // Of a dataset that the file has room for.
+  // Of a dataset. Throws InputError also if the file is too small for that many rows.
   hsize_t numRows(std::string const& path) const;
 
   std::vector<int> integers(std::string const& path) const; // of a one-dimensional dataset
@@ -46,7 +46,7 @@ public:
   }
 
 private:
-  // No columns at all means a dataset of one dimension.
+  // columns = 0 means a dataset of one dimension.
   template <class Row, class Number>
   std::vector<Row> rows(std::string const& path, std::size_t columns, bool only_integers) const
   {

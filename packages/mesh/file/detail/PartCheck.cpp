@@ -35,7 +35,9 @@ void checkVertices(Mesh<Dim> const& part, std::string const& where)
   ASPERITY_REQUIRE(ids.size() == part.vertices.size() && part.num_owned > 0 &&
                      static_cast<std::size_t>(part.num_owned) <= ids.size(),
                    where << " has " << part.vertices.size() << " vertices, " << ids.size()
-                         << " global ids, and owns " << part.num_owned << " vertices.");
+                         << " global ids and " << part.num_owned
+                         << " owned vertices. Each vertex must have a global id, and at least one "
+                            "must be owned.");
   const auto is_good = [&](auto first, auto last) {
     return std::adjacent_find(first, last, std::greater_equal<>()) == last &&
            (first == last || (isInRange(*first, part.num_global_vertices) &&
@@ -60,7 +62,7 @@ void checkCells(Mesh<Dim> const& part, std::string const& where)
                    where << " has a cell with a vertex outside [0, " << part.vertices.size()
                          << ").");
   ASPERITY_REQUIRE(part.cell_regions.size() == part.cells.size(),
-                   where << " has " << part.cells.size() << " cells, and regions for "
+                   where << " has " << part.cells.size() << " cells, but regions for "
                          << part.cell_regions.size() << '.');
   const auto num_regions = static_cast<long long>(part.region_names.size());
   for (std::size_t c = 0; c < part.cells.size(); ++c) {
@@ -88,7 +90,7 @@ void checkPairs(Mesh<Dim> const& part, std::string const& where)
                        (plus < part.num_owned) == (minus < part.num_owned),
                      where << ": vertices " << part.global_ids[plus] << " and "
                            << part.global_ids[minus]
-                           << ", a pair at a fault, are not at one place, or not with one owner.");
+                           << ", a pair at a fault, are not at one place, or have two owners.");
     before = plus;
   }
 }

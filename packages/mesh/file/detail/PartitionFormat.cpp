@@ -38,15 +38,16 @@ void requireFormat(MeshFileReader const& file)
 
 namespace
 {
-// Memory is taken for as many as the attribute says.
+// The attribute determines how much memory is allocated, so that a damaged one must be found
+// before.
 void requireRows(MeshFileReader const& file, std::string const& attribute, int number,
                  std::string const& array)
 {
   const std::string path = array + "/values";
   ASPERITY_REQUIRE(file.hasDataset(path),
                    file.where() << ": '" << path
-                                << "' is not there, is damaged or has another shape. Partition "
-                                   "the mesh again.");
+                                << "' is missing, damaged or of another shape. Partition the mesh "
+                                   "again.");
   const auto num_rows = file.numRows(path);
   ASPERITY_REQUIRE(static_cast<hsize_t>(number) <= num_rows,
                    file.where() << ": the attribute '" << attribute << "' = " << number << ", but '"
@@ -114,7 +115,8 @@ std::string fingerprint(GlobalMesh<Dim> const& mesh)
   return hexadecimal(checksum.value());
 }
 
-// The suggested name: body.h5 becomes body_2.h5, and so does body_8.h5 if it has 8 parts.
+// It suggests a file name: for 2 parts body_2.h5 from body.h5, or from body_8.h5 if that has 8
+// parts.
 std::string partitionCommand(std::string const& file_name, int num_parts, int wanted_parts)
 {
   const std::filesystem::path path = file_name;

@@ -4,7 +4,7 @@
 #include "mesh/file/PartitionedFile.hpp"
 #include "mesh/file/detail/MeshFileReader.hpp"
 
-// What the writer and the readers of partitioned files share (PartitionedFile.hpp).
+// Shared by the writer and the readers of partitioned files (PartitionedFile.hpp).
 namespace asperity::mesh::detail
 {
 constexpr char partition_format[] = "asperity-partition";
@@ -33,6 +33,6 @@ inline std::string boundaryArray(std::string const& boundary, std::string const&
   return "/boundaries/" + boundary + "/" + what;
 }
 
-// The command that makes a file of so many parts from this one.
+// The command that makes a file of wanted_parts parts from this file, which has num_parts.
 std::string partitionCommand(std::string const& file_name, int num_parts, int wanted_parts);
 } // namespace asperity::mesh::detail

@@ -59,7 +59,7 @@ SlabReader::Slab SlabReader::findSlab(std::string const& array, int part, hsize_
   return slab;
 }
 
-// The dataset, if it is (n) without columns, or (n, columns) with them.
+// The dataset, if its shape is (n, columns), or (n) for columns = 0.
 std::optional<h5::Dataset> SlabReader::openValues(std::string const& path, hsize_t columns) const
 {
   try {
@@ -73,7 +73,7 @@ std::optional<h5::Dataset> SlabReader::openValues(std::string const& path, hsize
   }
 }
 
-// A rank without rows takes part, too: reading is collective.
+// Reading is collective, so that a rank without rows calls it, too.
 std::uint64_t SlabReader::readRows(std::string const& array, int part, hsize_t columns,
                                    Read const& read)
 {
@@ -83,7 +83,7 @@ std::uint64_t SlabReader::readRows(std::string const& array, int part, hsize_t c
   const std::string path = array + "/values";
   const auto values = openValues(path, columns);
   if (!values) {
-    note("'" + path + "' is not there, is damaged or has another shape"); // on every rank alike
+    note("'" + path + "' is missing, damaged or of another shape"); // the same on every rank
     return 0;
   }
   const Slab slab = findSlab(array, part, values->shape()[0]);

@@ -8,20 +8,20 @@
 
 namespace asperity::mesh::detail
 {
-// Reads the arrays of a partitioned file, part by part, and compares their checksums. Of the ranks
-// of a communicator each may read a part of its own: all of them call the same functions for the
-// same arrays. A rank that finds a problem goes on, since the others would wait for it forever;
-// problem() then describes the first one, and the rows of that rank are not valid.
+// Reads the arrays of a partitioned file, part by part, and compares their checksums. Each rank of
+// the communicator may read another part; all ranks call the same functions for the same arrays. A
+// rank that finds a problem continues, since the others would wait for it forever; problem() then
+// describes the first problem, and the rows of that rank are not valid.
 class SlabReader
 {
 public:
-  // The file is known to exist. MPI_COMM_SELF stands for a process by itself.
+  // The file has to exist. Use MPI_COMM_SELF if one process reads alone.
   SlabReader(std::string const& file_name, PartitionSummary const& summary, MPI_Comm communicator);
 
   // "" if nothing is wrong.
   std::string const& problem() const { return problem_; }
 
-  // Rows are numbers, or arrays of as many numbers as the dataset has columns.
+  // Row is a number, or an array of as many numbers as the dataset has columns.
   template <class Row>
   std::vector<Row> read(std::string const& array, int part)
   {
@@ -60,7 +60,7 @@ private:
     using Number = Component;
   };
 
-  // Returns the checksum that stands in the file.
+  // Returns the checksum in the file.
   std::uint64_t readRows(std::string const& array, int part, hsize_t columns, Read const& read);
   std::optional<h5::Dataset> openValues(std::string const& path, hsize_t columns) const;
   Slab findSlab(std::string const& array, int part, hsize_t num_rows_of_all);

@@ -47,7 +47,7 @@ public:
 
 private:
   static constexpr std::uint64_t nothing = ~std::uint64_t(0);
-  static constexpr std::size_t first_capacity = 1024; // powers of two
+  static constexpr std::size_t first_capacity = 1024; // a power of two, as all capacities
   struct Slot
   {
     std::uint64_t key = nothing;
@@ -60,7 +60,7 @@ private:
     return (low << 32) | static_cast<std::uint64_t>(std::max(edge[0], edge[1]));
   }
 
-  // The slot that has the key or is to have it.
+  // The slot of the key, or the empty slot for it.
   std::size_t place(std::uint64_t key) const
   {
     const std::uint64_t mixed = key * 0x9E3779B97F4A7C15u; // 2^64 / golden ratio

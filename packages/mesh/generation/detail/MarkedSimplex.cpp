@@ -40,9 +40,10 @@ MarkedSimplex<3>::MarkedSimplex(std::array<int, 4> const& vertices, IsLonger con
   }
 }
 
-// The face that the child has from its parent keeps its mark, which becomes the refinement edge;
-// the faces cut in two are marked opposite the midpoint, and so is the new one, but for flagged
-// parents: there the mark leads from the midpoint to the refinement edge.
+// The face that the child inherits whole keeps its mark, which becomes the refinement edge. The
+// faces that were cut in two are marked opposite the midpoint, and so is the new face; if the
+// parent is flagged, the mark of the new face joins the midpoint and an end of the child's
+// refinement edge.
 MarkedSimplex<3> MarkedSimplex<3>::child(int kept, int replaced, int midpoint) const
 {
   MarkedSimplex result(*this);

@@ -7,13 +7,12 @@
 namespace asperity::mesh::detail
 {
 // Whether the first of two edges is the longer one: a strict order of all edges, also of those of
-// equal length, so that neighbours agree on the longest edge of what they share.
+// equal length, so that neighbours agree on the longest edge of a shared facet.
 using IsLonger = std::function<bool(Edge const&, Edge const&)>;
 
-// A simplex that knows the edge at whose midpoint it will be bisected, and those of all its
-// descendants.
-// Facets are marked like cells of one dimension less: the facet of a marked cell is bisected as
-// the marked simplex made of it would be. Vertices keep their orientation.
+// A simplex with marks that determine the edge at whose midpoint it is bisected, and those of all
+// its descendants. Facets are marked like cells of one dimension less: the facet of a marked cell
+// is bisected in the same way as the marked simplex made of it. Orientation is preserved.
 template <int Dim>
 class MarkedSimplex;
 

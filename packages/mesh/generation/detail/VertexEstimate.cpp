@@ -16,10 +16,10 @@ double largestMeasure(double diameter)
                   : diameter * diameter * diameter / (6.0 * std::sqrt(2.0));
 }
 
-// A lower estimate of the number of vertices in a cell: none of its parts is larger than a regular
-// simplex of the largest diameter allowed at its corners, and a mesh has about two cells for each
-// vertex in 2D and seven in 3D. Where the allowed diameter varies much, the estimates of the two
-// halves of the cell are added.
+// A lower estimate of the number of vertices that a cell gets: none of its parts is larger than a
+// regular simplex of the largest diameter allowed at its corners, and a mesh has about two cells
+// for each vertex in 2D and seven in 3D. Where the allowed diameter varies much, the estimates of
+// the two halves of the cell are added.
 template <int Dim>
 double fewestInCell(std::array<Point<Dim>, Dim + 1> const& cell,
                     SizeFunction<Dim> const& largest_diameter, int depth)

@@ -2,7 +2,7 @@
 
 #include "mesh/generation/WedgeMesh.hpp"
 
-// What wedges with and without depth have in common.
+// Shared by wedges in two and in three dimensions.
 namespace asperity::mesh::detail
 {
 // Throws InputError if the shape is not valid.

@@ -29,8 +29,8 @@ void requireNumbers(std::vector<int> const& numbers, std::size_t wanted, std::si
                     std::string const& where)
 {
   ASPERITY_REQUIRE(numbers.size() == wanted, where << ": there are " << wanted
-                                                   << ", and numbers for " << numbers.size()
-                                                   << '.');
+                                                   << ", but numbers for " << numbers.size()
+                                                   << ". Partition the mesh again.");
   for (int number : numbers) {
     ASPERITY_REQUIRE(number >= 0 && static_cast<std::size_t>(number) < limit,
                      where << ": the number " << number << " is outside [0, " << limit << ").");
@@ -100,7 +100,7 @@ void Assembly<Dim>::addFacets(std::string const& boundary, NumberedPart<Dim> con
 {
   auto const& local_facets = part.mesh.boundaries.at(boundary);
   auto const& numbers = part.facets.at(boundary);
-  // The file does not say how many facets there are; cells have Dim + 1 of them at most.
+  // The file does not contain the number of facets; a cell has at most Dim + 1.
   requireNumbers(numbers, local_facets.size(), (Dim + 1) * mesh_.cells.size(),
                  where + ", facets of boundary '" + boundary + "'");
   auto& facets = mesh_.boundaries[boundary];

@@ -11,8 +11,7 @@ class Assembly
 public:
   explicit Assembly(PartitionSummary const& summary);
 
-  // Throws InputError if numbers of cells or facets are out of range, or are not as many as cells
-  // or facets.
+  // Throws InputError unless every cell and facet of the part has a number, and all are in range.
   void add(NumberedPart<Dim> const& part, std::string const& where);
 
   // Throws InputError unless every vertex, cell and facet has been added.

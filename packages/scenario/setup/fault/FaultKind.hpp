@@ -8,7 +8,7 @@
 
 namespace asperity::scenario
 {
-// A kind of fault: a word for the entry `Type` of a boundary condition. Each kind is one file,
+// A kind of fault: a value of the entry `Type` of a boundary condition. Each kind is one file,
 // beside this one or in a library of your own; the file ends in
 //
 //   ASPERITY_REGISTER(FaultKindRegistry, "Bilateral Contact", BilateralContact)

@@ -127,7 +127,7 @@ NormalStressOfDeck makeNormalStress(ParameterList const& friction, Mesh<Dim> con
     std::vector<std::string> remarks;
     if (num_tensile > 0) {
       remarks.push_back("The static solution pulls at " + std::to_string(num_tensile) +
-                        " fault nodes; their normal stress is set to zero.");
+                        " fault nodes; their normal stress would be tensile and is set to zero.");
     }
     return {constant(pressure), remarks};
   }

@@ -15,7 +15,7 @@ namespace
 using Vector3 = std::array<double, 3>;
 
 constexpr double level = 1e-6;    // the part of a unit vector that is rounding
-constexpr double opposite = 0.05; // means of a fault that turns back
+constexpr double opposite = 0.05; // of a mean normal: below, parts of the fault face each other
 
 double dot(Vector3 const& a, Vector3 const& b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
 
@@ -44,13 +44,13 @@ std::string directionText(Vector3 const& v, int dimension)
   return text + ")";
 }
 
-// Whoever stands on the minus side and looks at the plus side sees it move to the right.
+// Right lateral: seen from the minus side, the plus side moves to the right.
 std::string lateral(Vector3 const& motion, Vector3 const& plus, Vector3 const& up)
 {
   return dot(motion, cross(plus, up)) > 0 ? "right lateral" : "left lateral";
 }
 
-// Of motion [m/s] of the plus side with a part up.
+// The sense of a motion [m/s] of the plus side that has a vertical part.
 std::string dipSlip(FaultSides const& sides, Vector3 const& motion)
 {
   const double rise = dot(motion, sides.up), above = dot(sides.plus, sides.up);

@@ -15,8 +15,8 @@ namespace
 {
 using Vectors = std::vector<std::vector<double>>;
 
-// Adds what a direction has at right angles to the others, all of length 1. Less than this is
-// rounding, or the bend of a fault within a facet.
+// addDirection adds the part of a unit vector that is at right angles to the others, scaled to
+// length 1. A part below this is rounding, or the bend of a fault within a facet.
 constexpr double smallest_part = 1e-6;
 
 void addDirection(Vectors& others, std::vector<double> direction)
@@ -88,7 +88,7 @@ public:
         condition.name << " (boundary '" << condition.boundary
                        << "') prescribes the velocity along the fault '" << fault_
                        << "', as at x = " << mesh::text(mesh::centroid(mesh::corners(mesh_, facet)))
-                       << ", where friction is to decide on it. Give the condition another "
+                       << ", where friction has to determine it. Give the condition another "
                           "boundary; where the fault's continuation slips at a given rate, "
                           "choose the Type 'Prescribed Slip Rate' instead of the fault's.");
     }
