@@ -22,31 +22,49 @@ bool isPowerOfTen(std::int64_t count)
 }
 } // namespace
 
+bool GrowthWatch::hidesGrowth(Step const& step)
+{
+  double before = step.rate_before;
+  if (isForced(step)) {
+    least_ = least_ < 0 ? before : std::min(least_, before);
+    before = least_;
+  } else {
+    least_ = -1;
+  }
+  return (isForced(step) || slip_distance_ > 0) && step.rate > growth * before &&
+         step.rate * step.step_size > part_of_L * slip_distance_;
+}
+
+std::string GrowthWatch::describe(Step const& step, std::int64_t count) const
+{
+  struct Words
+  {
+    std::string which, what, cure;
+  };
+  const Words words =
+    is_prescribed_
+      ? Words{" of the prescribed size", "slipped by more than a tenth of L", "smaller steps"}
+    : step.is_forced
+      ? Words{" of the smallest size", "did not meet the tolerance", "a smaller 'Smallest Step'"}
+      : Words{" within the tolerance, of size", "slipped by more than a tenth of L",
+              "a smaller 'Tolerance'"};
+  return std::to_string(count) + (count == 1 ? " step" : " steps") + words.which + " " +
+         formatShort(step.step_size) + " s, the last one to t = " + formatShort(step.time) +
+         " s, " + words.what + " while the slip rate grew to " + formatShort(step.rate) +
+         " m/s: earthquakes may be lost. Choose " + words.cure;
+}
+
 std::optional<Warning> GrowthWatch::note(Step const& step)
 {
-  if (!step.is_forced && !is_prescribed_) {
-    least_ = -1;
+  if (!hidesGrowth(step)) {
     return std::nullopt;
   }
-  least_ = least_ < 0 ? step.rate_before : std::min(least_, step.rate_before);
-  const bool grows = step.rate > growth * least_;
-  if (!grows || !(step.rate * step.step_size > part_of_L * slip_distance_)) {
-    return std::nullopt;
+  auto& count = isForced(step) ? forced_ : others_;
+  auto const text = describe(step, ++count);
+  if (most_ > 0 && count >= most_) {
+    throw SolveError(text + " and begin a new run: --restart would continue after the lost "
+                            "earthquakes. 'Time Stepping / Most Hiding Steps' is the limit.");
   }
-  ++count_;
-  const std::string text =
-    std::to_string(count_) + (count_ == 1 ? " step" : " steps") + " of the " +
-    (is_prescribed_ ? "prescribed" : "smallest") + " size " + formatShort(step.step_size) +
-    " s, the last one to t = " + formatShort(step.time) +
-    (is_prescribed_ ? " s, slipped by more than a tenth of L" : " s, did not meet the tolerance") +
-    " while the slip rate grew, to " + formatShort(step.rate) +
-    " m/s: earthquakes may be lost. Choose " +
-    (is_prescribed_ ? "smaller steps" : "a smaller 'Smallest Step'");
-  if (most_ > 0 && count_ >= most_) {
-    throw SolveError(text + ", and begin anew; --restart goes on with it from here, after what has "
-                            "been lost. 'Time Stepping / Most Hiding Steps' is the limit.");
-  }
-  return isPowerOfTen(count_) ? std::optional<Warning>({"hidden growth", text + "."})
-                              : std::nullopt;
+  return isPowerOfTen(count) ? std::optional<Warning>({"hidden growth", text + "."}) : std::nullopt;
 }
 } // namespace asperity::dynamics

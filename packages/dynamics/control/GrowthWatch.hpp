@@ -4,19 +4,22 @@
 
 #include <cstdint>
 #include <optional>
+#include <string>
 
 namespace asperity::dynamics
 {
-// Notices forced steps that hide a slip rate which grows: earthquakes may be lost in them. A step
-// is forced if even at the smallest size it does not meet the tolerance, or if its size is
-// prescribed. It hides growth if at its end the peak slip rate V is above twice the least one since
-// the forced steps in a row began (that before the first of them counts), and V dt > L / 10.
+// Warns of steps that hide a growing slip rate: earthquakes may be lost in them. A step hides growth
+// if V dt > L / 10 and the peak slip rate V at its end is more than twice that before it. Forced
+// steps do not meet the tolerance even at the smallest size, or have a prescribed size: in them V is
+// compared with the smallest rate in the present sequence of forced steps, from the beginning of
+// the first of them. If a step that meets the tolerance hides growth, the tolerance is too loose.
 class GrowthWatch
 {
 public:
-  // slip_distance: L [m], the smallest of the fault; 0 if unknown, and then growth alone counts.
-  // most: steps that hide growth that are one too many; 0 means any number, as for prescribed ones,
-  // of which all are forced.
+  // slip_distance: L [m], the smallest of the fault; 0 if unknown: then growth alone counts in
+  // forced steps, and other steps are not judged.
+  // most: the number of forced, or of other steps that hide growth at which the run ends; 0 means
+  // no limit, which is always so for prescribed steps: all of them are forced.
   GrowthWatch(double slip_distance, std::int64_t most, bool is_prescribed = false)
       : slip_distance_(slip_distance)
       , most_(is_prescribed ? 0 : most)
@@ -32,15 +35,20 @@ public:
     double rate_before = 0; // peak slip rate [m/s]
     double rate = 0;        // the same at its end
   };
-  // A warning for the first such step, the 10th, 100th and so on. Throws SolveError for one too
-  // many.
+  // Returns a warning for the 1st, 10th, 100th, ... step that hides growth. Throws SolveError if
+  // there are `most`.
   std::optional<Warning> note(Step const& step);
 
 private:
+  bool isForced(Step const& step) const { return step.is_forced || is_prescribed_; }
+  bool hidesGrowth(Step const& step);
+  std::string describe(Step const& step, std::int64_t count) const;
+
   double slip_distance_;
   std::int64_t most_;
   bool is_prescribed_;
-  double least_ = -1; // rate since forced steps began; negative where the last step was none
-  std::int64_t count_ = 0;
+  double least_ = -1; // rate since forced steps began; negative after a step that is not forced
+  std::int64_t forced_ = 0; // steps that hid growth
+  std::int64_t others_ = 0;
 };
 } // namespace asperity::dynamics

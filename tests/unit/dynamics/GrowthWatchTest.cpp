@@ -29,11 +29,24 @@ TEST(GrowthWatch, warnsOfAForcedStepInWhichTheRateGrowsAndSlipsByAPartOfL)
 
 TEST(GrowthWatch, isSilentWhereNothingIsHidden)
 {
-  // not forced; no growth by a factor of two; slip of less than L / 10; a rate that falls
-  for (auto const& calm : {step(false, 1e4, 1e-9, 2.8e-5), step(true, 1e4, 1e-9, 1.9e-9),
-                           step(true, 1e-7, 0.01, 1), step(true, 1e4, 2.8e-5, 1e-9)}) {
-    EXPECT_FALSE(GrowthWatch(L, 1).note(calm));
+  // no growth by a factor of two; slip of less than L / 10; a rate that falls
+  for (const bool is_forced : {true, false}) {
+    for (auto const& calm : {step(is_forced, 1e4, 1e-9, 1.9e-9), step(is_forced, 1e-7, 0.01, 1),
+                             step(is_forced, 1e4, 2.8e-5, 1e-9)}) {
+      EXPECT_FALSE(GrowthWatch(L, 1).note(calm));
+    }
   }
+}
+
+TEST(GrowthWatch, blamesTheToleranceWhereAStepThatMeetsItHidesGrowth)
+{
+  GrowthWatch watch(L, 2);
+  const auto warning = watch.note(step(false, 1e4, 1e-9, 2.8e-5));
+  ASSERT_TRUE(warning);
+  EXPECT_NE(warning->text.find("1 step within the tolerance"), std::string::npos);
+  EXPECT_NE(warning->text.find("Choose a smaller 'Tolerance'"), std::string::npos);
+  EXPECT_TRUE(watch.note(step(true, 1e4, 1e-9, 2.8e-5))) << "forced steps are counted apart";
+  EXPECT_THROW(watch.note(step(false, 1e4, 1e-9, 2.8e-5)), SolveError);
 }
 
 TEST(GrowthWatch, seesGrowthOverManyForcedSteps)
@@ -71,5 +84,6 @@ TEST(GrowthWatch, takesPrescribedStepsForForcedAndEndsNoRun)
 TEST(GrowthWatch, knowsNoSlipDistance)
 {
   EXPECT_TRUE(GrowthWatch(0, 0).note(step(true, 1e-7, 1e-9, 1)));
+  EXPECT_FALSE(GrowthWatch(0, 0).note(step(false, 1e4, 1e-9, 1)));
 }
 } // namespace asperity::dynamics
