@@ -1,4 +1,4 @@
-"""A smallest step that is too large loses no earthquake without a word."""
+"""A smallest step or a tolerance that is too large loses no earthquake without a word."""
 
 import pathlib
 import shutil
@@ -51,6 +51,14 @@ class SmallestStep(unittest.TestCase):
                 else:
                     self.assertEqual(result.returncode, SOLVE, result.stderr)
                     self.assertEqual(facts(folder, 1800.0).state, "failed")
+
+    def test_a_tolerance_that_loses_earthquakes_is_told(self):
+        folder, result = run("tolerance", *settings(
+            "Time Stepping/Largest Step=20", "Time Stepping/Richardson/Tolerance=0.3"))
+        self.assertEqual((result.returncode, result.stderr), (0, ""))
+        self.assertLess(num_events(folder), EVENTS)
+        self.assertTrue(self.warned(folder))
+        self.assertIn("Choose a smaller 'Tolerance'", (folder / "run.log").read_text())
 
     def test_prescribed_steps_that_lose_earthquakes_are_told(self):
         folder, result = run("prescribed", *settings(

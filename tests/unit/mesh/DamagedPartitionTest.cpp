@@ -325,5 +325,5 @@ TEST_F(DamagedPartition, MadeByAProgramThatErrs)
                                     [](auto& facets) { facets.back()[0] = 0; },
                                     {lastPart(), "a facet of fault 'fault' has vertex"});
   expectRowsRefused<int>("/num_owned", [](auto& num_owned) { num_owned.back() = 0; },
-                         {lastPart(), "owns 0 vertices"});
+                         {lastPart(), "0 owned vertices"});
 }

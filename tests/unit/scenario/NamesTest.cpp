@@ -113,7 +113,7 @@ TEST(Names, thatGrowWithoutEndAreRefused)
 
 TEST(Names, areRefusedWithWhatIsWrong)
 {
-  expectParts(refused({{"slope", "2 * other"}, {"other", "slope"}}), {"Names / ", "circle"});
+  expectParts(refused({{"slope", "2 * other"}, {"other", "slope"}}), {"Names / ", "loop"});
   expectParts(refused({{"exp", "1"}}), {"Names / exp", "meaning", "another name"});
   expectParts(refused({{"t", "1"}}), {"Names / t", "another name"});
   expectParts(refused({{"zone end", "1"}}), {"Names / zone end", "letters, digits and _"});

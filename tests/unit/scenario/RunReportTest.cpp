@@ -22,7 +22,8 @@ TEST(RunReport, printsABalanceThatAddsUp)
   expectParts(summarise(summary, "12 events\n"),
               {"\n12 events\n", "boundaries 100 and loads 20",
                "friction 64, viscosity 8 and the time stepping 2",
-               "change of kinetic and elastic energy 46.5", "defect of 0.5 (0.0078"});
+               "change of kinetic and elastic energy 46.5",
+               "defect of the balance of 0.5 (0.0078"});
 }
 
 TEST(RunReport, warnsWhereTheEnergyOfAStepGrew)

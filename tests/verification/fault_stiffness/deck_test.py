@@ -108,7 +108,7 @@ class Refusals(unittest.TestCase):
         self.assertIn(word, result.stderr)
 
     def test_space(self):
-        self.refuses("in the plane", DECKS / "bp5_qd.xml", "--set", "Mesh/Box/Cell Size Factor=8")
+        self.refuses("two-dimensional", DECKS / "bp5_qd.xml", "--set", "Mesh/Box/Cell Size Factor=8")
 
     def test_a_rigid_foundation(self):
         self.refuses("rigid foundation", DECKS / "spring_slider.xml")
