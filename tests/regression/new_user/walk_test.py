@@ -48,7 +48,7 @@ class Wedge(unittest.TestCase):
         text = self.validate()
         for piece in ("vertices", "cells have diameters of 0.00202 to", "Memory: ", "Cost: ",
                       "cohesive zone", "Nucleation length >= 0.207 m (ageing law",
-                      "Cell Size = 0.004 m is the most"):
+                      "Cell Size = 0.004 m is the largest diameter"):
             self.assertIn(piece, text)
         self.assertNotIn("ageing law", self.validate("--set", "Friction/State Evolution=Slip"))
 

@@ -108,13 +108,14 @@ class Refusals(unittest.TestCase):
         self.assertIn(word, result.stderr)
 
     def test_space(self):
-        self.refuses("two-dimensional", DECKS / "bp5_qd.xml", "--set", "Mesh/Box/Cell Size Factor=8")
+        self.refuses("two-dimensional", DECKS / "bp5_qd.xml",
+                     "--set", "Mesh/Box/Cell Size Factor=8")
 
     def test_a_rigid_foundation(self):
         self.refuses("rigid foundation", DECKS / "spring_slider.xml")
 
     def test_steps(self):
-        self.refuses("--output alone", DECKS / "bp1_qd.xml", "--steps", "3")
+        self.refuses("and --output", DECKS / "bp1_qd.xml", "--steps", "3")
 
 
 if __name__ == "__main__":
