@@ -42,7 +42,7 @@ def draw(run: Run, view: View):
     beside.legend(*axes[0, -1].get_legend_handles_labels(), loc="upper left", fontsize=8.5,
                   borderaxespad=0.0)
     figure.align_ylabels()
-    style.title(figure, "Receivers on the fault")
+    style.title(figure, "Receivers on the fault: slip and traction along the total slip")
     return figure
 
 

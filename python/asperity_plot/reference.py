@@ -1,4 +1,4 @@
-"""Series of other codes, in the text format of the SEAS benchmarks in two dimensions."""
+"""Series in the text format of the SEAS benchmarks in two dimensions, of any code."""
 
 from pathlib import Path
 from typing import Iterable, List, Optional, Sequence
@@ -9,6 +9,7 @@ from asperity.errors import InputError
 from asperity.series import Series
 
 COLUMNS = "t [s], slip [m], log10 V [m/s], shear stress [MPa], log10 theta [s]"
+NAMES = ("t", "slip", "slip_rate", "shear_stress", "state")  # of these columns in SEAS files
 
 
 def read_all(entries: Iterable[str], names: Sequence[str]) -> List[Series]:
@@ -34,19 +35,22 @@ def _receiver_of(path: Path, names: Sequence[str]) -> Optional[str]:
 
 
 def read(path: Path, receiver: Optional[str] = None) -> Series:
-    """COLUMNS after any number of lines of text; InputError for anything else."""
+    """COLUMNS, or those of a line of NAMES, after lines of text; InputError for anything else."""
     try:
         lines = path.read_text(encoding="utf-8").splitlines()
     except (OSError, UnicodeDecodeError) as error:
         raise InputError(f"{path} cannot be read ({error}).") from error
     lines = [line for line in lines if line.strip() and not line.lstrip().startswith("#")]
+    names: Sequence[str] = NAMES
     while lines and _numbers(lines[0]) is None:
-        lines.pop(0)  # names of the columns
+        words = lines.pop(0).lower().split()
+        names = words if set(NAMES) <= set(words) else names
     rows = [_numbers(line) for line in lines]
-    if not rows or any(row is None or len(row) != 5 for row in rows):
+    if not rows or any(row is None or len(row) != len(names) for row in rows):
         raise InputError(f"{path} is no series of SEAS: it needs five columns of numbers, "
-                         f"{COLUMNS}.")
-    time, slip, rate, stress, theta = np.array(rows).T
+                         f"{COLUMNS}, or a line with the names of its columns, among them "
+                         f"{' '.join(NAMES)}.")
+    time, slip, rate, stress, theta = np.array(rows).T[[names.index(name) for name in NAMES]]
     with np.errstate(over="ignore"):
         values = {"slip_rate": 10.0**rate, "traction": 1e6 * stress, "theta": 10.0**theta,
                   "slip": slip}

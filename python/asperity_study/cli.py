@@ -45,7 +45,7 @@ def main(arguments: Optional[List[str]] = None) -> int:
             _remember(folder, what, values)
             complete = team.run(jobs)
             table = results.columns(what, jobs, values, chosen)
-            for path in results.write(folder, table):
+            for path in results.write(folder, table, chosen):
                 print(path)
             print(figure.draw(what, table, folder / "study.png", str(chosen)))
     except InputError as error:
@@ -53,6 +53,9 @@ def main(arguments: Optional[List[str]] = None) -> int:
     except OSError as error:
         return _fail(f"{error.filename or options.output}: {error.strerror}.")
     print(", ".join(f"{count} {state}" for state, count in runner.counts(jobs).items()))
+    warned = runner.describe_warnings(jobs)
+    if warned:
+        print(warned)
     if not complete:
         return STOPPED
     return SOME_FAILED if any(job.state == "failed" for job in jobs) else DONE

@@ -63,13 +63,15 @@ def _row(job: Job, selection: Selection) -> Dict[Tuple[str, str], float]:
             row["steps", ""] = len(run.steps)
             row.update({(name, ""): int(run.steps[name].sum()) for name in COSTS
                         if name in run.steps})
-        row["wall_time", "s"] = RunLog.read(job.folder / "run.log").wall
+        log = RunLog.read(job.folder / "run.log")
+        row["wall_time", "s"] = log.wall
+        row["warnings", ""] = job.warnings = len(set(log.warnings))
     except InputError as error:
         job.message = job.message or str(error)
     return row
 
 
-def write(folder: Path, table: List[Column]) -> List[Path]:
+def write(folder: Path, table: List[Column], selection: Selection = Selection()) -> List[Path]:
     """results.csv and results.h5, each replaced as a whole."""
     text = io.StringIO()
     writer = csv.writer(text, lineterminator="\n")
@@ -77,7 +79,7 @@ def write(folder: Path, table: List[Column]) -> List[Path]:
     writer.writerows(zip(*([_cell(value) for value in values] for _, _, values in table)))
     paths = [folder / "results.csv", folder / "results.h5"]
     _replace(paths[0], lambda path: path.write_text(text.getvalue(), encoding="utf-8"))
-    _replace(paths[1], lambda path: _write_h5(path, table))
+    _replace(paths[1], lambda path: _write_h5(path, table, selection))
     return paths
 
 
@@ -85,9 +87,10 @@ def _cell(value) -> str:
     return repr(value) if isinstance(value, float) else str(value)
 
 
-def _write_h5(path: Path, table: List[Column]) -> None:
+def _write_h5(path: Path, table: List[Column], selection: Selection) -> None:
     with h5py.File(path, "w") as file:
         file.attrs["format"] = "asperity study"
+        file.attrs["selection"] = str(selection)
         for number, (name, unit, values) in enumerate(table):
             is_text = any(isinstance(value, str) for value in values)
             data = [str(value) for value in values] if is_text else np.array(values)

@@ -33,6 +33,7 @@ class Job:
     status: Optional[int] = None
     process: Optional[subprocess.Popen] = None
     message: str = ""
+    warnings: int = 0      # different WARNINGs in its log
 
 
 @dataclass
@@ -181,6 +182,13 @@ def find_program(given: Optional[Path]) -> Path:
 
 def launcher(ranks: int, mpirun: str) -> List[str]:
     return [] if ranks == 1 else [*shlex.split(mpirun), "-np", str(ranks)]
+
+
+def describe_warnings(jobs: List[Job]) -> str:
+    """Which runs have results that may be wrong, or ''."""
+    warned = [str(job.number) for job in jobs if job.warnings]
+    return f"WARNING: results may be wrong, see the warnings in run.log of " \
+           f"{'runs' if len(warned) > 1 else 'run'} {', '.join(warned)}." if warned else ""
 
 
 def counts(jobs: List[Job]) -> Dict[str, int]:

@@ -224,7 +224,10 @@ void Constraints<Dim>::requireAgreement(int node, int condition, Terms const& te
       difference += coefficient * conditions_[other].velocity(x, t);
       scale = std::max(scale, std::abs(coefficient) * largest_[other]);
     }
-    const int first = terms.size() > 1 ? terms[1].first : condition;
+    int first = condition;
+    for (auto const& [other, coefficient] : terms) {
+      first = other != condition ? other : first;
+    }
     ASPERITY_REQUIRE(std::abs(difference) <= 1e-10 * scale,
                      conditions_[condition].name
                        << " (boundary '" << conditions_[condition].boundary << "') contradicts "

@@ -36,6 +36,12 @@ class References(unittest.TestCase):
         np.testing.assert_allclose(series.values["traction"], [30e6, 31e6, 32e6])
         np.testing.assert_allclose(series.values["theta"], [1e9, 1e8, 1e7])
 
+    def test_named_columns_may_have_others_between(self):
+        self.path.write_text("t slip slip_rate shear_stress normal_stress state\n"
+                             "1e9 1.0 -4.0 30.0 50.0 9.0\n")
+        values = reference.read(self.path).values
+        self.assertEqual((values["traction"][0], values["theta"][0]), (30e6, 1e9))
+
     def test_which_receiver_it_belongs_to(self):
         def receiver(entry, names):
             return reference.read_all([entry], names)[0].receiver

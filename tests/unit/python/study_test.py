@@ -10,6 +10,7 @@ import numpy as np
 
 import synthetic_run
 from asperity.errors import InputError
+from asperity.selection import Selection
 from asperity_study import figure, results, runner, study
 from asperity_study.runner import Job
 
@@ -155,9 +156,11 @@ class Tables(Studies):
                 ((1, "finished"), (2, "waiting"), (3, "failed"))]
         synthetic_run.write_run(jobs[0].folder, 6, nodes=20)
         synthetic_run.write_run(jobs[1].folder, 1, nodes=20)
-        (jobs[0].folder / "run.log").write_text("")
+        (jobs[0].folder / "run.log").write_text("WARNING: one\nWARNING: two\nWARNING: one\n")
         table = results.columns(what, jobs, what.runs())
-        results.write(self.folder, table)
+        self.assertIn("run 1.", runner.describe_warnings(jobs))
+        self.assertEqual(runner.describe_warnings(jobs[1:]), "")
+        results.write(self.folder, table, Selection(merging_time=5.0))
         figure.draw(what, table, self.folder / "study.png")
         with open(self.folder / "results.csv", newline="") as file:
             rows = list(csv.DictReader(file))
@@ -165,10 +168,12 @@ class Tables(Studies):
                          [("1", "A", "finished"), ("2", "B", "waiting"), ("3", "C", "failed")])
         self.assertEqual((rows[0]["events"], rows[1]["events"], rows[2]["events"]),
                          ("6", "1", "nan"))
+        self.assertEqual((rows[0]["warnings"], rows[1]["warnings"]), ("2", "nan"))
         onsets = synthetic_run.event_times(6)
         self.assertAlmostEqual(float(rows[0]["recurrence_median [s]"]), np.median(np.diff(onsets)),
                                delta=0.05)
         with h5py.File(self.folder / "results.h5") as file:
+            self.assertIn("5", file.attrs["selection"])
             np.testing.assert_array_equal(file["complete_events"][:2], [6, 1])
             self.assertEqual(file["recurrence_median"].attrs["unit"], "s")
             self.assertEqual(list(file["law"].asstr()), ["A", "B", "C"])
