@@ -6,9 +6,6 @@ from asperity import durations
 
 from .facts import Facts
 
-ON = "`asperity --restart DIR/checkpoint.h5` continues it"
-
-
 def describe(now: Facts) -> str:
     """Several lines; what the files do not tell is left out."""
     lines = [f"{now.directory}: {_state(now)}.", _place(now), _speed(now), _left(now),
@@ -23,7 +20,8 @@ def line(now: Facts) -> str:
 
 
 def _state(now: Facts) -> str:
-    on = ON if now.has_checkpoint else "there is no checkpoint of it"
+    on = (f"`--restart {now.directory}/checkpoint.h5` continues it" if now.has_checkpoint
+          else "there is no checkpoint of it")
     if now.state == "failed":
         why = (now.message or "the log says why").rstrip(".")
         again = "once the disk has space" if now.exit_status == 5 else (
@@ -81,7 +79,7 @@ def _worst(now: Facts) -> str:
         counts = [f"{worst[name]:.0f} {words}" for name, words in
                   (("fixed_point_iterations", "fixed point iterations"),
                    ("tnnmg_iterations", "TNNMG iterations")) if name in worst]
-        parts.append(f"Worst step: step {worst['step']} at t = {simulated(worst['time'])}, "
+        parts.append(f"Most iterations: step {worst['step']} at t = {simulated(worst['time'])}, "
                      f"{', '.join(counts)}.")
     if now.failed_steps:
         parts.append(f"Failed attempts at a step, repeated with a smaller one: "
