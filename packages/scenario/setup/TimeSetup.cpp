@@ -114,8 +114,8 @@ RCP<const ParameterList> timeParameters()
                             .list();
   return Declare()
     .real("Final Time", required, "s", Range::positive(),
-          "The run ends at this time, rounded up to a multiple of the smallest step; the last steps "
-          "are cut short to meet it.")
+          "The run ends at this time, rounded up to a multiple of the smallest step; the last "
+          "steps are cut short to meet it.")
     .realArray("Instants", std::vector<double>{}, "s", Range::positive(),
                "No step passes one of these times: a step ends there, to within the smallest step.")
     .hint("Name the times at which a load changes faster than steps follow.")
