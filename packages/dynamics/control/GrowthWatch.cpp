@@ -11,7 +11,9 @@ namespace asperity::dynamics
 namespace
 {
 constexpr double growth = 2;
-constexpr double part_of_L = 0.1;
+// A slip of L renews the contacts, and with them the state.
+constexpr double part_of_L = 0.1;        // in a forced step
+constexpr double part_of_L_within = 1.0; // in a step that meets the tolerance
 
 bool isPowerOfTen(std::int64_t count)
 {
@@ -31,8 +33,9 @@ bool GrowthWatch::hidesGrowth(Step const& step)
   } else {
     least_ = -1;
   }
+  const double part = isForced(step) ? part_of_L : part_of_L_within;
   return (isForced(step) || slip_distance_ > 0) && step.rate > growth * before &&
-         step.rate * step.step_size > part_of_L * slip_distance_;
+         step.rate * step.step_size > part * slip_distance_;
 }
 
 std::string GrowthWatch::describe(Step const& step, std::int64_t count) const
@@ -46,8 +49,7 @@ std::string GrowthWatch::describe(Step const& step, std::int64_t count) const
       ? Words{" of the prescribed size", "slipped by more than a tenth of L", "smaller steps"}
     : step.is_forced
       ? Words{" of the smallest size", "did not meet the tolerance", "a smaller 'Smallest Step'"}
-      : Words{" within the tolerance, of size", "slipped by more than a tenth of L",
-              "a smaller 'Tolerance'"};
+      : Words{" within the tolerance, of size", "slipped by more than L", "a smaller 'Tolerance'"};
   return std::to_string(count) + (count == 1 ? " step" : " steps") + words.which + " " +
          formatShort(step.step_size) + " s, the last one to t = " + formatShort(step.time) +
          " s, " + words.what + " while the slip rate grew to " + formatShort(step.rate) +

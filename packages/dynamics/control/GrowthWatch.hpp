@@ -8,12 +8,12 @@
 
 namespace asperity::dynamics
 {
-// Warns of steps that hide a growing slip rate: earthquakes may be lost in them. A step hides
-// growth if V dt > L / 10 and the peak slip rate V at its end is more than twice that before it.
-// Forced steps do not meet the tolerance even at the smallest size, or have a prescribed size: in
-// them V is compared with the smallest rate in the present sequence of forced steps, from the
-// beginning of the first of them. If a step that meets the tolerance hides growth, the tolerance is
-// too loose.
+// Warns of steps that hide a growing slip rate: earthquakes may be lost in them. The peak slip rate
+// V at the end of such a step is more than twice that before it, and
+// - V dt > L / 10 in a forced step, which does not meet the tolerance even at the smallest size, or
+//   has a prescribed size. V is compared with the smallest rate in the present sequence of forced
+//   steps, from the beginning of the first of them.
+// - V dt > L in a step that meets the tolerance, which then is too loose.
 class GrowthWatch
 {
 public:

@@ -22,6 +22,7 @@ RuptureTimes::RuptureTimes(Platform const& platform, io::OutputContext const& co
     , directory_(context.directory)
     , comm_(context.comm)
     , rupture_(rupture)
+    , is_curve_(context.domain("fault").isCurve())
     , places_(catalogue::faultPlaces(context.domain("fault"), context.up))
     , blocks_(context.domain("fault"))
 {
@@ -54,7 +55,12 @@ std::string RuptureTimes::header() const
 {
   FileContent content;
   content.name = name_;
-  content.remarks = columnRemarks({"Distance along strike (m)", "Distance down dip (m)",
+  auto const along_strike = "Distance along strike (m) from the " +
+                            std::string(is_curve_ ? "fault's end of smaller x" : "mesh's origin");
+  auto const down_dip = "Distance down dip (m), " +
+                        io::shortNumber(platform_.run.depth_of_upper_end) +
+                        " at the upper end of the fault";
+  content.remarks = columnRemarks({along_strike, down_dip,
                                    "Time (s) at which the slip rate first reached " +
                                      io::shortNumber(rupture_.threshold()) + " m/s; 1E+09: never"});
   content.fields = fields_;

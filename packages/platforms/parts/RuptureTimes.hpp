@@ -30,6 +30,7 @@ private:
   std::filesystem::path directory_;
   RCP<const Communicator> comm_;
   catalogue::Rupture const& rupture_;
+  bool is_curve_; // the fault, in two dimensions
   catalogue::FaultPlaces places_;
   io::NodeBlocks blocks_;
 };

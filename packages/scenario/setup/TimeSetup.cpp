@@ -131,9 +131,10 @@ RCP<const ParameterList> timeParameters()
              "smallest size did not meet the tolerance; 0 means that there is no limit.")
     .integer("Most Hiding Steps", 10, Range::atLeast(0),
              "The run ends with an error after this number of steps that hide a growing slip rate: "
-             "after them the peak slip rate is more than twice that before, and slips by more than "
-             "a tenth of L in a step. Steps that do not meet the tolerance even at the smallest "
-             "size and steps that meet it are counted apart. 0 means no limit, but a warning.")
+             "after them the peak slip rate is more than twice that before, and slips in a step by "
+             "more than a tenth of L if the step does not meet the tolerance even at the smallest "
+             "size, by more than L if it meets it. The two kinds are counted apart. 0 means no "
+             "limit, but a warning.")
     .real("Largest Step", required, "s", Range::positive(),
           "The size of every step is this one divided by a power of two.")
     .real(

@@ -96,7 +96,10 @@ TEST(RuptureTimes, OfTheNodesOfACurve)
     run(fault, deck, directory.path(), 1);
     test::onRankZero([&] {
       const bool is_seas = platform == "SEAS";
-      const auto lines = test::dataLines(directory / (is_seas ? "seas/rupture.dat" : "scec/cplot"));
+      const auto file = directory / (is_seas ? "seas/rupture.dat" : "scec/cplot");
+      EXPECT_TRUE(test::contains(test::contents(file), "along strike (m) from the fault's end of"));
+      EXPECT_TRUE(test::contains(test::contents(file), "down dip (m), 0 at the upper end"));
+      const auto lines = test::dataLines(file);
       ASSERT_EQ(lines.size(), 6u);
       EXPECT_EQ(lines[0], is_seas ? "x2 x3 t" : "j k t"); // the fault is level: along strike
       EXPECT_EQ(lines[2], "  6.250000E-02   0.000000E+00  5.00000000000000E-01");
