@@ -14,6 +14,7 @@ skip() { echo "skipped: $1"; exit 77; }
 [ "$(id -u)" = 0 ] || skip "not root"
 command -v debootstrap > /dev/null || skip "no debootstrap"
 command -v cpack > /dev/null || skip "no cpack"
+command -v file > /dev/null || skip "no file"
 command -v dpkg-shlibdeps > /dev/null || skip "no dpkg-shlibdeps, of the package dpkg-dev"
 if [ "${ASPERITY_OWN_MOUNTS:-}" != 1 ]; then # what is mounted below goes with this process
   ASPERITY_OWN_MOUNTS=1 exec unshare --mount -- "$0" "$@"
