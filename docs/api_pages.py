@@ -1,4 +1,4 @@
-"""Writes a page of the manual for each package: its README, and its classes as Doxygen sees them.
+"""Writes a page of the manual for each package: its README, its classes and its free functions.
 
     python3 docs/api_pages.py PACKAGES DOXYGEN_XML OUTPUT
 """
@@ -12,6 +12,12 @@ LINK = re.compile(r"\[([^]]+)\]\(([^)\s]+)\)")
 CLASS = """```{{doxygen{kind}}} {name}
 :members:
 ```
+"""
+FUNCTION = """```cpp
+{declaration};
+```
+
+{text}
 """
 
 
@@ -46,15 +52,46 @@ def classes(doxygen):
     return found
 
 
-def page(package, of_headers):
+def functions(doxygen):
+    """{header relative to packages/: [Markdown]} of functions in namespaces that are not private."""
+    found = {}
+    for path in sorted(doxygen.glob("namespace*.xml")):
+        namespace = xml.etree.ElementTree.parse(path).getroot().find("compounddef")
+        if "detail" in namespace.findtext("compoundname"):
+            continue
+        for entry in namespace.iter("memberdef"):
+            header = entry.find("location").get("file")
+            if entry.get("kind") == "function" and header.endswith(".hpp"):
+                found.setdefault(header, []).append(FUNCTION.format(
+                    declaration=declaration(entry), text=described(entry)))
+    return found
+
+
+def declaration(entry):
+    result = " ".join("".join(entry.find("type").itertext()).split())
+    template = [" ".join("".join(each.itertext()).split())
+                for each in entry.iterfind("templateparamlist/param")]
+    return (f"template <{', '.join(template)}>\n" if template else "") + \
+        f"{result} {entry.findtext('name')}{entry.findtext('argsstring')}".strip()
+
+
+def described(entry):
+    """The comment as a text in which Markdown sees no markup."""
+    text = " ".join(" ".join(part.itertext()) for kind in ("brief", "detailed")
+                    for part in entry.iterfind(f"{kind}description/para"))
+    return re.sub(r"([\\`*_{}\[\]<>#|$])", r"\\\1", " ".join(text.split()))
+
+
+def page(package, of_headers, functions_of_headers):
     text = without_foreign_links((package / "README.md").read_text(encoding="utf-8")).rstrip()
-    text += "\n\n## Classes\n"
+    text += "\n\n## Classes and functions\n"
     for path in sorted(package.rglob("*.hpp")):
         header = str(path.relative_to(package.parent))
-        if header in of_headers:
-            text += f"\n### `{header}`\n\n"
-            text += "\n".join(CLASS.format(kind=kind, name=name)
-                              for kind, name in sorted(of_headers[header]))
+        parts = [CLASS.format(kind=kind, name=name)
+                 for kind, name in sorted(of_headers.get(header, []))]
+        parts += functions_of_headers.get(header, [])
+        if parts:
+            text += f"\n### `{header}`\n\n" + "\n".join(parts)
     return text
 
 
@@ -62,9 +99,11 @@ def main(packages, doxygen, output):
     folder = pathlib.Path(output)
     folder.mkdir(parents=True, exist_ok=True)
     of_headers = classes(pathlib.Path(doxygen))
+    functions_of_headers = functions(pathlib.Path(doxygen))
     for package in sorted(pathlib.Path(packages).iterdir()):
         if (package / "README.md").exists():
-            (folder / f"{package.name}.md").write_text(page(package, of_headers), encoding="utf-8")
+            (folder / f"{package.name}.md").write_text(
+                page(package, of_headers, functions_of_headers), encoding="utf-8")
 
 
 if __name__ == "__main__":
