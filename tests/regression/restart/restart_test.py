@@ -162,6 +162,19 @@ class Restart(Restarting):
         for name in ("steps.csv", "events.csv"):
             self.assertEqual((whole / name).read_bytes(), (folder / name).read_bytes())
 
+    def test_to_an_end_that_has_passed(self):
+        folder = asperity_run.run_to_end("at_its_end", *SHORT_RUN)
+        steps = (folder / "steps.csv").read_bytes()
+        self.assertNotIn("nothing to do", (folder / "run.log").read_text())
+        for end, with_parts in (("5", ()), ("4.5", settings("Time Stepping/Final Time=4.5"))):
+            result = asperity_run.run(*SHORT_RUN, *with_parts, "--restart",
+                                      folder / "checkpoint.h5", "--output", folder)
+            self.assertEqual((result.returncode, result.stderr), (0, ""))
+            for text in (result.stdout, (folder / "run.log").read_text()):
+                self.assertIn(f"The final time, {end} s, has passed: there is nothing to do. Give "
+                              "a later 'Time Stepping / Final Time' to go on.", text)
+            self.assertEqual((folder / "steps.csv").read_bytes(), steps)
+
     def test_refuses_another_deck(self):
         folder = fresh("other_deck")
         self.stop(self.start(folder), signal.SIGTERM)

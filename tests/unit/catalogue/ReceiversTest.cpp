@@ -79,6 +79,9 @@ TEST(Receivers, WriteSeriesOfInterpolatedFields)
     EXPECT_EQ(file.openDataset("off_fault/coordinates").read<double>(),
               (std::vector<double>{0.5, 0.75}));
     EXPECT_NEAR(file.openDataset("on_fault/positions").read<double>()[0], 0.3, 1e-15);
+    EXPECT_EQ(file.openDataset("on_fault/positions").textAttribute("description"),
+              "Distance along the fault from its upper end (greater y; of ends equally high the "
+              "one with smaller x).");
     const auto slip = file.openDataset("on_fault/fields/slip");
     const auto displacement = file.openDataset("off_fault/fields/displacement");
     ASSERT_EQ(slip.shape(), (h5::Shape{5, 2}));

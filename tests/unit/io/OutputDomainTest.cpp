@@ -62,6 +62,7 @@ TEST(OutputDomain, NodesAreNumberedAlongTheCurveOnAnyNumberOfRanks)
 {
   const auto mesh = test::stripMesh(num_base);
   const OutputDomain surface = boundaryDomain("surface", mesh, "surface", world());
+  EXPECT_EQ(startText(surface), "the end with smaller x (of equal x, with smaller y)");
   const NodeGather gather(surface);
   const auto coordinates = gather(surface.coordinates, 1, 2);
   const auto positions = gather(surface.positions, 1, 1);

@@ -128,6 +128,9 @@ TEST(SegmentedSeries, GeometryAndAttributes)
     EXPECT_EQ(file.openDataset("geometry/connectivity").shape(), (h5::Shape{num_base - 1, 2}));
     EXPECT_EQ(file.openDataset("geometry/weights").textAttribute("unit"), "m");
     EXPECT_EQ(file.openDataset("geometry/vertex_ids").read<std::int64_t>()[0], num_base - 1);
+    EXPECT_EQ(file.openDataset("geometry/positions").textAttribute("description"),
+              "Distance along the fault from its upper end (greater y; of ends equally high the "
+              "one with smaller x).");
     const auto positions = file.openDataset("geometry/positions").read<double>();
     for (int i = 0; i < num_base; ++i) {
       EXPECT_NEAR(positions[i], test::stripPosition(i, num_base), 1e-15);

@@ -192,6 +192,12 @@ class Convert(mesh_tool.Case):
         outside = ["1 1 2 1 1 2 9"] + ELEMENTS[1:]
         self.assert_not_converted(msh(elements=outside), "'base' has node 9", "no cell")
 
+    def test_a_hanging_vertex(self):
+        """Beside an edge that is divided on one side alone."""
+        cells = ["5 2 2 3 1 2 3 5", "6 2 2 4 2 5 7 8", "7 2 2 4 2 7 8 2"]
+        self.assert_not_converted(msh(elements=ELEMENTS[:4] + cells), "does not conform",
+                                  "at (1, 1) m lies inside the edge with the corners")
+
     def test_files_that_are_no_meshes(self):
         self.assert_refused(["convert", "none.msh", "none.h5"],
                             "'none.msh'", "cannot be opened")

@@ -184,7 +184,11 @@ std::vector<std::string> slipProfile(io::OutputDomain const& fault, int componen
   outputs.write(stage.at(1, 2));
   outputs.closeSegment();
   std::vector<std::string> lines;
-  test::onRankZero([&] { lines = test::dataLines(directory / "seas/slip.dat"); });
+  test::onRankZero([&] {
+    const auto file = directory / "seas/slip.dat";
+    EXPECT_TRUE(test::contains(test::contents(file), "along the fault from its upper end (m)"));
+    lines = test::dataLines(file);
+  });
   return lines;
 }
 } // namespace

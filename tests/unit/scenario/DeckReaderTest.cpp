@@ -220,6 +220,23 @@ TEST(DeckReader, appliesOverlaysThenOverrides)
   EXPECT_EQ(friction.get<double>("L"), 1e-5);
 }
 
+TEST(DeckReader, choosesASchemeThatNeedsNoInertia)
+{
+  DeckFile file;
+  const auto scheme = [&](std::vector<std::string> const& overrides) {
+    return file.read(overrides)->sublist("Time Stepping").get<std::string>("Scheme");
+  };
+  const std::string massless = "Bulk/Dynamics=Quasi-dynamic";
+  EXPECT_EQ(scheme({}), "Newmark");
+  EXPECT_EQ(scheme({massless}), "Generalised Alpha");
+  const auto deck = file.read({massless});
+  auto const& parameters = deck->sublist("Time Stepping").sublist("Generalised Alpha");
+  EXPECT_EQ(parameters.get<double>("Spectral Radius"), 0.5);
+  for (std::string const named : {"Backward Euler", "Newmark"}) {
+    EXPECT_EQ(scheme({massless, "Time Stepping/Scheme=" + named}), named);
+  }
+}
+
 TEST(DeckReader, refusesAnUnknownLawWithTheNearestName)
 {
   DeckFile file;
@@ -262,6 +279,12 @@ TEST(DeckReader, fingerprintsWhatARestartMustNotChange)
   EXPECT_EQ(io::difference(standard, of({"Coupling/Tolerance=1e-6"})), "");
   EXPECT_EQ(io::difference(standard, of({"Friction/Law=Regularised"})), "")
     << "a default, said aloud";
+  EXPECT_EQ(io::difference(standard, of({"Time Stepping/Most Forced Steps=7"})), "");
+  for (std::string const control : {"Step Doubling", "Richardson"}) {
+    const auto chosen = "Time Stepping/Control=" + control;
+    const auto tolerance = "Time Stepping/" + control + "/Tolerance=1e-3";
+    EXPECT_EQ(io::difference(of({chosen}), of({chosen, tolerance})), "") << control;
+  }
   for (char const* change : {"Friction/a=0.010000000000000002", "Friction/State Evolution=Slip",
                              "Mesh/Rectangle/Width=3", "Bulk/Density=1000*(1+0*x)",
                              "Boundary Conditions/Left/Type=Fixed", "Initial State/alpha=1",
