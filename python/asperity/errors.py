@@ -5,6 +5,10 @@ class InputError(Exception):
     """The user's input is at fault; the message says what, where and what to try."""
 
 
+class NoStepYet(InputError):
+    """A run that has just begun: nothing is wrong with what it has written."""
+
+
 class NothingToShow(Exception):
     """The run is sound but has no data for this figure, for example no events."""
 

@@ -3,15 +3,10 @@
 from pathlib import Path
 from typing import List
 
+import h5py
 import numpy as np
 
-try:
-    import h5py
-except ImportError as missing:
-    raise ImportError("asperity reads HDF5 files with h5py, which this Python does not have. "
-                      "Install it: apt-get install python3-h5py, or pip install h5py") from missing
-
-from .errors import InputError
+from .errors import InputError, NoStepYet
 
 
 class H5File:
@@ -82,8 +77,8 @@ class H5File:
         """(n_times) increasing [s]; InputError if there are none yet."""
         time = self.array("time")
         if time.ndim != 1 or not time.size:
-            raise InputError(f"{self.path} holds no time steps yet. Wait for the run's first "
-                             "checkpoint, or look into its run.log.")
+            raise NoStepYet(f"{self.path} holds no time steps yet. Wait for the run's first "
+                            "checkpoint, or look into its run.log.")
         if not np.all(np.isfinite(time)) or np.any(np.diff(time) <= 0.0):
             raise InputError(f"{self.path} is damaged: its times do not increase.")
         return time

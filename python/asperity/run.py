@@ -8,7 +8,7 @@ from typing import List, Optional, Tuple, Union
 import numpy as np
 
 from . import catalogue
-from .errors import InputError
+from .errors import InputError, NoStepYet
 from .h5file import H5File
 from .history import History
 from .parameters import Parameters
@@ -128,8 +128,8 @@ class Run:
         if self.has("steps.csv") and len(self.steps):
             time, size = self.steps["time"], self.steps["step_size"]
             return float(time[0] - size[0]), float(time[-1])
-        raise InputError(f"{self.directory} holds no time step yet: its tables are empty and it "
-                         "has no history. Look into run.log.")
+        raise NoStepYet(f"{self.directory} holds no time step yet: its tables are empty and it "
+                        "has no history. Look into run.log.")
 
     @property
     def threshold(self) -> float:

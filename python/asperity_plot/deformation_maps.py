@@ -9,6 +9,7 @@ from typing import List, Tuple
 import numpy as np
 from matplotlib.tri import Triangulation
 
+from asperity.errors import NothingToShow
 from asperity.run import Run
 
 from . import plane, style, units
@@ -47,9 +48,12 @@ def draw(run: Run, spans: Tuple[Window, Window], titles: List[str]):
 
 def moving(moved: List[np.ndarray]) -> List[int]:
     """Which of the spans have a displacement to show: where an event begins with the run, nothing
-    moves before it."""
+    moves before it. NothingToShow if nothing moves at all."""
     sizes = [float(np.abs(one).max()) for one in moved]
-    return [i for i, size in enumerate(sizes) if size > NOTHING * max(sizes)] or [len(moved) - 1]
+    shown = [i for i, size in enumerate(sizes) if size > NOTHING * max(sizes)]
+    if not shown:
+        raise NothingToShow("the surface does not move")
+    return shown
 
 
 def change(run: Run, span: Window) -> np.ndarray:
@@ -59,7 +63,7 @@ def change(run: Run, span: Window) -> np.ndarray:
 
 def _limits(places: np.ndarray, moved: List[np.ndarray]) -> np.ndarray:
     """((least, largest), axis) coordinates between which something moves."""
-    size = np.max([np.linalg.norm(one, axis=1) / max(np.linalg.norm(one, axis=1).max(), 1e-300)
+    size = np.max([np.linalg.norm(one, axis=1) / np.linalg.norm(one, axis=1).max()
                    for one in moved], axis=0)
     moving = places[size >= SHOWN]
     return np.array([moving.min(axis=0), moving.max(axis=0)])

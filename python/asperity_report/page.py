@@ -11,7 +11,7 @@ h1{font-size:1.6em}h2{font-size:1.25em;border-bottom:1px solid #bbb;margin-top:2
 table{border-collapse:collapse;font-size:.85em;margin:1em 0;display:block;overflow-x:auto}
 th,td{padding:.2em .45em;text-align:right;border-bottom:1px solid #ddd;vertical-align:top}
 td:first-child,th:first-child{text-align:left}th{background:#f2f2f2}
-.words td,.words th{text-align:left;overflow-wrap:anywhere}
+.words td,.words th{text-align:left}.words td:last-child{overflow-wrap:anywhere}
 .words td:first-child{overflow-wrap:normal;min-width:14em}
 img{max-width:100%;border:1px solid #ddd}nav a{margin-right:1em}
 p.note{color:#666;font-size:.85em}p.wrong{color:#a03018}

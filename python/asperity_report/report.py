@@ -3,7 +3,7 @@
 from pathlib import Path
 from typing import List, Tuple
 
-from asperity.errors import InputError
+from asperity.errors import InputError, NoStepYet
 from asperity.log import RunLog
 from asperity.run import Run
 from asperity.selection import Selection
@@ -24,8 +24,10 @@ def report(directory: Path, selection: Selection = Selection()) -> Tuple[str, Li
              ("parameters", "Parameters that differ from the defaults", sections.parameters(run))]
     try:
         view = windows.choose(run, None)
+    except NoStepYet as reason:
+        parts.append(("events", "Events", page.paragraph(str(reason))))
     except InputError as error:
-        parts.append(("events", "Events", page.paragraph(str(error))))
+        wrong.append(str(error))
     else:
         if run.has("events.csv"):
             parts.append(("events", "Events", sections.events(run, view, wrong)))

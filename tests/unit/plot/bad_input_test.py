@@ -43,6 +43,23 @@ class BadInput(unittest.TestCase):
         for word in words:
             self.assertIn(word, err)
 
+    def start(self, *arguments: str, module: str = "asperity_plot",
+              **environment: str) -> subprocess.CompletedProcess:
+        """A program in a process of its own."""
+        return subprocess.run([sys.executable, "-m", module, *arguments], text=True,
+                              capture_output=True, env={**os.environ, **environment}, check=False)
+
+    def expect_one_line(self, result: subprocess.CompletedProcess, *words: str) -> None:
+        self.assertEqual(result.returncode, 2, result.stderr)
+        self.assertEqual(len(result.stderr.strip().splitlines()), 1, result.stderr)
+        for word in words:
+            self.assertIn(word, result.stderr)
+
+    def expect_of_report(self, *words: str) -> None:
+        (self.folder / "run.log").write_text("Asperity 0.1.0 on Serial, 1 rank.\n")
+        self.expect_one_line(self.start(str(self.folder), module="asperity_report"),
+                             "asperity-report: ", *words)
+
     def test_no_such_directory(self):
         self.expect("/nowhere/at/all", "not a directory", folder=Path("/nowhere/at/all"))
 
@@ -58,23 +75,23 @@ class BadInput(unittest.TestCase):
         with h5py.File(self.folder / "fault.h5", "a") as file:
             del file["time"]
             file.create_dataset("time", shape=(2**40,), chunks=(1024,), dtype="f8")
-        self.expect("fault.h5", "'/time' has 1.1e+12 numbers", "damaged", figures="slip_rate")
+        words = ("fault.h5", "'/time' has 1.1e+12 numbers", "damaged")
+        self.expect(*words, figures="slip_rate")
+        self.expect_of_report(*words)
 
     def test_links_in_a_loop(self):
         with h5py.File(self.folder / "fault.h5", "a") as file:
             del file["time"]
             file["time"], file["other"] = h5py.SoftLink("/other"), h5py.SoftLink("/time")
-        self.expect("fault.h5", "'time'", figures="slip_rate")
+        self.expect("fault.h5", "'time' cannot be opened", figures="slip_rate")
+        self.expect_of_report("fault.h5", "'time' cannot be opened", "damaged")
 
     def test_a_name_that_is_not_utf8(self):
         folder = os.fsdecode(os.fsencode(self.folder.parent) + b"/caf\xe9")
         shutil.move(self.folder, folder)
         self.expect("caf\\udce9", "not UTF-8", folder=Path(folder))
-        for program in ("asperity_plot", "asperity_report"):
-            result = subprocess.run([sys.executable, "-m", program, folder], text=True,
-                                    capture_output=True, check=False)
-            self.assertEqual(result.returncode, 2)
-            self.assertEqual(len(result.stderr.strip().splitlines()), 1, result.stderr)
+        for module in ("asperity_plot", "asperity_report"):
+            self.expect_one_line(self.start(folder, module=module))
 
     def test_damaged_segment(self):
         path = self.folder / "segments" / "surface_000001.h5"
@@ -150,11 +167,6 @@ class BadInput(unittest.TestCase):
         self.assertIn("No figure 'surface': the run has no surface.h5.", out)
         self.assertTrue((self.folder / "figures" / "iterations.png").exists())
 
-    def start(self, *arguments: str, **environment: str) -> subprocess.CompletedProcess:
-        """asperity-plot in a process of its own."""
-        return subprocess.run([sys.executable, "-m", "asperity_plot", *arguments], text=True,
-                              capture_output=True, env={**os.environ, **environment}, check=False)
-
     def test_unknown_figure(self):
         result = self.start(str(self.folder), "--figures", "slip_rat")
         self.assertEqual(result.returncode, 2)
@@ -168,15 +180,39 @@ class BadInput(unittest.TestCase):
             self.assertEqual(result.returncode, 2)
             self.assertIn(words, result.stderr)
 
+    def path_without(self, module: str) -> str:
+        """A PYTHONPATH on which `module` cannot be imported."""
+        broken = self.folder / "modules" / f"{module}.py"
+        broken.parent.mkdir(exist_ok=True)
+        broken.write_text(f"raise ModuleNotFoundError('not here', name='{module}')\n")
+        return os.pathsep.join([str(broken.parent), os.environ["PYTHONPATH"]])
+
     def test_missing_modules(self):
-        broken = self.folder / "modules" / "h5py.py"
-        broken.parent.mkdir()
-        broken.write_text("raise ImportError('not here')\n")
-        path = os.pathsep.join([str(broken.parent), os.environ["PYTHONPATH"]])
-        result = self.start(str(self.folder), PYTHONPATH=path)
+        result = self.start(str(self.folder), PYTHONPATH=self.path_without("h5py"))
         self.assertEqual(result.returncode, 2)
         self.assertIn("apt-get install python3-h5py", result.stderr)
         self.assertNotIn("Traceback", result.stderr)
+
+    def test_missing_numpy(self):
+        path = self.path_without("numpy")
+        for program in ("plot", "status", "report", "study"):
+            result = self.start(str(self.folder), module=f"asperity_{program}", PYTHONPATH=path)
+            self.expect_one_line(result, f"asperity-{program}: ", sys.executable,
+                                 "apt-get install python3-numpy")
+
+    def test_modules_that_the_module_misses(self):
+        for module in ("numpy", "h5py"):
+            path = self.path_without(module)
+            for statement, status in (("asperity.__version__", 0), ("asperity.Run('.')", 1)):
+                result = subprocess.run([sys.executable, "-c", f"import asperity; {statement}"],
+                                        env={**os.environ, "PYTHONPATH": path}, text=True,
+                                        capture_output=True, check=False)
+                self.assertEqual(result.returncode, status, result.stderr)
+                self.assertEqual(result.stderr.count("Traceback"), status, result.stderr)
+            self.assertRegex(result.stderr.splitlines()[-1],
+                             f"^ImportError: {sys.executable} has no module {module}.*"
+                             "apt-get install python3-numpy python3-h5py")
+            (self.folder / "modules" / f"{module}.py").unlink()
 
 
 if __name__ == "__main__":

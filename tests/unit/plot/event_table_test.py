@@ -133,6 +133,9 @@ class EventTables(unittest.TestCase):
         for heading in ("### Events", "### Cycles", "### Energy of the events"):
             self.assertIn(heading, out)
         self.assertIn("A year has 365.25 days.", out)
+        self.assertIn("at least 1 mm/s anywhere", out)
+        self.assertIn("Moments and largest slips count a node only while it is at least that fast",
+                      out)
         self.assertFalse((self.folder / "figures").exists())
 
     def test_figures_besides_if_asked_for(self):

@@ -94,6 +94,27 @@ class Ruptures(unittest.TestCase):
                 np.testing.assert_allclose(line.get_ydata(), event[column] / factor)
         self.assertEqual(axes[1].get_ylabel(), "Moment per length [$10^{15}$ N]")
 
+    def test_the_axis_ends_with_the_pulse_and_not_with_the_creep_after_it(self):
+        text = (self.folder / "events.csv").read_text()
+        self.assertIn(f",{cycle.duration()},18000,", text)
+        (self.folder / "events.csv").write_text(
+            text.replace(f",{cycle.duration()},18000,", ",300,18000,"))
+        for _, time, rate, _ in moment_rate.curves(*self.view()):
+            self.assertAlmostEqual(time[-1], 300.0, places=5)
+            self.assertAlmostEqual(moment_rate.pulse_end(time, rate), cycle.duration(), delta=0.3)
+        for panel in moment_rate.draw(*self.view()).axes:
+            self.assertTrue(panel.get_xlabel().endswith("[s]"), panel.get_xlabel())
+            np.testing.assert_allclose(panel.get_xlim(), (-1.0, 11.0), rtol=0.03)
+
+    def test_a_rate_after_the_onset_that_is_small_throughout_is_shown_to_its_end(self):
+        time = np.array([-1.0, 0.0, 300.0])
+        self.assertEqual(moment_rate.pulse_end(time, np.array([9.0, 5.0, 0.01])), 300.0)
+
+    def test_the_figure_says_that_events_csv_counts_less(self):
+        said = [text.get_text() for text in moment_rate.draw(*self.view()).texts]
+        self.assertTrue(any("also below the threshold of events.csv, whose moments are smaller"
+                            in text for text in said), said)
+
     def test_totals_without_a_moment(self):
         text = (self.folder / "global.csv").read_text()
         (self.folder / "global.csv").write_text(text.replace("moment_rate_per_length", "other"))

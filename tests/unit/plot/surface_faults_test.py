@@ -45,17 +45,23 @@ class SurfaceFaults(unittest.TestCase):
         np.testing.assert_allclose(strike, [0, 0, 1], atol=1e-15)
         np.testing.assert_allclose(np.abs(dip), [1, 0, 0], atol=1e-15)
 
-    def test_maps_of_the_surface_on_both_sides(self):
+    def write_surface(self, factors):
+        """Displacements at the start, the onset, five durations after the end, and the run's end,
+        as `factors` of those that this returns."""
         x, z = (values.ravel() for values in np.meshgrid([-1e3, 0.0, 0.0, 1e3], [0.0, 2e3]))
         side = np.array([0.0, 0.0, 1.0, 1.0] * 2)[:, None]  # 1 in the hanging wall
         rates = (1 - side) * [0.1, 0.02, 0.0] + side * [-0.3, 0.05, 0.1]
-        time = np.array([0.0, surface.ONSET, 118.0, 200.0])  # five durations after the end
-        moved = np.array([0.0, surface.ONSET, -10.0, 0.0])[:, None, None] * rates
         corners = np.array([[0, 1, 5], [0, 5, 4], [2, 3, 7], [2, 7, 6]])
         with h5py.File(self.folder / "surface.h5", "w") as file:
-            file["time"], file["fields/displacement"] = time, moved
+            file["time"] = [0.0, surface.ONSET, 118.0, 200.0]
+            file["fields/displacement"] = np.array(factors)[:, None, None] * rates
             surface.write_geometry(file, np.stack((x, 0.0 * x, z), axis=1), corners)
+        return rates
+
+    def test_maps_of_the_surface_on_both_sides(self):
+        rates = self.write_surface([0.0, surface.ONSET, -10.0, 0.0])
         axes = deformation.draw(Run(self.folder), self.view).axes
+        self.assertEqual(len(axes), 2)
         for panel, factor in zip(axes[:2], (surface.ONSET, -10.0 - surface.ONSET)):
             self.assertEqual((panel.get_xlabel(), panel.get_ylabel()[:1]), ("x [km]", panel
                              is axes[0] and "z" or ""))
@@ -67,6 +73,23 @@ class SurfaceFaults(unittest.TestCase):
             np.testing.assert_allclose(arrows.U[left], factor * 0.1)
             np.testing.assert_allclose(arrows.V[arrows.XY[:, 0] > 0.5], factor * 0.1)
 
+    def test_where_nothing_moves_before_the_event_there_is_no_empty_map(self):
+        for factors, words in (([0.0, 0.0, -10.0, 0.0], "from the onset of event 1"),
+                               ([0.0, 5.0, 5.0, 5.0], "before event 1")):
+            rates = self.write_surface(factors)
+            axes = deformation.draw(Run(self.folder), self.view).axes
+            self.assertEqual(len(axes), 1)
+            self.assertTrue(axes[0].get_title().endswith(words), axes[0].get_title())
+            unit = {"m": 1.0, "cm": 100.0}[
+                axes[0].child_axes[0].get_ylabel().partition("[")[2].rstrip("]")]
+            np.testing.assert_allclose(axes[0].collections[0].get_array(),
+                                       unit * (factors[2] or factors[1]) * rates[:, 1])
+
+    def test_where_nothing_moves_there_is_nothing_to_show(self):
+        self.write_surface([1.0, 1.0, 1.0, 1.0])
+        with self.assertRaisesRegex(NothingToShow, "does not move"):
+            deformation.draw(Run(self.folder), self.view)
+
     def test_slip_and_arrivals_of_the_event(self):
         strike, dip, _ = surface.grid()
         expected = surface.slip_of(np.array([surface.END]), strike, dip)[0]
@@ -75,6 +98,23 @@ class SurfaceFaults(unittest.TestCase):
         front = fault_maps.arrivals(self.run_, 0)
         np.testing.assert_allclose(front, surface.arrivals(strike, dip), atol=1e-9)
         self.assertEqual(fault_maps.interval(front), 0.2)  # 1.75 s in about six parts
+
+    def test_maps_of_the_event_show_its_magnitude_and_hypocentre(self):
+        figure = fault_maps.draw(self.run_, self.view)
+        self.assertEqual(figure._suptitle.get_text(), "Event 1 at 100.00 s, lasting 3.00 s, "
+                         "Mw 5.90")
+        for panel in figure.axes:
+            stars = [line for line in panel.lines if line.get_label() == "hypocentre"]
+            self.assertEqual([star.get_marker() for star in stars], ["*"])
+            np.testing.assert_allclose(stars[0].get_xydata(), [[2.5, 2.0]])  # [km]
+            self.assertEqual([text.get_text() for text in panel.get_legend().get_texts()],
+                             ["hypocentre"])
+        text = (self.folder / "events.csv").read_text()
+        (self.folder / "events.csv").write_text(
+            text.replace("magnitude", "other").replace("hypocentre", "place"))
+        figure = fault_maps.draw(Run(self.folder), self.view)
+        self.assertNotIn("Mw", figure._suptitle.get_text())
+        self.assertEqual([line for panel in figure.axes for line in panel.lines], [])
 
     def test_an_event_after_the_end_of_the_history_is_not_drawn(self):
         rows = (self.folder / "events.csv").read_text().splitlines()

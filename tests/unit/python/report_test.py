@@ -13,10 +13,13 @@ from unittest import mock
 import h5py
 from matplotlib.image import imread
 
+import synthetic_cycle
 import synthetic_run
+from asperity.run import Run
 from asperity_plot import cli as plot_cli
-from asperity_plot import maps
-from asperity_report import cli, figures, provenance
+from asperity_plot import event_table, maps, windows
+from asperity_report import cli, figures, provenance, sections
+from asperity_report.page import page as whole_page, table
 from page_checks import Page
 
 LOG = """Asperity 0.1.0 on Serial, 2 ranks.
@@ -44,6 +47,22 @@ DECK = """<ParameterList name="Asperity">
   </ParameterList>
 </ParameterList>
 """
+
+MEASURE = """<script>
+const broken = [], root = document.documentElement, range = document.createRange();
+for (const cell of document.querySelectorAll("table:not(.words) :is(td, th), td:not(:last-child)"))
+  for (const text of cell.childNodes)
+    for (const word of text.data ? text.data.matchAll(/\\S+/g) : []) {
+      range.setStart(text, word.index);
+      range.setEnd(text, word.index + word[0].length);
+      if (new Set([...range.getClientRects()].map(each => each.top)).size > 1)
+        broken.push(word[0]);
+    }
+const tables = [...document.querySelectorAll("table")];
+document.title = `broken: ${broken.join(" ") || "none"}; page: `
+  + `${root.scrollWidth > root.clientWidth ? "moves" : "fits"}; tables that scroll: `
+  + tables.filter(each => each.scrollWidth > each.clientWidth).length;
+</script>"""
 
 
 class Report(unittest.TestCase):
@@ -117,6 +136,34 @@ class Report(unittest.TestCase):
             self.assertTrue(image["src"].startswith("data:image/png;base64,"))
             self.assertTrue(image["alt"])
 
+    def test_words_do_not_break_and_wide_tables_scroll_in_their_own_box(self):
+        style = re.search("<style>(.*)</style>", self.html, re.DOTALL)[1]
+        rules = {selector: body.split(";")
+                 for selectors, body in re.findall(r"([^{}]+)\{([^{}]*)\}", style)
+                 for selector in selectors.strip().split(",")}
+        self.assertLessEqual({"display:block", "overflow-x:auto"}, set(rules["table"]))
+        breaking = [each for each, body in rules.items() if "overflow-wrap:anywhere" in body]
+        self.assertTrue(breaking and all(each.startswith(".words ") for each in breaking), breaking)
+        self.assertLessEqual({"overflow-wrap:normal", "min-width:14em"},
+                             set(rules[".words td:first-child"]))
+        self.assertNotIn("word-break", style)
+        self.assertIn('<table class="words">\n<tr><th>parameter</th>', self.html)
+        self.assertIn("Mesh/<wbr>Wedge/<wbr>Height", self.html)
+        self.assertIn("<table>\n<tr><th>event</th>", self.html)
+
+    def test_tables_of_many_columns_are_several(self):
+        folder = Path(self.temporary.name) / "cycle"
+        synthetic_cycle.write_run(folder)
+        run, wrong = Run(folder), []
+        view = windows.choose(run, None)
+        rows = Page(sections.events(run, view, wrong)).rows
+        columns = event_table.events(run, view)
+        self.assertGreater(len(columns), sections.MOST_COLUMNS)
+        self.assertLessEqual(max(len(row) for row in rows), sections.MOST_COLUMNS)
+        headers = [row for row in rows if row[0] == "event"][:2]
+        self.assertEqual(headers[0] + headers[1][1:], [column.header for column in columns])
+        self.assertEqual(wrong, [])
+
     def test_where_time_went(self):
         rows = {row[0]: row[1:] for row in self.page.rows if row}
         self.assertEqual(rows["linear corrections"], ["9.31", "10.31", "62.5 %", "161958"])
@@ -167,15 +214,31 @@ class Report(unittest.TestCase):
         status, _, err = self.report(folder, "--output", "/nowhere/at/all.html")
         self.assertEqual((status, err.count("\n")), (2, 1))
 
-    @unittest.skipUnless(shutil.which("chromium"), "there is no chromium")
-    def test_in_a_browser_without_a_network(self):
-        picture = Path(self.temporary.name) / "page.png"
+    def browse(self, *words: str) -> str:
+        """What a browser without a network prints."""
         command = ["chromium", "--headless", "--no-sandbox", "--disable-gpu",
                    "--host-resolver-rules=MAP * ~NOTFOUND", "--hide-scrollbars",
                    f"--user-data-dir={self.temporary.name}/profile"]
+        return subprocess.run([*command, *words], check=True, capture_output=True,
+                              timeout=90).stdout.decode()
+
+    @unittest.skipUnless(shutil.which("chromium"), "there is no chromium")
+    def test_a_narrow_window_breaks_no_word_and_moves_only_tables_sideways(self):
+        parts = [("numbers", "Numbers", table(["slip at"] * 30, [["123,456.7"] * 30])),
+                 ("words", "Words", table(["file", "bytes", "SHA-256"],
+                                          [["List/" + 40 * "x", 9 * "1", 300 * "y"]], True)),
+                 ("measured", "Measured", MEASURE)]
+        path = Path(self.temporary.name) / "narrow.html"
+        path.write_text(whole_page("narrow", parts), encoding="utf-8")
+        dom = self.browse("--window-size=600,800", "--dump-dom", path.as_uri())
+        self.assertEqual(re.search("<title>(.*)</title>", dom)[1],
+                         "broken: none; page: fits; tables that scroll: 1")
+
+    @unittest.skipUnless(shutil.which("chromium"), "there is no chromium")
+    def test_in_a_browser_without_a_network(self):
+        picture = Path(self.temporary.name) / "page.png"
         page = self.path.resolve().as_uri()
-        subprocess.run([*command, "--window-size=1000,6000", f"--screenshot={picture}", page],
-                       check=True, capture_output=True, timeout=90)
+        self.browse("--window-size=1000,6000", f"--screenshot={picture}", page)
         shown = imread(picture)[..., :3]
         self.assertEqual(shown.shape[:2], (6000, 1000))
         # figures have colour; a page whose pictures are missing has text and grey lines alone
@@ -183,14 +246,11 @@ class Report(unittest.TestCase):
         self.assertGreater(coloured.sum(), 20 * len(self.page.images))
         without = Path(self.temporary.name) / "without.html"
         without.write_text(re.sub('src="data:[^"]*"', "", self.html), encoding="utf-8")
-        subprocess.run([*command, "--window-size=1000,6000", f"--screenshot={picture}",
-                        without.as_uri()], check=True, capture_output=True, timeout=90)
+        self.browse("--window-size=1000,6000", f"--screenshot={picture}", without.as_uri())
         bare = imread(picture)[..., :3]
         left = (bare.max(axis=2) - bare.min(axis=2) > 0.3).sum(axis=1) > 20
         self.assertLess(left.sum(), 0.1 * coloured.sum())  # the links
-        dom = subprocess.run([*command, "--dump-dom", page], check=True, capture_output=True,
-                             timeout=90).stdout.decode()
-        self.assertEqual(len(Page(dom).images), len(self.page.images))
+        self.assertEqual(len(Page(self.browse("--dump-dom", page)).images), len(self.page.images))
 
 
 if __name__ == "__main__":

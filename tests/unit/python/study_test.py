@@ -4,9 +4,11 @@ import csv
 import tempfile
 import unittest
 from pathlib import Path
+from unittest import mock
 
 import h5py
 import numpy as np
+from matplotlib import pyplot
 
 import synthetic_run
 from asperity.errors import InputError
@@ -15,6 +17,9 @@ from asperity_study import figure, results, runner, study
 from asperity_study.runner import Job
 
 EXAMPLES = Path(__file__).resolve().parents[3] / "examples" / "study"
+WALL = """Asperity 0.1.0 on Serial, 1 rank.
+t = 46 s, step 900, dt 0.25 s, V 1.0e-09 m/s, 2 iterations, 3 events, wall {wall} s
+"""
 
 
 class Studies(unittest.TestCase):
@@ -179,6 +184,40 @@ class Tables(Studies):
             self.assertEqual(list(file["law"].asstr()), ["A", "B", "C"])
             self.assertEqual(len(file), len(rows[0]))
         self.assertGreater((self.folder / "study.png").stat().st_size, 10000)
+
+    def drawn(self, path: Path):
+        """The study, its table and the axes of its figure, for two runs."""
+        what = study.read(path)
+        jobs = [Job(number, self.folder / str(number), [], "finished") for number in (1, 2)]
+        for job in jobs:
+            synthetic_run.write_run(job.folder, 3, nodes=20)
+            (job.folder / "run.log").write_text(WALL.format(wall=7200 * job.number))
+        table = results.columns(what, jobs, what.runs())
+        with mock.patch.object(figure.style, "save") as save:
+            figure.draw(what, table, self.folder / "study.png")
+        axes = save.call_args[0][0].axes
+        self.addCleanup(pyplot.close, axes[0].figure)
+        return {name: values for name, _, values in table}, axes
+
+    def test_labels_of_the_figure_have_units(self):
+        unit = '<Parameter name="Unit" value="mm"/><Parameter name="Values"'
+        height = self.listed("height", "M/h", "1, 2").replace('<Parameter name="Values"', unit)
+        data, axes = self.drawn(self.write(height + self.listed("law", "F/Law", "A")))
+        self.assertEqual([panel.get_ylabel() for panel in axes],
+                         ["Events", "Recurrence time\n[s]", "Rupture width\n[cm]",
+                          "Peak slip\n[mm]", "Duration\n[ms]", "Peak slip rate\n[mm/s]", "Steps",
+                          "Wall time\n[h]"])
+        self.assertEqual(axes[-1].get_xlabel(), "height [mm], law")
+        np.testing.assert_allclose(axes[2].lines[0].get_ydata(),
+                                   100.0 * np.array(data["width_median"]))
+        np.testing.assert_allclose(axes[-1].lines[0].get_ydata(), [2.0, 4.0])
+
+    def test_labels_over_samples_have_units(self):
+        unit = '<Parameter name="Unit" value="Pa"/><Parameter name="Lowest"'
+        stress = self.sampled("stress", "1e6", "2e6").replace('<Parameter name="Lowest"', unit)
+        _, axes = self.drawn(self.write(stress + self.sampled("b", "1", "2"),
+                                        '<Parameter name="Samples" value="2"/>', "Random"))
+        self.assertEqual([panel.get_xlabel() for panel in axes[-2:]], ["stress [Pa]", "b"])
 
 
 if __name__ == "__main__":
