@@ -1,52 +1,97 @@
 #pragma once
 
 #include "base/Types.hpp"
-#include "dynamics/control/DyadicTime.hpp"
+#include "dynamics/DyadicTime.hpp"
 #include "friction/Types.hpp"
 
 #include <Tpetra_Vector.hpp>
 
+#include <memory>
+#include <string>
+#include <vector>
+
 namespace asperity::dynamics
 {
-// Everything that the future of a run depends on, at one time. The vectors have the owned dofs, in
-// nodal frames.
+// What is to be known of a field of the state by all that treat its fields alike: copies, guesses,
+// checkpoints, other meshes, condensation, the search for values that are not finite.
+struct FieldInfo
+{
+  std::string name;     // in a checkpoint: "sigma_n"
+  std::string quantity; // in a message: "normal stress"
+  std::string unit;
+  // Whether a step starts from a guess of it. These are the fields that a step has found as soon as
+  // it is solved at the fault; the others follow.
+  bool is_guessed = false;
+  // Whether a new mesh adds its change since the start to the start of its own, and does not take
+  // over the value.
+  bool counts_from_start = false;
+};
+
+// Everything that the future of a run depends on, at one time.
 struct State
 {
   DyadicTime::Ticks time = 0;
-  RCP<Vector> u, v, a;        // m, m/s, m/s^2
-  RCP<Vector> jerk;           // m/s^3, of the last step, see RateUpdate; zero at the start
-  friction::NodeView alpha;   // (num fault nodes)
-  friction::NodeView sigma_n; // (num fault nodes) [Pa], positive in compression
-  // The alpha of the last rate problem, with which v was computed.
-  friction::NodeView alpha_of_rate;
+  RCP<Vector> u, v, a;
+  RCP<Vector> jerk; // of the last step, see RateUpdate; zero at the start
+  friction::NodeView alpha, sigma_n;
+  friction::NodeView alpha_of_rate; // of the last rate problem, with which v was computed
 
-  // A state of the same shapes, whose values are not set.
-  State sameShape() const
+  // A field at the nodes of the fault that a model declares beside those above.
+  struct Added
   {
-    constexpr bool set_to_zero = false;
-    State other;
-    other.u = rcp(new Vector(u->getMap(), set_to_zero));
-    other.v = rcp(new Vector(v->getMap(), set_to_zero));
-    other.a = rcp(new Vector(a->getMap(), set_to_zero));
-    other.jerk = rcp(new Vector(jerk->getMap(), set_to_zero));
-    other.alpha = friction::NodeView("asperity::dynamics::alpha", alpha.extent(0));
-    other.sigma_n = friction::NodeView("asperity::dynamics::sigma_n", sigma_n.extent(0));
-    other.alpha_of_rate = friction::NodeView("asperity::dynamics::alphaOfRate", alpha.extent(0));
-    return other;
+    std::shared_ptr<const FieldInfo> info;
+    friction::NodeView values;
+  };
+  std::vector<Added> added;
+
+  // The list of fields: visit(info, field of the first state, field of the second, ...) for each.
+  // All states have the same fields. A field of the body is an RCP<Vector> on the owned dofs, in
+  // nodal frames; a field of the fault is a NodeView on its nodes.
+  template <class Visit, class First, class... Others>
+  static void visitBody(Visit const& visit, First& first, Others&... others);
+  template <class Visit, class First, class... Others>
+  static void visitFault(Visit const& visit, First& first, Others&... others);
+  template <class Visit, class... States>
+  static void visitFields(Visit const& visit, States&... states)
+  {
+    visitBody(visit, states...);
+    visitFault(visit, states...);
   }
 
-  State clone() const
-  {
-    State copy = sameShape();
-    copy.time = time;
-    Tpetra::deep_copy(*copy.u, *u);
-    Tpetra::deep_copy(*copy.v, *v);
-    Tpetra::deep_copy(*copy.a, *a);
-    Tpetra::deep_copy(*copy.jerk, *jerk);
-    Kokkos::deep_copy(copy.alpha, alpha);
-    Kokkos::deep_copy(copy.sigma_n, sigma_n);
-    Kokkos::deep_copy(copy.alpha_of_rate, alpha_of_rate);
-    return copy;
-  }
+  State sameShape() const; // values are not set
+  State clone() const;
 };
+
+// The values of a field on the device; those of a vector are valid while it is.
+friction::ConstNodeView valuesOf(RCP<Vector> const& field);
+inline friction::ConstNodeView valuesOf(friction::NodeView const& field) { return field; }
+friction::NodeView overwritten(RCP<Vector> const& field);
+inline friction::NodeView overwritten(friction::NodeView const& field) { return field; }
+
+template <class Visit, class First, class... Others>
+void State::visitBody(Visit const& visit, First& first, Others&... others)
+{
+  static const FieldInfo of_u = {"u", "displacement", "m", false, true};
+  static const FieldInfo of_v = {"v", "velocity", "m/s", true};
+  static const FieldInfo of_a = {"a", "acceleration", "m/s^2"};
+  static const FieldInfo of_jerk = {"jerk", "jerk", "m/s^3"};
+  visit(of_u, first.u, others.u...);
+  visit(of_v, first.v, others.v...);
+  visit(of_a, first.a, others.a...);
+  visit(of_jerk, first.jerk, others.jerk...);
+}
+
+template <class Visit, class First, class... Others>
+void State::visitFault(Visit const& visit, First& first, Others&... others)
+{
+  static const FieldInfo of_alpha = {"alpha", "alpha", "-", true};
+  static const FieldInfo of_sigma_n = {"sigma_n", "normal stress", "Pa", true, true};
+  static const FieldInfo of_rate = {"alpha_of_rate", "alpha of the last rate problem", "-"};
+  visit(of_alpha, first.alpha, others.alpha...);
+  visit(of_sigma_n, first.sigma_n, others.sigma_n...);
+  visit(of_rate, first.alpha_of_rate, others.alpha_of_rate...);
+  for (std::size_t i = 0; i < first.added.size(); ++i) {
+    visit(*first.added[i].info, first.added[i].values, others.added[i].values...);
+  }
+}
 } // namespace asperity::dynamics

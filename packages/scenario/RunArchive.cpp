@@ -1,6 +1,7 @@
 #include "scenario/RunArchive.hpp"
 
 #include "base/Errors.hpp"
+#include "base/Views.hpp"
 
 #include <algorithm>
 
@@ -10,17 +11,8 @@ namespace
 {
 using Values = std::vector<double>;
 
-Values valuesOf(Vector const& x)
-{
-  auto const view = x.getLocalViewHost(Tpetra::Access::ReadOnly);
-  return Values(view.data(), view.data() + view.extent(0));
-}
-
-Values valuesOf(friction::NodeView const& x)
-{
-  auto const view = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace(), x);
-  return Values(view.data(), view.data() + view.extent(0));
-}
+char const* nodesOf(RCP<Vector> const&) { return nodes_of_body; }
+char const* nodesOf(friction::NodeView const&) { return nodes_of_friction; }
 
 Values const& sized(io::Archive const& archive, std::string const& path, std::size_t size)
 {
@@ -32,45 +24,32 @@ Values const& sized(io::Archive const& archive, std::string const& path, std::si
   return values;
 }
 
-void read(io::Archive const& archive, std::string const& path, Vector& x)
-{
-  auto const view = x.getLocalViewHost(Tpetra::Access::OverwriteAll);
-  auto const& values = sized(archive, path, view.extent(0));
-  std::copy(values.begin(), values.end(), view.data());
-}
-
-void read(io::Archive const& archive, std::string const& path, friction::NodeView const& x)
-{
-  auto const host = Kokkos::create_mirror_view(x);
-  auto const& values = sized(archive, path, host.extent(0));
-  std::copy(values.begin(), values.end(), host.data());
-  Kokkos::deep_copy(x, host);
-}
-
 void saveState(io::Archive& archive, std::string const& path, dynamics::State const& state)
 {
   archive.set(path + "/time", state.time);
-  archive.setAtNodes(path + "/u", valuesOf(*state.u), nodes_of_body);
-  archive.setAtNodes(path + "/v", valuesOf(*state.v), nodes_of_body);
-  archive.setAtNodes(path + "/a", valuesOf(*state.a), nodes_of_body);
-  archive.setAtNodes(path + "/jerk", valuesOf(*state.jerk), nodes_of_body);
-  archive.setAtNodes(path + "/alpha", valuesOf(state.alpha), nodes_of_friction);
-  archive.setAtNodes(path + "/sigma_n", valuesOf(state.sigma_n), nodes_of_friction);
-  archive.setAtNodes(path + "/alpha_of_rate", valuesOf(state.alpha_of_rate), nodes_of_friction);
+  dynamics::State::visitFields(
+    [&](dynamics::FieldInfo const& info, auto const& field) {
+      auto const view = toHost(dynamics::valuesOf(field));
+      archive.setAtNodes(path + "/" + info.name, Values(view.data(), view.data() + view.size()),
+                         nodesOf(field));
+    },
+    state);
 }
 
 dynamics::State loadState(io::Archive const& archive, std::string const& path,
                           dynamics::State const& like)
 {
-  auto state = like.clone();
+  auto state = like.sameShape();
   state.time = archive.getInteger(path + "/time");
-  read(archive, path + "/u", *state.u);
-  read(archive, path + "/v", *state.v);
-  read(archive, path + "/a", *state.a);
-  read(archive, path + "/jerk", *state.jerk);
-  read(archive, path + "/alpha", state.alpha);
-  read(archive, path + "/sigma_n", state.sigma_n);
-  read(archive, path + "/alpha_of_rate", state.alpha_of_rate);
+  dynamics::State::visitFields(
+    [&](dynamics::FieldInfo const& info, auto const& field) {
+      auto const view = dynamics::overwritten(field);
+      auto const host = Kokkos::create_mirror_view(view);
+      auto const& values = sized(archive, path + "/" + info.name, host.size());
+      std::copy(values.begin(), values.end(), host.data());
+      Kokkos::deep_copy(view, host);
+    },
+    state);
   return state;
 }
 } // namespace

@@ -365,16 +365,9 @@ StaticCondensation::condensedSurface(fem::HeldDofs const& held) const
 
 State StaticCondensation::condensedState(Body const& body) const
 {
-  auto state = whole_.initial.clone();
-  for (auto member : {&State::u, &State::v, &State::a, &State::jerk}) {
-    auto const x = body.vector();
-    gather(*(whole_.initial.*member), *x);
-    state.*member = x;
-  }
   auto const prescribed = body.vector();
   body.prescribed_velocity(0, *prescribed);
-  state.v->replaceLocalValue(numKept(), prescribed->getData()[numKept()]);
-  return state;
+  return gather(whole_.initial, body, {0, prescribed->getData()[numKept()], 0, 0});
 }
 
 ReactionSinceStart StaticCondensation::condensedReaction(Body const& body) const

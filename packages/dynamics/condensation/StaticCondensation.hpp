@@ -71,6 +71,7 @@ private:
   std::shared_ptr<const fem::FaultSurface> condensedSurface(fem::HeldDofs const& held) const;
   State condensedState(Body const& body) const;
   ReactionSinceStart condensedReaction(Body const& body) const;
+  State gather(State const& whole, Body const& condensed, Amplitudes const& of) const;
   void gather(Vector const& whole, Vector& x) const; // F alone; s and what is beside it are zero
 
   int numKept() const { return static_cast<int>(kept_.size()); }

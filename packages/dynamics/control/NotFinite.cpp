@@ -13,7 +13,7 @@ KOKKOS_INLINE_FUNCTION bool hasFiniteSquare(double x)
 
 // Whether all values have a finite square. Counts those that do not, because sums of integers are
 // faster on the device than sums of floating-point numbers.
-bool haveFiniteSquares(Kokkos::View<const double*, MemorySpace> const& values)
+bool haveFiniteSquares(friction::ConstNodeView const& values)
 {
   int others = 0;
   Kokkos::parallel_reduce(
@@ -23,8 +23,8 @@ bool haveFiniteSquares(Kokkos::View<const double*, MemorySpace> const& values)
   return others == 0;
 }
 
-std::optional<NotFinite> lookIn(char const* field, bool at_fault,
-                                Kokkos::View<const double*, MemorySpace> const& values)
+std::optional<NotFinite> lookIn(std::string const& quantity, bool at_fault,
+                                friction::ConstNodeView const& values)
 {
   if (haveFiniteSquares(values)) {
     return std::nullopt;
@@ -34,36 +34,32 @@ std::optional<NotFinite> lookIn(char const* field, bool at_fault,
   while (i < host.extent_int(0) && hasFiniteSquare(host(i))) {
     ++i;
   }
-  return i < host.extent_int(0) ? std::optional<NotFinite>({field, at_fault, i, host(i)})
+  return i < host.extent_int(0) ? std::optional<NotFinite>({quantity, at_fault, i, host(i)})
                                 : std::nullopt;
 }
 
-std::optional<NotFinite> lookIn(char const* field, Vector const& x)
+std::optional<NotFinite> lookIn(State const& state, bool among_guessed_alone)
 {
-  auto const view = x.getLocalViewDevice(Tpetra::Access::ReadOnly);
-  return lookIn(field, false,
-                Kokkos::View<const double*, MemorySpace>(view.data(), view.extent(0)));
+  std::optional<NotFinite> found;
+  bool at_fault = false;
+  const auto look = [&](FieldInfo const& info, auto const& field) {
+    if (!found && (info.is_guessed || !among_guessed_alone)) {
+      found = lookIn(info.quantity, at_fault, valuesOf(field));
+    }
+  };
+  State::visitBody(look, state);
+  at_fault = true;
+  State::visitFault(look, state);
+  return found;
 }
 } // namespace
 
-std::optional<NotFinite> firstNotFinite(State const& state)
-{
-  auto found = lookIn("velocity", *state.v);
-  found = found ? found : lookIn("displacement", *state.u);
-  found = found ? found : lookIn("acceleration", *state.a);
-  found = found ? found : lookIn("alpha", true, state.alpha);
-  return found ? found : lookIn("normal stress", true, state.sigma_n);
-}
+std::optional<NotFinite> firstNotFinite(State const& state) { return lookIn(state, false); }
 
-std::optional<NotFinite> firstNotFiniteAtFault(State const& state)
-{
-  auto found = lookIn("velocity", *state.v);
-  found = found ? found : lookIn("alpha", true, state.alpha);
-  return found ? found : lookIn("normal stress", true, state.sigma_n);
-}
+std::optional<NotFinite> firstNotFiniteAtFault(State const& state) { return lookIn(state, true); }
 
-std::optional<NotFinite> firstNotFinite(char const* field, Vector const& x)
+std::optional<NotFinite> firstNotFinite(std::string const& quantity, RCP<Vector> const& x)
 {
-  return lookIn(field, x);
+  return lookIn(quantity, false, valuesOf(x));
 }
 } // namespace asperity::dynamics

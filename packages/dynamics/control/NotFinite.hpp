@@ -16,10 +16,9 @@ struct NotFinite
   double value = 0;
 };
 
-// The first one on this rank, in the order velocity, displacement, acceleration, alpha, normal
-// stress. Not collective.
+// The first one on this rank, in the order of the state's fields. Not collective.
 std::optional<NotFinite> firstNotFinite(State const& state);
-// The same of a step that failed: displacement and acceleration are not known.
+// The same of a step that failed: only the fields that it started from a guess of are known.
 std::optional<NotFinite> firstNotFiniteAtFault(State const& state);
-std::optional<NotFinite> firstNotFinite(char const* field, Vector const& x);
+std::optional<NotFinite> firstNotFinite(std::string const& quantity, RCP<Vector> const& x);
 } // namespace asperity::dynamics

@@ -106,23 +106,23 @@ Guess RichardsonControl::straightOn(State const& current, double steps) const
   return {1 + ratio, current, *memory_.before};
 }
 
-std::optional<Trial> RichardsonControl::wholeStep(State const& current, SolveCount& count)
+std::optional<State> RichardsonControl::wholeStep(State const& current, SolveCount& count)
 {
-  return attemptAtFault(current, memory_.level - 1, straightOn(current, 2), count);
+  auto trial = attemptAtFault(current, memory_.level - 1, straightOn(current, 2), count);
+  return trial ? std::optional<State>(std::move(trial->state)) : std::nullopt;
 }
 
 bool RichardsonControl::isNearStraightLine(State const& current, State const& end) const
 {
   auto const expected = blend(straightOn(current, 2));
-  return distance(surface(), end.alpha, expected.alpha, Norm::root_mean_square) <= near;
+  return distance(end, expected, Norm::root_mean_square) <= near;
 }
 
 RichardsonControl::Pair RichardsonControl::pairOf(State const& current,
-                                                  std::optional<Trial> const& whole,
+                                                  std::optional<State> const& whole,
                                                   SolveCount& count)
 {
-  State const* const end =
-    whole && isNearStraightLine(current, whole->state) ? &whole->state : nullptr;
+  State const* const end = whole && isNearStraightLine(current, *whole) ? &*whole : nullptr;
   Pair pair;
   pair.error = std::numeric_limits<double>::infinity();
   pair.first = attempt(current, memory_.level,
@@ -133,15 +133,14 @@ RichardsonControl::Pair RichardsonControl::pairOf(State const& current,
       attempt(middle, memory_.level, end ? straightFrom(*end) : Guess{2, middle, current}, count);
   }
   if (whole && pair.second) {
-    pair.error = distance(surface(), whole->state.alpha, pair.second->state.alpha, settings_.norm) /
-                 extrapolation_;
+    pair.error = distance(*whole, pair.second->state, settings_.norm) / extrapolation_;
   }
   return pair;
 }
 
 RichardsonControl::Pair RichardsonControl::acceptablePair(State const& current, SolveCount& count)
 {
-  std::optional<Trial> whole;
+  std::optional<State> whole;
   while (true) {
     const bool finest = memory_.level >= settings_.finest_level;
     if (!whole) {
@@ -157,7 +156,7 @@ RichardsonControl::Pair RichardsonControl::acceptablePair(State const& current, 
     // The first step of the pair is the whole step of the next smaller one.
     ++memory_.level;
     memory_.error /= error_ratio_;
-    whole = std::move(pair.first);
+    whole = pair.first ? std::optional<State>(std::move(pair.first->state)) : std::nullopt;
   }
 }
 

@@ -33,10 +33,11 @@ private:
   // The straight line from the beginning of the last pair through `current`, extended by `steps`
   // steps of level memory_.level.
   Guess straightOn(State const& current, double steps) const;
-  // One step from the present state to the end of a pair of steps of level memory_.level.
-  std::optional<Trial> wholeStep(State const& current, SolveCount& count);
+  // One step from the present state to the end of a pair of steps of level memory_.level, at the
+  // fault alone.
+  std::optional<State> wholeStep(State const& current, SolveCount& count);
   bool isNearStraightLine(State const& current, State const& end) const;
-  Pair pairOf(State const& current, std::optional<Trial> const& whole, SolveCount& count);
+  Pair pairOf(State const& current, std::optional<State> const& whole, SolveCount& count);
   Pair acceptablePair(State const& current, SolveCount& count);
   void predictLevel(double error);
   AcceptedStep firstOfPair(State& current, SolveCount& count);

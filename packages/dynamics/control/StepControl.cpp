@@ -20,22 +20,29 @@ char const* reason(StepStatus status)
   default: return "it was solved";
   }
 }
+
+// result := weight a + (1 - weight) b
+void combine(double weight, friction::ConstNodeView const& a, friction::ConstNodeView const& b,
+             friction::NodeView const& result)
+{
+  const double of_b = 1 - weight;
+  Kokkos::parallel_for(
+    "asperity::dynamics::combine",
+    Kokkos::RangePolicy<friction::ExecutionSpace>(0, result.extent(0)),
+    KOKKOS_LAMBDA(int i) { result(i) = weight * a(i) + of_b * b(i); });
+}
 } // namespace
 
 State blend(Guess const& guess)
 {
-  const double of_a = guess.weight, of_b = 1 - guess.weight;
   State result = guess.a.sameShape();
-  result.v->update(of_a, *guess.a.v, of_b, *guess.b.v, 0);
-  auto const alpha = result.alpha, sigma_n = result.sigma_n;
-  auto const alpha_a = guess.a.alpha, alpha_b = guess.b.alpha;
-  auto const sigma_a = guess.a.sigma_n, sigma_b = guess.b.sigma_n;
-  Kokkos::parallel_for(
-    "asperity::dynamics::blend", Kokkos::RangePolicy<friction::ExecutionSpace>(0, alpha.extent(0)),
-    KOKKOS_LAMBDA(int node) {
-      alpha(node) = of_a * alpha_a(node) + of_b * alpha_b(node);
-      sigma_n(node) = of_a * sigma_a(node) + of_b * sigma_b(node);
-    });
+  State::visitFields(
+    [&](FieldInfo const& info, auto const& to, auto const& a, auto const& b) {
+      if (info.is_guessed) {
+        combine(guess.weight, valuesOf(a), valuesOf(b), overwritten(to));
+      }
+    },
+    result, guess.a, guess.b);
   return result;
 }
 
@@ -45,26 +52,29 @@ std::optional<Trial> StepControl::attempt(State const& from, int level, Guess co
                                           SolveCount& count)
 {
   auto trial = attemptAtFault(from, level, guess, count);
-  if (trial) {
-    complete(from, level, *trial);
-  }
-  return trial;
+  return trial ? std::optional<Trial>(complete(std::move(*trial))) : std::nullopt;
 }
 
-std::optional<Trial> StepControl::attemptAtFault(State const& from, int level, Guess const& guess,
-                                                 SolveCount& count)
+std::optional<FaultTrial> StepControl::attemptAtFault(State const& from, int level,
+                                                      Guess const& guess, SolveCount& count)
 {
-  Trial trial{blend(guess), 0};
-  auto const result = step_.solveAtFault(from, level, trial.state, count);
-  trial.iterations = result.iterations;
+  State state = blend(guess);
+  auto const result = step_.solveAtFault(from, level, state, count);
   last_status_ = result.status;
   not_finite_.reset();
-  if (!result.solved()) {
-    not_finite_ = firstNotFiniteAtFault(trial.state);
-    not_finite_ =
-      not_finite_ ? not_finite_ : firstNotFinite("the sum of loads", step_.lastRightSide());
+  if (result.solved()) {
+    return FaultTrial{std::move(state), result.iterations, *result.rest};
   }
-  return result.solved() ? std::optional<Trial>(std::move(trial)) : std::nullopt;
+  not_finite_ = firstNotFiniteAtFault(state);
+  not_finite_ =
+    not_finite_ ? not_finite_ : firstNotFinite("the sum of loads", step_.lastRightSide());
+  return std::nullopt;
+}
+
+Trial StepControl::complete(FaultTrial&& trial)
+{
+  std::move(trial.rest).complete(trial.state);
+  return {std::move(trial.state), trial.iterations};
 }
 
 void StepControl::giveUp(State const& from, int level) const
@@ -231,14 +241,12 @@ bool StepDoubling::coarsen(State const& current, std::optional<Trial>& next, dou
     if (!doubled) {
       break;
     }
-    const double difference =
-      distance(surface(), doubled->state.alpha, next->state.alpha, settings_.norm);
+    const double difference = distance(doubled->state, next->state, settings_.norm);
     if (!(difference <= settings_.tolerance)) {
       break;
     }
     error = difference;
-    complete(current, memory_.level - 1, *doubled);
-    memory_.trial = std::move(doubled);
+    memory_.trial = complete(std::move(*doubled));
     next.reset();
     --memory_.level;
     coarsened = true;
@@ -257,14 +265,13 @@ bool StepDoubling::refine(State const& current, std::optional<Trial>& next, doub
     auto second = first ? attemptAtFault(first->state, memory_.level + 1, straightFrom(end), count)
                         : std::nullopt;
     if (second) {
-      error = distance(surface(), memory_.trial->state.alpha, second->state.alpha, settings_.norm);
+      error = distance(memory_.trial->state, second->state, settings_.norm);
       if (error <= settings_.tolerance) {
         return true;
       }
-      complete(first->state, memory_.level + 1, *second);
     }
     ++memory_.level;
-    next = std::move(second);
+    next = second ? std::optional<Trial>(complete(std::move(*second))) : std::nullopt;
     memory_.trial = std::move(first);
     findTrial(current, count);
   }

@@ -12,8 +12,7 @@
 
 namespace asperity::dynamics
 {
-// First guess for the end of a step: weight * a + (1 - weight) * b for velocity, alpha and normal
-// stress.
+// First guess for the end of a step: weight * a + (1 - weight) * b for the fields that are guessed.
 struct Guess
 {
   double weight;
@@ -29,6 +28,14 @@ struct Trial
 {
   State state;        // at its end
   int iterations = 0; // of the fixed point
+};
+
+// A step that is solved at the fault alone: enough to be compared with others.
+struct FaultTrial
+{
+  State state; // at its end; off the fault v is a guess, and the rest of the body is not set
+  int iterations = 0;
+  PendingStep rest;
 };
 
 struct AcceptedStep
@@ -82,13 +89,14 @@ public:
 protected:
   // Tries a step of the given level, from a guess of its end. Empty if the step is not solved.
   std::optional<Trial> attempt(State const& from, int level, Guess const& guess, SolveCount& count);
-  // The same at the fault alone, for a step that is to be compared; complete() must come before any
-  // other attempt, or never.
-  std::optional<Trial> attemptAtFault(State const& from, int level, Guess const& guess,
-                                      SolveCount& count);
-  void complete(State const& from, int level, Trial& trial)
+  // The same at the fault alone. complete() must come before any other attempt, or never.
+  std::optional<FaultTrial> attemptAtFault(State const& from, int level, Guess const& guess,
+                                           SolveCount& count);
+  static Trial complete(FaultTrial&& trial);
+  // The error of a step that ends in a, if b is its exact end.
+  double distance(State const& a, State const& b, Norm norm) const
   {
-    step_.complete(from, level, trial.state);
+    return step_.distance(a, b, norm);
   }
   DyadicTime const& clock() const { return step_.clock(); }
   fem::FaultSurface const& surface() const { return step_.surface(); }

@@ -6,6 +6,7 @@
 #include "base/parameters/Parameters.hpp"
 #include "base/program/WorkTimers.hpp"
 #include "dynamics/FaultMotion.hpp"
+#include "dynamics/coupling/StateUpdate.hpp"
 #include "portability/Renamed.hpp"
 
 #include <Tpetra_CrsMatrix.hpp>
@@ -18,7 +19,6 @@ namespace asperity::dynamics
 {
 namespace
 {
-using friction::ConstNodeView;
 using Nodes = Kokkos::RangePolicy<friction::ExecutionSpace>;
 
 // mean := offset + weight mean, (num_nodes, T)
@@ -30,45 +30,6 @@ void meanVelocity(friction::ConstBlockView const& offset, double weight,
       for (int k = 0; k < mean.extent_int(1); ++k) {
         mean(node, k) = offset(node, k) + weight * mean(node, k);
       }
-    });
-}
-
-// Half of what the change of the normal stress over the step does to the state: alpha moves by
-// -(c / b) ln(sigma1 / sigma0) / 2 (Linker and Dieterich 1992).
-void shiftByStress(ConstNodeView const& sensitivity, ConstNodeView const& before,
-                   ConstNodeView const& after, ConstNodeView const& alpha,
-                   friction::NodeView const& shifted)
-{
-  Kokkos::parallel_for(
-    "asperity::dynamics::shiftByStress", Nodes(0, shifted.extent_int(0)), KOKKOS_LAMBDA(int node) {
-      const double shift =
-        sensitivity(node) == 0
-          ? 0
-          : sensitivity(node) / 2 * (math::log(after(node)) - math::log(before(node)));
-      shifted(node) = alpha(node) - shift;
-    });
-}
-
-// packed(2 num_nodes) := alpha, then sigma_n times what makes it comparable with alpha.
-void pack(ConstNodeView const& alpha, ConstNodeView const& sigma_n, ConstNodeView const& per_pascal,
-          friction::NodeView const& packed)
-{
-  const int size = alpha.extent_int(0);
-  Kokkos::parallel_for(
-    "asperity::dynamics::pack", Nodes(0, size), KOKKOS_LAMBDA(int node) {
-      packed(node) = alpha(node);
-      packed(size + node) = sigma_n(node) * per_pascal(node);
-    });
-}
-
-void unpack(ConstNodeView const& packed, ConstNodeView const& per_pascal,
-            friction::NodeView const& alpha, friction::NodeView const& sigma_n)
-{
-  const int size = alpha.extent_int(0);
-  Kokkos::parallel_for(
-    "asperity::dynamics::unpack", Nodes(0, size), KOKKOS_LAMBDA(int node) {
-      alpha(node) = packed(node);
-      sigma_n(node) = packed(size + node) / per_pascal(node);
     });
 }
 } // namespace
@@ -144,10 +105,10 @@ CoupledStep::CoupledStep(Body const& body, Fault const& fault, RateUpdate const&
     , update_(update)
     , clock_(clock)
     , settings_(settings)
-    , stress_(body, fault, since_start)
+    , unknowns_(fault.surface(), settings.anderson_depth)
+    , stress_(std::make_shared<NormalStressUpdate>(body, fault, since_start))
     , solvers_(body, fault.surface(), update, clock, solver_settings, budget_bytes,
-               stress_.coupled() ? since_start.reaction : nullptr)
-    , acceleration_(fault.surface(), settings.anderson_depth)
+               stress_->coupled() ? since_start.reaction : nullptr)
     , forces_(body.noForces())
     , b_(body.vector())
     , prescribed_(body.vector())
@@ -159,30 +120,20 @@ CoupledStep::CoupledStep(Body const& body, Fault const& fault, RateUpdate const&
     , mean_offset_("asperity::dynamics::meanOffset", surface().numNodes(), surface().numTangents())
     , mean_("asperity::dynamics::meanVelocity", surface().numNodes(), surface().numTangents())
     , V_("asperity::dynamics::V", surface().numNodes())
-    , alpha_next_("asperity::dynamics::alphaNext", surface().numNodes())
 {
-  const int size = surface().numNodes();
-  if (stress_.coupled()) {
-    sigma_next_ = friction::NodeView("asperity::dynamics::sigmaNext", size);
-    unknowns_ = friction::NodeView("asperity::dynamics::unknowns", 2 * size);
-    image_ = friction::NodeView("asperity::dynamics::image", 2 * size);
-  }
-  if (fault.laws().stress_sensitivity.extent(0) > 0) {
-    shifted_ = friction::NodeView("asperity::dynamics::shifted", size);
+  unknowns_.add(std::make_shared<StateUpdate>(fault));
+  if (stress_->coupled()) {
+    unknowns_.add(stress_);
   }
 }
 
 // Evaluates the expressions of the deck at the time t1. One of them may be nan on one rank alone;
 // the error is thrown on all ranks.
-void CoupledStep::evaluateLoads(double t0, double t1, State& to)
+void CoupledStep::evaluateLoads(double t0, double t1)
 {
   ASPERITY_TIME_WORK("right sides of steps");
   onEveryRank(*surface().communicator(), [&] {
-    if (fault_.normalStress().change() == NormalStressChange::fixed) {
-      fault_.normalStress().at(t1, to.sigma_n);
-      fault_.normalStress().raiseToFloor(to.sigma_n);
-    }
-    stress_.evaluate(t0, t1);
+    stress_->evaluate(t0, t1);
     body_.prescribed_velocity(t1, *prescribed_);
     requireRestBesideSliding(surface(), *prescribed_, body_.dofs->components(), t1);
     stickToPlates(surface(), *prescribed_);
@@ -194,34 +145,34 @@ void CoupledStep::evaluateLoads(double t0, double t1, State& to)
 // and a_D follow from it by the rate update: the rate problem is solved for w = v1 - v_D, which is
 // zero at held dofs. Under back slip v_D is the motion of the plates at the free dofs of the fault,
 // so that friction depends on w there (gatherSlip).
-void CoupledStep::rightSide(State const& from, double tau)
+void CoupledStep::rightSide(State const& from, double tau, State& to)
 {
   ASPERITY_TIME_WORK("right sides of steps");
   update_.predict(from, tau, *u_hat_, *a_hat_);
   update_.withVelocity(*prescribed_, *u_hat_, *a_hat_, tau, *work_u_, *work_a_);
   body_.computeForces(*work_u_, *prescribed_, *work_a_, forces_);
   forces_.subtractFrom(*b_);
-  stress_.takeRightSide(*b_);
+  stress_->begin(from, *b_, to);
   body_.clearHeld(*b_);
 }
 
 CoupledResult CoupledStep::solve(State const& from, int level, State& to, SolveCount& count)
 {
-  auto const result = solveAtFault(from, level, to, count);
+  auto result = solveAtFault(from, level, to, count);
   if (result.solved()) {
-    complete(from, level, to);
+    std::move(*result.rest).complete(to);
+    result.rest.reset();
   }
   return result;
 }
 
 CoupledResult CoupledStep::solveAtFault(State const& from, int level, State& to, SolveCount& count)
 {
-  solved_level_.reset();
+  ++num_solved_;
   const double tau = clock_.stepSize(level);
   to.time = from.time + clock_.ticks(level);
-  evaluateLoads(clock_.seconds(from.time), clock_.seconds(to.time), to);
-  stress_.begin(from, to.sigma_n);
-  rightSide(from, tau);
+  evaluateLoads(clock_.seconds(from.time), clock_.seconds(to.time));
+  rightSide(from, tau, to);
 
   guess_->update(1, *to.v, -1, *prescribed_, 0);
   body_.clearHeld(*guess_);
@@ -230,7 +181,7 @@ CoupledResult CoupledStep::solveAtFault(State const& from, int level, State& to,
   update_.meanVelocity(from, tau, *prescribed_, surface().dofs(), *work_u_);
   gatherSlip(surface(), *work_u_, mean_offset_);
 
-  auto const result = iterate(from, tau, solver, to, count);
+  auto result = iterate(from, tau, solver, to, count);
   ++count.coupled_steps;
   if (!result.solved()) {
     ++count.failures;
@@ -238,80 +189,30 @@ CoupledResult CoupledStep::solveAtFault(State const& from, int level, State& to,
   }
   solver.knownVelocity(*guess_);
   to.v->update(1, *guess_, 1, *prescribed_, 0);
-  solved_level_ = level;
+  result.rest = PendingStep(*this, from, level, num_solved_);
   return result;
+}
+
+void PendingStep::complete(State& to) &&
+{
+  ASPERITY_ASSERT(number_ == step_->num_solved_);
+  step_->complete(*from_, level_, to);
 }
 
 void CoupledStep::complete(State const& from, int level, State& to)
 {
-  ASPERITY_ASSERT(solved_level_ == level);
   solvers_.at(level).velocity(*to.v);
   to.v->update(1, *prescribed_, 1);
   update_.complete(from, *u_hat_, *a_hat_, clock_.stepSize(level), to);
-  solved_level_.reset();
 }
 
 // |c (u1 - u0)_t / tau + Vp| at the fault nodes.
 void CoupledStep::meanSlipRate(RateSolver& solver)
 {
+  ASPERITY_TIME_WORK("state updates");
   solver.faultVelocity(mean_);
   meanVelocity(mean_offset_, update_.stiffness_weight, mean_);
   slipRate(surface(), mean_, V_);
-}
-
-// Updates the state with the solver's present velocity. False if the state law fails at a node.
-bool CoupledStep::updateState(State const& from, double tau, RateSolver& solver, State const& to)
-{
-  ASPERITY_TIME_WORK("state updates");
-  meanSlipRate(solver);
-  const bool moved_by_stress = shifted_.extent(0) > 0;
-  if (moved_by_stress) {
-    shiftByStress(fault_.laws().stress_sensitivity, from.sigma_n, to.sigma_n, from.alpha, shifted_);
-  }
-  const int failures =
-    fault_.state().flow(V_, tau, moved_by_stress ? shifted_ : from.alpha, alpha_next_);
-  if (moved_by_stress) {
-    shiftByStress(fault_.laws().stress_sensitivity, from.sigma_n, to.sigma_n, alpha_next_,
-                  alpha_next_);
-  }
-  return sumOverRanks(failures, *surface().communicator()) == 0;
-}
-
-// The change of alpha and, if it is coupled, of the normal stress from the iterate to its image.
-double CoupledStep::changeOf(State const& to) const
-{
-  const double of_alpha = distance(surface(), alpha_next_, to.alpha, settings_.norm);
-  if (!stress_.coupled()) {
-    return of_alpha;
-  }
-  const int size = surface().numNodes();
-  const auto part = std::make_pair(size, 2 * size);
-  const double of_stress = distance(surface(), Kokkos::subview(image_, part),
-                                    Kokkos::subview(unknowns_, part), settings_.norm);
-  return std::isfinite(of_stress) ? std::max(of_alpha, of_stress) : of_stress;
-}
-
-// The next iterate in `to`.
-void CoupledStep::accelerate(State& to)
-{
-  if (!stress_.coupled()) {
-    acceleration_.advance(to.alpha, alpha_next_);
-    return;
-  }
-  acceleration_.advance(unknowns_, image_);
-  unpack(unknowns_, stress_.perPascal(), to.alpha, to.sigma_n);
-  fault_.normalStress().raiseToFloor(to.sigma_n); // extrapolation may pass it
-}
-
-// Packs alpha and the normal stress, and their images for the solver's velocity, if coupled.
-void CoupledStep::respond(RateSolver const& solver, State const& to)
-{
-  if (!stress_.coupled()) {
-    return;
-  }
-  stress_.respond(solver, sigma_next_);
-  pack(to.alpha, to.sigma_n, stress_.perPascal(), unknowns_);
-  pack(alpha_next_, sigma_next_, stress_.perPascal(), image_);
 }
 
 // Alternates one iteration of TNNMG and one update of the state: both reduce the error by similar
@@ -321,7 +222,7 @@ CoupledResult CoupledStep::iterate(State const& from, double tau, RateSolver& so
                                    SolveCount& count)
 {
   CoupledResult result;
-  acceleration_.reset();
+  unknowns_.restart();
   double last_change = std::numeric_limits<double>::infinity();
   bool at_rest = false;
   while (at_rest || result.iterations < settings_.max_iterations) {
@@ -334,28 +235,25 @@ CoupledResult CoupledStep::iterate(State const& from, double tau, RateSolver& so
       result.status = StepStatus::rate_problem_failed;
       return result;
     }
-    const bool updated = updateState(from, tau, solver, to);
-    respond(solver, to);
-    const double change = changeOf(to);
-    if (!updated || !std::isfinite(change)) {
-      Kokkos::deep_copy(to.alpha, alpha_next_); // a value that is not finite can be found there
-      if (stress_.coupled()) {
-        Kokkos::deep_copy(to.sigma_n, sigma_next_);
-      }
+    meanSlipRate(solver);
+    const bool responded = unknowns_.respond({from, tau, V_, solver, to});
+    const double change = unknowns_.change(settings_.norm);
+    if (!responded || !std::isfinite(change)) {
+      unknowns_.copyImages(to); // a value that is not finite can be found there
       result.status = StepStatus::state_failed;
       return result;
     }
     at_rest = change <= settings_.tolerance;
     if (at_rest && rate.converged) {
       Kokkos::deep_copy(to.alpha_of_rate, to.alpha);
-      Kokkos::deep_copy(to.alpha, alpha_next_);
+      unknowns_.finish(to);
       return result;
     }
     if (!at_rest) {
       if (change > last_change) {
-        acceleration_.reset(); // the remembered iterates point away from the fixed point
+        unknowns_.restart(); // the remembered iterates point away from the fixed point
       }
-      accelerate(to);
+      unknowns_.advance(to);
       last_change = change;
     }
   }

@@ -2,9 +2,8 @@
 
 #include "dynamics/Body.hpp"
 #include "dynamics/Fault.hpp"
-#include "dynamics/FaultMotion.hpp"
 #include "dynamics/State.hpp"
-#include "dynamics/coupling/AndersonAcceleration.hpp"
+#include "dynamics/coupling/FaultUnknowns.hpp"
 #include "dynamics/coupling/NormalStressUpdate.hpp"
 #include "dynamics/coupling/StepSolvers.hpp"
 
@@ -56,10 +55,37 @@ enum class StepStatus
   fixed_point_failed
 };
 
+class CoupledStep;
+
+// A step that has been solved at the fault alone, until its CoupledStep begins another one.
+class PendingStep
+{
+public:
+  // Computes the rest of the state at its end: v off the fault, u, a and jerk. The state in which
+  // the step began must still be there.
+  void complete(State& to) &&;
+
+private:
+  friend class CoupledStep;
+  PendingStep(CoupledStep& step, State const& from, int level, std::int64_t number)
+      : step_(&step)
+      , from_(&from)
+      , level_(level)
+      , number_(number)
+  {
+  }
+
+  CoupledStep* step_;
+  State const* from_;
+  int level_;
+  std::int64_t number_;
+};
+
 struct CoupledResult
 {
   StepStatus status = StepStatus::solved;
-  int iterations = 0; // of the fixed point
+  int iterations = 0;              // of the fixed point
+  std::optional<PendingStep> rest; // of a solved step
   bool solved() const { return status == StepStatus::solved; }
 };
 
@@ -72,9 +98,7 @@ struct CoupledResult
 //
 // A normal stress that is coupled to the body is a second unknown of the fixed point beside alpha:
 // (alpha, sigma_n) -> rate problem -> V, reaction across the fault -> (alpha, sigma_n). Each rate
-// problem is convex as before, since both are fixed in it. A change of the normal stress shifts the
-// state by Linker and Dieterich's term: half of the shift comes before the flow of the state law,
-// half after it (Strang 1968), which is of second order.
+// problem is convex as before, since both are fixed in it.
 class CoupledStep
 {
 public:
@@ -92,50 +116,47 @@ public:
   StepSolvers const& solvers() const { return solvers_; }
   // The right side of the last rate problem: loads, and terms from the past and from prescribed
   // velocities.
-  Vector const& lastRightSide() const { return *b_; }
+  RCP<Vector> const& lastRightSide() const { return b_; }
 
   // Makes a step of the given level from `from` to `to`, which must have the shapes of `from`. On
-  // entry `to` holds a guess of v and alpha, and of the normal stress if it is coupled. If the step
-  // fails, only alpha and the normal stress of `to`, the last iterates, may be used, in messages.
-  // Collective.
+  // entry `to` holds a guess of the fields that are guessed. If the step fails, only the unknowns of
+  // the fault in `to`, the last iterates, may be used, in messages. Collective.
   CoupledResult solve(State const& from, int level, State& to, SolveCount& count);
 
-  // The same for the fault alone: alpha, normal stress and v there; v elsewhere is a guess, and u,
-  // a and jerk are not set. This is enough for a step that is only compared with others, and saves
-  // half of the elimination with the direct correction.
+  // The same for the fault alone: its unknowns and v there; v elsewhere is a guess, and u, a and
+  // jerk are not set. This is enough for a step that is only compared with others, and saves half
+  // of the elimination with the direct correction.
   CoupledResult solveAtFault(State const& from, int level, State& to, SolveCount& count);
-  // Computes the rest of the step that was solved last.
-  void complete(State const& from, int level, State& to);
+
+  // The error of a step that ends in a, if b is its exact end. Collective.
+  double distance(State const& a, State const& b, Norm norm) const
+  {
+    return unknowns_.distance(a, b, norm);
+  }
 
 private:
-  void evaluateLoads(double t0, double t1, State& to);
-  void rightSide(State const& from, double tau);
+  friend class PendingStep;
+  void evaluateLoads(double t0, double t1);
+  void rightSide(State const& from, double tau, State& to);
   CoupledResult iterate(State const& from, double tau, RateSolver& solver, State& to,
                         SolveCount& count);
   void meanSlipRate(RateSolver& solver);
-  bool updateState(State const& from, double tau, RateSolver& solver, State const& to);
-  void respond(RateSolver const& solver, State const& to);
-  double changeOf(State const& to) const;
-  void accelerate(State& to);
+  void complete(State const& from, int level, State& to);
 
   Body const& body_;
   Fault const& fault_;
   RateUpdate update_;
   DyadicTime clock_;
   CouplingSettings settings_;
-  NormalStressUpdate stress_;
+  FaultUnknowns unknowns_;
+  std::shared_ptr<NormalStressUpdate> stress_; // one of the unknowns if it is coupled
   StepSolvers solvers_;
-  AndersonAcceleration acceleration_;
   BodyForces forces_;
-  std::optional<int> solved_level_; // of the step that may be completed
+  std::int64_t num_solved_ = 0; // steps, to tell which one may be completed
   RCP<Vector> b_, prescribed_, u_hat_, a_hat_, work_u_, work_a_, guess_;
   // The part of the mean velocity that follows from the past and from prescribed velocities; the
   // mean velocity itself.
   friction::BlockView mean_offset_, mean_;
-  friction::NodeView V_, alpha_next_;
-  // If the normal stress is coupled: its response [Pa]; the unknowns, alpha first and then the
-  // normal stress times NormalStressUpdate::perPascal; and the image of the unknowns.
-  friction::NodeView sigma_next_, unknowns_, image_;
-  friction::NodeView shifted_; // alpha before the flow, if the normal stress shifts it
+  friction::NodeView V_;
 };
 } // namespace asperity::dynamics

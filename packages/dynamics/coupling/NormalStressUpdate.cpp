@@ -13,7 +13,7 @@ namespace
 using Nodes = Kokkos::RangePolicy<friction::ExecutionSpace>;
 
 constexpr double friction_over_b = 50;
-// See perPascal(): relative changes of a normal stress near zero do not matter.
+// See scale(): relative changes of a normal stress near zero do not matter.
 constexpr double small_share = 1e-2;
 
 double largest(friction::ConstNodeView const& values)
@@ -35,65 +35,68 @@ NormalStressUpdate::NormalStressUpdate(Body const& body, Fault const& fault,
     , fault_(fault)
     , change_(fault.normalStress().change())
     , since_start_(since_start)
+    , sigma_0_("asperity::dynamics::sigma0", fault.surface().numNodes())
 {
-  if (change_ == NormalStressChange::fixed) {
-    return;
+  if (change_ != NormalStressChange::fixed) {
+    ASPERITY_ASSERT(since_start_.reaction);
+    load_ = body.vector();
+    R_ = friction::NodeView("asperity::dynamics::compression", sigma_0_.extent(0));
+    scale_ = friction::NodeView("asperity::dynamics::perPascal", sigma_0_.extent(0));
   }
-  ASPERITY_ASSERT(since_start_.reaction);
-  const int size = fault.surface().numNodes();
-  load_ = body.vector();
-  sigma_0_ = friction::NodeView("asperity::dynamics::sigma0", size);
-  R_ = friction::NodeView("asperity::dynamics::compression", size);
-  scale_ = friction::NodeView("asperity::dynamics::perPascal", size);
-  per_pascal_ = scale_;
 }
 
 void NormalStressUpdate::evaluate(double t0, double t1)
 {
-  if (change_ != NormalStressChange::fixed) {
-    fault_.normalStress().at(t1, sigma_0_);
-  }
-  if (lagged()) {
+  fault_.normalStress().at(t1, sigma_0_);
+  if (change_ == NormalStressChange::lagged) {
     body_.load(t0, *load_);
   }
 }
 
-void NormalStressUpdate::begin(State const& from, friction::NodeView const& sigma_n)
+void NormalStressUpdate::begin(State const& from, Vector const& b, State& to)
 {
-  auto const& stress = fault_.normalStress();
-  if (lagged()) {
+  switch (change_) {
+  case NormalStressChange::fixed:
+    Kokkos::deep_copy(to.sigma_n, sigma_0_);
+    limit(to.sigma_n);
+    break;
+  case NormalStressChange::lagged:
     since_start_.reaction->compression(*load_, *from.u, *from.v, *from.a, R_);
-    stress.add(sigma_0_, R_, since_start_.at_start, sigma_n);
-  }
-  if (coupled()) {
-    stress.raiseToFloor(sigma_n); // an extrapolated guess may be below it
-    const double most = maxOverRanks(largest(from.sigma_n), *fault_.surface().communicator());
-    const double least = most > 0 ? small_share * most : 1;
-    auto const scale = scale_;
-    auto const before = from.sigma_n;
-    Kokkos::parallel_for(
-      "asperity::dynamics::scaleOfNormalStress", Nodes(0, scale.extent(0)),
-      KOKKOS_LAMBDA(int node) {
-        scale(node) = friction_over_b / (before(node) > least ? before(node) : least);
-      });
-  }
-}
-
-void NormalStressUpdate::takeRightSide(Vector const& b)
-{
-  if (coupled()) {
+    fault_.normalStress().add(sigma_0_, R_, since_start_.at_start, to.sigma_n);
+    break;
+  case NormalStressChange::coupled:
+    limit(to.sigma_n);
+    scaleBy(from.sigma_n);
     since_start_.reaction->gather(b, right_side_);
+    break;
   }
 }
 
-void NormalStressUpdate::respond(RateSolver const& solver, friction::NodeView const& sigma_n)
+void NormalStressUpdate::scaleBy(friction::ConstNodeView const& sigma_n)
+{
+  const double most = maxOverRanks(largest(sigma_n), *fault_.surface().communicator());
+  const double least = most > 0 ? small_share * most : 1;
+  auto const scale = scale_;
+  Kokkos::parallel_for(
+    "asperity::dynamics::scaleOfNormalStress", Nodes(0, scale.extent(0)), KOKKOS_LAMBDA(int node) {
+      scale(node) = friction_over_b / (sigma_n(node) > least ? sigma_n(node) : least);
+    });
+}
+
+int NormalStressUpdate::respond(FaultResponse const& to, friction::NodeView const& image)
 {
   ASPERITY_TIME_WORK("normal stress");
-  auto r = solver.reactions();
+  auto r = to.solver.reactions();
   for (std::size_t i = 0; i < r.size(); ++i) {
     r[i] -= right_side_[i];
   }
   since_start_.reaction->compression(r, R_);
-  fault_.normalStress().add(sigma_0_, R_, since_start_.at_start, sigma_n);
+  fault_.normalStress().add(sigma_0_, R_, since_start_.at_start, image);
+  return 0;
+}
+
+void NormalStressUpdate::limit(friction::NodeView const& sigma_n) const
+{
+  fault_.normalStress().raiseToFloor(sigma_n);
 }
 } // namespace asperity::dynamics

@@ -1,8 +1,8 @@
 #pragma once
 
+#include "dynamics/DyadicTime.hpp"
 #include "dynamics/NormalReaction.hpp"
 #include "dynamics/RateUpdate.hpp"
-#include "dynamics/control/DyadicTime.hpp"
 #include "dynamics/coupling/RateSolver.hpp"
 
 #include <list>

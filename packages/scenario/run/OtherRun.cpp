@@ -1,6 +1,7 @@
 #include "scenario/run/OtherRun.hpp"
 
 #include "base/Errors.hpp"
+#include "base/Views.hpp"
 #include "base/program/CommandLine.hpp"
 #include "catalogue/receivers/Interpolation.hpp"
 #include "fem/constraints/NodalFrames.hpp"
@@ -103,10 +104,10 @@ Values unknowns(Problem<Dim> const& problem, std::vector<int> const& vertices,
   return result;
 }
 
-Values onHost(friction::NodeView const& x)
+Values onHost(friction::ConstNodeView const& x)
 {
-  auto const view = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace(), x);
-  return Values(view.data(), view.data() + view.extent(0));
+  auto const view = toHost(x);
+  return Values(view.data(), view.data() + view.size());
 }
 
 Values reordered(Values const& values, std::vector<std::size_t> const& order)
@@ -169,6 +170,65 @@ RCP<ParameterList> deckOf(std::filesystem::path const& folder)
                                                      "parameters.xml and checkpoint.h5.");
   return readCompleteDeck(line);
 }
+
+using dynamics::FieldInfo;
+using dynamics::State;
+
+// Sets the fields of the body in the archive.
+template <int Dim>
+void carryBody(Problem<Dim> const& other, State const& state, io::OutputDomain const& from,
+               Problem<Dim> const& problem, io::OutputDomain const& to,
+               std::filesystem::path const& run, io::Archive& archive)
+{
+  std::vector<Values> there;
+  State::visitBody(
+    [&](FieldInfo const& info, RCP<Vector> const& field, RCP<Vector> const& start) {
+      if (info.counts_from_start) {
+        field->update(-1, *start, 1);
+      }
+      there.push_back(
+        fem::alongAxes(other.constraints->frames(), *other.body.dofs, *field, from.vertices));
+    },
+    state, other.initial);
+  catalogue::Interpolation in_body(from, to, run.string());
+  if (!problem.mesh.faults.empty()) {
+    in_body.searchAt(pointsInCells(problem.mesh, to.vertices));
+  }
+  auto const here = in_body(there, problem.components);
+  auto carried = here.begin();
+  State::visitBody(
+    [&](FieldInfo const& info, RCP<Vector> const& start) {
+      auto const values = unknowns(problem, to.vertices, *carried++);
+      archive.set("state/" + info.name, info.counts_from_start
+                                          ? sum(values, 1, onHost(dynamics::valuesOf(start)))
+                                          : values);
+    },
+    problem.initial);
+}
+
+// Sets the fields of the fault in the archive.
+template <int Dim>
+void carryFault(Problem<Dim> const& other, State const& state, io::OutputDomain const& from,
+                Problem<Dim> const& problem, io::OutputDomain const& to,
+                std::filesystem::path const& run, io::Archive& archive)
+{
+  auto const order_there = nodesOfFriction(other, from), order = nodesOfFriction(problem, to);
+  const catalogue::Interpolation along_fault(from, to, run.string());
+  State::visitFault(
+    [&](FieldInfo const& info, friction::NodeView const& field, friction::NodeView const& start,
+        friction::NodeView const& start_here) {
+      auto const there =
+        info.counts_from_start ? sum(onHost(field), -1, onHost(start)) : onHost(field);
+      auto const values = along_fault({reordered(there, order_there)}, 1).front();
+      Values here(order.size());
+      for (std::size_t node = 0; node < values.size(); ++node) {
+        here[order[node]] = values[node];
+      }
+      archive.set("state/" + info.name,
+                  info.counts_from_start ? sum(onHost(start_here), 1, here) : here);
+    },
+    state, other.initial, problem.initial);
+}
 } // namespace
 
 template <int Dim>
@@ -217,46 +277,8 @@ io::Archive stateOfOtherRun(std::filesystem::path const& run, Problem<Dim> const
 
   io::Archive archive;
   archive.set("state/time", clock.reaching(time));
-  auto const &from_volume = other_domains.at("volume"), &to_volume = domains.at("volume");
-  std::vector<Values> motions;
-  state.u->update(-1, *other.initial.u, 1); // displacement since the start
-  for (auto const& motion : {state.u, state.v, state.a, state.jerk}) {
-    motions.push_back(
-      fem::alongAxes(other.constraints->frames(), *other.body.dofs, *motion, from_volume.vertices));
-  }
-  catalogue::Interpolation in_body(from_volume, to_volume, run.string());
-  if (!problem.mesh.faults.empty()) {
-    in_body.searchAt(pointsInCells(problem.mesh, to_volume.vertices));
-  }
-  motions = in_body(motions, problem.components);
-  char const* const of_body[] = {"state/u", "state/v", "state/a", "state/jerk"};
-  for (std::size_t i = 0; i < motions.size(); ++i) {
-    auto values = unknowns(problem, to_volume.vertices, motions[i]);
-    if (i == 0) {
-      auto const start = problem.initial.u->getLocalViewHost(Tpetra::Access::ReadOnly);
-      for (std::size_t dof = 0; dof < values.size(); ++dof) {
-        values[dof] += start(dof, 0);
-      }
-    }
-    archive.set(of_body[i], values);
-  }
-
-  auto const from = nodesOfFriction(other, other_domains.at("fault"));
-  auto const to = nodesOfFriction(problem, domains.at("fault"));
-  const catalogue::Interpolation along_fault(other_domains.at("fault"), domains.at("fault"),
-                                             run.string());
-  const auto carried = [&](Values const& there) {
-    auto const values = along_fault({reordered(there, from)}, 1).front();
-    Values result(to.size());
-    for (std::size_t node = 0; node < to.size(); ++node) {
-      result[to[node]] = values[node];
-    }
-    return result;
-  };
-  auto const change = carried(sum(onHost(state.sigma_n), -1, onHost(other.initial.sigma_n)));
-  archive.set("state/sigma_n", sum(onHost(problem.initial.sigma_n), 1, change));
-  archive.set("state/alpha", carried(onHost(state.alpha)));
-  archive.set("state/alpha_of_rate", carried(onHost(state.alpha_of_rate)));
+  carryBody(other, state, other_domains.at("volume"), problem, domains.at("volume"), run, archive);
+  carryFault(other, state, other_domains.at("fault"), problem, domains.at("fault"), run, archive);
   return archive;
 }
 

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "dynamics/control/DyadicTime.hpp"
+#include "dynamics/DyadicTime.hpp"
 #include "io/OutputDomain.hpp"
 #include "io/checkpoint/Archive.hpp"
 #include "scenario/Problem.hpp"

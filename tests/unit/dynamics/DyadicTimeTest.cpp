@@ -1,4 +1,4 @@
-#include "dynamics/control/DyadicTime.hpp"
+#include "dynamics/DyadicTime.hpp"
 
 #include <gtest/gtest.h>
 

@@ -199,8 +199,16 @@ TEST(RunArchive, returnsWhatWasSaved)
   memory.trial->state.time = 1234567890123456789;
   memory.trial->state.v->putScalar(1e-300);
   Kokkos::deep_copy(memory.trial->state.alpha, -0.1);
+  // A field that a model adds is saved like the others.
+  const dynamics::FieldInfo pressure = {"p", "pressure", "Pa"};
+  auto like = problem.initial.clone();
+  for (auto* state : {&like, &memory.trial->state}) {
+    const friction::NodeView p("asperity::test::p", problem.initial.alpha.extent(0));
+    state->added.push_back({std::make_shared<const dynamics::FieldInfo>(pressure), p});
+  }
+  Kokkos::deep_copy(memory.trial->state.added[0].values, 4e6);
   io::Archive archive;
-  const StateFormat format(problem.initial, nullptr, dynamics::DyadicTime(1, 10));
+  const StateFormat format(like, nullptr, dynamics::DyadicTime(1, 10));
   format.save(archive, "control", memory);
   const auto read = format.loadControl(archive, "control");
   EXPECT_EQ(read.level, 3);
@@ -208,9 +216,12 @@ TEST(RunArchive, returnsWhatWasSaved)
   ASSERT_TRUE(read.trial);
   EXPECT_EQ(read.trial->iterations, 5);
   EXPECT_EQ(read.trial->state.time, memory.trial->state.time);
-  EXPECT_EQ(valuesOf(*read.trial->state.u), valuesOf(*problem.initial.u));
-  EXPECT_EQ(valuesOf(*read.trial->state.v), valuesOf(*memory.trial->state.v));
-  EXPECT_EQ(valuesOf(read.trial->state.alpha), valuesOf(memory.trial->state.alpha));
+  dynamics::State::visitFields(
+    [](dynamics::FieldInfo const& info, auto const& loaded, auto const& saved) {
+      EXPECT_EQ(valuesOf(dynamics::valuesOf(loaded)), valuesOf(dynamics::valuesOf(saved)))
+        << info.name;
+    },
+    read.trial->state, memory.trial->state);
 
   memory.trial.reset();
   io::Archive without_trial;

@@ -1,0 +1,50 @@
+#include "dynamics/State.hpp"
+
+namespace asperity::dynamics
+{
+namespace
+{
+RCP<Vector> likeField(RCP<Vector> const& field)
+{
+  constexpr bool set_to_zero = false;
+  return rcp(new Vector(field->getMap(), set_to_zero));
+}
+
+friction::NodeView likeField(friction::NodeView const& field)
+{
+  return friction::NodeView(Kokkos::view_alloc(field.label(), Kokkos::WithoutInitializing),
+                            field.extent(0));
+}
+} // namespace
+
+friction::ConstNodeView valuesOf(RCP<Vector> const& field)
+{
+  auto const view = field->getLocalViewDevice(Tpetra::Access::ReadOnly);
+  return friction::ConstNodeView(view.data(), view.extent(0));
+}
+
+friction::NodeView overwritten(RCP<Vector> const& field)
+{
+  auto const view = field->getLocalViewDevice(Tpetra::Access::OverwriteAll);
+  return friction::NodeView(view.data(), view.extent(0));
+}
+
+State State::sameShape() const
+{
+  State other;
+  other.time = time;
+  other.added = added;
+  visitFields([](FieldInfo const&, auto const& field, auto& copy) { copy = likeField(field); },
+              *this, other);
+  return other;
+}
+
+State State::clone() const
+{
+  State copy = sameShape();
+  visitFields([](FieldInfo const&, auto const& field,
+                 auto const& to) { Kokkos::deep_copy(overwritten(to), valuesOf(field)); },
+              *this, copy);
+  return copy;
+}
+} // namespace asperity::dynamics

@@ -1,0 +1,40 @@
+#pragma once
+
+#include "dynamics/State.hpp"
+#include "dynamics/coupling/RateSolver.hpp"
+
+namespace asperity::dynamics
+{
+// What the unknowns of a step respond to after each iteration of the rate problem.
+struct FaultResponse
+{
+  State const& from;
+  double tau;                        // of the step [s]
+  friction::ConstNodeView slip_rate; // mean over the step (num_nodes) [m/s]
+  RateSolver const& solver;          // which has the velocity
+  State const& to;                   // with the present iterates
+};
+
+// An unknown of the fixed point of a step beside the velocity: a field of the state at the nodes of
+// the fault that the rate problem takes as given and that follows from the velocity.
+class FaultUnknown
+{
+public:
+  virtual ~FaultUnknown() = default;
+
+  virtual friction::NodeView const& of(State const& state) const = 0;
+  // image(num_nodes): the value that follows from the velocity. Returns how many of this rank's
+  // nodes have none. Collective.
+  virtual int respond(FaultResponse const& to, friction::NodeView const& image) = 0;
+  // Moves values that the acceleration has extrapolated to where the model has a meaning.
+  virtual void limit(friction::NodeView const&) const {}
+  // (num_nodes): the factor that makes a change of it count like the same change of alpha in the
+  // tolerance and in the acceleration; a view without entries means 1.
+  virtual friction::ConstNodeView scale() const { return {}; }
+  // Whether the state at the end of the step has the last image, or the value with which the rate
+  // problem was solved.
+  virtual bool endsWithImage() const { return false; }
+  // Whether step controls measure the error of a step in it.
+  virtual bool controlsSteps() const { return false; }
+};
+} // namespace asperity::dynamics
