@@ -94,12 +94,13 @@ void StepControl::giveUp(State const& from, int level) const
 
 std::string StepControl::failure(State const& from, int level, std::string const& lost) const
 {
+  auto const [why, cure] = sizeOfLastStep();
   std::ostringstream message;
   message << "Step " << memory_.num_steps + 1 << ", from t = " << clock().seconds(from.time)
-          << " s: a step of " << clock().stepSize(level)
-          << " s, the smallest allowed, failed: " << reason(last_status_) << lost
-          << ". Try a smaller 'Smallest Step', a looser tolerance or more iterations of Coupling "
-             "and TNNMG: --restart goes on with them.";
+          << " s: a step of " << clock().stepSize(level) << " s, " << why
+          << ", failed: " << reason(last_status_) << lost << ". Try " << cure
+          << ", or a looser tolerance or more iterations of Coupling and TNNMG: --restart goes on "
+             "with them.";
   return message.str();
 }
 

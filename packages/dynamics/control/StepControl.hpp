@@ -117,8 +117,19 @@ protected:
 
   ControlMemory memory_;
 
+  // For the message of a run that fails: why its step was not made smaller, and how it may be.
+  struct SizeOfLastStep
+  {
+    char const* reason;
+    char const* cure;
+  };
+
 private:
   std::string failure(State const& from, int level, std::string const& lost) const;
+  virtual SizeOfLastStep sizeOfLastStep() const
+  {
+    return {"the smallest allowed", "a smaller 'Smallest Step'"};
+  }
 
   CoupledStep& step_;
   std::vector<DyadicTime::Ticks> instants_;
@@ -135,6 +146,11 @@ public:
   AcceptedStep advance(State& current, SolveCount& count) override;
 
 private:
+  SizeOfLastStep sizeOfLastStep() const override
+  {
+    return {"as prescribed", "in a new run smaller steps in 'Prescribed / Levels'"};
+  }
+
   std::vector<int> levels_;
 };
 

@@ -119,8 +119,8 @@ public:
   RCP<Vector> const& lastRightSide() const { return b_; }
 
   // Makes a step of the given level from `from` to `to`, which must have the shapes of `from`. On
-  // entry `to` holds a guess of the fields that are guessed. If the step fails, only the unknowns of
-  // the fault in `to`, the last iterates, may be used, in messages. Collective.
+  // entry `to` holds a guess of the fields that are guessed. If the step fails, only the unknowns
+  // of the fault in `to`, the last iterates, may be used, in messages. Collective.
   CoupledResult solve(State const& from, int level, State& to, SolveCount& count);
 
   // The same for the fault alone: its unknowns and v there; v elsewhere is a guess, and u, a and

@@ -27,6 +27,15 @@ double largest(friction::ConstNodeView const& values)
     Kokkos::Max<double>(result));
   return std::max(result, 0.); // a rank without nodes has no maximum
 }
+
+// scale := friction_over_b / sigma_n, where a smaller sigma_n counts as `least`.
+void setScale(friction::ConstNodeView const& sigma_n, double least, friction::NodeView const& scale)
+{
+  Kokkos::parallel_for(
+    "asperity::dynamics::scaleOfNormalStress", Nodes(0, scale.extent(0)), KOKKOS_LAMBDA(int node) {
+      scale(node) = friction_over_b / (sigma_n(node) > least ? sigma_n(node) : least);
+    });
+}
 } // namespace
 
 NormalStressUpdate::NormalStressUpdate(Body const& body, Fault const& fault,
@@ -65,22 +74,12 @@ void NormalStressUpdate::begin(State const& from, Vector const& b, State& to)
     fault_.normalStress().add(sigma_0_, R_, since_start_.at_start, to.sigma_n);
     break;
   case NormalStressChange::coupled:
+    const double most = maxOverRanks(largest(from.sigma_n), *fault_.surface().communicator());
+    setScale(from.sigma_n, most > 0 ? small_share * most : 1, scale_);
     limit(to.sigma_n);
-    scaleBy(from.sigma_n);
     since_start_.reaction->gather(b, right_side_);
     break;
   }
-}
-
-void NormalStressUpdate::scaleBy(friction::ConstNodeView const& sigma_n)
-{
-  const double most = maxOverRanks(largest(sigma_n), *fault_.surface().communicator());
-  const double least = most > 0 ? small_share * most : 1;
-  auto const scale = scale_;
-  Kokkos::parallel_for(
-    "asperity::dynamics::scaleOfNormalStress", Nodes(0, scale.extent(0)), KOKKOS_LAMBDA(int node) {
-      scale(node) = friction_over_b / (sigma_n(node) > least ? sigma_n(node) : least);
-    });
 }
 
 int NormalStressUpdate::respond(FaultResponse const& to, friction::NodeView const& image)

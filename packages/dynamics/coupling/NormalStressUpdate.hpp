@@ -35,8 +35,6 @@ public:
   friction::ConstNodeView scale() const override { return scale_; }
 
 private:
-  void scaleBy(friction::ConstNodeView const& sigma_n);
-
   Body const& body_;
   Fault const& fault_;
   NormalStressChange change_;

@@ -5,9 +5,9 @@
 
 namespace asperity::dynamics
 {
-// alpha, which flows with the mean slip rate of the step. A change of the normal stress shifts it by
-// -(c / b) d(ln sigma_n) (Linker and Dieterich 1992): half of the shift comes before the flow, half
-// after it (Strang 1968), which is of second order.
+// alpha, which flows with the mean slip rate of the step. A change of the normal stress shifts it
+// by -(c / b) d(ln sigma_n) (Linker and Dieterich 1992): half of the shift comes before the flow,
+// half after it (Strang 1968), which is of second order.
 class StateUpdate final : public FaultUnknown
 {
 public:
