@@ -133,6 +133,26 @@ std::vector<double> slipUnknowns(fem::FaultSurface const& surface, Vector const&
   return {host.data(), host.data() + host.size()};
 }
 
+void setSlipRate(fem::FaultSurface const& surface, std::vector<double> const& rates, Vector& v)
+{
+  auto const values = v.getLocalViewDevice(Tpetra::Access::ReadWrite);
+  auto const dofs = surface.dofs();
+  auto const held = surface.heldDofs();
+  auto const slip = toDevice(rates, "asperity::dynamics::slipRates");
+  auto const of_plates = surface.plateRates();
+  const bool plates_move = surface.hasPlateRate();
+  const double factor = surface.slipFactor();
+  Kokkos::parallel_for(
+    "asperity::dynamics::setSlipRate", Nodes(0, dofs.extent_int(0)), KOKKOS_LAMBDA(int node) {
+      for (int k = 0; k < dofs.extent_int(1); ++k) {
+        const int i = node * dofs.extent_int(1) + k;
+        if (!held(dofs(node, k))) {
+          values(dofs(node, k), 0) = (slip(i) - (plates_move ? of_plates(i) : 0)) / factor;
+        }
+      }
+    });
+}
+
 void stickToPlates(fem::FaultSurface const& surface, Vector& v)
 {
   if (!surface.hasPlateRate()) {

@@ -24,6 +24,10 @@ void gatherSlip(fem::FaultSurface const& surface, Vector const& v,
 // The same on the host, node by node: (num_nodes, T).
 std::vector<double> slipUnknowns(fem::FaultSurface const& surface, Vector const& v);
 
+// Sets the unknowns v(owned dofs) where friction decides on the velocity such that the fault slips
+// at these rates(num_nodes, T) [m/s].
+void setSlipRate(fem::FaultSurface const& surface, std::vector<double> const& rates, Vector& v);
+
 // Sets v(owned dofs) to -Vp / slip factor where friction decides on the velocity: there a fault
 // that moves at v does not slip. Does nothing without a plate rate.
 void stickToPlates(fem::FaultSurface const& surface, Vector& v);
