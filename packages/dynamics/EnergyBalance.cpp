@@ -7,24 +7,131 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
+#include <utility>
 
 namespace asperity::dynamics
 {
 namespace
 {
-// This rank's part of the work of a force in a step: mean over the ends times displacement.
-double work(Vector const& u0, Vector const& u1, Vector const& f0, Vector const& f1)
+using Indices = Kokkos::RangePolicy<ExecutionSpace>;
+
+auto reading(Vector const& x) { return x.getLocalViewDevice(Tpetra::Access::ReadOnly); }
+using Values = decltype(reading(std::declval<Vector const&>())); // (num owned dofs, 1)
+
+// A force at a dof over a step: the mean over the ends of the step, and the work in it.
+struct ForceOfStep
 {
-  const auto read = [](Vector const& x) { return x.getLocalViewDevice(Tpetra::Access::ReadOnly); };
-  auto const from = read(u0), to = read(u1), before = read(f0), after = read(f1);
+  Values u0, u1, f0, f1;
+  KOKKOS_INLINE_FUNCTION double mean(int dof) const { return (f0(dof, 0) + f1(dof, 0)) / 2; }
+  KOKKOS_INLINE_FUNCTION double motion(int dof) const { return u1(dof, 0) - u0(dof, 0); }
+  KOKKOS_INLINE_FUNCTION double operator()(int dof) const { return mean(dof) * motion(dof); }
+};
+
+struct Square
+{
+  Values x;
+  KOKKOS_INLINE_FUNCTION double operator()(int dof) const { return x(dof, 0) * x(dof, 0); }
+};
+
+// l - M a - C v - K u at a dof.
+struct Residual
+{
+  Values load, inertial, viscous, elastic;
+  KOKKOS_INLINE_FUNCTION double operator()(int dof) const
+  {
+    return load(dof, 0) - inertial(dof, 0) - viscous(dof, 0) - elastic(dof, 0);
+  }
+};
+
+// Sums over this rank's dofs, or over some of them.
+template <class Value>
+double sumOfAll(int num_dofs, Value const& value)
+{
   double sum = 0;
   Kokkos::parallel_reduce(
-    "asperity::dynamics::work", Kokkos::RangePolicy<ExecutionSpace>(0, from.extent(0)),
-    KOKKOS_LAMBDA(int dof, double& part) {
-      part += (before(dof, 0) + after(dof, 0)) / 2 * (to(dof, 0) - from(dof, 0));
-    },
-    sum);
+    "asperity::dynamics::sumOfAll", Indices(0, num_dofs),
+    KOKKOS_LAMBDA(int dof, double& part) { part += value(dof); }, sum);
   return sum;
+}
+
+template <class Value>
+double sumAt(IndexView const& dofs, Value const& value)
+{
+  double sum = 0;
+  Kokkos::parallel_reduce(
+    "asperity::dynamics::sumAt", Indices(0, dofs.extent_int(0)),
+    KOKKOS_LAMBDA(int i, double& part) { part += value(dofs(i)); }, sum);
+  return sum;
+}
+
+void clearAt(IndexView const& dofs, Vector& x)
+{
+  auto const values = x.getLocalViewDevice(Tpetra::Access::ReadWrite);
+  Kokkos::parallel_for(
+    "asperity::dynamics::clearAt", Indices(0, dofs.extent_int(0)),
+    KOKKOS_LAMBDA(int i) { values(dofs(i), 0) = 0; });
+}
+
+// Sets the result at the dofs of the fault to friction, at nodes at rest to the residual, which
+// friction balances, and at held dofs to the reaction.
+void setForce(fem::FaultSurface const& surface, IndexView const& held,
+              friction::ConstBlockView const& w, friction::ConstBlockView const& friction,
+              Residual const& residual, Vector& result)
+{
+  auto const force = result.getLocalViewDevice(Tpetra::Access::ReadWrite);
+  auto const dofs = surface.dofs();
+  Kokkos::parallel_for(
+    "asperity::dynamics::forceOnFault", Indices(0, surface.numNodes()), KOKKOS_LAMBDA(int node) {
+      bool sliding = false;
+      for (int k = 0; k < dofs.extent_int(1); ++k) {
+        sliding = sliding || w(node, k) != 0;
+      }
+      for (int k = 0; k < dofs.extent_int(1); ++k) {
+        force(dofs(node, k), 0) = sliding ? friction(node, k) : residual(dofs(node, k));
+      }
+    });
+  Kokkos::parallel_for(
+    "asperity::dynamics::reactions", Indices(0, held.extent_int(0)),
+    KOKKOS_LAMBDA(int i) { force(held(i), 0) = residual(held(i)); });
+}
+
+// What friction and radiation damping dissipate because plates move along the fault.
+struct TakenFromPlates
+{
+  double friction = 0, damping = 0;
+};
+
+// Of this rank, in a step of tau [s] with the velocities v0 and v1 at its ends.
+TakenFromPlates takenFromPlates(fem::FaultSurface const& surface,
+                                friction::ConstNodeView const& eta, double tau,
+                                ForceOfStep const& force, Values const& v0, Values const& v1)
+{
+  const double factor = surface.slipFactor();
+  auto const dofs = surface.dofs();
+  auto const held = surface.heldDofs();
+  auto const weight = surface.weights();
+  auto const rates = surface.plateRates();
+  const bool is_damped = eta.extent(0) > 0;
+  TakenFromPlates works;
+  Kokkos::parallel_reduce(
+    "asperity::dynamics::takenFromPlates", Indices(0, surface.numNodes()),
+    KOKKOS_LAMBDA(int node, double& friction, double& damping) {
+      for (int k = 0; k < dofs.extent_int(1); ++k) {
+        const int dof = dofs(node, k);
+        const double Vp = rates(node * dofs.extent_int(1) + k);
+        const double by_plates = tau * Vp / factor;
+        if (!held(dof)) {
+          friction += force.mean(dof) * by_plates;
+        }
+        if (is_damped) {
+          const double slip_rate = factor * (v0(dof, 0) + v1(dof, 0)) / 2 + Vp;
+          damping += weight(node) * eta(node) * (Vp * force.motion(dof) + slip_rate * by_plates);
+        }
+      }
+    },
+    works.friction, works.damping);
+  return works;
 }
 } // namespace
 
@@ -49,20 +156,20 @@ EnergyBalance::EnergyBalance(Body const& body, Fault const& fault, DyadicTime co
     , before_(snapshot())
     , after_(snapshot())
     , momentum_(body.vector())
-    , v_("asperity::dynamics::v", fault.surface().numNodes(), fault.surface().numTangents())
+    , eta_(toDevice(fault.laws().radiation_damping, "asperity::dynamics::radiationDamping"))
+    , w_("asperity::dynamics::w", fault.surface().numNodes(), fault.surface().numTangents())
     , gradient_("asperity::dynamics::gradient", fault.surface().numNodes(),
                 fault.surface().numTangents())
     , hessian_("asperity::dynamics::hessian", fault.surface().numNodes(),
                fault.surface().numTangents(), fault.surface().numTangents())
     , kinked_("asperity::dynamics::kinked", fault.surface().numNodes())
 {
+  std::vector<int> dofs;
   for (auto const& node : fault.surface()) {
-    for (int dof : node.dofs) {
-      if (!body.held[dof]) {
-        fault_dofs_.push_back(dof);
-      }
-    }
+    std::copy_if(node.dofs.begin(), node.dofs.end(), std::back_inserter(dofs),
+                 [&](int dof) { return !body.held[dof]; });
   }
+  fault_dofs_ = toDevice(dofs, "asperity::dynamics::faultDofs");
 }
 
 EnergyBalance::Snapshot EnergyBalance::snapshot() const
@@ -82,38 +189,17 @@ void EnergyBalance::fill(State const& state, Snapshot& result)
   fillForce(state, result);
 }
 
-// Sets at.force: friction at the dofs of the fault (at nodes at rest the residual, which friction
-// balances), and reactions at held dofs.
 void EnergyBalance::fillForce(State const& state, Snapshot const& at)
 {
   auto const& surface = fault_.surface();
-  gatherSlip(surface, *state.v, v_);
-  fault_.friction().linearise(v_, {state.alpha_of_rate, state.sigma_n}, gradient_, hessian_,
+  gatherSlip(surface, *state.v, w_);
+  fault_.friction().linearise(w_, {state.alpha_of_rate, state.sigma_n}, gradient_, hessian_,
                               kinked_);
-  auto const gradient = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace(), gradient_);
-  auto const v = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace(), v_);
-  auto const load = at.load->getLocalViewHost(Tpetra::Access::ReadOnly);
-  auto const elastic = at.resisting.elastic->getLocalViewHost(Tpetra::Access::ReadOnly);
-  auto const viscous = at.resisting.viscous->getLocalViewHost(Tpetra::Access::ReadOnly);
-  auto const inertial = at.resisting.inertial->getLocalViewHost(Tpetra::Access::ReadOnly);
-  const auto residual = [&](int dof) {
-    return load(dof, 0) - inertial(dof, 0) - viscous(dof, 0) - elastic(dof, 0);
-  };
   at.force->putScalar(0);
-  auto const force = at.force->getLocalViewHost(Tpetra::Access::ReadWrite);
-  for (int node = 0; node < surface.numNodes(); ++node) {
-    bool sliding = false;
-    for (int k = 0; k < surface.numTangents(); ++k) {
-      sliding = sliding || v(node, k) != 0;
-    }
-    for (int k = 0; k < surface.numTangents(); ++k) {
-      const int dof = surface[node].dofs[k];
-      force(dof, 0) = sliding ? gradient(node, k) : residual(dof);
-    }
-  }
-  for (int dof : body_.held.owned()) {
-    force(dof, 0) = residual(dof);
-  }
+  setForce(surface, body_.held.ownedOnDevice(), w_, gradient_,
+           {reading(*at.load), reading(*at.resisting.inertial), reading(*at.resisting.viscous),
+            reading(*at.resisting.elastic)},
+           *at.force);
 }
 
 void EnergyBalance::start(State const& state)
@@ -129,23 +215,16 @@ void EnergyBalance::noteImbalance()
   start_residual_ = body_.vector();
   start_residual_->update(1, *before_.load, 0);
   before_.resisting.subtractFrom(*start_residual_);
-  auto const driving = *start_residual_; // l - C v - K u
+  const Vector driving(*start_residual_, Teuchos::Copy); // l - C v - K u
   start_residual_->update(-1, *before_.force, 1);
   body_.clearHeld(*start_residual_);
 
-  auto const r0 = start_residual_->getLocalViewHost(Tpetra::Access::ReadOnly);
-  auto const r = driving.getLocalViewHost(Tpetra::Access::ReadOnly);
-  auto const f = before_.force->getLocalViewHost(Tpetra::Access::ReadOnly);
-  std::array<double, 4> squares{}; // of r0 everywhere; r0, r and f on the fault
-  for (int dof = 0; dof < body_.numOwnedDofs(); ++dof) {
-    squares[0] += r0(dof, 0) * r0(dof, 0);
-  }
-  for (const int dof : fault_dofs_) {
-    squares[1] += r0(dof, 0) * r0(dof, 0);
-    squares[2] += r(dof, 0) * r(dof, 0);
-    squares[3] += f(dof, 0) * f(dof, 0);
-  }
-  auto const all = sumOverRanks(squares, *body_.dofs->communicator());
+  const Square of_r0{reading(*start_residual_)};
+  auto const all = sumOverRanks(
+    std::array<double, 4>{sumOfAll(body_.numOwnedDofs(), of_r0), sumAt(fault_dofs_, of_r0),
+                          sumAt(fault_dofs_, Square{reading(driving)}),
+                          sumAt(fault_dofs_, Square{reading(*before_.force)})},
+    *body_.dofs->communicator());
   const auto ratio = [](double part, double whole) { return part > 0 ? part / whole : 0; };
   const double whole = std::max(before_.load->norm2(), before_.resisting.elastic->norm2());
   start_imbalance_ = std::max(std::sqrt(ratio(all[1], std::max(all[2], all[3]))),
@@ -162,110 +241,55 @@ void EnergyBalance::resume(State const& state, Energy const& so_far)
   energy_.elastic = before_.elastic;
 }
 
-// Of this rank, in the step from before_ to after_.
+// Of this rank, in the step from before_ to after_. What the motion of the plates adds to the works
+// of friction and of radiation damping is supplied by the loads. The part eta Vp of the traction of
+// radiation damping is a load of the body (fem::addRadiationOfPlates): its work is moved from the
+// loads to what damping dissipates.
 EnergyBalance::Works EnergyBalance::worksOfStep() const
 {
-  Works works;
-  works.load = work(*before_.u, *after_.u, *before_.load, *after_.load);
-  works.viscous =
-    work(*before_.u, *after_.u, *before_.resisting.viscous, *after_.resisting.viscous);
-  works.inertial =
-    work(*before_.u, *after_.u, *before_.resisting.inertial, *after_.resisting.inertial);
-  auto const u0 = before_.u->getLocalViewHost(Tpetra::Access::ReadOnly);
-  auto const u1 = after_.u->getLocalViewHost(Tpetra::Access::ReadOnly);
-  auto const f0 = before_.force->getLocalViewHost(Tpetra::Access::ReadOnly);
-  auto const f1 = after_.force->getLocalViewHost(Tpetra::Access::ReadOnly);
-  const auto workAt = [&](std::vector<int> const& dofs) {
-    double work = 0;
-    for (int dof : dofs) {
-      work += (f0(dof, 0) + f1(dof, 0)) / 2 * (u1(dof, 0) - u0(dof, 0));
-    }
-    return work;
+  const auto during = [&](Vector const& f0, Vector const& f1) {
+    return ForceOfStep{reading(*before_.u), reading(*after_.u), reading(f0), reading(f1)};
   };
-  works.friction = workAt(fault_dofs_);
-  works.boundary = -workAt(body_.held.owned());
-  return works;
-}
-
-// Of this rank, in the step from before_ to after_: what the motion of the plates adds to the works
-// of friction and of radiation damping, and to that of the loads, which supply it. The part eta Vp
-// of the traction of radiation damping is a load of the body (fem::addRadiationOfPlates): its work
-// is moved from the loads to what damping dissipates.
-EnergyBalance::Works EnergyBalance::workOfPlates() const
-{
+  auto const &then = before_.resisting, &now = after_.resisting;
+  auto const force = during(*before_.force, *after_.force);
+  const int num_dofs = body_.numOwnedDofs();
   Works works;
-  auto const& surface = fault_.surface();
-  if (!surface.hasPlateRate()) {
-    return works;
+  works.load = sumOfAll(num_dofs, during(*before_.load, *after_.load));
+  works.viscous = sumOfAll(num_dofs, during(*then.viscous, *now.viscous));
+  works.inertial = sumOfAll(num_dofs, during(*then.inertial, *now.inertial));
+  works.friction = sumAt(fault_dofs_, force);
+  works.boundary = -sumAt(body_.held.ownedOnDevice(), force);
+  if (fault_.surface().hasPlateRate()) {
+    const double tau = clock_.seconds(after_.time - before_.time);
+    const auto of_plates =
+      takenFromPlates(fault_.surface(), eta_, tau, force, reading(*before_.v), reading(*after_.v));
+    works.load += of_plates.friction + of_plates.damping;
+    works.friction += of_plates.friction;
+    works.viscous += of_plates.damping;
   }
-  const double tau = clock_.seconds(after_.time - before_.time);
-  const double factor = surface.slipFactor();
-  auto const& eta = fault_.laws().radiation_damping;
-  auto const f0 = before_.force->getLocalViewHost(Tpetra::Access::ReadOnly);
-  auto const f1 = after_.force->getLocalViewHost(Tpetra::Access::ReadOnly);
-  auto const v0 = before_.v->getLocalViewHost(Tpetra::Access::ReadOnly);
-  auto const v1 = after_.v->getLocalViewHost(Tpetra::Access::ReadOnly);
-  auto const u0 = before_.u->getLocalViewHost(Tpetra::Access::ReadOnly);
-  auto const u1 = after_.u->getLocalViewHost(Tpetra::Access::ReadOnly);
-  for (int node = 0; node < surface.numNodes(); ++node) {
-    for (int k = 0; k < surface.numTangents(); ++k) {
-      const int dof = surface[node].dofs[k];
-      const double Vp = surface.plateRate(node, k);
-      const double by_plates = tau * Vp / factor;
-      if (!surface.held(node, k)) {
-        works.friction += (f0(dof, 0) + f1(dof, 0)) / 2 * by_plates;
-      }
-      if (!eta.empty()) {
-        const double slip_rate = factor * (v0(dof, 0) + v1(dof, 0)) / 2 + Vp;
-        const double du = u1(dof, 0) - u0(dof, 0);
-        works.viscous += surface[node].weight * eta[node] * (Vp * du + slip_rate * by_plates);
-      }
-    }
-  }
-  works.load = works.friction + works.viscous;
   return works;
 }
 
-// Of this rank, in the first step: what r0 adds to the works of the forces at its beginning.
-void EnergyBalance::addJump(Works& works) const
+// A quasi-dynamic body begins its first step with the forces after the jump: r0 acts on the fault as
+// friction, and inside the body as the inertia that would stop the waves.
+void EnergyBalance::jump()
 {
-  auto const& surface = fault_.surface();
-  auto const r0 = start_residual_->getLocalViewHost(Tpetra::Access::ReadOnly);
-  auto const u0 = before_.u->getLocalViewHost(Tpetra::Access::ReadOnly);
-  auto const u1 = after_.u->getLocalViewHost(Tpetra::Access::ReadOnly);
-  const auto workAt = [&](int dof) { return r0(dof, 0) / 2 * (u1(dof, 0) - u0(dof, 0)); };
-  for (int dof = 0; dof < body_.numOwnedDofs(); ++dof) {
-    works.inertial += workAt(dof);
-  }
-  for (const int dof : fault_dofs_) {
-    works.friction += workAt(dof);
-    works.inertial -= workAt(dof);
-  }
-  const double tau = clock_.seconds(after_.time - before_.time);
-  for (int node = 0; node < surface.numNodes(); ++node) {
-    for (int k = 0; k < surface.numTangents(); ++k) {
-      const double by_plates = tau * surface.plateRate(node, k) / surface.slipFactor();
-      const double work = r0(surface[node].dofs[k], 0) / 2 * by_plates;
-      works.friction += work;
-      works.load += work;
-    }
-  }
+  before_.force->update(1, *start_residual_, 1);
+  before_.resisting.inertial->update(1, *start_residual_, 1);
+  clearAt(fault_dofs_, *before_.resisting.inertial);
+  start_residual_ = Teuchos::null;
 }
 
 Energy const& EnergyBalance::advance(State const& state)
 {
   fill(state, after_);
-  auto of_body = worksOfStep();
-  auto const of_plates = workOfPlates();
   if (!start_residual_.is_null()) {
-    addJump(of_body);
-    start_residual_ = Teuchos::null;
+    jump();
   }
-  auto const [load, boundary, friction, viscous, inertial] =
-    sumOverRanks(std::array<double, 5>{of_body.load + of_plates.load, of_body.boundary,
-                                       of_body.friction + of_plates.friction,
-                                       of_body.viscous + of_plates.viscous, of_body.inertial},
-                 *body_.dofs->communicator());
+  auto const mine = worksOfStep();
+  auto const [load, boundary, friction, viscous, inertial] = sumOverRanks(
+    std::array<double, 5>{mine.load, mine.boundary, mine.friction, mine.viscous, mine.inertial},
+    *body_.dofs->communicator());
   const double of_kinetic = after_.kinetic - before_.kinetic;
   const double numerical = inertial - of_kinetic;
   const double change = of_kinetic + after_.elastic - before_.elastic;

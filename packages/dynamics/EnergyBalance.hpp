@@ -69,6 +69,8 @@ public:
   // Friction forces on the fault and reactions at held dofs, at the last state [N per unit of
   // thickness].
   Vector const& force() const { return *before_.force; }
+  // w(num_nodes, T) of gatherSlip at the last state.
+  friction::ConstBlockView slipVelocity() const { return w_; }
 
 private:
   struct Snapshot
@@ -88,18 +90,18 @@ private:
   void fill(State const& state, Snapshot& result);
   void fillForce(State const& state, Snapshot const& at);
   Works worksOfStep() const;
-  Works workOfPlates() const;
-  void addJump(Works& works) const;
+  void jump();
 
   Body const& body_;
   Fault const& fault_;
   DyadicTime clock_;
-  std::vector<int> fault_dofs_; // that are not held
+  IndexView fault_dofs_; // that are not held
   Snapshot before_, after_;
   RCP<Vector> momentum_;
   RCP<Vector> start_residual_; // r0, until the first step is made; null if there is none
   double start_imbalance_ = 0;
-  friction::BlockView v_, gradient_;
+  friction::ConstNodeView eta_;      // (num_nodes) radiation damping [Pa s/m], or nothing
+  friction::BlockView w_, gradient_; // w of gatherSlip, and the friction forces at it
   friction::HessianView hessian_;
   friction::FlagView kinked_;
   Energy energy_;

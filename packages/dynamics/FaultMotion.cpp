@@ -124,13 +124,43 @@ void gatherSlip(fem::FaultSurface const& surface, Vector const& v,
     });
 }
 
-std::vector<double> slipUnknowns(fem::FaultSurface const& surface, Vector const& v)
+void gatherSlipSince(fem::FaultSurface const& surface, friction::ConstBlockView const& start,
+                     Vector const& u, double time, friction::BlockView const& blocks)
 {
-  const friction::BlockView blocks("asperity::dynamics::slip", surface.numNodes(),
-                                   surface.numTangents());
-  gatherSlip(surface, v, blocks);
-  auto const host = toHost(blocks);
-  return {host.data(), host.data() + host.size()};
+  gather(surface, u, blocks);
+  auto const rates = surface.plateRates();
+  const bool plates_move = surface.hasPlateRate();
+  const double factor = surface.slipFactor();
+  const int size = surface.numTangents();
+  Kokkos::parallel_for(
+    "asperity::dynamics::gatherSlipSince", Nodes(0, surface.numNodes()), KOKKOS_LAMBDA(int node) {
+      for (int k = 0; k < size; ++k) {
+        blocks(node, k) -= start(node, k);
+        if (plates_move) {
+          blocks(node, k) += rates(node * size + k) * time / factor;
+        }
+      }
+    });
+}
+
+void setSlipRate(fem::FaultSurface const& surface, std::vector<double> const& rates, Vector& v)
+{
+  auto const values = v.getLocalViewDevice(Tpetra::Access::ReadWrite);
+  auto const dofs = surface.dofs();
+  auto const held = surface.heldDofs();
+  auto const slip = toDevice(rates, "asperity::dynamics::slipRates");
+  auto const of_plates = surface.plateRates();
+  const bool plates_move = surface.hasPlateRate();
+  const double factor = surface.slipFactor();
+  Kokkos::parallel_for(
+    "asperity::dynamics::setSlipRate", Nodes(0, dofs.extent_int(0)), KOKKOS_LAMBDA(int node) {
+      for (int k = 0; k < dofs.extent_int(1); ++k) {
+        const int i = node * dofs.extent_int(1) + k;
+        if (!held(dofs(node, k))) {
+          values(dofs(node, k), 0) = (slip(i) - (plates_move ? of_plates(i) : 0)) / factor;
+        }
+      }
+    });
 }
 
 void stickToPlates(fem::FaultSurface const& surface, Vector& v)
@@ -174,13 +204,9 @@ void slipRate(fem::FaultSurface const& surface, friction::ConstBlockView const& 
     });
 }
 
-double peakSlipRate(fem::FaultSurface const& surface, Vector const& v)
+double peakSlipRate(fem::FaultSurface const& surface, friction::ConstNodeView const& V)
 {
   const int size = surface.numTangents();
-  const friction::BlockView slip("asperity::dynamics::slip", surface.numNodes(), size);
-  const friction::NodeView V("asperity::dynamics::slipRate", surface.numNodes());
-  gatherSlip(surface, v, slip);
-  slipRate(surface, slip, V);
   auto const dofs = surface.dofs();
   auto const held = surface.heldDofs();
   double mine = 0;

@@ -21,8 +21,14 @@ void gather(fem::FaultSurface const& surface, Vector const& v, friction::BlockVi
 // slip: blocks(num_nodes, T). The slip rate as a vector is slip factor times w.
 void gatherSlip(fem::FaultSurface const& surface, Vector const& v,
                 friction::BlockView const& blocks);
-// The same on the host, node by node: (num_nodes, T).
-std::vector<double> slipUnknowns(fem::FaultSurface const& surface, Vector const& v);
+// The same of the displacement u(owned dofs) after `time` [s] in which the plates have moved, from
+// that of the start(num_nodes, T): slip factor times the blocks(num_nodes, T) is slip as a vector.
+void gatherSlipSince(fem::FaultSurface const& surface, friction::ConstBlockView const& start,
+                     Vector const& u, double time, friction::BlockView const& blocks);
+
+// Sets the unknowns v(owned dofs) where friction decides on the velocity such that the fault slips
+// at these rates(num_nodes, T) [m/s].
+void setSlipRate(fem::FaultSurface const& surface, std::vector<double> const& rates, Vector& v);
 
 // Sets v(owned dofs) to -Vp / slip factor where friction decides on the velocity: there a fault
 // that moves at v does not slip. Does nothing without a plate rate.
@@ -33,9 +39,9 @@ void stickToPlates(fem::FaultSurface const& surface, Vector& v);
 void slipRate(fem::FaultSurface const& surface, friction::ConstBlockView const& v,
               friction::NodeView const& V);
 
-// The largest slip rate [m/s] over all ranks at nodes where friction decides on the velocity.
-// Collective.
-double peakSlipRate(fem::FaultSurface const& surface, Vector const& v);
+// The largest of the slip rates V(num_nodes) [m/s] over all ranks, at nodes where friction decides
+// on the velocity. Collective.
+double peakSlipRate(fem::FaultSurface const& surface, friction::ConstNodeView const& V);
 
 // The norm of a - b over the nodes of all ranks; not finite if one of the values is not finite.
 // Collective.

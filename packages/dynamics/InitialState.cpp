@@ -19,17 +19,27 @@ RCP<Vector> staticDisplacement(Body const& body, RateSolverSettings const& setti
   return u;
 }
 
+RCP<Vector> prescribedAcceleration(Body const& body, double dt)
+{
+  auto result = body.vector();
+  auto const at_zero = body.vector();
+  body.prescribed_velocity(dt, *result);
+  body.prescribed_velocity(0, *at_zero);
+  result->update(-1 / dt, *at_zero, 1 / dt);
+  return result;
+}
+
 namespace
 {
 // Where the fault moves, friction is a known force; where it rests, only cohesion can hold it.
-struct FaultAtStart
+struct ForcesAtStart
 {
   friction::BlockView force;    // at the moving nodes
   friction::NodeView cohesion;  // at the resting ones
   friction::NodeView no_stress; // zeros
 };
 
-FaultAtStart faultAtStart(Fault const& fault, Vector const& v, friction::StateAndStress const& at)
+ForcesAtStart forcesAtStart(Fault const& fault, Vector const& v, friction::StateAndStress const& at)
 {
   auto const& surface = fault.surface();
   const int size = surface.numNodes();
@@ -45,7 +55,7 @@ FaultAtStart faultAtStart(Fault const& fault, Vector const& v, friction::StateAn
   friction::NodeView cohesion("asperity::dynamics::cohesionAtRest", size);
   auto const given = fault.laws().cohesion;
   Kokkos::parallel_for(
-    "asperity::dynamics::faultAtStart", Kokkos::RangePolicy<friction::ExecutionSpace>(0, size),
+    "asperity::dynamics::forcesAtStart", Kokkos::RangePolicy<friction::ExecutionSpace>(0, size),
     KOKKOS_LAMBDA(int node) {
       bool moving = false;
       for (int k = 0; k < tangents; ++k) {
@@ -66,7 +76,7 @@ RCP<Vector> initialAcceleration(Body const& body, Fault const& fault,
                                 friction::StateAndStress const& at)
 {
   auto const& surface = fault.surface();
-  auto const start = faultAtStart(fault, v, at);
+  auto const start = forcesAtStart(fault, v, at);
   auto b = body.vector();
   body.residual(load, u, v, prescribed, *b);
   {

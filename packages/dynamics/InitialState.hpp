@@ -10,6 +10,10 @@ namespace asperity::dynamics
 RCP<Vector> staticDisplacement(Body const& body, RateSolverSettings const& settings,
                                Vector const& load);
 
+// The prescribed acceleration at t = 0, as a difference quotient over dt [s], which is small beside
+// all steps; zero at dofs that are not held.
+RCP<Vector> prescribedAcceleration(Body const& body, double dt);
+
 // The acceleration that balances momentum at given u, v, state and normal stress: a minimises
 //   1/2 <M a, a> - <l - C v - K u - f(v, alpha), a> + sum over nodes at rest of weight cohesion |a|
 // over all a with the prescribed acceleration; a node at rest stays at rest if its cohesion can

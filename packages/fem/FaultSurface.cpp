@@ -103,8 +103,10 @@ makeFaultSurface(Mesh<Dim> const& mesh, std::string const& boundary,
       node.place[i] = mesh.vertices[measure.node][i];
       node.normal[i] = measure.normal[i];
     }
-    for (int component : tangentialComponents(constraints.frames(), measure.node, measure.normal)) {
+    auto const& frames = constraints.frames();
+    for (int component : tangentialComponents(frames, measure.node, measure.normal)) {
       node.dofs.push_back(dofs.dof(measure.node, component));
+      node.tangents.push_back(frames.row(measure.node, component));
     }
     nodes.push_back(std::move(node));
   }

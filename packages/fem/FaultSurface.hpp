@@ -21,6 +21,7 @@ struct FaultNode
   std::array<double, 3> normal{}; // unit, out of the body, which lies on the plus side
   double weight = 0;              // integral of the node's basis function [m^(Dim-1)]
   std::vector<int> dofs;          // (T) local dofs of the tangential unknowns
+  std::vector<std::array<double, 3>> tangents = {}; // (T) along the axes, unit vectors
 };
 
 // The one description of a fault's nodes: places, copies, weights, dofs, what is held, colours, and

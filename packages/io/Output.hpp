@@ -25,7 +25,7 @@ struct StepInfo
   std::int64_t step = 0;
   double time = 0;           // at the end of the step [s]
   double step_size = 0;      // [s]
-  double peak_slip_rate = 0; // maximum over the fault [m/s]
+  double peak_slip_rate = 0; // over the fault, where friction decides on it [m/s]
   bool is_last = false;      // the run ends with it
 };
 

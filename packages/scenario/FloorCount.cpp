@@ -1,7 +1,6 @@
 #include "scenario/FloorCount.hpp"
 
 #include "base/Text.hpp"
-#include "base/Views.hpp"
 #include "base/parallel/Reductions.hpp"
 
 #include <algorithm>
@@ -24,18 +23,18 @@ bool FloorCount::matters() const
   return stress.change() != dynamics::NormalStressChange::fixed || stress.floor() > 0;
 }
 
-void FloorCount::add(dynamics::State const& state)
+void FloorCount::add(dynamics::FaultSample const& now)
 {
   if (!matters()) {
     return;
   }
   auto const& surface = fault_.surface();
-  auto const sigma_n = toHost(state.sigma_n);
+  auto const& sigma_n = now.normalStress();
   const double floor = fault_.normalStress().floor();
   double weight = 0;
   std::int64_t nodes = 0;
   for (int node = 0; node < surface.numNodes(); ++node) {
-    if (surface.slides(node) && sigma_n(node) <= floor) {
+    if (surface.slides(node) && sigma_n[node] <= floor) {
       weight += surface[node].weight;
       ++nodes;
     }

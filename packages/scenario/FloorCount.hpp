@@ -1,7 +1,6 @@
 #pragma once
 
-#include "dynamics/Fault.hpp"
-#include "dynamics/State.hpp"
+#include "dynamics/FaultSample.hpp"
 #include "io/checkpoint/Archive.hpp"
 
 #include <string>
@@ -19,7 +18,7 @@ public:
   // Whether the normal stress can reach its floor: it follows the body, or the floor is not zero.
   bool matters() const;
   // Counts the nodes on the floor at the end of a step. Collective.
-  void add(dynamics::State const& state);
+  void add(dynamics::FaultSample const& now);
   // The share [-], by measure, of the sliding part of the fault that was on the floor at the end of
   // the last step.
   double share() const { return share_; }

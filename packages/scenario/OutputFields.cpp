@@ -3,7 +3,6 @@
 #include "base/parallel/Reductions.hpp"
 #include "catalogue/stress/CoulombPlanes.hpp"
 #include "catalogue/stress/StressFields.hpp"
-#include "dynamics/FaultMotion.hpp"
 #include "scenario/setup/LawSetup.hpp"
 
 #include <cmath>
@@ -14,123 +13,38 @@ namespace
 {
 using Values = std::vector<double>;
 
-std::vector<double> tangential(Vector const& x, fem::FaultSurface const& surface)
+using dynamics::FaultSample;
+
+void registerFaultFields(io::FieldRegistry& registry, RunView const& view)
 {
-  auto const values = x.getLocalViewHost(Tpetra::Access::ReadOnly);
-  std::vector<double> result;
-  for (auto const& node : surface) {
-    for (int dof : node.dofs) {
-      result.push_back(values(dof, 0));
-    }
-  }
-  return result;
-}
-
-// A tangential vector of each fault node as it is written: along the tangent in two dimensions, in
-// three along the axes, since tangents change from node to node.
-template <int Dim>
-class Tangential
-{
-public:
-  explicit Tangential(Problem<Dim> const& problem) : problem_(&problem) {}
-
-  static int components() { return Dim == 2 ? 1 : Dim; }
-  static char const* direction() { return Dim == 2 ? "along the tangent." : "along the axes."; }
-
-  // blocks: (num_nodes, T) along the tangents; factor(node) multiplies the values of a node.
-  template <class Factor>
-  Values operator()(Values const& blocks, Factor const& factor) const
+  struct Quantity
   {
-    auto const& surface = *problem_->surface;
-    const int num_tangents = surface.numTangents();
-    Values result;
-    for (int i = 0; i < surface.numNodes(); ++i) {
-      if (Dim == 2) {
-        result.push_back(factor(i) * blocks[i]);
-        continue;
-      }
-      const int node = surface.vertex(i);
-      std::array<double, Dim> local{};
-      for (int k = 0; k < num_tangents; ++k) {
-        const int component = surface[i].dofs[k] - problem_->body.dofs->dof(node, 0);
-        local[component] = factor(i) * blocks[i * num_tangents + k];
-      }
-      std::array<double, Dim> along_axes{};
-      problem_->constraints->frames().fromFrame(node, local.data(), along_axes.data());
-      result.insert(result.end(), along_axes.begin(), along_axes.end());
-    }
-    return result;
-  }
-
-private:
-  Problem<Dim> const* problem_;
-};
-
-template <int Dim>
-void registerTangential(io::FieldRegistry& registry, Problem<Dim> const& problem,
-                        RunView const& view)
-{
-  auto const surface = problem.surface;
-  const Tangential<Dim> written(problem);
-  auto const initial = tangential(*problem.initial.u, *surface);
-  auto const slip_factor = [surface](int) { return surface->slipFactor(); };
-  auto const add = [&](char const* name, char const* unit, std::string const& meaning, auto value) {
-    registry.add(io::OutputField{name, unit, meaning + ' ' + written.direction(), "fault",
-                                 written.components(), value});
+    char const* name;
+    char const* unit;
+    std::string meaning;
+    int components;
+    Values const& (FaultSample::*values)() const;
   };
-  add("slip", "m", "Tangential slip since the start,", [=, &view](Values& values) {
-    auto blocks = tangential(*view.state->u, *view.surface);
-    for (std::size_t i = 0; i < blocks.size(); ++i) {
-      blocks[i] -= initial[i];
-    }
-    if (surface->hasPlateRate()) {
-      const double t = view.clock->seconds(view.state->time);
-      const int num_tangents = surface->numTangents();
-      for (int node = 0; node < surface->numNodes(); ++node) {
-        for (int k = 0; k < num_tangents; ++k) {
-          blocks[node * num_tangents + k] +=
-            surface->plateRate(node, k) * t / surface->slipFactor();
-        }
-      }
-    }
-    values = written(blocks, slip_factor);
-  });
-  add("traction", "Pa", "Shear traction that friction bears,", [=, &view](Values& values) {
-    values = written(tangential(view.balance->force(), *view.surface),
-                     [&](int i) { return 1 / (*surface)[i].weight; });
-  });
-  if (Dim == 3) {
-    add("slip_velocity", "m/s", "Slip rate as a vector,", [=, &view](Values& values) {
-      values = written(dynamics::slipUnknowns(*view.surface, *view.state->v), slip_factor);
-    });
+  const int components = view.fault->numComponents();
+  const std::string direction = components == 1 ? " along the tangent." : " along the axes.";
+  const Quantity slip_velocity = {"slip_velocity", "m/s", "Slip rate as a vector," + direction,
+                                  components, &FaultSample::slipVelocity};
+  std::vector<Quantity> quantities = {
+    {"slip_rate", "m/s", "Magnitude of the slip rate.", 1, &FaultSample::slipRate},
+    {"alpha", "", "State ln(theta V* / L).", 1, &FaultSample::alpha},
+    {"normal_stress", "Pa", "Normal stress, positive in compression.", 1,
+     &FaultSample::normalStress},
+    {"slip", "m", "Tangential slip since the start," + direction, components, &FaultSample::slip},
+    {"traction", "Pa", "Shear traction that friction bears," + direction, components,
+     &FaultSample::traction}};
+  if (components > 1) {
+    quantities.push_back(slip_velocity);
   }
-}
-
-template <int Dim>
-void registerFaultFields(io::FieldRegistry& registry, Problem<Dim> const& problem,
-                         RunView const& view)
-{
-  auto const surface = problem.surface;
-  registry.add(io::OutputField{"slip_rate", "m/s", "Magnitude of the slip rate.", "fault", 1,
-                               [surface, &view](Values& values) {
-                                 auto const blocks =
-                                   dynamics::slipUnknowns(*view.surface, *view.state->v);
-                                 values.assign(surface->numNodes(), 0.);
-                                 for (std::size_t i = 0; i < blocks.size(); ++i) {
-                                   double& value = values[i / surface->numTangents()];
-                                   value = std::hypot(value, surface->slipFactor() * blocks[i]);
-                                 }
-                               }});
-  registry.add(io::OutputField{
-    "alpha", "", "State ln(theta V* / L).", "fault", 1, [&view](Values& values) {
-      auto const host = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace(), view.state->alpha);
-      values.assign(host.data(), host.data() + host.extent(0));
-    }});
-  registry.add(io::OutputField{"normal_stress", "Pa", "Normal stress, positive in compression.",
-                               "fault", 1, [&view](Values& values) {
-                                 auto const host = toHost(view.state->sigma_n);
-                                 values.assign(host.data(), host.data() + host.extent(0));
-                               }});
+  for (auto const& of : quantities) {
+    registry.add(
+      io::OutputField{of.name, of.unit, of.meaning, "fault", of.components,
+                      [&view, get = of.values](Values& values) { values = (view.fault->*get)(); }});
+  }
 }
 
 // Fields that do not change in time.
@@ -160,20 +74,15 @@ template <int Dim>
 void registerTheta(io::FieldRegistry& registry, Problem<Dim> const& problem, RunView const& view,
                    ParameterList const& friction)
 {
-  auto const scales = thetaScales(friction, problem.mesh, problem.surface->vertices());
-  if (!scales) {
-    return;
+  if (auto const scale = thetaScales(friction, problem.mesh, problem.surface->vertices())) {
+    registry.add(io::OutputField{"theta", "s", "State variable.", "fault", 1,
+                                 [&view, scale = *scale](Values& values) {
+                                   values = view.fault->alpha();
+                                   for (std::size_t i = 0; i < scale.size(); ++i) {
+                                     values[i] = scale[i] * std::exp(values[i]);
+                                   }
+                                 }});
   }
-  Values const& scale = *scales;
-  registry.add(
-    io::OutputField{"theta", "s", "State variable.", "fault", 1, [&view, scale](Values& values) {
-                      auto const alpha =
-                        Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace(), view.state->alpha);
-                      values.resize(scale.size());
-                      for (std::size_t i = 0; i < scale.size(); ++i) {
-                        values[i] = scale[i] * std::exp(alpha(i));
-                      }
-                    }});
 }
 
 template <int Dim>
@@ -312,8 +221,7 @@ void registerFields(io::FieldRegistry& registry, Problem<Dim> const& problem, Ru
                     std::map<std::string, io::OutputDomain> const& domains,
                     ParameterList const& friction)
 {
-  registerFaultFields(registry, problem, view);
-  registerTangential(registry, problem, view);
+  registerFaultFields(registry, view);
   registerTheta(registry, problem, view, friction);
   registerFaultConstants(registry, problem);
   for (auto const& [name, domain] : domains) {

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "dynamics/EnergyBalance.hpp"
+#include "dynamics/FaultSample.hpp"
 #include "dynamics/condensation/VertexMotion.hpp"
 #include "dynamics/control/StepControl.hpp"
 #include "io/FieldRegistry.hpp"
@@ -18,11 +18,10 @@ namespace asperity::scenario
 struct RunView
 {
   dynamics::State const* state = nullptr;
-  fem::FaultSurface const* surface = nullptr; // with the dofs of the state
+  dynamics::FaultSample const* fault = nullptr; // of that state
   // Computes the state of the whole body from that of a condensed model; null without condensation.
   dynamics::StaticCondensation const* condensation = nullptr;
   std::shared_ptr<dynamics::RecoveryRows> recovery_rows; // of the condensation, for receivers
-  dynamics::DyadicTime const* clock = nullptr;
   dynamics::EnergyBalance const* balance = nullptr;
   FloorCount const* floor_count = nullptr;
   dynamics::AcceptedStep step;

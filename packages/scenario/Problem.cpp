@@ -247,6 +247,45 @@ reactionSinceStart(Discretisation<Dim> const& of, dynamics::Body const& body,
   reaction->compression(*load, *initial.u, *initial.v, *initial.a, at_start);
   return {reaction, at_start};
 }
+// The surface of the fault, with what moves along it. Joins the boundaries of its parts in the mesh.
+template <int Dim>
+std::shared_ptr<const fem::FaultSurface> makeSurface(Discretisation<Dim>& of,
+                                                     fem::BodyMatrices const& matrices)
+{
+  auto const name = mesh::joinBoundaries(of.mesh, of.boundary.faults);
+  auto const surface =
+    fem::makeFaultSurface(of.mesh, name, *of.constraints, *of.dofs,
+                          *matrices.stiffness->getCrsGraph(), of.boundary.other_side);
+  return of.boundary.plate_rates.empty()
+           ? surface
+           : surface->withPlateRate(
+               nodalPlateRates(of.boundary.plate_rates, of.mesh, *surface, of.frames()));
+}
+
+// Throws InputError if its velocity does not exist, or where slip beside friction is prescribed.
+template <int Dim>
+dynamics::Body makeBody(Discretisation<Dim> const& of, fem::BodyMatrices const& matrices,
+                        fem::FaultSurface const& surface,
+                        std::function<void(double, Vector&)> const& load)
+{
+  auto const constraints = of.constraints;
+  dynamics::Body body{
+    of.dofs,
+    matrices,
+    constraints->held(),
+    fem::rigidBodyMotions(of.mesh, *of.dofs, of.frames()),
+    load,
+    [constraints](double t, Vector& v) { constraints->prescribedVelocity(t, v); }};
+  if (body.matrices.is_massless) {
+    requireNoFreeMotion(of, body, &surface, "the velocity of a quasi-dynamic body");
+  }
+  for (double t : of.samples) {
+    auto const prescribed = body.vector();
+    body.prescribed_velocity(t, *prescribed);
+    dynamics::requireRestBesideSliding(surface, *prescribed, of.dofs->components(), t);
+  }
+  return body;
+}
 } // namespace
 
 template <int Dim>
@@ -260,13 +299,7 @@ Problem<Dim> makeProblem(ParameterList const& deck, RCP<const Communicator> cons
                                          of.mesh.num_global_vertices * components);
 
   auto matrices = fem::assembleBody<Dim>(of.mesh, *of.dofs, of.frames(), of.materials);
-  auto const fault_name = mesh::joinBoundaries(of.mesh, of.boundary.faults);
-  auto surface = fem::makeFaultSurface(of.mesh, fault_name, *of.constraints, *of.dofs,
-                                       *matrices.stiffness->getCrsGraph(), of.boundary.other_side);
-  if (!of.boundary.plate_rates.empty()) {
-    surface = surface->withPlateRate(
-      nodalPlateRates(of.boundary.plate_rates, of.mesh, *surface, of.frames()));
-  }
+  auto const surface = makeSurface(of, matrices);
   auto const fault_materials = fem::materialsAtNodes(of.mesh, *surface, of.materials);
   auto const eta = radiationDamping(bulk, of.mesh, *surface, fault_materials);
   matrices.viscosity = dampedViscosity(of, matrices.viscosity, bulk, *surface, eta);
@@ -278,28 +311,14 @@ Problem<Dim> makeProblem(ParameterList const& deck, RCP<const Communicator> cons
   auto const gravity = fem::assembleGravity<Dim>(of.mesh, *of.dofs, of.frames(), of.materials,
                                                  scenario::gravity<Dim>(bulk));
   const ShearTraction traction(friction, of.mesh, *surface, of.frames());
-  auto const constraints = of.constraints;
-  dynamics::Body body{
-    of.dofs,
-    matrices,
-    constraints->held(),
-    fem::rigidBodyMotions(of.mesh, *of.dofs, of.frames()),
-    loadWithTraction(traction, surface, withRadiationOfPlates(gravity, *surface, eta)),
-    [constraints](double t, Vector& v) { constraints->prescribedVelocity(t, v); }};
-  if (body.matrices.is_massless) {
-    requireNoFreeMotion(of, body, surface.get(), "the velocity of a quasi-dynamic body");
-  }
-  for (double t : of.samples) {
-    auto const prescribed = body.vector();
-    body.prescribed_velocity(t, *prescribed);
-    dynamics::requireRestBesideSliding(*surface, *prescribed, components, t);
-  }
-
+  auto body =
+    makeBody(of, matrices, *surface,
+             loadWithTraction(traction, surface, withRadiationOfPlates(gravity, *surface, eta)));
   auto const start = staticStart(deck, of, body, solver, *surface, *gravity);
   auto stress = makeNormalStress(friction, of.mesh, *surface, start.pressure);
   auto fault = makeFault(friction, of.mesh, surface, stress.normal_stress, eta);
-  auto initial = makeInitialState(deck, of.mesh, *constraints, body, fault, solver,
-                                  {start.displacement, traction.at(0), traction.direction(), eta});
+  auto initial = makeInitialState(deck, of.mesh, of.frames(), body, fault, solver,
+                                  {start.displacement, traction.at(0), traction.direction()});
   auto reaction = reactionSinceStart(of, body, fault, initial);
   auto warnings = fem::warnOfPieces(of.mesh, communicator);
   auto const beside = valuesBeside(fault_materials, eta, initial, components, *communicator);
@@ -311,7 +330,7 @@ Problem<Dim> makeProblem(ParameterList const& deck, RCP<const Communicator> cons
           components,
           std::move(of.boundary),
           std::move(of.mesh),
-          constraints,
+          of.constraints,
           surface,
           std::move(of.materials),
           fault_materials,

@@ -13,7 +13,6 @@
 #include <sys/resource.h>
 
 #include <algorithm>
-#include <chrono>
 #include <cmath>
 #include <limits>
 #include <sstream>
@@ -66,43 +65,6 @@ CellCount countCells(Mesh<Dim> const& mesh, Communicator const& communicator)
 // Memory of multigrid per unknown, with solvers for three step sizes: on large models, and on
 // small ones (log/performance.md).
 constexpr double multigrid_bytes[] = {4.3e3, 6.7e3};
-
-// [s] for one product of the stiffness matrix with a vector: the shortest of a few, which other
-// work on the machine disturbs least.
-double secondsOfProduct(dynamics::Body const& body)
-{
-  auto const x = body.vector(), y = body.vector();
-  x->putScalar(1);
-  double shortest = std::numeric_limits<double>::infinity();
-  for (int i = 0; i < 5; ++i) {
-    const auto start = std::chrono::steady_clock::now();
-    body.matrices.stiffness->apply(*x, *y);
-    const std::chrono::duration<double> taken = std::chrono::steady_clock::now() - start;
-    shortest = std::min(shortest, taken.count());
-  }
-  return shortest;
-}
-
-// The time of a coupled step in products of the stiffness matrix: least and most
-// (log/performance.md).
-constexpr double multigrid_products[] = {40, 130};
-constexpr double direct_products = 45;
-
-template <int Dim>
-std::string describeCost(Problem<Dim> const& problem)
-{
-  const double product = maxOverRanks(secondsOfProduct(problem.body), *problem.communicator);
-  const bool is_direct = problem.solver.correction == dynamics::Correction::direct;
-  return "Cost: a product of the stiffness matrix with a vector takes " + formatDuration(product) +
-         " here. A coupled step usually takes the time of " +
-         (is_direct
-            ? "about 45 products, here " + formatDuration(direct_products * product) +
-                ", and less with static condensation"
-            : "40 to 130 products, here " + formatDuration(multigrid_products[0] * product) +
-                " to " + formatDuration(multigrid_products[1] * product)) +
-         "; an accepted step needs about 1.5 coupled steps. asperity-status estimates the time "
-         "left once a cycle has passed.";
-}
 } // namespace
 
 template <int Dim>
@@ -127,7 +89,7 @@ std::vector<std::string> describeSize(Problem<Dim> const& problem)
            << rounded(multigrid_bytes[0] * unknowns / 1e6) << " to "
            << rounded(multigrid_bytes[1] * unknowns / 1e6) << " MB.";
   }
-  return {mesh.str(), memory.str(), describeCost(problem)};
+  return {mesh.str(), memory.str()};
 }
 
 template std::vector<std::string> describeSize(Problem<2> const&);

@@ -17,8 +17,7 @@ std::optional<dynamics::FaultResolution> faultResolution(Problem<Dim> const& pro
                                                          ParameterList const& friction);
 
 // Lines about size: cells, vertices and unknowns; the diameters of cells as they are; the memory of
-// the model as built, and an estimate of that of the solver; and an estimate of the time of a step,
-// from the product of the stiffness matrix with a vector, which is timed here. Collective.
+// the model as built, and an estimate of that of the solver. Collective.
 template <int Dim>
 std::vector<std::string> describeSize(Problem<Dim> const& problem);
 

@@ -9,15 +9,19 @@ namespace asperity::catalogue
 {
 EventFollower::EventFollower(io::OutputContext const& context, double threshold)
     : fault_(context.domain("fault"))
-    , rates_(fault_, context.fields)
+    , slip_rate_(context.fields.field("fault", "slip_rate"))
+    , free_(freeNodes(context))
     , threshold_(threshold)
 {
 }
 
 void EventFollower::write(io::StepInfo const& step)
 {
-  auto sampled = rates_.sample();
-  Sample now{step.time, sampled.peak, std::move(sampled.rates)};
+  Sample now{step.time, step.peak_slip_rate, {}};
+  slip_rate_.values(now.rates);
+  for (std::size_t i = 0; i < now.rates.size(); ++i) {
+    now.rates[i] *= free_[i];
+  }
   const bool is_seismic = now.peak >= threshold_;
   if (is_seismic && !in_progress_) {
     in_progress_ = true;

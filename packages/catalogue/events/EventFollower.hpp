@@ -27,8 +27,8 @@ protected:
   struct Sample
   {
     double time = 0;           // [s]
-    double peak = 0;           // [m/s]
-    std::vector<double> rates; // (num_owned) [m/s]
+    double peak = 0;           // [m/s] of all ranks
+    std::vector<double> rates; // (num_owned) [m/s], 0 where the slip rate is prescribed
   };
 
   // The sample `now` is, for begin, the first one of an event; for follow, each one of the event
@@ -52,8 +52,9 @@ protected:
 
 private:
   io::OutputDomain const& fault_;
-  FaultRates rates_;
-  double threshold_; // [m/s]
+  io::OutputField const& slip_rate_;
+  std::vector<double> free_; // (num_owned) freeNodes
+  double threshold_;         // [m/s]
   bool in_progress_ = false;
   bool has_previous_ = false;
   Sample previous_;

@@ -1,7 +1,5 @@
 #include "catalogue/events/FaultRates.hpp"
 
-#include "base/parallel/Reductions.hpp"
-
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -32,29 +30,15 @@ double peakRate(std::array<double, 3> const& times, std::array<double, 3> const&
   return highest * std::exp(slope * slope / (4 * curvature));
 }
 
-FaultRates::FaultRates(io::OutputDomain const& fault, io::FieldRegistry const& fields)
-    : fault_(fault)
-    , slip_rate_(fields.field("fault", "slip_rate"))
-    , free_(fault.numOwned(), 1)
+std::vector<double> freeNodes(io::OutputContext const& context)
 {
-  if (fields.hasField("fault", "prescribed")) {
-    fields.field("fault", "prescribed").values(free_);
-    for (double& value : free_) {
+  std::vector<double> free(context.domain("fault").numOwned(), 1);
+  if (context.fields.hasField("fault", "prescribed")) {
+    context.fields.field("fault", "prescribed").values(free);
+    for (double& value : free) {
       value = value != 0 ? 0 : 1;
     }
   }
-}
-
-FaultRates::Sample FaultRates::sample() const
-{
-  Sample now;
-  slip_rate_.values(now.rates);
-  double largest = 0;
-  for (std::size_t i = 0; i < now.rates.size(); ++i) {
-    now.rates[i] *= free_[i];
-    largest = std::max(largest, now.rates[i]);
-  }
-  now.peak = maxOverRanks(largest, *fault_.comm);
-  return now;
+  return free;
 }
 } // namespace asperity::catalogue

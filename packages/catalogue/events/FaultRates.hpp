@@ -1,7 +1,6 @@
 #pragma once
 
-#include "io/FieldRegistry.hpp"
-#include "io/OutputDomain.hpp"
+#include "io/Output.hpp"
 
 #include <array>
 #include <vector>
@@ -16,27 +15,7 @@ double crossing(double before, double after, double threshold);
 // the others: such samples do not resolve a peak.
 double peakRate(std::array<double, 3> const& times, std::array<double, 3> const& rates);
 
-// The slip rate where friction decides on it: zero at the nodes whose slip rate is prescribed
-// (field `prescribed`, if there is one), which are no part of an earthquake.
-class FaultRates
-{
-public:
-  FaultRates(io::OutputDomain const& fault, io::FieldRegistry const& fields);
-
-  // (num_owned) [m/s], and the largest over all ranks. Collective.
-  struct Sample
-  {
-    std::vector<double> rates;
-    double peak = 0;
-  };
-  Sample sample() const;
-
-  // 1 or, at a node with prescribed slip rate, 0. (num_owned)
-  std::vector<double> const& free() const { return free_; }
-
-private:
-  io::OutputDomain const& fault_;
-  io::OutputField const& slip_rate_;
-  std::vector<double> free_;
-};
+// 1 where friction decides on the slip rate, 0 where it is prescribed (field `prescribed`, if there
+// is one): such nodes are no part of an earthquake. (num_owned)
+std::vector<double> freeNodes(io::OutputContext const& context);
 } // namespace asperity::catalogue

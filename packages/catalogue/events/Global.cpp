@@ -2,6 +2,7 @@
 
 #include "base/parallel/Reductions.hpp"
 #include "base/parameters/Parameters.hpp"
+#include "catalogue/events/FaultRates.hpp"
 
 #include <cmath>
 
@@ -32,14 +33,15 @@ std::string Global::meaning()
 
 Global::Global(Teuchos::ParameterList const& parameters, io::OutputContext const& context)
     : fault_(context.domain("fault"))
-    , rates_(fault_, context.fields)
+    , slip_rate_(context.fields.field("fault", "slip_rate"))
     , slip_(context.fields.field("fault", "slip"))
     , rule_(parameters)
     , file_(context.directory / "global.csv", columns(fault_.isCurve()), context.comm)
 {
   context.fields.field("fault", "shear_modulus").values(rigidity_);
+  const auto free = freeNodes(context);
   for (std::size_t i = 0; i < rigidity_.size(); ++i) {
-    rigidity_[i] *= fault_.weights[i] * rates_.free()[i];
+    rigidity_[i] *= fault_.weights[i] * free[i];
   }
 }
 
@@ -49,11 +51,11 @@ void Global::write(io::StepInfo const& step)
   if (!has_row_) {
     return;
   }
-  const auto now = rates_.sample();
-  peak_slip_rate_ = now.peak;
-  moment_rate_ = moment(now.rates, 1);
-  std::vector<double> slip;
+  std::vector<double> rates, slip;
+  slip_rate_.values(rates);
   slip_.values(slip);
+  peak_slip_rate_ = step.peak_slip_rate;
+  moment_rate_ = moment(rates, 1);
   file_.writeRow(io::exactNumber(step.time) + ',' + io::shortNumber(peak_slip_rate_) + ',' +
                  io::shortNumber(moment_rate_) + ',' +
                  io::shortNumber(moment(slip, slip_.components)));

@@ -1,6 +1,5 @@
 #pragma once
 
-#include "catalogue/events/FaultRates.hpp"
 #include "io/Output.hpp"
 #include "io/WriteRule.hpp"
 #include "io/files/TextTable.hpp"
@@ -38,7 +37,7 @@ private:
   double moment(std::vector<double> const& values, int components) const;
 
   io::OutputDomain const& fault_;
-  FaultRates rates_;
+  io::OutputField const& slip_rate_;
   io::OutputField const& slip_;
   std::vector<double> rigidity_; // (num_owned) [N/m] or [N] modulus times weight; 0: not counted
   io::WriteRule rule_;

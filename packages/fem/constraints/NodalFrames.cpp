@@ -47,6 +47,17 @@ std::vector<double> alongAxes(NodalFrames const& frames, DofMap const& dofs, Vec
   return result;
 }
 
+std::vector<double> unknownsOf(NodalFrames const& frames, std::vector<double> along_axes)
+{
+  const int components = frames.components();
+  frames.vertexTerms().toMeanAndJump(along_axes, components);
+  std::vector<double> result(along_axes.size());
+  for (int node = 0; node < static_cast<int>(result.size()) / components; ++node) {
+    frames.toFrame(node, &along_axes[node * components], &result[node * components]);
+  }
+  return result;
+}
+
 template <std::size_t Dim>
 std::vector<int> tangentialComponents(NodalFrames const& frames, int node,
                                       std::array<double, Dim> const& normal)

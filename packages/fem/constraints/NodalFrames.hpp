@@ -57,6 +57,15 @@ public:
   {
     return frames_[node][row * components_ + column];
   }
+  // The direction along the axes in which a component is measured; z in antiplane motion.
+  std::array<double, 3> row(int node, int component) const
+  {
+    std::array<double, 3> direction{};
+    for (int c = 0; c < components_; ++c) {
+      direction[components_ == 1 ? 2 : c] = entry(node, component, c);
+    }
+    return direction;
+  }
 
   // local = frame * global; both of length components.
   void toFrame(int node, double const* global, double* local) const
@@ -91,6 +100,10 @@ private:
 std::vector<double> alongAxes(NodalFrames const& frames, DofMap const& dofs, Vector const& x);
 std::vector<double> alongAxes(NodalFrames const& frames, DofMap const& dofs, Vector const& x,
                               std::vector<int> const& vertices);
+
+// The reverse: the unknowns (num owned nodes, components) that give the vectors along the axes, (num
+// owned nodes, components), at the owned vertices.
+std::vector<double> unknownsOf(NodalFrames const& frames, std::vector<double> along_axes);
 
 // The components of a node's frame along a boundary, ascending: all but the one that is nearest to
 // the boundary's normal. The frame may deviate from that normal where the boundary bends or ends at

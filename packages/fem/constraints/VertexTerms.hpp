@@ -56,7 +56,12 @@ public:
   // Whether the node carries the jump over a fault, which rigid motions of the body do not have.
   bool isJump(int node) const { return is_jump_[node]; }
 
+  // From vectors(num vertices, components) at the owned vertices to unknowns at the owned nodes:
+  // replaces those of v+ and v- by d and m. At a tip they are 0 and v-.
+  void toMeanAndJump(std::vector<double>& vectors, int components) const;
+
 private:
+  std::vector<SplitVertex> all_splits_;
   std::vector<SplitVertex> splits_; // without tips
   std::vector<int> split_of_;       // (num_vertices), -1 where a vertex is a node of its own
   std::vector<int> represented_;    // (num_vertices)

@@ -25,7 +25,6 @@ SlipProfiles::SlipProfiles(Platform const& platform, io::OutputContext const& co
                            io::FaultHistory const& history)
     : history_(history)
     , gather_(context.domain("fault"))
-    , rates_(context.domain("fault"), context.fields)
     , slip_(context.fields.field("fault", "slip"))
     , sign_(ModelView::of(context).thrust_sign)
     , file_(platform, contentFor(gather_(context.domain("fault").positions, 1, 1)), context)
@@ -45,7 +44,7 @@ void SlipProfiles::write(io::StepInfo const& step)
   for (std::size_t node = 0; node < whole.size(); node += components) {
     row.push_back(sign_ * whole[node]);
   }
-  row.insert(row.begin(), decimalLogarithm(rates_.sample().peak));
+  row.insert(row.begin(), decimalLogarithm(step.peak_slip_rate));
   file_.writeRow(step.time, row.data(), row.size());
 }
 } // namespace asperity::platforms

@@ -1,6 +1,5 @@
 #pragma once
 
-#include "catalogue/events/FaultRates.hpp"
 #include "io/outputs/FieldHistory.hpp"
 #include "io/parallel/NodeGather.hpp"
 #include "platforms/PlatformFiles.hpp"
@@ -25,7 +24,6 @@ public:
 private:
   io::FaultHistory const& history_;
   io::NodeGather gather_;
-  catalogue::FaultRates rates_;
   io::OutputField const& slip_;
   double sign_; // of the slip in the file
   TimeSeries file_;

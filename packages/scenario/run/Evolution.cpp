@@ -5,7 +5,6 @@
 #include "base/parallel/Agreement.hpp"
 #include "base/parallel/Reductions.hpp"
 #include "base/program/WorkTimers.hpp"
-#include "dynamics/FaultMotion.hpp"
 #include "dynamics/control/NotFinite.hpp"
 #include "io/OutputSet.hpp"
 #include "mesh/PointText.hpp"
@@ -40,6 +39,7 @@ Evolution<Dim>::Evolution(ParameterList const& deck, RCP<const Communicator> con
     , is_adaptive_(deck.sublist("Time Stepping").get<std::string>("Control") != "Prescribed")
     , balance_(model_.body, model_.fault, clock_)
     , state_(model_.initial.clone())
+    , sample_(model_.fault.surface(), *model_.initial.u)
     , format_(problem_.initial, condensation_.get(), clock_)
     , floor_count_(model_.fault)
     , growth_watch_(slipDistance(problem_, deck.sublist("Friction")),
@@ -55,12 +55,11 @@ Evolution<Dim>::Evolution(ParameterList const& deck, RCP<const Communicator> con
                              io::OutputSet::times(deck.sublist("Output")), *coupled_step_);
   control_->setPlaces([this](int vertex) { return placeOf(vertex); });
   view_.state = &state_;
-  view_.surface = &model_.fault.surface();
+  view_.fault = &sample_;
   if (condensation_) {
     view_.condensation = condensation_.get();
     view_.recovery_rows = std::make_shared<dynamics::RecoveryRows>(*condensation_);
   }
-  view_.clock = &clock_;
   view_.floor_count = &floor_count_;
   view_.balance = &balance_;
 }
@@ -74,6 +73,7 @@ template <int Dim>
 void Evolution<Dim>::beginBalance()
 {
   balance_.start(state_);
+  sample_.begin(state_, time(), balance_);
   const double imbalance = balance_.startImbalance();
   if (imbalance > largest_imbalance) {
     warnings_.push_back(
@@ -115,6 +115,7 @@ void Evolution<Dim>::restore(io::Archive const& checkpoint)
     beginBalance();
   } else {
     balance_.resume(state_, loadEnergy(checkpoint, "energy"));
+    sample_.begin(state_, time(), balance_);
   }
 }
 
@@ -134,7 +135,7 @@ template <int Dim>
 void Evolution<Dim>::advance()
 {
   auto const before = count_;
-  rate_before_ = dynamics::peakSlipRate(model_.fault.surface(), *state_.v);
+  rate_before_ = sample_.peakSlipRate();
   view_.step = control_->advance(state_, count_);
   view_.count = count_.since(before);
 }
@@ -148,9 +149,12 @@ void Evolution<Dim>::account()
     rises_to_tell_ = 10 * count_.rises;
     warnings_.push_back(warnOfRises(count_.rises));
   }
-  floor_count_.add(state_);
-  ASPERITY_TIME_WORK("energy balance");
-  balance_.advance(state_);
+  {
+    ASPERITY_TIME_WORK("energy balance");
+    balance_.advance(state_);
+  }
+  sample_.begin(state_, time(), balance_);
+  floor_count_.add(sample_);
 }
 
 template <int Dim>
@@ -160,7 +164,7 @@ io::StepInfo Evolution<Dim>::stepInfo() const
   info.step = numSteps();
   info.time = time();
   info.step_size = info.step > 0 ? clock_.stepSize(view_.step.level) : 0;
-  info.peak_slip_rate = dynamics::peakSlipRate(model_.fault.surface(), *state_.v);
+  info.peak_slip_rate = sample_.peakSlipRate();
   info.is_last = atEnd();
   return info;
 }

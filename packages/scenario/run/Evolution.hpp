@@ -75,6 +75,7 @@ private:
   std::unique_ptr<dynamics::StepControl> control_;
   dynamics::EnergyBalance balance_;
   dynamics::State state_;
+  dynamics::FaultSample sample_; // of that state, once the balance has advanced to it
   StateFormat format_;
   dynamics::SolveCount count_;
   std::int64_t forced_steps_ = 0;

@@ -5,7 +5,7 @@
 #include "dynamics/Fault.hpp"
 #include "dynamics/State.hpp"
 #include "dynamics/coupling/RateSolver.hpp"
-#include "fem/constraints/Constraints.hpp"
+#include "fem/constraints/NodalFrames.hpp"
 
 namespace asperity::scenario
 {
@@ -21,24 +21,18 @@ struct StartOfRun
   RCP<Vector> displacement;
   std::vector<double> traction;       // (num_nodes, T) that drives the body along the tangents [Pa]
   std::vector<double> slip_direction; // (num_nodes, T) unit vectors, ShearTraction::direction
-  std::vector<double> radiation;      // (num_nodes) damping eta [Pa s/m]
 };
 
 // The state at t = 0 by the deck's list `Initial State`.
 //
 // The velocity is the prescribed one at held dofs, elsewhere that of the list, which may give the
-// slip rate of the fault separately. alpha at the fault nodes depends on the list's `State`:
-//   Given           the field `alpha`;
-//   Steady          d(alpha)/dt = 0 at the slip rate V;
-//   Stress Balance  sigma_n mu(V, alpha) + cohesion + eta V = traction (along the velocity).
-// Where the velocity is prescribed and the slip rate is zero, friction is never evaluated and alpha
-// is the field `alpha`. Throws InputError with the place if there is no such state at a node. The
-// given traction is the only one that drives the fault: a static displacement leaves no shear
-// traction, since the fault has slid without friction, and neither does zero displacement.
+// slip rate of the fault separately. alpha follows from the list's `State` (dynamics/InitialAlpha);
+// an InputError names the place where there is no such state. The given traction is the only one
+// that drives the fault: a static displacement leaves no shear traction, since the fault has slid
+// without friction, and neither does zero displacement.
 template <int Dim>
-dynamics::State makeInitialState(ParameterList const& deck, Mesh<Dim> const& mesh,
-                                 fem::Constraints<Dim> const& constraints,
-                                 dynamics::Body const& body, dynamics::Fault const& fault,
-                                 dynamics::RateSolverSettings const& solver,
-                                 StartOfRun const& start);
+dynamics::State
+makeInitialState(ParameterList const& deck, Mesh<Dim> const& mesh, fem::NodalFrames const& frames,
+                 dynamics::Body const& body, dynamics::Fault const& fault,
+                 dynamics::RateSolverSettings const& solver, StartOfRun const& start);
 } // namespace asperity::scenario

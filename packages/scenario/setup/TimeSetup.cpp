@@ -66,52 +66,69 @@ dynamics::AdaptiveSettings adaptiveSettings(ParameterList const& list,
   }
   return settings;
 }
+
+RCP<const ParameterList> newmarkParameters()
+{
+  return Declare()
+    .real("beta", 0.25, "-", Range::closed(0, 0.5),
+          "This is the weight of the new acceleration in the displacement. The scheme is "
+          "unconditionally stable from 1/4 on.")
+    .real("Stability Limit", 0., "s", Range::atLeast(0),
+          "No stable step is larger than this, 1 / (omega_max sqrt(1/4 - beta)). It is required "
+          "for beta < 1/4, where the scheme is only conditionally stable.")
+    .list();
+}
+
+RCP<const ParameterList> generalisedAlphaParameters()
+{
+  return Declare()
+    .real("Spectral Radius", 0.5, "-", Range::closed(0, 1),
+          "A step multiplies modes that are far faster than itself by this factor: 0 removes "
+          "them at once, 1 keeps them (Newmark). While every step doubles, they decay for values "
+          "from 0.35 to 0.82; while every pair of steps doubles (Richardson), up to 0.87.")
+    .list();
+}
+
+RCP<const ParameterList> doublingParameters()
+{
+  return Declare()
+    .real("Tolerance", 1e-5, "-", Range::open(0, 1),
+          "A step is accepted if alpha differs by at most this between one step and two of half "
+          "its size, as root mean square over the fault.")
+    .real("First Step", 0., "s", Range::atLeast(0),
+          "The first trial step has this size; 0 means the smallest step.")
+    .list();
+}
+
+RCP<const ParameterList> richardsonParameters()
+{
+  return Declare()
+    .real("Tolerance", 1e-5, "-", Range::open(0, 1),
+          "A pair of steps is accepted if the estimated error of alpha after it is at most this. "
+          "The estimate follows from the difference to one step of twice the size.")
+    .choice("Norm", "Root Mean Square", {"Root Mean Square", "Maximum"},
+            "Selects the norm in which the error of alpha is measured over the fault.")
+    .real("First Step", 0., "s", Range::atLeast(0),
+          "The first steps have this size, which is at most half of the largest one; 0 means the "
+          "smallest step.")
+    .list();
+}
+
+RCP<const ParameterList> prescribedParameters()
+{
+  return Declare()
+    .integerArray("Levels", std::vector<int>{0}, Range::closed(0, 60),
+                  "Each step is the largest one divided by two to the "
+                  "power of its entry; the last entry is repeated. A "
+                  "step that is cut short to meet an instant uses up "
+                  "its entry.")
+    .list();
+}
+
 } // namespace
 
 RCP<const ParameterList> timeParameters()
 {
-  auto const newmark =
-    Declare()
-      .real("beta", 0.25, "-", Range::closed(0, 0.5),
-            "This is the weight of the new acceleration in the displacement. The scheme is "
-            "unconditionally stable from 1/4 on.")
-      .real("Stability Limit", 0., "s", Range::atLeast(0),
-            "No stable step is larger than this, 1 / (omega_max sqrt(1/4 - beta)). It is required "
-            "for beta < 1/4, where the scheme is only conditionally stable.")
-      .list();
-  auto const doubling =
-    Declare()
-      .real("Tolerance", 1e-5, "-", Range::open(0, 1),
-            "A step is accepted if alpha differs by at most this between one step and two of half "
-            "its size, as root mean square over the fault.")
-      .real("First Step", 0., "s", Range::atLeast(0),
-            "The first trial step has this size; 0 means the smallest step.")
-      .list();
-  auto const richardson =
-    Declare()
-      .real("Tolerance", 1e-5, "-", Range::open(0, 1),
-            "A pair of steps is accepted if the estimated error of alpha after it is at most this. "
-            "The estimate follows from the difference to one step of twice the size.")
-      .choice("Norm", "Root Mean Square", {"Root Mean Square", "Maximum"},
-              "Selects the norm in which the error of alpha is measured over the fault.")
-      .real("First Step", 0., "s", Range::atLeast(0),
-            "The first steps have this size, which is at most half of the largest one; 0 means the "
-            "smallest step.")
-      .list();
-  auto const generalised_alpha =
-    Declare()
-      .real("Spectral Radius", 0.5, "-", Range::closed(0, 1),
-            "A step multiplies modes that are far faster than itself by this factor: 0 removes "
-            "them at once, 1 keeps them (Newmark). While every step doubles, they decay for values "
-            "from 0.35 to 0.82; while every pair of steps doubles (Richardson), up to 0.87.")
-      .list();
-  auto const prescribed = Declare()
-                            .integerArray("Levels", std::vector<int>{0}, Range::closed(0, 60),
-                                          "Each step is the largest one divided by two to the "
-                                          "power of its entry; the last entry is repeated. A "
-                                          "step that is cut short to meet an instant uses up "
-                                          "its entry.")
-                            .list();
   return Declare()
     .real("Final Time", required, "s", Range::positive(),
           "The run ends at this time, rounded up to a multiple of the smallest step; the last "
@@ -121,9 +138,9 @@ RCP<const ParameterList> timeParameters()
     .hint("Name the times at which a load changes faster than steps follow.")
     .choiceOfLists(
       "Scheme", "Newmark",
-      {{"Newmark", newmark},
+      {{"Newmark", newmarkParameters()},
        {"Backward Euler", Declare().list()},
-       {"Generalised Alpha", generalised_alpha}},
+       {"Generalised Alpha", generalisedAlphaParameters()}},
       "Selects the scheme by which displacement and acceleration follow from the velocity. Newmark "
       "needs inertia: where the deck names no scheme, a quasi-dynamic body has Generalised Alpha.")
     .integer("Most Forced Steps", 10000, Range::atLeast(0),
@@ -147,7 +164,9 @@ RCP<const ParameterList> timeParameters()
           "smaller than L over the slip rate of earthquakes.")
     .choiceOfLists(
       "Control", "Step Doubling",
-      {{"Step Doubling", doubling}, {"Richardson", richardson}, {"Prescribed", prescribed}},
+      {{"Step Doubling", doublingParameters()},
+       {"Richardson", richardsonParameters()},
+       {"Prescribed", prescribedParameters()}},
       "Selects how step sizes are chosen. Step Doubling: a step is the largest one that two steps "
       "of half its size confirm (thesis A.3). Richardson: steps come in pairs, which one step of "
       "twice the size confirms; the pair is kept and the next size predicted. Prescribed: the "

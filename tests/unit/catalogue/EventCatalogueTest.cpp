@@ -1,7 +1,7 @@
 #include "catalogue/events/EventCatalogue.hpp"
 #include "base/Errors.hpp"
 #include "base/parameters/Parameters.hpp"
-#include "unit/io/Support.hpp"
+#include "unit/io/Stage.hpp"
 
 #include <cmath>
 
@@ -53,7 +53,8 @@ struct Observed
     }
     rates = history[i];
     work = static_cast<double>(i * i);
-    catalogue->write({static_cast<std::int64_t>(i), double(i), 1, 0, i + 1 == history.size()});
+    catalogue->write({static_cast<std::int64_t>(i), double(i), 1, test::peakSlipRate(fields),
+                      i + 1 == history.size()});
   }
 
   std::vector<Event> const& all(History const& history)

@@ -91,7 +91,7 @@ TEST(FaultMotion, peakIsOverAllNodesAndRanks)
       }
     }
     const double expected = 10 * rate * world()->getSize();
-    EXPECT_NEAR(peakSlipRate(fault, v), expected, 1e-15 * expected);
+    EXPECT_NEAR(testing::peakSlipRateAt(fault, v), expected, 1e-15 * expected);
   }
 }
 
@@ -103,9 +103,9 @@ TEST(FaultMotion, peakLeavesOutWhatIsPrescribed)
     v.replaceLocalValue(dof, dof == 1 ? -9. : 1. + dof);
   }
   auto const side = OtherSide::rigid_foundation;
-  EXPECT_DOUBLE_EQ(peakSlipRate(makeFault(1), v), 9);
-  EXPECT_DOUBLE_EQ(peakSlipRate(makeFault(1, side, {0, 1, 0}), v), 3);
-  EXPECT_EQ(peakSlipRate(makeFault(1, side, {1, 1, 1}), v), 0);
+  EXPECT_DOUBLE_EQ(testing::peakSlipRateAt(makeFault(1), v), 9);
+  EXPECT_DOUBLE_EQ(testing::peakSlipRateAt(makeFault(1, side, {0, 1, 0}), v), 3);
+  EXPECT_EQ(testing::peakSlipRateAt(makeFault(1, side, {1, 1, 1}), v), 0);
 }
 
 TEST(FaultMotion, slidesWhereOneComponentIsFree)
@@ -118,7 +118,7 @@ TEST(FaultMotion, slidesWhereOneComponentIsFree)
   v.replaceLocalValue(5, 3);
   EXPECT_FALSE(fault.slides(0));
   EXPECT_TRUE(fault.slides(1) && fault.slides(2));
-  EXPECT_DOUBLE_EQ(peakSlipRate(fault, v), 4);
+  EXPECT_DOUBLE_EQ(testing::peakSlipRateAt(fault, v), 4);
   EXPECT_NO_THROW(requireRestBesideSliding(fault, v, 2, 0));
   v.replaceLocalValue(3, 1e-9);
   EXPECT_THROW(requireRestBesideSliding(fault, v, 2, 0), InputError);
@@ -133,7 +133,7 @@ TEST(FaultMotion, platesAddToTheSlipOfBodies)
     makeFault(2, OtherSide::mirror_image, {0, 0, 0, 1, 0, 0}).withPlateRate({3, 4, 8, 0, 0, 2});
   EXPECT_TRUE(fault->hasPlateRate());
   EXPECT_FALSE(makeFault(2).hasPlateRate());
-  EXPECT_DOUBLE_EQ(peakSlipRate(*fault, v), 8);
+  EXPECT_DOUBLE_EQ(testing::peakSlipRateAt(*fault, v), 8);
   v.replaceLocalValue(2, -3.5);
   v.replaceLocalValue(4, 0.5);
   const friction::BlockView w("asperity::test::w", 3, 2);
@@ -143,7 +143,44 @@ TEST(FaultMotion, platesAddToTheSlipOfBodies)
   EXPECT_DOUBLE_EQ(V(0), 5);
   EXPECT_DOUBLE_EQ(V(1), 1);
   EXPECT_DOUBLE_EQ(V(2), std::sqrt(1. + 4.));
-  EXPECT_DOUBLE_EQ(peakSlipRate(*fault, v), 5);
+  EXPECT_DOUBLE_EQ(testing::peakSlipRateAt(*fault, v), 5);
+}
+
+// Slip = 2 (u - start) + Vp t beside a mirror image.
+TEST(FaultMotion, slipIsThatOfBodiesSinceTheStartAndThatOfPlates)
+{
+  const RCP<const Map> map = rcp(new Map(6 * world()->getSize(), 6, 0, world()));
+  Vector u(map);
+  for (int dof = 0; dof < 6; ++dof) {
+    u.replaceLocalValue(dof, dof);
+  }
+  auto const still = makeFault(2, OtherSide::mirror_image);
+  auto const moving = still.withPlateRate({3, 4, 8, 0, 0, 2});
+  auto const start = blocks({{0, 1}, {2, 2}, {2, 5}});
+  auto const slip = blocks({{7, 7}, {7, 7}, {7, 7}});
+  const std::vector<double> of_bodies = {0, 0, 0, 1, 2, 0}, plates = {3, 4, 8, 0, 0, 2};
+  for (auto const* fault : {&still, moving.get()}) {
+    gatherSlipSince(*fault, start, u, 10, slip);
+    for (int i = 0; i < 6; ++i) {
+      EXPECT_EQ(slip(i / 2, i % 2), of_bodies[i] + (fault == &still ? 0 : 5 * plates[i])) << i;
+    }
+  }
+}
+
+TEST(FaultMotion, setsTheVelocityThatGivesASlipRate)
+{
+  const RCP<const Map> map = rcp(new Map(6 * world()->getSize(), 6, 0, world()));
+  auto const fault = makeFault(2, OtherSide::mirror_image, {0, 0, 0, 1, 0, 0});
+  Vector v(map);
+  v.putScalar(9);
+  setSlipRate(fault, {2, 4, 6, 8, 10, 12}, v);
+  EXPECT_EQ(v.getData()[0], 1);
+  EXPECT_EQ(v.getData()[3], 9) << "held";
+  EXPECT_EQ(v.getData()[5], 6);
+  auto const moving = fault.withPlateRate({3, 4, 8, 0, 0, 2});
+  setSlipRate(*moving, {2, 4, 6, 8, 10, 12}, v);
+  EXPECT_EQ(v.getData()[0], -0.5);
+  EXPECT_EQ(v.getData()[5], 5);
 }
 
 TEST(FaultMotion, aFaultThatSticksToItsPlatesDoesNotSlip)
@@ -155,7 +192,7 @@ TEST(FaultMotion, aFaultThatSticksToItsPlatesDoesNotSlip)
   auto const fault =
     makeFault(2, OtherSide::mirror_image, {0, 0, 0, 1, 0, 0}).withPlateRate({3, 4, 0.1, 0, 0, 0.3});
   stickToPlates(*fault, v);
-  EXPECT_EQ(peakSlipRate(*fault, v), 0);
+  EXPECT_EQ(testing::peakSlipRateAt(*fault, v), 0);
   EXPECT_EQ(v.getData()[0], -1.5);
   EXPECT_EQ(v.getData()[3], 0);
 }

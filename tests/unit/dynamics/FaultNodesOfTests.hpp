@@ -1,11 +1,21 @@
 #pragma once
 
-#include "fem/FaultSurface.hpp"
+#include "dynamics/FaultMotion.hpp"
 
 #include <vector>
 
 namespace asperity::dynamics::testing
 {
+// The peak slip rate of a fault whose body moves at v.
+inline double peakSlipRateAt(fem::FaultSurface const& surface, Vector const& v)
+{
+  const friction::BlockView w("asperity::test::w", surface.numNodes(), surface.numTangents());
+  const friction::NodeView V("asperity::test::V", surface.numNodes());
+  gatherSlip(surface, v, w);
+  slipRate(surface, w, V);
+  return peakSlipRate(surface, V);
+}
+
 // A fault whose nodes have the given weights and, one after the other, the dofs 0, 1, 2, ..., T to
 // a node. held(T num_nodes or more): 1 at held dofs.
 inline fem::FaultSurface surfaceOf(std::vector<double> const& weights, int num_tangents,

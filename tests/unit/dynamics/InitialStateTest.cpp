@@ -1,4 +1,5 @@
 #include "dynamics/InitialState.hpp"
+#include "dynamics/InitialAlpha.hpp"
 
 #include "base/Errors.hpp"
 #include "unit/dynamics/SlidingBlock.hpp"
@@ -171,5 +172,90 @@ TEST(InitialState, aBodyThatNothingHoldsHasNoStaticDisplacement)
     EXPECT_THROW(staticDisplacement(model.body, tightSettings(correction), *loadOf(model)),
                  SolveError);
   }
+}
+
+namespace
+{
+// The base of the block slides, but for its right end, which is held.
+struct SlidingFault
+{
+  SlidingFault()
+  {
+    auto const& surface = *model.surface;
+    model.setFree(*v, [](auto const&) -> std::array<double, 2> { return {1e-4, 0}; });
+    gatherSlip(surface, *v, w);
+    start = {std::vector<double>(surface.numNodes(), 7), std::vector<double>(surface.numNodes(), 0),
+             model.restingState().sigma_n, w};
+  }
+  friction::NodeView alpha(AlphaAtStart kind) const
+  {
+    return initialAlpha(model.fault, kind, start,
+                        [](int node) { return "Node " + std::to_string(node); });
+  }
+  void expectRefusal(AlphaAtStart kind, std::string const& reason) const
+  {
+    try {
+      alpha(kind);
+      FAIL() << reason;
+    } catch (InputError const& error) {
+      EXPECT_NE(std::string(error.what()).find(reason), std::string::npos) << error.what();
+    }
+  }
+
+  static ModelOptions options()
+  {
+    auto result = slidingBlock(2);
+    result.cohesion = 15;
+    auto const at_rest = [](Point<2> const&, double) { return 0.; };
+    result.conditions = {{"Wall", "right", fem::PrescribedVelocity<2>{{1, 0}, at_rest}}};
+    return result;
+  }
+
+  const Model model{options(), alone()};
+  RCP<Vector> v = model.body.vector();
+  const friction::BlockView w{"asperity::test::w",
+                              static_cast<std::size_t>(model.surface->numNodes()), 1};
+  FaultAtStart start;
+};
+} // namespace
+
+TEST(InitialAlpha, isGivenWhereTheFaultRestsAsPrescribed)
+{
+  const SlidingFault fault;
+  for (auto kind : {AlphaAtStart::given, AlphaAtStart::steady}) {
+    auto const alpha = fault.alpha(kind);
+    for (int i = 0; i < fault.model.surface->numNodes(); ++i) {
+      const bool is_given = kind == AlphaAtStart::given || !fault.model.surface->slides(i);
+      EXPECT_NEAR(alpha(i), is_given ? 7 : std::log(50e-6 / 1e-4), 1e-12); // V* / V
+    }
+  }
+}
+
+TEST(InitialAlpha, letsFrictionAndCohesionBearTheTraction)
+{
+  SlidingFault fault;
+  auto const size = fault.model.surface->numNodes();
+  const friction::NodeView alpha("asperity::test::alpha", size), mu("asperity::test::mu", size);
+  for (int i = 0; i < size; ++i) {
+    alpha(i) = -1 + 0.5 * i;
+  }
+  fault.model.fault.friction().coefficient(fault.w, alpha, mu);
+  for (int i = 0; i < size; ++i) {
+    fault.start.traction[i] = (fault.w(i, 0) < 0 ? -1 : 1) * (2000 * mu(i) + 15);
+  }
+  auto const found = fault.alpha(AlphaAtStart::stress_balance);
+  for (int i = 0; i < size; ++i) {
+    EXPECT_NEAR(found(i), fault.model.surface->slides(i) ? alpha(i) : 7, 1e-10);
+  }
+}
+
+TEST(InitialAlpha, refusesAStateThatDoesNotExist)
+{
+  SlidingFault fault;
+  fault.expectRefusal(AlphaAtStart::stress_balance, "Node 0 the shear traction");
+  fault.start.sigma_n = friction::NodeView("asperity::test::none", fault.start.traction.size());
+  fault.expectRefusal(AlphaAtStart::stress_balance, "Node 0 there is no normal stress");
+  Kokkos::deep_copy(fault.w, 0);
+  fault.expectRefusal(AlphaAtStart::steady, "Node 0 the initial slip rate is zero");
 }
 } // namespace asperity::dynamics

@@ -1,6 +1,7 @@
 #include "dynamics/EnergyBalance.hpp"
 #include "dynamics/InitialState.hpp"
 #include "dynamics/control/StepControl.hpp"
+#include "unit/dynamics/FaultNodesOfTests.hpp"
 #include "unit/dynamics/SlidingBlock.hpp"
 
 #include <Teuchos_CommHelpers.hpp>
@@ -108,8 +109,8 @@ TEST(Ranks, multigridOnAllStepsLikeCholeskyOnOne)
   EXPECT_EQ(together.count.rises, 0);
   EXPECT_NEAR(energy_together.energy().friction_work / energy_alone.energy().friction_work, 1,
               1e-8);
-  EXPECT_NEAR(peakSlipRate(*models.together.surface, *shared.v) /
-                peakSlipRate(*models.alone.surface, *own.v),
+  EXPECT_NEAR(testing::peakSlipRateAt(*models.together.surface, *shared.v) /
+                testing::peakSlipRateAt(*models.alone.surface, *own.v),
               1, 1e-8);
 }
 

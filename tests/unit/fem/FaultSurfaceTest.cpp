@@ -61,6 +61,8 @@ TEST(FaultSurface, isMadeOfTheNodesOfItsBoundary)
       EXPECT_EQ(node.place[0], body.mesh.vertices[measure[i].node][0]);
       EXPECT_EQ(node.normal[1], measure[i].normal[1]);
       EXPECT_EQ(dofs(i, 0), body.dofs.dof(measure[i].node, 0)) << "along the boundary";
+      EXPECT_NEAR(node.tangents[0][0], -node.normal[1], 1e-14);
+      EXPECT_NEAR(node.tangents[0][1], node.normal[0], 1e-14);
       EXPECT_TRUE(surface->slides(i));
     }
   }

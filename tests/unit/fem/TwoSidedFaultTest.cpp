@@ -77,31 +77,13 @@ Point<3> valueAt(Mesh<Dim> const& mesh, int vertex)
 template <int Dim, class Value>
 RCP<Vector> unknowns(Constrained<Dim> const& body, Value const& value)
 {
-  auto x = rcp(new Vector(body.dofs.owned()));
-  auto const values = x->getLocalViewHost(Tpetra::Access::OverwriteAll);
-  std::vector<Point<3>> of_node(body.mesh.num_owned);
+  std::vector<double> along_axes;
   for (int vertex = 0; vertex < body.mesh.num_owned; ++vertex) {
-    of_node[vertex] = value(vertex);
+    auto const vector = value(vertex);
+    along_axes.insert(along_axes.end(), vector.begin(), vector.begin() + Dim);
   }
-  for (auto const& split : body.mesh.splits) {
-    if (split.plus >= body.mesh.num_owned) {
-      continue;
-    }
-    auto const plus = of_node[split.plus];
-    auto const minus = of_node[split.minus];
-    for (int d = 0; d < Dim; ++d) {
-      of_node[split.plus][d] = split.is_tip ? 0 : plus[d] - minus[d];
-      of_node[split.minus][d] = split.is_tip ? minus[d] : (plus[d] + minus[d]) / 2;
-    }
-  }
-  for (int node = 0; node < body.mesh.num_owned; ++node) {
-    Point<3> local{};
-    body.constraints.frames().toFrame(node, of_node[node].data(), local.data());
-    for (int c = 0; c < Dim; ++c) {
-      values(body.dofs.dof(node, c), 0) = local[c];
-    }
-  }
-  return x;
+  auto const unknowns = unknownsOf(body.constraints.frames(), along_axes);
+  return rcp(new Vector(body.dofs.owned(), Teuchos::arrayViewFromVector(unknowns)));
 }
 
 double quadraticForm(CrsMatrix const& A, Vector const& x)

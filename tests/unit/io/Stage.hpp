@@ -1,14 +1,35 @@
 #pragma once
 
+#include "base/parallel/Reductions.hpp"
 #include "io/Output.hpp"
 #include "unit/io/Support.hpp"
 
 #include <Teuchos_Array.hpp>
 
+#include <algorithm>
 #include <functional>
 
 namespace asperity::test
 {
+// The largest `slip_rate` on the fault of all ranks where it is not `prescribed`; 0 without the field.
+// Collective.
+inline double peakSlipRate(io::FieldRegistry const& fields)
+{
+  double largest = 0;
+  if (fields.hasField("fault", "slip_rate")) {
+    std::vector<double> rates;
+    fields.field("fault", "slip_rate").values(rates);
+    std::vector<double> prescribed(rates.size(), 0);
+    if (fields.hasField("fault", "prescribed")) {
+      fields.field("fault", "prescribed").values(prescribed);
+    }
+    for (std::size_t i = 0; i < rates.size(); ++i) {
+      largest = std::max(largest, prescribed[i] != 0 ? 0 : rates[i]);
+    }
+  }
+  return maxOverRanks(largest, *world());
+}
+
 // A strip, or a block, with fields that are functions of place and time, for outputs to look at.
 struct Stage
 {
@@ -47,7 +68,7 @@ struct Stage
   io::StepInfo at(int step, double step_size, bool is_last = false)
   {
     time = step * step_size;
-    return {step, time, step_size, 0, is_last};
+    return {step, time, step_size, peakSlipRate(fields), is_last};
   }
 
   double time = 0;

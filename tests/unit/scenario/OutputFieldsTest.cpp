@@ -21,11 +21,13 @@ struct Start
       : deck(given)
       , problem(makeProblem<2>(deck, world()))
       , balance(problem.body, problem.fault, makeClock(deck.sublist("Time Stepping")))
+      , sample(*problem.surface, *problem.initial.u)
       , domains(makeDomains(problem))
   {
     balance.start(problem.initial);
     view.state = &problem.initial;
-    view.surface = problem.surface.get();
+    sample.begin(problem.initial, 0, balance);
+    view.fault = &sample;
     view.balance = &balance;
     registerFields(registry, problem, view, domains, deck.sublist("Friction"));
   }
@@ -40,6 +42,7 @@ struct Start
   ParameterList deck;
   Problem<2> problem;
   dynamics::EnergyBalance balance;
+  dynamics::FaultSample sample;
   std::map<std::string, io::OutputDomain> domains;
   RunView view;
   io::FieldRegistry registry;

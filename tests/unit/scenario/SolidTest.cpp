@@ -57,9 +57,11 @@ std::vector<double> onFault(Problem<3> const& problem, ParameterList const& deck
   dynamics::EnergyBalance balance(problem.body, problem.fault,
                                   makeClock(deck.sublist("Time Stepping")));
   balance.start(problem.initial);
+  dynamics::FaultSample sample(*problem.surface, *problem.initial.u);
+  sample.begin(problem.initial, 0, balance);
   RunView view;
   view.state = &problem.initial;
-  view.surface = problem.surface.get();
+  view.fault = &sample;
   view.balance = &balance;
   auto const domains = makeDomains(problem);
   io::FieldRegistry registry;
