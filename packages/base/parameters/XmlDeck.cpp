@@ -11,6 +11,8 @@
 #include <Teuchos_StringInputSource.hpp>
 
 #include <algorithm>
+#include <cctype>
+#include <cstring>
 #include <filesystem>
 #include <fstream>
 #include <iterator>
@@ -107,10 +109,6 @@ ParameterEntry readValue(XMLObject const& element, std::string const& where)
   }
   return readForeign(element, where);
 }
-} // namespace
-
-namespace
-{
 // <Remove name="..."/> in an overlay.
 void removeEntry(ParameterList& list, std::string const& name, std::string const& where)
 {
@@ -118,10 +116,6 @@ void removeEntry(ParameterList& list, std::string const& name, std::string const
                                                  << didYouMean(name, namesIn(list)));
   list.remove(name);
 }
-} // namespace
-
-namespace
-{
 std::string contentOf(std::string const& file_name)
 {
   std::ifstream file(file_name, std::ios::binary);
@@ -140,41 +134,26 @@ std::string withoutMark(std::string text, std::string const& file_name)
   return text.compare(0, 3, "\xEF\xBB\xBF") == 0 ? text.substr(3) : text;
 }
 
-// The position after the tag whose '<' is at `begin`; the value of an attribute may contain a '>'.
-std::size_t endOfTag(std::string const& text, std::size_t begin)
-{
-  char quote = 0;
-  for (std::size_t i = begin; i < text.size(); ++i) {
-    if (quote == 0 && text[i] == '>') {
-      return i + 1;
-    }
-    if (quote == 0 && (text[i] == '"' || text[i] == '\'')) {
-      quote = text[i];
-    } else if (text[i] == quote) {
-      quote = 0;
-    }
-  }
-  return text.size();
-}
-
 // Teuchos builds and destroys its tree recursively: deeply nested lists would overflow the stack.
 void refuseDeepLists(std::string const& text, std::string const& file_name)
 {
   constexpr int deepest = 100;
+  const auto begins = [&](std::size_t i, char const* with) {
+    return text.compare(i, std::strlen(with), with) == 0;
+  };
   int depth = 0;
-  for (std::size_t i = text.find('<'); i != std::string::npos; i = text.find('<', i)) {
-    if (text.compare(i, 4, "<!--") == 0) {
-      i = std::min(text.find("-->", i), text.size());
-      continue;
+  for (std::size_t i = text.find_first_of("</"); i < text.size();
+       i = text.find_first_of("</", i + 1)) {
+    if (begins(i, "<!--")) {
+      i = std::min(text.find("-->", i), text.size() - 1);
+    } else if (begins(i, "</") || begins(i, "/>")) {
+      --depth;
+    } else if (text[i] == '<' && std::isalpha(static_cast<unsigned char>(text[i + 1])) != 0) {
+      ++depth;
     }
-    const std::size_t end = endOfTag(text, i);
-    const bool is_declaration = text.compare(i, 2, "<?") == 0 || text.compare(i, 2, "<!") == 0;
-    const bool is_whole = end - i > 2 && text.compare(end - 2, 2, "/>") == 0;
-    depth += text.compare(i, 2, "</") == 0 ? -1 : is_declaration || is_whole ? 0 : 1;
     ASPERITY_REQUIRE(depth <= deepest, "The deck '" << file_name << "' has lists nested more than "
                                                     << deepest
                                                     << " deep. Use fewer levels of lists.");
-    i = end;
   }
 }
 } // namespace

@@ -8,21 +8,17 @@
 
 namespace asperity::scenario
 {
-// A kind of fault: a value of the entry `Type` of a boundary condition. Each kind is one file,
-// beside this one or in a library of your own; the file ends in
+// A kind of fault: a value of the entry `Type` of a boundary condition. All kinds read `Direction`
+// and `Plate Rate`; they differ in what lies on their other side. A new one, in FaultKind.cpp or in
+// a library of your own, is
 //
+//   struct BilateralContact : FaultKind
+//   {
+//     BilateralContact() : FaultKind{"friction acts on ...", fem::OtherSide::rigid_foundation} {}
+//   };
 //   ASPERITY_REGISTER(FaultKindRegistry, "Bilateral Contact", BilateralContact)
-//
-// All kinds read `Direction` and `Plate Rate`; they differ in what lies on their other side.
 struct FaultKind
 {
-  FaultKind(std::string meaning_of_kind, fem::OtherSide const& what_lies_there)
-      : meaning(std::move(meaning_of_kind))
-      , other_side(what_lies_there)
-  {
-  }
-  virtual ~FaultKind() = default;
-
   std::string meaning; // for the list of parameters
   fem::OtherSide other_side;
 };
@@ -32,4 +28,7 @@ using FaultKindRegistry = Registry<FaultKind>;
 // The names of all kinds, and of the kinds that lie inside the mesh.
 std::vector<std::string> faultKinds();
 std::vector<std::string> faultKindsInside();
+
+// The name of the first kind with this other side, "" if there is none.
+std::string faultKindOf(fem::OtherSide const& other_side);
 } // namespace asperity::scenario
