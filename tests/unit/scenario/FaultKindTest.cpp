@@ -21,7 +21,7 @@ struct ThreefoldFault : FaultKind
 
 fem::OtherSide otherSideOf(std::string const& name)
 {
-  return FaultKindRegistry::instance().create(name, "")->other_side;
+  return FaultKindRegistry::instance().at(name).other_side;
 }
 } // namespace
 

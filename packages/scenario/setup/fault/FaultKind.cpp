@@ -47,7 +47,7 @@ std::vector<std::string> kindsWith(Condition const& holds)
 {
   std::vector<std::string> found;
   for (auto const& name : faultKinds()) {
-    if (holds(FaultKindRegistry::instance().create(name, "")->other_side)) {
+    if (holds(FaultKindRegistry::instance().at(name).other_side)) {
       found.push_back(name);
     }
   }

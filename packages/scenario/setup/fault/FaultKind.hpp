@@ -1,7 +1,7 @@
 #pragma once
 
-#include "base/Registry.hpp"
 #include "fem/OtherSide.hpp"
+#include "portability/Registry.hpp"
 
 #include <string>
 #include <vector>
@@ -19,6 +19,8 @@ namespace asperity::scenario
 //   ASPERITY_REGISTER(FaultKindRegistry, "Bilateral Contact", BilateralContact)
 struct FaultKind
 {
+  static constexpr char const* registered_as = "kind of fault";
+
   std::string meaning; // for the list of parameters
   fem::OtherSide other_side;
 };
