@@ -1,10 +1,10 @@
 #pragma once
 
 #include "base/Types.hpp"
+#include "io/Archive.hpp"
 #include "io/FieldRegistry.hpp"
 #include "io/Offers.hpp"
 #include "io/OutputDomain.hpp"
-#include "io/checkpoint/Archive.hpp"
 #include "portability/Registry.hpp"
 
 #include <Teuchos_ParameterList.hpp>

@@ -2,7 +2,7 @@
 
 #include "dynamics/Fault.hpp"
 #include "dynamics/State.hpp"
-#include "io/checkpoint/Archive.hpp"
+#include "io/Archive.hpp"
 
 #include <string>
 

@@ -3,7 +3,7 @@
 #include "friction/Registry.hpp"
 #include "io/Output.hpp"
 #include "io/TextFormat.hpp"
-#include "scenario/setup/fault/FaultKind.hpp"
+#include "scenario/setup/FaultKind.hpp"
 
 namespace asperity::scenario
 {

@@ -3,8 +3,8 @@
 #include "base/Errors.hpp"
 #include "base/Text.hpp"
 #include "base/fields/Field.hpp"
+#include "scenario/setup/FaultKind.hpp"
 #include "scenario/setup/NodalField.hpp"
-#include "scenario/setup/fault/FaultKind.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -1,4 +1,4 @@
-#include "scenario/setup/fault/FaultKind.hpp"
+#include "scenario/setup/FaultKind.hpp"
 
 #include <algorithm>
 #include <tuple>
