@@ -185,6 +185,7 @@ BAD = {
         ("packages/base/README.md", README.format("base").replace("is not for", "has no")),
         ("packages/base/README.md", "# base\n\n| header | is for this and is not for that |\n"),
         ("packages/base/README.md", "# base\n\nIt is for it. It is not for it.\n"),
+        ("packages/base/README.md", README.format("base") + "`mesh/Gone.hpp`\n"),
         ("packages/other/Thing.cpp", "int i;\n"),
     ],
     "format": [(".clang-format", "BasedOnStyle: LLVM\n"), (".clang-format", "NoSuchOption: 1\n")],

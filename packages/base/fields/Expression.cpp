@@ -40,15 +40,6 @@ struct Expression::Parser
 
 namespace
 {
-std::string joined(std::vector<std::string> const& words)
-{
-  std::string text;
-  for (auto const& word : words) {
-    text += (text.empty() ? "" : ", ") + word;
-  }
-  return text;
-}
-
 // muParser takes a single = for an assignment, which changes what comes after it.
 void refuseAssignment(std::string const& text, std::string const& path)
 {
@@ -75,9 +66,7 @@ void refuseAssignment(std::string const& text, std::string const& path)
     message << " (character " << position + 1 << ", before '" << excerpt(text.substr(position))
             << "')";
   }
-  message << " It may use x, y, z, t, pi, e, the deck's Names, + - * / ^, comparisons, && || !, "
-             "c ? a : b, and the functions "
-          << joined(Expression::functionNames()) << ".";
+  message << " It may use x, y, z, t, pi, e, the deck's Names, " << Expression::operations() << ".";
   throw InputError(message.str());
 }
 } // namespace
@@ -118,21 +107,22 @@ std::optional<std::vector<double>> Expression::constants(std::string const& text
 
 Expression::~Expression() = default;
 
-std::vector<std::string> Expression::functionNames()
+std::string Expression::operations()
 {
-  std::vector<std::string> names;
+  std::string text = "+ - * / ^, comparisons, && || !, c ? a : b, and the functions ";
   const Parser with_all;
   for (auto const& function : with_all.parser.GetFunDef()) {
-    names.push_back(function.first);
+    text += (text.back() == ' ' ? "" : ", ") + function.first;
   }
-  return names;
+  return text;
 }
 
 std::vector<std::string> Expression::reservedNames()
 {
-  auto names = functionNames();
-  for (char const* name : {"x", "y", "z", "t", "pi", "e"}) {
-    names.emplace_back(name);
+  std::vector<std::string> names = {"x", "y", "z", "t", "pi", "e"};
+  const Parser with_all;
+  for (auto const& function : with_all.parser.GetFunDef()) {
+    names.push_back(function.first);
   }
   return names;
 }

@@ -28,8 +28,8 @@ public:
   static std::optional<std::vector<double>> constants(std::string const& text,
                                                       std::string const& path);
 
-  // In the order of the alphabet.
-  static std::vector<std::string> functionNames();
+  // "+ - * / ^, ..., and the functions abs, ...": what a formula may use besides names.
+  static std::string operations();
   // Functions, coordinates and constants: names that have a meaning here.
   static std::vector<std::string> reservedNames();
 

@@ -6,7 +6,6 @@
 #include "base/parameters/ParameterValue.hpp"
 #include "base/parameters/Parameters.hpp"
 
-#include <Teuchos_Array.hpp>
 #include <Teuchos_ParameterEntryXMLConverterDB.hpp>
 #include <Teuchos_StringInputSource.hpp>
 
@@ -16,6 +15,7 @@
 #include <filesystem>
 #include <fstream>
 #include <iterator>
+#include <optional>
 #include <ostream>
 #include <set>
 
@@ -41,33 +41,6 @@ std::string attribute(XMLObject const& element, std::string const& name, std::st
   return element.getAttribute(name);
 }
 
-[[noreturn]] void refuseValue(std::string const& where, std::string const& type,
-                              std::string const& value)
-{
-  throw InputError(where + ": the value '" + excerpt(value) + "' is not of the type '" + type +
-                   "' given with it.");
-}
-
-template <class T, class Read>
-ParameterEntry readArray(std::string const& where, std::string const& type,
-                         std::string const& value, Read read)
-{
-  const std::string text = trimmed(value);
-  if (text.size() < 2 || text.front() != '{' || text.back() != '}') {
-    refuseValue(where, type, value);
-  }
-  Teuchos::Array<T> numbers;
-  const std::string inside = trimmed(text.substr(1, text.size() - 2));
-  for (auto const& piece : inside.empty() ? std::vector<std::string>() : split(inside, ',')) {
-    const auto number = read(piece);
-    if (!number) {
-      refuseValue(where, type, value);
-    }
-    numbers.push_back(*number);
-  }
-  return ParameterEntry(numbers);
-}
-
 // Teuchos reads other types, which foreign lists may use.
 ParameterEntry readForeign(XMLObject const& element, std::string const& where)
 {
@@ -78,6 +51,34 @@ ParameterEntry readForeign(XMLObject const& element, std::string const& where)
   }
 }
 
+// nullopt if the value is not of the type.
+std::optional<ParameterEntry> readAs(std::string const& type, std::string const& value)
+{
+  const auto entry = [](auto const& read) {
+    return read ? std::optional(ParameterEntry(*read)) : std::nullopt;
+  };
+  if (type == "bool") {
+    const std::string word = trimmed(value);
+    return entry(word == "true"    ? std::optional(true)
+                 : word == "false" ? std::optional(false)
+                                   : std::nullopt);
+  }
+  if (type == "int") {
+    return entry(readInteger(value));
+  }
+  if (type == "Array(double)" || type == "Array(int)") {
+    const auto inside = insideBraces(value);
+    return !inside                ? std::nullopt
+           : type == "Array(int)" ? readArray(*inside, readInteger)
+                                  : readArray(*inside, readNumber);
+  }
+  if (const auto number = readNumber(value)) {
+    return ParameterEntry(*number);
+  }
+  const bool may_be_formula = !value.empty() && value != "nan" && value != "inf";
+  return may_be_formula ? std::optional(ParameterEntry(value)) : std::nullopt;
+}
+
 ParameterEntry readValue(XMLObject const& element, std::string const& where)
 {
   const std::string type = attribute(element, "type", where);
@@ -85,30 +86,17 @@ ParameterEntry readValue(XMLObject const& element, std::string const& where)
   if (type == "string") {
     return ParameterEntry(value);
   }
-  if (type == "Array(double)") {
-    return readArray<double>(where, type, value, readNumber);
+  static const std::set<std::string> ours = {"bool",       "int",    "Array(double)",
+                                             "Array(int)", "double", "float"};
+  if (ours.count(type) == 0) {
+    return readForeign(element, where);
   }
-  if (type == "Array(int)") {
-    return readArray<int>(where, type, value, readInteger);
-  }
-  if (type == "bool") {
-    const std::string word = trimmed(value);
-    return word == "true" || word == "false" ? ParameterEntry(word == "true")
-                                             : (refuseValue(where, type, value), ParameterEntry());
-  }
-  if (type == "double" || type == "float") { // what is no number may be a name or an expression
-    const auto number = readNumber(value);
-    if (!number && (value.empty() || value == "nan" || value == "inf")) {
-      refuseValue(where, type, value);
-    }
-    return number ? ParameterEntry(*number) : ParameterEntry(value);
-  }
-  if (type == "int") {
-    const auto number = readInteger(value);
-    return number ? ParameterEntry(*number) : (refuseValue(where, type, value), ParameterEntry());
-  }
-  return readForeign(element, where);
+  const auto entry = readAs(type, value);
+  ASPERITY_REQUIRE(entry, where << ": the value '" << excerpt(value) << "' is not of the type '"
+                                << type << "' given with it.");
+  return *entry;
 }
+
 // <Remove name="..."/> in an overlay.
 void removeEntry(ParameterList& list, std::string const& name, std::string const& where)
 {
@@ -116,6 +104,7 @@ void removeEntry(ParameterList& list, std::string const& name, std::string const
                                                  << didYouMean(name, namesIn(list)));
   list.remove(name);
 }
+
 std::string contentOf(std::string const& file_name)
 {
   std::ifstream file(file_name, std::ios::binary);

@@ -123,14 +123,12 @@ private:
 // A text that is not constant stays: the check of the type then refuses it with a message.
 void resolveNumbers(ParameterEntry& entry, bool is_array, Names& names, std::string const& path)
 {
-  auto given = trimmed(get<std::string>(entry));
-  if (is_array) {
-    if (given.size() < 2 || given.front() != '{' || given.back() != '}') {
-      return;
-    }
-    given = given.substr(1, given.size() - 2);
+  const auto whole = get<std::string>(entry);
+  const auto given = is_array ? insideBraces(whole) : whole;
+  if (!given) {
+    return;
   }
-  const auto text = names.replacedIn(given, path);
+  const auto text = names.replacedIn(*given, path);
   try {
     const auto values = Expression::constants(text, path);
     if (values && is_array) {
@@ -139,7 +137,7 @@ void resolveNumbers(ParameterEntry& entry, bool is_array, Names& names, std::str
       entry = ParameterEntry(values->front());
     }
   } catch (InputError const&) {
-    if (names.areIn(given)) {
+    if (names.areIn(*given)) {
       throw;
     }
   }
@@ -163,7 +161,7 @@ void resolveIn(ParameterList& list, ParameterList const& valid, Names& names,
 void resolveEntry(ParameterEntry& entry, ParameterEntry const& declared, Names& names,
                   std::string const& path)
 {
-  const auto info = Teuchos::rcp_dynamic_cast<const ParameterInfo>(declared.validator());
+  const auto info = parameterInfo(declared);
   if (info.is_null()) {
     return;
   }
@@ -220,16 +218,11 @@ RCP<const ParameterList> nameParameters()
 
 std::string meaningOfNames()
 {
-  std::string functions;
-  for (auto const& name : Expression::functionNames()) {
-    functions += (functions.empty() ? "" : ", ") + name;
-  }
   return "Each entry in here, of any name, is a number or an expression that other parameters may "
          "use. Instead of a number, a parameter may have a text with an expression of names and "
          "numbers, such as \"slope * 3600\" or \"{slope, -1}\"; parameters.xml has the values in "
-         "their places. Expressions may "
-         "use x, y, z, t, pi, e, + - * / ^, comparisons, && || !, c ? a : b, and the functions " +
-         functions + " (log is the natural logarithm).";
+         "their places. Expressions may use x, y, z, t, pi, e, " +
+         Expression::operations() + " (log is the natural logarithm).";
 }
 
 void resolveNames(ParameterList& deck, ParameterList const& valid,
