@@ -19,7 +19,8 @@ GOOD = {
     ".clang-format": "DisableFormat: true\n",
     "CMakeLists.txt": "asperity_add_package(friction LIBRARIES Asperity::Kokkos)\n"
                       "asperity_add_package(base)\n"
-                      "asperity_add_package(mesh PACKAGES friction base\n  LIBRARIES Asperity::METIS)\n",
+                      "asperity_add_package(mesh PACKAGES friction base\n"
+                      "  LIBRARIES Asperity::METIS)\n",
     "packages/base/README.md": README.format("base"),
     "packages/mesh/README.md": README.format("mesh"),
     "packages/friction/README.md": README.format("friction"),
