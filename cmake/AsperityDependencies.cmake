@@ -9,7 +9,7 @@ find_package(MPI REQUIRED COMPONENTS C CXX)
 
 # Trilinos 14 and newer exports targets; 13 only sets variables. Trilinos::all_libs cannot be used:
 # it names the targets of all packages, also of those that are not requested and not installed.
-find_package(Trilinos REQUIRED COMPONENTS Tpetra Belos MueLu Teuchos Kokkos KokkosKernels)
+find_package(Trilinos REQUIRED COMPONENTS Tpetra Belos MueLu Teuchos Kokkos)
 add_library(Asperity::Trilinos INTERFACE IMPORTED)
 if(TARGET Trilinos::all_selected_libs)
   target_link_libraries(Asperity::Trilinos INTERFACE Trilinos::all_selected_libs MPI::MPI_CXX)

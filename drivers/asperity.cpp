@@ -7,7 +7,7 @@
 #include "scenario/DeckReader.hpp"
 #include "scenario/Environment.hpp"
 #include "scenario/Registrations.hpp"
-#include "scenario/Simulation.hpp"
+#include "scenario/run/Simulation.hpp"
 
 #include <iostream>
 #include <string>

@@ -105,6 +105,13 @@ std::string trimmed(std::string const& text)
                                     : text.substr(first, text.find_last_not_of(blanks) - first + 1);
 }
 
+std::optional<std::string> insideBraces(std::string const& text)
+{
+  const std::string whole = trimmed(text);
+  const bool has_braces = whole.size() >= 2 && whole.front() == '{' && whole.back() == '}';
+  return has_braces ? std::optional(trimmed(whole.substr(1, whole.size() - 2))) : std::nullopt;
+}
+
 std::string excerpt(std::string const& text)
 {
   constexpr std::size_t most_characters = 200;

@@ -19,6 +19,9 @@ std::string formatDuration(double seconds);
 // The text without blanks at its ends.
 std::string trimmed(std::string const& text);
 
+// What stands between braces, trimmed: "1, 2" of " {1, 2} "; nullopt if the text has none.
+std::optional<std::string> insideBraces(std::string const& text);
+
 // The text for a message, on one line: control characters become blanks, and of a text of more than
 // 200 characters the first 200 and "..." remain.
 std::string excerpt(std::string const& text);

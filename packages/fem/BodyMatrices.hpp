@@ -1,10 +1,10 @@
 #pragma once
 
 #include "base/Types.hpp"
-#include "fem/DofMap.hpp"
 #include "fem/Material.hpp"
 #include "fem/constraints/HeldDofs.hpp"
 #include "fem/constraints/NodalFrames.hpp"
+#include "fem/dofs/DofMap.hpp"
 #include "mesh/Mesh.hpp"
 
 #include <vector>

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "base/Types.hpp"
-#include "fem/Warning.hpp"
+#include "base/Warning.hpp"
 #include "mesh/Mesh.hpp"
 
 #include <vector>

@@ -2,7 +2,7 @@
 
 #include "base/Errors.hpp"
 #include "mesh/SimplexGeometry.hpp"
-#include "mesh/faults/SplitVertices.hpp"
+#include "mesh/SplitVertices.hpp"
 
 #include <algorithm>
 #include <map>

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "fem/DofMap.hpp"
+#include "fem/dofs/DofMap.hpp"
 #include "mesh/Mesh.hpp"
 
 #include <string>

@@ -4,7 +4,7 @@
 #include "base/parallel/Reductions.hpp"
 #include "fem/BoundaryMeasure.hpp"
 #include "fem/Colouring.hpp"
-#include "mesh/faults/SplitVertices.hpp"
+#include "mesh/SplitVertices.hpp"
 
 #include <Tpetra_CrsGraph.hpp>
 

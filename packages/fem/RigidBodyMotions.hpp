@@ -1,7 +1,7 @@
 #pragma once
 
-#include "fem/DofMap.hpp"
 #include "fem/constraints/NodalFrames.hpp"
+#include "fem/dofs/DofMap.hpp"
 #include "mesh/Mesh.hpp"
 
 namespace asperity::fem

@@ -3,34 +3,42 @@
 #include "friction/FrictionKernels.hpp"
 #include "friction/LawProperties.hpp"
 #include "friction/StateKernels.hpp"
+#include "portability/Registry.hpp"
 
+#include <functional>
 #include <memory>
 #include <string>
-#include <vector>
 
 // All laws by name: those of this package and those that other libraries or programs have
-// registered (see Registration.hpp). A name that is not registered throws std::out_of_range, whose
-// message lists the registered ones. A second law of the same name is a programming error: from
-// then on every function but registeredLaws throws std::logic_error.
+// registered (see Registration.hpp).
 namespace asperity::friction
 {
-std::vector<std::string> frictionLawNames(); // sorted
-FrictionLawProperties const& frictionLaw(std::string const& name);
-std::vector<Parameter> const& frictionLawParameters(std::string const& name);
+struct FrictionLaw : FrictionLawProperties
+{
+  static constexpr char const* registered_as = "friction law";
+  std::function<std::unique_ptr<FrictionKernels>(FaultView const&)> make_kernels;
+};
+using FrictionLawRegistry = Registry<FrictionLaw>;
+
+struct StateLaw : StateLawProperties
+{
+  static constexpr char const* registered_as = "state law";
+  std::function<std::unique_ptr<StateKernels>(ParameterView)> make_kernels;
+};
+using StateLawRegistry = Registry<StateLaw>;
 
 // Throws std::invalid_argument if the shapes of the views do not fit each other or the law's table.
-std::unique_ptr<FrictionKernels> makeFrictionKernels(std::string const& name,
-                                                     FaultView const& fault);
-
-std::vector<std::string> stateLawNames(); // sorted
-StateLawProperties const& stateLaw(std::string const& name);
-std::vector<Parameter> const& stateLawParameters(std::string const& name);
+inline std::unique_ptr<FrictionKernels> makeFrictionKernels(std::string const& law,
+                                                            FaultView const& fault)
+{
+  return FrictionLawRegistry::instance().at(law).make_kernels(fault);
+}
 
 // parameters(num_parameters, num_nodes) has its rows in the order of the law's table and is read
 // once. Throws std::invalid_argument if it does not have that number of rows.
-std::unique_ptr<StateKernels> makeStateKernels(std::string const& name, ParameterView parameters);
-
-// "friction law 'Truncated'", "state law 'Slip'", ..., for each registration: a name that two laws
-// have stands there twice.
-std::vector<std::string> registeredLaws();
+inline std::unique_ptr<StateKernels> makeStateKernels(std::string const& law,
+                                                      ParameterView const& parameters)
+{
+  return StateLawRegistry::instance().at(law).make_kernels(parameters);
+}
 } // namespace asperity::friction

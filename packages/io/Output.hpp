@@ -1,11 +1,11 @@
 #pragma once
 
-#include "base/Registry.hpp"
 #include "base/Types.hpp"
+#include "io/Archive.hpp"
 #include "io/FieldRegistry.hpp"
 #include "io/Offers.hpp"
 #include "io/OutputDomain.hpp"
-#include "io/checkpoint/Archive.hpp"
+#include "portability/Registry.hpp"
 
 #include <Teuchos_ParameterList.hpp>
 
@@ -94,6 +94,7 @@ public:
 class OutputKind
 {
 public:
+  static constexpr char const* registered_as = "output";
   virtual ~OutputKind() = default;
 
   // The parameters, the bool `Enabled` among them, and one sentence that says what is written.

@@ -3,9 +3,9 @@
 #include "base/Errors.hpp"
 #include "base/NearestName.hpp"
 #include "base/parallel/Directory.hpp"
+#include "base/parallel/Gather.hpp"
 #include "base/parallel/Reductions.hpp"
 #include "io/detail/CurveOrder.hpp"
-#include "io/parallel/Gather.hpp"
 #include "mesh/SimplexGeometry.hpp"
 
 #include <algorithm>

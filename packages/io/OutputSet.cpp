@@ -52,8 +52,7 @@ void declareTextFormat(Declare& parameters)
 {
   std::vector<Declare::NamedList> lists{{no_text, Declare().list()}};
   for (auto const& name : TextFormatRegistry::instance().names()) {
-    const auto format = TextFormatRegistry::instance().create(name, "Text Format");
-    lists.emplace_back(name, format->validParameters());
+    lists.emplace_back(name, TextFormatRegistry::instance().at(name).validParameters());
   }
   parameters.choiceOfLists(
     "Text Format", std::string(no_text), lists,
@@ -81,8 +80,8 @@ void OutputSet::declare(Teuchos::ParameterList& list)
 {
   Declare parameters(list);
   for (auto const& name : OutputRegistry::instance().names()) {
-    const auto kind = OutputRegistry::instance().create(name, "Output");
-    parameters.sublist(name, kind->validParameters(), kind->meaning());
+    auto const& kind = OutputRegistry::instance().at(name);
+    parameters.sublist(name, kind.validParameters(), kind.meaning());
   }
   declareUp(parameters);
   declareTextFormat(parameters);
@@ -114,8 +113,7 @@ std::vector<double> OutputSet::times(Teuchos::ParameterList const& parameters)
 {
   std::vector<double> result;
   for (auto const& name : OutputRegistry::instance().names()) {
-    auto const list =
-      completeList(parameters, name, *OutputRegistry::instance().create(name, "Output"));
+    auto const list = completeList(parameters, name, OutputRegistry::instance().at(name));
     if (list.get<bool>("Enabled") && list.isParameter("Times")) {
       auto const times = list.get<Teuchos::Array<double>>("Times");
       result.insert(result.end(), times.begin(), times.end());
@@ -127,12 +125,12 @@ std::vector<double> OutputSet::times(Teuchos::ParameterList const& parameters)
 void OutputSet::makeOutputs(Teuchos::ParameterList const& parameters, OutputContext const& context)
 {
   for (auto const& name : OutputRegistry::instance().names()) {
-    const auto kind = OutputRegistry::instance().create(name, "Output");
-    auto const list = completeList(parameters, name, *kind);
-    const auto domain = kind->neededDomain();
+    auto const& kind = OutputRegistry::instance().at(name);
+    auto const list = completeList(parameters, name, kind);
+    const auto domain = kind.neededDomain();
     const bool is_possible = domain.empty() || context.domains.count(domain) > 0;
     if (is_possible && list.get<bool>("Enabled")) {
-      entries_.push_back({name, kind->make(list, context)});
+      entries_.push_back({name, kind.make(list, context)});
     }
   }
 }
@@ -147,9 +145,9 @@ void OutputSet::makeTexts(Teuchos::ParameterList const& parameters, OutputContex
   for (auto const& entry : entries_) {
     entry.output->offer(offers);
   }
-  const auto format = TextFormatRegistry::instance().create(text_format_, "Text Format");
+  auto const& format = TextFormatRegistry::instance().at(text_format_);
   entries_.push_back(
-    {"Text Format", format->make(parameters.sublist(text_format_), context, offers)});
+    {"Text Format", format.make(parameters.sublist(text_format_), context, offers)});
 }
 
 OutputSet::~OutputSet() = default;

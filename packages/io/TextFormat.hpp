@@ -10,6 +10,7 @@ namespace asperity::io
 class TextFormat
 {
 public:
+  static constexpr char const* registered_as = "text format";
   virtual ~TextFormat() = default;
 
   virtual Teuchos::RCP<const Teuchos::ParameterList> validParameters() const = 0;

@@ -1,8 +1,8 @@
 #pragma once
 
 #include "base/parameters/Parameters.hpp"
+#include "io/Archive.hpp"
 #include "io/Output.hpp"
-#include "io/checkpoint/Archive.hpp"
 
 #include <vector>
 

@@ -3,9 +3,8 @@
 #include "base/Errors.hpp"
 #include "base/parallel/Reductions.hpp"
 #include "mesh/SimplexGeometry.hpp"
-#include "mesh/detail/FacetTable.hpp"
-#include "mesh/faults/Faults.hpp"
-#include "mesh/faults/SplitVertices.hpp"
+#include "mesh/SplitVertices.hpp"
+#include "mesh/detail/InnerBoundaries.hpp"
 
 #include <set>
 
@@ -65,7 +64,7 @@ std::set<typename Mesh<Dim>::Facet> sidesOfFaults(AnyMesh<Dim> const& mesh)
 template <int Dim>
 std::vector<std::string> faultsOf(GlobalMesh<Dim> const& mesh, std::string const& where)
 {
-  return mesh.faults.empty() ? innerBoundaries(mesh, where) : mesh.faults;
+  return mesh.faults.empty() ? detail::innerBoundaries(mesh, where) : mesh.faults;
 }
 template <int Dim>
 std::vector<std::string> faultsOf(Mesh<Dim> const& part, std::string const&)

@@ -4,9 +4,8 @@
 #include "mesh/PointText.hpp"
 #include "mesh/SimplexGeometry.hpp"
 #include "mesh/detail/Conformity.hpp"
-#include "mesh/detail/FacetTable.hpp"
-#include "mesh/faults/Faults.hpp"
-#include "mesh/faults/SplitCheck.hpp"
+#include "mesh/detail/InnerBoundaries.hpp"
+#include "mesh/detail/SplitCheck.hpp"
 
 #include <set>
 
@@ -158,7 +157,7 @@ private:
                               << " and " << entries[i].cell << " share the facet with vertices "
                               << numbers(entries[i].key) << "; at most two may.");
     }
-    checkSplits(mesh_, table, where_);
+    detail::checkSplits(mesh_, table, where_);
     for (auto const& [name, facets] : mesh_.boundaries) {
       auto const& split = mesh_.faults;
       const bool is_split_fault = std::find(split.begin(), split.end(), name) != split.end();
@@ -172,7 +171,7 @@ private:
                                 << numbers(facet) << " twice.");
       }
     }
-    const auto inner = innerBoundaries(mesh_, table, where_);
+    const auto inner = detail::innerBoundaries(mesh_, table, where_);
     ASPERITY_REQUIRE(inner.empty() || mesh_.faults.empty(),
                      where_ << ": the mesh is split along its faults, but not along '"
                             << inner.front() << "', which lies inside the body, too.");

@@ -61,7 +61,7 @@ struct Mesh
   //
   // The facets of a fault inside the body are those of its plus side, oriented outward from the
   // body there. They consist of plus vertices only, also at tips; with minus instead of plus they
-  // are the facets of the other side (faults/SplitVertices.hpp). Their normal points from plus to
+  // are the facets of the other side (SplitVertices.hpp). Their normal points from plus to
   // minus.
   std::map<std::string, std::vector<Facet>> boundaries;
 

@@ -2,6 +2,7 @@
 
 #include "base/Errors.hpp"
 #include "base/Text.hpp"
+#include "base/fields/Expression.hpp"
 #include "base/parameters/ParameterValue.hpp"
 #include "catalogue/stress/CoulombPlanes.hpp"
 #include "io/OutputSet.hpp"
@@ -15,9 +16,7 @@
 #include "scenario/setup/SolverSetup.hpp"
 #include "scenario/setup/TimeSetup.hpp"
 
-#include <cctype>
-#include <cmath>
-#include <cstdlib>
+#include <algorithm>
 #include <vector>
 
 namespace asperity::scenario
@@ -46,25 +45,10 @@ constexpr std::size_t most_named = 3;
 // In a number, an array or an expression: "1e308", "{1, 1e308}", "x < 1e308 ? a : b".
 bool hasLargeNumber(std::string const& text)
 {
-  const char* place = text.c_str();
-  while (*place != '\0') {
-    const auto letter = static_cast<unsigned char>(*place);
-    if (std::isdigit(letter) != 0 || *place == '.') {
-      char* end = nullptr;
-      const double number = std::strtod(place, &end);
-      if (std::isfinite(number) && number > large) {
-        return true;
-      }
-      place = end > place ? end : place + 1;
-    } else if (std::isalpha(letter) != 0 || *place == '_') { // digits of a name are no number
-      while (std::isalnum(static_cast<unsigned char>(*place)) != 0 || *place == '_') {
-        ++place;
-      }
-    } else {
-      ++place;
-    }
-  }
-  return false;
+  auto const parts = formulaParts(text);
+  return std::any_of(parts.begin(), parts.end(), [](auto const& part) {
+    return part.is_number && readNumber(part.text).value_or(0) > large;
+  });
 }
 
 void collect(ParameterList const& list, std::string const& path, std::string const& message,
@@ -113,12 +97,14 @@ RCP<const ParameterList> deckParameters()
 RCP<ParameterList> readCompleteDeck(CommandLine const& command_line)
 {
   auto const valid = deckParameters();
-  auto deck = assembleDeck(command_line, *valid);
-  auto& time = deck->sublist("Time Stepping");
+  auto const [deck, names_to_use] = deckAsGiven(command_line, *valid);
   const bool names_scheme =
-    deckAsGiven(command_line, *valid)->sublist("Time Stepping").isParameter("Scheme");
+    deck->isSublist("Time Stepping") && deck->sublist("Time Stepping").isParameter("Scheme");
+  resolveNames(*deck, *valid, names_to_use);
+  completeAndValidate(*deck, *valid, "Asperity");
   if (!names_scheme && quasiDynamic(deck->sublist("Bulk"))) {
-    time.setEntry("Scheme", Teuchos::ParameterEntry(std::string(massless_scheme), true));
+    deck->sublist("Time Stepping")
+      .setEntry("Scheme", Teuchos::ParameterEntry(std::string(massless_scheme), true));
     completeAndValidate(*deck, *valid, "Asperity");
   }
   return deck;
@@ -128,7 +114,7 @@ std::string remarkOnLargeValues(CommandLine const& command_line, std::string con
 {
   std::vector<std::string> found;
   try {
-    collect(*deckAsGiven(command_line, *deckParameters()), "", message, found);
+    collect(*deckAsGiven(command_line, *deckParameters()).list, "", message, found);
   } catch (InputError const&) { // the deck cannot be read: `message` says so
     return "";
   }

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "dynamics/FaultSample.hpp"
-#include "io/checkpoint/Archive.hpp"
+#include "io/Archive.hpp"
 
 #include <string>
 

@@ -1,10 +1,10 @@
 #pragma once
 
+#include "base/Warning.hpp"
 #include "base/parameters/Parameters.hpp"
 #include "dynamics/Model.hpp"
 #include "dynamics/coupling/RateSolver.hpp"
 #include "fem/Material.hpp"
-#include "fem/Warning.hpp"
 #include "fem/constraints/Constraints.hpp"
 #include "scenario/setup/BoundarySetup.hpp"
 

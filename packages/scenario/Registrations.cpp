@@ -3,21 +3,19 @@
 #include "friction/Registry.hpp"
 #include "io/Output.hpp"
 #include "io/TextFormat.hpp"
-#include "scenario/setup/fault/FaultKind.hpp"
+#include "scenario/setup/FaultKind.hpp"
 
 namespace asperity::scenario
 {
 std::vector<std::string> registrations()
 {
-  auto all = friction::registeredLaws();
-  for (auto const& name : io::OutputRegistry::instance().registrations()) {
-    all.push_back("output '" + name + "'");
-  }
-  for (auto const& name : io::TextFormatRegistry::instance().registrations()) {
-    all.push_back("text format '" + name + "'");
-  }
-  for (auto const& name : FaultKindRegistry::instance().registrations()) {
-    all.push_back("kind of fault '" + name + "'");
+  std::vector<std::string> all;
+  for (auto const& some : {friction::FrictionLawRegistry::instance().registrations(),
+                           friction::StateLawRegistry::instance().registrations(),
+                           io::OutputRegistry::instance().registrations(),
+                           io::TextFormatRegistry::instance().registrations(),
+                           FaultKindRegistry::instance().registrations()}) {
+    all.insert(all.end(), some.begin(), some.end());
   }
   return all;
 }

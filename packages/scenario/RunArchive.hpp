@@ -3,7 +3,7 @@
 #include "dynamics/EnergyBalance.hpp"
 #include "dynamics/condensation/StaticCondensation.hpp"
 #include "dynamics/control/StepControl.hpp"
-#include "io/checkpoint/Archive.hpp"
+#include "io/Archive.hpp"
 
 namespace asperity::scenario
 {

@@ -3,9 +3,9 @@
 #include "base/Text.hpp"
 #include "base/parallel/Reductions.hpp"
 #include "scenario/Environment.hpp"
+#include "scenario/FaultSense.hpp"
 #include "scenario/ResolutionCheck.hpp"
 #include "scenario/setup/BulkSetup.hpp"
-#include "scenario/setup/fault/FaultSense.hpp"
 
 #include <cmath>
 #include <sstream>

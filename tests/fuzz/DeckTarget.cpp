@@ -79,9 +79,6 @@ RCP<const ParameterList> declarations()
       .entriesWith("Law", "Mine", Declare().real("a", 0.01, "-", Range::any(), "a").list())
       .entriesWith("Law", "Yours", Declare().real("b", 0.01, "-", Range::any(), "b").list())
       .sublist("List", plugin("kg"), "A list.")
-      .optionalSublist("Optional List",
-                       Declare().real("Needed", required, "-", Range::any(), "A number.").list(),
-                       "A list.")
       .openSublist("Open",
                    Declare().field("<name>", required, "-", Range::any(), "A condition.").list(),
                    "Conditions.")

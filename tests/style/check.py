@@ -9,7 +9,7 @@ import pathlib
 import sys
 
 RULES = ["includes", "kernels", "layout", "marks", "drivers", "decks", "names",
-         "sizes", "readmes", "renamed", "devices", "format"]
+         "folders", "readmes", "renamed", "devices", "format"]
 
 
 def main(arguments):

@@ -37,7 +37,7 @@ def entries(printed):
     lines = iter(printed.splitlines()[1:])  # without the root
     for line in lines:
         text = line.strip()
-        if text.startswith(("<!-- A list with any number", "<!-- Optional:")):
+        if text.startswith("<!-- A list with any number"):
             yield next(lines).strip(), comment  # the list that the comment before describes
             comment = None
         elif text.startswith("<!-- <Parameter") or text.startswith("<Parameter"):

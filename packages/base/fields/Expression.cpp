@@ -5,7 +5,11 @@
 
 #include <muParser.h>
 
+#include <algorithm>
+#include <cctype>
+#include <charconv>
 #include <cmath>
+#include <utility>
 
 namespace asperity
 {
@@ -29,19 +33,13 @@ struct Expression::Parser
     parser.DefineFun("erfc", static_cast<double (*)(double)>(std::erfc));
     parser.DefineFun("if", [](double c, double a, double b) { return c != 0.0 ? a : b; });
   }
+
+  // The values at the origin at t = 0, one for each formula of the text.
+  std::vector<double> read(std::string const& text, std::string const& path);
 };
 
 namespace
 {
-std::string joined(std::vector<std::string> const& words)
-{
-  std::string text;
-  for (auto const& word : words) {
-    text += (text.empty() ? "" : ", ") + word;
-  }
-  return text;
-}
-
 // muParser takes a single = for an assignment, which changes what comes after it.
 void refuseAssignment(std::string const& text, std::string const& path)
 {
@@ -68,50 +66,63 @@ void refuseAssignment(std::string const& text, std::string const& path)
     message << " (character " << position + 1 << ", before '" << excerpt(text.substr(position))
             << "')";
   }
-  message << " It may use x, y, z, t, pi, e, the deck's Names, + - * / ^, comparisons, && || !, "
-             "c ? a : b, and the functions "
-          << joined(Expression::functionNames()) << ".";
+  message << " It may use x, y, z, t, pi, e, the deck's Names, " << Expression::operations() << ".";
   throw InputError(message.str());
 }
 } // namespace
 
-Expression::Expression(std::string const& text, std::string const& path)
-    : parser_(std::make_unique<Parser>())
-    , text_(text)
+std::vector<double> Expression::Parser::read(std::string const& text, std::string const& path)
 {
   refuseAssignment(text, path);
   try {
-    parser_->parser.SetExpr(text);
-    parser_->parser.Eval(); // GetUsedVar alone accepts unknown names
-    for (auto const& variable : parser_->parser.GetUsedVar()) {
-      (variable.first == "t" ? parser_->uses_time : parser_->uses_space) = true;
+    parser.SetExpr(text);
+    parser.Eval(); // GetUsedVar alone accepts unknown names
+    for (auto const& variable : parser.GetUsedVar()) {
+      (variable.first == "t" ? uses_time : uses_space) = true;
     }
-    int results = 0;
-    parser_->parser.Eval(results);
-    ASPERITY_REQUIRE(results == 1, path << " = '" << excerpt(text) << "' has " << results
-                                        << " values; write 1.5 rather than 1,5.");
+    int count = 0;
+    double const* values = parser.Eval(count);
+    return {values, values + count};
   } catch (mu::ParserError const& error) {
     refuse(text, path, error);
   }
 }
 
+Expression::Expression(std::string const& text, std::string const& path)
+    : parser_(std::make_unique<Parser>())
+    , text_(text)
+{
+  const auto results = parser_->read(text, path).size();
+  ASPERITY_REQUIRE(results == 1, path << " = '" << excerpt(text) << "' has " << results
+                                      << " values; write 1.5 rather than 1,5.");
+}
+
+std::optional<std::vector<double>> Expression::constants(std::string const& text,
+                                                         std::string const& path)
+{
+  Parser parser;
+  auto values = parser.read(text, path);
+  return parser.uses_space || parser.uses_time ? std::nullopt : std::optional(std::move(values));
+}
+
 Expression::~Expression() = default;
 
-std::vector<std::string> Expression::functionNames()
+std::string Expression::operations()
 {
-  std::vector<std::string> names;
+  std::string text = "+ - * / ^, comparisons, && || !, c ? a : b, and the functions ";
   const Parser with_all;
   for (auto const& function : with_all.parser.GetFunDef()) {
-    names.push_back(function.first);
+    text += (text.back() == ' ' ? "" : ", ") + function.first;
   }
-  return names;
+  return text;
 }
 
 std::vector<std::string> Expression::reservedNames()
 {
-  auto names = functionNames();
-  for (char const* name : {"x", "y", "z", "t", "pi", "e"}) {
-    names.emplace_back(name);
+  std::vector<std::string> names = {"x", "y", "z", "t", "pi", "e"};
+  const Parser with_all;
+  for (auto const& function : with_all.parser.GetFunDef()) {
+    names.push_back(function.first);
   }
   return names;
 }
@@ -128,4 +139,29 @@ double Expression::operator()(std::array<double, 3> const& x, double t) const
 bool Expression::dependsOnSpace() const { return parser_->uses_space; }
 
 bool Expression::dependsOnTime() const { return parser_->uses_time; }
+
+std::vector<FormulaPart> formulaParts(std::string const& text)
+{
+  const auto is_digit = [](char c) { return std::isdigit(static_cast<unsigned char>(c)) != 0; };
+  const auto is_of_name = [](char c) {
+    return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_';
+  };
+  const char* const end = text.data() + text.size();
+  std::vector<FormulaPart> parts;
+  for (const char* begin = text.data(); begin != end; begin += parts.back().text.size()) {
+    double value = 0;
+    const char* const after_number =
+      is_digit(*begin) || *begin == '.' ? std::from_chars(begin, end, value).ptr : begin;
+    const char* const after_name = std::find_if_not(begin, end, is_of_name);
+    if (after_number != begin) {
+      parts.push_back({std::string(begin, after_number), true, false});
+    } else if (after_name != begin) {
+      const char* const next = std::find_if(after_name, end, [](char c) { return c != ' '; });
+      parts.push_back({std::string(begin, after_name), false, next == end || *next != '('});
+    } else {
+      parts.push_back({std::string(1, *begin), false, false});
+    }
+  }
+  return parts;
+}
 } // namespace asperity

@@ -2,6 +2,7 @@
 
 #include <array>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -22,8 +23,13 @@ public:
   // The result is not checked; it may be infinite or NaN.
   double operator()(std::array<double, 3> const& x, double t) const;
 
-  // In the order of the alphabet.
-  static std::vector<std::string> functionNames();
+  // The values of formulas with commas between them, "2 * 3600, -max(1, 2)"; nullopt if one of them
+  // depends on x, y, z or t. InputError as in the constructor.
+  static std::optional<std::vector<double>> constants(std::string const& text,
+                                                      std::string const& path);
+
+  // "+ - * / ^, ..., and the functions abs, ...": what a formula may use besides names.
+  static std::string operations();
   // Functions, coordinates and constants: names that have a meaning here.
   static std::vector<std::string> reservedNames();
 
@@ -36,4 +42,15 @@ private:
   std::unique_ptr<Parser> parser_;
   std::string text_;
 };
+
+// A part of a formula's text: a number, a name, or one other character.
+struct FormulaPart
+{
+  std::string text;
+  bool is_number = false;
+  bool is_name = false; // of something else than a function
+};
+
+// All parts, in their order, of a text that need not be a correct formula.
+std::vector<FormulaPart> formulaParts(std::string const& text);
 } // namespace asperity

@@ -2,6 +2,7 @@
 
 #include "base/WriteFailure.hpp"
 #include "base/hdf5/detail/Calls.hpp"
+#include "base/program/MpiScope.hpp"
 
 #include <algorithm>
 #include <array>

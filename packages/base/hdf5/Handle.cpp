@@ -1,6 +1,7 @@
 #include "base/hdf5/Handle.hpp"
 
 #include "base/hdf5/detail/Calls.hpp"
+#include "base/program/MpiScope.hpp"
 
 namespace asperity::h5
 {
@@ -12,12 +13,7 @@ herr_t describeError(unsigned, H5E_error2_t const* entry, void* text)
   *static_cast<std::string*>(text) = entry->desc ? entry->desc : "";
   return 0;
 }
-bool holds_unclosed = false;
 } // namespace
-
-bool holdsUnclosed() { return holds_unclosed; }
-
-void noteUnclosed() { holds_unclosed = true; }
 
 void fail(std::string const& what)
 {
@@ -47,11 +43,13 @@ Handle::~Handle()
     return;
   }
   if (only_on_demand_) {
-    holds_unclosed = true;
+    noteUnclosed();
     return;
   }
   const Silence silence;
-  holds_unclosed |= close_(id_) < 0;
+  if (close_(id_) < 0) {
+    noteUnclosed();
+  }
 }
 
 void Handle::close(std::string const& what)
@@ -60,7 +58,9 @@ void Handle::close(std::string const& what)
     const hid_t id = std::exchange(id_, hid_t(H5I_INVALID_HID));
     checked(what, [&] {
       const herr_t result = close_(id);
-      holds_unclosed |= result < 0;
+      if (result < 0) {
+        noteUnclosed();
+      }
       return result;
     });
   }

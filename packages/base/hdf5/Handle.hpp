@@ -16,12 +16,6 @@ public:
   using OutputError::OutputError;
 };
 
-// Whether HDF5 holds something that it could not close, for example because the disk is full.
-// HDF5's own clean-up, in MPI_Finalize and at the exit of the program, would then try again and
-// crash.
-bool holdsUnclosed();
-void noteUnclosed();
-
 // While this object lives, HDF5 does not print its error stack; Asperity's messages say what a user
 // needs. The destructor restores the earlier setting.
 class Silence

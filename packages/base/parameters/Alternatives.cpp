@@ -11,14 +11,14 @@ using Teuchos::ParameterEntry;
 using Teuchos::RCP;
 using Teuchos::rcp;
 
-namespace
+bool isAlternative(ParameterEntry const& declared)
 {
-bool isAlternative(ParameterList const& valid, std::string const& name)
-{
-  const auto info = parameterInfo(valid, name);
+  const auto info = parameterInfo(declared);
   return !info.is_null() && info->kind == ParameterKind::alternative;
 }
 
+namespace
+{
 std::string chosenWord(ParameterList const& valid, ParameterList const& list,
                        std::string const& choice, std::string const& path)
 {
@@ -35,7 +35,7 @@ std::string choicesWithEntry(ParameterList const& valid, std::string const& name
 {
   std::string text;
   for (auto const& item : valid) {
-    if (isAlternative(valid, item.first) && get<ParameterList>(item.second).isParameter(name)) {
+    if (isAlternative(item.second) && get<ParameterList>(item.second).isParameter(name)) {
       text += (text.empty() ? "" : " or ") + item.first;
     }
   }
@@ -51,8 +51,7 @@ std::string choicesWithEntry(ParameterList const& valid, std::string const& name
 // Merges both declarations of an entry into `first`.
 void join(ParameterEntry& first, ParameterEntry const& second, std::string const& path)
 {
-  const auto one = Teuchos::rcp_dynamic_cast<const ParameterInfo>(first.validator(), true);
-  const auto two = Teuchos::rcp_dynamic_cast<const ParameterInfo>(second.validator(), true);
+  const auto one = parameterInfo(first), two = parameterInfo(second);
   if (one->kind != two->kind || one->unit != two->unit) {
     refusePair(path, "one as " + one->allowed() + ", one as " + two->allowed() + ".");
   }
@@ -85,11 +84,11 @@ RCP<const ParameterList> withChosenEntries(ParameterList const& valid, Parameter
     }
   };
   for (auto const& item : valid) {
-    if (!isAlternative(valid, item.first)) {
+    if (!isAlternative(item.second)) {
       add(item.first, item.second);
       continue;
     }
-    const auto info = parameterInfo(valid, item.first);
+    const auto info = parameterInfo(item.second);
     if (chosenWord(valid, list, info->chosen_by, path) == info->words.front()) {
       for (auto const& entry : get<ParameterList>(item.second)) {
         add(entry.first, entry.second);

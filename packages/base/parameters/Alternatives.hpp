@@ -8,6 +8,9 @@ namespace asperity
 {
 inline constexpr char const* alternative_separator = " = ";
 
+// Whether a declared entry is such a list.
+bool isAlternative(Teuchos::ParameterEntry const& declared);
+
 // The declarations that hold for `list`, which stands at `path`: entries of the words that its
 // choices have, as given or by default, stand among the others. An entry that two words bring has
 // to have the same unit and default in both; the numbers that both allow are allowed. If two

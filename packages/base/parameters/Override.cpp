@@ -4,12 +4,9 @@
 #include "base/parameters/Deck.hpp"
 #include "base/parameters/ParameterValue.hpp"
 
-#include <Teuchos_Array.hpp>
-
 // --set "Path/To/Parameter=value"
 namespace asperity
 {
-using Teuchos::Array;
 using Teuchos::ParameterEntry;
 using Teuchos::RCP;
 
@@ -26,6 +23,16 @@ struct Place
   std::string path;
 };
 
+// Without that of the root list.
+std::vector<std::string> namesOnPath(std::string const& path)
+{
+  auto names = split(path, '/');
+  if (names.size() > 1 && names.front() == "Asperity") {
+    names.erase(names.begin());
+  }
+  return names;
+}
+
 ParameterEntry guessed(std::string const& value)
 {
   if (value == "true" || value == "false") {
@@ -40,29 +47,11 @@ ParameterEntry guessed(std::string const& value)
   return ParameterEntry(value);
 }
 
-std::vector<std::string> arrayPieces(std::string const& value)
+// Braces may be left out. A text that is no such array stays: the check that follows refuses it.
+template <class Read>
+ParameterEntry arrayOrText(std::string const& value, Read const& read)
 {
-  std::string inside = trimmed(value);
-  if (inside.size() >= 2 && inside.front() == '{' && inside.back() == '}') {
-    inside = trimmed(inside.substr(1, inside.size() - 2));
-  }
-  return inside.empty() ? std::vector<std::string>() : split(inside, ',');
-}
-
-// An array of T, or the unchanged text if it is not an array of T; the check that follows refuses
-// the text.
-template <class T, class Read>
-ParameterEntry arrayOf(std::string const& value, Read read)
-{
-  Array<T> elements;
-  for (auto const& piece : arrayPieces(value)) {
-    const auto element = read(piece);
-    if (!element) {
-      return ParameterEntry(value);
-    }
-    elements.push_back(*element);
-  }
-  return ParameterEntry(elements);
+  return readArray(insideBraces(value).value_or(value), read).value_or(ParameterEntry(value));
 }
 
 // The value in the declared type if the text can be read that way; otherwise in the guessed type,
@@ -79,11 +68,10 @@ ParameterEntry readAs(ParameterKind kind, std::string const& value)
       return ParameterEntry(*number);
     }
     return ParameterEntry(value);
-  case ParameterKind::real_array: return arrayOf<double>(value, readNumber);
-  case ParameterKind::integer_array: return arrayOf<int>(value, readInteger);
+  case ParameterKind::real_array: return arrayOrText(value, readNumber);
+  case ParameterKind::integer_array: return arrayOrText(value, readInteger);
   case ParameterKind::text_array:
-    return arrayOf<std::string>(value,
-                                [](std::string const& piece) { return std::optional(piece); });
+    return arrayOrText(value, [](std::string const& piece) { return std::optional(piece); });
   default: return guessed(value);
   }
 }
@@ -126,8 +114,7 @@ ParameterEntry const* declaration(Place const& place, std::string const& name)
 
 RCP<const ParameterInfo> infoOf(ParameterEntry const* declared)
 {
-  return declared ? Teuchos::rcp_dynamic_cast<const ParameterInfo>(declared->validator())
-                  : Teuchos::null;
+  return declared ? parameterInfo(*declared) : Teuchos::null;
 }
 
 // Goes one list down. A field counts as a list, too: its list has one value per region.
@@ -175,10 +162,7 @@ void setValue(Place const& place, std::string const& name, std::string const& va
 
 void removeEntry(ParameterList& list, std::string const& path_text)
 {
-  auto names = split(path_text, '/');
-  if (names.size() > 1 && names.front() == "Asperity") {
-    names.erase(names.begin());
-  }
+  auto const names = namesOnPath(path_text);
   ParameterList* place = &list;
   std::string path = "Asperity";
   for (std::size_t i = 0; i < names.size(); ++i) {
@@ -200,10 +184,7 @@ void applyOverride(ParameterList& list, ParameterList const& valid, std::string 
   const auto equals = assignment.find('=');
   ASPERITY_REQUIRE(equals != std::string::npos && !trimmed(assignment.substr(0, equals)).empty(),
                    "--set '" << assignment << "' is not of the form \"Path/To/Parameter=value\".");
-  auto names = split(assignment.substr(0, equals), '/');
-  if (names.size() > 1 && names.front() == "Asperity") {
-    names.erase(names.begin());
-  }
+  auto const names = namesOnPath(assignment.substr(0, equals));
   Place place{&list, withChosenEntries(valid, list, "Asperity"), Teuchos::rcpFromRef(valid), false,
               "Asperity"};
   for (std::size_t i = 0; i + 1 < names.size(); ++i) {

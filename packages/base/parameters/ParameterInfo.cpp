@@ -162,9 +162,14 @@ void ParameterInfo::validate(ParameterEntry const& entry, std::string const& nam
   check(entry, joinPath(path, name));
 }
 
+RCP<const ParameterInfo> parameterInfo(ParameterEntry const& entry)
+{
+  return Teuchos::rcp_dynamic_cast<const ParameterInfo>(entry.validator());
+}
+
 RCP<const ParameterInfo> parameterInfo(ParameterList const& list, std::string const& name)
 {
   const ParameterEntry* entry = list.getEntryPtr(name);
-  return entry ? Teuchos::rcp_dynamic_cast<const ParameterInfo>(entry->validator()) : Teuchos::null;
+  return entry ? parameterInfo(*entry) : Teuchos::null;
 }
 } // namespace asperity

@@ -76,5 +76,6 @@ private:
 };
 
 // The information of a declared or completed entry; null if it has none.
+Teuchos::RCP<const ParameterInfo> parameterInfo(Teuchos::ParameterEntry const& entry);
 Teuchos::RCP<const ParameterInfo> parameterInfo(ParameterList const& list, std::string const& name);
 } // namespace asperity

@@ -1,5 +1,8 @@
 #pragma once
 
+#include "base/Text.hpp"
+
+#include <Teuchos_Array.hpp>
 #include <Teuchos_ParameterEntry.hpp>
 #include <Teuchos_ParameterList.hpp>
 
@@ -35,6 +38,22 @@ std::vector<std::string> namesIn(Teuchos::ParameterList const& list);
 
 // The number in an entry with an int or a double.
 std::optional<double> numberIn(Teuchos::ParameterEntry const& entry);
+
+// An entry with the array of what `read` finds between commas, nothing in an empty text; nullopt if
+// it finds nothing, std::nullopt, in one of the pieces.
+template <class Read>
+std::optional<Teuchos::ParameterEntry> readArray(std::string const& text, Read const& read)
+{
+  Teuchos::Array<typename decltype(read(text))::value_type> elements;
+  for (auto const& piece : trimmed(text).empty() ? std::vector<std::string>() : split(text, ',')) {
+    const auto element = read(piece);
+    if (!element) {
+      return std::nullopt;
+    }
+    elements.push_back(*element);
+  }
+  return Teuchos::ParameterEntry(elements);
+}
 
 // The value as a deck writes it: 0.015, true, {1, 2}; a string without quotes; "a list" for a list.
 std::string plainText(Teuchos::ParameterEntry const& entry);

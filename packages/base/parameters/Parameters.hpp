@@ -14,6 +14,7 @@
 namespace asperity
 {
 using Teuchos::ParameterList;
+class ParameterInfo;
 
 // Declares the entries of a list of valid parameters, one call per entry, each with default (or
 // `required`, `optional`), unit ("-" if dimensionless), range and one sentence of meaning:
@@ -80,10 +81,6 @@ public:
   Declare& sublist(std::string const& name, Teuchos::RCP<const ParameterList> const& valid,
                    std::string const& meaning);
 
-  // The same, but left out where the deck leaves it out.
-  Declare& optionalSublist(std::string const& name, Teuchos::RCP<const ParameterList> const& valid,
-                           std::string const& meaning);
-
   // A list whose entries the user names; `each` holds one declaration that all of them follow, e.g.
   // openSublist("Regions", Declare().text("<region>", required, "Condition in x and y.").list(),
   // "...").
@@ -101,6 +98,13 @@ public:
   Teuchos::RCP<ParameterList> list() const { return list_; }
 
 private:
+  // Stored: the type of the value in the list.
+  template <class Stored, class T>
+  Declare& addValue(std::string const& name, DefaultOr<T> const& value, std::string const& meaning,
+                    Teuchos::RCP<ParameterInfo> const& info);
+  Declare& addList(std::string const& name, ParameterList const& content,
+                   std::string const& meaning, Teuchos::RCP<ParameterInfo> const& info);
+
   Teuchos::RCP<ParameterList> list_;
   std::string last_;
 };

@@ -10,11 +10,6 @@ namespace asperity
 {
 namespace
 {
-Teuchos::RCP<const ParameterInfo> infoOf(Teuchos::ParameterEntry const& entry)
-{
-  return Teuchos::rcp_dynamic_cast<const ParameterInfo>(entry.validator());
-}
-
 // "default 0.015", "required", "optional"
 std::string presenceText(Teuchos::ParameterEntry const& entry, ParameterInfo const& info)
 {
@@ -40,18 +35,12 @@ std::string description(Teuchos::ParameterEntry const& entry, ParameterInfo cons
   return text + withSpaceBefore(entry.docString()) + withSpaceBefore(info.hint);
 }
 
-bool isAlternative(Teuchos::ParameterEntry const& entry)
-{
-  const auto info = infoOf(entry);
-  return !info.is_null() && info->kind == ParameterKind::alternative;
-}
-
 // Alternatives come as lists of their own, headed "Asperity / Friction, with Law = Regularised".
 void printText(ParameterList const& valid, std::string const& path, std::ostream& out)
 {
   out << path << '\n';
   for (auto const& item : valid) {
-    const auto info = infoOf(item.second);
+    const auto info = parameterInfo(item.second);
     if (!item.second.isList() && !info.is_null()) {
       out << "  " << item.first << "\n      " << description(item.second, *info) << '\n';
     } else if (!item.second.isList()) {
@@ -81,15 +70,13 @@ std::string commentText(std::string text)
   return text;
 }
 
-// Lists that a deck has only if the user wants them are described, not written.
-void describeXml(Teuchos::ParameterEntry const& entry, std::string const& name,
-                 ParameterInfo const& info, std::string const& indent, std::ostream& out)
+// The lists that a deck has as the user names them are described, not written.
+void describeOpenList(ParameterList const& content, std::string const& name,
+                      std::string const& indent, std::ostream& out)
 {
-  const bool is_open = info.kind == ParameterKind::open_sublist;
   std::ostringstream text;
-  printText(get<ParameterList>(entry), name, text);
-  out << indent << "<!-- "
-      << (is_open ? "A list with any number of entries, named by you:" : "Optional:") << '\n'
+  printText(content, name, text);
+  out << indent << "<!-- A list with any number of entries, named by you:\n"
       << commentText(text.str()) << indent << "-->\n";
 }
 
@@ -101,7 +88,7 @@ void describeAlternatives(ParameterList const& with_all, std::string const& name
     if (!isAlternative(item.second)) {
       continue;
     }
-    const auto info = infoOf(item.second);
+    const auto info = parameterInfo(item.second);
     if (get<std::string>(with_all.getEntry(info->chosen_by)) == info->words.front()) {
       continue;
     }
@@ -114,7 +101,7 @@ void describeAlternatives(ParameterList const& with_all, std::string const& name
 void printXmlParameter(Teuchos::ParameterEntry const& entry, std::string const& name,
                        std::string const& indent, std::ostream& out)
 {
-  const auto info = infoOf(entry);
+  const auto info = parameterInfo(entry);
   if (!info.is_null()) {
     out << indent << "<!-- " << commentText(description(entry, *info)) << " -->\n";
   }
@@ -132,7 +119,7 @@ void printXml(ParameterList const& with_all, std::string const& name, std::ostre
   out << indent << "<ParameterList name=\"" << xmlEscaped(name) << "\">\n";
   for (auto const& item : valid) {
     auto const& entry = item.second;
-    const auto info = infoOf(entry);
+    const auto info = parameterInfo(entry);
     if (!entry.isList()) {
       printXmlParameter(entry, item.first, indent + "  ", out);
       continue;
@@ -140,9 +127,8 @@ void printXml(ParameterList const& with_all, std::string const& name, std::ostre
     if (!entry.docString().empty()) {
       out << indent << "  <!-- " << commentText(entry.docString()) << " -->\n";
     }
-    if (!info.is_null() &&
-        (info->kind == ParameterKind::open_sublist || info->presence == Presence::is_optional)) {
-      describeXml(entry, item.first, *info, indent + "  ", out);
+    if (!info.is_null() && info->kind == ParameterKind::open_sublist) {
+      describeOpenList(get<ParameterList>(entry), item.first, indent + "  ", out);
     } else {
       printXml(get<ParameterList>(entry), item.first, out, depth + 1);
     }

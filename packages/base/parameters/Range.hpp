@@ -14,7 +14,6 @@ public:
   static Range positive() { return above(0.0); }
   static Range atLeast(double lower) { return Range(lower, true, infinity(), false); }
   static Range above(double lower) { return Range(lower, false, infinity(), false); }
-  static Range atMost(double upper) { return Range(-infinity(), false, upper, true); }
   static Range below(double upper) { return Range(-infinity(), false, upper, false); }
   static Range closed(double lower, double upper) { return Range(lower, true, upper, true); }
   static Range open(double lower, double upper) { return Range(lower, false, upper, false); }

@@ -115,7 +115,7 @@ void processEntry(ParameterList& list, std::string const& name,
                   Teuchos::ParameterEntry const& declared, std::string const& path,
                   Completion completion, Errors& errors)
 {
-  const auto info = Teuchos::rcp_dynamic_cast<const ParameterInfo>(declared.validator());
+  const auto info = parameterInfo(declared);
   ASPERITY_ASSERT(!info.is_null());
   auto& entry = list.getEntry(name);
   const auto before = errors.number();
@@ -161,7 +161,7 @@ bool isChosen(ParameterList const& list, ParameterInfo const& info, std::string 
 void addMissing(ParameterList& list, std::string const& name,
                 Teuchos::ParameterEntry const& declared, std::string const& path, Errors& errors)
 {
-  const auto info = Teuchos::rcp_dynamic_cast<const ParameterInfo>(declared.validator(), true);
+  const auto info = parameterInfo(declared);
   if (info->presence == Presence::is_required) {
     errors.collect([&] { refuseMissing(path, declared, *info); });
     return;
@@ -196,7 +196,7 @@ void process(ParameterList& list, ParameterList const& with_all, std::string con
     auto const& declared = valid.getEntry(name);
     const std::string entry_path = joinPath(path, name);
     if (list.isParameter(name)) {
-      const auto info = parameterInfo(valid, name);
+      const auto info = parameterInfo(declared);
       const bool in_force = info.is_null() || isChosen(list, *info, name);
       processEntry(list, name, declared, entry_path, in_force ? completion : Completion::none,
                    errors);

@@ -6,14 +6,16 @@
 #include "base/parameters/ParameterValue.hpp"
 #include "base/parameters/Parameters.hpp"
 
-#include <Teuchos_Array.hpp>
 #include <Teuchos_ParameterEntryXMLConverterDB.hpp>
 #include <Teuchos_StringInputSource.hpp>
 
 #include <algorithm>
+#include <cctype>
+#include <cstring>
 #include <filesystem>
 #include <fstream>
 #include <iterator>
+#include <optional>
 #include <ostream>
 #include <set>
 
@@ -39,33 +41,6 @@ std::string attribute(XMLObject const& element, std::string const& name, std::st
   return element.getAttribute(name);
 }
 
-[[noreturn]] void refuseValue(std::string const& where, std::string const& type,
-                              std::string const& value)
-{
-  throw InputError(where + ": the value '" + excerpt(value) + "' is not of the type '" + type +
-                   "' given with it.");
-}
-
-template <class T, class Read>
-ParameterEntry readArray(std::string const& where, std::string const& type,
-                         std::string const& value, Read read)
-{
-  const std::string text = trimmed(value);
-  if (text.size() < 2 || text.front() != '{' || text.back() != '}') {
-    refuseValue(where, type, value);
-  }
-  Teuchos::Array<T> numbers;
-  const std::string inside = trimmed(text.substr(1, text.size() - 2));
-  for (auto const& piece : inside.empty() ? std::vector<std::string>() : split(inside, ',')) {
-    const auto number = read(piece);
-    if (!number) {
-      refuseValue(where, type, value);
-    }
-    numbers.push_back(*number);
-  }
-  return ParameterEntry(numbers);
-}
-
 // Teuchos reads other types, which foreign lists may use.
 ParameterEntry readForeign(XMLObject const& element, std::string const& where)
 {
@@ -76,6 +51,34 @@ ParameterEntry readForeign(XMLObject const& element, std::string const& where)
   }
 }
 
+// nullopt if the value is not of the type.
+std::optional<ParameterEntry> readAs(std::string const& type, std::string const& value)
+{
+  const auto entry = [](auto const& read) {
+    return read ? std::optional(ParameterEntry(*read)) : std::nullopt;
+  };
+  if (type == "bool") {
+    const std::string word = trimmed(value);
+    return entry(word == "true"    ? std::optional(true)
+                 : word == "false" ? std::optional(false)
+                                   : std::nullopt);
+  }
+  if (type == "int") {
+    return entry(readInteger(value));
+  }
+  if (type == "Array(double)" || type == "Array(int)") {
+    const auto inside = insideBraces(value);
+    return !inside                ? std::nullopt
+           : type == "Array(int)" ? readArray(*inside, readInteger)
+                                  : readArray(*inside, readNumber);
+  }
+  if (const auto number = readNumber(value)) {
+    return ParameterEntry(*number);
+  }
+  const bool may_be_formula = !value.empty() && value != "nan" && value != "inf";
+  return may_be_formula ? std::optional(ParameterEntry(value)) : std::nullopt;
+}
+
 ParameterEntry readValue(XMLObject const& element, std::string const& where)
 {
   const std::string type = attribute(element, "type", where);
@@ -83,34 +86,17 @@ ParameterEntry readValue(XMLObject const& element, std::string const& where)
   if (type == "string") {
     return ParameterEntry(value);
   }
-  if (type == "Array(double)") {
-    return readArray<double>(where, type, value, readNumber);
+  static const std::set<std::string> ours = {"bool",       "int",    "Array(double)",
+                                             "Array(int)", "double", "float"};
+  if (ours.count(type) == 0) {
+    return readForeign(element, where);
   }
-  if (type == "Array(int)") {
-    return readArray<int>(where, type, value, readInteger);
-  }
-  if (type == "bool") {
-    const std::string word = trimmed(value);
-    return word == "true" || word == "false" ? ParameterEntry(word == "true")
-                                             : (refuseValue(where, type, value), ParameterEntry());
-  }
-  if (type == "double" || type == "float") { // what is no number may be a name or an expression
-    const auto number = readNumber(value);
-    if (!number && (value.empty() || value == "nan" || value == "inf")) {
-      refuseValue(where, type, value);
-    }
-    return number ? ParameterEntry(*number) : ParameterEntry(value);
-  }
-  if (type == "int") {
-    const auto number = readInteger(value);
-    return number ? ParameterEntry(*number) : (refuseValue(where, type, value), ParameterEntry());
-  }
-  return readForeign(element, where);
+  const auto entry = readAs(type, value);
+  ASPERITY_REQUIRE(entry, where << ": the value '" << excerpt(value) << "' is not of the type '"
+                                << type << "' given with it.");
+  return *entry;
 }
-} // namespace
 
-namespace
-{
 // <Remove name="..."/> in an overlay.
 void removeEntry(ParameterList& list, std::string const& name, std::string const& where)
 {
@@ -118,10 +104,7 @@ void removeEntry(ParameterList& list, std::string const& name, std::string const
                                                  << didYouMean(name, namesIn(list)));
   list.remove(name);
 }
-} // namespace
 
-namespace
-{
 std::string contentOf(std::string const& file_name)
 {
   std::ifstream file(file_name, std::ios::binary);
@@ -140,41 +123,26 @@ std::string withoutMark(std::string text, std::string const& file_name)
   return text.compare(0, 3, "\xEF\xBB\xBF") == 0 ? text.substr(3) : text;
 }
 
-// The position after the tag whose '<' is at `begin`; the value of an attribute may contain a '>'.
-std::size_t endOfTag(std::string const& text, std::size_t begin)
-{
-  char quote = 0;
-  for (std::size_t i = begin; i < text.size(); ++i) {
-    if (quote == 0 && text[i] == '>') {
-      return i + 1;
-    }
-    if (quote == 0 && (text[i] == '"' || text[i] == '\'')) {
-      quote = text[i];
-    } else if (text[i] == quote) {
-      quote = 0;
-    }
-  }
-  return text.size();
-}
-
 // Teuchos builds and destroys its tree recursively: deeply nested lists would overflow the stack.
 void refuseDeepLists(std::string const& text, std::string const& file_name)
 {
   constexpr int deepest = 100;
+  const auto begins = [&](std::size_t i, char const* with) {
+    return text.compare(i, std::strlen(with), with) == 0;
+  };
   int depth = 0;
-  for (std::size_t i = text.find('<'); i != std::string::npos; i = text.find('<', i)) {
-    if (text.compare(i, 4, "<!--") == 0) {
-      i = std::min(text.find("-->", i), text.size());
-      continue;
+  for (std::size_t i = text.find_first_of("</"); i < text.size();
+       i = text.find_first_of("</", i + 1)) {
+    if (begins(i, "<!--")) {
+      i = std::min(text.find("-->", i), text.size() - 1);
+    } else if (begins(i, "</") || begins(i, "/>")) {
+      --depth;
+    } else if (text[i] == '<' && std::isalpha(static_cast<unsigned char>(text[i + 1])) != 0) {
+      ++depth;
     }
-    const std::size_t end = endOfTag(text, i);
-    const bool is_declaration = text.compare(i, 2, "<?") == 0 || text.compare(i, 2, "<!") == 0;
-    const bool is_whole = end - i > 2 && text.compare(end - 2, 2, "/>") == 0;
-    depth += text.compare(i, 2, "</") == 0 ? -1 : is_declaration || is_whole ? 0 : 1;
     ASPERITY_REQUIRE(depth <= deepest, "The deck '" << file_name << "' has lists nested more than "
                                                     << deepest
                                                     << " deep. Use fewer levels of lists.");
-    i = end;
   }
 }
 } // namespace

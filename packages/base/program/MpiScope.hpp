@@ -49,8 +49,12 @@ enum ExitStatus
 // 5 (OutputError) or 1 (others).
 ExitStatus exitStatus(std::exception const& error);
 
-// Ends the process with this status at once if HDF5's clean-up would crash (hdf5/Handle.hpp), after
-// all output has been written; returns otherwise.
+// HDF5 holds something that it could not close, for example because the disk is full. Its own
+// clean-up, in MPI_Finalize and at the exit of the program, would try again and crash.
+void noteUnclosed();
+
+// Ends the process with this status at once if HDF5's clean-up would crash, after all output has
+// been written; returns otherwise.
 void leaveIfHdf5Cannot(int status);
 
 // Runs `body` on every rank and returns the exit status of the program, the same on all ranks: the

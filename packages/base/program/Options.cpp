@@ -9,12 +9,14 @@
 #include <CLI/Formatter.hpp>
 
 #include <algorithm>
-#include <list>
+#include <functional>
 
 namespace asperity
 {
 namespace
 {
+using Words = std::vector<std::string>;
+
 bool startsWith(std::string const& text, std::string const& beginning)
 {
   return text.compare(0, beginning.size(), beginning) == 0;
@@ -42,61 +44,35 @@ public:
 
 struct Options::Implementation
 {
-  // An option with values: `target` if it may be given once, `targets` if it may be repeated.
-  struct Valued
-  {
-    std::string name;
-    std::vector<std::string> given;
-    std::string* target;
-    std::vector<std::string>* targets;
-  };
-
   CLI::App app;
-  std::list<Valued> valued; // a list, because CLI11 keeps references
   std::vector<std::string> flags;
   std::vector<std::string> names;
 
-  Valued& addValued(std::string const& name, std::string const& sample, std::string const& meaning)
+  void addValued(std::string const& name, std::string const& sample, std::string const& meaning,
+                 std::function<void(Words const&)> const& take)
   {
+    const auto check_and_take = [name, take](Words const& given) {
+      for (auto const& value : given) {
+        if (value.empty() || startsWith(value, "--")) {
+          refuseWithoutValue(name);
+        }
+      }
+      take(given);
+    };
     names.push_back(name);
-    valued.push_back({name, {}, nullptr, nullptr});
-    app.add_option(name, valued.back().given, meaning)
+    app.add_option_function<Words>(name, check_and_take, meaning)
       ->type_name(sample)
       ->allow_extra_args(false) // one value for each time it is given
       ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
-    return valued.back();
-  }
-
-  bool isFlag(std::string const& name) const
-  {
-    return std::find(flags.begin(), flags.end(), name) != flags.end();
-  }
-
-  void assign(Valued const& option) const
-  {
-    for (auto const& value : option.given) {
-      if (value.empty() || startsWith(value, "--")) {
-        refuseWithoutValue(option.name);
-      }
-    }
-    if (option.targets != nullptr) {
-      *option.targets = option.given;
-      return;
-    }
-    ASPERITY_REQUIRE(option.given.size() <= 1, "The option " << option.name << " is given twice: '"
-                                                             << option.given[0] << "' and '"
-                                                             << option.given[1] << "'.");
-    if (!option.given.empty()) {
-      *option.target = option.given.front();
-    }
   }
 
   // CLI11 found a value that is missing, or one too many.
-  [[noreturn]] void refuseMismatch(std::vector<std::string> const& words) const
+  [[noreturn]] void refuseMismatch(Words const& words) const
   {
     for (auto const& word : words) {
       const auto equals = word.find('=');
-      ASPERITY_REQUIRE(equals == std::string::npos || !isFlag(optionIn(word)),
+      const bool is_flag = std::find(flags.begin(), flags.end(), optionIn(word)) != flags.end();
+      ASPERITY_REQUIRE(equals == std::string::npos || !is_flag,
                        "The option " << optionIn(word) << " takes no value, but '"
                                      << word.substr(equals + 1) << "' is given.");
     }
@@ -115,14 +91,19 @@ Options::~Options() = default;
 Options& Options::value(std::string const& name, std::string& target, std::string const& sample,
                         std::string const& meaning)
 {
-  implementation_->addValued(name, sample, meaning).target = &target;
+  implementation_->addValued(name, sample, meaning, [name, &target](Words const& given) {
+    ASPERITY_REQUIRE(given.size() == 1, "The option " << name << " is given twice: '" << given[0]
+                                                      << "' and '" << given[1] << "'.");
+    target = given.front();
+  });
   return *this;
 }
 
 Options& Options::values(std::string const& name, std::vector<std::string>& target,
                          std::string const& sample, std::string const& meaning)
 {
-  implementation_->addValued(name, sample, meaning + "; may be repeated").targets = &target;
+  implementation_->addValued(name, sample, meaning + "; may be repeated",
+                             [&target](Words const& given) { target = given; });
   return *this;
 }
 
@@ -158,9 +139,6 @@ std::vector<std::string> Options::parse(std::vector<std::string> const& words)
       throw InputError("The option " + optionIn(word) + " is unknown." +
                        didYouMean(optionIn(word), implementation_->names));
     }
-  }
-  for (auto const& option : implementation_->valued) {
-    implementation_->assign(option);
   }
   return others;
 }

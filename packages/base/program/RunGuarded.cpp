@@ -1,5 +1,4 @@
 #include "base/Errors.hpp"
-#include "base/hdf5/Handle.hpp"
 #include "base/parallel/MeetingPoint.hpp"
 #include "base/program/MpiScope.hpp"
 
@@ -18,6 +17,8 @@ namespace asperity
 namespace
 {
 using Seconds = std::chrono::duration<double>;
+
+bool holds_unclosed = false;
 
 struct Outcome
 {
@@ -142,9 +143,11 @@ ExitStatus exitStatus(std::exception const& error)
                                                                : exit_other;
 }
 
+void noteUnclosed() { holds_unclosed = true; }
+
 void leaveIfHdf5Cannot(int status)
 {
-  if (h5::holdsUnclosed()) {
+  if (holds_unclosed) {
     flushAll();
     std::_Exit(status);
   }
@@ -159,7 +162,7 @@ int runGuarded(Communicator const& communicator, std::function<int()> const& bod
     guard.abort(outcome, program);
   }
   const int status = guard.agree(outcome, program);
-  if (guard.any(h5::holdsUnclosed())) {
+  if (guard.any(holds_unclosed)) {
     flushAll();
     std::_Exit(status);
   }

@@ -1,7 +1,7 @@
 #pragma once
 
+#include "io/Archive.hpp"
 #include "io/FieldRegistry.hpp"
-#include "io/checkpoint/Archive.hpp"
 
 #include <string>
 #include <vector>

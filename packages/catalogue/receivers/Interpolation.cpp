@@ -2,8 +2,8 @@
 
 #include "base/Errors.hpp"
 #include "base/Text.hpp"
+#include "base/parallel/Gather.hpp"
 #include "base/parallel/Reductions.hpp"
-#include "io/parallel/Gather.hpp"
 
 #include <algorithm>
 #include <cstddef>

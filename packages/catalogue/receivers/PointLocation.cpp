@@ -1,9 +1,9 @@
 #include "catalogue/receivers/PointLocation.hpp"
 
 #include "base/Errors.hpp"
+#include "base/parallel/Gather.hpp"
 #include "base/parallel/Reductions.hpp"
 #include "catalogue/receivers/NearestPoint.hpp"
-#include "io/parallel/Gather.hpp"
 
 #include <algorithm>
 #include <cmath>

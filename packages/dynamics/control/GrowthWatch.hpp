@@ -1,6 +1,6 @@
 #pragma once
 
-#include "fem/Warning.hpp"
+#include "base/Warning.hpp"
 
 #include <cstdint>
 #include <optional>

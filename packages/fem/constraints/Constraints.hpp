@@ -1,12 +1,12 @@
 #pragma once
 
 #include "base/Types.hpp"
-#include "fem/DofMap.hpp"
 #include "fem/constraints/HeldDofs.hpp"
 #include "fem/constraints/NodalFrames.hpp"
 #include "fem/constraints/VelocityCondition.hpp"
 #include "fem/constraints/detail/ConditionDirections.hpp"
 #include "fem/constraints/detail/NodalBasis.hpp"
+#include "fem/dofs/DofMap.hpp"
 
 #include <optional>
 #include <vector>

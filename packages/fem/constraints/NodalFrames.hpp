@@ -1,7 +1,7 @@
 #pragma once
 
-#include "fem/DofMap.hpp"
 #include "fem/constraints/VertexTerms.hpp"
+#include "fem/dofs/DofMap.hpp"
 
 #include <array>
 #include <vector>

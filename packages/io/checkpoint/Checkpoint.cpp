@@ -10,7 +10,7 @@
 #include "io/checkpoint/SharedArchive.hpp"
 #include "io/files/DurableFile.hpp"
 
-#include "io/parallel/Gather.hpp"
+#include "base/parallel/Gather.hpp"
 
 #include <functional>
 #include <optional>

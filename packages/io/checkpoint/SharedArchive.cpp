@@ -2,9 +2,9 @@
 
 #include "base/Errors.hpp"
 #include "base/Hashes.hpp"
+#include "base/parallel/Gather.hpp"
 #include "base/parallel/Messages.hpp"
 #include "base/parallel/Reductions.hpp"
-#include "io/parallel/Gather.hpp"
 
 #include <algorithm>
 #include <map>

@@ -3,7 +3,7 @@
 #include "base/Types.hpp"
 #include "base/hdf5/File.hpp"
 #include "base/parallel/Messages.hpp"
-#include "io/checkpoint/Archive.hpp"
+#include "io/Archive.hpp"
 
 #include <functional>
 #include <optional>

@@ -26,10 +26,10 @@ std::vector<std::string> namesOfFiles()
     names.insert(names.end(), more.begin(), more.end());
   };
   for (auto const& name : OutputRegistry::instance().names()) {
-    add(OutputRegistry::instance().create(name, "Output")->files());
+    add(OutputRegistry::instance().at(name).files());
   }
   for (auto const& name : TextFormatRegistry::instance().names()) {
-    add(TextFormatRegistry::instance().create(name, "Text Format")->files());
+    add(TextFormatRegistry::instance().at(name).files());
   }
   return names;
 }

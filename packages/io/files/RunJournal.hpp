@@ -1,7 +1,7 @@
 #pragma once
 
 #include "base/Types.hpp"
-#include "fem/Warning.hpp"
+#include "base/Warning.hpp"
 
 #include <chrono>
 #include <cstdint>
@@ -17,7 +17,7 @@ namespace asperity::io
 //
 //   begin    `clock`, the seconds since 1970; a process begins to write
 //   restart  the process goes on from the checkpoint of that step: what came after it is void
-//   warning  `topic` and `text` (fem/Warning.hpp)
+//   warning  `topic` and `text` (base/Warning.hpp)
 //   end      `how` ("finished", "stopped", "failed"), `exit_status`, `message`, and `wall`, the
 //            seconds since the begin; a process that is killed has no end
 //

@@ -2,7 +2,7 @@
 
 #include "base/Hashes.hpp"
 #include "base/Types.hpp"
-#include "io/checkpoint/Archive.hpp"
+#include "io/Archive.hpp"
 
 #include <cstdint>
 #include <filesystem>

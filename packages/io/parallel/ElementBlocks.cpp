@@ -1,8 +1,8 @@
 #include "io/parallel/ElementBlocks.hpp"
 
 #include "base/Errors.hpp"
+#include "base/parallel/Gather.hpp"
 #include "base/parallel/Messages.hpp"
-#include "io/parallel/Gather.hpp"
 
 #include <algorithm>
 #include <numeric>

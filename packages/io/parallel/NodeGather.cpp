@@ -1,7 +1,7 @@
 #include "io/parallel/NodeGather.hpp"
 
 #include "base/Errors.hpp"
-#include "io/parallel/Gather.hpp"
+#include "base/parallel/Gather.hpp"
 
 #include <algorithm>
 

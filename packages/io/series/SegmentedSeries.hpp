@@ -1,9 +1,9 @@
 #pragma once
 
+#include "io/Archive.hpp"
 #include "io/FieldRegistry.hpp"
 #include "io/Output.hpp"
 #include "io/OutputDomain.hpp"
-#include "io/checkpoint/Archive.hpp"
 #include "io/series/SegmentedTable.hpp"
 #include "io/series/SeriesLayout.hpp"
 

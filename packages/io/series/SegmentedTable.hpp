@@ -2,7 +2,7 @@
 
 #include "base/Types.hpp"
 #include "base/hdf5/File.hpp"
-#include "io/checkpoint/Archive.hpp"
+#include "io/Archive.hpp"
 #include "io/parallel/ElementBlocks.hpp"
 #include "io/parallel/NodeBlocks.hpp"
 #include "io/series/GeometryFile.hpp"

@@ -3,6 +3,7 @@
 #include "base/Errors.hpp"
 #include "mesh/PointText.hpp"
 #include "mesh/SimplexGeometry.hpp"
+#include "mesh/detail/InnerBoundaries.hpp"
 
 namespace asperity::mesh
 {
@@ -47,40 +48,6 @@ facetsOnFaults(GlobalMesh<Dim> const& mesh, detail::FacetTable<Dim> const& table
 } // namespace
 
 template <int Dim>
-std::vector<std::string> innerBoundaries(GlobalMesh<Dim> const& mesh,
-                                         detail::FacetTable<Dim> const& table,
-                                         std::string const& where)
-{
-  std::vector<std::string> names;
-  for (auto const& [name, facets] : mesh.boundaries) {
-    using Facet = typename GlobalMesh<Dim>::Facet;
-    Facet const* inner = nullptr;
-    Facet const* outer = nullptr;
-    for (auto const& facet : facets) {
-      const auto [first, last] = table.find(facet);
-      (last - first == 2 ? inner : outer) = &facet;
-    }
-    ASPERITY_REQUIRE(!inner || !outer,
-                     where << ": boundary '" << name << "' has facets inside the body, one at "
-                           << text(centroid(corners(mesh, *inner)))
-                           << ", and on its surface, one at "
-                           << text(centroid(corners(mesh, *outer)))
-                           << ". Facets inside the body are a fault: give them a name of their "
-                              "own.");
-    if (inner) {
-      names.push_back(name);
-    }
-  }
-  return names;
-}
-
-template <int Dim>
-std::vector<std::string> innerBoundaries(GlobalMesh<Dim> const& mesh, std::string const& where)
-{
-  return innerBoundaries(mesh, detail::FacetTable<Dim>(mesh.cells), where);
-}
-
-template <int Dim>
 void addFaults(GlobalMesh<Dim>& mesh, std::vector<NamedCondition<Dim>> const& conditions,
                std::string const& where)
 {
@@ -88,7 +55,7 @@ void addFaults(GlobalMesh<Dim>& mesh, std::vector<NamedCondition<Dim>> const& co
     return;
   }
   const detail::FacetTable<Dim> table(mesh.cells);
-  const auto known = innerBoundaries(mesh, table, where);
+  const auto known = detail::innerBoundaries(mesh, table, where);
   const auto on_faults = facetsOnFaults(mesh, table, conditions);
   std::map<std::string, Facets<Dim>> added;
   for (auto const& [facet, condition] : on_faults) {
@@ -122,13 +89,6 @@ void addFaults(GlobalMesh<Dim>& mesh, std::vector<NamedCondition<Dim>> const& co
   }
 }
 
-#define ASPERITY_INSTANTIATE(Dim)                                                                  \
-  template std::vector<std::string> innerBoundaries(                                               \
-    GlobalMesh<Dim> const&, detail::FacetTable<Dim> const&, std::string const&);                   \
-  template std::vector<std::string> innerBoundaries(GlobalMesh<Dim> const&, std::string const&);   \
-  template void addFaults(GlobalMesh<Dim>&, std::vector<NamedCondition<Dim>> const&,               \
-                          std::string const&);
-ASPERITY_INSTANTIATE(2)
-ASPERITY_INSTANTIATE(3)
-#undef ASPERITY_INSTANTIATE
+template void addFaults(GlobalMesh<2>&, std::vector<NamedCondition<2>> const&, std::string const&);
+template void addFaults(GlobalMesh<3>&, std::vector<NamedCondition<3>> const&, std::string const&);
 } // namespace asperity::mesh

@@ -22,7 +22,7 @@ public:
       : mesh_(mesh)
       , where_(where)
       , table_(mesh.cells)
-      , names_(innerBoundaries(mesh, table_, where))
+      , names_(detail::innerBoundaries(mesh, table_, where))
       , facets_(detail::orientedFaultFacets(mesh, table_, names_, where))
   {
   }

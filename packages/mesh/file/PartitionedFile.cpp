@@ -4,11 +4,11 @@
 #include "base/parallel/Agreement.hpp"
 #include "base/parallel/Messages.hpp"
 #include "base/parallel/Reductions.hpp"
-#include "mesh/faults/SplitVertices.hpp"
+#include "mesh/SplitVertices.hpp"
 #include "mesh/file/MeshFile.hpp"
+#include "mesh/file/detail/Assembly.hpp"
 #include "mesh/file/detail/PartCheck.hpp"
 #include "mesh/file/detail/SlabReader.hpp"
-#include "mesh/parallel/detail/Assembly.hpp"
 #include "mesh/parallel/detail/Broadcast.hpp"
 
 #include <fstream>

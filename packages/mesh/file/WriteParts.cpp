@@ -2,7 +2,7 @@
 
 #include "base/Errors.hpp"
 #include "base/hdf5/File.hpp"
-#include "mesh/faults/SplitVertices.hpp"
+#include "mesh/SplitVertices.hpp"
 #include "mesh/file/detail/CompleteFile.hpp"
 #include "mesh/file/detail/PartitionFormat.hpp"
 

@@ -1,6 +1,6 @@
 #include "mesh/parallel/Partition.hpp"
 
-#include "mesh/faults/SplitVertices.hpp"
+#include "mesh/SplitVertices.hpp"
 #include "mesh/parallel/detail/Broadcast.hpp"
 
 namespace asperity::mesh

@@ -1,7 +1,7 @@
 #include "mesh/parallel/Partition.hpp"
 
 #include "base/Errors.hpp"
-#include "mesh/faults/SplitVertices.hpp"
+#include "mesh/SplitVertices.hpp"
 
 #include <algorithm>
 #include <unordered_map>

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "mesh/Mesh.hpp"
-#include "mesh/faults/SplitVertices.hpp"
+#include "mesh/SplitVertices.hpp"
 #include "refinement/detail/PartEdges.hpp"
 
 #include <map>

@@ -6,7 +6,6 @@
 
 #include <algorithm>
 #include <filesystem>
-#include <iterator>
 #include <string>
 #include <system_error>
 #include <vector>
@@ -32,11 +31,7 @@ std::string besideDeck(std::string const& name, std::filesystem::path const& fol
 
 void findFilesBesideDeck(ParameterList& list, std::filesystem::path const& folder)
 {
-  std::vector<std::string> names;
-  for (auto const& item : list) {
-    names.push_back(item.first);
-  }
-  for (auto const& name : names) {
+  for (auto const& name : namesIn(list)) {
     if (list.isSublist(name)) {
       findFilesBesideDeck(list.sublist(name), folder);
     } else if (list.isType<std::string>(name)) {
@@ -53,55 +48,31 @@ void findFilesBesideDeck(ParameterList& list, std::filesystem::path const& folde
 
 std::vector<std::string> namesOf(ParameterList const& deck)
 {
-  auto names =
-    deck.isSublist(names_list) ? namesIn(deck.sublist(names_list)) : std::vector<std::string>();
-  std::sort(names.begin(), names.end());
-  return names;
-}
-
-std::vector<std::string> addedTo(std::vector<std::string> const& before,
-                                 std::vector<std::string> const& after)
-{
-  std::vector<std::string> added;
-  std::set_difference(after.begin(), after.end(), before.begin(), before.end(),
-                      std::back_inserter(added));
-  return added;
-}
-
-// The deck as given, and the names in its list `Names` that overrides have added.
-RCP<ParameterList> readGiven(CommandLine const& command_line, ParameterList const& valid,
-                             std::vector<std::string>& added)
-{
-  auto deck = readDeck(command_line.deck);
-  findFilesBesideDeck(*deck, std::filesystem::path(command_line.deck).parent_path());
-  for (auto const& overlay : command_line.overlays) {
-    overlayDeck(*deck, overlay);
-  }
-  for (auto const& path : command_line.removals) {
-    removeEntry(*deck, path);
-  }
-  auto const names = namesOf(*deck);
-  for (auto const& assignment : command_line.overrides) {
-    applyOverride(*deck, valid, assignment);
-  }
-  findFilesBesideDeck(*deck, ""); // what overlays and overrides name
-  added = addedTo(names, namesOf(*deck));
-  return deck;
+  return deck.isSublist(names_list) ? namesIn(deck.sublist(names_list))
+                                    : std::vector<std::string>();
 }
 } // namespace
 
-RCP<ParameterList> deckAsGiven(CommandLine const& command_line, ParameterList const& valid)
+GivenDeck deckAsGiven(CommandLine const& command_line, ParameterList const& valid)
 {
-  std::vector<std::string> added;
-  return readGiven(command_line, valid, added);
-}
-
-RCP<ParameterList> assembleDeck(CommandLine const& command_line, ParameterList const& valid)
-{
-  std::vector<std::string> added;
-  auto deck = readGiven(command_line, valid, added);
-  resolveNames(*deck, valid, added);
-  completeAndValidate(*deck, valid, "Asperity");
+  GivenDeck deck{readDeck(command_line.deck), {}};
+  findFilesBesideDeck(*deck.list, std::filesystem::path(command_line.deck).parent_path());
+  for (auto const& overlay : command_line.overlays) {
+    overlayDeck(*deck.list, overlay);
+  }
+  for (auto const& path : command_line.removals) {
+    removeEntry(*deck.list, path);
+  }
+  auto const before = namesOf(*deck.list);
+  for (auto const& assignment : command_line.overrides) {
+    applyOverride(*deck.list, valid, assignment);
+  }
+  findFilesBesideDeck(*deck.list, ""); // what overlays and overrides name
+  for (auto const& name : namesOf(*deck.list)) {
+    if (std::find(before.begin(), before.end(), name) == before.end()) {
+      deck.names_to_use.push_back(name);
+    }
+  }
   return deck;
 }
 } // namespace asperity::scenario

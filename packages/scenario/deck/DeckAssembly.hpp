@@ -4,13 +4,18 @@
 #include "base/parameters/Parameters.hpp"
 #include "base/program/CommandLine.hpp"
 
+#include <string>
+#include <vector>
+
 namespace asperity::scenario
 {
+struct GivenDeck
+{
+  RCP<ParameterList> list;
+  std::vector<std::string> names_to_use; // entries of its list `Names` that an override has added
+};
+
 // The deck that the command line names, as the user gives it: overlays, removals and overrides are
 // applied, and the files that it names are found. Throws InputError if that fails.
-RCP<ParameterList> deckAsGiven(CommandLine const& command_line, ParameterList const& valid);
-
-// The same deck in which names are replaced by their values, checked and completed by the
-// declarations `valid`. Throws InputError if that fails.
-RCP<ParameterList> assembleDeck(CommandLine const& command_line, ParameterList const& valid);
+GivenDeck deckAsGiven(CommandLine const& command_line, ParameterList const& valid);
 } // namespace asperity::scenario

@@ -1,9 +1,9 @@
 #pragma once
 
+#include "base/Warning.hpp"
 #include "dynamics/control/GrowthWatch.hpp"
 #include "dynamics/control/StallWatch.hpp"
 #include "dynamics/coupling/CoupledStep.hpp"
-#include "fem/Warning.hpp"
 #include "io/Output.hpp"
 #include "scenario/Condensation.hpp"
 #include "scenario/FloorCount.hpp"

@@ -1,8 +1,8 @@
 #pragma once
 
 #include "dynamics/DyadicTime.hpp"
+#include "io/Archive.hpp"
 #include "io/OutputDomain.hpp"
-#include "io/checkpoint/Archive.hpp"
 #include "scenario/Problem.hpp"
 
 #include <filesystem>

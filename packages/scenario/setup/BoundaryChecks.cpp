@@ -3,8 +3,8 @@
 #include "base/NearestName.hpp"
 #include "base/Text.hpp"
 #include "scenario/setup/ConditionTypes.hpp"
+#include "scenario/setup/FaultKind.hpp"
 #include "scenario/setup/NodalField.hpp"
-#include "scenario/setup/fault/FaultKind.hpp"
 
 #include <algorithm>
 

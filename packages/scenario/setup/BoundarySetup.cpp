@@ -2,7 +2,7 @@
 
 #include "base/Text.hpp"
 #include "scenario/setup/BoundaryChecks.hpp"
-#include "scenario/setup/fault/FaultKind.hpp"
+#include "scenario/setup/FaultKind.hpp"
 
 namespace asperity::scenario
 {

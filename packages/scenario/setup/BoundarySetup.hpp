@@ -3,7 +3,7 @@
 #include "base/parameters/Parameters.hpp"
 #include "fem/FaultSurface.hpp"
 #include "fem/constraints/Constraints.hpp"
-#include "scenario/setup/fault/PlateRate.hpp"
+#include "scenario/setup/PlateRate.hpp"
 
 #include <string>
 #include <vector>

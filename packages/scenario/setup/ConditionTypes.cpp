@@ -3,8 +3,8 @@
 #include "base/Errors.hpp"
 #include "base/Text.hpp"
 #include "base/fields/Field.hpp"
+#include "scenario/setup/FaultKind.hpp"
 #include "scenario/setup/NodalField.hpp"
-#include "scenario/setup/fault/FaultKind.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -236,14 +236,14 @@ std::vector<ConditionType> makeTypes()
 {
   std::vector<ConditionType> types;
   for (auto const& name : faultKinds()) {
-    auto const kind = FaultKindRegistry::instance().create(name, "");
+    auto const& kind = FaultKindRegistry::instance().at(name);
     types.push_back({name,
-                     kind->meaning,
+                     kind.meaning,
                      {"Direction", "Plate Rate"},
                      Place::fault,
                      DecidesOn::traction,
                      {fault<2>, fault<3>},
-                     kind->other_side});
+                     kind.other_side});
   }
   const std::vector<ConditionType> others = {
     {"Prescribed Slip Rate",

@@ -52,14 +52,14 @@ RCP<const ParameterList> declared(Table const& table)
   return declare.list();
 }
 
-friction::FrictionLawProperties const& chosenFrictionLaw(ParameterList const& list)
+friction::FrictionLaw const& chosenFrictionLaw(ParameterList const& list)
 {
-  return friction::frictionLaw(list.get<std::string>(friction_choice));
+  return friction::FrictionLawRegistry::instance().at(list.get<std::string>(friction_choice));
 }
 
-friction::StateLawProperties const& chosenStateLaw(ParameterList const& list)
+friction::StateLaw const& chosenStateLaw(ParameterList const& list)
 {
-  return friction::stateLaw(list.get<std::string>(state_choice));
+  return friction::StateLawRegistry::instance().at(list.get<std::string>(state_choice));
 }
 
 // (num_nodes * num_parameters): the values of one node side by side.
@@ -111,20 +111,20 @@ std::optional<std::vector<Value>> ofNodes(std::function<Value(double const*)> co
 
 void declareLaws(Declare& declare)
 {
-  auto const laws = friction::frictionLawNames();
-  auto const state_laws = friction::stateLawNames();
+  auto const& laws = friction::FrictionLawRegistry::instance();
+  auto const& state_laws = friction::StateLawRegistry::instance();
   declare
-    .choice(friction_choice, friction::RegularisedLaw::name, laws,
+    .choice(friction_choice, friction::RegularisedLaw::name, laws.names(),
             "Selects the law that gives the friction coefficient from slip rate and state.")
     .hint(of_plugins)
-    .choice(state_choice, friction::AgeingLaw::name, state_laws,
+    .choice(state_choice, friction::AgeingLaw::name, state_laws.names(),
             "Selects the law by which the state evolves.")
     .hint(of_plugins);
-  for (auto const& name : laws) {
-    declare.entriesWith(friction_choice, name, declared(friction::frictionLawParameters(name)));
+  for (auto const& name : laws.names()) {
+    declare.entriesWith(friction_choice, name, declared(laws.at(name).parameters));
   }
-  for (auto const& name : state_laws) {
-    declare.entriesWith(state_choice, name, declared(friction::stateLawParameters(name)));
+  for (auto const& name : state_laws.names()) {
+    declare.entriesWith(state_choice, name, declared(state_laws.at(name).parameters));
   }
 }
 

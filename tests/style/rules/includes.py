@@ -1,11 +1,13 @@
-"""A package includes itself and the packages its asperity_add_package line names, nothing else."""
+"""A package includes itself and the packages its asperity_add_package line names, nothing else; it
+includes each of these, or the other registers laws or outputs, which are found by name."""
 
 import re
 
 from . import source
 
 _LINE = re.compile(r"^\s*asperity_add_package\(\s*(\w+)([^)]*)\)", re.MULTILINE)
-_QUOTED = re.compile(r'^\s*#\s*include\s+"([^"]+)"', re.MULTILINE)
+QUOTED = re.compile(r'^\s*#\s*include\s+"([^"]+)"', re.MULTILINE)
+_REGISTERS = re.compile(r"^ASPERITY_REGISTER\w*\(", re.MULTILINE)
 _ANGLED = re.compile(r"^\s*#\s*include\s+<([^>]+)>", re.MULTILINE)
 
 # What the design promises whatever the lines say: package -> packages it never includes.
@@ -35,7 +37,7 @@ def check(root):
     packages = declared_packages(root)
     if not packages:
         return ["CMakeLists.txt:1: no asperity_add_package line was found"]
-    return list(_lines(packages)) + list(_sources(root, packages))
+    return [*_lines(packages), *_sources(root, packages), *_unused(root, packages)]
 
 
 def _lines(packages):
@@ -55,7 +57,7 @@ def _sources(root, packages):
             yield source.breach(root, path, 1, f"no asperity_add_package line names {name}")
             continue
         text = source.without_comments(path.read_text())
-        for match in _QUOTED.finditer(text):
+        for match in QUOTED.finditer(text):
             other = match.group(1).split("/")[0]
             if other != name and other not in packages[name]:
                 allowed = ", ".join(sorted(packages[name])) or "no other package"
@@ -63,6 +65,20 @@ def _sources(root, packages):
                 yield source.breach(root, path, source.line_of(text, match.start(1)), message)
         if name in ON_KOKKOS_ALONE:
             yield from _beyond_kokkos(root, path, text)
+
+
+def _unused(root, packages):
+    included, registering = {name: set() for name in packages}, set()
+    for path in source.files(root, ["packages"], source.CXX):
+        name = path.relative_to(root).parts[1]
+        text = source.without_comments(path.read_text())
+        included.setdefault(name, set()).update(
+            header.split("/")[0] for header in QUOTED.findall(text))
+        if _REGISTERS.search(text):
+            registering.add(name)
+    for name, declared in packages.items():
+        for other in sorted(declared - included[name] - registering):
+            yield f"CMakeLists.txt:1: {name} names {other}, but includes nothing of it"
 
 
 ON_KOKKOS_ALONE = {"portability", "friction"}

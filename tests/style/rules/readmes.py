@@ -1,4 +1,5 @@
-"""A package's README says on top, in sentences, what the package is for and what it is not for."""
+"""A package's README says on top, in sentences, what the package is for and what it is not for, and
+the files that it names exist."""
 
 import re
 
@@ -6,11 +7,13 @@ import re
 _TOP = re.compile(r"\A# (?P<name>\S+)\n(?P<text>.*?)(?=^#|^\||\Z)", re.DOTALL | re.MULTILINE)
 _SENTENCES = [r"\bis for [^.]{15,}", r"\bis not for [^.]{15,}"]
 
+_FILE = re.compile(r"`([\w/]+\.[hc]pp)`")
+
 
 def check(root):
     packages = sorted(path for path in (root / "packages").iterdir() if path.is_dir())
     return [f"packages/{package.name}/README.md:1: {text}"
-            for package in packages for text in _breaches(package)]
+            for package in packages for text in [*_breaches(package), *_missing(root, package)]]
 
 
 def _breaches(package):
@@ -26,3 +29,12 @@ def _breaches(package):
     for sentence in _SENTENCES:
         if not re.search(sentence, text):
             yield f"no sentence at the top that matches '{sentence}'"
+
+
+# A name may leave out the first folders of a file of the package.
+def _missing(root, package):
+    readme = package / "README.md"
+    for name in _FILE.findall(readme.read_text() if readme.is_file() else ""):
+        if not (any(package.rglob(name)) or (package.parent / name).exists()
+                or (root / name).exists()):
+            yield f"there is no file {name}"

@@ -44,18 +44,13 @@ TEST(ParameterLists, ListsThatAreNotChosenAreStillChecked)
               {"Asperity / Mesh / File / File Nam is unknown", "'File Name'"});
 }
 
-TEST(ParameterLists, SublistsAreCompletedOptionalOnesOnlyWhenGiven)
+TEST(ParameterLists, SublistsAreCompleted)
 {
   const auto inner = Declare().integer("Depth", 2, Range::atLeast(0), "Depth.").list();
-  const auto valid =
-    Declare().sublist("Always", inner, "A.").optionalSublist("Sometimes", inner, "B.").list();
+  const auto valid = Declare().sublist("Always", inner, "A.").list();
   ParameterList list;
   completeAndValidate(list, *valid, "Asperity");
   EXPECT_EQ(list.sublist("Always").get<int>("Depth"), 2);
-  EXPECT_FALSE(list.isParameter("Sometimes"));
-  list.sublist("Sometimes");
-  completeAndValidate(list, *valid, "Asperity");
-  EXPECT_EQ(list.sublist("Sometimes").get<int>("Depth"), 2);
 }
 
 TEST(ParameterLists, OpenListsTakeAnyNameButNotAnyValue)

@@ -169,7 +169,7 @@ TEST(Parameters, RangesKeepTheirEnds)
   EXPECT_FALSE(Range::open(0, 1).contains(0) || Range::open(0, 1).contains(1));
   EXPECT_TRUE(Range::closedOpen(0, 1).contains(0) && !Range::closedOpen(0, 1).contains(1));
   EXPECT_TRUE(!Range::openClosed(0, 1).contains(0) && Range::openClosed(0, 1).contains(1));
-  EXPECT_TRUE(Range::atMost(2).contains(2) && !Range::below(2).contains(2));
+  EXPECT_TRUE(Range::closed(1, 2).contains(2) && !Range::below(2).contains(2));
   EXPECT_TRUE(Range::positive().contains(1e-300) && !Range::positive().contains(0));
   EXPECT_EQ(Range::closedOpen(-1, 0.5).text(), "[-1, 0.5)");
   EXPECT_EQ(Range::any().text(), "(-inf, inf)");

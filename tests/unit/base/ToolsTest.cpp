@@ -1,6 +1,5 @@
 #include "base/Hashes.hpp"
 #include "base/NearestName.hpp"
-#include "base/Registry.hpp"
 #include "base/Text.hpp"
 #include "base/WriteFailure.hpp"
 
@@ -18,27 +17,6 @@ using namespace asperity;
 using asperity::test::expectParts;
 using asperity::test::refusal;
 
-struct Animal
-{
-  explicit Animal(int age_in) : age(age_in) {}
-  virtual ~Animal() = default;
-  virtual std::string sound() const = 0;
-  int age;
-};
-struct Cat : Animal
-{
-  using Animal::Animal;
-  std::string sound() const override { return "meow"; }
-};
-struct Dog : Animal
-{
-  using Animal::Animal;
-  std::string sound() const override { return "woof"; }
-};
-using AnimalRegistry = Registry<Animal, int>;
-ASPERITY_REGISTER(AnimalRegistry, "Dog", Dog)
-ASPERITY_REGISTER(AnimalRegistry, "Cat", Cat)
-
 TEST(Checksum, SeesASingleBitAndWhereAListEnds)
 {
   std::vector<char> bytes(1000, 'x');
@@ -47,35 +25,6 @@ TEST(Checksum, SeesASingleBitAndWhereAListEnds)
   EXPECT_NE(Checksum().add(bytes).value(), before);
   const std::vector<int> one{1}, two{1, 2}, last{2};
   EXPECT_NE(Checksum().add(one).add(last).value(), Checksum().add(two).value());
-}
-
-TEST(Registry, NamesAreSortedAndPluginsMade)
-{
-  auto const& registry = AnimalRegistry::instance();
-  EXPECT_EQ(registry.names(), (std::vector<std::string>{"Cat", "Dog"}));
-  EXPECT_TRUE(registry.contains("Cat"));
-  EXPECT_FALSE(registry.contains("Cow"));
-  const auto dog = registry.create("Dog", "Asperity / Pets", 3);
-  EXPECT_EQ(dog->sound(), "woof");
-  EXPECT_EQ(dog->age, 3);
-}
-
-TEST(Registry, UnknownNameWithTheNearest)
-{
-  expectParts(refusal([] { AnimalRegistry::instance().create("Dgo", "Asperity / Pets", 1); }),
-              {"Asperity / Pets", "'Dgo' is unknown", "'Dog'"});
-}
-
-TEST(Registry, TheSameNameTwiceIsOurMistake)
-{
-  Registry<Animal, int> registry;
-  const auto make = [](int age) { return std::make_unique<Cat>(age); };
-  EXPECT_TRUE(registry.add("Cat", make));
-  EXPECT_EQ(registry.names(), (std::vector<std::string>{"Cat"}));
-  EXPECT_FALSE(registry.add("Cat", make)); // nothing is thrown while a library is loaded
-  EXPECT_EQ(registry.registrations(), (std::vector<std::string>{"Cat", "Cat"}));
-  EXPECT_THROW(registry.names(), std::logic_error);
-  EXPECT_THROW(registry.create("Cat", "Pets", 1), std::logic_error);
 }
 
 TEST(NearestName, Distances)

@@ -24,10 +24,10 @@ struct Fault : test::Stage
 void run(std::filesystem::path const& directory)
 {
   Fault fault;
-  const auto kind = OutputRegistry::instance().create("Global", "Test");
+  auto const& kind = OutputRegistry::instance().at("Global");
   ParameterList list;
-  completeAndValidate(list, *kind->validParameters(), "Test");
-  const auto global = kind->make(list, fault.context(directory));
+  completeAndValidate(list, *kind.validParameters(), "Test");
+  const auto global = kind.make(list, fault.context(directory));
   for (int step = 0; step < 3; ++step) {
     global->write(fault.at(step, 2));
   }

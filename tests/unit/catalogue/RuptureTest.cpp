@@ -27,11 +27,11 @@ struct Fault : test::Stage
 
   std::unique_ptr<Output> output(std::filesystem::path const& directory)
   {
-    const auto kind = OutputRegistry::instance().create("Rupture", "Test");
+    auto const& kind = OutputRegistry::instance().at("Rupture");
     ParameterList list;
     list.set("Threshold", 1e-2);
-    completeAndValidate(list, *kind->validParameters(), "Test");
-    return kind->make(list, context(directory));
+    completeAndValidate(list, *kind.validParameters(), "Test");
+    return kind.make(list, context(directory));
   }
 
   void steps(Output& rupture, History const& history, std::size_t first, std::size_t end)

@@ -57,13 +57,13 @@ struct Fault : test::Stage
 
   std::unique_ptr<Output> output(std::string const& name, std::filesystem::path const& directory)
   {
-    const auto kind = OutputRegistry::instance().create(name, "Test");
+    auto const& kind = OutputRegistry::instance().at(name);
     ParameterList list;
     if (name != "Global") {
       list.set("Threshold", 1e-2);
     }
-    completeAndValidate(list, *kind->validParameters(), "Test");
-    return kind->make(list, context(directory));
+    completeAndValidate(list, *kind.validParameters(), "Test");
+    return kind.make(list, context(directory));
   }
 
   void run(Output& output)

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "dynamics/Model.hpp"
-#include "fem/constraints/NodalDamping.hpp"
+#include "fem/NodalDamping.hpp"
 #include "unit/dynamics/SmallModel.hpp"
 
 namespace asperity::dynamics::testing

@@ -1,4 +1,4 @@
-#include "fem/DofMap.hpp"
+#include "fem/dofs/DofMap.hpp"
 
 #include "unit/fem/SampleMeshes.hpp"
 

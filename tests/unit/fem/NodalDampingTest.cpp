@@ -1,4 +1,4 @@
-#include "fem/constraints/NodalDamping.hpp"
+#include "fem/NodalDamping.hpp"
 
 #include "fem/BoundaryMeasure.hpp"
 

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "base/Errors.hpp"
-#include "fem/DofMap.hpp"
+#include "fem/dofs/DofMap.hpp"
 #include "mesh/parallel/Partition.hpp"
 
 #include <Teuchos_DefaultMpiComm.hpp>

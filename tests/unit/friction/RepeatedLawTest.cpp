@@ -13,11 +13,11 @@ namespace asperity::friction
 {
 TEST(RepeatedLaw, IsNamedAndMakesTheRegistryUnusable)
 {
-  const auto all = registeredLaws();
+  const auto all = StateLawRegistry::instance().registrations();
   EXPECT_EQ(std::count(all.begin(), all.end(), "state law 'Ageing'"), 2);
-  EXPECT_EQ(std::count(all.begin(), all.end(), "friction law 'Truncated'"), 1);
-  EXPECT_THROW(stateLawNames(), std::logic_error);
-  EXPECT_THROW(stateLaw("Slip"), std::logic_error);
-  EXPECT_EQ(frictionLawNames().size(), 2u);
+  EXPECT_EQ(std::count(all.begin(), all.end(), "state law 'Slip'"), 1);
+  EXPECT_THROW(StateLawRegistry::instance().names(), std::logic_error);
+  EXPECT_THROW(StateLawRegistry::instance().at("Slip"), std::logic_error);
+  EXPECT_EQ(FrictionLawRegistry::instance().names().size(), 2u);
 }
 } // namespace asperity::friction

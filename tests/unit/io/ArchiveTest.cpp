@@ -1,4 +1,4 @@
-#include "io/checkpoint/Archive.hpp"
+#include "io/Archive.hpp"
 #include "unit/io/Support.hpp"
 
 using namespace asperity;

@@ -2,9 +2,9 @@
 
 #include "MeshSamples.hpp"
 
+#include "mesh/SplitVertices.hpp"
 #include "mesh/faults/Faults.hpp"
 #include "mesh/faults/SplitFaults.hpp"
-#include "mesh/faults/SplitVertices.hpp"
 #include "mesh/generation/BoxMesh.hpp"
 #include "mesh/generation/RectangleMesh.hpp"
 

@@ -1,4 +1,4 @@
-#include "scenario/setup/fault/FaultKind.hpp"
+#include "scenario/setup/FaultKind.hpp"
 
 #include "SampleDeck.hpp"
 #include "scenario/Problem.hpp"
@@ -11,17 +11,17 @@ using namespace test;
 namespace
 {
 // All that a new kind of fault is.
-struct ThreefoldFault final : FaultKind
+struct ThreefoldFault : FaultKind
 {
   ThreefoldFault()
-      : FaultKind("it slips three times as far as its body moves.", {3, 2, false, true})
+      : FaultKind{"it slips three times as far as its body moves.", {3, 2, false, true}}
   {
   }
 };
 
 fem::OtherSide otherSideOf(std::string const& name)
 {
-  return FaultKindRegistry::instance().create(name, "")->other_side;
+  return FaultKindRegistry::instance().at(name).other_side;
 }
 } // namespace
 
@@ -44,6 +44,10 @@ TEST(FaultKind, theThreeOfDecksDifferByTheirMap)
   EXPECT_EQ(body.deforming_sides, 2);
   EXPECT_TRUE(body.is_inside && !body.is_mirrored);
   EXPECT_EQ(faultKindsInside(), std::vector<std::string>{"Two-Sided Fault"});
+  for (auto const& name : faultKinds()) {
+    EXPECT_EQ(faultKindOf(otherSideOf(name)), name);
+  }
+  EXPECT_EQ(faultKindOf({5, 1, false, false}), "");
 }
 
 TEST(FaultKind, isOneFile)

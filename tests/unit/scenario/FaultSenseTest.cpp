@@ -1,4 +1,4 @@
-#include "scenario/setup/fault/FaultSense.hpp"
+#include "scenario/FaultSense.hpp"
 
 #include "SampleDeck.hpp"
 

@@ -2,8 +2,8 @@
 
 #include "base/Errors.hpp"
 #include "mesh/SimplexGeometry.hpp"
+#include "mesh/SplitVertices.hpp"
 #include "mesh/detail/Conformity.hpp"
-#include "mesh/faults/SplitVertices.hpp"
 
 #include <algorithm>
 #include <cmath>

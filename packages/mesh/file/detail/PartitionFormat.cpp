@@ -1,7 +1,7 @@
 #include "mesh/file/detail/PartitionFormat.hpp"
 
 #include "base/Errors.hpp"
-#include "mesh/faults/SplitVertices.hpp"
+#include "mesh/SplitVertices.hpp"
 
 #include <algorithm>
 #include <filesystem>

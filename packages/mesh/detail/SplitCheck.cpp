@@ -1,11 +1,11 @@
-#include "mesh/faults/SplitCheck.hpp"
+#include "mesh/detail/SplitCheck.hpp"
 
 #include "base/Errors.hpp"
 #include "mesh/PointText.hpp"
 #include "mesh/SimplexGeometry.hpp"
-#include "mesh/faults/SplitVertices.hpp"
+#include "mesh/SplitVertices.hpp"
 
-namespace asperity::mesh
+namespace asperity::mesh::detail
 {
 namespace
 {
@@ -39,9 +39,8 @@ void checkPairs(GlobalMesh<Dim> const& mesh, std::string const& where)
 }
 
 template <int Dim>
-void checkFault(GlobalMesh<Dim> const& mesh, std::string const& name,
-                detail::FacetTable<Dim> const& table, FaultSides<Dim> const& sides,
-                std::string const& where)
+void checkFault(GlobalMesh<Dim> const& mesh, std::string const& name, FacetTable<Dim> const& table,
+                FaultSides<Dim> const& sides, std::string const& where)
 {
   for (auto const& facet : mesh.boundaries.at(name)) {
     const auto describe = [&] {
@@ -62,7 +61,7 @@ void checkFault(GlobalMesh<Dim> const& mesh, std::string const& name,
 } // namespace
 
 template <int Dim>
-void checkSplits(GlobalMesh<Dim> const& mesh, detail::FacetTable<Dim> const& table,
+void checkSplits(GlobalMesh<Dim> const& mesh, FacetTable<Dim> const& table,
                  std::string const& where)
 {
   checkPairs(mesh, where);
@@ -74,6 +73,6 @@ void checkSplits(GlobalMesh<Dim> const& mesh, detail::FacetTable<Dim> const& tab
   }
 }
 
-template void checkSplits(GlobalMesh<2> const&, detail::FacetTable<2> const&, std::string const&);
-template void checkSplits(GlobalMesh<3> const&, detail::FacetTable<3> const&, std::string const&);
-} // namespace asperity::mesh
+template void checkSplits(GlobalMesh<2> const&, FacetTable<2> const&, std::string const&);
+template void checkSplits(GlobalMesh<3> const&, FacetTable<3> const&, std::string const&);
+} // namespace asperity::mesh::detail

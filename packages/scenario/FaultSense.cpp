@@ -1,4 +1,4 @@
-#include "scenario/setup/fault/FaultSense.hpp"
+#include "scenario/FaultSense.hpp"
 
 #include "base/Text.hpp"
 #include "base/parallel/Reductions.hpp"

@@ -1,9 +1,9 @@
-#include "scenario/setup/fault/FaultLoads.hpp"
+#include "scenario/setup/FaultLoads.hpp"
 
 #include "base/parallel/Reductions.hpp"
 #include "mesh/PointText.hpp"
 #include "scenario/setup/DeckPaths.hpp"
-#include "scenario/setup/fault/PlateRate.hpp"
+#include "scenario/setup/PlateRate.hpp"
 
 #include <Tpetra_Vector.hpp>
 

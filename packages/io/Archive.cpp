@@ -1,4 +1,4 @@
-#include "io/checkpoint/Archive.hpp"
+#include "io/Archive.hpp"
 
 #include "base/Errors.hpp"
 

@@ -1,4 +1,4 @@
-#include "fem/DofMap.hpp"
+#include "fem/dofs/DofMap.hpp"
 
 #include <Teuchos_OrdinalTraits.hpp>
 #include <Tpetra_Import.hpp>

@@ -1,4 +1,4 @@
-#include "scenario/Simulation.hpp"
+#include "scenario/run/Simulation.hpp"
 
 #include "base/Errors.hpp"
 #include "base/Text.hpp"
@@ -10,8 +10,8 @@
 #include "base/program/Signals.hpp"
 #include "base/program/WorkTimers.hpp"
 #include "dynamics/control/StallWatch.hpp"
+#include "io/Archive.hpp"
 #include "io/OutputSet.hpp"
-#include "io/checkpoint/Archive.hpp"
 #include "io/checkpoint/Checkpoint.hpp"
 #include "io/files/OutputDirectory.hpp"
 #include "io/files/RunJournal.hpp"

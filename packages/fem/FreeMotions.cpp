@@ -1,4 +1,4 @@
-#include "fem/constraints/FreeMotions.hpp"
+#include "fem/FreeMotions.hpp"
 
 #include "base/Errors.hpp"
 #include "base/parallel/Reductions.hpp"

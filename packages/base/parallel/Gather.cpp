@@ -1,8 +1,8 @@
-#include "io/parallel/Gather.hpp"
+#include "base/parallel/Gather.hpp"
 
 #include "base/parallel/Messages.hpp"
 
-namespace asperity::io
+namespace asperity
 {
 namespace
 {
@@ -55,4 +55,4 @@ template std::vector<double> gatherToAll(std::vector<double> const&, Communicato
 template std::vector<GlobalOrdinal> gatherToAll(std::vector<GlobalOrdinal> const&,
                                                 Communicator const&);
 template std::vector<char> gatherToAll(std::vector<char> const&, Communicator const&);
-} // namespace asperity::io
+} // namespace asperity

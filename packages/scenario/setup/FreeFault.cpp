@@ -1,4 +1,4 @@
-#include "scenario/setup/fault/FreeFault.hpp"
+#include "scenario/setup/FreeFault.hpp"
 
 #include "base/Errors.hpp"
 #include "base/parallel/Agreement.hpp"

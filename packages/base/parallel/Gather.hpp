@@ -5,7 +5,7 @@
 
 #include <vector>
 
-namespace asperity::io
+namespace asperity
 {
 // Return the vectors of all ranks one after the other, on rank 0 (empty elsewhere) or on all ranks.
 // T is double, GlobalOrdinal or char. Collective.
@@ -14,4 +14,4 @@ std::vector<T> gatherToRoot(std::vector<T> const& mine, Communicator const& comm
 
 template <class T>
 std::vector<T> gatherToAll(std::vector<T> const& mine, Communicator const& comm);
-} // namespace asperity::io
+} // namespace asperity

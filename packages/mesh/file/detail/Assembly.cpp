@@ -1,4 +1,4 @@
-#include "mesh/parallel/detail/Assembly.hpp"
+#include "mesh/file/detail/Assembly.hpp"
 
 #include "base/Errors.hpp"
 

@@ -1,4 +1,4 @@
-#include "scenario/setup/fault/PlateRate.hpp"
+#include "scenario/setup/PlateRate.hpp"
 
 #include "base/Errors.hpp"
 #include "base/parallel/Agreement.hpp"
