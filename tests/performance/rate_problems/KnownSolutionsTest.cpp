@@ -12,8 +12,8 @@
 #include <cmath>
 
 // Rate problems whose solution v is known: friction in steady state at v, alpha = ln(V* / V), and
-// the right side b = Z v + gradient of friction. The slip rates are those of an earthquake cycle, as
-// smooth as the weakening core of BP5 allows, so that all meshes resolve them.
+// the right side b = Z v + gradient of friction. The slip rates are those of an earthquake cycle,
+// as smooth as the weakening core of BP5 allows, so that all meshes resolve them.
 namespace asperity::performance
 {
 namespace
