@@ -1,21 +1,14 @@
 #pragma once
 
 #include "base/program/CommandLine.hpp"
-#include "compare/Compare.hpp"
-#include "scaling/Scaling.hpp"
-#include "steps/Steps.hpp"
 
 #include <iosfwd>
 
 struct BenchArguments
 {
-  asperity::CommandLine deck; // the deck and its overrides
-  ScalingOptions scaling;
-  StepsOptions steps;            // num_steps is 0 without `steps`
-  CompareOptions compare;        // likewise for `compare`
-  std::string output;            // JSON file, for stiffness a text file; "" for none
-  bool counts_mesh = false;      // asperity-bench mesh
-  bool writes_stiffness = false; // asperity-bench stiffness
+  asperity::CommandLine deck; // the deck, its overrides and plugins
+  int num_steps = 0;          // of `steps`; 0 for `stiffness`
+  std::string output;         // file for the numbers, "" for none
   bool help = false;
 };
 

@@ -1,22 +1,32 @@
-// asperity-bench scaling DECK.xml --sizes H,H,... --steps TAU,TAU,... [--size-parameter PATH]
-// [--rupture-rate V] [--set "Path/To/Parameter=value"]... [--output FILE.json]
-// asperity-bench steps DECK.xml --steps N [--set ...]... [--output FILE.json]
-// asperity-bench compare DECK --steps N [--set ...]... [--output FILE.json]
+// asperity-bench steps DECK.xml --steps N [--set "Path/To/Parameter=value"]... [--output FILE.json]
 // asperity-bench stiffness DECK.xml [--set ...]... [--output FILE.txt]
-// asperity-bench mesh DECK.xml [--set ...]...
-#include "Commands.hpp"
+#include "BenchArguments.hpp"
+#include "Steps.hpp"
+#include "Stiffness.hpp"
+
 #include "base/Errors.hpp"
 #include "base/program/MpiScope.hpp"
 #include "base/program/Plugins.hpp"
-#include "measuring/CountedProducts.hpp"
+#include "scenario/DeckReader.hpp"
 #include "scenario/Registrations.hpp"
 
+#include <fstream>
 #include <iostream>
+
+namespace
+{
+void write(std::string const& file_name, std::string const& text)
+{
+  std::ofstream file(file_name);
+  file << text;
+  file.close();
+  ASPERITY_REQUIRE(file.good(), "Cannot write '" << file_name << "'.");
+}
+} // namespace
 
 int main(int argc, char** argv)
 {
   // 1. Start MPI and Kokkos.
-  CountedProducts::prepare();
   asperity::MpiScope parallel(argc, argv);
   auto const& communicator = parallel.communicator();
   return asperity::runGuarded(
@@ -24,15 +34,27 @@ int main(int argc, char** argv)
     [&] {
       // 2. Read the command line.
       auto const arguments = parseBenchArguments(argc, argv);
+      const bool speaks = communicator->getRank() == 0;
       if (arguments.help) {
-        if (communicator->getRank() == 0) {
+        if (speaks) {
           printBenchHelp(std::cout);
         }
         return int(asperity::exit_done);
       }
       asperity::loadPlugins(arguments.deck.plugins, asperity::scenario::registrations);
-      // 3. Measure.
-      return measure(arguments, communicator);
+      // 3. Read the deck and measure.
+      auto const deck = asperity::scenario::readCompleteDeck(arguments.deck);
+      auto const report = arguments.num_steps > 0
+                            ? measureSteps(*deck, arguments.num_steps, communicator)
+                            : measureStiffness(*deck, communicator);
+      // 4. Print the table and write the file.
+      if (speaks) {
+        std::cout << report.table << std::flush;
+        if (!arguments.output.empty()) {
+          write(arguments.output, report.file);
+        }
+      }
+      return int(asperity::exit_done);
     },
     "asperity-bench");
 }

@@ -2,74 +2,80 @@
 
 #include "base/Errors.hpp"
 #include "base/Text.hpp"
-#include "base/program/Options.hpp"
 
 #include <filesystem>
 
-double Arguments::number(std::string const& option, double otherwise) const
+namespace
 {
-  if (!has(option)) {
-    return otherwise;
-  }
-  auto const& text = options.at(option);
+void readTo(double& target, std::string const& option, std::string const& text)
+{
   const auto value = asperity::readNumber(text);
   ASPERITY_REQUIRE(value, "Option " << option << ": '" << text << "' is not a number.");
-  return *value;
+  target = *value;
 }
 
-int Arguments::integer(std::string const& option, int otherwise) const
+void readTo(int& target, std::string const& option, std::string const& text)
 {
-  if (!has(option)) {
-    return otherwise;
-  }
-  auto const& text = options.at(option);
   const auto value = asperity::readInteger(text);
   ASPERITY_REQUIRE(value, "Option " << option << ": '" << text << "' is not a whole number.");
-  return *value;
+  target = *value;
 }
 
-std::vector<std::string> Arguments::all(std::string const& option) const
+template <class Number>
+void readTo(std::optional<Number>& target, std::string const& option, std::string const& text)
 {
-  const auto found = repeated.find(option);
-  return found == repeated.end() ? std::vector<std::string>() : found->second;
+  readTo(target.emplace(), option, text);
 }
 
-Arguments parseArguments(std::vector<std::string> const& words, AllowedArguments const& allowed)
+std::string inBrackets(double value) { return " (" + asperity::formatNumber(value) + ")"; }
+
+template <class Number>
+std::string inBrackets(std::optional<Number> const&)
 {
-  std::map<std::string, std::string> values;
-  std::map<std::string, bool> flags;
-  asperity::Options options;
-  for (auto const& name : allowed.options) {
-    options.value(name, values[name], "VALUE", "");
-  }
-  for (auto const& name : allowed.flags) {
-    options.flag(name, flags[name], "");
-  }
-  Arguments arguments;
-  for (auto const& name : allowed.repeated) {
-    options.values(name, arguments.repeated[name], "VALUE", "");
-  }
-  arguments.files = options.parse(words);
-  for (auto const& [name, value] : values) {
-    if (!value.empty()) {
-      arguments.options[name] = value;
+  return "";
+}
+} // namespace
+
+template <class Number>
+Arguments& Arguments::number(std::string const& name, Number& target, std::string const& meaning)
+{
+  auto& text = texts_.emplace_back();
+  value(name, text, "NUMBER", meaning + inBrackets(target));
+  readers_.emplace_back([&target, name, &text] {
+    if (!text.empty()) {
+      readTo(target, name, text);
     }
+  });
+  return *this;
+}
+
+template Arguments& Arguments::number(std::string const&, double&, std::string const&);
+template Arguments& Arguments::number(std::string const&, int&, std::string const&);
+template Arguments& Arguments::number(std::string const&, std::optional<double>&,
+                                      std::string const&);
+template Arguments& Arguments::number(std::string const&, std::optional<int>&, std::string const&);
+
+void Arguments::overwrite() { flag("--overwrite", overwrites_, "replace a file that is there"); }
+
+bool Arguments::read(std::vector<std::string> const& files)
+{
+  if (!words_) {
+    return false;
   }
-  for (auto const& [name, is_given] : flags) {
-    if (is_given) {
-      arguments.options[name] = "";
-    }
+  files_ = parse(*words_);
+  for (auto const& reader : readers_) {
+    reader();
   }
-  const std::size_t found = arguments.files.size(), wanted = allowed.files.size();
-  ASPERITY_REQUIRE(found <= wanted, "Unexpected argument '" << arguments.files[wanted] << "'.");
+  const std::size_t found = files_.size(), wanted = files.size();
+  ASPERITY_REQUIRE(found <= wanted, "Unexpected argument '" << files_[wanted] << "'.");
   ASPERITY_REQUIRE(found == wanted,
-                   "The file " << allowed.files[found] << " is missing. See asperity-mesh --help.");
-  return arguments;
+                   "The file " << files[found] << " is missing. See asperity-mesh --help.");
+  return true;
 }
 
-void requireNew(std::string const& file_name, Arguments const& arguments)
+void Arguments::requireNew(std::string const& file_name) const
 {
   std::error_code error;
-  ASPERITY_REQUIRE(arguments.has("--overwrite") || !std::filesystem::exists(file_name, error),
+  ASPERITY_REQUIRE(overwrites_ || !std::filesystem::exists(file_name, error),
                    "'" << file_name << "' is there already. Give --overwrite to replace it.");
 }

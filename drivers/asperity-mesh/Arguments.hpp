@@ -1,39 +1,42 @@
 #pragma once
 
-#include <map>
+#include "base/program/Options.hpp"
+
+#include <functional>
+#include <list>
+#include <optional>
 #include <string>
 #include <vector>
 
-// The arguments after the name of a command: files, options with a value (--cell-size 0.002) and
-// flags (--overwrite).
-struct Arguments
+// The arguments after the name of a command, which declares its options, reads them, and works:
+//
+//   double width = 1;
+//   arguments.number("--width", width, "along x, m");
+//   if (arguments.read({"OUT.h5"})) { ... arguments.file(0) ... }
+//
+// For --help nothing is read. What is not given keeps its value, which --help prints.
+class Arguments : public asperity::Options
 {
-  std::vector<std::string> files;
-  std::map<std::string, std::string> options;
+public:
+  explicit Arguments(std::optional<std::vector<std::string>> words) : words_(std::move(words)) {}
 
-  std::map<std::string, std::vector<std::string>> repeated;
+  // double, int, and std::optional of them, which has no value unless the option is given.
+  template <class Number>
+  Arguments& number(std::string const& name, Number& target, std::string const& meaning);
+  void overwrite(); // declares the flag for requireNew
 
-  bool has(std::string const& option) const { return options.count(option) > 0; }
+  // Whether the command has to work. `files` are the names that --help uses, such as "OUT.h5".
+  // InputError if an option is unknown or no number, or a file is missing.
+  bool read(std::vector<std::string> const& files);
+  std::string const& file(int i) const { return files_[static_cast<std::size_t>(i)]; }
 
-  // The value of an option, or `otherwise` if it is not given. InputError if it is not a number, or
-  // not a whole number.
-  double number(std::string const& option, double otherwise) const;
-  int integer(std::string const& option, int otherwise) const;
+  // InputError if the file exists and --overwrite is not given.
+  void requireNew(std::string const& file_name) const;
 
-  // The values of an option that may be repeated, in their order.
-  std::vector<std::string> all(std::string const& option) const;
+private:
+  std::optional<std::vector<std::string>> words_; // none for --help
+  std::list<std::string> texts_;                  // a list, because Options keeps references
+  std::vector<std::function<void()>> readers_;
+  std::vector<std::string> files_;
+  bool overwrites_ = false;
 };
-
-struct AllowedArguments
-{
-  std::vector<std::string> files; // the names that --help uses, such as "OUT.h5"
-  std::vector<std::string> options;
-  std::vector<std::string> flags;
-  std::vector<std::string> repeated = {}; // options that may be given several times
-};
-
-// InputError if an argument is not among these, or a file is missing.
-Arguments parseArguments(std::vector<std::string> const& words, AllowedArguments const& allowed);
-
-// InputError if the file exists and --overwrite is not given.
-void requireNew(std::string const& file_name, Arguments const& arguments);

@@ -1,44 +1,33 @@
-#include "Arguments.hpp"
 #include "Commands.hpp"
 #include "GmshFile.hpp"
-
-#include "mesh/faults/SplitFaults.hpp"
-#include "mesh/file/MeshFile.hpp"
-
-#include <iostream>
+#include "Meshes.hpp"
 
 namespace
 {
-// Splits a copy of the mesh, to find faults that cannot be split here and not when it is used.
-template <int Dim>
-std::size_t numFaults(asperity::GlobalMesh<Dim> mesh, std::string const& where)
-{
-  asperity::mesh::splitFaults(mesh, where);
-  return mesh.faults.size();
-}
-
 template <int Dim>
 void convertMesh(GmshFile const& source, std::string const& where, std::string const& file_name)
 {
   const auto mesh = source.mesh<Dim>();
-  const auto num_faults = numFaults(mesh, where);
-  asperity::mesh::writeMesh(mesh, file_name);
-  std::cout << file_name << ": " << mesh.vertices.size() << " vertices, " << mesh.cells.size()
-            << " cells, " << mesh.region_names.size() << " regions, "
-            << mesh.boundaries.size() - num_faults << " boundaries, " << num_faults << " faults\n";
+  auto split = mesh; // to find faults that cannot be split here, and not when the mesh is used
+  asperity::mesh::splitFaults(split, where);
+  const std::size_t regions = mesh.region_names.size(), faults = split.faults.size();
+  writeAndReport(mesh, file_name,
+                 ", " + std::to_string(regions) + " regions, " +
+                   std::to_string(mesh.boundaries.size() - faults) + " boundaries, " +
+                   std::to_string(faults) + " faults");
 }
 } // namespace
 
-void convert(std::vector<std::string> const& words)
+void convert(Arguments& arguments)
 {
-  const auto arguments =
-    parseArguments(words, {{"IN.msh or IN.geo", "OUT.h5"}, {}, {"--overwrite"}, {"--set"}});
-  requireNew(arguments.files[1], arguments);
-  const GmshFile source(arguments.files[0], arguments.all("--set"));
-  const std::string where = "'" + arguments.files[0] + "'";
-  if (source.dimension() == 2) {
-    convertMesh<2>(source, where, arguments.files[1]);
-  } else {
-    convertMesh<3>(source, where, arguments.files[1]);
+  std::vector<std::string> settings;
+  arguments.values("--set", settings, "NAME=VALUE", "replace a number of DefineConstant in a .geo");
+  arguments.overwrite();
+  if (!arguments.read({"IN.msh or IN.geo", "OUT.h5"})) {
+    return;
   }
+  arguments.requireNew(arguments.file(1));
+  const GmshFile source(arguments.file(0), settings);
+  (source.dimension() == 2 ? convertMesh<2> : convertMesh<3>)(source, "'" + arguments.file(0) + "'",
+                                                              arguments.file(1));
 }

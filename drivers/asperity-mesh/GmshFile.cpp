@@ -40,33 +40,6 @@ void requireMeshFormat(std::string const& file_name, std::string const& where)
                    where << " is not a mesh of Gmsh: it does not begin with $MeshFormat.");
 }
 
-void initializeGmsh(std::vector<std::string>& arguments)
-{
-  std::vector<char*> words;
-  words.reserve(arguments.size());
-  for (auto& argument : arguments) {
-    words.push_back(argument.data());
-  }
-  constexpr bool read_configuration = false;
-  gmsh::initialize(static_cast<int>(words.size()), words.data(), read_configuration);
-  gmsh::option::setNumber("General.Terminal", 0);
-}
-
-void openWithGmsh(std::string const& file_name, std::string const& where)
-{
-  const auto fail = [&](std::string const& reason) {
-    throw InputError(where + " cannot be read by Gmsh: " + reason + ".");
-  };
-  // Gmsh before 4.9 throws strings.
-  try {
-    gmsh::open(file_name);
-  } catch (std::string const& reason) {
-    fail(reason);
-  } catch (std::exception const& error) {
-    fail(error.what());
-  }
-}
-
 struct Group
 {
   std::string name;
@@ -149,7 +122,9 @@ private:
                                 << " is in two regions, '" << known->second << "' and '"
                                 << group.name << "'.");
         if (is_new) {
-          addCells(simplices(Dim, entity, where_), region);
+          const auto vertices = simplices(Dim, entity, where_);
+          cell_vertices_.insert(cell_vertices_.end(), vertices.begin(), vertices.end());
+          mesh_.cell_regions.insert(mesh_.cell_regions.end(), vertices.size() / (Dim + 1), region);
         }
       }
     }
@@ -178,55 +153,33 @@ private:
     return number;
   }
 
-  void addCells(std::vector<Tag> const& vertices, int region)
-  {
-    cell_vertices_.insert(cell_vertices_.end(), vertices.begin(), vertices.end());
-    mesh_.cell_regions.insert(mesh_.cell_regions.end(), vertices.size() / (Dim + 1), region);
-  }
-
   // Only vertices of cells are kept: Gmsh's files also hold the points from which lines and arcs
   // were made.
   void readVertices()
   {
-    const std::set<Tag> used(cell_vertices_.begin(), cell_vertices_.end());
-    std::unordered_map<Tag, std::array<double, 3>> coordinates;
     std::vector<Tag> tags;
     std::vector<double> xyz, parameters;
     model::mesh::getNodes(tags, xyz, parameters, -1, -1, false, false);
+    std::unordered_map<Tag, double const*> coordinates;
     for (std::size_t i = 0; i < tags.size(); ++i) {
-      coordinates[tags[i]] = {xyz[3 * i], xyz[3 * i + 1], xyz[3 * i + 2]};
+      coordinates[tags[i]] = &xyz[3 * i];
     }
+    const std::set<Tag> used(cell_vertices_.begin(), cell_vertices_.end());
+    double size = 0;
     for (Tag tag : used) {
       const auto found = coordinates.find(tag);
       ASPERITY_REQUIRE(found != coordinates.end(),
                        where_ << ": a cell has node " << tag << ", which has no coordinates.");
       number_[tag] = static_cast<int>(mesh_.vertices.size());
-      addVertex(found->second);
+      std::copy_n(found->second, Dim, mesh_.vertices.emplace_back().begin());
+      size = std::max(size,
+                      asperity::mesh::distance<Dim>(mesh_.vertices.back(), mesh_.vertices.front()));
     }
     for (std::size_t i = 0; i < cell_vertices_.size(); i += Dim + 1) {
       mesh_.cells.push_back(simplex<Dim + 1>(&cell_vertices_[i]));
     }
-    if (Dim == 2) {
-      requirePlane(used, coordinates);
-    }
-  }
-
-  void addVertex(std::array<double, 3> const& xyz)
-  {
-    Point<Dim> vertex;
-    std::copy_n(xyz.begin(), Dim, vertex.begin());
-    mesh_.vertices.push_back(vertex);
-  }
-
-  void requirePlane(std::set<Tag> const& used,
-                    std::unordered_map<Tag, std::array<double, 3>> const& coordinates) const
-  {
-    double size = 0.0;
-    for (auto const& vertex : mesh_.vertices) {
-      size = std::max(size, asperity::mesh::distance<Dim>(vertex, mesh_.vertices.front()));
-    }
     for (Tag tag : used) {
-      const double z = coordinates.at(tag)[2];
+      const double z = Dim == 2 ? coordinates.at(tag)[2] : 0;
       ASPERITY_REQUIRE(std::abs(z) <= 1e-9 * size,
                        where_ << ": node " << tag << " has z = " << z
                               << ". A two-dimensional mesh lies in the plane z = 0.");
@@ -247,19 +200,15 @@ private:
       auto& facets = mesh_.boundaries[group.name];
       for (int entity : group.entities) {
         const auto vertices = simplices(Dim - 1, entity, where_);
-        requireInCells(vertices, group.name);
+        for (Tag tag : vertices) {
+          ASPERITY_REQUIRE(number_.count(tag) > 0, where_ << ": boundary '" << group.name
+                                                          << "' has node " << tag
+                                                          << ", which belongs to no cell.");
+        }
         for (std::size_t i = 0; i < vertices.size(); i += Dim) {
           facets.push_back(simplex<Dim>(&vertices[i]));
         }
       }
-    }
-  }
-
-  void requireInCells(std::vector<Tag> const& vertices, std::string const& boundary) const
-  {
-    for (Tag tag : vertices) {
-      ASPERITY_REQUIRE(number_.count(tag) > 0, where_ << ": boundary '" << boundary << "' has node "
-                                                      << tag << ", which belongs to no cell.");
     }
   }
 
@@ -283,9 +232,16 @@ GmshFile::GmshFile(std::string const& file_name, std::vector<std::string> const&
     ASPERITY_REQUIRE(settings.empty(), "Option --set " << settings.front() << ": " << where_
                                                        << " is no geometry (.geo), but a mesh.");
   }
-  initializeGmsh(arguments);
+  std::vector<char*> words;
+  for (auto& argument : arguments) {
+    words.push_back(argument.data());
+  }
+  constexpr bool read_configuration = false;
+  gmsh::initialize(static_cast<int>(words.size()), words.data(), read_configuration);
+  gmsh::option::setNumber("General.Terminal", 0);
   try {
-    openWithGmsh(file_name, where_);
+    const auto error = errorOfGmsh([&] { gmsh::open(file_name); });
+    ASPERITY_REQUIRE(error.empty(), where_ << " cannot be read by Gmsh: " << error << ".");
     if (isGeometry(file_name)) {
       meshGeometry(where_);
     }
@@ -300,8 +256,7 @@ GmshFile::~GmshFile() { gmsh::finalize(); }
 int GmshFile::dimension() const
 {
   std::vector<int> types;
-  std::vector<std::vector<Tag>> tags, vertices;
-  model::mesh::getElements(types, tags, vertices, 3);
+  model::mesh::getElementTypes(types, 3);
   return types.empty() ? 2 : 3;
 }
 

@@ -57,13 +57,8 @@ std::string upToBracket(std::string const& script, std::size_t begin)
   }
   return script.substr(begin, end - begin);
 }
-} // namespace
-
-bool isGeometry(std::string const& file_name)
-{
-  return std::filesystem::path(file_name).extension() == ".geo";
-}
-
+// The names that the script, which is without comments, defines by DefineConstant, in their order,
+// each once.
 std::vector<std::string> constantsOf(std::string const& script)
 {
   const std::string text = std::regex_replace(script, std::regex("\"[^\"]*\""), "\"\"");
@@ -86,15 +81,21 @@ std::vector<std::string> constantsOf(std::string const& script)
   }
   return names;
 }
+} // namespace
 
-std::vector<GeometryConstant> readConstants(std::string const& file_name,
+bool isGeometry(std::string const& file_name)
+{
+  return std::filesystem::path(file_name).extension() == ".geo";
+}
+
+std::map<std::string, double> readConstants(std::string const& file_name,
                                             std::vector<std::string> const& settings)
 {
   const auto script = readScript(file_name);
   ASPERITY_REQUIRE(script.find("SystemCall") == std::string::npos,
                    whereIs(file_name) << " runs other programs (SystemCall). Remove that.");
   const auto known = constantsOf(script);
-  std::vector<GeometryConstant> constants;
+  std::map<std::string, double> constants;
   for (auto const& setting : settings) {
     const auto equals = setting.find('=');
     const std::string name = asperity::trimmed(setting.substr(0, equals));
@@ -107,19 +108,22 @@ std::vector<GeometryConstant> readConstants(std::string const& file_name,
                                      << " defines no constant '" << name << "', only "
                                      << asperity::quotedNames(known) << " (DefineConstant)."
                                      << asperity::didYouMean(name, known));
-    for (auto const& constant : constants) {
-      ASPERITY_REQUIRE(constant.name != name, "Option --set gives '" << name << "' twice.");
-    }
-    constants.push_back({name, *value});
+    ASPERITY_REQUIRE(constants.emplace(name, *value).second,
+                     "Option --set gives '" << name << "' twice.");
   }
   return constants;
 }
 
-std::string lastErrorOfGmsh()
+std::string errorOfGmsh(std::function<void()> const& call)
 {
-  std::string error;
-  gmsh::logger::getLastError(error);
-  return asperity::trimmed(error);
+  try {
+    call();
+  } catch (std::string const& reason) {
+    return reason;
+  } catch (std::exception const& error) {
+    return error.what();
+  }
+  return "";
 }
 
 // Gmsh throws some errors in threads of its own, where they cannot be caught. Therefore it is told
@@ -129,16 +133,10 @@ void meshGeometry(std::string const& where)
   const int dimension = gmsh::model::getDimension();
   ASPERITY_REQUIRE(dimension >= 2, where << " has neither a surface nor a volume to be meshed.");
   gmsh::option::setNumber("General.AbortOnError", 1); // stop meshing, throw nothing
-  std::string problem;
-  try {
-    gmsh::model::mesh::generate(dimension);
-  } catch (std::string const& reason) { // Gmsh before 4.9 throws strings
-    problem = reason;
-  } catch (std::exception const& error) {
-    problem = error.what();
-  }
-  const std::string last = lastErrorOfGmsh();
-  ASPERITY_REQUIRE(problem.empty() && last.empty(),
-                   where << " cannot be meshed by Gmsh: " << (last.empty() ? problem : last)
-                         << '.');
+  const auto thrown = errorOfGmsh([&] { gmsh::model::mesh::generate(dimension); });
+  std::string last;
+  gmsh::logger::getLastError(last);
+  last = asperity::trimmed(last);
+  ASPERITY_REQUIRE(thrown.empty() && last.empty(),
+                   where << " cannot be meshed by Gmsh: " << (last.empty() ? thrown : last) << '.');
 }

@@ -1,103 +1,67 @@
-#include "Arguments.hpp"
 #include "Commands.hpp"
+#include "Meshes.hpp"
 
 #include "base/Text.hpp"
 #include "mesh/MeshQuality.hpp"
-#include "mesh/faults/SplitFaults.hpp"
-#include "mesh/file/MeshFile.hpp"
-#include "mesh/file/PartitionedFile.hpp"
 
 #include <algorithm>
 #include <cmath>
-#include <iostream>
 
 namespace
 {
 using asperity::formatShort;
+using asperity::GlobalMesh;
 
 template <int Dim>
-std::string boundingBox(asperity::GlobalMesh<Dim> const& mesh)
+std::string boundingBox(GlobalMesh<Dim> const& mesh)
 {
   std::string box;
   for (int d = 0; d < Dim; ++d) {
-    double low = mesh.vertices.front()[d], high = low;
-    for (auto const& vertex : mesh.vertices) {
-      low = std::min(low, vertex[d]);
-      high = std::max(high, vertex[d]);
-    }
-    box += (d == 0 ? "[" : " x [") + formatShort(low) + ", " + formatShort(high) + "]";
+    const auto [low, high] =
+      std::minmax_element(mesh.vertices.begin(), mesh.vertices.end(),
+                          [d](auto const& a, auto const& b) { return a[d] < b[d]; });
+    box += (d == 0 ? "[" : " x [") + formatShort((*low)[d]) + ", " + formatShort((*high)[d]) + "]";
   }
   return box;
 }
 
-template <int Dim>
-std::string period(asperity::GlobalMesh<Dim> const& mesh)
-{
-  std::string lines;
-  for (int d = 0; d < Dim; ++d) {
-    if (mesh.period[d] > 0.0) {
-      lines +=
-        std::string("period along ") + "xyz"[d] + "   " + formatShort(mesh.period[d]) + " m\n";
-    }
-  }
-  return lines;
-}
-
-void printPartition(asperity::mesh::PartitionSummary const& summary)
-{
-  std::cout << "parts            " << summary.num_parts;
-  if (!summary.options.boundary.empty()) {
-    std::cout << ", with boundary " << summary.options.boundary << " balanced";
-  }
-  std::cout << "\nfingerprint      " << summary.fingerprint << '\n';
-}
-
-template <int Dim>
-bool isFault(asperity::GlobalMesh<Dim> const& mesh, std::string const& boundary)
-{
-  return std::binary_search(mesh.faults.begin(), mesh.faults.end(), boundary);
-}
-
 // The number of vertices of a fault at which it ends inside the body.
 template <int Dim>
-int numTips(asperity::GlobalMesh<Dim> const& mesh, std::string const& fault)
+std::string tips(GlobalMesh<Dim> const& mesh, std::string const& fault)
 {
   const auto vertices = asperity::mesh::boundaryVertices(mesh, fault);
-  return static_cast<int>(
-    std::count_if(mesh.splits.begin(), mesh.splits.end(), [&](auto const& pair) {
-      return pair.is_tip && std::binary_search(vertices.begin(), vertices.end(), pair.plus);
-    }));
-}
-
-// The copies are made when the mesh is read; the file has them if it is partitioned.
-template <int Dim>
-std::string copies(asperity::GlobalMesh<Dim> const& mesh)
-{
-  return mesh.splits.empty()
-           ? ""
-           : ", " + std::to_string(mesh.splits.size()) + " of them copies at faults";
+  const auto number = std::count_if(mesh.splits.begin(), mesh.splits.end(), [&](auto const& pair) {
+    return pair.is_tip && std::binary_search(vertices.begin(), vertices.end(), pair.plus);
+  });
+  return std::to_string(number) + (number == 1 ? " tip, " : " tips, ");
 }
 
 template <int Dim>
-void printMesh(std::string const& file_name, bool is_partitioned)
+void printSizes(GlobalMesh<Dim> const& mesh)
 {
-  auto mesh = is_partitioned ? asperity::mesh::readParts<Dim>(file_name)
-                             : asperity::mesh::readMesh<Dim>(file_name);
-  asperity::mesh::splitFaults(mesh, "Mesh file '" + file_name + "'"); // if they are not split yet
   const auto sizes = asperity::mesh::cellSizes(mesh);
-  if (is_partitioned) {
-    printPartition(asperity::mesh::partitionSummary(file_name));
+  std::cout << "dimension        " << Dim << "\nvertices         " << mesh.vertices.size();
+  if (!mesh.splits.empty()) { // made when the mesh is read; the file has them if it is partitioned
+    std::cout << ", " << mesh.splits.size() << " of them copies at faults";
   }
-  const double degree = std::acos(-1.0) / 180.0;
-  std::cout << "dimension        " << Dim << '\n'
-            << "vertices         " << mesh.vertices.size() << copies(mesh) << '\n'
-            << "cells            " << mesh.cells.size() << '\n'
-            << "bounding box     " << boundingBox(mesh) << " m\n"
-            << period(mesh) << (Dim == 2 ? "area             " : "volume           ")
-            << formatShort(sizes.measure) << (Dim == 2 ? " m^2\n" : " m^3\n") << "cell diameters   "
+  std::cout << "\ncells            " << mesh.cells.size() << "\nbounding box     "
+            << boundingBox(mesh) << " m\n";
+  for (int d = 0; d < Dim; ++d) {
+    if (mesh.period[d] > 0) {
+      std::cout << "period along "
+                << "xyz"[d] << "   " << formatShort(mesh.period[d]) << " m\n";
+    }
+  }
+  std::cout << (Dim == 2 ? "area             " : "volume           ") << formatShort(sizes.measure)
+            << (Dim == 2 ? " m^2\n" : " m^3\n") << "cell diameters   "
             << formatShort(sizes.smallest_diameter) << " to " << formatShort(sizes.largest_diameter)
-            << " m\n"
-            << "smallest angle   " << formatShort(sizes.smallest_angle / degree) << " degrees\n";
+            << " m\nsmallest angle   " << formatShort(sizes.smallest_angle * 180 / std::acos(-1.))
+            << " degrees\n";
+}
+
+template <int Dim>
+void printNames(GlobalMesh<Dim> const& mesh)
+{
   std::vector<int> num_cells(mesh.region_names.size(), 0);
   for (int region : mesh.cell_regions) {
     ++num_cells[static_cast<std::size_t>(region)];
@@ -106,28 +70,29 @@ void printMesh(std::string const& file_name, bool is_partitioned)
     std::cout << "region           " << mesh.region_names[r] << ": " << num_cells[r] << " cells\n";
   }
   for (auto const& [name, facets] : mesh.boundaries) {
-    const int tips = numTips(mesh, name);
-    std::cout << (isFault(mesh, name) ? "fault            " : "boundary         ") << name << ": "
+    const bool is_fault = std::binary_search(mesh.faults.begin(), mesh.faults.end(), name);
+    std::cout << (is_fault ? "fault            " : "boundary         ") << name << ": "
               << facets.size() << " facets, " << asperity::mesh::boundaryVertices(mesh, name).size()
-              << " vertices, "
-              << (isFault(mesh, name) ? std::to_string(tips) + (tips == 1 ? " tip, " : " tips, ")
-                                      : "")
-              << "shortest edge " << formatShort(asperity::mesh::shortestEdge(mesh, name))
-              << " m\n";
+              << " vertices, " << (is_fault ? tips(mesh, name) : "") << "shortest edge "
+              << formatShort(asperity::mesh::shortestEdge(mesh, name)) << " m\n";
   }
 }
 } // namespace
 
-void printInfo(std::vector<std::string> const& words)
+void printInfo(Arguments& arguments)
 {
-  const auto arguments = parseArguments(words, {{"FILE.h5"}, {}, {}});
-  const std::string file_name = arguments.files[0];
-  const bool is_partitioned = asperity::mesh::isPartitioned(file_name);
-  const int dimension = is_partitioned ? asperity::mesh::partitionSummary(file_name).dimension
-                                       : asperity::mesh::meshDimension(file_name);
-  if (dimension == 2) {
-    printMesh<2>(file_name, is_partitioned);
-  } else {
-    printMesh<3>(file_name, is_partitioned);
+  if (!arguments.read({"FILE.h5"})) {
+    return;
   }
+  withMesh(arguments.file(0), [](auto const& mesh, auto const& parts) {
+    if (parts) {
+      std::cout << "parts            " << parts->num_parts;
+      if (!parts->options.boundary.empty()) {
+        std::cout << ", with boundary " << parts->options.boundary << " balanced";
+      }
+      std::cout << "\nfingerprint      " << parts->fingerprint << '\n';
+    }
+    printSizes(mesh);
+    printNames(mesh);
+  });
 }

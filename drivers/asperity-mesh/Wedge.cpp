@@ -1,37 +1,13 @@
-#include "Arguments.hpp"
 #include "Commands.hpp"
-#include "Generation.hpp"
+#include "Meshes.hpp"
 
 #include "base/Errors.hpp"
 #include "base/Text.hpp"
 #include "mesh/generation/DeepWedgeMesh.hpp"
 #include "mesh/generation/PeriodicMesh.hpp"
 
-using asperity::mesh::DeepWedge;
-using asperity::mesh::WedgeShape;
-
 namespace
 {
-struct Parameter
-{
-  char const* option;
-  double WedgeShape::*value;
-  char const* meaning;
-};
-
-constexpr Parameter parameters[] = {
-  {"--cell-size", &WedgeShape::cell_size, "largest diameter of cells at the seismogenic zone, m"},
-  {"--growth-factor", &WedgeShape::growth_factor,
-   "relative growth of cells over one growth length"},
-  {"--growth-length", &WedgeShape::growth_length,
-   "distance from the zone over which cells grow, m"},
-  {"--length", &WedgeShape::length, "of the surface, m"},
-  {"--height", &WedgeShape::height, "of the right face, m"},
-  {"--zone-width", &WedgeShape::zone_width, "of the seismogenic zone along the base, m"},
-  {"--zone-end", &WedgeShape::zone_end, "its lower end, along the surface from the trench, m"},
-  {"--viscous-thickness", &WedgeShape::viscous_thickness, "of the region 'lower', m"},
-};
-
 // "0.05 to 0.25, 0.35 to 0.55"
 std::vector<std::array<double, 2>> patchesFrom(std::string const& text)
 {
@@ -48,64 +24,57 @@ std::vector<std::array<double, 2>> patchesFrom(std::string const& text)
   }
   return patches;
 }
+} // namespace
 
-asperity::GlobalMesh<3> wedgeWithDepth(WedgeShape const& shape, Arguments const& arguments)
+void makeWedge(Arguments& arguments)
 {
-  DeepWedge deep;
-  deep.depth = arguments.number("--depth", deep.depth);
-  deep.is_periodic = arguments.has("--periodic");
-  if (!arguments.has("--layers")) {
-    if (arguments.has("--patches")) {
-      deep.patches = patchesFrom(arguments.options.at("--patches"));
-    }
-    return deepWedgeMesh(shape, deep);
+  asperity::mesh::WedgeShape shape;
+  asperity::mesh::DeepWedge deep;
+  std::optional<double> depth;
+  std::optional<int> layers;
+  std::string patches;
+  arguments
+    .number("--cell-size", shape.cell_size, "largest diameter of cells at the seismogenic zone, m")
+    .number("--growth-factor", shape.growth_factor,
+            "relative growth of cells over one growth length")
+    .number("--growth-length", shape.growth_length,
+            "distance from the zone over which cells grow, m")
+    .number("--length", shape.length, "of the surface, m")
+    .number("--height", shape.height, "of the right face, m")
+    .number("--zone-width", shape.zone_width, "of the seismogenic zone along the base, m")
+    .number("--zone-end", shape.zone_end, "its lower end, along the surface from the trench, m")
+    .number("--viscous-thickness", shape.viscous_thickness, "of the region 'lower', m")
+    .number("--depth", depth, "along z, m: tetrahedra instead of triangles")
+    .number("--layers", layers, "with depth: number of equal layers of the plane wedge")
+    .value("--patches", patches, "INTERVALS",
+           "with depth: z of the seismogenic zone, m (all), as '0.05 to 0.25, 0.35 to 0.55'")
+    .flag("--periodic", deep.is_periodic, "with depth: along z");
+  arguments.overwrite();
+  if (!arguments.read({"OUT.h5"})) {
+    return;
   }
-  ASPERITY_REQUIRE(
-    !arguments.has("--patches"),
-    "Option --patches cannot be combined with --layers, whose layers are all alike.");
-  auto mesh = layeredWedgeMesh(shape, deep.depth, arguments.integer("--layers", 1));
+  auto const& file_name = arguments.file(0);
+  arguments.requireNew(file_name);
+  if (!depth) {
+    char const* option = !patches.empty()   ? "--patches"
+                         : layers           ? "--layers"
+                         : deep.is_periodic ? "--periodic"
+                                            : nullptr;
+    ASPERITY_REQUIRE(option == nullptr, "Option " << option << " needs --depth too.");
+    return writeAndReport(asperity::mesh::wedgeMesh(shape), file_name);
+  }
+  deep.depth = *depth;
+  if (!layers) {
+    if (!patches.empty()) {
+      deep.patches = patchesFrom(patches);
+    }
+    return writeAndReport(deepWedgeMesh(shape, deep), file_name);
+  }
+  ASPERITY_REQUIRE(patches.empty(), "Option --patches cannot be combined with --layers, whose "
+                                    "layers are all alike.");
+  auto mesh = layeredWedgeMesh(shape, deep.depth, *layers);
   if (deep.is_periodic) {
     asperity::mesh::makePeriodic(mesh, 2, "front", "back");
   }
-  return mesh;
-}
-} // namespace
-
-std::string wedgeOptions()
-{
-  std::string lines;
-  for (auto const& parameter : parameters) {
-    std::string line = std::string("    ") + parameter.option;
-    line.resize(28, ' ');
-    lines += line + parameter.meaning + " (" +
-             asperity::formatNumber(WedgeShape().*parameter.value) + ")\n";
-  }
-  return lines + "    --depth                 along z, m: tetrahedra instead of triangles\n"
-                 "    --patches               z of the seismogenic zone, m (the whole depth), as\n"
-                 "                            '0.05 to 0.25, 0.35 to 0.55'\n"
-                 "    --layers                number of equal layers of the plane wedge, instead\n"
-                 "    --periodic              along z; takes no value\n";
-}
-
-void makeWedge(std::vector<std::string> const& words)
-{
-  AllowedArguments allowed{
-    {"OUT.h5"}, {"--depth", "--patches", "--layers"}, {"--overwrite", "--periodic"}};
-  for (auto const& parameter : parameters) {
-    allowed.options.emplace_back(parameter.option);
-  }
-  const auto arguments = parseArguments(words, allowed);
-  requireNew(arguments.files[0], arguments);
-  WedgeShape shape;
-  for (auto const& parameter : parameters) {
-    shape.*parameter.value = arguments.number(parameter.option, shape.*parameter.value);
-  }
-  if (arguments.has("--depth")) {
-    writeAndReport(wedgeWithDepth(shape, arguments), arguments.files[0]);
-    return;
-  }
-  for (char const* option : {"--patches", "--layers", "--periodic"}) {
-    ASPERITY_REQUIRE(!arguments.has(option), "Option " << option << " needs --depth too.");
-  }
-  writeAndReport(asperity::mesh::wedgeMesh(shape), arguments.files[0]);
+  writeAndReport(mesh, file_name);
 }

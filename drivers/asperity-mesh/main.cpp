@@ -5,53 +5,75 @@
 #include "base/program/MpiScope.hpp"
 
 #include <algorithm>
-#include <functional>
 #include <iostream>
-#include <map>
 
 // Makes meshes, converts those of Gmsh into Asperity's HDF5 files, and partitions them. A serial
 // program: MPI is not started.
 namespace
 {
-using Command = std::function<void(std::vector<std::string> const&)>;
+struct Command
+{
+  std::string name, files, meaning;
+  void (*run)(Arguments&);
+};
+
+const std::vector<Command> commands = {
+  {"convert", "IN.msh or IN.geo OUT.h5",
+   "Converts a mesh of Gmsh, or meshes a geometry: a program, take it only from whom you trust.\n"
+   "    Physical groups become regions, boundaries and, where they lie inside, faults.",
+   convert},
+  {"wedge", "OUT.h5", "Makes the subduction wedge of Pipping 2014, A.1, by bisection.", makeWedge},
+  {"rectangle", "OUT.h5", "Makes a rectangle of right triangles, graded by bisection.",
+   makeRectangle},
+  {"box", "OUT.h5", "Makes a box of bricks of six tetrahedra each, graded by bisection.", makeBox},
+  {"partition", "FILE.h5",
+   "Divides a mesh, partitioned before or not, into parts for ranks, after it has been split\n"
+   "    along its faults. A mesh that is partitioned again keeps boundary and weight.",
+   partition},
+  {"info", "FILE.h5",
+   "Prints counts after the split along the faults, sizes, regions, boundaries and faults.",
+   printInfo}};
+
+void printHelp()
+{
+  std::cout << "asperity-mesh makes, converts and partitions meshes.\n";
+  for (auto const& command : commands) {
+    Arguments arguments(std::nullopt);
+    command.run(arguments);
+    std::cout << "\n  asperity-mesh " << command.name << ' ' << command.files << " [options]\n    "
+              << command.meaning << '\n'
+              << arguments.help();
+  }
+  std::cout << "\nExit status: 0 done, 2 the input is at fault, 5 a file cannot be written.\n";
+}
 
 void run(std::vector<std::string> const& words)
 {
-  const std::map<std::string, Command> commands = {
-    {"convert", convert},         {"box", makeBox},         {"wedge", makeWedge},
-    {"rectangle", makeRectangle}, {"partition", partition}, {"info", printInfo}};
   ASPERITY_REQUIRE(!words.empty(), "A command is missing. See asperity-mesh --help.");
-  const auto found = commands.find(words[0]);
-  const std::string hint =
-    asperity::didYouMean(words[0], {"convert", "box", "wedge", "rectangle", "partition", "info"});
-  ASPERITY_REQUIRE(found != commands.end(), "Unknown command '" << words[0] << "'." << hint);
-  found->second({words.begin() + 1, words.end()});
-}
-
-int report(std::exception const& error, int status)
-{
-  std::cerr << "asperity-mesh: " << error.what() << '\n';
-  asperity::leaveIfHdf5Cannot(status);
-  return status;
+  std::vector<std::string> names;
+  for (auto const& command : commands) {
+    names.push_back(command.name);
+    if (command.name == words[0]) {
+      Arguments arguments(std::vector<std::string>(words.begin() + 1, words.end()));
+      return command.run(arguments);
+    }
+  }
+  throw asperity::InputError("Unknown command '" + words[0] + "'." +
+                             asperity::didYouMean(words[0], names));
 }
 } // namespace
 
 int main(int argc, char** argv)
 {
-  const std::vector<std::string> words(argv + 1, argv + argc);
-  const std::vector<std::string> help = {"--help", "-h"};
-  if (std::find_first_of(words.begin(), words.end(), help.begin(), help.end()) != words.end()) {
-    printHelp();
-    return asperity::exit_done;
-  }
+  const std::vector<std::string> words(argv + 1, argv + argc), help = {"--help", "-h"};
   try {
-    run(words);
+    std::find_first_of(words.begin(), words.end(), help.begin(), help.end()) != words.end()
+      ? printHelp()
+      : run(words);
     return asperity::exit_done;
-  } catch (asperity::InputError const& error) {
-    return report(error, asperity::exit_input);
-  } catch (asperity::OutputError const& error) {
-    return report(error, asperity::exit_output);
   } catch (std::exception const& error) {
-    return report(error, asperity::exit_other);
+    std::cerr << "asperity-mesh: " << error.what() << '\n';
+    asperity::leaveIfHdf5Cannot(asperity::exitStatus(error));
+    return asperity::exitStatus(error);
   }
 }

@@ -1,4 +1,4 @@
-#include "stiffness/FaultStiffness.hpp"
+#include "FaultStiffness.hpp"
 
 #include "base/Errors.hpp"
 #include "dynamics/NormalReaction.hpp"
@@ -109,64 +109,4 @@ FaultStiffness stiffnessOfFault(ParameterList const& deck,
   auto const& rock = problem.fault_materials[nodes[n / 2]];
   result.half_plane = rock.shear_modulus / (problem.components == 1 ? 1 : 1 - rock.poissonsRatio());
   return result;
-}
-
-namespace
-{
-// The slip at a distance x from the middle of the window, and its traction. The traction is exact
-// except for the tiny part of the slip's Fourier transform at negative wavenumbers, where -k/2 is
-// not -|k|/2.
-struct Wave
-{
-  double k, half_plane;
-
-  double width() const { return 5 / k; }
-  double window(double x) const { return std::exp(-x * x / (2 * width() * width())); }
-  double slip(double x) const { return window(x) * std::cos(k * x); }
-  double traction(double x) const
-  {
-    const double slope = -x / (width() * width()) * window(x);
-    return -half_plane / 2 * (k * slip(x) + slope * std::sin(k * x));
-  }
-};
-
-WaveError errorOf(FaultStiffness const& stiffness, Wave const& wave, double middle)
-{
-  const int n = stiffness.size();
-  double found = 0, exact = 0;
-  WaveError result;
-  for (int i = 0; i < n; ++i) {
-    const double x = stiffness.positions[i] - middle;
-    const double share = stiffness.weights[i] * wave.slip(x);
-    exact += share * wave.traction(x);
-    for (int j = 0; j < n; ++j) {
-      found += share * stiffness.traction[static_cast<std::size_t>(i) * n + j] *
-               wave.slip(stiffness.positions[j] - middle);
-    }
-    if (i > 0 && wave.window(x) > 1e-4) {
-      const double cell = stiffness.positions[i] - stiffness.positions[i - 1];
-      result.largest_cell = std::max(result.largest_cell, cell);
-      result.smallest_cell =
-        result.smallest_cell == 0 ? cell : std::min(result.smallest_cell, cell);
-    }
-  }
-  result.error = found / exact - 1;
-  return result;
-}
-} // namespace
-
-std::vector<WaveError> waveErrors(FaultStiffness const& stiffness)
-{
-  const int middle = stiffness.size() / 2;
-  const double x = stiffness.positions[middle],
-               to_ends = std::min(x, stiffness.positions.back() - x);
-  std::vector<WaveError> errors;
-  for (int cells = 12;; cells *= 2) {
-    const Wave wave = {2 * M_PI / (cells * stiffness.weights[middle]), stiffness.half_plane};
-    if (4 * wave.width() > to_ends) { // 3e-4 of the slip beyond
-      return errors;
-    }
-    errors.push_back(errorOf(stiffness, wave, x));
-    errors.back().cells = cells;
-  }
 }

@@ -1,0 +1,11 @@
+#pragma once
+
+#include "Report.hpp"
+#include "base/Types.hpp"
+#include "base/parameters/Parameters.hpp"
+
+// Makes the first accepted steps of a deck, without outputs. `deck` must be complete. The table has
+// what a coupled step costs; the file has the counts of all of them, in JSON. Collective; the
+// report is that of this rank.
+Report measureSteps(asperity::ParameterList const& deck, int num_steps,
+                    asperity::RCP<const asperity::Communicator> const& communicator);

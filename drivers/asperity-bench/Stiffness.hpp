@@ -1,0 +1,12 @@
+#pragma once
+
+#include "Report.hpp"
+#include "base/Types.hpp"
+#include "base/parameters/Parameters.hpp"
+
+// How slip stresses the fault of a deck in the plane on its mesh, see FaultStiffness. The table has
+// the errors of waves of 12, 24, 48, ... cells that fit between the fault's ends. The file, for
+// numpy.loadtxt, has a row for each node: its position, its weight, its row of the traction and, if
+// there is one, that of the compression.
+Report measureStiffness(asperity::ParameterList const& deck,
+                        asperity::RCP<const asperity::Communicator> const& communicator);

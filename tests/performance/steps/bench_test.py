@@ -1,0 +1,59 @@
+"""asperity-bench steps: what the first steps of a deck cost."""
+
+import json
+import pathlib
+import subprocess
+import unittest
+
+import asperity_run
+import time_limits
+
+PROGRAM = asperity_run.PROGRAM.parent / "asperity-bench"
+DECKS = asperity_run.SOURCE / "xml"
+
+
+def bench(*arguments):
+    return subprocess.run([str(PROGRAM), *map(str, arguments)], capture_output=True, text=True,
+                          timeout=time_limits.seconds(100), check=False)
+
+
+class Steps(unittest.TestCase):
+    def check(self, deck, *settings):
+        output = pathlib.Path("steps.json")
+        output.unlink(missing_ok=True)
+        result = bench("steps", DECKS / deck, "--steps", "3", *settings, "--output", output)
+        self.assertEqual(result.returncode, 0, result.stderr)
+        numbers = json.loads(output.read_text())
+        self.assertEqual((numbers["ranks"], numbers["accepted"], numbers["rises"]), (1, 3, 0))
+        self.assertGreaterEqual(numbers["coupled_steps"], 3)
+        self.assertGreater(numbers["product_seconds"], 0)
+        self.assertIn(f"{numbers['unknowns']} unknowns", result.stdout)
+        self.assertIn("| 3 | ", result.stdout)
+        self.assertRegex(result.stdout, r"\nline searches  ")  # the table of work
+        return numbers
+
+    def test_in_space(self):
+        numbers = self.check("bp5_qd.xml", "--set", "Mesh/Box/Cell Size Factor=8", "--set",
+                             "TNNMG/Linear Correction=MueLu")
+        self.assertGreater(numbers["v_cycles"], 0)
+
+    def test_in_the_plane(self):
+        self.check("wedge_2d.xml", "--set", "Mesh/Wedge/Height=0.3")
+
+
+class BadInput(unittest.TestCase):
+    def test_is_refused(self):
+        deck = DECKS / "bp5_qd.xml"
+        for words, part in ((["steps", deck], "--steps"),
+                            (["steps", deck, "--steps", "1.5"], "--steps 1.5"),
+                            (["steps", deck, "--stebs", "1"], "'--steps'"),
+                            (["stebs", deck, "--steps", "1"], "--help"),
+                            (["steps", "--steps", "1"], "DECK.xml")):
+            result = bench(*words)
+            self.assertEqual(result.returncode, 2, words)
+            self.assertIn(part, result.stderr)
+            self.assertEqual(len(result.stderr.strip().splitlines()), 1, result.stderr)
+
+
+if __name__ == "__main__":
+    unittest.main()
