@@ -3,6 +3,7 @@
 #include "base/Errors.hpp"
 #include "base/parallel/Agreement.hpp"
 #include "base/parallel/Reductions.hpp"
+#include "fem/constraints/detail/ConditionNodes.hpp"
 #include "fem/constraints/detail/SplitDirections.hpp"
 #include "mesh/PointText.hpp"
 
@@ -26,12 +27,13 @@ using Vectors = std::vector<std::vector<double>>;
 
 // The frame whose last rows are these orthonormal directions. Its first rows are the tangents, in
 // the order of the axes that they are near to. It is not always right-handed.
-NodalFrames::Matrix frameFrom(Vectors basis, int components)
+NodalFrames::Matrix frameFrom(Vectors basis, int components, int turn)
 {
   auto frame = NodalFrames::identity(components);
   const int given = static_cast<int>(basis.size());
   while (static_cast<int>(basis.size()) < components) {
-    basis.push_back(detail::completing(basis, components));
+    basis.push_back(basis.size() == 1 && turn != 0 ? detail::tangentOf(basis[0], turn)
+                                                   : detail::completing(basis, components));
   }
   for (int k = 0; k < components; ++k) {
     const int row = k < given ? components - 1 - k : k - given;
@@ -40,6 +42,31 @@ NodalFrames::Matrix frameFrom(Vectors basis, int components)
     }
   }
   return frame;
+}
+
+// Sets the turn of each condition with the normal of a fault, from the mean tangent of the fault.
+template <int Dim>
+void chooseTurns(Mesh<Dim> const& mesh, Communicator const& communicator,
+                 std::vector<VelocityCondition<Dim>>& conditions)
+{
+  for (auto& condition : conditions) {
+    std::vector<double> mean(2, 0.); // normal, not normalised
+    for (auto const& name : condition.boundariesOfNormal()) {
+      if (condition.normal() == Normal::of_fault && mesh.boundaries.count(name) > 0) {
+        for (auto const& [node, normal] : detail::inwardNormals(mesh, 2, {name})) {
+          mean[0] += normal[0];
+          mean[1] += normal[1];
+        }
+      }
+    }
+    mean = sumOverRanks(mean, communicator);
+    const double length = std::hypot(mean[0], mean[1]);
+    if (length > 0) {
+      const std::vector<double> normal = {mean[0] / length, mean[1] / length};
+      const double same = detail::dot(detail::tangentOf(normal, 1), detail::tangentOf(normal, 0));
+      condition.turn = same > 0 ? 1 : -1;
+    }
+  }
 }
 
 // x(dofs) := values. Copies only these values to the device, and not the whole vector to the host
@@ -65,6 +92,9 @@ Constraints<Dim>::Constraints(Mesh<Dim> const& mesh, DofMap const& dofs,
     , held_flags_(static_cast<std::size_t>(dofs.numLocalNodes()) * dofs.components(), 0)
     , owned_vertices_(mesh.vertices.begin(), mesh.vertices.begin() + mesh.num_owned)
 {
+  if (Dim == 2 && dofs.components() == 2) {
+    chooseTurns(mesh, *dofs.communicator(), conditions_);
+  }
   auto const at_vertices = detail::collectDirections(mesh, conditions_, dofs.components());
   largest_ = largestVelocities(at_vertices, *dofs.communicator());
   // Only the owner of a node sees an error there; all ranks have to throw it.
@@ -110,13 +140,15 @@ void Constraints<Dim>::constrain(DofMap const& dofs, int node,
     }
   }
   auto const basis = layFrame(node, directions, prescribed);
+  const int turn = turnAt(directions);
+  auto const frame = frameFrom(basis.vectors(), components, turn);
 
-  bool along_axes = true;
+  bool along_axes = turn == 0 || (frame[0] >= 0 && frame[1] >= 0); // the tangent
   for (auto const& vector : basis.vectors()) {
     along_axes = along_axes && axisOf(vector) >= 0;
   }
   if (!along_axes) {
-    frames_.set(node, frameFrom(basis.vectors(), components));
+    frames_.set(node, frame);
   }
   for (int k = 0; k < basis.size(); ++k) {
     if (basis.velocity(k).empty()) {
@@ -169,6 +201,22 @@ int Constraints<Dim>::obliqueCondition(std::vector<Direction> const& directions,
   return first->condition;
 }
 
+// The turn for the first direction of layFrame().
+template <int Dim>
+int Constraints<Dim>::turnAt(std::vector<Direction> const& directions) const
+{
+  if (directions.empty()) {
+    return 0;
+  }
+  const auto is_free = [&](Direction const& one) {
+    return !conditions_[one.condition].prescribes();
+  };
+  const auto free = std::find_if(directions.begin(), directions.end(), is_free);
+  auto const& first =
+    conditions_[(free != directions.end() ? *free : directions.front()).condition];
+  return std::holds_alternative<SlipAlongTangent<Dim>>(first.kind) ? 0 : first.turn;
+}
+
 // The directions that a node's frame follows, each with its prescribed velocity; a free direction
 // has none.
 template <int Dim>
@@ -185,7 +233,7 @@ NodalBasis Constraints<Dim>::layFrame(int node, std::vector<Direction> const& di
   }
   if (of_frame < 0) {
     basis = prescribed;
-    basis.orient();
+    basis.orient(turnAt(directions));
     return basis;
   }
   auto const free = basis.vectors();
@@ -209,7 +257,7 @@ NodalBasis Constraints<Dim>::layFrame(int node, std::vector<Direction> const& di
                           "or across it there, or in both directions.");
     basis.setVelocity(k, prescribed.velocityAlong(vector));
   }
-  basis.orient();
+  basis.orient(turnAt(directions));
   return basis;
 }
 

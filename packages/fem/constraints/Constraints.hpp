@@ -18,8 +18,10 @@ namespace asperity::fem
 // At a node the directions of its conditions are orthonormalised in the order given, except that
 // those of FreeAcrossFault come first. These directions are the last rows of the frame, the
 // remaining (tangential) ones its first rows. Where a fault (Normal::of_fault) ends at walls that
-// are nearly perpendicular to it, its normal is projected onto their planes. Where the directions
-// are axes, the frame is the identity. Conditions with linearly dependent directions must agree to
+// are nearly perpendicular to it, its normal is projected onto their planes. In two dimensions all
+// tangents of a fault with its continuations have one sense: their mean points to +x or, where it
+// is steeper than 66 degrees, to +y. Where the frame would be that of the axes, but for the order
+// of its rows, it is the identity. Conditions with linearly dependent directions must agree to
 // 1e-10 of the largest velocity that they prescribe anywhere; otherwise an InputError names two of
 // them.
 //
@@ -58,6 +60,7 @@ private:
                                         Communicator const& communicator) const;
   void holdTips(Mesh<Dim> const& mesh, DofMap const& dofs);
   void constrain(DofMap const& dofs, int node, std::vector<Direction> const& directions);
+  int turnAt(std::vector<Direction> const& directions) const;
   detail::NodalBasis layFrame(int node, std::vector<Direction> const& directions,
                               detail::NodalBasis const& prescribed) const;
   int obliqueCondition(std::vector<Direction> const& directions,

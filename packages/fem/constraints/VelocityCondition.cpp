@@ -108,25 +108,22 @@ Components VelocityCondition<Dim>::unitDirection(Components const& inward_normal
     return normalised(d, name);
   };
   auto const across = [&] { return normalised(inward_normal, name); };
-  return std::visit(Overloaded{[&](PrescribedVelocity<Dim> const& one) { return along(one.d); },
-                               [&](AtRestAlong const& one) { return along(one.d); },
-                               [&](SlidingWall const&) { return across(); },
-                               [&](ContactAcrossFault const&) { return across(); },
-                               [&](FreeAcrossFault const&) { return across(); },
-                               [&](SlipAlongTangent<Dim> const&) {
-                                 return detail::completing({across()},
-                                                           static_cast<int>(inward_normal.size()));
-                               },
-                               [&](SlipTowards<Dim> const& one) {
-                                 return alongBoundary(*this, inward_normal, one.d, false);
-                               },
-                               [&](NoSlipSideways const& one) {
-                                 return alongBoundary(*this, inward_normal, one.d, true);
-                               },
-                               [&](NoSlipSidewaysAtEdge const& one) {
-                                 return alongBoundary(*this, inward_normal, one.d, true);
-                               }},
-                    kind);
+  return std::visit(
+    Overloaded{
+      [&](PrescribedVelocity<Dim> const& one) { return along(one.d); },
+      [&](AtRestAlong const& one) { return along(one.d); },
+      [&](SlidingWall const&) { return across(); },
+      [&](ContactAcrossFault const&) { return across(); },
+      [&](FreeAcrossFault const&) { return across(); },
+      [&](SlipAlongTangent<Dim> const&) { return detail::tangentOf(across(), turn); },
+      [&](SlipTowards<Dim> const& one) {
+        return alongBoundary(*this, inward_normal, one.d, false);
+      },
+      [&](NoSlipSideways const& one) { return alongBoundary(*this, inward_normal, one.d, true); },
+      [&](NoSlipSidewaysAtEdge const& one) {
+        return alongBoundary(*this, inward_normal, one.d, true);
+      }},
+    kind);
 }
 
 template struct VelocityCondition<2>;

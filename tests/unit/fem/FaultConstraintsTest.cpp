@@ -118,6 +118,31 @@ TEST(FaultConstraints, giveTheSeamOfABendOneNormalAndTheSlipRate)
   }
 }
 
+// It steepens from 17 to 83 degrees, through the 66 degrees where +x gives way to +y. Its mean is
+// steep, so that all tangents point to +y; if it falls, they point to -x where it is shallow, too.
+TEST(FaultConstraints, giveABentFaultOneSense)
+{
+  for (const double sign : {1., -1.}) {
+    auto mesh = rectangle();
+    for (auto& x : mesh.vertices) {
+      x[1] += sign * (0.3 * x[0] + 1.3 * x[0] * x[0]);
+    }
+    for (auto const& across : {Condition{"Fault", "bottom", ContactAcrossFault{}},
+                               Condition{"Fault", "bottom", FreeAcrossFault{}}}) {
+      const Constrained<2> body(mesh, {across, sliding("bottom", 3)});
+      for (int bottom = 0; bottom <= lower_right; ++bottom) {
+        const int node = body.owned(bottom);
+        if (node >= 0) {
+          auto const tangent = body.row(node, 0);
+          EXPECT_GT(sign * tangent[0], 0) << bottom;
+          EXPECT_GT(tangent[1], 0) << bottom;
+          EXPECT_LE((body.velocity(node, 0) - 3 * tangent).norm(), 1e-14) << bottom;
+        }
+      }
+    }
+  }
+}
+
 TEST(FaultConstraints, takeAConditionAcrossAFreeBoundary)
 {
   // The corner on a plane of symmetry: no velocity across the fault, which is free elsewhere.

@@ -55,10 +55,10 @@ bool NodalBasis::add(std::vector<double> const& direction, Terms& terms)
   return true;
 }
 
-void NodalBasis::orient()
+void NodalBasis::orient(int turn)
 {
   if (size() != 2 || vectors_[0].size() != 2 ||
-      dot(vectors_[1], completing({vectors_[0]}, 2)) > 0) {
+      dot(vectors_[1], tangentOf(vectors_[0], turn)) > 0) {
     return;
   }
   for (double& x : vectors_[1]) {
@@ -131,5 +131,13 @@ std::vector<double> completing(std::vector<std::vector<double>> const& direction
   }
   ASPERITY_ASSERT(static_cast<int>(directions.size()) >= components);
   return {};
+}
+
+std::vector<double> tangentOf(std::vector<double> const& normal, int turn)
+{
+  if (normal.size() == 2 && turn != 0) {
+    return {turn * normal[1], -turn * normal[0]};
+  }
+  return completing({normal}, static_cast<int>(normal.size()));
 }
 } // namespace asperity::fem::detail

@@ -24,8 +24,8 @@ public:
   // With empty `terms` the velocity along direction k is free.
   void setVelocity(int k, Terms const& terms) { velocities_[k] = terms; }
 
-  // In two dimensions, turns the second direction to the side that completing() chooses.
-  void orient();
+  // In two dimensions, turns the second direction to the side of tangentOf(the first one, turn).
+  void orient(int turn);
 
   int size() const { return static_cast<int>(vectors_.size()); }
   std::vector<std::vector<double>> const& vectors() const { return vectors_; }
@@ -55,4 +55,9 @@ int axisOf(std::vector<double> const& direction);
 // far enough from their span. From the normal of a boundary it makes the tangent, which points to
 // +x unless the boundary is steep.
 std::vector<double> completing(std::vector<std::vector<double>> const& directions, int components);
+
+// The tangent at a node with this unit normal. In two dimensions turn = 1 or -1 says to which side
+// of the normal it points, so that all tangents of a bent fault have one sense; turn = 0, and in
+// antiplane motion always, it is that of completing().
+std::vector<double> tangentOf(std::vector<double> const& normal, int turn);
 } // namespace asperity::fem::detail
