@@ -27,11 +27,15 @@ struct StateLaw : StateLawProperties
 };
 using StateLawRegistry = Registry<StateLaw>;
 
+// Functions of this library, so that the linker does not drop its laws where these are called.
+FrictionLawRegistry const& frictionLaws();
+StateLawRegistry const& stateLaws();
+
 // Throws std::invalid_argument if the shapes of the views do not fit each other or the law's table.
 inline std::unique_ptr<FrictionKernels> makeFrictionKernels(std::string const& law,
                                                             FaultView const& fault)
 {
-  return FrictionLawRegistry::instance().at(law).make_kernels(fault);
+  return frictionLaws().at(law).make_kernels(fault);
 }
 
 // parameters(num_parameters, num_nodes) has its rows in the order of the law's table and is read
@@ -39,6 +43,6 @@ inline std::unique_ptr<FrictionKernels> makeFrictionKernels(std::string const& l
 inline std::unique_ptr<StateKernels> makeStateKernels(std::string const& law,
                                                       ParameterView const& parameters)
 {
-  return StateLawRegistry::instance().at(law).make_kernels(parameters);
+  return stateLaws().at(law).make_kernels(parameters);
 }
 } // namespace asperity::friction

@@ -10,11 +10,11 @@ namespace asperity::scenario
 std::vector<std::string> registrations()
 {
   std::vector<std::string> all;
-  for (auto const& some : {friction::FrictionLawRegistry::instance().registrations(),
-                           friction::StateLawRegistry::instance().registrations(),
-                           io::OutputRegistry::instance().registrations(),
-                           io::TextFormatRegistry::instance().registrations(),
-                           FaultKindRegistry::instance().registrations()}) {
+  for (auto const& some :
+       {friction::frictionLaws().registrations(), friction::stateLaws().registrations(),
+        io::OutputRegistry::instance().registrations(),
+        io::TextFormatRegistry::instance().registrations(),
+        FaultKindRegistry::instance().registrations()}) {
     all.insert(all.end(), some.begin(), some.end());
   }
   return all;

@@ -2,7 +2,7 @@
 
 #include "base/Errors.hpp"
 #include "mesh/SimplexGeometry.hpp"
-#include "mesh/faults/Faults.hpp"
+#include "mesh/detail/InnerBoundaries.hpp"
 #include "mesh/faults/detail/VertexSplit.hpp"
 
 #include <algorithm>

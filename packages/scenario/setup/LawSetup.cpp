@@ -54,12 +54,12 @@ RCP<const ParameterList> declared(Table const& table)
 
 friction::FrictionLaw const& chosenFrictionLaw(ParameterList const& list)
 {
-  return friction::FrictionLawRegistry::instance().at(list.get<std::string>(friction_choice));
+  return friction::frictionLaws().at(list.get<std::string>(friction_choice));
 }
 
 friction::StateLaw const& chosenStateLaw(ParameterList const& list)
 {
-  return friction::StateLawRegistry::instance().at(list.get<std::string>(state_choice));
+  return friction::stateLaws().at(list.get<std::string>(state_choice));
 }
 
 // (num_nodes * num_parameters): the values of one node side by side.
@@ -111,8 +111,8 @@ std::optional<std::vector<Value>> ofNodes(std::function<Value(double const*)> co
 
 void declareLaws(Declare& declare)
 {
-  auto const& laws = friction::FrictionLawRegistry::instance();
-  auto const& state_laws = friction::StateLawRegistry::instance();
+  auto const& laws = friction::frictionLaws();
+  auto const& state_laws = friction::stateLaws();
   declare
     .choice(friction_choice, friction::RegularisedLaw::name, laws.names(),
             "Selects the law that gives the friction coefficient from slip rate and state.")

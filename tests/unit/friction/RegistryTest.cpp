@@ -33,25 +33,25 @@ std::string messageOfOutOfRange(Call const& call)
 
 TEST(Registry, HoldsTheLawsOfThisPackage)
 {
-  EXPECT_EQ(FrictionLawRegistry::instance().names(), (Names{"Regularised", "Truncated"}));
-  EXPECT_EQ(StateLawRegistry::instance().names(), (Names{"Ageing", "Slip"}));
+  EXPECT_EQ(frictionLaws().names(), (Names{"Regularised", "Truncated"}));
+  EXPECT_EQ(stateLaws().names(), (Names{"Ageing", "Slip"}));
 }
 
 TEST(Registry, HasATableOfParametersForEachLaw)
 {
-  for (auto const& name : FrictionLawRegistry::instance().names()) {
-    EXPECT_EQ(parameterNames(FrictionLawRegistry::instance().at(name).parameters),
+  for (auto const& name : frictionLaws().names()) {
+    EXPECT_EQ(parameterNames(frictionLaws().at(name).parameters),
               (Names{"a", "b", "Reference Slip Rate", "Reference Friction Coefficient"}));
   }
-  for (auto const& name : StateLawRegistry::instance().names()) {
-    EXPECT_EQ(parameterNames(StateLawRegistry::instance().at(name).parameters),
+  for (auto const& name : stateLaws().names()) {
+    EXPECT_EQ(parameterNames(stateLaws().at(name).parameters),
               (Names{"L", "Reference Slip Rate", "c"}));
   }
-  auto const& a = FrictionLawRegistry::instance().at("Truncated").parameters[0];
+  auto const& a = frictionLaws().at("Truncated").parameters[0];
   EXPECT_TRUE(a.required());
   EXPECT_FALSE(a.allows(0));
   EXPECT_TRUE(a.allows(0.01));
-  auto const& b = FrictionLawRegistry::instance().at("Truncated").parameters[1];
+  auto const& b = frictionLaws().at("Truncated").parameters[1];
   EXPECT_TRUE(b.allows(0));
   EXPECT_FALSE(b.allows(-1e-9));
   EXPECT_FALSE(b.allows(std::numeric_limits<double>::infinity()));
@@ -61,35 +61,32 @@ TEST(Registry, HasATableOfParametersForEachLaw)
 TEST(Registry, KnowsWhatTheLawsSayOfThemselves)
 {
   const double effects[] = {0.01, 0.015, 1e-6, 0.6}, state[] = {0.02, 1e-5};
-  for (auto const& name : FrictionLawRegistry::instance().names()) {
-    const auto sensitivity = FrictionLawRegistry::instance().at(name).sensitivity(effects);
+  for (auto const& name : frictionLaws().names()) {
+    const auto sensitivity = frictionLaws().at(name).sensitivity(effects);
     EXPECT_EQ(sensitivity.slip_rate, 0.01);
     EXPECT_EQ(sensitivity.state, 0.015);
-    EXPECT_NE(
-      std::string(FrictionLawRegistry::instance().at(name).parameters[0].hint).find("typical"),
-      std::string::npos);
+    EXPECT_NE(std::string(frictionLaws().at(name).parameters[0].hint).find("typical"),
+              std::string::npos);
   }
-  for (auto const& name : StateLawRegistry::instance().names()) {
-    EXPECT_EQ(StateLawRegistry::instance().at(name).slip_distance(state), 0.02);
-    EXPECT_DOUBLE_EQ(StateLawRegistry::instance().at(name).theta_scale(state), 2000);
+  for (auto const& name : stateLaws().names()) {
+    EXPECT_EQ(stateLaws().at(name).slip_distance(state), 0.02);
+    EXPECT_DOUBLE_EQ(stateLaws().at(name).theta_scale(state), 2000);
   }
-  EXPECT_EQ(StateLawRegistry::instance().registrations(),
-            (Names{"state law 'Ageing'", "state law 'Slip'"}));
+  EXPECT_EQ(stateLaws().registrations(), (Names{"state law 'Ageing'", "state law 'Slip'"}));
 }
 
 TEST(Registry, NamesTheKnownLawsWhereOneIsUnknown)
 {
   const ParameterView none;
   for (auto const& message :
-       {messageOfOutOfRange([] { FrictionLawRegistry::instance().at("Regularized").parameters; }),
+       {messageOfOutOfRange([] { frictionLaws().at("Regularized").parameters; }),
         messageOfOutOfRange([] { makeFrictionKernels("Regularized", FaultView()); })}) {
     EXPECT_EQ(
       message,
       "'Regularized' is not a known friction law. Choose one of 'Regularised', 'Truncated'.");
   }
-  for (auto const& message :
-       {messageOfOutOfRange([] { StateLawRegistry::instance().at("Aging").parameters; }),
-        messageOfOutOfRange([&none] { makeStateKernels("Aging", none); })}) {
+  for (auto const& message : {messageOfOutOfRange([] { stateLaws().at("Aging").parameters; }),
+                              messageOfOutOfRange([&none] { makeStateKernels("Aging", none); })}) {
     EXPECT_EQ(message, "'Aging' is not a known state law. Choose one of 'Ageing', 'Slip'.");
   }
 }

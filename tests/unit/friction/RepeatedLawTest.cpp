@@ -13,11 +13,11 @@ namespace asperity::friction
 {
 TEST(RepeatedLaw, IsNamedAndMakesTheRegistryUnusable)
 {
-  const auto all = StateLawRegistry::instance().registrations();
+  const auto all = stateLaws().registrations();
   EXPECT_EQ(std::count(all.begin(), all.end(), "state law 'Ageing'"), 2);
   EXPECT_EQ(std::count(all.begin(), all.end(), "state law 'Slip'"), 1);
-  EXPECT_THROW(StateLawRegistry::instance().names(), std::logic_error);
-  EXPECT_THROW(StateLawRegistry::instance().at("Slip"), std::logic_error);
-  EXPECT_EQ(FrictionLawRegistry::instance().names().size(), 2u);
+  EXPECT_THROW(stateLaws().names(), std::logic_error);
+  EXPECT_THROW(stateLaws().at("Slip"), std::logic_error);
+  EXPECT_EQ(frictionLaws().names().size(), 2u);
 }
 } // namespace asperity::friction

@@ -76,8 +76,8 @@ using Names = std::vector<std::string>;
 
 TEST(Registries, holdWhatThePackagesBring)
 {
-  EXPECT_EQ(friction::FrictionLawRegistry::instance().names(), (Names{"Regularised", "Truncated"}));
-  EXPECT_EQ(friction::StateLawRegistry::instance().names(),
+  EXPECT_EQ(friction::frictionLaws().names(), (Names{"Regularised", "Truncated"}));
+  EXPECT_EQ(friction::stateLaws().names(),
             (Names{"Ageing", "Foreign Ageing", "Narrow Ageing", "Slip", "Slow Ageing"}));
   EXPECT_EQ(io::OutputRegistry::instance().names(),
             (Names{"Event Catalogue", "Fault History", "Global", "Receivers", "Rupture",
