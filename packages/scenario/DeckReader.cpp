@@ -97,11 +97,11 @@ RCP<const ParameterList> deckParameters()
 RCP<ParameterList> readCompleteDeck(CommandLine const& command_line)
 {
   auto const valid = deckParameters();
-  auto const [deck, names_to_use] = deckAsGiven(command_line, *valid);
+  auto const given = deckAsGiven(command_line, *valid);
+  auto const deck = given.list;
   const bool names_scheme =
     deck->isSublist("Time Stepping") && deck->sublist("Time Stepping").isParameter("Scheme");
-  resolveNames(*deck, *valid, names_to_use);
-  completeAndValidate(*deck, *valid, "Asperity");
+  assembleDeck(given, *valid);
   if (!names_scheme && quasiDynamic(deck->sublist("Bulk"))) {
     deck->sublist("Time Stepping")
       .setEntry("Scheme", Teuchos::ParameterEntry(std::string(massless_scheme), true));

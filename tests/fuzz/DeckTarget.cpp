@@ -100,6 +100,13 @@ void evaluate(ParameterList const& deck, std::string const& name)
   }
 }
 
+RCP<ParameterList> assembled(CommandLine const& line)
+{
+  auto const given = scenario::deckAsGiven(line, *declarations());
+  scenario::assembleDeck(given, *declarations());
+  return given.list;
+}
+
 // parameters.xml of a run, from which a restart reads its deck.
 void requireReadable(ParameterList const& deck, Scratch const& file)
 {
@@ -108,7 +115,7 @@ void requireReadable(ParameterList const& deck, Scratch const& file)
   file.write(text.str());
   CommandLine line;
   line.deck = file.path();
-  scenario::assembleDeck(line, *declarations());
+  assembled(line);
 }
 } // namespace
 
@@ -125,7 +132,7 @@ void tryInput(std::string const& input)
   line.overlays.erase(line.overlays.begin());
   line.overrides = texts.overrides;
   line.removals = texts.removals;
-  const auto deck = scenario::assembleDeck(line, *declarations());
+  const auto deck = assembled(line);
   const Scratch copy("parameters.xml");
   try {
     requireReadable(*deck, copy);

@@ -75,4 +75,10 @@ GivenDeck deckAsGiven(CommandLine const& command_line, ParameterList const& vali
   }
   return deck;
 }
+
+void assembleDeck(GivenDeck const& deck, ParameterList const& valid)
+{
+  resolveNames(*deck.list, valid, deck.names_to_use);
+  completeAndValidate(*deck.list, valid, "Asperity");
+}
 } // namespace asperity::scenario
