@@ -215,20 +215,18 @@ void EnergyBalance::noteImbalance()
   start_residual_ = body_.vector();
   start_residual_->update(1, *before_.load, 0);
   before_.resisting.subtractFrom(*start_residual_);
-  const Vector driving(*start_residual_, Teuchos::Copy); // l - C v - K u
   start_residual_->update(-1, *before_.force, 1);
   body_.clearHeld(*start_residual_);
 
   const Square of_r0{reading(*start_residual_)};
-  auto const all = sumOverRanks(
-    std::array<double, 4>{sumOfAll(body_.numOwnedDofs(), of_r0), sumAt(fault_dofs_, of_r0),
-                          sumAt(fault_dofs_, Square{reading(driving)}),
+  const auto [everywhere, on_fault, of_friction] = sumOverRanks(
+    std::array<double, 3>{sumOfAll(body_.numOwnedDofs(), of_r0), sumAt(fault_dofs_, of_r0),
                           sumAt(fault_dofs_, Square{reading(*before_.force)})},
     *body_.dofs->communicator());
   const auto ratio = [](double part, double whole) { return part > 0 ? part / whole : 0; };
   const double whole = std::max(before_.load->norm2(), before_.resisting.elastic->norm2());
-  start_imbalance_ = std::max(std::sqrt(ratio(all[1], std::max(all[2], all[3]))),
-                              std::sqrt(ratio(std::max(all[0] - all[1], 0.), whole * whole)));
+  start_imbalance_ = std::max(std::sqrt(ratio(on_fault, std::max(on_fault, of_friction))),
+                              std::sqrt(ratio(std::max(everywhere - on_fault, 0.), whole * whole)));
 }
 
 void EnergyBalance::resume(State const& state, Energy const& so_far)
@@ -270,8 +268,8 @@ EnergyBalance::Works EnergyBalance::worksOfStep() const
   return works;
 }
 
-// A quasi-dynamic body begins its first step with the forces after the jump: r0 acts on the fault as
-// friction, and inside the body as the inertia that would stop the waves.
+// A quasi-dynamic body begins its first step with the forces after the jump: r0 acts on the fault
+// as friction, and inside the body in place of the inertia that it does not have.
 void EnergyBalance::jump()
 {
   before_.force->update(1, *start_residual_, 1);

@@ -58,7 +58,7 @@ public:
   // Continues a run from the state at the end of a step, with the works done so far.
   void resume(State const& state, Energy const& so_far);
   // How far a quasi-dynamic body was out of balance at the start, the larger one of
-  //   on the fault      |r0| / max(|f|, |l - C v - K u|)
+  //   on the fault      |r0| / max(|f|, |r0|)
   //   inside the body   |r0| / max(|l|, |K u|), these two everywhere
   // in Euclidean norms over unknowns that are not held; 0 for a body with inertia, and after
   // resume().

@@ -7,7 +7,7 @@
 
 namespace asperity::dynamics
 {
-// What a fault does at the end of a step, at its nodes and on the host, for everyone who reads it: a
+// What a fault does at the end of a step, at its nodes and on the host, for all who read it: a
 // quantity is computed when it is first read, and kept until the next step.
 //
 // Vectors have numComponents() entries for each node: in two dimensions the component along the

@@ -3,8 +3,8 @@
 #include "base/parallel/Reductions.hpp"
 #include "dynamics/FaultMotion.hpp"
 #include "dynamics/FoundationPressure.hpp"
-#include "dynamics/InitialState.hpp"
 #include "dynamics/PlausibleValues.hpp"
+#include "dynamics/initial/InitialState.hpp"
 #include "fem/BodyPieces.hpp"
 #include "fem/BoundaryCells.hpp"
 #include "fem/BoundaryMeasure.hpp"
@@ -247,7 +247,7 @@ reactionSinceStart(Discretisation<Dim> const& of, dynamics::Body const& body,
   reaction->compression(*load, *initial.u, *initial.v, *initial.a, at_start);
   return {reaction, at_start};
 }
-// The surface of the fault, with what moves along it. Joins the boundaries of its parts in the mesh.
+// The surface of the fault under the motion of plates. Joins its boundaries in the mesh.
 template <int Dim>
 std::shared_ptr<const fem::FaultSurface> makeSurface(Discretisation<Dim>& of,
                                                      fem::BodyMatrices const& matrices)

@@ -101,8 +101,8 @@ std::vector<double> alongAxes(NodalFrames const& frames, DofMap const& dofs, Vec
 std::vector<double> alongAxes(NodalFrames const& frames, DofMap const& dofs, Vector const& x,
                               std::vector<int> const& vertices);
 
-// The reverse: the unknowns (num owned nodes, components) that give the vectors along the axes, (num
-// owned nodes, components), at the owned vertices.
+// The reverse: the unknowns (num owned nodes, components) that give vectors along the axes at the
+// owned vertices (num owned nodes, components).
 std::vector<double> unknownsOf(NodalFrames const& frames, std::vector<double> along_axes);
 
 // The components of a node's frame along a boundary, ascending: all but the one that is nearest to

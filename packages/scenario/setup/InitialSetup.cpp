@@ -1,8 +1,8 @@
 #include "scenario/setup/InitialSetup.hpp"
 
 #include "dynamics/FaultMotion.hpp"
-#include "dynamics/InitialAlpha.hpp"
-#include "dynamics/InitialState.hpp"
+#include "dynamics/initial/InitialAlpha.hpp"
+#include "dynamics/initial/InitialState.hpp"
 #include "mesh/PointText.hpp"
 #include "scenario/setup/BulkSetup.hpp"
 #include "scenario/setup/DeckPaths.hpp"

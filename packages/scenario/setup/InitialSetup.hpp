@@ -26,10 +26,10 @@ struct StartOfRun
 // The state at t = 0 by the deck's list `Initial State`.
 //
 // The velocity is the prescribed one at held dofs, elsewhere that of the list, which may give the
-// slip rate of the fault separately. alpha follows from the list's `State` (dynamics/InitialAlpha);
-// an InputError names the place where there is no such state. The given traction is the only one
-// that drives the fault: a static displacement leaves no shear traction, since the fault has slid
-// without friction, and neither does zero displacement.
+// slip rate of the fault separately. alpha follows from the list's `State`
+// (dynamics::initialAlpha); an InputError names the place where there is no such state. The given
+// traction is the only one that drives the fault: a static displacement leaves no shear traction,
+// since the fault has slid without friction, and neither does zero displacement.
 template <int Dim>
 dynamics::State
 makeInitialState(ParameterList const& deck, Mesh<Dim> const& mesh, fem::NodalFrames const& frames,

@@ -1,6 +1,6 @@
 #include "dynamics/EnergyBalance.hpp"
 
-#include "dynamics/InitialState.hpp"
+#include "dynamics/initial/InitialState.hpp"
 #include "unit/dynamics/QuasiDynamicModel.hpp"
 #include "unit/dynamics/SlidingBlock.hpp"
 

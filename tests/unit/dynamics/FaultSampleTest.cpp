@@ -20,7 +20,7 @@ constexpr Rotation turn = {{{0.36, 0.48, -0.8}, {-0.8, 0.6, 0}, {0.48, 0.64, 0.6
 // The base of a turned block does not move across itself, so that its motion is the slip.
 TEST(FaultSample, hasVectorsAlongTheAxesInSpace)
 {
-  const ModelIn<3> model(slidingBlockInSpace({3, 2, 2}, turn), fem::testing::selfCommunicator());
+  const ModelIn<3> model(slidingBlockInSpace({5, 3, 4}, turn), fem::testing::selfCommunicator());
   auto state = slidingState(model, turn);
   auto const start = model.body.vector();
   Tpetra::deep_copy(*start, *state.v);

@@ -1,5 +1,5 @@
-#include "dynamics/InitialState.hpp"
-#include "dynamics/InitialAlpha.hpp"
+#include "dynamics/initial/InitialState.hpp"
+#include "dynamics/initial/InitialAlpha.hpp"
 
 #include "base/Errors.hpp"
 #include "unit/dynamics/SlidingBlock.hpp"

@@ -1,6 +1,6 @@
 #include "dynamics/EnergyBalance.hpp"
-#include "dynamics/InitialState.hpp"
 #include "dynamics/control/StepControl.hpp"
+#include "dynamics/initial/InitialState.hpp"
 #include "unit/dynamics/FaultNodesOfTests.hpp"
 #include "unit/dynamics/SlidingBlock.hpp"
 

@@ -11,8 +11,8 @@
 
 namespace asperity::test
 {
-// The largest `slip_rate` on the fault of all ranks where it is not `prescribed`; 0 without the field.
-// Collective.
+// The largest `slip_rate` on the fault over all ranks where it is not `prescribed`; 0 without the
+// field. Collective.
 inline double peakSlipRate(io::FieldRegistry const& fields)
 {
   double largest = 0;

@@ -1,4 +1,4 @@
-#include "dynamics/InitialState.hpp"
+#include "dynamics/initial/InitialState.hpp"
 
 #include "base/Errors.hpp"
 #include "dynamics/FaultMotion.hpp"

@@ -1,4 +1,4 @@
-#include "dynamics/InitialAlpha.hpp"
+#include "dynamics/initial/InitialAlpha.hpp"
 
 #include "base/Errors.hpp"
 #include "base/Text.hpp"
