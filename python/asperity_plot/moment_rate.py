@@ -63,9 +63,10 @@ def curves(run: Run, view: View) -> Iterator[Tuple[int, np.ndarray, np.ndarray, 
     events = profiles.events_within(run, view.sequence)
     if events is None or time.size < 2:
         return
-    for row, (onset, duration) in enumerate(zip(events["onset"], events["duration"])):
+    for number, onset, duration in zip(windows.numbers(events), events["onset"],
+                                       events["duration"]):
         margin = MARGIN * duration
         rows = (time >= onset - margin) & (time <= onset + duration + margin)
         times = np.union1d(time[rows], [onset, min(onset + duration, time[-1])])
-        yield (windows.number(events, row), times - onset, np.interp(times, time, rate),
+        yield (number, times - onset, np.interp(times, time, rate),
                np.interp(times, time, moment) - np.interp(onset, time, moment))
