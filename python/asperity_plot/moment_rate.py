@@ -36,8 +36,8 @@ def draw(run: Run, view: View):
         panel.set_xlabel(f"Time since the onset of the event [{clock.name}]")
         panel.set_xlim(clock(-MARGIN * last), clock((1.0 + MARGIN) * last))
         panel.grid(True)
-    figure.supxlabel("all slip of the fault from onset to end, also below the threshold of "
-                     "events.csv, whose moments are smaller", fontsize=8.5, color=style.DARK)
+    style.note(figure, "all slip of the fault from onset to end, also below the threshold of "
+                       "events.csv, whose moments are smaller")
     style.title(figure, "Moment of the events" + (" per length of the fault" if per_length else ""))
     return figure
 

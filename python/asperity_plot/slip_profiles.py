@@ -29,7 +29,7 @@ def draw(run: Run, view: View):
     axes[0, 0].set_title(f"From {first} to {last} {clock.name}", loc="left")
     remark = doubts(families)
     if remark:
-        figure.supxlabel(textwrap.fill(remark, 110), fontsize=8.5, color=style.DARK)
+        style.note(figure, textwrap.fill(remark, 110))
     style.title(figure, profiles.title(run))
     return figure
 

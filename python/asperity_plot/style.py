@@ -67,6 +67,11 @@ def title(figure: Figure, text: str) -> None:
     figure.suptitle(text, fontweight="bold", color=DARK)
 
 
+def note(figure: Figure, text: str) -> None:
+    """Below all panels."""
+    figure.supxlabel(text, fontsize=8.5, color=DARK)
+
+
 def save(figure: Figure, path, dpi: int):
     """Writes a PNG to a path or a buffer, and returns that."""
     try:
