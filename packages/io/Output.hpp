@@ -14,6 +14,7 @@
 #include <filesystem>
 #include <map>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -27,6 +28,7 @@ struct StepInfo
   double step_size = 0;      // [s]
   double peak_slip_rate = 0; // over the fault, where friction decides on it [m/s]
   bool is_last = false;      // the run ends with it
+  double wall_time = 0;      // of this rank's processes of the run [s]; not the same on every rank
 };
 
 // What an output may use. Registry and domains must outlive the outputs.
@@ -40,13 +42,6 @@ struct OutputContext
 
   // Throws InputError, which says what to change in the deck, if there is no such domain.
   OutputDomain const& domain(std::string const& name) const;
-};
-
-// A count of something so far in a run: {3, "event"}.
-struct Count
-{
-  std::int64_t number = 0;
-  std::string of; // in the singular
 };
 
 // One kind of result that a run writes to disk. All functions are collective.
@@ -78,8 +73,9 @@ public:
   // Adds the objects that files of a text format may read, normally this output itself.
   virtual void offer(Offers&) const {}
 
-  // Counts for the lines of progress, and a paragraph for the report at the end of the run.
-  virtual std::vector<Count> counts() const { return {}; }
+  // How many events there are so far, with the one in progress, of an output that counts them; and
+  // a paragraph for the report at the end of the run.
+  virtual std::optional<std::int64_t> numEvents() const { return {}; }
   virtual std::string report() const { return ""; }
 
   // Defaults for a kind of output, which a class replaces by static functions of the same names:

@@ -210,15 +210,14 @@ bool OutputSet::endsRun() const
                      [](Entry const& entry) { return entry.output->endsRun(); });
 }
 
-std::vector<Count> OutputSet::counts() const
+std::optional<std::int64_t> OutputSet::numEvents() const
 {
-  std::vector<Count> counts;
   for (auto const& entry : entries_) {
-    for (auto const& count : entry.output->counts()) {
-      counts.push_back(count);
+    if (auto const number = entry.output->numEvents()) {
+      return number;
     }
   }
-  return counts;
+  return {};
 }
 
 std::string OutputSet::report() const

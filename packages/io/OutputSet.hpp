@@ -41,8 +41,8 @@ public:
 
   bool endsRun() const; // whether one of the outputs does
 
-  // The counts of all outputs for the lines of progress, and their paragraphs for the report.
-  std::vector<Count> counts() const;
+  // As the functions of Output: of the first output that counts events, and of all.
+  std::optional<std::int64_t> numEvents() const;
   std::string report() const;
 
 private:

@@ -4,7 +4,7 @@
     run = asperity.Run("results/wedge_2d")
     time, rate, onset = run.fault.time, run.fault["slip_rate"], run.events["onset"]
 
-All numbers are in SI units. README.md beside this package says what there is.
+All numbers are in SI units. docs/reference/python.md says what there is.
 """
 
 __version__ = "0.2.0"
@@ -17,12 +17,9 @@ def __getattr__(name):
     # On first use, so that the programs can say that numpy or h5py is missing.
     if name not in _PLACES:
         raise AttributeError(f"module 'asperity' has no attribute '{name}'")
-    import sys
     from importlib import import_module
     try:
         return getattr(import_module(f".{_PLACES[name]}", __name__), name)
     except ModuleNotFoundError as error:
-        raise ImportError(f"{sys.executable} has no module {error.name}. asperity needs numpy and "
-                          "h5py: apt-get install python3-numpy python3-h5py, and start Debian's "
-                          "/usr/bin/python3 if it is not the first on PATH; or pip install numpy "
-                          "h5py.") from None
+        from .program import what_to_install
+        raise ImportError(what_to_install(error)) from None

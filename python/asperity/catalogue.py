@@ -25,23 +25,22 @@ def begins_at_upper_end(nodes: np.ndarray, positions: np.ndarray) -> bool:
 def with_origin(table: Table, geometry: Optional[H5File]) -> Table:
     """The events with `nucleation` [m] from the upper end of the fault; of an older run by the
     `geometry` of its fault and, without one, as `nucleation_from_smaller_coordinates`."""
-    columns, units = dict(table.columns), dict(table.units)
-
-    def rename(name: str, new: str, values: np.ndarray) -> Table:
-        units[new] = units.pop(name)
-        del columns[name]
-        columns[new] = values
-        return Table(table.path, columns, units)
-
-    if FROM_UPPER_END in columns:
-        return rename(FROM_UPPER_END, NUCLEATION, columns[FROM_UPPER_END])
-    if NUCLEATION not in columns:
+    if FROM_UPPER_END in table:
+        return _renamed(table, FROM_UPPER_END, NUCLEATION)
+    if NUCLEATION not in table:
         return table
     if geometry is None or not geometry.has("geometry/positions"):
-        return rename(NUCLEATION, "nucleation_from_smaller_coordinates", columns[NUCLEATION])
+        return _renamed(table, NUCLEATION, "nucleation_from_smaller_coordinates")
     positions = geometry.array("geometry/positions")
-    if not begins_at_upper_end(geometry.array("geometry/coordinates"), positions):
-        columns[NUCLEATION] = positions[-1] - columns[NUCLEATION]
+    if begins_at_upper_end(geometry.array("geometry/coordinates"), positions):
+        return table
+    return Table(table.path, {**table.columns, NUCLEATION: positions[-1] - table[NUCLEATION]},
+                 table.units)
+
+
+def _renamed(table: Table, name: str, new: str) -> Table:
+    columns, units = ({new if each == name else each: value for each, value in part.items()}
+                      for part in (table.columns, table.units))
     return Table(table.path, columns, units)
 
 

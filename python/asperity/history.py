@@ -12,14 +12,19 @@ from .h5file import H5File
 BLOCK_BYTES = 16 * 2**20
 
 
+def is_surface(file: H5File) -> bool:
+    """Whether the nodes lie on a surface, as in three dimensions, and not along a curve."""
+    return not file.has("geometry/positions") and file.has("geometry/coordinates") \
+        and file.dataset("geometry/coordinates").shape[-1] == 3
+
+
 def positions(file: H5File) -> np.ndarray:
     """(nodes) distance [m] along the curve; OtherDimension if the nodes lie on a surface.
 
     Two are equal where a fault cuts the curve: it has a node on each side. Two are also equal where
     the curve has a gap.
     """
-    if not file.has("geometry/positions") and file.has("geometry/coordinates") \
-            and file.dataset("geometry/coordinates").shape[-1] == 3:
+    if is_surface(file):
         raise OtherDimension(f"{file.path.name} is not over a curve, as in two dimensions")
     along = file.array("geometry/positions")
     if along.size < 2 or along[0] == along[-1] or not np.all(np.diff(along) >= 0.0):

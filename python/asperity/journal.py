@@ -1,58 +1,87 @@
-"""run.jsonl: the course of a run, one JSON object a line (packages/io/files/RunJournal.hpp)."""
+"""The course of a run: run.jsonl, one JSON object a line (packages/io/files/RunJournal.hpp)."""
 
 import json
 from dataclasses import dataclass, field
 from pathlib import Path
 from typing import Any, Dict, List, Optional
 
+from .log import RunLog
+
 
 @dataclass(frozen=True)
 class Warned:
     """A warning of the run: what it is about, its sentences, and when it was given."""
 
-    topic: str
+    topic: Optional[str]
     text: str
+    step: Optional[int]
+    time: Optional[float]
+
+
+@dataclass(frozen=True)
+class Progress:
+    """How far the run was at some step; the wall time is that of steps.csv."""
+
     step: int
     time: float
+    wall_time: float
+    peak_slip_rate: float
+    events: Optional[int]
+    seconds_left: Optional[float]
+    knows_cycles: bool
 
 
 @dataclass
 class Journal:
     """`how` is '' while there is no end: 'finished', 'stopped', 'failed', of the last process."""
 
-    warnings: List[Warned] = field(default_factory=list)  # the last one of each topic
+    log: RunLog
     how: str = ""
     exit_status: Optional[int] = None
     message: str = ""
-    walls: List[Optional[float]] = field(default_factory=list)  # [s] of each process, if it ended
+    warnings: List[Warned] = field(default_factory=list)  # the last one of each topic
+    progress: List[Progress] = field(default_factory=list)
+    wall_time: Optional[float] = None                     # [s] of all processes
 
     @classmethod
-    def read(cls, path: Path) -> "Journal":
-        """Empty if there is none; what is no complete line is left out."""
-        journal = cls()
+    def read(cls, directory: Path) -> "Journal":
+        """InputError if the directory has no log. What is no complete line is left out. What
+        run.jsonl does not tell is that of the log: earlier versions write no run.jsonl."""
+        journal = cls(RunLog.read(directory / "run.log"))
         try:
-            lines = path.read_text(encoding="utf-8", errors="replace").splitlines()
+            text = (directory / "run.jsonl").read_text(encoding="utf-8", errors="replace")
         except OSError:
-            lines = []
-        for line in lines:
+            text = ""
+            journal.warnings = [Warned(None, text, None, None) for text in journal.log.warnings]
+        for line in text.splitlines():
             try:
                 journal._take(json.loads(line))
             except (ValueError, KeyError, TypeError):
                 continue
+        journal.how = journal.how or journal.log.how
+        journal.message = journal.message or journal.log.message
         return journal
 
     def _take(self, entry: Dict[str, Any]) -> None:
         event = entry["event"]
         if event == "begin":
             self.how, self.exit_status, self.message = "", None, ""
-            self.walls.append(None)
         elif event == "restart":  # what came after that step is computed again
             self.warnings = [each for each in self.warnings if each.step <= entry["step"]]
+            self.progress = [each for each in self.progress if each.step <= entry["step"]]
         elif event == "warning":
             self.warnings = [each for each in self.warnings if each.topic != entry["topic"]]
             self.warnings.append(Warned(entry["topic"], entry["text"], entry["step"],
                                         entry["time"]))
+        elif event == "progress":
+            self.progress.append(Progress(
+                entry["step"], entry["time"], entry["wall_time"], entry["peak_slip_rate"],
+                entry.get("events"), entry.get("seconds_left"),
+                entry.get("knows_cycles", False)))
+            self.wall_time = entry["wall_time"]
         elif event == "end":
             self.how, self.exit_status = entry["how"], entry["exit_status"]
             self.message = entry["message"]
-            self.walls[-1:] = [entry["wall"]]
+            # earlier versions say the wall time of each process
+            self.wall_time = entry["wall_time"] if "wall_time" in entry \
+                else (self.wall_time or 0.0) + entry["wall"]

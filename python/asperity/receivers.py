@@ -1,14 +1,17 @@
 """Time series at the receivers on and off the fault, as receivers.h5 holds them."""
 
 from pathlib import Path
-from typing import Dict, List
+from typing import Dict, List, Sequence, Tuple
 
 import numpy as np
 
-from .errors import InputError
+from .errors import InputError, NothingToShow
 from .h5file import H5File
+from .series import Series
 
-GROUPS = ("on_fault", "off_fault")
+ON_FAULT = "on_fault"
+GROUPS = (ON_FAULT, "off_fault")
+FIELDS = ("slip_rate", "traction", "theta", "slip")  # of a Series
 
 
 class Receivers(H5File):
@@ -17,17 +20,17 @@ class Receivers(H5File):
     def __init__(self, path: Path):
         super().__init__(path)
         self.time = self.times()
-        self._places = {name: (group, column) for group in GROUPS if self.has(f"{group}/names")
-                        for column, name in enumerate(self.strings(f"{group}/names"))}
+        self._names = {group: self.strings(f"{group}/names") for group in GROUPS
+                       if self.has(f"{group}/names")}
 
     @property
     def names(self) -> List[str]:
-        return list(self._places)
+        return [name for names in self._names.values() for name in names]
 
     def __getitem__(self, name: str) -> Dict[str, np.ndarray]:
         """All fields of a receiver by their names."""
         group, column = self._place(name)
-        return {field: self._column(f"{group}/fields/{field}", column)
+        return {field: self._values(group, field)[:, column]
                 for field in self.entries(f"{group}/fields")}
 
     def coordinates(self, name: str) -> np.ndarray:
@@ -35,15 +38,53 @@ class Receivers(H5File):
         group, column = self._place(name)
         return self.array(f"{group}/coordinates")[column]
 
-    def _place(self, name: str):
-        if name not in self._places:
-            raise InputError(f"{self.path} has no receiver '{name}'. There are "
-                             f"{', '.join(self.names)}.")
-        return self._places[name]
+    def on_fault(self, wanted: Sequence[str] = ()) -> List[str]:
+        """The names in `wanted`, or all on the fault; InputError for one that is none of these,
+        NothingToShow if no receiver lies on the fault."""
+        if ON_FAULT not in self._names:
+            raise NothingToShow(f"{self.path.name} has no receiver on the fault")
+        names = self._names[ON_FAULT]
+        for name in wanted:
+            if name not in names:
+                raise InputError(f"{self.path} has no receiver '{name}' on the fault. There are "
+                                 f"{', '.join(names)}.")
+        return list(wanted) or names
 
-    def _column(self, path: str, column: int) -> np.ndarray:
-        values = self.array(path)
-        if values.ndim < 2 or values.shape[0] != self.time.size or values.shape[1] <= column:
-            raise InputError(f"{self.path}: '{path}' has shape {values.shape}, which does not fit "
-                             f"{self.time.size} times. The file is damaged.")
-        return values[:, column]
+    def fields(self) -> List[str]:
+        """Those of FIELDS that the run wrote of receivers on the fault."""
+        return [field for field in FIELDS if self.has(f"{ON_FAULT}/fields/{field}")]
+
+    def series(self, names: Sequence[str]) -> List[Series]:
+        """One for each of `names` on the fault, with its fields()."""
+        values = {field: self._along_slip(field) for field in self.fields()}
+        columns = [self._names[ON_FAULT].index(name) for name in names]
+        return [Series(name, self.time, {field: array[:, column]
+                                         for field, array in values.items()})
+                for name, column in zip(names, columns)]
+
+    def _place(self, name: str) -> Tuple[str, int]:
+        for group, names in self._names.items():
+            if name in names:
+                return group, names.index(name)
+        raise InputError(f"{self.path} has no receiver '{name}'. There are "
+                         f"{', '.join(self.names)}.")
+
+    def _values(self, group: str, field: str) -> np.ndarray:
+        """(n_times, n_receivers[, components])"""
+        values = self.array(f"{group}/fields/{field}")
+        expected = (self.time.size, len(self._names[group]))
+        if values.shape[:2] != expected:
+            raise InputError(f"{self.path}: '{group}/fields/{field}' has shape {values.shape}, "
+                             f"expected {expected}. The file is damaged.")
+        return values
+
+    def _along_slip(self, field: str) -> np.ndarray:
+        """(n_times, n_on_fault), magnitudes of vectors; slip and traction count along the total
+        slip, which may be against the tangent of the fault."""
+        values = self._values(ON_FAULT, field)
+        if values.ndim == 3 and values.shape[2] > 1:
+            return np.linalg.norm(values, axis=2)
+        values = values.reshape(values.shape[:2])
+        is_backward = field in ("slip", "traction") and "slip" in self.fields() \
+            and self.array(f"{ON_FAULT}/fields/slip", slice(-1, None)).sum() < 0.0
+        return -values if is_backward else values

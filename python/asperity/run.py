@@ -3,7 +3,7 @@
 import math
 from functools import cached_property
 from pathlib import Path
-from typing import List, Optional, Tuple, Union
+from typing import Any, Callable, List, Optional, Tuple, Union
 
 import numpy as np
 
@@ -14,10 +14,14 @@ from .history import History
 from .parameters import Parameters
 from .receivers import Receivers
 from .selection import Selection
-from .stations import Stations
 from .tables import Table, read_table
 
 FILES = ("fault.h5", "surface.h5", "events.csv", "steps.csv", "run.log")
+
+
+def _opened(name: str, open_as: Callable, *more: str) -> Any:
+    """A file of the run, opened on first use."""
+    return cached_property(lambda run: open_as(run._path(name), *more))
 
 
 class Run:
@@ -67,42 +71,18 @@ class Run:
     def parameters(self) -> Parameters:
         return Parameters.read(self.directory / "parameters.xml")
 
-    @cached_property
-    def fault(self) -> History:
-        return History(self._path("fault.h5"))
-
-    @cached_property
-    def surface(self) -> History:
-        return History(self._path("surface.h5"))
-
-    @cached_property
-    def volume(self) -> History:
-        return History(self._path("volume.h5"))
-
-    @cached_property
-    def receivers(self) -> Receivers:
-        """Series at the receivers on and off the fault, as they were written."""
-        return Receivers(self._path("receivers.h5"))
-
-    @cached_property
-    def stations(self) -> Stations:
-        """The receivers on the fault as figures show them: magnitudes, along the total slip."""
-        return Stations(self._path("receivers.h5"))
-
-    @cached_property
-    def ruptures(self) -> H5File:
-        """First arrivals of each event."""
-        return H5File(self._path("rupture.h5"))
-
-    @cached_property
-    def totals(self) -> Table:
-        """Sums over the fault for each step."""
-        return read_table(self._path("global.csv"), ["time"])
+    fault = _opened("fault.h5", History)
+    surface = _opened("surface.h5", History)
+    volume = _opened("volume.h5", History)
+    receivers = _opened("receivers.h5", Receivers)  # on and off the fault
+    ruptures = _opened("rupture.h5", H5File)        # first arrivals of each event
+    totals = _opened("global.csv", read_table, "time")  # sums over the fault for each step
+    steps = _opened("steps.csv", read_table, "time", "step_size")
 
     @cached_property
     def events(self) -> Table:
         """The events that count, in the order of time; `nucleation` is from the upper end."""
-        table = read_table(self._path("events.csv"), ["onset", "duration"])
+        table = read_table(self._path("events.csv"), "onset", "duration")
         geometry = next((name for name in ("fault.h5", "rupture.h5") if self.has(name)), None)
         table = catalogue.with_origin(table, H5File(self.directory / geometry)
                                       if geometry and catalogue.NUCLEATION in table else None)
@@ -113,10 +93,6 @@ class Run:
         """The events that ended; the end of the run may have cut one off."""
         table = self.events
         return table.select(table["complete"] != 0) if "complete" in table else table
-
-    @cached_property
-    def steps(self) -> Table:
-        return read_table(self._path("steps.csv"), ["time", "step_size"])
 
     @cached_property
     def span(self) -> Tuple[float, float]:
@@ -134,7 +110,7 @@ class Run:
     @property
     def threshold(self) -> float:
         """Slip rate [m/s] from which on the catalogue calls the fault seismic."""
-        return self.parameters.number("Output/Event Catalogue/Threshold") or 1e-3
+        return float(self.parameters["Output/Event Catalogue/Threshold"])
 
     @property
     def is_wedge(self) -> bool:
@@ -150,26 +126,19 @@ class Run:
         return math.atan2(height, length)
 
     @property
-    def seismogenic_zone(self) -> Optional[Tuple[float, float]]:
-        """Positions [m] along the base between which the wedge weakens with the slip rate.
+    def seismogenic_zones(self) -> List[Tuple[float, float]]:
+        """Positions [m] along the base between which the wedge weakens with the slip rate, and the
+        further intervals with small cells, which are for patches that weaken; in order.
 
         The deck measures the zone's end along the surface, its width along the base.
         """
         end = self.parameters.number("Mesh/Wedge/Seismogenic Zone End")
         width = self.parameters.number("Mesh/Wedge/Seismogenic Zone Width")
         if self.dip is None or end is None or width is None:
-            return None
-        end /= math.cos(self.dip)
-        return end - width, end
-
-    @property
-    def seismogenic_zones(self) -> List[Tuple[float, float]]:
-        """The seismogenic zone and the further intervals of the base with small cells, which are
-        for patches that weaken; in the order of positions [m]."""
-        if self.seismogenic_zone is None:
             return []
-        ends = self.parameters.numbers("Mesh/Wedge/Refined Intervals")
-        return sorted([self.seismogenic_zone, *zip(ends[::2], ends[1::2])])
+        end /= math.cos(self.dip)
+        more = self.parameters.numbers("Mesh/Wedge/Refined Intervals")
+        return sorted([(end - width, end), *zip(more[::2], more[1::2])])
 
     def upwards(self, dimension: int) -> np.ndarray:
         """Unit vector against gravity in mesh coordinates: from the deck, or +y without one."""

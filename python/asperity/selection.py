@@ -1,11 +1,11 @@
 """Which events of a catalogue count: a smallest size, and a time within which events are one."""
 
 import argparse
-import math
 from dataclasses import dataclass
 from typing import Optional
 
-from .durations import seconds, text
+from .durations import text
+from .program import not_negative, number, time
 
 
 @dataclass(frozen=True)
@@ -33,42 +33,14 @@ class Selection:
 
 def add_options(parser: argparse.ArgumentParser) -> None:
     group = parser.add_argument_group("which events count")
-    group.add_argument("--smallest-width", metavar="METRES", type=_size, default=0.0,
+    group.add_argument("--smallest-width", metavar="METRES", type=not_negative(number), default=0.0,
                        help="leave out events with a smaller rupture width")
-    group.add_argument("--smallest-magnitude", metavar="MW", type=_number, default=None,
+    group.add_argument("--smallest-magnitude", metavar="MW", type=number, default=None,
                        help="leave out smaller events, in three dimensions")
-    group.add_argument("--merging-time", metavar="TIME", type=_time, default=0.0,
+    group.add_argument("--merging-time", metavar="TIME", type=not_negative(time), default=0.0,
                        help="events are one if less than this lies between them, in seconds or as "
                             "30d, so that aftershocks do not count in recurrence times")
 
 
 def chosen(options: argparse.Namespace) -> Selection:
     return Selection(options.smallest_width, options.smallest_magnitude, options.merging_time)
-
-
-def _time(words: str) -> float:
-    try:
-        value = seconds(words)
-    except ValueError as error:
-        raise argparse.ArgumentTypeError(str(error)) from None
-    return _not_negative(value, words)
-
-
-def _size(words: str) -> float:
-    return _not_negative(_number(words), words)
-
-
-def _not_negative(value: float, words: str) -> float:
-    if value < 0.0:
-        raise argparse.ArgumentTypeError(f"'{words}' is negative")
-    return value
-
-
-def _number(words: str) -> float:
-    try:
-        value = float(words)
-    except ValueError:
-        value = math.nan
-    if not math.isfinite(value):
-        raise argparse.ArgumentTypeError(f"'{words}' is no number")
-    return value

@@ -6,7 +6,7 @@ from typing import Dict, Iterator, List
 
 import numpy as np
 
-from .errors import InputError
+from .errors import InputError, NoStepYet
 
 
 @dataclass
@@ -38,7 +38,7 @@ class Table:
         return Table(self.path, columns, self.units)
 
 
-def read_table(path: Path, required: List[str]) -> Table:
+def read_table(path: Path, *required: str) -> Table:
     """Reads a table with a header 'name [unit],...'; InputError unless it has `required`.
 
     A last line without its end is left out: the run is writing it, or was killed then.
@@ -49,11 +49,11 @@ def read_table(path: Path, required: List[str]) -> Table:
         raise InputError(f"{path} cannot be read ({error}).") from error
     rest = lines.pop()
     if rest and not lines:
-        raise InputError(f"{path} is not complete: the line with the names of its columns has no "
+        raise NoStepYet(f"{path} is not complete: the line with the names of its columns has no "
                          "end. Wait for the run's first checkpoint.")
     header = lines.pop(0).strip() if lines else ""
     if not header:
-        raise InputError(f"{path} is empty; it should begin with the names of its columns.")
+        raise NoStepYet(f"{path} is empty; it should begin with the names of its columns.")
     names, units = _split_header(header)
     table = Table(path, dict(zip(names, _values(path, lines, len(names)).T)),
                   dict(zip(names, units)))

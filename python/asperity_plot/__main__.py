@@ -1,13 +1,8 @@
-"""Makes `python3 -m asperity_plot DIR` the same as `asperity-plot DIR`."""
+"""Makes `python3 -m asperity_plot` the same as `asperity-plot`."""
 
-from asperity.program import run_program
+import sys
 
 from asperity_plot.cli import main
 
-
-def run() -> None:
-    run_program(main)
-
-
 if __name__ == "__main__":
-    run()
+    sys.exit(main())

@@ -37,6 +37,11 @@ class Axis:
         """The positions [m] of coordinates [m]."""
         return (np.asarray(metres, dtype=float) - self.origin) * self.sign
 
+    def line(self, axes, where, values, **look):
+        """Draws `values` over the positions `where` [m], or across where these grow downwards."""
+        x, y = (values, self(where)) if self.is_downwards else (self(where), values)
+        return axes.plot(x, y, **look)
+
     @property
     def range(self) -> Tuple[float, float]:
         """What is worth showing, as the limits of a vertical axis, which may grow downwards."""

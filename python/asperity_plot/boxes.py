@@ -67,8 +67,8 @@ def draw(run: Run, view: View):
         _box(panel, label, values[name], unit)
     count = style.counted(len(run.complete_events), "event")
     style.title(figure, f"Recurrence, size and speed of {count}")
-    figure.supxlabel("box: quartiles and median; whiskers: extremes; ticks: single events"
-                     + _note(run), fontsize=8.5, color=style.DARK)
+    style.note(figure, "box: quartiles and median; whiskers: extremes; ticks: single events"
+               + _note(run))
     return figure
 
 

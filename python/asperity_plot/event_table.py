@@ -8,7 +8,7 @@ from asperity.errors import InputError, NothingToShow
 from asperity.run import Run
 from asperity.tables import Table
 
-from . import along, profiles, raster, units
+from . import along, profiles, raster, units, windows
 from .markdown import Column, table
 from .windows import View
 
@@ -42,7 +42,8 @@ def events(run: Run, view: View) -> List[Column]:
     onset, duration = catalogue["onset"], catalogue["duration"]
     clock, recurrence = units.duration(units.largest(onset)), np.diff(onset, prepend=np.nan)
     between = units.duration(units.largest(recurrence)) if onset.size > 1 else clock
-    columns = [_number(catalogue), Column("onset", onset, clock, 6),
+    columns = [Column("event", windows.numbers(catalogue), digits=0),
+               Column("onset", onset, clock, 6),
                Column("recurrence", recurrence, between),
                Column("duration", duration, units.duration(units.largest(duration)))]
     if "peak_slip_rate" in catalogue:
@@ -54,11 +55,6 @@ def events(run: Run, view: View) -> List[Column]:
     unit = units.length([units.largest(column.values) for column in slips])
     columns += [Column(column.name, column.values, unit) for column in slips]
     return columns + _moment(catalogue)
-
-
-def _number(catalogue: Table) -> Column:
-    numbers = catalogue["number"] if "number" in catalogue else np.arange(len(catalogue)) + 1
-    return Column("event", numbers, digits=0)
 
 
 def _moment(catalogue: Table) -> List[Column]:
@@ -88,7 +84,7 @@ def slip_at_places(run: Run, view: View) -> List[Column]:
     if not run.has("receivers.h5"):
         return []
     try:
-        series = run.stations.all_series(run.stations.chosen(view.options.receivers))
+        series = run.receivers.series(run.receivers.on_fault(view.options.receivers))
     except NothingToShow:
         return []
     slips = {each.label: np.interp(times, each.time, each.values["slip"])
@@ -125,7 +121,7 @@ def cycles(run: Run) -> List[Column]:
         return np.append(parts, total[-1])
 
     accepted = sums(np.ones(len(steps)))
-    labels = [f"{number:.0f}" for number in _number(catalogue).values] + ["whole run"]
+    labels = [f"{number}" for number in windows.numbers(catalogue)] + ["whole run"]
     columns = [Column("event", labels), Column("accepted steps", accepted, digits=0)]
     for name, label in COUNTS:
         if name in steps and steps[name].any():
@@ -142,7 +138,7 @@ def energy(run: Run) -> List[Column]:
     names = [name for name in ENERGIES if name in catalogue]
     if "friction_work" not in names or "energy_defect" not in names:
         raise NothingToShow("events.csv has no friction_work and energy_defect")
-    columns = [_number(catalogue)]
+    columns = [Column("event", windows.numbers(catalogue), digits=0)]
     for name in names:
         unit = units.Unit(catalogue.units[name] or "J/m", 1.0)
         columns.append(Column(name.replace("_", " "), catalogue[name], unit))
@@ -157,8 +153,8 @@ def _event_note(run: Run) -> str:
     cut = " The end of the run cut off the last event." \
         if len(run.complete_events) < len(run.events) else ""
     return (f"Events are times with a slip rate of at least {threshold} anywhere; slip at a place "
-            f"is all of it from onset to end. {MOMENT_NOTE} {YEAR_NOTE}{cut}"
-            + (f" {run.selection}" if run.selection else ""))
+            f"is all of it from onset to end. {MOMENT_NOTE} {YEAR_NOTE}{cut} "
+            f"{run.selection}").rstrip()
 
 
 CYCLE_NOTE = "A cycle is all steps from the end of the event before to the end of this one."

@@ -30,7 +30,7 @@ def draw(run: Run, view: View):
     for panel in panels:
         where.label(panel)
         _hypocentre(panel, run, row, where)
-    number = windows.number(run.events, row)
+    number = windows.numbers(run.events)[row]
     size = f", Mw {run.events['magnitude'][row]:.2f}" if "magnitude" in run.events else ""
     style.title(figure, f"Event {number} at {units.text(onset, 's', 5)}, lasting "
                         f"{units.text(end - onset, 's')}{size}")
@@ -63,7 +63,7 @@ def _row(run: Run, view: View) -> int:
     if not len(events):
         raise NothingToShow("the run has no event")
     if view.zoom is not None:
-        return [windows.number(events, row) for row in range(len(events))].index(view.number)
+        return int(np.flatnonzero(windows.numbers(events) == view.number)[0])
     return int(np.argmax(events["peak_slip"]))
 
 

@@ -25,9 +25,7 @@ def draw(run: Run, view: View):
     figure, axes = style.panels(2, len(widths), (11.0, 5.2), sharex="col", sharey="row",
                                 gridspec_kw={"width_ratios": widths, "height_ratios": [1.2, 1.0]})
     _over_time(axes[:, 0], steps, view.cycles, 0.0, maps.cycles_unit(view))
-    maps.label_cycles(axes[0, 0], view)
-    axes[1, 0].set_xlabel(axes[0, 0].get_xlabel())
-    axes[0, 0].set_xlabel("")
+    maps.label_cycles(axes[0, 0], view, axes[1, 0])
     if zoomed:
         _zoom(axes[:, 1], steps, view)
     _step_sizes(axes[:, -1], steps)
@@ -46,7 +44,7 @@ def _over_time(axes, steps: Table, window, origin: float, unit: units.Unit) -> N
     rows = slice(first, int(np.searchsorted(time, window[1], side="right")) + 1)
     shown = unit(time[rows] - origin)
     axes[0].set_yscale("log")
-    style.step_line(axes[0], shown, steps["step_size"][rows], style.BLUE)
+    axes[0].plot(shown, steps["step_size"][rows], drawstyle="steps-pre", color=style.BLUE)
     many = shown.size > 300
     axes[1].plot(shown, steps[COLUMN][rows], ".", color=style.ORANGE, rasterized=True,
                  markersize=3.5 if many else 5.0, alpha=0.5 if many else 0.9,
@@ -59,9 +57,8 @@ def _over_time(axes, steps: Table, window, origin: float, unit: units.Unit) -> N
 def _zoom(axes, steps: Table, view: View) -> None:
     unit = maps.zoom_unit(view)
     _over_time(axes, steps, view.zoom, view.onset, unit)
-    axes[0].set_xlim(unit(np.array(view.zoom) - view.onset))
+    maps.label_zoom(axes[0], view, axes[1])
     axes[0].set_title(f"Zoom into event {view.number} (▾, grey)")
-    axes[1].set_xlabel(f"Time since the onset of event {view.number} [{unit.name}]")
     for panel in axes:
         panel.axvspan(0.0, float(unit(view.end - view.onset)), color="#eeeeee", zorder=0)
 

@@ -1,6 +1,6 @@
 """What the maps over position and time share: the two panels, their axes and titles."""
 
-from typing import List, Tuple
+from typing import List, Optional, Tuple
 
 import numpy as np
 from matplotlib.axes import Axes
@@ -29,21 +29,14 @@ def panels(view: View) -> Tuple[Figure, List[Axes]]:
 
 
 def colours(axes: Axes, times: np.ndarray, history: History, values: np.ndarray, along: Axis,
-            **options):
-    """Colours for `values` (times, nodes) between the limits `times` of their cells."""
-    limits = raster.edges(along.limits, POSITIONS)
-    picture = raster.along(history.position, values, raster.centres(limits))
-    return axes.pcolormesh(times, along(limits), picture.T, rasterized=True, **options)
-
-
-def smooth_colours(axes: Axes, times: np.ndarray, history: History, values: np.ndarray,
-                   along: Axis, **options):
-    """The same, linear in time between rows at `times`."""
+            smooth: bool = False, **options):
+    """Colours for `values` (times, nodes): between the limits `times` of their cells, or, if they
+    are `smooth`, linear in time between rows at `times`."""
     limits = raster.edges(along.limits, POSITIONS)
     places = raster.centres(limits)
     picture = raster.along(history.position, values, places)
-    return axes.pcolormesh(times, along(places), picture.T, shading="gouraud", rasterized=True,
-                           **options)
+    return axes.pcolormesh(times, along(places if smooth else limits), picture.T, rasterized=True,
+                           shading="gouraud" if smooth else "flat", **options)
 
 
 def time_axes(axes: List[Axes], view: View) -> None:
@@ -53,22 +46,23 @@ def time_axes(axes: List[Axes], view: View) -> None:
         label_zoom(axes[1], view)
 
 
-def label_cycles(axes: Axes, view: View) -> None:
+def label_cycles(axes: Axes, view: View, below: Optional[Axes] = None) -> None:
+    """The label of the time stands at the lowest panel of the same column, `below`."""
     unit = cycles_unit(view)
     axes.set_xlim(unit(view.cycles))
-    axes.set_xlabel(f"Time [{unit.name}]")
     axes.set_title(cycles_title(view))
+    (below or axes).set_xlabel(f"Time [{unit.name}]")
     if view.zoom is not None:
         # A small mark on the time axis says where the zoom is.
         axes.plot(unit(view.onset), 1.0, marker="v", color=style.DARK, markersize=5,
                   transform=axes.get_xaxis_transform(), clip_on=False, zorder=5)
 
 
-def label_zoom(axes: Axes, view: View) -> None:
+def label_zoom(axes: Axes, view: View, below: Optional[Axes] = None) -> None:
     unit = zoom_unit(view)
     axes.set_xlim(unit(np.array(view.zoom) - view.onset))
-    axes.set_xlabel(f"Time since the onset of event {view.number} [{unit.name}]")
     axes.set_title(zoom_title(view))
+    (below or axes).set_xlabel(f"Time since the onset of event {view.number} [{unit.name}]")
 
 
 def cycles_title(view: View) -> str:

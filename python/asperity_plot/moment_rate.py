@@ -36,8 +36,8 @@ def draw(run: Run, view: View):
         panel.set_xlabel(f"Time since the onset of the event [{clock.name}]")
         panel.set_xlim(clock(-MARGIN * last), clock((1.0 + MARGIN) * last))
         panel.grid(True)
-    figure.supxlabel("all slip of the fault from onset to end, also below the threshold of "
-                     "events.csv, whose moments are smaller", fontsize=8.5, color=style.DARK)
+    style.note(figure, "all slip of the fault from onset to end, also below the threshold of "
+                       "events.csv, whose moments are smaller")
     style.title(figure, "Moment of the events" + (" per length of the fault" if per_length else ""))
     return figure
 
@@ -63,9 +63,10 @@ def curves(run: Run, view: View) -> Iterator[Tuple[int, np.ndarray, np.ndarray, 
     events = profiles.events_within(run, view.sequence)
     if events is None or time.size < 2:
         return
-    for row, (onset, duration) in enumerate(zip(events["onset"], events["duration"])):
+    for number, onset, duration in zip(windows.numbers(events), events["onset"],
+                                       events["duration"]):
         margin = MARGIN * duration
         rows = (time >= onset - margin) & (time <= onset + duration + margin)
         times = np.union1d(time[rows], [onset, min(onset + duration, time[-1])])
-        yield (windows.number(events, row), times - onset, np.interp(times, time, rate),
+        yield (number, times - onset, np.interp(times, time, rate),
                np.interp(times, time, moment) - np.interp(onset, time, moment))

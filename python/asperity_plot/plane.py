@@ -8,6 +8,7 @@ from matplotlib.tri import Triangulation
 
 from asperity.errors import OtherDimension
 from asperity.h5file import H5File
+from asperity.history import is_surface
 from asperity.run import Run
 
 from . import units
@@ -41,11 +42,6 @@ class Plane:
                  aspect="equal")
         axes.set_ylim(self.unit(self.dip.max()), self.unit(self.dip.min()))
         axes.set_xlim(self.unit(self.strike.min()), self.unit(self.strike.max()))
-
-
-def is_surface(file: H5File) -> bool:
-    return not file.has("geometry/positions") and file.has("geometry/coordinates") \
-        and file.dataset("geometry/coordinates").shape[-1] == 3
 
 
 def plane(run: Run, file: H5File) -> Plane:

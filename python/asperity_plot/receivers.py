@@ -21,24 +21,20 @@ Line = Tuple[Series, Dict]  # and how it is drawn
 
 def draw(run: Run, view: View):
     """The figure; NothingToShow without receivers on the fault or fields in LABELS there."""
-    stations = run.stations
-    fields = [field for field in LABELS if field in stations.fields()]
+    names = _thinned(run.receivers.on_fault(view.options.receivers))
+    fields = [field for field in LABELS if field in run.receivers.fields()]
     if not fields:
         raise NothingToShow(f"receivers.h5 has none of the fields {', '.join(LABELS)}")
-    series = stations.all_series(_thinned(stations.chosen(view.options.receivers)))
-    references = reference.read_all(view.options.references, [each.label for each in series])
+    series = run.receivers.series(names)
+    references = reference.read_all(view.options.references, names)
     figure, axes, beside = _panels(len(fields), [2.25] if view.zoom is None else [1.25, 1.0])
     whole = windows.over_sequence(run, view)
     _column(axes[:, 0], fields, _lines(series, references), whole.cycles, 0.0)
-    maps.label_cycles(axes[0, 0], whole)
-    axes[-1, 0].set_xlabel(axes[0, 0].get_xlabel())
-    axes[0, 0].set_xlabel("")
+    maps.label_cycles(axes[0, 0], whole, axes[-1, 0])
     if view.zoom is not None:
         references = [aligned(each, series, run.threshold, view.onset) for each in references]
         _column(axes[:, 1], fields, _lines(series, references), view.zoom, view.onset)
-        maps.label_zoom(axes[-1, 1], view)
-        axes[0, 1].set_title(axes[-1, 1].get_title())
-        axes[-1, 1].set_title("")
+        maps.label_zoom(axes[0, 1], view, axes[-1, 1])
     beside.legend(*axes[0, -1].get_legend_handles_labels(), loc="upper left", fontsize=8.5,
                   borderaxespad=0.0)
     figure.align_ylabels()

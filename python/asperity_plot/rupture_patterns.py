@@ -34,13 +34,11 @@ def draw(run: Run, view: View):
     for panel, row, front in zip(axes.flat, rows, fronts):
         colours = fault_maps.contours(panel, where, front, unit, step, last, labels=False)
         panel.set_title(_title(run, row), fontsize=9)
-        panel.set(xlim=limits[0], ylim=limits[1][::-1], aspect="equal")
+        where.label(panel)
+        panel.label_outer()
+        panel.set(xlim=limits[0], ylim=limits[1][::-1])
     for panel in axes.flat[len(rows):]:
         panel.axis("off")
-    for panel in axes[-1, :]:
-        panel.set_xlabel(f"Along strike [{where.unit.name}]")
-    for panel in axes[:, 0]:
-        panel.set_ylabel(f"Down dip [{where.unit.name}]")
     figure.colorbar(colours, ax=axes, pad=0.02, aspect=30).set_label(
         f"Time since the onset [{unit.name}]\na line every {units.plain(step, 's')}")
     style.title(figure, f"Rupture fronts of {style.counted(len(rows), 'event')}")
@@ -80,7 +78,7 @@ def _size(limits, lines: int, columns: int) -> Tuple[float, float]:
 
 def _title(run: Run, row: int) -> str:
     onset = units.text(float(run.events["onset"][row]), "s", 6)
-    text = f"{windows.number(run.events, row)}: {onset}"
+    text = f"{windows.numbers(run.events)[row]}: {onset}"
     if "magnitude" in run.events:
         text += f", Mw {run.events['magnitude'][row]:.1f}"
     return text

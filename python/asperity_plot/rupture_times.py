@@ -23,18 +23,13 @@ def draw(run: Run, view: View):
     # Nodes that no event reached at the ends of the fault would only widen the axis.
     reached = np.flatnonzero(np.isfinite(arrivals).any(axis=0))
     reached = slice(reached[0], reached[-1] + 1)
-    shown = where(run.ruptures.array("geometry/positions"))[reached]
+    shown = run.ruptures.array("geometry/positions")[reached]
     for number, times in zip(numbers, clock(arrivals)[:, reached]):
-        x, y = (times, shown) if where.is_downwards else (shown, times)
-        axes[0, 0].plot(x, y, color=colours(number), marker=".", markersize=2.0, linewidth=0.9)
-    label = f"Time since the onset of the event [{clock.name}]"
+        where.line(axes[0, 0], shown, times, color=colours(number), marker=".", markersize=2.0,
+                   linewidth=0.9)
+    style.frame(axes[0, 0], run, where, f"Time since the onset of the event [{clock.name}]")
     if where.is_downwards:
-        axes[0, 0].set(xlabel=label, ylabel=where.label)
         axes[0, 0].invert_yaxis()
-    else:
-        axes[0, 0].set(xlabel=where.label, ylabel=label)
-        style.shade_zone(axes[0, 0], run, where)
-    axes[0, 0].grid(True)
     threshold = float(run.ruptures.array("threshold")[0])
     style.title(figure, f"First time with V ≥ {units.plain(threshold, 'm/s')}")
     return figure
@@ -58,10 +53,11 @@ def _of_selected(run: Run, view: View) -> Tuple[np.ndarray, np.ndarray]:
                                & (run.events["onset"] <= view.sequence[1]))
     times = run.ruptures.array("rupture_time")
     numbers, arrivals = [], []
-    for row, (onset, duration) in enumerate(zip(events["onset"], events["duration"])):
+    for number, onset, duration in zip(windows.numbers(events), events["onset"],
+                                       events["duration"]):
         inside = np.where((times >= onset) & (times <= onset + duration), times, np.inf)
         first = inside.min(axis=0, initial=np.inf) - onset
         if np.isfinite(first).any():
-            numbers.append(windows.number(events, row))
+            numbers.append(number)
             arrivals.append(np.where(np.isfinite(first), first, np.nan))
     return np.array(numbers, dtype=int), np.array(arrivals).reshape(-1, times.shape[1])

@@ -29,7 +29,7 @@ def draw(run: Run, view: View):
     axes[0, 0].set_title(f"From {first} to {last} {clock.name}", loc="left")
     remark = doubts(families)
     if remark:
-        figure.supxlabel(textwrap.fill(remark, 110), fontsize=8.5, color=style.DARK)
+        style.note(figure, textwrap.fill(remark, 110))
     style.title(figure, profiles.title(run))
     return figure
 
@@ -65,23 +65,17 @@ def doubts(families: List[profiles.Family]) -> str:
 def _draw(axes: Axes, run: Run, families: List[profiles.Family], where: along.Axis) -> None:
     """Slip across and depth downwards, or slip upwards over the position."""
     unit = units.length([units.largest(each.slip) for each in families])
-    shown = where(run.fault.position)
     for each, colour in zip(families, (style.BLUE, style.ORANGE)):
         for number, slip in enumerate(unit(each.slip)):
-            x, y = (slip, shown) if where.is_downwards else (shown, slip)
             label = f"every {units.plain(each.interval, 's')}" if number == 0 else None
-            axes.plot(x, y, color=colour, linewidth=0.6, label=label)
-    label = profiles.label(run, unit)
+            where.line(axes, run.fault.position, slip, color=colour, linewidth=0.6, label=label)
     if where.is_downwards:
         axes.set_ylim(where.range)
-        axes.set(xlabel=label, ylabel=where.label)
     else:
         axes.set_xlim(where.range)
         axes.margins(y=0.08)
-        axes.set(xlabel=where.label, ylabel=label)
-        style.shade_zone(axes, run, where)
+    style.frame(axes, run, where, profiles.label(run, unit))
     legend = axes.legend(loc="lower right", bbox_to_anchor=(1.0, 1.0), ncol=2, fontsize=8.5,
                          borderaxespad=0.2)
     for line in legend.get_lines():
         line.set_linewidth(1.5)
-    axes.grid(True)

@@ -55,8 +55,8 @@ def _zoom(run: Run, view: View, axes: Axes, where: along.Axis, norm: Normalize) 
     """The rupture on its true time steps, with a contour for each decade; returns their levels."""
     time, logarithms = zoom_rows(run, view)
     shown = maps.zoom_unit(view)(time - view.onset)
-    maps.smooth_colours(axes, shown, run.fault, logarithms, where, norm=norm,
-                        cmap=style.RATE_COLOURS)
+    maps.colours(axes, shown, run.fault, logarithms, where, smooth=True, norm=norm,
+                 cmap=style.RATE_COLOURS)
     decades = np.arange(np.ceil(norm.vmin + 0.25), np.floor(norm.vmax) + 1.0)
     axes.contour(shown, where(run.fault.position), logarithms.T, levels=decades, colors="white",
                  linewidths=0.7, linestyles="solid")

@@ -1,8 +1,7 @@
 """One look for all figures: fonts, colours, and what several figures draw alike."""
 
 import re
-from pathlib import Path
-from typing import Callable, List, Optional
+from typing import Callable, List
 
 import matplotlib
 
@@ -15,6 +14,7 @@ from matplotlib.colors import Normalize  # noqa: E402
 from matplotlib.figure import Figure  # noqa: E402
 from matplotlib.lines import Line2D  # noqa: E402
 
+from asperity.errors import InputError  # noqa: E402
 from asperity.run import Run  # noqa: E402
 
 from .along import Axis  # noqa: E402
@@ -67,8 +67,18 @@ def title(figure: Figure, text: str) -> None:
     figure.suptitle(text, fontweight="bold", color=DARK)
 
 
-def save(figure: Figure, path: Path, dpi: int) -> Path:
-    figure.savefig(path, dpi=dpi, facecolor="white")
+def note(figure: Figure, text: str) -> None:
+    """Below all panels."""
+    figure.supxlabel(text, fontsize=8.5, color=DARK)
+
+
+def save(figure: Figure, path, dpi: int):
+    """Writes a PNG to a path or a buffer, and returns that."""
+    try:
+        figure.savefig(path, format="png", dpi=dpi, facecolor="white")
+    except OSError as error:
+        raise InputError(f"{path} cannot be written ({error}). Choose another place with "
+                         "--output.") from error
     plt.close(figure)
     return path
 
@@ -108,6 +118,16 @@ def shade_zone(axes: Axes, run: Run, along: Axis) -> None:
                   color=DARK, fontsize=8.5, transform=axes.get_xaxis_transform())
 
 
+def frame(axes: Axes, run: Run, along: Axis, label: str) -> None:
+    """Labels of panels of Axis.line, with `label` that of the values, and the zones."""
+    if along.is_downwards:
+        axes.set(xlabel=label, ylabel=along.label)
+    else:
+        axes.set(xlabel=along.label, ylabel=label)
+        shade_zone(axes, run, along)
+    axes.grid(True)
+
+
 def counted(count: int, noun: str) -> str:
     """'no event', '1 event', '12 events'."""
     return f"{count or 'no'} {noun}{'' if count < 2 else 's'}"
@@ -122,10 +142,6 @@ def wrapped(label: str, width: int = 24) -> str:
             lines.append("")
         lines[-1] += word
     return "\n".join(line.rstrip() for line in lines)
-
-
-def step_line(axes: Axes, x: np.ndarray, y: np.ndarray, colour: str, label: Optional[str] = None):
-    return axes.plot(x, y, drawstyle="steps-pre", color=colour, label=label)
 
 
 def spread(count: int) -> List:

@@ -5,6 +5,8 @@ boundary drives the run, the displacement is relative to that boundary: against 
 that slides steadily rises all the time, which would hide the cycle, too.
 """
 
+from typing import Tuple
+
 import numpy as np
 from matplotlib.colors import Normalize
 
@@ -12,7 +14,7 @@ from asperity.errors import NothingToShow
 from asperity.run import Run
 
 from . import along, loading, maps, raster, style, units
-from .windows import View
+from .windows import View, Window
 
 FIELD = "displacement"
 FEWEST = 3  # events in the time shown that have a trend
@@ -23,39 +25,45 @@ def draw(run: Run, view: View):
     surface = run.surface
     if surface.time.size < 2:
         raise NothingToShow("surface.h5 has a single time")
-    components = surface.components(FIELD)
-    upwards = run.upwards(components) if components > 1 else None
-    limits = raster.edges(view.cycles, maps.COLUMNS)
-    # The columns are even in time, so their plain mean is the average over time.
-    cycles = _seen_from_the_loading(run, upwards, raster.centres(limits),
-                                    raster.interpolated(surface, FIELD, raster.centres(limits),
-                                                        upwards))
-    trend = _trend(raster.centres(limits), cycles, view)
-    cycles = cycles - trend(raster.centres(limits))
+    limits, times, values = _columns(run, view.cycles, maps.COLUMNS)
+    trend = _trend(times, values, view)
+    cycles = values - trend(times)
     unit = units.prefixed(cycles, "m")
-    norm = _norm(unit(cycles))
+    colours = {"norm": _norm(unit(cycles)), "cmap": style.SURFACE_COLOURS}
     figure, axes = maps.panels(view)
     where = along.axis(run, surface, "surface")
     maps.position_axis(axes, where)
-    colours = {"norm": norm, "cmap": style.SURFACE_COLOURS}
     mesh = maps.colours(axes[0], maps.cycles_unit(view)(limits), surface, unit(cycles), where,
                         **colours)
     if view.zoom is not None:
-        limits = raster.edges(view.zoom, maps.COLUMNS // 2)
-        zoom = _seen_from_the_loading(run, upwards, raster.centres(limits),
-                                      raster.interpolated(surface, FIELD, raster.centres(limits),
-                                                          upwards))
-        times = maps.zoom_unit(view)(limits - view.onset)
-        zoom = zoom - trend(raster.centres(limits))
-        maps.colours(axes[1], times, surface, unit(zoom), where, **colours)
+        limits, times, values = _columns(run, view.zoom, maps.COLUMNS // 2)
+        maps.colours(axes[1], maps.zoom_unit(view)(limits - view.onset), surface,
+                     unit(values - trend(times)), where, **colours)
     maps.time_axes(axes, view)
     bar = figure.colorbar(mesh, ax=axes, pad=0.02, aspect=28, extend="both")
-    what = "Uplift" if components > 1 else "Displacement"
+    is_vector = surface.components(FIELD) > 1
     steady = "trend" if view.num_events >= FEWEST else "time average"
-    bar.set_label(f"{what} relative to the {steady} [{unit.name}]")
-    style.title(figure, f"Vertical displacement of the surface relative to its {steady}"
-                if components > 1 else f"Displacement of the surface relative to its {steady}")
+    bar.set_label(f"{'Uplift' if is_vector else 'Displacement'} relative to the {steady} "
+                  f"[{unit.name}]")
+    style.title(figure, f"{'Vertical displacement' if is_vector else 'Displacement'} of the "
+                        f"surface relative to its {steady}")
     return figure
+
+
+def _columns(run: Run, window: Window, number: int) -> Tuple[np.ndarray, np.ndarray, np.ndarray]:
+    """Limits and middles [s] of even columns, so that a plain mean is the average over time; and
+    (number, n_nodes) the displacement against gravity less that of the boundary that drives the
+    run, or the displacement if it has one component."""
+    limits = raster.edges(window, number)
+    times, components = raster.centres(limits), run.surface.components(FIELD)
+    if components < 2:
+        return limits, times, raster.interpolated(run.surface, FIELD, times)
+    upwards = run.upwards(components)
+    values = raster.interpolated(run.surface, FIELD, times, upwards)
+    boundary = loading.read(run.parameters)
+    if boundary is not None:
+        values -= (boundary.displacement(times) @ upwards)[:, None]
+    return limits, times, values
 
 
 def _trend(times: np.ndarray, values: np.ndarray, view: View):
@@ -67,14 +75,6 @@ def _trend(times: np.ndarray, values: np.ndarray, view: View):
         since = times - middle
         slope = since @ (values - average) / (since @ since)
     return lambda at: average + (at - middle)[:, None] * slope
-
-
-def _seen_from_the_loading(run: Run, upwards, times: np.ndarray, values: np.ndarray) -> np.ndarray:
-    """`values` (n_times, n_nodes) less the rise of the boundary that drives the run."""
-    boundary = loading.read(run.parameters) if upwards is not None else None
-    if boundary is None:
-        return values
-    return values - (boundary.displacement(times) @ np.asarray(upwards))[:, None]
 
 
 def _norm(values: np.ndarray) -> Normalize:

@@ -30,21 +30,21 @@ def largest(values) -> float:
 
 def prefixed(values, name: str) -> Unit:
     """`name` [SI] with the prefix that brings the largest of `values` to between 1 and 1000."""
-    size = largest(values)
-    if size == 0.0:
-        return Unit(name, 1.0)
-    exponent = 3 * math.floor(math.log10(size) / 3 + 1e-9)
-    exponent = min(max(exponent, min(PREFIXES)), max(PREFIXES))
+    exponent = min(max(_thousands(largest(values)), min(PREFIXES)), max(PREFIXES))
     return Unit(PREFIXES[exponent] + name, 10.0**exponent)
 
 
 def scientific(values, name: str) -> Unit:
     """As `prefixed`, with a power of ten instead of a prefix for what is very large."""
-    size = largest(values)
-    if size < 1e6:
+    if largest(values) < 1e6:
         return prefixed(values, name)
-    exponent = 3 * math.floor(math.log10(size) / 3 + 1e-9)
+    exponent = _thousands(largest(values))
     return Unit(f"$10^{{{exponent}}}$ {name}", 10.0**exponent)
+
+
+def _thousands(size: float) -> int:
+    """The exponent of the power of 1000 next below `size`; 0 of 0."""
+    return 3 * math.floor(math.log10(size) / 3 + 1e-9) if size > 0.0 else 0
 
 
 def length(values) -> Unit:

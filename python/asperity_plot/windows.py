@@ -9,8 +9,6 @@ from asperity.errors import InputError
 from asperity.run import Run
 from asperity.tables import Table
 
-from .options import Options
-
 CYCLES = 5.0           # shown around the chosen event
 MANY_EVENTS = 40       # more lines, one for each, would merge
 LEAD, TRAIL = 1.0, 2.0   # durations of the event before its onset and after its end
@@ -19,6 +17,16 @@ MAGNIFICATION = 5.0      # a zoom that magnifies less is not worth a panel
 
 
 Window = Tuple[float, float]
+
+
+@dataclass(frozen=True)
+class Options:
+    """What the command line says of single figures and tables; by default the figure chooses."""
+
+    intervals: Optional[Window] = None  # [s] of slip profiles, between and in events
+    receivers: Tuple[str, ...] = ()     # by name
+    references: Tuple[str, ...] = ()    # "FILE" or "RECEIVER=FILE"
+    depths: Tuple[float, ...] = ()      # [m] for the table of events
 
 
 @dataclass(frozen=True)
@@ -117,9 +125,9 @@ def _cycles(onsets: np.ndarray, centre: float, span: Tuple[float, float]) -> Tup
     return first, min(first + width, span[1])
 
 
-def number(events: Table, row: int) -> int:
-    """What the catalogue calls the event in `row`."""
-    return int(events["number"][row]) if "number" in events else row + 1
+def numbers(events: Table) -> np.ndarray:
+    """What the catalogue calls the events."""
+    return events["number"].astype(int) if "number" in events else np.arange(len(events)) + 1
 
 
 def _view(cycles, events: Optional[Table], index: Optional[int], chosen: bool) -> View:
@@ -129,4 +137,4 @@ def _view(cycles, events: Optional[Table], index: Optional[int], chosen: bool) -
     zoom = (onset - LEAD * duration, onset + (1.0 + TRAIL) * duration)
     if duration <= 0.0 or zoom[1] - zoom[0] > (cycles[1] - cycles[0]) / MAGNIFICATION:
         zoom = None
-    return View(cycles, zoom, onset, onset + duration, number(events, index), chosen)
+    return View(cycles, zoom, onset, onset + duration, int(numbers(events)[index]), chosen)

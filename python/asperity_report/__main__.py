@@ -1,13 +1,8 @@
-"""Makes `python3 -m asperity_report DIR` the same as `asperity-report DIR`."""
+"""Makes `python3 -m asperity_report` the same as `asperity-report`."""
 
-from asperity.program import run_program
+import sys
 
 from asperity_report.cli import main
 
-
-def run() -> None:
-    run_program(main)
-
-
 if __name__ == "__main__":
-    run()
+    sys.exit(main())

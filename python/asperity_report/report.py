@@ -1,18 +1,20 @@
 """Puts the page together."""
 
+import io
 from pathlib import Path
 from typing import List, Tuple
 
-from asperity.errors import InputError, NoStepYet
+from asperity.errors import InputError, NoStepYet, NothingToShow
 from asperity.log import RunLog
 from asperity.run import Run
 from asperity.selection import Selection
-from asperity_plot import windows
+from asperity_plot import figures, style, windows
 from asperity_status.facts import facts
 
-from . import figures, page, provenance, sections
+from . import page, provenance, sections
 
 SILENT_AFTER = 1800.0  # [s], as asperity-status
+DPI = 110
 
 
 def report(directory: Path, selection: Selection = Selection()) -> Tuple[str, List[str]]:
@@ -42,9 +44,22 @@ def report(directory: Path, selection: Selection = Selection()) -> Tuple[str, Li
 
 
 def _figures(run: Run, view, wrong: List[str]) -> str:
-    drawn, missing, errors = figures.draw_all(run, view)
-    wrong += errors
-    parts = [page.picture(*each) for each in drawn]
+    """All figures that asperity-plot draws of the run, as PNG, and why others are missing."""
+    style.use()
+    parts, missing = [], []
+    for name, (caption, _) in figures.FIGURES.items():
+        try:
+            parts.append(page.picture(name, caption, _png(figures.draw(name, run, view))))
+        except NothingToShow as reason:
+            missing.append(f"{name}: {reason}")
+        except InputError as error:
+            wrong.append(str(error))
     if missing:
         parts.append(page.paragraph(f"Without data here: {'; '.join(missing)}.", "note"))
     return "\n".join(parts)
+
+
+def _png(figure) -> bytes:
+    buffer = io.BytesIO()
+    style.save(figure, buffer, DPI)
+    return buffer.getvalue()

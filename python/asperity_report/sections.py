@@ -79,9 +79,7 @@ def solver(run: Run, log: RunLog) -> str:
                              *(f"{value:.4g}" for value in values)])
         parts.append(page.table(["of a step", "least", "median", "90 %", "99 %", "most"], rows))
     if log.work:
-        parts.append(page.table(["work", "min [s]", "max [s]", "share", "count"], [
-            [name, f"{least:g}", f"{most:g}", f"{share:.1f} %", str(count)]
-            for name, least, most, share, count in log.work]))
+        parts.append(page.table(["work", "min [s]", "max [s]", "share", "count"], log.work))
         parts.append(page.paragraph("Wall time of the last process, least and most of its ranks.",
                                     "note"))
     parts += [page.paragraph(line) for line in log.report

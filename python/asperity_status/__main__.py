@@ -1,13 +1,8 @@
-"""Makes `python3 -m asperity_status DIR` the same as `asperity-status DIR`."""
+"""Makes `python3 -m asperity_status` the same as `asperity-status`."""
 
-from asperity.program import run_program
+import sys
 
 from asperity_status.cli import main
 
-
-def run() -> None:
-    run_program(main)
-
-
 if __name__ == "__main__":
-    run()
+    sys.exit(main())

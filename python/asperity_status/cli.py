@@ -3,16 +3,13 @@
 import argparse
 import dataclasses
 import json
-import sys
 import time
 from pathlib import Path
 from typing import List, Optional
 
-from asperity.durations import seconds
-from asperity.program import what_to_install
+from asperity.program import not_negative, program, time as seconds
 
 STATUS = {"finished": 0, "failed": 3, "stopped": 4, "killed": 6, "silent": 6, "running": 10}
-INPUT_ERROR = 2
 ENDS = """exit status:
   0   finished: the run has reached its final time
   2   DIR holds no run, or its files cannot be read
@@ -22,13 +19,10 @@ ENDS = """exit status:
   10  running"""
 
 
+@program("asperity-status")
 def main(arguments: Optional[List[str]] = None) -> int:
     options = _parse(arguments)
-    try:
-        from asperity.errors import InputError  # here, since numpy and h5py may be missing
-        from .facts import facts
-    except ImportError as error:
-        return _fail(what_to_install(error))
+    from .facts import facts  # here, since numpy and h5py may be missing
     try:
         while True:
             now = facts(options.directory, options.silent_after)
@@ -36,8 +30,6 @@ def main(arguments: Optional[List[str]] = None) -> int:
             if not options.follow or now.state != "running":
                 return STATUS[now.state]
             time.sleep(options.every)
-    except InputError as error:
-        return _fail(str(error))
     except KeyboardInterrupt:
         return STATUS["running"]
 
@@ -59,26 +51,12 @@ def _parse(arguments: Optional[List[str]]) -> argparse.Namespace:
     parser.add_argument("directory", metavar="DIR", type=Path, help="the run's output directory")
     parser.add_argument("--follow", action="store_true",
                         help="print a line every so often until the run ends (see --every)")
-    parser.add_argument("--every", metavar="TIME", type=_time, default=30.0,
+    duration = not_negative(seconds)
+    parser.add_argument("--every", metavar="TIME", type=duration, default=30.0,
                         help="time between two lines of --follow (default: 30s)")
-    parser.add_argument("--silent-after", metavar="TIME", type=_time, default=1800.0,
+    parser.add_argument("--silent-after", metavar="TIME", type=duration, default=1800.0,
                         help="a run that writes nothing for so long counts as silent; a running "
                              "one logs a line after the first step past each 30 s (default: "
                              "30min)")
     parser.add_argument("--json", action="store_true", help="one JSON object instead of text")
     return parser.parse_args(arguments)
-
-
-def _time(text: str) -> float:
-    try:
-        value = seconds(text)
-    except ValueError as error:
-        raise argparse.ArgumentTypeError(str(error)) from None
-    if value < 0.0:
-        raise argparse.ArgumentTypeError(f"'{text}' is negative")
-    return value
-
-
-def _fail(message: str) -> int:
-    print(f"asperity-status: {message}", file=sys.stderr)
-    return INPUT_ERROR

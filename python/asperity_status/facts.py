@@ -7,14 +7,14 @@ from typing import Any, Dict, List, Optional
 
 import numpy as np
 
-from asperity import estimate
-from asperity.journal import Journal
+from asperity.errors import NoStepYet
+from asperity.journal import Journal, Progress
 from asperity.lock import owner_is_gone
-from asperity.log import RunLog
 from asperity.run import Run
+from asperity.tables import Table
 
-FINISHED, STOPPED, FAILED = "finished", "stopped", "failed"
-KILLED, SILENT, RUNNING = "killed", "silent", "running"
+FINISHED, KILLED, SILENT, RUNNING = "finished", "killed", "silent", "running"
+RECENT = 120.0  # [s] of wall time, over which a speed is taken
 WORKS = ("boundary_work", "load_work", "friction_work", "viscous_work")
 WORST = ("fixed_point_iterations", "tnnmg_iterations", "step_size", "time")
 
@@ -32,7 +32,7 @@ class Facts:
     events: Optional[int]
     peak_slip_rate: Optional[float]
     processes: int              # one, and one more for every restart
-    wall: Optional[float]       # of all of them
+    wall: Optional[float]       # of all of them, without what a restart computed again
     speed: Optional[float]      # simulated per wall time, of the last two minutes
     steps_per_minute: Optional[float]
     seconds_left: Optional[float]
@@ -49,72 +49,80 @@ class Facts:
 
 def facts(directory: Path, silent_after: float) -> Facts:
     """InputError if `directory` has no log of a run, or what is there cannot be read."""
-    log = RunLog.read(directory / "run.log")
-    journal = Journal.read(directory / "run.jsonl")
-    run = Run(directory)
+    journal, run = Journal.read(directory), Run(directory)
     age = max(clock.time() - (directory / "run.log").stat().st_mtime, 0.0)
-    state = _state(log, journal, directory, age, silent_after)
-    moments = estimate.moments(run, log)
-    left = estimate.time_left(run, log) if state != FINISHED else None
+    state = journal.how or _without_end(directory, age, silent_after)
     since = age if state == RUNNING else 0.0  # the last line of the log
-    return Facts(directory=str(directory), state=state, age=age, final_time=log.final_time,
-                 processes=log.processes, wall=log.wall + since or None, **_place(run, log),
-                 **_speed(log, *moments), **_steps(run),
-                 message=journal.message or log.failure or None, exit_status=journal.exit_status,
-                 has_checkpoint=run.has("checkpoint.h5"), warnings=_warnings(log, journal),
-                 seconds_left=max(left.seconds - since, 0.0) if left else None,
-                 knows_cycles=bool(left and left.knows_cycles))
+    return Facts(directory=str(directory), state=state, age=age,
+                 final_time=run.parameters.number("Time Stepping/Final Time"),
+                 processes=journal.log.processes,
+                 wall=None if journal.wall_time is None else journal.wall_time + since,
+                 **_place(run, journal), **_speed(journal.progress), **_steps(run),
+                 **_left(journal.progress if state != FINISHED else [], since),
+                 message=journal.message or None, exit_status=journal.exit_status,
+                 has_checkpoint=run.has("checkpoint.h5"),
+                 warnings=[asdict(each) for each in journal.warnings])
 
 
-def _state(log: RunLog, journal: Journal, directory: Path, age: float,
-           silent_after: float) -> str:
-    """From run.jsonl; from the log if the run has no run.jsonl, as of an earlier version."""
-    if journal.how:
-        return journal.how
-    if log.failure:
-        return FAILED
-    if log.ending:
-        return FINISHED if log.ending == "Finished" else STOPPED
+def _without_end(directory: Path, age: float, silent_after: float) -> str:
+    """The state of a run whose files tell no end."""
     if owner_is_gone(directory):
         return KILLED
     return SILENT if age > silent_after else RUNNING
 
 
-def _warnings(log: RunLog, journal: Journal) -> List[Dict[str, Any]]:
-    if journal.walls:
-        return [asdict(each) for each in journal.warnings]
-    return [{"topic": None, "text": text, "step": None, "time": None}
-            for text in dict.fromkeys(log.warnings)]
-
-
-def _place(run: Run, log: RunLog) -> Dict[str, Any]:
-    """From the log or from steps.csv, whichever is further."""
-    last = log.progress[-1] if log.progress else None
-    place = {"time": last and last.time, "step": last and last.step,
-             "events": last and last.num_events, "peak_slip_rate": last and last.peak_slip_rate}
-    if run.has("steps.csv") and len(run.steps) and (last is None
-                                                    or run.steps["step"][-1] >= last.step):
-        place.update(time=float(run.steps["time"][-1]), step=int(run.steps["step"][-1]),
-                     peak_slip_rate=float(run.steps["peak_slip_rate"][-1]))
+def _place(run: Run, journal: Journal) -> Dict[str, Any]:
+    """From run.jsonl or from steps.csv, whichever is further."""
+    place: Dict[str, Any] = dict.fromkeys(("time", "step", "events", "peak_slip_rate"))
+    if journal.progress:
+        last = asdict(journal.progress[-1])
+        place = {name: last[name] for name in place}
+    steps = _table(run)
+    if steps and steps["step"][-1] >= (place["step"] or 0):
+        place.update(time=float(steps["time"][-1]), step=int(steps["step"][-1]),
+                     peak_slip_rate=float(steps["peak_slip_rate"][-1]))
     if run.has("events.csv"):
         place["events"] = max(place["events"] or 0, len(run.events))
     return place
 
 
-def _speed(log: RunLog, time: np.ndarray, wall: np.ndarray) -> Dict[str, Any]:
-    lines = [line for line in log.progress if line.wall is not None]
-    walls, steps = np.array([[line.wall, line.step] for line in lines]).reshape(-1, 2).T
-    return {"speed": estimate.recent_speed(time, wall) or None,
-            "steps_per_minute": 60.0 * estimate.recent_speed(steps, walls) or None}
+def _table(run: Run) -> Optional[Table]:
+    """steps.csv, if it has a row."""
+    try:
+        return run.steps if run.has("steps.csv") and len(run.steps) else None
+    except NoStepYet:
+        return None
+
+
+def _speed(progress: List[Progress]) -> Dict[str, Any]:
+    """Simulated time and steps for wall time, in the last two minutes of that."""
+    wall = np.array([each.wall_time for each in progress])
+    begin = max(wall[-1] - RECENT, wall[0]) if wall.size else 0.0
+    if not wall.size or not wall[-1] > begin:
+        return {"speed": None, "steps_per_minute": None}
+
+    def rate(values: List[float]) -> float:
+        return float(values[-1] - np.interp(begin, wall, values)) / (wall[-1] - begin)
+
+    return {"speed": rate([each.time for each in progress]),
+            "steps_per_minute": 60.0 * rate([each.step for each in progress])}
+
+
+def _left(progress: List[Progress], since: float) -> Dict[str, Any]:
+    """What the program has estimated, less the time that has passed since then."""
+    if not progress or progress[-1].seconds_left is None:
+        return {"seconds_left": None, "knows_cycles": False}
+    return {"seconds_left": max(progress[-1].seconds_left - since, 0.0),
+            "knows_cycles": progress[-1].knows_cycles}
 
 
 def _steps(run: Run) -> Dict[str, Any]:
     """The energy balance, and the step with the most iterations, from steps.csv."""
     found: Dict[str, Any] = dict.fromkeys(
         ("relative_energy_defect", "failed_steps", "energy_rises", "worst_step"))
-    if not run.has("steps.csv") or not len(run.steps):
+    table = _table(run)
+    if not table:
         return found
-    table = run.steps
     largest = max((abs(table[name][-1]) for name in WORKS if name in table), default=0.0)
     if "energy_defect" in table and largest > 0.0:
         found["relative_energy_defect"] = float(table["energy_defect"][-1] / largest)

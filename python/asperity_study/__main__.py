@@ -1,13 +1,8 @@
-"""Makes `python3 -m asperity_study STUDY.xml` the same as `asperity-study STUDY.xml`."""
+"""Makes `python3 -m asperity_study` the same as `asperity-study`."""
 
-from asperity.program import run_program
+import sys
 
 from asperity_study.cli import main
 
-
-def run() -> None:
-    run_program(main)
-
-
 if __name__ == "__main__":
-    run()
+    sys.exit(main())

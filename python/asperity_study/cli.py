@@ -3,14 +3,14 @@
 import argparse
 import json
 import os
-import sys
 from pathlib import Path
 from typing import List, Optional
 
 from asperity import selection
-from asperity.program import what_to_install
+from asperity.errors import InputError
+from asperity.program import DONE, program
 
-DONE, INPUT_ERROR, SOME_FAILED, STOPPED = 0, 2, 3, 4
+SOME_FAILED, STOPPED = 3, 4  # exit status
 ENDS = """exit status:
   0   all runs are finished
   2   the study, its deck or the command line is at fault; nothing was computed
@@ -18,44 +18,42 @@ ENDS = """exit status:
   4   stopped by a signal; the same command goes on"""
 
 
+@program("asperity-study")
 def main(arguments: Optional[List[str]] = None) -> int:
     options = _parse(arguments)
+    from . import study  # here, since modules may be missing
+    what = study.read(options.study)
+    values = what.runs()
+    if options.list:
+        for number, each in enumerate(values, start=1):
+            print(number, *(f"{name}={value}" for name, value in each.items()))
+        return DONE
     try:
-        from asperity.errors import InputError  # here, since modules may be missing
-        from . import figure, results, runner, study
-    except ImportError as error:
-        return _fail(what_to_install(error))
-    try:
-        chosen = selection.chosen(options)
-        what = study.read(options.study)
-        values = what.runs()
-        if options.list:
-            for number, each in enumerate(values, start=1):
-                print(number, *(f"{name}={value}" for name, value in each.items()))
-            return DONE
-        folder = options.output or Path("results") / options.study.stem
-        program = runner.find_program(options.program)
-        jobs = _jobs(what, values, folder)
-        team = runner.Runner(program, max(1, options.cores // what.ranks),
-                             runner.launcher(what.ranks, options.mpirun),
-                             tell=lambda text: print(text, flush=True))
-        team.validate([job for job in jobs if job.state == "waiting"])
-        with runner.alone(folder):
-            runner.mark_finished(jobs)
-            _remember(folder, what, values)
-            complete = team.run(jobs)
-            table = results.columns(what, jobs, values, chosen)
-            for path in results.write(folder, table, chosen):
-                print(path)
-            print(figure.draw(what, table, folder / "study.png", str(chosen)))
-    except InputError as error:
-        return _fail(str(error))
+        return _run(what, values, options)
     except OSError as error:
-        return _fail(f"{error.filename or options.output}: {error.strerror}.")
-    print(", ".join(f"{count} {state}" for state, count in runner.counts(jobs).items()))
-    warned = runner.describe_warnings(jobs)
-    if warned:
-        print(warned)
+        raise InputError(f"{error.filename or options.output}: {error.strerror}.") from error
+
+
+def _run(what, values, options: argparse.Namespace) -> int:
+    """Of the study `what`, whose runs have the `values` of its variables."""
+    from . import figure, results, runner
+    folder = options.output or Path("results") / options.study.stem
+    chosen = selection.chosen(options)
+    jobs = _jobs(what, values, folder)
+    team = runner.Runner(runner.find_program(options.program),
+                         max(1, options.cores // what.ranks),
+                         runner.launcher(what.ranks, options.mpirun),
+                         tell=lambda text: print(text, flush=True))
+    team.validate([job for job in jobs if job.state == "waiting"])
+    with runner.alone(folder):
+        runner.mark_finished(jobs)
+        _remember(folder, what, values)
+        complete = team.run(jobs)
+        table = results.columns(what, jobs, values, chosen)
+        for path in results.write(folder, table, chosen):
+            print(path)
+        print(figure.draw(what, table, folder / "study.png", str(chosen)))
+    print(runner.summary(jobs))
     if not complete:
         return STOPPED
     return SOME_FAILED if any(job.state == "failed" for job in jobs) else DONE
@@ -76,7 +74,6 @@ def _jobs(what, values, folder: Path):
 
 def _remember(folder: Path, what, values) -> None:
     """Writes what the runs of this folder are; InputError if it holds those of another study."""
-    from asperity.errors import InputError
     text = json.dumps({"deck": str(what.deck.resolve()), "ranks": what.ranks,
                        "runs": [what.overrides(each) for each in values]}, indent=1) + "\n"
     path = folder / "study.json"
@@ -110,8 +107,3 @@ def _count(text: str) -> int:
     if not text.isdigit() or int(text) < 1:
         raise argparse.ArgumentTypeError(f"'{text}' is no number of cores")
     return int(text)
-
-
-def _fail(message: str) -> int:
-    print(f"asperity-study: {message}", file=sys.stderr)
-    return INPUT_ERROR

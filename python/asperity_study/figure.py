@@ -41,7 +41,7 @@ def draw(study: Study, table: List[Column], path: Path, note: str = "") -> Path:
         axes[-1, 0].set_xticks(places[0][1], names, rotation=90, fontsize=7)
     style.title(figure, f"{len(data['run'])} runs of {study.deck.stem}; lines: quartiles")
     if note:
-        figure.supxlabel(note, fontsize=8.5, color=style.DARK)
+        style.note(figure, note)
     return style.save(figure, path, 150)
 
 

@@ -9,7 +9,7 @@ import h5py
 import numpy as np
 
 from asperity.errors import InputError
-from asperity.log import RunLog
+from asperity.journal import Journal
 from asperity.run import Run
 from asperity.selection import Selection
 from asperity_plot import boxes
@@ -63,9 +63,9 @@ def _row(job: Job, selection: Selection) -> Dict[Tuple[str, str], float]:
             row["steps", ""] = len(run.steps)
             row.update({(name, ""): int(run.steps[name].sum()) for name in COSTS
                         if name in run.steps})
-        log = RunLog.read(job.folder / "run.log")
-        row["wall_time", "s"] = log.wall
-        row["warnings", ""] = job.warnings = len(set(log.warnings))
+        journal = Journal.read(job.folder)
+        row["wall_time", "s"] = np.nan if journal.wall_time is None else journal.wall_time
+        row["warnings", ""] = job.warnings = len(journal.warnings)
     except InputError as error:
         job.message = job.message or str(error)
     return row

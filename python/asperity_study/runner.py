@@ -11,10 +11,10 @@ import sys
 import time
 from dataclasses import dataclass, field
 from pathlib import Path
-from typing import Callable, Dict, Iterator, List, Optional
+from typing import Callable, Iterator, List, Optional
 
 from asperity.errors import InputError
-from asperity.log import RunLog
+from asperity.journal import Journal
 
 DONE, STOPPED = 0, 4       # exit status of the program
 REFUSALS = {1, 2, 3, 5}    # exit status: another attempt would end the same way
@@ -33,7 +33,7 @@ class Job:
     status: Optional[int] = None
     process: Optional[subprocess.Popen] = None
     message: str = ""
-    warnings: int = 0      # different WARNINGs in its log
+    warnings: int = 0      # topics of its WARNINGs
 
 
 @dataclass
@@ -135,9 +135,9 @@ def last_line(path: Path) -> str:
 
 
 def is_finished(folder: Path) -> bool:
-    """By its log: a run of an earlier call."""
+    """A run of an earlier call."""
     try:
-        return RunLog.read(folder / "run.log").ending == "Finished"
+        return Journal.read(folder).how == "finished"
     except InputError:
         return False
 
@@ -184,14 +184,13 @@ def launcher(ranks: int, mpirun: str) -> List[str]:
     return [] if ranks == 1 else [*shlex.split(mpirun), "-np", str(ranks)]
 
 
-def describe_warnings(jobs: List[Job]) -> str:
-    """Which runs have results that may be wrong, or ''."""
-    warned = [str(job.number) for job in jobs if job.warnings]
-    return f"WARNING: results may be wrong, see the warnings in run.log of " \
-           f"{'runs' if len(warned) > 1 else 'run'} {', '.join(warned)}." if warned else ""
-
-
-def counts(jobs: List[Job]) -> Dict[str, int]:
-    """How many runs are in which state."""
+def summary(jobs: List[Job]) -> str:
+    """How many runs are in which state, and which have results that may be wrong."""
     states = [job.state for job in jobs]
-    return {state: states.count(state) for state in ("finished", "failed", "waiting")}
+    lines = [", ".join(f"{states.count(state)} {state}"
+                       for state in ("finished", "failed", "waiting"))]
+    warned = [str(job.number) for job in jobs if job.warnings]
+    if warned:
+        lines.append("WARNING: results may be wrong, see the warnings in run.log of "
+                     f"{'runs' if len(warned) > 1 else 'run'} {', '.join(warned)}.")
+    return "\n".join(lines)

@@ -5,7 +5,7 @@ import re
 import xml.etree.ElementTree as ElementTree
 from dataclasses import dataclass, field
 from pathlib import Path
-from typing import Any, Dict, List, Optional, Tuple
+from typing import Any, Dict, Iterable, List, Optional, Tuple
 
 import numpy as np
 
@@ -83,32 +83,22 @@ def read(path: Path) -> Study:
     if root.tag != "ParameterList" or root.get("name") != ROOT:
         raise InputError(f"{path}: the root is not the list '{ROOT}'. A deck is no study; "
                          "examples/study has studies.")
-    entries = _entries(root, str(path), TOP)
-    deck = path.parent / _text(entries, "Deck", str(path))
+    entries = Entries(root, str(path), TOP)
+    deck = path.parent / entries.text("Deck")
     if not deck.is_file():
         raise InputError(f"{path}: Deck: there is no file {deck}. Its name is relative to the "
                          "study's folder.")
-    sampling = _choice(entries, "Sampling", SAMPLINGS, str(path))
-    variables = tuple(_variable(each, f"{path}: {each.get('name')}", sampling)
-                      for each in entries.get("Variables", ()))
-    settings = _settings(entries.get("Settings", ()), path)
-    study = Study(deck, sampling, variables, settings,
-                  _count(entries, "Ranks", str(path), 1),
-                  *((_count(entries, "Samples", str(path)), _count(entries, "Seed", str(path), 0))
-                    if sampling == "Random" else ()))
+    sampling = entries.choice("Sampling", SAMPLINGS)
+    is_random = sampling == "Random"
+    study = Study(deck, sampling,
+                  tuple(_variable(each, f"{path}: {each.get('name')}", is_random)
+                        for each in entries.lists("Variables")),
+                  Entries(entries.lists("Settings"), f"{path}: Settings").values,
+                  entries.count("Ranks", 1, default=1),
+                  entries.count("Samples", 1) if is_random else 0,
+                  entries.count("Seed", 0, default=0) if is_random else 0)
     _check(study, path)
     return study
-
-
-def _settings(nodes, path: Path) -> Dict[str, str]:
-    settings: Dict[str, str] = {}
-    for node in nodes:
-        name = node.get("name", "")
-        if name in settings:
-            raise InputError(f"{path}: Settings: '{name}' is given twice, as '{settings[name]}' "
-                             f"and '{node.get('value', '')}'. Keep one.")
-        settings[name] = node.get("value", "")
-    return settings
 
 
 def _check(study: Study, path: Path) -> None:
@@ -127,17 +117,17 @@ def _check(study: Study, path: Path) -> None:
                              f"values; there are {lengths}.")
 
 
-def _variable(node: ElementTree.Element, where: str, sampling: str) -> Variable:
-    entries = _entries(node, where, OF_VARIABLE)
-    parameters = tuple(split(_text(entries, "Parameters", where)))
-    unit = entries.get("Unit", "")
-    if sampling != "Random":
-        values = tuple(split(_text(entries, "Values", where)))
+def _variable(node: ElementTree.Element, where: str, is_random: bool) -> Variable:
+    entries = Entries(node, where, OF_VARIABLE)
+    parameters = tuple(split(entries.text("Parameters")))
+    unit = entries.values.get("Unit", "")
+    if not is_random:
+        values = tuple(split(entries.text("Values")))
         if not values or not parameters:
             raise InputError(f"{where}: Parameters and Values need at least one entry each.")
         return Variable(node.get("name"), parameters, unit, values)
-    low, high = (_number(entries, name, where) for name in ("Lowest", "Highest"))
-    logarithmic = _choice(entries, "Distribution", DISTRIBUTIONS, where, "Uniform") != "Uniform"
+    low, high = entries.number("Lowest"), entries.number("Highest")
+    logarithmic = entries.choice("Distribution", DISTRIBUTIONS, "Uniform") == "Logarithmic"
     if not low < high or (logarithmic and low <= 0.0):
         raise InputError(f"{where}: Lowest = {low:g} and Highest = {high:g}: the second must be "
                          "larger, and with Distribution = Logarithmic both above 0.")
@@ -160,49 +150,53 @@ def split(text: str) -> List[str]:
     return [part.strip() for part in parts if part.strip()]
 
 
-def _entries(node: ElementTree.Element, where: str, allowed: set) -> Dict[str, Any]:
-    """Values of parameters and children of lists by name; unknown names are refused."""
-    found: Dict[str, Any] = {}
-    for child in node:
-        name = child.get("name", "")
-        if name not in allowed:
-            raise InputError(f"{where}: '{name}' is unknown; {', '.join(sorted(allowed))} are "
-                             "known here.")
-        if name in found:
-            raise InputError(f"{where}: '{name}' is given twice. Keep one.")
-        found[name] = list(child) if child.tag == "ParameterList" else child.get("value", "")
-    return found
+class Entries:
+    """The entries of a list by their names; InputError, with `where`, for what is wrong."""
 
+    def __init__(self, nodes: Iterable[ElementTree.Element], where: str,
+                 allowed: Optional[set] = None):
+        self.where = where
+        self.values: Dict[str, Any] = {}  # text of parameters, children of lists
+        for node in nodes:
+            name = node.get("name", "")
+            value = list(node) if node.tag == "ParameterList" else node.get("value", "")
+            if allowed and name not in allowed:
+                raise InputError(f"{where}: '{name}' is unknown; {', '.join(sorted(allowed))} are "
+                                 "known here.")
+            if name in self.values:
+                raise InputError(f"{where}: '{name}' is given twice, as '{self.values[name]}' and "
+                                 f"'{value}'. Keep one.")
+            self.values[name] = value
 
-def _text(entries: Dict[str, Any], name: str, where: str) -> str:
-    if not isinstance(entries.get(name), str) or not entries[name].strip():
-        raise InputError(f"{where}: '{name}' is missing.")
-    return entries[name].strip()
+    def lists(self, name: str) -> List[ElementTree.Element]:
+        return self.values.get(name, [])
 
+    def text(self, name: str, default: str = "") -> str:
+        value = self.values.get(name, default)
+        if not isinstance(value, str) or not value.strip():
+            raise InputError(f"{self.where}: '{name}' is missing.")
+        return value.strip()
 
-def _choice(entries, name: str, words: Tuple[str, ...], where: str, default="") -> str:
-    word = entries.get(name, default) or _text(entries, name, where)
-    if word not in words:
-        raise InputError(f"{where}: {name} = '{word}'; one of {', '.join(words)} is wanted.")
-    return word
+    def choice(self, name: str, words: Tuple[str, ...], default: str = "") -> str:
+        word = self.text(name, default)
+        if word not in words:
+            raise InputError(f"{self.where}: {name} = '{word}'; one of {', '.join(words)} is "
+                             "wanted.")
+        return word
 
+    def number(self, name: str) -> float:
+        text = self.text(name)
+        try:
+            value = float(text)
+        except ValueError:
+            value = float("nan")
+        if not np.isfinite(value):
+            raise InputError(f"{self.where}: {name} = '{text}' is no number.")
+        return value
 
-def _number(entries: Dict[str, Any], name: str, where: str) -> float:
-    text = _text(entries, name, where)
-    try:
-        value = float(text)
-    except ValueError:
-        value = float("nan")
-    if not np.isfinite(value):
-        raise InputError(f"{where}: {name} = '{text}' is no number.")
-    return value
-
-
-def _count(entries: Dict[str, Any], name: str, where: str, default: Optional[int] = None) -> int:
-    if default is not None and name not in entries:
-        return default
-    text = _text(entries, name, where)
-    least = 0 if name == "Seed" else 1
-    if not re.fullmatch(r"\d+", text) or int(text) < least:
-        raise InputError(f"{where}: {name} = '{text}'; a whole number from {least} on is wanted.")
-    return int(text)
+    def count(self, name: str, least: int, default: Any = "") -> int:
+        text = self.text(name, str(default))
+        if not re.fullmatch(r"\d+", text) or int(text) < least:
+            raise InputError(f"{self.where}: {name} = '{text}'; a whole number from {least} on is "
+                             "wanted.")
+        return int(text)

@@ -72,6 +72,16 @@ def table(file_name):
                 for row in csv.DictReader(file)]
 
 
+def content(file_name):
+    """The bytes of a file of results, of steps.csv without the wall time: no run repeats that."""
+    data = pathlib.Path(file_name).read_bytes()
+    if pathlib.Path(file_name).name != "steps.csv":
+        return data
+    rows = [line.split(b",") for line in data.split(b"\n")]
+    column = rows[0].index(b"wall_time [s]")
+    return b"\n".join(b",".join(row[:column] + row[column + 1:]) for row in rows)
+
+
 def checksums(folder):
     """{path: digest} of every file and {path: None} of every folder below."""
     paths = sorted(pathlib.Path(folder).rglob("*"))

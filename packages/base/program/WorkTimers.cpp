@@ -82,10 +82,14 @@ RCP<Teuchos::Time> workTimer(std::string const& name)
   return existing.is_null() ? Teuchos::TimeMonitor::getNewCounter(prefix + name) : existing;
 }
 
+double secondsSinceStart()
+{
+  return std::chrono::duration<double>(std::chrono::steady_clock::now() - program_start).count();
+}
+
 std::string tableOfWork(Communicator const& communicator)
 {
-  const std::chrono::duration<double> elapsed = std::chrono::steady_clock::now() - program_start;
-  const double total = maxOverRanks(elapsed.count(), communicator);
+  const double total = maxOverRanks(secondsSinceStart(), communicator);
   auto rows = rowsOfWork(communicator);
   Row other{"other", total, total, 1};
   for (auto const& row : rows) {

@@ -56,6 +56,9 @@ private:
   NamedWork named_;
 };
 
+// The wall time [s] since this process began.
+double secondsSinceStart();
+
 // Where the wall time of this process went since its start: one line for each kind of work that was
 // done, the longest first, with the smallest and the largest time of the ranks. Kinds do not
 // contain each other; what belongs to none of them stands last. Collective, for rank 0 to print.

@@ -240,10 +240,10 @@ void EventCatalogue::finish()
   file_.flush();
 }
 
-std::vector<io::Count> EventCatalogue::counts() const
+std::optional<std::int64_t> EventCatalogue::numEvents() const
 {
   const bool one_more = eventInProgress() || waits_;
-  return {{numEvents() + one_more, "event"}};
+  return numComplete() + one_more;
 }
 
 std::string EventCatalogue::report() const

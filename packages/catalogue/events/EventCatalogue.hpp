@@ -37,13 +37,12 @@ public:
   void write(io::StepInfo const& step) override;
   void closeSegment(int index) override;
   void finish() override;
-  bool endsRun() const override { return mayEndRun() && numEvents() >= most_events_; }
+  bool endsRun() const override { return mayEndRun() && numComplete() >= most_events_; }
   bool mayEndRun() const override { return most_events_ > 0; }
   void save(io::Archive& archive) const override;
   void restore(io::Archive const& archive) override;
 
-  // With the event in progress.
-  std::vector<io::Count> counts() const override;
+  std::optional<std::int64_t> numEvents() const override;
   std::string report() const override; // a table of the events and their summary
 
   // Known on every rank: complete events, and after finish() the one then in progress.
@@ -68,7 +67,7 @@ private:
   double extent(Coordinate const& coordinate) const; // of the nodes that have ruptured
   double const* place(std::size_t i) const { return &fault().coordinates[3 * i]; }
   bool isSmall(Event const& event) const;
-  std::int64_t numEvents() const { return static_cast<std::int64_t>(events_.size()); }
+  std::int64_t numComplete() const { return static_cast<std::int64_t>(events_.size()); }
   void recordLast(); // when no further event can be part of it
   std::vector<double> choice() const
   {

@@ -2,6 +2,7 @@
 
 #include "base/Text.hpp"
 
+#include <chrono>
 #include <cstdio>
 
 namespace asperity::io
@@ -56,11 +57,25 @@ void RunJournal::warn(Warning const& warning)
   write("warning", member("topic", quoted(warning.topic)) + member("text", quoted(warning.text)));
 }
 
-void RunJournal::end(std::string const& how, int exit_status, std::string const& message)
+void RunJournal::progress(Progress const& progress)
 {
-  const std::chrono::duration<double> wall = Clock::now() - start_;
+  std::string more = member("wall_time", formatShort(progress.wall_time)) +
+                     member("peak_slip_rate", formatShort(progress.peak_slip_rate));
+  if (progress.num_events) {
+    more += member("events", std::to_string(*progress.num_events));
+  }
+  if (auto const& left = progress.left) {
+    more += member("seconds_left", formatShort(left->seconds)) +
+            member("knows_cycles", left->knows_cycles ? "true" : "false");
+  }
+  write("progress", more);
+}
+
+void RunJournal::end(std::string const& how, int exit_status, std::string const& message,
+                     double wall_time)
+{
   write("end", member("how", quoted(how)) + member("exit_status", std::to_string(exit_status)) +
-                 member("message", quoted(message)) + member("wall", formatShort(wall.count())));
+                 member("message", quoted(message)) + member("wall_time", formatShort(wall_time)));
 }
 
 void RunJournal::write(std::string const& event, std::string const& more)

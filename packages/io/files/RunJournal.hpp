@@ -2,8 +2,8 @@
 
 #include "base/Types.hpp"
 #include "base/Warning.hpp"
+#include "io/files/Progress.hpp"
 
-#include <chrono>
 #include <cstdint>
 #include <filesystem>
 #include <fstream>
@@ -18,9 +18,12 @@ namespace asperity::io
 //   begin    `clock`, the seconds since 1970; a process begins to write
 //   restart  the process goes on from the checkpoint of that step: what came after it is void
 //   warning  `topic` and `text` (base/Warning.hpp)
-//   end      `how` ("finished", "stopped", "failed"), `exit_status`, `message`, and `wall`, the
-//            seconds since the begin; a process that is killed has no end
+//   progress `wall_time` [s], `peak_slip_rate` [m/s] and, if they are known, `events` and, of wall
+//            time, `seconds_left` with `knows_cycles` (TimeLeft)
+//   end      `how` ("finished", "stopped", "failed"), `exit_status`, `message` and `wall_time`; a
+//            process that is killed has no end
 //
+// The wall time is that of steps.csv: of all processes, without what a restart computes again.
 // asperity.journal reads it. Only rank 0 writes. Not collective; a line that cannot be written is
 // left out, since run.log has it, too.
 class RunJournal
@@ -36,15 +39,13 @@ public:
   void warn(Warning const& warning);
   // The topics of the warnings since the run began or was restarted.
   std::set<std::string> const& topics() const { return topics_; }
-  void end(std::string const& how, int exit_status, std::string const& message);
+  void progress(Progress const& progress);
+  void end(std::string const& how, int exit_status, std::string const& message, double wall_time);
 
 private:
-  using Clock = std::chrono::steady_clock;
-
   void write(std::string const& event, std::string const& more);
 
   std::ofstream file_; // open on rank 0 alone
-  Clock::time_point start_ = Clock::now();
   std::int64_t step_ = 0;
   double time_ = 0;
   std::set<std::string> topics_;

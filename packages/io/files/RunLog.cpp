@@ -22,17 +22,16 @@ double fractionDone(Progress const& progress)
   return progress.final_time > 0 ? std::clamp(progress.time / progress.final_time, 0.0, 1.0) : 0;
 }
 
-std::int64_t numEvents(Progress const& progress)
+// ", about 1 h 6 min left", or ", 3 min left at this speed" before a whole cycle is known.
+std::string describe(TimeLeft::Estimate const& left)
 {
-  for (auto const& count : progress.counts) {
-    if (count.of == "event") {
-      return count.number;
-    }
-  }
-  return 0;
+  auto const duration = formatDuration(left.seconds);
+  return left.knows_cycles ? ", about " + duration + " left"
+                           : ", " + duration + " left at this speed";
 }
 
-// "t = 612.4 s of 1800 s (34 %), step 12034, dt 0.0313 s, V 5.1e-05 m/s, 3 iterations, 31 events"
+// "t = 612.4 s of 1800 s (34 %), step 12034, dt 0.0313 s, V 5.1e-05 m/s, 3 iterations, 31 events,
+// wall 745.2 s, about 24 min left"
 std::string describe(Progress const& progress)
 {
   std::ostringstream text;
@@ -45,24 +44,25 @@ std::string describe(Progress const& progress)
   char rate[16];
   std::snprintf(rate, sizeof rate, "%.1e", progress.peak_slip_rate);
   text << rate << " m/s, " << progress.fixed_point_iterations << " iterations";
-  for (auto const& count : progress.counts) {
-    text << ", " << count.number << ' ' << count.of << (count.number == 1 ? "" : "s");
+  if (progress.num_events) {
+    text << ", " << *progress.num_events << (*progress.num_events == 1 ? " event" : " events");
   }
-  return text.str();
+  text << ", wall " << formatShort(progress.wall_time) << " s";
+  return text.str() + (progress.left ? describe(*progress.left) : "");
 }
 
 // The same for one line of a terminal, which may cut it: the most important values come first.
-std::string describeShort(Progress const& progress, std::string const& left)
+std::string describeShort(Progress const& progress)
 {
   char text[200];
   std::snprintf(text, sizeof text, "%3d%% t=%.6g s dt=%.3g V=%.1e it=%d",
                 static_cast<int>(100 * fractionDone(progress)), progress.time, progress.step_size,
                 progress.peak_slip_rate, progress.fixed_point_iterations);
   std::string line = text;
-  for (auto const& count : progress.counts) {
-    line += ' ' + count.of + "s=" + std::to_string(count.number);
+  if (progress.num_events) {
+    line += " events=" + std::to_string(*progress.num_events);
   }
-  return line + (left.empty() ? "" : " left " + left);
+  return line + (progress.left ? " left " + formatDuration(progress.left->seconds) : "");
 }
 
 // Reserves space beyond the end of the file, whose size does not change. A failure does no harm.
@@ -103,8 +103,6 @@ RunLog::RunLog(std::filesystem::path const& file, bool append, Communicator cons
     , path_(file)
     , terminal_(terminal)
     , style_(style)
-    , start_(Clock::now())
-    , last_line_(start_)
 {
   onRoot(comm, [&] {
     file_.open(file, append ? std::ios::app : std::ios::trunc);
@@ -144,41 +142,39 @@ void RunLog::write(std::string const& line)
   keepSpace(path_);
 }
 
-void RunLog::progress(Progress const& progress)
+bool RunLog::progress(Progress const& progress)
 {
   if (!active_) {
-    return;
+    return false;
   }
-  const double fraction = fractionDone(progress);
-  const int twentieth = static_cast<int>(20 * fraction);
-  last_twentieth_ = last_twentieth_ < 0 ? twentieth : last_twentieth_;
-  time_left_.note(fraction, secondsSince(start_), numEvents(progress));
-  const double seconds_left = time_left_.seconds();
-  const std::string left = seconds_left >= 0 ? formatDuration(seconds_left) : "";
-  if (twentieth > last_twentieth_ || secondsSince(last_line_) >= style_.seconds_per_line) {
-    last_twentieth_ = twentieth;
-    last_line_ = Clock::now();
-    const std::string line =
-      describe(progress) + ", wall " + formatShort(secondsSince(start_)) + " s" + sayLeft(left);
+  const bool is_due = isDue(progress);
+  if (is_due) {
+    const std::string line = describe(progress);
     write(line);
     if (!style_.in_place) {
       terminal_ << line << std::endl;
     }
   }
-  const bool is_fresh = line_is_open_ && secondsSince(last_update_) < style_.seconds_per_update;
+  const bool is_fresh =
+    line_is_open_ && progress.wall_time - last_update_ < style_.seconds_per_update;
   if (style_.in_place && !is_fresh) {
-    updateLine(describeShort(progress, left));
+    updateLine(describeShort(progress));
+    last_update_ = progress.wall_time;
   }
+  return is_due;
 }
 
-// ", about 1 h 6 min left", or ", 3 min left at this speed" before a whole cycle has been seen.
-std::string RunLog::sayLeft(std::string const& left) const
+bool RunLog::isDue(Progress const& progress)
 {
-  if (left.empty()) {
-    return "";
+  const int twentieth = static_cast<int>(20 * fractionDone(progress));
+  last_twentieth_ = last_twentieth_ < 0 ? twentieth : last_twentieth_;
+  const bool is_due =
+    twentieth > last_twentieth_ || progress.wall_time - last_line_ >= style_.seconds_per_line;
+  if (is_due) {
+    last_twentieth_ = twentieth;
+    last_line_ = progress.wall_time;
   }
-  return time_left_.knowsCycles() ? ", about " + left + " left"
-                                  : ", " + left + " left at this speed";
+  return is_due;
 }
 
 // One column stays free: some terminals wrap when the last one is used.
@@ -186,7 +182,6 @@ void RunLog::updateLine(std::string line)
 {
   line.resize(std::max(1, style_.width - 1), ' ');
   terminal_ << '\r' << line << std::flush;
-  last_update_ = Clock::now();
   line_is_open_ = true;
 }
 
@@ -196,10 +191,5 @@ void RunLog::clearLine()
     terminal_ << '\r' << std::string(std::max(1, style_.width - 1), ' ') << '\r' << std::flush;
     line_is_open_ = false;
   }
-}
-
-double RunLog::secondsSince(Clock::time_point begin)
-{
-  return std::chrono::duration<double>(Clock::now() - begin).count();
 }
 } // namespace asperity::io

@@ -1,38 +1,20 @@
 #pragma once
 
 #include "base/Types.hpp"
-#include "io/Output.hpp"
-#include "io/files/TimeLeft.hpp"
+#include "io/files/Progress.hpp"
 
-#include <chrono>
-#include <cstdint>
 #include <filesystem>
 #include <fstream>
 #include <ostream>
 #include <string>
-#include <vector>
 
 namespace asperity::io
 {
-// How far a run has come.
-struct Progress
-{
-  double time = 0;           // simulated [s]
-  double final_time = 0;     // [s]
-  double step_size = 0;      // [s]
-  double peak_slip_rate = 0; // [m/s]
-  std::int64_t step = 0;
-  int fixed_point_iterations = 0;
-  std::vector<Count> counts;
-};
-
 // Tells the user how the run goes: on a terminal by one line that is updated in place, elsewhere by
 // a line every 30 s of wall time and at each 5 % of simulated time. DIR/run.log always gets these
-// lines, and all messages. They say the wall time since this process began, and the time left: from
-// the cost of past cycles, or, before one is known, at the speed of the last minutes (TimeLeft).
-// Some space on the disk is kept for the file, where the file system can, so that it says why a run
-// has ended even if the disk is full. Only rank 0 writes; on other ranks every function returns at
-// once.
+// lines, and all messages. The wall time of a Progress says whether a line is due. Some space on
+// the disk is kept for the file, where the file system can, so that it says why a run has ended
+// even if the disk is full. Only rank 0 writes; on other ranks every function returns at once.
 class RunLog
 {
 public:
@@ -54,17 +36,15 @@ public:
          std::ostream& terminal, Style const& style);
   ~RunLog();
 
-  void progress(Progress const& progress);
+  // Whether a line has gone to the file.
+  bool progress(Progress const& progress);
   void message(std::string const& text);
   // Writes to the file alone, for text that reaches the terminal in another way.
   void note(std::string const& text);
 
 private:
-  using Clock = std::chrono::steady_clock;
-
-  static double secondsSince(Clock::time_point begin);
-  std::string sayLeft(std::string const& left) const;
   void write(std::string const& line);
+  bool isDue(Progress const& progress);
   void updateLine(std::string line);
   void clearLine();
 
@@ -73,8 +53,7 @@ private:
   std::ofstream file_;
   std::ostream& terminal_;
   Style style_;
-  Clock::time_point start_, last_line_, last_update_;
-  TimeLeft time_left_;
+  double last_line_ = 0, last_update_ = 0; // wall times [s]
   int last_twentieth_ = -1; // of the simulated time; -1 before the first progress of this process
   bool line_is_open_ = false;
 };

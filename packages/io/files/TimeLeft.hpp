@@ -1,157 +1,160 @@
 #pragma once
 
+#include "io/checkpoint/Archive.hpp"
+
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
-#include <deque>
-#include <utility>
+#include <optional>
 #include <vector>
 
 namespace asperity::io
 {
 // The wall time that a run still needs. Between earthquakes a run may be a thousand times faster
-// than in them, so that the speed of the last minutes does not predict the end. Once this process
-// has seen a whole cycle, from one event to the next, the rest of the run is taken to cost what
-// past cycles did. An event that follows another within a thousandth of the longest time without
-// one is an aftershock and begins no cycle. Before a cycle is known, and where there are no
-// events, the estimate is from the recent speed: an average over wall time in which the speed of
-// `memory` seconds ago has the weight 1/e.
-//
-// python/asperity/estimate.py does the same with what a run leaves on disk.
+// than in them, so that the speed of the last minutes does not predict the end. Once a whole cycle
+// is known, from one event to the next, the rest of the run is taken to cost what past cycles did;
+// of the cycle in which it ends, a part by the course of the last one. An event that follows
+// another within a thousandth of the longest time without one is an aftershock and begins no cycle.
+// Before a cycle is known, and in a last cycle that costs more than earlier ones, the estimate is
+// from the speed of the last minutes.
 class TimeLeft
 {
 public:
-  static constexpr double memory = 120;        // [s]
+  static constexpr double memory = 120;        // [s] of wall time, over which a speed is taken
   static constexpr std::size_t cycles = 10;    // the last ones, which the estimate looks at
-  static constexpr std::size_t samples = 2000; // of a cycle, at most
+  static constexpr std::size_t samples = 4000; // of the course of the run, at most
   static constexpr double aftershock = 1e-3;   // of the longest time between events
 
-  // fraction: the part of the simulated time that is done. seconds: wall time since any fixed
-  // moment. num_events: that have begun so far, in the whole run.
-  void note(double fraction, double seconds, std::int64_t num_events = 0)
+  struct Estimate
   {
-    const Moment now{fraction, seconds};
-    if (has_begun_) {
-      const double elapsed = seconds - now_.seconds;
-      const double decay = std::exp(-elapsed / memory);
-      done_ = decay * done_ + (fraction - now_.fraction);
-      spent_ = decay * spent_ + elapsed;
-      if (num_events > num_events_) {
-        noteEvent(now);
-      }
-      sample(now);
-    } else {
-      last_event_ = fraction;
+    double seconds = 0;        // of wall time
+    bool knows_cycles = false; // or is at the speed of the last minutes
+  };
+
+  // After every step: the simulated time [s], the wall time since any fixed moment [s], and how
+  // many events have begun in the run.
+  void note(double time, double wall, std::int64_t num_events = 0)
+  {
+    if (times_.empty()) {
+      last_event_ = time; // the start counts as one
+    } else if (num_events > num_events_) {
+      noteEvent(time);
     }
-    now_ = now;
     num_events_ = num_events;
-    has_begun_ = true;
+    if (times_.size() > 1 && wall - walls_[walls_.size() - 2] < spacing_) {
+      times_.pop_back();
+      walls_.pop_back();
+    }
+    times_.push_back(time);
+    walls_.push_back(wall);
+    if (times_.size() > samples) {
+      removeEveryOther(times_);
+      removeEveryOther(walls_);
+      spacing_ = 2 * (walls_.back() - walls_.front()) / samples;
+    }
   }
 
-  // Whether the estimate is from past cycles.
-  bool knowsCycles() const { return onsets_.size() > 1; }
-
-  // The time left [s]; negative as long as the speed is unknown. In the last cycle of the run, once
-  // it costs more than earlier ones, the estimate is from the recent speed.
-  double seconds() const
+  // None as long as the speed is unknown.
+  std::optional<Estimate> estimate(double final_time) const
   {
-    if (now_.fraction >= 1) {
-      return 0;
+    if (times_.size() < 2) {
+      return {};
     }
-    const double of_cycles = knowsCycles() ? ofCycles() : 0;
+    const bool knows_cycles = begins_.size() > 1;
+    const double rest = std::max(0.0, final_time - times_.back());
+    const double of_cycles = knows_cycles && rest > 0 ? ofCycles(final_time) : 0;
     if (of_cycles > 0) {
-      return of_cycles;
+      return Estimate{of_cycles, true};
     }
-    return done_ > 0 ? (1 - now_.fraction) * spent_ / done_ : -1;
+    const double begin = std::max(walls_.back() - memory, walls_.front());
+    const double done = times_.back() - interpolated(begin, walls_, times_);
+    if (!(done > 0)) {
+      return {};
+    }
+    return Estimate{rest / done * (walls_.back() - begin), knows_cycles};
+  }
+
+  void save(Archive& archive) const
+  {
+    archive.set("times", times_);
+    archive.set("walls", walls_);
+    archive.set("begins", begins_);
+    archive.set("last_event", last_event_);
+    archive.set("longest_quiet", longest_quiet_);
+    archive.set("num_events", num_events_);
+  }
+
+  void restore(Archive const& archive)
+  {
+    times_ = archive.get<std::vector<double>>("times");
+    walls_ = archive.get<std::vector<double>>("walls");
+    begins_ = archive.get<std::vector<double>>("begins");
+    last_event_ = archive.getDouble("last_event");
+    longest_quiet_ = archive.getDouble("longest_quiet");
+    num_events_ = archive.getInteger("num_events");
   }
 
 private:
-  struct Moment
+  void noteEvent(double onset)
   {
-    double fraction = 0, seconds = 0;
-  };
-
-  void noteEvent(Moment const& onset)
-  {
-    const double quiet = onset.fraction - last_event_;
-    if (onsets_.empty() || quiet > aftershock * longest_quiet_) {
-      beginCycle(onset);
+    const double quiet = onset - last_event_;
+    if (quiet > aftershock * longest_quiet_) {
+      begins_.push_back(onset);
+      if (begins_.size() > cycles + 1) {
+        begins_.erase(begins_.begin());
+      }
     }
     longest_quiet_ = std::max(longest_quiet_, quiet);
-    last_event_ = onset.fraction;
+    last_event_ = onset;
   }
 
-  void beginCycle(Moment const& onset)
+  // The first and, of an odd number of values, the last one stay.
+  static void removeEveryOther(std::vector<double>& values)
   {
-    onsets_.push_back(onset);
-    if (onsets_.size() > cycles + 1) {
-      onsets_.pop_front();
+    for (std::size_t i = 0; 2 * i < values.size(); ++i) {
+      values[i] = values[2 * i];
     }
-    last_cycle_ = std::move(this_cycle_);
-    last_cycle_.push_back(onset);
-    this_cycle_.clear();
-    spacing_ = 0;
+    values.resize((values.size() + 1) / 2);
   }
 
-  // Removes every other sample when there are more than `samples`. They stay evenly spaced in wall
-  // time.
-  void sample(Moment const& now)
+  // y at x, linear between points with ascending x, and constant beyond them.
+  static double interpolated(double x, std::vector<double> const& xs, std::vector<double> const& ys)
   {
-    if (this_cycle_.empty() || now.seconds - this_cycle_.back().seconds >= spacing_) {
-      this_cycle_.push_back(now);
+    const auto after = std::upper_bound(xs.begin(), xs.end(), x) - xs.begin();
+    if (after == 0 || after == static_cast<std::ptrdiff_t>(xs.size())) {
+      return after == 0 ? ys.front() : ys.back();
     }
-    if (this_cycle_.size() > samples) {
-      for (std::size_t i = 0; 2 * i < this_cycle_.size(); ++i) {
-        this_cycle_[i] = this_cycle_[2 * i];
-      }
-      this_cycle_.resize((this_cycle_.size() + 1) / 2);
-      spacing_ = 2 * (this_cycle_.back().seconds - this_cycle_.front().seconds) / samples;
-    }
+    const double share = (x - xs[after - 1]) / (xs[after] - xs[after - 1]);
+    return ys[after - 1] + share * (ys[after] - ys[after - 1]);
   }
 
-  // The part of a cycle's wall time that its first `share` of simulated time took, by the last one.
-  double wallShare(double share) const
-  {
-    auto const &begin = last_cycle_.front(), &end = last_cycle_.back();
-    const double fraction = begin.fraction + share * (end.fraction - begin.fraction);
-    const auto after =
-      std::upper_bound(last_cycle_.begin(), last_cycle_.end(), fraction,
-                       [](double value, Moment const& at) { return value < at.fraction; });
-    if (share <= 0) {
-      return 0;
-    }
-    if (share >= 1 || after == last_cycle_.end() || !(end.seconds > begin.seconds)) {
-      return 1;
-    }
-    return (after->seconds - begin.seconds) / (end.seconds - begin.seconds);
-  }
+  double wallAt(double time) const { return interpolated(time, times_, walls_); }
 
   // The rest of the current cycle, the whole cycles after it, and the part of the cycle in which
   // the run ends [s]. 0 in the last cycle if it has cost more than expected.
-  double ofCycles() const
+  double ofCycles(double final_time) const
   {
-    auto const &first = onsets_.front(), &last = onsets_.back();
-    const auto number = static_cast<double>(onsets_.size() - 1);
-    const double fraction = (last.fraction - first.fraction) / number;
-    const double seconds = (last.seconds - first.seconds) / number;
-    if (!(fraction > 0)) {
-      return 0;
-    }
-    const double part = seconds * wallShare((1 - last.fraction) / fraction);
-    const double of_this = std::max(0.0, part - (now_.seconds - last.seconds));
-    const double after = 1 - std::max(last.fraction + fraction, now_.fraction);
-    const double more = std::max(0.0, after) / fraction; // cycles
-    return of_this + seconds * (std::floor(more) + wallShare(more - std::floor(more)));
+    const double first = begins_.front(), last = begins_.back(), before = *(begins_.end() - 2);
+    const auto number = static_cast<double>(begins_.size() - 1);
+    const double length = (last - first) / number, cost = (wallAt(last) - wallAt(first)) / number;
+    // The part of a cycle's wall time that its first `share` of simulated time takes.
+    const auto part = [&](double share) {
+      const double begin = wallAt(before), whole = wallAt(last) - begin;
+      return share < 1 && whole > 0 ? (wallAt(before + share * (last - before)) - begin) / whole
+                                    : 1;
+    };
+    const double of_this = cost * part((final_time - last) / length);
+    const double after = std::max(0.0, final_time - std::max(last + length, times_.back()));
+    const double more = after / length; // cycles
+    return std::max(0.0, of_this - (walls_.back() - wallAt(last))) +
+           cost * (std::floor(more) + part(more - std::floor(more)));
   }
 
-  bool has_begun_ = false;
-  Moment now_;
-  double done_ = 0, spent_ = 0; // recently
+  std::vector<double> times_, walls_; // of steps, evenly spaced in wall time, and of the last one
+  double spacing_ = 0;                // in wall time [s]
+  std::vector<double> begins_;        // of the last cycles [s]: onsets of events
+  double last_event_ = 0, longest_quiet_ = 0; // [s]
   std::int64_t num_events_ = 0;
-  double last_event_ = 0, longest_quiet_ = 0; // parts of the simulated time; the start is an event
-  std::deque<Moment> onsets_;                 // of the last events
-  std::vector<Moment> last_cycle_, this_cycle_;
-  double spacing_ = 0; // of samples [s]
 };
 } // namespace asperity::io

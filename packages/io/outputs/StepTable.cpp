@@ -18,7 +18,7 @@ public:
       .boolean("Enabled", true, "If true, the run writes this output.")
       .textArray("Quantities", std::vector<std::string>{},
                  "The quantities of these names are written in columns after the step, its time, "
-                 "size and peak slip rate. If none is named, all are written.")
+                 "size, peak slip rate and wall time. If none is named, all are written.")
       .list();
   }
 
@@ -38,7 +38,8 @@ public:
       return; // the initial state
     }
     std::string row = std::to_string(step.step) + ',' + exactNumber(step.time) + ',' +
-                      shortNumber(step.step_size) + ',' + shortNumber(step.peak_slip_rate);
+                      shortNumber(step.step_size) + ',' + shortNumber(step.peak_slip_rate) + ',' +
+                      shortNumber(step.wall_time);
     for (OutputScalar const* scalar : scalars_) {
       row += ',' + shortNumber(scalar->value());
     }
@@ -69,7 +70,7 @@ private:
 
   static std::string header(Scalars const& scalars)
   {
-    std::string text = "step,time [s],step_size [s],peak_slip_rate [m/s]";
+    std::string text = "step,time [s],step_size [s],peak_slip_rate [m/s],wall_time [s]";
     for (OutputScalar const* scalar : scalars) {
       text += ',' + columnName(scalar->name, scalar->unit);
     }

@@ -59,6 +59,8 @@ private:
   void begin();
   void advance();
   void write(io::StepInfo const& info);
+  void tellProgress(io::StepInfo const& info);
+  double wallTime() const { return earlier_wall_time_ + secondsSinceStart(); }
   void requireDirectory() const;
   void requireSamePlugins() const;
   bool timeForCheckpoint() const;
@@ -76,6 +78,8 @@ private:
   io::DirectoryLock lock_; // of the directory, on rank 0
   std::unique_ptr<io::RunLog> log_;
   std::unique_ptr<io::RunJournal> journal_;
+  io::TimeLeft time_left_;       // on rank 0
+  double earlier_wall_time_ = 0; // of earlier processes of the run, up to the checkpoint [s]
   Evolution<Dim> evolution_;
   dynamics::StallWatch stall_watch_;
   bool step_is_complete_ = false; // counted in the energy balance and written to the outputs
@@ -184,7 +188,7 @@ int SimulationOf<Dim>::run()
     // No checkpoint is written here: the files of the run are incomplete, and the last checkpoint
     // belongs to the last complete state.
     log_->note(std::string("The run has ended: ") + error.what());
-    journal_->end("failed", exitStatus(error), error.what());
+    journal_->end("failed", exitStatus(error), error.what(), wallTime());
     throw;
   } catch (std::exception const& error) {
     endEarly(error);
@@ -205,7 +209,7 @@ int SimulationOf<Dim>::makeSteps(StopSignals const& signals)
       writeCheckpoint();
       outputs_->finish(); // a restart takes back what is not complete
       report(false);
-      journal_->end("stopped", exit_signal, "");
+      journal_->end("stopped", exit_signal, "", wallTime());
       log_->message("Stopped by " + signalName(agreed.signal) + "; --restart " +
                     (directory_ / "checkpoint.h5").string() + " goes on.");
       return exit_signal;
@@ -221,7 +225,7 @@ int SimulationOf<Dim>::makeSteps(StopSignals const& signals)
   writeCheckpoint();
   outputs_->finish();
   report(true);
-  journal_->end("finished", exit_done, "");
+  journal_->end("finished", exit_done, "", wallTime());
   return exit_done;
 }
 
@@ -250,7 +254,7 @@ void SimulationOf<Dim>::endEarly(std::exception const& error)
     saveWhatThereIs();
   }
   log_->note(std::string("The run has ended: ") + error.what());
-  journal_->end("failed", exitStatus(error), error.what());
+  journal_->end("failed", exitStatus(error), error.what(), wallTime());
 }
 
 // An error in here must not hide the reason why the run ends. If a step has been made but not
@@ -275,6 +279,8 @@ void SimulationOf<Dim>::begin()
   const auto at = [this] { return " at t = " + formatShort(evolution_.time()) + " s."; };
   if (!restart_.empty()) {
     evolution_.restore(checkpoint_);
+    earlier_wall_time_ = checkpoint_.getDouble("wall_time");
+    time_left_.restore(checkpoint_.child("time_left"));
     journal_->at(evolution_.numSteps(), evolution_.time());
     journal_->restart();
     log_->message("Restarted from " + restart_ + at());
@@ -305,13 +311,26 @@ void SimulationOf<Dim>::advance()
   evolution_.advance();
   step_is_complete_ = false;
   evolution_.account();
-  auto const info = evolution_.stepInfo();
+  auto info = evolution_.stepInfo();
+  info.wall_time = wallTime();
   write(info);
   step_is_complete_ = true;
   journal_->at(info.step, info.time);
   evolution_.watchGrowth();
   warnOfEvolution();
+  tellProgress(info);
+  const auto stall = stall_watch_.note(evolution_.progress());
+  if (!stall.empty()) {
+    log_->message(stall);
+  }
+}
 
+template <int Dim>
+void SimulationOf<Dim>::tellProgress(io::StepInfo const& info)
+{
+  if (communicator_->getRank() != 0) {
+    return;
+  }
   io::Progress progress;
   progress.time = info.time;
   progress.final_time = evolution_.finalTime();
@@ -319,11 +338,12 @@ void SimulationOf<Dim>::advance()
   progress.peak_slip_rate = info.peak_slip_rate;
   progress.step = info.step;
   progress.fixed_point_iterations = evolution_.view().step.iterations;
-  progress.counts = outputs_->counts();
-  log_->progress(progress);
-  const auto stall = stall_watch_.note(evolution_.progress());
-  if (!stall.empty()) {
-    log_->message(stall);
+  progress.num_events = outputs_->numEvents();
+  progress.wall_time = info.wall_time;
+  time_left_.note(info.time, info.wall_time, progress.num_events.value_or(0));
+  progress.left = time_left_.estimate(progress.final_time);
+  if (log_->progress(progress)) {
+    journal_->progress(progress);
   }
 }
 
@@ -373,6 +393,10 @@ void SimulationOf<Dim>::writeCheckpoint()
   evolution_.save(archive);
   archive.insert("outputs", outputs_->save());
   archive.set("plugins", plugins_);
+  archive.set("wall_time", wallTime());
+  io::Archive time_left;
+  time_left_.save(time_left);
+  archive.insert("time_left", time_left);
   io::writeCheckpoint(directory_ / "checkpoint.h5", archive, fingerprint_, *communicator_,
                       nodeSets(evolution_.problem(), domains_));
   last_checkpoint_ = Clock::now();

@@ -22,7 +22,7 @@ import zone_cases
 from tree import SOURCE
 
 import asperity
-from asperity.log import RunLog
+from asperity.journal import Journal
 from asperity.parameters import Parameters
 
 CASES = benchmark_cases.CASES + zone_cases.CASES
@@ -39,8 +39,8 @@ class Refused(Exception):
 def entry_of(case, folder):
     """What values.json has of a run; Refused, or an InputError where files are missing."""
     run = asperity.Run(folder)
-    log = RunLog.read(folder / "run.log")
-    if log.ending != "Finished":
+    journal = Journal.read(folder)
+    if journal.how != "finished":
         raise Refused("the run has not finished")
     difference = first_difference(case, run)
     if difference:
@@ -52,7 +52,7 @@ def entry_of(case, folder):
     steps.update({name: int(run.steps[column].sum()) for name, column in COLUMNS.items()})
     rows = [{"quantity": quantity.name, "value": value_of(quantity, run)}
             for quantity in case.quantities]
-    return {"source": " ".join(log.environment[0].split()[:2]), "steps": steps,
+    return {"source": " ".join(journal.log.environment[0].split()[:2]), "steps": steps,
             "quantities": rows}
 
 

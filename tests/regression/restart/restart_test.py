@@ -71,7 +71,8 @@ class Restarting(unittest.TestCase):
 
     def assert_same_bytes(self, whole, folder, *names):
         for name in names:
-            self.assertEqual((whole / name).read_bytes(), (folder / name).read_bytes(), name)
+            self.assertEqual(asperity_run.content(whole / name),
+                             asperity_run.content(folder / name), name)
 
 
 class Restart(Restarting):
@@ -100,6 +101,10 @@ class Restart(Restarting):
         self.assertEqual((result.returncode, result.stderr), (0, ""))
         self.assert_same_results(folder)
         self.assertIn("Restarted from", (folder / "run.log").read_text())
+        # the wall time goes on
+        wall = [row["wall_time"] for row in asperity_run.table(folder / "steps.csv")]
+        self.assertEqual(wall[:len(steps)], [row["wall_time"] for row in steps])
+        self.assertEqual(wall, sorted(wall))
 
     def test_stopped_in_an_event(self):
         """What has happened of it has its row, and a restart takes that back."""
@@ -160,7 +165,8 @@ class Restart(Restarting):
                                          *settings("Time Stepping/Final Time=6"))
         self.finish(folder, deck=run)
         for name in ("steps.csv", "events.csv"):
-            self.assertEqual((whole / name).read_bytes(), (folder / name).read_bytes())
+            self.assertEqual(asperity_run.content(whole / name),
+                             asperity_run.content(folder / name))
 
     def test_to_an_end_that_has_passed(self):
         folder = asperity_run.run_to_end("at_its_end", *SHORT_RUN)

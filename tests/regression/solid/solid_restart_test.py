@@ -39,7 +39,8 @@ class Restart(unittest.TestCase):
         for file in series:
             self.assert_same_series(whole / file, folder / file)
         for table in TABLES:
-            self.assertEqual((whole / table).read_bytes(), (folder / table).read_bytes(), table)
+            self.assertEqual(asperity_run.content(whole / table),
+                             asperity_run.content(folder / table), table)
 
     def assert_same_series(self, *files):
         ours, theirs = map(asperity_run.series, files)

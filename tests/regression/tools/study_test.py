@@ -104,7 +104,7 @@ class Study(unittest.TestCase):
         result = call(write("whole"), "whole")
         if result.returncode != 0:
             raise AssertionError(result.stdout + result.stderr)
-        return {name: (pathlib.Path("whole/runs") / name).read_bytes()
+        return {name: asperity_run.content(pathlib.Path("whole/runs") / name)
                 for name in ("0001/steps.csv", "0002/steps.csv", "0002/events.csv")}
 
     def test_what_was_killed_is_continued(self):
@@ -119,7 +119,7 @@ class Study(unittest.TestCase):
         self.assertIn("run 2: killed (status -9), to be continued", out)
         self.assertIn("run 2: continued", out)
         for name, content in expected.items():
-            self.assertEqual((pathlib.Path("killed/runs") / name).read_bytes(), content, name)
+            self.assertEqual(asperity_run.content(f"killed/runs/{name}"), content, name)
         self.assertEqual([row["starts"] for row in rows("killed")], ["1", "2"])
 
     def test_stopped_and_gone_on_with(self):
@@ -135,7 +135,7 @@ class Study(unittest.TestCase):
         self.assertEqual(result.returncode, 0, result.stdout + result.stderr)
         self.assertIn("continued", result.stdout)
         for name, content in expected.items():
-            self.assertEqual((pathlib.Path("stopped/runs") / name).read_bytes(), content, name)
+            self.assertEqual(asperity_run.content(f"stopped/runs/{name}"), content, name)
 
     def assert_refused(self, result, *words):
         self.assertEqual((result.returncode, result.stderr.count("\n")), (2, 1), result.stderr)

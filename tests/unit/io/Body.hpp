@@ -51,7 +51,7 @@ struct Body
   io::StepInfo at(int step)
   {
     time = step / 4.0;
-    return {step, time, 0.25, rate(0), step == num_steps};
+    return {step, time, 0.25, rate(0), step == num_steps, step / 8.0};
   }
 
   double time = 0;

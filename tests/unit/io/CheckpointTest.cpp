@@ -207,7 +207,7 @@ TEST_F(Checkpoint, OtherVersionIsRefused)
     h5.setAttribute("format", std::string("asperity checkpoint"), h5::TextLength::fixed);
     h5.setAttribute("format_version", std::int64_t(99));
   });
-  EXPECT_TRUE(test::contains(errorOfReading(), "has format version 99, but this version reads 7"));
+  EXPECT_TRUE(test::contains(errorOfReading(), "has format version 99, but this version reads 8"));
 }
 
 namespace

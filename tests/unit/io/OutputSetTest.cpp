@@ -54,9 +54,10 @@ TEST(OutputSet, WritesRowsWhereTheDeckAsks)
     std::string header, first;
     std::getline(table, header);
     std::getline(table, first);
-    EXPECT_EQ(header, "step,time [s],step_size [s],peak_slip_rate [m/s],fixed_point_iterations,"
-                      "kinetic_energy [J]");
-    EXPECT_EQ(first, "1,0.25,0.25," + shortNumber(std::exp(3 * std::sin(0.25))) + ",2,0.083333333");
+    EXPECT_EQ(header, "step,time [s],step_size [s],peak_slip_rate [m/s],wall_time [s],"
+                      "fixed_point_iterations,kinetic_energy [J]");
+    EXPECT_EQ(first,
+              "1,0.25,0.25," + shortNumber(std::exp(3 * std::sin(0.25))) + ",0.125,2,0.083333333");
     const std::string text = test::contents(directory / "steps.csv");
     EXPECT_EQ(std::count(text.begin(), text.end(), '\n'), num_steps + 1);
   });
@@ -72,13 +73,14 @@ TEST(OutputSet, DisabledOutputsLeaveNothing)
   const FieldRegistry nothing;
   const std::map<std::string, OutputDomain> nowhere;
   OutputSet outputs(list, {directory.path(), world(), nothing, nowhere});
-  outputs.write({1, 0.5, 0.5, 1e-9, true});
+  outputs.write({1, 0.5, 0.5, 1e-9, true, 37.25});
   outputs.finish();
-  EXPECT_TRUE(outputs.counts().empty());
+  EXPECT_FALSE(outputs.numEvents());
   EXPECT_EQ(outputs.report(), "");
   test::onRankZero([&] {
     EXPECT_EQ(test::contents(directory / "steps.csv"),
-              "step,time [s],step_size [s],peak_slip_rate [m/s]\n1,0.5,0.5,1e-09\n");
+              "step,time [s],step_size [s],peak_slip_rate [m/s],wall_time [s]\n"
+              "1,0.5,0.5,1e-09,37.25\n");
   });
   const auto files = fs::directory_iterator(directory.path());
   EXPECT_EQ(std::distance(begin(files), end(files)), 1);

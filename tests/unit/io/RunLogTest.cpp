@@ -8,7 +8,7 @@ using test::world;
 
 namespace
 {
-Progress at(double time)
+Progress at(double time, double wall_time = 0)
 {
   Progress progress;
   progress.time = time;
@@ -17,7 +17,8 @@ Progress at(double time)
   progress.peak_slip_rate = 5.1e-5;
   progress.step = 17;
   progress.fixed_point_iterations = 3;
-  progress.counts = {{2, "event"}};
+  progress.num_events = 2;
+  progress.wall_time = wall_time;
   return progress;
 }
 
@@ -30,7 +31,7 @@ std::size_t countOf(std::string const& text, std::string const& part)
   return count;
 }
 
-// What a run of 1000 steps shows and logs; nothing on ranks other than 0.
+// What a run of 1000 steps of 0.01 s of wall time shows and logs; nothing on ranks other than 0.
 struct Shown
 {
   Shown(RunLog::Style const& style)
@@ -39,7 +40,7 @@ struct Shown
       RunLog log(directory / "run.log", false, *world(), terminal, style);
       log.message("begin");
       for (int step = 0; step <= 1000; ++step) {
-        log.progress(at(0.1 * step));
+        num_due += log.progress(at(0.1 * step, 0.01 * step)) ? 1 : 0;
       }
       log.message("end");
     }
@@ -49,6 +50,7 @@ struct Shown
   test::TemporaryDirectory directory;
   std::ostringstream terminal;
   std::string file;
+  int num_due = 0;
 };
 } // namespace
 
@@ -57,9 +59,8 @@ TEST(RunLog, WithoutATerminalALineNowAndThen)
   const Shown shown((RunLog::Style()));
   EXPECT_EQ(countOf(shown.file, "\n"), 22u) << shown.file; // 20 times 5 %, two messages
   EXPECT_TRUE(test::contains(shown.file, "t = 50 s of 100 s (50 %), step 17, dt 0.25 s, "
-                                         "V 5.1e-05 m/s, 3 iterations, 2 events, "));
-  EXPECT_TRUE(test::contains(shown.file, " left at this speed\n"));
-  EXPECT_TRUE(test::contains(shown.file, "2 events, wall "));
+                                         "V 5.1e-05 m/s, 3 iterations, 2 events, wall 5 s\n"));
+  EXPECT_EQ(shown.num_due, world()->getRank() == 0 ? 20 : 0);
   EXPECT_EQ(shown.terminal.str(), world()->getRank() == 0 ? shown.file : "");
 }
 
@@ -69,24 +70,26 @@ TEST(RunLog, SaysWhetherTheTimeLeftKnowsPastCycles)
   std::ostringstream terminal;
   {
     RunLog log(directory / "run.log", false, *world(), terminal, RunLog::Style());
-    for (int step = 0; step <= 100; ++step) {
-      auto progress = at(0.9 * step);
-      progress.counts = {{step / 20, "event"}};
-      log.progress(progress);
-    }
+    log.progress(at(0));
+    auto progress = at(50);
+    progress.left = {7200, false};
+    log.progress(progress);
+    progress = at(90);
+    progress.left = {600, true};
+    log.progress(progress);
   }
   world()->barrier();
   const std::string text = test::contents(directory / "run.log");
-  EXPECT_TRUE(test::contains(text, " left at this speed\n")) << text;
-  EXPECT_TRUE(test::contains(text, ", about ")) << text;
-  EXPECT_TRUE(test::contains(text, " left\n")) << text;
+  EXPECT_TRUE(test::contains(text, ", wall 0 s, 2 h left at this speed\n")) << text;
+  EXPECT_TRUE(test::contains(text, ", wall 0 s, about 10 min left\n")) << text;
 }
 
+// Three in each 5 %: after 0.2 s, after 0.4 s, and at its end after 0.5 s.
 TEST(RunLog, LinesComeByWallTimeToo)
 {
   RunLog::Style impatient;
-  impatient.seconds_per_line = 0;
-  EXPECT_EQ(countOf(Shown(impatient).file, "\n"), 1003u);
+  impatient.seconds_per_line = 0.195;
+  EXPECT_EQ(countOf(Shown(impatient).file, "\n"), 2u + 60u);
 }
 
 TEST(RunLog, OnATerminalOneLineIsRewritten)

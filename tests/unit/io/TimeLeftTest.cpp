@@ -22,6 +22,9 @@ struct Simulated
       left.note(fraction, seconds, num_events);
     }
   }
+  double secondsLeft() const { return left.estimate(1).value().seconds; }
+  bool knowsCycles() const { return left.estimate(1).value().knows_cycles; }
+
   TimeLeft left;
   double fraction = 0, seconds = 1e5;
   std::int64_t num_events = 0;
@@ -62,9 +65,9 @@ void goThroughCycles(Simulated& run, double spread, Check const& check, int afte
 TEST(TimeLeft, IsUnknownBeforeTheFirstStep)
 {
   Simulated run;
-  EXPECT_LT(run.left.seconds(), 0);
+  EXPECT_FALSE(run.left.estimate(1));
   run.left.note(0, 1e5);
-  EXPECT_LT(run.left.seconds(), 0);
+  EXPECT_FALSE(run.left.estimate(1));
 }
 
 TEST(TimeLeft, IsWhatASteadyRunNeeds)
@@ -72,9 +75,9 @@ TEST(TimeLeft, IsWhatASteadyRunNeeds)
   Simulated run;
   run.left.note(0, run.seconds);
   run.go(1e-3, 2, 10);
-  EXPECT_NEAR(run.left.seconds(), 998, 1e-6);
+  EXPECT_NEAR(run.secondsLeft(), 998, 1e-6);
   run.go(1e-3, 600, 7);
-  EXPECT_NEAR(run.left.seconds(), 398, 1);
+  EXPECT_NEAR(run.secondsLeft(), 398, 1);
 }
 
 // Half of it in a minute, then ten minutes for another twentieth: the mean since the start would
@@ -84,13 +87,10 @@ TEST(TimeLeft, FollowsTheRecentSpeed)
   Simulated run;
   run.left.note(0, run.seconds);
   run.go(0.5 / 60, 60, 100);
-  EXPECT_NEAR(run.left.seconds(), 60, 1);
+  EXPECT_NEAR(run.secondsLeft(), 60, 1);
   run.go(0.05 / 600, 600, 100000);
   const double needed = 0.45 / (0.05 / 600);
-  EXPECT_GT(run.left.seconds(), 0.5 * needed);
-  EXPECT_LE(run.left.seconds(), needed);
-  run.go(0.05 / 600, 1200, 100000);
-  EXPECT_NEAR(run.left.seconds(), 0.35 / (0.05 / 600), 0.02 * needed);
+  EXPECT_NEAR(run.secondsLeft(), needed, 1e-6 * needed);
 }
 
 TEST(TimeLeft, IsTheSameForFewLongAndManyShortSteps)
@@ -101,7 +101,7 @@ TEST(TimeLeft, IsTheSameForFewLongAndManyShortSteps)
   }
   few.go(1e-4, 100, 50);
   many.go(1e-4, 100, 5000);
-  EXPECT_NEAR(few.left.seconds(), many.left.seconds(), 0.02 * many.left.seconds());
+  EXPECT_NEAR(few.secondsLeft(), many.secondsLeft(), 0.02 * many.secondsLeft());
 }
 
 // The recent speed would say half an hour before an event and months in it.
@@ -112,13 +112,13 @@ TEST(TimeLeft, KnowsWhatPastCyclesTook)
   goThroughCycles(run, 0, [&](double truth, int cycles_done) {
     if (cycles_done >= 2) {
       ++known;
-      EXPECT_TRUE(run.left.knowsCycles());
-      EXPECT_NEAR(run.left.seconds(), truth, 0.02 * 600) << "cycle " << cycles_done;
+      EXPECT_TRUE(run.knowsCycles());
+      EXPECT_NEAR(run.secondsLeft(), truth, 0.02 * 600) << "cycle " << cycles_done;
     }
   });
   EXPECT_EQ(known, (num_cycles - 2) * 150);
   run.left.note(1, run.seconds, num_cycles);
-  EXPECT_EQ(run.left.seconds(), 0);
+  EXPECT_EQ(run.secondsLeft(), 0);
 }
 
 // The first aftershock alone would make a cycle of half an event, and years of the time left.
@@ -126,9 +126,9 @@ TEST(TimeLeft, TakesAftershocksForPartsOfTheirCycle)
 {
   Simulated run;
   const auto check = [&](double truth, int cycles_done) {
-    EXPECT_EQ(run.left.knowsCycles(), run.num_events > 2) << run.num_events;
+    EXPECT_EQ(run.knowsCycles(), run.num_events > 2) << run.num_events;
     if (cycles_done >= 2) {
-      EXPECT_NEAR(run.left.seconds(), truth, 0.02 * 600) << "cycle " << cycles_done;
+      EXPECT_NEAR(run.secondsLeft(), truth, 0.02 * 600) << "cycle " << cycles_done;
     }
   };
   goThroughCycles(run, 0, check, 1);
@@ -139,8 +139,8 @@ TEST(TimeLeft, IsWithinACycleOrAFifthWhereCyclesDiffer)
   Simulated run;
   goThroughCycles(run, 0.3, [&](double truth, int cycles_done) {
     if (cycles_done >= 4) {
-      EXPECT_NEAR(run.left.seconds(), truth, std::max(600.0, 0.2 * truth)) << cycles_done;
-      EXPECT_GE(run.left.seconds(), 0);
+      EXPECT_NEAR(run.secondsLeft(), truth, std::max(600.0, 0.2 * truth)) << cycles_done;
+      EXPECT_GE(run.secondsLeft(), 0);
     }
   });
 }
@@ -150,10 +150,10 @@ TEST(TimeLeft, DoesNotKnowCyclesBeforeTwoEvents)
   Simulated run;
   goThroughCycles(run, 0, [&](double, int) {
     if (run.num_events < 2) {
-      EXPECT_FALSE(run.left.knowsCycles());
+      EXPECT_FALSE(run.knowsCycles());
     }
   });
-  EXPECT_TRUE(run.left.knowsCycles());
+  EXPECT_TRUE(run.knowsCycles());
 }
 
 // A run that was restarted has events that it did not see.
@@ -164,6 +164,22 @@ TEST(TimeLeft, CountsOnlyTheCyclesThatItSaw)
   run.left.note(0.3, run.seconds, run.num_events);
   run.fraction = 0.3;
   run.go(1e-3, 10, 10);
-  EXPECT_FALSE(run.left.knowsCycles());
-  EXPECT_NEAR(run.left.seconds(), 690, 1);
+  EXPECT_FALSE(run.knowsCycles());
+  EXPECT_NEAR(run.secondsLeft(), 690, 1);
+}
+
+TEST(TimeLeft, KnowsAfterARestartWhatItKnewAtTheCheckpoint)
+{
+  Simulated run;
+  goThroughCycles(run, 0.3, [&](double, int cycles_done) {
+    if (cycles_done > 0) {
+      asperity::io::Archive archive;
+      run.left.save(archive);
+      TimeLeft restarted;
+      restarted.restore(archive);
+      EXPECT_EQ(restarted.estimate(1).value().seconds, run.secondsLeft());
+      EXPECT_EQ(restarted.estimate(1).value().knows_cycles, run.knowsCycles());
+    }
+  });
+  EXPECT_TRUE(run.knowsCycles());
 }

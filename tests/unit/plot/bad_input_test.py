@@ -190,7 +190,8 @@ class BadInput(unittest.TestCase):
     def test_missing_modules(self):
         result = self.start(str(self.folder), PYTHONPATH=self.path_without("h5py"))
         self.assertEqual(result.returncode, 2)
-        self.assertIn("apt-get install python3-h5py", result.stderr)
+        self.assertIn("has no module h5py", result.stderr)
+        self.assertIn("apt-get install python3-numpy python3-h5py", result.stderr)
         self.assertNotIn("Traceback", result.stderr)
 
     def test_missing_numpy(self):

@@ -11,7 +11,7 @@ import numpy as np
 import synthetic_cycle as cycle
 from asperity_plot import cli, event_table, markdown, units, windows
 from asperity.errors import InputError, NothingToShow
-from asperity_plot.options import Options
+from asperity_plot.windows import Options
 from asperity.run import Run
 
 

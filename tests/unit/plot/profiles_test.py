@@ -13,7 +13,7 @@ import synthetic_cycle as cycle
 import synthetic_run
 from asperity_plot import along, profiles, slip_profiles, style, windows
 from asperity.history import History
-from asperity_plot.options import Options
+from asperity_plot.windows import Options
 from asperity.run import Run
 from asperity.tables import Table
 

@@ -11,7 +11,7 @@ from matplotlib import pyplot
 import synthetic_cycle as cycle
 from asperity_plot import receivers, reference, style, units, windows
 from asperity.errors import InputError, NothingToShow
-from asperity_plot.options import Options
+from asperity_plot.windows import Options
 from asperity.run import Run
 from asperity.series import Series
 
@@ -97,6 +97,7 @@ class Receivers(unittest.TestCase):
         cycle.write_receivers(self.folder / "receivers.h5", self.times)
         cycle.write_events(self.folder / "events.csv")
         cycle.write_steps(self.folder / "steps.csv", self.times)
+        cycle.write_parameters(self.folder / "parameters.xml")
         style.use()
         self.addCleanup(pyplot.close, "all")
 

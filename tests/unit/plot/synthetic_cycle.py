@@ -94,6 +94,15 @@ def write_run(folder: Path, nodes: int = 97) -> None:
     write_totals(folder / "global.csv", times)
     write_events(folder / "events.csv")
     write_steps(folder / "steps.csv", times)
+    write_parameters(folder / "parameters.xml")
+
+
+def write_parameters(path: Path) -> None:
+    """The threshold of the events, which every run says there."""
+    path.write_text('<ParameterList name="Asperity"><ParameterList name="Output">'
+                    '<ParameterList name="Event Catalogue">'
+                    '<Parameter name="Threshold" type="double" value="1e-3"/>'
+                    '</ParameterList></ParameterList></ParameterList>\n')
 
 
 def write_receivers(path: Path, times: np.ndarray) -> None:

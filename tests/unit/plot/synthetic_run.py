@@ -28,6 +28,11 @@ PARAMETERS = """<ParameterList name="Asperity">
       <Parameter name="Seismogenic Zone End" type="double" value="0.35"/>
     </ParameterList>
   </ParameterList>
+  <ParameterList name="Output">
+    <ParameterList name="Event Catalogue">
+      <Parameter name="Threshold" type="double" value="1e-3"/>
+    </ParameterList>
+  </ParameterList>
   <ParameterList name="Bulk">
     <Parameter name="Gravitational Acceleration" type="double" value="9.81"/>
     <Parameter name="Gravity Direction" type="Array(double)" value="{0.27, -1.0}"/>

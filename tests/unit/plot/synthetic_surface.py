@@ -5,6 +5,8 @@ from pathlib import Path
 import h5py
 import numpy as np
 
+import synthetic_cycle
+
 NX, NZ, STEP = 21, 11, 500.0       # nodes along strike and down dip, [m] between them
 DIP = np.radians(30.0)
 HYPOCENTRE = (2500.0, 2000.0)      # [m] along strike, down dip
@@ -54,6 +56,7 @@ def write_run(folder: Path) -> None:
         file["number"], file["onset"], file["threshold"] = [1], [ONSET], [1e-3]
         file["rupture_time"] = ONSET + arrivals(strike, dip)[None]
         write_geometry(file, nodes, triangles)
+    synthetic_cycle.write_parameters(folder / "parameters.xml")
     first = coordinates(np.array([HYPOCENTRE[0]]), np.array([HYPOCENTRE[1]]))[0]
     (folder / "events.csv").write_text(
         "number,onset [s],end [s],duration [s],area [m^2],length [m],width [m],peak_slip [m],"

@@ -93,8 +93,7 @@ class Windows(unittest.TestCase):
     def test_the_wedge(self):
         run = self.run_with("", synthetic_run.PARAMETERS)
         end = 0.35 * np.sqrt(1.0 + 0.27**2)
-        np.testing.assert_allclose(run.seismogenic_zone, (end - 0.2, end))
-        self.assertEqual(run.seismogenic_zones, [run.seismogenic_zone])
+        np.testing.assert_allclose(run.seismogenic_zones, [(end - 0.2, end)])
         further = '<Parameter name="Refined Intervals" type="Array(double)" ' \
                   'value="{0.6, 0.7, 0.05, 0.1}"/>\n'
         mark = '<ParameterList name="Wedge">\n'
@@ -113,7 +112,7 @@ class Windows(unittest.TestCase):
                '</ParameterList></ParameterList>'
         run = self.run_with("", deck)
         np.testing.assert_allclose(run.upwards(2), (-0.6, 0.8))
-        self.assertIsNone(run.seismogenic_zone)
+        self.assertEqual(run.seismogenic_zones, [])
         (self.folder / "parameters.xml").unlink()
         np.testing.assert_allclose(Run(self.folder).upwards(3), (0.0, 1.0, 0.0))
 

@@ -18,7 +18,7 @@ import synthetic_run
 from asperity.run import Run
 from asperity_plot import cli as plot_cli
 from asperity_plot import event_table, maps, windows
-from asperity_report import cli, figures, provenance, sections
+from asperity_report import cli, provenance, report, sections
 from asperity_report.page import page as whole_page, table
 from page_checks import Page
 
@@ -71,7 +71,7 @@ class Report(unittest.TestCase):
         cls.temporary = tempfile.TemporaryDirectory()
         cls.addClassCleanup(cls.temporary.cleanup)
         for module, name, size in ((maps, "COLUMNS", 300), (maps, "POSITIONS", 100),
-                                   (figures, "DPI", 60)):
+                                   (report, "DPI", 60)):
             coarse = mock.patch.object(module, name, size)
             coarse.start()
             cls.addClassCleanup(coarse.stop)

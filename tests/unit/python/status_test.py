@@ -12,10 +12,7 @@ import time
 import unittest
 from pathlib import Path
 
-import asperity
 import synthetic_log
-from asperity import estimate
-from asperity.log import RunLog
 from asperity_status import cli
 
 FINISHED = "\nFinished at t = 500 s after 1500 steps.\nEffort: 3 coupled steps.\n"
@@ -89,9 +86,10 @@ class State(Folder):
         self.assertEqual((status, err), (10, ""))
         self.assertIn("no step yet", out)
 
-    def test_a_line_of_the_log_without_its_end_is_left_out(self):
-        synthetic_log.write(self.folder, 2 * STEPS, 5, "t = 230 s of 50")
-        self.assertAlmostEqual(self.facts()["time"], 200.0)
+    def test_a_run_whose_table_has_no_line_yet(self):
+        synthetic_log.write(self.folder, 45, 5)
+        (self.folder / "steps.csv").write_text("")
+        self.assertEqual((self.facts()["state"], self.facts()["step"]), ("running", 45))
 
 
 class Journal(Folder):
@@ -103,9 +101,9 @@ class Journal(Folder):
         (self.folder / "run.jsonl").write_text("\n".join(lines) + "\n")
 
     @staticmethod
-    def end(how, status, message="", wall=1.0):
+    def end(how, status, message="", wall_time=1.0):
         return {"event": "end", "how": how, "exit_status": status, "message": message,
-                "wall": wall}
+                "wall_time": wall_time}
 
     def test_a_failed_run_is_no_stopped_one(self):
         self.write({"event": "begin"}, self.end("failed", 3, "Step 7 failed. Try other steps."))
@@ -150,6 +148,7 @@ class Journal(Folder):
 
     def test_warnings_of_a_run_without_run_jsonl(self):
         synthetic_log.write(self.folder, 2 * STEPS, 5, "WARNING: too few cells.\n")
+        (self.folder / "run.jsonl").unlink()
         self.assertIn("WARNING: too few cells.", self.status()[1])
 
     def test_a_line_without_its_end_is_left_out(self):
@@ -160,9 +159,31 @@ class Journal(Folder):
 
     def test_wall_time_counts_to_the_end_of_each_process(self):
         """Also where the last line of progress was long before it."""
-        self.write({"event": "begin"}, self.end("stopped", 4, wall=5000.0), {"event": "begin"},
-                   self.end("finished", 0, wall=45.0), ending=STOPPED + synthetic_log.HEADER)
-        self.assertAlmostEqual(self.facts()["wall"], 5045.0)
+        self.write({"event": "begin"}, self.end("stopped", 4, wall_time=5000.0),
+                   {"event": "begin"}, self.end("finished", 0, wall_time=5045.0))
+        self.assertEqual(self.facts()["wall"], 5045.0)
+
+    def test_earlier_versions_say_the_wall_time_of_each_process(self):
+        ends = [dict(self.end("stopped", 4), wall=wall) for wall in (5000.0, 45.0)]
+        for end in ends:
+            del end["wall_time"]
+        self.write({"event": "begin"}, ends[0], {"event": "begin"}, ends[1])
+        facts = self.facts()
+        self.assertEqual((facts["wall"], facts["step"]), (5045.0, 2 * STEPS + 30))
+        self.assertEqual((facts["speed"], facts["seconds_left"]), (None, None))
+
+    def test_a_restart_takes_back_the_progress_after_its_checkpoint(self):
+        progress = {"event": "progress", "peak_slip_rate": 1e-9}
+        self.write({"event": "begin"}, {**progress, "step": 60, "time": 1.0, "wall_time": 100.0},
+                   {**progress, "step": 120, "time": 9.0, "wall_time": 160.0}, {"event": "begin"},
+                   {"event": "restart", "step": 90},
+                   {**progress, "step": 120, "time": 9.0, "wall_time": 200.0},
+                   steps=50, ending="")
+        facts = self.facts()
+        self.assertEqual((facts["step"], facts["time"]), (120, 9.0))
+        self.assertAlmostEqual(facts["wall"], 200.0, delta=5.0)
+        self.assertAlmostEqual(facts["speed"], 0.08)
+        self.assertAlmostEqual(facts["steps_per_minute"], 36.0)
 
 
 class Lock(Folder):
@@ -219,7 +240,7 @@ class Facts(Folder):
         self.assertAlmostEqual(first["seconds_left"] - later["seconds_left"], 100.0, delta=5.0)
         self.assertAlmostEqual(first["seconds_left"], 2 * synthetic_log.cycle_wall(), delta=60.0)
 
-    def test_the_log_is_ahead_of_the_tables(self):
+    def test_the_journal_is_ahead_of_the_tables(self):
         synthetic_log.write(self.folder, 2 * STEPS + 45, 5, flushed=100)
         facts = self.facts()
         self.assertEqual(facts["step"], 2 * STEPS + 45)
@@ -244,79 +265,16 @@ class Facts(Folder):
         _, out, _ = self.status()
         self.assertIn("step 77", out)
 
+    def test_says_whether_the_time_left_is_of_past_cycles(self):
+        for steps, words in ((45, "at this speed"), (3 * STEPS, "by the cost of past cycles")):
+            synthetic_log.write(self.folder, steps, 5)
+            self.assertIn(words, self.status()[1])
+
     def test_follow_ends_with_the_run(self):
         synthetic_log.write(self.folder, 5 * STEPS, 5, FINISHED)
         status, out, _ = self.status("--follow", "--every", "0.01s")
         self.assertEqual(status, 0)
         self.assertEqual(out.count("finished"), 1)
-
-
-class TimeLeft(Folder):
-    """The program knows nothing but the files; the truth is what the run will take."""
-
-    def left(self, steps, cycles, **options):
-        synthetic_log.write(self.folder, steps, cycles, **options)
-        run = asperity.Run(self.folder)
-        return estimate.time_left(run, RunLog.read(self.folder / "run.log"))
-
-    def test_follows_the_cost_of_cycles_in_every_phase(self):
-        cycles = 8
-        for steps in range(3 * STEPS, cycles * STEPS, 75):
-            with self.subTest(steps=steps):
-                left = self.left(steps, cycles)
-                truth = (cycles * STEPS - steps) * synthetic_log.WALL_PER_STEP
-                self.assertTrue(left.knows_cycles)
-                self.assertLess(abs(left.seconds - truth), 0.1 * synthetic_log.cycle_wall())
-
-    def test_follows_it_from_the_log_where_tables_are_old(self):
-        steps, cycles = 5 * STEPS + 30, 8
-        left = self.left(steps, cycles, flushed=2 * STEPS)
-        truth = (cycles * STEPS - steps) * synthetic_log.WALL_PER_STEP
-        self.assertTrue(left.knows_cycles)
-        self.assertLess(abs(left.seconds - truth), 0.1 * synthetic_log.cycle_wall())
-
-    def test_takes_aftershocks_for_parts_of_their_cycle(self):
-        cycles = 8
-        self.assertFalse(self.left(2 * STEPS - 250, cycles, aftershocks=True).knows_cycles)
-        for steps in (3 * STEPS, 5 * STEPS + 40, 6 * STEPS - 100):
-            with self.subTest(steps=steps):
-                left = self.left(steps, cycles, aftershocks=True)
-                truth = (cycles * STEPS - steps) * synthetic_log.WALL_PER_STEP
-                self.assertTrue(left.knows_cycles)
-                self.assertLess(abs(left.seconds - truth), 0.1 * synthetic_log.cycle_wall())
-
-    def test_says_that_it_knows_no_cycle(self):
-        left = self.left(45, 8)
-        self.assertFalse(left.knows_cycles)
-        speed = (synthetic_log.CYCLE - synthetic_log.EVENT) / synthetic_log.CALM_STEPS / 2.0
-        remaining = 8 * synthetic_log.CYCLE - 45 * 2.0 * speed
-        self.assertAlmostEqual(left.seconds, remaining / speed, delta=0.1 * remaining / speed)
-        self.assertIn("at this speed", self.status()[1])
-
-    def test_knows_no_speed_without_a_line_of_progress(self):
-        self.folder.mkdir()
-        (self.folder / "run.log").write_text(synthetic_log.HEADER)
-        log = RunLog.read(self.folder / "run.log")
-        self.assertIsNone(estimate.time_left(asperity.Run(self.folder), log))
-
-    def test_a_restart_adds_its_wall_time(self):
-        synthetic_log.write(self.folder, 3 * STEPS, 8, STOPPED)
-        first = (self.folder / "run.log").read_text()
-        synthetic_log.write(self.folder, 6 * STEPS, 8)
-        second = []
-        for line in (self.folder / "run.log").read_text().splitlines():
-            if "step " in line:
-                step = int(line.split("step ")[1].split(",")[0])
-                if step <= 3 * STEPS:
-                    continue
-                line = line.replace(f"wall {step * 2:g} s", f"wall {(step - 3 * STEPS) * 2:g} s")
-            second.append(line)
-        (self.folder / "run.log").write_text(first + "\n".join(second) + "\n")
-        log = RunLog.read(self.folder / "run.log")
-        self.assertAlmostEqual(log.wall, 6 * STEPS * 2.0)
-        left = estimate.time_left(asperity.Run(self.folder), log)
-        self.assertLess(abs(left.seconds - 2 * synthetic_log.cycle_wall()),
-                        0.1 * synthetic_log.cycle_wall())
 
 
 if __name__ == "__main__":

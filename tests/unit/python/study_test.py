@@ -1,6 +1,7 @@
 """Studies: which runs a file asks for, and what is wrong with one that asks badly."""
 
 import csv
+import json
 import tempfile
 import unittest
 from pathlib import Path
@@ -17,9 +18,6 @@ from asperity_study import figure, results, runner, study
 from asperity_study.runner import Job
 
 EXAMPLES = Path(__file__).resolve().parents[3] / "examples" / "study"
-WALL = """Asperity 0.1.0 on Serial, 1 rank.
-t = 46 s, step 900, dt 0.25 s, V 1.0e-09 m/s, 2 iterations, 3 events, wall {wall} s
-"""
 
 
 class Studies(unittest.TestCase):
@@ -163,8 +161,10 @@ class Tables(Studies):
         synthetic_run.write_run(jobs[1].folder, 1, nodes=20)
         (jobs[0].folder / "run.log").write_text("WARNING: one\nWARNING: two\nWARNING: one\n")
         table = results.columns(what, jobs, what.runs())
-        self.assertIn("run 1.", runner.describe_warnings(jobs))
-        self.assertEqual(runner.describe_warnings(jobs[1:]), "")
+        self.assertIn("1 finished, 1 failed, 1 waiting\nWARNING: results may be wrong",
+                      runner.summary(jobs))
+        self.assertIn("run 1.", runner.summary(jobs))
+        self.assertEqual(runner.summary(jobs[1:]), "0 finished, 1 failed, 1 waiting")
         results.write(self.folder, table, Selection(merging_time=5.0))
         figure.draw(what, table, self.folder / "study.png")
         with open(self.folder / "results.csv", newline="") as file:
@@ -191,7 +191,10 @@ class Tables(Studies):
         jobs = [Job(number, self.folder / str(number), [], "finished") for number in (1, 2)]
         for job in jobs:
             synthetic_run.write_run(job.folder, 3, nodes=20)
-            (job.folder / "run.log").write_text(WALL.format(wall=7200 * job.number))
+            (job.folder / "run.log").write_text("Asperity 0.1.0 on Serial, 1 rank.\n")
+            end = {"event": "end", "how": "finished", "exit_status": 0, "message": "",
+                   "wall_time": 7200 * job.number}
+            (job.folder / "run.jsonl").write_text(json.dumps(end) + "\n")
         table = results.columns(what, jobs, what.runs())
         with mock.patch.object(figure.style, "save") as save:
             figure.draw(what, table, self.folder / "study.png")

@@ -165,7 +165,8 @@ def restarted():
         result = asperity_run.run(DECK, *words(settings), "--output", half, "--restart",
                                   half / "checkpoint.h5")
         fine = result.returncode == 0
-        fine = fine and (whole / "steps.csv").read_bytes() == (half / "steps.csv").read_bytes()
+        fine = fine and (asperity_run.content(whole / "steps.csv")
+                         == asperity_run.content(half / "steps.csv"))
         fine = fine and all(
             numpy.array_equal(a, b) for a, b in zip(
                 asperity_run.series(whole / "fault.h5").values(),

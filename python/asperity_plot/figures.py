@@ -1,0 +1,35 @@
+"""The figures by name. The module of that name draws each, and boxes the events."""
+
+from importlib import import_module
+
+from asperity.errors import NothingToShow
+
+FIGURES = {  # what it shows, and the file that it needs
+    "slip_rate": ("slip rate over position and time, with a zoom into a rupture", "fault.h5"),
+    "surface": ("vertical displacement of the surface relative to its time average", "surface.h5"),
+    "deformation": ("displacement of the surface before and in an event; in 3D maps",
+                    "surface.h5"),
+    "events": ("box plots of recurrence time, rupture width, peak slip and more", "events.csv"),
+    "iterations": ("fixed point iterations and step size", "steps.csv"),
+    "slip": ("profiles of cumulative slip", "fault.h5"),
+    "energy": ("balance of energy over the run", "steps.csv"),
+    "slip_profiles": ("cumulative slip, lines years apart and seconds apart in ruptures",
+                      "fault.h5"),
+    "receivers": ("slip rate, shear traction, state and slip at the receivers on the fault",
+                  "receivers.h5"),
+    "rupture_times": ("first arrival of each rupture over the position", "rupture.h5"),
+    "moment_rate": ("moment rate and moment of each event", "global.csv"),
+    "fault_maps": ("in 3D: slip of an event and its rupture front on the fault", "fault.h5"),
+    "rupture_patterns": ("in 3D: rupture fronts of the last events side by side", "rupture.h5"),
+    "fault_history": ("in 3D: peak slip rate, and slip rate along strike over time", "fault.h5"),
+}
+
+
+def draw(name: str, run, view, is_wanted: bool = False):
+    """A figure of matplotlib; NothingToShow if the run has no data for it. InputError if one that
+    `is_wanted` lacks its file."""
+    file = FIGURES[name][1]
+    if not is_wanted and not run.has(file):
+        raise NothingToShow(f"the run has no {file}")
+    module = import_module("." + ("boxes" if name == "events" else name), __package__)
+    return module.draw(run, view)
