@@ -119,8 +119,8 @@ private:
   void split(int number)
   {
     const int vertex = fault_vertices_[number];
-    const detail::VertexStar<Dim> star(mesh_.cells, cells_at_[number], vertex,
-                                       [this](Facet const& key) { return faultFacet(key); });
+    const detail::Star<Dim> star(mesh_.cells, cells_at_[number], std::array<int, 1>{vertex},
+                                 [this](Facet const& key) { return faultFacet(key); });
     const auto decision =
       detail::splitVertex<Dim>(star,
                                {mesh_.vertices[vertex], facets_at_[number],
