@@ -6,6 +6,8 @@
 #include "mesh/SplitVertices.hpp"
 #include "mesh/detail/InnerBoundaries.hpp"
 
+#include <Teuchos_DefaultSerialComm.hpp>
+
 #include <set>
 
 namespace asperity::mesh
@@ -16,33 +18,20 @@ namespace
 template <int Dim>
 using FacetKey = std::array<GlobalOrdinal, Dim>;
 
-template <int Dim>
-FacetKey<Dim> keyOf(GlobalMesh<Dim> const&, typename Mesh<Dim>::Facet const& facet)
-{
-  FacetKey<Dim> key;
-  std::copy(facet.begin(), facet.end(), key.begin());
-  return detail::sorted(key);
-}
-template <int Dim>
-FacetKey<Dim> keyOf(Mesh<Dim> const& part, typename Mesh<Dim>::Facet const& facet)
+template <template <int> class AnyMesh, int Dim>
+FacetKey<Dim> keyOf(AnyMesh<Dim> const& mesh, typename Mesh<Dim>::Facet const& facet)
 {
   FacetKey<Dim> key;
   std::transform(facet.begin(), facet.end(), key.begin(),
-                 [&](int vertex) { return part.global_ids[static_cast<std::size_t>(vertex)]; });
+                 [&](int vertex) { return detail::globalId(mesh, vertex); });
   return detail::sorted(key);
 }
 
 // Whether this rank has all cells of the facet: it has all cells that touch its owned vertices.
-template <int Dim>
-bool isComplete(GlobalMesh<Dim> const&, typename Mesh<Dim>::Facet const&)
+template <template <int> class AnyMesh, int Dim>
+bool isComplete(AnyMesh<Dim> const& mesh, typename Mesh<Dim>::Facet const& facet)
 {
-  return true;
-}
-template <int Dim>
-bool isComplete(Mesh<Dim> const& part, typename Mesh<Dim>::Facet const& facet)
-{
-  return std::any_of(facet.begin(), facet.end(),
-                     [&](int vertex) { return vertex < part.num_owned; });
+  return *std::min_element(facet.begin(), facet.end()) < detail::numComplete(mesh);
 }
 
 // The facets of the cells on both sides of the faults along which the mesh is split.
@@ -78,18 +67,11 @@ std::vector<typename Mesh<Dim>::Facet> outerFacets(AnyMesh<Dim> const& mesh)
 {
   const auto beside_faults = sidesOfFaults(mesh);
   const detail::FacetTable<Dim> table(mesh.cells);
-  auto const& entries = table.entries();
   std::vector<typename Mesh<Dim>::Facet> outer;
-  for (std::size_t first = 0; first < entries.size();) {
-    std::size_t last = first + 1;
-    while (last < entries.size() && entries[last].key == entries[first].key) {
-      ++last;
+  for (auto const* entry : table.ofOneCell()) {
+    if (isComplete(mesh, entry->outward) && beside_faults.count(entry->key) == 0) {
+      outer.push_back(entry->outward);
     }
-    if (last - first == 1 && isComplete(mesh, entries[first].outward) &&
-        beside_faults.count(entries[first].key) == 0) {
-      outer.push_back(entries[first].outward);
-    }
-    first = last;
   }
   return outer;
 }
@@ -148,10 +130,9 @@ private:
   std::map<FacetKey<Dim>, Named> named_;
 };
 
-// on_any_rank(flags) is 1 where the flag of any part of the mesh is 1.
-template <template <int> class AnyMesh, int Dim, class OnAnyRank>
+template <template <int> class AnyMesh, int Dim>
 void assignBoundaries(AnyMesh<Dim>& mesh, std::vector<NamedCondition<Dim>> const& conditions,
-                      std::string const& where, OnAnyRank on_any_rank)
+                      std::string const& where, Communicator const& communicator)
 {
   const auto faults = conditions.empty() ? std::vector<std::string>() : faultsOf(mesh, where);
   for (auto const& condition : conditions) {
@@ -161,7 +142,7 @@ void assignBoundaries(AnyMesh<Dim>& mesh, std::vector<NamedCondition<Dim>> const
                               "one.");
   }
   const NamedFacets<AnyMesh, Dim> named(mesh, conditions);
-  const std::vector<int> are_used = on_any_rank(named.areUsed(conditions));
+  const std::vector<int> are_used = maxOverRanks(named.areUsed(conditions), communicator);
   std::map<std::string, std::vector<typename Mesh<Dim>::Facet>> boundaries;
   for (std::size_t c = 0; c < conditions.size(); ++c) {
     ASPERITY_REQUIRE(are_used[c], where
@@ -178,7 +159,7 @@ void assignBoundaries(AnyMesh<Dim>& mesh, std::vector<NamedCondition<Dim>> const
                  facets.end());
     has_facets.push_back(facets.empty() ? 0 : 1);
   }
-  has_facets = on_any_rank(has_facets);
+  has_facets = maxOverRanks(has_facets, communicator);
   auto is_kept = has_facets.begin();
   for (auto& [name, facets] : mesh.boundaries) {
     if (*is_kept++) {
@@ -194,16 +175,14 @@ template <int Dim>
 void overrideBoundaries(GlobalMesh<Dim>& mesh, std::vector<NamedCondition<Dim>> const& conditions,
                         std::string const& where)
 {
-  assignBoundaries(mesh, conditions, where, [](std::vector<int> const& flags) { return flags; });
+  assignBoundaries(mesh, conditions, where, Teuchos::SerialComm<int>());
 }
 
 template <int Dim>
 void overrideBoundaries(Mesh<Dim>& part, std::vector<NamedCondition<Dim>> const& conditions,
                         Communicator const& communicator, std::string const& where)
 {
-  assignBoundaries(part, conditions, where, [&](std::vector<int> const& flags) {
-    return maxOverRanks(flags, communicator);
-  });
+  assignBoundaries(part, conditions, where, communicator);
 }
 
 template <int Dim>

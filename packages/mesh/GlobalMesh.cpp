@@ -13,18 +13,6 @@ namespace asperity::mesh
 {
 namespace
 {
-using mesh::text; // of a point
-
-template <std::size_t Dim, std::size_t N>
-std::string text(std::array<std::array<double, Dim>, N> const& corners)
-{
-  std::string list;
-  for (auto const& corner : corners) {
-    list += (list.empty() ? "" : ", ") + text(corner);
-  }
-  return list;
-}
-
 template <std::size_t N>
 std::string numbers(std::array<int, N> const& simplex)
 {

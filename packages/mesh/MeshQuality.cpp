@@ -11,17 +11,6 @@ namespace asperity::mesh
 {
 namespace
 {
-template <int Dim, class AnyMesh>
-std::vector<double> diameters(AnyMesh const& mesh)
-{
-  std::vector<double> result;
-  result.reserve(mesh.cells.size());
-  for (auto const& cell : mesh.cells) {
-    result.push_back(longestEdge(corners(mesh, cell)));
-  }
-  return result;
-}
-
 // The angles between facets (edges in 2D): pi minus the angle between their outward normals.
 template <int Dim>
 double smallestAngle(GlobalMesh<Dim> const& mesh, typename GlobalMesh<Dim>::Cell const& cell)
@@ -40,44 +29,17 @@ double smallestAngle(GlobalMesh<Dim> const& mesh, typename GlobalMesh<Dim>::Cell
   }
   return smallest;
 }
-
-template <class AnyMesh>
-auto const& findBoundary(AnyMesh const& mesh, std::string const& name)
-{
-  const auto found = mesh.boundaries.find(name);
-  if (found == mesh.boundaries.end()) {
-    std::vector<std::string> names;
-    for (auto const& boundary : mesh.boundaries) {
-      names.push_back(boundary.first);
-    }
-    throw InputError("The mesh has no boundary '" + name + "'." + didYouMean(name, names));
-  }
-  return found->second;
-}
-
-template <class AnyMesh>
-std::vector<int> verticesOfBoundary(AnyMesh const& mesh, std::string const& name)
-{
-  std::vector<int> vertices;
-  for (auto const& facet : findBoundary(mesh, name)) {
-    vertices.insert(vertices.end(), facet.begin(), facet.end());
-  }
-  std::sort(vertices.begin(), vertices.end());
-  vertices.erase(std::unique(vertices.begin(), vertices.end()), vertices.end());
-  return vertices;
-}
 } // namespace
 
-template <int Dim>
-std::vector<double> cellDiameters(GlobalMesh<Dim> const& mesh)
+template <template <int> class AnyMesh, int Dim>
+std::vector<double> cellDiameters(AnyMesh<Dim> const& mesh)
 {
-  return diameters<Dim>(mesh);
-}
-
-template <int Dim>
-std::vector<double> cellDiameters(Mesh<Dim> const& mesh)
-{
-  return diameters<Dim>(mesh);
+  std::vector<double> result;
+  result.reserve(mesh.cells.size());
+  for (auto const& cell : mesh.cells) {
+    result.push_back(longestEdge(corners(mesh, cell)));
+  }
+  return result;
 }
 
 template <int Dim>
@@ -98,37 +60,34 @@ CellSizes cellSizes(GlobalMesh<Dim> const& mesh)
   return sizes;
 }
 
-template <int Dim>
-std::vector<typename Mesh<Dim>::Facet> const& boundaryFacets(GlobalMesh<Dim> const& mesh,
+template <template <int> class AnyMesh, int Dim>
+std::vector<typename Mesh<Dim>::Facet> const& boundaryFacets(AnyMesh<Dim> const& mesh,
                                                              std::string const& name)
 {
-  return findBoundary(mesh, name);
+  const auto found = mesh.boundaries.find(name);
+  ASPERITY_REQUIRE(found != mesh.boundaries.end(), "The mesh has no boundary '"
+                                                     << name << "'."
+                                                     << didYouMean(name, boundaryNames(mesh)));
+  return found->second;
 }
 
-template <int Dim>
-std::vector<typename Mesh<Dim>::Facet> const& boundaryFacets(Mesh<Dim> const& mesh,
-                                                             std::string const& name)
+template <template <int> class AnyMesh, int Dim>
+std::vector<int> boundaryVertices(AnyMesh<Dim> const& mesh, std::string const& name)
 {
-  return findBoundary(mesh, name);
-}
-
-template <int Dim>
-std::vector<int> boundaryVertices(GlobalMesh<Dim> const& mesh, std::string const& name)
-{
-  return verticesOfBoundary(mesh, name);
-}
-
-template <int Dim>
-std::vector<int> boundaryVertices(Mesh<Dim> const& mesh, std::string const& name)
-{
-  return verticesOfBoundary(mesh, name);
+  std::vector<int> vertices;
+  for (auto const& facet : boundaryFacets(mesh, name)) {
+    vertices.insert(vertices.end(), facet.begin(), facet.end());
+  }
+  std::sort(vertices.begin(), vertices.end());
+  vertices.erase(std::unique(vertices.begin(), vertices.end()), vertices.end());
+  return vertices;
 }
 
 template <int Dim>
 double shortestEdge(GlobalMesh<Dim> const& mesh, std::string const& boundary)
 {
   double shortest = std::numeric_limits<double>::infinity();
-  for (auto const& facet : findBoundary(mesh, boundary)) {
+  for (auto const& facet : boundaryFacets(mesh, boundary)) {
     const auto points = corners(mesh, facet);
     for (int i = 0; i < Dim; ++i) {
       for (int j = 0; j < i; ++j) {
@@ -139,18 +98,19 @@ double shortestEdge(GlobalMesh<Dim> const& mesh, std::string const& boundary)
   return shortest;
 }
 
-#define ASPERITY_INSTANTIATE(Dim)                                                                  \
-  template std::vector<double> cellDiameters(GlobalMesh<Dim> const&);                              \
-  template std::vector<double> cellDiameters(Mesh<Dim> const&);                                    \
-  template CellSizes cellSizes(GlobalMesh<Dim> const&);                                            \
-  template std::vector<Mesh<Dim>::Facet> const& boundaryFacets(GlobalMesh<Dim> const&,             \
+#define ASPERITY_INSTANTIATE(AnyMesh, Dim)                                                         \
+  template std::vector<double> cellDiameters(AnyMesh<Dim> const&);                                 \
+  template std::vector<Mesh<Dim>::Facet> const& boundaryFacets(AnyMesh<Dim> const&,                \
                                                                std::string const&);                \
-  template std::vector<Mesh<Dim>::Facet> const& boundaryFacets(Mesh<Dim> const&,                   \
-                                                               std::string const&);                \
-  template std::vector<int> boundaryVertices(GlobalMesh<Dim> const&, std::string const&);          \
-  template std::vector<int> boundaryVertices(Mesh<Dim> const&, std::string const&);                \
-  template double shortestEdge(GlobalMesh<Dim> const&, std::string const&);
-ASPERITY_INSTANTIATE(2)
-ASPERITY_INSTANTIATE(3)
+  template std::vector<int> boundaryVertices(AnyMesh<Dim> const&, std::string const&);
+ASPERITY_INSTANTIATE(GlobalMesh, 2)
+ASPERITY_INSTANTIATE(GlobalMesh, 3)
+ASPERITY_INSTANTIATE(Mesh, 2)
+ASPERITY_INSTANTIATE(Mesh, 3)
 #undef ASPERITY_INSTANTIATE
+
+template CellSizes cellSizes(GlobalMesh<2> const&);
+template CellSizes cellSizes(GlobalMesh<3> const&);
+template double shortestEdge(GlobalMesh<2> const&, std::string const&);
+template double shortestEdge(GlobalMesh<3> const&, std::string const&);
 } // namespace asperity::mesh

@@ -2,14 +2,12 @@
 
 #include "mesh/GlobalMesh.hpp"
 
-// Sizes and boundaries, of a whole mesh or of a rank's part of one.
+// Sizes and boundaries. AnyMesh is GlobalMesh, a whole mesh, or Mesh, a rank's part of one.
 namespace asperity::mesh
 {
 // Diameters (longest edges) of the cells, (num_cells) in m.
-template <int Dim>
-std::vector<double> cellDiameters(GlobalMesh<Dim> const& mesh);
-template <int Dim>
-std::vector<double> cellDiameters(Mesh<Dim> const& mesh);
+template <template <int> class AnyMesh, int Dim>
+std::vector<double> cellDiameters(AnyMesh<Dim> const& mesh);
 
 struct CellSizes
 {
@@ -21,20 +19,26 @@ struct CellSizes
 template <int Dim>
 CellSizes cellSizes(GlobalMesh<Dim> const& mesh);
 
+// The names of the boundaries, sorted.
+template <class AnyMesh>
+std::vector<std::string> boundaryNames(AnyMesh const& mesh)
+{
+  std::vector<std::string> names;
+  for (auto const& boundary : mesh.boundaries) {
+    names.push_back(boundary.first);
+  }
+  return names;
+}
+
 // The facets of a boundary. Throws an InputError with similar or valid names if none has this name.
-template <int Dim>
-std::vector<typename Mesh<Dim>::Facet> const& boundaryFacets(GlobalMesh<Dim> const& mesh,
-                                                             std::string const& name);
-template <int Dim>
-std::vector<typename Mesh<Dim>::Facet> const& boundaryFacets(Mesh<Dim> const& mesh,
+template <template <int> class AnyMesh, int Dim>
+std::vector<typename Mesh<Dim>::Facet> const& boundaryFacets(AnyMesh<Dim> const& mesh,
                                                              std::string const& name);
 
 // Vertices of the facets of a boundary, ascending, each once. In a rank's part these are all owned
 // vertices of the boundary, and the ghosts that share a facet with them.
-template <int Dim>
-std::vector<int> boundaryVertices(GlobalMesh<Dim> const& mesh, std::string const& name);
-template <int Dim>
-std::vector<int> boundaryVertices(Mesh<Dim> const& mesh, std::string const& name);
+template <template <int> class AnyMesh, int Dim>
+std::vector<int> boundaryVertices(AnyMesh<Dim> const& mesh, std::string const& name);
 
 // Shortest edge of the facets of a boundary, in m; infinite if it has no facets.
 template <int Dim>

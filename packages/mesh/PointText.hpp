@@ -19,4 +19,15 @@ std::string text(std::array<double, Dim> const& point)
   out << ')';
   return out.str();
 }
+
+// "(0, 0), (0.5, -1)"
+template <std::size_t Dim, std::size_t N>
+std::string text(std::array<std::array<double, Dim>, N> const& points)
+{
+  std::string list;
+  for (auto const& point : points) {
+    list += (list.empty() ? "" : ", ") + text(point);
+  }
+  return list;
+}
 } // namespace asperity::mesh

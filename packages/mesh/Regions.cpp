@@ -4,6 +4,8 @@
 #include "base/parallel/Reductions.hpp"
 #include "mesh/SimplexGeometry.hpp"
 
+#include <Teuchos_DefaultSerialComm.hpp>
+
 namespace asperity::mesh
 {
 namespace
@@ -48,10 +50,9 @@ void dropRegions(AnyMesh& mesh, std::vector<int> const& is_kept)
   }
 }
 
-// on_any_rank(flags) is 1 where the flag of any part of the mesh is 1.
-template <int Dim, class AnyMesh, class OnAnyRank>
+template <int Dim, class AnyMesh>
 void assignRegions(AnyMesh& mesh, std::vector<NamedCondition<Dim>> const& conditions,
-                   std::string const& where, OnAnyRank on_any_rank)
+                   std::string const& where, Communicator const& communicator)
 {
   for (auto const& condition : conditions) {
     const int region = regionNumber(mesh, condition.name);
@@ -61,7 +62,7 @@ void assignRegions(AnyMesh& mesh, std::vector<NamedCondition<Dim>> const& condit
       }
     }
   }
-  const std::vector<int> has_cells = on_any_rank(regionsWithCells(mesh));
+  const std::vector<int> has_cells = maxOverRanks(regionsWithCells(mesh), communicator);
   for (auto const& condition : conditions) {
     ASPERITY_REQUIRE(
       has_cells[static_cast<std::size_t>(regionNumber(mesh, condition.name))] > 0,
@@ -76,15 +77,14 @@ template <int Dim>
 void overrideRegions(GlobalMesh<Dim>& mesh, std::vector<NamedCondition<Dim>> const& conditions,
                      std::string const& where)
 {
-  assignRegions(mesh, conditions, where, [](std::vector<int> const& flags) { return flags; });
+  assignRegions(mesh, conditions, where, Teuchos::SerialComm<int>());
 }
 
 template <int Dim>
 void overrideRegions(Mesh<Dim>& part, std::vector<NamedCondition<Dim>> const& conditions,
                      Communicator const& communicator, std::string const& where)
 {
-  assignRegions(part, conditions, where,
-                [&](std::vector<int> const& flags) { return maxOverRanks(flags, communicator); });
+  assignRegions(part, conditions, where, communicator);
 }
 
 template void overrideRegions(GlobalMesh<2>&, std::vector<NamedCondition<2>> const&,

@@ -119,28 +119,6 @@ bool contains(Arms<3> const& face, Point<3> const& place)
 }
 
 template <int Dim>
-int numComplete(GlobalMesh<Dim> const& mesh)
-{
-  return static_cast<int>(mesh.vertices.size());
-}
-template <int Dim>
-int numComplete(Mesh<Dim> const& part)
-{
-  return part.num_owned;
-}
-
-template <int Dim>
-GlobalOrdinal idOf(GlobalMesh<Dim> const&, int vertex)
-{
-  return vertex;
-}
-template <int Dim>
-GlobalOrdinal idOf(Mesh<Dim> const& part, int vertex)
-{
-  return part.global_ids[vertex];
-}
-
-template <int Dim>
 struct AtCorner
 {
   int vertex;
@@ -153,15 +131,12 @@ struct AtCorner
 template <int Dim>
 std::vector<AtCorner<Dim>> facetsOfOneCell(FacetTable<Dim> const& table, int num_complete)
 {
-  auto const& entries = table.entries();
   std::vector<AtCorner<Dim>> found;
-  for (std::size_t i = 0; i < entries.size(); ++i) {
-    const bool is_shared = (i > 0 && entries[i - 1].key == entries[i].key) ||
-                           (i + 1 < entries.size() && entries[i + 1].key == entries[i].key);
-    for (int corner = 0; corner < Dim && !is_shared; ++corner) {
-      const int vertex = entries[i].outward[corner];
+  for (auto const* entry : table.ofOneCell()) {
+    for (int corner = 0; corner < Dim; ++corner) {
+      const int vertex = entry->outward[corner];
       if (vertex < num_complete) {
-        found.push_back({vertex, corner, &entries[i]});
+        found.push_back({vertex, corner, entry});
       }
     }
   }
@@ -173,11 +148,7 @@ std::vector<AtCorner<Dim>> facetsOfOneCell(FacetTable<Dim> const& table, int num
 template <template <int> class AnyMesh, int Dim>
 std::string cornersText(AnyMesh<Dim> const& mesh, AtCorner<Dim> const& facet)
 {
-  std::string text;
-  for (auto const& corner : corners(mesh, facet.entry->outward)) {
-    text += (text.empty() ? "" : ", ") + mesh::text(corner);
-  }
-  return text;
+  return mesh::text(corners(mesh, facet.entry->outward));
 }
 
 // "vertex 4 at (0.5, 0.5) m lies inside ..." if a corner of the second facet lies in the first.
@@ -191,7 +162,7 @@ std::string hangingIn(AnyMesh<Dim> const& mesh, AtCorner<Dim> const& facet,
   for (int i = 0; i < Dim - 1; ++i) {
     if (contains(arms, places[i]) && !isAmong<Dim>(arms, places[i])) {
       const int corner = (other.corner + 1 + i) % Dim;
-      return "vertex " + std::to_string(idOf(mesh, other.entry->outward[corner])) + " at " +
+      return "vertex " + std::to_string(globalId(mesh, other.entry->outward[corner])) + " at " +
              mesh::text(points[corner]) + " m lies inside the " + (Dim == 2 ? "edge" : "face") +
              " with the corners " + cornersText(mesh, facet) + ", which no second cell shares";
     }

@@ -61,18 +61,57 @@ public:
 
   std::pair<Iterator, Iterator> find(Facet const& facet) const
   {
-    const Facet key = sorted(facet);
     const auto first =
-      std::lower_bound(entries_.begin(), entries_.end(), key,
+      std::lower_bound(entries_.begin(), entries_.end(), sorted(facet),
                        [](Entry const& entry, Facet const& wanted) { return entry.key < wanted; });
-    auto last = first;
-    while (last != entries_.end() && last->key == key) {
-      ++last;
+    return {first, endOf(first, sorted(facet))};
+  }
+
+  // The entries of the facets that only one cell has.
+  std::vector<Entry const*> ofOneCell() const
+  {
+    std::vector<Entry const*> found;
+    for (auto first = entries_.begin(); first != entries_.end();) {
+      const auto last = endOf(first, first->key);
+      if (last - first == 1) {
+        found.push_back(&*first);
+      }
+      first = last;
     }
-    return {first, last};
+    return found;
   }
 
 private:
+  Iterator endOf(Iterator first, Facet const& key) const
+  {
+    return std::find_if(first, entries_.end(),
+                        [&](Entry const& entry) { return entry.key != key; });
+  }
+
   std::vector<Entry> entries_;
 };
+
+// The number of a vertex in the whole mesh.
+template <int Dim>
+GlobalOrdinal globalId(GlobalMesh<Dim> const&, int vertex)
+{
+  return vertex;
+}
+template <int Dim>
+GlobalOrdinal globalId(Mesh<Dim> const& part, int vertex)
+{
+  return part.global_ids[static_cast<std::size_t>(vertex)];
+}
+
+// The number of vertices, the first ones, of which all cells are here.
+template <int Dim>
+int numComplete(GlobalMesh<Dim> const& mesh)
+{
+  return static_cast<int>(mesh.vertices.size());
+}
+template <int Dim>
+int numComplete(Mesh<Dim> const& part)
+{
+  return part.num_owned;
+}
 } // namespace asperity::mesh::detail

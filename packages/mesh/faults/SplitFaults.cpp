@@ -76,17 +76,11 @@ private:
   // Finds the vertices of faults, and the edges between two of them, on the surface of the body.
   void findSurface()
   {
-    auto const& entries = table_.entries();
-    for (std::size_t i = 0; i < entries.size(); ++i) {
-      const bool is_shared = (i > 0 && entries[i - 1].key == entries[i].key) ||
-                             (i + 1 < entries.size() && entries[i + 1].key == entries[i].key);
-      if (is_shared) {
-        continue;
-      }
-      for (int a : entries[i].key) {
+    for (auto const* entry : table_.ofOneCell()) {
+      for (int a : entry->key) {
         if (number_[a] >= 0) {
           on_surface_.insert(a);
-          for (int b : entries[i].key) {
+          for (int b : entry->key) {
             if (b > a && number_[b] >= 0) {
               edges_on_surface_.insert({a, b});
             }
@@ -125,8 +119,8 @@ private:
   void split(int number)
   {
     const int vertex = fault_vertices_[number];
-    const detail::VertexStar<Dim> star(mesh_.cells, cells_at_[number], vertex,
-                                       [this](Facet const& key) { return faultFacet(key); });
+    const detail::Star<Dim> star(mesh_.cells, cells_at_[number], std::array<int, 1>{vertex},
+                                 [this](Facet const& key) { return faultFacet(key); });
     const auto decision =
       detail::splitVertex<Dim>(star,
                                {mesh_.vertices[vertex], facets_at_[number],

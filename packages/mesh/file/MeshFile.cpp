@@ -2,8 +2,8 @@
 
 #include "base/Errors.hpp"
 #include "base/Hashes.hpp"
-#include "base/hdf5/File.hpp"
 #include "base/parallel/Agreement.hpp"
+#include "mesh/MeshQuality.hpp"
 #include "mesh/file/detail/CompleteFile.hpp"
 #include "mesh/file/detail/MeshFileReader.hpp"
 #include "mesh/parallel/Partition.hpp"
@@ -18,13 +18,6 @@ constexpr int format_version = 1;
 std::string facetsPath(std::string const& boundary)
 {
   return "/boundaries/" + boundary + "/facets";
-}
-
-template <std::size_t N, class Number>
-void writeRows(h5::File& file, std::string const& path,
-               std::vector<std::array<Number, N>> const& rows)
-{
-  file.store(path, rows.empty() ? nullptr : rows.front().data(), {rows.size(), N});
 }
 
 template <int Dim>
@@ -50,10 +43,9 @@ void requireChecksum(GlobalMesh<Dim> const& mesh, detail::MeshFileReader const& 
 }
 
 template <int Dim>
-void writeContents(GlobalMesh<Dim> const& mesh, std::string const& file_name)
+void writeContents(h5::File& file, GlobalMesh<Dim> const& mesh)
 {
   constexpr auto fixed = h5::TextLength::fixed;
-  h5::File file = h5::File::create(file_name, h5::Layout::sealed);
   file.setAttribute("format", format_name, fixed);
   file.setAttribute("checksum", checksumOf(mesh), fixed);
   file.setAttribute("version", format_version);
@@ -61,16 +53,15 @@ void writeContents(GlobalMesh<Dim> const& mesh, std::string const& file_name)
   if (mesh.period != Point<Dim>{}) {
     file.setAttribute("period", std::vector<double>(mesh.period.begin(), mesh.period.end()));
   }
-  writeRows(file, "/vertices", mesh.vertices);
-  writeRows(file, "/cells", mesh.cells);
-  file.store("/cell_regions", mesh.cell_regions.data(), {mesh.cell_regions.size()});
+  detail::store(file, "/vertices", mesh.vertices);
+  detail::store(file, "/cells", mesh.cells);
+  detail::store(file, "/cell_regions", mesh.cell_regions);
   file.createTexts("/region_names", mesh.region_names, fixed);
   file.createGroup("/boundaries");
   for (auto const& [name, facets] : mesh.boundaries) {
     file.createGroup("/boundaries/" + name);
-    writeRows(file, facetsPath(name), facets);
+    detail::store(file, facetsPath(name), facets);
   }
-  file.close();
 }
 
 // Also checks format and version.
@@ -85,11 +76,7 @@ int readDimension(detail::MeshFileReader const& file)
                                                 << " has version " << version
                                                 << " of the format; this program reads version "
                                                 << format_version << '.');
-  const int dimension = file.integerAttribute("dimension");
-  ASPERITY_REQUIRE(dimension == 2 || dimension == 3,
-                   file.where() << ": the attribute 'dimension' = " << dimension
-                                << " is neither 2 nor 3.");
-  return dimension;
+  return file.dimension();
 }
 } // namespace
 
@@ -97,12 +84,8 @@ template <int Dim>
 void writeMesh(GlobalMesh<Dim> const& mesh, std::string const& file_name)
 {
   ASPERITY_ASSERT(mesh.splits.empty());
-  const std::string where = "Mesh file '" + file_name + "'";
-  for (auto const& boundary : mesh.boundaries) {
-    detail::requireGroupName(boundary.first, where);
-  }
-  detail::writeCompletely(file_name, where,
-                          [&](std::string const& unfinished) { writeContents(mesh, unfinished); });
+  detail::writeCompletely(file_name, boundaryNames(mesh),
+                          [&](h5::File& file) { writeContents(file, mesh); });
 }
 
 template <int Dim>

@@ -45,6 +45,15 @@ PartitionSummary summaryOnEveryRank(std::string const& file_name, Communicator c
   return summary;
 }
 
+// The number that rank 0 finds, on every rank.
+int fromRoot(Communicator const& communicator, std::function<int()> const& find)
+{
+  int number = 0;
+  onRoot(communicator, [&] { number = find(); });
+  Teuchos::broadcast(communicator, 0, &number);
+  return number;
+}
+
 // The mesh of a part; valid only if reader.problem() is empty afterwards.
 template <int Dim>
 Mesh<Dim> readMeshOf(detail::SlabReader& reader, PartitionSummary const& summary, int part)
@@ -153,21 +162,15 @@ bool isPartitioned(std::string const& file_name)
 
 bool isPartitioned(std::string const& file_name, Communicator const& communicator)
 {
-  int result = 0;
-  onRoot(communicator, [&] { result = isPartitioned(file_name) ? 1 : 0; });
-  Teuchos::broadcast(communicator, 0, &result);
-  return result == 1;
+  return fromRoot(communicator, [&] { return isPartitioned(file_name) ? 1 : 0; }) == 1;
 }
 
 int fileDimension(std::string const& file_name, Communicator const& communicator)
 {
-  int dimension = 0;
-  onRoot(communicator, [&] {
-    dimension =
-      isPartitioned(file_name) ? partitionSummary(file_name).dimension : meshDimension(file_name);
+  return fromRoot(communicator, [&] {
+    return isPartitioned(file_name) ? partitionSummary(file_name).dimension
+                                    : meshDimension(file_name);
   });
-  Teuchos::broadcast(communicator, 0, &dimension);
-  return dimension;
 }
 
 #define ASPERITY_INSTANTIATE(Dim)                                                                  \

@@ -2,6 +2,7 @@
 
 #include "base/Errors.hpp"
 #include "base/hdf5/File.hpp"
+#include "mesh/MeshQuality.hpp"
 #include "mesh/SplitVertices.hpp"
 #include "mesh/file/detail/CompleteFile.hpp"
 #include "mesh/file/detail/PartitionFormat.hpp"
@@ -58,20 +59,9 @@ private:
       checksums.push_back(detail::partChecksum(seed_, path, static_cast<int>(p), rows));
     }
     file_.createGroup(path);
-    values(path + "/values", all);
-    values(path + "/offsets", offsets);
-    values(path + "/checksums", checksums);
-  }
-
-  template <class Number>
-  void values(std::string const& path, std::vector<Number> const& numbers) const
-  {
-    file_.store(path, numbers.data(), {numbers.size()});
-  }
-  template <class Number, std::size_t N>
-  void values(std::string const& path, std::vector<std::array<Number, N>> const& rows) const
-  {
-    file_.store(path, rows.empty() ? nullptr : rows.front().data(), {rows.size(), N});
+    detail::store(file_, path + "/values", all);
+    detail::store(file_, path + "/offsets", offsets);
+    detail::store(file_, path + "/checksums", checksums);
   }
 
   h5::File& file_;
@@ -93,9 +83,7 @@ PartitionSummary summaryOf(GlobalMesh<Dim> const& mesh, int num_parts,
   summary.fingerprint = detail::fingerprint(mesh);
   summary.options = options;
   summary.region_names = mesh.region_names;
-  for (auto const& boundary : mesh.boundaries) {
-    summary.boundary_names.push_back(boundary.first);
-  }
+  summary.boundary_names = boundaryNames(mesh);
   summary.faults = mesh.faults;
   return summary;
 }
@@ -124,17 +112,11 @@ template <int Dim>
 void writeParts(GlobalMesh<Dim> const& mesh, std::vector<int> const& owners, int num_parts,
                 PartitionOptions const& options, std::string const& file_name)
 {
-  const std::string where = "Mesh file '" + file_name + "'";
-  for (auto const& boundary : mesh.boundaries) {
-    detail::requireGroupName(boundary.first, where);
-  }
   const auto summary = summaryOf(mesh, num_parts, options);
   const auto parts = localParts(mesh, owners, num_parts);
-  detail::writeCompletely(file_name, where, [&](std::string const& unfinished) {
-    h5::File file = h5::File::create(unfinished, h5::Layout::sealed);
+  detail::writeCompletely(file_name, summary.boundary_names, [&](h5::File& file) {
     writeSummary(file, summary);
     PartsWriter<Dim>(file, summary, parts).writeArrays();
-    file.close();
   });
 }
 

@@ -5,17 +5,64 @@
 #include "mesh/PointText.hpp"
 #include "mesh/SimplexGeometry.hpp"
 #include "mesh/detail/FacetTable.hpp"
-#include "mesh/detail/PointTable.hpp"
 
 #include <algorithm>
 #include <limits>
+#include <map>
 #include <set>
 
 namespace asperity::mesh
 {
 namespace
 {
-using detail::PointTable;
+// Finds vertices by their coordinates, up to a tolerance.
+template <int Dim>
+class PointTable
+{
+public:
+  PointTable(std::vector<Point<Dim>> const& vertices, std::vector<int> const& chosen,
+             double tolerance)
+      : vertices_(vertices)
+      , tolerance_(tolerance)
+  {
+    for (int vertex : chosen) {
+      numbers_.emplace(boxOf(vertices[vertex]), vertex);
+    }
+  }
+
+  // The chosen vertex at this point, or -1. It lies in the same box or in one beside it.
+  int find(Point<Dim> const& point) const
+  {
+    constexpr int num_boxes = Dim == 2 ? 9 : 27;
+    for (int number = 0; number < num_boxes; ++number) {
+      auto box = boxOf(point);
+      for (int d = 0, digits = number; d < Dim; ++d, digits /= 3) {
+        box[d] += digits % 3 - 1;
+      }
+      const auto [first, last] = numbers_.equal_range(box);
+      for (auto entry = first; entry != last; ++entry) {
+        if (distance<Dim>(vertices_[entry->second], point) <= tolerance_) {
+          return entry->second;
+        }
+      }
+    }
+    return -1;
+  }
+
+private:
+  std::array<long long, Dim> boxOf(Point<Dim> const& point) const
+  {
+    std::array<long long, Dim> box;
+    for (int d = 0; d < Dim; ++d) {
+      box[d] = std::llround(point[d] / (2.0 * tolerance_));
+    }
+    return box;
+  }
+
+  std::vector<Point<Dim>> const& vertices_;
+  double tolerance_;
+  std::multimap<std::array<long long, Dim>, int> numbers_;
+};
 
 template <int Dim>
 double lowest(GlobalMesh<Dim> const& mesh, std::vector<int> const& vertices, int axis)

@@ -1,5 +1,6 @@
 #include "mesh/parallel/Partition.hpp"
 
+#include "mesh/MeshQuality.hpp"
 #include "mesh/SplitVertices.hpp"
 #include "mesh/parallel/detail/Broadcast.hpp"
 
@@ -14,10 +15,7 @@ void broadcast(GlobalMesh<Dim>& mesh, Communicator const& communicator)
   from_root.rows(mesh.cells);
   from_root.values(mesh.cell_regions);
   from_root.texts(mesh.region_names);
-  std::vector<std::string> names;
-  for (auto const& boundary : mesh.boundaries) {
-    names.push_back(boundary.first);
-  }
+  auto names = boundaryNames(mesh);
   from_root.texts(names);
   std::map<std::string, std::vector<typename GlobalMesh<Dim>::Facet>> boundaries;
   for (auto const& name : names) {

@@ -69,8 +69,10 @@ public:
       , local_(mesh.vertices.size(), -1)
       , sides_(mesh.splits)
   {
-    for (auto const& pair : mesh.splits) {
-      plus_of_minus_.emplace(pair.minus, pair.plus);
+    for (auto const& [plus, minus, is_tip] : mesh.splits) {
+      const int lowest = lowest_.emplace(minus, minus).first->second; // known if it is a plus, too
+      lowest_.emplace(plus, lowest);
+      at_lowest_.insert({{lowest, lowest}, {lowest, plus}});
     }
   }
 
@@ -115,39 +117,32 @@ private:
         }
       }
     }
+    addCopies(selection.owned, ghosts);
     std::sort(ghosts.begin(), ghosts.end());
     ghosts.erase(std::unique(ghosts.begin(), ghosts.end()), ghosts.end());
-    addPartners(selection.owned, ghosts);
     number(ghosts, part);
   }
 
-  // Adds both vertices of every pair of which the part has one, and repeats this for the added
-  // vertices: at a branch the minus of one pair is the plus of another.
-  void addPartners(std::vector<int> const& owned, std::vector<int>& ghosts) const
+  // Adds all vertices at a place of a fault of which the part has one.
+  void addCopies(std::vector<int> const& owned, std::vector<int>& ghosts) const
   {
-    if (mesh_.splits.empty()) {
-      return;
-    }
-    std::vector<int> reached = owned;
-    reached.insert(reached.end(), ghosts.begin(), ghosts.end());
-    std::unordered_set<int> added;
-    const auto add = [&](int vertex) {
-      if (local_[vertex] < 0 && !std::binary_search(ghosts.begin(), ghosts.end(), vertex) &&
-          added.insert(vertex).second) {
-        reached.push_back(vertex);
+    std::unordered_set<int> places;
+    const auto note_place = [&](int vertex) {
+      const auto known = lowest_.find(vertex);
+      if (known != lowest_.end()) {
+        places.insert(known->second);
       }
     };
-    // `reached` grows in the loop.
-    for (std::size_t next = 0; next < reached.size(); ++next) { // NOLINT(modernize-loop-convert)
-      const int vertex = reached[next];
-      if (auto const* pair = sides_.find(vertex)) {
-        add(pair->minus);
+    std::for_each(owned.begin(), owned.end(), note_place);
+    std::for_each(ghosts.begin(), ghosts.end(), note_place);
+    for (int place : places) {
+      const auto [first, last] = at_lowest_.equal_range(place);
+      for (auto entry = first; entry != last; ++entry) {
+        if (local_[entry->second] < 0) {
+          ghosts.push_back(entry->second);
+        }
       }
-      const auto [first, last] = plus_of_minus_.equal_range(vertex);
-      std::for_each(first, last, [&](auto const& entry) { add(entry.second); });
     }
-    ghosts.insert(ghosts.end(), added.begin(), added.end());
-    std::sort(ghosts.begin(), ghosts.end());
   }
 
   void addPairs(Mesh<Dim>& part) const
@@ -181,7 +176,8 @@ private:
   GlobalMesh<Dim> const& mesh_;
   std::vector<int> local_; // vertex number in the current part, -1 for other vertices
   FaultSides<Dim> sides_;
-  std::unordered_multimap<int, int> plus_of_minus_;
+  std::unordered_map<int, int> lowest_; // of a vertex at a fault: the lowest one at its place
+  std::unordered_multimap<int, int> at_lowest_; // all vertices at its place
 };
 } // namespace
 

@@ -1,7 +1,6 @@
 #include "refinement/detail/CutCells.hpp"
 
 #include "base/parallel/Messages.hpp"
-#include "mesh/detail/FacetTable.hpp"
 
 namespace asperity::refinement::detail
 {
@@ -69,46 +68,6 @@ void CutCells<Dim>::askOwners(OwnedPart<Dim> const& coarse, FaultEdges<Dim> cons
     const int twin = points_.midpoint(edge[0], edge[1]);
     cells_[edge].push_back({cell, points_.add(rows[i + 1], twin)});
   }
-}
-
-template <int Dim>
-typename CutCells<Dim>::Cells const* CutCells<Dim>::find(int a, int b) const
-{
-  if (cells_.empty()) {
-    return nullptr;
-  }
-  const auto found = cells_.find(sorted(Edge{a, b}));
-  return found == cells_.end() ? nullptr : &found->second;
-}
-
-template <int Dim>
-int CutCells<Dim>::midpoint(int cell, int a, int b) const
-{
-  if (auto const* cells = find(a, b)) {
-    for (auto const& each : *cells) {
-      if (each.cell == cell) {
-        return each.point;
-      }
-    }
-  }
-  return points_.midpoint(a, b);
-}
-
-// The cell of the facet is the one that has all vertices of the facet.
-template <int Dim>
-int CutCells<Dim>::midpointOfFacet(typename Mesh<Dim>::Facet const& facet, int a, int b) const
-{
-  if (auto const* cells = find(a, b)) {
-    for (auto const& each : *cells) {
-      auto const& cell = part_.cells[each.cell];
-      if (std::all_of(facet.begin(), facet.end(), [&](int vertex) {
-            return std::find(cell.begin(), cell.end(), vertex) != cell.end();
-          })) {
-        return each.point;
-      }
-    }
-  }
-  return points_.midpoint(a, b);
 }
 
 template class CutCells<2>;

@@ -15,25 +15,33 @@ public:
   CutCells(OwnedPart<Dim> const& coarse, FaultEdges<Dim> const& faults, Points<Dim>& points,
            Communicator const& communicator);
 
-  // The midpoint of a cell's edge between two local vertices.
-  int midpoint(int cell, int a, int b) const;
-
-  // The midpoint of the edge of a facet of the outer boundary.
-  int midpointOfFacet(typename Mesh<Dim>::Facet const& facet, int a, int b) const;
+  // The midpoint of the edge between two local vertices of a cell, or of a facet of the outer
+  // boundary, which is that of the cell with all its vertices.
+  template <std::size_t N>
+  int midpoint(std::array<int, N> const& simplex, int a, int b) const
+  {
+    const auto found = cells_.find(mesh::detail::sorted(Edge{a, b}));
+    if (found != cells_.end()) {
+      for (auto const& [cell, point] : found->second) {
+        if (hasVertices(part_.cells[cell], simplex)) {
+          return point;
+        }
+      }
+    }
+    return points_.midpoint(a, b);
+  }
 
 private:
   struct CellPoint
   {
     int cell, point;
   };
-  using Cells = std::vector<CellPoint>;
 
-  Cells const* find(int a, int b) const;
   void askOwners(OwnedPart<Dim> const& coarse, FaultEdges<Dim> const& faults,
                  Communicator const& communicator);
 
   Mesh<Dim> const& part_;
   Points<Dim>& points_;
-  std::map<Edge, Cells> cells_;
+  std::map<Edge, std::vector<CellPoint>> cells_;
 };
 } // namespace asperity::refinement::detail

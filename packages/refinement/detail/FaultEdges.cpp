@@ -3,47 +3,13 @@
 #include "base/Errors.hpp"
 #include "mesh/PointText.hpp"
 #include "mesh/SimplexGeometry.hpp"
-#include "mesh/detail/FacetTable.hpp"
 #include "refinement/detail/RedRule.hpp"
 
 #include <set>
 
 namespace asperity::refinement::detail
 {
-namespace
-{
 using mesh::detail::sorted;
-
-template <std::size_t N>
-bool contains(std::array<int, N> const& simplex, int vertex)
-{
-  return std::find(simplex.begin(), simplex.end(), vertex) != simplex.end();
-}
-
-// The vertices of a cell or a facet that the edge does not have; in the plane a facet has none, and
-// the edge itself is what its cells have in common: -1.
-template <std::size_t N>
-std::vector<int> besides(std::array<int, N> const& simplex, Edge const& edge, int dim)
-{
-  std::vector<int> result;
-  for (int vertex : simplex) {
-    if (!contains(edge, vertex)) {
-      result.push_back(vertex);
-    }
-  }
-  return dim == 2 ? std::vector<int>{-1} : result;
-}
-} // namespace
-
-// The cells around an edge, each with the number of the set into which it falls.
-template <int Dim>
-struct FaultEdges<Dim>::Labels
-{
-  std::vector<int> cells;
-  std::vector<int> labels;
-
-  std::size_t count() const { return std::set<int>(labels.begin(), labels.end()).size(); }
-};
 
 template <int Dim>
 FaultEdges<Dim>::FaultEdges(Mesh<Dim> const& part, std::string const& where)
@@ -120,56 +86,20 @@ void FaultEdges<Dim>::findRings()
   }
 }
 
-// Neighbours in the ring have one set unless the facet between them belongs to a fault.
+// The set of the cell that has this facet, or -1. The facet looks out of its plus side.
 template <int Dim>
-typename FaultEdges<Dim>::Labels
-FaultEdges<Dim>::labelsAround(Edge const& edge, std::vector<TipFacet> const& facets) const
-{
-  std::set<int> blocked;
-  for (auto const& each : facets) {
-    for (auto const& side : {sides_.plusSide(each.facet), sides_.minusSide(each.facet)}) {
-      const auto others = besides(side, edge, Dim);
-      blocked.insert(others.begin(), others.end());
-    }
-  }
-  Labels result;
-  result.cells = rings_.at(edge);
-  std::map<int, int> label_of_link;
-  for (std::size_t i = 0; i < result.cells.size(); ++i) {
-    const auto mine = static_cast<int>(i);
-    result.labels.push_back(mine);
-    for (int link : besides(part_.cells[result.cells[i]], edge, Dim)) {
-      if (blocked.count(link) > 0) {
-        continue;
-      }
-      const auto [known, is_new] = label_of_link.emplace(link, mine);
-      if (!is_new) {
-        const int other = result.labels[static_cast<std::size_t>(known->second)];
-        std::replace(result.labels.begin(), result.labels.end(), other, result.labels.back());
-      }
-    }
-  }
-  return result;
-}
-
-// The label of the cell that has this facet, or -1. The facet looks out of its plus side.
-template <int Dim>
-int FaultEdges<Dim>::labelBeside(Labels const& labels, Facet const& facet, bool plus_side) const
+int FaultEdges<Dim>::setBeside(Star const& star, typename Star::Sets const& sets,
+                               Facet const& facet, bool plus_side) const
 {
   const auto side = plus_side ? sides_.plusSide(facet) : sides_.minusSide(facet);
-  for (std::size_t i = 0; i < labels.cells.size(); ++i) {
-    auto const& cell = part_.cells[labels.cells[i]];
-    std::array<int, Dim + 1> simplex{};
-    std::copy(side.begin(), side.end(), simplex.begin());
-    int num_common = 0;
-    for (int vertex : cell) {
-      num_common += contains(side, vertex) ? 1 : 0;
-      simplex[Dim] = contains(side, vertex) ? simplex[Dim] : vertex;
-    }
-    const double measure = mesh::signedMeasure(mesh::corners(part_, simplex));
-    const bool is_plus = Dim == 2 ? measure > 0.0 : measure < 0.0;
-    if (num_common == Dim && is_plus == plus_side) {
-      return labels.labels[i];
+  const auto corners = mesh::corners(part_, side);
+  for (std::size_t i = 0; i < star.cells().size(); ++i) {
+    auto const& cell = part_.cells[star.cells()[i]];
+    const auto inward =
+      mesh::difference<Dim>(mesh::centroid(mesh::corners(part_, cell)), mesh::centroid(corners));
+    const bool is_plus = mesh::dot<Dim>(inward, mesh::areaNormal(corners)) < 0.0;
+    if (hasVertices(cell, side) && is_plus == plus_side) {
+      return sets.of_cell[i];
     }
   }
   return -1;
@@ -178,20 +108,27 @@ int FaultEdges<Dim>::labelBeside(Labels const& labels, Facet const& facet, bool 
 template <int Dim>
 void FaultEdges<Dim>::decide(Edge const& edge, std::vector<TipFacet> const& facets)
 {
-  const auto labels = labelsAround(edge, facets);
+  std::set<Facet> of_faults;
+  for (auto const& each : facets) {
+    of_faults.insert(sorted(sides_.plusSide(each.facet)));
+    of_faults.insert(sorted(sides_.minusSide(each.facet)));
+  }
+  const Star star(part_.cells, rings_.at(edge), edge,
+                  [&](Facet const& facet) { return of_faults.count(facet) > 0 ? 0 : -1; });
+  const auto sets = star.cut([](int) { return true; });
   std::set<int> plus, minus;
   std::set<Edge> plus_edges;
   for (auto const& each : facets) {
-    plus.insert(labelBeside(labels, each.facet, true));
-    minus.insert(labelBeside(labels, each.facet, false));
+    plus.insert(setBeside(star, sets, each.facet, true));
+    minus.insert(setBeside(star, sets, each.facet, false));
     plus_edges.insert(sorted(each.plus));
   }
   ASPERITY_ASSERT(plus.count(-1) == 0 && minus.count(-1) == 0);
-  if (labels.count() == 1) {
+  if (sets.count == 1) {
     return; // a fault ends here
   }
   const auto points = mesh::corners(part_, edge);
-  ASPERITY_REQUIRE(labels.count() == 2 && plus.size() == 1 && minus.size() == 1 && plus != minus &&
+  ASPERITY_REQUIRE(sets.count == 2 && plus.size() == 1 && minus.size() == 1 && plus != minus &&
                      plus_edges.size() == 1,
                    where_ << ": fault '" << *facets.front().fault
                           << "' meets itself or another one between two tips, at "
@@ -200,9 +137,9 @@ void FaultEdges<Dim>::decide(Edge const& edge, std::vector<TipFacet> const& face
                              "there before it is split, with a smaller cell size.");
   auto& cut = cuts_[edge];
   cut.plus = *plus_edges.begin();
-  for (std::size_t i = 0; i < labels.cells.size(); ++i) {
-    if (labels.labels[i] == *plus.begin()) {
-      cut.plus_cells.push_back(labels.cells[i]);
+  for (std::size_t i = 0; i < star.cells().size(); ++i) {
+    if (sets.of_cell[i] == *plus.begin()) {
+      cut.plus_cells.push_back(star.cells()[i]);
     }
   }
 }

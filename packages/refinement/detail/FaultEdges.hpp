@@ -2,12 +2,22 @@
 
 #include "mesh/Mesh.hpp"
 #include "mesh/SplitVertices.hpp"
+#include "mesh/faults/detail/Star.hpp"
 #include "refinement/detail/PartEdges.hpp"
 
 #include <map>
 
 namespace asperity::refinement::detail
 {
+// Whether a cell has all vertices of another cell or a facet.
+template <std::size_t N, std::size_t M>
+bool hasVertices(std::array<int, N> const& cell, std::array<int, M> const& simplex)
+{
+  return std::all_of(simplex.begin(), simplex.end(), [&](int vertex) {
+    return std::find(cell.begin(), cell.end(), vertex) != cell.end();
+  });
+}
+
 // A pair of new vertices on a fault: the midpoints of the edges `plus` and `minus`, which are
 // copies of one edge of a facet.
 struct MidpointPair
@@ -64,13 +74,13 @@ private:
     Facet facet;
     Edge plus;
   };
-  struct Labels;
+  using Star = mesh::detail::Star<Dim>;
 
   void addFacet(std::string const& fault, Facet const& facet);
   void findRings();
   void decide(Edge const& edge, std::vector<TipFacet> const& facets);
-  Labels labelsAround(Edge const& edge, std::vector<TipFacet> const& facets) const;
-  int labelBeside(Labels const& labels, Facet const& facet, bool plus_side) const;
+  int setBeside(Star const& star, typename Star::Sets const& sets, Facet const& facet,
+                bool plus_side) const;
   bool isOwned(Edge const& edge) const
   {
     return edge[0] < part_.num_owned || edge[1] < part_.num_owned;

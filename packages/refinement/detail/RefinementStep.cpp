@@ -1,7 +1,6 @@
 #include "refinement/detail/RefinementStep.hpp"
 
 #include "base/parallel/Agreement.hpp"
-#include "mesh/detail/FacetTable.hpp"
 #include "refinement/detail/CutCells.hpp"
 #include "refinement/detail/RedRule.hpp"
 #include "refinement/detail/RefinedPairs.hpp"
@@ -73,7 +72,7 @@ private:
       std::copy(cell.begin(), cell.end(), points.begin());
       for (std::size_t e = 0; e < num_edges; ++e) {
         auto const& [i, j] = RedRule<Dim>::edges[e];
-        points[Dim + 1 + e] = cut_cells_.midpoint(static_cast<int>(c), cell[i], cell[j]);
+        points[Dim + 1 + e] = cut_cells_.midpoint(cell, cell[i], cell[j]);
       }
       for (auto const& child : RedRule<Dim>::children) {
         const auto fine = childOf<Cell>(points, child);
@@ -162,7 +161,7 @@ private:
       for (std::size_t e = 0; e < num_edges; ++e) {
         auto const& [i, j] = FacetRule<Dim>::edges[e];
         points[Dim + e] = is_fault ? midpointOnFault({facet[i], facet[j]})
-                                   : cut_cells_.midpointOfFacet(facet, facet[i], facet[j]);
+                                   : cut_cells_.midpoint(facet, facet[i], facet[j]);
       }
       for (auto const& child : FacetRule<Dim>::children) {
         auto simplex = childOf<Facet>(points, child);

@@ -26,9 +26,9 @@ template <int Dim>
 class Decision
 {
 public:
-  using Sets = typename VertexStar<Dim>::Sets;
+  using Sets = typename Star<Dim>::Sets;
 
-  Decision(VertexStar<Dim> const& star, FaultVertex<Dim> const& vertex,
+  Decision(Star<Dim> const& star, FaultVertex<Dim> const& vertex,
            std::vector<FaultFacet<Dim>> const& facets, std::vector<std::string> const& names,
            std::string const& where)
       : star_(star)
@@ -178,7 +178,7 @@ private:
     return there;
   }
 
-  VertexStar<Dim> const& star_;
+  Star<Dim> const& star_;
   FaultVertex<Dim> const& vertex_;
   std::vector<FaultFacet<Dim>> const& facets_;
   std::vector<std::string> const& names_;
@@ -188,17 +188,17 @@ private:
 } // namespace
 
 template <int Dim>
-VertexSplit splitVertex(VertexStar<Dim> const& star, FaultVertex<Dim> const& vertex,
+VertexSplit splitVertex(Star<Dim> const& star, FaultVertex<Dim> const& vertex,
                         std::vector<FaultFacet<Dim>> const& facets,
                         std::vector<std::string> const& names, std::string const& where)
 {
   return Decision<Dim>(star, vertex, facets, names, where).run();
 }
 
-template VertexSplit splitVertex(VertexStar<2> const&, FaultVertex<2> const&,
+template VertexSplit splitVertex(Star<2> const&, FaultVertex<2> const&,
                                  std::vector<FaultFacet<2>> const&, std::vector<std::string> const&,
                                  std::string const&);
-template VertexSplit splitVertex(VertexStar<3> const&, FaultVertex<3> const&,
+template VertexSplit splitVertex(Star<3> const&, FaultVertex<3> const&,
                                  std::vector<FaultFacet<3>> const&, std::vector<std::string> const&,
                                  std::string const&);
 } // namespace asperity::mesh::detail

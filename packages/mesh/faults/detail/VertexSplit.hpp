@@ -1,7 +1,7 @@
 #pragma once
 
 #include "mesh/faults/detail/FaultFacets.hpp"
-#include "mesh/faults/detail/VertexStar.hpp"
+#include "mesh/faults/detail/Star.hpp"
 
 namespace asperity::mesh::detail
 {
@@ -31,7 +31,7 @@ struct FaultVertex
 // InputError, which starts with `where`, if the vertex cannot be split. `facets` are the facets of
 // all faults, `names` the names of the faults.
 template <int Dim>
-VertexSplit splitVertex(VertexStar<Dim> const& star, FaultVertex<Dim> const& vertex,
+VertexSplit splitVertex(Star<Dim> const& star, FaultVertex<Dim> const& vertex,
                         std::vector<FaultFacet<Dim>> const& facets,
                         std::vector<std::string> const& names, std::string const& where);
 } // namespace asperity::mesh::detail

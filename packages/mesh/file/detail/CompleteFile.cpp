@@ -6,13 +6,22 @@
 
 namespace asperity::mesh::detail
 {
-void writeCompletely(std::string const& file_name, std::string const& where,
-                     std::function<void(std::string const&)> const& write)
+void writeCompletely(std::string const& file_name, std::vector<std::string> const& boundaries,
+                     std::function<void(h5::File& file)> const& write)
 {
+  const std::string where = "Mesh file '" + file_name + "'";
+  for (auto const& name : boundaries) {
+    ASPERITY_REQUIRE(!name.empty() && name != "." && name.find('/') == std::string::npos,
+                     where << ": '" << name
+                           << "' cannot be the name of a boundary. A name has at least one "
+                              "character, is not '.' and contains no '/'.");
+  }
   const std::string unfinished = file_name + ".part";
   std::string reason;
   try {
-    write(unfinished);
+    h5::File file = h5::File::create(unfinished, h5::Layout::sealed);
+    write(file);
+    file.close();
     std::filesystem::rename(unfinished, file_name);
     return;
   } catch (OutputError const& error) {
@@ -26,13 +35,5 @@ void writeCompletely(std::string const& file_name, std::string const& where,
   }
   throw InputError(where + " cannot be written. " + reason +
                    " Does the folder exist, may you write there, and is there space?");
-}
-
-void requireGroupName(std::string const& boundary, std::string const& where)
-{
-  ASPERITY_REQUIRE(!boundary.empty() && boundary != "." && boundary.find('/') == std::string::npos,
-                   where << ": '" << boundary
-                         << "' cannot be the name of a boundary. A name has at least one "
-                            "character, is not '.' and contains no '/'.");
 }
 } // namespace asperity::mesh::detail

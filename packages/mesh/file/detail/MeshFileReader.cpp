@@ -42,6 +42,14 @@ void MeshFileReader::requireAttribute(std::string const& name) const
                    where_ << " is no mesh: it has no attribute '" << name << "'.");
 }
 
+int MeshFileReader::dimension() const
+{
+  const int dimension = integerAttribute("dimension");
+  ASPERITY_REQUIRE(dimension == 2 || dimension == 3, where_ << ": the attribute 'dimension' = "
+                                                            << dimension << " is neither 2 nor 3.");
+  return dimension;
+}
+
 int MeshFileReader::integerAttribute(std::string const& name) const
 {
   requireAttribute(name);

@@ -20,6 +20,7 @@ public:
   // "Mesh file 'x.h5'"
   std::string const& where() const { return where_; }
 
+  int dimension() const; // the attribute, 2 or 3
   int integerAttribute(std::string const& name) const;
   bool hasAttribute(std::string const& name) const { return file_.hasAttribute(name); }
   bool hasDataset(std::string const& path) const { return file_.has(path); }

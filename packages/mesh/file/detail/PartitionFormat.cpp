@@ -34,10 +34,7 @@ void requireFormat(MeshFileReader const& file)
                                 << "--parts " << positiveAttribute(file, "num_parts")
                                 << " --output PARTS.h5, from the file that is not partitioned.");
 }
-} // namespace
 
-namespace
-{
 // The attribute determines how much memory is allocated, so that a damaged one must be found
 // before.
 void requireRows(MeshFileReader const& file, std::string const& attribute, int number,
@@ -60,10 +57,7 @@ PartitionSummary readSummary(MeshFileReader const& file)
 {
   requireFormat(file);
   PartitionSummary summary;
-  summary.dimension = file.integerAttribute("dimension");
-  ASPERITY_REQUIRE(summary.dimension == 2 || summary.dimension == 3,
-                   file.where() << ": the attribute 'dimension' = " << summary.dimension
-                                << " is neither 2 nor 3.");
+  summary.dimension = file.dimension();
   summary.num_parts = positiveAttribute(file, "num_parts");
   summary.num_vertices = positiveAttribute(file, "num_vertices");
   summary.num_cells = positiveAttribute(file, "num_cells");

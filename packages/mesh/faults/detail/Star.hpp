@@ -7,25 +7,26 @@
 
 namespace asperity::mesh::detail
 {
-// The cells around a vertex, and how their facets connect them.
+// The cells around a vertex or an edge, and how the facets there connect them.
 template <int Dim>
-class VertexStar
+class Star
 {
 public:
   using Cell = typename GlobalMesh<Dim>::Cell;
   using Facet = typename GlobalMesh<Dim>::Facet;
 
-  // `around` are the numbers of the cells; fault_facet(sorted facet) is the number of a facet of a
-  // fault, or -1 for any other one.
-  VertexStar(std::vector<Cell> const& cells, std::vector<int> const& around, int vertex,
-             std::function<int(Facet const&)> const& fault_facet)
+  // `around` are the numbers of the cells that have all vertices in `centre`;
+  // fault_facet(sorted facet) is the number of a facet of a fault, or -1 for any other one.
+  template <std::size_t N>
+  Star(std::vector<Cell> const& cells, std::vector<int> const& around,
+       std::array<int, N> const& centre, std::function<int(Facet const&)> const& fault_facet)
       : cells_(around)
   {
     std::vector<std::pair<Facet, int>> facets; // with the cell's place in `around`
     for (std::size_t c = 0; c < around.size(); ++c) {
       auto const& cell = cells[static_cast<std::size_t>(around[c])];
       for (int corner = 0; corner <= Dim; ++corner) {
-        if (cell[corner] != vertex) {
+        if (std::find(centre.begin(), centre.end(), cell[corner]) == centre.end()) {
           facets.emplace_back(sorted(oppositeFacet(cell, corner)), static_cast<int>(c));
         }
       }
