@@ -14,7 +14,7 @@
 
 namespace asperity::dynamics
 {
-// How the linear correction of TNNMG is found; see README.md.
+// How the linear correction of TNNMG is found; packages/tnnmg/README.md compares the two.
 enum class Correction
 {
   // Sparse Cholesky factorisation of Z, then TNNMG on the Schur complement on the fault; one rank.
