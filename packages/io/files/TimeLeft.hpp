@@ -1,6 +1,6 @@
 #pragma once
 
-#include "io/checkpoint/Archive.hpp"
+#include "io/Archive.hpp"
 
 #include <algorithm>
 #include <cmath>
