@@ -2,8 +2,8 @@
 
 #include "Arguments.hpp"
 
-// The commands of asperity-mesh, which main.cpp describes. InputError if an argument, or a file that
-// it names, is wrong.
+// The commands of asperity-mesh, which main.cpp describes. InputError if an argument, or a file
+// that it names, is wrong.
 void convert(Arguments& arguments);
 void makeWedge(Arguments& arguments);
 void makeRectangle(Arguments& arguments);
