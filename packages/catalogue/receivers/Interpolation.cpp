@@ -61,8 +61,8 @@ std::vector<Values> Interpolation::operator()(std::vector<Values> const& fields,
 std::vector<LocatedPoint> Interpolation::find(Values const& points, Values const& searched) const
 {
   constexpr double tolerance = 0.1; // of an element: chords of a curved boundary lie so far apart
-  auto const all = io::gatherToAll(points, *to_.comm);
-  auto const located = location_(all, io::gatherToAll(searched, *to_.comm));
+  auto const all = gatherToAll(points, *to_.comm);
+  auto const located = location_(all, gatherToAll(searched, *to_.comm));
   for (std::size_t i = 0; i < located.size(); ++i) {
     ASPERITY_REQUIRE(located[i].distance <= tolerance * located[i].element_size,
                      "The point " << text(&all[i * to_.dimension]) << " of the " << to_.name

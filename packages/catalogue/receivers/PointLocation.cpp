@@ -148,7 +148,7 @@ void PointLocation::locateSome(double const* points, double const* searched, std
     append(mine,
            is_it ? nearest : located(domain_, element, simplexOf(domain_, element), points + i));
   }
-  const auto all = io::gatherToAll(mine, *domain_.comm);
+  const auto all = gatherToAll(mine, *domain_.comm);
   const std::size_t length = numNumbers(domain_), num_points = size / domain_.dimension;
   for (std::size_t point = 0; point < num_points; ++point) {
     const auto of_rank = [&](std::size_t rank, std::size_t which) {
