@@ -32,17 +32,10 @@ FrictionLawRegistry const& frictionLaws();
 StateLawRegistry const& stateLaws();
 
 // Throws std::invalid_argument if the shapes of the views do not fit each other or the law's table.
-inline std::unique_ptr<FrictionKernels> makeFrictionKernels(std::string const& law,
-                                                            FaultView const& fault)
-{
-  return frictionLaws().at(law).make_kernels(fault);
-}
+std::unique_ptr<FrictionKernels> makeFrictionKernels(std::string const& law,
+                                                     FaultView const& fault);
 
 // parameters(num_parameters, num_nodes) has its rows in the order of the law's table and is read
 // once. Throws std::invalid_argument if it does not have that number of rows.
-inline std::unique_ptr<StateKernels> makeStateKernels(std::string const& law,
-                                                      ParameterView const& parameters)
-{
-  return stateLaws().at(law).make_kernels(parameters);
-}
+std::unique_ptr<StateKernels> makeStateKernels(std::string const& law, ParameterView parameters);
 } // namespace asperity::friction
