@@ -78,7 +78,7 @@ GlobalMesh<Dim> graded(GlobalMesh<Dim> const& mesh, Point<Dim> const& brick,
   }
   const asperity::Expression size(arguments.options.at("--cell-size"), "Option --cell-size");
   ASPERITY_REQUIRE(!size.dependsOnTime(), "Option --cell-size depends on t. Remove t from it.");
-  return asperity::mesh::bisectBricks(
+  return asperity::mesh::bisectBricks<Dim>(
     mesh, brick, [&](Point<Dim> const& x) { return positiveSize<Dim>(size, x); });
 }
 

@@ -39,7 +39,7 @@ GlobalMesh<3> coarseWedge(WedgeShape const& shape, DeepWedge const& deep)
 {
   const int fewest_layers = deep.is_periodic ? 3 : 1;
   const double size = 2.0 * std::min(deep.depth / fewest_layers, shape.height);
-  const auto plane = bisect(
+  const auto plane = bisect<2>(
     detail::wedgeTriangle(shape), [=](Triangle const&) { return size; }, shape.limit);
   const double num_layers = std::round(2.0 * deep.depth / size);
   requireFewVertices((num_layers + 1) * static_cast<double>(plane.vertices.size()), shape.limit);
@@ -111,7 +111,7 @@ GlobalMesh<3> deepWedgeMesh(WedgeShape const& shape, DeepWedge const& deep)
   const SeismogenicZone zone(shape, deep);
   const double growth = shape.growth_factor / shape.growth_length;
   constexpr double rounding = 1e-9;
-  auto mesh = bisect(
+  auto mesh = bisect<3>(
     coarseWedge(shape, deep),
     [&](Tetrahedron const& cell) {
       return (1.0 + rounding) * (growth * zone.distanceToBoxOf(cell) + 1.0) * shape.cell_size;

@@ -120,7 +120,7 @@ GlobalMesh<2> wedgeMesh(WedgeShape const& shape)
   auto zones = shape.further_zones;
   zones.push_back({shape.zoneLeft(), shape.zoneRight()});
   const double growth = shape.growth_factor / shape.growth_length;
-  auto mesh = bisect(
+  auto mesh = bisect<2>(
     detail::wedgeTriangle(shape),
     [&](Triangle const& cell) {
       double nearest = std::numeric_limits<double>::infinity();
