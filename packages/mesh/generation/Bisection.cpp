@@ -225,6 +225,12 @@ private:
 
 } // namespace
 
+void requirePositive(double value, std::string const& name)
+{
+  ASPERITY_REQUIRE(value > 0.0 && std::isfinite(value),
+                   "Mesh / " << name << " = " << value << " is outside (0, inf).");
+}
+
 void requireFewVertices(double num_vertices, VertexLimit const& limit)
 {
   ASPERITY_REQUIRE(num_vertices <= limit.most,

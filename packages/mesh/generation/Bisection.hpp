@@ -22,6 +22,9 @@ struct VertexLimit
   std::string advice = "Is the cell size meant in m?";
 };
 
+// Throws an InputError unless 0 < value < infinity. `name`: of the parameter, below Mesh.
+void requirePositive(double value, std::string const& name);
+
 // Throws an InputError that says how many vertices there would be, and the advice.
 void requireFewVertices(double num_vertices, VertexLimit const& limit);
 

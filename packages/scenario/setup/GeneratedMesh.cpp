@@ -3,7 +3,6 @@
 #include "base/fields/Field.hpp"
 #include "mesh/generation/Bisection.hpp"
 #include "mesh/generation/BoxMesh.hpp"
-#include "mesh/generation/DeepWedgeMesh.hpp"
 #include "mesh/generation/PeriodicMesh.hpp"
 #include "mesh/generation/RectangleMesh.hpp"
 #include "mesh/generation/WedgeMesh.hpp"
