@@ -74,7 +74,7 @@ GlobalMesh<Dim> graded(GlobalMesh<Dim> const& mesh, Point<Dim> const& brick,
                        std::string const& cell_size)
 {
   const auto size = formula<Dim>(cell_size, "Option --cell-size");
-  return asperity::mesh::bisectBricks(mesh, brick, [&](Point<Dim> const& x) {
+  return asperity::mesh::bisectBricks<Dim>(mesh, brick, [&](Point<Dim> const& x) {
     const double value = size(x);
     ASPERITY_REQUIRE(value > 0, "Option --cell-size is "
                                   << asperity::formatNumber(value) << " at "

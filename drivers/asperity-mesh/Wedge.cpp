@@ -3,8 +3,8 @@
 
 #include "base/Errors.hpp"
 #include "base/Text.hpp"
-#include "mesh/generation/DeepWedgeMesh.hpp"
 #include "mesh/generation/PeriodicMesh.hpp"
+#include "mesh/generation/WedgeMesh.hpp"
 
 namespace
 {

@@ -1,19 +1,31 @@
 #include "mesh/generation/Bisection.hpp"
 
 #include "base/Errors.hpp"
+#include "base/Hashes.hpp"
 #include "base/Text.hpp"
 #include "mesh/SimplexGeometry.hpp"
+#include "mesh/detail/FacetTable.hpp"
 #include "mesh/generation/detail/MarkedSimplex.hpp"
 #include "mesh/generation/detail/VertexEstimate.hpp"
 
 #include <algorithm>
 #include <tuple>
+#include <unordered_map>
 
 namespace asperity::mesh
 {
 namespace
 {
 using detail::Edge;
+
+struct EdgeHash
+{
+  std::size_t operator()(Edge const& edge) const
+  {
+    return splitMix((static_cast<std::uint64_t>(edge[0]) << 32) |
+                    static_cast<std::uint64_t>(edge[1]));
+  }
+};
 
 // A sweep marks the refinement edges of the cells that are too large, marks more until every cell
 // with a marked edge has its refinement edge marked too, and bisects along all marked edges.
@@ -92,7 +104,7 @@ private:
   // A strict order of the edges by their length.
   std::tuple<double, int, int> rank(Edge edge) const
   {
-    std::sort(edge.begin(), edge.end());
+    edge = detail::sorted(edge);
     return {longestEdge(corners(mesh_, edge)), edge[0], edge[1]};
   }
 
@@ -114,16 +126,25 @@ private:
         cell.is_small = longestEdge(points) <= allowed;
       }
       if (!cell.is_small) {
-        midpoints_.add(cell.simplex.refinementEdge(), unknown);
+        mark(cell.simplex.refinementEdge());
       }
     }
   }
 
+  // Returns false if the edge is marked already.
+  bool mark(Edge const& edge) { return midpoints_.emplace(detail::sorted(edge), unknown).second; }
+
+  // nullptr if the edge is not marked.
+  int* midpointOf(Edge const& edge)
+  {
+    const auto found = midpoints_.find(detail::sorted(edge));
+    return found == midpoints_.end() ? nullptr : &found->second;
+  }
+
   bool hasMarkedEdge(Simplex const& simplex)
   {
-    return std::any_of(Simplex::edges.begin(), Simplex::edges.end(), [&](Edge const& ends) {
-      return midpoints_.find(edgeOf(simplex, ends)) != nullptr;
-    });
+    return std::any_of(Simplex::edges.begin(), Simplex::edges.end(),
+                       [&](Edge const& ends) { return midpointOf(edgeOf(simplex, ends)); });
   }
 
   // Returns false if every cell with a marked edge had its refinement edge marked already.
@@ -133,7 +154,7 @@ private:
     for (bool has_changed = true; has_changed;) {
       has_changed = false;
       for (auto const& cell : cells_) {
-        if (hasMarkedEdge(cell.simplex) && midpoints_.add(cell.simplex.refinementEdge(), unknown)) {
+        if (hasMarkedEdge(cell.simplex) && mark(cell.simplex.refinementEdge())) {
           has_changed = true;
         }
       }
@@ -148,7 +169,7 @@ private:
     for (auto const& cell : cells_) {
       for (auto const& ends : Simplex::edges) {
         const Edge edge = edgeOf(cell.simplex, ends);
-        int* midpoint = midpoints_.find(edge);
+        int* midpoint = midpointOf(edge);
         if (midpoint && *midpoint == unknown) {
           *midpoint = static_cast<int>(mesh_.vertices.size());
           mesh_.vertices.push_back(centroid(corners(mesh_, edge)));
@@ -163,19 +184,10 @@ private:
     cells.swap(cells_);
     cells_.reserve(2 * cells.size());
     for (auto const& cell : cells) {
-      bisectCell(cell);
-    }
-  }
-
-  void bisectCell(Cell const& cell)
-  {
-    int const* midpoint = midpoints_.find(cell.simplex.refinementEdge());
-    if (!midpoint) {
-      cells_.push_back(cell);
-      return;
-    }
-    for (auto const& child : cell.simplex.children(*midpoint)) {
-      bisectCell({child, cell.region, false});
+      const bool is_whole = !midpointOf(cell.simplex.refinementEdge());
+      forPieces(cell.simplex, [&](Simplex const& piece) {
+        cells_.push_back({piece, cell.region, cell.is_small && is_whole});
+      });
     }
   }
 
@@ -185,45 +197,57 @@ private:
       std::vector<Facet> facets;
       facets.swap(boundary.second);
       for (auto const& facet : facets) {
-        bisectFacet(facet, boundary.second);
+        forPieces(facet, [&](Facet const& piece) { boundary.second.push_back(piece); });
       }
     }
   }
 
-  void bisectFacet(Facet const& facet, std::vector<Facet>& facets)
+  // Calls visit(piece) for what bisection along the marked edges makes of a cell or a facet.
+  template <class AnySimplex, class Visit>
+  void forPieces(AnySimplex const& simplex, Visit const& visit)
   {
-    int const* midpoint = midpoints_.find(facet.refinementEdge());
+    int const* midpoint = midpointOf(simplex.refinementEdge());
     if (!midpoint) {
-      facets.push_back(facet);
+      visit(simplex);
       return;
     }
-    for (auto const& child : facet.children(*midpoint)) {
-      bisectFacet(child, facets);
+    for (auto const& child : simplex.children(*midpoint)) {
+      forPieces(child, visit);
     }
   }
 
   GlobalMesh<Dim> mesh_; // current vertices; cells and boundaries of the given mesh
   std::vector<Cell> cells_;
   std::map<std::string, std::vector<Facet>> facets_;
-  detail::EdgeTable midpoints_; // marked edge -> vertex, or unknown
+  std::unordered_map<Edge, int, EdgeHash>
+    midpoints_; // marked edge, ascending -> vertex, or unknown
 };
 
-// Refuses a size that needs too many vertices before the bisection, which might take hours.
-template <int Dim>
-void refuseTooMany(GlobalMesh<Dim> const& mesh, SizeFunction<Dim> const& largest_diameter,
-                   VertexLimit const& limit)
+} // namespace
+
+void requirePositive(double value, std::string const& name)
 {
-  const double sum = detail::fewestVertices<Dim>(mesh, largest_diameter);
-  ASPERITY_REQUIRE(!std::isnan(sum), "Mesh: the number of cells cannot be counted. Check the "
-                                     "extents of the body and Cell Size: one is too large.");
-  requireFewVertices(sum, limit);
+  ASPERITY_REQUIRE(value > 0.0 && std::isfinite(value),
+                   "Mesh / " << name << " = " << value << " is outside (0, inf).");
+}
+
+void requireFewVertices(double num_vertices, VertexLimit const& limit)
+{
+  ASPERITY_REQUIRE(num_vertices <= limit.most,
+                   "Mesh: about " << formatShort(num_vertices) << " vertices are too many; at most "
+                                  << std::to_string(static_cast<long long>(limit.most))
+                                  << " are allowed. " << limit.advice);
 }
 
 template <int Dim>
-GlobalMesh<Dim> bisected(GlobalMesh<Dim> const& mesh, SizeFunction<Dim> const& largest_diameter,
-                         VertexLimit const& limit)
+GlobalMesh<Dim> bisect(GlobalMesh<Dim> const& mesh, SizeFunction<Dim> const& largest_diameter,
+                       VertexLimit const& limit)
 {
-  refuseTooMany<Dim>(mesh, largest_diameter, limit);
+  // Too small a size is refused before the bisection, which might take hours.
+  const double fewest = detail::fewestVertices<Dim>(mesh, largest_diameter);
+  ASPERITY_REQUIRE(!std::isnan(fewest), "Mesh: the number of cells cannot be counted. Check the "
+                                        "extents of the body and Cell Size: one is too large.");
+  requireFewVertices(fewest, limit);
   Bisection<Dim> bisection(mesh);
   while (bisection.sweep(largest_diameter)) {
     ASPERITY_REQUIRE(static_cast<double>(bisection.numVertices()) <= limit.most,
@@ -235,7 +259,7 @@ GlobalMesh<Dim> bisected(GlobalMesh<Dim> const& mesh, SizeFunction<Dim> const& l
 }
 
 template <int Dim>
-SizeFunction<Dim> diameterFrom(CellSize<Dim> const& size)
+SizeFunction<Dim> largestDiameter(CellSize<Dim> const& size)
 {
   return [size](std::array<Point<Dim>, Dim + 1> const& cell) {
     double smallest = size(centroid(cell));
@@ -251,8 +275,8 @@ SizeFunction<Dim> diameterFrom(CellSize<Dim> const& size)
 }
 
 template <int Dim>
-GlobalMesh<Dim> bisectedBricks(GlobalMesh<Dim> mesh, Point<Dim> const& brick,
-                               CellSize<Dim> const& size, VertexLimit const& limit)
+GlobalMesh<Dim> bisectBricks(GlobalMesh<Dim> mesh, Point<Dim> const& brick,
+                             CellSize<Dim> const& size, VertexLimit const& limit)
 {
   Point<Dim> stretch;
   for (int axis = 0; axis < Dim; ++axis) {
@@ -271,46 +295,19 @@ GlobalMesh<Dim> bisectedBricks(GlobalMesh<Dim> mesh, Point<Dim> const& brick,
     all.period = scaled(all.period, back);
   };
   scaleAll(mesh, false);
-  auto result = bisected<Dim>(
-    mesh, diameterFrom<Dim>([&](Point<Dim> const& x) { return size(scaled(x, true)); }), limit);
-  scaleAll(result, true);
-  return result;
-}
-} // namespace
-
-void requireFewVertices(double num_vertices, VertexLimit const& limit)
-{
-  ASPERITY_REQUIRE(num_vertices <= limit.most,
-                   "Mesh: about " << formatShort(num_vertices) << " vertices are too many; at most "
-                                  << std::to_string(static_cast<long long>(limit.most))
-                                  << " are allowed. " << limit.advice);
+  mesh = bisect<Dim>(
+    mesh, largestDiameter<Dim>([&](Point<Dim> const& x) { return size(scaled(x, true)); }), limit);
+  scaleAll(mesh, true);
+  return mesh;
 }
 
-GlobalMesh<2> bisect(GlobalMesh<2> const& mesh, SizeFunction<2> const& largest_diameter,
-                     VertexLimit const& limit)
-{
-  return bisected<2>(mesh, largest_diameter, limit);
-}
-
-GlobalMesh<3> bisect(GlobalMesh<3> const& mesh, SizeFunction<3> const& largest_diameter,
-                     VertexLimit const& limit)
-{
-  return bisected<3>(mesh, largest_diameter, limit);
-}
-
-SizeFunction<2> largestDiameter(CellSize<2> const& size) { return diameterFrom<2>(size); }
-
-SizeFunction<3> largestDiameter(CellSize<3> const& size) { return diameterFrom<3>(size); }
-
-GlobalMesh<2> bisectBricks(GlobalMesh<2> const& mesh, Point<2> const& brick,
-                           CellSize<2> const& size, VertexLimit const& limit)
-{
-  return bisectedBricks<2>(mesh, brick, size, limit);
-}
-
-GlobalMesh<3> bisectBricks(GlobalMesh<3> const& mesh, Point<3> const& brick,
-                           CellSize<3> const& size, VertexLimit const& limit)
-{
-  return bisectedBricks<3>(mesh, brick, size, limit);
-}
+#define ASPERITY_INSTANTIATE(Dim)                                                                  \
+  template GlobalMesh<Dim> bisect<Dim>(GlobalMesh<Dim> const&, SizeFunction<Dim> const&,           \
+                                       VertexLimit const&);                                        \
+  template SizeFunction<Dim> largestDiameter<Dim>(CellSize<Dim> const&);                           \
+  template GlobalMesh<Dim> bisectBricks<Dim>(GlobalMesh<Dim>, Point<Dim> const&,                   \
+                                             CellSize<Dim> const&, VertexLimit const&);
+ASPERITY_INSTANTIATE(2)
+ASPERITY_INSTANTIATE(3)
+#undef ASPERITY_INSTANTIATE
 } // namespace asperity::mesh

@@ -22,6 +22,9 @@ struct VertexLimit
   std::string advice = "Is the cell size meant in m?";
 };
 
+// Throws an InputError unless 0 < value < infinity. `name`: of the parameter, below Mesh.
+void requirePositive(double value, std::string const& name);
+
 // Throws an InputError that says how many vertices there would be, and the advice.
 void requireFewVertices(double num_vertices, VertexLimit const& limit);
 
@@ -32,10 +35,9 @@ void requireFewVertices(double num_vertices, VertexLimit const& limit);
 // zero: the descendants of a cell have finitely many shapes, those of a triangle four, those of a
 // sixth of a cube three. Throws InputError if more vertices than the limit are needed, before any
 // bisection if an estimate shows it.
-GlobalMesh<2> bisect(GlobalMesh<2> const& mesh, SizeFunction<2> const& largest_diameter,
-                     VertexLimit const& limit = {});
-GlobalMesh<3> bisect(GlobalMesh<3> const& mesh, SizeFunction<3> const& largest_diameter,
-                     VertexLimit const& limit = {});
+template <int Dim>
+GlobalMesh<Dim> bisect(GlobalMesh<Dim> const& mesh, SizeFunction<Dim> const& largest_diameter,
+                       VertexLimit const& limit = {});
 
 // The wanted size of cells at a point, in m. It has to be positive.
 template <int Dim>
@@ -45,15 +47,14 @@ using CellSize = std::function<double(Point<Dim> const&)>;
 // size found at its corners, the midpoints of its edges and its centroid. The sides of squares and
 // cubes cut into simplices are then no longer than the size. They are as long, up to rounding, if
 // the size is that of the first cells' sides divided by a power of two.
-SizeFunction<2> largestDiameter(CellSize<2> const& size);
-SizeFunction<3> largestDiameter(CellSize<3> const& size);
+template <int Dim>
+SizeFunction<Dim> largestDiameter(CellSize<Dim> const& size);
 
 // Refines by bisection a mesh of rectangles or cuboids with these sides [m], each cut into
 // simplices. They keep their proportions, and the cell size limits their longest side: the mesh is
 // bisected in coordinates stretched along the short sides, in which it consists of squares or
 // cubes.
-GlobalMesh<2> bisectBricks(GlobalMesh<2> const& mesh, Point<2> const& brick,
-                           CellSize<2> const& size, VertexLimit const& limit = {});
-GlobalMesh<3> bisectBricks(GlobalMesh<3> const& mesh, Point<3> const& brick,
-                           CellSize<3> const& size, VertexLimit const& limit = {});
+template <int Dim>
+GlobalMesh<Dim> bisectBricks(GlobalMesh<Dim> mesh, Point<Dim> const& brick,
+                             CellSize<Dim> const& size, VertexLimit const& limit = {});
 } // namespace asperity::mesh

@@ -1,24 +1,16 @@
 #include "mesh/generation/BoxMesh.hpp"
 
-#include "base/Errors.hpp"
-
-#include <cmath>
-
 namespace asperity::mesh
 {
 namespace
 {
 void check(BoxShape const& shape)
 {
-  const auto require_positive = [](double value, std::string const& name) {
-    ASPERITY_REQUIRE(value > 0.0 && std::isfinite(value),
-                     "Mesh / Box / " << name << " = " << value << " is outside (0, inf).");
-  };
   double num_vertices = 1.0;
-  char const* const size_names[] = {"Width", "Height", "Depth"};
+  char const* const size_names[] = {"Box / Width", "Box / Height", "Box / Depth"};
   for (int d = 0; d < 3; ++d) {
-    require_positive(shape.size[d], size_names[d]);
-    require_positive(shape.num_cells[d], std::string("Cells ") + "XYZ"[d]);
+    requirePositive(shape.size[d], size_names[d]);
+    requirePositive(shape.num_cells[d], std::string("Box / Cells ") + "XYZ"[d]);
     num_vertices *= shape.num_cells[d] + 1.0;
   }
   requireFewVertices(num_vertices, shape.limit);

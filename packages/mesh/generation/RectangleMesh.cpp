@@ -1,23 +1,15 @@
 #include "mesh/generation/RectangleMesh.hpp"
 
-#include "base/Errors.hpp"
-
-#include <cmath>
-
 namespace asperity::mesh
 {
 namespace
 {
 void check(RectangleShape const& shape)
 {
-  const auto require_positive = [](double value, char const* name) {
-    ASPERITY_REQUIRE(value > 0.0 && std::isfinite(value),
-                     "Mesh / Rectangle / " << name << " = " << value << " is outside (0, inf).");
-  };
-  require_positive(shape.width, "Width");
-  require_positive(shape.height, "Height");
-  require_positive(shape.cells_x, "Cells X");
-  require_positive(shape.cells_y, "Cells Y");
+  requirePositive(shape.width, "Rectangle / Width");
+  requirePositive(shape.height, "Rectangle / Height");
+  requirePositive(shape.cells_x, "Rectangle / Cells X");
+  requirePositive(shape.cells_y, "Rectangle / Cells Y");
   requireFewVertices((shape.cells_x + 1.0) * (shape.cells_y + 1.0), shape.limit);
 }
 

@@ -3,7 +3,6 @@
 #include "base/fields/Field.hpp"
 #include "mesh/generation/Bisection.hpp"
 #include "mesh/generation/BoxMesh.hpp"
-#include "mesh/generation/DeepWedgeMesh.hpp"
 #include "mesh/generation/PeriodicMesh.hpp"
 #include "mesh/generation/RectangleMesh.hpp"
 #include "mesh/generation/WedgeMesh.hpp"
@@ -216,7 +215,7 @@ GlobalMesh<2> makeRectangle(ParameterList const& list, mesh::VertexLimit const& 
   auto coarse = mesh::rectangleMesh(shape);
   const Point<2> brick = {shape.width / shape.cells_x, shape.height / shape.cells_y};
   return isGiven(list, "Cell Size")
-           ? mesh::bisectBricks(coarse, brick, cellSize<2>(list, "Rectangle"), limit)
+           ? mesh::bisectBricks<2>(coarse, brick, cellSize<2>(list, "Rectangle"), limit)
            : coarse;
 }
 
@@ -232,7 +231,7 @@ GlobalMesh<3> makeBox(ParameterList const& list, mesh::VertexLimit const& limit)
     brick[axis] = shape.size[axis] / shape.num_cells[axis];
   }
   return isGiven(list, "Cell Size")
-           ? mesh::bisectBricks(box, brick, cellSize<3>(list, "Box"), limit)
+           ? mesh::bisectBricks<3>(box, brick, cellSize<3>(list, "Box"), limit)
            : box;
 }
 

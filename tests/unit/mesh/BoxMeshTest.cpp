@@ -32,10 +32,7 @@ TEST(BoxMesh, NamesItsSides)
     for (int side = 0; side < 2; ++side) {
       Point<3> normal{};
       normal[d] = (side == 0 ? -6.0 : 6.0) / size[d];
-      const auto sum = integralOfNormal(mesh, names[d][side]);
-      for (int e = 0; e < 3; ++e) {
-        EXPECT_NEAR(sum[e], normal[e], 1e-13) << names[d][side];
-      }
+      expectNear(integralOfNormal(mesh, names[d][side]), normal, 1e-13, names[d][side]);
       for (int vertex : boundaryVertices(mesh, names[d][side])) {
         EXPECT_EQ(mesh.vertices[vertex][d], side * size[d]);
       }

@@ -1,8 +1,8 @@
 #include "MeshSamples.hpp"
 
 #include "mesh/MeshQuality.hpp"
-#include "mesh/generation/DeepWedgeMesh.hpp"
 #include "mesh/generation/PeriodicMesh.hpp"
+#include "mesh/generation/WedgeMesh.hpp"
 
 using namespace asperity;
 using namespace asperity::mesh;

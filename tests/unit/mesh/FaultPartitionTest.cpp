@@ -149,9 +149,7 @@ TEST(FaultPartition, BroadcastSendsThePairs)
   const auto original = branchedRectangle();
   auto mesh = world()->getRank() == 0 ? original : GlobalMesh<2>();
   broadcast(mesh, *world());
-  EXPECT_EQ(mesh.splits, original.splits);
-  EXPECT_EQ(mesh.faults, original.faults);
-  EXPECT_EQ(mesh.boundaries, original.boundaries);
+  expectEqual(mesh, original);
 }
 
 TEST(FaultPartition, ChecksumSeesThePairs)

@@ -78,17 +78,6 @@ void setAttribute(hid_t file, char const* name, int value)
   ASSERT_GE(H5Awrite(attribute, H5T_NATIVE_INT, &value), 0);
   H5Aclose(attribute);
 }
-
-template <int Dim>
-void expectEqual(GlobalMesh<Dim> const& mesh, GlobalMesh<Dim> const& other)
-{
-  EXPECT_EQ(mesh.vertices, other.vertices);
-  EXPECT_EQ(mesh.period, other.period);
-  EXPECT_EQ(mesh.cells, other.cells);
-  EXPECT_EQ(mesh.cell_regions, other.cell_regions);
-  EXPECT_EQ(mesh.region_names, other.region_names);
-  EXPECT_EQ(mesh.boundaries, other.boundaries);
-}
 } // namespace
 
 TEST_F(MeshFile, ReturnsWhatWasWritten)

@@ -1,12 +1,12 @@
 #include "MeshSamples.hpp"
 
+#include "base/parallel/Reductions.hpp"
 #include "mesh/MeshQuality.hpp"
 #include "mesh/generation/BoxMesh.hpp"
 #include "mesh/generation/RectangleMesh.hpp"
 #include "mesh/generation/WedgeMesh.hpp"
 #include "mesh/parallel/Partition.hpp"
 
-#include <Teuchos_CommHelpers.hpp>
 #include <Teuchos_DefaultMpiComm.hpp>
 
 #include <set>
@@ -17,14 +17,6 @@ using namespace asperity::mesh;
 namespace
 {
 Teuchos::MpiComm<int> world() { return Teuchos::MpiComm<int>(MPI_COMM_WORLD); }
-
-template <class Number>
-Number sumOverRanks(Number mine)
-{
-  Number sum = 0;
-  Teuchos::reduceAll(world(), Teuchos::REDUCE_SUM, mine, Teuchos::outArg(sum));
-  return sum;
-}
 
 GlobalMesh<2> coarseWedge()
 {
@@ -112,7 +104,7 @@ void expectSums(GlobalMesh<Dim> const& mesh, Mesh<Dim> const& part)
     }
   }
   for (std::size_t r = 0; r < measures.size(); ++r) {
-    EXPECT_NEAR(sumOverRanks(measures[r]), measureOf(mesh, static_cast<int>(r)), 1e-13);
+    EXPECT_NEAR(sumOverRanks(measures[r], world()), measureOf(mesh, static_cast<int>(r)), 1e-13);
   }
   for (auto const& [name, facets] : part.boundaries) {
     Point<Dim> normal{};
@@ -122,9 +114,7 @@ void expectSums(GlobalMesh<Dim> const& mesh, Mesh<Dim> const& part)
         normal[d] += one[d];
       }
     }
-    for (int d = 0; d < Dim; ++d) {
-      EXPECT_NEAR(sumOverRanks(normal[d]), integralOfNormal(mesh, name)[d], 1e-13) << name;
-    }
+    expectNear(sumOverRanks(normal, world()), integralOfNormal(mesh, name), 1e-13, name);
   }
 }
 
@@ -133,13 +123,13 @@ void expectGoodDistribution(GlobalMesh<Dim> const& mesh)
 {
   const auto part = distribute(mesh, world());
   expectGoodPart(mesh, part);
-  EXPECT_EQ(sumOverRanks(part.num_owned), static_cast<int>(mesh.vertices.size()));
+  EXPECT_EQ(sumOverRanks(part.num_owned, world()), static_cast<int>(mesh.vertices.size()));
   long long sum_of_ids = 0;
   for (int v = 0; v < part.num_owned; ++v) {
     sum_of_ids += part.global_ids[v];
   }
   const auto n = static_cast<long long>(mesh.vertices.size());
-  EXPECT_EQ(sumOverRanks(sum_of_ids), n * (n - 1) / 2);
+  EXPECT_EQ(sumOverRanks(sum_of_ids, world()), n * (n - 1) / 2);
   expectSums(mesh, part);
 }
 } // namespace
@@ -285,9 +275,5 @@ TEST(Partition, BroadcastGivesEveryRankTheMesh)
     mesh.boundaries["other"] = {{0, 1}};
   }
   broadcast(mesh, world());
-  EXPECT_EQ(mesh.vertices, original.vertices);
-  EXPECT_EQ(mesh.cells, original.cells);
-  EXPECT_EQ(mesh.cell_regions, original.cell_regions);
-  EXPECT_EQ(mesh.region_names, original.region_names);
-  EXPECT_EQ(mesh.boundaries, original.boundaries);
+  expectEqual(mesh, original);
 }

@@ -14,6 +14,8 @@ using namespace asperity::mesh;
 
 namespace
 {
+using mesh::expectEqual;
+
 RCP<const Communicator> world() { return rcp(new Teuchos::MpiComm<int>(MPI_COMM_WORLD)); }
 
 GlobalMesh<2> coarseWedge()
@@ -50,19 +52,6 @@ void expectEqual(Mesh<Dim> const& part, Mesh<Dim> const& other)
   EXPECT_EQ(part.boundaries, other.boundaries);
   EXPECT_EQ(part.splits, other.splits);
   EXPECT_EQ(part.faults, other.faults);
-}
-
-template <int Dim>
-void expectEqual(GlobalMesh<Dim> const& mesh, GlobalMesh<Dim> const& other)
-{
-  EXPECT_EQ(mesh.vertices, other.vertices);
-  EXPECT_EQ(mesh.period, other.period);
-  EXPECT_EQ(mesh.cells, other.cells);
-  EXPECT_EQ(mesh.cell_regions, other.cell_regions);
-  EXPECT_EQ(mesh.region_names, other.region_names);
-  EXPECT_EQ(mesh.boundaries, other.boundaries);
-  EXPECT_EQ(mesh.splits, other.splits);
-  EXPECT_EQ(mesh.faults, other.faults);
 }
 
 class PartitionedFile : public SharedFolder

@@ -29,9 +29,7 @@ TEST(RectangleMesh, NamesItsSides)
   const std::map<std::string, Point<2>> normals = {
     {"bottom", {0.0, -3.0}}, {"top", {0.0, 3.0}}, {"left", {-2.0, 0.0}}, {"right", {2.0, 0.0}}};
   for (auto const& [name, normal] : normals) {
-    const auto sum = integralOfNormal(mesh, name);
-    EXPECT_NEAR(sum[0], normal[0], 1e-14) << name;
-    EXPECT_NEAR(sum[1], normal[1], 1e-14) << name;
+    expectNear(integralOfNormal(mesh, name), normal, 1e-14, name);
   }
   for (int vertex : boundaryVertices(mesh, "left")) {
     EXPECT_EQ(mesh.vertices[vertex][0], 0.0);

@@ -30,8 +30,8 @@ GlobalMesh<3> halfWave(int n, double proportion)
   const int layers = static_cast<int>(std::ceil(1 / (side * proportion)));
   const auto coarse =
     mesh::boxMesh({{0.5, side, layers * side * proportion}, {n / 4, 1, layers}, {}});
-  return mesh::bisectBricks(coarse, {side, side, side * proportion},
-                            [h](Point<3> const&) { return h; });
+  return mesh::bisectBricks<3>(coarse, {side, side, side * proportion},
+                               [h](Point<3> const&) { return h; });
 }
 
 // The relative error of the traction along the fault that slip makes, u_x = sin(kx) or

@@ -57,9 +57,9 @@ PerSlip exact(HalfPlane const& upper, HalfPlane const& lower)
 // [0, 1] x [-1, 1] with the fault at y = 0, along which there are 64 cells. Both sides are alike.
 GlobalMesh<2> box()
 {
-  auto mesh = mesh::bisect(mesh::rectangleMesh({1, 2, 8, 16, {0, -1}}),
-                           mesh::largestDiameter(mesh::CellSize<2>(
-                             [](Point<2> const& x) { return 1. / 64 + 0.06 * std::abs(x[1]); })));
+  auto mesh = mesh::bisect<2>(
+    mesh::rectangleMesh({1, 2, 8, 16, {0, -1}}),
+    mesh::largestDiameter<2>([](Point<2> const& x) { return 1. / 64 + 0.06 * std::abs(x[1]); }));
   mesh::addFaults<2>(mesh, {{"fault", [](Point<2> const& x) { return std::abs(x[1]) < off; }}});
   mesh::splitFaults(mesh, "test");
   return mesh;

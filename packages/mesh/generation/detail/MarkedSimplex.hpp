@@ -1,11 +1,13 @@
 #pragma once
 
-#include "mesh/generation/detail/EdgeTable.hpp"
-
+#include <array>
+#include <cstdint>
 #include <functional>
 
 namespace asperity::mesh::detail
 {
+using Edge = std::array<int, 2>;
+
 // Whether the first of two edges is the longer one: a strict order of all edges, also of those of
 // equal length, so that neighbours agree on the longest edge of a shared facet.
 using IsLonger = std::function<bool(Edge const&, Edge const&)>;
