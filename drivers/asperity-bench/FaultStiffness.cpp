@@ -46,20 +46,19 @@ double distance(fem::FaultNode const& a, fem::FaultNode const& b)
 
 // (n, n) row by row: the compression [Pa] at a node for unit slip at another one.
 std::vector<double> compressionOf(Problem const& problem, std::vector<int> const& nodes,
-                                  tnnmg::SchurComplement& equilibrium)
+                                  tnnmg::SchurComplement const& equilibrium)
 {
   auto const& body = problem.body;
   const std::size_t n = nodes.size();
   auto const zero = body.vector(), u = body.vector();
-  const RCP<const Map> rows = rcp(new Map(n, 0, problem.communicator));
-  Vector slip(rows), forces(rows);
-  equilibrium.condense(*zero, forces);
+  Vector slip(equilibrium.map());
+  auto const no_forces = equilibrium.condense(*zero);
   const friction::NodeView R("asperity::bench::R", problem.surface->numNodes());
   std::vector<double> result(n * n);
   for (std::size_t j = 0; j < n; ++j) {
     slip.putScalar(0);
     slip.replaceLocalValue(static_cast<int>(j), 1 / problem.surface->slipFactor());
-    equilibrium.expand(slip, *u);
+    no_forces.expand(slip, *u);
     problem.reaction.reaction->compression(*zero, *u, *zero, *zero, R);
     auto const host = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace(), R);
     for (std::size_t i = 0; i < n; ++i) {
@@ -87,20 +86,19 @@ FaultStiffness stiffnessOfFault(ParameterList const& deck,
   for (int node : nodes) {
     dofs.push_back(surface[node].dofs[0]);
   }
-  tnnmg::SchurComplement equilibrium(
+  const tnnmg::SchurComplement equilibrium(
     *fem::combine(problem.body.matrices, 0, 0, 1, problem.body.held), dofs);
 
   FaultStiffness result;
-  auto const S = equilibrium.matrix()->getLocalMatrixHost();
+  auto const S = toHost(equilibrium.matrix());
   const auto n = nodes.size();
   result.traction.resize(n * n);
   for (std::size_t i = 0; i < n; ++i) {
     auto const& node = surface[nodes[i]];
     result.positions.push_back(distance(surface[nodes[0]], node));
     result.weights.push_back(node.weight);
-    auto const row = S.rowConst(static_cast<int>(i));
-    for (int k = 0; k < row.length; ++k) {
-      result.traction[i * n + row.colidx(k)] = -row.value(k) / (node.weight * surface.slipFactor());
+    for (std::size_t j = 0; j < n; ++j) {
+      result.traction[i * n + j] = -S(i, j) / (node.weight * surface.slipFactor());
     }
   }
   if (problem.reaction.reaction) {

@@ -2,8 +2,6 @@
 
 #include "tnnmg/detail/DenseSystem.hpp"
 
-#include <Tpetra_CrsMatrix.hpp>
-#include <Tpetra_Map.hpp>
 #include <Tpetra_Vector.hpp>
 
 #include <optional>
@@ -14,18 +12,6 @@ namespace
 {
 // Tolerances of at least this value allow single precision, which is faster.
 constexpr double loosest_for_double = 1e-4;
-
-Eigen::MatrixXd denseCopyOf(CrsMatrix const& Z)
-{
-  auto const local = Z.getLocalMatrixHost();
-  Eigen::MatrixXd copy = Eigen::MatrixXd::Zero(local.numRows(), local.numRows());
-  for (int row = 0; row < local.numRows(); ++row) {
-    for (auto k = local.graph.row_map(row); k < local.graph.row_map(row + 1); ++k) {
-      copy(row, local.graph.entries(k)) = local.values(k);
-    }
-  }
-  return copy;
-}
 
 std::vector<std::vector<int>> rowsOf(NodeDofView const& nonlinear)
 {
@@ -42,30 +28,26 @@ std::vector<std::vector<int>> rowsOf(NodeDofView const& nonlinear)
 
 struct DenseCorrection::Implementation
 {
-  Eigen::MatrixXd Z;
+  Implementation(ConstBlockView const& given, NodeDofView const& nonlinear)
+      : on_host(toHost(given))
+      , Z(on_host.data(), on_host.extent_int(0), on_host.extent_int(1))
+      , dofs(rowsOf(nonlinear))
+  {
+  }
+
+  decltype(toHost(ConstBlockView())) on_host;
+  Eigen::Map<const Eigen::MatrixXd> Z;
   std::vector<std::vector<int>> dofs; // of each node
   std::optional<detail::DenseSystem<float>> single;
   std::optional<detail::DenseSystem<double>> exact; // once it is needed
 };
 
-DenseCorrection::DenseCorrection(CrsMatrix const& Z, NodeDofView const& nonlinear)
-    : implementation_(std::make_unique<Implementation>())
+DenseCorrection::DenseCorrection(ConstBlockView const& Z, NodeDofView const& nonlinear)
+    : implementation_(std::make_unique<Implementation>(Z, nonlinear))
 {
-  implementation_->Z = denseCopyOf(Z);
-  implementation_->dofs = rowsOf(nonlinear);
 }
 
 DenseCorrection::~DenseCorrection() = default;
-
-void DenseCorrection::applyMatrix(CrsMatrix const&, Vector const& x, Vector& y) const
-{
-  auto const& Z = implementation_->Z;
-  auto const from = x.getLocalViewHost(Tpetra::Access::ReadOnly);
-  auto const to = y.getLocalViewHost(Tpetra::Access::OverwriteAll);
-  // Only one triangle is read, since Z is symmetric.
-  Eigen::Map<Eigen::VectorXd>(to.data(), Z.rows()).noalias() =
-    Z.selfadjointView<Eigen::Lower>() * Eigen::Map<const Eigen::VectorXd>(from.data(), Z.rows());
-}
 
 void DenseCorrection::reset()
 {
@@ -109,7 +91,6 @@ std::size_t DenseCorrection::bytes() const
 {
   auto const& self = *implementation_;
   const auto entries = static_cast<std::size_t>(self.Z.size());
-  return entries * (sizeof(double) + (self.single ? 2 * sizeof(float) : 0) +
-                    (self.exact ? 2 * sizeof(double) : 0));
+  return entries * ((self.single ? 2 * sizeof(float) : 0) + (self.exact ? 2 * sizeof(double) : 0));
 }
 } // namespace asperity::tnnmg

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "tnnmg/LinearCorrection.hpp"
+#include "tnnmg/NonlinearNodes.hpp"
 
 #include <memory>
 
@@ -16,17 +17,15 @@ namespace asperity::tnnmg
 class DenseCorrection final : public LinearCorrection
 {
 public:
-  // nonlinear(num_nodes, T): the local rows of Z at the nonlinear nodes. The entries of Z are
-  // copied.
-  DenseCorrection(CrsMatrix const& Z, NodeDofView const& nonlinear);
+  // nonlinear(num_nodes, T): the rows of Z(size, size), which is symmetric, at the nonlinear nodes.
+  DenseCorrection(ConstBlockView const& Z, NodeDofView const& nonlinear);
   ~DenseCorrection() override;
 
   CorrectionResult solve(NonlinearBlocks const& blocks, Vector const& r, double relative_tolerance,
                          Vector& c) override;
-  void applyMatrix(CrsMatrix const& Z, Vector const& x, Vector& y) const override;
   void reset() override;
 
-  std::size_t bytes() const; // of Z, in all precisions used, and the factors
+  std::size_t bytes() const; // of its copies of Z and of the factors
 
 private:
   struct Implementation;

@@ -2,7 +2,7 @@
 
 #include "base/Views.hpp"
 
-#include <Tpetra_CrsMatrix.hpp>
+#include <Tpetra_Vector.hpp>
 
 namespace asperity::tnnmg
 {
@@ -39,10 +39,6 @@ public:
   // remaining dofs).
   virtual CorrectionResult solve(NonlinearBlocks const& blocks, Vector const& r,
                                  double relative_tolerance, Vector& c) = 0;
-
-  // y = Z x. Z is the matrix of solve(), of which a correction may have a copy that multiplies
-  // faster.
-  virtual void applyMatrix(CrsMatrix const& Z, Vector const& x, Vector& y) const { Z.apply(x, y); }
 
   // Discards what earlier solves have left, such as a kept hierarchy, so that the next solve
   // depends on its arguments alone.

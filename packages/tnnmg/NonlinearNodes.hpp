@@ -25,15 +25,13 @@ struct NonlinearNodes
   ConstFlagView held;
   // Nodes that are free in some component, by colour. All ranks have the same number of colours.
   std::vector<IndexView> colours;
-  // Whether each node is coupled with each, as coupledNodes() says; then one colour has all of
-  // them, in the order in which a sweep visits them.
-  bool are_coupled = false;
 
   int numNodes() const { return static_cast<int>(dofs.extent(0)); }
   int blockSize() const { return static_cast<int>(dofs.extent(1)); }
 };
 
-// The linear part of a problem of coupled nodes, in the order of coupledNodes().
+// The linear part of a problem in which each node is coupled with each. The rows and columns of Z
+// are the T components of node 0, then those of node 1, and so on.
 struct CoupledSystem
 {
   ConstBlockView Z; // (num_nodes T, num_nodes T), symmetric
@@ -41,8 +39,4 @@ struct CoupledSystem
   ConstFlagView held;
   ConstNodeView curvature;
 };
-
-// The nodes of a full matrix, on one rank: the rows of every node's block_size components follow
-// those of the node before. held(num_nodes * block_size).
-NonlinearNodes coupledNodes(int num_nodes, int block_size, std::vector<int> const& held);
 } // namespace asperity::tnnmg

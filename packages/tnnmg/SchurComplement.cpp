@@ -1,7 +1,6 @@
 #include "tnnmg/SchurComplement.hpp"
 
 #include "base/Errors.hpp"
-#include "portability/Renamed.hpp"
 #include "tnnmg/detail/EigenMatrix.hpp"
 #include "tnnmg/detail/SupernodalFactor.hpp"
 
@@ -11,6 +10,7 @@
 #include <Tpetra_Vector.hpp>
 
 #include <algorithm>
+#include <utility>
 
 namespace asperity::tnnmg
 {
@@ -36,34 +36,28 @@ Sparse permuted(Sparse const& Z, std::vector<int> const& position)
   return result;
 }
 
-RCP<const CrsMatrix> fullMatrix(Eigen::MatrixXd const& S,
-                                RCP<const Communicator> const& communicator)
+// S = L L^T. Eigen's product may differ in the last bit between the triangles.
+ConstBlockView productWithTranspose(Eigen::MatrixXd const& L)
 {
-  const int size = static_cast<int>(S.rows());
-  auto const map = rcp(new Map(size, 0, communicator));
-  auto matrix = rcp(new CrsMatrix(map, map, size));
-  std::vector<int> columns(size);
-  std::vector<double> values(size);
-  for (int row = 0; row < size; ++row) {
-    for (int column = 0; column < size; ++column) {
-      columns[column] = column;
-      values[column] = S(row, column);
+  const Eigen::MatrixXd S = L * L.transpose();
+  const BlockView result("asperity::tnnmg::SchurComplement", S.rows(), S.cols());
+  auto const host = Kokkos::create_mirror_view(result);
+  for (int row = 0; row < S.rows(); ++row) {
+    for (int column = 0; column < S.cols(); ++column) {
+      host(row, column) = S(std::max(row, column), std::min(row, column));
     }
-    matrix->insertLocalValues(row, size, values.data(), columns.data());
   }
-  matrix->fillComplete(map, map);
-  return matrix;
+  Kokkos::deep_copy(result, host);
+  return result;
 }
 } // namespace
 
-struct SchurComplement::Factor
+struct detail::EliminationFactor
 {
   std::vector<int> position; // of every row of Z
   int num_eliminated = 0;
-  std::size_t entries = 0;          // of L
-  detail::SupernodalFactor columns; // of L_I and L_FI
-  std::vector<double> half_solved;  // L_I^-1 b_I in its first num_eliminated entries
-  mutable std::vector<double> work;
+  std::size_t entries = 0;  // of L
+  SupernodalFactor columns; // of L_I and L_FI
 };
 
 SchurComplement::SchurComplement(CrsMatrix const& Z, std::vector<int> const& rows)
@@ -73,11 +67,11 @@ SchurComplement::SchurComplement(CrsMatrix const& Z, std::vector<int> const& row
 
 SchurComplement::SchurComplement(CrsMatrix const& Z, std::vector<int> const& rows,
                                  EliminationOrder& order)
-    : factor_(std::make_unique<Factor>())
 {
   ASPERITY_ASSERT(Z.getRowMap()->getComm()->getSize() == 1);
   auto const matrix = detail::toEigen(Z, detail::StoredZeros::drop);
-  auto& factor = *factor_;
+  auto const made = std::make_shared<detail::EliminationFactor>();
+  auto& factor = *made;
   factor.position = order.positions(patternOf(matrix), rows);
   const int size = static_cast<int>(matrix.rows());
   const int kept = static_cast<int>(rows.size());
@@ -92,8 +86,7 @@ SchurComplement::SchurComplement(CrsMatrix const& Z, std::vector<int> const& row
   const Sparse L = cholesky.matrixL();
   factor.entries = L.nonZeros();
   factor.columns = detail::SupernodalFactor(L, factor.num_eliminated);
-  factor.half_solved.resize(size);
-  factor.work.resize(size);
+  factor_ = made;
 
   Eigen::MatrixXd L_F = Eigen::MatrixXd::Zero(kept, kept);
   for (int column = 0; column < kept; ++column) {
@@ -101,42 +94,34 @@ SchurComplement::SchurComplement(CrsMatrix const& Z, std::vector<int> const& row
       L_F(entry.row() - factor.num_eliminated, column) = entry.value();
     }
   }
-  matrix_ = fullMatrix(L_F * L_F.transpose(), Z.getRowMap()->getComm());
+  matrix_ = productWithTranspose(L_F);
+  map_ = rcp(new Map(kept, 0, Z.getRowMap()->getComm()));
 }
 
-SchurComplement::~SchurComplement() = default;
-
-void SchurComplement::condense(Vector const& b, Vector& b_kept)
+CondensedRightSide::CondensedRightSide(std::shared_ptr<const detail::EliminationFactor> factor,
+                                       Vector const& b, RCP<const Map> const& map)
+    : factor_(std::move(factor))
+    , half_solved_(factor_->position.size())
+    , kept_(map)
 {
-  auto& factor = *factor_;
-  auto& x = factor.half_solved;
   auto const values = b.getLocalViewHost(Tpetra::Access::ReadOnly);
-  const int size = static_cast<int>(x.size());
-  for (int row = 0; row < size; ++row) {
-    x[factor.position[row]] = values(row, 0);
+  for (std::size_t row = 0; row < half_solved_.size(); ++row) {
+    half_solved_[factor_->position[row]] = values(row, 0);
   }
-  factor.columns.forward(x.data());
-  auto const kept = b_kept.getLocalViewHost(Tpetra::Access::OverwriteAll);
-  for (int i = factor.num_eliminated; i < size; ++i) {
-    kept(i - factor.num_eliminated, 0) = x[i];
-  }
+  factor_->columns.forward(half_solved_.data());
+  auto const kept = kept_.getLocalViewHost(Tpetra::Access::OverwriteAll);
+  std::copy(half_solved_.begin() + factor_->num_eliminated, half_solved_.end(), kept.data());
 }
 
-void SchurComplement::expand(Vector const& v_kept, Vector& v) const
+void CondensedRightSide::expand(Vector const& v_kept, Vector& v) const
 {
-  auto const& factor = *factor_;
-  auto& x = factor.work;
+  auto x = half_solved_;
   auto const kept = v_kept.getLocalViewHost(Tpetra::Access::ReadOnly);
-  const int size = static_cast<int>(x.size());
-  for (int i = factor.num_eliminated; i < size; ++i) {
-    x[i] = kept(i - factor.num_eliminated, 0);
-  }
-  std::copy(factor.half_solved.begin(), factor.half_solved.begin() + factor.num_eliminated,
-            x.begin());
-  factor.columns.backward(x.data());
+  std::copy_n(kept.data(), kept.extent(0), x.begin() + factor_->num_eliminated);
+  factor_->columns.backward(x.data());
   auto const values = v.getLocalViewHost(Tpetra::Access::OverwriteAll);
-  for (int row = 0; row < size; ++row) {
-    values(row, 0) = x[factor.position[row]];
+  for (std::size_t row = 0; row < x.size(); ++row) {
+    values(row, 0) = x[factor_->position[row]];
   }
 }
 
@@ -144,6 +129,6 @@ std::size_t SchurComplement::factorEntries() const { return factor_->entries; }
 
 std::size_t SchurComplement::bytes() const
 {
-  return factor_->columns.bytes() + numLocalEntries(*matrix_) * 16;
+  return factor_->columns.bytes() + sizeof(double) * matrix_.size();
 }
 } // namespace asperity::tnnmg

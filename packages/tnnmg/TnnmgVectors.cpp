@@ -1,10 +1,10 @@
 #include "tnnmg/TnnmgVectors.hpp"
 
 #include "base/parallel/Reductions.hpp"
-#include "tnnmg/GaussSeidel.hpp"
 
 #include <Tpetra_Map.hpp>
 
+#include <array>
 #include <cmath>
 
 namespace asperity::tnnmg::detail
@@ -69,70 +69,59 @@ void TnnmgBlocks::truncate(NonlinearNodes const& nodes, ConstNodeView const& cur
     });
 }
 
-TnnmgVectors::TnnmgVectors(CrsMatrix const& Z, NonlinearNodes const& nodes,
-                           LinearCorrection const& linear)
-    : exchange(Z, nodes)
-    , v_columns(rcp(new Vector(Z.getColMap())))
-    , v(v_columns->offsetViewNonConst(Z.getDomainMap(), 0)->getVectorNonConst(0))
-    , v_before(rcp(new Vector(Z.getDomainMap())))
-    , r(rcp(new Vector(Z.getDomainMap())))
-    , r_before(rcp(new Vector(Z.getDomainMap())))
-    , newton_residual(rcp(new Vector(Z.getDomainMap())))
-    , c(rcp(new Vector(Z.getDomainMap())))
-    , Zc(rcp(new Vector(Z.getDomainMap())))
-    , b_copy(rcp(new Vector(Z.getDomainMap())))
-    , diagonal_(rcp(new Vector(Z.getDomainMap())))
-    , linear_(linear)
-    , few_nodes_(8. * sumOverRanks(nodes.numNodes() * nodes.blockSize(), *Z.getComm()) <
-                 static_cast<double>(Z.getGlobalNumRows()))
+void TnnmgBlocks::scaleChange(double step) const
 {
-  Z.getLocalDiagCopy(*diagonal_);
-  if (few_nodes_) {
-    columns_ = rcp(new Vector(Z.getColMap()));
-  }
+  auto const from = d;
+  auto const to = scaled;
+  const int size = static_cast<int>(d.extent(1));
+  Kokkos::parallel_for(
+    "asperity::tnnmg::scale", Policy(0, d.extent(0)), KOKKOS_LAMBDA(int node) {
+      for (int k = 0; k < size; ++k) {
+        to(node, k) = step * from(node, k);
+      }
+    });
 }
 
-void TnnmgVectors::start(CrsMatrix const& Z, Vector const& b, Vector const& guess)
+TnnmgVectors::TnnmgVectors(RateMatrix const& Z)
+    : v_columns(rcp(new Vector(Z.columns())))
+    , v(v_columns->offsetViewNonConst(Z.rows(), 0)->getVectorNonConst(0))
+    , b(Z.rows())
+    , v_before(Z.rows())
+    , r(Z.rows())
+    , r_before(Z.rows())
+    , newton_residual(Z.rows())
+    , c(Z.rows())
+    , Zc(Z.rows())
 {
+}
+
+void TnnmgVectors::begin(Vector const& right_side, Vector const& guess)
+{
+  Tpetra::deep_copy(b, right_side);
   Tpetra::deep_copy(*v, guess);
-  Tpetra::deep_copy(*b_copy, b);
-  exchange.share(*v_columns);
-  residual(Z, b);
-}
-
-void TnnmgVectors::residual(CrsMatrix const& Z, Vector const& b)
-{
-  linear_.applyMatrix(Z, *v, *r);
-  r->update(1, b, -1);
 }
 
 void TnnmgVectors::beginIteration()
 {
-  Tpetra::deep_copy(*v_before, *v);
-  Tpetra::deep_copy(*r_before, *r);
+  Tpetra::deep_copy(v_before, *v);
+  Tpetra::deep_copy(r_before, r);
 }
 
-int TnnmgVectors::finishSweeps(CrsMatrix const& Z, NonlinearNodes const& nodes,
-                               TnnmgBlocks const& blocks, Vector const& b, double nonlinear_change,
-                               double magnitude)
+int TnnmgVectors::risesInSweeps(RateMatrix const& Z, TnnmgBlocks const& blocks,
+                                EnergyChange const& nonlinear) const
 {
-  if (few_nodes_) {
-    subtractColumns(Z, nodes, exchange, blocks.d, *columns_, *r);
-  } else if (!nodes.are_coupled) {
-    residual(Z, b);
-  }
   // With Z d = r_before - r, <Z v - b + 1/2 Z d, d> = -1/2 <r_before + r, d>; d is zero elsewhere.
   auto const d = blocks.d;
-  auto const dofs = nodes.dofs;
+  auto const dofs = Z.nodes().dofs;
   auto const bs = b.getLocalViewDevice(Tpetra::Access::ReadOnly);
-  auto const now = r->getLocalViewDevice(Tpetra::Access::ReadOnly);
-  auto const before = r_before->getLocalViewDevice(Tpetra::Access::ReadOnly);
+  auto const now = r.getLocalViewDevice(Tpetra::Access::ReadOnly);
+  auto const before = r_before.getLocalViewDevice(Tpetra::Access::ReadOnly);
   auto const vs = v->getLocalViewDevice(Tpetra::Access::ReadOnly);
-  auto const Z_ii = diagonal_->getLocalViewDevice(Tpetra::Access::ReadOnly);
-  const int size = nodes.blockSize();
+  auto const Z_ii = Z.diagonal().getLocalViewDevice(Tpetra::Access::ReadOnly);
+  const int size = Z.nodes().blockSize();
   double linear = 0, terms = 0;
   Kokkos::parallel_reduce(
-    "asperity::tnnmg::changeInSweeps", Policy(0, nodes.numNodes()),
+    "asperity::tnnmg::changeInSweeps", Policy(0, Z.nodes().numNodes()),
     KOKKOS_LAMBDA(int node, double& change, double& sum) {
       for (int k = 0; k < size; ++k) {
         const int i = dofs(node, k);
@@ -144,14 +133,15 @@ int TnnmgVectors::finishSweeps(CrsMatrix const& Z, NonlinearNodes const& nodes,
     },
     linear, terms);
   auto const sums =
-    sumOverRanks(std::array<double, 2>{linear + nonlinear_change, terms + magnitude}, *Z.getComm());
+    sumOverRanks(std::array<double, 2>{linear + nonlinear.change, terms + nonlinear.magnitude},
+                 *Z.rows()->getComm());
   return EnergyChange{sums[0], sums[1]}.rises();
 }
 
 void TnnmgVectors::newtonResidual(NonlinearNodes const& nodes, ConstBlockView const& gradient)
 {
-  Tpetra::deep_copy(*newton_residual, *r);
-  auto const values = newton_residual->getLocalViewDevice(Tpetra::Access::ReadWrite);
+  Tpetra::deep_copy(newton_residual, r);
+  auto const values = newton_residual.getLocalViewDevice(Tpetra::Access::ReadWrite);
   auto const dofs = nodes.dofs;
   auto const held = nodes.held;
   const int size = nodes.blockSize();
@@ -164,16 +154,16 @@ void TnnmgVectors::newtonResidual(NonlinearNodes const& nodes, ConstBlockView co
     });
 }
 
-std::array<double, 3> TnnmgVectors::derivativeAlongCorrection(CrsMatrix const& Z)
+TnnmgVectors::Along TnnmgVectors::derivativeAlongCorrection(RateMatrix const& Z)
 {
-  linear_.applyMatrix(Z, *c, *Zc);
-  auto const bs = b_copy->getLocalViewDevice(Tpetra::Access::ReadOnly);
-  auto const rs = r->getLocalViewDevice(Tpetra::Access::ReadOnly);
+  Z.apply(c, Zc);
+  auto const bs = b.getLocalViewDevice(Tpetra::Access::ReadOnly);
+  auto const rs = r.getLocalViewDevice(Tpetra::Access::ReadOnly);
   auto const vs = v->getLocalViewDevice(Tpetra::Access::ReadOnly);
-  auto const Z_ii = diagonal_->getLocalViewDevice(Tpetra::Access::ReadOnly);
-  auto const cs = c->getLocalViewDevice(Tpetra::Access::ReadOnly);
-  auto const Zcs = Zc->getLocalViewDevice(Tpetra::Access::ReadOnly);
-  std::array<double, 3> sums{};
+  auto const Z_ii = Z.diagonal().getLocalViewDevice(Tpetra::Access::ReadOnly);
+  auto const cs = c.getLocalViewDevice(Tpetra::Access::ReadOnly);
+  auto const Zcs = Zc.getLocalViewDevice(Tpetra::Access::ReadOnly);
+  Along mine{};
   Kokkos::parallel_reduce(
     "asperity::tnnmg::derivativeAlongCorrection", Policy(0, bs.extent(0)),
     KOKKOS_LAMBDA(int i, double& start, double& curvature, double& magnitude) {
@@ -181,38 +171,24 @@ std::array<double, 3> TnnmgVectors::derivativeAlongCorrection(CrsMatrix const& Z
       curvature += Zcs(i, 0) * cs(i, 0);
       magnitude += magnitudeOfTerms(bs(i, 0), rs(i, 0), Z_ii(i, 0), vs(i, 0)) * std::fabs(cs(i, 0));
     },
-    sums[0], sums[1], sums[2]);
-  return sums;
-}
-
-TnnmgVectors::Along TnnmgVectors::keep(double const* sums)
-{
-  along_ = {sums[0], sums[1]};
-  magnitude_ = sums[2];
-  return along_;
-}
-
-EnergyChange TnnmgVectors::changeAlong(double step, EnergyChange const& nonlinear) const
-{
-  return {step * (along_.start + step / 2 * along_.curvature) + nonlinear.change,
-          step * (magnitude_ + step / 2 * along_.curvature) + nonlinear.magnitude};
+    mine.start, mine.curvature, mine.magnitude);
+  return mine;
 }
 
 void TnnmgVectors::move(double step)
 {
-  v->update(step, *c, 1);
-  r->update(-step, *Zc, 1);
-  exchange.share(*v_columns);
+  v->update(step, c, 1);
+  r.update(-step, Zc, 1);
 }
 
-TnnmgVectors::Norms TnnmgVectors::norms(Vector const& b, int failed_nodes) const
+TnnmgVectors::Norms TnnmgVectors::norms(int failed_nodes) const
 {
   // Z (v - v_before) = r_before - r.
   auto const bs = b.getLocalViewDevice(Tpetra::Access::ReadOnly);
   auto const vs = v->getLocalViewDevice(Tpetra::Access::ReadOnly);
-  auto const rs = r->getLocalViewDevice(Tpetra::Access::ReadOnly);
-  auto const vs_before = v_before->getLocalViewDevice(Tpetra::Access::ReadOnly);
-  auto const rs_before = r_before->getLocalViewDevice(Tpetra::Access::ReadOnly);
+  auto const rs = r.getLocalViewDevice(Tpetra::Access::ReadOnly);
+  auto const vs_before = v_before.getLocalViewDevice(Tpetra::Access::ReadOnly);
+  auto const rs_before = r_before.getLocalViewDevice(Tpetra::Access::ReadOnly);
   std::array<double, 3> mine{0, 0, static_cast<double>(failed_nodes)};
   Kokkos::parallel_reduce(
     "asperity::tnnmg::norms", Policy(0, bs.extent(0)),

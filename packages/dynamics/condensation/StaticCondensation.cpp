@@ -143,14 +143,11 @@ bool StaticCondensation::findPattern()
   is_driven_ = pattern_->normInf() > 0;
   body.matrices.stiffness->apply(*pattern_, forces, Teuchos::NO_TRANS, -1, 0);
   body.clearHeld(forces);
-  Vector at_fault(factor_->matrix()->getDomainMap());
   Vector inside(pattern_->getMap());
-  factor_->condense(forces, at_fault);
-  at_fault.putScalar(0);
-  factor_->expand(at_fault, inside);
+  factor_->condense(forces).expand(Vector(factor_->map()), inside);
   pattern_->update(1, inside, 1);
-  Vector zero(pattern_->getMap());
-  factor_->condense(zero, at_fault); // from now on expand() is E
+  no_forces_ =
+    std::make_unique<tnnmg::CondensedRightSide>(factor_->condense(Vector(pattern_->getMap())));
   return isInEquilibrium(*pattern_);
 }
 
@@ -180,7 +177,7 @@ bool StaticCondensation::isInEquilibrium(Vector const& u) const
 // Tests one motion, in which all dofs of the fault take part.
 bool StaticCondensation::balancesMotionOfFault() const
 {
-  Vector x(factor_->matrix()->getDomainMap());
+  Vector x(factor_->map());
   {
     auto const values = x.getLocalViewHost(Tpetra::Access::OverwriteAll);
     for (int i = 0; i < numKept(); ++i) {
@@ -188,7 +185,7 @@ bool StaticCondensation::balancesMotionOfFault() const
     }
   }
   Vector u(pattern_->getMap());
-  factor_->expand(x, u);
+  no_forces_->expand(x, u);
   return isInEquilibrium(u);
 }
 
@@ -196,7 +193,7 @@ int StaticCondensation::numEliminated() const { return whole_.body.numOwnedDofs(
 
 void StaticCondensation::expand(Vector const& x, Vector& whole) const
 {
-  Vector at_fault(factor_->matrix()->getDomainMap());
+  Vector at_fault(factor_->map());
   double s = 0;
   {
     auto const from = x.getLocalViewHost(Tpetra::Access::ReadOnly);
@@ -206,7 +203,7 @@ void StaticCondensation::expand(Vector const& x, Vector& whole) const
     }
     s = from(numKept(), 0);
   }
-  factor_->expand(at_fault, whole);
+  no_forces_->expand(at_fault, whole);
   whole.update(s, *pattern_, 1);
 }
 
@@ -214,17 +211,14 @@ void StaticCondensation::expand(Vector const& x, Vector& whole) const
 std::vector<double> StaticCondensation::recoveryRow(int dof) const
 {
   Vector unit(pattern_->getMap());
-  Vector at_fault(factor_->matrix()->getDomainMap());
   unit.replaceLocalValue(dof, 1);
-  factor_->condense(unit, at_fault);
+  auto const condensed = factor_->condense(unit);
   std::vector<double> row(whole_.body.dofs->components() + numKept(), 0.);
   {
-    auto const values = at_fault.getLocalViewHost(Tpetra::Access::ReadOnly);
+    auto const values = condensed.kept().getLocalViewHost(Tpetra::Access::ReadOnly);
     std::copy_n(values.data(), numKept(), row.begin());
   }
   row[numKept()] = pattern_->getLocalViewHost(Tpetra::Access::ReadOnly)(dof, 0);
-  unit.putScalar(0);
-  factor_->condense(unit, at_fault); // expand() is E again
   return row;
 }
 
@@ -249,7 +243,7 @@ RCP<const CrsMatrix> StaticCondensation::condensedStiffness(RCP<const Map> const
   whole_.body.matrices.stiffness->apply(*pattern_, forces);
   const double of_pattern = pattern_->dot(forces);
   auto const at = forces.getLocalViewHost(Tpetra::Access::ReadOnly);
-  auto const S = factor_->matrix()->getLocalMatrixHost();
+  auto const S = toHost(factor_->matrix());
   const int s = numKept();
   std::vector<int> moving;
   for (int i = 0; i < s; ++i) {
@@ -261,10 +255,9 @@ RCP<const CrsMatrix> StaticCondensation::condensedStiffness(RCP<const Map> const
   const std::vector<int> none;
   auto const matrix = zeroMatrix(graphOf(map, [&](int row) { return row <= s ? moving : none; }));
   for (int row = 0; row < s; ++row) {
-    for (auto k = S.graph.row_map(row); k < S.graph.row_map(row + 1); ++k) {
-      const int column = S.graph.entries(k);
+    for (int column = 0; column < s; ++column) {
       if (moves_[column] || column == row) {
-        add(*matrix, row, column, S.values(k));
+        add(*matrix, row, column, S(row, column));
       }
     }
     add(*matrix, row, s, at(kept_[row], 0));

@@ -7,8 +7,9 @@
 
 namespace asperity::tnnmg
 {
+class CondensedRightSide;
 class SchurComplement;
-}
+} // namespace asperity::tnnmg
 
 namespace asperity::dynamics
 {
@@ -77,12 +78,13 @@ private:
   int numKept() const { return static_cast<int>(kept_.size()); }
 
   Model const& whole_;
-  std::vector<int> kept_;                          // F, in the order of the condensed dofs
-  std::vector<int> place_;                         // of a dof of the whole body in F, or -1
-  std::vector<bool> moves_;                        // whether a dof of F may have a velocity
-  RCP<Vector> pattern_;                            // P
-  bool is_driven_ = false;                         // whether d is not zero
-  std::unique_ptr<tnnmg::SchurComplement> factor_; // of K without the rows and columns of D
+  std::vector<int> kept_;                                // F, in the order of the condensed dofs
+  std::vector<int> place_;                               // of a dof of the whole body in F, or -1
+  std::vector<bool> moves_;                              // whether a dof of F may have a velocity
+  RCP<Vector> pattern_;                                  // P
+  bool is_driven_ = false;                               // whether d is not zero
+  std::unique_ptr<tnnmg::SchurComplement> factor_;       // of K without the rows and columns of D
+  std::unique_ptr<tnnmg::CondensedRightSide> no_forces_; // whose expand() is E
   std::unique_ptr<Model> model_;
 };
 } // namespace asperity::dynamics

@@ -1,39 +1,52 @@
 #pragma once
 
 #include "friction/FrictionKernels.hpp"
-#include "tnnmg/NonlinearNodes.hpp"
+#include "tnnmg/NodalProblem.hpp"
+
+#include <utility>
 
 namespace asperity::dynamics
 {
 // Friction at given states and normal stresses, as the nodal problem of TNNMG.
-struct FrictionProblem
+class FrictionProblem : public tnnmg::NodalProblem
 {
-  friction::FrictionKernels const& kernels;
-  friction::StateAndStress at;
+public:
+  FrictionProblem(friction::FrictionKernels const& kernels, friction::StateAndStress at)
+      : kernels_(kernels)
+      , at_(std::move(at))
+  {
+  }
 
   int minimise(friction::IndexView const& nodes, friction::ConstNodeView const& curvature,
-               friction::ConstBlockView const& r, friction::BlockView const& v) const
+               friction::ConstBlockView const& r, friction::BlockView const& v) const override
   {
-    return kernels.minimise(nodes, curvature, r, at, v);
+    return kernels_.minimise(nodes, curvature, r, at_, v);
   }
   int sweep(friction::IndexView const& nodes, tnnmg::CoupledSystem const& system,
-            friction::BlockView const& v) const
+            friction::BlockView const& v) const override
   {
-    return kernels.sweep(nodes, {system.Z, system.r, system.held, system.curvature}, at, v);
+    return kernels_.sweep(nodes, {system.Z, system.r, system.held, system.curvature}, at_, v);
   }
   void linearise(friction::ConstBlockView const& v, friction::BlockView const& gradient,
-                 friction::HessianView const& hessian, friction::FlagView const& kinked) const
+                 friction::HessianView const& hessian,
+                 friction::FlagView const& kinked) const override
   {
-    kernels.linearise(v, at, gradient, hessian, kinked);
+    kernels_.linearise(v, at_, gradient, hessian, kinked);
   }
-  double slope(friction::ConstBlockView const& v, friction::ConstBlockView const& d, double t) const
+  double slope(friction::ConstBlockView const& v, friction::ConstBlockView const& d,
+               double t) const override
   {
-    return kernels.slope(v, d, t, at);
+    return kernels_.slope(v, d, t, at_);
   }
-  friction::FrictionKernels::Difference difference(friction::ConstBlockView const& v,
-                                                   friction::ConstBlockView const& d) const
+  tnnmg::EnergyChange difference(friction::ConstBlockView const& v,
+                                 friction::ConstBlockView const& d) const override
   {
-    return kernels.difference(v, d, at);
+    auto const [change, magnitude] = kernels_.difference(v, d, at_);
+    return {change, magnitude};
   }
+
+private:
+  friction::FrictionKernels const& kernels_;
+  friction::StateAndStress at_;
 };
 } // namespace asperity::dynamics

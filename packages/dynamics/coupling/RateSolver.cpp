@@ -4,8 +4,10 @@
 #include "base/program/WorkTimers.hpp"
 #include "portability/Renamed.hpp"
 #include "tnnmg/DenseCorrection.hpp"
+#include "tnnmg/DenseRateMatrix.hpp"
 #include "tnnmg/MueLuCorrection.hpp"
 #include "tnnmg/SchurComplement.hpp"
+#include "tnnmg/SparseRateMatrix.hpp"
 
 #include <Eigen/Core>
 #include <Tpetra_CrsMatrix.hpp>
@@ -18,8 +20,6 @@ namespace asperity::dynamics
 {
 namespace
 {
-using Solver = tnnmg::Tnnmg<FrictionProblem>;
-
 std::vector<int> rowsOf(fem::FaultSurface const& surface)
 {
   std::vector<int> rows;
@@ -29,8 +29,9 @@ std::vector<int> rowsOf(fem::FaultSurface const& surface)
   return rows;
 }
 
-// The fault's nodes in the condensed matrix, whose rows are those of rowsOf.
-tnnmg::NonlinearNodes condensedNodes(fem::FaultSurface const& surface)
+// The fault without the body; the rows are those of rowsOf.
+std::shared_ptr<const tnnmg::DenseRateMatrix> condensed(tnnmg::SchurComplement const& schur,
+                                                        fem::FaultSurface const& surface)
 {
   std::vector<int> held;
   for (int node = 0; node < surface.numNodes(); ++node) {
@@ -38,7 +39,8 @@ tnnmg::NonlinearNodes condensedNodes(fem::FaultSurface const& surface)
       held.push_back(surface.held(node, k) ? 1 : 0);
     }
   }
-  return tnnmg::coupledNodes(surface.numNodes(), surface.numTangents(), held);
+  return std::make_shared<tnnmg::DenseRateMatrix>(schur.matrix(), schur.map(),
+                                                  surface.numTangents(), held);
 }
 
 tnnmg::NonlinearNodes nodesOf(fem::FaultSurface const& surface)
@@ -52,12 +54,12 @@ tnnmg::NonlinearNodes nodesOf(fem::FaultSurface const& surface)
 class CondensedFunctionals
 {
 public:
-  CondensedFunctionals(tnnmg::SchurComplement& schur, RCP<const CrsMatrix> const& N)
+  CondensedFunctionals(tnnmg::SchurComplement const& schur, RCP<const CrsMatrix> const& N)
       : N_(N)
       , at_rest_(N->getDomainMap())
       , constant_(N->getRangeMap())
-      , w_kept_(schur.matrix()->getDomainMap())
-      , matrix_(numLocalRows(*N), numLocalRows(*schur.matrix()))
+      , zero_(schur.map())
+      , matrix_(numLocalRows(*N), numLocalElements(*schur.map()))
   {
     auto const local = N->getLocalMatrixHost();
     for (int row = 0; row < local.numRows(); ++row) {
@@ -68,16 +70,13 @@ public:
           values(local.graph.entries(k), 0) = local.values(k);
         }
       }
-      schur.condense(at_rest_, w_kept_);
-      matrix_.row(row) = values(w_kept_).transpose();
+      matrix_.row(row) = values(schur.condense(at_rest_).kept()).transpose();
     }
   }
 
-  // For the right side that was condensed last.
-  void begin(tnnmg::SchurComplement const& schur)
+  void begin(tnnmg::CondensedRightSide const& b)
   {
-    w_kept_.putScalar(0);
-    schur.expand(w_kept_, at_rest_);
+    b.expand(zero_, at_rest_);
     N_->apply(at_rest_, constant_);
   }
 
@@ -97,25 +96,63 @@ private:
   }
 
   RCP<const CrsMatrix> N_;
-  Vector at_rest_, constant_, w_kept_; // w where the fault is at rest; N of it; zero
+  Vector at_rest_, constant_; // w where the fault is at rest; N of it
+  Vector zero_;
   Eigen::MatrixXd matrix_;
+};
+
+// TNNMG on the fault's dofs or on all, as the derived class says.
+class TnnmgRateSolver : public RateSolver
+{
+public:
+  tnnmg::TnnmgResult solve(FrictionProblem const& problem) override
+  {
+    return tnnmg_.solve(problem);
+  }
+  tnnmg::TnnmgResult improve(FrictionProblem const& problem) override
+  {
+    return tnnmg_.improve(problem);
+  }
+  void faultVelocity(friction::BlockView const& w) const override
+  {
+    Kokkos::deep_copy(w, tnnmg_.vAtNodes());
+  }
+
+protected:
+  TnnmgRateSolver(std::shared_ptr<const tnnmg::RateMatrix> const& Z,
+                  std::shared_ptr<tnnmg::LinearCorrection> correction,
+                  tnnmg::TnnmgSettings const& settings)
+      : correction_(std::move(correction))
+      , tnnmg_(Z, correction_, settings)
+  {
+  }
+
+  void start(Vector const& b, Vector const& guess)
+  {
+    tnnmg_.begin(b, guess);
+    correction_->reset();
+  }
+  Vector const& w() const { return tnnmg_.v(); }
+
+private:
+  std::shared_ptr<tnnmg::LinearCorrection> correction_;
+  tnnmg::Tnnmg tnnmg_;
 };
 
 // All dofs but those of the fault are eliminated, exactly, before and after TNNMG runs on the
 // fault.
-class CondensedRateSolver final : public RateSolver
+class CondensedRateSolver final : public TnnmgRateSolver
 {
 public:
-  CondensedRateSolver(CrsMatrix const& Z, fem::FaultSurface const& surface,
-                      tnnmg::TnnmgSettings const& settings, RCP<const CrsMatrix> const& reactions,
-                      tnnmg::EliminationOrder& order)
-      : schur_(Z, rowsOf(surface), order)
-      , nodes_(condensedNodes(surface))
-      , correction_(std::make_shared<tnnmg::DenseCorrection>(*schur_.matrix(), nodes_.dofs))
-      , tnnmg_(schur_.matrix(), nodes_, correction_, settings)
-      , rows_(rowsOf(surface))
-      , b_(schur_.matrix()->getDomainMap())
-      , w_(schur_.matrix()->getDomainMap())
+  CondensedRateSolver(tnnmg::SchurComplement schur,
+                      std::shared_ptr<const tnnmg::DenseRateMatrix> const& S,
+                      std::shared_ptr<tnnmg::DenseCorrection> const& correction,
+                      std::vector<int> rows, tnnmg::TnnmgSettings const& settings,
+                      RCP<const CrsMatrix> const& reactions)
+      : TnnmgRateSolver(S, correction, settings)
+      , schur_(std::move(schur))
+      , correction_(correction)
+      , rows_(std::move(rows))
   {
     if (!reactions.is_null()) {
       reactions_.emplace(schur_, reactions);
@@ -125,46 +162,37 @@ public:
   void begin(Vector const& b, Vector const& guess) override
   {
     ASPERITY_TIME_WORK("elimination of the body");
-    schur_.condense(b, b_);
+    condensed_ = schur_.condense(b);
     if (reactions_) {
-      reactions_->begin(schur_);
+      reactions_->begin(*condensed_);
     }
-    auto const from = guess.getLocalViewHost(Tpetra::Access::ReadOnly);
-    auto const to = w_.getLocalViewHost(Tpetra::Access::OverwriteAll);
-    for (std::size_t i = 0; i < rows_.size(); ++i) {
-      to(i, 0) = from(rows_[i], 0);
+    Vector at_fault(schur_.map());
+    {
+      auto const from = guess.getLocalViewHost(Tpetra::Access::ReadOnly);
+      auto const to = at_fault.getLocalViewHost(Tpetra::Access::OverwriteAll);
+      for (std::size_t i = 0; i < rows_.size(); ++i) {
+        to(i, 0) = from(rows_[i], 0);
+      }
     }
-    correction_->reset();
-    continues_ = false;
+    start(condensed_->kept(), at_fault);
   }
 
-  tnnmg::TnnmgResult solve(FrictionProblem const& problem) override
-  {
-    continues_ = true;
-    return tnnmg_.solve(problem, b_, w_);
-  }
-  tnnmg::TnnmgResult improve(FrictionProblem const& problem) override
-  {
-    return tnnmg_.improve(problem, b_, w_, std::exchange(continues_, true));
-  }
-
-  void faultVelocity(friction::BlockView const& w) const override { gather(nodes_, w_, w); }
-  void velocity(Vector& w) const override
+  void velocity(Vector& w_all) const override
   {
     ASPERITY_TIME_WORK("elimination of the body");
-    schur_.expand(w_, w);
+    condensed_->expand(w(), w_all);
   }
-  void knownVelocity(Vector& w) const override
+  void knownVelocity(Vector& w_all) const override
   {
-    auto const from = w_.getLocalViewHost(Tpetra::Access::ReadOnly);
-    auto const to = w.getLocalViewHost(Tpetra::Access::ReadWrite);
+    auto const from = w().getLocalViewHost(Tpetra::Access::ReadOnly);
+    auto const to = w_all.getLocalViewHost(Tpetra::Access::ReadWrite);
     for (std::size_t i = 0; i < rows_.size(); ++i) {
       to(rows_[i], 0) = from(i, 0);
     }
   }
   std::vector<double> reactions() const override
   {
-    return reactions_ ? (*reactions_)(w_) : std::vector<double>();
+    return reactions_ ? (*reactions_)(w()) : std::vector<double>();
   }
   std::size_t bytes() const override
   {
@@ -173,12 +201,9 @@ public:
 
 private:
   tnnmg::SchurComplement schur_;
-  tnnmg::NonlinearNodes nodes_;
-  std::shared_ptr<tnnmg::DenseCorrection> correction_;
-  Solver tnnmg_;
+  std::shared_ptr<const tnnmg::DenseCorrection> correction_;
   std::vector<int> rows_;
-  Vector b_, w_;
-  bool continues_ = false; // w_ and b_ are those of the last call
+  std::optional<tnnmg::CondensedRightSide> condensed_; // of the present b
   std::optional<CondensedFunctionals> reactions_;
 };
 
@@ -189,52 +214,29 @@ tnnmg::MultigridProblem multigridProblem(RCP<const CrsMatrix> const& Z, Body con
 }
 
 // TNNMG on all dofs of all ranks.
-class FullRateSolver final : public RateSolver
+class FullRateSolver final : public TnnmgRateSolver
 {
 public:
-  FullRateSolver(RCP<const CrsMatrix> const& Z, Body const& body, fem::FaultSurface const& surface,
-                 RateSolverSettings const& settings, RCP<const CrsMatrix> const& reactions,
-                 OfBody const& of_body)
-      : Z_(Z)
+  FullRateSolver(RCP<const CrsMatrix> const& Z, tnnmg::NonlinearNodes const& nodes,
+                 std::shared_ptr<tnnmg::MueLuCorrection> const& correction,
+                 tnnmg::TnnmgSettings const& settings, RCP<const CrsMatrix> const& reactions)
+      : TnnmgRateSolver(std::make_shared<tnnmg::SparseRateMatrix>(Z, nodes), correction, settings)
+      , Z_(Z)
       , reactions_(reactions)
-      , nodes_(nodesOf(surface))
-      , correction_(std::make_shared<tnnmg::MueLuCorrection>(
-          multigridProblem(Z, body, nodes_), settings.multigrid,
-          of_body.shared ? of_body.shared->terms() : tnnmg::MultigridTerms(), of_body.weights))
-      , tnnmg_(Z, nodes_, correction_, settings.tnnmg)
-      , b_(Z->getDomainMap())
-      , w_(Z->getDomainMap())
+      , correction_(correction)
   {
   }
 
-  void begin(Vector const& b, Vector const& guess) override
-  {
-    Tpetra::deep_copy(b_, b);
-    Tpetra::deep_copy(w_, guess);
-    correction_->reset();
-    continues_ = false;
-  }
-
-  tnnmg::TnnmgResult solve(FrictionProblem const& problem) override
-  {
-    continues_ = true;
-    return tnnmg_.solve(problem, b_, w_);
-  }
-  tnnmg::TnnmgResult improve(FrictionProblem const& problem) override
-  {
-    return tnnmg_.improve(problem, b_, w_, std::exchange(continues_, true));
-  }
-
-  void faultVelocity(friction::BlockView const& w) const override { gather(nodes_, w_, w); }
-  void velocity(Vector& w) const override { Tpetra::deep_copy(w, w_); }
-  void knownVelocity(Vector& w) const override { velocity(w); }
+  void begin(Vector const& b, Vector const& guess) override { start(b, guess); }
+  void velocity(Vector& w_all) const override { Tpetra::deep_copy(w_all, w()); }
+  void knownVelocity(Vector& w_all) const override { velocity(w_all); }
   std::vector<double> reactions() const override
   {
     if (reactions_.is_null()) {
       return {};
     }
     Vector result(reactions_->getRangeMap());
-    reactions_->apply(w_, result);
+    reactions_->apply(w(), result);
     auto const values = result.getLocalViewHost(Tpetra::Access::ReadOnly);
     return {values.data(), values.data() + values.extent(0)};
   }
@@ -246,11 +248,7 @@ public:
 
 private:
   RCP<const CrsMatrix> Z_, reactions_;
-  tnnmg::NonlinearNodes nodes_;
-  std::shared_ptr<tnnmg::MueLuCorrection> correction_;
-  Solver tnnmg_;
-  Vector b_, w_;
-  bool continues_ = false; // w_ and b_ are those of the last call
+  std::shared_ptr<const tnnmg::MueLuCorrection> correction_;
 };
 } // namespace
 
@@ -307,10 +305,18 @@ std::unique_ptr<RateSolver> makeRateSolver(RCP<const CrsMatrix> const& Z, Body c
 {
   if (settings.correction == Correction::direct) {
     tnnmg::EliminationOrder own;
-    return std::make_unique<CondensedRateSolver>(*Z, surface, settings.tnnmg, reactions,
-                                                 of_body.order ? *of_body.order : own);
+    auto rows = rowsOf(surface);
+    tnnmg::SchurComplement schur(*Z, rows, of_body.order ? *of_body.order : own);
+    auto const S = condensed(schur, surface);
+    auto const correction = std::make_shared<tnnmg::DenseCorrection>(S->entries(), S->nodes().dofs);
+    return std::make_unique<CondensedRateSolver>(std::move(schur), S, correction, std::move(rows),
+                                                 settings.tnnmg, reactions);
   }
-  return std::make_unique<FullRateSolver>(Z, body, surface, settings, reactions, of_body);
+  auto const nodes = nodesOf(surface);
+  auto const correction = std::make_shared<tnnmg::MueLuCorrection>(
+    multigridProblem(Z, body, nodes), settings.multigrid,
+    of_body.shared ? of_body.shared->terms() : tnnmg::MultigridTerms(), of_body.weights);
+  return std::make_unique<FullRateSolver>(Z, nodes, correction, settings.tnnmg, reactions);
 }
 
 namespace
@@ -333,10 +339,8 @@ void solveLinear(RCP<const CrsMatrix> const& Z, Body const& body,
                  RateSolverSettings const& settings, Vector const& b, Vector& x)
 {
   if (settings.correction == Correction::direct) {
-    tnnmg::SchurComplement factor(*Z, {});
-    Vector nothing(factor.matrix()->getDomainMap());
-    factor.condense(b, nothing);
-    factor.expand(nothing, x);
+    const tnnmg::SchurComplement factor(*Z, {});
+    factor.condense(b).expand(Vector(factor.map()), x);
     requireSolution(*Z, b, x);
     return;
   }

@@ -28,7 +28,8 @@ double powerOfTwoFor(Values const& values)
 } // namespace
 
 template <class Scalar>
-DenseSystem<Scalar>::DenseSystem(Eigen::MatrixXd const& Z, std::vector<std::vector<int>> dofs)
+DenseSystem<Scalar>::DenseSystem(Eigen::Map<const Eigen::MatrixXd> const& Z,
+                                 std::vector<std::vector<int>> dofs)
     : scale_(powerOfTwoFor(Z.diagonal()))
     , Z_((scale_ * Z).cast<Scalar>())
     , dofs_(std::move(dofs))

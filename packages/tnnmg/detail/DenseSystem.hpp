@@ -20,7 +20,7 @@ public:
   using Values = Eigen::Matrix<Scalar, Eigen::Dynamic, 1>;
 
   // dofs: rows of Z at each of the nonlinear nodes.
-  DenseSystem(Eigen::MatrixXd const& Z, std::vector<std::vector<int>> dofs);
+  DenseSystem(Eigen::Map<const Eigen::MatrixXd> const& Z, std::vector<std::vector<int>> dofs);
 
   // Solves until the residual, relative to r in the Euclidean norm, is at most the tolerance; c is
   // zero at truncated nodes, where r is not read. If the result has not converged, c is not

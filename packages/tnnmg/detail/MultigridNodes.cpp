@@ -1,10 +1,9 @@
 #include "tnnmg/detail/MultigridNodes.hpp"
 
 #include "base/Errors.hpp"
+#include "tnnmg/SparseRateMatrix.hpp"
 #include "tnnmg/detail/MultigridNodeBlock.hpp"
 
-#include <Tpetra_CrsMatrix.hpp>
-#include <Tpetra_Map.hpp>
 #include <Tpetra_MultiVector.hpp>
 
 namespace asperity::tnnmg::detail
@@ -51,32 +50,10 @@ void MultigridNodes::project(MultiVector& x) const
 
 MultigridNodes makeNodes(CrsMatrix const& Z, NonlinearNodes const& view, IndexView const& held_rows)
 {
-  const auto dofs = view.dofs;
-  const int num_nodes = dofs.extent_int(0);
-  const int tangents = dofs.extent_int(1);
+  const int num_nodes = view.numNodes(), tangents = view.blockSize();
   ASPERITY_ASSERT(tangents <= max_tangents);
-  MultigridNodes nodes{view, held_rows,
-                       NodeBlockView("asperity::tnnmg::diagonal", num_nodes, tangents, tangents),
-                       NodeBlockView("asperity::tnnmg::hessian", num_nodes, tangents, tangents),
-                       FlagView("asperity::tnnmg::removed", num_nodes)};
-  const auto matrix = Z.getLocalMatrixDevice();
-  const auto rows = Z.getRowMap()->getLocalMap();
-  const auto columns = Z.getColMap()->getLocalMap();
-  const auto diagonal = nodes.diagonal;
-  Kokkos::parallel_for(
-    "asperity::tnnmg::readDiagonal", Kokkos::RangePolicy<Execution>(0, num_nodes),
-    KOKKOS_LAMBDA(int node) {
-      for (int s = 0; s < tangents; ++s) {
-        const auto row = matrix.row(dofs(node, s));
-        for (int k = 0; k < row.length; ++k) {
-          for (int t = 0; t < tangents; ++t) {
-            if (columns.getGlobalElement(row.colidx(k)) == rows.getGlobalElement(dofs(node, t))) {
-              diagonal(node, s, t) = row.value(k);
-            }
-          }
-        }
-      }
-    });
-  return nodes;
+  return {view, held_rows, diagonalBlocks(Z, view),
+          HessianView("asperity::tnnmg::hessian", num_nodes, tangents, tangents),
+          FlagView("asperity::tnnmg::removed", num_nodes)};
 }
 } // namespace asperity::tnnmg::detail

@@ -5,8 +5,6 @@
 
 namespace asperity::tnnmg::detail
 {
-using NodeBlockView = Kokkos::View<double***, Kokkos::LayoutRight, MemorySpace>;
-
 // A view of the nonlinear nodes of this rank, and their blocks in the current solve, shared by the
 // operator, the smoother and the preconditioner of one correction. All blocks are
 // (num_nodes, T, T).
@@ -14,12 +12,12 @@ struct MultigridNodes
 {
   NonlinearNodes view;
   IndexView held_rows;
-  NodeBlockView diagonal; // of Z at the node
-  NodeBlockView hessian;  // of this solve; zero where the node is removed
-  FlagView removed;       // (num_nodes) 1 where the node is truncated in this solve
+  HessianView diagonal; // of Z at the node
+  HessianView hessian;  // of this solve; zero where the node is removed
+  FlagView removed;     // (num_nodes) 1 where the node is truncated in this solve
 
-  int size() const { return static_cast<int>(view.dofs.extent(0)); }
-  int tangents() const { return static_cast<int>(view.dofs.extent(1)); }
+  int size() const { return view.numNodes(); }
+  int tangents() const { return view.blockSize(); }
 
   // Takes the Hessians and the truncated nodes of the next solve.
   void set(NonlinearBlocks const& blocks);

@@ -28,10 +28,10 @@ constexpr double wrong = 3;
 constexpr double small = 0.01;
 
 // The Hessians on coarse levels, of the current blocks.
-NodeBlockView coarseHessians(MultigridNodes const& nodes)
+HessianView coarseHessians(MultigridNodes const& nodes)
 {
-  const NodeBlockView result("asperity::tnnmg::coarseHessian", nodes.size(), nodes.tangents(),
-                             nodes.tangents());
+  const HessianView result("asperity::tnnmg::coarseHessian", nodes.size(), nodes.tangents(),
+                           nodes.tangents());
   const auto diagonal = nodes.diagonal;
   const auto hessian = nodes.hessian;
   const auto removed = nodes.removed;

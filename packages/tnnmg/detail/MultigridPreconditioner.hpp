@@ -58,7 +58,7 @@ private:
   bool has_coarse_hessians_ = false;
   bool is_to_forget_ = false;
 
-  NodeBlockView coarse_; // the Hessians on the coarse levels
+  HessianView coarse_; // the Hessians on the coarse levels
   mutable int num_cycles_ = 0;
 };
 } // namespace asperity::tnnmg::detail

@@ -12,7 +12,8 @@ FOLDERS = ["packages", "drivers", "tests", "examples"]
 COMPUTING = ["packages/tnnmg", "packages/dynamics"]
 HOST = {
     "packages/tnnmg/DenseCorrection.cpp": "right sides and answers of Eigen's dense factor",
-    "packages/tnnmg/NonlinearNodes.cpp": "set-up",
+    "packages/tnnmg/DenseRateMatrix.cpp": "set-up; Eigen's product with a dense matrix",
+    "packages/tnnmg/DenseRateMatrix.hpp": "Eigen's product with a dense matrix",
     "packages/tnnmg/SchurComplement.cpp": "Eigen's sparse factor, on one rank",
     "packages/tnnmg/detail/DenseSystem.cpp": "Eigen's dense factor, of the fault's unknowns",
     "packages/tnnmg/detail/DenseSystem.hpp": "Eigen's dense factor, of the fault's unknowns",

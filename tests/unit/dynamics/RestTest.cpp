@@ -2,6 +2,7 @@
 
 #include "base/Views.hpp"
 #include "tnnmg/DenseCorrection.hpp"
+#include "tnnmg/DenseRateMatrix.hpp"
 #include "tnnmg/Tnnmg.hpp"
 #include "unit/friction/Fault.hpp"
 
@@ -24,32 +25,30 @@ struct RestingNode
       : node{{"Regularised", 0.025, 0.005, 5e-5, 0.7}, 2e-2, 2e3, 0, 1, alpha}
       , fault({node})
       , map(Teuchos::rcp(new Map(1, 0, Tpetra::getDefaultComm())))
-      , matrix(Teuchos::rcp(new CrsMatrix(map, 1)))
-      , nodes(tnnmg::coupledNodes(1, 1, {0}))
   {
-    const double entry = Z;
-    const GlobalOrdinal column = 0;
-    matrix->insertGlobalValues(0, 1, &entry, &column);
-    matrix->fillComplete();
+    const tnnmg::BlockView entry("Z", 1, 1);
+    Kokkos::deep_copy(entry, Z);
+    matrix = std::make_shared<tnnmg::DenseRateMatrix>(entry, map, 1, std::vector<int>{0});
   }
 
   // The load at which the node creeps at V.
   double loadFor(double V) const { return static_cast<double>(Z * V + node.force(V)); }
 
-  template <class Problem>
-  tnnmg::TnnmgResult solve(Problem const& problem, double load, double& v) const
+  tnnmg::TnnmgResult solve(FrictionProblem const& problem, double load, double& v) const
   {
     tnnmg::TnnmgSettings settings;
     settings.absolute_tolerance = 0;
     settings.relative_tolerance = 0;
     settings.max_iterations = 30; // the last ones move the node by its last digits, if at all
-    tnnmg::Tnnmg<Problem> solver(
-      matrix, nodes, std::make_shared<tnnmg::DenseCorrection>(*matrix, nodes.dofs), settings);
-    Vector b(map), x(map);
+    tnnmg::Tnnmg solver(
+      matrix, std::make_shared<tnnmg::DenseCorrection>(matrix->entries(), matrix->nodes().dofs),
+      settings);
+    Vector b(map), guess(map);
     b.putScalar(load);
-    x.putScalar(v);
-    const auto result = solver.solve(problem, b, x);
-    v = x.getData()[0];
+    guess.putScalar(v);
+    solver.begin(b, guess);
+    const auto result = solver.solve(problem);
+    v = solver.v().getData()[0];
     return result;
   }
 
@@ -57,8 +56,7 @@ struct RestingNode
   friction::test::ReferenceNode node;
   friction::test::Fault fault;
   RCP<const Map> map;
-  RCP<CrsMatrix> matrix;
-  tnnmg::NonlinearNodes nodes;
+  std::shared_ptr<const tnnmg::DenseRateMatrix> matrix;
 };
 } // namespace
 
@@ -84,8 +82,14 @@ struct BeyondTheMinimum : FrictionProblem
 {
   double part;
 
+  BeyondTheMinimum(FrictionProblem const& problem, double part_of_rate)
+      : FrictionProblem(problem)
+      , part(part_of_rate)
+  {
+  }
+
   int sweep(friction::IndexView const& nodes, tnnmg::CoupledSystem const& system,
-            friction::BlockView const& v) const
+            friction::BlockView const& v) const override
   {
     const int failed = FrictionProblem::sweep(nodes, system, v);
     const double excess = part;

@@ -75,7 +75,7 @@ TEST(DenseCorrection, solvesWithHessiansAndTruncation)
     const auto model = modelWith(tangents);
     for (auto truncation :
          {Truncation::none, Truncation::every_second, Truncation::left_half, Truncation::all}) {
-      DenseCorrection correction(*model.Z, model.nodes.dofs);
+      DenseCorrection correction(denseCopyOf(*model.Z), model.nodes.dofs);
       const auto answer = solve(correction, model, FaultState(model, truncation, -2, 6));
       EXPECT_TRUE(answer.result.converged);
       EXPECT_LE(answer.error, 1e-10) << "Hessians of all sizes ask for a factor";
@@ -90,7 +90,7 @@ TEST(DenseCorrection, solvesLooselyInSinglePrecision)
     const auto model = modelWith(tangents);
     for (auto truncation :
          {Truncation::none, Truncation::every_second, Truncation::left_half, Truncation::all}) {
-      DenseCorrection correction(*model.Z, model.nodes.dofs);
+      DenseCorrection correction(denseCopyOf(*model.Z), model.nodes.dofs);
       for (const double loose : {1e-2, 1e-3}) {
         const auto answer = solve(correction, model, FaultState(model, truncation, -2, 6), loose);
         EXPECT_TRUE(answer.result.converged);
@@ -113,13 +113,13 @@ TEST(DenseCorrection, solvesWhateverTheUnits)
     FaultState state(model, Truncation::every_second, -2, 6);
     const Vector r = residual(model, state);
     Vector expected(model.map), c(model.map), tiny_r(model.map);
-    DenseCorrection correction(*model.Z, model.nodes.dofs);
+    DenseCorrection correction(denseCopyOf(*model.Z), model.nodes.dofs);
     ASSERT_TRUE(correction.solve(state.blocks(model), r, 1e-2, expected).converged);
     for (auto& value : state.hessian) {
       value *= unit;
     }
     tiny_r.update(1e-25, r, 0);
-    DenseCorrection in_units(*scaled, model.nodes.dofs);
+    DenseCorrection in_units(denseCopyOf(*scaled), model.nodes.dofs);
     ASSERT_TRUE(in_units.solve(state.blocks(model), tiny_r, 1e-2, c).converged);
     c.update(-1, expected, unit / 1e-25);
     EXPECT_LE(c.norm2(), 1e-3 * expected.norm2()) << unit;
@@ -158,7 +158,7 @@ TEST(DenseCorrection, turnsToDoubleWhereSinglePrecisionDoesNotSuffice)
   r.putScalar(0);
   r.replaceLocalValue(first, 1);
   r.replaceLocalValue(second, -1);
-  DenseCorrection correction(*nearly_singular, model.nodes.dofs);
+  DenseCorrection correction(denseCopyOf(*nearly_singular), model.nodes.dofs);
   ASSERT_TRUE(correction.solve(state.blocks(model), r, 1e-2, c).converged);
   EXPECT_NEAR(c.getData()[first] * 6e-9, 1, 2e-2);
   EXPECT_NEAR(c.getData()[second] * 6e-9, -1, 2e-2);
@@ -180,7 +180,7 @@ TEST(DenseCorrection, needsNoFactorWhereTheDiagonalRules)
   strong->fillComplete();
   const FaultState state(model, Truncation::every_second, -2, 6);
   Vector c(model.map);
-  DenseCorrection correction(*strong, model.nodes.dofs);
+  DenseCorrection correction(denseCopyOf(*strong), model.nodes.dofs);
   const auto result = correction.solve(state.blocks(model), residual(model, state), tolerance, c);
   EXPECT_TRUE(result.converged);
   EXPECT_GE(result.iterations, 1);
@@ -192,7 +192,7 @@ TEST(DenseCorrection, needsNoFactorWhereTheDiagonalRules)
 TEST(DenseCorrection, keepsItsFactorWhereThatSuffices)
 {
   const auto model = modelWith(1);
-  DenseCorrection correction(*model.Z, model.nodes.dofs);
+  DenseCorrection correction(denseCopyOf(*model.Z), model.nodes.dofs);
   FaultState state(model, Truncation::every_second, -1, 1);
   solve(correction, model, state);
 
@@ -213,8 +213,8 @@ TEST(DenseCorrection, keepsItsFactorWhereThatSuffices)
 TEST(DenseCorrection, forgetsItsFactor)
 {
   const auto model = modelWith(2);
-  DenseCorrection used(*model.Z, model.nodes.dofs);
-  DenseCorrection fresh(*model.Z, model.nodes.dofs);
+  DenseCorrection used(denseCopyOf(*model.Z), model.nodes.dofs);
+  DenseCorrection fresh(denseCopyOf(*model.Z), model.nodes.dofs);
   const FaultState first(model, Truncation::none, -2, 3);
   const FaultState second(model, Truncation::left_half, -1, 2);
   solve(used, model, first);
@@ -238,7 +238,7 @@ TEST(DenseCorrection, saysThatAMatrixIsNotDefinite)
   const int row = 30;
   broken.replaceLocalValues(row, 1, &value, &row);
   broken.fillComplete();
-  DenseCorrection correction(broken, model.nodes.dofs);
+  DenseCorrection correction(denseCopyOf(broken), model.nodes.dofs);
   const FaultState state(model, Truncation::none, -2, 2);
   Vector c(model.map);
   const auto result = correction.solve(state.blocks(model), residual(model, state), tolerance, c);

@@ -299,6 +299,20 @@ void decouple(Eigen::SparseMatrix<double>& matrix, std::vector<bool> const& mark
   }
 }
 
+ConstBlockView denseCopyOf(CrsMatrix const& matrix)
+{
+  const auto local = matrix.getLocalMatrixHost();
+  const BlockView result("dense", local.numRows(), local.numRows());
+  const auto host = Kokkos::create_mirror_view(result);
+  for (int row = 0; row < local.numRows(); ++row) {
+    for (auto k = local.graph.row_map(row); k < local.graph.row_map(row + 1); ++k) {
+      host(row, local.graph.entries(k)) = local.values(k);
+    }
+  }
+  Kokkos::deep_copy(result, host);
+  return result;
+}
+
 double pseudorandom(int index, int sequence)
 {
   std::mt19937_64 generator(static_cast<std::uint64_t>(index) * 64 +

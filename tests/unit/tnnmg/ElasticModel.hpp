@@ -55,6 +55,9 @@ private:
 // Off-diagonal entries of the marked rows and columns become zeros, which stay stored.
 void decouple(Eigen::SparseMatrix<double>& matrix, std::vector<bool> const& marked);
 
+// The entries of a matrix on one rank.
+ConstBlockView denseCopyOf(CrsMatrix const& matrix);
+
 // In [-1, 1), the same on every rank and in every run.
 double pseudorandom(int index, int sequence);
 Eigen::VectorXd pseudorandomVector(int size, int sequence);

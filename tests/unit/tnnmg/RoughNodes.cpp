@@ -188,12 +188,11 @@ double RoughNodes::slope(ConstBlockView const& v, ConstBlockView const& d, doubl
   return sum;
 }
 
-RoughNodes::Difference RoughNodes::difference(ConstBlockView const& v,
-                                              ConstBlockView const& d) const
+EnergyChange RoughNodes::difference(ConstBlockView const& v, ConstBlockView const& d) const
 {
   auto const start = onHost(v);
   auto const direction = onHost(d);
-  Difference result;
+  EnergyChange result;
   for (std::size_t node = 0; node < nodes_.size(); ++node) {
     auto const& rough = nodes_[node];
     auto const block = blockAt(start, node);

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "tnnmg/NonlinearNodes.hpp"
+#include "tnnmg/NodalProblem.hpp"
 
 #include <vector>
 
@@ -24,24 +24,18 @@ struct Roughness
 };
 
 // A nodal problem for Tnnmg. Its loops run on the host.
-class RoughNodes
+class RoughNodes : public NodalProblem
 {
 public:
   explicit RoughNodes(std::vector<Roughness> nodes) : nodes_(std::move(nodes)) {}
 
   int minimise(IndexView const& nodes, ConstNodeView const& curvature, ConstBlockView const& r,
-               BlockView const& v) const;
-  int sweep(IndexView const& nodes, CoupledSystem const& system, BlockView const& v) const;
+               BlockView const& v) const override;
+  int sweep(IndexView const& nodes, CoupledSystem const& system, BlockView const& v) const override;
   void linearise(ConstBlockView const& v, BlockView const& gradient, HessianView const& hessian,
-                 FlagView const& kinked) const;
-  double slope(ConstBlockView const& v, ConstBlockView const& d, double t) const;
-
-  struct Difference
-  {
-    double change = 0;
-    double magnitude = 0;
-  };
-  Difference difference(ConstBlockView const& v, ConstBlockView const& d) const;
+                 FlagView const& kinked) const override;
+  double slope(ConstBlockView const& v, ConstBlockView const& d, double t) const override;
+  EnergyChange difference(ConstBlockView const& v, ConstBlockView const& d) const override;
 
 private:
   std::vector<Roughness> nodes_;

@@ -47,16 +47,10 @@ std::vector<int> otherRows(ElasticModel const& model, std::vector<int> const& ro
   return others;
 }
 
-Eigen::MatrixXd dense(RCP<const CrsMatrix> const& matrix)
+Eigen::MatrixXd dense(ConstBlockView const& S)
 {
-  const auto local = matrix->getLocalMatrixHost();
-  Eigen::MatrixXd result = Eigen::MatrixXd::Zero(local.numRows(), local.numRows());
-  for (int row = 0; row < local.numRows(); ++row) {
-    for (auto k = local.graph.row_map(row); k < local.graph.row_map(row + 1); ++k) {
-      result(row, local.graph.entries(k)) += local.values(k);
-    }
-  }
-  return result;
+  const auto host = toHost(S);
+  return Eigen::Map<const Eigen::MatrixXd>(host.data(), host.extent_int(0), host.extent_int(1));
 }
 
 Eigen::MatrixXd part(Eigen::MatrixXd const& Z, std::vector<int> const& rows,
@@ -77,22 +71,15 @@ Eigen::VectorXd valuesOf(Vector const& x)
   return Eigen::Map<const Eigen::VectorXd>(view.data(), view.extent(0));
 }
 
-Vector condensed(SchurComplement& schur, ElasticModel const& model, Eigen::VectorXd const& b)
-{
-  Vector result(schur.matrix()->getDomainMap());
-  schur.condense(model.scatter(b), result);
-  return result;
-}
-
-Eigen::VectorXd expanded(SchurComplement const& schur, ElasticModel const& model,
+Eigen::VectorXd expanded(CondensedRightSide const& b, ElasticModel const& model,
                          Eigen::VectorXd const& kept)
 {
-  Vector from(schur.matrix()->getDomainMap());
+  Vector from(b.kept().getMap());
   for (int i = 0; i < kept.size(); ++i) {
     from.replaceLocalValue(i, kept(i));
   }
   Vector result(model.map);
-  schur.expand(from, result);
+  b.expand(from, result);
   return model.gather(result);
 }
 
@@ -100,19 +87,22 @@ void checkAgainstDense(ElasticModel const& model, std::vector<int> const& rows)
 {
   const Eigen::MatrixXd Z = model.global;
   const auto others = otherRows(model, rows);
-  SchurComplement schur(*model.Z, rows);
+  const SchurComplement schur(*model.Z, rows);
   const Eigen::LLT<Eigen::MatrixXd> inner(part(Z, others, others));
   const Eigen::MatrixXd S =
     part(Z, rows, rows) - part(Z, rows, others) * inner.solve(part(Z, others, rows));
   EXPECT_LE((dense(schur.matrix()) - S).norm(), 1e-13 * Z.norm());
+  EXPECT_EQ(dense(schur.matrix()), dense(schur.matrix()).transpose());
 
-  // S v = b_F - Z_FI Z_II^-1 b_I and its expansion solve Z v = b; twice, for a second b.
-  for (int sequence : {1, 2}) {
-    const auto b = pseudorandomVector(static_cast<int>(Z.rows()), sequence);
-    const auto right_side = valuesOf(condensed(schur, model, b));
-    const Eigen::VectorXd kept = S.llt().solve(right_side);
-    const Eigen::VectorXd v = expanded(schur, model, kept);
-    const Eigen::VectorXd exact = Z.llt().solve(b);
+  // S v = b_F - Z_FI Z_II^-1 b_I and its expansion solve Z v = b, for two b at the same time.
+  const auto size = static_cast<int>(Z.rows());
+  const Eigen::VectorXd bs[] = {pseudorandomVector(size, 1), pseudorandomVector(size, 2)};
+  const CondensedRightSide condensed[] = {schur.condense(model.scatter(bs[0])),
+                                          schur.condense(model.scatter(bs[1]))};
+  for (int i : {0, 1}) {
+    const Eigen::VectorXd kept = S.llt().solve(valuesOf(condensed[i].kept()));
+    const Eigen::VectorXd v = expanded(condensed[i], model, kept);
+    const Eigen::VectorXd exact = Z.llt().solve(bs[i]);
     EXPECT_LE((v - exact).norm(), 1e-11 * exact.norm());
   }
 }
@@ -140,10 +130,11 @@ TEST(SchurComplement, eliminatesAllOrNothing)
 {
   const auto model = modelOf(1, 1);
   const int size = static_cast<int>(model.global.rows());
-  SchurComplement everything(*model.Z, {});
+  const SchurComplement everything(*model.Z, {});
   const auto b = pseudorandomVector(size, 3);
-  EXPECT_EQ(condensed(everything, model, b).getGlobalLength(), 0U);
-  const Eigen::VectorXd v = expanded(everything, model, Eigen::VectorXd(0));
+  const auto condensed = everything.condense(model.scatter(b));
+  EXPECT_EQ(condensed.kept().getGlobalLength(), 0U);
+  const Eigen::VectorXd v = expanded(condensed, model, Eigen::VectorXd(0));
   EXPECT_LE((model.global * v - b).norm(), 1e-12 * model.global.norm() * v.norm());
 
   std::vector<int> all(size);
@@ -158,11 +149,10 @@ TEST(SchurComplement, expandsAnyValuesByTheMinimiserOfTheOthers)
 {
   const auto model = modelOf();
   const auto rows = faultRows(model);
-  SchurComplement schur(*model.Z, rows);
+  const SchurComplement schur(*model.Z, rows);
   const auto b = pseudorandomVector(static_cast<int>(model.global.rows()), 4);
-  condensed(schur, model, b);
   const auto kept = pseudorandomVector(static_cast<int>(rows.size()), 5);
-  const Eigen::VectorXd v = expanded(schur, model, kept);
+  const Eigen::VectorXd v = expanded(schur.condense(model.scatter(b)), model, kept);
   const Eigen::VectorXd residual = b - model.global * v;
   for (std::size_t i = 0; i < rows.size(); ++i) {
     EXPECT_EQ(v(rows[i]), kept(i));
@@ -211,11 +201,11 @@ TEST(SchurComplement, takesTheOrderOfAMatrixWithTheSameEntries)
   other.fillComplete();
   EliminationOrder order;
   const SchurComplement first(other, rows, order);
-  SchurComplement shared(*model.Z, rows, order), alone(*model.Z, rows);
+  const SchurComplement shared(*model.Z, rows, order), alone(*model.Z, rows);
   EXPECT_EQ(shared.factorEntries(), alone.factorEntries());
   EXPECT_EQ(dense(shared.matrix()), dense(alone.matrix()));
   // Another set of rows asks for another order.
-  SchurComplement reversed(*model.Z, {rows.rbegin(), rows.rend()}, order);
+  const SchurComplement reversed(*model.Z, {rows.rbegin(), rows.rend()}, order);
   EXPECT_NEAR(dense(reversed.matrix())(0, 0), dense(alone.matrix()).bottomRightCorner(1, 1)(0, 0),
               1e-12 * dense(alone.matrix()).norm());
 }

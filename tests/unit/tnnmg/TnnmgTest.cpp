@@ -2,9 +2,12 @@
 
 #include "RateProblem.hpp"
 #include "tnnmg/DenseCorrection.hpp"
+#include "tnnmg/DenseRateMatrix.hpp"
 #include "tnnmg/MueLuCorrection.hpp"
 #include "tnnmg/SchurComplement.hpp"
+#include "tnnmg/SparseRateMatrix.hpp"
 
+#include <Teuchos_DefaultMpiComm.hpp>
 #include <Tpetra_CrsMatrix.hpp>
 #include <Tpetra_Map.hpp>
 #include <gtest/gtest.h>
@@ -32,18 +35,22 @@ Teuchos::ParameterList multigridParameters()
   return list;
 }
 
-// TNNMG on all dofs of all ranks, with multigrid.
-template <class Nodes = RoughNodes>
-TnnmgResult solveFull(RateProblem const& problem, Nodes const& nodes, TnnmgSettings const& settings,
-                      Eigen::VectorXd& v, std::map<int, double> const& held = {})
+// TNNMG on all dofs of all ranks, with multigrid unless another correction is given.
+TnnmgResult solveFull(RateProblem const& problem, NodalProblem const& nodes,
+                      TnnmgSettings const& settings, Eigen::VectorXd& v,
+                      std::map<int, double> const& held = {},
+                      std::shared_ptr<LinearCorrection> correction = nullptr)
 {
   auto const& model = problem.model;
-  const auto correction = std::make_shared<MueLuCorrection>(model.problem(), multigridParameters());
-  Tnnmg<Nodes> tnnmg(model.Z, model.nodesWith(problem.heldOnRank(held)), correction, settings);
-  const Vector b = model.scatter(problem.b);
-  Vector x = model.scatter(v);
-  const auto result = tnnmg.solve(nodes, b, x);
-  v = model.gather(x);
+  if (!correction) {
+    correction = std::make_shared<MueLuCorrection>(model.problem(), multigridParameters());
+  }
+  Tnnmg tnnmg(
+    std::make_shared<SparseRateMatrix>(model.Z, model.nodesWith(problem.heldOnRank(held))),
+    correction, settings);
+  tnnmg.begin(model.scatter(problem.b), model.scatter(v));
+  const auto result = tnnmg.solve(nodes);
+  v = model.gather(tnnmg.v());
   return result;
 }
 
@@ -65,21 +72,19 @@ TnnmgResult solveCondensed(RateProblem const& problem, TnnmgSettings const& sett
   for (auto const& dofs : model.nonlinear) {
     rows.insert(rows.end(), dofs.begin(), dofs.end());
   }
-  SchurComplement schur(*model.Z, rows);
-  const int num_nodes = static_cast<int>(model.nonlinear.size());
-  const auto nodes =
-    coupledNodes(num_nodes, model.options.tangents, flat(problem.heldOnRank(held)));
-  Tnnmg<RoughNodes> tnnmg(schur.matrix(), nodes,
-                          std::make_shared<DenseCorrection>(*schur.matrix(), nodes.dofs), settings);
-  Vector b(schur.matrix()->getDomainMap());
-  Vector x(schur.matrix()->getDomainMap());
-  schur.condense(model.scatter(problem.b), b);
+  const SchurComplement schur(*model.Z, rows);
+  const auto S = std::make_shared<DenseRateMatrix>(
+    schur.matrix(), schur.map(), model.options.tangents, flat(problem.heldOnRank(held)));
+  Tnnmg tnnmg(S, std::make_shared<DenseCorrection>(S->entries(), S->nodes().dofs), settings);
+  auto const b = schur.condense(model.scatter(problem.b));
+  Vector guess(schur.map());
   for (std::size_t i = 0; i < rows.size(); ++i) {
-    x.replaceLocalValue(static_cast<int>(i), v(rows[i]));
+    guess.replaceLocalValue(static_cast<int>(i), v(rows[i]));
   }
-  const auto result = tnnmg.solve(problem.nodesOfRank(), b, x);
+  tnnmg.begin(b.kept(), guess);
+  const auto result = tnnmg.solve(problem.nodesOfRank());
   Vector all(model.map);
-  schur.expand(x, all);
+  b.expand(tnnmg.v(), all);
   v = model.gather(all);
   return result;
 }
@@ -227,7 +232,8 @@ INSTANTIATE_TEST_SUITE_P(Problems, TnnmgCase,
 // Nodes whose psi rises with every change that their sweeps make.
 struct RisingNodes : RoughNodes
 {
-  Difference difference(ConstBlockView const& v, ConstBlockView const& d) const
+  explicit RisingNodes(RoughNodes const& nodes) : RoughNodes(nodes) {}
+  EnergyChange difference(ConstBlockView const& v, ConstBlockView const& d) const override
   {
     const auto truth = RoughNodes::difference(v, d);
     return {1e6 * truth.magnitude, truth.magnitude};
@@ -329,7 +335,7 @@ class FailingNodes : public RoughNodes
 public:
   FailingNodes(RoughNodes const& nodes, bool fails) : RoughNodes(nodes), fails_(fails) {}
   int minimise(IndexView const& nodes, ConstNodeView const& curvature, ConstBlockView const& r,
-               BlockView const& v) const
+               BlockView const& v) const override
   {
     int failures = RoughNodes::minimise(nodes, curvature, r, v);
     const auto which = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace(), nodes);
@@ -371,10 +377,7 @@ public:
 private:
   double value_;
 };
-} // namespace
 
-namespace
-{
 // Claims to have converged, with a correction that points uphill.
 class UphillCorrection : public LinearCorrection
 {
@@ -401,14 +404,12 @@ private:
 TEST(Tnnmg, doesNotConvergeWhereNoCorrectionIsADescent)
 {
   const RateProblem problem({1., 2, 1, Kind::logarithm});
-  auto const& model = problem.model;
   const auto solve = [&](double factor) {
-    const auto right = std::make_shared<MueLuCorrection>(model.problem(), multigridParameters());
-    Tnnmg<RoughNodes> tnnmg(model.Z, model.nodesWith(problem.heldOnRank({})),
-                            std::make_shared<UphillCorrection>(right, factor), TnnmgSettings());
-    const Vector b = model.scatter(problem.b);
-    Vector v(model.map);
-    return tnnmg.solve(problem.nodesOfRank(), b, v);
+    const auto right =
+      std::make_shared<MueLuCorrection>(problem.model.problem(), multigridParameters());
+    auto v = atRest(problem);
+    return solveFull(problem, problem.nodesOfRank(), TnnmgSettings(), v, {},
+                     std::make_shared<UphillCorrection>(right, factor));
   };
   const auto uphill = solve(-1);
   EXPECT_FALSE(uphill.converged);
@@ -423,18 +424,15 @@ TEST(Tnnmg, doesNotConvergeWhereNoCorrectionIsADescent)
 TEST(Tnnmg, doesNotConvergeWithoutCorrections)
 {
   const RateProblem problem({1., 2, 1, Kind::logarithm});
-  auto const& model = problem.model;
   for (double value : {0., std::nan("")}) {
-    Tnnmg<RoughNodes> tnnmg(model.Z, model.nodesWith(problem.heldOnRank({})),
-                            std::make_shared<LostCorrection>(value), TnnmgSettings());
-    const Vector b = model.scatter(problem.b);
-    Vector v(model.map);
-    const auto result = tnnmg.solve(problem.nodesOfRank(), b, v);
+    auto v = atRest(problem);
+    const auto result = solveFull(problem, problem.nodesOfRank(), TnnmgSettings(), v, {},
+                                  std::make_shared<LostCorrection>(value));
     EXPECT_FALSE(result.converged);
     EXPECT_EQ(result.iterations, TnnmgSettings().max_iterations);
     EXPECT_EQ(result.lost_corrections, result.iterations);
     EXPECT_LE(result.last_change, 1e-8) << "which would pass for convergence";
-    EXPECT_TRUE(model.gather(v).allFinite());
+    EXPECT_TRUE(v.allFinite());
   }
 }
 
@@ -446,7 +444,7 @@ class OvershootingNodes : public RoughNodes
 public:
   explicit OvershootingNodes(RoughNodes const& nodes) : RoughNodes(nodes) {}
   int minimise(IndexView const& nodes, ConstNodeView const& curvature, ConstBlockView const& r,
-               BlockView const& v) const
+               BlockView const& v) const override
   {
     const int failures = RoughNodes::minimise(nodes, curvature, r, v);
     const auto which = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace(), nodes);
@@ -472,7 +470,10 @@ TEST(Tnnmg, countsHalfStepsThatRaiseTheEnergy)
 
 TEST(TnnmgBlocks, leavesOutKinkedHeldAndStiffNodes)
 {
-  const auto nodes = coupledNodes(5, 2, {0, 0, 1, 1, 0, 0, 0, 0, 0, 1});
+  const BlockView dofs("dofs", 10, 10);
+  const auto map = rcp(new Map(10, 0, rcp(new Teuchos::MpiComm<int>(MPI_COMM_SELF))));
+  const DenseRateMatrix Z(dofs, map, 2, {0, 0, 1, 1, 0, 0, 0, 0, 0, 1});
+  auto const& nodes = Z.nodes();
   const detail::TnnmgBlocks blocks(nodes);
   const NodeView curvature("curvature", 5);
   Kokkos::deep_copy(curvature, 10.);

@@ -1,0 +1,174 @@
+#include "tnnmg/Tnnmg.hpp"
+
+#include "base/parallel/Reductions.hpp"
+#include "base/program/WorkTimers.hpp"
+#include "tnnmg/LineSearch.hpp"
+
+#include <Tpetra_Map.hpp>
+
+#include <algorithm>
+#include <array>
+#include <utility>
+
+namespace asperity::tnnmg
+{
+Tnnmg::Tnnmg(std::shared_ptr<const RateMatrix> Z, std::shared_ptr<LinearCorrection> correction,
+             TnnmgSettings const& settings)
+    : Z_(std::move(Z))
+    , correction_(std::move(correction))
+    , settings_(settings)
+    , vectors_(*Z_)
+    , blocks_(Z_->nodes())
+{
+}
+
+double Tnnmg::smallChange(double norm) const
+{
+  return std::max(settings_.absolute_tolerance, settings_.relative_tolerance * norm);
+}
+
+void Tnnmg::begin(Vector const& b, Vector const& guess)
+{
+  vectors_.begin(b, guess);
+  gather(Z_->nodes(), *vectors_.v, blocks_.v);
+  knows_residual_ = false;
+}
+
+void Tnnmg::computeResidual()
+{
+  Z_->residual(vectors_.b, *vectors_.v, vectors_.r);
+  knows_residual_ = true;
+}
+
+// The residual is computed anew, free of the rounding of earlier updates.
+TnnmgResult Tnnmg::solve(NodalProblem const& problem)
+{
+  computeResidual();
+  return iterate(problem, settings_.max_iterations);
+}
+
+TnnmgResult Tnnmg::improve(NodalProblem const& problem)
+{
+  if (!knows_residual_) {
+    computeResidual();
+  }
+  return iterate(problem, 1);
+}
+
+TnnmgResult Tnnmg::iterate(NodalProblem const& problem, int max_iterations)
+{
+  TnnmgResult result;
+  int failed_here = 0; // on this rank
+  while (result.iterations < max_iterations && !result.converged) {
+    ++result.iterations;
+    vectors_.beginIteration();
+    failed_here += smooth(problem, result);
+    const bool corrected = findCorrection(problem, result) && searchAlong(problem, result);
+    auto const norms = vectors_.norms(failed_here);
+    result.last_change = norms.change;
+    result.failed_nodes = norms.failed_nodes;
+    // Without a correction, the last change says nothing about the dofs that Gauss-Seidel does not
+    // visit.
+    result.converged = corrected && result.last_change <= smallChange(norms.v);
+  }
+  result.converged = result.converged && !result.failed();
+  return result;
+}
+
+// Returns the number of nodes whose minimisation failed on this rank.
+int Tnnmg::smooth(NodalProblem const& problem, TnnmgResult& result)
+{
+  ASPERITY_TIME_WORK("Gauss-Seidel sweeps");
+  Kokkos::deep_copy(blocks_.before, blocks_.v);
+  int failed_nodes = 0;
+  for (int sweep = 0; sweep < settings_.sweeps; ++sweep) {
+    failed_nodes +=
+      Z_->sweep(problem, vectors_.b, *vectors_.v_columns, vectors_.r, blocks_.v, blocks_.residual);
+  }
+  blocks_.differenceTo(blocks_.before, blocks_.d);
+  auto const nonlinear = problem.difference(blocks_.before, blocks_.d);
+  Z_->finishSweeps(blocks_.d, vectors_.b, *vectors_.v, vectors_.r);
+  result.rises += vectors_.risesInSweeps(*Z_, blocks_, nonlinear);
+  return failed_nodes;
+}
+
+// False if the linear correction has not converged and is zero or not a number.
+bool Tnnmg::findCorrection(NodalProblem const& problem, TnnmgResult& result)
+{
+  ASPERITY_TIME_WORK("linear corrections");
+  problem.linearise(blocks_.v, blocks_.gradient, blocks_.hessian, blocks_.truncated);
+  blocks_.truncate(Z_->nodes(), Z_->curvature(), settings_.stiff);
+  vectors_.newtonResidual(Z_->nodes(), blocks_.gradient);
+  auto const solved =
+    correction_->solve({blocks_.hessian, blocks_.truncated}, vectors_.newton_residual,
+                       settings_.correction_tolerance, vectors_.c);
+  ++result.corrections;
+  result.correction_iterations += solved.iterations;
+  result.v_cycles += solved.v_cycles;
+  if (!solved.converged && !(vectors_.c.norm2() > 0)) { // zero, or not a number
+    ++result.lost_corrections;
+    return false;
+  }
+  return true;
+}
+
+// This rank's part of the change of psi along the correction, which blocks_.d holds.
+EnergyChange Tnnmg::nonlinearChange(NodalProblem const& problem, double step) const
+{
+  blocks_.scaleChange(step);
+  return problem.difference(blocks_.v, blocks_.scaled);
+}
+
+// False if J does not fall along the correction although the correction is too large to be ignored.
+bool Tnnmg::searchAlong(NodalProblem const& problem, TnnmgResult& result)
+{
+  ASPERITY_TIME_WORK("line searches");
+  gather(Z_->nodes(), vectors_.c, blocks_.d);
+  auto const mine = vectors_.derivativeAlongCorrection(*Z_);
+  auto const of_step = nonlinearChange(problem, 1);
+  auto const& communicator = *Z_->rows()->getComm();
+  // All that a step of one needs, which is the most frequent result, is summed over the ranks at
+  // once.
+  auto const sums = sumOverRanks(std::array<double, 7>{mine.start, mine.curvature, mine.magnitude,
+                                                       problem.slope(blocks_.v, blocks_.d, 0),
+                                                       problem.slope(blocks_.v, blocks_.d, 1),
+                                                       of_step.change, of_step.magnitude},
+                                 communicator);
+  const detail::TnnmgVectors::Along along = {sums[0], sums[1], sums[2]};
+  auto const slope = [&](double t) {
+    const double of_nodes = t == 0 ? sums[3]
+                            : t == 1
+                              ? sums[4]
+                              : sumOverRanks(problem.slope(blocks_.v, blocks_.d, t), communicator);
+    return of_nodes + along.start + t * along.curvature;
+  };
+  auto const changeAlong = [&](double t) {
+    EnergyChange nonlinear = {sums[5], sums[6]};
+    if (t != 1) {
+      auto const here = nonlinearChange(problem, t);
+      auto const all =
+        sumOverRanks(std::array<double, 2>{here.change, here.magnitude}, communicator);
+      nonlinear = {all[0], all[1]};
+    }
+    return EnergyChange{t * (along.start + t / 2 * along.curvature) + nonlinear.change,
+                        t * (along.magnitude + t / 2 * along.curvature) + nonlinear.magnitude};
+  };
+  const double start = slope(0);
+  double step = findSignChange(slope, start, 1e-2).step;
+  auto change = changeAlong(step);
+  if (change.change > 0 && step > 0) {
+    // The slope at this step was small but positive. Where the slope is not positive, J is certain
+    // to be below its start.
+    step = findSignChange(slope, start, 0.).step;
+    change = changeAlong(step);
+  }
+  if (!(step > 0) && !(std::sqrt(along.curvature) <= smallChange(vectors_.norms(0).v))) {
+    ++result.lost_corrections;
+    return false;
+  }
+  result.rises += change.rises();
+  vectors_.move(step);
+  gather(Z_->nodes(), *vectors_.v, blocks_.v);
+  return true;
+}
+} // namespace asperity::tnnmg
