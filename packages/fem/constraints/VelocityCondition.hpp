@@ -162,8 +162,8 @@ struct VelocityCondition
   std::string name; // for messages, e.g. "Boundary Conditions / Backstop"
   std::string boundary;
   Kind kind;
-  // For a condition with the normal of a fault in two dimensions: see detail::tangentOf. Constraints
-  // sets it.
+  // For a condition with the normal of a fault in two dimensions: see detail::tangentOf.
+  // Constraints sets it.
   int turn = 0;
 
   // These return the members of the kind, see above.

@@ -9,10 +9,10 @@
 
 namespace asperity::mesh::detail
 {
-// Makes a mesh file that is complete if it exists: write(file) fills it under another name, and then
-// it is renamed. InputError, which names the file and contains the reason, if it cannot be made or
-// renamed, or if a name of a boundary cannot be that of a group; OutputError if it could be created
-// but not completed, as on a full disk.
+// Makes a mesh file that is complete if it exists: write(file) fills it under another name, and
+// then it is renamed. InputError, which names the file and contains the reason, if it cannot be
+// made or renamed, or if a name of a boundary cannot be that of a group; OutputError if it could be
+// created but not completed, as on a full disk.
 void writeCompletely(std::string const& file_name, std::vector<std::string> const& boundaries,
                      std::function<void(h5::File& file)> const& write);
 
