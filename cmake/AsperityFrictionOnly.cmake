@@ -1,5 +1,6 @@
-# ASPERITY_FRICTION_ONLY: packages/friction, the package that it includes, and their tests, with
-# Kokkos 3.4 or newer. Neither Trilinos nor MPI is looked for, and nothing is installed.
+# ASPERITY_FRICTION_ONLY: packages/friction, the package that it includes, packages/multigrid if
+# there is Eigen, and their tests, with Kokkos 3.4 or newer. Neither Trilinos nor MPI is looked for,
+# and nothing is installed.
 set(ASPERITY_ENABLE_INSTALL OFF)
 set(ASPERITY_PRECOMPILED_HEADERS OFF)
 include(AsperityKokkos)
@@ -9,6 +10,10 @@ include(AsperityTargets)
 
 asperity_add_package(portability LIBRARIES Asperity::Kokkos)
 asperity_add_package(friction PACKAGES portability LIBRARIES Asperity::Kokkos)
+find_package(Eigen3 QUIET NO_MODULE)
+if(TARGET Eigen3::Eigen)
+  asperity_add_package(multigrid LIBRARIES Asperity::Kokkos PRIVATE_LIBRARIES Eigen3::Eigen)
+endif()
 
 if(ASPERITY_ENABLE_TESTS)
   enable_testing()
@@ -17,4 +22,7 @@ if(ASPERITY_ENABLE_TESTS)
   foreach(folder unit/portability unit/friction verification/friction_kernel)
     add_subdirectory(tests/${folder})
   endforeach()
+  if(TARGET asperity_multigrid)
+    add_subdirectory(tests/unit/multigrid)
+  endif()
 endif()

@@ -98,7 +98,7 @@ function(asperity_add_test name)
   target_include_directories(${name} PRIVATE "${PROJECT_SOURCE_DIR}/tests")
   asperity_link_packages(${name} PRIVATE ${TEST_PACKAGES})
   asperity_sanitize_program(${name})
-  if(TEST_PACKAGES MATCHES "^(portability|friction)$") # built without Trilinos
+  if(TEST_PACKAGES MATCHES "^(portability|friction|multigrid)$") # built without Trilinos
     target_link_libraries(${name} PRIVATE asperity_kokkos_test_main ${TEST_LIBRARIES})
   else()
     target_link_libraries(${name} PRIVATE asperity_test_main ${TEST_LIBRARIES})

@@ -5,7 +5,7 @@
 #include "fem/BodyMatrices.hpp"
 #include "scenario/Problem.hpp"
 #include "scenario/setup/MeshSetup.hpp"
-#include "tnnmg/SchurComplement.hpp"
+#include "tnnmg/direct/SchurComplement.hpp"
 
 #include <Tpetra_CrsMatrix.hpp>
 #include <Tpetra_Vector.hpp>

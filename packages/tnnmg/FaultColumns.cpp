@@ -1,7 +1,7 @@
 #include "tnnmg/FaultColumns.hpp"
 
 #include "portability/Renamed.hpp"
-#include "tnnmg/detail/OrderedSums.hpp"
+#include "tnnmg/OrderedSums.hpp"
 
 #include <Tpetra_Import.hpp>
 #include <Tpetra_Map.hpp>

@@ -1,7 +1,7 @@
 #include "tnnmg/SparseRateMatrix.hpp"
 
 #include "base/parallel/Reductions.hpp"
-#include "tnnmg/detail/OrderedSums.hpp"
+#include "tnnmg/OrderedSums.hpp"
 
 #include <Tpetra_Map.hpp>
 

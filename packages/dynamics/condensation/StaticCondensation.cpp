@@ -2,7 +2,7 @@
 
 #include "base/Errors.hpp"
 #include "portability/Renamed.hpp"
-#include "tnnmg/SchurComplement.hpp"
+#include "tnnmg/direct/SchurComplement.hpp"
 
 #include <Tpetra_CrsGraph.hpp>
 #include <Tpetra_CrsMatrix.hpp>

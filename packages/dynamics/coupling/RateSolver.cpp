@@ -3,11 +3,11 @@
 #include "base/Errors.hpp"
 #include "base/program/WorkTimers.hpp"
 #include "portability/Renamed.hpp"
-#include "tnnmg/DenseCorrection.hpp"
 #include "tnnmg/DenseRateMatrix.hpp"
-#include "tnnmg/MueLuCorrection.hpp"
-#include "tnnmg/SchurComplement.hpp"
 #include "tnnmg/SparseRateMatrix.hpp"
+#include "tnnmg/direct/DenseCorrection.hpp"
+#include "tnnmg/direct/SchurComplement.hpp"
+#include "tnnmg/multigrid/MultigridCorrection.hpp"
 
 #include <Eigen/Core>
 #include <Tpetra_CrsMatrix.hpp>
@@ -218,7 +218,7 @@ class FullRateSolver final : public TnnmgRateSolver
 {
 public:
   FullRateSolver(RCP<const CrsMatrix> const& Z, tnnmg::NonlinearNodes const& nodes,
-                 std::shared_ptr<tnnmg::MueLuCorrection> const& correction,
+                 std::shared_ptr<tnnmg::MultigridCorrection> const& correction,
                  tnnmg::TnnmgSettings const& settings, RCP<const CrsMatrix> const& reactions)
       : TnnmgRateSolver(std::make_shared<tnnmg::SparseRateMatrix>(Z, nodes), correction, settings)
       , Z_(Z)
@@ -248,7 +248,7 @@ public:
 
 private:
   RCP<const CrsMatrix> Z_, reactions_;
-  std::shared_ptr<const tnnmg::MueLuCorrection> correction_;
+  std::shared_ptr<const tnnmg::MultigridCorrection> correction_;
 };
 } // namespace
 
@@ -301,21 +301,21 @@ std::unique_ptr<RateSolver> makeRateSolver(RCP<const CrsMatrix> const& Z, Body c
                                            fem::FaultSurface const& surface,
                                            RateSolverSettings const& settings,
                                            RCP<const CrsMatrix> const& reactions,
-                                           OfBody const& of_body)
+                                           SharedSetup const& shared)
 {
   if (settings.correction == Correction::direct) {
     tnnmg::EliminationOrder own;
     auto rows = rowsOf(surface);
-    tnnmg::SchurComplement schur(*Z, rows, of_body.order ? *of_body.order : own);
+    tnnmg::SchurComplement schur(*Z, rows, shared.order ? *shared.order : own);
     auto const S = condensed(schur, surface);
     auto const correction = std::make_shared<tnnmg::DenseCorrection>(S->entries(), S->nodes().dofs);
     return std::make_unique<CondensedRateSolver>(std::move(schur), S, correction, std::move(rows),
                                                  settings.tnnmg, reactions);
   }
   auto const nodes = nodesOf(surface);
-  auto const correction = std::make_shared<tnnmg::MueLuCorrection>(
+  auto const correction = std::make_shared<tnnmg::MultigridCorrection>(
     multigridProblem(Z, body, nodes), settings.multigrid,
-    of_body.shared ? of_body.shared->terms() : tnnmg::MultigridTerms(), of_body.weights);
+    shared.multigrid ? shared.multigrid->terms() : tnnmg::MultigridTerms(), shared.weights);
   return std::make_unique<FullRateSolver>(Z, nodes, correction, settings.tnnmg, reactions);
 }
 
@@ -349,8 +349,8 @@ void solveLinear(RCP<const CrsMatrix> const& Z, Body const& body,
   Teuchos::ParameterList list(settings.multigrid);
   list.set("Method", "CG");      // a few cycles would not meet the tolerance
   list.set("Hierarchy", "Keep"); // without friction there are no Hessians
-  tnnmg::MueLuCorrection multigrid(multigridProblem(Z, body, {none, body.held.flagsOnDevice(), {}}),
-                                   list);
+  tnnmg::MultigridCorrection multigrid(
+    multigridProblem(Z, body, {none, body.held.flagsOnDevice(), {}}), list);
   auto const result = multigrid.solve({}, b, 1e-12, x);
   if (!result.converged) {
     std::ostringstream message;

@@ -3,9 +3,9 @@
 #include "dynamics/Body.hpp"
 #include "dynamics/coupling/FrictionProblem.hpp"
 #include "fem/FaultSurface.hpp"
-#include "tnnmg/EliminationOrder.hpp"
-#include "tnnmg/MueLuCorrection.hpp"
 #include "tnnmg/Tnnmg.hpp"
+#include "tnnmg/direct/EliminationOrder.hpp"
+#include "tnnmg/multigrid/MultigridCorrection.hpp"
 
 #include <Teuchos_ParameterList.hpp>
 
@@ -26,7 +26,7 @@ struct RateSolverSettings
 {
   tnnmg::TnnmgSettings tnnmg;
   Correction correction = Correction::direct;
-  Teuchos::ParameterList multigrid; // of MueLuCorrection, completed
+  Teuchos::ParameterList multigrid; // of MultigridCorrection, completed
 };
 
 // Solves rate problems (Pipping 2014, problem 4.2) with one matrix Z and one right side, but
@@ -70,12 +70,12 @@ private:
   tnnmg::MultigridTerms terms_; // stiffness, and mass and viscosity unless they are zero
 };
 
-// Where a matrix Z comes from, for solvers that share what they can.
-struct OfBody
+// What a solver takes over from those of other Z of the same body, where it is there.
+struct SharedSetup
 {
-  std::shared_ptr<const SharedMultigrid> shared; // may be null
-  std::vector<double> weights;
-  tnnmg::EliminationOrder* order = nullptr; // of the direct correction; may be null
+  std::shared_ptr<const SharedMultigrid> multigrid; // may be null
+  std::vector<double> weights;                      // of its terms in this Z
+  tnnmg::EliminationOrder* order = nullptr;         // of the direct correction; may be null
 };
 
 // The rows of held dofs in Z must have their diagonal entries only. reactions: the matrix N (any
@@ -85,7 +85,7 @@ std::unique_ptr<RateSolver> makeRateSolver(RCP<const CrsMatrix> const& Z, Body c
                                            fem::FaultSurface const& surface,
                                            RateSolverSettings const& settings,
                                            RCP<const CrsMatrix> const& reactions = Teuchos::null,
-                                           OfBody const& of_body = {});
+                                           SharedSetup const& shared = {});
 
 // Solves Z x = b without friction; with multigrid until the residual is at most 1e-12 |b|. Throws
 // SolveError if that fails.

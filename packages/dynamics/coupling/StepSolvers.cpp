@@ -62,12 +62,11 @@ RateSolver& StepSolvers::at(int level)
       shared_ = std::make_shared<const SharedMultigrid>(body_, surface_, settings_);
     }
     auto const Z = fem::combine(body_.matrices, of_mass, 1, of_stiffness, body_.held);
-    OfBody of_body{nullptr, {}, &order_};
+    SharedSetup shared{shared_, {}, &order_};
     if (shared_) {
-      of_body.shared = shared_;
-      of_body.weights = shared_->weights(of_mass, 1, of_stiffness);
+      shared.weights = shared_->weights(of_mass, 1, of_stiffness);
     }
-    solver = makeRateSolver(Z, body_, surface_, settings_, across, of_body);
+    solver = makeRateSolver(Z, body_, surface_, settings_, across, shared);
   } catch (SolveError const& error) {
     throw SolveError("The solver for steps of " + formatShort(tau) +
                      " s (the largest step halved " + std::to_string(level) +

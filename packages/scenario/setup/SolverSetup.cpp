@@ -1,6 +1,6 @@
 #include "scenario/setup/SolverSetup.hpp"
 
-#include "tnnmg/MueLuCorrection.hpp"
+#include "tnnmg/multigrid/MultigridCorrection.hpp"
 
 #include <limits>
 
@@ -28,7 +28,7 @@ RCP<const ParameterList> solverParameters()
     .real("Memory Budget", 2000., "MB", Range::positive(),
           "Each rank keeps solvers of different step sizes up to this amount of memory. The least "
           "recently used ones are removed first.")
-    .sublist("MueLu Correction", tnnmg::MueLuCorrection::validParameters(),
+    .sublist("MueLu Correction", tnnmg::MultigridCorrection::validParameters(),
              "This list controls the linear correction by MueLu's multigrid.");
   return list;
 }
@@ -40,7 +40,7 @@ dynamics::RateSolverSettings makeSolverSettings(ParameterList const& list, int n
   ASPERITY_REQUIRE(choice != "Direct" || num_ranks == 1,
                    "Asperity / TNNMG / Linear Correction = Direct works on one rank, not on "
                      << num_ranks << ". Choose MueLu or Auto.");
-  tnnmg::MueLuCorrection::requireAccepted(list.sublist("MueLu Correction"));
+  tnnmg::MultigridCorrection::requireAccepted(list.sublist("MueLu Correction"));
   dynamics::RateSolverSettings settings;
   settings.tnnmg = tnnmg::TnnmgSettings::from(list);
   const bool direct = choice == "Direct" || (choice == "Auto" && num_ranks == 1 &&

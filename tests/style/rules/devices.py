@@ -9,23 +9,21 @@ import re
 from . import source
 
 FOLDERS = ["packages", "drivers", "tests", "examples"]
-COMPUTING = ["packages/tnnmg", "packages/dynamics"]
+COMPUTING = ["packages/multigrid", "packages/tnnmg", "packages/dynamics"]
 HOST = {
-    "packages/tnnmg/DenseCorrection.cpp": "right sides and answers of Eigen's dense factor",
     "packages/tnnmg/DenseRateMatrix.cpp": "set-up; Eigen's product with a dense matrix",
     "packages/tnnmg/DenseRateMatrix.hpp": "Eigen's product with a dense matrix",
-    "packages/tnnmg/SchurComplement.cpp": "Eigen's sparse factor, on one rank",
-    "packages/tnnmg/detail/DenseSystem.cpp": "Eigen's dense factor, of the fault's unknowns",
-    "packages/tnnmg/detail/DenseSystem.hpp": "Eigen's dense factor, of the fault's unknowns",
-    "packages/tnnmg/detail/EigenMatrix.hpp": "set-up of Eigen's factors",
-    "packages/tnnmg/detail/MultigridPreconditioner.cpp": "the V-cycle runs on the host",
-    "packages/tnnmg/levels/CoarseFault.cpp": "the V-cycle runs on the host",
-    "packages/tnnmg/levels/FewerRanks.cpp": "set-up of coarse levels",
-    "packages/tnnmg/levels/MultigridCycle.cpp": "the V-cycle runs on the host",
-    "packages/tnnmg/levels/NodeMatrix.cpp": "the V-cycle runs on the host",
-    "packages/tnnmg/levels/SingleGradients.cpp": "the V-cycle runs on the host",
     "packages/tnnmg/FaultColumns.cpp": "MPI sends some hundred numbers of the fault from the host",
-    "packages/tnnmg/detail/MultigridSymmetry.cpp": "set-up: the trial of the preconditioner",
+    "packages/tnnmg/direct/DenseCorrection.cpp": "right sides and answers of Eigen's dense factor",
+    "packages/tnnmg/direct/DenseSystem.cpp": "Eigen's dense factor, of the fault's unknowns",
+    "packages/tnnmg/direct/DenseSystem.hpp": "Eigen's dense factor, of the fault's unknowns",
+    "packages/tnnmg/direct/EigenMatrix.hpp": "set-up of Eigen's factors",
+    "packages/tnnmg/direct/SchurComplement.cpp": "Eigen's sparse factor, on one rank",
+    "packages/tnnmg/hierarchy/CoarseFault.cpp": "set-up; the V-cycle runs on the host",
+    "packages/tnnmg/hierarchy/FewerRanks.cpp": "set-up of coarse levels",
+    "packages/tnnmg/hierarchy/NodeGraphs.cpp": "set-up; the V-cycle runs on the host",
+    "packages/tnnmg/multigrid/MultigridPreconditioner.cpp": "the V-cycle runs on the host",
+    "packages/tnnmg/multigrid/MultigridSymmetry.cpp": "set-up: the trial of the preconditioner",
     "packages/dynamics/FaultMotion.cpp": "the message of a refusal",
     "packages/dynamics/FaultSample.cpp": "the nodes of the fault alone, which outputs read",
     "packages/dynamics/FoundationPressure.cpp": "set-up",

@@ -9,13 +9,8 @@ from . import source
 from .includes import QUOTED
 
 
-# The levels of multigrid and what adapts them to the fault are to be packages of their own.
-MIXED = {"tnnmg"}
-
-
 def check(root):
-    packages = sorted(path.name for path in (root / "packages").iterdir()
-                      if path.is_dir() and path.name not in MIXED)
+    packages = sorted(path.name for path in (root / "packages").iterdir() if path.is_dir())
     return [breach for package in packages for breach in _breaches(root, package)]
 
 

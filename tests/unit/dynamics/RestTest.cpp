@@ -1,9 +1,9 @@
 #include "dynamics/coupling/FrictionProblem.hpp"
 
 #include "base/Views.hpp"
-#include "tnnmg/DenseCorrection.hpp"
 #include "tnnmg/DenseRateMatrix.hpp"
 #include "tnnmg/Tnnmg.hpp"
+#include "tnnmg/direct/DenseCorrection.hpp"
 #include "unit/friction/Fault.hpp"
 
 #include <Tpetra_Core.hpp>

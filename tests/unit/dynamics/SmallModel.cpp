@@ -2,7 +2,7 @@
 
 #include "fem/RigidBodyMotions.hpp"
 #include "mesh/parallel/Partition.hpp"
-#include "tnnmg/MueLuCorrection.hpp"
+#include "tnnmg/multigrid/MultigridCorrection.hpp"
 
 #include <cmath>
 
@@ -181,7 +181,7 @@ RateSolverSettings tightSettings(Correction correction)
   settings.tnnmg.relative_tolerance = 1e-13;
   settings.tnnmg.correction_tolerance = 1e-6;
   settings.correction = correction;
-  settings.multigrid = *tnnmg::MueLuCorrection::validParameters();
+  settings.multigrid = *tnnmg::MultigridCorrection::validParameters();
   return settings;
 }
 

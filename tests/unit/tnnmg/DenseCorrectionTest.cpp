@@ -1,4 +1,4 @@
-#include "tnnmg/DenseCorrection.hpp"
+#include "tnnmg/direct/DenseCorrection.hpp"
 
 #include "FaultState.hpp"
 

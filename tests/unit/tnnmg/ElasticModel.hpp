@@ -1,6 +1,6 @@
 #pragma once
 
-#include "tnnmg/MueLuCorrection.hpp"
+#include "tnnmg/multigrid/MultigridCorrection.hpp"
 
 #include <Eigen/Dense>
 #include <Eigen/SparseCore>

@@ -1,4 +1,4 @@
-#include "tnnmg/levels/FewerRanks.hpp"
+#include "tnnmg/hierarchy/FewerRanks.hpp"
 
 #include "base/parallel/Reductions.hpp"
 #include "portability/Renamed.hpp"

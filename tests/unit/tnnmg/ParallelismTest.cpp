@@ -1,5 +1,5 @@
 #include "FaultState.hpp"
-#include "tnnmg/MueLuCorrection.hpp"
+#include "tnnmg/multigrid/MultigridCorrection.hpp"
 
 #include <Eigen/SparseCholesky>
 #include <Tpetra_Vector.hpp>
@@ -28,7 +28,7 @@ Teuchos::ParameterList parametersOf(bool parallel_factories)
 // and returns the sum of the iterations.
 int iterations(ElasticModel const& model, bool parallel_factories)
 {
-  MueLuCorrection correction(model.problem(), parametersOf(parallel_factories));
+  MultigridCorrection correction(model.problem(), parametersOf(parallel_factories));
   int sum = 0;
   for (auto truncation :
        {Truncation::none, Truncation::every_second, Truncation::left_half, Truncation::all}) {

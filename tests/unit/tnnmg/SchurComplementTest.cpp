@@ -1,4 +1,4 @@
-#include "tnnmg/SchurComplement.hpp"
+#include "tnnmg/direct/SchurComplement.hpp"
 
 #include "ElasticModel.hpp"
 #include "base/Errors.hpp"

@@ -1,11 +1,11 @@
 #include "tnnmg/Tnnmg.hpp"
 
 #include "RateProblem.hpp"
-#include "tnnmg/DenseCorrection.hpp"
 #include "tnnmg/DenseRateMatrix.hpp"
-#include "tnnmg/MueLuCorrection.hpp"
-#include "tnnmg/SchurComplement.hpp"
 #include "tnnmg/SparseRateMatrix.hpp"
+#include "tnnmg/direct/DenseCorrection.hpp"
+#include "tnnmg/direct/SchurComplement.hpp"
+#include "tnnmg/multigrid/MultigridCorrection.hpp"
 
 #include <Teuchos_DefaultMpiComm.hpp>
 #include <Tpetra_CrsMatrix.hpp>
@@ -17,7 +17,6 @@
 namespace asperity::tnnmg
 {
 using namespace testing;
-
 namespace
 {
 TnnmgSettings tight()
@@ -43,7 +42,7 @@ TnnmgResult solveFull(RateProblem const& problem, NodalProblem const& nodes,
 {
   auto const& model = problem.model;
   if (!correction) {
-    correction = std::make_shared<MueLuCorrection>(model.problem(), multigridParameters());
+    correction = std::make_shared<MultigridCorrection>(model.problem(), multigridParameters());
   }
   Tnnmg tnnmg(
     std::make_shared<SparseRateMatrix>(model.Z, model.nodesWith(problem.heldOnRank(held))),
@@ -406,7 +405,7 @@ TEST(Tnnmg, doesNotConvergeWhereNoCorrectionIsADescent)
   const RateProblem problem({1., 2, 1, Kind::logarithm});
   const auto solve = [&](double factor) {
     const auto right =
-      std::make_shared<MueLuCorrection>(problem.model.problem(), multigridParameters());
+      std::make_shared<MultigridCorrection>(problem.model.problem(), multigridParameters());
     auto v = atRest(problem);
     return solveFull(problem, problem.nodesOfRank(), TnnmgSettings(), v, {},
                      std::make_shared<UphillCorrection>(right, factor));

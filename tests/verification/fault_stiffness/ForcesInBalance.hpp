@@ -1,7 +1,7 @@
 #pragma once
 
 #include "fem/BodyMatrices.hpp"
-#include "tnnmg/detail/EigenMatrix.hpp"
+#include "tnnmg/direct/EigenMatrix.hpp"
 #include "unit/fem/Constrained.hpp"
 #include "verification/fault_stiffness/ForcesOfGiven.hpp"
 

@@ -1,0 +1,79 @@
+#include "multigrid/CoarsestSolver.hpp"
+
+#include <utility>
+
+namespace asperity::multigrid
+{
+CoarsestSolver::CoarsestSolver(CoarsestRows rows, std::vector<char> free)
+    : rows_(std::move(rows))
+    , free_(std::move(free))
+{
+}
+
+std::unique_ptr<CoarsestSolver> CoarsestSolver::make(NodeGraph const& graph, CoarsestRows rows,
+                                                     NodeBlocks const& A, std::vector<char> free)
+{
+  std::unique_ptr<CoarsestSolver> solver(new CoarsestSolver(std::move(rows), std::move(free)));
+  const bool has_factor =
+    solver->rows_.sum_shared || graph.rows() == static_cast<std::size_t>(solver->rows_.num_rows);
+  double failed = has_factor && !solver->factorise(graph, A) ? 1 : 0;
+  solver->rows_.sum(&failed, 1);
+  return failed > 0 ? nullptr : std::move(solver);
+}
+
+void CoarsestSolver::sumIfShared(double* values, Eigen::Index count) const
+{
+  if (rows_.sum_shared) {
+    rows_.sum_shared(values, static_cast<int>(count));
+  }
+}
+
+bool CoarsestSolver::factorise(NodeGraph const& graph, NodeBlocks const& A)
+{
+  const int size = graph.row_size;
+  auto const& place = rows_.places;
+  Eigen::MatrixXd matrix = Eigen::MatrixXd::Zero(rows_.num_rows, rows_.num_rows);
+  for (int row = 0; row < graph.num_rows; ++row) {
+    for (int k = graph.first[row]; k < graph.first[row + 1]; ++k) {
+      for (int r = 0; r < size; ++r) {
+        for (int c = 0; c < size; ++c) {
+          matrix(place[row * size + r], place[graph.columns[k] * size + c]) =
+            A[(static_cast<std::size_t>(k) * size + r) * size + c];
+        }
+      }
+    }
+  }
+  Eigen::VectorXd is_free = Eigen::VectorXd::Zero(rows_.num_rows);
+  for (std::size_t i = 0; i < free_.size(); ++i) {
+    is_free(place[i]) = free_[i];
+  }
+  sumIfShared(matrix.data(), matrix.size());
+  sumIfShared(is_free.data(), is_free.size());
+  for (Eigen::Index i = 0; i < is_free.size(); ++i) {
+    if (is_free(i) == 0) {
+      matrix.row(i).setZero();
+      matrix.col(i).setZero();
+      matrix(i, i) = 1;
+    }
+  }
+  matrix.diagonal() *= 1 + 1e-6;
+  factor_.compute(matrix);
+  return factor_.info() == Eigen::Success;
+}
+
+void CoarsestSolver::solve(NodeVector const& b, NodeVector& x) const
+{
+  if (factor_.rows() == 0) {
+    return; // another rank has all rows
+  }
+  Eigen::VectorXd all = Eigen::VectorXd::Zero(factor_.rows());
+  for (std::size_t i = 0; i < free_.size(); ++i) {
+    all(rows_.places[i]) = free_[i] ? b[i] : 0;
+  }
+  sumIfShared(all.data(), all.size());
+  factor_.solveInPlace(all);
+  for (std::size_t i = 0; i < free_.size(); ++i) {
+    x[i] = free_[i] ? static_cast<float>(all(rows_.places[i])) : 0;
+  }
+}
+} // namespace asperity::multigrid

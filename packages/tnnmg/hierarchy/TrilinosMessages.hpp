@@ -1,0 +1,9 @@
+#pragma once
+
+#include <string>
+
+namespace asperity::tnnmg::detail
+{
+// Returns, in one line, the part of a long Trilinos error message that helps a user.
+std::string complaint(std::string const& thrown);
+} // namespace asperity::tnnmg::detail
