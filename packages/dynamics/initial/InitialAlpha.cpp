@@ -71,7 +71,8 @@ friction::NodeView initialAlpha(Fault const& fault, AlphaAtStart kind, FaultAtSt
                      where(node) << " the initial slip rate is zero, for which there is no such "
                                     "state. Give an initial velocity, or State = Given.");
   }
-  const friction::NodeView found("asperity::dynamics::alpha", num_nodes);
+  // nan stays where no state does it
+  auto const found = toDevice(std::vector<double>(num_nodes, nan), "asperity::dynamics::alpha");
   if (kind == AlphaAtStart::steady) {
     fault.state().steadyState(rates, found);
   } else {
