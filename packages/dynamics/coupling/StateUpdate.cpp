@@ -1,6 +1,7 @@
 #include "dynamics/coupling/StateUpdate.hpp"
 
 #include "base/program/WorkTimers.hpp"
+#include "portability/Renamed.hpp"
 
 namespace asperity::dynamics
 {
