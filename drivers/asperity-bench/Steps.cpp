@@ -86,6 +86,7 @@ template <int Dim>
 Cost costOf(ParameterList const& deck, int num_steps, RCP<const Communicator> const& communicator)
 {
   scenario::Evolution<Dim> evolution(deck, communicator);
+  evolution.start();
   auto const& problem = evolution.problem();
   Cost cost;
   cost.num_ranks = communicator->getSize();

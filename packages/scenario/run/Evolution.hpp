@@ -34,8 +34,8 @@ public:
   RunView const& view() const { return view_; } // lives as long as this
   int numEliminated() const; // unknowns eliminated; 0 unless the body is condensed
 
-  // From the deck's initial state, from a state of another run (`state` of stateOfOtherRun), or
-  // from a checkpoint.
+  // Begins, before all that follows: from the deck's initial state, from a state of another run
+  // (`state` of stateOfOtherRun), or from a checkpoint.
   void start();
   void startFrom(io::Archive const& state);
   void restore(io::Archive const& checkpoint);

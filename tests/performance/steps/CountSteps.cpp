@@ -119,6 +119,7 @@ int main(int argc, char** argv)
       asperity::scenario::readCompleteDeck(asperity::parseCommandLine(argc - 1, argv + 1));
     // 2. Make the steps.
     asperity::scenario::Evolution<3> evolution(*deck, communicator);
+    evolution.start();
     counts.clear();
     Kokkos::Tools::Experimental::set_push_region_callback(countRegion);
     for (int i = 0; i < num_steps; ++i) {

@@ -113,7 +113,10 @@ class ReadOnly(unittest.TestCase):
         # Of the rank that writes most, which comes there first.
         total = max(faults.count_operations(runs.fresh("readonly"), *run, ranks=ranks, rank=rank,
                                             kind="readonly") for rank in range(ranks))
-        chosen = random.Random(ranks).sample(range(total // 2, total), faults.trials(2, 60))
+        # The last four complete log and journal when all results are on the disk: no failure. How
+        # often HDF5 writes is not always the same.
+        numbers = range(total // 2, total - 8)
+        chosen = random.Random(ranks).sample(numbers, faults.trials(2, 60))
         for number in sorted(chosen):
             with self.subTest(number=number, ranks=ranks):
                 folder = runs.fresh("readonly")
