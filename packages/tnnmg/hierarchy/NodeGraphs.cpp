@@ -6,7 +6,6 @@
 #include "portability/Renamed.hpp"
 #include "tnnmg/Halo.hpp"
 
-#include <Teuchos_CommHelpers.hpp>
 #include <Tpetra_CrsMatrix.hpp>
 #include <Tpetra_Map.hpp>
 
@@ -183,7 +182,8 @@ multigrid::SumOverRanks sumOver(RCP<const Communicator> const& communicator)
 {
   return [communicator](double* values, int count) {
     const std::vector<double> mine(values, values + count);
-    Teuchos::reduceAll(*communicator, Teuchos::REDUCE_SUM, count, mine.data(), values);
+    auto const all = sumOverRanks(mine, *communicator);
+    std::copy(all.begin(), all.end(), values);
   };
 }
 
