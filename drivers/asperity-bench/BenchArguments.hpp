@@ -1,6 +1,6 @@
 #pragma once
 
-#include "base/program/CommandLine.hpp"
+#include "scenario/deck/CommandLine.hpp"
 
 #include <iosfwd>
 

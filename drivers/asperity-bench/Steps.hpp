@@ -2,7 +2,7 @@
 
 #include "Report.hpp"
 #include "base/Types.hpp"
-#include "base/parameters/Parameters.hpp"
+#include "parameters/Parameters.hpp"
 
 // Makes the first accepted steps of a deck, without outputs. `deck` must be complete. The table has
 // what a coupled step costs; the file has the counts of all of them, in JSON. Collective; the

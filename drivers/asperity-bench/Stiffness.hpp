@@ -2,7 +2,7 @@
 
 #include "Report.hpp"
 #include "base/Types.hpp"
-#include "base/parameters/Parameters.hpp"
+#include "parameters/Parameters.hpp"
 
 // How slip stresses the fault of a deck in the plane on its mesh, see FaultStiffness. The table has
 // the errors of waves of 12, 24, 48, ... cells that fit between the fault's ends. The file, for

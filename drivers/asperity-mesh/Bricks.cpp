@@ -3,12 +3,12 @@
 
 #include "base/Errors.hpp"
 #include "base/Text.hpp"
-#include "base/fields/Expression.hpp"
 #include "mesh/PointText.hpp"
 #include "mesh/faults/Faults.hpp"
 #include "mesh/generation/BoxMesh.hpp"
 #include "mesh/generation/PeriodicMesh.hpp"
 #include "mesh/generation/RectangleMesh.hpp"
+#include "parameters/fields/Expression.hpp"
 
 #include <algorithm>
 #include <memory>

@@ -1,9 +1,9 @@
 // An output of your own: DIR/mean_slip.csv, the mean slip of the fault. io/Output.hpp
 // says what an output has to have.
-#include "base/parameters/Parameters.hpp"
 #include "io/Output.hpp"
 #include "io/WriteRule.hpp"
 #include "io/files/TextTable.hpp"
+#include "parameters/Parameters.hpp"
 
 #include <Teuchos_CommHelpers.hpp>
 

@@ -1,8 +1,8 @@
 #include "io/OutputSet.hpp"
 
 #include "base/Errors.hpp"
-#include "base/parameters/Parameters.hpp"
 #include "io/TextFormat.hpp"
+#include "parameters/Parameters.hpp"
 
 #include <Teuchos_Array.hpp>
 

@@ -1,8 +1,8 @@
 #pragma once
 
-#include "base/parameters/Parameters.hpp"
 #include "io/Archive.hpp"
 #include "io/Output.hpp"
+#include "parameters/Parameters.hpp"
 
 #include <vector>
 

@@ -2,8 +2,8 @@
 
 #include "base/Errors.hpp"
 #include "base/Text.hpp"
-#include "base/parameters/Parameters.hpp"
 #include "catalogue/receivers/PointLocation.hpp"
+#include "parameters/Parameters.hpp"
 
 #include <algorithm>
 #include <cctype>

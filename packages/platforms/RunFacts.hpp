@@ -1,7 +1,7 @@
 #pragma once
 
-#include "base/parameters/Parameters.hpp"
 #include "io/Output.hpp"
+#include "parameters/Parameters.hpp"
 
 #include <string>
 

@@ -2,10 +2,10 @@
 
 #include "base/Errors.hpp"
 #include "base/Text.hpp"
-#include "base/fields/Expression.hpp"
-#include "base/parameters/ParameterValue.hpp"
 #include "catalogue/stress/CoulombPlanes.hpp"
 #include "io/OutputSet.hpp"
+#include "parameters/ParameterValue.hpp"
+#include "parameters/fields/Expression.hpp"
 #include "scenario/deck/DeckAssembly.hpp"
 #include "scenario/deck/Names.hpp"
 #include "scenario/setup/BoundarySetup.hpp"

@@ -1,9 +1,9 @@
 #include "scenario/Fingerprint.hpp"
 
 #include "base/Hashes.hpp"
-#include "base/fields/VertexDataset.hpp"
 #include "base/parallel/Agreement.hpp"
 #include "io/checkpoint/MeshChecksum.hpp"
+#include "parameters/fields/VertexDataset.hpp"
 
 #include <Teuchos_CommHelpers.hpp>
 

@@ -1,8 +1,8 @@
 #pragma once
 
-#include "base/parameters/Parameters.hpp"
 #include "io/checkpoint/Fingerprint.hpp"
 #include "mesh/Mesh.hpp"
+#include "parameters/Parameters.hpp"
 
 namespace asperity::scenario
 {

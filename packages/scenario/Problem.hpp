@@ -1,11 +1,11 @@
 #pragma once
 
 #include "base/Warning.hpp"
-#include "base/parameters/Parameters.hpp"
 #include "dynamics/Model.hpp"
 #include "dynamics/coupling/RateSolver.hpp"
 #include "fem/Material.hpp"
 #include "fem/constraints/Constraints.hpp"
+#include "parameters/Parameters.hpp"
 #include "scenario/setup/BoundarySetup.hpp"
 
 #include <memory>

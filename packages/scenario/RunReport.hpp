@@ -1,9 +1,9 @@
 #pragma once
 
 #include "base/Warning.hpp"
-#include "base/parameters/Parameters.hpp"
 #include "dynamics/EnergyBalance.hpp"
 #include "dynamics/coupling/CoupledStep.hpp"
+#include "parameters/Parameters.hpp"
 #include "scenario/Problem.hpp"
 
 #include <iosfwd>

@@ -1,6 +1,6 @@
 #include "tnnmg/TnnmgSettings.hpp"
 
-#include "base/parameters/Parameters.hpp"
+#include "parameters/Parameters.hpp"
 
 namespace asperity::tnnmg
 {

@@ -1,8 +1,8 @@
 #include "FuzzTarget.hpp"
 #include "Scratch.hpp"
 
-#include "base/fields/Field.hpp"
-#include "base/parameters/XmlDeck.hpp"
+#include "parameters/XmlDeck.hpp"
+#include "parameters/fields/Field.hpp"
 #include "scenario/deck/DeckAssembly.hpp"
 #include "scenario/deck/Names.hpp"
 

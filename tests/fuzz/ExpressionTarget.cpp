@@ -1,7 +1,7 @@
 #include "FuzzTarget.hpp"
 
-#include "base/fields/Expression.hpp"
-#include "base/fields/Field.hpp"
+#include "parameters/fields/Expression.hpp"
+#include "parameters/fields/Field.hpp"
 
 // The input is the text of a field; it is also evaluated as one.
 namespace asperity::fuzz

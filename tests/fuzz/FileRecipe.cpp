@@ -1,7 +1,7 @@
 #include "FileRecipe.hpp"
 
 #include "base/Text.hpp"
-#include "base/hdf5/File.hpp"
+#include "hdf5/File.hpp"
 
 #include <algorithm>
 #include <sstream>

@@ -2,7 +2,7 @@
 
 #include "FileRecipe.hpp"
 
-#include "base/hdf5/File.hpp"
+#include "hdf5/File.hpp"
 #include "mesh/faults/SplitFaults.hpp"
 #include "mesh/file/MeshFile.hpp"
 #include "mesh/file/PartitionedFile.hpp"

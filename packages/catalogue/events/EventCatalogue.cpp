@@ -2,8 +2,8 @@
 
 #include "base/Errors.hpp"
 #include "base/parallel/Reductions.hpp"
-#include "base/parameters/Parameters.hpp"
 #include "catalogue/events/EventTable.hpp"
+#include "parameters/Parameters.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -1,8 +1,8 @@
 #include "catalogue/events/Global.hpp"
 
 #include "base/parallel/Reductions.hpp"
-#include "base/parameters/Parameters.hpp"
 #include "catalogue/events/FaultRates.hpp"
+#include "parameters/Parameters.hpp"
 
 #include <cmath>
 

@@ -1,7 +1,7 @@
 #include "catalogue/events/Rupture.hpp"
 
-#include "base/parameters/Parameters.hpp"
 #include "io/series/SeriesLayout.hpp"
+#include "parameters/Parameters.hpp"
 
 #include <cmath>
 #include <limits>

@@ -1,10 +1,10 @@
 #pragma once
 
-#include "base/parameters/Parameters.hpp"
 #include "catalogue/receivers/ReceiverGroup.hpp"
 #include "io/Output.hpp"
 #include "io/WriteRule.hpp"
 #include "io/series/SegmentedTable.hpp"
+#include "parameters/Parameters.hpp"
 
 #include <map>
 #include <memory>

@@ -1,7 +1,7 @@
 #pragma once
 
-#include "base/parameters/Parameters.hpp"
 #include "fem/stress/CoulombPlane.hpp"
+#include "parameters/Parameters.hpp"
 
 #include <map>
 #include <string>

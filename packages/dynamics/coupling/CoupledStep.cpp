@@ -3,10 +3,10 @@
 #include "base/Errors.hpp"
 #include "base/parallel/Agreement.hpp"
 #include "base/parallel/Reductions.hpp"
-#include "base/parameters/Parameters.hpp"
 #include "base/program/WorkTimers.hpp"
 #include "dynamics/FaultMotion.hpp"
 #include "dynamics/coupling/StateUpdate.hpp"
+#include "parameters/Parameters.hpp"
 #include "portability/Renamed.hpp"
 
 #include <Tpetra_CrsMatrix.hpp>

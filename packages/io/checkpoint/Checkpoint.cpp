@@ -2,10 +2,10 @@
 
 #include "base/Errors.hpp"
 #include "base/Hashes.hpp"
-#include "base/hdf5/File.hpp"
 #include "base/parallel/Agreement.hpp"
 #include "base/parallel/Messages.hpp"
 #include "base/parallel/Reductions.hpp"
+#include "hdf5/File.hpp"
 #include "io/checkpoint/Redistribution.hpp"
 #include "io/checkpoint/SharedArchive.hpp"
 #include "io/files/DurableFile.hpp"

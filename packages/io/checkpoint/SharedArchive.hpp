@@ -1,8 +1,8 @@
 #pragma once
 
 #include "base/Types.hpp"
-#include "base/hdf5/File.hpp"
 #include "base/parallel/Messages.hpp"
+#include "hdf5/File.hpp"
 #include "io/Archive.hpp"
 
 #include <functional>

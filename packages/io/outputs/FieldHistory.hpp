@@ -1,9 +1,9 @@
 #pragma once
 
-#include "base/parameters/Parameters.hpp"
 #include "io/Output.hpp"
 #include "io/WriteRule.hpp"
 #include "io/series/SegmentedSeries.hpp"
+#include "parameters/Parameters.hpp"
 
 #include <string>
 #include <vector>

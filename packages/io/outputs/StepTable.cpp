@@ -1,6 +1,6 @@
-#include "base/parameters/Parameters.hpp"
 #include "io/Output.hpp"
 #include "io/files/TextTable.hpp"
+#include "parameters/Parameters.hpp"
 
 #include <Teuchos_Array.hpp>
 

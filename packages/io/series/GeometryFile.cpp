@@ -1,8 +1,8 @@
 #include "io/series/GeometryFile.hpp"
 
-#include "base/hdf5/File.hpp"
 #include "base/parallel/Agreement.hpp"
 #include "base/parallel/Messages.hpp"
+#include "hdf5/File.hpp"
 #include "io/files/DurableFile.hpp"
 #include "io/parallel/ElementBlocks.hpp"
 #include "io/series/SegmentedTable.hpp"

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "base/Types.hpp"
-#include "base/hdf5/File.hpp"
+#include "hdf5/File.hpp"
 #include "io/Archive.hpp"
 #include "io/parallel/ElementBlocks.hpp"
 #include "io/parallel/NodeBlocks.hpp"

@@ -1,7 +1,7 @@
 #include "mesh/file/PartitionedFile.hpp"
 
 #include "base/Errors.hpp"
-#include "base/hdf5/File.hpp"
+#include "hdf5/File.hpp"
 #include "mesh/MeshQuality.hpp"
 #include "mesh/SplitVertices.hpp"
 #include "mesh/file/detail/CompleteFile.hpp"

@@ -1,7 +1,7 @@
 #include "scenario/deck/DeckAssembly.hpp"
 
-#include "base/fields/VertexDataset.hpp"
-#include "base/parameters/ParameterValue.hpp"
+#include "parameters/ParameterValue.hpp"
+#include "parameters/fields/VertexDataset.hpp"
 #include "scenario/deck/Names.hpp"
 
 #include <algorithm>

@@ -1,8 +1,8 @@
 #pragma once
 
 #include "base/Types.hpp"
-#include "base/parameters/Parameters.hpp"
-#include "base/program/CommandLine.hpp"
+#include "parameters/Parameters.hpp"
+#include "scenario/deck/CommandLine.hpp"
 
 #include <string>
 #include <vector>

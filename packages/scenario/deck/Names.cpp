@@ -2,10 +2,10 @@
 
 #include "base/NearestName.hpp"
 #include "base/Text.hpp"
-#include "base/fields/Expression.hpp"
-#include "base/fields/VertexDataset.hpp"
-#include "base/parameters/Alternatives.hpp"
-#include "base/parameters/ParameterValue.hpp"
+#include "parameters/Alternatives.hpp"
+#include "parameters/ParameterValue.hpp"
+#include "parameters/fields/Expression.hpp"
+#include "parameters/fields/VertexDataset.hpp"
 
 #include <Teuchos_Array.hpp>
 

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "base/Types.hpp"
-#include "base/parameters/Parameters.hpp"
+#include "parameters/Parameters.hpp"
 
 #include <string>
 #include <vector>

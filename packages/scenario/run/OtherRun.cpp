@@ -2,7 +2,6 @@
 
 #include "base/Errors.hpp"
 #include "base/Views.hpp"
-#include "base/program/CommandLine.hpp"
 #include "catalogue/receivers/Interpolation.hpp"
 #include "fem/constraints/NodalFrames.hpp"
 #include "io/checkpoint/Checkpoint.hpp"
@@ -12,6 +11,7 @@
 #include "scenario/OutputFields.hpp"
 #include "scenario/ResolutionCheck.hpp"
 #include "scenario/RunArchive.hpp"
+#include "scenario/deck/CommandLine.hpp"
 #include "scenario/setup/MeshSetup.hpp"
 #include "scenario/setup/TimeSetup.hpp"
 

@@ -2,7 +2,6 @@
 
 #include "base/Errors.hpp"
 #include "base/Text.hpp"
-#include "base/hdf5/File.hpp"
 #include "base/parallel/Agreement.hpp"
 #include "base/parallel/MeetingPoint.hpp"
 #include "base/program/MpiScope.hpp"
@@ -10,6 +9,7 @@
 #include "base/program/Signals.hpp"
 #include "base/program/WorkTimers.hpp"
 #include "dynamics/control/StallWatch.hpp"
+#include "hdf5/File.hpp"
 #include "io/Archive.hpp"
 #include "io/OutputSet.hpp"
 #include "io/checkpoint/Checkpoint.hpp"

@@ -1,9 +1,9 @@
 #pragma once
 
 #include "base/Types.hpp"
-#include "base/parameters/Parameters.hpp"
-#include "base/program/CommandLine.hpp"
+#include "parameters/Parameters.hpp"
 #include "scenario/RunReport.hpp"
+#include "scenario/deck/CommandLine.hpp"
 
 #include <filesystem>
 #include <memory>

@@ -1,7 +1,7 @@
 #pragma once
 
-#include "base/parameters/Parameters.hpp"
 #include "mesh/Mesh.hpp"
+#include "parameters/Parameters.hpp"
 #include "scenario/setup/ConditionTypes.hpp"
 
 #include <string>

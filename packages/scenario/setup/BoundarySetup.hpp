@@ -1,8 +1,8 @@
 #pragma once
 
-#include "base/parameters/Parameters.hpp"
 #include "fem/FaultSurface.hpp"
 #include "fem/constraints/Constraints.hpp"
+#include "parameters/Parameters.hpp"
 #include "scenario/setup/PlateRate.hpp"
 
 #include <string>

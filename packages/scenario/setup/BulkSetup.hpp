@@ -1,9 +1,9 @@
 #pragma once
 
-#include "base/parameters/Parameters.hpp"
 #include "fem/FaultSurface.hpp"
 #include "fem/Material.hpp"
 #include "mesh/Mesh.hpp"
+#include "parameters/Parameters.hpp"
 
 #include <array>
 #include <vector>

@@ -2,7 +2,7 @@
 
 #include "base/Errors.hpp"
 #include "base/Text.hpp"
-#include "base/fields/Field.hpp"
+#include "parameters/fields/Field.hpp"
 #include "scenario/setup/FaultKind.hpp"
 #include "scenario/setup/NodalField.hpp"
 

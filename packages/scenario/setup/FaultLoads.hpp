@@ -1,9 +1,9 @@
 #pragma once
 
-#include "base/parameters/Parameters.hpp"
 #include "dynamics/NormalStress.hpp"
 #include "fem/FaultSurface.hpp"
 #include "fem/constraints/NodalFrames.hpp"
+#include "parameters/Parameters.hpp"
 #include "scenario/setup/NodalField.hpp"
 
 namespace asperity::scenario

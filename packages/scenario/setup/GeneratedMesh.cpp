@@ -1,11 +1,11 @@
 #include "scenario/setup/GeneratedMesh.hpp"
 
-#include "base/fields/Field.hpp"
 #include "mesh/generation/Bisection.hpp"
 #include "mesh/generation/BoxMesh.hpp"
 #include "mesh/generation/PeriodicMesh.hpp"
 #include "mesh/generation/RectangleMesh.hpp"
 #include "mesh/generation/WedgeMesh.hpp"
+#include "parameters/fields/Field.hpp"
 #include "scenario/setup/DeckPaths.hpp"
 #include "scenario/setup/NodalField.hpp"
 

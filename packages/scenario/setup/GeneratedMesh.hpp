@@ -1,7 +1,7 @@
 #pragma once
 
-#include "base/parameters/Parameters.hpp"
 #include "mesh/GlobalMesh.hpp"
+#include "parameters/Parameters.hpp"
 
 #include <vector>
 

@@ -1,11 +1,11 @@
 #pragma once
 
-#include "base/parameters/Parameters.hpp"
 #include "dynamics/Body.hpp"
 #include "dynamics/Fault.hpp"
 #include "dynamics/State.hpp"
 #include "dynamics/coupling/RateSolver.hpp"
 #include "fem/constraints/NodalFrames.hpp"
+#include "parameters/Parameters.hpp"
 
 namespace asperity::scenario
 {

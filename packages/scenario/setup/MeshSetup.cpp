@@ -1,7 +1,6 @@
 #include "scenario/setup/MeshSetup.hpp"
 
 #include "base/Errors.hpp"
-#include "base/fields/Field.hpp"
 #include "base/program/WorkTimers.hpp"
 #include "mesh/Boundaries.hpp"
 #include "mesh/Regions.hpp"
@@ -10,6 +9,7 @@
 #include "mesh/file/MeshFile.hpp"
 #include "mesh/file/PartitionedFile.hpp"
 #include "mesh/parallel/Partition.hpp"
+#include "parameters/fields/Field.hpp"
 #include "refinement/UniformRefinement.hpp"
 #include "scenario/setup/DeckPaths.hpp"
 #include "scenario/setup/GeneratedMesh.hpp"

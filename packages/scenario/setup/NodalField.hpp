@@ -1,8 +1,8 @@
 #pragma once
 
 #include "base/Text.hpp"
-#include "base/fields/Field.hpp"
 #include "mesh/Mesh.hpp"
+#include "parameters/fields/Field.hpp"
 
 #include <array>
 #include <string>

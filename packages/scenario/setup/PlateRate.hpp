@@ -1,9 +1,9 @@
 #pragma once
 
-#include "base/fields/Field.hpp"
 #include "fem/FaultSurface.hpp"
 #include "fem/constraints/NodalFrames.hpp"
 #include "mesh/Mesh.hpp"
+#include "parameters/fields/Field.hpp"
 
 #include <memory>
 #include <string>

@@ -1,7 +1,7 @@
 #pragma once
 
-#include "base/parameters/Parameters.hpp"
 #include "dynamics/coupling/RateSolver.hpp"
+#include "parameters/Parameters.hpp"
 
 #include <string>
 

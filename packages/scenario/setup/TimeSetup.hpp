@@ -1,7 +1,7 @@
 #pragma once
 
-#include "base/parameters/Parameters.hpp"
 #include "dynamics/control/StepControl.hpp"
+#include "parameters/Parameters.hpp"
 
 namespace asperity::scenario
 {

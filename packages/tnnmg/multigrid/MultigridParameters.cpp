@@ -1,6 +1,6 @@
 #include "tnnmg/multigrid/MultigridParameters.hpp"
 
-#include "base/parameters/Parameters.hpp"
+#include "parameters/Parameters.hpp"
 #include "tnnmg/hierarchy/MultigridHierarchy.hpp"
 
 #include <string>

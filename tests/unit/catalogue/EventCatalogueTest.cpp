@@ -1,6 +1,6 @@
 #include "catalogue/events/EventCatalogue.hpp"
 #include "base/Errors.hpp"
-#include "base/parameters/Parameters.hpp"
+#include "parameters/Parameters.hpp"
 #include "unit/io/Stage.hpp"
 
 #include <cmath>

@@ -1,4 +1,4 @@
-#include "base/parameters/Parameters.hpp"
+#include "parameters/Parameters.hpp"
 #include "unit/io/Stage.hpp"
 
 #include <cmath>

@@ -1,5 +1,5 @@
-#include "base/hdf5/File.hpp"
-#include "base/parameters/Parameters.hpp"
+#include "hdf5/File.hpp"
+#include "parameters/Parameters.hpp"
 #include "unit/io/Stage.hpp"
 
 #include <cmath>

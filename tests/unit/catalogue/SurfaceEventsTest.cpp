@@ -1,6 +1,6 @@
-#include "base/hdf5/File.hpp"
-#include "base/parameters/Parameters.hpp"
 #include "catalogue/events/EventCatalogue.hpp"
+#include "hdf5/File.hpp"
+#include "parameters/Parameters.hpp"
 #include "unit/io/BlockMesh.hpp"
 #include "unit/io/Stage.hpp"
 

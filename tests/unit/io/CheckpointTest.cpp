@@ -1,5 +1,5 @@
 #include "io/checkpoint/Checkpoint.hpp"
-#include "base/hdf5/File.hpp"
+#include "hdf5/File.hpp"
 #include "io/checkpoint/SharedArchive.hpp"
 #include "unit/io/Support.hpp"
 

@@ -1,6 +1,6 @@
-#include "base/hdf5/File.hpp"
-#include "base/parameters/Parameters.hpp"
+#include "hdf5/File.hpp"
 #include "io/files/TextTable.hpp"
+#include "parameters/Parameters.hpp"
 #include "unit/io/Body.hpp"
 
 using namespace asperity;

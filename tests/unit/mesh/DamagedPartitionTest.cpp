@@ -1,7 +1,7 @@
 #include "MeshSamples.hpp"
 #include "SharedFolder.hpp"
 
-#include "base/hdf5/Handle.hpp"
+#include "hdf5/Handle.hpp"
 #include "mesh/faults/Faults.hpp"
 #include "mesh/faults/SplitFaults.hpp"
 #include "mesh/file/MeshFile.hpp"

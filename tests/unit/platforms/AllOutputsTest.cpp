@@ -1,6 +1,6 @@
-#include "base/hdf5/File.hpp"
-#include "base/parameters/Parameters.hpp"
+#include "hdf5/File.hpp"
 #include "io/TextFormat.hpp"
+#include "parameters/Parameters.hpp"
 #include "unit/io/Body.hpp"
 
 // All outputs of a run with the files for the platforms.

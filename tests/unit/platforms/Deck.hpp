@@ -1,7 +1,7 @@
 #pragma once
 
-#include "base/parameters/Parameters.hpp"
 #include "io/OutputSet.hpp"
+#include "parameters/Parameters.hpp"
 #include "unit/io/Stage.hpp"
 
 #include <string>

@@ -1,8 +1,8 @@
 #include "scenario/deck/Names.hpp"
 
 #include "SampleDeck.hpp"
-#include "base/fields/Expression.hpp"
-#include "base/parameters/ParameterValue.hpp"
+#include "parameters/ParameterValue.hpp"
+#include "parameters/fields/Expression.hpp"
 
 #include <cmath>
 

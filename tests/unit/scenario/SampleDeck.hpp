@@ -1,10 +1,10 @@
 #pragma once
 
 #include "base/Types.hpp"
-#include "base/parameters/Parameters.hpp"
 #include "fem/FaultSurface.hpp"
 #include "friction/Types.hpp"
 #include "mesh/Mesh.hpp"
+#include "parameters/Parameters.hpp"
 #include "unit/base/Refusal.hpp"
 
 #include <functional>

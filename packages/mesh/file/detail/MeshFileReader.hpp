@@ -1,6 +1,6 @@
 #pragma once
 
-#include "base/hdf5/File.hpp"
+#include "hdf5/File.hpp"
 
 #include <array>
 #include <cstddef>

@@ -1,0 +1,167 @@
+#include "parameters/fields/Expression.hpp"
+
+#include "base/Errors.hpp"
+#include "base/Text.hpp"
+
+#include <muParser.h>
+
+#include <algorithm>
+#include <cctype>
+#include <charconv>
+#include <cmath>
+#include <utility>
+
+namespace asperity
+{
+struct Expression::Parser
+{
+  mu::Parser parser;
+  double x = 0.0, y = 0.0, z = 0.0, t = 0.0;
+  bool uses_space = false, uses_time = false;
+
+  Parser()
+  {
+    parser.DefineVar("x", &x);
+    parser.DefineVar("y", &y);
+    parser.DefineVar("z", &z);
+    parser.DefineVar("t", &t);
+    parser.DefineConst("pi", 3.14159265358979323846);
+    parser.DefineConst("e", 2.71828182845904523536);
+    parser.DefineFun("floor", static_cast<double (*)(double)>(std::floor));
+    parser.DefineFun("ceil", static_cast<double (*)(double)>(std::ceil));
+    parser.DefineFun("erf", static_cast<double (*)(double)>(std::erf));
+    parser.DefineFun("erfc", static_cast<double (*)(double)>(std::erfc));
+    parser.DefineFun("if", [](double c, double a, double b) { return c != 0.0 ? a : b; });
+  }
+
+  // The values at the origin at t = 0, one for each formula of the text.
+  std::vector<double> read(std::string const& text, std::string const& path);
+};
+
+namespace
+{
+// muParser takes a single = for an assignment, which changes what comes after it.
+void refuseAssignment(std::string const& text, std::string const& path)
+{
+  for (std::size_t i = 0; i < text.size(); ++i) {
+    if (std::string("<>=!").find(text[i]) != std::string::npos && text[i + 1] == '=') {
+      ++i; // a comparison
+    } else {
+      ASPERITY_REQUIRE(text[i] != '=', path << " = '" << excerpt(text) << "' has a single = ("
+                                            << "character " << i + 1 << ", before '"
+                                            << excerpt(text.substr(i))
+                                            << "'). Write == to compare.");
+    }
+  }
+}
+
+[[noreturn]] void refuse(std::string const& text, std::string const& path,
+                         mu::ParserError const& error)
+{
+  const auto position = static_cast<std::size_t>(error.GetPos());
+  std::ostringstream message;
+  message << path << " = '" << excerpt(text)
+          << "' is no valid expression: " << excerpt(error.GetMsg());
+  if (position < text.size()) {
+    message << " (character " << position + 1 << ", before '" << excerpt(text.substr(position))
+            << "')";
+  }
+  message << " It may use x, y, z, t, pi, e, the deck's Names, " << Expression::operations() << ".";
+  throw InputError(message.str());
+}
+} // namespace
+
+std::vector<double> Expression::Parser::read(std::string const& text, std::string const& path)
+{
+  refuseAssignment(text, path);
+  try {
+    parser.SetExpr(text);
+    parser.Eval(); // GetUsedVar alone accepts unknown names
+    for (auto const& variable : parser.GetUsedVar()) {
+      (variable.first == "t" ? uses_time : uses_space) = true;
+    }
+    int count = 0;
+    double const* values = parser.Eval(count);
+    return {values, values + count};
+  } catch (mu::ParserError const& error) {
+    refuse(text, path, error);
+  }
+}
+
+Expression::Expression(std::string const& text, std::string const& path)
+    : parser_(std::make_unique<Parser>())
+    , text_(text)
+{
+  const auto results = parser_->read(text, path).size();
+  ASPERITY_REQUIRE(results == 1, path << " = '" << excerpt(text) << "' has " << results
+                                      << " values; write 1.5 rather than 1,5.");
+}
+
+std::optional<std::vector<double>> Expression::constants(std::string const& text,
+                                                         std::string const& path)
+{
+  Parser parser;
+  auto values = parser.read(text, path);
+  return parser.uses_space || parser.uses_time ? std::nullopt : std::optional(std::move(values));
+}
+
+Expression::~Expression() = default;
+
+std::string Expression::operations()
+{
+  std::string text = "+ - * / ^, comparisons, && || !, c ? a : b, and the functions ";
+  const Parser with_all;
+  for (auto const& function : with_all.parser.GetFunDef()) {
+    text += (text.back() == ' ' ? "" : ", ") + function.first;
+  }
+  return text;
+}
+
+std::vector<std::string> Expression::reservedNames()
+{
+  std::vector<std::string> names = {"x", "y", "z", "t", "pi", "e"};
+  const Parser with_all;
+  for (auto const& function : with_all.parser.GetFunDef()) {
+    names.push_back(function.first);
+  }
+  return names;
+}
+
+double Expression::operator()(std::array<double, 3> const& x, double t) const
+{
+  parser_->x = x[0];
+  parser_->y = x[1];
+  parser_->z = x[2];
+  parser_->t = t;
+  return parser_->parser.Eval();
+}
+
+bool Expression::dependsOnSpace() const { return parser_->uses_space; }
+
+bool Expression::dependsOnTime() const { return parser_->uses_time; }
+
+std::vector<FormulaPart> formulaParts(std::string const& text)
+{
+  const auto is_digit = [](char c) { return std::isdigit(static_cast<unsigned char>(c)) != 0; };
+  const auto is_of_name = [](char c) {
+    return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_';
+  };
+  const char* const end = text.data() + text.size();
+  std::vector<FormulaPart> parts;
+  for (const char* begin = text.data(); begin != end; begin += parts.back().text.size()) {
+    double value = 0;
+    const char* const after_number =
+      is_digit(*begin) || *begin == '.' ? std::from_chars(begin, end, value).ptr : begin;
+    const char* const after_name = std::find_if_not(begin, end, is_of_name);
+    if (after_number != begin) {
+      parts.push_back({std::string(begin, after_number), true, false});
+    } else if (after_name != begin) {
+      const char* const next = std::find_if(after_name, end, [](char c) { return c != ' '; });
+      parts.push_back({std::string(begin, after_name), false, next == end || *next != '('});
+    } else {
+      parts.push_back({std::string(1, *begin), false, false});
+    }
+  }
+  return parts;
+}
+} // namespace asperity

@@ -1,0 +1,141 @@
+#include "parameters/fields/Field.hpp"
+
+#include "base/NearestName.hpp"
+#include "base/Text.hpp"
+#include "parameters/ParameterInfo.hpp"
+#include "parameters/ParameterValue.hpp"
+#include "parameters/fields/Expression.hpp"
+#include "parameters/fields/VertexDataset.hpp"
+
+#include <algorithm>
+
+namespace asperity
+{
+namespace
+{
+std::string positionText(std::array<double, 3> const& x, double t)
+{
+  return "(x, y, z) = (" + formatShort(x[0]) + ", " + formatShort(x[1]) + ", " + formatShort(x[2]) +
+         ") m, t = " + formatShort(t) + " s";
+}
+
+// After the end of a sentence.
+std::string nextSentence(std::string const& text) { return text.empty() ? "" : " " + text; }
+} // namespace
+
+Field Field::constant(double value)
+{
+  Field field;
+  field.parts_.resize(1);
+  field.parts_[0].value = value;
+  return field;
+}
+
+Field::Field(ParameterList const& list, std::string const& name, std::string const& path,
+             std::vector<std::string> const& region_names)
+    : path_(joinPath(path, name))
+{
+  ASPERITY_REQUIRE(list.isParameter(name), path_ << " is missing.");
+  if (const auto info = parameterInfo(list, name); !info.is_null()) {
+    range_ = info->range;
+    hint_ = info->hint;
+  }
+  auto const& entry = list.getEntry(name);
+  if (entry.isList()) {
+    readRegions(get<ParameterList>(entry), region_names);
+  } else if (holds<std::string>(entry) && VertexDataset::isName(get<std::string>(entry))) {
+    dataset_ = std::make_shared<VertexDataset>(get<std::string>(entry), path_);
+  } else {
+    parts_.push_back(makePart(entry, path_));
+  }
+}
+
+Field::Part Field::makePart(Teuchos::ParameterEntry const& entry, std::string const& path) const
+{
+  Part part;
+  part.path = path;
+  if (holds<std::string>(entry)) {
+    part.expression = std::make_shared<Expression>(get<std::string>(entry), path);
+    if (!part.expression->dependsOnSpace() && !part.expression->dependsOnTime()) {
+      part.value = evaluate(part, {0.0, 0.0, 0.0}, 0.0);
+      part.expression.reset();
+    }
+    return part;
+  }
+  const auto number = numberIn(entry);
+  ASPERITY_REQUIRE(number, path << " = " << valueText(entry) << " is " << typeText(entry)
+                                << ", but a number or an expression is wanted.");
+  part.value = *number;
+  ASPERITY_REQUIRE(range_.contains(part.value), path << " = " << formatNumber(part.value)
+                                                     << " is outside " << range_.text() << "."
+                                                     << nextSentence(hint_));
+  return part;
+}
+
+void Field::readRegions(ParameterList const& regions, std::vector<std::string> const& region_names)
+{
+  for (auto const& name : namesIn(regions)) {
+    const bool exists =
+      std::find(region_names.begin(), region_names.end(), name) != region_names.end();
+    ASPERITY_REQUIRE(exists, path_ << " / " << name << ": '" << name
+                                   << "' is not a region of the mesh."
+                                   << didYouMean(name, region_names)
+                                   << " A layer that is thinner than the cells is not in the mesh: "
+                                      "is the cell size too large?");
+  }
+  for (auto const& name : region_names) {
+    ASPERITY_REQUIRE(regions.isParameter(name),
+                     path_ << " has no value for the region '" << name
+                           << "'. The mesh has the regions " << quotedNames(region_names)
+                           << ", the list has " << quotedNames(namesIn(regions)) << ".");
+    parts_.push_back(makePart(regions.getEntry(name), joinPath(path_, name)));
+  }
+}
+
+void Field::refuseDataset() const
+{
+  throw InputError(path_ + " is a dataset, which has values at vertices only. Give a number, an "
+                           "expression, or one of them per region.");
+}
+
+double Field::evaluate(Part const& part, std::array<double, 3> const& x, double t) const
+{
+  const double value = (*part.expression)(x, t);
+  ASPERITY_REQUIRE(range_.contains(value),
+                   part.path << " = '" << excerpt(part.expression->text()) << "' is "
+                             << formatNumber(value) << " at " << positionText(x, t) << ", outside "
+                             << range_.text() << "." << nextSentence(hint_));
+  return value;
+}
+
+std::vector<double> Field::values(std::vector<long long> const& global_ids,
+                                  long long num_vertices) const
+{
+  ASPERITY_ASSERT(isDataset());
+  auto values = dataset_->read(global_ids, num_vertices);
+  for (std::size_t i = 0; i < values.size(); ++i) {
+    ASPERITY_REQUIRE(range_.contains(values[i]),
+                     path_ << " = '" << dataset_->name() << "' is " << formatNumber(values[i])
+                           << " at vertex " << global_ids[i] << ", outside " << range_.text() << "."
+                           << nextSentence(hint_));
+  }
+  return values;
+}
+
+bool Field::isConstant() const
+{
+  const auto is_same = [this](Part const& part) {
+    return !part.expression && part.value == parts_[0].value;
+  };
+  return !isDataset() && std::all_of(parts_.begin(), parts_.end(), is_same);
+}
+
+bool Field::isZero() const { return isConstant() && !parts_.empty() && parts_[0].value == 0.0; }
+
+bool Field::dependsOnTime() const
+{
+  return std::any_of(parts_.begin(), parts_.end(), [](Part const& part) {
+    return part.expression && part.expression->dependsOnTime();
+  });
+}
+} // namespace asperity

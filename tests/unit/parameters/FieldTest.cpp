@@ -1,0 +1,249 @@
+#include "parameters/fields/Field.hpp"
+
+#include "unit/base/Refusal.hpp"
+
+#include <hdf5.h>
+
+#include <chrono>
+#include <cmath>
+#include <cstdlib>
+
+namespace
+{
+using namespace asperity;
+using asperity::test::expectParts;
+using asperity::test::refusal;
+using asperity::test::TemporaryDirectory;
+
+const std::vector<std::string> regions = {"upper", "lower"};
+constexpr std::array<double, 3> origin = {0.0, 0.0, 0.0};
+
+// A list completed against a declaration of "a" in the range.
+template <class T>
+ParameterList listWith(T const& value, Range range = Range::any())
+{
+  ParameterList list;
+  list.set("a", value);
+  completeAndValidate(list,
+                      *Declare()
+                         .field("a", required, "-", range, "A.")
+                         .hint("Typical values are 0.005 to 0.03.")
+                         .list(),
+                      "Friction");
+  return list;
+}
+
+template <class T>
+Field fieldOf(T const& value, Range range = Range::any())
+{
+  return Field(listWith(value, range), "a", "Friction", regions);
+}
+
+Field expression(std::string const& text, Range range = Range::any())
+{
+  return fieldOf(text, range);
+}
+
+TEST(Field, RefusesAnAssignmentInAnExpression)
+{
+  for (char const* text : {"x=0 ? 5e6 : 4e6", "(x=3)*0 + x", "x <= 1 && y = 2", "x===1"}) {
+    expectParts(refusal([&] { expression(text); }), {"Friction / a = '", "single =", "=="});
+  }
+  EXPECT_EQ(expression("x == 0 && y <= 1 && y >= -1 && z != 1 ? 5 : 4")(origin, 0.0, 0), 5.0);
+}
+
+TEST(Field, Number)
+{
+  const Field field = fieldOf(2.5);
+  EXPECT_EQ(field(origin, 0.0, 0), 2.5);
+  EXPECT_TRUE(field.isConstant());
+  EXPECT_FALSE(field.isZero());
+  EXPECT_FALSE(field.dependsOnTime());
+  EXPECT_FALSE(field.isDataset());
+  EXPECT_EQ(field.path(), "Friction / a");
+  EXPECT_EQ(Field::constant(3.0)(origin, 0.0, 7), 3.0);
+  EXPECT_TRUE(Field::constant(0.0).isZero());
+}
+
+TEST(Field, ExpressionInSpaceAndTime)
+{
+  const Field field = expression("x + 10*y + 100*z + 1000*t");
+  EXPECT_DOUBLE_EQ(field({1, 2, 3}, 4, 0), 4321.0);
+  EXPECT_TRUE(field.dependsOnTime());
+  EXPECT_FALSE(field.isConstant());
+  EXPECT_FALSE(expression("x*y").dependsOnTime());
+}
+
+TEST(Field, FunctionsConstantsAndConditions)
+{
+  EXPECT_DOUBLE_EQ(expression("cos(pi) + e*0")(origin, 0, 0), -1.0);
+  EXPECT_DOUBLE_EQ(expression("x < 0.3 && x > 0.1 ? 0.02 : 0.01")({0.2, 0, 0}, 0, 0), 0.02);
+  EXPECT_DOUBLE_EQ(expression("if(x < 0.3, 1, 2)")({0.4, 0, 0}, 0, 0), 2.0);
+  EXPECT_DOUBLE_EQ(expression("min(1, x, 3) + max(x, 2)")({0.5, 0, 0}, 0, 0), 2.5);
+  EXPECT_DOUBLE_EQ(expression("tanh(x) + exp(x) + ln(x)")({1, 0, 0}, 0, 0),
+                   std::tanh(1.0) + std::exp(1.0));
+  EXPECT_DOUBLE_EQ(expression("x^2 + floor(1.7) + ceil(0.2) + abs(-1)")({3, 0, 0}, 0, 0), 12.0);
+}
+
+TEST(Field, ExpressionWithoutVariablesIsAConstant)
+{
+  EXPECT_TRUE(expression("2*pi").isConstant());
+  EXPECT_TRUE(expression("1 - 1").isZero());
+  EXPECT_TRUE(expression("0").isZero());
+  EXPECT_FALSE(expression("0*x").isZero());
+}
+
+TEST(Field, ValuePerRegion)
+{
+  ParameterList list;
+  list.sublist("a").set("lower", std::string("1 + t")).set("upper", 7);
+  const Field field(list, "a", "Friction", regions);
+  EXPECT_EQ(field(origin, 2.0, 0), 7.0);
+  EXPECT_EQ(field(origin, 2.0, 1), 3.0);
+  EXPECT_TRUE(field.dependsOnTime());
+  EXPECT_FALSE(field.isConstant());
+  ParameterList same;
+  same.sublist("a").set("lower", 0.0).set("upper", 0);
+  EXPECT_TRUE(Field(same, "a", "Friction", regions).isZero());
+}
+
+TEST(Field, CopiesGiveTheSameValues)
+{
+  const Field field = expression("x + t");
+  const Field copy = field; // NOLINT(performance-unnecessary-copy-initialization): the test
+  EXPECT_EQ(copy({1, 0, 0}, 2, 0), 3.0);
+  EXPECT_EQ(field({5, 0, 0}, 2, 0), 7.0);
+}
+
+TEST(Field, RegionsMustBeThoseOfTheMesh)
+{
+  ParameterList misspelled;
+  misspelled.sublist("a").set("uper", 1.0).set("lower", 1.0);
+  expectParts(refusal([&] { Field(misspelled, "a", "Friction", regions); }),
+              {"Friction / a / uper", "not a region", "Did you mean 'upper'?"});
+  ParameterList missing;
+  missing.sublist("a").set("upper", 1.0);
+  expectParts(refusal([&] { Field(missing, "a", "Friction", regions); }),
+              {"Friction / a", "no value for the region 'lower'", "'upper', 'lower'"});
+  expectParts(refusal([&] { Field(missing, "b", "Friction", regions); }),
+              {"Friction / b is missing"});
+}
+
+TEST(Field, BadExpressionsNameThePlace)
+{
+  expectParts(refusal([] { expression("1 + foo*x"); }),
+              {"Friction / a = '1 + foo*x'", "foo", "character 5"});
+  expectParts(refusal([] { expression("2*(x + 1"); }), {"Friction / a", "parenthesis"});
+  expectParts(refusal([] { expression("1 +"); }), {"Friction / a = '1 +'"});
+  expectParts(refusal([] { expression(""); }), {"Friction / a = ''"});
+  expectParts(refusal([] { expression("sin(x, y)"); }), {"Friction / a", "sin"});
+  expectParts(refusal([] { expression("1, 5"); }), {"Friction / a = '1, 5'", "2 values"});
+  ParameterList list;
+  list.sublist("a").set("upper", 1.0).set("lower", std::string("q"));
+  expectParts(refusal([&] { Field(list, "a", "Friction", regions); }),
+              {"Friction / a / lower = 'q'"});
+}
+
+TEST(Field, RangeHoldsWhereverItIsEvaluated)
+{
+  const Field field = expression("0.01 - x", Range::positive());
+  EXPECT_DOUBLE_EQ(field(origin, 0, 0), 0.01);
+  expectParts(refusal([&] {
+                field({0.5, -2, 0}, 3, 0);
+              }),
+              {"Friction / a = '0.01 - x' is -0.49", "(0.5, -2, 0) m", "t = 3 s", "(0, inf)",
+               "Typical values are 0.005 to 0.03."});
+  expectParts(refusal([] { expression("1 - 2", Range::positive()); }),
+              {"Friction / a", "-1", "(0, inf)"});
+}
+
+TEST(Field, NoNanNoInfinity)
+{
+  expectParts(refusal([] { expression("1/x")(origin, 0, 0); }),
+              {"Friction / a", "inf", "(0, 0, 0) m"});
+  expectParts(refusal([] {
+                expression("sqrt(x)")({-1, 0, 0}, 0, 0);
+              }),
+              {"Friction / a", "nan", "(-1, 0, 0) m"});
+}
+
+TEST(Field, CopiedListKeepsTheRange)
+{
+  const ParameterList copy = listWith(std::string("x"), Range::positive());
+  const Field field(copy, "a", "Friction", regions);
+  expectParts(refusal([&] { field({-1, 0, 0}, 0, 0); }), {"(0, inf)"});
+}
+
+// Evaluating a constant must cost next to nothing: it stands in loops over all vertices and steps.
+TEST(Field, ConstantsAreCheap)
+{
+  if (std::getenv("ASPERITY_SANITIZER")) {
+    GTEST_SKIP() << "With a sanitizer nothing is cheap.";
+  }
+  const Field field = fieldOf(1.5);
+  const auto start = std::chrono::steady_clock::now();
+  double sum = 0.0;
+  constexpr int calls = 1000000;
+  for (int i = 0; i < calls; ++i) {
+    sum += field({i * 1e-6, 0, 0}, 0, i & 1);
+  }
+  const std::chrono::duration<double> elapsed = std::chrono::steady_clock::now() - start;
+  EXPECT_EQ(sum, 1.5 * calls);
+  EXPECT_LT(elapsed.count() / calls, 100e-9);
+  RecordProperty("nanoseconds_per_call", static_cast<int>(elapsed.count() / calls * 1e9));
+}
+
+void writeDataset(std::string const& file_name, std::string const& name,
+                  std::vector<double> const& values, std::vector<hsize_t> const& shape)
+{
+  const hid_t file = H5Fcreate(file_name.c_str(), H5F_ACC_TRUNC, H5P_DEFAULT, H5P_DEFAULT);
+  const hid_t space = H5Screate_simple(static_cast<int>(shape.size()), shape.data(), nullptr);
+  const hid_t dataset =
+    H5Dcreate2(file, name.c_str(), H5T_IEEE_F64LE, space, H5P_DEFAULT, H5P_DEFAULT, H5P_DEFAULT);
+  H5Dwrite(dataset, H5T_NATIVE_DOUBLE, H5S_ALL, H5S_ALL, H5P_DEFAULT, values.data());
+  H5Dclose(dataset);
+  H5Sclose(space);
+  H5Fclose(file);
+}
+
+TEST(FieldDataset, ValuesByGlobalId)
+{
+  const TemporaryDirectory directory;
+  const auto file = directory.file("field.h5");
+  std::vector<double> values(300000); // several blocks
+  for (std::size_t i = 0; i < values.size(); ++i) {
+    values[i] = 0.5 * static_cast<double>(i);
+  }
+  writeDataset(file, "a", values, {values.size()});
+  const Field field = fieldOf(file + ":/a", Range::atLeast(0));
+  EXPECT_TRUE(field.isDataset());
+  EXPECT_FALSE(field.isConstant());
+  EXPECT_FALSE(field.isZero());
+  EXPECT_EQ(field.values({299999, 0, 131072, 7, 7}, 300000),
+            (std::vector<double>{149999.5, 0, 65536, 3.5, 3.5}));
+  EXPECT_TRUE(field.values({}, 300000).empty());
+  for (long long of_another_mesh : {299999, 300001}) {
+    expectParts(refusal([&] { field.values({3}, of_another_mesh); }),
+                {"Friction / a", "300000 values", std::to_string(of_another_mesh) + " vertices"});
+  }
+}
+
+TEST(FieldDataset, Refusals)
+{
+  const TemporaryDirectory directory;
+  const auto file = directory.file("field.h5");
+  writeDataset(file, "a", {1, -2, 3, 4}, {4});
+  expectParts(refusal([&] {
+                fieldOf(file + ":/a", Range::positive()).values({0, 1}, 4);
+              }),
+              {"Friction / a", "-2", "vertex 1", "(0, inf)"});
+  expectParts(refusal([&] { fieldOf(file + ":/b"); }), {"Friction / a", "no dataset '/b'"});
+  expectParts(refusal([&] { fieldOf(directory.file("none.h5") + ":/a"); }),
+              {"Friction / a", "no file", "none.h5"});
+  const auto text = directory.write("text.h5", "not HDF5");
+  expectParts(refusal([&] { fieldOf(text + ":/a"); }),
+              {"Friction / a", "cannot be read as an HDF5 file"});
+  writeDataset(file, "square", {1, 2, 3, 4}, {2, 2});
+  expectParts(refusal([&] { fieldOf(file + ":/square"); }), {"Friction / a", "one-dimensional"});
+}
+} // namespace
