@@ -29,7 +29,8 @@ set(work "${PROJECT_BINARY_DIR}/manual_work")
 configure_file("${PROJECT_SOURCE_DIR}/docs/Doxyfile.in" "${work}/Doxyfile" @ONLY)
 # The pages of the API are added to a copy of docs/.
 add_custom_target(manual
-  COMMAND "${CMAKE_COMMAND}" -E rm -rf "${work}/pages" "${work}/xml" "${site}"
+  COMMAND "${CMAKE_COMMAND}" -E rm -rf "${work}/pages" "${work}/xml" "${work}/doctrees"
+    "${site}"
   COMMAND "${CMAKE_COMMAND}" -E copy_directory "${PROJECT_SOURCE_DIR}/docs" "${work}/pages"
   COMMAND "${ASPERITY_DOXYGEN}" "${work}/Doxyfile"
   COMMAND "${ASPERITY_PYTHON}" -B docs/api_pages.py packages "${work}/xml"

@@ -87,7 +87,7 @@ FaultStiffness stiffnessOfFault(ParameterList const& deck,
     dofs.push_back(surface[node].dofs[0]);
   }
   const tnnmg::SchurComplement equilibrium(
-    *fem::combine(problem.body.matrices, 0, 0, 1, problem.body.held), dofs);
+    *fem::combine(problem.body.matrices, fem::of_stiffness, problem.body.held), dofs);
 
   FaultStiffness result;
   auto const S = toHost(equilibrium.matrix());

@@ -70,10 +70,9 @@ void NormalReaction::compression(Vector const& l, Vector const& u, Vector const&
   compression(r, R);
 }
 
-RCP<const CrsMatrix> NormalReaction::rows(double factor_mass, double factor_viscosity,
-                                          double factor_stiffness) const
+RCP<const CrsMatrix> NormalReaction::rows(fem::Weights const& weights) const
 {
-  auto const Z = fem::combine(body_.matrices, factor_mass, factor_viscosity, factor_stiffness);
+  auto const Z = fem::combine(body_.matrices, weights);
   auto const graph = Z->getCrsGraph();
   auto result = rcp(new CrsMatrix(map_, graph->getColMap(), maxLocalRowEntries(*graph)));
   auto const local = Z->getLocalMatrixHost();

@@ -2,6 +2,7 @@
 
 #include "base/Views.hpp"
 #include "dynamics/State.hpp"
+#include "fem/BodyMatrices.hpp"
 
 #include <string>
 
@@ -43,6 +44,8 @@ struct RateUpdate
   // mode by the spectral radius in [0, 1]: 0 removes it, 1 is Newmark with beta = 1/4.
   static RateUpdate generalisedAlpha(double spectral_radius);
 
+  // Z = lambda_M / tau M + C + tau / lambda_K K, the derivative of M a1 + C v1 + K u1 by v1.
+  fem::Weights weights(double tau) const { return {mass_weight / tau, 1, tau * stiffness_weight}; }
   // u^ and a^ for a step of tau [s].
   void predict(State const& from, double tau, Vector& u_hat, Vector& a_hat) const;
   // u1 and a1 for the velocity v1 = `velocity`.

@@ -163,17 +163,16 @@ void leaveDiagonalOfHeld(CrsMatrix::local_matrix_device_type const& matrix,
     });
 }
 
-RCP<CrsMatrix> combineEntries(BodyMatrices const& body, double factor_mass, double factor_viscosity,
-                              double factor_stiffness)
+RCP<CrsMatrix> combineEntries(BodyMatrices const& body, Weights const& weights)
 {
   ASPERITY_ASSERT(body.mass->getColMap()->isSameAs(*body.stiffness->getColMap()) &&
                   body.viscosity->getColMap()->isSameAs(*body.stiffness->getColMap()));
   auto result = rcp(new CrsMatrix(body.stiffness->getCrsGraph()));
   auto const to = result->getLocalMatrixDevice();
   Kokkos::deep_copy(to.values, 0.);
-  addEntries(to, factor_mass, body.mass->getLocalMatrixDevice());
-  addEntries(to, factor_viscosity, body.viscosity->getLocalMatrixDevice());
-  addEntries(to, factor_stiffness, body.stiffness->getLocalMatrixDevice());
+  addEntries(to, weights.mass, body.mass->getLocalMatrixDevice());
+  addEntries(to, weights.viscosity, body.viscosity->getLocalMatrixDevice());
+  addEntries(to, weights.stiffness, body.stiffness->getLocalMatrixDevice());
   return result;
 }
 
@@ -186,16 +185,14 @@ RCP<CrsMatrix> finished(RCP<CrsMatrix> const& matrix)
 }
 } // namespace
 
-RCP<CrsMatrix> combine(BodyMatrices const& body, double factor_mass, double factor_viscosity,
-                       double factor_stiffness)
+RCP<CrsMatrix> combine(BodyMatrices const& body, Weights const& weights)
 {
-  return finished(combineEntries(body, factor_mass, factor_viscosity, factor_stiffness));
+  return finished(combineEntries(body, weights));
 }
 
-RCP<CrsMatrix> combine(BodyMatrices const& body, double factor_mass, double factor_viscosity,
-                       double factor_stiffness, HeldDofs const& held)
+RCP<CrsMatrix> combine(BodyMatrices const& body, Weights const& weights, HeldDofs const& held)
 {
-  auto const result = combineEntries(body, factor_mass, factor_viscosity, factor_stiffness);
+  auto const result = combineEntries(body, weights);
   leaveDiagonalOfHeld(result->getLocalMatrixDevice(), held.flagsOnDevice());
   return finished(result);
 }

@@ -48,10 +48,17 @@ RCP<Vector> assembleGravity(Mesh<Dim> const& mesh, DofMap const& dofs, NodalFram
                             std::vector<Material> const& materials,
                             std::array<double, Dim> const& acceleration);
 
-// factor_mass M + factor_viscosity C + factor_stiffness K on the graph of stiffness; with `held`,
-// the rows and columns of held dofs are replaced by their diagonal entry.
-RCP<CrsMatrix> combine(BodyMatrices const& body, double factor_mass, double factor_viscosity,
-                       double factor_stiffness);
-RCP<CrsMatrix> combine(BodyMatrices const& body, double factor_mass, double factor_viscosity,
-                       double factor_stiffness, HeldDofs const& held);
+// A weighted sum of the matrices of a body.
+struct Weights
+{
+  double mass = 0, viscosity = 0, stiffness = 0;
+};
+constexpr Weights of_mass = {1, 0, 0};
+constexpr Weights of_viscosity = {0, 1, 0};
+constexpr Weights of_stiffness = {0, 0, 1};
+
+// The sum, on the graph of stiffness; with `held`, the rows and columns of held dofs are replaced
+// by their diagonal entry.
+RCP<CrsMatrix> combine(BodyMatrices const& body, Weights const& weights);
+RCP<CrsMatrix> combine(BodyMatrices const& body, Weights const& weights, HeldDofs const& held);
 } // namespace asperity::fem

@@ -4,9 +4,9 @@
 
 namespace asperity::fem
 {
-// An isotropic Kelvin-Voigt body, constant in a cell:
+// What is constant in a cell of an isotropic body:
 //   sigma = B : eps(u) + A : eps(u'),  B = (bulk - 2/3 shear) tr + 2 shear,
-// A likewise with the viscosities.
+// A likewise with the viscosities, which a law of bulk sets (bulk/BulkLaw.hpp).
 // In plane strain the moduli are those of three dimensions; antiplane uses the shear values alone.
 struct Material
 {

@@ -1,5 +1,7 @@
 #include "scenario/Registrations.hpp"
 
+#include "dynamics/control/StepControlKind.hpp"
+#include "fem/bulk/BulkLaw.hpp"
 #include "friction/Registry.hpp"
 #include "io/Output.hpp"
 #include "io/TextFormat.hpp"
@@ -12,6 +14,7 @@ std::vector<std::string> registrations()
   std::vector<std::string> all;
   for (auto const& some :
        {friction::frictionLaws().registrations(), friction::stateLaws().registrations(),
+        fem::bulkLaws().registrations(), dynamics::StepControlRegistry::instance().registrations(),
         io::OutputRegistry::instance().registrations(),
         io::TextFormatRegistry::instance().registrations(),
         FaultKindRegistry::instance().registrations()}) {

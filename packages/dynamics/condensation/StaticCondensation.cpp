@@ -121,7 +121,8 @@ bool StaticCondensation::findPattern()
   }
   try {
     factor_ = std::make_unique<tnnmg::SchurComplement>(
-      *fem::combine(body.matrices, 0, 0, 1, fem::HeldDofs(flags, body.numOwnedDofs())), kept_);
+      *fem::combine(body.matrices, fem::of_stiffness, fem::HeldDofs(flags, body.numOwnedDofs())),
+      kept_);
   } catch (SolveError const&) {
     return false;
   }

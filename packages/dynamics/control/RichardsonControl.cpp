@@ -1,6 +1,7 @@
 #include "dynamics/control/RichardsonControl.hpp"
 
 #include "base/Errors.hpp"
+#include "parameters/Parameters.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -18,7 +19,44 @@ constexpr double safety = 0.8;
 // line (root mean square over the fault). Where alpha falls by 10 on a hundredth of the fault, the
 // distance is 1.
 constexpr double near = 0.1;
+
+AdaptiveSettings settingsOf(Teuchos::ParameterList const& parameters, ControlContext const& context)
+{
+  auto const& clock = context.step.clock();
+  ASPERITY_REQUIRE(clock.finestLevel() > 0, context.path
+                                              << " / Smallest Step = " << clock.stepSize(0)
+                                              << " s has to be at most half of the largest one: "
+                                                 "a pair is compared with one step of twice the "
+                                                 "size.");
+  return AdaptiveSettings::from(parameters, clock);
+}
 } // namespace
+
+Teuchos::RCP<const Teuchos::ParameterList> RichardsonControl::validParameters()
+{
+  return Declare()
+    .real("Tolerance", 1e-5, "-", Range::open(0, 1),
+          "A pair of steps is accepted if the estimated error of alpha after it is at most this. "
+          "The estimate follows from the difference to one step of twice the size.")
+    .choice("Norm", "Root Mean Square", {"Root Mean Square", "Maximum"},
+            "Selects the norm in which the error of alpha is measured over the fault.")
+    .real("First Step", 0., "s", Range::atLeast(0),
+          "The first steps have this size, which is at most half of the largest one; 0 means the "
+          "smallest step.")
+    .list();
+}
+
+std::string RichardsonControl::meaning()
+{
+  return "steps come in pairs, which one step of twice the size confirms; the pair is kept and the "
+         "next size predicted.";
+}
+
+RichardsonControl::RichardsonControl(Teuchos::ParameterList const& parameters,
+                                     ControlContext const& context)
+    : RichardsonControl(context.step, context.order, settingsOf(parameters, context))
+{
+}
 
 RichardsonControl::RichardsonControl(CoupledStep& step, int order, AdaptiveSettings const& settings)
     : StepControl(step)
@@ -174,4 +212,6 @@ void RichardsonControl::predictLevel(double error)
     memory_.error *= error_ratio_;
   }
 }
+
+ASPERITY_REGISTER(StepControlRegistry, "Richardson", StepControlKindOf<RichardsonControl>)
 } // namespace asperity::dynamics

@@ -1,6 +1,7 @@
 #pragma once
 
-#include "dynamics/control/StepControl.hpp"
+#include "dynamics/control/AdaptiveSettings.hpp"
+#include "dynamics/control/StepControlKind.hpp"
 
 namespace asperity::dynamics
 {
@@ -20,6 +21,11 @@ namespace asperity::dynamics
 class RichardsonControl final : public StepControl
 {
 public:
+  static Teuchos::RCP<const Teuchos::ParameterList> validParameters();
+  static std::string meaning();
+
+  // Throws InputError where no step is twice as large as another.
+  RichardsonControl(Teuchos::ParameterList const& parameters, ControlContext const& context);
   // `order` of the scheme, p.
   RichardsonControl(CoupledStep& step, int order, AdaptiveSettings const& settings);
   AcceptedStep advance(State& current, SolveCount& count) override;

@@ -79,6 +79,8 @@ public:
   virtual ~StepControl() = default;
   // Replaces `current` by the state after the next accepted step.
   virtual AcceptedStep advance(State& current, SolveCount& count) = 0;
+  // Whether step sizes follow from an estimated error.
+  virtual bool adapts() const { return true; }
 
   ControlMemory const& memory() const { return memory_; }
   void restore(ControlMemory memory) { memory_ = std::move(memory); }
@@ -136,47 +138,5 @@ private:
   PlaceOf place_of_;
   StepStatus last_status_ = StepStatus::solved;
   std::optional<NotFinite> not_finite_; // on this rank, in the last attempt that failed
-};
-
-// Steps of given levels, one after the other; the last one is repeated.
-class PrescribedSteps final : public StepControl
-{
-public:
-  PrescribedSteps(CoupledStep& step, std::vector<int> levels);
-  AcceptedStep advance(State& current, SolveCount& count) override;
-
-private:
-  SizeOfLastStep sizeOfLastStep() const override
-  {
-    return {"as prescribed", "in a new run smaller steps in 'Prescribed / Levels'"};
-  }
-
-  std::vector<int> levels_;
-};
-
-struct AdaptiveSettings
-{
-  double tolerance = 1e-5; // of alpha
-  Norm norm = Norm::root_mean_square;
-  int coarsest_level = 0; // of the largest step allowed
-  int finest_level = 0;   // of the smallest step allowed
-  int first_level = 0;
-};
-
-// Pipping 2014, A.3: a step is fine enough if two steps of half its size lead to nearly the same
-// alpha. The coarsest such step is accepted, starting from twice the last size; the finer ones
-// already computed become the next trials.
-class StepDoubling final : public StepControl
-{
-public:
-  StepDoubling(CoupledStep& step, AdaptiveSettings const& settings);
-  AcceptedStep advance(State& current, SolveCount& count) override;
-
-private:
-  void findTrial(State const& current, SolveCount& count);
-  bool coarsen(State const& current, std::optional<Trial>& next, double& error, SolveCount& count);
-  bool refine(State const& current, std::optional<Trial>& next, double& error, SolveCount& count);
-
-  AdaptiveSettings settings_;
 };
 } // namespace asperity::dynamics

@@ -257,17 +257,17 @@ namespace
 std::vector<tnnmg::MultigridTerms::MatrixSource> termsOf(Body const& body, bool has_mass,
                                                          bool has_viscosity)
 {
-  const auto term = [&](double mass, double viscosity, double stiffness) {
-    return [&body, mass, viscosity, stiffness]() -> RCP<const CrsMatrix> {
-      return fem::combine(body.matrices, mass, viscosity, stiffness, body.held);
+  const auto term = [&](fem::Weights const& weights) {
+    return [&body, weights]() -> RCP<const CrsMatrix> {
+      return fem::combine(body.matrices, weights, body.held);
     };
   };
-  std::vector<tnnmg::MultigridTerms::MatrixSource> terms = {term(0, 0, 1)};
+  std::vector<tnnmg::MultigridTerms::MatrixSource> terms = {term(fem::of_stiffness)};
   if (has_mass) {
-    terms.emplace_back(term(1, 0, 0));
+    terms.emplace_back(term(fem::of_mass));
   }
   if (has_viscosity) {
-    terms.emplace_back(term(0, 1, 0));
+    terms.emplace_back(term(fem::of_viscosity));
   }
   return terms;
 }
@@ -284,15 +284,14 @@ SharedMultigrid::SharedMultigrid(Body const& body, fem::FaultSurface const& surf
                                  settings.multigrid);
 }
 
-std::vector<double> SharedMultigrid::weights(double of_mass, double of_viscosity,
-                                             double of_stiffness) const
+std::vector<double> SharedMultigrid::weights(fem::Weights const& Z) const
 {
-  std::vector<double> result = {of_stiffness};
+  std::vector<double> result = {Z.stiffness};
   if (has_mass_) {
-    result.push_back(of_mass);
+    result.push_back(Z.mass);
   }
   if (has_viscosity_) {
-    result.push_back(of_viscosity);
+    result.push_back(Z.viscosity);
   }
   return result;
 }

@@ -54,7 +54,7 @@ public:
   virtual std::size_t bytes() const = 0; // estimated memory on this rank
 };
 
-// What multigrid solvers of all Z = of_mass M + of_viscosity C + of_stiffness K of a body share.
+// What multigrid solvers of all Z of a body share, which are sums of its matrices.
 class SharedMultigrid
 {
 public:
@@ -63,7 +63,7 @@ public:
                   RateSolverSettings const& settings);
 
   tnnmg::MultigridTerms const& terms() const { return terms_; }
-  std::vector<double> weights(double of_mass, double of_viscosity, double of_stiffness) const;
+  std::vector<double> weights(fem::Weights const& Z) const; // of the terms
 
 private:
   bool has_mass_ = false, has_viscosity_ = false;

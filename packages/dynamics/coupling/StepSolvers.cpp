@@ -53,18 +53,16 @@ RateSolver& StepSolvers::at(int level)
   ASPERITY_TIME_WORK("set-up of step sizes");
   auto const start = std::chrono::steady_clock::now();
   const double tau = clock_.stepSize(level);
-  const double of_mass = update_.mass_weight / tau;
-  const double of_stiffness = tau * update_.stiffness_weight;
-  const RCP<const CrsMatrix> across =
-    reaction_ ? reaction_->rows(of_mass, 1, of_stiffness) : Teuchos::null;
+  auto const weights = update_.weights(tau);
+  const RCP<const CrsMatrix> across = reaction_ ? reaction_->rows(weights) : Teuchos::null;
   try {
     if (settings_.correction == Correction::multigrid && !shared_) {
       shared_ = std::make_shared<const SharedMultigrid>(body_, surface_, settings_);
     }
-    auto const Z = fem::combine(body_.matrices, of_mass, 1, of_stiffness, body_.held);
+    auto const Z = fem::combine(body_.matrices, weights, body_.held);
     SharedSetup shared{shared_, {}, &order_};
     if (shared_) {
-      shared.weights = shared_->weights(of_mass, 1, of_stiffness);
+      shared.weights = shared_->weights(weights);
     }
     solver = makeRateSolver(Z, body_, surface_, settings_, across, shared);
   } catch (SolveError const& error) {

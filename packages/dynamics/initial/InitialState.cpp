@@ -15,7 +15,7 @@ RCP<Vector> staticDisplacement(Body const& body, RateSolverSettings const& setti
   Vector b(load, Teuchos::Copy);
   body.clearHeld(b);
   auto u = body.vector();
-  solveLinear(fem::combine(body.matrices, 0, 0, 1, body.held), body, settings, b, *u);
+  solveLinear(fem::combine(body.matrices, fem::of_stiffness, body.held), body, settings, b, *u);
   return u;
 }
 
@@ -96,8 +96,8 @@ RCP<Vector> initialAcceleration(Body const& body, Fault const& fault,
     RateSolverSettings mass_settings = settings;
     mass_settings.tnnmg.absolute_tolerance = 0;
     mass_settings.tnnmg.relative_tolerance = 1e-12;
-    auto const solver =
-      makeRateSolver(fem::combine(body.matrices, 1, 0, 0, body.held), body, surface, mass_settings);
+    auto const solver = makeRateSolver(fem::combine(body.matrices, fem::of_mass, body.held), body,
+                                       surface, mass_settings);
     solver->begin(*b, *a);
     auto const kernels = fault.frictionWith(start.cohesion);
     auto const result = solver->solve({*kernels, {at.alpha, start.no_stress}});

@@ -36,14 +36,11 @@ Evolution<Dim>::Evolution(ParameterList const& deck, RCP<const Communicator> con
     , model_(condensation_ ? condensation_->model() : problem_)
     , clock_(makeClock(deck.sublist("Time Stepping"), smallestStep(problem_, deck)))
     , end_(clock_.reaching(scenario::finalTime(deck.sublist("Time Stepping"))))
-    , is_adaptive_(deck.sublist("Time Stepping").get<std::string>("Control") != "Prescribed")
     , balance_(model_.body, model_.fault, clock_)
     , state_(model_.initial.clone())
     , sample_(model_.fault.surface(), *model_.initial.u)
     , format_(problem_.initial, condensation_.get(), clock_)
     , floor_count_(model_.fault)
-    , growth_watch_(slipDistance(problem_, deck.sublist("Friction")),
-                    deck.sublist("Time Stepping").get<int>("Most Hiding Steps"), !is_adaptive_)
 {
   auto const update =
     makeRateUpdate(deck.sublist("Time Stepping"), !quasiDynamic(deck.sublist("Bulk")));
@@ -54,6 +51,9 @@ Evolution<Dim>::Evolution(ParameterList const& deck, RCP<const Communicator> con
   control_ = makeStepControl(deck.sublist("Time Stepping"),
                              io::OutputSet::times(deck.sublist("Output")), *coupled_step_);
   control_->setPlaces([this](int vertex) { return placeOf(vertex); });
+  growth_watch_.emplace(slipDistance(problem_, deck.sublist("Friction")),
+                        deck.sublist("Time Stepping").get<int>("Most Hiding Steps"),
+                        !control_->adapts());
   view_.state = &state_;
   view_.fault = &sample_;
   if (condensation_) {
@@ -174,7 +174,7 @@ dynamics::StallWatch::Step Evolution<Dim>::progress() const
 {
   dynamics::StallWatch::Step step;
   step.is_smallest =
-    is_adaptive_ && clock_.finestLevel() > 0 && view_.step.level == clock_.finestLevel();
+    control_->adapts() && clock_.finestLevel() > 0 && view_.step.level == clock_.finestLevel();
   step.is_forced = !view_.step.within_tolerance;
   step.time = time();
   step.step_size = clock_.stepSize(view_.step.level);
@@ -186,7 +186,7 @@ template <int Dim>
 void Evolution<Dim>::watchGrowth()
 {
   auto const info = stepInfo();
-  const auto warning = growth_watch_.note(
+  const auto warning = growth_watch_->note(
     {!view_.step.within_tolerance, info.time, info.step_size, rate_before_, info.peak_slip_rate});
   if (warning) {
     warnings_.push_back(*warning);

@@ -13,6 +13,7 @@
 #include "scenario/RunReport.hpp"
 
 #include <memory>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -70,7 +71,6 @@ private:
   dynamics::Model const& model_; // the problem, or what it is condensed to
   dynamics::DyadicTime clock_;
   dynamics::DyadicTime::Ticks end_;
-  bool is_adaptive_;
   std::unique_ptr<dynamics::CoupledStep> coupled_step_;
   std::unique_ptr<dynamics::StepControl> control_;
   dynamics::EnergyBalance balance_;
@@ -82,7 +82,7 @@ private:
   FloorCount floor_count_;
   std::vector<Warning> warnings_;
   std::int64_t rises_to_tell_ = 1; // number of rises of J at which the next warning comes
-  dynamics::GrowthWatch growth_watch_;
+  std::optional<dynamics::GrowthWatch> growth_watch_;
   double rate_before_ = 0; // peak slip rate before the last step [m/s]
   RunView view_;
 };

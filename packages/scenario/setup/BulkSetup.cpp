@@ -1,9 +1,12 @@
 #include "scenario/setup/BulkSetup.hpp"
 
 #include "fem/Simplex.hpp"
+#include "fem/bulk/BulkLaw.hpp"
 #include "scenario/setup/DeckPaths.hpp"
 #include "scenario/setup/NodalField.hpp"
+#include "scenario/setup/ParameterTable.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <optional>
 
@@ -16,6 +19,7 @@ constexpr char const* bulk_modulus = "Bulk Modulus";
 constexpr char const* shear_modulus = "Shear Modulus";
 constexpr char const* poisson = "Poisson's Ratio";
 constexpr char const* radiation_damping = "Radiation Damping";
+constexpr char const* law_choice = "Law";
 } // namespace
 
 RCP<const ParameterList> bulkParameters()
@@ -28,7 +32,8 @@ RCP<const ParameterList> bulkParameters()
         "eta is G / (2 cs) on an antisymmetric fault and G / cs in bilateral contact; between two "
         "bodies it is Z1 Z2 / (Z1 + Z2) with their impedances Z = G / cs.")
       .list();
-  return Declare()
+  Declare declare;
+  declare
     .choice("Model", "Plane Strain", {"Plane Strain", "Antiplane", "Solid"},
             "Selects the components of the displacement. Plane Strain: it lies in the plane of the "
             "mesh. Antiplane: it is perpendicular to that plane. Solid: it has all three "
@@ -46,16 +51,15 @@ RCP<const ParameterList> bulkParameters()
            "The material has this shear modulus. Antiplane models need either this alone or two of "
            "the three moduli.")
     .field(poisson, optional, "-", Range::open(-1, 0.5), "The material has this Poisson's ratio.")
-    .field("Shear Viscosity", 0., "Pa s", Range::atLeast(0),
-           "This viscosity resists changes of shape (Kelvin-Voigt).")
-    .field("Bulk Viscosity", 0., "Pa s", Range::atLeast(0),
-           "This viscosity resists changes of volume (Kelvin-Voigt).")
     .real("Gravitational Acceleration", 0., "m/s^2", Range::atLeast(0),
           "Gravity accelerates the body by this value. An antiplane model has no gravity.")
     .realArray("Gravity Direction", std::vector<double>{0., -1.}, "-", Range::any(),
                "Gravity points in the direction of this vector in x, y and, in three dimensions, z "
-               "(0 if left out). Its length has no effect.")
-    .list();
+               "(0 if left out). Its length has no effect.");
+  declareChoice(declare, law_choice, "Kelvin-Voigt", fem::bulkLaws(),
+                "Selects the law by which the rock resists a change of strain beside its "
+                "elasticity. Kelvin-Voigt without viscosity is an elastic body.");
+  return declare.list();
 }
 
 int displacementComponents(ParameterList const& list)
@@ -183,17 +187,22 @@ std::vector<fem::Material> makeMaterials(ParameterList const& list, Mesh<Dim> co
   auto const& regions = mesh.region_names;
   const Elasticity elasticity(list, regions);
   auto const density = steadyField(list, "Density", bulk_path, regions);
-  auto const shear_viscosity = steadyField(list, "Shear Viscosity", bulk_path, regions);
-  auto const bulk_viscosity = steadyField(list, "Bulk Viscosity", bulk_path, regions);
+  auto const& law = fem::bulkLaws().at(list.get<std::string>(law_choice));
+  std::vector<Field> fields;
+  for (auto const& parameter : law.parameters) {
+    fields.push_back(steadyField(list, parameter.name, bulk_path, regions));
+  }
+  std::vector<double> values(fields.size());
   std::vector<fem::Material> materials(mesh.cells.size());
   for (std::size_t cell = 0; cell < mesh.cells.size(); ++cell) {
     auto const x = inSpace<Dim>(fem::simplexOf(mesh, static_cast<int>(cell)).centroid);
     const int region = mesh.cell_regions[cell];
     auto& material = materials[cell];
     material.density = density(x, 0, region);
-    material.shear_viscosity = shear_viscosity(x, 0, region);
-    material.bulk_viscosity = bulk_viscosity(x, 0, region);
     elasticity.set(material, x, region);
+    std::transform(fields.begin(), fields.end(), values.begin(),
+                   [&](Field const& field) { return field(x, 0, region); });
+    law.complete(values.data(), material);
   }
   return materials;
 }

@@ -5,6 +5,7 @@
 #include "friction/laws/RegularisedLaw.hpp"
 #include "mesh/PointText.hpp"
 #include "scenario/setup/DeckPaths.hpp"
+#include "scenario/setup/ParameterTable.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -16,41 +17,6 @@ namespace
 {
 const std::string friction_choice = "Law";
 const std::string state_choice = "State Evolution";
-
-constexpr char const* of_plugins = "Laws of your own need --plugin LIBRARY.";
-
-using Table = std::vector<friction::Parameter>;
-
-Range rangeOf(friction::Parameter const& parameter)
-{
-  const bool bounded = std::isfinite(parameter.upper);
-  if (!bounded) {
-    return parameter.lower_closed ? Range::atLeast(parameter.lower) : Range::above(parameter.lower);
-  }
-  if (parameter.lower_closed) {
-    return parameter.upper_closed ? Range::closed(parameter.lower, parameter.upper)
-                                  : Range::closedOpen(parameter.lower, parameter.upper);
-  }
-  return parameter.upper_closed ? Range::openClosed(parameter.lower, parameter.upper)
-                                : Range::open(parameter.lower, parameter.upper);
-}
-
-RCP<const ParameterList> declared(Table const& table)
-{
-  Declare declare;
-  for (auto const& parameter : table) {
-    auto const declareWith = [&](DefaultOr<FieldValue> const& value) {
-      declare.field(parameter.name, value, parameter.unit, rangeOf(parameter), parameter.meaning)
-        .hint(parameter.hint);
-    };
-    if (parameter.required()) {
-      declareWith(required);
-    } else {
-      declareWith(parameter.default_value);
-    }
-  }
-  return declare.list();
-}
 
 friction::FrictionLaw const& chosenFrictionLaw(ParameterList const& list)
 {
@@ -64,7 +30,7 @@ friction::StateLaw const& chosenStateLaw(ParameterList const& list)
 
 // (num_nodes * num_parameters): the values of one node side by side.
 template <int Dim>
-std::vector<double> valuesByNode(Table const& table, ParameterList const& list,
+std::vector<double> valuesByNode(ParameterTable const& table, ParameterList const& list,
                                  Mesh<Dim> const& mesh, std::vector<int> const& nodes)
 {
   std::vector<double> values(nodes.size() * table.size());
@@ -78,7 +44,7 @@ std::vector<double> valuesByNode(Table const& table, ParameterList const& list,
 }
 
 template <int Dim>
-friction::ParameterView valuesOnDevice(Table const& table, ParameterList const& list,
+friction::ParameterView valuesOnDevice(ParameterTable const& table, ParameterList const& list,
                                        Mesh<Dim> const& mesh, std::vector<int> const& nodes)
 {
   Kokkos::View<double**, friction::MemorySpace> values("asperity::scenario::lawParameters",
@@ -94,7 +60,7 @@ friction::ParameterView valuesOnDevice(Table const& table, ParameterList const& 
 
 template <class Value, int Dim>
 std::optional<std::vector<Value>> ofNodes(std::function<Value(double const*)> const& function,
-                                          Table const& table, ParameterList const& list,
+                                          ParameterTable const& table, ParameterList const& list,
                                           Mesh<Dim> const& mesh, std::vector<int> const& nodes)
 {
   if (!function) {
@@ -111,21 +77,10 @@ std::optional<std::vector<Value>> ofNodes(std::function<Value(double const*)> co
 
 void declareLaws(Declare& declare)
 {
-  auto const& laws = friction::frictionLaws();
-  auto const& state_laws = friction::stateLaws();
-  declare
-    .choice(friction_choice, friction::RegularisedLaw::name, laws.names(),
-            "Selects the law that gives the friction coefficient from slip rate and state.")
-    .hint(of_plugins)
-    .choice(state_choice, friction::AgeingLaw::name, state_laws.names(),
-            "Selects the law by which the state evolves.")
-    .hint(of_plugins);
-  for (auto const& name : laws.names()) {
-    declare.entriesWith(friction_choice, name, declared(laws.at(name).parameters));
-  }
-  for (auto const& name : state_laws.names()) {
-    declare.entriesWith(state_choice, name, declared(state_laws.at(name).parameters));
-  }
+  declareChoice(declare, friction_choice, friction::RegularisedLaw::name, friction::frictionLaws(),
+                "Selects the law that gives the friction coefficient from slip rate and state.");
+  declareChoice(declare, state_choice, friction::AgeingLaw::name, friction::stateLaws(),
+                "Selects the law by which the state evolves.");
 }
 
 template <int Dim>

@@ -1,6 +1,6 @@
 #include "scenario/setup/TimeSetup.hpp"
 
-#include "dynamics/control/RichardsonControl.hpp"
+#include "dynamics/control/StepControlKind.hpp"
 #include "scenario/setup/DeckPaths.hpp"
 
 #include <algorithm>
@@ -11,29 +11,6 @@ namespace asperity::scenario
 {
 namespace
 {
-// The level of the largest dyadic step that is not above `size`.
-int levelOf(dynamics::DyadicTime const& clock, double size)
-{
-  int level = 0;
-  while (level < clock.finestLevel() && clock.stepSize(level) > size * (1 + 1e-12)) {
-    ++level;
-  }
-  return level;
-}
-
-std::vector<int> prescribedLevels(ParameterList const& list, dynamics::DyadicTime const& clock)
-{
-  auto const levels = list.get<Teuchos::Array<int>>("Levels").toVector();
-  ASPERITY_REQUIRE(!levels.empty(), time_path << " / Prescribed / Levels is empty.");
-  for (int level : levels) {
-    ASPERITY_REQUIRE(level <= clock.finestLevel(), time_path
-                                                     << " / Prescribed / Levels: " << level
-                                                     << " is below the smallest step, level "
-                                                     << clock.finestLevel() << ".");
-  }
-  return levels;
-}
-
 dynamics::RateUpdate newmark(ParameterList const& list)
 {
   auto const& newmark = list.sublist("Newmark");
@@ -51,20 +28,6 @@ dynamics::RateUpdate newmark(ParameterList const& list)
                                                  << " s that beta = " << beta << " needs.");
   }
   return dynamics::RateUpdate::newmark(beta);
-}
-
-dynamics::AdaptiveSettings adaptiveSettings(ParameterList const& list,
-                                            dynamics::DyadicTime const& clock)
-{
-  dynamics::AdaptiveSettings settings;
-  settings.tolerance = list.get<double>("Tolerance");
-  settings.finest_level = clock.finestLevel();
-  const double first = list.get<double>("First Step");
-  settings.first_level = first > 0 ? levelOf(clock, first) : clock.finestLevel();
-  if (list.isParameter("Norm") && list.get<std::string>("Norm") == "Maximum") {
-    settings.norm = dynamics::Norm::maximum;
-  }
-  return settings;
 }
 
 RCP<const ParameterList> newmarkParameters()
@@ -89,46 +52,18 @@ RCP<const ParameterList> generalisedAlphaParameters()
     .list();
 }
 
-RCP<const ParameterList> doublingParameters()
-{
-  return Declare()
-    .real("Tolerance", 1e-5, "-", Range::open(0, 1),
-          "A step is accepted if alpha differs by at most this between one step and two of half "
-          "its size, as root mean square over the fault.")
-    .real("First Step", 0., "s", Range::atLeast(0),
-          "The first trial step has this size; 0 means the smallest step.")
-    .list();
-}
-
-RCP<const ParameterList> richardsonParameters()
-{
-  return Declare()
-    .real("Tolerance", 1e-5, "-", Range::open(0, 1),
-          "A pair of steps is accepted if the estimated error of alpha after it is at most this. "
-          "The estimate follows from the difference to one step of twice the size.")
-    .choice("Norm", "Root Mean Square", {"Root Mean Square", "Maximum"},
-            "Selects the norm in which the error of alpha is measured over the fault.")
-    .real("First Step", 0., "s", Range::atLeast(0),
-          "The first steps have this size, which is at most half of the largest one; 0 means the "
-          "smallest step.")
-    .list();
-}
-
-RCP<const ParameterList> prescribedParameters()
-{
-  return Declare()
-    .integerArray("Levels", std::vector<int>{0}, Range::closed(0, 60),
-                  "Each step is the largest one divided by two to the "
-                  "power of its entry; the last entry is repeated. A "
-                  "step that is cut short to meet an instant uses up "
-                  "its entry.")
-    .list();
-}
-
 } // namespace
 
 RCP<const ParameterList> timeParameters()
 {
+  std::vector<Declare::NamedList> controls;
+  std::string meaning = "Selects how step sizes are chosen.";
+  auto const& registered = dynamics::StepControlRegistry::instance();
+  for (auto const& name : registered.names()) {
+    auto const& control = registered.at(name);
+    controls.emplace_back(name, control.validParameters());
+    meaning += ' ' + name + ": " + control.meaning();
+  }
   return Declare()
     .real("Final Time", required, "s", Range::positive(),
           "The run ends at this time, rounded up to a multiple of the smallest step; the last "
@@ -162,15 +97,7 @@ RCP<const ParameterList> timeParameters()
       "wave takes through a cell at the fault.")
     .hint("Steps that are too large to follow an earthquake lose it: choose it a few hundred times "
           "smaller than L over the slip rate of earthquakes.")
-    .choiceOfLists(
-      "Control", "Step Doubling",
-      {{"Step Doubling", doublingParameters()},
-       {"Richardson", richardsonParameters()},
-       {"Prescribed", prescribedParameters()}},
-      "Selects how step sizes are chosen. Step Doubling: a step is the largest one that two steps "
-      "of half its size confirm (thesis A.3). Richardson: steps come in pairs, which one step of "
-      "twice the size confirms; the pair is kept and the next size predicted. Prescribed: the "
-      "sizes are listed.")
+    .choiceOfLists("Control", "Step Doubling", controls, meaning)
     .list();
 }
 
@@ -245,35 +172,13 @@ dynamics::RateUpdate makeRateUpdate(ParameterList const& list, bool has_mass)
   return newmark(list);
 }
 
-namespace
-{
-std::unique_ptr<dynamics::StepControl> chosenControl(ParameterList const& list,
-                                                     dynamics::CoupledStep& step)
-{
-  auto const& clock = step.clock();
-  auto const control = list.get<std::string>("Control");
-  auto const& of_control = list.sublist(control);
-  if (control == "Prescribed") {
-    return std::make_unique<dynamics::PrescribedSteps>(step, prescribedLevels(of_control, clock));
-  }
-  auto const settings = adaptiveSettings(of_control, clock);
-  if (control == "Step Doubling") {
-    return std::make_unique<dynamics::StepDoubling>(step, settings);
-  }
-  ASPERITY_REQUIRE(clock.finestLevel() > 0, time_path
-                                              << " / Smallest Step = " << clock.stepSize(0)
-                                              << " s has to be at most half of the largest one: "
-                                                 "a pair is compared with one step of twice the "
-                                                 "size.");
-  return std::make_unique<dynamics::RichardsonControl>(step, makeRateUpdate(list).order, settings);
-}
-} // namespace
-
 std::unique_ptr<dynamics::StepControl> makeStepControl(ParameterList const& list,
                                                        std::vector<double> const& output_times,
                                                        dynamics::CoupledStep& step)
 {
-  auto control = chosenControl(list, step);
+  auto const name = list.get<std::string>("Control");
+  auto control = dynamics::StepControlRegistry::instance().at(name).make(
+    list.sublist(name), {step, makeRateUpdate(list).order, time_path});
   control->setInstants(instants(list, output_times, step.clock()));
   return control;
 }

@@ -17,7 +17,7 @@ BUILD = os.environ["ASPERITY_BUILD_DIR"]
 PREFIX = pathlib.Path("moved").absolute()
 PLUGIN = pathlib.Path("build/libviscous.so")
 
-DISTANCE, RATE, RELAXATION, END = 1e-3, 1e-6, 500.0, 1000.0
+DISTANCE, RATE, RELAXATION, DAMPING, END = 1e-3, 1e-6, 500.0, 100.0, 1000.0
 
 
 def call(*words):
@@ -39,7 +39,7 @@ def setUpModule():
 
 
 def exact_slip(time):
-    return RATE * (time + RELAXATION * math.expm1(-time / RELAXATION))
+    return RATE * (time + RELAXATION * math.expm1(-time / (RELAXATION + DAMPING)))
 
 
 class Installation(unittest.TestCase):

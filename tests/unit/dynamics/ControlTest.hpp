@@ -1,6 +1,6 @@
 #pragma once
 
-#include "dynamics/control/StepControl.hpp"
+#include "dynamics/control/AdaptiveSettings.hpp"
 #include "unit/dynamics/SlidingBlock.hpp"
 
 #include <gtest/gtest.h>

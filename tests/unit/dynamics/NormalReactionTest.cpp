@@ -129,7 +129,7 @@ TEST(NormalReaction, rowsAreThoseOfTheMatrices)
   auto const none = model.body.vector();
   const friction::NodeView expected("R", model.surface->numNodes());
   reaction.compression(*none, *scaled(5), *scaled(3), *scaled(2), expected);
-  auto const rows = reaction.rows(2, 3, 5);
+  auto const rows = reaction.rows({2, 3, 5});
   Vector r(rows->getRangeMap());
   rows->apply(*w, r);
   const friction::NodeView R("R", model.surface->numNodes());
@@ -147,8 +147,8 @@ TEST(NormalReaction, comesFromTheSolverWithoutItsWholeVelocity)
   const Model model(slidingBlock(2), fem::testing::selfCommunicator());
   auto const state = slidingState(model);
   for (auto correction : {Correction::direct, Correction::multigrid}) {
-    auto const rows = reactionOf(model).rows(1e3, 1, 1e-3);
-    auto const Z = fem::combine(model.matrices, 1e3, 1, 1e-3, model.body.held);
+    auto const rows = reactionOf(model).rows({1e3, 1, 1e-3});
+    auto const Z = fem::combine(model.matrices, {1e3, 1, 1e-3}, model.body.held);
     auto const solver =
       makeRateSolver(Z, model.body, *model.surface, tightSettings(correction), rows);
     for (double size : {1., -3.}) {

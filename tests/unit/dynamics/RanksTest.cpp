@@ -1,5 +1,5 @@
 #include "dynamics/EnergyBalance.hpp"
-#include "dynamics/control/StepControl.hpp"
+#include "dynamics/control/PrescribedSteps.hpp"
 #include "dynamics/initial/InitialState.hpp"
 #include "unit/dynamics/FaultNodesOfTests.hpp"
 #include "unit/dynamics/SlidingBlock.hpp"

@@ -1,6 +1,6 @@
-#include "dynamics/control/StepControl.hpp"
-
 #include "base/Errors.hpp"
+#include "dynamics/control/PrescribedSteps.hpp"
+#include "dynamics/control/StepDoubling.hpp"
 #include "unit/dynamics/ControlTest.hpp"
 
 #include <gtest/gtest.h>

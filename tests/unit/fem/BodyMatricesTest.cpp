@@ -464,7 +464,7 @@ TYPED_TEST(BodyMatricesTest, combinationsKeepOnlyTheDiagonalOfHeldDofs)
   for (int dof = 0; dof < static_cast<int>(fixed.size()); ++dof) {
     fixed[dof] = pseudorandom(overlap.getGlobalElement(dof), 9) > 0.2 ? 1 : 0;
   }
-  auto const combined = combine(matrices, 2, 3, 5, {fixed, 0});
+  auto const combined = combine(matrices, {2, 3, 5}, {fixed, 0});
   auto const rows = combined->getLocalMatrixHost();
   auto const m = matrices.mass->getLocalMatrixHost().values;
   auto const c = matrices.viscosity->getLocalMatrixHost().values;

@@ -1,0 +1,28 @@
+#pragma once
+
+#include "dynamics/control/AdaptiveSettings.hpp"
+#include "dynamics/control/StepControlKind.hpp"
+
+namespace asperity::dynamics
+{
+// Pipping 2014, A.3: a step is fine enough if two steps of half its size lead to nearly the same
+// alpha. The coarsest such step is accepted, starting from twice the last size; the finer ones
+// already computed become the next trials.
+class StepDoubling final : public StepControl
+{
+public:
+  static Teuchos::RCP<const Teuchos::ParameterList> validParameters();
+  static std::string meaning();
+
+  StepDoubling(CoupledStep& step, AdaptiveSettings const& settings);
+  StepDoubling(Teuchos::ParameterList const& parameters, ControlContext const& context);
+  AcceptedStep advance(State& current, SolveCount& count) override;
+
+private:
+  void findTrial(State const& current, SolveCount& count);
+  bool coarsen(State const& current, std::optional<Trial>& next, double& error, SolveCount& count);
+  bool refine(State const& current, std::optional<Trial>& next, double& error, SolveCount& count);
+
+  AdaptiveSettings settings_;
+};
+} // namespace asperity::dynamics

@@ -1,0 +1,33 @@
+#pragma once
+
+#include <cmath>
+#include <limits>
+
+namespace asperity
+{
+// One row of a law's table: what a deck may say and what the documentation prints.
+struct Parameter
+{
+  char const* name;
+  char const* unit;
+  double default_value; // NaN: the parameter has to be given
+  double lower;
+  double upper;
+  bool lower_closed; // whether the bound itself is allowed
+  bool upper_closed;
+  char const* meaning;   // one sentence
+  char const* hint = ""; // what to try when a value is refused
+
+  bool required() const { return std::isnan(default_value); }
+
+  bool allows(double value) const
+  {
+    const bool above = lower_closed ? value >= lower : value > lower;
+    const bool below = upper_closed ? value <= upper : value < upper;
+    return above && below;
+  }
+};
+
+inline constexpr double no_default = std::numeric_limits<double>::quiet_NaN();
+inline constexpr double infinity = std::numeric_limits<double>::infinity();
+} // namespace asperity
