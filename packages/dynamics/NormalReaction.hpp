@@ -33,8 +33,8 @@ public:
   void compression(Vector const& l, Vector const& u, Vector const& v, Vector const& a,
                    friction::NodeView const& R) const;
 
-  // The rows of a sum of the body's matrices at the components across the fault, without the columns
-  // of held dofs: (num_nodes, owned dofs). Collective.
+  // The rows of a sum of the body's matrices at the components across the fault, without the
+  // columns of held dofs: (num_nodes, owned dofs). Collective.
   RCP<const CrsMatrix> rows(fem::Weights const& weights) const;
   // The entries of x(owned dofs) at the components across the fault: (num_nodes).
   void gather(Vector const& x, std::vector<double>& entries) const;

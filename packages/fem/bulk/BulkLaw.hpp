@@ -9,8 +9,8 @@
 #include <memory>
 #include <vector>
 
-// All laws of bulk by name. A law is a class with a name, a table of parameters, and a function that
-// completes the material of a cell:
+// All laws of bulk by name. A law is a class with a name, a table of parameters, and a function
+// that completes the material of a cell:
 //
 //   struct KelvinVoigt
 //   {
