@@ -11,9 +11,9 @@
 
 namespace asperity::dynamics
 {
-// One solver for each step size: Z (RateUpdate::weights) depends on nothing else. A solver is set up
-// when it is first used; the least recently used ones are removed when the memory budget of a rank
-// is exceeded, and with multigrid, whose solvers share what is costly to make, beyond the last
+// One solver for each step size: Z (RateUpdate::weights) depends on nothing else. A solver is set
+// up when it is first used; the least recently used ones are removed when the memory budget of a
+// rank is exceeded, and with multigrid, whose solvers share what is costly to make, beyond the last
 // three. All ranks remove the same ones: on every rank a solver counts with the memory of the rank
 // where it takes most. With a reaction the solvers know Z's rows across the fault, see
 // RateSolver::reactions.
