@@ -1,7 +1,7 @@
 #pragma once
 
 #include "dynamics/DyadicTime.hpp"
-#include "dynamics/coupling/FaultUnknown.hpp"
+#include "dynamics/FaultMotion.hpp"
 
 #include <Teuchos_ParameterList.hpp>
 
