@@ -75,33 +75,18 @@ Values pointsInCells(Mesh<Dim> const& mesh, std::vector<int> const& vertices)
   return points;
 }
 
-// The unknowns at the owned nodes that give these vectors at these vertices. The vertices are all
-// that cells have; at a fault the unknowns are jump and mean (fem::VertexTerms).
+// The unknowns at the owned nodes that give these vectors at these vertices, which are all that cells
+// have.
 template <int Dim>
 Values unknowns(Problem<Dim> const& problem, std::vector<int> const& vertices,
                 Values const& along_axes)
 {
-  auto const& frames = problem.constraints->frames();
   const auto components = static_cast<std::size_t>(problem.components);
-  Values vectors(problem.mesh.num_owned * components, 0); // tips are in no cell
+  Values vectors(problem.mesh.num_owned * components, 0);
   for (std::size_t i = 0; i < vertices.size(); ++i) {
     std::copy_n(&along_axes[i * components], components, &vectors[vertices[i] * components]);
   }
-  for (auto const& [plus, minus, is_tip] : problem.mesh.splits) {
-    for (int c = 0; c < problem.components && plus < problem.mesh.num_owned; ++c) {
-      double &jump = vectors[plus * problem.components + c],
-             &mean = vectors[minus * problem.components + c];
-      const double above = jump, below = mean;
-      jump = is_tip ? 0 : above - below;
-      mean = is_tip ? below : 0.5 * (above + below);
-    }
-  }
-  Values result(vectors.size());
-  for (int node = 0; node < problem.mesh.num_owned; ++node) {
-    const auto first = static_cast<std::size_t>(node) * problem.components;
-    frames.toFrame(node, &vectors[first], &result[first]);
-  }
-  return result;
+  return fem::unknownsOf(problem.constraints->frames(), std::move(vectors));
 }
 
 Values onHost(friction::ConstNodeView const& x)

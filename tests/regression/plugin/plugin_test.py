@@ -120,7 +120,9 @@ class Parameters(unittest.TestCase):
         for arguments in ([], ["--format=xml"]):
             text = call(asperity_run.PROGRAM, "--print-parameters", "--plugin", PLUGIN, *arguments)
             for piece in ("with Law = Viscous", "Viscous Slip Rate", "with State Evolution = Wear",
-                          "Wear Distance", "Mean Slip", "at which the coefficient of friction"):
+                          "Wear Distance", "with Law = Stiffness Damping", "Damping Time",
+                          "Film on Rock", "Growing Steps", "Steps of a Size", "Mean Slip",
+                          "at which the coefficient of friction"):
                 self.assertTrue(piece in text, piece)
         self.assertFalse("Viscous Slip" in call(asperity_run.PROGRAM, "--print-parameters"))
 
@@ -131,11 +133,17 @@ class Parameters(unittest.TestCase):
                             "Did you mean 'Viscous Slip Rate'?")
         self.assert_refused([*deck, "Friction/Wear Distance=-1"],
                             "Wear Distance = -1 is outside (0, inf) m")
+        self.assert_refused([*deck, "Bulk/Damping Time=-1"],
+                            "Damping Time = -1 is outside [0, inf) s")
+        self.assert_refused([*deck, "Bulk/Shear Viscosity=1"], "Bulk / Shear Viscosity is unknown",
+                            "parameter of Law = Kelvin-Voigt")
+        self.assert_refused([*deck, "Time Stepping/Growing Steps/Steps of a Size=0"],
+                            "Steps of a Size = 0 is outside [1, inf)")
         self.assert_refused([*deck, "Output/Mean Slip/Evry n Steps=1"], "'Every n Steps'")
         self.assert_refused([*deck, "Friction/a=0.01"], "Friction / a is unknown here",
                             "parameter of Law = Regularised")
         self.assert_refused([*deck, "Output/Fault History/Fields={theta}"], "theta")
-        self.assert_refused([DECK, "--validate"], "Asperity / Friction / Law = 'Viscous'")
+        self.assert_refused([DECK, "--validate"], "is not one of", "--plugin")
 
 
 class Loading(unittest.TestCase):

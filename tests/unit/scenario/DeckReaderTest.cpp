@@ -1,6 +1,8 @@
 #include "scenario/DeckReader.hpp"
 
 #include "SampleDeck.hpp"
+#include "dynamics/control/StepControlKind.hpp"
+#include "fem/bulk/BulkLaw.hpp"
 #include "friction/Registration.hpp"
 #include "friction/Registry.hpp"
 #include "friction/laws/AgeingLaw.hpp"
@@ -79,6 +81,9 @@ TEST(Registries, holdWhatThePackagesBring)
   EXPECT_EQ(friction::frictionLaws().names(), (Names{"Regularised", "Truncated"}));
   EXPECT_EQ(friction::stateLaws().names(),
             (Names{"Ageing", "Foreign Ageing", "Narrow Ageing", "Slip", "Slow Ageing"}));
+  EXPECT_EQ(fem::bulkLaws().names(), (Names{"Kelvin-Voigt"}));
+  EXPECT_EQ(dynamics::StepControlRegistry::instance().names(),
+            (Names{"Prescribed", "Richardson", "Step Doubling"}));
   EXPECT_EQ(io::OutputRegistry::instance().names(),
             (Names{"Event Catalogue", "Fault History", "Global", "Receivers", "Rupture",
                    "Step Table", "Surface History", "Volume Snapshots"}));
@@ -94,6 +99,7 @@ TEST(DeckReader, completesADeckWithItsDefaults)
   EXPECT_EQ(deck.sublist("Friction").get<double>("Normal Stress Factor"), 1);
   EXPECT_FALSE(deck.sublist("Friction").isParameter("Normal Stress"));
   EXPECT_EQ(deck.sublist("Bulk").get<std::string>("Model"), "Plane Strain");
+  EXPECT_EQ(deck.sublist("Bulk").get<std::string>("Law"), "Kelvin-Voigt");
   EXPECT_EQ(deck.sublist("Bulk").get<double>("Shear Viscosity"), 0);
   EXPECT_EQ(deck.sublist("Initial State").get<std::string>("Acceleration"), "Balanced");
   EXPECT_EQ(deck.sublist("Initial State").get<double>("alpha"), 0);
