@@ -193,8 +193,8 @@ void EnergyBalance::fillForce(State const& state, Snapshot const& at)
 {
   auto const& surface = fault_.surface();
   gatherSlip(surface, *state.v, w_);
-  fault_.friction().linearise(w_, {state.alpha_of_rate, state.sigma_n}, gradient_, hessian_,
-                              kinked_);
+  fault_.friction().linearise(w_, {state.alpha_of_rate, fault_.given(state).sigma_n}, gradient_,
+                              hessian_, kinked_);
   at.force->putScalar(0);
   setForce(surface, body_.held.ownedOnDevice(), w_, gradient_,
            {reading(*at.load), reading(*at.resisting.inertial), reading(*at.resisting.viscous),

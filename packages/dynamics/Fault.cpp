@@ -14,6 +14,21 @@ Fault::Fault(std::shared_ptr<const fem::FaultSurface> surface, FaultLaws laws,
 {
 }
 
+friction::StateAndStress Fault::given(State const& state) const
+{
+  if (laws_.processes.empty()) {
+    return {state.alpha, state.sigma_n};
+  }
+  const friction::NodeView alpha("asperity::dynamics::givenAlpha", state.alpha.extent(0));
+  const friction::NodeView sigma_n("asperity::dynamics::givenStress", state.sigma_n.extent(0));
+  Kokkos::deep_copy(alpha, state.alpha);
+  Kokkos::deep_copy(sigma_n, state.sigma_n);
+  for (auto const& process : laws_.processes) {
+    process->act(state, alpha, sigma_n);
+  }
+  return {alpha, sigma_n};
+}
+
 std::unique_ptr<friction::FrictionKernels>
 Fault::frictionWith(friction::ConstNodeView const& cohesion) const
 {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "dynamics/FaultProcess.hpp"
 #include "dynamics/NormalStress.hpp"
 #include "fem/FaultSurface.hpp"
 #include "friction/FrictionKernels.hpp"
@@ -24,6 +25,7 @@ struct FaultLaws
   // c / b of Linker and Dieterich's term, d(alpha) = -(c / b) d(ln sigma_n): (num_nodes) [-];
   // a view without entries means none.
   friction::ConstNodeView stress_sensitivity = {};
+  std::vector<std::shared_ptr<const FaultProcess>> processes = {};
 };
 
 // What acts on a fault: friction, the evolution of its state, and the normal stress, at the nodes
@@ -40,6 +42,9 @@ public:
   NormalStress const& normalStress() const { return normal_stress_; }
   friction::FrictionKernels const& friction() const { return *friction_; }
   friction::StateKernels const& state() const { return *state_; }
+
+  // What friction depends on in a state: its alpha and sigma_n, or what the processes make of them.
+  friction::StateAndStress given(State const& state) const;
 
   // Friction kernels of the same law with another cohesion(num_nodes) [Pa].
   std::unique_ptr<friction::FrictionKernels>

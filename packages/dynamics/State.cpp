@@ -1,5 +1,9 @@
 #include "dynamics/State.hpp"
 
+#include "base/Errors.hpp"
+
+#include <algorithm>
+
 namespace asperity::dynamics
 {
 namespace
@@ -27,6 +31,14 @@ friction::NodeView overwritten(RCP<Vector> const& field)
 {
   auto const view = field->getLocalViewDevice(Tpetra::Access::OverwriteAll);
   return friction::NodeView(view.data(), view.extent(0));
+}
+
+friction::NodeView const& State::at(std::string const& name) const
+{
+  auto const found = std::find_if(added.begin(), added.end(),
+                                  [&](Added const& field) { return field.info->name == name; });
+  ASPERITY_ASSERT(found != added.end());
+  return found->values;
 }
 
 State State::sameShape() const

@@ -58,6 +58,9 @@ struct State
     visitFault(visit, states...);
   }
 
+  // The values of an added field.
+  friction::NodeView const& at(std::string const& name) const;
+
   State sameShape() const; // values are not set
   State clone() const;
 };

@@ -47,6 +47,20 @@ void registerFaultFields(io::FieldRegistry& registry, RunView const& view)
   }
 }
 
+// The fields that processes on the fault have added to the state.
+void registerAddedFields(io::FieldRegistry& registry, dynamics::State const& initial,
+                         RunView const& view)
+{
+  for (auto const& field : initial.added) {
+    auto const info = field.info;
+    registry.add(io::OutputField{info->name, info->unit, "The " + info->quantity + ".", "fault", 1,
+                                 [&view, name = info->name](Values& values) {
+                                   auto const host = toHost(view.state->at(name));
+                                   values.assign(host.data(), host.data() + host.extent(0));
+                                 }});
+  }
+}
+
 // Fields that do not change in time.
 template <int Dim>
 void registerFaultConstants(io::FieldRegistry& registry, Problem<Dim> const& problem)
@@ -223,6 +237,7 @@ void registerFields(io::FieldRegistry& registry, Problem<Dim> const& problem, Ru
 {
   registerFaultFields(registry, view);
   registerTheta(registry, problem, view, friction);
+  registerAddedFields(registry, problem.initial, view);
   registerFaultConstants(registry, problem);
   for (auto const& [name, domain] : domains) {
     registerMotion(registry, problem, view, domain);

@@ -1,5 +1,6 @@
 #include "scenario/Registrations.hpp"
 
+#include "dynamics/FaultProcess.hpp"
 #include "dynamics/control/StepControlKind.hpp"
 #include "fem/bulk/BulkLaw.hpp"
 #include "friction/Registry.hpp"
@@ -15,6 +16,7 @@ std::vector<std::string> registrations()
   for (auto const& some :
        {friction::frictionLaws().registrations(), friction::stateLaws().registrations(),
         fem::bulkLaws().registrations(), dynamics::StepControlRegistry::instance().registrations(),
+        dynamics::FaultProcessRegistry::instance().registrations(),
         io::OutputRegistry::instance().registrations(),
         io::TextFormatRegistry::instance().registrations(),
         FaultKindRegistry::instance().registrations()}) {

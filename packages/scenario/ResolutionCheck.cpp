@@ -111,7 +111,7 @@ std::optional<dynamics::FaultResolution> faultResolution(Problem<Dim> const& pro
     of_nodes.b.push_back(b);
   }
   of_nodes.L = *slip_distance;
-  auto const sigma_n = toHost(problem.initial.sigma_n);
+  auto const sigma_n = toHost(problem.fault.given(problem.initial).sigma_n);
   of_nodes.sigma_n.assign(sigma_n.data(), sigma_n.data() + sigma_n.extent(0));
   return dynamics::faultResolution(problem.mesh, *problem.surface, problem.components,
                                    problem.fault_materials, of_nodes);

@@ -125,6 +125,11 @@ CoupledStep::CoupledStep(Body const& body, Fault const& fault, RateUpdate const&
   if (stress_->coupled()) {
     unknowns_.add(stress_);
   }
+  for (auto const& process : fault.laws().processes) {
+    for (auto const& unknown : process->unknowns()) {
+      unknowns_.add(unknown);
+    }
+  }
 }
 
 // Evaluates the expressions of the deck at the time t1. One of them may be nan on one rank alone;
@@ -226,7 +231,8 @@ CoupledResult CoupledStep::iterate(State const& from, double tau, RateSolver& so
   double last_change = std::numeric_limits<double>::infinity();
   bool at_rest = false;
   while (at_rest || result.iterations < settings_.max_iterations) {
-    const FrictionProblem problem = {fault_.friction(), {to.alpha, to.sigma_n}};
+    auto const given = fault_.given(to);
+    const FrictionProblem problem = {fault_.friction(), given};
     result.iterations += at_rest ? 0 : 1;
     count.rate_problems += at_rest ? 0 : 1;
     auto const rate = at_rest ? solver.solve(problem) : solver.improve(problem);
@@ -245,7 +251,7 @@ CoupledResult CoupledStep::iterate(State const& from, double tau, RateSolver& so
     }
     at_rest = change <= settings_.tolerance;
     if (at_rest && rate.converged) {
-      Kokkos::deep_copy(to.alpha_of_rate, to.alpha);
+      Kokkos::deep_copy(to.alpha_of_rate, given.alpha);
       unknowns_.finish(to);
       return result;
     }

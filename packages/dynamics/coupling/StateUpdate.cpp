@@ -36,10 +36,10 @@ int StateUpdate::respond(FaultResponse const& to, friction::NodeView const& imag
 {
   ASPERITY_TIME_WORK("state updates");
   auto const& sensitivity = fault_.laws().stress_sensitivity;
-  auto const before = to.from.sigma_n, after = to.to.sigma_n;
   if (shifted_.extent(0) == 0) {
     return fault_.state().flow(to.slip_rate, to.tau, to.from.alpha, image);
   }
+  auto const before = fault_.given(to.from).sigma_n, after = fault_.given(to.to).sigma_n;
   shiftByStress(sensitivity, before, after, to.from.alpha, shifted_);
   const int failures = fault_.state().flow(to.slip_rate, to.tau, shifted_, image);
   shiftByStress(sensitivity, before, after, image, image);

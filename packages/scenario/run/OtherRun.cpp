@@ -75,8 +75,7 @@ Values pointsInCells(Mesh<Dim> const& mesh, std::vector<int> const& vertices)
   return points;
 }
 
-// The unknowns at the owned nodes that give these vectors at these vertices, which are all that cells
-// have.
+// The unknowns at the owned nodes that give these vectors at these vertices, all that cells have.
 template <int Dim>
 Values unknowns(Problem<Dim> const& problem, std::vector<int> const& vertices,
                 Values const& along_axes)
@@ -199,6 +198,16 @@ void carryFault(Problem<Dim> const& other, State const& state, io::OutputDomain 
 {
   auto const order_there = nodesOfFriction(other, from), order = nodesOfFriction(problem, to);
   const catalogue::Interpolation along_fault(from, to, run.string());
+  const auto namesOf = [](State const& of) {
+    std::vector<std::string> names;
+    for (auto const& field : of.added) {
+      names.push_back(field.info->name);
+    }
+    return names;
+  };
+  ASPERITY_REQUIRE(namesOf(state) == namesOf(problem.initial),
+                   "--restart-from: the processes on the fault of "
+                     << run.string() << " are not those of the deck. Enable the same ones.");
   State::visitFault(
     [&](FieldInfo const& info, friction::NodeView const& field, friction::NodeView const& start,
         friction::NodeView const& start_here) {

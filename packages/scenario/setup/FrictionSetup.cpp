@@ -7,10 +7,6 @@
 
 namespace asperity::scenario
 {
-namespace
-{
-} // namespace
-
 RCP<const ParameterList> frictionParameters()
 {
   Declare declare;
@@ -38,6 +34,10 @@ RCP<const ParameterList> frictionParameters()
     .realArray("Slip Direction", std::vector<double>{1., 0., 0.}, "-", Range::any(),
                "In three dimensions the shear traction points along this vector, projected onto "
                "the fault. The length of the vector has no effect.");
+  auto const& processes = dynamics::FaultProcessRegistry::instance();
+  for (auto const& name : processes.names()) {
+    declare.sublist(name, processes.at(name).validParameters(), processes.at(name).meaning());
+  }
   return declare.list();
 }
 
@@ -79,6 +79,25 @@ void requirePressure(ParameterList const& list, Mesh<Dim> const& mesh,
                              << ". Set c to zero there, or give a Normal Stress Floor.");
   }
 }
+
+template <int Dim>
+std::vector<std::shared_ptr<const dynamics::FaultProcess>>
+enabledProcesses(ParameterList const& list, Mesh<Dim> const& mesh, fem::FaultSurface const& surface)
+{
+  std::vector<std::shared_ptr<const dynamics::FaultProcess>> result;
+  auto const& processes = dynamics::FaultProcessRegistry::instance();
+  for (auto const& name : processes.names()) {
+    auto const& parameters = list.sublist(name);
+    if (parameters.get<bool>("Enabled")) {
+      const auto values = [&](std::string const& entry) {
+        return nodalValues(parameters, entry, friction_path + " / " + name, mesh,
+                           surface.vertices());
+      };
+      result.push_back(processes.at(name).make(parameters, {surface, values}));
+    }
+  }
+  return result;
+}
 } // namespace
 
 template <int Dim>
@@ -99,7 +118,8 @@ dynamics::Fault makeFault(ParameterList const& list, Mesh<Dim> const& mesh,
            toDevice(nodalValues(list, "Cohesion", friction_path, mesh, nodes),
                     "asperity::scenario::cohesion"),
            list.get<std::string>("State Evolution"), stateLawValues(list, mesh, nodes),
-           radiation_damping, toDevice(c_over_b, "asperity::scenario::stressSensitivity")},
+           radiation_damping, toDevice(c_over_b, "asperity::scenario::stressSensitivity"),
+           enabledProcesses(list, mesh, *surface)},
           stress};
 }
 

@@ -112,14 +112,14 @@ friction::NodeView initialAlpha(ParameterList const& list, Mesh<Dim> const& mesh
   auto const kind = list.get<std::string>("State");
   const friction::BlockView w("asperity::scenario::w", surface.numNodes(), surface.numTangents());
   dynamics::gatherSlip(surface, *state.v, w);
-  return dynamics::initialAlpha(
-    fault, kinds.at(kind),
-    {nodalValues(list, "alpha", initial_path, mesh, nodes), traction, state.sigma_n, w},
-    [&](int i) {
-      return initial_path + " / State = " + kind + ": at node " +
-             std::to_string(mesh.global_ids[nodes[i]]) +
-             ", x = " + mesh::text(mesh.vertices[nodes[i]]) + ",";
-    });
+  return dynamics::initialAlpha(fault, kinds.at(kind),
+                                {nodalValues(list, "alpha", initial_path, mesh, nodes), traction,
+                                 fault.given(state).sigma_n, w},
+                                [&](int i) {
+                                  return initial_path + " / State = " + kind + ": at node " +
+                                         std::to_string(mesh.global_ids[nodes[i]]) +
+                                         ", x = " + mesh::text(mesh.vertices[nodes[i]]) + ",";
+                                });
 }
 } // namespace
 
@@ -140,16 +140,22 @@ makeInitialState(ParameterList const& deck, Mesh<Dim> const& mesh, fem::NodalFra
   state.sigma_n = friction::NodeView("asperity::scenario::sigma_n", num_nodes);
   fault.normalStress().at(0, state.sigma_n);
   fault.normalStress().raiseToFloor(state.sigma_n);
-  state.alpha = initialAlpha(list, mesh, fault, state, start.traction);
+  state.alpha = friction::NodeView("asperity::scenario::alpha", num_nodes);
   state.alpha_of_rate = friction::NodeView("asperity::scenario::alphaOfRate", num_nodes);
-  Kokkos::deep_copy(state.alpha_of_rate, state.alpha);
+  for (auto const& process : fault.laws().processes) {
+    auto const fields = process->fields(state);
+    state.added.insert(state.added.end(), fields.begin(), fields.end());
+  }
+  state.alpha = initialAlpha(list, mesh, fault, state, start.traction);
+  auto const given = fault.given(state);
+  Kokkos::deep_copy(state.alpha_of_rate, given.alpha);
   if (list.get<std::string>("Acceleration") == "Balanced" && !quasiDynamic(deck.sublist("Bulk"))) {
     const double dt = deck.sublist("Time Stepping").get<double>("Largest Step") * 1e-6;
     auto const load = body.vector();
     body.load(0, *load);
     state.a = dynamics::initialAcceleration(body, fault, solver, *load,
                                             *dynamics::prescribedAcceleration(body, dt), *state.u,
-                                            *state.v, {state.alpha, state.sigma_n});
+                                            *state.v, given);
   }
   return state;
 }

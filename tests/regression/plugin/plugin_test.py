@@ -18,6 +18,7 @@ PREFIX = pathlib.Path("moved").absolute()
 PLUGIN = pathlib.Path("build/libviscous.so")
 
 DISTANCE, RATE, RELAXATION, DAMPING, END = 1e-3, 1e-6, 500.0, 100.0, 1000.0
+PRESSURE, DRAINAGE = 0.5, 200.0  # of the normal stress
 
 
 def call(*words):
@@ -38,8 +39,22 @@ def setUpModule():
     asperity_run.PROGRAM = PREFIX / "bin" / "asperity"
 
 
+def slip_rate(time, slip):
+    share = 1 - PRESSURE * math.exp(-time / DRAINAGE)
+    return (RATE * (time + DAMPING) - slip) / (share * RELAXATION + DAMPING)
+
+
 def exact_slip(time):
-    return RATE * (time + RELAXATION * math.expm1(-time / (RELAXATION + DAMPING)))
+    """By the classical method of Runge and Kutta, to rounding."""
+    count = 1 + int(time)
+    step, slip = time / count, 0.0
+    for k in (step * i for i in range(count)):
+        first = slip_rate(k, slip)
+        second = slip_rate(k + step / 2, slip + step / 2 * first)
+        third = slip_rate(k + step / 2, slip + step / 2 * second)
+        fourth = slip_rate(k + step, slip + step * third)
+        slip += step / 6 * (first + 2 * second + 2 * third + fourth)
+    return slip
 
 
 class Installation(unittest.TestCase):
@@ -74,7 +89,9 @@ class Installation(unittest.TestCase):
 class Run(unittest.TestCase):
     def check(self, ranks):
         folder = asperity_run.run_to_end(f"results_{ranks}", DECK, "--plugin", PLUGIN, "--set",
-                                         "Output/Fault History/Precision=Double", ranks=ranks)
+                                         "Output/Fault History/Precision=Double", "--set",
+                                         "Output/Fault History/Fields={slip,alpha,pressure}",
+                                         ranks=ranks)
         rows = asperity_run.table(folder / "mean_slip.csv")
         self.assertGreater(len(rows), 20)
         self.assertEqual(rows[-1]["time"], END)
@@ -82,6 +99,9 @@ class Run(unittest.TestCase):
             self.assertAlmostEqual(row["mean_slip"], exact_slip(row["time"]),
                                    delta=1e-5 * exact_slip(END))
         history = asperity_run.series(folder / "fault.h5")
+        for time, pressure in zip(history["time"], history["fields/pressure"]):
+            expected = 1e6 * PRESSURE * math.exp(-time / DRAINAGE)
+            self.assertAlmostEqual(pressure.max(), expected, delta=1e-9 * 1e6)
         slip, alpha = history["fields/slip"], history["fields/alpha"]
         self.assertEqual(slip.size, alpha.size)
         for one_slip, one_alpha in zip(slip.ravel(), alpha.ravel()):
@@ -121,7 +141,8 @@ class Parameters(unittest.TestCase):
             text = call(asperity_run.PROGRAM, "--print-parameters", "--plugin", PLUGIN, *arguments)
             for piece in ("with Law = Viscous", "Viscous Slip Rate", "with State Evolution = Wear",
                           "Wear Distance", "with Law = Stiffness Damping", "Damping Time",
-                          "Film on Rock", "Growing Steps", "Steps of a Size", "Mean Slip",
+                          "Film on Rock", "Draining Pressure", "Growing Steps",
+                          "Steps of a Size", "Mean Slip",
                           "at which the coefficient of friction"):
                 self.assertTrue(piece in text, piece)
         self.assertFalse("Viscous Slip" in call(asperity_run.PROGRAM, "--print-parameters"))

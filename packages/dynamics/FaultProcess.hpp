@@ -1,0 +1,79 @@
+#pragma once
+
+#include "dynamics/State.hpp"
+#include "fem/FaultSurface.hpp"
+#include "portability/Registry.hpp"
+
+#include <Teuchos_ParameterList.hpp>
+
+#include <functional>
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace asperity::dynamics
+{
+class FaultUnknown;
+
+// A process on the fault beside friction, its state and the normal stress, such as a fluid pressure
+// or a second state variable: it adds fields to the state of a run and unknowns to the fixed point
+// of a step, and changes what friction depends on.
+class FaultProcess
+{
+public:
+  virtual ~FaultProcess() = default;
+
+  // Its fields at the start of a run, which has all other fields but alpha. A field that is an
+  // unknown is guessed (FieldInfo::is_guessed).
+  virtual std::vector<State::Added> fields(State const& start) const = 0;
+  virtual std::vector<std::shared_ptr<FaultUnknown>> unknowns() const = 0;
+  // Changes alpha and sigma_n(num_nodes), those of the state or what other processes have made of
+  // them, to what friction takes. sigma_n stays >= 0.
+  virtual void act(State const& state, friction::NodeView const& alpha,
+                   friction::NodeView const& sigma_n) const = 0;
+};
+
+// What a process is made of beside its parameters.
+struct FaultProcessContext
+{
+  fem::FaultSurface const& surface; // lives as long as the process
+  // The values (num_nodes) of an entry that was declared as a field.
+  std::function<std::vector<double>(std::string const&)> values;
+};
+
+// A kind of process, registered under the name of its list in the deck's list `Friction`.
+class FaultProcessKind
+{
+public:
+  static constexpr char const* registered_as = "process on faults";
+  virtual ~FaultProcessKind() = default;
+
+  // The parameters, the bool `Enabled` among them, which all have defaults; and one sentence.
+  virtual Teuchos::RCP<const Teuchos::ParameterList> validParameters() const = 0;
+  virtual std::string meaning() const = 0;
+  // `parameters` has been completed and validated. Collective.
+  virtual std::shared_ptr<FaultProcess> make(Teuchos::ParameterList const& parameters,
+                                             FaultProcessContext const& context) const = 0;
+};
+
+// The kind of a class that has static validParameters(), static meaning() and a constructor
+// (ParameterList const&, FaultProcessContext const&). At the bottom of the file of the class:
+//   ASPERITY_REGISTER(FaultProcessRegistry, "Pore Pressure", FaultProcessKindOf<PorePressure>)
+template <class Type>
+class FaultProcessKindOf : public FaultProcessKind
+{
+public:
+  Teuchos::RCP<const Teuchos::ParameterList> validParameters() const override
+  {
+    return Type::validParameters();
+  }
+  std::string meaning() const override { return Type::meaning(); }
+  std::shared_ptr<FaultProcess> make(Teuchos::ParameterList const& parameters,
+                                     FaultProcessContext const& context) const override
+  {
+    return std::make_shared<Type>(parameters, context);
+  }
+};
+
+using FaultProcessRegistry = Registry<FaultProcessKind>;
+} // namespace asperity::dynamics
