@@ -6,6 +6,7 @@
 
 #include <Teuchos_ParameterList.hpp>
 
+#include <array>
 #include <functional>
 #include <memory>
 #include <string>
@@ -36,7 +37,8 @@ public:
 // What a process is made of beside its parameters.
 struct FaultProcessContext
 {
-  fem::FaultSurface const& surface; // lives as long as the process
+  fem::FaultSurface const& surface;          // lives as long as the process
+  std::vector<std::array<double, 3>> places; // (num_nodes) [m], z = 0 in the plane
   // The values (num_nodes) of an entry that was declared as a field.
   std::function<std::vector<double>(std::string const&)> values;
 };

@@ -85,6 +85,10 @@ std::vector<std::shared_ptr<const dynamics::FaultProcess>>
 enabledProcesses(ParameterList const& list, Mesh<Dim> const& mesh, fem::FaultSurface const& surface)
 {
   std::vector<std::shared_ptr<const dynamics::FaultProcess>> result;
+  std::vector<std::array<double, 3>> places;
+  for (const int vertex : surface.vertices()) {
+    places.push_back(inSpace<Dim>(mesh.vertices[vertex]));
+  }
   auto const& processes = dynamics::FaultProcessRegistry::instance();
   for (auto const& name : processes.names()) {
     auto const& parameters = list.sublist(name);
@@ -93,7 +97,7 @@ enabledProcesses(ParameterList const& list, Mesh<Dim> const& mesh, fem::FaultSur
         return nodalValues(parameters, entry, friction_path + " / " + name, mesh,
                            surface.vertices());
       };
-      result.push_back(processes.at(name).make(parameters, {surface, values}));
+      result.push_back(processes.at(name).make(parameters, {surface, places, values}));
     }
   }
   return result;
