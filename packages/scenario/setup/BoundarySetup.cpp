@@ -42,7 +42,7 @@ fem::Boundaries faultAndContinuations(Conditions const& conditions)
 // The fault comes first, then its continuations: the frames of their nodes follow these conditions,
 // and have the same normal where fault and continuation meet.
 template <int Dim>
-void layAlongFault(Conditions const& conditions, Setting const& setting,
+void layAlongFault(Conditions const& conditions, ConditionContext const& setting,
                    BoundaryConditions<Dim>& result)
 {
   auto& velocities = result.velocities;
@@ -53,14 +53,14 @@ void layAlongFault(Conditions const& conditions, Setting const& setting,
       if (result.other_side.is_mirrored) {
         across.kind = fem::FreeAcrossFault{setting.along_fault};
       }
-      const bool is_fault = condition.type->place == Place::fault;
+      const bool is_fault = condition.type->place == ConditionPlace::fault;
       velocities.insert(is_fault ? velocities.begin() : velocities.end(), across);
     }
   }
 }
 
 template <int Dim>
-void make(BoundaryCondition const& condition, Setting const& setting,
+void make(BoundaryCondition const& condition, ConditionContext const& setting,
           BoundaryConditions<Dim>& result)
 {
   std::get<ConditionMaker<Dim>>(condition.type->makers)(condition, setting, result);
@@ -106,10 +106,10 @@ BoundaryConditions<Dim> makeBoundaryConditions(ParameterList const& list, int co
   auto const conditions = readConditions(list);
   refuseUnreadEntries(conditions);
   refuseContradictions(conditions);
-  const Setting setting = {components, faultAndContinuations(conditions)};
+  const ConditionContext setting = {components, faultAndContinuations(conditions)};
   BoundaryConditions<Dim> result;
   for (auto const& condition : conditions) {
-    if (condition.type->place == Place::fault) {
+    if (condition.type->place == ConditionPlace::fault) {
       make(condition, setting, result);
     }
   }
@@ -121,7 +121,7 @@ BoundaryConditions<Dim> makeBoundaryConditions(ParameterList const& list, int co
     layAlongFault(conditions, setting, result);
   }
   for (auto const& condition : conditions) {
-    if (condition.type->place != Place::fault) {
+    if (condition.type->place != ConditionPlace::fault) {
       make(condition, setting, result);
     }
   }

@@ -83,7 +83,7 @@ bool isDriven(ParameterList const& list)
 
 // One fault, or several inside the body.
 template <int Dim>
-void fault(BoundaryCondition const& condition, Setting const& setting,
+void fault(BoundaryCondition const& condition, ConditionContext const& setting,
            BoundaryConditions<Dim>& result)
 {
   auto const& other_side = condition.type->other_side;
@@ -145,7 +145,7 @@ void requireDirectionOfPlates(BoundaryCondition const& condition,
 // v_t = (slip rate - Vp) / slip factor: along the tangent of the frames, in three dimensions along
 // the projection of the direction onto the boundary, and none at right angles to it.
 template <int Dim>
-void prescribedSlipRate(BoundaryCondition const& condition, Setting const& setting,
+void prescribedSlipRate(BoundaryCondition const& condition, ConditionContext const& setting,
                         BoundaryConditions<Dim>& result)
 {
   ASPERITY_REQUIRE(isGiven(condition.list, "Slip Rate"),
@@ -176,7 +176,7 @@ void prescribedSlipRate(BoundaryCondition const& condition, Setting const& setti
 // direction is zero: friction determines the direction of slip only where nothing else drives the
 // node.
 template <int Dim>
-void prescribedVelocity(BoundaryCondition const& condition, Setting const& setting,
+void prescribedVelocity(BoundaryCondition const& condition, ConditionContext const& setting,
                         BoundaryConditions<Dim>& result)
 {
   auto const field = velocityField(condition);
@@ -199,13 +199,14 @@ void prescribedVelocity(BoundaryCondition const& condition, Setting const& setti
 }
 
 template <int Dim>
-void absorbing(BoundaryCondition const& condition, Setting const&, BoundaryConditions<Dim>& result)
+void absorbing(BoundaryCondition const& condition, ConditionContext const&,
+               BoundaryConditions<Dim>& result)
 {
   result.absorbing.push_back(condition.boundary);
 }
 
 template <int Dim>
-void slidingWall(BoundaryCondition const& condition, Setting const& setting,
+void slidingWall(BoundaryCondition const& condition, ConditionContext const& setting,
                  BoundaryConditions<Dim>& result)
 {
   if (setting.components > 1) { // antiplane motion is along every boundary
@@ -214,7 +215,7 @@ void slidingWall(BoundaryCondition const& condition, Setting const& setting,
 }
 
 template <int Dim>
-void fixed(BoundaryCondition const& condition, Setting const& setting,
+void fixed(BoundaryCondition const& condition, ConditionContext const& setting,
            BoundaryConditions<Dim>& result)
 {
   for (int c = 0; c < setting.components; ++c) {
@@ -224,7 +225,7 @@ void fixed(BoundaryCondition const& condition, Setting const& setting,
 }
 
 template <int Dim>
-void freeSurface(BoundaryCondition const& condition, Setting const&,
+void freeSurface(BoundaryCondition const& condition, ConditionContext const&,
                  BoundaryConditions<Dim>& result)
 {
   if (result.surface.empty()) {
@@ -240,7 +241,7 @@ std::vector<ConditionType> makeTypes()
     types.push_back({name,
                      kind.meaning,
                      {"Direction", "Plate Rate"},
-                     Place::fault,
+                     ConditionPlace::fault,
                      DecidesOn::traction,
                      {fault<2>, fault<3>},
                      kind.other_side});
@@ -249,38 +250,38 @@ std::vector<ConditionType> makeTypes()
     {"Prescribed Slip Rate",
      "the boundary continues the fault and slips at that rate.",
      {"Direction", "Slip Rate"},
-     Place::continuation,
+     ConditionPlace::continuation,
      DecidesOn::traction,
      {prescribedSlipRate<2>, prescribedSlipRate<3>}},
     {"Prescribed Velocity",
      "the velocity in one direction is prescribed, and free at right angles to it.",
      {"Direction", "Velocity", "Ramp Duration"},
-     Place::elsewhere,
+     ConditionPlace::elsewhere,
      DecidesOn::direction,
      {prescribedVelocity<2>, prescribedVelocity<3>}},
     {"Absorbing",
      "dashpots take up the waves.",
      {},
-     Place::elsewhere,
+     ConditionPlace::elsewhere,
      DecidesOn::traction,
      {absorbing<2>, absorbing<3>}},
     {"Sliding Wall",
      "the body slides along the boundary (v . n = 0).",
      {},
-     Place::elsewhere,
+     ConditionPlace::elsewhere,
      DecidesOn::direction,
      {slidingWall<2>, slidingWall<3>}},
     {"Fixed",
      "the body is at rest (v = 0), although slip would move it a little: displacements near the "
      "boundary are too small, so keep it far away.",
      {},
-     Place::elsewhere,
+     ConditionPlace::elsewhere,
      DecidesOn::everything,
      {fixed<2>, fixed<3>}},
     {"Free Surface",
      "there is no traction, which is the default; name it so that its motion can be written.",
      {},
-     Place::elsewhere,
+     ConditionPlace::elsewhere,
      DecidesOn::everything,
      {freeSurface<2>, freeSurface<3>}}};
   types.insert(types.end(), others.begin(), others.end());

@@ -11,13 +11,13 @@ namespace asperity::scenario
 struct BoundaryCondition;
 
 // What all conditions of a deck share.
-struct Setting
+struct ConditionContext
 {
   int components;              // of the displacement
   fem::Boundaries along_fault; // the fault and its continuations
 };
 
-enum class Place
+enum class ConditionPlace
 {
   fault,
   continuation, // of the fault
@@ -36,7 +36,8 @@ enum class DecidesOn
 
 // Adds a condition of the deck to the result.
 template <int Dim>
-using ConditionMaker = void (*)(BoundaryCondition const&, Setting const&, BoundaryConditions<Dim>&);
+using ConditionMaker = void (*)(BoundaryCondition const&, ConditionContext const&,
+                                BoundaryConditions<Dim>&);
 
 // A value of the entry `Type` of a boundary condition.
 struct ConditionType
@@ -44,7 +45,7 @@ struct ConditionType
   std::string name;
   std::string meaning;            // for the list of parameters
   std::vector<std::string> reads; // entries besides `Boundary` and `Type`
-  Place place;
+  ConditionPlace place;
   DecidesOn decides_on;
   std::tuple<ConditionMaker<2>, ConditionMaker<3>> makers;
   fem::OtherSide other_side = {}; // of a fault
@@ -70,7 +71,10 @@ struct BoundaryCondition
   ConditionType const* type;
   std::string boundary;
 
-  bool liesAlongFault() const { return type->place != Place::elsewhere; }
-  bool isFaultInside() const { return type->place == Place::fault && type->other_side.is_inside; }
+  bool liesAlongFault() const { return type->place != ConditionPlace::elsewhere; }
+  bool isFaultInside() const
+  {
+    return type->place == ConditionPlace::fault && type->other_side.is_inside;
+  }
 };
 } // namespace asperity::scenario
