@@ -4,7 +4,7 @@
 set(asperity_precompiled_headers
   <Kokkos_Core.hpp> <Teuchos_CommHelpers.hpp> <Teuchos_ParameterList.hpp> <Tpetra_CrsMatrix.hpp>
   <Tpetra_Import.hpp> <Tpetra_Map.hpp> <Tpetra_MultiVector.hpp> <Tpetra_Vector.hpp>
-  <hdf5.h> <filesystem> <functional> <map> <sstream> <string> <vector>)
+  <filesystem> <functional> <map> <sstream> <string> <vector>)
 
 # asperity_add_precompiled_headers(<use> [HEADERS <header>...] [LIBRARIES <target>...])
 function(asperity_add_precompiled_headers use)
@@ -22,7 +22,7 @@ function(asperity_add_precompiled_headers use)
   endif()
   target_compile_features(${target} PRIVATE cxx_std_17)
   set_target_properties(${target} PROPERTIES CXX_EXTENSIONS OFF POSITION_INDEPENDENT_CODE ON)
-  target_link_libraries(${target} PRIVATE Asperity::Trilinos Asperity::HDF5 ${ADD_LIBRARIES})
+  target_link_libraries(${target} PRIVATE Asperity::Trilinos ${ADD_LIBRARIES})
   target_link_options(${target} PRIVATE ${asperity_sanitizer_flags})
   target_precompile_headers(${target} PRIVATE ${asperity_precompiled_headers} ${ADD_HEADERS})
 endfunction()
