@@ -35,6 +35,8 @@ public:
       KOKKOS_LAMBDA(int node) { image(node) = rest * before(node); });
     return 0;
   }
+  // Else changes that are small beside the tolerance would be lost, in every step anew.
+  bool endsWithImage() const override { return true; }
   // A change of 1 Pa counts as little as one of 1e-6 in alpha.
   friction::ConstNodeView scale() const override { return scale_; }
 

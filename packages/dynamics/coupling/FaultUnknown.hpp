@@ -32,7 +32,8 @@ public:
   // tolerance and in the acceleration; a view without entries means 1.
   virtual friction::ConstNodeView scale() const { return {}; }
   // Whether the state at the end of the step has the last image, or the value with which the rate
-  // problem was solved.
+  // problem was solved. An unknown that follows from its own value at the beginning of the step
+  // needs its image: a change below the tolerance would be lost in every step.
   virtual bool endsWithImage() const { return false; }
   // Whether step controls measure the error of a step in it.
   virtual bool controlsSteps() const { return false; }
