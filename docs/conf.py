@@ -22,6 +22,7 @@ myst_heading_anchors = 4
 suppress_warnings = ["myst.strikethrough"]
 exclude_patterns = ["figures"]
 nitpicky = False
+smartquotes = False  # --option stays what a user can copy
 highlight_language = "none"
 
 html_theme = "furo"

@@ -35,7 +35,7 @@ bool GrowthWatch::hidesGrowth(Step const& step)
     least_ = -1;
   }
   const double part = isForced(step) ? part_of_L : part_of_L_within;
-  return (isForced(step) || slip_distance_ > 0) && step.rate > growth * before &&
+  return (step.is_forced || slip_distance_ > 0) && step.rate > growth * before &&
          step.rate * step.step_size > part * slip_distance_;
 }
 

@@ -18,7 +18,7 @@ class GrowthWatch
 {
 public:
   // slip_distance: L [m], the smallest of the fault; 0 if unknown: then growth alone counts in
-  // forced steps, and other steps are not judged.
+  // steps that do not meet the tolerance, and other steps are not judged.
   // most: the number of forced, or of other steps that hide growth at which the run ends; 0 means
   // no limit, which is always so for prescribed steps: all of them are forced.
   GrowthWatch(double slip_distance, std::int64_t most, bool is_prescribed = false)

@@ -85,5 +85,6 @@ TEST(GrowthWatch, knowsNoSlipDistance)
 {
   EXPECT_TRUE(GrowthWatch(0, 0).note(step(true, 1e-7, 1e-9, 1)));
   EXPECT_FALSE(GrowthWatch(0, 0).note(step(false, 1e4, 1e-9, 1)));
+  EXPECT_FALSE(GrowthWatch(0, 0, true).note(step(false, 1e4, 1e-9, 1)));
 }
 } // namespace asperity::dynamics
