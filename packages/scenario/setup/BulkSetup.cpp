@@ -57,8 +57,8 @@ RCP<const ParameterList> bulkParameters()
                "Gravity points in the direction of this vector in x, y and, in three dimensions, z "
                "(0 if left out). Its length has no effect.");
   declareChoice(declare, law_choice, "Kelvin-Voigt", fem::bulkLaws(),
-                "Selects the law that gives the viscosity of the rock. Without viscosity the body is "
-                "elastic.");
+                "Selects the law that gives the viscosity of the rock. Without viscosity the body "
+                "is elastic.");
   return declare.list();
 }
 
