@@ -42,20 +42,22 @@ io::SegmentedTable::Options tableOf(io::OutputContext const& context,
 
 Teuchos::RCP<const Teuchos::ParameterList> Receivers::validParameters()
 {
-  const auto place =
+  const std::string meaning = "The receiver lies at this position, in coordinates of the mesh.";
+  const auto in_body =
+    Declare().realArray("<receiver>", required, "m", Range::any(), meaning).list();
+  const auto on_fault =
     Declare()
-      .realArray(
-        "<receiver>", required, "m", Range::any(),
-        "The receiver lies at this position, in coordinates of the mesh. On a fault in two "
-        "dimensions a single number is the distance along it from its upper end, or along "
-        "+x where the fault is level.")
+      .realArray("<receiver>", required, "m", Range::any(),
+                 meaning +
+                   " On a fault in two dimensions a single number is the distance along it from "
+                   "its upper end, or along +x where the fault is level.")
       .list();
   Declare parameters;
   parameters
     .boolean("Enabled", true,
              "If true, the run writes this output, provided that there are receivers.")
-    .openSublist("On Fault", place, "Each entry puts a receiver of that name on the fault.")
-    .openSublist("Off Fault", place, "Each entry puts a receiver of that name in the body.")
+    .openSublist("On Fault", on_fault, "Each entry puts a receiver of that name on the fault.")
+    .openSublist("Off Fault", in_body, "Each entry puts a receiver of that name in the body.")
     .textArray("Fault Fields",
                std::vector<std::string>{"slip", "slip_rate", "traction", "normal_stress", "theta"},
                "The fields of these names are written for receivers on the fault.")

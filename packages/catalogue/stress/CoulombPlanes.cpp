@@ -68,12 +68,13 @@ void declareCoulombPlanes(Declare& output)
 {
   auto const plane =
     Declare()
-      .realArray("<plane>", required, "deg", Range::any(),
+      .realArray("<plane>", required, "-", Range::any(),
                  "In three dimensions these are strike, dip and rake in degrees (Aki and Richards: "
                  "the strike counts clockwise from north, the plane dips to its right, the hanging "
                  "wall slips along the rake) and the effective friction coefficient. In two they "
                  "are the angle of the plane from +x towards +y, the rake of the side on its "
-                 "right, 0 along that direction and 90 along +z, and the coefficient.")
+                 "right, 0 along that direction and 90 along +z, both in degrees, and the "
+                 "coefficient.")
       .list();
   output
     .openSublist(planes_list, plane,
