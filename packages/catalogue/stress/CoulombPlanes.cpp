@@ -68,7 +68,7 @@ void declareCoulombPlanes(Declare& output)
 {
   auto const plane =
     Declare()
-      .realArray("<plane>", required, "-", Range::any(),
+      .realArray("<plane>", required, "deg", Range::any(),
                  "In three dimensions these are strike, dip and rake in degrees (Aki and Richards: "
                  "the strike counts clockwise from north, the plane dips to its right, the hanging "
                  "wall slips along the rake) and the effective friction coefficient. In two they "
