@@ -4,7 +4,7 @@ namespace asperity::fem
 {
 namespace
 {
-// A spring and a dashpot side by side (Pipping 2014, section 2.1); elastic where both viscosities
+// A spring and a dashpot side by side (Pipping 2014); elastic where both viscosities
 // are zero.
 struct KelvinVoigt
 {
