@@ -53,13 +53,13 @@ std::vector<double> compressionOf(Problem const& problem, std::vector<int> const
   auto const zero = body.vector(), u = body.vector();
   Vector slip(equilibrium.map());
   auto const no_forces = equilibrium.condense(*zero);
-  const friction::NodeView R("asperity::bench::R", problem.surface->numNodes());
+  const NodeView R("asperity::bench::R", problem.surface->numNodes());
   std::vector<double> result(n * n);
   for (std::size_t j = 0; j < n; ++j) {
     slip.putScalar(0);
     slip.replaceLocalValue(static_cast<int>(j), 1 / problem.surface->slipFactor());
     no_forces.expand(slip, *u);
-    problem.reaction.reaction->compression(*zero, *u, *zero, *zero, R);
+    problem.reaction.reaction->compression(*zero, {*u, *zero, *zero, {}}, R);
     auto const host = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace(), R);
     for (std::size_t i = 0; i < n; ++i) {
       result[i * n + j] = host(nodes[i]);
@@ -86,8 +86,10 @@ FaultStiffness stiffnessOfFault(ParameterList const& deck,
   for (int node : nodes) {
     dofs.push_back(surface[node].dofs[0]);
   }
-  const tnnmg::SchurComplement equilibrium(
-    *fem::combine(problem.body.matrices, fem::of_stiffness, problem.body.held), dofs);
+  const tnnmg::SchurComplement equilibrium(*fem::combine(problem.body.matrices,
+                                                         fem::ofElasticity(problem.body.matrices),
+                                                         problem.body.held),
+                                           dofs);
 
   FaultStiffness result;
   auto const S = toHost(equilibrium.matrix());

@@ -1,4 +1,4 @@
-// A thrust fault that flattens with depth, for curved.xml, described in docs/first_model/gmsh.md.
+// A thrust fault that flattens with depth, for curved.xml, described in the manual.
 //
 //   asperity-mesh convert curved.geo curved.h5 --set h=250
 //

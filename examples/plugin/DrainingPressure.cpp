@@ -25,10 +25,10 @@ public:
     Kokkos::deep_copy(scale_, 1e-6);
   }
 
-  friction::NodeView const& of(State const& state) const override { return state.at(field_name); }
-  int respond(FaultResponse const& to, friction::NodeView const& image) override
+  NodeView const& of(State const& state) const override { return state.at(field_name); }
+  int respond(FaultResponse const& to, NodeView const& image) override
   {
-    const friction::ConstNodeView before = of(to.from);
+    const ConstNodeView before = of(to.from);
     const double rest = std::exp(-to.tau / drainage_time_);
     Kokkos::parallel_for(
       "drain", Nodes(0, image.extent_int(0)),
@@ -38,11 +38,11 @@ public:
   // Else changes that are small beside the tolerance would be lost, in every step anew.
   bool endsWithImage() const override { return true; }
   // A change of 1 Pa counts as little as one of 1e-6 in alpha.
-  friction::ConstNodeView scale() const override { return scale_; }
+  ConstNodeView scale() const override { return scale_; }
 
 private:
   double drainage_time_;
-  friction::NodeView scale_;
+  NodeView scale_;
 };
 
 class DrainingPressure : public FaultProcess
@@ -68,17 +68,16 @@ public:
   std::vector<State::Added> fields(State const&) const override
   {
     constexpr bool is_guessed = true;
-    const friction::NodeView p("pressure", start_.size());
+    const NodeView p("pressure", start_.size());
     auto const host = Kokkos::create_mirror_view(p);
     std::copy(start_.begin(), start_.end(), host.data());
     Kokkos::deep_copy(p, host);
     return {{std::make_shared<FieldInfo>(FieldInfo{field_name, "pressure", "Pa", is_guessed}), p}};
   }
   std::vector<std::shared_ptr<FaultUnknown>> unknowns() const override { return {unknown_}; }
-  void act(State const& state, friction::NodeView const&,
-           friction::NodeView const& sigma_n) const override
+  void act(State const& state, NodeView const&, NodeView const& sigma_n) const override
   {
-    const friction::ConstNodeView p = state.at(field_name);
+    const ConstNodeView p = state.at(field_name);
     Kokkos::parallel_for(
       "effectiveStress", Nodes(0, sigma_n.extent_int(0)), KOKKOS_LAMBDA(int node) {
         sigma_n(node) = sigma_n(node) > p(node) ? sigma_n(node) - p(node) : 0;

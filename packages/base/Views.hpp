@@ -1,20 +1,14 @@
 #pragma once
 
 #include "base/Types.hpp"
-#include "portability/Spaces.hpp"
-
-#include <Kokkos_Core.hpp>
+#include "portability/Views.hpp"
 
 #include <string>
 #include <vector>
 
-// Kokkos views of what the parts of a solver share about nodes, and the ways to and from the host.
+// The dofs at nodes, and the ways of views to and from the host.
 namespace asperity
 {
-// Any number of local rows, columns or nodes.
-using IndexView = Kokkos::View<const int*, MemorySpace>;
-// One flag for each local row or node: 0 or 1.
-using ConstFlagView = Kokkos::View<const int*, MemorySpace>;
 // (num_nodes, T): the local dofs of T components at each node.
 using NodeDofView = Kokkos::View<const LocalOrdinal**, Kokkos::LayoutRight, MemorySpace>;
 

@@ -33,13 +33,19 @@ void Body::applyMass(Vector const& x, Vector& y, double alpha, double beta) cons
   }
 }
 
-BodyForces Body::noForces() const { return {vector(), vector(), vector()}; }
-
-void Body::computeForces(Vector const& u, Vector const& v, Vector const& a, BodyForces& forces,
-                         Vector* momentum) const
+BodyForces Body::noForces() const
 {
-  std::vector<fem::MatrixProduct> products = {{*matrices.stiffness, u, *forces.elastic},
-                                              {*matrices.viscosity, v, *forces.viscous}};
+  BodyForces forces{vector(), vector(), vector(), {}};
+  for (std::size_t k = 0; k < matrices.branches.size(); ++k) {
+    forces.of_branches.push_back(vector());
+  }
+  return forces;
+}
+
+void Body::computeForces(Motion const& motion, BodyForces& forces, Vector* momentum) const
+{
+  std::vector<fem::MatrixProduct> products = {{*matrices.stiffness, motion.u, *forces.elastic},
+                                              {*matrices.viscosity, motion.v, *forces.viscous}};
   const auto addMassTimes = [&](Vector const& x, Vector& y) {
     if (matrices.is_massless) {
       y.putScalar(0);
@@ -47,20 +53,26 @@ void Body::computeForces(Vector const& u, Vector const& v, Vector const& a, Body
       products.push_back({*matrices.mass, x, y});
     }
   };
-  addMassTimes(a, *forces.inertial);
+  addMassTimes(motion.a, *forces.inertial);
   if (momentum) {
-    addMassTimes(v, *momentum);
+    addMassTimes(motion.v, *momentum);
   }
   fem::multiply(products);
+  for (std::size_t k = 0; k < matrices.branches.size(); ++k) {
+    matrices.branches[k].stiffness->apply(*motion.d[k], *forces.of_branches[k]);
+    forces.elastic->update(1, *forces.of_branches[k], 1);
+  }
 }
 
-void Body::residual(Vector const& l, Vector const& u, Vector const& v, Vector const& a,
-                    Vector& result) const
+void Body::residual(Vector const& l, Motion const& motion, Vector& result) const
 {
   Tpetra::deep_copy(result, l);
-  applyMass(a, result, -1, 1);
-  matrices.viscosity->apply(v, result, Teuchos::NO_TRANS, -1, 1);
-  matrices.stiffness->apply(u, result, Teuchos::NO_TRANS, -1, 1);
+  applyMass(motion.a, result, -1, 1);
+  matrices.viscosity->apply(motion.v, result, Teuchos::NO_TRANS, -1, 1);
+  matrices.stiffness->apply(motion.u, result, Teuchos::NO_TRANS, -1, 1);
+  for (std::size_t k = 0; k < matrices.branches.size(); ++k) {
+    matrices.branches[k].stiffness->apply(*motion.d[k], result, Teuchos::NO_TRANS, -1, 1);
+  }
 }
 
 void Body::clearHeld(Vector& x) const

@@ -10,17 +10,28 @@
 
 namespace asperity::dynamics
 {
+// What the forces in a body follow from, on the owned dofs in nodal frames; d_k(num_branches) of
+// its Maxwell branches.
+struct Motion
+{
+  Vector const& u;
+  Vector const& v;
+  Vector const& a;
+  std::vector<RCP<Vector>> const& d;
+};
+
 // The forces that resist a motion [N], in 2D per unit of thickness [N/m].
 struct BodyForces
 {
-  RCP<Vector> elastic, viscous, inertial; // K u, C v, M a
+  RCP<Vector> elastic, viscous, inertial; // K u + sum of K_k d_k, C v, M a
+  std::vector<RCP<Vector>> of_branches;   // K_k d_k
 
-  // b -= M a + C v + K u, in one pass over the vectors.
+  // b -= M a + C v + K u + sum of K_k d_k, in one pass over the vectors.
   void subtractFrom(Vector& b) const;
 };
 
-// The linear part of the model: M u'' + C u' + K u = load(t) + friction and reaction forces
-// (Pipping 2014, eq. 14), in nodal frames.
+// The linear part of the model, in nodal frames (Pipping 2014, eq. 14; fem::MaxwellBranch):
+//   M u'' + C u' + K u + sum of K_k d_k = load(t) + friction and reaction forces
 struct Body
 {
   std::shared_ptr<const fem::DofMap> dofs;
@@ -39,11 +50,9 @@ struct Body
   BodyForces noForces() const;
   // Also sets `momentum` to M v unless it is null. Reads each matrix once. In a massless body
   // inertial forces and momentum are zero.
-  void computeForces(Vector const& u, Vector const& v, Vector const& a, BodyForces& forces,
-                     Vector* momentum = nullptr) const;
-  // l - M a - C v - K u
-  void residual(Vector const& l, Vector const& u, Vector const& v, Vector const& a,
-                Vector& result) const;
+  void computeForces(Motion const& motion, BodyForces& forces, Vector* momentum = nullptr) const;
+  // l - M a - C v - K u - sum of K_k d_k
+  void residual(Vector const& l, Motion const& motion, Vector& result) const;
   // x = 0 at the held dofs
   void clearHeld(Vector& x) const;
 };

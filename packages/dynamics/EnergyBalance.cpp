@@ -75,9 +75,8 @@ void clearAt(IndexView const& dofs, Vector& x)
 
 // Sets the result at the dofs of the fault to friction, at nodes at rest to the residual, which
 // friction balances, and at held dofs to the reaction.
-void setForce(fem::FaultSurface const& surface, IndexView const& held,
-              friction::ConstBlockView const& w, friction::ConstBlockView const& friction,
-              Residual const& residual, Vector& result)
+void setForce(fem::FaultSurface const& surface, IndexView const& held, ConstBlockView const& w,
+              ConstBlockView const& friction, Residual const& residual, Vector& result)
 {
   auto const force = result.getLocalViewDevice(Tpetra::Access::ReadWrite);
   auto const dofs = surface.dofs();
@@ -103,9 +102,9 @@ struct TakenFromPlates
 };
 
 // Of this rank, in a step of tau [s] with the velocities v0 and v1 at its ends.
-TakenFromPlates takenFromPlates(fem::FaultSurface const& surface,
-                                friction::ConstNodeView const& eta, double tau,
-                                ForceOfStep const& force, Values const& v0, Values const& v1)
+TakenFromPlates takenFromPlates(fem::FaultSurface const& surface, ConstNodeView const& eta,
+                                double tau, ForceOfStep const& force, Values const& v0,
+                                Values const& v1)
 {
   const double factor = surface.slipFactor();
   auto const dofs = surface.dofs();
@@ -174,7 +173,12 @@ EnergyBalance::EnergyBalance(Body const& body, Fault const& fault, DyadicTime co
 
 EnergyBalance::Snapshot EnergyBalance::snapshot() const
 {
-  return {body_.vector(), body_.vector(), body_.vector(), body_.vector(), body_.noForces()};
+  Snapshot result{body_.vector(),  body_.vector(), body_.vector(), body_.vector(), {},
+                  body_.noForces()};
+  for (std::size_t k = 0; k < body_.matrices.branches.size(); ++k) {
+    result.d.push_back(body_.vector());
+  }
+  return result;
 }
 
 void EnergyBalance::fill(State const& state, Snapshot& result)
@@ -183,8 +187,13 @@ void EnergyBalance::fill(State const& state, Snapshot& result)
   Tpetra::deep_copy(*result.v, *state.v);
   result.time = state.time;
   body_.load(clock_.seconds(state.time), *result.load);
-  body_.computeForces(*state.u, *state.v, *state.a, result.resisting, momentum_.get());
+  body_.computeForces(state.motion(), result.resisting, momentum_.get());
   result.elastic = 0.5 * result.resisting.elastic->dot(*state.u);
+  for (std::size_t k = 0; k < result.d.size(); ++k) {
+    auto const& f = *result.resisting.of_branches[k];
+    result.elastic += 0.5 * (f.dot(*state.branches[k]) - f.dot(*state.u));
+    Tpetra::deep_copy(*result.d[k], *state.branches[k]);
+  }
   result.kinetic = 0.5 * momentum_->dot(*state.v);
   fillForce(state, result);
 }
@@ -255,6 +264,12 @@ EnergyBalance::Works EnergyBalance::worksOfStep() const
   works.load = sumOfAll(num_dofs, during(*before_.load, *after_.load));
   works.viscous = sumOfAll(num_dofs, during(*then.viscous, *now.viscous));
   works.inertial = sumOfAll(num_dofs, during(*then.inertial, *now.inertial));
+  for (std::size_t k = 0; k < before_.d.size(); ++k) {
+    auto const &f0 = *then.of_branches[k], &f1 = *now.of_branches[k];
+    works.viscous += sumOfAll(num_dofs, during(f0, f1)) -
+                     sumOfAll(num_dofs, ForceOfStep{reading(*before_.d[k]), reading(*after_.d[k]),
+                                                    reading(f0), reading(f1)});
+  }
   works.friction = sumAt(fault_dofs_, force);
   works.boundary = -sumAt(body_.held.ownedOnDevice(), force);
   if (fault_.surface().hasPlateRate()) {

@@ -5,6 +5,7 @@
 #include "dynamics/State.hpp"
 
 #include <array>
+#include <vector>
 
 namespace asperity::dynamics
 {
@@ -13,7 +14,7 @@ namespace asperity::dynamics
 struct Energy
 {
   double kinetic = 0;
-  double elastic = 0;       // 1/2 u'Ku
+  double elastic = 0;       // 1/2 u'Ku + sum of 1/2 d_k'K_k d_k
   double load_work = 0;     // by gravity and tractions, and by plates that move (back slip)
   double boundary_work = 0; // by the forces that move the prescribed boundaries
   double friction_work = 0; // dissipated on the fault
@@ -37,8 +38,8 @@ struct Energy
 // of the step:
 //   change of (1/2 v'Mv + 1/2 u'Ku) = du . (mean l - C mean v - mean f) - D
 //   D = du . M mean a - mean v . M dv,    mean v . M dv = change of 1/2 v'Mv
-// f are the friction forces of the last rate problem and the reactions of prescribed dofs. The
-// balance is exact where that of momentum holds at both ends; D is what the scheme dissipates, zero
+// Of it a Maxwell branch dissipates (mean K_k d_k) . (du - change of d_k) as viscous work. f are the
+// friction forces of the last rate problem and the reactions of prescribed dofs. The balance is exact where that of momentum holds at both ends; D is what the scheme dissipates, zero
 // for Newmark with beta = 1/4 (README.md). Under back slip the fault slips by Vp tau more than the
 // bodies move: what friction and radiation damping dissipate in this slip is work of the plates.
 //
@@ -70,12 +71,13 @@ public:
   // thickness].
   Vector const& force() const { return *before_.force; }
   // w(num_nodes, T) of gatherSlip at the last state.
-  friction::ConstBlockView slipVelocity() const { return w_; }
+  ConstBlockView slipVelocity() const { return w_; }
 
 private:
   struct Snapshot
   {
     RCP<Vector> u, v, load, force;
+    std::vector<RCP<Vector>> d; // of the Maxwell branches
     BodyForces resisting;
     double kinetic = 0, elastic = 0;
     DyadicTime::Ticks time = 0;
@@ -100,10 +102,10 @@ private:
   RCP<Vector> momentum_;
   RCP<Vector> start_residual_; // r0, until the first step is made; null if there is none
   double start_imbalance_ = 0;
-  friction::ConstNodeView eta_;      // (num_nodes) radiation damping [Pa s/m], or nothing
-  friction::BlockView w_, gradient_; // w of gatherSlip, and the friction forces at it
-  friction::HessianView hessian_;
-  friction::FlagView kinked_;
+  ConstNodeView eta_;      // (num_nodes) radiation damping [Pa s/m], or nothing
+  BlockView w_, gradient_; // w of gatherSlip, and the friction forces at it
+  HessianView hessian_;
+  FlagView kinked_;
   Energy energy_;
 };
 } // namespace asperity::dynamics

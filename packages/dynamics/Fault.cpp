@@ -19,8 +19,8 @@ friction::StateAndStress Fault::given(State const& state) const
   if (laws_.processes.empty()) {
     return {state.alpha, state.sigma_n};
   }
-  const friction::NodeView alpha("asperity::dynamics::givenAlpha", state.alpha.extent(0));
-  const friction::NodeView sigma_n("asperity::dynamics::givenStress", state.sigma_n.extent(0));
+  const NodeView alpha("asperity::dynamics::givenAlpha", state.alpha.extent(0));
+  const NodeView sigma_n("asperity::dynamics::givenStress", state.sigma_n.extent(0));
   Kokkos::deep_copy(alpha, state.alpha);
   Kokkos::deep_copy(sigma_n, state.sigma_n);
   for (auto const& process : laws_.processes) {
@@ -29,8 +29,7 @@ friction::StateAndStress Fault::given(State const& state) const
   return {alpha, sigma_n};
 }
 
-std::unique_ptr<friction::FrictionKernels>
-Fault::frictionWith(friction::ConstNodeView const& cohesion) const
+std::unique_ptr<friction::FrictionKernels> Fault::frictionWith(ConstNodeView const& cohesion) const
 {
   return friction::makeFrictionKernels(
     laws_.friction,

@@ -17,14 +17,14 @@ struct FaultLaws
 {
   std::string friction;
   friction::ParameterView friction_parameters; // (num_parameters, num_nodes)
-  friction::ConstNodeView cohesion;            // (num_nodes) [Pa]
+  ConstNodeView cohesion;                      // (num_nodes) [Pa]
   std::string state;
   friction::ParameterView state_parameters; // (num_parameters, num_nodes)
   // (num_nodes) traction per slip rate [Pa s/m] of a quasi-dynamic body; empty if there is none.
   std::vector<double> radiation_damping = {};
   // c / b of Linker and Dieterich's term, d(alpha) = -(c / b) d(ln sigma_n): (num_nodes) [-];
   // a view without entries means none.
-  friction::ConstNodeView stress_sensitivity = {};
+  ConstNodeView stress_sensitivity = {};
   std::vector<std::shared_ptr<const FaultProcess>> processes = {};
 };
 
@@ -47,8 +47,7 @@ public:
   friction::StateAndStress given(State const& state) const;
 
   // Friction kernels of the same law with another cohesion(num_nodes) [Pa].
-  std::unique_ptr<friction::FrictionKernels>
-  frictionWith(friction::ConstNodeView const& cohesion) const;
+  std::unique_ptr<friction::FrictionKernels> frictionWith(ConstNodeView const& cohesion) const;
 
 private:
   std::shared_ptr<const fem::FaultSurface> surface_;

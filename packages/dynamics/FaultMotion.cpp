@@ -26,7 +26,7 @@ double plateSpeed(fem::FaultSurface const& surface, int node)
   return std::sqrt(square);
 }
 
-using Nodes = Kokkos::RangePolicy<friction::ExecutionSpace>;
+using Nodes = Kokkos::RangePolicy<ExecutionSpace>;
 
 // Whether the slip rate of the held component k is zero, to rounding.
 template <class Values>
@@ -94,7 +94,7 @@ void requireRestBesideSliding(fem::FaultSurface const& surface, Vector const& pr
                            "wall), or prescribe both.");
 }
 
-void gather(fem::FaultSurface const& surface, Vector const& v, friction::BlockView const& blocks)
+void gather(fem::FaultSurface const& surface, Vector const& v, BlockView const& blocks)
 {
   auto const values = v.getLocalViewDevice(Tpetra::Access::ReadOnly);
   auto const dofs = surface.dofs();
@@ -106,8 +106,7 @@ void gather(fem::FaultSurface const& surface, Vector const& v, friction::BlockVi
     });
 }
 
-void gatherSlip(fem::FaultSurface const& surface, Vector const& v,
-                friction::BlockView const& blocks)
+void gatherSlip(fem::FaultSurface const& surface, Vector const& v, BlockView const& blocks)
 {
   gather(surface, v, blocks);
   if (!surface.hasPlateRate()) {
@@ -124,8 +123,8 @@ void gatherSlip(fem::FaultSurface const& surface, Vector const& v,
     });
 }
 
-void gatherSlipSince(fem::FaultSurface const& surface, friction::ConstBlockView const& start,
-                     Vector const& u, double time, friction::BlockView const& blocks)
+void gatherSlipSince(fem::FaultSurface const& surface, ConstBlockView const& start, Vector const& u,
+                     double time, BlockView const& blocks)
 {
   gather(surface, u, blocks);
   auto const rates = surface.plateRates();
@@ -183,8 +182,7 @@ void stickToPlates(fem::FaultSurface const& surface, Vector& v)
     });
 }
 
-void slipRate(fem::FaultSurface const& surface, friction::ConstBlockView const& v,
-              friction::NodeView const& V)
+void slipRate(fem::FaultSurface const& surface, ConstBlockView const& v, NodeView const& V)
 {
   const int size = surface.numTangents();
   const double factor = surface.slipFactor();
@@ -204,7 +202,7 @@ void slipRate(fem::FaultSurface const& surface, friction::ConstBlockView const& 
     });
 }
 
-double peakSlipRate(fem::FaultSurface const& surface, friction::ConstNodeView const& V)
+double peakSlipRate(fem::FaultSurface const& surface, ConstNodeView const& V)
 {
   const int size = surface.numTangents();
   auto const dofs = surface.dofs();
@@ -223,8 +221,8 @@ double peakSlipRate(fem::FaultSurface const& surface, friction::ConstNodeView co
   return maxOverRanks(std::max(mine, 0.), *surface.communicator()); // a rank may have no nodes
 }
 
-double distance(fem::FaultSurface const& surface, friction::ConstNodeView const& a,
-                friction::ConstNodeView const& b, Norm norm)
+double distance(fem::FaultSurface const& surface, ConstNodeView const& a, ConstNodeView const& b,
+                Norm norm)
 {
   auto const weight = surface.weights();
   double mine = 0;

@@ -2,7 +2,7 @@
 
 #include "base/Types.hpp"
 #include "fem/FaultSurface.hpp"
-#include "friction/Types.hpp"
+#include "portability/Views.hpp"
 
 #include <vector>
 
@@ -15,16 +15,15 @@ enum class Norm
 };
 
 // Tangential components of v (owned dofs) at the nodes: blocks(num_nodes, T).
-void gather(fem::FaultSurface const& surface, Vector const& v, friction::BlockView const& blocks);
+void gather(fem::FaultSurface const& surface, Vector const& v, BlockView const& blocks);
 
 // The velocity w = v_t + Vp / slip factor that friction depends on, with the plate rate Vp of back
 // slip: blocks(num_nodes, T). The slip rate as a vector is slip factor times w.
-void gatherSlip(fem::FaultSurface const& surface, Vector const& v,
-                friction::BlockView const& blocks);
+void gatherSlip(fem::FaultSurface const& surface, Vector const& v, BlockView const& blocks);
 // The same of the displacement u(owned dofs) after `time` [s] in which the plates have moved, from
 // that of the start(num_nodes, T): slip factor times the blocks(num_nodes, T) is slip as a vector.
-void gatherSlipSince(fem::FaultSurface const& surface, friction::ConstBlockView const& start,
-                     Vector const& u, double time, friction::BlockView const& blocks);
+void gatherSlipSince(fem::FaultSurface const& surface, ConstBlockView const& start, Vector const& u,
+                     double time, BlockView const& blocks);
 
 // Sets the unknowns v(owned dofs) where friction decides on the velocity such that the fault slips
 // at these rates(num_nodes, T) [m/s].
@@ -36,17 +35,16 @@ void stickToPlates(fem::FaultSurface const& surface, Vector& v);
 
 // Slip rates V(num_nodes) = slip factor |w|, where v holds the w(num_nodes, T) of gatherSlip. Runs
 // on the device.
-void slipRate(fem::FaultSurface const& surface, friction::ConstBlockView const& v,
-              friction::NodeView const& V);
+void slipRate(fem::FaultSurface const& surface, ConstBlockView const& v, NodeView const& V);
 
 // The largest of the slip rates V(num_nodes) [m/s] over all ranks, at nodes where friction decides
 // on the velocity. Collective.
-double peakSlipRate(fem::FaultSurface const& surface, friction::ConstNodeView const& V);
+double peakSlipRate(fem::FaultSurface const& surface, ConstNodeView const& V);
 
 // The norm of a - b over the nodes of all ranks; not finite if one of the values is not finite.
 // Collective.
-double distance(fem::FaultSurface const& surface, friction::ConstNodeView const& a,
-                friction::ConstNodeView const& b, Norm norm = Norm::root_mean_square);
+double distance(fem::FaultSurface const& surface, ConstNodeView const& a, ConstNodeView const& b,
+                Norm norm = Norm::root_mean_square);
 
 // Where a node is held in one tangential component and free in another, friction knows the
 // direction of slip only if the held component does not slip. Throws InputError if the prescribed

@@ -30,8 +30,7 @@ public:
   virtual std::vector<std::shared_ptr<FaultUnknown>> unknowns() const = 0;
   // Changes alpha and sigma_n(num_nodes), those of the state or what other processes have made of
   // them, to what friction takes. sigma_n stays >= 0.
-  virtual void act(State const& state, friction::NodeView const& alpha,
-                   friction::NodeView const& sigma_n) const = 0;
+  virtual void act(State const& state, NodeView const& alpha, NodeView const& sigma_n) const = 0;
 };
 
 // What a process is made of beside its parameters.

@@ -2,7 +2,7 @@
 
 #include "fem/BoundaryCells.hpp"
 #include "fem/FaultSurface.hpp"
-#include "friction/Types.hpp"
+#include "portability/Views.hpp"
 
 #include <optional>
 #include <vector>

@@ -17,16 +17,15 @@ Value const& once(std::optional<Value>& known, Compute const& compute)
   return *known;
 }
 
-FaultSample::Values onHost(friction::ConstNodeView const& x)
+FaultSample::Values onHost(ConstNodeView const& x)
 {
   auto const host = toHost(x);
   return {host.data(), host.data() + host.extent(0)};
 }
 
-friction::BlockView blocksOf(fem::FaultSurface const& surface)
+BlockView blocksOf(fem::FaultSurface const& surface)
 {
-  return friction::BlockView("asperity::dynamics::blocks", surface.numNodes(),
-                             surface.numTangents());
+  return BlockView("asperity::dynamics::blocks", surface.numNodes(), surface.numTangents());
 }
 } // namespace
 
@@ -50,10 +49,10 @@ int FaultSample::numComponents() const
   return surface_.numTangents() == 1 ? 1 : surface_.numTangents() + 1;
 }
 
-friction::ConstNodeView FaultSample::rates() const
+ConstNodeView FaultSample::rates() const
 {
   return once(known_.V, [this] {
-    const friction::NodeView V("asperity::dynamics::slipRate", surface_.numNodes());
+    const NodeView V("asperity::dynamics::slipRate", surface_.numNodes());
     dynamics::slipRate(surface_, balance_->slipVelocity(), V);
     return V;
   });
@@ -61,8 +60,7 @@ friction::ConstNodeView FaultSample::rates() const
 
 // blocks(num_nodes, T): along the tangents; factor(node) multiplies those of a node.
 template <class Factor>
-FaultSample::Values FaultSample::written(friction::ConstBlockView const& blocks,
-                                         Factor const& factor) const
+FaultSample::Values FaultSample::written(ConstBlockView const& blocks, Factor const& factor) const
 {
   auto const host = toHost(blocks);
   const int components = numComponents();

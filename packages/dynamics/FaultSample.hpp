@@ -37,15 +37,15 @@ private:
   struct Quantities
   {
     std::optional<Values> slip_rate, alpha, normal_stress, slip, slip_velocity, traction;
-    std::optional<friction::NodeView> V;
+    std::optional<NodeView> V;
     std::optional<double> peak;
   };
-  friction::ConstNodeView rates() const;
+  ConstNodeView rates() const;
   template <class Factor>
-  Values written(friction::ConstBlockView const& blocks, Factor const& factor) const;
+  Values written(ConstBlockView const& blocks, Factor const& factor) const;
 
   fem::FaultSurface const& surface_;
-  friction::BlockView start_; // (num_nodes, T) tangential components
+  BlockView start_; // (num_nodes, T) tangential components
   State const* state_ = nullptr;
   double time_ = 0;
   EnergyBalance const* balance_ = nullptr;

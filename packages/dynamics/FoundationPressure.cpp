@@ -10,9 +10,11 @@ std::vector<double> foundationPressure(Body const& body, fem::NodalFrames const&
                                        std::vector<double> const& support, Vector const& load,
                                        Vector const& u)
 {
-  Vector reaction(load, Teuchos::Copy);
-  body.matrices.stiffness->apply(u, reaction, Teuchos::NO_TRANS, 1, -1);
-  auto const values = reaction.getLocalViewHost(Tpetra::Access::ReadOnly);
+  auto const rest = body.vector(), unbalanced = body.vector();
+  const std::vector<RCP<Vector>> branches(body.matrices.branches.size(),
+                                          rcp(new Vector(u, Teuchos::Copy)));
+  body.residual(load, {u, *rest, *rest, branches}, *unbalanced);
+  auto const values = unbalanced->getLocalViewHost(Tpetra::Access::ReadOnly);
   const int components = body.dofs->components();
   std::vector<double> pressure;
   for (int i = 0; i < surface.numNodes(); ++i) {
@@ -22,7 +24,7 @@ std::vector<double> foundationPressure(Body const& body, fem::NodalFrames const&
     for (int c = 0; c < components; ++c) {
       outward += values(body.dofs->dof(surface.vertex(i), c), 0) * normal[c];
     }
-    pressure.push_back(-outward / support[i]);
+    pressure.push_back(outward / support[i]);
   }
   return pressure;
 }

@@ -57,11 +57,10 @@ NormalReaction::NormalReaction(NormalReaction const& other, Body const& body,
   dofs_ = dofs;
 }
 
-void NormalReaction::compression(Vector const& l, Vector const& u, Vector const& v, Vector const& a,
-                                 friction::NodeView const& R) const
+void NormalReaction::compression(Vector const& l, Motion const& motion, NodeView const& R) const
 {
   Vector rest(body_.dofs->owned());
-  body_.residual(l, u, v, a, rest);
+  body_.residual(l, motion, rest);
   std::vector<double> r;
   gather(rest, r);
   for (double& force : r) {
@@ -104,7 +103,7 @@ void NormalReaction::gather(Vector const& x, std::vector<double>& entries) const
   }
 }
 
-void NormalReaction::compression(std::vector<double> const& r, friction::NodeView const& R) const
+void NormalReaction::compression(std::vector<double> const& r, NodeView const& R) const
 {
   auto const host = Kokkos::create_mirror_view(R);
   for (std::size_t i = 0; i < r.size(); ++i) {

@@ -3,7 +3,7 @@
 #include "dynamics/Body.hpp"
 #include "fem/FaultSurface.hpp"
 #include "fem/constraints/NodalFrames.hpp"
-#include "friction/Types.hpp"
+#include "portability/Views.hpp"
 
 #include <memory>
 #include <vector>
@@ -28,10 +28,8 @@ public:
 
   std::vector<int> const& dofs() const { return dofs_; } // across the fault, (num_nodes)
 
-  // R(num_nodes) [Pa] in the state u, v, a under the load l, all of them vectors of owned dofs.
-  // Collective.
-  void compression(Vector const& l, Vector const& u, Vector const& v, Vector const& a,
-                   friction::NodeView const& R) const;
+  // R(num_nodes) [Pa] of a motion under the load l(owned dofs). Collective.
+  void compression(Vector const& l, Motion const& motion, NodeView const& R) const;
 
   // The rows of a sum of the body's matrices at the components across the fault, without the
   // columns of held dofs: (num_nodes, owned dofs). Collective.
@@ -39,7 +37,7 @@ public:
   // The entries of x(owned dofs) at the components across the fault: (num_nodes).
   void gather(Vector const& x, std::vector<double>& entries) const;
   // R(num_nodes) of the reactions r(num_nodes).
-  void compression(std::vector<double> const& r, friction::NodeView const& R) const;
+  void compression(std::vector<double> const& r, NodeView const& R) const;
 
 private:
   Body body_;
@@ -53,6 +51,6 @@ private:
 struct ReactionSinceStart
 {
   std::shared_ptr<const NormalReaction> reaction = {};
-  friction::ConstNodeView at_start = {}; // R(num_nodes) [Pa]
+  ConstNodeView at_start = {}; // R(num_nodes) [Pa]
 };
 } // namespace asperity::dynamics

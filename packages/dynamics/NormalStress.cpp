@@ -4,10 +4,10 @@ namespace asperity::dynamics
 {
 namespace
 {
-using Nodes = Kokkos::RangePolicy<friction::ExecutionSpace>;
+using Nodes = Kokkos::RangePolicy<ExecutionSpace>;
 }
 
-NormalStress::NormalStress(friction::ConstNodeView const& constant) : constant_(constant) {}
+NormalStress::NormalStress(ConstNodeView const& constant) : constant_(constant) {}
 
 NormalStress::NormalStress(Function at) : at_(std::move(at)) {}
 
@@ -19,7 +19,7 @@ NormalStress NormalStress::following(NormalStressChange change, double floor) co
   return result;
 }
 
-void NormalStress::at(double t, friction::NodeView const& sigma_0) const
+void NormalStress::at(double t, NodeView const& sigma_0) const
 {
   if (at_) {
     at_(t, sigma_0);
@@ -28,9 +28,8 @@ void NormalStress::at(double t, friction::NodeView const& sigma_0) const
   }
 }
 
-void NormalStress::add(friction::ConstNodeView const& sigma_0, friction::ConstNodeView const& now,
-                       friction::ConstNodeView const& start,
-                       friction::NodeView const& sigma_n) const
+void NormalStress::add(ConstNodeView const& sigma_0, ConstNodeView const& now,
+                       ConstNodeView const& start, NodeView const& sigma_n) const
 {
   const double floor = floor_;
   Kokkos::parallel_for(
@@ -40,7 +39,7 @@ void NormalStress::add(friction::ConstNodeView const& sigma_0, friction::ConstNo
     });
 }
 
-void NormalStress::raiseToFloor(friction::NodeView const& sigma_n) const
+void NormalStress::raiseToFloor(NodeView const& sigma_n) const
 {
   const double floor = floor_;
   Kokkos::parallel_for(

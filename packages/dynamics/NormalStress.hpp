@@ -1,6 +1,6 @@
 #pragma once
 
-#include "friction/Types.hpp"
+#include "portability/Views.hpp"
 
 #include <functional>
 
@@ -21,10 +21,10 @@ enum class NormalStressChange
 class NormalStress
 {
 public:
-  using Function = std::function<void(double, friction::NodeView const&)>;
+  using Function = std::function<void(double, NodeView const&)>;
 
   // sigma_0(num_nodes)
-  explicit NormalStress(friction::ConstNodeView const& constant);
+  explicit NormalStress(ConstNodeView const& constant);
   // Fills sigma_0(num_nodes) for the time t [s].
   explicit NormalStress(Function at);
 
@@ -35,16 +35,16 @@ public:
 
   bool dependsOnTime() const { return static_cast<bool>(at_); }
   // sigma_0(num_nodes) at the time t [s].
-  void at(double t, friction::NodeView const& sigma_0) const;
+  void at(double t, NodeView const& sigma_0) const;
   // sigma_n(num_nodes) = max(floor, sigma_0 + now - start), where now and start hold R(num_nodes).
   // sigma_n and sigma_0 may be the same view.
-  void add(friction::ConstNodeView const& sigma_0, friction::ConstNodeView const& now,
-           friction::ConstNodeView const& start, friction::NodeView const& sigma_n) const;
+  void add(ConstNodeView const& sigma_0, ConstNodeView const& now, ConstNodeView const& start,
+           NodeView const& sigma_n) const;
   // sigma_n(num_nodes) = max(floor, sigma_n)
-  void raiseToFloor(friction::NodeView const& sigma_n) const;
+  void raiseToFloor(NodeView const& sigma_n) const;
 
 private:
-  friction::ConstNodeView constant_;
+  ConstNodeView constant_;
   Function at_;
   NormalStressChange change_ = NormalStressChange::fixed;
   double floor_ = 0;

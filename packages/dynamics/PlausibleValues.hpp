@@ -1,7 +1,7 @@
 #pragma once
 
 #include "base/Warning.hpp"
-#include "fem/Material.hpp"
+#include "fem/bulk/Material.hpp"
 
 #include <string>
 #include <vector>

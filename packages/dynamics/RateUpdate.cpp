@@ -2,6 +2,8 @@
 
 #include <Tpetra_Vector.hpp>
 
+#include <cmath>
+
 namespace asperity::dynamics
 {
 namespace
@@ -10,6 +12,13 @@ using Dofs = Kokkos::RangePolicy<ExecutionSpace>;
 
 auto readOnly(Vector const& x) { return x.getLocalViewDevice(Tpetra::Access::ReadOnly); }
 auto overwritten(Vector& x) { return x.getLocalViewDevice(Tpetra::Access::OverwriteAll); }
+
+// phi of a relaxation time; 1 for steps much shorter than it.
+double share(double tau, double time)
+{
+  const double x = tau / time;
+  return x > 0 ? -std::expm1(-x) / x : 1;
+}
 } // namespace
 
 RateUpdate RateUpdate::newmark(double beta)
@@ -51,6 +60,25 @@ RateUpdate RateUpdate::generalisedAlpha(double spectral_radius)
   update.acceleration_in_acceleration = (1 - lag) * (1 - gamma) / gamma - lag;
   update.lag = lag;
   return update;
+}
+
+fem::Weights RateUpdate::weights(double tau, fem::BodyMatrices const& body) const
+{
+  fem::Weights result = {mass_weight / tau, 1, tau * stiffness_weight};
+  for (auto const& branch : body.branches) {
+    result.branches.push_back(share(tau, branch.time) * result.stiffness);
+  }
+  return result;
+}
+
+void RateUpdate::relax(fem::BodyMatrices const& body, State const& from, double tau,
+                       Vector const& u1, std::vector<RCP<Vector>> const& d1)
+{
+  for (std::size_t k = 0; k < body.branches.size(); ++k) {
+    const double time = body.branches[k].time, phi = share(tau, time);
+    d1[k]->update(phi, u1, -phi, *from.u, 0);
+    d1[k]->update(std::exp(-tau / time), *from.branches[k], 1);
+  }
 }
 
 void RateUpdate::predict(State const& from, double tau, Vector& u_hat, Vector& a_hat) const

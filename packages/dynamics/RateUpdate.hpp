@@ -15,10 +15,10 @@ namespace asperity::dynamics
 //   a1 = lambda_M / tau v1 - a^,    a^ = d_v / tau v0 + d_a A0
 //   A0 = a0 + alpha_M tau j0,       j1 = (a1 - A0) / ((1 - alpha_M) tau)
 //
-// In all schemes M a1 + C v1 + K u1 = l1 - f1 holds at the end of the step. A is the scheme's own
-// acceleration: it lags behind a by |alpha_M| steps, and equals a if alpha_M = 0. A state stores
-// the jerk j instead of A, because A0 has to lag by a share of the step to come: with the A of the
-// last step, a change of the step size would cost an order of accuracy.
+// In all schemes M a1 + C v1 + K u1 + sum of K_k d1_k = l1 - f1 holds at the end of the step. A is
+// the scheme's own acceleration: it lags behind a by |alpha_M| steps, and equals a if alpha_M = 0. A
+// state stores the jerk j instead of A, because A0 has to lag by a share of the step to come: with
+// the A of the last step, a change of the step size would cost an order of accuracy.
 //
 // Newmark: u1 = u0 + tau v0 + tau^2/2 ((1 - 2 beta) a0 + 2 beta a1), v1 = v0 + tau (a0 + a1)/2.
 // Backward Euler: u1 = u0 + tau v1, v1 = v0 + tau a1.
@@ -44,13 +44,19 @@ struct RateUpdate
   // mode by the spectral radius in [0, 1]: 0 removes it, 1 is Newmark with beta = 1/4.
   static RateUpdate generalisedAlpha(double spectral_radius);
 
-  // Z = lambda_M / tau M + C + tau / lambda_K K, the derivative of M a1 + C v1 + K u1 by v1.
-  fem::Weights weights(double tau) const { return {mass_weight / tau, 1, tau * stiffness_weight}; }
+  // Z = lambda_M / tau M + C + tau / lambda_K (K + sum of phi_k K_k), the derivative of the forces
+  // at the end of a step by v1; phi_k of relax().
+  fem::Weights weights(double tau, fem::BodyMatrices const& body) const;
   // u^ and a^ for a step of tau [s].
   void predict(State const& from, double tau, Vector& u_hat, Vector& a_hat) const;
   // u1 and a1 for the velocity v1 = `velocity`.
   void withVelocity(Vector const& velocity, Vector const& u_hat, Vector const& a_hat, double tau,
                     Vector& displacement, Vector& acceleration) const;
+  // The Maxwell branches of the body at the end of a step, exact where u' is constant in it:
+  //   d1 = exp(-tau / t_k) d0 + phi_k (u1 - u0),   phi_k = (1 - exp(-tau / t_k)) t_k / tau
+  // d1(num_branches) must not be those of `from`.
+  static void relax(fem::BodyMatrices const& body, State const& from, double tau, Vector const& u1,
+                    std::vector<RCP<Vector>> const& d1);
   // Computes u, a and the jerk of `to`, whose v holds v1 already.
   void complete(State const& from, Vector const& u_hat, Vector const& a_hat, double tau,
                 State& to) const;

@@ -14,26 +14,25 @@ RCP<Vector> likeField(RCP<Vector> const& field)
   return rcp(new Vector(field->getMap(), set_to_zero));
 }
 
-friction::NodeView likeField(friction::NodeView const& field)
+NodeView likeField(NodeView const& field)
 {
-  return friction::NodeView(Kokkos::view_alloc(field.label(), Kokkos::WithoutInitializing),
-                            field.extent(0));
+  return NodeView(Kokkos::view_alloc(field.label(), Kokkos::WithoutInitializing), field.extent(0));
 }
 } // namespace
 
-friction::ConstNodeView valuesOf(RCP<Vector> const& field)
+ConstNodeView valuesOf(RCP<Vector> const& field)
 {
   auto const view = field->getLocalViewDevice(Tpetra::Access::ReadOnly);
-  return friction::ConstNodeView(view.data(), view.extent(0));
+  return ConstNodeView(view.data(), view.extent(0));
 }
 
-friction::NodeView overwritten(RCP<Vector> const& field)
+NodeView overwritten(RCP<Vector> const& field)
 {
   auto const view = field->getLocalViewDevice(Tpetra::Access::OverwriteAll);
-  return friction::NodeView(view.data(), view.extent(0));
+  return NodeView(view.data(), view.extent(0));
 }
 
-friction::NodeView const& State::at(std::string const& name) const
+NodeView const& State::at(std::string const& name) const
 {
   auto const found = std::find_if(added.begin(), added.end(),
                                   [&](Added const& field) { return field.info->name == name; });
@@ -46,6 +45,7 @@ State State::sameShape() const
   State other;
   other.time = time;
   other.added = added;
+  other.branches = branches;
   visitFields([](FieldInfo const&, auto const& field, auto& copy) { copy = likeField(field); },
               *this, other);
   return other;

@@ -1,8 +1,9 @@
 #pragma once
 
 #include "base/Types.hpp"
+#include "dynamics/Body.hpp"
 #include "dynamics/DyadicTime.hpp"
-#include "friction/Types.hpp"
+#include "portability/Views.hpp"
 
 #include <Tpetra_Vector.hpp>
 
@@ -32,15 +33,16 @@ struct State
 {
   DyadicTime::Ticks time = 0;
   RCP<Vector> u, v, a;
-  RCP<Vector> jerk; // of the last step, see RateUpdate; zero at the start
-  friction::NodeView alpha, sigma_n;
-  friction::NodeView alpha_of_rate; // of the last rate problem, with which v was computed
+  RCP<Vector> jerk;                  // of the last step, see RateUpdate; zero at the start
+  std::vector<RCP<Vector>> branches; // d_k of the body's Maxwell branches; u at the start
+  NodeView alpha, sigma_n;
+  NodeView alpha_of_rate; // of the last rate problem, with which v was computed
 
   // A field at the nodes of the fault that a model declares beside those above.
   struct Added
   {
     std::shared_ptr<const FieldInfo> info;
-    friction::NodeView values;
+    NodeView values;
   };
   std::vector<Added> added;
 
@@ -59,17 +61,18 @@ struct State
   }
 
   // The values of an added field.
-  friction::NodeView const& at(std::string const& name) const;
+  NodeView const& at(std::string const& name) const;
 
+  Motion motion() const { return {*u, *v, *a, branches}; }
   State sameShape() const; // values are not set
   State clone() const;
 };
 
 // The values of a field on the device; those of a vector are valid while it is.
-friction::ConstNodeView valuesOf(RCP<Vector> const& field);
-inline friction::ConstNodeView valuesOf(friction::NodeView const& field) { return field; }
-friction::NodeView overwritten(RCP<Vector> const& field);
-inline friction::NodeView overwritten(friction::NodeView const& field) { return field; }
+ConstNodeView valuesOf(RCP<Vector> const& field);
+inline ConstNodeView valuesOf(NodeView const& field) { return field; }
+NodeView overwritten(RCP<Vector> const& field);
+inline NodeView overwritten(NodeView const& field) { return field; }
 
 template <class Visit, class First, class... Others>
 void State::visitBody(Visit const& visit, First& first, Others&... others)
@@ -82,6 +85,11 @@ void State::visitBody(Visit const& visit, First& first, Others&... others)
   visit(of_v, first.v, others.v...);
   visit(of_a, first.a, others.a...);
   visit(of_jerk, first.jerk, others.jerk...);
+  for (std::size_t k = 0; k < first.branches.size(); ++k) {
+    const FieldInfo of_branch = {"branch_" + std::to_string(k + 1),
+                                 "displacement of a Maxwell branch", "m", false, true};
+    visit(of_branch, first.branches[k], others.branches[k]...);
+  }
 }
 
 template <class Visit, class First, class... Others>

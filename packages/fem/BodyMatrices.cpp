@@ -77,15 +77,12 @@ RCP<const CrsGraph> graphOf(Adjacency const& adjacency, DofMap const& dofs)
   graph->expertStaticFillComplete(dofs.owned(), dofs.owned());
   return graph;
 }
-} // namespace
 
+// M, C and K of materials without relaxation on a graph.
 template <int Dim, int Components>
-BodyMatrices assembleBody(Mesh<Dim> const& mesh, DofMap const& dofs, NodalFrames const& frames,
-                          std::vector<Material> const& materials)
+BodyMatrices assembleOn(RCP<const CrsGraph> const& graph, Mesh<Dim> const& mesh, DofMap const& dofs,
+                        NodalFrames const& frames, std::vector<Material> const& materials)
 {
-  ASPERITY_TIME_WORK("assembly");
-  ASPERITY_ASSERT(dofs.components() == Components && materials.size() == mesh.cells.size());
-  auto const graph = graphOf(neighbours(mesh, frames), dofs);
   auto mass = rcp(new CrsMatrix(graph));
   auto viscosity = rcp(new CrsMatrix(graph));
   auto stiffness = rcp(new CrsMatrix(graph));
@@ -99,6 +96,28 @@ BodyMatrices assembleBody(Mesh<Dim> const& mesh, DofMap const& dofs, NodalFrames
   viscosity->fillComplete(dofs.owned(), dofs.owned());
   stiffness->fillComplete(dofs.owned(), dofs.owned());
   return {mass, viscosity, stiffness};
+}
+} // namespace
+
+template <int Dim, int Components>
+BodyMatrices assembleBody(Mesh<Dim> const& mesh, DofMap const& dofs, NodalFrames const& frames,
+                          std::vector<Material> const& materials,
+                          std::vector<MaxwellBranch> const& branches)
+{
+  ASPERITY_TIME_WORK("assembly");
+  ASPERITY_ASSERT(dofs.components() == Components && materials.size() == mesh.cells.size());
+  auto const graph = graphOf(neighbours(mesh, frames), dofs);
+  auto result =
+    assembleOn<Dim, Components>(graph, mesh, dofs, frames, longTerm(materials, branches));
+  for (auto const& branch : branches) {
+    std::vector<Material> of_branch(materials.size());
+    for (std::size_t cell = 0; cell < of_branch.size(); ++cell) {
+      of_branch[cell].shear_modulus = branch.moduli[cell];
+    }
+    result.branches.push_back(
+      {branch.time, assembleOn<Dim, Components>(graph, mesh, dofs, frames, of_branch).stiffness});
+  }
+  return result;
 }
 
 template <int Dim, int Components>
@@ -173,6 +192,9 @@ RCP<CrsMatrix> combineEntries(BodyMatrices const& body, Weights const& weights)
   addEntries(to, weights.mass, body.mass->getLocalMatrixDevice());
   addEntries(to, weights.viscosity, body.viscosity->getLocalMatrixDevice());
   addEntries(to, weights.stiffness, body.stiffness->getLocalMatrixDevice());
+  for (std::size_t k = 0; k < weights.branches.size(); ++k) {
+    addEntries(to, weights.branches[k], body.branches[k].stiffness->getLocalMatrixDevice());
+  }
   return result;
 }
 
@@ -184,6 +206,21 @@ RCP<CrsMatrix> finished(RCP<CrsMatrix> const& matrix)
   return matrix;
 }
 } // namespace
+
+Weights ofMass() { return {1, 0, 0}; }
+Weights ofViscosity() { return {0, 1, 0}; }
+
+Weights ofBranch(BodyMatrices const& body, std::size_t branch)
+{
+  Weights weights = {0, 0, 0, std::vector<double>(body.branches.size(), 0.)};
+  weights.branches[branch] = 1;
+  return weights;
+}
+
+Weights ofElasticity(BodyMatrices const& body)
+{
+  return {0, 0, 1, std::vector<double>(body.branches.size(), 1.)};
+}
 
 RCP<CrsMatrix> combine(BodyMatrices const& body, Weights const& weights)
 {
@@ -199,14 +236,15 @@ RCP<CrsMatrix> combine(BodyMatrices const& body, Weights const& weights, HeldDof
 
 template <int Dim>
 BodyMatrices assembleBody(Mesh<Dim> const& mesh, DofMap const& dofs, NodalFrames const& frames,
-                          std::vector<Material> const& materials)
+                          std::vector<Material> const& materials,
+                          std::vector<MaxwellBranch> const& branches)
 {
   if (dofs.components() == Dim) {
-    return assembleBody<Dim, Dim>(mesh, dofs, frames, materials);
+    return assembleBody<Dim, Dim>(mesh, dofs, frames, materials, branches);
   }
   ASPERITY_ASSERT(Dim == 2 && dofs.components() == 1);
   if constexpr (Dim == 2) {
-    return assembleBody<2, 1>(mesh, dofs, frames, materials);
+    return assembleBody<2, 1>(mesh, dofs, frames, materials, branches);
   }
   return {};
 }
@@ -223,7 +261,8 @@ RCP<Vector> assembleGravity(Mesh<Dim> const& mesh, DofMap const& dofs, NodalFram
 
 #define ASPERITY_INSTANTIATE(DIM, COMPONENTS)                                                      \
   template BodyMatrices assembleBody<DIM, COMPONENTS>(                                             \
-    Mesh<DIM> const&, DofMap const&, NodalFrames const&, std::vector<Material> const&);            \
+    Mesh<DIM> const&, DofMap const&, NodalFrames const&, std::vector<Material> const&,             \
+    std::vector<MaxwellBranch> const&);                                                            \
   template RCP<Vector> assembleGravity<DIM, COMPONENTS>(                                           \
     Mesh<DIM> const&, DofMap const&, NodalFrames const&, std::vector<Material> const&,             \
     std::array<double, COMPONENTS> const&);
@@ -235,7 +274,8 @@ ASPERITY_INSTANTIATE(3, 3)
 
 #define ASPERITY_INSTANTIATE(DIM)                                                                  \
   template BodyMatrices assembleBody<DIM>(Mesh<DIM> const&, DofMap const&, NodalFrames const&,     \
-                                          std::vector<Material> const&);                           \
+                                          std::vector<Material> const&,                            \
+                                          std::vector<MaxwellBranch> const&);                      \
   template RCP<Vector> assembleGravity<DIM>(Mesh<DIM> const&, DofMap const&, NodalFrames const&,   \
                                             std::vector<Material> const&,                          \
                                             std::array<double, DIM> const&);

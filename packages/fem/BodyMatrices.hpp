@@ -1,7 +1,8 @@
 #pragma once
 
 #include "base/Types.hpp"
-#include "fem/Material.hpp"
+#include "fem/bulk/Material.hpp"
+#include "fem/bulk/MaxwellBranch.hpp"
 #include "fem/constraints/HeldDofs.hpp"
 #include "fem/constraints/NodalFrames.hpp"
 #include "fem/dofs/DofMap.hpp"
@@ -20,20 +21,30 @@ struct BodyMatrices
 {
   RCP<const CrsMatrix> mass;
   RCP<const CrsMatrix> viscosity;
-  RCP<const CrsMatrix> stiffness;
-  bool is_massless = false; // whether mass is zero, so that products with it can be left out
+  RCP<const CrsMatrix> stiffness; // of what never relaxes
+  bool is_massless = false;       // whether mass is zero, so that products with it can be left out
+
+  // A Maxwell branch: its relaxation time [s], and the stiffness K_k of its moduli.
+  struct Branch
+  {
+    double time;
+    RCP<const CrsMatrix> stiffness;
+  };
+  std::vector<Branch> branches = {};
 };
 
 // materials(num_cells). Collective, but without communication, since every rank has all cells of
 // its rows.
 template <int Dim, int Components>
 BodyMatrices assembleBody(Mesh<Dim> const& mesh, DofMap const& dofs, NodalFrames const& frames,
-                          std::vector<Material> const& materials);
+                          std::vector<Material> const& materials,
+                          std::vector<MaxwellBranch> const& branches = {});
 
 // The same with the number of components of the dofs.
 template <int Dim>
 BodyMatrices assembleBody(Mesh<Dim> const& mesh, DofMap const& dofs, NodalFrames const& frames,
-                          std::vector<Material> const& materials);
+                          std::vector<Material> const& materials,
+                          std::vector<MaxwellBranch> const& branches = {});
 
 // The load of a body force density * acceleration, acceleration(Components) in m/s^2 along the
 // axes.
@@ -48,14 +59,17 @@ RCP<Vector> assembleGravity(Mesh<Dim> const& mesh, DofMap const& dofs, NodalFram
                             std::vector<Material> const& materials,
                             std::array<double, Dim> const& acceleration);
 
-// A weighted sum of the matrices of a body.
+// A weighted sum of the matrices of a body; branches(num_branches), or none.
 struct Weights
 {
   double mass = 0, viscosity = 0, stiffness = 0;
+  std::vector<double> branches = {};
 };
-constexpr Weights of_mass = {1, 0, 0};
-constexpr Weights of_viscosity = {0, 1, 0};
-constexpr Weights of_stiffness = {0, 0, 1};
+Weights ofMass();
+Weights ofViscosity();
+Weights ofBranch(BodyMatrices const& body, std::size_t branch);
+// K and the stiffness of all branches, which a body has against a sudden motion.
+Weights ofElasticity(BodyMatrices const& body);
 
 // The sum, on the graph of stiffness; with `held`, the rows and columns of held dofs are replaced
 // by their diagonal entry.

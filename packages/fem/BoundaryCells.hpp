@@ -1,7 +1,7 @@
 #pragma once
 
 #include "fem/FaultSurface.hpp"
-#include "fem/Material.hpp"
+#include "fem/bulk/Material.hpp"
 
 namespace asperity::fem
 {

@@ -2,7 +2,7 @@
 
 #include "base/Types.hpp"
 #include "fem/FaultSurface.hpp"
-#include "fem/Material.hpp"
+#include "fem/bulk/Material.hpp"
 #include "fem/constraints/NodalFrames.hpp"
 #include "fem/dofs/DofMap.hpp"
 #include "mesh/Mesh.hpp"

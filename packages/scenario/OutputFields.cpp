@@ -109,6 +109,17 @@ dynamics::VertexMotion vertexMotion(Problem<Dim> const& problem, RunView const& 
           rows};
 }
 
+catalogue::VertexMotion motionAt(dynamics::VertexMotion const& vertices,
+                                 dynamics::State const& state, bool with_velocity)
+{
+  catalogue::VertexMotion motion = {
+    vertices(*state.u), with_velocity ? vertices(*state.v) : Values(), {}};
+  for (auto const& branch : state.branches) {
+    motion.branches.push_back(vertices(*branch));
+  }
+  return motion;
+}
+
 // Displacement, velocity and acceleration, along the axes, at the vertices of a domain.
 template <int Dim>
 void registerMotion(io::FieldRegistry& registry, Problem<Dim> const& problem, RunView const& view,
@@ -256,13 +267,15 @@ void registerStress(io::FieldRegistry& registry, Problem<Dim> const& problem, Ru
     const dynamics::VertexMotion now(problem.body, frames, vertices, with_ghosts, view.condensation,
                                      are_few ? view.recovery_rows : nullptr);
     const dynamics::VertexMotion initial(problem.body, frames, vertices, with_ghosts);
-    return catalogue::VertexMotions{[=, &view] { return now(*view.state->u); },
-                                    [=, &view] { return now(*view.state->v); },
-                                    [=, &problem] { return initial(*problem.initial.u); },
-                                    [=, &problem] { return initial(*problem.initial.v); }};
+    return catalogue::VertexMotions{
+      [=, &view](bool with_velocity) { return motionAt(now, *view.state, with_velocity); },
+      [=, &problem](bool with_velocity) {
+        return motionAt(initial, problem.initial, with_velocity);
+      }};
   };
-  const catalogue::StressedBody<Dim> body{problem.mesh, problem.components, problem.materials,
-                                          problem.boundary.surface, observe};
+  const catalogue::StressedBody<Dim> body{
+    problem.mesh,     problem.components,       problem.materials,
+    problem.branches, problem.boundary.surface, observe};
   auto const planes = catalogue::coulombPlanes(output, Dim);
   for (auto const& [name, domain] : domains) {
     if (name != "fault") {

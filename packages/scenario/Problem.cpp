@@ -32,7 +32,7 @@ namespace asperity::scenario
 {
 namespace
 {
-// The mesh with its unknowns, constraints and materials.
+// The mesh with its unknowns, constraints and rock.
 template <int Dim>
 struct Discretisation
 {
@@ -40,8 +40,8 @@ struct Discretisation
   Mesh<Dim> mesh;
   std::shared_ptr<const fem::DofMap> dofs;
   std::shared_ptr<const fem::Constraints<Dim>> constraints;
-  std::vector<fem::Material> materials; // (num_cells)
-  std::vector<double> samples;          // times at which conditions are compared [s]
+  Rock rock;
+  std::vector<double> samples; // times at which conditions are compared [s]
 
   fem::NodalFrames const& frames() const { return constraints->frames(); }
 };
@@ -79,8 +79,8 @@ Discretisation<Dim> discretise(ParameterList const& deck,
   const std::vector<double> samples = {0, end / 3, end};
   auto const constraints =
     std::make_shared<fem::Constraints<Dim>>(mesh, *dofs, boundary.velocities, samples);
-  auto materials = makeMaterials(deck.sublist("Bulk"), mesh);
-  return {std::move(boundary), std::move(mesh), dofs, constraints, std::move(materials), samples};
+  auto rock = makeRock(deck.sublist("Bulk"), mesh, *communicator);
+  return {std::move(boundary), std::move(mesh), dofs, constraints, std::move(rock), samples};
 }
 
 // The viscosity of the body with its absorbing boundaries and the radiation damping of its fault,
@@ -97,8 +97,9 @@ RCP<const CrsMatrix> dampedViscosity(Discretisation<Dim> const& of, RCP<const Cr
                        << "' is Absorbing, but a quasi-dynamic body has no waves. Choose another "
                           "Type, or Bulk / Dynamics = Inertial.");
     fem::boundaryMeasure(of.mesh, name, *of.dofs->communicator()); // refuses one without facets
-    viscosity = fem::withDampers(
-      *viscosity, *of.dofs, fem::absorbingBoundary<Dim>(of.mesh, name, of.frames(), of.materials));
+    viscosity =
+      fem::withDampers(*viscosity, *of.dofs,
+                       fem::absorbingBoundary<Dim>(of.mesh, name, of.frames(), of.rock.materials));
   }
   return quasiDynamic(bulk)
            ? fem::withDampers(*viscosity, *of.dofs, fem::radiationDampers(surface, *of.dofs, eta))
@@ -243,8 +244,8 @@ reactionSinceStart(Discretisation<Dim> const& of, dynamics::Body const& body,
     body, surface, of.frames(), fem::supportWeights(of.mesh, surface, of.boundary.velocities));
   auto const load = body.vector();
   body.load(0, *load);
-  const friction::NodeView at_start("asperity::scenario::reactionAtStart", surface.numNodes());
-  reaction->compression(*load, *initial.u, *initial.v, *initial.a, at_start);
+  const NodeView at_start("asperity::scenario::reactionAtStart", surface.numNodes());
+  reaction->compression(*load, initial.motion(), at_start);
   return {reaction, at_start};
 }
 // The surface of the fault under the motion of plates. Joins its boundaries in the mesh.
@@ -298,9 +299,10 @@ Problem<Dim> makeProblem(ParameterList const& deck, RCP<const Communicator> cons
   auto const solver = makeSolverSettings(deck.sublist("TNNMG"), communicator->getSize(), Dim,
                                          of.mesh.num_global_vertices * components);
 
-  auto matrices = fem::assembleBody<Dim>(of.mesh, *of.dofs, of.frames(), of.materials);
+  auto matrices =
+    fem::assembleBody<Dim>(of.mesh, *of.dofs, of.frames(), of.rock.materials, of.rock.branches);
   auto const surface = makeSurface(of, matrices);
-  auto const fault_materials = fem::materialsAtNodes(of.mesh, *surface, of.materials);
+  auto const fault_materials = fem::materialsAtNodes(of.mesh, *surface, of.rock.materials);
   auto const eta = radiationDamping(bulk, of.mesh, *surface, fault_materials);
   matrices.viscosity = dampedViscosity(of, matrices.viscosity, bulk, *surface, eta);
   if (quasiDynamic(bulk)) {
@@ -308,7 +310,7 @@ Problem<Dim> makeProblem(ParameterList const& deck, RCP<const Communicator> cons
     matrices.is_massless = true;
   }
 
-  auto const gravity = fem::assembleGravity<Dim>(of.mesh, *of.dofs, of.frames(), of.materials,
+  auto const gravity = fem::assembleGravity<Dim>(of.mesh, *of.dofs, of.frames(), of.rock.materials,
                                                  scenario::gravity<Dim>(bulk));
   const ShearTraction traction(friction, of.mesh, *surface, of.frames());
   auto body =
@@ -332,7 +334,8 @@ Problem<Dim> makeProblem(ParameterList const& deck, RCP<const Communicator> cons
           std::move(of.mesh),
           of.constraints,
           surface,
-          std::move(of.materials),
+          std::move(of.rock.materials),
+          std::move(of.rock.branches),
           fault_materials,
           solver,
           std::move(stress.remarks),

@@ -3,7 +3,7 @@
 #include "base/Warning.hpp"
 #include "dynamics/Model.hpp"
 #include "dynamics/coupling/RateSolver.hpp"
-#include "fem/Material.hpp"
+#include "fem/bulk/Material.hpp"
 #include "fem/constraints/Constraints.hpp"
 #include "parameters/Parameters.hpp"
 #include "scenario/setup/BoundarySetup.hpp"
@@ -25,6 +25,7 @@ struct Problem : dynamics::Model
   std::shared_ptr<const fem::Constraints<Dim>> constraints;
   std::shared_ptr<const fem::FaultSurface> surface;
   std::vector<fem::Material> materials;       // (num_cells)
+  std::vector<fem::MaxwellBranch> branches;   // of the rock
   std::vector<fem::Material> fault_materials; // (num fault nodes) of the body beside the fault
   dynamics::RateSolverSettings solver;
   std::vector<std::string> remarks; // for the user, in the log

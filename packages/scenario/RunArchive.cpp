@@ -12,7 +12,7 @@ namespace
 using Values = std::vector<double>;
 
 char const* nodesOf(RCP<Vector> const&) { return nodes_of_body; }
-char const* nodesOf(friction::NodeView const&) { return nodes_of_friction; }
+char const* nodesOf(NodeView const&) { return nodes_of_friction; }
 
 Values const& sized(io::Archive const& archive, std::string const& path, std::size_t size)
 {

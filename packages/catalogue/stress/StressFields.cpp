@@ -18,35 +18,40 @@ class ObservedStress
 public:
   ObservedStress(StressedBody<Dim> const& body, std::vector<int> const& cells, bool are_few,
                  Communicator const& comm)
-      : stress_(body.mesh, body.components, body.materials, cells)
+      : stress_(body.mesh, body.components, body.materials, cells, body.branches)
       , motions_(body.observe(stress_.vertices(), are_few))
       , is_viscous_(maxOverRanks(stress_.isViscous() ? 1 : 0, comm) > 0)
   {
   }
 
-  std::vector<double> strain() const { return stress_.strain(motions_.displacement()); }
+  std::vector<double> strain() const { return stress_.strain(motions_.now(false).displacement); }
 
-  std::vector<double> stress() const
-  {
-    return stress_.stress(motions_.displacement(),
-                          is_viscous_ ? motions_.velocity() : std::vector<double>());
-  }
+  std::vector<double> stress() const { return of(motions_.now(is_viscous_)); }
 
   // Stress is linear in the motion.
   std::vector<double> stressSinceStart() const
   {
-    return stress_.stress(difference(motions_.displacement(), motions_.initial_displacement()),
-                          is_viscous_ ? difference(motions_.velocity(), motions_.initial_velocity())
-                                      : std::vector<double>());
+    auto motion = motions_.now(is_viscous_);
+    auto const start = motions_.at_start(is_viscous_);
+    subtract(start.displacement, motion.displacement);
+    subtract(start.velocity, motion.velocity);
+    for (std::size_t k = 0; k < motion.branches.size(); ++k) {
+      subtract(start.branches[k], motion.branches[k]);
+    }
+    return of(motion);
   }
 
 private:
-  static std::vector<double> difference(std::vector<double> now, std::vector<double> const& then)
+  std::vector<double> of(VertexMotion const& motion) const
+  {
+    return stress_.stress(motion.displacement, motion.velocity, motion.branches);
+  }
+
+  static void subtract(std::vector<double> const& then, std::vector<double>& now)
   {
     for (std::size_t i = 0; i < now.size(); ++i) {
       now[i] -= then[i];
     }
-    return now;
   }
 
   fem::CellStress<Dim> stress_;

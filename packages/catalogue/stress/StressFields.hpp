@@ -1,6 +1,7 @@
 #pragma once
 
-#include "fem/Material.hpp"
+#include "fem/bulk/Material.hpp"
+#include "fem/bulk/MaxwellBranch.hpp"
 #include "fem/stress/CoulombPlane.hpp"
 #include "io/FieldRegistry.hpp"
 #include "io/OutputDomain.hpp"
@@ -13,12 +14,17 @@
 
 namespace asperity::catalogue
 {
-// The motion at some vertices along the axes, (vertices, components) each, now and at the start of
-// the run. Collective.
+// What stress at some vertices follows from, along the axes, (vertices, components) each.
+struct VertexMotion
+{
+  std::vector<double> displacement, velocity; // [m], [m/s]; velocity is empty unless wanted
+  std::vector<std::vector<double>> branches;  // (num_branches) displacements of Maxwell branches
+};
+
+// The motion now and at the start of the run. Collective.
 struct VertexMotions
 {
-  std::function<std::vector<double>()> displacement, velocity; // [m], [m/s]
-  std::function<std::vector<double>()> initial_displacement, initial_velocity;
+  std::function<VertexMotion(bool with_velocity)> now, at_start;
 };
 
 // Observes local vertices, which may be ghosts; are_few: few of many, as at receivers. Collective.
@@ -32,7 +38,8 @@ struct StressedBody
   Mesh<Dim> const& mesh;
   int components;                              // of the displacement
   std::vector<fem::Material> const& materials; // (num_cells)
-  std::string surface;                         // the boundary of the domain `surface`
+  std::vector<fem::MaxwellBranch> const& branches;
+  std::string surface; // the boundary of the domain `surface`
   ObserveVertices observe;
 };
 

@@ -81,7 +81,8 @@ std::unique_ptr<StaticCondensation> StaticCondensation::make(Model const& whole)
 {
   ASPERITY_ASSERT(whole.body.dofs->communicator()->getSize() == 1);
   std::unique_ptr<StaticCondensation> result(new StaticCondensation(whole));
-  const bool is_exact = whole.body.matrices.is_massless && whole.initial.u->normInf() == 0 &&
+  const bool is_exact = whole.body.matrices.is_massless && whole.body.matrices.branches.empty() &&
+                        whole.initial.u->normInf() == 0 &&
                         result->isFaultAlone(*whole.body.matrices.viscosity) &&
                         result->findPattern() && result->balancesMotionOfFault();
   if (!is_exact) {
@@ -121,7 +122,8 @@ bool StaticCondensation::findPattern()
   }
   try {
     factor_ = std::make_unique<tnnmg::SchurComplement>(
-      *fem::combine(body.matrices, fem::of_stiffness, fem::HeldDofs(flags, body.numOwnedDofs())),
+      *fem::combine(body.matrices, fem::ofElasticity(body.matrices),
+                    fem::HeldDofs(flags, body.numOwnedDofs())),
       kept_);
   } catch (SolveError const&) {
     return false;
@@ -320,7 +322,7 @@ Body StaticCondensation::condensedBody() const
   auto const work = whole_.body.vector();
   const double rate = is_driven_ ? 1 : 0;
   return {dofs,
-          {mass, condensedViscosity(dofs->owned()), condensedStiffness(dofs->owned()), true},
+          {mass, condensedViscosity(dofs->owned()), condensedStiffness(dofs->owned()), true, {}},
           condensedHeld(num_nodes * components),
           Teuchos::null,
           [this, work](double t, Vector& load) {

@@ -13,7 +13,7 @@ KOKKOS_INLINE_FUNCTION bool hasFiniteSquare(double x)
 
 // Whether all values have a finite square. Counts those that do not, because sums of integers are
 // faster on the device than sums of floating-point numbers.
-bool haveFiniteSquares(friction::ConstNodeView const& values)
+bool haveFiniteSquares(ConstNodeView const& values)
 {
   int others = 0;
   Kokkos::parallel_reduce(
@@ -24,7 +24,7 @@ bool haveFiniteSquares(friction::ConstNodeView const& values)
 }
 
 std::optional<NotFinite> lookIn(std::string const& quantity, bool at_fault,
-                                friction::ConstNodeView const& values)
+                                ConstNodeView const& values)
 {
   if (haveFiniteSquares(values)) {
     return std::nullopt;

@@ -22,13 +22,11 @@ char const* reason(StepStatus status)
 }
 
 // result := weight a + (1 - weight) b
-void combine(double weight, friction::ConstNodeView const& a, friction::ConstNodeView const& b,
-             friction::NodeView const& result)
+void combine(double weight, ConstNodeView const& a, ConstNodeView const& b, NodeView const& result)
 {
   const double of_b = 1 - weight;
   Kokkos::parallel_for(
-    "asperity::dynamics::combine",
-    Kokkos::RangePolicy<friction::ExecutionSpace>(0, result.extent(0)),
+    "asperity::dynamics::combine", Kokkos::RangePolicy<ExecutionSpace>(0, result.extent(0)),
     KOKKOS_LAMBDA(int i) { result(i) = weight * a(i) + of_b * b(i); });
 }
 } // namespace

@@ -8,9 +8,9 @@ namespace asperity::dynamics
 {
 namespace
 {
-using friction::ConstNodeView;
-using friction::NodeView;
-using Nodes = Kokkos::RangePolicy<friction::ExecutionSpace>;
+using ConstNodeView;
+using NodeView;
+using Nodes = Kokkos::RangePolicy<ExecutionSpace>;
 
 // Rank threshold of the normal equations. Differences of residuals that are parallel up to the
 // square root of this share count as dependent, because lengths enter squared.

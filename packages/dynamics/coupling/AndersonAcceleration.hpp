@@ -1,7 +1,7 @@
 #pragma once
 
 #include "fem/FaultSurface.hpp"
-#include "friction/Types.hpp"
+#include "portability/Views.hpp"
 
 #include <deque>
 #include <vector>
@@ -23,12 +23,12 @@ public:
   void reset() { iterates_.clear(); }
 
   // Replaces x by the next iterate, given image = g(x). Collective.
-  void advance(friction::NodeView const& x, friction::ConstNodeView const& image);
+  void advance(NodeView const& x, ConstNodeView const& image);
 
 private:
   struct Iterate
   {
-    friction::NodeView residual, image;
+    NodeView residual, image;
   };
 
   // The weights w_j in x = g_0 - sum_j w_j (g_0 - g_j), where g_0 is the last image and g_j are the

@@ -19,11 +19,10 @@ namespace asperity::dynamics
 {
 namespace
 {
-using Nodes = Kokkos::RangePolicy<friction::ExecutionSpace>;
+using Nodes = Kokkos::RangePolicy<ExecutionSpace>;
 
 // mean := offset + weight mean, (num_nodes, T)
-void meanVelocity(friction::ConstBlockView const& offset, double weight,
-                  friction::BlockView const& mean)
+void meanVelocity(ConstBlockView const& offset, double weight, BlockView const& mean)
 {
   Kokkos::parallel_for(
     "asperity::dynamics::meanVelocity", Nodes(0, mean.extent_int(0)), KOKKOS_LAMBDA(int node) {
@@ -121,6 +120,7 @@ CoupledStep::CoupledStep(Body const& body, Fault const& fault, RateUpdate const&
     , mean_("asperity::dynamics::meanVelocity", surface().numNodes(), surface().numTangents())
     , V_("asperity::dynamics::V", surface().numNodes())
 {
+  work_d_ = body.noForces().of_branches;
   unknowns_.add(std::make_shared<StateUpdate>(fault));
   if (stress_->coupled()) {
     unknowns_.add(stress_);
@@ -146,16 +146,17 @@ void CoupledStep::evaluateLoads(double t0, double t1)
   });
 }
 
-// b = l(t1) - M a_D - C v_D - K u_D on the free dofs, where v_D is the prescribed velocity, and u_D
-// and a_D follow from it by the rate update: the rate problem is solved for w = v1 - v_D, which is
-// zero at held dofs. Under back slip v_D is the motion of the plates at the free dofs of the fault,
-// so that friction depends on w there (gatherSlip).
+// b = l(t1) - M a_D - C v_D - K u_D - sum of K_k d_D on the free dofs, where v_D is the prescribed
+// velocity, and u_D, a_D and d_D follow from it by the rate update: the rate problem is solved for
+// w = v1 - v_D, which is zero at held dofs. Under back slip v_D is the motion of the plates at the
+// free dofs of the fault, so that friction depends on w there (gatherSlip).
 void CoupledStep::rightSide(State const& from, double tau, State& to)
 {
   ASPERITY_TIME_WORK("right sides of steps");
   update_.predict(from, tau, *u_hat_, *a_hat_);
   update_.withVelocity(*prescribed_, *u_hat_, *a_hat_, tau, *work_u_, *work_a_);
-  body_.computeForces(*work_u_, *prescribed_, *work_a_, forces_);
+  RateUpdate::relax(body_.matrices, from, tau, *work_u_, work_d_);
+  body_.computeForces({*work_u_, *prescribed_, *work_a_, work_d_}, forces_);
   forces_.subtractFrom(*b_);
   stress_->begin(from, *b_, to);
   body_.clearHeld(*b_);
@@ -208,7 +209,9 @@ void CoupledStep::complete(State const& from, int level, State& to)
 {
   solvers_.at(level).velocity(*to.v);
   to.v->update(1, *prescribed_, 1);
-  update_.complete(from, *u_hat_, *a_hat_, clock_.stepSize(level), to);
+  const double tau = clock_.stepSize(level);
+  update_.complete(from, *u_hat_, *a_hat_, tau, to);
+  RateUpdate::relax(body_.matrices, from, tau, *to.u, to.branches);
 }
 
 // |c (u1 - u0)_t / tau + Vp| at the fault nodes.

@@ -61,8 +61,8 @@ class CoupledStep;
 class PendingStep
 {
 public:
-  // Computes the rest of the state at its end: v off the fault, u, a and jerk. The state in which
-  // the step began must still be there.
+  // Computes the rest of the state at its end: v off the fault, and the other fields of the body.
+  // The state in which the step began must still be there.
   void complete(State& to) &&;
 
 private:
@@ -154,9 +154,10 @@ private:
   BodyForces forces_;
   std::int64_t num_solved_ = 0; // steps, to tell which one may be completed
   RCP<Vector> b_, prescribed_, u_hat_, a_hat_, work_u_, work_a_, guess_;
+  std::vector<RCP<Vector>> work_d_;
   // The part of the mean velocity that follows from the past and from prescribed velocities; the
   // mean velocity itself.
-  friction::BlockView mean_offset_, mean_;
-  friction::NodeView V_;
+  BlockView mean_offset_, mean_;
+  NodeView V_;
 };
 } // namespace asperity::dynamics

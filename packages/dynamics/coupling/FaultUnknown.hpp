@@ -9,10 +9,10 @@ namespace asperity::dynamics
 struct FaultResponse
 {
   State const& from;
-  double tau;                        // of the step [s]
-  friction::ConstNodeView slip_rate; // mean over the step (num_nodes) [m/s]
-  RateSolver const& solver;          // which has the velocity
-  State const& to;                   // with the present iterates
+  double tau;               // of the step [s]
+  ConstNodeView slip_rate;  // mean over the step (num_nodes) [m/s]
+  RateSolver const& solver; // which has the velocity
+  State const& to;          // with the present iterates
 };
 
 // An unknown of the fixed point of a step beside the velocity: a field of the state at the nodes of
@@ -22,15 +22,15 @@ class FaultUnknown
 public:
   virtual ~FaultUnknown() = default;
 
-  virtual friction::NodeView const& of(State const& state) const = 0;
+  virtual NodeView const& of(State const& state) const = 0;
   // image(num_nodes): the value that follows from the velocity. Returns how many of this rank's
   // nodes have none. Collective.
-  virtual int respond(FaultResponse const& to, friction::NodeView const& image) = 0;
+  virtual int respond(FaultResponse const& to, NodeView const& image) = 0;
   // Moves values that the acceleration has extrapolated to where the model has a meaning.
-  virtual void limit(friction::NodeView const&) const {}
+  virtual void limit(NodeView const&) const {}
   // (num_nodes): the factor that makes a change of it count like the same change of alpha in the
   // tolerance and in the acceleration; a view without entries means 1.
-  virtual friction::ConstNodeView scale() const { return {}; }
+  virtual ConstNodeView scale() const { return {}; }
   // Whether the state at the end of the step has the last image, or the value with which the rate
   // problem was solved. An unknown that follows from its own value at the beginning of the step
   // needs its image: a change below the tolerance would be lost in every step.

@@ -9,9 +9,7 @@ namespace asperity::dynamics
 {
 namespace
 {
-using friction::ConstNodeView;
-using friction::NodeView;
-using Nodes = Kokkos::RangePolicy<friction::ExecutionSpace>;
+using Nodes = Kokkos::RangePolicy<ExecutionSpace>;
 
 // scaled := values times scale
 void multiply(ConstNodeView const& values, ConstNodeView const& scale, NodeView const& scaled)

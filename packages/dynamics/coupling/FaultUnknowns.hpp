@@ -39,13 +39,13 @@ private:
   struct Entry
   {
     std::shared_ptr<FaultUnknown> unknown;
-    friction::NodeView image;
+    NodeView image;
   };
-  friction::NodeView part(friction::NodeView const& all, std::size_t entry) const;
+  NodeView part(NodeView const& all, std::size_t entry) const;
 
   fem::FaultSurface const& surface_;
   AndersonAcceleration acceleration_;
   std::vector<Entry> entries_;
-  friction::NodeView x_, image_; // (num_unknowns num_nodes)
+  NodeView x_, image_; // (num_unknowns num_nodes)
 };
 } // namespace asperity::dynamics

@@ -17,29 +17,25 @@ public:
   {
   }
 
-  int minimise(friction::IndexView const& nodes, friction::ConstNodeView const& curvature,
-               friction::ConstBlockView const& r, friction::BlockView const& v) const override
+  int minimise(IndexView const& nodes, ConstNodeView const& curvature, ConstBlockView const& r,
+               BlockView const& v) const override
   {
     return kernels_.minimise(nodes, curvature, r, at_, v);
   }
-  int sweep(friction::IndexView const& nodes, tnnmg::CoupledSystem const& system,
-            friction::BlockView const& v) const override
+  int sweep(IndexView const& nodes, CoupledNodes const& system, BlockView const& v) const override
   {
-    return kernels_.sweep(nodes, {system.Z, system.r, system.held, system.curvature}, at_, v);
+    return kernels_.sweep(nodes, system, at_, v);
   }
-  void linearise(friction::ConstBlockView const& v, friction::BlockView const& gradient,
-                 friction::HessianView const& hessian,
-                 friction::FlagView const& kinked) const override
+  void linearise(ConstBlockView const& v, BlockView const& gradient, HessianView const& hessian,
+                 FlagView const& kinked) const override
   {
     kernels_.linearise(v, at_, gradient, hessian, kinked);
   }
-  double slope(friction::ConstBlockView const& v, friction::ConstBlockView const& d,
-               double t) const override
+  double slope(ConstBlockView const& v, ConstBlockView const& d, double t) const override
   {
     return kernels_.slope(v, d, t, at_);
   }
-  tnnmg::EnergyChange difference(friction::ConstBlockView const& v,
-                                 friction::ConstBlockView const& d) const override
+  tnnmg::EnergyChange difference(ConstBlockView const& v, ConstBlockView const& d) const override
   {
     auto const [change, magnitude] = kernels_.difference(v, d, at_);
     return {change, magnitude};

@@ -10,13 +10,13 @@ namespace asperity::dynamics
 {
 namespace
 {
-using Nodes = Kokkos::RangePolicy<friction::ExecutionSpace>;
+using Nodes = Kokkos::RangePolicy<ExecutionSpace>;
 
 constexpr double friction_over_b = 50;
 // See scale(): relative changes of a normal stress near zero do not matter.
 constexpr double small_share = 1e-2;
 
-double largest(friction::ConstNodeView const& values)
+double largest(ConstNodeView const& values)
 {
   double result = 0;
   Kokkos::parallel_reduce(
@@ -29,7 +29,7 @@ double largest(friction::ConstNodeView const& values)
 }
 
 // scale := friction_over_b / sigma_n, where a smaller sigma_n counts as `least`.
-void setScale(friction::ConstNodeView const& sigma_n, double least, friction::NodeView const& scale)
+void setScale(ConstNodeView const& sigma_n, double least, NodeView const& scale)
 {
   Kokkos::parallel_for(
     "asperity::dynamics::scaleOfNormalStress", Nodes(0, scale.extent(0)), KOKKOS_LAMBDA(int node) {
@@ -49,8 +49,8 @@ NormalStressUpdate::NormalStressUpdate(Body const& body, Fault const& fault,
   if (change_ != NormalStressChange::fixed) {
     ASPERITY_ASSERT(since_start_.reaction);
     load_ = body.vector();
-    R_ = friction::NodeView("asperity::dynamics::compression", sigma_0_.extent(0));
-    scale_ = friction::NodeView("asperity::dynamics::perPascal", sigma_0_.extent(0));
+    R_ = NodeView("asperity::dynamics::compression", sigma_0_.extent(0));
+    scale_ = NodeView("asperity::dynamics::perPascal", sigma_0_.extent(0));
   }
 }
 
@@ -70,7 +70,7 @@ void NormalStressUpdate::begin(State const& from, Vector const& b, State& to)
     limit(to.sigma_n);
     break;
   case NormalStressChange::lagged:
-    since_start_.reaction->compression(*load_, *from.u, *from.v, *from.a, R_);
+    since_start_.reaction->compression(*load_, from.motion(), R_);
     fault_.normalStress().add(sigma_0_, R_, since_start_.at_start, to.sigma_n);
     break;
   case NormalStressChange::coupled:
@@ -82,7 +82,7 @@ void NormalStressUpdate::begin(State const& from, Vector const& b, State& to)
   }
 }
 
-int NormalStressUpdate::respond(FaultResponse const& to, friction::NodeView const& image)
+int NormalStressUpdate::respond(FaultResponse const& to, NodeView const& image)
 {
   ASPERITY_TIME_WORK("normal stress");
   auto r = to.solver.reactions();
@@ -94,7 +94,7 @@ int NormalStressUpdate::respond(FaultResponse const& to, friction::NodeView cons
   return 0;
 }
 
-void NormalStressUpdate::limit(friction::NodeView const& sigma_n) const
+void NormalStressUpdate::limit(NodeView const& sigma_n) const
 {
   fault_.normalStress().raiseToFloor(sigma_n);
 }

@@ -26,13 +26,13 @@ public:
   // problem leaves out: with the same rows of Z the reaction is r = Z w - b. Collective.
   void begin(State const& from, Vector const& b, State& to);
 
-  friction::NodeView const& of(State const& state) const override { return state.sigma_n; }
-  int respond(FaultResponse const& to, friction::NodeView const& image) override;
-  void limit(friction::NodeView const& sigma_n) const override;
+  NodeView const& of(State const& state) const override { return state.sigma_n; }
+  int respond(FaultResponse const& to, NodeView const& image) override;
+  void limit(NodeView const& sigma_n) const override;
   // A relative change eps of sigma_n changes the strength f sigma_n of the fault as much as a
   // change f / b eps of alpha, and f / b is about 50. So it is 50 / sigma_n at the beginning of the
   // step [1/Pa]; a sigma_n below 1 % of the largest counts as that 1 %.
-  friction::ConstNodeView scale() const override { return scale_; }
+  ConstNodeView scale() const override { return scale_; }
 
 private:
   Body const& body_;
@@ -41,6 +41,6 @@ private:
   ReactionSinceStart since_start_;
   RCP<Vector> load_; // at the beginning, if it lags
   std::vector<double> right_side_;
-  friction::NodeView sigma_0_, R_, scale_;
+  NodeView sigma_0_, R_, scale_;
 };
 } // namespace asperity::dynamics

@@ -13,6 +13,8 @@
 #include <Tpetra_CrsMatrix.hpp>
 #include <Tpetra_Map.hpp>
 
+#include <algorithm>
+#include <iterator>
 #include <optional>
 #include <utility>
 
@@ -113,10 +115,7 @@ public:
   {
     return tnnmg_.improve(problem);
   }
-  void faultVelocity(friction::BlockView const& w) const override
-  {
-    Kokkos::deep_copy(w, tnnmg_.vAtNodes());
-  }
+  void faultVelocity(BlockView const& w) const override { Kokkos::deep_copy(w, tnnmg_.vAtNodes()); }
 
 protected:
   TnnmgRateSolver(std::shared_ptr<const tnnmg::RateMatrix> const& Z,
@@ -262,12 +261,15 @@ std::vector<tnnmg::MultigridTerms::MatrixSource> termsOf(Body const& body, bool 
       return fem::combine(body.matrices, weights, body.held);
     };
   };
-  std::vector<tnnmg::MultigridTerms::MatrixSource> terms = {term(fem::of_stiffness)};
+  std::vector<tnnmg::MultigridTerms::MatrixSource> terms = {term(fem::ofElasticity(body.matrices))};
   if (has_mass) {
-    terms.emplace_back(term(fem::of_mass));
+    terms.emplace_back(term(fem::ofMass()));
   }
   if (has_viscosity) {
-    terms.emplace_back(term(fem::of_viscosity));
+    terms.emplace_back(term(fem::ofViscosity()));
+  }
+  for (std::size_t k = 0; k < body.matrices.branches.size(); ++k) {
+    terms.emplace_back(term(fem::ofBranch(body.matrices, k)));
   }
   return terms;
 }
@@ -293,6 +295,9 @@ std::vector<double> SharedMultigrid::weights(fem::Weights const& Z) const
   if (has_viscosity_) {
     result.push_back(Z.viscosity);
   }
+  // The first term has the branches, too.
+  std::transform(Z.branches.begin(), Z.branches.end(), std::back_inserter(result),
+                 [&](double weight) { return weight - Z.stiffness; });
   return result;
 }
 

@@ -44,7 +44,7 @@ public:
   // Makes one iteration of TNNMG from the last answer.
   virtual tnnmg::TnnmgResult improve(FrictionProblem const& problem) = 0;
   // The last answer w: at the fault nodes, (num_nodes, T), and at all owned dofs.
-  virtual void faultVelocity(friction::BlockView const& w) const = 0;
+  virtual void faultVelocity(BlockView const& w) const = 0;
   virtual void velocity(Vector& w) const = 0;
   // The same at those dofs alone where it is known without further work, the fault's at least.
   virtual void knownVelocity(Vector& w) const = 0;
@@ -67,7 +67,8 @@ public:
 
 private:
   bool has_mass_ = false, has_viscosity_ = false;
-  tnnmg::MultigridTerms terms_; // stiffness, and mass and viscosity unless they are zero
+  // The stiffness of the elastic body, mass and viscosity unless they are zero, and each branch.
+  tnnmg::MultigridTerms terms_;
 };
 
 // What a solver takes over from those of other Z of the same body, where it is there.

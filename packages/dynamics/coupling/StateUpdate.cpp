@@ -8,14 +8,12 @@ namespace asperity::dynamics
 namespace
 {
 // Half of what the change of the normal stress from `before` to `after` does to alpha.
-void shiftByStress(friction::ConstNodeView const& sensitivity,
-                   friction::ConstNodeView const& before, friction::ConstNodeView const& after,
-                   friction::ConstNodeView const& alpha, friction::NodeView const& shifted)
+void shiftByStress(ConstNodeView const& sensitivity, ConstNodeView const& before,
+                   ConstNodeView const& after, ConstNodeView const& alpha, NodeView const& shifted)
 {
   Kokkos::parallel_for(
     "asperity::dynamics::shiftByStress",
-    Kokkos::RangePolicy<friction::ExecutionSpace>(0, shifted.extent_int(0)),
-    KOKKOS_LAMBDA(int node) {
+    Kokkos::RangePolicy<ExecutionSpace>(0, shifted.extent_int(0)), KOKKOS_LAMBDA(int node) {
       const double shift =
         sensitivity(node) == 0
           ? 0
@@ -28,11 +26,11 @@ void shiftByStress(friction::ConstNodeView const& sensitivity,
 StateUpdate::StateUpdate(Fault const& fault) : fault_(fault)
 {
   if (fault.laws().stress_sensitivity.extent(0) > 0) {
-    shifted_ = friction::NodeView("asperity::dynamics::shifted", fault.surface().numNodes());
+    shifted_ = NodeView("asperity::dynamics::shifted", fault.surface().numNodes());
   }
 }
 
-int StateUpdate::respond(FaultResponse const& to, friction::NodeView const& image)
+int StateUpdate::respond(FaultResponse const& to, NodeView const& image)
 {
   ASPERITY_TIME_WORK("state updates");
   auto const& sensitivity = fault_.laws().stress_sensitivity;

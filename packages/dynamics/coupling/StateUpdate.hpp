@@ -13,13 +13,13 @@ class StateUpdate final : public FaultUnknown
 public:
   explicit StateUpdate(Fault const& fault); // which must outlive this
 
-  friction::NodeView const& of(State const& state) const override { return state.alpha; }
-  int respond(FaultResponse const& to, friction::NodeView const& image) override;
+  NodeView const& of(State const& state) const override { return state.alpha; }
+  int respond(FaultResponse const& to, NodeView const& image) override;
   bool endsWithImage() const override { return true; }
   bool controlsSteps() const override { return true; }
 
 private:
   Fault const& fault_;
-  friction::NodeView shifted_; // alpha before the flow; without entries if nothing shifts it
+  NodeView shifted_; // alpha before the flow; without entries if nothing shifts it
 };
 } // namespace asperity::dynamics

@@ -53,7 +53,7 @@ RateSolver& StepSolvers::at(int level)
   ASPERITY_TIME_WORK("set-up of step sizes");
   auto const start = std::chrono::steady_clock::now();
   const double tau = clock_.stepSize(level);
-  auto const weights = update_.weights(tau);
+  auto const weights = update_.weights(tau, body_.matrices);
   const RCP<const CrsMatrix> across = reaction_ ? reaction_->rows(weights) : Teuchos::null;
   try {
     if (settings_.correction == Correction::multigrid && !shared_) {

@@ -53,8 +53,8 @@ std::vector<double> balancingCoefficients(Fault const& fault, FaultAtStart const
 }
 } // namespace
 
-friction::NodeView initialAlpha(Fault const& fault, AlphaAtStart kind, FaultAtStart const& start,
-                                Where const& where)
+NodeView initialAlpha(Fault const& fault, AlphaAtStart kind, FaultAtStart const& start,
+                      Where const& where)
 {
   auto const alpha = toDevice(start.given_alpha, "asperity::dynamics::alpha");
   if (kind == AlphaAtStart::given) {
@@ -62,7 +62,7 @@ friction::NodeView initialAlpha(Fault const& fault, AlphaAtStart kind, FaultAtSt
   }
   auto const& surface = fault.surface();
   const int num_nodes = surface.numNodes();
-  const friction::NodeView rates("asperity::dynamics::V", num_nodes);
+  const NodeView rates("asperity::dynamics::V", num_nodes);
   slipRate(surface, start.w, rates);
   auto const on_host = toHost(rates);
   const std::vector<double> V(on_host.data(), on_host.data() + num_nodes);

@@ -20,8 +20,8 @@ struct FaultAtStart
 {
   std::vector<double> given_alpha; // (num_nodes)
   std::vector<double> traction;    // (num_nodes, T) that drives the body along the tangents [Pa]
-  friction::ConstNodeView sigma_n; // (num_nodes) [Pa]
-  friction::ConstBlockView w;      // (num_nodes, T) of gatherSlip [m/s]
+  ConstNodeView sigma_n;           // (num_nodes) [Pa]
+  ConstBlockView w;                // (num_nodes, T) of gatherSlip [m/s]
 };
 
 // alpha(num_nodes) at the start:
@@ -31,6 +31,6 @@ struct FaultAtStart
 // Where the velocity is prescribed and the slip rate is zero, friction is never evaluated and alpha
 // is given_alpha. Throws InputError if there is no such state at a node; where(node) begins the
 // message.
-friction::NodeView initialAlpha(Fault const& fault, AlphaAtStart kind, FaultAtStart const& start,
-                                std::function<std::string(int)> const& where);
+NodeView initialAlpha(Fault const& fault, AlphaAtStart kind, FaultAtStart const& start,
+                      std::function<std::string(int)> const& where);
 } // namespace asperity::dynamics

@@ -15,7 +15,8 @@ RCP<Vector> staticDisplacement(Body const& body, RateSolverSettings const& setti
   Vector b(load, Teuchos::Copy);
   body.clearHeld(b);
   auto u = body.vector();
-  solveLinear(fem::combine(body.matrices, fem::of_stiffness, body.held), body, settings, b, *u);
+  solveLinear(fem::combine(body.matrices, fem::ofElasticity(body.matrices), body.held), body,
+              settings, b, *u);
   return u;
 }
 
@@ -34,9 +35,9 @@ namespace
 // Where the fault moves, friction is a known force; where it rests, only cohesion can hold it.
 struct ForcesAtStart
 {
-  friction::BlockView force;    // at the moving nodes
-  friction::NodeView cohesion;  // at the resting ones
-  friction::NodeView no_stress; // zeros
+  BlockView force;    // at the moving nodes
+  NodeView cohesion;  // at the resting ones
+  NodeView no_stress; // zeros
 };
 
 ForcesAtStart forcesAtStart(Fault const& fault, Vector const& v, friction::StateAndStress const& at)
@@ -44,18 +45,18 @@ ForcesAtStart forcesAtStart(Fault const& fault, Vector const& v, friction::State
   auto const& surface = fault.surface();
   const int size = surface.numNodes();
   const int tangents = surface.numTangents();
-  friction::BlockView blocks("asperity::dynamics::v", size, tangents);
-  friction::BlockView gradient("asperity::dynamics::gradient", size, tangents);
-  friction::HessianView hessian("asperity::dynamics::hessian", size, tangents, tangents);
-  friction::FlagView kinked("asperity::dynamics::kinked", size);
+  BlockView blocks("asperity::dynamics::v", size, tangents);
+  BlockView gradient("asperity::dynamics::gradient", size, tangents);
+  HessianView hessian("asperity::dynamics::hessian", size, tangents, tangents);
+  FlagView kinked("asperity::dynamics::kinked", size);
   gatherSlip(surface, v, blocks);
   fault.friction().linearise(blocks, at, gradient, hessian, kinked);
 
-  friction::NodeView none("asperity::dynamics::noStress", size);
-  friction::NodeView cohesion("asperity::dynamics::cohesionAtRest", size);
+  NodeView none("asperity::dynamics::noStress", size);
+  NodeView cohesion("asperity::dynamics::cohesionAtRest", size);
   auto const given = fault.laws().cohesion;
   Kokkos::parallel_for(
-    "asperity::dynamics::forcesAtStart", Kokkos::RangePolicy<friction::ExecutionSpace>(0, size),
+    "asperity::dynamics::forcesAtStart", Kokkos::RangePolicy<ExecutionSpace>(0, size),
     KOKKOS_LAMBDA(int node) {
       bool moving = false;
       for (int k = 0; k < tangents; ++k) {
@@ -72,15 +73,14 @@ ForcesAtStart forcesAtStart(Fault const& fault, Vector const& v, friction::State
 
 RCP<Vector> initialAcceleration(Body const& body, Fault const& fault,
                                 RateSolverSettings const& settings, Vector const& load,
-                                Vector const& prescribed, Vector const& u, Vector const& v,
-                                friction::StateAndStress const& at)
+                                Motion const& start, friction::StateAndStress const& at)
 {
   auto const& surface = fault.surface();
-  auto const start = forcesAtStart(fault, v, at);
+  auto const forces = forcesAtStart(fault, start.v, at);
   auto b = body.vector();
-  body.residual(load, u, v, prescribed, *b);
+  body.residual(load, start, *b);
   {
-    auto const force = toHost(start.force);
+    auto const force = toHost(forces.force);
     auto const values = b->getLocalViewHost(Tpetra::Access::ReadWrite);
     for (int node = 0; node < surface.numNodes(); ++node) {
       for (int k = 0; k < surface.numTangents(); ++k) {
@@ -96,11 +96,11 @@ RCP<Vector> initialAcceleration(Body const& body, Fault const& fault,
     RateSolverSettings mass_settings = settings;
     mass_settings.tnnmg.absolute_tolerance = 0;
     mass_settings.tnnmg.relative_tolerance = 1e-12;
-    auto const solver = makeRateSolver(fem::combine(body.matrices, fem::of_mass, body.held), body,
+    auto const solver = makeRateSolver(fem::combine(body.matrices, fem::ofMass(), body.held), body,
                                        surface, mass_settings);
     solver->begin(*b, *a);
-    auto const kernels = fault.frictionWith(start.cohesion);
-    auto const result = solver->solve({*kernels, {at.alpha, start.no_stress}});
+    auto const kernels = fault.frictionWith(forces.cohesion);
+    auto const result = solver->solve({*kernels, {at.alpha, forces.no_stress}});
     if (!result.converged) {
       std::ostringstream message;
       message << "The initial acceleration was not found: TNNMG did not converge on the balance of "
@@ -110,7 +110,7 @@ RCP<Vector> initialAcceleration(Body const& body, Fault const& fault,
     }
     solver->velocity(*a);
   }
-  a->update(1, prescribed, 1);
+  a->update(1, start.a, 1);
   return a;
 }
 } // namespace asperity::dynamics

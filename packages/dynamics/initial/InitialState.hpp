@@ -5,8 +5,9 @@
 
 namespace asperity::dynamics
 {
-// Returns u with K u = load at the free dofs and u = 0 at the held ones (Pipping 2014, §5.2): the
-// fault slides without friction along its tangents. Throws SolveError if the body is not held.
+// Returns u with K u = load at the free dofs and u = 0 at the held ones (Pipping 2014, §5.2), where
+// K has the stiffness of all Maxwell branches: the fault slides without friction along its tangents.
+// Throws SolveError if the body is not held.
 RCP<Vector> staticDisplacement(Body const& body, RateSolverSettings const& settings,
                                Vector const& load);
 
@@ -14,12 +15,11 @@ RCP<Vector> staticDisplacement(Body const& body, RateSolverSettings const& setti
 // all steps; zero at dofs that are not held.
 RCP<Vector> prescribedAcceleration(Body const& body, double dt);
 
-// The acceleration that balances momentum at given u, v, state and normal stress: a minimises
+// The acceleration that balances momentum at a given motion, state and normal stress: a minimises
 //   1/2 <M a, a> - <l - C v - K u - f(v, alpha), a> + sum over nodes at rest of weight cohesion |a|
-// over all a with the prescribed acceleration; a node at rest stays at rest if its cohesion can
-// hold it. Throws SolveError if a is not found.
+// over all a with the prescribed acceleration, start.a; a node at rest stays at rest if its
+// cohesion can hold it. Throws SolveError if a is not found.
 RCP<Vector> initialAcceleration(Body const& body, Fault const& fault,
                                 RateSolverSettings const& settings, Vector const& load,
-                                Vector const& prescribed, Vector const& u, Vector const& v,
-                                friction::StateAndStress const& at);
+                                Motion const& start, friction::StateAndStress const& at);
 } // namespace asperity::dynamics

@@ -1,34 +1,45 @@
 #pragma once
 
-#include "fem/Material.hpp"
+#include "fem/bulk/Material.hpp"
 #include "portability/Parameter.hpp"
 #include "portability/Registry.hpp"
 
 #include <functional>
 #include <iterator>
 #include <memory>
+#include <type_traits>
 #include <vector>
 
-// All laws of bulk by name. A law is a class with a name, a table of parameters, and a function
-// that completes the material of a cell:
+// All laws of bulk by name. A law is a class with a name, a table of parameters, and functions of
+// the values of the parameters at the centroid of a cell, in the order of the table:
 //
 //   struct KelvinVoigt
 //   {
 //     static constexpr char const* name = "Kelvin-Voigt";
 //     static constexpr Parameter parameters[] = {{"Shear Viscosity", "Pa s", ...}, ...};
 //     static void complete(double const* values, Material& material);
+//     static std::vector<RelaxingShare> relaxation(double const* values, Material const& material);
 //   };
 //   ASPERITY_REGISTER_BULK_LAW(KelvinVoigt) // the end of its .cpp
 //
-// values: of the parameters at the centroid of the cell, in the order of the table. Density and
-// elastic moduli are in the material already; the law sets its viscosities.
+// complete() sets the viscosities of a material that has density and elastic moduli; relaxation()
+// tells which shares of its shear modulus relax (MaxwellBranch). One of the two may be missing.
 namespace asperity::fem
 {
+// A share in [0, 1] of the shear modulus and its relaxation time [s]; the shares of a cell sum to
+// at most 1. Maxwell: {1, eta / G}.
+struct RelaxingShare
+{
+  double share = 0, time = 0;
+};
+
 struct BulkLaw
 {
   static constexpr char const* registered_as = "bulk law";
   std::vector<Parameter> parameters;
   std::function<void(double const* values, Material& material)> complete;
+  std::function<std::vector<RelaxingShare>(double const* values, Material const& material)>
+    relaxation;
 };
 using BulkLawRegistry = Registry<BulkLaw>;
 
@@ -37,13 +48,39 @@ BulkLawRegistry const& bulkLaws();
 
 namespace detail
 {
+template <class Law, class = void>
+struct Completes : std::false_type
+{
+};
+template <class Law>
+struct Completes<Law, std::void_t<decltype(&Law::complete)>> : std::true_type
+{
+};
+template <class Law, class = void>
+struct Relaxes : std::false_type
+{
+};
+template <class Law>
+struct Relaxes<Law, std::void_t<decltype(&Law::relaxation)>> : std::true_type
+{
+};
+
 template <class Law>
 struct RegisteredBulkLaw : BulkLaw
 {
   RegisteredBulkLaw()
   {
+    static_assert(Completes<Law>::value || Relaxes<Law>::value,
+                  "A law of bulk has complete() or relaxation()");
     parameters.assign(std::begin(Law::parameters), std::end(Law::parameters));
-    complete = &Law::complete;
+    complete = [](double const*, Material&) {};
+    relaxation = [](double const*, Material const&) { return std::vector<RelaxingShare>(); };
+    if constexpr (Completes<Law>::value) {
+      complete = &Law::complete;
+    }
+    if constexpr (Relaxes<Law>::value) {
+      relaxation = &Law::relaxation;
+    }
   }
 };
 } // namespace detail

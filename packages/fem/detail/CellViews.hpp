@@ -1,7 +1,7 @@
 #pragma once
 
 #include "base/Views.hpp"
-#include "fem/Material.hpp"
+#include "fem/bulk/Material.hpp"
 #include "fem/constraints/NodalFrames.hpp"
 #include "mesh/Mesh.hpp"
 

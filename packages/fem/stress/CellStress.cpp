@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <array>
+#include <functional>
 
 namespace asperity::fem
 {
@@ -153,7 +154,8 @@ std::vector<std::string> const& tensorComponents(int displacement_components)
 
 template <int Dim>
 CellStress<Dim>::CellStress(Mesh<Dim> const& mesh, int components,
-                            std::vector<Material> const& materials, std::vector<int> const& cells)
+                            std::vector<Material> const& materials, std::vector<int> const& cells,
+                            std::vector<MaxwellBranch> const& branches)
     : components_(components)
 {
   ASPERITY_ASSERT(materials.size() == mesh.cells.size());
@@ -168,6 +170,7 @@ CellStress<Dim>::CellStress(Mesh<Dim> const& mesh, int components,
                                                                      cells.size());
   auto const host_corners = Kokkos::create_mirror_view(corners);
   auto const host_gradients = Kokkos::create_mirror_view(gradients);
+  auto const elastic = longTerm(materials, branches);
   std::vector<Material> of_cells;
   for (std::size_t c = 0; c < cells.size(); ++c) {
     auto const simplex = simplexOf(mesh, cells[c]);
@@ -179,7 +182,7 @@ CellStress<Dim>::CellStress(Mesh<Dim> const& mesh, int components,
         host_gradients(c, corner, k) = simplex.gradients[corner][k];
       }
     }
-    of_cells.push_back(materials[cells[c]]);
+    of_cells.push_back(elastic[cells[c]]);
     is_viscous_ =
       is_viscous_ || of_cells.back().shear_viscosity > 0 || of_cells.back().bulk_viscosity > 0;
   }
@@ -188,6 +191,13 @@ CellStress<Dim>::CellStress(Mesh<Dim> const& mesh, int components,
   corners_ = corners;
   gradients_ = gradients;
   materials_ = toDevice(of_cells, "asperity::fem::materialsOfCells");
+  for (auto const& branch : branches) {
+    std::vector<Material> of_branch(cells.size());
+    for (std::size_t c = 0; c < cells.size(); ++c) {
+      of_branch[c].shear_modulus = branch.moduli[cells[c]];
+    }
+    branches_.push_back(toDevice(of_branch, "asperity::fem::branchOfCells"));
+  }
 }
 
 template <int Dim>
@@ -200,11 +210,20 @@ std::vector<double> CellStress<Dim>::strain(std::vector<double> const& u) const
 
 template <int Dim>
 std::vector<double> CellStress<Dim>::stress(std::vector<double> const& u,
-                                            std::vector<double> const& v) const
+                                            std::vector<double> const& v,
+                                            std::vector<std::vector<double>> const& d) const
 {
   ASPERITY_ASSERT(u.size() == vertices_.size() * components_ &&
-                  (v.size() == u.size() || (v.empty() && !is_viscous_)));
-  return tensors<Dim>(components_, corners_, gradients_, materials_, u, v, false);
+                  (v.size() == u.size() || (v.empty() && !is_viscous_)) &&
+                  d.size() == branches_.size());
+  auto result = tensors<Dim>(components_, corners_, gradients_, materials_, u, v, false);
+  for (std::size_t k = 0; k < d.size(); ++k) {
+    auto const of_branch = tensors<Dim>(components_, corners_, gradients_, branches_[k], d[k],
+                                        std::vector<double>(), false);
+    std::transform(result.begin(), result.end(), of_branch.begin(), result.begin(),
+                   std::plus<double>());
+  }
+  return result;
 }
 
 template class CellStress<2>;

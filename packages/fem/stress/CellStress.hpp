@@ -1,7 +1,8 @@
 #pragma once
 
 #include "base/Views.hpp"
-#include "fem/Material.hpp"
+#include "fem/bulk/Material.hpp"
+#include "fem/bulk/MaxwellBranch.hpp"
 #include "mesh/Mesh.hpp"
 
 #include <string>
@@ -15,23 +16,25 @@ std::vector<std::string> const& tensorComponents(int displacement_components);
 
 // Strain and stress of P1 elements, constant in each cell, along the axes, positive in tension:
 //   eps(u) = (grad u + grad u^T) / 2,   sigma = B : eps(u) + A : eps(v)   (Material)
+// where the stress of Maxwell branches comes from their own displacements (MaxwellBranch).
 template <int Dim>
 class CellStress
 {
 public:
   // Of these local cells; materials(num cells of the mesh). components: of the displacement.
   CellStress(Mesh<Dim> const& mesh, int components, std::vector<Material> const& materials,
-             std::vector<int> const& cells);
+             std::vector<int> const& cells, std::vector<MaxwellBranch> const& branches = {});
 
   // The local vertices of the cells, ascending, ghosts among them. u and v below are displacement
   // [m] and velocity [m/s] there, (vertices, components), along the axes.
   std::vector<int> const& vertices() const { return vertices_; }
   bool isViscous() const { return is_viscous_; } // on any of this rank's cells
 
-  // (cells, tensor components), in the order of the cells. v may be empty where nothing is viscous.
+  // (cells, tensor components), in the order of the cells. v may be empty where nothing is viscous;
+  // d(num_branches): displacements of the Maxwell branches.
   std::vector<double> strain(std::vector<double> const& u) const; // [-]
-  std::vector<double> stress(std::vector<double> const& u,
-                             std::vector<double> const& v) const; // [Pa]
+  std::vector<double> stress(std::vector<double> const& u, std::vector<double> const& v,
+                             std::vector<std::vector<double>> const& d = {}) const; // [Pa]
 
 private:
   int components_;
@@ -39,6 +42,7 @@ private:
   bool is_viscous_ = false;
   Kokkos::View<const int * [Dim + 1], MemorySpace> corners_;           // places in vertices_
   Kokkos::View<const double * [Dim + 1][Dim], MemorySpace> gradients_; // 1/m
-  Kokkos::View<const Material*, MemorySpace> materials_;
+  Kokkos::View<const Material*, MemorySpace> materials_;               // without branches
+  std::vector<Kokkos::View<const Material*, MemorySpace>> branches_;   // their shear moduli alone
 };
 } // namespace asperity::fem

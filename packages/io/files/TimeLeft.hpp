@@ -17,7 +17,7 @@ namespace asperity::io
 // of the cycle in which it ends, a part by the course of the last one. An event that follows
 // another within a thousandth of the longest time without one is an aftershock and begins no cycle.
 // Before a cycle is known, and in a last cycle that costs more than earlier ones, the estimate is
-// from the speed of the last minutes.
+// from the speed of the last minutes, unless that is the speed of an event.
 class TimeLeft
 {
 public:
@@ -25,6 +25,7 @@ public:
   static constexpr std::size_t cycles = 10;    // the last ones, which the estimate looks at
   static constexpr std::size_t samples = 4000; // of the course of the run, at most
   static constexpr double aftershock = 1e-3;   // of the longest time between events
+  static constexpr double event_speed = 1e-3;  // of the mean speed: slower runs are within an event
 
   struct Estimate
   {
@@ -55,7 +56,7 @@ public:
     }
   }
 
-  // None as long as the speed is unknown.
+  // None as long as the speed is unknown, and in events before a whole cycle is known.
   std::optional<Estimate> estimate(double final_time) const
   {
     if (times_.size() < 2) {
@@ -69,10 +70,12 @@ public:
     }
     const double begin = std::max(walls_.back() - memory, walls_.front());
     const double done = times_.back() - interpolated(begin, walls_, times_);
-    if (!(done > 0)) {
+    const double took = walls_.back() - begin;
+    const double mean_speed = (times_.back() - times_.front()) / (walls_.back() - walls_.front());
+    if (!(done > 0) || (!knows_cycles && done < event_speed * mean_speed * took)) {
       return {};
     }
-    return Estimate{rest / done * (walls_.back() - begin), knows_cycles};
+    return Estimate{rest / done * took, knows_cycles};
   }
 
   void save(Archive& archive) const

@@ -88,7 +88,7 @@ Values unknowns(Problem<Dim> const& problem, std::vector<int> const& vertices,
   return fem::unknownsOf(problem.constraints->frames(), std::move(vectors));
 }
 
-Values onHost(friction::ConstNodeView const& x)
+Values onHost(ConstNodeView const& x)
 {
   auto const view = toHost(x);
   return Values(view.data(), view.data() + view.size());
@@ -209,8 +209,8 @@ void carryFault(Problem<Dim> const& other, State const& state, io::OutputDomain 
                    "--restart-from: the processes on the fault of "
                      << run.string() << " are not those of the deck. Enable the same ones.");
   State::visitFault(
-    [&](FieldInfo const& info, friction::NodeView const& field, friction::NodeView const& start,
-        friction::NodeView const& start_here) {
+    [&](FieldInfo const& info, NodeView const& field, NodeView const& start,
+        NodeView const& start_here) {
       auto const there =
         info.counts_from_start ? sum(onHost(field), -1, onHost(start)) : onHost(field);
       auto const values = along_fault({reordered(there, order_there)}, 1).front();

@@ -1,5 +1,6 @@
 #include "scenario/setup/BulkSetup.hpp"
 
+#include "base/parallel/Gather.hpp"
 #include "fem/Simplex.hpp"
 #include "fem/bulk/BulkLaw.hpp"
 #include "scenario/setup/DeckPaths.hpp"
@@ -181,8 +182,50 @@ private:
 };
 } // namespace
 
+namespace
+{
+// Each one costs a matrix, a vector of the state, and a product in every step.
+constexpr std::size_t most_branches = 8;
+
+// The relaxing shares of cells by their relaxation time, which all ranks have in the same order.
+std::vector<fem::MaxwellBranch>
+branchesOf(std::vector<std::vector<fem::RelaxingShare>> const& of_cells,
+           std::vector<fem::Material> const& materials, Communicator const& communicator)
+{
+  std::vector<double> mine;
+  for (auto const& shares : of_cells) {
+    for (auto const& of : shares) {
+      mine.push_back(of.time);
+    }
+  }
+  const auto distinct = [](std::vector<double> times) {
+    std::sort(times.begin(), times.end());
+    times.erase(std::unique(times.begin(), times.end()), times.end());
+    return times;
+  };
+  auto const times = distinct(gatherToAll(distinct(std::move(mine)), communicator));
+  ASPERITY_REQUIRE(times.size() <= most_branches,
+                   bulk_path << ": the body has " << times.size() << " relaxation times, from "
+                             << times.front() << " to " << times.back() << " s; at most "
+                             << most_branches
+                             << " are possible. Make viscosity and shear modulus constant in "
+                                "regions.");
+  std::vector<fem::MaxwellBranch> branches;
+  for (const double time : times) {
+    branches.push_back({time, std::vector<double>(of_cells.size(), 0.)});
+    for (std::size_t cell = 0; cell < of_cells.size(); ++cell) {
+      for (auto const& of : of_cells[cell]) {
+        branches.back().moduli[cell] +=
+          of.time == time ? of.share * materials[cell].shear_modulus : 0;
+      }
+    }
+  }
+  return branches;
+}
+} // namespace
+
 template <int Dim>
-std::vector<fem::Material> makeMaterials(ParameterList const& list, Mesh<Dim> const& mesh)
+Rock makeRock(ParameterList const& list, Mesh<Dim> const& mesh, Communicator const& communicator)
 {
   auto const& regions = mesh.region_names;
   const Elasticity elasticity(list, regions);
@@ -194,6 +237,7 @@ std::vector<fem::Material> makeMaterials(ParameterList const& list, Mesh<Dim> co
   }
   std::vector<double> values(fields.size());
   std::vector<fem::Material> materials(mesh.cells.size());
+  std::vector<std::vector<fem::RelaxingShare>> relaxation;
   for (std::size_t cell = 0; cell < mesh.cells.size(); ++cell) {
     auto const x = inSpace<Dim>(fem::simplexOf(mesh, static_cast<int>(cell)).centroid);
     const int region = mesh.cell_regions[cell];
@@ -203,15 +247,17 @@ std::vector<fem::Material> makeMaterials(ParameterList const& list, Mesh<Dim> co
     std::transform(fields.begin(), fields.end(), values.begin(),
                    [&](Field const& field) { return field(x, 0, region); });
     law.complete(values.data(), material);
+    relaxation.push_back(law.relaxation(values.data(), material));
   }
-  return materials;
+  auto branches = branchesOf(relaxation, materials, communicator);
+  return {std::move(materials), std::move(branches)};
 }
 
 #define ASPERITY_INSTANTIATE(Dim)                                                                  \
   template std::vector<double> radiationDamping(ParameterList const&, Mesh<Dim> const&,            \
                                                 fem::FaultSurface const&,                          \
                                                 std::vector<fem::Material> const&);                \
-  template std::vector<fem::Material> makeMaterials(ParameterList const&, Mesh<Dim> const&);       \
+  template Rock makeRock(ParameterList const&, Mesh<Dim> const&, Communicator const&);             \
   template std::array<double, Dim> gravity<Dim>(ParameterList const&);
 
 ASPERITY_INSTANTIATE(2)

@@ -1,7 +1,8 @@
 #pragma once
 
 #include "fem/FaultSurface.hpp"
-#include "fem/Material.hpp"
+#include "fem/bulk/Material.hpp"
+#include "fem/bulk/MaxwellBranch.hpp"
 #include "mesh/Mesh.hpp"
 #include "parameters/Parameters.hpp"
 
@@ -29,9 +30,16 @@ std::vector<double> radiationDamping(ParameterList const& list, Mesh<Dim> const&
                                      fem::FaultSurface const& surface,
                                      std::vector<fem::Material> const& at_nodes);
 
-// One material for each cell, from fields evaluated at its centroid.
+// The rock of a body, from fields evaluated at the centroids of cells.
+struct Rock
+{
+  std::vector<fem::Material> materials; // (num_cells)
+  std::vector<fem::MaxwellBranch> branches;
+};
+
+// Throws InputError unless all cells together have few relaxation times. Collective.
 template <int Dim>
-std::vector<fem::Material> makeMaterials(ParameterList const& list, Mesh<Dim> const& mesh);
+Rock makeRock(ParameterList const& list, Mesh<Dim> const& mesh, Communicator const& communicator);
 
 // The gravitational acceleration along the axes [m/s^2]; zero without gravity.
 template <int Dim>

@@ -136,7 +136,7 @@ NormalStressOfDeck makeNormalStress(ParameterList const& friction, Mesh<Dim> con
   if (!given.dependsOnTime()) {
     return {constant(at_start), {}};
   }
-  return {dynamics::NormalStress([given, factor](double t, friction::NodeView const& sigma_n) {
+  return {dynamics::NormalStress([given, factor](double t, NodeView const& sigma_n) {
             Kokkos::deep_copy(sigma_n, toDevice(compression(given.at(t), factor),
                                                 "asperity::scenario::normalStress"));
           }),

@@ -69,7 +69,7 @@ void requirePressure(ParameterList const& list, Mesh<Dim> const& mesh,
   ASPERITY_REQUIRE(!normal_stress.dependsOnTime() &&
                      normal_stress.change() == dynamics::NormalStressChange::fixed,
                    refused << "and this one changes. Give a Normal Stress Floor above zero.");
-  const friction::NodeView sigma("asperity::scenario::sigma_n", surface.numNodes());
+  const NodeView sigma("asperity::scenario::sigma_n", surface.numNodes());
   normal_stress.at(0, sigma);
   auto const values = toHost(sigma);
   for (int i = 0; i < surface.numNodes(); ++i) {

@@ -99,9 +99,9 @@ void setSlipRate(ParameterList const& list, Mesh<Dim> const& mesh, fem::FaultSur
 }
 
 template <int Dim>
-friction::NodeView initialAlpha(ParameterList const& list, Mesh<Dim> const& mesh,
-                                dynamics::Fault const& fault, dynamics::State const& state,
-                                std::vector<double> const& traction)
+NodeView initialAlpha(ParameterList const& list, Mesh<Dim> const& mesh,
+                      dynamics::Fault const& fault, dynamics::State const& state,
+                      std::vector<double> const& traction)
 {
   static const std::map<std::string, dynamics::AlphaAtStart> kinds = {
     {"Given", dynamics::AlphaAtStart::given},
@@ -110,7 +110,7 @@ friction::NodeView initialAlpha(ParameterList const& list, Mesh<Dim> const& mesh
   auto const& surface = fault.surface();
   auto const nodes = surface.vertices();
   auto const kind = list.get<std::string>("State");
-  const friction::BlockView w("asperity::scenario::w", surface.numNodes(), surface.numTangents());
+  const BlockView w("asperity::scenario::w", surface.numNodes(), surface.numTangents());
   dynamics::gatherSlip(surface, *state.v, w);
   return dynamics::initialAlpha(fault, kinds.at(kind),
                                 {nodalValues(list, "alpha", initial_path, mesh, nodes), traction,
@@ -137,11 +137,14 @@ makeInitialState(ParameterList const& deck, Mesh<Dim> const& mesh, fem::NodalFra
   setSlipRate(list, mesh, fault.surface(), start.slip_direction, *state.v);
   state.a = body.vector();
   state.jerk = body.vector();
-  state.sigma_n = friction::NodeView("asperity::scenario::sigma_n", num_nodes);
+  for (std::size_t k = 0; k < body.matrices.branches.size(); ++k) {
+    state.branches.push_back(rcp(new Vector(*state.u, Teuchos::Copy)));
+  }
+  state.sigma_n = NodeView("asperity::scenario::sigma_n", num_nodes);
   fault.normalStress().at(0, state.sigma_n);
   fault.normalStress().raiseToFloor(state.sigma_n);
-  state.alpha = friction::NodeView("asperity::scenario::alpha", num_nodes);
-  state.alpha_of_rate = friction::NodeView("asperity::scenario::alphaOfRate", num_nodes);
+  state.alpha = NodeView("asperity::scenario::alpha", num_nodes);
+  state.alpha_of_rate = NodeView("asperity::scenario::alphaOfRate", num_nodes);
   for (auto const& process : fault.laws().processes) {
     auto const fields = process->fields(state);
     state.added.insert(state.added.end(), fields.begin(), fields.end());
@@ -153,9 +156,8 @@ makeInitialState(ParameterList const& deck, Mesh<Dim> const& mesh, fem::NodalFra
     const double dt = deck.sublist("Time Stepping").get<double>("Largest Step") * 1e-6;
     auto const load = body.vector();
     body.load(0, *load);
-    state.a = dynamics::initialAcceleration(body, fault, solver, *load,
-                                            *dynamics::prescribedAcceleration(body, dt), *state.u,
-                                            *state.v, given);
+    state.a = dynamics::prescribedAcceleration(body, dt);
+    state.a = dynamics::initialAcceleration(body, fault, solver, *load, state.motion(), given);
   }
   return state;
 }

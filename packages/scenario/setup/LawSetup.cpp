@@ -47,8 +47,8 @@ template <int Dim>
 friction::ParameterView valuesOnDevice(ParameterTable const& table, ParameterList const& list,
                                        Mesh<Dim> const& mesh, std::vector<int> const& nodes)
 {
-  Kokkos::View<double**, friction::MemorySpace> values("asperity::scenario::lawParameters",
-                                                       table.size(), nodes.size());
+  Kokkos::View<double**, MemorySpace> values("asperity::scenario::lawParameters", table.size(),
+                                             nodes.size());
   auto const host = Kokkos::create_mirror_view(values);
   auto const by_node = valuesByNode(table, list, mesh, nodes);
   for (std::size_t i = 0; i < by_node.size(); ++i) {

@@ -21,10 +21,10 @@ void addFrictionForces(fem::FaultSurface const& surface, dynamics::FrictionProbl
                        Vector const& v, Vector& b)
 {
   const int num_nodes = surface.numNodes(), size = surface.numTangents();
-  const friction::BlockView at_nodes("v", num_nodes, size);
-  const friction::BlockView gradient("gradient", num_nodes, size);
-  const friction::HessianView hessian("hessian", num_nodes, size, size);
-  const friction::FlagView kinked("kinked", num_nodes);
+  const BlockView at_nodes("v", num_nodes, size);
+  const BlockView gradient("gradient", num_nodes, size);
+  const HessianView hessian("hessian", num_nodes, size, size);
+  const FlagView kinked("kinked", num_nodes);
   dynamics::gather(surface, v, at_nodes);
   friction.linearise(at_nodes, gradient, hessian, kinked);
   auto const values = b.getLocalViewHost(Tpetra::Access::ReadWrite);

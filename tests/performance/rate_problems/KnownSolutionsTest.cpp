@@ -100,7 +100,8 @@ std::vector<Solved> solveAll(int cell_size, std::string const& correction_tolera
   auto const update = scenario::makeRateUpdate(deck->sublist("Time Stepping"), false);
   std::vector<Solved> all;
   for (double tau : {1e5, 1.}) {
-    auto const Z = fem::combine(problem.body.matrices, update.weights(tau), problem.body.held);
+    auto const Z = fem::combine(problem.body.matrices, update.weights(tau, problem.body.matrices),
+                                problem.body.held);
     auto const solver = dynamics::makeRateSolver(Z, problem.body, *problem.surface, problem.solver);
     for (auto phase : {Phase::stuck, Phase::nucleating, Phase::rupturing}) {
       all.push_back(solve(problem, phase, *Z, *solver));

@@ -110,7 +110,8 @@ TEST(RateProblems, takeHardlyMoreCyclesThanLinearOnes)
     ASSERT_TRUE(step.solve(state, level, end, coupled).solved());
     // 3. The rate problem at its end, with the right side of which its velocity is the solution.
     const double tau = clock.stepSize(level);
-    auto const Z = fem::combine(problem.body.matrices, update.weights(tau), problem.body.held);
+    auto const Z = fem::combine(problem.body.matrices, update.weights(tau, problem.body.matrices),
+                                problem.body.held);
     auto const solution = problem.body.vector(), b = problem.body.vector(),
                start = problem.body.vector(), w = problem.body.vector();
     problem.body.prescribed_velocity(clock.seconds(end.time), *w);

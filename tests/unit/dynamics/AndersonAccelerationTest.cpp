@@ -14,7 +14,7 @@ namespace asperity::dynamics
 {
 namespace
 {
-using friction::NodeView;
+using NodeView;
 
 constexpr int num_nodes = 12; // on all ranks together
 

@@ -44,9 +44,9 @@ void expectNear(DenseState const& state, DenseState const& expected, double tole
 Eigen::VectorXd frictionForce(Model const& model, State const& state)
 {
   const int size = model.surface->numNodes();
-  friction::BlockView v("v", size, 1), gradient("gradient", size, 1);
-  friction::HessianView hessian("hessian", size, 1, 1);
-  friction::FlagView kinked("kinked", size);
+  BlockView v("v", size, 1), gradient("gradient", size, 1);
+  HessianView hessian("hessian", size, 1, 1);
+  FlagView kinked("kinked", size);
   gather(*model.surface, *state.v, v);
   model.fault.friction().linearise(v, {state.alpha_of_rate, state.sigma_n}, gradient, hessian,
                                    kinked);
@@ -241,7 +241,7 @@ TEST(CoupledStep, endsInBalanceOfMomentumUnderEveryLaw)
       auto load = model.body.vector();
       auto rest = model.body.vector();
       model.body.load(0, *load);
-      model.body.residual(*load, *state.u, *state.v, *state.a, *rest);
+      model.body.residual(*load, state.motion(), *rest);
       Eigen::VectorXd imbalance = denseOf(*rest) - frictionForce(model, state);
       for (int dof = 0; dof < model.body.numOwnedDofs(); ++dof) {
         imbalance[dof] = model.body.held[dof] ? 0 : imbalance[dof];

@@ -29,8 +29,9 @@ State balanced(testing::Model const& model, State state)
   model.body.prescribed_velocity(1, *later);
   model.body.prescribed_velocity(0, *prescribed);
   prescribed->update(1, *later, -1);
-  state.a = initialAcceleration(model.body, model.fault, tightSettings(), *load, *prescribed,
-                                *state.u, *state.v, {state.alpha, state.sigma_n});
+  state.a = initialAcceleration(model.body, model.fault, tightSettings(), *load,
+                                {*state.u, *state.v, *prescribed, state.branches},
+                                {state.alpha, state.sigma_n});
   return state;
 }
 
@@ -278,9 +279,9 @@ TEST(EnergyBalance, seesNoWorkWhereTheFaultIsHeld)
   auto state = model.restingState();
   auto load = model.body.vector();
   model.body.load(0, *load);
-  state.a =
-    initialAcceleration(model.body, model.fault, tightSettings(), *load, *model.body.vector(),
-                        *state.u, *state.v, {state.alpha, state.sigma_n});
+  state.a = initialAcceleration(model.body, model.fault, tightSettings(), *load,
+                                {*state.u, *state.v, *model.body.vector(), {}},
+                                {state.alpha, state.sigma_n});
   balance.start(state);
   for (int n = 0; n < 3; ++n) {
     advance(stepper, state, 1);

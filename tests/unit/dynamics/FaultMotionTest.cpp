@@ -29,9 +29,9 @@ fem::FaultSurface makeFault(int num_tangents, OtherSide other_side = OtherSide::
   return testing::surfaceOf({1, 2, 3}, num_tangents, held, other_side, world());
 }
 
-friction::BlockView blocks(std::vector<std::vector<double>> const& values)
+BlockView blocks(std::vector<std::vector<double>> const& values)
 {
-  friction::BlockView view("asperity::test::blocks", values.size(), values[0].size());
+  BlockView view("asperity::test::blocks", values.size(), values[0].size());
   for (std::size_t node = 0; node < values.size(); ++node) {
     for (std::size_t k = 0; k < values[node].size(); ++k) {
       view(node, k) = values[node][k];
@@ -40,9 +40,9 @@ friction::BlockView blocks(std::vector<std::vector<double>> const& values)
   return view;
 }
 
-friction::NodeView nodes(std::vector<double> const& values)
+NodeView nodes(std::vector<double> const& values)
 {
-  friction::NodeView view("asperity::test::nodes", values.size());
+  NodeView view("asperity::test::nodes", values.size());
   std::copy(values.begin(), values.end(), view.data());
   return view;
 }
@@ -136,7 +136,7 @@ TEST(FaultMotion, platesAddToTheSlipOfBodies)
   EXPECT_DOUBLE_EQ(testing::peakSlipRateAt(*fault, v), 8);
   v.replaceLocalValue(2, -3.5);
   v.replaceLocalValue(4, 0.5);
-  const friction::BlockView w("asperity::test::w", 3, 2);
+  const BlockView w("asperity::test::w", 3, 2);
   gatherSlip(*fault, v, w);
   auto const V = nodes({7, 7, 7});
   slipRate(*fault, w, V);
@@ -234,7 +234,7 @@ TEST(FaultMotion, ranksWithoutNodesDoNotCount)
   auto a = nodes({1, 2, 3}), b = nodes({1, 5, 1});
   const bool has_nodes = world()->getRank() == 0;
   if (!has_nodes) {
-    a = b = friction::NodeView("asperity::test::none", 0);
+    a = b = NodeView("asperity::test::none", 0);
   }
   auto const fault =
     testing::surfaceOf(has_nodes ? std::vector<double>{1, 2, 3} : std::vector<double>{}, 1,
@@ -243,7 +243,7 @@ TEST(FaultMotion, ranksWithoutNodesDoNotCount)
   EXPECT_DOUBLE_EQ(distance(fault, a, b, Norm::maximum), 3);
   EXPECT_EQ(distance(fault, a, a, Norm::maximum), 0);
   auto const none = testing::surfaceOf({}, 1, {0, 0, 0}, OtherSide::rigid_foundation, world());
-  auto const nothing = friction::NodeView("asperity::test::none", 0);
+  auto const nothing = NodeView("asperity::test::none", 0);
   EXPECT_EQ(distance(none, nothing, nothing, Norm::maximum), 0);
 }
 
@@ -276,7 +276,7 @@ TEST(NormalStress, isAConstantOrAFunctionOfTime)
   EXPECT_EQ(sigma_n(0), 1);
   EXPECT_EQ(sigma_n(2), 3);
   const NormalStress moving(
-    [](double t, friction::NodeView const& view) { Kokkos::deep_copy(view, 10 * t); });
+    [](double t, NodeView const& view) { Kokkos::deep_copy(view, 10 * t); });
   EXPECT_TRUE(moving.dependsOnTime());
   for (double t : {2., 5., 3.}) {
     moving.at(t, sigma_n);

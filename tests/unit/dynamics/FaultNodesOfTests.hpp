@@ -9,8 +9,8 @@ namespace asperity::dynamics::testing
 // The peak slip rate of a fault whose body moves at v.
 inline double peakSlipRateAt(fem::FaultSurface const& surface, Vector const& v)
 {
-  const friction::BlockView w("asperity::test::w", surface.numNodes(), surface.numTangents());
-  const friction::NodeView V("asperity::test::V", surface.numNodes());
+  const BlockView w("asperity::test::w", surface.numNodes(), surface.numTangents());
+  const NodeView V("asperity::test::V", surface.numNodes());
   gatherSlip(surface, v, w);
   slipRate(surface, w, V);
   return peakSlipRate(surface, V);

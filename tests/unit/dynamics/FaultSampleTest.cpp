@@ -31,7 +31,7 @@ TEST(FaultSample, hasVectorsAlongTheAxesInSpace)
   sample.begin(state, 5, balance);
 
   ASSERT_EQ(sample.numComponents(), 3);
-  const friction::NodeView mu("asperity::test::mu", model.surface->numNodes());
+  const NodeView mu("asperity::test::mu", model.surface->numNodes());
   model.fault.friction().coefficient(balance.slipVelocity(), state.alpha_of_rate, mu);
   double fastest = 0;
   for (int i = 0; i < model.surface->numNodes(); ++i) {

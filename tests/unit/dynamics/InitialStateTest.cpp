@@ -38,7 +38,7 @@ Eigen::VectorXd accelerationOf(Model const& model, State const& state, Vector co
                                Correction correction = Correction::direct)
 {
   return denseOf(*initialAcceleration(model.body, model.fault, tightSettings(correction),
-                                      *loadOf(model), prescribed, *state.u, *state.v,
+                                      *loadOf(model), {*state.u, *state.v, prescribed, {}},
                                       {state.alpha, state.sigma_n}));
 }
 
@@ -187,7 +187,7 @@ struct SlidingFault
     start = {std::vector<double>(surface.numNodes(), 7), std::vector<double>(surface.numNodes(), 0),
              model.restingState().sigma_n, w};
   }
-  friction::NodeView alpha(AlphaAtStart kind) const
+  NodeView alpha(AlphaAtStart kind) const
   {
     return initialAlpha(model.fault, kind, start,
                         [](int node) { return "Node " + std::to_string(node); });
@@ -213,8 +213,7 @@ struct SlidingFault
 
   const Model model{options(), alone()};
   RCP<Vector> v = model.body.vector();
-  const friction::BlockView w{"asperity::test::w",
-                              static_cast<std::size_t>(model.surface->numNodes()), 1};
+  const BlockView w{"asperity::test::w", static_cast<std::size_t>(model.surface->numNodes()), 1};
   FaultAtStart start;
 };
 } // namespace
@@ -235,7 +234,7 @@ TEST(InitialAlpha, letsFrictionAndCohesionBearTheTraction)
 {
   SlidingFault fault;
   auto const size = fault.model.surface->numNodes();
-  const friction::NodeView alpha("asperity::test::alpha", size), mu("asperity::test::mu", size);
+  const NodeView alpha("asperity::test::alpha", size), mu("asperity::test::mu", size);
   for (int i = 0; i < size; ++i) {
     alpha(i) = -1 + 0.5 * i;
   }
@@ -253,7 +252,7 @@ TEST(InitialAlpha, refusesAStateThatDoesNotExist)
 {
   SlidingFault fault;
   fault.expectRefusal(AlphaAtStart::stress_balance, "Node 0 the shear traction");
-  fault.start.sigma_n = friction::NodeView("asperity::test::none", fault.start.traction.size());
+  fault.start.sigma_n = NodeView("asperity::test::none", fault.start.traction.size());
   fault.expectRefusal(AlphaAtStart::stress_balance, "Node 0 there is no normal stress");
   Kokkos::deep_copy(fault.w, 0);
   fault.expectRefusal(AlphaAtStart::steady, "Node 0 the initial slip rate is zero");

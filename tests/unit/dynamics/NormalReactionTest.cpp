@@ -43,8 +43,8 @@ void expectUniformCompression(ModelIn<Dim> const& model,
   auto const u = model.body.vector();
   auto const none = model.body.vector();
   model.setFree(*u, displacement);
-  const friction::NodeView R("R", model.surface->numNodes());
-  reactionOf(model).compression(*none, *u, *none, *none, R);
+  const NodeView R("R", model.surface->numNodes());
+  reactionOf(model).compression(*none, {*u, *none, *none, {}}, R);
   ASSERT_GT(model.surface->numNodes(), 0);
   for (int i = 0; i < model.surface->numNodes(); ++i) {
     EXPECT_NEAR(R(i), sigma, 1e-10 * sigma) << i;
@@ -110,8 +110,8 @@ TEST(NormalReaction, isLessByTheLoadAtTheNode)
   for (int c = 0; c < 2; ++c) {
     load->replaceLocalValue(model.dofs->dof(model.surface->vertex(2), c), 3 * local[c]);
   }
-  const friction::NodeView R("R", model.surface->numNodes());
-  reactionOf(model).compression(*load, *none, *none, *none, R);
+  const NodeView R("R", model.surface->numNodes());
+  reactionOf(model).compression(*load, {*none, *none, *none, {}}, R);
   EXPECT_NEAR(R(2), 3 / node.weight, 1e-12 * 3 / node.weight); // the load pushes outwards
   EXPECT_EQ(R(1), 0);
 }
@@ -127,12 +127,12 @@ TEST(NormalReaction, rowsAreThoseOfTheMatrices)
     return x;
   };
   auto const none = model.body.vector();
-  const friction::NodeView expected("R", model.surface->numNodes());
-  reaction.compression(*none, *scaled(5), *scaled(3), *scaled(2), expected);
+  const NodeView expected("R", model.surface->numNodes());
+  reaction.compression(*none, {*scaled(5), *scaled(3), *scaled(2), {}}, expected);
   auto const rows = reaction.rows({2, 3, 5});
   Vector r(rows->getRangeMap());
   rows->apply(*w, r);
-  const friction::NodeView R("R", model.surface->numNodes());
+  const NodeView R("R", model.surface->numNodes());
   auto const values = r.getData();
   reaction.compression(std::vector<double>(values.begin(), values.end()), R);
   for (int i = 0; i < model.surface->numNodes(); ++i) {

@@ -79,9 +79,11 @@ RateSolverSettings onSeveralLevels()
 }
 } // namespace
 
-TEST(Ranks, multigridOnAllStepsLikeCholeskyOnOne)
+namespace
 {
-  const BothWays<2> models(largerBlock());
+void expectStepsOfOneRank(ModelOptions const& options)
+{
+  const BothWays<2> models(options);
   const DyadicTime clock(4e-3, 4);
   auto const update = RateUpdate::newmark(0.25);
   auto coupling = tightCoupling();
@@ -112,6 +114,16 @@ TEST(Ranks, multigridOnAllStepsLikeCholeskyOnOne)
   EXPECT_NEAR(testing::peakSlipRateAt(*models.together.surface, *shared.v) /
                 testing::peakSlipRateAt(*models.alone.surface, *own.v),
               1, 1e-8);
+}
+} // namespace
+
+TEST(Ranks, multigridOnAllStepsLikeCholeskyOnOne) { expectStepsOfOneRank(largerBlock()); }
+
+TEST(Ranks, multigridOnAllStepsLikeCholeskyOnOneWhereStressRelaxes)
+{
+  auto options = largerBlock();
+  options.relaxation = {{0.5, 1e-3}, {0.4, 0.1}};
+  expectStepsOfOneRank(options);
 }
 
 // Friction as a vector law; also the effort is that of one rank.
@@ -184,7 +196,7 @@ TEST(Ranks, findTheSameInitialState)
     model.body.load(0, *load);
     auto const state = slidingState(model);
     return initialAcceleration(model.body, model.fault, tightSettings(correction), *load,
-                               *model.body.vector(), *state.u, *state.v,
+                               {*state.u, *state.v, *model.body.vector(), {}},
                                {state.alpha, state.sigma_n});
   };
   EXPECT_LE(models.difference(*displacement(models.together, Correction::multigrid),

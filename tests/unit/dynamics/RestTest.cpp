@@ -26,7 +26,7 @@ struct RestingNode
       , fault({node})
       , map(Teuchos::rcp(new Map(1, 0, Tpetra::getDefaultComm())))
   {
-    const tnnmg::BlockView entry("Z", 1, 1);
+    const BlockView entry("Z", 1, 1);
     Kokkos::deep_copy(entry, Z);
     matrix = std::make_shared<tnnmg::DenseRateMatrix>(entry, map, 1, std::vector<int>{0});
   }
@@ -88,8 +88,7 @@ struct BeyondTheMinimum : FrictionProblem
   {
   }
 
-  int sweep(friction::IndexView const& nodes, tnnmg::CoupledSystem const& system,
-            friction::BlockView const& v) const override
+  int sweep(IndexView const& nodes, CoupledNodes const& system, BlockView const& v) const override
   {
     const int failed = FrictionProblem::sweep(nodes, system, v);
     const double excess = part;

@@ -12,8 +12,8 @@ namespace
 {
 friction::ParameterView table(std::vector<double> const& column, int num_nodes)
 {
-  Kokkos::View<double**, friction::MemorySpace> values("asperity::test::parameters", column.size(),
-                                                       num_nodes);
+  Kokkos::View<double**, MemorySpace> values("asperity::test::parameters", column.size(),
+                                             num_nodes);
   auto const host = Kokkos::create_mirror_view(values);
   for (std::size_t row = 0; row < column.size(); ++row) {
     for (int node = 0; node < num_nodes; ++node) {
@@ -33,6 +33,17 @@ std::vector<fem::VelocityCondition<Dim>> conditionsOf(OptionsIn<Dim> const& opti
   }
   return conditions;
 }
+
+template <int Dim>
+std::vector<fem::MaxwellBranch> branchesOf(OptionsIn<Dim> const& options, std::size_t num_cells)
+{
+  std::vector<fem::MaxwellBranch> branches;
+  for (auto const& [share, time] : options.relaxation) {
+    branches.push_back(
+      {time, std::vector<double>(num_cells, share * options.material.shear_modulus)});
+  }
+  return branches;
+}
 } // namespace
 
 template <int Dim>
@@ -45,7 +56,8 @@ ModelIn<Dim>::ModelIn(OptionsIn<Dim> const& given, RCP<const Communicator> const
                                                           std::vector<double>{0}))
     , matrices(
         fem::assembleBody<Dim>(mesh, *dofs, constraints->frames(),
-                               std::vector<fem::Material>(mesh.cells.size(), options.material)))
+                               std::vector<fem::Material>(mesh.cells.size(), options.material),
+                               branchesOf(options, mesh.cells.size())))
     , surface(fem::makeFaultSurface(mesh, options.fault, *constraints, *dofs,
                                     *matrices.stiffness->getCrsGraph(), options.other_side))
     , body(makeBody())
@@ -72,7 +84,7 @@ Fault ModelIn<Dim>::makeFault() const
   const int size = surface->numNodes();
   auto const& o = options;
   auto const normal_stress =
-    o.normal_stress ? NormalStress([this](double t, friction::NodeView const& view) {
+    o.normal_stress ? NormalStress([this](double t, NodeView const& view) {
       Kokkos::deep_copy(view,
                         nodeView([&](Point<Dim> const& x) { return options.normal_stress(x, t); }));
     })
@@ -84,7 +96,7 @@ Fault ModelIn<Dim>::makeFault() const
            o.state_law,
            table({o.L, o.reference_rate, 0.}, size),
            {},
-           o.stress_sensitivity == 0 ? friction::ConstNodeView()
+           o.stress_sensitivity == 0 ? ConstNodeView()
                                      : nodeView([&](auto const&) { return o.stress_sensitivity; })},
           normal_stress};
 }
@@ -117,6 +129,7 @@ State ModelIn<Dim>::restingState() const
   state.v = body.vector();
   state.a = body.vector();
   state.jerk = body.vector();
+  state.branches = body.noForces().of_branches;
   body.prescribed_velocity(0, *state.v);
   state.alpha = nodeView([](auto const&) { return 0.; });
   state.alpha_of_rate = nodeView([](auto const&) { return 0.; });
@@ -126,10 +139,9 @@ State ModelIn<Dim>::restingState() const
 }
 
 template <int Dim>
-friction::NodeView
-ModelIn<Dim>::nodeView(std::function<double(Point<Dim> const&)> const& value) const
+NodeView ModelIn<Dim>::nodeView(std::function<double(Point<Dim> const&)> const& value) const
 {
-  friction::NodeView view("asperity::test::nodes", surface->numNodes());
+  NodeView view("asperity::test::nodes", surface->numNodes());
   auto const host = Kokkos::create_mirror_view(view);
   for (int i = 0; i < surface->numNodes(); ++i) {
     host(i) = value(mesh.vertices[surface->vertex(i)]);
@@ -199,7 +211,7 @@ Eigen::VectorXd denseOf(Vector const& x)
   return Eigen::Map<const Eigen::VectorXd>(&values(0, 0), values.extent(0));
 }
 
-Eigen::VectorXd denseOf(friction::ConstNodeView const& x)
+Eigen::VectorXd denseOf(ConstNodeView const& x)
 {
   auto const host = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace(), x);
   return Eigen::Map<const Eigen::VectorXd>(host.data(), host.extent(0));

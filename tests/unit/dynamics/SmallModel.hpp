@@ -2,6 +2,7 @@
 
 #include "dynamics/FaultMotion.hpp"
 #include "dynamics/coupling/CoupledStep.hpp"
+#include "fem/bulk/BulkLaw.hpp"
 #include "fem/constraints/Constraints.hpp"
 #include "mesh/GlobalMesh.hpp"
 
@@ -24,8 +25,9 @@ struct OptionsIn
   std::string fault = "bottom"; // but for antiplane motion with v . n = 0
   std::vector<fem::VelocityCondition<Dim>> conditions;
   fem::Material material = {900, 0.05e6, 0.023e6, 1e3, 1e3}; // gelatine
-  std::array<double, Dim> gravity = {};                      // m/s^2, but for antiplane motion
-  double traction = 0;                                       // Pa, along the first tangent
+  std::vector<fem::RelaxingShare> relaxation = {};
+  std::array<double, Dim> gravity = {}; // m/s^2, but for antiplane motion
+  double traction = 0;                  // Pa, along the first tangent
   // Instead of that, along the axes; what is normal to the fault does nothing.
   std::array<double, Dim> traction_along_axes = {}; // Pa
 
@@ -49,7 +51,7 @@ struct ModelIn
   // At rest, alpha = 0; v and a of the fixed dofs are those prescribed at t = 0.
   State restingState() const;
   // Values at the fault nodes.
-  friction::NodeView nodeView(std::function<double(Point<Dim> const&)> const& value) const;
+  NodeView nodeView(std::function<double(Point<Dim> const&)> const& value) const;
   // On the fault at a local node of the mesh and a time, Pa.
   double normalStress(int node, double t) const;
   // Gives the free dofs the values of a function of place along the axes.
@@ -98,6 +100,6 @@ struct Stepper
 
 // Everything of a vector on one rank, or of a matrix.
 Eigen::VectorXd denseOf(Vector const& x);
-Eigen::VectorXd denseOf(friction::ConstNodeView const& x);
+Eigen::VectorXd denseOf(ConstNodeView const& x);
 Eigen::MatrixXd denseOf(CrsMatrix const& matrix);
 } // namespace asperity::dynamics::testing

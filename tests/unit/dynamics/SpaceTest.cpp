@@ -25,8 +25,9 @@ struct SpaceRun
   {
     auto load = model.body.vector();
     model.body.load(0, *load);
-    state.a = initialAcceleration(model.body, model.fault, settings, *load, *model.body.vector(),
-                                  *state.u, *state.v, {state.alpha, state.sigma_n});
+    state.a = initialAcceleration(model.body, model.fault, settings, *load,
+                                  {*state.u, *state.v, *model.body.vector(), {}},
+                                  {state.alpha, state.sigma_n});
     energy.start(state);
     PrescribedSteps steps(stepper.step, {0, 1, 2});
     for (int n = 0; n < 4; ++n) {

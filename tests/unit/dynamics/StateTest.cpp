@@ -50,20 +50,27 @@ protected:
   {
     const FieldInfo pressure = {"p", "pressure", "Pa", true};
     state.added.push_back({std::make_shared<const FieldInfo>(pressure),
-                           friction::NodeView("asperity::test::p", state.alpha.extent(0))});
+                           NodeView("asperity::test::p", state.alpha.extent(0))});
     count(state, 1);
   }
 
-  const Model model{slidingBlock(2), fem::testing::selfCommunicator()};
+  static ModelOptions withOneBranch()
+  {
+    auto options = slidingBlock(2);
+    options.relaxation = {{0.5, 1}};
+    return options;
+  }
+
+  const Model model{withOneBranch(), fem::testing::selfCommunicator()};
   State state = slidingState(model);
 };
 
 TEST_F(AState, HasEachFieldOnceAndThoseThatAModelAdds)
 {
   auto const names = namesOf(state);
-  EXPECT_EQ(names, (std::vector<std::string>{"u", "v", "a", "jerk", "alpha", "sigma_n",
+  EXPECT_EQ(names, (std::vector<std::string>{"u", "v", "a", "jerk", "branch_1", "alpha", "sigma_n",
                                              "alpha_of_rate", "p"}));
-  EXPECT_EQ(firstValues(state), (std::vector<double>{1, 2, 3, 4, 5, 6, 7, 8}));
+  EXPECT_EQ(firstValues(state), (std::vector<double>{1, 2, 3, 4, 5, 6, 7, 8, 9}));
 }
 
 TEST_F(AState, IsClonedWithAllFields)
@@ -71,7 +78,7 @@ TEST_F(AState, IsClonedWithAllFields)
   auto const copy = state.clone();
   EXPECT_EQ(namesOf(copy), namesOf(state));
   count(state, 10);
-  EXPECT_EQ(firstValues(copy), (std::vector<double>{1, 2, 3, 4, 5, 6, 7, 8}));
+  EXPECT_EQ(firstValues(copy), (std::vector<double>{1, 2, 3, 4, 5, 6, 7, 8, 9}));
 }
 
 TEST_F(AState, IsBlendedInTheFieldsThatStepsGuess)
@@ -80,7 +87,7 @@ TEST_F(AState, IsBlendedInTheFieldsThatStepsGuess)
   count(later, 2);
   auto const guess = blend({1.5, later, state}); // 3 - 0.5 times the field's number
   auto const values = firstValues(guess);
-  for (const int field : {1, 4, 5, 7}) {
+  for (const int field : {1, 5, 6, 8}) {
     EXPECT_EQ(values[field], 2.5 * (field + 1));
   }
 }

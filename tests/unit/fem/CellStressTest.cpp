@@ -111,6 +111,21 @@ TEST(CellStress, isThatOfHookesLawWhereTheStrainIsUniform)
   expectHookesLaw<3>(3);
 }
 
+// The branch strains by another displacement than the rest.
+TEST(CellStress, hasTheStressOfMaxwellBranches)
+{
+  auto const mesh = sampleMesh<3>();
+  const std::vector<Material> materials(mesh.cells.size(), {1000, bulk, shear, 0, 0});
+  const std::vector<MaxwellBranch> branches = {
+    {5, std::vector<double>(mesh.cells.size(), 0.4 * shear)}};
+  const CellStress<3> stress(mesh, 3, materials, {2, 0}, branches);
+  auto const of_u = gradientOf(3, 1), of_d = gradientOf(3, 2);
+  auto const u = motion(mesh, stress.vertices(), 3, of_u);
+  auto const d = motion(mesh, stress.vertices(), 3, of_d);
+  expectTensors(stress.stress(u, {}, {d}), 3,
+                hooke(of_u, bulk, 0.6 * shear) + hooke(of_d, 0, 0.4 * shear), 2);
+}
+
 TEST(CellStress, needsNoVelocityWithoutViscosity)
 {
   auto const mesh = sampleMesh<2>();

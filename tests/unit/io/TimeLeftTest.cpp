@@ -145,6 +145,25 @@ TEST(TimeLeft, IsWithinACycleOrAFifthWhereCyclesDiffer)
   });
 }
 
+// The speed in the first event would say centuries, also to a run that is restarted there.
+TEST(TimeLeft, IsUnknownInTheFirstEvent)
+{
+  Simulated run;
+  run.left.note(0, run.seconds);
+  run.go(0.5 / 60, 60, 100);
+  EXPECT_NEAR(run.secondsLeft(), 60, 1);
+  ++run.num_events;
+  run.go(1e-9, 200, 100);
+  EXPECT_FALSE(run.left.estimate(1));
+  asperity::io::Archive archive;
+  run.left.save(archive);
+  TimeLeft restarted;
+  restarted.restore(archive);
+  EXPECT_FALSE(restarted.estimate(1));
+  run.go(0.2 / 60, 60, 100);
+  EXPECT_TRUE(run.left.estimate(1));
+}
+
 TEST(TimeLeft, DoesNotKnowCyclesBeforeTwoEvents)
 {
   Simulated run;

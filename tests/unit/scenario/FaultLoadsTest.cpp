@@ -77,15 +77,15 @@ TEST(FaultLoads, followANormalStressInTimeAndClipTension)
                    world());
   auto const& fault = problem.fault;
   EXPECT_EQ(valuesOf(problem.initial.sigma_n), (std::vector<double>{300, 600, 900}));
-  friction::NodeView later("later", 3);
+  NodeView later("later", 3);
   fault.normalStress().at(2, later);
   EXPECT_EQ(valuesOf(later), (std::vector<double>{0, 0, 300}));
   // The kernels see it.
-  friction::BlockView v("v", 3, 1);
+  BlockView v("v", 3, 1);
   Kokkos::deep_copy(v, 1e-6);
-  friction::BlockView gradient("gradient", 3, 1);
-  friction::HessianView hessian("hessian", 3, 1, 1);
-  friction::FlagView kinked("kinked", 3);
+  BlockView gradient("gradient", 3, 1);
+  HessianView hessian("hessian", 3, 1, 1);
+  FlagView kinked("kinked", 3);
   fault.friction().linearise(v, {problem.initial.alpha, later}, gradient, hessian, kinked);
   const auto force = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace(), gradient);
   EXPECT_EQ(force(0, 0), 0);

@@ -30,8 +30,8 @@ ParameterList sliding(std::function<void(ParameterList&)> const& change = [](aut
 
 std::vector<double> slipRates(Problem<2> const& problem)
 {
-  friction::BlockView v("v", problem.surface->numNodes(), 1);
-  friction::NodeView V("V", problem.surface->numNodes());
+  BlockView v("v", problem.surface->numNodes(), 1);
+  NodeView V("V", problem.surface->numNodes());
   dynamics::gather(*problem.surface, *problem.initial.v, v);
   dynamics::slipRate(*problem.surface, v, V);
   return valuesOf(V);
@@ -77,8 +77,8 @@ TEST(InitialSetup, balancesTheShearTractionWithFrictionCohesionAndRadiation)
                        deck.sublist("Bulk").set("Dynamics", quasi ? "Quasi-dynamic" : "Inertial");
                      }),
                      world());
-    friction::NodeView mu("mu", 3);
-    friction::BlockView v("v", 3, 1);
+    NodeView mu("mu", 3);
+    BlockView v("v", 3, 1);
     dynamics::gather(*problem.surface, *problem.initial.v, v);
     problem.fault.friction().coefficient(v, problem.initial.alpha, mu);
     const double radiation = quasi ? std::sqrt(1000 * 1e6) / 2 * V : 0;

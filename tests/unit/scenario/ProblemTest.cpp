@@ -203,7 +203,7 @@ TEST(RunArchive, returnsWhatWasSaved)
   const dynamics::FieldInfo pressure = {"p", "pressure", "Pa"};
   auto like = problem.initial.clone();
   for (auto* state : {&like, &memory.trial->state}) {
-    const friction::NodeView p("asperity::test::p", problem.initial.alpha.extent(0));
+    const NodeView p("asperity::test::p", problem.initial.alpha.extent(0));
     state->added.push_back({std::make_shared<const dynamics::FieldInfo>(pressure), p});
   }
   Kokkos::deep_copy(memory.trial->state.added[0].values, 4e6);

@@ -34,7 +34,7 @@ ParameterList column(std::function<void(ParameterList&)> const& change = [](auto
 ParameterList strip(std::function<void(ParameterList&)> const& change = [](auto&) {});
 double steadyStress(double V);
 
-std::vector<double> valuesOf(friction::ConstNodeView const& view);
+std::vector<double> valuesOf(ConstNodeView const& view);
 std::vector<double> valuesOf(Vector const& x);
 // Of the fault nodes.
 std::vector<double> weightsOf(fem::FaultSurface const& surface);

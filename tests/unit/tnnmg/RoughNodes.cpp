@@ -116,7 +116,7 @@ int RoughNodes::minimise(IndexView const& nodes, ConstNodeView const& curvature,
   return 0;
 }
 
-int RoughNodes::sweep(IndexView const& nodes, CoupledSystem const& system, BlockView const& v) const
+int RoughNodes::sweep(IndexView const& nodes, CoupledNodes const& system, BlockView const& v) const
 {
   auto const which = onHost(nodes);
   auto const Z = onHost(system.Z);

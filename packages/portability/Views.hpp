@@ -1,0 +1,33 @@
+#pragma once
+
+#include "portability/Spaces.hpp"
+
+#include <Kokkos_Core.hpp>
+
+// Views of what is known at the nodes of a fault, each indexed by the node's local number.
+namespace asperity
+{
+using NodeView = Kokkos::View<double*, MemorySpace>; // (num_nodes)
+using ConstNodeView = Kokkos::View<const double*, MemorySpace>;
+using FlagView = Kokkos::View<int*, MemorySpace>; // (num_nodes), 0 or 1
+// Any number of local rows, columns or nodes.
+using IndexView = Kokkos::View<const int*, MemorySpace>;
+// One flag for each local row or node: 0 or 1.
+using ConstFlagView = Kokkos::View<const int*, MemorySpace>;
+
+// Tangential vectors: T = 1 component in two dimensions and antiplane, 2 in three.
+using BlockView = Kokkos::View<double**, Kokkos::LayoutRight, MemorySpace>; // (num_nodes, T)
+using ConstBlockView = Kokkos::View<const double**, Kokkos::LayoutRight, MemorySpace>;
+using HessianView = Kokkos::View<double***, Kokkos::LayoutRight, MemorySpace>; // (num_nodes, T, T)
+
+// The linear part of a rate problem in which each node is coupled with each: Z, and the force
+// r = b - Z v of the present v. The rows and columns of Z are the T components of node 0, then
+// those of node 1, and so on.
+struct CoupledNodes
+{
+  ConstBlockView Z;        // (num_nodes T, num_nodes T), symmetric, N s/m
+  BlockView r;             // (num_nodes, T), N
+  ConstFlagView held;      // (num_nodes T): 1 where the force does not count
+  ConstNodeView curvature; // (num_nodes), > 0, N s/m
+};
+} // namespace asperity
