@@ -39,9 +39,10 @@ struct Energy
 //   change of (1/2 v'Mv + 1/2 u'Ku) = du . (mean l - C mean v - mean f) - D
 //   D = du . M mean a - mean v . M dv,    mean v . M dv = change of 1/2 v'Mv
 // Of it a Maxwell branch dissipates (mean K_k d_k) . (du - change of d_k) as viscous work. f are the
-// friction forces of the last rate problem and the reactions of prescribed dofs. The balance is exact where that of momentum holds at both ends; D is what the scheme dissipates, zero
-// for Newmark with beta = 1/4 (README.md). Under back slip the fault slips by Vp tau more than the
-// bodies move: what friction and radiation damping dissipate in this slip is work of the plates.
+// friction forces of the last rate problem and the reactions of prescribed dofs. The balance is
+// exact where that of momentum holds at both ends; D is what the scheme dissipates, zero for Newmark
+// with beta = 1/4 (README.md). Under back slip the fault slips by Vp tau more than the bodies move:
+// what friction and radiation damping dissipate in this slip is work of the plates.
 //
 // A quasi-dynamic body cannot stay out of balance: if r0 = l - C v - K u - f is not zero at the
 // start, then velocity and forces jump at once. The first step is driven by the forces after the

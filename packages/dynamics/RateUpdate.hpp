@@ -16,9 +16,9 @@ namespace asperity::dynamics
 //   A0 = a0 + alpha_M tau j0,       j1 = (a1 - A0) / ((1 - alpha_M) tau)
 //
 // In all schemes M a1 + C v1 + K u1 + sum of K_k d1_k = l1 - f1 holds at the end of the step. A is
-// the scheme's own acceleration: it lags behind a by |alpha_M| steps, and equals a if alpha_M = 0. A
-// state stores the jerk j instead of A, because A0 has to lag by a share of the step to come: with
-// the A of the last step, a change of the step size would cost an order of accuracy.
+// the scheme's own acceleration: it lags behind a by |alpha_M| steps, and equals a if alpha_M = 0.
+// A state stores the jerk j instead of A, because A0 has to lag by a share of the step to come:
+// with the A of the last step, a change of the step size would cost an order of accuracy.
 //
 // Newmark: u1 = u0 + tau v0 + tau^2/2 ((1 - 2 beta) a0 + 2 beta a1), v1 = v0 + tau (a0 + a1)/2.
 // Backward Euler: u1 = u0 + tau v1, v1 = v0 + tau a1.

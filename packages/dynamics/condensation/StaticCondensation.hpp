@@ -32,8 +32,8 @@ public:
 
   // `whole` must live on one rank, its load must act on F alone, and prescribed velocities must
   // be constant in time, except at the tangential dofs of the fault; it must outlive the result.
-  // Null if the body has mass, viscosity off F, Maxwell branches, or a displacement at the start, or
-  // is not in equilibrium for some motion of F.
+  // Null if the body has mass, viscosity off F, Maxwell branches, or a displacement at the start,
+  // or is not in equilibrium for some motion of F.
   static std::unique_ptr<StaticCondensation> make(Model const& whole);
   ~StaticCondensation();
 

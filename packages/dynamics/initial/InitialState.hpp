@@ -6,8 +6,8 @@
 namespace asperity::dynamics
 {
 // Returns u with K u = load at the free dofs and u = 0 at the held ones (Pipping 2014, §5.2), where
-// K has the stiffness of all Maxwell branches: the fault slides without friction along its tangents.
-// Throws SolveError if the body is not held.
+// K has the stiffness of all Maxwell branches: the fault slides without friction along its
+// tangents. Throws SolveError if the body is not held.
 RCP<Vector> staticDisplacement(Body const& body, RateSolverSettings const& settings,
                                Vector const& load);
 
