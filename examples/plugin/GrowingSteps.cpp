@@ -34,17 +34,7 @@ public:
   {
     const std::int64_t growth = memory_.num_steps / steps_of_a_size_;
     const int level = static_cast<int>(std::max<std::int64_t>(clock().finestLevel() - growth, 0));
-    memory_.level = std::max(level, clock().levelWithin(ticksLeft(current.time)));
-    auto next = attempt(current, memory_.level, straightFrom(current), count);
-    if (!next) {
-      giveUp(current, memory_.level);
-    }
-    current = std::move(next->state);
-    ++memory_.num_steps;
-    AcceptedStep accepted;
-    accepted.level = memory_.level;
-    accepted.iterations = next->iterations;
-    return accepted;
+    return makeStep(current, level, count);
   }
 
 private:

@@ -38,9 +38,9 @@ struct Energy
 // of the step:
 //   change of (1/2 v'Mv + 1/2 u'Ku) = du . (mean l - C mean v - mean f) - D
 //   D = du . M mean a - mean v . M dv,    mean v . M dv = change of 1/2 v'Mv
-// Of it a Maxwell branch dissipates (mean K_k d_k) . (du - change of d_k) as viscous work. f are the
+// Of it a Maxwell branch dissipates mean K_k d_k . (du - change of d_k) as viscous work. f are the
 // friction forces of the last rate problem and the reactions of prescribed dofs. The balance is
-// exact where that of momentum holds at both ends; D is what the scheme dissipates, zero for Newmark
+// exact where that of momentum holds at both ends; D is what the scheme dissipates, none of Newmark
 // with beta = 1/4 (README.md). Under back slip the fault slips by Vp tau more than the bodies move:
 // what friction and radiation damping dissipate in this slip is work of the plates.
 //

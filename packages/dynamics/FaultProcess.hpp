@@ -2,9 +2,7 @@
 
 #include "dynamics/State.hpp"
 #include "fem/FaultSurface.hpp"
-#include "portability/Registry.hpp"
-
-#include <Teuchos_ParameterList.hpp>
+#include "parameters/Kind.hpp"
 
 #include <array>
 #include <functional>
@@ -42,39 +40,14 @@ struct FaultProcessContext
   std::function<std::vector<double>(std::string const&)> values;
 };
 
-// A kind of process, registered under the name of its list in the deck's list `Friction`.
-class FaultProcessKind
-{
-public:
-  static constexpr char const* registered_as = "process on faults";
-  virtual ~FaultProcessKind() = default;
-
-  // The parameters, the bool `Enabled` among them, which all have defaults; and one sentence.
-  virtual Teuchos::RCP<const Teuchos::ParameterList> validParameters() const = 0;
-  virtual std::string meaning() const = 0;
-  // `parameters` has been completed and validated. Collective.
-  virtual std::shared_ptr<FaultProcess> make(Teuchos::ParameterList const& parameters,
-                                             FaultProcessContext const& context) const = 0;
-};
-
-// The kind of a class that has static validParameters(), static meaning() and a constructor
-// (ParameterList const&, FaultProcessContext const&). At the bottom of the file of the class:
+// Registered under the name of its list in the deck's list `Friction`, at the bottom of the file of
+// the process; its parameters, `Enabled` among them, all have defaults:
 //   ASPERITY_REGISTER(FaultProcessRegistry, "Pore Pressure", FaultProcessKindOf<PorePressure>)
-template <class Type>
-class FaultProcessKindOf : public FaultProcessKind
+struct FaultProcessKind : Kind<FaultProcess, FaultProcessContext>
 {
-public:
-  Teuchos::RCP<const Teuchos::ParameterList> validParameters() const override
-  {
-    return Type::validParameters();
-  }
-  std::string meaning() const override { return Type::meaning(); }
-  std::shared_ptr<FaultProcess> make(Teuchos::ParameterList const& parameters,
-                                     FaultProcessContext const& context) const override
-  {
-    return std::make_shared<Type>(parameters, context);
-  }
+  static constexpr char const* registered_as = "process on faults";
 };
-
+template <class Process>
+using FaultProcessKindOf = KindOf<FaultProcessKind, Process>;
 using FaultProcessRegistry = Registry<FaultProcessKind>;
 } // namespace asperity::dynamics

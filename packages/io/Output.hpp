@@ -5,9 +5,7 @@
 #include "io/FieldRegistry.hpp"
 #include "io/Offers.hpp"
 #include "io/OutputDomain.hpp"
-#include "portability/Registry.hpp"
-
-#include <Teuchos_ParameterList.hpp>
+#include "parameters/Kind.hpp"
 
 #include <array>
 #include <cstdint>
@@ -86,46 +84,20 @@ public:
   static std::vector<std::string> files() { return {}; }
 };
 
-// A kind of output, registered under the name of its list in the deck's list `Output`.
-class OutputKind
+// Registered under the name of its list in the deck's list `Output`, at the bottom of the file of
+// the output, whose parameters have `Enabled`; neededDomain() and files() are those of Output:
+//   ASPERITY_REGISTER(OutputRegistry, "Fault History", OutputKindOf<FaultHistory>)
+struct OutputKind : Kind<Output, OutputContext>
 {
-public:
   static constexpr char const* registered_as = "output";
-  virtual ~OutputKind() = default;
-
-  // The parameters, the bool `Enabled` among them, and one sentence that says what is written.
-  virtual Teuchos::RCP<const Teuchos::ParameterList> validParameters() const = 0;
-  virtual std::string meaning() const = 0;
-
-  // As the functions of Output.
   virtual std::string neededDomain() const = 0;
   virtual std::vector<std::string> files() const = 0;
-
-  // `parameters` has been completed and validated. Collective.
-  virtual std::unique_ptr<Output> make(Teuchos::ParameterList const& parameters,
-                                       OutputContext const& context) const = 0;
 };
-
-// The kind of an output class that has static validParameters(), static meaning() and a constructor
-// (ParameterList const&, OutputContext const&). At the bottom of the file of the class:
-//   ASPERITY_REGISTER(OutputRegistry, "Fault History", OutputKindOf<FaultHistory>)
 template <class Type>
-class OutputKindOf : public OutputKind
+struct OutputKindOf : KindOf<OutputKind, Type>
 {
-public:
-  Teuchos::RCP<const Teuchos::ParameterList> validParameters() const override
-  {
-    return Type::validParameters();
-  }
-  std::string meaning() const override { return Type::meaning(); }
   std::string neededDomain() const override { return Type::neededDomain(); }
   std::vector<std::string> files() const override { return Type::files(); }
-  std::unique_ptr<Output> make(Teuchos::ParameterList const& parameters,
-                               OutputContext const& context) const override
-  {
-    return std::make_unique<Type>(parameters, context);
-  }
 };
-
 using OutputRegistry = Registry<OutputKind>;
 } // namespace asperity::io

@@ -51,17 +51,7 @@ PrescribedSteps::PrescribedSteps(CoupledStep& step, std::vector<int> levels)
 AcceptedStep PrescribedSteps::advance(State& current, SolveCount& count)
 {
   auto const which = std::min<std::size_t>(memory_.num_steps, levels_.size() - 1);
-  memory_.level = std::max(levels_[which], clock().levelWithin(ticksLeft(current.time)));
-  auto next = attempt(current, memory_.level, straightFrom(current), count);
-  if (!next) {
-    giveUp(current, memory_.level);
-  }
-  current = std::move(next->state);
-  ++memory_.num_steps;
-  AcceptedStep accepted;
-  accepted.level = memory_.level;
-  accepted.iterations = next->iterations;
-  return accepted;
+  return makeStep(current, levels_[which], count);
 }
 
 ASPERITY_REGISTER(StepControlRegistry, "Prescribed", StepControlKindOf<PrescribedSteps>)

@@ -75,6 +75,21 @@ Trial StepControl::complete(FaultTrial&& trial)
   return {std::move(trial.state), trial.iterations};
 }
 
+AcceptedStep StepControl::makeStep(State& current, int level, SolveCount& count)
+{
+  memory_.level = std::max(level, clock().levelWithin(ticksLeft(current.time)));
+  auto next = attempt(current, memory_.level, straightFrom(current), count);
+  if (!next) {
+    giveUp(current, memory_.level);
+  }
+  current = std::move(next->state);
+  ++memory_.num_steps;
+  AcceptedStep accepted;
+  accepted.level = memory_.level;
+  accepted.iterations = next->iterations;
+  return accepted;
+}
+
 void StepControl::giveUp(State const& from, int level) const
 {
   std::ostringstream lost; // of the lowest rank that has a value that is not finite

@@ -95,6 +95,9 @@ protected:
   std::optional<FaultTrial> attemptAtFault(State const& from, int level, Guess const& guess,
                                            SolveCount& count);
   static Trial complete(FaultTrial&& trial);
+  // Replaces `current` by the end of a step of the level, or of a smaller one that passes no
+  // instant; gives up if it is not solved. For controls without an estimate of the error.
+  AcceptedStep makeStep(State& current, int level, SolveCount& count);
   // The error of a step that ends in a, if b is its exact end.
   double distance(State const& a, State const& b, Norm norm) const
   {
