@@ -11,7 +11,10 @@
 #include <fstream>
 #include <iostream>
 #include <map>
+#include <stdexcept>
 #include <thread>
+
+#include <dlfcn.h>
 
 namespace asperity::h5
 {
@@ -99,9 +102,28 @@ int lookedAt(MPI_File file, int count, MPI_Datatype type, MPI_Status* status, Wr
   }
   return error;
 }
+
+void const* libraryOf(void* function)
+{
+  Dl_info info{};
+  return ::dladdr(function, &info) != 0 ? info.dli_fbase : nullptr;
+}
+
+// The functions at the end of this file take the place of MPI's only in programs that load this
+// library before MPI's.
+void requireReplacement()
+{
+  if (libraryOf(reinterpret_cast<void*>(&MPI_File_write_at_all)) !=
+      libraryOf(reinterpret_cast<void*>(&whenSharingFails))) {
+    throw std::logic_error("The program is linked with MPI before Asperity's library hdf5, so that "
+                           "a full disk would go unnoticed. Link Asperity's libraries first.");
+  }
+}
+
 // From here on every write to the file, which was opened with MPI's driver, is checked.
 MPI_File beginSharing(hid_t file, std::string const& path)
 {
+  requireReplacement();
   void* handle = nullptr;
   checked("Sharing " + path, [&] { return H5Fget_vfd_handle(file, H5P_DEFAULT, &handle); });
   MPI_File mpi_file = *static_cast<MPI_File*>(handle);

@@ -161,5 +161,18 @@ class VanishedDirectory(unittest.TestCase):
                                                      "TNNMG/Linear Correction=MueLu")])
 
 
+class OrderOfLibraries(unittest.TestCase):
+    def test_mpi_before_hdf5_is_refused_by_ranks_that_share_a_file(self):
+        libraries = subprocess.run(["ldd", asperity_run.PROGRAM], capture_output=True, text=True,
+                                   check=True).stdout
+        mpi = re.search(r"=> (\S*/libmpi\.so\S*)", libraries).group(1)
+        words = asperity_run.command(*runs.SHORT_RUN, "--output", runs.fresh("order"), ranks=2)
+        result = subprocess.run(words, capture_output=True, text=True, check=False,
+                                env={**os.environ, "LD_PRELOAD": mpi},
+                                timeout=time_limits.seconds(60))
+        self.assertNotEqual(result.returncode, 0)
+        self.assertIn("linked with MPI before Asperity's library hdf5", result.stderr)
+
+
 if __name__ == "__main__":
     unittest.main()
