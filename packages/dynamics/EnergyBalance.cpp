@@ -233,7 +233,8 @@ void EnergyBalance::noteImbalance()
                           sumAt(fault_dofs_, Square{reading(*before_.force)})},
     *body_.dofs->communicator());
   const auto ratio = [](double part, double whole) { return part > 0 ? part / whole : 0; };
-  const double whole = std::max(before_.load->norm2(), before_.resisting.elastic->norm2());
+  const double whole = std::max({before_.load->norm2(), before_.resisting.elastic->norm2(),
+                                 before_.resisting.viscous->norm2()});
   start_imbalance_ = std::max(std::sqrt(ratio(on_fault, std::max(on_fault, of_friction))),
                               std::sqrt(ratio(std::max(everywhere - on_fault, 0.), whole * whole)));
 }

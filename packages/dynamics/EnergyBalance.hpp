@@ -61,7 +61,7 @@ public:
   void resume(State const& state, Energy const& so_far);
   // How far a quasi-dynamic body was out of balance at the start, the larger one of
   //   on the fault      |r0| / max(|f|, |r0|)
-  //   inside the body   |r0| / max(|l|, |K u|), these two everywhere
+  //   inside the body   |r0| / max(|l|, |K u|, |C v|), these three everywhere
   // in Euclidean norms over unknowns that are not held; 0 for a body with inertia, and after
   // resume().
   double startImbalance() const { return start_imbalance_; }

@@ -111,4 +111,14 @@ void NormalReaction::compression(std::vector<double> const& r, NodeView const& R
   }
   Kokkos::deep_copy(R, host);
 }
+
+ReactionSinceStart reactionSince(Motion const& start, Body const& body,
+                                 std::shared_ptr<const NormalReaction> const& reaction)
+{
+  auto const load = body.vector();
+  body.load(0, *load);
+  const NodeView at_start("asperity::dynamics::reactionAtStart", reaction->dofs().size());
+  reaction->compression(*load, start, at_start);
+  return {reaction, at_start};
+}
 } // namespace asperity::dynamics

@@ -53,4 +53,8 @@ struct ReactionSinceStart
   std::shared_ptr<const NormalReaction> reaction = {};
   ConstNodeView at_start = {}; // R(num_nodes) [Pa]
 };
+
+// start: at t = 0. Collective.
+ReactionSinceStart reactionSince(Motion const& start, Body const& body,
+                                 std::shared_ptr<const NormalReaction> const& reaction);
 } // namespace asperity::dynamics

@@ -7,6 +7,7 @@
 #include "mesh/SplitVertices.hpp"
 
 #include <Tpetra_CrsGraph.hpp>
+#include <Tpetra_Vector.hpp>
 
 namespace asperity::fem
 {
@@ -81,6 +82,21 @@ bool FaultSurface::slides(int node) const
     }
   }
   return false;
+}
+
+void addTraction(FaultSurface const& surface, std::vector<double> const& traction, Vector& load)
+{
+  auto const values = load.getLocalViewDevice(Tpetra::Access::ReadWrite);
+  auto const given = toDevice(traction, "asperity::fem::traction");
+  auto const dofs = surface.dofs();
+  auto const weights = surface.weights();
+  Kokkos::parallel_for(
+    "asperity::fem::addTraction", Kokkos::RangePolicy<ExecutionSpace>(0, surface.numNodes()),
+    KOKKOS_LAMBDA(int node) {
+      for (int k = 0; k < dofs.extent_int(1); ++k) {
+        values(dofs(node, k), 0) += weights(node) * given(node * dofs.extent_int(1) + k);
+      }
+    });
 }
 
 template <int Dim>

@@ -93,6 +93,9 @@ private:
   Kokkos::View<const double*, MemorySpace> plate_rates_; // (num_nodes T), empty without one
 };
 
+// load += traction(num_nodes, T) [Pa] times each node's share of the fault.
+void addTraction(FaultSurface const& surface, std::vector<double> const& traction, Vector& load);
+
 // The fault on a boundary of the body, or on the plus side of a fault inside it. graph: of the
 // body's matrices, by which the nodes are coloured. Collective.
 template <int Dim>

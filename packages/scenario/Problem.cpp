@@ -230,7 +230,7 @@ dynamics::BesideFault valuesBeside(std::vector<fem::Material> const& materials,
           components == 1};
 }
 
-// The reaction of the body across its fault, and its value in the initial state.
+// Empty unless the normal stress follows the body.
 template <int Dim>
 dynamics::ReactionSinceStart
 reactionSinceStart(Discretisation<Dim> const& of, dynamics::Body const& body,
@@ -240,14 +240,12 @@ reactionSinceStart(Discretisation<Dim> const& of, dynamics::Body const& body,
     return {};
   }
   auto const& surface = fault.surface();
-  auto const reaction = std::make_shared<dynamics::NormalReaction>(
-    body, surface, of.frames(), fem::supportWeights(of.mesh, surface, of.boundary.velocities));
-  auto const load = body.vector();
-  body.load(0, *load);
-  const NodeView at_start("asperity::scenario::reactionAtStart", surface.numNodes());
-  reaction->compression(*load, initial.motion(), at_start);
-  return {reaction, at_start};
+  return dynamics::reactionSince(
+    initial.motion(), body,
+    std::make_shared<dynamics::NormalReaction>(
+      body, surface, of.frames(), fem::supportWeights(of.mesh, surface, of.boundary.velocities)));
 }
+
 // The surface of the fault under the motion of plates. Joins its boundaries in the mesh.
 template <int Dim>
 std::shared_ptr<const fem::FaultSurface> makeSurface(Discretisation<Dim>& of,

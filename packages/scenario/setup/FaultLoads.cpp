@@ -14,23 +14,6 @@ namespace asperity::scenario
 {
 namespace
 {
-// traction(num_nodes, T), times each node's share of the fault.
-void addTraction(std::vector<double> const& traction, fem::FaultSurface const& surface,
-                 Vector& load)
-{
-  auto const values = load.getLocalViewDevice(Tpetra::Access::ReadWrite);
-  auto const given = toDevice(traction, "asperity::scenario::traction");
-  auto const dofs = surface.dofs();
-  auto const weights = surface.weights();
-  Kokkos::parallel_for(
-    "asperity::scenario::addTraction", Kokkos::RangePolicy<ExecutionSpace>(0, surface.numNodes()),
-    KOKKOS_LAMBDA(int node) {
-      for (int k = 0; k < dofs.extent_int(1); ++k) {
-        values(dofs(node, k), 0) += weights(node) * given(node * dofs.extent_int(1) + k);
-      }
-    });
-}
-
 std::vector<double> compression(std::vector<double> values, double factor)
 {
   for (double& value : values) {
@@ -99,12 +82,12 @@ loadWithTraction(ShearTraction const& traction,
 {
   if (!traction.dependsOnTime()) {
     auto const load = rcp(new Vector(*constant, Teuchos::Copy));
-    addTraction(traction.at(0), *surface, *load);
+    fem::addTraction(*surface, traction.at(0), *load);
     return [load](double, Vector& l) { Tpetra::deep_copy(l, *load); };
   }
   return [traction, surface, constant](double t, Vector& l) {
     Tpetra::deep_copy(l, *constant);
-    addTraction(traction.at(t), *surface, l);
+    fem::addTraction(*surface, traction.at(t), l);
   };
 }
 
