@@ -9,13 +9,11 @@
 #include "base/program/Signals.hpp"
 #include "base/program/WorkTimers.hpp"
 #include "dynamics/control/StallWatch.hpp"
-#include "hdf5/File.hpp"
 #include "io/Archive.hpp"
 #include "io/OutputSet.hpp"
 #include "io/checkpoint/Checkpoint.hpp"
 #include "io/files/OutputDirectory.hpp"
-#include "io/files/RunJournal.hpp"
-#include "io/files/RunLog.hpp"
+#include "io/files/RunRecord.hpp"
 #include "scenario/DeckReader.hpp"
 #include "scenario/Fingerprint.hpp"
 #include "scenario/OutputFields.hpp"
@@ -27,7 +25,6 @@
 #include "scenario/setup/TimeSetup.hpp"
 
 #include <chrono>
-#include <fstream>
 
 namespace asperity::scenario
 {
@@ -60,12 +57,10 @@ private:
   void advance();
   void write(io::StepInfo const& info);
   void tellProgress(io::StepInfo const& info);
-  double wallTime() const { return earlier_wall_time_ + secondsSinceStart(); }
   void requireDirectory() const;
   void requireSamePlugins() const;
   bool timeForCheckpoint() const;
   void writeCheckpoint();
-  void warn(Warning const& warning);
   void warnOfEvolution();
   void endEarly(std::exception const& error);
   void saveWhatThereIs();
@@ -76,10 +71,7 @@ private:
   MeetingPoint meeting_point_;
   std::filesystem::path directory_;
   io::DirectoryLock lock_; // of the directory, on rank 0
-  std::unique_ptr<io::RunLog> log_;
-  std::unique_ptr<io::RunJournal> journal_;
-  io::TimeLeft time_left_;       // on rank 0
-  double earlier_wall_time_ = 0; // of earlier processes of the run, up to the checkpoint [s]
+  std::unique_ptr<io::RunRecord> record_;
   Evolution<Dim> evolution_;
   dynamics::StallWatch stall_watch_;
   bool step_is_complete_ = false; // counted in the energy balance and written to the outputs
@@ -146,12 +138,7 @@ SimulationOf<Dim>::SimulationOf(RCP<ParameterList> const& deck, CommandLine cons
   if (!restart_.empty()) {
     outputs_->restore(checkpoint_.child("outputs"));
   }
-  log_ = std::make_unique<io::RunLog>(directory_ / "run.log", !restart_.empty(), *communicator);
-  journal_ =
-    std::make_unique<io::RunJournal>(directory_ / "run.jsonl", !restart_.empty(), *communicator);
-  h5::whenSharingFails([log = directory_ / "run.log"](std::string const& message) {
-    std::ofstream(log, std::ios::app) << "The run has ended: " << message << '\n';
-  });
+  record_ = std::make_unique<io::RunRecord>(directory_, !restart_.empty(), *communicator);
   if (communicator->getRank() == 0) {
     writeParameters(*deck, (directory_ / "parameters.xml").string());
   }
@@ -163,22 +150,22 @@ int SimulationOf<Dim>::run()
   const StopSignals signals;
   auto const of_start = description();
   for (auto const& line : of_start.lines) {
-    log_->message(line);
+    record_->message(line);
   }
   for (auto const& warning : of_start.warnings) {
-    warn(warning);
+    record_->warn(warning);
   }
   if (const int eliminated = evolution_.numEliminated()) {
-    log_->message("The body is in equilibrium at all times. It is condensed to its fault, which "
-                  "eliminates " +
-                  std::to_string(eliminated) + " of " +
-                  std::to_string(evolution_.problem().body.numOwnedDofs()) +
-                  " unknowns once for all steps.");
+    record_->message("The body is in equilibrium at all times. It is condensed to its fault, which "
+                     "eliminates " +
+                     std::to_string(eliminated) + " of " +
+                     std::to_string(evolution_.problem().body.numOwnedDofs()) +
+                     " unknowns once for all steps.");
   } else if (const auto hint = hintOnDirect(deck_->sublist("TNNMG"), Dim,
                                             evolution_.problem().mesh.num_global_vertices *
                                               evolution_.problem().components);
              !hint.empty()) {
-    log_->message(hint);
+    record_->message(hint);
   }
   try {
     begin();
@@ -187,8 +174,7 @@ int SimulationOf<Dim>::run()
   } catch (OutputError const& error) {
     // No checkpoint is written here: the files of the run are incomplete, and the last checkpoint
     // belongs to the last complete state.
-    log_->note(std::string("The run has ended: ") + error.what());
-    journal_->end("failed", exitStatus(error), error.what(), wallTime());
+    record_->fail(error);
     throw;
   } catch (std::exception const& error) {
     endEarly(error);
@@ -209,9 +195,9 @@ int SimulationOf<Dim>::makeSteps(StopSignals const& signals)
       writeCheckpoint();
       outputs_->finish(); // a restart takes back what is not complete
       report(false);
-      journal_->end("stopped", exit_signal, "", wallTime());
-      log_->message("Stopped by " + signalName(agreed.signal) + "; --restart " +
-                    (directory_ / "checkpoint.h5").string() + " goes on.");
+      record_->end("stopped", exit_signal);
+      record_->message("Stopped by " + signalName(agreed.signal) + "; --restart " +
+                       (directory_ / "checkpoint.h5").string() + " goes on.");
       return exit_signal;
     }
     if (agreed.wished || evolution_.numSteps() % checkpoint_interval_ == 0) {
@@ -219,29 +205,22 @@ int SimulationOf<Dim>::makeSteps(StopSignals const& signals)
     }
   }
   if (!evolution_.atEnd()) {
-    log_->message("The run ends before its final time: it has as many events as "
-                  "'Event Catalogue / Most Events' allows.");
+    record_->message("The run ends before its final time: it has as many events as "
+                     "'Event Catalogue / Most Events' allows.");
   }
   writeCheckpoint();
   outputs_->finish();
   report(true);
-  journal_->end("finished", exit_done, "", wallTime());
+  record_->end("finished", exit_done);
   return exit_done;
-}
-
-template <int Dim>
-void SimulationOf<Dim>::warn(Warning const& warning)
-{
-  log_->message("WARNING: " + warning.text);
-  journal_->warn(warning);
 }
 
 template <int Dim>
 void SimulationOf<Dim>::warnOfEvolution()
 {
-  journal_->at(evolution_.numSteps(), evolution_.time());
+  record_->at(evolution_.numSteps(), evolution_.time());
   for (auto const& warning : evolution_.takeWarnings()) {
-    warn(warning);
+    record_->warn(warning);
   }
 }
 
@@ -253,8 +232,7 @@ void SimulationOf<Dim>::endEarly(std::exception const& error)
   if (meeting_point_.meet(patience)) {
     saveWhatThereIs();
   }
-  log_->note(std::string("The run has ended: ") + error.what());
-  journal_->end("failed", exitStatus(error), error.what(), wallTime());
+  record_->fail(error);
 }
 
 // An error in here must not hide the reason why the run ends. If a step has been made but not
@@ -269,7 +247,7 @@ void SimulationOf<Dim>::saveWhatThereIs()
     outputs_->finish();
     report(false);
   } catch (std::exception const& error) {
-    log_->message(std::string("The end of the run could not be saved: ") + error.what());
+    record_->message(std::string("The end of the run could not be saved: ") + error.what());
   }
 }
 
@@ -279,15 +257,13 @@ void SimulationOf<Dim>::begin()
   const auto at = [this] { return " at t = " + formatShort(evolution_.time()) + " s."; };
   if (!restart_.empty()) {
     evolution_.restore(checkpoint_);
-    earlier_wall_time_ = checkpoint_.getDouble("wall_time");
-    time_left_.restore(checkpoint_.child("time_left"));
-    journal_->at(evolution_.numSteps(), evolution_.time());
-    journal_->restart();
-    log_->message("Restarted from " + restart_ + at());
+    record_->at(evolution_.numSteps(), evolution_.time());
+    record_->restore(checkpoint_);
+    record_->message("Restarted from " + restart_ + at());
   } else {
     if (!restart_from_.empty()) {
       evolution_.startFrom(checkpoint_);
-      log_->message("A new run from the state of " + restart_from_ + at());
+      record_->message("A new run from the state of " + restart_from_ + at());
     } else {
       evolution_.start();
     }
@@ -295,12 +271,12 @@ void SimulationOf<Dim>::begin()
   }
   warnOfEvolution();
   if (evolution_.atEnd()) {
-    log_->message("The final time, " + formatShort(evolution_.finalTime()) +
-                  " s, has passed: there is nothing to do. Give a later 'Time Stepping / "
-                  "Final Time' to go on.");
+    record_->message("The final time, " + formatShort(evolution_.finalTime()) +
+                     " s, has passed: there is nothing to do. Give a later 'Time Stepping / "
+                     "Final Time' to go on.");
   }
   if (auto const& rows = evolution_.view().recovery_rows; rows && !rows->report().empty()) {
-    log_->message(rows->report());
+    record_->message(rows->report());
   }
   checkpoint_ = {};
 }
@@ -312,25 +288,22 @@ void SimulationOf<Dim>::advance()
   step_is_complete_ = false;
   evolution_.account();
   auto info = evolution_.stepInfo();
-  info.wall_time = wallTime();
+  info.wall_time = record_->wallTime();
   write(info);
   step_is_complete_ = true;
-  journal_->at(info.step, info.time);
+  record_->at(info.step, info.time);
   evolution_.watchGrowth();
   warnOfEvolution();
   tellProgress(info);
   const auto stall = stall_watch_.note(evolution_.progress());
   if (!stall.empty()) {
-    log_->message(stall);
+    record_->message(stall);
   }
 }
 
 template <int Dim>
 void SimulationOf<Dim>::tellProgress(io::StepInfo const& info)
 {
-  if (communicator_->getRank() != 0) {
-    return;
-  }
   io::Progress progress;
   progress.time = info.time;
   progress.final_time = evolution_.finalTime();
@@ -340,11 +313,7 @@ void SimulationOf<Dim>::tellProgress(io::StepInfo const& info)
   progress.fixed_point_iterations = evolution_.view().step.iterations;
   progress.num_events = outputs_->numEvents();
   progress.wall_time = info.wall_time;
-  time_left_.note(info.time, info.wall_time, progress.num_events.value_or(0));
-  progress.left = time_left_.estimate(progress.final_time);
-  if (log_->progress(progress)) {
-    journal_->progress(progress);
-  }
+  record_->progress(progress);
 }
 
 template <int Dim>
@@ -393,10 +362,7 @@ void SimulationOf<Dim>::writeCheckpoint()
   evolution_.save(archive);
   archive.insert("outputs", outputs_->save());
   archive.set("plugins", plugins_);
-  archive.set("wall_time", wallTime());
-  io::Archive time_left;
-  time_left_.save(time_left);
-  archive.insert("time_left", time_left);
+  record_->save(archive);
   io::writeCheckpoint(directory_ / "checkpoint.h5", archive, fingerprint_, *communicator_,
                       nodeSets(evolution_.problem(), domains_));
   last_checkpoint_ = Clock::now();
@@ -408,13 +374,13 @@ void SimulationOf<Dim>::report(bool finished)
   RunSummary summary = evolution_.summary();
   summary.finished = finished;
   summary.directory = directory_.string();
-  log_->message(summarise(summary, outputs_->report()));
-  if (auto const& topics = journal_->topics(); !topics.empty()) {
-    log_->message(
+  record_->message(summarise(summary, outputs_->report()));
+  if (auto const& topics = record_->topics(); !topics.empty()) {
+    record_->message(
       "\nThe results may be wrong. There are warnings, above and in asperity-status, about " +
       quotedNames({topics.begin(), topics.end()}) + ".");
   }
-  log_->message('\n' + tableOfWork(*communicator_));
+  record_->message('\n' + tableOfWork(*communicator_));
 }
 
 std::unique_ptr<Simulation> makeSimulation(RCP<ParameterList> const& deck,

@@ -1,0 +1,66 @@
+#include "io/files/RunRecord.hpp"
+
+#include "base/program/MpiScope.hpp"
+#include "base/program/WorkTimers.hpp"
+#include "hdf5/File.hpp"
+
+#include <fstream>
+
+namespace asperity::io
+{
+RunRecord::RunRecord(std::filesystem::path const& directory, bool goes_on, Communicator const& comm)
+    : active_(comm.getRank() == 0)
+    , log_(directory / "run.log", goes_on, comm)
+    , journal_(directory / "run.jsonl", goes_on, comm)
+{
+  h5::whenSharingFails([log = directory / "run.log"](std::string const& message) {
+    std::ofstream(log, std::ios::app) << "The run has ended: " << message << '\n';
+  });
+}
+
+double RunRecord::wallTime() const { return earlier_wall_time_ + secondsSinceStart(); }
+
+void RunRecord::warn(Warning const& warning)
+{
+  log_.message("WARNING: " + warning.text);
+  journal_.warn(warning);
+}
+
+void RunRecord::progress(Progress progress)
+{
+  if (!active_) {
+    return;
+  }
+  time_left_.note(progress.time, progress.wall_time, progress.num_events.value_or(0));
+  progress.left = time_left_.estimate(progress.final_time);
+  if (log_.progress(progress)) {
+    journal_.progress(progress);
+  }
+}
+
+void RunRecord::end(std::string const& how, int exit_status)
+{
+  journal_.end(how, exit_status, "", wallTime());
+}
+
+void RunRecord::fail(std::exception const& error)
+{
+  log_.note(std::string("The run has ended: ") + error.what());
+  journal_.end("failed", exitStatus(error), error.what(), wallTime());
+}
+
+void RunRecord::save(Archive& archive) const
+{
+  archive.set("wall_time", wallTime());
+  Archive time_left;
+  time_left_.save(time_left);
+  archive.insert("time_left", time_left);
+}
+
+void RunRecord::restore(Archive const& archive)
+{
+  earlier_wall_time_ = archive.getDouble("wall_time");
+  time_left_.restore(archive.child("time_left"));
+  journal_.restart();
+}
+} // namespace asperity::io
