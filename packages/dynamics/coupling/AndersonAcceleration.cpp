@@ -8,8 +8,6 @@ namespace asperity::dynamics
 {
 namespace
 {
-using ConstNodeView;
-using NodeView;
 using Nodes = Kokkos::RangePolicy<ExecutionSpace>;
 
 // Rank threshold of the normal equations. Differences of residuals that are parallel up to the

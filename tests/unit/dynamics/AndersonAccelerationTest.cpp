@@ -14,7 +14,6 @@ namespace asperity::dynamics
 {
 namespace
 {
-using NodeView;
 
 constexpr int num_nodes = 12; // on all ranks together
 
