@@ -41,14 +41,12 @@ Cycle::Cycle(std::shared_ptr<const Hierarchy> hierarchy, std::vector<double> wei
   }
   data_[0].A = std::move(Z);
   data_[0].b = {};
-  for (int row = 0; row < levels[0].graph.num_rows; ++row) {
-    invertFinest(row, nullptr, nullptr);
-  }
+  levels[0].chunks.forEachRow([&](int row) { invertFinest(row, nullptr, nullptr); });
   for (std::size_t l = 1; l < levels.size(); ++l) {
-    for (int row = 0; row < levels[l].graph.num_rows; ++row) {
+    levels[l].chunks.forEachRow([&](int row) {
       sumTerms(l, row);
       invert(l, row);
-    }
+    });
   }
 }
 
@@ -174,16 +172,16 @@ void Cycle::descend(std::size_t l, NodeVector const& b)
     const Sweeps<decltype(rows)::value> sweeps(level, data.A, data.inverse);
     sweeps.forward(b, data.x, data.residual);
     sweeps.clearHeld(data.residual);
-    multiplyTransposed(level.prolongation, level.P, data.residual, data.coarse);
+    multiplyTransposed(level.prolongation, level.transpose, level.P, data.residual, data.coarse);
     level.prolongation.gather(data.coarse);
     auto& next = data_[l + 1];
     std::copy_n(data.coarse.begin(), next.b.size(), next.b.begin());
     descend(l + 1, next.b);
     std::copy_n(next.x.begin(), next.b.size(), data.coarse.begin());
     level.prolongation.share(data.coarse);
-    multiplyAdd(level.prolongation, level.P, data.coarse, data.x);
+    multiplyAdd(level.prolongation, level.chunks, level.P, data.coarse, data.x);
     sweeps.clearHeld(data.x);
-    sweeps.backward(b, data.x, data.residual);
+    sweeps.backward(b, data.x, data.residual, data.before);
   });
 }
 
@@ -212,7 +210,7 @@ std::size_t Cycle::bytes() const
   std::size_t sum = 0;
   for (auto const& data : data_) {
     sum += sizeof(float) * (data.A.size() + data.inverse.size() + data.b.size() + data.x.size() +
-                            data.residual.size() + data.coarse.size());
+                            data.residual.size() + data.coarse.size() + data.before.size());
   }
   return sum;
 }

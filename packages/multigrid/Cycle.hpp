@@ -16,10 +16,10 @@ class CoarsestSolver;
 
 // A V-cycle for Z + H on the dofs that are neither removed nor held: block Gauss-Seidel, forward
 // before and backward after the coarse correction, so that the cycle is symmetric. A node's block
-// is its block of Z + H, where H has blocks at some nodes, the added nodes. Gauss-Seidel is local
-// to a rank and runs on the host. From zero a forward sweep leaves the residual -U x (U the
-// couplings with later nodes and with other ranks), so that sweep and residual together read the
-// matrix once.
+// is its block of Z + H, where H has blocks at some nodes, the added nodes. It runs on the host, on
+// all its threads; between chunks of rows and between ranks Gauss-Seidel is Jacobi (Sweeps). From
+// zero a forward sweep leaves the residual of the couplings that it has not used, so that sweep and
+// residual together read the matrix once.
 class Cycle
 {
 public:
@@ -48,6 +48,8 @@ public:
   Result run(NodeVector const& r, bool with_image);
 
   std::size_t rows() const { return hierarchy_->levels.front().graph.rows(); } // of r
+  int rowSize() const { return hierarchy_->levels.front().graph.row_size; }
+  Chunks const& chunks() const { return hierarchy_->levels.front().chunks; } // of its rows
   std::size_t bytes() const; // of this rank, without the hierarchy
 
 private:
@@ -59,6 +61,7 @@ private:
     NodeVector b, x;       // x with ghosts; no b on the finest level
     NodeVector residual;
     NodeVector coarse; // on the columns of the prolongation
+    NodeVector before; // x before a sweep of several chunks
   };
 
   void descend(std::size_t l, NodeVector const& b);

@@ -2,6 +2,7 @@
 
 #include "multigrid/FlushDenormals.hpp"
 
+#include <array>
 #include <utility>
 
 namespace asperity::multigrid
@@ -11,27 +12,31 @@ namespace
 // Inner products of r, z, w = (Z + H) z and the last s.
 struct Products
 {
-  double rr = 0, rz = 0, zw = 0, rw = 0, ww = 0, ws = 0, rs = 0, ss = 0;
+  double rr, rz, zw, rw, ww, ws, rs, ss;
 };
 
-Products productsOf(NodeVector const& r, Cycle::Result const& cycle, NodeVector const& s,
-                    SumOverRanks const& sumOverRanks)
+// N numbers in each row.
+Products productsOf(Chunks const& chunks, int N, NodeVector const& r, Cycle::Result const& cycle,
+                    NodeVector const& s, SumOverRanks const& sumOverRanks)
 {
-  Products sums;
-  for (std::size_t i = 0; i < r.size(); ++i) {
-    const double ri = r[i], zi = cycle.z[i], wi = cycle.image[i], si = s[i];
-    sums.rr += ri * ri;
-    sums.rz += ri * zi;
-    sums.zw += zi * wi;
-    sums.rw += ri * wi;
-    sums.ww += wi * wi;
-    sums.ws += wi * si;
-    sums.rs += ri * si;
-    sums.ss += si * si;
-  }
-  double all[8] = {sums.rr, sums.rz, sums.zw, sums.rw, sums.ww, sums.ws, sums.rs, sums.ss};
-  sumOverRanks(all, 8);
-  return {all[0], all[1], all[2], all[3], all[4], all[5], all[6], all[7]};
+  auto sums = chunks.sum<8>([&](int begin, int end, std::array<double, 8>& all) {
+    auto [rr, rz, zw, rw, ww, ws, rs, ss] = all;
+    for (int i = begin * N; i < end * N; ++i) {
+      const double ri = r[i], zi = cycle.z[i], wi = cycle.image[i], si = s[i];
+      rr += ri * ri;
+      rz += ri * zi;
+      zw += zi * wi;
+      rw += ri * wi;
+      ww += wi * wi;
+      ws += wi * si;
+      rs += ri * si;
+      ss += si * si;
+    }
+    all = {rr, rz, zw, rw, ww, ws, rs, ss};
+  });
+  sumOverRanks(sums.data(), 8);
+  auto const [rr, rz, zw, rw, ww, ws, rs, ss] = sums;
+  return {rr, rz, zw, rw, ww, ws, rs, ss};
 }
 } // namespace
 
@@ -51,15 +56,24 @@ IterationResult FloatConjugateGradients::solve(HostView<const double*> const& ri
   c_.assign(r_.size(), 0.f);
   p_.assign(r_.size(), 0.f);
   s_.assign(r_.size(), 0.f);
-  for (std::size_t i = 0; norm > 0 && i < r_.size(); ++i) {
-    r_[i] = static_cast<float>(right_side(i) / norm);
+  auto const& chunks = cycle_.chunks();
+  const int N = cycle_.rowSize();
+  const auto forEach = [&](auto const& work) {
+    chunks.forEach([&](int begin, int end) {
+      for (int i = begin * N; i < end * N; ++i) {
+        work(i);
+      }
+    });
+  };
+  if (norm > 0) {
+    forEach([&](int i) { r_[i] = static_cast<float>(right_side(i) / norm); });
   }
   const double target = relative_tolerance * relative_tolerance;
   double before = 0, step = 0;
   result.converged = !(norm > 0);
   while (!result.converged && result.iterations < max_iterations) {
     auto const cycle = cycle_.run(r_, true);
-    auto const now = productsOf(r_, cycle, s_, sum_);
+    auto const now = productsOf(chunks, N, r_, cycle, s_, sum_);
     const double again = result.iterations > 0 ? now.rz / before : 0;
     const double curvature = now.zw - (result.iterations > 0 ? again * now.rz / step : 0);
     if (!(now.rz > 0 && curvature > 0)) {
@@ -68,19 +82,17 @@ IterationResult FloatConjugateGradients::solve(HostView<const double*> const& ri
     step = now.rz / curvature;
     before = now.rz;
     ++result.iterations;
-    for (std::size_t i = 0; i < r_.size(); ++i) {
+    forEach([&](int i) {
       p_[i] = cycle.z[i] + static_cast<float>(again) * p_[i];
       s_[i] = cycle.image[i] + static_cast<float>(again) * s_[i];
       c_[i] += static_cast<float>(step) * p_[i];
       r_[i] -= static_cast<float>(step) * s_[i];
-    }
+    });
     const double rs = now.rw + again * now.rs;
     const double ss = now.ww + 2 * again * now.ws + again * again * now.ss;
     result.converged = now.rr - 2 * step * rs + step * step * ss <= target;
   }
-  for (std::size_t i = 0; i < r_.size(); ++i) {
-    c(i) = norm > 0 ? norm * c_[i] : 0;
-  }
+  forEach([&](int i) { c(i) = norm > 0 ? norm * c_[i] : 0; });
   return result;
 }
 } // namespace asperity::multigrid

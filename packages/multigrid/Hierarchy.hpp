@@ -1,5 +1,6 @@
 #pragma once
 
+#include "multigrid/Chunks.hpp"
 #include "multigrid/NodeMatrix.hpp"
 
 #include <cstddef>
@@ -39,9 +40,12 @@ struct Level
                                   // nodes before and after its own
   NodeGraph prolongation;         // from the next level; without rows on the coarsest one
   NodeBlocks P;
-  AddedBlocks added; // empty on the finest level
+  AddedBlocks added;   // empty on the finest level
+  Chunks chunks;       // of the rows of the matrix and of the prolongation
+  Transpose transpose; // of the prolongation
 
-  void findDiagonals(); // before and after, from graph
+  // Sets before, after, chunks and transpose from the graphs.
+  void complete(int num_threads = Chunks::numThreads());
   std::size_t bytes() const;
 };
 

@@ -1,5 +1,7 @@
 #pragma once
 
+#include "multigrid/Chunks.hpp"
+
 #include <algorithm>
 #include <cstddef>
 #include <memory>
@@ -79,8 +81,25 @@ struct NodeGraph
 // third of what a sparse matrix of scalars needs.
 using NodeBlocks = PaddedVector;
 
+// For each column of a graph its couplings and their rows, ascending.
+struct Transpose
+{
+  Transpose() = default;
+  Transpose(NodeGraph const& graph, int num_threads);
+
+  std::vector<int> first;           // (num_columns + 1)
+  std::vector<int> couplings, rows; // (num couplings)
+  Chunks chunks;                    // of the columns
+
+  std::size_t bytes() const
+  {
+    return sizeof(int) * (first.size() + couplings.size() + rows.size());
+  }
+};
+
 // y += A x, and y(columns) = A^T x.
-void multiplyAdd(NodeGraph const& graph, NodeBlocks const& A, NodeVector const& x, NodeVector& y);
-void multiplyTransposed(NodeGraph const& graph, NodeBlocks const& A, NodeVector const& x,
-                        NodeVector& y);
+void multiplyAdd(NodeGraph const& graph, Chunks const& chunks, NodeBlocks const& A,
+                 NodeVector const& x, NodeVector& y);
+void multiplyTransposed(NodeGraph const& graph, Transpose const& transpose, NodeBlocks const& A,
+                        NodeVector const& x, NodeVector& y);
 } // namespace asperity::multigrid

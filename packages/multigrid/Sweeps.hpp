@@ -3,12 +3,12 @@
 #include "multigrid/Hierarchy.hpp"
 #include "multigrid/NodeKernels.hpp"
 
-#include <algorithm>
-
 namespace asperity::multigrid
 {
-// Sweeps of block Gauss-Seidel for A x = b on one level, with blocks of N rows. Local to a rank,
-// but for the ghosts of x, which are brought up to date first; they run on the host, one thread.
+// Sweeps of block Gauss-Seidel for A x = b on one level, with blocks of N rows: row by row within
+// each of the level's chunks, on which threads of the host work at the same time. What a row takes
+// from other chunks and from ghosts of other ranks is from before the sweep. Below, L and U are the
+// couplings with earlier and later rows of the own chunk, G those with other chunks and ranks.
 template <int N>
 class Sweeps
 {
@@ -21,11 +21,11 @@ public:
   {
   }
 
-  // The forward sweep from x = 0, and the residual after it.
+  // The forward sweep from x = 0, and the residual after it, -(U + G) x.
   void forward(NodeVector const& b, NodeVector& x, NodeVector& residual) const;
-  // The backward sweep. Stores b - (L + G) x_before in `residual`, with the x before the sweep; L
-  // are the couplings with earlier nodes and G those with other ranks.
-  void backward(NodeVector const& b, NodeVector& x, NodeVector& residual) const;
+  // The backward sweep. Stores b - (L + G) x_before in `residual`, with the x before the sweep.
+  // `before` is overwritten if there are several chunks.
+  void backward(NodeVector const& b, NodeVector& x, NodeVector& residual, NodeVector& before) const;
   // A x after the backward sweep, which solved (D + U) x = b - (L + G) x_before, from the residual
   // that it stored: only the couplings L + G have to be read.
   void image(NodeVector& x, NodeVector& residual) const;
@@ -38,6 +38,15 @@ private:
   static constexpr int rows_ahead = 8;
 
   void fetch(int first, int end) const;
+  // The first coupling of a row with its own chunk, which begins with the row `begin`.
+  int firstWithin(int begin, int row) const
+  {
+    int k = level_.graph.first[row];
+    while (k < level_.before[row] && level_.graph.columns[k] < begin) {
+      ++k;
+    }
+    return k;
+  }
   void add(RowSums<N, N>& sum, int k, NodeVector const& x) const
   {
     sum.add(&A_[static_cast<std::size_t>(k) * N * N], &x[level_.graph.columns[k] * N]);
@@ -66,63 +75,77 @@ template <int N>
 void Sweeps<N>::forward(NodeVector const& b, NodeVector& x, NodeVector& residual) const
 {
   auto const& graph = level_.graph;
-  std::fill(x.begin(), x.end(), 0.f);
-  for (int row = 0; row < graph.num_rows; ++row) {
-    if (const int next = row + rows_ahead; next < graph.num_rows) {
-      fetch(graph.first[next], level_.before[next]);
+  level_.chunks.forEach([&](int begin, int end) {
+    for (int row = begin; row < end; ++row) {
+      if (const int next = row + rows_ahead; next < end) {
+        fetch(graph.first[next], level_.before[next]);
+      }
+      RowSums<N, N> before;
+      for (int k = firstWithin(begin, row); k < level_.before[row]; ++k) {
+        add(before, k, x);
+      }
+      float rest[N];
+      for (int c = 0; c < N; ++c) {
+        rest[c] = b[row * N + c] - before[c];
+      }
+      solve(row, rest, x);
     }
-    RowSums<N, N> before;
-    for (int k = graph.first[row]; k < level_.before[row]; ++k) {
-      add(before, k, x);
-    }
-    float rest[N];
-    for (int c = 0; c < N; ++c) {
-      rest[c] = b[row * N + c] - before[c];
-    }
-    solve(row, rest, x);
-  }
+  });
   graph.share(x);
-  for (int row = 0; row < graph.num_rows; ++row) {
-    if (const int next = row + rows_ahead; next < graph.num_rows) {
-      fetch(level_.after[next], graph.first[next + 1]);
+  level_.chunks.forEach([&](int begin, int end) {
+    for (int row = begin; row < end; ++row) {
+      if (const int next = row + rows_ahead; next < end) {
+        fetch(level_.after[next], graph.first[next + 1]);
+      }
+      RowSums<N, N> rest;
+      for (int k = graph.first[row]; k < firstWithin(begin, row); ++k) {
+        add(rest, k, x);
+      }
+      for (int k = level_.after[row]; k < graph.first[row + 1]; ++k) {
+        add(rest, k, x);
+      }
+      for (int c = 0; c < N; ++c) {
+        residual[row * N + c] = -rest[c];
+      }
     }
-    RowSums<N, N> after;
-    for (int k = level_.after[row]; k < graph.first[row + 1]; ++k) {
-      add(after, k, x);
-    }
-    for (int c = 0; c < N; ++c) {
-      residual[row * N + c] = -after[c];
-    }
-  }
+  });
 }
 
 template <int N>
-void Sweeps<N>::backward(NodeVector const& b, NodeVector& x, NodeVector& residual) const
+void Sweeps<N>::backward(NodeVector const& b, NodeVector& x, NodeVector& residual,
+                         NodeVector& before) const
 {
   auto const& graph = level_.graph;
   graph.share(x);
-  for (int row = graph.num_rows - 1; row >= 0; --row) {
-    if (const int next = row - rows_ahead; next >= 0) {
-      fetch(graph.first[next], graph.first[next + 1]);
-    }
-    RowSums<N, N> old, updated;
-    for (int k = graph.first[row]; k < level_.before[row]; ++k) {
-      add(old, k, x);
-    }
-    int k = level_.after[row];
-    for (; k < graph.first[row + 1] && graph.columns[k] < graph.num_owned; ++k) {
-      add(updated, k, x);
-    }
-    for (; k < graph.first[row + 1]; ++k) {
-      add(old, k, x);
-    }
-    float rest[N];
-    for (int c = 0; c < N; ++c) {
-      residual[row * N + c] = b[row * N + c] - old[c];
-      rest[c] = residual[row * N + c] - updated[c];
-    }
-    solve(row, rest, x);
+  const bool are_several = level_.chunks.count() > 1;
+  if (are_several) {
+    before = x;
   }
+  NodeVector const& x_before = are_several ? before : x;
+  level_.chunks.forEach([&](int begin, int end) {
+    for (int row = end - 1; row >= begin; --row) {
+      if (const int next = row - rows_ahead; next >= begin) {
+        fetch(graph.first[next], graph.first[next + 1]);
+      }
+      RowSums<N, N> old, updated;
+      for (int k = graph.first[row]; k < level_.before[row]; ++k) {
+        add(old, k, x_before);
+      }
+      int k = level_.after[row];
+      for (; k < graph.first[row + 1] && graph.columns[k] < end; ++k) {
+        add(updated, k, x);
+      }
+      for (; k < graph.first[row + 1]; ++k) {
+        add(old, k, x_before);
+      }
+      float rest[N];
+      for (int c = 0; c < N; ++c) {
+        residual[row * N + c] = b[row * N + c] - old[c];
+        rest[c] = residual[row * N + c] - updated[c];
+      }
+      solve(row, rest, x);
+    }
+  });
 }
 
 template <int N>
@@ -130,34 +153,37 @@ void Sweeps<N>::image(NodeVector& x, NodeVector& residual) const
 {
   auto const& graph = level_.graph;
   graph.share(x);
-  for (int row = 0; row < graph.num_rows; ++row) {
-    if (const int next = row + rows_ahead; next < graph.num_rows) {
-      fetch(graph.first[next], level_.before[next]);
+  level_.chunks.forEach([&](int begin, int end) {
+    for (int row = begin; row < end; ++row) {
+      if (const int next = row + rows_ahead; next < end) {
+        fetch(graph.first[next], level_.before[next]);
+      }
+      RowSums<N, N> sum;
+      for (int k = graph.first[row]; k < level_.before[row]; ++k) {
+        add(sum, k, x);
+      }
+      for (int k = graph.first[row + 1]; k > level_.after[row] && graph.columns[k - 1] >= end;
+           --k) {
+        add(sum, k - 1, x);
+      }
+      for (int c = 0; c < N; ++c) {
+        residual[row * N + c] += sum[c];
+      }
     }
-    RowSums<N, N> sum;
-    for (int k = graph.first[row]; k < level_.before[row]; ++k) {
-      add(sum, k, x);
-    }
-    int k = graph.first[row + 1];
-    for (; k > level_.after[row] && graph.columns[k - 1] >= graph.num_owned; --k) {
-      add(sum, k - 1, x);
-    }
-    for (int c = 0; c < N; ++c) {
-      residual[row * N + c] += sum[c];
-    }
-  }
+  });
   clearHeld(residual);
 }
 
 template <int N>
 void Sweeps<N>::clearHeld(NodeVector& x) const
 {
-  for (std::size_t row = 0; row * N * N < inverse_.size(); ++row) {
+  level_.chunks.forEachRow([&](int row) {
+    float const* diagonal = &inverse_[static_cast<std::size_t>(row) * N * N];
     for (int c = 0; c < N; ++c) {
-      if (inverse_[row * N * N + c * N + c] == 0) {
+      if (diagonal[c * N + c] == 0) {
         x[row * N + c] = 0;
       }
     }
-  }
+  });
 }
 } // namespace asperity::multigrid

@@ -101,7 +101,6 @@ MultigridHierarchy::MultigridHierarchy(std::vector<MatrixSource> const& terms, i
       l == 0 ? std::vector<RCP<const CrsMatrix>>{finest} : projected.terms[l - 1];
     auto [graph, maps] = makeNodeGraph(matrices, size, size);
     level.graph = std::move(graph);
-    level.findDiagonals();
     for (std::size_t k = 0; l > 0 && k < matrices.size(); ++k) {
       level.terms.push_back(blocksOf(level.graph, maps, *matrices[k]));
     }
@@ -120,6 +119,7 @@ MultigridHierarchy::MultigridHierarchy(std::vector<MatrixSource> const& terms, i
     if (l == 0) {
       finest_ = maps;
     }
+    level.complete();
     result->levels.push_back(std::move(level));
     finest = Teuchos::null;
   }

@@ -14,8 +14,8 @@ namespace asperity::multigrid
 {
 namespace
 {
-constexpr int num_nodes = 60, width = 3; // of an aggregate
-constexpr int last = num_nodes - 1;      // which is held
+constexpr int num_nodes = 900, width = 3; // of an aggregate
+constexpr int last = num_nodes - 1;       // which is held
 
 // A chain of springs with weak supports, whose last node is held. With a diagonal below 2 it is
 // indefinite.
@@ -95,7 +95,7 @@ AddedBlocks addedAtAllNodes(NodeGraph const& level)
   return added;
 }
 
-std::shared_ptr<const Hierarchy> twoLevels(double diagonal)
+std::shared_ptr<const Hierarchy> twoLevels(double diagonal, int num_threads)
 {
   const Eigen::MatrixXd Z = chain(diagonal), P = prolongator();
   const Matrix fine(Z), between(P), coarse(P.transpose() * Z * P);
@@ -105,12 +105,12 @@ std::shared_ptr<const Hierarchy> twoLevels(double diagonal)
   first.graph = fine.graph;
   first.prolongation = between.graph;
   first.P = between.blocks;
-  first.findDiagonals();
+  first.complete(num_threads);
   auto& second = hierarchy->levels[1];
   second.graph = coarse.graph;
   second.terms = {coarse.blocks};
   second.added = addedAtAllNodes(coarse.graph);
-  second.findDiagonals();
+  second.complete(num_threads);
   hierarchy->coarsest = allRows(coarse.graph.num_rows);
   return hierarchy;
 }
@@ -118,11 +118,11 @@ std::shared_ptr<const Hierarchy> twoLevels(double diagonal)
 // The cycle for a chain with blocks H at all nodes, some of which are removed.
 struct Chain
 {
-  explicit Chain(double diagonal = 2.01)
+  explicit Chain(double diagonal = 2.01, int num_threads = 1)
       : H("H", num_nodes, 1, 1)
       , removed("removed", num_nodes)
       , dofs("dofs", num_nodes, 1)
-      , hierarchy(twoLevels(diagonal))
+      , hierarchy(twoLevels(diagonal, num_threads))
   {
     for (int node = 0; node < num_nodes; ++node) {
       dofs(node, 0) = node;
@@ -177,9 +177,10 @@ Eigen::VectorXd valuesOf(NodeVector const& x)
 }
 } // namespace
 
-TEST(Cycle, isSymmetricAndGivesTheImageOfItsResult)
+namespace
 {
-  const Chain chain;
+void expectSymmetryAndImage(Chain const& chain)
+{
   ASSERT_TRUE(chain.cycle->setup(chain.H, chain.removed));
   const auto A = chain.matrix();
   const auto r = chain.force(0), q = chain.force(1);
@@ -192,6 +193,42 @@ TEST(Cycle, isSymmetricAndGivesTheImageOfItsResult)
   const auto y = valuesOf(chain.run(q).z);
   EXPECT_NEAR(z.dot(q), y.dot(r), 1e-5 * z.norm() * q.norm());
   EXPECT_GT(z.dot(r), 0);
+}
+} // namespace
+
+TEST(Cycle, isSymmetricAndGivesTheImageOfItsResult) { expectSymmetryAndImage(Chain()); }
+
+// With three threads each of two levels has three chunks and one.
+TEST(Cycle, isSymmetricAndGivesTheImageOfItsResultOnThreads)
+{
+  const Chain chain(2.01, 3);
+  EXPECT_EQ(chain.hierarchy->levels[0].chunks.count(), 3);
+  EXPECT_EQ(chain.hierarchy->levels[1].chunks.count(), 1);
+  expectSymmetryAndImage(chain);
+}
+
+// One more number of threads changes the sweep, but not what the iteration reaches.
+TEST(FloatConjugateGradients, needAboutAsManyIterationsOnThreads)
+{
+  std::vector<int> iterations;
+  for (int num_threads : {1, 2, 3}) {
+    const Chain chain(2.01, num_threads);
+    const std::vector<double> blocks(chain.H.data(), chain.H.data() + chain.H.size());
+    chain.cycle->setCoarseBlocks(blocks);
+    ASSERT_TRUE(chain.cycle->setup(chain.H, chain.removed));
+    FloatConjugateGradients gradients(*chain.cycle, [](double*, int) {});
+    const auto r = chain.force(0);
+    Eigen::VectorXd c(num_nodes);
+    const HostView<const double*> from(r.data(), num_nodes);
+    const HostView<double*> to(c.data(), num_nodes);
+    const auto result = gradients.solve(from, r.norm(), 1e-3, 100, to);
+    EXPECT_TRUE(result.converged);
+    EXPECT_LE((r - chain.matrix() * c).norm(), 1.01e-3 * r.norm());
+    iterations.push_back(result.iterations);
+  }
+  // A chain is cut at one node of 300: the sweep differs there alone.
+  EXPECT_LE(iterations[1], iterations[0] + 1);
+  EXPECT_LE(iterations[2], iterations[0] + 1);
 }
 
 TEST(Cycle, refusesAnIndefiniteMatrix)

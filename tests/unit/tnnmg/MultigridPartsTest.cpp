@@ -246,7 +246,7 @@ TEST(CoarseFault, isTheGalerkinProductOfTheHessians)
     }
     fine.prolongation.share(x);
     multigrid::NodeVector Px(fine.graph.rows(), 0.);
-    multiplyAdd(fine.prolongation, fine.P, x, Px);
+    multiplyAdd(fine.prolongation, fine.chunks, fine.P, x, Px);
     Vector Px_vector(model.map);
     std::copy(Px.begin(), Px.end(),
               Px_vector.getLocalViewHost(Tpetra::Access::OverwriteAll).data());
@@ -264,7 +264,7 @@ TEST(CoarseFault, isTheGalerkinProductOfTheHessians)
     std::copy_n(x.begin(), owned, on_level.begin());
     coarse.graph.share(on_level);
     multigrid::NodeVector Ax(owned, 0.);
-    multiplyAdd(coarse.graph, A, on_level, Ax);
+    multiplyAdd(coarse.graph, coarse.chunks, A, on_level, Ax);
     double energy = 0;
     for (std::size_t i = 0; i < owned; ++i) {
       energy += x[i] * Ax[i];
