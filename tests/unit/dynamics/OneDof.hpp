@@ -9,7 +9,7 @@
 namespace asperity::dynamics::testing
 {
 // One number for each of u, v, a and the jerk of the last step.
-struct Motion
+struct DofMotion
 {
   double u, v, a, jerk;
 };
@@ -25,14 +25,14 @@ class OneDof
 {
 public:
   // After a step to the velocity v1.
-  Motion step(RateUpdate const& update, Motion const& from, double tau, double v1)
+  DofMotion step(RateUpdate const& update, DofMotion const& from, double tau, double v1)
   {
     predict(update, from, tau);
     return complete(update, tau, v1);
   }
 
   // After a step in balance: (lambda_M/tau m + c + tau/lambda_K k) v1 = m a^ - k u^.
-  Motion step(RateUpdate const& update, Motion const& from, double tau, Oscillator const& o)
+  DofMotion step(RateUpdate const& update, DofMotion const& from, double tau, Oscillator const& o)
   {
     predict(update, from, tau);
     const double Z = update.mass_weight / tau * o.m + o.c + tau * update.stiffness_weight * o.k;
@@ -52,7 +52,7 @@ private:
     return result;
   }
 
-  void predict(RateUpdate const& update, Motion const& from, double tau)
+  void predict(RateUpdate const& update, DofMotion const& from, double tau)
   {
     from_.u->putScalar(from.u);
     from_.v->putScalar(from.v);
@@ -63,7 +63,7 @@ private:
     update.predict(from_, tau, u_hat_, a_hat_);
   }
 
-  Motion complete(RateUpdate const& update, double tau, double v1)
+  DofMotion complete(RateUpdate const& update, double tau, double v1)
   {
     auto to = state();
     to.v->putScalar(v1);

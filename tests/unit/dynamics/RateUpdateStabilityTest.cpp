@@ -23,7 +23,7 @@ Eigen::Matrix4d amplification(RateUpdate const& update, Oscillator const& o, dou
   Eigen::Matrix4d result;
   for (int column = 0; column < 4; ++column) {
     const Eigen::Vector4d x = Eigen::Vector4d::Unit(column);
-    Motion motion = {x[0], x[1] * stretch, x[2] * std::pow(stretch, 2),
+    DofMotion motion = {x[0], x[1] * stretch, x[2] * std::pow(stretch, 2),
                      x[3] * std::pow(stretch, 3)};
     for (int n = 0; n < num_steps; ++n) {
       motion = dof.step(update, motion, 1, o);
@@ -41,12 +41,12 @@ double spectralRadius(Eigen::Matrix4d const& matrix)
 // A mode far faster than the step, with mass and without: omega tau = 1e6, k tau / c = 1e12.
 const Oscillator with_mass = {1, 0, 1e12}, without_mass = {0, 1, 1e12};
 
-Motion inBalance(Oscillator const& o, double u, double v)
+DofMotion inBalance(Oscillator const& o, double u, double v)
 {
   return {u, v, -(o.c * v + o.k * u) / o.m, 0};
 }
 
-double energy(Oscillator const& o, Motion const& motion)
+double energy(Oscillator const& o, DofMotion const& motion)
 {
   return (o.m * motion.v * motion.v + o.k * motion.u * motion.u) / 2;
 }

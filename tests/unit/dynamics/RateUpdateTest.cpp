@@ -12,7 +12,7 @@ using namespace testing;
 
 namespace
 {
-const Motion start = {0.3, -1.7, 2.9, -0.6};
+const DofMotion start = {0.3, -1.7, 2.9, -0.6};
 } // namespace
 
 // Pipping 2014, table 3.1: the equations that define the schemes, for any v1.
@@ -132,7 +132,7 @@ TEST(RateUpdate, secondOrderFollowsConstantAccelerationExactly)
   OneDof dof;
   for (auto const& update : {RateUpdate::newmark(0.25), RateUpdate::generalisedAlpha(0.5),
                              RateUpdate::generalisedAlpha(0)}) {
-    Motion motion = {0, 1, -3, 0};
+    DofMotion motion = {0, 1, -3, 0};
     double t = 0;
     for (double tau : {0.1, 0.025, 0.2, 0.1}) {
       t += tau;
