@@ -22,7 +22,8 @@ GOOD = {
                       "asperity_add_package(mesh PACKAGES friction base\n"
                       "  LIBRARIES Asperity::METIS)\n",
     "packages/base/README.md": README.format("base"),
-    "packages/mesh/README.md": README.format("mesh"),
+    "packages/mesh/README.md": README.format("mesh").replace(
+        "kind.", "kind. It includes\n`friction`\nand `base`; `other` does not."),
     "packages/friction/README.md": README.format("friction"),
     "packages/base/Types.hpp": "#pragma once\n#include <Teuchos_RCP.hpp>\n",
     "packages/mesh/Mesh.hpp": '#pragma once\n#include "base/Types.hpp"\n// #include "io/H5.hpp"\n',
@@ -188,6 +189,11 @@ BAD = {
         ("packages/base/README.md", "# base\n\nIt is for it. It is not for it.\n"),
         ("packages/base/README.md", README.format("base") + "`mesh/Gone.hpp`\n"),
         ("packages/other/Thing.cpp", "int i;\n"),
+        ("packages/mesh/README.md", README.format("mesh")),
+        ("packages/mesh/README.md",
+         README.format("mesh").replace("kind.", "kind. It includes `base`. `friction` does not.")),
+        ("packages/base/README.md",
+         README.format("base").replace("kind.", "kind. It includes `mesh`.")),
     ],
     "format": [(".clang-format", "BasedOnStyle: LLVM\n"), (".clang-format", "NoSuchOption: 1\n")],
 }
