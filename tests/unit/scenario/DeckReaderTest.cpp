@@ -153,9 +153,10 @@ TEST(DeckReader, ourLawsAgreeOnTheParametersTheyShare)
 {
   for (std::string const law : {"Regularised", "Truncated"}) {
     for (std::string const state_law : {"Ageing", "Slip"}) {
-      completeDeck([&](auto& deck) {
+      EXPECT_NO_THROW(completeDeck([&](auto& deck) {
         deck.sublist("Friction").set("Law", law).set("State Evolution", state_law);
-      });
+      }))
+        << law << " with " << state_law;
     }
   }
 }
