@@ -5,7 +5,6 @@
 #include "tnnmg/multigrid/MultigridPreconditioner.hpp"
 #include "tnnmg/multigrid/MultigridSymmetry.hpp"
 
-#include <Teuchos_TimeMonitor.hpp>
 #include <Tpetra_CrsMatrix.hpp>
 #include <Tpetra_Map.hpp>
 #include <Tpetra_Vector.hpp>
@@ -70,7 +69,6 @@ struct MultigridCorrection::Implementation
       , A(rcp(new detail::MultigridOperator(problem.Z, nodes)))
       , residual(problem.Z->getRowMap())
   {
-    Teuchos::TimeMonitor const timed(setup_timer);
     preconditioner = rcp(new detail::MultigridPreconditioner(hierarchy, weights, problem.Z, nodes));
     // The asymmetry is relative to the energy of pseudorandom vectors. Since this energy is small
     // compared with their squares, by the square root of Z's condition number, rounding to single
@@ -80,7 +78,6 @@ struct MultigridCorrection::Implementation
 
   void prepare(NonlinearBlocks const& blocks)
   {
-    Teuchos::TimeMonitor const timed(setup_timer);
     nodes->set(blocks);
     if (parameters.rebuilds && preconditioner->outdatedShare() > parameters.outdated_share) {
       preconditioner->rebuild();
@@ -108,7 +105,6 @@ struct MultigridCorrection::Implementation
   RCP<const detail::MultigridOperator> A;
   RCP<detail::MultigridPreconditioner> preconditioner;
   Vector residual;
-  Teuchos::Time setup_timer{"set-up of a correction"};
   MultigridStatistics statistics;
 };
 
@@ -166,10 +162,5 @@ void MultigridCorrection::reset() { implementation_->preconditioner->forgetHessi
 
 std::size_t MultigridCorrection::bytes() const { return implementation_->preconditioner->bytes(); }
 
-MultigridStatistics MultigridCorrection::statistics() const
-{
-  auto result = implementation_->statistics;
-  result.setup_seconds = implementation_->setup_timer.totalElapsedTime();
-  return result;
-}
+MultigridStatistics MultigridCorrection::statistics() const { return implementation_->statistics; }
 } // namespace asperity::tnnmg

@@ -22,9 +22,7 @@ struct MultigridStatistics
   int solves = 0;
   int iterations = 0; // of conjugate gradients, or V-cycles if they are used alone
   int v_cycles = 0;   // of the solves
-
-  int rebuilds = 0;         // Hessians brought into the coarse levels
-  double setup_seconds = 0; // for these and for the tests of a new V-cycle, on this rank
+  int rebuilds = 0;   // Hessians brought into the coarse levels
 };
 
 // What multigrid needs to know about Z in addition to its entries. All vectors live on Z's row map.

@@ -197,7 +197,6 @@ TEST(MultigridCorrection, coarseLevelsFollowWhenManyNodesChange)
   solve(correction, model, state, r);
   EXPECT_EQ(correction.statistics().rebuilds, 2);
   EXPECT_EQ(correction.statistics().solves, 5);
-  EXPECT_GT(correction.statistics().setup_seconds, 0);
 
   auto kept_parameters = parameters();
   kept_parameters.set("Hierarchy", "Keep");
