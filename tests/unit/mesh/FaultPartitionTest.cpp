@@ -110,6 +110,8 @@ void expectGoodParts(GlobalMesh<Dim> const& mesh)
     }
     EXPECT_EQ(num_owned, static_cast<int>(mesh.vertices.size()));
     EXPECT_EQ(num_pairs, static_cast<int>(mesh.splits.size()));
+    // METIS aims at 1.03 and 1.05 in weight. The smallest parts have about 30 vertices, 4 of them
+    // on the fault. One of these less makes room for three others, 1.13; one more gives 1.25.
     EXPECT_LT(imbalance(owners, num_parts), 1.2);
     EXPECT_LT(imbalance(owners, num_parts, boundaryVertices(mesh, "main")), 1.3);
   }

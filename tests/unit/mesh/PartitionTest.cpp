@@ -235,6 +235,8 @@ TEST(Partition, TakesMorePartsThanTheBoundaryHasVertices)
   const auto mesh = rectangleMesh({1.0, 1.0, 2, 30, {0.0, 0.0}});
   const auto owners = partitionVertices(mesh, 8, {"bottom", 4});
   EXPECT_EQ(std::set<int>(owners.begin(), owners.end()).size(), 8u);
+  // METIS aims at 13 vertices of 93 / 8, 1.12. How far it misses that in such small parts has no
+  // bound; 1.5, or 17 vertices, was chosen after the result.
   EXPECT_LT(imbalance(owners, 8), 1.5);
 }
 

@@ -109,7 +109,7 @@ struct Case
   double tau; // s
   int components;
   int tangents;
-  int iterations; // measured, the most over truncations and 1 to 3 ranks
+  int iterations; // counted, the most over truncations and 1 to 3 ranks
 };
 
 void PrintTo(Case const& c, std::ostream* out)
@@ -139,7 +139,8 @@ TEST_P(MultigridCorrectionCase, meetsDirectSolveForHessiansOfAllSizes)
   }
 }
 
-// The most iterations are those counted with the V-cycle as it is.
+// Theory bounds iterations by the contraction of a V-cycle, but gives no number for this one: the
+// counts, and the fifth that the test allows beyond them, were chosen after the result.
 INSTANTIATE_TEST_SUITE_P(Steps, MultigridCorrectionCase,
                          ::testing::Values(Case{1e-6, 2, 1, 8}, Case{1e-3, 2, 1, 6},
                                            Case{1e-1, 2, 1, 16}, Case{1, 2, 1, 17},
@@ -171,6 +172,8 @@ TEST(MultigridCorrection, smallStepsNeedNoHessiansOnCoarseLevels)
   MultigridCorrection correction(model.problem(), list);
   for (auto truncation : {Truncation::none, Truncation::left_half, Truncation::all}) {
     const FaultState state(model, truncation);
+    // Cycles that contract by 0.06 (cyclesAloneContract) leave 1e-8 after 7, in the energy norm.
+    // Hessians of all sizes keep this from bounding the residual: 10 was chosen after the result.
     EXPECT_LE(solve(correction, model, state, rightHandSide(model)).result.iterations, 10);
   }
   EXPECT_EQ(correction.statistics().rebuilds, 0);
@@ -280,14 +283,16 @@ TEST(MultigridCorrection, resetForgetsEarlierSolves)
   }
 }
 
-// Each cycle minimises the energy along its direction: the error decreases in the energy norm.
+// Each cycle minimises the energy along its direction: the error decreases in the energy norm, at a
+// rate below 1 for any number of unknowns. Theory gives no number; these were chosen after the
+// result, the most on 1 to 3 ranks.
 TEST(MultigridCorrection, cyclesAloneContract)
 {
   struct Expected
   {
     double tau;
     char const* hierarchy;
-    double contraction; // measured, the most on 1 to 3 ranks
+    double contraction;
   };
   constexpr int cycles = 4;
   for (auto [tau, hierarchy, contraction] :
@@ -314,7 +319,7 @@ TEST(MultigridCorrection, looseToleranceTakesFewIterations)
   MultigridCorrection correction(model.problem(), parameters());
   const auto answer = solve(correction, model, state, r, 0.1);
   EXPECT_TRUE(answer.result.converged);
-  EXPECT_LE(answer.result.iterations, 3);
+  EXPECT_LE(answer.result.iterations, 3); // chosen after the result
   EXPECT_LE((state.project(model, r) - state.matrix(model) * answer.correction).norm(),
             0.1 * state.project(model, r).norm());
 }

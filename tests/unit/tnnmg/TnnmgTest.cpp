@@ -137,6 +137,7 @@ TEST_P(TnnmgCase, meetsCoordinateDescentOnAllDofs)
   auto v = atRest(problem);
   const auto result = solveFull(problem, problem.nodesOfRank(), tight(), v);
   checkSolution(problem, result, v, reference);
+  // Chosen after the result: 7 give 1e-13 once truncation is settled, which has no known bound.
   EXPECT_LE(result.iterations, 25);
   EXPECT_GT(result.v_cycles, 0);
 }

@@ -46,6 +46,9 @@ double errorOf(Wave wave, dynamics::RateUpdate const& update, int cells, int ste
 double orderOf(double coarse, double fine) { return std::log2(coarse / fine); }
 } // namespace
 
+// Errors of space and time partly cancel: their next terms weigh more than in either alone, and no
+// bound on the order follows from them. 0.03 was chosen after the result; at half the sizes these
+// terms are a quarter, below 0.01.
 TEST(Convergence, isOfSecondOrderInSpaceAndTimeWithTheTrapezoidalRule)
 {
   for (Wave wave : {Wave::antiplane_shear, Wave::compression}) {
@@ -55,11 +58,13 @@ TEST(Convergence, isOfSecondOrderInSpaceAndTimeWithTheTrapezoidalRule)
     const double fine = errorOf(wave, update, 32, 64);
     EXPECT_NEAR(orderOf(coarse, middle), 2, 0.03) << coarse << ' ' << middle;
     EXPECT_NEAR(orderOf(middle, fine), 2, 0.01) << middle << ' ' << fine;
+    // For compression, Waves.hpp gives 2.5e-3 of space alone and 6.8e-3 of time alone.
     EXPECT_LE(fine, 0.01);
   }
 }
 
-// Space alone: time steps so short that they do not show.
+// Space alone: time steps so short that they do not show. By Waves.hpp the error of the amplitude
+// is of order 2.012; its norm over the nodes, sqrt((2 + cos qh) / 3) of that, takes off 0.014.
 TEST(Convergence, isOfSecondOrderInSpace)
 {
   auto const update = dynamics::RateUpdate::newmark(0.25);
@@ -68,7 +73,8 @@ TEST(Convergence, isOfSecondOrderInSpace)
   EXPECT_NEAR(orderOf(coarse, fine), 2, 0.02) << coarse << ' ' << fine;
 }
 
-// Time alone: what the mesh leaves over is far below the error of these steps.
+// Time alone: by Waves.hpp these steps give the order 0.961. What the mesh leaves over, 3.4e-4 of
+// 1.6e-2, takes off at most 0.015.
 TEST(Convergence, isOfFirstOrderInTimeWithBackwardEuler)
 {
   auto const update = dynamics::RateUpdate::backwardEuler();
