@@ -7,7 +7,6 @@
 #include <chrono>
 #include <cstdio>
 #include <map>
-#include <vector>
 
 namespace asperity
 {
@@ -18,14 +17,7 @@ const auto program_start = std::chrono::steady_clock::now();
 // Distinguishes these timers from those of Trilinos.
 const std::string prefix = "asperity: ";
 
-struct Row
-{
-  std::string name;
-  double least = 0, most = 0; // of the ranks [s]
-  double count = 0;           // largest of the ranks
-};
-
-std::vector<Row> rowsOfWork(Communicator const& communicator)
+std::vector<WorkOfRanks> workDone(Communicator const& communicator)
 {
   Teuchos::stat_map_type statistics;
   std::vector<std::string> names;
@@ -35,19 +27,17 @@ std::vector<Row> rowsOfWork(Communicator const& communicator)
     return std::find(names.begin(), names.end(), name) - names.begin();
   };
   const auto least = place("MinOverProcs"), most = place("MaxOverProcs");
-  std::vector<Row> rows;
+  std::vector<WorkOfRanks> work;
   for (auto const& [label, values] : statistics) {
     if (values[most].second > 0) {
-      rows.push_back({label.substr(prefix.size()), values[least].first, values[most].first,
+      work.push_back({label.substr(prefix.size()), values[least].first, values[most].first,
                       values[most].second});
     }
   }
-  std::stable_sort(rows.begin(), rows.end(),
-                   [](Row const& a, Row const& b) { return a.most > b.most; });
-  return rows;
+  return work;
 }
 
-std::string line(Row const& row, double total)
+std::string line(WorkOfRanks const& row, double total)
 {
   char numbers[100];
   std::snprintf(numbers, sizeof numbers, "%10.2f %10.2f %6.1f %% %10.0f\n", row.least, row.most,
@@ -87,22 +77,28 @@ double secondsSinceStart()
   return std::chrono::duration<double>(std::chrono::steady_clock::now() - program_start).count();
 }
 
-std::string tableOfWork(Communicator const& communicator)
+std::string tableOf(std::vector<WorkOfRanks> work, double total)
 {
-  const double total = maxOverRanks(secondsSinceStart(), communicator);
-  auto rows = rowsOfWork(communicator);
-  Row other{"other", total, total, 1};
-  for (auto const& row : rows) {
-    other.least -= row.most;
-    other.most -= row.least;
+  std::stable_sort(work.begin(), work.end(),
+                   [](WorkOfRanks const& a, WorkOfRanks const& b) { return a.most > b.most; });
+  WorkOfRanks other{"other", total, total, 1};
+  for (auto const& kind : work) {
+    other.least -= kind.most;
+    other.most -= kind.least;
   }
   other.least = std::max(other.least, 0.);
   other.most = std::max(other.most, 0.);
   std::string table =
     "Work                                min [s]    max [s]    share      count\n";
-  for (auto const& row : rows) {
-    table += line(row, total);
+  for (auto const& kind : work) {
+    table += line(kind, total);
   }
   return table + line(other, total) + line({"whole run", total, total, 1}, total);
+}
+
+std::string tableOfWork(Communicator const& communicator)
+{
+  const double total = maxOverRanks(secondsSinceStart(), communicator);
+  return tableOf(workDone(communicator), total);
 }
 } // namespace asperity

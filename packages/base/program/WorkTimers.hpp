@@ -5,6 +5,7 @@
 #include <Teuchos_TimeMonitor.hpp>
 
 #include <string>
+#include <vector>
 
 // Times the rest of the block as one kind of work of the run, at the price of reading the clock
 // twice. One host thread; a name may be used in several places.
@@ -59,8 +60,18 @@ private:
 // The wall time [s] since this process began.
 double secondsSinceStart();
 
-// Where the wall time of this process went since its start: one line for each kind of work that was
-// done, the longest first, with the smallest and the largest time of the ranks. Kinds do not
-// contain each other; what belongs to none of them stands last. Collective, for rank 0 to print.
+// A kind of work on all ranks.
+struct WorkOfRanks
+{
+  std::string name;
+  double least = 0, most = 0; // time on a rank [s]
+  double count = 0;           // how often it was done, at most
+};
+
+// One line for each kind of work in a run of `total` seconds, the longest first. Kinds do not
+// contain each other; what belongs to none of them stands last.
+std::string tableOf(std::vector<WorkOfRanks> work, double total);
+
+// The table of all work that was done since this process began. Collective, for rank 0 to print.
 std::string tableOfWork(Communicator const& communicator);
 } // namespace asperity
