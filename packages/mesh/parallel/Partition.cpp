@@ -1,6 +1,7 @@
 #include "mesh/parallel/Partition.hpp"
 
 #include "base/Errors.hpp"
+#include "base/parallel/Agreement.hpp"
 #include "mesh/MeshQuality.hpp"
 
 #include <Teuchos_CommHelpers.hpp>
@@ -194,8 +195,7 @@ Mesh<Dim> distribute(GlobalMesh<Dim> const& mesh, Communicator const& communicat
   const int num_ranks = communicator.getSize();
   std::vector<int> owners(mesh.vertices.size(), 0);
   if (num_ranks > 1) {
-    // Every rank partitions, so that all throw the same error, and then takes the result of rank 0.
-    owners = partitionVertices(mesh, num_ranks, options);
+    onRoot(communicator, [&] { owners = partitionVertices(mesh, num_ranks, options); });
     Teuchos::broadcast(communicator, 0, static_cast<int>(owners.size()), owners.data());
   }
   return localPart(mesh, owners, communicator.getRank());
