@@ -12,6 +12,7 @@
 #include "scenario/ResolutionCheck.hpp"
 #include "scenario/RunArchive.hpp"
 #include "scenario/deck/CommandLine.hpp"
+#include "scenario/setup/FaultKind.hpp"
 #include "scenario/setup/MeshSetup.hpp"
 #include "scenario/setup/TimeSetup.hpp"
 
@@ -122,14 +123,8 @@ void requireSameKind(Problem<Dim> const& here, ParameterList const& deck, Proble
   }
   requireSame("Asperity / Bulk / Model", deck.sublist("Bulk").get<std::string>("Model"),
               other.sublist("Bulk").get<std::string>("Model"), run);
-  const auto kind = [](Problem<Dim> const& of) {
-    auto const& side = of.surface->otherSide();
-    return side.is_inside     ? "Two-Sided Fault"
-           : side.is_mirrored ? "Antisymmetric Fault"
-                              : "Bilateral Contact";
-  };
-  requireSame("The kind of the fault (Asperity / Boundary Conditions)", kind(here), kind(there),
-              run);
+  requireSame("The kind of the fault (Asperity / Boundary Conditions)",
+              faultKindOf(here.surface->otherSide()), faultKindOf(there.surface->otherSide()), run);
 }
 
 template <int Dim>

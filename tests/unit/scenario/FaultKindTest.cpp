@@ -1,7 +1,9 @@
 #include "scenario/setup/FaultKind.hpp"
 
 #include "SampleDeck.hpp"
+#include "parameters/Deck.hpp"
 #include "scenario/Problem.hpp"
+#include "scenario/run/OtherRun.hpp"
 #include "scenario/setup/BoundarySetup.hpp"
 
 namespace asperity::scenario
@@ -72,5 +74,22 @@ TEST(FaultKind, isOneFile)
     }
   }
   FAIL() << "nothing slips on the left";
+}
+
+// Both have the same values but for the factor.
+TEST(FaultKind, isToldApartInTheStateOfAnotherRun)
+{
+  const asperity::test::TemporaryDirectory run;
+  writeParameters(
+    strip([](ParameterList& given) {
+      given.sublist("Boundary Conditions").sublist("Fault").set("Type", "Threefold Fault");
+    }),
+    run.file("parameters.xml"));
+  auto const deck = strip();
+  auto const problem = makeProblem<2>(deck, world());
+  expectParts(refusal([&] {
+                stateOfOtherRun(run.file("."), problem, {}, deck, dynamics::DyadicTime(1, 0), 1);
+              }),
+              {"is 'Antisymmetric Fault', but 'Threefold Fault' in the run"});
 }
 } // namespace asperity::scenario
