@@ -1,6 +1,7 @@
 #pragma once
 
 #include "base/Types.hpp"
+#include "dynamics/Norm.hpp"
 #include "fem/FaultSurface.hpp"
 #include "portability/Views.hpp"
 
@@ -8,12 +9,6 @@
 
 namespace asperity::dynamics
 {
-enum class Norm
-{
-  root_mean_square, // over the fault
-  maximum
-};
-
 // Tangential components of v (owned dofs) at the nodes: blocks(num_nodes, T).
 void gather(fem::FaultSurface const& surface, Vector const& v, BlockView const& blocks);
 

@@ -23,8 +23,8 @@ AdaptiveSettings AdaptiveSettings::from(Teuchos::ParameterList const& parameters
   settings.finest_level = clock.finestLevel();
   const double first = parameters.get<double>("First Step");
   settings.first_level = first > 0 ? levelOf(clock, first) : clock.finestLevel();
-  if (parameters.isParameter("Norm") && parameters.get<std::string>("Norm") == "Maximum") {
-    settings.norm = Norm::maximum;
+  if (parameters.isParameter("Norm")) {
+    settings.norm = normOf(parameters);
   }
   return settings;
 }

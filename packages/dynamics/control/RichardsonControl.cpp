@@ -34,12 +34,12 @@ AdaptiveSettings settingsOf(Teuchos::ParameterList const& parameters, ControlCon
 
 Teuchos::RCP<const Teuchos::ParameterList> RichardsonControl::validParameters()
 {
-  return Declare()
-    .real("Tolerance", 1e-5, "-", Range::open(0, 1),
-          "A pair of steps is accepted if the estimated error of alpha after it is at most this. "
-          "The estimate follows from the difference to one step of twice the size.")
-    .choice("Norm", "Root Mean Square", {"Root Mean Square", "Maximum"},
-            "Selects the norm in which the error of alpha is measured over the fault.")
+  Declare declare;
+  declare.real("Tolerance", 1e-5, "-", Range::open(0, 1),
+               "A pair of steps is accepted if the estimated error of alpha after it is at most "
+               "this. The estimate follows from the difference to one step of twice the size.");
+  declareNorm(declare, "Selects the norm in which the error of alpha is measured over the fault.");
+  return declare
     .real("First Step", 0., "s", Range::atLeast(0),
           "The first steps have this size, which is at most half of the largest one; 0 means the "
           "smallest step.")

@@ -36,13 +36,14 @@ void meanVelocity(ConstBlockView const& offset, double weight, BlockView const& 
 Teuchos::RCP<Teuchos::ParameterList> CouplingSettings::validParameters()
 {
   const CouplingSettings defaults;
-  return Declare()
-    .real("Tolerance", defaults.tolerance, "-", Range::open(0, 1),
-          "The fixed-point iteration of rate and state ends when alpha changes by at most this "
-          "between two iterates, in the norm chosen.")
-    .choice("Norm", "Root Mean Square", {"Root Mean Square", "Maximum"},
-            "Selects how that change is measured over the fault. Maximum also responds to a "
-            "nucleation much smaller than the fault, which has little weight in a mean.")
+  Declare declare;
+  declare.real("Tolerance", defaults.tolerance, "-", Range::open(0, 1),
+               "The fixed-point iteration of rate and state ends when alpha changes by at most "
+               "this between two iterates, in the norm chosen.");
+  declareNorm(declare,
+              "Selects how that change is measured over the fault. Maximum also responds to a "
+              "nucleation much smaller than the fault, which has little weight in a mean.");
+  return declare
     .integer("Maximum Iterations", defaults.max_iterations, Range::atLeast(1),
              "A step is rejected after this number of fixed-point iterations. The step control "
              "then halves it; a run with prescribed steps ends.")
@@ -56,8 +57,7 @@ CouplingSettings CouplingSettings::from(Teuchos::ParameterList const& parameters
 {
   CouplingSettings settings;
   settings.tolerance = parameters.get<double>("Tolerance");
-  settings.norm =
-    parameters.get<std::string>("Norm") == "Maximum" ? Norm::maximum : Norm::root_mean_square;
+  settings.norm = normOf(parameters);
   settings.max_iterations = parameters.get<int>("Maximum Iterations");
   settings.anderson_depth = parameters.get<int>("Anderson Depth");
   return settings;

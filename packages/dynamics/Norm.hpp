@@ -1,0 +1,19 @@
+#pragma once
+
+#include "parameters/Parameters.hpp"
+
+#include <string>
+
+namespace asperity::dynamics
+{
+// How the difference of two fields is measured over the fault.
+enum class Norm
+{
+  root_mean_square,
+  maximum
+};
+
+// The parameter `Norm` of a list; `meaning` says what it measures.
+Declare& declareNorm(Declare& list, std::string const& meaning);
+Norm normOf(ParameterList const& parameters);
+} // namespace asperity::dynamics
