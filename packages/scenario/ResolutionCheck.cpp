@@ -9,6 +9,7 @@
 #include "scenario/setup/DeckPaths.hpp"
 #include "scenario/setup/LawSetup.hpp"
 #include "scenario/setup/TimeSetup.hpp"
+#include "tnnmg/multigrid/MultigridCorrection.hpp"
 
 #include <sys/resource.h>
 
@@ -61,10 +62,6 @@ CellCount countCells(Mesh<Dim> const& mesh, Communicator const& communicator)
   return {sumOverRanks(number, communicator), minOverRanks(smallest, communicator),
           maxOverRanks(largest, communicator)};
 }
-
-// Memory of multigrid per unknown, with solvers for three step sizes: on large models, and on
-// small ones (log/performance.md).
-constexpr double multigrid_bytes[] = {4.3e3, 6.7e3};
 } // namespace
 
 template <int Dim>
@@ -84,10 +81,10 @@ std::vector<std::string> describeSize(Problem<Dim> const& problem)
   if (problem.solver.correction == dynamics::Correction::direct) {
     memory << "the factors of the direct correction add to it.";
   } else {
-    memory << "multigrid usually takes " << rounded(multigrid_bytes[0] / 1e3) << " to "
-           << rounded(multigrid_bytes[1] / 1e3) << " kB per unknown, here "
-           << rounded(multigrid_bytes[0] * unknowns / 1e6) << " to "
-           << rounded(multigrid_bytes[1] * unknowns / 1e6) << " MB.";
+    auto const [least, most] = tnnmg::MultigridCorrection::usual_bytes_per_unknown;
+    memory << "multigrid usually takes " << rounded(least / 1e3) << " to " << rounded(most / 1e3)
+           << " kB per unknown, here " << rounded(least * unknowns / 1e6) << " to "
+           << rounded(most * unknowns / 1e6) << " MB.";
   }
   return {mesh.str(), memory.str()};
 }

@@ -5,6 +5,7 @@
 
 #include <Teuchos_ParameterList.hpp>
 
+#include <array>
 #include <functional>
 #include <memory>
 #include <vector>
@@ -83,6 +84,10 @@ public:
 
   MultigridStatistics statistics() const;
   std::size_t bytes() const; // of this correction alone, on this rank
+
+  // What a run takes for each unknown, with corrections for three step sizes, as measured
+  // (log/performance.md): on large models and on small ones.
+  static constexpr std::array<double, 2> usual_bytes_per_unknown = {4.3e3, 6.7e3};
 
 private:
   struct Implementation;
