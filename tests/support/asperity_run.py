@@ -23,8 +23,13 @@ def command(*arguments, ranks=1):
 
 
 def settings(*changes):
-    """Arguments that change entries of a deck: settings("Mesh/Refinements=1", ...)."""
-    return [word for change in changes for word in ("--set", change)]
+    """Arguments that change entries of a deck, each a text or {name: value} of several:
+    settings("Mesh/Refinements=1", {"Bulk/Density": 2700}, ...)."""
+    texts = []
+    for change in changes:
+        texts += [change] if isinstance(change, str) else [
+            f"{name}={value}" for name, value in change.items()]
+    return [word for text in texts for word in ("--set", text)]
 
 
 def run(*arguments, ranks=1, timeout=60):

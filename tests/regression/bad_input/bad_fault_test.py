@@ -31,7 +31,7 @@ def without(name, changes):
 
 class FaultCase(Case):
     def arguments(self, changes):
-        return [DECK, *settings(*(f"{name}={value}" for name, value in changes.items()))]
+        return [DECK, *settings(changes)]
 
     def refuse(self, changes, *pieces, on=(1, 2)):
         for ranks in on:

@@ -19,7 +19,7 @@ PARALLEL = {"use kokkos refactor": "true"}
 
 
 def run(name, parameters, ranks=1):
-    changes = wedge_runs.settings(*(f"{MUELU}/{key}={value}" for key, value in parameters.items()))
+    changes = wedge_runs.settings({f"{MUELU}/{key}": text for key, text in parameters.items()})
     return wedge_runs.run_deck(f"{name}_{ranks}", *RUN, *changes, ranks=ranks)
 
 

@@ -27,9 +27,9 @@ class Subduction(unittest.TestCase):
         subprocess.run([MESH_TOOL, "convert", geometry, "coarse.h5", "--set", "h=1000",
                         "--overwrite"], check=True, capture_output=True,
                        timeout=time_limits.seconds(60))
-        words = [word for setting in settings for word in ("--set", setting)]
-        folder = asperity_run.run_to_end("out", asperity_run.SOURCE / f"xml/{deck}.xml",
-                                         "--overlay", OVERLAY, *words, timeout=300)
+        folder = asperity_run.run_to_end(
+            "out", asperity_run.SOURCE / f"xml/{deck}.xml", "--overlay", OVERLAY,
+            *asperity_run.settings(*settings), timeout=300)
         last = asperity_run.table(folder / "steps.csv")[-1]
         self.assertLess(abs(last["energy_defect"]), 1e-10 * last["friction_work"])
         self.fault = asperity_run.series(folder / "fault.h5")

@@ -41,12 +41,11 @@ class TinyWedge(unittest.TestCase):
     def setUpClass(cls):
         write_mesh()
 
-    def check(self, correction, ranks, *settings):
-        changes = [f"Mesh/File/File Name={MESH}", f"TNNMG/Linear Correction={correction}",
-                   *settings]
-        folder = asperity_run.run_to_end(
-            f"{correction}_{ranks}", HERE / "tiny_wedge.xml",
-            *(word for change in changes for word in ("--set", change)), ranks=ranks)
+    def check(self, correction, ranks):
+        changes = asperity_run.settings(f"Mesh/File/File Name={MESH}",
+                                        f"TNNMG/Linear Correction={correction}")
+        folder = asperity_run.run_to_end(f"{correction}_{ranks}", HERE / "tiny_wedge.xml",
+                                         *changes, ranks=ranks)
         fault = asperity_run.series(folder / "fault.h5")
         volume = asperity_run.series(folder / "volume.h5")
         self.assert_close(fault["fields/normal_stress"][0], ANSWER["sigma_n"], "normal stress")

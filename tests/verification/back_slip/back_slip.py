@@ -12,12 +12,8 @@ TOLERANCE = 1e-7  # of the largest value; the solvers' tolerances are 1e-11 and 
 FIELDS = ("slip", "slip_rate", "alpha", "traction")
 
 
-def words(settings):
-    return [word for name, value in settings.items() for word in ("--set", f"{name}={value}")]
-
-
 def run(folder, settings, **options):
-    return asperity_run.run_to_end(folder, DECK, *words(settings), **options)
+    return asperity_run.run_to_end(folder, DECK, *asperity_run.settings(settings), **options)
 
 
 def driven_from_outside(speed, axis, settings):
@@ -73,7 +69,7 @@ def restarted():
     settings = by_back_slip({"Output/Checkpoint Every n Steps": 100})
     whole = run("whole", settings)
     half = run("half", {**settings, "Time Stepping/Final Time": 2})
-    result = asperity_run.run(DECK, *words(settings), "--output", half, "--restart",
+    result = asperity_run.run(DECK, *asperity_run.settings(settings), "--output", half, "--restart",
                               half / "checkpoint.h5")
     fine = result.returncode == 0 and all(
         asperity_run.content(whole / name) == asperity_run.content(half / name)
@@ -97,7 +93,7 @@ def refused():
               "its continuation slips in the same direction")]
     passed = []
     for settings, message in cases:
-        result = asperity_run.run(DECK, *words(settings), "--validate")
+        result = asperity_run.run(DECK, *asperity_run.settings(settings), "--validate")
         fine = result.returncode == 2 and message in result.stderr
         print(f"refused: {message}{'' if fine else ' NO ' + result.stderr}", flush=True)
         passed.append(fine)

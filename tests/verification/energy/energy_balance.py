@@ -10,8 +10,7 @@ PUSH = 0.02  # m/s, what the deck prescribes at the backstop
 
 
 def run(name, *settings, ranks=1):
-    options = [word for setting in settings for word in ("--set", setting)]
-    folder = asperity_run.run_to_end(name, DECK, *options, ranks=ranks)
+    folder = asperity_run.run_to_end(name, DECK, *asperity_run.settings(*settings), ranks=ranks)
     rows = asperity_run.table(folder / "steps.csv")
     print(f"{name}: {len(rows)} steps, friction {rows[-1]['friction_work']:.6g} J/m, "
           f"defect {rows[-1]['energy_defect']:.3g} J/m")

@@ -19,12 +19,8 @@ SECOND, FIRST = (1.75, 2.1), (0.9, 1.1)
 CHANGE = "Friction/Normal Stress Change"
 
 
-def words(settings):
-    return [word for name, value in settings.items() for word in ("--set", f"{name}={value}")]
-
-
 def run(folder, settings, **options):
-    return asperity_run.run_to_end(folder, DECK, *words(settings), **options)
+    return asperity_run.run_to_end(folder, DECK, *asperity_run.settings(settings), **options)
 
 
 def history_of(folder):
@@ -162,7 +158,8 @@ def restarted():
         settings = {CHANGE: change, "Friction/Normal Stress Floor": 9900, **more}
         whole = run("whole", settings)
         half = run("half", {**settings, "Time Stepping/Final Time": 0.24})
-        result = asperity_run.run(DECK, *words(settings), "--output", half, "--restart",
+        changes = asperity_run.settings(settings)
+        result = asperity_run.run(DECK, *changes, "--output", half, "--restart",
                                   half / "checkpoint.h5")
         fine = result.returncode == 0
         fine = fine and (asperity_run.content(whole / "steps.csv")
@@ -193,7 +190,7 @@ def refused():
             settings = {CHANGE: "Coupled"}
         else:
             deck = DECK
-        result = asperity_run.run(deck, *words(settings), "--validate")
+        result = asperity_run.run(deck, *asperity_run.settings(settings), "--validate")
         fine = result.returncode == 2 and message in result.stderr
         print(f"refused: {message}{'' if fine else ' NO ' + result.stderr}", flush=True)
         passed.append(fine)

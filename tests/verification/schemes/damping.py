@@ -14,9 +14,8 @@ def peak_rates(scheme, levels=(0,), **settings):
     """After each step, the first one included; 1 m/s to begin with."""
     settings = {"Scheme": scheme, "Prescribed/Levels": "{%s}" % ",".join(map(str, levels)),
                 **settings}
-    words = [word for name, value in settings.items()
-             for word in ("--set", f"Time Stepping/{name}={value}")]
-    folder = asperity_run.run_to_end("out", DECK, *words)
+    folder = asperity_run.run_to_end("out", DECK, *asperity_run.settings(
+        {f"Time Stepping/{name}": value for name, value in settings.items()}))
     history = asperity_run.series(folder / "fault.h5")
     return history["fields/slip_rate"].max(axis=1)
 

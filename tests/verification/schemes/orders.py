@@ -33,8 +33,8 @@ def changing(level):
 def solve(settings, levels):
     """{field: values on the fault at TIMES}, every field in units of its largest value."""
     settings = {**settings, "Time Stepping/Prescribed/Levels": "{%s}" % ",".join(map(str, levels))}
-    words = [word for name, value in settings.items() for word in ("--set", f"{name}={value}")]
-    history = asperity_run.series(asperity_run.run_to_end("out", DECK, *words) / "fault.h5")
+    folder = asperity_run.run_to_end("out", DECK, *asperity_run.settings(settings))
+    history = asperity_run.series(folder / "fault.h5")
     steps = numpy.searchsorted(history["time"], TIMES - 1e-9)
     assert numpy.allclose(history["time"][steps], TIMES, rtol=1e-12)
     return {name: history[f"fields/{name}"][steps] for name in FIELDS}

@@ -55,8 +55,8 @@ def fitted_rate(t, y):
 def run(name, relative_modulus, density, law, options):
     folder = asperity_run.run_to_end(
         name.replace(", ", "_").replace(" ", "_"), HERE / "slider.xml", *options,
-        "--set", f"Friction/State Evolution={law}", "--set", f"Bulk/Density={density}",
-        "--set", f"Bulk/Shear Modulus={relative_modulus * CRITICAL}")
+        *asperity_run.settings(f"Friction/State Evolution={law}", f"Bulk/Density={density}",
+                               f"Bulk/Shear Modulus={relative_modulus * CRITICAL}"))
     history = asperity_run.series(folder / "fault.h5")
     t, alpha = history["time"], history["fields/alpha"].mean(axis=1)
     settled = t > 0.5  # what is quicker has died away

@@ -96,12 +96,10 @@ class Case:
             settings["Bulk/Quasi-dynamic/Radiation Damping"] = damping
         if self.model == "Bilateral":
             settings["Boundary Conditions/Fault/Type"] = "Bilateral Contact"
-        words = [word for name, value in settings.items() for word in ("--set", f"{name}={value}")]
-        component = "Velocity Z"
-        if self.model != "Antiplane":
-            words += ["--overlay", HERE / "plane_strain.xml"]
-            component = "Velocity X"
-        return [*words, "--set", f"Initial State/{component}={v}"]
+        component = "Z" if self.model == "Antiplane" else "X"
+        settings[f"Initial State/Velocity {component}"] = v
+        overlay = [] if self.model == "Antiplane" else ["--overlay", HERE / "plane_strain.xml"]
+        return [*overlay, *asperity_run.settings(settings)]
 
 
 # Antiplane, without mass and damping, the rates are 1.75 + 3.5 i for 0.3 k_c, 1.25 + 4.9 i for 0.5,

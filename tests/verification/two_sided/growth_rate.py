@@ -47,9 +47,9 @@ def scaled(upper, lower, over_critical):
 
 def settings(upper, lower):
     """Of half_planes.xml."""
-    values = {"Bulk/Shear Modulus": f"y > 0 ? {upper.shear_modulus} : {lower.shear_modulus}",
-              "Bulk/Poisson's Ratio": f"y > 0 ? {upper.poissons_ratio} : {lower.poissons_ratio}"}
-    return [word for name, value in values.items() for word in ("--set", f"{name}={value}")]
+    return asperity_run.settings(
+        f"Bulk/Shear Modulus=y > 0 ? {upper.shear_modulus} : {lower.shear_modulus}",
+        f"Bulk/Poisson's Ratio=y > 0 ? {upper.poissons_ratio} : {lower.poissons_ratio}")
 
 
 def amplitude(history):

@@ -29,14 +29,10 @@ def array(numbers):
     return "{" + ", ".join(map(repr, map(float, numbers))) + "}"
 
 
-def words(settings):
-    return [word for name, value in settings.items() for word in ("--set", f"{name}={value}")]
-
-
 def run(folder, mesh, settings, ranks=1):
     mesh.write(f"{folder}.h5")
-    return asperity_run.run_to_end(folder, DECK, "--set", f"Mesh/File/File Name={folder}.h5",
-                                   *words(settings), ranks=ranks, timeout=240)
+    changes = asperity_run.settings(f"Mesh/File/File Name={folder}.h5", settings)
+    return asperity_run.run_to_end(folder, DECK, *changes, ranks=ranks, timeout=240)
 
 
 def fields_by_place(folder, names, place=lambda x: x):
