@@ -56,6 +56,15 @@ def run_to_end(folder, *arguments, ranks=1, timeout=60):
     return pathlib.Path(folder)
 
 
+def go_on(folder, *arguments, checkpoint=None, ranks=1, timeout=60):
+    """Continues the run in a folder from its checkpoint, or another one, to the end; it must
+    succeed without a word on stderr."""
+    result = run(*arguments, "--restart", checkpoint or folder / "checkpoint.h5", "--output",
+                 folder, ranks=ranks, timeout=timeout)
+    if (result.returncode, result.stderr) != (0, ""):
+        raise AssertionError(f"exit status {result.returncode}\n{result.stdout}{result.stderr}")
+
+
 def series(file_name):
     """{name: array} of all datasets of a history, e.g. DIR/fault.h5, links to files followed."""
     with h5py.File(file_name) as file:

@@ -14,6 +14,7 @@ import h5py
 import numpy
 
 import asperity_run
+import runs
 from asperity_run import settings
 
 # After a status that is not 0 mpirun waits a second before it kills ranks, also those that have
@@ -54,14 +55,9 @@ class Case(unittest.TestCase):
         """One paragraph on stderr that contains the pieces; nothing else happens."""
         before = asperity_run.checksums(".")
         result = asperity_run.run(*arguments, ranks=ranks, timeout=60)
-        self.assertEqual(result.returncode, 2, result.stdout + result.stderr)
-        self.assertEqual(result.stdout.strip() if ranks == 1 else "", "")
-        messages = [line for line in result.stderr.splitlines() if line.startswith("asperity: ")]
-        self.assertEqual(len(messages), 1, result.stderr)
+        message = runs.assert_one_message(self, result, runs.INPUT, *pieces)
         if ranks == 1:
-            self.assertEqual(result.stderr, messages[0] + "\n")
-        for piece in pieces:
-            self.assertIn(piece, messages[0])
+            self.assertEqual((result.stdout.strip(), result.stderr), ("", message + "\n"))
         self.assertEqual(asperity_run.checksums("."), before)
 
     def assert_setting_refused(self, change, *pieces, ranks=1):
@@ -379,11 +375,8 @@ class Failures(Case):
     def fail_in_mid_run(self, *arguments, ranks):
         result = asperity_run.run(DECK, *settings(self.STRESS), *arguments, "--output", "out",
                                   ranks=ranks)
-        self.assertEqual(result.returncode, 2, result.stdout + result.stderr)
-        messages = [line for line in result.stderr.splitlines() if line.startswith("asperity: ")]
-        self.assertEqual(len(messages), 1, result.stderr)
-        self.assertIn("Asperity / Friction / Normal Stress", messages[0])
-        self.assertIn("t = 0.3", messages[0])
+        runs.assert_one_message(self, result, runs.INPUT, "Asperity / Friction / Normal Stress",
+                                "t = 0.3")
         self.assertIn("Stopped at t = 0.2", pathlib.Path("out/run.log").read_text())
         self.assertEqual(len(asperity_run.table("out/steps.csv")), 2)
 

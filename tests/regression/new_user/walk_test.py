@@ -8,14 +8,10 @@ import re
 import shutil
 import signal
 import subprocess
-import sys
 import unittest
 
 import asperity_run
-import time_limits
-
-sys.path.insert(0, str(pathlib.Path(__file__).parents[1] / "reliability"))
-import runs  # noqa: E402  (its folder comes first)
+import runs
 
 HERE = pathlib.Path(__file__).parent
 BIN = asperity_run.PROGRAM.parent
@@ -66,12 +62,9 @@ class Wedge(unittest.TestCase):
 
     def test_two_ranks_stopped_then_one_then_figures(self):
         folder = runs.fresh("wedge").absolute()
-        process = runs.start(WEDGE, "--overlay", HERE / "patch.xml", "--set", "Names/slope=0.3",
-                             "--output", folder, ranks=2)
-        runs.wait_for(folder / "checkpoint.h5", process)
-        process.send_signal(signal.SIGUSR1)
-        _, errors = process.communicate(timeout=time_limits.seconds(60))
-        self.assertEqual(process.returncode, runs.STOPPED, errors)
+        process = runs.begin(folder, WEDGE, "--overlay", HERE / "patch.xml", "--set",
+                             "Names/slope=0.3", ranks=2)
+        runs.stop(self, process, signal.SIGUSR1)
         self.assertEqual(value(folder, "Gravity Direction"), "{0.3, -1}")
         stopped = self.status(folder, runs.STOPPED)
         self.assertEqual(stopped["state"], "stopped")

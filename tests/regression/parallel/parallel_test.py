@@ -6,17 +6,11 @@ import unittest
 import numpy
 
 import asperity_run
-from effort import assert_same_effort
+from asperity_run import settings
+from comparisons import assert_same_effort, largest_errors
 
 HERE = pathlib.Path(__file__).parent
 DECK = HERE / "coarse_wedge.xml"
-
-FIELDS = [("fault", "slip_rate"), ("fault", "alpha"), ("fault", "slip"), ("fault", "traction"),
-          ("volume", "displacement"), ("volume", "velocity")]
-
-
-def with_correction(name):
-    return "--set", f"TNNMG/Linear Correction={name}"
 
 
 class PrescribedSteps(unittest.TestCase):
@@ -31,7 +25,7 @@ class PrescribedSteps(unittest.TestCase):
     def run_rupture(correction, ranks):
         return asperity_run.run_to_end(
             f"rupture_{correction}_{ranks}", DECK, "--overlay", HERE / "rupture.xml",
-            *with_correction(correction), ranks=ranks, timeout=120)
+            *settings(f"TNNMG/Linear Correction={correction}"), ranks=ranks, timeout=120)
 
     def test_reference_is_a_rupture(self):
         rate = asperity_run.series(self.reference / "fault.h5")["fields/slip_rate"]
@@ -56,13 +50,7 @@ class PrescribedSteps(unittest.TestCase):
         assert_same_effort(self, self.multigrid, folder)
 
     def assert_same_fields(self, folder):
-        for location, field in FIELDS:
-            files = [asperity_run.series(each / f"{location}.h5")
-                     for each in (self.reference, folder)]
-            for name in ("time", "step", "geometry/coordinates", "geometry/vertex_ids"):
-                numpy.testing.assert_array_equal(files[0][name], files[1][name])
-            values = [file["fields/" + field] for file in files]
-            error = numpy.abs(values[1] - values[0]).max() / numpy.abs(values[0]).max()
+        for field, error in largest_errors(self.reference, folder).items():
             self.assertLess(error, 1e-9, field)
 
 
@@ -70,9 +58,8 @@ class AdaptiveSteps(unittest.TestCase):
     """Steps follow the error of alpha; a decision may flip, but the events stay."""
 
     def test_events_on_two_ranks(self):
-        settings = ["Mesh/Wedge/Cell Size=0.02", "Time Stepping/Final Time=10",
-                    "Time Stepping/Step Doubling/Tolerance=1e-3"]
-        changes = [word for setting in settings for word in ("--set", setting)]
+        changes = settings("Mesh/Wedge/Cell Size=0.02", "Time Stepping/Final Time=10",
+                           "Time Stepping/Step Doubling/Tolerance=1e-3")
         serial, parallel = (
             asperity_run.table(asperity_run.run_to_end(
                 f"events_{ranks}", DECK, *changes, ranks=ranks, timeout=400) / "events.csv")
@@ -91,9 +78,8 @@ class AntisymmetricFault(unittest.TestCase):
     in time, absorbing boundaries."""
 
     def test_arrivals_on_two_ranks(self):
-        settings = ["Mesh/Rectangle/Cell Size Factor=8", "Time Stepping/Final Time=2",
-                    "Time Stepping/Richardson/Tolerance=1e-2"]
-        changes = [word for setting in settings for word in ("--set", setting)]
+        changes = settings("Mesh/Rectangle/Cell Size Factor=8", "Time Stepping/Final Time=2",
+                           "Time Stepping/Richardson/Tolerance=1e-2")
         folders = [asperity_run.run_to_end(f"tpv101_{ranks}",
                                            asperity_run.SOURCE / "xml" / "tpv101_2d.xml",
                                            *changes, ranks=ranks, timeout=400)

@@ -8,6 +8,7 @@ import subprocess
 import unittest
 
 import asperity_run
+import runs
 
 EXAMPLE = asperity_run.SOURCE / "examples" / "plugin"
 DECK = EXAMPLE / "viscous.xml"
@@ -132,17 +133,14 @@ class Run(unittest.TestCase):
         self.assertEqual(result.returncode, 2, result.stdout)
         self.assertIn("plugin libraries", result.stderr)
         plugin.write_bytes(content)
-        result = asperity_run.run(DECK, "--output", folder, *again)
-        self.assertEqual((result.returncode, result.stderr), (0, ""))
+        asperity_run.go_on(folder, DECK, "--plugin", plugin)
 
 
 class Parameters(unittest.TestCase):
     def assert_refused(self, arguments, *pieces):
         result = asperity_run.run(*arguments)
-        self.assertEqual((result.returncode, result.stdout), (2, ""), result.stderr)
-        self.assertEqual(result.stderr.count("\n"), 1, result.stderr)
-        for piece in pieces:
-            self.assertIn(piece, result.stderr)
+        message = runs.assert_one_message(self, result, runs.INPUT, *pieces)
+        self.assertEqual((result.stdout, result.stderr), ("", message + "\n"))
 
     def test_are_printed(self):
         for arguments in ([], ["--format=xml"]):
@@ -181,11 +179,7 @@ class Loading(unittest.TestCase):
     def assert_refused(self, plugins, *pieces, ranks=1):
         options = [word for plugin in plugins for word in ("--plugin", plugin)]
         result = asperity_run.run(DECK, "--validate", *options, ranks=ranks)
-        self.assertEqual(result.returncode, 2, result.stderr)
-        messages = [line for line in result.stderr.splitlines() if line.startswith("asperity: ")]
-        self.assertEqual(len(messages), 1, result.stderr)
-        for piece in pieces:
-            self.assertIn(piece, messages[0])
+        runs.assert_one_message(self, result, runs.INPUT, *pieces)
 
     def test_is_refused_with_one_message(self):
         self.assert_refused(["none.so"], "'none.so' is no file", "--plugin")

@@ -4,7 +4,6 @@ The same on any number of ranks, and as on a mesh that the generator makes twice
 """
 
 import pathlib
-import shutil
 import subprocess
 import sys
 import unittest
@@ -13,18 +12,16 @@ import h5py
 import numpy
 
 import asperity_run
+import runs
 import time_limits
 from asperity_run import settings
+from comparisons import assert_same_results, largest_difference
 
 HERE = pathlib.Path(__file__).parent
 BURIED = HERE / "buried_fault.xml"
 TINY = HERE.parent / "tiny_wedge"
 MESH_TOOL = sys.argv.pop(1) if len(sys.argv) > 1 else ""
 REFINED = "Mesh/Refinements=1"
-
-
-def error(ours, theirs):
-    return numpy.abs(ours - theirs).max() / numpy.abs(theirs).max()
 
 
 class BuriedFault(unittest.TestCase):
@@ -42,8 +39,8 @@ class BuriedFault(unittest.TestCase):
     def assert_same_fields(self, ours, theirs, order):
         self.assertGreater(numpy.abs(theirs["fields/slip"]).max(), 1e-3)
         for name in ("fields/slip", "fields/slip_rate", "fields/alpha", "fields/traction"):
-            self.assertLess(error(ours[name][:, order(ours)], theirs[name][:, order(theirs)]),
-                            1e-10, name)
+            self.assertLess(largest_difference(ours[name][:, order(ours)],
+                                               theirs[name][:, order(theirs)]), 1e-10, name)
 
     def test_two_ranks(self):
         parallel = self.run_deck("two_ranks", 2, REFINED)
@@ -85,8 +82,8 @@ class TinyWedge(unittest.TestCase):
         for name in ("geometry/vertex_ids", "geometry/coordinates"):
             numpy.testing.assert_array_equal(volume[name], self.alone[name])
         for name in ("displacement", "velocity", "acceleration"):
-            self.assertLess(error(volume["fields/" + name], self.alone["fields/" + name]), 1e-9,
-                            name)
+            self.assertLess(largest_difference(volume["fields/" + name],
+                                               self.alone["fields/" + name]), 1e-9, name)
 
     def test_it_is_refined(self):
         with h5py.File("tiny_wedge.h5") as file:
@@ -107,29 +104,21 @@ class TinyWedge(unittest.TestCase):
 
 
 class Restart(unittest.TestCase):
-    def restart(self, ranks, *changes):
-        return asperity_run.run(BURIED, *settings(*changes), "--restart", "half/checkpoint.h5",
-                                "--output", "half", ranks=ranks)
-
     def test_goes_on(self):
         for ranks in (1, 2):
             with self.subTest(ranks=ranks):
                 whole = asperity_run.run_to_end("whole", BURIED, *settings(REFINED), ranks=ranks)
-                asperity_run.run_to_end("half", BURIED,
-                                        *settings(REFINED, "Time Stepping/Final Time=0.2"),
-                                        ranks=ranks)
-                result = self.restart(ranks, REFINED)
-                self.assertEqual(result.returncode, 0, result.stderr)
-                ours, theirs = (asperity_run.series(folder / "fault.h5")
-                                for folder in (pathlib.Path("half"), whole))
-                for name, values in theirs.items():
-                    numpy.testing.assert_array_equal(ours[name], values, name)
+                half = asperity_run.run_to_end(
+                    "half", BURIED, *settings(REFINED, "Time Stepping/Final Time=0.2"), ranks=ranks)
+                asperity_run.go_on(half, BURIED, *settings(REFINED), ranks=ranks)
+                assert_same_results(whole, half, ["fault.h5"], [])
 
     def test_not_on_another_mesh(self):
         asperity_run.run_to_end("half", BURIED,
                                 *settings(REFINED, "Time Stepping/Final Time=0.2"))
         for changes in (["Mesh/Refinements=2"], []):
-            result = self.restart(1, *changes)
+            result = asperity_run.run(BURIED, *settings(*changes), "--restart",
+                                      "half/checkpoint.h5", "--output", "half")
             self.assertEqual(result.returncode, 2, result.stderr)
             self.assertIn("Asperity / Mesh / Refinements", result.stderr)
 
@@ -142,14 +131,9 @@ class BadInput(unittest.TestCase):
         for value, pieces in cases.items():
             for ranks in (1, 2):
                 with self.subTest(value=value, ranks=ranks):
-                    shutil.rmtree("bad", ignore_errors=True)
                     result = asperity_run.run(BURIED, *settings(f"Mesh/Refinements={value}"),
-                                              "--output", "bad", ranks=ranks)
-                    messages = [line for line in result.stderr.splitlines()
-                                if line.startswith("asperity: ")]
-                    self.assertEqual((result.returncode, len(messages)), (2, 1), result.stderr)
-                    for piece in pieces:
-                        self.assertIn(piece, messages[0])
+                                              "--output", runs.fresh("bad"), ranks=ranks)
+                    runs.assert_one_message(self, result, runs.INPUT, *pieces)
 
 
 if __name__ == "__main__":

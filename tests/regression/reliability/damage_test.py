@@ -12,6 +12,7 @@ import asperity_run
 import faults
 import runs
 import time_limits
+from comparisons import assert_same_results
 
 TRIALS = faults.trials(30, 1000)
 MEMORY = 4 << 30  # bytes of addresses, most of which MPI asks for
@@ -73,10 +74,6 @@ class Damage(unittest.TestCase):
         print(f"{TRIALS} damaged {what}: {counts}")
         self.assertGreater(counts["refused"], TRIALS // 2)
 
-    def assert_same_steps(self, whole, folder):
-        """The histories have a row more, where the first run has ended."""
-        runs.assert_same_results(self, whole, folder, series=())
-
     def test_checkpoints(self):
         deck = [*runs.RUN, *BEFORE_THE_END]
         whole = asperity_run.run_to_end("whole", *deck)
@@ -91,7 +88,8 @@ class Damage(unittest.TestCase):
             (folder / "checkpoint.h5").write_bytes(data)
             result = run_with_little_memory(*deck, "--output", folder, "--restart",
                                             folder / "checkpoint.h5")
-            return result, lambda: self.assert_same_steps(whole, folder)
+            # The histories have a row more, where the first run has ended.
+            return result, lambda: assert_same_results(whole, folder, series=())
 
         self.check("checkpoints", (begun / "checkpoint.h5").read_bytes(), run)
 
@@ -110,7 +108,7 @@ class Damage(unittest.TestCase):
             folder = runs.fresh("mesh_damaged")
             mesh.write_bytes(data)
             result = run_with_little_memory(*deck, "--output", folder)
-            return result, lambda: self.assert_same_steps(whole, folder)
+            return result, lambda: assert_same_results(whole, folder, series=())
 
         self.check("meshes", original, run)
 

@@ -14,6 +14,7 @@ import asperity_run
 import faults
 import runs
 import time_limits
+from comparisons import assert_same_results
 
 MESH_TOOL = asperity_run.PROGRAM.with_name("asperity-mesh")
 
@@ -21,7 +22,7 @@ MESH_TOOL = asperity_run.PROGRAM.with_name("asperity-mesh")
 def assert_goes_on(test, whole, folder, *arguments, ranks=1):
     result = asperity_run.run(*arguments, "--output", folder, *runs.way_on(folder), ranks=ranks)
     test.assertEqual((result.returncode, result.stderr), (0, ""))
-    runs.assert_same_results(test, whole, folder)
+    assert_same_results(whole, folder)
 
 
 class FullDisk(unittest.TestCase):
@@ -31,11 +32,8 @@ class FullDisk(unittest.TestCase):
         if not (folder / "run.log").exists():
             runs.assert_one_message(self, result, runs.INPUT, "the space on the disk")
             return
-        self.assertEqual(result.returncode, runs.OUTPUT, result.stdout + result.stderr)
-        lines = [line for line in result.stderr.splitlines() if line.startswith("asperity: ")]
-        self.assertEqual(len(lines), 1, result.stderr)
+        message = runs.assert_one_message(self, result, runs.OUTPUT).removeprefix("asperity: ")
         self.assertNotIn("Segmentation", result.stderr)
-        message = lines[0].removeprefix("asperity: ")
         self.assertRegex(message,
                          "cannot be (written|made|replaced)|No space left on device|disk full")
         if "parameters.xml" not in message:  # written before there is a run
@@ -139,17 +137,14 @@ class ReadOnly(unittest.TestCase):
 class VanishedDirectory(unittest.TestCase):
     def check(self, ranks, run):
         folder = runs.fresh(f"vanished_{ranks}")
-        process = runs.start(*run, "--output", folder, ranks=ranks)
-        runs.wait_for(folder / "checkpoint.h5", process)
+        process = runs.begin(folder, *run, ranks=ranks)
         os.rename(folder, f"elsewhere_{ranks}")
         _, errors = process.communicate(timeout=time_limits.seconds(60))
         shutil.rmtree(f"elsewhere_{ranks}")
-        self.assertEqual(process.returncode, runs.OUTPUT, errors)
-        messages = [line for line in errors.splitlines() if line.startswith("asperity: ")]
-        self.assertEqual(len(messages), 1, errors)
-        self.assertIn("removed", messages[0])
+        result = subprocess.CompletedProcess(process.args, process.returncode, "", errors)
+        message = runs.assert_one_message(self, result, runs.OUTPUT, "removed")
         if ranks == 1:  # mpirun has words of its own
-            self.assertEqual(errors, messages[0] + "\n")
+            self.assertEqual(errors, message + "\n")
         self.assertFalse(re.search("disk full", errors))
         self.assertFalse(pathlib.Path(folder).exists())
 

@@ -10,6 +10,7 @@ import asperity_run
 import faults
 import runs
 import time_limits
+from comparisons import assert_same_results
 
 # How many trials of each kind.
 AT_RANDOM = IN_A_WRITE = faults.trials(4, 50)
@@ -35,7 +36,7 @@ class Killed(unittest.TestCase):
         result = asperity_run.run(*self.deck(ranks), "--output", folder, *runs.way_on(folder),
                                   ranks=ranks, timeout=200)
         self.assertEqual(result.returncode, 0, result.stdout + result.stderr)
-        runs.assert_same_results(self, self.whole[ranks], folder)
+        assert_same_results(self.whole[ranks], folder)
 
     def kill_at(self, folder, moment, ranks):
         process = runs.start(*self.deck(ranks), "--output", folder, *runs.way_on(folder),
@@ -55,26 +56,21 @@ class Killed(unittest.TestCase):
         return faults.run(folder, "kill", number, *self.deck(ranks), *runs.way_on(folder),
                           ranks=ranks, rank=rank, timeout=200, FAULT_ONLY=only)
 
-    def test_at_any_moment(self):
-        for seed in range(AT_RANDOM):
+    def kill_at_any_moment(self, ranks, trials, twice, earliest):
+        for seed in range(trials):
             with self.subTest(seed=seed):
                 chance = random.Random(seed)
-                folder = runs.fresh("at_random")
-                for _ in range(2 if seed < TWICE else 1):
-                    self.kill_at(folder, chance.uniform(0.1, self.seconds[1]), 1)
-                self.assert_goes_on(folder, 1)
-        print(f"{AT_RANDOM} runs killed at random moments, {TWICE} of them twice")
+                folder = runs.fresh(f"at_random_{ranks}")
+                for _ in range(2 if seed < twice else 1):
+                    self.kill_at(folder, chance.uniform(earliest, self.seconds[ranks]), ranks)
+                self.assert_goes_on(folder, ranks)
+        print(f"{trials} runs of {ranks} ranks killed at random moments, {twice} of them twice")
+
+    def test_at_any_moment(self):
+        self.kill_at_any_moment(1, AT_RANDOM, TWICE, 0.1)
 
     def test_at_any_moment_on_two_ranks(self):
-        for seed in range(OF_RANKS):
-            with self.subTest(seed=seed):
-                chance = random.Random(seed)
-                folder = runs.fresh("two_ranks")
-                for _ in range(2 if seed < TWICE_OF_RANKS else 1):
-                    self.kill_at(folder, chance.uniform(0.5, self.seconds[2]), 2)
-                self.assert_goes_on(folder, 2)
-        print(f"{OF_RANKS} runs of two ranks killed at random moments, {TWICE_OF_RANKS} of them "
-              "twice")
+        self.kill_at_any_moment(2, OF_RANKS, TWICE_OF_RANKS, 0.5)
 
     def test_with_checkpoints_by_wall_time_alone(self):
         by_time = runs.settings("Output/Checkpoint Every n Steps=1000000",
@@ -82,9 +78,7 @@ class Killed(unittest.TestCase):
         for ranks in (1, 2):
             with self.subTest(ranks=ranks):
                 folder = runs.fresh("by_wall_time")
-                process = runs.start(*self.deck(ranks), *by_time, "--output", folder, ranks=ranks)
-                runs.wait_for(folder / "checkpoint.h5", process)
-                self.kill(process)
+                self.kill(runs.begin(folder, *self.deck(ranks), *by_time, ranks=ranks))
                 self.assert_goes_on(folder, ranks)
 
     def test_in_any_write(self):

@@ -7,6 +7,7 @@ import unittest
 import asperity_run
 import runs
 import time_limits
+from comparisons import assert_same_results
 
 
 class Lock(unittest.TestCase):
@@ -16,21 +17,13 @@ class Lock(unittest.TestCase):
         runs.assert_one_message(self, result, runs.INPUT, "Another run is writing to", "process",
                                 "--output DIR")
 
-    def stop(self, process, number=signal.SIGTERM):
-        process.send_signal(number)
-        _, errors = process.communicate(timeout=time_limits.seconds(60))
-        self.assertEqual(errors, "")
-        self.assertEqual(process.returncode,
-                         runs.STOPPED if number == signal.SIGTERM else -number)
-
     def test_a_second_run_is_refused(self):
         folder = runs.fresh("second_run")
-        process = runs.start(*runs.ENDLESS, "--output", folder)
-        runs.wait_for(folder / "checkpoint.h5", process)
+        process = runs.begin(folder, *runs.ENDLESS)
         self.assert_locked(folder, "--overwrite")
         self.assert_locked(folder, "--restart", folder / "checkpoint.h5")
         self.assert_locked(folder, "--overwrite", ranks=2)
-        self.stop(process)
+        runs.stop(self, process)
         self.assertFalse((folder / ".lock").exists())
         steps = asperity_run.table(folder / "steps.csv")
         self.assertEqual([row["step"] for row in steps], list(range(1, len(steps) + 1)))
@@ -44,18 +37,14 @@ class Lock(unittest.TestCase):
                       for process in processes]
             self.assertEqual(sorted(process.returncode for process in processes),
                              [runs.DONE, runs.INPUT], errors)
-            runs.assert_same_results(self, whole, folder)
+            assert_same_results(whole, folder)
 
     def test_a_killed_run_leaves_no_lock(self):
         whole = asperity_run.run_to_end("killed_whole", *runs.RUN)
         folder = runs.fresh("killed")
-        process = runs.start(*runs.RUN, "--output", folder)
-        runs.wait_for(folder / "checkpoint.h5", process)
-        self.stop(process, signal.SIGKILL)
-        result = asperity_run.run(*runs.RUN, "--output", folder, "--restart",
-                                  folder / "checkpoint.h5")
-        self.assertEqual((result.returncode, result.stderr), (0, ""))
-        runs.assert_same_results(self, whole, folder)
+        runs.stop(self, runs.begin(folder, *runs.RUN), signal.SIGKILL)
+        asperity_run.go_on(folder, *runs.RUN)
+        assert_same_results(whole, folder)
 
     def test_a_link_is_not_followed(self):
         """A file outside of the output directory keeps its bytes, whatever link leads to it."""

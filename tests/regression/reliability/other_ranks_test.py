@@ -1,12 +1,11 @@
 """A checkpoint of some ranks is continued by others."""
 
-import signal
 import unittest
 
 import asperity_run
+import comparisons
 import numpy
 import runs
-import time_limits
 
 PARALLEL = runs.DECK.parent
 SOLID = asperity_run.SOURCE / "tests" / "regression" / "solid"
@@ -48,7 +47,7 @@ class OtherRanks(unittest.TestCase):
                 numpy.testing.assert_array_equal(ours[dataset], theirs[dataset], dataset)
             for dataset, values in ours.items():
                 if dataset.startswith("fields/"):
-                    error = numpy.abs(theirs[dataset] - values).max() / numpy.abs(values).max()
+                    error = comparisons.largest_difference(theirs[dataset], values)
                     self.assertLess(error, largest, dataset)
 
     def check(self, name, deck, end, chain, largest):
@@ -76,11 +75,7 @@ class OtherRanks(unittest.TestCase):
     def there_and_back(self, name, deck, ranks, rounding=0):
         """Stops a run of one rank in the middle. Without a step in between, nothing may change."""
         first = runs.fresh(name)
-        process = runs.start(*deck, "--output", first)
-        runs.wait_for(first / "checkpoint.h5", process)
-        process.send_signal(signal.SIGTERM)
-        errors = process.communicate(timeout=time_limits.seconds(60))[1]
-        self.assertEqual((errors, process.returncode), ("", runs.STOPPED))
+        runs.stop(self, runs.begin(first, *deck))
         begin = checkpoint_values(first)
         deck = [*deck, *runs.settings("Time Stepping/Final Time=1e-9")]
         for number in (*ranks, 1):
@@ -120,7 +115,7 @@ class OtherRanks(unittest.TestCase):
             for name in ("slip", "alpha"):
                 ends = [asperity_run.series(each / "fault.h5")["fields/" + name][-1]
                         for each in (whole, folder)]
-                error = numpy.abs(ends[1] - ends[0]).max() / numpy.abs(ends[0]).max()
+                error = comparisons.largest_difference(ends[1], ends[0])
                 self.assertLess(error, 1e-4, f"{chain} {name}")
 
     def test_adaptive_steps(self):

@@ -5,6 +5,7 @@ import unittest
 import asperity_run
 import numpy
 import runs
+from comparisons import assert_same_results, largest_difference
 
 HALF, END = 0.05, 0.1  # [s]
 SMOOTH = runs.settings("Time Stepping/Prescribed/Levels={2}",
@@ -29,10 +30,6 @@ FIELDS = ("fields/alpha", "fields/slip", "fields/slip_rate")
 
 def fields(folder):
     return asperity_run.series(folder / "fault.h5")
-
-
-def largest_difference(ours, theirs):
-    return numpy.abs(ours - theirs).max() / numpy.abs(theirs).max()
 
 
 def values_at_places(series, field, row):
@@ -84,10 +81,8 @@ class RestartFrom(unittest.TestCase):
     def test_own_checkpoint_is_restarted_as_any(self):
         short = runs.settings("Time Stepping/Final Time=0.075")
         folder = self.new_run("chain", *FINE, *short)
-        result = asperity_run.run(*DECK, *FINE, "--restart", folder / "checkpoint.h5", "--output",
-                                  folder)
-        self.assertEqual((result.returncode, result.stderr), (0, ""))
-        runs.assert_same_results(self, self.new_run("unbroken", *FINE), folder, ("fault.h5",))
+        asperity_run.go_on(folder, *DECK, *FINE)
+        assert_same_results(self.new_run("unbroken", *FINE), folder, ("fault.h5",))
 
     def test_across_a_fault_on_the_same_mesh(self):
         """On two ranks to the tolerance of the solver, by which runs on one and two differ. Limits

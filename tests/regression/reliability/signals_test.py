@@ -11,6 +11,7 @@ import unittest
 import asperity_run
 import runs
 import time_limits
+from comparisons import assert_same_results
 
 
 class Signals(unittest.TestCase):
@@ -18,28 +19,18 @@ class Signals(unittest.TestCase):
     def setUpClass(cls):
         cls.whole = asperity_run.run_to_end("whole", *runs.RUN)
 
-    def begin(self, name, **options):
-        folder = runs.fresh(name)
-        process = runs.start(*runs.RUN, "--output", folder, **options)
-        runs.wait_for(folder / "checkpoint.h5", process)
-        return folder, process
-
-    def assert_stopped(self, folder, process, name):
-        _, errors = process.communicate(timeout=time_limits.seconds(60))
-        self.assertEqual((process.returncode, errors), (runs.STOPPED, ""))
+    def assert_goes_on(self, folder, name):
         self.assertIn(f"Stopped by {name}", (folder / "run.log").read_text())
-        result = asperity_run.run(*runs.RUN, "--output", folder, "--restart",
-                                  folder / "checkpoint.h5")
-        self.assertEqual((result.returncode, result.stderr), (0, ""))
-        runs.assert_same_results(self, self.whole, folder)
+        asperity_run.go_on(folder, *runs.RUN)
+        assert_same_results(self.whole, folder)
 
     def test_each(self):
         for number in (signal.SIGTERM, signal.SIGINT, signal.SIGHUP, signal.SIGUSR1,
                        signal.SIGPIPE):
             with self.subTest(number.name):
-                folder, process = self.begin(f"by_{number.name}")
-                process.send_signal(number)
-                self.assert_stopped(folder, process, number.name)
+                folder = runs.fresh(f"by_{number.name}")
+                runs.stop(self, runs.begin(folder, *runs.RUN), number)
+                self.assert_goes_on(folder, number.name)
 
     def test_nobody_reads_the_output(self):
         """As under `| head`: the next line that is printed meets a closed pipe."""
@@ -48,23 +39,22 @@ class Signals(unittest.TestCase):
         process = runs.start(*runs.RUN, "--output", folder, stdout=writer)
         os.close(writer)
         os.close(reader)
-        self.assert_stopped(folder, process, "SIGPIPE")
+        _, errors = process.communicate(timeout=time_limits.seconds(60))
+        self.assertEqual((process.returncode, errors), (runs.STOPPED, ""))
+        self.assert_goes_on(folder, "SIGPIPE")
 
     def test_nohup_goes_on(self):
-        folder, process = self.begin(
-            "nohup", preexec_fn=lambda: signal.signal(signal.SIGHUP, signal.SIG_IGN))
+        folder = runs.fresh("nohup")
+        process = runs.begin(folder, *runs.RUN, preexec_fn=lambda: signal.signal(
+            signal.SIGHUP, signal.SIG_IGN))
         process.send_signal(signal.SIGHUP)
         _, errors = process.communicate(timeout=time_limits.seconds(60))
         self.assertEqual((process.returncode, errors), (0, ""))
-        runs.assert_same_results(self, self.whole, folder)
+        assert_same_results(self.whole, folder)
 
     def test_mpirun_passes_the_warning_of_a_queue_on(self):
         folder = runs.fresh("mpirun")
-        process = runs.start(*runs.ENDLESS, "--output", folder, ranks=2)
-        runs.wait_for(folder / "checkpoint.h5", process)
-        process.send_signal(signal.SIGUSR1)
-        _, errors = process.communicate(timeout=time_limits.seconds(60))
-        self.assertEqual(process.returncode, runs.STOPPED, errors)
+        runs.stop(self, runs.begin(folder, *runs.ENDLESS, ranks=2), signal.SIGUSR1)
         self.assertIn("Stopped by SIGUSR1", (folder / "run.log").read_text())
 
 

@@ -20,12 +20,12 @@ import signal
 import subprocess
 import sys
 import time
-import unittest
 
 import asperity_run
 import faults
 import runs
 import time_limits
+from comparisons import assert_same_results
 
 LIMIT = 1800  # s, for one piece of a run
 
@@ -38,7 +38,6 @@ class Soak:
             2: [*runs.SHORT_RUN, *runs.settings(f"Time Stepping/Final Time={final_time / 2}")]}
         self.wholes, self.seconds, self.operations = {}, {}, {}
         self.counts = collections.Counter()
-        self.compare = unittest.TestCase()
         for ranks, deck in self.decks.items():
             begin = time.monotonic()
             folder = runs.fresh(f"whole_{ranks}")
@@ -59,7 +58,7 @@ class Soak:
             self.counts[kind, "finished before" if finished else "disturbed"] += 1
             if finished:
                 break
-        runs.assert_same_results(self.compare, self.wholes[ranks], folder)
+        assert_same_results(self.wholes[ranks], folder)
         return f"round {number}, {ranks} rank{'s'[:ranks - 1]}: {' '.join(kinds)}: equal"
 
     def arguments(self, folder, ranks):

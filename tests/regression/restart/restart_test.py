@@ -1,21 +1,14 @@
 """A run that is stopped, killed or continued ends with the very bytes of one that was not."""
 
-import pathlib
 import shutil
 import signal
-import subprocess
-import sys
 import time
 import unittest
 
-import numpy
-
 import asperity_run
-import time_limits
-
-sys.path.insert(0, str(pathlib.Path(__file__).parents[1] / "reliability"))
-import runs  # noqa: E402  (its folder comes first)
-from runs import STOPPED, fresh, settings  # noqa: E402
+import runs
+from asperity_run import go_on, settings
+from comparisons import assert_same_results
 
 # Some 550 steps, three events, about two seconds.
 RUN = [*runs.RUN, *settings("Time Stepping/Final Time=20", "Output/Checkpoint Every n Steps=40")]
@@ -34,56 +27,17 @@ CONDENSED = [asperity_run.SOURCE / "tests" / "verification" / "back_slip" / "str
 
 
 class Restarting(unittest.TestCase):
-    """Stops runs, lets them go on and compares what they leave."""
-
-    def start(self, folder, *arguments, deck=None):
-        """A run in the background, once its first checkpoint of its own is on disk."""
-        checkpoint = folder / "checkpoint.h5"
-        before = checkpoint.stat().st_ino if checkpoint.exists() else None
-        process = subprocess.Popen(
-            asperity_run.command(*(deck or RUN), "--output", folder, *arguments),
-            stdout=subprocess.DEVNULL, stderr=subprocess.PIPE, text=True)
-        end = time.monotonic() + time_limits.seconds(60)
-        while not checkpoint.exists() or checkpoint.stat().st_ino == before:
-            if process.poll() is not None or time.monotonic() > end:
-                process.kill()
-                self.fail(f"no checkpoint: {process.communicate()[1]}")
-            time.sleep(0.002)
-        return process
-
-    def stop(self, process, number):
-        process.send_signal(number)
-        _, errors = process.communicate(timeout=time_limits.seconds(60))
-        self.assertEqual(errors, "")
-        self.assertEqual(process.returncode, STOPPED if number == signal.SIGTERM else -number)
-
-    def finish(self, folder, deck=None):
-        result = asperity_run.run(*(deck or RUN), "--restart", folder / "checkpoint.h5",
-                                  "--output", folder)
-        self.assertEqual((result.returncode, result.stderr), (0, ""))
-
-    def assert_same_series(self, whole, folder, *names):
-        for name in names:
-            ours, theirs = asperity_run.series(whole / name), asperity_run.series(folder / name)
-            self.assertEqual(set(ours), set(theirs))
-            for dataset, values in ours.items():
-                numpy.testing.assert_array_equal(values, theirs[dataset], f"{name}: {dataset}")
-
-    def assert_same_bytes(self, whole, folder, *names):
-        for name in names:
-            self.assertEqual(asperity_run.content(whole / name),
-                             asperity_run.content(folder / name), name)
+    def stopped(self, name, deck=RUN, number=signal.SIGTERM):
+        """The folder of a run that a signal ended after its first checkpoint."""
+        folder = runs.fresh(name)
+        runs.stop(self, runs.begin(folder, *deck), number)
+        return folder
 
 
 class Restart(Restarting):
     @classmethod
     def setUpClass(cls):
         cls.whole = asperity_run.run_to_end("whole", *RUN)
-
-    def assert_same_results(self, folder, whole=None):
-        whole = whole or self.whole
-        self.assert_same_series(whole, folder, "fault.h5", "surface.h5")
-        self.assert_same_bytes(whole, folder, "steps.csv", "events.csv")
 
     def test_the_run_is_worth_the_trouble(self):
         steps = asperity_run.table(self.whole / "steps.csv")
@@ -92,14 +46,13 @@ class Restart(Restarting):
         self.assertGreaterEqual(len(asperity_run.table(self.whole / "events.csv")), 3)
 
     def test_stopped_once(self):
-        folder = fresh("stopped_once")
-        self.stop(self.start(folder), signal.SIGTERM)
+        folder = self.stopped("stopped_once")
         steps = asperity_run.table(folder / "steps.csv")
         self.assertLess(len(steps), len(asperity_run.table(self.whole / "steps.csv")))
         # the directory alone says what is to go on
         result = asperity_run.run("--restart", folder)
         self.assertEqual((result.returncode, result.stderr), (0, ""))
-        self.assert_same_results(folder)
+        assert_same_results(self.whole, folder)
         self.assertIn("Restarted from", (folder / "run.log").read_text())
         # the wall time goes on
         wall = [row["wall_time"] for row in asperity_run.table(folder / "steps.csv")]
@@ -110,52 +63,45 @@ class Restart(Restarting):
         """What has happened of it has its row, and a restart takes that back."""
         always = [*RUN, *settings("Output/Event Catalogue/Threshold=1e-30")]
         whole = asperity_run.run_to_end("one_event", *always)
-        folder = fresh("stopped_in_an_event")
-        self.stop(self.start(folder, deck=always), signal.SIGTERM)
+        folder = self.stopped("stopped_in_an_event", always)
         row, = asperity_run.table(folder / "events.csv")
         self.assertEqual(row["complete"], 0)
         self.assertEqual(row["end"], asperity_run.table(folder / "steps.csv")[-1]["time"])
-        self.finish(folder, deck=always)
-        self.assert_same_results(folder, whole)
+        go_on(folder, *always)
+        assert_same_results(whole, folder)
 
     def test_stopped_twice(self):
-        folder = fresh("stopped_twice")
-        self.stop(self.start(folder), signal.SIGTERM)
-        restart = ("--restart", folder / "checkpoint.h5")
-        self.stop(self.start(folder, *restart), signal.SIGTERM)
-        self.finish(folder)
-        self.assert_same_results(folder)
+        folder = self.stopped("stopped_twice")
+        runs.stop(self, runs.begin(folder, *RUN, "--restart", folder / "checkpoint.h5"))
+        go_on(folder, *RUN)
+        assert_same_results(self.whole, folder)
 
     def test_killed(self):
-        folder = fresh("killed")
-        process = self.start(folder)
+        folder = runs.fresh("killed")
+        process = runs.begin(folder, *RUN)
         time.sleep(0.03)  # well into the steps that no checkpoint has
-        self.stop(process, signal.SIGKILL)
-        self.finish(folder)
-        self.assert_same_results(folder)
+        runs.stop(self, process, signal.SIGKILL)
+        go_on(folder, *RUN)
+        assert_same_results(self.whole, folder)
 
     def test_killed_twice_from_the_same_checkpoint(self):
-        folder = fresh("killed_twice")
-        self.stop(self.start(folder), signal.SIGKILL)
+        folder = self.stopped("killed_twice", number=signal.SIGKILL)
         kept = folder / "kept.h5"
         shutil.copy(folder / "checkpoint.h5", kept)
-        self.stop(self.start(folder, "--restart", kept), signal.SIGKILL)
-        result = asperity_run.run(*RUN, "--restart", kept, "--output", folder)
-        self.assertEqual((result.returncode, result.stderr), (0, ""))
-        self.assert_same_results(folder)
+        runs.stop(self, runs.begin(folder, *RUN, "--restart", kept), signal.SIGKILL)
+        go_on(folder, *RUN, checkpoint=kept)
+        assert_same_results(self.whole, folder)
 
     def test_restarted_from_the_completed_parameters(self):
-        folder = fresh("completed_parameters")
-        self.stop(self.start(folder), signal.SIGTERM)
-        self.finish(folder, deck=[folder / "parameters.xml"])
-        self.assert_same_results(folder)
+        folder = self.stopped("completed_parameters")
+        go_on(folder, folder / "parameters.xml")
+        assert_same_results(self.whole, folder)
 
     def test_with_multigrid(self):
         whole = asperity_run.run_to_end("multigrid_whole", *SHORT_RUN)
-        folder = fresh("multigrid")
-        self.stop(self.start(folder, deck=SHORT_RUN), signal.SIGTERM)
-        self.finish(folder, deck=SHORT_RUN)
-        self.assert_same_results(folder, whole)
+        folder = self.stopped("multigrid", SHORT_RUN)
+        go_on(folder, *SHORT_RUN)
+        assert_same_results(whole, folder)
 
     def test_continued_beyond_its_end(self):
         """As if the end had been an instant: the last steps have met it."""
@@ -163,10 +109,8 @@ class Restart(Restarting):
         whole = asperity_run.run_to_end("with_instant", *run)
         folder = asperity_run.run_to_end("continued", *run,
                                          *settings("Time Stepping/Final Time=6"))
-        self.finish(folder, deck=run)
-        for name in ("steps.csv", "events.csv"):
-            self.assertEqual(asperity_run.content(whole / name),
-                             asperity_run.content(folder / name))
+        go_on(folder, *run)
+        assert_same_results(whole, folder, series=())
 
     def test_to_an_end_that_has_passed(self):
         folder = asperity_run.run_to_end("at_its_end", *SHORT_RUN)
@@ -182,8 +126,7 @@ class Restart(Restarting):
             self.assertEqual((folder / "steps.csv").read_bytes(), steps)
 
     def test_refuses_another_deck(self):
-        folder = fresh("other_deck")
-        self.stop(self.start(folder), signal.SIGTERM)
+        folder = self.stopped("other_deck")
         before = asperity_run.checksums(folder)
         for change in ("Friction/L=25.000001e-6", "Mesh/Wedge/Cell Size=0.012",
                        "Time Stepping/Largest Step=2"):
@@ -193,8 +136,8 @@ class Restart(Restarting):
             self.assertRegex(result.stderr, r"^asperity: .*checkpoint\.h5 belongs to another deck")
             self.assertEqual(result.stderr.count("\n"), 1)
             self.assertEqual(asperity_run.checksums(folder), before)
-        self.finish(folder)
-        self.assert_same_results(folder)
+        go_on(folder, *RUN)
+        assert_same_results(self.whole, folder)
 
 
 class RestartOfARupture(Restarting):
@@ -206,19 +149,17 @@ class RestartOfARupture(Restarting):
         steps = asperity_run.table(whole / "steps.csv")
         self.assertGreater(len(steps), 300)
         self.assertGreater(max(row["peak_slip_rate"] for row in steps), 1)
-        folder = fresh("rupture")
-        self.stop(self.start(folder, deck=RUPTURE), signal.SIGTERM)
-        restart = ("--restart", folder / "checkpoint.h5")
-        self.stop(self.start(folder, *restart, deck=RUPTURE), signal.SIGKILL)
-        self.finish(folder, deck=RUPTURE)
-        self.assert_same_series(whole, folder, "fault.h5", "receivers.h5", "rupture.h5")
+        folder = self.stopped("rupture", RUPTURE)
+        restarted = runs.begin(folder, *RUPTURE, "--restart", folder / "checkpoint.h5")
+        runs.stop(self, restarted, signal.SIGKILL)
+        go_on(folder, *RUPTURE)
         texts = sorted(path.relative_to(whole) for path in whole.glob("scec/*"))
         self.assertEqual(len(texts), 8)  # seven receivers, rupture times
-        self.assert_same_bytes(whole, folder, "steps.csv", "events.csv", "global.csv", *texts)
+        assert_same_results(whole, folder, ["fault.h5", "receivers.h5", "rupture.h5"],
+                            ["steps.csv", "events.csv", "global.csv", *texts])
 
     def test_refusals_leave_the_log_and_the_parameters(self):
-        folder = fresh("rupture_refused")
-        self.stop(self.start(folder, deck=RUPTURE), signal.SIGTERM)
+        folder = self.stopped("rupture_refused", RUPTURE)
         kept = [(folder / name).read_bytes() for name in ("run.log", "parameters.xml")]
         for change, message in (
                 ("Output/Text Format=SEAS", "Restart with the Text Format of the earlier run"),
@@ -236,11 +177,9 @@ class CondensedRestart(Restarting):
     def test_condensed_to_the_fault(self):
         whole = asperity_run.run_to_end("condensed", *CONDENSED)
         self.assertIn("condensed to its fault", (whole / "run.log").read_text())
-        folder = fresh("condensed_stopped")
-        self.stop(self.start(folder, deck=CONDENSED), signal.SIGTERM)
-        self.finish(folder, deck=CONDENSED)
-        self.assert_same_series(whole, folder, "fault.h5", "receivers.h5")
-        self.assert_same_bytes(whole, folder, "steps.csv")
+        folder = self.stopped("condensed_stopped", CONDENSED)
+        go_on(folder, *CONDENSED)
+        assert_same_results(whole, folder, ["fault.h5", "receivers.h5"], ["steps.csv"])
 
 
 if __name__ == "__main__":

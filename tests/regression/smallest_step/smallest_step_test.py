@@ -87,10 +87,8 @@ class SmallestStep(unittest.TestCase):
         self.assertEqual(result.returncode, SOLVE)
         self.assertIn("Choose a smaller 'Smallest Step'", result.stderr)
         self.assertEqual(facts(folder, 1800.0).exit_status, SOLVE)
-        result = asperity_run.run(DECK, *settings(
-            FINAL, "Time Stepping/Largest Step=8", "Time Stepping/Smallest Step=1e-6"),
-            "--restart", folder / "checkpoint.h5", "--output", folder, timeout=250)
-        self.assertEqual((result.returncode, result.stderr), (0, ""))
+        asperity_run.go_on(folder, DECK, *settings(
+            FINAL, "Time Stepping/Largest Step=8", "Time Stepping/Smallest Step=1e-6"), timeout=250)
         self.assertEqual(facts(folder, 1800.0).state, "finished")
 
 

@@ -6,7 +6,7 @@ import numpy
 
 import asperity_run
 import wedge_runs
-from effort import assert_same_effort
+from comparisons import assert_same_effort, largest_errors
 
 
 class PrescribedSteps(unittest.TestCase):
@@ -45,7 +45,7 @@ class PrescribedSteps(unittest.TestCase):
 
     def check(self, ranks):
         folder = self.run_rupture(ranks)
-        for field, error in wedge_runs.largest_errors(self.reference, folder).items():
+        for field, error in largest_errors(self.reference, folder).items():
             self.assertLess(error, 1e-8, field)
         assert_same_effort(self, self.reference, folder)
 

@@ -3,10 +3,9 @@
 import shutil
 import unittest
 
-import numpy
-
 import asperity_run
 import wedge_runs
+from comparisons import assert_same_results
 
 OUTPUT = wedge_runs.settings(
     "Mesh/Deep Wedge/Cell Size=0.05", "Output/Receivers/On Fault/middle={0.27, 0, 0.04}",
@@ -33,20 +32,9 @@ class Restart(unittest.TestCase):
         self.assertGreater(num_steps[0], num_steps[1] + 3)
         self.assertGreater(num_steps[1], 3)
         shutil.copy(folder / "checkpoint.h5", f"{name}_checkpoint.h5")
-        result = asperity_run.run(wedge_runs.DECK, *run, "--restart", f"{name}_checkpoint.h5",
-                                  "--output", folder, ranks=ranks, timeout=300)
-        self.assertEqual((result.returncode, result.stderr), (0, ""))
-        for file in series:
-            self.assert_same_series(whole / file, folder / file)
-        for table in TABLES:
-            self.assertEqual(asperity_run.content(whole / table),
-                             asperity_run.content(folder / table), table)
-
-    def assert_same_series(self, *files):
-        ours, theirs = map(asperity_run.series, files)
-        self.assertEqual(set(ours), set(theirs))
-        for name, values in ours.items():
-            numpy.testing.assert_array_equal(values, theirs[name], f"{files[0]}: {name}")
+        asperity_run.go_on(folder, wedge_runs.DECK, *run, ranks=ranks, timeout=300,
+                           checkpoint=f"{name}_checkpoint.h5")
+        assert_same_results(whole, folder, series, TABLES)
 
     def test_adaptive_steps(self):
         self.check("adaptive", ADAPTIVE, end=0.05)

@@ -206,8 +206,7 @@ class Condensed(unittest.TestCase):
     def test_a_restart_goes_on_bit_for_bit(self):
         folder = pathlib.Path("stopped")
         asperity_run.run_to_end(folder, STRIP, "--set", "Time Stepping/Final Time=0.6")
-        result = asperity_run.run(STRIP, "--restart", folder / "checkpoint.h5", "--output", folder)
-        self.assertEqual(result.returncode, 0, result.stderr)
+        asperity_run.go_on(folder, STRIP)
         for name in ("volume.h5", "receivers.h5"):
             ours, theirs = (asperity_run.series(of / name) for of in (self.folder, folder))
             # The first part has a row at its end.

@@ -3,10 +3,11 @@
 import sys
 
 import asperity_run
+import bodies
+import comparisons
 import meshes
 import mirror
 import numpy
-import runs
 
 VP = mirror.VP
 TOLERANCE = 1e-9  # of the largest value; the solvers' tolerances are 1e-11 and 1e-12
@@ -77,7 +78,7 @@ def differences(condensed, whole, names):
     for fields in (lambda folder: fault_fields(folder, names), volume_fields):
         ours, theirs = fields(condensed), fields(whole)
         for name, values in theirs.items():
-            found[name] = runs.largest_difference(ours[name], values)
+            found[name] = comparisons.largest_difference(ours[name], values)
     ours = energies(condensed)
     for name, (values, scale) in energies(whole).items():
         found[name] = numpy.abs(ours[name][0] - values).max() / scale
@@ -92,11 +93,12 @@ def check(model, case):
     sides, settings, names = case(model)
     mesh = mesh_of(model, sides)
     settings = {**settings, **OUTPUTS, "TNNMG/Linear Correction": "Direct"}
-    condensed = runs.run("condensed", mesh, settings)
-    whole = runs.run("whole", mesh, {**settings, "TNNMG/Static Condensation": "Off"})
+    condensed = bodies.run("condensed", mesh, settings)
+    whole = bodies.run("whole", mesh, {**settings, "TNNMG/Static Condensation": "Off"})
     found = differences(condensed, whole, names)
     varied = numpy.ptp(fault_fields(whole, ["slip_rate"])["slip_rate"]) / VP
-    passed = (max(found.values()) < TOLERANCE and varied > 0.5 and runs.energy_rises(condensed) == 0
+    passed = (max(found.values()) < TOLERANCE and varied > 0.5
+              and bodies.energy_rises(condensed) == 0
               and is_condensed(condensed) and not is_condensed(whole))
     shown = " ".join(f"{name} {value:.1e}" for name, value in found.items())
     print(f"{model}, {case.__name__}: {shown}; slip rates vary by {varied:.1f} Vp"
@@ -107,7 +109,7 @@ def check(model, case):
 def stays_whole(what, change):
     """Where the body is not in equilibrium with its fault alone, nothing is condensed."""
     sides, settings, _ = outside_in("Antiplane")
-    folder = runs.run("stays_whole", mesh_of("Antiplane", sides),
+    folder = bodies.run("stays_whole", mesh_of("Antiplane", sides),
                       {**settings, "TNNMG/Linear Correction": "Direct",
                        "Time Stepping/Final Time": 0.1, **change})
     passed = not is_condensed(folder)

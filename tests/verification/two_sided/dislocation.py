@@ -9,10 +9,10 @@ import math
 import sys
 
 import asperity_run
+import bodies
 import half_space
 import meshes
 import numpy
-import runs
 
 WIDTH, LENGTH, TAPER = 1.0, 2.0, 0.5  # of the fault, in units of its width
 POISSON = 0.25
@@ -69,14 +69,14 @@ def settings(dip, space):
              "Output/Surface History/Every n Steps": 1}
     sides = {"far": {"Type": "Fixed"}}
     if space:
-        up_dip = runs.array((-math.cos(dip), math.sin(dip), 0))
+        up_dip = bodies.array((-math.cos(dip), math.sin(dip), 0))
         slip["Direction"] = up_dip
         given["Friction/Slip Direction"] = up_dip
         # displacements to a thousandth will do
         given.update({"TNNMG/Relative Tolerance": 1e-6, "Time Stepping/Largest Step": 1,
                       "Time Stepping/Smallest Step": 1, "Coupling/Tolerance": 1e-6})
         sides.update(middle={"Type": "Sliding Wall"}, end={"Type": "Fixed"})
-    return {**given, **runs.conditions(fault={"Type": "Two-Sided Fault"}, slipping=slip,
+    return {**given, **bodies.conditions(fault={"Type": "Two-Sided Fault"}, slipping=slip,
                                        surface={"Type": "Free Surface"}, **sides)}
 
 
@@ -96,7 +96,7 @@ def expected(x, strike, dip, space):
 
 def check(degrees, cells, far, space=False):
     dip = math.radians(degrees)
-    folder = runs.run("slip", mesh(dip, cells, far, space), settings(dip, space))
+    folder = bodies.run("slip", mesh(dip, cells, far, space), settings(dip, space))
     surface = asperity_run.series(folder / "surface.h5")
     where, moved = surface["geometry/coordinates"], surface["fields/displacement"][-1]
     near = numpy.abs(where[:, 0]) < NEAR

@@ -2,9 +2,10 @@
 
 import sys
 
+import bodies
+import comparisons
 import meshes
 import numpy
-import runs
 
 VP = 1e-4
 TOLERANCE = 1e-9  # of the largest value; the solvers' tolerances are 1e-11 and 1e-12
@@ -27,10 +28,10 @@ def settings(model, dynamics):
     result = {"Bulk/Model": model, "Bulk/Dynamics": dynamics, "Initial State/Slip Rate": VP}
     if model != "Antiplane":
         across = (0, 1) if model == "Plane Strain" else (0, 1, 0)
-        result.update(runs.conditions(left=runs.prescribed(0, *across),
-                                      right=runs.prescribed(0, *across)))
+        result.update(bodies.conditions(left=bodies.prescribed(0, *across),
+                                      right=bodies.prescribed(0, *across)))
     if model == "Solid":
-        result.update(runs.conditions(front={"Type": "Sliding Wall"}))
+        result.update(bodies.conditions(front={"Type": "Sliding Wall"}))
         # what solvers in space reach in the rounding of their numbers
         result.update({"Coupling/Tolerance": 1e-10, "Time Stepping/Final Time": 0.5})
     return result
@@ -39,16 +40,16 @@ def settings(model, dynamics):
 def of_the_half(model, dynamics):
     given = settings(model, dynamics)
     del given["Initial State/Slip Rate"]
-    return {**given, **runs.conditions(fault={"Type": "Antisymmetric Fault"},
-                                       top=runs.prescribed(VP / 2)),
+    return {**given, **bodies.conditions(fault={"Type": "Antisymmetric Fault"},
+                                       top=bodies.prescribed(VP / 2)),
             **initial_velocity(model, VP / 2)}
 
 
 def of_both(model, dynamics):
     given = settings(model, dynamics)
-    return {**given, **runs.conditions(fault={"Type": "Two-Sided Fault"},
-                                       top=runs.prescribed(VP / 2),
-                                       bottom=runs.prescribed(-VP / 2)),
+    return {**given, **bodies.conditions(fault={"Type": "Two-Sided Fault"},
+                                       top=bodies.prescribed(VP / 2),
+                                       bottom=bodies.prescribed(-VP / 2)),
             **initial_velocity(model, f"y > 0 ? {VP / 2} : (y < 0 ? -{VP / 2} : 0)")}
 
 
@@ -62,20 +63,20 @@ def check(model, dynamics, solvers, change="Fixed"):
     vertices, cells = half(model)
     fault = {"fault": meshes.on_the_fault}
     sides = (meshes.SIDES[0], (None, "top"), meshes.SIDES[2])  # the fault is at the bottom
-    alone = runs.run("half", meshes.with_sides(vertices, cells, fault, sides),
+    alone = bodies.run("half", meshes.with_sides(vertices, cells, fault, sides),
                      of_the_half(model, dynamics))
-    expected, places = runs.fields_by_place(alone, FIELDS)
+    expected, places = bodies.fields_by_place(alone, FIELDS)
     varied = numpy.ptp(expected["slip_rate"]) / VP
     passed = []
     for correction, ranks in solvers:
-        both = runs.run("both", meshes.with_sides(*meshes.mirrored(vertices, cells), fault),
+        both = bodies.run("both", meshes.with_sides(*meshes.mirrored(vertices, cells), fault),
                         {**of_both(model, dynamics), "TNNMG/Linear Correction": correction,
                          "Friction/Normal Stress Change": change, **COARSEST}, ranks=ranks)
-        found, same_places = runs.fields_by_place(both, FIELDS)
-        differences = {name: runs.largest_difference(found[name], expected[name])
+        found, same_places = bodies.fields_by_place(both, FIELDS)
+        differences = {name: comparisons.largest_difference(found[name], expected[name])
                        for name in FIELDS}
         fine = (max(differences.values()) < TOLERANCE and varied > 0.5
-                and runs.energy_rises(both) == 0 and numpy.allclose(places, same_places))
+                and bodies.energy_rises(both) == 0 and numpy.allclose(places, same_places))
         shown = " ".join(f"{name} {value:.1e}" for name, value in differences.items())
         print(f"{model}, {dynamics}, {change} normal stress, {correction}, "
               f"{ranks} ranks: {shown}; slip rates vary by "

@@ -5,9 +5,10 @@ import math
 import sys
 
 import asperity_run
+import bodies
+import comparisons
 import meshes
 import numpy
-import runs
 
 VP, PRESSED = 1e-4, 1e-3  # m/s
 STEADY = "1e4 * 0.010 * asinh(1e-4 / 2e-6 * exp((0.6 + 0.015 * ln(1e-6 / 1e-4)) / 0.010))"
@@ -80,23 +81,23 @@ def settings(turn, dynamics):
         "Output/Fault History/Fields": "{slip, slip_rate, alpha, traction, normal_stress}",
         "Output/Surface History/Every n Steps": 1,
         "Output/Surface History/Precision": "Double",
-        **runs.conditions(fault={"Type": "Two-Sided Fault"},
-                          top=runs.prescribed(VP / 2, *along),
-                          bottom=runs.prescribed(-VP / 2, *along),
+        **bodies.conditions(fault={"Type": "Two-Sided Fault"},
+                          top=bodies.prescribed(VP / 2, *along),
+                          bottom=bodies.prescribed(-VP / 2, *along),
                           right={"Type": "Free Surface"}),
-        **runs.condition("press", "top", runs.prescribed(-PRESSED, *across)),
-        **runs.condition("rest", "bottom", runs.prescribed(0, *across))}
+        **bodies.condition("press", "top", bodies.prescribed(-PRESSED, *across)),
+        **bodies.condition("rest", "bottom", bodies.prescribed(0, *across))}
     if turn.dimension == 3:
-        given.update(runs.conditions(front={"Type": "Sliding Wall"}))
-        given.update({"Friction/Slip Direction": runs.array(sign * along),
+        given.update(bodies.conditions(front={"Type": "Sliding Wall"}))
+        given.update({"Friction/Slip Direction": bodies.array(sign * along),
                       "Time Stepping/Final Time": 0.5})
     return given
 
 
 def answer(folder, turn):
     """What the run in that folder gave, turned back."""
-    fault, places = runs.fields_by_place(folder, SCALARS + VECTORS, lambda x: x[:, :turn.dimension]
-                                         @ turn.matrix)
+    fault, places = bodies.fields_by_place(folder, SCALARS + VECTORS,
+                                           lambda x: x[:, :turn.dimension] @ turn.matrix)
     for name in VECTORS:
         fault[name] = turn.slip_of_file(fault[name])
     surface = asperity_run.series(folder / "surface.h5")
@@ -108,8 +109,9 @@ def answer(folder, turn):
 
 
 def check(name, turn, dynamics, expected):
-    found = answer(runs.run("turned", mesh_of(turn), settings(turn, dynamics)), turn)
-    differences = {key: runs.largest_difference(found[key], expected[key]) for key in expected}
+    found = answer(bodies.run("turned", mesh_of(turn), settings(turn, dynamics)), turn)
+    differences = {key: comparisons.largest_difference(found[key], values)
+                   for key, values in expected.items()}
     fine = max(differences.values()) < TOLERANCE
     shown = " ".join(f"{key} {value:.1e}" for key, value in differences.items())
     sides = "plus above" if turn.side > 0 else "plus below"
@@ -119,12 +121,12 @@ def check(name, turn, dynamics, expected):
 
 def check_solver(expected, unturned, dynamics, ranks):
     """Multigrid gives what one rank got directly."""
-    folder = runs.run("multigrid", mesh_of(unturned),
+    folder = bodies.run("multigrid", mesh_of(unturned),
                       {**settings(unturned, dynamics), "TNNMG/Linear Correction": "MueLu"},
                       ranks=ranks)
     found = answer(folder, unturned)
-    difference = max(runs.largest_difference(found[key], expected[key]) for key in expected)
-    fine = difference < TOLERANCE and runs.energy_rises(folder) == 0
+    difference = max(comparisons.largest_difference(found[key], expected[key]) for key in expected)
+    fine = difference < TOLERANCE and bodies.energy_rises(folder) == 0
     print(f"{dynamics}, multigrid, ranks {ranks}: {difference:.1e}{'' if fine else ' NO'}",
           flush=True)
     return fine
@@ -132,11 +134,11 @@ def check_solver(expected, unturned, dynamics, ranks):
 
 def compare(dynamics, turns, ranks=1):
     unturned = Turn(numpy.eye(turns[0][1].dimension))
-    folder = runs.run("unturned", mesh_of(unturned), settings(unturned, dynamics))
+    folder = bodies.run("unturned", mesh_of(unturned), settings(unturned, dynamics))
     expected = answer(folder, unturned)
     pressed = numpy.ptp(expected["normal_stress"]) / 1e4
     varied = numpy.ptp(expected["slip_rate"]) / VP
-    rises = runs.energy_rises(folder)
+    rises = bodies.energy_rises(folder)
     fine = pressed > 2e-2 and varied > 0.5 and rises == 0
     print(f"{dynamics}, {unturned.dimension}D: slip rates vary by {varied:.1f} Vp, the normal "
           f"stress by {pressed:.1%}; J rose {rises:.0f} times{'' if fine else ' NO'}", flush=True)

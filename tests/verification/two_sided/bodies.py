@@ -46,9 +46,3 @@ def fields_by_place(folder, names, place=lambda x: x):
 def energy_rises(folder):
     """How often J rose, over all steps."""
     return sum(row["energy_rises"] for row in asperity_run.table(folder / "steps.csv"))
-
-
-def largest_difference(found, expected):
-    """In units of the largest value."""
-    assert found.shape == expected.shape, (found.shape, expected.shape)
-    return numpy.abs(found - expected).max() / numpy.abs(expected).max()

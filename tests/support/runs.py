@@ -1,9 +1,10 @@
-"""Runs that are disturbed, for the tests of this folder."""
+"""Runs that are watched, disturbed or refused."""
 
 import atexit
 import fcntl
 import pathlib
 import shutil
+import signal
 import subprocess
 import time
 
@@ -14,7 +15,6 @@ from asperity_run import settings
 
 DECK = asperity_run.SOURCE / "tests" / "regression" / "parallel" / "coarse_wedge.xml"
 DONE, INPUT, SOLVE, STOPPED, OUTPUT = 0, 2, 3, 4, 5
-
 
 # Some 250 steps, an event, about a second.
 RUN = [DECK, *settings("Time Stepping/Final Time=8", "Output/Checkpoint Every n Steps=20",
@@ -47,6 +47,29 @@ def start(*arguments, ranks=1, **options):
     return process
 
 
+def begin(folder, *arguments, **options):
+    """`start` in a folder, once a checkpoint of its own is there."""
+    checkpoint = folder / "checkpoint.h5"
+    before = checkpoint.stat().st_ino if checkpoint.exists() else None
+    process = start(*arguments, "--output", folder, **options)
+    end = time.monotonic() + time_limits.seconds(60)
+    while not checkpoint.exists() or checkpoint.stat().st_ino == before:
+        if process.poll() is not None or time.monotonic() > end:
+            process.kill()
+            raise AssertionError(f"no {checkpoint}: {process.communicate()[1]}")
+        time.sleep(0.002)
+    return process
+
+
+def stop(test, process, number=signal.SIGTERM):
+    """By a signal; a run has nothing to say on stderr of that, but mpirun has."""
+    process.send_signal(number)
+    _, errors = process.communicate(timeout=time_limits.seconds(60))
+    test.assertEqual(process.returncode, -number if number == signal.SIGKILL else STOPPED, errors)
+    if process.args[0] == str(asperity_run.PROGRAM):
+        test.assertEqual(errors, "")
+
+
 def children_of(process):
     """The ranks of mpirun; none of a run without it."""
     tasks = pathlib.Path(f"/proc/{process.pid}/task/{process.pid}/children")
@@ -76,23 +99,14 @@ def wait_for_lock(folder, seconds=20):
             time.sleep(0.1)
 
 
-def wait_for(path, process, seconds=60):
-    """Until the file is there."""
-    end = time.monotonic() + time_limits.seconds(seconds)
-    while not path.exists():
-        if process.poll() is not None or time.monotonic() > end:
-            process.kill()
-            raise AssertionError(f"no {path}: {process.communicate()[1]}")
-        time.sleep(0.002)
-
-
 def assert_one_message(test, result, status, *pieces):
-    """One line on stderr with these pieces, and the status."""
+    """One line on stderr with these pieces, which is returned, and the status."""
     test.assertEqual(result.returncode, status, result.stdout + result.stderr)
     lines = [line for line in result.stderr.splitlines() if line.startswith("asperity: ")]
     test.assertEqual(len(lines), 1, result.stderr)
     for piece in pieces:
         test.assertIn(piece, lines[0])
+    return lines[0]
 
 
 def assert_finite_checkpoint(test, folder):
@@ -100,16 +114,3 @@ def assert_finite_checkpoint(test, folder):
     values = asperity_run.series(folder / "checkpoint.h5")
     for name in ("alpha", "u", "v", "a"):
         test.assertTrue(numpy.isfinite(values[f"values/state/{name}"]).all(), name)
-
-
-def assert_same_results(test, whole, folder, series=("fault.h5", "surface.h5"),
-                        tables=("steps.csv", "events.csv")):
-    """Bit for bit."""
-    for name in series:
-        ours, theirs = (asperity_run.series(each / name) for each in (whole, folder))
-        test.assertEqual(set(ours), set(theirs))
-        for dataset, values in ours.items():
-            numpy.testing.assert_array_equal(values, theirs[dataset], f"{name}: {dataset}")
-    for name in tables:
-        test.assertEqual(asperity_run.content(whole / name),
-                         asperity_run.content(folder / name), name)
