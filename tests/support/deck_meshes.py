@@ -1,13 +1,11 @@
 """Meshes that the decks in xml/ read from files."""
 
 import pathlib
-import subprocess
 import xml.etree.ElementTree as ElementTree
 
 import asperity_run
-import time_limits
+from mesh_files import mesh_tool
 
-MESH_TOOL = asperity_run.PROGRAM.with_name("asperity-mesh")  # there only where Gmsh is
 DECKS = sorted((asperity_run.SOURCE / "xml").glob("*.xml"))
 
 
@@ -21,5 +19,4 @@ def make_meshes(deck, *arguments):
     for mesh in meshes_of(deck):
         geometry = deck.parent / "meshes" / mesh.replace(".h5", ".geo")
         pathlib.Path(mesh).unlink(missing_ok=True)  # of an earlier run of the test
-        subprocess.run([MESH_TOOL, "convert", geometry, mesh, *arguments], check=True,
-                       capture_output=True, timeout=time_limits.seconds(60))
+        mesh_tool("convert", geometry, mesh, *arguments)

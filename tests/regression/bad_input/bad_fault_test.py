@@ -5,9 +5,9 @@ Every case runs in a folder of its own, of which each file is compared afterward
 
 import unittest
 
-import h5py
 import numpy
 
+import mesh_files
 from bad_input_test import DECK, Case, settings
 
 LEVEL, UPRIGHT = "abs(y - 0.5) < 1e-6", "abs(x - 0.5) < 1e-6"
@@ -111,14 +111,8 @@ class Meshes(FaultCase):
                  "left": [[0, 4], [4, 8], [8, 12]], "right": [[3, 7], [7, 11], [11, 15]]}
         for name, facets in faults.items():
             sides[name] = sides.get(name, []) + facets
-        with h5py.File("mesh.h5", "w") as file:
-            file.attrs.update({"format": "asperity-mesh", "version": 1, "dimension": 2})
-            file["vertices"] = [[i / 3, j / 3] for j in range(4) for i in range(4)]
-            file["cells"] = cells
-            file["cell_regions"] = numpy.zeros(len(cells), dtype=int)
-            file["region_names"] = [b"body"]
-            for side, facets in sides.items():
-                file[f"boundaries/{side}/facets"] = facets
+        vertices = [[i / 3, j / 3] for j in range(4) for i in range(4)]
+        mesh_files.write("mesh.h5", vertices, cells, sides)
 
     def test_a_good_file(self):
         self.write(main=[[4, 5], [5, 6], [6, 7]])

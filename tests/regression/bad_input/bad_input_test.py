@@ -14,6 +14,7 @@ import h5py
 import numpy
 
 import asperity_run
+import mesh_files
 import runs
 from asperity_run import settings
 
@@ -30,14 +31,7 @@ SIDES = {"bottom": [[0, 1]], "right": [[1, 2]], "top": [[2, 3]], "left": [[3, 0]
 
 
 def write_mesh(name, cells=((0, 1, 2), (0, 2, 3)), sides=tuple(SIDES), vertices=CORNERS):
-    with h5py.File(name, "w") as file:
-        file.attrs.update({"format": "asperity-mesh", "version": 1, "dimension": 2})
-        file["vertices"] = vertices
-        file["cells"] = numpy.array(cells)
-        file["cell_regions"] = numpy.zeros(len(cells), dtype=int)
-        file["region_names"] = [b"body"]
-        for side in sides:
-            file[f"boundaries/{side}/facets"] = SIDES[side]
+    mesh_files.write(name, vertices, cells, {side: SIDES[side] for side in sides})
 
 
 class Case(unittest.TestCase):
@@ -291,8 +285,8 @@ class Meshes(Case):
         message = "vertex 4 at (0.5, 0.5) m lies inside the edge with the corners"
         for ranks in (1, 2):
             self.assert_refused(self.deck, "mesh.h5", message, "does not conform", ranks=ranks)
-        tool = subprocess.run([asperity_run.PROGRAM.with_name("asperity-mesh"), "info", "mesh.h5"],
-                              capture_output=True, text=True)
+        tool = subprocess.run([mesh_files.MESH_TOOL, "info", "mesh.h5"], capture_output=True,
+                              text=True)
         self.assertEqual(tool.returncode, 2)
         self.assertIn(message, tool.stderr)
 

@@ -5,26 +5,18 @@ Every case runs in a folder of its own, of which each file is compared afterward
 
 import pathlib
 import shutil
-import subprocess
 import unittest
 
 import h5py
 import numpy
 
-import asperity_run
-import time_limits
 from bad_input_test import Case, settings
+from mesh_files import mesh_tool
 
 HERE = pathlib.Path(__file__).parent
 DECK = HERE / "cube.xml"
-TOOL = asperity_run.PROGRAM.with_name("asperity-mesh")
 BRICKS = ("--cells-x", 2, "--cells-y", 2, "--cells-z", 2)
 WHOLE, PARTS = "cube.h5", "parts.h5"
-
-
-def mesh_tool(*arguments):
-    subprocess.run([TOOL, *map(str, arguments)], check=True, capture_output=True,
-                   timeout=time_limits.seconds(60))
 
 
 def make_mesh(name, *options):

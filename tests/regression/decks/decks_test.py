@@ -4,7 +4,8 @@ import unittest
 import xml.etree.ElementTree as ElementTree
 
 import asperity_run
-from deck_meshes import DECKS, MESH_TOOL, make_meshes, meshes_of
+from deck_meshes import DECKS, make_meshes, meshes_of
+from mesh_files import MESH_TOOL
 
 
 class Decks(unittest.TestCase):

@@ -4,7 +4,6 @@ The same on any number of ranks, and as on a mesh that the generator makes twice
 """
 
 import pathlib
-import subprocess
 import sys
 import unittest
 
@@ -13,14 +12,13 @@ import numpy
 
 import asperity_run
 import runs
-import time_limits
 from asperity_run import settings
 from comparisons import assert_same_results, largest_difference
+from mesh_files import MESH_TOOL, mesh_tool
 
 HERE = pathlib.Path(__file__).parent
 BURIED = HERE / "buried_fault.xml"
 TINY = HERE.parent / "tiny_wedge"
-MESH_TOOL = sys.argv.pop(1) if len(sys.argv) > 1 else ""
 REFINED = "Mesh/Refinements=1"
 
 
@@ -94,12 +92,10 @@ class TinyWedge(unittest.TestCase):
     def test_two_ranks(self):
         self.assert_same(self.run_deck("tiny_two", 2, "tiny_wedge.h5"))
 
-    @unittest.skipUnless(MESH_TOOL, "asperity-mesh is not built")
+    @unittest.skipUnless(MESH_TOOL.exists(), "asperity-mesh is not built")
     def test_in_parts(self):
         pathlib.Path("tiny_wedge_2.h5").unlink(missing_ok=True)
-        subprocess.run([MESH_TOOL, "partition", "tiny_wedge.h5", "--parts", "2", "--output",
-                        "tiny_wedge_2.h5"], check=True, capture_output=True,
-                       timeout=time_limits.seconds(60))
+        mesh_tool("partition", "tiny_wedge.h5", "--parts", 2, "--output", "tiny_wedge_2.h5")
         self.assert_same(self.run_deck("tiny_parts", 2, "tiny_wedge_2.h5"))
 
 

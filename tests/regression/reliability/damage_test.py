@@ -13,11 +13,11 @@ import faults
 import runs
 import time_limits
 from comparisons import assert_same_results
+from mesh_files import mesh_tool
 
 TRIALS = faults.trials(30, 1000)
 MEMORY = 4 << 30  # bytes of addresses, most of which MPI asks for
 BEFORE_THE_END = runs.settings("Time Stepping/Instants={7.8}")
-MESH_TOOL = asperity_run.PROGRAM.with_name("asperity-mesh")
 
 
 def damage(data, seed):
@@ -96,9 +96,7 @@ class Damage(unittest.TestCase):
     def test_meshes(self):
         mesh = pathlib.Path("wedge.h5")
         mesh.unlink(missing_ok=True)
-        subprocess.run([MESH_TOOL, "wedge", mesh, "--cell-size", "0.01",
-                        "--growth-factor", "1.5"], check=True,
-                       capture_output=True, timeout=time_limits.seconds(60))
+        mesh_tool("wedge", mesh, "--cell-size", "0.01", "--growth-factor", "1.5")
         original = mesh.read_bytes()
         deck = [*runs.RUN, *runs.settings("Time Stepping/Final Time=0.05", "Mesh/Type=File",
                                           f"Mesh/File/File Name={mesh}")]

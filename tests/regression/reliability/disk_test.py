@@ -15,8 +15,7 @@ import faults
 import runs
 import time_limits
 from comparisons import assert_same_results
-
-MESH_TOOL = asperity_run.PROGRAM.with_name("asperity-mesh")
+from mesh_files import MESH_TOOL
 
 
 def assert_goes_on(test, whole, folder, *arguments, ranks=1):

@@ -15,6 +15,7 @@ import xml.etree.ElementTree as xml
 import asperity_run
 import deck_meshes
 import faults
+import mesh_files
 import time_limits
 
 REGRESSION = asperity_run.SOURCE / "tests" / "regression"
@@ -210,7 +211,7 @@ class PerturbedDecks(unittest.TestCase):
             self.check_all(random.Random(1).sample(all_cases(SHORT), faults.trials(SAMPLE, None)))
             return
         decks = [deck for deck in deck_meshes.DECKS
-                 if deck_meshes.MESH_TOOL.exists() or not deck_meshes.meshes_of(deck)]
+                 if mesh_files.MESH_TOOL.exists() or not deck_meshes.meshes_of(deck)]
         decks = [made_quick(deck) for deck in decks]
         for deck in decks:  # what is not valid is not spoilt by a perturbation
             result = asperity_run.run(deck, "--validate")

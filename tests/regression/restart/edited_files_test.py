@@ -8,6 +8,7 @@ import h5py
 import numpy
 
 import asperity_run
+import mesh_files
 import runs
 from asperity_run import settings
 
@@ -33,14 +34,7 @@ def write_mesh(name):
               "right": [[vertex(CELLS, j), vertex(CELLS, j + 1)] for j in sides],
               "top": [[vertex(i + 1, CELLS), vertex(i, CELLS)] for i in sides],
               "left": [[vertex(0, j + 1), vertex(0, j)] for j in sides]}
-    with h5py.File(name, "w") as file:
-        file.attrs.update({"format": "asperity-mesh", "version": 1, "dimension": 2})
-        file["vertices"] = [[x, y] for y in steps for x in steps]
-        file["cells"] = cells
-        file["cell_regions"] = numpy.zeros(len(cells), dtype=int)
-        file["region_names"] = [b"body"]
-        for side, of_side in facets.items():
-            file[f"boundaries/{side}/facets"] = of_side
+    mesh_files.write(name, [[x, y] for y in steps for x in steps], cells, facets)
 
 
 def write_dataset(name):

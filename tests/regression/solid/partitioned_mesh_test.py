@@ -7,6 +7,7 @@ import asperity_run
 import runs
 import wedge_runs
 from comparisons import largest_errors
+from mesh_files import mesh_tool
 
 WEDGE = ("--cell-size", 0.03, "--growth-factor", 1.5, "--depth", 0.06, "--layers", 3, "--periodic")
 RUN = [*wedge_runs.RUPTURE, *wedge_runs.PERIODIC,
@@ -17,11 +18,10 @@ PIECES = ["--overlay", wedge_runs.HERE / "pieces_of_base.xml"]
 class PartitionedMesh(unittest.TestCase):
     @classmethod
     def setUpClass(cls):
-        wedge_runs.mesh_tool("wedge", "whole.h5", *WEDGE, "--overwrite")
-        wedge_runs.mesh_tool("partition", "whole.h5", "--parts", 8, "--boundary", "base",
-                             "--output", "eight.h5", "--overwrite")
-        wedge_runs.mesh_tool("partition", "eight.h5", "--parts", 2, "--output", "two.h5",
-                             "--overwrite")
+        mesh_tool("wedge", "whole.h5", *WEDGE, "--overwrite")
+        mesh_tool("partition", "whole.h5", "--parts", 8, "--boundary", "base", "--output",
+                  "eight.h5", "--overwrite")
+        mesh_tool("partition", "eight.h5", "--parts", 2, "--output", "two.h5", "--overwrite")
 
     def run_file(self, name, *changes, ranks=1):
         return wedge_runs.run_deck(f"run_of_{name}", *RUN, *wedge_runs.from_file(f"{name}.h5"),
@@ -50,7 +50,7 @@ class PartitionedMesh(unittest.TestCase):
         command = message.partition("asperity-mesh ")[2].split()
         mesh = str(pathlib.Path("eight.h5").resolve())
         self.assertEqual(command[:4], ["partition", mesh, "--parts", "2"])
-        wedge_runs.mesh_tool(*command, "--overwrite")
+        mesh_tool(*command, "--overwrite")
         self.assertEqual(asperity_run.run(wedge_runs.DECK, *RUN, "--validate", ranks=2,
                                           *wedge_runs.from_file(command[-1])).returncode, 0)
 

@@ -1,10 +1,8 @@
 """Runs of a wedge in space, for the tests of this folder."""
 
 import pathlib
-import subprocess
 
 import asperity_run
-import time_limits
 from asperity_run import settings
 
 HERE = pathlib.Path(__file__).parent
@@ -12,16 +10,10 @@ DECK = HERE.parent / "parallel" / "coarse_wedge.xml"
 RUPTURE = ["--overlay", HERE.parent / "parallel" / "rupture.xml"]
 GLASS = ["--overlay", HERE / "glass_wedge.xml"]
 PERIODIC = ["--overlay", HERE / "periodic_wedge.xml"]
-TOOL = asperity_run.PROGRAM.with_name("asperity-mesh")
 
 
 def from_file(name):
     return settings("Mesh/Type=File", f"Mesh/File/File Name={name}")
-
-
-def mesh_tool(*arguments):
-    subprocess.run([TOOL, *map(str, arguments)], check=True, capture_output=True,
-                   timeout=time_limits.seconds(60))
 
 
 def run_deck(name, *changes, ranks=1):

@@ -1,17 +1,13 @@
-"""The decks of subduction zones on coarse meshes, through their first earthquake. The argument is
-asperity-mesh."""
+"""The decks of subduction zones on coarse meshes, through their first earthquake."""
 
 import pathlib
-import subprocess
-import sys
 import unittest
 
 import numpy
 
 import asperity_run
-import time_limits
+from mesh_files import mesh_tool
 
-MESH_TOOL = sys.argv.pop(1)
 OVERLAY = pathlib.Path(__file__).parent / "short_subduction.xml"
 SPLAY = "y + 12e3 > 0.4 * abs(x - 65752)"  # of splay_2d.xml
 
@@ -24,9 +20,7 @@ class Subduction(unittest.TestCase):
     def run_deck(self, deck, *settings):
         """The folder of a run."""
         geometry = asperity_run.SOURCE / f"xml/meshes/{deck}.geo"
-        subprocess.run([MESH_TOOL, "convert", geometry, "coarse.h5", "--set", "h=1000",
-                        "--overwrite"], check=True, capture_output=True,
-                       timeout=time_limits.seconds(60))
+        mesh_tool("convert", geometry, "coarse.h5", "--set", "h=1000", "--overwrite")
         folder = asperity_run.run_to_end(
             "out", asperity_run.SOURCE / f"xml/{deck}.xml", "--overlay", OVERLAY,
             *asperity_run.settings(*settings), timeout=300)

@@ -8,7 +8,7 @@ import dataclasses
 import itertools
 import math
 
-import h5py
+import mesh_files
 import numpy
 
 CLOSE = 1e-9
@@ -29,15 +29,8 @@ class Mesh:
 
     def write(self, name):
         """The regions are `lower` and `upper`."""
-        with h5py.File(name, "w") as file:
-            file.attrs.update({"format": "asperity-mesh", "version": 1,
-                               "dimension": self.vertices.shape[1]})
-            file["vertices"] = self.vertices
-            file["cells"] = self.cells
-            file["cell_regions"] = self.upper.astype(int)
-            file["region_names"] = [b"lower", b"upper"]
-            for side, facets in self.boundaries.items():
-                file[f"boundaries/{side}/facets"] = facets
+        mesh_files.write(name, self.vertices, self.cells, self.boundaries, self.upper.astype(int),
+                         [b"lower", b"upper"])
 
 
 def grid(*axes):
