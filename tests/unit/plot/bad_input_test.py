@@ -1,38 +1,32 @@
 """What is wrong with a result is said once on standard error, with exit status 2."""
 
-import contextlib
-import io
 import os
 import shutil
 import subprocess
 import sys
-import tempfile
-import unittest
 from pathlib import Path
 
 import h5py
 
 import synthetic_run
 from asperity_plot import cli
+from folders import SharedFolderCase, told
 
 
-class BadInput(unittest.TestCase):
+class BadInput(SharedFolderCase):
     @classmethod
     def setUpClass(cls):
-        cls.temporary = tempfile.TemporaryDirectory()
-        cls.addClassCleanup(cls.temporary.cleanup)
-        synthetic_run.write_run(Path(cls.temporary.name) / "sound", 2, nodes=20)
+        super().setUpClass()
+        synthetic_run.write_run(cls.folder / "sound", 2, nodes=20)
 
     def setUp(self):
-        self.folder = Path(self.temporary.name) / self.id().rsplit(".", maxsplit=1)[-1] / "run"
-        shutil.copytree(Path(self.temporary.name) / "sound", self.folder)
+        shared = self.folder
+        self.folder = shared / self.id().rsplit(".", maxsplit=1)[-1] / "run"
+        shutil.copytree(shared / "sound", self.folder)
 
     def plot(self, *arguments: str):
         """Exit status, standard output and error."""
-        out, err = io.StringIO(), io.StringIO()
-        with contextlib.redirect_stdout(out), contextlib.redirect_stderr(err):
-            status = cli.main([*arguments, "--dpi", "40"])
-        return status, out.getvalue(), err.getvalue()
+        return told(cli.main, *arguments, "--dpi", "40")
 
     def expect(self, *words: str, figures: str = "", folder: Path = None) -> None:
         """One message with `words`, and exit status 2."""
@@ -125,10 +119,9 @@ class BadInput(unittest.TestCase):
         self.assertIn("Choose another place with --output", err)
 
     def test_dots_out_of_range(self):
-        err = io.StringIO()
-        with contextlib.redirect_stderr(err):
-            self.assertEqual(cli.main([str(self.folder), "--dpi", "5"]), 2)
-        self.assertIn("--dpi 5 is outside [30, 1200]", err.getvalue())
+        status, _, err = told(cli.main, self.folder, "--dpi", "5")
+        self.assertEqual(status, 2)
+        self.assertIn("--dpi 5 is outside [30, 1200]", err)
 
     def test_file_asked_for_but_absent(self):
         (self.folder / "surface.h5").unlink()
@@ -214,7 +207,3 @@ class BadInput(unittest.TestCase):
                              f"^ImportError: {sys.executable} has no module {module}.*"
                              "apt-get install python3-numpy python3-h5py")
             (self.folder / "modules" / f"{module}.py").unlink()
-
-
-if __name__ == "__main__":
-    unittest.main()

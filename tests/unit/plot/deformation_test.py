@@ -1,9 +1,5 @@
 """The displacement of the surface before and in an event, on both sides of a fault that cuts it."""
 
-import tempfile
-import unittest
-from pathlib import Path
-
 import numpy as np
 from matplotlib import pyplot
 
@@ -11,6 +7,7 @@ import synthetic_run
 from asperity_plot import deformation, raster, style, surface, windows
 from asperity.errors import InputError, NothingToShow
 from asperity.run import Run
+from folders import FolderCase
 
 EVENTS = 4
 X = np.array([-2.0, -1.0, 0.0, 0.0, 0.5, 2.0])   # [m]; the fault comes up at 0
@@ -19,11 +16,9 @@ WALL = np.array([[0.0, 0.0], [0.0, 0.0], [0.0, 0.0], [3.0, -1.0], [2.0, -0.5], [
 RATES = FOOT - WALL                               # (nodes, 2) [m/s] between events
 
 
-class Deformation(unittest.TestCase):
+class Deformation(FolderCase):
     def setUp(self):
-        folder = tempfile.TemporaryDirectory()
-        self.addCleanup(folder.cleanup)
-        self.folder = Path(folder.name)
+        super().setUp()
         synthetic_run.write_run(self.folder, EVENTS, nodes=20, wedge=False)
         self.run_ = Run(self.folder)
         style.use()
@@ -103,7 +98,3 @@ class Deformation(unittest.TestCase):
         run = self.write(np.zeros(6))
         with self.assertRaisesRegex(InputError, "no two nodes"):
             run.surface.position  # pylint: disable=pointless-statement
-
-
-if __name__ == "__main__":
-    unittest.main()

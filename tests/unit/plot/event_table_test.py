@@ -1,10 +1,6 @@
 """The tables of events, cycles and energies: their numbers, and Markdown."""
 
-import contextlib
-import io
-import tempfile
 import unittest
-from pathlib import Path
 
 import numpy as np
 
@@ -13,13 +9,12 @@ from asperity_plot import cli, event_table, markdown, units, windows
 from asperity.errors import InputError, NothingToShow
 from asperity_plot.windows import Options
 from asperity.run import Run
+from folders import FolderCase, told
 
 
-class EventTables(unittest.TestCase):
+class EventTables(FolderCase):
     def setUp(self):
-        folder = tempfile.TemporaryDirectory()
-        self.addCleanup(folder.cleanup)
-        self.folder = Path(folder.name)
+        super().setUp()
         cycle.write_run(self.folder)
 
     def columns(self, **options):
@@ -120,10 +115,7 @@ class EventTables(unittest.TestCase):
         self.assertEqual(self.columns()["event"].size, 4)
 
     def plot(self, *arguments: str):
-        out, err = io.StringIO(), io.StringIO()
-        with contextlib.redirect_stdout(out), contextlib.redirect_stderr(err):
-            status = cli.main([str(self.folder), "--events", *arguments])
-        return status, out.getvalue(), err.getvalue()
+        return told(cli.main, self.folder, "--events", *arguments)
 
     def test_the_command_prints_markdown_and_draws_nothing(self):
         status, out, err = self.plot("--at", "5000")
@@ -176,7 +168,3 @@ class Markdown(unittest.TestCase):
         self.assertEqual(markdown.table(columns),
                          "| n | x [mm] | y | z |\n| ---: | ---: | ---: | ---: |\n"
                          "| 1 | 1.23 | 1.500e-07 | a |\n| 12,345 |  | 2.346e+06 | 0 |")
-
-
-if __name__ == "__main__":
-    unittest.main()

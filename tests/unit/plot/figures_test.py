@@ -1,10 +1,5 @@
 """The figures of synthetic runs: that they come into being, and that they show the data."""
 
-import contextlib
-import io
-import tempfile
-import unittest
-from pathlib import Path
 from unittest import mock
 
 import numpy as np
@@ -17,6 +12,7 @@ import synthetic_run
 from asperity_plot import boxes, cli, energy, iterations, maps, raster, slip, slip_rate, style
 from asperity_plot import surface, windows
 from asperity.run import Run
+from folders import SharedFolderCase, told
 
 
 def shown(axes) -> np.ndarray:
@@ -26,12 +22,10 @@ def shown(axes) -> np.ndarray:
     return np.asarray(mesh.get_array()).reshape(-1, columns)
 
 
-class Figures(unittest.TestCase):
+class Figures(SharedFolderCase):
     @classmethod
     def setUpClass(cls):
-        cls.temporary = tempfile.TemporaryDirectory()
-        cls.addClassCleanup(cls.temporary.cleanup)
-        cls.folder = Path(cls.temporary.name)
+        super().setUpClass()
         for name, count, wedge in (("many", 7, True), ("one", 1, False), ("none", 0, True)):
             synthetic_run.write_run(cls.folder / name, count, nodes=50, wedge=wedge)
         synthetic_cycle.write_run(cls.folder / "cycle")
@@ -46,10 +40,7 @@ class Figures(unittest.TestCase):
 
     def plot(self, name: str, *options: str):
         """Exit status, standard output and error of asperity-plot."""
-        out, err = io.StringIO(), io.StringIO()
-        with contextlib.redirect_stdout(out), contextlib.redirect_stderr(err):
-            status = cli.main([str(self.folder / name), "--dpi", "60", *options])
-        return status, out.getvalue(), err.getvalue()
+        return told(cli.main, self.folder / name, "--dpi", "60", *options)
 
     def test_all_figures(self):
         status, out, err = self.plot("many")
@@ -221,7 +212,3 @@ class Figures(unittest.TestCase):
         self.assertIn("Friction work", lines)
         self.assertAlmostEqual(lines["Change of kinetic energy too"][0], 0.0)
         self.assertNotAlmostEqual(lines["Numerical dissipation too"][0], 0.0)
-
-
-if __name__ == "__main__":
-    unittest.main()

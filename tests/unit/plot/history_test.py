@@ -1,8 +1,5 @@
 """Histories read in blocks, and brought to the columns of a picture."""
 
-import tempfile
-import unittest
-from pathlib import Path
 from unittest import mock
 
 import h5py
@@ -13,13 +10,13 @@ from asperity import history
 from asperity_plot import raster
 from asperity.errors import InputError, NothingToShow
 from asperity.history import History
+from folders import FolderCase
 
 
-class Histories(unittest.TestCase):
+class Histories(FolderCase):
     def setUp(self):
-        folder = tempfile.TemporaryDirectory()
-        self.addCleanup(folder.cleanup)
-        self.path = Path(folder.name) / "fault.h5"
+        super().setUp()
+        self.path = self.folder / "fault.h5"
         random = np.random.default_rng(7)
         self.times = np.cumsum(10.0**random.uniform(-3.0, 0.0, 400))
         self.values = 10.0**random.uniform(-9.0, 0.0, (400, 5))
@@ -96,7 +93,3 @@ class Histories(unittest.TestCase):
             del file["geometry/positions"]
         with self.assertRaises(NothingToShow):
             History(self.path).position  # pylint: disable=expression-not-assigned
-
-
-if __name__ == "__main__":
-    unittest.main()

@@ -31,7 +31,3 @@ class LoadingTest(unittest.TestCase):
         self.assertIsNone(loading.read(Parameters(fixed)))
         second = {path.replace("Back", "Front"): value for path, value in CONDITION.items()}
         self.assertIsNone(loading.read(Parameters({**CONDITION, **second})))
-
-
-if __name__ == "__main__":
-    unittest.main()

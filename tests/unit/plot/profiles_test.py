@@ -16,6 +16,7 @@ from asperity.history import History
 from asperity_plot.windows import Options
 from asperity.run import Run
 from asperity.tables import Table
+from folders import SharedFolderCase
 
 YEAR = cycle.YEAR
 
@@ -57,12 +58,10 @@ class Times(unittest.TestCase):
         self.assertAlmostEqual(during, 0.02)
 
 
-class Profiles(unittest.TestCase):
+class Profiles(SharedFolderCase):
     @classmethod
     def setUpClass(cls):
-        cls.temporary = tempfile.TemporaryDirectory()
-        cls.addClassCleanup(cls.temporary.cleanup)
-        cls.folder = Path(cls.temporary.name)
+        super().setUpClass()
         cycle.write_run(cls.folder / "cycle")
         style.use()
 
@@ -205,7 +204,3 @@ class Axes(unittest.TestCase):
         axis = self.axis([(0.0, -4.0), (0.0, -3.0), (0.0, -2.0), (0.0, 0.0)],
                          fields={"prescribed": np.array([[1.0, 0.0, 0.0, 0.0]] * 2)})
         self.assertEqual(axis.limits, (1.0, 4.0))
-
-
-if __name__ == "__main__":
-    unittest.main()

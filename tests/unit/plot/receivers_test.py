@@ -1,8 +1,6 @@
 """Series at receivers and of other codes: read, compared in time, and drawn as they are."""
 
-import tempfile
 import unittest
-from pathlib import Path
 
 import h5py
 import numpy as np
@@ -14,6 +12,7 @@ from asperity.errors import InputError, NothingToShow
 from asperity_plot.windows import Options
 from asperity.run import Run
 from asperity.series import Series
+from folders import FolderCase
 
 HEADER = "# a comment\nt slip slip_rate shear_stress state\n"
 # V passes 1 mm/s at 2e9 s + 2.5 s.
@@ -21,11 +20,10 @@ ROWS = ("2e9 1.0 -4.0 30.0 9.0\n 0.2000000005D+10 1.5 -2.0 31.0 8.0\n"
         "2.00000001e9 2.0 -1.0 32.0 7.0\n")
 
 
-class References(unittest.TestCase):
+class References(FolderCase):
     def setUp(self):
-        folder = tempfile.TemporaryDirectory()
-        self.addCleanup(folder.cleanup)
-        self.path = Path(folder.name) / "other_dp075_code.txt"
+        super().setUp()
+        self.path = self.folder / "other_dp075_code.txt"
         self.path.write_text(HEADER + ROWS)
 
     def test_columns_become_si(self):
@@ -88,11 +86,9 @@ class References(unittest.TestCase):
         np.testing.assert_array_equal(series.within((-9.0, 9.0)).time, series.time)
 
 
-class Receivers(unittest.TestCase):
+class Receivers(FolderCase):
     def setUp(self):
-        folder = tempfile.TemporaryDirectory()
-        self.addCleanup(folder.cleanup)
-        self.folder = Path(folder.name)
+        super().setUp()
         self.times = cycle.row_times()
         cycle.write_receivers(self.folder / "receivers.h5", self.times)
         cycle.write_events(self.folder / "events.csv")
@@ -188,7 +184,3 @@ class Labels(unittest.TestCase):
         self.assertEqual(style.wrapped("dp075"), "dp075")
         self.assertEqual(style.wrapped("bp1_code_dp075_first\nshown 3 s later", 12),
                          "bp1_code_\ndp075_first\nshown 3 s\nlater")
-
-
-if __name__ == "__main__":
-    unittest.main()

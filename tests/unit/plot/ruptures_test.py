@@ -1,9 +1,5 @@
 """Arrival times and moments of events, as the figures show them."""
 
-import tempfile
-import unittest
-from pathlib import Path
-
 import h5py
 import numpy as np
 from matplotlib import pyplot
@@ -12,13 +8,12 @@ import synthetic_cycle as cycle
 from asperity_plot import moment_rate, rupture_times, style, units, windows
 from asperity.errors import InputError, NothingToShow
 from asperity.run import Run
+from folders import FolderCase
 
 
-class Ruptures(unittest.TestCase):
+class Ruptures(FolderCase):
     def setUp(self):
-        folder = tempfile.TemporaryDirectory()
-        self.addCleanup(folder.cleanup)
-        self.folder = Path(folder.name)
+        super().setUp()
         times = cycle.row_times()
         cycle.write_ruptures(self.folder / "rupture.h5", cycle.depths(97))
         cycle.write_totals(self.folder / "global.csv", times)
@@ -130,7 +125,3 @@ class Ruptures(unittest.TestCase):
         _, time, rate, moment = next(moment_rate.curves(*self.view()))
         self.assertEqual((time[0], moment[0]), (0.0, 0.0))
         self.assertTrue(np.isfinite(rate[0]) and units.largest(moment) > 1e15)
-
-
-if __name__ == "__main__":
-    unittest.main()

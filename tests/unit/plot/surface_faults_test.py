@@ -1,9 +1,6 @@
 """Figures of runs in three dimensions, whose fault is a surface."""
 
-import contextlib
-import io
 import tempfile
-import unittest
 from dataclasses import replace
 from pathlib import Path
 from unittest import mock
@@ -19,13 +16,12 @@ from asperity_plot import (deformation, fault_history, fault_maps, moment_rate, 
 from asperity_plot.cli import main
 from asperity.errors import NothingToShow
 from asperity.run import Run
+from folders import FolderCase, told
 
 
-class SurfaceFaults(unittest.TestCase):
+class SurfaceFaults(FolderCase):
     def setUp(self):
-        folder = tempfile.TemporaryDirectory()
-        self.addCleanup(folder.cleanup)
-        self.folder = Path(folder.name)
+        super().setUp()
         surface.write_run(self.folder)
         self.run_ = Run(self.folder)
         self.view = windows.choose(self.run_, None)
@@ -199,13 +195,13 @@ class SurfaceFaults(unittest.TestCase):
         self.assertRegex(figure.axes[0].get_ylabel(), r"^Moment rate \[.*N m/s\]$")
 
     def test_all_figures_of_the_run(self):
-        with contextlib.redirect_stdout(io.StringIO()) as text:
-            self.assertEqual(main([str(self.folder), "--dpi", "50"]), 0)
+        status, out, _ = told(main, self.folder, "--dpi", "50")
+        self.assertEqual(status, 0)
         for name in ("fault_maps", "rupture_patterns", "fault_history", "moment_rate"):
-            self.assertTrue((self.folder / "figures" / f"{name}.png").exists(), text.getvalue())
-        with contextlib.redirect_stdout(io.StringIO()) as text:
-            self.assertEqual(main([str(self.folder), "--events"]), 0)
-        self.assertIn("Mw", text.getvalue())
+            self.assertTrue((self.folder / "figures" / f"{name}.png").exists(), out)
+        status, out, _ = told(main, self.folder, "--events")
+        self.assertEqual(status, 0)
+        self.assertIn("Mw", out)
 
     def test_in_two_dimensions_there_are_none(self):
         folder = self.folder / "plane"
@@ -214,7 +210,3 @@ class SurfaceFaults(unittest.TestCase):
         for module in (fault_maps, fault_history):
             with self.assertRaises(NothingToShow):
                 module.draw(run, windows.choose(run, None))
-
-
-if __name__ == "__main__":
-    unittest.main()

@@ -52,7 +52,3 @@ class Units(unittest.TestCase):
     def test_nice_steps(self):
         for step, expected in ((2.13, 2.0), (0.0257, 0.02), (7.0, 5.0), (1.0, 1.0), (0.99, 0.5)):
             self.assertAlmostEqual(units.nice(step), expected)
-
-
-if __name__ == "__main__":
-    unittest.main()

@@ -1,9 +1,5 @@
 """Which stretch of a run is shown, and what the deck says about the wedge."""
 
-import tempfile
-import unittest
-from pathlib import Path
-
 import numpy as np
 
 import synthetic_run
@@ -11,14 +7,10 @@ from asperity_plot import windows
 from asperity.errors import InputError
 from asperity.parameters import Parameters
 from asperity.run import Run
+from folders import FolderCase
 
 
-class Windows(unittest.TestCase):
-    def setUp(self):
-        folder = tempfile.TemporaryDirectory()
-        self.addCleanup(folder.cleanup)
-        self.folder = Path(folder.name)
-
+class Windows(FolderCase):
     def run_with(self, events: str, deck: str = "") -> Run:
         steps = "step,time [s],step_size [s]\n"
         steps += "\n".join(f"{time},{time},1" for time in range(1, 1001))
@@ -122,7 +114,3 @@ class Windows(unittest.TestCase):
         self.assertIsNone(parameters.number("A/f"))
         self.assertEqual(parameters.numbers("A/v"), [1.0, 2.5])
         self.assertEqual(parameters.numbers("A/absent"), [])
-
-
-if __name__ == "__main__":
-    unittest.main()

@@ -13,6 +13,7 @@ from asperity_plot import boxes
 from asperity_study import results
 from asperity_study.runner import Job
 from asperity_study.study import Study, Variable
+from folders import FolderCase
 
 YEAR, DAY = 365.25 * 86400.0, 86400.0
 RECURRENCE = np.array([29.0, 41.0, 77.0, 53.0]) * YEAR  # between main events
@@ -37,11 +38,9 @@ def write(folder: Path, header: str = HEADER) -> None:
     (folder / "events.csv").write_text("\n".join(lines) + "\n", encoding="utf-8")
 
 
-class Choosing(unittest.TestCase):
+class Choosing(FolderCase):
     def setUp(self):
-        temporary = tempfile.TemporaryDirectory()
-        self.addCleanup(temporary.cleanup)
-        self.folder = Path(temporary.name)
+        super().setUp()
         write(self.folder)
         self.run_ = asperity.Run(self.folder)
 
@@ -129,7 +128,3 @@ class Origin(unittest.TestCase):
         events = self.nucleation(HEADER.replace("nucleation_from_upper_end", "nucleation"), None)
         self.assertNotIn("nucleation", events)
         self.assertEqual(events["nucleation_from_smaller_coordinates"][0], 12e3)
-
-
-if __name__ == "__main__":
-    unittest.main()

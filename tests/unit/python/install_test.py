@@ -58,7 +58,3 @@ class Install(unittest.TestCase):
             self.call(programs / "asperity-plot", self.folder / "run", "--figures", "energy",
                       "--dpi", "40")
             self.assertTrue((self.folder / "run" / "figures" / "energy.png").exists())
-
-
-if __name__ == "__main__":
-    unittest.main()

@@ -1,13 +1,9 @@
 """asperity-report: one page that has everything and fetches nothing."""
 
-import contextlib
-import io
 import re
 import shutil
 import subprocess
-import tempfile
 import unittest
-from pathlib import Path
 from unittest import mock
 
 import h5py
@@ -20,6 +16,7 @@ from asperity_plot import cli as plot_cli
 from asperity_plot import event_table, maps, windows
 from asperity_report import cli, provenance, report, sections
 from asperity_report.page import page as whole_page, table
+from folders import SharedFolderCase, told
 from page_checks import Page
 
 LOG = """Asperity 0.1.0 on Serial, 2 ranks.
@@ -65,21 +62,20 @@ document.title = `broken: ${broken.join(" ") || "none"}; page: `
 </script>"""
 
 
-class Report(unittest.TestCase):
+class Report(SharedFolderCase):
     @classmethod
     def setUpClass(cls):
-        cls.temporary = tempfile.TemporaryDirectory()
-        cls.addClassCleanup(cls.temporary.cleanup)
+        super().setUpClass()
         for module, name, size in ((maps, "COLUMNS", 300), (maps, "POSITIONS", 100),
                                    (report, "DPI", 60)):
             coarse = mock.patch.object(module, name, size)
             coarse.start()
             cls.addClassCleanup(coarse.stop)
-        cls.folder = Path(cls.temporary.name) / "a <run> & more"
-        synthetic_run.write_run(cls.folder, 4, nodes=30)
-        (cls.folder / "run.log").write_text(LOG)
-        (cls.folder / "parameters.xml").write_text(DECK)
-        with h5py.File(cls.folder / "checkpoint.h5", "w") as file:
+        cls.run_folder = cls.folder / "a <run> & more"
+        synthetic_run.write_run(cls.run_folder, 4, nodes=30)
+        (cls.run_folder / "run.log").write_text(LOG)
+        (cls.run_folder / "parameters.xml").write_text(DECK)
+        with h5py.File(cls.run_folder / "checkpoint.h5", "w") as file:
             text = h5py.string_dtype()
             file.attrs["fingerprint"] = "0123456789abcdef"
             group = file.create_group("fingerprint")
@@ -87,17 +83,14 @@ class Report(unittest.TestCase):
                                  dtype=text)
             group.create_dataset("values", data=["00c0ffee", "0.1"], dtype=text)
             group.create_dataset("contents", data=["the numbered mesh", ""], dtype=text)
-        cls.status, cls.out, cls.err = cls.report(cls.folder)
-        cls.path = cls.folder / "report.html"
+        cls.status, cls.out, cls.err = cls.report(cls.run_folder)
+        cls.path = cls.run_folder / "report.html"
         cls.html = cls.path.read_text(encoding="utf-8")
         cls.page = Page(cls.html)
 
     @staticmethod
     def report(*arguments):
-        out, err = io.StringIO(), io.StringIO()
-        with contextlib.redirect_stdout(out), contextlib.redirect_stderr(err):
-            status = cli.main([str(word) for word in arguments])
-        return status, out.getvalue(), err.getvalue()
+        return told(cli.main, *arguments)
 
     def test_says_where_the_page_is(self):
         self.assertEqual((self.status, self.err), (0, ""))
@@ -127,10 +120,8 @@ class Report(unittest.TestCase):
         self.assertEqual([row[0] for row in events], ["1", "2", "3", "4"])
 
     def test_all_figures_that_asperity_plot_draws(self):
-        with contextlib.redirect_stdout(io.StringIO()):
-            plot_cli.main([str(self.folder), "--dpi", "40", "--output",
-                           str(Path(self.temporary.name) / "figures")])
-        drawn = {path.stem for path in (Path(self.temporary.name) / "figures").glob("*.png")}
+        told(plot_cli.main, self.run_folder, "--dpi", "40", "--output", self.folder / "figures")
+        drawn = {path.stem for path in (self.folder / "figures").glob("*.png")}
         self.assertEqual({image["id"] for image in self.page.images}, drawn)
         for image in self.page.images:
             self.assertTrue(image["src"].startswith("data:image/png;base64,"))
@@ -152,7 +143,7 @@ class Report(unittest.TestCase):
         self.assertIn("<table>\n<tr><th>event</th>", self.html)
 
     def test_tables_of_many_columns_are_several(self):
-        folder = Path(self.temporary.name) / "cycle"
+        folder = self.folder / "cycle"
         synthetic_cycle.write_run(folder)
         run, wrong = Run(folder), []
         view = windows.choose(run, None)
@@ -175,7 +166,7 @@ class Report(unittest.TestCase):
                       "the numbered mesh"):
             self.assertIn(words, text)
         rows = {row[0]: row[1:] for row in self.page.rows if row}
-        digest = subprocess.run(["sha256sum", str(self.folder / "parameters.xml")], text=True,
+        digest = subprocess.run(["sha256sum", str(self.run_folder / "parameters.xml")], text=True,
                                 capture_output=True, check=True).stdout.split()[0].lstrip("\\")
         self.assertIn(digest, rows["parameters.xml"])
         self.assertEqual(rows[provenance.WHOLE], ["0123456789abcdef"])
@@ -183,7 +174,7 @@ class Report(unittest.TestCase):
             self.assertIn(words, text)
 
     def test_a_run_that_has_just_begun(self):
-        folder = Path(self.temporary.name) / "new"
+        folder = self.folder / "new"
         folder.mkdir()
         (folder / "run.log").write_text("Asperity 0.1.0 on Serial, 1 rank.\n")
         status, _, err = self.report(folder)
@@ -191,8 +182,8 @@ class Report(unittest.TestCase):
         self.assertEqual(Page((folder / "report.html").read_text()).images, [])
 
     def test_what_is_damaged_is_named_and_the_rest_is_there(self):
-        folder = Path(self.temporary.name) / "damaged"
-        shutil.copytree(self.folder, folder)
+        folder = self.folder / "damaged"
+        shutil.copytree(self.run_folder, folder)
         (folder / "steps.csv").unlink()
         (folder / "surface.h5").write_bytes(b"no HDF5")
         status, _, err = self.report(folder)
@@ -201,12 +192,12 @@ class Report(unittest.TestCase):
         self.assertIn("slip_rate", {image["id"] for image in page.images})
 
     def test_no_run(self):
-        status, out, err = self.report(Path(self.temporary.name) / "nothing")
+        status, out, err = self.report(self.folder / "nothing")
         self.assertEqual((status, out, err.count("\n")), (2, "", 1))
 
     def test_another_place(self):
-        target = Path(self.temporary.name) / "elsewhere.html"
-        folder = Path(self.temporary.name) / "small"
+        target = self.folder / "elsewhere.html"
+        folder = self.folder / "small"
         folder.mkdir()
         (folder / "run.log").write_text(LOG)
         self.assertEqual(self.report(folder, "--output", target)[0], 0)
@@ -218,7 +209,7 @@ class Report(unittest.TestCase):
         """What a browser without a network prints."""
         command = ["chromium", "--headless", "--no-sandbox", "--disable-gpu",
                    "--host-resolver-rules=MAP * ~NOTFOUND", "--hide-scrollbars",
-                   f"--user-data-dir={self.temporary.name}/profile"]
+                   f"--user-data-dir={self.folder}/profile"]
         return subprocess.run([*command, *words], check=True, capture_output=True,
                               timeout=90).stdout.decode()
 
@@ -228,7 +219,7 @@ class Report(unittest.TestCase):
                  ("words", "Words", table(["file", "bytes", "SHA-256"],
                                           [["List/" + 40 * "x", 9 * "1", 300 * "y"]], True)),
                  ("measured", "Measured", MEASURE)]
-        path = Path(self.temporary.name) / "narrow.html"
+        path = self.folder / "narrow.html"
         path.write_text(whole_page("narrow", parts), encoding="utf-8")
         dom = self.browse("--window-size=600,800", "--dump-dom", path.as_uri())
         self.assertEqual(re.search("<title>(.*)</title>", dom)[1],
@@ -236,7 +227,7 @@ class Report(unittest.TestCase):
 
     @unittest.skipUnless(shutil.which("chromium"), "there is no chromium")
     def test_in_a_browser_without_a_network(self):
-        picture = Path(self.temporary.name) / "page.png"
+        picture = self.folder / "page.png"
         page = self.path.resolve().as_uri()
         self.browse("--window-size=1000,6000", f"--screenshot={picture}", page)
         shown = imread(picture)[..., :3]
@@ -244,14 +235,10 @@ class Report(unittest.TestCase):
         # figures have colour; a page whose pictures are missing has text and grey lines alone
         coloured = (shown.max(axis=2) - shown.min(axis=2) > 0.3).sum(axis=1) > 20
         self.assertGreater(coloured.sum(), 20 * len(self.page.images))
-        without = Path(self.temporary.name) / "without.html"
+        without = self.folder / "without.html"
         without.write_text(re.sub('src="data:[^"]*"', "", self.html), encoding="utf-8")
         self.browse("--window-size=1000,6000", f"--screenshot={picture}", without.as_uri())
         bare = imread(picture)[..., :3]
         left = (bare.max(axis=2) - bare.min(axis=2) > 0.3).sum(axis=1) > 20
         self.assertLess(left.sum(), 0.1 * coloured.sum())  # the links
         self.assertEqual(len(Page(self.browse("--dump-dom", page)).images), len(self.page.images))
-
-
-if __name__ == "__main__":
-    unittest.main()

@@ -1,24 +1,20 @@
 """A run directory read in three lines, with every number as it stands in the files."""
 
-import tempfile
-import unittest
-from pathlib import Path
-
 import h5py
 import numpy as np
 
 import asperity
 import synthetic_cycle
 import synthetic_run
+from folders import SharedFolderCase
 
 
-class Reading(unittest.TestCase):
+class Reading(SharedFolderCase):
     @classmethod
     def setUpClass(cls):
-        cls.temporary = tempfile.TemporaryDirectory()
-        cls.addClassCleanup(cls.temporary.cleanup)
-        cls.wedge = Path(cls.temporary.name) / "wedge"
-        cls.cycle = Path(cls.temporary.name) / "cycle"
+        super().setUpClass()
+        cls.wedge = cls.folder / "wedge"
+        cls.cycle = cls.folder / "cycle"
         synthetic_run.write_run(cls.wedge, 4, nodes=40)
         synthetic_cycle.write_run(cls.cycle)
 
@@ -43,7 +39,7 @@ class Reading(unittest.TestCase):
             run.fault["slap"]
 
     def test_units_of_fields(self):
-        path = Path(self.temporary.name) / "units"
+        path = self.folder / "units"
         synthetic_run.write_run(path, 1, nodes=20)
         with h5py.File(path / "fault.h5", "a") as file:
             file["fields/slip"].attrs["unit"] = "m"
@@ -83,8 +79,4 @@ class Reading(unittest.TestCase):
 
     def test_no_run(self):
         with self.assertRaisesRegex(asperity.InputError, "holds no result"):
-            asperity.Run(self.temporary.name)
-
-
-if __name__ == "__main__":
-    unittest.main()
+            asperity.Run(self.folder)

@@ -1,37 +1,29 @@
 """What asperity-status says of runs that go on, were stopped, were killed, or are done."""
 
-import contextlib
 import fcntl
-import io
 import json
 import os
 import socket
 import subprocess
-import tempfile
 import time
-import unittest
-from pathlib import Path
 
 import synthetic_log
 from asperity_status import cli
+from folders import FolderCase, told
 
 FINISHED = "\nFinished at t = 500 s after 1500 steps.\nEffort: 3 coupled steps.\n"
 STOPPED = "\nStopped at t = 210 s after 630 steps.\n"
 STEPS = synthetic_log.CALM_STEPS + synthetic_log.EVENT_STEPS
 
 
-class Folder(unittest.TestCase):
+class Folder(FolderCase):
     def setUp(self):
-        self.temporary = tempfile.TemporaryDirectory()
-        self.addCleanup(self.temporary.cleanup)
-        self.folder = Path(self.temporary.name) / "run"
+        super().setUp()
+        self.folder /= "run"
 
     def status(self, *options):
         """Exit status, standard output and error."""
-        out, err = io.StringIO(), io.StringIO()
-        with contextlib.redirect_stdout(out), contextlib.redirect_stderr(err):
-            status = cli.main([str(self.folder), *options])
-        return status, out.getvalue(), err.getvalue()
+        return told(cli.main, self.folder, *options)
 
     def facts(self, *options):
         return json.loads(self.status("--json", *options)[1])
@@ -275,7 +267,3 @@ class Facts(Folder):
         status, out, _ = self.status("--follow", "--every", "0.01s")
         self.assertEqual(status, 0)
         self.assertEqual(out.count("finished"), 1)
-
-
-if __name__ == "__main__":
-    unittest.main()

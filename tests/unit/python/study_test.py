@@ -2,8 +2,6 @@
 
 import csv
 import json
-import tempfile
-import unittest
 from pathlib import Path
 from unittest import mock
 
@@ -16,15 +14,14 @@ from asperity.errors import InputError
 from asperity.selection import Selection
 from asperity_study import figure, results, runner, study
 from asperity_study.runner import Job
+from folders import FolderCase
 
 EXAMPLES = Path(__file__).resolve().parents[3] / "examples" / "study"
 
 
-class Studies(unittest.TestCase):
+class Studies(FolderCase):
     def setUp(self):
-        self.temporary = tempfile.TemporaryDirectory()
-        self.addCleanup(self.temporary.cleanup)
-        self.folder = Path(self.temporary.name)
+        super().setUp()
         (self.folder / "deck.xml").write_text("<ParameterList name='Asperity'/>")
 
     def write(self, variables: str, rest: str = "", sampling: str = "Grid") -> Path:
@@ -221,7 +218,3 @@ class Tables(Studies):
         _, axes = self.drawn(self.write(stress + self.sampled("b", "1", "2"),
                                         '<Parameter name="Samples" value="2"/>', "Random"))
         self.assertEqual([panel.get_xlabel() for panel in axes[-2:]], ["stress [Pa]", "b"])
-
-
-if __name__ == "__main__":
-    unittest.main()

@@ -1,21 +1,16 @@
 """Runs that go on, or were killed: what is whole is read, and nothing that is half written."""
 
-import tempfile
-import unittest
-from pathlib import Path
-
 import h5py
 import numpy as np
 
 import asperity
 import synthetic_run
+from folders import FolderCase
 
 
-class Unfinished(unittest.TestCase):
+class Unfinished(FolderCase):
     def setUp(self):
-        self.temporary = tempfile.TemporaryDirectory()
-        self.addCleanup(self.temporary.cleanup)
-        self.folder = Path(self.temporary.name)
+        super().setUp()
         synthetic_run.write_run(self.folder, 3, nodes=20)
 
     def test_a_row_without_its_end_is_left_out(self):
@@ -76,7 +71,3 @@ class Unfinished(unittest.TestCase):
         other.replace(self.folder / "fault.h5")
         self.assertEqual(run.fault["slip"].shape[0], rows)
         self.assertEqual(run.again().fault.time.size, 2)
-
-
-if __name__ == "__main__":
-    unittest.main()
