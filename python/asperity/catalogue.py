@@ -60,6 +60,12 @@ def select(table: Table, selection: Selection) -> Table:
     return table
 
 
+def magnitude(moment: np.ndarray) -> np.ndarray:
+    """Mw of moments [N m]; -inf of 0."""
+    with np.errstate(divide="ignore"):
+        return (np.log10(moment) - 9.1) / 1.5
+
+
 def _merged(table: Table, merging_time: float) -> Table:
     onset = table["onset"]
     end = table["end"] if "end" in table else onset + table["duration"]
@@ -77,6 +83,5 @@ def _merged(table: Table, merging_time: float) -> Table:
             columns[name] = values[last if name in LAST else first]
     columns["duration"] = end[last] - onset[first]
     if "magnitude" in columns and "moment" in columns:
-        with np.errstate(divide="ignore"):
-            columns["magnitude"] = (np.log10(columns["moment"]) - 9.1) / 1.5
+        columns["magnitude"] = magnitude(columns["moment"])
     return Table(table.path, columns, table.units)

@@ -6,7 +6,7 @@ from typing import Iterator, List, Optional, Tuple
 
 import numpy as np
 
-from .errors import InputError, OtherDimension
+from .errors import InputError, NothingToShow, OtherDimension
 from .h5file import H5File
 
 BLOCK_BYTES = 16 * 2**20
@@ -43,6 +43,11 @@ class History(H5File):
     def __init__(self, path: Path):
         super().__init__(path)
         self.time = self.times()
+
+    def require_two_times(self) -> None:
+        """NothingToShow where there is one, between which and another nothing can change."""
+        if self.time.size < 2:
+            raise NothingToShow(f"{self.path.name} has a single time")
 
     @property
     def fields(self) -> List[str]:

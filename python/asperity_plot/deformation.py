@@ -14,17 +14,15 @@ from asperity.run import Run
 
 from . import along, deformation_maps, plane, raster, style, units
 from .along import Axis
+from .deformation_maps import FIELD, SHOWN
 from .windows import View, Window
 
-FIELD = "displacement"
 SETTLING = 5.0  # durations of an event in which its waves leave
-SHOWN = 0.01    # places that move less than this share of the largest are left out
 
 
 def draw(run: Run, view: View):
     """The figure; NothingToShow without an event or in a history with a single row."""
-    if run.surface.time.size < 2:
-        raise NothingToShow("surface.h5 has a single time")
+    run.surface.require_two_times()
     if not view.number:
         raise NothingToShow("no event ended in the time shown")
     spans = _spans(run, view)
@@ -35,10 +33,10 @@ def draw(run: Run, view: View):
         return deformation_maps.draw(run, spans, titles)
     directions = _directions(run)
     changes = [[_change(run, span, direction) for _, direction, _ in directions] for span in spans]
-    shown = deformation_maps.moving(changes)
-    changes, titles = [changes[i] for i in shown], [titles[i] for i in shown]
+    changes, titles = deformation_maps.moving(changes, titles)
     where, unit = along.axis(run, run.surface, "surface"), units.length(np.array(changes))
-    figure, axes = style.panels(1, len(shown), (11.0 if len(shown) > 1 else 6.5, 4.2), sharex=True)
+    size = 11.0 if len(titles) > 1 else 6.5, 4.2
+    figure, axes = style.panels(1, len(titles), size, sharex=True)
     for panel, lines in zip(axes[0], changes):
         for (name, _, colour), line in zip(directions, lines):
             _line(panel, where, run.surface.position, unit(line), colour, name)

@@ -28,13 +28,11 @@ def draw(run: Run, spans: Tuple[Window, Window], titles: List[str]):
     upwards = plane.up(run)
     axes = [axis for axis in range(3) if axis != int(np.argmax(np.abs(upwards)))]
     places, far = nodes[:, axes], units.length(np.ptp(nodes, axis=0))
-    moved = [change(run, span) for span in spans]
-    shown = moving(moved)
-    moved, titles = [moved[i] for i in shown], [titles[i] for i in shown]
+    moved, titles = moving([change(run, span) for span in spans], titles)
     limits = _limits(places, moved)
     shape = float(np.divide(*np.ptp(limits, axis=0)[::-1]))
-    width = 11.0 if len(shown) > 1 else 6.5
-    figure, panels = style.panels(1, len(shown), (width, 1.5 + min(4.4 * shape, 8.0)), sharey=True)
+    size = 11.0 if len(titles) > 1 else 6.5, 1.5 + min(4.4 * shape, 8.0)
+    figure, panels = style.panels(1, len(titles), size, sharey=True)
     for panel, displacement, title in zip(panels[0], moved, titles):
         mesh = Triangulation(*far(places).T, triangles)
         _uplift(panel, mesh, displacement @ upwards)
@@ -46,14 +44,14 @@ def draw(run: Run, spans: Tuple[Window, Window], titles: List[str]):
     return figure
 
 
-def moving(moved: List[np.ndarray]) -> List[int]:
-    """Which of the spans have a displacement to show: where an event begins with the run, nothing
-    moves before it. NothingToShow if nothing moves at all."""
+def moving(moved: List, titles: List[str]) -> Tuple[List, List[str]]:
+    """Those of the displacements and their titles that have something to show: where an event
+    begins with the run, nothing moves before it. NothingToShow if nothing moves at all."""
     sizes = [float(np.abs(one).max()) for one in moved]
     shown = [i for i, size in enumerate(sizes) if size > NOTHING * max(sizes)]
     if not shown:
         raise NothingToShow("the surface does not move")
-    return shown
+    return [moved[i] for i in shown], [titles[i] for i in shown]
 
 
 def change(run: Run, span: Window) -> np.ndarray:

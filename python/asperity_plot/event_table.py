@@ -4,6 +4,7 @@ from typing import List
 
 import numpy as np
 
+from asperity.catalogue import magnitude
 from asperity.errors import InputError, NothingToShow
 from asperity.run import Run
 from asperity.tables import Table
@@ -70,9 +71,7 @@ def _moment(catalogue: Table) -> List[Column]:
         return []
     columns = [Column("moment per length", moment, units.Unit("N", 1.0))]
     if units.largest(moment) > 1e9:
-        with np.errstate(divide="ignore"):
-            magnitude = (np.log10(1000.0 * moment) - 9.1) / 1.5
-        columns.append(Column("Mw of 1 km", magnitude, digits=3))
+        columns.append(Column("Mw of 1 km", magnitude(1000.0 * moment), digits=3))
     return columns
 
 

@@ -4,13 +4,13 @@ Steps differ by orders of magnitude in size. On an axis of several cycles thousa
 one column of the picture; the functions here define which value it shows.
 """
 
-from typing import Optional, Tuple
+from typing import Optional
 
 import numpy as np
 
 from asperity.history import History
 
-Window = Tuple[float, float]
+from .windows import Window
 
 
 def edges(window: Window, columns: int) -> np.ndarray:

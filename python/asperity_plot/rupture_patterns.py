@@ -50,11 +50,10 @@ def chosen(run: Run, view: View) -> Tuple[List[int], List[np.ndarray]]:
     fronts [s]."""
     rows, fronts = [], []
     triangles = plane.plane(run, run.ruptures).triangles
-    for row, onset in enumerate(run.events["onset"]):
+    for row in windows.within(run.events["onset"], view.sequence):
         front = fault_maps.arrivals(run, row)
-        inside = view.sequence[0] <= onset <= view.sequence[1]
-        if inside and front is not None and np.isfinite(front)[triangles].all(axis=1).any():
-            rows.append(row)
+        if front is not None and np.isfinite(front)[triangles].all(axis=1).any():
+            rows.append(int(row))
             fronts.append(front)
     return rows[-MOST:], fronts[-MOST:]
 

@@ -41,7 +41,7 @@ def after_onset(run: Run, view: View) -> Tuple[np.ndarray, np.ndarray]:
     if run.selection and run.has("events.csv"):
         return _of_selected(run, view)
     numbers, onsets = run.ruptures.array("number"), run.ruptures.array("onset")
-    rows = np.flatnonzero((onsets >= view.sequence[0]) & (onsets <= view.sequence[1]))
+    rows = windows.within(onsets, view.sequence)
     times = run.ruptures.array("rupture_time")[rows] - onsets[rows, None]
     arrived = np.isfinite(times).any(axis=1)
     return numbers[rows][arrived].astype(int), times[arrived]
@@ -49,8 +49,7 @@ def after_onset(run: Run, view: View) -> Tuple[np.ndarray, np.ndarray]:
 
 def _of_selected(run: Run, view: View) -> Tuple[np.ndarray, np.ndarray]:
     """As `after_onset` of the events that count: first arrivals from onset to end of each."""
-    events = run.events.select((run.events["onset"] >= view.sequence[0])
-                               & (run.events["onset"] <= view.sequence[1]))
+    events = run.events.select(windows.within(run.events["onset"], view.sequence))
     times = run.ruptures.array("rupture_time")
     numbers, arrivals = [], []
     for number, onset, duration in zip(windows.numbers(events), events["onset"],

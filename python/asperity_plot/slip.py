@@ -5,7 +5,6 @@ from typing import Tuple
 import numpy as np
 from matplotlib.colors import Normalize
 
-from asperity.errors import NothingToShow
 from asperity.run import Run
 
 from . import along, profiles, raster, style, units
@@ -16,8 +15,7 @@ PROFILES = 60  # more lines than this would merge
 
 def draw(run: Run, view: View):
     """The figure; NothingToShow if the history has a single row."""
-    if run.fault.time.size < 2:
-        raise NothingToShow("fault.h5 has a single time")
+    run.fault.require_two_times()
     times, heading = _times(run)
     slip = profiles.sign(run.fault) * raster.interpolated(run.fault, profiles.FIELD, times)
     where, unit = along.axis(run, run.fault, "fault"), units.length(slip)

@@ -7,7 +7,6 @@ from typing import List
 import numpy as np
 from matplotlib.axes import Axes
 
-from asperity.errors import NothingToShow
 from asperity.run import Run
 
 from . import along, profiles, style, units
@@ -18,8 +17,7 @@ ADVICE = "let Fault History write more rows"
 
 def draw(run: Run, view: View):
     """The figure; NothingToShow if the history has a single row."""
-    if run.fault.time.size < 2:
-        raise NothingToShow("fault.h5 has a single time")
+    run.fault.require_two_times()
     families = lines(run, view)
     where = along.axis(run, run.fault, "fault")
     figure, axes = style.panels(1, 1, (7.5, 5.0) if where.is_downwards else (9.0, 5.0))

@@ -7,7 +7,6 @@ from matplotlib.axes import Axes
 from matplotlib.colors import Normalize
 from matplotlib.ticker import FuncFormatter, MaxNLocator
 
-from asperity.errors import NothingToShow
 from asperity.run import Run
 
 from . import along, maps, raster, style
@@ -19,8 +18,7 @@ DECADES = 12  # below the largest slip rate: from ruptures to what is locked bel
 
 def draw(run: Run, view: View):
     """The figure; NothingToShow if the history has a single row."""
-    if run.fault.time.size < 2:
-        raise NothingToShow("fault.h5 has a single time")
+    run.fault.require_two_times()
     cycles = raster.maxima(run.fault, FIELD, view.cycles, maps.COLUMNS)
     norm = _norm(cycles)
     figure, axes = maps.panels(view)

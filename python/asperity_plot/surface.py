@@ -10,7 +10,6 @@ from typing import Tuple
 import numpy as np
 from matplotlib.colors import Normalize
 
-from asperity.errors import NothingToShow
 from asperity.run import Run
 
 from . import along, loading, maps, raster, style, units
@@ -23,8 +22,7 @@ FEWEST = 3  # events in the time shown that have a trend
 def draw(run: Run, view: View):
     """The figure; NothingToShow if the history has a single row."""
     surface = run.surface
-    if surface.time.size < 2:
-        raise NothingToShow("surface.h5 has a single time")
+    surface.require_two_times()
     limits, times, values = _columns(run, view.cycles, maps.COLUMNS)
     trend = _trend(times, values, view)
     cycles = values - trend(times)

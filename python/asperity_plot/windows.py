@@ -15,8 +15,7 @@ LEAD, TRAIL = 1.0, 2.0   # durations of the event before its onset and after its
 SIZEABLE = 0.1           # of the largest event's slip: smaller ones do not choose what is shown
 MAGNIFICATION = 5.0      # a zoom that magnifies less is not worth a panel
 
-
-Window = Tuple[float, float]
+Window = Tuple[float, float]  # first and last time [s]
 
 
 @dataclass(frozen=True)
@@ -36,8 +35,8 @@ class View:
     `sequence` is for figures that show event beside event: all of them, if they are not too many.
     """
 
-    cycles: Tuple[float, float]
-    zoom: Optional[Tuple[float, float]] = None
+    cycles: Window
+    zoom: Optional[Window] = None
     onset: float = 0.0
     end: float = 0.0
     number: int = 0
@@ -51,7 +50,7 @@ class View:
         return self.number == 0 and not self.chosen
 
 
-def choose(run: Run, window: Optional[Tuple[float, float]], options=Options()) -> View:
+def choose(run: Run, window: Optional[Window], options=Options()) -> View:
     """The user's `window`, or some cycles around a median event of the run's second half."""
     view = _choose(run, window, run.span)
     many = run.has("events.csv") and len(run.events) > MANY_EVENTS
@@ -62,16 +61,16 @@ def choose(run: Run, window: Optional[Tuple[float, float]], options=Options()) -
 
 def _count(run: Run, window: Window) -> int:
     """The events that began in `window`, also one that the end of the run cut off."""
-    return _within(run.events, window).size if run.has("events.csv") else 0
+    return within(run.events["onset"], window).size if run.has("events.csv") else 0
 
 
-def _choose(run: Run, window: Optional[Tuple[float, float]], span: Tuple[float, float]) -> View:
+def _choose(run: Run, window: Optional[Window], span: Window) -> View:
     events = run.complete_events if run.has("events.csv") else None
     if window is not None:
         _check(window, span)
         window = (max(window[0], span[0]), min(window[1], span[1]))
-        inside = _within(events, window)
-        return _view(window, events, _median(events, inside), True)
+        index = None if events is None else _median(events, within(events["onset"], window))
+        return _view(window, events, index, True)
     if events is None or not len(events):
         return View(span)
     onsets, rows = events["onset"], _sizeable(events)
@@ -86,7 +85,7 @@ def over_sequence(run: Run, view: View) -> View:
     return replace(view, cycles=view.sequence, num_events=_count(run, view.sequence))
 
 
-def _check(window: Tuple[float, float], span: Tuple[float, float]) -> None:
+def _check(window: Window, span: Window) -> None:
     if not window[0] < window[1]:
         raise InputError(f"--window {window[0]:g} {window[1]:g}: the first time must be smaller "
                          "than the second.")
@@ -95,10 +94,8 @@ def _check(window: Tuple[float, float], span: Tuple[float, float]) -> None:
                          f"from {span[0]:g} s to {span[1]:g} s.")
 
 
-def _within(events: Optional[Table], window: Tuple[float, float]) -> np.ndarray:
-    if events is None:
-        return np.empty(0, dtype=int)
-    onsets = events["onset"]
+def within(onsets: np.ndarray, window: Window) -> np.ndarray:
+    """The rows of the onsets [s] in `window`."""
     return np.flatnonzero((onsets >= window[0]) & (onsets <= window[1]))
 
 
@@ -108,15 +105,15 @@ def _sizeable(events: Table) -> np.ndarray:
     return np.flatnonzero(size >= SIZEABLE * size.max())
 
 
-def _median(events: Optional[Table], rows: np.ndarray) -> Optional[int]:
+def _median(events: Table, rows: np.ndarray) -> Optional[int]:
     """The event of median size among `rows`, by its peak slip if the table has it."""
-    if events is None or not rows.size:
+    if not rows.size:
         return None
     size = events["peak_slip" if "peak_slip" in events else "duration"][rows]
     return int(rows[np.argsort(size, kind="stable")[(rows.size - 1) // 2]])
 
 
-def _cycles(onsets: np.ndarray, centre: float, span: Tuple[float, float]) -> Tuple[float, float]:
+def _cycles(onsets: np.ndarray, centre: float, span: Window) -> Window:
     """CYCLES median recurrence times around `centre` [s], moved and cut to fit the run."""
     if onsets.size < 2:
         return span
