@@ -1,7 +1,5 @@
 """The report of a run by the program itself: what it logs and marks is understood."""
 
-import os
-import pathlib
 import subprocess
 import sys
 import unittest
@@ -12,16 +10,15 @@ import h5py
 sys.path.insert(0, str(asperity_run.SOURCE / "tests" / "unit" / "python"))
 from page_checks import Page  # noqa: E402
 
-DRIVERS = pathlib.Path(os.environ["ASPERITY_BUILD_DIR"]) / "drivers"
+REPORT = asperity_run.PROGRAM.with_name("asperity-report")
 DECK = asperity_run.SOURCE / "xml" / "wedge_2d.xml"
 
 
 class Report(unittest.TestCase):
     def test_of_a_short_run(self):
-        folder = asperity_run.run_to_end("run", DECK, "--set", "Time Stepping/Final Time=50",
-                                         "--set", "Mesh/Wedge/Height=0.3")
-        result = subprocess.run([str(DRIVERS / "asperity-report"), str(folder)], text=True,
-                                capture_output=True, check=False)
+        folder = asperity_run.run_to_end("run", DECK, *asperity_run.settings(
+            "Time Stepping/Final Time=50", "Mesh/Wedge/Height=0.3"))
+        result = subprocess.run([REPORT, folder], text=True, capture_output=True, check=False)
         self.assertEqual((result.returncode, result.stderr), (0, ""))
         page = Page((folder / "report.html").read_text())
         self.assertEqual(page.external(), [])

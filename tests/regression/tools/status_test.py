@@ -1,7 +1,6 @@
 """asperity-status beside a run: while it runs, followed to its end, killed, stopped, finished."""
 
 import json
-import os
 import pathlib
 import shutil
 import signal
@@ -12,7 +11,7 @@ import unittest
 import asperity_run
 import time_limits
 
-STATUS = pathlib.Path(os.environ["ASPERITY_BUILD_DIR"]) / "drivers" / "asperity-status"
+STATUS = asperity_run.PROGRAM.with_name("asperity-status")
 DECK = asperity_run.SOURCE / "xml" / "wedge_2d.xml"
 LONG = ["--set", "Time Stepping/Final Time=1e6"]
 PATIENCE = time_limits.seconds(60)  # [s]

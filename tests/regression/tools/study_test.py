@@ -13,7 +13,7 @@ import unittest
 import asperity_run
 import time_limits
 
-STUDY = pathlib.Path(os.environ["ASPERITY_BUILD_DIR"]) / "drivers" / "asperity-study"
+STUDY = asperity_run.PROGRAM.with_name("asperity-study")
 SLIDER = asperity_run.SOURCE / "examples" / "study" / "slider.xml"
 TEXT = """<ParameterList name="Asperity Study">
   <Parameter name="Deck" type="string" value="{deck}"/>
