@@ -24,7 +24,7 @@ Eigen::Matrix4d amplification(RateUpdate const& update, Oscillator const& o, dou
   for (int column = 0; column < 4; ++column) {
     const Eigen::Vector4d x = Eigen::Vector4d::Unit(column);
     DofMotion motion = {x[0], x[1] * stretch, x[2] * std::pow(stretch, 2),
-                     x[3] * std::pow(stretch, 3)};
+                        x[3] * std::pow(stretch, 3)};
     for (int n = 0; n < num_steps; ++n) {
       motion = dof.step(update, motion, 1, o);
     }
