@@ -2,6 +2,8 @@
 
 #include "SampleDeck.hpp"
 
+#include <Teuchos_DefaultComm.hpp>
+
 namespace asperity::scenario
 {
 using namespace test;
@@ -27,6 +29,11 @@ ParameterList bulkList(
            change(list);
          })
     .sublist("Bulk");
+}
+
+std::vector<fem::Material> makeMaterials(ParameterList const& list, Mesh<2> const& mesh)
+{
+  return makeRock(list, mesh, *Teuchos::DefaultComm<int>::getComm()).materials;
 }
 
 void beAntiplane(ParameterList& list)
