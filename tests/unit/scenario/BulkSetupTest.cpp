@@ -2,8 +2,6 @@
 
 #include "SampleDeck.hpp"
 
-#include <Teuchos_DefaultComm.hpp>
-
 namespace asperity::scenario
 {
 using namespace test;
@@ -33,7 +31,7 @@ ParameterList bulkList(
 
 std::vector<fem::Material> makeMaterials(ParameterList const& list, Mesh<2> const& mesh)
 {
-  return makeRock(list, mesh, *Teuchos::DefaultComm<int>::getComm()).materials;
+  return makeRock(list, mesh, *world()).materials;
 }
 
 void beAntiplane(ParameterList& list)
