@@ -139,7 +139,7 @@ class OwnLaw(unittest.TestCase):
                       call(program, "--print-parameters", "--plugin", plugin))
         runs.fresh("own_law")
         call(program, deck, "--plugin", plugin, "--output", "own_law", "--set",
-             "Friction/Draining Pressure/Enabled=false", "--set", "Bulk/Damping Time=0")
+             "Friction/Draining Pressure/Enabled=false", "--set", "Bulk/Relaxing Share=0")
         row = asperity_run.table("own_law/mean_slip.csv")[-1]
         # half of the friction relaxes in half of the 500 s that law/viscous.xml tells of
         self.assertAlmostEqual(row["mean_slip"], 1e-6 * (1000 + 250 * math.expm1(-1000 / 250)),
