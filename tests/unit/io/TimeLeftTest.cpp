@@ -23,7 +23,11 @@ struct Simulated
     }
   }
   double secondsLeft() const { return left.estimate(1).value().seconds; }
-  bool knowsCycles() const { return left.estimate(1).value().knows_cycles; }
+  bool knowsCycles() const
+  {
+    auto const estimate = left.estimate(1);
+    return estimate && estimate->knows_cycles;
+  }
 
   TimeLeft left;
   double fraction = 0, seconds = 1e5;
