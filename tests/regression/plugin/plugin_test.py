@@ -127,7 +127,7 @@ class Run(unittest.TestCase):
 
     def test_a_restart_refuses_a_plugin_that_has_changed(self):
         plugin = pathlib.Path(shutil.copy(PLUGIN, "changed.so"))
-        # Small steps, so that those which are cut short to meet the end of the first half matter less.
+        # Small steps, so that those which are cut short to end the first half matter less.
         deck = [DECK, "--plugin", plugin, "--set", "Time Stepping/Largest Step=1"]
         folder = asperity_run.run_to_end("changed", *deck, "--set",
                                          f"Time Stepping/Final Time={END / 2}")
