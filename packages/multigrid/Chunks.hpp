@@ -24,11 +24,28 @@ public:
 
   int count() const { return static_cast<int>(begins_.size()) - 1; }
 
-  // work(begin, end) with the rows of each chunk, all at the same time.
+  // work(chunk, begin, end) for each chunk with its rows, all at the same time.
+  template <class Work>
+  void forEachChunk(Work const& work) const
+  {
+    if (count() == 1) {
+      work(0, begins_[0], begins_[1]);
+      return;
+    }
+    using Host = Kokkos::DefaultHostExecutionSpace;
+    Kokkos::parallel_for("asperity::multigrid::chunks",
+                         Kokkos::RangePolicy<Host, Kokkos::Schedule<Kokkos::Static>>(0, count()),
+                         [&](int chunk) {
+                           const FlushDenormals flushed;
+                           work(chunk, begins_[chunk], begins_[chunk + 1]);
+                         });
+    Host().fence();
+  }
+  // The same without the number of the chunk.
   template <class Work>
   void forEach(Work const& work) const
   {
-    forEachChunk([&](int chunk) { work(begins_[chunk], begins_[chunk + 1]); });
+    forEachChunk([&](int, int begin, int end) { work(begin, end); });
   }
   // work(row) for each row, in any order.
   template <class Work>
@@ -46,7 +63,7 @@ public:
   std::array<double, N> sum(Work const& work) const
   {
     std::vector<std::array<double, N>> parts(count(), std::array<double, N>{});
-    forEachChunk([&](int chunk) { work(begins_[chunk], begins_[chunk + 1], parts[chunk]); });
+    forEachChunk([&](int chunk, int begin, int end) { work(begin, end, parts[chunk]); });
     auto total = parts.front();
     for (int chunk = 1; chunk < count(); ++chunk) {
       for (int i = 0; i < N; ++i) {
@@ -57,23 +74,6 @@ public:
   }
 
 private:
-  template <class Work>
-  void forEachChunk(Work const& work) const
-  {
-    if (count() == 1) {
-      work(0);
-      return;
-    }
-    using Host = Kokkos::DefaultHostExecutionSpace;
-    Kokkos::parallel_for("asperity::multigrid::chunks",
-                         Kokkos::RangePolicy<Host, Kokkos::Schedule<Kokkos::Static>>(0, count()),
-                         [&](int chunk) {
-                           const FlushDenormals flushed;
-                           work(chunk);
-                         });
-    Host().fence();
-  }
-
   std::vector<int> begins_ = {0, 0};
 };
 } // namespace asperity::multigrid

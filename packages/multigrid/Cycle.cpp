@@ -172,7 +172,8 @@ void Cycle::descend(std::size_t l, NodeVector const& b)
     const Sweeps<decltype(rows)::value> sweeps(level, data.A, data.inverse);
     sweeps.forward(b, data.x, data.residual);
     sweeps.clearHeld(data.residual);
-    multiplyTransposed(level.prolongation, level.transpose, level.P, data.residual, data.coarse);
+    multiplyTransposed(level.prolongation, level.chunks, level.P, data.residual, data.coarse,
+                       data.parts);
     level.prolongation.gather(data.coarse);
     auto& next = data_[l + 1];
     std::copy_n(data.coarse.begin(), next.b.size(), next.b.begin());

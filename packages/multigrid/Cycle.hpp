@@ -60,8 +60,9 @@ private:
     NodeBlocks A, inverse; // inverse of the diagonal blocks, zero where not free
     NodeVector b, x;       // x with ghosts; no b on the finest level
     NodeVector residual;
-    NodeVector coarse; // on the columns of the prolongation
-    NodeVector before; // x before a sweep of several chunks
+    NodeVector coarse;             // on the columns of the prolongation
+    NodeVector before;             // x before a sweep of several chunks
+    std::vector<NodeVector> parts; // of what chunks restrict to the next level
   };
 
   void descend(std::size_t l, NodeVector const& b);

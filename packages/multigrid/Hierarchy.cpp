@@ -95,7 +95,6 @@ std::size_t AddedBlocks::bytes() const
 void Level::complete(int num_threads)
 {
   chunks = Chunks(graph.first, num_threads);
-  transpose = Transpose(prolongation, num_threads);
   for (int row = 0; row < graph.num_rows; ++row) {
     int k = graph.first[row];
     while (k < graph.first[row + 1] && graph.columns[k] < row) {
@@ -108,7 +107,7 @@ void Level::complete(int num_threads)
 
 std::size_t Level::bytes() const
 {
-  std::size_t sum = graph.bytes() + prolongation.bytes() + transpose.bytes() + added.bytes() +
+  std::size_t sum = graph.bytes() + prolongation.bytes() + added.bytes() +
                     sizeof(int) * (before.size() + after.size()) + sizeof(float) * P.size();
   for (auto const& term : terms) {
     sum += sizeof(float) * term.size();

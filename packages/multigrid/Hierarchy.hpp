@@ -40,11 +40,10 @@ struct Level
                                   // nodes before and after its own
   NodeGraph prolongation;         // from the next level; without rows on the coarsest one
   NodeBlocks P;
-  AddedBlocks added;   // empty on the finest level
-  Chunks chunks;       // of the rows of the matrix and of the prolongation
-  Transpose transpose; // of the prolongation
+  AddedBlocks added; // empty on the finest level
+  Chunks chunks;     // of the rows of the matrix and of the prolongation
 
-  // Sets before, after, chunks and transpose from the graphs.
+  // Sets before, after and chunks from the graph.
   void complete(int num_threads = Chunks::numThreads());
   std::size_t bytes() const;
 };

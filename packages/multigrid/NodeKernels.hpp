@@ -119,15 +119,17 @@ inline void multiplySymmetric(float const* a, float const (&x)[N], float* to)
   result.store(to);
 }
 
-// sum += a^T x
+// to += a^T x
 template <int R, int C>
-inline void addTransposed(float const* a, float const* x, Packed<C>& sum)
+inline void addTransposed(float const* a, float const* x, float* to)
 {
+  auto sum = Packed<C>::of(to);
   for (int r = 0; r < R; ++r) {
     for (int k = 0; k < Packed<C>::num_parts; ++k) {
       sum.part[k] += load(a + r * C + 4 * k) * x[r];
     }
   }
+  sum.store(to);
 }
 
 // The inverse of a symmetric positive semidefinite block in the components with free(c), zero in

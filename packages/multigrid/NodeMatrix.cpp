@@ -2,7 +2,8 @@
 
 #include "multigrid/NodeKernels.hpp"
 
-#include <numeric>
+#include <algorithm>
+#include <functional>
 
 namespace asperity::multigrid
 {
@@ -27,26 +28,6 @@ void NodeGraph::gather(NodeVector& x) const
   }
 }
 
-Transpose::Transpose(NodeGraph const& graph, int num_threads)
-    : first(graph.num_columns + 1, 0)
-    , couplings(graph.columns.size())
-    , rows(graph.columns.size())
-{
-  for (int column : graph.columns) {
-    ++first[column + 1];
-  }
-  std::partial_sum(first.begin(), first.end(), first.begin());
-  auto next = first;
-  for (int row = 0; row < graph.num_rows; ++row) {
-    for (int k = graph.first[row]; k < graph.first[row + 1]; ++k) {
-      const int place = next[graph.columns[k]]++;
-      couplings[place] = k;
-      rows[place] = row;
-    }
-  }
-  chunks = Chunks(first, num_threads);
-}
-
 void multiplyAdd(NodeGraph const& graph, Chunks const& chunks, NodeBlocks const& A,
                  NodeVector const& x, NodeVector& y)
 {
@@ -64,19 +45,25 @@ void multiplyAdd(NodeGraph const& graph, Chunks const& chunks, NodeBlocks const&
   });
 }
 
-void multiplyTransposed(NodeGraph const& graph, Transpose const& transpose, NodeBlocks const& A,
-                        NodeVector const& x, NodeVector& y)
+void multiplyTransposed(NodeGraph const& graph, Chunks const& chunks, NodeBlocks const& A,
+                        NodeVector const& x, NodeVector& y, std::vector<NodeVector>& parts)
 {
+  parts.resize(chunks.count() - 1);
   withBlockSizes(graph.row_size, graph.column_size, [&](auto rows, auto columns) {
     constexpr int R = decltype(rows)::value, C = decltype(columns)::value;
-    transpose.chunks.forEachRow([&](int column) {
-      Packed<C> sum;
-      for (int i = transpose.first[column]; i < transpose.first[column + 1]; ++i) {
-        addTransposed<R, C>(&A[static_cast<std::size_t>(transpose.couplings[i]) * R * C],
-                            &x[transpose.rows[i] * R], sum);
+    chunks.forEachChunk([&](int chunk, int begin, int end) {
+      auto& to = chunk == 0 ? y : parts[chunk - 1];
+      to.assign(y.size(), 0.f);
+      for (int row = begin; row < end; ++row) {
+        for (int k = graph.first[row]; k < graph.first[row + 1]; ++k) {
+          addTransposed<R, C>(&A[static_cast<std::size_t>(k) * R * C], &x[row * R],
+                              &to[graph.columns[k] * C]);
+        }
       }
-      sum.store(&y[column * C]);
     });
   });
+  for (auto const& part : parts) {
+    std::transform(y.begin(), y.end(), part.begin(), y.begin(), std::plus<float>());
+  }
 }
 } // namespace asperity::multigrid

@@ -81,25 +81,9 @@ struct NodeGraph
 // third of what a sparse matrix of scalars needs.
 using NodeBlocks = PaddedVector;
 
-// For each column of a graph its couplings and their rows, ascending.
-struct Transpose
-{
-  Transpose() = default;
-  Transpose(NodeGraph const& graph, int num_threads);
-
-  std::vector<int> first;           // (num_columns + 1)
-  std::vector<int> couplings, rows; // (num couplings)
-  Chunks chunks;                    // of the columns
-
-  std::size_t bytes() const
-  {
-    return sizeof(int) * (first.size() + couplings.size() + rows.size());
-  }
-};
-
-// y += A x, and y(columns) = A^T x.
+// y += A x, and y(columns) = A^T x. `parts` are results of chunks but the first, overwritten.
 void multiplyAdd(NodeGraph const& graph, Chunks const& chunks, NodeBlocks const& A,
                  NodeVector const& x, NodeVector& y);
-void multiplyTransposed(NodeGraph const& graph, Transpose const& transpose, NodeBlocks const& A,
-                        NodeVector const& x, NodeVector& y);
+void multiplyTransposed(NodeGraph const& graph, Chunks const& chunks, NodeBlocks const& A,
+                        NodeVector const& x, NodeVector& y, std::vector<NodeVector>& parts);
 } // namespace asperity::multigrid

@@ -28,9 +28,7 @@ TEST(NodeKernels, multipliesBlocksOfAllSizes)
       EXPECT_EQ(product[r], expected) << R << ' ' << C;
       y[r] = static_cast<float>(3 + r);
     }
-    auto transposed = Packed<C>::of(sum.data());
-    addTransposed<R, C>(a.data(), y.data(), transposed);
-    transposed.store(sum.data());
+    addTransposed<R, C>(a.data(), y.data(), sum.data());
     for (int c = 0; c < C; ++c) {
       float expected = 1;
       for (int r = 0; r < R; ++r) {
