@@ -123,6 +123,8 @@ void requireSameKind(Problem<Dim> const& here, ParameterList const& deck, Proble
   }
   requireSame("Asperity / Bulk / Model", deck.sublist("Bulk").get<std::string>("Model"),
               other.sublist("Bulk").get<std::string>("Model"), run);
+  requireSame("The number of relaxation times (Asperity / Bulk)",
+              std::to_string(here.branches.size()), std::to_string(there.branches.size()), run);
   requireSame("The kind of the fault (Asperity / Boundary Conditions)",
               faultKindOf(here.surface->otherSide()), faultKindOf(there.surface->otherSide()), run);
 }
