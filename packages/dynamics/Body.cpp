@@ -14,8 +14,8 @@ void BodyForces::subtractFrom(Vector& b) const
   auto const elasticity = elastic->getLocalViewDevice(Tpetra::Access::ReadOnly);
   auto const result = b.getLocalViewDevice(Tpetra::Access::ReadWrite);
   Kokkos::parallel_for(
-    "asperity::dynamics::subtractForces",
-    Kokkos::RangePolicy<ExecutionSpace>(0, result.extent_int(0)), KOKKOS_LAMBDA(int dof) {
+    "asperity::dynamics::subtractForces", RangePolicy(0, result.extent_int(0)),
+    KOKKOS_LAMBDA(int dof) {
       result(dof, 0) = result(dof, 0) - inertia(dof, 0) - viscosity(dof, 0) - elasticity(dof, 0);
     });
 }
@@ -80,7 +80,7 @@ void Body::clearHeld(Vector& x) const
   auto const values = x.getLocalViewDevice(Tpetra::Access::ReadWrite);
   auto const rows = held.ownedOnDevice();
   Kokkos::parallel_for(
-    "asperity::dynamics::clearHeld", Kokkos::RangePolicy<ExecutionSpace>(0, rows.extent_int(0)),
+    "asperity::dynamics::clearHeld", RangePolicy(0, rows.extent_int(0)),
     KOKKOS_LAMBDA(int k) { values(rows(k), 0) = 0; });
 }
 } // namespace asperity::dynamics

@@ -26,8 +26,6 @@ double plateSpeed(fem::FaultSurface const& surface, int node)
   return std::sqrt(square);
 }
 
-using Nodes = Kokkos::RangePolicy<ExecutionSpace>;
-
 // Whether the slip rate of the held component k is zero, to rounding.
 template <class Values>
 bool restsAt(fem::FaultSurface const& surface, int node, int k, Values const& values)
@@ -49,7 +47,7 @@ int nodeThatSlipsBesideSliding(fem::FaultSurface const& surface, Vector const& p
   const bool plates = surface.hasPlateRate();
   int first = surface.numNodes();
   Kokkos::parallel_reduce(
-    "asperity::dynamics::slipsBesideSliding", Nodes(0, surface.numNodes()),
+    "asperity::dynamics::slipsBesideSliding", RangePolicy(0, surface.numNodes()),
     KOKKOS_LAMBDA(int node, int& least) {
       const int size = dofs.extent_int(1);
       double square = 0;
@@ -99,7 +97,7 @@ void gather(fem::FaultSurface const& surface, Vector const& v, BlockView const& 
   auto const values = v.getLocalViewDevice(Tpetra::Access::ReadOnly);
   auto const dofs = surface.dofs();
   Kokkos::parallel_for(
-    "asperity::dynamics::gather", Nodes(0, dofs.extent_int(0)), KOKKOS_LAMBDA(int node) {
+    "asperity::dynamics::gather", RangePolicy(0, dofs.extent_int(0)), KOKKOS_LAMBDA(int node) {
       for (int k = 0; k < dofs.extent_int(1); ++k) {
         blocks(node, k) = values(dofs(node, k), 0);
       }
@@ -116,7 +114,8 @@ void gatherSlip(fem::FaultSurface const& surface, Vector const& v, BlockView con
   const double factor = surface.slipFactor();
   const int size = surface.numTangents();
   Kokkos::parallel_for(
-    "asperity::dynamics::addPlateRate", Nodes(0, surface.numNodes()), KOKKOS_LAMBDA(int node) {
+    "asperity::dynamics::addPlateRate", RangePolicy(0, surface.numNodes()),
+    KOKKOS_LAMBDA(int node) {
       for (int k = 0; k < size; ++k) {
         blocks(node, k) += rates(node * size + k) / factor;
       }
@@ -132,7 +131,8 @@ void gatherSlipSince(fem::FaultSurface const& surface, ConstBlockView const& sta
   const double factor = surface.slipFactor();
   const int size = surface.numTangents();
   Kokkos::parallel_for(
-    "asperity::dynamics::gatherSlipSince", Nodes(0, surface.numNodes()), KOKKOS_LAMBDA(int node) {
+    "asperity::dynamics::gatherSlipSince", RangePolicy(0, surface.numNodes()),
+    KOKKOS_LAMBDA(int node) {
       for (int k = 0; k < size; ++k) {
         blocks(node, k) -= start(node, k);
         if (plates_move) {
@@ -152,7 +152,7 @@ void setSlipRate(fem::FaultSurface const& surface, std::vector<double> const& ra
   const bool plates_move = surface.hasPlateRate();
   const double factor = surface.slipFactor();
   Kokkos::parallel_for(
-    "asperity::dynamics::setSlipRate", Nodes(0, dofs.extent_int(0)), KOKKOS_LAMBDA(int node) {
+    "asperity::dynamics::setSlipRate", RangePolicy(0, dofs.extent_int(0)), KOKKOS_LAMBDA(int node) {
       for (int k = 0; k < dofs.extent_int(1); ++k) {
         const int i = node * dofs.extent_int(1) + k;
         if (!held(dofs(node, k))) {
@@ -173,7 +173,8 @@ void stickToPlates(fem::FaultSurface const& surface, Vector& v)
   auto const rates = surface.plateRates();
   const double factor = surface.slipFactor();
   Kokkos::parallel_for(
-    "asperity::dynamics::stickToPlates", Nodes(0, dofs.extent_int(0)), KOKKOS_LAMBDA(int node) {
+    "asperity::dynamics::stickToPlates", RangePolicy(0, dofs.extent_int(0)),
+    KOKKOS_LAMBDA(int node) {
       for (int k = 0; k < dofs.extent_int(1); ++k) {
         if (!held(dofs(node, k))) {
           values(dofs(node, k), 0) = -rates(node * dofs.extent_int(1) + k) / factor;
@@ -187,7 +188,7 @@ void slipRate(fem::FaultSurface const& surface, ConstBlockView const& v, NodeVie
   const int size = surface.numTangents();
   const double factor = surface.slipFactor();
   Kokkos::parallel_for(
-    "asperity::dynamics::slipRate", Nodes(0, surface.numNodes()), KOKKOS_LAMBDA(int node) {
+    "asperity::dynamics::slipRate", RangePolicy(0, surface.numNodes()), KOKKOS_LAMBDA(int node) {
       double largest = 0;
       for (int k = 0; k < size; ++k) {
         const double magnitude = v(node, k) < 0 ? -v(node, k) : v(node, k);
@@ -209,7 +210,7 @@ double peakSlipRate(fem::FaultSurface const& surface, ConstNodeView const& V)
   auto const held = surface.heldDofs();
   double mine = 0;
   Kokkos::parallel_reduce(
-    "asperity::dynamics::peakSlipRate", Nodes(0, surface.numNodes()),
+    "asperity::dynamics::peakSlipRate", RangePolicy(0, surface.numNodes()),
     KOKKOS_LAMBDA(int node, double& largest) {
       bool slides = false;
       for (int k = 0; k < size; ++k) {
@@ -227,7 +228,7 @@ double distance(fem::FaultSurface const& surface, ConstNodeView const& a, ConstN
   auto const weight = surface.weights();
   double mine = 0;
   const bool largest = norm == Norm::maximum;
-  auto const nodes = Nodes(0, surface.numNodes());
+  auto const nodes = RangePolicy(0, surface.numNodes());
   if (largest) {
     // A nan counts as an infinite difference; a plain maximum would ignore it.
     Kokkos::parallel_reduce(

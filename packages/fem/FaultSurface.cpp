@@ -91,8 +91,7 @@ void addTraction(FaultSurface const& surface, std::vector<double> const& tractio
   auto const dofs = surface.dofs();
   auto const weights = surface.weights();
   Kokkos::parallel_for(
-    "asperity::fem::addTraction", Kokkos::RangePolicy<ExecutionSpace>(0, surface.numNodes()),
-    KOKKOS_LAMBDA(int node) {
+    "asperity::fem::addTraction", RangePolicy(0, surface.numNodes()), KOKKOS_LAMBDA(int node) {
       for (int k = 0; k < dofs.extent_int(1); ++k) {
         values(dofs(node, k), 0) += weights(node) * given(node * dofs.extent_int(1) + k);
       }

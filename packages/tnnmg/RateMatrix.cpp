@@ -11,8 +11,6 @@ namespace asperity::tnnmg
 {
 namespace
 {
-using Policy = Kokkos::RangePolicy<ExecutionSpace>;
-
 // Labels are made once: a sweep launches hundreds of kernels.
 const std::string label_gather = "asperity::tnnmg::gather";
 const std::string label_scatter = "asperity::tnnmg::scatter";
@@ -24,7 +22,7 @@ NodeView nodalCurvature(HessianView const& blocks, NonlinearNodes const& nodes)
   auto const held = nodes.held;
   const int size = nodes.blockSize();
   Kokkos::parallel_for(
-    "asperity::tnnmg::nodalCurvature", Policy(0, nodes.numNodes()), KOKKOS_LAMBDA(int node) {
+    "asperity::tnnmg::nodalCurvature", RangePolicy(0, nodes.numNodes()), KOKKOS_LAMBDA(int node) {
       double block[3][3] = {};
       for (int k = 0; k < size; ++k) {
         for (int l = 0; l < size; ++l) {
@@ -76,7 +74,7 @@ void gather(NonlinearNodes const& nodes, Vector const& v, BlockView const& block
   auto const dofs = nodes.dofs;
   const int size = nodes.blockSize();
   Kokkos::parallel_for(
-    label_gather, Policy(0, nodes.numNodes()), KOKKOS_LAMBDA(int node) {
+    label_gather, RangePolicy(0, nodes.numNodes()), KOKKOS_LAMBDA(int node) {
       for (int k = 0; k < size; ++k) {
         blocks(node, k) = values(dofs(node, k), 0);
       }
@@ -90,7 +88,7 @@ void scatter(NonlinearNodes const& nodes, IndexView const& which, ConstBlockView
   auto const dofs = nodes.dofs;
   const int size = nodes.blockSize();
   Kokkos::parallel_for(
-    label_scatter, Policy(0, which.extent(0)), KOKKOS_LAMBDA(int i) {
+    label_scatter, RangePolicy(0, which.extent(0)), KOKKOS_LAMBDA(int i) {
       const int node = which(i);
       for (int k = 0; k < size; ++k) {
         values(dofs(node, k), 0) = blocks(node, k);

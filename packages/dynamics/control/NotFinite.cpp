@@ -17,8 +17,7 @@ bool haveFiniteSquares(ConstNodeView const& values)
 {
   int others = 0;
   Kokkos::parallel_reduce(
-    "asperity::dynamics::haveFiniteSquares",
-    Kokkos::RangePolicy<ExecutionSpace>(0, values.extent_int(0)),
+    "asperity::dynamics::haveFiniteSquares", RangePolicy(0, values.extent_int(0)),
     KOKKOS_LAMBDA(int i, int& partial) { partial += hasFiniteSquare(values(i)) ? 0 : 1; }, others);
   return others == 0;
 }

@@ -19,13 +19,12 @@ namespace asperity::dynamics
 {
 namespace
 {
-using Nodes = Kokkos::RangePolicy<ExecutionSpace>;
-
 // mean := offset + weight mean, (num_nodes, T)
 void meanVelocity(ConstBlockView const& offset, double weight, BlockView const& mean)
 {
   Kokkos::parallel_for(
-    "asperity::dynamics::meanVelocity", Nodes(0, mean.extent_int(0)), KOKKOS_LAMBDA(int node) {
+    "asperity::dynamics::meanVelocity", RangePolicy(0, mean.extent_int(0)),
+    KOKKOS_LAMBDA(int node) {
       for (int k = 0; k < mean.extent_int(1); ++k) {
         mean(node, k) = offset(node, k) + weight * mean(node, k);
       }

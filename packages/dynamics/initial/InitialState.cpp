@@ -56,8 +56,7 @@ ForcesAtStart forcesAtStart(Fault const& fault, Vector const& v, friction::State
   NodeView cohesion("asperity::dynamics::cohesionAtRest", size);
   auto const given = fault.laws().cohesion;
   Kokkos::parallel_for(
-    "asperity::dynamics::forcesAtStart", Kokkos::RangePolicy<ExecutionSpace>(0, size),
-    KOKKOS_LAMBDA(int node) {
+    "asperity::dynamics::forcesAtStart", RangePolicy(0, size), KOKKOS_LAMBDA(int node) {
       bool moving = false;
       for (int k = 0; k < tangents; ++k) {
         moving = moving || blocks(node, k) != 0;
