@@ -3,6 +3,7 @@
 #include "base/Errors.hpp"
 #include "base/parallel/Reductions.hpp"
 #include "portability/Renamed.hpp"
+#include "tnnmg/RateMatrix.hpp"
 
 #include <Tpetra_Map.hpp>
 #include <Tpetra_Vector.hpp>
@@ -94,14 +95,7 @@ void requireRestBesideSliding(fem::FaultSurface const& surface, Vector const& pr
 
 void gather(fem::FaultSurface const& surface, Vector const& v, BlockView const& blocks)
 {
-  auto const values = v.getLocalViewDevice(Tpetra::Access::ReadOnly);
-  auto const dofs = surface.dofs();
-  Kokkos::parallel_for(
-    "asperity::dynamics::gather", RangePolicy(0, dofs.extent_int(0)), KOKKOS_LAMBDA(int node) {
-      for (int k = 0; k < dofs.extent_int(1); ++k) {
-        blocks(node, k) = values(dofs(node, k), 0);
-      }
-    });
+  tnnmg::gather(surface.dofs(), v, blocks);
 }
 
 void gatherSlip(fem::FaultSurface const& surface, Vector const& v, BlockView const& blocks)

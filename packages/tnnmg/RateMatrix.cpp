@@ -68,14 +68,12 @@ void RateMatrix::residual(Vector const& b, Vector const& v, Vector& r) const
   r.update(1, b, -1);
 }
 
-void gather(NonlinearNodes const& nodes, Vector const& v, BlockView const& blocks)
+void gather(NodeDofView const& dofs, Vector const& v, BlockView const& blocks)
 {
   auto const values = v.getLocalViewDevice(Tpetra::Access::ReadOnly);
-  auto const dofs = nodes.dofs;
-  const int size = nodes.blockSize();
   Kokkos::parallel_for(
-    label_gather, RangePolicy(0, nodes.numNodes()), KOKKOS_LAMBDA(int node) {
-      for (int k = 0; k < size; ++k) {
+    label_gather, RangePolicy(0, dofs.extent(0)), KOKKOS_LAMBDA(int node) {
+      for (int k = 0; k < dofs.extent_int(1); ++k) {
         blocks(node, k) = values(dofs(node, k), 0);
       }
     });
