@@ -22,6 +22,15 @@ void BodyForces::subtractFrom(Vector& b) const
 
 RCP<Vector> Body::vector() const { return rcp(new Vector(dofs->owned())); }
 
+std::vector<RCP<Vector>> Body::branchVectors() const
+{
+  std::vector<RCP<Vector>> vectors;
+  for (std::size_t k = 0; k < matrices.branches.size(); ++k) {
+    vectors.push_back(vector());
+  }
+  return vectors;
+}
+
 void Body::applyMass(Vector const& x, Vector& y, double alpha, double beta) const
 {
   if (!matrices.is_massless) {
@@ -33,14 +42,7 @@ void Body::applyMass(Vector const& x, Vector& y, double alpha, double beta) cons
   }
 }
 
-BodyForces Body::noForces() const
-{
-  BodyForces forces{vector(), vector(), vector(), {}};
-  for (std::size_t k = 0; k < matrices.branches.size(); ++k) {
-    forces.of_branches.push_back(vector());
-  }
-  return forces;
-}
+BodyForces Body::noForces() const { return {vector(), vector(), vector(), branchVectors()}; }
 
 void Body::computeForces(Motion const& motion, BodyForces& forces, Vector* momentum) const
 {

@@ -172,12 +172,8 @@ EnergyBalance::EnergyBalance(Body const& body, Fault const& fault, DyadicTime co
 
 EnergyBalance::Snapshot EnergyBalance::snapshot() const
 {
-  Snapshot result{body_.vector(),  body_.vector(), body_.vector(), body_.vector(), {},
-                  body_.noForces()};
-  for (std::size_t k = 0; k < body_.matrices.branches.size(); ++k) {
-    result.d.push_back(body_.vector());
-  }
-  return result;
+  return {body_.vector(), body_.vector(),        body_.vector(),
+          body_.vector(), body_.branchVectors(), body_.noForces()};
 }
 
 void EnergyBalance::fill(State const& state, Snapshot& result)

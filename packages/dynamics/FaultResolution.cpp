@@ -45,10 +45,7 @@ std::vector<CellSizes> cellSizes(Mesh<Dim> const& mesh, fem::FaultSurface const&
   }
   return sizes;
 }
-} // namespace
 
-namespace
-{
 // [m/s], see FaultResolution::seismic_time; 1 m/s for a body without density.
 double seismicRate(fem::Material const& material, fem::OtherSide const& other_side, double b,
                    double sigma_n)

@@ -69,12 +69,12 @@ public:
   NodeDofView dofs() const { return dofs_; }                         // (num_nodes, T)
   ConstFlagView heldDofs() const { return held_.flagsOnDevice(); }   // (num local dofs)
   std::vector<IndexView> const& colours() const { return colours_; } // of nodes that slide
-  Kokkos::View<const double*, MemorySpace> weights() const { return weights_; }
-  Kokkos::View<const double*, MemorySpace> plateRates() const // (num_nodes T), empty without one
+  ConstNodeView weights() const { return weights_; }
+  ConstNodeView plateRates() const // (num_nodes T), empty without one
   {
     return plate_rates_;
   }
-  Kokkos::View<const double*, MemorySpace> slipFactors() const { return slip_factors_; }
+  ConstNodeView slipFactors() const { return slip_factors_; }
 
 private:
   std::string name_;
@@ -89,8 +89,8 @@ private:
   GlobalOrdinal num_global_nodes_ = 0;
   double total_weight_ = 0;
   NodeDofView dofs_;
-  Kokkos::View<const double*, MemorySpace> weights_, slip_factors_;
-  Kokkos::View<const double*, MemorySpace> plate_rates_; // (num_nodes T), empty without one
+  ConstNodeView weights_, slip_factors_;
+  ConstNodeView plate_rates_; // (num_nodes T), empty without one
 };
 
 // load += traction(num_nodes, T) [Pa] times each node's share of the fault.

@@ -44,7 +44,7 @@ void subtract(NodeView const& from, IndexView const& places, Values const& to)
 template <class Exchange>
 void overHost(NodeView const& from, NodeView const& to, Exchange const& exchange)
 {
-  auto const sent = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace(), from);
+  auto const sent = toHost(from);
   auto const received = Kokkos::create_mirror_view(to);
   exchange(sent.data(), received.data());
   Kokkos::deep_copy(to, received);

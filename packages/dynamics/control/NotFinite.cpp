@@ -28,7 +28,7 @@ std::optional<NotFinite> lookIn(std::string const& quantity, bool at_fault,
   if (haveFiniteSquares(values)) {
     return std::nullopt;
   }
-  auto const host = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace(), values);
+  auto const host = toHost(values);
   int i = 0;
   while (i < host.extent_int(0) && hasFiniteSquare(host(i))) {
     ++i;

@@ -115,11 +115,11 @@ CoupledStep::CoupledStep(Body const& body, Fault const& fault, RateUpdate const&
     , work_u_(body.vector())
     , work_a_(body.vector())
     , guess_(body.vector())
+    , work_d_(body.branchVectors())
     , mean_offset_("asperity::dynamics::meanOffset", surface().numNodes(), surface().numTangents())
     , mean_("asperity::dynamics::meanVelocity", surface().numNodes(), surface().numTangents())
     , V_("asperity::dynamics::V", surface().numNodes())
 {
-  work_d_ = body.noForces().of_branches;
   unknowns_.add(std::make_shared<StateUpdate>(fault));
   if (stress_->coupled()) {
     unknowns_.add(stress_);

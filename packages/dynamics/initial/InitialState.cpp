@@ -35,9 +35,8 @@ namespace
 // Where the fault moves, friction is a known force; where it rests, only cohesion can hold it.
 struct ForcesAtStart
 {
-  BlockView force;    // at the moving nodes
-  NodeView cohesion;  // at the resting ones
-  NodeView no_stress; // zeros
+  BlockView force;   // at the moving nodes
+  NodeView cohesion; // at the resting ones
 };
 
 ForcesAtStart forcesAtStart(Fault const& fault, Vector const& v, friction::StateAndStress const& at)
@@ -52,7 +51,6 @@ ForcesAtStart forcesAtStart(Fault const& fault, Vector const& v, friction::State
   gatherSlip(surface, v, blocks);
   fault.friction().linearise(blocks, at, gradient, hessian, kinked);
 
-  NodeView none("asperity::dynamics::noStress", size);
   NodeView cohesion("asperity::dynamics::cohesionAtRest", size);
   auto const given = fault.laws().cohesion;
   Kokkos::parallel_for(
@@ -66,7 +64,7 @@ ForcesAtStart forcesAtStart(Fault const& fault, Vector const& v, friction::State
         gradient(node, k) = moving ? gradient(node, k) : 0;
       }
     });
-  return {gradient, cohesion, none};
+  return {gradient, cohesion};
 }
 } // namespace
 
@@ -99,7 +97,8 @@ RCP<Vector> initialAcceleration(Body const& body, Fault const& fault,
                                        surface, mass_settings);
     solver->begin(*b, *a);
     auto const kernels = fault.frictionWith(forces.cohesion);
-    auto const result = solver->solve({*kernels, {at.alpha, forces.no_stress}});
+    const NodeView no_stress("asperity::dynamics::noStress", surface.numNodes());
+    auto const result = solver->solve({*kernels, {at.alpha, no_stress}});
     if (!result.converged) {
       std::ostringstream message;
       message << "The initial acceleration was not found: TNNMG did not converge on the balance of "
