@@ -1,8 +1,8 @@
 #pragma once
 
-#include "dynamics/FaultMotion.hpp"
 #include "dynamics/control/NotFinite.hpp"
 #include "dynamics/coupling/CoupledStep.hpp"
+#include "dynamics/fault/FaultMotion.hpp"
 
 #include <functional>
 #include <memory>

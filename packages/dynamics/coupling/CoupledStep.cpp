@@ -4,8 +4,8 @@
 #include "base/parallel/Agreement.hpp"
 #include "base/parallel/Reductions.hpp"
 #include "base/program/WorkTimers.hpp"
-#include "dynamics/FaultMotion.hpp"
 #include "dynamics/coupling/StateUpdate.hpp"
+#include "dynamics/fault/FaultMotion.hpp"
 #include "parameters/Parameters.hpp"
 #include "portability/Renamed.hpp"
 

@@ -1,7 +1,7 @@
 #include "dynamics/initial/InitialState.hpp"
 
 #include "base/Errors.hpp"
-#include "dynamics/FaultMotion.hpp"
+#include "dynamics/fault/FaultMotion.hpp"
 #include "tnnmg/direct/SchurComplement.hpp"
 
 #include <Tpetra_CrsMatrix.hpp>

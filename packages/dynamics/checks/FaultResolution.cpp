@@ -1,4 +1,4 @@
-#include "dynamics/FaultResolution.hpp"
+#include "dynamics/checks/FaultResolution.hpp"
 
 #include "base/parallel/Reductions.hpp"
 #include "mesh/SimplexGeometry.hpp"

@@ -1,4 +1,4 @@
-#include "dynamics/FaultMotion.hpp"
+#include "dynamics/fault/FaultMotion.hpp"
 
 #include "base/Errors.hpp"
 #include "base/parallel/Reductions.hpp"

@@ -1,7 +1,7 @@
-#include "dynamics/EnergyBalance.hpp"
+#include "dynamics/observables/EnergyBalance.hpp"
 
 #include "base/parallel/Reductions.hpp"
-#include "dynamics/FaultMotion.hpp"
+#include "dynamics/fault/FaultMotion.hpp"
 
 #include <Tpetra_CrsMatrix.hpp>
 

@@ -1,4 +1,4 @@
-#include "dynamics/NormalStress.hpp"
+#include "dynamics/fault/NormalStress.hpp"
 
 namespace asperity::dynamics
 {
