@@ -1,6 +1,7 @@
 #include "dynamics/checks/FaultResolution.hpp"
 
 #include "base/parallel/Reductions.hpp"
+#include "fem/BoundaryCells.hpp"
 #include "mesh/SimplexGeometry.hpp"
 
 #include <algorithm>

@@ -5,7 +5,6 @@
 #include "dynamics/fault/FaultMotion.hpp"
 
 #include <functional>
-#include <memory>
 #include <optional>
 #include <string>
 #include <vector>

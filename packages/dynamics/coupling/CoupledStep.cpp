@@ -11,7 +11,6 @@
 
 #include <Tpetra_CrsMatrix.hpp>
 
-#include <algorithm>
 #include <cmath>
 #include <limits>
 

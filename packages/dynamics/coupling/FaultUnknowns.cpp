@@ -2,7 +2,6 @@
 
 #include "base/parallel/Reductions.hpp"
 
-#include <algorithm>
 #include <cmath>
 
 namespace asperity::dynamics
