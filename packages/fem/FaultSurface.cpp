@@ -9,6 +9,8 @@
 #include <Tpetra_CrsGraph.hpp>
 #include <Tpetra_Vector.hpp>
 
+#include <algorithm>
+
 namespace asperity::fem
 {
 namespace
@@ -72,6 +74,17 @@ std::vector<int> FaultSurface::vertices() const
     result.push_back(vertex(node));
   }
   return result;
+}
+
+int FaultSurface::nodeAt(int vertex) const
+{
+  auto const place =
+    std::lower_bound(nodes_.begin(), nodes_.end(), vertex, [](FaultNode const& node, int wanted) {
+      return node.copies.front() < wanted;
+    });
+  return place != nodes_.end() && place->copies.front() == vertex
+           ? static_cast<int>(place - nodes_.begin())
+           : -1;
 }
 
 bool FaultSurface::slides(int node) const

@@ -59,7 +59,8 @@ public:
 
   // The vertex that carries the unknowns of a node.
   int vertex(int node) const { return nodes_[node].copies.front(); }
-  std::vector<int> vertices() const; // (num_nodes)
+  std::vector<int> vertices() const; // (num_nodes), ascending
+  int nodeAt(int vertex) const;      // -1 if this rank has no node there
   // Whether the velocity of tangential component k is prescribed.
   bool held(int node, int k) const { return held_[nodes_[node].dofs[k]]; }
   // Whether at least one tangential velocity of the node is not prescribed, so that friction acts.
