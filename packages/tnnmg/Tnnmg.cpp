@@ -154,12 +154,12 @@ bool Tnnmg::searchAlong(NodalProblem const& problem, TnnmgResult& result)
                         t * (along.magnitude + t / 2 * along.curvature) + nonlinear.magnitude};
   };
   const double start = slope(0);
-  double step = findSignChange(slope, start, 1e-2).step;
+  double step = findSignChange(slope, start, 1e-2);
   auto change = changeAlong(step);
   if (change.change > 0 && step > 0) {
     // The slope at this step was small but positive. Where the slope is not positive, J is certain
     // to be below its start.
-    step = findSignChange(slope, start, 0.).step;
+    step = findSignChange(slope, start, 0.);
     change = changeAlong(step);
   }
   if (!(step > 0) && !(std::sqrt(along.curvature) <= smallChange(vectors_.norms(0).v))) {
