@@ -15,7 +15,7 @@ namespace asperity::dynamics
 namespace
 {
 // Unbalanced forces of at most this share of the largest forces count as rounding.
-constexpr double rounding = 1e-9;
+constexpr double unbalanced_share = 1e-9;
 
 // All dofs at the vertices of the fault.
 std::vector<int> dofsOfFault(fem::FaultSurface const& surface, fem::DofMap const& dofs)
@@ -141,7 +141,7 @@ bool StaticCondensation::isInEquilibrium(Vector const& u) const
       rest = std::max(rest, std::abs(sum));
     }
   }
-  return rest <= rounding * largest;
+  return rest <= unbalanced_share * largest;
 }
 
 // Tests one motion, in which all dofs of the fault take part.
