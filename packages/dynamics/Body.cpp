@@ -77,12 +77,13 @@ void Body::residual(Vector const& l, Motion const& motion, Vector& result) const
   }
 }
 
-void Body::clearHeld(Vector& x) const
+void Body::clearHeld(Vector& x) const { clearAt(held.ownedOnDevice(), x); }
+
+void clearAt(IndexView const& dofs, Vector& x)
 {
   auto const values = x.getLocalViewDevice(Tpetra::Access::ReadWrite);
-  auto const rows = held.ownedOnDevice();
   Kokkos::parallel_for(
-    "asperity::dynamics::clearHeld", RangePolicy(0, rows.extent_int(0)),
-    KOKKOS_LAMBDA(int k) { values(rows(k), 0) = 0; });
+    "asperity::dynamics::clearAt", RangePolicy(0, dofs.extent_int(0)),
+    KOKKOS_LAMBDA(int k) { values(dofs(k), 0) = 0; });
 }
 } // namespace asperity::dynamics

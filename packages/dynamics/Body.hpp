@@ -57,4 +57,7 @@ struct Body
   // x = 0 at the held dofs
   void clearHeld(Vector& x) const;
 };
+
+// x = 0 at these local dofs.
+void clearAt(IndexView const& dofs, Vector& x);
 } // namespace asperity::dynamics

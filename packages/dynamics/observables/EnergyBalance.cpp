@@ -63,14 +63,6 @@ double sumAt(IndexView const& dofs, Value const& value)
   return sum;
 }
 
-void clearAt(IndexView const& dofs, Vector& x)
-{
-  auto const values = x.getLocalViewDevice(Tpetra::Access::ReadWrite);
-  Kokkos::parallel_for(
-    "asperity::dynamics::clearAt", RangePolicy(0, dofs.extent_int(0)),
-    KOKKOS_LAMBDA(int i) { values(dofs(i), 0) = 0; });
-}
-
 // Sets the result at the dofs of the fault to friction, at nodes at rest to the residual, which
 // friction balances, and at held dofs to the reaction.
 void setForce(fem::FaultSurface const& surface, IndexView const& held, ConstBlockView const& w,
