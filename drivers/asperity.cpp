@@ -10,7 +10,6 @@
 #include "scenario/run/Simulation.hpp"
 
 #include <iostream>
-#include <string>
 
 namespace
 {

@@ -1,7 +1,7 @@
 #include "FaultStiffness.hpp"
 
 #include "base/Errors.hpp"
-#include "dynamics/NormalReaction.hpp"
+#include "dynamics/fault/NormalReaction.hpp"
 #include "fem/BodyMatrices.hpp"
 #include "scenario/Problem.hpp"
 #include "scenario/setup/MeshSetup.hpp"

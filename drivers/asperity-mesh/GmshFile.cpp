@@ -9,7 +9,6 @@
 #include <gmsh.h>
 
 #include <fstream>
-#include <numeric>
 #include <set>
 #include <unordered_map>
 

@@ -14,13 +14,22 @@ void BodyForces::subtractFrom(Vector& b) const
   auto const elasticity = elastic->getLocalViewDevice(Tpetra::Access::ReadOnly);
   auto const result = b.getLocalViewDevice(Tpetra::Access::ReadWrite);
   Kokkos::parallel_for(
-    "asperity::dynamics::subtractForces",
-    Kokkos::RangePolicy<ExecutionSpace>(0, result.extent_int(0)), KOKKOS_LAMBDA(int dof) {
+    "asperity::dynamics::subtractForces", RangePolicy(0, result.extent_int(0)),
+    KOKKOS_LAMBDA(int dof) {
       result(dof, 0) = result(dof, 0) - inertia(dof, 0) - viscosity(dof, 0) - elasticity(dof, 0);
     });
 }
 
 RCP<Vector> Body::vector() const { return rcp(new Vector(dofs->owned())); }
+
+std::vector<RCP<Vector>> Body::branchVectors() const
+{
+  std::vector<RCP<Vector>> vectors;
+  for (std::size_t k = 0; k < matrices.branches.size(); ++k) {
+    vectors.push_back(vector());
+  }
+  return vectors;
+}
 
 void Body::applyMass(Vector const& x, Vector& y, double alpha, double beta) const
 {
@@ -33,14 +42,7 @@ void Body::applyMass(Vector const& x, Vector& y, double alpha, double beta) cons
   }
 }
 
-BodyForces Body::noForces() const
-{
-  BodyForces forces{vector(), vector(), vector(), {}};
-  for (std::size_t k = 0; k < matrices.branches.size(); ++k) {
-    forces.of_branches.push_back(vector());
-  }
-  return forces;
-}
+BodyForces Body::noForces() const { return {vector(), vector(), vector(), branchVectors()}; }
 
 void Body::computeForces(Motion const& motion, BodyForces& forces, Vector* momentum) const
 {
@@ -75,12 +77,13 @@ void Body::residual(Vector const& l, Motion const& motion, Vector& result) const
   }
 }
 
-void Body::clearHeld(Vector& x) const
+void Body::clearHeld(Vector& x) const { clearAt(held.ownedOnDevice(), x); }
+
+void clearAt(IndexView const& dofs, Vector& x)
 {
   auto const values = x.getLocalViewDevice(Tpetra::Access::ReadWrite);
-  auto const rows = held.ownedOnDevice();
   Kokkos::parallel_for(
-    "asperity::dynamics::clearHeld", Kokkos::RangePolicy<ExecutionSpace>(0, rows.extent_int(0)),
-    KOKKOS_LAMBDA(int k) { values(rows(k), 0) = 0; });
+    "asperity::dynamics::clearAt", RangePolicy(0, dofs.extent_int(0)),
+    KOKKOS_LAMBDA(int k) { values(dofs(k), 0) = 0; });
 }
 } // namespace asperity::dynamics

@@ -45,6 +45,7 @@ struct Body
 
   int numOwnedDofs() const { return dofs->numOwnedNodes() * dofs->components(); }
   RCP<Vector> vector() const;
+  std::vector<RCP<Vector>> branchVectors() const; // one for each Maxwell branch
   // y = alpha M x + beta y; the product is left out if the body has no mass.
   void applyMass(Vector const& x, Vector& y, double alpha, double beta) const;
   BodyForces noForces() const;
@@ -56,4 +57,7 @@ struct Body
   // x = 0 at the held dofs
   void clearHeld(Vector& x) const;
 };
+
+// x = 0 at these local dofs.
+void clearAt(IndexView const& dofs, Vector& x);
 } // namespace asperity::dynamics

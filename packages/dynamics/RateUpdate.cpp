@@ -8,8 +8,6 @@ namespace asperity::dynamics
 {
 namespace
 {
-using Dofs = Kokkos::RangePolicy<ExecutionSpace>;
-
 auto readOnly(Vector const& x) { return x.getLocalViewDevice(Tpetra::Access::ReadOnly); }
 auto overwritten(Vector& x) { return x.getLocalViewDevice(Tpetra::Access::OverwriteAll); }
 
@@ -92,7 +90,7 @@ void RateUpdate::predict(State const& from, double tau, Vector& u_hat, Vector& a
   const double a_of_A = acceleration_in_acceleration;
   const double A_of_j = lag * tau;
   Kokkos::parallel_for(
-    "asperity::dynamics::predict", Dofs(0, u.extent(0)), KOKKOS_LAMBDA(int dof) {
+    "asperity::dynamics::predict", RangePolicy(0, u.extent(0)), KOKKOS_LAMBDA(int dof) {
       const double A0 = a0(dof, 0) + A_of_j * j0(dof, 0);
       u(dof, 0) = u0(dof, 0) + u_of_v * v0(dof, 0) + u_of_A * A0;
       a(dof, 0) = a_of_v * v0(dof, 0) + a_of_A * A0;
@@ -107,7 +105,7 @@ void RateUpdate::withVelocity(Vector const& velocity, Vector const& u_hat, Vecto
   const double u_of_v = tau * stiffness_weight;
   const double a_of_v = mass_weight / tau;
   Kokkos::parallel_for(
-    "asperity::dynamics::withVelocity", Dofs(0, u.extent(0)), KOKKOS_LAMBDA(int dof) {
+    "asperity::dynamics::withVelocity", RangePolicy(0, u.extent(0)), KOKKOS_LAMBDA(int dof) {
       u(dof, 0) = u0(dof, 0) + u_of_v * v(dof, 0);
       a(dof, 0) = a_of_v * v(dof, 0) - a0(dof, 0);
     });
@@ -124,7 +122,7 @@ void RateUpdate::complete(State const& from, Vector const& u_hat, Vector const& 
   const double A_of_j = lag * tau;
   const double per_time = 1 / ((1 - lag) * tau);
   Kokkos::parallel_for(
-    "asperity::dynamics::complete", Dofs(0, u.extent(0)), KOKKOS_LAMBDA(int dof) {
+    "asperity::dynamics::complete", RangePolicy(0, u.extent(0)), KOKKOS_LAMBDA(int dof) {
       const double acceleration = a_of_v * v1(dof, 0) - a(dof, 0);
       const double A0 = a0(dof, 0) + A_of_j * j0(dof, 0);
       u1(dof, 0) = u(dof, 0) + u_of_v * v1(dof, 0);
@@ -144,7 +142,7 @@ void RateUpdate::meanVelocity(State const& from, double tau, Vector const& v1,
   const double of_v1 = stiffness_weight;
   const double A_of_j = lag * tau;
   Kokkos::parallel_for(
-    "asperity::dynamics::meanVelocityAt", Dofs(0, dofs.extent(0)), KOKKOS_LAMBDA(int node) {
+    "asperity::dynamics::meanVelocityAt", RangePolicy(0, dofs.extent(0)), KOKKOS_LAMBDA(int node) {
       for (int k = 0; k < dofs.extent_int(1); ++k) {
         const int dof = dofs(node, k);
         result(dof, 0) =

@@ -86,11 +86,11 @@ BodyMatrices assembleOn(RCP<const CrsGraph> const& graph, Mesh<Dim> const& mesh,
   auto mass = rcp(new CrsMatrix(graph));
   auto viscosity = rcp(new CrsMatrix(graph));
   auto stiffness = rcp(new CrsMatrix(graph));
-  Kokkos::parallel_for(
-    "asperity::fem::assembleRows", Kokkos::RangePolicy<ExecutionSpace>(0, mesh.num_owned),
-    detail::AssembleRows<Dim, Components>{
-      detail::makeCellViews(mesh, frames, materials), mass->getLocalMatrixDevice(),
-      viscosity->getLocalMatrixDevice(), stiffness->getLocalMatrixDevice()});
+  Kokkos::parallel_for("asperity::fem::assembleRows", RangePolicy(0, mesh.num_owned),
+                       detail::AssembleRows<Dim, Components>{
+                         detail::makeCellViews(mesh, frames, materials),
+                         mass->getLocalMatrixDevice(), viscosity->getLocalMatrixDevice(),
+                         stiffness->getLocalMatrixDevice()});
   ExecutionSpace().fence();
   mass->fillComplete(dofs.owned(), dofs.owned());
   viscosity->fillComplete(dofs.owned(), dofs.owned());
@@ -153,8 +153,7 @@ void addEntries(CrsMatrix::local_matrix_device_type const& result, double factor
                 CrsMatrix::local_matrix_device_type const& matrix)
 {
   Kokkos::parallel_for(
-    "asperity::fem::addEntries", Kokkos::RangePolicy<ExecutionSpace>(0, matrix.numRows()),
-    KOKKOS_LAMBDA(int row) {
+    "asperity::fem::addEntries", RangePolicy(0, matrix.numRows()), KOKKOS_LAMBDA(int row) {
       auto to = result.graph.row_map(row);
       for (auto from = matrix.graph.row_map(row); from < matrix.graph.row_map(row + 1); ++from) {
         while (result.graph.entries(to) != matrix.graph.entries(from)) {
@@ -169,8 +168,7 @@ void leaveDiagonalOfHeld(CrsMatrix::local_matrix_device_type const& matrix,
                          ConstFlagView const& held)
 {
   Kokkos::parallel_for(
-    "asperity::fem::leaveDiagonalOfHeld", Kokkos::RangePolicy<ExecutionSpace>(0, matrix.numRows()),
-    KOKKOS_LAMBDA(int row) {
+    "asperity::fem::leaveDiagonalOfHeld", RangePolicy(0, matrix.numRows()), KOKKOS_LAMBDA(int row) {
       for (auto entry = matrix.graph.row_map(row); entry < matrix.graph.row_map(row + 1); ++entry) {
         const int column = matrix.graph.entries(entry);
         if (column != row && (held(row) || held(column))) {

@@ -64,19 +64,17 @@ std::vector<Material> materialsOnSide(Mesh<Dim> const& mesh, FaultSurface const&
 {
   auto const cells = cellsBeside(mesh, fault.name(), side);
   auto const& facets = mesh.boundaries.at(fault.name());
-  auto const vertices = fault.vertices();
-  std::vector<Material> result(vertices.size());
+  std::vector<Material> result(fault.numNodes());
   for (std::size_t i = 0; i < facets.size(); ++i) {
     const double measure = mesh::facetMeasure(mesh::corners(mesh, facets[i]));
     auto const& material = materials[cells[i]];
-    for (int node : facets[i]) {
-      auto const place = std::lower_bound(vertices.begin(), vertices.end(), node);
-      if (place == vertices.end() || *place != node) {
-        continue; // this node belongs to another rank
+    for (int vertex : facets[i]) {
+      const int node = fault.nodeAt(vertex);
+      if (node < 0) {
+        continue; // it belongs to another rank
       }
-      auto const n = place - vertices.begin();
-      auto& sum = result[n];
-      const double share = measure / Dim / fault[static_cast<int>(n)].weight;
+      auto& sum = result[node];
+      const double share = measure / Dim / fault[node].weight;
       sum.density += share * material.density;
       sum.bulk_modulus += share * material.bulk_modulus;
       sum.shear_modulus += share * material.shear_modulus;

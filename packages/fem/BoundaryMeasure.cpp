@@ -2,6 +2,7 @@
 
 #include "base/Errors.hpp"
 #include "base/parallel/Reductions.hpp"
+#include "mesh/MeshQuality.hpp"
 #include "mesh/SimplexGeometry.hpp"
 
 #include <cmath>
@@ -9,29 +10,12 @@
 
 namespace asperity::fem
 {
-namespace
-{
-template <int Dim>
-std::string namesOf(Mesh<Dim> const& mesh)
-{
-  std::string names;
-  for (auto const& entry : mesh.boundaries) {
-    names += (names.empty() ? "'" : ", '") + entry.first + "'";
-  }
-  return names.empty() ? "none" : names;
-}
-} // namespace
-
 template <int Dim>
 std::vector<NodalMeasure<Dim>> boundaryMeasure(Mesh<Dim> const& mesh, std::string const& boundary,
                                                Communicator const& communicator)
 {
-  auto const facets = mesh.boundaries.find(boundary);
-  ASPERITY_REQUIRE(facets != mesh.boundaries.end(), "The mesh has no boundary '"
-                                                      << boundary << "'. Its boundaries are "
-                                                      << namesOf(mesh) << ".");
   std::map<int, NodalMeasure<Dim>> nodes;
-  for (auto const& facet : facets->second) {
+  for (auto const& facet : mesh::boundaryFacets(mesh, boundary)) {
     auto const corners = mesh::corners(mesh, facet);
     auto const normal = mesh::areaNormal(corners);
     const double measure = mesh::facetMeasure(corners);

@@ -169,7 +169,7 @@ Colouring colourNodes(CrsGraph const& graph)
 
 Colouring colourNodes(CrsGraph const& graph_of_dofs, NodeDofView const& dofs)
 {
-  const HostDofs host = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace(), dofs);
+  const HostDofs host = toHost(dofs);
   const auto of_column = nodesOfColumns(graph_of_dofs, host);
   std::vector<GlobalOrdinal> ids;
   std::vector<std::vector<GlobalOrdinal>> neighbours;
@@ -208,7 +208,7 @@ std::vector<IndexView> colourFreeNodes(CrsGraph const& graph, NodeDofView const&
         free.push_back(node);
       }
     }
-    colours.emplace_back(toDevice(free, "asperity::base::colour"));
+    colours.emplace_back(toDevice(free, "asperity::fem::colour"));
   }
   return colours;
 }

@@ -9,6 +9,8 @@
 #include <Tpetra_CrsGraph.hpp>
 #include <Tpetra_Vector.hpp>
 
+#include <algorithm>
+
 namespace asperity::fem
 {
 namespace
@@ -74,6 +76,17 @@ std::vector<int> FaultSurface::vertices() const
   return result;
 }
 
+int FaultSurface::nodeAt(int vertex) const
+{
+  auto const place =
+    std::lower_bound(nodes_.begin(), nodes_.end(), vertex, [](FaultNode const& node, int wanted) {
+      return node.copies.front() < wanted;
+    });
+  return place != nodes_.end() && place->copies.front() == vertex
+           ? static_cast<int>(place - nodes_.begin())
+           : -1;
+}
+
 bool FaultSurface::slides(int node) const
 {
   for (int k = 0; k < num_tangents_; ++k) {
@@ -91,8 +104,7 @@ void addTraction(FaultSurface const& surface, std::vector<double> const& tractio
   auto const dofs = surface.dofs();
   auto const weights = surface.weights();
   Kokkos::parallel_for(
-    "asperity::fem::addTraction", Kokkos::RangePolicy<ExecutionSpace>(0, surface.numNodes()),
-    KOKKOS_LAMBDA(int node) {
+    "asperity::fem::addTraction", RangePolicy(0, surface.numNodes()), KOKKOS_LAMBDA(int node) {
       for (int k = 0; k < dofs.extent_int(1); ++k) {
         values(dofs(node, k), 0) += weights(node) * given(node * dofs.extent_int(1) + k);
       }

@@ -59,7 +59,8 @@ public:
 
   // The vertex that carries the unknowns of a node.
   int vertex(int node) const { return nodes_[node].copies.front(); }
-  std::vector<int> vertices() const; // (num_nodes)
+  std::vector<int> vertices() const; // (num_nodes), ascending
+  int nodeAt(int vertex) const;      // -1 if this rank has no node there
   // Whether the velocity of tangential component k is prescribed.
   bool held(int node, int k) const { return held_[nodes_[node].dofs[k]]; }
   // Whether at least one tangential velocity of the node is not prescribed, so that friction acts.
@@ -69,12 +70,12 @@ public:
   NodeDofView dofs() const { return dofs_; }                         // (num_nodes, T)
   ConstFlagView heldDofs() const { return held_.flagsOnDevice(); }   // (num local dofs)
   std::vector<IndexView> const& colours() const { return colours_; } // of nodes that slide
-  Kokkos::View<const double*, MemorySpace> weights() const { return weights_; }
-  Kokkos::View<const double*, MemorySpace> plateRates() const // (num_nodes T), empty without one
+  ConstNodeView weights() const { return weights_; }
+  ConstNodeView plateRates() const // (num_nodes T), empty without one
   {
     return plate_rates_;
   }
-  Kokkos::View<const double*, MemorySpace> slipFactors() const { return slip_factors_; }
+  ConstNodeView slipFactors() const { return slip_factors_; }
 
 private:
   std::string name_;
@@ -89,8 +90,8 @@ private:
   GlobalOrdinal num_global_nodes_ = 0;
   double total_weight_ = 0;
   NodeDofView dofs_;
-  Kokkos::View<const double*, MemorySpace> weights_, slip_factors_;
-  Kokkos::View<const double*, MemorySpace> plate_rates_; // (num_nodes T), empty without one
+  ConstNodeView weights_, slip_factors_;
+  ConstNodeView plate_rates_; // (num_nodes T), empty without one
 };
 
 // load += traction(num_nodes, T) [Pa] times each node's share of the fault.

@@ -58,8 +58,7 @@ void multiplyInOnePass(std::vector<MatrixProduct> const& products)
     rows.x[n] = product.x.getLocalViewDevice(Tpetra::Access::ReadOnly).data();
     rows.y[n] = product.y.getLocalViewDevice(Tpetra::Access::OverwriteAll).data();
   }
-  Kokkos::parallel_for("asperity::fem::multiply",
-                       Kokkos::RangePolicy<ExecutionSpace>(0, rows.graph.numRows()), rows);
+  Kokkos::parallel_for("asperity::fem::multiply", RangePolicy(0, rows.graph.numRows()), rows);
 }
 } // namespace
 

@@ -6,8 +6,6 @@
 #include <Tpetra_CrsMatrix.hpp>
 #include <Tpetra_Vector.hpp>
 
-#include <cmath>
-
 namespace asperity::fem
 {
 namespace
@@ -38,22 +36,17 @@ std::array<double, 9> dashpot(NodalFrames const& frames, int p, int q, Point<Dim
   }
   return block;
 }
-} // namespace
 
 template <int Dim, int Components>
-NodalDampers absorbingBoundary(Mesh<Dim> const& mesh, std::string const& boundary,
-                               NodalFrames const& frames, std::vector<Material> const& materials)
+NodalDampers dampersOf(Mesh<Dim> const& mesh, std::string const& boundary,
+                       NodalFrames const& frames, std::vector<Material> const& materials)
 {
   auto const cells = cellsBeside(mesh, boundary);
   auto const& facets = mesh.boundaries.at(boundary);
   NodalDampers dampers;
   for (std::size_t i = 0; i < facets.size(); ++i) {
     auto const corners = mesh::corners(mesh, facets[i]);
-    auto normal = mesh::areaNormal(corners);
-    const double size = std::sqrt(mesh::dot<Dim>(normal, normal));
-    for (double& x : normal) {
-      x /= size;
-    }
+    auto const normal = mesh::facetNormal(corners);
     auto const& material = materials[cells[i]];
     const double share = mesh::facetMeasure(corners) / Dim;
     const double across = share * material.compressionalImpedance();
@@ -74,6 +67,7 @@ NodalDampers absorbingBoundary(Mesh<Dim> const& mesh, std::string const& boundar
   }
   return dampers;
 }
+} // namespace
 
 template <int Dim>
 NodalDampers absorbingBoundary(Mesh<Dim> const& mesh, std::string const& boundary,
@@ -81,10 +75,10 @@ NodalDampers absorbingBoundary(Mesh<Dim> const& mesh, std::string const& boundar
 {
   if constexpr (Dim == 2) {
     if (frames.components() == 1) {
-      return absorbingBoundary<2, 1>(mesh, boundary, frames, materials);
+      return dampersOf<2, 1>(mesh, boundary, frames, materials);
     }
   }
-  return absorbingBoundary<Dim, Dim>(mesh, boundary, frames, materials);
+  return dampersOf<Dim, Dim>(mesh, boundary, frames, materials);
 }
 
 NodalDampers radiationDampers(FaultSurface const& fault, DofMap const& dofs,
@@ -145,17 +139,8 @@ RCP<const CrsMatrix> zeroLike(CrsMatrix const& matrix)
   return result;
 }
 
-#define ASPERITY_INSTANTIATE(DIM, COMPONENTS)                                                      \
-  template NodalDampers absorbingBoundary<DIM, COMPONENTS>(                                        \
-    Mesh<DIM> const&, std::string const&, NodalFrames const&, std::vector<Material> const&);
-
-ASPERITY_INSTANTIATE(2, 1)
-ASPERITY_INSTANTIATE(2, 2)
-ASPERITY_INSTANTIATE(3, 3)
-#undef ASPERITY_INSTANTIATE
-
-template NodalDampers absorbingBoundary<2>(Mesh<2> const&, std::string const&, NodalFrames const&,
-                                           std::vector<Material> const&);
-template NodalDampers absorbingBoundary<3>(Mesh<3> const&, std::string const&, NodalFrames const&,
-                                           std::vector<Material> const&);
+template NodalDampers absorbingBoundary(Mesh<2> const&, std::string const&, NodalFrames const&,
+                                        std::vector<Material> const&);
+template NodalDampers absorbingBoundary(Mesh<3> const&, std::string const&, NodalFrames const&,
+                                        std::vector<Material> const&);
 } // namespace asperity::fem

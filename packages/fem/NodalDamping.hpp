@@ -23,11 +23,6 @@ using NodalDampers = std::map<std::pair<int, int>, std::array<double, 9>>;
 // The dampers of an absorbing boundary (Lysmer & Kuhlemeyer 1969), which absorbs plane waves at
 // normal incidence: tractions -rho cp v_n and -rho cs v_t (antiplane: -rho cs v) with the
 // material beside each facet, lumped at its nodes.
-template <int Dim, int Components>
-NodalDampers absorbingBoundary(Mesh<Dim> const& mesh, std::string const& boundary,
-                               NodalFrames const& frames, std::vector<Material> const& materials);
-
-// The same with the number of components of the frames.
 template <int Dim>
 NodalDampers absorbingBoundary(Mesh<Dim> const& mesh, std::string const& boundary,
                                NodalFrames const& frames, std::vector<Material> const& materials);

@@ -5,7 +5,6 @@
 #include "mesh/SimplexGeometry.hpp"
 
 #include <cmath>
-#include <map>
 #include <set>
 
 namespace asperity::fem
@@ -25,10 +24,8 @@ std::vector<double> supportWeights(Mesh<Dim> const& mesh, FaultSurface const& fa
   auto const& of_fault = mesh.boundaries.at(fault.name());
   const std::set<typename Mesh<Dim>::Facet> counted(of_fault.begin(), of_fault.end());
   std::vector<double> weights;
-  std::map<int, int> place;
-  for (int i = 0; i < fault.numNodes(); ++i) {
-    weights.push_back(fault[i].weight);
-    place[fault.vertex(i)] = i;
+  for (auto const& node : fault) {
+    weights.push_back(node.weight);
   }
   std::set<std::string> seen;
   for (auto const& condition : conditions) {
@@ -42,25 +39,24 @@ std::vector<double> supportWeights(Mesh<Dim> const& mesh, FaultSurface const& fa
       auto const corners = mesh::corners(mesh, facet);
       auto const normal = mesh::areaNormal(corners);
       const double size = std::sqrt(mesh::dot<Dim>(normal, normal));
-      for (int node : facet) {
-        auto const found = place.find(node);
-        if (found == place.end() || !fault.slides(found->second)) {
+      for (int vertex : facet) {
+        const int node = fault.nodeAt(vertex);
+        if (node < 0 || !fault.slides(node)) {
           continue;
         }
-        const int i = found->second;
         double cosine = 0;
         for (int d = 0; d < Dim; ++d) {
-          cosine += normal[d] * fault[i].normal[d];
+          cosine += normal[d] * fault[node].normal[d];
         }
         cosine /= size;
         ASPERITY_REQUIRE(std::abs(cosine) < nearly_across || cosine > in_line,
                          "The normal stress of the fault cannot be computed from gravity at x = "
-                           << mesh::text(mesh.vertices[node]) << ": the boundary of "
+                           << mesh::text(mesh.vertices[vertex]) << ": the boundary of "
                            << condition.name
                            << " bears an unknown share of the weight there, because it is neither "
                               "perpendicular to the fault nor in line with it. Give "
                               "Friction / Normal Stress.");
-        weights[i] += cosine > in_line ? mesh::facetMeasure(corners) / Dim : 0;
+        weights[node] += cosine > in_line ? mesh::facetMeasure(corners) / Dim : 0;
       }
     }
   }

@@ -19,13 +19,6 @@ struct Parameter
   char const* hint = ""; // what to try when a value is refused
 
   bool required() const { return std::isnan(default_value); }
-
-  bool allows(double value) const
-  {
-    const bool above = lower_closed ? value >= lower : value > lower;
-    const bool below = upper_closed ? value <= upper : value < upper;
-    return above && below;
-  }
 };
 
 inline constexpr double no_default = std::numeric_limits<double>::quiet_NaN();

@@ -10,6 +10,7 @@ namespace asperity
 {
 using ExecutionSpace = Kokkos::DefaultExecutionSpace;
 using MemorySpace = ExecutionSpace::memory_space;
+using RangePolicy = Kokkos::RangePolicy<ExecutionSpace>; // for (begin, end)
 
 // Kernels run on the host's own cores: serially or on threads, but not on a device.
 inline constexpr bool kernels_run_on_host =

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "dynamics/FaultSample.hpp"
+#include "dynamics/observables/FaultSample.hpp"
 #include "io/Archive.hpp"
 
 #include <string>

@@ -1,8 +1,8 @@
 #pragma once
 
-#include "dynamics/FaultSample.hpp"
 #include "dynamics/condensation/VertexMotion.hpp"
 #include "dynamics/control/StepControl.hpp"
+#include "dynamics/observables/FaultSample.hpp"
 #include "io/FieldRegistry.hpp"
 #include "io/OutputDomain.hpp"
 #include "scenario/FloorCount.hpp"

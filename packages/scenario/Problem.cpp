@@ -1,9 +1,9 @@
 #include "scenario/Problem.hpp"
 
 #include "base/parallel/Reductions.hpp"
-#include "dynamics/FaultMotion.hpp"
-#include "dynamics/FoundationPressure.hpp"
-#include "dynamics/PlausibleValues.hpp"
+#include "dynamics/checks/PlausibleValues.hpp"
+#include "dynamics/fault/FaultMotion.hpp"
+#include "dynamics/initial/FoundationPressure.hpp"
 #include "dynamics/initial/InitialState.hpp"
 #include "fem/BodyPieces.hpp"
 #include "fem/BoundaryCells.hpp"

@@ -1,8 +1,8 @@
 #pragma once
 
 #include "base/Warning.hpp"
-#include "dynamics/Model.hpp"
 #include "dynamics/coupling/RateSolver.hpp"
+#include "dynamics/initial/Model.hpp"
 #include "fem/bulk/Material.hpp"
 #include "fem/constraints/Constraints.hpp"
 #include "parameters/Parameters.hpp"

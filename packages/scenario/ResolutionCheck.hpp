@@ -1,6 +1,6 @@
 #pragma once
 
-#include "dynamics/FaultResolution.hpp"
+#include "dynamics/checks/FaultResolution.hpp"
 #include "scenario/Problem.hpp"
 #include "scenario/RunReport.hpp"
 

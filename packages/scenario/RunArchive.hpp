@@ -1,8 +1,8 @@
 #pragma once
 
-#include "dynamics/EnergyBalance.hpp"
 #include "dynamics/condensation/StaticCondensation.hpp"
 #include "dynamics/control/StepControl.hpp"
+#include "dynamics/observables/EnergyBalance.hpp"
 #include "io/Archive.hpp"
 
 namespace asperity::scenario

@@ -1,8 +1,8 @@
 #pragma once
 
 #include "base/Warning.hpp"
-#include "dynamics/EnergyBalance.hpp"
 #include "dynamics/coupling/CoupledStep.hpp"
+#include "dynamics/observables/EnergyBalance.hpp"
 #include "parameters/Parameters.hpp"
 #include "scenario/Problem.hpp"
 

@@ -9,8 +9,6 @@ namespace asperity::tnnmg
 {
 namespace
 {
-using Policy = Kokkos::RangePolicy<ExecutionSpace>;
-
 NonlinearNodes coupledNodes(int size, int block_size, std::vector<int> const& held)
 {
   const int num_nodes = size / block_size;
@@ -37,7 +35,7 @@ RCP<const Vector> diagonalOf(ConstBlockView const& Z, RCP<const Map> const& rows
   const auto diagonal = rcp(new Vector(rows));
   auto const values = diagonal->getLocalViewDevice(Tpetra::Access::OverwriteAll);
   Kokkos::parallel_for(
-    "asperity::tnnmg::denseDiagonal", Policy(0, Z.extent(0)),
+    "asperity::tnnmg::denseDiagonal", RangePolicy(0, Z.extent(0)),
     KOKKOS_LAMBDA(int i) { values(i, 0) = Z(i, i); });
   return diagonal;
 }
@@ -47,7 +45,7 @@ HessianView diagonalBlocks(ConstBlockView const& Z, int block_size)
   const HessianView blocks("asperity::tnnmg::denseBlocks", Z.extent(0) / block_size, block_size,
                            block_size);
   Kokkos::parallel_for(
-    "asperity::tnnmg::denseBlocks", Policy(0, Z.extent(0)), KOKKOS_LAMBDA(int row) {
+    "asperity::tnnmg::denseBlocks", RangePolicy(0, Z.extent(0)), KOKKOS_LAMBDA(int row) {
       const int node = row / block_size;
       for (int l = 0; l < block_size; ++l) {
         blocks(node, row % block_size, l) = Z(row, node * block_size + l);

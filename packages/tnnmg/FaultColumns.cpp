@@ -12,8 +12,6 @@ namespace asperity::tnnmg
 {
 namespace
 {
-using Policy = Kokkos::RangePolicy<ExecutionSpace>;
-
 const std::string label_pack = "asperity::tnnmg::packColumns";
 const std::string label_unpack = "asperity::tnnmg::unpackColumns";
 
@@ -21,14 +19,15 @@ template <class Values>
 void pack(IndexView const& places, Values const& from, NodeView const& to)
 {
   Kokkos::parallel_for(
-    label_pack, Policy(0, places.extent(0)), KOKKOS_LAMBDA(int i) { to(i) = from(places(i), 0); });
+    label_pack, RangePolicy(0, places.extent(0)),
+    KOKKOS_LAMBDA(int i) { to(i) = from(places(i), 0); });
 }
 
 template <class Values>
 void unpack(NodeView const& from, IndexView const& places, Values const& to)
 {
   Kokkos::parallel_for(
-    label_unpack, Policy(0, places.extent(0)),
+    label_unpack, RangePolicy(0, places.extent(0)),
     KOKKOS_LAMBDA(int i) { to(places(i), 0) = from(i); });
 }
 
@@ -45,7 +44,7 @@ void subtract(NodeView const& from, IndexView const& places, Values const& to)
 template <class Exchange>
 void overHost(NodeView const& from, NodeView const& to, Exchange const& exchange)
 {
-  auto const sent = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace(), from);
+  auto const sent = toHost(from);
   auto const received = Kokkos::create_mirror_view(to);
   exchange(sent.data(), received.data());
   Kokkos::deep_copy(to, received);

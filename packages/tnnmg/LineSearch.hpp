@@ -4,12 +4,6 @@
 
 namespace asperity::tnnmg
 {
-struct LineSearchResult
-{
-  double step = 0;
-  int evaluations = 0;
-};
-
 // Finds the step along a direction at which the derivative of a convex function changes sign.
 //
 // slope(t) is the function's derivative along the direction at step t (one-sided at a jump); it
@@ -18,28 +12,24 @@ struct LineSearchResult
 // bracket cannot shrink. In the last case it returns the end to the left of the sign change, up to
 // which the function decreases.
 template <class Slope>
-LineSearchResult findSignChange(Slope const& slope, double start, double tolerance)
+double findSignChange(Slope const& slope, double start, double tolerance)
 {
-  LineSearchResult result;
   if (!(start < 0)) {
-    return result;
+    return 0;
   }
   const double small = tolerance * std::abs(start);
   double left = 0;
   double slope_left = start;
   double right = 1;
   double slope_right = slope(right);
-  result.evaluations = 1;
   while (slope_right < -small && right < 1024) {
     left = right;
     slope_left = slope_right;
     right *= 2;
     slope_right = slope(right);
-    ++result.evaluations;
   }
   if (slope_right <= small) {
-    result.step = right;
-    return result;
+    return right;
   }
   int stalled = 0;
   for (int iteration = 0; iteration < 80 && right - left > 1e-14 * right; ++iteration) {
@@ -51,10 +41,8 @@ LineSearchResult findSignChange(Slope const& slope, double start, double toleran
       stalled = 0;
     }
     const double value = slope(middle);
-    ++result.evaluations;
     if (std::abs(value) <= small) {
-      result.step = middle;
-      return result;
+      return middle;
     }
     const double width = right - left;
     if (value < 0) {
@@ -68,7 +56,6 @@ LineSearchResult findSignChange(Slope const& slope, double start, double toleran
     }
     stalled = right - left > width / 2 ? stalled + 1 : 0;
   }
-  result.step = left;
-  return result;
+  return left;
 }
 } // namespace asperity::tnnmg

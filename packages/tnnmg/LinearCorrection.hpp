@@ -14,7 +14,7 @@ struct NonlinearBlocks
   // nodes are not read.
   Kokkos::View<const double***, Kokkos::LayoutRight, MemorySpace> hessian;
   // (num_nodes): 1 if the node is left out of the correction, 0 otherwise.
-  Kokkos::View<const int*, MemorySpace> truncated;
+  ConstFlagView truncated;
 };
 
 // The effort of one correction. A correction that has not converged is still usable, because the

@@ -13,16 +13,15 @@ template <class Add>
 void addInOrder(int size, Add const& add)
 {
   static const std::string label = "asperity::tnnmg::addInOrder";
-  using Policy = Kokkos::RangePolicy<ExecutionSpace>;
   if constexpr (Kokkos::SpaceAccessibility<Kokkos::HostSpace, MemorySpace>::accessible) {
     Kokkos::parallel_for(
-      label, Policy(0, 1), KOKKOS_LAMBDA(int) {
+      label, RangePolicy(0, 1), KOKKOS_LAMBDA(int) {
         for (int i = 0; i < size; ++i) {
           add(i);
         }
       });
   } else {
-    Kokkos::parallel_for(label, Policy(0, size), add);
+    Kokkos::parallel_for(label, RangePolicy(0, size), add);
   }
 }
 } // namespace asperity::tnnmg::detail

@@ -11,8 +11,6 @@ namespace asperity::tnnmg
 {
 namespace
 {
-using Policy = Kokkos::RangePolicy<ExecutionSpace>;
-
 // Labels are made once: a sweep launches hundreds of kernels.
 const std::string label_gather = "asperity::tnnmg::gather";
 const std::string label_scatter = "asperity::tnnmg::scatter";
@@ -24,7 +22,7 @@ NodeView nodalCurvature(HessianView const& blocks, NonlinearNodes const& nodes)
   auto const held = nodes.held;
   const int size = nodes.blockSize();
   Kokkos::parallel_for(
-    "asperity::tnnmg::nodalCurvature", Policy(0, nodes.numNodes()), KOKKOS_LAMBDA(int node) {
+    "asperity::tnnmg::nodalCurvature", RangePolicy(0, nodes.numNodes()), KOKKOS_LAMBDA(int node) {
       double block[3][3] = {};
       for (int k = 0; k < size; ++k) {
         for (int l = 0; l < size; ++l) {
@@ -70,14 +68,12 @@ void RateMatrix::residual(Vector const& b, Vector const& v, Vector& r) const
   r.update(1, b, -1);
 }
 
-void gather(NonlinearNodes const& nodes, Vector const& v, BlockView const& blocks)
+void gather(NodeDofView const& dofs, Vector const& v, BlockView const& blocks)
 {
   auto const values = v.getLocalViewDevice(Tpetra::Access::ReadOnly);
-  auto const dofs = nodes.dofs;
-  const int size = nodes.blockSize();
   Kokkos::parallel_for(
-    label_gather, Policy(0, nodes.numNodes()), KOKKOS_LAMBDA(int node) {
-      for (int k = 0; k < size; ++k) {
+    label_gather, RangePolicy(0, dofs.extent(0)), KOKKOS_LAMBDA(int node) {
+      for (int k = 0; k < dofs.extent_int(1); ++k) {
         blocks(node, k) = values(dofs(node, k), 0);
       }
     });
@@ -90,7 +86,7 @@ void scatter(NonlinearNodes const& nodes, IndexView const& which, ConstBlockView
   auto const dofs = nodes.dofs;
   const int size = nodes.blockSize();
   Kokkos::parallel_for(
-    label_scatter, Policy(0, which.extent(0)), KOKKOS_LAMBDA(int i) {
+    label_scatter, RangePolicy(0, which.extent(0)), KOKKOS_LAMBDA(int i) {
       const int node = which(i);
       for (int k = 0; k < size; ++k) {
         values(dofs(node, k), 0) = blocks(node, k);

@@ -53,7 +53,7 @@ private:
 };
 
 // Copy v(dofs) to blocks and back; v may live on rows() or on columns().
-void gather(NonlinearNodes const& nodes, Vector const& v, BlockView const& blocks);
+void gather(NodeDofView const& dofs, Vector const& v, BlockView const& blocks);
 void scatter(NonlinearNodes const& nodes, IndexView const& which, ConstBlockView const& blocks,
              Vector& v);
 } // namespace asperity::tnnmg

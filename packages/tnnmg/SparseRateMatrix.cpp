@@ -12,7 +12,6 @@ namespace asperity::tnnmg
 {
 namespace
 {
-using Policy = Kokkos::RangePolicy<ExecutionSpace>;
 using LocalMatrix = CrsMatrix::local_matrix_device_type;
 
 const std::string label_residual = "asperity::tnnmg::modelResidual";
@@ -36,7 +35,7 @@ void modelResidual(LocalMatrix const& matrix, NonlinearNodes const& nodes, Index
   auto const held = nodes.held;
   const int size = nodes.blockSize();
   Kokkos::parallel_for(
-    label_residual, Policy(0, which.extent(0)), KOKKOS_LAMBDA(int i) {
+    label_residual, RangePolicy(0, which.extent(0)), KOKKOS_LAMBDA(int i) {
       const int node = which(i);
       for (int k = 0; k < size; ++k) {
         const int row = dofs(node, k);
@@ -80,7 +79,7 @@ HessianView diagonalBlocks(CrsMatrix const& Z, NonlinearNodes const& nodes)
   auto const matrix = Z.getLocalMatrixDevice();
   auto const dofs = nodes.dofs;
   Kokkos::parallel_for(
-    "asperity::tnnmg::diagonalBlocks", Policy(0, nodes.numNodes()), KOKKOS_LAMBDA(int node) {
+    "asperity::tnnmg::diagonalBlocks", RangePolicy(0, nodes.numNodes()), KOKKOS_LAMBDA(int node) {
       for (int k = 0; k < size; ++k) {
         const int row = dofs(node, k);
         for (auto e = matrix.graph.row_map(row); e < matrix.graph.row_map(row + 1); ++e) {

@@ -30,7 +30,7 @@ double Tnnmg::smallChange(double norm) const
 void Tnnmg::begin(Vector const& b, Vector const& guess)
 {
   vectors_.begin(b, guess);
-  gather(Z_->nodes(), *vectors_.v, blocks_.v);
+  gather(Z_->nodes().dofs, *vectors_.v, blocks_.v);
   knows_residual_ = false;
 }
 
@@ -123,7 +123,7 @@ EnergyChange Tnnmg::nonlinearChange(NodalProblem const& problem, double step) co
 bool Tnnmg::searchAlong(NodalProblem const& problem, TnnmgResult& result)
 {
   ASPERITY_TIME_WORK("line searches");
-  gather(Z_->nodes(), vectors_.c, blocks_.d);
+  gather(Z_->nodes().dofs, vectors_.c, blocks_.d);
   auto const mine = vectors_.derivativeAlongCorrection(*Z_);
   auto const of_step = nonlinearChange(problem, 1);
   auto const& communicator = *Z_->rows()->getComm();
@@ -154,12 +154,12 @@ bool Tnnmg::searchAlong(NodalProblem const& problem, TnnmgResult& result)
                         t * (along.magnitude + t / 2 * along.curvature) + nonlinear.magnitude};
   };
   const double start = slope(0);
-  double step = findSignChange(slope, start, 1e-2).step;
+  double step = findSignChange(slope, start, 1e-2);
   auto change = changeAlong(step);
   if (change.change > 0 && step > 0) {
     // The slope at this step was small but positive. Where the slope is not positive, J is certain
     // to be below its start.
-    step = findSignChange(slope, start, 0.).step;
+    step = findSignChange(slope, start, 0.);
     change = changeAlong(step);
   }
   if (!(step > 0) && !(std::sqrt(along.curvature) <= smallChange(vectors_.norms(0).v))) {
@@ -168,7 +168,7 @@ bool Tnnmg::searchAlong(NodalProblem const& problem, TnnmgResult& result)
   }
   result.rises += change.rises();
   vectors_.move(step);
-  gather(Z_->nodes(), *vectors_.v, blocks_.v);
+  gather(Z_->nodes().dofs, *vectors_.v, blocks_.v);
   return true;
 }
 } // namespace asperity::tnnmg

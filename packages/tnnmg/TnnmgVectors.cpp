@@ -11,8 +11,6 @@ namespace asperity::tnnmg::detail
 {
 namespace
 {
-using Policy = Kokkos::RangePolicy<ExecutionSpace>;
-
 // The sum of the magnitudes of the terms that nearly cancel in a row of Z v - b = -r: b itself, Z v
 // = b - r, and the terms of Z v. The last ones cancel where a node moves with its neighbours;
 // together they are about twice as large as the term of the diagonal entry Z_ii.
@@ -40,7 +38,7 @@ void TnnmgBlocks::differenceTo(BlockView const& reference, BlockView const& resu
   auto const current = v;
   const int size = static_cast<int>(v.extent(1));
   Kokkos::parallel_for(
-    "asperity::tnnmg::difference", Policy(0, v.extent(0)), KOKKOS_LAMBDA(int node) {
+    "asperity::tnnmg::difference", RangePolicy(0, v.extent(0)), KOKKOS_LAMBDA(int node) {
       for (int k = 0; k < size; ++k) {
         result(node, k) = current(node, k) - reference(node, k);
       }
@@ -56,7 +54,7 @@ void TnnmgBlocks::truncate(NonlinearNodes const& nodes, ConstNodeView const& cur
   auto const held = nodes.held;
   const int size = nodes.blockSize();
   Kokkos::parallel_for(
-    "asperity::tnnmg::truncate", Policy(0, nodes.numNodes()), KOKKOS_LAMBDA(int node) {
+    "asperity::tnnmg::truncate", RangePolicy(0, nodes.numNodes()), KOKKOS_LAMBDA(int node) {
       bool all_held = true, soft = true;
       for (int k = 0; k < size; ++k) {
         for (int l = 0; l < size; ++l) {
@@ -75,7 +73,7 @@ void TnnmgBlocks::scaleChange(double step) const
   auto const to = scaled;
   const int size = static_cast<int>(d.extent(1));
   Kokkos::parallel_for(
-    "asperity::tnnmg::scale", Policy(0, d.extent(0)), KOKKOS_LAMBDA(int node) {
+    "asperity::tnnmg::scale", RangePolicy(0, d.extent(0)), KOKKOS_LAMBDA(int node) {
       for (int k = 0; k < size; ++k) {
         to(node, k) = step * from(node, k);
       }
@@ -121,7 +119,7 @@ int TnnmgVectors::risesInSweeps(RateMatrix const& Z, TnnmgBlocks const& blocks,
   const int size = Z.nodes().blockSize();
   double linear = 0, terms = 0;
   Kokkos::parallel_reduce(
-    "asperity::tnnmg::changeInSweeps", Policy(0, Z.nodes().numNodes()),
+    "asperity::tnnmg::changeInSweeps", RangePolicy(0, Z.nodes().numNodes()),
     KOKKOS_LAMBDA(int node, double& change, double& sum) {
       for (int k = 0; k < size; ++k) {
         const int i = dofs(node, k);
@@ -146,7 +144,7 @@ void TnnmgVectors::newtonResidual(NonlinearNodes const& nodes, ConstBlockView co
   auto const held = nodes.held;
   const int size = nodes.blockSize();
   Kokkos::parallel_for(
-    "asperity::tnnmg::newtonResidual", Policy(0, nodes.numNodes()), KOKKOS_LAMBDA(int node) {
+    "asperity::tnnmg::newtonResidual", RangePolicy(0, nodes.numNodes()), KOKKOS_LAMBDA(int node) {
       for (int k = 0; k < size; ++k) {
         auto& value = values(dofs(node, k), 0);
         value = held(dofs(node, k)) ? 0 : value - gradient(node, k);
@@ -165,7 +163,7 @@ TnnmgVectors::Along TnnmgVectors::derivativeAlongCorrection(RateMatrix const& Z)
   auto const Zcs = Zc.getLocalViewDevice(Tpetra::Access::ReadOnly);
   Along mine{};
   Kokkos::parallel_reduce(
-    "asperity::tnnmg::derivativeAlongCorrection", Policy(0, bs.extent(0)),
+    "asperity::tnnmg::derivativeAlongCorrection", RangePolicy(0, bs.extent(0)),
     KOKKOS_LAMBDA(int i, double& start, double& curvature, double& magnitude) {
       start -= rs(i, 0) * cs(i, 0);
       curvature += Zcs(i, 0) * cs(i, 0);
@@ -191,7 +189,7 @@ TnnmgVectors::Norms TnnmgVectors::norms(int failed_nodes) const
   auto const rs_before = r_before.getLocalViewDevice(Tpetra::Access::ReadOnly);
   std::array<double, 3> mine{0, 0, static_cast<double>(failed_nodes)};
   Kokkos::parallel_reduce(
-    "asperity::tnnmg::norms", Policy(0, bs.extent(0)),
+    "asperity::tnnmg::norms", RangePolicy(0, bs.extent(0)),
     KOKKOS_LAMBDA(int i, double& of_change, double& of_all) {
       of_change += (rs_before(i, 0) - rs(i, 0)) * (vs(i, 0) - vs_before(i, 0));
       of_all += (bs(i, 0) - rs(i, 0)) * vs(i, 0);

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "dynamics/DyadicTime.hpp"
-#include "dynamics/FaultMotion.hpp"
+#include "dynamics/fault/FaultMotion.hpp"
 
 #include <Teuchos_ParameterList.hpp>
 

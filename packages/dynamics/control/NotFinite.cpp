@@ -17,8 +17,7 @@ bool haveFiniteSquares(ConstNodeView const& values)
 {
   int others = 0;
   Kokkos::parallel_reduce(
-    "asperity::dynamics::haveFiniteSquares",
-    Kokkos::RangePolicy<ExecutionSpace>(0, values.extent_int(0)),
+    "asperity::dynamics::haveFiniteSquares", RangePolicy(0, values.extent_int(0)),
     KOKKOS_LAMBDA(int i, int& partial) { partial += hasFiniteSquare(values(i)) ? 0 : 1; }, others);
   return others == 0;
 }
@@ -29,7 +28,7 @@ std::optional<NotFinite> lookIn(std::string const& quantity, bool at_fault,
   if (haveFiniteSquares(values)) {
     return std::nullopt;
   }
-  auto const host = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace(), values);
+  auto const host = toHost(values);
   int i = 0;
   while (i < host.extent_int(0) && hasFiniteSquare(host(i))) {
     ++i;

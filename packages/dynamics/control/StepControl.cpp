@@ -26,7 +26,7 @@ void combine(double weight, ConstNodeView const& a, ConstNodeView const& b, Node
 {
   const double of_b = 1 - weight;
   Kokkos::parallel_for(
-    "asperity::dynamics::combine", Kokkos::RangePolicy<ExecutionSpace>(0, result.extent(0)),
+    "asperity::dynamics::combine", RangePolicy(0, result.extent(0)),
     KOKKOS_LAMBDA(int i) { result(i) = weight * a(i) + of_b * b(i); });
 }
 } // namespace

@@ -1,11 +1,10 @@
 #pragma once
 
-#include "dynamics/FaultMotion.hpp"
 #include "dynamics/control/NotFinite.hpp"
 #include "dynamics/coupling/CoupledStep.hpp"
+#include "dynamics/fault/FaultMotion.hpp"
 
 #include <functional>
-#include <memory>
 #include <optional>
 #include <string>
 #include <vector>

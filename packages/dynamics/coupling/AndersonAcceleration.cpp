@@ -8,8 +8,6 @@ namespace asperity::dynamics
 {
 namespace
 {
-using Nodes = Kokkos::RangePolicy<ExecutionSpace>;
-
 // Rank threshold of the normal equations. Differences of residuals that are parallel up to the
 // square root of this share count as dependent, because lengths enter squared.
 constexpr double parallel = 1e-10;
@@ -28,7 +26,7 @@ double product(ConstNodeView const& weight, ConstNodeView const& a, ConstNodeVie
   double sum = 0;
   const int num_nodes = static_cast<int>(weight.extent(0));
   Kokkos::parallel_reduce(
-    "asperity::dynamics::productOfResiduals", Nodes(0, a.extent(0)),
+    "asperity::dynamics::productOfResiduals", RangePolicy(0, a.extent(0)),
     KOKKOS_LAMBDA(int i, double& partial) {
       partial += weight(i % num_nodes) * (a(i) - b(i)) * (a(i) - c(i));
     },
@@ -76,7 +74,7 @@ void AndersonAcceleration::advance(NodeView const& x, ConstNodeView const& image
   Iterate iterate = {copyOf(image), copyOf(image)};
   auto const residual = iterate.residual;
   Kokkos::parallel_for(
-    "asperity::dynamics::residual", Nodes(0, x.extent(0)), KOKKOS_LAMBDA(int node) {
+    "asperity::dynamics::residual", RangePolicy(0, x.extent(0)), KOKKOS_LAMBDA(int node) {
       residual(node) -= x(node);
       x(node) = image(node);
     });
@@ -92,7 +90,7 @@ void AndersonAcceleration::advance(NodeView const& x, ConstNodeView const& image
     auto const earlier = iterates_[j + 1].image;
     const double weight = gamma[j];
     Kokkos::parallel_for(
-      "asperity::dynamics::takeOut", Nodes(0, x.extent(0)),
+      "asperity::dynamics::takeOut", RangePolicy(0, x.extent(0)),
       KOKKOS_LAMBDA(int node) { x(node) -= weight * (image(node) - earlier(node)); });
   }
 }

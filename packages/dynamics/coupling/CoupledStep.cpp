@@ -4,14 +4,13 @@
 #include "base/parallel/Agreement.hpp"
 #include "base/parallel/Reductions.hpp"
 #include "base/program/WorkTimers.hpp"
-#include "dynamics/FaultMotion.hpp"
 #include "dynamics/coupling/StateUpdate.hpp"
+#include "dynamics/fault/FaultMotion.hpp"
 #include "parameters/Parameters.hpp"
 #include "portability/Renamed.hpp"
 
 #include <Tpetra_CrsMatrix.hpp>
 
-#include <algorithm>
 #include <cmath>
 #include <limits>
 
@@ -19,13 +18,12 @@ namespace asperity::dynamics
 {
 namespace
 {
-using Nodes = Kokkos::RangePolicy<ExecutionSpace>;
-
 // mean := offset + weight mean, (num_nodes, T)
 void meanVelocity(ConstBlockView const& offset, double weight, BlockView const& mean)
 {
   Kokkos::parallel_for(
-    "asperity::dynamics::meanVelocity", Nodes(0, mean.extent_int(0)), KOKKOS_LAMBDA(int node) {
+    "asperity::dynamics::meanVelocity", RangePolicy(0, mean.extent_int(0)),
+    KOKKOS_LAMBDA(int node) {
       for (int k = 0; k < mean.extent_int(1); ++k) {
         mean(node, k) = offset(node, k) + weight * mean(node, k);
       }
@@ -116,11 +114,11 @@ CoupledStep::CoupledStep(Body const& body, Fault const& fault, RateUpdate const&
     , work_u_(body.vector())
     , work_a_(body.vector())
     , guess_(body.vector())
+    , work_d_(body.branchVectors())
     , mean_offset_("asperity::dynamics::meanOffset", surface().numNodes(), surface().numTangents())
     , mean_("asperity::dynamics::meanVelocity", surface().numNodes(), surface().numTangents())
     , V_("asperity::dynamics::V", surface().numNodes())
 {
-  work_d_ = body.noForces().of_branches;
   unknowns_.add(std::make_shared<StateUpdate>(fault));
   if (stress_->coupled()) {
     unknowns_.add(stress_);

@@ -1,11 +1,11 @@
 #pragma once
 
 #include "dynamics/Body.hpp"
-#include "dynamics/Fault.hpp"
 #include "dynamics/State.hpp"
 #include "dynamics/coupling/FaultUnknowns.hpp"
 #include "dynamics/coupling/NormalStressUpdate.hpp"
 #include "dynamics/coupling/StepSolvers.hpp"
+#include "dynamics/fault/Fault.hpp"
 
 #include <array>
 #include <optional>

@@ -2,15 +2,12 @@
 
 #include "base/parallel/Reductions.hpp"
 
-#include <algorithm>
 #include <cmath>
 
 namespace asperity::dynamics
 {
 namespace
 {
-using Nodes = Kokkos::RangePolicy<ExecutionSpace>;
-
 // scaled := values times scale
 void multiply(ConstNodeView const& values, ConstNodeView const& scale, NodeView const& scaled)
 {
@@ -19,7 +16,7 @@ void multiply(ConstNodeView const& values, ConstNodeView const& scale, NodeView 
     return;
   }
   Kokkos::parallel_for(
-    "asperity::dynamics::multiply", Nodes(0, scaled.extent(0)),
+    "asperity::dynamics::multiply", RangePolicy(0, scaled.extent(0)),
     KOKKOS_LAMBDA(int node) { scaled(node) = values(node) * scale(node); });
 }
 
@@ -31,7 +28,7 @@ void divide(ConstNodeView const& scaled, ConstNodeView const& scale, NodeView co
     return;
   }
   Kokkos::parallel_for(
-    "asperity::dynamics::divide", Nodes(0, values.extent(0)),
+    "asperity::dynamics::divide", RangePolicy(0, values.extent(0)),
     KOKKOS_LAMBDA(int node) { values(node) = scaled(node) / scale(node); });
 }
 

@@ -1,8 +1,8 @@
 #pragma once
 
-#include "dynamics/FaultMotion.hpp"
 #include "dynamics/coupling/AndersonAcceleration.hpp"
 #include "dynamics/coupling/FaultUnknown.hpp"
+#include "dynamics/fault/FaultMotion.hpp"
 
 #include <memory>
 #include <vector>

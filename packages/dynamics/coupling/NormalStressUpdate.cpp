@@ -10,8 +10,6 @@ namespace asperity::dynamics
 {
 namespace
 {
-using Nodes = Kokkos::RangePolicy<ExecutionSpace>;
-
 constexpr double friction_over_b = 50;
 // See scale(): relative changes of a normal stress near zero do not matter.
 constexpr double small_share = 1e-2;
@@ -20,7 +18,7 @@ double largest(ConstNodeView const& values)
 {
   double result = 0;
   Kokkos::parallel_reduce(
-    "asperity::dynamics::largestNormalStress", Nodes(0, values.extent(0)),
+    "asperity::dynamics::largestNormalStress", RangePolicy(0, values.extent(0)),
     KOKKOS_LAMBDA(int node, double& maximum) {
       maximum = maximum < values(node) ? values(node) : maximum;
     },
@@ -32,7 +30,8 @@ double largest(ConstNodeView const& values)
 void setScale(ConstNodeView const& sigma_n, double least, NodeView const& scale)
 {
   Kokkos::parallel_for(
-    "asperity::dynamics::scaleOfNormalStress", Nodes(0, scale.extent(0)), KOKKOS_LAMBDA(int node) {
+    "asperity::dynamics::scaleOfNormalStress", RangePolicy(0, scale.extent(0)),
+    KOKKOS_LAMBDA(int node) {
       scale(node) = friction_over_b / (sigma_n(node) > least ? sigma_n(node) : least);
     });
 }

@@ -1,8 +1,8 @@
 #pragma once
 
-#include "dynamics/Fault.hpp"
-#include "dynamics/NormalReaction.hpp"
 #include "dynamics/coupling/FaultUnknown.hpp"
+#include "dynamics/fault/Fault.hpp"
+#include "dynamics/fault/NormalReaction.hpp"
 
 namespace asperity::dynamics
 {

@@ -1,13 +1,11 @@
 #include "dynamics/coupling/RateSolver.hpp"
 
-#include "base/Errors.hpp"
 #include "base/program/WorkTimers.hpp"
 #include "portability/Renamed.hpp"
 #include "tnnmg/DenseRateMatrix.hpp"
 #include "tnnmg/SparseRateMatrix.hpp"
 #include "tnnmg/direct/DenseCorrection.hpp"
 #include "tnnmg/direct/SchurComplement.hpp"
-#include "tnnmg/multigrid/MultigridCorrection.hpp"
 
 #include <Eigen/Core>
 #include <Tpetra_CrsMatrix.hpp>
@@ -249,10 +247,7 @@ private:
   RCP<const CrsMatrix> Z_, reactions_;
   std::shared_ptr<const tnnmg::MultigridCorrection> correction_;
 };
-} // namespace
 
-namespace
-{
 std::vector<tnnmg::MultigridTerms::MatrixSource> termsOf(Body const& body, bool has_mass,
                                                          bool has_viscosity)
 {
@@ -321,48 +316,5 @@ std::unique_ptr<RateSolver> makeRateSolver(RCP<const CrsMatrix> const& Z, Body c
     multigridProblem(Z, body, nodes), settings.multigrid,
     shared.multigrid ? shared.multigrid->terms() : tnnmg::MultigridTerms(), shared.weights);
   return std::make_unique<FullRateSolver>(Z, nodes, correction, settings.tnnmg, reactions);
-}
-
-namespace
-{
-// With rounding even a singular matrix may have a factor; then x is not a solution.
-void requireSolution(CrsMatrix const& Z, Vector const& b, Vector const& x)
-{
-  Vector rest(b, Teuchos::Copy);
-  Z.apply(x, rest, Teuchos::NO_TRANS, -1, 1);
-  if (!(rest.norm2() <= 1e-6 * b.norm2())) {
-    throw SolveError("The static problem has no solution: some part of the body can move without "
-                     "resistance, or its numbers are too large to compute with. Check that the "
-                     "boundary conditions hold it, that the moduli, viscosities and density in "
-                     "Bulk are in SI units, and that Poisson's Ratio is not close to 0.5.");
-  }
-}
-} // namespace
-
-void solveLinear(RCP<const CrsMatrix> const& Z, Body const& body,
-                 RateSolverSettings const& settings, Vector const& b, Vector& x)
-{
-  if (settings.correction == Correction::direct) {
-    const tnnmg::SchurComplement factor(*Z, {});
-    factor.condense(b).expand(Vector(factor.map()), x);
-    requireSolution(*Z, b, x);
-    return;
-  }
-  const Kokkos::View<LocalOrdinal**, Kokkos::LayoutRight, MemorySpace> none(
-    "asperity::dynamics::none", 0, 1);
-  Teuchos::ParameterList list(settings.multigrid);
-  list.set("Method", "CG");      // a few cycles would not meet the tolerance
-  list.set("Hierarchy", "Keep"); // without friction there are no Hessians
-  tnnmg::MultigridCorrection multigrid(
-    multigridProblem(Z, body, {none, body.held.flagsOnDevice(), {}}), list);
-  auto const result = multigrid.solve({}, b, 1e-12, x);
-  if (!result.converged) {
-    std::ostringstream message;
-    message << "The static problem was not solved: conjugate gradients stopped after "
-            << result.iterations
-            << " iterations. Check that the boundary conditions hold the body, "
-            << "and raise the iteration limit in TNNMG / MueLu Correction.";
-    throw SolveError(message.str());
-  }
 }
 } // namespace asperity::dynamics

@@ -87,9 +87,4 @@ std::unique_ptr<RateSolver> makeRateSolver(RCP<const CrsMatrix> const& Z, Body c
                                            RateSolverSettings const& settings,
                                            RCP<const CrsMatrix> const& reactions = Teuchos::null,
                                            SharedSetup const& shared = {});
-
-// Solves Z x = b without friction; with multigrid until the residual is at most 1e-12 |b|. Throws
-// SolveError if that fails.
-void solveLinear(RCP<const CrsMatrix> const& Z, Body const& body,
-                 RateSolverSettings const& settings, Vector const& b, Vector& x);
 } // namespace asperity::dynamics

@@ -12,8 +12,8 @@ void shiftByStress(ConstNodeView const& sensitivity, ConstNodeView const& before
                    ConstNodeView const& after, ConstNodeView const& alpha, NodeView const& shifted)
 {
   Kokkos::parallel_for(
-    "asperity::dynamics::shiftByStress",
-    Kokkos::RangePolicy<ExecutionSpace>(0, shifted.extent_int(0)), KOKKOS_LAMBDA(int node) {
+    "asperity::dynamics::shiftByStress", RangePolicy(0, shifted.extent_int(0)),
+    KOKKOS_LAMBDA(int node) {
       const double shift =
         sensitivity(node) == 0
           ? 0

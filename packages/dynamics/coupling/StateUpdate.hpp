@@ -1,7 +1,7 @@
 #pragma once
 
-#include "dynamics/Fault.hpp"
 #include "dynamics/coupling/FaultUnknown.hpp"
+#include "dynamics/fault/Fault.hpp"
 
 namespace asperity::dynamics
 {

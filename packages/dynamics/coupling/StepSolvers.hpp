@@ -1,9 +1,9 @@
 #pragma once
 
 #include "dynamics/DyadicTime.hpp"
-#include "dynamics/NormalReaction.hpp"
 #include "dynamics/RateUpdate.hpp"
 #include "dynamics/coupling/RateSolver.hpp"
+#include "dynamics/fault/NormalReaction.hpp"
 
 #include <list>
 #include <map>

@@ -2,7 +2,7 @@
 
 #include "base/Errors.hpp"
 #include "base/Text.hpp"
-#include "dynamics/FaultMotion.hpp"
+#include "dynamics/fault/FaultMotion.hpp"
 
 #include <cmath>
 #include <limits>

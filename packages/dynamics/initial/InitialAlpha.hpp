@@ -1,6 +1,6 @@
 #pragma once
 
-#include "dynamics/Fault.hpp"
+#include "dynamics/fault/Fault.hpp"
 
 #include <functional>
 #include <string>

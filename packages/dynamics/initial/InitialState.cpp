@@ -1,7 +1,8 @@
 #include "dynamics/initial/InitialState.hpp"
 
 #include "base/Errors.hpp"
-#include "dynamics/FaultMotion.hpp"
+#include "dynamics/fault/FaultMotion.hpp"
+#include "tnnmg/direct/SchurComplement.hpp"
 
 #include <Tpetra_CrsMatrix.hpp>
 
@@ -9,14 +10,62 @@
 
 namespace asperity::dynamics
 {
+namespace
+{
+// With rounding even a singular matrix may have a factor; then u is not a solution.
+void requireSolution(CrsMatrix const& K, Vector const& b, Vector const& u)
+{
+  Vector rest(b, Teuchos::Copy);
+  K.apply(u, rest, Teuchos::NO_TRANS, -1, 1);
+  if (!(rest.norm2() <= 1e-6 * b.norm2())) {
+    throw SolveError("The static problem has no solution: some part of the body can move without "
+                     "resistance, or its numbers are too large to compute with. Check that the "
+                     "boundary conditions hold it, that the moduli, viscosities and density in "
+                     "Bulk are in SI units, and that Poisson's Ratio is not close to 0.5.");
+  }
+}
+
+// K u = b until the residual is at most 1e-12 |b|.
+void solveByMultigrid(RCP<const CrsMatrix> const& K, Body const& body,
+                      Teuchos::ParameterList const& parameters, Vector const& b, Vector& u)
+{
+  const Kokkos::View<LocalOrdinal**, Kokkos::LayoutRight, MemorySpace> none(
+    "asperity::dynamics::none", 0, 1);
+  Teuchos::ParameterList list(parameters);
+  list.set("Method", "CG");      // a few cycles would not meet the tolerance
+  list.set("Hierarchy", "Keep"); // without friction there are no Hessians
+  tnnmg::MultigridCorrection multigrid({K,
+                                        body.dofs->components(),
+                                        body.near_null_space,
+                                        body.held.ownedOnDevice(),
+                                        {none, body.held.flagsOnDevice(), {}}},
+                                       list);
+  auto const result = multigrid.solve({}, b, 1e-12, u);
+  if (!result.converged) {
+    std::ostringstream message;
+    message << "The static problem was not solved: conjugate gradients stopped after "
+            << result.iterations
+            << " iterations. Check that the boundary conditions hold the body, "
+            << "and raise the iteration limit in TNNMG / MueLu Correction.";
+    throw SolveError(message.str());
+  }
+}
+} // namespace
+
 RCP<Vector> staticDisplacement(Body const& body, RateSolverSettings const& settings,
                                Vector const& load)
 {
   Vector b(load, Teuchos::Copy);
   body.clearHeld(b);
+  auto const K = fem::combine(body.matrices, fem::ofElasticity(body.matrices), body.held);
   auto u = body.vector();
-  solveLinear(fem::combine(body.matrices, fem::ofElasticity(body.matrices), body.held), body,
-              settings, b, *u);
+  if (settings.correction == Correction::direct) {
+    const tnnmg::SchurComplement factor(*K, {});
+    factor.condense(b).expand(Vector(factor.map()), *u);
+    requireSolution(*K, b, *u);
+  } else {
+    solveByMultigrid(K, body, settings.multigrid, b, *u);
+  }
   return u;
 }
 
@@ -35,9 +84,8 @@ namespace
 // Where the fault moves, friction is a known force; where it rests, only cohesion can hold it.
 struct ForcesAtStart
 {
-  BlockView force;    // at the moving nodes
-  NodeView cohesion;  // at the resting ones
-  NodeView no_stress; // zeros
+  BlockView force;   // at the moving nodes
+  NodeView cohesion; // at the resting ones
 };
 
 ForcesAtStart forcesAtStart(Fault const& fault, Vector const& v, friction::StateAndStress const& at)
@@ -52,12 +100,10 @@ ForcesAtStart forcesAtStart(Fault const& fault, Vector const& v, friction::State
   gatherSlip(surface, v, blocks);
   fault.friction().linearise(blocks, at, gradient, hessian, kinked);
 
-  NodeView none("asperity::dynamics::noStress", size);
   NodeView cohesion("asperity::dynamics::cohesionAtRest", size);
   auto const given = fault.laws().cohesion;
   Kokkos::parallel_for(
-    "asperity::dynamics::forcesAtStart", Kokkos::RangePolicy<ExecutionSpace>(0, size),
-    KOKKOS_LAMBDA(int node) {
+    "asperity::dynamics::forcesAtStart", RangePolicy(0, size), KOKKOS_LAMBDA(int node) {
       bool moving = false;
       for (int k = 0; k < tangents; ++k) {
         moving = moving || blocks(node, k) != 0;
@@ -67,7 +113,7 @@ ForcesAtStart forcesAtStart(Fault const& fault, Vector const& v, friction::State
         gradient(node, k) = moving ? gradient(node, k) : 0;
       }
     });
-  return {gradient, cohesion, none};
+  return {gradient, cohesion};
 }
 } // namespace
 
@@ -100,7 +146,8 @@ RCP<Vector> initialAcceleration(Body const& body, Fault const& fault,
                                        surface, mass_settings);
     solver->begin(*b, *a);
     auto const kernels = fault.frictionWith(forces.cohesion);
-    auto const result = solver->solve({*kernels, {at.alpha, forces.no_stress}});
+    const NodeView no_stress("asperity::dynamics::noStress", surface.numNodes());
+    auto const result = solver->solve({*kernels, {at.alpha, no_stress}});
     if (!result.converged) {
       std::ostringstream message;
       message << "The initial acceleration was not found: TNNMG did not converge on the balance of "

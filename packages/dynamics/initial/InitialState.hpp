@@ -1,7 +1,7 @@
 #pragma once
 
-#include "dynamics/Fault.hpp"
 #include "dynamics/coupling/RateSolver.hpp"
+#include "dynamics/fault/Fault.hpp"
 
 namespace asperity::dynamics
 {

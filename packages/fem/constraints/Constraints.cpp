@@ -77,7 +77,7 @@ void set(Vector& x, std::vector<int> const& dofs, std::vector<double> const& val
   auto const rows = toDevice(dofs, "asperity::fem::prescribedRows");
   auto const given = toDevice(values, "asperity::fem::prescribedValues");
   Kokkos::parallel_for(
-    "asperity::fem::prescribe", Kokkos::RangePolicy<ExecutionSpace>(0, rows.extent_int(0)),
+    "asperity::fem::prescribe", RangePolicy(0, rows.extent_int(0)),
     KOKKOS_LAMBDA(int k) { target(rows(k), 0) = given(k); });
 }
 } // namespace

@@ -109,8 +109,7 @@ struct CellKernel
   {
     const auto cells = static_cast<int>(corners.extent(0));
     result = Result("asperity::fem::cellTensors", cells);
-    Kokkos::parallel_for("asperity::fem::cellTensors",
-                         Kokkos::RangePolicy<ExecutionSpace>(0, cells), *this);
+    Kokkos::parallel_for("asperity::fem::cellTensors", RangePolicy(0, cells), *this);
     auto const host = toHost(result);
     return {host.data(), host.data() + host.size()};
   }

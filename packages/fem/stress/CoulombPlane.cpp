@@ -2,6 +2,7 @@
 
 #include "base/Errors.hpp"
 #include "fem/stress/CellStress.hpp"
+#include "mesh/SimplexGeometry.hpp"
 
 #include <cmath>
 
@@ -9,19 +10,10 @@ namespace asperity::fem
 {
 namespace
 {
-using Direction = std::array<double, 3>;
+using Direction = Point<3>;
+using mesh::cross;
 
 double radians(double degrees) { return degrees * std::acos(-1.) / 180; }
-
-double dot(Direction const& a, Direction const& b)
-{
-  return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
-}
-
-Direction cross(Direction const& a, Direction const& b)
-{
-  return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
-}
 
 // x a + y b
 Direction sum(double x, Direction const& a, double y, Direction const& b)
@@ -31,7 +23,7 @@ Direction sum(double x, Direction const& a, double y, Direction const& b)
 
 Direction unit(Direction const& a)
 {
-  const double length = std::sqrt(dot(a, a));
+  const double length = std::sqrt(mesh::dot<3>(a, a));
   ASPERITY_ASSERT(length > 0);
   return sum(1 / length, a, 0, a);
 }
@@ -49,7 +41,7 @@ CoulombPlane CoulombPlane::inSpace(double strike, double dip, double rake, doubl
                                    Direction const& up, Direction const& east)
 {
   auto const z = unit(up);
-  auto const x = unit(sum(1, east, -dot(east, z), z));
+  auto const x = unit(sum(1, east, -mesh::dot<3>(east, z), z));
   auto const y = cross(z, x); // north
   auto const along = sum(std::sin(radians(strike)), x, std::cos(radians(strike)), y);
   auto const right = cross(along, z); // horizontal, to which the plane dips

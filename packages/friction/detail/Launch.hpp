@@ -6,14 +6,8 @@
 #include <string>
 #include <type_traits>
 
-// Launches in the default instance of ExecutionSpace, without an allocation.
 namespace asperity::friction::detail
 {
-inline Kokkos::RangePolicy<ExecutionSpace> range(int count)
-{
-  return Kokkos::RangePolicy<ExecutionSpace>(0, count);
-}
-
 // Calls body(std::integral_constant<int, T>) for T = num_components.
 template <class Body>
 auto withComponents(std::size_t num_components, Body const& body)

@@ -24,7 +24,7 @@ public:
     static const std::string label = "asperity::friction::minimise";
     return withComponents(v.extent(1), [&](auto T) {
       int num_failed = 0;
-      Kokkos::parallel_reduce(label, range(static_cast<int>(nodes.extent(0))),
+      Kokkos::parallel_reduce(label, RangePolicy(0, nodes.extent(0)),
                               Minimise<Law, T>{nodes_.at(at), nodes, curvature, r, v}, num_failed);
       return num_failed;
     });
@@ -49,7 +49,7 @@ public:
   {
     static const std::string label = "asperity::friction::linearise";
     withComponents(v.extent(1), [&](auto T) {
-      Kokkos::parallel_for(label, range(nodes_.size()),
+      Kokkos::parallel_for(label, RangePolicy(0, nodes_.size()),
                            Linearise<Law, T>{nodes_.at(at), v, gradient, hessian, kinked});
     });
   }
@@ -60,8 +60,8 @@ public:
     static const std::string label = "asperity::friction::slope";
     return withComponents(v.extent(1), [&](auto T) {
       double sum = 0;
-      Kokkos::parallel_reduce(label, range(nodes_.size()), Slope<Law, T>{nodes_.at(at), v, d, t},
-                              sum);
+      Kokkos::parallel_reduce(label, RangePolicy(0, nodes_.size()),
+                              Slope<Law, T>{nodes_.at(at), v, d, t}, sum);
       return sum;
     });
   }
@@ -72,8 +72,8 @@ public:
     static const std::string label = "asperity::friction::difference";
     return withComponents(v.extent(1), [&](auto T) {
       Difference sum{0, 0};
-      Kokkos::parallel_reduce(label, range(nodes_.size()), Differences<Law, T>{nodes_.at(at), v, d},
-                              sum.change, sum.magnitude);
+      Kokkos::parallel_reduce(label, RangePolicy(0, nodes_.size()),
+                              Differences<Law, T>{nodes_.at(at), v, d}, sum.change, sum.magnitude);
       return sum;
     });
   }
@@ -83,7 +83,8 @@ public:
   {
     static const std::string label = "asperity::friction::coefficient";
     withComponents(v.extent(1), [&](auto T) {
-      Kokkos::parallel_for(label, range(nodes_.size()), Coefficient<Law, T>{nodes_, v, alpha, mu});
+      Kokkos::parallel_for(label, RangePolicy(0, nodes_.size()),
+                           Coefficient<Law, T>{nodes_, v, alpha, mu});
     });
   }
 
@@ -92,8 +93,8 @@ public:
   {
     static const std::string label = "asperity::friction::stateFor";
     int num_failed = 0;
-    Kokkos::parallel_reduce(label, range(nodes_.size()), StateFor<Law>{nodes_, V, mu, alpha},
-                            num_failed);
+    Kokkos::parallel_reduce(label, RangePolicy(0, nodes_.size()),
+                            StateFor<Law>{nodes_, V, mu, alpha}, num_failed);
     return num_failed;
   }
 

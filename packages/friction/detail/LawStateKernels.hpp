@@ -2,7 +2,6 @@
 
 #include "friction/StateKernels.hpp"
 #include "friction/detail/BackwardEuler.hpp"
-#include "friction/detail/Launch.hpp"
 #include "friction/detail/NodePotentials.hpp"
 
 #include <utility>
@@ -67,7 +66,7 @@ public:
   {
     static const std::string label = "asperity::friction::flow";
     int num_failed = 0;
-    Kokkos::parallel_reduce(label, range(static_cast<int>(laws_.extent(0))),
+    Kokkos::parallel_reduce(label, RangePolicy(0, laws_.extent(0)),
                             StateFlow<Law>{laws_, V, dt, alpha0, alpha1}, num_failed);
     return num_failed;
   }
@@ -75,8 +74,7 @@ public:
   void steadyState(ConstNodeView const& V, NodeView const& alpha) const override
   {
     static const std::string label = "asperity::friction::steadyState";
-    Kokkos::parallel_for(label, range(static_cast<int>(laws_.extent(0))),
-                         SteadyState<Law>{laws_, V, alpha});
+    Kokkos::parallel_for(label, RangePolicy(0, laws_.extent(0)), SteadyState<Law>{laws_, V, alpha});
   }
 
 private:

@@ -33,8 +33,7 @@ LawView<Law> loadLaws(ParameterView const& parameters)
     Kokkos::view_alloc("asperity::friction::laws", Kokkos::WithoutInitializing),
     parameters.extent(1));
   Kokkos::parallel_for(
-    "asperity::friction::loadLaws",
-    Kokkos::RangePolicy<ExecutionSpace>(0, static_cast<int>(laws.extent(0))),
+    "asperity::friction::loadLaws", RangePolicy(0, laws.extent(0)),
     KOKKOS_LAMBDA(int node) { laws(node) = Law::load(parameters, node); });
   ExecutionSpace().fence();
   return laws;

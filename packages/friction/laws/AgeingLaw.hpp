@@ -6,29 +6,19 @@ namespace asperity::friction
 {
 // The ageing law d(alpha)/dt = (V* exp(-alpha) - V) / L, Pipping 2014, (2); d(theta)/dt = 1 - V
 // theta / L. Host and device; V >= 0 in m/s, dt >= 0 in s.
-struct AgeingLaw
+struct AgeingLaw : StateParameters
 {
   static constexpr char const* name = "Ageing";
-  static constexpr auto const& parameters = StateParameters::table;
 
-  StateParameters state;
-
-  KOKKOS_INLINE_FUNCTION static AgeingLaw load(ParameterView const& table, int node)
+  KOKKOS_INLINE_FUNCTION static AgeingLaw load(ParameterView const& values, int node)
   {
-    return {StateParameters::load(table, node)};
-  }
-
-  static double slipDistance(double const* values) { return StateParameters::slipDistance(values); }
-  static double thetaScale(double const* values) { return StateParameters::thetaScale(values); }
-  static double stressSensitivity(double const* values)
-  {
-    return StateParameters::stressSensitivity(values);
+    return {StateParameters::load(values, node)};
   }
 
   // d(alpha)/dt in 1/s.
   KOKKOS_INLINE_FUNCTION double rate(double V, double alpha) const
   {
-    return (state.reference_rate * math::exp(-alpha) - V) / state.slip_distance;
+    return (reference_rate * math::exp(-alpha) - V) / slip_distance;
   }
 
   // alpha after dt at constant V. With q = V dt / L,
@@ -37,13 +27,13 @@ struct AgeingLaw
   // added as logarithms.
   KOKKOS_INLINE_FUNCTION double flow(double V, double dt, double alpha0) const
   {
-    const double q = V * dt / state.slip_distance;
+    const double q = V * dt / slip_distance;
     const double left = alpha0 - q;
     const double ageing = q > 0 ? -math::expm1(-q) / q : 1;
-    const double healed = math::log(state.reference_rate * dt / state.slip_distance * ageing);
+    const double healed = math::log(reference_rate * dt / slip_distance * ageing);
     return detail::larger(left, healed) + math::log1p(math::exp(-math::fabs(left - healed)));
   }
 
-  KOKKOS_INLINE_FUNCTION double steadyState(double V) const { return -state.logRatio(V); }
+  KOKKOS_INLINE_FUNCTION double steadyState(double V) const { return -logRatio(V); }
 };
 } // namespace asperity::friction

@@ -6,10 +6,10 @@
 
 namespace asperity::friction
 {
-// The parameters of the ageing and the slip law.
+// The parameters of the ageing and the slip law, and what these say of them.
 struct StateParameters
 {
-  static constexpr Parameter table[] = {
+  static constexpr Parameter parameters[] = {
     {"L", "m", no_default, 0, infinity, false, false,
      "This is the characteristic slip distance, over which the state adapts to a new slip rate."},
     reference_slip_rate,
@@ -18,7 +18,7 @@ struct StateParameters
      "ratio of the new to the old normal stress (Linker and Dieterich 1992); 0 means no shift."},
   };
 
-  // What laws with this table say of themselves, see LawProperties.hpp.
+  // See LawProperties.hpp.
   static double slipDistance(double const* values) { return values[0]; }
   static double thetaScale(double const* values) { return values[0] / values[1]; }
   static double stressSensitivity(double const* values) { return values[2]; }
@@ -27,10 +27,10 @@ struct StateParameters
   double reference_rate;          // V*, m/s
   double log_reference_slip_rate; // log(V* s/m)
 
-  // Reads column `node` of parameters(num_parameters, num_nodes), rows in the order of the table.
-  KOKKOS_INLINE_FUNCTION static StateParameters load(ParameterView const& parameters, int node)
+  // Reads column `node` of values(num_parameters, num_nodes), rows in the order of the table.
+  KOKKOS_INLINE_FUNCTION static StateParameters load(ParameterView const& values, int node)
   {
-    return {parameters(0, node), parameters(1, node), math::log(parameters(1, node))};
+    return {values(0, node), values(1, node), math::log(values(1, node))};
   }
 
   // log(V / V*), without the underflow of the ratio; -infinity at V = 0.

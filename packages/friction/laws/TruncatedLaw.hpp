@@ -52,10 +52,6 @@ struct TruncatedLaw
       return slides ? a * (math::fabs(math::log(V)) + math::fabs(shift)) : 0;
     }
 
-    // The slip rate of the kink, V_alpha. It is 0 where it underflows and infinite where it
-    // overflows.
-    KOKKOS_INLINE_FUNCTION double kink() const { return math::exp(-shift); }
-
     // True within the rounding of x(V), which is a difference.
     KOKKOS_INLINE_FUNCTION bool kinkedAt(double V) const
     {

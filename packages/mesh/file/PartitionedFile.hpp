@@ -2,8 +2,6 @@
 
 #include "mesh/parallel/Partition.hpp"
 
-#include <cstdint>
-
 // Meshes divided for a number of ranks, of which every rank reads its own part alone:
 //
 //   /                       attributes format = "asperity-partition", version = 2, dimension,

@@ -2,6 +2,7 @@
 
 #include "base/parallel/Messages.hpp"
 
+#include <set>
 #include <unordered_map>
 
 namespace asperity::refinement::detail

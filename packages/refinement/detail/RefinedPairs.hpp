@@ -3,8 +3,6 @@
 #include "refinement/detail/FaultEdges.hpp"
 #include "refinement/detail/Points.hpp"
 
-#include <set>
-
 namespace asperity::refinement::detail
 {
 struct PointPair

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "dynamics/NormalStress.hpp"
+#include "dynamics/fault/NormalStress.hpp"
 #include "fem/FaultSurface.hpp"
 #include "fem/constraints/NodalFrames.hpp"
 #include "parameters/Parameters.hpp"

@@ -1,6 +1,6 @@
 #include "scenario/setup/InitialSetup.hpp"
 
-#include "dynamics/FaultMotion.hpp"
+#include "dynamics/fault/FaultMotion.hpp"
 #include "dynamics/initial/InitialAlpha.hpp"
 #include "dynamics/initial/InitialState.hpp"
 #include "mesh/PointText.hpp"

@@ -1,9 +1,9 @@
 #pragma once
 
 #include "dynamics/Body.hpp"
-#include "dynamics/Fault.hpp"
 #include "dynamics/State.hpp"
 #include "dynamics/coupling/RateSolver.hpp"
+#include "dynamics/fault/Fault.hpp"
 #include "fem/constraints/NodalFrames.hpp"
 #include "parameters/Parameters.hpp"
 

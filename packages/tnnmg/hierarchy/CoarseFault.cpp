@@ -77,7 +77,7 @@ std::vector<double> importHessians(Import const& import, std::vector<double> con
 
 RCP<const CrsMatrix> rowsAtNodes(CrsMatrix const& P, NodeDofView const& fault)
 {
-  const auto dofs = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace(), fault);
+  const auto dofs = toHost(fault);
   const int tangents = dofs.extent_int(1);
   const RCP<const Map> rows =
     rcp(new Map(to_be_computed, dofs.extent(0) * tangents, 0, P.getComm()));

@@ -17,7 +17,6 @@
 
 #include <exception>
 #include <new>
-#include <string>
 
 namespace asperity::tnnmg::detail
 {

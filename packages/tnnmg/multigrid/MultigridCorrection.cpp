@@ -22,8 +22,7 @@ RCP<const MultiVector> withTraceAt(MultiVector const& vectors, IndexView const& 
   const auto result = rcp(new MultiVector(vectors, Teuchos::Copy));
   const auto values = result->getLocalViewDevice(Tpetra::Access::ReadWrite);
   Kokkos::parallel_for(
-    "asperity::tnnmg::withTraceAt", Kokkos::RangePolicy<ExecutionSpace>(0, rows.extent_int(0)),
-    KOKKOS_LAMBDA(int k) {
+    "asperity::tnnmg::withTraceAt", RangePolicy(0, rows.extent_int(0)), KOKKOS_LAMBDA(int k) {
       for (int column = 0; column < values.extent_int(1); ++column) {
         values(rows(k), column) *= trace;
       }

@@ -99,17 +99,6 @@ KOKKOS_INLINE_FUNCTION NodeBlock inverseOfLower(NodeBlock const& L)
   return X;
 }
 
-KOKKOS_INLINE_FUNCTION NodeBlock transpose(NodeBlock const& A)
-{
-  NodeBlock result(A.size);
-  for (int s = 0; s < A.size; ++s) {
-    for (int t = 0; t < A.size; ++t) {
-      result.entry[s][t] = A.entry[t][s];
-    }
-  }
-  return result;
-}
-
 // A^T B
 KOKKOS_INLINE_FUNCTION NodeBlock transposedProduct(NodeBlock const& A, NodeBlock const& B)
 {

@@ -8,7 +8,6 @@
 
 namespace asperity::tnnmg::detail
 {
-using Execution = ExecutionSpace;
 
 void MultigridNodes::set(NonlinearBlocks const& blocks)
 {
@@ -19,8 +18,7 @@ void MultigridNodes::set(NonlinearBlocks const& blocks)
   const auto flags = removed;
   const int num_tangents = tangents();
   Kokkos::parallel_for(
-    "asperity::tnnmg::takeBlocks", Kokkos::RangePolicy<Execution>(0, size()),
-    KOKKOS_LAMBDA(int node) {
+    "asperity::tnnmg::takeBlocks", RangePolicy(0, size()), KOKKOS_LAMBDA(int node) {
       flags(node) = given.truncated(node);
       for (int s = 0; s < num_tangents; ++s) {
         for (int t = 0; t < num_tangents; ++t) {
@@ -35,13 +33,12 @@ void MultigridNodes::project(MultiVector& x) const
   const auto values = x.getLocalViewDevice(Tpetra::Access::ReadWrite);
   const auto rows = held_rows;
   Kokkos::parallel_for(
-    "asperity::tnnmg::projectHeld", Kokkos::RangePolicy<Execution>(0, rows.extent_int(0)),
+    "asperity::tnnmg::projectHeld", RangePolicy(0, rows.extent_int(0)),
     KOKKOS_LAMBDA(int k) { values(rows(k), 0) = 0; });
   const auto node_dofs = view.dofs;
   const auto flags = removed;
   Kokkos::parallel_for(
-    "asperity::tnnmg::projectRemoved", Kokkos::RangePolicy<Execution>(0, size()),
-    KOKKOS_LAMBDA(int node) {
+    "asperity::tnnmg::projectRemoved", RangePolicy(0, size()), KOKKOS_LAMBDA(int node) {
       for (int t = 0; flags(node) && t < node_dofs.extent_int(1); ++t) {
         values(node_dofs(node, t), 0) = 0;
       }

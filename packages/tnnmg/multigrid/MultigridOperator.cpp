@@ -29,8 +29,7 @@ void MultigridOperator::apply(MultiVector const& x, MultiVector& y, Teuchos::ETr
     const auto dofs = nodes_->view.dofs;
     const auto hessian = nodes_->hessian;
     Kokkos::parallel_for(
-      "asperity::tnnmg::applyHessian", Kokkos::RangePolicy<ExecutionSpace>(0, nodes_->size()),
-      KOKKOS_LAMBDA(int node) {
+      "asperity::tnnmg::applyHessian", RangePolicy(0, nodes_->size()), KOKKOS_LAMBDA(int node) {
         for (int s = 0; s < dofs.extent_int(1); ++s) {
           for (int t = 0; t < dofs.extent_int(1); ++t) {
             out(dofs(node, s), 0) += alpha * hessian(node, s, t) * in(dofs(node, t), 0);

@@ -16,8 +16,6 @@ namespace asperity::tnnmg::detail
 {
 namespace
 {
-using Execution = ExecutionSpace;
-
 // On coarse levels a Hessian H counts as the parallel sum of itself and B, the block of Z,
 // (H^-1 + B^-1)^-1 = B - B (H + B)^-1 B, which is no larger than either, and a removed node as B.
 // Without this limit a stiff node would hold whole coarse functions, which then correct nothing.
@@ -48,8 +46,7 @@ HessianView coarseHessians(MultigridNodes const& nodes)
   const auto hessian = nodes.hessian;
   const auto removed = nodes.removed;
   Kokkos::parallel_for(
-    "asperity::tnnmg::coarseHessians", Kokkos::RangePolicy<Execution>(0, nodes.size()),
-    KOKKOS_LAMBDA(int node) {
+    "asperity::tnnmg::coarseHessians", RangePolicy(0, nodes.size()), KOKKOS_LAMBDA(int node) {
       NodeBlock B(diagonal, node);
       if (!removed(node)) {
         NodeBlock sum(hessian, node);
@@ -100,7 +97,7 @@ double MultigridPreconditioner::outdatedShare() const
   const auto diagonal = nodes_->diagonal;
   int changed = 0;
   Kokkos::parallel_reduce(
-    "asperity::tnnmg::outdatedShare", Kokkos::RangePolicy<Execution>(0, nodes_->size()),
+    "asperity::tnnmg::outdatedShare", RangePolicy(0, nodes_->size()),
     KOKKOS_LAMBDA(int node, int& sum) {
       const double least = small * NodeBlock(diagonal, node).trace();
       const double is = NodeBlock(now, node).trace() + least;

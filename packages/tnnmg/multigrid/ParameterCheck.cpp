@@ -14,7 +14,6 @@
 #include <algorithm>
 #include <exception>
 #include <new>
-#include <sstream>
 #include <string>
 
 namespace asperity::tnnmg

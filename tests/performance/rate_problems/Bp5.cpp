@@ -1,6 +1,6 @@
 #include "performance/rate_problems/Bp5.hpp"
 
-#include "dynamics/FaultMotion.hpp"
+#include "dynamics/fault/FaultMotion.hpp"
 #include "scenario/DeckReader.hpp"
 
 #include <Tpetra_Vector.hpp>

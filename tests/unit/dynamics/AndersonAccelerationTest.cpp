@@ -1,6 +1,6 @@
 #include "dynamics/coupling/AndersonAcceleration.hpp"
 
-#include "dynamics/FaultMotion.hpp"
+#include "dynamics/fault/FaultMotion.hpp"
 #include "unit/dynamics/FaultNodesOfTests.hpp"
 
 #include <Teuchos_CommHelpers.hpp>

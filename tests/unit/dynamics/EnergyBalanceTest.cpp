@@ -1,4 +1,4 @@
-#include "dynamics/EnergyBalance.hpp"
+#include "dynamics/observables/EnergyBalance.hpp"
 
 #include "dynamics/initial/InitialState.hpp"
 #include "unit/dynamics/QuasiDynamicModel.hpp"

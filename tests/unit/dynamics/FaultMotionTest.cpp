@@ -1,5 +1,5 @@
-#include "dynamics/FaultMotion.hpp"
-#include "dynamics/NormalStress.hpp"
+#include "dynamics/fault/FaultMotion.hpp"
+#include "dynamics/fault/NormalStress.hpp"
 
 #include "base/Errors.hpp"
 #include "unit/dynamics/FaultNodesOfTests.hpp"

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "dynamics/FaultMotion.hpp"
+#include "dynamics/fault/FaultMotion.hpp"
 
 #include <vector>
 

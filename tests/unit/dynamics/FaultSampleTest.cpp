@@ -1,4 +1,4 @@
-#include "dynamics/FaultSample.hpp"
+#include "dynamics/observables/FaultSample.hpp"
 
 #include "unit/dynamics/SlidingBlock.hpp"
 

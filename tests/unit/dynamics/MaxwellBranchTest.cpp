@@ -1,6 +1,6 @@
 // Bodies whose stress relaxes, without a deck.
 
-#include "dynamics/EnergyBalance.hpp"
+#include "dynamics/observables/EnergyBalance.hpp"
 #include "unit/dynamics/QuasiDynamicModel.hpp"
 #include "unit/dynamics/SlidingBlock.hpp"
 

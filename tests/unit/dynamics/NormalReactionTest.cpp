@@ -1,4 +1,4 @@
-#include "dynamics/NormalReaction.hpp"
+#include "dynamics/fault/NormalReaction.hpp"
 
 #include "fem/SupportWeights.hpp"
 #include "unit/dynamics/SlidingBlock.hpp"

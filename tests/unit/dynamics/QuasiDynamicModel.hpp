@@ -1,6 +1,6 @@
 #pragma once
 
-#include "dynamics/Model.hpp"
+#include "dynamics/initial/Model.hpp"
 #include "fem/NodalDamping.hpp"
 #include "unit/dynamics/SmallModel.hpp"
 

@@ -1,6 +1,6 @@
-#include "dynamics/EnergyBalance.hpp"
 #include "dynamics/control/PrescribedSteps.hpp"
 #include "dynamics/initial/InitialState.hpp"
+#include "dynamics/observables/EnergyBalance.hpp"
 #include "unit/dynamics/FaultNodesOfTests.hpp"
 #include "unit/dynamics/SlidingBlock.hpp"
 

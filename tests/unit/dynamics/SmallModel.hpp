@@ -1,7 +1,7 @@
 #pragma once
 
-#include "dynamics/FaultMotion.hpp"
 #include "dynamics/coupling/CoupledStep.hpp"
+#include "dynamics/fault/FaultMotion.hpp"
 #include "fem/bulk/BulkLaw.hpp"
 #include "fem/constraints/Constraints.hpp"
 #include "mesh/GlobalMesh.hpp"

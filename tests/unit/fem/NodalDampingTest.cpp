@@ -42,9 +42,8 @@ double lossOf(Constrained<2> const& body, std::string const& boundary,
   auto const materials = layers(body.mesh);
   auto const& frames = body.constraints.frames();
   auto const matrices = assembleBody<2, Components>(body.mesh, body.dofs, frames, materials);
-  auto const damped =
-    withDampers(*matrices.viscosity, body.dofs,
-                absorbingBoundary<2, Components>(body.mesh, boundary, frames, materials));
+  auto const damped = withDampers(*matrices.viscosity, body.dofs,
+                                  absorbingBoundary<2>(body.mesh, boundary, frames, materials));
   EXPECT_EQ(zeroLike(*damped)->getFrobeniusNorm(), 0);
   Vector v(body.dofs.owned()), force(body.dofs.owned());
   {

@@ -14,7 +14,7 @@ namespace asperity::friction::test
 struct AgeingWithoutFlow
 {
   static constexpr char const* name = "Ageing Without Flow";
-  static constexpr auto const& parameters = StateParameters::table;
+  static constexpr auto const& parameters = StateParameters::parameters;
 
   AgeingLaw ageing;
 
@@ -27,7 +27,7 @@ struct AgeingWithoutFlow
 
   KOKKOS_INLINE_FUNCTION double rateDerivative(double, double alpha) const
   {
-    return -ageing.state.reference_rate / ageing.state.slip_distance * math::exp(-alpha);
+    return -ageing.reference_rate / ageing.slip_distance * math::exp(-alpha);
   }
 
   KOKKOS_INLINE_FUNCTION double steadyState(double V) const { return ageing.steadyState(V); }

@@ -49,13 +49,13 @@ TEST(Registry, HasATableOfParametersForEachLaw)
   }
   auto const& a = frictionLaws().at("Truncated").parameters[0];
   EXPECT_TRUE(a.required());
-  EXPECT_FALSE(a.allows(0));
-  EXPECT_TRUE(a.allows(0.01));
+  EXPECT_EQ(a.lower, 0);
+  EXPECT_FALSE(a.lower_closed);
   auto const& b = frictionLaws().at("Truncated").parameters[1];
-  EXPECT_TRUE(b.allows(0));
-  EXPECT_FALSE(b.allows(-1e-9));
-  EXPECT_FALSE(b.allows(std::numeric_limits<double>::infinity()));
-  EXPECT_FALSE(b.allows(std::numeric_limits<double>::quiet_NaN()));
+  EXPECT_EQ(b.lower, 0);
+  EXPECT_TRUE(b.lower_closed);
+  EXPECT_EQ(b.upper, std::numeric_limits<double>::infinity());
+  EXPECT_FALSE(b.upper_closed);
 }
 
 TEST(Registry, KnowsWhatTheLawsSayOfThemselves)

@@ -1,7 +1,7 @@
 #include "scenario/setup/InitialSetup.hpp"
 
 #include "SampleDeck.hpp"
-#include "dynamics/FaultMotion.hpp"
+#include "dynamics/fault/FaultMotion.hpp"
 #include "scenario/Problem.hpp"
 
 #include <Tpetra_Vector.hpp>

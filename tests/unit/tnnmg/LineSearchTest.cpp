@@ -14,10 +14,28 @@ namespace
 {
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
-template <class Slope>
-LineSearchResult search(Slope const& slope, double tolerance = 0)
+struct Search
 {
-  return findSignChange(slope, slope(0), tolerance);
+  double step = 0;
+  int evaluations = 0; // of the slope, without that at zero
+};
+
+template <class Slope>
+Search searchFrom(double start, Slope const& slope, double tolerance)
+{
+  Search result;
+  const auto counted = [&](double t) {
+    ++result.evaluations;
+    return slope(t);
+  };
+  result.step = findSignChange(counted, start, tolerance);
+  return result;
+}
+
+template <class Slope>
+Search search(Slope const& slope, double tolerance = 0)
+{
+  return searchFrom(slope(0), slope, tolerance);
 }
 } // namespace
 
@@ -65,7 +83,8 @@ TEST(LineSearch, endsWhereTheFunctionFallsForEver)
 TEST(LineSearch, doesNotMoveAlongADirectionThatDoesNotDescend)
 {
   for (double start : {0., 1e-300, 3., infinity, std::nan("")}) {
-    const auto result = findSignChange([](double t) { return t - 0.5; }, start, 1e-2);
+    const auto result = searchFrom(
+      start, [](double t) { return t - 0.5; }, 1e-2);
     EXPECT_EQ(result.step, 0);
     EXPECT_EQ(result.evaluations, 0);
   }
@@ -73,7 +92,7 @@ TEST(LineSearch, doesNotMoveAlongADirectionThatDoesNotDescend)
 
 TEST(LineSearch, survivesSlopesThatAreNoNumbers)
 {
-  EXPECT_EQ(findSignChange([](double) { return std::nan(""); }, -1., 1e-2).step, 0);
+  EXPECT_EQ(findSignChange([](double) { return std::nan(""); }, -1., 1e-2), 0);
   const auto wall = [](double t) { return t < 0.25 ? -1. : infinity; };
   EXPECT_NEAR(search(wall).step, 0.25, 1e-12);
 }

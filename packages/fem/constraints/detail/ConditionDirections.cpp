@@ -5,7 +5,6 @@
 #include "fem/constraints/detail/NodalBasis.hpp"
 
 #include <algorithm>
-#include <cmath>
 #include <iterator>
 
 namespace asperity::fem::detail

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "base/Types.hpp"
-#include "dynamics/Norm.hpp"
+#include "dynamics/fault/Norm.hpp"
 #include "fem/FaultSurface.hpp"
 #include "portability/Views.hpp"
 

@@ -1,8 +1,9 @@
-#include "dynamics/FaultMotion.hpp"
+#include "dynamics/fault/FaultMotion.hpp"
 
 #include "base/Errors.hpp"
 #include "base/parallel/Reductions.hpp"
 #include "portability/Renamed.hpp"
+#include "tnnmg/RateMatrix.hpp"
 
 #include <Tpetra_Map.hpp>
 #include <Tpetra_Vector.hpp>
@@ -17,29 +18,9 @@ namespace
 // By rounding, a plate rate along a wall has components across the wall of up to this share.
 constexpr double rounding = 1e-9;
 
-double plateSpeed(fem::FaultSurface const& surface, int node)
-{
-  double square = 0;
-  for (int k = 0; k < surface.numTangents(); ++k) {
-    square += surface.plateRate(node, k) * surface.plateRate(node, k);
-  }
-  return std::sqrt(square);
-}
-
-using Nodes = Kokkos::RangePolicy<ExecutionSpace>;
-
-// Whether the slip rate of the held component k is zero, to rounding.
-template <class Values>
-bool restsAt(fem::FaultSurface const& surface, int node, int k, Values const& values)
-{
-  const double slip_rate =
-    surface.slipFactor() * values(surface[node].dofs[k], 0) + surface.plateRate(node, k);
-  return std::abs(slip_rate) <= rounding * plateSpeed(surface, node);
-}
-
-// The first node of this rank that is held in one tangential component, slips in it, and is free in
-// another; num_nodes if there is none.
-int nodeThatSlipsBesideSliding(fem::FaultSurface const& surface, Vector const& prescribed_velocity)
+// node * T + k of the first tangential component k of this rank that is held and slips while
+// another one of its node is free; num_nodes * T if there is none.
+int firstThatSlipsBesideSliding(fem::FaultSurface const& surface, Vector const& prescribed_velocity)
 {
   auto const values = prescribed_velocity.getLocalViewDevice(Tpetra::Access::ReadOnly);
   auto const dofs = surface.dofs();
@@ -47,11 +28,12 @@ int nodeThatSlipsBesideSliding(fem::FaultSurface const& surface, Vector const& p
   auto const rates = surface.plateRates();
   const double factor = surface.slipFactor();
   const bool plates = surface.hasPlateRate();
-  int first = surface.numNodes();
+  const int size = surface.numTangents();
+  const int count = surface.numNodes() * size;
+  int first = count;
   Kokkos::parallel_reduce(
-    "asperity::dynamics::slipsBesideSliding", Nodes(0, surface.numNodes()),
+    "asperity::dynamics::slipsBesideSliding", RangePolicy(0, surface.numNodes()),
     KOKKOS_LAMBDA(int node, int& least) {
-      const int size = dofs.extent_int(1);
       double square = 0;
       bool slides = false;
       for (int k = 0; k < size; ++k) {
@@ -60,31 +42,44 @@ int nodeThatSlipsBesideSliding(fem::FaultSurface const& surface, Vector const& p
         slides = slides || !held(dofs(node, k));
       }
       for (int k = 0; k < size && slides; ++k) {
-        const double rate = plates ? rates(node * size + k) : 0;
-        const double slip_rate = factor * values(dofs(node, k), 0) + rate;
+        const int place = node * size + k;
+        const double slip_rate = factor * values(dofs(node, k), 0) + (plates ? rates(place) : 0);
         const bool rests = math::fabs(slip_rate) <= rounding * math::sqrt(square);
-        least = held(dofs(node, k)) && !rests && node < least ? node : least;
+        least = held(dofs(node, k)) && !rests && place < least ? place : least;
       }
     },
     Kokkos::Min<int>(first));
-  return std::min(first, surface.numNodes()); // a rank may have no nodes
+  return std::min(first, count); // a rank may have no nodes
+}
+
+// blocks += Vp time / slip factor, the motion of the plates in a time [s].
+void addPlates(fem::FaultSurface const& surface, double time, BlockView const& blocks)
+{
+  if (!surface.hasPlateRate()) {
+    return;
+  }
+  auto const rates = surface.plateRates();
+  const double factor = surface.slipFactor();
+  const int size = surface.numTangents();
+  Kokkos::parallel_for(
+    "asperity::dynamics::addPlates", RangePolicy(0, surface.numNodes()), KOKKOS_LAMBDA(int node) {
+      for (int k = 0; k < size; ++k) {
+        blocks(node, k) += rates(node * size + k) * time / factor;
+      }
+    });
 }
 } // namespace
 
 void requireRestBesideSliding(fem::FaultSurface const& surface, Vector const& prescribed_velocity,
                               int components, double t)
 {
-  const int node = nodeThatSlipsBesideSliding(surface, prescribed_velocity);
-  if (node == surface.numNodes()) {
+  const int place = firstThatSlipsBesideSliding(surface, prescribed_velocity);
+  const int size = surface.numTangents();
+  if (place == surface.numNodes() * size) {
     return;
   }
   auto const values = prescribed_velocity.getLocalViewHost(Tpetra::Access::ReadOnly);
-  int k = 0;
-  while (k + 1 < surface.numTangents() &&
-         (!surface.held(node, k) || restsAt(surface, node, k, values))) {
-    ++k;
-  }
-  const int dof = surface[node].dofs[k];
+  const int dof = surface[place / size].dofs[place % size];
   ASPERITY_REQUIRE(
     false, "At vertex " << prescribed_velocity.getMap()->getGlobalElement(dof) / components
                         << " of the fault one tangential velocity is prescribed as "
@@ -96,50 +91,27 @@ void requireRestBesideSliding(fem::FaultSurface const& surface, Vector const& pr
 
 void gather(fem::FaultSurface const& surface, Vector const& v, BlockView const& blocks)
 {
-  auto const values = v.getLocalViewDevice(Tpetra::Access::ReadOnly);
-  auto const dofs = surface.dofs();
-  Kokkos::parallel_for(
-    "asperity::dynamics::gather", Nodes(0, dofs.extent_int(0)), KOKKOS_LAMBDA(int node) {
-      for (int k = 0; k < dofs.extent_int(1); ++k) {
-        blocks(node, k) = values(dofs(node, k), 0);
-      }
-    });
+  tnnmg::gather(surface.dofs(), v, blocks);
 }
 
 void gatherSlip(fem::FaultSurface const& surface, Vector const& v, BlockView const& blocks)
 {
   gather(surface, v, blocks);
-  if (!surface.hasPlateRate()) {
-    return;
-  }
-  auto const rates = surface.plateRates();
-  const double factor = surface.slipFactor();
-  const int size = surface.numTangents();
-  Kokkos::parallel_for(
-    "asperity::dynamics::addPlateRate", Nodes(0, surface.numNodes()), KOKKOS_LAMBDA(int node) {
-      for (int k = 0; k < size; ++k) {
-        blocks(node, k) += rates(node * size + k) / factor;
-      }
-    });
+  addPlates(surface, 1, blocks);
 }
 
 void gatherSlipSince(fem::FaultSurface const& surface, ConstBlockView const& start, Vector const& u,
                      double time, BlockView const& blocks)
 {
   gather(surface, u, blocks);
-  auto const rates = surface.plateRates();
-  const bool plates_move = surface.hasPlateRate();
-  const double factor = surface.slipFactor();
   const int size = surface.numTangents();
   Kokkos::parallel_for(
-    "asperity::dynamics::gatherSlipSince", Nodes(0, surface.numNodes()), KOKKOS_LAMBDA(int node) {
+    "asperity::dynamics::sinceStart", RangePolicy(0, surface.numNodes()), KOKKOS_LAMBDA(int node) {
       for (int k = 0; k < size; ++k) {
         blocks(node, k) -= start(node, k);
-        if (plates_move) {
-          blocks(node, k) += rates(node * size + k) * time / factor;
-        }
       }
     });
+  addPlates(surface, time, blocks);
 }
 
 void setSlipRate(fem::FaultSurface const& surface, std::vector<double> const& rates, Vector& v)
@@ -152,7 +124,7 @@ void setSlipRate(fem::FaultSurface const& surface, std::vector<double> const& ra
   const bool plates_move = surface.hasPlateRate();
   const double factor = surface.slipFactor();
   Kokkos::parallel_for(
-    "asperity::dynamics::setSlipRate", Nodes(0, dofs.extent_int(0)), KOKKOS_LAMBDA(int node) {
+    "asperity::dynamics::setSlipRate", RangePolicy(0, dofs.extent_int(0)), KOKKOS_LAMBDA(int node) {
       for (int k = 0; k < dofs.extent_int(1); ++k) {
         const int i = node * dofs.extent_int(1) + k;
         if (!held(dofs(node, k))) {
@@ -173,7 +145,8 @@ void stickToPlates(fem::FaultSurface const& surface, Vector& v)
   auto const rates = surface.plateRates();
   const double factor = surface.slipFactor();
   Kokkos::parallel_for(
-    "asperity::dynamics::stickToPlates", Nodes(0, dofs.extent_int(0)), KOKKOS_LAMBDA(int node) {
+    "asperity::dynamics::stickToPlates", RangePolicy(0, dofs.extent_int(0)),
+    KOKKOS_LAMBDA(int node) {
       for (int k = 0; k < dofs.extent_int(1); ++k) {
         if (!held(dofs(node, k))) {
           values(dofs(node, k), 0) = -rates(node * dofs.extent_int(1) + k) / factor;
@@ -187,7 +160,7 @@ void slipRate(fem::FaultSurface const& surface, ConstBlockView const& v, NodeVie
   const int size = surface.numTangents();
   const double factor = surface.slipFactor();
   Kokkos::parallel_for(
-    "asperity::dynamics::slipRate", Nodes(0, surface.numNodes()), KOKKOS_LAMBDA(int node) {
+    "asperity::dynamics::slipRate", RangePolicy(0, surface.numNodes()), KOKKOS_LAMBDA(int node) {
       double largest = 0;
       for (int k = 0; k < size; ++k) {
         const double magnitude = v(node, k) < 0 ? -v(node, k) : v(node, k);
@@ -209,7 +182,7 @@ double peakSlipRate(fem::FaultSurface const& surface, ConstNodeView const& V)
   auto const held = surface.heldDofs();
   double mine = 0;
   Kokkos::parallel_reduce(
-    "asperity::dynamics::peakSlipRate", Nodes(0, surface.numNodes()),
+    "asperity::dynamics::peakSlipRate", RangePolicy(0, surface.numNodes()),
     KOKKOS_LAMBDA(int node, double& largest) {
       bool slides = false;
       for (int k = 0; k < size; ++k) {
@@ -227,7 +200,7 @@ double distance(fem::FaultSurface const& surface, ConstNodeView const& a, ConstN
   auto const weight = surface.weights();
   double mine = 0;
   const bool largest = norm == Norm::maximum;
-  auto const nodes = Nodes(0, surface.numNodes());
+  auto const nodes = RangePolicy(0, surface.numNodes());
   if (largest) {
     // A nan counts as an infinite difference; a plain maximum would ignore it.
     Kokkos::parallel_reduce(

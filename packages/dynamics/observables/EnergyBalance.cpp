@@ -1,7 +1,7 @@
-#include "dynamics/EnergyBalance.hpp"
+#include "dynamics/observables/EnergyBalance.hpp"
 
 #include "base/parallel/Reductions.hpp"
-#include "dynamics/FaultMotion.hpp"
+#include "dynamics/fault/FaultMotion.hpp"
 
 #include <Tpetra_CrsMatrix.hpp>
 
@@ -14,8 +14,6 @@ namespace asperity::dynamics
 {
 namespace
 {
-using Indices = Kokkos::RangePolicy<ExecutionSpace>;
-
 auto reading(Vector const& x) { return x.getLocalViewDevice(Tpetra::Access::ReadOnly); }
 using Values = decltype(reading(std::declval<Vector const&>())); // (num owned dofs, 1)
 
@@ -50,7 +48,7 @@ double sumOfAll(int num_dofs, Value const& value)
 {
   double sum = 0;
   Kokkos::parallel_reduce(
-    "asperity::dynamics::sumOfAll", Indices(0, num_dofs),
+    "asperity::dynamics::sumOfAll", RangePolicy(0, num_dofs),
     KOKKOS_LAMBDA(int dof, double& part) { part += value(dof); }, sum);
   return sum;
 }
@@ -60,17 +58,9 @@ double sumAt(IndexView const& dofs, Value const& value)
 {
   double sum = 0;
   Kokkos::parallel_reduce(
-    "asperity::dynamics::sumAt", Indices(0, dofs.extent_int(0)),
+    "asperity::dynamics::sumAt", RangePolicy(0, dofs.extent_int(0)),
     KOKKOS_LAMBDA(int i, double& part) { part += value(dofs(i)); }, sum);
   return sum;
-}
-
-void clearAt(IndexView const& dofs, Vector& x)
-{
-  auto const values = x.getLocalViewDevice(Tpetra::Access::ReadWrite);
-  Kokkos::parallel_for(
-    "asperity::dynamics::clearAt", Indices(0, dofs.extent_int(0)),
-    KOKKOS_LAMBDA(int i) { values(dofs(i), 0) = 0; });
 }
 
 // Sets the result at the dofs of the fault to friction, at nodes at rest to the residual, which
@@ -81,7 +71,8 @@ void setForce(fem::FaultSurface const& surface, IndexView const& held, ConstBloc
   auto const force = result.getLocalViewDevice(Tpetra::Access::ReadWrite);
   auto const dofs = surface.dofs();
   Kokkos::parallel_for(
-    "asperity::dynamics::forceOnFault", Indices(0, surface.numNodes()), KOKKOS_LAMBDA(int node) {
+    "asperity::dynamics::forceOnFault", RangePolicy(0, surface.numNodes()),
+    KOKKOS_LAMBDA(int node) {
       bool sliding = false;
       for (int k = 0; k < dofs.extent_int(1); ++k) {
         sliding = sliding || w(node, k) != 0;
@@ -91,7 +82,7 @@ void setForce(fem::FaultSurface const& surface, IndexView const& held, ConstBloc
       }
     });
   Kokkos::parallel_for(
-    "asperity::dynamics::reactions", Indices(0, held.extent_int(0)),
+    "asperity::dynamics::reactions", RangePolicy(0, held.extent_int(0)),
     KOKKOS_LAMBDA(int i) { force(held(i), 0) = residual(held(i)); });
 }
 
@@ -114,7 +105,7 @@ TakenFromPlates takenFromPlates(fem::FaultSurface const& surface, ConstNodeView 
   const bool is_damped = eta.extent(0) > 0;
   TakenFromPlates works;
   Kokkos::parallel_reduce(
-    "asperity::dynamics::takenFromPlates", Indices(0, surface.numNodes()),
+    "asperity::dynamics::takenFromPlates", RangePolicy(0, surface.numNodes()),
     KOKKOS_LAMBDA(int node, double& friction, double& damping) {
       for (int k = 0; k < dofs.extent_int(1); ++k) {
         const int dof = dofs(node, k);
@@ -173,12 +164,8 @@ EnergyBalance::EnergyBalance(Body const& body, Fault const& fault, DyadicTime co
 
 EnergyBalance::Snapshot EnergyBalance::snapshot() const
 {
-  Snapshot result{body_.vector(),  body_.vector(), body_.vector(), body_.vector(), {},
-                  body_.noForces()};
-  for (std::size_t k = 0; k < body_.matrices.branches.size(); ++k) {
-    result.d.push_back(body_.vector());
-  }
-  return result;
+  return {body_.vector(), body_.vector(),        body_.vector(),
+          body_.vector(), body_.branchVectors(), body_.noForces()};
 }
 
 void EnergyBalance::fill(State const& state, Snapshot& result)

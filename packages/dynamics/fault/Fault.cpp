@@ -1,4 +1,4 @@
-#include "dynamics/Fault.hpp"
+#include "dynamics/fault/Fault.hpp"
 
 #include "friction/Registry.hpp"
 

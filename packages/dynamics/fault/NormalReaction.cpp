@@ -1,4 +1,4 @@
-#include "dynamics/NormalReaction.hpp"
+#include "dynamics/fault/NormalReaction.hpp"
 
 #include "base/Errors.hpp"
 #include "portability/Renamed.hpp"

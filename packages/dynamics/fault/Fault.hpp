@@ -1,7 +1,7 @@
 #pragma once
 
 #include "dynamics/FaultProcess.hpp"
-#include "dynamics/NormalStress.hpp"
+#include "dynamics/fault/NormalStress.hpp"
 #include "fem/FaultSurface.hpp"
 #include "friction/FrictionKernels.hpp"
 #include "friction/StateKernels.hpp"

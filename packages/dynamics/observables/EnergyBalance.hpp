@@ -1,8 +1,8 @@
 #pragma once
 
 #include "dynamics/Body.hpp"
-#include "dynamics/Fault.hpp"
 #include "dynamics/State.hpp"
+#include "dynamics/fault/Fault.hpp"
 
 #include <array>
 #include <vector>

@@ -1,4 +1,4 @@
-#include "dynamics/Norm.hpp"
+#include "dynamics/fault/Norm.hpp"
 
 namespace asperity::dynamics
 {

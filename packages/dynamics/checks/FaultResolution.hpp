@@ -1,8 +1,7 @@
 #pragma once
 
-#include "fem/BoundaryCells.hpp"
 #include "fem/FaultSurface.hpp"
-#include "portability/Views.hpp"
+#include "fem/bulk/Material.hpp"
 
 #include <optional>
 #include <vector>

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "dynamics/EnergyBalance.hpp"
+#include "dynamics/observables/EnergyBalance.hpp"
 
 #include <optional>
 #include <vector>

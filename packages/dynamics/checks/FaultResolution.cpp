@@ -1,6 +1,7 @@
-#include "dynamics/FaultResolution.hpp"
+#include "dynamics/checks/FaultResolution.hpp"
 
 #include "base/parallel/Reductions.hpp"
+#include "fem/BoundaryCells.hpp"
 #include "mesh/SimplexGeometry.hpp"
 
 #include <algorithm>
@@ -23,8 +24,7 @@ struct CellSizes
 template <int Dim>
 std::vector<CellSizes> cellSizes(Mesh<Dim> const& mesh, fem::FaultSurface const& surface)
 {
-  auto const nodes = surface.vertices();
-  std::vector<CellSizes> sizes(nodes.size());
+  std::vector<CellSizes> sizes(surface.numNodes());
   auto const& facets = mesh.boundaries.at(surface.name());
   auto const cells = fem::cellsBeside(mesh, surface.name());
   for (std::size_t i = 0; i < facets.size(); ++i) {
@@ -33,10 +33,9 @@ std::vector<CellSizes> cellSizes(Mesh<Dim> const& mesh, fem::FaultSurface const&
     const double size = Dim == 2 ? measure : std::sqrt(2 * measure);
     const double volume = mesh::signedMeasure(mesh::corners(mesh, mesh.cells[cells[i]]));
     const double height = Dim * std::abs(volume) / measure / size;
-    for (int node : facet) {
-      auto const place = std::lower_bound(nodes.begin(), nodes.end(), node);
-      if (place != nodes.end() && *place == node) {
-        auto& at_node = sizes[place - nodes.begin()];
+    for (int vertex : facet) {
+      if (const int node = surface.nodeAt(vertex); node >= 0) {
+        auto& at_node = sizes[node];
         at_node.smallest = std::min(at_node.smallest, size);
         at_node.largest = std::max(at_node.largest, size);
         at_node.height = std::max(at_node.height, height);
@@ -45,10 +44,7 @@ std::vector<CellSizes> cellSizes(Mesh<Dim> const& mesh, fem::FaultSurface const&
   }
   return sizes;
 }
-} // namespace
 
-namespace
-{
 // [m/s], see FaultResolution::seismic_time; 1 m/s for a body without density.
 double seismicRate(fem::Material const& material, fem::OtherSide const& other_side, double b,
                    double sigma_n)

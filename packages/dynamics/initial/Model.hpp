@@ -1,9 +1,9 @@
 #pragma once
 
 #include "dynamics/Body.hpp"
-#include "dynamics/Fault.hpp"
-#include "dynamics/NormalReaction.hpp"
 #include "dynamics/State.hpp"
+#include "dynamics/fault/Fault.hpp"
+#include "dynamics/fault/NormalReaction.hpp"
 
 namespace asperity::dynamics
 {

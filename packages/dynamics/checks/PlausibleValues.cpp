@@ -1,4 +1,4 @@
-#include "dynamics/PlausibleValues.hpp"
+#include "dynamics/checks/PlausibleValues.hpp"
 
 #include "base/Text.hpp"
 

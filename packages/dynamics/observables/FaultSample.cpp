@@ -1,6 +1,6 @@
-#include "dynamics/FaultSample.hpp"
+#include "dynamics/observables/FaultSample.hpp"
 
-#include "dynamics/FaultMotion.hpp"
+#include "dynamics/fault/FaultMotion.hpp"
 
 #include <Tpetra_Vector.hpp>
 

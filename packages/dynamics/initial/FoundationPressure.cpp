@@ -1,4 +1,4 @@
-#include "dynamics/FoundationPressure.hpp"
+#include "dynamics/initial/FoundationPressure.hpp"
 
 #include <Tpetra_CrsMatrix.hpp>
 #include <Tpetra_Vector.hpp>

@@ -1,12 +1,7 @@
-#include "dynamics/NormalStress.hpp"
+#include "dynamics/fault/NormalStress.hpp"
 
 namespace asperity::dynamics
 {
-namespace
-{
-using Nodes = Kokkos::RangePolicy<ExecutionSpace>;
-}
-
 NormalStress::NormalStress(ConstNodeView const& constant) : constant_(constant) {}
 
 NormalStress::NormalStress(Function at) : at_(std::move(at)) {}
@@ -33,7 +28,7 @@ void NormalStress::add(ConstNodeView const& sigma_0, ConstNodeView const& now,
 {
   const double floor = floor_;
   Kokkos::parallel_for(
-    "asperity::dynamics::normalStress", Nodes(0, sigma_n.extent(0)), KOKKOS_LAMBDA(int node) {
+    "asperity::dynamics::normalStress", RangePolicy(0, sigma_n.extent(0)), KOKKOS_LAMBDA(int node) {
       const double sum = sigma_0(node) + (now(node) - start(node));
       sigma_n(node) = sum < floor ? floor : sum;
     });
@@ -43,7 +38,7 @@ void NormalStress::raiseToFloor(NodeView const& sigma_n) const
 {
   const double floor = floor_;
   Kokkos::parallel_for(
-    "asperity::dynamics::normalStressFloor", Nodes(0, sigma_n.extent(0)),
+    "asperity::dynamics::normalStressFloor", RangePolicy(0, sigma_n.extent(0)),
     KOKKOS_LAMBDA(int node) { sigma_n(node) = sigma_n(node) < floor ? floor : sigma_n(node); });
 }
 } // namespace asperity::dynamics
