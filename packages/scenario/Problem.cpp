@@ -13,15 +13,15 @@
 #include "fem/RigidBodyMotions.hpp"
 #include "fem/SupportWeights.hpp"
 #include "mesh/Boundaries.hpp"
-#include "scenario/setup/BoundaryChecks.hpp"
 #include "scenario/setup/BulkSetup.hpp"
-#include "scenario/setup/FaultLoads.hpp"
-#include "scenario/setup/FreeFault.hpp"
-#include "scenario/setup/FrictionSetup.hpp"
 #include "scenario/setup/InitialSetup.hpp"
 #include "scenario/setup/MeshSetup.hpp"
 #include "scenario/setup/SolverSetup.hpp"
 #include "scenario/setup/TimeSetup.hpp"
+#include "scenario/setup/conditions/BoundaryChecks.hpp"
+#include "scenario/setup/conditions/FreeFault.hpp"
+#include "scenario/setup/friction/FaultLoads.hpp"
+#include "scenario/setup/friction/FrictionSetup.hpp"
 
 #include <Tpetra_CrsMatrix.hpp>
 

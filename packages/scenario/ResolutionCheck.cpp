@@ -7,8 +7,8 @@
 #include "mesh/MeshQuality.hpp"
 #include "scenario/setup/BulkSetup.hpp"
 #include "scenario/setup/DeckPaths.hpp"
-#include "scenario/setup/LawSetup.hpp"
 #include "scenario/setup/TimeSetup.hpp"
+#include "scenario/setup/friction/LawSetup.hpp"
 #include "tnnmg/multigrid/MultigridCorrection.hpp"
 
 #include <sys/resource.h>

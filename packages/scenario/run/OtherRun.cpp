@@ -12,9 +12,9 @@
 #include "scenario/RunArchive.hpp"
 #include "scenario/deck/CommandLine.hpp"
 #include "scenario/run/Checkpoints.hpp"
-#include "scenario/setup/FaultKind.hpp"
 #include "scenario/setup/MeshSetup.hpp"
 #include "scenario/setup/TimeSetup.hpp"
+#include "scenario/setup/conditions/FaultKind.hpp"
 
 #include <algorithm>
 #include <map>

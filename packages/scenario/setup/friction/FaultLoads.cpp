@@ -1,9 +1,9 @@
-#include "scenario/setup/FaultLoads.hpp"
+#include "scenario/setup/friction/FaultLoads.hpp"
 
 #include "base/parallel/Reductions.hpp"
 #include "mesh/PointText.hpp"
 #include "scenario/setup/DeckPaths.hpp"
-#include "scenario/setup/PlateRate.hpp"
+#include "scenario/setup/conditions/PlateRate.hpp"
 
 #include <Tpetra_Vector.hpp>
 

@@ -1,4 +1,4 @@
-#include "scenario/setup/LawSetup.hpp"
+#include "scenario/setup/friction/LawSetup.hpp"
 
 #include "friction/Registry.hpp"
 #include "friction/laws/AgeingLaw.hpp"

@@ -1,9 +1,9 @@
-#include "scenario/setup/FrictionSetup.hpp"
+#include "scenario/setup/friction/FrictionSetup.hpp"
 
 #include "base/parallel/Agreement.hpp"
 #include "mesh/PointText.hpp"
 #include "scenario/setup/DeckPaths.hpp"
-#include "scenario/setup/LawSetup.hpp"
+#include "scenario/setup/friction/LawSetup.hpp"
 
 namespace asperity::scenario
 {
