@@ -189,13 +189,10 @@ double defaultStep(dynamics::FaultResolution const& resolution, ParameterList co
 {
   auto const& time = deck.sublist("Time Stepping");
   const double largest = time.get<double>("Largest Step");
-  double size = 0.01 * resolution.seismic_time;
-  if (!quasiDynamic(deck.sublist("Bulk"))) {
-    size = std::min(size, 0.1 * resolution.crossing_time);
-  }
-  size = std::min(size, largest / 2);
+  const double seismic = dynamics::seismicStep(resolution, !quasiDynamic(deck.sublist("Bulk")));
   // Ticks count to 9e18, and sizes are the largest one divided by at most 2^60.
-  return std::max({size, std::ldexp(largest, -60), 2 * (finalTime(time) + largest) / 9e18});
+  return std::max({std::min(seismic, largest / 2), std::ldexp(largest, -60),
+                   2 * (finalTime(time) + largest) / 9e18});
 }
 } // namespace
 
