@@ -1,7 +1,8 @@
 #include "catalogue/fault_geometry/FaultPlaces.hpp"
 
 #include "base/parallel/Reductions.hpp"
-#include "io/parallel/NodeGather.hpp"
+#include "io/parallel/BlocksInOrder.hpp"
+#include "io/parallel/NodeBlocks.hpp"
 
 #include <Teuchos_CommHelpers.hpp>
 
@@ -36,9 +37,9 @@ FaultAxis faultAxis(io::OutputDomain const& fault)
 
 std::optional<std::array<double, 2>> pointAlong(io::OutputDomain const& fault, double distance)
 {
-  const io::NodeGather gather(fault);
-  const auto coordinates = gather(fault.coordinates, 1, fault.dimension);
-  const auto distances = gather(fault.positions, 1, 1);
+  const io::NodeBlocks blocks(fault);
+  const auto coordinates = io::joinedInOrder(blocks(fault.coordinates, 1, 2), *fault.comm);
+  const auto distances = io::joinedInOrder(blocks(fault.positions, 1, 1), *fault.comm);
   constexpr double rounding = 1e-9;
   double found[3] = {0, 0, 0}; // a flag and the point
   for (std::size_t i = 1; i < distances.size(); ++i) {
