@@ -1,6 +1,7 @@
 #include "catalogue/fault_geometry/FaultPlaces.hpp"
 
 #include "base/parallel/Reductions.hpp"
+#include "fem/constraints/PlaneTangent.hpp"
 #include "io/parallel/BlocksInOrder.hpp"
 #include "io/parallel/NodeBlocks.hpp"
 
@@ -27,11 +28,9 @@ FaultAxis faultAxis(io::OutputDomain const& fault)
   ends = sumOverRanks(ends, *fault.comm); // others have zeros
   FaultAxis axis{{ends[0], ends[1]}, {ends[2], ends[3]}, ends[4]};
   axis.is_level = std::abs(axis.upper[1] - axis.lower[1]) <= 1e-9 * axis.length;
-  // Tangents point along +x unless the fault is steep (fem::detail::completing), then along +y.
-  constexpr double steep = 0.4; // the part along x of a unit vector
-  const double run = axis.upper[0] - axis.lower[0];
-  const double extent = std::hypot(run, axis.upper[1] - axis.lower[1]);
-  axis.tangent_rises = !axis.is_level && (std::abs(run) <= steep * extent || run > 0);
+  const double run = axis.upper[0] - axis.lower[0], rise = axis.upper[1] - axis.lower[1];
+  const double extent = std::hypot(run, rise);
+  axis.tangent_rises = !axis.is_level && fem::tangentInPlane(-rise / extent, run / extent)[1] > 0;
   return axis;
 }
 
