@@ -15,8 +15,7 @@ namespace
 {
 std::string positionText(std::array<double, 3> const& x, double t)
 {
-  return "(x, y, z) = (" + formatShort(x[0]) + ", " + formatShort(x[1]) + ", " + formatShort(x[2]) +
-         ") m, t = " + formatShort(t) + " s";
+  return "(x, y, z) = " + formatPoint({x.begin(), x.end()}) + " m, t = " + formatShort(t) + " s";
 }
 
 // After the end of a sentence.
