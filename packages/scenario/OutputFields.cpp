@@ -88,7 +88,8 @@ template <int Dim>
 void registerTheta(io::FieldRegistry& registry, Problem<Dim> const& problem, RunView const& view,
                    ParameterList const& friction)
 {
-  if (auto const scale = thetaScales(friction, problem.mesh, problem.surface->vertices())) {
+  if (auto const scale =
+        thetaScales(friction, FieldNodes(problem.mesh, problem.surface->vertices()))) {
     registry.add(io::OutputField{"theta", "s", "State variable.", "fault", 1,
                                  [&view, scale = *scale](Values& values) {
                                    values = view.fault->alpha();

@@ -96,9 +96,9 @@ template <int Dim>
 std::optional<dynamics::FaultResolution> faultResolution(Problem<Dim> const& problem,
                                                          ParameterList const& friction)
 {
-  auto const nodes = problem.surface->vertices();
-  auto const sensitivity = sensitivities(friction, problem.mesh, nodes);
-  auto const slip_distance = slipDistances(friction, problem.mesh, nodes);
+  const FieldNodes nodes(problem.mesh, problem.surface->vertices());
+  auto const sensitivity = sensitivities(friction, nodes);
+  auto const slip_distance = slipDistances(friction, nodes);
   if (!sensitivity || !slip_distance) {
     return std::nullopt;
   }

@@ -15,28 +15,18 @@ namespace asperity::scenario
 void declareLaws(Declare& declare);
 
 // Values of the chosen law's parameters at fault nodes (num_parameters, num_nodes), on the device.
-template <int Dim>
-friction::ParameterView frictionLawValues(ParameterList const& list, Mesh<Dim> const& mesh,
-                                          std::vector<int> const& nodes);
-template <int Dim>
-friction::ParameterView stateLawValues(ParameterList const& list, Mesh<Dim> const& mesh,
-                                       std::vector<int> const& nodes);
+friction::ParameterView frictionLawValues(ParameterList const& list, FieldNodes const& nodes);
+friction::ParameterView stateLawValues(ParameterList const& list, FieldNodes const& nodes);
 
 // Properties of the chosen laws at the nodes, see friction/LawProperties.hpp; empty if a law does
 // not declare the property.
-template <int Dim>
-std::optional<std::vector<friction::Sensitivity>>
-sensitivities(ParameterList const& list, Mesh<Dim> const& mesh, std::vector<int> const& nodes);
-template <int Dim>
-std::optional<std::vector<double>> slipDistances(ParameterList const& list, Mesh<Dim> const& mesh,
-                                                 std::vector<int> const& nodes);
-template <int Dim>
-std::optional<std::vector<double>> thetaScales(ParameterList const& list, Mesh<Dim> const& mesh,
-                                               std::vector<int> const& nodes);
+std::optional<std::vector<friction::Sensitivity>> sensitivities(ParameterList const& list,
+                                                                FieldNodes const& nodes);
+std::optional<std::vector<double>> slipDistances(ParameterList const& list,
+                                                 FieldNodes const& nodes);
+std::optional<std::vector<double>> thetaScales(ParameterList const& list, FieldNodes const& nodes);
 
 // c / b of Linker and Dieterich's term at the nodes [-]; empty if c is zero at all of them.
 // InputError where c > 0 and the friction law has no b, or b = 0.
-template <int Dim>
-std::vector<double> stressSensitivities(ParameterList const& list, Mesh<Dim> const& mesh,
-                                        std::vector<int> const& nodes);
+std::vector<double> stressSensitivities(ParameterList const& list, FieldNodes const& nodes);
 } // namespace asperity::scenario
