@@ -121,16 +121,6 @@ std::vector<double> Field::values(std::vector<long long> const& global_ids,
   return values;
 }
 
-bool Field::isConstant() const
-{
-  const auto is_same = [this](Part const& part) {
-    return !part.expression && part.value == parts_[0].value;
-  };
-  return !isDataset() && std::all_of(parts_.begin(), parts_.end(), is_same);
-}
-
-bool Field::isZero() const { return isConstant() && !parts_.empty() && parts_[0].value == 0.0; }
-
 bool Field::dependsOnTime() const
 {
   return std::any_of(parts_.begin(), parts_.end(), [](Part const& part) {
