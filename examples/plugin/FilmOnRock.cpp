@@ -1,6 +1,6 @@
-// A kind of fault of your own: slip on a rigid foundation. scenario/setup/FaultKind.hpp says how
+// A kind of fault of your own: slip on a rigid foundation. scenario/setup/conditions/FaultKind.hpp says how
 // kinds differ.
-#include "scenario/setup/FaultKind.hpp"
+#include "scenario/setup/conditions/FaultKind.hpp"
 
 namespace
 {

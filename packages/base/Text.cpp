@@ -71,6 +71,15 @@ std::string formatNumber(double value)
 
 std::string formatShort(double value) { return significant(value, 6); }
 
+std::string formatPoint(std::vector<double> const& point, std::string (*format)(double))
+{
+  std::string text;
+  for (const double coordinate : point) {
+    text += (text.empty() ? "(" : ", ") + format(coordinate);
+  }
+  return text + ")";
+}
+
 std::string formatDuration(double seconds)
 {
   if (!std::isfinite(seconds)) {

@@ -12,6 +12,10 @@ std::string formatNumber(double value);
 // Six digits at most, for messages and tables: 0.333333
 std::string formatShort(double value);
 
+// "(0, -12.5)", for messages and tables.
+std::string formatPoint(std::vector<double> const& point,
+                        std::string (*format)(double) = formatShort);
+
 // "850 ns", "12.5 ms", "48.3 s", "3 min 20 s", "2 h 5 min", "3 d 4 h", "12.5 years", "1.2 million
 // years"; a year has 365.25 days.
 std::string formatDuration(double seconds);

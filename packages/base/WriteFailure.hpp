@@ -1,9 +1,12 @@
 #pragma once
 
+#include "base/Errors.hpp"
+
 #include <cerrno>
 #include <cstring>
 #include <fcntl.h>
 #include <filesystem>
+#include <ostream>
 #include <string>
 #include <unistd.h>
 
@@ -36,5 +39,14 @@ inline std::string whyNotWritten(std::filesystem::path const& file)
   return error == 0 || error == EOPNOTSUPP
            ? "Is the disk full?"
            : std::string("The system says: ") + std::strerror(error) + ".";
+}
+
+// Throws OutputError unless the file has all that was written to its stream.
+inline void requireWritten(std::ostream& stream, std::filesystem::path const& file)
+{
+  stream.flush();
+  if (!stream) {
+    throw OutputError(file.string() + " cannot be written. " + whyNotWritten(file));
+  }
 }
 } // namespace asperity

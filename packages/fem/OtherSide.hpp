@@ -4,7 +4,7 @@ namespace asperity::fem
 {
 // What lies on the other side of a fault. Friction, the solver, the coupling and the outputs
 // distinguish kinds of fault by these values alone, so that a new kind is one more constant here
-// (and its name in a deck, scenario/setup/FaultKind.cpp).
+// (and its name in a deck, scenario/setup/conditions/FaultKind.cpp).
 struct OtherSide
 {
   // The map from the tangential unknowns w_t of a node to slip: slip = slip_factor w_t.

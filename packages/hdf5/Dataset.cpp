@@ -82,13 +82,6 @@ void Dataset::readAll(Type type, void* values) const
   });
 }
 
-std::string Dataset::readBytes() const
-{
-  std::string values(numValues(), '\0');
-  readAll(Type::int8, values.data());
-  return values;
-}
-
 std::vector<std::string> Dataset::readTexts() const
 {
   const Handle type = fileType();
@@ -108,14 +101,5 @@ Shape Dataset::extend(hsize_t num_rows)
   extended[0] += num_rows;
   checked("Extending " + what_, [&] { return H5Dset_extent(handle_.get(), extended.data()); });
   return extended;
-}
-
-void Dataset::appendRows(Type type, void const* values, hsize_t num_rows)
-{
-  Shape rows = extend(num_rows);
-  Shape start(rows.size(), 0);
-  start[0] = rows[0] - num_rows;
-  rows[0] = num_rows;
-  writeSlab(type, values, start, rows, false);
 }
 } // namespace asperity::h5

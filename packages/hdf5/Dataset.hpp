@@ -85,15 +85,7 @@ public:
     read(values.data());
     return values;
   }
-  std::string readBytes() const;
   std::vector<std::string> readTexts() const; // of variable or fixed length
-
-  // Adds rows at the end of an extendable dataset; values: (num_rows, rest of the shape).
-  template <class Number>
-  void append(Number const* values, hsize_t num_rows)
-  {
-    appendRows(typeOf<Number>(), values, num_rows);
-  }
 
   // Reads a part of the first dimension, independently of other ranks; values: (part.count, rest of
   // the shape).
@@ -104,9 +96,9 @@ public:
   }
 
   // All ranks read or write at once, each its own part; values: (part.count, rest), or (num_rows,
-  // part.count, rest) of appended rows. The numbers given to writePart must have the dataset's own
-  // type. A part must lie within the dataset, otherwise the other ranks wait for ever. Collective
-  // in a shared file.
+  // part.count, rest) of rows that are appended to an extendable dataset. The numbers given to
+  // writePart must have the dataset's own type. A part must lie within the dataset; otherwise the
+  // other ranks never stop waiting. Collective in a shared file.
   template <class Number>
   void readPart(Number* values, Part const& part) const
   {
@@ -128,11 +120,9 @@ private:
   std::size_t numValues() const;
   void writeAll(Type type, void const* values);
   void readAll(Type type, void* values) const;
-  void appendRows(Type type, void const* values, hsize_t num_rows);
   Shape extend(hsize_t num_rows);
   void readSlab(Type type, void* values, Part const& part, bool together) const;
   void writePartOf(Type type, void const* values, Part const& part);
-  void writeSlab(Type type, void const* values, Shape const& start, Shape const& count,
-                 bool together);
+  void writeSlab(Type type, void const* values, Shape const& start, Shape const& count);
 };
 } // namespace asperity::h5

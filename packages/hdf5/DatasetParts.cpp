@@ -66,12 +66,11 @@ Handle select(Handle const& file_space, Slab const& slab, std::string const& wha
 }
 } // namespace
 
-void Dataset::writeSlab(Type type, void const* values, Shape const& start, Shape const& count,
-                        bool together)
+void Dataset::writeSlab(Type type, void const* values, Shape const& start, Shape const& count)
 {
   const Handle file_space = space();
   const Handle memory_space = select(file_space, {start, count}, what_);
-  const Handle transfer = transferOf(handle_, together, what_);
+  const Handle transfer = transferOf(handle_, true, what_);
   checked("Writing " + what_, [&] {
     return H5Dwrite(handle_.get(), native(type), memory_space.get(), file_space.get(),
                     transfer.get(), values);
@@ -96,7 +95,7 @@ void Dataset::readSlab(Type type, void* values, Part const& part, bool together)
 void Dataset::writePartOf(Type type, void const* values, Part const& part)
 {
   const Slab slab = slabOf(shape(), 0, part);
-  writeSlab(type, values, slab.start, slab.count, true);
+  writeSlab(type, values, slab.start, slab.count);
 }
 
 void Dataset::appendPart(double const* values, hsize_t num_rows, Part const& part)
@@ -109,7 +108,7 @@ void Dataset::appendPart(double const* values, hsize_t num_rows, Part const& par
   const auto size =
     std::accumulate(slab.count.begin(), slab.count.end(), hsize_t(1), std::multiplies<>());
   const auto write = [&](Type type, void const* converted) {
-    writeSlab(type, converted, slab.start, slab.count, true);
+    writeSlab(type, converted, slab.start, slab.count);
   };
   // HDF5 writes collectively only what it need not convert.
   if (type() == Type::int64) {

@@ -192,11 +192,6 @@ File File::openSharedForReading(std::filesystem::path const& path, MPI_Comm comm
   return openWith(path, H5F_ACC_RDONLY, sharedAccess(path, comm));
 }
 
-void File::flush()
-{
-  checked("Writing " + what_, [&] { return H5Fflush(handle_.get(), H5F_SCOPE_LOCAL); });
-}
-
 void File::close()
 {
   handle_.close("Closing " + what_);

@@ -44,7 +44,6 @@ public:
   static File openShared(std::filesystem::path const& path, MPI_Comm comm);
   static File openSharedForReading(std::filesystem::path const& path, MPI_Comm comm);
 
-  void flush();
   void close(); // Error if what is buffered cannot be written
 
 private:

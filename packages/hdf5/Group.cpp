@@ -98,17 +98,6 @@ std::vector<std::string> Group::names() const
   return names;
 }
 
-H5I_type_t Group::objectType(std::string const& path) const
-{
-  const Handle object = opened("Opening " + describe(path), H5Oclose,
-                               [&] { return H5Oopen(handle_.get(), path.c_str(), H5P_DEFAULT); });
-  return H5Iget_type(object.get());
-}
-
-bool Group::isGroup(std::string const& path) const { return objectType(path) == H5I_GROUP; }
-
-bool Group::isDataset(std::string const& path) const { return objectType(path) == H5I_DATASET; }
-
 Group Group::createGroup(std::string const& path)
 {
   const Handle links = parentsAreMade(describe(path));

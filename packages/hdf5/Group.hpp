@@ -22,8 +22,6 @@ class Group : public Object
 public:
   bool has(std::string const& path) const; // false, too, if a link on the way is broken
   std::vector<std::string> names() const;  // of the members, sorted
-  bool isGroup(std::string const& path) const;
-  bool isDataset(std::string const& path) const;
 
   Group createGroup(std::string const& path);
   Group openGroup(std::string const& path) const;
@@ -61,7 +59,6 @@ protected:
   Group(Handle handle, std::string what) : Object(std::move(handle), std::move(what)) {}
 
 private:
-  H5I_type_t objectType(std::string const& path) const;
   Dataset createWith(std::string const& path, hid_t type, Handle const& space,
                      Handle const& properties);
   std::string describe(std::string const& path) const { return what_ + ": " + path; }

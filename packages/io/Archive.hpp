@@ -57,8 +57,16 @@ public:
 
   bool has(std::string const& path) const { return values_.count(path) > 0; }
 
-  // insert() adds all values of `part` under `path`; child() returns the values under `path`.
+  // insert() adds all values of `part`, or what it saves, under `path`; child() returns the values
+  // under `path`.
   void insert(std::string const& path, Archive const& part);
+  template <class Part>
+  void insert(std::string const& path, Part const& part)
+  {
+    Archive values;
+    part.save(values);
+    insert(path, values);
+  }
   Archive child(std::string const& path) const;
 
   std::map<std::string, Value> const& values() const { return values_; }

@@ -176,9 +176,7 @@ Archive OutputSet::save() const
   archive.set("num_closed_segments", num_closed_segments_);
   archive.set("text_format", text_format_);
   for (auto const& entry : entries_) {
-    Archive part;
-    entry.output->save(part);
-    archive.insert(entry.name, part);
+    archive.insert(entry.name, *entry.output);
   }
   return archive;
 }

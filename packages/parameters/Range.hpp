@@ -10,6 +10,15 @@ namespace asperity
 class Range
 {
 public:
+  // has_lower, has_upper: whether the bound itself belongs to the range.
+  Range(double lower, bool has_lower, double upper, bool has_upper)
+      : lower_(lower)
+      , upper_(upper)
+      , has_lower_(has_lower)
+      , has_upper_(has_upper)
+  {
+  }
+
   static Range any() { return Range(-infinity(), false, infinity(), false); }
   static Range positive() { return above(0.0); }
   static Range atLeast(double lower) { return Range(lower, true, infinity(), false); }
@@ -29,13 +38,6 @@ public:
   std::string text() const;
 
 private:
-  Range(double lower, bool has_lower, double upper, bool has_upper)
-      : lower_(lower)
-      , upper_(upper)
-      , has_lower_(has_lower)
-      , has_upper_(has_upper)
-  {
-  }
   static constexpr double infinity() { return std::numeric_limits<double>::infinity(); }
 
   double lower_, upper_;

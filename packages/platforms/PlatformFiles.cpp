@@ -19,13 +19,9 @@ void PlatformFiles::closeSegment(int)
 
 void PlatformFiles::save(io::Archive& archive) const
 {
-  io::Archive steps;
-  steps_.save(steps);
-  archive.insert("steps", steps);
+  archive.insert("steps", steps_);
   for (auto const& [name, part] : parts_) {
-    io::Archive of_part;
-    part->save(of_part);
-    archive.insert(name, of_part);
+    archive.insert(name, *part);
   }
 }
 

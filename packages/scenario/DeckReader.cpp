@@ -8,13 +8,13 @@
 #include "parameters/fields/Expression.hpp"
 #include "scenario/deck/DeckAssembly.hpp"
 #include "scenario/deck/Names.hpp"
-#include "scenario/setup/BoundarySetup.hpp"
 #include "scenario/setup/BulkSetup.hpp"
-#include "scenario/setup/FrictionSetup.hpp"
 #include "scenario/setup/InitialSetup.hpp"
 #include "scenario/setup/MeshSetup.hpp"
 #include "scenario/setup/SolverSetup.hpp"
 #include "scenario/setup/TimeSetup.hpp"
+#include "scenario/setup/conditions/BoundarySetup.hpp"
+#include "scenario/setup/friction/FrictionSetup.hpp"
 
 #include <algorithm>
 #include <vector>

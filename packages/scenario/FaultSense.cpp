@@ -2,6 +2,7 @@
 
 #include "base/Text.hpp"
 #include "base/parallel/Reductions.hpp"
+#include "fem/constraints/PlaneTangent.hpp"
 
 #include <Teuchos_Array.hpp>
 
@@ -24,24 +25,19 @@ Vector3 cross(Vector3 const& a, Vector3 const& b)
   return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
 }
 
-// Along +x, or along +y where the fault is steep, as fem::detail::completing has it.
 Vector3 tangentInPlane(Vector3 const& plus)
 {
-  constexpr double steep = 0.4;
-  if (std::abs(plus[1]) > steep) {
-    return {std::abs(plus[1]), plus[1] > 0 ? -plus[0] : plus[0], 0};
-  }
-  return {plus[0] > 0 ? -plus[1] : plus[1], std::abs(plus[0]), 0};
+  auto const [x, y] = fem::tangentInPlane(plus[0], plus[1]);
+  return {x, y, 0};
 }
 
 std::string directionText(Vector3 const& v, int dimension)
 {
-  std::string text;
+  std::vector<double> rounded;
   for (int d = 0; d < dimension; ++d) {
-    const double rounded = std::round(100 * v[d]) / 100;
-    text += (d == 0 ? "(" : ", ") + formatShort(rounded == 0 ? 0 : rounded);
+    rounded.push_back(std::round(100 * v[d]) / 100 + 0.); // not -0
   }
-  return text + ")";
+  return formatPoint(rounded);
 }
 
 // Right lateral: seen from the minus side, the plus side moves to the right.

@@ -3,7 +3,7 @@
 #include "base/parallel/Reductions.hpp"
 #include "catalogue/stress/CoulombPlanes.hpp"
 #include "catalogue/stress/StressFields.hpp"
-#include "scenario/setup/LawSetup.hpp"
+#include "scenario/setup/friction/LawSetup.hpp"
 
 #include <cmath>
 
@@ -88,7 +88,8 @@ template <int Dim>
 void registerTheta(io::FieldRegistry& registry, Problem<Dim> const& problem, RunView const& view,
                    ParameterList const& friction)
 {
-  if (auto const scale = thetaScales(friction, problem.mesh, problem.surface->vertices())) {
+  if (auto const scale =
+        thetaScales(friction, FieldNodes(problem.mesh, problem.surface->vertices()))) {
     registry.add(io::OutputField{"theta", "s", "State variable.", "fault", 1,
                                  [&view, scale = *scale](Values& values) {
                                    values = view.fault->alpha();

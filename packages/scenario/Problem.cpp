@@ -13,15 +13,15 @@
 #include "fem/RigidBodyMotions.hpp"
 #include "fem/SupportWeights.hpp"
 #include "mesh/Boundaries.hpp"
-#include "scenario/setup/BoundaryChecks.hpp"
 #include "scenario/setup/BulkSetup.hpp"
-#include "scenario/setup/FaultLoads.hpp"
-#include "scenario/setup/FreeFault.hpp"
-#include "scenario/setup/FrictionSetup.hpp"
 #include "scenario/setup/InitialSetup.hpp"
 #include "scenario/setup/MeshSetup.hpp"
 #include "scenario/setup/SolverSetup.hpp"
 #include "scenario/setup/TimeSetup.hpp"
+#include "scenario/setup/conditions/BoundaryChecks.hpp"
+#include "scenario/setup/conditions/FreeFault.hpp"
+#include "scenario/setup/friction/FaultLoads.hpp"
+#include "scenario/setup/friction/FrictionSetup.hpp"
 
 #include <Tpetra_CrsMatrix.hpp>
 
@@ -301,7 +301,8 @@ Problem<Dim> makeProblem(ParameterList const& deck, RCP<const Communicator> cons
     fem::assembleBody<Dim>(of.mesh, *of.dofs, of.frames(), of.rock.materials, of.rock.branches);
   auto const surface = makeSurface(of, matrices);
   auto const fault_materials = fem::materialsAtNodes(of.mesh, *surface, of.rock.materials);
-  auto const eta = radiationDamping(bulk, of.mesh, *surface, fault_materials);
+  const FieldNodes nodes(of.mesh, surface->vertices());
+  auto const eta = radiationDamping(bulk, nodes, surface->otherSide(), fault_materials);
   matrices.viscosity = dampedViscosity(of, matrices.viscosity, bulk, *surface, eta);
   if (quasiDynamic(bulk)) {
     matrices.mass = fem::zeroLike(*matrices.mass);
@@ -310,13 +311,13 @@ Problem<Dim> makeProblem(ParameterList const& deck, RCP<const Communicator> cons
 
   auto const gravity = fem::assembleGravity<Dim>(of.mesh, *of.dofs, of.frames(), of.rock.materials,
                                                  scenario::gravity<Dim>(bulk));
-  const ShearTraction traction(friction, of.mesh, *surface, of.frames());
+  const ShearTraction traction(friction, nodes, *surface, of.frames());
   auto body =
     makeBody(of, matrices, *surface,
              loadWithTraction(traction, surface, withRadiationOfPlates(gravity, *surface, eta)));
   auto const start = staticStart(deck, of, body, solver, *surface, *gravity);
-  auto stress = makeNormalStress(friction, of.mesh, *surface, start.pressure);
-  auto fault = makeFault(friction, of.mesh, surface, stress.normal_stress, eta);
+  auto stress = makeNormalStress(friction, nodes, start.pressure, *communicator);
+  auto fault = makeFault(friction, nodes, surface, stress.normal_stress, eta);
   auto initial = makeInitialState(deck, of.mesh, of.frames(), body, fault, solver,
                                   {start.displacement, traction.at(0), traction.direction()});
   auto reaction = reactionSinceStart(of, body, fault, initial);

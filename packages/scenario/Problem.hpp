@@ -6,7 +6,7 @@
 #include "fem/bulk/Material.hpp"
 #include "fem/constraints/Constraints.hpp"
 #include "parameters/Parameters.hpp"
-#include "scenario/setup/BoundarySetup.hpp"
+#include "scenario/setup/conditions/BoundarySetup.hpp"
 
 #include <memory>
 #include <string>

@@ -6,7 +6,7 @@
 #include "friction/Registry.hpp"
 #include "io/Output.hpp"
 #include "io/TextFormat.hpp"
-#include "scenario/setup/FaultKind.hpp"
+#include "scenario/setup/conditions/FaultKind.hpp"
 
 namespace asperity::scenario
 {

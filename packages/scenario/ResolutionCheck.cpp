@@ -7,8 +7,8 @@
 #include "mesh/MeshQuality.hpp"
 #include "scenario/setup/BulkSetup.hpp"
 #include "scenario/setup/DeckPaths.hpp"
-#include "scenario/setup/LawSetup.hpp"
 #include "scenario/setup/TimeSetup.hpp"
+#include "scenario/setup/friction/LawSetup.hpp"
 #include "tnnmg/multigrid/MultigridCorrection.hpp"
 
 #include <sys/resource.h>
@@ -96,9 +96,9 @@ template <int Dim>
 std::optional<dynamics::FaultResolution> faultResolution(Problem<Dim> const& problem,
                                                          ParameterList const& friction)
 {
-  auto const nodes = problem.surface->vertices();
-  auto const sensitivity = sensitivities(friction, problem.mesh, nodes);
-  auto const slip_distance = slipDistances(friction, problem.mesh, nodes);
+  const FieldNodes nodes(problem.mesh, problem.surface->vertices());
+  auto const sensitivity = sensitivities(friction, nodes);
+  auto const slip_distance = slipDistances(friction, nodes);
   if (!sensitivity || !slip_distance) {
     return std::nullopt;
   }
@@ -189,13 +189,10 @@ double defaultStep(dynamics::FaultResolution const& resolution, ParameterList co
 {
   auto const& time = deck.sublist("Time Stepping");
   const double largest = time.get<double>("Largest Step");
-  double size = 0.01 * resolution.seismic_time;
-  if (!quasiDynamic(deck.sublist("Bulk"))) {
-    size = std::min(size, 0.1 * resolution.crossing_time);
-  }
-  size = std::min(size, largest / 2);
+  const double seismic = dynamics::seismicStep(resolution, !quasiDynamic(deck.sublist("Bulk")));
   // Ticks count to 9e18, and sizes are the largest one divided by at most 2^60.
-  return std::max({size, std::ldexp(largest, -60), 2 * (finalTime(time) + largest) / 9e18});
+  return std::max({std::min(seismic, largest / 2), std::ldexp(largest, -60),
+                   2 * (finalTime(time) + largest) / 9e18});
 }
 } // namespace
 

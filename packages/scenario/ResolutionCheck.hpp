@@ -30,9 +30,8 @@ std::vector<std::string> describe(dynamics::FaultResolution const& resolution,
 std::vector<Warning> warnOfResolution(dynamics::FaultResolution const& resolution,
                                       std::string const& state_law);
 
-// `Time Stepping / Smallest Step` [s]; where the deck leaves it out, a hundredth of L over a
-// seismic slip rate (dynamics::FaultResolution), and with inertia at most a tenth of the time that
-// a shear wave takes through a cell at the fault; such that ticks can count to the end of the run.
+// `Time Stepping / Smallest Step` [s]; where the deck leaves it out, dynamics::seismicStep, such
+// that ticks can count to the end of the run.
 // Throws InputError where a default is needed and friction weakens nowhere. Collective.
 template <int Dim>
 double smallestStep(Problem<Dim> const& problem, ParameterList const& deck);

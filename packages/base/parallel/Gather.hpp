@@ -7,11 +7,8 @@
 
 namespace asperity
 {
-// Return the vectors of all ranks one after the other, on rank 0 (empty elsewhere) or on all ranks.
-// T is double, GlobalOrdinal or char. Collective.
-template <class T>
-std::vector<T> gatherToRoot(std::vector<T> const& mine, Communicator const& comm);
-
+// Returns the vectors of all ranks one after the other. T is double, GlobalOrdinal or char.
+// Collective.
 template <class T>
 std::vector<T> gatherToAll(std::vector<T> const& mine, Communicator const& comm);
 } // namespace asperity

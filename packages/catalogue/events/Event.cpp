@@ -66,15 +66,6 @@ Row titles(bool on_surface)
           "nucleation from upper end [m]"};
 }
 
-std::string place(std::vector<double> const& point)
-{
-  std::string text;
-  for (const double coordinate : point) {
-    text += (text.empty() ? "(" : ", ") + formatShort(coordinate);
-  }
-  return text + ")";
-}
-
 Row describe(Event const& event)
 {
   Row row{std::to_string(event.number), formatShort(event.onset), formatShort(event.duration())};
@@ -85,7 +76,7 @@ Row describe(Event const& event)
   }
   row.insert(row.end(),
              {formatShort(event.peak_slip), formatShort(event.peak_slip_rate),
-              event.isOnSurface() ? place(event.hypocentre) : formatShort(event.nucleation),
+              event.isOnSurface() ? formatPoint(event.hypocentre) : formatShort(event.nucleation),
               event.complete ? "" : "in progress"});
   return row;
 }

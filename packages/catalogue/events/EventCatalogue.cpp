@@ -262,11 +262,10 @@ std::string EventCatalogue::report() const
 
 void EventCatalogue::save(io::Archive& archive) const
 {
-  io::Archive follower, file;
+  io::Archive follower;
   EventFollower::save(follower);
-  file_.save(file);
   archive.insert("follower", follower);
-  archive.insert("file", file);
+  archive.insert("file", file_);
   std::vector<double> numbers, open, last;
   for (auto const& event : events_) {
     appendNumbers(event, fault().dimension, numbers);

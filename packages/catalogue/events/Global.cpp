@@ -77,11 +77,8 @@ double Global::moment(std::vector<double> const& values, int components) const
 
 void Global::save(io::Archive& archive) const
 {
-  io::Archive rule, file;
-  rule_.save(rule);
-  file_.save(file);
-  archive.insert("rule", rule);
-  archive.insert("file", file);
+  archive.insert("rule", rule_);
+  archive.insert("file", file_);
 }
 
 void Global::restore(io::Archive const& archive)

@@ -46,11 +46,10 @@ void Rupture::finish()
 
 void Rupture::save(io::Archive& archive) const
 {
-  io::Archive follower, table;
+  io::Archive follower;
   EventFollower::save(follower);
-  table_.save(table);
   archive.insert("follower", follower);
-  archive.insert("table", table);
+  archive.insert("table", table_);
   archive.set("num_events", num_events_);
   archive.set("onset", onset_);
   archive.setAtNodes("event_time", event_time_, fault().name);

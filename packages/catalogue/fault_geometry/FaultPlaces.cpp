@@ -1,7 +1,9 @@
 #include "catalogue/fault_geometry/FaultPlaces.hpp"
 
 #include "base/parallel/Reductions.hpp"
-#include "io/parallel/NodeGather.hpp"
+#include "fem/constraints/PlaneTangent.hpp"
+#include "io/parallel/BlocksInOrder.hpp"
+#include "io/parallel/NodeBlocks.hpp"
 
 #include <Teuchos_CommHelpers.hpp>
 
@@ -26,19 +28,17 @@ FaultAxis faultAxis(io::OutputDomain const& fault)
   ends = sumOverRanks(ends, *fault.comm); // others have zeros
   FaultAxis axis{{ends[0], ends[1]}, {ends[2], ends[3]}, ends[4]};
   axis.is_level = std::abs(axis.upper[1] - axis.lower[1]) <= 1e-9 * axis.length;
-  // Tangents point along +x unless the fault is steep (fem::detail::completing), then along +y.
-  constexpr double steep = 0.4; // the part along x of a unit vector
-  const double run = axis.upper[0] - axis.lower[0];
-  const double extent = std::hypot(run, axis.upper[1] - axis.lower[1]);
-  axis.tangent_rises = !axis.is_level && (std::abs(run) <= steep * extent || run > 0);
+  const double run = axis.upper[0] - axis.lower[0], rise = axis.upper[1] - axis.lower[1];
+  const double extent = std::hypot(run, rise);
+  axis.tangent_rises = !axis.is_level && fem::tangentInPlane(-rise / extent, run / extent)[1] > 0;
   return axis;
 }
 
 std::optional<std::array<double, 2>> pointAlong(io::OutputDomain const& fault, double distance)
 {
-  const io::NodeGather gather(fault);
-  const auto coordinates = gather(fault.coordinates, 1, fault.dimension);
-  const auto distances = gather(fault.positions, 1, 1);
+  const io::NodeBlocks blocks(fault);
+  const auto coordinates = io::joinedInOrder(blocks(fault.coordinates, 1, 2), *fault.comm);
+  const auto distances = io::joinedInOrder(blocks(fault.positions, 1, 1), *fault.comm);
   constexpr double rounding = 1e-9;
   double found[3] = {0, 0, 0}; // a flag and the point
   for (std::size_t i = 1; i < distances.size(); ++i) {

@@ -65,20 +65,11 @@ std::vector<LocatedPoint> Interpolation::find(Values const& points, Values const
   auto const located = location_(all, gatherToAll(searched, *to_.comm));
   for (std::size_t i = 0; i < located.size(); ++i) {
     ASPERITY_REQUIRE(located[i].distance <= tolerance * located[i].element_size,
-                     "The point " << text(&all[i * to_.dimension]) << " of the " << to_.name
-                                  << " is " << formatShort(located[i].distance)
+                     "The point " << formatPoint(part(all, to_.dimension, i, i + 1)) << " of the "
+                                  << to_.name << " is " << formatShort(located[i].distance)
                                   << " m outside that of the run of --restart-from " << run_
                                   << ", which has no values there. Give both the same extent.");
   }
   return located;
-}
-
-std::string Interpolation::text(double const* point) const
-{
-  std::string words = "(";
-  for (int d = 0; d < to_.dimension; ++d) {
-    words += (d > 0 ? ", " : "") + formatShort(point[d]);
-  }
-  return words + ")";
 }
 } // namespace asperity::catalogue

@@ -28,7 +28,6 @@ public:
 
 private:
   std::vector<LocatedPoint> find(Values const& points, Values const& searched) const;
-  std::string text(double const* point) const;
 
   io::OutputDomain const& from_;
   io::OutputDomain const& to_;

@@ -17,14 +17,7 @@ namespace
 // inclined fault or surface are rounded.
 constexpr double reach = 0.01;
 
-std::string pointText(std::vector<double> const& point)
-{
-  std::string text;
-  for (double coordinate : point) {
-    text += (text.empty() ? "(" : ", ") + formatNumber(coordinate);
-  }
-  return text + ")";
-}
+std::string pointText(std::vector<double> const& point) { return formatPoint(point, formatNumber); }
 
 // "from (0, -40000) to (0, 0) m": the corners of the box around the domain.
 std::string extentText(io::OutputDomain const& domain)

@@ -131,14 +131,10 @@ std::string Receivers::signature() const
 
 void Receivers::save(io::Archive& archive) const
 {
-  io::Archive rule;
-  rule_.save(rule);
   archive.set("signature", signature());
-  archive.insert("rule", rule);
+  archive.insert("rule", rule_);
   if (table_) {
-    io::Archive table;
-    table_->save(table);
-    archive.insert("table", table);
+    archive.insert("table", *table_);
   }
 }
 

@@ -87,6 +87,12 @@ double unstableWavelength(double slip_modulus, double a, double b, double L, dou
   return M_PI * slip_modulus * L / ((b - a) * sigma_n);
 }
 
+double seismicStep(FaultResolution const& resolution, bool has_mass)
+{
+  const double of_slip = 0.01 * resolution.seismic_time;
+  return has_mass ? std::min(of_slip, 0.1 * resolution.crossing_time) : of_slip;
+}
+
 template <int Dim>
 std::optional<FaultResolution>
 faultResolution(Mesh<Dim> const& mesh, fem::FaultSurface const& surface, int components,

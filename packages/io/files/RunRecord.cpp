@@ -52,9 +52,7 @@ void RunRecord::fail(std::exception const& error)
 void RunRecord::save(Archive& archive) const
 {
   archive.set("wall_time", wallTime());
-  Archive time_left;
-  time_left_.save(time_left);
-  archive.insert("time_left", time_left);
+  archive.insert("time_left", time_left_);
 }
 
 void RunRecord::restore(Archive const& archive)

@@ -75,10 +75,7 @@ void TextTable::flush()
     stream_.seekp(0);
     stream_ << header_;
     stream_.seekp(num_bytes_);
-    stream_.flush();
-    if (!stream_) {
-      throw OutputError(file_.string() + " cannot be written. " + whyNotWritten(file_));
-    }
+    requireWritten(stream_, file_);
     detail::synchronise(file_);
   });
 }

@@ -48,11 +48,8 @@ void FieldHistory::closeSegment(int index) { series_.closeSegment(index); }
 
 void FieldHistory::save(Archive& archive) const
 {
-  Archive rule, series;
-  rule_.save(rule);
-  series_.save(series);
-  archive.insert("rule", rule);
-  archive.insert("series", series);
+  archive.insert("rule", rule_);
+  archive.insert("series", series_);
 }
 
 void FieldHistory::restore(Archive const& archive)

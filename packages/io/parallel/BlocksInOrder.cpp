@@ -60,4 +60,13 @@ void visitInOrder(std::vector<double> const& block, Communicator const& comm,
     }
   });
 }
+
+std::vector<double> joinedInOrder(std::vector<double> const& block, Communicator const& comm)
+{
+  std::vector<double> all;
+  visitInOrder(block, comm, [&all](std::vector<double> const& next) {
+    all.insert(all.end(), next.begin(), next.end());
+  });
+  return all;
+}
 } // namespace asperity::io

@@ -11,4 +11,7 @@ namespace asperity::io
 // rank 0 holds one block at a time. What `use` throws is thrown on every rank. Collective.
 void visitInOrder(std::vector<double> const& block, Communicator const& comm,
                   std::function<void(std::vector<double> const&)> const& use);
+
+// All blocks one after the other on rank 0; empty elsewhere. Collective.
+std::vector<double> joinedInOrder(std::vector<double> const& block, Communicator const& comm);
 } // namespace asperity::io

@@ -101,15 +101,6 @@ std::filesystem::path xdmfPath(SeriesLayout const& layout)
 {
   return layout.directory / (layout.name + ".xdmf");
 }
-
-void closeChecked(std::ostream& out, SeriesLayout const& layout)
-{
-  out << footer << std::flush;
-  if (!out) {
-    auto const path = xdmfPath(layout);
-    throw OutputError(path.string() + " cannot be written. " + whyNotWritten(path));
-  }
-}
 } // namespace
 
 void startXdmf(SeriesLayout const& layout, GeometryFile const& geometry)
@@ -119,7 +110,8 @@ void startXdmf(SeriesLayout const& layout, GeometryFile const& geometry)
   writeMesh(out, layout, geometry);
   out << "  <Grid Name=\"" << layout.name
       << "\" GridType=\"Collection\" CollectionType=\"Temporal\">\n";
-  closeChecked(out, layout);
+  out << footer;
+  requireWritten(out, xdmfPath(layout));
 }
 
 void appendToXdmf(SeriesLayout const& layout, GeometryFile const& geometry, std::size_t segment,
@@ -137,6 +129,7 @@ void appendToXdmf(SeriesLayout const& layout, GeometryFile const& geometry, std:
     }
     out << "   </Grid>\n";
   }
-  closeChecked(out, layout);
+  out << footer;
+  requireWritten(out, xdmfPath(layout));
 }
 } // namespace asperity::io::detail

@@ -15,8 +15,7 @@ namespace
 {
 std::string positionText(std::array<double, 3> const& x, double t)
 {
-  return "(x, y, z) = (" + formatShort(x[0]) + ", " + formatShort(x[1]) + ", " + formatShort(x[2]) +
-         ") m, t = " + formatShort(t) + " s";
+  return "(x, y, z) = " + formatPoint({x.begin(), x.end()}) + " m, t = " + formatShort(t) + " s";
 }
 
 // After the end of a sentence.
@@ -121,16 +120,6 @@ std::vector<double> Field::values(std::vector<long long> const& global_ids,
   }
   return values;
 }
-
-bool Field::isConstant() const
-{
-  const auto is_same = [this](Part const& part) {
-    return !part.expression && part.value == parts_[0].value;
-  };
-  return !isDataset() && std::all_of(parts_.begin(), parts_.end(), is_same);
-}
-
-bool Field::isZero() const { return isConstant() && !parts_.empty() && parts_[0].value == 0.0; }
 
 bool Field::dependsOnTime() const
 {

@@ -46,16 +46,7 @@ public:
 
   bool isDataset() const { return dataset_ != nullptr; }
 
-  // True if the value is the same number everywhere and at all times.
-  bool isConstant() const;
-
-  // True if the field is the constant 0.
-  bool isZero() const;
-
   bool dependsOnTime() const;
-
-  // "Asperity / Friction / a"; empty for constant().
-  std::string const& path() const { return path_; }
 
 private:
   // A number, or an expression where there is one.

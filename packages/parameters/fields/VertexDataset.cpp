@@ -14,6 +14,17 @@ namespace
 {
 constexpr hsize_t block_size = 1 << 17; // values, a megabyte
 
+// Calls read(); where HDF5 fails, the message begins with the parameter and its value.
+template <class Read>
+void orRefuse(std::string const& path, std::string const& name, Read const& read)
+{
+  try {
+    read();
+  } catch (h5::Error const& error) {
+    throw InputError(path + " = '" + name + "' cannot be read. " + error.what());
+  }
+}
+
 std::size_t colonBeforeDataset(std::string const& text)
 {
   const std::size_t colon = text.find(":/");
@@ -39,16 +50,14 @@ VertexDataset::VertexDataset(std::string const& name, std::string const& path)
   std::error_code ignored;
   ASPERITY_REQUIRE(std::filesystem::exists(file_name_, ignored),
                    path << " = '" << name << "': there is no file '" << file_name_ << "'.");
-  try {
+  orRefuse(path, name, [&] {
     const h5::Dataset dataset = open();
     const h5::Shape shape = dataset.shape();
     const h5::Kind kind = dataset.kind();
     ASPERITY_REQUIRE(shape.size() == 1 && (kind == h5::Kind::real || kind == h5::Kind::integer),
                      path << " = '" << name << "' is not a one-dimensional dataset of numbers.");
     size_ = static_cast<long long>(shape[0]);
-  } catch (h5::Error const& error) {
-    throw InputError(path + " = '" + name + "' cannot be read. " + error.what());
-  }
+  });
 }
 
 h5::Dataset VertexDataset::open() const
@@ -83,7 +92,7 @@ std::vector<double> VertexDataset::read(std::vector<long long> const& global_ids
   ASPERITY_ASSERT(order.empty() ||
                   (global_ids[order.front()] >= 0 && global_ids[order.back()] < num_vertices));
   std::vector<double> values(global_ids.size());
-  try {
+  orRefuse(path_, name_, [&] {
     const h5::Dataset dataset = open();
     for (auto next = order.begin(); next != order.end();) {
       const auto first = static_cast<hsize_t>(global_ids[*next]);
@@ -94,16 +103,14 @@ std::vector<double> VertexDataset::read(std::vector<long long> const& global_ids
         values[*next] = block[static_cast<std::size_t>(global_ids[*next]) - first];
       }
     }
-  } catch (h5::Error const& error) {
-    throw InputError(path_ + " = '" + name_ + "' cannot be read. " + error.what());
-  }
+  });
   return values;
 }
 
 std::uint64_t VertexDataset::checksum() const
 {
   Checksum checksum;
-  try {
+  orRefuse(path_, name_, [&] {
     const h5::Dataset dataset = open();
     const auto size = static_cast<hsize_t>(size_);
     for (hsize_t first = 0; first < size; first += block_size) {
@@ -111,9 +118,7 @@ std::uint64_t VertexDataset::checksum() const
       dataset.readAlone(block.data(), {first, block.size()});
       checksum.add(block);
     }
-  } catch (h5::Error const& error) {
-    throw InputError(path_ + " = '" + name_ + "' cannot be read. " + error.what());
-  }
+  });
   return checksum.value();
 }
 } // namespace asperity

@@ -87,34 +87,20 @@ public:
     const Platform platform{"SCEC", "scec", RunFacts::from(parameters, context), step_lines};
     auto files = std::make_unique<PlatformFiles>();
     if (auto const* receivers = offers.find<catalogue::Receivers>()) {
-      addStations(*files, platform, context, *receivers, time_step);
+      addStations(
+        *files, platform, context, *receivers,
+        [=](ModelView const& view) {
+          return Stations::Kind{"fault", "on fault", scecFault(view), time_step};
+        },
+        [=](ModelView const& view) {
+          return Stations::Kind{"body", "off fault", scecBody(view), time_step};
+        });
     }
     if (auto const* rupture = offers.find<catalogue::Rupture>()) {
       files->add("rupture",
                  std::make_unique<RuptureTimes>(platform, context, "cplot", "j k t", *rupture));
     }
     return files;
-  }
-
-private:
-  static void addStations(PlatformFiles& files, Platform const& platform,
-                          io::OutputContext const& context, catalogue::Receivers const& receivers,
-                          double time_step)
-  {
-    if (auto const* group = receivers.onFault()) {
-      const auto columns = scecFault(ModelView::of(context));
-      files.add("on_fault",
-                std::make_unique<Stations>(platform, context,
-                                           Stations::Kind{"fault", "on fault", columns, time_step},
-                                           receivers, *group));
-    }
-    if (auto const* group = receivers.inBody()) {
-      const auto columns = scecBody(ModelView::of(context));
-      files.add("off_fault",
-                std::make_unique<Stations>(platform, context,
-                                           Stations::Kind{"body", "off fault", columns, time_step},
-                                           receivers, *group));
-    }
   }
 };
 } // namespace

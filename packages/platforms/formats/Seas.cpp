@@ -100,7 +100,14 @@ public:
     const Platform platform{"SEAS", "seas", RunFacts::from(parameters, context), seasStepLines};
     auto files = std::make_unique<PlatformFiles>();
     if (auto const* receivers = offers.find<catalogue::Receivers>()) {
-      addStations(*files, platform, context, *receivers);
+      addStations(
+        *files, platform, context, *receivers,
+        [](ModelView const& view) {
+          return Stations::Kind{"fltst_", "on fault", seasFault(view)};
+        },
+        [](ModelView const& view) {
+          return Stations::Kind{seasBodyPrefix(view), "off fault", seasBody(view)};
+        });
     }
     if (auto const* global = offers.find<catalogue::Global>()) {
       files->add("global", std::make_unique<GlobalSeries>(platform, context, *global));
@@ -114,25 +121,6 @@ public:
       files->add("slip", std::make_unique<SlipProfiles>(platform, context, *history));
     }
     return files;
-  }
-
-private:
-  static void addStations(PlatformFiles& files, Platform const& platform,
-                          io::OutputContext const& context, catalogue::Receivers const& receivers)
-  {
-    if (auto const* group = receivers.onFault()) {
-      const auto columns = seasFault(ModelView::of(context));
-      files.add("on_fault", std::make_unique<Stations>(
-                              platform, context, Stations::Kind{"fltst_", "on fault", columns},
-                              receivers, *group));
-    }
-    if (auto const* group = receivers.inBody()) {
-      const auto view = ModelView::of(context);
-      files.add("off_fault", std::make_unique<Stations>(
-                               platform, context,
-                               Stations::Kind{seasBodyPrefix(view), "off fault", seasBody(view)},
-                               receivers, *group));
-    }
   }
 };
 } // namespace

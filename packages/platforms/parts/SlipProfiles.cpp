@@ -1,5 +1,7 @@
 #include "platforms/parts/SlipProfiles.hpp"
 
+#include "io/parallel/BlocksInOrder.hpp"
+
 namespace asperity::platforms
 {
 namespace
@@ -24,10 +26,13 @@ FileContent contentFor(std::vector<double> const& z)
 SlipProfiles::SlipProfiles(Platform const& platform, io::OutputContext const& context,
                            io::FaultHistory const& history)
     : history_(history)
-    , gather_(context.domain("fault"))
+    , comm_(context.comm)
+    , blocks_(context.domain("fault"))
     , slip_(context.fields.field("fault", "slip"))
     , sign_(ModelView::of(context).thrust_sign)
-    , file_(platform, contentFor(gather_(context.domain("fault").positions, 1, 1)), context)
+    , file_(platform,
+            contentFor(io::joinedInOrder(blocks_(context.domain("fault").positions, 1, 1), *comm_)),
+            context)
 {
 }
 
@@ -39,7 +44,7 @@ void SlipProfiles::write(io::StepInfo const& step)
   std::vector<double> slip;
   slip_.values(slip);
   const std::size_t components = slip_.components;
-  const auto whole = gather_(slip, 1, components);
+  const auto whole = io::joinedInOrder(blocks_(slip, 1, components), *comm_);
   std::vector<double> row;
   for (std::size_t node = 0; node < whole.size(); node += components) {
     row.push_back(sign_ * whole[node]);

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "io/outputs/FieldHistory.hpp"
-#include "io/parallel/NodeGather.hpp"
+#include "io/parallel/NodeBlocks.hpp"
 #include "platforms/PlatformFiles.hpp"
 #include "platforms/parts/Columns.hpp"
 
@@ -23,7 +23,8 @@ public:
 
 private:
   io::FaultHistory const& history_;
-  io::NodeGather gather_;
+  RCP<const Communicator> comm_;
+  io::NodeBlocks blocks_;
   io::OutputField const& slip_;
   double sign_; // of the slip in the file
   TimeSeries file_;

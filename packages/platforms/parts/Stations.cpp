@@ -105,9 +105,7 @@ void Stations::save(io::Archive& archive) const
   archive.set("previous_time", previous_time_);
   archive.set("previous", previous_);
   for (std::size_t i = 0; i < files_.size(); ++i) {
-    io::Archive file;
-    files_[i].save(file);
-    archive.insert("file_" + std::to_string(i), file);
+    archive.insert("file_" + std::to_string(i), files_[i]);
   }
 }
 
@@ -126,5 +124,20 @@ void Stations::restore(io::Archive const& archive)
   for (std::size_t i = 0; i < files_.size(); ++i) {
     files_[i].restore(archive.child("file_" + std::to_string(i)));
   }
+}
+
+void addStations(PlatformFiles& files, Platform const& platform, io::OutputContext const& context,
+                 catalogue::Receivers const& receivers, KindOf const& on_fault,
+                 KindOf const& in_body)
+{
+  const auto add = [&](std::string const& name, catalogue::ReceiverGroup const* group,
+                       KindOf const& kind) {
+    if (group != nullptr) {
+      files.add(name, std::make_unique<Stations>(platform, context, kind(ModelView::of(context)),
+                                                 receivers, *group));
+    }
+  };
+  add("on_fault", receivers.onFault(), on_fault);
+  add("off_fault", receivers.inBody(), in_body);
 }
 } // namespace asperity::platforms

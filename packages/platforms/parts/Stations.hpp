@@ -4,6 +4,7 @@
 #include "platforms/PlatformFiles.hpp"
 #include "platforms/parts/Columns.hpp"
 
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -49,4 +50,11 @@ private:
   double previous_time_ = 0;
   Rows previous_;
 };
+
+// Adds the stations on the fault and those in the body, as far as there are receivers, with what
+// the two functions make of the view of the model. Collective.
+using KindOf = std::function<Stations::Kind(ModelView const&)>;
+void addStations(PlatformFiles& files, Platform const& platform, io::OutputContext const& context,
+                 catalogue::Receivers const& receivers, KindOf const& on_fault,
+                 KindOf const& in_body);
 } // namespace asperity::platforms

@@ -4,7 +4,6 @@
 #include "base/Views.hpp"
 #include "catalogue/receivers/Interpolation.hpp"
 #include "fem/constraints/NodalFrames.hpp"
-#include "io/checkpoint/Checkpoint.hpp"
 #include "mesh/SimplexGeometry.hpp"
 #include "scenario/DeckReader.hpp"
 #include "scenario/Fingerprint.hpp"
@@ -12,9 +11,10 @@
 #include "scenario/ResolutionCheck.hpp"
 #include "scenario/RunArchive.hpp"
 #include "scenario/deck/CommandLine.hpp"
-#include "scenario/setup/FaultKind.hpp"
+#include "scenario/run/Checkpoints.hpp"
 #include "scenario/setup/MeshSetup.hpp"
 #include "scenario/setup/TimeSetup.hpp"
+#include "scenario/setup/conditions/FaultKind.hpp"
 
 #include <algorithm>
 #include <map>
@@ -223,21 +223,6 @@ void carryFault(Problem<Dim> const& other, State const& state, io::OutputDomain 
 } // namespace
 
 template <int Dim>
-io::NodeSets nodeSets(Problem<Dim> const& problem, Domains const& domains)
-{
-  auto const& ids = problem.mesh.global_ids;
-  io::NodeSets sets;
-  sets[nodes_of_body].assign(ids.begin(), ids.begin() + problem.mesh.num_owned);
-  for (const int vertex : problem.surface->vertices()) {
-    sets[nodes_of_friction].push_back(ids[vertex]);
-  }
-  for (auto const& [name, domain] : domains) {
-    sets[name].assign(domain.node_numbers.begin(), domain.node_numbers.end());
-  }
-  return sets;
-}
-
-template <int Dim>
 io::Archive stateOfOtherRun(std::filesystem::path const& run, Problem<Dim> const& problem,
                             Domains const& domains, ParameterList const& deck,
                             dynamics::DyadicTime const& clock, double end)
@@ -274,7 +259,6 @@ io::Archive stateOfOtherRun(std::filesystem::path const& run, Problem<Dim> const
 }
 
 #define ASPERITY_INSTANTIATE(Dim)                                                                  \
-  template io::NodeSets nodeSets(Problem<Dim> const&, Domains const&);                             \
   template io::Archive stateOfOtherRun(std::filesystem::path const&, Problem<Dim> const&,          \
                                        Domains const&, ParameterList const&,                       \
                                        dynamics::DyadicTime const&, double);

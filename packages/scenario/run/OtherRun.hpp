@@ -11,11 +11,6 @@
 
 namespace asperity::scenario
 {
-// The sets of nodes to which values in a checkpoint of the problem may belong, by name.
-template <int Dim>
-io::NodeSets nodeSets(Problem<Dim> const& problem,
-                      std::map<std::string, io::OutputDomain> const& domains);
-
 // The state of another run for a new one, as StateFormat reads it from "state": `run` is the
 // directory of a run of this program, or a checkpoint in it. The other run's mesh and fields may
 // differ: displacement since the start and the rates are interpolated linearly in the other run's

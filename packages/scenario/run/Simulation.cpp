@@ -5,26 +5,23 @@
 #include "base/parallel/Agreement.hpp"
 #include "base/parallel/MeetingPoint.hpp"
 #include "base/program/MpiScope.hpp"
-#include "base/program/Plugins.hpp"
 #include "base/program/Signals.hpp"
 #include "base/program/WorkTimers.hpp"
 #include "dynamics/control/StallWatch.hpp"
 #include "io/Archive.hpp"
 #include "io/OutputSet.hpp"
-#include "io/checkpoint/Checkpoint.hpp"
 #include "io/files/OutputDirectory.hpp"
 #include "io/files/RunRecord.hpp"
 #include "scenario/DeckReader.hpp"
 #include "scenario/Fingerprint.hpp"
 #include "scenario/OutputFields.hpp"
 #include "scenario/RunReport.hpp"
+#include "scenario/run/Checkpoints.hpp"
 #include "scenario/run/Evolution.hpp"
 #include "scenario/run/OtherRun.hpp"
 #include "scenario/setup/MeshSetup.hpp"
 #include "scenario/setup/SolverSetup.hpp"
 #include "scenario/setup/TimeSetup.hpp"
-
-#include <chrono>
 
 namespace asperity::scenario
 {
@@ -57,9 +54,6 @@ private:
   void advance();
   void write(io::StepInfo const& info);
   void tellProgress(io::StepInfo const& info);
-  void requireDirectory() const;
-  void requireSamePlugins() const;
-  bool timeForCheckpoint() const;
   void writeCheckpoint();
   void warnOfEvolution();
   void endEarly(std::exception const& error);
@@ -78,13 +72,9 @@ private:
   std::map<std::string, io::OutputDomain> domains_;
   io::FieldRegistry registry_;
   std::unique_ptr<io::OutputSet> outputs_;
-  std::string restart_, restart_from_, plugins_;
-  io::Fingerprint fingerprint_;
-  io::Archive checkpoint_; // of a restart, or the state of another run, until it begins
-  int checkpoint_interval_;
-  using Clock = std::chrono::steady_clock;
-  std::chrono::duration<double, std::ratio<60>> checkpoint_minutes_;
-  Clock::time_point last_checkpoint_ = Clock::now();
+  std::string restart_, restart_from_;
+  io::Archive start_; // of a restart, or the state of another run, until it begins
+  Checkpoints checkpoints_;
 };
 } // namespace
 
@@ -108,10 +98,8 @@ SimulationOf<Dim>::SimulationOf(RCP<ParameterList> const& deck, CommandLine cons
     , domains_(makeDomains(evolution_.problem()))
     , restart_(command_line.restart)
     , restart_from_(command_line.restart_from)
-    , plugins_(contentOfPlugins(command_line.plugins))
-    , fingerprint_(fingerprint(*deck, evolution_.problem().mesh, *communicator))
-    , checkpoint_interval_(deck->sublist("Output").get<int>("Checkpoint Every n Steps"))
-    , checkpoint_minutes_(deck->sublist("Output").get<double>("Checkpoint Every Minutes"))
+    , checkpoints_(directory_, deck->sublist("Output"), command_line.plugins,
+                   fingerprint(*deck, evolution_.problem().mesh, *communicator), communicator)
 {
   registerFields(registry_, evolution_.problem(), evolution_.view(), domains_,
                  deck->sublist("Friction"));
@@ -120,8 +108,8 @@ SimulationOf<Dim>::SimulationOf(RCP<ParameterList> const& deck, CommandLine cons
   outputs_ = std::make_unique<io::OutputSet>(
     deck->sublist("Output"), io::OutputContext{directory_, communicator, registry_, domains_});
   if (!restart_from_.empty()) {
-    checkpoint_ = stateOfOtherRun(restart_from_, evolution_.problem(), domains_, *deck,
-                                  evolution_.clock(), finalTime(deck->sublist("Time Stepping")));
+    start_ = stateOfOtherRun(restart_from_, evolution_.problem(), domains_, *deck,
+                             evolution_.clock(), finalTime(deck->sublist("Time Stepping")));
   }
   if (command_line.validate) {
     return;
@@ -130,13 +118,11 @@ SimulationOf<Dim>::SimulationOf(RCP<ParameterList> const& deck, CommandLine cons
   // continued are refused before the log and the parameters are touched; other tables may have been
   // cut back to the checkpoint by then, as any restart does.
   if (!restart_.empty()) {
-    checkpoint_ = io::readCheckpoint(restart_, fingerprint_, *communicator,
-                                     nodeSets(evolution_.problem(), domains_));
+    start_ = checkpoints_.read(restart_, nodeSets(evolution_.problem(), domains_));
   }
-  requireSamePlugins();
   lock_ = io::prepareOutputDirectory(directory_, existingResult(command_line), *communicator);
   if (!restart_.empty()) {
-    outputs_->restore(checkpoint_.child("outputs"));
+    outputs_->restore(start_.child("outputs"));
   }
   record_ = std::make_unique<io::RunRecord>(directory_, !restart_.empty(), *communicator);
   if (communicator->getRank() == 0) {
@@ -190,17 +176,17 @@ int SimulationOf<Dim>::makeSteps(StopSignals const& signals)
 {
   while (!evolution_.atEnd() && !outputs_->endsRun()) {
     advance();
-    auto const agreed = signals.agreed(timeForCheckpoint(), *communicator_);
+    auto const agreed = signals.agreed(checkpoints_.isTime(), *communicator_);
     if (agreed.signal != 0) {
       writeCheckpoint();
       outputs_->finish(); // a restart takes back what is not complete
       report(false);
       record_->end("stopped", exit_signal);
       record_->message("Stopped by " + signalName(agreed.signal) + "; --restart " +
-                       (directory_ / "checkpoint.h5").string() + " goes on.");
+                       checkpoints_.file().string() + " goes on.");
       return exit_signal;
     }
-    if (agreed.wished || evolution_.numSteps() % checkpoint_interval_ == 0) {
+    if (agreed.wished || checkpoints_.areDueAfter(evolution_.numSteps())) {
       writeCheckpoint();
     }
   }
@@ -256,13 +242,13 @@ void SimulationOf<Dim>::begin()
 {
   const auto at = [this] { return " at t = " + formatShort(evolution_.time()) + " s."; };
   if (!restart_.empty()) {
-    evolution_.restore(checkpoint_);
+    evolution_.restore(start_);
     record_->at(evolution_.numSteps(), evolution_.time());
-    record_->restore(checkpoint_);
+    record_->restore(start_);
     record_->message("Restarted from " + restart_ + at());
   } else {
     if (!restart_from_.empty()) {
-      evolution_.startFrom(checkpoint_);
+      evolution_.startFrom(start_);
       record_->message("A new run from the state of " + restart_from_ + at());
     } else {
       evolution_.start();
@@ -278,7 +264,7 @@ void SimulationOf<Dim>::begin()
   if (auto const& rows = evolution_.view().recovery_rows; rows && !rows->report().empty()) {
     record_->message(rows->report());
   }
-  checkpoint_ = {};
+  start_ = {};
 }
 
 template <int Dim>
@@ -324,48 +310,15 @@ void SimulationOf<Dim>::write(io::StepInfo const& info)
 }
 
 template <int Dim>
-void SimulationOf<Dim>::requireDirectory() const
-{
-  onRoot(*communicator_, [&] {
-    if (!std::filesystem::is_directory(directory_)) {
-      throw OutputError("The output directory " + directory_.string() +
-                        " has been removed while the run was writing to it. Its results are lost: "
-                        "begin a new run.");
-    }
-  });
-}
-
-// A law with the same name but another formula would continue the state of the earlier law.
-template <int Dim>
-void SimulationOf<Dim>::requireSamePlugins() const
-{
-  ASPERITY_REQUIRE(
-    restart_.empty() || checkpoint_.get<std::string>("plugins") == plugins_,
-    restart_ << " was written with other plugin libraries (--plugin), or with libraries "
-                "of the same names and other content. Restart with the same libraries, or "
-                "begin a new run from its state with --restart-from.");
-}
-
-template <int Dim>
-bool SimulationOf<Dim>::timeForCheckpoint() const
-{
-  return Clock::now() - last_checkpoint_ >= checkpoint_minutes_;
-}
-
-template <int Dim>
 void SimulationOf<Dim>::writeCheckpoint()
 {
-  requireDirectory();
-  ASPERITY_TIME_WORK("checkpoints");
-  outputs_->closeSegment();
-  io::Archive archive;
-  evolution_.save(archive);
-  archive.insert("outputs", outputs_->save());
-  archive.set("plugins", plugins_);
-  record_->save(archive);
-  io::writeCheckpoint(directory_ / "checkpoint.h5", archive, fingerprint_, *communicator_,
-                      nodeSets(evolution_.problem(), domains_));
-  last_checkpoint_ = Clock::now();
+  const auto save = [this](io::Archive& archive) {
+    outputs_->closeSegment();
+    evolution_.save(archive);
+    archive.insert("outputs", outputs_->save());
+    record_->save(archive);
+  };
+  checkpoints_.write(save, nodeSets(evolution_.problem(), domains_));
 }
 
 template <int Dim>

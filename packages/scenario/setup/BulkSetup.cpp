@@ -4,7 +4,6 @@
 #include "fem/Simplex.hpp"
 #include "fem/bulk/BulkLaw.hpp"
 #include "scenario/setup/DeckPaths.hpp"
-#include "scenario/setup/NodalField.hpp"
 #include "scenario/setup/ParameterTable.hpp"
 
 #include <algorithm>
@@ -84,24 +83,22 @@ bool quasiDynamic(ParameterList const& list)
   return list.get<std::string>("Dynamics") == "Quasi-dynamic";
 }
 
-template <int Dim>
-std::vector<double> radiationDamping(ParameterList const& list, Mesh<Dim> const& mesh,
-                                     fem::FaultSurface const& surface,
+std::vector<double> radiationDamping(ParameterList const& list, FieldNodes const& nodes,
+                                     fem::OtherSide const& other_side,
                                      std::vector<fem::Material> const& at_nodes)
 {
   if (!quasiDynamic(list)) {
-    return std::vector<double>(surface.numNodes(), 0.);
+    return std::vector<double>(at_nodes.size(), 0.);
   }
   auto const& chosen = list.sublist("Quasi-dynamic");
   if (isGiven(chosen, radiation_damping)) {
-    return nodalValues(chosen, radiation_damping, bulk_path + " / Quasi-dynamic", mesh,
-                       surface.vertices());
+    return nodalValues(chosen, radiation_damping, bulk_path + " / Quasi-dynamic", nodes);
   }
   std::vector<double> eta;
   eta.reserve(at_nodes.size());
   for (auto const& material : at_nodes) {
     // G / cs = rho cs, shared by the sides that radiate
-    eta.push_back(material.shearImpedance() / surface.otherSide().deforming_sides);
+    eta.push_back(material.shearImpedance() / other_side.deforming_sides);
   }
   return eta;
 }
@@ -254,9 +251,6 @@ Rock makeRock(ParameterList const& list, Mesh<Dim> const& mesh, Communicator con
 }
 
 #define ASPERITY_INSTANTIATE(Dim)                                                                  \
-  template std::vector<double> radiationDamping(ParameterList const&, Mesh<Dim> const&,            \
-                                                fem::FaultSurface const&,                          \
-                                                std::vector<fem::Material> const&);                \
   template Rock makeRock(ParameterList const&, Mesh<Dim> const&, Communicator const&);             \
   template std::array<double, Dim> gravity<Dim>(ParameterList const&);
 

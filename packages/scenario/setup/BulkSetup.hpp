@@ -1,10 +1,10 @@
 #pragma once
 
-#include "fem/FaultSurface.hpp"
+#include "fem/OtherSide.hpp"
 #include "fem/bulk/Material.hpp"
 #include "fem/bulk/MaxwellBranch.hpp"
 #include "mesh/Mesh.hpp"
-#include "parameters/Parameters.hpp"
+#include "scenario/setup/NodalField.hpp"
 
 #include <array>
 #include <vector>
@@ -24,10 +24,9 @@ int displacementComponents(ParameterList const& list, int dimension);
 bool quasiDynamic(ParameterList const& list);
 
 // The radiation damping eta [Pa s/m] at the nodes of a fault, traction per slip rate; zero unless
-// quasi-dynamic. at_nodes(num_nodes): the materials that the default follows from.
-template <int Dim>
-std::vector<double> radiationDamping(ParameterList const& list, Mesh<Dim> const& mesh,
-                                     fem::FaultSurface const& surface,
+// quasi-dynamic. The default follows from the materials at_nodes(num_nodes) and the other side.
+std::vector<double> radiationDamping(ParameterList const& list, FieldNodes const& nodes,
+                                     fem::OtherSide const& other_side,
                                      std::vector<fem::Material> const& at_nodes);
 
 // The rock of a body, from fields evaluated at the centroids of cells.

@@ -3,7 +3,6 @@
 #include "dynamics/fault/FaultMotion.hpp"
 #include "dynamics/initial/InitialAlpha.hpp"
 #include "dynamics/initial/InitialState.hpp"
-#include "mesh/PointText.hpp"
 #include "scenario/setup/BulkSetup.hpp"
 #include "scenario/setup/DeckPaths.hpp"
 #include "scenario/setup/NodalField.hpp"
@@ -56,18 +55,16 @@ bool startsStatic(ParameterList const& list)
 
 namespace
 {
-template <int Dim>
-RCP<Vector> initialVelocity(ParameterList const& list, Mesh<Dim> const& mesh,
+// nodes: the owned ones.
+RCP<Vector> initialVelocity(ParameterList const& list, FieldNodes const& nodes,
                             dynamics::Body const& body, fem::NodalFrames const& frames)
 {
   const int components = frames.components();
-  std::vector<int> nodes(mesh.num_owned);
-  std::iota(nodes.begin(), nodes.end(), 0);
-  std::vector<double> along_axes(nodes.size() * components);
+  std::vector<double> along_axes(nodes.ids.size() * components);
   for (int c = 0; c < components; ++c) {
     auto const along =
-      nodalValues(list, velocity_names[components == 1 ? 2 : c], initial_path, mesh, nodes);
-    for (std::size_t node = 0; node < nodes.size(); ++node) {
+      nodalValues(list, velocity_names[components == 1 ? 2 : c], initial_path, nodes);
+    for (std::size_t node = 0; node < nodes.ids.size(); ++node) {
       along_axes[node * components + c] = along[node];
     }
   }
@@ -84,22 +81,20 @@ RCP<Vector> initialVelocity(ParameterList const& list, Mesh<Dim> const& mesh,
 }
 
 // Where the deck gives the slip rate, it decides on the tangential unknowns of the fault.
-template <int Dim>
-void setSlipRate(ParameterList const& list, Mesh<Dim> const& mesh, fem::FaultSurface const& surface,
-                 std::vector<double> rates, Vector& v)
+void setSlipRate(ParameterList const& list, FieldNodes const& nodes,
+                 fem::FaultSurface const& surface, std::vector<double> rates, Vector& v)
 {
   if (!isGiven(list, "Slip Rate")) {
     return;
   }
-  auto const size = nodalValues(list, "Slip Rate", initial_path, mesh, surface.vertices());
+  auto const size = nodalValues(list, "Slip Rate", initial_path, nodes);
   for (std::size_t i = 0; i < rates.size(); ++i) {
     rates[i] *= size[i / surface.numTangents()];
   }
   dynamics::setSlipRate(surface, rates, v);
 }
 
-template <int Dim>
-NodeView initialAlpha(ParameterList const& list, Mesh<Dim> const& mesh,
+NodeView initialAlpha(ParameterList const& list, FieldNodes const& nodes,
                       dynamics::Fault const& fault, dynamics::State const& state,
                       std::vector<double> const& traction)
 {
@@ -108,18 +103,16 @@ NodeView initialAlpha(ParameterList const& list, Mesh<Dim> const& mesh,
     {"Steady", dynamics::AlphaAtStart::steady},
     {"Stress Balance", dynamics::AlphaAtStart::stress_balance}};
   auto const& surface = fault.surface();
-  auto const nodes = surface.vertices();
   auto const kind = list.get<std::string>("State");
   const BlockView w("asperity::scenario::w", surface.numNodes(), surface.numTangents());
   dynamics::gatherSlip(surface, *state.v, w);
-  return dynamics::initialAlpha(fault, kinds.at(kind),
-                                {nodalValues(list, "alpha", initial_path, mesh, nodes), traction,
-                                 fault.given(state).sigma_n, w},
-                                [&](int i) {
-                                  return initial_path + " / State = " + kind + ": at node " +
-                                         std::to_string(mesh.global_ids[nodes[i]]) +
-                                         ", x = " + mesh::text(mesh.vertices[nodes[i]]) + ",";
-                                });
+  return dynamics::initialAlpha(
+    fault, kinds.at(kind),
+    {nodalValues(list, "alpha", initial_path, nodes), traction, fault.given(state).sigma_n, w},
+    [&](int i) {
+      return initial_path + " / State = " + kind + ": at node " + std::to_string(nodes.ids[i]) +
+             ", x = " + nodes.text(i) + ",";
+    });
 }
 } // namespace
 
@@ -131,10 +124,13 @@ makeInitialState(ParameterList const& deck, Mesh<Dim> const& mesh, fem::NodalFra
 {
   auto const& list = deck.sublist("Initial State");
   const int num_nodes = fault.surface().numNodes();
+  std::vector<int> owned(mesh.num_owned);
+  std::iota(owned.begin(), owned.end(), 0);
+  const FieldNodes at_fault(mesh, fault.surface().vertices());
   dynamics::State state;
   state.u = start.displacement;
-  state.v = initialVelocity(list, mesh, body, frames);
-  setSlipRate(list, mesh, fault.surface(), start.slip_direction, *state.v);
+  state.v = initialVelocity(list, FieldNodes(mesh, owned), body, frames);
+  setSlipRate(list, at_fault, fault.surface(), start.slip_direction, *state.v);
   state.a = body.vector();
   state.jerk = body.vector();
   for (std::size_t k = 0; k < body.matrices.branches.size(); ++k) {
@@ -149,7 +145,7 @@ makeInitialState(ParameterList const& deck, Mesh<Dim> const& mesh, fem::NodalFra
     auto const fields = process->fields(state);
     state.added.insert(state.added.end(), fields.begin(), fields.end());
   }
-  state.alpha = initialAlpha(list, mesh, fault, state, start.traction);
+  state.alpha = initialAlpha(list, at_fault, fault, state, start.traction);
   auto const given = fault.given(state);
   Kokkos::deep_copy(state.alpha_of_rate, given.alpha);
   if (list.get<std::string>("Acceleration") == "Balanced" && !quasiDynamic(deck.sublist("Bulk"))) {

@@ -1,5 +1,9 @@
 #include "scenario/setup/NodalField.hpp"
 
+#include "mesh/PointText.hpp"
+
+#include <utility>
+
 namespace asperity::scenario
 {
 namespace
@@ -42,23 +46,35 @@ Field steadyField(ParameterList const& list, std::string const& name, std::strin
 }
 
 template <int Dim>
-NodalField::NodalField(ParameterList const& list, std::string const& name, std::string const& path,
-                       Mesh<Dim> const& mesh, std::vector<int> const& nodes)
-    : field_(list, name, path, mesh.region_names)
+FieldNodes::FieldNodes(Mesh<Dim> const& mesh, std::vector<int> const& vertices)
+    : dimension(Dim)
+    , region_names(mesh.region_names)
+    , num_global_vertices(mesh.num_global_vertices)
+{
+  auto const region_of = vertexRegions(mesh);
+  for (const int vertex : vertices) {
+    places.push_back(inSpace<Dim>(mesh.vertices[vertex]));
+    regions.push_back(region_of[vertex]);
+    ids.push_back(mesh.global_ids[vertex]);
+  }
+}
+
+template FieldNodes::FieldNodes(Mesh<2> const&, std::vector<int> const&);
+template FieldNodes::FieldNodes(Mesh<3> const&, std::vector<int> const&);
+
+std::string FieldNodes::text(std::size_t node) const
+{
+  auto const& x = places[node];
+  return dimension == 2 ? mesh::text(Point<2>{x[0], x[1]}) : mesh::text(x);
+}
+
+NodalField::NodalField(Field field, FieldNodes const& nodes) : field_(std::move(field))
 {
   if (field_.isDataset()) {
-    std::vector<long long> ids;
-    ids.reserve(nodes.size());
-    for (int node : nodes) {
-      ids.push_back(mesh.global_ids[node]);
-    }
-    values_ = field_.values(ids, mesh.num_global_vertices);
-    return;
-  }
-  auto const regions = vertexRegions(mesh);
-  for (int node : nodes) {
-    places_.push_back(inSpace<Dim>(mesh.vertices[node]));
-    regions_.push_back(regions[node]);
+    values_ = field_.values(nodes.ids, nodes.num_global_vertices);
+  } else {
+    places_ = nodes.places;
+    regions_ = nodes.regions;
   }
 }
 
@@ -74,23 +90,9 @@ std::vector<double> NodalField::at(double t) const
   return values;
 }
 
-template <int Dim>
 std::vector<double> nodalValues(ParameterList const& list, std::string const& name,
-                                std::string const& path, Mesh<Dim> const& mesh,
-                                std::vector<int> const& nodes)
+                                std::string const& path, FieldNodes const& nodes)
 {
-  steadyField(list, name, path, mesh.region_names);
-  return NodalField(list, name, path, mesh, nodes).at(0);
+  return NodalField(steadyField(list, name, path, nodes.region_names), nodes).at(0);
 }
-
-#define ASPERITY_INSTANTIATE(Dim)                                                                  \
-  template NodalField::NodalField(ParameterList const&, std::string const&, std::string const&,    \
-                                  Mesh<Dim> const&, std::vector<int> const&);                      \
-  template std::vector<double> nodalValues(ParameterList const&, std::string const&,               \
-                                           std::string const&, Mesh<Dim> const&,                   \
-                                           std::vector<int> const&);
-
-ASPERITY_INSTANTIATE(2)
-ASPERITY_INSTANTIATE(3)
-#undef ASPERITY_INSTANTIATE
 } // namespace asperity::scenario

@@ -10,14 +10,27 @@
 
 namespace asperity::scenario
 {
-// The values of the entry `name` of a list at some local vertices. Where a vertex lies between
-// regions, the first cell that has the vertex decides.
+// Some local vertices of a mesh, at which fields of a deck are evaluated.
+struct FieldNodes
+{
+  template <int Dim>
+  FieldNodes(Mesh<Dim> const& mesh, std::vector<int> const& vertices);
+
+  std::string text(std::size_t node) const; // "(0.5, -1)", for messages
+
+  int dimension;                         // of space
+  std::vector<std::string> region_names; // of the mesh
+  long long num_global_vertices;
+  std::vector<std::array<double, 3>> places; // (num_nodes) [m] as expressions see them
+  std::vector<int> regions;                  // (num_nodes) of the first cell that has the vertex
+  std::vector<long long> ids;                // (num_nodes) global ones
+};
+
+// The values of a field at nodes.
 class NodalField
 {
 public:
-  template <int Dim>
-  NodalField(ParameterList const& list, std::string const& name, std::string const& path,
-             Mesh<Dim> const& mesh, std::vector<int> const& nodes);
+  NodalField(Field field, FieldNodes const& nodes);
 
   bool dependsOnTime() const { return field_.dependsOnTime(); }
   // (num_nodes) values at the time t [s]. InputError outside the declared range.
@@ -32,10 +45,8 @@ private:
 
 // The values of a field that does not change in time, (num_nodes). Throws InputError if it depends
 // on time.
-template <int Dim>
 std::vector<double> nodalValues(ParameterList const& list, std::string const& name,
-                                std::string const& path, Mesh<Dim> const& mesh,
-                                std::vector<int> const& nodes);
+                                std::string const& path, FieldNodes const& nodes);
 
 // A field that is evaluated once, at time zero. Throws InputError if it depends on time.
 // region_names: the regions of the mesh.

@@ -6,18 +6,9 @@ namespace asperity::scenario
 {
 namespace
 {
-Range rangeOf(Parameter const& parameter)
+Range rangeOf(Parameter const& of)
 {
-  const bool bounded = std::isfinite(parameter.upper);
-  if (!bounded) {
-    return parameter.lower_closed ? Range::atLeast(parameter.lower) : Range::above(parameter.lower);
-  }
-  if (parameter.lower_closed) {
-    return parameter.upper_closed ? Range::closed(parameter.lower, parameter.upper)
-                                  : Range::closedOpen(parameter.lower, parameter.upper);
-  }
-  return parameter.upper_closed ? Range::openClosed(parameter.lower, parameter.upper)
-                                : Range::open(parameter.lower, parameter.upper);
+  return {of.lower, of.lower_closed, of.upper, of.upper_closed && std::isfinite(of.upper)};
 }
 } // namespace
 

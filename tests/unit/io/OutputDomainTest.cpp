@@ -4,7 +4,6 @@
 #include "io/detail/CurveOrder.hpp"
 #include "io/parallel/BlocksInOrder.hpp"
 #include "io/parallel/NodeBlocks.hpp"
-#include "io/parallel/NodeGather.hpp"
 #include "unit/io/BlockMesh.hpp"
 #include "unit/io/Support.hpp"
 
@@ -63,10 +62,13 @@ TEST(OutputDomain, NodesAreNumberedAlongTheCurveOnAnyNumberOfRanks)
   const auto mesh = test::stripMesh(num_base);
   const OutputDomain surface = boundaryDomain("surface", mesh, "surface", world());
   EXPECT_EQ(startText(surface), "the end with smaller x (of equal x, with smaller y)");
-  const NodeGather gather(surface);
-  const auto coordinates = gather(surface.coordinates, 1, 2);
-  const auto positions = gather(surface.positions, 1, 1);
-  const auto ids = gather(surface.vertex_ids, 1, 1);
+  const NodeBlocks blocks(surface);
+  const auto ofAll = [&blocks](std::vector<double> const& mine, std::size_t components) {
+    return joinedInOrder(blocks(mine, 1, components), *world());
+  };
+  const auto coordinates = ofAll(surface.coordinates, 2);
+  const auto positions = ofAll(surface.positions, 1);
+  const auto ids = ofAll({surface.vertex_ids.begin(), surface.vertex_ids.end()}, 1);
   if (world()->getRank() > 0) {
     EXPECT_TRUE(coordinates.empty() && ids.empty());
     return;
@@ -98,10 +100,10 @@ TEST(OutputDomain, ElementsAcrossAPeriodAreWhole)
   EXPECT_EQ(maxOverRanks(farthest, *world()), test::block_nz);
 }
 
-TEST(OutputDomain, GatherPutsRowsAndComponentsInOrder)
+TEST(OutputDomain, BlocksHaveRowsAndComponentsInOrder)
 {
   const OutputDomain fault = boundaryDomain("fault", test::stripMesh(num_base), "base", world());
-  const NodeGather gather(fault);
+  const NodeBlocks blocks(fault);
   std::vector<double> mine;
   for (int row = 0; row < 3; ++row) {
     for (const GlobalOrdinal number : fault.node_numbers) {
@@ -110,11 +112,12 @@ TEST(OutputDomain, GatherPutsRowsAndComponentsInOrder)
       }
     }
   }
-  const auto whole = gather(mine, 3, 2);
-  ASSERT_EQ(whole.size(), world()->getRank() == 0 ? std::size_t(3 * num_base * 2) : 0u);
-  for (int i = 0; i < static_cast<int>(whole.size()); ++i) {
-    const int row = i / (2 * num_base), node = i / 2 % num_base;
-    EXPECT_EQ(whole[i], 100.0 * row + 10.0 * node + i % 2);
+  const auto block = blocks(mine, 3, 2);
+  const int count = static_cast<int>(blocks.count()), first = static_cast<int>(blocks.first());
+  ASSERT_EQ(block.size(), std::size_t(3 * count * 2));
+  for (int i = 0; i < static_cast<int>(block.size()); ++i) {
+    const int row = i / (2 * count), node = first + i / 2 % count;
+    EXPECT_EQ(block[i], 100.0 * row + 10.0 * node + i % 2);
   }
 }
 

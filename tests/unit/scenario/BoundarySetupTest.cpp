@@ -1,7 +1,7 @@
-#include "scenario/setup/BoundarySetup.hpp"
+#include "scenario/setup/conditions/BoundarySetup.hpp"
 
 #include "SampleDeck.hpp"
-#include "scenario/setup/ConditionTypes.hpp"
+#include "scenario/setup/conditions/ConditionTypes.hpp"
 
 #include <set>
 

@@ -141,18 +141,11 @@ TEST(BulkSetup, refusesGravityThatMakesNoSense)
 TEST(BulkSetup, dampsAQuasiDynamicFaultByTheImpedanceOfItsSides)
 {
   const auto mesh = twoRegions();
-  const auto surface = [&](fem::OtherSide other_side) {
-    std::vector<fem::FaultNode> nodes(2);
-    for (int i : {0, 1}) {
-      nodes[i].copies = {i};
-      nodes[i].dofs = {i};
-    }
-    return fem::FaultSurface("fault", nodes, 1, {{0, 0}, 2}, {}, other_side, world());
-  };
+  const FieldNodes nodes(mesh, {0, 1});
   const std::vector<fem::Material> materials = {{1000, bulk, 4e6, 0, 0}, {4000, bulk, 1e6, 0, 0}};
   const auto damping = [&](fem::OtherSide side, std::function<void(ParameterList&)> const& change) {
     const auto list = bulkList({}, change);
-    return radiationDamping(list, mesh, surface(side), materials);
+    return radiationDamping(list, nodes, side, materials);
   };
   const auto quasi = [](ParameterList& list) { list.set("Dynamics", "Quasi-dynamic"); };
   EXPECT_FALSE(quasiDynamic(bulkList({})));

@@ -1,10 +1,10 @@
-#include "scenario/setup/FaultKind.hpp"
+#include "scenario/setup/conditions/FaultKind.hpp"
 
 #include "SampleDeck.hpp"
 #include "parameters/Deck.hpp"
 #include "scenario/Problem.hpp"
 #include "scenario/run/OtherRun.hpp"
-#include "scenario/setup/BoundarySetup.hpp"
+#include "scenario/setup/conditions/BoundarySetup.hpp"
 
 namespace asperity::scenario
 {

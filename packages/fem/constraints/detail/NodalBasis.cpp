@@ -1,6 +1,7 @@
 #include "fem/constraints/detail/NodalBasis.hpp"
 
 #include "base/Errors.hpp"
+#include "fem/constraints/PlaneTangent.hpp"
 
 #include <cmath>
 
@@ -122,7 +123,7 @@ std::vector<double> completing(std::vector<std::vector<double>> const& direction
     const double length = std::sqrt(dot(candidate, candidate));
     // At least one axis has a longer remainder, since the squares of the lengths of all add up to 1
     // or more.
-    if (length > 0.4) {
+    if (length > steep) {
       for (double& x : candidate) {
         x /= length;
       }

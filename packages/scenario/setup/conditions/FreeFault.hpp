@@ -1,7 +1,7 @@
 #pragma once
 
 #include "mesh/Mesh.hpp"
-#include "scenario/setup/BoundarySetup.hpp"
+#include "scenario/setup/conditions/BoundarySetup.hpp"
 
 namespace asperity::scenario
 {

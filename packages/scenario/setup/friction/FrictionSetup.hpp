@@ -1,7 +1,6 @@
 #pragma once
 
 #include "dynamics/fault/Fault.hpp"
-#include "mesh/Mesh.hpp"
 #include "scenario/setup/NodalField.hpp"
 
 namespace asperity::scenario
@@ -14,12 +13,11 @@ RCP<const ParameterList> frictionParameters();
 dynamics::NormalStressChange normalStressChange(ParameterList const& list);
 double normalStressFloor(ParameterList const& list);
 
-// Makes the fault: the laws of the list with their parameters at the nodes of the surface, and the
-// normal stress with the list's Normal Stress Change and Floor. radiation_damping(num_nodes)
-// [Pa s/m], or empty. Throws InputError where the term of Linker and Dieterich (c > 0) is used with
-// a normal stress that is or may become zero.
-template <int Dim>
-dynamics::Fault makeFault(ParameterList const& list, Mesh<Dim> const& mesh,
+// Makes the fault: the laws of the list with their parameters at the nodes, which are those of the
+// surface, and the normal stress with the list's Normal Stress Change and Floor.
+// radiation_damping(num_nodes) [Pa s/m], or empty. Throws InputError where the term of Linker and
+// Dieterich (c > 0) is used with a normal stress that is or may become zero.
+dynamics::Fault makeFault(ParameterList const& list, FieldNodes const& nodes,
                           std::shared_ptr<const fem::FaultSurface> const& surface,
                           dynamics::NormalStress const& normal_stress,
                           std::vector<double> const& radiation_damping = {});

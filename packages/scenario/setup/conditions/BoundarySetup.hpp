@@ -3,7 +3,7 @@
 #include "fem/FaultSurface.hpp"
 #include "fem/constraints/Constraints.hpp"
 #include "parameters/Parameters.hpp"
-#include "scenario/setup/PlateRate.hpp"
+#include "scenario/setup/conditions/PlateRate.hpp"
 
 #include <string>
 #include <vector>

@@ -1,9 +1,9 @@
-#include "scenario/setup/PlateRate.hpp"
+#include "scenario/setup/conditions/PlateRate.hpp"
 
 #include "base/Errors.hpp"
 #include "base/parallel/Agreement.hpp"
-#include "scenario/setup/ConditionTypes.hpp"
 #include "scenario/setup/NodalField.hpp"
+#include "scenario/setup/conditions/ConditionTypes.hpp"
 
 #include <cmath>
 

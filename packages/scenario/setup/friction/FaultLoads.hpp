@@ -12,8 +12,8 @@ namespace asperity::scenario
 class ShearTraction
 {
 public:
-  template <int Dim>
-  ShearTraction(ParameterList const& friction, Mesh<Dim> const& mesh,
+  // nodes: those of the surface.
+  ShearTraction(ParameterList const& friction, FieldNodes const& nodes,
                 fem::FaultSurface const& surface, fem::NodalFrames const& frames);
 
   bool dependsOnTime() const { return size_.dependsOnTime(); }
@@ -46,8 +46,7 @@ struct NormalStressOfDeck
 // are the deck's `Normal Stress` if it is given, else the pressure(num_nodes) [Pa] of the
 // foundation. Throws InputError if the deck's normal stress is negative at t = 0; values that
 // become negative later count as zero. Collective.
-template <int Dim>
-NormalStressOfDeck makeNormalStress(ParameterList const& friction, Mesh<Dim> const& mesh,
-                                    fem::FaultSurface const& surface,
-                                    std::vector<double> const& pressure);
+NormalStressOfDeck makeNormalStress(ParameterList const& friction, FieldNodes const& nodes,
+                                    std::vector<double> const& pressure,
+                                    Communicator const& communicator);
 } // namespace asperity::scenario

@@ -1,9 +1,8 @@
-#include "scenario/setup/FrictionSetup.hpp"
+#include "scenario/setup/friction/FrictionSetup.hpp"
 
 #include "base/parallel/Agreement.hpp"
-#include "mesh/PointText.hpp"
 #include "scenario/setup/DeckPaths.hpp"
-#include "scenario/setup/LawSetup.hpp"
+#include "scenario/setup/friction/LawSetup.hpp"
 
 namespace asperity::scenario
 {
@@ -57,9 +56,8 @@ double normalStressFloor(ParameterList const& list)
 namespace
 {
 // ln(sigma_n) has to be finite wherever its change shifts the state.
-template <int Dim>
-void requirePressure(ParameterList const& list, Mesh<Dim> const& mesh,
-                     fem::FaultSurface const& surface, std::vector<double> const& c_over_b,
+void requirePressure(ParameterList const& list, FieldNodes const& nodes,
+                     std::vector<double> const& c_over_b,
                      dynamics::NormalStress const& normal_stress)
 {
   if (c_over_b.empty() || normalStressFloor(list) > 0) {
@@ -69,68 +67,53 @@ void requirePressure(ParameterList const& list, Mesh<Dim> const& mesh,
   ASPERITY_REQUIRE(!normal_stress.dependsOnTime() &&
                      normal_stress.change() == dynamics::NormalStressChange::fixed,
                    refused << "and this one changes. Give a Normal Stress Floor above zero.");
-  const NodeView sigma("asperity::scenario::sigma_n", surface.numNodes());
+  const NodeView sigma("asperity::scenario::sigma_n", c_over_b.size());
   normal_stress.at(0, sigma);
   auto const values = toHost(sigma);
-  for (int i = 0; i < surface.numNodes(); ++i) {
+  for (std::size_t i = 0; i < c_over_b.size(); ++i) {
     ASPERITY_REQUIRE(c_over_b[i] == 0 || values(i) > 0,
-                     refused << "and it is " << values(i)
-                             << " Pa at x = " << mesh::text(mesh.vertices[surface.vertex(i)])
+                     refused << "and it is " << values(i) << " Pa at x = " << nodes.text(i)
                              << ". Set c to zero there, or give a Normal Stress Floor.");
   }
 }
 
-template <int Dim>
 std::vector<std::shared_ptr<const dynamics::FaultProcess>>
-enabledProcesses(ParameterList const& list, Mesh<Dim> const& mesh, fem::FaultSurface const& surface)
+enabledProcesses(ParameterList const& list, FieldNodes const& nodes,
+                 fem::FaultSurface const& surface)
 {
   std::vector<std::shared_ptr<const dynamics::FaultProcess>> result;
-  std::vector<std::array<double, 3>> places;
-  for (const int vertex : surface.vertices()) {
-    places.push_back(inSpace<Dim>(mesh.vertices[vertex]));
-  }
   auto const& processes = dynamics::FaultProcessRegistry::instance();
   for (auto const& name : processes.names()) {
     auto const& parameters = list.sublist(name);
     if (parameters.get<bool>("Enabled")) {
       const auto values = [&](std::string const& entry) {
-        return nodalValues(parameters, entry, friction_path + " / " + name, mesh,
-                           surface.vertices());
+        return nodalValues(parameters, entry, friction_path + " / " + name, nodes);
       };
-      result.push_back(processes.at(name).make(parameters, {surface, places, values}));
+      result.push_back(processes.at(name).make(parameters, {surface, nodes.places, values}));
     }
   }
   return result;
 }
 } // namespace
 
-template <int Dim>
-dynamics::Fault makeFault(ParameterList const& list, Mesh<Dim> const& mesh,
+dynamics::Fault makeFault(ParameterList const& list, FieldNodes const& nodes,
                           std::shared_ptr<const fem::FaultSurface> const& surface,
                           dynamics::NormalStress const& normal_stress,
                           std::vector<double> const& radiation_damping)
 {
-  auto const nodes = surface->vertices();
   auto const stress = normal_stress.following(normalStressChange(list), normalStressFloor(list));
   std::vector<double> c_over_b;
   onEveryRank(*surface->communicator(), [&] {
-    c_over_b = stressSensitivities(list, mesh, nodes);
-    requirePressure(list, mesh, *surface, c_over_b, stress);
+    c_over_b = stressSensitivities(list, nodes);
+    requirePressure(list, nodes, c_over_b, stress);
   });
-  return {surface,
-          {list.get<std::string>("Law"), frictionLawValues(list, mesh, nodes),
-           toDevice(nodalValues(list, "Cohesion", friction_path, mesh, nodes),
-                    "asperity::scenario::cohesion"),
-           list.get<std::string>("State Evolution"), stateLawValues(list, mesh, nodes),
-           radiation_damping, toDevice(c_over_b, "asperity::scenario::stressSensitivity"),
-           enabledProcesses(list, mesh, *surface)},
-          stress};
+  return {
+    surface,
+    {list.get<std::string>("Law"), frictionLawValues(list, nodes),
+     toDevice(nodalValues(list, "Cohesion", friction_path, nodes), "asperity::scenario::cohesion"),
+     list.get<std::string>("State Evolution"), stateLawValues(list, nodes), radiation_damping,
+     toDevice(c_over_b, "asperity::scenario::stressSensitivity"),
+     enabledProcesses(list, nodes, *surface)},
+    stress};
 }
-
-template dynamics::Fault makeFault(ParameterList const&, Mesh<2> const&,
-                                   std::shared_ptr<const fem::FaultSurface> const&,
-                                   dynamics::NormalStress const&, std::vector<double> const&);
-template dynamics::Fault makeFault(ParameterList const&, Mesh<3> const&,
-                                   std::shared_ptr<const fem::FaultSurface> const&,
-                                   dynamics::NormalStress const&, std::vector<double> const&);
 } // namespace asperity::scenario

@@ -1,10 +1,10 @@
-#include "scenario/setup/BoundaryChecks.hpp"
+#include "scenario/setup/conditions/BoundaryChecks.hpp"
 
 #include "base/NearestName.hpp"
 #include "base/Text.hpp"
-#include "scenario/setup/ConditionTypes.hpp"
-#include "scenario/setup/FaultKind.hpp"
 #include "scenario/setup/NodalField.hpp"
+#include "scenario/setup/conditions/ConditionTypes.hpp"
+#include "scenario/setup/conditions/FaultKind.hpp"
 
 #include <algorithm>
 

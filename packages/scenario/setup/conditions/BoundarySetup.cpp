@@ -1,8 +1,8 @@
-#include "scenario/setup/BoundarySetup.hpp"
+#include "scenario/setup/conditions/BoundarySetup.hpp"
 
 #include "base/Text.hpp"
-#include "scenario/setup/BoundaryChecks.hpp"
-#include "scenario/setup/FaultKind.hpp"
+#include "scenario/setup/conditions/BoundaryChecks.hpp"
+#include "scenario/setup/conditions/FaultKind.hpp"
 
 namespace asperity::scenario
 {

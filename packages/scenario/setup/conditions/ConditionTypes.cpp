@@ -1,10 +1,10 @@
-#include "scenario/setup/ConditionTypes.hpp"
+#include "scenario/setup/conditions/ConditionTypes.hpp"
 
 #include "base/Errors.hpp"
 #include "base/Text.hpp"
 #include "parameters/fields/Field.hpp"
-#include "scenario/setup/FaultKind.hpp"
 #include "scenario/setup/NodalField.hpp"
+#include "scenario/setup/conditions/FaultKind.hpp"
 
 #include <algorithm>
 #include <cmath>

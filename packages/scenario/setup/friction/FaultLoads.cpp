@@ -1,9 +1,8 @@
-#include "scenario/setup/FaultLoads.hpp"
+#include "scenario/setup/friction/FaultLoads.hpp"
 
 #include "base/parallel/Reductions.hpp"
-#include "mesh/PointText.hpp"
 #include "scenario/setup/DeckPaths.hpp"
-#include "scenario/setup/PlateRate.hpp"
+#include "scenario/setup/conditions/PlateRate.hpp"
 
 #include <Tpetra_Vector.hpp>
 
@@ -22,15 +21,12 @@ std::vector<double> compression(std::vector<double> values, double factor)
   return values;
 }
 
-template <int Dim>
-std::vector<double> givenStress(NodalField const& field, Mesh<Dim> const& mesh,
-                                std::vector<int> const& nodes)
+std::vector<double> givenStress(NodalField const& field, FieldNodes const& nodes)
 {
   auto const values = field.at(0);
   for (std::size_t i = 0; i < values.size(); ++i) {
     ASPERITY_REQUIRE(values[i] >= 0, joinPath(friction_path, "Normal Stress")
-                                       << " = " << values[i]
-                                       << " at x = " << mesh::text(mesh.vertices[nodes[i]])
+                                       << " = " << values[i] << " at x = " << nodes.text(i)
                                        << ", t = 0, is outside [0, inf). Check the sign: "
                                           "compression is positive.");
   }
@@ -47,12 +43,11 @@ std::vector<double> slipDirection(ParameterList const& friction)
 }
 } // namespace
 
-template <int Dim>
-ShearTraction::ShearTraction(ParameterList const& friction, Mesh<Dim> const& mesh,
+ShearTraction::ShearTraction(ParameterList const& friction, FieldNodes const& nodes,
                              fem::FaultSurface const& surface, fem::NodalFrames const& frames)
-    : size_(friction, "Shear Traction", friction_path, mesh, surface.vertices())
+    : size_(Field(friction, "Shear Traction", friction_path, nodes.region_names), nodes)
 {
-  if (Dim == 2) {
+  if (nodes.dimension == 2) {
     direction_.assign(surface.numNodes(), 1.);
     return;
   }
@@ -91,10 +86,9 @@ loadWithTraction(ShearTraction const& traction,
   };
 }
 
-template <int Dim>
-NormalStressOfDeck makeNormalStress(ParameterList const& friction, Mesh<Dim> const& mesh,
-                                    fem::FaultSurface const& surface,
-                                    std::vector<double> const& pressure)
+NormalStressOfDeck makeNormalStress(ParameterList const& friction, FieldNodes const& nodes,
+                                    std::vector<double> const& pressure,
+                                    Communicator const& communicator)
 {
   const double factor = friction.get<double>("Normal Stress Factor");
   auto const constant = [factor](std::vector<double> const& values) {
@@ -106,7 +100,7 @@ NormalStressOfDeck makeNormalStress(ParameterList const& friction, Mesh<Dim> con
     for (double value : pressure) {
       num_tensile += value < 0;
     }
-    num_tensile = sumOverRanks(num_tensile, *surface.communicator());
+    num_tensile = sumOverRanks(num_tensile, communicator);
     std::vector<std::string> remarks;
     if (num_tensile > 0) {
       remarks.push_back("The static solution pulls at " + std::to_string(num_tensile) +
@@ -114,8 +108,9 @@ NormalStressOfDeck makeNormalStress(ParameterList const& friction, Mesh<Dim> con
     }
     return {constant(pressure), remarks};
   }
-  const NodalField given(friction, "Normal Stress", friction_path, mesh, surface.vertices());
-  auto const at_start = givenStress(given, mesh, surface.vertices());
+  const NodalField given(Field(friction, "Normal Stress", friction_path, nodes.region_names),
+                         nodes);
+  auto const at_start = givenStress(given, nodes);
   if (!given.dependsOnTime()) {
     return {constant(at_start), {}};
   }
@@ -125,14 +120,4 @@ NormalStressOfDeck makeNormalStress(ParameterList const& friction, Mesh<Dim> con
           }),
           {}};
 }
-
-#define ASPERITY_INSTANTIATE(Dim)                                                                  \
-  template ShearTraction::ShearTraction(ParameterList const&, Mesh<Dim> const&,                    \
-                                        fem::FaultSurface const&, fem::NodalFrames const&);        \
-  template NormalStressOfDeck makeNormalStress(                                                    \
-    ParameterList const&, Mesh<Dim> const&, fem::FaultSurface const&, std::vector<double> const&);
-
-ASPERITY_INSTANTIATE(2)
-ASPERITY_INSTANTIATE(3)
-#undef ASPERITY_INSTANTIATE
 } // namespace asperity::scenario

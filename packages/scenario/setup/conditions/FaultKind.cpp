@@ -1,4 +1,4 @@
-#include "scenario/setup/FaultKind.hpp"
+#include "scenario/setup/conditions/FaultKind.hpp"
 
 #include <algorithm>
 #include <tuple>

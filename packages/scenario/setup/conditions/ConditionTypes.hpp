@@ -1,6 +1,6 @@
 #pragma once
 
-#include "scenario/setup/BoundarySetup.hpp"
+#include "scenario/setup/conditions/BoundarySetup.hpp"
 
 #include <string>
 #include <tuple>

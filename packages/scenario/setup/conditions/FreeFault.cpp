@@ -1,4 +1,4 @@
-#include "scenario/setup/FreeFault.hpp"
+#include "scenario/setup/conditions/FreeFault.hpp"
 
 #include "base/Errors.hpp"
 #include "base/parallel/Agreement.hpp"

@@ -2,7 +2,7 @@
 
 #include "mesh/Mesh.hpp"
 #include "parameters/Parameters.hpp"
-#include "scenario/setup/ConditionTypes.hpp"
+#include "scenario/setup/conditions/ConditionTypes.hpp"
 
 #include <string>
 #include <vector>

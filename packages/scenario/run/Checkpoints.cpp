@@ -1,0 +1,72 @@
+#include "scenario/run/Checkpoints.hpp"
+
+#include "base/Errors.hpp"
+#include "base/parallel/Agreement.hpp"
+#include "base/program/Plugins.hpp"
+#include "base/program/WorkTimers.hpp"
+#include "scenario/RunArchive.hpp"
+
+namespace asperity::scenario
+{
+template <int Dim>
+io::NodeSets nodeSets(Problem<Dim> const& problem,
+                      std::map<std::string, io::OutputDomain> const& domains)
+{
+  auto const& ids = problem.mesh.global_ids;
+  io::NodeSets sets;
+  sets[nodes_of_body].assign(ids.begin(), ids.begin() + problem.mesh.num_owned);
+  for (const int vertex : problem.surface->vertices()) {
+    sets[nodes_of_friction].push_back(ids[vertex]);
+  }
+  for (auto const& [name, domain] : domains) {
+    sets[name].assign(domain.node_numbers.begin(), domain.node_numbers.end());
+  }
+  return sets;
+}
+
+template io::NodeSets nodeSets(Problem<2> const&, std::map<std::string, io::OutputDomain> const&);
+template io::NodeSets nodeSets(Problem<3> const&, std::map<std::string, io::OutputDomain> const&);
+
+Checkpoints::Checkpoints(std::filesystem::path const& directory, ParameterList const& output,
+                         std::vector<std::string> const& plugins, io::Fingerprint fingerprint,
+                         RCP<const Communicator> const& communicator)
+    : directory_(directory)
+    , interval_(output.get<int>("Checkpoint Every n Steps"))
+    , minutes_(output.get<double>("Checkpoint Every Minutes"))
+    , plugins_(contentOfPlugins(plugins))
+    , fingerprint_(std::move(fingerprint))
+    , communicator_(communicator)
+{
+}
+
+// A law with the same name but another formula would continue the state of the earlier law.
+io::Archive Checkpoints::read(std::string const& restart, io::NodeSets const& here) const
+{
+  auto archive = io::readCheckpoint(restart, fingerprint_, *communicator_, here);
+  ASPERITY_REQUIRE(archive.get<std::string>("plugins") == plugins_,
+                   restart << " was written with other plugin libraries (--plugin), or with "
+                              "libraries of the same names and other content. Restart with the "
+                              "same libraries, or begin a new run from its state with "
+                              "--restart-from.");
+  return archive;
+}
+
+bool Checkpoints::isTime() const { return Clock::now() - last_ >= minutes_; }
+
+void Checkpoints::write(std::function<void(io::Archive&)> const& save, io::NodeSets const& here)
+{
+  onRoot(*communicator_, [&] {
+    if (!std::filesystem::is_directory(directory_)) {
+      throw OutputError("The output directory " + directory_.string() +
+                        " has been removed while the run was writing to it. Its results are lost: "
+                        "begin a new run.");
+    }
+  });
+  ASPERITY_TIME_WORK("checkpoints");
+  io::Archive archive;
+  save(archive);
+  archive.set("plugins", plugins_);
+  io::writeCheckpoint(file(), std::move(archive), fingerprint_, *communicator_, here);
+  last_ = Clock::now();
+}
+} // namespace asperity::scenario

@@ -1,0 +1,55 @@
+#pragma once
+
+#include "io/OutputDomain.hpp"
+#include "io/checkpoint/Checkpoint.hpp"
+#include "parameters/Parameters.hpp"
+#include "scenario/Problem.hpp"
+
+#include <chrono>
+#include <cstdint>
+#include <filesystem>
+#include <functional>
+#include <map>
+#include <string>
+#include <vector>
+
+namespace asperity::scenario
+{
+// The sets of nodes to which values in a checkpoint of the problem may belong, by name.
+template <int Dim>
+io::NodeSets nodeSets(Problem<Dim> const& problem,
+                      std::map<std::string, io::OutputDomain> const& domains);
+
+// The checkpoints of a run: when one is due, and what a restart must match.
+class Checkpoints
+{
+public:
+  // output: the deck's list. plugins: files of libraries. Collective, as all that says so.
+  Checkpoints(std::filesystem::path const& directory, ParameterList const& output,
+              std::vector<std::string> const& plugins, io::Fingerprint fingerprint,
+              RCP<const Communicator> const& communicator);
+
+  std::filesystem::path file() const { return directory_ / "checkpoint.h5"; }
+
+  // The checkpoint of a restart. InputError, on every rank, if the deck or the content of the
+  // plugins differs from that of the run that wrote it. Collective.
+  io::Archive read(std::string const& restart, io::NodeSets const& here) const;
+
+  bool isTime() const; // by the clock of this rank
+  bool areDueAfter(std::int64_t num_steps) const { return num_steps % interval_ == 0; }
+
+  // Writes what `save` puts into the archive. OutputError if the directory is gone. Collective.
+  void write(std::function<void(io::Archive&)> const& save, io::NodeSets const& here);
+
+private:
+  using Clock = std::chrono::steady_clock;
+
+  std::filesystem::path directory_;
+  int interval_; // in steps
+  std::chrono::duration<double, std::ratio<60>> minutes_;
+  std::string plugins_; // their content
+  io::Fingerprint fingerprint_;
+  RCP<const Communicator> communicator_;
+  Clock::time_point last_ = Clock::now();
+};
+} // namespace asperity::scenario

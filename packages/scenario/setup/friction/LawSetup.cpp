@@ -1,0 +1,137 @@
+#include "scenario/setup/friction/LawSetup.hpp"
+
+#include "friction/Registry.hpp"
+#include "friction/laws/AgeingLaw.hpp"
+#include "friction/laws/RegularisedLaw.hpp"
+#include "scenario/setup/DeckPaths.hpp"
+#include "scenario/setup/ParameterTable.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+
+namespace asperity::scenario
+{
+namespace
+{
+const std::string friction_choice = "Law";
+const std::string state_choice = "State Evolution";
+
+friction::FrictionLaw const& chosenFrictionLaw(ParameterList const& list)
+{
+  return friction::frictionLaws().at(list.get<std::string>(friction_choice));
+}
+
+friction::StateLaw const& chosenStateLaw(ParameterList const& list)
+{
+  return friction::stateLaws().at(list.get<std::string>(state_choice));
+}
+
+// (num_nodes * num_parameters): the values of one node side by side.
+std::vector<double> valuesByNode(ParameterTable const& table, ParameterList const& list,
+                                 FieldNodes const& nodes)
+{
+  std::vector<double> values(nodes.ids.size() * table.size());
+  for (std::size_t row = 0; row < table.size(); ++row) {
+    auto const of_nodes = nodalValues(list, table[row].name, friction_path, nodes);
+    for (std::size_t node = 0; node < nodes.ids.size(); ++node) {
+      values[node * table.size() + row] = of_nodes[node];
+    }
+  }
+  return values;
+}
+
+friction::ParameterView valuesOnDevice(ParameterTable const& table, ParameterList const& list,
+                                       FieldNodes const& nodes)
+{
+  Kokkos::View<double**, MemorySpace> values("asperity::scenario::lawParameters", table.size(),
+                                             nodes.ids.size());
+  auto const host = Kokkos::create_mirror_view(values);
+  auto const by_node = valuesByNode(table, list, nodes);
+  for (std::size_t i = 0; i < by_node.size(); ++i) {
+    host(i % table.size(), i / table.size()) = by_node[i];
+  }
+  Kokkos::deep_copy(values, host);
+  return values;
+}
+
+template <class Value>
+std::optional<std::vector<Value>> ofNodes(std::function<Value(double const*)> const& function,
+                                          ParameterTable const& table, ParameterList const& list,
+                                          FieldNodes const& nodes)
+{
+  if (!function) {
+    return std::nullopt;
+  }
+  auto const values = valuesByNode(table, list, nodes);
+  std::vector<Value> result;
+  for (std::size_t node = 0; node < nodes.ids.size(); ++node) {
+    result.push_back(function(values.data() + node * table.size()));
+  }
+  return result;
+}
+} // namespace
+
+void declareLaws(Declare& declare)
+{
+  declareChoice(declare, friction_choice, friction::RegularisedLaw::name, friction::frictionLaws(),
+                "Selects the law that gives the friction coefficient from slip rate and state.");
+  declareChoice(declare, state_choice, friction::AgeingLaw::name, friction::stateLaws(),
+                "Selects the law by which the state evolves.");
+}
+
+friction::ParameterView frictionLawValues(ParameterList const& list, FieldNodes const& nodes)
+{
+  return valuesOnDevice(chosenFrictionLaw(list).parameters, list, nodes);
+}
+
+friction::ParameterView stateLawValues(ParameterList const& list, FieldNodes const& nodes)
+{
+  return valuesOnDevice(chosenStateLaw(list).parameters, list, nodes);
+}
+
+std::optional<std::vector<friction::Sensitivity>> sensitivities(ParameterList const& list,
+                                                                FieldNodes const& nodes)
+{
+  auto const& law = chosenFrictionLaw(list);
+  return ofNodes(law.sensitivity, law.parameters, list, nodes);
+}
+
+std::optional<std::vector<double>> slipDistances(ParameterList const& list, FieldNodes const& nodes)
+{
+  auto const& law = chosenStateLaw(list);
+  return ofNodes(law.slip_distance, law.parameters, list, nodes);
+}
+
+std::optional<std::vector<double>> thetaScales(ParameterList const& list, FieldNodes const& nodes)
+{
+  auto const& law = chosenStateLaw(list);
+  return ofNodes(law.theta_scale, law.parameters, list, nodes);
+}
+
+std::vector<double> stressSensitivities(ParameterList const& list, FieldNodes const& nodes)
+{
+  auto const& law = chosenStateLaw(list);
+  auto const c = ofNodes(law.stress_sensitivity, law.parameters, list, nodes);
+  if (!c || std::all_of(c->begin(), c->end(), [](double value) { return value == 0; })) {
+    return {};
+  }
+  auto const of_friction = sensitivities(list, nodes);
+  ASPERITY_REQUIRE(of_friction, joinPath(friction_path, "c")
+                                  << " is given, but the friction law '"
+                                  << list.get<std::string>(friction_choice)
+                                  << "' has no b, by which the term of Linker and Dieterich "
+                                     "is divided. Remove c, or choose another law.");
+  std::vector<double> result;
+  for (std::size_t i = 0; i < nodes.ids.size(); ++i) {
+    const double b = (*of_friction)[i].state;
+    ASPERITY_REQUIRE((*c)[i] == 0 || b > 0,
+                     joinPath(friction_path, "c")
+                       << " = " << (*c)[i] << " at x = " << nodes.text(i) << ", where b = " << b
+                       << ": the term of Linker and Dieterich is divided by b. "
+                          "Set c to zero there.");
+    result.push_back((*c)[i] == 0 ? 0 : (*c)[i] / b);
+  }
+  return result;
+}
+} // namespace asperity::scenario

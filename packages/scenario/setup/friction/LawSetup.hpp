@@ -1,0 +1,32 @@
+#pragma once
+
+#include "friction/LawProperties.hpp"
+#include "friction/Types.hpp"
+#include "scenario/setup/NodalField.hpp"
+
+#include <optional>
+#include <vector>
+
+// The friction law and the state law that the deck's list `Friction` chooses among all that are
+// registered.
+namespace asperity::scenario
+{
+// Declares the choices of the two laws, and for every law the parameters of its table.
+void declareLaws(Declare& declare);
+
+// Values of the chosen law's parameters at fault nodes (num_parameters, num_nodes), on the device.
+friction::ParameterView frictionLawValues(ParameterList const& list, FieldNodes const& nodes);
+friction::ParameterView stateLawValues(ParameterList const& list, FieldNodes const& nodes);
+
+// Properties of the chosen laws at the nodes, see friction/LawProperties.hpp; empty if a law does
+// not declare the property.
+std::optional<std::vector<friction::Sensitivity>> sensitivities(ParameterList const& list,
+                                                                FieldNodes const& nodes);
+std::optional<std::vector<double>> slipDistances(ParameterList const& list,
+                                                 FieldNodes const& nodes);
+std::optional<std::vector<double>> thetaScales(ParameterList const& list, FieldNodes const& nodes);
+
+// c / b of Linker and Dieterich's term at the nodes [-]; empty if c is zero at all of them.
+// InputError where c > 0 and the friction law has no b, or b = 0.
+std::vector<double> stressSensitivities(ParameterList const& list, FieldNodes const& nodes);
+} // namespace asperity::scenario
