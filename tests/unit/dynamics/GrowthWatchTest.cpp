@@ -17,7 +17,7 @@ GrowthWatch::Step step(bool is_forced, double size, double before, double rate)
 }
 } // namespace
 
-TEST(GrowthWatch, warnsOfAForcedStepInWhichTheRateGrowsAndSlipsByAPartOfL)
+TEST(GrowthWatch, WarnsOfAForcedStepInWhichTheRateGrowsAndSlipsByAPartOfL)
 {
   GrowthWatch watch(L, 0);
   const auto warning = watch.note(step(true, 1e4, 1e-9, 2.8e-5));
@@ -27,7 +27,7 @@ TEST(GrowthWatch, warnsOfAForcedStepInWhichTheRateGrowsAndSlipsByAPartOfL)
   EXPECT_NE(warning->text.find("2.8e-05 m/s"), std::string::npos);
 }
 
-TEST(GrowthWatch, isSilentWhereNothingIsHidden)
+TEST(GrowthWatch, IsSilentWhereNothingIsHidden)
 {
   // no growth by a factor of two; slip of less than L / 10; a rate that falls
   for (const bool is_forced : {true, false}) {
@@ -38,7 +38,7 @@ TEST(GrowthWatch, isSilentWhereNothingIsHidden)
   }
 }
 
-TEST(GrowthWatch, blamesTheToleranceWhereAStepThatMeetsItHidesGrowth)
+TEST(GrowthWatch, BlamesTheToleranceWhereAStepThatMeetsItHidesGrowth)
 {
   GrowthWatch watch(L, 2);
   const auto warning = watch.note(step(false, 1e4, 1e-9, 2.8e-5));
@@ -49,14 +49,14 @@ TEST(GrowthWatch, blamesTheToleranceWhereAStepThatMeetsItHidesGrowth)
   EXPECT_THROW(watch.note(step(false, 1e4, 1e-9, 2.8e-5)), SolveError);
 }
 
-TEST(GrowthWatch, seesGrowthOverManyForcedSteps)
+TEST(GrowthWatch, SeesGrowthOverManyForcedSteps)
 {
   GrowthWatch watch(L, 0);
   EXPECT_FALSE(watch.note(step(true, 1e4, 1e-9, 1.5e-9)));
   EXPECT_TRUE(watch.note(step(true, 1e4, 1.5e-9, 2.1e-9))); // above twice the first rate
 }
 
-TEST(GrowthWatch, beginsAnewAfterAStepThatIsNotForced)
+TEST(GrowthWatch, BeginsAnewAfterAStepThatIsNotForced)
 {
   GrowthWatch watch(L, 0);
   EXPECT_FALSE(watch.note(step(true, 1e4, 1e-9, 1.5e-9)));
@@ -64,7 +64,7 @@ TEST(GrowthWatch, beginsAnewAfterAStepThatIsNotForced)
   EXPECT_FALSE(watch.note(step(true, 1e4, 1.5e-9, 2.1e-9)));
 }
 
-TEST(GrowthWatch, endsTheRunWithOneTooMany)
+TEST(GrowthWatch, EndsTheRunWithOneTooMany)
 {
   GrowthWatch watch(L, 3);
   EXPECT_TRUE(watch.note(step(true, 1, 1e-9, 1)));
@@ -72,7 +72,7 @@ TEST(GrowthWatch, endsTheRunWithOneTooMany)
   EXPECT_THROW(watch.note(step(true, 1, 1e-9, 1)), SolveError);
 }
 
-TEST(GrowthWatch, takesPrescribedStepsForForcedAndEndsNoRun)
+TEST(GrowthWatch, TakesPrescribedStepsForForcedAndEndsNoRun)
 {
   GrowthWatch watch(L, 1, true);
   EXPECT_FALSE(watch.note(step(false, 1e-7, 0.01, 1))) << "slip of less than L / 10";
@@ -81,7 +81,7 @@ TEST(GrowthWatch, takesPrescribedStepsForForcedAndEndsNoRun)
   EXPECT_NE(warning->text.find("1 step of the prescribed size 1 s"), std::string::npos);
 }
 
-TEST(GrowthWatch, knowsNoSlipDistance)
+TEST(GrowthWatch, KnowsNoSlipDistance)
 {
   EXPECT_TRUE(GrowthWatch(0, 0).note(step(true, 1e-7, 1e-9, 1)));
   EXPECT_FALSE(GrowthWatch(0, 0).note(step(false, 1e4, 1e-9, 1)));

@@ -66,7 +66,7 @@ double differenceOf(RCP<Vector> State::*vector, SpaceRun const& turned, SpaceRun
 }
 } // namespace
 
-TEST(Space, slipsInBothDirectionsBesideAWall)
+TEST(Space, SlipsInBothDirectionsBesideAWall)
 {
   const SpaceRun run(upright);
   auto const& fault = *run.model.surface;
@@ -95,7 +95,7 @@ TEST(Space, slipsInBothDirectionsBesideAWall)
   EXPECT_GT(energy.friction_work, 0);
 }
 
-TEST(Space, givesTheTurnedAnswerToATurnedProblem)
+TEST(Space, GivesTheTurnedAnswerToATurnedProblem)
 {
   const SpaceRun run(upright);
   const Rotation turns[] = {fem::testing::rotationAbout({1, 2, 3}, 0.8),
@@ -113,7 +113,7 @@ TEST(Space, givesTheTurnedAnswerToATurnedProblem)
   }
 }
 
-TEST(Space, refusesToDivideAPrescribedSlipRateAndFriction)
+TEST(Space, RefusesToDivideAPrescribedSlipRateAndFriction)
 {
   auto options = slidingBlockInSpace({2, 2, 2}, upright);
   options.conditions.erase(options.conditions.begin() + 1);

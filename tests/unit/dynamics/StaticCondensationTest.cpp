@@ -59,7 +59,7 @@ State stepped(dynamics::Model const& model, int num_steps)
 
 // [E P]'K[E P] by dense algebra: S = K_FF - K_FI K_II^-1 K_IF, and the same for the driven top.
 // What motion across the fault would do is left out, since there is none.
-TEST(StaticCondensation, stiffnessIsThatOfTheBodyInEquilibrium)
+TEST(StaticCondensation, StiffnessIsThatOfTheBodyInEquilibrium)
 {
   const testing::Model model(drivenBlock(), fem::testing::selfCommunicator());
   auto const whole = quasiDynamic(model);
@@ -112,7 +112,7 @@ TEST(StaticCondensation, stiffnessIsThatOfTheBodyInEquilibrium)
   EXPECT_NEAR(condensed(size, size), of_top, 1e-12 * of_top);
 }
 
-TEST(StaticCondensation, stepsAreThoseOfTheWholeBody)
+TEST(StaticCondensation, StepsAreThoseOfTheWholeBody)
 {
   const testing::Model model(drivenBlock(), fem::testing::selfCommunicator());
   auto const whole = quasiDynamic(model);
@@ -130,7 +130,7 @@ TEST(StaticCondensation, stepsAreThoseOfTheWholeBody)
 }
 
 // Each row gives one entry of expand(), which making rows does not change.
-TEST(StaticCondensation, rowsOfRecoveryGiveTheMotionOfTheWholeBody)
+TEST(StaticCondensation, RowsOfRecoveryGiveTheMotionOfTheWholeBody)
 {
   const testing::Model model(drivenBlock(), fem::testing::selfCommunicator());
   auto const whole = quasiDynamic(model);
@@ -156,7 +156,7 @@ TEST(StaticCondensation, rowsOfRecoveryGiveTheMotionOfTheWholeBody)
   EXPECT_EQ(denseOf(*u), expected);
 }
 
-TEST(StaticCondensation, isRefusedWhereTheBodyIsNotInEquilibrium)
+TEST(StaticCondensation, IsRefusedWhereTheBodyIsNotInEquilibrium)
 {
   const testing::Model model(drivenBlock(), fem::testing::selfCommunicator());
   auto const whole = quasiDynamic(model);

@@ -37,7 +37,7 @@ std::vector<double> weightsOf(std::vector<NodalMeasure<Dim>> const& nodes)
 }
 } // namespace
 
-TEST(BoundaryMeasure, weighTheirHalvesOfTheNeighbouringFacets)
+TEST(BoundaryMeasure, WeighTheirHalvesOfTheNeighbouringFacets)
 {
   auto whole = uniformRectangle(6, 2, 3, 1);
   whole.vertices[2][0] += 0.1; // facets of 0.5, 0.6, 0.4, 0.5, ... m from the left
@@ -53,7 +53,7 @@ TEST(BoundaryMeasure, weighTheirHalvesOfTheNeighbouringFacets)
   EXPECT_EQ(sumOverRanks(std::vector<double>(bottom.size(), 1.)), 7);
 }
 
-TEST(BoundaryMeasure, haveOutwardNormals)
+TEST(BoundaryMeasure, HaveOutwardNormals)
 {
   const double angle = 0.4;
   auto whole = uniformRectangle(4, 3, 3, 1);
@@ -69,7 +69,7 @@ TEST(BoundaryMeasure, haveOutwardNormals)
   }
 }
 
-TEST(BoundaryMeasure, averageTheNormalsAtCornersByTheLengthOfTheFacets)
+TEST(BoundaryMeasure, AverageTheNormalsAtCornersByTheLengthOfTheFacets)
 {
   auto whole = uniformRectangle(2, 1, 6, 4); // at the lower right, facets of 3 m and of 4 m
   auto& hull = whole.boundaries["hull"] = whole.boundaries["bottom"];
@@ -86,7 +86,7 @@ TEST(BoundaryMeasure, averageTheNormalsAtCornersByTheLengthOfTheFacets)
   EXPECT_NEAR(sumOverRanks(weightsOf(nodes)), 10, 1e-14);
 }
 
-TEST(BoundaryMeasure, ofACubeHaveItsAreaAndNormals)
+TEST(BoundaryMeasure, OfACubeHaveItsAreaAndNormals)
 {
   auto const mesh = mesh::distribute(uniformCube(3), *worldCommunicator());
   auto const top = boundaryMeasure(mesh, "top", *worldCommunicator());
@@ -99,7 +99,7 @@ TEST(BoundaryMeasure, ofACubeHaveItsAreaAndNormals)
               1e-14);
 }
 
-TEST(BoundaryMeasure, refuseABoundaryThatIsNotThere)
+TEST(BoundaryMeasure, RefuseABoundaryThatIsNotThere)
 {
   auto whole = uniformRectangle(2, 2, 1, 1);
   whole.boundaries["void"] = {};

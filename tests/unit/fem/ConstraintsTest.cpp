@@ -11,7 +11,7 @@ namespace asperity::fem
 {
 using namespace testing;
 
-TEST(Constraints, layTheFramesAlongADippingBoundaryOnOwnedNodesAndGhosts)
+TEST(Constraints, LayTheFramesAlongADippingBoundaryOnOwnedNodesAndGhosts)
 {
   const double angle = -0.3;
   const Constrained<2> body(rectangle(angle), {Condition{"Contact", "bottom", SlidingWall{}}});
@@ -31,7 +31,7 @@ TEST(Constraints, layTheFramesAlongADippingBoundaryOnOwnedNodesAndGhosts)
   EXPECT_TRUE(oneRank() || sumOverRanks(num_ghosts_of_contact) > 0);
 }
 
-TEST(Constraints, takeTheNormalsOfTheBoundaryNodesWhereItBends)
+TEST(Constraints, TakeTheNormalsOfTheBoundaryNodesWhereItBends)
 {
   auto whole = rectangle();
   for (auto& x : whole.vertices) {
@@ -46,7 +46,7 @@ TEST(Constraints, takeTheNormalsOfTheBoundaryNodesWhereItBends)
   }
 }
 
-TEST(Constraints, keepTheAxesWhereDirectionsAreAxes)
+TEST(Constraints, KeepTheAxesWhereDirectionsAreAxes)
 {
   const Constrained<2> body(
     rectangle(),
@@ -62,7 +62,7 @@ TEST(Constraints, keepTheAxesWhereDirectionsAreAxes)
   }
 }
 
-TEST(Constraints, followPlaceAndTimeAndLeaveFreeDofsZero)
+TEST(Constraints, FollowPlaceAndTimeAndLeaveFreeDofsZero)
 {
   const Constrained<2> body(
     rectangle(),
@@ -79,7 +79,7 @@ TEST(Constraints, followPlaceAndTimeAndLeaveFreeDofsZero)
   }
 }
 
-TEST(Constraints, fixBothDirectionsOfACorner)
+TEST(Constraints, FixBothDirectionsOfACorner)
 {
   const double angle = 0.5;
   const Constrained<2> body(
@@ -98,7 +98,7 @@ TEST(Constraints, fixBothDirectionsOfACorner)
   }
 }
 
-TEST(Constraints, meetTwoObliqueConditionsExactly)
+TEST(Constraints, MeetTwoObliqueConditionsExactly)
 {
   const Eigen::Vector2d d1 = Eigen::Vector2d(1, 2).normalized();
   const Eigen::Vector2d d2 = Eigen::Vector2d(3, -1).normalized();
@@ -128,7 +128,7 @@ TEST(Constraints, meetTwoObliqueConditionsExactly)
   }
 }
 
-TEST(Constraints, meetThreeObliqueConditionsInSpace)
+TEST(Constraints, MeetThreeObliqueConditionsInSpace)
 {
   const std::vector<Eigen::Vector3d> d = {
     {1 / 3., 2 / 3., 2 / 3.}, {0.6, 0, -0.8}, {0, 5 / 13., 12 / 13.}};
@@ -162,7 +162,7 @@ TEST(Constraints, meetThreeObliqueConditionsInSpace)
   }
 }
 
-TEST(Constraints, acceptConditionsThatSayTheSame)
+TEST(Constraints, AcceptConditionsThatSayTheSame)
 {
   auto const forward = [](auto const& x, double t) { return x[0] + t; };
   auto const backward = [](auto const& x, double t) { return -x[0] - t; };
@@ -176,7 +176,7 @@ TEST(Constraints, acceptConditionsThatSayTheSame)
   }
 }
 
-TEST(Constraints, refuseConditionsThatContradictEachOther)
+TEST(Constraints, RefuseConditionsThatContradictEachOther)
 {
   auto const speed = [](double value) { return [value](auto const&, double) { return value; }; };
   expectInputError(
@@ -198,7 +198,7 @@ TEST(Constraints, refuseConditionsThatContradictEachOther)
     {"One", "Three", "contradicts"});
 }
 
-TEST(Constraints, refuseContradictionsThatComeLater)
+TEST(Constraints, RefuseContradictionsThatComeLater)
 {
   auto const later = [](auto const&, double t) { return t < 10 ? 0. : 1.; };
   auto const make = [&](std::vector<double> const& times) {
@@ -211,7 +211,7 @@ TEST(Constraints, refuseContradictionsThatComeLater)
   expectInputError([&] { make({0, 9, 20}); }, {"Rest", "Push", "t = 20 s"});
 }
 
-TEST(Constraints, refuseWhatIsNoBoundaryOrNoDirection)
+TEST(Constraints, RefuseWhatIsNoBoundaryOrNoDirection)
 {
   if (!oneRank()) {
     GTEST_SKIP() << "said once";
@@ -228,7 +228,7 @@ TEST(Constraints, refuseWhatIsNoBoundaryOrNoDirection)
     {"Wall", "direction"});
 }
 
-TEST(Constraints, ofAntiplaneMotionHaveOneDirection)
+TEST(Constraints, OfAntiplaneMotionHaveOneDirection)
 {
   const Constrained<2> body(
     rectangle(),

@@ -40,7 +40,7 @@ void beAntiplane(ParameterList& list)
 }
 } // namespace
 
-TEST(BulkSetup, findsTheModuliFromAnyTwo)
+TEST(BulkSetup, FindsTheModuliFromAnyTwo)
 {
   const auto mesh = twoRegions();
   using Constants = std::vector<std::pair<char const*, double>>;
@@ -59,7 +59,7 @@ TEST(BulkSetup, findsTheModuliFromAnyTwo)
   }
 }
 
-TEST(BulkSetup, wantsExactlyTwoModuli)
+TEST(BulkSetup, WantsExactlyTwoModuli)
 {
   const auto mesh = twoRegions();
   const auto message = [&mesh](auto const& constants) {
@@ -73,7 +73,7 @@ TEST(BulkSetup, wantsExactlyTwoModuli)
               {"3 of", "'Poisson's Ratio'"});
 }
 
-TEST(BulkSetup, needsTheShearModulusAloneInAntiplane)
+TEST(BulkSetup, NeedsTheShearModulusAloneInAntiplane)
 {
   const auto mesh = twoRegions();
   const auto alone = bulkList({{"Shear Modulus", shear}}, beAntiplane);
@@ -87,7 +87,7 @@ TEST(BulkSetup, needsTheShearModulusAloneInAntiplane)
               {"Asperity / Bulk", "1 of", "or the shear modulus alone"});
 }
 
-TEST(BulkSetup, evaluatesFieldsByRegionAndPlace)
+TEST(BulkSetup, EvaluatesFieldsByRegionAndPlace)
 {
   const auto mesh = twoRegions();
   const auto list =
@@ -107,7 +107,7 @@ TEST(BulkSetup, evaluatesFieldsByRegionAndPlace)
   }
 }
 
-TEST(BulkSetup, refusesFieldsThatLeaveTheirRangeSomewhere)
+TEST(BulkSetup, RefusesFieldsThatLeaveTheirRangeSomewhere)
 {
   const auto mesh = twoRegions();
   const auto list = bulkList({{"Bulk Modulus", bulk}, {"Shear Modulus", shear}},
@@ -116,7 +116,7 @@ TEST(BulkSetup, refusesFieldsThatLeaveTheirRangeSomewhere)
               {"Asperity / Bulk / Density", "outside (0, inf)", "x"});
 }
 
-TEST(BulkSetup, pointsGravityAnyWay)
+TEST(BulkSetup, PointsGravityAnyWay)
 {
   const auto list = bulkList({}, [](ParameterList& given) {
     given.set("Gravity Direction", array<double>({3, -4}));
@@ -126,7 +126,7 @@ TEST(BulkSetup, pointsGravityAnyWay)
   EXPECT_EQ(gravity<2>(bulkList({})), (std::array<double, 2>{0, -10}));
 }
 
-TEST(BulkSetup, refusesGravityThatMakesNoSense)
+TEST(BulkSetup, RefusesGravityThatMakesNoSense)
 {
   for (auto const& direction : {std::vector<double>{0, 0}, {1}, {1, 2, 3}, {}}) {
     const auto list =
@@ -138,7 +138,7 @@ TEST(BulkSetup, refusesGravityThatMakesNoSense)
   expectParts(refusal([&] { gravity<2>(antiplane); }),
               {"Asperity / Bulk / Gravitational Acceleration = 10", "antiplane"});
 }
-TEST(BulkSetup, dampsAQuasiDynamicFaultByTheImpedanceOfItsSides)
+TEST(BulkSetup, DampsAQuasiDynamicFaultByTheImpedanceOfItsSides)
 {
   const auto mesh = twoRegions();
   const auto surface = [&](fem::OtherSide other_side) {

@@ -76,7 +76,7 @@ namespace asperity::scenario
 {
 using Names = std::vector<std::string>;
 
-TEST(Registries, holdWhatThePackagesBring)
+TEST(Registries, HoldWhatThePackagesBring)
 {
   EXPECT_EQ(friction::frictionLaws().names(), (Names{"Regularised", "Truncated"}));
   EXPECT_EQ(friction::stateLaws().names(),
@@ -89,7 +89,7 @@ TEST(Registries, holdWhatThePackagesBring)
                    "Step Table", "Surface History", "Volume Snapshots"}));
 }
 
-TEST(DeckReader, completesADeckWithItsDefaults)
+TEST(DeckReader, CompletesADeckWithItsDefaults)
 {
   const auto deck = completeDeck();
   EXPECT_EQ(deck.sublist("Friction").get<std::string>("Law"), "Regularised");
@@ -115,7 +115,7 @@ TEST(DeckReader, completesADeckWithItsDefaults)
   }
 }
 
-TEST(DeckReader, takesTheParametersOfTheChosenLaws)
+TEST(DeckReader, TakesTheParametersOfTheChosenLaws)
 {
   const auto slow = completeDeck(
     [](auto& deck) { deck.sublist("Friction").set("State Evolution", "Slow Ageing"); });
@@ -132,7 +132,7 @@ TEST(DeckReader, takesTheParametersOfTheChosenLaws)
               {"Asperity / Friction / Delay = 100", "[0, 100)"});
 }
 
-TEST(DeckReader, lawsThatShareAParameterShareItsRange)
+TEST(DeckReader, LawsThatShareAParameterShareItsRange)
 {
   const auto withRate = [](std::string const& state_law, double rate) {
     return [=] {
@@ -149,7 +149,7 @@ TEST(DeckReader, lawsThatShareAParameterShareItsRange)
 }
 
 // All pairs of our own laws go together.
-TEST(DeckReader, ourLawsAgreeOnTheParametersTheyShare)
+TEST(DeckReader, OurLawsAgreeOnTheParametersTheyShare)
 {
   for (std::string const law : {"Regularised", "Truncated"}) {
     for (std::string const state_law : {"Ageing", "Slip"}) {
@@ -161,7 +161,7 @@ TEST(DeckReader, ourLawsAgreeOnTheParametersTheyShare)
   }
 }
 
-TEST(DeckReader, requiresWhatALawRequires)
+TEST(DeckReader, RequiresWhatALawRequires)
 {
   for (char const* name : {"a", "b", "L"}) {
     expectParts(refusal([name] {
@@ -209,7 +209,7 @@ private:
 };
 } // namespace
 
-TEST(DeckReader, appliesOverlaysThenOverrides)
+TEST(DeckReader, AppliesOverlaysThenOverrides)
 {
   DeckFile file;
   const std::string overlay = R"(<ParameterList name="Asperity">
@@ -227,7 +227,7 @@ TEST(DeckReader, appliesOverlaysThenOverrides)
   EXPECT_EQ(friction.get<double>("L"), 1e-5);
 }
 
-TEST(DeckReader, choosesASchemeThatNeedsNoInertia)
+TEST(DeckReader, ChoosesASchemeThatNeedsNoInertia)
 {
   DeckFile file;
   const auto scheme = [&](std::vector<std::string> const& overrides) {
@@ -244,7 +244,7 @@ TEST(DeckReader, choosesASchemeThatNeedsNoInertia)
   }
 }
 
-TEST(DeckReader, refusesAnUnknownLawWithTheNearestName)
+TEST(DeckReader, RefusesAnUnknownLawWithTheNearestName)
 {
   DeckFile file;
   expectParts(refusal([&] { file.read({"Friction/Law=Regularized"}); }),
@@ -253,7 +253,7 @@ TEST(DeckReader, refusesAnUnknownLawWithTheNearestName)
               {"Asperity / Friction / State Evolution", "Did you mean 'Ageing'?"});
 }
 
-TEST(DeckReader, remarksOnNumbersThatAreRarelyMeant)
+TEST(DeckReader, RemarksOnNumbersThatAreRarelyMeant)
 {
   DeckFile file;
   EXPECT_EQ(file.remark({}), "");
@@ -271,7 +271,7 @@ TEST(DeckReader, remarksOnNumbersThatAreRarelyMeant)
   EXPECT_EQ(file.remark({"No/Such=1e308"}), "") << "the message is about that";
 }
 
-TEST(DeckReader, fingerprintsWhatARestartMustNotChange)
+TEST(DeckReader, FingerprintsWhatARestartMustNotChange)
 {
   DeckFile file;
   const auto world = Teuchos::DefaultComm<int>::getComm();

@@ -29,7 +29,7 @@ fem::OtherSide otherSideOf(std::string const& name)
 
 ASPERITY_REGISTER(FaultKindRegistry, "Threefold Fault", ThreefoldFault)
 
-TEST(FaultKind, theThreeOfDecksDifferByTheirMap)
+TEST(FaultKind, TheThreeOfDecksDifferByTheirMap)
 {
   auto const foundation = otherSideOf("Bilateral Contact");
   EXPECT_EQ(foundation.slip_factor, 1) << "slip = v_t";
@@ -52,7 +52,7 @@ TEST(FaultKind, theThreeOfDecksDifferByTheirMap)
   EXPECT_EQ(faultKindOf({5, 1, false, false}), "");
 }
 
-TEST(FaultKind, isOneFile)
+TEST(FaultKind, IsOneFile)
 {
   const auto deck = column([](ParameterList& given) {
     auto& conditions = given.sublist("Boundary Conditions");
@@ -77,7 +77,7 @@ TEST(FaultKind, isOneFile)
 }
 
 // Both have the same values but for the factor.
-TEST(FaultKind, isToldApartInTheStateOfAnotherRun)
+TEST(FaultKind, IsToldApartInTheStateOfAnotherRun)
 {
   const asperity::test::TemporaryDirectory run;
   writeParameters(

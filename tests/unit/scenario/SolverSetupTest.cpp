@@ -40,7 +40,7 @@ ParameterList solverList(std::string const& correction)
 }
 } // namespace
 
-TEST(TimeSetup, dividesTheLargestStepByPowersOfTwo)
+TEST(TimeSetup, DividesTheLargestStepByPowersOfTwo)
 {
   const auto clock = makeClock(steps(4, 1e-7));
   EXPECT_EQ(clock.stepSize(0), 4);
@@ -50,7 +50,7 @@ TEST(TimeSetup, dividesTheLargestStepByPowersOfTwo)
   EXPECT_EQ(makeClock(steps(0.3, 0.3 / 1024)).finestLevel(), 10) << "an exact fraction";
 }
 
-TEST(TimeSetup, refusesStepsThatCannotBeCounted)
+TEST(TimeSetup, RefusesStepsThatCannotBeCounted)
 {
   expectParts(refusal([] { makeClock(steps(1, 2)); }),
               {"Asperity / Time Stepping / Smallest Step = 2", "larger than the largest"});
@@ -62,7 +62,7 @@ TEST(TimeSetup, refusesStepsThatCannotBeCounted)
   expectParts(refusal([] { steps(1, 1, 0); }), {"Final Time = 0 is outside (0, inf)"});
 }
 
-TEST(TimeSetup, choosesTheScheme)
+TEST(TimeSetup, ChoosesTheScheme)
 {
   const auto newmark = makeRateUpdate(beta(0.3));
   EXPECT_EQ(newmark.name, "Newmark");
@@ -74,7 +74,7 @@ TEST(TimeSetup, choosesTheScheme)
   EXPECT_EQ(euler.stiffness_weight, 1);
 }
 
-TEST(TimeSetup, wantsALimitWhereNewmarkIsConditionallyStable)
+TEST(TimeSetup, WantsALimitWhereNewmarkIsConditionallyStable)
 {
   expectParts(refusal([] { makeRateUpdate(beta(0.2)); }),
               {"Asperity / Time Stepping / Newmark / beta = 0.2", "'Stability Limit'", "0.25"});
@@ -86,7 +86,7 @@ TEST(TimeSetup, wantsALimitWhereNewmarkIsConditionallyStable)
   }
 }
 
-TEST(SolverSetup, choosesTheCorrection)
+TEST(SolverSetup, ChoosesTheCorrection)
 {
   const auto choice = [](std::string const& name, int ranks, long long unknowns,
                          int dimension = 2) {
@@ -103,7 +103,7 @@ TEST(SolverSetup, choosesTheCorrection)
               {"Asperity / TNNMG / Linear Correction = Direct", "not on 2", "MueLu"});
 }
 
-TEST(SolverSetup, readsTolerancesAndBudget)
+TEST(SolverSetup, ReadsTolerancesAndBudget)
 {
   auto list = solverList("Auto");
   list.set("Absolute Tolerance", 3e-7).set("Maximum Iterations", 4).set("Memory Budget", 12.5);
@@ -116,7 +116,7 @@ TEST(SolverSetup, readsTolerancesAndBudget)
     EXPECT_EQ(memoryBudget(list), std::numeric_limits<std::size_t>::max());
   }
 }
-TEST(SolverSetup, saysWhatDirectCostsWhereAutoChoosesMultigrid)
+TEST(SolverSetup, SaysWhatDirectCostsWhereAutoChoosesMultigrid)
 {
   const auto hint = hintOnDirect(solverList("Direct"), 3, 45000);
   for (char const* piece :

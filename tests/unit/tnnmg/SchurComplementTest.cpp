@@ -108,7 +108,7 @@ void checkAgainstDense(ElasticModel const& model, std::vector<int> const& rows)
 }
 } // namespace
 
-TEST(SchurComplement, meetsDenseEliminationOfTheFault)
+TEST(SchurComplement, MeetsDenseEliminationOfTheFault)
 {
   for (auto const& [components, tangents] : {std::pair(1, 1), {2, 1}, {2, 2}}) {
     const auto model = modelOf(components, tangents);
@@ -116,7 +116,7 @@ TEST(SchurComplement, meetsDenseEliminationOfTheFault)
   }
 }
 
-TEST(SchurComplement, keepsRowsInTheOrderTheyAreGiven)
+TEST(SchurComplement, KeepsRowsInTheOrderTheyAreGiven)
 {
   const auto model = modelOf();
   auto rows = faultRows(model);
@@ -126,7 +126,7 @@ TEST(SchurComplement, keepsRowsInTheOrderTheyAreGiven)
   checkAgainstDense(model, {37});
 }
 
-TEST(SchurComplement, eliminatesAllOrNothing)
+TEST(SchurComplement, EliminatesAllOrNothing)
 {
   const auto model = modelOf(1, 1);
   const int size = static_cast<int>(model.global.rows());
@@ -145,7 +145,7 @@ TEST(SchurComplement, eliminatesAllOrNothing)
 }
 
 // Values that do not solve S v = b: the other dofs still minimise.
-TEST(SchurComplement, expandsAnyValuesByTheMinimiserOfTheOthers)
+TEST(SchurComplement, ExpandsAnyValuesByTheMinimiserOfTheOthers)
 {
   const auto model = modelOf();
   const auto rows = faultRows(model);
@@ -162,7 +162,7 @@ TEST(SchurComplement, expandsAnyValuesByTheMinimiserOfTheOthers)
   }
 }
 
-TEST(SchurComplement, countsWhatItStores)
+TEST(SchurComplement, CountsWhatItStores)
 {
   const auto model = modelOf();
   const SchurComplement schur(*model.Z, faultRows(model));
@@ -172,7 +172,7 @@ TEST(SchurComplement, countsWhatItStores)
   EXPECT_GE(schur.bytes(), 8 * schur.factorEntries());
 }
 
-TEST(SchurComplement, refusesAMatrixThatIsNotDefinite)
+TEST(SchurComplement, RefusesAMatrixThatIsNotDefinite)
 {
   const auto model = modelOf();
   const auto rows = faultRows(model);
@@ -191,7 +191,7 @@ TEST(SchurComplement, refusesAMatrixThatIsNotDefinite)
   }
 }
 // To the last bit, whichever matrix was first: a restart sets other step sizes up first.
-TEST(SchurComplement, takesTheOrderOfAMatrixWithTheSameEntries)
+TEST(SchurComplement, TakesTheOrderOfAMatrixWithTheSameEntries)
 {
   const auto model = modelOf();
   const auto rows = faultRows(model);
@@ -210,7 +210,7 @@ TEST(SchurComplement, takesTheOrderOfAMatrixWithTheSameEntries)
               1e-12 * dense(alone.matrix()).norm());
 }
 
-TEST(EliminationOrder, knowsItsMatrixAgain)
+TEST(EliminationOrder, KnowsItsMatrixAgain)
 {
   // A path 0 - 1 - 2 - 3 - 4, and one whose ends meet.
   EliminationOrder order;
