@@ -1,6 +1,7 @@
 #include "base/program/Plugins.hpp"
 
 #include "unit/base/Refusal.hpp"
+#include "unit/base/TemporaryDirectory.hpp"
 
 namespace
 {

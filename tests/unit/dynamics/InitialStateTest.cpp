@@ -1,7 +1,7 @@
 #include "dynamics/initial/InitialState.hpp"
 #include "dynamics/initial/InitialAlpha.hpp"
 
-#include "base/Errors.hpp"
+#include "unit/base/Refusal.hpp"
 #include "unit/dynamics/SlidingBlock.hpp"
 
 #include <gtest/gtest.h>
@@ -194,12 +194,7 @@ struct SlidingFault
   }
   void expectRefusal(AlphaAtStart kind, std::string const& reason) const
   {
-    try {
-      alpha(kind);
-      FAIL() << reason;
-    } catch (InputError const& error) {
-      EXPECT_NE(std::string(error.what()).find(reason), std::string::npos) << error.what();
-    }
+    test::expectRefusal([&] { alpha(kind); }, {reason});
   }
 
   static ModelOptions options()

@@ -121,7 +121,7 @@ TEST(Space, RefusesToDivideAPrescribedSlipRateAndFriction)
   Stepper stepper(model, RateUpdate::newmark(0.25), DyadicTime(4e-3, 4));
   auto const from = slidingState(model, upright);
   auto to = from.clone();
-  fem::testing::expectInputError([&] { stepper.step.solve(from, 0, to, stepper.count); },
-                                 {"vertex 2 ", "t = 0.004 s", "m/s"});
+  test::expectRefusal([&] { stepper.step.solve(from, 0, to, stepper.count); },
+                      {"vertex 2 ", "t = 0.004 s", "m/s"});
 }
 } // namespace asperity::dynamics

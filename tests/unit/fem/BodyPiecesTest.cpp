@@ -8,6 +8,7 @@
 #include "mesh/generation/RectangleMesh.hpp"
 
 #include <cmath>
+#include <functional>
 
 using namespace asperity;
 using namespace asperity::fem;

@@ -104,9 +104,9 @@ TEST(BoundaryMeasure, RefuseABoundaryThatIsNotThere)
   auto whole = uniformRectangle(2, 2, 1, 1);
   whole.boundaries["void"] = {};
   auto const mesh = mesh::distribute(whole, *worldCommunicator());
-  expectInputError([&] { boundaryMeasure(mesh, "botom", *worldCommunicator()); },
-                   {"'botom'", "'bottom'", "'left'", "'right'", "'top'"});
-  expectInputError([&] { boundaryMeasure(mesh, "void", *worldCommunicator()); },
-                   {"'void'", "no facets"});
+  test::expectRefusal([&] { boundaryMeasure(mesh, "botom", *worldCommunicator()); },
+                      {"'botom'", "'bottom'", "'left'", "'right'", "'top'"});
+  test::expectRefusal([&] { boundaryMeasure(mesh, "void", *worldCommunicator()); },
+                      {"'void'", "no facets"});
 }
 } // namespace asperity::fem

@@ -155,7 +155,8 @@ TEST(SupportWeights, RefuseAWallThatIsObliqueToTheFault)
     if (slope == 0) {
       EXPECT_EQ(weights(true), shares);
     } else {
-      expectInputError([&] { weights(true); }, {"Friction / Normal Stress", "Wall", "x = (0, 0, "});
+      test::expectRefusal([&] { weights(true); },
+                          {"Friction / Normal Stress", "Wall", "x = (0, 0, "});
     }
   }
 }

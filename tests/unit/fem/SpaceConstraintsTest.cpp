@@ -164,7 +164,7 @@ TEST(SpaceConstraints, MeetAVelocityObliqueToWallsAndFault)
 
 TEST(SpaceConstraints, RefuseContradictionsAtACorner)
 {
-  expectInputError(
+  test::expectRefusal(
     [] {
       Body(boxOn(dipping),
            {across("Fault", "bottom"), across("Wall", "front"), across("Side", "left"),
@@ -222,7 +222,7 @@ TEST(SpaceConstraints, LayTheNormalOfAFreeFaultIntoTheWallsThatItEndsAt)
 
 TEST(SpaceConstraints, RefuseWallsObliqueToAFreeFault)
 {
-  expectInputError(
+  test::expectRefusal(
     [] {
       Body(boxOn(dipping), {free("bottom"), across("Wall", "left")});
     },
@@ -235,7 +235,7 @@ TEST(SpaceConstraints, RefuseASlipDirectionAcrossTheFault)
     GTEST_SKIP() << "said once";
   }
   const Condition3 slip{"Slip", "top", SlipTowards<3>{{0, -2, 0}, constant(0), {}}};
-  expectInputError([&] { Body(boxOn(dipping), {slip}); }, {"Slip", "(0, -2, 0)", "'top'"});
+  test::expectRefusal([&] { Body(boxOn(dipping), {slip}); }, {"Slip", "(0, -2, 0)", "'top'"});
 }
 
 TEST(TangentialComponents, AreThoseFarFromTheNormal)

@@ -226,8 +226,8 @@ TEST(TwoSidedFault, TakesConditionsInPairs)
   }
 
   conditions.pop_back();
-  expectInputError([&] { Constrained<2>(mesh, conditions); },
-                   {"Left", "one side of a fault alone", "x = (1.5, 0)"});
+  test::expectRefusal([&] { Constrained<2>(mesh, conditions); },
+                      {"Left", "one side of a fault alone", "x = (1.5, 0)"});
 }
 
 TEST(TwoSidedFault, HasOneSurfaceWithTwoCopiesOfEachNode)

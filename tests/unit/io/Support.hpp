@@ -1,8 +1,8 @@
 #pragma once
 
-#include "base/Errors.hpp"
 #include "base/Types.hpp"
 #include "mesh/Mesh.hpp"
+#include "unit/base/Refusal.hpp"
 
 #include <Teuchos_CommHelpers.hpp>
 #include <Teuchos_DefaultComm.hpp>
@@ -70,19 +70,6 @@ void onRankZero(Work const& work)
     work();
   }
   world()->barrier();
-}
-
-// The message of the InputError that `work` throws, or "" and a failure if it throws none.
-template <class Work>
-std::string inputError(Work const& work)
-{
-  try {
-    work();
-  } catch (InputError const& error) {
-    return error.what();
-  }
-  ADD_FAILURE() << "no InputError";
-  return "";
 }
 
 inline bool contains(std::string const& text, std::string const& part)

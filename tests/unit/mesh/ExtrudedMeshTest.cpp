@@ -73,11 +73,11 @@ TEST(ExtrudedMesh, HasTheSamePatternInEveryLayer)
 TEST(ExtrudedMesh, RefusesLevelsThatAreNone)
 {
   auto plane = square();
-  expectInputError([&] { extrude(plane, {0.0}); }, {"at least 2 levels, not 1"});
-  expectInputError([&] { extrude(plane, {0.0, 1.0, 1.0}); }, {"ascend", "number 2 is at 1 m"});
-  expectInputError([&] { extrude(plane, {0.0, NAN}); }, {"ascend", "number 1"});
+  test::expectRefusal([&] { extrude(plane, {0.0}); }, {"at least 2 levels, not 1"});
+  test::expectRefusal([&] { extrude(plane, {0.0, 1.0, 1.0}); }, {"ascend", "number 2 is at 1 m"});
+  test::expectRefusal([&] { extrude(plane, {0.0, NAN}); }, {"ascend", "number 1"});
   plane.boundaries["back"] = {{0, 1}};
-  expectInputError([&] { extrude(plane, {0.0, 1.0}); }, {"boundary 'back'"});
+  test::expectRefusal([&] { extrude(plane, {0.0, 1.0}); }, {"boundary 'back'"});
 }
 
 TEST(ExtrudedMesh, SpacesLevelsEqually)

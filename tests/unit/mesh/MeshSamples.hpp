@@ -1,32 +1,16 @@
 #pragma once
 
-#include "base/Errors.hpp"
 #include "mesh/GlobalMesh.hpp"
 #include "mesh/SimplexGeometry.hpp"
 #include "mesh/detail/FacetTable.hpp"
+#include "unit/base/Refusal.hpp"
 
 #include <gtest/gtest.h>
 
-#include <functional>
 #include <string>
 
 namespace asperity::mesh
 {
-// Expects an InputError whose message contains all these pieces.
-inline void expectInputError(std::function<void()> const& call,
-                             std::vector<std::string> const& pieces)
-{
-  try {
-    call();
-    ADD_FAILURE() << "nothing was thrown; expected '" << pieces.front() << "'";
-  } catch (InputError const& error) {
-    const std::string message = error.what();
-    for (auto const& piece : pieces) {
-      EXPECT_NE(message.find(piece), std::string::npos) << "'" << piece << "' not in: " << message;
-    }
-  }
-}
-
 // The unit square in two triangles, with a diagonal from (0, 0) to (1, 1).
 inline GlobalMesh<2> square()
 {

@@ -201,7 +201,11 @@ TEST(Partition, WeighsTheVerticesOfABoundary)
     weights[owners[vertex]] += weight - 1;
   }
   EXPECT_NEAR(weights[0] / weights[1], 1.0, 0.15);
-  expectInputError([&] { partitionVertices(mesh, 2, {"botom", 4}); }, {"Did you mean 'bottom'?"});
+  test::expectRefusal(
+    [&] {
+      partitionVertices(mesh, 2, {"botom", 4});
+    },
+    {"Did you mean 'bottom'?"});
 }
 
 TEST(Partition, MeasuresTheImbalance)
@@ -264,7 +268,7 @@ TEST(Partition, EveryPartHasAVertex)
   const auto mesh = cube();
   const auto owners = partitionVertices(mesh, 8);
   EXPECT_EQ(std::set<int>(owners.begin(), owners.end()).size(), 8u);
-  expectInputError([&] { partitionVertices(mesh, 9); }, {"8 vertices", "9 ranks"});
+  test::expectRefusal([&] { partitionVertices(mesh, 9); }, {"8 vertices", "9 ranks"});
 }
 
 TEST(Partition, BroadcastGivesEveryRankTheMesh)

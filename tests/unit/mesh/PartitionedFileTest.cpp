@@ -129,9 +129,11 @@ TEST_F(PartitionedFile, KnowsItsKind)
   EXPECT_FALSE(isPartitioned(file("mesh.h5"), *world()));
   EXPECT_EQ(fileDimension(file("parts.h5"), *world()), 3);
   EXPECT_EQ(fileDimension(file("mesh.h5"), *world()), 2);
-  expectInputError([&] { isPartitioned(file("none.h5"), *world()); }, {"none.h5' does not exist"});
-  expectInputError([&] { fileDimension(file("none.h5"), *world()); }, {"none.h5' does not exist"});
-  expectInputError([&] { readMesh<3>(file("parts.h5")); }, {"asperity-partition"});
+  test::expectRefusal([&] { isPartitioned(file("none.h5"), *world()); },
+                      {"none.h5' does not exist"});
+  test::expectRefusal([&] { fileDimension(file("none.h5"), *world()); },
+                      {"none.h5' does not exist"});
+  test::expectRefusal([&] { readMesh<3>(file("parts.h5")); }, {"asperity-partition"});
 }
 
 // Two meshes with different fingerprints differ in one coordinate.
@@ -149,7 +151,7 @@ TEST_F(PartitionedFile, SaysThatItCannotBeWritten)
 {
   const auto mesh = square();
   const std::vector<int> owners(4, 0);
-  expectInputError([&] { writeParts(mesh, owners, 1, {}, file("no folder/a.h5")); },
-                   {"no folder/a.h5", "cannot be written"});
+  test::expectRefusal([&] { writeParts(mesh, owners, 1, {}, file("no folder/a.h5")); },
+                      {"no folder/a.h5", "cannot be written"});
   EXPECT_FALSE(std::filesystem::exists(file("no folder")));
 }

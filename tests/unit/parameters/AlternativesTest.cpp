@@ -1,6 +1,7 @@
 #include "parameters/Deck.hpp"
 
 #include "unit/base/Refusal.hpp"
+#include "unit/base/TemporaryDirectory.hpp"
 
 #include <sstream>
 

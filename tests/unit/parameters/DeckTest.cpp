@@ -1,6 +1,7 @@
 #include "parameters/Deck.hpp"
 
 #include "unit/base/Refusal.hpp"
+#include "unit/base/TemporaryDirectory.hpp"
 
 #include <fstream>
 #include <map>
@@ -295,13 +296,9 @@ TEST(Deck, WrittenListMarksDefaults)
 
 TEST(Deck, WritingWhereNothingCanBeWritten)
 {
-  std::string message;
-  try {
-    writeParameters(ParameterList("Asperity"), "/nowhere/at/all/parameters.xml");
-  } catch (OutputError const& error) {
-    message = error.what();
-  }
-  expectParts(message, {"/nowhere/at/all/parameters.xml", "cannot be written"});
+  const std::string file = "/nowhere/at/all/parameters.xml";
+  asperity::test::expectRefusal<OutputError>(
+    [&] { writeParameters(ParameterList("Asperity"), file); }, {file, "cannot be written"});
 }
 
 Teuchos::RCP<ParameterList> printedParameters()

@@ -1,6 +1,7 @@
 #include "parameters/fields/Field.hpp"
 
 #include "unit/base/Refusal.hpp"
+#include "unit/base/TemporaryDirectory.hpp"
 
 #include <hdf5.h>
 

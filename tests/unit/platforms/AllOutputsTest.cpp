@@ -87,7 +87,7 @@ void expectRestartsExactly(std::string const& text_format, Names const& more_tex
     test::steps(outputs, body, whole.path(), 0, num_steps + 1);
     test::finish(outputs, whole.path());
     EXPECT_EQ(outputs.numEvents(), 3);
-    EXPECT_TRUE(test::contains(outputs.report(), "\n3 events\n")) << outputs.report();
+    test::expectParts(outputs.report(), {"\n3 events\n"});
   }
   {
     Body body;
@@ -131,9 +131,8 @@ TEST(OutputSet, ARestartForAnotherPlatformIsRefused)
        {std::pair("None", "SEAS"), std::pair("SCEC", "SEAS"), std::pair("SEAS", "None")}) {
     const Archive archive = OutputSet(deck(earlier), context).save();
     OutputSet after(deck(now), context);
-    const auto message = test::inputError([&] { after.restore(archive); });
-    EXPECT_TRUE(test::contains(message, std::string("Text Format is ") + now + ", but it was " +
-                                          earlier + " in the run"))
-      << message;
+    test::expectRefusal(
+      [&] { after.restore(archive); },
+      {std::string("Text Format is ") + now + ", but it was " + earlier + " in the run"});
   }
 }

@@ -153,7 +153,7 @@ TEST(UniformRefinement, RefusesWhatHasNoRoom)
 {
   const auto part = distribute(unitBox(2), world());
   const auto refuse = [&](int refinements, std::vector<std::string> const& pieces) {
-    expectInputError([&] { refineUniformly(part, refinements, world()); }, pieces);
+    test::expectRefusal([&] { refineUniformly(part, refinements, world()); }, pieces);
   };
   refuse(-1, {"Mesh / Refinements = -1 is outside [0, inf)"});
   refuse(9, {"Mesh / Refinements = 9 makes some", "6.44245e+09 cells"});

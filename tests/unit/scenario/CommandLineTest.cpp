@@ -2,6 +2,7 @@
 
 #include "portability/Backend.hpp"
 #include "unit/base/Refusal.hpp"
+#include "unit/base/TemporaryDirectory.hpp"
 
 #include <sstream>
 

@@ -8,6 +8,7 @@
 #include "friction/laws/AgeingLaw.hpp"
 #include "io/Output.hpp"
 #include "scenario/Fingerprint.hpp"
+#include "unit/base/TemporaryDirectory.hpp"
 
 #include <Teuchos_DefaultComm.hpp>
 

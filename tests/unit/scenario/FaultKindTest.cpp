@@ -5,6 +5,7 @@
 #include "scenario/Problem.hpp"
 #include "scenario/run/OtherRun.hpp"
 #include "scenario/setup/BoundarySetup.hpp"
+#include "unit/base/TemporaryDirectory.hpp"
 
 namespace asperity::scenario
 {

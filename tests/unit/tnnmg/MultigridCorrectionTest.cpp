@@ -1,8 +1,8 @@
 #include "tnnmg/multigrid/MultigridCorrection.hpp"
 
 #include "FaultState.hpp"
-#include "base/Errors.hpp"
 #include "portability/Renamed.hpp"
+#include "unit/base/Refusal.hpp"
 
 #include <Eigen/SparseCholesky>
 #include <Tpetra_CrsMatrix.hpp>
@@ -437,13 +437,13 @@ TEST(MultigridCorrection, RefusesListsThatMueLuOrBelosDoesNotTake)
 {
   using List = Teuchos::ParameterList;
   const auto algorithm = [](List& list) { list.set("multigrid algorithm", "SANDPAPER"); };
-  EXPECT_NE(refusal("MueLu", algorithm).find("SANDPAPER"), std::string::npos);
-  const auto misspelt = refusal("MueLu", [](List& list) { list.set("max level", 3); });
-  EXPECT_NE(misspelt.find("Did you mean \"max levels\""), std::string::npos) << misspelt;
-  const auto wrong_type = refusal("MueLu", [](List& list) { list.set("max levels", "three"); });
-  EXPECT_NE(wrong_type.find("max levels"), std::string::npos) << wrong_type;
-  const auto belos = refusal("Belos", [](List& list) { list.set("Tolerence", 1e-3); });
-  EXPECT_NE(belos.find("Tolerence"), std::string::npos) << belos;
+  test::expectParts(refusal("MueLu", algorithm), {"SANDPAPER"});
+  test::expectParts(refusal("MueLu", [](List& list) { list.set("max level", 3); }),
+                    {"Did you mean \"max levels\""});
+  test::expectParts(refusal("MueLu", [](List& list) { list.set("max levels", "three"); }),
+                    {"max levels"});
+  test::expectParts(refusal("Belos", [](List& list) { list.set("Tolerence", 1e-3); }),
+                    {"Tolerence"});
 }
 
 TEST(MultigridCorrection, TakesListsThatMueLuAndBelosTake)
@@ -461,12 +461,7 @@ TEST(MultigridCorrection, FailureOfTheSetUpIsNoFaultOfTheList)
   const auto model = modelWith(large_step);
   auto problem = model.problem();
   problem.near_null_space = rcp(new MultiVector(problem.Z->getRowMap(), 3)); // zero
-  try {
-    MultigridCorrection correction(problem, parameters());
-    FAIL() << "was set up";
-  } catch (SolveError const& error) {
-    EXPECT_NE(std::string(error.what()).find("MueLu cannot set up"), std::string::npos)
-      << error.what();
-  }
+  test::expectRefusal<SolveError>([&] { MultigridCorrection(problem, parameters()); },
+                                  {"MueLu cannot set up"});
 }
 } // namespace asperity::tnnmg

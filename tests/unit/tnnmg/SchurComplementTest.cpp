@@ -1,7 +1,7 @@
 #include "tnnmg/direct/SchurComplement.hpp"
 
 #include "ElasticModel.hpp"
-#include "base/Errors.hpp"
+#include "unit/base/Refusal.hpp"
 
 #include <Tpetra_CrsMatrix.hpp>
 #include <Tpetra_Map.hpp>
@@ -182,12 +182,9 @@ TEST(SchurComplement, RefusesAMatrixThatIsNotDefinite)
     const double value = -1;
     broken.replaceLocalValues(row, 1, &value, &row);
     broken.fillComplete();
-    try {
-      const SchurComplement schur(broken, rows);
-      FAIL() << "row " << row;
-    } catch (SolveError const& error) {
-      EXPECT_NE(std::string(error.what()).find("not positive definite"), std::string::npos);
-    }
+    SCOPED_TRACE(row);
+    test::expectRefusal<SolveError>([&] { SchurComplement(broken, rows); },
+                                    {"not positive definite"});
   }
 }
 // To the last bit, whichever matrix was first: a restart sets other step sizes up first.
