@@ -1,34 +1,17 @@
 #include "catalogue/receivers/Receivers.hpp"
-#include "unit/io/Stage.hpp"
+#include "unit/io/LinearFault.hpp"
 
 #include <cmath>
 
 using namespace asperity;
 using namespace asperity::catalogue;
 using namespace asperity::io;
+using Fault = test::LinearFault;
 using test::position;
 
 namespace
 {
-constexpr int num_base = 6;
 constexpr double step_size = 0.4;
-
-// Linear in place, so that interpolation is exact. Slip rates are zero where x = 0.
-struct Fault : test::Stage
-{
-  explicit Fault(int displacement_components = 2) : Stage(num_base)
-  {
-    add("fault", "slip", 1, [this](double const* x, int) { return time * x[0]; });
-    add("fault", "slip_rate", 1, [](double const* x, int) { return x[0]; });
-    add("fault", "traction", 1, [this](double const* x, int) { return 1e6 * (x[0] - time); });
-    add("fault", "normal_stress", 1, [](double const* x, int) { return 5e7 + 1e6 * x[0]; });
-    add("fault", "theta", 1, [](double const*, int) { return 1e8; });
-    add("volume", "displacement", displacement_components,
-        [this](double const* x, int c) { return (c + 1) * (x[0] + 2 * x[1]) + time; });
-    add("volume", "velocity", displacement_components,
-        [](double const* x, int c) { return (c + 1) * x[1]; });
-  }
-};
 
 ParameterList parameters()
 {

@@ -169,16 +169,7 @@ TEST(OutputDomain, UnknownOrEmptyBoundariesAreRefused)
 
 TEST(OutputDomain, TrianglesOfATetrahedron)
 {
-  Mesh<3> mesh; // held by rank 0; the others have nothing
-  mesh.num_global_vertices = 4;
-  mesh.boundaries["base"] = {};
-  if (world()->getRank() == 0) {
-    mesh.vertices = {{0, 0, 0}, {2, 0, 0}, {0, 3, 0}, {0.5, 0.25, 4}};
-    mesh.global_ids = {0, 1, 2, 3};
-    mesh.num_owned = 4;
-    mesh.cells = {{0, 1, 2, 3}};
-    mesh.boundaries["base"] = {{0, 2, 1}};
-  }
+  const auto mesh = test::tetrahedron();
   const OutputDomain fault = boundaryDomain("fault", mesh, "base", world());
   EXPECT_FALSE(fault.isCurve());
   EXPECT_TRUE(fault.positions.empty());

@@ -1,4 +1,3 @@
-#include "hdf5/File.hpp"
 #include "io/files/TextTable.hpp"
 #include "parameters/Parameters.hpp"
 #include "unit/io/Body.hpp"
@@ -25,10 +24,6 @@ ParameterList deck()
 
 using Names = std::vector<std::string>;
 
-std::vector<double> values(fs::path const& file, std::string const& dataset)
-{
-  return h5::File::open(file).openDataset(dataset).read<double>();
-}
 } // namespace
 
 TEST(OutputRegistry, HoldsTheOutputs)
@@ -49,7 +44,8 @@ TEST(OutputSet, WritesRowsWhereTheDeckAsks)
   test::steps(outputs, body, directory.path(), 0, num_steps + 1);
   test::finish(outputs, directory.path());
   test::onRankZero([&] {
-    EXPECT_EQ(values(directory / "volume.h5", "time"), (std::vector<double>{0, 3.25, 9, 15}));
+    EXPECT_EQ(test::readNumbers(directory / "volume.h5", "time"),
+              (std::vector<double>{0, 3.25, 9, 15}));
     std::ifstream table(directory / "steps.csv");
     std::string header, first;
     std::getline(table, header);

@@ -82,6 +82,10 @@ inline bool contains(std::string const& text, std::string const& part)
 // against x, and the ranks own the vertices by turns, so that no order agrees with another by
 // accident.
 Mesh<2> stripMesh(int num_base);
+// The strip sheared, so that its base dips to the right, from (0, 0) to (1, -1).
+Mesh<2> dippingStrip(int num_base);
+// The strip turned, so that its base is the line from (0, -1) up to (0, 0).
+Mesh<2> uprightStrip(int num_base);
 
 // x of the base vertex i, counted from x = 0.
 inline double stripPosition(int i, int num_base)

@@ -155,19 +155,6 @@ TEST(RuptureTimes, CountFromWhereTheProblemDoes)
 
 namespace
 {
-// The strip, turned so that its base, the fault, is the line from (0, -1) up to (0, 0).
-OutputDomain uprightFault(int num_base)
-{
-  auto mesh = test::stripMesh(num_base);
-  for (auto& vertex : mesh.vertices) {
-    vertex = {-vertex[1], vertex[0] - 1};
-  }
-  return boundaryDomain("fault", mesh, "base", world());
-}
-} // namespace
-
-namespace
-{
 // The lines of slip.dat with slip 2 - y on a fault after two seconds; the displacement has so many
 // components.
 std::vector<std::string> slipProfile(io::OutputDomain const& fault, int components)
@@ -196,7 +183,8 @@ std::vector<std::string> slipProfile(io::OutputDomain const& fault, int componen
 TEST(SlipProfiles, RowsFromTheUpperEndDown)
 {
   for (const int components : {1, 2}) {
-    const auto lines = slipProfile(uprightFault(3), components);
+    const auto fault = boundaryDomain("fault", test::uprightStrip(3), "base", world());
+    const auto lines = slipProfile(fault, components);
     test::onRankZero([&] {
       const std::vector<std::string> expected{
         "z",
@@ -213,11 +201,8 @@ TEST(SlipProfiles, RowsFromTheUpperEndDown)
 // Down dip along the tangent of a fault that dips to the right is slip of a normal fault.
 TEST(SlipProfiles, ThrustsArePositive)
 {
-  auto mesh = test::stripMesh(3);
-  for (auto& vertex : mesh.vertices) {
-    vertex[1] -= vertex[0];
-  }
-  const auto lines = slipProfile(io::boundaryDomain("fault", mesh, "base", test::world()), 2);
+  const auto fault = boundaryDomain("fault", test::dippingStrip(3), "base", world());
+  const auto lines = slipProfile(fault, 2);
   test::onRankZero([&] {
     EXPECT_EQ(lines.back(), " 2.00000000000000E+00  -2.000000E+00  -2.000000E+00  -2.250000E+00"
                             "  -3.000000E+00");

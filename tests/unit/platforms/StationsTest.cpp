@@ -1,54 +1,16 @@
+#include "unit/io/LinearFault.hpp"
 #include "unit/platforms/Deck.hpp"
 
 #include <cmath>
 
 using namespace asperity;
 using namespace asperity::io;
+using Fault = test::LinearFault;
 using test::position;
 
 namespace
 {
-constexpr int num_base = 6;
 constexpr double step_size = 0.4;
-
-// Linear in place, so that interpolation is exact. Slip rates are zero where x = 0.
-struct Fault : test::Stage
-{
-  explicit Fault(int displacement_components = 2, Mesh<2> const& mesh = test::stripMesh(num_base))
-      : Stage(num_base)
-  {
-    locate(mesh);
-    add("fault", "slip", 1, [this](double const* x, int) { return time * x[0]; });
-    add("fault", "slip_rate", 1, [](double const* x, int) { return x[0]; });
-    add("fault", "traction", 1, [this](double const* x, int) { return 1e6 * (x[0] - time); });
-    add("fault", "normal_stress", 1, [](double const* x, int) { return 5e7 + 1e6 * x[0]; });
-    add("fault", "theta", 1, [](double const*, int) { return 1e8; });
-    add("volume", "displacement", displacement_components,
-        [this](double const* x, int c) { return (c + 1) * (x[0] + 2 * x[1]) + time; });
-    add("volume", "velocity", displacement_components,
-        [](double const* x, int c) { return (c + 1) * x[1]; });
-  }
-};
-
-// The strip with a base, the fault, that dips to the right.
-Mesh<2> dippingMesh()
-{
-  auto mesh = test::stripMesh(num_base);
-  for (auto& vertex : mesh.vertices) {
-    vertex[1] -= vertex[0];
-  }
-  return mesh;
-}
-
-// The strip, turned so that its base, the fault, is the line from (0, -1) up to (0, 0).
-Mesh<2> uprightMesh()
-{
-  auto mesh = test::stripMesh(num_base);
-  for (auto& vertex : mesh.vertices) {
-    vertex = {-vertex[1], vertex[0] - 1};
-  }
-  return mesh;
-}
 
 ParameterList deck(std::string const& platform)
 {
@@ -135,7 +97,7 @@ TEST(Stations, InPlaneStrainSeasTakesNormalStressAndTwoComponents)
 TEST(Stations, InASectionSeasCountsThrustsAndDepthsPositive)
 {
   test::TemporaryDirectory directory;
-  Fault fault(2, dippingMesh());
+  Fault fault(2, test::dippingStrip(6));
   auto list = test::deckWith("Receivers", "SEAS");
   auto& receivers = list.sublist("Receivers");
   receivers.sublist("On Fault").set("dp003", position({0.3 * std::sqrt(2.0)}));
@@ -156,7 +118,7 @@ TEST(Stations, InASectionSeasCountsThrustsAndDepthsPositive)
 TEST(Stations, InASectionThrustsOfAFootWallArePositiveToo)
 {
   test::TemporaryDirectory directory;
-  Fault fault(2, dippingMesh());
+  Fault fault(2, test::dippingStrip(6));
   fault.domains.at("fault").is_foot_wall = true;
   auto list = test::deckWith("Receivers", "SEAS");
   list.sublist("Receivers").sublist("On Fault").set("dp003", position({0.3 * std::sqrt(2.0)}));
@@ -197,7 +159,7 @@ TEST(Stations, FilesForScecHaveRowsAtEqualDistances)
 TEST(Stations, InASectionScecTakesSlipDownDip)
 {
   test::TemporaryDirectory directory;
-  Fault fault(2, uprightMesh());
+  Fault fault(2, test::uprightStrip(6));
   auto list = test::deckWith("Receivers", "SCEC");
   list.sublist("Receivers").sublist("On Fault").set("dp003", position({0., -0.3}));
   list.sublist("Receivers").sublist("Off Fault").set("inside", position({-0.75, -0.5}));
