@@ -1,12 +1,13 @@
 #include "fem/BoundaryMeasure.hpp"
 
+#include "base/parallel/Reductions.hpp"
 #include "unit/fem/SampleMeshes.hpp"
 
-#include <Teuchos_CommHelpers.hpp>
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 
 namespace asperity::fem
 {
@@ -16,13 +17,8 @@ namespace
 {
 double sumOverRanks(std::vector<double> const& values)
 {
-  double mine = 0;
-  for (double x : values) {
-    mine += x;
-  }
-  double all = 0;
-  Teuchos::reduceAll(*worldCommunicator(), Teuchos::REDUCE_SUM, mine, Teuchos::outArg(all));
-  return all;
+  const double mine = std::accumulate(values.begin(), values.end(), 0.0);
+  return asperity::sumOverRanks(mine, *worldCommunicator());
 }
 
 template <int Dim>

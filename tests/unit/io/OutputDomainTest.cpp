@@ -22,9 +22,7 @@ constexpr int num_base = 7;
 double sumOverRanks(std::vector<double> const& values)
 {
   const double mine = std::accumulate(values.begin(), values.end(), 0.0);
-  double sum = 0;
-  Teuchos::reduceAll(*world(), Teuchos::REDUCE_SUM, mine, Teuchos::outArg(sum));
-  return sum;
+  return asperity::sumOverRanks(mine, *world());
 }
 } // namespace
 

@@ -3,6 +3,7 @@
 #include "mesh/GlobalMesh.hpp"
 #include "mesh/SimplexGeometry.hpp"
 #include "mesh/detail/FacetTable.hpp"
+#include "mesh/generation/WedgeMesh.hpp"
 #include "unit/base/Refusal.hpp"
 
 #include <gtest/gtest.h>
@@ -21,6 +22,14 @@ inline GlobalMesh<2> square()
   mesh.region_names = {"right of it", "left of it"};
   mesh.boundaries = {{"bottom", {{0, 1}}}, {"top", {{2, 3}}}};
   return mesh;
+}
+
+// Triangles of all sizes and shapes that the wedge has, of at most this size [m] at the zone.
+inline GlobalMesh<2> coarseWedge(double cell_size)
+{
+  WedgeShape shape;
+  shape.cell_size = cell_size;
+  return wedgeMesh(shape);
 }
 
 // The unit cube in six tetrahedra around its diagonal; `side` is x = 0.

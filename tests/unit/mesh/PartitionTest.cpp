@@ -4,7 +4,6 @@
 #include "mesh/MeshQuality.hpp"
 #include "mesh/generation/BoxMesh.hpp"
 #include "mesh/generation/RectangleMesh.hpp"
-#include "mesh/generation/WedgeMesh.hpp"
 #include "mesh/parallel/Partition.hpp"
 
 #include <Teuchos_DefaultMpiComm.hpp>
@@ -17,13 +16,6 @@ using namespace asperity::mesh;
 namespace
 {
 Teuchos::MpiComm<int> world() { return Teuchos::MpiComm<int>(MPI_COMM_WORLD); }
-
-GlobalMesh<2> coarseWedge()
-{
-  WedgeShape shape;
-  shape.cell_size = 0.01;
-  return wedgeMesh(shape);
-}
 
 template <std::size_t N>
 std::array<long long, N> globalIds(std::array<int, N> const& simplex,
@@ -134,7 +126,7 @@ void expectGoodDistribution(GlobalMesh<Dim> const& mesh)
 }
 } // namespace
 
-TEST(Partition, DistributesTheWedge) { expectGoodDistribution(coarseWedge()); }
+TEST(Partition, DistributesTheWedge) { expectGoodDistribution(coarseWedge(0.01)); }
 
 TEST(Partition, DistributesTheCube)
 {
@@ -148,7 +140,7 @@ TEST(Partition, DistributesTwoTriangles) { expectGoodDistribution(square()); }
 
 TEST(Partition, OnePartIsTheMesh)
 {
-  const auto mesh = coarseWedge();
+  const auto mesh = coarseWedge(0.01);
   const auto part = localPart(mesh, std::vector<int>(mesh.vertices.size(), 0), 0);
   EXPECT_EQ(part.vertices, mesh.vertices);
   EXPECT_EQ(part.cells, mesh.cells);
@@ -159,7 +151,7 @@ TEST(Partition, OnePartIsTheMesh)
 
 TEST(Partition, IsBalancedAndTheSameAgain)
 {
-  const auto mesh = coarseWedge();
+  const auto mesh = coarseWedge(0.01);
   for (int num_parts : {1, 2, 3, 7}) {
     const auto owners = partitionVertices(mesh, num_parts);
     EXPECT_EQ(owners, partitionVertices(mesh, num_parts));
@@ -246,7 +238,7 @@ TEST(Partition, TakesMorePartsThanTheBoundaryHasVertices)
 
 TEST(Partition, MakesAllPartsAtOnce)
 {
-  const auto mesh = coarseWedge();
+  const auto mesh = coarseWedge(0.01);
   const auto owners = partitionVertices(mesh, 5);
   const auto parts = localParts(mesh, owners, 5);
   ASSERT_EQ(parts.size(), 5u);

@@ -5,7 +5,6 @@
 #include "mesh/file/PartitionedFile.hpp"
 #include "mesh/generation/BoxMesh.hpp"
 #include "mesh/generation/PeriodicMesh.hpp"
-#include "mesh/generation/WedgeMesh.hpp"
 
 #include <Teuchos_DefaultMpiComm.hpp>
 
@@ -17,13 +16,6 @@ namespace
 using mesh::expectEqual;
 
 RCP<const Communicator> world() { return rcp(new Teuchos::MpiComm<int>(MPI_COMM_WORLD)); }
-
-GlobalMesh<2> coarseWedge()
-{
-  WedgeShape shape;
-  shape.cell_size = 0.02;
-  return wedgeMesh(shape);
-}
 
 // Periodic along z, in two regions, with a boundary that has no facet.
 GlobalMesh<3> periodicBox()
@@ -91,7 +83,7 @@ protected:
 
 TEST_F(PartitionedFile, GivesEveryRankItsPartOfTheWedge)
 {
-  expectParts<2>(coarseWedge(), {"base", 4});
+  expectParts<2>(coarseWedge(0.02), {"base", 4});
 }
 
 TEST_F(PartitionedFile, GivesEveryRankItsPartOfTheBox)

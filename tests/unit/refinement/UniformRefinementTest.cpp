@@ -61,8 +61,8 @@ TEST(UniformRefinement, ZeroLeavesTheMeshAsItIs)
 
 TEST(UniformRefinement, OfTheWedge)
 {
-  expectGoodRefinement(coarseWedge(), 1);
-  expectGoodRefinement(coarseWedge(), 3);
+  expectGoodRefinement(coarseWedge(0.01), 1);
+  expectGoodRefinement(coarseWedge(0.01), 3);
 }
 
 TEST(UniformRefinement, OfTwoTriangles)
@@ -123,7 +123,7 @@ TEST(UniformRefinement, KeepsAnglesHoweverOften)
     EXPECT_NEAR(angles[3], angles[2], 1e-9);
     EXPECT_NEAR(angles[4], angles[2], 1e-9);
   }
-  const auto wedge = coarseWedge();
+  const auto wedge = coarseWedge(0.01);
   EXPECT_NEAR(cellSizes(wholeRefined(wedge, 3)).smallest_angle, cellSizes(wedge).smallest_angle,
               1e-9);
 }
