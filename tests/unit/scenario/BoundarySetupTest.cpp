@@ -222,8 +222,8 @@ TEST(BoundarySetup, KnowsWhoReadsEachEntry)
 TEST(BoundarySetup, WantsTheSlipRateThatIsPrescribed)
 {
   const auto list = conditions({{"Deep", "left", "Prescribed Slip Rate"}});
-  expectParts(refusal([&] { makeBoundaryConditions<2>(list, 2); }),
-              {"Asperity / Boundary Conditions / Deep / Slip Rate", "missing"});
+  expectRefusal([&] { makeBoundaryConditions<2>(list, 2); },
+                {"Asperity / Boundary Conditions / Deep / Slip Rate", "missing"});
 }
 
 TEST(BoundarySetup, CollectsAbsorbingBoundaries)
@@ -239,8 +239,8 @@ TEST(BoundarySetup, RefusesADirectionThatIsNone)
   for (auto const& direction : {std::vector<double>{0, 0}, {1}, {1, 0, 0}}) {
     const auto list =
       driven([&](ParameterList& condition) { condition.set("Direction", array(direction)); });
-    expectParts(refusal([&] { makeBoundaryConditions<2>(list, 2); }),
-                {"Asperity / Boundary Conditions / Left / Direction"});
+    expectRefusal([&] { makeBoundaryConditions<2>(list, 2); },
+                  {"Asperity / Boundary Conditions / Left / Direction"});
   }
 }
 
@@ -282,15 +282,15 @@ TEST(BoundarySetup, RefusesConditionsThatContradict)
     {"Fixed", "Fixed"}};
   for (auto const& [first, second] : pairs) {
     const auto list = conditions({{"A", "top", first}, {"B", "top", second}});
-    expectParts(refusal([&] { makeBoundaryConditions<2>(list, 2); }),
-                {"Asperity / Boundary Conditions / A", "Asperity / Boundary Conditions / B",
-                 "contradicts", "'top'"});
+    expectRefusal([&] { makeBoundaryConditions<2>(list, 2); },
+                  {"Asperity / Boundary Conditions / A", "Asperity / Boundary Conditions / B",
+                   "contradicts", "'top'"});
   }
   for (char const* type : {"Fixed", "Absorbing", "Prescribed Slip Rate"}) {
     const auto on_fault = conditions({{"A", "bottom", type}});
-    expectParts(refusal([&] { makeBoundaryConditions<2>(on_fault, 2); }),
-                {"contradicts", "'bottom'", "Asperity / Boundary Conditions / Fault",
-                 "Asperity / Boundary Conditions / A"});
+    expectRefusal([&] { makeBoundaryConditions<2>(on_fault, 2); },
+                  {"contradicts", "'bottom'", "Asperity / Boundary Conditions / Fault",
+                   "Asperity / Boundary Conditions / A"});
   }
 }
 
@@ -307,8 +307,8 @@ TEST(BoundarySetup, RefusesEntriesThatItsTypeDoesNotRead)
     const auto list = driven([&, type = type, entry = entry](ParameterList& condition) {
       condition.set("Type", type).set(entry, 1.);
     });
-    expectParts(refusal([&] { makeBoundaryConditions<2>(list, 2); }),
-                {"Asperity / Boundary Conditions / Left / " + entry, "no effect", type});
+    expectRefusal([&] { makeBoundaryConditions<2>(list, 2); },
+                  {"Asperity / Boundary Conditions / Left / " + entry, "no effect", type});
   }
 }
 
@@ -322,9 +322,9 @@ TEST(BoundarySetup, AllowsConditionsInDifferentDirections)
 TEST(BoundarySetup, WantsOneFault)
 {
   const auto none = conditions({{"A", "left", "Fixed"}}, false);
-  expectParts(refusal([&] { makeBoundaryConditions<2>(none, 2); }),
-              {"Asperity / Boundary Conditions", "Bilateral Contact", "Antisymmetric Fault"});
+  expectRefusal([&] { makeBoundaryConditions<2>(none, 2); },
+                {"Asperity / Boundary Conditions", "Bilateral Contact", "Antisymmetric Fault"});
   const auto two = conditions({{"Second", "top", "Antisymmetric Fault"}});
-  expectParts(refusal([&] { makeBoundaryConditions<2>(two, 2); }), {"already friction"});
+  expectRefusal([&] { makeBoundaryConditions<2>(two, 2); }, {"already friction"});
 }
 } // namespace asperity::scenario

@@ -125,12 +125,13 @@ TEST(DeckReader, TakesTheParametersOfTheChosenLaws)
   expectParts(
     refusal([] { completeDeck([](auto& deck) { deck.sublist("Friction").set("Delay", 1.); }); }),
     {"Asperity / Friction / Delay", "unknown"});
-  expectParts(refusal([] {
-                completeDeck([](auto& deck) {
-                  deck.sublist("Friction").set("State Evolution", "Slow Ageing").set("Delay", 100.);
-                });
-              }),
-              {"Asperity / Friction / Delay = 100", "[0, 100)"});
+  expectRefusal(
+    [] {
+      completeDeck([](auto& deck) {
+        deck.sublist("Friction").set("State Evolution", "Slow Ageing").set("Delay", 100.);
+      });
+    },
+    {"Asperity / Friction / Delay = 100", "[0, 100)"});
 }
 
 TEST(DeckReader, LawsThatShareAParameterShareItsRange)
@@ -144,8 +145,8 @@ TEST(DeckReader, LawsThatShareAParameterShareItsRange)
   };
   withRate("Ageing", 1e-4)();
   withRate("Narrow Ageing", 1e-5)();
-  expectParts(refusal(withRate("Narrow Ageing", 1e-4)),
-              {"Asperity / Friction / Reference Slip Rate = 1e-04", "[1e-07, 1e-05] m/s"});
+  expectRefusal(withRate("Narrow Ageing", 1e-4),
+                {"Asperity / Friction / Reference Slip Rate = 1e-04", "[1e-07, 1e-05] m/s"});
   EXPECT_THROW(withRate("Foreign Ageing", 1e-6)(), std::logic_error);
 }
 
@@ -165,10 +166,9 @@ TEST(DeckReader, OurLawsAgreeOnTheParametersTheyShare)
 TEST(DeckReader, RequiresWhatALawRequires)
 {
   for (char const* name : {"a", "b", "L"}) {
-    expectParts(refusal([name] {
-                  completeDeck([name](auto& deck) { deck.sublist("Friction").remove(name); });
-                }),
-                {std::string("Asperity / Friction / ") + name});
+    expectRefusal(
+      [name] { completeDeck([name](auto& deck) { deck.sublist("Friction").remove(name); }); },
+      {std::string("Asperity / Friction / ") + name});
   }
   expectParts(
     refusal([] { completeDeck([](auto& deck) { deck.sublist("Friction").set("a", -0.01); }); }),
@@ -248,10 +248,10 @@ TEST(DeckReader, ChoosesASchemeThatNeedsNoInertia)
 TEST(DeckReader, RefusesAnUnknownLawWithTheNearestName)
 {
   DeckFile file;
-  expectParts(refusal([&] { file.read({"Friction/Law=Regularized"}); }),
-              {"Asperity / Friction / Law", "Regularized", "Did you mean 'Regularised'?"});
-  expectParts(refusal([&] { file.read({"Friction/State Evolution=Aging"}); }),
-              {"Asperity / Friction / State Evolution", "Did you mean 'Ageing'?"});
+  expectRefusal([&] { file.read({"Friction/Law=Regularized"}); },
+                {"Asperity / Friction / Law", "Regularized", "Did you mean 'Regularised'?"});
+  expectRefusal([&] { file.read({"Friction/State Evolution=Aging"}); },
+                {"Asperity / Friction / State Evolution", "Did you mean 'Ageing'?"});
 }
 
 TEST(DeckReader, RemarksOnNumbersThatAreRarelyMeant)

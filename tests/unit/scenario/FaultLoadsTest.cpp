@@ -100,8 +100,9 @@ TEST(FaultLoads, RefuseATensileNormalStressAtTheStart)
 {
   const auto deck =
     strip([](auto& given) { given.sublist("Friction").set("Normal Stress", "100 * (x - 1)"); });
-  expectParts(refusal([&] { makeProblem<2>(deck, world()); }),
-              {"Asperity / Friction / Normal Stress = -100", "(0, 0)", "[0, inf)", "compression"});
+  expectRefusal(
+    [&] { makeProblem<2>(deck, world()); },
+    {"Asperity / Friction / Normal Stress = -100", "(0, 0)", "[0, inf)", "compression"});
 }
 
 TEST(Problem, WantsTheNormalStressOfAnAntisymmetricFault)
@@ -109,8 +110,8 @@ TEST(Problem, WantsTheNormalStressOfAnAntisymmetricFault)
   const auto deck = column([](auto& given) {
     given.sublist("Boundary Conditions").sublist("Fault").set("Type", "Antisymmetric Fault");
   });
-  expectParts(refusal([&] { makeProblem<2>(deck, world()); }),
-              {"Asperity / Friction / Normal Stress", "antisymmetric"});
+  expectRefusal([&] { makeProblem<2>(deck, world()); },
+                {"Asperity / Friction / Normal Stress", "antisymmetric"});
 }
 
 TEST(Problem, HasNoMassButARadiationDampingIfQuasiDynamic)
@@ -138,7 +139,7 @@ TEST(Problem, RefusesToAbsorbWavesThatDoNotExist)
     given.sublist("Boundary Conditions").sublist("Far").set("Boundary", "top");
     given.sublist("Boundary Conditions").sublist("Far").set("Type", "Absorbing");
   });
-  expectParts(refusal([&] { makeProblem<2>(deck, world()); }), {"'top'", "Absorbing", "Inertial"});
+  expectRefusal([&] { makeProblem<2>(deck, world()); }, {"'top'", "Absorbing", "Inertial"});
 }
 
 TEST(Problem, PutsDashpotsOnAbsorbingBoundaries)

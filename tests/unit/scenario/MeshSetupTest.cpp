@@ -9,6 +9,7 @@ namespace asperity::scenario
 using namespace test;
 using asperity::test::array;
 using asperity::test::expectParts;
+using asperity::test::expectRefusal;
 using asperity::test::refusal;
 
 namespace
@@ -64,9 +65,9 @@ TEST(MeshSetup, KeepsTheProportionsOfColumnsAndRows)
 
 TEST(MeshSetup, RefusesCellSizesThatAreNone)
 {
-  expectParts(refusal([] { graded("100 + t"); }), {"Mesh / Rectangle / Cell Size depends on t"});
-  expectParts(refusal([] { graded("x - 1000"); }),
-              {"Mesh / Rectangle / Cell Size = 'x - 1000' is -1000 at ", "outside (0, inf)"});
+  expectRefusal([] { graded("100 + t"); }, {"Mesh / Rectangle / Cell Size depends on t"});
+  expectRefusal([] { graded("x - 1000"); },
+                {"Mesh / Rectangle / Cell Size = 'x - 1000' is -1000 at ", "outside (0, inf)"});
 }
 
 TEST(MeshSetup, RefusesMoreVerticesThanAllowedAndNamesWhatMayBeMissing)
@@ -135,8 +136,8 @@ TEST(MeshSetup, RefinesWithBoundariesAndFaults)
   EXPECT_EQ(facetsOn(mesh, "left"), 16);
   EXPECT_EQ(mesh.splits.size(), 17);
   EXPECT_EQ(mesh.vertices.size(), 17 * 17 + 17);
-  expectParts(refusal([&] { refined(-1); }), {"Asperity / Mesh / Refinements = -1"});
-  expectParts(refusal([&] { refined(25); }), {"Asperity / Mesh / Refinements = 25 makes some"});
+  expectRefusal([&] { refined(-1); }, {"Asperity / Mesh / Refinements = -1"});
+  expectRefusal([&] { refined(25); }, {"Asperity / Mesh / Refinements = 25 makes some"});
 }
 
 TEST(MeshSetup, RefusesWhatIsNoFault)
@@ -159,7 +160,7 @@ TEST(MeshSetup, RefusesConditionsThatChangeInTime)
     const auto call = [name] {
       halfSpace([name](ParameterList& list) { list.sublist(name).set("part", "t < 1"); });
     };
-    expectParts(refusal(call), {"Asperity / Mesh / ", name, " / part depends on t"});
+    expectRefusal(call, {"Asperity / Mesh / ", name, " / part depends on t"});
   }
 }
 
@@ -168,6 +169,6 @@ TEST(MeshSetup, RefusesPiecesWithoutFacets)
   const auto call = [] {
     halfSpace([](ParameterList& list) { list.sublist("Boundaries").set("fault", "x < 0"); });
   };
-  expectParts(refusal(call), {"Asperity / Mesh / Boundaries / fault", "no facet"});
+  expectRefusal(call, {"Asperity / Mesh / Boundaries / fault", "no facet"});
 }
 } // namespace asperity::scenario

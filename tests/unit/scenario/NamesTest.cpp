@@ -129,12 +129,12 @@ TEST(Names, LeaveToTheCheckOfTypesWhatIsNoNumber)
   auto deck = deckWith({{"zone", "x < 1"}});
   deck.sublist("Bulk").set("Height", "20 min");
   resolveNames(deck, *valid());
-  expectParts(refusal([&] { completeAndValidate(deck, *valid(), "Asperity"); }),
-              {"Height = '20 min' is a text, but a number"});
+  expectRefusal([&] { completeAndValidate(deck, *valid(), "Asperity"); },
+                {"Height = '20 min' is a text, but a number"});
   deck = deckWith({{"zone", "x < 1"}});
   deck.sublist("Bulk").set("Height", "zone"); // depends on x
   resolveNames(deck, *valid());
-  expectParts(refusal([&] { completeAndValidate(deck, *valid(), "Asperity"); }),
-              {"Height = 'zone' is a text, but a number"});
+  expectRefusal([&] { completeAndValidate(deck, *valid(), "Asperity"); },
+                {"Height = 'zone' is a text, but a number"});
 }
 } // namespace asperity::scenario

@@ -72,7 +72,7 @@ TEST(OutputFields, NoThetaWhereTheStateLawDoesNotSayHowItFollows)
     deck.sublist("Friction").set("State Evolution", "Slow Ageing"); // in DeckReaderTest.cpp
   }));
   EXPECT_EQ(start.onFault("alpha").size(), 3u);
-  expectParts(refusal([&] { start.onFault("theta"); }), {"theta"});
+  expectRefusal([&] { start.onFault("theta"); }, {"theta"});
 }
 
 TEST(OutputFields, ShearModulusIsThatOfTheBodyBesideTheFault)

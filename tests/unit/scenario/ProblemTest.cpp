@@ -94,21 +94,22 @@ TEST(Problem, SetsATensileReactionToZeroAndSaysSo)
 
 TEST(Problem, RefusesToGuessANormalStress)
 {
-  expectParts(refusal([] {
-                makeProblem<2>(column([](auto& deck) {
-                                 deck.sublist("Bulk").set("Gravitational Acceleration", 0.);
-                               }),
-                               world());
-              }),
-              {"Asperity / Friction / Normal Stress", "gravity"});
-  expectParts(refusal([] {
-                makeProblem<2>(column([](auto& deck) {
-                                 deck.sublist("Bulk").set("Gravitational Acceleration", 0.);
-                                 deck.sublist("Bulk").set("Model", "Antiplane");
-                               }),
-                               world());
-              }),
-              {"Asperity / Friction / Normal Stress", "antiplane"});
+  expectRefusal(
+    [] {
+      makeProblem<2>(
+        column([](auto& deck) { deck.sublist("Bulk").set("Gravitational Acceleration", 0.); }),
+        world());
+    },
+    {"Asperity / Friction / Normal Stress", "gravity"});
+  expectRefusal(
+    [] {
+      makeProblem<2>(column([](auto& deck) {
+                       deck.sublist("Bulk").set("Gravitational Acceleration", 0.);
+                       deck.sublist("Bulk").set("Model", "Antiplane");
+                     }),
+                     world());
+    },
+    {"Asperity / Friction / Normal Stress", "antiplane"});
 }
 
 TEST(Problem, RefusesBoundariesThatTheMeshDoesNotHave)
@@ -137,8 +138,8 @@ TEST(Problem, RefusesUnknownNamesOfConditionsWithoutEffect)
                      }),
                      world());
     };
-    expectParts(refusal(call), {"Asperity / Boundary Conditions / Wall / Boundary = 'rihgt'",
-                                "Did you mean 'right'?"});
+    expectRefusal(call, {"Asperity / Boundary Conditions / Wall / Boundary = 'rihgt'",
+                         "Did you mean 'right'?"});
   }
 }
 
@@ -184,9 +185,9 @@ TEST(StepControl, WantsPrescribedLevelsThatExist)
     return makeStepControl(time, {}, step) != nullptr;
   };
   EXPECT_TRUE(control({0, 3, 2}));
-  expectParts(refusal([&] { control({}); }), {"Prescribed / Levels is empty"});
-  expectParts(refusal([&] { control({0, 4}); }), {"Prescribed / Levels: 4", "level 3"});
-  expectParts(refusal([&] { control({-1}); }), {"Prescribed / Levels", "-1"});
+  expectRefusal([&] { control({}); }, {"Prescribed / Levels is empty"});
+  expectRefusal([&] { control({0, 4}); }, {"Prescribed / Levels: 4", "level 3"});
+  expectRefusal([&] { control({-1}); }, {"Prescribed / Levels", "-1"});
 }
 
 TEST(RunArchive, ReturnsWhatWasSaved)
@@ -251,7 +252,7 @@ TEST(RunArchive, RefusesTheStateOfAnotherMesh)
   io::Archive archive;
   const dynamics::DyadicTime clock(1, 10);
   StateFormat(finer.initial, nullptr, clock).save(archive, "state", finer.initial);
-  expectParts(refusal([&] { StateFormat(problem.initial, nullptr, clock).load(archive, "state"); }),
-              {"state/u", "18", "24", "another mesh"});
+  expectRefusal([&] { StateFormat(problem.initial, nullptr, clock).load(archive, "state"); },
+                {"state/u", "18", "24", "another mesh"});
 }
 } // namespace asperity::scenario

@@ -172,12 +172,12 @@ TEST(Solid, AndThePlaneNeedTheirModels)
 {
   const auto plane =
     block([](ParameterList& deck) { deck.sublist("Bulk").set("Model", "Plane Strain"); });
-  expectParts(refusal([&] { makeProblem<3>(plane, world()); }),
-              {"Bulk / Model = Plane Strain", "3 dimensions", "Solid"});
+  expectRefusal([&] { makeProblem<3>(plane, world()); },
+                {"Bulk / Model = Plane Strain", "3 dimensions", "Solid"});
   const auto solid =
     column([](ParameterList& deck) { deck.sublist("Bulk").set("Model", "Solid"); });
-  expectParts(refusal([&] { makeProblem<2>(solid, world()); }),
-              {"Bulk / Model = Solid", "2 dimensions", "Plane Strain"});
+  expectRefusal([&] { makeProblem<2>(solid, world()); },
+                {"Bulk / Model = Solid", "2 dimensions", "Plane Strain"});
 }
 
 TEST(Solid, HasAShearTractionAlongItsFault)
@@ -185,7 +185,7 @@ TEST(Solid, HasAShearTractionAlongItsFault)
   const auto across = halfSpace([](ParameterList& deck) {
     deck.sublist("Friction").set("Slip Direction", array<double>({0, 1, 0}));
   });
-  expectParts(refusal([&] { makeProblem<3>(across, world()); }),
-              {"Friction / Slip Direction", "right angles"});
+  expectRefusal([&] { makeProblem<3>(across, world()); },
+                {"Friction / Slip Direction", "right angles"});
 }
 } // namespace asperity::scenario
