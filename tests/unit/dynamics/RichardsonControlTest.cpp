@@ -231,17 +231,7 @@ TEST_F(RichardsonControlTest, ContinuesFromItsMemoryExactly)
     EXPECT_EQ(control.memory().trial.has_value(), num_steps == 9);
     Stepper other(model, RateUpdate::newmark(0.25), half_seconds);
     RichardsonControl continued(other.step, 2, adaptive(1e-4, 8));
-    continued.restore(control.memory());
-    auto copy = from.clone();
-    for (int n = 0; n < 9; ++n) {
-      auto const expected = control.advance(from, count);
-      auto const accepted = continued.advance(copy, count);
-      EXPECT_EQ(accepted.level, expected.level);
-      EXPECT_EQ(accepted.iterations, expected.iterations);
-      EXPECT_EQ(accepted.error, expected.error);
-      EXPECT_EQ(denseOf(*copy.v), denseOf(*from.v));
-      EXPECT_EQ(denseOf(copy.alpha), denseOf(from.alpha));
-    }
+    expectSameContinuation(control, from, continued, 9);
     EXPECT_EQ(continued.memory().num_steps, num_steps + 9);
   }
 }

@@ -68,13 +68,7 @@ TEST_F(StepControlTest, DoublingContinuesFromItsMemoryExactly)
   }
   Stepper other(model, RateUpdate::newmark(0.25), half_seconds);
   StepDoubling continued(other.step, adaptive(1e-4, 8));
-  continued.restore(control.memory());
-  auto copy = state.clone();
-  for (int n = 0; n < 7; ++n) {
-    EXPECT_EQ(control.advance(state, count).level, continued.advance(copy, count).level);
-    EXPECT_EQ(denseOf(*state.v), denseOf(*copy.v));
-    EXPECT_EQ(denseOf(state.alpha), denseOf(copy.alpha));
-  }
+  expectSameContinuation(control, state, continued, 7);
 }
 
 TEST_F(StepControlTest, DoublingHalvesStepsThatCannotBeSolved)
