@@ -180,6 +180,7 @@ BAD = {
         ("packages/base/StepManager.hpp", "#pragma once\n"),
         ("tests/test_utils.py", "\n"),
         ("packages/base/Types.hpp", "#pragma once\nstruct MeshHelper\n{\n};\n"),
+        ("tests/ATest.cpp", "TEST_F(A, holds)\n{\n}\n"),
     ],
     "readmes": [
         ("packages/base/README.md", README.format("mesh")),

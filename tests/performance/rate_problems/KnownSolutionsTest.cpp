@@ -111,7 +111,7 @@ std::vector<Solved> solveAll(int cell_size, std::string const& correction_tolera
 }
 } // namespace
 
-TEST(RateProblems, areSolvedByTheKnownSolutions)
+TEST(RateProblems, AreSolvedByTheKnownSolutions)
 {
   for (int cell_size : {8, 4}) {
     for (auto const& solved : solveAll(cell_size, "0.1", Tpetra::getDefaultComm())) {
@@ -124,7 +124,7 @@ TEST(RateProblems, areSolvedByTheKnownSolutions)
 
 // Gauss-Seidel is local to a rank, so what a loose correction leaves depends on the ranks, and from
 // rest a rupture is then reached on other ways: compared with tight ones.
-TEST(RateProblems, takeAsManyIterationsOnMoreRanks)
+TEST(RateProblems, TakeAsManyIterationsOnMoreRanks)
 {
   auto const world = Tpetra::getDefaultComm();
   auto const alone = world->split(world->getRank(), 0);

@@ -81,7 +81,7 @@ private:
 };
 } // namespace
 
-TEST(RateProblems, takeHardlyMoreCyclesThanLinearOnes)
+TEST(RateProblems, TakeHardlyMoreCyclesThanLinearOnes)
 {
   // 1. The steps of a run, and solvers of their own for rate problems.
   auto const deck = bp5(2);

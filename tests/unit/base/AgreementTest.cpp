@@ -1,6 +1,6 @@
 #include "base/parallel/Agreement.hpp"
 
-#include "base/Errors.hpp"
+#include "unit/base/Refusal.hpp"
 
 #include <Teuchos_DefaultComm.hpp>
 #include <gtest/gtest.h>
@@ -60,12 +60,9 @@ TEST(Agreement, ErrorOfOneRankIsThrownOnEveryRankAsItsKind)
 
 TEST(Agreement, LowestRankSpeaks)
 {
-  std::string message;
-  try {
+  const auto message = asperity::test::refusal([] {
     onEveryRank(world(), [] { throw InputError("rank " + std::to_string(world().getRank())); });
-  } catch (InputError const& error) {
-    message = error.what();
-  }
+  });
   EXPECT_EQ(message, "rank 0");
 }
 

@@ -1,11 +1,13 @@
 #include "base/program/Plugins.hpp"
 
 #include "unit/base/Refusal.hpp"
+#include "unit/base/TemporaryDirectory.hpp"
 
 namespace
 {
 using namespace asperity;
 using asperity::test::expectParts;
+using asperity::test::expectRefusal;
 using asperity::test::refusal;
 using Names = std::vector<std::string>;
 
@@ -29,11 +31,12 @@ TEST(Plugins, NothingBroughtIsRefused)
 
 TEST(Plugins, ANameThatIsTakenIsRefused)
 {
-  expectParts(refusal([] {
-                load({"state law 'Slip'"}, {"state law 'Slip'", "state law 'Slip'"});
-              }),
-              {ASPERITY_EMPTY_PLUGIN, "registers the state law 'Slip', which is there already"});
-  expectParts(refusal([] { load({}, {"output 'Mine'", "output 'Mine'"}); }), {"output 'Mine'"});
+  expectRefusal(
+    [] {
+      load({"state law 'Slip'"}, {"state law 'Slip'", "state law 'Slip'"});
+    },
+    {ASPERITY_EMPTY_PLUGIN, "registers the state law 'Slip', which is there already"});
+  expectRefusal([] { load({}, {"output 'Mine'", "output 'Mine'"}); }, {"output 'Mine'"});
 }
 
 TEST(Plugins, AFileThatIsNoLibraryIsRefused)
@@ -41,7 +44,7 @@ TEST(Plugins, AFileThatIsNoLibraryIsRefused)
   const test::TemporaryDirectory directory;
   const auto file = directory.write("text.so", "no library");
   const auto nothing = [] { return Names(); };
-  expectParts(refusal([&] { loadPlugins({file}, nothing); }), {file, "cannot be loaded"});
-  expectParts(refusal([&] { loadPlugins({"none.so"}, nothing); }), {"'none.so' is no file"});
+  expectRefusal([&] { loadPlugins({file}, nothing); }, {file, "cannot be loaded"});
+  expectRefusal([&] { loadPlugins({"none.so"}, nothing); }, {"'none.so' is no file"});
 }
 } // namespace

@@ -4,6 +4,7 @@
 #include "base/WriteFailure.hpp"
 
 #include "unit/base/Refusal.hpp"
+#include "unit/base/TemporaryDirectory.hpp"
 
 #include <filesystem>
 #include <fstream>

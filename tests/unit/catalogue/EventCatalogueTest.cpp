@@ -263,7 +263,7 @@ TEST(EventCatalogue, AnEventInProgressAtTheEndIsMarked)
   EXPECT_FALSE(events[0].complete);
   EXPECT_EQ(events[0].end, 2);
   const std::string row = lines(directory / "events.csv").back();
-  EXPECT_TRUE(test::contains(row, ",0,4,-0.5")) << row; // and the work up to the last step
+  test::expectParts(row, {",0,4,-0.5"}); // and the work up to the last step
 }
 
 TEST(EventCatalogue, ARunMayBeginSeismicAndAtRest)
@@ -349,7 +349,7 @@ TEST(EventCatalogue, SmallEventsHaveNoRowAndKeepTheirNumbers)
   EXPECT_EQ(events[1].number, 3);
   EXPECT_NEAR(run.catalogue->summary().recurrence.median, 10, 1e-12);
   EXPECT_EQ(lines(directory / "events.csv").size(), 3u);
-  EXPECT_NE(run.catalogue->report().find("and 2 that are left out"), std::string::npos);
+  test::expectParts(run.catalogue->report(), {"and 2 that are left out"});
   EXPECT_EQ(lines(directory / "events.csv")[2].substr(0, 2), "3,");
 }
 
@@ -419,12 +419,12 @@ TEST(EventCatalogue, RefusesAnotherChoiceOnRestartAndMagnitudesInThePlane)
   Observed run(directory.path());
   run.catalogue->save(archive);
   Observed other(directory.path(), {}, choice(3, 0));
-  EXPECT_TRUE(test::contains(test::inputError([&] { other.catalogue->restore(archive); }),
-                             "another Merging Time, Smallest Width or Smallest Magnitude"));
+  test::expectRefusal([&] { other.catalogue->restore(archive); },
+                      {"another Merging Time, Smallest Width or Smallest Magnitude"});
   ParameterList magnitude;
   magnitude.set("Smallest Magnitude", 5.0);
-  EXPECT_TRUE(test::contains(test::inputError([&] { Observed(directory.path(), {}, magnitude); }),
-                             "Smallest Magnitude = 5: in two dimensions"));
+  test::expectRefusal([&] { Observed(directory.path(), {}, magnitude); },
+                      {"Smallest Magnitude = 5: in two dimensions"});
 }
 
 // Node 1 of an upright fault, 1/16 below its upper end, slides first.

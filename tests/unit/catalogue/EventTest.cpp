@@ -60,7 +60,7 @@ TEST(EventSummary, OfNothingIsNotANumber)
   catalogue::printSummary(of_one, catalogue::summarise(events(1)));
   EXPECT_EQ(of_one.str().find("nan"), std::string::npos) << of_one.str();
   EXPECT_EQ(of_one.str().find("recurrence"), std::string::npos);
-  EXPECT_NE(of_one.str().find("width"), std::string::npos);
+  test::expectParts(of_one.str(), {"width"});
 }
 
 TEST(EventTable, ColumnsAreAligned)
@@ -77,8 +77,8 @@ TEST(EventTable, LongTablesAreCutInTheMiddle)
   EXPECT_EQ(printed(30).size(), 31u);
   const auto lines = printed(100);
   ASSERT_EQ(lines.size(), 32u);
-  EXPECT_TRUE(test::contains(lines[15], "   15  ")) << lines[15];
-  EXPECT_TRUE(test::contains(lines[16], "...")) << lines[16];
-  EXPECT_TRUE(test::contains(lines[17], "   86  ")) << lines[17];
-  EXPECT_TRUE(test::contains(lines[31], "  100  ")) << lines[31];
+  test::expectParts(lines[15], {"   15  "});
+  test::expectParts(lines[16], {"..."});
+  test::expectParts(lines[17], {"   86  "});
+  test::expectParts(lines[31], {"  100  "});
 }

@@ -7,20 +7,15 @@ using test::world;
 
 namespace
 {
-// The strip, turned so that its base, the fault, is the line from (0, -1) up to (0, 0).
-io::OutputDomain uprightFault(int num_base)
+io::OutputDomain uprightFault()
 {
-  auto mesh = test::stripMesh(num_base);
-  for (auto& vertex : mesh.vertices) {
-    vertex = {-vertex[1], vertex[0] - 1};
-  }
-  return io::boundaryDomain("fault", mesh, "base", world());
+  return io::boundaryDomain("fault", test::uprightStrip(4), "base", world());
 }
 } // namespace
 
 TEST(FaultPlaces, PositionsAreDownDip)
 {
-  const auto upright = uprightFault(4);
+  const auto upright = uprightFault();
   const auto level = io::boundaryDomain("fault", test::stripMesh(4), "base", world());
   EXPECT_FALSE(faultAxis(upright).is_level);
   EXPECT_TRUE(faultAxis(level).is_level);
@@ -54,7 +49,7 @@ TEST(FaultPlaces, ATangentRisesAsTheFaultDoesUnlessItIsSteep)
 
 TEST(FaultPlaces, APointIsFoundByItsDistance)
 {
-  const auto upright = pointAlong(uprightFault(4), 0.3); // between nodes
+  const auto upright = pointAlong(uprightFault(), 0.3); // between nodes
   ASSERT_TRUE(upright);
   EXPECT_NEAR((*upright)[0], 0, 1e-15);
   EXPECT_NEAR((*upright)[1], -0.3, 1e-15);

@@ -4,6 +4,7 @@
 #include "catalogue/receivers/NearestPoint.hpp"
 #include "mesh/generation/RectangleMesh.hpp"
 #include "mesh/parallel/Partition.hpp"
+#include "unit/io/BlockMesh.hpp"
 #include "unit/io/Support.hpp"
 
 #include <algorithm>
@@ -98,16 +99,7 @@ TEST(PointLocation, ComponentsStayApart)
 
 TEST(PointLocation, TetrahedraAndTheirFaces)
 {
-  Mesh<3> mesh; // held by rank 0; the others have nothing
-  mesh.num_global_vertices = 4;
-  mesh.boundaries["base"] = {};
-  if (world()->getRank() == 0) {
-    mesh.vertices = {{0, 0, 0}, {2, 0, 0}, {0, 3, 0}, {0.5, 0.25, 4}};
-    mesh.global_ids = {0, 1, 2, 3};
-    mesh.num_owned = 4;
-    mesh.cells = {{0, 1, 2, 3}};
-    mesh.boundaries["base"] = {{0, 2, 1}};
-  }
+  const auto mesh = test::tetrahedron();
   const auto function = [](double const* x) { return x[0] + 10 * x[1] - 100 * x[2]; };
   const OutputDomain volume = volumeDomain(mesh, world());
   const auto inside = locate(volume, {0.5, 0.4, 1});

@@ -1,4 +1,3 @@
-#include "hdf5/File.hpp"
 #include "parameters/Parameters.hpp"
 #include "unit/io/Stage.hpp"
 
@@ -51,15 +50,10 @@ const History history{{1e-4, 1e-4, 1e-4, 1e-4, 1}, {1e-4, 1, 1e-4, 1e-4, 1},
                       {1e-4, 1e-4, 1, 1e-4, 1},    {1e-4, 1e-4, 1e-4, 1e-4, 1}};
 const Rates creeping{0, 0, 0, 0, 1};
 
-std::vector<double> values(std::filesystem::path const& file, std::string const& dataset)
-{
-  return h5::File::open(file).openDataset(dataset).read<double>();
-}
-
 void expectValues(std::filesystem::path const& file, std::string const& dataset,
                   std::vector<double> const& expected)
 {
-  const auto found = values(file, dataset);
+  const auto found = test::readNumbers(file, dataset);
   ASSERT_EQ(found.size(), expected.size()) << dataset;
   for (std::size_t i = 0; i < found.size(); ++i) {
     EXPECT_TRUE(std::isnan(expected[i]) ? std::isnan(found[i])

@@ -57,19 +57,17 @@ TEST(SurfaceReceivers, ThoseOutsideAreRefusedByName)
   test::TemporaryDirectory directory;
   auto list = parameters();
   list.sublist("On Fault").set("st50", position({0., -0.7, 5.}));
-  const auto outside = test::inputError([&] { run(directory.path(), list); });
-  EXPECT_TRUE(test::contains(outside, "On Fault / st50 = (0, -0.7, 5) is 2 m outside of the fault, "
-                                      "whose coordinates go from (0, -4, 0) to (0, 0, 3) m"))
-    << outside;
+  const auto outside = test::refusal([&] { run(directory.path(), list); });
+  test::expectParts(outside, {"On Fault / st50 = (0, -0.7, 5) is 2 m outside of the fault, "
+                              "whose coordinates go from (0, -4, 0) to (0, 0, 3) m"});
   list = parameters();
   list.sublist("Off Fault").set("above", position({0.5, 0.25, 1.}));
-  const auto above = test::inputError([&] { run(directory.path(), list); });
-  EXPECT_TRUE(test::contains(above, "above = (0.5, 0.25, 1) is 0.25 m outside of the mesh"))
-    << above;
+  test::expectRefusal([&] { run(directory.path(), list); },
+                      {"above = (0.5, 0.25, 1) is 0.25 m outside of the mesh"});
   list = parameters();
   list.sublist("On Fault").set("flat", position({0., -1.}));
-  const auto flat = test::inputError([&] { run(directory.path(), list); });
-  EXPECT_TRUE(test::contains(flat, "flat has 2 coordinates; a position in this mesh has 3"));
+  test::expectRefusal([&] { run(directory.path(), list); },
+                      {"flat has 2 coordinates; a position in this mesh has 3"});
 }
 
 TEST(SurfaceReceivers, CellsAcrossAPeriodAreFound)

@@ -84,7 +84,7 @@ public:
 } // namespace
 
 // Two factors: the plane of three iterates holds the fixed point, the fourth map finds it.
-TEST(AndersonAcceleration, solvesAsManyDirectionsAsItRemembers)
+TEST(AndersonAcceleration, SolvesAsManyDirectionsAsItRemembers)
 {
   const Contraction contraction({0.9, 0.5});
   AndersonAcceleration remembers(contraction.fault, 2), forgets(contraction.fault, 1);
@@ -92,7 +92,7 @@ TEST(AndersonAcceleration, solvesAsManyDirectionsAsItRemembers)
   EXPECT_GE(contraction.errorAfter(3, forgets), 1e-3);
 }
 
-TEST(AndersonAcceleration, ofDepthZeroIsTheFixedPointIteration)
+TEST(AndersonAcceleration, OfDepthZeroIsTheFixedPointIteration)
 {
   const Contraction contraction({0.5});
   AndersonAcceleration plain(contraction.fault, 0);
@@ -101,7 +101,7 @@ TEST(AndersonAcceleration, ofDepthZeroIsTheFixedPointIteration)
 }
 
 // Of one remembered iterate: gamma = <f1, f1 - f0> / |f1 - f0|^2 in the mean square over the fault.
-TEST(AndersonAcceleration, findsTheSmallestResidualOverTheFault)
+TEST(AndersonAcceleration, FindsTheSmallestResidualOverTheFault)
 {
   const Contraction contraction({0.8, 0.3, -0.4});
   AndersonAcceleration acceleration(contraction.fault, 1);
@@ -123,7 +123,7 @@ TEST(AndersonAcceleration, findsTheSmallestResidualOverTheFault)
   }
 }
 
-TEST(AndersonAcceleration, startsAnewAfterAReset)
+TEST(AndersonAcceleration, StartsAnewAfterAReset)
 {
   const Contraction contraction({0.9, 0.5, 0.2});
   AndersonAcceleration used(contraction.fault, 2), fresh(contraction.fault, 2);
@@ -132,7 +132,7 @@ TEST(AndersonAcceleration, startsAnewAfterAReset)
   EXPECT_EQ(contraction.errorAfter(3, used), contraction.errorAfter(3, fresh));
 }
 
-TEST(AndersonAcceleration, staysWhereItHasArrived)
+TEST(AndersonAcceleration, StaysWhereItHasArrived)
 {
   const Contraction contraction({0});
   AndersonAcceleration acceleration(contraction.fault, 2);

@@ -66,6 +66,25 @@ protected:
            dynamics::distance(*model.surface, x.alpha, y.alpha);
   }
 
+  // `continued`, with the memory of `control`, takes the same steps from the same state.
+  void expectSameContinuation(StepControl& control, State& from, StepControl& continued,
+                              int num_steps)
+  {
+    SolveCount count;
+    continued.restore(control.memory());
+    auto copy = from.clone();
+    for (int n = 0; n < num_steps; ++n) {
+      auto const expected = control.advance(from, count);
+      auto const accepted = continued.advance(copy, count);
+      EXPECT_EQ(accepted.level, expected.level);
+      EXPECT_EQ(accepted.iterations, expected.iterations);
+      EXPECT_EQ(accepted.error, expected.error);
+      EXPECT_EQ(copy.time, from.time);
+      EXPECT_EQ(denseOf(*copy.v), denseOf(*from.v));
+      EXPECT_EQ(denseOf(copy.alpha), denseOf(from.alpha));
+    }
+  }
+
   // `control`, some of whose steps have no solution, takes smaller ones than `free`, and goes on.
   void expectSmallerSteps(StepControl& control, StepControl& free)
   {
@@ -147,17 +166,7 @@ protected:
       control.advance(state, count);
       ASSERT_LT(state.time, instants[0]);
     }
-    auto copy = state.clone();
-    continued.restore(control.memory());
-    for (int n = 0; n < 12; ++n) {
-      auto const expected = control.advance(state, count);
-      auto const accepted = continued.advance(copy, count);
-      EXPECT_EQ(accepted.level, expected.level);
-      EXPECT_EQ(accepted.error, expected.error);
-      EXPECT_EQ(copy.time, state.time);
-      EXPECT_EQ(denseOf(*copy.v), denseOf(*state.v));
-      EXPECT_EQ(denseOf(copy.alpha), denseOf(state.alpha));
-    }
+    expectSameContinuation(control, state, continued, 12);
     EXPECT_GT(state.time, instants[0]);
   }
 

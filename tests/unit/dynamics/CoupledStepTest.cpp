@@ -90,7 +90,7 @@ protected:
   }
 };
 
-TEST_P(CoupledStepSchemes, agreeWithNewtonOnDenseMatrices)
+TEST_P(CoupledStepSchemes, AgreeWithNewtonOnDenseMatrices)
 {
   for (int components : {1, 2}) {
     for (auto correction : {Correction::direct, Correction::multigrid}) {
@@ -101,7 +101,7 @@ TEST_P(CoupledStepSchemes, agreeWithNewtonOnDenseMatrices)
   }
 }
 
-TEST_P(CoupledStepSchemes, meetFrictionUnderTheNormalStressAtTheEndOfTheStep)
+TEST_P(CoupledStepSchemes, MeetFrictionUnderTheNormalStressAtTheEndOfTheStep)
 {
   auto options = slidingBlock(2);
   options.normal_stress = [](Point<2> const& x, double t) {
@@ -111,7 +111,7 @@ TEST_P(CoupledStepSchemes, meetFrictionUnderTheNormalStressAtTheEndOfTheStep)
 }
 
 // The state sees slip, which is twice the displacement of half of an antisymmetric whole.
-TEST_P(CoupledStepSchemes, seeSlipRatherThanDisplacement)
+TEST_P(CoupledStepSchemes, SeeSlipRatherThanDisplacement)
 {
   auto options = slidingBlock(1);
   options.other_side = fem::OtherSide::mirror_image;
@@ -120,7 +120,7 @@ TEST_P(CoupledStepSchemes, seeSlipRatherThanDisplacement)
 
 // A fault that has slid far and hardly moves: (u1 - u0) / tau is lost in the rounding of u. Sliding
 // is steady, so that alpha stays.
-TEST_P(CoupledStepSchemes, seeRatesBelowTheRoundingOfTheDisplacement)
+TEST_P(CoupledStepSchemes, SeeRatesBelowTheRoundingOfTheDisplacement)
 {
   const double rate = 1e-16; // m/s, after 100 m of slip
   auto options = slidingBlock(1);
@@ -150,7 +150,7 @@ INSTANTIATE_TEST_SUITE_P(
 
 // Every step ends at the same fixed point, and sooner.
 // To the last bit: only then may a control complete what it accepts, and leave out the rest.
-TEST(CoupledStep, mayBeCompletedLater)
+TEST(CoupledStep, MayBeCompletedLater)
 {
   const Model model(slidingBlock(2), alone());
   const State from = slidingState(model);
@@ -174,7 +174,7 @@ TEST(CoupledStep, mayBeCompletedLater)
   }
 }
 
-TEST(CoupledStep, takesFewerIterationsFromSeveralIterates)
+TEST(CoupledStep, TakesFewerIterationsFromSeveralIterates)
 {
   const Model model(slidingBlock(2), alone());
   auto plain = tightCoupling();
@@ -194,7 +194,7 @@ TEST(CoupledStep, takesFewerIterationsFromSeveralIterates)
 }
 
 // The largest change is met where a mean would hide it.
-TEST(CoupledStep, iteratesUntilTheNormAskedForIsSmall)
+TEST(CoupledStep, IteratesUntilTheNormAskedForIsSmall)
 {
   const Model model(slidingBlock(2), alone());
   auto from = slidingState(model);
@@ -223,7 +223,7 @@ TEST(CoupledStep, iteratesUntilTheNormAskedForIsSmall)
   EXPECT_GT(more, 0);
 }
 
-TEST(CoupledStep, endsInBalanceOfMomentumUnderEveryLaw)
+TEST(CoupledStep, EndsInBalanceOfMomentumUnderEveryLaw)
 {
   for (std::string const law : {"Regularised", "Truncated"}) {
     for (std::string const state_law : {"Ageing", "Slip"}) {
@@ -252,7 +252,7 @@ TEST(CoupledStep, endsInBalanceOfMomentumUnderEveryLaw)
   }
 }
 
-TEST(CoupledStep, moveFixedDofsAsPrescribedAtTheEndOfTheStep)
+TEST(CoupledStep, MoveFixedDofsAsPrescribedAtTheEndOfTheStep)
 {
   const Model model(slidingBlock(2), alone());
   Stepper stepper(model, RateUpdate::newmark(0.25), milliseconds);
@@ -270,7 +270,7 @@ TEST(CoupledStep, moveFixedDofsAsPrescribedAtTheEndOfTheStep)
   }
 }
 
-TEST(CoupledStep, leavesAFaultAtRestThatCohesionHolds)
+TEST(CoupledStep, LeavesAFaultAtRestThatCohesionHolds)
 {
   auto options = slidingBlock(2);
   options.conditions = {};
@@ -290,7 +290,7 @@ TEST(CoupledStep, leavesAFaultAtRestThatCohesionHolds)
   }
 }
 
-TEST(CoupledStep, saysWhyItFailed)
+TEST(CoupledStep, SaysWhyItFailed)
 {
   const Model model(slidingBlock(2), alone());
   auto const from = slidingState(model);
@@ -321,7 +321,7 @@ TEST(CoupledStep, saysWhyItFailed)
   EXPECT_EQ(state.count.failures, 1);
 }
 
-TEST(SolveCount, listsAllItsMembersOnce)
+TEST(SolveCount, ListsAllItsMembersOnce)
 {
   SolveCount count;
   std::int64_t n = 0;
@@ -335,7 +335,7 @@ TEST(SolveCount, listsAllItsMembersOnce)
   EXPECT_EQ(names.size(), SolveCount::members().size());
 }
 
-TEST(SolveCount, sinceIsTheDifferenceOfEveryMember)
+TEST(SolveCount, SinceIsTheDifferenceOfEveryMember)
 {
   SolveCount before, after;
   std::int64_t n = 0;

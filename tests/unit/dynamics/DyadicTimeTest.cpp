@@ -4,7 +4,7 @@
 
 namespace asperity::dynamics
 {
-TEST(DyadicTime, halvesTheStepFromLevelToLevel)
+TEST(DyadicTime, HalvesTheStepFromLevelToLevel)
 {
   const DyadicTime clock(0.1, 40);
   for (int level = 0; level < 40; ++level) {
@@ -15,7 +15,7 @@ TEST(DyadicTime, halvesTheStepFromLevelToLevel)
   EXPECT_EQ(clock.ticks(40), 1);
 }
 
-TEST(DyadicTime, addsCenturiesAndMillisecondsWithoutLoss)
+TEST(DyadicTime, AddsCenturiesAndMillisecondsWithoutLoss)
 {
   const double century = 3.15576e9;    // s
   const DyadicTime clock(century, 60); // the smallest step is 2.7 ns
@@ -31,7 +31,7 @@ TEST(DyadicTime, addsCenturiesAndMillisecondsWithoutLoss)
   EXPECT_EQ(clock.seconds(time), 3 * century);
 }
 
-TEST(DyadicTime, sumsOfStepsAreExactInSeconds)
+TEST(DyadicTime, SumsOfStepsAreExactInSeconds)
 {
   const DyadicTime clock(0.3, 20);
   DyadicTime::Ticks time = 0;
@@ -42,7 +42,7 @@ TEST(DyadicTime, sumsOfStepsAreExactInSeconds)
   EXPECT_EQ(clock.seconds(clock.ticks(7)), clock.stepSize(7));
 }
 
-TEST(DyadicTime, findsTheLargestStepWithin)
+TEST(DyadicTime, FindsTheLargestStepWithin)
 {
   const DyadicTime clock(0.5, 10);
   EXPECT_EQ(clock.levelWithin(DyadicTime::Ticks(1) << 62), 0);
@@ -52,13 +52,13 @@ TEST(DyadicTime, findsTheLargestStepWithin)
   EXPECT_EQ(clock.levelWithin(1), 10);
 }
 
-TEST(DyadicTime, takesNoTickForRounding)
+TEST(DyadicTime, TakesNoTickForRounding)
 {
   EXPECT_EQ(DyadicTime(0.1, 20).reaching(1.1), DyadicTime::Ticks(11) << 20);
   EXPECT_EQ(DyadicTime(0.1, 20).reaching(1.1 + 1e-7), (DyadicTime::Ticks(11) << 20) + 2);
 }
 
-TEST(DyadicTime, reachesATimeWithTheFirstTickNotBeforeIt)
+TEST(DyadicTime, ReachesATimeWithTheFirstTickNotBeforeIt)
 {
   const DyadicTime clock(1, 3);
   EXPECT_EQ(clock.reaching(2), 16);

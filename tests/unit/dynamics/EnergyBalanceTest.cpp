@@ -45,7 +45,7 @@ void advance(Stepper& stepper, State& state, int level)
 }
 } // namespace
 
-TEST(EnergyBalance, closesWithTheTrapezoidalRuleWhateverTheSteps)
+TEST(EnergyBalance, ClosesWithTheTrapezoidalRuleWhateverTheSteps)
 {
   for (int components : {1, 2}) {
     auto options = slidingBlock(components);
@@ -81,7 +81,7 @@ TEST(EnergyBalance, closesWithTheTrapezoidalRuleWhateverTheSteps)
 }
 
 // However loose the coupling: what counts is the state that the velocity was computed with.
-TEST(EnergyBalance, closesWhereAlphaIsStillMoving)
+TEST(EnergyBalance, ClosesWhereAlphaIsStillMoving)
 {
   const testing::Model model(slidingBlock(2), fem::testing::selfCommunicator());
   auto loose = tightCoupling();
@@ -98,7 +98,7 @@ TEST(EnergyBalance, closesWhereAlphaIsStillMoving)
   EXPECT_NEAR(balance.energy().defect / balance.energy().friction_work, 0, 1e-10);
 }
 
-TEST(EnergyBalance, splitsTheWorkOfFrictionAndOfThePushedBoundary)
+TEST(EnergyBalance, SplitsTheWorkOfFrictionAndOfThePushedBoundary)
 {
   // Steady: a rigid block in uniform motion, friction bears the traction and the push together.
   auto options = slidingBlock(2);
@@ -137,7 +137,7 @@ TEST(EnergyBalance, splitsTheWorkOfFrictionAndOfThePushedBoundary)
 }
 
 // rho v' = -K u alone: what backward Euler loses is 1/2 (du'K du + dv'M dv) in each step.
-TEST(EnergyBalance, namesWhatBackwardEulerDissipates)
+TEST(EnergyBalance, NamesWhatBackwardEulerDissipates)
 {
   auto options = slidingBlock(1);
   options.sigma_n = options.traction = 0;
@@ -168,7 +168,7 @@ class EnergyOfSchemes : public ::testing::TestWithParam<RateUpdate>
 };
 
 // With friction, viscosity, moving boundaries and steps of all sizes.
-TEST_P(EnergyOfSchemes, closesOnceTheirDissipationIsCounted)
+TEST_P(EnergyOfSchemes, ClosesOnceTheirDissipationIsCounted)
 {
   for (int components : {1, 2}) {
     auto options = slidingBlock(components);
@@ -189,7 +189,7 @@ TEST_P(EnergyOfSchemes, closesOnceTheirDissipationIsCounted)
   }
 }
 
-TEST_P(EnergyOfSchemes, isDissipatedWhereTheBodyIsLeftAlone)
+TEST_P(EnergyOfSchemes, IsDissipatedWhereTheBodyIsLeftAlone)
 {
   auto options = slidingBlock(2);
   options.sigma_n = options.traction = 0;
@@ -222,7 +222,7 @@ INSTANTIATE_TEST_SUITE_P(All, EnergyOfSchemes,
 
 // Friction is measured under the normal stress of the state, even where steps beyond it have been
 // tried in between, and that normal stress is what remains for others to read.
-TEST(EnergyBalance, followsAChangingNormalStress)
+TEST(EnergyBalance, FollowsAChangingNormalStress)
 {
   auto options = slidingBlock(2);
   options.normal_stress = [](Point<2> const& x, double t) {
@@ -246,7 +246,7 @@ TEST(EnergyBalance, followsAChangingNormalStress)
   EXPECT_NEAR(balance.energy().defect / balance.energy().friction_work, 0, 1e-10);
 }
 
-TEST(EnergyBalance, goesOnFromTheWorksOfAnEarlierRun)
+TEST(EnergyBalance, GoesOnFromTheWorksOfAnEarlierRun)
 {
   const testing::Model model(slidingBlock(2), fem::testing::selfCommunicator());
   Stepper stepper(model, RateUpdate::newmark(0.25), milliseconds);
@@ -268,7 +268,7 @@ TEST(EnergyBalance, goesOnFromTheWorksOfAnEarlierRun)
   }
 }
 
-TEST(EnergyBalance, seesNoWorkWhereTheFaultIsHeld)
+TEST(EnergyBalance, SeesNoWorkWhereTheFaultIsHeld)
 {
   auto options = slidingBlock(2);
   options.conditions = {};
@@ -303,7 +303,7 @@ TEST(EnergyBalance, seesNoWorkWhereTheFaultIsHeld)
   EXPECT_NEAR(held / driven, 1, 1e-10);
 }
 
-TEST(Energy, listsAllItsMembersOnce)
+TEST(Energy, ListsAllItsMembersOnce)
 {
   Energy energy;
   double n = 0;
@@ -347,7 +347,7 @@ void advance(dynamics::Model const& model, EnergyBalance& balance, State& state,
 
 // A massless body under a load that comes at once: the load does the work l u, of which half
 // becomes elastic energy and the other half is given off.
-TEST(EnergyBalance, countsWhatAMasslessBodyGivesOffWhenItFallsIntoPlace)
+TEST(EnergyBalance, CountsWhatAMasslessBodyGivesOffWhenItFallsIntoPlace)
 {
   auto options = hangingBlock();
   options.gravity = {0, -9.81};
@@ -367,7 +367,7 @@ TEST(EnergyBalance, countsWhatAMasslessBodyGivesOffWhenItFallsIntoPlace)
 }
 
 // The state slides at a rate that no traction drives: friction at that rate acts on no motion.
-TEST(EnergyBalance, startsWithTheForcesAfterTheJumpOfAQuasiDynamicBody)
+TEST(EnergyBalance, StartsWithTheForcesAfterTheJumpOfAQuasiDynamicBody)
 {
   const testing::Model block(hangingBlock(), fem::testing::selfCommunicator());
   auto const model = quasiDynamic(block);

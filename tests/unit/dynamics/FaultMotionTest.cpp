@@ -48,7 +48,7 @@ NodeView nodes(std::vector<double> const& values)
 }
 } // namespace
 
-TEST(FaultMotion, slipRateIsTheMagnitudeOfTheVelocityInUnitsOfSlip)
+TEST(FaultMotion, SlipRateIsTheMagnitudeOfTheVelocityInUnitsOfSlip)
 {
   auto const fault = makeFault(2, OtherSide::mirror_image);
   auto const V = nodes({7, 7, 7});
@@ -58,7 +58,7 @@ TEST(FaultMotion, slipRateIsTheMagnitudeOfTheVelocityInUnitsOfSlip)
   EXPECT_DOUBLE_EQ(V(2), 2 * std::sqrt(2.));
 }
 
-TEST(FaultMotion, slowRatesDoNotUnderflow)
+TEST(FaultMotion, SlowRatesDoNotUnderflow)
 {
   for (double rate : {1e-300, 1e-200, 1e-150, 1e-9, 1e2}) {
     auto const line = makeFault(1);
@@ -76,7 +76,7 @@ TEST(FaultMotion, slowRatesDoNotUnderflow)
   }
 }
 
-TEST(FaultMotion, peakIsOverAllNodesAndRanks)
+TEST(FaultMotion, PeakIsOverAllNodesAndRanks)
 {
   const RCP<const Map> map = rcp(new Map(8 * world()->getSize(), 8, 0, world()));
   Vector v(map);
@@ -95,7 +95,7 @@ TEST(FaultMotion, peakIsOverAllNodesAndRanks)
   }
 }
 
-TEST(FaultMotion, peakLeavesOutWhatIsPrescribed)
+TEST(FaultMotion, PeakLeavesOutWhatIsPrescribed)
 {
   const RCP<const Map> map = rcp(new Map(3 * world()->getSize(), 3, 0, world()));
   Vector v(map);
@@ -108,7 +108,7 @@ TEST(FaultMotion, peakLeavesOutWhatIsPrescribed)
   EXPECT_EQ(testing::peakSlipRateAt(makeFault(1, side, {1, 1, 1}), v), 0);
 }
 
-TEST(FaultMotion, slidesWhereOneComponentIsFree)
+TEST(FaultMotion, SlidesWhereOneComponentIsFree)
 {
   const RCP<const Map> map = rcp(new Map(6 * world()->getSize(), 6, 0, world()));
   Vector v(map);
@@ -125,7 +125,7 @@ TEST(FaultMotion, slidesWhereOneComponentIsFree)
 }
 
 // Slip rate = 2 v_t + Vp beside a mirror image.
-TEST(FaultMotion, platesAddToTheSlipOfBodies)
+TEST(FaultMotion, PlatesAddToTheSlipOfBodies)
 {
   const RCP<const Map> map = rcp(new Map(6 * world()->getSize(), 6, 0, world()));
   Vector v(map);
@@ -147,7 +147,7 @@ TEST(FaultMotion, platesAddToTheSlipOfBodies)
 }
 
 // Slip = 2 (u - start) + Vp t beside a mirror image.
-TEST(FaultMotion, slipIsThatOfBodiesSinceTheStartAndThatOfPlates)
+TEST(FaultMotion, SlipIsThatOfBodiesSinceTheStartAndThatOfPlates)
 {
   const RCP<const Map> map = rcp(new Map(6 * world()->getSize(), 6, 0, world()));
   Vector u(map);
@@ -167,7 +167,7 @@ TEST(FaultMotion, slipIsThatOfBodiesSinceTheStartAndThatOfPlates)
   }
 }
 
-TEST(FaultMotion, setsTheVelocityThatGivesASlipRate)
+TEST(FaultMotion, SetsTheVelocityThatGivesASlipRate)
 {
   const RCP<const Map> map = rcp(new Map(6 * world()->getSize(), 6, 0, world()));
   auto const fault = makeFault(2, OtherSide::mirror_image, {0, 0, 0, 1, 0, 0});
@@ -183,7 +183,7 @@ TEST(FaultMotion, setsTheVelocityThatGivesASlipRate)
   EXPECT_EQ(v.getData()[5], 5);
 }
 
-TEST(FaultMotion, aFaultThatSticksToItsPlatesDoesNotSlip)
+TEST(FaultMotion, AFaultThatSticksToItsPlatesDoesNotSlip)
 {
   const RCP<const Map> map = rcp(new Map(6 * world()->getSize(), 6, 0, world()));
   Vector v(map);
@@ -198,7 +198,7 @@ TEST(FaultMotion, aFaultThatSticksToItsPlatesDoesNotSlip)
 }
 
 // A wall across the motion of the plates: what is held slips at the plates' rate.
-TEST(FaultMotion, wallsAcrossTheMotionOfPlatesAreRefused)
+TEST(FaultMotion, WallsAcrossTheMotionOfPlatesAreRefused)
 {
   const RCP<const Map> map = rcp(new Map(6 * world()->getSize(), 6, 0, world()));
   const Vector v(map);
@@ -208,7 +208,7 @@ TEST(FaultMotion, wallsAcrossTheMotionOfPlatesAreRefused)
                InputError);
 }
 
-TEST(FaultMotion, distanceIsTheRootMeanSquareOverAllRanks)
+TEST(FaultMotion, DistanceIsTheRootMeanSquareOverAllRanks)
 {
   auto const fault = makeFault(1);
   auto const a = nodes({1, 2, 3});
@@ -217,7 +217,7 @@ TEST(FaultMotion, distanceIsTheRootMeanSquareOverAllRanks)
   EXPECT_EQ(distance(fault, a, a), 0);
 }
 
-TEST(FaultMotion, distanceIsTheMaximumOverAllRanks)
+TEST(FaultMotion, DistanceIsTheMaximumOverAllRanks)
 {
   auto const fault = makeFault(1);
   const double scale = 1. + world()->getRank();
@@ -229,7 +229,7 @@ TEST(FaultMotion, distanceIsTheMaximumOverAllRanks)
   EXPECT_EQ(distance(fault, a, a, Norm::maximum), 0);
 }
 
-TEST(FaultMotion, ranksWithoutNodesDoNotCount)
+TEST(FaultMotion, RanksWithoutNodesDoNotCount)
 {
   auto a = nodes({1, 2, 3}), b = nodes({1, 5, 1});
   const bool has_nodes = world()->getRank() == 0;
@@ -248,7 +248,7 @@ TEST(FaultMotion, ranksWithoutNodesDoNotCount)
 }
 
 // Wherever it stands, and however large the other differences are.
-TEST(FaultMotion, notANumberIsFarFromEverythingInEitherNorm)
+TEST(FaultMotion, NotANumberIsFarFromEverythingInEitherNorm)
 {
   auto const fault = makeFault(1);
   auto const b = nodes({10, 20, 30});
@@ -267,7 +267,7 @@ TEST(FaultMotion, notANumberIsFarFromEverythingInEitherNorm)
   }
 }
 
-TEST(NormalStress, isAConstantOrAFunctionOfTime)
+TEST(NormalStress, IsAConstantOrAFunctionOfTime)
 {
   const NormalStress constant(nodes({1, 2, 3}));
   auto const sigma_n = nodes({7, 7, 7});
@@ -285,7 +285,7 @@ TEST(NormalStress, isAConstantOrAFunctionOfTime)
   }
 }
 
-TEST(FaultMotion, gathersItsDofs)
+TEST(FaultMotion, GathersItsDofs)
 {
   const RCP<const Map> map = rcp(new Map(4 * world()->getSize(), 4, 0, world()));
   Vector v(map);

@@ -18,7 +18,7 @@ constexpr Rotation turn = {{{0.36, 0.48, -0.8}, {-0.8, 0.6, 0}, {0.48, 0.64, 0.6
 } // namespace
 
 // The base of a turned block does not move across itself, so that its motion is the slip.
-TEST(FaultSample, hasVectorsAlongTheAxesInSpace)
+TEST(FaultSample, HasVectorsAlongTheAxesInSpace)
 {
   const ModelIn<3> model(slidingBlockInSpace({5, 3, 4}, turn), fem::testing::selfCommunicator());
   auto state = slidingState(model, turn);
@@ -53,7 +53,7 @@ TEST(FaultSample, hasVectorsAlongTheAxesInSpace)
   EXPECT_NEAR(sample.peakSlipRate(), fastest, 1e-14 * fastest);
 }
 
-TEST(FaultSample, keepsWhatItHasReadUntilTheNextStep)
+TEST(FaultSample, KeepsWhatItHasReadUntilTheNextStep)
 {
   const testing::Model model(slidingBlock(2), fem::testing::selfCommunicator());
   auto state = slidingState(model);

@@ -53,7 +53,7 @@ void expectUniformCompression(ModelIn<Dim> const& model,
 } // namespace
 
 // By hand: sigma_xx = 0 and plane strain give sigma = 4 G (3 K + G) / (3 K + 4 G) eps.
-TEST(NormalReaction, isTheStressOfABlockPressedOnADippingFoundation)
+TEST(NormalReaction, IsTheStressOfABlockPressedOnADippingFoundation)
 {
   for (double dip : {0., 0.6, -2.5}) {
     ModelOptions options;
@@ -76,7 +76,7 @@ TEST(NormalReaction, isTheStressOfABlockPressedOnADippingFoundation)
 }
 
 // In space, sigma = E eps.
-TEST(NormalReaction, isTheStressOfASolidPressedOnADippingFoundation)
+TEST(NormalReaction, IsTheStressOfASolidPressedOnADippingFoundation)
 {
   auto const turn = fem::testing::rotationAbout({1, 2, -1}, 0.7);
   OptionsIn<3> options;
@@ -97,7 +97,7 @@ TEST(NormalReaction, isTheStressOfASolidPressedOnADippingFoundation)
 }
 
 // What a load carries does not press.
-TEST(NormalReaction, isLessByTheLoadAtTheNode)
+TEST(NormalReaction, IsLessByTheLoadAtTheNode)
 {
   ModelOptions options;
   options.mesh = fem::testing::uniformRectangle(4, 3, 0.4, 0.3);
@@ -116,7 +116,7 @@ TEST(NormalReaction, isLessByTheLoadAtTheNode)
   EXPECT_EQ(R(1), 0);
 }
 
-TEST(NormalReaction, rowsAreThoseOfTheMatrices)
+TEST(NormalReaction, RowsAreThoseOfTheMatrices)
 {
   const Model model(slidingBlock(2), fem::testing::selfCommunicator());
   auto const reaction = reactionOf(model);
@@ -142,7 +142,7 @@ TEST(NormalReaction, rowsAreThoseOfTheMatrices)
 
 // Both solvers, after each iteration of TNNMG, give N of their minimiser; the condensed one does
 // so without computing it.
-TEST(NormalReaction, comesFromTheSolverWithoutItsWholeVelocity)
+TEST(NormalReaction, ComesFromTheSolverWithoutItsWholeVelocity)
 {
   const Model model(slidingBlock(2), fem::testing::selfCommunicator());
   auto const state = slidingState(model);

@@ -117,9 +117,9 @@ void expectStepsOfOneRank(ModelOptions const& options)
 }
 } // namespace
 
-TEST(Ranks, multigridOnAllStepsLikeCholeskyOnOne) { expectStepsOfOneRank(largerBlock()); }
+TEST(Ranks, MultigridOnAllStepsLikeCholeskyOnOne) { expectStepsOfOneRank(largerBlock()); }
 
-TEST(Ranks, multigridOnAllStepsLikeCholeskyOnOneWhereStressRelaxes)
+TEST(Ranks, MultigridOnAllStepsLikeCholeskyOnOneWhereStressRelaxes)
 {
   auto options = largerBlock();
   options.relaxation = {{0.5, 1e-3}, {0.4, 0.1}};
@@ -127,7 +127,7 @@ TEST(Ranks, multigridOnAllStepsLikeCholeskyOnOneWhereStressRelaxes)
 }
 
 // Friction as a vector law; also the effort is that of one rank.
-TEST(Ranks, slideInSpaceLikeOne)
+TEST(Ranks, SlideInSpaceLikeOne)
 {
   const BothWays<3> models(slidingBlockInSpace({8, 5, 6}, upright));
   const DyadicTime clock(4e-3, 4);
@@ -160,7 +160,7 @@ TEST(Ranks, slideInSpaceLikeOne)
 }
 
 // The ranks' shares of the mesh differ; what they forget must not, since a set-up takes them all.
-TEST(Ranks, forgetTheSameStepSolvers)
+TEST(Ranks, ForgetTheSameStepSolvers)
 {
   const Model model(largerBlock(), world());
   const auto makeSolvers = [&](std::size_t budget) {
@@ -183,7 +183,7 @@ TEST(Ranks, forgetTheSameStepSolvers)
   EXPECT_EQ(static_cast<double>(narrow.bytes()), two);
 }
 
-TEST(Ranks, findTheSameInitialState)
+TEST(Ranks, FindTheSameInitialState)
 {
   const BothWays<2> models(largerBlock());
   auto const displacement = [](Model const& model, Correction correction) {

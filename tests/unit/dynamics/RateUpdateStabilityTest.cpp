@@ -72,7 +72,7 @@ double errorAfter(RateUpdate const& update, int n)
 }
 } // namespace
 
-TEST(RateUpdateStability, fastModesAreMultipliedByTheSpectralRadius)
+TEST(RateUpdateStability, FastModesAreMultipliedByTheSpectralRadius)
 {
   for (double rho : {0., 0.3, 0.5, 0.9, 1.}) {
     for (auto const& o : {with_mass, without_mass}) {
@@ -84,7 +84,7 @@ TEST(RateUpdateStability, fastModesAreMultipliedByTheSpectralRadius)
   EXPECT_NEAR(spectralRadius(amplification(RateUpdate::backwardEuler(), with_mass)), 0, 2e-4);
 }
 
-TEST(RateUpdateStability, noStepOfAnySizeAmplifies)
+TEST(RateUpdateStability, NoStepOfAnySizeAmplifies)
 {
   for (double rho : {0., 0.3, 0.5, 0.9, 1.}) {
     for (double omega = 1e-2; omega < 1e6; omega *= 1.7) {
@@ -99,7 +99,7 @@ TEST(RateUpdateStability, noStepOfAnySizeAmplifies)
 
 // After an event steps grow. Where a step doubles, v is half as much in units of 1 / tau: fast
 // modes grow if the spectral radius is above 2.
-TEST(RateUpdateStability, velocitiesOfFastModesDoNotGrowWhileStepsDouble)
+TEST(RateUpdateStability, VelocitiesOfFastModesDoNotGrowWhileStepsDouble)
 {
   for (auto const& o : {with_mass, without_mass}) {
     auto const growth = [&o](double rho, int num_steps) {
@@ -124,7 +124,7 @@ TEST(RateUpdateStability, velocitiesOfFastModesDoNotGrowWhileStepsDouble)
 }
 
 // A mode that the first step resolves, over steps that grow to millions of its period.
-TEST(RateUpdateStability, energyDoesNotGrowWhileStepsDouble)
+TEST(RateUpdateStability, EnergyDoesNotGrowWhileStepsDouble)
 {
   struct Case
   {
@@ -149,7 +149,7 @@ TEST(RateUpdateStability, energyDoesNotGrowWhileStepsDouble)
   }
 }
 
-TEST(RateUpdateStability, schemesConvergeWithTheirOrderWhileStepsChange)
+TEST(RateUpdateStability, SchemesConvergeWithTheirOrderWhileStepsChange)
 {
   const std::vector<std::pair<RateUpdate, int>> schemes = {
     {RateUpdate::newmark(0.25), 2},       {RateUpdate::newmark(0.4), 2},

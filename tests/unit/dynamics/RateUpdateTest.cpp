@@ -16,7 +16,7 @@ const DofMotion start = {0.3, -1.7, 2.9, -0.6};
 } // namespace
 
 // Pipping 2014, table 3.1: the equations that define the schemes, for any v1.
-TEST(RateUpdate, newmarkSatisfiesItsEquations)
+TEST(RateUpdate, NewmarkSatisfiesItsEquations)
 {
   OneDof dof;
   for (double beta : {0., 0.25, 0.3, 0.5}) {
@@ -31,7 +31,7 @@ TEST(RateUpdate, newmarkSatisfiesItsEquations)
   }
 }
 
-TEST(RateUpdate, backwardEulerSatisfiesItsEquations)
+TEST(RateUpdate, BackwardEulerSatisfiesItsEquations)
 {
   OneDof dof;
   for (double tau : {1e-3, 0.7}) {
@@ -43,7 +43,7 @@ TEST(RateUpdate, backwardEulerSatisfiesItsEquations)
 
 // Newmark's formulas with the scheme's own acceleration A, which lags behind a by -alpha_m steps,
 // and a1 the mean that balances momentum.
-TEST(RateUpdate, generalisedAlphaSatisfiesItsEquations)
+TEST(RateUpdate, GeneralisedAlphaSatisfiesItsEquations)
 {
   OneDof dof;
   for (double rho : {0., 0.5, 0.8, 1.}) {
@@ -62,7 +62,7 @@ TEST(RateUpdate, generalisedAlphaSatisfiesItsEquations)
   }
 }
 
-TEST(RateUpdate, generalisedAlphaWithoutDampingIsNewmark)
+TEST(RateUpdate, GeneralisedAlphaWithoutDampingIsNewmark)
 {
   OneDof dof;
   for (double tau : {1e-3, 0.7}) {
@@ -74,7 +74,7 @@ TEST(RateUpdate, generalisedAlphaWithoutDampingIsNewmark)
 }
 
 // From rest a^ is nothing but d_a A0.
-TEST(RateUpdate, laggingAccelerationIsThatOfTheStepToCome)
+TEST(RateUpdate, LaggingAccelerationIsThatOfTheStepToCome)
 {
   const RCP<const Map> map = rcp(new Map(1, 0, fem::testing::selfCommunicator()));
   State state;
@@ -96,7 +96,7 @@ TEST(RateUpdate, laggingAccelerationIsThatOfTheStepToCome)
 }
 
 // What the update of the displacement says, and where that has lost its digits.
-TEST(RateUpdate, meanVelocityIsThatOfTheDisplacement)
+TEST(RateUpdate, MeanVelocityIsThatOfTheDisplacement)
 {
   const RCP<const Map> map = rcp(new Map(2, 0, fem::testing::selfCommunicator()));
   State from, to;
@@ -127,7 +127,7 @@ TEST(RateUpdate, meanVelocityIsThatOfTheDisplacement)
   }
 }
 
-TEST(RateUpdate, secondOrderFollowsConstantAccelerationExactly)
+TEST(RateUpdate, SecondOrderFollowsConstantAccelerationExactly)
 {
   OneDof dof;
   for (auto const& update : {RateUpdate::newmark(0.25), RateUpdate::generalisedAlpha(0.5),
@@ -145,7 +145,7 @@ TEST(RateUpdate, secondOrderFollowsConstantAccelerationExactly)
 }
 
 // The weights of Z = (lambda_M / tau) M + C + (tau / lambda_K) K are the derivatives by v1.
-TEST(RateUpdate, weightsAreTheDerivativesByTheNewVelocity)
+TEST(RateUpdate, WeightsAreTheDerivativesByTheNewVelocity)
 {
   OneDof dof;
   const double tau = 0.4;

@@ -66,7 +66,7 @@ double differenceOf(RCP<Vector> State::*vector, SpaceRun const& turned, SpaceRun
 }
 } // namespace
 
-TEST(Space, slipsInBothDirectionsBesideAWall)
+TEST(Space, SlipsInBothDirectionsBesideAWall)
 {
   const SpaceRun run(upright);
   auto const& fault = *run.model.surface;
@@ -95,7 +95,7 @@ TEST(Space, slipsInBothDirectionsBesideAWall)
   EXPECT_GT(energy.friction_work, 0);
 }
 
-TEST(Space, givesTheTurnedAnswerToATurnedProblem)
+TEST(Space, GivesTheTurnedAnswerToATurnedProblem)
 {
   const SpaceRun run(upright);
   const Rotation turns[] = {fem::testing::rotationAbout({1, 2, 3}, 0.8),
@@ -113,7 +113,7 @@ TEST(Space, givesTheTurnedAnswerToATurnedProblem)
   }
 }
 
-TEST(Space, refusesToDivideAPrescribedSlipRateAndFriction)
+TEST(Space, RefusesToDivideAPrescribedSlipRateAndFriction)
 {
   auto options = slidingBlockInSpace({2, 2, 2}, upright);
   options.conditions.erase(options.conditions.begin() + 1);
@@ -121,7 +121,7 @@ TEST(Space, refusesToDivideAPrescribedSlipRateAndFriction)
   Stepper stepper(model, RateUpdate::newmark(0.25), DyadicTime(4e-3, 4));
   auto const from = slidingState(model, upright);
   auto to = from.clone();
-  fem::testing::expectInputError([&] { stepper.step.solve(from, 0, to, stepper.count); },
-                                 {"vertex 2 ", "t = 0.004 s", "m/s"});
+  test::expectRefusal([&] { stepper.step.solve(from, 0, to, stepper.count); },
+                      {"vertex 2 ", "t = 0.004 s", "m/s"});
 }
 } // namespace asperity::dynamics

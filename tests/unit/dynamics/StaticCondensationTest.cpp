@@ -29,18 +29,6 @@ ModelOptions drivenBlock()
   return options;
 }
 
-Eigen::MatrixXd block(Eigen::MatrixXd const& K, std::vector<int> const& rows,
-                      std::vector<int> const& columns)
-{
-  Eigen::MatrixXd result(rows.size(), columns.size());
-  for (std::size_t i = 0; i < rows.size(); ++i) {
-    for (std::size_t j = 0; j < columns.size(); ++j) {
-      result(i, j) = K(rows[i], columns[j]);
-    }
-  }
-  return result;
-}
-
 State stepped(dynamics::Model const& model, int num_steps)
 {
   const DyadicTime clock(0.5, 0);
@@ -59,7 +47,7 @@ State stepped(dynamics::Model const& model, int num_steps)
 
 // [E P]'K[E P] by dense algebra: S = K_FF - K_FI K_II^-1 K_IF, and the same for the driven top.
 // What motion across the fault would do is left out, since there is none.
-TEST(StaticCondensation, stiffnessIsThatOfTheBodyInEquilibrium)
+TEST(StaticCondensation, StiffnessIsThatOfTheBodyInEquilibrium)
 {
   const testing::Model model(drivenBlock(), fem::testing::selfCommunicator());
   auto const whole = quasiDynamic(model);
@@ -86,13 +74,11 @@ TEST(StaticCondensation, stiffnessIsThatOfTheBodyInEquilibrium)
   for (std::size_t i = 0; i < held.size(); ++i) {
     d[i] = denseOf(*prescribed)[held[i]];
   }
-  const Eigen::MatrixXd inverse = block(K, inside, inside).inverse();
-  const Eigen::MatrixXd S =
-    block(K, fault, fault) - block(K, fault, inside) * inverse * block(K, inside, fault);
+  const Eigen::MatrixXd inverse = K(inside, inside).inverse();
+  const Eigen::MatrixXd S = K(fault, fault) - K(fault, inside) * inverse * K(inside, fault);
   const Eigen::VectorXd at_fault =
-    (block(K, fault, held) - block(K, fault, inside) * inverse * block(K, inside, held)) * d;
-  const double of_top =
-    d.dot((block(K, held, held) - block(K, held, inside) * inverse * block(K, inside, held)) * d);
+    (K(fault, held) - K(fault, inside) * inverse * K(inside, held)) * d;
+  const double of_top = d.dot((K(held, held) - K(held, inside) * inverse * K(inside, held)) * d);
 
   auto const condensed = denseOf(*condensation->model().body.matrices.stiffness);
   const int size = static_cast<int>(fault.size());
@@ -112,7 +98,7 @@ TEST(StaticCondensation, stiffnessIsThatOfTheBodyInEquilibrium)
   EXPECT_NEAR(condensed(size, size), of_top, 1e-12 * of_top);
 }
 
-TEST(StaticCondensation, stepsAreThoseOfTheWholeBody)
+TEST(StaticCondensation, StepsAreThoseOfTheWholeBody)
 {
   const testing::Model model(drivenBlock(), fem::testing::selfCommunicator());
   auto const whole = quasiDynamic(model);
@@ -130,7 +116,7 @@ TEST(StaticCondensation, stepsAreThoseOfTheWholeBody)
 }
 
 // Each row gives one entry of expand(), which making rows does not change.
-TEST(StaticCondensation, rowsOfRecoveryGiveTheMotionOfTheWholeBody)
+TEST(StaticCondensation, RowsOfRecoveryGiveTheMotionOfTheWholeBody)
 {
   const testing::Model model(drivenBlock(), fem::testing::selfCommunicator());
   auto const whole = quasiDynamic(model);
@@ -156,7 +142,7 @@ TEST(StaticCondensation, rowsOfRecoveryGiveTheMotionOfTheWholeBody)
   EXPECT_EQ(denseOf(*u), expected);
 }
 
-TEST(StaticCondensation, isRefusedWhereTheBodyIsNotInEquilibrium)
+TEST(StaticCondensation, IsRefusedWhereTheBodyIsNotInEquilibrium)
 {
   const testing::Model model(drivenBlock(), fem::testing::selfCommunicator());
   auto const whole = quasiDynamic(model);

@@ -27,7 +27,7 @@ std::size_t bytesOfOne(Model const& model)
 }
 } // namespace
 
-TEST(StepSolvers, areMadeOnceForEachLevel)
+TEST(StepSolvers, AreMadeOnceForEachLevel)
 {
   const Model model(slidingBlock(2), fem::testing::selfCommunicator());
   auto solvers = makeSolvers(model, 1u << 30);
@@ -40,7 +40,7 @@ TEST(StepSolvers, areMadeOnceForEachLevel)
   EXPECT_EQ(solvers.bytes(), first->bytes() + second->bytes());
 }
 
-TEST(StepSolvers, forgetTheLeastRecentlyUsedBeyondTheBudget)
+TEST(StepSolvers, ForgetTheLeastRecentlyUsedBeyondTheBudget)
 {
   const Model model(slidingBlock(2), fem::testing::selfCommunicator());
   const std::size_t one = bytesOfOne(model);
@@ -57,7 +57,7 @@ TEST(StepSolvers, forgetTheLeastRecentlyUsedBeyondTheBudget)
   EXPECT_EQ(solvers.setups(), 4);
 }
 
-TEST(StepSolvers, keepTheOneInUseHoweverSmallTheBudget)
+TEST(StepSolvers, KeepTheOneInUseHoweverSmallTheBudget)
 {
   const Model model(slidingBlock(2), fem::testing::selfCommunicator());
   auto solvers = makeSolvers(model, 1);
@@ -69,7 +69,7 @@ TEST(StepSolvers, keepTheOneInUseHoweverSmallTheBudget)
 }
 
 // Without friction a rate problem is linear: Z w = b, Z = (lambda_M/tau) M + C + (tau/lambda_K) K.
-TEST(StepSolvers, solveWithTheMatrixOfTheStepSize)
+TEST(StepSolvers, SolveWithTheMatrixOfTheStepSize)
 {
   auto options = slidingBlock(2);
   options.sigma_n = 0;

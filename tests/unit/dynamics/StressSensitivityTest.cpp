@@ -36,7 +36,7 @@ double alphaAfter(ModelOptions const& options, int level, int steps, double alph
 } // namespace
 
 // The slip law does not change the state of a fault at rest: what is left is the jump.
-TEST(StressSensitivity, shiftsTheStateByAJumpOfTheNormalStress)
+TEST(StressSensitivity, ShiftsTheStateByAJumpOfTheNormalStress)
 {
   auto options = restingBlock();
   options.state_law = "Slip";
@@ -52,7 +52,7 @@ TEST(StressSensitivity, shiftsTheStateByAJumpOfTheNormalStress)
 
 // Ageing at rest with c = b: (theta sigma)' = sigma, hence with sigma = sigma0 (1 + t/T)
 //   theta = (theta0 + t + t^2 / (2 T)) / (1 + t/T),   theta = L / V* exp(alpha).
-TEST(StressSensitivity, isSplitToSecondOrder)
+TEST(StressSensitivity, IsSplitToSecondOrder)
 {
   const double T = 5e-3;
   auto options = restingBlock();

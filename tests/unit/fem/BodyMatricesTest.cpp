@@ -270,7 +270,7 @@ using Bodies = ::testing::Types<Body<2, 1>, Body<2, 2>, Body<3, 3>>;
 TYPED_TEST_SUITE(BodyMatricesTest, Bodies);
 } // namespace
 
-TYPED_TEST(BodyMatricesTest, constantGradientsGiveTheForcesOfConstantStress)
+TYPED_TEST(BodyMatricesTest, ConstantGradientsGiveTheForcesOfConstantStress)
 {
   using Gradient = typename TypeParam::Gradient;
   auto const matrices = assemble(this->varied_body, this->varied_body.axes());
@@ -291,7 +291,7 @@ TYPED_TEST(BodyMatricesTest, constantGradientsGiveTheForcesOfConstantStress)
   }
 }
 
-TYPED_TEST(BodyMatricesTest, rigidMotionsMeetNoResistance)
+TYPED_TEST(BodyMatricesTest, RigidMotionsMeetNoResistance)
 {
   using Value = typename TypeParam::Value;
   using Gradient = typename TypeParam::Gradient;
@@ -314,7 +314,7 @@ TYPED_TEST(BodyMatricesTest, rigidMotionsMeetNoResistance)
   }
 }
 
-TYPED_TEST(BodyMatricesTest, massIntegratesProductsOfLinearFunctions)
+TYPED_TEST(BodyMatricesTest, MassIntegratesProductsOfLinearFunctions)
 {
   using Gradient = typename TypeParam::Gradient;
   using Value = typename TypeParam::Value;
@@ -345,7 +345,7 @@ TYPED_TEST(BodyMatricesTest, massIntegratesProductsOfLinearFunctions)
   }
 }
 
-TYPED_TEST(BodyMatricesTest, nodalFramesTurnTheMatricesAndNothingElse)
+TYPED_TEST(BodyMatricesTest, NodalFramesTurnTheMatricesAndNothingElse)
 {
   auto const& body = this->varied_body;
   auto const frames = body.turned();
@@ -369,7 +369,7 @@ TYPED_TEST(BodyMatricesTest, nodalFramesTurnTheMatricesAndNothingElse)
 }
 
 // Each entry by itself: a wrong place of a block in the rows of the kernel would show here.
-TYPED_TEST(BodyMatricesTest, entriesAreSumsOverTheCells)
+TYPED_TEST(BodyMatricesTest, EntriesAreSumsOverTheCells)
 {
   auto const& body = this->varied_body;
   auto const frames = body.turned();
@@ -391,7 +391,7 @@ TYPED_TEST(BodyMatricesTest, entriesAreSumsOverTheCells)
 }
 
 // In one pass (one rank) and one by one (more ranks, or graphs of their own).
-TYPED_TEST(BodyMatricesTest, productsTakenTogetherAreThoseTakenAlone)
+TYPED_TEST(BodyMatricesTest, ProductsTakenTogetherAreThoseTakenAlone)
 {
   auto const& body = this->varied_body;
   auto const matrices = assemble(body, body.axes());
@@ -428,7 +428,7 @@ TYPED_TEST(BodyMatricesTest, productsTakenTogetherAreThoseTakenAlone)
   }
 }
 
-TYPED_TEST(BodyMatricesTest, gravityIsMassTimesAcceleration)
+TYPED_TEST(BodyMatricesTest, GravityIsMassTimesAcceleration)
 {
   using Value = typename TypeParam::Value;
   auto const& body = this->varied_body;
@@ -455,7 +455,7 @@ TYPED_TEST(BodyMatricesTest, gravityIsMassTimesAcceleration)
   EXPECT_NEAR(load->dot(g) / (total * Value(acceleration.data()).squaredNorm()), 1, 1e-13);
 }
 
-TYPED_TEST(BodyMatricesTest, combinationsKeepOnlyTheDiagonalOfHeldDofs)
+TYPED_TEST(BodyMatricesTest, CombinationsKeepOnlyTheDiagonalOfHeldDofs)
 {
   auto const& body = this->varied_body;
   auto const matrices = assemble(body, body.turned());

@@ -8,6 +8,7 @@
 #include "mesh/generation/RectangleMesh.hpp"
 
 #include <cmath>
+#include <functional>
 
 using namespace asperity;
 using namespace asperity::fem;
@@ -148,7 +149,6 @@ TEST(BodyPieces, WarningsNameVertexAndPieces)
   EXPECT_TRUE(warnings(rectangleAt(0, 0)).empty());
   const auto bow_tie = warnings(both(rectangleAt(0, 0), rectangleAt(1, 1), true));
   ASSERT_EQ(bow_tie.size(), 2U);
-  EXPECT_NE(bow_tie[0].text.find("at 1 vertex"), std::string::npos) << bow_tie[0].text;
-  EXPECT_NE(bow_tie[0].text.find("vertex 24 at (1, 1)"), std::string::npos) << bow_tie[0].text;
-  EXPECT_NE(bow_tie[1].text.find("2 pieces"), std::string::npos) << bow_tie[1].text;
+  test::expectParts(bow_tie[0].text, {"at 1 vertex", "vertex 24 at (1, 1)"});
+  test::expectParts(bow_tie[1].text, {"2 pieces"});
 }

@@ -1,12 +1,13 @@
 #include "fem/BoundaryMeasure.hpp"
 
+#include "base/parallel/Reductions.hpp"
 #include "unit/fem/SampleMeshes.hpp"
 
-#include <Teuchos_CommHelpers.hpp>
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 
 namespace asperity::fem
 {
@@ -16,13 +17,8 @@ namespace
 {
 double sumOverRanks(std::vector<double> const& values)
 {
-  double mine = 0;
-  for (double x : values) {
-    mine += x;
-  }
-  double all = 0;
-  Teuchos::reduceAll(*worldCommunicator(), Teuchos::REDUCE_SUM, mine, Teuchos::outArg(all));
-  return all;
+  const double mine = std::accumulate(values.begin(), values.end(), 0.0);
+  return asperity::sumOverRanks(mine, *worldCommunicator());
 }
 
 template <int Dim>
@@ -37,7 +33,7 @@ std::vector<double> weightsOf(std::vector<NodalMeasure<Dim>> const& nodes)
 }
 } // namespace
 
-TEST(BoundaryMeasure, weighTheirHalvesOfTheNeighbouringFacets)
+TEST(BoundaryMeasure, WeighTheirHalvesOfTheNeighbouringFacets)
 {
   auto whole = uniformRectangle(6, 2, 3, 1);
   whole.vertices[2][0] += 0.1; // facets of 0.5, 0.6, 0.4, 0.5, ... m from the left
@@ -53,7 +49,7 @@ TEST(BoundaryMeasure, weighTheirHalvesOfTheNeighbouringFacets)
   EXPECT_EQ(sumOverRanks(std::vector<double>(bottom.size(), 1.)), 7);
 }
 
-TEST(BoundaryMeasure, haveOutwardNormals)
+TEST(BoundaryMeasure, HaveOutwardNormals)
 {
   const double angle = 0.4;
   auto whole = uniformRectangle(4, 3, 3, 1);
@@ -69,7 +65,7 @@ TEST(BoundaryMeasure, haveOutwardNormals)
   }
 }
 
-TEST(BoundaryMeasure, averageTheNormalsAtCornersByTheLengthOfTheFacets)
+TEST(BoundaryMeasure, AverageTheNormalsAtCornersByTheLengthOfTheFacets)
 {
   auto whole = uniformRectangle(2, 1, 6, 4); // at the lower right, facets of 3 m and of 4 m
   auto& hull = whole.boundaries["hull"] = whole.boundaries["bottom"];
@@ -86,7 +82,7 @@ TEST(BoundaryMeasure, averageTheNormalsAtCornersByTheLengthOfTheFacets)
   EXPECT_NEAR(sumOverRanks(weightsOf(nodes)), 10, 1e-14);
 }
 
-TEST(BoundaryMeasure, ofACubeHaveItsAreaAndNormals)
+TEST(BoundaryMeasure, OfACubeHaveItsAreaAndNormals)
 {
   auto const mesh = mesh::distribute(uniformCube(3), *worldCommunicator());
   auto const top = boundaryMeasure(mesh, "top", *worldCommunicator());
@@ -99,14 +95,14 @@ TEST(BoundaryMeasure, ofACubeHaveItsAreaAndNormals)
               1e-14);
 }
 
-TEST(BoundaryMeasure, refuseABoundaryThatIsNotThere)
+TEST(BoundaryMeasure, RefuseABoundaryThatIsNotThere)
 {
   auto whole = uniformRectangle(2, 2, 1, 1);
   whole.boundaries["void"] = {};
   auto const mesh = mesh::distribute(whole, *worldCommunicator());
-  expectInputError([&] { boundaryMeasure(mesh, "botom", *worldCommunicator()); },
-                   {"'botom'", "'bottom'", "'left'", "'right'", "'top'"});
-  expectInputError([&] { boundaryMeasure(mesh, "void", *worldCommunicator()); },
-                   {"'void'", "no facets"});
+  test::expectRefusal([&] { boundaryMeasure(mesh, "botom", *worldCommunicator()); },
+                      {"'botom'", "'bottom'", "'left'", "'right'", "'top'"});
+  test::expectRefusal([&] { boundaryMeasure(mesh, "void", *worldCommunicator()); },
+                      {"'void'", "no facets"});
 }
 } // namespace asperity::fem

@@ -104,7 +104,7 @@ void expectHookesLaw(int components)
 }
 } // namespace
 
-TEST(CellStress, isThatOfHookesLawWhereTheStrainIsUniform)
+TEST(CellStress, IsThatOfHookesLawWhereTheStrainIsUniform)
 {
   expectHookesLaw<2>(1);
   expectHookesLaw<2>(2);
@@ -112,7 +112,7 @@ TEST(CellStress, isThatOfHookesLawWhereTheStrainIsUniform)
 }
 
 // The branch strains by another displacement than the rest.
-TEST(CellStress, hasTheStressOfMaxwellBranches)
+TEST(CellStress, HasTheStressOfMaxwellBranches)
 {
   auto const mesh = sampleMesh<3>();
   const std::vector<Material> materials(mesh.cells.size(), {1000, bulk, shear, 0, 0});
@@ -126,7 +126,7 @@ TEST(CellStress, hasTheStressOfMaxwellBranches)
                 hooke(of_u, bulk, 0.6 * shear) + hooke(of_d, 0, 0.4 * shear), 2);
 }
 
-TEST(CellStress, needsNoVelocityWithoutViscosity)
+TEST(CellStress, NeedsNoVelocityWithoutViscosity)
 {
   auto const mesh = sampleMesh<2>();
   std::vector<Material> materials(mesh.cells.size(), {1000, bulk, shear, 0, 0});
@@ -161,7 +161,7 @@ Eigen::Matrix3d shearing(int i, int k, double value)
 }
 } // namespace
 
-TEST(CoulombPlane, stressIsThatOfTheTractionOnIt)
+TEST(CoulombPlane, StressIsThatOfTheTractionOnIt)
 {
   const double mu = 0.35;
   auto const plane = CoulombPlane::inSpace(25, 50, 70, mu, {0, 1, 0}, {1, 0, 0});
@@ -175,7 +175,7 @@ TEST(CoulombPlane, stressIsThatOfTheTractionOnIt)
 }
 
 // Squeezed from the sides a thrust comes nearer to failure, a normal fault recedes.
-TEST(CoulombPlane, compressionLoadsAThrustAndUnclampingAnyPlane)
+TEST(CoulombPlane, CompressionLoadsAThrustAndUnclampingAnyPlane)
 {
   const Direction y = {0, 1, 0}, z = {0, 0, 1}, x = {1, 0, 0};
   for (double strike : {0., 90., 200.}) {
@@ -193,7 +193,7 @@ TEST(CoulombPlane, compressionLoadsAThrustAndUnclampingAnyPlane)
 }
 
 // With y up and x east north is -z, with z up it is y.
-TEST(CoulombPlane, strikeCountsFromNorthTowardsEast)
+TEST(CoulombPlane, StrikeCountsFromNorthTowardsEast)
 {
   auto const expectDirection = [](Direction const& found, Direction const& expected) {
     for (int d = 0; d < 3; ++d) {
@@ -210,7 +210,7 @@ TEST(CoulombPlane, strikeCountsFromNorthTowardsEast)
 }
 
 // sigma_xy > 0 drags what lies above along +x: a left lateral plane along x is unloaded.
-TEST(CoulombPlane, ofTwoDimensionsSlipsOnItsRight)
+TEST(CoulombPlane, OfTwoDimensionsSlipsOnItsRight)
 {
   const double tau = 3e5;
   auto const level = [&](double angle, double rake) {

@@ -110,7 +110,7 @@ int checkColouring(GlobalOrdinal num_nodes, Neighbours const& neighbours,
 }
 } // namespace
 
-TEST(Colouring, pathTakesAtMostThreeColours)
+TEST(Colouring, PathTakesAtMostThreeColours)
 {
   const auto neighbours = [](GlobalOrdinal id) { return pathNeighbours(id, 262); };
   const int in_stretches =
@@ -121,13 +121,13 @@ TEST(Colouring, pathTakesAtMostThreeColours)
   EXPECT_EQ(in_stretches, in_turns);
 }
 
-TEST(Colouring, latticeTakesAtMostSevenColours)
+TEST(Colouring, LatticeTakesAtMostSevenColours)
 {
   const auto in_turns = [](GlobalOrdinal id) { return static_cast<int>(id); };
   EXPECT_LE(checkColouring(lattice_width * lattice_width, latticeNeighbours, in_turns), 7);
 }
 
-TEST(Colouring, completeGraphTakesOneColourPerNode)
+TEST(Colouring, CompleteGraphTakesOneColourPerNode)
 {
   const auto neighbours = [](GlobalOrdinal) {
     return std::vector<GlobalOrdinal>{0, 1, 2, 3, 4, 5, 6};
@@ -136,13 +136,13 @@ TEST(Colouring, completeGraphTakesOneColourPerNode)
     checkColouring(7, neighbours, [](GlobalOrdinal id) { return static_cast<int>(id % 2); }), 7);
 }
 
-TEST(Colouring, unconnectedNodesShareAColour)
+TEST(Colouring, UnconnectedNodesShareAColour)
 {
   const auto neighbours = [](GlobalOrdinal) { return std::vector<GlobalOrdinal>{}; };
   EXPECT_EQ(checkColouring(11, neighbours, [](GlobalOrdinal) { return 0; }), 1);
 }
 
-TEST(Colouring, noNodesTakeNoColour)
+TEST(Colouring, NoNodesTakeNoColour)
 {
   const auto neighbours = [](GlobalOrdinal) { return std::vector<GlobalOrdinal>{}; };
   EXPECT_EQ(checkColouring(0, neighbours, [](GlobalOrdinal) { return 0; }), 0);

@@ -1,10 +1,10 @@
 #pragma once
 
+#include "base/parallel/Reductions.hpp"
 #include "fem/constraints/Constraints.hpp"
 #include "unit/fem/SampleMeshes.hpp"
 
 #include <Eigen/Dense>
-#include <Teuchos_CommHelpers.hpp>
 #include <Tpetra_Vector.hpp>
 
 // A small mesh with constraints, for their tests.
@@ -80,12 +80,7 @@ struct Constrained
   Constraints<Dim> constraints;
 };
 
-inline int sumOverRanks(int mine)
-{
-  int all = 0;
-  Teuchos::reduceAll(*worldCommunicator(), Teuchos::REDUCE_SUM, mine, Teuchos::outArg(all));
-  return all;
-}
+inline int sumOverRanks(int mine) { return asperity::sumOverRanks(mine, *worldCommunicator()); }
 
 inline bool oneRank() { return worldCommunicator()->getSize() == 1; }
 } // namespace asperity::fem::testing

@@ -11,7 +11,7 @@ namespace asperity::fem
 {
 using namespace testing;
 
-TEST(Constraints, layTheFramesAlongADippingBoundaryOnOwnedNodesAndGhosts)
+TEST(Constraints, LayTheFramesAlongADippingBoundaryOnOwnedNodesAndGhosts)
 {
   const double angle = -0.3;
   const Constrained<2> body(rectangle(angle), {Condition{"Contact", "bottom", SlidingWall{}}});
@@ -31,7 +31,7 @@ TEST(Constraints, layTheFramesAlongADippingBoundaryOnOwnedNodesAndGhosts)
   EXPECT_TRUE(oneRank() || sumOverRanks(num_ghosts_of_contact) > 0);
 }
 
-TEST(Constraints, takeTheNormalsOfTheBoundaryNodesWhereItBends)
+TEST(Constraints, TakeTheNormalsOfTheBoundaryNodesWhereItBends)
 {
   auto whole = rectangle();
   for (auto& x : whole.vertices) {
@@ -46,7 +46,7 @@ TEST(Constraints, takeTheNormalsOfTheBoundaryNodesWhereItBends)
   }
 }
 
-TEST(Constraints, keepTheAxesWhereDirectionsAreAxes)
+TEST(Constraints, KeepTheAxesWhereDirectionsAreAxes)
 {
   const Constrained<2> body(
     rectangle(),
@@ -62,7 +62,7 @@ TEST(Constraints, keepTheAxesWhereDirectionsAreAxes)
   }
 }
 
-TEST(Constraints, followPlaceAndTimeAndLeaveFreeDofsZero)
+TEST(Constraints, FollowPlaceAndTimeAndLeaveFreeDofsZero)
 {
   const Constrained<2> body(
     rectangle(),
@@ -79,7 +79,7 @@ TEST(Constraints, followPlaceAndTimeAndLeaveFreeDofsZero)
   }
 }
 
-TEST(Constraints, fixBothDirectionsOfACorner)
+TEST(Constraints, FixBothDirectionsOfACorner)
 {
   const double angle = 0.5;
   const Constrained<2> body(
@@ -98,7 +98,7 @@ TEST(Constraints, fixBothDirectionsOfACorner)
   }
 }
 
-TEST(Constraints, meetTwoObliqueConditionsExactly)
+TEST(Constraints, MeetTwoObliqueConditionsExactly)
 {
   const Eigen::Vector2d d1 = Eigen::Vector2d(1, 2).normalized();
   const Eigen::Vector2d d2 = Eigen::Vector2d(3, -1).normalized();
@@ -128,7 +128,7 @@ TEST(Constraints, meetTwoObliqueConditionsExactly)
   }
 }
 
-TEST(Constraints, meetThreeObliqueConditionsInSpace)
+TEST(Constraints, MeetThreeObliqueConditionsInSpace)
 {
   const std::vector<Eigen::Vector3d> d = {
     {1 / 3., 2 / 3., 2 / 3.}, {0.6, 0, -0.8}, {0, 5 / 13., 12 / 13.}};
@@ -162,7 +162,7 @@ TEST(Constraints, meetThreeObliqueConditionsInSpace)
   }
 }
 
-TEST(Constraints, acceptConditionsThatSayTheSame)
+TEST(Constraints, AcceptConditionsThatSayTheSame)
 {
   auto const forward = [](auto const& x, double t) { return x[0] + t; };
   auto const backward = [](auto const& x, double t) { return -x[0] - t; };
@@ -176,10 +176,10 @@ TEST(Constraints, acceptConditionsThatSayTheSame)
   }
 }
 
-TEST(Constraints, refuseConditionsThatContradictEachOther)
+TEST(Constraints, RefuseConditionsThatContradictEachOther)
 {
   auto const speed = [](double value) { return [value](auto const&, double) { return value; }; };
-  expectInputError(
+  test::expectRefusal(
     [&] {
       Constrained<2>(
         rectangle(),
@@ -188,7 +188,7 @@ TEST(Constraints, refuseConditionsThatContradictEachOther)
     },
     {"Conditions / Pull", "'bottom'", "Conditions / Push", "'right'", "(3, 0)"});
   // Oblique conditions that agree with the first alone, but not with both.
-  expectInputError(
+  test::expectRefusal(
     [&] {
       Constrained<2>(rectangle(),
                      {Condition{"One", "bottom", PrescribedVelocity<2>{{1, 0}, speed(1)}},
@@ -198,7 +198,7 @@ TEST(Constraints, refuseConditionsThatContradictEachOther)
     {"One", "Three", "contradicts"});
 }
 
-TEST(Constraints, refuseContradictionsThatComeLater)
+TEST(Constraints, RefuseContradictionsThatComeLater)
 {
   auto const later = [](auto const&, double t) { return t < 10 ? 0. : 1.; };
   auto const make = [&](std::vector<double> const& times) {
@@ -208,27 +208,27 @@ TEST(Constraints, refuseContradictionsThatComeLater)
                    2, times);
   };
   EXPECT_NO_THROW(make({0, 9}));
-  expectInputError([&] { make({0, 9, 20}); }, {"Rest", "Push", "t = 20 s"});
+  test::expectRefusal([&] { make({0, 9, 20}); }, {"Rest", "Push", "t = 20 s"});
 }
 
-TEST(Constraints, refuseWhatIsNoBoundaryOrNoDirection)
+TEST(Constraints, RefuseWhatIsNoBoundaryOrNoDirection)
 {
   if (!oneRank()) {
     GTEST_SKIP() << "said once";
   }
-  expectInputError(
+  test::expectRefusal(
     [] {
       Constrained<2>(rectangle(), {Condition{"Wall", "botom", SlidingWall{}}});
     },
     {"Wall", "'botom'"});
-  expectInputError(
+  test::expectRefusal(
     [] {
       Constrained<2>(rectangle(), {Condition{"Wall", "bottom", AtRestAlong{{0, 0}}}});
     },
     {"Wall", "direction"});
 }
 
-TEST(Constraints, ofAntiplaneMotionHaveOneDirection)
+TEST(Constraints, OfAntiplaneMotionHaveOneDirection)
 {
   const Constrained<2> body(
     rectangle(),

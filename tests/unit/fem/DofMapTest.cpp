@@ -11,7 +11,7 @@ namespace asperity::fem
 {
 using namespace testing;
 
-TEST(DofMap, numbersTheComponentsOfAVertexOneAfterTheOther)
+TEST(DofMap, NumbersTheComponentsOfAVertexOneAfterTheOther)
 {
   auto const mesh = mesh::distribute(uniformRectangle(5, 4, 1, 1), *worldCommunicator());
   for (int components : {1, 2}) {
@@ -31,7 +31,7 @@ TEST(DofMap, numbersTheComponentsOfAVertexOneAfterTheOther)
   }
 }
 
-TEST(DofMap, importsTheValuesOfGhostsFromTheirOwners)
+TEST(DofMap, ImportsTheValuesOfGhostsFromTheirOwners)
 {
   auto const mesh = mesh::distribute(uniformRectangle(5, 4, 1, 1), *worldCommunicator());
   auto const dofs = makeDofs(mesh, 2, worldCommunicator());

@@ -47,7 +47,7 @@ GlobalMesh<2> bentFault(double slope)
 constexpr int seam = 3; // the vertex that both parts share
 } // namespace
 
-TEST(FaultConstraints, layFramesAlongABoundaryThatIsFreeAcross)
+TEST(FaultConstraints, LayFramesAlongABoundaryThatIsFreeAcross)
 {
   const double angle = -0.3;
   const Constrained<2> body(rectangle(angle), {free("bottom")});
@@ -60,7 +60,7 @@ TEST(FaultConstraints, layFramesAlongABoundaryThatIsFreeAcross)
   }
 }
 
-TEST(FaultConstraints, prescribeTheVelocityAlongABoundary)
+TEST(FaultConstraints, PrescribeTheVelocityAlongABoundary)
 {
   for (double angle : {0., -0.3, 0.7, 1.2, 2.0}) {
     const Constrained<2> body(rectangle(angle), {free("bottom"), sliding("bottom", 3)});
@@ -79,7 +79,7 @@ TEST(FaultConstraints, prescribeTheVelocityAlongABoundary)
   }
 }
 
-TEST(FaultConstraints, keepTheTangentWhereItIsPrescribedBackwards)
+TEST(FaultConstraints, KeepTheTangentWhereItIsPrescribedBackwards)
 {
   const double angle = 0.3;
   const Eigen::Vector2d tangent(std::cos(angle), std::sin(angle));
@@ -94,7 +94,7 @@ TEST(FaultConstraints, keepTheTangentWhereItIsPrescribedBackwards)
   }
 }
 
-TEST(FaultConstraints, giveTheSeamOfABendOneNormalAndTheSlipRate)
+TEST(FaultConstraints, GiveTheSeamOfABendOneNormalAndTheSlipRate)
 {
   for (bool open : {false, true}) {
     auto across = [open](std::string const& boundary, std::string const& other) {
@@ -120,7 +120,7 @@ TEST(FaultConstraints, giveTheSeamOfABendOneNormalAndTheSlipRate)
 
 // It steepens from 17 to 83 degrees, through the 66 degrees where +x gives way to +y. Its mean is
 // steep, so that all tangents point to +y; if it falls, they point to -x where it is shallow, too.
-TEST(FaultConstraints, giveABentFaultOneSense)
+TEST(FaultConstraints, GiveABentFaultOneSense)
 {
   for (const double sign : {1., -1.}) {
     auto mesh = rectangle();
@@ -143,7 +143,7 @@ TEST(FaultConstraints, giveABentFaultOneSense)
   }
 }
 
-TEST(FaultConstraints, takeAConditionAcrossAFreeBoundary)
+TEST(FaultConstraints, TakeAConditionAcrossAFreeBoundary)
 {
   // The corner on a plane of symmetry: no velocity across the fault, which is free elsewhere.
   const Constrained<2> body(rectangle(),
@@ -155,7 +155,7 @@ TEST(FaultConstraints, takeAConditionAcrossAFreeBoundary)
   }
 }
 
-TEST(FaultConstraints, takeTwoObliqueConditionsOnAFreeBoundary)
+TEST(FaultConstraints, TakeTwoObliqueConditionsOnAFreeBoundary)
 {
   const double angle = 0.3;
   const Constrained<2> body(
@@ -171,9 +171,9 @@ TEST(FaultConstraints, takeTwoObliqueConditionsOnAFreeBoundary)
   }
 }
 
-TEST(FaultConstraints, refuseAConditionObliqueToAFreeBoundary)
+TEST(FaultConstraints, RefuseAConditionObliqueToAFreeBoundary)
 {
-  expectInputError(
+  test::expectRefusal(
     [] {
       Constrained<2>(rectangle(0.3),
                      {free("bottom"), Condition{"Wall", "right", AtRestAlong{{1, 0}}}});
@@ -181,10 +181,10 @@ TEST(FaultConstraints, refuseAConditionObliqueToAFreeBoundary)
     {"Wall", "neither along nor across", "'bottom'", "Fault"});
 }
 
-TEST(FaultConstraints, nameTheObliqueOneOfSeveralConditions)
+TEST(FaultConstraints, NameTheObliqueOneOfSeveralConditions)
 {
   const VelocityCondition<3> open{"Fault", "bottom", FreeAcrossFault{}};
-  expectInputError(
+  test::expectRefusal(
     [&] {
       Constrained<3>(uniformCube(2),
                      {open, VelocityCondition<3>{"Along", "bottom", AtRestAlong{{1, 0, 0}}},
@@ -193,7 +193,7 @@ TEST(FaultConstraints, nameTheObliqueOneOfSeveralConditions)
     {"Oblique prescribes", "neither along nor across", "Fault"});
 }
 
-TEST(FaultConstraints, compareVelocitiesByTheLargestOfTheBoundary)
+TEST(FaultConstraints, CompareVelocitiesByTheLargestOfTheBoundary)
 {
   // sin(pi) is not quite zero at the corner, where a wall is at rest; 1e-9 of the velocity is more
   // than rounding.
@@ -209,7 +209,7 @@ TEST(FaultConstraints, compareVelocitiesByTheLargestOfTheBoundary)
   };
   EXPECT_NO_THROW(make(0));
   if (oneRank()) {
-    expectInputError([&] { make(1e-9); }, {"Bow", "contradicts"});
+    test::expectRefusal([&] { make(1e-9); }, {"Bow", "contradicts"});
   }
 }
 } // namespace asperity::fem

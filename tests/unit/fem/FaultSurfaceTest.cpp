@@ -41,7 +41,7 @@ std::vector<Condition> contactBetweenEnds()
 }
 } // namespace
 
-TEST(FaultSurface, isMadeOfTheNodesOfItsBoundary)
+TEST(FaultSurface, IsMadeOfTheNodesOfItsBoundary)
 {
   for (double angle : {0., 0.3}) {
     const Constrained<2> body(rectangle(angle), {Condition{"Fault", "bottom", SlidingWall{}}});
@@ -68,7 +68,7 @@ TEST(FaultSurface, isMadeOfTheNodesOfItsBoundary)
   }
 }
 
-TEST(FaultSurface, knowsWhatIsHeld)
+TEST(FaultSurface, KnowsWhatIsHeld)
 {
   const Constrained<2> body(rectangle(), contactBetweenEnds());
   auto const surface = bottomOf(body, OtherSide::rigid_foundation);
@@ -84,7 +84,7 @@ TEST(FaultSurface, knowsWhatIsHeld)
   EXPECT_EQ(sumOverRanks(num_held), 2);
 }
 
-TEST(FaultSurface, coloursTheNodesThatSlide)
+TEST(FaultSurface, ColoursTheNodesThatSlide)
 {
   const Constrained<2> body(rectangle(), contactBetweenEnds());
   auto const surface = bottomOf(body, OtherSide::rigid_foundation);
@@ -100,7 +100,7 @@ TEST(FaultSurface, coloursTheNodesThatSlide)
   EXPECT_GE(surface->colours().size(), 2u) << "neighbours differ";
 }
 
-TEST(FaultSurface, mapsUnknownsToSlip)
+TEST(FaultSurface, MapsUnknownsToSlip)
 {
   const Constrained<2> body(rectangle(), {Condition{"Fault", "bottom", SlidingWall{}}});
   EXPECT_EQ(bottomOf(body, OtherSide::rigid_foundation)->slipFactor(), 1);
@@ -132,7 +132,7 @@ FaultSurface bottomOfBox(Mesh<3> const& mesh, bool slides)
 }
 } // namespace
 
-TEST(SupportWeights, refuseAWallThatIsObliqueToTheFault)
+TEST(SupportWeights, RefuseAWallThatIsObliqueToTheFault)
 {
   if (!oneRank()) {
     GTEST_SKIP() << "only the rank that owns the edge refuses";
@@ -155,7 +155,8 @@ TEST(SupportWeights, refuseAWallThatIsObliqueToTheFault)
     if (slope == 0) {
       EXPECT_EQ(weights(true), shares);
     } else {
-      expectInputError([&] { weights(true); }, {"Friction / Normal Stress", "Wall", "x = (0, 0, "});
+      test::expectRefusal([&] { weights(true); },
+                          {"Friction / Normal Stress", "Wall", "x = (0, 0, "});
     }
   }
 }

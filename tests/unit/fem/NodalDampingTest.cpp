@@ -61,7 +61,7 @@ double lossOf(Constrained<2> const& body, std::string const& boundary,
 }
 } // namespace
 
-TEST(NodalDamping, hasTheImpedancesOfPlaneWaves)
+TEST(NodalDamping, HasTheImpedancesOfPlaneWaves)
 {
   const double cp_rock = std::sqrt((5e9 + 4e9) / 2000), cs_rock = std::sqrt(3e9 / 2000);
   const double cp_soil = std::sqrt((2e9 + 4e9 / 3) / 1000), cs_soil = std::sqrt(1e9 / 1000);
@@ -78,7 +78,7 @@ TEST(NodalDamping, hasTheImpedancesOfPlaneWaves)
   EXPECT_NEAR(lossOf<1>(antiplane, "right", {2}) / (4 * along), 1, 1e-14);
 }
 
-TEST(BoundaryCells, averageTheMaterialsOfTheFacets)
+TEST(BoundaryCells, AverageTheMaterialsOfTheFacets)
 {
   const Constrained<2> body(rectangle(), {});
   std::vector<FaultNode> nodes;

@@ -38,12 +38,12 @@ void expectNoForce(GlobalMesh<Dim> const& whole,
 }
 } // namespace
 
-TEST(RigidBodyMotions, ofAPlane)
+TEST(RigidBodyMotions, OfAPlane)
 {
   expectNoForce<2>(rectangle(0.3), {Condition{"Fault", "bottom", SlidingWall{}}}, 3);
 }
 
-TEST(RigidBodyMotions, ofSpace)
+TEST(RigidBodyMotions, OfSpace)
 {
   auto whole = uniformBox({3, 2, 2}, {3, 2, 1});
   rotate(whole, rotationAbout({1, 2, 3}, 0.7));
@@ -53,7 +53,7 @@ TEST(RigidBodyMotions, ofSpace)
   expectNoForce<3>(whole, {VelocityCondition<3>{"Fault", "bottom", SlidingWall{}}}, 6);
 }
 
-TEST(RigidBodyMotions, ofAPeriodicBodyAreThoseThatItsCopiesFollow)
+TEST(RigidBodyMotions, OfAPeriodicBodyAreThoseThatItsCopiesFollow)
 {
   auto whole = uniformBox({3, 2, 4}, {3, 2, 1});
   // Its back is its front.
@@ -78,7 +78,7 @@ TEST(RigidBodyMotions, ofAPeriodicBodyAreThoseThatItsCopiesFollow)
   expectNoForce<3>(whole, {}, 4);
 }
 
-TEST(RigidBodyMotions, ofAntiplaneMotionAreOne)
+TEST(RigidBodyMotions, OfAntiplaneMotionAreOne)
 {
   const Constrained<2> body(rectangle(), {}, 1);
   auto const motions = rigidBodyMotions(body.mesh, body.dofs, body.constraints.frames());

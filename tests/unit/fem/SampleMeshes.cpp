@@ -186,17 +186,4 @@ void rotate(GlobalMesh<3>& mesh, Rotation const& rotation)
     x = rotated(rotation, x);
   }
 }
-
-void expectInputError(std::function<void()> const& call, std::vector<std::string> const& pieces)
-{
-  try {
-    call();
-    ADD_FAILURE() << "nothing was thrown; expected '" << pieces.front() << "'";
-  } catch (InputError const& error) {
-    const std::string message = error.what();
-    for (auto const& piece : pieces) {
-      EXPECT_NE(message.find(piece), std::string::npos) << "'" << piece << "' not in: " << message;
-    }
-  }
-}
 } // namespace asperity::fem::testing

@@ -1,15 +1,11 @@
 #pragma once
 
-#include "base/Errors.hpp"
 #include "fem/dofs/DofMap.hpp"
 #include "mesh/parallel/Partition.hpp"
+#include "unit/base/Refusal.hpp"
 
 #include <Teuchos_DefaultMpiComm.hpp>
 #include <gtest/gtest.h>
-
-#include <functional>
-#include <string>
-#include <vector>
 
 // Small meshes for tests, and what tests need around them.
 namespace asperity::fem::testing
@@ -57,7 +53,4 @@ Rotation rotationAbout(Point<3> axis, double angle);
 Point<3> rotated(Rotation const& rotation, Point<3> const& x);
 Point<3> rotatedBack(Rotation const& rotation, Point<3> const& x);
 void rotate(GlobalMesh<3>& mesh, Rotation const& rotation);
-
-// Expects an InputError whose message contains all these pieces.
-void expectInputError(std::function<void()> const& call, std::vector<std::string> const& pieces);
 } // namespace asperity::fem::testing

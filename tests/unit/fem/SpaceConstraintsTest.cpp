@@ -78,7 +78,7 @@ bool at(Body const& body, int node, int axis, double coordinate)
 }
 } // namespace
 
-TEST(SpaceConstraints, layTwoTangentsAndTheNormalOfAFault)
+TEST(SpaceConstraints, LayTwoTangentsAndTheNormalOfAFault)
 {
   for (auto const& height : {dipping, bent}) {
     const Body body(boxOn(height), {across("Fault", "bottom")});
@@ -101,7 +101,7 @@ TEST(SpaceConstraints, layTwoTangentsAndTheNormalOfAFault)
   }
 }
 
-TEST(SpaceConstraints, followTheWallWithinTheFaultWhereTheyMeet)
+TEST(SpaceConstraints, FollowTheWallWithinTheFaultWhereTheyMeet)
 {
   // The left wall is oblique to the fault, the one in front stands on it.
   for (auto const* wall : {"left", "front"}) {
@@ -130,7 +130,7 @@ TEST(SpaceConstraints, followTheWallWithinTheFaultWhereTheyMeet)
   }
 }
 
-TEST(SpaceConstraints, holdACornerOfThreeWalls)
+TEST(SpaceConstraints, HoldACornerOfThreeWalls)
 {
   const Body body(boxOn(bent), {across("Fault", "bottom"), across("Wall", "left"),
                                 across("Other Wall", "front"), across("Lid", "top")});
@@ -143,7 +143,7 @@ TEST(SpaceConstraints, holdACornerOfThreeWalls)
   }
 }
 
-TEST(SpaceConstraints, meetAVelocityObliqueToWallsAndFault)
+TEST(SpaceConstraints, MeetAVelocityObliqueToWallsAndFault)
 {
   const Vector3d d = Vector3d(1, 2, 0.5).normalized();
   const Body body(boxOn(bent),
@@ -162,9 +162,9 @@ TEST(SpaceConstraints, meetAVelocityObliqueToWallsAndFault)
   }
 }
 
-TEST(SpaceConstraints, refuseContradictionsAtACorner)
+TEST(SpaceConstraints, RefuseContradictionsAtACorner)
 {
-  expectInputError(
+  test::expectRefusal(
     [] {
       Body(boxOn(dipping),
            {across("Fault", "bottom"), across("Wall", "front"), across("Side", "left"),
@@ -175,7 +175,7 @@ TEST(SpaceConstraints, refuseContradictionsAtACorner)
 
 // On a bent fault the facets of one side of a wall miss its plane by their size, so that their
 // normals would be oblique to it; with their mirror images they are not.
-TEST(SpaceConstraints, layTheNormalOfAFreeFaultIntoTheWallsThatItEndsAt)
+TEST(SpaceConstraints, LayTheNormalOfAFreeFaultIntoTheWallsThatItEndsAt)
 {
   auto const cylinder = [](double x, double) { return 0.3 * x + 0.1 * x * x; };
   auto whole = boxOn(cylinder);
@@ -220,25 +220,25 @@ TEST(SpaceConstraints, layTheNormalOfAFreeFaultIntoTheWallsThatItEndsAt)
   }
 }
 
-TEST(SpaceConstraints, refuseWallsObliqueToAFreeFault)
+TEST(SpaceConstraints, RefuseWallsObliqueToAFreeFault)
 {
-  expectInputError(
+  test::expectRefusal(
     [] {
       Body(boxOn(dipping), {free("bottom"), across("Wall", "left")});
     },
     {"Wall", "neither along nor across", "'bottom'", "x = (0, 0, ", "Fault"});
 }
 
-TEST(SpaceConstraints, refuseASlipDirectionAcrossTheFault)
+TEST(SpaceConstraints, RefuseASlipDirectionAcrossTheFault)
 {
   if (!oneRank()) {
     GTEST_SKIP() << "said once";
   }
   const Condition3 slip{"Slip", "top", SlipTowards<3>{{0, -2, 0}, constant(0), {}}};
-  expectInputError([&] { Body(boxOn(dipping), {slip}); }, {"Slip", "(0, -2, 0)", "'top'"});
+  test::expectRefusal([&] { Body(boxOn(dipping), {slip}); }, {"Slip", "(0, -2, 0)", "'top'"});
 }
 
-TEST(TangentialComponents, areThoseFarFromTheNormal)
+TEST(TangentialComponents, AreThoseFarFromTheNormal)
 {
   NodalFrames frames(1, 3);
   EXPECT_EQ(tangentialComponents(frames, 0, Point<3>{0, -1, 0}), (std::vector<int>{0, 2}));

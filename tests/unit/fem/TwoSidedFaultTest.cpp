@@ -120,14 +120,14 @@ void expectEnergiesOfTwoBodies(GlobalMesh<Dim> const& whole)
 }
 } // namespace
 
-TEST(TwoSidedFault, hasTheEnergiesOfTwoBodies)
+TEST(TwoSidedFault, HasTheEnergiesOfTwoBodies)
 {
   expectEnergiesOfTwoBodies(cut(0, 3));
   expectEnergiesOfTwoBodies(cut(0, 3, 0.4));
   expectEnergiesOfTwoBodies(cutCube());
 }
 
-TEST(TwoSidedFault, givesBackTheVectorsAtItsVertices)
+TEST(TwoSidedFault, GivesBackTheVectorsAtItsVertices)
 {
   const Constrained<2> body(cut(1, 3, 0.4), contact<2>());
   const auto value = [&](int vertex) {
@@ -154,7 +154,7 @@ TEST(TwoSidedFault, givesBackTheVectorsAtItsVertices)
   }
 }
 
-TEST(TwoSidedFault, doesNotOpenAndEndsAtItsTip)
+TEST(TwoSidedFault, DoesNotOpenAndEndsAtItsTip)
 {
   const double angle = 0.4;
   const Constrained<2> body(cut(1, 3, angle), contact<2>());
@@ -175,7 +175,7 @@ TEST(TwoSidedFault, doesNotOpenAndEndsAtItsTip)
 }
 
 // K has no energy for motions of one side along the fault against the other, and for rigid ones.
-TEST(TwoSidedFault, slidesWithoutForce)
+TEST(TwoSidedFault, SlidesWithoutForce)
 {
   const Constrained<2> body(cut(0, 3), contact<2>());
   auto const matrices =
@@ -197,7 +197,7 @@ TEST(TwoSidedFault, slidesWithoutForce)
   }
 }
 
-TEST(TwoSidedFault, takesConditionsInPairs)
+TEST(TwoSidedFault, TakesConditionsInPairs)
 {
   // The right side of each body moves up or down; the fault slips by the difference.
   const auto up = [](double size) {
@@ -226,11 +226,11 @@ TEST(TwoSidedFault, takesConditionsInPairs)
   }
 
   conditions.pop_back();
-  expectInputError([&] { Constrained<2>(mesh, conditions); },
-                   {"Left", "one side of a fault alone", "x = (1.5, 0)"});
+  test::expectRefusal([&] { Constrained<2>(mesh, conditions); },
+                      {"Left", "one side of a fault alone", "x = (1.5, 0)"});
 }
 
-TEST(TwoSidedFault, hasOneSurfaceWithTwoCopiesOfEachNode)
+TEST(TwoSidedFault, HasOneSurfaceWithTwoCopiesOfEachNode)
 {
   const Constrained<2> body(cut(1, 3), contact<2>());
   auto const materials = twoMaterials(body.mesh);
@@ -253,7 +253,7 @@ TEST(TwoSidedFault, hasOneSurfaceWithTwoCopiesOfEachNode)
 
 // Dashpots on a boundary that a fault ends at take from each side what they would from a body that
 // is not cut.
-TEST(TwoSidedFault, leavesDashpotsOnBothSides)
+TEST(TwoSidedFault, LeavesDashpotsOnBothSides)
 {
   const Constrained<2> body(cut(0, 3), contact<2>());
   auto const materials = twoMaterials(body.mesh);

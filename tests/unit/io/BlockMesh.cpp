@@ -52,4 +52,19 @@ Mesh<3> blockMesh(bool periodic, Placement const& placement)
   block.period = {0, 0, periodic ? double(block_nz) : 0};
   return byTurns(block);
 }
+
+Mesh<3> tetrahedron()
+{
+  Mesh<3> mesh;
+  mesh.num_global_vertices = 4;
+  mesh.boundaries["base"] = {};
+  if (world()->getRank() == 0) {
+    mesh.vertices = {{0, 0, 0}, {2, 0, 0}, {0, 3, 0}, {0.5, 0.25, 4}};
+    mesh.global_ids = {0, 1, 2, 3};
+    mesh.num_owned = 4;
+    mesh.cells = {{0, 1, 2, 3}};
+    mesh.boundaries["base"] = {{0, 2, 1}};
+  }
+  return mesh;
+}
 } // namespace asperity::test

@@ -21,9 +21,7 @@ constexpr int num_base = 7;
 double sumOverRanks(std::vector<double> const& values)
 {
   const double mine = std::accumulate(values.begin(), values.end(), 0.0);
-  double sum = 0;
-  Teuchos::reduceAll(*world(), Teuchos::REDUCE_SUM, mine, Teuchos::outArg(sum));
-  return sum;
+  return asperity::sumOverRanks(mine, *world());
 }
 } // namespace
 
@@ -164,26 +162,15 @@ TEST(OutputDomain, UnknownOrEmptyBoundariesAreRefused)
 {
   auto mesh = test::stripMesh(num_base);
   mesh.boundaries["left"] = {};
-  EXPECT_TRUE(
-    test::contains(test::inputError([&] { boundaryDomain("fault", mesh, "bas", world()); }),
-                   "no boundary 'bas' to be the fault. Did you mean 'base'?"));
-  EXPECT_TRUE(
-    test::contains(test::inputError([&] { boundaryDomain("surface", mesh, "left", world()); }),
-                   "'left', to be the surface, has no facets"));
+  test::expectRefusal([&] { boundaryDomain("fault", mesh, "bas", world()); },
+                      {"no boundary 'bas' to be the fault. Did you mean 'base'?"});
+  test::expectRefusal([&] { boundaryDomain("surface", mesh, "left", world()); },
+                      {"'left', to be the surface, has no facets"});
 }
 
 TEST(OutputDomain, TrianglesOfATetrahedron)
 {
-  Mesh<3> mesh; // held by rank 0; the others have nothing
-  mesh.num_global_vertices = 4;
-  mesh.boundaries["base"] = {};
-  if (world()->getRank() == 0) {
-    mesh.vertices = {{0, 0, 0}, {2, 0, 0}, {0, 3, 0}, {0.5, 0.25, 4}};
-    mesh.global_ids = {0, 1, 2, 3};
-    mesh.num_owned = 4;
-    mesh.cells = {{0, 1, 2, 3}};
-    mesh.boundaries["base"] = {{0, 2, 1}};
-  }
+  const auto mesh = test::tetrahedron();
   const OutputDomain fault = boundaryDomain("fault", mesh, "base", world());
   EXPECT_FALSE(fault.isCurve());
   EXPECT_TRUE(fault.positions.empty());
@@ -228,8 +215,9 @@ TEST(CurveOrder, BranchesAreRefused)
 {
   const std::map<GlobalOrdinal, io::detail::PlanePoint> star{
     {0, {0, 0}}, {1, {1, 0}}, {2, {0, 1}}, {3, {-1, 0}}};
-  const auto message = test::inputError([&] {
-    io::detail::orderCurve({{0, 1}, {0, 2}, {0, 3}}, star, io::CurveStart::upper_end);
-  });
-  EXPECT_TRUE(test::contains(message, "branches at x = 0, y = 0 m: 3 segments")) << message;
+  test::expectRefusal(
+    [&] {
+      io::detail::orderCurve({{0, 1}, {0, 2}, {0, 3}}, star, io::CurveStart::upper_end);
+    },
+    {"branches at x = 0, y = 0 m: 3 segments"});
 }

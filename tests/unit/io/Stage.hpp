@@ -1,6 +1,7 @@
 #pragma once
 
 #include "base/parallel/Reductions.hpp"
+#include "hdf5/File.hpp"
 #include "io/Output.hpp"
 #include "unit/io/Support.hpp"
 
@@ -35,11 +36,10 @@ struct Stage
 {
   using Function = std::function<double(double const* x, int component)>;
 
-  explicit Stage(int num_base) { locate(stripMesh(num_base)); }
-  explicit Stage(Mesh<3> const& mesh) { locate(mesh); }
+  explicit Stage(int num_base) : Stage(stripMesh(num_base)) {}
 
   template <int Dim>
-  void locate(Mesh<Dim> const& mesh)
+  explicit Stage(Mesh<Dim> const& mesh)
   {
     domains["fault"] = io::boundaryDomain("fault", mesh, "base", world());
     domains["volume"] = io::volumeDomain(mesh, world());
@@ -80,6 +80,12 @@ struct Stage
 inline Teuchos::Array<double> position(std::vector<double> const& coordinates)
 {
   return coordinates;
+}
+
+inline std::vector<double> readNumbers(std::filesystem::path const& file,
+                                       std::string const& dataset)
+{
+  return h5::File::open(file).openDataset(dataset).read<double>();
 }
 
 // The lines of a file that do not begin with '#'.

@@ -20,4 +20,22 @@ Mesh<2> stripMesh(int num_base)
   }
   return byTurns(strip);
 }
+
+Mesh<2> dippingStrip(int num_base)
+{
+  auto mesh = stripMesh(num_base);
+  for (auto& vertex : mesh.vertices) {
+    vertex[1] -= vertex[0];
+  }
+  return mesh;
+}
+
+Mesh<2> uprightStrip(int num_base)
+{
+  auto mesh = stripMesh(num_base);
+  for (auto& vertex : mesh.vertices) {
+    vertex = {-vertex[1], vertex[0] - 1};
+  }
+  return mesh;
+}
 } // namespace asperity::test

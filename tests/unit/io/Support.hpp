@@ -1,8 +1,8 @@
 #pragma once
 
-#include "base/Errors.hpp"
 #include "base/Types.hpp"
 #include "mesh/Mesh.hpp"
+#include "unit/base/Refusal.hpp"
 
 #include <Teuchos_CommHelpers.hpp>
 #include <Teuchos_DefaultComm.hpp>
@@ -72,19 +72,6 @@ void onRankZero(Work const& work)
   world()->barrier();
 }
 
-// The message of the InputError that `work` throws, or "" and a failure if it throws none.
-template <class Work>
-std::string inputError(Work const& work)
-{
-  try {
-    work();
-  } catch (InputError const& error) {
-    return error.what();
-  }
-  ADD_FAILURE() << "no InputError";
-  return "";
-}
-
 inline bool contains(std::string const& text, std::string const& part)
 {
   return text.find(part) != std::string::npos;
@@ -95,6 +82,10 @@ inline bool contains(std::string const& text, std::string const& part)
 // against x, and the ranks own the vertices by turns, so that no order agrees with another by
 // accident.
 Mesh<2> stripMesh(int num_base);
+// The strip sheared, so that its base dips to the right, from (0, 0) to (1, -1).
+Mesh<2> dippingStrip(int num_base);
+// The strip turned, so that its base is the line from (0, -1) up to (0, 0).
+Mesh<2> uprightStrip(int num_base);
 
 // x of the base vertex i, counted from x = 0.
 inline double stripPosition(int i, int num_base)

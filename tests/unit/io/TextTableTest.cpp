@@ -57,14 +57,12 @@ TEST(TextTable, RestartRefusesAnotherTable)
   test::TemporaryDirectory directory;
   const Archive archive = killedAfterCheckpoint(directory / "a.csv");
   TextTable other(directory / "a.csv", "a,c", world());
-  EXPECT_TRUE(
-    test::contains(test::inputError([&] { other.restore(archive); }), "is not the table"));
+  test::expectRefusal([&] { other.restore(archive); }, {"is not the table"});
   test::onRankZero([&] { std::filesystem::resize_file(directory / "a.csv", 8); });
   TextTable shorter(directory / "a.csv", "a,b", world());
-  EXPECT_TRUE(test::contains(test::inputError([&] { shorter.restore(archive); }), "has 8 bytes"));
+  test::expectRefusal([&] { shorter.restore(archive); }, {"has 8 bytes"});
   TextTable missing(directory / "b.csv", "a,b", world());
-  EXPECT_TRUE(
-    test::contains(test::inputError([&] { missing.restore(archive); }), "cannot be continued"));
+  test::expectRefusal([&] { missing.restore(archive); }, {"cannot be continued"});
 }
 
 TEST(TextTable, RestartRefusesARowThatWasEditedAtEqualLength)
@@ -74,7 +72,7 @@ TEST(TextTable, RestartRefusesARowThatWasEditedAtEqualLength)
   world()->barrier();
   test::write(directory / "a.csv", "a,b\n1,2\n3,9\n5,6\n");
   TextTable edited(directory / "a.csv", "a,b", world());
-  EXPECT_TRUE(test::contains(test::inputError([&] { edited.restore(archive); }), "a row"));
+  test::expectRefusal([&] { edited.restore(archive); }, {"a row"});
 }
 
 TEST(TextTable, FolderThatDoesNotExistIsAnErrorOnEveryRank)
@@ -118,8 +116,7 @@ TEST(TextTable, RestartTakesTheColumnsFromTheLastLineOfTheHeader)
     file.flush();
   }
   TextTable other(directory / "a.txt", "# steps=0\na c", world());
-  EXPECT_TRUE(
-    test::contains(test::inputError([&] { other.restore(archive); }), "is not the table"));
+  test::expectRefusal([&] { other.restore(archive); }, {"is not the table"});
   TextTable file(directory / "a.txt", "# steps=0\na b", world());
   file.restore(archive);
   file.writeRow("5 6");
@@ -140,13 +137,12 @@ TEST(TextTable, RestartNamesTheLineOfTheHeaderThatHasAnotherLength)
   }
   world()->barrier();
   TextTable longer(directory / "a.txt", "# author=A. B.\n# date=2024/05/31\na b", world());
-  const auto refusal = test::inputError([&] { longer.restore(archive); });
-  EXPECT_TRUE(test::contains(refusal, "the line '# author=A', where that of this run has "
-                                      "'# author=A. B.'"))
-    << refusal;
+  test::expectRefusal([&] { longer.restore(archive); },
+                      {"the line '# author=A', where that of this run has "
+                       "'# author=A. B.'"});
   TextTable more(directory / "a.txt", "# author=A\n# date=2024/05/31\na b c", world());
-  EXPECT_TRUE(test::contains(test::inputError([&] { more.restore(archive); }),
-                             "the line 'a b', where that of this run has 'a b c'"));
+  test::expectRefusal([&] { more.restore(archive); },
+                      {"the line 'a b', where that of this run has 'a b c'"});
   TextTable next_day(directory / "a.txt", "# author=A\n# date=2024/06/01\na b", world());
   next_day.restore(archive);
   next_day.flush();

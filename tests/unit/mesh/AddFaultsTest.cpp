@@ -45,17 +45,17 @@ TEST(AddFaults, LastTrueConditionWins)
 
 TEST(AddFaults, RefusesWhatIsNoFault)
 {
-  expectInputError(
+  test::expectRefusal(
     [] {
       faultedRectangle({{"fault", isNowhere}});
     },
     {"Mesh / Faults / fault: the fault has no facet"});
-  expectInputError(
+  test::expectRefusal(
     [] {
       faultedRectangle({{"one", isRight}, {"all", isOnXAxis}});
     },
     {"Mesh / Faults / one: the fault has no facet", "later faults"});
-  expectInputError(
+  test::expectRefusal(
     [] {
       faultedRectangle({{"top", isOnXAxis}});
     },
@@ -73,7 +73,7 @@ TEST(AddFaults, KeepsFaultsFromOuterBoundaries)
     EXPECT_EQ(numFacets(with_rim, "rim"), 16u);
     EXPECT_EQ(with_rim.boundaries.at("fault"), fault);
     EXPECT_EQ(with_rim.boundaries.size(), 2u);
-    expectInputError(
+    test::expectRefusal(
       [&] {
         overrideBoundaries<2>(with_rim, {{"fault", isEverywhere}});
       },

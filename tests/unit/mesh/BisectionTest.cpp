@@ -137,7 +137,7 @@ TEST(Bisection, RefusesTooManyCellsBeforeItBegins)
       ++num_calls;
       return 0.1 + slope * centroid(cell)[1];
     };
-    expectInputError([&] { bisect<2>(coarse, allowed); }, {"Mesh", "vertices", "10000000"});
+    test::expectRefusal([&] { bisect<2>(coarse, allowed); }, {"Mesh", "vertices", "10000000"});
     EXPECT_LT(num_calls, 1000000);
   }
 }

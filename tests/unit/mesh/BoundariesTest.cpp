@@ -54,17 +54,17 @@ TEST(Boundaries, NameWhatHadNoName)
 TEST(Boundaries, RefuseAConditionThatNamesNoFacet)
 {
   auto mesh = unitSquare();
-  expectInputError(
+  test::expectRefusal(
     [&] {
       overrideBoundaries(mesh, Conditions{{"crack", isInside}});
     },
     {"Mesh / Boundaries / crack", "no facet"});
-  expectInputError(
+  test::expectRefusal(
     [&] {
       overrideBoundaries(mesh, Conditions{{"left", isInside}});
     },
     {"Mesh / Boundaries / left"});
-  expectInputError(
+  test::expectRefusal(
     [&] {
       overrideBoundaries(mesh, Conditions{{"west", isOnTheLeft}, {"rim", isEverywhere}}, "Deck");
     },

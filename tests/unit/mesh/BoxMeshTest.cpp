@@ -54,9 +54,9 @@ TEST(BoxMesh, CutsCubesIntoSixths)
 
 TEST(BoxMesh, NamesTheParameterThatIsWrong)
 {
-  expectInputError([] { boxMesh({{-3.0, 1.0, 1.0}, {1, 1, 1}, {}}); }, {"Box / Width = -3"});
-  expectInputError([] { boxMesh({{1.0, 0.0, 1.0}, {1, 1, 1}, {}}); }, {"Height = 0"});
-  expectInputError([] { boxMesh({{1.0, 1.0, INFINITY}, {1, 1, 1}, {}}); }, {"Depth = inf"});
-  expectInputError([] { boxMesh({{1.0, 1.0, 1.0}, {1, 0, 1}, {}}); }, {"Cells Y = 0"});
-  expectInputError([] { boxMesh({{1.0, 1.0, 1.0}, {5000, 5000, 5000}, {}}); }, {"too many"});
+  test::expectRefusal([] { boxMesh({{-3.0, 1.0, 1.0}, {1, 1, 1}, {}}); }, {"Box / Width = -3"});
+  test::expectRefusal([] { boxMesh({{1.0, 0.0, 1.0}, {1, 1, 1}, {}}); }, {"Height = 0"});
+  test::expectRefusal([] { boxMesh({{1.0, 1.0, INFINITY}, {1, 1, 1}, {}}); }, {"Depth = inf"});
+  test::expectRefusal([] { boxMesh({{1.0, 1.0, 1.0}, {1, 0, 1}, {}}); }, {"Cells Y = 0"});
+  test::expectRefusal([] { boxMesh({{1.0, 1.0, 1.0}, {5000, 5000, 5000}, {}}); }, {"too many"});
 }

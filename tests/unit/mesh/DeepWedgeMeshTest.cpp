@@ -158,7 +158,7 @@ TEST(DeepWedgeMesh, IsThePlaneWedgeInLayers)
 TEST(DeepWedgeMesh, NamesTheParameterThatIsWrong)
 {
   const auto expect_refused = [](DeepWedge const& deep, std::vector<std::string> const& pieces) {
-    expectInputError([&] { deepWedgeMesh(coarseShape(), deep); }, pieces);
+    test::expectRefusal([&] { deepWedgeMesh(coarseShape(), deep); }, pieces);
   };
   expect_refused({0.0, {}, false}, {"Wedge / Depth = 0"});
   expect_refused({1e20, {}, false}, {"vertices are too many", "cell size"});
@@ -167,7 +167,7 @@ TEST(DeepWedgeMesh, NamesTheParameterThatIsWrong)
   expect_refused({0.6, {{0.2, 0.2}}, false}, {"Wedge / Seismogenic Intervals", "0.2 to 0.2"});
   WedgeShape flat = coarseShape();
   flat.height = 0.0;
-  expectInputError([&] { deepWedgeMesh(flat, {}); }, {"Wedge / Height = 0"});
-  expectInputError([] { layeredWedgeMesh({}, 0.1, 0); }, {"Wedge / Layers = 0"});
-  expectInputError([] { layeredWedgeMesh({}, -0.1, 3); }, {"Wedge / Depth = -0.1"});
+  test::expectRefusal([&] { deepWedgeMesh(flat, {}); }, {"Wedge / Height = 0"});
+  test::expectRefusal([] { layeredWedgeMesh({}, 0.1, 0); }, {"Wedge / Layers = 0"});
+  test::expectRefusal([] { layeredWedgeMesh({}, -0.1, 3); }, {"Wedge / Depth = -0.1"});
 }

@@ -2,26 +2,18 @@
 
 #include "mesh/MeshQuality.hpp"
 #include "mesh/generation/ExtrudedMesh.hpp"
-#include "mesh/generation/WedgeMesh.hpp"
 
 using namespace asperity;
 using namespace asperity::mesh;
 
 namespace
 {
-GlobalMesh<2> coarseWedge()
-{
-  WedgeShape shape;
-  shape.cell_size = 0.04;
-  return wedgeMesh(shape);
-}
-
 const std::vector<double> uneven = {-0.5, -0.3, 0.1, 0.2};
 } // namespace
 
 TEST(ExtrudedMesh, IsConformingAndInheritsRegionsAndBoundaries)
 {
-  const auto plane = coarseWedge();
+  const auto plane = coarseWedge(0.04);
   const auto mesh = extrude(plane, uneven);
   expectConforming(mesh);
   EXPECT_EQ(mesh.vertices.size(), 4 * plane.vertices.size());
@@ -39,7 +31,7 @@ TEST(ExtrudedMesh, IsConformingAndInheritsRegionsAndBoundaries)
 
 TEST(ExtrudedMesh, HasAFrontAndABack)
 {
-  const auto plane = coarseWedge();
+  const auto plane = coarseWedge(0.04);
   const auto mesh = extrude(plane, uneven);
   EXPECT_NEAR(integralOfNormal(mesh, "front")[2], -0.135, 1e-14);
   EXPECT_NEAR(integralOfNormal(mesh, "back")[2], 0.135, 1e-14);
@@ -57,7 +49,7 @@ TEST(ExtrudedMesh, HasAFrontAndABack)
 // Layer k is layer 0 with all numbers larger by k times the plane's: so are its diagonals.
 TEST(ExtrudedMesh, HasTheSamePatternInEveryLayer)
 {
-  const auto plane = coarseWedge();
+  const auto plane = coarseWedge(0.04);
   const auto mesh = extrude(plane, uneven);
   const std::size_t in_layer = 3 * plane.cells.size();
   const auto num_vertices = static_cast<int>(plane.vertices.size());
@@ -73,11 +65,11 @@ TEST(ExtrudedMesh, HasTheSamePatternInEveryLayer)
 TEST(ExtrudedMesh, RefusesLevelsThatAreNone)
 {
   auto plane = square();
-  expectInputError([&] { extrude(plane, {0.0}); }, {"at least 2 levels, not 1"});
-  expectInputError([&] { extrude(plane, {0.0, 1.0, 1.0}); }, {"ascend", "number 2 is at 1 m"});
-  expectInputError([&] { extrude(plane, {0.0, NAN}); }, {"ascend", "number 1"});
+  test::expectRefusal([&] { extrude(plane, {0.0}); }, {"at least 2 levels, not 1"});
+  test::expectRefusal([&] { extrude(plane, {0.0, 1.0, 1.0}); }, {"ascend", "number 2 is at 1 m"});
+  test::expectRefusal([&] { extrude(plane, {0.0, NAN}); }, {"ascend", "number 1"});
   plane.boundaries["back"] = {{0, 1}};
-  expectInputError([&] { extrude(plane, {0.0, 1.0}); }, {"boundary 'back'"});
+  test::expectRefusal([&] { extrude(plane, {0.0, 1.0}); }, {"boundary 'back'"});
 }
 
 TEST(ExtrudedMesh, SpacesLevelsEqually)

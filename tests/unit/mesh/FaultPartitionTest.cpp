@@ -139,7 +139,7 @@ TEST(FaultPartition, NamesOuterBoundariesAlone)
   overrideBoundaries(whole, conditions);
   EXPECT_EQ(whole.boundaries.at("all").size(), 6u * 32u);
   EXPECT_EQ(part.boundaries, localPart(whole, owners, world()->getRank()).boundaries);
-  expectInputError(
+  test::expectRefusal(
     [&] {
       overrideBoundaries<3>(part, {{"splay", [](auto&) { return true; }}}, *world());
     },

@@ -11,7 +11,7 @@ template <int Dim>
 void expectRefused(GlobalMesh<Dim> const& mesh, std::vector<std::string> pieces)
 {
   pieces.emplace_back("the file: ");
-  expectInputError([&] { checkMesh(mesh, "the file"); }, pieces);
+  test::expectRefusal([&] { checkMesh(mesh, "the file"); }, pieces);
 }
 
 // Cells on the unit cube, with these bottoms and one tip.

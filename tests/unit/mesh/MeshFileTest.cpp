@@ -11,6 +11,7 @@
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
+#include <functional>
 #include <limits>
 #include <utility>
 
@@ -53,7 +54,7 @@ protected:
   {
     pieces.push_back("Mesh file '" + name + "'");
     ::testing::internal::CaptureStderr();
-    expectInputError([&] { readMesh<Dim>(name); }, pieces);
+    test::expectRefusal([&] { readMesh<Dim>(name); }, pieces);
     EXPECT_EQ(::testing::internal::GetCapturedStderr(), "");
   }
 
@@ -152,7 +153,7 @@ TEST_F(MeshFile, RefusesMissingAndForeignFiles)
   expectRefusedFile(file("empty.h5"), {"cannot be opened as an HDF5 file"});
   H5Fclose(H5Fcreate(file("other.h5").c_str(), H5F_ACC_TRUNC, H5P_DEFAULT, H5P_DEFAULT));
   expectRefusedFile(file("other.h5"), {"is no mesh", "'format'"});
-  expectInputError([&] { meshDimension(file("other.h5")); }, {"is no mesh"});
+  test::expectRefusal([&] { meshDimension(file("other.h5")); }, {"is no mesh"});
 }
 
 TEST_F(MeshFile, RefusesTruncatedFiles)
@@ -227,12 +228,12 @@ TEST_F(MeshFile, RefusesWhatIsNoMesh)
 TEST_F(MeshFile, SaysThatItCannotWrite)
 {
   ::testing::internal::CaptureStderr();
-  expectInputError([&] { writeMesh(square(), file("no folder/square.h5")); },
-                   {"no folder/square.h5", "cannot be written", "folder"});
+  test::expectRefusal([&] { writeMesh(square(), file("no folder/square.h5")); },
+                      {"no folder/square.h5", "cannot be written", "folder"});
   EXPECT_EQ(::testing::internal::GetCapturedStderr(), "");
   auto mesh = square();
   mesh.boundaries["a/b"] = {{0, 1}};
-  expectInputError([&] { writeMesh(mesh, file("square.h5")); }, {"'a/b'", "name of a boundary"});
+  test::expectRefusal([&] { writeMesh(mesh, file("square.h5")); }, {"'a/b'", "name of a boundary"});
   EXPECT_FALSE(std::filesystem::exists(file("square.h5")));
 }
 
@@ -249,6 +250,6 @@ TEST_F(MeshFile, IsReadOnRankZeroForAll)
   }
   expectEqual(readMesh<3>(file("periodic.h5"), world), periodic);
   expectEqual(readMesh<2>(file("square.h5"), world), square());
-  expectInputError([&] { readMesh<3>(file("square.h5"), world); }, {"dimension 2, not 3"});
-  expectInputError([&] { readMesh<2>(file("none.h5"), world); }, {"none.h5' does not exist"});
+  test::expectRefusal([&] { readMesh<3>(file("square.h5"), world); }, {"dimension 2, not 3"});
+  test::expectRefusal([&] { readMesh<2>(file("none.h5"), world); }, {"none.h5' does not exist"});
 }

@@ -45,9 +45,9 @@ TEST(MeshQuality, BoundaryVerticesAreSortedAndUnique)
 
 TEST(MeshQuality, NamesTheBoundaryThatIsMissing)
 {
-  expectInputError([] { boundaryVertices(square(), "botom"); },
-                   {"no boundary 'botom'", "Did you mean 'bottom'?"});
-  expectInputError([] { boundaryFacets(square(), "fault"); }, {"'bottom', 'top'"});
+  test::expectRefusal([] { boundaryVertices(square(), "botom"); },
+                      {"no boundary 'botom'", "Did you mean 'bottom'?"});
+  test::expectRefusal([] { boundaryFacets(square(), "fault"); }, {"'bottom', 'top'"});
 }
 
 TEST(MeshQuality, NormalsPointOutwardWithTheMeasureOfTheFacet)

@@ -1,32 +1,17 @@
 #pragma once
 
-#include "base/Errors.hpp"
 #include "mesh/GlobalMesh.hpp"
 #include "mesh/SimplexGeometry.hpp"
 #include "mesh/detail/FacetTable.hpp"
+#include "mesh/generation/WedgeMesh.hpp"
+#include "unit/base/Refusal.hpp"
 
 #include <gtest/gtest.h>
 
-#include <functional>
 #include <string>
 
 namespace asperity::mesh
 {
-// Expects an InputError whose message contains all these pieces.
-inline void expectInputError(std::function<void()> const& call,
-                             std::vector<std::string> const& pieces)
-{
-  try {
-    call();
-    ADD_FAILURE() << "nothing was thrown; expected '" << pieces.front() << "'";
-  } catch (InputError const& error) {
-    const std::string message = error.what();
-    for (auto const& piece : pieces) {
-      EXPECT_NE(message.find(piece), std::string::npos) << "'" << piece << "' not in: " << message;
-    }
-  }
-}
-
 // The unit square in two triangles, with a diagonal from (0, 0) to (1, 1).
 inline GlobalMesh<2> square()
 {
@@ -37,6 +22,14 @@ inline GlobalMesh<2> square()
   mesh.region_names = {"right of it", "left of it"};
   mesh.boundaries = {{"bottom", {{0, 1}}}, {"top", {{2, 3}}}};
   return mesh;
+}
+
+// Triangles of all sizes and shapes that the wedge has, of at most this size [m] at the zone.
+inline GlobalMesh<2> coarseWedge(double cell_size)
+{
+  WedgeShape shape;
+  shape.cell_size = cell_size;
+  return wedgeMesh(shape);
 }
 
 // The unit cube in six tetrahedra around its diagonal; `side` is x = 0.

@@ -73,12 +73,12 @@ TEST(OverridePart, AgreesOnWhatIsMissing)
   overrideBoundaries<3>(part, {{"corner", corner}}, *communicator);
   EXPECT_EQ(part.boundaries.count("corner"), 1u);
   EXPECT_EQ(part.boundaries.size(), whole.boundaries.size() + 1);
-  expectInputError(
+  test::expectRefusal(
     [&] {
       overrideBoundaries<3>(part, {{"none", nowhere}}, *communicator);
     },
     {"Mesh / Boundaries / none: the boundary has no facet"});
-  expectInputError(
+  test::expectRefusal(
     [&] {
       overrideRegions<3>(part, {{"none", nowhere}}, *communicator, "Here");
     },

@@ -5,7 +5,6 @@
 #include "mesh/file/PartitionedFile.hpp"
 #include "mesh/generation/BoxMesh.hpp"
 #include "mesh/generation/PeriodicMesh.hpp"
-#include "mesh/generation/WedgeMesh.hpp"
 
 #include <Teuchos_DefaultMpiComm.hpp>
 
@@ -17,13 +16,6 @@ namespace
 using mesh::expectEqual;
 
 RCP<const Communicator> world() { return rcp(new Teuchos::MpiComm<int>(MPI_COMM_WORLD)); }
-
-GlobalMesh<2> coarseWedge()
-{
-  WedgeShape shape;
-  shape.cell_size = 0.02;
-  return wedgeMesh(shape);
-}
 
 // Periodic along z, in two regions, with a boundary that has no facet.
 GlobalMesh<3> periodicBox()
@@ -91,7 +83,7 @@ protected:
 
 TEST_F(PartitionedFile, GivesEveryRankItsPartOfTheWedge)
 {
-  expectParts<2>(coarseWedge(), {"base", 4});
+  expectParts<2>(coarseWedge(0.02), {"base", 4});
 }
 
 TEST_F(PartitionedFile, GivesEveryRankItsPartOfTheBox)
@@ -129,9 +121,11 @@ TEST_F(PartitionedFile, KnowsItsKind)
   EXPECT_FALSE(isPartitioned(file("mesh.h5"), *world()));
   EXPECT_EQ(fileDimension(file("parts.h5"), *world()), 3);
   EXPECT_EQ(fileDimension(file("mesh.h5"), *world()), 2);
-  expectInputError([&] { isPartitioned(file("none.h5"), *world()); }, {"none.h5' does not exist"});
-  expectInputError([&] { fileDimension(file("none.h5"), *world()); }, {"none.h5' does not exist"});
-  expectInputError([&] { readMesh<3>(file("parts.h5")); }, {"asperity-partition"});
+  test::expectRefusal([&] { isPartitioned(file("none.h5"), *world()); },
+                      {"none.h5' does not exist"});
+  test::expectRefusal([&] { fileDimension(file("none.h5"), *world()); },
+                      {"none.h5' does not exist"});
+  test::expectRefusal([&] { readMesh<3>(file("parts.h5")); }, {"asperity-partition"});
 }
 
 // Two meshes with different fingerprints differ in one coordinate.
@@ -149,7 +143,7 @@ TEST_F(PartitionedFile, SaysThatItCannotBeWritten)
 {
   const auto mesh = square();
   const std::vector<int> owners(4, 0);
-  expectInputError([&] { writeParts(mesh, owners, 1, {}, file("no folder/a.h5")); },
-                   {"no folder/a.h5", "cannot be written"});
+  test::expectRefusal([&] { writeParts(mesh, owners, 1, {}, file("no folder/a.h5")); },
+                      {"no folder/a.h5", "cannot be written"});
   EXPECT_FALSE(std::filesystem::exists(file("no folder")));
 }

@@ -111,11 +111,11 @@ TEST(PeriodicMesh, RefusesSidesThatAreNoTranslates)
 {
   auto moved = box();
   moved.vertices.back()[0] += 0.1;
-  expectInputError([&] { makePeriodic(moved, 2, "front", "back"); },
-                   {"'front' and 'back'", "(1.1, 2, 3)", "translates"});
+  test::expectRefusal([&] { makePeriodic(moved, 2, "front", "back"); },
+                      {"'front' and 'back'", "(1.1, 2, 3)", "translates"});
   auto fewer = box();
   fewer.boundaries["back"].resize(2);
-  expectInputError([&] { makePeriodic(fewer, 2, "front", "back"); }, {"12 and 4 vertices"});
+  test::expectRefusal([&] { makePeriodic(fewer, 2, "front", "back"); }, {"12 and 4 vertices"});
   auto turned = box(); // the facets of the back lead over the same vertices, but other ones
   turned.boundaries["back"] = turned.boundaries["front"];
   for (auto& facet : turned.boundaries["back"]) {
@@ -123,18 +123,18 @@ TEST(PeriodicMesh, RefusesSidesThatAreNoTranslates)
       vertex = 48 + (vertex % 12 + 1) % 12;
     }
   }
-  expectInputError([&] { makePeriodic(turned, 2, "front", "back"); }, {"not their facets"});
+  test::expectRefusal([&] { makePeriodic(turned, 2, "front", "back"); }, {"not their facets"});
   auto mesh = box();
-  expectInputError([&] { makePeriodic(mesh, 2, "back", "front"); }, {"Swap them"});
-  expectInputError([&] { makePeriodic(mesh, 2, "front", "bock"); }, {"Did you mean 'back'"});
+  test::expectRefusal([&] { makePeriodic(mesh, 2, "back", "front"); }, {"Swap them"});
+  test::expectRefusal([&] { makePeriodic(mesh, 2, "front", "bock"); }, {"Did you mean 'back'"});
 }
 
 TEST(PeriodicMesh, RefusesFewerThanThreeCells)
 {
   for (int layers : {1, 2}) {
     auto mesh = box(layers);
-    expectInputError([&] { makePeriodic(mesh, 2, "front", "back"); },
-                     {"'front' and 'back'", "At least 3 cells"});
+    test::expectRefusal([&] { makePeriodic(mesh, 2, "front", "back"); },
+                        {"'front' and 'back'", "At least 3 cells"});
   }
   auto mesh = box(3);
   makePeriodic(mesh, 2, "front", "back");
@@ -145,5 +145,5 @@ TEST(PeriodicMesh, ChecksPeriodsOfMeshes)
 {
   auto mesh = square();
   mesh.period[1] = -2.0;
-  expectInputError([&] { checkMesh(mesh, "here"); }, {"here", "period along y", "-2"});
+  test::expectRefusal([&] { checkMesh(mesh, "here"); }, {"here", "period along y", "-2"});
 }

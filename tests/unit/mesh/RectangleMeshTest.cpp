@@ -58,9 +58,13 @@ TEST(RectangleMesh, AlternatesItsDiagonals)
 
 TEST(RectangleMesh, NamesTheParameterThatIsWrong)
 {
-  expectInputError([] { rectangleMesh({-3.0, 1.0, 1, 1, {}}); }, {"Mesh / Rectangle / Width = -3"});
-  expectInputError([] { rectangleMesh({1.0, 0.0, 1, 1, {}}); }, {"Height = 0"});
-  expectInputError([] { rectangleMesh({1.0, 1.0, 0, 1, {}}); }, {"Cells X = 0"});
-  expectInputError([] { rectangleMesh({1.0, 1.0, 1, -2, {}}); }, {"Cells Y = -2"});
-  expectInputError([] { rectangleMesh({1.0, 1.0, 100000, 100000, {}}); }, {"too many"});
+  test::expectRefusal(
+    [] {
+      rectangleMesh({-3.0, 1.0, 1, 1, {}});
+    },
+    {"Mesh / Rectangle / Width = -3"});
+  test::expectRefusal([] { rectangleMesh({1.0, 0.0, 1, 1, {}}); }, {"Height = 0"});
+  test::expectRefusal([] { rectangleMesh({1.0, 1.0, 0, 1, {}}); }, {"Cells X = 0"});
+  test::expectRefusal([] { rectangleMesh({1.0, 1.0, 1, -2, {}}); }, {"Cells Y = -2"});
+  test::expectRefusal([] { rectangleMesh({1.0, 1.0, 100000, 100000, {}}); }, {"too many"});
 }

@@ -43,13 +43,13 @@ TEST(Regions, ExistingNamesAreTakenUpAndEmptyRegionsDropped)
 TEST(Regions, RefusesARegionWithoutCells)
 {
   auto mesh = unitSquare();
-  expectInputError(
+  test::expectRefusal(
     [&] {
       overrideRegions(mesh, Conditions{{"west", isNowhere}});
     },
     {"Mesh / Regions / west", "no cell"});
   mesh = unitSquare();
-  expectInputError(
+  test::expectRefusal(
     [&] {
       overrideRegions(mesh, Conditions{{"west", isLeft}, {"all", isEverywhere}}, "Deck");
     },

@@ -11,7 +11,7 @@ bool isBetween(double x, double low, double high) { return low <= x && x <= high
 
 void expectRefused(GlobalMesh<3> mesh, std::vector<std::string> const& pieces)
 {
-  expectInputError([&] { splitFaults(mesh, "Here"); }, pieces);
+  test::expectRefusal([&] { splitFaults(mesh, "Here"); }, pieces);
 }
 
 // Five triangles i, i + 1, i + 2 (modulo 5) are a Moebius band; each between two cells of its own.

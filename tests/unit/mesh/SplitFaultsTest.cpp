@@ -65,7 +65,7 @@ std::set<std::size_t> cellsOnPlusSides(GlobalMesh<Dim> const& mesh)
 template <int Dim>
 void expectRefused(GlobalMesh<Dim> mesh, std::vector<std::string> const& pieces)
 {
-  expectInputError([&] { splitFaults(mesh, "Here"); }, pieces);
+  test::expectRefusal([&] { splitFaults(mesh, "Here"); }, pieces);
   EXPECT_TRUE(mesh.splits.empty());
 }
 } // namespace
@@ -221,7 +221,8 @@ TEST(SplitFaults, RefusesBoundariesThatAreNoFaults)
   mixed.boundaries["top"].push_back(mesh.boundaries.at("fault")[1]);
   expectRefused(
     mixed, {"Here: boundary 'top' has facets inside the body, one at (1.5, 0)", "on its surface"});
-  expectInputError([&] { checkMesh(mixed, "There"); }, {"There: boundary 'top' has facets inside"});
+  test::expectRefusal([&] { checkMesh(mixed, "There"); },
+                      {"There: boundary 'top' has facets inside"});
   auto twice = mesh;
   twice.boundaries["other"] = {mesh.boundaries.at("fault")[2]};
   expectRefused(twice, {"the facet at (2.5, 0) is in fault", "'fault'", "'other'"});
@@ -242,7 +243,7 @@ TEST(SplitFaults, IsSeenByTheCheck)
   const auto refused = [&](auto const& change, std::vector<std::string> const& pieces) {
     auto wrong = mesh;
     change(wrong);
-    expectInputError([&] { checkMesh(wrong, "There"); }, pieces);
+    test::expectRefusal([&] { checkMesh(wrong, "There"); }, pieces);
   };
   refused([](auto& m) { m.splits[1].minus = 0; }, {"There: vertices 26", "not at one place"});
   refused([](auto& m) { std::swap(m.splits[0], m.splits[1]); }, {"ascending"});

@@ -216,7 +216,7 @@ TEST(TetrahedronBisection, RefusesTooManyCellsBeforeItBegins)
   const auto coarse = boxMesh({{25.6e3, 25.6e3, 25.6e3}, {4, 4, 4}, {}});
   for (double slope : {0.0, 1e-3}) {
     int num_calls = 0;
-    expectInputError(
+    test::expectRefusal(
       [&] {
         bisect<3>(coarse, [&](Tetrahedron const& cell) {
           ++num_calls;

@@ -103,7 +103,7 @@ TEST(WedgeMesh, ResolvesFurtherZones)
   EXPECT_LE(largest(shape, 0.7, 0.8), 0.01);
   EXPECT_LE(largest(shape, shape.zoneLeft(), shape.zoneRight()), 0.01);
   shape.further_zones = {{0.7, 1.1}};
-  expectInputError([&] { wedgeMesh(shape); }, {"Refined Intervals", "0.7 to 1.1", "base"});
+  test::expectRefusal([&] { wedgeMesh(shape); }, {"Refined Intervals", "0.7 to 1.1", "base"});
 }
 
 // The region is cut by centroids: its area is that below the plane within a row of cells there.
@@ -135,7 +135,7 @@ TEST(WedgeMesh, NamesTheParameterThatIsWrong)
   const auto expect_refused = [](double WedgeShape::*value, double wrong, std::string const& name) {
     WedgeShape shape;
     shape.*value = wrong;
-    expectInputError([&] { wedgeMesh(shape); }, {"Mesh / Wedge / " + name + " = "});
+    test::expectRefusal([&] { wedgeMesh(shape); }, {"Mesh / Wedge / " + name + " = "});
   };
   expect_refused(&WedgeShape::length, 0.0, "Length");
   expect_refused(&WedgeShape::height, -0.27, "Height");

@@ -196,10 +196,10 @@ void expectSymmetryAndImage(Chain const& chain)
 }
 } // namespace
 
-TEST(Cycle, isSymmetricAndGivesTheImageOfItsResult) { expectSymmetryAndImage(Chain()); }
+TEST(Cycle, IsSymmetricAndGivesTheImageOfItsResult) { expectSymmetryAndImage(Chain()); }
 
 // With three threads each of two levels has three chunks and one.
-TEST(Cycle, isSymmetricAndGivesTheImageOfItsResultOnThreads)
+TEST(Cycle, IsSymmetricAndGivesTheImageOfItsResultOnThreads)
 {
   const Chain chain(2.01, 3);
   EXPECT_EQ(chain.hierarchy->levels[0].chunks.count(), 3);
@@ -208,7 +208,7 @@ TEST(Cycle, isSymmetricAndGivesTheImageOfItsResultOnThreads)
 }
 
 // One more number of threads changes the sweep, but not what the iteration reaches.
-TEST(FloatConjugateGradients, needAboutAsManyIterationsOnThreads)
+TEST(FloatConjugateGradients, NeedAboutAsManyIterationsOnThreads)
 {
   std::vector<int> iterations;
   for (int num_threads : {1, 2, 3}) {
@@ -231,13 +231,13 @@ TEST(FloatConjugateGradients, needAboutAsManyIterationsOnThreads)
   EXPECT_LE(iterations[2], iterations[0] + 1);
 }
 
-TEST(Cycle, refusesAnIndefiniteMatrix)
+TEST(Cycle, RefusesAnIndefiniteMatrix)
 {
   const Chain chain(1.5); // positive on both diagonals
   EXPECT_FALSE(chain.cycle->setup(chain.H, chain.removed));
 }
 
-TEST(FloatConjugateGradients, solveToTheirTolerance)
+TEST(FloatConjugateGradients, SolveToTheirTolerance)
 {
   const Chain chain;
   std::vector<double> blocks(chain.H.data(), chain.H.data() + chain.H.size());
@@ -263,7 +263,7 @@ TEST(FloatConjugateGradients, solveToTheirTolerance)
 }
 
 // The energy of a coarse function is that of the fine function that it stands for.
-TEST(AddedBlocks, areAGalerkinProduct)
+TEST(AddedBlocks, AreAGalerkinProduct)
 {
   const Chain chain;
   auto const& level = chain.hierarchy->levels[1];
@@ -280,7 +280,7 @@ TEST(AddedBlocks, areAGalerkinProduct)
   }
 }
 
-TEST(CoarsestSolver, leavesOutWhatIsNotFree)
+TEST(CoarsestSolver, LeavesOutWhatIsNotFree)
 {
   const Matrix A(chain());
   std::vector<char> free(num_nodes, 1);

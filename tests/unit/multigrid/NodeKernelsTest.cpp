@@ -6,7 +6,7 @@
 
 namespace asperity::multigrid
 {
-TEST(NodeKernels, multipliesBlocksOfAllSizes)
+TEST(NodeKernels, MultipliesBlocksOfAllSizes)
 {
   const auto check = [](auto rows, auto columns) {
     constexpr int R = decltype(rows)::value, C = decltype(columns)::value;
@@ -52,7 +52,7 @@ TEST(NodeKernels, multipliesBlocksOfAllSizes)
   check(Six(), Six());
 }
 
-TEST(NodeKernels, invertsInTheFreeComponents)
+TEST(NodeKernels, InvertsInTheFreeComponents)
 {
   double a[3][3] = {{4, 1, 2}, {1, 3, 0}, {2, 0, 5}};
   float inverse[9];

@@ -1,6 +1,7 @@
 #include "parameters/Deck.hpp"
 
 #include "unit/base/Refusal.hpp"
+#include "unit/base/TemporaryDirectory.hpp"
 
 #include <sstream>
 
@@ -8,6 +9,7 @@ namespace
 {
 using namespace asperity;
 using asperity::test::expectParts;
+using asperity::test::expectRefusal;
 using asperity::test::refusal;
 using asperity::test::TemporaryDirectory;
 using List = Teuchos::RCP<const ParameterList>;
@@ -52,16 +54,16 @@ TEST(Alternatives, AnEntryOfAnotherWordIsRefusedWithThatWord)
 {
   ParameterList list;
   list.set("Width", 4.);
-  expectParts(refusal([&] { completeAndValidate(list, *usual(), "Friction"); }),
-              {"Friction / Width is unknown here", "parameter of Law = Other"});
+  expectRefusal([&] { completeAndValidate(list, *usual(), "Friction"); },
+                {"Friction / Width is unknown here", "parameter of Law = Other"});
   ParameterList misspelled;
   misspelled.set("Law", std::string("Other")).set("Widht", 4.);
-  expectParts(refusal([&] { completeAndValidate(misspelled, *usual(), "Friction"); }),
-              {"Friction / Widht is unknown. Did you mean 'Width'?"});
+  expectRefusal([&] { completeAndValidate(misspelled, *usual(), "Friction"); },
+                {"Friction / Widht is unknown. Did you mean 'Width'?"});
   ParameterList unknown;
   unknown.set("Law", std::string("Othre"));
-  expectParts(refusal([&] { completeAndValidate(unknown, *usual(), "Friction"); }),
-              {"Friction / Law = 'Othre'", "Did you mean 'Other'?"});
+  expectRefusal([&] { completeAndValidate(unknown, *usual(), "Friction"); },
+                {"Friction / Law = 'Othre'", "Did you mean 'Other'?"});
 }
 
 TEST(Alternatives, WhatTwoBringIsInBothRanges)
@@ -99,8 +101,8 @@ TEST(Alternatives, AnOverrideSeesTheWordChosenBefore)
 {
   const auto valid = Declare().sublist("Friction", usual(), "Friction.").list();
   ParameterList list;
-  expectParts(refusal([&] { applyOverride(list, *valid, "Friction/Width=2"); }),
-              {"Asperity / Friction / Width is unknown here", "parameter of Law = Other"});
+  expectRefusal([&] { applyOverride(list, *valid, "Friction/Width=2"); },
+                {"Asperity / Friction / Width is unknown here", "parameter of Law = Other"});
   applyOverride(list, *valid, "Friction/Law=Other");
   applyOverride(list, *valid, "Friction/Width=2");
   EXPECT_EQ(list.sublist("Friction").get<double>("Width"), 2);

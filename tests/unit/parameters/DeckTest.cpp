@@ -1,6 +1,7 @@
 #include "parameters/Deck.hpp"
 
 #include "unit/base/Refusal.hpp"
+#include "unit/base/TemporaryDirectory.hpp"
 
 #include <fstream>
 #include <map>
@@ -12,6 +13,7 @@ namespace
 using namespace asperity;
 using asperity::test::array;
 using asperity::test::expectParts;
+using asperity::test::expectRefusal;
 using asperity::test::refusal;
 using asperity::test::TemporaryDirectory;
 using Teuchos::Array;
@@ -95,9 +97,8 @@ TEST(Deck, Utf16IsNamed)
 TEST(Deck, MissingFileAndDirectory)
 {
   const TemporaryDirectory directory;
-  expectParts(refusal([&] { readDeck(directory.file("none.xml")); }),
-              {"There is no deck", "none.xml"});
-  expectParts(refusal([&] { readDeck(directory.file("")); }), {"is a directory"});
+  expectRefusal([&] { readDeck(directory.file("none.xml")); }, {"There is no deck", "none.xml"});
+  expectRefusal([&] { readDeck(directory.file("")); }, {"is a directory"});
 }
 
 TEST(Deck, MalformedFilesNameFileAndLine)
@@ -209,8 +210,8 @@ TEST(Deck, OverlayRemoves)
   EXPECT_FALSE(list->isParameter("c"));
   const auto wrong = directory.write("wrong.xml", R"(<ParameterList name="Asperity">
     <ParameterList name="a"> <Remove name="thee"/> </ParameterList> </ParameterList>)");
-  expectParts(refusal([&] { overlayDeck(*list, wrong); }),
-              {"wrong.xml", "Asperity / a / thee", "no such entry", "Did you mean 'three'?"});
+  expectRefusal([&] { overlayDeck(*list, wrong); },
+                {"wrong.xml", "Asperity / a / thee", "no such entry", "Did you mean 'three'?"});
 }
 
 TEST(Deck, OverlayReplacesAndExtends)
@@ -295,13 +296,9 @@ TEST(Deck, WrittenListMarksDefaults)
 
 TEST(Deck, WritingWhereNothingCanBeWritten)
 {
-  std::string message;
-  try {
-    writeParameters(ParameterList("Asperity"), "/nowhere/at/all/parameters.xml");
-  } catch (OutputError const& error) {
-    message = error.what();
-  }
-  expectParts(message, {"/nowhere/at/all/parameters.xml", "cannot be written"});
+  const std::string file = "/nowhere/at/all/parameters.xml";
+  asperity::test::expectRefusal<OutputError>(
+    [&] { writeParameters(ParameterList("Asperity"), file); }, {file, "cannot be written"});
 }
 
 Teuchos::RCP<ParameterList> printedParameters()

@@ -1,6 +1,7 @@
 #include "parameters/fields/Field.hpp"
 
 #include "unit/base/Refusal.hpp"
+#include "unit/base/TemporaryDirectory.hpp"
 
 #include <hdf5.h>
 
@@ -11,8 +12,7 @@
 namespace
 {
 using namespace asperity;
-using asperity::test::expectParts;
-using asperity::test::refusal;
+using asperity::test::expectRefusal;
 using asperity::test::TemporaryDirectory;
 
 const std::vector<std::string> regions = {"upper", "lower"};
@@ -47,7 +47,7 @@ Field expression(std::string const& text, Range range = Range::any())
 TEST(Field, RefusesAnAssignmentInAnExpression)
 {
   for (char const* text : {"x=0 ? 5e6 : 4e6", "(x=3)*0 + x", "x <= 1 && y = 2", "x===1"}) {
-    expectParts(refusal([&] { expression(text); }), {"Friction / a = '", "single =", "=="});
+    expectRefusal([&] { expression(text); }, {"Friction / a = '", "single =", "=="});
   }
   EXPECT_EQ(expression("x == 0 && y <= 1 && y >= -1 && z != 1 ? 5 : 4")(origin, 0.0, 0), 5.0);
 }
@@ -109,59 +109,57 @@ TEST(Field, RegionsMustBeThoseOfTheMesh)
 {
   ParameterList misspelled;
   misspelled.sublist("a").set("uper", 1.0).set("lower", 1.0);
-  expectParts(refusal([&] { Field(misspelled, "a", "Friction", regions); }),
-              {"Friction / a / uper", "not a region", "Did you mean 'upper'?"});
+  expectRefusal([&] { Field(misspelled, "a", "Friction", regions); },
+                {"Friction / a / uper", "not a region", "Did you mean 'upper'?"});
   ParameterList missing;
   missing.sublist("a").set("upper", 1.0);
-  expectParts(refusal([&] { Field(missing, "a", "Friction", regions); }),
-              {"Friction / a", "no value for the region 'lower'", "'upper', 'lower'"});
-  expectParts(refusal([&] { Field(missing, "b", "Friction", regions); }),
-              {"Friction / b is missing"});
+  expectRefusal([&] { Field(missing, "a", "Friction", regions); },
+                {"Friction / a", "no value for the region 'lower'", "'upper', 'lower'"});
+  expectRefusal([&] { Field(missing, "b", "Friction", regions); }, {"Friction / b is missing"});
 }
 
 TEST(Field, BadExpressionsNameThePlace)
 {
-  expectParts(refusal([] { expression("1 + foo*x"); }),
-              {"Friction / a = '1 + foo*x'", "foo", "character 5"});
-  expectParts(refusal([] { expression("2*(x + 1"); }), {"Friction / a", "parenthesis"});
-  expectParts(refusal([] { expression("1 +"); }), {"Friction / a = '1 +'"});
-  expectParts(refusal([] { expression(""); }), {"Friction / a = ''"});
-  expectParts(refusal([] { expression("sin(x, y)"); }), {"Friction / a", "sin"});
-  expectParts(refusal([] { expression("1, 5"); }), {"Friction / a = '1, 5'", "2 values"});
+  expectRefusal([] { expression("1 + foo*x"); },
+                {"Friction / a = '1 + foo*x'", "foo", "character 5"});
+  expectRefusal([] { expression("2*(x + 1"); }, {"Friction / a", "parenthesis"});
+  expectRefusal([] { expression("1 +"); }, {"Friction / a = '1 +'"});
+  expectRefusal([] { expression(""); }, {"Friction / a = ''"});
+  expectRefusal([] { expression("sin(x, y)"); }, {"Friction / a", "sin"});
+  expectRefusal([] { expression("1, 5"); }, {"Friction / a = '1, 5'", "2 values"});
   ParameterList list;
   list.sublist("a").set("upper", 1.0).set("lower", std::string("q"));
-  expectParts(refusal([&] { Field(list, "a", "Friction", regions); }),
-              {"Friction / a / lower = 'q'"});
+  expectRefusal([&] { Field(list, "a", "Friction", regions); }, {"Friction / a / lower = 'q'"});
 }
 
 TEST(Field, RangeHoldsWhereverItIsEvaluated)
 {
   const Field field = expression("0.01 - x", Range::positive());
   EXPECT_DOUBLE_EQ(field(origin, 0, 0), 0.01);
-  expectParts(refusal([&] {
-                field({0.5, -2, 0}, 3, 0);
-              }),
-              {"Friction / a = '0.01 - x' is -0.49", "(0.5, -2, 0) m", "t = 3 s", "(0, inf)",
-               "Typical values are 0.005 to 0.03."});
-  expectParts(refusal([] { expression("1 - 2", Range::positive()); }),
-              {"Friction / a", "-1", "(0, inf)"});
+  expectRefusal(
+    [&] {
+      field({0.5, -2, 0}, 3, 0);
+    },
+    {"Friction / a = '0.01 - x' is -0.49", "(0.5, -2, 0) m", "t = 3 s", "(0, inf)",
+     "Typical values are 0.005 to 0.03."});
+  expectRefusal([] { expression("1 - 2", Range::positive()); }, {"Friction / a", "-1", "(0, inf)"});
 }
 
 TEST(Field, NoNanNoInfinity)
 {
-  expectParts(refusal([] { expression("1/x")(origin, 0, 0); }),
-              {"Friction / a", "inf", "(0, 0, 0) m"});
-  expectParts(refusal([] {
-                expression("sqrt(x)")({-1, 0, 0}, 0, 0);
-              }),
-              {"Friction / a", "nan", "(-1, 0, 0) m"});
+  expectRefusal([] { expression("1/x")(origin, 0, 0); }, {"Friction / a", "inf", "(0, 0, 0) m"});
+  expectRefusal(
+    [] {
+      expression("sqrt(x)")({-1, 0, 0}, 0, 0);
+    },
+    {"Friction / a", "nan", "(-1, 0, 0) m"});
 }
 
 TEST(Field, CopiedListKeepsTheRange)
 {
   const ParameterList copy = listWith(std::string("x"), Range::positive());
   const Field field(copy, "a", "Friction", regions);
-  expectParts(refusal([&] { field({-1, 0, 0}, 0, 0); }), {"(0, inf)"});
+  expectRefusal([&] { field({-1, 0, 0}, 0, 0); }, {"(0, inf)"});
 }
 
 // Evaluating a constant must cost next to nothing: it stands in loops over all vertices and steps.
@@ -211,8 +209,8 @@ TEST(FieldDataset, ValuesByGlobalId)
             (std::vector<double>{149999.5, 0, 65536, 3.5, 3.5}));
   EXPECT_TRUE(field.values({}, 300000).empty());
   for (long long of_another_mesh : {299999, 300001}) {
-    expectParts(refusal([&] { field.values({3}, of_another_mesh); }),
-                {"Friction / a", "300000 values", std::to_string(of_another_mesh) + " vertices"});
+    expectRefusal([&] { field.values({3}, of_another_mesh); },
+                  {"Friction / a", "300000 values", std::to_string(of_another_mesh) + " vertices"});
   }
 }
 
@@ -221,17 +219,17 @@ TEST(FieldDataset, Refusals)
   const TemporaryDirectory directory;
   const auto file = directory.file("field.h5");
   writeDataset(file, "a", {1, -2, 3, 4}, {4});
-  expectParts(refusal([&] {
-                fieldOf(file + ":/a", Range::positive()).values({0, 1}, 4);
-              }),
-              {"Friction / a", "-2", "vertex 1", "(0, inf)"});
-  expectParts(refusal([&] { fieldOf(file + ":/b"); }), {"Friction / a", "no dataset '/b'"});
-  expectParts(refusal([&] { fieldOf(directory.file("none.h5") + ":/a"); }),
-              {"Friction / a", "no file", "none.h5"});
+  expectRefusal(
+    [&] {
+      fieldOf(file + ":/a", Range::positive()).values({0, 1}, 4);
+    },
+    {"Friction / a", "-2", "vertex 1", "(0, inf)"});
+  expectRefusal([&] { fieldOf(file + ":/b"); }, {"Friction / a", "no dataset '/b'"});
+  expectRefusal([&] { fieldOf(directory.file("none.h5") + ":/a"); },
+                {"Friction / a", "no file", "none.h5"});
   const auto text = directory.write("text.h5", "not HDF5");
-  expectParts(refusal([&] { fieldOf(text + ":/a"); }),
-              {"Friction / a", "cannot be read as an HDF5 file"});
+  expectRefusal([&] { fieldOf(text + ":/a"); }, {"Friction / a", "cannot be read as an HDF5 file"});
   writeDataset(file, "square", {1, 2, 3, 4}, {2, 2});
-  expectParts(refusal([&] { fieldOf(file + ":/square"); }), {"Friction / a", "one-dimensional"});
+  expectRefusal([&] { fieldOf(file + ":/square"); }, {"Friction / a", "one-dimensional"});
 }
 } // namespace

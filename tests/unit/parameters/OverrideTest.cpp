@@ -7,6 +7,7 @@ namespace
 using namespace asperity;
 using asperity::test::array;
 using asperity::test::expectParts;
+using asperity::test::expectRefusal;
 using asperity::test::refusal;
 using Teuchos::Array;
 
@@ -137,11 +138,11 @@ TEST_F(Override, TextsForNumbersAreLeftToTheCheck)
   set("Time Stepping/Largest Step=soon");
   set("Time Stepping/Times={1, a}");
   EXPECT_EQ(list.sublist("Time Stepping").get<std::string>("Times"), "{1, a}");
-  expectParts(refusal([&] { completeAndValidate(list, *valid, "Asperity"); }),
-              {"Largest Step = 'soon'", "a number in (0, inf) s"});
+  expectRefusal([&] { completeAndValidate(list, *valid, "Asperity"); },
+                {"Largest Step = 'soon'", "a number in (0, inf) s"});
   set("Time Stepping/Largest Step=1");
-  expectParts(refusal([&] { completeAndValidate(list, *valid, "Asperity"); }),
-              {"Times = '{1, a}'", "an array of numbers"});
+  expectRefusal([&] { completeAndValidate(list, *valid, "Asperity"); },
+                {"Times = '{1, a}'", "an array of numbers"});
 }
 
 TEST_F(Override, EntriesAndListsAreRemoved)
@@ -154,11 +155,11 @@ TEST_F(Override, EntriesAndListsAreRemoved)
   EXPECT_TRUE(list.sublist("Regions").isParameter("two"));
   removeEntry(list, "Asperity/Regions");
   EXPECT_FALSE(list.isParameter("Regions"));
-  expectParts(refusal([&] { removeEntry(list, "Regions"); }), {"--remove 'Regions'", "no entry"});
-  expectParts(refusal([&] { removeEntry(list, "Frition/a"); }),
-              {"--remove 'Frition/a'", "no list Asperity / Frition.", "Did you mean 'Friction'?"});
-  expectParts(refusal([&] { removeEntry(list, "Friction/b/c"); }),
-              {"no list Asperity / Friction / b"});
+  expectRefusal([&] { removeEntry(list, "Regions"); }, {"--remove 'Regions'", "no entry"});
+  expectRefusal(
+    [&] { removeEntry(list, "Frition/a"); },
+    {"--remove 'Frition/a'", "no list Asperity / Frition.", "Did you mean 'Friction'?"});
+  expectRefusal([&] { removeEntry(list, "Friction/b/c"); }, {"no list Asperity / Friction / b"});
 }
 
 TEST_F(Override, MalformedAssignments)

@@ -5,8 +5,7 @@
 namespace
 {
 using namespace asperity;
-using asperity::test::expectParts;
-using asperity::test::refusal;
+using asperity::test::expectRefusal;
 
 Teuchos::RCP<ParameterList> meshParameters()
 {
@@ -27,8 +26,8 @@ TEST(ParameterLists, OnlyTheChosenListIsCompleted)
 
   ParameterList other;
   other.set("Type", std::string("File"));
-  expectParts(refusal([&] { completeAndValidate(other, *meshParameters(), "Asperity / Mesh"); }),
-              {"Asperity / Mesh / File / File Name is missing"});
+  expectRefusal([&] { completeAndValidate(other, *meshParameters(), "Asperity / Mesh"); },
+                {"Asperity / Mesh / File / File Name is missing"});
 }
 
 TEST(ParameterLists, ListsThatAreNotChosenAreStillChecked)
@@ -40,8 +39,8 @@ TEST(ParameterLists, ListsThatAreNotChosenAreStillChecked)
 
   ParameterList wrong;
   wrong.sublist("File").set("File Nam", std::string("a.h5"));
-  expectParts(refusal([&] { completeAndValidate(wrong, *meshParameters(), "Asperity / Mesh"); }),
-              {"Asperity / Mesh / File / File Nam is unknown", "'File Name'"});
+  expectRefusal([&] { completeAndValidate(wrong, *meshParameters(), "Asperity / Mesh"); },
+                {"Asperity / Mesh / File / File Nam is unknown", "'File Name'"});
 }
 
 TEST(ParameterLists, SublistsAreCompleted)
@@ -71,12 +70,12 @@ TEST(ParameterLists, OpenListsTakeAnyNameButNotAnyValue)
 
   ParameterList number;
   number.sublist("Regions").set("mantle", 3.0);
-  expectParts(refusal([&] { completeAndValidate(number, *valid, "Asperity"); }),
-              {"Asperity / Regions / mantle = 3", "a text"});
+  expectRefusal([&] { completeAndValidate(number, *valid, "Asperity"); },
+                {"Asperity / Regions / mantle = 3", "a text"});
   ParameterList unknown;
   unknown.sublist("Boundaries").sublist("left").set("Velocty", 1.0);
-  expectParts(refusal([&] { completeAndValidate(unknown, *valid, "Asperity"); }),
-              {"Asperity / Boundaries / left / Velocty is unknown", "'Velocity'"});
+  expectRefusal([&] { completeAndValidate(unknown, *valid, "Asperity"); },
+                {"Asperity / Boundaries / left / Velocty is unknown", "'Velocity'"});
 }
 
 TEST(ParameterLists, ForeignListsKeepTheirOwnAndGetOurDefaults)

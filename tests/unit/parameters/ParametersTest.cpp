@@ -12,6 +12,7 @@ namespace
 using namespace asperity;
 using asperity::test::array;
 using asperity::test::expectParts;
+using asperity::test::expectRefusal;
 using asperity::test::refusal;
 using Teuchos::Array;
 
@@ -132,13 +133,13 @@ TEST(Parameters, ListWhereAValueIsWantedAndViceVersa)
 {
   ParameterList list;
   list.sublist("Largest Step");
-  expectParts(refusal([&] { completeAndValidate(list, *rootParameters(), "Asperity"); }),
-              {"Asperity / Largest Step", "a list", "a number"});
+  expectRefusal([&] { completeAndValidate(list, *rootParameters(), "Asperity"); },
+                {"Asperity / Largest Step", "a list", "a number"});
   const auto valid = Declare().sublist("Friction", frictionParameters(), "Friction.").list();
   ParameterList number;
   number.set("Friction", 0.6);
-  expectParts(refusal([&] { completeAndValidate(number, *valid, "Asperity"); }),
-              {"Asperity / Friction = 0.6", "a list is wanted"});
+  expectRefusal([&] { completeAndValidate(number, *valid, "Asperity"); },
+                {"Asperity / Friction = 0.6", "a list is wanted"});
 }
 
 TEST(Parameters, ValuesOutOfRange)
@@ -178,16 +179,16 @@ TEST(Parameters, RangesKeepTheirEnds)
 TEST(Parameters, MissingRequired)
 {
   ParameterList list;
-  expectParts(refusal([&] { completeAndValidate(list, *frictionParameters(), "Asperity / Bulk"); }),
-              {"Asperity / Bulk / Density is missing", "(0, inf) kg/m^3", "Mass density."});
+  expectRefusal([&] { completeAndValidate(list, *frictionParameters(), "Asperity / Bulk"); },
+                {"Asperity / Bulk / Density is missing", "(0, inf) kg/m^3", "Mass density."});
 }
 
 TEST(Parameters, MisspelledRequiredIsCalledUnknownAndNotMissing)
 {
   ParameterList list;
   list.set("Densty", 2700.0);
-  expectParts(refusal([&] { completeAndValidate(list, *frictionParameters(), "Asperity / Bulk"); }),
-              {"Densty is unknown", "'Density'"});
+  expectRefusal([&] { completeAndValidate(list, *frictionParameters(), "Asperity / Bulk"); },
+                {"Densty is unknown", "'Density'"});
 }
 
 TEST(Parameters, AllErrorsAreToldAtOnce)
@@ -236,9 +237,9 @@ TEST(Parameters, ChoiceOfWords)
   ParameterList list;
   list.set("Density", 1000.0);
   list.set("Law", std::string("Regularized"));
-  expectParts(refusal([&] { completeAndValidate(list, *frictionParameters(), "Friction"); }),
-              {"Friction / Law = 'Regularized'", "'Regularised' or 'Truncated'",
-               "Did you mean 'Regularised'?"});
+  expectRefusal([&] { completeAndValidate(list, *frictionParameters(), "Friction"); },
+                {"Friction / Law = 'Regularized'", "'Regularised' or 'Truncated'",
+                 "Did you mean 'Regularised'?"});
 }
 
 TEST(Parameters, FieldTakesNumberExpressionAndRegions)
@@ -281,14 +282,14 @@ TEST(Parameters, SettingACompletedEntryIsCheckedToo)
 {
   ParameterList list("Asperity");
   completeAndValidate(list, *rootParameters(), "Asperity");
-  expectParts(refusal([&] { list.set("Largest Step", -2.0); }),
-              {"Asperity / Largest Step = -2 is outside (0, inf) s."});
+  expectRefusal([&] { list.set("Largest Step", -2.0); },
+                {"Asperity / Largest Step = -2 is outside (0, inf) s."});
 }
 
 TEST(Parameters, DeclaringADefaultOutOfRangeIsAMistake)
 {
-  expectParts(refusal([] { Declare().real("a", -1.0, "-", Range::positive(), "A."); }),
-              {"The default of a = -1", "(0, inf)"});
+  expectRefusal([] { Declare().real("a", -1.0, "-", Range::positive(), "A."); },
+                {"The default of a = -1", "(0, inf)"});
   EXPECT_THROW(Declare().boolean("a", true, "A.").boolean("a", true, "A."), std::logic_error);
 }
 

@@ -97,8 +97,8 @@ TEST(RuptureTimes, OfTheNodesOfACurve)
     test::onRankZero([&] {
       const bool is_seas = platform == "SEAS";
       const auto file = directory / (is_seas ? "seas/rupture.dat" : "scec/cplot");
-      EXPECT_TRUE(test::contains(test::contents(file), "along strike (m) from the fault's end of"));
-      EXPECT_TRUE(test::contains(test::contents(file), "down dip (m), 0 at the upper end"));
+      test::expectParts(test::contents(file), {"along strike (m) from the fault's end of"});
+      test::expectParts(test::contents(file), {"down dip (m), 0 at the upper end"});
       const auto lines = test::dataLines(file);
       ASSERT_EQ(lines.size(), 6u);
       EXPECT_EQ(lines[0], is_seas ? "x2 x3 t" : "j k t"); // the fault is level: along strike
@@ -125,7 +125,7 @@ TEST(RuptureTimes, OfTheNodesOfASurface)
     };
     const auto found = std::find_if(lines.begin(), lines.end(), is_node);
     ASSERT_NE(found, lines.end());
-    EXPECT_TRUE(test::contains(*found, " 5.00000000000000E-01")) << *found;
+    test::expectParts(*found, {" 5.00000000000000E-01"});
     EXPECT_EQ(std::count_if(lines.begin(), lines.end(), is_node), 1);
   });
 }
@@ -155,19 +155,6 @@ TEST(RuptureTimes, CountFromWhereTheProblemDoes)
 
 namespace
 {
-// The strip, turned so that its base, the fault, is the line from (0, -1) up to (0, 0).
-OutputDomain uprightFault(int num_base)
-{
-  auto mesh = test::stripMesh(num_base);
-  for (auto& vertex : mesh.vertices) {
-    vertex = {-vertex[1], vertex[0] - 1};
-  }
-  return boundaryDomain("fault", mesh, "base", world());
-}
-} // namespace
-
-namespace
-{
 // The lines of slip.dat with slip 2 - y on a fault after two seconds; the displacement has so many
 // components.
 std::vector<std::string> slipProfile(io::OutputDomain const& fault, int components)
@@ -186,7 +173,7 @@ std::vector<std::string> slipProfile(io::OutputDomain const& fault, int componen
   std::vector<std::string> lines;
   test::onRankZero([&] {
     const auto file = directory / "seas/slip.dat";
-    EXPECT_TRUE(test::contains(test::contents(file), "along the fault from its upper end (m)"));
+    test::expectParts(test::contents(file), {"along the fault from its upper end (m)"});
     lines = test::dataLines(file);
   });
   return lines;
@@ -196,7 +183,8 @@ std::vector<std::string> slipProfile(io::OutputDomain const& fault, int componen
 TEST(SlipProfiles, RowsFromTheUpperEndDown)
 {
   for (const int components : {1, 2}) {
-    const auto lines = slipProfile(uprightFault(3), components);
+    const auto fault = boundaryDomain("fault", test::uprightStrip(3), "base", world());
+    const auto lines = slipProfile(fault, components);
     test::onRankZero([&] {
       const std::vector<std::string> expected{
         "z",
@@ -213,11 +201,8 @@ TEST(SlipProfiles, RowsFromTheUpperEndDown)
 // Down dip along the tangent of a fault that dips to the right is slip of a normal fault.
 TEST(SlipProfiles, ThrustsArePositive)
 {
-  auto mesh = test::stripMesh(3);
-  for (auto& vertex : mesh.vertices) {
-    vertex[1] -= vertex[0];
-  }
-  const auto lines = slipProfile(io::boundaryDomain("fault", mesh, "base", test::world()), 2);
+  const auto fault = boundaryDomain("fault", test::dippingStrip(3), "base", world());
+  const auto lines = slipProfile(fault, 2);
   test::onRankZero([&] {
     EXPECT_EQ(lines.back(), " 2.00000000000000E+00  -2.000000E+00  -2.000000E+00  -2.250000E+00"
                             "  -3.000000E+00");

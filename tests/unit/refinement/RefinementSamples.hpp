@@ -2,7 +2,6 @@
 
 #include "base/parallel/Reductions.hpp"
 #include "mesh/generation/PeriodicMesh.hpp"
-#include "mesh/generation/WedgeMesh.hpp"
 #include "mesh/parallel/Partition.hpp"
 #include "refinement/UniformRefinement.hpp"
 #include "unit/mesh/FaultSamples.hpp"
@@ -41,14 +40,6 @@ inline GlobalMesh<3> periodicBox(int cells)
   auto mesh = boxMesh({{2, 1, 1}, {2, 1, cells}, {}});
   makePeriodic(mesh, 2, "front", "back");
   return mesh;
-}
-
-// Triangles of all sizes and shapes that the wedge has.
-inline GlobalMesh<2> coarseWedge()
-{
-  WedgeShape shape;
-  shape.cell_size = 0.01;
-  return wedgeMesh(shape);
 }
 
 // Its inner vertices are moved about: no two cells are alike.

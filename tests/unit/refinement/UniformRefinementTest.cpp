@@ -61,8 +61,8 @@ TEST(UniformRefinement, ZeroLeavesTheMeshAsItIs)
 
 TEST(UniformRefinement, OfTheWedge)
 {
-  expectGoodRefinement(coarseWedge(), 1);
-  expectGoodRefinement(coarseWedge(), 3);
+  expectGoodRefinement(coarseWedge(0.01), 1);
+  expectGoodRefinement(coarseWedge(0.01), 3);
 }
 
 TEST(UniformRefinement, OfTwoTriangles)
@@ -123,7 +123,7 @@ TEST(UniformRefinement, KeepsAnglesHoweverOften)
     EXPECT_NEAR(angles[3], angles[2], 1e-9);
     EXPECT_NEAR(angles[4], angles[2], 1e-9);
   }
-  const auto wedge = coarseWedge();
+  const auto wedge = coarseWedge(0.01);
   EXPECT_NEAR(cellSizes(wholeRefined(wedge, 3)).smallest_angle, cellSizes(wedge).smallest_angle,
               1e-9);
 }
@@ -153,7 +153,7 @@ TEST(UniformRefinement, RefusesWhatHasNoRoom)
 {
   const auto part = distribute(unitBox(2), world());
   const auto refuse = [&](int refinements, std::vector<std::string> const& pieces) {
-    expectInputError([&] { refineUniformly(part, refinements, world()); }, pieces);
+    test::expectRefusal([&] { refineUniformly(part, refinements, world()); }, pieces);
   };
   refuse(-1, {"Mesh / Refinements = -1 is outside [0, inf)"});
   refuse(9, {"Mesh / Refinements = 9 makes some", "6.44245e+09 cells"});

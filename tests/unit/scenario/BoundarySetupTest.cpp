@@ -55,7 +55,7 @@ ParameterList driven(std::function<void(ParameterList&)> const& change)
 }
 } // namespace
 
-TEST(BoundarySetup, turnsConditionsIntoPrescribedVelocities)
+TEST(BoundarySetup, TurnsConditionsIntoPrescribedVelocities)
 {
   const auto result = makeBoundaryConditions<2>(conditions({{"Wall", "right", "Sliding Wall"},
                                                             {"Ground", "left", "Fixed"},
@@ -79,7 +79,7 @@ TEST(BoundarySetup, turnsConditionsIntoPrescribedVelocities)
   EXPECT_EQ(fixed, (std::vector<std::vector<double>>{{1, 0}, {0, 1}}));
 }
 
-TEST(BoundarySetup, hasNoNormalInAntiplane)
+TEST(BoundarySetup, HasNoNormalInAntiplane)
 {
   const auto result = makeBoundaryConditions<2>(
     conditions({{"Wall", "right", "Sliding Wall"}, {"Ground", "left", "Fixed"}}), 1);
@@ -88,7 +88,7 @@ TEST(BoundarySetup, hasNoNormalInAntiplane)
   EXPECT_EQ(as<fem::AtRestAlong>(result.velocities[0]).d, std::vector<double>{1});
 }
 
-TEST(BoundarySetup, prescribesAVelocityWithARamp)
+TEST(BoundarySetup, PrescribesAVelocityWithARamp)
 {
   const auto result =
     makeBoundaryConditions<2>(driven([](ParameterList& condition) {
@@ -110,7 +110,7 @@ TEST(BoundarySetup, prescribesAVelocityWithARamp)
   EXPECT_EQ(sudden.velocities.back().velocity({0, 0}, 0), 3);
 }
 
-TEST(BoundarySetup, leavesAnAntisymmetricFaultFreeAcross)
+TEST(BoundarySetup, LeavesAnAntisymmetricFaultFreeAcross)
 {
   const auto contact = makeBoundaryConditions<2>(conditions({}), 2);
   EXPECT_FALSE(contact.other_side.is_mirrored);
@@ -131,7 +131,7 @@ TEST(BoundarySetup, leavesAnAntisymmetricFaultFreeAcross)
   }
 }
 
-TEST(BoundarySetup, letsTheFaultGoOnAtAPrescribedSlipRate)
+TEST(BoundarySetup, LetsTheFaultGoOnAtAPrescribedSlipRate)
 {
   for (char const* type : {"Bilateral Contact", "Antisymmetric Fault"}) {
     const double factor = std::string(type) == "Bilateral Contact" ? 1 : 2;
@@ -167,7 +167,7 @@ TEST(BoundarySetup, letsTheFaultGoOnAtAPrescribedSlipRate)
   }
 }
 
-TEST(BoundarySetup, slipsInSpaceTowardsItsDirectionAndNotSideways)
+TEST(BoundarySetup, SlipsInSpaceTowardsItsDirectionAndNotSideways)
 {
   const auto list = driven([](ParameterList& condition) {
     condition.remove("Velocity", false);
@@ -185,7 +185,7 @@ TEST(BoundarySetup, slipsInSpaceTowardsItsDirectionAndNotSideways)
   EXPECT_EQ(sideways.continuations, along.continuations);
 }
 
-TEST(BoundarySetup, holdsTheFaultSidewaysWhereADrivenBoundaryMeetsIt)
+TEST(BoundarySetup, HoldsTheFaultSidewaysWhereADrivenBoundaryMeetsIt)
 {
   for (double velocity : {0., 2.}) {
     const auto result = makeBoundaryConditions<3>(driven([velocity](ParameterList& condition) {
@@ -205,7 +205,7 @@ TEST(BoundarySetup, holdsTheFaultSidewaysWhereADrivenBoundaryMeetsIt)
   }
 }
 
-TEST(BoundarySetup, knowsWhoReadsEachEntry)
+TEST(BoundarySetup, KnowsWhoReadsEachEntry)
 {
   std::set<std::string> read = {"Boundary", "Type"};
   for (auto const& type : conditionTypes()) {
@@ -219,14 +219,14 @@ TEST(BoundarySetup, knowsWhoReadsEachEntry)
   EXPECT_EQ(read, declared);
 }
 
-TEST(BoundarySetup, wantsTheSlipRateThatIsPrescribed)
+TEST(BoundarySetup, WantsTheSlipRateThatIsPrescribed)
 {
   const auto list = conditions({{"Deep", "left", "Prescribed Slip Rate"}});
-  expectParts(refusal([&] { makeBoundaryConditions<2>(list, 2); }),
-              {"Asperity / Boundary Conditions / Deep / Slip Rate", "missing"});
+  expectRefusal([&] { makeBoundaryConditions<2>(list, 2); },
+                {"Asperity / Boundary Conditions / Deep / Slip Rate", "missing"});
 }
 
-TEST(BoundarySetup, collectsAbsorbingBoundaries)
+TEST(BoundarySetup, CollectsAbsorbingBoundaries)
 {
   const auto result = makeBoundaryConditions<2>(
     conditions({{"A", "left", "Absorbing"}, {"B", "top", "Absorbing"}}), 2);
@@ -234,17 +234,17 @@ TEST(BoundarySetup, collectsAbsorbingBoundaries)
   EXPECT_EQ(result.velocities.size(), 1U);
 }
 
-TEST(BoundarySetup, refusesADirectionThatIsNone)
+TEST(BoundarySetup, RefusesADirectionThatIsNone)
 {
   for (auto const& direction : {std::vector<double>{0, 0}, {1}, {1, 0, 0}}) {
     const auto list =
       driven([&](ParameterList& condition) { condition.set("Direction", array(direction)); });
-    expectParts(refusal([&] { makeBoundaryConditions<2>(list, 2); }),
-                {"Asperity / Boundary Conditions / Left / Direction"});
+    expectRefusal([&] { makeBoundaryConditions<2>(list, 2); },
+                  {"Asperity / Boundary Conditions / Left / Direction"});
   }
 }
 
-TEST(BoundarySetup, refusesADirectionWhereThereIsOne)
+TEST(BoundarySetup, RefusesADirectionWhereThereIsOne)
 {
   const auto directed = [](char const* type) {
     return driven([type](ParameterList& condition) {
@@ -267,7 +267,7 @@ TEST(BoundarySetup, refusesADirectionWhereThereIsOne)
   }
 }
 
-TEST(BoundarySetup, refusesConditionsThatContradict)
+TEST(BoundarySetup, RefusesConditionsThatContradict)
 {
   const std::vector<std::pair<std::string, std::string>> pairs = {
     {"Fixed", "Sliding Wall"},
@@ -282,19 +282,19 @@ TEST(BoundarySetup, refusesConditionsThatContradict)
     {"Fixed", "Fixed"}};
   for (auto const& [first, second] : pairs) {
     const auto list = conditions({{"A", "top", first}, {"B", "top", second}});
-    expectParts(refusal([&] { makeBoundaryConditions<2>(list, 2); }),
-                {"Asperity / Boundary Conditions / A", "Asperity / Boundary Conditions / B",
-                 "contradicts", "'top'"});
+    expectRefusal([&] { makeBoundaryConditions<2>(list, 2); },
+                  {"Asperity / Boundary Conditions / A", "Asperity / Boundary Conditions / B",
+                   "contradicts", "'top'"});
   }
   for (char const* type : {"Fixed", "Absorbing", "Prescribed Slip Rate"}) {
     const auto on_fault = conditions({{"A", "bottom", type}});
-    expectParts(refusal([&] { makeBoundaryConditions<2>(on_fault, 2); }),
-                {"contradicts", "'bottom'", "Asperity / Boundary Conditions / Fault",
-                 "Asperity / Boundary Conditions / A"});
+    expectRefusal([&] { makeBoundaryConditions<2>(on_fault, 2); },
+                  {"contradicts", "'bottom'", "Asperity / Boundary Conditions / Fault",
+                   "Asperity / Boundary Conditions / A"});
   }
 }
 
-TEST(BoundarySetup, refusesEntriesThatItsTypeDoesNotRead)
+TEST(BoundarySetup, RefusesEntriesThatItsTypeDoesNotRead)
 {
   const std::vector<std::pair<std::string, std::string>> pairs = {
     {"Prescribed Slip Rate", "Ramp Duration"},
@@ -307,24 +307,24 @@ TEST(BoundarySetup, refusesEntriesThatItsTypeDoesNotRead)
     const auto list = driven([&, type = type, entry = entry](ParameterList& condition) {
       condition.set("Type", type).set(entry, 1.);
     });
-    expectParts(refusal([&] { makeBoundaryConditions<2>(list, 2); }),
-                {"Asperity / Boundary Conditions / Left / " + entry, "no effect", type});
+    expectRefusal([&] { makeBoundaryConditions<2>(list, 2); },
+                  {"Asperity / Boundary Conditions / Left / " + entry, "no effect", type});
   }
 }
 
-TEST(BoundarySetup, allowsConditionsInDifferentDirections)
+TEST(BoundarySetup, AllowsConditionsInDifferentDirections)
 {
   const auto list =
     conditions({{"A", "left", "Sliding Wall"}, {"B", "left", "Prescribed Velocity"}});
   EXPECT_EQ(makeBoundaryConditions<2>(list, 2).velocities.size(), 3U);
 }
 
-TEST(BoundarySetup, wantsOneFault)
+TEST(BoundarySetup, WantsOneFault)
 {
   const auto none = conditions({{"A", "left", "Fixed"}}, false);
-  expectParts(refusal([&] { makeBoundaryConditions<2>(none, 2); }),
-              {"Asperity / Boundary Conditions", "Bilateral Contact", "Antisymmetric Fault"});
+  expectRefusal([&] { makeBoundaryConditions<2>(none, 2); },
+                {"Asperity / Boundary Conditions", "Bilateral Contact", "Antisymmetric Fault"});
   const auto two = conditions({{"Second", "top", "Antisymmetric Fault"}});
-  expectParts(refusal([&] { makeBoundaryConditions<2>(two, 2); }), {"already friction"});
+  expectRefusal([&] { makeBoundaryConditions<2>(two, 2); }, {"already friction"});
 }
 } // namespace asperity::scenario

@@ -40,7 +40,7 @@ void beAntiplane(ParameterList& list)
 }
 } // namespace
 
-TEST(BulkSetup, findsTheModuliFromAnyTwo)
+TEST(BulkSetup, FindsTheModuliFromAnyTwo)
 {
   const auto mesh = twoRegions();
   using Constants = std::vector<std::pair<char const*, double>>;
@@ -59,7 +59,7 @@ TEST(BulkSetup, findsTheModuliFromAnyTwo)
   }
 }
 
-TEST(BulkSetup, wantsExactlyTwoModuli)
+TEST(BulkSetup, WantsExactlyTwoModuli)
 {
   const auto mesh = twoRegions();
   const auto message = [&mesh](auto const& constants) {
@@ -73,7 +73,7 @@ TEST(BulkSetup, wantsExactlyTwoModuli)
               {"3 of", "'Poisson's Ratio'"});
 }
 
-TEST(BulkSetup, needsTheShearModulusAloneInAntiplane)
+TEST(BulkSetup, NeedsTheShearModulusAloneInAntiplane)
 {
   const auto mesh = twoRegions();
   const auto alone = bulkList({{"Shear Modulus", shear}}, beAntiplane);
@@ -81,13 +81,14 @@ TEST(BulkSetup, needsTheShearModulusAloneInAntiplane)
   EXPECT_EQ(makeMaterials(alone, mesh).front().shear_modulus, shear);
   const auto others = bulkList({{"Bulk Modulus", bulk}, {"Poisson's Ratio", poisson}}, beAntiplane);
   EXPECT_NEAR(makeMaterials(others, mesh).front().shear_modulus, shear, 1e-9 * shear);
-  expectParts(refusal([&] {
-                makeMaterials(bulkList({{"Bulk Modulus", bulk}}, beAntiplane), mesh);
-              }),
-              {"Asperity / Bulk", "1 of", "or the shear modulus alone"});
+  expectRefusal(
+    [&] {
+      makeMaterials(bulkList({{"Bulk Modulus", bulk}}, beAntiplane), mesh);
+    },
+    {"Asperity / Bulk", "1 of", "or the shear modulus alone"});
 }
 
-TEST(BulkSetup, evaluatesFieldsByRegionAndPlace)
+TEST(BulkSetup, EvaluatesFieldsByRegionAndPlace)
 {
   const auto mesh = twoRegions();
   const auto list =
@@ -107,16 +108,16 @@ TEST(BulkSetup, evaluatesFieldsByRegionAndPlace)
   }
 }
 
-TEST(BulkSetup, refusesFieldsThatLeaveTheirRangeSomewhere)
+TEST(BulkSetup, RefusesFieldsThatLeaveTheirRangeSomewhere)
 {
   const auto mesh = twoRegions();
   const auto list = bulkList({{"Bulk Modulus", bulk}, {"Shear Modulus", shear}},
                              [](ParameterList& given) { given.set("Density", "1.5 - x"); });
-  expectParts(refusal([&] { makeMaterials(list, mesh); }),
-              {"Asperity / Bulk / Density", "outside (0, inf)", "x"});
+  expectRefusal([&] { makeMaterials(list, mesh); },
+                {"Asperity / Bulk / Density", "outside (0, inf)", "x"});
 }
 
-TEST(BulkSetup, pointsGravityAnyWay)
+TEST(BulkSetup, PointsGravityAnyWay)
 {
   const auto list = bulkList({}, [](ParameterList& given) {
     given.set("Gravity Direction", array<double>({3, -4}));
@@ -126,19 +127,19 @@ TEST(BulkSetup, pointsGravityAnyWay)
   EXPECT_EQ(gravity<2>(bulkList({})), (std::array<double, 2>{0, -10}));
 }
 
-TEST(BulkSetup, refusesGravityThatMakesNoSense)
+TEST(BulkSetup, RefusesGravityThatMakesNoSense)
 {
   for (auto const& direction : {std::vector<double>{0, 0}, {1}, {1, 2, 3}, {}}) {
     const auto list =
       bulkList({}, [&](ParameterList& given) { given.set("Gravity Direction", array(direction)); });
-    expectParts(refusal([&] { gravity<2>(list); }), {"Asperity / Bulk / Gravity Direction"});
+    expectRefusal([&] { gravity<2>(list); }, {"Asperity / Bulk / Gravity Direction"});
   }
   const auto antiplane =
     bulkList({}, [](ParameterList& given) { given.set("Model", "Antiplane"); });
-  expectParts(refusal([&] { gravity<2>(antiplane); }),
-              {"Asperity / Bulk / Gravitational Acceleration = 10", "antiplane"});
+  expectRefusal([&] { gravity<2>(antiplane); },
+                {"Asperity / Bulk / Gravitational Acceleration = 10", "antiplane"});
 }
-TEST(BulkSetup, dampsAQuasiDynamicFaultByTheImpedanceOfItsSides)
+TEST(BulkSetup, DampsAQuasiDynamicFaultByTheImpedanceOfItsSides)
 {
   const auto mesh = twoRegions();
   const FieldNodes nodes(mesh, {0, 1});

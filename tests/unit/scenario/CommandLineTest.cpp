@@ -2,6 +2,7 @@
 
 #include "portability/Backend.hpp"
 #include "unit/base/Refusal.hpp"
+#include "unit/base/TemporaryDirectory.hpp"
 
 #include <sstream>
 
@@ -9,6 +10,7 @@ namespace
 {
 using namespace asperity;
 using asperity::test::expectParts;
+using asperity::test::expectRefusal;
 using asperity::test::refusal;
 
 CommandLine parse(std::vector<char const*> arguments)
@@ -78,8 +80,8 @@ TEST(CommandLine, ARestartTakesFromTheRunWhatIsNotGiven)
   EXPECT_EQ(line.output, "out");
 
   line = parse({"--restart", "nowhere"});
-  expectParts(refusal([&] { completeRestart(line); }),
-              {"--restart nowhere", "./parameters.xml", "not there", "name the deck"});
+  expectRefusal([&] { completeRestart(line); },
+                {"--restart nowhere", "./parameters.xml", "not there", "name the deck"});
 }
 
 // What Kokkos knows, MpiScope has taken out: unit.base.Guard.

@@ -5,6 +5,7 @@
 #include "scenario/Problem.hpp"
 #include "scenario/run/OtherRun.hpp"
 #include "scenario/setup/conditions/BoundarySetup.hpp"
+#include "unit/base/TemporaryDirectory.hpp"
 
 namespace asperity::scenario
 {
@@ -29,7 +30,7 @@ fem::OtherSide otherSideOf(std::string const& name)
 
 ASPERITY_REGISTER(FaultKindRegistry, "Threefold Fault", ThreefoldFault)
 
-TEST(FaultKind, theThreeOfDecksDifferByTheirMap)
+TEST(FaultKind, TheThreeOfDecksDifferByTheirMap)
 {
   auto const foundation = otherSideOf("Bilateral Contact");
   EXPECT_EQ(foundation.slip_factor, 1) << "slip = v_t";
@@ -52,7 +53,7 @@ TEST(FaultKind, theThreeOfDecksDifferByTheirMap)
   EXPECT_EQ(faultKindOf({5, 1, false, false}), "");
 }
 
-TEST(FaultKind, isOneFile)
+TEST(FaultKind, IsOneFile)
 {
   const auto deck = column([](ParameterList& given) {
     auto& conditions = given.sublist("Boundary Conditions");
@@ -77,7 +78,7 @@ TEST(FaultKind, isOneFile)
 }
 
 // Both have the same values but for the factor.
-TEST(FaultKind, isToldApartInTheStateOfAnotherRun)
+TEST(FaultKind, IsToldApartInTheStateOfAnotherRun)
 {
   const asperity::test::TemporaryDirectory run;
   writeParameters(
@@ -87,9 +88,8 @@ TEST(FaultKind, isToldApartInTheStateOfAnotherRun)
     run.file("parameters.xml"));
   auto const deck = strip();
   auto const problem = makeProblem<2>(deck, world());
-  expectParts(refusal([&] {
-                stateOfOtherRun(run.file("."), problem, {}, deck, dynamics::DyadicTime(1, 0), 1);
-              }),
-              {"is 'Antisymmetric Fault', but 'Threefold Fault' in the run"});
+  expectRefusal(
+    [&] { stateOfOtherRun(run.file("."), problem, {}, deck, dynamics::DyadicTime(1, 0), 1); },
+    {"is 'Antisymmetric Fault', but 'Threefold Fault' in the run"});
 }
 } // namespace asperity::scenario

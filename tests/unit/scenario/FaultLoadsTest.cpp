@@ -33,7 +33,7 @@ void expectNear(std::vector<double> const& found, std::vector<double> const& exp
 }
 } // namespace
 
-TEST(FaultLoads, followAShearTractionInSpaceAndTime)
+TEST(FaultLoads, FollowAShearTractionInSpaceAndTime)
 {
   auto const steady = makeProblem<2>(
     strip([](auto& deck) { deck.sublist("Friction").set("Shear Traction", "100 * (1 + x)"); }),
@@ -51,7 +51,7 @@ TEST(FaultLoads, followAShearTractionInSpaceAndTime)
   expectNear(tractionAt(moving, 0), {100, 200, 300});
 }
 
-TEST(FaultLoads, keepGravityBesideATractionInTime)
+TEST(FaultLoads, KeepGravityBesideATractionInTime)
 {
   auto const problem = makeProblem<2>(
     column([](auto& deck) { deck.sublist("Friction").set("Shear Traction", "t"); }), world());
@@ -67,7 +67,7 @@ TEST(FaultLoads, keepGravityBesideATractionInTime)
   EXPECT_NEAR(fy, -1000 * 10 * 4, 1e-9);
 }
 
-TEST(FaultLoads, followANormalStressInTimeAndClipTension)
+TEST(FaultLoads, FollowANormalStressInTimeAndClipTension)
 {
   auto const problem =
     makeProblem<2>(strip([](auto& deck) {
@@ -96,24 +96,25 @@ TEST(FaultLoads, followANormalStressInTimeAndClipTension)
   EXPECT_FALSE(constant.fault.normalStress().dependsOnTime());
 }
 
-TEST(FaultLoads, refuseATensileNormalStressAtTheStart)
+TEST(FaultLoads, RefuseATensileNormalStressAtTheStart)
 {
   const auto deck =
     strip([](auto& given) { given.sublist("Friction").set("Normal Stress", "100 * (x - 1)"); });
-  expectParts(refusal([&] { makeProblem<2>(deck, world()); }),
-              {"Asperity / Friction / Normal Stress = -100", "(0, 0)", "[0, inf)", "compression"});
+  expectRefusal(
+    [&] { makeProblem<2>(deck, world()); },
+    {"Asperity / Friction / Normal Stress = -100", "(0, 0)", "[0, inf)", "compression"});
 }
 
-TEST(Problem, wantsTheNormalStressOfAnAntisymmetricFault)
+TEST(Problem, WantsTheNormalStressOfAnAntisymmetricFault)
 {
   const auto deck = column([](auto& given) {
     given.sublist("Boundary Conditions").sublist("Fault").set("Type", "Antisymmetric Fault");
   });
-  expectParts(refusal([&] { makeProblem<2>(deck, world()); }),
-              {"Asperity / Friction / Normal Stress", "antisymmetric"});
+  expectRefusal([&] { makeProblem<2>(deck, world()); },
+                {"Asperity / Friction / Normal Stress", "antisymmetric"});
 }
 
-TEST(Problem, hasNoMassButARadiationDampingIfQuasiDynamic)
+TEST(Problem, HasNoMassButARadiationDampingIfQuasiDynamic)
 {
   auto const inertial = makeProblem<2>(strip(), world());
   auto const quasi = makeProblem<2>(
@@ -131,17 +132,17 @@ TEST(Problem, hasNoMassButARadiationDampingIfQuasiDynamic)
   EXPECT_NEAR(v->dot(*force), 2 * impedance * 9, 1e-9 * impedance);
 }
 
-TEST(Problem, refusesToAbsorbWavesThatDoNotExist)
+TEST(Problem, RefusesToAbsorbWavesThatDoNotExist)
 {
   const auto deck = strip([](auto& given) {
     given.sublist("Bulk").set("Dynamics", "Quasi-dynamic");
     given.sublist("Boundary Conditions").sublist("Far").set("Boundary", "top");
     given.sublist("Boundary Conditions").sublist("Far").set("Type", "Absorbing");
   });
-  expectParts(refusal([&] { makeProblem<2>(deck, world()); }), {"'top'", "Absorbing", "Inertial"});
+  expectRefusal([&] { makeProblem<2>(deck, world()); }, {"'top'", "Absorbing", "Inertial"});
 }
 
-TEST(Problem, putsDashpotsOnAbsorbingBoundaries)
+TEST(Problem, PutsDashpotsOnAbsorbingBoundaries)
 {
   auto const problem = makeProblem<2>(strip([](auto& given) {
                                         auto& far =

@@ -16,7 +16,7 @@ std::string inPlane(double x, double y, int components = 2, double slip = 1)
 
 // The hanging wall is above the fault; a thrust moves it up dip. In a map who looks across a right
 // lateral fault sees the other side move to the right.
-TEST(FaultSense, inAPlane)
+TEST(FaultSense, InAPlane)
 {
   EXPECT_EQ(inPlane(0, 1), "right lateral in a map") << "the upper side along +x";
   EXPECT_EQ(inPlane(0, -1), "left lateral in a map");
@@ -31,7 +31,7 @@ TEST(FaultSense, inAPlane)
   EXPECT_EQ(inPlane(1, 0), "the plus side up in a section, left lateral in a map");
 }
 
-TEST(FaultSense, acrossAPlane)
+TEST(FaultSense, AcrossAPlane)
 {
   EXPECT_EQ(inPlane(1, 0, 1), "right lateral seen from above");
   EXPECT_EQ(inPlane(-1, 0, 1), "left lateral seen from above");
@@ -40,7 +40,7 @@ TEST(FaultSense, acrossAPlane)
             "positive slip moves it along +z, out of the plane: right lateral seen from above");
 }
 
-TEST(FaultSense, inSpace)
+TEST(FaultSense, InSpace)
 {
   EXPECT_EQ(senseOfSlip({{0, 0, 1}, 3, 3}),
             "slip has parts along the axes; along (-1, 0, 0) it is right lateral");

@@ -45,7 +45,7 @@ void expectAll(std::vector<double> const& values, double expected, double tolera
 }
 } // namespace
 
-TEST(InitialSetup, letsAnAntisymmetricStripSlideSteadilyAtTwiceItsVelocity)
+TEST(InitialSetup, LetsAnAntisymmetricStripSlideSteadilyAtTwiceItsVelocity)
 {
   for (char const* state : {"Steady", "Stress Balance"}) {
     auto const problem = makeProblem<2>(
@@ -64,7 +64,7 @@ TEST(InitialSetup, letsAnAntisymmetricStripSlideSteadilyAtTwiceItsVelocity)
   EXPECT_GT(bilateral.initial.a->normInf(), 1e-4);
 }
 
-TEST(InitialSetup, balancesTheShearTractionWithFrictionCohesionAndRadiation)
+TEST(InitialSetup, BalancesTheShearTractionWithFrictionCohesionAndRadiation)
 {
   const double tau = 7000, cohesion = 100, V = 1e-2;
   for (bool quasi : {false, true}) {
@@ -86,7 +86,7 @@ TEST(InitialSetup, balancesTheShearTractionWithFrictionCohesionAndRadiation)
   }
 }
 
-TEST(InitialSetup, leavesAColumnUnderObliqueGravityInBalance)
+TEST(InitialSetup, LeavesAColumnUnderObliqueGravityInBalance)
 {
   // The static solution has slid without friction, so friction bears the deck's traction alone;
   // were it not so, the fault would jump.
@@ -104,7 +104,7 @@ TEST(InitialSetup, leavesAColumnUnderObliqueGravityInBalance)
   EXPECT_NE(valuesOf(problem.initial.alpha)[1], 77);
 }
 
-TEST(InitialSetup, refusesAStateThatDoesNotExist)
+TEST(InitialSetup, RefusesAStateThatDoesNotExist)
 {
   const auto message = [](std::function<void(ParameterList&)> const& change) {
     return refusal([&] { makeProblem<2>(sliding(change), world()); });
@@ -126,7 +126,7 @@ TEST(InitialSetup, refusesAStateThatDoesNotExist)
               {"Friction has to depend on the state"});
 }
 
-TEST(InitialSetup, takesThePrescribedSlipRateWhereTheFaultEnds)
+TEST(InitialSetup, TakesThePrescribedSlipRateWhereTheFaultEnds)
 {
   // The left part of the bottom is the fault, the right part slips at the plate rate.
   const auto deck = sliding([](ParameterList& given) {

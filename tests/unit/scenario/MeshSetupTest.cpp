@@ -9,6 +9,7 @@ namespace asperity::scenario
 using namespace test;
 using asperity::test::array;
 using asperity::test::expectParts;
+using asperity::test::expectRefusal;
 using asperity::test::refusal;
 
 namespace
@@ -39,9 +40,9 @@ std::size_t facetsOn(Mesh<2> const& mesh, std::string const& boundary)
 }
 } // namespace
 
-TEST(MeshSetup, leavesARectangleWithoutCellSizeAsItIs) { EXPECT_EQ(halfSpace().cells.size(), 8); }
+TEST(MeshSetup, LeavesARectangleWithoutCellSizeAsItIs) { EXPECT_EQ(halfSpace().cells.size(), 8); }
 
-TEST(MeshSetup, gradesARectangleByItsCellSize)
+TEST(MeshSetup, GradesARectangleByItsCellSize)
 {
   const auto size = "125 + 0.21875 * x";
   const auto fine = graded(size), coarse = graded(size, 2);
@@ -51,7 +52,7 @@ TEST(MeshSetup, gradesARectangleByItsCellSize)
   EXPECT_EQ(facetsOn(coarse, "right"), 2);
 }
 
-TEST(MeshSetup, keepsTheProportionsOfColumnsAndRows)
+TEST(MeshSetup, KeepsTheProportionsOfColumnsAndRows)
 {
   const auto mesh = halfSpace([](ParameterList& list) {
     list.sublist("Rectangle").set("Cells X", 7).set("Cells Y", 4).set("Cell Size", "125 + x - x");
@@ -62,14 +63,14 @@ TEST(MeshSetup, keepsTheProportionsOfColumnsAndRows)
   EXPECT_EQ(mesh.vertices.size(), 33 * 57);
 }
 
-TEST(MeshSetup, refusesCellSizesThatAreNone)
+TEST(MeshSetup, RefusesCellSizesThatAreNone)
 {
-  expectParts(refusal([] { graded("100 + t"); }), {"Mesh / Rectangle / Cell Size depends on t"});
-  expectParts(refusal([] { graded("x - 1000"); }),
-              {"Mesh / Rectangle / Cell Size = 'x - 1000' is -1000 at ", "outside (0, inf)"});
+  expectRefusal([] { graded("100 + t"); }, {"Mesh / Rectangle / Cell Size depends on t"});
+  expectRefusal([] { graded("x - 1000"); },
+                {"Mesh / Rectangle / Cell Size = 'x - 1000' is -1000 at ", "outside (0, inf)"});
 }
 
-TEST(MeshSetup, refusesMoreVerticesThanAllowedAndNamesWhatMayBeMissing)
+TEST(MeshSetup, RefusesMoreVerticesThanAllowedAndNamesWhatMayBeMissing)
 {
   const auto limited = [](int most, char const* size, double width = 4e3) {
     return refusal([&] {
@@ -94,7 +95,7 @@ TEST(MeshSetup, refusesMoreVerticesThanAllowedAndNamesWhatMayBeMissing)
   expectParts(graded, {"Mesh: about 123 vertices are too many; at most 10"});
 }
 
-TEST(MeshSetup, namesPiecesOfTheBoundary)
+TEST(MeshSetup, NamesPiecesOfTheBoundary)
 {
   const auto mesh = halfSpace([](ParameterList& list) {
     list.sublist("Boundaries").set("fault", "x < 1 && y > -2000").set("far", "x > 3999");
@@ -105,7 +106,7 @@ TEST(MeshSetup, namesPiecesOfTheBoundary)
   EXPECT_EQ(mesh.boundaries.count("right"), 0);
 }
 
-TEST(MeshSetup, splitsAlongFaults)
+TEST(MeshSetup, SplitsAlongFaults)
 {
   const auto mesh = halfSpace([](ParameterList& list) {
     list.sublist("Rectangle").set("Cells X", 4).set("Cells Y", 4);
@@ -120,7 +121,7 @@ TEST(MeshSetup, splitsAlongFaults)
   EXPECT_EQ(mesh.vertices.size(), 25 + 8);
 }
 
-TEST(MeshSetup, refinesWithBoundariesAndFaults)
+TEST(MeshSetup, RefinesWithBoundariesAndFaults)
 {
   const auto refined = [](int refinements) {
     return halfSpace([=](ParameterList& list) {
@@ -135,11 +136,11 @@ TEST(MeshSetup, refinesWithBoundariesAndFaults)
   EXPECT_EQ(facetsOn(mesh, "left"), 16);
   EXPECT_EQ(mesh.splits.size(), 17);
   EXPECT_EQ(mesh.vertices.size(), 17 * 17 + 17);
-  expectParts(refusal([&] { refined(-1); }), {"Asperity / Mesh / Refinements = -1"});
-  expectParts(refusal([&] { refined(25); }), {"Asperity / Mesh / Refinements = 25 makes some"});
+  expectRefusal([&] { refined(-1); }, {"Asperity / Mesh / Refinements = -1"});
+  expectRefusal([&] { refined(25); }, {"Asperity / Mesh / Refinements = 25 makes some"});
 }
 
-TEST(MeshSetup, refusesWhatIsNoFault)
+TEST(MeshSetup, RefusesWhatIsNoFault)
 {
   const auto with_fault = [](char const* name, char const* condition) {
     return refusal([=] {
@@ -153,21 +154,21 @@ TEST(MeshSetup, refusesWhatIsNoFault)
   expectParts(with_fault("net", "1"), {"Asperity / Mesh: ", "facets of fault 'net' meet at"});
 }
 
-TEST(MeshSetup, refusesConditionsThatChangeInTime)
+TEST(MeshSetup, RefusesConditionsThatChangeInTime)
 {
   for (char const* name : {"Boundaries", "Faults", "Regions"}) {
     const auto call = [name] {
       halfSpace([name](ParameterList& list) { list.sublist(name).set("part", "t < 1"); });
     };
-    expectParts(refusal(call), {"Asperity / Mesh / ", name, " / part depends on t"});
+    expectRefusal(call, {"Asperity / Mesh / ", name, " / part depends on t"});
   }
 }
 
-TEST(MeshSetup, refusesPiecesWithoutFacets)
+TEST(MeshSetup, RefusesPiecesWithoutFacets)
 {
   const auto call = [] {
     halfSpace([](ParameterList& list) { list.sublist("Boundaries").set("fault", "x < 0"); });
   };
-  expectParts(refusal(call), {"Asperity / Mesh / Boundaries / fault", "no facet"});
+  expectRefusal(call, {"Asperity / Mesh / Boundaries / fault", "no facet"});
 }
 } // namespace asperity::scenario

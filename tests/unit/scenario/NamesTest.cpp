@@ -53,7 +53,7 @@ std::string refused(std::vector<std::pair<std::string, std::string>> const& name
 }
 } // namespace
 
-TEST(Names, standForTheirValuesWhereverNumbersAreWanted)
+TEST(Names, StandForTheirValuesWhereverNumbersAreWanted)
 {
   auto deck = deckWith({{"slope", "0.27"}, {"zone", "x < slope^2"}, {"rock", "2 * slope - 1e-1"}});
   auto& bulk = deck.sublist("Bulk");
@@ -75,7 +75,7 @@ TEST(Names, standForTheirValuesWhereverNumbersAreWanted)
   EXPECT_TRUE(namesIn(deck.sublist(names_list)).empty());
 }
 
-TEST(Names, areWholeWordsAndNoFunctions)
+TEST(Names, AreWholeWordsAndNoFunctions)
 {
   auto deck = deckWith({{"s", "3"}, {"e5", "0"}, {"max_", "2"}});
   deck.sublist("Bulk").set("Density", "ss_1 + 1e5 + 2E5 + sin(s) + max_ + abs (s)");
@@ -87,7 +87,7 @@ TEST(Names, areWholeWordsAndNoFunctions)
     std::string("Density = 'ss_1 + 1e5 + 2E5 + sin((3)) + (2) + abs ((3))' is").substr(0, 60));
 }
 
-TEST(Names, arithmeticNeedsNone)
+TEST(Names, ArithmeticNeedsNone)
 {
   auto deck = deckWith({});
   deck.sublist("Bulk").set("Height", "3 * 3600");
@@ -95,7 +95,7 @@ TEST(Names, arithmeticNeedsNone)
   EXPECT_EQ(deck.sublist("Bulk").get<double>("Height"), 10800);
 }
 
-TEST(Names, thatGrowWithoutEndAreRefused)
+TEST(Names, ThatGrowWithoutEndAreRefused)
 {
   std::vector<std::pair<std::string, std::string>> doubling, chain;
   for (int i = 0; i < 40; ++i) {
@@ -111,7 +111,7 @@ TEST(Names, thatGrowWithoutEndAreRefused)
   expectParts(refused(chain), {"Names / n", "more than 100 names"});
 }
 
-TEST(Names, areRefusedWithWhatIsWrong)
+TEST(Names, AreRefusedWithWhatIsWrong)
 {
   expectParts(refused({{"slope", "2 * other"}, {"other", "slope"}}), {"Names / ", "loop"});
   expectParts(refused({{"exp", "1"}}), {"Names / exp", "meaning", "another name"});
@@ -124,17 +124,17 @@ TEST(Names, areRefusedWithWhatIsWrong)
               {"Names / slpoe is used nowhere", "Did you mean 'slope'?"});
 }
 
-TEST(Names, leaveToTheCheckOfTypesWhatIsNoNumber)
+TEST(Names, LeaveToTheCheckOfTypesWhatIsNoNumber)
 {
   auto deck = deckWith({{"zone", "x < 1"}});
   deck.sublist("Bulk").set("Height", "20 min");
   resolveNames(deck, *valid());
-  expectParts(refusal([&] { completeAndValidate(deck, *valid(), "Asperity"); }),
-              {"Height = '20 min' is a text, but a number"});
+  expectRefusal([&] { completeAndValidate(deck, *valid(), "Asperity"); },
+                {"Height = '20 min' is a text, but a number"});
   deck = deckWith({{"zone", "x < 1"}});
   deck.sublist("Bulk").set("Height", "zone"); // depends on x
   resolveNames(deck, *valid());
-  expectParts(refusal([&] { completeAndValidate(deck, *valid(), "Asperity"); }),
-              {"Height = 'zone' is a text, but a number"});
+  expectRefusal([&] { completeAndValidate(deck, *valid(), "Asperity"); },
+                {"Height = 'zone' is a text, but a number"});
 }
 } // namespace asperity::scenario

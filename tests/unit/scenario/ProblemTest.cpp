@@ -27,7 +27,7 @@ double force(Problem<2> const& problem)
 constexpr double column_weight = 1000 * 10 * 4; // N/m: density, gravity, area
 } // namespace
 
-TEST(Problem, pressesOnTheFaultWithTheWeightOfTheBody)
+TEST(Problem, PressesOnTheFaultWithTheWeightOfTheBody)
 {
   auto const problem = makeProblem<2>(column(), world());
   EXPECT_EQ(problem.components, 2);
@@ -41,7 +41,7 @@ TEST(Problem, pressesOnTheFaultWithTheWeightOfTheBody)
 }
 
 // Where a wall goes on in its plane, the fault bears its own share of a node's load alone.
-TEST(Problem, sharesTheWeightWithAWallInItsPlane)
+TEST(Problem, SharesTheWeightWithAWallInItsPlane)
 {
   const auto finer = [](auto& deck) {
     deck.sublist("Mesh").sublist("Rectangle").set("Cells X", 4);
@@ -66,7 +66,7 @@ TEST(Problem, sharesTheWeightWithAWallInItsPlane)
   }
 }
 
-TEST(Problem, multipliesTheNormalStress)
+TEST(Problem, MultipliesTheNormalStress)
 {
   auto const twice = makeProblem<2>(
     column([](auto& deck) { deck.sublist("Friction").set("Normal Stress Factor", 2.); }), world());
@@ -80,7 +80,7 @@ TEST(Problem, multipliesTheNormalStress)
   EXPECT_EQ(valuesOf(given.initial.sigma_n), (std::vector<double>{300, 600, 900}));
 }
 
-TEST(Problem, setsATensileReactionToZeroAndSaysSo)
+TEST(Problem, SetsATensileReactionToZeroAndSaysSo)
 {
   auto const problem =
     makeProblem<2>(column([](auto& deck) {
@@ -92,26 +92,27 @@ TEST(Problem, setsATensileReactionToZeroAndSaysSo)
   expectParts(problem.remarks[0], {"3 fault nodes", "zero"});
 }
 
-TEST(Problem, refusesToGuessANormalStress)
+TEST(Problem, RefusesToGuessANormalStress)
 {
-  expectParts(refusal([] {
-                makeProblem<2>(column([](auto& deck) {
-                                 deck.sublist("Bulk").set("Gravitational Acceleration", 0.);
-                               }),
-                               world());
-              }),
-              {"Asperity / Friction / Normal Stress", "gravity"});
-  expectParts(refusal([] {
-                makeProblem<2>(column([](auto& deck) {
-                                 deck.sublist("Bulk").set("Gravitational Acceleration", 0.);
-                                 deck.sublist("Bulk").set("Model", "Antiplane");
-                               }),
-                               world());
-              }),
-              {"Asperity / Friction / Normal Stress", "antiplane"});
+  expectRefusal(
+    [] {
+      makeProblem<2>(
+        column([](auto& deck) { deck.sublist("Bulk").set("Gravitational Acceleration", 0.); }),
+        world());
+    },
+    {"Asperity / Friction / Normal Stress", "gravity"});
+  expectRefusal(
+    [] {
+      makeProblem<2>(column([](auto& deck) {
+                       deck.sublist("Bulk").set("Gravitational Acceleration", 0.);
+                       deck.sublist("Bulk").set("Model", "Antiplane");
+                     }),
+                     world());
+    },
+    {"Asperity / Friction / Normal Stress", "antiplane"});
 }
 
-TEST(Problem, refusesBoundariesThatTheMeshDoesNotHave)
+TEST(Problem, RefusesBoundariesThatTheMeshDoesNotHave)
 {
   for (char const* condition : {"Fault", "Left"}) {
     expectParts(
@@ -126,7 +127,7 @@ TEST(Problem, refusesBoundariesThatTheMeshDoesNotHave)
   }
 }
 
-TEST(Problem, refusesUnknownNamesOfConditionsWithoutEffect)
+TEST(Problem, RefusesUnknownNamesOfConditionsWithoutEffect)
 {
   for (char const* type : {"Sliding Wall", "Free Surface"}) {
     const auto call = [type] {
@@ -137,12 +138,12 @@ TEST(Problem, refusesUnknownNamesOfConditionsWithoutEffect)
                      }),
                      world());
     };
-    expectParts(refusal(call), {"Asperity / Boundary Conditions / Wall / Boundary = 'rihgt'",
-                                "Did you mean 'right'?"});
+    expectRefusal(call, {"Asperity / Boundary Conditions / Wall / Boundary = 'rihgt'",
+                         "Did you mean 'right'?"});
   }
 }
 
-TEST(Problem, startsFromTheVelocityOfTheDeck)
+TEST(Problem, StartsFromTheVelocityOfTheDeck)
 {
   auto const problem = makeProblem<2>(column([](auto& deck) {
                                         auto& initial = deck.sublist("Initial State");
@@ -162,14 +163,14 @@ TEST(Problem, startsFromTheVelocityOfTheDeck)
   EXPECT_EQ(problem.initial.a->normInf(), 0);
 }
 
-TEST(Problem, isAtRestInBalance)
+TEST(Problem, IsAtRestInBalance)
 {
   auto const problem = makeProblem<2>(column(), world());
   EXPECT_LE(problem.initial.a->normInf(), 1e-9) << "the static solution does not move";
   EXPECT_EQ(problem.initial.v->normInf(), 0);
 }
 
-TEST(StepControl, wantsPrescribedLevelsThatExist)
+TEST(StepControl, WantsPrescribedLevelsThatExist)
 {
   const auto control = [](std::vector<int> const& levels) {
     const auto deck = column([&](auto& given) {
@@ -184,12 +185,12 @@ TEST(StepControl, wantsPrescribedLevelsThatExist)
     return makeStepControl(time, {}, step) != nullptr;
   };
   EXPECT_TRUE(control({0, 3, 2}));
-  expectParts(refusal([&] { control({}); }), {"Prescribed / Levels is empty"});
-  expectParts(refusal([&] { control({0, 4}); }), {"Prescribed / Levels: 4", "level 3"});
-  expectParts(refusal([&] { control({-1}); }), {"Prescribed / Levels", "-1"});
+  expectRefusal([&] { control({}); }, {"Prescribed / Levels is empty"});
+  expectRefusal([&] { control({0, 4}); }, {"Prescribed / Levels: 4", "level 3"});
+  expectRefusal([&] { control({-1}); }, {"Prescribed / Levels", "-1"});
 }
 
-TEST(RunArchive, returnsWhatWasSaved)
+TEST(RunArchive, ReturnsWhatWasSaved)
 {
   auto const problem = makeProblem<2>(column(), world());
   dynamics::ControlMemory memory;
@@ -242,7 +243,7 @@ TEST(RunArchive, returnsWhatWasSaved)
   EXPECT_EQ(loadEnergy(archive, "energy").defect, 1e-20);
 }
 
-TEST(RunArchive, refusesTheStateOfAnotherMesh)
+TEST(RunArchive, RefusesTheStateOfAnotherMesh)
 {
   auto const problem = makeProblem<2>(column(), world());
   auto const finer = makeProblem<2>(
@@ -251,7 +252,7 @@ TEST(RunArchive, refusesTheStateOfAnotherMesh)
   io::Archive archive;
   const dynamics::DyadicTime clock(1, 10);
   StateFormat(finer.initial, nullptr, clock).save(archive, "state", finer.initial);
-  expectParts(refusal([&] { StateFormat(problem.initial, nullptr, clock).load(archive, "state"); }),
-              {"state/u", "18", "24", "another mesh"});
+  expectRefusal([&] { StateFormat(problem.initial, nullptr, clock).load(archive, "state"); },
+                {"state/u", "18", "24", "another mesh"});
 }
 } // namespace asperity::scenario

@@ -21,7 +21,7 @@ bool warns(Description const& description, std::string const& topic = "cohesive 
 }
 } // namespace
 
-TEST(ResolutionCheck, knowsTheModulusOfEachFault)
+TEST(ResolutionCheck, KnowsTheModulusOfEachFault)
 {
   EXPECT_NEAR(dynamics::slipModulus(crust, 1, fem::OtherSide::mirror_image), 30e9, 1);
   EXPECT_NEAR(dynamics::slipModulus(crust, 1, fem::OtherSide::rigid_foundation), 60e9, 1);
@@ -29,7 +29,7 @@ TEST(ResolutionCheck, knowsTheModulusOfEachFault)
   EXPECT_NEAR(dynamics::slipModulus(crust, 2, fem::OtherSide::rigid_foundation), 90e9, 1);
 }
 
-TEST(ResolutionCheck, hasTheLengthsOfTheBenchmark)
+TEST(ResolutionCheck, HasTheLengthsOfTheBenchmark)
 {
   // SEAS BP1: "process zone" of about 340 m, nucleation length of 1.96 km.
   const double G = 2670. * 3464 * 3464;
@@ -46,7 +46,7 @@ TEST(ResolutionCheck, hasTheLengthsOfTheBenchmark)
   }
 }
 
-TEST(ResolutionCheck, looksAtThePartThatWeakens)
+TEST(ResolutionCheck, LooksAtThePartThatWeakens)
 {
   // Cells of 1 m; Lambda0 = 1e6 * 1e-5 * ... at the nodes x = 0 and 1, not at x = 2.
   const auto deck = strip([](ParameterList& given) {
@@ -66,7 +66,7 @@ TEST(ResolutionCheck, looksAtThePartThatWeakens)
   EXPECT_FALSE(warns(describe(problem, deck)));
 }
 
-TEST(ResolutionCheck, saysTheNucleationLengthOfTheAgeingLawAlone)
+TEST(ResolutionCheck, SaysTheNucleationLengthOfTheAgeingLawAlone)
 {
   // a spring of stiffness pi G' / lambda per slip is critical at (b - a) sigma_n / L
   const double wavelength = dynamics::unstableWavelength(40e9, 0.010, 0.015, 0.008, 50e6);
@@ -84,7 +84,7 @@ TEST(ResolutionCheck, saysTheNucleationLengthOfTheAgeingLawAlone)
   EXPECT_EQ(text("Slip").find("47"), std::string::npos);
 }
 
-TEST(ResolutionCheck, warnsOfCellsThatAreTooLarge)
+TEST(ResolutionCheck, WarnsOfCellsThatAreTooLarge)
 {
   const auto lines = [](double L) {
     const auto deck = strip([L](ParameterList& given) { given.sublist("Friction").set("L", L); });
@@ -95,7 +95,7 @@ TEST(ResolutionCheck, warnsOfCellsThatAreTooLarge)
   EXPECT_FALSE(warns(lines(3.1 * 150 / 1e6)));
 }
 
-TEST(ResolutionCheck, warnsOfAPartTooShortToNucleate)
+TEST(ResolutionCheck, WarnsOfAPartTooShortToNucleate)
 {
   dynamics::FaultResolution r{1, 1, 10, 47, 30, 10, 1};
   r.weakening_length = 23; // the estimate holds within a factor of 2 or so
@@ -110,7 +110,7 @@ TEST(ResolutionCheck, warnsOfAPartTooShortToNucleate)
   EXPECT_TRUE(warnOfResolution(r, "Ageing").empty());
 }
 
-TEST(ResolutionCheck, measuresThePartThatWeakens)
+TEST(ResolutionCheck, MeasuresThePartThatWeakens)
 {
   // Nodes at x = 0, 1, 2 of a strip; the last one does not weaken.
   const auto resolution = [](char const* a) {
@@ -122,7 +122,7 @@ TEST(ResolutionCheck, measuresThePartThatWeakens)
   EXPECT_TRUE(resolution("x < 9 ? 0.01 : 0.02")->weakens_everywhere);
 }
 
-TEST(ResolutionCheck, advisesLowCellsWhereThereAreFew)
+TEST(ResolutionCheck, AdvisesLowCellsWhereThereAreFew)
 {
   const auto advice = [](double cells_per_zone, double height, std::string const& mesh) {
     for (auto const& line : describe({1, 1, 10, 47, 40, cells_per_zone, height}, "Ageing", mesh)) {
@@ -140,7 +140,7 @@ TEST(ResolutionCheck, advisesLowCellsWhereThereAreFew)
   EXPECT_EQ(advice(20, 1, "Box"), "");
 }
 
-TEST(ResolutionCheck, saysNothingWhereFrictionDoesNotWeaken)
+TEST(ResolutionCheck, SaysNothingWhereFrictionDoesNotWeaken)
 {
   const auto deck = strip([](ParameterList& given) { given.sublist("Friction").set("b", 0.01); });
   auto const problem = makeProblem<2>(deck, world());

@@ -6,7 +6,7 @@ namespace asperity::scenario
 {
 using namespace test;
 
-TEST(RunReport, printsABalanceThatAddsUp)
+TEST(RunReport, PrintsABalanceThatAddsUp)
 {
   RunSummary summary;
   auto& energy = summary.energy;
@@ -26,7 +26,7 @@ TEST(RunReport, printsABalanceThatAddsUp)
                "defect of the balance of 0.5 (0.0078"});
 }
 
-TEST(RunReport, warnsWhereTheEnergyOfAStepGrew)
+TEST(RunReport, WarnsWhereTheEnergyOfAStepGrew)
 {
   // tests/support/asperity_run.py looks for the first words in what every run prints.
   expectParts("WARNING: " + warnOfRises(2).text,

@@ -15,6 +15,7 @@ namespace asperity::scenario::test
 // For all tests of this package, which say `using namespace test`.
 using asperity::test::array;
 using asperity::test::expectParts;
+using asperity::test::expectRefusal;
 using asperity::test::refusal;
 
 RCP<const Communicator> world();

@@ -72,7 +72,7 @@ std::vector<double> onFault(Problem<3> const& problem, ParameterList const& deck
 }
 } // namespace
 
-TEST(Solid, pressesOnTheFaultWithItsWeight)
+TEST(Solid, PressesOnTheFaultWithItsWeight)
 {
   auto const problem = makeProblem<3>(block(), world());
   EXPECT_EQ(problem.components, 3);
@@ -86,7 +86,7 @@ TEST(Solid, pressesOnTheFaultWithItsWeight)
 }
 
 // The walls hold one tangent of the nodes at an edge of the fault, both at its corners.
-TEST(Solid, keepsTheDirectionsThatWallsLeaveFree)
+TEST(Solid, KeepsTheDirectionsThatWallsLeaveFree)
 {
   auto const problem = makeProblem<3>(block(), world());
   int num_free[3] = {};
@@ -98,7 +98,7 @@ TEST(Solid, keepsTheDirectionsThatWallsLeaveFree)
   EXPECT_EQ(num_free[0], 4);
 }
 
-TEST(Solid, pullsTheFaultAlongTheSlipDirection)
+TEST(Solid, PullsTheFaultAlongTheSlipDirection)
 {
   const auto deck = halfSpace([](ParameterList& given) {
     given.sublist("Friction").set("Shear Traction", "100 * (1 + t)");
@@ -121,7 +121,7 @@ TEST(Solid, pullsTheFaultAlongTheSlipDirection)
   }
 }
 
-TEST(Solid, balancesTheTractionAlongTheInitialVelocity)
+TEST(Solid, BalancesTheTractionAlongTheInitialVelocity)
 {
   const double V = 1e-5;
   const auto deck = halfSpace([V](ParameterList& given) {
@@ -147,7 +147,7 @@ TEST(Solid, balancesTheTractionAlongTheInitialVelocity)
   }
 }
 
-TEST(Solid, slipsAsPrescribedBesideTheFault)
+TEST(Solid, SlipsAsPrescribedBesideTheFault)
 {
   const auto deck = halfSpace([](ParameterList& given) {
     given.sublist("Mesh").sublist("Boundaries").set("deep", "y < 1e-9 && x > 1");
@@ -168,24 +168,24 @@ TEST(Solid, slipsAsPrescribedBesideTheFault)
   }
 }
 
-TEST(Solid, andThePlaneNeedTheirModels)
+TEST(Solid, AndThePlaneNeedTheirModels)
 {
   const auto plane =
     block([](ParameterList& deck) { deck.sublist("Bulk").set("Model", "Plane Strain"); });
-  expectParts(refusal([&] { makeProblem<3>(plane, world()); }),
-              {"Bulk / Model = Plane Strain", "3 dimensions", "Solid"});
+  expectRefusal([&] { makeProblem<3>(plane, world()); },
+                {"Bulk / Model = Plane Strain", "3 dimensions", "Solid"});
   const auto solid =
     column([](ParameterList& deck) { deck.sublist("Bulk").set("Model", "Solid"); });
-  expectParts(refusal([&] { makeProblem<2>(solid, world()); }),
-              {"Bulk / Model = Solid", "2 dimensions", "Plane Strain"});
+  expectRefusal([&] { makeProblem<2>(solid, world()); },
+                {"Bulk / Model = Solid", "2 dimensions", "Plane Strain"});
 }
 
-TEST(Solid, hasAShearTractionAlongItsFault)
+TEST(Solid, HasAShearTractionAlongItsFault)
 {
   const auto across = halfSpace([](ParameterList& deck) {
     deck.sublist("Friction").set("Slip Direction", array<double>({0, 1, 0}));
   });
-  expectParts(refusal([&] { makeProblem<3>(across, world()); }),
-              {"Friction / Slip Direction", "right angles"});
+  expectRefusal([&] { makeProblem<3>(across, world()); },
+                {"Friction / Slip Direction", "right angles"});
 }
 } // namespace asperity::scenario

@@ -40,7 +40,7 @@ ParameterList solverList(std::string const& correction)
 }
 } // namespace
 
-TEST(TimeSetup, dividesTheLargestStepByPowersOfTwo)
+TEST(TimeSetup, DividesTheLargestStepByPowersOfTwo)
 {
   const auto clock = makeClock(steps(4, 1e-7));
   EXPECT_EQ(clock.stepSize(0), 4);
@@ -50,19 +50,19 @@ TEST(TimeSetup, dividesTheLargestStepByPowersOfTwo)
   EXPECT_EQ(makeClock(steps(0.3, 0.3 / 1024)).finestLevel(), 10) << "an exact fraction";
 }
 
-TEST(TimeSetup, refusesStepsThatCannotBeCounted)
+TEST(TimeSetup, RefusesStepsThatCannotBeCounted)
 {
-  expectParts(refusal([] { makeClock(steps(1, 2)); }),
-              {"Asperity / Time Stepping / Smallest Step = 2", "larger than the largest"});
-  expectParts(refusal([] { makeClock(steps(1, 1e-20)); }), {"Smallest Step = 1e-20", "2^60"});
-  expectParts(refusal([] { makeClock(steps(1, 1e-12, 1e8)); }),
-              {"Asperity / Time Stepping / Final Time = 1e+08", "'Smallest Step'"});
-  expectParts(refusal([] { steps(1, 0); }), {"Smallest Step = 0 is outside (0, inf)"});
-  expectParts(refusal([] { steps(-1, 1); }), {"Largest Step = -1 is outside (0, inf)"});
-  expectParts(refusal([] { steps(1, 1, 0); }), {"Final Time = 0 is outside (0, inf)"});
+  expectRefusal([] { makeClock(steps(1, 2)); },
+                {"Asperity / Time Stepping / Smallest Step = 2", "larger than the largest"});
+  expectRefusal([] { makeClock(steps(1, 1e-20)); }, {"Smallest Step = 1e-20", "2^60"});
+  expectRefusal([] { makeClock(steps(1, 1e-12, 1e8)); },
+                {"Asperity / Time Stepping / Final Time = 1e+08", "'Smallest Step'"});
+  expectRefusal([] { steps(1, 0); }, {"Smallest Step = 0 is outside (0, inf)"});
+  expectRefusal([] { steps(-1, 1); }, {"Largest Step = -1 is outside (0, inf)"});
+  expectRefusal([] { steps(1, 1, 0); }, {"Final Time = 0 is outside (0, inf)"});
 }
 
-TEST(TimeSetup, choosesTheScheme)
+TEST(TimeSetup, ChoosesTheScheme)
 {
   const auto newmark = makeRateUpdate(beta(0.3));
   EXPECT_EQ(newmark.name, "Newmark");
@@ -74,19 +74,19 @@ TEST(TimeSetup, choosesTheScheme)
   EXPECT_EQ(euler.stiffness_weight, 1);
 }
 
-TEST(TimeSetup, wantsALimitWhereNewmarkIsConditionallyStable)
+TEST(TimeSetup, WantsALimitWhereNewmarkIsConditionallyStable)
 {
-  expectParts(refusal([] { makeRateUpdate(beta(0.2)); }),
-              {"Asperity / Time Stepping / Newmark / beta = 0.2", "'Stability Limit'", "0.25"});
-  expectParts(refusal([] { makeRateUpdate(beta(0.2, 0.5)); }),
-              {"Largest Step = 1", "stability limit of 0.5 s", "beta = 0.2"});
+  expectRefusal([] { makeRateUpdate(beta(0.2)); },
+                {"Asperity / Time Stepping / Newmark / beta = 0.2", "'Stability Limit'", "0.25"});
+  expectRefusal([] { makeRateUpdate(beta(0.2, 0.5)); },
+                {"Largest Step = 1", "stability limit of 0.5 s", "beta = 0.2"});
   EXPECT_NEAR(makeRateUpdate(beta(0.2, 1)).stiffness_weight, 0.4, 1e-15);
   for (double outside : {-0.1, 0.51}) {
-    expectParts(refusal([&] { beta(outside); }), {"Newmark / beta", "[0, 0.5]"});
+    expectRefusal([&] { beta(outside); }, {"Newmark / beta", "[0, 0.5]"});
   }
 }
 
-TEST(SolverSetup, choosesTheCorrection)
+TEST(SolverSetup, ChoosesTheCorrection)
 {
   const auto choice = [](std::string const& name, int ranks, long long unknowns,
                          int dimension = 2) {
@@ -99,11 +99,11 @@ TEST(SolverSetup, choosesTheCorrection)
   EXPECT_EQ(choice("Auto", 1, 50000, 3), Correction::multigrid);
   EXPECT_EQ(choice("Direct", 1, 10000000), Correction::direct);
   EXPECT_EQ(choice("MueLu", 1, 10), Correction::multigrid);
-  expectParts(refusal([&] { choice("Direct", 2, 10); }),
-              {"Asperity / TNNMG / Linear Correction = Direct", "not on 2", "MueLu"});
+  expectRefusal([&] { choice("Direct", 2, 10); },
+                {"Asperity / TNNMG / Linear Correction = Direct", "not on 2", "MueLu"});
 }
 
-TEST(SolverSetup, readsTolerancesAndBudget)
+TEST(SolverSetup, ReadsTolerancesAndBudget)
 {
   auto list = solverList("Auto");
   list.set("Absolute Tolerance", 3e-7).set("Maximum Iterations", 4).set("Memory Budget", 12.5);
@@ -116,12 +116,12 @@ TEST(SolverSetup, readsTolerancesAndBudget)
     EXPECT_EQ(memoryBudget(list), std::numeric_limits<std::size_t>::max());
   }
 }
-TEST(SolverSetup, saysWhatDirectCostsWhereAutoChoosesMultigrid)
+TEST(SolverSetup, SaysWhatDirectCostsWhereAutoChoosesMultigrid)
 {
   const auto hint = hintOnDirect(solverList("Direct"), 3, 45000);
   for (char const* piece :
        {"Linear Correction = Direct", "45000 unknowns", "set-up of step sizes"}) {
-    EXPECT_NE(hint.find(piece), std::string::npos) << piece;
+    expectParts(hint, {piece});
   }
   EXPECT_EQ(hintOnDirect(solverList("Direct"), 3, 9000), "");
   EXPECT_EQ(hintOnDirect(solverList("Direct"), 2, 45000), "");

@@ -69,7 +69,7 @@ Answer solve(DenseCorrection& correction, ElasticModel const& model, FaultState 
 }
 } // namespace
 
-TEST(DenseCorrection, solvesWithHessiansAndTruncation)
+TEST(DenseCorrection, SolvesWithHessiansAndTruncation)
 {
   for (int tangents : {1, 2}) {
     const auto model = modelWith(tangents);
@@ -84,7 +84,7 @@ TEST(DenseCorrection, solvesWithHessiansAndTruncation)
 }
 
 // Tolerances that single precision meets.
-TEST(DenseCorrection, solvesLooselyInSinglePrecision)
+TEST(DenseCorrection, SolvesLooselyInSinglePrecision)
 {
   for (int tangents : {1, 2}) {
     const auto model = modelWith(tangents);
@@ -102,7 +102,7 @@ TEST(DenseCorrection, solvesLooselyInSinglePrecision)
 }
 
 // Units must not matter: the squares of these leave the range of single precision.
-TEST(DenseCorrection, solvesWhateverTheUnits)
+TEST(DenseCorrection, SolvesWhateverTheUnits)
 {
   for (const double unit : {1e-30, 1e30}) {
     const auto model = modelWith(1);
@@ -127,7 +127,7 @@ TEST(DenseCorrection, solvesWhateverTheUnits)
 }
 
 // Two dofs that differ only by a tenth of the precision of floats: their difference is free there.
-TEST(DenseCorrection, turnsToDoubleWhereSinglePrecisionDoesNotSuffice)
+TEST(DenseCorrection, TurnsToDoubleWhereSinglePrecisionDoesNotSuffice)
 {
   auto model = modelWith(1);
   const auto nearly_singular = rcp(new CrsMatrix(*model.Z, Teuchos::Copy));
@@ -166,7 +166,7 @@ TEST(DenseCorrection, turnsToDoubleWhereSinglePrecisionDoesNotSuffice)
 
 // The condition number with the diagonal is at most 1.003, so that an iteration reduces the error
 // a thousandfold.
-TEST(DenseCorrection, needsNoFactorWhereTheDiagonalRules)
+TEST(DenseCorrection, NeedsNoFactorWhereTheDiagonalRules)
 {
   auto model = modelWith(1);
   const auto strong = rcp(new CrsMatrix(*model.Z, Teuchos::Copy));
@@ -189,7 +189,7 @@ TEST(DenseCorrection, needsNoFactorWhereTheDiagonalRules)
 }
 
 // Hessians that follow: close ones by conjugate gradients with the old factor, all to tolerance.
-TEST(DenseCorrection, keepsItsFactorWhereThatSuffices)
+TEST(DenseCorrection, KeepsItsFactorWhereThatSuffices)
 {
   const auto model = modelWith(1);
   DenseCorrection correction(denseCopyOf(*model.Z), model.nodes.dofs);
@@ -210,7 +210,7 @@ TEST(DenseCorrection, keepsItsFactorWhereThatSuffices)
   }
 }
 
-TEST(DenseCorrection, forgetsItsFactor)
+TEST(DenseCorrection, ForgetsItsFactor)
 {
   const auto model = modelWith(2);
   DenseCorrection used(denseCopyOf(*model.Z), model.nodes.dofs);
@@ -229,7 +229,7 @@ TEST(DenseCorrection, forgetsItsFactor)
   EXPECT_EQ(c_used.normInf(), 0) << "the answer depends on what was solved before";
 }
 
-TEST(DenseCorrection, saysThatAMatrixIsNotDefinite)
+TEST(DenseCorrection, SaysThatAMatrixIsNotDefinite)
 {
   const auto model = modelWith(1);
   CrsMatrix broken(*model.Z, Teuchos::Copy);

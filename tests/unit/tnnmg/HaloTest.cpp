@@ -58,7 +58,7 @@ std::vector<double> shared(Ring const& ring, Halo const& halo)
 }
 } // namespace
 
-TEST(Halo, sharesOwnedValues)
+TEST(Halo, SharesOwnedValues)
 {
   const Ring ring;
   auto const ghosts = shared(ring, ring.halo);
@@ -67,7 +67,7 @@ TEST(Halo, sharesOwnedValues)
   }
 }
 
-TEST(Halo, gathersWhatGhostsHave)
+TEST(Halo, GathersWhatGhostsHave)
 {
   const Ring ring;
   std::vector<float> copies(ring.halo.received().size(), 1), came(ring.halo.sent().size());
@@ -80,7 +80,7 @@ TEST(Halo, gathersWhatGhostsHave)
   EXPECT_EQ(sums, (std::vector<float>{each, each, 0, each}));
 }
 
-TEST(Halo, sendsOnlyWhatIsTaken)
+TEST(Halo, SendsOnlyWhatIsTaken)
 {
   const Ring ring;
   const Halo by_owner = ring.halo.withOwned({1, 0, 1, 0}); // the first and the third number
@@ -98,7 +98,7 @@ TEST(Halo, sendsOnlyWhatIsTaken)
   }
 }
 
-TEST(Halo, refusesWhatNobodyOwns)
+TEST(Halo, RefusesWhatNobodyOwns)
 {
   const Ring ring;
   if (ring.communicator->getSize() > 1) {

@@ -39,7 +39,7 @@ Search search(Slope const& slope, double tolerance = 0)
 }
 } // namespace
 
-TEST(LineSearch, findsTheRootOfALinearSlope)
+TEST(LineSearch, FindsTheRootOfALinearSlope)
 {
   for (double root : {1e-9, 0.3, 1., 1.5, 700.}) {
     const auto result = search([root](double t) { return 5 * (t - root); });
@@ -48,14 +48,14 @@ TEST(LineSearch, findsTheRootOfALinearSlope)
   }
 }
 
-TEST(LineSearch, takesTheFullStepWithinTolerance)
+TEST(LineSearch, TakesTheFullStepWithinTolerance)
 {
   const auto result = search([](double t) { return t < 1 ? -1. : 0.009; }, 1e-2);
   EXPECT_EQ(result.step, 1);
   EXPECT_EQ(result.evaluations, 1);
 }
 
-TEST(LineSearch, stopsBeforeAJumpOfTheSlope)
+TEST(LineSearch, StopsBeforeAJumpOfTheSlope)
 {
   for (double at : {1e-6, 0.3, 0.9999, 3.7, 100.}) {
     const auto slope = [at](double t) { return t < at ? -1e-3 : 1e3; };
@@ -66,21 +66,21 @@ TEST(LineSearch, stopsBeforeAJumpOfTheSlope)
   }
 }
 
-TEST(LineSearch, expandsAlongAFlatSlope)
+TEST(LineSearch, ExpandsAlongAFlatSlope)
 {
   const auto result = search([](double t) { return t < 200 ? -1. : t - 200.; }, 1e-2);
   EXPECT_NEAR(result.step, 200, 0.02);
   EXPECT_LE(result.evaluations, 40);
 }
 
-TEST(LineSearch, endsWhereTheFunctionFallsForEver)
+TEST(LineSearch, EndsWhereTheFunctionFallsForEver)
 {
   const auto result = search([](double) { return -1.; });
   EXPECT_GE(result.step, 1000);
   EXPECT_TRUE(std::isfinite(result.step));
 }
 
-TEST(LineSearch, doesNotMoveAlongADirectionThatDoesNotDescend)
+TEST(LineSearch, DoesNotMoveAlongADirectionThatDoesNotDescend)
 {
   for (double start : {0., 1e-300, 3., infinity, std::nan("")}) {
     const auto result = searchFrom(
@@ -90,14 +90,14 @@ TEST(LineSearch, doesNotMoveAlongADirectionThatDoesNotDescend)
   }
 }
 
-TEST(LineSearch, survivesSlopesThatAreNoNumbers)
+TEST(LineSearch, SurvivesSlopesThatAreNoNumbers)
 {
   EXPECT_EQ(findSignChange([](double) { return std::nan(""); }, -1., 1e-2), 0);
   const auto wall = [](double t) { return t < 0.25 ? -1. : infinity; };
   EXPECT_NEAR(search(wall).step, 0.25, 1e-12);
 }
 
-TEST(LineSearch, worksAtAllMagnitudes)
+TEST(LineSearch, WorksAtAllMagnitudes)
 {
   for (double unit : {1e-290, 1e-30, 1e30, 1e290}) {
     const auto result = search([unit](double t) { return unit * (t - 0.3); });
@@ -110,7 +110,7 @@ TEST(LineSearch, worksAtAllMagnitudes)
 
 // A random convex function of kinks and parabolas: the step never passes its minimum, so that it
 // descends, and comes close to it.
-TEST(LineSearch, descendsForRandomConvexFunctions)
+TEST(LineSearch, DescendsForRandomConvexFunctions)
 {
   std::mt19937 generator(1);
   std::uniform_real_distribution<double> uniform(0, 1);

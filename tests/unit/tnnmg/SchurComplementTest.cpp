@@ -1,7 +1,7 @@
 #include "tnnmg/direct/SchurComplement.hpp"
 
 #include "ElasticModel.hpp"
-#include "base/Errors.hpp"
+#include "unit/base/Refusal.hpp"
 
 #include <Tpetra_CrsMatrix.hpp>
 #include <Tpetra_Map.hpp>
@@ -53,18 +53,6 @@ Eigen::MatrixXd dense(ConstBlockView const& S)
   return Eigen::Map<const Eigen::MatrixXd>(host.data(), host.extent_int(0), host.extent_int(1));
 }
 
-Eigen::MatrixXd part(Eigen::MatrixXd const& Z, std::vector<int> const& rows,
-                     std::vector<int> const& columns)
-{
-  Eigen::MatrixXd result(rows.size(), columns.size());
-  for (std::size_t i = 0; i < rows.size(); ++i) {
-    for (std::size_t j = 0; j < columns.size(); ++j) {
-      result(i, j) = Z(rows[i], columns[j]);
-    }
-  }
-  return result;
-}
-
 Eigen::VectorXd valuesOf(Vector const& x)
 {
   const auto view = x.getLocalViewHost(Tpetra::Access::ReadOnly);
@@ -88,9 +76,8 @@ void checkAgainstDense(ElasticModel const& model, std::vector<int> const& rows)
   const Eigen::MatrixXd Z = model.global;
   const auto others = otherRows(model, rows);
   const SchurComplement schur(*model.Z, rows);
-  const Eigen::LLT<Eigen::MatrixXd> inner(part(Z, others, others));
-  const Eigen::MatrixXd S =
-    part(Z, rows, rows) - part(Z, rows, others) * inner.solve(part(Z, others, rows));
+  const Eigen::LLT<Eigen::MatrixXd> inner(Z(others, others));
+  const Eigen::MatrixXd S = Z(rows, rows) - Z(rows, others) * inner.solve(Z(others, rows));
   EXPECT_LE((dense(schur.matrix()) - S).norm(), 1e-13 * Z.norm());
   EXPECT_EQ(dense(schur.matrix()), dense(schur.matrix()).transpose());
 
@@ -108,7 +95,7 @@ void checkAgainstDense(ElasticModel const& model, std::vector<int> const& rows)
 }
 } // namespace
 
-TEST(SchurComplement, meetsDenseEliminationOfTheFault)
+TEST(SchurComplement, MeetsDenseEliminationOfTheFault)
 {
   for (auto const& [components, tangents] : {std::pair(1, 1), {2, 1}, {2, 2}}) {
     const auto model = modelOf(components, tangents);
@@ -116,7 +103,7 @@ TEST(SchurComplement, meetsDenseEliminationOfTheFault)
   }
 }
 
-TEST(SchurComplement, keepsRowsInTheOrderTheyAreGiven)
+TEST(SchurComplement, KeepsRowsInTheOrderTheyAreGiven)
 {
   const auto model = modelOf();
   auto rows = faultRows(model);
@@ -126,7 +113,7 @@ TEST(SchurComplement, keepsRowsInTheOrderTheyAreGiven)
   checkAgainstDense(model, {37});
 }
 
-TEST(SchurComplement, eliminatesAllOrNothing)
+TEST(SchurComplement, EliminatesAllOrNothing)
 {
   const auto model = modelOf(1, 1);
   const int size = static_cast<int>(model.global.rows());
@@ -145,7 +132,7 @@ TEST(SchurComplement, eliminatesAllOrNothing)
 }
 
 // Values that do not solve S v = b: the other dofs still minimise.
-TEST(SchurComplement, expandsAnyValuesByTheMinimiserOfTheOthers)
+TEST(SchurComplement, ExpandsAnyValuesByTheMinimiserOfTheOthers)
 {
   const auto model = modelOf();
   const auto rows = faultRows(model);
@@ -162,7 +149,7 @@ TEST(SchurComplement, expandsAnyValuesByTheMinimiserOfTheOthers)
   }
 }
 
-TEST(SchurComplement, countsWhatItStores)
+TEST(SchurComplement, CountsWhatItStores)
 {
   const auto model = modelOf();
   const SchurComplement schur(*model.Z, faultRows(model));
@@ -172,7 +159,7 @@ TEST(SchurComplement, countsWhatItStores)
   EXPECT_GE(schur.bytes(), 8 * schur.factorEntries());
 }
 
-TEST(SchurComplement, refusesAMatrixThatIsNotDefinite)
+TEST(SchurComplement, RefusesAMatrixThatIsNotDefinite)
 {
   const auto model = modelOf();
   const auto rows = faultRows(model);
@@ -182,16 +169,13 @@ TEST(SchurComplement, refusesAMatrixThatIsNotDefinite)
     const double value = -1;
     broken.replaceLocalValues(row, 1, &value, &row);
     broken.fillComplete();
-    try {
-      const SchurComplement schur(broken, rows);
-      FAIL() << "row " << row;
-    } catch (SolveError const& error) {
-      EXPECT_NE(std::string(error.what()).find("not positive definite"), std::string::npos);
-    }
+    SCOPED_TRACE(row);
+    test::expectRefusal<SolveError>([&] { SchurComplement(broken, rows); },
+                                    {"not positive definite"});
   }
 }
 // To the last bit, whichever matrix was first: a restart sets other step sizes up first.
-TEST(SchurComplement, takesTheOrderOfAMatrixWithTheSameEntries)
+TEST(SchurComplement, TakesTheOrderOfAMatrixWithTheSameEntries)
 {
   const auto model = modelOf();
   const auto rows = faultRows(model);
@@ -210,7 +194,7 @@ TEST(SchurComplement, takesTheOrderOfAMatrixWithTheSameEntries)
               1e-12 * dense(alone.matrix()).norm());
 }
 
-TEST(EliminationOrder, knowsItsMatrixAgain)
+TEST(EliminationOrder, KnowsItsMatrixAgain)
 {
   // A path 0 - 1 - 2 - 3 - 4, and one whose ends meet.
   EliminationOrder order;

@@ -130,7 +130,7 @@ class TnnmgCase : public ::testing::TestWithParam<RateProblemOptions>
 };
 
 // On every number of ranks against the same answer, which no code of the package has seen.
-TEST_P(TnnmgCase, meetsCoordinateDescentOnAllDofs)
+TEST_P(TnnmgCase, MeetsCoordinateDescentOnAllDofs)
 {
   const RateProblem problem(GetParam());
   const auto reference = problem.reference();
@@ -142,7 +142,7 @@ TEST_P(TnnmgCase, meetsCoordinateDescentOnAllDofs)
   EXPECT_GT(result.v_cycles, 0);
 }
 
-TEST_P(TnnmgCase, meetsCoordinateDescentOnTheCondensedFault)
+TEST_P(TnnmgCase, MeetsCoordinateDescentOnTheCondensedFault)
 {
   const RateProblem problem(GetParam());
   if (problem.model.map->getComm()->getSize() > 1) {
@@ -158,7 +158,7 @@ TEST_P(TnnmgCase, meetsCoordinateDescentOnTheCondensedFault)
 }
 
 // The reference itself: nothing near it is lower, and it has the nodes that a case is about.
-TEST_P(TnnmgCase, hasAReferenceOfTheKindItNames)
+TEST_P(TnnmgCase, HasAReferenceOfTheKindItNames)
 {
   const RateProblem problem(GetParam());
   const auto reference = problem.reference();
@@ -183,7 +183,7 @@ TEST_P(TnnmgCase, hasAReferenceOfTheKindItNames)
   }
 }
 
-TEST_P(TnnmgCase, lowersEnergyInEveryIteration)
+TEST_P(TnnmgCase, LowersEnergyInEveryIteration)
 {
   const RateProblem problem(GetParam());
   const int size = static_cast<int>(problem.b.size());
@@ -207,7 +207,7 @@ TEST_P(TnnmgCase, lowersEnergyInEveryIteration)
   EXPECT_LE(before.value - least, 1e-6 * (start - least));
 }
 
-TEST_P(TnnmgCase, startsAtTheSolutionAndStaysThere)
+TEST_P(TnnmgCase, StartsAtTheSolutionAndStaysThere)
 {
   const RateProblem problem(GetParam());
   const auto reference = problem.reference();
@@ -240,7 +240,7 @@ struct RisingNodes : RoughNodes
   }
 };
 
-TEST(Tnnmg, countsEveryRiseOfTheEnergy)
+TEST(Tnnmg, CountsEveryRiseOfTheEnergy)
 {
   const RateProblem problem({1., 2, 1, Kind::both});
   auto once = tight();
@@ -250,7 +250,7 @@ TEST(Tnnmg, countsEveryRiseOfTheEnergy)
   EXPECT_EQ(result.rises, 2) << "after the sweeps and after the correction";
 }
 
-TEST(Tnnmg, keepsTheVelocityOfHeldNodes)
+TEST(Tnnmg, KeepsTheVelocityOfHeldNodes)
 {
   for (int tangents : {1, 2}) {
     const RateProblem problem({1., 2, tangents, Kind::both});
@@ -275,7 +275,7 @@ TEST(Tnnmg, keepsTheVelocityOfHeldNodes)
 
 // Of the forces at a node that is held in one direction only that in the other counts, however
 // large the former: the friction of neither node nor neighbour feels it.
-TEST(Tnnmg, slidesAlongWalls)
+TEST(Tnnmg, SlidesAlongWalls)
 {
   for (auto const kind : {Kind::logarithm, Kind::both}) {
     RateProblem problem({1., 2, 2, kind, {0, 1, 7, 10}});
@@ -299,7 +299,7 @@ TEST(Tnnmg, slidesAlongWalls)
   }
 }
 
-TEST(Tnnmg, saysThatItHasNotConverged)
+TEST(Tnnmg, SaysThatItHasNotConverged)
 {
   const RateProblem problem({1., 2, 1, Kind::both});
   auto settings = tight();
@@ -311,7 +311,7 @@ TEST(Tnnmg, saysThatItHasNotConverged)
   EXPECT_GT(result.last_change, 1e-13 * problem.energyNorm(v));
 }
 
-TEST(Tnnmg, stopsAtTheToleranceThatIsReachedFirst)
+TEST(Tnnmg, StopsAtTheToleranceThatIsReachedFirst)
 {
   const RateProblem problem({1., 2, 1, Kind::both});
   const auto reference = problem.reference();
@@ -350,7 +350,7 @@ private:
 };
 } // namespace
 
-TEST(Tnnmg, doesNotConvergeWhereANodeFailsOnAnyRank)
+TEST(Tnnmg, DoesNotConvergeWhereANodeFailsOnAnyRank)
 {
   const RateProblem problem({1e-3, 2, 1, Kind::both});
   auto const comm = problem.model.map->getComm();
@@ -401,7 +401,7 @@ private:
 };
 } // namespace
 
-TEST(Tnnmg, doesNotConvergeWhereNoCorrectionIsADescent)
+TEST(Tnnmg, DoesNotConvergeWhereNoCorrectionIsADescent)
 {
   const RateProblem problem({1., 2, 1, Kind::logarithm});
   const auto solve = [&](double factor) {
@@ -421,7 +421,7 @@ TEST(Tnnmg, doesNotConvergeWhereNoCorrectionIsADescent)
 }
 
 // Gauss-Seidel on the fault comes to rest against a body that nothing has moved.
-TEST(Tnnmg, doesNotConvergeWithoutCorrections)
+TEST(Tnnmg, DoesNotConvergeWithoutCorrections)
 {
   const RateProblem problem({1., 2, 1, Kind::logarithm});
   for (double value : {0., std::nan("")}) {
@@ -458,7 +458,7 @@ public:
 };
 } // namespace
 
-TEST(Tnnmg, countsHalfStepsThatRaiseTheEnergy)
+TEST(Tnnmg, CountsHalfStepsThatRaiseTheEnergy)
 {
   const RateProblem problem({1e-3, 2, 1, Kind::both});
   auto settings = tight();
@@ -468,7 +468,7 @@ TEST(Tnnmg, countsHalfStepsThatRaiseTheEnergy)
   EXPECT_EQ(result.rises, 3) << "one for each sweep, none for the corrections";
 }
 
-TEST(TnnmgBlocks, leavesOutKinkedHeldAndStiffNodes)
+TEST(TnnmgBlocks, LeavesOutKinkedHeldAndStiffNodes)
 {
   const BlockView dofs("dofs", 10, 10);
   const DenseRateMatrix Z(dofs, rcp(new Map(10, 0, rcp(new Teuchos::MpiComm<int>(MPI_COMM_SELF)))),

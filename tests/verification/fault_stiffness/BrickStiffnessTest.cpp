@@ -73,7 +73,7 @@ double errorOf(Slip slip, double proportion, int n)
 double square(double x) { return x * x; }
 } // namespace
 
-TEST(BrickStiffness, isThatOfRectanglesForSlipAcrossTheWave)
+TEST(BrickStiffness, IsThatOfRectanglesForSlipAcrossTheWave)
 {
   const double s = std::sin(M_PI / 32);
   for (double proportion : {1., 1 / std::sqrt(3.)}) {
@@ -85,7 +85,7 @@ TEST(BrickStiffness, isThatOfRectanglesForSlipAcrossTheWave)
 }
 
 // The limits were chosen when a sketch in Python had given 0.34 and 0.26 of the error of cubes.
-TEST(BrickStiffness, hasAThirdOfTheErrorOfCubesForSlipAlongTheWave)
+TEST(BrickStiffness, HasAThirdOfTheErrorOfCubesForSlipAlongTheWave)
 {
   const double cubes = errorOf(Slip::along_wave, 1, 32);
   EXPECT_GE(cubes, 0.3 * square(2 * M_PI / 32));

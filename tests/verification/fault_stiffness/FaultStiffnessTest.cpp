@@ -112,7 +112,7 @@ double errorOf(Rows const& rows, int components, int n)
 double square(double x) { return x * x; }
 } // namespace
 
-TEST(FaultStiffness, hasAnErrorOfSecondOrderOnSquares)
+TEST(FaultStiffness, HasAnErrorOfSecondOrderOnSquares)
 {
   for (int n : {12, 24, 48}) {
     const double s = std::sin(M_PI / n);
@@ -124,7 +124,7 @@ TEST(FaultStiffness, hasAnErrorOfSecondOrderOnSquares)
   }
 }
 
-TEST(FaultStiffness, hasAnErrorOfFourthOrderOnNarrowRowsForAntiplaneSlip)
+TEST(FaultStiffness, HasAnErrorOfFourthOrderOnNarrowRowsForAntiplaneSlip)
 {
   for (int n : {12, 24, 48}) {
     const double s = std::sin(M_PI / n);
@@ -133,7 +133,7 @@ TEST(FaultStiffness, hasAnErrorOfFourthOrderOnNarrowRowsForAntiplaneSlip)
   EXPECT_GE(errorOf(narrow, 1, 12) / errorOf(narrow, 1, 24), 12);
 }
 
-TEST(FaultStiffness, isThatOfNarrowRowsOnEquilateralTrianglesForAntiplaneSlip)
+TEST(FaultStiffness, IsThatOfNarrowRowsOnEquilateralTrianglesForAntiplaneSlip)
 {
   for (int n : {12, 24, 48}) {
     EXPECT_NEAR(errorOf(equilateral, 1, n), errorOf(narrow, 1, n), 1e-9) << n;
@@ -143,7 +143,7 @@ TEST(FaultStiffness, isThatOfNarrowRowsOnEquilateralTrianglesForAntiplaneSlip)
 // The limits were chosen when 0.012 and 0.024 were known. Antiplane slip is not asked for: it
 // wants narrow rows, and has an error of 0.2 % here. A wave of 24 cells: as many as a cohesive zone
 // of six cells, a quarter of a wave, asks for.
-TEST(FaultStiffness, hasAFiftiethOfTheErrorOnTheRowsOfBp3InPlaneStrain)
+TEST(FaultStiffness, HasAFiftiethOfTheErrorOnTheRowsOfBp3InPlaneStrain)
 {
   EXPECT_LE(std::abs(errorOf(of_bp3, 2, 24)), 0.02 * errorOf(squares, 2, 24));
   EXPECT_LE(std::abs(errorOf(of_bp3, 2, 24)), 0.05 * errorOf(equilateral, 2, 24));

@@ -199,14 +199,14 @@ void expectExact(HalfPlane const& upper, HalfPlane const& lower)
 } // namespace
 
 // Equal bodies: K = G k / (2 (1 - nu)), and the compression does not change.
-TEST(PeriodicSlip, ofEqualBodies)
+TEST(PeriodicSlip, OfEqualBodies)
 {
   const HalfPlane rock{3, 0.25};
   EXPECT_NEAR(exact(rock, rock).shear, 3 * wavenumber / (2 * 0.75), 1e-12);
   expectExact(rock, rock);
 }
 
-TEST(PeriodicSlip, ofDifferentBodies)
+TEST(PeriodicSlip, OfDifferentBodies)
 {
   expectExact({1, 0.25}, {4, 0.25});
   expectExact({4, 0.25}, {1, 0.25});

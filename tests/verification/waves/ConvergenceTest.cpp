@@ -49,7 +49,7 @@ double orderOf(double coarse, double fine) { return std::log2(coarse / fine); }
 // Errors of space and time partly cancel: their next terms weigh more than in either alone, and no
 // bound on the order follows from them. 0.03 was chosen after the result; at half the sizes these
 // terms are a quarter, below 0.01.
-TEST(Convergence, isOfSecondOrderInSpaceAndTimeWithTheTrapezoidalRule)
+TEST(Convergence, IsOfSecondOrderInSpaceAndTimeWithTheTrapezoidalRule)
 {
   for (Wave wave : {Wave::antiplane_shear, Wave::compression}) {
     auto const update = dynamics::RateUpdate::newmark(0.25);
@@ -65,7 +65,7 @@ TEST(Convergence, isOfSecondOrderInSpaceAndTimeWithTheTrapezoidalRule)
 
 // Space alone: time steps so short that they do not show. By Waves.hpp the error of the amplitude
 // is of order 2.012; its norm over the nodes, sqrt((2 + cos qh) / 3) of that, takes off 0.014.
-TEST(Convergence, isOfSecondOrderInSpace)
+TEST(Convergence, IsOfSecondOrderInSpace)
 {
   auto const update = dynamics::RateUpdate::newmark(0.25);
   const double coarse = errorOf(Wave::antiplane_shear, update, 8, 512);
@@ -75,7 +75,7 @@ TEST(Convergence, isOfSecondOrderInSpace)
 
 // Time alone: by Waves.hpp these steps give the order 0.961. What the mesh leaves over, 3.4e-4 of
 // 1.6e-2, takes off at most 0.015.
-TEST(Convergence, isOfFirstOrderInTimeWithBackwardEuler)
+TEST(Convergence, IsOfFirstOrderInTimeWithBackwardEuler)
 {
   auto const update = dynamics::RateUpdate::backwardEuler();
   const double coarse = errorOf(Wave::antiplane_shear, update, 64, 128);

@@ -50,28 +50,28 @@ void expectTheDiscreteWave(Wave wave, dynamics::RateUpdate const& update, double
 constexpr Wave waves[] = {Wave::antiplane_shear, Wave::shear, Wave::compression};
 } // namespace
 
-TEST(Dispersion, ofDampedWavesWithTheTrapezoidalRule)
+TEST(Dispersion, OfDampedWavesWithTheTrapezoidalRule)
 {
   for (Wave wave : waves) {
     expectTheDiscreteWave(wave, dynamics::RateUpdate::newmark(0.25), 1);
   }
 }
 
-TEST(Dispersion, ofUndampedWavesWithTheTrapezoidalRule)
+TEST(Dispersion, OfUndampedWavesWithTheTrapezoidalRule)
 {
   for (Wave wave : waves) {
     expectTheDiscreteWave(wave, dynamics::RateUpdate::newmark(0.25), 0);
   }
 }
 
-TEST(Dispersion, ofOverdampedWaves)
+TEST(Dispersion, OfOverdampedWaves)
 {
   for (Wave wave : waves) {
     expectTheDiscreteWave(wave, dynamics::RateUpdate::newmark(0.25), 40);
   }
 }
 
-TEST(Dispersion, ofDampedWavesWithBackwardEuler)
+TEST(Dispersion, OfDampedWavesWithBackwardEuler)
 {
   for (Wave wave : waves) {
     expectTheDiscreteWave(wave, dynamics::RateUpdate::backwardEuler(), 1);

@@ -101,7 +101,7 @@ INSTANTIATE_TEST_SUITE_P(Components, UndampedModes, ::testing::Values(1, 2));
 INSTANTIATE_TEST_SUITE_P(Components, DampedModes, ::testing::Values(1, 2));
 
 // cos(n 2 atan(w dt / 2)), however large the step.
-TEST_P(UndampedModes, swingAtTheFrequencyOfTheTrapezoidalRule)
+TEST_P(UndampedModes, SwingAtTheFrequencyOfTheTrapezoidalRule)
 {
   for (double w_dt : {0.02, 1., 10.}) {
     for (int which : {2, 7}) {
@@ -115,7 +115,7 @@ TEST_P(UndampedModes, swingAtTheFrequencyOfTheTrapezoidalRule)
   }
 }
 
-TEST_P(UndampedModes, keepTheEnergyOfAnyMotionWithTheTrapezoidalRule)
+TEST_P(UndampedModes, KeepTheEnergyOfAnyMotionWithTheTrapezoidalRule)
 {
   Stepper stepper(*model, dynamics::RateUpdate::newmark(0.25), dynamics::DyadicTime(5e-3, 4));
   auto state = model->restingState();
@@ -132,7 +132,7 @@ TEST_P(UndampedModes, keepTheEnergyOfAnyMotionWithTheTrapezoidalRule)
   }
 }
 
-TEST_P(UndampedModes, areDampedByBackwardEuler)
+TEST_P(UndampedModes, AreDampedByBackwardEuler)
 {
   for (double w_dt : {0.05, 2.}) {
     double w = 0;
@@ -143,7 +143,7 @@ TEST_P(UndampedModes, areDampedByBackwardEuler)
   }
 }
 
-TEST_P(DampedModes, decayAsTheyShould)
+TEST_P(DampedModes, DecayAsTheyShould)
 {
   for (double w_dt : {0.02, 1., 10.}) {
     for (int which : {2, 7}) {
