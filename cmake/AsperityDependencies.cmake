@@ -32,4 +32,12 @@ if(NOT HDF5_IS_PARALLEL)
 endif()
 add_library(Asperity::HDF5 INTERFACE IMPORTED)
 target_include_directories(Asperity::HDF5 SYSTEM INTERFACE ${HDF5_C_INCLUDE_DIRS})
-target_link_libraries(Asperity::HDF5 INTERFACE ${HDF5_C_LIBRARIES} MPI::MPI_C)
+# The file of a target, without its macros: what is compiled with other macros cannot share
+# precompiled headers (HDF5 2 has _FILE_OFFSET_BITS, the default on 64 bits).
+foreach(library IN LISTS HDF5_C_LIBRARIES)
+  if(TARGET ${library})
+    set(library "$<TARGET_FILE:${library}>")
+  endif()
+  target_link_libraries(Asperity::HDF5 INTERFACE "${library}")
+endforeach()
+target_link_libraries(Asperity::HDF5 INTERFACE MPI::MPI_C)
