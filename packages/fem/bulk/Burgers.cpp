@@ -10,7 +10,8 @@ namespace
 // rate p the modulus is
 //   1 / G(p) = 1 / G + 1 / (eta p) + 1 / (G2 + eta2 p)
 //   G(p) / G = p (p + b) / ((p + r1) (p + r2)) = sum of x_k p / (p + r_k),
-// r1 < b < r2 the roots of r^2 - (a + b + c) r + a b, with a = G / eta, b = G2 / eta2, c = G / eta2.
+// r1 < b < r2 the roots of r^2 - (a + b + c) r + a b with a = G / eta, b = G2 / eta2 and
+// c = G / eta2.
 struct Burgers
 {
   static constexpr char const* name = "Burgers";

@@ -9,10 +9,11 @@ namespace
 struct Maxwell
 {
   static constexpr char const* name = "Maxwell";
-  static constexpr Parameter parameters[] = {
-    {"Viscosity", "Pa s", no_default, 0, infinity, false, false,
-     "The rock flows with this viscosity. Its stress falls to 1/e in the relaxation time, viscosity "
-     "over shear modulus, at constant strain."}};
+  static constexpr Parameter parameters[] = {{"Viscosity", "Pa s", no_default, 0, infinity, false,
+                                              false,
+                                              "The rock flows with this viscosity. Its stress "
+                                              "falls to 1/e in the relaxation time, viscosity "
+                                              "over shear modulus, at constant strain."}};
 
   static std::vector<RelaxingShare> relaxation(double const* values, Material const& material)
   {

@@ -272,9 +272,9 @@ private:
 std::size_t regionOf(std::string const& name, std::vector<std::string> const& region_names)
 {
   auto const found = std::find(region_names.begin(), region_names.end(), name);
-  ASPERITY_REQUIRE(found != region_names.end(),
-                   bulk_path << " / " << in_regions << ": '" << name
-                             << "' is not a region of the mesh." << didYouMean(name, region_names));
+  ASPERITY_REQUIRE(found != region_names.end(), bulk_path << " / " << in_regions << ": '" << name
+                                                          << "' is not a region of the mesh."
+                                                          << didYouMean(name, region_names));
   return found - region_names.begin();
 }
 } // namespace

@@ -156,8 +156,10 @@ TEST(BulkSetup, refusesLawsOfRegionsThatDoNotExistOrFlowBackwards)
     return refusal([&] {
       makeRock(bulkList({{"Bulk Modulus", bulk}, {"Shear Modulus", shear}},
                         [&](ParameterList& given) {
-                          given.sublist("Regions").sublist(region).set("Law", "Maxwell").set(
-                            "Viscosity", viscosity);
+                          given.sublist("Regions")
+                            .sublist(region)
+                            .set("Law", "Maxwell")
+                            .set("Viscosity", viscosity);
                         }),
                mesh, *world());
     });

@@ -1,21 +1,22 @@
 """How the surface moves after an earthquake, and through cycles of earthquakes, where an elastic
 plate of thickness H lies on a Maxwell half space of the same shear modulus.
 
-Nur and Mavko (1974), Savage and Prescott (1978): images of the slip from the surface to the depth D,
-    F_0 = atan(D / x) / pi,   F_n = (atan((D + 2nH) / x) + atan((D - 2nH) / x)) / pi,
-the n-th of which has come by A_n(t) = 1 - exp(-t/t0) sum of (t/t0)^k / k! for k < n, t0 = 2 eta / G.
+Nur and Mavko (1974), Savage and Prescott (1978): images of the slip from the surface to the depth
+D, F_0 = atan(D / x) / pi, F_n = (atan((D + 2nH) / x) + atan((D - 2nH) / x)) / pi. By the time t
+A_n(t) = 1 - exp(-t/t0) sum of (t/t0)^k / k! for k < n of the n-th has come, t0 = 2 eta / G.
 One slip b moves x > 0 by b (F_0 + sum of A_n F_n). In cycles of length T at the plate rate Vp, the
 plate slipping at Vp between D and H, the velocity at the time t after an earthquake is
     Vp (1/2 - F_0 + sum of F_n (T sum of A_n'(t + m T) - 1)),   m = 0, 1, ...
 """
 
 import math
+import pathlib
 import sys
 
 import asperity_run
 import numpy
 
-DECK = asperity_run.SOURCE / "xml" / "savage_prescott.xml"
+DECK = pathlib.Path(__file__).with_name("savage_prescott.xml")
 D, H, CELL = 15e3, 20e3, 1000.0          # m
 T = 200 * 31557600.0                     # s
 PLATE_RATE, SLIP = 0.030 / 31557600, 1.0  # m/s, m
