@@ -4,7 +4,9 @@
 #include "base/Text.hpp"
 #include "base/program/Options.hpp"
 
+#include <algorithm>
 #include <ostream>
+#include <vector>
 
 namespace
 {
@@ -29,13 +31,17 @@ BenchArguments parseBenchArguments(int argc, char const* const* argv)
   if (arguments.help) {
     return arguments;
   }
-  ASPERITY_REQUIRE(words.size() == 2 && (words[0] == "steps" || words[0] == "stiffness"),
-                   "Give one of the commands steps and stiffness, and then DECK.xml. "
+  const std::vector<std::string> commands = {"steps", "kernels", "stiffness"};
+  ASPERITY_REQUIRE(words.size() == 2 &&
+                     std::find(commands.begin(), commands.end(), words[0]) != commands.end(),
+                   "Give one of the commands steps, kernels and stiffness, and then DECK.xml. "
                    "See asperity-bench --help.");
+  arguments.command = words[0];
   arguments.deck.deck = words[1];
-  if (words[0] == "stiffness") {
-    ASPERITY_REQUIRE(steps.empty(), "asperity-bench stiffness takes only the options --set, "
-                                    "--plugin and --output.");
+  if (arguments.command != "steps") {
+    ASPERITY_REQUIRE(steps.empty(), "asperity-bench " << arguments.command
+                                                      << " takes only the options --set, --plugin "
+                                                         "and --output.");
     return arguments;
   }
   ASPERITY_REQUIRE(!steps.empty(), "--steps is needed, e.g. --steps 20.");
@@ -57,6 +63,9 @@ void printBenchHelp(std::ostream& out)
        "  asperity-bench steps DECK.xml --steps N\n"
        "    The first N accepted steps of a deck, without outputs: what a coupled step costs, in\n"
        "    counts and in products with K; set-up and memory; the time of each kind of work.\n\n"
+       "  asperity-bench kernels DECK.xml\n"
+       "    How fast products, sweeps, transfers, V-cycles and friction's kernels run on the\n"
+       "    matrices of a deck, in bytes that they have to move, beside a STREAM triad.\n\n"
        "  asperity-bench stiffness DECK.xml\n"
        "    How slip stresses the fault of a deck in the plane on its mesh: the error of the\n"
        "    traction of waves of slip, and with --output FILE.txt the condensed matrix, for\n"

@@ -3,11 +3,13 @@
 #include "scenario/deck/CommandLine.hpp"
 
 #include <iosfwd>
+#include <string>
 
 struct BenchArguments
 {
+  std::string command;        // steps, kernels or stiffness
   asperity::CommandLine deck; // the deck, its overrides and plugins
-  int num_steps = 0;          // of `steps`; 0 for `stiffness`
+  int num_steps = 0;          // of `steps`
   std::string output;         // file for the numbers, "" for none
   bool help = false;
 };

@@ -1,6 +1,8 @@
 // asperity-bench steps DECK.xml --steps N [--set "Path/To/Parameter=value"]... [--output FILE.json]
+// asperity-bench kernels DECK.xml [--set ...]... [--output FILE.json]
 // asperity-bench stiffness DECK.xml [--set ...]... [--output FILE.txt]
 #include "BenchArguments.hpp"
+#include "Kernels.hpp"
 #include "Steps.hpp"
 #include "Stiffness.hpp"
 
@@ -44,9 +46,10 @@ int main(int argc, char** argv)
       asperity::loadPlugins(arguments.deck.plugins, asperity::scenario::registrations);
       // 3. Read the deck and measure.
       auto const deck = asperity::scenario::readCompleteDeck(arguments.deck);
-      auto const report = arguments.num_steps > 0
+      auto const report = arguments.command == "steps"
                             ? measureSteps(*deck, arguments.num_steps, communicator)
-                            : measureStiffness(*deck, communicator);
+                          : arguments.command == "kernels" ? measureKernels(*deck, communicator)
+                                                           : measureStiffness(*deck, communicator);
       // 4. Print the table and write the file.
       if (speaks) {
         std::cout << report.table << std::flush;

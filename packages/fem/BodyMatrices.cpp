@@ -110,12 +110,9 @@ BodyMatrices assembleBody(Mesh<Dim> const& mesh, DofMap const& dofs, NodalFrames
   auto result =
     assembleOn<Dim, Components>(graph, mesh, dofs, frames, longTerm(materials, branches));
   for (auto const& branch : branches) {
-    std::vector<Material> of_branch(materials.size());
-    for (std::size_t cell = 0; cell < of_branch.size(); ++cell) {
-      of_branch[cell].shear_modulus = branch.moduli[cell];
-    }
-    result.branches.push_back(
-      {branch.time, assembleOn<Dim, Components>(graph, mesh, dofs, frames, of_branch).stiffness});
+    auto const of_branch =
+      assembleOn<Dim, Components>(graph, mesh, dofs, frames, materialsOf(branch));
+    result.branches.push_back({branch.time, of_branch.stiffness});
   }
   return result;
 }

@@ -15,4 +15,13 @@ std::vector<Material> longTerm(std::vector<Material> materials,
   }
   return materials;
 }
+
+std::vector<Material> materialsOf(MaxwellBranch const& branch)
+{
+  std::vector<Material> materials(branch.moduli.size());
+  for (std::size_t cell = 0; cell < materials.size(); ++cell) {
+    materials[cell].shear_modulus = branch.moduli[cell];
+  }
+  return materials;
+}
 } // namespace asperity::fem

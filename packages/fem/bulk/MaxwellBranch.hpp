@@ -20,4 +20,7 @@ struct MaxwellBranch
 // The same materials with G_inf as shear modulus, (num_cells).
 std::vector<Material> longTerm(std::vector<Material> materials,
                                std::vector<MaxwellBranch> const& branches);
+
+// Those of the branch: its shear moduli alone, (num_cells).
+std::vector<Material> materialsOf(MaxwellBranch const& branch);
 } // namespace asperity::fem

@@ -191,11 +191,10 @@ CellStress<Dim>::CellStress(Mesh<Dim> const& mesh, int components,
   gradients_ = gradients;
   materials_ = toDevice(of_cells, "asperity::fem::materialsOfCells");
   for (auto const& branch : branches) {
-    std::vector<Material> of_branch(cells.size());
-    for (std::size_t c = 0; c < cells.size(); ++c) {
-      of_branch[c].shear_modulus = branch.moduli[cells[c]];
-    }
-    branches_.push_back(toDevice(of_branch, "asperity::fem::branchOfCells"));
+    auto const of_branch = materialsOf(branch);
+    std::transform(cells.begin(), cells.end(), of_cells.begin(),
+                   [&](int cell) { return of_branch[cell]; });
+    branches_.push_back(toDevice(of_cells, "asperity::fem::branchOfCells"));
   }
 }
 

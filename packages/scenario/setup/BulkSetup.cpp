@@ -1,8 +1,10 @@
 #include "scenario/setup/BulkSetup.hpp"
 
+#include "base/NearestName.hpp"
 #include "base/parallel/Gather.hpp"
 #include "fem/Simplex.hpp"
 #include "fem/bulk/BulkLaw.hpp"
+#include "parameters/ParameterValue.hpp"
 #include "scenario/setup/DeckPaths.hpp"
 #include "scenario/setup/ParameterTable.hpp"
 
@@ -20,6 +22,21 @@ constexpr char const* shear_modulus = "Shear Modulus";
 constexpr char const* poisson = "Poisson's Ratio";
 constexpr char const* radiation_damping = "Radiation Damping";
 constexpr char const* law_choice = "Law";
+constexpr char const* in_regions = "Regions";
+
+void declareLaw(Declare& declare, std::string const& meaning)
+{
+  declareChoice(declare, law_choice, "Kelvin-Voigt", fem::bulkLaws(), meaning);
+}
+
+RCP<const ParameterList> lawsOfRegions()
+{
+  Declare one;
+  declareLaw(one, "Selects the law of the rock in the region.");
+  return Declare()
+    .sublist("<region>", one.list(), "Names a region of the mesh and gives the law of its rock.")
+    .list();
+}
 } // namespace
 
 RCP<const ParameterList> bulkParameters()
@@ -56,9 +73,12 @@ RCP<const ParameterList> bulkParameters()
     .realArray("Gravity Direction", std::vector<double>{0., -1.}, "-", Range::any(),
                "Gravity points in the direction of this vector in x, y and, in three dimensions, z "
                "(0 if left out). Its length has no effect.");
-  declareChoice(declare, law_choice, "Kelvin-Voigt", fem::bulkLaws(),
-                "Selects the law that gives the viscosity of the rock. Without viscosity the body "
-                "is elastic.");
+  declareLaw(declare, "Selects the law of the rock: how it creeps or flows. Kelvin-Voigt: it damps "
+                      "waves; without viscosity it is elastic. Maxwell: its shear stress relaxes. "
+                      "Burgers: it has a transient part of the strain, too.");
+  declare.openSublist(in_regions, lawsOfRegions(),
+                      "Each entry is a region of the mesh whose rock has a law of its own, with "
+                      "its parameters; the law above holds in the others.");
   return declare.list();
 }
 
@@ -177,10 +197,6 @@ private:
   std::optional<Field> bulk_, shear_, poisson_;
   bool antiplane_;
 };
-} // namespace
-
-namespace
-{
 // Each one costs a matrix, a vector of the state, and a product in every step.
 constexpr std::size_t most_branches = 8;
 
@@ -219,6 +235,45 @@ branchesOf(std::vector<std::vector<fem::RelaxingShare>> const& of_cells,
   }
   return branches;
 }
+// A law and its parameters as fields.
+class LawOfRock
+{
+public:
+  LawOfRock(ParameterList const& list, std::string const& path,
+            std::vector<std::string> const& region_names)
+      : law_(fem::bulkLaws().at(list.get<std::string>(law_choice)))
+  {
+    for (auto const& parameter : law_.parameters) {
+      fields_.push_back(steadyField(list, parameter.name, path, region_names));
+    }
+    values_.resize(fields_.size());
+  }
+
+  // Completes the material of a cell with this centroid; returns what relaxes in it.
+  std::vector<fem::RelaxingShare> apply(std::array<double, 3> const& x, int region,
+                                        fem::Material& material)
+  {
+    std::transform(fields_.begin(), fields_.end(), values_.begin(),
+                   [&](Field const& field) { return field(x, 0, region); });
+    law_.complete(values_.data(), material);
+    return law_.relaxation(values_.data(), material);
+  }
+
+private:
+  fem::BulkLaw law_;
+  std::vector<Field> fields_;
+  std::vector<double> values_;
+};
+
+// The index of the region in the mesh.
+std::size_t regionOf(std::string const& name, std::vector<std::string> const& region_names)
+{
+  auto const found = std::find(region_names.begin(), region_names.end(), name);
+  ASPERITY_REQUIRE(found != region_names.end(), bulk_path << " / " << in_regions << ": '" << name
+                                                          << "' is not a region of the mesh."
+                                                          << didYouMean(name, region_names));
+  return found - region_names.begin();
+}
 } // namespace
 
 template <int Dim>
@@ -227,12 +282,12 @@ Rock makeRock(ParameterList const& list, Mesh<Dim> const& mesh, Communicator con
   auto const& regions = mesh.region_names;
   const Elasticity elasticity(list, regions);
   auto const density = steadyField(list, "Density", bulk_path, regions);
-  auto const& law = fem::bulkLaws().at(list.get<std::string>(law_choice));
-  std::vector<Field> fields;
-  for (auto const& parameter : law.parameters) {
-    fields.push_back(steadyField(list, parameter.name, bulk_path, regions));
+  std::vector<LawOfRock> laws(regions.size(), LawOfRock(list, bulk_path, regions));
+  auto const& own_laws = list.sublist(in_regions);
+  for (auto const& name : namesIn(own_laws)) {
+    auto const path = joinPath(joinPath(bulk_path, in_regions), name);
+    laws[regionOf(name, regions)] = LawOfRock(own_laws.sublist(name), path, regions);
   }
-  std::vector<double> values(fields.size());
   std::vector<fem::Material> materials(mesh.cells.size());
   std::vector<std::vector<fem::RelaxingShare>> relaxation;
   for (std::size_t cell = 0; cell < mesh.cells.size(); ++cell) {
@@ -241,10 +296,7 @@ Rock makeRock(ParameterList const& list, Mesh<Dim> const& mesh, Communicator con
     auto& material = materials[cell];
     material.density = density(x, 0, region);
     elasticity.set(material, x, region);
-    std::transform(fields.begin(), fields.end(), values.begin(),
-                   [&](Field const& field) { return field(x, 0, region); });
-    law.complete(values.data(), material);
-    relaxation.push_back(law.relaxation(values.data(), material));
+    relaxation.push_back(laws[region].apply(x, region, material));
   }
   auto branches = branchesOf(relaxation, materials, communicator);
   return {std::move(materials), std::move(branches)};

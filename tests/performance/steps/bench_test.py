@@ -41,6 +41,29 @@ class Steps(unittest.TestCase):
         self.check("wedge_2d.xml", "--set", "Mesh/Wedge/Height=0.3")
 
 
+class Kernels(unittest.TestCase):
+    def test_all_are_measured(self):
+        output = pathlib.Path("kernels.json")
+        output.unlink(missing_ok=True)
+        result = bench("kernels", DECKS / "bp5_qd.xml", "--set",
+                       "Mesh/Box/Cell Size Factor=8", "--output", output)
+        self.assertEqual(result.returncode, 0, result.stderr)
+        kernels = json.loads(output.read_text())
+        names = [kernel["kernel"] for kernel in kernels]
+        self.assertEqual(len(set(names)), len(names))
+        for name in ("STREAM triad", "product with K, rows in double", "V-cycle", "restriction",
+                     "friction, block problems", "friction, state update"):
+            self.assertIn(name, names)
+            self.assertIn(f"| {name} | ", result.stdout)
+        for kernel in kernels:
+            self.assertGreater(kernel["bytes"], 0, kernel)
+            self.assertGreater(kernel["share_of_triad"], 0, kernel)
+        in_bytes = {kernel["kernel"]: kernel["bytes"] for kernel in kernels}
+        # In single precision, with an index for each of 9 numbers.
+        self.assertLess(in_bytes["product with Z, blocks in single"],
+                        0.45 * in_bytes["product with K, rows in double"])
+
+
 class BadInput(unittest.TestCase):
     def test_is_refused(self):
         deck = DECKS / "bp5_qd.xml"

@@ -108,6 +108,64 @@ TEST(BulkSetup, EvaluatesFieldsByRegionAndPlace)
   }
 }
 
+// The modulus of the shares, and 1 / G(p) of a Maxwell and a Kelvin element one after the other.
+TEST(BulkSetup, RelaxesAsTheElementsOfBurgers)
+{
+  const auto mesh = twoRegions();
+  const auto list =
+    bulkList({{"Bulk Modulus", bulk}, {"Shear Modulus", shear}}, [](ParameterList& given) {
+      given.set("Law", "Burgers").set("Viscosity", "x < 1 ? 3e6 : 1e9");
+      given.set("Transient Viscosity", 2e5).set("Transient Shear Modulus", 4e6);
+    });
+  const auto rock = makeRock(list, mesh, *world());
+  ASSERT_EQ(rock.branches.size(), 4u);
+  for (std::size_t cell = 0; cell < mesh.cells.size(); ++cell) {
+    const double viscosity = mesh.region_names[mesh.cell_regions[cell]] == "left" ? 3e6 : 1e9;
+    for (const double p : {1e-6, 1e-2, 1., 30., 1e4}) {
+      double modulus = 0;
+      for (auto const& branch : rock.branches) {
+        modulus += branch.moduli[cell] * p / (p + 1 / branch.time);
+      }
+      const double expected = 1 / (1 / shear + 1 / (viscosity * p) + 1 / (4e6 + 2e5 * p));
+      EXPECT_NEAR(modulus, expected, 1e-12 * expected) << p;
+    }
+  }
+}
+
+TEST(BulkSetup, GivesRegionsLawsOfTheirOwn)
+{
+  const auto mesh = twoRegions();
+  const auto list =
+    bulkList({{"Bulk Modulus", bulk}, {"Shear Modulus", shear}}, [](ParameterList& given) {
+      given.set("Shear Viscosity", 7.);
+      given.sublist("Regions").sublist("right").set("Law", "Maxwell").set("Viscosity", 5e6);
+    });
+  const auto rock = makeRock(list, mesh, *world());
+  ASSERT_EQ(rock.branches.size(), 1u);
+  EXPECT_NEAR(rock.branches[0].time, 5, 1e-14);
+  for (std::size_t cell = 0; cell < mesh.cells.size(); ++cell) {
+    const bool flows = mesh.region_names[mesh.cell_regions[cell]] == "right";
+    EXPECT_EQ(rock.branches[0].moduli[cell], flows ? shear : 0);
+    EXPECT_EQ(rock.materials[cell].shear_viscosity, flows ? 0 : 7);
+  }
+}
+
+TEST(BulkSetup, RefusesLawsOfRegionsThatDoNotExistOrFlowBackwards)
+{
+  const auto mesh = twoRegions();
+  const auto make = [&mesh](char const* region, double viscosity) {
+    makeRock(bulkList({{"Bulk Modulus", bulk}, {"Shear Modulus", shear}},
+                      [&](ParameterList& given) {
+                        auto& own = given.sublist("Regions").sublist(region);
+                        own.set("Law", "Maxwell").set("Viscosity", viscosity);
+                      }),
+             mesh, *world());
+  };
+  expectRefusal([&] { make("rigt", 1e6); }, {"Asperity / Bulk / Regions", "'rigt'", "'right'"});
+  expectRefusal([&] { make("right", -1e6); },
+                {"Asperity / Bulk / Regions / right / Viscosity", "outside (0, inf)"});
+}
+
 TEST(BulkSetup, RefusesFieldsThatLeaveTheirRangeSomewhere)
 {
   const auto mesh = twoRegions();

@@ -27,6 +27,15 @@ PER_SLIP = {
     "Bilateral": 4 * (1 - POISSON) / (3 - 4 * POISSON),
 }
 
+# law of bulk: entries of the deck in units of the shear modulus, and the modulus at the rate s
+LAWS = {
+    "Kelvin-Voigt": (("Shear Viscosity",), lambda s, time: 1 + time * s),
+    "Maxwell": (("Viscosity",), lambda s, time: 1 / (1 + 1 / (time * s))),
+    "Burgers": (("Viscosity", "Transient Viscosity", "Transient Shear Modulus"),
+                lambda s, time, transient, modulus:
+                1 / (1 + 1 / (time * s) + 1 / (modulus + transient * s))),
+}
+
 
 @dataclasses.dataclass(frozen=True)
 class Case:
@@ -37,7 +46,8 @@ class Case:
     final_time: float = 3
     wave_speed: float = 1    # of shear waves, m/s
     damping: float = None    # eta in Pa s/m; None: left to the deck's default
-    viscous_time: float = 0  # viscosity over shear modulus, s
+    law: str = "Kelvin-Voigt"  # a key of LAWS
+    of_law: tuple = (0,)     # its entries over the shear modulus, s and -
     scheme: str = "Generalised Alpha"
 
     def __str__(self):
@@ -46,8 +56,8 @@ class Case:
             details.append(f"c = {self.wave_speed:g} m/s")
         if self.damping is not None:
             details.append(f"eta = {self.damping:g} Pa s/m")
-        if self.viscous_time > 0:
-            details.append(f"viscous, {self.viscous_time:g} s")
+        if any(self.of_law):
+            details.append(f"{self.law} {self.of_law}")
         return ", ".join(details)
 
     @property
@@ -68,13 +78,15 @@ class Case:
 
     def stiffness_at(self, s):
         """K(s) + eta s per slip."""
-        G = self.shear_modulus
-        density = G / self.wave_speed**2 if self.dynamics == "Inertial" else 0
+        density = self.shear_modulus / self.wave_speed**2 if self.dynamics == "Inertial" else 0
+        G = self.shear_modulus * LAWS[self.law][1](s, *self.of_law)
         if self.model == "Antiplane":
-            body = linear_body.Antiplane(Q, HEIGHT, G, density, self.viscous_time * G)
+            body = linear_body.Antiplane(Q, HEIGHT, G, density)
         else:
+            bulk = 2 * self.shear_modulus * (1 + POISSON) / (3 * (1 - 2 * POISSON))  # elastic
+            poisson = (3 * bulk - 2 * G) / (2 * (3 * bulk + G))
             free_normal = self.model == "Plane Strain"
-            body = linear_body.PlaneStrain(Q, HEIGHT, G, density, POISSON, free_normal)
+            body = linear_body.PlaneStrain(Q, HEIGHT, G, density, poisson, free_normal)
         return body.stiffness(s) / self.slip_factor + self.radiation_damping * s
 
     def options(self):
@@ -83,7 +95,9 @@ class Case:
         settings = {
             "Bulk/Shear Modulus": self.shear_modulus,
             "Bulk/Density": self.shear_modulus / self.wave_speed**2,
-            "Bulk/Shear Viscosity": self.viscous_time * self.shear_modulus,
+            "Bulk/Law": self.law,
+            **{f"Bulk/{name}": value * self.shear_modulus
+               for name, value in zip(LAWS[self.law][0], self.of_law)},
             "Bulk/Dynamics": "Inertial" if self.dynamics == "Inertial" else "Quasi-dynamic",
             "Friction/State Evolution": self.state_law,
             "Friction/Shear Traction": STEADY_FRICTION + self.radiation_damping * FAULT.V,
@@ -121,7 +135,13 @@ CASES = [
     Case("Antiplane", "Inertial", 1.5, final_time=8),
     Case("Plane Strain", "Inertial", 0.5, "Slip"),
     Case("Bilateral", "Inertial", 0.5),
-    Case("Antiplane", "Static", 0.5, viscous_time=0.03),
+    Case("Antiplane", "Static", 0.5, of_law=(0.03,)),
+    Case("Antiplane", "Static", 0.5, law="Maxwell", of_law=(0.5,)),
+    Case("Antiplane", "Inertial", 0.5, law="Maxwell", of_law=(1,)),
+    Case("Bilateral", "Static", 0.5, law="Maxwell", of_law=(0.5,)),
+    Case("Plane Strain", "Quasi-dynamic", 0.4, "Slip", wave_speed=4, law="Burgers",
+         of_law=(4, 0.5, 1)),
+    Case("Bilateral", "Inertial", 0.6, law="Burgers", of_law=(2, 0.2, 0.5)),
 ]
 
 

@@ -1,7 +1,8 @@
 """K(s), the shear traction per unit displacement at the face of a strip, for disturbances e^(st).
 
 The strip is 0 < y < H with the fault at y = 0. Along the fault slip varies as cos(qx), and so does
-what it causes; the top moves as it is driven, whatever the disturbance. s may be an array.
+what it causes; the top moves as it is driven, whatever the disturbance. s may be an array, and
+moduli those of a viscoelastic body at each s.
 """
 
 import dataclasses
@@ -17,12 +18,10 @@ class Antiplane:
     height: float
     shear_modulus: float
     density: float = 0  # 0: quasi-static
-    shear_viscosity: float = 0
 
     def stiffness(self, s):
-        modulus = self.shear_modulus + self.shear_viscosity * s  # Kelvin-Voigt
-        k = numpy.sqrt(self.q**2 + self.density * s**2 / modulus)
-        return modulus * k / numpy.tanh(k * self.height)
+        k = numpy.sqrt(self.q**2 + self.density * s**2 / self.shear_modulus)
+        return self.shear_modulus * k / numpy.tanh(k * self.height)
 
 
 @dataclasses.dataclass(frozen=True)

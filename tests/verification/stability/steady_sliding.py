@@ -34,7 +34,7 @@ def rates(fault, stiffness, iterations=40):
     """All roots with Im s >= 0 that Newton's method finds from a grid of starts, the one with the
     largest real part first; stiffness(s) is K + eta s, s an array."""
     scale = fault.V / fault.L
-    x, y = numpy.meshgrid(numpy.linspace(-1, 1, 11), numpy.linspace(0, 4, 21))
+    x, y = numpy.meshgrid(numpy.linspace(-1, 1, 11), numpy.linspace(1e-6, 4, 21))
     s, step = scale * (x + 1j * y).ravel(), 1e-6 * scale
     for _ in range(iterations):
         around = numpy.stack((s - step, s, s + step))

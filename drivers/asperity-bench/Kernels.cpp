@@ -1,0 +1,321 @@
+#include "Kernels.hpp"
+
+#include "base/Errors.hpp"
+#include "base/Views.hpp"
+#include "base/parallel/Reductions.hpp"
+#include "dynamics/RateUpdate.hpp"
+#include "multigrid/Cycle.hpp"
+#include "multigrid/NodeKernels.hpp"
+#include "multigrid/Sweeps.hpp"
+#include "portability/Renamed.hpp"
+#include "scenario/Problem.hpp"
+#include "scenario/setup/MeshSetup.hpp"
+#include "tnnmg/SparseRateMatrix.hpp"
+#include "tnnmg/hierarchy/MultigridHierarchy.hpp"
+#include "tnnmg/multigrid/MultigridParameters.hpp"
+
+#include <Kokkos_Core.hpp>
+#include <Tpetra_CrsMatrix.hpp>
+#include <Tpetra_Vector.hpp>
+
+#include <algorithm>
+#include <chrono>
+#include <iomanip>
+#include <limits>
+#include <numeric>
+#include <sstream>
+#include <string>
+#include <type_traits>
+#include <vector>
+
+using namespace asperity;
+
+namespace
+{
+using Host = Kokkos::DefaultHostExecutionSpace;
+constexpr double real = sizeof(double), single = sizeof(float), index = sizeof(int);
+
+// Of all ranks together.
+struct Kernel
+{
+  std::string name;
+  std::string space; // where it runs
+  double bytes;      // that it has to move at least
+  double seconds;    // the least of several runs, of the slowest rank
+  double triad;      // [bytes/s] in that space
+};
+
+double now()
+{
+  const auto since = std::chrono::steady_clock::now().time_since_epoch();
+  return std::chrono::duration<double>(since).count();
+}
+
+// prepare() comes before each run and is not timed. Collective.
+template <class Prepare, class Run>
+double leastSeconds(Communicator const& communicator, Prepare const& prepare, Run const& run)
+{
+  constexpr double long_enough = 0.5; // s, of all runs
+  double least = std::numeric_limits<double>::infinity();
+  double total = 0;
+  for (int i = 0; i < 5 || total < long_enough; ++i) {
+    prepare();
+    Kokkos::fence();
+    communicator.barrier();
+    const double start = now();
+    run();
+    Kokkos::fence();
+    const double seconds = maxOverRanks(now() - start, communicator);
+    least = std::min(least, seconds);
+    total += seconds;
+  }
+  return least;
+}
+
+// a = b + 3 c (McCalpin 1995).
+template <class Space>
+Kernel triad(Communicator const& communicator)
+{
+  constexpr int size = 1 << 24; // 134 MB each
+  using View = Kokkos::View<double*, typename Space::memory_space>;
+  const View a("a", size), b("b", size), c("c", size);
+  Kokkos::deep_copy(b, 1.);
+  Kokkos::deep_copy(c, 2.);
+  const double seconds = leastSeconds(
+    communicator, [] {},
+    [&] {
+      Kokkos::parallel_for(
+        "triad", Kokkos::RangePolicy<Space>(0, size),
+        KOKKOS_LAMBDA(int i) { a(i) = b(i) + 3 * c(i); });
+    });
+  const double bytes = sumOverRanks(3 * real * size, communicator);
+  return {"STREAM triad", Space::name(), bytes, seconds, bytes / seconds};
+}
+
+class Meter
+{
+public:
+  explicit Meter(Communicator const& communicator) : communicator_(communicator)
+  {
+    kernels_.push_back(triad<ExecutionSpace>(communicator));
+    on_device_ = on_host_ = kernels_.back().triad;
+    if (!std::is_same<ExecutionSpace, Host>::value) {
+      kernels_.push_back(triad<Host>(communicator));
+      on_host_ = kernels_.back().triad;
+    }
+  }
+
+  // bytes: of this rank. Collective.
+  template <class Space, class Prepare, class Run>
+  void measure(std::string const& name, double bytes, Prepare const& prepare, Run const& run)
+  {
+    kernels_.push_back({name, Space::name(), sumOverRanks(bytes, communicator_),
+                        leastSeconds(communicator_, prepare, run),
+                        std::is_same<Space, Host>::value ? on_host_ : on_device_});
+  }
+  template <class Space, class Run>
+  void measure(std::string const& name, double bytes, Run const& run)
+  {
+    measure<Space>(
+      name, bytes, [] {}, run);
+  }
+
+  std::vector<Kernel> const& kernels() const { return kernels_; }
+
+private:
+  Communicator const& communicator_;
+  std::vector<Kernel> kernels_;
+  double on_device_ = 0, on_host_ = 0; // triads [bytes/s]
+};
+
+// What a pass over all blocks reads, without vectors.
+double bytesOfBlocks(multigrid::NodeGraph const& graph)
+{
+  return static_cast<double>(graph.bytes()) + single * graph.numCouplings() * graph.blockSize();
+}
+
+// A sweep reads all blocks but those of the diagonal, whose inverses stand apart, and goes over
+// four vectors.
+double bytesOfSweep(multigrid::Level const& level)
+{
+  auto const& graph = level.graph;
+  return bytesOfBlocks(graph) + 2 * index * graph.num_rows +
+         4 * single * static_cast<double>(graph.rows());
+}
+
+double bytesOfTransfer(multigrid::Level const& level)
+{
+  auto const& graph = level.prolongation;
+  return bytesOfBlocks(graph) +
+         single * static_cast<double>(2 * graph.rows() + graph.columnsWithGhosts());
+}
+
+double bytesOfCycle(multigrid::Hierarchy const& hierarchy)
+{
+  double sum = real * hierarchy.coarsest.num_rows * hierarchy.coarsest.num_rows; // both halves
+  for (std::size_t l = 0; l + 1 < hierarchy.levels.size(); ++l) {
+    sum += 2 * (bytesOfSweep(hierarchy.levels[l]) + bytesOfTransfer(hierarchy.levels[l]));
+  }
+  return sum;
+}
+
+multigrid::NodeBlocks invertedDiagonal(multigrid::Level const& level,
+                                       multigrid::NodeBlocks const& A,
+                                       std::vector<char> const& held)
+{
+  multigrid::NodeBlocks inverse(level.graph.rows() * level.graph.row_size);
+  multigrid::withBlockSizes(level.graph.row_size, level.graph.row_size, [&](auto rows, auto) {
+    constexpr int N = decltype(rows)::value;
+    for (int row = 0; row < level.graph.num_rows; ++row) {
+      double block[N][N];
+      std::copy_n(&A[static_cast<std::size_t>(level.before[row]) * N * N], N * N, &block[0][0]);
+      multigrid::invertFree(
+        block, [&](int c) { return held[row * N + c] == 0; },
+        &inverse[static_cast<std::size_t>(row) * N * N]);
+    }
+  });
+  return inverse;
+}
+
+void measureProducts(Meter& meter, dynamics::Body const& body)
+{
+  auto const& K = *body.matrices.stiffness;
+  const auto x = body.vector(), y = body.vector();
+  x->randomize();
+  const auto rows = static_cast<double>(numLocalRows(K));
+  meter.measure<ExecutionSpace>(
+    "product with K, rows in double",
+    static_cast<double>(numLocalEntries(K)) * (real + sizeof(LocalOrdinal)) +
+      rows * (sizeof(std::size_t) + real) + real * static_cast<double>(numLocalColumns(K)),
+    [&] { K.apply(*x, *y); });
+}
+
+void measureMultigrid(Meter& meter, dynamics::Body const& body, RCP<const CrsMatrix> const& Z,
+                      fem::FaultSurface const& surface,
+                      dynamics::RateSolverSettings const& settings)
+{
+  const tnnmg::detail::MultigridParameters parameters(settings.multigrid, body.dofs->components());
+  const tnnmg::detail::MultigridHierarchy hierarchy({[&] { return Z; }}, body.dofs->components(),
+                                                    body.near_null_space, surface.dofs(),
+                                                    parameters.aggregation);
+  auto const& level = hierarchy.levels().front();
+  auto const A = hierarchy.finestBlocks(*Z);
+  auto const& flags = body.held.flags();
+  const std::vector<char> held(flags.begin(), flags.begin() + body.numOwnedDofs());
+  multigrid::NodeVector b(level.graph.rows(), 1.f), x(level.graph.columnsWithGhosts(), 1.f);
+  multigrid::NodeVector residual(b.size());
+  auto y = b;
+  meter.measure<Host>("product with Z, blocks in single",
+                      bytesOfBlocks(level.graph) + single * static_cast<double>(3 * b.size()),
+                      [&] { multigrid::multiplyAdd(level.graph, level.chunks, A, x, y); });
+  auto const inverse = invertedDiagonal(level, A, held);
+  multigrid::withBlockSizes(level.graph.row_size, level.graph.row_size, [&](auto rows, auto) {
+    const multigrid::Sweeps<decltype(rows)::value> sweeps(level, A, inverse);
+    meter.measure<Host>("forward sweep and residual", bytesOfSweep(level),
+                        [&] { sweeps.forward(b, x, residual); });
+  });
+  if (hierarchy.levels().size() > 1) {
+    multigrid::NodeVector coarse(level.prolongation.columnsWithGhosts());
+    std::vector<multigrid::NodeVector> parts;
+    meter.measure<Host>("restriction", bytesOfTransfer(level), [&] {
+      multigrid::multiplyTransposed(level.prolongation, level.chunks, level.P, residual, coarse,
+                                    parts);
+    });
+    meter.measure<Host>("prolongation", bytesOfTransfer(level), [&] {
+      multigrid::multiplyAdd(level.prolongation, level.chunks, level.P, coarse, x);
+    });
+  }
+  multigrid::Cycle cycle(hierarchy.shared(), {1.}, A, held, {}); // nothing is added
+  ASPERITY_REQUIRE(cycle.setup({}, {}),
+                   "The matrix of a step is not positive definite: nothing holds the body.");
+  meter.measure<Host>("V-cycle", bytesOfCycle(*hierarchy.shared()), [&] { cycle.run(b, false); });
+}
+
+// Block problems whose solution is 1 um/s, from a guess of 1 nm/s, and a second of the state there.
+void measureFriction(Meter& meter, dynamics::Fault const& fault, dynamics::State const& state,
+                     RCP<const CrsMatrix> const& Z)
+{
+  auto const& surface = fault.surface();
+  const int num_nodes = surface.numNodes(), T = surface.numTangents();
+  const tnnmg::SparseRateMatrix matrix(Z, {surface.dofs(), surface.heldDofs(), surface.colours()});
+  ConstNodeView const& curvature = matrix.curvature();
+  const BlockView v("v", num_nodes, T), r("r", num_nodes, T);
+  const HessianView hessian("hessian", num_nodes, T, T);
+  const FlagView kinked("kinked", num_nodes);
+  auto const at = fault.given(state);
+  constexpr double solution = 1e-6, guess = 1e-9; // m/s
+  const auto alongFirst = [&](double speed) {
+    Kokkos::deep_copy(v, 0.);
+    Kokkos::deep_copy(Kokkos::subview(v, Kokkos::ALL(), 0), speed);
+  };
+  alongFirst(solution);
+  fault.friction().linearise(v, at, r, hessian, kinked);
+  Kokkos::parallel_for(
+    "force", RangePolicy(0, num_nodes),
+    KOKKOS_LAMBDA(int node) { r(node, 0) += curvature(node) * solution; });
+  std::vector<int> all(num_nodes);
+  std::iota(all.begin(), all.end(), 0);
+  const IndexView nodes = toDevice(all, "nodes");
+  const double each = 5 + fault.laws().friction_parameters.extent_int(0); // at, weight, ...
+  meter.measure<ExecutionSpace>(
+    "friction, block problems", num_nodes * (index + real * (1 + 3 * T + each)),
+    [&] { alongFirst(guess); }, [&] { fault.friction().minimise(nodes, curvature, r, at, v); });
+  const NodeView V("V", num_nodes), alpha("alpha", num_nodes);
+  Kokkos::deep_copy(V, solution);
+  meter.measure<ExecutionSpace>(
+    "friction, state update", num_nodes * real * (3 + fault.laws().state_parameters.extent_int(0)),
+    [&] { fault.state().flow(V, 1, state.alpha, alpha); });
+}
+
+template <int Dim>
+std::vector<Kernel> kernelsOf(ParameterList const& deck,
+                              RCP<const Communicator> const& communicator)
+{
+  const auto problem = scenario::makeProblem<Dim>(deck, communicator);
+  auto const& body = problem.body;
+  const double tau = deck.sublist("Time Stepping").template get<double>("Largest Step");
+  auto const weights = dynamics::RateUpdate::backwardEuler().weights(tau, body.matrices);
+  const RCP<const CrsMatrix> Z = fem::combine(body.matrices, weights, body.held);
+  Meter meter(*communicator);
+  measureProducts(meter, body);
+  measureMultigrid(meter, body, Z, *problem.surface, problem.solver);
+  measureFriction(meter, problem.fault, problem.initial, Z);
+  return meter.kernels();
+}
+
+std::string tableOf(std::vector<Kernel> const& kernels)
+{
+  std::ostringstream out;
+  out << "\n| kernel | space | MB | ms | GB/s | of the triad |\n|---|---|---|---|---|---|\n"
+      << std::setprecision(3);
+  for (auto const& kernel : kernels) {
+    const double rate = kernel.bytes / kernel.seconds;
+    out << "| " << kernel.name << " | " << kernel.space << " | " << kernel.bytes / 1e6 << " | "
+        << 1e3 * kernel.seconds << " | " << rate / 1e9 << " | " << rate / kernel.triad << " |\n";
+  }
+  return out.str();
+}
+
+std::string jsonOf(std::vector<Kernel> const& kernels)
+{
+  std::ostringstream out;
+  char const* before = "[";
+  for (auto const& kernel : kernels) {
+    out << before << "{\"kernel\": \"" << kernel.name << "\", \"space\": \"" << kernel.space
+        << "\", \"bytes\": " << std::setprecision(12) << kernel.bytes
+        << ", \"seconds\": " << kernel.seconds
+        << ", \"share_of_triad\": " << kernel.bytes / kernel.seconds / kernel.triad << '}';
+    before = ",\n ";
+  }
+  out << "]\n";
+  return out.str();
+}
+} // namespace
+
+Report measureKernels(ParameterList const& deck, RCP<const Communicator> const& communicator)
+{
+  auto const kernels = scenario::meshDimension(deck.sublist("Mesh"), *communicator) == 2
+                         ? kernelsOf<2>(deck, communicator)
+                         : kernelsOf<3>(deck, communicator);
+  return {tableOf(kernels), jsonOf(kernels)};
+}

@@ -1,0 +1,40 @@
+#include "fem/bulk/BulkLaw.hpp"
+
+#include <cmath>
+
+namespace asperity::fem
+{
+namespace
+{
+// A Maxwell element (G, eta) and a Kelvin element (G2, eta2) one after the other. At the complex
+// rate p the modulus is
+//   1 / G(p) = 1 / G + 1 / (eta p) + 1 / (G2 + eta2 p)
+//   G(p) / G = p (p + b) / ((p + r1) (p + r2)) = sum of x_k p / (p + r_k),
+// r1 < b < r2 the roots of r^2 - (a + b + c) r + a b with a = G / eta, b = G2 / eta2 and
+// c = G / eta2.
+struct Burgers
+{
+  static constexpr char const* name = "Burgers";
+  static constexpr Parameter parameters[] = {
+    {"Viscosity", "Pa s", no_default, 0, infinity, false, false,
+     "The rock flows with this viscosity in the long term (that of the Maxwell element)."},
+    {"Transient Viscosity", "Pa s", no_default, 0, infinity, false, false,
+     "This viscosity delays the transient part of the strain (that of the Kelvin element)."},
+    {"Transient Shear Modulus", "Pa", no_default, 0, infinity, false, false,
+     "This modulus bounds the transient part of the strain (that of the Kelvin element)."}};
+
+  static std::vector<RelaxingShare> relaxation(double const* values, Material const& material)
+  {
+    const double G = material.shear_modulus;
+    const double a = G / values[0], b = values[2] / values[1], c = G / values[1];
+    // r2 - r1, not below |a - b + c|
+    const double between = std::hypot(a - b + c, 2 * std::sqrt(b * c));
+    const double fast = (a + b + c + between) / 2;
+    const double share_of_fast = (1 + (a - b + c) / between) / 2; // (r2 - b) / (r2 - r1)
+    return {{1 - share_of_fast, fast / (a * b)}, {share_of_fast, 1 / fast}};
+  }
+};
+} // namespace
+} // namespace asperity::fem
+
+ASPERITY_REGISTER_BULK_LAW(asperity::fem::Burgers)
