@@ -95,22 +95,19 @@ int colourHeaviest(CrsGraph const& graph, Neighbourhood const& neighbourhood,
 
 Colouring gather(CrsGraph const& graph, ColourVector const& colours)
 {
-  Colouring result;
   const auto host = colours.getLocalViewHost(Tpetra::Access::ReadOnly);
-  for (std::size_t row = 0; row < numLocalRows(graph); ++row) {
-    result.colour.push_back(host(row, 0));
-  }
+  const auto num_rows = static_cast<LocalOrdinal>(numLocalRows(graph));
   int mine = 0;
-  for (int colour : result.colour) {
-    mine = std::max(mine, colour + 1);
+  for (LocalOrdinal row = 0; row < num_rows; ++row) {
+    mine = std::max(mine, host(row, 0) + 1);
   }
-  result.num_colours = maxOverRanks(mine, *graph.getComm());
-  result.rows.resize(result.num_colours);
-  for (std::size_t row = 0; row < result.colour.size(); ++row) {
-    result.rows[result.colour[row]].push_back(static_cast<LocalOrdinal>(row));
+  Colouring result(maxOverRanks(mine, *graph.getComm()));
+  for (LocalOrdinal row = 0; row < num_rows; ++row) {
+    result[host(row, 0)].push_back(row);
   }
   return result;
 }
+
 // For each column of the graph the id of its node, that is, the global id of the node's first dof;
 // -1 for a column of no node.
 IdVector nodesOfColumns(CrsGraph const& graph, HostDofs const& dofs)
@@ -167,7 +164,10 @@ Colouring colourNodes(CrsGraph const& graph)
   return gather(graph, colours);
 }
 
-Colouring colourNodes(CrsGraph const& graph_of_dofs, NodeDofView const& dofs)
+namespace
+{
+// Nodes, numbered as in dofs, by what couples their rows.
+Colouring colourNodesOf(CrsGraph const& graph_of_dofs, NodeDofView const& dofs)
 {
   const HostDofs host = toHost(dofs);
   const auto of_column = nodesOfColumns(graph_of_dofs, host);
@@ -191,13 +191,14 @@ Colouring colourNodes(CrsGraph const& graph_of_dofs, NodeDofView const& dofs)
   graph.fillComplete();
   return colourNodes(graph);
 }
+} // namespace
 
 std::vector<IndexView> colourFreeNodes(CrsGraph const& graph, NodeDofView const& dofs,
                                        std::vector<int> const& held)
 {
   auto const host = toHost(dofs);
   std::vector<IndexView> colours;
-  for (auto const& nodes : colourNodes(graph, dofs).rows) {
+  for (auto const& nodes : colourNodesOf(graph, dofs)) {
     std::vector<int> free;
     for (int node : nodes) {
       int num_held = 0;

@@ -87,11 +87,6 @@ void AddedBlocks::addTo(NodeBlocks& A, std::vector<double> const& H) const
   }
 }
 
-std::size_t AddedBlocks::bytes() const
-{
-  return sizeof(float) * Q.size() + sizeof(int) * couplings.size();
-}
-
 void Level::complete(int num_threads)
 {
   chunks = Chunks(graph.first, num_threads);
@@ -103,24 +98,5 @@ void Level::complete(int num_threads)
     before.push_back(k);
     after.push_back(k + (k < graph.first[row + 1] && graph.columns[k] == row ? 1 : 0));
   }
-}
-
-std::size_t Level::bytes() const
-{
-  std::size_t sum = graph.bytes() + prolongation.bytes() + added.bytes() +
-                    sizeof(int) * (before.size() + after.size()) + sizeof(float) * P.size();
-  for (auto const& term : terms) {
-    sum += sizeof(float) * term.size();
-  }
-  return sum;
-}
-
-std::size_t Hierarchy::bytes() const
-{
-  std::size_t sum = 0;
-  for (auto const& level : levels) {
-    sum += level.bytes();
-  }
-  return sum;
 }
 } // namespace asperity::multigrid

@@ -29,7 +29,6 @@ struct AddedBlocks
 
   // A += Q^T H Q, for the blocks H (num nodes, T, T) of this rank's nodes. Collective.
   void addTo(NodeBlocks& A, std::vector<double> const& H) const;
-  std::size_t bytes() const;
 };
 
 struct Level
@@ -45,7 +44,6 @@ struct Level
 
   // Sets before, after and chunks from the graph.
   void complete(int num_threads = Chunks::numThreads());
-  std::size_t bytes() const;
 };
 
 // The rows of the coarsest level in a matrix of all ranks.
@@ -68,7 +66,5 @@ struct Hierarchy
 {
   std::vector<Level> levels;
   CoarsestRows coarsest;
-
-  std::size_t bytes() const; // on this rank
 };
 } // namespace asperity::multigrid

@@ -73,7 +73,6 @@ struct NodeGraph
   int find(int row, int column) const;
   void share(NodeVector& x) const;
   void gather(NodeVector& x) const;
-  std::size_t bytes() const { return sizeof(int) * (first.size() + columns.size()); }
 };
 
 // Blocks in the order of the couplings, row by row, in single precision: the matrices of a

@@ -1,6 +1,7 @@
 #include "dynamics/coupling/RateSolver.hpp"
 
 #include "base/program/WorkTimers.hpp"
+#include "dynamics/coupling/SharedMultigrid.hpp"
 #include "portability/Renamed.hpp"
 #include "tnnmg/DenseRateMatrix.hpp"
 #include "tnnmg/SparseRateMatrix.hpp"
@@ -11,8 +12,6 @@
 #include <Tpetra_CrsMatrix.hpp>
 #include <Tpetra_Map.hpp>
 
-#include <algorithm>
-#include <iterator>
 #include <optional>
 #include <utility>
 
@@ -41,11 +40,6 @@ std::shared_ptr<const tnnmg::DenseRateMatrix> condensed(tnnmg::SchurComplement c
   }
   return std::make_shared<tnnmg::DenseRateMatrix>(schur.matrix(), schur.map(),
                                                   surface.numTangents(), held);
-}
-
-tnnmg::NonlinearNodes nodesOf(fem::FaultSurface const& surface)
-{
-  return {surface.dofs(), surface.heldDofs(), surface.colours()};
 }
 
 // Linear functionals N w of the minimiser w over all dofs but those of the fault, as functions of
@@ -204,12 +198,6 @@ private:
   std::optional<CondensedFunctionals> reactions_;
 };
 
-tnnmg::MultigridProblem multigridProblem(RCP<const CrsMatrix> const& Z, Body const& body,
-                                         tnnmg::NonlinearNodes const& nodes)
-{
-  return {Z, body.dofs->components(), body.near_null_space, body.held.ownedOnDevice(), nodes};
-}
-
 // TNNMG on all dofs of all ranks.
 class FullRateSolver final : public TnnmgRateSolver
 {
@@ -247,54 +235,7 @@ private:
   RCP<const CrsMatrix> Z_, reactions_;
   std::shared_ptr<const tnnmg::MultigridCorrection> correction_;
 };
-
-std::vector<tnnmg::MultigridTerms::MatrixSource> termsOf(Body const& body, bool has_mass,
-                                                         bool has_viscosity)
-{
-  const auto term = [&](fem::Weights const& weights) {
-    return [&body, weights]() -> RCP<const CrsMatrix> {
-      return fem::combine(body.matrices, weights, body.held);
-    };
-  };
-  std::vector<tnnmg::MultigridTerms::MatrixSource> terms = {term(fem::ofElasticity(body.matrices))};
-  if (has_mass) {
-    terms.emplace_back(term(fem::ofMass()));
-  }
-  if (has_viscosity) {
-    terms.emplace_back(term(fem::ofViscosity()));
-  }
-  for (std::size_t k = 0; k < body.matrices.branches.size(); ++k) {
-    terms.emplace_back(term(fem::ofBranch(body.matrices, k)));
-  }
-  return terms;
-}
 } // namespace
-
-SharedMultigrid::SharedMultigrid(Body const& body, fem::FaultSurface const& surface,
-                                 RateSolverSettings const& settings)
-    : has_mass_(!body.matrices.is_massless)
-    , has_viscosity_(body.matrices.viscosity->getFrobeniusNorm() > 0)
-{
-  // Of the problem only its nodes are read, no matrix.
-  terms_ = tnnmg::MultigridTerms(termsOf(body, has_mass_, has_viscosity_),
-                                 multigridProblem(Teuchos::null, body, nodesOf(surface)),
-                                 settings.multigrid);
-}
-
-std::vector<double> SharedMultigrid::weights(fem::Weights const& Z) const
-{
-  std::vector<double> result = {Z.stiffness};
-  if (has_mass_) {
-    result.push_back(Z.mass);
-  }
-  if (has_viscosity_) {
-    result.push_back(Z.viscosity);
-  }
-  // The first term has the branches, too.
-  std::transform(Z.branches.begin(), Z.branches.end(), std::back_inserter(result),
-                 [&](double weight) { return weight - Z.stiffness; });
-  return result;
-}
 
 std::unique_ptr<RateSolver> makeRateSolver(RCP<const CrsMatrix> const& Z, Body const& body,
                                            fem::FaultSurface const& surface,
@@ -313,8 +254,7 @@ std::unique_ptr<RateSolver> makeRateSolver(RCP<const CrsMatrix> const& Z, Body c
   }
   auto const nodes = nodesOf(surface);
   auto const correction = std::make_shared<tnnmg::MultigridCorrection>(
-    multigridProblem(Z, body, nodes), settings.multigrid,
-    shared.multigrid ? shared.multigrid->terms() : tnnmg::MultigridTerms(), shared.weights);
+    multigridProblem(Z, body, nodes), settings.multigrid, shared.terms, shared.weights);
   return std::make_unique<FullRateSolver>(Z, nodes, correction, settings.tnnmg, reactions);
 }
 } // namespace asperity::dynamics

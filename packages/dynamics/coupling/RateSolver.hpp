@@ -54,29 +54,12 @@ public:
   virtual std::size_t bytes() const = 0; // estimated memory on this rank
 };
 
-// What multigrid solvers of all Z of a body share, which are sums of its matrices.
-class SharedMultigrid
-{
-public:
-  // Throws SolveError if MueLu's set-up fails. Collective.
-  SharedMultigrid(Body const& body, fem::FaultSurface const& surface,
-                  RateSolverSettings const& settings);
-
-  tnnmg::MultigridTerms const& terms() const { return terms_; }
-  std::vector<double> weights(fem::Weights const& Z) const; // of the terms
-
-private:
-  bool has_mass_ = false, has_viscosity_ = false;
-  // The stiffness of the elastic body, mass and viscosity unless they are zero, and each branch.
-  tnnmg::MultigridTerms terms_;
-};
-
 // What a solver takes over from those of other Z of the same body, where it is there.
 struct SharedSetup
 {
-  std::shared_ptr<const SharedMultigrid> multigrid; // may be null
-  std::vector<double> weights;                      // of its terms in this Z
-  tnnmg::EliminationOrder* order = nullptr;         // of the direct correction; may be null
+  tnnmg::MultigridTerms terms;              // may be none
+  std::vector<double> weights;              // of the terms in this Z
+  tnnmg::EliminationOrder* order = nullptr; // of the direct correction; may be null
 };
 
 // The rows of held dofs in Z must have their diagonal entries only. reactions: the matrix N (any

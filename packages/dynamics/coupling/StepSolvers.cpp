@@ -57,11 +57,12 @@ RateSolver& StepSolvers::at(int level)
   const RCP<const CrsMatrix> across = reaction_ ? reaction_->rows(weights) : Teuchos::null;
   try {
     if (settings_.correction == Correction::multigrid && !shared_) {
-      shared_ = std::make_shared<const SharedMultigrid>(body_, surface_, settings_);
+      shared_.emplace(body_, surface_, settings_.multigrid);
     }
     auto const Z = fem::combine(body_.matrices, weights, body_.held);
-    SharedSetup shared{shared_, {}, &order_};
+    SharedSetup shared{{}, {}, &order_};
     if (shared_) {
+      shared.terms = shared_->terms();
       shared.weights = shared_->weights(weights);
     }
     solver = makeRateSolver(Z, body_, surface_, settings_, across, shared);

@@ -3,11 +3,13 @@
 #include "dynamics/DyadicTime.hpp"
 #include "dynamics/RateUpdate.hpp"
 #include "dynamics/coupling/RateSolver.hpp"
+#include "dynamics/coupling/SharedMultigrid.hpp"
 #include "dynamics/fault/NormalReaction.hpp"
 
 #include <list>
 #include <map>
 #include <memory>
+#include <optional>
 
 namespace asperity::dynamics
 {
@@ -46,8 +48,8 @@ private:
   DyadicTime clock_;
   RateSolverSettings settings_;
   std::shared_ptr<const NormalReaction> reaction_;
-  std::shared_ptr<const SharedMultigrid> shared_; // made with the first solver, if multigrid
-  tnnmg::EliminationOrder order_; // of the direct correction, that of all step sizes
+  std::optional<SharedMultigrid> shared_; // made with the first solver, if multigrid
+  tnnmg::EliminationOrder order_;         // of the direct correction, that of all step sizes
   std::size_t budget_bytes_;
   std::size_t bytes_ = 0;
   std::map<int, Kept> solvers_;

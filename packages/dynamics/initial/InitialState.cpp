@@ -1,6 +1,7 @@
 #include "dynamics/initial/InitialState.hpp"
 
 #include "base/Errors.hpp"
+#include "dynamics/coupling/SharedMultigrid.hpp"
 #include "dynamics/fault/FaultMotion.hpp"
 #include "tnnmg/direct/SchurComplement.hpp"
 
@@ -34,12 +35,8 @@ void solveByMultigrid(RCP<const CrsMatrix> const& K, Body const& body,
   Teuchos::ParameterList list(parameters);
   list.set("Method", "CG");      // a few cycles would not meet the tolerance
   list.set("Hierarchy", "Keep"); // without friction there are no Hessians
-  tnnmg::MultigridCorrection multigrid({K,
-                                        body.dofs->components(),
-                                        body.near_null_space,
-                                        body.held.ownedOnDevice(),
-                                        {none, body.held.flagsOnDevice(), {}}},
-                                       list);
+  tnnmg::MultigridCorrection multigrid(
+    multigridProblem(K, body, {none, body.held.flagsOnDevice(), {}}), list);
   auto const result = multigrid.solve({}, b, 1e-12, u);
   if (!result.converged) {
     std::ostringstream message;

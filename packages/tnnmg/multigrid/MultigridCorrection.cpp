@@ -80,7 +80,7 @@ struct MultigridCorrection::Implementation
     nodes->set(blocks);
     if (parameters.rebuilds && preconditioner->outdatedShare() > parameters.outdated_share) {
       preconditioner->rebuild();
-      ++statistics.rebuilds;
+      ++rebuilds;
     } else {
       preconditioner->setup();
     }
@@ -104,7 +104,7 @@ struct MultigridCorrection::Implementation
   RCP<const detail::MultigridOperator> A;
   RCP<detail::MultigridPreconditioner> preconditioner;
   Vector residual;
-  MultigridStatistics statistics;
+  int rebuilds = 0;
 };
 
 Teuchos::RCP<const Teuchos::ParameterList> MultigridCorrection::validParameters()
@@ -119,8 +119,6 @@ MultigridTerms::MultigridTerms(std::vector<MatrixSource> const& terms, Multigrid
         detail::MultigridParameters(parameters, like.components).aggregation))
 {
 }
-
-std::size_t MultigridTerms::bytes() const { return hierarchy_ ? hierarchy_->shared()->bytes() : 0; }
 
 MultigridCorrection::MultigridCorrection(MultigridProblem const& problem,
                                          Teuchos::ParameterList const& parameters,
@@ -151,9 +149,6 @@ CorrectionResult MultigridCorrection::solve(NonlinearBlocks const& blocks, Vecto
   result.converged = outcome.converged;
   result.iterations = outcome.iterations;
   result.v_cycles = self.preconditioner->numCycles() - cycles_before;
-  ++self.statistics.solves;
-  self.statistics.iterations += result.iterations;
-  self.statistics.v_cycles += result.v_cycles;
   return result;
 }
 
@@ -161,5 +156,5 @@ void MultigridCorrection::reset() { implementation_->preconditioner->forgetHessi
 
 std::size_t MultigridCorrection::bytes() const { return implementation_->preconditioner->bytes(); }
 
-MultigridStatistics MultigridCorrection::statistics() const { return implementation_->statistics; }
+int MultigridCorrection::rebuilds() const { return implementation_->rebuilds; }
 } // namespace asperity::tnnmg

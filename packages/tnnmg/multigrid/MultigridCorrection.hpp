@@ -17,15 +17,6 @@ namespace detail
 class MultigridHierarchy;
 }
 
-// The effort of a multigrid correction since it was made.
-struct MultigridStatistics
-{
-  int solves = 0;
-  int iterations = 0; // of conjugate gradients, or V-cycles if they are used alone
-  int v_cycles = 0;   // of the solves
-  int rebuilds = 0;   // Hessians brought into the coarse levels
-};
-
 // What multigrid needs to know about Z in addition to its entries. All vectors live on Z's row map.
 struct MultigridProblem
 {
@@ -52,7 +43,6 @@ public:
                  Teuchos::ParameterList const& parameters);
 
   bool empty() const { return !hierarchy_; }
-  std::size_t bytes() const; // on this rank
 
 private:
   friend class MultigridCorrection;
@@ -82,7 +72,7 @@ public:
                          Vector& c) override;
   void reset() override;
 
-  MultigridStatistics statistics() const;
+  int rebuilds() const;      // how often Hessians were brought into the coarse levels
   std::size_t bytes() const; // of this correction alone, on this rank
 
   // What a run takes for each unknown, with corrections for three step sizes, as measured

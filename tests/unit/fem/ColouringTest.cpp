@@ -8,8 +8,9 @@
 #include <Tpetra_Map.hpp>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <functional>
-#include <map>
+#include <numeric>
 #include <vector>
 
 namespace asperity::fem
@@ -71,8 +72,10 @@ std::vector<GlobalOrdinal> latticeNeighbours(GlobalOrdinal id)
 std::vector<int> globalColours(CrsGraph const& graph, Colouring const& colouring)
 {
   std::vector<int> mine(graph.getGlobalNumRows(), 0);
-  for (std::size_t row = 0; row < colouring.colour.size(); ++row) {
-    mine[graph.getRowMap()->getGlobalElement(static_cast<int>(row))] = colouring.colour[row];
+  for (std::size_t colour = 0; colour < colouring.size(); ++colour) {
+    for (LocalOrdinal row : colouring[colour]) {
+      mine[graph.getRowMap()->getGlobalElement(row)] = static_cast<int>(colour);
+    }
   }
   std::vector<int> all(mine.size(), 0);
   Teuchos::reduceAll(*graph.getComm(), Teuchos::REDUCE_SUM, static_cast<int>(mine.size()),
@@ -92,21 +95,22 @@ int checkColouring(GlobalOrdinal num_nodes, Neighbours const& neighbours,
   const auto reference = colourNodes(*alone);
 
   EXPECT_EQ(colours, globalColours(*alone, reference));
-  EXPECT_EQ(colouring.num_colours, reference.num_colours);
+  EXPECT_EQ(colouring.size(), reference.size());
   for (GlobalOrdinal id = 0; id < num_nodes; ++id) {
     for (GlobalOrdinal other : neighbours(id)) {
       EXPECT_TRUE(other == id || colours[id] != colours[other]) << id << " and " << other;
     }
   }
-  std::size_t num_listed = 0;
-  for (int colour = 0; colour < colouring.num_colours; ++colour) {
-    for (LocalOrdinal row : colouring.rows[colour]) {
-      EXPECT_EQ(colouring.colour[row], colour);
-      ++num_listed;
-    }
+  std::vector<LocalOrdinal> listed;
+  for (auto const& rows : colouring) {
+    EXPECT_TRUE(std::is_sorted(rows.begin(), rows.end()));
+    listed.insert(listed.end(), rows.begin(), rows.end());
   }
-  EXPECT_EQ(num_listed, numLocalRows(*spread));
-  return colouring.num_colours;
+  std::sort(listed.begin(), listed.end());
+  std::vector<LocalOrdinal> all(numLocalRows(*spread));
+  std::iota(all.begin(), all.end(), 0);
+  EXPECT_EQ(listed, all);
+  return static_cast<int>(colouring.size());
 }
 } // namespace
 

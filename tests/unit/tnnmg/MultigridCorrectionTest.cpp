@@ -160,7 +160,7 @@ TEST(MultigridCorrection, MildHessiansAreSolvedWithBothHierarchies)
     const auto answer = solve(correction, model, state, r);
     EXPECT_TRUE(answer.result.converged);
     checkSolution(model, state, r, answer.correction);
-    EXPECT_EQ(correction.statistics().rebuilds, hierarchy == "Rebuild" ? 1 : 0);
+    EXPECT_EQ(correction.rebuilds(), hierarchy == "Rebuild" ? 1 : 0);
   }
 }
 
@@ -176,7 +176,7 @@ TEST(MultigridCorrection, SmallStepsNeedNoHessiansOnCoarseLevels)
     // Hessians of all sizes keep this from bounding the residual: 10 was chosen after the result.
     EXPECT_LE(solve(correction, model, state, rightHandSide(model)).result.iterations, 10);
   }
-  EXPECT_EQ(correction.statistics().rebuilds, 0);
+  EXPECT_EQ(correction.rebuilds(), 0);
 }
 
 // On coarse levels a truncated node counts like one whose Hessian rivals Z.
@@ -187,19 +187,18 @@ TEST(MultigridCorrection, CoarseLevelsFollowWhenManyNodesChange)
   MultigridCorrection correction(model.problem(), parameters());
   FaultState state(model, Truncation::none, -9, -8);
   solve(correction, model, state, r);
-  EXPECT_EQ(correction.statistics().rebuilds, 0) << "these Hessians do not count";
+  EXPECT_EQ(correction.rebuilds(), 0) << "these Hessians do not count";
   state.truncated.back() = 1;
   solve(correction, model, state, r);
-  EXPECT_EQ(correction.statistics().rebuilds, 0) << "for one node of 40";
+  EXPECT_EQ(correction.rebuilds(), 0) << "for one node of 40";
 
   const FaultState truncated(model, Truncation::left_half, -9, -8);
   const auto followed = solve(correction, model, truncated, r);
-  EXPECT_EQ(correction.statistics().rebuilds, 1);
+  EXPECT_EQ(correction.rebuilds(), 1);
   solve(correction, model, truncated, r);
-  EXPECT_EQ(correction.statistics().rebuilds, 1);
+  EXPECT_EQ(correction.rebuilds(), 1);
   solve(correction, model, state, r);
-  EXPECT_EQ(correction.statistics().rebuilds, 2);
-  EXPECT_EQ(correction.statistics().solves, 5);
+  EXPECT_EQ(correction.rebuilds(), 2);
 
   auto kept_parameters = parameters();
   kept_parameters.set("Hierarchy", "Keep");
@@ -219,7 +218,7 @@ TEST(MultigridCorrection, CoarseLevelsFollowHessiansOfAnotherMagnitude)
     const FaultState state(model, Truncation::none, exponent, exponent);
     checkSolution(model, state, r, solve(correction, model, state, r).correction);
     rebuilds += exponent == -1.0 ? 0 : 1; // a factor of two is let pass
-    EXPECT_EQ(correction.statistics().rebuilds, rebuilds) << exponent;
+    EXPECT_EQ(correction.rebuilds(), rebuilds) << exponent;
   }
 }
 
@@ -233,7 +232,7 @@ TEST(MultigridCorrection, WorksWhereZDoesNotCoupleTheTangents)
     const FaultState state(model, truncation, -2, 2);
     checkSolution(model, state, r, solve(correction, model, state, r).correction);
   }
-  EXPECT_GT(correction.statistics().rebuilds, 0);
+  EXPECT_GT(correction.rebuilds(), 0);
   correction.reset();
   const FaultState state(model, Truncation::none, -2, 2);
   checkSolution(model, state, r, solve(correction, model, state, r).correction);
@@ -272,13 +271,13 @@ TEST(MultigridCorrection, ResetForgetsEarlierSolves)
       MultigridCorrection fresh(model.problem(), parameters());
       MultigridCorrection used(model.problem(), parameters());
       solve(used, model, FaultState(model, Truncation::left_half, -2, 2), r);
-      EXPECT_EQ(used.statistics().rebuilds, 1);
+      EXPECT_EQ(used.rebuilds(), 1);
       used.reset();
       const Eigen::VectorXd difference =
         solve(fresh, model, state, r).correction - solve(used, model, state, r).correction;
       EXPECT_EQ(difference.norm(), 0);
-      EXPECT_EQ(fresh.statistics().rebuilds, of_hessians ? 1 : 0);
-      EXPECT_EQ(used.statistics().rebuilds, of_hessians ? 2 : 1);
+      EXPECT_EQ(fresh.rebuilds(), of_hessians ? 1 : 0);
+      EXPECT_EQ(used.rebuilds(), of_hessians ? 2 : 1);
     }
   }
 }
@@ -387,7 +386,7 @@ TEST(MultigridCorrection, SharesProlongatorsAndProjectedTerms)
   sum.Z = Z;
   const MultigridTerms terms({[&] { return stiff.Z; }, [&] { return heavy.Z; }}, stiff.problem(),
                              parameters());
-  EXPECT_GT(terms.bytes(), 0U);
+  EXPECT_FALSE(terms.empty());
   MultigridCorrection shared(sum.problem(), parameters(), terms, {3, 0.5});
   MultigridCorrection own(sum.problem(), parameters());
   const auto r = rightHandSide(sum);
