@@ -40,6 +40,14 @@ def run(*arguments, ranks=1, timeout=60):
     return result
 
 
+def refuses(deck, changes, message):
+    """True if the program refuses the deck with these changes and says so; one line on stdout."""
+    result = run(deck, *settings(changes), "--validate")
+    fine = result.returncode == 2 and message in result.stderr
+    print(f"refused: {message}{'' if fine else ' NO ' + result.stderr}", flush=True)
+    return fine
+
+
 def require_no_rise(printed):
     """Whatever ends a run, TNNMG lowers J; `printed` is what the run had to say."""
     for line in printed.splitlines():

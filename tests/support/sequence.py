@@ -11,8 +11,19 @@ def check(what, found, expected, tolerance):
     """True if found / expected - 1 is within the tolerance; one line on stdout."""
     error = found / expected - 1
     fine = abs(error) <= tolerance
-    print(f"{what}: {found:.5g}, expected {expected:.5g}: {error:+.2%} of {tolerance:.1%}"
+    print(f"{what}: {found:.5g}, expected {expected:.5g}: {error:+.2%} of {tolerance:.2%}"
           f"{'' if fine else ', MISSED'}")
+    return fine
+
+
+def agree(found, expected, tolerances):
+    """True if there are as many rows, and all their numbers are within {name: tolerance}, which is
+    in the order of a row; one line for each number on stdout."""
+    fine = len(found) == len(expected)
+    print(f"{len(found)} rows, expected {len(expected)}")
+    for row, reference in zip(found, expected):
+        for (name, tolerance), value, target in zip(tolerances.items(), row, reference):
+            fine = check(f"  {name}", value, target, tolerance) and fine
     return fine
 
 

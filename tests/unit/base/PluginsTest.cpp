@@ -6,9 +6,7 @@
 namespace
 {
 using namespace asperity;
-using asperity::test::expectParts;
-using asperity::test::expectRefusal;
-using asperity::test::refusal;
+using namespace asperity::test;
 using Names = std::vector<std::string>;
 
 // A library that registers nothing by itself; `before` and `after` say what there is.

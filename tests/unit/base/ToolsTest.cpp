@@ -15,8 +15,7 @@
 namespace
 {
 using namespace asperity;
-using asperity::test::expectParts;
-using asperity::test::refusal;
+using namespace asperity::test;
 
 TEST(Checksum, SeesASingleBitAndWhereAListEnds)
 {

@@ -1,8 +1,6 @@
 #include "catalogue/receivers/Receivers.hpp"
 #include "unit/io/VerticalFault.hpp"
 
-#include <cmath>
-
 using namespace asperity;
 using namespace asperity::catalogue;
 using namespace asperity::io;

@@ -1,6 +1,5 @@
 #include "fem/FaultSurface.hpp"
 
-#include "base/Errors.hpp"
 #include "fem/BodyMatrices.hpp"
 #include "fem/BoundaryMeasure.hpp"
 #include "fem/SupportWeights.hpp"

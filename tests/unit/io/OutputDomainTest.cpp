@@ -7,7 +7,6 @@
 #include "unit/io/BlockMesh.hpp"
 #include "unit/io/Support.hpp"
 
-#include <cmath>
 #include <numeric>
 
 using namespace asperity;

@@ -1,8 +1,6 @@
 #include "io/series/SegmentedSeries.hpp"
 #include "unit/io/Support.hpp"
 
-#include <cmath>
-
 using namespace asperity;
 using namespace asperity::io;
 using test::world;

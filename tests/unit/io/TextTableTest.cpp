@@ -1,7 +1,6 @@
 #include "io/files/TextTable.hpp"
 #include "unit/io/Support.hpp"
 
-#include <cmath>
 #include <limits>
 
 using namespace asperity;

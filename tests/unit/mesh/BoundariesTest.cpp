@@ -54,21 +54,13 @@ TEST(Boundaries, NameWhatHadNoName)
 TEST(Boundaries, RefuseAConditionThatNamesNoFacet)
 {
   auto mesh = unitSquare();
-  test::expectRefusal(
-    [&] {
-      overrideBoundaries(mesh, Conditions{{"crack", isInside}});
-    },
-    {"Mesh / Boundaries / crack", "no facet"});
-  test::expectRefusal(
-    [&] {
-      overrideBoundaries(mesh, Conditions{{"left", isInside}});
-    },
-    {"Mesh / Boundaries / left"});
-  test::expectRefusal(
-    [&] {
-      overrideBoundaries(mesh, Conditions{{"west", isOnTheLeft}, {"rim", isEverywhere}}, "Deck");
-    },
-    {"Deck / west", "later boundaries"});
+  const Conditions none{{"crack", isInside}}, no_more{{"left", isInside}},
+    overridden{{"west", isOnTheLeft}, {"rim", isEverywhere}};
+  test::expectRefusal([&] { overrideBoundaries(mesh, none); },
+                      {"Mesh / Boundaries / crack", "no facet"});
+  test::expectRefusal([&] { overrideBoundaries(mesh, no_more); }, {"Mesh / Boundaries / left"});
+  test::expectRefusal([&] { overrideBoundaries(mesh, overridden, "Deck"); },
+                      {"Deck / west", "later boundaries"});
   EXPECT_EQ(mesh.boundaries, unitSquare().boundaries);
 }
 

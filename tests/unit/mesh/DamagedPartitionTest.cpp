@@ -9,7 +9,6 @@
 #include "mesh/file/detail/PartitionFormat.hpp"
 #include "mesh/generation/BoxMesh.hpp"
 
-#include <Teuchos_CommHelpers.hpp>
 #include <Teuchos_DefaultMpiComm.hpp>
 #include <hdf5.h>
 

@@ -42,18 +42,11 @@ TEST(Regions, ExistingNamesAreTakenUpAndEmptyRegionsDropped)
 
 TEST(Regions, RefusesARegionWithoutCells)
 {
+  const Conditions none{{"west", isNowhere}}, overridden{{"west", isLeft}, {"all", isEverywhere}};
   auto mesh = unitSquare();
-  test::expectRefusal(
-    [&] {
-      overrideRegions(mesh, Conditions{{"west", isNowhere}});
-    },
-    {"Mesh / Regions / west", "no cell"});
+  test::expectRefusal([&] { overrideRegions(mesh, none); }, {"Mesh / Regions / west", "no cell"});
   mesh = unitSquare();
-  test::expectRefusal(
-    [&] {
-      overrideRegions(mesh, Conditions{{"west", isLeft}, {"all", isEverywhere}}, "Deck");
-    },
-    {"Deck / west"});
+  test::expectRefusal([&] { overrideRegions(mesh, overridden, "Deck"); }, {"Deck / west"});
 }
 
 TEST(Regions, WorkInThreeDimensions)

@@ -8,10 +8,7 @@
 namespace
 {
 using namespace asperity;
-using asperity::test::expectParts;
-using asperity::test::expectRefusal;
-using asperity::test::refusal;
-using asperity::test::TemporaryDirectory;
+using namespace asperity::test;
 using List = Teuchos::RCP<const ParameterList>;
 
 List rate(Range range, double value = 1e-6, std::string const& unit = "m/s")

@@ -11,11 +11,7 @@
 namespace
 {
 using namespace asperity;
-using asperity::test::array;
-using asperity::test::expectParts;
-using asperity::test::expectRefusal;
-using asperity::test::refusal;
-using asperity::test::TemporaryDirectory;
+using namespace asperity::test;
 using Teuchos::Array;
 
 // A deck with this between its root's tags, read.

@@ -12,8 +12,7 @@
 namespace
 {
 using namespace asperity;
-using asperity::test::expectRefusal;
-using asperity::test::TemporaryDirectory;
+using namespace asperity::test;
 
 const std::vector<std::string> regions = {"upper", "lower"};
 constexpr std::array<double, 3> origin = {0.0, 0.0, 0.0};

@@ -10,10 +10,7 @@
 namespace
 {
 using namespace asperity;
-using asperity::test::array;
-using asperity::test::expectParts;
-using asperity::test::expectRefusal;
-using asperity::test::refusal;
+using namespace asperity::test;
 using Teuchos::Array;
 
 Teuchos::RCP<ParameterList> frictionParameters()

@@ -9,9 +9,7 @@
 namespace
 {
 using namespace asperity;
-using asperity::test::expectParts;
-using asperity::test::expectRefusal;
-using asperity::test::refusal;
+using namespace asperity::test;
 
 CommandLine parse(std::vector<char const*> arguments)
 {

@@ -7,10 +7,7 @@
 namespace asperity::scenario
 {
 using namespace test;
-using asperity::test::array;
-using asperity::test::expectParts;
-using asperity::test::expectRefusal;
-using asperity::test::refusal;
+using namespace asperity::test;
 
 namespace
 {

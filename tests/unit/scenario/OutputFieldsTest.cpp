@@ -47,14 +47,6 @@ struct Start
   RunView view;
   io::FieldRegistry registry;
 };
-
-void expectNear(std::vector<double> const& found, std::vector<double> const& expected)
-{
-  ASSERT_EQ(found.size(), expected.size());
-  for (std::size_t i = 0; i < found.size(); ++i) {
-    EXPECT_NEAR(found[i], expected[i], 1e-12 * std::abs(expected[i])) << i;
-  }
-}
 } // namespace
 
 TEST(OutputFields, ThetaIsOfTheNodesOwnSlipDistanceAndReferenceRate)

@@ -104,6 +104,14 @@ std::vector<double> weightsOf(fem::FaultSurface const& surface)
   return weights;
 }
 
+void expectNear(std::vector<double> const& found, std::vector<double> const& expected)
+{
+  ASSERT_EQ(found.size(), expected.size());
+  for (std::size_t i = 0; i < found.size(); ++i) {
+    EXPECT_NEAR(found[i], expected[i], 1e-12 * std::abs(expected[i])) << i;
+  }
+}
+
 std::vector<std::vector<int>> heldComponents(fem::FaultSurface const& surface)
 {
   std::vector<std::vector<int>> held;

@@ -39,6 +39,8 @@ std::vector<double> valuesOf(ConstNodeView const& view);
 std::vector<double> valuesOf(Vector const& x);
 // Of the fault nodes.
 std::vector<double> weightsOf(fem::FaultSurface const& surface);
+// Within 1e-12 of each expected value.
+void expectNear(std::vector<double> const& found, std::vector<double> const& expected);
 // (num_nodes, T): 1 where the velocity is prescribed.
 std::vector<std::vector<int>> heldComponents(fem::FaultSurface const& surface);
 

@@ -6,11 +6,10 @@ import sys
 import asperity_run
 import comparisons
 import numpy
+import time_orders
 
 DECK = pathlib.Path(__file__).with_name("block.xml")
-LARGEST_STEP, FINAL_TIME = 0.01, 0.48
-TIMES = 3 * LARGEST_STEP * numpy.arange(1, 17)  # where all runs can be compared
-LEVELS = (2, 3, 4)                              # of the steps, halved each time
+LEVELS = (2, 3, 4)  # of the steps, halved each time
 REFERENCE_LEVEL = 7
 FIELDS = ("slip", "slip_rate", "alpha", "normal_stress")
 # Of orders: the normal stress has compressional waves in it, which cross a cell in about as long
@@ -24,32 +23,15 @@ def run(folder, settings, **options):
     return asperity_run.run_to_end(folder, DECK, *asperity_run.settings(settings), **options)
 
 
-def history_of(folder):
-    history = asperity_run.series(folder / "fault.h5")
-    steps = numpy.searchsorted(history["time"], TIMES - 1e-9)
-    assert numpy.allclose(history["time"][steps], TIMES, rtol=1e-12)
-    return {name: history[f"fields/{name}"][steps] for name in FIELDS}
-
-
 def solve(settings, level):
-    return history_of(run("out", {**settings, "Time Stepping/Prescribed/Levels": f"{{{level}}}"}))
-
-
-def errors(solution, reference):
-    """Root mean square over the fault and TIMES, relative to how much the reference varies."""
-    return [numpy.sqrt(numpy.mean((solution[name] - reference[name])**2))
-            / numpy.ptp(reference[name]) for name in FIELDS]
+    folder = run("out", {**settings, "Time Stepping/Prescribed/Levels": f"{{{level}}}"})
+    return time_orders.at_times(folder, FIELDS)
 
 
 def orders(name, settings, reference, least, most):
-    """True if halving the steps divides each error by 2^least to 2^most."""
-    found = numpy.array([errors(solve(settings, level), reference) for level in LEVELS])
-    measured = numpy.log2(found[:-1] / found[1:])
-    fine = least <= measured.min() and measured.max() <= most
-    columns = (f"{field} {error:.1e} {' '.join(f'{x:.2f}' for x in of_field)}"
-               for field, error, of_field in zip(FIELDS, found[-1], measured.T))
-    print(f"{name:40s} {'; '.join(columns)}{'' if fine else f' NOT {least} to {most}'}", flush=True)
-    return fine
+    """Of errors relative to how much the reference varies."""
+    solutions = [solve(settings, level) for level in LEVELS]
+    return time_orders.check(name, solutions, reference, numpy.ptp, least, most)
 
 
 def convergence():
@@ -89,7 +71,8 @@ def statics():
         folder = run("out", {**PRESSED, **more, CHANGE: change}, ranks=ranks)
         history = asperity_run.series(folder / "fault.h5")
         t = history["time"]
-        pressed_for = 0 * t if delay is None else numpy.maximum(t - delay * LARGEST_STEP, 0)
+        pressed_for = (0 * t if delay is None
+                       else numpy.maximum(t - delay * time_orders.LARGEST_STEP, 0))
         expected = 1e4 + MODULUS * RATE * pressed_for
         found = history["fields/normal_stress"]
         error = numpy.abs(found - expected[:, None]).max() / 1e4
@@ -127,12 +110,12 @@ def lifted():
 def solvers():
     """Direct and multigrid, one rank and two; J never rises."""
     reference = run("direct", {})
-    answer = history_of(reference)
+    answer = time_orders.at_times(reference, FIELDS)
     multigrid = {"TNNMG/Linear Correction": "MueLu"}
     passed = []
     for name, ranks in (("multigrid, 1 rank", 1), ("multigrid, 2 ranks", 2)):
         folder = run("out", multigrid, ranks=ranks)
-        found = history_of(folder)
+        found = time_orders.at_times(folder, FIELDS)
         difference = max(numpy.abs(numpy.sort(found[key], axis=1) -
                                    numpy.sort(answer[key], axis=1)).max()
                          / numpy.ptp(answer[key]) for key in FIELDS)
@@ -168,23 +151,13 @@ def restarted():
 
 
 def refused():
-    cases = [({"Bulk/Model": "Antiplane"}, "does not press across the fault"),
-             ({"Boundary Conditions/Fault/Type": "Antisymmetric Fault"}, "by symmetry"),
-             ({"Friction/c": 0.2}, "Normal Stress Floor"),
-             ({"Friction/c": 0.2, "Friction/Normal Stress Floor": 1, "Friction/b": 0},
+    antiplane = DECK.parent.parent / "schemes" / "smooth.xml"
+    cases = [(antiplane, {CHANGE: "Coupled"}, "does not press across the fault"),
+             (DECK, {"Boundary Conditions/Fault/Type": "Antisymmetric Fault"}, "by symmetry"),
+             (DECK, {"Friction/c": 0.2}, "Normal Stress Floor"),
+             (DECK, {"Friction/c": 0.2, "Friction/Normal Stress Floor": 1, "Friction/b": 0},
               "where b = 0")]
-    passed = []
-    for settings, message in cases:
-        if settings.get("Bulk/Model") == "Antiplane":
-            deck = DECK.parent.parent / "schemes" / "smooth.xml"
-            settings = {CHANGE: "Coupled"}
-        else:
-            deck = DECK
-        result = asperity_run.run(deck, *asperity_run.settings(settings), "--validate")
-        fine = result.returncode == 2 and message in result.stderr
-        print(f"refused: {message}{'' if fine else ' NO ' + result.stderr}", flush=True)
-        passed.append(fine)
-    return passed
+    return [asperity_run.refuses(*case) for case in cases]
 
 
 def main():

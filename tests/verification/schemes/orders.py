@@ -6,11 +6,10 @@ import sys
 
 import asperity_run
 import numpy
+import time_orders
 
 DECK = pathlib.Path(__file__).with_name("smooth.xml")
-LARGEST_STEP, FINAL_TIME = 0.01, 0.48
-TIMES = 3 * LARGEST_STEP * numpy.arange(1, 17)  # where all runs can be compared
-LEVELS = (1, 2, 3)                              # of the steps, halved each time
+LEVELS = (1, 2, 3)  # of the steps, halved each time
 REFERENCE_LEVEL = 6
 FIELDS = ("slip", "slip_rate", "alpha")
 TOLERANCE = 0.1
@@ -26,35 +25,21 @@ def equal(level):
 
 def changing(level):
     """Two steps and two of half the size, over and over."""
-    rounds = round(FINAL_TIME / (3 * LARGEST_STEP)) * 2**level
+    rounds = len(time_orders.TIMES) * 2**level
     return [level, level, level + 1, level + 1] * rounds
 
 
 def solve(settings, levels):
-    """{field: values on the fault at TIMES}, every field in units of its largest value."""
     settings = {**settings, "Time Stepping/Prescribed/Levels": "{%s}" % ",".join(map(str, levels))}
     folder = asperity_run.run_to_end("out", DECK, *asperity_run.settings(settings))
-    history = asperity_run.series(folder / "fault.h5")
-    steps = numpy.searchsorted(history["time"], TIMES - 1e-9)
-    assert numpy.allclose(history["time"][steps], TIMES, rtol=1e-12)
-    return {name: history[f"fields/{name}"][steps] for name in FIELDS}
-
-
-def errors(solution, reference):
-    """Root mean square over the fault and TIMES, relative to the largest value."""
-    return [numpy.sqrt(numpy.mean((solution[name] - reference[name])**2))
-            / numpy.abs(reference[name]).max() for name in FIELDS]
+    return time_orders.at_times(folder, FIELDS)
 
 
 def check(name, settings, sequence, order, reference):
-    """True if halving the steps divides each error by 2^order."""
-    found = numpy.array([errors(solve(settings, sequence(level)), reference) for level in LEVELS])
-    orders = numpy.log2(found[:-1] / found[1:])
-    fine = numpy.abs(orders - order).max() <= TOLERANCE
-    columns = (f"{field} {error:.1e} {' '.join(f'{x:.2f}' for x in of_field)}"
-               for field, error, of_field in zip(FIELDS, found[-1], orders.T))
-    print(f"{name:48s} {'; '.join(columns)}{'' if fine else ' NOT ' + str(order)}", flush=True)
-    return fine
+    """Of errors relative to the largest value."""
+    solutions = [solve(settings, sequence(level)) for level in LEVELS]
+    return time_orders.check(name, solutions, reference, lambda values: numpy.abs(values).max(),
+                             order - TOLERANCE, order + TOLERANCE)
 
 
 def generalised_alpha(spectral_radius):
