@@ -63,8 +63,8 @@ struct FaultResolution
   bool weakens_everywhere = false;
 };
 
-// The size of a step [s] that follows an earthquake: a hundredth of seismic_time and, in a body with
-// mass, at most a tenth of crossing_time.
+// The size of a step [s] that follows an earthquake: a hundredth of seismic_time and, in a body
+// with mass, at most a tenth of crossing_time.
 double seismicStep(FaultResolution const& resolution, bool has_mass);
 
 // Empty if friction weakens nowhere. materials(num_nodes): of the body beside the fault.
