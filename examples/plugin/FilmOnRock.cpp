@@ -1,5 +1,5 @@
-// A kind of fault of your own: slip on a rigid foundation. How kinds differ is said in
-// scenario/setup/conditions/FaultKind.hpp.
+// A kind of fault of your own: slip on a rigid foundation.
+// scenario/setup/conditions/FaultKind.hpp says how kinds differ.
 #include "scenario/setup/conditions/FaultKind.hpp"
 
 namespace

@@ -5,7 +5,6 @@
 #include <cctype>
 #include <charconv>
 #include <cmath>
-#include <cstdio>
 
 namespace asperity
 {
@@ -16,12 +15,7 @@ constexpr double hour = 60.0 * minute;
 constexpr double day = 24.0 * hour;
 constexpr double year = 365.25 * day;
 
-std::string significant(double value, int digits)
-{
-  std::array<char, 32> buffer{};
-  std::snprintf(buffer.data(), buffer.size(), "%.*g", digits, value);
-  return buffer.data();
-}
+std::string significant(double value, int digits) { return formatted("%.*g", digits, value); }
 
 // "3 min 20 s": whole numbers of the larger and the smaller unit
 std::string inTwoUnits(double seconds, double larger, std::string const& larger_name,

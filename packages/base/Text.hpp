@@ -1,11 +1,21 @@
 #pragma once
 
+#include <cstdio>
 #include <optional>
 #include <string>
 #include <vector>
 
 namespace asperity
 {
+// The values in a format of printf: formatted("%.3e m", x).
+template <class... Values>
+std::string formatted(char const* format, Values... values)
+{
+  std::string text(std::snprintf(nullptr, 0, format, values...), '\0');
+  std::snprintf(text.data(), text.size() + 1, format, values...);
+  return text;
+}
+
 // The shortest decimal that reads back as the same double: 0.1, 3e+10, inf, nan.
 std::string formatNumber(double value);
 

@@ -20,32 +20,6 @@ Teuchos::RCP<const Teuchos::ParameterList> OutputSet::validParameters()
 
 namespace
 {
-void declareUp(Declare& parameters)
-{
-  parameters.realArray("Up", std::vector<double>{0, 1, 0}, "-", Range::any(),
-                       "This vector points up in three dimensions; strike and dip of the fault "
-                       "follow from it. Its length has no effect.");
-}
-
-std::array<double, 3> upIn(Teuchos::ParameterList const& output)
-{
-  ParameterList list;
-  if (output.isParameter("Up")) {
-    list.setEntry("Up", output.getEntry("Up"));
-  }
-  Declare valid;
-  declareUp(valid);
-  completeAndValidate(list, *valid.list(), "Asperity / Output");
-  auto const& up = list.get<Teuchos::Array<double>>("Up");
-  ASPERITY_REQUIRE(up.size() == 3 && std::hypot(up[0], up[1], up[2]) > 0,
-                   "Asperity / Output / Up has to be three numbers, not all of them zero. For "
-                   "example {0, 1, 0}.");
-  return {up[0], up[1], up[2]};
-}
-} // namespace
-
-namespace
-{
 constexpr char const* no_text = "None";
 
 void declareTextFormat(Declare& parameters)
@@ -60,19 +34,27 @@ void declareTextFormat(Declare& parameters)
     "time series of the receivers, rupture times and other files in the form of that platform.");
 }
 
-// The choice and the list of that name, complete.
-ParameterList textFormatIn(Teuchos::ParameterList const& output)
+// The entries of the deck's list that outputs read, complete.
+ParameterList complete(Teuchos::ParameterList const& given)
 {
-  Declare valid;
-  declareTextFormat(valid);
+  auto const valid = OutputSet::validParameters();
   ParameterList list;
-  for (auto const& entry : *valid.list()) {
-    if (output.isParameter(entry.first)) {
-      list.setEntry(entry.first, output.getEntry(entry.first));
+  for (auto const& entry : *valid) {
+    if (given.isParameter(entry.first)) {
+      list.setEntry(entry.first, given.getEntry(entry.first));
     }
   }
-  completeAndValidate(list, *valid.list(), "Asperity / Output");
+  completeAndValidate(list, *valid, "Asperity / Output");
   return list;
+}
+
+std::array<double, 3> upIn(Teuchos::ParameterList const& output)
+{
+  auto const& up = output.get<Teuchos::Array<double>>("Up");
+  ASPERITY_REQUIRE(up.size() == 3 && std::hypot(up[0], up[1], up[2]) > 0,
+                   "Asperity / Output / Up has to be three numbers, not all of them zero. For "
+                   "example {0, 1, 0}.");
+  return {up[0], up[1], up[2]};
 }
 } // namespace
 
@@ -83,37 +65,29 @@ void OutputSet::declare(Teuchos::ParameterList& list)
     auto const& kind = OutputRegistry::instance().at(name);
     parameters.sublist(name, kind.validParameters(), kind.meaning());
   }
-  declareUp(parameters);
+  parameters.realArray("Up", std::vector<double>{0, 1, 0}, "-", Range::any(),
+                       "This vector points up in three dimensions; strike and dip of the fault "
+                       "follow from it. Its length has no effect.");
   declareTextFormat(parameters);
 }
 
 OutputSet::OutputSet(Teuchos::ParameterList const& parameters, OutputContext const& given)
 {
+  auto const list = complete(parameters);
   OutputContext context = given;
-  context.up = upIn(parameters);
-  makeOutputs(parameters, context);
-  makeTexts(textFormatIn(parameters), context);
+  context.up = upIn(list);
+  makeOutputs(list, context);
+  makeTexts(list, context);
   std::stable_partition(entries_.begin(), entries_.end(),
                         [](Entry const& entry) { return entry.output->mayEndRun(); });
 }
 
-namespace
-{
-// The output's list, complete.
-ParameterList completeList(Teuchos::ParameterList const& outputs, std::string const& name,
-                           OutputKind const& kind)
-{
-  ParameterList list = outputs.isSublist(name) ? outputs.sublist(name) : ParameterList();
-  completeAndValidate(list, *kind.validParameters(), "Asperity / Output / " + name);
-  return list;
-}
-} // namespace
-
 std::vector<double> OutputSet::times(Teuchos::ParameterList const& parameters)
 {
   std::vector<double> result;
+  auto const all = complete(parameters);
   for (auto const& name : OutputRegistry::instance().names()) {
-    auto const list = completeList(parameters, name, OutputRegistry::instance().at(name));
+    auto const& list = all.sublist(name);
     if (list.get<bool>("Enabled") && list.isParameter("Times")) {
       auto const times = list.get<Teuchos::Array<double>>("Times");
       result.insert(result.end(), times.begin(), times.end());
@@ -126,7 +100,7 @@ void OutputSet::makeOutputs(Teuchos::ParameterList const& parameters, OutputCont
 {
   for (auto const& name : OutputRegistry::instance().names()) {
     auto const& kind = OutputRegistry::instance().at(name);
-    auto const list = completeList(parameters, name, kind);
+    auto const& list = parameters.sublist(name);
     const auto domain = kind.neededDomain();
     const bool is_possible = domain.empty() || context.domains.count(domain) > 0;
     if (is_possible && list.get<bool>("Enabled")) {

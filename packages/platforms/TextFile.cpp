@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 
 namespace asperity::platforms
 {
@@ -30,17 +29,6 @@ void StepFacts::restore(io::Archive const& archive)
   longest = archive.getDouble("longest");
   count = archive.getInteger("count");
 }
-
-namespace
-{
-template <class... Values>
-std::string formatted(char const* format, Values... values)
-{
-  char text[64];
-  std::snprintf(text, sizeof text, format, values...);
-  return text;
-}
-} // namespace
 
 std::string fileHeader(Platform const& platform, FileContent const& content, StepFacts const* facts)
 {

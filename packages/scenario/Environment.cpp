@@ -24,9 +24,7 @@ std::string mpiVersion()
   MPI_Get_library_version(text.data(), &length);
   text.resize(static_cast<std::size_t>(length));
   text.resize(std::min(text.size(), text.find_first_of(",\n")));
-  for (auto tab = text.find('\t'); tab != std::string::npos; tab = text.find('\t')) {
-    text.replace(tab, 1, " ");
-  }
+  std::replace(text.begin(), text.end(), '\t', ' ');
   return text;
 }
 

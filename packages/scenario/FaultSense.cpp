@@ -3,6 +3,7 @@
 #include "base/Text.hpp"
 #include "base/parallel/Reductions.hpp"
 #include "fem/constraints/PlaneTangent.hpp"
+#include "mesh/SimplexGeometry.hpp"
 
 #include <Teuchos_Array.hpp>
 
@@ -18,12 +19,7 @@ using Vector3 = std::array<double, 3>;
 constexpr double level = 1e-6;    // the part of a unit vector that is rounding
 constexpr double opposite = 0.05; // of a mean normal: below, parts of the fault face each other
 
-double dot(Vector3 const& a, Vector3 const& b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
-
-Vector3 cross(Vector3 const& a, Vector3 const& b)
-{
-  return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
-}
+double dot(Vector3 const& a, Vector3 const& b) { return mesh::dot<3>(a, b); }
 
 Vector3 tangentInPlane(Vector3 const& plus)
 {
@@ -43,7 +39,7 @@ std::string directionText(Vector3 const& v, int dimension)
 // Right lateral: seen from the minus side, the plus side moves to the right.
 std::string lateral(Vector3 const& motion, Vector3 const& plus, Vector3 const& up)
 {
-  return dot(motion, cross(plus, up)) > 0 ? "right lateral" : "left lateral";
+  return dot(motion, mesh::cross(plus, up)) > 0 ? "right lateral" : "left lateral";
 }
 
 // The sense of a motion [m/s] of the plus side that has a vertical part.
@@ -59,7 +55,7 @@ std::string dipSlip(FaultSides const& sides, Vector3 const& motion)
 std::string inSpace(FaultSides const& sides)
 {
   const double above = dot(sides.plus, sides.up);
-  Vector3 strike = cross(sides.up, sides.plus);
+  Vector3 strike = mesh::cross(sides.up, sides.plus);
   const double length = std::sqrt(dot(strike, strike));
   std::string text = "slip has parts along the axes";
   if (length < level) {

@@ -124,36 +124,4 @@ dynamics::ControlMemory StateFormat::loadControl(io::Archive const& archive,
   }
   return memory;
 }
-
-void save(io::Archive& archive, std::string const& path, dynamics::SolveCount const& count)
-{
-  for (auto const& [name, member] : dynamics::SolveCount::members()) {
-    archive.set(path + "/" + name, count.*member);
-  }
-}
-
-dynamics::SolveCount loadCount(io::Archive const& archive, std::string const& path)
-{
-  dynamics::SolveCount count;
-  for (auto const& [name, member] : dynamics::SolveCount::members()) {
-    count.*member = archive.getInteger(path + "/" + name);
-  }
-  return count;
-}
-
-void save(io::Archive& archive, std::string const& path, dynamics::Energy const& energy)
-{
-  for (auto const& [name, member] : dynamics::Energy::members()) {
-    archive.set(path + "/" + name, energy.*member);
-  }
-}
-
-dynamics::Energy loadEnergy(io::Archive const& archive, std::string const& path)
-{
-  dynamics::Energy energy;
-  for (auto const& [name, member] : dynamics::Energy::members()) {
-    energy.*member = archive.getDouble(path + "/" + name);
-  }
-  return energy;
-}
 } // namespace asperity::scenario

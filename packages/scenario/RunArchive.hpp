@@ -39,9 +39,21 @@ private:
   dynamics::DyadicTime clock_;
 };
 
-void save(io::Archive& archive, std::string const& path, dynamics::SolveCount const& count);
-dynamics::SolveCount loadCount(io::Archive const& archive, std::string const& path);
-
-void save(io::Archive& archive, std::string const& path, dynamics::Energy const& energy);
-dynamics::Energy loadEnergy(io::Archive const& archive, std::string const& path);
+// A sum over the steps of a run, dynamics::SolveCount or Energy, member by member.
+template <class Sum>
+void saveSum(io::Archive& archive, std::string const& path, Sum const& sum)
+{
+  for (auto const& [name, member] : Sum::members()) {
+    archive.set(path + "/" + name, sum.*member);
+  }
+}
+template <class Sum>
+Sum loadSum(io::Archive const& archive, std::string const& path)
+{
+  Sum sum;
+  for (auto const& [name, member] : Sum::members()) {
+    sum.*member = archive.get<std::decay_t<decltype(sum.*member)>>(path + "/" + name);
+  }
+  return sum;
+}
 } // namespace asperity::scenario

@@ -5,7 +5,6 @@
 
 #include <algorithm>
 #include <chrono>
-#include <cstdio>
 #include <map>
 
 namespace asperity
@@ -39,12 +38,8 @@ std::vector<WorkOfRanks> workDone(Communicator const& communicator)
 
 std::string line(WorkOfRanks const& row, double total)
 {
-  char numbers[100];
-  std::snprintf(numbers, sizeof numbers, "%10.2f %10.2f %6.1f %% %10.0f\n", row.least, row.most,
-                100 * row.most / total, row.count);
-  std::string name = row.name;
-  name.resize(std::max<std::size_t>(name.size(), 32), ' ');
-  return name + numbers;
+  return formatted("%-32s%10.2f %10.2f %6.1f %% %10.0f\n", row.name.c_str(), row.least, row.most,
+                   100 * row.most / total, row.count);
 }
 } // namespace
 

@@ -2,12 +2,12 @@
 
 #include "base/Errors.hpp"
 #include "base/parallel/Agreement.hpp"
+#include "base/parallel/Directory.hpp"
 #include "base/parallel/Messages.hpp"
 #include "base/parallel/Reductions.hpp"
 
 #include <algorithm>
-#include <array>
-#include <map>
+#include <numeric>
 #include <type_traits>
 
 namespace asperity::io::detail
@@ -20,88 +20,42 @@ void refuse()
 {
   throw InputError("The checkpoint has other nodes than the mesh. It belongs to another mesh.");
 }
-
-// Equal blocks of node numbers, one for each rank, which finds who holds and who wants each number.
-class Blocks
-{
-public:
-  Blocks(std::vector<std::int64_t> const& held, std::vector<std::int64_t> const& wanted,
-         Communicator const& comm)
-  {
-    std::int64_t end = 1, least = 0;
-    for (auto const* numbers : {&held, &wanted}) {
-      for (const std::int64_t number : *numbers) {
-        end = std::max(end, number + 1);
-        least = std::min(least, number);
-      }
-    }
-    if (minOverRanks(least, comm) < 0) {
-      refuse();
-    }
-    length_ = (maxOverRanks(end, comm) + comm.getSize() - 1) / comm.getSize();
-  }
-
-  std::vector<int> of(std::vector<std::int64_t> const& numbers) const
-  {
-    std::vector<int> ranks;
-    ranks.reserve(numbers.size());
-    for (const std::int64_t number : numbers) {
-      ranks.push_back(static_cast<int>(number / length_));
-    }
-    return ranks;
-  }
-
-private:
-  std::int64_t length_ = 1;
-};
-
-// (num_numbers, 3): the number, this rank, and the place in the list.
-Items itemsOf(std::vector<std::int64_t> const& numbers, int rank)
-{
-  Items items;
-  for (std::size_t i = 0; i < numbers.size(); ++i) {
-    items.insert(items.end(), {numbers[i], rank, static_cast<GlobalOrdinal>(i)});
-  }
-  return items;
-}
 } // namespace
 
 NodeTransfer::NodeTransfer(std::vector<std::int64_t> const& held,
                            std::vector<std::int64_t> const& wanted, Communicator const& comm)
     : comm_(comm)
 {
-  const Blocks blocks(held, wanted, comm);
-  const auto asked = sendItems(itemsOf(wanted, comm.getRank()), 3, blocks.of(wanted), comm);
-  const auto offered = sendItems(itemsOf(held, comm.getRank()), 3, blocks.of(held), comm);
-  std::map<GlobalOrdinal, std::array<GlobalOrdinal, 2>> wish; // rank and place, by number
-  for (std::size_t i = 0; i < asked.size(); i += 3) {
-    wish[asked[i]] = {asked[i + 1], asked[i + 2]};
-  }
-  Items answers; // (num_offered, 3): place where it is held, rank and place where it is wanted
-  std::vector<int> holders;
-  onEveryRank(comm, [&] {
-    for (std::size_t i = 0; i < offered.size(); i += 3) {
-      const auto found = wish.find(offered[i]);
-      if (found == wish.end()) {
-        refuse();
-      }
-      answers.insert(answers.end(), {offered[i + 2], found->second[0], found->second[1]});
-      holders.push_back(static_cast<int>(offered[i + 1]));
-      wish.erase(found);
+  std::int64_t least = 0, most = 0;
+  for (auto const* numbers : {&held, &wanted}) {
+    for (const std::int64_t number : *numbers) {
+      least = std::min(least, number);
+      most = std::max(most, number);
     }
-    if (!wish.empty()) {
+  }
+  if (minOverRanks(least, comm) < 0) {
+    refuse();
+  }
+  const Directory wishes(maxOverRanks(most, comm) + 1, comm);
+  const Items asked(held.begin(), held.end()), ids(wanted.begin(), wanted.end());
+  Items places(wanted.size());
+  std::iota(places.begin(), places.end(), GlobalOrdinal(0));
+  const auto ranks = wishes.valuesAt(asked, ids, Items(wanted.size(), comm.getRank()));
+  const auto place_there = wishes.valuesAt(asked, ids, places);
+  onEveryRank(comm, [&] {
+    if (std::find(ranks.begin(), ranks.end(), -1) != ranks.end()) {
       refuse();
     }
   });
-  const auto answered = sendItems(answers, 3, holders, comm);
-  destinations_.resize(held.size());
-  Items place_there(held.size());
-  for (std::size_t i = 0; i < answered.size(); i += 3) {
-    destinations_[answered[i]] = static_cast<int>(answered[i + 1]);
-    place_there[answered[i]] = answered[i + 2];
-  }
-  const auto arrived = sendItems(place_there, 1, destinations_, comm);
+  destinations_.assign(ranks.begin(), ranks.end());
+  auto arrived = sendItems(place_there, 1, destinations_, comm);
   places_.assign(arrived.begin(), arrived.end());
+  onEveryRank(comm, [&] {
+    std::sort(arrived.begin(), arrived.end());
+    if (arrived != places) { // each place once
+      refuse();
+    }
+  });
 }
 
 template <class T>

@@ -3,7 +3,6 @@
 #include "base/Text.hpp"
 
 #include <chrono>
-#include <cstdio>
 
 namespace asperity::io
 {
@@ -18,9 +17,7 @@ std::string quoted(std::string const& text)
       result += '\\';
     }
     if (static_cast<unsigned char>(letter) < 0x20) {
-      char code[8];
-      std::snprintf(code, sizeof code, "\\u%04x", static_cast<unsigned>(letter));
-      result += code;
+      result += formatted("\\u%04x", static_cast<unsigned>(letter));
     } else {
       result += letter;
     }

@@ -5,7 +5,6 @@
 #include "base/parallel/Agreement.hpp"
 
 #include <algorithm>
-#include <cstdio>
 #include <fcntl.h>
 #include <iostream>
 #include <sstream>
@@ -40,10 +39,9 @@ std::string describe(Progress const& progress)
     text << " of " << formatShort(progress.final_time) << " s ("
          << static_cast<int>(100 * fractionDone(progress)) << " %)";
   }
-  text << ", step " << progress.step << ", dt " << formatShort(progress.step_size) << " s, V ";
-  char rate[16];
-  std::snprintf(rate, sizeof rate, "%.1e", progress.peak_slip_rate);
-  text << rate << " m/s, " << progress.fixed_point_iterations << " iterations";
+  text << ", step " << progress.step << ", dt " << formatShort(progress.step_size) << " s, V "
+       << formatted("%.1e", progress.peak_slip_rate) << " m/s, " << progress.fixed_point_iterations
+       << " iterations";
   if (progress.num_events) {
     text << ", " << *progress.num_events << (*progress.num_events == 1 ? " event" : " events");
   }
@@ -54,11 +52,9 @@ std::string describe(Progress const& progress)
 // The same for one line of a terminal, which may cut it: the most important values come first.
 std::string describeShort(Progress const& progress)
 {
-  char text[200];
-  std::snprintf(text, sizeof text, "%3d%% t=%.6g s dt=%.3g V=%.1e it=%d",
-                static_cast<int>(100 * fractionDone(progress)), progress.time, progress.step_size,
-                progress.peak_slip_rate, progress.fixed_point_iterations);
-  std::string line = text;
+  std::string line = formatted(
+    "%3d%% t=%.6g s dt=%.3g V=%.1e it=%d", static_cast<int>(100 * fractionDone(progress)),
+    progress.time, progress.step_size, progress.peak_slip_rate, progress.fixed_point_iterations);
   if (progress.num_events) {
     line += " events=" + std::to_string(*progress.num_events);
   }

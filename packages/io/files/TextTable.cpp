@@ -1,11 +1,11 @@
 #include "io/files/TextTable.hpp"
 
 #include "base/Errors.hpp"
+#include "base/Text.hpp"
 #include "base/WriteFailure.hpp"
 #include "base/parallel/Agreement.hpp"
 #include "io/files/DurableFile.hpp"
 
-#include <cstdio>
 #include <sstream>
 #include <utility>
 
@@ -143,16 +143,6 @@ void TextTable::restore(Archive const& archive)
     stream_.seekp(num_bytes_);
   });
 }
-
-namespace
-{
-std::string formatted(char const* format, double value)
-{
-  char text[40];
-  std::snprintf(text, sizeof text, format, value);
-  return text;
-}
-} // namespace
 
 std::string exactNumber(double value) { return formatted("%.17g", value); }
 

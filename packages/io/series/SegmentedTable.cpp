@@ -1,22 +1,20 @@
 #include "io/series/SegmentedTable.hpp"
 
 #include "base/Errors.hpp"
+#include "base/Text.hpp"
 #include "base/parallel/Agreement.hpp"
 #include "base/parallel/Messages.hpp"
 #include "io/files/DurableFile.hpp"
 #include "io/parallel/BlocksInOrder.hpp"
 
 #include <algorithm>
-#include <cstdio>
 #include <cstdlib>
 
 namespace asperity::io
 {
 std::string segmentName(std::string const& name, std::size_t segment)
 {
-  char number[24];
-  std::snprintf(number, sizeof number, "%06zu", segment);
-  return "segments/" + name + "_" + number + ".h5";
+  return "segments/" + name + formatted("_%06zu.h5", segment);
 }
 
 void describe(h5::Dataset dataset, std::string const& unit, std::string const& description)

@@ -108,13 +108,13 @@ void Evolution<Dim>::restore(io::Archive const& checkpoint)
   if (is_rescaled) {
     control_->adaptToClock();
   }
-  count_ = loadCount(checkpoint, "count");
+  count_ = loadSum<dynamics::SolveCount>(checkpoint, "count");
   forced_steps_ = checkpoint.getInteger("forced_steps");
   floor_count_.restore(checkpoint, "normal_stress_floor");
   if (numSteps() == 0) {
     beginBalance();
   } else {
-    balance_.resume(state_, loadEnergy(checkpoint, "energy"));
+    balance_.resume(state_, loadSum<dynamics::Energy>(checkpoint, "energy"));
     sample_.begin(state_, time(), balance_);
   }
 }
@@ -124,8 +124,8 @@ void Evolution<Dim>::save(io::Archive& checkpoint) const
 {
   format_.save(checkpoint, "state", state_);
   format_.save(checkpoint, "control", control_->memory());
-  scenario::save(checkpoint, "count", count_);
-  scenario::save(checkpoint, "energy", balance_.energy());
+  saveSum(checkpoint, "count", count_);
+  saveSum(checkpoint, "energy", balance_.energy());
   checkpoint.set("forced_steps", forced_steps_);
   checkpoint.set("finest_level", clock_.finestLevel());
   floor_count_.save(checkpoint, "normal_stress_floor");

@@ -235,12 +235,12 @@ TEST(RunArchive, ReturnsWhatWasSaved)
   dynamics::Energy energy;
   energy.friction_work = -0.1;
   energy.defect = 1e-20;
-  save(archive, "count", count);
-  save(archive, "energy", energy);
-  EXPECT_EQ(loadCount(archive, "count").tnnmg_iterations, 7);
-  EXPECT_EQ(loadCount(archive, "count").rises, 2);
-  EXPECT_EQ(loadEnergy(archive, "energy").friction_work, -0.1);
-  EXPECT_EQ(loadEnergy(archive, "energy").defect, 1e-20);
+  saveSum(archive, "count", count);
+  saveSum(archive, "energy", energy);
+  EXPECT_EQ(loadSum<dynamics::SolveCount>(archive, "count").tnnmg_iterations, 7);
+  EXPECT_EQ(loadSum<dynamics::SolveCount>(archive, "count").rises, 2);
+  EXPECT_EQ(loadSum<dynamics::Energy>(archive, "energy").friction_work, -0.1);
+  EXPECT_EQ(loadSum<dynamics::Energy>(archive, "energy").defect, 1e-20);
 }
 
 TEST(RunArchive, RefusesTheStateOfAnotherMesh)
