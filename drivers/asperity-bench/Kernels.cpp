@@ -131,7 +131,8 @@ private:
 // What a pass over all blocks reads, without vectors.
 double bytesOfBlocks(multigrid::NodeGraph const& graph)
 {
-  return static_cast<double>(graph.bytes()) + single * graph.numCouplings() * graph.blockSize();
+  return index * static_cast<double>(graph.first.size() + graph.columns.size()) +
+         single * graph.numCouplings() * graph.blockSize();
 }
 
 // A sweep reads all blocks but those of the diagonal, whose inverses stand apart, and goes over
