@@ -44,7 +44,7 @@ def stress(name, settings):
 
 def verdict(name, what, found, expected):
     error = numpy.abs(found - expected).max() / numpy.abs(expected).max()
-    fine = len(found) == 11 and error < TOLERANCE
+    fine = len(found) > 10 and error < TOLERANCE
     print(f"{name}, {what}: {error:.1e}{'' if fine else ' NO'}")
     return fine
 
@@ -58,7 +58,6 @@ def check(name):
     t, sigma = stress(name, {
         "Bulk/Model": "Plane Strain", "Bulk/Poisson's Ratio": POISSON,
         "Boundary Conditions/Top/Direction": "{0, 1}",
-        "Boundary Conditions/Bottom/Type": "Sliding Wall",
         **{f"Boundary Conditions/{side}/{key}": value for side in ("left", "right")
            for key, value in {"Boundary": side, "Type": "Sliding Wall"}.items()}})
     bulk = 2 * SHEAR * (1 + POISSON) / (3 * (1 - 2 * POISSON))

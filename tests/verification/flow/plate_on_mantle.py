@@ -80,8 +80,8 @@ def one_earthquake(ratio=5):
     """At 0.5, 1, 2 and 4 t0."""
     once = f"t < 1.5 * step ? {SLIP} / step : 0"
     t, x, of_nodes = surface("one", {
-        "Boundary Conditions/Fault/Velocity": f"0.5 * above * ({once})",
-        "Boundary Conditions/Plate/Velocity": 0, "Initial State/Velocity Z": 0,
+        "Boundary Conditions/Fault/Slip Rate": f"above * ({once})",
+        "Boundary Conditions/Plate/Velocity": 0,
         "Time Stepping/Prescribed/Levels": "{10}", "Time Stepping/Final Time": "cycle"})
     errors = []
     for s in (0.5, 1, 2, 4):
