@@ -101,7 +101,9 @@ TEST(BoundaryMeasure, RefuseABoundaryThatIsNotThere)
   whole.boundaries["void"] = {};
   auto const mesh = mesh::distribute(whole, *worldCommunicator());
   test::expectRefusal([&] { boundaryMeasure(mesh, "botom", *worldCommunicator()); },
-                      {"'botom'", "'bottom'", "'left'", "'right'", "'top'"});
+                      {"'botom'", "Did you mean 'bottom'?"});
+  test::expectRefusal([&] { boundaryMeasure(mesh, "west", *worldCommunicator()); },
+                      {"'west'", "'bottom'", "'left'", "'right'", "'top'"});
   test::expectRefusal([&] { boundaryMeasure(mesh, "void", *worldCommunicator()); },
                       {"'void'", "no facets"});
 }
