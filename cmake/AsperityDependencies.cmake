@@ -32,12 +32,13 @@ if(NOT HDF5_IS_PARALLEL)
 endif()
 add_library(Asperity::HDF5 INTERFACE IMPORTED)
 target_include_directories(Asperity::HDF5 SYSTEM INTERFACE ${HDF5_C_INCLUDE_DIRS})
-# The file of a target, without its macros: what is compiled with other macros cannot share
-# precompiled headers (HDF5 2 has _FILE_OFFSET_BITS, the default on 64 bits).
+# Of a target only what is linked: what is compiled with its macros (HDF5 2 has _FILE_OFFSET_BITS,
+# the default on 64 bits) cannot share precompiled headers.
+set(hdf5_libraries "")
 foreach(library IN LISTS HDF5_C_LIBRARIES)
   if(TARGET ${library})
-    set(library "$<TARGET_FILE:${library}>")
+    set(library "$<LINK_ONLY:${library}>")
   endif()
-  target_link_libraries(Asperity::HDF5 INTERFACE "${library}")
+  list(APPEND hdf5_libraries "${library}")
 endforeach()
-target_link_libraries(Asperity::HDF5 INTERFACE MPI::MPI_C)
+target_link_libraries(Asperity::HDF5 INTERFACE ${hdf5_libraries} MPI::MPI_C)

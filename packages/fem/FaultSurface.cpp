@@ -42,6 +42,9 @@ FaultSurface::FaultSurface(std::string name, std::vector<FaultNode> nodes, int n
     , communicator_(communicator)
     , dofs_(dofView(nodes_, num_tangents))
 {
+  ASPERITY_ASSERT(std::is_sorted(nodes_.begin(), nodes_.end(), [](auto const& a, auto const& b) {
+    return a.copies.front() < b.copies.front();
+  }));
   std::vector<double> weights;
   double mine = 0;
   for (auto const& node : nodes_) {

@@ -65,9 +65,11 @@ std::vector<typename Mesh<Dim>::Facet> const& boundaryFacets(AnyMesh<Dim> const&
                                                              std::string const& name)
 {
   const auto found = mesh.boundaries.find(name);
-  ASPERITY_REQUIRE(found != mesh.boundaries.end(), "The mesh has no boundary '"
-                                                     << name << "'."
-                                                     << didYouMean(name, boundaryNames(mesh)));
+  ASPERITY_REQUIRE(found != mesh.boundaries.end(),
+                   "The mesh has no boundary '"
+                     << name << "'."
+                     << (mesh.boundaries.empty() ? " It has none."
+                                                 : didYouMean(name, boundaryNames(mesh))));
   return found->second;
 }
 

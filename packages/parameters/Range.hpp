@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cmath>
 #include <limits>
 #include <string>
 
@@ -14,8 +15,8 @@ public:
   Range(double lower, bool has_lower, double upper, bool has_upper)
       : lower_(lower)
       , upper_(upper)
-      , has_lower_(has_lower)
-      , has_upper_(has_upper)
+      , has_lower_(has_lower && std::isfinite(lower))
+      , has_upper_(has_upper && std::isfinite(upper))
   {
   }
 

@@ -52,7 +52,7 @@ private:
   ConstNodeView curvature_;
 };
 
-// Copy v(dofs) to blocks and back; v may live on rows() or on columns().
+// Copy v(dofs) to blocks, and back at the nodes `which`; v may live on rows() or on columns().
 void gather(NodeDofView const& dofs, Vector const& v, BlockView const& blocks);
 void scatter(NonlinearNodes const& nodes, IndexView const& which, ConstBlockView const& blocks,
              Vector& v);

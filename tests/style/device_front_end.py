@@ -44,16 +44,17 @@ void h() { A().g(); }
 
 def files_with_lambdas(root):
     """Sources that have a device lambda, or in whose headers of ours one stands."""
-    packages = root / "packages"
+    includes = (root / "packages", root / "drivers")
 
     @functools.lru_cache(maxsize=None)
     def compiles_one(path):
         text = path.read_text()
-        headers = (packages / name for name in _QUOTED.findall(text))
+        headers = (folder / name for name in _QUOTED.findall(text) for folder in includes)
         return bool(_LAMBDA.search(text)) or any(
             compiles_one(header) for header in headers if header.exists() and header != path)
 
-    return [path for path in sorted(packages.rglob("*.cpp")) if compiles_one(path)]
+    return [path for folder in includes for path in sorted(folder.rglob("*.cpp"))
+            if compiles_one(path)]
 
 
 def options(command):
@@ -93,7 +94,7 @@ def grouped(files, commands, root):
     groups = collections.defaultdict(list)
     for path in files:
         words = options(commands[path.resolve()])
-        groups[path.relative_to(root / "packages").parts[0], tuple(words)].append(path)
+        groups[path.relative_to(root).parts[:2], tuple(words)].append(path)
     return [(list(words), members) for (_, words), members in groups.items()]
 
 

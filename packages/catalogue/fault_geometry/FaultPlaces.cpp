@@ -37,8 +37,8 @@ FaultAxis faultAxis(io::OutputDomain const& fault)
 std::optional<std::array<double, 2>> pointAlong(io::OutputDomain const& fault, double distance)
 {
   const io::NodeBlocks blocks(fault);
-  const auto coordinates = io::joinedInOrder(blocks(fault.coordinates, 1, 2), *fault.comm);
-  const auto distances = io::joinedInOrder(blocks(fault.positions, 1, 1), *fault.comm);
+  const auto coordinates = io::joinedInOrder(fault, blocks(fault.coordinates, 1, 2));
+  const auto distances = io::joinedInOrder(fault, blocks(fault.positions, 1, 1));
   constexpr double rounding = 1e-9;
   double found[3] = {0, 0, 0}; // a flag and the point
   for (std::size_t i = 1; i < distances.size(); ++i) {

@@ -7,6 +7,7 @@
 
 #include <Tpetra_CrsMatrix.hpp>
 
+#include <algorithm>
 #include <sstream>
 
 namespace asperity::dynamics

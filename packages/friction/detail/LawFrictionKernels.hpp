@@ -1,8 +1,8 @@
 #pragma once
 
 #include "friction/FrictionKernels.hpp"
+#include "friction/detail/Components.hpp"
 #include "friction/detail/FrictionFunctors.hpp"
-#include "friction/detail/Launch.hpp"
 
 namespace asperity::friction::detail
 {

@@ -4,6 +4,8 @@
 #include "friction/detail/BackwardEuler.hpp"
 #include "friction/detail/NodePotentials.hpp"
 
+#include <string>
+#include <type_traits>
 #include <utility>
 
 namespace asperity::friction::detail

@@ -5,6 +5,7 @@
 
 #include <cstdint>
 #include <exception>
+#include <stdexcept>
 
 namespace asperity::io
 {
@@ -61,10 +62,13 @@ void visitInOrder(std::vector<double> const& block, Communicator const& comm,
   });
 }
 
-std::vector<double> joinedInOrder(std::vector<double> const& block, Communicator const& comm)
+std::vector<double> joinedInOrder(OutputDomain const& curve, std::vector<double> const& block)
 {
+  if (!curve.isCurve()) {
+    throw std::logic_error("asperity::io: nodes of a surface on one rank");
+  }
   std::vector<double> all;
-  visitInOrder(block, comm, [&all](std::vector<double> const& next) {
+  visitInOrder(block, *curve.comm, [&all](std::vector<double> const& next) {
     all.insert(all.end(), next.begin(), next.end());
   });
   return all;

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "base/Types.hpp"
+#include "io/OutputDomain.hpp"
 
 #include <functional>
 #include <vector>
@@ -12,6 +13,7 @@ namespace asperity::io
 void visitInOrder(std::vector<double> const& block, Communicator const& comm,
                   std::function<void(std::vector<double> const&)> const& use);
 
-// All blocks one after the other on rank 0; empty elsewhere. Collective.
-std::vector<double> joinedInOrder(std::vector<double> const& block, Communicator const& comm);
+// All blocks of nodal values of a curve, one after the other, on rank 0; empty elsewhere. A surface
+// has too many nodes for one rank: std::logic_error. Collective.
+std::vector<double> joinedInOrder(OutputDomain const& curve, std::vector<double> const& block);
 } // namespace asperity::io

@@ -26,12 +26,11 @@ FileContent contentFor(std::vector<double> const& z)
 SlipProfiles::SlipProfiles(Platform const& platform, io::OutputContext const& context,
                            io::FaultHistory const& history)
     : history_(history)
-    , comm_(context.comm)
-    , blocks_(context.domain("fault"))
+    , fault_(context.domain("fault"))
+    , blocks_(fault_)
     , slip_(context.fields.field("fault", "slip"))
     , sign_(ModelView::of(context).thrust_sign)
-    , file_(platform,
-            contentFor(io::joinedInOrder(blocks_(context.domain("fault").positions, 1, 1), *comm_)),
+    , file_(platform, contentFor(io::joinedInOrder(fault_, blocks_(fault_.positions, 1, 1))),
             context)
 {
 }
@@ -44,7 +43,7 @@ void SlipProfiles::write(io::StepInfo const& step)
   std::vector<double> slip;
   slip_.values(slip);
   const std::size_t components = slip_.components;
-  const auto whole = io::joinedInOrder(blocks_(slip, 1, components), *comm_);
+  const auto whole = io::joinedInOrder(fault_, blocks_(slip, 1, components));
   std::vector<double> row;
   for (std::size_t node = 0; node < whole.size(); node += components) {
     row.push_back(sign_ * whole[node]);

@@ -23,7 +23,7 @@ public:
 
 private:
   io::FaultHistory const& history_;
-  RCP<const Communicator> comm_;
+  io::OutputDomain const& fault_;
   io::NodeBlocks blocks_;
   io::OutputField const& slip_;
   double sign_; // of the slip in the file

@@ -43,11 +43,13 @@ Checkpoints::Checkpoints(std::filesystem::path const& directory, ParameterList c
 io::Archive Checkpoints::read(std::string const& restart, io::NodeSets const& here) const
 {
   auto archive = io::readCheckpoint(restart, fingerprint_, *communicator_, here);
-  ASPERITY_REQUIRE(archive.get<std::string>("plugins") == plugins_,
-                   restart << " was written with other plugin libraries (--plugin), or with "
-                              "libraries of the same names and other content. Restart with the "
-                              "same libraries, or begin a new run from its state with "
-                              "--restart-from.");
+  onEveryRank(*communicator_, [&] {
+    ASPERITY_REQUIRE(archive.get<std::string>("plugins") == plugins_,
+                     restart << " was written with other plugin libraries (--plugin), or with "
+                                "libraries of the same names and other content. Restart with the "
+                                "same libraries, or begin a new run from its state with "
+                                "--restart-from.");
+  });
   return archive;
 }
 

@@ -24,7 +24,7 @@ io::NodeSets nodeSets(Problem<Dim> const& problem,
 class Checkpoints
 {
 public:
-  // output: the deck's list. plugins: files of libraries. Collective, as all that says so.
+  // output: the deck's list. plugins: files of libraries.
   Checkpoints(std::filesystem::path const& directory, ParameterList const& output,
               std::vector<std::string> const& plugins, io::Fingerprint fingerprint,
               RCP<const Communicator> const& communicator);

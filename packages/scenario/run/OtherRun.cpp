@@ -1,6 +1,7 @@
 #include "scenario/run/OtherRun.hpp"
 
 #include "base/Errors.hpp"
+#include "base/Text.hpp"
 #include "base/Views.hpp"
 #include "catalogue/receivers/Interpolation.hpp"
 #include "fem/constraints/NodalFrames.hpp"
@@ -113,6 +114,16 @@ Values sum(Values x, double factor, Values const& y)
   return x;
 }
 
+// A branch of the state relaxes with its time in the whole body.
+std::string timesOf(std::vector<fem::MaxwellBranch> const& branches)
+{
+  std::string text;
+  for (auto const& branch : branches) {
+    text += (text.empty() ? "" : ", ") + formatNumber(branch.time);
+  }
+  return text.empty() ? "none" : text;
+}
+
 template <int Dim>
 void requireSameKind(Problem<Dim> const& here, ParameterList const& deck, Problem<Dim> const& there,
                      ParameterList const& other, std::string const& run)
@@ -123,8 +134,8 @@ void requireSameKind(Problem<Dim> const& here, ParameterList const& deck, Proble
   }
   requireSame("Asperity / Bulk / Model", deck.sublist("Bulk").get<std::string>("Model"),
               other.sublist("Bulk").get<std::string>("Model"), run);
-  requireSame("The number of relaxation times (Asperity / Bulk)",
-              std::to_string(here.branches.size()), std::to_string(there.branches.size()), run);
+  requireSame("The relaxation times of the rock in s (Asperity / Bulk)", timesOf(here.branches),
+              timesOf(there.branches), run);
   requireSame("The kind of the fault (Asperity / Boundary Conditions)",
               faultKindOf(here.surface->otherSide()), faultKindOf(there.surface->otherSide()), run);
 }

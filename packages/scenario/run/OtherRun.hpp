@@ -18,9 +18,10 @@ namespace asperity::scenario
 // displacement and normal stress (gravity) are those of the new deck. The time is the other run's,
 // in ticks of `clock`.
 //
-// InputError, on every rank, if the dimension, the components of the displacement, the laws or the
-// kind of fault differ, if a point of the new mesh is farther from the other one than a tenth of
-// the element there, or if the time of the state is not before `end` [s]. Collective.
+// InputError, on every rank, if the dimension, the components of the displacement, the laws, the
+// relaxation times or the kind of fault differ, if a point of the new mesh is farther from the
+// other one than a tenth of the element there, or if the time of the state is not before `end` [s].
+// Collective.
 template <int Dim>
 io::Archive stateOfOtherRun(std::filesystem::path const& run, Problem<Dim> const& problem,
                             std::map<std::string, io::OutputDomain> const& domains,

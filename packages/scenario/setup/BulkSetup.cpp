@@ -1,6 +1,7 @@
 #include "scenario/setup/BulkSetup.hpp"
 
 #include "base/NearestName.hpp"
+#include "base/parallel/Agreement.hpp"
 #include "base/parallel/Gather.hpp"
 #include "fem/Simplex.hpp"
 #include "fem/bulk/BulkLaw.hpp"
@@ -197,6 +198,7 @@ private:
   std::optional<Field> bulk_, shear_, poisson_;
   bool antiplane_;
 };
+
 // Each one costs a matrix, a vector of the state, and a product in every step.
 constexpr std::size_t most_branches = 8;
 
@@ -235,6 +237,7 @@ branchesOf(std::vector<std::vector<fem::RelaxingShare>> const& of_cells,
   }
   return branches;
 }
+
 // A law and its parameters as fields.
 class LawOfRock
 {
@@ -269,9 +272,10 @@ private:
 std::size_t regionOf(std::string const& name, std::vector<std::string> const& region_names)
 {
   auto const found = std::find(region_names.begin(), region_names.end(), name);
-  ASPERITY_REQUIRE(found != region_names.end(), bulk_path << " / " << in_regions << ": '" << name
-                                                          << "' is not a region of the mesh."
-                                                          << didYouMean(name, region_names));
+  ASPERITY_REQUIRE(found != region_names.end(), joinPath(joinPath(bulk_path, in_regions), name)
+                                                  << ": '" << name
+                                                  << "' is not a region of the mesh."
+                                                  << didYouMean(name, region_names));
   return found - region_names.begin();
 }
 } // namespace
@@ -290,14 +294,16 @@ Rock makeRock(ParameterList const& list, Mesh<Dim> const& mesh, Communicator con
   }
   std::vector<fem::Material> materials(mesh.cells.size());
   std::vector<std::vector<fem::RelaxingShare>> relaxation;
-  for (std::size_t cell = 0; cell < mesh.cells.size(); ++cell) {
-    auto const x = inSpace<Dim>(fem::simplexOf(mesh, static_cast<int>(cell)).centroid);
-    const int region = mesh.cell_regions[cell];
-    auto& material = materials[cell];
-    material.density = density(x, 0, region);
-    elasticity.set(material, x, region);
-    relaxation.push_back(laws[region].apply(x, region, material));
-  }
+  onEveryRank(communicator, [&] { // a region may lie on one rank alone
+    for (std::size_t cell = 0; cell < mesh.cells.size(); ++cell) {
+      auto const x = inSpace<Dim>(fem::simplexOf(mesh, static_cast<int>(cell)).centroid);
+      const int region = mesh.cell_regions[cell];
+      auto& material = materials[cell];
+      material.density = density(x, 0, region);
+      elasticity.set(material, x, region);
+      relaxation.push_back(laws[region].apply(x, region, material));
+    }
+  });
   auto branches = branchesOf(relaxation, materials, communicator);
   return {std::move(materials), std::move(branches)};
 }

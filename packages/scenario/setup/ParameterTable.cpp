@@ -1,14 +1,12 @@
 #include "scenario/setup/ParameterTable.hpp"
 
-#include <cmath>
-
 namespace asperity::scenario
 {
 namespace
 {
 Range rangeOf(Parameter const& of)
 {
-  return {of.lower, of.lower_closed, of.upper, of.upper_closed && std::isfinite(of.upper)};
+  return {of.lower, of.lower_closed, of.upper, of.upper_closed};
 }
 } // namespace
 

@@ -129,7 +129,7 @@ MultigridCorrection::MultigridCorrection(MultigridProblem const& problem,
   auto const own =
     terms.empty() ? MultigridTerms({[&] { return problem.Z; }}, problem, parameters) : terms;
   implementation_ = std::make_unique<Implementation>(
-    problem, values, *own.hierarchy_, terms.empty() ? std::vector<double>{1} : weights);
+    problem, values, own.hierarchy(), terms.empty() ? std::vector<double>{1} : weights);
 }
 
 MultigridCorrection::~MultigridCorrection() = default;

@@ -43,6 +43,7 @@ public:
                  Teuchos::ParameterList const& parameters);
 
   bool empty() const { return !hierarchy_; }
+  detail::MultigridHierarchy const& hierarchy() const { return *hierarchy_; } // unless empty
 
 private:
   friend class MultigridCorrection;

@@ -8,7 +8,6 @@
 
 namespace asperity::tnnmg::detail
 {
-
 void MultigridNodes::set(NonlinearBlocks const& blocks)
 {
   ASPERITY_ASSERT(static_cast<int>(blocks.truncated.extent(0)) == size() &&

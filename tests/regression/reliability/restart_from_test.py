@@ -121,8 +121,8 @@ class RestartFrom(unittest.TestCase):
                  if len(values) == 2]
         self.assertGreater(max(numpy.ptp(values[:, 0]) for values in jumps), 0)
 
-    def assert_refused(self, *arguments, pieces, run=None):
-        result = asperity_run.run(*DECK, *arguments, "--restart-from", run or self.other,
+    def assert_refused(self, *arguments, pieces, run=None, deck=DECK):
+        result = asperity_run.run(*deck, *arguments, "--restart-from", run or self.other,
                                   "--output", runs.fresh("refused"))
         runs.assert_one_message(self, result, runs.INPUT, *pieces)
         self.assertFalse(runs.fresh("refused").exists())
@@ -139,6 +139,16 @@ class RestartFrom(unittest.TestCase):
         self.assert_refused(pieces=("parameters.xml",), run="nowhere")
         self.assert_refused("--restart", self.other / "checkpoint.h5",
                             pieces=("Give one of the two",))
+
+    def test_rock_that_relaxes_otherwise_is_refused(self):
+        def maxwell(viscosity):
+            return [*CUT, *runs.settings("Bulk/Law=Maxwell", f"Bulk/Viscosity={viscosity}")]
+
+        other = asperity_run.run_to_end("flowing", *maxwell(1e6), *CUT_SHORT)
+        self.assert_refused(deck=maxwell(2e6), run=other,
+                            pieces=("relaxation times", "'2'", "'1'"))
+        self.assert_refused(deck=CUT, run=other, pieces=("relaxation times", "'none'", "'1'"))
+        asperity_run.run_to_end("flows_on", *maxwell(1e6), "--restart-from", other)
 
 
 if __name__ == "__main__":

@@ -60,8 +60,8 @@ TEST(OutputDomain, NodesAreNumberedAlongTheCurveOnAnyNumberOfRanks)
   const OutputDomain surface = boundaryDomain("surface", mesh, "surface", world());
   EXPECT_EQ(startText(surface), "the end with smaller x (of equal x, with smaller y)");
   const NodeBlocks blocks(surface);
-  const auto ofAll = [&blocks](std::vector<double> const& mine, std::size_t components) {
-    return joinedInOrder(blocks(mine, 1, components), *world());
+  const auto ofAll = [&](std::vector<double> const& mine, std::size_t components) {
+    return joinedInOrder(surface, blocks(mine, 1, components));
   };
   const auto coordinates = ofAll(surface.coordinates, 2);
   const auto positions = ofAll(surface.positions, 1);

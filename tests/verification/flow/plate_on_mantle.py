@@ -70,7 +70,7 @@ def surface(name, settings):
 
 
 def verdict(what, errors):
-    fine = errors and max(errors) < TOLERANCE
+    fine = bool(errors) and max(errors) < TOLERANCE
     print(f"{what}: {' '.join(f'{error:.2%}' for error in errors)}{'' if fine else ' NO'}",
           flush=True)
     return fine

@@ -123,7 +123,7 @@ std::vector<double> completing(std::vector<std::vector<double>> const& direction
     const double length = std::sqrt(dot(candidate, candidate));
     // At least one axis has a longer remainder, since the squares of the lengths of all add up to 1
     // or more.
-    if (length > steep) {
+    if (length > least_remainder) {
       for (double& x : candidate) {
         x /= length;
       }
