@@ -1,5 +1,7 @@
 #include "Kernels.hpp"
 
+#include "BenchKernels.hpp"
+
 #include "base/Errors.hpp"
 #include "base/Views.hpp"
 #include "base/parallel/Reductions.hpp"
@@ -73,29 +75,18 @@ double leastSeconds(Communicator const& communicator, Prepare const& prepare, Ru
   return least;
 }
 
-template <class Space>
-using Array = Kokkos::View<double*, typename Space::memory_space>;
-
-// a = b + 3 c (McCalpin 1995).
-template <class Space>
-void addMultiple(Array<Space> const& a, Array<Space> const& b, Array<Space> const& c)
-{
-  Kokkos::parallel_for(
-    "asperity::bench::triad", Kokkos::RangePolicy<Space>(0, a.extent(0)),
-    KOKKOS_LAMBDA(int i) { a(i) = b(i) + 3 * c(i); });
-}
-
-template <class Space>
-Kernel triad(Communicator const& communicator)
+// A STREAM triad in this space.
+template <class Space, class Array, class Run>
+Kernel triad(Communicator const& communicator, Run const& run)
 {
   // of all ranks together 134 MB each, if there are no more than sixteen
   const int size = std::max(1 << 20, (1 << 24) / communicator.getSize());
-  const Array<Space> a("asperity::bench::a", size), b("asperity::bench::b", size);
-  const Array<Space> c("asperity::bench::c", size);
+  const Array a("asperity::bench::a", size), b("asperity::bench::b", size);
+  const Array c("asperity::bench::c", size);
   Kokkos::deep_copy(b, 1.);
   Kokkos::deep_copy(c, 2.);
   const double seconds = leastSeconds(
-    communicator, [] {}, [&] { addMultiple<Space>(a, b, c); });
+    communicator, [] {}, [&] { run(a, b, c); });
   const double bytes = sumOverRanks(3 * real * size, communicator);
   return {"STREAM triad", Space::name(), bytes, seconds, bytes / seconds};
 }
@@ -105,10 +96,10 @@ class Meter
 public:
   explicit Meter(Communicator const& communicator) : communicator_(communicator)
   {
-    kernels_.push_back(triad<ExecutionSpace>(communicator));
+    kernels_.push_back(triad<ExecutionSpace, NodeView>(communicator, triadOnDevice));
     on_device_ = on_host_ = kernels_.back().triad;
     if (!std::is_same<ExecutionSpace, Host>::value) {
-      kernels_.push_back(triad<Host>(communicator));
+      kernels_.push_back(triad<Host, HostArray>(communicator, triadOnHost));
       on_host_ = kernels_.back().triad;
     }
   }
@@ -244,14 +235,6 @@ void measureMultigrid(Meter& meter, dynamics::Body const& body, fem::Weights con
   meter.measure<Host>("V-cycle", bytesOfCycle(*hierarchy.shared()), [&] { cycle.run(b, false); });
 }
 
-// r := the force that moves nodes with this curvature at the speed v, along their first tangent.
-void addInertia(ConstNodeView const& curvature, double v, BlockView const& r)
-{
-  Kokkos::parallel_for(
-    "asperity::bench::force", RangePolicy(0, r.extent_int(0)),
-    KOKKOS_LAMBDA(int node) { r(node, 0) += curvature(node) * v; });
-}
-
 // Block problems of the nodes that slide, whose solution is 1 um/s, from a guess of 1 nm/s; and a
 // second of the state there.
 void measureFriction(Meter& meter, dynamics::Fault const& fault, dynamics::State const& state,
@@ -271,7 +254,7 @@ void measureFriction(Meter& meter, dynamics::Fault const& fault, dynamics::State
   };
   alongFirst(solution);
   fault.friction().linearise(v, at, r, hessian, kinked);
-  addInertia(matrix.curvature(), solution, r);
+  addForce(matrix.curvature(), solution, r);
   std::vector<int> sliding;
   for (int node = 0; node < num_nodes; ++node) {
     if (surface.slides(node)) {

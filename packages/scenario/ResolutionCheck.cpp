@@ -211,17 +211,37 @@ double smallestStep(Problem<Dim> const& problem, ParameterList const& deck)
   return defaultStep(*resolution, deck);
 }
 
+namespace
+{
+double shortestPrescribed(ParameterList const& time) // [s], 0 if no size is named
+{
+  auto const levels = time.sublist("Prescribed").get<Teuchos::Array<int>>("Levels");
+  auto const finest = std::max_element(levels.begin(), levels.end());
+  return finest == levels.end() ? 0 : std::ldexp(time.get<double>("Largest Step"), -*finest);
+}
+} // namespace
+
 template <int Dim>
 void describeSmallestStep(Problem<Dim> const& problem, ParameterList const& deck,
                           Description& description)
 {
   auto const& time = deck.sublist("Time Stepping");
   const auto resolution = faultResolution(problem, deck.sublist("Friction"));
-  if (!resolution || time.get<std::string>("Control") == "Prescribed") {
+  if (!resolution) {
     return;
   }
   const double seismic = resolution->seismic_time, advised = defaultStep(*resolution, deck);
-  if (!time.isParameter(step_name)) {
+  if (time.get<std::string>("Control") == "Prescribed") {
+    const double shortest = shortestPrescribed(time);
+    if (shortest > seismic) {
+      description.warnings.push_back(
+        {"smallest step", "The shortest prescribed step, " + formatShort(shortest) +
+                            " s, is longer than an earthquake takes to slip by L, " +
+                            formatShort(seismic) +
+                            " s: earthquakes may be lost. Choose another 'Control', or steps of " +
+                            formatShort(advised) + " s or less."});
+    }
+  } else if (!time.isParameter(step_name)) {
     description.lines.push_back(
       "Smallest Step = " + formatShort(advised) + " s by default: an earthquake slips by L in " +
       formatShort(seismic) + " s or more; a shear wave takes " +

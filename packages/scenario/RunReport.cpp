@@ -61,6 +61,13 @@ Description describe(Problem<Dim> const& problem, ParameterList const& deck)
     ". Time stepping: " + deck.sublist("Time Stepping").get<std::string>("Scheme") + ", " +
     deck.sublist("Time Stepping").get<std::string>("Control") + ". Linear correction: " +
     (problem.solver.correction == dynamics::Correction::direct ? "Direct." : "MueLu."));
+  if (!problem.branches.empty()) {
+    std::string times;
+    for (auto const& branch : problem.branches) {
+      times += (times.empty() ? "" : ", ") + formatShort(branch.time);
+    }
+    lines.push_back("Shear stress in the rock relaxes within " + times + " s.");
+  }
   const auto size = describeSize(problem);
   lines.insert(lines.end(), size.begin(), size.end());
   describeWedge(deck, description);

@@ -24,8 +24,10 @@ def _state(now: Facts) -> str:
           else "there is no checkpoint of it")
     if now.state == "failed":
         why = (now.message or "the log says why").rstrip(".")
+        if "begin a new run" in why:
+            return f"failed: {why}"
         again = "once the disk has space" if now.exit_status == 5 else (
-            "only from the same state, and with the same settings it fails again")
+            "only from the same state; change settings before")
         return f"failed: {why}; {on}" + (f", {again}" * now.has_checkpoint)
     if now.state == "killed":
         return f"killed: its process is gone; {on}"

@@ -67,6 +67,16 @@ class SmallestStep(unittest.TestCase):
         self.assertTrue(self.warned(folder))
         self.assertIn("The results may be wrong", (folder / "run.log").read_text())
 
+    def test_prescribed_steps_over_which_no_rate_grows_are_told(self):
+        for size in (20.0, 400.0, 1000.0):
+            with self.subTest(size=size):
+                folder, result = run(f"long_{size:g}", *settings(
+                    "Time Stepping/Control=Prescribed", f"Time Stepping/Largest Step={size}"))
+                self.assertEqual((result.returncode, result.stderr), (0, ""))
+                self.assertEqual(num_events(folder), 0)
+                self.assertTrue(self.warned(folder))
+                self.assertIn("The results may be wrong", (folder / "run.log").read_text())
+
     def test_the_default_finds_all(self):
         folder, result = run("default", "--remove", "Time Stepping/Smallest Step")
         self.assertEqual((result.returncode, result.stderr), (0, ""))

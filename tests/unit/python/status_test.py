@@ -103,10 +103,15 @@ class Journal(Folder):
         status, out, _ = self.status()
         self.assertEqual(status, 3)
         self.assertIn("failed: Step 7 failed. Try other steps", out)
-        self.assertIn("with the same settings it fails again", out)
+        self.assertIn("continues it, only from the same state; change settings before", out)
         facts = self.facts()
         self.assertEqual((facts["state"], facts["exit_status"]), ("failed", 3))
         self.assertEqual(facts["message"], "Step 7 failed. Try other steps.")
+
+    def test_where_a_new_run_is_advised_no_restart_is(self):
+        self.write({"event": "begin"}, self.end("failed", 3, "10 steps. Then begin a new run."))
+        (self.folder / "checkpoint.h5").touch()
+        self.assertNotIn("continues it", self.status()[1])
 
     def test_the_log_of_earlier_versions_tells_a_failure_too(self):
         synthetic_log.write(self.folder, 2 * STEPS, 5, STOPPED + "The run has ended: no root.\n")
