@@ -22,7 +22,6 @@
 #include <Tpetra_Vector.hpp>
 
 #include <algorithm>
-#include <chrono>
 #include <iomanip>
 #include <limits>
 #include <sstream>
@@ -47,12 +46,6 @@ struct Kernel
   double triad;      // [bytes/s] in that space
 };
 
-double now()
-{
-  const auto since = std::chrono::steady_clock::now().time_since_epoch();
-  return std::chrono::duration<double>(since).count();
-}
-
 // prepare() comes before each run and is not timed. Collective.
 template <class Prepare, class Run>
 double leastSeconds(Communicator const& communicator, Prepare const& prepare, Run const& run)
@@ -65,10 +58,10 @@ double leastSeconds(Communicator const& communicator, Prepare const& prepare, Ru
     prepare();
     Kokkos::fence();
     communicator.barrier();
-    const double start = now();
+    const double start = wallSeconds();
     run();
     Kokkos::fence();
-    const double seconds = maxOverRanks(now() - start, communicator);
+    const double seconds = maxOverRanks(wallSeconds() - start, communicator);
     least = std::min(least, seconds);
     total += seconds;
   }

@@ -11,7 +11,6 @@
 #include <sys/resource.h>
 
 #include <algorithm>
-#include <chrono>
 #include <ctime>
 #include <iomanip>
 #include <sstream>
@@ -22,11 +21,6 @@ namespace
 {
 // CPU time of this process [s]: unlike wall time, it hardly sees other work on the machine.
 double cpuSeconds() { return double(std::clock()) / CLOCKS_PER_SEC; }
-
-double wallSeconds()
-{
-  return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
-}
 
 // The largest memory that this process has used.
 double peakBytes()
