@@ -23,16 +23,19 @@ bool isPowerOfTen(std::int64_t count)
   }
   return count == 1;
 }
+
+constexpr char const* smaller_step = "a smaller 'Smallest Step'";
+constexpr char const* smaller_tolerance = "a smaller 'Tolerance'";
 } // namespace
 
 bool GrowthWatch::hidesGrowth(Step const& step)
 {
   double before = step.rate_before;
   if (isForced(step)) {
-    least_ = least_ < 0 ? before : std::min(least_, before);
-    before = least_;
+    memory_.least = memory_.least < 0 ? before : std::min(memory_.least, before);
+    before = memory_.least;
   } else {
-    least_ = -1;
+    memory_.least = -1;
   }
   const double part = isForced(step) ? part_of_L : part_of_L_within;
   return (step.is_forced || slip_distance_ > 0) && step.rate > growth * before &&
@@ -49,8 +52,8 @@ std::string GrowthWatch::describe(Step const& step, std::int64_t count) const
     is_prescribed_
       ? Words{" of the prescribed size", "slipped by more than a tenth of L", "smaller steps"}
     : step.is_forced
-      ? Words{" of the smallest size", "did not meet the tolerance", "a smaller 'Smallest Step'"}
-      : Words{" within the tolerance, of size", "slipped by more than L", "a smaller 'Tolerance'"};
+      ? Words{" of the smallest size", "did not meet the tolerance", smaller_step}
+      : Words{" within the tolerance, of size", "slipped by more than L", smaller_tolerance};
   return std::to_string(count) + (count == 1 ? " step" : " steps") + words.which + " " +
          formatShort(step.step_size) + " s, the last one to t = " + formatShort(step.time) +
          " s, " + words.what + " while the slip rate grew to " + formatShort(step.rate) +
@@ -62,12 +65,28 @@ std::optional<Warning> GrowthWatch::note(Step const& step)
   if (!hidesGrowth(step)) {
     return std::nullopt;
   }
-  auto& count = isForced(step) ? forced_ : others_;
-  auto const text = describe(step, ++count);
-  if (most_ > 0 && count >= most_) {
+  auto& count = isForced(step) ? memory_.forced : memory_.others;
+  told_ = describe(step, ++count);
+  return isPowerOfTen(count) || count == most_
+           ? std::optional<Warning>({"hidden growth", told_ + "."})
+           : std::nullopt;
+}
+
+void GrowthWatch::requireFew() const
+{
+  for (const bool is_forced : {true, false}) {
+    const auto count = is_forced ? memory_.forced : memory_.others;
+    if (most_ == 0 || count < most_) {
+      continue;
+    }
+    auto const text = !told_.empty()
+                        ? told_
+                        : std::to_string(count) + (count == 1 ? " step" : " steps") +
+                            " before this restart hid a growing slip rate: earthquakes may "
+                            "be lost. Choose " +
+                            (is_forced ? smaller_step : smaller_tolerance);
     throw SolveError(text + " and begin a new run: --restart would continue after the lost "
                             "earthquakes. 'Time Stepping / Most Hiding Steps' is the limit.");
   }
-  return isPowerOfTen(count) ? std::optional<Warning>({"hidden growth", text + "."}) : std::nullopt;
 }
 } // namespace asperity::dynamics

@@ -14,6 +14,7 @@ namespace asperity::dynamics
 //   has a prescribed size. V is compared with the smallest rate in the present sequence of forced
 //   steps, from the beginning of the first of them.
 // - V dt > L in a step that meets the tolerance, which then is too loose.
+// The two kinds are counted apart.
 class GrowthWatch
 {
 public:
@@ -36,9 +37,20 @@ public:
     double rate_before = 0; // peak slip rate [m/s]
     double rate = 0;        // the same at its end
   };
-  // Returns a warning for the 1st, 10th, 100th, ... step that hides growth. Throws SolveError if
-  // there are `most`.
+  // Returns a warning for the 1st, 10th, 100th, ... step that hides growth, and for number `most`.
   std::optional<Warning> note(Step const& step);
+  // Throws SolveError if `most` steps of one kind have hidden growth.
+  void requireFew() const;
+
+  // What a restart goes on from.
+  struct Memory
+  {
+    double least = -1; // rate since forced steps began; negative after a step that is not forced
+    std::int64_t forced = 0; // steps that hid growth
+    std::int64_t others = 0;
+  };
+  Memory const& memory() const { return memory_; }
+  void restore(Memory const& memory) { memory_ = memory; }
 
 private:
   bool isForced(Step const& step) const { return step.is_forced || is_prescribed_; }
@@ -48,8 +60,7 @@ private:
   double slip_distance_;
   std::int64_t most_;
   bool is_prescribed_;
-  double least_ = -1; // rate since forced steps began; negative after a step that is not forced
-  std::int64_t forced_ = 0; // steps that hid growth
-  std::int64_t others_ = 0;
+  Memory memory_;
+  std::string told_; // of the last step that hid growth, without a full stop
 };
 } // namespace asperity::dynamics

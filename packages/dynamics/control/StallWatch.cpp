@@ -24,20 +24,21 @@ constexpr char const* advice = "Try a smaller 'Smallest Step' or a looser tolera
 
 std::string StallWatch::note(Step const& step)
 {
-  smallest_ = step.is_smallest ? smallest_ + 1 : 0;
-  forced_ = step.is_forced ? forced_ + 1 : 0;
+  auto& [smallest, forced] = memory_;
+  smallest = step.is_smallest ? smallest + 1 : 0;
+  forced = step.is_forced ? forced + 1 : 0;
   const std::string size = formatShort(step.step_size) + " s";
-  if (most_forced_ > 0 && forced_ >= most_forced_) {
-    throw SolveError("At t = " + formatShort(step.time) + " s the last " + std::to_string(forced_) +
+  if (most_forced_ > 0 && forced >= most_forced_) {
+    throw SolveError("At t = " + formatShort(step.time) + " s the last " + std::to_string(forced) +
                      " steps, of the smallest size " + size + ", did not meet the tolerance. " +
                      advice + " 'Time Stepping / Most Forced Steps' is the limit.");
   }
-  if (isWorthALine(forced_)) {
-    return "Warning: the last " + std::to_string(forced_) + " steps, of the smallest size " + size +
+  if (isWorthALine(forced)) {
+    return "Warning: the last " + std::to_string(forced) + " steps, of the smallest size " + size +
            ", did not meet the tolerance. " + advice;
   }
-  if (forced_ == 0 && isWorthALine(smallest_)) {
-    return "The last " + std::to_string(smallest_) + " steps had the smallest size, " + size +
+  if (forced == 0 && isWorthALine(smallest)) {
+    return "The last " + std::to_string(smallest) + " steps had the smallest size, " + size +
            "; the end of the run is " + formatShort(step.time_left / step.step_size) +
            " such steps away.";
   }

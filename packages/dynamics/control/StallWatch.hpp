@@ -23,8 +23,16 @@ public:
   // A sentence for the log, or "" for most steps. Throws SolveError at the limit most_forced.
   std::string note(Step const& step);
 
+  // What a restart goes on from: steps in a row.
+  struct Memory
+  {
+    std::int64_t smallest = 0, forced = 0;
+  };
+  Memory const& memory() const { return memory_; }
+  void restore(Memory const& memory) { memory_ = memory; }
+
 private:
   std::int64_t most_forced_;
-  std::int64_t smallest_ = 0, forced_ = 0; // in a row
+  Memory memory_;
 };
 } // namespace asperity::dynamics

@@ -26,6 +26,15 @@ double slipDistance(Problem<Dim> const& problem, ParameterList const& friction)
   const auto resolution = faultResolution(problem, friction);
   return resolution ? resolution->slip_distance : 0;
 }
+
+double toleranceOf(ParameterList const& time_stepping)
+{
+  auto const& control = time_stepping.sublist(time_stepping.get<std::string>("Control"));
+  constexpr char const* name = "Tolerance";
+  return control.isType<double>(name) ? control.get<double>(name) : 0;
+}
+
+const std::string of_growth = "growth_watch/", of_stall = "stall_watch/"; // in a checkpoint
 } // namespace
 
 template <int Dim>
@@ -41,6 +50,8 @@ Evolution<Dim>::Evolution(ParameterList const& deck, RCP<const Communicator> con
     , sample_(model_.fault.surface(), *model_.initial.u)
     , format_(problem_.initial, condensation_.get(), clock_)
     , floor_count_(model_.fault)
+    , stall_watch_(deck.sublist("Time Stepping").get<int>("Most Forced Steps"))
+    , tolerance_(toleranceOf(deck.sublist("Time Stepping")))
 {
   auto const update =
     makeRateUpdate(deck.sublist("Time Stepping"), !quasiDynamic(deck.sublist("Bulk")));
@@ -111,6 +122,7 @@ void Evolution<Dim>::restore(io::Archive const& checkpoint)
   count_ = loadSum<dynamics::SolveCount>(checkpoint, "count");
   forced_steps_ = checkpoint.getInteger("forced_steps");
   floor_count_.restore(checkpoint, "normal_stress_floor");
+  restoreWatches(checkpoint);
   if (numSteps() == 0) {
     beginBalance();
   } else {
@@ -129,6 +141,44 @@ void Evolution<Dim>::save(io::Archive& checkpoint) const
   checkpoint.set("forced_steps", forced_steps_);
   checkpoint.set("finest_level", clock_.finestLevel());
   floor_count_.save(checkpoint, "normal_stress_floor");
+  saveWatches(checkpoint);
+}
+
+template <int Dim>
+void Evolution<Dim>::saveWatches(io::Archive& checkpoint) const
+{
+  checkpoint.set(of_growth + "least", growth_watch_->memory().least);
+  checkpoint.set(of_growth + "forced", growth_watch_->memory().forced);
+  checkpoint.set(of_growth + "others", growth_watch_->memory().others);
+  checkpoint.set(of_growth + "tolerance", tolerance_);
+  checkpoint.set(of_stall + "smallest", stall_watch_.memory().smallest);
+  checkpoint.set(of_stall + "forced", stall_watch_.memory().forced);
+}
+
+// Counts go on, so that restarts do not escape the limits. What has been cured is counted anew:
+// forced steps where the smallest step is smaller than before, others where the tolerance is. The
+// largest step cannot change, so that levels tell sizes. Earlier versions save no watches.
+template <int Dim>
+void Evolution<Dim>::restoreWatches(io::Archive const& checkpoint)
+{
+  if (!checkpoint.has(of_growth + "forced")) {
+    return;
+  }
+  const bool has_smaller_steps = checkpoint.getInteger("finest_level") < clock_.finestLevel();
+  dynamics::GrowthWatch::Memory growth;
+  growth.others = checkpoint.getInteger(of_growth + "others");
+  if (tolerance_ < checkpoint.getDouble(of_growth + "tolerance")) {
+    growth.others = 0;
+  }
+  dynamics::StallWatch::Memory stall;
+  if (!has_smaller_steps) {
+    growth.least = checkpoint.getDouble(of_growth + "least");
+    growth.forced = checkpoint.getInteger(of_growth + "forced");
+    stall.smallest = checkpoint.getInteger(of_stall + "smallest");
+    stall.forced = checkpoint.getInteger(of_stall + "forced");
+  }
+  growth_watch_->restore(growth);
+  stall_watch_.restore(stall);
 }
 
 template <int Dim>
@@ -170,7 +220,7 @@ io::StepInfo Evolution<Dim>::stepInfo() const
 }
 
 template <int Dim>
-dynamics::StallWatch::Step Evolution<Dim>::progress() const
+std::string Evolution<Dim>::watchStall()
 {
   dynamics::StallWatch::Step step;
   step.is_smallest =
@@ -179,7 +229,7 @@ dynamics::StallWatch::Step Evolution<Dim>::progress() const
   step.time = time();
   step.step_size = clock_.stepSize(view_.step.level);
   step.time_left = clock_.seconds(end_ - state_.time);
-  return step;
+  return stall_watch_.note(step);
 }
 
 template <int Dim>

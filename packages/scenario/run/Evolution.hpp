@@ -52,10 +52,14 @@ public:
   double time() const { return clock_.seconds(state_.time); } // [s]
   double finalTime() const { return clock_.seconds(end_); }   // [s]
   std::int64_t numSteps() const { return control_->memory().num_steps; }
-  io::StepInfo stepInfo() const;               // of the last step
-  dynamics::StallWatch::Step progress() const; // of the last step
-  // Warns if that step hides a growing slip rate; throws SolveError after too many such steps.
+  io::StepInfo stepInfo() const; // of the last step
+  // Warns if that step hides a growing slip rate.
   void watchGrowth();
+  // Throws SolveError after too many such steps, those before a restart among them.
+  void requireLittleGrowth() const { growth_watch_->requireFew(); }
+  // What the log should say of steps of the smallest size, or "". Throws SolveError after too many
+  // in a row that do not meet the tolerance.
+  std::string watchStall();
   // The warnings since the last call, the same on all ranks.
   std::vector<Warning> takeWarnings() { return std::exchange(warnings_, {}); }
   RunSummary summary() const; // without `finished` and `directory`
@@ -64,6 +68,8 @@ private:
   std::string placeOf(int vertex) const;
   void requireFinite() const;
   void beginBalance();
+  void restoreWatches(io::Archive const& checkpoint);
+  void saveWatches(io::Archive& checkpoint) const;
 
   RCP<const Communicator> communicator_;
   Problem<Dim> problem_;
@@ -83,6 +89,8 @@ private:
   std::vector<Warning> warnings_;
   std::int64_t rises_to_tell_ = 1; // number of rises of J at which the next warning comes
   std::optional<dynamics::GrowthWatch> growth_watch_;
+  dynamics::StallWatch stall_watch_;
+  double tolerance_;       // of the step control; 0 if it has none
   double rate_before_ = 0; // peak slip rate before the last step [m/s]
   RunView view_;
 };

@@ -7,7 +7,6 @@
 #include "base/program/MpiScope.hpp"
 #include "base/program/Signals.hpp"
 #include "base/program/WorkTimers.hpp"
-#include "dynamics/control/StallWatch.hpp"
 #include "io/Archive.hpp"
 #include "io/OutputSet.hpp"
 #include "io/files/OutputDirectory.hpp"
@@ -67,7 +66,6 @@ private:
   io::DirectoryLock lock_; // of the directory, on rank 0
   std::unique_ptr<io::RunRecord> record_;
   Evolution<Dim> evolution_;
-  dynamics::StallWatch stall_watch_;
   bool step_is_complete_ = false; // counted in the energy balance and written to the outputs
   std::map<std::string, io::OutputDomain> domains_;
   io::FieldRegistry registry_;
@@ -94,7 +92,6 @@ SimulationOf<Dim>::SimulationOf(RCP<ParameterList> const& deck, CommandLine cons
     , meeting_point_(*communicator)
     , directory_(outputDirectory(command_line))
     , evolution_(*deck, communicator)
-    , stall_watch_(deck->sublist("Time Stepping").get<int>("Most Forced Steps"))
     , domains_(makeDomains(evolution_.problem()))
     , restart_(command_line.restart)
     , restart_from_(command_line.restart_from)
@@ -256,6 +253,7 @@ void SimulationOf<Dim>::begin()
     outputs_->write(evolution_.stepInfo());
   }
   warnOfEvolution();
+  evolution_.requireLittleGrowth();
   if (evolution_.atEnd()) {
     record_->message("The final time, " + formatShort(evolution_.finalTime()) +
                      " s, has passed: there is nothing to do. Give a later 'Time Stepping / "
@@ -280,9 +278,9 @@ void SimulationOf<Dim>::advance()
   record_->at(info.step, info.time);
   evolution_.watchGrowth();
   warnOfEvolution();
+  evolution_.requireLittleGrowth();
   tellProgress(info);
-  const auto stall = stall_watch_.note(evolution_.progress());
-  if (!stall.empty()) {
+  if (const auto stall = evolution_.watchStall(); !stall.empty()) {
     record_->message(stall);
   }
 }

@@ -80,13 +80,15 @@ RCP<const ParameterList> timeParameters()
       "needs inertia: where the deck names no scheme, a quasi-dynamic body has Generalised Alpha.")
     .integer("Most Forced Steps", 10000, Range::atLeast(0),
              "The run ends with an error after this number of steps in a row that even at the "
-             "smallest size did not meet the tolerance; 0 means that there is no limit.")
+             "smallest size did not meet the tolerance; 0 means that there is no limit. A restart "
+             "continues the count unless Smallest Step is smaller.")
     .integer("Most Hiding Steps", 10, Range::atLeast(0),
              "The run ends with an error after this number of steps that hide a growing slip rate: "
              "after them the peak slip rate is more than twice that before, and slips in a step by "
              "more than a tenth of L if the step does not meet the tolerance even at the smallest "
-             "size, by more than L if it meets it. The two kinds are counted apart. 0 means no "
-             "limit, but a warning.")
+             "size, by more than L if it meets it. The two kinds are counted apart, and a restart "
+             "continues the counts: the first begins again with a smaller Smallest Step, the "
+             "second with a smaller Tolerance. 0 means no limit, but a warning.")
     .real("Largest Step", required, "s", Range::positive(),
           "The size of every step is this one divided by a power of two.")
     .real(

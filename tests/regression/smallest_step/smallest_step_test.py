@@ -97,9 +97,33 @@ class SmallestStep(unittest.TestCase):
         self.assertEqual(result.returncode, SOLVE)
         self.assertIn("Choose a smaller 'Smallest Step'", result.stderr)
         self.assertEqual(facts(folder, 1800.0).exit_status, SOLVE)
+        self.assertIn("hidden growth", [each["topic"] for each in facts(folder, 1800.0).warnings])
         asperity_run.go_on(folder, DECK, *settings(
             FINAL, "Time Stepping/Largest Step=8", "Time Stepping/Smallest Step=1e-6"), timeout=250)
         self.assertEqual(facts(folder, 1800.0).state, "finished")
+
+    def test_restarts_do_not_escape_the_limit(self):
+        def with_steps(smallest, limit):
+            return settings(FINAL, "Time Stepping/Largest Step=8",
+                            f"Time Stepping/Smallest Step={smallest}",
+                            f"Time Stepping/Most Hiding Steps={limit}")
+
+        def restart(*arguments):
+            return asperity_run.run(DECK, *arguments, "--restart", folder / "checkpoint.h5",
+                                    "--output", folder, timeout=250)
+
+        folder, result = run("limit", *with_steps(4, 2))
+        self.assertEqual(result.returncode, SOLVE, result.stderr)
+        steps = (folder / "steps.csv").read_bytes()
+        for _ in range(2):
+            again = restart(*with_steps(4, 2))
+            self.assertEqual(again.returncode, SOLVE)
+            self.assertIn("2 steps before this restart hid a growing slip rate", again.stderr)
+            self.assertEqual((folder / "steps.csv").read_bytes(), steps)
+        self.assertEqual(restart(*with_steps(4, 3)).returncode, SOLVE)
+        self.assertGreater(len((folder / "steps.csv").read_bytes()), len(steps))
+        self.assertIn("3 steps before this restart", restart(*with_steps(4, 3)).stderr)
+        self.assertEqual(restart(*with_steps(1e-6, 3)).returncode, DONE)
 
 
 if __name__ == "__main__":

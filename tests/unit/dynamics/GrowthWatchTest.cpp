@@ -44,7 +44,9 @@ TEST(GrowthWatch, BlamesTheToleranceWhereAStepThatMeetsItHidesGrowth)
   ASSERT_TRUE(warning);
   test::expectParts(warning->text, {"1 step within the tolerance", "Choose a smaller 'Tolerance'"});
   EXPECT_TRUE(watch.note(step(true, 1e4, 1e-9, 2.8e-5))) << "forced steps are counted apart";
-  EXPECT_THROW(watch.note(step(false, 1e4, 1e-9, 2.8e-5)), SolveError);
+  EXPECT_NO_THROW(watch.requireFew());
+  watch.note(step(false, 1e4, 1e-9, 2.8e-5));
+  EXPECT_THROW(watch.requireFew(), SolveError);
 }
 
 TEST(GrowthWatch, SeesGrowthOverManyForcedSteps)
@@ -67,7 +69,35 @@ TEST(GrowthWatch, EndsTheRunWithOneTooMany)
   GrowthWatch watch(L, 3);
   EXPECT_TRUE(watch.note(step(true, 1, 1e-9, 1)));
   EXPECT_FALSE(watch.note(step(true, 1, 1e-9, 1)));
-  EXPECT_THROW(watch.note(step(true, 1, 1e-9, 1)), SolveError);
+  EXPECT_NO_THROW(watch.requireFew());
+  EXPECT_TRUE(watch.note(step(true, 1, 1e-9, 1))) << "what ends a run is a warning, too";
+  EXPECT_THROW(watch.requireFew(), SolveError);
+}
+
+TEST(GrowthWatch, GoesOnFromTheCountsOfAnEarlierRun)
+{
+  GrowthWatch before(L, 0);
+  before.note(step(true, 1, 1e-9, 1.5e-9));
+  for (const bool is_forced : {true, false, false}) {
+    before.note(step(is_forced, 1, 1e-9, 1));
+  }
+  before.note(step(true, 1e-7, 1e-9, 1.5e-9));
+  EXPECT_EQ(before.memory().forced, 1);
+  EXPECT_EQ(before.memory().others, 2);
+
+  GrowthWatch after(L, 3);
+  after.restore(before.memory());
+  EXPECT_NO_THROW(after.requireFew());
+  EXPECT_FALSE(after.note(step(true, 1e4, 1.5e-9, 2.1e-9)));
+  EXPECT_EQ(after.memory().forced, 2) << "above twice the first rate, 1e-9";
+  EXPECT_TRUE(after.note(step(true, 1e4, 2.1e-9, 2.2e-9)));
+  EXPECT_THROW(after.requireFew(), SolveError);
+
+  GrowthWatch full(L, 2);
+  full.restore(before.memory());
+  test::expectRefusal<SolveError>([&] { full.requireFew(); },
+                                  {"2 steps before this restart", "a smaller 'Tolerance'",
+                                   "begin a new run", "Most Hiding Steps"});
 }
 
 TEST(GrowthWatch, TakesPrescribedStepsForForcedAndEndsNoRun)
