@@ -50,8 +50,50 @@ void RunJournal::restart() { write("restart", ""); }
 
 void RunJournal::warn(Warning const& warning)
 {
-  topics_.insert(warning.topic);
+  told_[warning.topic] = {warning.text, step_, time_};
   write("warning", member("topic", quoted(warning.topic)) + member("text", quoted(warning.text)));
+}
+
+std::set<std::string> RunJournal::topics() const
+{
+  std::set<std::string> topics;
+  for (auto const& [topic, told] : told_) {
+    topics.insert(topic);
+  }
+  return topics;
+}
+
+void RunJournal::save(Archive& archive) const
+{
+  archive.set("number", told_.size());
+  int i = 0;
+  for (auto const& [topic, told] : told_) {
+    const std::string path = std::to_string(i++);
+    archive.set(path + "/topic", topic);
+    archive.set(path + "/text", told.text);
+    archive.set(path + "/step", told.step);
+    archive.set(path + "/time", told.time);
+  }
+}
+
+std::vector<Warning> RunJournal::repeat(Archive const& archive)
+{
+  std::vector<Warning> repeated;
+  const auto number = archive.has("number") ? archive.getInteger("number") : 0;
+  const auto step = step_;
+  const double time = time_;
+  for (std::int64_t i = 0; i < number; ++i) {
+    const std::string path = std::to_string(i);
+    const Warning warning{archive.get<std::string>(path + "/topic"),
+                          archive.get<std::string>(path + "/text")};
+    if (told_.count(warning.topic) == 0) {
+      at(archive.getInteger(path + "/step"), archive.getDouble(path + "/time"));
+      warn(warning);
+      repeated.push_back(warning);
+    }
+  }
+  at(step, time);
+  return repeated;
 }
 
 void RunJournal::progress(Progress const& progress)

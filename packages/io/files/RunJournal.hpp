@@ -2,13 +2,16 @@
 
 #include "base/Types.hpp"
 #include "base/Warning.hpp"
+#include "io/Archive.hpp"
 #include "io/files/Progress.hpp"
 
 #include <cstdint>
 #include <filesystem>
 #include <fstream>
+#include <map>
 #include <set>
 #include <string>
+#include <vector>
 
 namespace asperity::io
 {
@@ -17,7 +20,8 @@ namespace asperity::io
 //
 //   begin    `clock`, the seconds since 1970; a process begins to write
 //   restart  the process goes on from the checkpoint of that step: what came after it is void
-//   warning  `topic` and `text` (base/Warning.hpp)
+//   warning  `topic` and `text` (base/Warning.hpp); a restart repeats those up to its checkpoint,
+//            with their own step and time
 //   progress `wall_time` [s], `peak_slip_rate` [m/s] and, if they are known, `events` and, of wall
 //            time, `seconds_left` with `knows_cycles` (TimeLeft)
 //   end      `how` ("finished", "stopped", "failed"), `exit_status`, `message` and `wall_time`; a
@@ -37,17 +41,29 @@ public:
 
   void restart();
   void warn(Warning const& warning);
-  // The topics of the warnings since the run began or was restarted.
-  std::set<std::string> const& topics() const { return topics_; }
+  // The topics of the warnings of the run, also of those that have been repeated.
+  std::set<std::string> topics() const;
   void progress(Progress const& progress);
   void end(std::string const& how, int exit_status, std::string const& message, double wall_time);
 
+  // Saves the last warning of each topic.
+  void save(Archive& archive) const;
+  // Repeats those that were saved and on whose topic this process has not warned; returns them.
+  // Earlier versions have saved none.
+  std::vector<Warning> repeat(Archive const& archive);
+
 private:
+  struct Told
+  {
+    std::string text;
+    std::int64_t step = 0;
+    double time = 0;
+  };
   void write(std::string const& event, std::string const& more);
 
   std::ofstream file_; // open on rank 0 alone
   std::int64_t step_ = 0;
   double time_ = 0;
-  std::set<std::string> topics_;
+  std::map<std::string, Told> told_; // by topic
 };
 } // namespace asperity::io

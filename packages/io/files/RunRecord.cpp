@@ -53,6 +53,7 @@ void RunRecord::save(Archive& archive) const
 {
   archive.set("wall_time", wallTime());
   archive.insert("time_left", time_left_);
+  archive.insert("warnings", journal_);
 }
 
 void RunRecord::restore(Archive const& archive)
@@ -60,5 +61,12 @@ void RunRecord::restore(Archive const& archive)
   earlier_wall_time_ = archive.getDouble("wall_time");
   time_left_.restore(archive.child("time_left"));
   journal_.restart();
+  const auto warnings = journal_.repeat(archive.child("warnings"));
+  if (!warnings.empty()) {
+    log_.message("The run before this restart has warned:");
+  }
+  for (auto const& warning : warnings) {
+    log_.message("WARNING: " + warning.text);
+  }
 }
 } // namespace asperity::io

@@ -28,8 +28,8 @@ public:
 
   void message(std::string const& text) { log_.message(text); }
   void warn(Warning const& warning);
-  // The topics of the warnings since the run began or was restarted.
-  std::set<std::string> const& topics() const { return journal_.topics(); }
+  // The topics of the warnings of the run.
+  std::set<std::string> topics() const { return journal_.topics(); }
   // Adds the time left.
   void progress(Progress progress);
 
@@ -37,7 +37,8 @@ public:
   // The error goes to standard error in another way.
   void fail(std::exception const& error);
 
-  // restore() also notes the restart.
+  // restore() also notes the restart, and repeats the warnings of the run before it: what they say
+  // of its results holds for those that follow from them.
   void save(Archive& archive) const;
   void restore(Archive const& archive);
 

@@ -123,7 +123,11 @@ class SmallestStep(unittest.TestCase):
         self.assertEqual(restart(*with_steps(4, 3)).returncode, SOLVE)
         self.assertGreater(len((folder / "steps.csv").read_bytes()), len(steps))
         self.assertIn("3 steps before this restart", restart(*with_steps(4, 3)).stderr)
-        self.assertEqual(restart(*with_steps(1e-6, 3)).returncode, DONE)
+        fine = restart(*with_steps(1e-6, 3))
+        self.assertEqual(fine.returncode, DONE)
+        self.assertRegex(fine.stdout, r"WARNING: 3 steps of the smallest size 4 s")
+        self.assertRegex(fine.stdout, r"The results may be wrong\..*'hidden growth'")
+        self.assertTrue(self.warned(folder))
 
 
 if __name__ == "__main__":

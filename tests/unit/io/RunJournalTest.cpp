@@ -1,4 +1,5 @@
 #include "io/files/RunJournal.hpp"
+#include "io/files/RunRecord.hpp"
 #include "unit/io/Support.hpp"
 
 using namespace asperity;
@@ -33,4 +34,55 @@ TEST(RunJournal, WritesALineForEachEvent)
     "{\"event\": \"end\", \"step\": 7, \"time\": 0.5, \"how\": \"stopped\", \"exit_status\": 4, "
     "\"message\": \"\", \"wall_time\": 13.5}\n";
   EXPECT_EQ(text.substr(text.find('\n') + 1), expected);
+}
+
+TEST(RunRecord, ARestartRepeatsTheWarningsOfTheRunBeforeUnlessTheyAreNewAgain)
+{
+  test::TemporaryDirectory directory;
+  io::Archive archive, of_restart;
+  {
+    io::RunRecord before(directory.path(), false, *world());
+    before.warn({"cohesive zone", "few cells."});
+    before.at(7, 0.5);
+    before.warn({"hidden growth", "1 step."});
+    before.save(archive);
+    before.warn({"rises of J", "after the checkpoint."});
+  }
+  world()->barrier();
+  {
+    io::RunRecord after(directory.path(), true, *world());
+    after.warn({"cohesive zone", "fewer cells."});
+    after.at(9, 0.75);
+    after.restore(archive);
+    EXPECT_EQ(after.topics(), (std::set<std::string>{"cohesive zone", "hidden growth"}));
+    after.save(of_restart);
+    after.end("finished", 0);
+  }
+  world()->barrier();
+  EXPECT_EQ(of_restart.child("warnings").get<std::string>("1/text"), "1 step.");
+  const std::string journal = test::contents(directory / "run.jsonl");
+  const std::string of_after = journal.substr(journal.find("{\"event\": \"restart\""));
+  EXPECT_EQ(of_after.find("{\"event\": \"restart\", \"step\": 9, \"time\": 0.75}\n"
+                          "{\"event\": \"warning\", \"step\": 7, \"time\": 0.5, "
+                          "\"topic\": \"hidden growth\", \"text\": \"1 step.\"}\n"
+                          "{\"event\": \"end\", \"step\": 9, \"time\": 0.75"),
+            0u)
+    << of_after;
+  const std::string log = test::contents(directory / "run.log");
+  EXPECT_NE(log.find("has warned:\nWARNING: 1 step.\n"), std::string::npos) << log;
+}
+
+TEST(RunRecord, ReadsCheckpointsWithoutWarnings)
+{
+  test::TemporaryDirectory directory;
+  io::Archive archive, without;
+  io::RunRecord record(directory.path(), false, *world());
+  record.save(archive);
+  for (auto const& [path, value] : archive.values()) {
+    if (path.find("warnings") == std::string::npos) {
+      std::visit([&, name = path](auto const& each) { without.set(name, each); }, value);
+    }
+  }
+  EXPECT_NO_THROW(record.restore(without));
+  EXPECT_TRUE(record.topics().empty());
 }
