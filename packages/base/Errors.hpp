@@ -20,6 +20,13 @@ public:
   using std::runtime_error::runtime_error;
 };
 
+// Steps have hidden earthquakes: a restart would go on after what is lost.
+class LostEarthquakes : public SolveError
+{
+public:
+  using SolveError::SolveError;
+};
+
 // A file of the run cannot be written or cannot be read back, because the disk is full or the file
 // is damaged. Neither the deck nor a solve is at fault.
 class OutputError : public std::runtime_error

@@ -39,6 +39,7 @@ class Journal:
     how: str = ""
     exit_status: Optional[int] = None
     message: str = ""
+    kind: str = ""                                        # of a failure; '' of earlier versions
     warnings: List[Warned] = field(default_factory=list)  # the last one of each topic
     progress: List[Progress] = field(default_factory=list)
     wall_time: Optional[float] = None                     # [s] of all processes
@@ -65,7 +66,7 @@ class Journal:
     def _take(self, entry: Dict[str, Any]) -> None:
         event = entry["event"]
         if event == "begin":
-            self.how, self.exit_status, self.message = "", None, ""
+            self.how, self.exit_status, self.message, self.kind = "", None, "", ""
         elif event == "restart":  # what came after that step is computed again
             self.warnings = [each for each in self.warnings if each.step <= entry["step"]]
             self.progress = [each for each in self.progress if each.step <= entry["step"]]
@@ -81,7 +82,7 @@ class Journal:
             self.wall_time = entry["wall_time"]
         elif event == "end":
             self.how, self.exit_status = entry["how"], entry["exit_status"]
-            self.message = entry["message"]
+            self.message, self.kind = entry["message"], entry.get("kind", "")
             # earlier versions say the wall time of each process
             self.wall_time = entry["wall_time"] if "wall_time" in entry \
                 else (self.wall_time or 0.0) + entry["wall"]

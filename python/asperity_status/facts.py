@@ -42,6 +42,7 @@ class Facts:
     energy_rises: Optional[int]
     worst_step: Optional[Dict[str, float]]
     message: Optional[str]      # why a failed run has ended
+    kind: Optional[str]         # of its failure, as in run.jsonl
     exit_status: Optional[int]  # of the program, where it has ended by itself
     has_checkpoint: bool
     warnings: List[Dict[str, Any]]  # topic, text, step, time
@@ -59,7 +60,8 @@ def facts(directory: Path, silent_after: float) -> Facts:
                  wall=None if journal.wall_time is None else journal.wall_time + since,
                  **_place(run, journal), **_speed(journal.progress), **_steps(run),
                  **_left(journal.progress if state != FINISHED else [], since),
-                 message=journal.message or None, exit_status=journal.exit_status,
+                 message=journal.message or None, kind=journal.kind or None,
+                 exit_status=journal.exit_status,
                  has_checkpoint=run.has("checkpoint.h5"),
                  warnings=[asdict(each) for each in journal.warnings])
 

@@ -24,7 +24,7 @@ def _state(now: Facts) -> str:
           else "there is no checkpoint of it")
     if now.state == "failed":
         why = (now.message or "the log says why").rstrip(".")
-        if "begin a new run" in why:
+        if _has_lost_earthquakes(now):
             return f"failed: {why}"
         again = "once the disk has space" if now.exit_status == 5 else (
             "only from the same state; change settings before")
@@ -35,6 +35,13 @@ def _state(now: Facts) -> str:
         return (f"silent for {durations.text(now.age)}: killed, or hanging; if no process of it "
                 f"is left, {on}")
     return f"stopped before its end; {on}" if now.state == "stopped" else now.state
+
+
+def _has_lost_earthquakes(now: Facts) -> bool:
+    """Earlier versions tell no kind of failure, but what to do."""
+    if now.kind is not None:
+        return now.kind == "lost_earthquakes"
+    return "begin a new run" in (now.message or "")
 
 
 def _place(now: Facts) -> str:

@@ -85,8 +85,8 @@ void GrowthWatch::requireFew() const
                             " before this restart hid a growing slip rate: earthquakes may "
                             "be lost. Choose " +
                             (is_forced ? smaller_step : smaller_tolerance);
-    throw SolveError(text + " and begin a new run: --restart would continue after the lost "
-                            "earthquakes. 'Time Stepping / Most Hiding Steps' is the limit.");
+    throw LostEarthquakes(text + " and begin a new run: --restart would continue after the lost "
+                                 "earthquakes. 'Time Stepping / Most Hiding Steps' is the limit.");
   }
 }
 } // namespace asperity::dynamics

@@ -39,7 +39,7 @@ public:
   };
   // Returns a warning for the 1st, 10th, 100th, ... step that hides growth, and for number `most`.
   std::optional<Warning> note(Step const& step);
-  // Throws SolveError if `most` steps of one kind have hidden growth.
+  // Throws LostEarthquakes if `most` steps of one kind have hidden growth.
   void requireFew() const;
 
   // What a restart goes on from.

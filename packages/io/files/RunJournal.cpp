@@ -111,10 +111,11 @@ void RunJournal::progress(Progress const& progress)
 }
 
 void RunJournal::end(std::string const& how, int exit_status, std::string const& message,
-                     double wall_time)
+                     double wall_time, std::string const& kind)
 {
   write("end", member("how", quoted(how)) + member("exit_status", std::to_string(exit_status)) +
-                 member("message", quoted(message)) + member("wall_time", formatShort(wall_time)));
+                 member("message", quoted(message)) + member("wall_time", formatShort(wall_time)) +
+                 (kind.empty() ? "" : member("kind", quoted(kind))));
 }
 
 void RunJournal::write(std::string const& event, std::string const& more)

@@ -24,8 +24,8 @@ namespace asperity::io
 //            with their own step and time
 //   progress `wall_time` [s], `peak_slip_rate` [m/s] and, if they are known, `events` and, of wall
 //            time, `seconds_left` with `knows_cycles` (TimeLeft)
-//   end      `how` ("finished", "stopped", "failed"), `exit_status`, `message` and `wall_time`; a
-//            process that is killed has no end
+//   end      `how` ("finished", "stopped", "failed"), `exit_status`, `message`, `wall_time` and, of
+//            a failure, its `kind` (RunRecord.cpp); a process that is killed has no end
 //
 // The wall time is that of steps.csv: of all processes, without what a restart computes again.
 // asperity.journal reads it. Only rank 0 writes. Not collective; a line that cannot be written is
@@ -44,7 +44,9 @@ public:
   // The topics of the warnings of the run, also of those that have been repeated.
   std::set<std::string> topics() const;
   void progress(Progress const& progress);
-  void end(std::string const& how, int exit_status, std::string const& message, double wall_time);
+  // kind: of a failure, or "".
+  void end(std::string const& how, int exit_status, std::string const& message, double wall_time,
+           std::string const& kind = "");
 
   // Saves the last warning of each topic.
   void save(Archive& archive) const;

@@ -1,5 +1,6 @@
 #include "io/files/RunRecord.hpp"
 
+#include "base/Errors.hpp"
 #include "base/program/MpiScope.hpp"
 #include "base/program/WorkTimers.hpp"
 #include "hdf5/File.hpp"
@@ -8,6 +9,23 @@
 
 namespace asperity::io
 {
+namespace
+{
+// What programs tell failures apart by, whatever the message says.
+std::string kindOf(std::exception const& error)
+{
+  if (dynamic_cast<LostEarthquakes const*>(&error) != nullptr) {
+    return "lost_earthquakes";
+  }
+  switch (exitStatus(error)) {
+  case exit_input: return "input";
+  case exit_solve: return "solve";
+  case exit_output: return "output";
+  default: return "other";
+  }
+}
+} // namespace
+
 RunRecord::RunRecord(std::filesystem::path const& directory, bool goes_on, Communicator const& comm)
     : active_(comm.getRank() == 0)
     , log_(directory / "run.log", goes_on, comm)
@@ -46,7 +64,7 @@ void RunRecord::end(std::string const& how, int exit_status)
 void RunRecord::fail(std::exception const& error)
 {
   log_.note(std::string("The run has ended: ") + error.what());
-  journal_.end("failed", exitStatus(error), error.what(), wallTime());
+  journal_.end("failed", exitStatus(error), error.what(), wallTime(), kindOf(error));
 }
 
 void RunRecord::save(Archive& archive) const

@@ -55,7 +55,7 @@ public:
   io::StepInfo stepInfo() const; // of the last step
   // Warns if that step hides a growing slip rate.
   void watchGrowth();
-  // Throws SolveError after too many such steps, those before a restart among them.
+  // Throws LostEarthquakes after too many such steps, those before a restart among them.
   void requireLittleGrowth() const { growth_watch_->requireFew(); }
   // What the log should say of steps of the smallest size, or "". Throws SolveError after too many
   // in a row that do not meet the tolerance.

@@ -95,9 +95,9 @@ TEST(GrowthWatch, GoesOnFromTheCountsOfAnEarlierRun)
 
   GrowthWatch full(L, 2);
   full.restore(before.memory());
-  test::expectRefusal<SolveError>([&] { full.requireFew(); },
-                                  {"2 steps before this restart", "a smaller 'Tolerance'",
-                                   "begin a new run", "Most Hiding Steps"});
+  test::expectRefusal<LostEarthquakes>([&] { full.requireFew(); },
+                                       {"2 steps before this restart", "a smaller 'Tolerance'",
+                                        "begin a new run", "Most Hiding Steps"});
 }
 
 TEST(GrowthWatch, TakesPrescribedStepsForForcedAndEndsNoRun)

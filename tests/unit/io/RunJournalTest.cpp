@@ -1,4 +1,5 @@
 #include "io/files/RunJournal.hpp"
+#include "base/Errors.hpp"
 #include "io/files/RunRecord.hpp"
 #include "unit/io/Support.hpp"
 
@@ -85,4 +86,22 @@ TEST(RunRecord, ReadsCheckpointsWithoutWarnings)
   }
   EXPECT_NO_THROW(record.restore(without));
   EXPECT_TRUE(record.topics().empty());
+}
+
+TEST(RunRecord, NamesTheKindOfAFailure)
+{
+  const std::string text = "begin a new run";
+  const auto kind = [](std::exception const& error) {
+    test::TemporaryDirectory directory;
+    io::RunRecord(directory.path(), false, *world()).fail(error);
+    world()->barrier();
+    const std::string journal = test::contents(directory / "run.jsonl");
+    const auto at = journal.find("\"kind\": ");
+    return at == std::string::npos ? journal : journal.substr(at + 8);
+  };
+  EXPECT_EQ(kind(LostEarthquakes(text)), "\"lost_earthquakes\"}\n");
+  EXPECT_EQ(kind(SolveError(text)), "\"solve\"}\n");
+  EXPECT_EQ(kind(InputError(text)), "\"input\"}\n");
+  EXPECT_EQ(kind(OutputError(text)), "\"output\"}\n");
+  EXPECT_EQ(kind(std::runtime_error(text)), "\"other\"}\n");
 }

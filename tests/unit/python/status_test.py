@@ -93,9 +93,9 @@ class Journal(Folder):
         (self.folder / "run.jsonl").write_text("\n".join(lines) + "\n")
 
     @staticmethod
-    def end(how, status, message="", wall_time=1.0):
+    def end(how, status, message="", wall_time=1.0, **more):
         return {"event": "end", "how": how, "exit_status": status, "message": message,
-                "wall_time": wall_time}
+                "wall_time": wall_time, **more}
 
     def test_a_failed_run_is_no_stopped_one(self):
         self.write({"event": "begin"}, self.end("failed", 3, "Step 7 failed. Try other steps."))
@@ -108,7 +108,16 @@ class Journal(Folder):
         self.assertEqual((facts["state"], facts["exit_status"]), ("failed", 3))
         self.assertEqual(facts["message"], "Step 7 failed. Try other steps.")
 
-    def test_where_a_new_run_is_advised_no_restart_is(self):
+    def test_the_kind_of_a_failure_tells_whether_a_restart_makes_sense(self):
+        advice = "Choose a smaller one, or begin a new run."
+        for kind, restarts in (("lost_earthquakes", False), ("input", True), ("solve", True)):
+            for message in (advice, "Step 7 failed."):
+                self.write({"event": "begin"}, self.end("failed", 3, message, kind=kind))
+                (self.folder / "checkpoint.h5").touch()
+                self.assertEqual("continues it" in self.status()[1], restarts, (kind, message))
+                self.assertEqual(self.facts()["kind"], kind)
+
+    def test_earlier_versions_advise_a_new_run_without_a_kind(self):
         self.write({"event": "begin"}, self.end("failed", 3, "10 steps. Then begin a new run."))
         (self.folder / "checkpoint.h5").touch()
         self.assertNotIn("continues it", self.status()[1])
