@@ -31,10 +31,11 @@ constexpr double speed_of_sediment = 5;
 // 2013).
 constexpr Bounds stress_ratios = {1e-7, 0.3};
 
+// One number where both look the same.
 std::string interval(Extremes const& values)
 {
-  return formatShort(values.smallest) +
-         (values.largest > values.smallest ? " to " + formatShort(values.largest) : "");
+  const std::string from = formatShort(values.smallest), to = formatShort(values.largest);
+  return from == to ? from : from + " to " + to;
 }
 
 bool isOutside(Extremes const& values, Bounds const& bounds)
