@@ -33,12 +33,12 @@ std::string RecoveryRows::report() const
   const std::string by_length = " times " + std::to_string(length());
   std::string text;
   if (!rows_.empty()) {
-    text = "Receivers in the body: " + std::to_string(rows_.size()) + by_length +
-           " products give their motion, instead of " + whole + '.';
+    text = "Receivers: " + std::to_string(rows_.size()) + by_length +
+           " products give the motion of the body at them, instead of " + whole + '.';
   }
   if (num_refused_ > 0) {
     text += (text.empty() ? "" : " ") +
-            ("Receivers in the body: there are so many that every row computes the motion of "
+            ("Receivers: there are so many that every row computes the motion of "
              "the whole body, " +
              std::to_string(condensation_.factorEntries()) +
              " products for each field. Choose fewer receivers, or a larger Every n Steps.");

@@ -1,5 +1,6 @@
 #include "dynamics/condensation/StaticCondensation.hpp"
 
+#include "dynamics/condensation/VertexMotion.hpp"
 #include "dynamics/coupling/CoupledStep.hpp"
 #include "unit/dynamics/QuasiDynamicModel.hpp"
 #include "unit/fem/SampleMeshes.hpp"
@@ -96,6 +97,21 @@ TEST(StaticCondensation, StiffnessIsThatOfTheBodyInEquilibrium)
   }
   EXPECT_EQ(num_moving, model.surface->numNodes());
   EXPECT_NEAR(condensed(size, size), of_top, 1e-12 * of_top);
+}
+
+TEST(StaticCondensation, TheLogCountsRowsWhereverTheirReceiversAre)
+{
+  const testing::Model model(drivenBlock(), fem::testing::selfCommunicator());
+  auto const whole = quasiDynamic(model);
+  auto const condensation = StaticCondensation::make(whole);
+  ASSERT_TRUE(condensation);
+  RecoveryRows rows(*condensation);
+  EXPECT_EQ(rows.report(), "");
+  ASSERT_TRUE(rows.add({model.dofs->dof(model.surface->vertex(1), 0)})); // on the fault
+  EXPECT_EQ(rows.report(), "Receivers: 1 times " + std::to_string(rows.length()) +
+                             " products give the motion of the body at them, instead of " +
+                             std::to_string(condensation->factorEntries()) +
+                             " for the whole body.");
 }
 
 TEST(StaticCondensation, StepsAreThoseOfTheWholeBody)
