@@ -338,7 +338,8 @@ Problem<Dim> makeProblem(ParameterList const& deck, RCP<const Communicator> cons
           fault_materials,
           solver,
           std::move(stress.remarks),
-          std::move(warnings)};
+          std::move(warnings),
+          dynamics::largestSlipRate(beside)};
 }
 
 template Problem<2> makeProblem(ParameterList const&, RCP<const Communicator> const&);

@@ -30,6 +30,7 @@ struct Problem : dynamics::Model
   dynamics::RateSolverSettings solver;
   std::vector<std::string> remarks; // for the user, in the log
   std::vector<Warning> warnings;    // found while the problem was made
+  double largest_slip_rate;         // [m/s] dynamics::largestSlipRate
 };
 
 // `deck` must be complete. Collective.

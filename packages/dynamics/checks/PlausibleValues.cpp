@@ -78,6 +78,18 @@ void questionMaterial(BesideFault const& values, std::vector<Warning>& questions
 }
 } // namespace
 
+double largestSlipRate(BesideFault const& values) { return values.shear_speed.largest / 10; }
+
+Warning warnOfSlipRate(double slip_rate, double largest)
+{
+  return {"slip rate", "The slip rate has reached " + formatShort(slip_rate) +
+                         " m/s, more than a tenth of the speed of shear waves beside the fault, " +
+                         formatShort(10 * largest) +
+                         " m/s: such slip strains the body by more than 5 %, which no rock bears "
+                         "and linear elasticity does not describe. Check stresses, friction and "
+                         "moduli."};
+}
+
 std::string describeSpeeds(BesideFault const& values)
 {
   std::string text =

@@ -25,6 +25,12 @@ struct BesideFault
   bool is_antiplane = false;
 };
 
+// The slip rate [m/s] above which a body with these values is none of small strains any more: a slip
+// rate V sends out a shear wave with the strain V / (2 c_s), and rock breaks below 1 %. The bound is
+// c_s / 10, a strain of 5 %, of the fastest wave beside the fault.
+double largestSlipRate(BesideFault const& values);
+Warning warnOfSlipRate(double slip_rate, double largest);
+
 // "Beside the fault shear waves travel at c_s = ...", for the log.
 std::string describeSpeeds(BesideFault const& values);
 

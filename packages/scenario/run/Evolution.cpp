@@ -5,6 +5,7 @@
 #include "base/parallel/Agreement.hpp"
 #include "base/parallel/Reductions.hpp"
 #include "base/program/WorkTimers.hpp"
+#include "dynamics/checks/PlausibleValues.hpp"
 #include "dynamics/control/NotFinite.hpp"
 #include "io/OutputSet.hpp"
 #include "mesh/PointText.hpp"
@@ -52,6 +53,7 @@ Evolution<Dim>::Evolution(ParameterList const& deck, RCP<const Communicator> con
     , floor_count_(model_.fault)
     , stall_watch_(deck.sublist("Time Stepping").get<int>("Most Forced Steps"))
     , tolerance_(toleranceOf(deck.sublist("Time Stepping")))
+    , rate_to_tell_(problem_.largest_slip_rate)
 {
   auto const update =
     makeRateUpdate(deck.sublist("Time Stepping"), !quasiDynamic(deck.sublist("Bulk")));
@@ -240,6 +242,16 @@ void Evolution<Dim>::watchGrowth()
     {!view_.step.within_tolerance, info.time, info.step_size, rate_before_, info.peak_slip_rate});
   if (warning) {
     warnings_.push_back(*warning);
+  }
+}
+
+template <int Dim>
+void Evolution<Dim>::watchRate()
+{
+  const double rate = sample_.peakSlipRate();
+  if (rate > rate_to_tell_) {
+    rate_to_tell_ = 10 * rate;
+    warnings_.push_back(dynamics::warnOfSlipRate(rate, problem_.largest_slip_rate));
   }
 }
 

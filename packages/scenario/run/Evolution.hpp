@@ -55,6 +55,8 @@ public:
   io::StepInfo stepInfo() const; // of the last step
   // Warns if that step hides a growing slip rate.
   void watchGrowth();
+  // Warns if the slip rate after that step is beyond what the model describes.
+  void watchRate();
   // Throws LostEarthquakes after too many such steps, those before a restart among them.
   void requireLittleGrowth() const { growth_watch_->requireFew(); }
   // What the log should say of steps of the smallest size, or "". Throws SolveError after too many
@@ -92,6 +94,7 @@ private:
   dynamics::StallWatch stall_watch_;
   double tolerance_;       // of the step control; 0 if it has none
   double rate_before_ = 0; // peak slip rate before the last step [m/s]
+  double rate_to_tell_;    // peak slip rate at which the next warning comes [m/s]
   RunView view_;
 };
 } // namespace asperity::scenario

@@ -252,6 +252,7 @@ void SimulationOf<Dim>::begin()
     }
     outputs_->write(evolution_.stepInfo());
   }
+  evolution_.watchRate();
   warnOfEvolution();
   evolution_.requireLittleGrowth();
   if (evolution_.atEnd()) {
@@ -277,6 +278,7 @@ void SimulationOf<Dim>::advance()
   step_is_complete_ = true;
   record_->at(info.step, info.time);
   evolution_.watchGrowth();
+  evolution_.watchRate();
   warnOfEvolution();
   evolution_.requireLittleGrowth();
   tellProgress(info);

@@ -129,6 +129,18 @@ class SmallestStep(unittest.TestCase):
         self.assertRegex(fine.stdout, r"The results may be wrong\..*'hidden growth'")
         self.assertTrue(self.warned(folder))
 
+    def test_a_slip_rate_beyond_what_rock_bears_is_told(self):
+        """The drive pulls at 200 m/s; c_s / 10 is 43 m/s."""
+        folder = pathlib.Path("fast")
+        shutil.rmtree(folder, ignore_errors=True)
+        result = asperity_run.run(DECK, *settings(
+            "Time Stepping/Final Time=0.001", "Boundary Conditions/Drive/Velocity=200"),
+            "--output", folder, timeout=250)
+        self.assertEqual((result.returncode, result.stderr), (0, ""))
+        self.assertTrue(self.warned(folder))
+        self.assertIn("slip rate", [each["topic"] for each in facts(folder, 1800.0).warnings])
+        self.assertRegex(result.stdout, r"The results may be wrong\..*'slip rate'")
+
 
 if __name__ == "__main__":
     unittest.main()

@@ -26,6 +26,15 @@ TEST(PlausibleValues, ValuesThatDifferByRoundingAreOneNumber)
                     {"c_s = 3333.33 m/s,", "c_p = 6000 m/s", "at the start: 1e+06 to 5e+07 Pa."});
 }
 
+TEST(PlausibleValues, SlipRatesAreBelowATenthOfTheFastestShearWave)
+{
+  const double largest = largestSlipRate(beside({2000, 3464}));
+  EXPECT_DOUBLE_EQ(largest, 346.4);
+  const auto warning = warnOfSlipRate(2300, largest);
+  EXPECT_EQ(warning.topic, "slip rate");
+  test::expectParts(warning.text, {"has reached 2300 m/s", "beside the fault, 3464 m/s"});
+}
+
 TEST(PlausibleValues, TwoValuesAreAnInterval)
 {
   test::expectParts(describeSpeeds(beside({2000, 3464})), {"c_s = 2000 to 3464 m/s,"});
