@@ -31,7 +31,7 @@ Field Field::constant(double value)
 }
 
 Field::Field(ParameterList const& list, std::string const& name, std::string const& path,
-             std::vector<std::string> const& region_names)
+             std::vector<std::string> const& region_names, std::vector<bool> const& used)
     : path_(joinPath(path, name))
 {
   ASPERITY_REQUIRE(list.isParameter(name), path_ << " is missing.");
@@ -41,7 +41,7 @@ Field::Field(ParameterList const& list, std::string const& name, std::string con
   }
   auto const& entry = list.getEntry(name);
   if (entry.isList()) {
-    readRegions(get<ParameterList>(entry), region_names);
+    readRegions(get<ParameterList>(entry), region_names, used);
   } else if (holds<std::string>(entry) && VertexDataset::isName(get<std::string>(entry))) {
     dataset_ = std::make_shared<VertexDataset>(get<std::string>(entry), path_);
   } else {
@@ -71,24 +71,36 @@ Field::Part Field::makePart(Teuchos::ParameterEntry const& entry, std::string co
   return part;
 }
 
-void Field::readRegions(ParameterList const& regions, std::vector<std::string> const& region_names)
+void Field::readRegions(ParameterList const& regions, std::vector<std::string> const& region_names,
+                        std::vector<bool> const& used)
 {
   for (auto const& name : namesIn(regions)) {
-    const bool exists =
-      std::find(region_names.begin(), region_names.end(), name) != region_names.end();
-    ASPERITY_REQUIRE(exists, path_ << " / " << name << ": '" << name
-                                   << "' is not a region of the mesh."
-                                   << didYouMean(name, region_names)
-                                   << " A layer that is thinner than the cells is not in the mesh: "
-                                      "is the cell size too large?");
+    regionOf(name, joinPath(path_, name), region_names);
   }
-  for (auto const& name : region_names) {
-    ASPERITY_REQUIRE(regions.isParameter(name),
+  parts_.resize(region_names.size());
+  for (std::size_t region = 0; region < region_names.size(); ++region) {
+    auto const& name = region_names[region];
+    const bool is_given = regions.isParameter(name);
+    ASPERITY_REQUIRE(is_given || (!used.empty() && !used[region]),
                      path_ << " has no value for the region '" << name
                            << "'. The mesh has the regions " << quotedNames(region_names)
                            << ", the list has " << quotedNames(namesIn(regions)) << ".");
-    parts_.push_back(makePart(regions.getEntry(name), joinPath(path_, name)));
+    if (is_given) {
+      parts_[region] = makePart(regions.getEntry(name), joinPath(path_, name));
+    }
   }
+}
+
+std::size_t regionOf(std::string const& name, std::string const& path,
+                     std::vector<std::string> const& region_names)
+{
+  auto const found = std::find(region_names.begin(), region_names.end(), name);
+  ASPERITY_REQUIRE(found != region_names.end(),
+                   path << ": '" << name << "' is not a region of the mesh."
+                        << didYouMean(name, region_names)
+                        << " A layer that is thinner than the cells is not in the mesh: "
+                           "is the cell size too large?");
+  return static_cast<std::size_t>(found - region_names.begin());
 }
 
 void Field::refuseDataset() const

@@ -3,6 +3,7 @@
 #include "parameters/Parameters.hpp"
 
 #include <array>
+#include <cstddef>
 #include <memory>
 #include <string>
 #include <vector>
@@ -21,9 +22,10 @@ public:
   // Reads the entry `name` of a list completed by completeAndValidate, whose declaration gives the
   // range; `path` is where that list stands. A per-region list names every region of region_names
   // (region = index) and no other. InputError otherwise, and for an expression muParser refuses or
-  // a dataset not found.
+  // a dataset not found. used: (num regions) false where the field is never evaluated, so that a
+  // list need not name the region; empty if it is used in all.
   Field(ParameterList const& list, std::string const& name, std::string const& path,
-        std::vector<std::string> const& region_names);
+        std::vector<std::string> const& region_names, std::vector<bool> const& used = {});
 
   static Field constant(double value);
 
@@ -59,7 +61,8 @@ private:
 
   Field() = default;
   Part makePart(Teuchos::ParameterEntry const& entry, std::string const& path) const;
-  void readRegions(ParameterList const& regions, std::vector<std::string> const& region_names);
+  void readRegions(ParameterList const& regions, std::vector<std::string> const& region_names,
+                   std::vector<bool> const& used);
   double evaluate(Part const& part, std::array<double, 3> const& x, double t) const;
   [[noreturn]] void refuseDataset() const;
 
@@ -69,4 +72,9 @@ private:
   std::vector<Part> parts_; // one, or one per region; none for a dataset
   std::shared_ptr<const VertexDataset> dataset_;
 };
+
+// The index of the region among those of the mesh. InputError, with `path` of the entry that names
+// it, if there is none.
+std::size_t regionOf(std::string const& name, std::string const& path,
+                     std::vector<std::string> const& region_names);
 } // namespace asperity

@@ -1,6 +1,5 @@
 #include "scenario/setup/BulkSetup.hpp"
 
-#include "base/NearestName.hpp"
 #include "base/parallel/Agreement.hpp"
 #include "base/parallel/Gather.hpp"
 #include "fem/Simplex.hpp"
@@ -11,6 +10,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <optional>
 
 namespace asperity::scenario
@@ -242,12 +242,13 @@ branchesOf(std::vector<std::vector<fem::RelaxingShare>> const& of_cells,
 class LawOfRock
 {
 public:
+  // used: the regions that have this law.
   LawOfRock(ParameterList const& list, std::string const& path,
-            std::vector<std::string> const& region_names)
+            std::vector<std::string> const& region_names, std::vector<bool> const& used)
       : law_(fem::bulkLaws().at(list.get<std::string>(law_choice)))
   {
     for (auto const& parameter : law_.parameters) {
-      fields_.push_back(steadyField(list, parameter.name, path, region_names));
+      fields_.push_back(steadyField(list, parameter.name, path, region_names, used));
     }
     values_.resize(fields_.size());
   }
@@ -267,17 +268,6 @@ private:
   std::vector<Field> fields_;
   std::vector<double> values_;
 };
-
-// The index of the region in the mesh.
-std::size_t regionOf(std::string const& name, std::vector<std::string> const& region_names)
-{
-  auto const found = std::find(region_names.begin(), region_names.end(), name);
-  ASPERITY_REQUIRE(found != region_names.end(), joinPath(joinPath(bulk_path, in_regions), name)
-                                                  << ": '" << name
-                                                  << "' is not a region of the mesh."
-                                                  << didYouMean(name, region_names));
-  return found - region_names.begin();
-}
 } // namespace
 
 template <int Dim>
@@ -286,11 +276,20 @@ Rock makeRock(ParameterList const& list, Mesh<Dim> const& mesh, Communicator con
   auto const& regions = mesh.region_names;
   const Elasticity elasticity(list, regions);
   auto const density = steadyField(list, "Density", bulk_path, regions);
-  std::vector<LawOfRock> laws(regions.size(), LawOfRock(list, bulk_path, regions));
   auto const& own_laws = list.sublist(in_regions);
+  std::vector<bool> of_main_law(regions.size(), true);
+  std::map<std::size_t, LawOfRock> own;
   for (auto const& name : namesIn(own_laws)) {
     auto const path = joinPath(joinPath(bulk_path, in_regions), name);
-    laws[regionOf(name, regions)] = LawOfRock(own_laws.sublist(name), path, regions);
+    auto const region = regionOf(name, path, regions);
+    std::vector<bool> used(regions.size(), false);
+    used[region] = true;
+    of_main_law[region] = false;
+    own.emplace(region, LawOfRock(own_laws.sublist(name), path, regions, used));
+  }
+  std::vector<LawOfRock> laws(regions.size(), LawOfRock(list, bulk_path, regions, of_main_law));
+  for (auto const& [region, law] : own) {
+    laws[region] = law;
   }
   std::vector<fem::Material> materials(mesh.cells.size());
   std::vector<std::vector<fem::RelaxingShare>> relaxation;

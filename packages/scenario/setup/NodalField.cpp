@@ -36,9 +36,9 @@ bool isGiven(ParameterList const& list, std::string const& name)
 }
 
 Field steadyField(ParameterList const& list, std::string const& name, std::string const& path,
-                  std::vector<std::string> const& region_names)
+                  std::vector<std::string> const& region_names, std::vector<bool> const& used)
 {
-  Field field(list, name, path, region_names);
+  Field field(list, name, path, region_names, used);
   ASPERITY_REQUIRE(!field.dependsOnTime(),
                    joinPath(path, name) << " depends on t, but it is read once, at t = 0. Remove t "
                                            "from the expression.");

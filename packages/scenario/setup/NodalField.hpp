@@ -49,9 +49,9 @@ std::vector<double> nodalValues(ParameterList const& list, std::string const& na
                                 std::string const& path, FieldNodes const& nodes);
 
 // A field that is evaluated once, at time zero. Throws InputError if it depends on time.
-// region_names: the regions of the mesh.
+// region_names: the regions of the mesh; used: as Field has it.
 Field steadyField(ParameterList const& list, std::string const& name, std::string const& path,
-                  std::vector<std::string> const& region_names);
+                  std::vector<std::string> const& region_names, std::vector<bool> const& used = {});
 
 // A point as expressions see it: z is 0 in the plane.
 template <int Dim>

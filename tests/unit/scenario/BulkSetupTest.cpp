@@ -150,6 +150,30 @@ TEST(BulkSetup, GivesRegionsLawsOfTheirOwn)
   }
 }
 
+TEST(BulkSetup, AsksALawForValuesInItsOwnRegionsAlone)
+{
+  const auto mesh = twoRegions();
+  const auto rock = [&mesh](char const* of_main_law) {
+    return makeRock(bulkList({{"Bulk Modulus", bulk}, {"Shear Modulus", shear}},
+                             [&](ParameterList& given) {
+                               given.remove("Shear Viscosity", false);
+                               given.sublist("Shear Viscosity").set(of_main_law, 7.);
+                               auto& own = given.sublist("Regions").sublist("right");
+                               own.set("Law", "Maxwell");
+                               own.sublist("Viscosity").set("right", 5e6);
+                             }),
+                    mesh, *world());
+  };
+  const auto found = rock("left");
+  for (std::size_t cell = 0; cell < mesh.cells.size(); ++cell) {
+    const bool flows = mesh.region_names[mesh.cell_regions[cell]] == "right";
+    EXPECT_EQ(found.branches.at(0).moduli[cell], flows ? shear : 0);
+    EXPECT_EQ(found.materials[cell].shear_viscosity, flows ? 0 : 7);
+  }
+  expectRefusal([&] { rock("right"); },
+                {"Asperity / Bulk / Shear Viscosity has no value for the region 'left'"});
+}
+
 TEST(BulkSetup, RefusesLawsOfRegionsThatDoNotExistOrFlowBackwards)
 {
   const auto mesh = twoRegions();
@@ -161,7 +185,9 @@ TEST(BulkSetup, RefusesLawsOfRegionsThatDoNotExistOrFlowBackwards)
                       }),
              mesh, *world());
   };
-  expectRefusal([&] { make("rigt", 1e6); }, {"Asperity / Bulk / Regions", "'rigt'", "'right'"});
+  expectRefusal([&] { make("rigt", 1e6); },
+                {"Asperity / Bulk / Regions / rigt: 'rigt' is not a region of the mesh.", "'right'",
+                 "A layer that is thinner than the cells"});
   expectRefusal([&] { make("right", -1e6); },
                 {"Asperity / Bulk / Regions / right / Viscosity", "outside (0, inf)"});
 }
