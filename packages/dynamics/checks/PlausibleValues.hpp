@@ -25,9 +25,9 @@ struct BesideFault
   bool is_antiplane = false;
 };
 
-// The slip rate [m/s] above which a body with these values is none of small strains any more: a slip
-// rate V sends out a shear wave with the strain V / (2 c_s), and rock breaks below 1 %. The bound is
-// c_s / 10, a strain of 5 %, of the fastest wave beside the fault.
+// The slip rate [m/s] above which strains are not small any more: V sends out a shear wave with the
+// strain V / (2 c_s), and rock breaks below 1 %. The bound is c_s / 10, a strain of 5 %, of the
+// fastest wave beside the fault.
 double largestSlipRate(BesideFault const& values);
 Warning warnOfSlipRate(double slip_rate, double largest);
 

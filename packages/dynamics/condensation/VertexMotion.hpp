@@ -24,8 +24,8 @@ public:
   double value(int dof, double const* x) const;
   std::size_t size() const { return rows_.size(); }
   std::size_t length() const; // of a row
-  // For the log: the cost of the rows, or why there are none; "" if none were requested. They may be
-  // of receivers on the fault as well as in the body.
+  // For the log: the cost of the rows, or why there are none; "" if none were requested. Receivers
+  // on the fault have rows, too, for the motion of the body.
   std::string report() const;
 
 private:
