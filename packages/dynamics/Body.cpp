@@ -42,7 +42,10 @@ void Body::applyMass(Vector const& x, Vector& y, double alpha, double beta) cons
   }
 }
 
-BodyForces Body::noForces() const { return {vector(), vector(), vector(), branchVectors()}; }
+BodyForces Body::noForces() const
+{
+  return {vector(), vector(), vector(), branchVectors(), cells ? vector() : Teuchos::null};
+}
 
 void Body::computeForces(Motion const& motion, BodyForces& forces, Vector* momentum) const
 {
@@ -64,6 +67,11 @@ void Body::computeForces(Motion const& motion, BodyForces& forces, Vector* momen
     matrices.branches[k].stiffness->apply(*motion.d[k], *forces.of_branches[k]);
     forces.elastic->update(1, *forces.of_branches[k], 1);
   }
+  if (motion.inelastic != nullptr) {
+    forces.inelastic->putScalar(0);
+    cells->addForces(*motion.inelastic, *forces.inelastic);
+    forces.elastic->update(-1, *forces.inelastic, 1);
+  }
 }
 
 void Body::residual(Vector const& l, Motion const& motion, Vector& result) const
@@ -74,6 +82,9 @@ void Body::residual(Vector const& l, Motion const& motion, Vector& result) const
   matrices.stiffness->apply(motion.u, result, Teuchos::NO_TRANS, -1, 1);
   for (std::size_t k = 0; k < matrices.branches.size(); ++k) {
     matrices.branches[k].stiffness->apply(*motion.d[k], result, Teuchos::NO_TRANS, -1, 1);
+  }
+  if (motion.inelastic != nullptr) {
+    cells->addForces(*motion.inelastic, result);
   }
 }
 

@@ -2,6 +2,7 @@
 
 #include "base/Types.hpp"
 #include "fem/BodyMatrices.hpp"
+#include "fem/bulk/InelasticCells.hpp"
 #include "fem/constraints/HeldDofs.hpp"
 
 #include <functional>
@@ -10,28 +11,31 @@
 
 namespace asperity::dynamics
 {
-// What the forces in a body follow from, on the owned dofs in nodal frames; d_k(num_branches) of
-// its Maxwell branches.
+// What the forces in a body follow from, on the owned dofs in nodal frames: d_k(num_branches) of
+// its Maxwell branches; the inelastic strain of its cells, null if it has none.
 struct Motion
 {
   Vector const& u;
   Vector const& v;
   Vector const& a;
   std::vector<RCP<Vector>> const& d;
+  fem::TensorView const* inelastic = nullptr;
 };
 
 // The forces that resist a motion [N], in 2D per unit of thickness [N/m].
 struct BodyForces
 {
-  RCP<Vector> elastic, viscous, inertial; // K u + sum of K_k d_k, C v, M a
+  RCP<Vector> elastic, viscous, inertial; // K u + sum of K_k d_k - p, C v, M a
   std::vector<RCP<Vector>> of_branches;   // K_k d_k
+  RCP<Vector> inelastic;                  // p, null in a body without cells that yield
 
-  // b -= M a + C v + K u + sum of K_k d_k, in one pass over the vectors.
+  // b -= M a + C v + K u + sum of K_k d_k - p, in one pass over the vectors.
   void subtractFrom(Vector& b) const;
 };
 
-// The linear part of the model, in nodal frames (Pipping 2014, eq. 14; fem::MaxwellBranch):
-//   M u'' + C u' + K u + sum of K_k d_k = load(t) + friction and reaction forces
+// The body, in nodal frames (Pipping 2014, eq. 14; fem::MaxwellBranch, fem::InelasticCells):
+//   M u'' + C u' + K u + sum of K_k d_k - p = load(t) + friction and reaction forces
+// with the forces p of the inelastic strain.
 struct Body
 {
   std::shared_ptr<const fem::DofMap> dofs;
@@ -43,6 +47,9 @@ struct Body
   std::function<void(double, Vector&)> load;
   std::function<void(double, Vector&)> prescribed_velocity; // zero at dofs that are not held
 
+  // The cells that may yield; null if no rank has one.
+  std::shared_ptr<const fem::InelasticCells> cells = nullptr;
+
   int numOwnedDofs() const { return dofs->numOwnedNodes() * dofs->components(); }
   RCP<Vector> vector() const;
   std::vector<RCP<Vector>> branchVectors() const; // one for each Maxwell branch
@@ -52,7 +59,7 @@ struct Body
   // Also sets `momentum` to M v unless it is null. Reads each matrix once. In a massless body
   // inertial forces and momentum are zero.
   void computeForces(Motion const& motion, BodyForces& forces, Vector* momentum = nullptr) const;
-  // l - M a - C v - K u - sum of K_k d_k
+  // l - M a - C v - K u - sum of K_k d_k + p
   void residual(Vector const& l, Motion const& motion, Vector& result) const;
   // x = 0 at the held dofs
   void clearHeld(Vector& x) const;

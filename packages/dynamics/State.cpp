@@ -18,6 +18,12 @@ NodeView likeField(NodeView const& field)
 {
   return NodeView(Kokkos::view_alloc(field.label(), Kokkos::WithoutInitializing), field.extent(0));
 }
+
+fem::TensorView likeField(fem::TensorView const& field)
+{
+  return fem::TensorView(Kokkos::view_alloc(field.label(), Kokkos::WithoutInitializing),
+                         field.extent(0), field.extent(1));
+}
 } // namespace
 
 ConstNodeView valuesOf(RCP<Vector> const& field)
@@ -46,6 +52,7 @@ State State::sameShape() const
   other.time = time;
   other.added = added;
   other.branches = branches;
+  other.inelastic = inelastic;
   visitFields([](FieldInfo const&, auto const& field, auto& copy) { copy = likeField(field); },
               *this, other);
   return other;

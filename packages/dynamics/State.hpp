@@ -8,6 +8,7 @@
 #include <Tpetra_Vector.hpp>
 
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -37,6 +38,7 @@ struct State
   std::vector<RCP<Vector>> branches; // d_k of the body's Maxwell branches; u at the start
   NodeView alpha, sigma_n;
   NodeView alpha_of_rate; // of the last rate problem, with which v was computed
+  std::optional<fem::InelasticStrain> inelastic; // of the body's cells, if any may yield
 
   // A field at the nodes of the fault that a model declares beside those above.
   struct Added
@@ -48,22 +50,26 @@ struct State
 
   // The list of fields: visit(info, field of the first state, field of the second, ...) for each.
   // All states have the same fields. A field of the body is an RCP<Vector> on the owned dofs, in
-  // nodal frames; a field of the fault is a NodeView on its nodes.
+  // nodal frames; a field of the fault is a NodeView on its nodes; a field of cells is a TensorView
+  // with a row for each of the body's fem::InelasticCells.
   template <class Visit, class First, class... Others>
   static void visitBody(Visit const& visit, First& first, Others&... others);
   template <class Visit, class First, class... Others>
   static void visitFault(Visit const& visit, First& first, Others&... others);
+  template <class Visit, class First, class... Others>
+  static void visitCells(Visit const& visit, First& first, Others&... others);
   template <class Visit, class... States>
   static void visitFields(Visit const& visit, States&... states)
   {
     visitBody(visit, states...);
     visitFault(visit, states...);
+    visitCells(visit, states...);
   }
 
   // The values of an added field.
   NodeView const& at(std::string const& name) const;
 
-  Motion motion() const { return {*u, *v, *a, branches}; }
+  Motion motion() const { return {*u, *v, *a, branches, inelastic ? &inelastic->strain : nullptr}; }
   State sameShape() const; // values are not set
   State clone() const;
 };
@@ -73,6 +79,14 @@ ConstNodeView valuesOf(RCP<Vector> const& field);
 inline ConstNodeView valuesOf(NodeView const& field) { return field; }
 NodeView overwritten(RCP<Vector> const& field);
 inline NodeView overwritten(NodeView const& field) { return field; }
+inline ConstNodeView valuesOf(fem::TensorView const& field)
+{
+  return ConstNodeView(field.data(), field.size());
+}
+inline NodeView overwritten(fem::TensorView const& field)
+{
+  return NodeView(field.data(), field.size());
+}
 
 template <class Visit, class First, class... Others>
 void State::visitBody(Visit const& visit, First& first, Others&... others)
@@ -103,6 +117,17 @@ void State::visitFault(Visit const& visit, First& first, Others&... others)
   visit(of_rate, first.alpha_of_rate, others.alpha_of_rate...);
   for (std::size_t i = 0; i < first.added.size(); ++i) {
     visit(*first.added[i].info, first.added[i].values, others.added[i].values...);
+  }
+}
+
+template <class Visit, class First, class... Others>
+void State::visitCells(Visit const& visit, First& first, Others&... others)
+{
+  static const FieldInfo of_strain = {"inelastic_strain", "inelastic strain", "-", true};
+  static const FieldInfo of_shear = {"inelastic_shear", "accumulated inelastic shear", "-"};
+  if (first.inelastic) {
+    visit(of_strain, first.inelastic->strain, others.inelastic->strain...);
+    visit(of_shear, first.inelastic->shear, others.inelastic->shear...);
   }
 }
 } // namespace asperity::dynamics

@@ -164,7 +164,8 @@ void registerMotion(io::FieldRegistry& registry, Problem<Dim> const& problem, Ru
 }
 
 // dimension: of space.
-void registerScalars(io::FieldRegistry& registry, RunView const& view, int dimension)
+void registerScalars(io::FieldRegistry& registry, RunView const& view, int dimension,
+                     bool has_yielding_rock)
 {
   auto const add = [&](char const* name, char const* unit, char const* meaning, auto value) {
     registry.add(io::OutputScalar{name, unit, meaning, value});
@@ -214,10 +215,40 @@ void registerScalars(io::FieldRegistry& registry, RunView const& view, int dimen
     "viscous_work",
     "Energy dissipated by viscosity, radiation damping and absorbing boundaries since the start.",
     &dynamics::Energy::viscous_work);
+  if (has_yielding_rock) {
+    energy("inelastic_work", "Energy dissipated by rock that yields since the start.",
+           &dynamics::Energy::inelastic_work);
+  }
   energy("numerical_dissipation", "Energy dissipated by the time integrator since the start.",
          &dynamics::Energy::numerical_dissipation);
   energy("energy_defect", "Defect of the energy balance since the start.",
          &dynamics::Energy::defect);
+}
+// Of local cells, 0 in those that cannot yield; empty if none can.
+template <int Dim>
+std::function<catalogue::YieldedStrain(std::vector<int> const&)>
+yieldedStrain(Problem<Dim> const& problem, RunView const& view)
+{
+  auto const cells = problem.body.cells;
+  if (!cells) {
+    return {};
+  }
+  std::vector<int> rows(problem.mesh.cells.size(), -1);
+  for (int row = 0; row < cells->numCells(); ++row) {
+    rows[cells->sharing().cells()[row]] = row;
+  }
+  return [rows, &view](std::vector<int> const& of_cells) {
+    auto const strain = toHost(view.state->inelastic->strain);
+    auto const shear = toHost(view.state->inelastic->shear);
+    catalogue::YieldedStrain result;
+    for (const int cell : of_cells) {
+      for (int k = 0; k < strain.extent_int(1); ++k) {
+        result.strain.push_back(rows[cell] < 0 ? 0 : strain(rows[cell], k));
+      }
+      result.shear.push_back(rows[cell] < 0 ? 0 : shear(rows[cell], 0));
+    }
+    return result;
+  };
 }
 } // namespace
 
@@ -254,7 +285,7 @@ void registerFields(io::FieldRegistry& registry, Problem<Dim> const& problem, Ru
   for (auto const& [name, domain] : domains) {
     registerMotion(registry, problem, view, domain);
   }
-  registerScalars(registry, view, Dim);
+  registerScalars(registry, view, Dim, problem.body.cells != nullptr);
 }
 
 template <int Dim>
@@ -274,9 +305,13 @@ void registerStress(io::FieldRegistry& registry, Problem<Dim> const& problem, Ru
         return motionAt(initial, problem.initial, with_velocity);
       }};
   };
-  const catalogue::StressedBody<Dim> body{
-    problem.mesh,     problem.components,       problem.materials,
-    problem.branches, problem.boundary.surface, observe};
+  const catalogue::StressedBody<Dim> body{problem.mesh,
+                                          problem.components,
+                                          problem.materials,
+                                          problem.branches,
+                                          problem.boundary.surface,
+                                          observe,
+                                          yieldedStrain(problem, view)};
   auto const planes = catalogue::coulombPlanes(output, Dim);
   for (auto const& [name, domain] : domains) {
     if (name != "fault") {

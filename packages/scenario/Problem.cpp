@@ -1,5 +1,6 @@
 #include "scenario/Problem.hpp"
 
+#include "base/parallel/Agreement.hpp"
 #include "base/parallel/Reductions.hpp"
 #include "dynamics/checks/PlausibleValues.hpp"
 #include "dynamics/fault/FaultMotion.hpp"
@@ -11,8 +12,10 @@
 #include "fem/FreeMotions.hpp"
 #include "fem/NodalDamping.hpp"
 #include "fem/RigidBodyMotions.hpp"
+#include "fem/Simplex.hpp"
 #include "fem/SupportWeights.hpp"
 #include "mesh/Boundaries.hpp"
+#include "mesh/PointText.hpp"
 #include "scenario/setup/BulkSetup.hpp"
 #include "scenario/setup/InitialSetup.hpp"
 #include "scenario/setup/MeshSetup.hpp"
@@ -199,6 +202,25 @@ StaticStart staticStart(ParameterList const& deck, Discretisation<Dim> const& of
   return start;
 }
 
+// Throws InputError if rock yields under its stress at the start.
+template <int Dim>
+void requireBearable(Discretisation<Dim> const& of, dynamics::Body const& body, Vector const& u)
+{
+  if (!body.cells) {
+    return;
+  }
+  auto const beyond = body.cells->furthestBeyond(u);
+  onEveryRank(*of.dofs->communicator(), [&] {
+    ASPERITY_REQUIRE(!beyond,
+                     "Asperity / Bulk: at the start the rock at "
+                       << mesh::text(fem::simplexOf(of.mesh, beyond->cell).centroid)
+                       << " bears a shear stress of " << beyond->shear_stress
+                       << " Pa, but it yields at " << beyond->kept
+                       << " Pa (sqrt(s : s / 2) of the deviatoric stress s). Check the strength of "
+                          "the rock, Initial Stress and gravity.");
+  });
+}
+
 dynamics::Extremes extremesOf(std::vector<double> const& values, Communicator const& communicator)
 {
   dynamics::Extremes mine{std::numeric_limits<double>::max(), -std::numeric_limits<double>::max()};
@@ -315,11 +337,16 @@ Problem<Dim> makeProblem(ParameterList const& deck, RCP<const Communicator> cons
   auto body =
     makeBody(of, matrices, *surface,
              loadWithTraction(traction, surface, withRadiationOfPlates(gravity, *surface, eta)));
+  if (of.rock.yielding) {
+    body.cells = std::make_shared<fem::InelasticCells>(of.mesh, of.dofs, of.frames(),
+                                                       of.rock.materials, *of.rock.yielding);
+  }
   auto const start = staticStart(deck, of, body, solver, *surface, *gravity);
   auto stress = makeNormalStress(friction, nodes, start.pressure, *communicator);
   auto fault = makeFault(friction, nodes, surface, stress.normal_stress, eta);
   auto initial = makeInitialState(deck, of.mesh, of.frames(), body, fault, solver,
                                   {start.displacement, traction.at(0), traction.direction()});
+  requireBearable(of, body, *initial.u);
   auto reaction = reactionSinceStart(of, body, fault, initial);
   auto warnings = fem::warnOfPieces(of.mesh, communicator);
   auto const beside = valuesBeside(fault_materials, eta, initial, components, *communicator);

@@ -13,6 +13,7 @@ using Values = std::vector<double>;
 
 char const* nodesOf(RCP<Vector> const&) { return nodes_of_body; }
 char const* nodesOf(NodeView const&) { return nodes_of_friction; }
+char const* nodesOf(fem::TensorView const&) { return yielding_cells; }
 
 Values const& sized(io::Archive const& archive, std::string const& path, std::size_t size)
 {
@@ -24,30 +25,48 @@ Values const& sized(io::Archive const& archive, std::string const& path, std::si
   return values;
 }
 
-void saveState(io::Archive& archive, std::string const& path, dynamics::State const& state)
+// How many of a field's values this rank writes: not those of cells that other ranks own.
+std::size_t numOwnValues(RCP<Vector> const& field, dynamics::Body const&)
+{
+  return dynamics::valuesOf(field).size();
+}
+std::size_t numOwnValues(NodeView const& field, dynamics::Body const&) { return field.size(); }
+std::size_t numOwnValues(fem::TensorView const& field, dynamics::Body const& body)
+{
+  return body.cells->sharing().numOwned() * field.extent(1);
+}
+
+void saveState(io::Archive& archive, std::string const& path, dynamics::State const& state,
+               dynamics::Body const& body)
 {
   archive.set(path + "/time", state.time);
   dynamics::State::visitFields(
     [&](dynamics::FieldInfo const& info, auto const& field) {
       auto const view = toHost(dynamics::valuesOf(field));
-      archive.setAtNodes(path + "/" + info.name, Values(view.data(), view.data() + view.size()),
+      archive.setAtNodes(path + "/" + info.name,
+                         Values(view.data(), view.data() + numOwnValues(field, body)),
                          nodesOf(field));
     },
     state);
 }
 
 dynamics::State loadState(io::Archive const& archive, std::string const& path,
-                          dynamics::State const& like)
+                          dynamics::Model const& model)
 {
-  auto state = like.sameShape();
+  auto state = model.initial.sameShape();
   state.time = archive.getInteger(path + "/time");
   dynamics::State::visitFields(
     [&](dynamics::FieldInfo const& info, auto const& field) {
       auto const view = dynamics::overwritten(field);
       auto const host = Kokkos::create_mirror_view(view);
-      auto const& values = sized(archive, path + "/" + info.name, host.size());
+      auto const& values = sized(archive, path + "/" + info.name, numOwnValues(field, model.body));
       std::copy(values.begin(), values.end(), host.data());
       Kokkos::deep_copy(view, host);
+    },
+    state);
+  dynamics::State::visitCells(
+    [&](dynamics::FieldInfo const&, auto const& field) {
+      model.body.cells->sharing().exchange(field);
     },
     state);
   return state;
@@ -58,16 +77,16 @@ void StateFormat::save(io::Archive& archive, std::string const& path,
                        dynamics::State const& state) const
 {
   if (condensation_ == nullptr) {
-    saveState(archive, path, state);
+    saveState(archive, path, state, whole_.body);
     return;
   }
-  saveState(archive, path, condensation_->expand(state));
+  saveState(archive, path, condensation_->expand(state), whole_.body);
   archive.set(path + "/amplitudes", condensation_->amplitudes(state));
 }
 
 dynamics::State StateFormat::load(io::Archive const& archive, std::string const& path) const
 {
-  auto state = loadState(archive, path, like_);
+  auto state = loadState(archive, path, whole_);
   if (archive.has("finest_level")) {
     const auto level = static_cast<int>(archive.getInteger("finest_level"));
     const auto time = clock_.fromLevel(state.time, level);

@@ -7,9 +7,11 @@
 
 namespace asperity::scenario
 {
-// The sets of nodes at which states have values: the owned vertices, and the nodes of the fault.
+// The sets of nodes at which states have values: the owned vertices, the nodes of the fault, and
+// the cells that may yield, of which each rank writes its own.
 constexpr char const* nodes_of_body = "vertices";
 constexpr char const* nodes_of_friction = "friction";
+constexpr char const* yielding_cells = "yielding_cells";
 
 // Writes states to a checkpoint and reads them. They are stored as states of the whole body even
 // where the run is condensed to its fault: only runs on one rank condense, and a restart may have
@@ -17,10 +19,10 @@ constexpr char const* nodes_of_friction = "friction";
 class StateFormat
 {
 public:
-  // like: a state of the whole body. condensation may be null. Both must outlive this.
-  StateFormat(dynamics::State const& like, dynamics::StaticCondensation const* condensation,
+  // whole: the model of the whole body. condensation may be null. Both must outlive this.
+  StateFormat(dynamics::Model const& whole, dynamics::StaticCondensation const* condensation,
               dynamics::DyadicTime const& clock)
-      : like_(like)
+      : whole_(whole)
       , condensation_(condensation)
       , clock_(clock)
   {
@@ -34,7 +36,7 @@ public:
   dynamics::ControlMemory loadControl(io::Archive const& archive, std::string const& path) const;
 
 private:
-  dynamics::State const& like_;
+  dynamics::Model const& whole_;
   dynamics::StaticCondensation const* condensation_;
   dynamics::DyadicTime clock_;
 };
@@ -52,7 +54,9 @@ Sum loadSum(io::Archive const& archive, std::string const& path)
 {
   Sum sum;
   for (auto const& [name, member] : Sum::members()) {
-    sum.*member = archive.get<std::decay_t<decltype(sum.*member)>>(path + "/" + name);
+    if (archive.has(path + "/" + name)) { // a checkpoint may be older than the member
+      sum.*member = archive.get<std::decay_t<decltype(sum.*member)>>(path + "/" + name);
+    }
   }
   return sum;
 }

@@ -106,10 +106,13 @@ void writeBalance(std::ostream& text, dynamics::Energy const& energy, char const
   // This is how the defect is defined. All terms count from the start of the run, also after a
   // restart.
   const double change = energy.boundary_work + energy.load_work - energy.friction_work -
-                        energy.viscous_work - energy.numerical_dissipation + energy.defect;
+                        energy.viscous_work - energy.inelastic_work - energy.numerical_dissipation +
+                        energy.defect;
   text << "Energy [" << unit << "]: work of boundaries " << formatShort(energy.boundary_work)
        << " and loads " << formatShort(energy.load_work) << "; taken by friction "
        << formatShort(energy.friction_work) << ", viscosity " << formatShort(energy.viscous_work)
+       << (energy.inelastic_work != 0 ? ", rock that yields " + formatShort(energy.inelastic_work)
+                                      : "")
        << " and the time stepping " << formatShort(energy.numerical_dissipation)
        << "; change of kinetic and elastic energy " << formatShort(change)
        << ", which includes a defect of the balance of " << formatShort(energy.defect);

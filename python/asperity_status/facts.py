@@ -15,7 +15,7 @@ from asperity.tables import Table
 
 FINISHED, KILLED, SILENT, RUNNING = "finished", "killed", "silent", "running"
 RECENT = 120.0  # [s] of wall time, over which a speed is taken
-WORKS = ("boundary_work", "load_work", "friction_work", "viscous_work")
+WORKS = ("boundary_work", "load_work", "friction_work", "viscous_work", "inelastic_work")
 WORST = ("fixed_point_iterations", "tnnmg_iterations", "step_size", "time")
 
 

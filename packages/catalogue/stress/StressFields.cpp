@@ -18,11 +18,18 @@ class ObservedStress
 public:
   ObservedStress(StressedBody<Dim> const& body, std::vector<int> const& cells, bool are_few,
                  Communicator const& comm)
-      : stress_(body.mesh, body.components, body.materials, cells, body.branches)
+      : cells_(cells)
+      , stress_(body.mesh, body.components, body.materials, cells, body.branches)
       , motions_(body.observe(stress_.vertices(), are_few))
       , is_viscous_(maxOverRanks(stress_.isViscous() ? 1 : 0, comm) > 0)
+      , yielded_(body.yielded)
   {
+    for (const int cell : cells) {
+      shear_moduli_.push_back(body.materials[cell].shear_modulus);
+    }
   }
+
+  YieldedStrain yielded() const { return yielded_(cells_); }
 
   std::vector<double> strain() const { return stress_.strain(motions_.now(false).displacement); }
 
@@ -44,7 +51,15 @@ public:
 private:
   std::vector<double> of(VertexMotion const& motion) const
   {
-    return stress_.stress(motion.displacement, motion.velocity, motion.branches);
+    auto stress = stress_.stress(motion.displacement, motion.velocity, motion.branches);
+    if (yielded_) {
+      auto const strain = yielded_(cells_).strain;
+      const std::size_t size = shear_moduli_.empty() ? 1 : strain.size() / shear_moduli_.size();
+      for (std::size_t i = 0; i < strain.size(); ++i) {
+        stress[i] -= 2 * shear_moduli_[i / size] * strain[i];
+      }
+    }
+    return stress;
   }
 
   static void subtract(std::vector<double> const& then, std::vector<double>& now)
@@ -54,9 +69,12 @@ private:
     }
   }
 
+  std::vector<int> cells_;
   fem::CellStress<Dim> stress_;
   VertexMotions motions_;
   bool is_viscous_; // on any rank: evaluating velocities is collective
+  std::function<YieldedStrain(std::vector<int> const&)> yielded_;
+  std::vector<double> shear_moduli_; // (cells), where something yields
 };
 
 // The stress in the elements of a domain; that of all elements is made when it is wanted.
@@ -147,6 +165,19 @@ void registerStressFields(io::FieldRegistry& registry, io::OutputDomain const& d
       stress, [](ObservedStress<Dim> const& of) { return of.stress(); });
   add(registry, tensor("strain", "", "Strain in each element, positive in extension."), stress,
       [](ObservedStress<Dim> const& of) { return of.strain(); });
+  if (body.yielded) {
+    add(registry,
+        tensor("inelastic_strain", "", "Strain of each element that remains without stress."),
+        stress, [](ObservedStress<Dim> const& of) { return of.yielded().strain; });
+    add(registry,
+        {"inelastic_shear",
+         "",
+         "Accumulated inelastic shear strain in each element, the integral of sqrt(2 e' : e').",
+         domain.name,
+         1,
+         {}},
+        stress, [](ObservedStress<Dim> const& of) { return of.yielded().shear; });
+  }
   for (auto const& [name, plane] : planes) {
     add(registry,
         {"coulomb_stress_change_" + name,

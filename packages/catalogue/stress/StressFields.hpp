@@ -27,6 +27,13 @@ struct VertexMotions
   std::function<VertexMotion(bool with_velocity)> now, at_start;
 };
 
+// What some cells have yielded, (cells, tensor components) and (cells).
+struct YieldedStrain
+{
+  std::vector<double> strain; // [-], deviatoric
+  std::vector<double> shear;  // [-], accumulated
+};
+
 // Observes local vertices, which may be ghosts; are_few: few of many, as at receivers. Collective.
 using ObserveVertices =
   std::function<VertexMotions(std::vector<int> const& vertices, bool are_few)>;
@@ -41,10 +48,12 @@ struct StressedBody
   std::vector<fem::MaxwellBranch> const& branches;
   std::string surface; // the boundary of the domain `surface`
   ObserveVertices observe;
+  // The present one of local cells; empty where no cell of the body may yield. A run starts with 0.
+  std::function<YieldedStrain(std::vector<int> const& cells)> yielded;
 };
 
-// Registers `stress`, `strain` and, for each plane, `coulomb_stress_change_<name>` in the elements
-// of a domain, which is `volume` or `surface`: of the cell, or of the cell below the facet.
+// Registers `stress`, `strain`, for each plane `coulomb_stress_change_<name>`, and in a body that may
+// yield `inelastic_strain` and `inelastic_shear`, in the elements of a domain, which is `volume` or `surface`: of the cell, or of the cell below the facet.
 template <int Dim>
 void registerStressFields(io::FieldRegistry& registry, io::OutputDomain const& domain,
                           StressedBody<Dim> const& body,

@@ -22,8 +22,9 @@ bool haveFiniteSquares(ConstNodeView const& values)
   return others == 0;
 }
 
-std::optional<NotFinite> lookIn(std::string const& quantity, bool at_fault,
-                                ConstNodeView const& values)
+// width: values of each index
+std::optional<NotFinite> lookIn(std::string const& quantity, NotFinite::Place place,
+                                ConstNodeView const& values, int width = 1)
 {
   if (haveFiniteSquares(values)) {
     return std::nullopt;
@@ -33,22 +34,26 @@ std::optional<NotFinite> lookIn(std::string const& quantity, bool at_fault,
   while (i < host.extent_int(0) && hasFiniteSquare(host(i))) {
     ++i;
   }
-  return i < host.extent_int(0) ? std::optional<NotFinite>({quantity, at_fault, i, host(i)})
+  return i < host.extent_int(0) ? std::optional<NotFinite>({quantity, place, i / width, host(i)})
                                 : std::nullopt;
 }
 
 std::optional<NotFinite> lookIn(State const& state, bool among_guessed_alone)
 {
+  using Place = NotFinite::Place;
   std::optional<NotFinite> found;
-  bool at_fault = false;
-  const auto look = [&](FieldInfo const& info, auto const& field) {
+  const auto look = [&](FieldInfo const& info, Place place, auto const& field, int width = 1) {
     if (!found && (info.is_guessed || !among_guessed_alone)) {
-      found = lookIn(info.quantity, at_fault, valuesOf(field));
+      found = lookIn(info.quantity, place, valuesOf(field), width);
     }
   };
-  State::visitBody(look, state);
-  at_fault = true;
-  State::visitFault(look, state);
+  State::visitBody(
+    [&](FieldInfo const& info, auto const& field) { look(info, Place::body, field); }, state);
+  State::visitFault(
+    [&](FieldInfo const& info, auto const& field) { look(info, Place::fault, field); }, state);
+  State::visitCells([&](FieldInfo const& info,
+                        auto const& field) { look(info, Place::cell, field, field.extent_int(1)); },
+                    state);
   return found;
 }
 } // namespace
@@ -59,6 +64,15 @@ std::optional<NotFinite> firstNotFiniteAtFault(State const& state) { return look
 
 std::optional<NotFinite> firstNotFinite(std::string const& quantity, RCP<Vector> const& x)
 {
-  return lookIn(quantity, false, valuesOf(x));
+  return lookIn(quantity, NotFinite::Place::body, valuesOf(x));
+}
+
+int NotFinite::vertexIn(Body const& body, fem::FaultSurface const& surface) const
+{
+  switch (place) {
+  case Place::fault: return surface.vertex(index);
+  case Place::cell: return body.cells->vertexOf(index);
+  default: return index / body.dofs->components();
+  }
 }
 } // namespace asperity::dynamics

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "dynamics/State.hpp"
+#include "fem/FaultSurface.hpp"
 
 #include <optional>
 #include <string>
@@ -10,10 +11,20 @@ namespace asperity::dynamics
 // A value of a state whose square is nan or infinite: norms and energies are made of squares.
 struct NotFinite
 {
+  enum class Place
+  {
+    body,
+    fault,
+    cell
+  };
+
   std::string field; // "velocity"
-  bool is_at_fault = false;
-  int index = 0; // local: node of the fault, or dof
+  Place place = Place::body;
+  int index = 0; // local: dof of the body, node of the fault, or row of the body's cells
   double value = 0;
+
+  // A local vertex there.
+  int vertexIn(Body const& body, fem::FaultSurface const& surface) const;
 };
 
 // The first one on this rank, in the order of the state's fields. Not collective.

@@ -96,8 +96,7 @@ void StepControl::giveUp(State const& from, int level) const
   onEveryRank(*surface().communicator(), [&] {
     if (not_finite_) {
       lost << "; " << not_finite_->field << " became " << not_finite_->value;
-      const int vertex = not_finite_->is_at_fault ? surface().vertex(not_finite_->index)
-                                                  : not_finite_->index / step_.components();
+      const int vertex = not_finite_->vertexIn(step_.body(), surface());
       lost << (place_of_ ? " at " + place_of_(vertex) : "");
       throw SolveError(failure(from, level, lost.str()));
     }

@@ -19,24 +19,26 @@ NodeView copyOf(ConstNodeView const& values)
   return copy;
 }
 
-// This rank's part of the integral of (a - b) (a - c) over the fault.
+// This rank's part of the weighted sum of (a - b) (a - c).
 double product(ConstNodeView const& weight, ConstNodeView const& a, ConstNodeView const& b,
                ConstNodeView const& c)
 {
   double sum = 0;
-  const int num_nodes = static_cast<int>(weight.extent(0));
+  const int size = static_cast<int>(weight.extent(0));
   Kokkos::parallel_reduce(
     "asperity::dynamics::productOfResiduals", RangePolicy(0, a.extent(0)),
     KOKKOS_LAMBDA(int i, double& partial) {
-      partial += weight(i % num_nodes) * (a(i) - b(i)) * (a(i) - c(i));
+      partial += weight(i % size) * (a(i) - b(i)) * (a(i) - c(i));
     },
     sum);
   return sum;
 }
 } // namespace
 
-AndersonAcceleration::AndersonAcceleration(fem::FaultSurface const& surface, int depth)
-    : surface_(surface)
+AndersonAcceleration::AndersonAcceleration(ConstNodeView const& weights,
+                                           RCP<const Communicator> const& communicator, int depth)
+    : weights_of_values_(weights)
+    , communicator_(communicator)
     , depth_(static_cast<std::size_t>(depth))
 {
 }
@@ -52,12 +54,12 @@ std::vector<double> AndersonAcceleration::weights() const
   Eigen::MatrixXd mine(size, size + 1);
   for (int j = 0; j < size; ++j) {
     auto const residual = iterates_[j + 1].residual;
-    mine(j, 0) = product(surface_.weights(), last, residual, zero);
+    mine(j, 0) = product(weights_of_values_, last, residual, zero);
     for (int l = 0; l < size; ++l) {
-      mine(j, l + 1) = product(surface_.weights(), last, residual, iterates_[l + 1].residual);
+      mine(j, l + 1) = product(weights_of_values_, last, residual, iterates_[l + 1].residual);
     }
   }
-  const Eigen::MatrixXd products = sumOverRanks(mine, *surface_.communicator());
+  const Eigen::MatrixXd products = sumOverRanks(mine, *communicator_);
   Eigen::CompleteOrthogonalDecomposition<Eigen::MatrixXd> normal;
   normal.setThreshold(parallel);
   normal.compute(products.rightCols(size));

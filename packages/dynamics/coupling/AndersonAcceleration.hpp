@@ -1,6 +1,6 @@
 #pragma once
 
-#include "fem/FaultSurface.hpp"
+#include "base/Types.hpp"
 #include "portability/Views.hpp"
 
 #include <deque>
@@ -8,16 +8,17 @@
 
 namespace asperity::dynamics
 {
-// Anderson's acceleration of a fixed point iteration x -> g(x) for the state of a fault (Anderson
-// 1965; Walker and Ni 2011): the next x is the affine combination of the last images g(x) for which
-// the same combination of the residuals g(x) - x has the smallest mean square over the fault. x has
-// one value at each node, or several: (num_unknowns * num_nodes), all nodes of the first unknown
-// first.
+// Anderson's acceleration of a fixed point iteration x -> g(x) (Anderson 1965; Walker and Ni 2011):
+// the next x is the affine combination of the last images g(x) for which the same combination of
+// the residuals g(x) - x has the smallest weighted sum of squares. With n weights, x has n values
+// or several times as many, n of the first unknown first.
 class AndersonAcceleration
 {
 public:
   // `depth` >= 0 iterates are remembered beside the last one; with 0 this is the plain iteration.
-  AndersonAcceleration(fem::FaultSurface const& surface, int depth);
+  // weights: of this rank's values, of which each counts on one rank.
+  AndersonAcceleration(ConstNodeView const& weights, RCP<const Communicator> const& communicator,
+                       int depth);
 
   // Forgets all iterates.
   void reset() { iterates_.clear(); }
@@ -35,7 +36,8 @@ private:
   // earlier ones, in the order of iterates_.
   std::vector<double> weights() const;
 
-  fem::FaultSurface const& surface_;
+  ConstNodeView weights_of_values_;
+  RCP<const Communicator> communicator_;
   std::size_t depth_;
   std::deque<Iterate> iterates_; // the last one first
 };

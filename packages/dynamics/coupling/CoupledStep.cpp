@@ -11,6 +11,7 @@
 
 #include <Tpetra_CrsMatrix.hpp>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
@@ -114,11 +115,15 @@ CoupledStep::CoupledStep(Body const& body, Fault const& fault, RateUpdate const&
     , work_u_(body.vector())
     , work_a_(body.vector())
     , guess_(body.vector())
+    , work_v_(body.vector())
     , work_d_(body.branchVectors())
     , mean_offset_("asperity::dynamics::meanOffset", surface().numNodes(), surface().numTangents())
     , mean_("asperity::dynamics::meanVelocity", surface().numNodes(), surface().numTangents())
     , V_("asperity::dynamics::V", surface().numNodes())
 {
+  if (body.cells) {
+    inelastic_.emplace(*body.cells, settings.anderson_depth);
+  }
   unknowns_.add(std::make_shared<StateUpdate>(fault));
   if (stress_->coupled()) {
     unknowns_.add(stress_);
@@ -156,7 +161,20 @@ void CoupledStep::rightSide(State const& from, double tau, State& to)
   RateUpdate::relax(body_.matrices, from, tau, *work_u_, work_d_);
   body_.computeForces({*work_u_, *prescribed_, *work_a_, work_d_}, forces_);
   forces_.subtractFrom(*b_);
-  stress_->begin(from, *b_, to);
+  if (inelastic_) {
+    inelastic_->begin(*b_);
+  }
+  stress_->begin(from, to);
+  setRightSide(to);
+}
+
+// The right side with the inelastic strain of `to`.
+void CoupledStep::setRightSide(State const& to)
+{
+  if (inelastic_) {
+    inelastic_->rightSide(to, *b_);
+  }
+  stress_->setRightSide(*b_);
   body_.clearHeld(*b_);
 }
 
@@ -221,6 +239,31 @@ void CoupledStep::meanSlipRate(RateSolver& solver)
   slipRate(surface(), mean_, V_);
 }
 
+// How far the inelastic strain is from what follows from the velocity; 0 in a body without.
+double CoupledStep::inelasticChange(State const& from, double tau, RateSolver const& solver,
+                                    State const& to)
+{
+  if (!inelastic_) {
+    return 0;
+  }
+  solver.velocity(*guess_);
+  work_v_->update(1, *guess_, 1, *prescribed_, 0);
+  update_.withVelocity(*work_v_, *u_hat_, *a_hat_, tau, *work_u_, *work_a_);
+  inelastic_->respond(*work_u_, tau, from);
+  return inelastic_->change(to, settings_.norm);
+}
+
+// Sets the next iterates; a new inelastic strain changes the right side of the rate problem.
+void CoupledStep::advance(RateSolver& solver, State& to)
+{
+  unknowns_.advance(to);
+  if (inelastic_) {
+    inelastic_->advance(to);
+    setRightSide(to);
+    solver.begin(*b_, *guess_);
+  }
+}
+
 // Alternates one iteration of TNNMG and one update of the state: both reduce the error by similar
 // factors, and more iterations for a state that still changes would be wasted. When the state has
 // converged, the rate problem is solved with it.
@@ -244,9 +287,14 @@ CoupledResult CoupledStep::iterate(State const& from, double tau, RateSolver& so
     }
     meanSlipRate(solver);
     const bool responded = unknowns_.respond({from, tau, V_, solver, to});
-    const double change = unknowns_.change(settings_.norm);
-    if (!responded || !std::isfinite(change)) {
+    const double of_fault = unknowns_.change(settings_.norm);
+    const double of_rock = inelasticChange(from, tau, solver, to);
+    const double change = std::max(of_fault, of_rock);
+    if (!responded || !std::isfinite(of_fault) || !std::isfinite(of_rock)) {
       unknowns_.copyImages(to); // a value that is not finite can be found there
+      if (inelastic_) {
+        inelastic_->copyImage(to);
+      }
       result.status = StepStatus::state_failed;
       return result;
     }
@@ -254,13 +302,19 @@ CoupledResult CoupledStep::iterate(State const& from, double tau, RateSolver& so
     if (at_rest && rate.converged) {
       Kokkos::deep_copy(to.alpha_of_rate, given.alpha);
       unknowns_.finish(to);
+      if (inelastic_) {
+        inelastic_->copyImage(to);
+      }
       return result;
     }
     if (!at_rest) {
-      if (change > last_change) {
-        unknowns_.restart(); // the remembered iterates point away from the fixed point
+      if (change > last_change) { // the remembered iterates point away from the fixed point
+        unknowns_.restart();
+        if (inelastic_) {
+          inelastic_->restart();
+        }
       }
-      unknowns_.advance(to);
+      advance(solver, to);
       last_change = change;
     }
   }

@@ -3,6 +3,7 @@
 #include "dynamics/Body.hpp"
 #include "dynamics/State.hpp"
 #include "dynamics/coupling/FaultUnknowns.hpp"
+#include "dynamics/coupling/InelasticUpdate.hpp"
 #include "dynamics/coupling/NormalStressUpdate.hpp"
 #include "dynamics/coupling/StepSolvers.hpp"
 #include "dynamics/fault/Fault.hpp"
@@ -98,7 +99,8 @@ struct CoupledResult
 //
 // A normal stress that is coupled to the body is a second unknown of the fixed point beside alpha:
 // (alpha, sigma_n) -> rate problem -> V, reaction across the fault -> (alpha, sigma_n). Each rate
-// problem is convex as before, since both are fixed in it.
+// problem is convex as before, since both are fixed in it. So is the inelastic strain of rock that
+// yields, which follows from the displacement at the end of the step (InelasticUpdate).
 class CoupledStep
 {
 public:
@@ -112,7 +114,7 @@ public:
 
   DyadicTime const& clock() const { return clock_; }
   fem::FaultSurface const& surface() const { return fault_.surface(); }
-  int components() const { return body_.dofs->components(); } // of the displacement
+  Body const& body() const { return body_; }
   StepSolvers const& solvers() const { return solvers_; }
   // The right side of the last rate problem: loads, and terms from the past and from prescribed
   // velocities.
@@ -138,9 +140,12 @@ private:
   friend class PendingStep;
   void evaluateLoads(double t0, double t1);
   void rightSide(State const& from, double tau, State& to);
+  void setRightSide(State const& to);
   CoupledResult iterate(State const& from, double tau, RateSolver& solver, State& to,
                         SolveCount& count);
   void meanSlipRate(RateSolver& solver);
+  double inelasticChange(State const& from, double tau, RateSolver const& solver, State const& to);
+  void advance(RateSolver& solver, State& to);
   void complete(State const& from, int level, State& to);
 
   Body const& body_;
@@ -150,10 +155,11 @@ private:
   CouplingSettings settings_;
   FaultUnknowns unknowns_;
   std::shared_ptr<NormalStressUpdate> stress_; // one of the unknowns if it is coupled
+  std::optional<InelasticUpdate> inelastic_;   // if the body has cells that may yield
   StepSolvers solvers_;
   BodyForces forces_;
   std::int64_t num_solved_ = 0; // steps, to tell which one may be completed
-  RCP<Vector> b_, prescribed_, u_hat_, a_hat_, work_u_, work_a_, guess_;
+  RCP<Vector> b_, prescribed_, u_hat_, a_hat_, work_u_, work_a_, guess_, work_v_;
   std::vector<RCP<Vector>> work_d_;
   // The part of the mean velocity that follows from the past and from prescribed velocities; the
   // mean velocity itself.

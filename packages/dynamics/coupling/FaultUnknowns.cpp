@@ -37,7 +37,7 @@ double largerOrNotFinite(double a, double b) { return !std::isfinite(a) || a > b
 
 FaultUnknowns::FaultUnknowns(fem::FaultSurface const& surface, int depth)
     : surface_(surface)
-    , acceleration_(surface, depth)
+    , acceleration_(surface.weights(), surface.communicator(), depth)
 {
 }
 

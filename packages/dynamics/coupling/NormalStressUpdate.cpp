@@ -61,7 +61,7 @@ void NormalStressUpdate::evaluate(double t0, double t1)
   }
 }
 
-void NormalStressUpdate::begin(State const& from, Vector const& b, State& to)
+void NormalStressUpdate::begin(State const& from, State& to)
 {
   switch (change_) {
   case NormalStressChange::fixed:
@@ -76,8 +76,14 @@ void NormalStressUpdate::begin(State const& from, Vector const& b, State& to)
     const double most = maxOverRanks(largest(from.sigma_n), *fault_.surface().communicator());
     setScale(from.sigma_n, most > 0 ? small_share * most : 1, scale_);
     limit(to.sigma_n);
-    since_start_.reaction->gather(b, right_side_);
     break;
+  }
+}
+
+void NormalStressUpdate::setRightSide(Vector const& b)
+{
+  if (coupled()) {
+    since_start_.reaction->gather(b, right_side_);
   }
 }
 

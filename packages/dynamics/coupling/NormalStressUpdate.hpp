@@ -8,7 +8,8 @@ namespace asperity::dynamics
 {
 // The normal stress within a step. If it is fixed or lags, the step has its value from the start;
 // if it is coupled, it is an unknown that responds to the velocity with the reaction across the
-// fault. evaluate() and begin() open a step.
+// fault. evaluate(), begin() and
+// setRightSide() open a step.
 class NormalStressUpdate final : public FaultUnknown
 {
 public:
@@ -21,10 +22,12 @@ public:
   // Evaluates sigma_0 at the end t1 [s] of the step and, if the normal stress lags, the load at the
   // beginning t0 [s]. Not collective: where an expression fails, this rank alone throws.
   void evaluate(double t0, double t1);
-  // Sets the normal stress of `to`; if it is coupled, raises the guess there to the floor. b is the
-  // right side l + M a^ - K u^ - Z v_D of the step with the rows across the fault, which a rate
-  // problem leaves out: with the same rows of Z the reaction is r = Z w - b. Collective.
-  void begin(State const& from, Vector const& b, State& to);
+  // Sets the normal stress of `to`; if it is coupled, raises the guess there to the floor.
+  // Collective.
+  void begin(State const& from, State& to);
+  // b is the right side l + M a^ - K u^ - Z v_D of a rate problem with the rows across the fault,
+  // which it leaves out: with the same rows of Z the reaction is r = Z w - b.
+  void setRightSide(Vector const& b);
 
   NodeView const& of(State const& state) const override { return state.sigma_n; }
   int respond(FaultResponse const& to, NodeView const& image) override;

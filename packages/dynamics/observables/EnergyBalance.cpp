@@ -26,6 +26,16 @@ struct ForceOfStep
   KOKKOS_INLINE_FUNCTION double operator()(int dof) const { return mean(dof) * motion(dof); }
 };
 
+// The mean displacement over a step times the change of a force.
+struct WorkOfChange
+{
+  Values u0, u1, f0, f1;
+  KOKKOS_INLINE_FUNCTION double operator()(int dof) const
+  {
+    return (u0(dof, 0) + u1(dof, 0)) / 2 * (f1(dof, 0) - f0(dof, 0));
+  }
+};
+
 struct Square
 {
   Values x;
@@ -125,15 +135,16 @@ TakenFromPlates takenFromPlates(fem::FaultSurface const& surface, ConstNodeView 
 }
 } // namespace
 
-std::array<Energy::Member, 8> const& Energy::members()
+std::array<Energy::Member, 9> const& Energy::members()
 {
-  static constexpr std::array<Member, 8> all = {
+  static constexpr std::array<Member, 9> all = {
     {{"kinetic", &Energy::kinetic},
      {"elastic", &Energy::elastic},
      {"load_work", &Energy::load_work},
      {"boundary_work", &Energy::boundary_work},
      {"friction_work", &Energy::friction_work},
      {"viscous_work", &Energy::viscous_work},
+     {"inelastic_work", &Energy::inelastic_work},
      {"numerical_dissipation", &Energy::numerical_dissipation},
      {"defect", &Energy::defect}}};
   return all;
@@ -180,6 +191,10 @@ void EnergyBalance::fill(State const& state, Snapshot& result)
     auto const& f = *result.resisting.of_branches[k];
     result.elastic += 0.5 * (f.dot(*state.branches[k]) - f.dot(*state.u));
     Tpetra::deep_copy(*result.d[k], *state.branches[k]);
+  }
+  if (state.inelastic) {
+    result.inelastic = body_.cells->energy(state.inelastic->strain);
+    result.elastic += result.inelastic - 0.5 * result.resisting.inelastic->dot(*state.u);
   }
   result.kinetic = 0.5 * momentum_->dot(*state.v);
   fillForce(state, result);
@@ -258,6 +273,11 @@ EnergyBalance::Works EnergyBalance::worksOfStep() const
                      sumOfAll(num_dofs, ForceOfStep{reading(*before_.d[k]), reading(*after_.d[k]),
                                                     reading(f0), reading(f1)});
   }
+  if (body_.cells) {
+    const WorkOfChange work{reading(*before_.u), reading(*after_.u), reading(*then.inelastic),
+                            reading(*now.inelastic)};
+    works.inelastic = sumOfAll(num_dofs, work);
+  }
   works.friction = sumAt(fault_dofs_, force);
   works.boundary = -sumAt(body_.held.ownedOnDevice(), force);
   if (fault_.surface().hasPlateRate()) {
@@ -288,9 +308,11 @@ Energy const& EnergyBalance::advance(State const& state)
     jump();
   }
   auto const mine = worksOfStep();
-  auto const [load, boundary, friction, viscous, inertial] = sumOverRanks(
-    std::array<double, 5>{mine.load, mine.boundary, mine.friction, mine.viscous, mine.inertial},
-    *body_.dofs->communicator());
+  auto const [load, boundary, friction, viscous, of_forces, inertial] =
+    sumOverRanks(std::array<double, 6>{mine.load, mine.boundary, mine.friction, mine.viscous,
+                                       mine.inelastic, mine.inertial},
+                 *body_.dofs->communicator());
+  const double inelastic = of_forces - (after_.inelastic - before_.inelastic);
   const double of_kinetic = after_.kinetic - before_.kinetic;
   const double numerical = inertial - of_kinetic;
   const double change = of_kinetic + after_.elastic - before_.elastic;
@@ -300,8 +322,9 @@ Energy const& EnergyBalance::advance(State const& state)
   energy_.boundary_work += boundary;
   energy_.friction_work += friction;
   energy_.viscous_work += viscous;
+  energy_.inelastic_work += inelastic;
   energy_.numerical_dissipation += numerical;
-  energy_.defect += change - (load + boundary - friction - viscous - numerical);
+  energy_.defect += change - (load + boundary - friction - viscous - inelastic - numerical);
   std::swap(before_, after_);
   return energy_;
 }

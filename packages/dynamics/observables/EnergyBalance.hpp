@@ -14,16 +14,18 @@ namespace asperity::dynamics
 struct Energy
 {
   double kinetic = 0;
-  double elastic = 0;       // 1/2 u'Ku + sum of 1/2 d_k'K_k d_k
-  double load_work = 0;     // by gravity and tractions, and by plates that move (back slip)
-  double boundary_work = 0; // by the forces that move the prescribed boundaries
-  double friction_work = 0; // dissipated on the fault
-  double viscous_work = 0;  // dissipated in the body, by radiation damping and by dashpots
+  double elastic = 0;   // 1/2 u'Ku + sum of 1/2 d_k'K_k d_k, of the strain that is not inelastic
+  double load_work = 0; // by gravity and tractions, and by plates that move (back slip)
+  double boundary_work = 0;  // by the forces that move the prescribed boundaries
+  double friction_work = 0;  // dissipated on the fault
+  double viscous_work = 0;   // dissipated in the body, by radiation damping and by dashpots
+  double inelastic_work = 0; // dissipated by rock that yields
   // By the time scheme; may be negative for a while. Includes the energy that a quasi-dynamic body
   // loses in the first step if it starts out of balance.
   double numerical_dissipation = 0;
   // Change of kinetic and elastic energy minus (load_work + boundary_work - friction_work -
-  // viscous_work - numerical_dissipation): the error that the tolerances of the solvers leave.
+  // viscous_work - inelastic_work - numerical_dissipation): the error that the tolerances of the
+  // solvers leave.
   double defect = 0;
 
   struct Member
@@ -31,14 +33,15 @@ struct Energy
     char const* name;
     double Energy::*value;
   };
-  static std::array<Member, 8> const& members();
+  static std::array<Member, 9> const& members();
 };
 
 // The balance of energy from step to step, with du = u1 - u0, dv = v1 - v0 and means over the ends
 // of the step:
 //   change of (1/2 v'Mv + 1/2 u'Ku) = du . (mean l - C mean v - mean f) - D
 //   D = du . M mean a - mean v . M dv,    mean v . M dv = change of 1/2 v'Mv
-// Of it a Maxwell branch dissipates mean K_k d_k . (du - change of d_k) as viscous work. f are the
+// Of it a Maxwell branch dissipates mean K_k d_k . (du - change of d_k) as viscous work, and rock
+// that yields the integral of its mean stress times the change of its inelastic strain. f are the
 // friction forces of the last rate problem and the reactions of prescribed dofs. The balance is
 // exact where that of momentum holds at both ends; D is what the scheme dissipates, none of Newmark
 // with beta = 1/4 (README.md). Under back slip the fault slips by Vp tau more than the bodies move:
@@ -81,12 +84,13 @@ private:
     std::vector<RCP<Vector>> d; // of the Maxwell branches
     BodyForces resisting;
     double kinetic = 0, elastic = 0;
+    double inelastic = 0; // fem::InelasticCells::energy
     DyadicTime::Ticks time = 0;
   };
   // Works of one step.
   struct Works
   {
-    double load = 0, boundary = 0, friction = 0, viscous = 0, inertial = 0;
+    double load = 0, boundary = 0, friction = 0, viscous = 0, inelastic = 0, inertial = 0;
   };
   Snapshot snapshot() const;
   void noteImbalance();

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "fem/bulk/Material.hpp"
+#include "fem/bulk/ReturnMapping.hpp"
 #include "portability/Parameter.hpp"
 #include "portability/Registry.hpp"
 
@@ -19,11 +20,13 @@
 //     static constexpr Parameter parameters[] = {{"Shear Viscosity", "Pa s", ...}, ...};
 //     static void complete(double const* values, Material& material);
 //     static std::vector<RelaxingShare> relaxation(double const* values, Material const& material);
+//     KOKKOS_FUNCTION static double shearStress(double const* values, Trial const& trial);
 //   };
 //   ASPERITY_REGISTER_BULK_LAW(KelvinVoigt) // the end of its .cpp
 //
 // complete() sets the viscosities of a material that has density and elastic moduli; relaxation()
-// tells which shares of its shear modulus relax (MaxwellBranch). One of the two may be missing.
+// tells which shares of its shear modulus relax (MaxwellBranch); shearStress() is t1 of rock that
+// yields (ReturnMapping.hpp). A law has at least one of them, and not the last two together.
 namespace asperity::fem
 {
 // A share in [0, 1] of the shear modulus and its relaxation time [s]; the shares of a cell sum to
@@ -40,6 +43,8 @@ struct BulkLaw
   std::function<void(double const* values, Material& material)> complete;
   std::function<std::vector<RelaxingShare>(double const* values, Material const& material)>
     relaxation;
+  // Makes a step of the cells of this law; empty: they do not yield.
+  std::function<void(YieldingCells const&)> yield;
 };
 using BulkLawRegistry = Registry<BulkLaw>;
 
@@ -65,13 +70,24 @@ struct Relaxes<Law, std::void_t<decltype(&Law::relaxation)>> : std::true_type
 {
 };
 
+template <class Law, class = void>
+struct Yields : std::false_type
+{
+};
+template <class Law>
+struct Yields<Law, std::void_t<decltype(&Law::shearStress)>> : std::true_type
+{
+};
+
 template <class Law>
 struct RegisteredBulkLaw : BulkLaw
 {
   RegisteredBulkLaw()
   {
-    static_assert(Completes<Law>::value || Relaxes<Law>::value,
-                  "A law of bulk has complete() or relaxation()");
+    static_assert(Completes<Law>::value || Relaxes<Law>::value || Yields<Law>::value,
+                  "A law of bulk has complete(), relaxation() or shearStress()");
+    static_assert(!(Relaxes<Law>::value && Yields<Law>::value),
+                  "A law of bulk has relaxation() or shearStress(), not both");
     parameters.assign(std::begin(Law::parameters), std::end(Law::parameters));
     complete = [](double const*, Material&) {};
     relaxation = [](double const*, Material const&) { return std::vector<RelaxingShare>(); };
@@ -80,6 +96,9 @@ struct RegisteredBulkLaw : BulkLaw
     }
     if constexpr (Relaxes<Law>::value) {
       relaxation = &Law::relaxation;
+    }
+    if constexpr (Yields<Law>::value) {
+      yield = [](YieldingCells const& cells) { ReturnMapping<Law>{cells}.run(); };
     }
   }
 };

@@ -2,6 +2,7 @@
 
 #include "base/Errors.hpp"
 #include "fem/Simplex.hpp"
+#include "fem/stress/TensorKernels.hpp"
 
 #include <algorithm>
 #include <array>
@@ -11,53 +12,6 @@ namespace asperity::fem
 {
 namespace
 {
-constexpr int numTensorComponents(int components)
-{
-  return components == 1 ? 2 : components == 2 ? 4 : 6;
-}
-
-// The place of entry (i, k), i <= k, among the components of a tensor in the plane or in space.
-template <int Dim>
-KOKKOS_FUNCTION constexpr int placeOf(int i, int k)
-{
-  return i == 0 ? k : (i == 1 ? Dim - 1 + k : 5);
-}
-
-// The gradient of a displacement or velocity with `Components` components. strain() and add() add
-// to `tensor` the strain, and the stress with the Lame constants first and second.
-template <int Dim, int Components>
-struct Tensor
-{
-  static constexpr int size = numTensorComponents(Components);
-
-  double gradient[Components][Dim] = {}; // d u_i / d x_k
-
-  KOKKOS_FUNCTION void strain(double* tensor) const { add(0, 0.5, tensor); }
-
-  KOKKOS_FUNCTION void add(double first, double second, double* tensor) const
-  {
-    if constexpr (Components == 1) {
-      for (int k = 0; k < Dim; ++k) {
-        tensor[k] += second * gradient[0][k];
-      }
-    } else {
-      double trace = 0;
-      for (int i = 0; i < Dim; ++i) {
-        trace += gradient[i][i];
-        for (int k = i; k < Dim; ++k) {
-          tensor[placeOf<Dim>(i, k)] += second * (gradient[i][k] + gradient[k][i]);
-        }
-      }
-      for (int i = 0; i < Dim; ++i) {
-        tensor[placeOf<Dim>(i, i)] += first * trace;
-      }
-      if constexpr (Dim == 2) {
-        tensor[3] += first * trace; // zz, where the strain is zero
-      }
-    }
-  }
-};
-
 template <int Dim, int Components>
 struct CellKernel
 {
@@ -72,32 +26,32 @@ struct CellKernel
   bool is_strain;
   Result result;
 
-  KOKKOS_FUNCTION Tensor<Dim, Components> tensorOf(Motion const& motion, int cell) const
+  KOKKOS_FUNCTION Gradient<Dim, Components> gradientOf(Motion const& motion, int cell) const
   {
-    Tensor<Dim, Components> tensor;
+    Gradient<Dim, Components> gradient;
     for (int corner = 0; corner <= Dim; ++corner) {
       for (int i = 0; i < Components; ++i) {
         for (int k = 0; k < Dim; ++k) {
-          tensor.gradient[i][k] +=
+          gradient.entry[i][k] +=
             motion(corners(cell, corner) * Components + i) * gradients(cell, corner, k);
         }
       }
     }
-    return tensor;
+    return gradient;
   }
 
   KOKKOS_FUNCTION void operator()(int cell) const
   {
     double tensor[numTensorComponents(Components)] = {};
-    auto const of_displacement = tensorOf(u, cell);
+    auto const of_displacement = gradientOf(u, cell);
     if (is_strain) {
       of_displacement.strain(tensor);
     } else {
       auto const& m = materials(cell);
       of_displacement.add(m.bulk_modulus - 2. / 3 * m.shear_modulus, m.shear_modulus, tensor);
       if (v.extent(0) > 0) {
-        tensorOf(v, cell).add(m.bulk_viscosity - 2. / 3 * m.shear_viscosity, m.shear_viscosity,
-                              tensor);
+        gradientOf(v, cell).add(m.bulk_viscosity - 2. / 3 * m.shear_viscosity, m.shear_viscosity,
+                                tensor);
       }
     }
     for (int k = 0; k < numTensorComponents(Components); ++k) {

@@ -18,6 +18,9 @@ io::NodeSets nodeSets(Problem<Dim> const& problem,
   for (const int vertex : problem.surface->vertices()) {
     sets[nodes_of_friction].push_back(ids[vertex]);
   }
+  if (problem.body.cells) {
+    sets[yielding_cells] = problem.body.cells->sharing().numbers();
+  }
   for (auto const& [name, domain] : domains) {
     sets[name].assign(domain.node_numbers.begin(), domain.node_numbers.end());
   }

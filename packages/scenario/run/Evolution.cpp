@@ -49,7 +49,7 @@ Evolution<Dim>::Evolution(ParameterList const& deck, RCP<const Communicator> con
     , balance_(model_.body, model_.fault, clock_)
     , state_(model_.initial.clone())
     , sample_(model_.fault.surface(), *model_.initial.u)
-    , format_(problem_.initial, condensation_.get(), clock_)
+    , format_(problem_, condensation_.get(), clock_)
     , floor_count_(model_.fault)
     , stall_watch_(deck.sublist("Time Stepping").get<int>("Most Forced Steps"))
     , tolerance_(toleranceOf(deck.sublist("Time Stepping")))
@@ -302,8 +302,7 @@ void Evolution<Dim>::requireFinite() const
     if (!found) {
       return;
     }
-    const int vertex = found->is_at_fault ? model_.fault.surface().vertex(found->index)
-                                          : found->index / model_.body.dofs->components();
+    const int vertex = found->vertexIn(model_.body, model_.fault.surface());
     std::ostringstream message;
     message << "Step " << numSteps() << ", t = " << formatShort(time()) << " s: " << found->field
             << " is " << found->value << " at " << placeOf(vertex);

@@ -136,6 +136,11 @@ void requireSameKind(Problem<Dim> const& here, ParameterList const& deck, Proble
               other.sublist("Bulk").get<std::string>("Model"), run);
   requireSame("The relaxation times of the rock in s (Asperity / Bulk)", timesOf(here.branches),
               timesOf(there.branches), run);
+  ASPERITY_REQUIRE(!here.body.cells && !there.body.cells,
+                   "--restart-from "
+                     << run
+                     << ": a state with rock that yields goes to no other run (Asperity / Bulk / "
+                        "Law). Continue the run itself with --restart.");
   requireSame("The kind of the fault (Asperity / Boundary Conditions)",
               faultKindOf(here.surface->otherSide()), faultKindOf(there.surface->otherSide()), run);
 }
@@ -148,7 +153,7 @@ dynamics::State loaded(std::filesystem::path const& checkpoint, Problem<Dim> con
   auto const archive =
     io::readCheckpoint(checkpoint, fingerprint(deck, problem.mesh, *problem.communicator),
                        *problem.communicator, nodeSets(problem, domains));
-  return StateFormat(problem.initial, nullptr, clock).load(archive, "state");
+  return StateFormat(problem, nullptr, clock).load(archive, "state");
 }
 
 RCP<ParameterList> deckOf(std::filesystem::path const& folder)

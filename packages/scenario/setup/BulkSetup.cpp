@@ -2,6 +2,7 @@
 
 #include "base/parallel/Agreement.hpp"
 #include "base/parallel/Gather.hpp"
+#include "base/parallel/Reductions.hpp"
 #include "fem/Simplex.hpp"
 #include "fem/bulk/BulkLaw.hpp"
 #include "parameters/ParameterValue.hpp"
@@ -24,6 +25,8 @@ constexpr char const* poisson = "Poisson's Ratio";
 constexpr char const* radiation_damping = "Radiation Damping";
 constexpr char const* law_choice = "Law";
 constexpr char const* in_regions = "Regions";
+constexpr char const* initial_stress = "Initial Stress";
+constexpr std::array<char const*, 6> stress_names = {"XX", "XY", "XZ", "YY", "YZ", "ZZ"};
 
 void declareLaw(Declare& declare, std::string const& meaning)
 {
@@ -37,6 +40,16 @@ RCP<const ParameterList> lawsOfRegions()
   return Declare()
     .sublist("<region>", one.list(), "Names a region of the mesh and gives the law of its rock.")
     .list();
+}
+
+RCP<const ParameterList> initialStressParameters()
+{
+  Declare declare;
+  for (char const* name : stress_names) {
+    declare.field(name, optional, "Pa", Range::any(),
+                  "The stress at the start has this component, which is 0 if it is left out.");
+  }
+  return declare.list();
 }
 } // namespace
 
@@ -74,12 +87,20 @@ RCP<const ParameterList> bulkParameters()
     .realArray("Gravity Direction", std::vector<double>{0., -1.}, "-", Range::any(),
                "Gravity points in the direction of this vector in x, y and, in three dimensions, z "
                "(0 if left out). Its length has no effect.");
-  declareLaw(declare, "Selects the law of the rock: how it creeps or flows. Kelvin-Voigt: it damps "
-                      "waves; without viscosity it is elastic. Maxwell: its shear stress relaxes. "
-                      "Burgers: it has a transient part of the strain, too.");
+  declareLaw(declare,
+             "Selects the law of the rock: how it creeps or flows. Kelvin-Voigt: it damps "
+             "waves; without viscosity it is elastic. Maxwell: its shear stress relaxes. "
+             "Burgers: it has a transient part of the strain, too. Von Mises: it yields at a "
+             "shear stress. Drucker-Prager: it yields at a shear stress that grows with "
+             "pressure.");
   declare.openSublist(in_regions, lawsOfRegions(),
                       "Each entry is a region of the mesh whose rock has a law of its own, with "
                       "its parameters; the law above holds in the others.");
+  declare.sublist(initial_stress, initialStressParameters(),
+                  "Rock that yields has this stress at the start, positive in tension, beside that "
+                  "of its displacement. It has to be in equilibrium by itself, with the initial "
+                  "tractions on the fault. An antiplane model takes XZ, YZ and the mean of XX, YY "
+                  "and ZZ; it has no effect on rock that does not yield.");
   return declare.list();
 }
 
@@ -254,20 +275,95 @@ public:
   }
 
   // Completes the material of a cell with this centroid; returns what relaxes in it.
-  std::vector<fem::RelaxingShare> apply(std::array<double, 3> const& x, int region,
+  std::vector<fem::RelaxingShare> apply(int cell, std::array<double, 3> const& x, int region,
                                         fem::Material& material)
   {
     std::transform(fields_.begin(), fields_.end(), values_.begin(),
                    [&](Field const& field) { return field(x, 0, region); });
     law_.complete(values_.data(), material);
+    if (law_.yield) {
+      yielding_.cells.push_back(cell);
+      yielding_.parameters.insert(yielding_.parameters.end(), values_.begin(), values_.end());
+    }
     return law_.relaxation(values_.data(), material);
+  }
+
+  // The cells so far, if they yield.
+  std::optional<fem::YieldingRock::Part> yielding() const
+  {
+    return law_.yield
+             ? std::optional<fem::YieldingRock::Part>({law_, yielding_.cells, yielding_.parameters})
+             : std::nullopt;
   }
 
 private:
   fem::BulkLaw law_;
   std::vector<Field> fields_;
   std::vector<double> values_;
+  fem::YieldingRock::Part yielding_;
 };
+
+// The stress at the start at the centroids of cells; only its mean has diagonal entries antiplane.
+class StressAtStart
+{
+public:
+  StressAtStart(ParameterList const& list, std::vector<std::string> const& region_names)
+  {
+    for (char const* name : stress_names) {
+      fields_.push_back(isGiven(list, name)
+                          ? std::optional<Field>(steadyField(
+                              list, name, joinPath(bulk_path, initial_stress), region_names))
+                          : std::nullopt);
+    }
+  }
+
+  void append(std::array<double, 3> const& x, int region, int components,
+              fem::YieldingRock& rock) const
+  {
+    std::array<double, 6> value{};
+    for (std::size_t k = 0; k < fields_.size(); ++k) {
+      value[k] = fields_[k] ? (*fields_[k])(x, 0, region) : 0;
+    }
+    auto const [xx, xy, xz, yy, yz, zz] = value;
+    const std::vector<double> tensor = components == 1 ? std::vector<double>{xz, yz}
+                                       : components == 2
+                                         ? std::vector<double>{xx, xy, yy, zz}
+                                         : std::vector<double>(value.begin(), value.end());
+    rock.initial_stress.insert(rock.initial_stress.end(), tensor.begin(), tensor.end());
+    rock.initial_mean.push_back((xx + yy + zz) / 3);
+  }
+
+private:
+  std::vector<std::optional<Field>> fields_;
+};
+
+// None if no rank has a cell that yields.
+template <int Dim>
+std::optional<fem::YieldingRock> yieldingRock(ParameterList const& list, Mesh<Dim> const& mesh,
+                                              std::vector<LawOfRock> const& laws,
+                                              Communicator const& communicator)
+{
+  fem::YieldingRock rock;
+  std::int64_t num_cells = 0;
+  for (auto const& law : laws) {
+    if (auto part = law.yielding()) {
+      num_cells += static_cast<std::int64_t>(part->cells.size());
+      rock.parts.push_back(std::move(*part));
+    }
+  }
+  if (sumOverRanks(num_cells, communicator) == 0) {
+    return std::nullopt;
+  }
+  const int components = displacementComponents(list);
+  const StressAtStart stress(list.sublist(initial_stress), mesh.region_names);
+  onEveryRank(communicator, [&] {
+    for (std::size_t cell = 0; cell < mesh.cells.size(); ++cell) {
+      auto const x = inSpace<Dim>(fem::simplexOf(mesh, static_cast<int>(cell)).centroid);
+      stress.append(x, mesh.cell_regions[cell], components, rock);
+    }
+  });
+  return rock;
+}
 } // namespace
 
 template <int Dim>
@@ -300,11 +396,12 @@ Rock makeRock(ParameterList const& list, Mesh<Dim> const& mesh, Communicator con
       auto& material = materials[cell];
       material.density = density(x, 0, region);
       elasticity.set(material, x, region);
-      relaxation.push_back(laws[region].apply(x, region, material));
+      relaxation.push_back(laws[region].apply(static_cast<int>(cell), x, region, material));
     }
   });
   auto branches = branchesOf(relaxation, materials, communicator);
-  return {std::move(materials), std::move(branches)};
+  auto yielding = yieldingRock(list, mesh, laws, communicator);
+  return {std::move(materials), std::move(branches), std::move(yielding)};
 }
 
 #define ASPERITY_INSTANTIATE(Dim)                                                                  \

@@ -1,12 +1,14 @@
 #pragma once
 
 #include "fem/OtherSide.hpp"
+#include "fem/bulk/InelasticCells.hpp"
 #include "fem/bulk/Material.hpp"
 #include "fem/bulk/MaxwellBranch.hpp"
 #include "mesh/Mesh.hpp"
 #include "scenario/setup/NodalField.hpp"
 
 #include <array>
+#include <optional>
 #include <vector>
 
 namespace asperity::scenario
@@ -34,6 +36,7 @@ struct Rock
 {
   std::vector<fem::Material> materials; // (num_cells)
   std::vector<fem::MaxwellBranch> branches;
+  std::optional<fem::YieldingRock> yielding; // on all ranks or on none
 };
 
 // Throws InputError unless all cells together have few relaxation times. Collective.

@@ -136,6 +136,9 @@ makeInitialState(ParameterList const& deck, Mesh<Dim> const& mesh, fem::NodalFra
   for (std::size_t k = 0; k < body.matrices.branches.size(); ++k) {
     state.branches.push_back(rcp(new Vector(*state.u, Teuchos::Copy)));
   }
+  if (body.cells) {
+    state.inelastic = body.cells->none();
+  }
   state.sigma_n = NodeView("asperity::scenario::sigma_n", num_nodes);
   fault.normalStress().at(0, state.sigma_n);
   fault.normalStress().raiseToFloor(state.sigma_n);

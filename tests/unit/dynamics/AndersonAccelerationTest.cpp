@@ -41,6 +41,11 @@ public:
     return result;
   }
 
+  AndersonAcceleration acceleration(int depth) const
+  {
+    return {fault.weights(), fault.communicator(), depth};
+  }
+
   NodeView zero() const { return NodeView("x", factors_.size()); }
 
   // From the fixed point after so many maps, beginning with 0.
@@ -87,7 +92,7 @@ public:
 TEST(AndersonAcceleration, SolvesAsManyDirectionsAsItRemembers)
 {
   const Contraction contraction({0.9, 0.5});
-  AndersonAcceleration remembers(contraction.fault, 2), forgets(contraction.fault, 1);
+  auto remembers = contraction.acceleration(2), forgets = contraction.acceleration(1);
   EXPECT_LE(contraction.errorAfter(3, remembers), 1e-11); // what normal equations leave
   EXPECT_GE(contraction.errorAfter(3, forgets), 1e-3);
 }
@@ -95,7 +100,7 @@ TEST(AndersonAcceleration, SolvesAsManyDirectionsAsItRemembers)
 TEST(AndersonAcceleration, OfDepthZeroIsTheFixedPointIteration)
 {
   const Contraction contraction({0.5});
-  AndersonAcceleration plain(contraction.fault, 0);
+  auto plain = contraction.acceleration(0);
   const double start = distance(contraction.fault, contraction.zero(), contraction.solution);
   EXPECT_NEAR(contraction.errorAfter(4, plain), start / 16, 1e-15);
 }
@@ -104,7 +109,7 @@ TEST(AndersonAcceleration, OfDepthZeroIsTheFixedPointIteration)
 TEST(AndersonAcceleration, FindsTheSmallestResidualOverTheFault)
 {
   const Contraction contraction({0.8, 0.3, -0.4});
-  AndersonAcceleration acceleration(contraction.fault, 1);
+  auto acceleration = contraction.acceleration(1);
   auto const x0 = contraction.zero(), x = contraction.zero();
   auto const g0 = contraction.image(x0);
   acceleration.advance(x, g0);
@@ -126,7 +131,7 @@ TEST(AndersonAcceleration, FindsTheSmallestResidualOverTheFault)
 TEST(AndersonAcceleration, StartsAnewAfterAReset)
 {
   const Contraction contraction({0.9, 0.5, 0.2});
-  AndersonAcceleration used(contraction.fault, 2), fresh(contraction.fault, 2);
+  auto used = contraction.acceleration(2), fresh = contraction.acceleration(2);
   contraction.errorAfter(5, used);
   used.reset();
   EXPECT_EQ(contraction.errorAfter(3, used), contraction.errorAfter(3, fresh));
@@ -135,7 +140,7 @@ TEST(AndersonAcceleration, StartsAnewAfterAReset)
 TEST(AndersonAcceleration, StaysWhereItHasArrived)
 {
   const Contraction contraction({0});
-  AndersonAcceleration acceleration(contraction.fault, 2);
+  auto acceleration = contraction.acceleration(2);
   EXPECT_EQ(contraction.errorAfter(6, acceleration), 0);
 }
 } // namespace asperity::dynamics

@@ -217,7 +217,7 @@ TEST_F(StepControlTest, FindsInfinityInEachField)
   auto lost = state.clone();
   Kokkos::deep_copy(lost.alpha, -infinity);
   EXPECT_EQ(firstNotFinite(lost)->field, "alpha");
-  EXPECT_TRUE(firstNotFinite(lost)->is_at_fault);
+  EXPECT_EQ(firstNotFinite(lost)->place, NotFinite::Place::fault);
   lost.a->replaceLocalValue(1, infinity);
   EXPECT_EQ(firstNotFinite(lost)->field, "acceleration");
   EXPECT_EQ(firstNotFinite(lost)->index, 1);

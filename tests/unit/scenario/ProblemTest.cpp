@@ -251,8 +251,8 @@ TEST(RunArchive, RefusesTheStateOfAnotherMesh)
     world());
   io::Archive archive;
   const dynamics::DyadicTime clock(1, 10);
-  StateFormat(finer.initial, nullptr, clock).save(archive, "state", finer.initial);
-  expectRefusal([&] { StateFormat(problem.initial, nullptr, clock).load(archive, "state"); },
+  StateFormat(finer, nullptr, clock).save(archive, "state", finer.initial);
+  expectRefusal([&] { StateFormat(problem, nullptr, clock).load(archive, "state"); },
                 {"state/u", "18", "24", "another mesh"});
 }
 } // namespace asperity::scenario

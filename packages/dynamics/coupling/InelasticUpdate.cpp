@@ -1,0 +1,49 @@
+#include "dynamics/coupling/InelasticUpdate.hpp"
+
+#include <Tpetra_Vector.hpp>
+
+namespace asperity::dynamics
+{
+InelasticUpdate::InelasticUpdate(fem::InelasticCells const& cells, int depth)
+    : cells_(cells)
+    , acceleration_(cells.weights(), cells.sharing().communicator(), depth)
+    , image_(cells.none())
+{
+}
+
+void InelasticUpdate::begin(Vector const& b)
+{
+  restart();
+  if (b_.is_null()) {
+    b_ = rcp(new Vector(b.getMap()));
+  }
+  Tpetra::deep_copy(*b_, b);
+}
+
+void InelasticUpdate::rightSide(State const& to, Vector& b) const
+{
+  Tpetra::deep_copy(b, *b_);
+  cells_.addForces(to.inelastic->strain, b);
+}
+
+void InelasticUpdate::respond(Vector const& u, double tau, State const& from)
+{
+  cells_.respond(u, tau, *from.inelastic, image_);
+}
+
+double InelasticUpdate::change(State const& to, Norm norm) const
+{
+  return cells_.distance(image_.strain, to.inelastic->strain, norm == Norm::maximum);
+}
+
+void InelasticUpdate::advance(State& to)
+{
+  acceleration_.advance(overwritten(to.inelastic->strain), valuesOf(image_.strain));
+}
+
+void InelasticUpdate::copyImage(State& to) const
+{
+  Kokkos::deep_copy(to.inelastic->strain, image_.strain);
+  Kokkos::deep_copy(to.inelastic->shear, image_.shear);
+}
+} // namespace asperity::dynamics

@@ -1,0 +1,43 @@
+#pragma once
+
+#include "dynamics/State.hpp"
+#include "dynamics/coupling/AndersonAcceleration.hpp"
+#include "dynamics/fault/Norm.hpp"
+
+namespace asperity::dynamics
+{
+// The inelastic strain of the body's cells within a step: an unknown of its fixed point that the
+// rate problem takes as given. Elastic rock with a given inelastic strain has a potential that
+// touches the one of rock that yields where this strain follows from the displacement, and exceeds
+// it elsewhere (fem/bulk/ReturnMapping.hpp). So J falls from one rate problem to the next as long as
+// alpha, normal stress and mean stress stay, and Z is that of elastic rock.
+class InelasticUpdate
+{
+public:
+  // depth: of the acceleration. cells must outlive this.
+  InelasticUpdate(fem::InelasticCells const& cells, int depth);
+
+  // Begins a step with the right side b that it has without inelastic strain.
+  void begin(Vector const& b);
+  // b := that right side and the forces of the strain in `to`.
+  void rightSide(State const& to, Vector& b) const;
+
+  // Computes the image: the strain after the step [s] from `from` if it ends with the displacement
+  // u. Collective.
+  void respond(Vector const& u, double tau, State const& from);
+  // How far the image is from the iterate in `to`, see fem::InelasticCells::distance. Collective.
+  double change(State const& to, Norm norm) const;
+  // Forgets the iterates of the step before, or those that point away from the fixed point.
+  void restart() { acceleration_.reset(); }
+  // The next iterate in `to`. Collective.
+  void advance(State& to);
+  // The image in `to`, with which the step ends.
+  void copyImage(State& to) const;
+
+private:
+  fem::InelasticCells const& cells_;
+  AndersonAcceleration acceleration_;
+  RCP<Vector> b_; // without inelastic strain
+  fem::InelasticStrain image_;
+};
+} // namespace asperity::dynamics

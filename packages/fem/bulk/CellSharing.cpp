@@ -1,0 +1,129 @@
+#include "fem/bulk/CellSharing.hpp"
+
+#include "base/Errors.hpp"
+#include "base/parallel/Directory.hpp"
+#include "base/parallel/Messages.hpp"
+
+#include <algorithm>
+#include <array>
+#include <map>
+
+namespace asperity::fem
+{
+namespace
+{
+// The global ids of a cell's vertices, ascending.
+template <int Dim>
+using Corners = std::array<GlobalOrdinal, Dim + 1>;
+
+template <int Dim>
+Corners<Dim> cornersOf(Mesh<Dim> const& mesh, int cell)
+{
+  Corners<Dim> ids;
+  std::transform(mesh.cells[cell].begin(), mesh.cells[cell].end(), ids.begin(),
+                 [&](int vertex) { return mesh.global_ids[vertex]; });
+  std::sort(ids.begin(), ids.end());
+  return ids;
+}
+
+template <int Dim>
+int leastVertex(Mesh<Dim> const& mesh, int cell)
+{
+  auto const& vertices = mesh.cells[cell];
+  return *std::min_element(vertices.begin(), vertices.end(),
+                           [&](int a, int b) { return mesh.global_ids[a] < mesh.global_ids[b]; });
+}
+} // namespace
+
+template <int Dim>
+CellSharing::CellSharing(Mesh<Dim> const& mesh, std::vector<int> const& cells,
+                         RCP<const Communicator> const& communicator)
+    : communicator_(communicator)
+{
+  std::map<Corners<Dim>, int> owned, ghosts; // the local cells
+  for (const int cell : cells) {
+    const bool is_owned = leastVertex(mesh, cell) < mesh.num_owned;
+    (is_owned ? owned : ghosts).emplace(cornersOf(mesh, cell), cell);
+  }
+
+  // In the order of their corners, and so of their least vertices.
+  std::map<Corners<Dim>, int> rows;
+  std::vector<GlobalOrdinal> least, counts, asked;
+  for (auto const& [corners, cell] : owned) {
+    rows.emplace(corners, static_cast<int>(cells_.size()));
+    cells_.push_back(cell);
+    if (least.empty() || least.back() != corners[0]) {
+      least.push_back(corners[0]);
+      counts.push_back(0);
+    }
+    ++counts.back();
+  }
+  const Directory directory(mesh.num_global_vertices, *communicator);
+  auto const before = directory.sumsBefore(least, least, counts);
+  for (std::size_t i = 0; i < least.size(); ++i) {
+    for (GlobalOrdinal k = 0; k < counts[i]; ++k) {
+      numbers_.push_back(before[i] + k);
+    }
+  }
+
+  std::vector<GlobalOrdinal> ids(mesh.global_ids.begin(), mesh.global_ids.begin() + mesh.num_owned);
+  for (auto const& [corners, cell] : ghosts) {
+    asked.push_back(corners[0]);
+  }
+  auto const owners =
+    directory.valuesAt(asked, ids, std::vector<GlobalOrdinal>(ids.size(), communicator->getRank()));
+  // Values will arrive from one rank after the other.
+  struct Ghost
+  {
+    GlobalOrdinal owner;
+    Corners<Dim> corners;
+    int cell;
+  };
+  std::vector<Ghost> wanted;
+  for (auto const& [corners, cell] : ghosts) {
+    wanted.push_back({owners[wanted.size()], corners, cell});
+  }
+  std::stable_sort(wanted.begin(), wanted.end(),
+                   [](Ghost const& a, Ghost const& b) { return a.owner < b.owner; });
+  std::vector<long long> questions;
+  std::vector<int> to;
+  for (auto const& ghost : wanted) {
+    cells_.push_back(ghost.cell);
+    questions.push_back(communicator->getRank());
+    questions.insert(questions.end(), ghost.corners.begin(), ghost.corners.end());
+    to.push_back(static_cast<int>(ghost.owner));
+  }
+  constexpr std::size_t width = Dim + 2;
+  auto const received = sendItems(questions, width, to, *communicator);
+  for (std::size_t i = 0; i < received.size(); i += width) {
+    Corners<Dim> corners;
+    std::transform(received.begin() + i + 1, received.begin() + i + width, corners.begin(),
+                   [](long long id) { return static_cast<GlobalOrdinal>(id); });
+    sent_.push_back(rows.at(corners));
+    destinations_.push_back(static_cast<int>(received[i]));
+  }
+}
+
+void CellSharing::exchange(BlockView const& values) const
+{
+  auto const host = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace(), values);
+  const std::size_t width = host.extent(1);
+  std::vector<double> items;
+  for (const int row : sent_) {
+    for (std::size_t k = 0; k < width; ++k) {
+      items.push_back(host(row, k));
+    }
+  }
+  auto const arrived = sendItems(items, width, destinations_, *communicator_);
+  ASPERITY_ASSERT(arrived.size() == (cells_.size() - numbers_.size()) * width);
+  for (std::size_t i = 0; i < arrived.size(); ++i) {
+    host(numbers_.size() + i / width, i % width) = arrived[i];
+  }
+  Kokkos::deep_copy(values, host);
+}
+
+template CellSharing::CellSharing(Mesh<2> const&, std::vector<int> const&,
+                                  RCP<const Communicator> const&);
+template CellSharing::CellSharing(Mesh<3> const&, std::vector<int> const&,
+                                  RCP<const Communicator> const&);
+} // namespace asperity::fem

@@ -1,0 +1,37 @@
+#pragma once
+
+#include "base/Views.hpp"
+#include "mesh/Mesh.hpp"
+
+#include <cstdint>
+#include <vector>
+
+namespace asperity::fem
+{
+// Some cells of a mesh, each of which one rank owns: that of its vertex of least global id, which
+// has all cells of that vertex. The rows of values in cells are first those of owned cells.
+class CellSharing
+{
+public:
+  // cells: local ones; on every rank that has it, a cell must be among them or not. Collective.
+  template <int Dim>
+  CellSharing(Mesh<Dim> const& mesh, std::vector<int> const& cells,
+              RCP<const Communicator> const& communicator);
+
+  // The local cell of each row.
+  std::vector<int> const& cells() const { return cells_; }
+  int numOwned() const { return static_cast<int>(numbers_.size()); }
+  // (num_owned): counted over all ranks from 0, in an order that does not depend on them.
+  std::vector<std::int64_t> const& numbers() const { return numbers_; }
+  RCP<const Communicator> const& communicator() const { return communicator_; }
+
+  // Sets the rows of cells that other ranks own, values(num_cells, width). Collective.
+  void exchange(BlockView const& values) const;
+
+private:
+  RCP<const Communicator> communicator_;
+  std::vector<int> cells_;
+  std::vector<std::int64_t> numbers_;
+  std::vector<int> sent_, destinations_; // rows of owned cells, and the ranks that want them
+};
+} // namespace asperity::fem

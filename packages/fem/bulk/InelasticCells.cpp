@@ -1,0 +1,214 @@
+#include "fem/bulk/InelasticCells.hpp"
+
+#include "base/parallel/Reductions.hpp"
+#include "base/program/WorkTimers.hpp"
+
+#include <Tpetra_Import.hpp>
+#include <Tpetra_Vector.hpp>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+
+namespace asperity::fem
+{
+namespace
+{
+std::vector<int> cellsOf(YieldingRock const& rock)
+{
+  std::vector<int> cells;
+  for (auto const& part : rock.parts) {
+    cells.insert(cells.end(), part.cells.begin(), part.cells.end());
+  }
+  return cells;
+}
+
+TensorView table(std::vector<double> const& values, std::size_t width, std::string const& label)
+{
+  const TensorView view(label, values.size() / width, width);
+  auto const host = Kokkos::create_mirror_view(view);
+  std::copy(values.begin(), values.end(), host.data());
+  Kokkos::deep_copy(view, host);
+  return view;
+}
+
+// (2 G)^2 d : d / 2 of the difference d of two inelastic strains in a cell.
+KOKKOS_FUNCTION double squareOfChange(int cell, double shear_modulus, ConstTensorView const& e,
+                                      ConstTensorView const& other)
+{
+  double square = 0;
+  const int size = e.extent_int(1);
+  for (int k = 0; k < size; ++k) {
+    const double stress = 2 * shear_modulus * (e(cell, k) - other(cell, k));
+    square += multiplicity(size, k) * stress * stress / 2;
+  }
+  return square;
+}
+
+// G e : e - initial stress : e, per volume.
+KOKKOS_FUNCTION double energyIn(int cell, double shear_modulus,
+                                ConstTensorView const& initial_stress, ConstTensorView const& e)
+{
+  double energy = 0;
+  const int size = e.extent_int(1);
+  for (int k = 0; k < size; ++k) {
+    energy +=
+      multiplicity(size, k) * (shear_modulus * e(cell, k) - initial_stress(cell, k)) * e(cell, k);
+  }
+  return energy;
+}
+} // namespace
+
+template <int Dim>
+InelasticCells::InelasticCells(Mesh<Dim> const& mesh, std::shared_ptr<const DofMap> dofs,
+                               NodalFrames const& frames, std::vector<Material> const& materials,
+                               YieldingRock const& rock)
+    : sharing_(mesh, cellsOf(rock), dofs->communicator())
+    , dofs_(std::move(dofs))
+    , num_components_(numTensorComponents(dofs_->components()))
+    , strains_(detail::makeCellStrains(mesh, frames, materials, sharing_.cells()))
+    , shear_stress_("asperity::fem::shearStress", sharing_.cells().size())
+    , u_(rcp(new Vector(dofs_->overlap())))
+{
+  auto const& cells = sharing_.cells();
+  std::vector<int> row_of(mesh.cells.size(), -1);
+  std::vector<double> shear_modulus, bulk_modulus, mean, stress, weights, measures;
+  auto const measure = toHost(strains_->measures());
+  for (std::size_t row = 0; row < cells.size(); ++row) {
+    const int cell = cells[row];
+    auto const& material = materials[cell];
+    row_of[cell] = static_cast<int>(row);
+    vertices_.push_back(mesh.cells[cell].front());
+    shear_modulus.push_back(material.shear_modulus);
+    bulk_modulus.push_back(dofs_->components() > 1 ? material.bulk_modulus : 0);
+    mean.push_back(rock.initial_mean[cell]);
+    const bool is_owned = static_cast<int>(row) < sharing_.numOwned();
+    measures.push_back(is_owned ? measure(row) : 0);
+    for (int k = 0; k < num_components_; ++k) {
+      stress.push_back(rock.initial_stress[cell * num_components_ + k]);
+      weights.push_back(measures.back() * multiplicity(num_components_, k) * 4 *
+                        material.shear_modulus * material.shear_modulus);
+    }
+  }
+  shear_modulus_ = toDevice(shear_modulus, "asperity::fem::shearModulus");
+  bulk_modulus_ = toDevice(bulk_modulus, "asperity::fem::bulkModulus");
+  initial_mean_ = toDevice(mean, "asperity::fem::initialMeanStress");
+  initial_stress_ = table(stress, num_components_, "asperity::fem::initialStress");
+  weights_ = toDevice(weights, "asperity::fem::weightsOfCells");
+  own_measure_ = toDevice(measures, "asperity::fem::ownMeasure");
+  for (auto const& part : rock.parts) {
+    std::vector<int> of_part;
+    for (const int cell : part.cells) {
+      of_part.push_back(row_of[cell]);
+    }
+    parts_.push_back({part.law, toDevice(of_part, "asperity::fem::cellsOfLaw"),
+                      table(part.parameters, std::max<std::size_t>(part.law.parameters.size(), 1),
+                            "asperity::fem::parametersOfLaw")});
+  }
+}
+
+InelasticStrain InelasticCells::none() const
+{
+  return {TensorView("asperity::fem::inelasticStrain", numCells(), num_components_),
+          TensorView("asperity::fem::inelasticShear", numCells(), 1)};
+}
+
+TensorView InelasticCells::strainOf(Vector const& u) const
+{
+  u_->doImport(u, *dofs_->ghostImport(), Tpetra::INSERT);
+  const TensorView strain("asperity::fem::strain", numCells(), num_components_);
+  strains_->strain(*u_, strain);
+  return strain;
+}
+
+void InelasticCells::yield(ConstTensorView const& strain, double step,
+                           InelasticStrain const& before, InelasticStrain const& after) const
+{
+  for (auto const& part : parts_) {
+    part.law.yield({part.cells, part.parameters, shear_modulus_, bulk_modulus_, initial_stress_,
+                    initial_mean_, strain, before.strain, before.shear, step, after.strain,
+                    after.shear, shear_stress_});
+  }
+}
+
+void InelasticCells::respond(Vector const& u, double step, InelasticStrain const& before,
+                             InelasticStrain const& after) const
+{
+  ASPERITY_TIME_WORK("yielding rock");
+  yield(strainOf(u), step, before, after);
+}
+
+double InelasticCells::energy(ConstTensorView const& e) const
+{
+  double mine = 0;
+  auto const measure = own_measure_, shear_modulus = shear_modulus_;
+  auto const initial_stress = initial_stress_;
+  Kokkos::parallel_reduce(
+    "asperity::fem::energyOfCells", RangePolicy(0, numCells()),
+    KOKKOS_LAMBDA(int cell, double& sum) {
+      sum += measure(cell) * energyIn(cell, shear_modulus(cell), initial_stress, e);
+    },
+    mine);
+  return sumOverRanks(mine, *sharing_.communicator());
+}
+
+double InelasticCells::distance(ConstTensorView const& e, ConstTensorView const& other,
+                                bool as_maximum) const
+{
+  auto const measure = own_measure_, shear_modulus = shear_modulus_;
+  auto const shear_stress = ConstNodeView(shear_stress_);
+  const RangePolicy cells(0, numCells());
+  double change = 0, stress = 0; // squares
+  if (as_maximum) {
+    Kokkos::parallel_reduce(
+      "asperity::fem::largestInCells", cells,
+      KOKKOS_LAMBDA(int cell, double& most, double& most_stress) {
+        const double square = squareOfChange(cell, shear_modulus(cell), e, other);
+        const double of_stress = shear_stress(cell) * shear_stress(cell);
+        most = square > most ? square : most;
+        most_stress = of_stress > most_stress ? of_stress : most_stress;
+      },
+      Kokkos::Max<double>(change), Kokkos::Max<double>(stress));
+  } else {
+    Kokkos::parallel_reduce(
+      "asperity::fem::sumsOverCells", cells,
+      KOKKOS_LAMBDA(int cell, double& sum, double& sum_of_stress) {
+        sum += measure(cell) * squareOfChange(cell, shear_modulus(cell), e, other);
+        sum_of_stress += measure(cell) * shear_stress(cell) * shear_stress(cell);
+      },
+      change, stress);
+  }
+  auto const& comm = *sharing_.communicator();
+  const std::array<double, 2> mine = {std::max(change, 0.), std::max(stress, 0.)};
+  auto const [of_change, of_stress] =
+    as_maximum ? maxOverRanks(mine, comm) : sumOverRanks(mine, comm);
+  return of_change > 0 || !std::isfinite(of_change) ? std::sqrt(of_change / of_stress) : 0;
+}
+
+std::optional<InelasticCells::Beyond> InelasticCells::furthestBeyond(Vector const& u) const
+{
+  auto const strain = strainOf(u);
+  auto const before = none(), after = none();
+  constexpr double for_long = std::numeric_limits<double>::infinity();
+  yield(strain, for_long, before, after);
+  auto const gamma = toHost(after.shear);
+  auto const G = toHost(shear_modulus_), kept = toHost(ConstNodeView(shear_stress_));
+  std::optional<Beyond> furthest;
+  for (int row = 0; row < sharing_.numOwned(); ++row) {
+    const double over = G(row) * gamma(row, 0);
+    const double rounding = 1e-9 * kept(row);
+    if (over > rounding && (!furthest || over > furthest->shear_stress - furthest->kept)) {
+      furthest = Beyond{sharing_.cells()[row], kept(row) + over, kept(row)};
+    }
+  }
+  return furthest;
+}
+
+template InelasticCells::InelasticCells(Mesh<2> const&, std::shared_ptr<const DofMap>,
+                                        NodalFrames const&, std::vector<Material> const&,
+                                        YieldingRock const&);
+template InelasticCells::InelasticCells(Mesh<3> const&, std::shared_ptr<const DofMap>,
+                                        NodalFrames const&, std::vector<Material> const&,
+                                        YieldingRock const&);
+} // namespace asperity::fem
