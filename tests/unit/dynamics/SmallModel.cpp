@@ -1,6 +1,7 @@
 #include "unit/dynamics/SmallModel.hpp"
 
 #include "fem/RigidBodyMotions.hpp"
+#include "fem/stress/CellStress.hpp"
 #include "mesh/parallel/Partition.hpp"
 #include "tnnmg/multigrid/MultigridCorrection.hpp"
 
@@ -44,6 +45,30 @@ std::vector<fem::MaxwellBranch> branchesOf(OptionsIn<Dim> const& options, std::s
   }
   return branches;
 }
+
+template <int Dim>
+std::shared_ptr<const fem::InelasticCells>
+cellsOf(OptionsIn<Dim> const& options, Mesh<Dim> const& mesh,
+        std::shared_ptr<const fem::DofMap> const& dofs, fem::NodalFrames const& frames)
+{
+  if (options.yield.empty()) {
+    return nullptr;
+  }
+  const std::size_t size = fem::tensorComponents(options.components).size();
+  auto const stress =
+    options.initial_stress.empty() ? std::vector<double>(size, 0.) : options.initial_stress;
+  fem::YieldingRock rock;
+  rock.parts.push_back({fem::bulkLaws().at(options.yield), {}, {}});
+  for (std::size_t cell = 0; cell < mesh.cells.size(); ++cell) {
+    auto& part = rock.parts.front();
+    part.cells.push_back(static_cast<int>(cell));
+    part.parameters.insert(part.parameters.end(), options.strength.begin(), options.strength.end());
+    rock.initial_stress.insert(rock.initial_stress.end(), stress.begin(), stress.end());
+    rock.initial_mean.push_back(0);
+  }
+  return std::make_shared<fem::InelasticCells>(
+    mesh, dofs, frames, std::vector<fem::Material>(mesh.cells.size(), options.material), rock);
+}
 } // namespace
 
 template <int Dim>
@@ -75,7 +100,8 @@ Body ModelIn<Dim>::makeBody() const
           constraints->held(),
           fem::rigidBodyMotions(mesh, *dofs, constraints->frames()),
           [load](double, Vector& l) { Tpetra::deep_copy(l, *load); },
-          [conditions](double t, Vector& v) { conditions->prescribedVelocity(t, v); }};
+          [conditions](double t, Vector& v) { conditions->prescribedVelocity(t, v); },
+          cellsOf(options, mesh, dofs, constraints->frames())};
 }
 
 template <int Dim>
@@ -130,6 +156,9 @@ State ModelIn<Dim>::restingState() const
   state.a = body.vector();
   state.jerk = body.vector();
   state.branches = body.noForces().of_branches;
+  if (body.cells) {
+    state.inelastic = body.cells->none();
+  }
   body.prescribed_velocity(0, *state.v);
   state.alpha = nodeView([](auto const&) { return 0.; });
   state.alpha_of_rate = nodeView([](auto const&) { return 0.; });

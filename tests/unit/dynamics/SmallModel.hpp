@@ -26,8 +26,11 @@ struct OptionsIn
   std::vector<fem::VelocityCondition<Dim>> conditions;
   fem::Material material = {900, 0.05e6, 0.023e6, 1e3, 1e3}; // gelatine
   std::vector<fem::RelaxingShare> relaxation = {};
-  std::array<double, Dim> gravity = {}; // m/s^2, but for antiplane motion
-  double traction = 0;                  // Pa, along the first tangent
+  std::string yield = {};                  // a law of bulk, in all cells
+  std::vector<double> strength = {};       // its parameters
+  std::vector<double> initial_stress = {}; // Pa, components of a tensor; 0 if empty
+  std::array<double, Dim> gravity = {};    // m/s^2, but for antiplane motion
+  double traction = 0;                     // Pa, along the first tangent
   // Instead of that, along the axes; what is normal to the fault does nothing.
   std::array<double, Dim> traction_along_axes = {}; // Pa
 

@@ -1,0 +1,155 @@
+// Bodies whose rock yields, without a deck.
+
+#include "dynamics/observables/EnergyBalance.hpp"
+#include "unit/dynamics/QuasiDynamicModel.hpp"
+#include "unit/dynamics/SlidingBlock.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+namespace asperity::dynamics
+{
+using namespace testing;
+
+namespace
+{
+constexpr double height = 0.3, width = 0.4;       // m
+constexpr double there = 8, rate = 1e-3;          // s; m/s, of the top: there, then back
+constexpr double strength = 300, hardening = 2e3; // Pa
+
+// Antiplane, on a base that does not slip.
+ModelOptions shearedLayer()
+{
+  ModelOptions options;
+  options.components = 1;
+  options.mesh = fem::testing::uniformRectangle(4, 3, width, height);
+  fem::testing::distort(options.mesh, 0.02);
+  options.material = {900, 0.05e6, 0.023e6, 0, 0};
+  options.sigma_n = 1e9;
+  options.yield = "Von Mises";
+  options.strength = {strength, hardening, 0};
+  auto const drive = [](auto const&, double t) { return t <= there ? rate : -rate; };
+  options.conditions = {{"Drive", "top", fem::PrescribedVelocity<2>{{1}, drive}}};
+  return options;
+}
+
+// The stress of a shear strain `change` after one that left `stress` and the accumulated inelastic
+// shear `gamma`, which it updates. Exact for any monotone change.
+double sheared(double change, double G, double& stress, double& gamma)
+{
+  const double trial = stress + G * change;
+  const double over = std::abs(trial) - strength - hardening * gamma;
+  const double yielded = over > 0 ? over / (G + hardening) : 0;
+  gamma += yielded;
+  stress = trial - std::copysign(G * yielded, trial);
+  return stress;
+}
+} // namespace
+
+// Loading, unloading and yielding in the other direction; the energy goes where the stress says.
+TEST(Yield, GivesTheStressOfAShearedLayer)
+{
+  auto const options = shearedLayer();
+  const double G = options.material.shear_modulus;
+  const testing::Model model(options, fem::testing::selfCommunicator());
+  auto const body = quasiDynamic(model);
+  const DyadicTime clock(4, 4);
+  CoupledStep step(body.body, body.fault, RateUpdate::backwardEuler(), clock, tightCoupling(),
+                   tightSettings(), 1u << 30);
+  EnergyBalance balance(body.body, body.fault, clock);
+  auto state = body.initial.clone();
+  Tpetra::deep_copy(*state.u, *body.body.vector());
+  balance.start(state);
+  SolveCount count;
+  auto forces = body.body.noForces();
+  double stress = 0, gamma = 0, work = 0;
+  for (int level : {1, 2, 3, 4, 4, 1, 1, 0, 0, 2, 1, 0, 0}) {
+    auto next = state.clone();
+    ASSERT_TRUE(step.solve(state, level, next, count).solved());
+    state = next;
+    balance.advance(state);
+
+    const double tau = clock.stepSize(level);
+    const bool is_forth = clock.seconds(state.time) <= there;
+    const double before = stress, gamma_before = gamma;
+    sheared((is_forth ? rate : -rate) * tau / height, G, stress, gamma);
+    work += width * height * (gamma - gamma_before) * std::abs(before + stress) / 2;
+    body.body.computeForces(state.motion(), forces);
+    double pull = 0; // of the top, N/m
+    for (int dof : body.body.held.owned()) {
+      pull += denseOf(*forces.elastic)[dof];
+    }
+    EXPECT_NEAR(pull / width, stress, 1e-10 * strength) << clock.seconds(state.time);
+    auto const shear = toHost(state.inelastic->shear);
+    for (int cell = 0; cell < shear.extent_int(0); ++cell) {
+      EXPECT_NEAR(shear(cell, 0), gamma, 1e-10 * strength / G);
+    }
+  }
+  ASSERT_GT(gamma, 0.03);
+  auto const& energy = balance.energy();
+  EXPECT_NEAR(energy.inelastic_work, work, 1e-9 * work);
+  EXPECT_NEAR(energy.defect, 0, 1e-9 * work);
+  EXPECT_EQ(count.rises, 0);
+}
+
+// With inertia, friction, viscosity and gravity beside it, whatever the steps, in all dimensions.
+template <class Options, class Begin>
+void expectClosedBalance(Options options, Begin const& begin, std::vector<double> const& of_rock)
+{
+  options.yield = of_rock.size() == 4 ? "Drucker-Prager" : "Von Mises";
+  options.strength = of_rock;
+  const ModelIn model(options, fem::testing::selfCommunicator());
+  const DyadicTime clock(4e-3, 4);
+  Stepper stepper(model, RateUpdate::newmark(0.25), clock);
+  EnergyBalance balance(model.body, model.fault, clock);
+  auto state = begin(model);
+  balance.start(state);
+  auto next = state.clone();
+  ASSERT_TRUE(stepper.step.solve(state, 4, next, stepper.count).solved());
+  balance.start(next); // in balance
+  for (int level : {2, 2, 1, 4, 0, 0, 1, 2, 3}) {
+    state = next;
+    next = state.clone();
+    ASSERT_TRUE(stepper.step.solve(state, level, next, stepper.count).solved());
+    balance.advance(next);
+  }
+  auto const& energy = balance.energy();
+  EXPECT_NEAR(energy.defect, 0, 1e-8 * energy.friction_work);
+  EXPECT_GT(energy.inelastic_work, 1e-3 * energy.friction_work);
+  EXPECT_EQ(stepper.count.rises, 0);
+}
+
+TEST(Yield, TakesTheEnergyThatLeavesTheBody)
+{
+  const auto begin = [](auto const& model) { return slidingState(model); };
+  expectClosedBalance(slidingBlock(1), begin, {200, 0, 0});
+  expectClosedBalance(slidingBlock(2), begin, {400, 50, 1e-3});
+  expectClosedBalance(slidingBlock(2), begin, {100, 20, 0, 0});
+}
+
+TEST(Yield, TakesTheEnergyThatLeavesABlockInSpace)
+{
+  auto const turn = fem::testing::rotationAbout({1, 2, 3}, 0.7);
+  const auto begin = [&](auto const& model) { return slidingState(model, turn); };
+  expectClosedBalance(slidingBlockInSpace({3, 2, 2}, turn), begin, {400, 0, 0});
+}
+
+// A block that yields does not bear the stress of a static start.
+TEST(Yield, NamesTheCellThatCannotBearItsStress)
+{
+  auto options = shearedLayer();
+  options.initial_stress = {0, 250};
+  const testing::Model model(options, fem::testing::selfCommunicator());
+  auto const u = model.body.vector();
+  EXPECT_FALSE(model.body.cells->furthestBeyond(*u));
+  const double gamma = 100 / options.material.shear_modulus;
+  model.setFree(*u, [&](auto const& x) -> std::array<double, 2> {
+    return {gamma * x[1], gamma * x[1]};
+  });
+  auto const beyond = model.body.cells->furthestBeyond(*u);
+  ASSERT_TRUE(beyond);
+  EXPECT_GE(beyond->shear_stress, 350 * (1 - 1e-12));
+  EXPECT_GT(beyond->shear_stress, beyond->kept);
+}
+} // namespace asperity::dynamics
