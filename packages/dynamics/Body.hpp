@@ -2,12 +2,17 @@
 
 #include "base/Types.hpp"
 #include "fem/BodyMatrices.hpp"
-#include "fem/bulk/InelasticCells.hpp"
+#include "fem/bulk/InelasticStrain.hpp"
 #include "fem/constraints/HeldDofs.hpp"
 
 #include <functional>
 #include <memory>
 #include <vector>
+
+namespace asperity::fem
+{
+class InelasticCells;
+} // namespace asperity::fem
 
 namespace asperity::dynamics
 {

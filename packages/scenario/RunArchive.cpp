@@ -2,6 +2,7 @@
 
 #include "base/Errors.hpp"
 #include "base/Views.hpp"
+#include "fem/bulk/InelasticCells.hpp"
 
 #include <algorithm>
 

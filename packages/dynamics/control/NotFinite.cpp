@@ -1,5 +1,6 @@
 #include "dynamics/control/NotFinite.hpp"
 
+#include "fem/bulk/InelasticCells.hpp"
 #include <limits>
 
 namespace asperity::dynamics

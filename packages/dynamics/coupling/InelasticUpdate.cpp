@@ -1,5 +1,6 @@
 #include "dynamics/coupling/InelasticUpdate.hpp"
 
+#include "fem/bulk/InelasticCells.hpp"
 #include <Tpetra_Vector.hpp>
 
 namespace asperity::dynamics

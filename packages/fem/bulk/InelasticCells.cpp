@@ -183,7 +183,7 @@ double InelasticCells::distance(ConstTensorView const& e, ConstTensorView const&
   const std::array<double, 2> mine = {std::max(change, 0.), std::max(stress, 0.)};
   auto const [of_change, of_stress] =
     as_maximum ? maxOverRanks(mine, comm) : sumOverRanks(mine, comm);
-  return of_change > 0 || !std::isfinite(of_change) ? std::sqrt(of_change / of_stress) : 0;
+  return of_change == 0 ? 0 : std::sqrt(of_change / (of_change + of_stress));
 }
 
 std::optional<InelasticCells::Beyond> InelasticCells::furthestBeyond(Vector const& u) const
@@ -193,13 +193,13 @@ std::optional<InelasticCells::Beyond> InelasticCells::furthestBeyond(Vector cons
   constexpr double for_long = std::numeric_limits<double>::infinity();
   yield(strain, for_long, before, after);
   auto const gamma = toHost(after.shear);
-  auto const G = toHost(shear_modulus_), kept = toHost(ConstNodeView(shear_stress_));
+  auto const G = toHost(shear_modulus_), t = toHost(ConstNodeView(shear_stress_));
   std::optional<Beyond> furthest;
   for (int row = 0; row < sharing_.numOwned(); ++row) {
     const double over = G(row) * gamma(row, 0);
-    const double rounding = 1e-9 * kept(row);
+    const double rounding = 1e-9 * t(row);
     if (over > rounding && (!furthest || over > furthest->shear_stress - furthest->kept)) {
-      furthest = Beyond{sharing_.cells()[row], kept(row) + over, kept(row)};
+      furthest = Beyond{sharing_.cells()[row], t(row), t(row) - over};
     }
   }
   return furthest;

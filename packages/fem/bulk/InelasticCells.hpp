@@ -28,13 +28,6 @@ struct YieldingRock
   std::vector<double> initial_mean;   // (num cells of the mesh) [Pa], positive in tension
 };
 
-// The inelastic strain of a state, a row for each of InelasticCells.
-struct InelasticStrain
-{
-  TensorView strain; // (num_cells, tensor components), deviatoric
-  TensorView shear;  // (num_cells, 1), accumulated
-};
-
 // The cells of a body that may yield. Strain is constant in a cell, and so is the inelastic strain
 // e, whose stress -2 G e adds to that of the whole strain. Each rank has all cells of its vertices.
 class InelasticCells
@@ -61,8 +54,8 @@ public:
   // the whole strain is zero. Collective.
   double energy(ConstTensorView const& e) const;
 
-  // How much the stresses of e and of `other` differ, relative to the shear stress that the last
-  // response left: the ratio of roots of integrals, or of maxima. Collective.
+  // How much the stresses of e and of `other` differ, as a share of this and the trial's shear stress
+  // in the last response: of roots of integrals, or of maxima. Collective.
   double distance(ConstTensorView const& e, ConstTensorView const& other, bool as_maximum) const;
   // (num_cells tensor components): the weight of each entry of e in the integral of (2 G)^2 e : e
   // over the cells that this rank owns, and 0 in the others.
@@ -98,7 +91,7 @@ private:
   ConstNodeView shear_modulus_, bulk_modulus_, initial_mean_, weights_;
   ConstNodeView own_measure_; // 0 in cells that another rank owns
   ConstTensorView initial_stress_;
-  NodeView shear_stress_; // t1 of the last response
+  NodeView shear_stress_; // t of the trial in the last response
   RCP<Vector> u_;         // with ghosts
 };
 } // namespace asperity::fem

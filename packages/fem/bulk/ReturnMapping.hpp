@@ -1,6 +1,7 @@
 #pragma once
 
 #include "base/Views.hpp"
+#include "fem/bulk/InelasticStrain.hpp"
 #include "fem/stress/TensorKernels.hpp"
 #include "portability/Renamed.hpp"
 
@@ -23,10 +24,6 @@ struct Trial
   double step;          // its length [s]
 };
 
-// A tensor in each cell, (num_cells, tensor components).
-using TensorView = Kokkos::View<double**, Kokkos::LayoutRight, MemorySpace>;
-using ConstTensorView = Kokkos::View<const double**, Kokkos::LayoutRight, MemorySpace>;
-
 // The cells of one law in a step; all views but `cells` and `parameters` are of all cells that may
 // yield.
 struct YieldingCells
@@ -44,7 +41,7 @@ struct YieldingCells
 
   TensorView inelastic;  // e1
   TensorView shear;      // gamma1 (num_cells, 1)
-  NodeView shear_stress; // t1 [Pa]
+  NodeView shear_stress; // t [Pa]
 };
 
 // The trial stress of a cell.
@@ -94,7 +91,7 @@ struct ReturnMapping
       of.inelastic(cell, k) = of.inelastic_before(cell, k) + lost * trial.deviator[k] / (2 * G);
     }
     of.shear(cell, 0) = of.shear_before(cell, 0) + (t - t1) / G;
-    of.shear_stress(cell) = t1;
+    of.shear_stress(cell) = t;
   }
 
   void run() const

@@ -1,6 +1,7 @@
 // Bodies whose rock yields, without a deck.
 
 #include "dynamics/observables/EnergyBalance.hpp"
+#include "fem/bulk/InelasticCells.hpp"
 #include "unit/dynamics/QuasiDynamicModel.hpp"
 #include "unit/dynamics/SlidingBlock.hpp"
 

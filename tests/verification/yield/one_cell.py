@@ -1,0 +1,109 @@
+"""The stress of rock that yields in the block of ../flow/cell.xml, which is strained at a constant
+rate and then held: the same in all cells, to rounding, however long the steps.
+
+With the shear stress t = sqrt(s : s / 2), t_el if the rock were elastic, and the yield stress t_y,
+    t = t_el until t_y, then t_y + (t_el - t_y) H / (G + H)  with hardening H
+    t_y = c cos(phi) - mean stress sin(phi), at least 0      of Drucker and Prager
+    t1 = t_y + (t - t_y) exp(-tau / T) in a step tau         with relaxation
+"""
+
+import math
+import pathlib
+import sys
+
+import asperity_run
+import numpy
+
+DECK = pathlib.Path(__file__).parents[1] / "flow" / "cell.xml"
+SHEAR, POISSON = 1e6, 0.25
+BULK = 2 * SHEAR * (1 + POISSON) / (3 * (1 - 2 * POISSON))
+RATE, STOP = 1e-3, 8.0  # 1/s until then, s
+TOLERANCE = 1e-10       # of the largest stress
+UNIAXIAL = {"Bulk/Model": "Plane Strain", "Bulk/Poisson's Ratio": POISSON,
+            "Boundary Conditions/Top/Direction": "{0, 1}",
+            **{f"Boundary Conditions/{side}/{key}": value for side in ("left", "right")
+               for key, value in {"Boundary": side, "Type": "Sliding Wall"}.items()}}
+
+
+def stress(law, of_rock, others=None):
+    folder = asperity_run.run_to_end("out", DECK, *asperity_run.settings(
+        {f"Bulk/{key}": value for key, value in {"Law": law, **of_rock}.items()}, others or {}))
+    history = asperity_run.series(folder / "receivers.h5")
+    return history["time"], history["off_fault/fields/stress"][:, 0]
+
+
+def verdict(what, found, expected):
+    error = numpy.abs(found - expected).max() / numpy.abs(expected).max()
+    fine = len(found) > 10 and error < TOLERANCE
+    print(f"{what}: {error:.1e}{'' if fine else ' NO'}")
+    return fine
+
+
+def strain(t):
+    return RATE * numpy.minimum(t, STOP)
+
+
+def hardened(elastic, strength, hardening):
+    over = numpy.maximum(elastic - strength, 0)
+    return elastic - over * SHEAR / (SHEAR + hardening)
+
+
+def sheared():
+    k, H = 5e3, 2e5
+    t, sigma = stress("Von Mises", {"Shear Strength": k, "Hardening": H})
+    return verdict("Von Mises, sheared", sigma[:, 1], hardened(SHEAR * strain(t), k, H))
+
+
+def relaxing():
+    k, T = 3e3, 2.0
+    t, sigma = stress("Von Mises", {"Shear Strength": k, "Yield Relaxation Time": T})
+    expected, before = [0.0], 0.0
+    for step, end in zip(numpy.diff(t), t[1:]):
+        trial = expected[-1] + SHEAR * (strain(end) - before)
+        before = strain(end)
+        over = max(trial - k, 0)
+        expected.append(trial - over + over * math.exp(-step / T))
+    return verdict("Von Mises with relaxation", sigma[:, 1], numpy.array(expected))
+
+
+def uniaxial(what, law, of_rock, shear_stress):
+    """shear_stress(t_el, mean stress)"""
+    t, sigma = stress(law, of_rock, UNIAXIAL)
+    mean = BULK * strain(t)
+    size = shear_stress(2 * SHEAR * strain(t) / math.sqrt(3), mean) / math.sqrt(3)
+    expected = numpy.stack([mean - size, 0 * t, mean + 2 * size, mean - size], axis=1)
+    return verdict(what, sigma, expected)
+
+
+def drucker_prager(cohesion, degrees):
+    phi = math.radians(degrees)
+    return lambda elastic, mean: numpy.clip(
+        cohesion * math.cos(phi) - mean * math.sin(phi), 0, elastic)
+
+
+def under_pressure():
+    """Antiplane: the pressure and a part of the shear stress are there from the start."""
+    cohesion, degrees, pressure, initial = 1e3, 20, 2e4, 1.5e3
+    t, sigma = stress("Drucker-Prager", {
+        "Cohesion": cohesion, "Friction Angle": degrees, "Initial Stress/YZ": initial,
+        **{f"Initial Stress/{name}": -pressure for name in ("XX", "YY", "ZZ")}})
+    phi = math.radians(degrees)
+    bound = cohesion * math.cos(phi) + pressure * math.sin(phi) - initial
+    return verdict("Drucker-Prager under pressure", sigma[:, 1],
+                   numpy.minimum(SHEAR * strain(t), bound))
+
+
+def main():
+    passed = [
+        sheared(), relaxing(), under_pressure(),
+        uniaxial("Von Mises, uniaxial", "Von Mises", {"Shear Strength": 4e3, "Hardening": 1e5},
+                 lambda elastic, mean: hardened(elastic, 4e3, 1e5)),
+        uniaxial("Drucker-Prager, uniaxial", "Drucker-Prager",
+                 {"Cohesion": 8e3, "Friction Angle": 30}, drucker_prager(8e3, 30)),
+        uniaxial("Drucker-Prager, to the apex", "Drucker-Prager",
+                 {"Cohesion": 6e3, "Friction Angle": 30}, drucker_prager(6e3, 30))]
+    return passed.count(False)
+
+
+if __name__ == "__main__":
+    sys.exit(main())

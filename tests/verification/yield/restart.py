@@ -1,0 +1,41 @@
+"""A run with rock that yields goes on from its checkpoint as if it had not stopped: bit for bit on
+one rank, and on other ranks as far as their sums allow."""
+
+import pathlib
+import sys
+
+import asperity_run
+import numpy
+
+DECK = pathlib.Path(__file__).with_name("plastic_wave.xml")
+CELLS = "Names/cells=24"
+TOLERANCE = 1e-9  # of the largest value, on other ranks
+
+
+def values(folder):
+    history = asperity_run.series(folder / "receivers.h5")
+    return [history[f"off_fault/fields/{name}"] for name in ("velocity", "inelastic_shear")]
+
+
+def until_half(ranks):
+    return asperity_run.run_to_end(f"half_{ranks}", DECK, *asperity_run.settings(
+        CELLS, "Time Stepping/Final Time=0.4"), ranks=ranks)
+
+
+def main():
+    whole = values(asperity_run.run_to_end("whole", DECK, *asperity_run.settings(CELLS)))
+    assert whole[1].max() > 1e-5, "nothing has yielded"
+    failures = 0
+    for before, after, bound in ((1, 1, 0), (1, 2, TOLERANCE), (3, 1, TOLERANCE), (2, 3, TOLERANCE)):
+        folder = until_half(before)
+        asperity_run.go_on(folder, DECK, *asperity_run.settings(CELLS), ranks=after)
+        error = max(numpy.abs(found - expected).max() / numpy.abs(expected).max()
+                    for found, expected in zip(values(folder), whole))
+        fine = error <= bound
+        print(f"{before} ranks, then {after}: {error:.1e}{'' if fine else ' NO'}", flush=True)
+        failures += not fine
+    return failures
+
+
+if __name__ == "__main__":
+    sys.exit(main())
