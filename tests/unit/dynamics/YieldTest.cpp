@@ -124,16 +124,16 @@ void expectClosedBalance(Options options, Begin const& begin, std::vector<double
 TEST(Yield, TakesTheEnergyThatLeavesTheBody)
 {
   const auto begin = [](auto const& model) { return slidingState(model); };
-  expectClosedBalance(slidingBlock(1), begin, {200, 0, 0});
-  expectClosedBalance(slidingBlock(2), begin, {400, 50, 1e-3});
-  expectClosedBalance(slidingBlock(2), begin, {100, 20, 0, 0});
+  expectClosedBalance(slidingBlock(1), begin, {0.05, 0, 0});
+  expectClosedBalance(slidingBlock(2), begin, {0.5, 50, 1e-3});
+  expectClosedBalance(slidingBlock(2), begin, {0.5, 20, 0, 0});
 }
 
 TEST(Yield, TakesTheEnergyThatLeavesABlockInSpace)
 {
   auto const turn = fem::testing::rotationAbout({1, 2, 3}, 0.7);
   const auto begin = [&](auto const& model) { return slidingState(model, turn); };
-  expectClosedBalance(slidingBlockInSpace({3, 2, 2}, turn), begin, {400, 0, 0});
+  expectClosedBalance(slidingBlockInSpace({4, 2, 2}, turn), begin, {0.5, 0, 0});
 }
 
 // A block that yields does not bear the stress of a static start.
