@@ -13,6 +13,7 @@ from asperity.run import Run
 from . import units
 
 PRESCRIBED = "fields/prescribed"
+FROM_UPPER_END = "Distance from the upper end of the fault"  # as in files and of receivers
 
 
 @dataclass(frozen=True)
@@ -56,8 +57,9 @@ class Axis:
 def axis(run: Run, file: H5File, place: str) -> Axis:
     """The axis of the 'fault' or 'surface' whose nodes `file` lists.
 
-    Depth on a vertical fault below y = 0, x on a horizontal one, else the distance from the upper
-    end of a fault, and from the start of a surface.
+    Of a fault the distance from its upper end, which is the depth if it is vertical and begins at
+    y = 0, and on a level one is the end with the smaller x. Of a surface x if it is level, else the
+    distance from its start.
     """
     where = positions(file)
     name, origin, sign, is_downwards = f"Position along the {place}", 0.0, 1.0, False
@@ -65,27 +67,32 @@ def axis(run: Run, file: H5File, place: str) -> Axis:
         name = f"Distance from the trench along the {'base' if place == 'fault' else 'surface'}"
     elif file.has("geometry/coordinates"):
         nodes = file.array("geometry/coordinates")
-        if _is_vertical(run, nodes, where):
-            sign = 1.0 if begins_at_upper_end(nodes, where) else -1.0
-            name, origin, is_downwards = "Depth", -nodes[0, 1], True
-        elif _is_constant(nodes[:, 1], where):
-            origin = nodes[0, 0]
-        elif place == "fault":
-            name, is_downwards = "Distance from the upper end of the fault", True
+        is_level = _is_constant(nodes[:, 1], where)
+        if place == "fault":
+            name, is_downwards = _name(run, nodes, where, is_level), not is_level
             if not begins_at_upper_end(nodes, where):
                 origin, sign = where[-1], -1.0
+        elif is_level:
+            origin = nodes[0, 0]
     limits = _limits(file, where)
     shown = units.length(origin + sign * np.array(limits))
     return Axis(name, shown, origin, sign, limits, is_downwards)
+
+
+def _name(run: Run, nodes: np.ndarray, where: np.ndarray, is_level: bool) -> str:
+    if is_level:
+        return f"{FROM_UPPER_END} (smaller x)"
+    return "Depth" if _is_depth(run, nodes, where) else FROM_UPPER_END
 
 
 def _is_constant(coordinate: np.ndarray, where: np.ndarray) -> bool:
     return float(np.ptp(coordinate)) <= 1e-9 * (where[-1] - where[0])
 
 
-def _is_vertical(run: Run, nodes: np.ndarray, where: np.ndarray) -> bool:
-    below = nodes[:, 1].max() <= 1e-9 * (where[-1] - where[0])
-    return below and _is_constant(nodes[:, 0], where) and run.upwards(2)[1] > 1.0 - 1e-9
+def _is_depth(run: Run, nodes: np.ndarray, where: np.ndarray) -> bool:
+    """Whether the distance from the upper end is also that from y = 0, straight down."""
+    at_top = abs(nodes[:, 1].max()) <= 1e-9 * (where[-1] - where[0])
+    return at_top and _is_constant(nodes[:, 0], where) and run.upwards(2)[1] > 1.0 - 1e-9
 
 
 def _limits(file: H5File, where: np.ndarray) -> Tuple[float, float]:

@@ -48,9 +48,10 @@ def _parse(arguments: Optional[List[str]]) -> argparse.Namespace:
                         help="which to show (default: all on the fault)")
     parser.add_argument("--reference", metavar="[RECEIVER=]FILE", action="append", default=[],
                         help="a series in the text format of SEAS to draw with the receivers")
-    parser.add_argument("--at", metavar="DEPTH[,DEPTH...]", type=_lengths, default=(),
-                        help="depths or positions on the fault [m] of the slips in the table of "
-                             "events (default: the receivers)")
+    parser.add_argument("--at", metavar="DISTANCE[,DISTANCE...]", type=_lengths, default=(),
+                        help="places of the slips in the table of --events: distances [m] along "
+                             "the fault from its upper end, or from its end with the smaller x if "
+                             "it is level (default: the receivers)")
     selection.add_options(parser)
     parser.add_argument("--dpi", type=int, default=200, help="dots per inch (default: 200)")
     return parser.parse_args(arguments)

@@ -2,6 +2,7 @@
 
 import unittest
 
+import h5py
 import numpy as np
 
 import synthetic_cycle as cycle
@@ -68,6 +69,16 @@ class EventTables(FolderCase):
         np.testing.assert_allclose(columns["slip at 0 km [m]"], cycle.offsets(), rtol=1e-9)
         with self.assertRaisesRegex(InputError, "--at 50000 m lies outside .* 0 m to 48000 m"):
             self.columns(depths=(5e3, 5e4))
+
+    def test_places_on_a_buried_fault_count_from_its_upper_end(self):
+        """The same fault 2 km deeper has the same slips 16.3 km below its upper end."""
+        before = self.columns(depths=(16.3e3,))["slip at 16.3 km [m]"]
+        for name in ("fault.h5", "rupture.h5"):
+            with h5py.File(self.folder / name, "a") as file:
+                file["geometry/coordinates"][:, 1] -= 2e3
+        np.testing.assert_allclose(self.columns(depths=(16.3e3,))["slip at 16.3 km [m]"], before)
+        with self.assertRaisesRegex(InputError, "the distance from the upper end .* 0 m to 48000"):
+            self.columns(depths=(49e3,))
 
     def test_cycles_sum_to_the_run(self):
         columns = self.cycles()

@@ -153,7 +153,7 @@ class Profiles(SharedFolderCase):
 
 
 class Axes(unittest.TestCase):
-    def axis(self, coordinates, deck: str = "", fields=None) -> along.Axis:
+    def axis(self, coordinates, deck: str = "", fields=None, place: str = "fault") -> along.Axis:
         with tempfile.TemporaryDirectory() as name:
             folder = Path(name)
             synthetic_run.write_history(folder / "fault.h5", np.array([0.0, 1.0]),
@@ -161,23 +161,34 @@ class Axes(unittest.TestCase):
             if deck:
                 (folder / "parameters.xml").write_text(deck)
             run = Run(folder)
-            return along.axis(run, run.fault, "fault")
+            return along.axis(run, run.fault, place)
 
     def test_depth_on_a_vertical_fault(self):
-        axis = self.axis([(5.0, -40e3), (5.0, -10e3), (5.0, -1e3)])
+        """Of an older run, whose nodes begin at the lower end."""
+        axis = self.axis([(5.0, -40e3), (5.0, -10e3), (5.0, 0.0)])
         self.assertEqual((axis.label, axis.is_downwards), ("Depth [km]", True))
-        np.testing.assert_allclose(axis([0.0, 30e3, 39e3]), [40.0, 10.0, 1.0])
+        np.testing.assert_allclose(axis([0.0, 30e3, 40e3]), [40.0, 10.0, 0.0])
         np.testing.assert_allclose(axis.positions([40e3, 10e3]), [0.0, 30e3])
-        self.assertEqual(axis.limits, (0.0, 39e3))
-
-        self.assertEqual(axis.range, (40.0, 1.0))
+        self.assertEqual(axis.limits, (0.0, 40e3))
+        self.assertEqual(axis.range, (40.0, 0.0))
 
     def test_depth_where_nodes_begin_at_the_upper_end(self):
-        axis = self.axis([(5.0, -1e3), (5.0, -10e3), (5.0, -40e3)])
+        axis = self.axis([(5.0, 0.0), (5.0, -10e3), (5.0, -40e3)])
         self.assertEqual((axis.label, axis.is_downwards), ("Depth [km]", True))
-        np.testing.assert_allclose(axis([0.0, 9e3, 39e3]), [1.0, 10.0, 40.0])
-        np.testing.assert_allclose(axis.positions([1e3, 40e3]), [0.0, 39e3])
-        self.assertEqual(axis.range, (40.0, 1.0))
+        np.testing.assert_allclose(axis([0.0, 10e3, 40e3]), [0.0, 10.0, 40.0])
+        np.testing.assert_allclose(axis.positions([1e3, 40e3]), [1e3, 40e3])
+        self.assertEqual(axis.range, (40.0, 0.0))
+
+    def test_a_buried_fault_counts_from_its_upper_end(self):
+        """As receivers and the files do, and not from the surface; also in an older run."""
+        nodes = [(5.0, -1e3), (5.0, -10e3), (5.0, -40e3)]
+        for coordinates, places in ((nodes, [0.0, 9e3, 39e3]), (nodes[::-1], [39e3, 30e3, 0.0])):
+            axis = self.axis(coordinates)
+            self.assertEqual((axis.label, axis.is_downwards),
+                             ("Distance from the upper end of the fault [km]", True))
+            np.testing.assert_allclose(axis(places), [0.0, 9.0, 39.0])
+            np.testing.assert_allclose(axis.positions([0.0, 9e3, 39e3]), places)
+            self.assertEqual(axis.range, (39.0, 0.0))
 
     def test_no_depth_above_the_surface_or_on_a_slope(self):
         """The distance from the upper end, also where an older run counts from the lower one."""
@@ -191,8 +202,16 @@ class Axes(unittest.TestCase):
             np.testing.assert_allclose(axis.metres([0.0, 5.0]),
                                        [0.0, 5.0] if begins_above else [5.0, 0.0])
 
-    def test_x_on_a_horizontal_fault(self):
+    def test_a_level_fault_counts_from_its_end_with_the_smaller_x(self):
         axis = self.axis([(-3e3, 0.0), (9e3, 0.0)])
+        self.assertEqual((axis.label, axis.is_downwards),
+                         ("Distance from the upper end of the fault (smaller x) [km]", False))
+        np.testing.assert_allclose(axis([0.0, 12e3]), [0.0, 12.0])
+        np.testing.assert_allclose(axis.positions([3e3]), [3e3])
+
+    def test_x_on_a_level_surface(self):
+        axis = self.axis([(-3e3, 0.0), (9e3, 0.0)], place="surface")
+        self.assertEqual(axis.label, "Position along the surface [km]")
         np.testing.assert_allclose(axis([0.0, 12e3]), [-3.0, 9.0])
 
     def test_distance_from_the_trench_on_the_wedge(self):

@@ -59,6 +59,23 @@ class Ruptures(FolderCase):
         labels = [text.get_text() for text in axes.get_legend().get_texts()]
         self.assertEqual(labels, ["event 1", "event 2", "event 3", "event 4"])
 
+    def test_arrivals_on_a_buried_and_on_a_level_fault_count_from_the_upper_end(self):
+        depth = cycle.depths(97)
+        reached = np.isfinite(cycle.arrivals(depth))
+        places = depth[reached] / 1e3
+        with h5py.File(self.folder / "rupture.h5", "a") as file:
+            file["geometry/coordinates"][:, 1] -= 2e3
+        axes = rupture_times.draw(*self.view()).axes[0]
+        np.testing.assert_allclose(axes.lines[0].get_ydata(), places)
+        self.assertEqual(axes.get_ylabel(), "Distance from the upper end of the fault [km]")
+        with h5py.File(self.folder / "rupture.h5", "a") as file:
+            x = file["geometry/positions"][:] - 20e3
+            file["geometry/coordinates"][:] = np.stack((x, 0.0 * x), axis=1)
+        axes = rupture_times.draw(*self.view()).axes[0]
+        np.testing.assert_allclose(axes.lines[0].get_xdata(), cycle.CONTINUED / 1e3 - places)
+        self.assertEqual(axes.get_xlabel(),
+                         "Distance from the upper end of the fault (smaller x) [km]")
+
     def test_many_events_have_a_colour_bar(self):
         figure, axes = style.panels(1, 1, (4, 3))
         colour = style.event_colours(axes[0, 0], np.arange(1, 20))
