@@ -57,6 +57,8 @@ def select(table: Table, selection: Selection) -> Table:
             raise InputError(f"{table.path} has no magnitudes, since the run is two-dimensional. "
                              "Choose events by a smallest width.")
         table = table.select(table["magnitude"] >= selection.smallest_magnitude)
+    if selection.start > 0.0:
+        table = table.select(table["onset"] >= selection.start)
     return table
 
 

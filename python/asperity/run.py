@@ -52,10 +52,12 @@ class Run:
         return Run(self.directory, self.selection)
 
     def select(self, smallest_width: float = 0.0, smallest_magnitude: Optional[float] = None,
-               merging_time: float = 0.0) -> "Run":
-        """The same run with fewer events: without those of a smaller width [m] or magnitude, and
-        with those as one that follow one another within `merging_time` [s]."""
-        return Run(self.directory, Selection(smallest_width, smallest_magnitude, merging_time))
+               merging_time: float = 0.0, start: float = 0.0) -> "Run":
+        """The same run with fewer events: without those of a smaller width [m] or magnitude or
+        before `start` [s], and with those as one that follow one another within `merging_time`
+        [s]."""
+        return Run(self.directory, Selection(smallest_width, smallest_magnitude, merging_time,
+                                             start))
 
     def has(self, name: str) -> bool:
         return (self.directory / name).exists()

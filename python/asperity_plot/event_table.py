@@ -113,10 +113,11 @@ def cycles(run: Run) -> List[Column]:
     steps, catalogue = run.steps, run.complete_events
     ends = catalogue["onset"] + catalogue["duration"]
     limits = np.searchsorted(steps["time"], ends) + 1  # the step in which an event ends is its own
+    first = np.searchsorted(steps["time"], run.selection.start)
 
     def sums(values: np.ndarray) -> np.ndarray:
         total = np.concatenate(([0.0], np.cumsum(values)))
-        parts = np.diff(total[np.minimum(limits, values.size)], prepend=0.0)
+        parts = np.diff(total[np.minimum(limits, values.size)], prepend=total[first])
         return np.append(parts, total[-1])
 
     accepted = sums(np.ones(len(steps)))
@@ -156,6 +157,7 @@ def _event_note(run: Run) -> str:
             f"{run.selection}").rstrip()
 
 
-CYCLE_NOTE = "A cycle is all steps from the end of the event before to the end of this one."
+CYCLE_NOTE = ("A cycle is all steps from the end of the event before to the end of this one; the "
+              "first begins with the run, or at the time of --from.")
 ENERGY_NOTE = ("Changes from the last step below the threshold to the first one below it again; "
                "the defect is what the balance misses.")

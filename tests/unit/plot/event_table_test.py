@@ -97,6 +97,13 @@ class EventTables(FolderCase):
             np.testing.assert_allclose(columns[name], expected, rtol=1e-12)
         self.assertNotIn("V-cycles", columns)
 
+    def test_a_first_event_that_is_left_out_takes_its_steps_with_it(self):
+        before = self.cycles()["accepted steps"]
+        run = Run(self.folder).select(start=cycle.ONSETS[0] + cycle.duration() + 1.0)
+        columns = {column.header: column.values for column in event_table.cycles(run)}
+        self.assertEqual(columns["event"], ["2", "3", "4", "whole run"])
+        np.testing.assert_array_equal(columns["accepted steps"], before[1:])
+
     def test_cycles_without_some_columns(self):
         self.edit("steps.csv", "coupled_steps", "others")
         self.assertEqual(list(self.cycles()),
