@@ -38,7 +38,8 @@ class Selection:
 def add_options(parser: argparse.ArgumentParser) -> None:
     group = parser.add_argument_group("which events count")
     group.add_argument("--smallest-width", metavar="METRES", type=not_negative(number), default=0.0,
-                       help="leave out events with a smaller rupture width")
+                       help="leave out events with a smaller rupture width; by default all count, "
+                            "also those in which a single node was fast, whose width is 0")
     group.add_argument("--smallest-magnitude", metavar="MW", type=number, default=None,
                        help="leave out smaller events, in three dimensions")
     group.add_argument("--merging-time", metavar="TIME", type=not_negative(time), default=0.0,
