@@ -84,6 +84,10 @@ std::string senseInWords(FaultSides const& sides, double slip)
   for (double& component : motion) {
     component *= slip;
   }
+  if (sides.is_section) {
+    return std::abs(dot(motion, sides.up)) < level * std::abs(slip) ? "neither up nor down"
+                                                                    : dipSlip(sides, motion);
+  }
   const std::string in_map = lateral(motion, sides.plus, {0, 0, 1}) + " in a map";
   return std::abs(motion[1]) < level * std::abs(slip)
            ? in_map
@@ -101,6 +105,21 @@ std::string senseOfSlip(FaultSides const& sides)
   }
   return moves + directionText(tangentInPlane(sides.plus), 2) + ": " + senseInWords(sides, 1);
 }
+
+namespace
+{
+// Gravity acts in the plane of a section, and says where up is.
+void standUpright(FaultSides& sides, ParameterList const& bulk)
+{
+  auto const down = bulk.get<Teuchos::Array<double>>("Gravity Direction");
+  const double length = down.size() < 2 ? 0 : std::hypot(down[0], down[1]);
+  sides.is_section =
+    sides.components == 2 && bulk.get<double>("Gravitational Acceleration") > 0 && length > 0;
+  if (sides.is_section) {
+    sides.up = {-down[0] / length, -down[1] / length, 0};
+  }
+}
+} // namespace
 
 template <int Dim>
 std::vector<std::string> describeSense(Problem<Dim> const& problem, ParameterList const& deck)
@@ -121,6 +140,9 @@ std::vector<std::string> describeSense(Problem<Dim> const& problem, ParameterLis
   }
   for (double& component : sides.plus) {
     component /= size;
+  }
+  if (Dim == 2) {
+    standUpright(sides, deck.sublist("Bulk"));
   }
   auto const& output = deck.sublist("Output");
   if (Dim == 3 && output.isParameter("Up")) {

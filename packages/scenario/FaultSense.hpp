@@ -16,6 +16,7 @@ struct FaultSides
   int dimension = 2;  // of space
   int components = 2; // of the displacement
   std::array<double, 3> up{0, 1, 0};
+  bool is_section = false; // the plane is upright, as gravity acts in it; else it may be a map, too
 };
 
 // The sense of positive slip, v+ - v- [m/s], as geologists say it: "moves the plus side along +x,
@@ -23,7 +24,7 @@ struct FaultSides
 std::string senseOfSlip(FaultSides const& sides);
 
 // That of slip with this sign, in two dimensions: "a thrust in a section, right lateral in a map";
-// antiplane "right lateral seen from above".
+// of a section that is known to be one "a thrust"; antiplane "right lateral seen from above".
 std::string senseInWords(FaultSides const& sides, double slip);
 
 // A line for the fault, which says where its plus side is and what slip is positive, and one for

@@ -60,6 +60,20 @@ class SenseOfSlip(unittest.TestCase):
                            "a thrust in a section, right lateral in a map",
                            "a normal fault in a section, left lateral in a map")
 
+    def test_under_gravity_nothing_is_lateral(self):
+        """The plane is a section then, and the direction of gravity says where up is."""
+        gravity = settings("Bulk/Gravitational Acceleration=9.81",
+                           "Boundary Conditions/Hold/Boundary=bottom",
+                           "Boundary Conditions/Hold/Type=Fixed")
+        inside = "x > 0.2 && x < 0.8"
+        self.assert_senses([*two_sided(f"abs(x + y - 1) < 1e-6 && {inside}"), *gravity],
+                           "(0.71, 0.71); positive slip moves it along (0.71, -0.71)",
+                           "a normal fault", "a thrust")
+        inclined = settings("Bulk/Gravity Direction={0.27, -1}")
+        self.assert_senses([*two_sided("abs(y - 0.5) < 1e-6"), *gravity, *inclined],
+                           "(0, 1); positive slip moves it along (1, 0)",
+                           "a normal fault", "a thrust")
+
     def test_across_the_plane(self):
         """Seen from above, who looks along +x has +z at the right."""
         upright = two_sided("abs(x - 0.5) < 1e-6 && y > 0.2 && y < 0.8")

@@ -31,6 +31,22 @@ TEST(FaultSense, InAPlane)
   EXPECT_EQ(inPlane(1, 0), "the plus side up in a section, left lateral in a map");
 }
 
+// Under gravity the plane is upright: nothing in it is lateral, and gravity says where up is.
+TEST(FaultSense, InASection)
+{
+  const auto sense = [](std::array<double, 3> const& up, std::array<double, 3> const& plus,
+                        double slip) {
+    return senseInWords({plus, 2, 2, up, true}, slip);
+  };
+  EXPECT_EQ(sense({0, 1, 0}, {0.6, 0.8, 0}, 1), "a normal fault");
+  EXPECT_EQ(sense({0, 1, 0}, {1, 0, 0}, 1), "the plus side up");
+  EXPECT_EQ(sense({0, 1, 0}, {0, 1, 0}, 1), "neither up nor down");
+  // The base of a wedge, whose gravity is inclined: to the right, where the base is deeper, the body
+  // moves down.
+  EXPECT_EQ(sense({-0.28, 0.96, 0}, {0, 1, 0}, 1), "a normal fault");
+  EXPECT_EQ(sense({-0.28, 0.96, 0}, {0, 1, 0}, -1), "a thrust");
+}
+
 TEST(FaultSense, AcrossAPlane)
 {
   EXPECT_EQ(inPlane(1, 0, 1), "right lateral seen from above");
