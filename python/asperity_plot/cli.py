@@ -1,6 +1,7 @@
 """The command line: chooses figures of a run, and reports what is wrong."""
 
 import argparse
+import textwrap
 from pathlib import Path
 from typing import List, Optional, Tuple
 
@@ -26,10 +27,10 @@ def main(arguments: Optional[List[str]] = None) -> int:
 
 
 def _parse(arguments: Optional[List[str]]) -> argparse.Namespace:
-    listing = "\n".join(f"  {name:<17}{meaning}" for name, (meaning, _) in FIGURES.items())
+    listing = "\n".join(_line(name, *of) for name, of in FIGURES.items())
     parser = argparse.ArgumentParser(
         prog=PROGRAM, formatter_class=argparse.RawDescriptionHelpFormatter,
-        description="Draws figures of a run of asperity as PNG.", epilog="figures:\n" + listing)
+        description="Draws figures of a run of asperity as PNG.", epilog="figures, and the file of the run that each needs:\n" + listing)
     parser.add_argument("directory", metavar="DIR", type=Path, help="the run's output directory")
     parser.add_argument("--output", metavar="DIR", type=Path,
                         help="where the figures go (default: figures in the run's directory)")
@@ -39,8 +40,10 @@ def _parse(arguments: Optional[List[str]]) -> argparse.Namespace:
                         help="print tables of events, cycles and energies in Markdown; figures "
                              "only with --figures")
     parser.add_argument("--window", metavar=("T0", "T1"), nargs=2, type=time,
-                        help="stretch of time to show, in seconds or as 196.4yr (default: about "
-                             "five cycles around a median event of the run's second half)")
+                        help="stretch of time to show, in seconds since the start of the run or as "
+                             "196.4yr; also that over which the figure surface takes averages "
+                             "(default: about five cycles around a median event of the run's "
+                             "second half)")
     parser.add_argument("--every", metavar=("BETWEEN", "DURING"), nargs=2, type=time,
                         help="times from one slip profile to the next, between events and in "
                              "them (default: 5yr 1s, less for short runs and events)")
@@ -55,6 +58,12 @@ def _parse(arguments: Optional[List[str]]) -> argparse.Namespace:
     selection.add_options(parser)
     parser.add_argument("--dpi", type=int, default=200, help="dots per inch (default: 200)")
     return parser.parse_args(arguments)
+
+
+def _line(name: str, meaning: str, file: str) -> str:
+    """Of the list of figures: what it shows, and the file of the run that it needs."""
+    return textwrap.fill(f"{meaning} [{file}]", 78, initial_indent=f"  {name:<17}",
+                         subsequent_indent=19 * " ")
 
 
 def _names(text: str) -> Tuple[str, ...]:

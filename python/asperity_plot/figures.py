@@ -6,9 +6,11 @@ from asperity.errors import NothingToShow
 
 FIGURES = {  # what it shows, and the file that it needs
     "slip_rate": ("slip rate over position and time, with a zoom into a rupture", "fault.h5"),
-    "surface": ("vertical displacement of the surface relative to its time average", "surface.h5"),
-    "deformation": ("displacement of the surface before and in an event; in 3D maps",
-                    "surface.h5"),
+    "surface": ("uplift of the free surface over position and time, against the boundary that "
+                "drives the run, less each place's average over the time shown, or its trend "
+                "if that has three events or more; antiplane displacement", "surface.h5"),
+    "deformation": ("how the free surface moves in the years before an event, and in the event; "
+                    "in 3D maps of uplift with arrows", "surface.h5"),
     "events": ("box plots of recurrence time, rupture width, peak slip and more", "events.csv"),
     "iterations": ("fixed point iterations and step size", "steps.csv"),
     "slip": ("profiles of cumulative slip", "fault.h5"),
@@ -17,7 +19,7 @@ FIGURES = {  # what it shows, and the file that it needs
                       "fault.h5"),
     "receivers": ("slip rate, shear traction, state and slip at the receivers on the fault",
                   "receivers.h5"),
-    "rupture_times": ("first arrival of each rupture over the position", "rupture.h5"),
+    "rupture_times": ("first arrival of each rupture over the distance along the fault", "rupture.h5"),
     "moment_rate": ("moment rate and moment of each event", "global.csv"),
     "fault_maps": ("in 3D: slip of an event and its rupture front on the fault", "fault.h5"),
     "rupture_patterns": ("in 3D: rupture fronts of the last events side by side", "rupture.h5"),

@@ -10,6 +10,7 @@ import h5py
 
 import synthetic_run
 from asperity_plot import cli
+from asperity_plot.figures import FIGURES
 from folders import SharedFolderCase, told
 
 
@@ -53,6 +54,11 @@ class BadInput(SharedFolderCase):
         (self.folder / "run.log").write_text("Asperity 0.1.0 on Serial, 1 rank.\n")
         self.expect_one_line(self.start(str(self.folder), module="asperity_report"),
                              "asperity-report: ", *words)
+
+    def test_help_says_what_each_figure_needs(self):
+        text = " ".join(self.start("--help").stdout.split())
+        for name, (meaning, file) in FIGURES.items():
+            self.assertIn(f"{name} {meaning} [{file}]", text)
 
     def test_no_such_directory(self):
         self.expect("/nowhere/at/all", "not a directory", folder=Path("/nowhere/at/all"))
