@@ -46,8 +46,8 @@ def add_options(parser: argparse.ArgumentParser) -> None:
                        help="events are one if less than this lies between them, in seconds or as "
                             "30d, so that aftershocks do not count in recurrence times")
     group.add_argument("--from", metavar="TIME", dest="start", type=not_negative(time), default=0.0,
-                       help="leave out events that begin earlier in the run, in seconds or as 200yr, "
-                            "such as the first one, which remembers the start of the run")
+                       help="leave out events that begin earlier in the run, in seconds or as "
+                            "200yr, such as the first one, which remembers the start of the run")
 
 
 def chosen(options: argparse.Namespace) -> Selection:

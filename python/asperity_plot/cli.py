@@ -30,7 +30,8 @@ def _parse(arguments: Optional[List[str]]) -> argparse.Namespace:
     listing = "\n".join(_line(name, *of) for name, of in FIGURES.items())
     parser = argparse.ArgumentParser(
         prog=PROGRAM, formatter_class=argparse.RawDescriptionHelpFormatter,
-        description="Draws figures of a run of asperity as PNG.", epilog="figures, and the file of the run that each needs:\n" + listing)
+        description="Draws figures of a run of asperity as PNG.",
+        epilog="figures, and the file of the run that each needs:\n" + listing)
     parser.add_argument("directory", metavar="DIR", type=Path, help="the run's output directory")
     parser.add_argument("--output", metavar="DIR", type=Path,
                         help="where the figures go (default: figures in the run's directory)")
