@@ -4,6 +4,7 @@ import os
 import pathlib
 import re
 import subprocess
+import tempfile
 import unittest
 
 SOURCE = pathlib.Path(os.environ["ASPERITY_SOURCE_DIR"])
@@ -86,6 +87,19 @@ class Examples(unittest.TestCase):
             self.assertTrue(pictures, f"{deck.name} has no picture")
             for picture in pictures:
                 self.assertTrue((SOURCE / "docs" / picture).is_file(), f"{deck.name}: {picture}")
+
+    def test_regions_of_the_model_are_valid(self):
+        piece = re.search(r"^```xml\n(.*?)^```", text("docs/model.md"), re.MULTILINE | re.DOTALL)
+        deck = SOURCE / "tests" / "verification" / "flow" / "savage_prescott.xml"
+        with tempfile.TemporaryDirectory() as folder:
+            overlay = pathlib.Path(folder) / "regions.xml"
+            overlay.write_text(f'<ParameterList name="Asperity"><ParameterList name="Bulk">{piece[1]}'
+                               "</ParameterList></ParameterList>")
+            told = subprocess.run([BUILD / "drivers" / "asperity", deck, "--overlay", overlay,
+                                   "--set", "Mesh/Regions/crust=y > -plate", "--validate"],
+                                  text=True, capture_output=True, check=False)
+        self.assertEqual(told.returncode, 0, told.stderr)
+        self.assertIn("is valid", told.stdout)
 
     def test_settings_are_parameters(self):
         printed = subprocess.run([BUILD / "drivers" / "asperity", "--print-parameters"], text=True,
