@@ -93,8 +93,8 @@ class Examples(unittest.TestCase):
         deck = SOURCE / "tests" / "verification" / "flow" / "savage_prescott.xml"
         with tempfile.TemporaryDirectory() as folder:
             overlay = pathlib.Path(folder) / "regions.xml"
-            overlay.write_text(f'<ParameterList name="Asperity"><ParameterList name="Bulk">{piece[1]}'
-                               "</ParameterList></ParameterList>")
+            overlay.write_text('<ParameterList name="Asperity"><ParameterList name="Bulk">'
+                               f"{piece[1]}</ParameterList></ParameterList>")
             told = subprocess.run([BUILD / "drivers" / "asperity", deck, "--overlay", overlay,
                                    "--set", "Mesh/Regions/crust=y > -plate", "--validate"],
                                   text=True, capture_output=True, check=False)

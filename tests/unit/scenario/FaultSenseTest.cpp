@@ -41,8 +41,7 @@ TEST(FaultSense, InASection)
   EXPECT_EQ(sense({0, 1, 0}, {0.6, 0.8, 0}, 1), "a normal fault");
   EXPECT_EQ(sense({0, 1, 0}, {1, 0, 0}, 1), "the plus side up");
   EXPECT_EQ(sense({0, 1, 0}, {0, 1, 0}, 1), "neither up nor down");
-  // The base of a wedge, whose gravity is inclined: to the right, where the base is deeper, the body
-  // moves down.
+  // The base of a wedge, whose gravity is inclined: to the right the base is deeper.
   EXPECT_EQ(sense({-0.28, 0.96, 0}, {0, 1, 0}, 1), "a normal fault");
   EXPECT_EQ(sense({-0.28, 0.96, 0}, {0, 1, 0}, -1), "a thrust");
 }
