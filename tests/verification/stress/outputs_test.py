@@ -232,5 +232,37 @@ class Refusals(unittest.TestCase):
             BOX, "Output/Volume Snapshots/Fields={coulomb_stress_change_trust}"))
 
 
+class TractionOfAFault(unittest.TestCase):
+    """The first model, whose fault creeps below its zone; its lowest node has a given slip rate."""
+
+    def tractions(self, a_of_lowest):
+        """Those of the last row (nodes), the law's, and where the slip rate is prescribed."""
+        folder = asperity_run.run_to_end(
+            f"traction_{a_of_lowest}", asperity_run.SOURCE / "examples/first_model/plane.xml",
+            *asperity_run.settings(
+                "Names/cell=2000", "Names/slip_distance=0.1", "Time Stepping/Final Time=3e8",
+                f"Friction/a=y < -24e3 + 1 ? {a_of_lowest} : 0.005 + 0.020 * "
+                "min(1, beyond_zone / 3e3)", "Output/Fault History/Precision=Double",
+                "Output/Fault History/Fields={slip_rate, alpha, traction, normal_stress, "
+                "prescribed}"))
+        fault = asperity.Run(folder).fault
+        rate, alpha, traction, sigma_n, prescribed = (
+            fault[name][-1].ravel() for name in ("slip_rate", "alpha", "traction", "normal_stress",
+                                                 "prescribed"))
+        a = numpy.where(prescribed == 1, a_of_lowest, 0.025)
+        law = sigma_n * a * numpy.arcsinh(rate / 2e-6 * numpy.exp((0.6 + 0.015 * alpha) / a))
+        return traction, law, prescribed == 1, fault.coordinates[:, 1] < -17e3
+
+    def test_is_a_reaction_where_the_slip_rate_is_prescribed(self):
+        traction, law, prescribed, creeps = self.tractions(0.025)
+        self.assertEqual(prescribed.sum(), 1)
+        free = creeps & ~prescribed
+        numpy.testing.assert_allclose(traction[free], law[free], rtol=1e-4)
+        self.assertGreater(abs(traction / law - 1)[prescribed][0], 0.05)
+        other, other_law, *_ = self.tractions(0.05)
+        self.assertGreater(abs(other_law / law - 1)[prescribed][0], 0.02)
+        numpy.testing.assert_allclose(other, traction, rtol=1e-9)
+
+
 if __name__ == "__main__":
     unittest.main()

@@ -26,7 +26,7 @@ def exact(t, distance):
 
 def mean_error(cells):
     folder = asperity_run.run_to_end("out", DECK, *asperity_run.settings(
-        {"Names/cells": cells}), timeout=300)
+        {"Mesh/Rectangle/Cells Y": cells, "Time Stepping/Largest Step": 0.4 / cells}), timeout=300)
     history = asperity_run.series(folder / "receivers.h5")
     t, velocity = history["time"], history["off_fault/fields/velocity"][..., 0]
     assert history["off_fault/fields/inelastic_shear"].max() > 0
