@@ -8,7 +8,8 @@ import asperity_run
 import numpy
 
 DECK = pathlib.Path(__file__).with_name("plastic_wave.xml")
-CELLS = {"Mesh/Rectangle/Cells Y": 24, "Time Stepping/Largest Step": 0.02}
+CELLS = {"Mesh/Rectangle/Cells Y": 24, "Names/step": 0.02, "Coupling/Tolerance": 1e-12,
+         "TNNMG/Relative Tolerance": 1e-14}
 TOLERANCE = 1e-9  # of the largest value, on other ranks
 
 
