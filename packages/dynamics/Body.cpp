@@ -1,7 +1,7 @@
 #include "dynamics/Body.hpp"
 
 #include "fem/MatrixProducts.hpp"
-#include "fem/bulk/InelasticCells.hpp"
+#include "fem/inelastic/InelasticCells.hpp"
 
 #include <Tpetra_CrsMatrix.hpp>
 #include <Tpetra_Vector.hpp>

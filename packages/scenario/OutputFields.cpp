@@ -3,7 +3,7 @@
 #include "base/parallel/Reductions.hpp"
 #include "catalogue/stress/CoulombPlanes.hpp"
 #include "catalogue/stress/StressFields.hpp"
-#include "fem/bulk/InelasticCells.hpp"
+#include "fem/inelastic/InelasticCells.hpp"
 #include "scenario/setup/friction/LawSetup.hpp"
 
 #include <cmath>

@@ -2,7 +2,7 @@
 
 #include "base/Errors.hpp"
 #include "base/Views.hpp"
-#include "fem/bulk/InelasticCells.hpp"
+#include "fem/inelastic/InelasticCells.hpp"
 
 #include <algorithm>
 

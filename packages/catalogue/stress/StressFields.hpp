@@ -52,8 +52,9 @@ struct StressedBody
   std::function<YieldedStrain(std::vector<int> const& cells)> yielded;
 };
 
-// Registers `stress`, `strain`, for each plane `coulomb_stress_change_<name>`, and in a body that may
-// yield `inelastic_strain` and `inelastic_shear`, in the elements of a domain, which is `volume` or `surface`: of the cell, or of the cell below the facet.
+// Registers `stress`, `strain`, for each plane `coulomb_stress_change_<name>`, and in a body that
+// may yield `inelastic_strain` and `inelastic_shear`, in the elements of a domain, which is
+// `volume` or `surface`: of the cell, or of the cell below the facet.
 template <int Dim>
 void registerStressFields(io::FieldRegistry& registry, io::OutputDomain const& domain,
                           StressedBody<Dim> const& body,

@@ -1,6 +1,6 @@
 #include "dynamics/control/NotFinite.hpp"
 
-#include "fem/bulk/InelasticCells.hpp"
+#include "fem/inelastic/InelasticCells.hpp"
 #include <limits>
 
 namespace asperity::dynamics

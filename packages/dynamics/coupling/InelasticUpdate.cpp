@@ -1,6 +1,6 @@
 #include "dynamics/coupling/InelasticUpdate.hpp"
 
-#include "fem/bulk/InelasticCells.hpp"
+#include "fem/inelastic/InelasticCells.hpp"
 #include <Tpetra_Vector.hpp>
 
 namespace asperity::dynamics

@@ -9,8 +9,8 @@ namespace asperity::dynamics
 // The inelastic strain of the body's cells within a step: an unknown of its fixed point that the
 // rate problem takes as given. Elastic rock with a given inelastic strain has a potential that
 // touches the one of rock that yields where this strain follows from the displacement, and exceeds
-// it elsewhere (fem/bulk/ReturnMapping.hpp). So J falls from one rate problem to the next as long as
-// alpha, normal stress and mean stress stay, and Z is that of elastic rock.
+// it elsewhere (fem/bulk/ReturnMapping.hpp). So J falls from one rate problem to the next as long
+// as alpha, normal stress and mean stress stay, and Z is that of elastic rock.
 class InelasticUpdate
 {
 public:

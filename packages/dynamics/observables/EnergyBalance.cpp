@@ -2,7 +2,7 @@
 
 #include "base/parallel/Reductions.hpp"
 #include "dynamics/fault/FaultMotion.hpp"
-#include "fem/bulk/InelasticCells.hpp"
+#include "fem/inelastic/InelasticCells.hpp"
 
 #include <Tpetra_CrsMatrix.hpp>
 

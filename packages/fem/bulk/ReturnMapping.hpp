@@ -2,7 +2,7 @@
 
 #include "base/Views.hpp"
 #include "fem/bulk/InelasticStrain.hpp"
-#include "fem/stress/TensorKernels.hpp"
+#include "fem/bulk/TensorKernels.hpp"
 #include "portability/Renamed.hpp"
 
 // How rock yields within a step. The flow is isochoric: it leaves the mean stress and shortens the

@@ -2,7 +2,7 @@
 
 #include "base/Errors.hpp"
 #include "fem/Simplex.hpp"
-#include "fem/stress/TensorKernels.hpp"
+#include "fem/bulk/TensorKernels.hpp"
 
 #include <algorithm>
 #include <array>

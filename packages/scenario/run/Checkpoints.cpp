@@ -4,7 +4,7 @@
 #include "base/parallel/Agreement.hpp"
 #include "base/program/Plugins.hpp"
 #include "base/program/WorkTimers.hpp"
-#include "fem/bulk/InelasticCells.hpp"
+#include "fem/inelastic/InelasticCells.hpp"
 #include "scenario/RunArchive.hpp"
 
 namespace asperity::scenario

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "fem/OtherSide.hpp"
-#include "fem/bulk/InelasticCells.hpp"
+#include "fem/inelastic/InelasticCells.hpp"
 #include "fem/bulk/Material.hpp"
 #include "fem/bulk/MaxwellBranch.hpp"
 #include "mesh/Mesh.hpp"

@@ -3,7 +3,7 @@
 #include "dynamics/fault/FaultMotion.hpp"
 #include "dynamics/initial/InitialAlpha.hpp"
 #include "dynamics/initial/InitialState.hpp"
-#include "fem/bulk/InelasticCells.hpp"
+#include "fem/inelastic/InelasticCells.hpp"
 #include "scenario/setup/BulkSetup.hpp"
 #include "scenario/setup/DeckPaths.hpp"
 #include "scenario/setup/NodalField.hpp"

@@ -1,7 +1,7 @@
 #include "unit/dynamics/SmallModel.hpp"
 
 #include "fem/RigidBodyMotions.hpp"
-#include "fem/bulk/InelasticCells.hpp"
+#include "fem/inelastic/InelasticCells.hpp"
 #include "fem/stress/CellStress.hpp"
 #include "mesh/parallel/Partition.hpp"
 #include "tnnmg/multigrid/MultigridCorrection.hpp"

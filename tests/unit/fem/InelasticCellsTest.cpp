@@ -1,4 +1,4 @@
-#include "fem/bulk/InelasticCells.hpp"
+#include "fem/inelastic/InelasticCells.hpp"
 
 #include "base/parallel/Gather.hpp"
 #include "base/parallel/Reductions.hpp"

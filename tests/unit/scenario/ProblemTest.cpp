@@ -192,7 +192,7 @@ TEST(StepControl, WantsPrescribedLevelsThatExist)
 
 TEST(RunArchive, ReturnsWhatWasSaved)
 {
-  auto const problem = makeProblem<2>(column(), world());
+  auto problem = makeProblem<2>(column(), world());
   dynamics::ControlMemory memory;
   memory.level = 3;
   memory.num_steps = 17;
@@ -202,14 +202,13 @@ TEST(RunArchive, ReturnsWhatWasSaved)
   Kokkos::deep_copy(memory.trial->state.alpha, -0.1);
   // A field that a model adds is saved like the others.
   const dynamics::FieldInfo pressure = {"p", "pressure", "Pa"};
-  auto like = problem.initial.clone();
-  for (auto* state : {&like, &memory.trial->state}) {
+  for (auto* state : {&problem.initial, &memory.trial->state}) {
     const NodeView p("asperity::test::p", problem.initial.alpha.extent(0));
     state->added.push_back({std::make_shared<const dynamics::FieldInfo>(pressure), p});
   }
   Kokkos::deep_copy(memory.trial->state.added[0].values, 4e6);
   io::Archive archive;
-  const StateFormat format(like, nullptr, dynamics::DyadicTime(1, 10));
+  const StateFormat format(problem, nullptr, dynamics::DyadicTime(1, 10));
   format.save(archive, "control", memory);
   const auto read = format.loadControl(archive, "control");
   EXPECT_EQ(read.level, 3);

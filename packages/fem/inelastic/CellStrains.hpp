@@ -9,7 +9,7 @@
 #include <memory>
 #include <vector>
 
-namespace asperity::fem::detail
+namespace asperity::fem
 {
 // Strain in some cells of a rank, and the forces of stress in them.
 class CellStrains
@@ -29,4 +29,4 @@ template <int Dim>
 std::unique_ptr<CellStrains> makeCellStrains(Mesh<Dim> const& mesh, NodalFrames const& frames,
                                              std::vector<Material> const& materials,
                                              std::vector<int> const& cells);
-} // namespace asperity::fem::detail
+} // namespace asperity::fem

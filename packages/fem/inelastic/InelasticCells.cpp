@@ -1,4 +1,4 @@
-#include "fem/bulk/InelasticCells.hpp"
+#include "fem/inelastic/InelasticCells.hpp"
 
 #include "base/parallel/Reductions.hpp"
 #include "base/program/WorkTimers.hpp"
@@ -67,7 +67,7 @@ InelasticCells::InelasticCells(Mesh<Dim> const& mesh, std::shared_ptr<const DofM
     : sharing_(mesh, cellsOf(rock), dofs->communicator())
     , dofs_(std::move(dofs))
     , num_components_(numTensorComponents(dofs_->components()))
-    , strains_(detail::makeCellStrains(mesh, frames, materials, sharing_.cells()))
+    , strains_(makeCellStrains(mesh, frames, materials, sharing_.cells()))
     , shear_stress_("asperity::fem::shearStress", sharing_.cells().size())
     , u_(rcp(new Vector(dofs_->overlap())))
 {

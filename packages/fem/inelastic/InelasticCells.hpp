@@ -2,11 +2,11 @@
 
 #include "base/Types.hpp"
 #include "fem/bulk/BulkLaw.hpp"
-#include "fem/bulk/CellSharing.hpp"
 #include "fem/bulk/Material.hpp"
 #include "fem/constraints/NodalFrames.hpp"
-#include "fem/detail/CellStrains.hpp"
 #include "fem/dofs/DofMap.hpp"
+#include "fem/inelastic/CellSharing.hpp"
+#include "fem/inelastic/CellStrains.hpp"
 
 #include <memory>
 #include <optional>
@@ -54,8 +54,8 @@ public:
   // the whole strain is zero. Collective.
   double energy(ConstTensorView const& e) const;
 
-  // How much the stresses of e and of `other` differ, as a share of this and the trial's shear stress
-  // in the last response: of roots of integrals, or of maxima. Collective.
+  // How much the stresses of e and of `other` differ, as a share of this and the trial's shear
+  // stress in the last response: of roots of integrals, or of maxima. Collective.
   double distance(ConstTensorView const& e, ConstTensorView const& other, bool as_maximum) const;
   // (num_cells tensor components): the weight of each entry of e in the integral of (2 G)^2 e : e
   // over the cells that this rank owns, and 0 in the others.
@@ -86,7 +86,7 @@ private:
   std::shared_ptr<const DofMap> dofs_;
   int num_components_;        // of a tensor
   std::vector<int> vertices_; // (num_cells)
-  std::unique_ptr<const detail::CellStrains> strains_;
+  std::unique_ptr<const CellStrains> strains_;
   std::vector<Part> parts_;
   ConstNodeView shear_modulus_, bulk_modulus_, initial_mean_, weights_;
   ConstNodeView own_measure_; // 0 in cells that another rank owns

@@ -1,4 +1,4 @@
-#include "fem/bulk/CellSharing.hpp"
+#include "fem/inelastic/CellSharing.hpp"
 
 #include "base/Errors.hpp"
 #include "base/parallel/Directory.hpp"

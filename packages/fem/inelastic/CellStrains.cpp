@@ -1,11 +1,11 @@
-#include "fem/detail/CellStrains.hpp"
+#include "fem/inelastic/CellStrains.hpp"
 
 #include "base/Errors.hpp"
 #include "fem/detail/CellViews.hpp"
 
 #include <Tpetra_Vector.hpp>
 
-namespace asperity::fem::detail
+namespace asperity::fem
 {
 namespace
 {
@@ -14,7 +14,7 @@ using Values = Kokkos::View<const double*, MemorySpace>;
 template <int Dim, int Components>
 struct StrainKernel
 {
-  CellViews<Dim> mesh;
+  detail::CellViews<Dim> mesh;
   IndexView cells;
   Values x;
   TensorView result;
@@ -50,7 +50,7 @@ struct StrainKernel
 template <int Dim, int Components>
 struct ForceKernel
 {
-  CellViews<Dim> mesh;
+  detail::CellViews<Dim> mesh;
   IndexView places; // (num cells of the mesh): the row of the cell, or -1
   ConstTensorView e;
   NodeView force;
@@ -97,7 +97,7 @@ class CellStrainsOf final : public CellStrains
 public:
   CellStrainsOf(Mesh<Dim> const& mesh, NodalFrames const& frames,
                 std::vector<Material> const& materials, std::vector<int> const& cells)
-      : mesh_(makeCellViews(mesh, frames, materials))
+      : mesh_(detail::makeCellViews(mesh, frames, materials))
       , cells_(toDevice(cells, "asperity::fem::yieldingCells"))
       , num_owned_nodes_(mesh.num_owned)
   {
@@ -131,7 +131,7 @@ public:
   ConstNodeView measures() const override { return measures_; }
 
 private:
-  CellViews<Dim> mesh_;
+  detail::CellViews<Dim> mesh_;
   IndexView cells_, places_;
   ConstNodeView measures_;
   int num_owned_nodes_;
@@ -159,4 +159,4 @@ template std::unique_ptr<CellStrains> makeCellStrains(Mesh<2> const&, NodalFrame
 template std::unique_ptr<CellStrains> makeCellStrains(Mesh<3> const&, NodalFrames const&,
                                                       std::vector<Material> const&,
                                                       std::vector<int> const&);
-} // namespace asperity::fem::detail
+} // namespace asperity::fem
