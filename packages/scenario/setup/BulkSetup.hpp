@@ -1,9 +1,9 @@
 #pragma once
 
 #include "fem/OtherSide.hpp"
-#include "fem/inelastic/InelasticCells.hpp"
 #include "fem/bulk/Material.hpp"
 #include "fem/bulk/MaxwellBranch.hpp"
+#include "fem/inelastic/InelasticCells.hpp"
 #include "mesh/Mesh.hpp"
 #include "scenario/setup/NodalField.hpp"
 

@@ -124,7 +124,7 @@ void expectClosedBalance(Options options, Begin const& begin, std::vector<double
 TEST(Yield, TakesTheEnergyThatLeavesTheBody)
 {
   const auto begin = [](auto const& model) { return slidingState(model); };
-  expectClosedBalance(slidingBlock(1), begin, {0.2, 0, 0});
+  expectClosedBalance(slidingBlock(1), begin, {0.3, 0, 0});
   expectClosedBalance(slidingBlock(2), begin, {0.5, 50, 1e-3});
   expectClosedBalance(slidingBlock(2), begin, {0.5, 20, 0, 0});
 }

@@ -82,7 +82,8 @@ TEST(Registries, HoldWhatThePackagesBring)
   EXPECT_EQ(friction::frictionLaws().names(), (Names{"Regularised", "Truncated"}));
   EXPECT_EQ(friction::stateLaws().names(),
             (Names{"Ageing", "Foreign Ageing", "Narrow Ageing", "Slip", "Slow Ageing"}));
-  EXPECT_EQ(fem::bulkLaws().names(), (Names{"Burgers", "Kelvin-Voigt", "Maxwell"}));
+  EXPECT_EQ(fem::bulkLaws().names(),
+            (Names{"Burgers", "Drucker-Prager", "Kelvin-Voigt", "Maxwell", "Von Mises"}));
   EXPECT_EQ(dynamics::StepControlRegistry::instance().names(),
             (Names{"Prescribed", "Richardson", "Step Doubling"}));
   EXPECT_EQ(io::OutputRegistry::instance().names(),
