@@ -161,8 +161,10 @@ class Condensed(unittest.TestCase):
 
     def test_receivers_are_those_of_the_whole_body(self):
         whole = asperity_run.run_to_end("whole", STRIP, *asperity_run.settings(STATIC))
-        self.assertIn("products give the motion of the body at them", (self.folder / "run.log").read_text())
-        self.assertNotIn("products give the motion of the body at them", (whole / "run.log").read_text())
+        self.assertIn("products give the motion of the body at them",
+                      (self.folder / "run.log").read_text())
+        self.assertNotIn("products give the motion of the body at them",
+                         (whole / "run.log").read_text())
         ours, theirs = (asperity_run.series(folder / "receivers.h5")
                         for folder in (self.folder, whole))
         # Not the velocity: the whole body starts at rest inside, which its scheme damps slowly.
