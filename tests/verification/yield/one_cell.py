@@ -93,9 +93,18 @@ def under_pressure():
                    numpy.minimum(SHEAR * strain(t), bound))
 
 
+def refused():
+    """Rock that yields before anything moves, or that has no strength."""
+    weak = {"Bulk/Law": "Von Mises", "Bulk/Shear Strength": 5e3}
+    beyond = {f"Bulk/Initial Stress/{name}": value for name, value in (("XZ", 3e3), ("YZ", 6e3))}
+    return [asperity_run.refuses(DECK, {**weak, **beyond}, message)
+            for message in ("bears a shear stress of 6708.2", "yields at 5000 Pa")] + [
+                asperity_run.refuses(DECK, {**weak, "Bulk/Shear Strength": 0}, "Shear Strength")]
+
+
 def main():
     passed = [
-        sheared(), relaxing(), under_pressure(),
+        *refused(), sheared(), relaxing(), under_pressure(),
         uniaxial("Von Mises, uniaxial", "Von Mises", {"Shear Strength": 4e3, "Hardening": 1e5},
                  lambda elastic, mean: hardened(elastic, 4e3, 1e5)),
         uniaxial("Drucker-Prager, uniaxial", "Drucker-Prager",

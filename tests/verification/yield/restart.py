@@ -36,6 +36,11 @@ def main():
         fine = error <= bound
         print(f"{before} ranks, then {after}: {error:.1e}{'' if fine else ' NO'}", flush=True)
         failures += not fine
+    other = asperity_run.run(DECK, *asperity_run.settings(CELLS), "--restart-from", "half_1",
+                             "--output", "other")
+    if other.returncode != 2 or "goes to no other run" not in other.stderr:
+        print(f"--restart-from: {other.returncode} {other.stderr} NO")
+        failures += 1
     return failures
 
 
