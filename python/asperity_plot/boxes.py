@@ -59,7 +59,8 @@ def _text(value: float, unit: str) -> str:
 def draw(run: Run, view: View):
     """The figure; NothingToShow for a run without a complete event."""
     if not len(run.complete_events):
-        raise NothingToShow("the run has no complete event")
+        left = " that is not left out" if str(run.selection) else ""
+        raise NothingToShow(f"the run has no complete event{left}")
     shown = quantities(run)
     figure, axes = style.panels(len(shown), 1, (7.5, 0.95 + 1.05 * len(shown)))
     values = samples(run)

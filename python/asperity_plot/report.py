@@ -42,6 +42,7 @@ def _draw_all(run: Run, view: windows.View, folder: Path, options: Namespace) ->
             figure = figures.draw(name, run, view, bool(options.figures))
             print(style.save(figure, folder / f"{name}.png", options.dpi))
         except NothingToShow as reason:
+            (folder / f"{name}.png").unlink(missing_ok=True)  # that of a call with other options
             if options.figures or not isinstance(reason, OtherDimension):
                 print(f"No figure '{name}': {reason}.")
         except InputError as error:

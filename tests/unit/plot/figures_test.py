@@ -89,6 +89,16 @@ class Figures(SharedFolderCase):
         for name in ("slip_rate", "slip_profiles"):
             self.check_picture("none", name, out)
 
+    def test_no_figure_of_an_earlier_call_stays(self):
+        folder = self.folder / "left_out"
+        for options, is_there in (((), True), (("--from", "1e12"), False)):
+            status, out, err = self.plot("many", "--figures", "events", "--output", str(folder),
+                                         *options)
+            self.assertEqual((status, err), (0, ""))
+            self.assertEqual((folder / "events.png").exists(), is_there)
+        self.assertIn("No figure 'events': the run has no complete event that is not left out.",
+                      out)
+
     def test_choice_of_figures_window_and_folder(self):
         target = self.folder / "elsewhere" / "deep"
         status, out, _ = self.plot("many", "--figures", "surface,events", "--output", str(target),
