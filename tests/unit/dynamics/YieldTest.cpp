@@ -95,6 +95,7 @@ TEST(Yield, GivesTheStressOfAShearedLayer)
 }
 
 // With inertia, friction, viscosity and gravity beside it, whatever the steps, in all dimensions.
+// The strengths below were lowered until a thousandth of the friction work is inelastic.
 template <class Options, class Begin>
 void expectClosedBalance(Options options, Begin const& begin, std::vector<double> const& of_rock)
 {

@@ -10,7 +10,7 @@ import numpy
 DECK = pathlib.Path(__file__).with_name("plastic_wave.xml")
 CELLS = {"Mesh/Rectangle/Cells Y": 24, "Names/step": 0.02, "Coupling/Tolerance": 1e-12,
          "TNNMG/Relative Tolerance": 1e-14}
-TOLERANCE = 1e-9  # of the largest value, on other ranks
+TOLERANCE = 1e-9  # of the largest value, on other ranks; with looser solvers it is 3e-8
 
 
 def values(folder):
