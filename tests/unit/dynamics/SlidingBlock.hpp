@@ -1,5 +1,6 @@
 #pragma once
 
+#include "dynamics/observables/EnergyBalance.hpp"
 #include "unit/dynamics/SmallModel.hpp"
 #include "unit/fem/SampleMeshes.hpp"
 
@@ -83,5 +84,26 @@ inline State slidingState(ModelIn<3> const& model, Rotation const& turn)
   });
   Kokkos::deep_copy(state.alpha_of_rate, state.alpha);
   return state;
+}
+// What the balance has after steps of many sizes from a state, from the end of the first step on.
+// J must not rise in them.
+template <int Dim>
+Energy energyOfSteps(ModelIn<Dim> const& model, State state)
+{
+  const DyadicTime clock(4e-3, 4);
+  Stepper stepper(model, RateUpdate::newmark(0.25), clock);
+  EnergyBalance balance(model.body, model.fault, clock);
+  balance.start(state);
+  auto next = state.clone();
+  EXPECT_TRUE(stepper.step.solve(state, 4, next, stepper.count).solved());
+  balance.start(next); // in balance
+  for (int level : {2, 2, 1, 4, 0, 0, 1, 2, 3}) {
+    state = next;
+    next = state.clone();
+    EXPECT_TRUE(stepper.step.solve(state, level, next, stepper.count).solved());
+    balance.advance(next);
+  }
+  EXPECT_EQ(stepper.count.rises, 0);
+  return balance.energy();
 }
 } // namespace asperity::dynamics::testing
