@@ -286,7 +286,7 @@ CoupledResult CoupledStep::iterate(State const& from, double tau, RateSolver& so
       return result;
     }
     meanSlipRate(solver);
-    const bool responded = unknowns_.respond({from, tau, V_, solver, to});
+    const bool responded = unknowns_.respond({from, tau, V_, solver, problem, to});
     const double of_fault = unknowns_.change(settings_.norm);
     const double of_rock = inelasticChange(from, tau, solver, to);
     const double change = std::max(of_fault, of_rock);

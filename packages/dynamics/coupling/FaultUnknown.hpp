@@ -1,6 +1,7 @@
 #pragma once
 
 #include "dynamics/State.hpp"
+#include "dynamics/coupling/FrictionProblem.hpp"
 #include "dynamics/coupling/RateSolver.hpp"
 
 namespace asperity::dynamics
@@ -9,10 +10,11 @@ namespace asperity::dynamics
 struct FaultResponse
 {
   State const& from;
-  double tau;               // of the step [s]
-  ConstNodeView slip_rate;  // mean over the step (num_nodes) [m/s]
-  RateSolver const& solver; // which has the velocity
-  State const& to;          // with the present iterates
+  double tau;                      // of the step [s]
+  ConstNodeView slip_rate;         // mean over the step (num_nodes) [m/s]
+  RateSolver const& solver;        // which has the velocity
+  FrictionProblem const& friction; // with which the velocity was computed
+  State const& to;                 // with the present iterates
 };
 
 // An unknown of the fixed point of a step beside the velocity: a field of the state at the nodes of
