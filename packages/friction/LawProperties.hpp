@@ -9,6 +9,9 @@
 // one node in the order of its table, on the host. A function that the law does not have is empty.
 namespace asperity::friction
 {
+// What alpha is. A friction law and a state law go together if they have the same alpha.
+inline constexpr char const* logarithm_of_theta = "ln(theta V* / L)";
+
 // How mu changes at large slip rates: its derivatives by log V and by alpha, both
 // dimensionless. These are a and b of mu = mu* + a log(V / V*) + b alpha.
 struct Sensitivity
@@ -21,6 +24,11 @@ struct FrictionLawProperties
 {
   std::vector<Parameter> parameters;
   std::function<Sensitivity(double const* values)> sensitivity;
+  // mu* [-] of the state psi = mu* + b alpha that friction depends on.
+  std::function<double(double const* values)> reference_friction = {};
+  // mu_s - mu_d [-], by which friction falls with slip under a law that does not depend on V.
+  std::function<double(double const* values)> strength_drop = {};
+  char const* state_variable = logarithm_of_theta;
 };
 
 struct StateLawProperties
@@ -33,5 +41,6 @@ struct StateLawProperties
   // c [-] of Linker and Dieterich's term, d(alpha) = -(c / b) d(ln sigma_n), which is added to the
   // law's own evolution; b is the friction law's.
   std::function<double(double const* values)> stress_sensitivity = {};
+  char const* state_variable = logarithm_of_theta;
 };
 } // namespace asperity::friction

@@ -44,7 +44,20 @@ ASPERITY_OPTIONAL_FUNCTION(sensitivity)
 ASPERITY_OPTIONAL_FUNCTION(slipDistance)
 ASPERITY_OPTIONAL_FUNCTION(thetaScale)
 ASPERITY_OPTIONAL_FUNCTION(stressSensitivity)
+ASPERITY_OPTIONAL_FUNCTION(referenceFriction)
+ASPERITY_OPTIONAL_FUNCTION(strengthDrop)
 #undef ASPERITY_OPTIONAL_FUNCTION
+
+template <class Law>
+auto stateVariableOf(int) -> decltype(Law::state_variable)
+{
+  return Law::state_variable;
+}
+template <class Law>
+char const* stateVariableOf(long)
+{
+  return logarithm_of_theta;
+}
 
 template <class Law>
 struct RegisteredFrictionLaw : FrictionLaw
@@ -53,6 +66,9 @@ struct RegisteredFrictionLaw : FrictionLaw
   {
     parameters.assign(std::begin(Law::parameters), std::end(Law::parameters));
     sensitivity = sensitivityOf<Law>(0);
+    reference_friction = referenceFrictionOf<Law>(0);
+    strength_drop = strengthDropOf<Law>(0);
+    state_variable = stateVariableOf<Law>(0);
     make_kernels = [](FaultView const& fault) {
       return std::make_unique<LawFrictionKernels<Law>>(fault);
     };
@@ -68,6 +84,7 @@ struct RegisteredStateLaw : StateLaw
     slip_distance = slipDistanceOf<Law>(0);
     theta_scale = thetaScaleOf<Law>(0);
     stress_sensitivity = stressSensitivityOf<Law>(0);
+    state_variable = stateVariableOf<Law>(0);
     make_kernels = [](ParameterView const& values) {
       return std::make_unique<LawStateKernels<Law>>(values);
     };

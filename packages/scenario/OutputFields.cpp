@@ -84,13 +84,26 @@ void registerFaultConstants(io::FieldRegistry& registry, Problem<Dim> const& pro
       prescribed);
 }
 
-// theta, for state laws that declare how it follows from alpha.
+// theta, for state laws that declare how it follows from alpha, and psi, for friction laws that
+// depend on it.
 template <int Dim>
-void registerTheta(io::FieldRegistry& registry, Problem<Dim> const& problem, RunView const& view,
+void registerState(io::FieldRegistry& registry, Problem<Dim> const& problem, RunView const& view,
                    ParameterList const& friction)
 {
-  if (auto const scale =
-        thetaScales(friction, FieldNodes(problem.mesh, problem.surface->vertices()))) {
+  const FieldNodes nodes(problem.mesh, problem.surface->vertices());
+  auto const reference = referenceFriction(friction, nodes);
+  auto const effects = sensitivities(friction, nodes);
+  if (reference && effects) {
+    registry.add(
+      io::OutputField{"psi", "", "State psi = mu* + b alpha.", "fault", 1,
+                      [&view, reference = *reference, effects = *effects](Values& values) {
+                        values = view.fault->alpha();
+                        for (std::size_t i = 0; i < values.size(); ++i) {
+                          values[i] = reference[i] + effects[i].state * values[i];
+                        }
+                      }});
+  }
+  if (auto const scale = thetaScales(friction, nodes)) {
     registry.add(io::OutputField{"theta", "s", "State variable.", "fault", 1,
                                  [&view, scale = *scale](Values& values) {
                                    values = view.fault->alpha();
@@ -280,7 +293,7 @@ void registerFields(io::FieldRegistry& registry, Problem<Dim> const& problem, Ru
                     ParameterList const& friction)
 {
   registerFaultFields(registry, view);
-  registerTheta(registry, problem, view, friction);
+  registerState(registry, problem, view, friction);
   registerAddedFields(registry, problem.initial, view);
   registerFaultConstants(registry, problem);
   for (auto const& [name, domain] : domains) {

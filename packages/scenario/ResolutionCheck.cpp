@@ -4,6 +4,7 @@
 #include "base/Text.hpp"
 #include "base/parallel/Reductions.hpp"
 #include "friction/laws/AgeingLaw.hpp"
+#include "friction/laws/SlipWeakening.hpp"
 #include "mesh/MeshQuality.hpp"
 #include "scenario/setup/BulkSetup.hpp"
 #include "scenario/setup/DeckPaths.hpp"
@@ -98,14 +99,19 @@ std::optional<dynamics::FaultResolution> faultResolution(Problem<Dim> const& pro
 {
   const FieldNodes nodes(problem.mesh, problem.surface->vertices());
   auto const sensitivity = sensitivities(friction, nodes);
+  auto const drop = strengthDrops(friction, nodes);
   auto const slip_distance = slipDistances(friction, nodes);
-  if (!sensitivity || !slip_distance) {
+  if ((!sensitivity && !drop) || !slip_distance) {
     return std::nullopt;
   }
   dynamics::FrictionOfNodes of_nodes;
-  for (auto const& [a, b] : *sensitivity) {
-    of_nodes.a.push_back(a);
-    of_nodes.b.push_back(b);
+  if (drop) {
+    of_nodes.drop = *drop;
+  } else {
+    for (auto const& [a, b] : *sensitivity) {
+      of_nodes.a.push_back(a);
+      of_nodes.b.push_back(b);
+    }
   }
   of_nodes.L = *slip_distance;
   auto const sigma_n = toHost(problem.fault.given(problem.initial).sigma_n);
@@ -123,17 +129,25 @@ std::vector<std::string> describe(dynamics::FaultResolution const& resolution,
                                   std::string const& state_law, std::string const& mesh_type)
 {
   auto const& r = resolution;
-  ASPERITY_REQUIRE(r.cells_per_zone > 0 && r.cohesive_zone > 0,
-                   "The cohesive zone G' L / (b sigma_n) of the fault is not a positive number. "
-                   "Check moduli, Density, L, b and Normal Stress: one is far too large or too "
-                   "small.");
+  const bool weakens_with_slip = state_law == friction::SlipWeakeningState::name;
+  const std::string zone =
+    weakens_with_slip ? "9 pi G' d_c / (32 (mu_s - mu_d) sigma_n)" : "G' L / (b sigma_n)";
+  ASPERITY_REQUIRE(
+    r.cells_per_zone > 0 && r.cohesive_zone > 0,
+    "The cohesive zone "
+      << zone
+      << " of the fault is not a positive number. "
+         "Check moduli, Density, Normal Stress and the parameters of friction: one is "
+         "far too large or too small.");
   const bool one_size = r.largest_cell <= r.smallest_cell * (1 + 1e-6);
   std::vector<std::string> lines = {
     "Resolution where friction weakens: cells of " +
       (one_size ? "" : rounded(r.smallest_cell) + " to ") + rounded(r.largest_cell) +
-      " m; cohesive zone G' L / (b sigma_n) >= " + rounded(r.cohesive_zone) + " m, at least " +
+      " m; cohesive zone " + zone + " >= " + rounded(r.cohesive_zone) + " m, at least " +
       rounded(r.cells_per_zone) + " cells.",
-    state_law == friction::AgeingLaw::name
+    weakens_with_slip ? "Nucleation length >= " + rounded(r.nucleation_length) +
+                          " m (slip weakening on an endless fault, Uenishi & Rice 2003)."
+    : state_law == friction::AgeingLaw::name
       ? "Nucleation length >= " + rounded(r.nucleation_length) +
           " m (ageing law on an endless fault, Rubin & Ampuero 2005). This is an estimate: "
           "slightly shorter zones may rupture, too."
@@ -165,7 +179,8 @@ std::vector<Warning> warnOfResolution(dynamics::FaultResolution const& resolutio
                         "refine the fault by a factor of " +
                           rounded(enough_cells / resolution.cells_per_zone) + "."});
   }
-  const bool has_formula = state_law == friction::AgeingLaw::name;
+  const bool has_formula =
+    state_law == friction::AgeingLaw::name || state_law == friction::SlipWeakeningState::name;
   const double needed = has_formula ? resolution.nucleation_length : resolution.unstable_wavelength;
   // The length is that of an endless fault. A part of length l that ends at a free surface acts as
   // one of length 2 l, hence the factor.

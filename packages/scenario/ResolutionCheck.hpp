@@ -21,8 +21,8 @@ std::optional<dynamics::FaultResolution> faultResolution(Problem<Dim> const& pro
 template <int Dim>
 std::vector<std::string> describeSize(Problem<Dim> const& problem);
 
-// Lines for the log. For the ageing law they have the nucleation length, for other laws the
-// shortest wavelength that grows. mesh_type: `Mesh / Type`.
+// Lines for the log. For the ageing law and slip weakening they have the nucleation length, for
+// other laws the shortest wavelength that grows. mesh_type: `Mesh / Type`.
 std::vector<std::string> describe(dynamics::FaultResolution const& resolution,
                                   std::string const& state_law, std::string const& mesh_type);
 // Warns if there are fewer than three cells per cohesive zone, and if only a part of the fault

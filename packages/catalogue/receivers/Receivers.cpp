@@ -58,9 +58,10 @@ Teuchos::RCP<const Teuchos::ParameterList> Receivers::validParameters()
              "If true, the run writes this output, provided that there are receivers.")
     .openSublist("On Fault", on_fault, "Each entry puts a receiver of that name on the fault.")
     .openSublist("Off Fault", in_body, "Each entry puts a receiver of that name in the body.")
-    .textArray("Fault Fields",
-               std::vector<std::string>{"slip", "slip_rate", "traction", "normal_stress", "theta"},
-               "The fields of these names are written for receivers on the fault.")
+    .textArray("Fault Fields", optional,
+               "The fields of these names are written for receivers on the fault. If it is left "
+               "out, these are slip, slip_rate, traction, normal_stress, and the state as theta, "
+               "or as psi or alpha where the laws do not define theta.")
     .textArray("Body Fields", std::vector<std::string>{"displacement", "velocity"},
                "The fields of these names are written for receivers in the body.");
   io::WriteRule::declare(parameters, 1, 0);
@@ -72,21 +73,40 @@ std::string Receivers::meaning()
   return "Writes time series at chosen places on the fault and in the body to receivers.h5.";
 }
 
+namespace
+{
+std::vector<std::string> faultFields(Teuchos::ParameterList const& parameters,
+                                     io::FieldRegistry const& registry)
+{
+  if (parameters.isParameter("Fault Fields")) {
+    return parameters.get<Teuchos::Array<std::string>>("Fault Fields").toVector();
+  }
+  std::vector<std::string> fields{"slip", "slip_rate", "traction", "normal_stress"};
+  for (auto const* state : {"theta", "psi", "alpha"}) {
+    if (registry.hasField("fault", state)) {
+      fields.emplace_back(state);
+      break;
+    }
+  }
+  return fields;
+}
+} // namespace
+
 Receivers::Receivers(Teuchos::ParameterList const& parameters, io::OutputContext const& context)
     : rule_(parameters)
 {
   const std::string path = "Asperity / Output / Receivers / ";
   const auto add = [&](std::string const& list, std::string const& group, std::string const& domain,
-                       std::string const& fields) {
+                       std::string const& entry, std::vector<std::string> const& fields) {
     const auto places = placesIn(parameters.sublist(list));
     if (!places.empty()) {
       groups_.try_emplace(group, path + list, places, context.domain(domain))
-        .first->second.chooseFields(parameters.get<Teuchos::Array<std::string>>(fields).toVector(),
-                                    context.fields, path + fields);
+        .first->second.chooseFields(fields, context.fields, path + entry);
     }
   };
-  add("On Fault", "on_fault", "fault", "Fault Fields");
-  add("Off Fault", "off_fault", "volume", "Body Fields");
+  add("On Fault", "on_fault", "fault", "Fault Fields", faultFields(parameters, context.fields));
+  add("Off Fault", "off_fault", "volume", "Body Fields",
+      parameters.get<Teuchos::Array<std::string>>("Body Fields").toVector());
   if (!groups_.empty()) {
     table_ = std::make_unique<io::SegmentedTable>(tableOf(context, groups_), context.comm);
   }

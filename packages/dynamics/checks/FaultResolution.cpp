@@ -45,12 +45,12 @@ std::vector<CellSizes> cellSizes(Mesh<Dim> const& mesh, fem::FaultSurface const&
   return sizes;
 }
 
-// [m/s], see FaultResolution::seismic_time; 1 m/s for a body without density.
-double seismicRate(fem::Material const& material, fem::OtherSide const& other_side, double b,
-                   double sigma_n)
+// [m/s], see FaultResolution::seismic_time; 1 m/s for a body without density. stress_drop in Pa.
+double seismicRate(fem::Material const& material, fem::OtherSide const& other_side,
+                   double stress_drop)
 {
   const double impedance = material.shearImpedance() / other_side.deforming_sides;
-  return impedance > 0 ? 20 * b * sigma_n / impedance : 1;
+  return impedance > 0 ? stress_drop / impedance : 1;
 }
 
 double crossingTime(fem::Material const& material, double length)
@@ -87,6 +87,44 @@ double unstableWavelength(double slip_modulus, double a, double b, double L, dou
   return M_PI * slip_modulus * L / ((b - a) * sigma_n);
 }
 
+double slipWeakeningZone(double slip_modulus, double drop, double distance, double sigma_n)
+{
+  return 9 * M_PI / 32 * slip_modulus * distance / (drop * sigma_n);
+}
+
+double slipWeakeningLength(double slip_modulus, double drop, double distance, double sigma_n)
+{
+  return 1.158 * slip_modulus * distance / (drop * sigma_n);
+}
+
+namespace
+{
+struct Weakening
+{
+  double zone, nucleation, wavelength; // [m]
+  double stress_drop;                  // [Pa]
+};
+
+// At a node; empty where friction does not weaken.
+std::optional<Weakening> weakeningAt(int node, FrictionOfNodes const& friction, double modulus)
+{
+  auto const& [a, b, L, sigma_n, drop] = friction;
+  const double sigma = sigma_n[node], distance = L[node];
+  if (!(sigma > 0) || !(drop.empty() ? b[node] > a[node] : drop[node] > 0)) {
+    return std::nullopt;
+  }
+  if (drop.empty()) {
+    return Weakening{cohesiveZone(modulus, b[node], distance, sigma),
+                     nucleationLength(modulus, a[node], b[node], distance, sigma),
+                     unstableWavelength(modulus, a[node], b[node], distance, sigma),
+                     20 * b[node] * sigma};
+  }
+  const double nucleation = slipWeakeningLength(modulus, drop[node], distance, sigma);
+  return Weakening{slipWeakeningZone(modulus, drop[node], distance, sigma), nucleation, nucleation,
+                   drop[node] * sigma};
+}
+} // namespace
+
 double seismicStep(FaultResolution const& resolution, bool has_mass)
 {
   const double of_slip = 0.01 * resolution.seismic_time;
@@ -98,7 +136,6 @@ std::optional<FaultResolution>
 faultResolution(Mesh<Dim> const& mesh, fem::FaultSurface const& surface, int components,
                 std::vector<fem::Material> const& materials, FrictionOfNodes const& friction)
 {
-  auto const& [a, b, L, sigma_n] = friction;
   auto const sizes = cellSizes(mesh, surface);
   // Minima; values with the opposite sign give maxima.
   std::array<double, 10> mine;
@@ -106,23 +143,24 @@ faultResolution(Mesh<Dim> const& mesh, fem::FaultSurface const& surface, int com
   double weakening = 0;
   bool weakens_everywhere = true;
   for (int i = 0; i < surface.numNodes(); ++i) {
-    if (!(b[i] > a[i]) || !(sigma_n[i] > 0)) {
+    const double modulus = slipModulus(materials[i], components, surface.otherSide());
+    auto const at_node = weakeningAt(i, friction, modulus);
+    if (!at_node) {
       weakens_everywhere = false;
       continue;
     }
     weakening += surface[i].weight;
-    const double modulus = slipModulus(materials[i], components, surface.otherSide());
-    const double zone = cohesiveZone(modulus, b[i], L[i], sigma_n[i]);
+    const double distance = friction.L[i];
     const std::array<double, 10> here = {
       sizes[i].smallest,
       -sizes[i].largest,
-      zone,
-      nucleationLength(modulus, a[i], b[i], L[i], sigma_n[i]),
-      unstableWavelength(modulus, a[i], b[i], L[i], sigma_n[i]),
-      zone / sizes[i].largest,
+      at_node->zone,
+      at_node->nucleation,
+      at_node->wavelength,
+      at_node->zone / sizes[i].largest,
       -sizes[i].height,
-      L[i],
-      L[i] / seismicRate(materials[i], surface.otherSide(), b[i], sigma_n[i]),
+      distance,
+      distance / seismicRate(materials[i], surface.otherSide(), at_node->stress_drop),
       crossingTime(materials[i], sizes[i].smallest)};
     std::transform(here.begin(), here.end(), mine.begin(), mine.begin(),
                    [](double x, double y) { return std::min(x, y); });

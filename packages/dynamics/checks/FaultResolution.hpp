@@ -31,21 +31,31 @@ double nucleationLength(double slip_modulus, double a, double b, double L, doubl
 // Requires b > a.
 double unstableWavelength(double slip_modulus, double a, double b, double L, double sigma_n);
 
+// The same for friction that falls linearly with slip: the cohesive zone at rest (Palmer & Rice
+// 1973), 9 pi / 32 G' d_c / (drop sigma_n), and the length at which slip cannot be stable any more
+// (Uenishi & Rice 2003), 1.158 G' d_c / (drop sigma_n), where drop = mu_s - mu_d > 0.
+double slipWeakeningZone(double slip_modulus, double drop, double distance, double sigma_n);
+double slipWeakeningLength(double slip_modulus, double drop, double distance, double sigma_n);
+
 // The parameters of friction and the normal stress at the nodes of a fault, (num_nodes) each.
 struct FrictionOfNodes
 {
   std::vector<double> a, b;    // direct and evolution effect
-  std::vector<double> L;       // characteristic slip distance [m]
+  std::vector<double> L;       // characteristic slip distance, or d_c [m]
   std::vector<double> sigma_n; // [Pa]
+  // mu_s - mu_d where friction falls with slip; then a and b are empty.
+  std::vector<double> drop = {};
 };
 
-// Extremes over the nodes of all ranks where b > a and the normal stress is positive; lengths in m.
+// Extremes over the nodes of all ranks where friction weakens (b > a, or mu_s > mu_d) and the
+// normal stress is positive; lengths in m. Slip weakening has no shortest wavelength that grows:
+// there it is the nucleation length.
 struct FaultResolution
 {
   double smallest_cell; // length of a facet; in 3D the leg of a right triangle of the same area
   double largest_cell;
   double cohesive_zone;       // smallest
-  double nucleation_length;   // smallest, of the ageing law
+  double nucleation_length;   // smallest, of the ageing law or of slip weakening
   double unstable_wavelength; // smallest
   double cells_per_zone;      // fewest: Lambda0 at a node over the larger cell beside it
   // Height of the cells beside the fault over the length of their facets, largest: 1 for squares
@@ -54,7 +64,8 @@ struct FaultResolution
   double slip_distance = 0; // L, smallest
   // L / V_s, smallest [s], with a seismic slip rate V_s = 20 b sigma_n / Z. The stress drop, about
   // b sigma_n times ln(V_s / plate rate), of about 20, equals the resistance Z V_s of waves or
-  // radiation damping. Z is the shear impedance over the number of sides that deform.
+  // radiation damping. Z is the shear impedance over the number of sides that deform. With slip
+  // weakening the drop is (mu_s - mu_d) sigma_n.
   double seismic_time = 0;
   double crossing_time = 0; // of a shear wave along a facet, smallest [s]
   // Length [m] of the part that weakens, all patches together; in 3D the root of its area.

@@ -79,11 +79,12 @@ RCP<Vector> prescribedAcceleration(Body const& body, double dt)
 
 namespace
 {
-// Where the fault moves, friction is a known force; where it rests, only cohesion can hold it.
+// Where the fault moves, friction is a known force; where it rests, cohesion can hold it, and the
+// friction of a law that bears shear stress at rest.
 struct ForcesAtStart
 {
   BlockView force;   // at the moving nodes
-  NodeView cohesion; // at the resting ones
+  NodeView strength; // at the resting ones [Pa]
 };
 
 ForcesAtStart forcesAtStart(Fault const& fault, Vector const& v, friction::StateAndStress const& at)
@@ -98,20 +99,24 @@ ForcesAtStart forcesAtStart(Fault const& fault, Vector const& v, friction::State
   gatherSlip(surface, v, blocks);
   fault.friction().linearise(blocks, at, gradient, hessian, kinked);
 
-  NodeView cohesion("asperity::dynamics::cohesionAtRest", size);
-  auto const given = fault.laws().cohesion;
+  const NodeView strength("asperity::dynamics::strengthAtRest", size);
+  const NodeView mu("asperity::dynamics::mu", size);
+  const BlockView at_rest("asperity::dynamics::atRest", size, tangents);
+  fault.friction().coefficient(at_rest, at.alpha, mu);
+  auto const cohesion = fault.laws().cohesion;
+  auto const sigma_n = at.sigma_n;
   Kokkos::parallel_for(
     "asperity::dynamics::forcesAtStart", RangePolicy(0, size), KOKKOS_LAMBDA(int node) {
       bool moving = false;
       for (int k = 0; k < tangents; ++k) {
         moving = moving || blocks(node, k) != 0;
       }
-      cohesion(node) = moving ? 0 : given(node);
+      strength(node) = moving ? 0 : cohesion(node) + sigma_n(node) * mu(node);
       for (int k = 0; k < tangents; ++k) {
         gradient(node, k) = moving ? gradient(node, k) : 0;
       }
     });
-  return {gradient, cohesion};
+  return {gradient, strength};
 }
 } // namespace
 
@@ -143,7 +148,7 @@ RCP<Vector> initialAcceleration(Body const& body, Fault const& fault,
     auto const solver = makeRateSolver(fem::combine(body.matrices, fem::ofMass(), body.held), body,
                                        surface, mass_settings);
     solver->begin(*b, *a);
-    auto const kernels = fault.frictionWith(forces.cohesion);
+    auto const kernels = fault.frictionWith(forces.strength);
     const NodeView no_stress("asperity::dynamics::noStress", surface.numNodes());
     auto const result = solver->solve({*kernels, {at.alpha, no_stress}});
     if (!result.converged) {

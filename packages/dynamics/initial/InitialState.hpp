@@ -16,9 +16,9 @@ RCP<Vector> staticDisplacement(Body const& body, RateSolverSettings const& setti
 RCP<Vector> prescribedAcceleration(Body const& body, double dt);
 
 // The acceleration that balances momentum at a given motion, state and normal stress: a minimises
-//   1/2 <M a, a> - <l - C v - K u - f(v, alpha), a> + sum over nodes at rest of weight cohesion |a|
+//   1/2 <M a, a> - <l - C v - K u - f(v, alpha), a> + sum over nodes at rest of weight strength |a|
 // over all a with the prescribed acceleration, start.a; a node at rest stays at rest if its
-// cohesion can hold it. Throws SolveError if a is not found.
+// strength, cohesion + sigma_n mu(0, alpha), can hold it. Throws SolveError if a is not found.
 RCP<Vector> initialAcceleration(Body const& body, Fault const& fault,
                                 RateSolverSettings const& settings, Vector const& load,
                                 Motion const& start, friction::StateAndStress const& at);

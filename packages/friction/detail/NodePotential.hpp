@@ -29,6 +29,15 @@ KOKKOS_INLINE_FUNCTION double termsOf(Curve const& curve, double V)
   }
 }
 
+template <class Curve, class = void>
+struct HasOnset : std::false_type
+{
+};
+template <class Curve>
+struct HasOnset<Curve, std::void_t<decltype(std::declval<Curve const&>().onset())>> : std::true_type
+{
+};
+
 // psi(w) = weight [ sigma_n mubar(c |w|) / c + cohesion |w| ] at one node and one state.
 template <class Curve>
 struct NodePotential
@@ -67,11 +76,20 @@ struct NodePotential
     return strength == 0 ? 0 : strength * factor * curve.derivative(factor * s);
   }
 
+  // The largest force [N] that a node at rest bears: d psi / d|w| just above |w| = 0.
+  KOKKOS_INLINE_FUNCTION double forceAtRest() const
+  {
+    if constexpr (HasOnset<Curve>::value) {
+      return weight * (sigma_n * curve.onset() + cohesion);
+    } else {
+      return weight * cohesion;
+    }
+  }
+
   // Whether psi has no second derivative at vectors of length s.
   KOKKOS_INLINE_FUNCTION bool kinkedAt(double s) const
   {
-    return (s == 0 && weight * cohesion > 0) ||
-           (weight * sigma_n > 0 && curve.kinkedAt(factor * s));
+    return (s == 0 && forceAtRest() > 0) || (weight * sigma_n > 0 && curve.kinkedAt(factor * s));
   }
 
   // The length of argmin_w curvature/2 |w|^2 - <r, w> + psi(w) for |r| = load.
@@ -81,7 +99,7 @@ struct NodePotential
     if (!(curvature > 0) || !isFinite(excess)) {
       return {0, false};
     }
-    if (excess <= 0) {
+    if (load <= forceAtRest()) {
       return {0, true};
     }
     RateSolve<Curve> solve(curve, curvature / factor, weight * sigma_n, excess);

@@ -76,6 +76,7 @@ struct RegularisedLaw
   }
 
   static Sensitivity sensitivity(double const* values) { return DirectEffect::sensitivity(values); }
+  static double referenceFriction(double const* values) { return values[3]; }
 
   KOKKOS_INLINE_FUNCTION Curve at(double alpha) const { return {effect.a, effect.shift(alpha)}; }
 

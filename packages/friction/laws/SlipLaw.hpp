@@ -1,5 +1,6 @@
 #pragma once
 
+#include "friction/laws/SlipRelaxation.hpp"
 #include "friction/laws/StateParameters.hpp"
 
 namespace asperity::friction
@@ -15,23 +16,14 @@ struct SlipLaw : StateParameters
     return {StateParameters::load(values, node)};
   }
 
-  // d(alpha)/dt in 1/s. It is 0 at V = 0: without slip the state does not change.
   KOKKOS_INLINE_FUNCTION double rate(double V, double alpha) const
   {
-    return V == 0 ? 0 : -V / slip_distance * (logRatio(V) + alpha);
+    return detail::relaxationRate(V, slip_distance, alpha, steadyState(V));
   }
 
-  // alpha after dt at constant V: the distance beta = alpha - alpha_ss from the steady state
-  // shrinks by exp(-q), q = V dt / L.
   KOKKOS_INLINE_FUNCTION double flow(double V, double dt, double alpha0) const
   {
-    const double q = V * dt / slip_distance;
-    if (q == 0) {
-      return alpha0;
-    }
-    const double steady = steadyState(V);
-    const double beta = alpha0 - steady;
-    return q < 0.5 ? alpha0 + beta * math::expm1(-q) : steady + beta * math::exp(-q);
+    return detail::relaxed(V, dt, slip_distance, alpha0, steadyState(V));
   }
 
   KOKKOS_INLINE_FUNCTION double steadyState(double V) const { return -logRatio(V); }

@@ -79,6 +79,7 @@ struct TruncatedLaw
   }
 
   static Sensitivity sensitivity(double const* values) { return DirectEffect::sensitivity(values); }
+  static double referenceFriction(double const* values) { return values[3]; }
 
   KOKKOS_INLINE_FUNCTION Curve at(double alpha) const { return {effect.a, effect.shift(alpha)}; }
 

@@ -8,7 +8,19 @@ namespace asperity::platforms
 {
 namespace
 {
-Columns scecFault(ModelView const& view)
+// theta where the state law has it, psi where friction depends on that, else no state.
+void addState(Columns& columns, io::FieldRegistry const& fields)
+{
+  if (fields.hasField("fault", "theta")) {
+    columns.push_back({"log10 of state variable (log-seconds)", "log-theta", "theta",
+                       first_component, decimalLogarithm});
+  } else if (fields.hasField("fault", "psi")) {
+    columns.push_back(
+      {"state variable psi (dimensionless)", "psi", "psi", first_component, unchanged});
+  }
+}
+
+Columns scecFault(ModelView const& view, io::FieldRegistry const& fields)
 {
   const bool in_space = view.plane.has_value();
   const bool along_strike = view.antiplane || view.is_level;
@@ -17,15 +29,16 @@ Columns scecFault(ModelView const& view)
   const Direction h = in_space ? view.plane->strike : first_component;
   const Direction v = in_space ? view.plane->dip : first_component;
   char const* rate = in_space ? "slip_velocity" : "slip_rate";
-  return {{"horizontal slip (m)", "h-slip", along("slip"), h, unchanged},
-          {"horizontal slip rate (m/s)", "h-slip-rate", along(rate), h, unchanged},
-          {"horizontal shear stress (MPa)", "h-shear-stress", along("traction"), h, megapascal},
-          {"vertical slip (m)", "v-slip", down("slip"), v, unchanged},
-          {"vertical slip rate (m/s)", "v-slip-rate", down(rate), v, unchanged},
-          {"vertical shear stress (MPa)", "v-shear-stress", down("traction"), v, megapascal},
-          {"normal stress (MPa)", "n-stress", "normal_stress", first_component, megapascal},
-          {"log10 of state variable (log-seconds)", "log-theta", "theta", first_component,
-           decimalLogarithm}};
+  Columns columns = {
+    {"horizontal slip (m)", "h-slip", along("slip"), h, unchanged},
+    {"horizontal slip rate (m/s)", "h-slip-rate", along(rate), h, unchanged},
+    {"horizontal shear stress (MPa)", "h-shear-stress", along("traction"), h, megapascal},
+    {"vertical slip (m)", "v-slip", down("slip"), v, unchanged},
+    {"vertical slip rate (m/s)", "v-slip-rate", down(rate), v, unchanged},
+    {"vertical shear stress (MPa)", "v-shear-stress", down("traction"), v, megapascal},
+    {"normal stress (MPa)", "n-stress", "normal_stress", first_component, megapascal}};
+  addState(columns, fields);
+  return columns;
 }
 
 // The directions along strike, vertical and across the fault; null: the model has none.
@@ -89,8 +102,8 @@ public:
     if (auto const* receivers = offers.find<catalogue::Receivers>()) {
       addStations(
         *files, platform, context, *receivers,
-        [=](ModelView const& view) {
-          return Stations::Kind{"fault", "on fault", scecFault(view), time_step};
+        [=, &context](ModelView const& view) {
+          return Stations::Kind{"fault", "on fault", scecFault(view, context.fields), time_step};
         },
         [=](ModelView const& view) {
           return Stations::Kind{"body", "off fault", scecBody(view), time_step};

@@ -33,17 +33,18 @@ std::string messageOfOutOfRange(Call const& call)
 
 TEST(Registry, HoldsTheLawsOfThisPackage)
 {
-  EXPECT_EQ(frictionLaws().names(), (Names{"Regularised", "Truncated"}));
-  EXPECT_EQ(stateLaws().names(), (Names{"Ageing", "Slip"}));
+  EXPECT_EQ(frictionLaws().names(), (Names{"Regularised", "Slip Weakening", "Truncated"}));
+  EXPECT_EQ(stateLaws().names(),
+            (Names{"Ageing", "Flash Heating", "Slip", "Slip Weakening", "Strong Rate Weakening"}));
 }
 
 TEST(Registry, HasATableOfParametersForEachLaw)
 {
-  for (auto const& name : frictionLaws().names()) {
+  for (auto const& name : {"Regularised", "Truncated"}) {
     EXPECT_EQ(parameterNames(frictionLaws().at(name).parameters),
               (Names{"a", "b", "Reference Slip Rate", "Reference Friction Coefficient"}));
   }
-  for (auto const& name : stateLaws().names()) {
+  for (auto const& name : {"Ageing", "Slip"}) {
     EXPECT_EQ(parameterNames(stateLaws().at(name).parameters),
               (Names{"L", "Reference Slip Rate", "c"}));
   }
@@ -61,18 +62,34 @@ TEST(Registry, HasATableOfParametersForEachLaw)
 TEST(Registry, KnowsWhatTheLawsSayOfThemselves)
 {
   const double effects[] = {0.01, 0.015, 1e-6, 0.6}, state[] = {0.02, 1e-5};
-  for (auto const& name : frictionLaws().names()) {
+  for (auto const& name : {"Regularised", "Truncated"}) {
     const auto sensitivity = frictionLaws().at(name).sensitivity(effects);
     EXPECT_EQ(sensitivity.slip_rate, 0.01);
     EXPECT_EQ(sensitivity.state, 0.015);
     EXPECT_NE(std::string(frictionLaws().at(name).parameters[0].hint).find("typical"),
               std::string::npos);
   }
-  for (auto const& name : stateLaws().names()) {
+  for (auto const& name : {"Ageing", "Slip"}) {
     EXPECT_EQ(stateLaws().at(name).slip_distance(state), 0.02);
     EXPECT_DOUBLE_EQ(stateLaws().at(name).theta_scale(state), 2000);
   }
-  EXPECT_EQ(stateLaws().registrations(), (Names{"state law 'Ageing'", "state law 'Slip'"}));
+  const double coefficients[] = {0.7, 0.5};
+  EXPECT_DOUBLE_EQ(frictionLaws().at("Slip Weakening").strength_drop(coefficients), 0.2);
+  EXPECT_FALSE(frictionLaws().at("Slip Weakening").sensitivity);
+  EXPECT_EQ(stateLaws().registrations()[0], "state law 'Ageing'");
+}
+
+TEST(Registry, KnowsWhichStateALawDependsOn)
+{
+  for (auto const& friction : frictionLaws().names()) {
+    for (auto const& state : stateLaws().names()) {
+      const bool both_or_none = (friction == "Slip Weakening") == (state == "Slip Weakening");
+      EXPECT_EQ(std::string(frictionLaws().at(friction).state_variable) ==
+                  stateLaws().at(state).state_variable,
+                both_or_none)
+        << friction << ' ' << state;
+    }
+  }
 }
 
 TEST(Registry, NamesTheKnownLawsWhereOneIsUnknown)
@@ -81,13 +98,13 @@ TEST(Registry, NamesTheKnownLawsWhereOneIsUnknown)
   for (auto const& message :
        {messageOfOutOfRange([] { frictionLaws().at("Regularized").parameters; }),
         messageOfOutOfRange([] { makeFrictionKernels("Regularized", FaultView()); })}) {
-    EXPECT_EQ(
-      message,
-      "'Regularized' is not a known friction law. Choose one of 'Regularised', 'Truncated'.");
+    EXPECT_EQ(message, "'Regularized' is not a known friction law. Choose one of 'Regularised', "
+                       "'Slip Weakening', 'Truncated'.");
   }
   for (auto const& message : {messageOfOutOfRange([] { stateLaws().at("Aging").parameters; }),
                               messageOfOutOfRange([&none] { makeStateKernels("Aging", none); })}) {
-    EXPECT_EQ(message, "'Aging' is not a known state law. Choose one of 'Ageing', 'Slip'.");
+    EXPECT_EQ(message, "'Aging' is not a known state law. Choose one of 'Ageing', 'Flash Heating', "
+                       "'Slip', 'Slip Weakening', 'Strong Rate Weakening'.");
   }
 }
 

@@ -101,6 +101,7 @@ dynamics::Fault makeFault(ParameterList const& list, FieldNodes const& nodes,
                           dynamics::NormalStress const& normal_stress,
                           std::vector<double> const& radiation_damping)
 {
+  requireSameState(list);
   auto const stress = normal_stress.following(normalStressChange(list), normalStressFloor(list));
   std::vector<double> c_over_b;
   onEveryRank(*surface->communicator(), [&] {

@@ -80,6 +80,27 @@ void declareLaws(Declare& declare)
                 "Selects the law by which the state evolves.");
 }
 
+void requireSameState(ParameterList const& list)
+{
+  const std::string needed = chosenFrictionLaw(list).state_variable;
+  const std::string evolves = chosenStateLaw(list).state_variable;
+  if (needed == evolves) {
+    return;
+  }
+  std::string others;
+  auto const& laws = friction::stateLaws();
+  for (auto const& name : laws.names()) {
+    if (needed == laws.at(name).state_variable) {
+      others += (others.empty() ? "" : ", ") + name;
+    }
+  }
+  throw InputError(joinPath(friction_path, state_choice) + " = " +
+                   list.get<std::string>(state_choice) + " evolves the " + evolves + ", but " +
+                   joinPath(friction_path, friction_choice) + " = " +
+                   list.get<std::string>(friction_choice) + " depends on the " + needed +
+                   ". State laws for it: " + others + ".");
+}
+
 friction::ParameterView frictionLawValues(ParameterList const& list, FieldNodes const& nodes)
 {
   return valuesOnDevice(chosenFrictionLaw(list).parameters, list, nodes);
@@ -101,6 +122,19 @@ std::optional<std::vector<double>> slipDistances(ParameterList const& list, Fiel
 {
   auto const& law = chosenStateLaw(list);
   return ofNodes(law.slip_distance, law.parameters, list, nodes);
+}
+
+std::optional<std::vector<double>> referenceFriction(ParameterList const& list,
+                                                     FieldNodes const& nodes)
+{
+  auto const& law = chosenFrictionLaw(list);
+  return ofNodes(law.reference_friction, law.parameters, list, nodes);
+}
+
+std::optional<std::vector<double>> strengthDrops(ParameterList const& list, FieldNodes const& nodes)
+{
+  auto const& law = chosenFrictionLaw(list);
+  return ofNodes(law.strength_drop, law.parameters, list, nodes);
 }
 
 std::optional<std::vector<double>> thetaScales(ParameterList const& list, FieldNodes const& nodes)

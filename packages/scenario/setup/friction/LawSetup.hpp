@@ -14,6 +14,9 @@ namespace asperity::scenario
 // Declares the choices of the two laws, and for every law the parameters of its table.
 void declareLaws(Declare& declare);
 
+// Throws InputError if the friction law does not depend on the state of the state law.
+void requireSameState(ParameterList const& list);
+
 // Values of the chosen law's parameters at fault nodes (num_parameters, num_nodes), on the device.
 friction::ParameterView frictionLawValues(ParameterList const& list, FieldNodes const& nodes);
 friction::ParameterView stateLawValues(ParameterList const& list, FieldNodes const& nodes);
@@ -23,6 +26,10 @@ friction::ParameterView stateLawValues(ParameterList const& list, FieldNodes con
 std::optional<std::vector<friction::Sensitivity>> sensitivities(ParameterList const& list,
                                                                 FieldNodes const& nodes);
 std::optional<std::vector<double>> slipDistances(ParameterList const& list,
+                                                 FieldNodes const& nodes);
+std::optional<std::vector<double>> referenceFriction(ParameterList const& list,
+                                                     FieldNodes const& nodes);
+std::optional<std::vector<double>> strengthDrops(ParameterList const& list,
                                                  FieldNodes const& nodes);
 std::optional<std::vector<double>> thetaScales(ParameterList const& list, FieldNodes const& nodes);
 

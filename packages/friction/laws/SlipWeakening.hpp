@@ -1,0 +1,91 @@
+#pragma once
+
+#include "friction/LawProperties.hpp"
+#include "friction/Types.hpp"
+#include "friction/detail/Math.hpp"
+
+namespace asperity::friction
+{
+// Coulomb friction that falls with slip (Ida 1972): mu = mu_s - (mu_s - mu_d) alpha, independent of
+// V > 0, with the share alpha = min(slip / d_c, 1) of the weakening that SlipWeakeningState has. At
+// V = 0 the fault bears any shear stress up to mu sigma_n. Host and device.
+struct SlipWeakeningLaw
+{
+  static constexpr char const* name = "Slip Weakening";
+  static constexpr char const* state_variable = "share of slip weakening";
+  static constexpr Parameter parameters[] = {
+    {"Static Friction Coefficient", "-", no_default, 0, infinity, true, false,
+     "The fault begins to slip at this coefficient mu_s.", "Check the sign."},
+    {"Dynamic Friction Coefficient", "-", no_default, 0, infinity, true, false,
+     "Friction has this coefficient mu_d after slip by the slip-weakening distance.",
+     "Check the sign."},
+  };
+  static double strengthDrop(double const* values) { return values[0] - values[1]; }
+
+  // The law at one state.
+  struct Curve
+  {
+    double level; // mu
+
+    KOKKOS_INLINE_FUNCTION double onset() const { return level; }
+    KOKKOS_INLINE_FUNCTION double mu(double) const { return level; }
+    KOKKOS_INLINE_FUNCTION double derivative(double) const { return 0; }
+    KOKKOS_INLINE_FUNCTION Response response(double) const { return {level, 0, 0}; }
+    KOKKOS_INLINE_FUNCTION double mean(double, double) const { return level; }
+    KOKKOS_INLINE_FUNCTION bool kinkedAt(double) const { return false; }
+  };
+
+  double static_friction;  // mu_s
+  double dynamic_friction; // mu_d
+
+  KOKKOS_INLINE_FUNCTION static SlipWeakeningLaw load(ParameterView const& values, int node)
+  {
+    return {values(0, node), values(1, node)};
+  }
+
+  KOKKOS_INLINE_FUNCTION Curve at(double alpha) const
+  {
+    const double share = detail::larger(0, detail::smaller(alpha, 1));
+    return {static_friction + (dynamic_friction - static_friction) * share};
+  }
+
+  // The alpha at which mu(V, alpha) = mu; not a finite number unless mu lies between mu_s and mu_d.
+  KOKKOS_INLINE_FUNCTION double stateFor(double, double mu) const
+  {
+    const double alpha = (static_friction - mu) / (static_friction - dynamic_friction);
+    return alpha >= 0 && alpha <= 1 ? alpha : infinity;
+  }
+};
+
+// d(alpha)/dt = V / d_c until alpha = 1, where it stays. Host and device; V >= 0 in m/s.
+struct SlipWeakeningState
+{
+  static constexpr char const* name = "Slip Weakening";
+  static constexpr char const* state_variable = SlipWeakeningLaw::state_variable;
+  static constexpr Parameter parameters[] = {
+    {"Slip-Weakening Distance", "m", no_default, 0, infinity, false, false,
+     "Friction falls from its static to its dynamic coefficient, linearly over this slip d_c."},
+  };
+  static double slipDistance(double const* values) { return values[0]; }
+
+  double distance; // d_c, m
+
+  KOKKOS_INLINE_FUNCTION static SlipWeakeningState load(ParameterView const& values, int node)
+  {
+    return {values(0, node)};
+  }
+
+  KOKKOS_INLINE_FUNCTION double rate(double V, double alpha) const
+  {
+    return alpha < 1 ? V / distance : 0;
+  }
+
+  KOKKOS_INLINE_FUNCTION double flow(double V, double dt, double alpha0) const
+  {
+    return detail::larger(alpha0, detail::smaller(alpha0 + V * dt / distance, 1));
+  }
+
+  // Slip alone decides, so that no slip rate has one.
+  KOKKOS_INLINE_FUNCTION double steadyState(double) const { return infinity; }
+};
+} // namespace asperity::friction
