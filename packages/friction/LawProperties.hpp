@@ -41,6 +41,8 @@ struct StateLawProperties
   // c [-] of Linker and Dieterich's term, d(alpha) = -(c / b) d(ln sigma_n), which is added to the
   // law's own evolution; b is the friction law's.
   std::function<double(double const* values)> stress_sensitivity = {};
+  // Whether steady friction falls more at high slip rates than a and b say.
+  bool weakens_at_high_rates = false;
   char const* state_variable = logarithm_of_theta;
 };
 } // namespace asperity::friction

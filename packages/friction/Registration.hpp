@@ -60,6 +60,17 @@ char const* stateVariableOf(long)
 }
 
 template <class Law>
+auto weakensAtHighRatesOf(int) -> decltype(Law::weakens_at_high_rates)
+{
+  return Law::weakens_at_high_rates;
+}
+template <class Law>
+bool weakensAtHighRatesOf(long)
+{
+  return false;
+}
+
+template <class Law>
 struct RegisteredFrictionLaw : FrictionLaw
 {
   RegisteredFrictionLaw()
@@ -84,6 +95,7 @@ struct RegisteredStateLaw : StateLaw
     slip_distance = slipDistanceOf<Law>(0);
     theta_scale = thetaScaleOf<Law>(0);
     stress_sensitivity = stressSensitivityOf<Law>(0);
+    weakens_at_high_rates = weakensAtHighRatesOf<Law>(0);
     state_variable = stateVariableOf<Law>(0);
     make_kernels = [](ParameterView const& values) {
       return std::make_unique<LawStateKernels<Law>>(values);

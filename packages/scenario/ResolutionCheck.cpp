@@ -3,6 +3,7 @@
 #include "base/Errors.hpp"
 #include "base/Text.hpp"
 #include "base/parallel/Reductions.hpp"
+#include "friction/Registry.hpp"
 #include "friction/laws/AgeingLaw.hpp"
 #include "friction/laws/SlipWeakening.hpp"
 #include "mesh/MeshQuality.hpp"
@@ -184,7 +185,9 @@ std::vector<Warning> warnOfResolution(dynamics::FaultResolution const& resolutio
   const double needed = has_formula ? resolution.nucleation_length : resolution.unstable_wavelength;
   // The length is that of an endless fault. A part of length l that ends at a free surface acts as
   // one of length 2 l, hence the factor.
-  if (!resolution.weakens_everywhere && needed > 2 * resolution.weakening_length) {
+  const bool creeps_if_short = !friction::stateLaws().at(state_law).weakens_at_high_rates;
+  if (creeps_if_short && !resolution.weakens_everywhere &&
+      needed > 2 * resolution.weakening_length) {
     warnings.push_back(
       {"nucleation length",
        std::string(has_formula ? "the nucleation length" : "the shortest length that is unstable") +

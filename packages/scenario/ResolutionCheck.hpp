@@ -26,7 +26,8 @@ std::vector<std::string> describeSize(Problem<Dim> const& problem);
 std::vector<std::string> describe(dynamics::FaultResolution const& resolution,
                                   std::string const& state_law, std::string const& mesh_type);
 // Warns if there are fewer than three cells per cohesive zone, and if only a part of the fault
-// weakens and is less than half as long as the nucleation length.
+// weakens and is less than half as long as the nucleation length, unless the state law weakens
+// friction at high slip rates more than a and b say.
 std::vector<Warning> warnOfResolution(dynamics::FaultResolution const& resolution,
                                       std::string const& state_law);
 

@@ -35,6 +35,7 @@ struct RateWeakening
      "Steady friction falls at slip rates above this one, V_w."},
   };
   static double slipDistance(double const* values) { return values[2]; }
+  static constexpr bool weakens_at_high_rates = true;
 
   double a;
   double b;
