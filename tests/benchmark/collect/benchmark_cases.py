@@ -162,14 +162,21 @@ VERTICAL_IN_SPACE = (
 )
 
 
-def of_tpv101(arrivals, slips):
+def of_rupture(arrivals, slips, seconds=6):
+    """arrivals: {x [m]: s}, slips: {receiver, named by its distance: m}"""
     return (*(Quantity(f"arrival at {place / 1e3:g} km", "s", of.arrival(place), reference)
               for place, reference in arrivals.items()),
-            *(Quantity(f"slip after 6 s at {int(name[2:]) / 10:g} km", "m", of.final_slip(name),
-                       reference) for name, reference in slips.items()))
+            *(Quantity(f"slip after {seconds} s at {int(name[2:]) / 10:g} km", "m",
+                       of.final_slip(name), reference) for name, reference in slips.items()))
 
 
-TPV101 = of_tpv101({0: 0.569, 2500: 1.657, 5000: 2.615, 7500: 3.474, 9000: 3.978, 12000: 4.974},
+TPV103 = of_rupture({0: 0.571, 2500: 1.355, 5000: 1.941, 7500: 2.937, 9000: 3.500, 12000: 4.531},
+                    {"st000": 17.36, "st050": 12.31, "st090": 9.75})
+# Of tests/benchmark/time_scales/boundary_integral.py with nodes 50 m apart.
+TPV5 = of_rupture({-12000: 2.802, -7500: 1.836, -4500: 1.533, 4500: 1.533, 7500: 2.654, 12000: 4.365},
+                  {"st-120": 4.103, "st-075": 6.778, "st-045": 7.002, "st045": 6.110,
+                   "st075": 4.797, "st120": 3.532}, seconds=8)
+TPV101 = of_rupture({0: 0.569, 2500: 1.657, 5000: 2.615, 7500: 3.474, 9000: 3.978, 12000: 4.974},
                    {"st000": 10.16, "st050": 7.25, "st090": 5.62})
 RUPTURES = (
     Case("tpv101_2d", "TPV101 in plane strain, cells of 100 m", "tpv101", 0.5, (*TPV101, BALANCE),
@@ -182,6 +189,17 @@ RUPTURES = (
          (*(dataclasses.replace(quantity, reference=None) for quantity in TPV101), BALANCE),
          "`tpv101_2d`", against="tpv101_2d",
          in_index=("arrival at 9 km", "slip after 6 s at 5 km")),
+    Case("tpv103_2d", "TPV103 in plane strain, cells of 100 m", "weakening", 0.3,
+         (*TPV103, BALANCE), "reference values"),
+    Case("tpv103_2d_50m", "TPV103 in plane strain, cells of 50 m", "weakening", 2,
+         (*TPV103, BALANCE), "reference values", deck="tpv103_2d",
+         settings=("Mesh/Rectangle/Cell Size Factor=0.5",),
+         in_index=("arrival at 9 km", "slip after 6 s at 5 km")),
+    Case("tpv5_2d", "TPV5 in plane strain, cells of 100 m", "weakening", 0.5, (*TPV5, BALANCE),
+         "boundary integrals"),
+    Case("tpv5_2d_50m", "TPV5 in plane strain, cells of 50 m", "weakening", 4, (*TPV5, BALANCE),
+         "boundary integrals", deck="tpv5_2d", settings=("Mesh/Rectangle/Cell Size Factor=0.5",),
+         in_index=("arrival at 12 km", "slip after 8 s at 7.5 km")),
     Case("tpv101_3d", "TPV101 in space, cells of 400 m", "tpv101", 7, (
         *(Quantity(f"arrival at {place / 1e3:g} km along strike", "s", of.arrival(place, 7500),
                    reference) for place, reference in ((4500, 2.77), (9000, 4.80))), BALANCE),

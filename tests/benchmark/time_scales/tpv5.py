@@ -1,5 +1,5 @@
-"""TPV5 in plane strain with cells of 50 m: when the rupture arrives and how much has slipped after 8 s, against the
-same rupture by boundary integrals."""
+"""TPV5 in plane strain with cells of 50 m: when the rupture arrives and how much has slipped after
+8 s, against the same rupture by boundary integrals."""
 
 import math
 import sys
