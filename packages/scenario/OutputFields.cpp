@@ -4,6 +4,7 @@
 #include "catalogue/stress/CoulombPlanes.hpp"
 #include "catalogue/stress/StressFields.hpp"
 #include "fem/inelastic/InelasticCells.hpp"
+#include "scenario/setup/friction/FaultNodes.hpp"
 #include "scenario/setup/friction/LawSetup.hpp"
 
 #include <cmath>
@@ -90,7 +91,7 @@ template <int Dim>
 void registerState(io::FieldRegistry& registry, Problem<Dim> const& problem, RunView const& view,
                    ParameterList const& friction)
 {
-  const FieldNodes nodes(problem.mesh, problem.surface->vertices());
+  auto const nodes = faultNodes(problem.mesh, *problem.surface, friction);
   auto const reference = referenceFriction(friction, nodes);
   auto const effects = sensitivities(friction, nodes);
   if (reference && effects) {

@@ -24,6 +24,7 @@
 #include "scenario/setup/conditions/BoundaryChecks.hpp"
 #include "scenario/setup/conditions/FreeFault.hpp"
 #include "scenario/setup/friction/FaultLoads.hpp"
+#include "scenario/setup/friction/FaultNodes.hpp"
 #include "scenario/setup/friction/FrictionSetup.hpp"
 
 #include <Tpetra_CrsMatrix.hpp>
@@ -323,7 +324,7 @@ Problem<Dim> makeProblem(ParameterList const& deck, RCP<const Communicator> cons
     fem::assembleBody<Dim>(of.mesh, *of.dofs, of.frames(), of.rock.materials, of.rock.branches);
   auto const surface = makeSurface(of, matrices);
   auto const fault_materials = fem::materialsAtNodes(of.mesh, *surface, of.rock.materials);
-  const FieldNodes nodes(of.mesh, surface->vertices());
+  auto const nodes = faultNodes(of.mesh, *surface, friction);
   auto const eta = radiationDamping(bulk, nodes, surface->otherSide(), fault_materials);
   matrices.viscosity = dampedViscosity(of, matrices.viscosity, bulk, *surface, eta);
   if (quasiDynamic(bulk)) {

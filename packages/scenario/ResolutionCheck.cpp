@@ -10,6 +10,7 @@
 #include "scenario/setup/BulkSetup.hpp"
 #include "scenario/setup/DeckPaths.hpp"
 #include "scenario/setup/TimeSetup.hpp"
+#include "scenario/setup/friction/FaultNodes.hpp"
 #include "scenario/setup/friction/LawSetup.hpp"
 #include "tnnmg/multigrid/MultigridCorrection.hpp"
 
@@ -98,7 +99,7 @@ template <int Dim>
 std::optional<dynamics::FaultResolution> faultResolution(Problem<Dim> const& problem,
                                                          ParameterList const& friction)
 {
-  const FieldNodes nodes(problem.mesh, problem.surface->vertices());
+  auto const nodes = faultNodes(problem.mesh, *problem.surface, friction);
   auto const sensitivity = sensitivities(friction, nodes);
   auto const drop = strengthDrops(friction, nodes);
   auto const slip_distance = slipDistances(friction, nodes);

@@ -7,6 +7,7 @@
 #include "scenario/setup/BulkSetup.hpp"
 #include "scenario/setup/DeckPaths.hpp"
 #include "scenario/setup/NodalField.hpp"
+#include "scenario/setup/friction/FaultNodes.hpp"
 
 #include <Tpetra_Vector.hpp>
 
@@ -127,7 +128,7 @@ makeInitialState(ParameterList const& deck, Mesh<Dim> const& mesh, fem::NodalFra
   const int num_nodes = fault.surface().numNodes();
   std::vector<int> owned(mesh.num_owned);
   std::iota(owned.begin(), owned.end(), 0);
-  const FieldNodes at_fault(mesh, fault.surface().vertices());
+  auto const at_fault = faultNodes(mesh, fault.surface(), deck.sublist("Friction"));
   dynamics::State state;
   state.u = start.displacement;
   state.v = initialVelocity(list, FieldNodes(mesh, owned), body, frames);

@@ -75,6 +75,7 @@ NodalField::NodalField(Field field, FieldNodes const& nodes) : field_(std::move(
   } else {
     places_ = nodes.places;
     regions_ = nodes.regions;
+    samples_ = nodes.samples;
   }
 }
 
@@ -85,9 +86,21 @@ std::vector<double> NodalField::at(double t) const
   }
   std::vector<double> values;
   for (std::size_t i = 0; i < places_.size(); ++i) {
-    values.push_back(field_(places_[i], t, regions_[i]));
+    values.push_back(samples_ ? mean(i, t) : field_(places_[i], t, regions_[i]));
   }
   return values;
+}
+
+// Relative to the first value, so that the mean of a constant is the constant.
+double NodalField::mean(std::size_t node, double t) const
+{
+  const std::size_t begin = node == 0 ? 0 : samples_->end[node - 1];
+  const double first = field_(samples_->places[begin], t, regions_[node]);
+  double sum = 0;
+  for (std::size_t k = begin + 1; k < samples_->end[node]; ++k) {
+    sum += samples_->weights[k] * (field_(samples_->places[k], t, regions_[node]) - first);
+  }
+  return first + sum;
 }
 
 std::vector<double> nodalValues(ParameterList const& list, std::string const& name,

@@ -5,11 +5,20 @@
 #include "parameters/fields/Field.hpp"
 
 #include <array>
+#include <memory>
 #include <string>
 #include <vector>
 
 namespace asperity::scenario
 {
+// Points around nodes, over which fields are averaged.
+struct FieldSamples
+{
+  std::vector<std::array<double, 3>> places; // [m], those of one node side by side
+  std::vector<double> weights;               // of the points; those of a node sum to 1
+  std::vector<std::size_t> end;              // (num_nodes) behind the last point of the node
+};
+
 // Some local vertices of a mesh, at which fields of a deck are evaluated.
 struct FieldNodes
 {
@@ -24,6 +33,9 @@ struct FieldNodes
   std::vector<std::array<double, 3>> places; // (num_nodes) [m] as expressions see them
   std::vector<int> regions;                  // (num_nodes) of the first cell that has the vertex
   std::vector<long long> ids;                // (num_nodes) global ones
+  // Where it is given, an expression or a constant has its mean over these points, in the region of
+  // the node. Datasets have values at nodes.
+  std::shared_ptr<const FieldSamples> samples;
 };
 
 // The values of a field at nodes.
@@ -37,9 +49,12 @@ public:
   std::vector<double> at(double t) const;
 
 private:
+  double mean(std::size_t node, double t) const;
+
   Field field_;
   std::vector<std::array<double, 3>> places_;
   std::vector<int> regions_;
+  std::shared_ptr<const FieldSamples> samples_;
   std::vector<double> values_; // of a dataset
 };
 

@@ -43,6 +43,19 @@ TEST(FaultLoads, FollowAShearTractionInSpaceAndTime)
   expectNear(tractionAt(moving, 0), {100, 200, 300});
 }
 
+// Nodes at 0, 1 and 2 m: the shares of [0, 1.25] under their basis functions. Their sum has the
+// integral of the field, whatever the cells are.
+TEST(FaultLoads, AreMeansWhereTheDeckSaysSo)
+{
+  auto const problem = makeProblem<2>(strip([](auto& deck) {
+                                        deck.sublist("Friction")
+                                          .set("Field Values", "Means")
+                                          .set("Shear Traction", "x < 1.25 ? 100 : 0");
+                                      }),
+                                      world());
+  expectNear(tractionAt(problem, 0), {100, 71.875, 6.25});
+}
+
 TEST(FaultLoads, KeepGravityBesideATractionInTime)
 {
   auto const problem = makeProblem<2>(

@@ -2,6 +2,7 @@
 
 #include "base/parallel/Agreement.hpp"
 #include "scenario/setup/DeckPaths.hpp"
+#include "scenario/setup/friction/FaultNodes.hpp"
 #include "scenario/setup/friction/LawSetup.hpp"
 
 namespace asperity::scenario
@@ -10,6 +11,7 @@ RCP<const ParameterList> frictionParameters()
 {
   Declare declare;
   declareLaws(declare);
+  declareFieldValues(declare);
   declare
     .field("Cohesion", 0., "Pa", Range::atLeast(0),
            "The fault bears this shear stress even without normal stress.")
