@@ -8,6 +8,7 @@
 #include "parameters/ParameterValue.hpp"
 #include "scenario/setup/DeckPaths.hpp"
 #include "scenario/setup/ParameterTable.hpp"
+#include "scenario/setup/StressAtStart.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -25,8 +26,6 @@ constexpr char const* poisson = "Poisson's Ratio";
 constexpr char const* radiation_damping = "Radiation Damping";
 constexpr char const* law_choice = "Law";
 constexpr char const* in_regions = "Regions";
-constexpr char const* initial_stress = "Initial Stress";
-constexpr std::array<char const*, 6> stress_names = {"XX", "XY", "XZ", "YY", "YZ", "ZZ"};
 
 void declareLaw(Declare& declare, std::string const& meaning)
 {
@@ -40,16 +39,6 @@ RCP<const ParameterList> lawsOfRegions()
   return Declare()
     .sublist("<region>", one.list(), "Names a region of the mesh and gives the law of its rock.")
     .list();
-}
-
-RCP<const ParameterList> initialStressParameters()
-{
-  Declare declare;
-  for (char const* name : stress_names) {
-    declare.field(name, optional, "Pa", Range::any(),
-                  "The stress at the start has this component, which is 0 if it is left out.");
-  }
-  return declare.list();
 }
 } // namespace
 
@@ -96,7 +85,7 @@ RCP<const ParameterList> bulkParameters()
   declare.openSublist(in_regions, lawsOfRegions(),
                       "Each entry is a region of the mesh whose rock has a law of its own, with "
                       "its parameters; the law above holds in the others.");
-  declare.sublist(initial_stress, initialStressParameters(),
+  declare.sublist(StressAtStart::list_name, StressAtStart::validParameters(),
                   "Rock that yields has this stress at the start, positive in tension, beside that "
                   "of its displacement. It has to be in equilibrium by itself, with the initial "
                   "tractions on the fault. An antiplane model takes XZ, YZ and the mean of XX, YY "
@@ -303,40 +292,6 @@ private:
   fem::YieldingRock::Part yielding_;
 };
 
-// The stress at the start at the centroids of cells; only its mean has diagonal entries antiplane.
-class StressAtStart
-{
-public:
-  StressAtStart(ParameterList const& list, std::vector<std::string> const& region_names)
-  {
-    for (char const* name : stress_names) {
-      fields_.push_back(isGiven(list, name)
-                          ? std::optional<Field>(steadyField(
-                              list, name, joinPath(bulk_path, initial_stress), region_names))
-                          : std::nullopt);
-    }
-  }
-
-  void append(std::array<double, 3> const& x, int region, int components,
-              fem::YieldingRock& rock) const
-  {
-    std::array<double, 6> value{};
-    for (std::size_t k = 0; k < fields_.size(); ++k) {
-      value[k] = fields_[k] ? (*fields_[k])(x, 0, region) : 0;
-    }
-    auto const [xx, xy, xz, yy, yz, zz] = value;
-    const std::vector<double> tensor = components == 1 ? std::vector<double>{xz, yz}
-                                       : components == 2
-                                         ? std::vector<double>{xx, xy, yy, zz}
-                                         : std::vector<double>(value.begin(), value.end());
-    rock.initial_stress.insert(rock.initial_stress.end(), tensor.begin(), tensor.end());
-    rock.initial_mean.push_back((xx + yy + zz) / 3);
-  }
-
-private:
-  std::vector<std::optional<Field>> fields_;
-};
-
 // None if no rank has a cell that yields.
 template <int Dim>
 std::optional<fem::YieldingRock> yieldingRock(ParameterList const& list, Mesh<Dim> const& mesh,
@@ -355,7 +310,7 @@ std::optional<fem::YieldingRock> yieldingRock(ParameterList const& list, Mesh<Di
     return std::nullopt;
   }
   const int components = displacementComponents(list);
-  const StressAtStart stress(list.sublist(initial_stress), mesh.region_names);
+  const StressAtStart stress(list.sublist(StressAtStart::list_name), mesh.region_names);
   onEveryRank(communicator, [&] {
     for (std::size_t cell = 0; cell < mesh.cells.size(); ++cell) {
       auto const x = inSpace<Dim>(fem::simplexOf(mesh, static_cast<int>(cell)).centroid);

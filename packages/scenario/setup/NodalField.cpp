@@ -2,6 +2,7 @@
 
 #include "mesh/PointText.hpp"
 
+#include <algorithm>
 #include <utility>
 
 namespace asperity::scenario
@@ -68,14 +69,18 @@ std::string FieldNodes::text(std::size_t node) const
   return dimension == 2 ? mesh::text(Point<2>{x[0], x[1]}) : mesh::text(x);
 }
 
-NodalField::NodalField(Field field, FieldNodes const& nodes) : field_(std::move(field))
+NodalField::NodalField(Field field, std::string const& name, FieldNodes const& nodes)
+    : field_(std::move(field))
 {
   if (field_.isDataset()) {
     values_ = field_.values(nodes.ids, nodes.num_global_vertices);
   } else {
     places_ = nodes.places;
     regions_ = nodes.regions;
-    samples_ = nodes.samples;
+    auto const& averaged = nodes.averaged;
+    if (std::find(averaged.begin(), averaged.end(), name) != averaged.end()) {
+      samples_ = nodes.samples;
+    }
   }
 }
 
@@ -106,6 +111,6 @@ double NodalField::mean(std::size_t node, double t) const
 std::vector<double> nodalValues(ParameterList const& list, std::string const& name,
                                 std::string const& path, FieldNodes const& nodes)
 {
-  return NodalField(steadyField(list, name, path, nodes.region_names), nodes).at(0);
+  return NodalField(steadyField(list, name, path, nodes.region_names), name, nodes).at(0);
 }
 } // namespace asperity::scenario

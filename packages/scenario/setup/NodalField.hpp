@@ -33,16 +33,17 @@ struct FieldNodes
   std::vector<std::array<double, 3>> places; // (num_nodes) [m] as expressions see them
   std::vector<int> regions;                  // (num_nodes) of the first cell that has the vertex
   std::vector<long long> ids;                // (num_nodes) global ones
-  // Where it is given, an expression or a constant has its mean over these points, in the region of
-  // the node. Datasets have values at nodes.
-  std::shared_ptr<const FieldSamples> samples;
+  // Fields of these names that are no datasets have their means over the samples around the nodes.
+  std::vector<std::string> averaged = {};
+  std::shared_ptr<const FieldSamples> samples = {};
 };
 
 // The values of a field at nodes.
 class NodalField
 {
 public:
-  NodalField(Field field, FieldNodes const& nodes);
+  // name: the deck's entry
+  NodalField(Field field, std::string const& name, FieldNodes const& nodes);
 
   bool dependsOnTime() const { return field_.dependsOnTime(); }
   // (num_nodes) values at the time t [s]. InputError outside the declared range.
@@ -54,8 +55,8 @@ private:
   Field field_;
   std::vector<std::array<double, 3>> places_;
   std::vector<int> regions_;
-  std::shared_ptr<const FieldSamples> samples_;
-  std::vector<double> values_; // of a dataset
+  std::shared_ptr<const FieldSamples> samples_; // null: at the nodes
+  std::vector<double> values_;                  // of a dataset
 };
 
 // The values of a field that does not change in time, (num_nodes). Throws InputError if it depends

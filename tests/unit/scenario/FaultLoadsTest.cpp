@@ -47,12 +47,13 @@ TEST(FaultLoads, FollowAShearTractionInSpaceAndTime)
 // integral of the field, whatever the cells are.
 TEST(FaultLoads, AreMeansWhereTheDeckSaysSo)
 {
-  auto const problem = makeProblem<2>(strip([](auto& deck) {
-                                        deck.sublist("Friction")
-                                          .set("Field Values", "Means")
-                                          .set("Shear Traction", "x < 1.25 ? 100 : 0");
-                                      }),
-                                      world());
+  auto const problem =
+    makeProblem<2>(strip([](auto& deck) {
+                     deck.sublist("Friction")
+                       .set("Averaged Fields", array<std::string>({"Shear Traction"}))
+                       .set("Shear Traction", "x < 1.25 ? 100 : 0");
+                   }),
+                   world());
   expectNear(tractionAt(problem, 0), {100, 71.875, 6.25});
 }
 

@@ -1,14 +1,15 @@
 #include "scenario/setup/friction/FaultNodes.hpp"
 
+#include "base/Errors.hpp"
 #include "mesh/MeshQuality.hpp"
 #include "mesh/SimplexGeometry.hpp"
+#include "scenario/setup/DeckPaths.hpp"
 
 namespace asperity::scenario
 {
 namespace
 {
-constexpr char const* entry = "Field Values";
-constexpr char const* means = "Means";
+constexpr char const* entry_name = "Averaged Fields";
 
 // Barycentric coordinates of the centres of equal parts of a facet.
 template <int Dim>
@@ -82,13 +83,13 @@ std::shared_ptr<const FieldSamples> samplesAround(Mesh<Dim> const& mesh,
 }
 } // namespace
 
-void declareFieldValues(Declare& declare)
+void declareAveragedFields(Declare& declare)
 {
-  declare.choice(entry, "Nodes", {"Nodes", means},
-                 "Selects what a node of the fault takes from the fields of this list and of the "
-                 "initial state. Nodes: the value at the node. Means: the mean over the facets "
-                 "around it, weighted with the node's basis function. Where a field jumps, means "
-                 "put the jump where the deck has it, and not up to half a cell off.");
+  declare.textArray(entry_name, std::vector<std::string>{},
+                    "Nodes of the fault take the means of these fields of this list over the "
+                    "facets around them, weighted with their basis functions, in place of the "
+                    "values at the nodes. For fields that jump: a jump is then where the deck has "
+                    "it, and not up to half a cell off.");
 }
 
 template <int Dim>
@@ -96,7 +97,13 @@ FieldNodes faultNodes(Mesh<Dim> const& mesh, fem::FaultSurface const& surface,
                       ParameterList const& friction)
 {
   FieldNodes nodes(mesh, surface.vertices());
-  if (friction.get<std::string>(entry) == means) {
+  nodes.averaged = friction.get<Teuchos::Array<std::string>>(entry_name).toVector();
+  for (auto const& name : nodes.averaged) {
+    ASPERITY_REQUIRE(isGiven(friction, name), joinPath(friction_path, entry_name)
+                                                << " names " << name << ", but " << friction_path
+                                                << " has no such field.");
+  }
+  if (!nodes.averaged.empty()) {
     nodes.samples = samplesAround(mesh, surface);
   }
   return nodes;

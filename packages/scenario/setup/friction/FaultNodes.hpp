@@ -5,13 +5,14 @@
 
 namespace asperity::scenario
 {
-// Declares `Field Values`.
-void declareFieldValues(Declare& declare);
+// Declares `Averaged Fields`.
+void declareAveragedFields(Declare& declare);
 
-// The nodes of a fault, at which the deck's fields have the values that `Field Values` in the list
-// `Friction` selects: those at the nodes, or means over the facets around them, weighted with the
-// nodes' basis functions. The integral over the fault of a field that jumps is then exact, but for
-// the points at which the field is read: 8 on a segment, 16 on a triangle.
+// The nodes of a fault. Fields that `Averaged Fields` in the list `Friction` names have their means
+// over the facets around each node, weighted with the node's basis function, so that the integral
+// over the fault of a field that jumps is right, but for the points at which it is read: 8 on a
+// segment, 16 on a triangle. Other fields have their values at the nodes. InputError where there is
+// no field of such a name.
 template <int Dim>
 FieldNodes faultNodes(Mesh<Dim> const& mesh, fem::FaultSurface const& surface,
                       ParameterList const& friction);

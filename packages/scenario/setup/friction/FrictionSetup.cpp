@@ -11,7 +11,7 @@ RCP<const ParameterList> frictionParameters()
 {
   Declare declare;
   declareLaws(declare);
-  declareFieldValues(declare);
+  declareAveragedFields(declare);
   declare
     .field("Cohesion", 0., "Pa", Range::atLeast(0),
            "The fault bears this shear stress even without normal stress.")

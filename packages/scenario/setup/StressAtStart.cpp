@@ -1,0 +1,48 @@
+#include "scenario/setup/StressAtStart.hpp"
+
+#include "scenario/setup/DeckPaths.hpp"
+
+namespace asperity::scenario
+{
+namespace
+{
+constexpr std::array<char const*, 6> names = {"XX", "XY", "XZ", "YY", "YZ", "ZZ"};
+} // namespace
+
+RCP<const ParameterList> StressAtStart::validParameters()
+{
+  Declare declare;
+  for (char const* name : names) {
+    declare.field(name, optional, "Pa", Range::any(),
+                  "The stress at the start has this component, which is 0 if it is left out.");
+  }
+  return declare.list();
+}
+
+StressAtStart::StressAtStart(ParameterList const& list,
+                             std::vector<std::string> const& region_names)
+{
+  for (char const* name : names) {
+    fields_.push_back(isGiven(list, name)
+                        ? std::optional<Field>(
+                            steadyField(list, name, joinPath(bulk_path, list_name), region_names))
+                        : std::nullopt);
+  }
+}
+
+void StressAtStart::append(std::array<double, 3> const& x, int region, int components,
+                           fem::YieldingRock& rock) const
+{
+  std::array<double, 6> value{};
+  for (std::size_t k = 0; k < fields_.size(); ++k) {
+    value[k] = fields_[k] ? (*fields_[k])(x, 0, region) : 0;
+  }
+  auto const [xx, xy, xz, yy, yz, zz] = value;
+  const std::vector<double> tensor = components == 1 ? std::vector<double>{xz, yz}
+                                     : components == 2
+                                       ? std::vector<double>{xx, xy, yy, zz}
+                                       : std::vector<double>(value.begin(), value.end());
+  rock.initial_stress.insert(rock.initial_stress.end(), tensor.begin(), tensor.end());
+  rock.initial_mean.push_back((xx + yy + zz) / 3);
+}
+} // namespace asperity::scenario
