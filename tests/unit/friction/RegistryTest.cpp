@@ -33,7 +33,7 @@ std::string messageOfOutOfRange(Call const& call)
 
 TEST(Registry, HoldsTheLawsOfThisPackage)
 {
-  EXPECT_EQ(frictionLaws().names(), (Names{"Regularised", "Slip Weakening", "Truncated"}));
+  EXPECT_EQ(frictionLaws().names(), (Names{"Cut-Off", "Regularised", "Slip Weakening", "Truncated"}));
   EXPECT_EQ(stateLaws().names(),
             (Names{"Ageing", "Flash Heating", "Slip", "Slip Weakening", "Strong Rate Weakening"}));
 }
@@ -98,8 +98,8 @@ TEST(Registry, NamesTheKnownLawsWhereOneIsUnknown)
   for (auto const& message :
        {messageOfOutOfRange([] { frictionLaws().at("Regularized").parameters; }),
         messageOfOutOfRange([] { makeFrictionKernels("Regularized", FaultView()); })}) {
-    EXPECT_EQ(message, "'Regularized' is not a known friction law. Choose one of 'Regularised', "
-                       "'Slip Weakening', 'Truncated'.");
+    EXPECT_EQ(message, "'Regularized' is not a known friction law. Choose one of 'Cut-Off', "
+                       "'Regularised', 'Slip Weakening', 'Truncated'.");
   }
   for (auto const& message : {messageOfOutOfRange([] { stateLaws().at("Aging").parameters; }),
                               messageOfOutOfRange([&none] { makeStateKernels("Aging", none); })}) {

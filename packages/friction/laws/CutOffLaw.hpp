@@ -1,0 +1,125 @@
+#pragma once
+
+#include "friction/laws/DirectEffect.hpp"
+
+namespace asperity::friction
+{
+// mu(V, alpha) = max(0, mu* + b alpha - a log(1 + V_c / V)): the direct effect ends at the cut-off
+// V_c, above which mu depends on the state alone (Okubo 1989). Host and device; V >= 0 in m/s, any
+// alpha.
+struct CutOffLaw
+{
+  static constexpr char const* name = "Cut-Off";
+  static constexpr Parameter parameters[] = {
+    DirectEffect::table[0],
+    DirectEffect::table[1],
+    {"Cut-Off Slip Rate", "m/s", no_default, 0, infinity, false, false,
+     "The direct effect ends at slip rates about this one, V_c."},
+    DirectEffect::table[3],
+  };
+  // Far below the cut-off.
+  static Sensitivity sensitivity(double const* values) { return {values[0], values[1]}; }
+  static double referenceFriction(double const* values) { return values[3]; }
+
+  // The law at one state: mu = max(0, level - a log(1 + V_c / V)).
+  struct Curve
+  {
+    double a;
+    double level;
+    double cut_off; // V_c, m/s
+    double log_cut_off;
+
+    KOKKOS_INLINE_FUNCTION double mu(double V) const { return detail::larger(difference(V), 0); }
+
+    // dmu/dV in s/m; at the kink it is the derivative from above.
+    KOKKOS_INLINE_FUNCTION double derivative(double V) const
+    {
+      return difference(V) < 0 ? 0 : a / (V * (1 + V / cut_off));
+    }
+
+    KOKKOS_INLINE_FUNCTION Response response(double V) const
+    {
+      const double value = difference(V);
+      if (value < 0) {
+        return {0, 0, 0};
+      }
+      const double share = 1 / (1 + V / cut_off);
+      return {value, a * share, -a * share * (1 - share)};
+    }
+
+    // The average of mu between V and V + h, mu(V) for h = 0; V + h >= 0.
+    KOKKOS_INLINE_FUNCTION double mean(double V, double h) const
+    {
+      const double low = detail::larger(detail::smaller(V, V + h), 0);
+      const double width = math::fabs(h);
+      if (difference(low) >= 0) {
+        return width == 0 ? mu(low) : meanAbove(low, width);
+      }
+      const double beyond = low + width - kink();
+      return beyond > 0 ? beyond / width * meanAbove(kink(), beyond) : 0;
+    }
+
+    // The sum of the magnitudes of the terms of mu, which may nearly cancel; V > 0.
+    KOKKOS_INLINE_FUNCTION double terms(double V) const
+    {
+      const bool slides = kinkedAt(V) || difference(V) > 0;
+      return slides ? math::fabs(level) + a * (math::fabs(math::log(V)) + math::fabs(log_cut_off))
+                    : 0;
+    }
+
+    // True within the rounding of mu.
+    KOKKOS_INLINE_FUNCTION bool kinkedAt(double V) const
+    {
+      return math::fabs(difference(V)) <= 4 * detail::epsilon * (a + math::fabs(level));
+    }
+
+  private:
+    // level - a log(1 + V_c / V), without overflow; -infinity at V = 0.
+    KOKKOS_INLINE_FUNCTION double difference(double V) const
+    {
+      const double x = log_cut_off - math::log(V);
+      return level - a * (x > 0 ? x + math::log1p(math::exp(-x)) : math::log1p(math::exp(x)));
+    }
+
+    // The V at which mu begins; 0 where it underflows. level > 0.
+    KOKKOS_INLINE_FUNCTION double kink() const
+    {
+      return level > 0 ? cut_off / math::expm1(level / a) : infinity;
+    }
+
+    // The average of level - a [log(V + V_c) - log V] over [low, low + width]; width > 0.
+    KOKKOS_INLINE_FUNCTION double meanAbove(double low, double width) const
+    {
+      const double high = low + width;
+      if (low == 0) {
+        return level -
+               a * (math::log1p(cut_off / high) + cut_off / high * math::log1p(high / cut_off));
+      }
+      const double of_sum =
+        detail::meanLog(low + cut_off, width, math::log(low + cut_off), math::log(high + cut_off));
+      return level - a * (of_sum - detail::meanLog(low, width, math::log(low), math::log(high)));
+    }
+  };
+
+  double a;
+  double b;
+  double cut_off;            // V_c, m/s
+  double reference_friction; // mu*
+
+  KOKKOS_INLINE_FUNCTION static CutOffLaw load(ParameterView const& values, int node)
+  {
+    return {values(0, node), values(1, node), values(2, node), values(3, node)};
+  }
+
+  KOKKOS_INLINE_FUNCTION Curve at(double alpha) const
+  {
+    return {a, reference_friction + b * alpha, cut_off, math::log(cut_off)};
+  }
+
+  // The alpha at which mu(V, alpha) = mu; V > 0, mu > 0. Not a finite number if b = 0.
+  KOKKOS_INLINE_FUNCTION double stateFor(double V, double mu) const
+  {
+    return (mu + a * math::log1p(cut_off / V) - reference_friction) / b;
+  }
+};
+} // namespace asperity::friction
