@@ -202,6 +202,7 @@ CoupledResult CoupledStep::solveAtFault(State const& from, int level, State& to,
   solver.begin(*b_, *guess_);
   update_.meanVelocity(from, tau, *prescribed_, surface().dofs(), *work_u_);
   gatherSlip(surface(), *work_u_, mean_offset_);
+  beginUnknowns(from, tau);
 
   auto result = iterate(from, tau, solver, to, count);
   ++count.coupled_steps;
@@ -213,6 +214,15 @@ CoupledResult CoupledStep::solveAtFault(State const& from, int level, State& to,
   to.v->update(1, *guess_, 1, *prescribed_, 0);
   result.rest = PendingStep(*this, from, level, num_solved_);
   return result;
+}
+
+// mean_ has the velocity at the beginning until the first rate problem is solved.
+void CoupledStep::beginUnknowns(State const& from, double tau)
+{
+  gatherSlip(surface(), *from.v, mean_);
+  const FrictionProblem friction = {fault_.friction(),
+                                    {from.alpha_of_rate, fault_.given(from).sigma_n}};
+  unknowns_.begin({from, tau, mean_, friction});
 }
 
 void PendingStep::complete(State& to) &&
@@ -228,6 +238,7 @@ void CoupledStep::complete(State const& from, int level, State& to)
   const double tau = clock_.stepSize(level);
   update_.complete(from, *u_hat_, *a_hat_, tau, to);
   RateUpdate::relax(body_.matrices, from, tau, *to.u, to.branches);
+  unknowns_.complete(from, tau, to);
 }
 
 // |c (u1 - u0)_t / tau + Vp| at the fault nodes.
@@ -286,7 +297,7 @@ CoupledResult CoupledStep::iterate(State const& from, double tau, RateSolver& so
       return result;
     }
     meanSlipRate(solver);
-    const bool responded = unknowns_.respond({from, tau, V_, solver, problem, to});
+    const bool responded = unknowns_.respond({from, tau, mean_, V_, solver, problem, to});
     const double of_fault = unknowns_.change(settings_.norm);
     const double of_rock = inelasticChange(from, tau, solver, to);
     const double change = std::max(of_fault, of_rock);

@@ -141,6 +141,7 @@ private:
   void evaluateLoads(double t0, double t1);
   void rightSide(State const& from, double tau, State& to);
   void setRightSide(State const& to);
+  void beginUnknowns(State const& from, double tau);
   CoupledResult iterate(State const& from, double tau, RateSolver& solver, State& to,
                         SolveCount& count);
   void meanSlipRate(RateSolver& solver);

@@ -6,12 +6,22 @@
 
 namespace asperity::dynamics
 {
+// The beginning of a step.
+struct StepStart
+{
+  State const& from;
+  double tau;                      // of the step [s]
+  ConstBlockView velocity;         // w of gatherSlip in `from` (num_nodes, T) [m/s]
+  FrictionProblem const& friction; // with which that velocity was computed
+};
+
 // What the unknowns of a step respond to after each iteration of the rate problem.
 struct FaultResponse
 {
   State const& from;
   double tau;                      // of the step [s]
-  ConstNodeView slip_rate;         // mean over the step (num_nodes) [m/s]
+  ConstBlockView mean_velocity;    // w of gatherSlip, mean over the step (num_nodes, T) [m/s]
+  ConstNodeView slip_rate;         // its magnitude times the slip factor (num_nodes) [m/s]
   RateSolver const& solver;        // which has the velocity
   FrictionProblem const& friction; // with which the velocity was computed
   State const& to;                 // with the present iterates
@@ -25,6 +35,8 @@ public:
   virtual ~FaultUnknown() = default;
 
   virtual NodeView const& of(State const& state) const = 0;
+  // Prepares for a step. Collective.
+  virtual void begin(StepStart const&) {}
   // image(num_nodes): the value that follows from the velocity. Returns how many of this rank's
   // nodes have none. Collective.
   virtual int respond(FaultResponse const& to, NodeView const& image) = 0;
@@ -39,5 +51,8 @@ public:
   virtual bool endsWithImage() const { return false; }
   // Whether step controls measure the error of a step in it.
   virtual bool controlsSteps() const { return false; }
+  // Sets fields of `to` that follow from the unknowns, at the end of the step [s] that has begun and
+  // responded last. Steps that are only compared with others end without it.
+  virtual void complete(State const& /*from*/, double /*tau*/, State const& /*to*/) {}
 };
 } // namespace asperity::dynamics

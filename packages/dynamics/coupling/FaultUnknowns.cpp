@@ -55,6 +55,13 @@ NodeView FaultUnknowns::part(NodeView const& all, std::size_t entry) const
   return Kokkos::subview(all, std::make_pair(entry * size, (entry + 1) * size));
 }
 
+void FaultUnknowns::begin(StepStart const& start) const
+{
+  for (auto const& entry : entries_) {
+    entry.unknown->begin(start);
+  }
+}
+
 bool FaultUnknowns::respond(FaultResponse const& to)
 {
   int failures = 0;
@@ -93,6 +100,13 @@ void FaultUnknowns::finish(State& to) const
     if (unknown->endsWithImage()) {
       Kokkos::deep_copy(unknown->of(to), image);
     }
+  }
+}
+
+void FaultUnknowns::complete(State const& from, double tau, State const& to) const
+{
+  for (auto const& entry : entries_) {
+    entry.unknown->complete(from, tau, to);
   }
 }
 

@@ -18,6 +18,8 @@ public:
   FaultUnknowns(fem::FaultSurface const& surface, int depth);
   void add(std::shared_ptr<FaultUnknown> unknown);
 
+  // Prepares for a step. Collective.
+  void begin(StepStart const& start) const;
   // Forgets the iterates of the step before, or those that point away from the fixed point.
   void restart() { acceleration_.reset(); }
   // Computes the images. False if an unknown has none at some node, on any rank. Collective.
@@ -28,6 +30,8 @@ public:
   void advance(State& to);
   // Ends the fixed point: where an unknown says so, its image is in `to`.
   void finish(State& to) const;
+  // Sets what follows from the unknowns at the end of that step, see FaultUnknown.
+  void complete(State const& from, double tau, State const& to) const;
   // All images in `to`.
   void copyImages(State& to) const;
 
