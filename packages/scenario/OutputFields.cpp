@@ -49,7 +49,8 @@ void registerFaultFields(io::FieldRegistry& registry, RunView const& view)
   }
 }
 
-// The fields that processes on the fault have added to the state.
+// The fields that processes on the fault have added to the state, and the normal stress that they
+// leave to friction.
 void registerAddedFields(io::FieldRegistry& registry, dynamics::State const& initial,
                          RunView const& view)
 {
@@ -60,6 +61,12 @@ void registerAddedFields(io::FieldRegistry& registry, dynamics::State const& ini
                                    auto const host = toHost(view.state->at(name));
                                    values.assign(host.data(), host.data() + host.extent(0));
                                  }});
+  }
+  if (!initial.added.empty()) {
+    registry.add(
+      io::OutputField{"effective_normal_stress", "Pa",
+                      "Normal stress that friction takes, without the pressure of fluids.", "fault",
+                      1, [&view](Values& values) { values = view.fault->effectiveStress(); }});
   }
 }
 

@@ -71,6 +71,7 @@ public:
   // Adds the step that ends in the given state. Collective.
   Energy const& advance(State const& state);
   Energy const& energy() const { return energy_; }
+  Fault const& fault() const { return fault_; }
   // Friction forces on the fault and reactions at held dofs, at the last state [N per unit of
   // thickness].
   Vector const& force() const { return *before_.force; }

@@ -97,6 +97,12 @@ FaultSample::Values const& FaultSample::normalStress() const
   return once(known_.normal_stress, [this] { return onHost(state_->sigma_n); });
 }
 
+FaultSample::Values const& FaultSample::effectiveStress() const
+{
+  return once(known_.effective_stress,
+              [this] { return onHost(balance_->fault().given(*state_).sigma_n); });
+}
+
 FaultSample::Values const& FaultSample::slip() const
 {
   return once(known_.slip, [this] {

@@ -25,18 +25,20 @@ public:
   void begin(State const& state, double time, EnergyBalance const& balance);
 
   int numComponents() const;
-  Values const& slipRate() const;     // (num_nodes) [m/s]
-  double peakSlipRate() const;        // [m/s], peakSlipRate of FaultMotion; collective
-  Values const& alpha() const;        // (num_nodes)
-  Values const& normalStress() const; // (num_nodes) [Pa], positive in compression
-  Values const& slip() const;         // (num_nodes, numComponents()) [m], with that of plates
-  Values const& slipVelocity() const; // (num_nodes, numComponents()) [m/s], with that of plates
-  Values const& traction() const;     // (num_nodes, numComponents()) [Pa], which friction bears
+  Values const& slipRate() const;        // (num_nodes) [m/s]
+  double peakSlipRate() const;           // [m/s], peakSlipRate of FaultMotion; collective
+  Values const& alpha() const;           // (num_nodes)
+  Values const& normalStress() const;    // (num_nodes) [Pa], positive in compression
+  Values const& effectiveStress() const; // (num_nodes) [Pa], what processes leave of it to friction
+  Values const& slip() const;            // (num_nodes, numComponents()) [m], with that of plates
+  Values const& slipVelocity() const;    // (num_nodes, numComponents()) [m/s], with that of plates
+  Values const& traction() const;        // (num_nodes, numComponents()) [Pa], which friction bears
 
 private:
   struct Quantities
   {
-    std::optional<Values> slip_rate, alpha, normal_stress, slip, slip_velocity, traction;
+    std::optional<Values> slip_rate, alpha, normal_stress, effective_stress, slip, slip_velocity,
+      traction;
     std::optional<NodeView> V;
     std::optional<double> peak;
   };

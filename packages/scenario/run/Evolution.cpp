@@ -54,6 +54,7 @@ Evolution<Dim>::Evolution(ParameterList const& deck, RCP<const Communicator> con
     , stall_watch_(deck.sublist("Time Stepping").get<int>("Most Forced Steps"))
     , tolerance_(toleranceOf(deck.sublist("Time Stepping")))
     , rate_to_tell_(problem_.largest_slip_rate)
+    , pressure_watch_(model_.fault)
 {
   auto const update =
     makeRateUpdate(deck.sublist("Time Stepping"), !quasiDynamic(deck.sublist("Bulk")));
@@ -252,6 +253,14 @@ void Evolution<Dim>::watchRate()
   if (rate > rate_to_tell_) {
     rate_to_tell_ = 10 * rate;
     warnings_.push_back(dynamics::warnOfSlipRate(rate, problem_.largest_slip_rate));
+  }
+}
+
+template <int Dim>
+void Evolution<Dim>::watchPressure()
+{
+  if (auto const warning = pressure_watch_.note(sample_, time())) {
+    warnings_.push_back(*warning);
   }
 }
 

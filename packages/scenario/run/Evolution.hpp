@@ -11,6 +11,7 @@
 #include "scenario/Problem.hpp"
 #include "scenario/RunArchive.hpp"
 #include "scenario/RunReport.hpp"
+#include "scenario/run/PressureWatch.hpp"
 
 #include <memory>
 #include <optional>
@@ -57,6 +58,8 @@ public:
   void watchGrowth();
   // Warns if the slip rate after that step is beyond what the model describes.
   void watchRate();
+  // Warns if a pressure takes all normal stress of the fault somewhere. Collective.
+  void watchPressure();
   // Throws LostEarthquakes after too many such steps, those before a restart among them.
   void requireLittleGrowth() const { growth_watch_->requireFew(); }
   // What the log should say of steps of the smallest size, or "". Throws SolveError after too many
@@ -95,6 +98,7 @@ private:
   double tolerance_;       // of the step control; 0 if it has none
   double rate_before_ = 0; // peak slip rate before the last step [m/s]
   double rate_to_tell_;    // peak slip rate at which the next warning comes [m/s]
+  PressureWatch pressure_watch_;
   RunView view_;
 };
 } // namespace asperity::scenario

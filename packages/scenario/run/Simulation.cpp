@@ -253,6 +253,7 @@ void SimulationOf<Dim>::begin()
     outputs_->write(evolution_.stepInfo());
   }
   evolution_.watchRate();
+  evolution_.watchPressure();
   warnOfEvolution();
   evolution_.requireLittleGrowth();
   if (evolution_.atEnd()) {
@@ -279,6 +280,7 @@ void SimulationOf<Dim>::advance()
   record_->at(info.step, info.time);
   evolution_.watchGrowth();
   evolution_.watchRate();
+  evolution_.watchPressure();
   warnOfEvolution();
   evolution_.requireLittleGrowth();
   tellProgress(info);
