@@ -22,8 +22,9 @@ class FaultProcess
 public:
   virtual ~FaultProcess() = default;
 
-  // Its fields at the start of a run, which has all other fields but alpha. A field that is an
-  // unknown is guessed (FieldInfo::is_guessed).
+  // Its fields at the start of a run, which has all other fields but alpha; outputs know them by
+  // their names. A field that is an unknown is guessed (FieldInfo::is_guessed); the others follow
+  // when a step is complete (FaultUnknown::complete).
   virtual std::vector<State::Added> fields(State const& start) const = 0;
   virtual std::vector<std::shared_ptr<FaultUnknown>> unknowns() const = 0;
   // Changes alpha and sigma_n(num_nodes), those of the state or what other processes have made of

@@ -51,8 +51,8 @@ public:
   virtual bool endsWithImage() const { return false; }
   // Whether step controls measure the error of a step in it.
   virtual bool controlsSteps() const { return false; }
-  // Sets fields of `to` that follow from the unknowns, at the end of the step [s] that has begun and
-  // responded last. Steps that are only compared with others end without it.
+  // Sets fields of `to` that follow from the unknowns, at the end of the step of tau [s] that has
+  // begun and responded last. Steps that are only compared with others end without it.
   virtual void complete(State const& /*from*/, double /*tau*/, State const& /*to*/) {}
 };
 } // namespace asperity::dynamics
