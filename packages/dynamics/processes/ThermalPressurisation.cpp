@@ -1,0 +1,235 @@
+// Thermal pressurisation: slip heats the fluid in its zone, whose pressure takes normal stress from
+// friction (Sibson 1973; Rice 2006, doi:10.1029/2005JB004006). ShearZone.hpp has the equations.
+#include "dynamics/FaultProcess.hpp"
+#include "dynamics/coupling/FaultUnknown.hpp"
+#include "dynamics/processes/ShearZone.hpp"
+#include "parameters/Parameters.hpp"
+#include "portability/Renamed.hpp"
+
+#include <algorithm>
+
+namespace asperity::dynamics
+{
+namespace
+{
+// The added fields of a state: the pressure first, then the temperature at y = 0, then the modes of
+// temperature and those of pressure.
+constexpr char const* of_pressure = "fluid_pressure";
+
+auto firstField(State const& state)
+{
+  return std::find_if(state.added.begin(), state.added.end(),
+                      [](State::Added const& field) { return field.info->name == of_pressure; });
+}
+
+NodeView const& temperatureOf(State const& state) { return (firstField(state) + 1)->values; }
+
+ShearZone::Modes modesOf(State const& state, int num_modes)
+{
+  auto field = firstField(state) + 2;
+  ShearZone::Modes modes;
+  for (auto* of : {&modes.temperature, &modes.pressure}) {
+    for (int i = 0; i < num_modes; ++i) {
+      of->push_back((field++)->values);
+    }
+  }
+  return modes;
+}
+
+// A change of pressure by the part eps of the effective normal stress changes the strength of the
+// fault as much as a change f / b eps of alpha, and f / b is about 50 (NormalStressUpdate).
+void setPressureScale(ConstNodeView const& sigma_n, ConstNodeView const& p, NodeView const& scale)
+{
+  constexpr double of_alpha = 50, least_share = 1e-2, least = 1; // [-], of sigma_n, Pa
+  Kokkos::parallel_for(
+    "asperity::dynamics::scaleOfPressure", RangePolicy(0, scale.extent_int(0)),
+    KOKKOS_LAMBDA(int node) {
+      const double share = least_share * sigma_n(node);
+      double effective = sigma_n(node) - p(node);
+      effective = effective > share ? effective : share;
+      scale(node) = of_alpha / (effective > least ? effective : least);
+    });
+}
+
+// The image of p at y = 0, and the heat from which it follows. Friction changes with p in
+// proportion to sigma_n - p: with that the image is the fixed point itself once V stays.
+struct Balance
+{
+  ConstFlagView slides;
+  ConstNodeView weights, slip_factors;
+  ConstBlockView mean_velocity, before, after; // w, and friction at the ends of the step [N]
+  ConstNodeView rest, per_heat, sigma_n, p;
+  NodeView image, heat; // [Pa], [W/m^2]
+
+  KOKKOS_INLINE_FUNCTION void operator()(int node) const
+  {
+    double twice_heat = 0, at_end = 0;
+    for (int k = 0; slides(node) && k < after.extent_int(1); ++k) {
+      const double V = slip_factors(node) * mean_velocity(node, k);
+      at_end += after(node, k) / weights(node) * V;
+      twice_heat += (before(node, k) + after(node, k)) / weights(node) * V;
+    }
+    const double effective = sigma_n(node) - p(node);
+    const double fall = effective > 0 && at_end > 0 ? at_end / effective : 0; // of at_end with p
+    const double per_twice = per_heat(node) / 2;
+    image(node) = (rest(node) + per_twice * (twice_heat + fall * p(node))) / (1 + per_twice * fall);
+    heat(node) = (twice_heat - fall * (image(node) - p(node))) / 2;
+  }
+};
+
+// The pressure at y = 0, an unknown of each step since heat depends on it. The heat of a step is
+// the mean of the frictions at its ends times slip, as in EnergyBalance; none where slip is
+// prescribed.
+class ZonePressure : public FaultUnknown
+{
+public:
+  ZonePressure(std::shared_ptr<const ShearZone> zone, fem::FaultSurface const& surface)
+      : zone_(std::move(zone))
+      , weights_(surface.weights())
+      , slip_factors_(surface.slipFactors())
+      , rest_("asperity::dynamics::restOfPressure", surface.numNodes())
+      , per_heat_("asperity::dynamics::pressurePerHeat", surface.numNodes())
+      , heat_("asperity::dynamics::heat", surface.numNodes())
+      , scale_("asperity::dynamics::perPascal", surface.numNodes())
+      , velocity_("asperity::dynamics::w", surface.numNodes(), surface.numTangents())
+      , before_("asperity::dynamics::frictionBefore", surface.numNodes(), surface.numTangents())
+      , after_("asperity::dynamics::frictionAfter", surface.numNodes(), surface.numTangents())
+      , hessian_("asperity::dynamics::hessian", surface.numNodes(), surface.numTangents(),
+                 surface.numTangents())
+      , kinked_("asperity::dynamics::kinked", surface.numNodes())
+  {
+    std::vector<int> slides;
+    for (int node = 0; node < surface.numNodes(); ++node) {
+      slides.push_back(surface.slides(node) ? 1 : 0);
+    }
+    slides_ = toDevice(slides, "asperity::dynamics::slides");
+  }
+
+  NodeView const& of(State const& state) const override { return firstField(state)->values; }
+  void begin(StepStart const& start) override
+  {
+    start.friction.linearise(start.velocity, before_, hessian_, kinked_);
+    zone_->pressureAfter(modesOf(start.from, zone_->numModes()), start.tau, rest_, per_heat_);
+    setPressureScale(start.from.sigma_n, of(start.from), scale_);
+  }
+  int respond(FaultResponse const& to, NodeView const& image) override
+  {
+    to.solver.faultVelocity(velocity_);
+    to.friction.linearise(velocity_, after_, hessian_, kinked_);
+    Kokkos::parallel_for("asperity::dynamics::balancePressure", RangePolicy(0, image.extent_int(0)),
+                         Balance{slides_, weights_, slip_factors_, to.mean_velocity, before_,
+                                 after_, rest_, per_heat_, to.to.sigma_n, of(to.to), image, heat_});
+    return 0;
+  }
+  // Modes that follow from the pressure before the step need the pressure that follows from them.
+  bool endsWithImage() const override { return true; }
+  ConstNodeView scale() const override { return scale_; }
+  void complete(State const& from, double tau, State const& to) override
+  {
+    zone_->advance(modesOf(from, zone_->numModes()), tau, heat_, modesOf(to, zone_->numModes()),
+                   temperatureOf(to));
+  }
+
+private:
+  std::shared_ptr<const ShearZone> zone_;
+  ConstNodeView weights_, slip_factors_;
+  ConstFlagView slides_;
+  NodeView rest_, per_heat_, heat_, scale_; // of the present step, heat_ [W/m^2] of the last image
+  BlockView velocity_, before_, after_;     // w, and friction at the ends of the step [N]
+  HessianView hessian_;
+  FlagView kinked_;
+};
+
+class ThermalPressurisation : public FaultProcess
+{
+public:
+  static Teuchos::RCP<const Teuchos::ParameterList> validParameters()
+  {
+    return Declare()
+      .boolean("Enabled", false, "Whether slip heats the fluid in the fault.")
+      .field("Thermal Diffusivity", 1e-6, "m^2/s", Range::positive(),
+             "Heat diffuses across the fault.")
+      .field("Hydraulic Diffusivity", 4e-4, "m^2/s", Range::positive(),
+             "The pressure of the fluid diffuses across the fault.")
+      .field("Volumetric Heat Capacity", 2.7e6, "J/(m^3 K)", Range::positive(),
+             "The rock with its fluid takes up this heat.")
+      .field("Pressure per Temperature", 1e5, "Pa/K", Range::positive(),
+             "The pressure rises by this where no fluid can flow.")
+      .field("Shear Zone Half Width", 0.02, "m", Range::positive(),
+             "Slip is spread across the fault like a normal distribution of this standard "
+             "deviation.")
+      .field("Initial Temperature", 273.15, "K", Range::atLeast(0), "The temperature at the start.")
+      .field("Initial Pressure", 0., "Pa", Range::any(),
+             "The pressure of the fluid at the start. With 0, Normal Stress is the effective one "
+             "at the start.")
+      .integer("Wavenumbers", 60, Range::closed(10, 1000),
+               "The profiles across the fault have this number of modes. With 60, temperature and "
+               "pressure at the fault are exact to 1e-5 while friction is constant.")
+      .list();
+  }
+  static std::string meaning()
+  {
+    return "Thermal pressurisation: friction heats the fluid in a zone across each place of the "
+           "fault, and the pressure of the fluid takes normal stress from friction.";
+  }
+
+  ThermalPressurisation(Teuchos::ParameterList const& parameters,
+                        FaultProcessContext const& context)
+  {
+    const auto values = [&](char const* name) {
+      return toDevice(context.values(name), "asperity::dynamics::shearZone");
+    };
+    zone_ = std::make_shared<ShearZone>(
+      ShearZone::Properties{values("Thermal Diffusivity"), values("Hydraulic Diffusivity"),
+                            values("Volumetric Heat Capacity"), values("Pressure per Temperature"),
+                            values("Shear Zone Half Width"), values("Initial Temperature"),
+                            values("Initial Pressure")},
+      parameters.get<int>("Wavenumbers"));
+    unknown_ = std::make_shared<ZonePressure>(zone_, context.surface);
+  }
+
+  std::vector<State::Added> fields(State const&) const override;
+  std::vector<std::shared_ptr<FaultUnknown>> unknowns() const override { return {unknown_}; }
+  void act(State const& state, NodeView const&, NodeView const& sigma_n) const override
+  {
+    const ConstNodeView p = unknown_->of(state);
+    Kokkos::parallel_for(
+      "asperity::dynamics::effectiveStress", RangePolicy(0, sigma_n.extent_int(0)),
+      KOKKOS_LAMBDA(int node) {
+        sigma_n(node) = sigma_n(node) > p(node) ? sigma_n(node) - p(node) : 0;
+      });
+  }
+
+private:
+  std::shared_ptr<const ShearZone> zone_;
+  std::shared_ptr<ZonePressure> unknown_;
+};
+
+std::vector<State::Added> ThermalPressurisation::fields(State const&) const
+{
+  const std::size_t num_nodes = zone_->properties().pressure.extent(0);
+  std::vector<State::Added> all;
+  const auto add = [&](FieldInfo const& info) {
+    const NodeView values("asperity::dynamics::" + info.name, num_nodes);
+    all.push_back({std::make_shared<FieldInfo>(info), values});
+    return values;
+  };
+  constexpr bool is_guessed = true;
+  Kokkos::deep_copy(add({of_pressure, "pressure of the fluid in the fault", "Pa", is_guessed}),
+                    zone_->properties().pressure);
+  Kokkos::deep_copy(add({"temperature", "temperature of the fault", "K"}),
+                    zone_->properties().temperature);
+  for (auto const& [name, unit] :
+       {std::pair("temperature", "K m"), std::pair("pressure", "Pa m")}) {
+    for (int i = 0; i < zone_->numModes(); ++i) {
+      add({std::string(name) + "_mode_" + std::to_string(i),
+           std::string(name) + " of mode " + std::to_string(i) + " across the fault", unit});
+    }
+  }
+  return all;
+}
+} // namespace
+
+ASPERITY_REGISTER(FaultProcessRegistry, "Thermal Pressurisation",
+                  FaultProcessKindOf<ThermalPressurisation>)
+} // namespace asperity::dynamics
