@@ -18,9 +18,9 @@ VERBS = set("""
     absorbs accelerates accepts adapts adds allows applies balances bears begins bounds ceases
     chooses continues controls counts decays defines delays demands depends describes differs
     divides ends exceeds extends extrapolates falls fills fits flows follows gets give gives grow
-    grows holds keeps knows lasts lies make makes maps means moves multiplies names needs passes
-    points puts reaches reads receives refuses rejects removes repeats replaces resists say says
-    selects sets solves starts stops switches takes uses writes yields
+    grows heats holds keeps knows lasts lies make makes maps means moves multiplies names needs
+    passes points puts reaches reads receives refuses rejects removes repeats replaces resists say
+    says selects sets solves spreads starts stops switches takes uses writes yields
     """.split())
 
 # What PrintParameters.cpp writes before the meaning: what is allowed, default and unit.

@@ -22,14 +22,14 @@ KOKKOS_INLINE_FUNCTION double meanDecay(double x) { return x > 0 ? -math::expm1(
 // What a step does to a mode at a node.
 struct ModeStep
 {
+  double x_th;                           // alpha_th k^2 tau
   double thermal_decay, hydraulic_decay; // over the step
-  double temperature_per_heat;           // [K m per W/m^2]
   double pressure_per_temperature;       // Th before the step also drives ph [Pa/K]
   double pressure_per_heat;              // [Pa m per W/m^2]
 };
 
-// With x = alpha k^2 tau: Th decays by exp(-x_th) towards its steady value. Its rate during the
-// step, (s q - alpha_th k^2 Th) exp(-alpha_th k^2 t), drives ph, of which
+// With x = alpha k^2 tau: the rate of Th in the step, (s q - alpha_th k^2 Th) exp(-alpha_th k^2 t)
+// with s = source / (rho c), drives ph, of which
 //   integral of exp(-alpha_hy k^2 (tau - t) - alpha_th k^2 t) dt
 //     = tau exp(-min(x_th, x_hy)) meanDecay(|x_th - x_hy|)
 // remains.
@@ -39,12 +39,15 @@ KOKKOS_INLINE_FUNCTION ModeStep modeStep(ShearZone::Properties const& zone, int 
   const double k = wavenumber / zone.half_width(node);
   const double thermal_rate = zone.thermal_diffusivity(node) * k * k;
   const double x_th = thermal_rate * tau, x_hy = zone.hydraulic_diffusivity(node) * k * k * tau;
-  const double smaller = x_th < x_hy ? x_th : x_hy, larger = x_th < x_hy ? x_hy : x_th;
-  const double driven =
-    zone.pressure_per_temperature(node) * tau * math::exp(-smaller) * meanDecay(larger - smaller);
-  const double warming = source / zone.heat_capacity(node);
-  return {math::exp(-x_th), math::exp(-x_hy), warming * tau * meanDecay(x_th),
-          -thermal_rate * driven, warming * driven};
+  const bool is_thermal_less = x_th < x_hy;
+  const double difference = is_thermal_less ? x_hy - x_th : x_th - x_hy;
+  const double change = math::expm1(-difference);
+  const double larger = math::exp(-(is_thermal_less ? x_th : x_hy));
+  const double smaller = larger * (1 + change);
+  const double driven = zone.pressure_per_temperature(node) * tau * larger *
+                        (difference > 0 ? -change / difference : 1);
+  return {x_th, is_thermal_less ? larger : smaller, is_thermal_less ? smaller : larger,
+          -thermal_rate * driven, source / zone.heat_capacity(node) * driven};
 }
 } // namespace
 
@@ -98,7 +101,8 @@ void ShearZone::advance(Modes const& before, double tau, ConstNodeView const& q,
       KOKKOS_LAMBDA(int node) {
         auto const step = modeStep(zone, node, wavenumber, source, tau);
         const double of_temperature = Th0(node); // after may be before
-        Th(node) = step.thermal_decay * of_temperature + step.temperature_per_heat * q(node);
+        const double warming = source / zone.heat_capacity(node) * tau * meanDecay(step.x_th);
+        Th(node) = step.thermal_decay * of_temperature + warming * q(node);
         ph(node) = step.hydraulic_decay * ph0(node) +
                    step.pressure_per_temperature * of_temperature +
                    step.pressure_per_heat * q(node);

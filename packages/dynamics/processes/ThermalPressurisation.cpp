@@ -1,5 +1,6 @@
 // Thermal pressurisation: slip heats the fluid in its zone, whose pressure takes normal stress from
 // friction (Sibson 1973; Rice 2006, doi:10.1029/2005JB004006). ShearZone.hpp has the equations.
+#include "base/program/WorkTimers.hpp"
 #include "dynamics/FaultProcess.hpp"
 #include "dynamics/coupling/FaultUnknown.hpp"
 #include "dynamics/processes/ShearZone.hpp"
@@ -108,12 +109,14 @@ public:
   NodeView const& of(State const& state) const override { return firstField(state)->values; }
   void begin(StepStart const& start) override
   {
+    ASPERITY_TIME_WORK("thermal pressurisation");
     start.friction.linearise(start.velocity, before_, hessian_, kinked_);
     zone_->pressureAfter(modesOf(start.from, zone_->numModes()), start.tau, rest_, per_heat_);
     setPressureScale(start.from.sigma_n, of(start.from), scale_);
   }
   int respond(FaultResponse const& to, NodeView const& image) override
   {
+    ASPERITY_TIME_WORK("thermal pressurisation");
     to.solver.faultVelocity(velocity_);
     to.friction.linearise(velocity_, after_, hessian_, kinked_);
     Kokkos::parallel_for("asperity::dynamics::balancePressure", RangePolicy(0, image.extent_int(0)),
@@ -126,6 +129,7 @@ public:
   ConstNodeView scale() const override { return scale_; }
   void complete(State const& from, double tau, State const& to) override
   {
+    ASPERITY_TIME_WORK("thermal pressurisation");
     zone_->advance(modesOf(from, zone_->numModes()), tau, heat_, modesOf(to, zone_->numModes()),
                    temperatureOf(to));
   }
@@ -146,22 +150,23 @@ public:
   static Teuchos::RCP<const Teuchos::ParameterList> validParameters()
   {
     return Declare()
-      .boolean("Enabled", false, "Whether slip heats the fluid in the fault.")
+      .boolean("Enabled", false, "If true, slip heats the fluid in the fault.")
       .field("Thermal Diffusivity", 1e-6, "m^2/s", Range::positive(),
-             "Heat diffuses across the fault.")
+             "Heat spreads across the fault with this diffusivity.")
       .field("Hydraulic Diffusivity", 4e-4, "m^2/s", Range::positive(),
-             "The pressure of the fluid diffuses across the fault.")
+             "The pressure of the fluid spreads across the fault with this diffusivity.")
       .field("Volumetric Heat Capacity", 2.7e6, "J/(m^3 K)", Range::positive(),
-             "The rock with its fluid takes up this heat.")
+             "Rock and fluid take up this heat.")
       .field("Pressure per Temperature", 1e5, "Pa/K", Range::positive(),
-             "The pressure rises by this where no fluid can flow.")
+             "The pressure of the fluid rises by this for each kelvin while no fluid flows.")
       .field("Shear Zone Half Width", 0.02, "m", Range::positive(),
-             "Slip is spread across the fault like a normal distribution of this standard "
-             "deviation.")
-      .field("Initial Temperature", 273.15, "K", Range::atLeast(0), "The temperature at the start.")
+             "The heat of slip has the shape of a normal distribution across the fault with this "
+             "standard deviation.")
+      .field("Initial Temperature", 273.15, "K", Range::atLeast(0),
+             "The fault starts with this temperature.")
       .field("Initial Pressure", 0., "Pa", Range::any(),
-             "The pressure of the fluid at the start. With 0, Normal Stress is the effective one "
-             "at the start.")
+             "The fluid starts with this pressure. With 0, Normal Stress is the effective one at "
+             "the start.")
       .integer("Wavenumbers", 60, Range::closed(10, 1000),
                "The profiles across the fault have this number of modes. With 60, temperature and "
                "pressure at the fault are exact to 1e-5 while friction is constant.")
