@@ -156,7 +156,7 @@ public:
       .field("Hydraulic Diffusivity", 4e-4, "m^2/s", Range::positive(),
              "The pressure of the fluid spreads across the fault with this diffusivity.")
       .field("Volumetric Heat Capacity", 2.7e6, "J/(m^3 K)", Range::positive(),
-             "Rock and fluid take up this heat.")
+             "Rock with its fluid needs this heat for each kelvin.")
       .field("Pressure per Temperature", 1e5, "Pa/K", Range::positive(),
              "The pressure of the fluid rises by this for each kelvin while no fluid flows.")
       .field("Shear Zone Half Width", 0.02, "m", Range::positive(),
