@@ -1,12 +1,15 @@
 #pragma once
 
+#include "base/Warning.hpp"
 #include "dynamics/State.hpp"
+#include "fem/FaultMesh.hpp"
 #include "fem/FaultSurface.hpp"
 #include "parameters/Kind.hpp"
 
 #include <array>
 #include <functional>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -30,15 +33,39 @@ public:
   // Changes alpha and sigma_n(num_nodes), those of the state or what other processes have made of
   // them, to what friction takes. sigma_n stays >= 0.
   virtual void act(State const& state, NodeView const& alpha, NodeView const& sigma_n) const = 0;
+
+  // Begins a step of tau [s] at the time t [s]: sets the fields of `to` that do not depend on the
+  // velocity. Throws SolveError if that fails. Collective.
+  virtual void begin(State const& from, double t, double tau, State const& to) const
+  {
+    static_cast<void>(from), static_cast<void>(t), static_cast<void>(tau), static_cast<void>(to);
+  }
+  // What the user has to know of a state at the time t [s], such as a value that the model does not
+  // cover. A run shows the first of each topic. The same on all ranks; collective.
+  virtual std::optional<Warning> question(State const& state, double t) const
+  {
+    static_cast<void>(state), static_cast<void>(t);
+    return std::nullopt;
+  }
+};
+
+// An entry of a deck that may change in time.
+struct NodalFunction
+{
+  bool depends_on_time = false;
+  std::function<std::vector<double>(double)> at; // its values (num_nodes) at a time [s]
 };
 
 // What a process is made of beside its parameters.
 struct FaultProcessContext
 {
-  fem::FaultSurface const& surface;          // lives as long as the process
+  fem::FaultSurface const& surface; // lives as long as the process
+  std::shared_ptr<const fem::FaultMesh> mesh;
   std::vector<std::array<double, 3>> places; // (num_nodes) [m], z = 0 in the plane
-  // The values (num_nodes) of an entry that was declared as a field.
+  // The values (num_nodes) of an entry that was declared as a field; a rank may throw alone.
   std::function<std::vector<double>(std::string const&)> values;
+  std::function<NodalFunction(std::string const&)> values_in_time;
+  std::string path; // of the list, for messages: "Asperity / Friction / Pore Pressure"
 };
 
 // Registered under the name of its list in the deck's list `Friction`, at the bottom of the file of

@@ -9,6 +9,7 @@
 #include "fem/BodyPieces.hpp"
 #include "fem/BoundaryCells.hpp"
 #include "fem/BoundaryMeasure.hpp"
+#include "fem/FaultMesh.hpp"
 #include "fem/FreeMotions.hpp"
 #include "fem/NodalDamping.hpp"
 #include "fem/RigidBodyMotions.hpp"
@@ -344,7 +345,8 @@ Problem<Dim> makeProblem(ParameterList const& deck, RCP<const Communicator> cons
   }
   auto const start = staticStart(deck, of, body, solver, *surface, *gravity);
   auto stress = makeNormalStress(friction, nodes, start.pressure, *communicator);
-  auto fault = makeFault(friction, nodes, surface, stress.normal_stress, eta);
+  auto fault = makeFault(friction, nodes, surface, fem::makeFaultMesh(of.mesh, *surface),
+                         stress.normal_stress, eta);
   auto initial = makeInitialState(deck, of.mesh, of.frames(), body, fault, solver,
                                   {start.displacement, traction.at(0), traction.direction()});
   requireBearable(of, body, *initial.u);

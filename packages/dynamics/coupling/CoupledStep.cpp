@@ -195,6 +195,9 @@ CoupledResult CoupledStep::solveAtFault(State const& from, int level, State& to,
   to.time = from.time + clock_.ticks(level);
   evaluateLoads(clock_.seconds(from.time), clock_.seconds(to.time));
   rightSide(from, tau, to);
+  for (auto const& process : fault_.laws().processes) {
+    process->begin(from, clock_.seconds(from.time), tau, to);
+  }
 
   guess_->update(1, *to.v, -1, *prescribed_, 0);
   body_.clearHeld(*guess_);

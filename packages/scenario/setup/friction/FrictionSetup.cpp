@@ -79,19 +79,30 @@ void requirePressure(ParameterList const& list, FieldNodes const& nodes,
   }
 }
 
+dynamics::NodalFunction functionOf(NodalField const& field)
+{
+  return {field.dependsOnTime(), [field](double t) { return field.at(t); }};
+}
+
 std::vector<std::shared_ptr<const dynamics::FaultProcess>>
 enabledProcesses(ParameterList const& list, FieldNodes const& nodes,
-                 fem::FaultSurface const& surface)
+                 fem::FaultSurface const& surface,
+                 std::shared_ptr<const fem::FaultMesh> const& mesh)
 {
   std::vector<std::shared_ptr<const dynamics::FaultProcess>> result;
   auto const& processes = dynamics::FaultProcessRegistry::instance();
   for (auto const& name : processes.names()) {
     auto const& parameters = list.sublist(name);
     if (parameters.get<bool>("Enabled")) {
+      auto const path = joinPath(friction_path, name);
       const auto values = [&](std::string const& entry) {
-        return nodalValues(parameters, entry, friction_path + " / " + name, nodes);
+        return nodalValues(parameters, entry, path, nodes);
       };
-      result.push_back(processes.at(name).make(parameters, {surface, nodes.places, values}));
+      const auto in_time = [&](std::string const& entry) {
+        return functionOf({Field(parameters, entry, path, nodes.region_names), nodes});
+      };
+      result.push_back(
+        processes.at(name).make(parameters, {surface, mesh, nodes.places, values, in_time, path}));
     }
   }
   return result;
@@ -100,6 +111,7 @@ enabledProcesses(ParameterList const& list, FieldNodes const& nodes,
 
 dynamics::Fault makeFault(ParameterList const& list, FieldNodes const& nodes,
                           std::shared_ptr<const fem::FaultSurface> const& surface,
+                          std::shared_ptr<const fem::FaultMesh> const& mesh,
                           dynamics::NormalStress const& normal_stress,
                           std::vector<double> const& radiation_damping)
 {
@@ -116,7 +128,7 @@ dynamics::Fault makeFault(ParameterList const& list, FieldNodes const& nodes,
      toDevice(nodalValues(list, "Cohesion", friction_path, nodes), "asperity::scenario::cohesion"),
      list.get<std::string>("State Evolution"), stateLawValues(list, nodes), radiation_damping,
      toDevice(c_over_b, "asperity::scenario::stressSensitivity"),
-     enabledProcesses(list, nodes, *surface)},
+     enabledProcesses(list, nodes, *surface, mesh)},
     stress};
 }
 } // namespace asperity::scenario

@@ -14,11 +14,12 @@ dynamics::NormalStressChange normalStressChange(ParameterList const& list);
 double normalStressFloor(ParameterList const& list);
 
 // Makes the fault: the laws of the list with their parameters at the nodes, which are those of the
-// surface, and the normal stress with the list's Normal Stress Change and Floor.
+// surface and of its mesh, and the normal stress with the list's Normal Stress Change and Floor.
 // radiation_damping(num_nodes) [Pa s/m], or empty. Throws InputError where the term of Linker and
 // Dieterich (c > 0) is used with a normal stress that is or may become zero.
 dynamics::Fault makeFault(ParameterList const& list, FieldNodes const& nodes,
                           std::shared_ptr<const fem::FaultSurface> const& surface,
+                          std::shared_ptr<const fem::FaultMesh> const& mesh,
                           dynamics::NormalStress const& normal_stress,
                           std::vector<double> const& radiation_damping = {});
 } // namespace asperity::scenario

@@ -1,0 +1,217 @@
+// A fluid in a permeable fault, whose pressure diffuses along it and relieves the normal stress:
+//
+//   S w p_t = div(k w / eta grad p) + q,    sigma_eff = max(0, sigma - p)
+//
+// with the storage S (compressibility times porosity), the width w, the permeability k, the
+// viscosity eta and the rates q of wells, on the surface of the fault.
+#include "base/Errors.hpp"
+#include "base/parallel/Agreement.hpp"
+#include "base/parallel/Reductions.hpp"
+#include "base/program/WorkTimers.hpp"
+#include "dynamics/FaultProcess.hpp"
+#include "dynamics/processes/DiffusionStep.hpp"
+#include "dynamics/processes/Wells.hpp"
+#include "mesh/PointText.hpp"
+#include "parameters/Parameters.hpp"
+
+#include <sstream>
+
+namespace asperity::dynamics
+{
+namespace
+{
+using NodalValues = std::vector<double>;
+char const* const field_name = "pore_pressure";
+
+// What flows into the nodes: distributed sources, and wells.
+class Inflow
+{
+public:
+  Inflow(Teuchos::ParameterList const& parameters, FaultProcessContext const& context)
+      : communicator_(context.surface.communicator())
+      , injection_(context.values_in_time("Injection"))
+      , wells_(parameters.sublist("Wells"), joinPath(context.path, "Wells"), *context.mesh)
+      , depends_on_time_(injection_.depends_on_time || wells_.dependOnTime())
+  {
+    for (auto const& node : context.surface) {
+      weights_.push_back(node.weight);
+    }
+  }
+
+  // (num_nodes) volume per time at a time [s]. Collective.
+  NodalValues const& at(double t)
+  {
+    if (rates_.empty() || depends_on_time_) {
+      onEveryRank(*communicator_, [&] {
+        rates_ = injection_.at(t);
+        for (std::size_t i = 0; i < rates_.size(); ++i) {
+          rates_[i] *= weights_[i];
+        }
+        wells_.add(t, rates_);
+      });
+    }
+    return rates_;
+  }
+
+private:
+  RCP<const Communicator> communicator_;
+  NodalFunction injection_;
+  Wells wells_;
+  bool depends_on_time_;
+  NodalValues weights_, rates_;
+};
+
+class PorePressure : public FaultProcess
+{
+public:
+  static Teuchos::RCP<const Teuchos::ParameterList> validParameters();
+  static std::string meaning()
+  {
+    return "A fluid in the fault, whose pressure diffuses along it and is taken off the normal "
+           "stress. A process on faults.";
+  }
+
+  PorePressure(Teuchos::ParameterList const& parameters, FaultProcessContext const& context)
+      : communicator_(context.surface.communicator())
+      , mesh_(context.mesh)
+      , places_(context.places)
+      , inflow_(std::make_unique<Inflow>(parameters, context))
+  {
+    requireGiven(parameters, context.path);
+    NodalValues storage, mobility;
+    std::vector<bool> is_fixed;
+    onEveryRank(*communicator_, [&] {
+      start_ = context.values("Initial Pressure");
+      storage = context.values("Storage");
+      mobility = context.values("Permeability");
+      auto const width = context.values("Width");
+      auto const viscosity = context.values("Fluid Viscosity");
+      auto const fixed = context.values("Fixed Where");
+      for (std::size_t i = 0; i < storage.size(); ++i) {
+        storage[i] *= width[i] * context.surface[static_cast<int>(i)].weight;
+        mobility[i] *= width[i] / viscosity[i];
+        is_fixed.push_back(fixed[i] > 0);
+      }
+    });
+    diffusion_ = std::make_unique<DiffusionStep>(mesh_->stiffness(mobility), storage, is_fixed);
+  }
+
+  std::vector<State::Added> fields(State const&) const override
+  {
+    constexpr bool is_guessed = true; // a step has found it before it is completed
+    const NodeView p("asperity::dynamics::porePressure", start_.size());
+    Kokkos::deep_copy(p, toDevice(start_, "asperity::dynamics::initialPressure"));
+    return {
+      {std::make_shared<FieldInfo>(FieldInfo{field_name, "pore pressure", "Pa", is_guessed}), p}};
+  }
+
+  // The pressure does not depend on slip: a step has it from its beginning.
+  std::vector<std::shared_ptr<FaultUnknown>> unknowns() const override { return {}; }
+
+  void begin(State const& from, double t, double tau, State const& to) const override
+  {
+    ASPERITY_TIME_WORK("pore pressure");
+    DiffusionStep::Sources q;
+    for (int k = 0; k < DiffusionStep::num_times; ++k) {
+      q[k] = inflow_->at(t + DiffusionStep::timeIn(k) * tau);
+    }
+    diffusion_->advance(tau, from.at(field_name), q, to.at(field_name));
+  }
+
+  void act(State const& state, NodeView const&, NodeView const& sigma_n) const override
+  {
+    const ConstNodeView p = state.at(field_name);
+    Kokkos::parallel_for(
+      "asperity::dynamics::effectiveStress", RangePolicy(0, sigma_n.extent(0)),
+      KOKKOS_LAMBDA(int node) {
+        sigma_n(node) = sigma_n(node) > p(node) ? sigma_n(node) - p(node) : 0;
+      });
+  }
+
+  std::optional<Warning> question(State const& state, double t) const override;
+
+private:
+  static void requireGiven(Teuchos::ParameterList const& parameters, std::string const& path)
+  {
+    for (std::string const name : {"Permeability", "Storage", "Width"}) {
+      ASPERITY_REQUIRE(parameters.isParameter(name) || parameters.isSublist(name),
+                       joinPath(path, name) << " is missing: with Enabled = true it has to be "
+                                               "given.");
+    }
+  }
+
+  RCP<const Communicator> communicator_;
+  std::shared_ptr<const fem::FaultMesh> mesh_;
+  std::vector<std::array<double, 3>> places_;
+  NodalValues start_;
+  std::unique_ptr<Inflow> inflow_;
+  std::unique_ptr<DiffusionStep> diffusion_;
+};
+
+Teuchos::RCP<const Teuchos::ParameterList> PorePressure::validParameters()
+{
+  return Declare()
+    .boolean("Enabled", false, "If true, there is a fluid in the fault.")
+    .field("Initial Pressure", 0., "Pa", Range::any(),
+           "The fluid starts with this pressure, which counts against the normal stress. It need "
+           "not be at rest: pressures above a reference are as good.")
+    .field("Permeability", optional, "m^2", Range::positive(),
+           "The permeability of the fault along itself.")
+    .hint("Fault zones have 1e-20 to 1e-12 m^2.")
+    .field("Storage", optional, "1/Pa", Range::positive(),
+           "The fault stores this share of its volume as fluid per pressure: the compressibility "
+           "of pores and fluid times the porosity.")
+    .hint("1e-8 / Pa times a porosity of 0.1 is 1e-9 / Pa.")
+    .field("Width", optional, "m", Range::positive(),
+           "The thickness of the permeable zone, across the fault.")
+    .field("Fluid Viscosity", 1e-3, "Pa s", Range::positive(), "The viscosity of the fluid.")
+    .field("Fixed Where", 0., "-", Range::any(),
+           "Where this is above zero, for example y < -39e3, the pressure keeps its initial value: "
+           "the fault drains into something large. No fluid passes other edges of the fault.")
+    .field("Injection", 0., "m/s", Range::any(),
+           "This volume flows into the fault per time and area, out of it if negative; it may "
+           "depend on t.")
+    .openSublist("Wells", Wells::validParameters(),
+                 "Each list in here, of any name, is a well that meets the fault at a point.")
+    .list();
+}
+
+// Where the pressure exceeds the normal stress by most.
+std::optional<Warning> PorePressure::question(State const& state, double t) const
+{
+  auto const p = toHost(state.at(field_name)), sigma_n = toHost(state.sigma_n);
+  double excess = 0;
+  int worst = -1;
+  for (int node = 0; node < p.extent_int(0); ++node) {
+    if (p(node) - sigma_n(node) > excess) {
+      excess = p(node) - sigma_n(node);
+      worst = node;
+    }
+  }
+  const double most = maxOverRanks(excess, *communicator_);
+  if (most <= 0) {
+    return std::nullopt;
+  }
+  // Of equal ranks the lowest one tells its node.
+  const int mine =
+    worst >= 0 && excess == most ? communicator_->getRank() : communicator_->getSize();
+  const int teller = minOverRanks(mine, *communicator_);
+  std::array<double, 5> told{};
+  if (communicator_->getRank() == teller) {
+    auto const& x = places_[worst];
+    told = {x[0], x[1], x[2], p(worst), sigma_n(worst)};
+  }
+  told = sumOverRanks(told, *communicator_);
+  std::ostringstream text;
+  text << "The pore pressure exceeds the normal stress at "
+       << (mesh_->numCorners() == 2 ? mesh::text(std::array<double, 2>{told[0], told[1]})
+                                    : mesh::text(std::array<double, 3>{told[0], told[1], told[2]}))
+       << ", t = " << t << " s: " << told[3] << " Pa against " << told[4]
+       << " Pa. The fault slides there without strength, but it would open, which the model does "
+          "not have. Check the rates of the wells, permeability and storage.";
+  return Warning{"pore pressure", text.str()};
+}
+} // namespace
+
+ASPERITY_REGISTER(FaultProcessRegistry, "Pore Pressure", FaultProcessKindOf<PorePressure>)
+} // namespace asperity::dynamics

@@ -1,0 +1,91 @@
+#include "dynamics/processes/Wells.hpp"
+
+#include "mesh/PointText.hpp"
+#include "parameters/fields/Field.hpp"
+
+#include <algorithm>
+
+namespace asperity::dynamics
+{
+struct Wells::Well
+{
+  std::array<double, 3> place;
+  Field rate;
+  std::vector<std::pair<int, double>> shares; // of this rank's nodes
+};
+
+Teuchos::RCP<const Teuchos::ParameterList> Wells::validParameters()
+{
+  auto const well =
+    Declare()
+      .realArray("Place", required, "m", Range::any(),
+                 "The well meets the fault here, in coordinates of the mesh.")
+      .field("Rate", required, "m^3/s", Range::any(),
+             "This volume flows into the fault per time, out of it if negative; a number or an "
+             "expression in t. In two dimensions it is that per metre of thickness [m^2/s].")
+      .list();
+  return Declare().sublist("<well>", well, "The list describes the well of this name.").list();
+}
+
+namespace
+{
+std::array<double, 3> placeOf(Teuchos::ParameterList const& well, std::string const& path,
+                              int dimension)
+{
+  auto const given = well.get<Teuchos::Array<double>>("Place");
+  ASPERITY_REQUIRE(given.size() == dimension, joinPath(path, "Place")
+                                                << " has " << given.size()
+                                                << " numbers, but the mesh has " << dimension
+                                                << " dimensions.");
+  std::array<double, 3> place{};
+  std::copy(given.begin(), given.end(), place.begin());
+  return place;
+}
+
+std::string textOf(std::array<double, 3> const& place, int dimension)
+{
+  return dimension == 2 ? mesh::text(std::array<double, 2>{place[0], place[1]}) : mesh::text(place);
+}
+} // namespace
+
+Wells::Wells(Teuchos::ParameterList const& list, std::string const& path,
+             fem::FaultMesh const& mesh)
+{
+  const int dimension = mesh.numCorners();
+  for (auto const& entry : list) {
+    auto const& name = entry.first;
+    auto const& well = list.sublist(name);
+    auto const where = joinPath(path, name);
+    auto const place = placeOf(well, where, dimension);
+    Field rate(well, "Rate", where, {});
+    ASPERITY_REQUIRE(!rate.isDataset(), joinPath(where, "Rate")
+                                          << " names a dataset, but a well has one place. Give a "
+                                             "number or an expression in t.");
+    auto nearest = mesh.nearest(place);
+    ASPERITY_REQUIRE(nearest.distance <= nearest.cell_size,
+                     where << " is at " << textOf(place, dimension) << ", " << nearest.distance
+                           << " m from the fault, whose cells have a size of " << nearest.cell_size
+                           << " m there. Move the well onto the fault.");
+    wells_.push_back(
+      std::make_unique<Well>(Well{place, std::move(rate), std::move(nearest.shares)}));
+  }
+}
+
+Wells::~Wells() = default;
+
+bool Wells::dependOnTime() const
+{
+  return std::any_of(wells_.begin(), wells_.end(),
+                     [](auto const& well) { return well->rate.dependsOnTime(); });
+}
+
+void Wells::add(double t, std::vector<double>& rates) const
+{
+  for (auto const& well : wells_) {
+    const double rate = well->rate(well->place, t, 0);
+    for (auto const& [node, share] : well->shares) {
+      rates[node] += share * rate;
+    }
+  }
+}
+} // namespace asperity::dynamics
