@@ -1,6 +1,5 @@
 #pragma once
 
-#include "base/Warning.hpp"
 #include "dynamics/State.hpp"
 #include "fem/FaultMesh.hpp"
 #include "fem/FaultSurface.hpp"
@@ -9,7 +8,6 @@
 #include <array>
 #include <functional>
 #include <memory>
-#include <optional>
 #include <string>
 #include <vector>
 
@@ -39,13 +37,6 @@ public:
   virtual void begin(State const& from, double t, double tau, State const& to) const
   {
     static_cast<void>(from), static_cast<void>(t), static_cast<void>(tau), static_cast<void>(to);
-  }
-  // What the user has to know of a state at the time t [s], such as a value that the model does not
-  // cover. A run shows the first of each topic. The same on all ranks; collective.
-  virtual std::optional<Warning> question(State const& state, double t) const
-  {
-    static_cast<void>(state), static_cast<void>(t);
-    return std::nullopt;
   }
 };
 

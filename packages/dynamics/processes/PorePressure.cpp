@@ -6,15 +6,11 @@
 // viscosity eta and the rates q of wells, on the surface of the fault.
 #include "base/Errors.hpp"
 #include "base/parallel/Agreement.hpp"
-#include "base/parallel/Reductions.hpp"
 #include "base/program/WorkTimers.hpp"
 #include "dynamics/FaultProcess.hpp"
 #include "dynamics/processes/DiffusionStep.hpp"
 #include "dynamics/processes/Wells.hpp"
-#include "mesh/PointText.hpp"
 #include "parameters/Parameters.hpp"
-
-#include <sstream>
 
 namespace asperity::dynamics
 {
@@ -73,8 +69,6 @@ public:
 
   PorePressure(Teuchos::ParameterList const& parameters, FaultProcessContext const& context)
       : communicator_(context.surface.communicator())
-      , mesh_(context.mesh)
-      , places_(context.places)
       , inflow_(std::make_unique<Inflow>(parameters, context))
   {
     requireGiven(parameters, context.path);
@@ -93,7 +87,8 @@ public:
         is_fixed.push_back(fixed[i] > 0);
       }
     });
-    diffusion_ = std::make_unique<DiffusionStep>(mesh_->stiffness(mobility), storage, is_fixed);
+    diffusion_ =
+      std::make_unique<DiffusionStep>(context.mesh->stiffness(mobility), storage, is_fixed);
   }
 
   std::vector<State::Added> fields(State const&) const override
@@ -128,8 +123,6 @@ public:
       });
   }
 
-  std::optional<Warning> question(State const& state, double t) const override;
-
 private:
   static void requireGiven(Teuchos::ParameterList const& parameters, std::string const& path)
   {
@@ -141,8 +134,6 @@ private:
   }
 
   RCP<const Communicator> communicator_;
-  std::shared_ptr<const fem::FaultMesh> mesh_;
-  std::vector<std::array<double, 3>> places_;
   NodalValues start_;
   std::unique_ptr<Inflow> inflow_;
   std::unique_ptr<DiffusionStep> diffusion_;
@@ -174,42 +165,6 @@ Teuchos::RCP<const Teuchos::ParameterList> PorePressure::validParameters()
     .openSublist("Wells", Wells::validParameters(),
                  "Each list in here, of any name, is a well that meets the fault at a point.")
     .list();
-}
-
-// Where the pressure exceeds the normal stress by most.
-std::optional<Warning> PorePressure::question(State const& state, double t) const
-{
-  auto const p = toHost(state.at(field_name)), sigma_n = toHost(state.sigma_n);
-  double excess = 0;
-  int worst = -1;
-  for (int node = 0; node < p.extent_int(0); ++node) {
-    if (p(node) - sigma_n(node) > excess) {
-      excess = p(node) - sigma_n(node);
-      worst = node;
-    }
-  }
-  const double most = maxOverRanks(excess, *communicator_);
-  if (most <= 0) {
-    return std::nullopt;
-  }
-  // Of equal ranks the lowest one tells its node.
-  const int mine =
-    worst >= 0 && excess == most ? communicator_->getRank() : communicator_->getSize();
-  const int teller = minOverRanks(mine, *communicator_);
-  std::array<double, 5> told{};
-  if (communicator_->getRank() == teller) {
-    auto const& x = places_[worst];
-    told = {x[0], x[1], x[2], p(worst), sigma_n(worst)};
-  }
-  told = sumOverRanks(told, *communicator_);
-  std::ostringstream text;
-  text << "The pore pressure exceeds the normal stress at "
-       << (mesh_->numCorners() == 2 ? mesh::text(std::array<double, 2>{told[0], told[1]})
-                                    : mesh::text(std::array<double, 3>{told[0], told[1], told[2]}))
-       << ", t = " << t << " s: " << told[3] << " Pa against " << told[4]
-       << " Pa. The fault slides there without strength, but it would open, which the model does "
-          "not have. Check the rates of the wells, permeability and storage.";
-  return Warning{"pore pressure", text.str()};
 }
 } // namespace
 

@@ -208,12 +208,6 @@ void Evolution<Dim>::account()
   }
   sample_.begin(state_, time(), balance_);
   floor_count_.add(sample_);
-  for (auto const& process : model_.fault.laws().processes) {
-    auto const question = process->question(state_, time());
-    if (question && asked_.insert(question->topic).second) {
-      warnings_.push_back(*question);
-    }
-  }
 }
 
 template <int Dim>

@@ -1,0 +1,106 @@
+"""The pressure that line.xml gives along a fault, against that of a line source; what ranks and
+restarts change in it; fixed pressure; and what is refused or asked."""
+
+import math
+import pathlib
+import sys
+
+import asperity_run
+import numpy
+
+DECK = pathlib.Path(__file__).with_name("line.xml")
+DAY = 86400.0
+SHUT_IN = 100 * DAY
+DIFFUSIVITY, STORAGE, RATE = 0.1, 1e-9, 1.25e-6  # m^2/s, 1/Pa, m/s
+LINE_SOURCE = 0.005   # of 6.555 MPa, with cells of 100 m
+ON_RANKS = 1e-9       # of the largest pressure
+PORE = "Friction/Pore Pressure"
+
+
+def pressure_since(t, z):
+    """Of a source that began t ago."""
+    if t <= 0:
+        return 0.0
+    x = abs(z) / math.sqrt(4 * DIFFUSIVITY * t)
+    growth = math.exp(-x**2) / math.sqrt(math.pi) - x * math.erfc(x)
+    return RATE / STORAGE * math.sqrt(t / DIFFUSIVITY) * growth
+
+
+def exact(t, z):
+    return pressure_since(t, z) - pressure_since(t - SHUT_IN, z)
+
+
+def pressures(folder):
+    """Times, and (times, receivers)."""
+    history = asperity_run.series(folder / "receivers.h5")
+    return history["time"], history["on_fault/fields/pore_pressure"]
+
+
+def run(name, changes=None, ranks=1):
+    return pressures(asperity_run.run_to_end(name, DECK, *asperity_run.settings(changes or {}),
+                                             ranks=ranks))
+
+
+def verdict(what, error, limit):
+    fine = error <= limit
+    print(f"{what}: {error:.1e}{'' if fine else f' NOT within {limit:g}'}", flush=True)
+    return fine
+
+
+def line_source():
+    assert abs(exact(SHUT_IN, 0) - 6.555e6) < 1e3 and abs(exact(SHUT_IN, 500) - 3.899e6) < 1e3
+    times, found = run("whole")
+    late = times > 20 * DAY
+    expected = numpy.array([[exact(t, 0), exact(t, 500)] for t in times[late]])
+    error = numpy.abs(found[late, :2] - expected).max() / 6.555e6
+    return found, [verdict("line source", error, LINE_SOURCE)]
+
+
+def ranks_and_restarts(whole):
+    largest = whole.max()
+    fine = [verdict(f"{ranks} ranks", numpy.abs(run("ranks", ranks=ranks)[1] - whole).max()
+                    / largest, ON_RANKS) for ranks in (2, 3)]
+    for before, after, limit in ((1, 1, 0), (2, 3, ON_RANKS)):
+        folder = asperity_run.run_to_end(
+            "half", DECK, *asperity_run.settings({"Time Stepping/Final Time": 50 * DAY}),
+            ranks=before)
+        asperity_run.go_on(folder, DECK, ranks=after)
+        fine.append(verdict(f"{before} ranks, then {after}",
+                            numpy.abs(pressures(folder)[1] - whole).max() / largest, limit))
+    return fine
+
+
+def fixed():
+    """From a uniform source a fault that is drained at its left end gets a parabola."""
+    _, found = run("fixed", {f"{PORE}/Fixed Where": "x < -9.99e3", f"{PORE}/Injection": 1e-7,
+                             f"{PORE}/Wells/W1/Rate": 0, f"{PORE}/Permeability": 1e-8,
+                             f"{PORE}/Initial Pressure": 3e5})
+    mobility = 2 * 1e-8 / 1e-3
+    expected = [3e5 + 1e-7 / mobility * (2e4 * x - x**2 / 2) for x in (1e4, 1.05e4, 0)]
+    return [verdict("drained at one end",
+                    numpy.abs(found[-1] - expected).max() / max(expected), 1e-9)]
+
+
+def asked_and_refused():
+    result = asperity_run.run(DECK, *asperity_run.settings({"Friction/Normal Stress": 3e6}),
+                              "--output", "asked")
+    asks = ("a pressure on the fault has reached the normal stress, first at (0, 0)" in result.stdout
+            and result.stdout.count("has reached the normal stress") == 1)
+    print(f"asked {'' if asks else 'NO ' + result.stdout + result.stderr}")
+    return [asks, *(asperity_run.refuses(DECK, changes, message) for changes, message in (
+        ({f"{PORE}/Permeability": -1e-13}, "Permeability"),
+        ({f"{PORE}/Storage": 0}, "Storage"),
+        ({f"{PORE}/Width": 0}, "Width"),
+        ({f"{PORE}/Fluid Viscosity": -1}, "Fluid Viscosity"),
+        ({f"{PORE}/Wells/W1/Place": "{0, 150}"}, "Wells / W1 is at (0, 150), 150 m"),
+        ({f"{PORE}/Wells/W1/Place": "{0, 0, 0}"}, "has 3 numbers")))]
+
+
+def main():
+    whole, passed = line_source()
+    passed += ranks_and_restarts(whole) + fixed() + asked_and_refused()
+    return passed.count(False)
+
+
+if __name__ == "__main__":
+    sys.exit(main())
