@@ -12,8 +12,8 @@ DECK = pathlib.Path(__file__).with_name("line.xml")
 DAY = 86400.0
 SHUT_IN = 100 * DAY
 DIFFUSIVITY, STORAGE, RATE = 0.1, 1e-9, 1.25e-6  # m^2/s, 1/Pa, m/s
-LINE_SOURCE = 0.005   # of 6.555 MPa, with cells of 100 m
-ON_RANKS = 1e-9       # of the largest pressure
+LINE_SOURCE = 0.005  # of 6.555 MPa, with cells of 100 m
+ON_RANKS = 1e-9      # of the largest pressure
 PORE = "Friction/Pore Pressure"
 
 
@@ -84,8 +84,8 @@ def fixed():
 def asked_and_refused():
     result = asperity_run.run(DECK, *asperity_run.settings({"Friction/Normal Stress": 3e6}),
                               "--output", "asked")
-    asks = ("a pressure on the fault has reached the normal stress, first at (0, 0)" in result.stdout
-            and result.stdout.count("has reached the normal stress") == 1)
+    asks = ("a pressure on the fault has reached the normal stress, first at (0, 0)"
+            in result.stdout and result.stdout.count("has reached the normal stress") == 1)
     print(f"asked {'' if asks else 'NO ' + result.stdout + result.stderr}")
     return [asks, *(asperity_run.refuses(DECK, changes, message) for changes, message in (
         ({f"{PORE}/Permeability": -1e-13}, "Permeability"),
