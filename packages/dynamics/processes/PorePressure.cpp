@@ -63,8 +63,9 @@ public:
   static Teuchos::RCP<const Teuchos::ParameterList> validParameters();
   static std::string meaning()
   {
-    return "A fluid in the fault, whose pressure diffuses along it and is taken off the normal "
-           "stress. A process on faults.";
+    return "This list describes a fluid in the fault, whose pressure diffuses along it and is "
+           "taken "
+           "off the normal stress. Permeability, Storage and Width are required with it.";
   }
 
   PorePressure(Teuchos::ParameterList const& parameters, FaultProcessContext const& context)
@@ -144,23 +145,23 @@ Teuchos::RCP<const Teuchos::ParameterList> PorePressure::validParameters()
   return Declare()
     .boolean("Enabled", false, "If true, there is a fluid in the fault.")
     .field("Initial Pressure", 0., "Pa", Range::any(),
-           "The fluid starts with this pressure, which counts against the normal stress. It need "
-           "not be at rest: pressures above a reference are as good.")
+           "The fluid starts with this pressure. Where the normal stress of the deck is effective, "
+           "it is 0, and pressures are those above the undisturbed one.")
     .field("Permeability", optional, "m^2", Range::positive(),
-           "The permeability of the fault along itself.")
+           "The fault has this permeability along itself.")
     .hint("Fault zones have 1e-20 to 1e-12 m^2.")
     .field("Storage", optional, "1/Pa", Range::positive(),
-           "The fault stores this share of its volume as fluid per pressure: the compressibility "
+           "The fault takes up this share of its volume as fluid per pressure: the compressibility "
            "of pores and fluid times the porosity.")
     .hint("1e-8 / Pa times a porosity of 0.1 is 1e-9 / Pa.")
     .field("Width", optional, "m", Range::positive(),
-           "The thickness of the permeable zone, across the fault.")
-    .field("Fluid Viscosity", 1e-3, "Pa s", Range::positive(), "The viscosity of the fluid.")
+           "The permeable zone has this thickness across the fault.")
+    .field("Fluid Viscosity", 1e-3, "Pa s", Range::positive(), "The fluid has this viscosity.")
     .field("Fixed Where", 0., "-", Range::any(),
-           "Where this is above zero, for example y < -39e3, the pressure keeps its initial value: "
-           "the fault drains into something large. No fluid passes other edges of the fault.")
+           "Where this is above zero, for example y < -39e3, the pressure keeps its initial value. "
+           "No fluid passes other edges of the fault.")
     .field("Injection", 0., "m/s", Range::any(),
-           "This volume flows into the fault per time and area, out of it if negative; it may "
+           "This volume flows into the fault per time and area, out of it if negative. It may "
            "depend on t.")
     .openSublist("Wells", Wells::validParameters(),
                  "Each list in here, of any name, is a well that meets the fault at a point.")

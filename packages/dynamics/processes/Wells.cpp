@@ -19,12 +19,12 @@ Teuchos::RCP<const Teuchos::ParameterList> Wells::validParameters()
   auto const well =
     Declare()
       .realArray("Place", required, "m", Range::any(),
-                 "The well meets the fault here, in coordinates of the mesh.")
+                 "The well lies at this place on the fault, in coordinates of the mesh.")
       .field("Rate", required, "m^3/s", Range::any(),
              "This volume flows into the fault per time, out of it if negative; a number or an "
              "expression in t. In two dimensions it is that per metre of thickness [m^2/s].")
       .list();
-  return Declare().sublist("<well>", well, "The list describes the well of this name.").list();
+  return Declare().sublist("<well>", well, "This list describes the well of that name.").list();
 }
 
 namespace

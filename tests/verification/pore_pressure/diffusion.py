@@ -83,8 +83,8 @@ def fixed():
 
 def asked_and_refused():
     result = asperity_run.run(DECK, *asperity_run.settings({"Friction/Normal Stress": 3e6}),
-                              "--output", "asked")
-    asks = ("a pressure on the fault has reached the normal stress, first at (0, 0)"
+                              "--output", "asked", "--overwrite")
+    asks = ("a pressure on the fault has reached the normal stress, first at (0, 0"
             in result.stdout and result.stdout.count("has reached the normal stress") == 1)
     print(f"asked {'' if asks else 'NO ' + result.stdout + result.stderr}")
     return [asks, *(asperity_run.refuses(DECK, changes, message) for changes, message in (
