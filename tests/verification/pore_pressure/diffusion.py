@@ -1,11 +1,12 @@
 """The pressure that line.xml gives along a fault, against that of a line source; what ranks and
-restarts change in it; fixed pressure; and what is refused or asked."""
+restarts change in it; fixed pressure; the volume in a surface; what is refused or asked."""
 
 import math
 import pathlib
 import sys
 
 import asperity_run
+import h5py
 import numpy
 
 DECK = pathlib.Path(__file__).with_name("line.xml")
@@ -14,6 +15,7 @@ SHUT_IN = 100 * DAY
 DIFFUSIVITY, STORAGE, RATE = 0.1, 1e-9, 1.25e-6  # m^2/s, 1/Pa, m/s
 LINE_SOURCE = 0.005  # of 6.555 MPa, with cells of 100 m
 ON_RANKS = 1e-9      # of the largest pressure
+VOLUME = 1e-6        # of what is pumped in; pressures are written with 7 digits
 PORE = "Friction/Pore Pressure"
 
 
@@ -81,6 +83,29 @@ def fixed():
                     numpy.abs(found[-1] - expected).max() / max(expected), 1e-9)]
 
 
+def volume_on_a_surface():
+    """A fault in space that slips in an earthquake holds what a well pumps into it."""
+    rate, storage, width = 3e3, 1e-10, 10
+    well = {"Enabled": "true", "Permeability": "1e-6 * (1 + x / 25e3)", "Storage": storage,
+            "Width": width, "Wells/A/Place": "{900, -7700, 0}", "Wells/A/Rate": rate}
+    folder = asperity_run.run_to_end(
+        "surface", asperity_run.SOURCE / "xml" / "tpv101_3d.xml", *asperity_run.settings(
+            {f"{PORE}/{name}": value for name, value in well.items()},
+            {"Mesh/Box/Cell Size Factor": 4, "Time Stepping/Final Time": 0.5,
+             "Output/Fault History/Fields": "{pore_pressure}",
+             "Output/Fault History/Every n Steps": 1}), ranks=2)
+    history = asperity_run.series(folder / "fault.h5")
+    with h5py.File(folder / "segments" / "fault_geometry.h5") as file:
+        corners = file["geometry/coordinates"][()][file["geometry/connectivity"][()]]
+        connectivity = file["geometry/connectivity"][()]
+    edges = corners[:, 1:] - corners[:, :1]
+    areas = numpy.linalg.norm(numpy.cross(edges[:, 0], edges[:, 1]), axis=1) / 2
+    mean = history["fields/pore_pressure"].astype(float)[:, connectivity].mean(axis=2)
+    volume = storage * width * mean @ areas
+    pumped = rate * history["time"]
+    return [verdict("volume on a surface", numpy.abs(volume - pumped).max() / pumped[-1], VOLUME)]
+
+
 def asked_and_refused():
     result = asperity_run.run(DECK, *asperity_run.settings({"Friction/Normal Stress": 3e6}),
                               "--output", "asked", "--overwrite")
@@ -98,7 +123,8 @@ def asked_and_refused():
 
 def main():
     whole, passed = line_source()
-    passed += ranks_and_restarts(whole) + fixed() + asked_and_refused()
+    passed += (ranks_and_restarts(whole) + fixed() + volume_on_a_surface()
+               + asked_and_refused())
     return passed.count(False)
 
 
