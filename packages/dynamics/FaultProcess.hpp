@@ -32,6 +32,9 @@ public:
   // them, to what friction takes. sigma_n stays >= 0.
   virtual void act(State const& state, NodeView const& alpha, NodeView const& sigma_n) const = 0;
 
+  // What alpha is for this process (friction/LawProperties.hpp); null: it works with any.
+  virtual char const* stateVariable() const { return nullptr; }
+
   // Begins a step of tau [s] at the time t [s]: sets the fields of `to` that do not depend on the
   // velocity. Throws SolveError if that fails. Collective.
   virtual void begin(State const& from, double t, double tau, State const& to) const

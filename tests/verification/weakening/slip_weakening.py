@@ -53,9 +53,9 @@ def exact(t):
     return numpy.where(t < onset, 0, numpy.where(t < high, weakening(t), sliding)), high
 
 
-def solve(name, step):
+def solve(name, step, changes=None):
     folder = asperity_run.run_to_end(name, DECK, *asperity_run.settings(
-        CHANGES, {f"Time Stepping/{size} Step": step for size in ("Largest", "Smallest")}),
+        {**CHANGES, **(changes or {})}, {f"Time Stepping/{size} Step": step for size in ("Largest", "Smallest")}),
         *UNUSED)
     history = asperity_run.series(folder / "fault.h5")
     return folder, history["time"], history["fields/slip"][:, 0].ravel()
@@ -91,19 +91,41 @@ def rests_and_dissipates():
             verdict(f"energy closes to {defect:.1e} of it", defect < 1e-9)]
 
 
+def forced():
+    """Friction falls within 0.1 s from 0.2 s on, below a constant load that it bears at first."""
+    start, duration = 0.2, 0.1
+    _, t, slip = solve("forced", STEP, {
+        "Boundary Conditions/Drive/Velocity": 0, "Friction/Forced Rupture/Enabled": "true",
+        "Friction/Forced Rupture/Time": start, "Friction/Forced Rupture/Duration": duration})
+    drop = (STATIC - DYNAMIC) * SIGMA
+    onset = start + (STATIC * SIGMA - INITIAL) / drop * duration
+    end = start + duration
+
+    def falling(at):
+        return relaxation(at - onset, 0, 0, drop / duration, STIFFNESS)
+
+    expected = numpy.where(t < onset, 0, numpy.where(
+        t < end, falling(t),
+        relaxation(t - end, falling(end), INITIAL - DYNAMIC * SIGMA, 0, STIFFNESS)))
+    worst = numpy.abs(slip - expected).max() / expected[-1]
+    return verdict(f"forced rupture: slip off by {worst:.1e} of the last", worst < 5e-3)
+
+
 def refused():
-    """A state of another kind."""
+    """A state of another kind, and a rupture that cannot be forced."""
     changes = {**CHANGES, "Friction/State Evolution": "Ageing"}
     del changes["Friction/Slip-Weakening Distance"]
     result = asperity_run.run(DECK, *asperity_run.settings(changes), "--validate",
                               *UNUSED[:4], *UNUSED[-2:])
-    return verdict("a state that does not weaken with slip is refused",
-                   result.returncode == 2
-                   and "depends on the share of slip weakening" in result.stderr)
+    return [verdict("a state that does not weaken with slip is refused",
+                    result.returncode == 2
+                    and "depends on the share of slip weakening" in result.stderr),
+            asperity_run.refuses(DECK, {"Friction/Forced Rupture/Enabled": "true"},
+                                 "changes the share of slip weakening")]
 
 
 def main():
-    return [refused(), *slips(), *rests_and_dissipates()].count(False)
+    return [*refused(), forced(), *slips(), *rests_and_dissipates()].count(False)
 
 
 if __name__ == "__main__":

@@ -99,10 +99,13 @@ enabledProcesses(ParameterList const& list, FieldNodes const& nodes,
         return nodalValues(parameters, entry, path, nodes);
       };
       const auto in_time = [&](std::string const& entry) {
-        return functionOf({Field(parameters, entry, path, nodes.region_names), nodes});
+        return functionOf({Field(parameters, entry, path, nodes.region_names), entry, nodes});
       };
       result.push_back(
         processes.at(name).make(parameters, {surface, mesh, nodes.places, values, in_time, path}));
+      if (char const* needed = result.back()->stateVariable()) {
+        requireState(list, needed, path);
+      }
     }
   }
   return result;

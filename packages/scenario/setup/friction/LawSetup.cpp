@@ -101,6 +101,15 @@ void requireSameState(ParameterList const& list)
                    ". State laws for it: " + others + ".");
 }
 
+void requireState(ParameterList const& list, std::string const& needed, std::string const& what)
+{
+  ASPERITY_REQUIRE(needed == chosenFrictionLaw(list).state_variable,
+                   what << " changes the " << needed << ", but "
+                        << joinPath(friction_path, friction_choice) << " = "
+                        << list.get<std::string>(friction_choice) << " depends on the "
+                        << chosenFrictionLaw(list).state_variable << ".");
+}
+
 friction::ParameterView frictionLawValues(ParameterList const& list, FieldNodes const& nodes)
 {
   return valuesOnDevice(chosenFrictionLaw(list).parameters, list, nodes);

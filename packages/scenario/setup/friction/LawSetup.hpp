@@ -14,8 +14,10 @@ namespace asperity::scenario
 // Declares the choices of the two laws, and for every law the parameters of its table.
 void declareLaws(Declare& declare);
 
-// Throws InputError if the friction law does not depend on the state of the state law.
+// Throws InputError if the friction law does not depend on the state of the state law, or not on
+// that which `what` needs.
 void requireSameState(ParameterList const& list);
+void requireState(ParameterList const& list, std::string const& needed, std::string const& what);
 
 // Values of the chosen law's parameters at fault nodes (num_parameters, num_nodes), on the device.
 friction::ParameterView frictionLawValues(ParameterList const& list, FieldNodes const& nodes);
