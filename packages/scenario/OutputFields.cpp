@@ -4,7 +4,7 @@
 #include "catalogue/stress/CoulombPlanes.hpp"
 #include "catalogue/stress/StressFields.hpp"
 #include "fem/inelastic/InelasticCells.hpp"
-#include "scenario/setup/friction/FaultNodes.hpp"
+#include "scenario/setup/FaultNodes.hpp"
 #include "scenario/setup/friction/LawSetup.hpp"
 
 #include <cmath>

@@ -18,6 +18,7 @@
 #include "mesh/Boundaries.hpp"
 #include "mesh/PointText.hpp"
 #include "scenario/setup/BulkSetup.hpp"
+#include "scenario/setup/FaultNodes.hpp"
 #include "scenario/setup/InitialSetup.hpp"
 #include "scenario/setup/MeshSetup.hpp"
 #include "scenario/setup/SolverSetup.hpp"
@@ -25,7 +26,6 @@
 #include "scenario/setup/conditions/BoundaryChecks.hpp"
 #include "scenario/setup/conditions/FreeFault.hpp"
 #include "scenario/setup/friction/FaultLoads.hpp"
-#include "scenario/setup/friction/FaultNodes.hpp"
 #include "scenario/setup/friction/FrictionSetup.hpp"
 
 #include <Tpetra_CrsMatrix.hpp>

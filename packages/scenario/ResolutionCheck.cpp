@@ -9,8 +9,8 @@
 #include "mesh/MeshQuality.hpp"
 #include "scenario/setup/BulkSetup.hpp"
 #include "scenario/setup/DeckPaths.hpp"
+#include "scenario/setup/FaultNodes.hpp"
 #include "scenario/setup/TimeSetup.hpp"
-#include "scenario/setup/friction/FaultNodes.hpp"
 #include "scenario/setup/friction/LawSetup.hpp"
 #include "tnnmg/multigrid/MultigridCorrection.hpp"
 

@@ -12,6 +12,18 @@ namespace
 {
 char const* const field_name = "forced_weakening";
 
+// share := min(max((t - time) / duration, 0), 1)
+void setShare(double t, ConstNodeView const& time, ConstNodeView const& duration,
+              NodeView const& share)
+{
+  Kokkos::parallel_for(
+    "asperity::dynamics::shareOfWeakening", RangePolicy(0, share.extent(0)),
+    KOKKOS_LAMBDA(int node) {
+      const double part = (t - time(node)) / duration(node);
+      share(node) = part > 1 ? 1 : part > 0 ? part : 0;
+    });
+}
+
 class ForcedRupture : public FaultProcess
 {
 public:
@@ -42,7 +54,7 @@ public:
   std::vector<State::Added> fields(State const&) const override
   {
     const NodeView share("asperity::dynamics::forcedWeakening", time_.extent(0));
-    shareAt(0, share);
+    setShare(0, time_, duration_, share);
     return {{std::make_shared<FieldInfo>(FieldInfo{field_name, "forced share of weakening", "-"}),
              share}};
   }
@@ -50,7 +62,7 @@ public:
 
   void begin(State const&, double t, double tau, State const& to) const override
   {
-    shareAt(t + tau, to.at(field_name));
+    setShare(t + tau, time_, duration_, to.at(field_name));
   }
 
   void act(State const& state, NodeView const& alpha, NodeView const&) const override
@@ -64,17 +76,6 @@ public:
   }
 
 private:
-  void shareAt(double t, NodeView const& share) const
-  {
-    auto const time = time_, duration = duration_;
-    Kokkos::parallel_for(
-      "asperity::dynamics::shareOfWeakening", RangePolicy(0, share.extent(0)),
-      KOKKOS_LAMBDA(int node) {
-        const double part = (t - time(node)) / duration(node);
-        share(node) = part > 1 ? 1 : part > 0 ? part : 0;
-      });
-  }
-
   NodeView time_, duration_; // t_f and t_0 [s]
 };
 } // namespace

@@ -6,8 +6,8 @@
 #include "fem/inelastic/InelasticCells.hpp"
 #include "scenario/setup/BulkSetup.hpp"
 #include "scenario/setup/DeckPaths.hpp"
+#include "scenario/setup/FaultNodes.hpp"
 #include "scenario/setup/NodalField.hpp"
-#include "scenario/setup/friction/FaultNodes.hpp"
 
 #include <Tpetra_Vector.hpp>
 

@@ -1,7 +1,8 @@
 """A rupture under slip weakening in plane strain by another method: the spectral boundary integral
 of Geubelle & Rice (1995) for slip along a line in the whole space, in explicit steps.
 
-    tau = tau_0 + f - G / (2 c_s) V,   f_k(t) = -G |k| / 2 int_0^t C(|k| c_s s) D_k(t - s) |k| c_s ds
+    tau = tau_0 + f - G / (2 c_s) V
+    f_k(t) = -G |k| / 2 int_0^t C(|k| c_s s) D_k(t - s) |k| c_s ds
     C(T) = J_1(T) / T + 4 T [W(r T) - W(T)] - 4 / r J_0(r T) + 3 J_0(T),   r = c_p / c_s,
     W(T) = 1 - int_0^T J_1(x) / x dx
 with the slip D, its rate V, and their Fourier components along the line, which is periodic: longer

@@ -1,4 +1,4 @@
-"""TPV101 and TPV103 in plane strain: when the rupture arrives and how much has slipped after 6 s."""
+"""TPV101 and TPV103 in plane strain: when the rupture arrives, and the slip after 6 s."""
 
 import sys
 

@@ -33,7 +33,8 @@ std::string messageOfOutOfRange(Call const& call)
 
 TEST(Registry, HoldsTheLawsOfThisPackage)
 {
-  EXPECT_EQ(frictionLaws().names(), (Names{"Cut-Off", "Regularised", "Slip Weakening", "Truncated"}));
+  EXPECT_EQ(frictionLaws().names(),
+            (Names{"Cut-Off", "Regularised", "Slip Weakening", "Truncated"}));
   EXPECT_EQ(stateLaws().names(),
             (Names{"Ageing", "Flash Heating", "Slip", "Slip Weakening", "Strong Rate Weakening"}));
 }

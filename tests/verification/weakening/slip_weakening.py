@@ -54,9 +54,9 @@ def exact(t):
 
 
 def solve(name, step, changes=None):
-    folder = asperity_run.run_to_end(name, DECK, *asperity_run.settings(
-        {**CHANGES, **(changes or {})}, {f"Time Stepping/{size} Step": step for size in ("Largest", "Smallest")}),
-        *UNUSED)
+    sizes = {f"Time Stepping/{size} Step": step for size in ("Largest", "Smallest")}
+    folder = asperity_run.run_to_end(
+        name, DECK, *asperity_run.settings({**CHANGES, **sizes, **(changes or {})}), *UNUSED)
     history = asperity_run.series(folder / "fault.h5")
     return folder, history["time"], history["fields/slip"][:, 0].ravel()
 

@@ -2,7 +2,7 @@
 
 #include "base/parallel/Agreement.hpp"
 #include "scenario/setup/DeckPaths.hpp"
-#include "scenario/setup/friction/FaultNodes.hpp"
+#include "scenario/setup/FaultNodes.hpp"
 #include "scenario/setup/friction/LawSetup.hpp"
 
 namespace asperity::scenario

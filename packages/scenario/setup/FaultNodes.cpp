@@ -1,4 +1,4 @@
-#include "scenario/setup/friction/FaultNodes.hpp"
+#include "scenario/setup/FaultNodes.hpp"
 
 #include "base/Errors.hpp"
 #include "mesh/MeshQuality.hpp"
