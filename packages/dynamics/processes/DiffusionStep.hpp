@@ -3,6 +3,7 @@
 #include "base/Types.hpp"
 #include "portability/Views.hpp"
 
+#include <array>
 #include <memory>
 #include <vector>
 
