@@ -10,7 +10,7 @@ namespace asperity::dynamics
 {
 namespace
 {
-char const* const field_name = "forced_weakening";
+char const* const share_name = "forced_weakening";
 
 // share := min(max((t - time) / duration, 0), 1)
 void setShare(double t, ConstNodeView const& time, ConstNodeView const& duration,
@@ -55,19 +55,19 @@ public:
   {
     const NodeView share("asperity::dynamics::forcedWeakening", time_.extent(0));
     setShare(0, time_, duration_, share);
-    return {{std::make_shared<FieldInfo>(FieldInfo{field_name, "forced share of weakening", "-"}),
+    return {{std::make_shared<FieldInfo>(FieldInfo{share_name, "forced share of weakening", "-"}),
              share}};
   }
   std::vector<std::shared_ptr<FaultUnknown>> unknowns() const override { return {}; }
 
   void begin(State const&, double t, double tau, State const& to) const override
   {
-    setShare(t + tau, time_, duration_, to.at(field_name));
+    setShare(t + tau, time_, duration_, to.at(share_name));
   }
 
   void act(State const& state, NodeView const& alpha, NodeView const&) const override
   {
-    const ConstNodeView share = state.at(field_name);
+    const ConstNodeView share = state.at(share_name);
     Kokkos::parallel_for(
       "asperity::dynamics::forceWeakening", RangePolicy(0, alpha.extent(0)),
       KOKKOS_LAMBDA(int node) {

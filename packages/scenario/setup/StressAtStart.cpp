@@ -6,13 +6,13 @@ namespace asperity::scenario
 {
 namespace
 {
-constexpr std::array<char const*, 6> names = {"XX", "XY", "XZ", "YY", "YZ", "ZZ"};
+constexpr std::array<char const*, 6> component_names = {"XX", "XY", "XZ", "YY", "YZ", "ZZ"};
 } // namespace
 
 RCP<const ParameterList> StressAtStart::validParameters()
 {
   Declare declare;
-  for (char const* name : names) {
+  for (char const* name : component_names) {
     declare.field(name, optional, "Pa", Range::any(),
                   "The stress at the start has this component, which is 0 if it is left out.");
   }
@@ -22,7 +22,7 @@ RCP<const ParameterList> StressAtStart::validParameters()
 StressAtStart::StressAtStart(ParameterList const& list,
                              std::vector<std::string> const& region_names)
 {
-  for (char const* name : names) {
+  for (char const* name : component_names) {
     fields_.push_back(isGiven(list, name)
                         ? std::optional<Field>(
                             steadyField(list, name, joinPath(bulk_path, list_name), region_names))
