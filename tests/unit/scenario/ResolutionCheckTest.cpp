@@ -82,6 +82,7 @@ TEST(ResolutionCheck, SaysTheNucleationLengthOfTheAgeingLawAlone)
   expectParts(text("Ageing"), {"10 cells", "Nucleation length >= 47 m (ageing law"});
   expectParts(text("Slip"), {"10 cells", "longer than 4020 m", "'Slip'"});
   EXPECT_EQ(text("Slip").find("47"), std::string::npos);
+  expectParts(text("Slip Weakening"), {"(mu_s - mu_d) sigma_n", "Nucleation length >= 47 m (slip"});
 }
 
 TEST(ResolutionCheck, WarnsOfCellsThatAreTooLarge)
@@ -102,12 +103,39 @@ TEST(ResolutionCheck, WarnsOfAPartTooShortToNucleate)
   ASSERT_EQ(warnOfResolution(r, "Ageing").size(), 1u);
   expectParts(warnOfResolution(r, "Ageing")[0].text, {"nucleation length, 47 m", "weakens, 23 m"});
   EXPECT_TRUE(warnOfResolution(r, "Slip").empty()); // 30 m
+  EXPECT_EQ(warnOfResolution(r, "Slip Weakening").size(), 1u);
+  r.unstable_wavelength = 1e5; // of slow slip: it says nothing of what weakens at high slip rates
+  EXPECT_EQ(warnOfResolution(r, "Slip").size(), 1u);
+  EXPECT_TRUE(warnOfResolution(r, "Strong Rate Weakening").empty());
   r.weakening_length = 24;
   EXPECT_TRUE(warnOfResolution(r, "Ageing").empty());
   // A block whose ends are free slides as a whole, however short it is.
   r.weakening_length = 1;
   r.weakens_everywhere = true;
   EXPECT_TRUE(warnOfResolution(r, "Ageing").empty());
+}
+
+// With d_c = 0.9 m, mu_s - mu_d = 0.2 where x < 1.5, sigma_n = 1e4 Pa and G' = 1e6 Pa.
+TEST(ResolutionCheck, KnowsTheLengthsOfSlipWeakening)
+{
+  const auto deck = strip([](ParameterList& given) {
+    auto& friction = given.sublist("Friction");
+    for (auto const* unused :
+         {"a", "b", "L", "Reference Slip Rate", "Reference Friction Coefficient"}) {
+      friction.remove(unused, false);
+    }
+    friction.set("Law", "Slip Weakening").set("State Evolution", "Slip Weakening");
+    friction.set("Static Friction Coefficient", 0.7).set("Slip-Weakening Distance", 0.9);
+    friction.set("Dynamic Friction Coefficient", "x < 1.5 ? 0.5 : 0.7");
+    given.sublist("Initial State").set("State", "Given");
+  });
+  auto const problem = makeProblem<2>(deck, world());
+  const auto resolution = faultResolution(problem, deck.sublist("Friction"));
+  ASSERT_TRUE(resolution);
+  EXPECT_NEAR(resolution->cohesive_zone, 9 * M_PI / 32 * 450, 1e-9);
+  EXPECT_NEAR(resolution->nucleation_length, 1.158 * 450, 1e-9);
+  EXPECT_EQ(resolution->slip_distance, 0.9);
+  EXPECT_NEAR(resolution->weakening_length, 1.5, 1e-12);
 }
 
 TEST(ResolutionCheck, MeasuresThePartThatWeakens)
