@@ -92,7 +92,6 @@ private:
   std::int64_t forced_steps_ = 0;
   FloorCount floor_count_;
   std::vector<Warning> warnings_;
-  std::set<std::string> asked_;    // topics of the warnings of processes on the fault
   std::int64_t rises_to_tell_ = 1; // number of rises of J at which the next warning comes
   std::optional<dynamics::GrowthWatch> growth_watch_;
   dynamics::StallWatch stall_watch_;
