@@ -1,6 +1,7 @@
 #include "scenario/DeckReader.hpp"
 
 #include "SampleDeck.hpp"
+#include "dynamics/FaultProcess.hpp"
 #include "dynamics/control/StepControlKind.hpp"
 #include "fem/bulk/BulkLaw.hpp"
 #include "friction/Registration.hpp"
@@ -79,9 +80,13 @@ using Names = std::vector<std::string>;
 
 TEST(Registries, HoldWhatThePackagesBring)
 {
-  EXPECT_EQ(friction::frictionLaws().names(), (Names{"Regularised", "Truncated"}));
+  EXPECT_EQ(friction::frictionLaws().names(),
+            (Names{"Cut-Off", "Regularised", "Slip Weakening", "Truncated"}));
   EXPECT_EQ(friction::stateLaws().names(),
-            (Names{"Ageing", "Foreign Ageing", "Narrow Ageing", "Slip", "Slow Ageing"}));
+            (Names{"Ageing", "Flash Heating", "Foreign Ageing", "Narrow Ageing", "Slip",
+                   "Slip Weakening", "Slow Ageing", "Strong Rate Weakening"}));
+  EXPECT_EQ(dynamics::FaultProcessRegistry::instance().names(),
+            (Names{"Forced Rupture", "Pore Pressure", "Thermal Pressurisation"}));
   EXPECT_EQ(fem::bulkLaws().names(),
             (Names{"Burgers", "Drucker-Prager", "Kelvin-Voigt", "Maxwell", "Von Mises"}));
   EXPECT_EQ(dynamics::StepControlRegistry::instance().names(),

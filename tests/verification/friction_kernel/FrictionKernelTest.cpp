@@ -48,7 +48,7 @@ private:
 
 TEST(FrictionKernel, SteadySliding)
 {
-  for (auto const& evolution : stateLaws().names()) {
+  for (auto const* evolution : {"Ageing", "Slip"}) {
     for (const double V : {1e-14, 1e-9, 1e-6, 1e-3, 1e2}) {
       Slider regularised("Regularised", evolution), truncated("Truncated", evolution);
       regularised.slideSteadily(V);
