@@ -19,7 +19,7 @@ namespace asperity::friction
 template <class Law>
 struct RateWeakening
 {
-  static constexpr Parameter parameters[] = {
+  static constexpr Parameter parameters[7] = {
     DirectEffect::table[0],
     {"b", "-", no_default, 0, infinity, false, false,
      "This is the weight of the state: mu grows by this value when the state theta grows by a "

@@ -175,7 +175,7 @@ class Parameters(unittest.TestCase):
                             "Steps of a Size = 0 is outside [1, inf)")
         self.assert_refused([*deck, "Output/Mean Slip/Evry n Steps=1"], "'Every n Steps'")
         self.assert_refused([*deck, "Friction/a=0.01"], "Friction / a is unknown here",
-                            "parameter of Law = Regularised")
+                            "parameter of Law =", "Law = Regularised")
         self.assert_refused([*deck, "Output/Fault History/Fields={theta}"], "theta")
         self.assert_refused([DECK, "--validate"], "is not one of", "--plugin")
 
