@@ -106,9 +106,10 @@ class Examples(unittest.TestCase):
                                  capture_output=True, check=True).stdout
         names = set(re.findall(r"^  (\S.*)$", printed, re.MULTILINE))
         settings = re.findall(r'--set "([^"=]+)=', " ".join(text("docs/examples.md").split()))
+        decks = "".join(deck.read_text() for deck in (SOURCE / "xml").glob("*.xml"))
         for name in [each for each in settings if each.startswith("Names/")]:
             settings.remove(name)
-            self.assertIn(f'<Parameter name="{name.split("/")[1]}"', text("xml/wedge_2d.xml"))
+            self.assertIn(f'<Parameter name="{name.split("/")[1]}"', decks)
         self.assertGreater(len(settings), 10)
         for setting in settings:
             self.assertIn(setting.split("/")[-1], names, setting)
