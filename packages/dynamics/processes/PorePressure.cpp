@@ -9,6 +9,7 @@
 #include "base/program/WorkTimers.hpp"
 #include "dynamics/FaultProcess.hpp"
 #include "dynamics/processes/DiffusionStep.hpp"
+#include "dynamics/processes/EffectiveStress.hpp"
 #include "dynamics/processes/Wells.hpp"
 #include "parameters/Parameters.hpp"
 
@@ -116,12 +117,7 @@ public:
 
   void act(State const& state, NodeView const&, NodeView const& sigma_n) const override
   {
-    const ConstNodeView p = state.at(field_name);
-    Kokkos::parallel_for(
-      "asperity::dynamics::effectiveStress", RangePolicy(0, sigma_n.extent(0)),
-      KOKKOS_LAMBDA(int node) {
-        sigma_n(node) = sigma_n(node) > p(node) ? sigma_n(node) - p(node) : 0;
-      });
+    relieve(sigma_n, state.at(field_name));
   }
 
 private:

@@ -3,6 +3,7 @@
 #include "base/program/WorkTimers.hpp"
 #include "dynamics/FaultProcess.hpp"
 #include "dynamics/coupling/FaultUnknown.hpp"
+#include "dynamics/processes/EffectiveStress.hpp"
 #include "dynamics/processes/ShearZone.hpp"
 #include "parameters/Parameters.hpp"
 #include "portability/Renamed.hpp"
@@ -197,12 +198,7 @@ public:
   std::vector<std::shared_ptr<FaultUnknown>> unknowns() const override { return {unknown_}; }
   void act(State const& state, NodeView const&, NodeView const& sigma_n) const override
   {
-    const ConstNodeView p = unknown_->of(state);
-    Kokkos::parallel_for(
-      "asperity::dynamics::effectiveStress", RangePolicy(0, sigma_n.extent_int(0)),
-      KOKKOS_LAMBDA(int node) {
-        sigma_n(node) = sigma_n(node) > p(node) ? sigma_n(node) - p(node) : 0;
-      });
+    relieve(sigma_n, unknown_->of(state));
   }
 
 private:

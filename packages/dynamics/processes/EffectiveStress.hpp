@@ -1,0 +1,16 @@
+#pragma once
+
+#include "portability/Views.hpp"
+
+namespace asperity::dynamics
+{
+// sigma_n := max(sigma_n - p, 0), (num_nodes) [Pa]: what a pressure in the fault leaves to friction.
+inline void relieve(NodeView const& sigma_n, ConstNodeView const& p)
+{
+  Kokkos::parallel_for(
+    "asperity::dynamics::effectiveStress", RangePolicy(0, sigma_n.extent_int(0)),
+    KOKKOS_LAMBDA(int node) {
+      sigma_n(node) = sigma_n(node) > p(node) ? sigma_n(node) - p(node) : 0;
+    });
+}
+} // namespace asperity::dynamics
