@@ -4,7 +4,7 @@
 
 namespace asperity::dynamics
 {
-// sigma_n := max(sigma_n - p, 0), (num_nodes) [Pa]: what a pressure in the fault leaves to friction.
+// sigma_n := max(sigma_n - p, 0), (num_nodes) [Pa]: what a pressure in the fault leaves friction.
 inline void relieve(NodeView const& sigma_n, ConstNodeView const& p)
 {
   Kokkos::parallel_for(
