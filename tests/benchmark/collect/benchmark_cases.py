@@ -198,7 +198,7 @@ RUPTURES = (
          in_index=("arrival at 9 km", "slip after 6 s at 5 km")),
     Case("tpv5_2d", "TPV5 in plane strain, cells of 100 m", "weakening", 0.5, (*TPV5, BALANCE),
          "boundary integrals"),
-    Case("tpv5_2d_50m", "TPV5 in plane strain, cells of 50 m", "weakening", 4, (*TPV5, BALANCE),
+    Case("tpv5_2d_50m", "TPV5 in plane strain, cells of 50 m", "weakening", 7, (*TPV5, BALANCE),
          "boundary integrals", deck="tpv5_2d", settings=("Mesh/Rectangle/Cell Size Factor=0.5",),
          in_index=("arrival at 12 km", "slip after 8 s at 7.5 km")),
     Case("tpv101_3d", "TPV101 in space, cells of 400 m", "tpv101", 7, (
