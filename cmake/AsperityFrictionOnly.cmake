@@ -12,7 +12,8 @@ asperity_add_package(portability LIBRARIES Asperity::Kokkos)
 asperity_add_package(friction PACKAGES portability LIBRARIES Asperity::Kokkos)
 find_package(Eigen3 QUIET NO_MODULE)
 if(TARGET Eigen3::Eigen)
-  asperity_add_package(multigrid LIBRARIES Asperity::Kokkos PRIVATE_LIBRARIES Eigen3::Eigen)
+  asperity_add_package(multigrid PACKAGES portability LIBRARIES Asperity::Kokkos
+    PRIVATE_LIBRARIES Eigen3::Eigen)
 endif()
 
 if(ASPERITY_ENABLE_TESTS)

@@ -2,18 +2,11 @@
 
 using namespace asperity;
 
-void triadOnDevice(NodeView const& a, NodeView const& b, NodeView const& c)
+void addTriad(NodeView const& a, NodeView const& b, NodeView const& c)
 {
   Kokkos::parallel_for(
     "asperity::bench::triad", RangePolicy(0, a.extent_int(0)),
     KOKKOS_LAMBDA(int i) { a(i) = b(i) + 3 * c(i); });
-}
-
-void triadOnHost(HostArray const& a, HostArray const& b, HostArray const& c)
-{
-  Kokkos::parallel_for("asperity::bench::triad",
-                       Kokkos::RangePolicy<Kokkos::DefaultHostExecutionSpace>(0, a.extent_int(0)),
-                       [=](int i) { a(i) = b(i) + 3 * c(i); });
 }
 
 void addForce(ConstNodeView const& curvature, double v, BlockView const& r)

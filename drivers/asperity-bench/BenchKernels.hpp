@@ -3,12 +3,10 @@
 #include "portability/Views.hpp"
 
 // The kernels of asperity-bench itself.
-using HostArray = Kokkos::View<double*, Kokkos::HostSpace>;
 
-// a = b + 3 c (McCalpin 1995), on the device and on the host.
-void triadOnDevice(asperity::NodeView const& a, asperity::NodeView const& b,
-                   asperity::NodeView const& c);
-void triadOnHost(HostArray const& a, HostArray const& b, HostArray const& c);
+// a = b + 3 c (McCalpin 1995)
+void addTriad(asperity::NodeView const& a, asperity::NodeView const& b,
+              asperity::NodeView const& c);
 
 // Adds to r(num_nodes, T) the force that moves nodes with this curvature(num_nodes) at the speed v,
 // along their first tangent.

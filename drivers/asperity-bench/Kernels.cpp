@@ -26,24 +26,22 @@
 #include <limits>
 #include <sstream>
 #include <string>
-#include <type_traits>
 #include <vector>
 
 using namespace asperity;
 
 namespace
 {
-using Host = Kokkos::DefaultHostExecutionSpace;
 constexpr double real = sizeof(double), single = sizeof(float), index = sizeof(int);
 
 // Of all ranks together.
 struct Kernel
 {
   std::string name;
-  std::string space; // where it runs
-  double bytes;      // that it has to move at least
-  double seconds;    // the least of several runs, of the slowest rank
-  double triad;      // [bytes/s] in that space
+  double bytes;   // that it has to move at least
+  double seconds; // the least of several runs, of the slowest rank
+
+  double rate() const { return bytes / seconds; }
 };
 
 // prepare() comes before each run and is not timed. Collective.
@@ -68,62 +66,53 @@ double leastSeconds(Communicator const& communicator, Prepare const& prepare, Ru
   return least;
 }
 
-// A STREAM triad in this space.
-template <class Space, class Array, class Run>
-Kernel triad(Communicator const& communicator, Run const& run)
+Kernel triad(Communicator const& communicator)
 {
   // of all ranks together 134 MB each, if there are no more than sixteen
   const int size = std::max(1 << 20, (1 << 24) / communicator.getSize());
-  const Array a("asperity::bench::a", size), b("asperity::bench::b", size);
-  const Array c("asperity::bench::c", size);
+  const NodeView a("asperity::bench::a", size), b("asperity::bench::b", size);
+  const NodeView c("asperity::bench::c", size);
   Kokkos::deep_copy(b, 1.);
   Kokkos::deep_copy(c, 2.);
   const double seconds = leastSeconds(
-    communicator, [] {}, [&] { run(a, b, c); });
-  const double bytes = sumOverRanks(3 * real * size, communicator);
-  return {"STREAM triad", Space::name(), bytes, seconds, bytes / seconds};
+    communicator, [] {}, [&] { addTriad(a, b, c); });
+  return {"STREAM triad", sumOverRanks(3 * real * size, communicator), seconds};
 }
 
 class Meter
 {
 public:
-  explicit Meter(Communicator const& communicator) : communicator_(communicator)
+  explicit Meter(Communicator const& communicator)
+      : communicator_(communicator)
+      , kernels_({triad(communicator)})
   {
-    kernels_.push_back(triad<ExecutionSpace, NodeView>(communicator, triadOnDevice));
-    on_device_ = on_host_ = kernels_.back().triad;
-    if (!std::is_same<ExecutionSpace, Host>::value) {
-      kernels_.push_back(triad<Host, HostArray>(communicator, triadOnHost));
-      on_host_ = kernels_.back().triad;
-    }
   }
 
   // bytes: of this rank. Collective.
-  template <class Space, class Prepare, class Run>
+  template <class Prepare, class Run>
   void measure(std::string const& name, double bytes, Prepare const& prepare, Run const& run)
   {
-    kernels_.push_back({name, Space::name(), sumOverRanks(bytes, communicator_),
-                        leastSeconds(communicator_, prepare, run),
-                        std::is_same<Space, Host>::value ? on_host_ : on_device_});
+    kernels_.push_back(
+      {name, sumOverRanks(bytes, communicator_), leastSeconds(communicator_, prepare, run)});
   }
-  template <class Space, class Run>
+  template <class Run>
   void measure(std::string const& name, double bytes, Run const& run)
   {
-    measure<Space>(
+    measure(
       name, bytes, [] {}, run);
   }
 
-  std::vector<Kernel> const& kernels() const { return kernels_; }
+  std::vector<Kernel> const& kernels() const { return kernels_; } // the triad first
 
 private:
   Communicator const& communicator_;
   std::vector<Kernel> kernels_;
-  double on_device_ = 0, on_host_ = 0; // triads [bytes/s]
 };
 
 // What a pass over all blocks reads, without vectors.
 double bytesOfBlocks(multigrid::NodeGraph const& graph)
 {
-  return index * static_cast<double>(graph.first.size() + graph.columns.size()) +
+  return index * static_cast<double>(graph.first.extent(0) + graph.columns.extent(0)) +
          single * graph.numCouplings() * graph.blockSize();
 }
 
@@ -143,13 +132,16 @@ double bytesOfTransfer(multigrid::Level const& level, int passes)
   return bytesOfBlocks(graph) +
          single * static_cast<double>(passes * graph.rows() + graph.columnsWithGhosts());
 }
-double bytesOfRestriction(multigrid::Level const& level) { return bytesOfTransfer(level, 1); }
+double bytesOfRestriction(multigrid::Level const& level)
+{
+  return bytesOfTransfer(level, 1) + static_cast<double>(level.restriction.bytes());
+}
 double bytesOfProlongation(multigrid::Level const& level) { return bytesOfTransfer(level, 2); }
 
 double bytesOfCycle(multigrid::Hierarchy const& hierarchy)
 {
-  auto const& levels = hierarchy.levels;
-  auto const& coarsest = hierarchy.coarsest;
+  auto const& levels = hierarchy.levels();
+  auto const& coarsest = hierarchy.coarsest();
   const bool has_factor = coarsest.sum_shared || levels.back().graph.rows() > 0;
   double sum = has_factor ? real * coarsest.num_rows * coarsest.num_rows : 0; // both halves
   for (std::size_t l = 0; l + 1 < levels.size(); ++l) {
@@ -159,22 +151,11 @@ double bytesOfCycle(multigrid::Hierarchy const& hierarchy)
   return sum;
 }
 
-multigrid::NodeBlocks invertedDiagonal(multigrid::Level const& level,
-                                       multigrid::NodeBlocks const& A,
-                                       std::vector<char> const& held)
+multigrid::NodeVector ones(std::size_t size)
 {
-  multigrid::NodeBlocks inverse(level.graph.rows() * level.graph.row_size);
-  multigrid::withBlockSizes(level.graph.row_size, level.graph.row_size, [&](auto rows, auto) {
-    constexpr int N = decltype(rows)::value;
-    for (int row = 0; row < level.graph.num_rows; ++row) {
-      double block[N][N];
-      std::copy_n(&A[static_cast<std::size_t>(level.before[row]) * N * N], N * N, &block[0][0]);
-      multigrid::invertFree(
-        block, [&](int c) { return held[row * N + c] == 0; },
-        &inverse[static_cast<std::size_t>(row) * N * N]);
-    }
-  });
-  return inverse;
+  const auto result = multigrid::makeNumbers(size);
+  Kokkos::deep_copy(result, 1.f);
+  return result;
 }
 
 void measureProducts(Meter& meter, dynamics::Body const& body)
@@ -183,7 +164,7 @@ void measureProducts(Meter& meter, dynamics::Body const& body)
   const auto x = body.vector(), y = body.vector();
   x->randomize();
   const auto rows = static_cast<double>(numLocalRows(K));
-  meter.measure<ExecutionSpace>(
+  meter.measure(
     "product with K, rows in double",
     static_cast<double>(numLocalEntries(K)) * (real + sizeof(LocalOrdinal)) +
       rows * (sizeof(std::size_t) + real) + real * static_cast<double>(numLocalColumns(K)),
@@ -195,37 +176,40 @@ void measureMultigrid(Meter& meter, dynamics::Body const& body, fem::Weights con
 {
   auto const& hierarchy = shared.terms().hierarchy();
   auto const& level = hierarchy.levels().front();
-  auto const A = hierarchy.finestBlocks(Z);
   auto const& flags = body.held.flags();
   const std::vector<char> held(flags.begin(), flags.begin() + body.numOwnedDofs());
-  multigrid::NodeVector b(level.graph.rows(), 1.f), x(level.graph.columnsWithGhosts(), 1.f);
-  multigrid::NodeVector residual(b.size());
-  auto y = b;
-  meter.measure<Host>("product with Z, blocks in single",
-                      bytesOfBlocks(level.graph) + single * static_cast<double>(3 * b.size()),
-                      [&] { multigrid::multiplyAdd(level.graph, level.chunks, A, x, y); });
-  auto const inverse = invertedDiagonal(level, A, held);
+  auto const Z_blocks = hierarchy.finestBlocks(Z);
+  auto const A = hierarchy.shared()->inOrder(Z_blocks);
+  const auto b = ones(level.graph.rows()), x = ones(level.graph.columnsWithGhosts());
+  const auto y = ones(level.graph.rows()), residual = ones(level.graph.rows());
+  meter.measure(
+    "product with Z, blocks in single",
+    bytesOfBlocks(level.graph) + single * static_cast<double>(3 * b.extent(0)),
+    [&] { multigrid::multiplyAdd(level.graph, level.schedule, A, x, y); });
+  // Zero, so that no sweep overflows.
+  const auto inverse = multigrid::makeNumbers(level.graph.rows() * level.graph.row_size);
   multigrid::withBlockSizes(level.graph.row_size, level.graph.row_size, [&](auto rows, auto) {
     const multigrid::Sweeps<decltype(rows)::value> sweeps(level, A, inverse);
-    meter.measure<Host>("forward sweep and residual", bytesOfSweep(level),
-                        [&] { sweeps.forward(b, x, residual); });
+    meter.measure("forward sweep and residual", bytesOfSweep(level),
+                                  [&] { sweeps.forward(b, x, residual); });
   });
   if (hierarchy.levels().size() > 1) {
-    multigrid::NodeVector coarse(level.prolongation.columnsWithGhosts());
+    const auto coarse = ones(level.prolongation.columnsWithGhosts());
     std::vector<multigrid::NodeVector> parts;
-    meter.measure<Host>("restriction", bytesOfRestriction(level), [&] {
-      multigrid::multiplyTransposed(level.prolongation, level.chunks, level.P, residual, coarse,
-                                    parts);
+    meter.measure("restriction", bytesOfRestriction(level), [&] {
+      level.restriction.multiply(level.prolongation, level.schedule, level.P, residual, coarse,
+                                 parts);
     });
-    meter.measure<Host>("prolongation", bytesOfProlongation(level), [&] {
-      multigrid::multiplyAdd(level.prolongation, level.chunks, level.P, coarse, x);
+    meter.measure("prolongation", bytesOfProlongation(level), [&] {
+      multigrid::multiplyAdd(level.prolongation, level.schedule, level.P, coarse, x);
     });
   }
-  multigrid::Cycle cycle(hierarchy.shared(), shared.weights(weights), A, held,
+  multigrid::Cycle cycle(hierarchy.shared(), shared.weights(weights), Z_blocks, held,
                          {}); // nothing is added
   ASPERITY_REQUIRE(cycle.setup({}, {}),
                    "The matrix of a step is not positive definite: nothing holds the body.");
-  meter.measure<Host>("V-cycle", bytesOfCycle(*hierarchy.shared()), [&] { cycle.run(b, false); });
+  meter.measure("V-cycle", bytesOfCycle(*hierarchy.shared()),
+                                [&] { cycle.run(b, false); });
 }
 
 // Block problems of the nodes that slide, whose solution is 1 um/s, from a guess of 1 nm/s; and a
@@ -257,7 +241,7 @@ void measureFriction(Meter& meter, dynamics::Fault const& fault, dynamics::State
   const IndexView nodes = toDevice(sliding, "asperity::bench::nodes");
   int failed = 0;
   const double values = 5 + fault.laws().friction_parameters.extent_int(0); // at, weight, ...
-  meter.measure<ExecutionSpace>(
+  meter.measure(
     "friction, block problems",
     static_cast<double>(sliding.size()) * (index + real * (1 + 3 * T + values)),
     [&] { alongFirst(guess); },
@@ -266,7 +250,7 @@ void measureFriction(Meter& meter, dynamics::Fault const& fault, dynamics::State
                    "Friction has no solution at some nodes for a slip rate of 1e-6 m/s.");
   const NodeView V("asperity::bench::V", num_nodes), alpha("asperity::bench::alpha", num_nodes);
   Kokkos::deep_copy(V, solution);
-  meter.measure<ExecutionSpace>(
+  meter.measure(
     "friction, state update", num_nodes * real * (3 + fault.laws().state_parameters.extent_int(0)),
     [&] { fault.state().flow(V, 1, state.alpha, alpha); });
 }
@@ -291,12 +275,13 @@ std::vector<Kernel> kernelsOf(ParameterList const& deck,
 std::string tableOf(std::vector<Kernel> const& kernels)
 {
   std::ostringstream out;
-  out << "\n| kernel | space | MB | ms | GB/s | of the triad |\n|---|---|---|---|---|---|\n"
+  out << "\nIn the execution space " << ExecutionSpace::name() << ":\n\n"
+      << "| kernel | MB | ms | GB/s | of the triad |\n|---|---|---|---|---|\n"
       << std::setprecision(3);
   for (auto const& kernel : kernels) {
-    const double rate = kernel.bytes / kernel.seconds;
-    out << "| " << kernel.name << " | " << kernel.space << " | " << kernel.bytes / 1e6 << " | "
-        << 1e3 * kernel.seconds << " | " << rate / 1e9 << " | " << rate / kernel.triad << " |\n";
+    out << "| " << kernel.name << " | " << kernel.bytes / 1e6 << " | " << 1e3 * kernel.seconds
+        << " | " << kernel.rate() / 1e9 << " | " << kernel.rate() / kernels.front().rate()
+        << " |\n";
   }
   return out.str();
 }
@@ -306,10 +291,10 @@ std::string jsonOf(std::vector<Kernel> const& kernels)
   std::ostringstream out;
   char const* before = "[";
   for (auto const& kernel : kernels) {
-    out << before << "{\"kernel\": \"" << kernel.name << "\", \"space\": \"" << kernel.space
-        << "\", \"bytes\": " << std::setprecision(12) << kernel.bytes
+    out << before << "{\"kernel\": \"" << kernel.name << "\", \"space\": \""
+        << ExecutionSpace::name() << "\", \"bytes\": " << std::setprecision(12) << kernel.bytes
         << ", \"seconds\": " << kernel.seconds
-        << ", \"share_of_triad\": " << kernel.bytes / kernel.seconds / kernel.triad << '}';
+        << ", \"share_of_triad\": " << kernel.rate() / kernels.front().rate() << '}';
     before = ",\n ";
   }
   out << "]\n";

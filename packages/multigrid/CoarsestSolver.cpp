@@ -31,14 +31,16 @@ void CoarsestSolver::sumIfShared(double* values, Eigen::Index count) const
 bool CoarsestSolver::factorise(NodeGraph const& graph, NodeBlocks const& A)
 {
   const int size = graph.row_size;
+  const auto first = onHost(graph.first), columns = onHost(graph.columns);
+  const auto blocks = onHost(A);
   auto const& place = rows_.places;
   Eigen::MatrixXd matrix = Eigen::MatrixXd::Zero(rows_.num_rows, rows_.num_rows);
   for (int row = 0; row < graph.num_rows; ++row) {
-    for (int k = graph.first[row]; k < graph.first[row + 1]; ++k) {
+    for (int k = first(row); k < first(row + 1); ++k) {
       for (int r = 0; r < size; ++r) {
         for (int c = 0; c < size; ++c) {
-          matrix(place[row * size + r], place[graph.columns[k] * size + c]) =
-            A[(static_cast<std::size_t>(k) * size + r) * size + c];
+          matrix(place[row * size + r], place[columns(k) * size + c]) =
+            blocks((static_cast<std::size_t>(k) * size + r) * size + c);
         }
       }
     }
@@ -61,19 +63,22 @@ bool CoarsestSolver::factorise(NodeGraph const& graph, NodeBlocks const& A)
   return factor_.info() == Eigen::Success;
 }
 
-void CoarsestSolver::solve(NodeVector const& b, NodeVector& x) const
+void CoarsestSolver::solve(NodeVector const& b, NodeVector const& x) const
 {
   if (factor_.rows() == 0) {
     return; // another rank has all rows
   }
+  const auto given = onHost(b);
   Eigen::VectorXd all = Eigen::VectorXd::Zero(factor_.rows());
   for (std::size_t i = 0; i < free_.size(); ++i) {
-    all(rows_.places[i]) = free_[i] ? b[i] : 0;
+    all(rows_.places[i]) = free_[i] ? given(i) : 0;
   }
   sumIfShared(all.data(), all.size());
   factor_.solveInPlace(all);
+  const auto result = Kokkos::create_mirror_view(Kokkos::HostSpace(), x);
   for (std::size_t i = 0; i < free_.size(); ++i) {
-    x[i] = free_[i] ? static_cast<float>(all(rows_.places[i])) : 0;
+    result(i) = free_[i] ? static_cast<float>(all(rows_.places[i])) : 0;
   }
+  Kokkos::deep_copy(x, result);
 }
 } // namespace asperity::multigrid

@@ -10,7 +10,7 @@
 namespace asperity::multigrid
 {
 // A direct solve with the few hundred rows of the coarsest level, by the Cholesky factor of a dense
-// matrix: on the rank that has all rows, or, where several have some, on all ranks.
+// matrix, on the host: on the rank that has all rows, or, where several have some, on all ranks.
 class CoarsestSolver
 {
 public:
@@ -21,7 +21,7 @@ public:
                                               NodeBlocks const& A, std::vector<char> free);
 
   // x = A^-1 b for the owned dofs. Collective.
-  void solve(NodeVector const& b, NodeVector& x) const;
+  void solve(NodeVector const& b, NodeVector const& x) const;
 
 private:
   CoarsestSolver(CoarsestRows rows, std::vector<char> free);

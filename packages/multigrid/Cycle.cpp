@@ -1,10 +1,11 @@
 #include "multigrid/Cycle.hpp"
 
 #include "multigrid/CoarsestSolver.hpp"
+#include "multigrid/CycleKernels.hpp"
 #include "multigrid/FlushDenormals.hpp"
 #include "multigrid/Sweeps.hpp"
 
-#include <algorithm>
+#include <stdexcept>
 #include <utility>
 
 namespace asperity::multigrid
@@ -16,153 +17,148 @@ void withSize(int size, Work const& work)
 {
   withBlockSizes(size, size, [&](auto rows, auto) { work(rows); });
 }
+
+NodeVector copyOf(NodeVector const& from)
+{
+  const auto result = makeNumbers(from.extent(0));
+  Kokkos::deep_copy(result, from);
+  return result;
+}
+
+// The first numbers of `to` become those of `from`.
+void copyFirst(NodeVector const& from, NodeVector const& to, std::size_t count)
+{
+  const auto first = std::make_pair(std::size_t(0), count);
+  Kokkos::deep_copy(Kokkos::subview(to, first), Kokkos::subview(from, first));
+}
+
+template <class Row>
+void forEachOf(IndexView const& rows, Row const& row)
+{
+  Kokkos::parallel_for("asperity::multigrid::someRows", RangePolicy(0, rows.extent_int(0)),
+                       AtRows<Row>{rows, row});
+}
 } // namespace
 
 Cycle::LevelData::LevelData(Level const& level)
-    : A(static_cast<std::size_t>(level.graph.numCouplings()) * level.graph.blockSize())
-    , inverse(level.graph.rows() * level.graph.row_size)
-    , b(level.graph.rows())
-    , x(level.graph.columnsWithGhosts())
-    , residual(level.graph.rows())
-    , coarse(level.prolongation.columnsWithGhosts())
+    : inverse(makeNumbers(level.graph.rows() * level.graph.row_size))
+    , x(makeNumbers(level.graph.columnsWithGhosts()))
+    , residual(makeNumbers(level.graph.rows()))
+    , coarse(makeNumbers(level.prolongation.columnsWithGhosts()))
 {
 }
 
-Cycle::Cycle(std::shared_ptr<const Hierarchy> hierarchy, std::vector<double> weights, NodeBlocks Z,
-             std::vector<char> held, HostView<const int**> added)
+Cycle::Cycle(std::shared_ptr<const Hierarchy> hierarchy, std::vector<double> const& weights,
+             HostBlocks const& Z, std::vector<char> const& held, Dofs const& added)
     : hierarchy_(std::move(hierarchy))
-    , weights_(std::move(weights))
-    , added_(std::move(added))
-    , held_(std::move(held))
+    , weights_(weights)
+    , held_("asperity::multigrid::held", held.size())
 {
-  auto const& levels = hierarchy_->levels;
+  auto const& levels = hierarchy_->levels();
   for (auto const& level : levels) {
     data_.emplace_back(level);
   }
-  data_[0].A = std::move(Z);
-  data_[0].b = {};
-  levels[0].chunks.forEachRow([&](int row) { invertFinest(row, nullptr, nullptr); });
+  const int size = rowSize();
+  const Renumber renumber = {hierarchy_->rowOfNode(), size};
+  const IndexView given = onDevice(std::vector<int>(held.begin(), held.end()));
+  Kokkos::parallel_for("asperity::multigrid::held", RangePolicy(0, given.extent_int(0)),
+                       CopyFlags{renumber, given, held_});
+  const Kokkos::View<int**, Kokkos::LayoutRight, MemorySpace> rows(
+    "asperity::multigrid::added", added.extent(0), added.extent(1));
+  Kokkos::parallel_for("asperity::multigrid::added", RangePolicy(0, rows.extent_int(0)),
+                       CopyDofs{renumber, added, rows});
+  added_ = rows;
+  data_[0].A = hierarchy_->inOrder(Z);
+  withSize(size, [&](auto rows_of_block) {
+    constexpr int N = decltype(rows_of_block)::value;
+    finest().schedule.forEach(finestInversion<N>());
+  });
   for (std::size_t l = 1; l < levels.size(); ++l) {
-    levels[l].chunks.forEachRow([&](int row) {
-      sumTerms(l, row);
-      invert(l, row);
+    auto const& graph = levels[l].graph;
+    data_[l].A = makeNumbers(static_cast<std::size_t>(graph.numCouplings()) * graph.blockSize());
+    data_[l].b = makeNumbers(graph.rows());
+    levels[l].schedule.forEach(sumOfTerms(l));
+    withSize(graph.row_size, [&](auto rows_of_block) {
+      levels[l].schedule.forEach(inversion<decltype(rows_of_block)::value>(l));
     });
   }
 }
 
 Cycle::~Cycle() = default;
 
-// A row of the level's matrix, without added blocks.
-void Cycle::sumTerms(std::size_t l, int row)
+SumTermsRow Cycle::sumOfTerms(std::size_t l) const
 {
-  auto const& level = hierarchy_->levels[l];
-  const auto size = static_cast<std::size_t>(level.graph.blockSize());
-  for (auto i = level.graph.first[row] * size; i < level.graph.first[row + 1] * size; ++i) {
-    double sum = 0;
-    for (std::size_t k = 0; k < weights_.size(); ++k) {
-      sum += weights_[k] * level.terms[k][i];
-    }
-    data_[l].A[i] = static_cast<float>(sum);
+  auto const& level = hierarchy_->levels()[l];
+  SumTermsRow result = {{}, level.graph.first.data(), level.graph.blockSize(), data_[l].A.data()};
+  result.of.count = static_cast<int>(weights_.size());
+  for (std::size_t k = 0; k < weights_.size(); ++k) {
+    result.of.terms[k] = level.terms[k].data();
+    result.of.weights[k] = weights_[k];
   }
+  return result;
 }
 
-void Cycle::invert(std::size_t l, int row)
+template <int N>
+InvertRow<N> Cycle::inversion(std::size_t l) const
 {
-  auto const& level = hierarchy_->levels[l];
-  auto& data = data_[l];
-  withSize(level.graph.row_size, [&](auto rows) {
-    constexpr int N = decltype(rows)::value;
-    double block[N][N] = {};
-    if (level.after[row] > level.before[row]) {
-      std::copy_n(&data.A[static_cast<std::size_t>(level.before[row]) * N * N], N * N,
-                  &block[0][0]);
-    }
-    invertFree(
-      block, [](int) { return true; }, &data.inverse[static_cast<std::size_t>(row) * N * N]);
-  });
+  auto const& level = hierarchy_->levels()[l];
+  return {level.before.data(), level.after.data(), data_[l].A.data(), data_[l].inverse.data()};
 }
 
-// H(N, N) is added to the block of Z; both may be null.
-void Cycle::invertFinest(int row, double const* H, bool const* removed)
+bool Cycle::setup(HessianView const& H, ConstFlagView const& removed)
 {
-  auto const& level = hierarchy_->levels[0];
-  auto& data = data_[0];
-  withSize(level.graph.row_size, [&](auto rows) {
-    constexpr int N = decltype(rows)::value;
-    double block[N][N];
-    std::copy_n(&data.A[static_cast<std::size_t>(level.before[row]) * N * N], N * N, &block[0][0]);
-    for (int i = 0; H != nullptr && i < N * N; ++i) {
-      block[i / N][i % N] += H[i];
-    }
-    const auto free = [&](int c) {
-      return !held_[row * N + c] && (removed == nullptr || !removed[c]);
-    };
-    invertFree(block, free, &data.inverse[static_cast<std::size_t>(row) * N * N]);
-  });
-}
-
-bool Cycle::setup(HostView<const double***> const& H, HostView<const int*> const& removed)
-{
-  auto const& level = hierarchy_->levels[0];
-  const int size = level.graph.row_size;
   NodeBlocks with_added;
   if (isCoarsest(0)) {
-    with_added = data_[0].A;
+    with_added = copyOf(data_[0].A);
   }
-  for (int node = 0; node < added_.extent_int(0); ++node) {
-    const int row = added_(node, 0) / size;
-    double block[9] = {};
-    bool is_removed[3] = {};
-    for (int s = 0; s < added_.extent_int(1); ++s) {
-      const int component = added_(node, s) % size;
-      is_removed[component] = removed(node) != 0;
-      for (int t = 0; t < added_.extent_int(1); ++t) {
-        block[component * size + added_(node, t) % size] = H(node, s, t);
-      }
-    }
-    invertFinest(row, block, is_removed);
-    for (int i = 0; isCoarsest(0) && i < size * size; ++i) {
-      with_added[static_cast<std::size_t>(level.before[row]) * size * size + i] +=
-        static_cast<float>(block[i]);
-    }
-  }
+  withSize(rowSize(), [&](auto rows) {
+    constexpr int N = decltype(rows)::value;
+    Kokkos::parallel_for("asperity::multigrid::invertAdded", RangePolicy(0, added_.extent_int(0)),
+                         InvertAdded<N>{finestInversion<N>(), added_, H, removed,
+                                        isCoarsest(0) ? with_added.data() : nullptr});
+  });
   if (isCoarsest(0)) {
     return factorise(with_added);
   }
   return coarsest_ || factorise(data_.back().A);
 }
 
+template <int N>
+InvertFinest<N> Cycle::finestInversion() const
+{
+  return {finest().before.data(), data_[0].A.data(), held_.data(), data_[0].inverse.data()};
+}
+
 // A: the matrix of the coarsest level.
 bool Cycle::factorise(NodeBlocks const& A)
 {
-  auto const& graph = hierarchy_->levels.back().graph;
+  auto const& graph = hierarchy_->levels().back().graph;
+  const auto inverse = onHost(data_.back().inverse);
   std::vector<char> free;
   for (std::size_t i = 0; i < graph.rows(); ++i) {
     const std::size_t row = i / graph.row_size, c = i % graph.row_size;
-    free.push_back(data_.back().inverse[(row * graph.row_size + c) * graph.row_size + c] != 0);
+    free.push_back(inverse((row * graph.row_size + c) * graph.row_size + c) != 0);
   }
-  coarsest_ = CoarsestSolver::make(graph, hierarchy_->coarsest, A, std::move(free));
+  coarsest_ = CoarsestSolver::make(graph, hierarchy_->coarsest(), A, std::move(free));
   return coarsest_ != nullptr;
 }
 
-void Cycle::setCoarseBlocks(std::vector<double> const& H)
+void Cycle::setCoarseBlocks(HessianView const& H)
 {
   for (std::size_t l = 1; l < data_.size(); ++l) {
-    auto const& added = hierarchy_->levels[l].added;
-    for (int row : added.rows) {
-      sumTerms(l, row);
-    }
-    added.addTo(data_[l].A, H);
-    for (int row : added.rows) {
-      invert(l, row);
-    }
+    auto const& level = hierarchy_->levels()[l];
+    forEachOf(level.added.rows(), sumOfTerms(l));
+    level.added.addTo(data_[l].A, H);
+    withSize(level.graph.row_size, [&](auto rows) {
+      forEachOf(level.added.rows(), inversion<decltype(rows)::value>(l));
+    });
   }
   coarsest_.reset();
 }
 
 void Cycle::descend(std::size_t l, NodeVector const& b)
 {
-  auto const& level = hierarchy_->levels[l];
+  auto const& level = hierarchy_->levels()[l];
   auto& data = data_[l];
   if (isCoarsest(l)) {
     coarsest_->solve(b, data.x);
@@ -172,15 +168,15 @@ void Cycle::descend(std::size_t l, NodeVector const& b)
     const Sweeps<decltype(rows)::value> sweeps(level, data.A, data.inverse);
     sweeps.forward(b, data.x, data.residual);
     sweeps.clearHeld(data.residual);
-    multiplyTransposed(level.prolongation, level.chunks, level.P, data.residual, data.coarse,
-                       data.parts);
+    level.restriction.multiply(level.prolongation, level.schedule, level.P, data.residual,
+                               data.coarse, data.parts);
     level.prolongation.gather(data.coarse);
-    auto& next = data_[l + 1];
-    std::copy_n(data.coarse.begin(), next.b.size(), next.b.begin());
+    auto const& next = data_[l + 1];
+    copyFirst(data.coarse, next.b, next.b.extent(0));
     descend(l + 1, next.b);
-    std::copy_n(next.x.begin(), next.b.size(), data.coarse.begin());
+    copyFirst(next.x, data.coarse, next.b.extent(0));
     level.prolongation.share(data.coarse);
-    multiplyAdd(level.prolongation, level.chunks, level.P, data.coarse, data.x);
+    multiplyAdd(level.prolongation, level.schedule, level.P, data.coarse, data.x);
     sweeps.clearHeld(data.x);
     sweeps.backward(b, data.x, data.residual, data.before);
   });
@@ -189,14 +185,13 @@ void Cycle::descend(std::size_t l, NodeVector const& b)
 Cycle::Result Cycle::run(NodeVector const& r, bool with_image)
 {
   const FlushDenormals flushed;
-  auto& data = data_[0];
+  auto const& data = data_[0];
   descend(0, r);
   if (with_image) {
-    auto const& level = hierarchy_->levels[0];
-    withSize(level.graph.row_size, [&](auto rows) {
-      const Sweeps<decltype(rows)::value> sweeps(level, data.A, data.inverse);
+    withSize(rowSize(), [&](auto rows) {
+      const Sweeps<decltype(rows)::value> sweeps(finest(), data.A, data.inverse);
       if (isCoarsest(0)) { // solved exactly
-        data.residual = r;
+        Kokkos::deep_copy(data.residual, r);
         sweeps.clearHeld(data.residual);
       } else {
         sweeps.image(data.x, data.residual);
@@ -206,12 +201,25 @@ Cycle::Result Cycle::run(NodeVector const& r, bool with_image)
   return {data.x, data.residual};
 }
 
+void Cycle::toRows(ConstNodeView const& given, double by, NodeVector const& x) const
+{
+  schedule().forEachNumber(rowSize(),
+                           ToRows{{hierarchy_->rowOfNode(), rowSize()}, given, by, x.data()});
+}
+
+void Cycle::fromRows(NodeVector const& x, double times, NodeView const& result) const
+{
+  schedule().forEachNumber(rowSize(),
+                           FromRows{{hierarchy_->rowOfNode(), rowSize()}, x.data(), times, result});
+}
+
 std::size_t Cycle::bytes() const
 {
   std::size_t sum = 0;
   for (auto const& data : data_) {
-    sum += sizeof(float) * (data.A.size() + data.inverse.size() + data.b.size() + data.x.size() +
-                            data.residual.size() + data.coarse.size() + data.before.size());
+    sum += sizeof(float) *
+           (data.A.extent(0) + data.inverse.extent(0) + data.b.extent(0) + data.x.extent(0) +
+            data.residual.extent(0) + data.coarse.extent(0) + data.before.extent(0));
   }
   return sum;
 }

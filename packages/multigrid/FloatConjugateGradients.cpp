@@ -2,97 +2,103 @@
 
 #include "multigrid/FlushDenormals.hpp"
 
-#include <array>
 #include <utility>
 
 namespace asperity::multigrid
 {
 namespace
 {
-// Inner products of r, z, w = (Z + H) z and the last s.
-struct Products
+// Adds to the products rr, rz, zw, rw, ww, ws, rs, ss of r, z, w = (Z + H) z and the last s.
+struct InnerProducts
 {
-  double rr, rz, zw, rw, ww, ws, rs, ss;
+  using value_type = double[]; // NOLINT(modernize-avoid-c-arrays): as Kokkos wants it
+  static constexpr int num_products = 8;
+  unsigned value_count = num_products;
+
+  float const *r, *z, *w, *s;
+  KOKKOS_FUNCTION void operator()(int i, double* sums) const
+  {
+    const double ri = r[i], zi = z[i], wi = w[i], si = s[i];
+    sums[0] += ri * ri;
+    sums[1] += ri * zi;
+    sums[2] += zi * wi;
+    sums[3] += ri * wi;
+    sums[4] += wi * wi;
+    sums[5] += wi * si;
+    sums[6] += ri * si;
+    sums[7] += si * si;
+  }
 };
 
-// N numbers in each row.
-Products productsOf(Chunks const& chunks, int N, NodeVector const& r, Cycle::Result const& cycle,
-                    NodeVector const& s, SumOverRanks const& sumOverRanks)
+// The next direction and its image, and what follows from a step along it.
+struct Advance
 {
-  auto sums = chunks.sum<8>([&](int begin, int end, std::array<double, 8>& all) {
-    auto [rr, rz, zw, rw, ww, ws, rs, ss] = all;
-    for (int i = begin * N; i < end * N; ++i) {
-      const double ri = r[i], zi = cycle.z[i], wi = cycle.image[i], si = s[i];
-      rr += ri * ri;
-      rz += ri * zi;
-      zw += zi * wi;
-      rw += ri * wi;
-      ww += wi * wi;
-      ws += wi * si;
-      rs += ri * si;
-      ss += si * si;
-    }
-    all = {rr, rz, zw, rw, ww, ws, rs, ss};
-  });
-  sumOverRanks(sums.data(), 8);
-  auto const [rr, rz, zw, rw, ww, ws, rs, ss] = sums;
-  return {rr, rz, zw, rw, ww, ws, rs, ss};
-}
+  float again, step;
+  float const *z, *w;
+  float *p, *s, *c, *r;
+  KOKKOS_FUNCTION void operator()(int i) const
+  {
+    p[i] = z[i] + again * p[i];
+    s[i] = w[i] + again * s[i];
+    c[i] += step * p[i];
+    r[i] -= step * s[i];
+  }
+};
 } // namespace
 
 FloatConjugateGradients::FloatConjugateGradients(Cycle& cycle, SumOverRanks sum)
     : cycle_(cycle)
     , sum_(std::move(sum))
-    , r_(cycle.rows())
+    , r_(makeNumbers(cycle.rows()))
+    , c_(makeNumbers(cycle.rows()))
+    , p_(makeNumbers(cycle.rows()))
+    , s_(makeNumbers(cycle.rows()))
 {
 }
 
-IterationResult FloatConjugateGradients::solve(HostView<const double*> const& right_side,
-                                               double norm, double relative_tolerance,
-                                               int max_iterations, HostView<double*> const& c)
+IterationResult FloatConjugateGradients::solve(ConstNodeView const& right_side, double norm,
+                                               double relative_tolerance, int max_iterations,
+                                               NodeView const& c)
 {
   const FlushDenormals flushed;
   IterationResult result;
-  c_.assign(r_.size(), 0.f);
-  p_.assign(r_.size(), 0.f);
-  s_.assign(r_.size(), 0.f);
-  auto const& chunks = cycle_.chunks();
+  for (auto const& x : {c_, p_, s_}) {
+    Kokkos::deep_copy(x, 0.f);
+  }
+  auto const& schedule = cycle_.schedule();
   const int N = cycle_.rowSize();
-  const auto forEach = [&](auto const& work) {
-    chunks.forEach([&](int begin, int end) {
-      for (int i = begin * N; i < end * N; ++i) {
-        work(i);
-      }
-    });
-  };
   if (norm > 0) {
-    forEach([&](int i) { r_[i] = static_cast<float>(right_side(i) / norm); });
+    cycle_.toRows(right_side, norm, r_);
   }
   const double target = relative_tolerance * relative_tolerance;
   double before = 0, step = 0;
   result.converged = !(norm > 0);
   while (!result.converged && result.iterations < max_iterations) {
     auto const cycle = cycle_.run(r_, true);
-    auto const now = productsOf(chunks, N, r_, cycle, s_, sum_);
-    const double again = result.iterations > 0 ? now.rz / before : 0;
-    const double curvature = now.zw - (result.iterations > 0 ? again * now.rz / step : 0);
-    if (!(now.rz > 0 && curvature > 0)) {
+    float const *z = cycle.z.data(), *w = cycle.image.data();
+    auto sums = schedule.sum<InnerProducts::num_products>(
+      N, InnerProducts{InnerProducts::num_products, r_.data(), z, w, s_.data()});
+    sum_(sums.data(), InnerProducts::num_products);
+    auto const [rr, rz, zw, rw, ww, ws, rs_before, ss_before] = sums;
+    const double again = result.iterations > 0 ? rz / before : 0;
+    const double curvature = zw - (result.iterations > 0 ? again * rz / step : 0);
+    if (!(rz > 0 && curvature > 0)) {
       break;
     }
-    step = now.rz / curvature;
-    before = now.rz;
+    step = rz / curvature;
+    before = rz;
     ++result.iterations;
-    forEach([&](int i) {
-      p_[i] = cycle.z[i] + static_cast<float>(again) * p_[i];
-      s_[i] = cycle.image[i] + static_cast<float>(again) * s_[i];
-      c_[i] += static_cast<float>(step) * p_[i];
-      r_[i] -= static_cast<float>(step) * s_[i];
-    });
-    const double rs = now.rw + again * now.rs;
-    const double ss = now.ww + 2 * again * now.ws + again * again * now.ss;
-    result.converged = now.rr - 2 * step * rs + step * step * ss <= target;
+    schedule.forEachNumber(N, Advance{static_cast<float>(again), static_cast<float>(step), z, w,
+                                      p_.data(), s_.data(), c_.data(), r_.data()});
+    const double rs = rw + again * rs_before;
+    const double ss = ww + 2 * again * ws + again * again * ss_before;
+    result.converged = rr - 2 * step * rs + step * step * ss <= target;
   }
-  forEach([&](int i) { c(i) = norm > 0 ? norm * c_[i] : 0; });
+  if (norm > 0) {
+    cycle_.fromRows(c_, norm, c);
+  } else {
+    Kokkos::deep_copy(c, 0.);
+  }
   return result;
 }
 } // namespace asperity::multigrid

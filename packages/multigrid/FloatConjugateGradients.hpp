@@ -27,12 +27,12 @@ public:
   // (Z + H) c = r, from zero, until the residual is at most relative_tolerance |r|; r is zero at
   // removed and held dofs, and norm is |r| over all ranks. It does not converge if rounding has
   // made the cycle indefinite, or if max_iterations are not enough. Collective.
-  IterationResult solve(HostView<const double*> const& r, double norm, double relative_tolerance,
-                        int max_iterations, HostView<double*> const& c);
+  IterationResult solve(ConstNodeView const& r, double norm, double relative_tolerance,
+                        int max_iterations, NodeView const& c);
 
 private:
   Cycle& cycle_;
   SumOverRanks sum_;
-  NodeVector r_, c_, p_, s_; // s = (Z + H) p
+  NodeVector r_, c_, p_, s_; // s = (Z + H) p; all in the order of the cycle's rows
 };
 } // namespace asperity::multigrid

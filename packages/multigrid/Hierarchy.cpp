@@ -1,95 +1,41 @@
 #include "multigrid/Hierarchy.hpp"
 
-#include <algorithm>
-#include <stdexcept>
+#include "multigrid/Renumbering.hpp"
+
+#include <utility>
 
 namespace asperity::multigrid
 {
 namespace
 {
-// Adds Q_J^T H Q_K and, if J is not K, its transpose: one product for both keeps the sum symmetric.
-template <int T, int N>
-void addNode(AddedBlocks const& added, int node, double const* H, NodeBlocks& A)
+struct Coloured
 {
-  const int begin = added.graph.first[node];
-  const int count = added.graph.first[node + 1] - begin;
-  for (int j = 0; j < count; ++j) {
-    float const* QJ = &added.Q[static_cast<std::size_t>(begin + j) * T * N];
-    double HQ[T][N]; // H Q_J
-    for (int s = 0; s < T; ++s) {
-      for (int c = 0; c < N; ++c) {
-        HQ[s][c] = 0;
-        for (int t = 0; t < T; ++t) {
-          HQ[s][c] += H[s * T + t] * QJ[t * N + c];
-        }
-      }
-    }
-    for (int k = j; k < count; ++k) {
-      const int to = added.couplings[added.first[node] + j * count + k];
-      const int back = k > j ? added.couplings[added.first[node] + k * count + j] : -1;
-      if (to < 0 && back < 0) {
-        continue;
-      }
-      float const* QK = &added.Q[static_cast<std::size_t>(begin + k) * T * N];
-      for (int r = 0; r < N; ++r) {
-        for (int c = 0; c < N; ++c) {
-          double sum = 0;
-          for (int s = 0; s < T; ++s) {
-            sum += HQ[s][r] * QK[s * N + c];
-          }
-          if (to >= 0) {
-            A[(static_cast<std::size_t>(to) * N + r) * N + c] += static_cast<float>(sum);
-          }
-          if (back >= 0) {
-            A[(static_cast<std::size_t>(back) * N + c) * N + r] += static_cast<float>(sum);
-          }
-        }
-      }
-    }
+  std::vector<int> begins; // of the colours
+  std::vector<int> row_of_node, coupling_of_given;
+};
+
+// Renumbers a level's rows colour by colour.
+Coloured colourRows(HostLevel& level)
+{
+  auto [row_of_node, begins] = colour(level.graph);
+  auto matrix = renumbered(level.graph, row_of_node, row_of_node);
+  for (auto& term : level.terms) {
+    term = renumbered(term, matrix.coupling_of_given, level.graph.blockSize());
   }
+  for (int& coupling : level.added.couplings) {
+    coupling = coupling < 0 ? coupling : matrix.coupling_of_given[coupling];
+  }
+  for (int& row : level.added.rows) {
+    row = row_of_node[row];
+  }
+  level.graph = std::move(matrix.graph);
+  return {std::move(begins), std::move(row_of_node), std::move(matrix.coupling_of_given)};
 }
 
-template <int T, int N>
-void addAll(AddedBlocks const& added, std::vector<double> const& blocks, NodeBlocks& A)
+// The end and the beginning of each row's couplings with nodes before and after its own.
+std::pair<std::vector<int>, std::vector<int>> besideDiagonal(HostGraph const& graph)
 {
-  for (int node = 0; node < added.graph.num_rows; ++node) {
-    double const* H = &blocks[static_cast<std::size_t>(node) * T * T];
-    if (std::any_of(H, H + T * T, [](double entry) { return entry != 0; })) {
-      addNode<T, N>(added, node, H, A);
-    }
-  }
-}
-
-template <int T>
-void addWithSize(AddedBlocks const& added, std::vector<double> const& blocks, NodeBlocks& A)
-{
-  switch (added.graph.column_size) { // rigid body motions, as in withBlockSizes
-  case 1: return addAll<T, 1>(added, blocks, A);
-  case 2: return addAll<T, 2>(added, blocks, A);
-  case 3: return addAll<T, 3>(added, blocks, A);
-  case 4: return addAll<T, 4>(added, blocks, A);
-  case 6: return addAll<T, 6>(added, blocks, A);
-  default: throw std::logic_error("multigrid: no kernels for this number of rigid motions");
-  }
-}
-} // namespace
-
-void AddedBlocks::addTo(NodeBlocks& A, std::vector<double> const& H) const
-{
-  const auto all = collect ? collect(H) : H;
-  if (graph.num_rows == 0) {
-    return;
-  }
-  switch (graph.row_size) {
-  case 1: return addWithSize<1>(*this, all, A);
-  case 2: return addWithSize<2>(*this, all, A);
-  default: return addWithSize<3>(*this, all, A);
-  }
-}
-
-void Level::complete(int num_threads)
-{
-  chunks = Chunks(graph.first, num_threads);
+  std::vector<int> before, after;
   for (int row = 0; row < graph.num_rows; ++row) {
     int k = graph.first[row];
     while (k < graph.first[row + 1] && graph.columns[k] < row) {
@@ -98,5 +44,73 @@ void Level::complete(int num_threads)
     before.push_back(k);
     after.push_back(k + (k < graph.first[row + 1] && graph.columns[k] == row ? 1 : 0));
   }
+  return {before, after};
+}
+
+// Releases what it moves.
+Level deviceLevel(HostLevel host, Schedule schedule)
+{
+  Level level;
+  level.graph = NodeGraph(host.graph);
+  for (auto& term : host.terms) {
+    level.terms.push_back(onDevice(std::exchange(term, HostBlocks())));
+  }
+  auto const [before, after] = besideDiagonal(host.graph);
+  level.before = onDevice(before);
+  level.after = onDevice(after);
+  if (!host.prolongation.first.empty()) {
+    level.prolongation = NodeGraph(host.prolongation);
+    level.P = onDevice(std::exchange(host.P, HostBlocks()));
+    level.restriction = TransposedProduct(host.prolongation, schedule);
+  }
+  if (!host.added.first.empty()) {
+    level.added = AddedBlocks(host.added, host.graph);
+  }
+  level.schedule = std::move(schedule);
+  return level;
+}
+} // namespace
+
+Hierarchy::Hierarchy(std::vector<HostLevel> levels, CoarsestRows coarsest, RowOrder order,
+                     int num_threads)
+    : coarsest_(std::move(coarsest))
+{
+  const bool has_colours = order == RowOrder::colours;
+  std::vector<std::vector<int>> row_of_node(levels.size());
+  std::vector<Schedule> schedules;
+  for (std::size_t l = 0; l < levels.size(); ++l) {
+    auto& level = levels[l];
+    if (!has_colours) {
+      schedules.push_back(Schedule::inChunks(level.graph.first, num_threads));
+    } else if (l + 1 == levels.size()) { // has no sweeps
+      schedules.push_back(Schedule::inColours({0, level.graph.num_rows}));
+    } else {
+      auto coloured = colourRows(level);
+      schedules.push_back(Schedule::inColours(std::move(coloured.begins)));
+      row_of_node[l] = std::move(coloured.row_of_node);
+      if (l == 0) {
+        coupling_of_given_ = std::move(coloured.coupling_of_given);
+        row_of_node_ = onDevice(row_of_node[0]);
+      }
+    }
+  }
+  levels_.reserve(levels.size());
+  for (std::size_t l = 0; l < levels.size(); ++l) {
+    auto level = std::exchange(levels[l], HostLevel());
+    if (has_colours && l + 1 < levels.size()) {
+      auto P = renumbered(level.prolongation, row_of_node[l], row_of_node[l + 1]);
+      level.P = renumbered(level.P, P.coupling_of_given, level.prolongation.blockSize());
+      level.prolongation = std::move(P.graph);
+    }
+    levels_.push_back(deviceLevel(std::move(level), std::move(schedules[l])));
+  }
+}
+
+NodeBlocks Hierarchy::inOrder(HostBlocks const& finest) const
+{
+  auto const& graph = levels_.front().graph;
+  return onDevice(coupling_of_given_.empty()
+                    ? finest
+                    : renumbered(finest, coupling_of_given_, graph.blockSize()));
 }
 } // namespace asperity::multigrid

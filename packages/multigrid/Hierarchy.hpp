@@ -1,9 +1,9 @@
 #pragma once
 
-#include "multigrid/Chunks.hpp"
+#include "multigrid/AddedBlocks.hpp"
 #include "multigrid/NodeMatrix.hpp"
+#include "multigrid/Schedule.hpp"
 
-#include <cstddef>
 #include <functional>
 #include <vector>
 
@@ -12,38 +12,27 @@ namespace asperity::multigrid
 // Sums numbers over the ranks, in place. Collective.
 using SumOverRanks = std::function<void(double* values, int count)>;
 
-// How blocks H_i that are added to the finest matrix at some nodes of all ranks (the added blocks)
-// act on the nodes of a coarse level that this rank owns: as the sum of Q_i^T H_i Q_i, Q_i the rows
-// of the product of all prolongators up to this level.
-struct AddedBlocks
+// A level where it is made.
+struct HostLevel
 {
-  NodeGraph graph; // the nodes that act here, by nodes of the level
-  NodeBlocks Q;
-  // For each such node with n columns the n x n couplings of the level's matrix that its block
-  // enters, -1 where another rank owns the row; (num nodes + 1) where they begin.
-  std::vector<int> couplings, first;
-  std::vector<int> rows; // owned nodes that some block acts on
-  // The blocks (num nodes, T, T) that act here, of those at this rank's nodes; empty where these
-  // are the same, as on one rank. Collective.
-  std::function<std::vector<double>(std::vector<double> const&)> collect;
-
-  // A += Q^T H Q, for the blocks H (num nodes, T, T) of this rank's nodes. Collective.
-  void addTo(NodeBlocks& A, std::vector<double> const& H) const;
+  HostGraph graph;               // of the level's matrix
+  std::vector<HostBlocks> terms; // projected; empty on the finest level
+  HostGraph prolongation;        // from the next level; without rows on the coarsest one
+  HostBlocks P;
+  HostAddedBlocks added; // empty on the finest level
 };
 
 struct Level
 {
-  NodeGraph graph;                // of the level's matrix
-  std::vector<NodeBlocks> terms;  // projected; empty on the finest level
-  std::vector<int> before, after; // (num_rows) the end and the beginning of a row's couplings with
-                                  // nodes before and after its own
-  NodeGraph prolongation;         // from the next level; without rows on the coarsest one
+  NodeGraph graph;
+  std::vector<NodeBlocks> terms;
+  IndexView before, after; // (num_rows) the end and the beginning of a row's couplings with nodes
+                           // before and after its own
+  NodeGraph prolongation;
   NodeBlocks P;
-  AddedBlocks added; // empty on the finest level
-  Chunks chunks;     // of the rows of the matrix and of the prolongation
-
-  // Sets before, after and chunks from the graph.
-  void complete(int num_threads = Chunks::numThreads());
+  TransposedProduct restriction;
+  AddedBlocks added;
+  Schedule schedule; // of the rows of the matrix and of the prolongation
 };
 
 // The rows of the coarsest level in a matrix of all ranks.
@@ -62,9 +51,27 @@ struct CoarsestRows
 // The levels of all matrices sum_k w_k A_k with the same terms A_k, from fine to coarse. On each
 // level the matrix of any weights is a sum of the terms there, so that new weights cost no product
 // with prolongators.
-struct Hierarchy
+class Hierarchy
 {
-  std::vector<Level> levels;
-  CoarsestRows coarsest;
+public:
+  // The levels follow one another, and the columns of a prolongation are the rows of the next level
+  // and ghosts.
+  Hierarchy(std::vector<HostLevel> levels, CoarsestRows coarsest,
+            RowOrder order = defaultRowOrder(), int num_threads = Schedule::numThreads());
+
+  std::vector<Level> const& levels() const { return levels_; }
+  CoarsestRows const& coarsest() const { return coarsest_; }
+
+  // The nodes of the finest level are renumbered if rows have colours: (num_rows) the row of each
+  // node; empty if it is the node's own number.
+  IndexView const& rowOfNode() const { return row_of_node_; }
+  // The blocks of a finest matrix, given in the order of the nodes.
+  NodeBlocks inOrder(HostBlocks const& finest) const;
+
+private:
+  std::vector<Level> levels_;
+  CoarsestRows coarsest_;
+  IndexView row_of_node_;
+  std::vector<int> coupling_of_given_; // of the finest matrix, where it is renumbered
 };
 } // namespace asperity::multigrid

@@ -1,6 +1,9 @@
 #pragma once
 
-#include <cmath>
+#include "portability/Renamed.hpp"
+
+#include <Kokkos_Core.hpp>
+
 #include <cstring>
 #include <stdexcept>
 #include <type_traits>
@@ -30,11 +33,60 @@ void withBlockSizes(int rows, int columns, Work const& work)
   throw std::logic_error("multigrid: no kernels for blocks of this size");
 }
 
-// Four numbers that a processor multiplies at once; compilers do not do so with blocks of three.
+// Products of single blocks. The host takes four numbers at a time: processors multiply so many at
+// once, and compilers do not do so with blocks of three. Each thread of a device takes one.
+#if defined(__CUDA_ARCH__) || defined(__HIP_DEVICE_COMPILE__) || defined(__SYCL_DEVICE_ONLY__)
+
+// Sums of products of a block's R rows with a vector of C numbers.
+template <int R, int C>
+class RowSums
+{
+public:
+  // += a x
+  KOKKOS_FUNCTION void add(float const* a, float const* x)
+  {
+    for (int r = 0; r < R; ++r) {
+      for (int c = 0; c < C; ++c) {
+        sums_[r] += a[r * C + c] * x[c];
+      }
+    }
+  }
+  KOKKOS_FUNCTION float operator[](int r) const { return sums_[r]; }
+
+private:
+  float sums_[R] = {};
+};
+
+// to = a x with a symmetric a
+template <int N>
+KOKKOS_INLINE_FUNCTION void multiplySymmetric(float const* a, float const (&x)[N], float* to)
+{
+  for (int r = 0; r < N; ++r) {
+    float sum = 0;
+    for (int c = 0; c < N; ++c) {
+      sum += a[c * N + r] * x[c];
+    }
+    to[r] = sum;
+  }
+}
+
+// to += a^T x
+template <int R, int C>
+KOKKOS_INLINE_FUNCTION void addTransposed(float const* a, float const* x, float* to)
+{
+  for (int r = 0; r < R; ++r) {
+    for (int c = 0; c < C; ++c) {
+      to[c] += a[r * C + c] * x[r];
+    }
+  }
+}
+
+#else
+
 using Lanes = float __attribute__((vector_size(16)));
 
 // Loads four numbers: a block's row and what follows it, after the last row the padding of
-// PaddedVector.
+// makeNumbers().
 inline Lanes load(float const* from)
 {
   Lanes lanes;
@@ -81,13 +133,11 @@ struct Packed
   }
 };
 
-// Sums of products of a block's R rows with a vector of C numbers.
 template <int R, int C>
 class RowSums
 {
 public:
-  // += a x
-  void add(float const* a, float const* x)
+  KOKKOS_FUNCTION void add(float const* a, float const* x)
   {
     const auto packed = Packed<C>::of(x);
     for (int r = 0; r < R; ++r) {
@@ -96,7 +146,7 @@ public:
       }
     }
   }
-  float operator[](int r) const
+  KOKKOS_FUNCTION float operator[](int r) const
   {
     const float three = sums_[r][0] + sums_[r][1] + sums_[r][2];
     return C == 3 ? three : three + sums_[r][3];
@@ -106,9 +156,8 @@ private:
   Lanes sums_[R] = {};
 };
 
-// to = a x with a symmetric a
 template <int N>
-inline void multiplySymmetric(float const* a, float const (&x)[N], float* to)
+KOKKOS_INLINE_FUNCTION void multiplySymmetric(float const* a, float const (&x)[N], float* to)
 {
   Packed<N> result;
   for (int c = 0; c < N; ++c) {
@@ -119,9 +168,8 @@ inline void multiplySymmetric(float const* a, float const (&x)[N], float* to)
   result.store(to);
 }
 
-// to += a^T x
 template <int R, int C>
-inline void addTransposed(float const* a, float const* x, float* to)
+KOKKOS_INLINE_FUNCTION void addTransposed(float const* a, float const* x, float* to)
 {
   auto sum = Packed<C>::of(to);
   for (int r = 0; r < R; ++r) {
@@ -132,11 +180,13 @@ inline void addTransposed(float const* a, float const* x, float* to)
   sum.store(to);
 }
 
+#endif
+
 // The inverse of a symmetric positive semidefinite block in the components with free(c), zero in
 // the others. A component that depends on those before it to single precision counts as not free:
 // an aggregate of one or two nodes has fewer motions than a rigid body.
 template <int N, class IsFree>
-inline void invertFree(double (&a)[N][N], IsFree const& free, float* inverse)
+KOKKOS_INLINE_FUNCTION void invertFree(double (&a)[N][N], IsFree const& free, float* inverse)
 {
   double L[N][N] = {}, X[N][N] = {}; // a = L L^T on what is left, X = L^-1
   bool left[N];
@@ -151,7 +201,7 @@ inline void invertFree(double (&a)[N][N], IsFree const& free, float* inverse)
         L[r][c] = left[c] ? rest / L[c][c] : 0;
       } else {
         left[r] = rest > 1e-5 * a[r][r] && a[r][r] > 0;
-        L[r][r] = left[r] ? std::sqrt(rest) : 0;
+        L[r][r] = left[r] ? math::sqrt(rest) : 0;
       }
     }
     if (!left[r]) {

@@ -7,63 +7,116 @@
 
 namespace asperity::multigrid
 {
-int NodeGraph::find(int row, int column) const
+namespace
 {
-  auto const begin = columns.begin() + first[row], end = columns.begin() + first[row + 1];
-  auto const place = std::lower_bound(begin, end, column);
-  return place != end && *place == column ? static_cast<int>(place - columns.begin()) : -1;
-}
-
-void NodeGraph::share(NodeVector& x) const
+template <int R, int C>
+struct AddRow
 {
-  if (ghosts) {
-    ghosts->share(x);
+  int const *first, *columns;
+  float const *A, *x;
+  float* y;
+  KOKKOS_FUNCTION void operator()(int row, int, int) const
+  {
+    RowSums<R, C> sum;
+    for (int k = first[row]; k < first[row + 1]; ++k) {
+      sum.add(A + static_cast<std::size_t>(k) * R * C, x + columns[k] * C);
+    }
+    for (int r = 0; r < R; ++r) {
+      y[row * R + r] += sum[r];
+    }
   }
-}
+};
 
-void NodeGraph::gather(NodeVector& x) const
+// A column of a matrix.
+template <int R, int C>
+struct GatherColumn
 {
-  if (ghosts) {
-    ghosts->gather(x);
+  IndexView first, rows, couplings;
+  float const *A, *x;
+  float* y;
+  KOKKOS_FUNCTION void operator()(int column) const
+  {
+    float sum[C + 4] = {}; // for loads of four
+    for (int i = first(column); i < first(column + 1); ++i) {
+      addTransposed<R, C>(A + static_cast<std::size_t>(couplings(i)) * R * C, x + rows(i) * R, sum);
+    }
+    for (int c = 0; c < C; ++c) {
+      y[column * C + c] = sum[c];
+    }
   }
-}
+};
+} // namespace
 
-void multiplyAdd(NodeGraph const& graph, Chunks const& chunks, NodeBlocks const& A,
-                 NodeVector const& x, NodeVector& y)
+void multiplyAdd(NodeGraph const& graph, Schedule const& schedule, NodeBlocks const& A,
+                 NodeVector const& x, NodeVector const& y)
 {
   withBlockSizes(graph.row_size, graph.column_size, [&](auto rows, auto columns) {
     constexpr int R = decltype(rows)::value, C = decltype(columns)::value;
-    chunks.forEachRow([&](int row) {
-      RowSums<R, C> sum;
-      for (int k = graph.first[row]; k < graph.first[row + 1]; ++k) {
-        sum.add(&A[static_cast<std::size_t>(k) * R * C], &x[graph.columns[k] * C]);
-      }
-      for (int r = 0; r < R; ++r) {
-        y[row * R + r] += sum[r];
-      }
-    });
+    schedule.forEach(
+      AddRow<R, C>{graph.first.data(), graph.columns.data(), A.data(), x.data(), y.data()});
   });
 }
 
-void multiplyTransposed(NodeGraph const& graph, Chunks const& chunks, NodeBlocks const& A,
-                        NodeVector const& x, NodeVector& y, std::vector<NodeVector>& parts)
+TransposedProduct::TransposedProduct(HostGraph const& graph, Schedule const& schedule)
 {
-  parts.resize(chunks.count() - 1);
+  if (!schedule.isColoured()) {
+    return;
+  }
+  std::vector<int> first(graph.num_columns + 1, 0);
+  for (int column : graph.columns) {
+    ++first[column + 1];
+  }
+  for (int column = 0; column < graph.num_columns; ++column) {
+    first[column + 1] += first[column];
+  }
+  auto next = first;
+  std::vector<int> rows(graph.columns.size()), couplings(graph.columns.size());
+  for (int row = 0; row < graph.num_rows; ++row) {
+    for (int k = graph.first[row]; k < graph.first[row + 1]; ++k) {
+      const int place = next[graph.columns[k]]++;
+      rows[place] = row;
+      couplings[place] = k;
+    }
+  }
+  first_ = onDevice(first);
+  rows_ = onDevice(rows);
+  couplings_ = onDevice(couplings);
+}
+
+void TransposedProduct::multiply(NodeGraph const& graph, Schedule const& schedule,
+                                 NodeBlocks const& A, NodeVector const& x, NodeVector const& y,
+                                 std::vector<NodeVector>& parts) const
+{
   withBlockSizes(graph.row_size, graph.column_size, [&](auto rows, auto columns) {
     constexpr int R = decltype(rows)::value, C = decltype(columns)::value;
-    chunks.forEachChunk([&](int chunk, int begin, int end) {
-      auto& to = chunk == 0 ? y : parts[chunk - 1];
-      to.assign(y.size(), 0.f);
+    if (schedule.isColoured()) {
+      Kokkos::parallel_for(
+        "asperity::multigrid::gather", RangePolicy(0, graph.num_columns),
+        GatherColumn<R, C>{first_, rows_, couplings_, A.data(), x.data(), y.data()});
+      return;
+    }
+    for (auto i = static_cast<int>(parts.size()); i + 1 < schedule.numParts(); ++i) {
+      parts.push_back(makeNumbers(y.extent(0)));
+    }
+    int const *first = graph.first.data(), *of = graph.columns.data();
+    schedule.forEachChunk([&](int chunk, int begin, int end) {
+      auto const& to = chunk == 0 ? y : parts[chunk - 1];
+      std::fill_n(to.data(), to.extent(0), 0.f);
       for (int row = begin; row < end; ++row) {
-        for (int k = graph.first[row]; k < graph.first[row + 1]; ++k) {
-          addTransposed<R, C>(&A[static_cast<std::size_t>(k) * R * C], &x[row * R],
-                              &to[graph.columns[k] * C]);
+        for (int k = first[row]; k < first[row + 1]; ++k) {
+          addTransposed<R, C>(A.data() + static_cast<std::size_t>(k) * R * C, x.data() + row * R,
+                              to.data() + of[k] * C);
         }
       }
     });
+    for (auto const& part : parts) {
+      std::transform(y.data(), y.data() + y.extent(0), part.data(), y.data(), std::plus<float>());
+    }
   });
-  for (auto const& part : parts) {
-    std::transform(y.begin(), y.end(), part.begin(), y.begin(), std::plus<float>());
-  }
+}
+
+std::size_t TransposedProduct::bytes() const
+{
+  return sizeof(int) * (first_.extent(0) + rows_.extent(0) + couplings_.extent(0));
 }
 } // namespace asperity::multigrid

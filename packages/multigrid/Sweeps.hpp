@@ -5,185 +5,232 @@
 
 namespace asperity::multigrid
 {
-// Sweeps of block Gauss-Seidel for A x = b on one level, with blocks of N rows: row by row within
-// each of the level's chunks, on which threads of the host work at the same time. What a row takes
-// from other chunks and from ghosts of other ranks is from before the sweep. Below, L and U are the
-// couplings with earlier and later rows of the own chunk, G those with other chunks and ranks.
+// The rows of a level's matrix A with blocks of N rows, for kernels. Below, a row is taken in order
+// with those from `begin` to `end` (Schedule); L and U are its couplings with earlier and later ones
+// of these, G those with others and with ghosts of other ranks.
 template <int N>
-class Sweeps
+struct BlockRows
 {
-public:
-  // inverse: of the diagonal blocks, zero where not free.
-  Sweeps(Level const& level, NodeBlocks const& A, NodeBlocks const& inverse)
-      : level_(level)
-      , A_(A)
-      , inverse_(inverse)
+  int const *first, *columns, *before, *after; // of Level
+  float const *A, *inverse; // inverse of the diagonal blocks, zero where not free
+
+  BlockRows(Level const& level, NodeBlocks const& blocks, NodeBlocks const& inverses)
+      : first(level.graph.first.data())
+      , columns(level.graph.columns.data())
+      , before(level.before.data())
+      , after(level.after.data())
+      , A(blocks.data())
+      , inverse(inverses.data())
   {
   }
 
-  // The forward sweep from x = 0, and the residual after it, -(U + G) x.
-  void forward(NodeVector const& b, NodeVector& x, NodeVector& residual) const;
-  // The backward sweep. Stores b - (L + G) x_before in `residual`, with the x before the sweep.
-  // `before` is overwritten if there are several chunks.
-  void backward(NodeVector const& b, NodeVector& x, NodeVector& residual, NodeVector& before) const;
-  // A x after the backward sweep, which solved (D + U) x = b - (L + G) x_before, from the residual
-  // that it stored: only the couplings L + G have to be read.
-  void image(NodeVector& x, NodeVector& residual) const;
-  // Sets the components that are not free to zero.
-  void clearHeld(NodeVector& x) const;
-
-private:
   // The blocks of a row are fetched into the cache this number of rows before they are used. A
-  // sweep skips half of each row or goes backward, which the processor does not predict.
+  // sweep skips half of each row or goes backward, which a processor does not predict.
   static constexpr int rows_ahead = 8;
 
-  void fetch(int first, int end) const;
-  // The first coupling of a row with its own chunk, which begins with the row `begin`.
-  int firstWithin(int begin, int row) const
+  // Fetches the blocks from <= k < to into the cache of the host.
+  KOKKOS_FUNCTION void fetch([[maybe_unused]] int from, [[maybe_unused]] int to) const
   {
-    int k = level_.graph.first[row];
-    while (k < level_.before[row] && level_.graph.columns[k] < begin) {
+#if !defined(__CUDA_ARCH__) && !defined(__HIP_DEVICE_COMPILE__) && !defined(__SYCL_DEVICE_ONLY__)
+    constexpr std::size_t numbers_of_a_line = 16; // 64 bytes
+    for (auto i = static_cast<std::size_t>(from) * N * N; i < static_cast<std::size_t>(to) * N * N;
+         i += numbers_of_a_line) {
+      __builtin_prefetch(A + i);
+    }
+#endif
+  }
+  // The first coupling of L.
+  KOKKOS_FUNCTION int firstWithin(int begin, int row) const
+  {
+    int k = first[row];
+    while (k < before[row] && columns[k] < begin) {
       ++k;
     }
     return k;
   }
-  void add(RowSums<N, N>& sum, int k, NodeVector const& x) const
+  KOKKOS_FUNCTION void add(RowSums<N, N>& sum, int k, float const* x) const
   {
-    sum.add(&A_[static_cast<std::size_t>(k) * N * N], &x[level_.graph.columns[k] * N]);
+    sum.add(A + static_cast<std::size_t>(k) * N * N, x + columns[k] * N);
   }
-  void solve(int row, float const (&rest)[N], NodeVector& x) const
+  KOKKOS_FUNCTION void solve(int row, float const (&rest)[N], float* x) const
   {
-    multiplySymmetric<N>(&inverse_[static_cast<std::size_t>(row) * N * N], rest, &x[row * N]);
+    multiplySymmetric<N>(inverse + static_cast<std::size_t>(row) * N * N, rest, x + row * N);
   }
-
-  Level const& level_;
-  NodeBlocks const &A_, &inverse_;
 };
 
-// Fetches the blocks first <= k < end of A into the cache.
+// A row of the forward sweep from x = 0.
 template <int N>
-void Sweeps<N>::fetch(int first, int end) const
+struct ForwardRow
 {
-  constexpr std::size_t numbers_of_a_line = 16; // 64 bytes
-  for (std::size_t i = static_cast<std::size_t>(first) * N * N;
-       i < static_cast<std::size_t>(end) * N * N; i += numbers_of_a_line) {
-    __builtin_prefetch(&A_[i]);
+  BlockRows<N> of;
+  float const* b;
+  float* x;
+  KOKKOS_FUNCTION void operator()(int row, int begin, int end) const
+  {
+    if (const int next = row + of.rows_ahead; next < end) {
+      of.fetch(of.first[next], of.before[next]);
+    }
+    RowSums<N, N> before;
+    for (int k = of.firstWithin(begin, row); k < of.before[row]; ++k) {
+      of.add(before, k, x);
+    }
+    float rest[N];
+    for (int c = 0; c < N; ++c) {
+      rest[c] = b[row * N + c] - before[c];
+    }
+    of.solve(row, rest, x);
   }
-}
+};
 
+// A row of the residual after it, -(U + G) x.
 template <int N>
-void Sweeps<N>::forward(NodeVector const& b, NodeVector& x, NodeVector& residual) const
+struct ResidualRow
 {
-  auto const& graph = level_.graph;
-  level_.chunks.forEach([&](int begin, int end) {
-    for (int row = begin; row < end; ++row) {
-      if (const int next = row + rows_ahead; next < end) {
-        fetch(graph.first[next], level_.before[next]);
-      }
-      RowSums<N, N> before;
-      for (int k = firstWithin(begin, row); k < level_.before[row]; ++k) {
-        add(before, k, x);
-      }
-      float rest[N];
-      for (int c = 0; c < N; ++c) {
-        rest[c] = b[row * N + c] - before[c];
-      }
-      solve(row, rest, x);
+  BlockRows<N> of;
+  float const* x;
+  float* residual;
+  KOKKOS_FUNCTION void operator()(int row, int begin, int end) const
+  {
+    if (const int next = row + of.rows_ahead; next < end) {
+      of.fetch(of.after[next], of.first[next + 1]);
     }
-  });
-  graph.share(x);
-  level_.chunks.forEach([&](int begin, int end) {
-    for (int row = begin; row < end; ++row) {
-      if (const int next = row + rows_ahead; next < end) {
-        fetch(level_.after[next], graph.first[next + 1]);
-      }
-      RowSums<N, N> rest;
-      for (int k = graph.first[row]; k < firstWithin(begin, row); ++k) {
-        add(rest, k, x);
-      }
-      for (int k = level_.after[row]; k < graph.first[row + 1]; ++k) {
-        add(rest, k, x);
-      }
-      for (int c = 0; c < N; ++c) {
-        residual[row * N + c] = -rest[c];
-      }
+    RowSums<N, N> rest;
+    for (int k = of.first[row]; k < of.firstWithin(begin, row); ++k) {
+      of.add(rest, k, x);
     }
-  });
-}
-
-template <int N>
-void Sweeps<N>::backward(NodeVector const& b, NodeVector& x, NodeVector& residual,
-                         NodeVector& before) const
-{
-  auto const& graph = level_.graph;
-  graph.share(x);
-  const bool are_several = level_.chunks.count() > 1;
-  if (are_several) {
-    before = x;
+    for (int k = of.after[row]; k < of.first[row + 1]; ++k) {
+      of.add(rest, k, x);
+    }
+    for (int c = 0; c < N; ++c) {
+      residual[row * N + c] = -rest[c];
+    }
   }
-  NodeVector const& x_before = are_several ? before : x;
-  level_.chunks.forEach([&](int begin, int end) {
-    for (int row = end - 1; row >= begin; --row) {
-      if (const int next = row - rows_ahead; next >= begin) {
-        fetch(graph.first[next], graph.first[next + 1]);
-      }
-      RowSums<N, N> old, updated;
-      for (int k = graph.first[row]; k < level_.before[row]; ++k) {
-        add(old, k, x_before);
-      }
-      int k = level_.after[row];
-      for (; k < graph.first[row + 1] && graph.columns[k] < end; ++k) {
-        add(updated, k, x);
-      }
-      for (; k < graph.first[row + 1]; ++k) {
-        add(old, k, x_before);
-      }
-      float rest[N];
-      for (int c = 0; c < N; ++c) {
-        residual[row * N + c] = b[row * N + c] - old[c];
-        rest[c] = residual[row * N + c] - updated[c];
-      }
-      solve(row, rest, x);
-    }
-  });
-}
+};
 
+// A row of the backward sweep; x_before is x from before the sweep, or x itself where the rows of
+// L and G are swept later or not at all.
 template <int N>
-void Sweeps<N>::image(NodeVector& x, NodeVector& residual) const
+struct BackwardRow
 {
-  auto const& graph = level_.graph;
-  graph.share(x);
-  level_.chunks.forEach([&](int begin, int end) {
-    for (int row = begin; row < end; ++row) {
-      if (const int next = row + rows_ahead; next < end) {
-        fetch(graph.first[next], level_.before[next]);
-      }
-      RowSums<N, N> sum;
-      for (int k = graph.first[row]; k < level_.before[row]; ++k) {
-        add(sum, k, x);
-      }
-      for (int k = graph.first[row + 1]; k > level_.after[row] && graph.columns[k - 1] >= end;
-           --k) {
-        add(sum, k - 1, x);
-      }
-      for (int c = 0; c < N; ++c) {
-        residual[row * N + c] += sum[c];
-      }
+  BlockRows<N> of;
+  float const *b, *x_before;
+  float *x, *residual; // b - (L + G) x_before
+  KOKKOS_FUNCTION void operator()(int row, int begin, int end) const
+  {
+    if (const int next = row - of.rows_ahead; next >= begin) {
+      of.fetch(of.first[next], of.first[next + 1]);
     }
-  });
-  clearHeld(residual);
-}
+    RowSums<N, N> old, updated;
+    for (int k = of.first[row]; k < of.before[row]; ++k) {
+      of.add(old, k, x_before);
+    }
+    int k = of.after[row];
+    for (; k < of.first[row + 1] && of.columns[k] < end; ++k) {
+      of.add(updated, k, x);
+    }
+    for (; k < of.first[row + 1]; ++k) {
+      of.add(old, k, x_before);
+    }
+    float rest[N];
+    for (int c = 0; c < N; ++c) {
+      residual[row * N + c] = b[row * N + c] - old[c];
+      rest[c] = residual[row * N + c] - updated[c];
+    }
+    of.solve(row, rest, x);
+  }
+};
 
+// A row of A x after the backward sweep: that solved (D + U) x = b - (L + G) x_before, so that only
+// (L + G) x has to be added to what it stored.
 template <int N>
-void Sweeps<N>::clearHeld(NodeVector& x) const
+struct ImageRow
 {
-  level_.chunks.forEachRow([&](int row) {
-    float const* diagonal = &inverse_[static_cast<std::size_t>(row) * N * N];
+  BlockRows<N> of;
+  float const* x;
+  float* residual;
+  KOKKOS_FUNCTION void operator()(int row, int, int end) const
+  {
+    if (const int next = row + of.rows_ahead; next < end) {
+      of.fetch(of.first[next], of.before[next]);
+    }
+    RowSums<N, N> sum;
+    for (int k = of.first[row]; k < of.before[row]; ++k) {
+      of.add(sum, k, x);
+    }
+    for (int k = of.first[row + 1]; k > of.after[row] && of.columns[k - 1] >= end; --k) {
+      of.add(sum, k - 1, x);
+    }
+    for (int c = 0; c < N; ++c) {
+      residual[row * N + c] += sum[c];
+    }
+  }
+};
+
+// Sets the components of a row that are not free to zero.
+template <int N>
+struct ClearHeldRow
+{
+  float const* inverse;
+  float* x;
+  KOKKOS_FUNCTION void operator()(int row, int, int) const
+  {
+    float const* diagonal = inverse + static_cast<std::size_t>(row) * N * N;
     for (int c = 0; c < N; ++c) {
       if (diagonal[c * N + c] == 0) {
         x[row * N + c] = 0;
       }
     }
-  });
-}
+  }
+};
+
+// Sweeps of block Gauss-Seidel for A x = b on one level, in the order of its schedule.
+template <int N>
+class Sweeps
+{
+public:
+  Sweeps(Level const& level, NodeBlocks const& A, NodeBlocks const& inverse)
+      : level_(level)
+      , rows_(level, A, inverse)
+  {
+  }
+
+  // The forward sweep from x = 0, and the residual after it.
+  void forward(NodeVector const& b, NodeVector const& x, NodeVector const& residual) const
+  {
+    level_.schedule.forward(ForwardRow<N>{rows_, b.data(), x.data()});
+    level_.graph.share(x);
+    level_.schedule.forEach(ResidualRow<N>{rows_, x.data(), residual.data()});
+  }
+  // The backward sweep. Stores b - (L + G) x_before in `residual`. `before` is made and overwritten
+  // if sweeps are shared.
+  void backward(NodeVector const& b, NodeVector const& x, NodeVector const& residual,
+                NodeVector& before) const
+  {
+    level_.graph.share(x);
+    if (level_.schedule.sharesSweeps()) {
+      if (before.extent(0) == 0) {
+        before = makeNumbers(x.extent(0));
+      }
+      Kokkos::deep_copy(before, x);
+    }
+    auto const& x_before = level_.schedule.sharesSweeps() ? before : x;
+    level_.schedule.backward(
+      BackwardRow<N>{rows_, b.data(), x_before.data(), x.data(), residual.data()});
+  }
+  // A x after the backward sweep, in place of what that stored.
+  void image(NodeVector const& x, NodeVector const& residual) const
+  {
+    level_.graph.share(x);
+    level_.schedule.forEach(ImageRow<N>{rows_, x.data(), residual.data()});
+    clearHeld(residual);
+  }
+  void clearHeld(NodeVector const& x) const
+  {
+    level_.schedule.forEach(ClearHeldRow<N>{rows_.inverse, x.data()});
+  }
+
+private:
+  Level const& level_;
+  BlockRows<N> rows_;
+};
 } // namespace asperity::multigrid

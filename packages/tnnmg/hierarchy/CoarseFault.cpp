@@ -95,10 +95,11 @@ RCP<const CrsMatrix> rowsAtNodes(CrsMatrix const& P, NodeDofView const& fault)
   return Q;
 }
 
-multigrid::AddedBlocks makeCoarseFault(RCP<const CrsMatrix> const& Q, int tangents,
-                                       multigrid::NodeGraph const& level, NodeMaps const& maps)
+multigrid::HostAddedBlocks makeCoarseFault(RCP<const CrsMatrix> const& Q, int tangents,
+                                           multigrid::HostGraph const& level,
+                                           NodeMaps const& maps)
 {
-  multigrid::AddedBlocks fault;
+  multigrid::HostAddedBlocks fault;
   auto acting = Q;
   if (Q->getComm()->getSize() > 1) {
     const auto target = actingOnOwned(*Q, tangents);

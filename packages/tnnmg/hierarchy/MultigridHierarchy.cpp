@@ -91,43 +91,44 @@ MultigridHierarchy::MultigridHierarchy(std::vector<MatrixSource> const& terms, i
   const int motions = static_cast<int>(near_null_space->getNumVectors());
   const bool has_fault =
     sumOverRanks(fault.extent_int(0), *near_null_space->getMap()->getComm()) > 0;
-  auto const result = std::make_shared<multigrid::Hierarchy>();
+  std::vector<multigrid::HostLevel> levels;
+  multigrid::CoarsestRows coarsest;
   RCP<const CrsMatrix> Q;
-  result->levels.reserve(coarse.size() + 1);
   for (std::size_t l = 0; l <= coarse.size(); ++l) {
-    multigrid::Level level;
+    multigrid::HostLevel level;
     const int size = l == 0 ? components : motions;
     auto const matrices =
       l == 0 ? std::vector<RCP<const CrsMatrix>>{finest} : projected.terms[l - 1];
     auto [graph, maps] = makeNodeGraph(matrices, size, size);
-    level.graph = std::move(graph);
     for (std::size_t k = 0; l > 0 && k < matrices.size(); ++k) {
-      level.terms.push_back(blocksOf(level.graph, maps, *matrices[k]));
+      level.terms.push_back(blocksOf(graph, maps, *matrices[k]));
     }
     if (l > 0 && has_fault) {
       Q =
         l == 1 ? rowsAtNodes(*coarse[0].P, fault) : multiply(*Q, *coarse[l - 1].P, *Q->getRowMap());
-      level.added = makeCoarseFault(Q, fault.extent_int(1), level.graph, maps);
+      level.added = makeCoarseFault(Q, fault.extent_int(1), graph, maps);
     }
     if (l < coarse.size()) {
       auto prolongation = makeNodeGraph({coarse[l].P}, size, motions);
+      level.P = blocksOf(prolongation.graph, prolongation.maps, *coarse[l].P);
       level.prolongation = std::move(prolongation.graph);
-      level.P = blocksOf(level.prolongation, prolongation.maps, *coarse[l].P);
     } else {
-      result->coarsest = coarsestRows(maps);
+      coarsest = coarsestRows(maps);
     }
     if (l == 0) {
-      finest_ = maps;
+      finest_graph_ = graph;
+      finest_maps_ = maps;
     }
-    level.complete();
-    result->levels.push_back(std::move(level));
+    level.graph = std::move(graph);
+    levels.push_back(std::move(level));
     finest = Teuchos::null;
   }
-  hierarchy_ = result;
+  hierarchy_ = std::make_shared<const multigrid::Hierarchy>(
+    std::move(levels), std::move(coarsest), aggregation.row_order);
 }
 
-multigrid::NodeBlocks MultigridHierarchy::finestBlocks(CrsMatrix const& Z) const
+multigrid::HostBlocks MultigridHierarchy::finestBlocks(CrsMatrix const& Z) const
 {
-  return blocksOf(levels().front().graph, finest_, Z);
+  return blocksOf(finest_graph_, finest_maps_, Z);
 }
 } // namespace asperity::tnnmg::detail

@@ -21,6 +21,7 @@ struct Aggregation
   Teuchos::ParameterList muelu; // complete, in MueLu's own spelling
   // A coarse level with fewer rows per rank on average moves to fewer ranks; 0: levels stay.
   int rows_per_rank = 0;
+  multigrid::RowOrder row_order = multigrid::defaultRowOrder(); // of sweeps
 };
 
 // The levels of all matrices sum_k w_k A_k with the same terms A_k, for a cycle of any weights,
@@ -41,13 +42,14 @@ public:
                      RCP<const MultiVector> const& near_null_space, NodeDofView const& fault,
                      Aggregation const& aggregation);
 
-  std::vector<multigrid::Level> const& levels() const { return hierarchy_->levels; }
+  std::vector<multigrid::Level> const& levels() const { return hierarchy_->levels(); }
   std::shared_ptr<const multigrid::Hierarchy> const& shared() const { return hierarchy_; }
-  // The blocks of a matrix with couplings of the terms on the finest level.
-  multigrid::NodeBlocks finestBlocks(CrsMatrix const& Z) const;
+  // The blocks of a matrix with couplings of the terms on the finest level, as its rows have them.
+  multigrid::HostBlocks finestBlocks(CrsMatrix const& Z) const;
 
 private:
   std::shared_ptr<const multigrid::Hierarchy> hierarchy_;
-  NodeMaps finest_;
+  multigrid::HostGraph finest_graph_;
+  NodeMaps finest_maps_;
 };
 } // namespace asperity::tnnmg::detail

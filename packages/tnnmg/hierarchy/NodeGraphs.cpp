@@ -15,52 +15,23 @@
 
 namespace asperity::tnnmg::detail
 {
-using multigrid::NodeBlocks;
-using multigrid::NodeGraph;
-using multigrid::NodeVector;
+using multigrid::HostBlocks;
+using multigrid::HostGraph;
 
 namespace
 {
-class HaloGhosts final : public multigrid::Ghosts
+multigrid::GhostMessages messagesOf(Halo const& halo)
 {
-public:
-  HaloGhosts(Halo halo, std::size_t num_owned)
-      : halo_(std::move(halo))
-      , num_owned_(num_owned)
-      , sent_(halo_.sent().size())
-      , received_(halo_.received().size())
-  {
-  }
-
-  void share(NodeVector& x) const override
-  {
-    ASPERITY_NAME_WORK("V-cycles");
-    for (std::size_t i = 0; i < sent_.size(); ++i) {
-      sent_[i] = x[halo_.sent()[i]];
-    }
-    halo_.share(sent_.data(), received_.data());
-    for (std::size_t i = 0; i < received_.size(); ++i) {
-      x[num_owned_ + halo_.received()[i]] = received_[i];
-    }
-  }
-
-  void gather(NodeVector& x) const override
-  {
-    ASPERITY_NAME_WORK("V-cycles");
-    for (std::size_t i = 0; i < received_.size(); ++i) {
-      received_[i] = x[num_owned_ + halo_.received()[i]];
-    }
-    halo_.gather(received_.data(), sent_.data());
-    for (std::size_t i = 0; i < sent_.size(); ++i) {
-      x[halo_.sent()[i]] += sent_[i];
-    }
-  }
-
-private:
-  Halo halo_;
-  std::size_t num_owned_;
-  mutable std::vector<float> sent_, received_;
-};
+  return {halo.sent(), halo.received(),
+          [halo](float const* sent, float* received) {
+            ASPERITY_NAME_WORK("V-cycles");
+            halo.share(sent, received);
+          },
+          [halo](float const* received, float* sent) {
+            ASPERITY_NAME_WORK("V-cycles");
+            halo.gather(received, sent);
+          }};
+}
 
 // The owned and ghost nodes of the columns of matrices, as a map of single columns.
 RCP<const Map> columnMap(std::vector<RCP<const CrsMatrix>> const& matrices, Map const& domain,
@@ -117,12 +88,11 @@ MappedGraph makeNodeGraph(std::vector<RCP<const CrsMatrix>> const& matrices, int
   graph.num_owned = static_cast<int>(numLocalElements(*maps.domain)) / column_size;
   if (maps.rows->getComm()->getSize() > 1) {
     maps.columns = columnMap(matrices, *maps.domain, column_size);
-    const auto num_owned = numLocalElements(*maps.domain);
     std::vector<GlobalOrdinal> ghosts;
-    for (auto k = num_owned; k < numLocalElements(*maps.columns); ++k) {
+    for (auto k = numLocalElements(*maps.domain); k < numLocalElements(*maps.columns); ++k) {
       ghosts.push_back(maps.columns->getGlobalElement(static_cast<LocalOrdinal>(k)));
     }
-    graph.ghosts = std::make_shared<const HaloGhosts>(Halo(*maps.domain, ghosts), num_owned);
+    graph.ghosts = messagesOf(Halo(*maps.domain, ghosts));
   }
   graph.num_columns = static_cast<int>(numLocalElements(*maps.columns)) / column_size;
   std::vector<std::vector<int>> places;
@@ -151,12 +121,13 @@ MappedGraph makeNodeGraph(std::vector<RCP<const CrsMatrix>> const& matrices, int
   return result;
 }
 
-NodeBlocks blocksOf(NodeGraph const& graph, NodeMaps const& maps, CrsMatrix const& matrix)
+HostBlocks blocksOf(HostGraph const& graph, NodeMaps const& maps, CrsMatrix const& matrix)
 {
   auto const places = placesOfColumns(maps, matrix);
   auto const local = matrix.getLocalMatrixHost();
   const int rows = graph.row_size, columns = graph.column_size;
-  NodeBlocks blocks(static_cast<std::size_t>(graph.numCouplings()) * graph.blockSize(), 0.f);
+  const auto blocks = multigrid::makeNumbers<HostBlocks>(
+    static_cast<std::size_t>(graph.numCouplings()) * graph.blockSize());
   for (int row = 0; row < graph.num_rows; ++row) {
     for (int r = 0; r < rows; ++r) {
       int coupling = graph.first[row];
@@ -170,7 +141,7 @@ NodeBlocks blocksOf(NodeGraph const& graph, NodeMaps const& maps, CrsMatrix cons
                        : graph.find(row, column);
           ASPERITY_ASSERT(coupling >= 0);
         }
-        blocks[(static_cast<std::size_t>(coupling) * rows + r) * columns + place % columns] =
+        blocks((static_cast<std::size_t>(coupling) * rows + r) * columns + place % columns) =
           static_cast<float>(local.values(k));
       }
     }

@@ -17,7 +17,7 @@ struct NodeMaps
 
 struct MappedGraph
 {
-  multigrid::NodeGraph graph;
+  multigrid::HostGraph graph;
   NodeMaps maps;
 };
 
@@ -26,7 +26,7 @@ MappedGraph makeNodeGraph(std::vector<RCP<const CrsMatrix>> const& matrices, int
                           int column_size);
 
 // The entries of a matrix at the couplings of a graph that includes its own; zero elsewhere.
-multigrid::NodeBlocks blocksOf(multigrid::NodeGraph const& graph, NodeMaps const& maps,
+multigrid::HostBlocks blocksOf(multigrid::HostGraph const& graph, NodeMaps const& maps,
                                CrsMatrix const& matrix);
 
 // The rows of the coarsest level. SolveError on all ranks if there are too many. Collective.

@@ -51,6 +51,10 @@ Teuchos::RCP<const ParameterList> MultigridParameters::valid()
              "A coarse level with fewer rows per rank on average moves to fewer ranks, so that the "
              "coarsest level does not grow with the number of ranks. With 0 all levels stay on all "
              "ranks.")
+    .choice("Row Order", "Default", {"Default", "Chunks", "Colours"},
+            "Selects the order of the rows in sweeps. Chunks: each thread of the host takes rows "
+            "that follow one another. Colours: rows that are not coupled are taken at the same "
+            "time. Default: Colours on a device, else Chunks.")
     .foreignSublist("MueLu", ParameterList("MueLu"),
                     "MueLu reads these entries, in its own spelling, when it makes the "
                     "prolongators. Each replaces one default.")
@@ -73,6 +77,10 @@ MultigridParameters::MultigridParameters(ParameterList const& given, int compone
   aggregation.muelu =
     completeMueLu(list.sublist("MueLu"), components, "Asperity / TNNMG / MueLu Correction / MueLu");
   aggregation.rows_per_rank = list.get<int>("Rows per Rank");
+  if (auto const order = list.get<std::string>("Row Order"); order != "Default") {
+    aggregation.row_order =
+      order == "Chunks" ? multigrid::RowOrder::chunks : multigrid::RowOrder::colours;
+  }
   belos = list.sublist("Belos");
 }
 } // namespace asperity::tnnmg::detail

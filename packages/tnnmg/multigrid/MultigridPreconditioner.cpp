@@ -11,6 +11,7 @@
 
 #include <array>
 #include <utility>
+#include <vector>
 
 namespace asperity::tnnmg::detail
 {
@@ -35,6 +36,13 @@ std::vector<char> flagsOf(IndexView const& rows, std::size_t num_rows)
     flags[on_host(k)] = 1;
   }
   return flags;
+}
+
+// The only column of a vector.
+template <class View>
+auto numbersOf(View const& view)
+{
+  return Kokkos::subview(view, Kokkos::ALL(), 0);
 }
 
 // The Hessians on coarse levels, of the current blocks.
@@ -62,16 +70,17 @@ HessianView coarseHessians(MultigridNodes const& nodes)
 } // namespace
 
 MultigridPreconditioner::MultigridPreconditioner(MultigridHierarchy const& hierarchy,
-                                                 std::vector<double> weights,
+                                                 std::vector<double> const& weights,
                                                  RCP<const CrsMatrix> Z,
                                                  std::shared_ptr<const MultigridNodes> nodes)
     : Z_(std::move(Z))
     , nodes_(std::move(nodes))
-    , cycle_(hierarchy.shared(), std::move(weights), hierarchy.finestBlocks(*Z_),
-             flagsOf(nodes_->held_rows, numLocalRows(*Z_)), toHost(nodes_->view.dofs))
+    , cycle_(hierarchy.shared(), weights, hierarchy.finestBlocks(*Z_),
+             flagsOf(nodes_->held_rows, numLocalRows(*Z_)), nodes_->view.dofs)
     , gradients_(cycle_, sumOver(Z_->getComm()))
     , coarse_("asperity::tnnmg::coarseHessian", nodes_->size(), nodes_->tangents(),
               nodes_->tangents())
+    , r_(multigrid::makeNumbers(cycle_.rows()))
 {
   setup();
 }
@@ -79,11 +88,11 @@ MultigridPreconditioner::MultigridPreconditioner(MultigridHierarchy const& hiera
 void MultigridPreconditioner::setup()
 {
   if (forgets_ && has_coarse_hessians_) {
-    cycle_.setCoarseBlocks(std::vector<double>(coarse_.size(), 0.));
+    cycle_.setCoarseBlocks(coarse_); // zero
     has_coarse_hessians_ = false;
   }
   forgets_ = false;
-  if (!cycle_.setup(toHost(nodes_->hessian), toHost(nodes_->removed))) {
+  if (!cycle_.setup(nodes_->hessian, nodes_->removed)) {
     throw SolveError(
       "Multigrid: the coarsest matrix is not positive definite, so neither is the fine one. "
       "Check the sign of moduli, viscosities and densities.");
@@ -116,8 +125,7 @@ void MultigridPreconditioner::rebuild()
   forgets_ = false;
   has_coarse_hessians_ = true;
   coarse_ = coarseHessians(*nodes_);
-  const auto host = toHost(coarse_);
-  cycle_.setCoarseBlocks({host.data(), host.data() + host.size()});
+  cycle_.setCoarseBlocks(coarse_);
   setup();
 }
 
@@ -136,19 +144,10 @@ void MultigridPreconditioner::apply(MultiVector const& r, MultiVector& z, Teucho
     z.putScalar(0);
     return;
   }
-  r_.resize(cycle_.rows());
-  {
-    const auto from = r.getLocalViewHost(Tpetra::Access::ReadOnly);
-    for (std::size_t i = 0; i < r_.size(); ++i) {
-      r_[i] = static_cast<float>(from(i, 0) / norm);
-    }
-  }
+  cycle_.toRows(numbersOf(r.getLocalViewDevice(Tpetra::Access::ReadOnly)), norm, r_);
   auto const result = cycle_.run(r_, false);
   ++num_cycles_;
-  const auto to = z.getLocalViewHost(Tpetra::Access::OverwriteAll);
-  for (std::size_t i = 0; i < to.extent(0); ++i) {
-    to(i, 0) = norm * result.z[i];
-  }
+  cycle_.fromRows(result.z, norm, numbersOf(z.getLocalViewDevice(Tpetra::Access::OverwriteAll)));
 }
 
 multigrid::IterationResult MultigridPreconditioner::solveLoosely(Vector const& r,
@@ -157,11 +156,10 @@ multigrid::IterationResult MultigridPreconditioner::solveLoosely(Vector const& r
                                                                  Vector& c) const
 {
   const double norm = r.norm2();
-  auto const from = r.getLocalViewHost(Tpetra::Access::ReadOnly);
-  auto const to = c.getLocalViewHost(Tpetra::Access::OverwriteAll);
-  const auto result = gradients_.solve(
-    multigrid::HostView<const double*>(from.data(), from.extent(0)), norm, relative_tolerance,
-    max_iterations, multigrid::HostView<double*>(to.data(), to.extent(0)));
+  const auto result =
+    gradients_.solve(numbersOf(r.getLocalViewDevice(Tpetra::Access::ReadOnly)), norm,
+                     relative_tolerance, max_iterations,
+                     numbersOf(c.getLocalViewDevice(Tpetra::Access::OverwriteAll)));
   num_cycles_ += result.iterations;
   return result;
 }

@@ -18,7 +18,7 @@ class MultigridPreconditioner : public Operator
 {
 public:
   // Z is the sum of the hierarchy's terms times weights.
-  MultigridPreconditioner(MultigridHierarchy const& hierarchy, std::vector<double> weights,
+  MultigridPreconditioner(MultigridHierarchy const& hierarchy, std::vector<double> const& weights,
                           RCP<const CrsMatrix> Z, std::shared_ptr<const MultigridNodes> nodes);
 
   // Adapts the fine level; has to be called after the blocks of the nodes have changed. Throws
@@ -59,8 +59,8 @@ private:
   bool has_coarse_hessians_ = false;
   bool forgets_ = false; // the coarse Hessians, at the next set-up
 
-  HessianView coarse_;              // the Hessians on the coarse levels
-  mutable multigrid::NodeVector r_; // what apply() gives to the cycle
+  HessianView coarse_;      // the Hessians on the coarse levels
+  multigrid::NodeVector r_; // what apply() gives to the cycle
   mutable int num_cycles_ = 0;
 };
 } // namespace asperity::tnnmg::detail

@@ -11,6 +11,11 @@ from . import source
 FOLDERS = ["packages", "drivers", "tests", "examples"]
 COMPUTING = ["packages/multigrid", "packages/tnnmg", "packages/dynamics"]
 HOST = {
+    "packages/multigrid/AddedBlocks.cpp": "set-up; MPI sends blocks of the fault from the host",
+    "packages/multigrid/Arrays.hpp": "the function onHost itself",
+    "packages/multigrid/CoarsestSolver.cpp": "Eigen's dense factor, of the coarsest level",
+    "packages/multigrid/Cycle.cpp": "which components of the coarsest level are free",
+    "packages/multigrid/NodeGraph.cpp": "MPI sends ghosts from the host",
     "packages/tnnmg/DenseRateMatrix.cpp": "set-up; Eigen's product with a dense matrix",
     "packages/tnnmg/DenseRateMatrix.hpp": "Eigen's product with a dense matrix",
     "packages/tnnmg/FaultColumns.cpp": "MPI sends some hundred numbers of the fault from the host",
@@ -19,10 +24,10 @@ HOST = {
     "packages/tnnmg/direct/DenseSystem.hpp": "Eigen's dense factor, of the fault's unknowns",
     "packages/tnnmg/direct/EigenMatrix.hpp": "set-up of Eigen's factors",
     "packages/tnnmg/direct/SchurComplement.cpp": "Eigen's sparse factor, on one rank",
-    "packages/tnnmg/hierarchy/CoarseFault.cpp": "set-up; the V-cycle runs on the host",
+    "packages/tnnmg/hierarchy/CoarseFault.cpp": "set-up; blocks of the fault, which MPI sends",
     "packages/tnnmg/hierarchy/FewerRanks.cpp": "set-up of coarse levels",
-    "packages/tnnmg/hierarchy/NodeGraphs.cpp": "set-up; the V-cycle runs on the host",
-    "packages/tnnmg/multigrid/MultigridPreconditioner.cpp": "the V-cycle runs on the host",
+    "packages/tnnmg/hierarchy/NodeGraphs.cpp": "set-up",
+    "packages/tnnmg/multigrid/MultigridPreconditioner.cpp": "set-up",
     "packages/tnnmg/multigrid/MultigridSymmetry.cpp": "set-up: the trial of the preconditioner",
     "packages/dynamics/fault/FaultMotion.cpp": "the message of a refusal",
     "packages/dynamics/observables/FaultSample.cpp": "the nodes of the fault, for outputs",
@@ -37,7 +42,7 @@ HOST = {
     "packages/dynamics/processes/DiffusionStep.cpp": "Eigen's factor, of the nodes of the fault",
     "packages/dynamics/coupling/RateSolver.cpp": "the direct solver, on Eigen's factors",
 }
-_TO_HOST = re.compile(r"\b(?:getLocalViewHost|getLocalMatrixHost|create_mirror_view\w*|toHost)\b")
+_TO_HOST = re.compile(r"\b(?:getLocalViewHost|getLocalMatrixHost|create_mirror_view\w*|toHost|onHost)\b")
 _LAMBDA = re.compile(r"\bKOKKOS_(?:CLASS_)?LAMBDA\b")
 _SCOPE = re.compile(r"\b(?:class|struct)\s+(\w+)[^;()]*$")
 _FUNCTION = re.compile(r"(?:(\w+)::)?(~?\w+)\s*\($")

@@ -1,6 +1,6 @@
 #include "multigrid/NodeKernels.hpp"
 
-#include "multigrid/NodeMatrix.hpp"
+#include "multigrid/Arrays.hpp"
 
 #include <gtest/gtest.h>
 
@@ -10,8 +10,9 @@ TEST(NodeKernels, MultipliesBlocksOfAllSizes)
 {
   const auto check = [](auto rows, auto columns) {
     constexpr int R = decltype(rows)::value, C = decltype(columns)::value;
-    NodeBlocks a(R * C);
-    NodeVector x(C), y(R), sum(C, 1.f);
+    const auto a = makeNumbers<HostBlocks>(R * C), x = makeNumbers<HostBlocks>(C);
+    const auto y = makeNumbers<HostBlocks>(R), sum = makeNumbers<HostBlocks>(C);
+    Kokkos::deep_copy(sum, 1.f);
     for (int i = 0; i < R * C; ++i) {
       a[i] = static_cast<float>(1 + i);
     }

@@ -45,7 +45,7 @@ constexpr int all_on_one = 100000, some_on_one = 80;
 
 std::shared_ptr<const detail::MultigridHierarchy>
 hierarchyOf(ElasticModel const& model, std::vector<detail::MatrixSource> const& terms,
-            int rows_per_rank)
+            int rows_per_rank, multigrid::RowOrder order = multigrid::defaultRowOrder())
 {
   auto muelu = detail::MultigridHierarchy::defaults(model.options.components);
   muelu.set("coarse: max size", 100);
@@ -60,20 +60,38 @@ hierarchyOf(ElasticModel const& model, std::vector<detail::MatrixSource> const& 
   }
   return std::make_shared<const detail::MultigridHierarchy>(
     terms, model.options.components, near_null_space, model.nodes.dofs,
-    detail::Aggregation{muelu, rows_per_rank});
+    detail::Aggregation{muelu, rows_per_rank, order});
 }
 
-std::shared_ptr<const detail::MultigridHierarchy> hierarchyOf(ElasticModel const& model,
-                                                              int rows_per_rank = 0)
+std::shared_ptr<const detail::MultigridHierarchy>
+hierarchyOf(ElasticModel const& model, int rows_per_rank = 0,
+            multigrid::RowOrder order = multigrid::defaultRowOrder())
 {
-  return hierarchyOf(model, {[&] { return model.Z; }}, rows_per_rank);
+  return hierarchyOf(model, {[&] { return model.Z; }}, rows_per_rank, order);
 }
 
-RCP<detail::MultigridPreconditioner> makePreconditioner(ElasticModel const& model,
-                                                        Parts const& parts, int rows_per_rank)
+// Where kernels run on the host, both orders can.
+std::vector<multigrid::RowOrder> rowOrders()
 {
-  return rcp(new detail::MultigridPreconditioner(*hierarchyOf(model, rows_per_rank), {1}, model.Z,
-                                                 parts.nodes));
+  if (kernels_run_on_host) {
+    return {multigrid::RowOrder::chunks, multigrid::RowOrder::colours};
+  }
+  return {multigrid::RowOrder::colours};
+}
+
+RCP<detail::MultigridPreconditioner>
+makePreconditioner(ElasticModel const& model, Parts const& parts, int rows_per_rank,
+                   multigrid::RowOrder order = multigrid::defaultRowOrder())
+{
+  return rcp(new detail::MultigridPreconditioner(*hierarchyOf(model, rows_per_rank, order), {1},
+                                                 model.Z, parts.nodes));
+}
+
+// The only column of a vector.
+template <class View>
+auto column(View const& view)
+{
+  return Kokkos::subview(view, Kokkos::ALL(), 0);
 }
 
 // How many ranks have rows of a level.
@@ -125,22 +143,22 @@ ElasticModel modelWith(double tau, int tangents)
 
 TEST(MultigridPreconditioner, IsSymmetricAfterEveryKindOfSetup)
 {
-  for (double tau : {1e-6, 1e3}) {
-    for (int tangents : {1, 2}) {
-      SCOPED_TRACE(tau);
-      const auto model = modelWith(tau, tangents);
-      const Parts parts(model, FaultState(model, Truncation::none));
-      const auto B = makePreconditioner(model, parts,
-                                        tau > 1         ? all_on_one
-                                        : tangents == 1 ? 0
-                                                        : some_on_one);
-      EXPECT_LE(detail::relativeAsymmetry(*B, *parts.nodes), 1e-5); // single precision
-      parts.nodes->set(FaultState(model, Truncation::left_half).blocks(model));
-      B->setup();
-      EXPECT_LE(detail::relativeAsymmetry(*B, *parts.nodes), 1e-5); // single precision
-      B->rebuild();
-      EXPECT_LE(detail::relativeAsymmetry(*B, *parts.nodes), 1e-5); // single precision
-      EXPECT_EQ(B->outdatedShare(), 0);
+  for (auto order : rowOrders()) {
+    for (double tau : {1e-6, 1e3}) {
+      for (int tangents : {1, 2}) {
+        SCOPED_TRACE(tau);
+        const auto model = modelWith(tau, tangents);
+        const Parts parts(model, FaultState(model, Truncation::none));
+        const int few_ranks = tangents == 1 ? 0 : some_on_one;
+        const auto B = makePreconditioner(model, parts, tau > 1 ? all_on_one : few_ranks, order);
+        EXPECT_LE(detail::relativeAsymmetry(*B, *parts.nodes), 1e-5); // single precision
+        parts.nodes->set(FaultState(model, Truncation::left_half).blocks(model));
+        B->setup();
+        EXPECT_LE(detail::relativeAsymmetry(*B, *parts.nodes), 1e-5); // single precision
+        B->rebuild();
+        EXPECT_LE(detail::relativeAsymmetry(*B, *parts.nodes), 1e-5); // single precision
+        EXPECT_EQ(B->outdatedShare(), 0);
+      }
     }
   }
 }
@@ -183,36 +201,42 @@ TEST(MultigridHierarchy, HasTheCouplingsOfAllTerms)
   EXPECT_GT(couplings(*hierarchy), couplings(*cut_alone));
 }
 
+namespace
+{
+void expectImage(int tangents, Truncation truncation, multigrid::RowOrder order)
+{
+  const auto model = modelWith(1.0, tangents);
+  const Parts parts(model, FaultState(model, truncation, -2, 2));
+  auto const hierarchy = hierarchyOf(model, tangents == 1 ? 0 : all_on_one, order);
+  std::vector<char> held(numLocalRows(*model.Z), 0);
+  for (std::size_t k = 0; k < model.held_rows.extent(0); ++k) {
+    held[toHost(model.held_rows)(k)] = 1;
+  }
+  multigrid::Cycle cycle(hierarchy->shared(), {1}, hierarchy->finestBlocks(*model.Z), held,
+                         model.nodes.dofs);
+  ASSERT_TRUE(cycle.setup(parts.nodes->hessian, parts.nodes->removed));
+  const auto r = detail::pseudorandomVector(model.map, 0, *parts.nodes);
+  const auto given = multigrid::makeNumbers(cycle.rows());
+  cycle.toRows(column(r.getLocalViewDevice(Tpetra::Access::ReadOnly)), 1, given);
+  auto const result = cycle.run(given, true);
+  Vector z(model.map), image(model.map), expected(model.map);
+  cycle.fromRows(result.z, 1, column(z.getLocalViewDevice(Tpetra::Access::OverwriteAll)));
+  cycle.fromRows(result.image, 1,
+                 column(image.getLocalViewDevice(Tpetra::Access::OverwriteAll)));
+  EXPECT_GT(z.norm2(), 0);
+  parts.A->apply(z, expected);
+  image.update(-1, expected, 1);
+  EXPECT_LE(image.norm2(), 1e-5 * expected.norm2());
+}
+} // namespace
+
 // The product with Z + H that a cycle leaves is that of the operator, to single precision.
 TEST(Cycle, GivesTheImageOfItsResult)
 {
-  for (int tangents : {1, 2}) {
-    for (auto truncation : {Truncation::none, Truncation::every_second}) {
-      const auto model = modelWith(1.0, tangents);
-      const Parts parts(model, FaultState(model, truncation, -2, 2));
-      auto const hierarchy = hierarchyOf(model, tangents == 1 ? 0 : all_on_one);
-      std::vector<char> held(numLocalRows(*model.Z), 0);
-      for (std::size_t k = 0; k < model.held_rows.extent(0); ++k) {
-        held[toHost(model.held_rows)(k)] = 1;
-      }
-      multigrid::Cycle cycle(hierarchy->shared(), {1}, hierarchy->finestBlocks(*model.Z), held,
-                             toHost(model.nodes.dofs));
-      ASSERT_TRUE(cycle.setup(toHost(parts.nodes->hessian), toHost(parts.nodes->removed)));
-      const auto r = detail::pseudorandomVector(model.map, 0, *parts.nodes);
-      const auto given = r.getLocalViewHost(Tpetra::Access::ReadOnly);
-      auto const result =
-        cycle.run(multigrid::NodeVector(given.data(), given.data() + given.extent(0)), true);
-      Vector z(model.map), image(model.map), expected(model.map);
-      const auto copy = [](multigrid::NodeVector const& from, Vector& to) {
-        std::copy_n(from.begin(), to.getLocalLength(),
-                    to.getLocalViewHost(Tpetra::Access::OverwriteAll).data());
-      };
-      copy(result.z, z);
-      copy(result.image, image);
-      EXPECT_GT(z.norm2(), 0);
-      parts.A->apply(z, expected);
-      image.update(-1, expected, 1);
-      EXPECT_LE(image.norm2(), 1e-5 * expected.norm2());
+  for (auto order : rowOrders()) {
+    for (int tangents : {1, 2}) {
+      expectImage(tangents, Truncation::none, order);
+      expectImage(tangents, Truncation::every_second, order);
     }
   }
 }
@@ -234,48 +258,68 @@ TEST(MultigridOperator, IsTheTruncatedMatrix)
 
 // On the coarse levels P^T (A + sum of Q^T H Q) P is the Galerkin product of A + H: the energy of a
 // coarse function is that of the fine function that it stands for.
+namespace
+{
+// The numbers of rows at the nodes whose they are.
+template <class Numbers, class Rows>
+void copyToNodes(Numbers const& of_rows, Rows const& row_of_node, int size, Vector& of_nodes)
+{
+  const auto to = of_nodes.getLocalViewHost(Tpetra::Access::OverwriteAll);
+  for (int i = 0; i < to.extent_int(0); ++i) {
+    const int row = row_of_node.extent(0) > 0 ? row_of_node(i / size) : i / size;
+    to(i, 0) = of_rows(row * size + i % size);
+  }
+}
+
+void expectGalerkinProduct(int tangents, multigrid::RowOrder order)
+{
+  const auto model = modelWith(1.0, tangents);
+  const FaultState state(model, Truncation::none, -2, 0);
+  const Parts parts(model, state);
+  const auto hierarchy = hierarchyOf(model, tangents == 1 ? some_on_one : all_on_one, order);
+  ASSERT_GE(hierarchy->levels().size(), 2U);
+  auto const& fine = hierarchy->levels()[0];
+  auto const& coarse = hierarchy->levels()[1];
+  // Of a coarse function x, the fine function P x.
+  const auto x = multigrid::makeNumbers(fine.prolongation.columnsWithGhosts());
+  const auto owned = coarse.graph.rows();
+  const auto x_on_host = Kokkos::create_mirror_view(x);
+  for (std::size_t i = 0; i < owned; ++i) {
+    x_on_host(i) = static_cast<float>(std::sin(1.0 + static_cast<double>(i)));
+  }
+  Kokkos::deep_copy(x, x_on_host);
+  fine.prolongation.share(x);
+  const auto Px = multigrid::makeNumbers(fine.graph.rows());
+  multiplyAdd(fine.prolongation, fine.schedule, fine.P, x, Px);
+  Vector Px_vector(model.map);
+  copyToNodes(toHost(Px), toHost(hierarchy->shared()->rowOfNode()), model.options.components,
+              Px_vector);
+  const auto u = model.gather(Px_vector);
+  const double expected = u.dot(state.matrix(model) * u);
+
+  const auto A = multigrid::makeNumbers(coarse.terms[0].extent(0));
+  Kokkos::deep_copy(A, coarse.terms[0]);
+  coarse.added.addTo(A, parts.nodes->hessian);
+  const auto on_level = multigrid::makeNumbers(coarse.graph.columnsWithGhosts());
+  Kokkos::deep_copy(Kokkos::subview(on_level, std::make_pair(std::size_t(0), owned)),
+                    Kokkos::subview(x, std::make_pair(std::size_t(0), owned)));
+  coarse.graph.share(on_level);
+  const auto Ax = multigrid::makeNumbers(owned);
+  multiplyAdd(coarse.graph, coarse.schedule, A, on_level, Ax);
+  const auto Ax_on_host = toHost(Ax);
+  double energy = 0;
+  for (std::size_t i = 0; i < owned; ++i) {
+    energy += x_on_host(i) * Ax_on_host(i);
+  }
+  EXPECT_NEAR(sumOverRanks(energy, *model.map->getComm()), expected, 1e-5 * expected);
+}
+} // namespace
+
 TEST(CoarseFault, IsTheGalerkinProductOfTheHessians)
 {
-  for (int tangents : {1, 2}) {
-    const auto model = modelWith(1.0, tangents);
-    const FaultState state(model, Truncation::none, -2, 0);
-    const Parts parts(model, state);
-    const auto hierarchy = hierarchyOf(model, tangents == 1 ? some_on_one : all_on_one);
-    ASSERT_GE(hierarchy->levels().size(), 2U);
-    auto const& fine = hierarchy->levels()[0];
-    auto const& coarse = hierarchy->levels()[1];
-    // Of a coarse function x, the fine function P x.
-    multigrid::NodeVector x(fine.prolongation.columnsWithGhosts());
-    const auto owned = coarse.graph.rows();
-    for (std::size_t i = 0; i < owned; ++i) {
-      x[i] = static_cast<float>(std::sin(1.0 + static_cast<double>(i)));
-    }
-    fine.prolongation.share(x);
-    multigrid::NodeVector Px(fine.graph.rows(), 0.);
-    multiplyAdd(fine.prolongation, fine.chunks, fine.P, x, Px);
-    Vector Px_vector(model.map);
-    std::copy(Px.begin(), Px.end(),
-              Px_vector.getLocalViewHost(Tpetra::Access::OverwriteAll).data());
-    const auto u = model.gather(Px_vector);
-    const double expected = u.dot(state.matrix(model) * u);
-
-    auto A = coarse.terms[0];
-    std::vector<double> hessian;
-    hessian.reserve(parts.nodes->hessian.size());
-    for (int k = 0; k < static_cast<int>(parts.nodes->hessian.size()); ++k) {
-      hessian.push_back(parts.nodes->hessian.data()[k]);
-    }
-    coarse.added.addTo(A, hessian);
-    multigrid::NodeVector on_level(coarse.graph.columnsWithGhosts());
-    std::copy_n(x.begin(), owned, on_level.begin());
-    coarse.graph.share(on_level);
-    multigrid::NodeVector Ax(owned, 0.);
-    multiplyAdd(coarse.graph, coarse.chunks, A, on_level, Ax);
-    double energy = 0;
-    for (std::size_t i = 0; i < owned; ++i) {
-      energy += x[i] * Ax[i];
-    }
-    EXPECT_NEAR(sumOverRanks(energy, *model.map->getComm()), expected, 1e-5 * expected);
+  for (auto order : rowOrders()) {
+    expectGalerkinProduct(1, order);
+    expectGalerkinProduct(2, order);
   }
 }
 
@@ -331,9 +375,10 @@ namespace
 std::unique_ptr<multigrid::CoarsestSolver> solverFor(RCP<const CrsMatrix> const& matrix, int size)
 {
   auto const [graph, maps] = detail::makeNodeGraph({matrix}, size, size);
-  return multigrid::CoarsestSolver::make(graph, detail::coarsestRows(maps),
-                                         detail::blocksOf(graph, maps, *matrix),
-                                         std::vector<char>(numLocalRows(*matrix), 1));
+  return multigrid::CoarsestSolver::make(
+    multigrid::NodeGraph(graph), detail::coarsestRows(maps),
+    multigrid::onDevice(detail::blocksOf(graph, maps, *matrix)),
+    std::vector<char>(numLocalRows(*matrix), 1));
 }
 } // namespace
 
@@ -348,10 +393,12 @@ TEST(CoarsestSolver, SolvesWhatIsSpreadOverRanks)
   Vector x(model.map);
   const auto rows = b.getLocalLength();
   const auto values = b.getLocalViewHost(Tpetra::Access::ReadOnly);
-  multigrid::NodeVector mine(values.data(), values.data() + rows), solution(rows);
-  coarsest->solve(mine, solution);
-  std::copy(solution.begin(), solution.end(),
-            x.getLocalViewHost(Tpetra::Access::OverwriteAll).data());
+  const auto mine = multigrid::makeNumbers<multigrid::HostBlocks>(rows);
+  std::copy_n(values.data(), rows, mine.data());
+  const auto solution = multigrid::makeNumbers(rows);
+  coarsest->solve(multigrid::onDevice(mine), solution);
+  const auto on_host = toHost(solution);
+  std::copy_n(on_host.data(), rows, x.getLocalViewHost(Tpetra::Access::OverwriteAll).data());
   const Eigen::VectorXd error = model.gather(x) - exact;
   EXPECT_LE(std::sqrt(error.dot(model.global * error)),
             1e-4 * std::sqrt(exact.dot(model.global * exact)));

@@ -1,0 +1,156 @@
+#include "multigrid/AddedBlocks.hpp"
+
+#include <stdexcept>
+#include <type_traits>
+
+namespace asperity::multigrid
+{
+namespace
+{
+using Products = Kokkos::View<int* [3], Kokkos::LayoutRight, MemorySpace>;
+
+// A coupling. Of Q_J^T H Q_K and its transpose the first one in the order of Q is computed and the
+// other one copied: so the sum stays symmetric.
+template <int T, int N>
+struct AddProducts
+{
+  IndexView couplings, first;
+  Kokkos::View<const int* [3], Kokkos::LayoutRight, MemorySpace> products;
+  float const* Q;
+  double const* H;
+  float* A;
+
+  KOKKOS_FUNCTION void operator()(int i) const
+  {
+    float* to = A + static_cast<std::size_t>(couplings(i)) * N * N;
+    for (int p = first(i); p < first(i + 1); ++p) {
+      const int J = products(p, 1), K = products(p, 2);
+      add(H + static_cast<std::size_t>(products(p, 0)) * T * T, J < K ? J : K, J < K ? K : J,
+          J > K, to);
+    }
+  }
+
+  // to += Q_J^T h Q_K, or its transpose.
+  KOKKOS_FUNCTION void add(double const* h, int J, int K, bool is_transposed, float* to) const
+  {
+    float const* QJ = Q + static_cast<std::size_t>(J) * T * N;
+    float const* QK = Q + static_cast<std::size_t>(K) * T * N;
+    double hQ[T][N]; // h Q_J
+    for (int s = 0; s < T; ++s) {
+      for (int c = 0; c < N; ++c) {
+        hQ[s][c] = 0;
+        for (int t = 0; t < T; ++t) {
+          hQ[s][c] += h[s * T + t] * QJ[t * N + c];
+        }
+      }
+    }
+    for (int r = 0; r < N; ++r) {
+      for (int c = 0; c < N; ++c) {
+        double sum = 0;
+        for (int s = 0; s < T; ++s) {
+          sum += hQ[s][r] * QK[s * N + c];
+        }
+        to[is_transposed ? c * N + r : r * N + c] += static_cast<float>(sum);
+      }
+    }
+  }
+};
+
+// Calls work(T, N) with compile-time constants: 1 to 3 tangents, and the numbers of rigid body
+// motions of withBlockSizes().
+template <class Work>
+void withSizes(int T, int N, Work const& work)
+{
+  const auto withTangents = [&](auto tangents) {
+    switch (N) {
+    case 1: return work(tangents, std::integral_constant<int, 1>());
+    case 2: return work(tangents, std::integral_constant<int, 2>());
+    case 3: return work(tangents, std::integral_constant<int, 3>());
+    case 4: return work(tangents, std::integral_constant<int, 4>());
+    case 6: return work(tangents, std::integral_constant<int, 6>());
+    default: throw std::logic_error("multigrid: no kernels for this number of rigid motions");
+    }
+  };
+  switch (T) {
+  case 1: return withTangents(std::integral_constant<int, 1>());
+  case 2: return withTangents(std::integral_constant<int, 2>());
+  default: return withTangents(std::integral_constant<int, 3>());
+  }
+}
+
+HessianView collected(std::vector<double> const& blocks, int T)
+{
+  const int num_nodes = static_cast<int>(blocks.size()) / (T * T);
+  const HessianView result("asperity::multigrid::collected", num_nodes, T, T);
+  const Kokkos::View<const double***, Kokkos::LayoutRight, Kokkos::HostSpace,
+                     Kokkos::MemoryUnmanaged>
+    from(blocks.data(), num_nodes, T, T);
+  Kokkos::deep_copy(result, from);
+  return result;
+}
+} // namespace
+
+AddedBlocks::AddedBlocks(HostAddedBlocks const& host, HostGraph const& level)
+    : tangents_(host.graph.row_size)
+    , motions_(host.graph.column_size)
+    , Q_(onDevice(host.Q))
+    , rows_(onDevice(host.rows))
+    , collect_(host.collect)
+{
+  std::vector<int> place(level.numCouplings(), -1), couplings;
+  for (int row : host.rows) {
+    for (int k = level.first[row]; k < level.first[row + 1]; ++k) {
+      place[k] = static_cast<int>(couplings.size());
+      couplings.push_back(k);
+    }
+  }
+  // Calls work(node, J, K, place) for each product.
+  const auto forEachProduct = [&](auto const& work) {
+    for (int node = 0; node < host.graph.num_rows; ++node) {
+      const int begin = host.graph.first[node], count = host.graph.first[node + 1] - begin;
+      for (int pair = 0; pair < count * count; ++pair) {
+        if (const int k = host.couplings[host.first[node] + pair]; k >= 0) {
+          work(node, begin + pair / count, begin + pair % count, place[k]);
+        }
+      }
+    }
+  };
+  std::vector<int> first(couplings.size() + 1, 0);
+  forEachProduct([&](int, int, int, int coupling) { ++first[coupling + 1]; });
+  for (std::size_t i = 0; i < couplings.size(); ++i) {
+    first[i + 1] += first[i];
+  }
+  const Products products("asperity::multigrid::products", first.back());
+  const auto on_host = Kokkos::create_mirror_view(products);
+  auto next = first;
+  forEachProduct([&](int node, int J, int K, int coupling) {
+    const int p = next[coupling]++;
+    on_host(p, 0) = node;
+    on_host(p, 1) = J;
+    on_host(p, 2) = K;
+  });
+  Kokkos::deep_copy(products, on_host);
+  products_ = products;
+  couplings_ = onDevice(couplings);
+  first_product_ = onDevice(first);
+}
+
+void AddedBlocks::addTo(NodeBlocks const& A, HessianView const& H) const
+{
+  auto all = H;
+  if (collect_) {
+    const auto mine = onHost(H);
+    all = collected(collect_({mine.data(), mine.data() + mine.size()}), tangents_);
+  }
+  if (couplings_.extent(0) == 0) {
+    return;
+  }
+  withSizes(tangents_, motions_, [&](auto tangents, auto motions) {
+    constexpr int T = decltype(tangents)::value, N = decltype(motions)::value;
+    Kokkos::parallel_for("asperity::multigrid::addProducts",
+                         RangePolicy(0, couplings_.extent_int(0)),
+                         AddProducts<T, N>{couplings_, first_product_, products_, Q_.data(),
+                                           all.data(), A.data()});
+  });
+}
+} // namespace asperity::multigrid

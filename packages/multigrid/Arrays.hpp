@@ -1,0 +1,58 @@
+#pragma once
+
+#include "portability/Views.hpp"
+
+#include <cstddef>
+#include <utility>
+#include <vector>
+
+namespace asperity::multigrid
+{
+template <class Space>
+using FloatView = Kokkos::View<float*, Kokkos::LayoutRight, Space>;
+
+// Local vectors, node after node; vectors on columns have the ghosts at their end. Blocks lie in
+// the order of the couplings, row by row, in single precision: the matrices of a preconditioner,
+// whose cost is the memory that they read. A product with single blocks reads a third of what a
+// sparse matrix of scalars needs.
+using NodeVector = FloatView<MemorySpace>;
+using NodeBlocks = FloatView<MemorySpace>;
+using HostBlocks = FloatView<Kokkos::HostSpace>; // where kernels run on the host, NodeBlocks
+
+// Zeros, with more of them behind the last, so that four lanes may be loaded from any place.
+template <class View = NodeVector>
+View makeNumbers(std::size_t size)
+{
+  constexpr std::size_t padding = 4;
+  const View all("asperity::multigrid::numbers", size + padding);
+  return Kokkos::subview(all, std::make_pair(std::size_t(0), size));
+}
+
+// The same numbers where kernels run; no copy if they run on the host.
+inline NodeBlocks onDevice(HostBlocks const& host)
+{
+  if constexpr (kernels_run_on_host) {
+    return host;
+  } else {
+    const auto device = makeNumbers<NodeBlocks>(host.extent(0));
+    Kokkos::deep_copy(device, host);
+    return device;
+  }
+}
+
+inline IndexView onDevice(std::vector<int> const& host)
+{
+  const Kokkos::View<int*, MemorySpace> device("asperity::multigrid::indices", host.size());
+  const Kokkos::View<const int*, Kokkos::HostSpace, Kokkos::MemoryUnmanaged> from(host.data(),
+                                                                                host.size());
+  Kokkos::deep_copy(device, from);
+  return device;
+}
+
+// A copy that the host can read.
+template <class View>
+auto onHost(View const& view)
+{
+  return Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace(), view);
+}
+} // namespace asperity::multigrid

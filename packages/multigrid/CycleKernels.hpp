@@ -1,0 +1,186 @@
+#pragma once
+
+#include "multigrid/Cycle.hpp"
+#include "multigrid/NodeKernels.hpp"
+
+#include <cstddef>
+
+// The kernels of Cycle but its sweeps. Those of a row take the range of its sweep, which they do
+// not need.
+namespace asperity::multigrid
+{
+// Of the nodes of the finest level, with `size` numbers each.
+struct Renumber
+{
+  IndexView row_of_node; // empty: the node's own number
+  int size;
+  KOKKOS_FUNCTION int operator()(int number) const
+  {
+    return row_of_node.extent(0) == 0 ? number
+                                      : row_of_node(number / size) * size + number % size;
+  }
+};
+
+struct CopyFlags
+{
+  Renumber renumber;
+  IndexView given;
+  FlagView result;
+  KOKKOS_FUNCTION void operator()(int i) const { result(renumber(i)) = given(i); }
+};
+
+struct CopyDofs
+{
+  Renumber renumber;
+  Cycle::Dofs given;
+  Kokkos::View<int**, Kokkos::LayoutRight, MemorySpace> result;
+  KOKKOS_FUNCTION void operator()(int node) const
+  {
+    for (int t = 0; t < result.extent_int(1); ++t) {
+      result(node, t) = renumber(given(node, t));
+    }
+  }
+};
+
+struct ToRows
+{
+  Renumber renumber;
+  ConstNodeView given;
+  double by;
+  float* x;
+  KOKKOS_FUNCTION void operator()(int i) const
+  {
+    x[renumber(i)] = static_cast<float>(given(i) / by);
+  }
+};
+
+struct FromRows
+{
+  Renumber renumber;
+  float const* x;
+  double times;
+  NodeView result;
+  KOKKOS_FUNCTION void operator()(int i) const { result(i) = times * x[renumber(i)]; }
+};
+
+// Calls row for some rows.
+template <class Row>
+struct AtRows
+{
+  IndexView rows;
+  Row row;
+  KOKKOS_FUNCTION void operator()(int i) const { row(rows(i), 0, 0); }
+};
+
+// sum_k weight_k term_k
+struct WeightedTerms
+{
+  float const* terms[Cycle::most_terms];
+  double weights[Cycle::most_terms];
+  int count;
+};
+
+// A row of a coarse matrix, without added blocks. size: of a block.
+struct SumTermsRow
+{
+  WeightedTerms of;
+  int const* first;
+  int size;
+  float* A;
+  KOKKOS_FUNCTION void operator()(int row, int, int) const
+  {
+    const auto end = static_cast<std::size_t>(first[row + 1]) * size;
+    for (auto i = static_cast<std::size_t>(first[row]) * size; i < end; ++i) {
+      double sum = 0;
+      for (int k = 0; k < of.count; ++k) {
+        sum += of.weights[k] * of.terms[k][i];
+      }
+      A[i] = static_cast<float>(sum);
+    }
+  }
+};
+
+struct AllFree
+{
+  KOKKOS_FUNCTION bool operator()(int) const { return true; }
+};
+
+// The inverse of the diagonal block of a coarse row; zero without one.
+template <int N>
+struct InvertRow
+{
+  int const *before, *after; // of Level
+  float const* A;
+  float* inverse;
+  KOKKOS_FUNCTION void operator()(int row, int, int) const
+  {
+    double block[N][N] = {};
+    for (int i = 0; after[row] > before[row] && i < N * N; ++i) {
+      block[i / N][i % N] = A[static_cast<std::size_t>(before[row]) * N * N + i];
+    }
+    invertFree(block, AllFree(), inverse + static_cast<std::size_t>(row) * N * N);
+  }
+};
+
+// The components of a fine node that are neither held nor removed.
+template <int N>
+struct FreeComponents
+{
+  int const* held; // of the node
+  bool removed[N];
+  KOKKOS_FUNCTION bool operator()(int c) const { return !held[c] && !removed[c]; }
+};
+
+// The inverse of the diagonal block of a fine row, of Z alone.
+template <int N>
+struct InvertFinest
+{
+  int const* before; // of Level
+  float const* A;
+  int const* held;
+  float* inverse;
+  KOKKOS_FUNCTION void operator()(int row, int, int) const
+  {
+    double block[N][N] = {};
+    invert(row, block, {held + row * N, {}});
+  }
+  // added + Z
+  KOKKOS_FUNCTION void invert(int row, double (&block)[N][N], FreeComponents<N> const& free) const
+  {
+    for (int i = 0; i < N * N; ++i) {
+      block[i / N][i % N] =
+        A[static_cast<std::size_t>(before[row]) * N * N + i] + block[i / N][i % N];
+    }
+    invertFree(block, free, inverse + static_cast<std::size_t>(row) * N * N);
+  }
+};
+
+// The same at an added node, whose block of H counts.
+template <int N>
+struct InvertAdded
+{
+  InvertFinest<N> finest;
+  Cycle::Dofs added;
+  HessianView H;
+  ConstFlagView removed;
+  float* with_added; // the matrix, to which H is added; may be null
+  KOKKOS_FUNCTION void operator()(int node) const
+  {
+    const int row = added(node, 0) / N;
+    double block[N][N] = {};
+    FreeComponents<N> free = {finest.held + row * N, {}};
+    for (int s = 0; s < added.extent_int(1); ++s) {
+      const int component = added(node, s) % N;
+      free.removed[component] = removed(node) != 0;
+      for (int t = 0; t < added.extent_int(1); ++t) {
+        block[component][added(node, t) % N] = H(node, s, t);
+      }
+    }
+    for (int i = 0; with_added != nullptr && i < N * N; ++i) {
+      with_added[static_cast<std::size_t>(finest.before[row]) * N * N + i] +=
+        static_cast<float>(block[i / N][i % N]);
+    }
+    finest.invert(row, block, free);
+  }
+};
+} // namespace asperity::multigrid

@@ -1,0 +1,87 @@
+#pragma once
+
+#include "multigrid/Arrays.hpp"
+
+#include <cstddef>
+#include <functional>
+#include <memory>
+#include <vector>
+
+namespace asperity::multigrid
+{
+// The sizes of a graph. A node of the rows has row_size successive rows, a node of the columns
+// column_size successive columns.
+struct GraphSizes
+{
+  int row_size = 0, column_size = 0;
+  int num_rows = 0;    // owned nodes
+  int num_owned = 0;   // nodes of the columns that this rank owns; its ghosts follow
+  int num_columns = 0; // nodes of the columns with ghosts
+
+  int blockSize() const { return row_size * column_size; }
+  // The number of scalar rows, and of scalar columns with ghosts.
+  std::size_t rows() const { return static_cast<std::size_t>(num_rows) * row_size; }
+  std::size_t columnsWithGhosts() const
+  {
+    return static_cast<std::size_t>(num_columns) * column_size;
+  }
+};
+
+// Which numbers ranks send each other, and how. Numbers are packed in the order of `sent` and
+// `received`.
+struct GhostMessages
+{
+  std::vector<int> sent;     // owned scalar columns; one may go to several ranks
+  std::vector<int> received; // ghosts, counted from the first one
+  // From owned values to ghosts, and back. Null on one rank. Collective.
+  std::function<void(float const* sent, float* received)> share;
+  std::function<void(float const* received, float* sent)> gather;
+};
+
+// Which nodes a matrix couples, on this rank; where it is made.
+struct HostGraph : GraphSizes
+{
+  std::vector<int> first;   // (num_rows + 1) where the couplings of a row begin
+  std::vector<int> columns; // (num couplings) local nodes, ascending within a row
+  GhostMessages ghosts;     // of the columns
+
+  int numCouplings() const { return first.back(); }
+  // The coupling of a row with a column, or -1.
+  int find(int row, int column) const;
+};
+
+// Exchanges the values that other ranks have copies of.
+class Ghosts
+{
+public:
+  // first: the first scalar ghost.
+  Ghosts(GhostMessages const& messages, std::size_t first);
+
+  void share(NodeVector const& x) const;  // copies owned values to ghosts
+  void gather(NodeVector const& x) const; // adds what ghosts have to their owners' values
+
+private:
+  GhostMessages messages_; // without their lists
+  std::size_t first_;
+  IndexView sent_, received_;
+  // Each owned value that is sent, once, and its places in `sent`: (num + 1) where they begin.
+  IndexView owners_, first_place_, places_;
+  NodeVector sent_values_, received_values_;
+  HostBlocks sent_on_host_, received_on_host_; // what MPI takes; the same where kernels run there
+};
+
+// The same where kernels run.
+struct NodeGraph : GraphSizes
+{
+  NodeGraph() = default;
+  explicit NodeGraph(HostGraph const& host);
+
+  IndexView first, columns;
+  std::shared_ptr<const Ghosts> ghosts; // null on one rank
+
+  int numCouplings() const { return columns.extent_int(0); }
+  // Both for vectors on the columns. Collective.
+  void share(NodeVector const& x) const;
+  void gather(NodeVector const& x) const;
+};
+} // namespace asperity::multigrid

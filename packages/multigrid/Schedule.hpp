@@ -1,0 +1,172 @@
+#pragma once
+
+#include "multigrid/FlushDenormals.hpp"
+#include "portability/Spaces.hpp"
+
+#include <Kokkos_Core.hpp>
+
+#include <algorithm>
+#include <array>
+#include <vector>
+
+namespace asperity::multigrid
+{
+// How a sweep takes the rows of a level.
+enum class RowOrder
+{
+  chunks, // for the threads of the host: each takes rows that follow one another, in their order
+  colours // for devices: rows of one colour, which are not coupled, at the same time
+};
+
+// Chunks where kernels run on the host, and colours where they run on a device.
+constexpr RowOrder defaultRowOrder()
+{
+  return kernels_run_on_host ? RowOrder::chunks : RowOrder::colours;
+}
+
+// In which order, and how many at once, the rows of a level are worked on. With chunks what is done
+// depends on their number alone, with colours on nothing: runs on equally many threads are equal.
+//
+// A row is a function object, to be called on the device, row(r, begin, end): r takes the rows from
+// `begin` to `end` in a sweep's order. What it takes from other rows is from before the sweep.
+class Schedule
+{
+public:
+  // A chunk of fewer rows costs more to start than it saves.
+  static constexpr int least_rows = 256;
+
+  Schedule() = default;
+  // first(num_rows + 1): where the couplings of each row begin; chunks have about equally many.
+  static Schedule inChunks(std::vector<int> const& first, int most);
+  // Rows are numbered colour by colour; begins(num_colours + 1): where each colour begins.
+  static Schedule inColours(std::vector<int> begins);
+  static int numThreads(); // of the host
+
+  int numParts() const { return static_cast<int>(begins_.size()) - 1; } // chunks or colours
+  bool isColoured() const { return is_coloured_; }
+  // Rows are swept beside others, from which they take what was before the sweep.
+  bool sharesSweeps() const { return !is_coloured_ && numParts() > 1; }
+  int numRows() const { return begins_.back(); }
+
+  template <class Row>
+  void forward(Row const& row) const
+  {
+    if (is_coloured_) {
+      for (int colour = 0; colour < numParts(); ++colour) {
+        launch(begins_[colour], begins_[colour + 1], row);
+      }
+    } else {
+      forEachChunk([&](int, int begin, int end) {
+        for (int r = begin; r < end; ++r) {
+          row(r, begin, end);
+        }
+      });
+    }
+  }
+  template <class Row>
+  void backward(Row const& row) const
+  {
+    if (is_coloured_) {
+      for (int colour = numParts() - 1; colour >= 0; --colour) {
+        launch(begins_[colour], begins_[colour + 1], row);
+      }
+    } else {
+      forEachChunk([&](int, int begin, int end) {
+        for (int r = end - 1; r >= begin; --r) {
+          row(r, begin, end);
+        }
+      });
+    }
+  }
+  // All rows, in any order.
+  template <class Row>
+  void forEach(Row const& row) const
+  {
+    if (is_coloured_) {
+      launch(0, numRows(), row);
+    } else {
+      forward(row);
+    }
+  }
+
+  // work(chunk, begin, end) for each chunk with its rows, all at the same time; on the host.
+  template <class Work>
+  void forEachChunk(Work const& work) const
+  {
+    if (numParts() == 1) {
+      work(0, begins_[0], begins_[1]);
+      return;
+    }
+    using Host = Kokkos::DefaultHostExecutionSpace;
+    Kokkos::parallel_for("asperity::multigrid::chunks",
+                         Kokkos::RangePolicy<Host, Kokkos::Schedule<Kokkos::Static>>(0, numParts()),
+                         [&](int chunk) {
+                           const FlushDenormals flushed;
+                           work(chunk, begins_[chunk], begins_[chunk + 1]);
+                         });
+    Host().fence();
+  }
+
+  // number(i) for the numbers of vectors with `size` of them in each row, in any order.
+  template <class Number>
+  void forEachNumber(int size, Number const& number) const
+  {
+    if (is_coloured_) {
+      Kokkos::parallel_for("asperity::multigrid::numbers", RangePolicy(0, numRows() * size),
+                           number);
+      return;
+    }
+    forEachChunk([&](int, int begin, int end) {
+      for (int i = begin * size; i < end * size; ++i) {
+        number(i);
+      }
+    });
+  }
+  // The N sums to which number(i, sums) adds. Number::value_type is double[], and its value_count
+  // is N, as Kokkos wants it.
+  template <int N, class Number>
+  std::array<double, N> sum(int size, Number const& number) const
+  {
+    std::array<double, N> total{};
+    if (is_coloured_) {
+      Kokkos::parallel_reduce("asperity::multigrid::sums", RangePolicy(0, numRows() * size), number,
+                              total.data());
+      return total;
+    }
+    std::vector<std::array<double, N>> parts(numParts());
+    forEachChunk([&](int chunk, int begin, int end) {
+      double sums[N] = {};
+      for (int i = begin * size; i < end * size; ++i) {
+        number(i, sums);
+      }
+      std::copy_n(sums, N, parts[chunk].begin());
+    });
+    total = parts.front();
+    for (int chunk = 1; chunk < numParts(); ++chunk) {
+      for (int i = 0; i < N; ++i) {
+        total[i] += parts[chunk][i];
+      }
+    }
+    return total;
+  }
+
+private:
+  // A row of a colour: all rows are taken in order.
+  template <class Row>
+  struct Coloured
+  {
+    Row row;
+    int num_rows;
+    KOKKOS_FUNCTION void operator()(int r) const { row(r, 0, num_rows); }
+  };
+  template <class Row>
+  void launch(int begin, int end, Row const& row) const
+  {
+    Kokkos::parallel_for("asperity::multigrid::rows", RangePolicy(begin, end),
+                         Coloured<Row>{row, numRows()});
+  }
+
+  std::vector<int> begins_ = {0, 0}; // of chunks or colours
+  bool is_coloured_ = false;
+};
+} // namespace asperity::multigrid
