@@ -44,7 +44,7 @@ message(STATUS
 if(ASPERITY_BACKEND AND NOT ASPERITY_BACKEND STREQUAL ASPERITY_KOKKOS_BACKEND)
   message(FATAL_ERROR "ASPERITY_BACKEND is ${ASPERITY_BACKEND}, but the Kokkos found "
     "(${ASPERITY_KOKKOS_VERSION}, ${ASPERITY_KOKKOS_CONFIG}) runs on ${ASPERITY_KOKKOS_BACKEND}. "
-    "Give another one by Trilinos_ROOT or, with ASPERITY_FRICTION_ONLY, Kokkos_ROOT; "
+    "Give another one by Trilinos_ROOT or, with ASPERITY_KERNELS_ONLY, Kokkos_ROOT; "
     "docs/cost/backends.md says how to build one. Debian's runs on Serial.")
 endif()
 

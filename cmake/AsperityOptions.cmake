@@ -16,9 +16,8 @@ option(ASPERITY_WARNINGS_AS_ERRORS "Treat warnings in Asperity's own code as err
 option(ASPERITY_FUZZERS "Build the fuzz targets with libFuzzer, which needs Clang" OFF)
 set(ASPERITY_TEST_TIME_FACTOR 1 CACHE STRING
   "Integer factor of the time limits of tests, for slow builds and machines")
-# packages/friction, multigrid and their tests alone, without Trilinos and MPI
-# (docs/cost/backends.md).
-option(ASPERITY_FRICTION_ONLY
+# Without Trilinos and MPI (docs/cost/backends.md).
+option(ASPERITY_KERNELS_ONLY
   "Build packages/friction and multigrid alone, with Kokkos 3.4 or newer" OFF)
 set(ASPERITY_BACKEND "" CACHE STRING
   "The execution space that Kokkos must have: Serial, OpenMP, Cuda; empty accepts any")

@@ -7,7 +7,7 @@ function(asperity_add_test_main target source)
   target_link_libraries(${target} PUBLIC Asperity::Kokkos GTest::gtest ${ARGN})
 endfunction()
 asperity_add_test_main(asperity_kokkos_test_main KokkosTestMain.cpp asperity_portability)
-if(NOT ASPERITY_FRICTION_ONLY)
+if(NOT ASPERITY_KERNELS_ONLY)
   asperity_add_test_main(asperity_test_main TestMain.cpp MPI::MPI_CXX)
 endif()
 

@@ -7,7 +7,7 @@
 #
 # FOLDER gets the source (170 MB to download, 1.5 GB unpacked), the build and the installation. Run
 # it again after an interruption: it continues. It needs no root and does not change apt's lists.
-# --kokkos-only builds Kokkos alone, in minutes, for -DASPERITY_FRICTION_ONLY=ON with
+# --kokkos-only builds Kokkos alone, in minutes, for -DASPERITY_KERNELS_ONLY=ON with
 # -DKokkos_ROOT=FOLDER/install. The environment variable CXXFLAGS replaces the flags "-O2 -DNDEBUG".
 #
 # Debian packages: g++ gfortran cmake ninja-build dpkg-dev libopenmpi-dev liblapack-dev.

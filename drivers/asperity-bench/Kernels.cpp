@@ -164,11 +164,11 @@ void measureProducts(Meter& meter, dynamics::Body const& body)
   const auto x = body.vector(), y = body.vector();
   x->randomize();
   const auto rows = static_cast<double>(numLocalRows(K));
-  meter.measure(
-    "product with K, rows in double",
-    static_cast<double>(numLocalEntries(K)) * (real + sizeof(LocalOrdinal)) +
-      rows * (sizeof(std::size_t) + real) + real * static_cast<double>(numLocalColumns(K)),
-    [&] { K.apply(*x, *y); });
+  meter.measure("product with K, rows in double",
+                static_cast<double>(numLocalEntries(K)) * (real + sizeof(LocalOrdinal)) +
+                  rows * (sizeof(std::size_t) + real) +
+                  real * static_cast<double>(numLocalColumns(K)),
+                [&] { K.apply(*x, *y); });
 }
 
 void measureMultigrid(Meter& meter, dynamics::Body const& body, fem::Weights const& weights,
@@ -182,16 +182,15 @@ void measureMultigrid(Meter& meter, dynamics::Body const& body, fem::Weights con
   auto const A = hierarchy.shared()->inOrder(Z_blocks);
   const auto b = ones(level.graph.rows()), x = ones(level.graph.columnsWithGhosts());
   const auto y = ones(level.graph.rows()), residual = ones(level.graph.rows());
-  meter.measure(
-    "product with Z, blocks in single",
-    bytesOfBlocks(level.graph) + single * static_cast<double>(3 * b.extent(0)),
-    [&] { multigrid::multiplyAdd(level.graph, level.schedule, A, x, y); });
+  meter.measure("product with Z, blocks in single",
+                bytesOfBlocks(level.graph) + single * static_cast<double>(3 * b.extent(0)),
+                [&] { multigrid::multiplyAdd(level.graph, level.schedule, A, x, y); });
   // Zero, so that no sweep overflows.
   const auto inverse = multigrid::makeNumbers(level.graph.rows() * level.graph.row_size);
   multigrid::withBlockSizes(level.graph.row_size, level.graph.row_size, [&](auto rows, auto) {
     const multigrid::Sweeps<decltype(rows)::value> sweeps(level, A, inverse);
     meter.measure("forward sweep and residual", bytesOfSweep(level),
-                                  [&] { sweeps.forward(b, x, residual); });
+                  [&] { sweeps.forward(b, x, residual); });
   });
   if (hierarchy.levels().size() > 1) {
     const auto coarse = ones(level.prolongation.columnsWithGhosts());
@@ -208,8 +207,7 @@ void measureMultigrid(Meter& meter, dynamics::Body const& body, fem::Weights con
                          {}); // nothing is added
   ASPERITY_REQUIRE(cycle.setup({}, {}),
                    "The matrix of a step is not positive definite: nothing holds the body.");
-  meter.measure("V-cycle", bytesOfCycle(*hierarchy.shared()),
-                                [&] { cycle.run(b, false); });
+  meter.measure("V-cycle", bytesOfCycle(*hierarchy.shared()), [&] { cycle.run(b, false); });
 }
 
 // Block problems of the nodes that slide, whose solution is 1 um/s, from a guess of 1 nm/s; and a
@@ -250,9 +248,9 @@ void measureFriction(Meter& meter, dynamics::Fault const& fault, dynamics::State
                    "Friction has no solution at some nodes for a slip rate of 1e-6 m/s.");
   const NodeView V("asperity::bench::V", num_nodes), alpha("asperity::bench::alpha", num_nodes);
   Kokkos::deep_copy(V, solution);
-  meter.measure(
-    "friction, state update", num_nodes * real * (3 + fault.laws().state_parameters.extent_int(0)),
-    [&] { fault.state().flow(V, 1, state.alpha, alpha); });
+  meter.measure("friction, state update",
+                num_nodes * real * (3 + fault.laws().state_parameters.extent_int(0)),
+                [&] { fault.state().flow(V, 1, state.alpha, alpha); });
 }
 
 template <int Dim>

@@ -25,8 +25,8 @@ struct AddProducts
     float* to = A + static_cast<std::size_t>(couplings(i)) * N * N;
     for (int p = first(i); p < first(i + 1); ++p) {
       const int J = products(p, 1), K = products(p, 2);
-      add(H + static_cast<std::size_t>(products(p, 0)) * T * T, J < K ? J : K, J < K ? K : J,
-          J > K, to);
+      add(H + static_cast<std::size_t>(products(p, 0)) * T * T, J < K ? J : K, J < K ? K : J, J > K,
+          to);
     }
   }
 
@@ -147,10 +147,9 @@ void AddedBlocks::addTo(NodeBlocks const& A, HessianView const& H) const
   }
   withSizes(tangents_, motions_, [&](auto tangents, auto motions) {
     constexpr int T = decltype(tangents)::value, N = decltype(motions)::value;
-    Kokkos::parallel_for("asperity::multigrid::addProducts",
-                         RangePolicy(0, couplings_.extent_int(0)),
-                         AddProducts<T, N>{couplings_, first_product_, products_, Q_.data(),
-                                           all.data(), A.data()});
+    Kokkos::parallel_for(
+      "asperity::multigrid::addProducts", RangePolicy(0, couplings_.extent_int(0)),
+      AddProducts<T, N>{couplings_, first_product_, products_, Q_.data(), all.data(), A.data()});
   });
 }
 } // namespace asperity::multigrid

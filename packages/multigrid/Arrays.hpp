@@ -3,6 +3,7 @@
 #include "portability/Views.hpp"
 
 #include <cstddef>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -28,13 +29,14 @@ View makeNumbers(std::size_t size)
   return Kokkos::subview(all, std::make_pair(std::size_t(0), size));
 }
 
-// The same numbers where kernels run; no copy if they run on the host.
-inline NodeBlocks onDevice(HostBlocks const& host)
+// The same numbers where kernels run; no copy if that is the host.
+template <class Space = MemorySpace>
+FloatView<Space> onDevice(HostBlocks const& host)
 {
-  if constexpr (kernels_run_on_host) {
+  if constexpr (std::is_same<Space, Kokkos::HostSpace>::value) {
     return host;
   } else {
-    const auto device = makeNumbers<NodeBlocks>(host.extent(0));
+    const auto device = makeNumbers<FloatView<Space>>(host.extent(0));
     Kokkos::deep_copy(device, host);
     return device;
   }
@@ -44,7 +46,7 @@ inline IndexView onDevice(std::vector<int> const& host)
 {
   const Kokkos::View<int*, MemorySpace> device("asperity::multigrid::indices", host.size());
   const Kokkos::View<const int*, Kokkos::HostSpace, Kokkos::MemoryUnmanaged> from(host.data(),
-                                                                                host.size());
+                                                                                  host.size());
   Kokkos::deep_copy(device, from);
   return device;
 }

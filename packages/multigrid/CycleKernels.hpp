@@ -16,8 +16,7 @@ struct Renumber
   int size;
   KOKKOS_FUNCTION int operator()(int number) const
   {
-    return row_of_node.extent(0) == 0 ? number
-                                      : row_of_node(number / size) * size + number % size;
+    return row_of_node.extent(0) == 0 ? number : row_of_node(number / size) * size + number % size;
   }
 };
 

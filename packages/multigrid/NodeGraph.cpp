@@ -101,8 +101,8 @@ NodeGraph::NodeGraph(HostGraph const& host)
     , columns(onDevice(host.columns))
 {
   if (host.ghosts.share) {
-    ghosts = std::make_shared<const Ghosts>(
-      host.ghosts, static_cast<std::size_t>(host.num_owned) * host.column_size);
+    ghosts = std::make_shared<const Ghosts>(host.ghosts, static_cast<std::size_t>(host.num_owned) *
+                                                           host.column_size);
   }
 }
 

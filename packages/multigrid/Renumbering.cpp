@@ -23,8 +23,8 @@ Colours colour(HostGraph const& graph)
         taken_by[colours[other]] = node;
       }
     }
-    const auto free = std::find_if(taken_by.begin(), taken_by.end(),
-                                   [&](int taker) { return taker != node; });
+    const auto free =
+      std::find_if(taken_by.begin(), taken_by.end(), [&](int taker) { return taker != node; });
     colours[node] = static_cast<int>(free - taken_by.begin());
     if (free == taken_by.end()) {
       taken_by.push_back(-1);

@@ -24,6 +24,18 @@ constexpr RowOrder defaultRowOrder()
   return kernels_run_on_host ? RowOrder::chunks : RowOrder::colours;
 }
 
+namespace detail
+{
+// Calls row where all num_rows rows are taken in order.
+template <class Row>
+struct RowOfColour
+{
+  Row row;
+  int num_rows;
+  KOKKOS_FUNCTION void operator()(int r) const { row(r, 0, num_rows); }
+};
+} // namespace detail
+
 // In which order, and how many at once, the rows of a level are worked on. With chunks what is done
 // depends on their number alone, with colours on nothing: runs on equally many threads are equal.
 //
@@ -129,8 +141,11 @@ public:
   {
     std::array<double, N> total{};
     if (is_coloured_) {
+      const Kokkos::View<double*, Kokkos::HostSpace, Kokkos::MemoryUnmanaged> result(total.data(),
+                                                                                     N);
       Kokkos::parallel_reduce("asperity::multigrid::sums", RangePolicy(0, numRows() * size), number,
-                              total.data());
+                              result);
+      ExecutionSpace().fence();
       return total;
     }
     std::vector<std::array<double, N>> parts(numParts());
@@ -151,19 +166,11 @@ public:
   }
 
 private:
-  // A row of a colour: all rows are taken in order.
-  template <class Row>
-  struct Coloured
-  {
-    Row row;
-    int num_rows;
-    KOKKOS_FUNCTION void operator()(int r) const { row(r, 0, num_rows); }
-  };
   template <class Row>
   void launch(int begin, int end, Row const& row) const
   {
     Kokkos::parallel_for("asperity::multigrid::rows", RangePolicy(begin, end),
-                         Coloured<Row>{row, numRows()});
+                         detail::RowOfColour<Row>{row, numRows()});
   }
 
   std::vector<int> begins_ = {0, 0}; // of chunks or colours

@@ -6,8 +6,8 @@
 namespace asperity::multigrid
 {
 // The rows of a level's matrix A with blocks of N rows, for kernels. Below, a row is taken in order
-// with those from `begin` to `end` (Schedule); L and U are its couplings with earlier and later ones
-// of these, G those with others and with ghosts of other ranks.
+// with those from `begin` to `end` (Schedule); L and U are its couplings with earlier and later
+// ones of these, G those with others and with ghosts of other ranks.
 template <int N>
 struct BlockRows
 {

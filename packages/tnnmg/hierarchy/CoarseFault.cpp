@@ -96,8 +96,7 @@ RCP<const CrsMatrix> rowsAtNodes(CrsMatrix const& P, NodeDofView const& fault)
 }
 
 multigrid::HostAddedBlocks makeCoarseFault(RCP<const CrsMatrix> const& Q, int tangents,
-                                           multigrid::HostGraph const& level,
-                                           NodeMaps const& maps)
+                                           multigrid::HostGraph const& level, NodeMaps const& maps)
 {
   multigrid::HostAddedBlocks fault;
   auto acting = Q;

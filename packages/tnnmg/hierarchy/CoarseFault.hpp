@@ -12,6 +12,5 @@ RCP<const CrsMatrix> rowsAtNodes(CrsMatrix const& P, NodeDofView const& fault);
 // How the Hessians of the nonlinear nodes act on a level. Q: T rows for each nonlinear node that
 // this rank owns; level: the graph of the level's matrix. Collective.
 multigrid::HostAddedBlocks makeCoarseFault(RCP<const CrsMatrix> const& Q, int tangents,
-                                           multigrid::HostGraph const& level,
-                                           NodeMaps const& maps);
+                                           multigrid::HostGraph const& level, NodeMaps const& maps);
 } // namespace asperity::tnnmg::detail

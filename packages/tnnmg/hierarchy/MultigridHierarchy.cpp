@@ -123,8 +123,8 @@ MultigridHierarchy::MultigridHierarchy(std::vector<MatrixSource> const& terms, i
     levels.push_back(std::move(level));
     finest = Teuchos::null;
   }
-  hierarchy_ = std::make_shared<const multigrid::Hierarchy>(
-    std::move(levels), std::move(coarsest), aggregation.row_order);
+  hierarchy_ = std::make_shared<const multigrid::Hierarchy>(std::move(levels), std::move(coarsest),
+                                                            aggregation.row_order);
 }
 
 multigrid::HostBlocks MultigridHierarchy::finestBlocks(CrsMatrix const& Z) const

@@ -156,10 +156,9 @@ multigrid::IterationResult MultigridPreconditioner::solveLoosely(Vector const& r
                                                                  Vector& c) const
 {
   const double norm = r.norm2();
-  const auto result =
-    gradients_.solve(numbersOf(r.getLocalViewDevice(Tpetra::Access::ReadOnly)), norm,
-                     relative_tolerance, max_iterations,
-                     numbersOf(c.getLocalViewDevice(Tpetra::Access::OverwriteAll)));
+  const auto result = gradients_.solve(
+    numbersOf(r.getLocalViewDevice(Tpetra::Access::ReadOnly)), norm, relative_tolerance,
+    max_iterations, numbersOf(c.getLocalViewDevice(Tpetra::Access::OverwriteAll)));
   num_cycles_ += result.iterations;
   return result;
 }

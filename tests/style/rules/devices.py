@@ -42,7 +42,8 @@ HOST = {
     "packages/dynamics/processes/DiffusionStep.cpp": "Eigen's factor, of the nodes of the fault",
     "packages/dynamics/coupling/RateSolver.cpp": "the direct solver, on Eigen's factors",
 }
-_TO_HOST = re.compile(r"\b(?:getLocalViewHost|getLocalMatrixHost|create_mirror_view\w*|toHost|onHost)\b")
+_TO_HOST = re.compile(r"\b(?:getLocalViewHost|getLocalMatrixHost|create_mirror_view\w*|toHost"
+                      r"|onHost)\b")
 _LAMBDA = re.compile(r"\bKOKKOS_(?:CLASS_)?LAMBDA\b")
 _SCOPE = re.compile(r"\b(?:class|struct)\s+(\w+)[^;()]*$")
 _FUNCTION = re.compile(r"(?:(\w+)::)?(~?\w+)\s*\($")

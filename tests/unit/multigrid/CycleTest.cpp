@@ -164,9 +164,9 @@ struct Chain
     std::vector<char> held(num_nodes, 0);
     held[last] = 1;
     const auto dofs_on_device = onDevice(dofs);
-    cycle = std::make_unique<Cycle>(hierarchy, std::vector<double>{1},
-                                    Matrix(chain(diagonal)).blocks, held,
-                                    Cycle::Dofs(dofs_on_device.data(), num_nodes, 1));
+    cycle =
+      std::make_unique<Cycle>(hierarchy, std::vector<double>{1}, Matrix(chain(diagonal)).blocks,
+                              held, Cycle::Dofs(dofs_on_device.data(), num_nodes, 1));
   }
 
   static double blockAt(int node) { return node % 4; }
@@ -360,8 +360,8 @@ TEST(CoarsestSolver, LeavesOutWhatIsNotFree)
   const Matrix A(chain());
   std::vector<char> free(num_nodes, 1);
   free[5] = free[20] = 0;
-  const auto solver = CoarsestSolver::make(NodeGraph(A.graph), allRows(num_nodes),
-                                           onDevice(A.blocks), free);
+  const auto solver =
+    CoarsestSolver::make(NodeGraph(A.graph), allRows(num_nodes), onDevice(A.blocks), free);
   ASSERT_TRUE(solver);
   Eigen::MatrixXd part = chain();
   Eigen::VectorXd b = Eigen::VectorXd::LinSpaced(num_nodes, 1, 2);

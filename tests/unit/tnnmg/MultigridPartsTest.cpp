@@ -221,8 +221,7 @@ void expectImage(int tangents, Truncation truncation, multigrid::RowOrder order)
   auto const result = cycle.run(given, true);
   Vector z(model.map), image(model.map), expected(model.map);
   cycle.fromRows(result.z, 1, column(z.getLocalViewDevice(Tpetra::Access::OverwriteAll)));
-  cycle.fromRows(result.image, 1,
-                 column(image.getLocalViewDevice(Tpetra::Access::OverwriteAll)));
+  cycle.fromRows(result.image, 1, column(image.getLocalViewDevice(Tpetra::Access::OverwriteAll)));
   EXPECT_GT(z.norm2(), 0);
   parts.A->apply(z, expected);
   image.update(-1, expected, 1);

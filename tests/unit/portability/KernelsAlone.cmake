@@ -1,5 +1,5 @@
-# Configures, builds and tests packages/friction alone in the folder BUILD; CONFIGURE: CMake's
-# arguments.
+# Configures, builds and tests packages/friction and multigrid alone in the folder BUILD;
+# CONFIGURE: CMake's arguments.
 foreach(command IN ITEMS "${CMAKE_COMMAND};${CONFIGURE};-B;${BUILD}"
     "${CMAKE_COMMAND};--build;${BUILD}"
     "${CMAKE_CTEST_COMMAND};--test-dir;${BUILD};--output-on-failure;--no-tests=error")
@@ -10,5 +10,5 @@ foreach(command IN ITEMS "${CMAKE_COMMAND};${CONFIGURE};-B;${BUILD}"
 endforeach()
 file(STRINGS "${BUILD}/CMakeCache.txt" found REGEX "^(Trilinos_DIR|MPI_CXX_LIB_NAMES)[^=]*=/")
 if(found)
-  message(FATAL_ERROR "friction alone has looked for more than Kokkos: ${found}")
+  message(FATAL_ERROR "the kernels have looked for more than Kokkos and Eigen: ${found}")
 endif()
