@@ -59,14 +59,16 @@ Cycle::Cycle(std::shared_ptr<const Hierarchy> hierarchy, std::vector<double> con
     data_.emplace_back(level);
   }
   const int size = rowSize();
-  const Renumber renumber = {hierarchy_->rowOfNode(), size};
   const IndexView given = onDevice(std::vector<int>(held.begin(), held.end()));
-  Kokkos::parallel_for("asperity::multigrid::held", RangePolicy(0, given.extent_int(0)),
-                       CopyFlags{renumber, given, held_});
   const Kokkos::View<int**, Kokkos::LayoutRight, MemorySpace> rows(
     "asperity::multigrid::added", added.extent(0), added.extent(1));
-  Kokkos::parallel_for("asperity::multigrid::added", RangePolicy(0, rows.extent_int(0)),
-                       CopyDofs{renumber, added, rows});
+  withNumbers(hierarchy_->rowOfNode(), size, [&](auto numbers) {
+    using Numbers = decltype(numbers);
+    Kokkos::parallel_for("asperity::multigrid::held", RangePolicy(0, given.extent_int(0)),
+                         CopyFlags<Numbers>{numbers, given, held_});
+    Kokkos::parallel_for("asperity::multigrid::added", RangePolicy(0, rows.extent_int(0)),
+                         CopyDofs<Numbers>{numbers, added, rows});
+  });
   added_ = rows;
   data_[0].A = hierarchy_->inOrder(Z);
   withSize(size, [&](auto rows_of_block) {
@@ -203,14 +205,17 @@ Cycle::Result Cycle::run(NodeVector const& r, bool with_image)
 
 void Cycle::toRows(ConstNodeView const& given, double by, NodeVector const& x) const
 {
-  schedule().forEachNumber(rowSize(),
-                           ToRows{{hierarchy_->rowOfNode(), rowSize()}, given, by, x.data()});
+  withNumbers(hierarchy_->rowOfNode(), rowSize(), [&](auto numbers) {
+    schedule().forEachNumber(rowSize(), ToRows<decltype(numbers)>{numbers, given, by, x.data()});
+  });
 }
 
 void Cycle::fromRows(NodeVector const& x, double times, NodeView const& result) const
 {
-  schedule().forEachNumber(rowSize(),
-                           FromRows{{hierarchy_->rowOfNode(), rowSize()}, x.data(), times, result});
+  withNumbers(hierarchy_->rowOfNode(), rowSize(), [&](auto numbers) {
+    schedule().forEachNumber(rowSize(),
+                             FromRows<decltype(numbers)>{numbers, x.data(), times, result});
+  });
 }
 
 std::size_t Cycle::bytes() const

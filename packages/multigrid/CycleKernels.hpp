@@ -12,54 +12,71 @@ namespace asperity::multigrid
 // Of the nodes of the finest level, with `size` numbers each.
 struct Renumber
 {
-  IndexView row_of_node; // empty: the node's own number
+  IndexView row_of_node;
   int size;
   KOKKOS_FUNCTION int operator()(int number) const
   {
-    return row_of_node.extent(0) == 0 ? number : row_of_node(number / size) * size + number % size;
+    return row_of_node(number / size) * size + number % size;
   }
 };
 
-struct CopyFlags
+struct KeepNumber
 {
-  Renumber renumber;
-  IndexView given;
-  FlagView result;
-  KOKKOS_FUNCTION void operator()(int i) const { result(renumber(i)) = given(i); }
+  KOKKOS_FUNCTION int operator()(int number) const { return number; }
 };
 
+// Calls work with what gives the row of a number of a node.
+template <class Work>
+void withNumbers(IndexView const& row_of_node, int size, Work const& work)
+{
+  if (row_of_node.extent(0) == 0) {
+    work(KeepNumber());
+  } else {
+    work(Renumber{row_of_node, size});
+  }
+}
+
+template <class Numbers>
+struct CopyFlags
+{
+  Numbers row;
+  IndexView given;
+  FlagView result;
+  KOKKOS_FUNCTION void operator()(int i) const { result(row(i)) = given(i); }
+};
+
+template <class Numbers>
 struct CopyDofs
 {
-  Renumber renumber;
+  Numbers row;
   Cycle::Dofs given;
   Kokkos::View<int**, Kokkos::LayoutRight, MemorySpace> result;
   KOKKOS_FUNCTION void operator()(int node) const
   {
     for (int t = 0; t < result.extent_int(1); ++t) {
-      result(node, t) = renumber(given(node, t));
+      result(node, t) = row(given(node, t));
     }
   }
 };
 
+template <class Numbers>
 struct ToRows
 {
-  Renumber renumber;
+  Numbers row;
   ConstNodeView given;
   double by;
   float* x;
-  KOKKOS_FUNCTION void operator()(int i) const
-  {
-    x[renumber(i)] = static_cast<float>(given(i) / by);
-  }
+  KOKKOS_FUNCTION void operator()(int i) const { x[row(i)] = static_cast<float>(given(i) / by); }
 };
 
+template <class Numbers>
 struct FromRows
 {
-  Renumber renumber;
+  Numbers row;
   float const* x;
   double times;
   NodeView result;
-  KOKKOS_FUNCTION void operator()(int i) const { result(i) = times * x[renumber(i)]; }
+  KOKKOS_FUNCTION void operator()(int i) const { result(i) = times * x[row(i)]; }
 };
 
 // Calls row for some rows.

@@ -69,8 +69,9 @@ public:
       }
     } else {
       forEachChunk([&](int, int begin, int end) {
+        const Row own = row; // whose members a compiler may keep in registers
         for (int r = begin; r < end; ++r) {
-          row(r, begin, end);
+          own(r, begin, end);
         }
       });
     }
@@ -84,8 +85,9 @@ public:
       }
     } else {
       forEachChunk([&](int, int begin, int end) {
+        const Row own = row;
         for (int r = end - 1; r >= begin; --r) {
-          row(r, begin, end);
+          own(r, begin, end);
         }
       });
     }
@@ -129,8 +131,9 @@ public:
       return;
     }
     forEachChunk([&](int, int begin, int end) {
+      const Number own = number;
       for (int i = begin * size; i < end * size; ++i) {
-        number(i);
+        own(i);
       }
     });
   }
@@ -150,9 +153,10 @@ public:
     }
     std::vector<std::array<double, N>> parts(numParts());
     forEachChunk([&](int chunk, int begin, int end) {
+      const Number own = number;
       double sums[N] = {};
       for (int i = begin * size; i < end * size; ++i) {
-        number(i, sums);
+        own(i, sums);
       }
       std::copy_n(sums, N, parts[chunk].begin());
     });
