@@ -78,8 +78,8 @@ def write(folder: Path, table: List[Column], selection: Selection = Selection())
     writer.writerow([f"{name} [{unit}]" if unit else name for name, unit, _ in table])
     writer.writerows(zip(*([_cell(value) for value in values] for _, _, values in table)))
     paths = [folder / "results.csv", folder / "results.h5"]
-    _replace(paths[0], lambda path: path.write_text(text.getvalue(), encoding="utf-8"))
-    _replace(paths[1], lambda path: _write_h5(path, table, selection))
+    replace(paths[0], lambda path: path.write_text(text.getvalue(), encoding="utf-8"))
+    replace(paths[1], lambda path: _write_h5(path, table, selection))
     return paths
 
 
@@ -100,7 +100,8 @@ def _write_h5(path: Path, table: List[Column], selection: Selection) -> None:
             entry.attrs["column"] = number
 
 
-def _replace(path: Path, write_to) -> None:
+def replace(path: Path, write_to) -> None:
+    """With what `write_to` writes, as a whole."""
     temporary = path.with_name(path.name + ".new")
     write_to(temporary)
     temporary.replace(path)
