@@ -94,7 +94,7 @@ class Runs(Studies):
         self.assertFalse((self.samples(5, 10) == self.samples(6, 10)).any())
 
     def test_the_examples(self):
-        for name, number in (("thesis", 18), ("slider", 4), ("random", 6)):
+        for name, number in (("thesis", 18), ("slider", 4), ("random", 6), ("convergence", 5)):
             what = study.read(EXAMPLES / f"{name}.xml")
             self.assertEqual(len(what.runs()), number, name)
             self.assertTrue(what.deck.is_file(), name)
