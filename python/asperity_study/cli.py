@@ -53,7 +53,7 @@ def _run(what, values, options: argparse.Namespace) -> int:
         for path in results.write(folder, table, chosen):
             print(path)
         print(figure.draw(what, table, folder / "study.png", str(chosen)))
-        if what.sampling == study.CONVERGENCE:
+        if complete and what.sampling == study.CONVERGENCE:
             _tell_errors(convergence.parts(what, jobs, values, chosen), folder)
     print(runner.summary(jobs))
     if not complete:

@@ -21,7 +21,8 @@ EVENTS = Quantity("events", "")  # their number
 @dataclass
 class Part:
     """What one variable does: of each row `values` on all levels and the `estimates` from them. A
-    row is (number of the event, quantity); the number of events is that of event 0."""
+    row is (event, quantity); events have the numbers 1, 2, ... among those that count, and how many
+    there are is a quantity of 0."""
 
     variable: Variable
     values: Dict = field(default_factory=dict)

@@ -38,9 +38,10 @@ class Refinement:
         return str(int(number)) if text.isdigit() and number.is_integer() else repr(number)
 
 
-def begun(paths: Tuple[str, ...], given: Dict[str, str], ratio: float, levels: int,
-          change: str, where: str) -> Refinement:
-    """With the values `given` for level 0, which all `paths` need; InputError with `where`."""
+def checked(paths: Tuple[str, ...], given: Dict[str, str], ratio: float, levels: int, change: str,
+            where: str) -> Refinement:
+    """Of the parameters `paths`, whose values on level 0 are in `given`; InputError with `where`
+    for what cannot be refined in this way."""
     if ratio <= 0.0 or ratio == 1.0:
         raise InputError(f"{where}: Ratio = {ratio:g}; a positive number other than 1 is wanted: 2 "
                          "halves the size, 0.5 doubles it.")

@@ -190,9 +190,9 @@ def _refined(node: ElementTree.Element, where: str, given: Dict[str, str]) -> Va
     parameters = tuple(split(entries.text("Parameters")))
     if not parameters:
         raise InputError(f"{where}: Parameters needs at least one entry.")
-    how = refinement.begun(parameters, given, entries.number("Ratio", "2"),
-                           entries.count("Levels", refinement.FEWEST, refinement.FEWEST),
-                           entries.choice("Change", refinement.CHANGES, "Divide"), where)
+    how = refinement.checked(parameters, given, entries.number("Ratio", "2"),
+                             entries.count("Levels", refinement.FEWEST, refinement.FEWEST),
+                             entries.choice("Change", refinement.CHANGES, "Divide"), where)
     return Variable(node.get("name"), parameters, values=how.factors(), refinement=how)
 
 
