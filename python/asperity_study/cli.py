@@ -39,6 +39,7 @@ def _run(what, values, options: argparse.Namespace) -> int:
     from . import convergence, figure, results, runner, study
     folder = options.output or Path("results") / options.study.stem
     chosen = selection.chosen(options)
+    results.require_other_names(what)
     jobs = _jobs(what, values, folder)
     team = runner.Runner(runner.find_program(options.program),
                          max(1, options.cores // what.ranks),

@@ -19,8 +19,20 @@ from .study import Study
 
 QUARTILES = ((25, "lower_quartile"), (50, "median"), (75, "upper_quartile"))
 COSTS = ("coupled_steps", "rate_problems", "tnnmg_iterations", "v_cycles", "failed_steps")
+NAMES = {"run", "state", "starts", "events", "complete_events", "time", "steps", *COSTS,
+         "wall_time", "warnings",
+         *(f"{name}_{word}" for _, name, _ in boxes.QUANTITIES + boxes.SIZES
+           for _, word in QUARTILES)}  # of columns that are no variables
 
 Column = Tuple[str, str, List]  # name, unit, a value for each run
+
+
+def require_other_names(study: Study) -> None:
+    """InputError where a variable has the name of another column."""
+    for variable in study.variables:
+        if variable.name in NAMES:
+            raise InputError(f"Variables: '{variable.name}' is the name of another column of "
+                             "results.csv. Choose another name for this variable.")
 
 
 def columns(study: Study, jobs: List[Job], values: List[Dict[str, str]],

@@ -105,23 +105,23 @@ def exact_onset():
 
 class Convergence(unittest.TestCase):
     def test_cells_and_steps_of_second_order(self):
-        text, rows = study("layer", SETTINGS, cells=CELLS, steps=STEPS)
+        text, rows = study("layer", SETTINGS, cells=CELLS, step=STEPS)
         self.assertEqual(rows["", "events"]["value"], "1.0")
         onset = rows["1", "onset"]
-        for name in ("cells", "steps"):
+        for name in ("cells", "step"):
             self.assertAlmostEqual(number(onset, f"{name} order"), ORDER, delta=ORDER_TOLERANCE)
         exact, error = exact_onset(), number(onset, "error")
         self.assertLess(abs(number(onset, "limit") - exact), LEFT * error)
         self.assertLess(abs(number(onset, "value") - exact), (1 + LEFT) * error)
-        self.assertAlmostEqual(number(onset, "cells error") + number(onset, "steps error"), error,
+        self.assertAlmostEqual(number(onset, "cells error") + number(onset, "step error"), error,
                                delta=1e-9 * error)
-        for words in ("### cells", "### steps", "### Total", "| 1 | mean slip ["):
+        for words in ("### cells", "### step", "### Total", "| 1 | mean slip ["):
             self.assertIn(words, text)
         self.assertEqual(len(list(pathlib.Path("layer/runs").iterdir())), 5)
 
     def test_a_tolerance_has_two_thirds_of_the_order_and_the_same_limit(self):
         _, controlled = study("controlled", {**SETTINGS, **CONTROLLED}, tolerance=TOLERANCE)
-        _, equal = study("equal", SETTINGS, steps=STEPS)
+        _, equal = study("equal", SETTINGS, step=STEPS)
         controlled, equal = controlled["1", "onset"], equal["1", "onset"]
         self.assertGreater(number(controlled, "tolerance order"), LEAST)
         self.assertLess(number(controlled, "tolerance order"), MOST)
