@@ -6,7 +6,7 @@ import numpy as np
 
 from asperity.run import Run
 
-COLUMNS = ("onset", "duration", "peak_slip", "peak_slip_rate", "width", "length", "area",
+COLUMNS = ("duration", "peak_slip", "peak_slip_rate", "width", "length", "area",
            "moment_per_length", "moment")
 SIZES = (("moment_per_length", "width"), ("moment", "area"))  # moment: G times slip times size
 
@@ -20,8 +20,10 @@ def measured(run: Run, receivers: Sequence[str] = ()) -> Dict[Quantity, np.ndarr
     """Values (events) of each quantity of the events that count; nan where there is none. Arrivals
     at `receivers` on the fault are times after the onset."""
     events = run.events
-    found = {Quantity(name, events.units[name]): events[name] for name in COLUMNS if name in events}
-    found[Quantity("interval", "s")] = np.diff(events["onset"], prepend=np.nan)
+    found = {Quantity("onset", "s"): events["onset"],
+             Quantity("interval", "s"): np.diff(events["onset"], prepend=np.nan)}
+    found.update({Quantity(name, events.units[name]): events[name]
+                  for name in COLUMNS if name in events})
     modulus = run.parameters.number("Bulk/Shear Modulus")
     for moment, size in SIZES:
         if modulus and moment in events and size in events:
