@@ -223,6 +223,13 @@ class Tables(Studies, Events):
         self.assertTrue(np.isnan(rows[3, ONSET].error))
         self.assertEqual(rows[2, ONSET].error, 0.0)
 
+    def test_as_many_events_that_are_others_have_no_numbers_either(self):
+        usual = [10.0, 30.0, 50.0]
+        parts = self.parts(usual, [10.0, 14.0, 30.0], usual, usual, usual)
+        self.assertIn("those after the first 1 do not correspond", parts[0].warning)
+        self.assertEqual({event for event, _ in parts[0].values}, {0, 1})
+        self.assertEqual({event for event, _ in parts[1].values}, {0, 1, 2, 3})
+
     def test_a_level_without_results_leaves_its_variable_without_errors(self):
         parts = self.parts([10.0], None, [10.0], [10.5], [10.75])
         self.assertIn("cells: no results with 2", parts[0].warning)
