@@ -36,9 +36,10 @@ def main(arguments: Optional[List[str]] = None) -> int:
 
 def _run(what, values, options: argparse.Namespace) -> int:
     """Of the study `what`, whose runs have the `values` of its variables."""
-    from . import figure, results, runner
+    from . import convergence, figure, results, runner, study
     folder = options.output or Path("results") / options.study.stem
     chosen = selection.chosen(options)
+    results.require_other_names(what)
     jobs = _jobs(what, values, folder)
     team = runner.Runner(runner.find_program(options.program),
                          max(1, options.cores // what.ranks),
@@ -53,10 +54,20 @@ def _run(what, values, options: argparse.Namespace) -> int:
         for path in results.write(folder, table, chosen):
             print(path)
         print(figure.draw(what, table, folder / "study.png", str(chosen)))
+        if complete and what.sampling == study.CONVERGENCE:
+            _tell_errors(convergence.parts(what, jobs, values, chosen), folder)
     print(runner.summary(jobs))
     if not complete:
         return STOPPED
     return SOME_FAILED if any(job.state == "failed" for job in jobs) else DONE
+
+
+def _tell_errors(parts, folder: Path) -> None:
+    """Of a study of convergence."""
+    from . import convergence_text
+    for path in convergence_text.write(folder, parts):
+        print(path)
+    print(f"\n{convergence_text.text_of(parts)}\n")
 
 
 def _jobs(what, values, folder: Path):

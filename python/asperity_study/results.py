@@ -19,8 +19,20 @@ from .study import Study
 
 QUARTILES = ((25, "lower_quartile"), (50, "median"), (75, "upper_quartile"))
 COSTS = ("coupled_steps", "rate_problems", "tnnmg_iterations", "v_cycles", "failed_steps")
+NAMES = {"run", "state", "starts", "events", "complete_events", "time", "steps", *COSTS,
+         "wall_time", "warnings",
+         *(f"{name}_{word}" for _, name, _ in boxes.QUANTITIES + boxes.SIZES
+           for _, word in QUARTILES)}  # of columns that are no variables
 
 Column = Tuple[str, str, List]  # name, unit, a value for each run
+
+
+def require_other_names(study: Study) -> None:
+    """InputError where a variable has the name of another column."""
+    for variable in study.variables:
+        if variable.name in NAMES:
+            raise InputError(f"Variables: '{variable.name}' is the name of another column of "
+                             "results.csv. Choose another name for this variable.")
 
 
 def columns(study: Study, jobs: List[Job], values: List[Dict[str, str]],
@@ -78,8 +90,8 @@ def write(folder: Path, table: List[Column], selection: Selection = Selection())
     writer.writerow([f"{name} [{unit}]" if unit else name for name, unit, _ in table])
     writer.writerows(zip(*([_cell(value) for value in values] for _, _, values in table)))
     paths = [folder / "results.csv", folder / "results.h5"]
-    _replace(paths[0], lambda path: path.write_text(text.getvalue(), encoding="utf-8"))
-    _replace(paths[1], lambda path: _write_h5(path, table, selection))
+    replace(paths[0], lambda path: path.write_text(text.getvalue(), encoding="utf-8"))
+    replace(paths[1], lambda path: _write_h5(path, table, selection))
     return paths
 
 
@@ -100,7 +112,8 @@ def _write_h5(path: Path, table: List[Column], selection: Selection) -> None:
             entry.attrs["column"] = number
 
 
-def _replace(path: Path, write_to) -> None:
+def replace(path: Path, write_to) -> None:
+    """With what `write_to` writes, as a whole."""
     temporary = path.with_name(path.name + ".new")
     write_to(temporary)
     temporary.replace(path)

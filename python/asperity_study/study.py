@@ -10,17 +10,25 @@ from typing import Any, Dict, Iterable, List, Optional, Tuple
 import numpy as np
 
 from asperity.errors import InputError
+from asperity.parameters import Parameters
 
-ROOT, SAMPLINGS = "Asperity Study", ("Grid", "List", "Random")
-TOP = {"Deck", "Sampling", "Samples", "Seed", "Ranks", "Settings", "Variables"}
+from . import refinement
+from .refinement import Refinement
+
+CONVERGENCE = "Convergence"
+ROOT, SAMPLINGS = "Asperity Study", ("Grid", "List", "Random", CONVERGENCE)
+TOP = {"Deck", "Sampling", "Samples", "Seed", "Ranks", "Receivers", "Settings", "Variables"}
 OF_VARIABLE = {"Parameters", "Unit", "Values", "Lowest", "Highest", "Distribution"}
+OF_REFINED = {"Parameters", "Ratio", "Levels", "Change"}
+RECEIVERS = "Output/Receivers/On Fault/"
 DISTRIBUTIONS = ("Uniform", "Logarithmic")
 
 
 @dataclass(frozen=True)
 class Variable:
     """`values` for grids and lists, `limits` and `logarithmic` for random samples. A value goes to
-    all `parameters` (paths below the deck's root) alike."""
+    all `parameters` (paths below the deck's root) alike. With a `refinement` the values are factors
+    by which it changes each of them."""
 
     name: str
     parameters: Tuple[str, ...]
@@ -28,11 +36,18 @@ class Variable:
     values: Tuple[str, ...] = ()
     limits: Optional[Tuple[float, float]] = None
     logarithmic: bool = False
+    refinement: Optional[Refinement] = None
+
+    def settings(self, value: str) -> Dict[str, str]:
+        """Of the parameters by their paths, in a run with this value."""
+        return {path: self.refinement.value(path, value) if self.refinement else value
+                for path in self.parameters}
 
 
 @dataclass(frozen=True)
 class Study:
-    """`settings` are the same in all runs; `ranks` is the number of each run."""
+    """`settings` are the same in all runs; `ranks` is the number of each run. Arrivals at the
+    `receivers` are in the table of a study of convergence."""
 
     deck: Path
     sampling: str
@@ -41,22 +56,31 @@ class Study:
     ranks: int = 1
     samples: int = 0
     seed: int = 0
+    receivers: Tuple[str, ...] = ()
 
     def runs(self) -> List[Dict[str, str]]:
         """Of each run the value of each variable by its name, in a fixed order."""
         names = [variable.name for variable in self.variables]
         if self.sampling == "Random":
             return self._random(names)
+        if self.sampling == CONVERGENCE:
+            return self._cross()
         values = [variable.values for variable in self.variables]
         rows = itertools.product(*values) if self.sampling == "Grid" else zip(*values)
         return [dict(zip(names, row)) for row in rows]
 
     def overrides(self, values: Dict[str, str]) -> List[str]:
         """Those of a run, for --set."""
-        pairs = list(self.settings.items())
-        pairs += [(path, values[variable.name]) for variable in self.variables
-                  for path in variable.parameters]
-        return [f"{path}={value}" for path, value in pairs]
+        pairs = dict(self.settings)
+        for variable in self.variables:
+            pairs.update(variable.settings(values[variable.name]))
+        return [f"{path}={value}" for path, value in pairs.items()]
+
+    def _cross(self) -> List[Dict[str, str]]:
+        """The deck, and then one variable after the other on all its other levels."""
+        deck = {variable.name: variable.values[0] for variable in self.variables}
+        return [deck] + [{**deck, variable.name: value} for variable in self.variables
+                         for value in variable.values[1:]]
 
     def _random(self, names: List[str]) -> List[Dict[str, str]]:
         """All digits, so that a value can be used again; the same for a seed on any machine."""
@@ -90,15 +114,39 @@ def read(path: Path) -> Study:
                          "study's folder.")
     sampling = entries.choice("Sampling", SAMPLINGS)
     is_random = sampling == "Random"
+    settings = Entries(entries.lists("Settings"), f"{path}: Settings").values
+    of_deck, receivers = {}, ()
+    if sampling == CONVERGENCE:
+        of_deck = {**_parameters(deck), **settings}
+        receivers = _receivers(entries, of_deck)
     study = Study(deck, sampling,
-                  tuple(_variable(each, f"{path}: {each.get('name')}", is_random)
+                  tuple(_refined(each, f"{path}: {each.get('name')}", of_deck)
+                        if sampling == CONVERGENCE else
+                        _variable(each, f"{path}: {each.get('name')}", is_random)
                         for each in entries.lists("Variables")),
-                  Entries(entries.lists("Settings"), f"{path}: Settings").values,
+                  settings,
                   entries.count("Ranks", 1, default=1),
                   entries.count("Samples", 1) if is_random else 0,
-                  entries.count("Seed", 0, default=0) if is_random else 0)
+                  entries.count("Seed", 0, default=0) if is_random else 0,
+                  receivers)
     _check(study, path)
     return study
+
+
+def _parameters(deck: Path) -> Dict[str, str]:
+    """All that the deck gives, by their paths."""
+    given = Parameters.read(deck)
+    return {path: given[path] for path in given.paths()}
+
+
+def _receivers(entries: "Entries", given: Dict[str, str]) -> Tuple[str, ...]:
+    names = tuple(split(entries.values.get("Receivers", "")))
+    known = [path[len(RECEIVERS):] for path in given if path.startswith(RECEIVERS)]
+    for name in names:
+        if name not in known:
+            raise InputError(f"{entries.where}: Receivers: the deck has no receiver '{name}' on "
+                             f"the fault; it has {', '.join(known) or 'none'}.")
+    return names
 
 
 def _check(study: Study, path: Path) -> None:
@@ -106,7 +154,8 @@ def _check(study: Study, path: Path) -> None:
         raise InputError(f"{path}: Variables has no list: nothing varies. Run the deck itself.")
     names = [each.name for each in study.variables]
     paths = [each for variable in study.variables for each in variable.parameters]
-    for what, given in (("variable", names), ("parameter", paths + list(study.settings))):
+    settings = [] if study.sampling == CONVERGENCE else list(study.settings)  # of its first level
+    for what, given in (("variable", names), ("parameter", paths + settings)):
         twice = [each for each in given if given.count(each) > 1]
         if twice:
             raise InputError(f"{path}: the {what} '{twice[0]}' is given twice.")
@@ -133,6 +182,18 @@ def _variable(node: ElementTree.Element, where: str, is_random: bool) -> Variabl
                          "larger, and with Distribution = Logarithmic both above 0.")
     return Variable(node.get("name"), parameters, unit, limits=(low, high),
                     logarithmic=logarithmic)
+
+
+def _refined(node: ElementTree.Element, where: str, given: Dict[str, str]) -> Variable:
+    """`given` are the parameters of the deck."""
+    entries = Entries(node, where, OF_REFINED)
+    parameters = tuple(split(entries.text("Parameters")))
+    if not parameters:
+        raise InputError(f"{where}: Parameters needs at least one entry.")
+    how = refinement.checked(parameters, given, entries.number("Ratio", "2"),
+                             entries.count("Levels", refinement.FEWEST, refinement.FEWEST),
+                             entries.choice("Change", refinement.CHANGES, "Divide"), where)
+    return Variable(node.get("name"), parameters, values=how.factors(), refinement=how)
 
 
 def split(text: str) -> List[str]:
@@ -184,8 +245,8 @@ class Entries:
                              "wanted.")
         return word
 
-    def number(self, name: str) -> float:
-        text = self.text(name)
+    def number(self, name: str, default: str = "") -> float:
+        text = self.text(name, default)
         try:
             value = float(text)
         except ValueError:

@@ -94,7 +94,7 @@ class Runs(Studies):
         self.assertFalse((self.samples(5, 10) == self.samples(6, 10)).any())
 
     def test_the_examples(self):
-        for name, number in (("thesis", 18), ("slider", 4), ("random", 6)):
+        for name, number in (("thesis", 18), ("slider", 4), ("random", 6), ("convergence", 5)):
             what = study.read(EXAMPLES / f"{name}.xml")
             self.assertEqual(len(what.runs()), number, name)
             self.assertTrue(what.deck.is_file(), name)
@@ -129,6 +129,13 @@ class BadStudies(Studies):
                     settings.format(once.replace("3", "4")))
         self.refuse("'Ranks' is given twice", variable, '<Parameter name="Ranks" value="1"/>' * 2)
 
+    def test_a_variable_with_the_name_of_a_result_is_refused(self):
+        results.require_other_names(study.read(self.write(self.listed("step", "T/s", "1, 2"))))
+        for name in ("steps", "state", "width_median"):
+            with self.assertRaisesRegex(InputError, f"'{name}' is the name of another column"):
+                results.require_other_names(study.read(self.write(
+                    self.listed(name, "T/s", "1, 2"))))
+
     def test_a_folder_has_one_study_at_a_time(self):
         folder = self.folder / "results"
         with runner.alone(folder):
@@ -158,6 +165,7 @@ class Tables(Studies):
         synthetic_run.write_run(jobs[1].folder, 1, nodes=20)
         (jobs[0].folder / "run.log").write_text("WARNING: one\nWARNING: two\nWARNING: one\n")
         table = results.columns(what, jobs, what.runs())
+        self.assertLessEqual({name for name, _, _ in table} - {"law"}, results.NAMES)
         self.assertIn("1 finished, 1 failed, 1 waiting\nWARNING: results may be wrong",
                       runner.summary(jobs))
         self.assertIn("run 1.", runner.summary(jobs))

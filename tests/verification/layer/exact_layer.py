@@ -45,8 +45,14 @@ def advance(V, guess, theta, dt, arriving):
     raise ArithmeticError(f"no slip rate found from {V} m/s")
 
 
-def solve(final_time, steps_per_echo):
-    """Times and slip rates at the fault; an echo takes 2T, and its number of steps is even."""
+def jump(t):
+    """The rate of the top of layer.xml."""
+    return V_BEFORE + (V_DRIVE - V_BEFORE) * numpy.heaviside(t, 0.5)
+
+
+def solve(final_time, steps_per_echo, drive=jump):
+    """Times and slip rates at the fault; an echo takes 2T, and its number of steps is even. The top
+    has the rate drive(t), V_BEFORE for t < 0."""
     dt = 2 * TRAVEL_TIME / steps_per_echo
     size = int(final_time / dt) + 1
     V, tau = numpy.full(size, V_BEFORE), numpy.empty(size)
@@ -55,8 +61,8 @@ def solve(final_time, steps_per_echo):
     for i in range(1, size):
         late = i - steps_per_echo
         left = (tau[late], V[late]) if late >= 0 else (steady, V_BEFORE)
-        drive = V_BEFORE + (V_DRIVE - V_BEFORE) * numpy.heaviside(i - steps_per_echo // 2, 0.5)
-        arriving = left[0] - IMPEDANCE * left[1] + 2 * IMPEDANCE * drive
+        top = drive((i - steps_per_echo // 2) * dt)
+        arriving = left[0] - IMPEDANCE * left[1] + 2 * IMPEDANCE * top
         guess = max(2 * V[i - 1] - V[i - 2], V[i - 1] / 2) if i > 1 else V_BEFORE
         V[i], theta, tau[i] = advance(V[i - 1], guess, theta, dt, arriving)
     return dt * numpy.arange(size), V

@@ -1,0 +1,244 @@
+"""Studies of convergence: runs, observed orders, events that correspond, and the tables."""
+
+import csv
+from pathlib import Path
+
+import h5py
+import numpy as np
+
+from asperity.errors import InputError
+from asperity.run import Run
+from asperity.selection import Selection
+from asperity_study import convergence, convergence_text, order, quantities, study
+from asperity_study.quantities import Quantity
+from asperity_study.runner import Job
+from folders import FolderCase
+
+DECK = """<ParameterList name="Asperity">
+  <ParameterList name="Mesh"><Parameter name="Cells" value="16"/>
+    <Parameter name="Size" value="100"/><Parameter name="Formula" value="100 + x"/>
+  </ParameterList>
+  <ParameterList name="Time"><Parameter name="Tolerance" value="1e-3"/></ParameterList>
+  <ParameterList name="Output"><ParameterList name="Receivers"><ParameterList name="On Fault">
+    <Parameter name="st05" value="{5, 0}"/></ParameterList></ParameterList></ParameterList>
+</ParameterList>"""
+CELLS = '<Parameter name="Parameters" value="{Mesh/Size}"/>'
+STEPS = ('<Parameter name="Parameters" value="{Time/Tolerance, Coupling/Tolerance}"/>'
+         '<Parameter name="Ratio" value="8"/>')
+COUPLING = ('<ParameterList name="Settings"><Parameter name="Coupling/Tolerance" value="1e-5"/>'
+            '</ParameterList>')
+ONSET, COUNT = Quantity("onset", "s"), convergence.EVENTS
+
+
+class Studies(FolderCase):
+    def write(self, cells: str = CELLS, steps: str = STEPS, rest: str = COUPLING) -> Path:
+        (self.folder / "deck.xml").write_text(DECK)
+        path = self.folder / "study.xml"
+        path.write_text(f"""<ParameterList name="Asperity Study">
+          <Parameter name="Deck" value="deck.xml"/>
+          <Parameter name="Sampling" value="Convergence"/>{rest}
+          <ParameterList name="Variables"><ParameterList name="cells">{cells}</ParameterList>
+            <ParameterList name="steps">{steps}</ParameterList></ParameterList></ParameterList>""")
+        return path
+
+    def refuse(self, words: str, *arguments, **options):
+        with self.assertRaisesRegex(InputError, words):
+            study.read(self.write(*arguments, **options)).runs()
+
+
+class Runs(Studies):
+    def overrides(self, *arguments, **options):
+        what = study.read(self.write(*arguments, **options))
+        return [what.overrides(values) for values in what.runs()]
+
+    def test_one_variable_after_the_other_is_refined_and_the_deck_is_the_first_run(self):
+        cells, steps = ("Mesh/Size", ("100", "50", "25")), (
+            ("1e-3", "1e-5"), ("0.000125", "1.25e-06"), ("1.5625e-05", "1.5625e-07"))
+        self.assertEqual(
+            [set(each) for each in self.overrides()],
+            [{f"{cells[0]}={cells[1][cell]}", f"Time/Tolerance={steps[step][0]}",
+              f"Coupling/Tolerance={steps[step][1]}"}
+             for cell, step in ((0, 0), (1, 0), (2, 0), (0, 1), (0, 2))])
+
+    def of_cells(self, entries: str):
+        what = study.read(self.write(f'<Parameter name="Parameters" value="Mesh/Cells"/>{entries}'))
+        return [each[1].split("=")[1] for each in map(what.overrides, what.runs()[:4])
+                if each[1].startswith("Mesh/Cells")]
+
+    def test_numbers_are_multiplied_halvings_added_and_a_ratio_below_one_is_coarser(self):
+        ratio = '<Parameter name="Ratio" value="{}"/><Parameter name="Change" value="{}"/>'
+        levels = '<Parameter name="Levels" value="4"/>'
+        self.assertEqual(self.of_cells(levels + ratio.format(2, "Multiply")),
+                         ["16", "32", "64", "128"])
+        self.assertEqual(self.of_cells(levels + ratio.format(0.5, "Multiply")),
+                         ["16", "8", "4", "2"])
+        self.assertEqual(self.of_cells(levels + ratio.format(4, "Add")), ["16", "18", "20", "22"])
+        self.assertEqual(self.of_cells(levels + ratio.format(0.5, "Divide")),
+                         ["16", "32", "64", "128"])
+
+    def test_what_is_wrong_is_named(self):
+        self.refuse("cells: Levels = '2'; a whole number from 3",
+                    CELLS + '<Parameter name="Levels" value="2"/>')
+        for ratio in ("1", "0", "-2"):
+            self.refuse(f"cells: Ratio = {ratio}; a positive number other than 1",
+                        CELLS + f'<Parameter name="Ratio" value="{ratio}"/>')
+        self.refuse("Change = Add a power of 2", CELLS + '<Parameter name="Ratio" value="3"/>'
+                    '<Parameter name="Change" value="Add"/>')
+        self.refuse("'Mesh/Formula' = '100 . x' is no number", CELLS.replace("Size", "Formula"))
+        self.refuse("neither the deck nor Settings gives 'Coupling/Tolerance'", rest="")
+        self.refuse("'Values' is unknown", CELLS + '<Parameter name="Values" value="{1, 2}"/>')
+        self.refuse("parameter 'Mesh/Size' is given twice", steps=CELLS)
+        self.refuse("no receiver 'st9' on the fault; it has st05",
+                    rest=COUPLING + '<Parameter name="Receivers" value="{st05, st9}"/>')
+
+
+class Orders(FolderCase):
+    def test_a_power_of_the_size_is_found(self):
+        # The smallest change is above 1e-5, of values around 7 that are rounded to 1e-15.
+        for power, ratio, levels in ((2.0, 2.0, 3), (2.0, 2.0, 5), (1.0, 8.0, 3), (3.7, 2.0, 4),
+                                     (2.0 / 3.0, 8.0, 4), (2.0, 0.5, 3), (1.5, 0.25, 4)):
+            values = 7.0 - 0.3 * (0.5 / ratio**np.arange(levels))**power
+            self.assertGreater(np.abs(np.diff(values)).min(), 1e-5)
+            found = order.estimate(values, ratio)
+            self.assertAlmostEqual(found.order, power, delta=1e-8)
+            self.assertAlmostEqual(found.limit, 7.0, delta=1e-12)
+            self.assertAlmostEqual(found.error, 0.3 * 0.5**power, delta=1e-12)
+            self.assertEqual(found.note, "")
+
+    def test_without_an_order_the_error_is_the_spread(self):
+        for values, note in (((1.0, 3.0, 2.0), order.ALTERNATING), ((1.0, 2.0, 4.0), order.GROWING),
+                             ((1.0, 1.0, 4.0), order.GROWING), ((1.0, 4.0, 4.0), order.VANISHING),
+                             ((4.0, 1.0, 3.0, 2.0), order.ALTERNATING)):
+            found = order.estimate(values, 2.0)
+            self.assertEqual((found.note, found.error), (note, 3.0 if 4.0 in values else 2.0))
+            self.assertTrue(np.isnan(found.order) and np.isnan(found.limit))
+        self.assertEqual(order.of_counts([8, 6, 5], 2.0).note, order.COUNT)
+        self.assertEqual(order.of_counts([8, 6, 5], 2.0).error, 3.0)
+
+    def test_equal_and_missing_values(self):
+        self.assertEqual(order.estimate([5.0] * 3, 2.0),
+                         order.Estimate(limit=5.0, error=0.0, note=order.EQUAL))
+        found = order.estimate([5.0, np.nan, 4.0], 2.0)
+        self.assertEqual(found.note, order.MISSING)
+        self.assertTrue(np.isnan(found.error))
+
+
+class Events(FolderCase):
+    def run_of(self, onsets, name: str = "run", widths=None, complete=None) -> Run:
+        folder = self.folder / name
+        folder.mkdir(exist_ok=True)
+        lines = ["number,onset [s],duration [s],width [m],peak_slip [m],moment_per_length [N],"
+                 "complete"]
+        widths = widths or [50.0] * len(onsets)
+        complete = complete or [1] * len(onsets)
+        lines += [f"{number},{onset!r},4,{width},0.5,3e10,{whole}" for number, (onset, width, whole)
+                  in enumerate(zip(onsets, widths, complete), start=1)]
+        (folder / "events.csv").write_text("\n".join(lines) + "\n")
+        (folder / "parameters.xml").write_text(
+            '<ParameterList name="Asperity"><ParameterList name="Bulk"><Parameter '
+            'name="Shear Modulus" value="3e9"/></ParameterList><ParameterList name="Output">'
+            '<ParameterList name="Event Catalogue"><Parameter name="Threshold" value="1e-3"/>'
+            '</ParameterList></ParameterList></ParameterList>')
+        return Run(folder)
+
+    def common(self, *runs, **options):
+        return quantities.number_in_common([self.run_of(onsets, f"{number}", **options)
+                                            for number, onsets in enumerate(runs)])
+
+    def test_events_correspond_in_order_while_their_onsets_are_near(self):
+        self.assertEqual(self.common([10.0, 30.0, 50.0], [11.0, 32.0, 53.0]), 3)
+        self.assertEqual(self.common([10.0, 30.0, 50.0], [11.0, 32.0]), 2)
+        self.assertEqual(self.common([10.0, 30.0, 50.0], [11.0, 15.0, 32.0]), 1)
+        self.assertEqual(self.common([10.0], [90.0]), 1)
+        self.assertEqual(self.common([10.0], []), 0)
+
+    def test_an_event_that_the_end_cuts_off_in_some_runs_only_does_not_correspond(self):
+        runs = [self.run_of([10.0, 30.0], f"{last}", complete=[1, last]) for last in (0, 1)]
+        self.assertEqual(quantities.number_in_common(runs), 1)
+        self.assertEqual(quantities.number_in_common([runs[0], runs[0]]), 2)
+
+    def test_slip_is_the_mean_over_the_rupture_and_intervals_are_between_onsets(self):
+        found = quantities.measured(self.run_of([10.0, 30.0], widths=[50.0, 0.0]))
+        np.testing.assert_allclose(found[Quantity("mean_slip", "m")], [0.2, np.nan])
+        np.testing.assert_allclose(found[Quantity("interval", "s")], [np.nan, 20.0])
+
+    def test_arrivals_at_receivers_count_from_the_onset_of_their_event(self):
+        run = self.run_of([10.0, 30.0])
+        with h5py.File(run.directory / "receivers.h5", "w") as file:
+            file["time"] = time = np.arange(0.0, 60.0, 0.5)
+            # reached 1.5 s after the first onset, between two rows, and never after the second
+            file["on_fault/names"] = ["st05"]
+            rate = np.where((time > 11.5) & (time < 13.0), 1e-2, 1e-4)
+            rate[23] = 1e-3
+            file["on_fault/fields/slip_rate"] = rate[:, None]
+            file["on_fault/fields/slip"] = 0.01 * time[:, None]
+        found = quantities.measured(run, ["st05"])
+        np.testing.assert_allclose(found[Quantity("arrival at st05", "s")], [1.5, np.nan])
+        np.testing.assert_allclose(found[Quantity("slip at st05", "m")], [0.04, 0.04])
+
+
+class Tables(Studies, Events):
+    def parts(self, *onsets, selection=Selection(), **options):
+        """Of five runs: deck, two finer cells, two finer tolerances."""
+        what = study.read(self.write())
+        jobs = []
+        for number, each in enumerate(onsets, start=1):
+            self.run_of(each or [], f"{number}", **options)
+            jobs.append(Job(number, self.folder / f"{number}", [],
+                            "finished" if each is not None else "failed"))
+        return convergence.parts(what, jobs, what.runs(), selection)
+
+    @staticmethod
+    def rows(parts):
+        return {(row.event, row.quantity): row for row in convergence.total(parts)}
+
+    def test_errors_of_parts_add_up_and_the_limit_is_corrected_by_both(self):
+        # 100 + 0.8 h^2 - 0.3 s with s in thirds of the tolerance's levels
+        parts = self.parts([100.5], [99.9], [99.75], [100.65], [100.725])
+        self.assertEqual([round(part.estimates[1, ONSET].order, 6) for part in parts],
+                         [2.0, round(1.0 / 3.0, 6)])
+        row = self.rows(parts)[1, ONSET]
+        np.testing.assert_allclose((row.value, row.limit, row.error), (100.5, 100.0, 1.1),
+                                   rtol=1e-12)
+        with open(convergence_text.write(self.folder, parts)[0], newline="") as file:
+            line = [line for line in csv.DictReader(file) if line["quantity"] == "onset"][0]
+        self.assertEqual((line["event"], line["cells 1"], line["cells 4"], line["steps 64"]),
+                         ("1", "100.5", "99.75", "100.725"))
+        self.assertAlmostEqual(float(line["relative error"]), 1.1 / 100.5, delta=1e-12)
+        text = (self.folder / "convergence.md").read_text()
+        self.assertIn("| 1 | onset [s] | 100.5 | 99.9 | 99.75 | 2.00 | 99.7 | 0.8 |", text)
+        self.assertNotIn("WARNING", text)
+
+    def test_other_numbers_of_events_are_warned_of_and_unmatched_events_have_no_numbers(self):
+        two, three = [10.0, 30.0], [10.0, 30.0, 50.0]
+        parts = self.parts(three, two, three, three, three)
+        self.assertIn("cells: 3, 2, 3 events with 1, 2, 4; those after the first 2 do not",
+                      parts[0].warning)
+        self.assertEqual(parts[1].warning, "")
+        self.assertIn("WARNING: cells", convergence_text.text_of(parts))
+        rows = self.rows(parts)
+        self.assertEqual(rows[0, COUNT].error, 1.0)
+        self.assertNotIn((3, ONSET), parts[0].values)
+        self.assertEqual(parts[1].estimates[3, ONSET].note, order.EQUAL)
+        self.assertTrue(np.isnan(rows[3, ONSET].error))
+        self.assertEqual(rows[2, ONSET].error, 0.0)
+
+    def test_as_many_events_that_are_others_have_no_numbers_either(self):
+        usual = [10.0, 30.0, 50.0]
+        parts = self.parts(usual, [10.0, 14.0, 30.0], usual, usual, usual)
+        self.assertIn("those after the first 1 do not correspond", parts[0].warning)
+        self.assertEqual({event for event, _ in parts[0].values}, {0, 1})
+        self.assertEqual({event for event, _ in parts[1].values}, {0, 1, 2, 3})
+
+    def test_a_level_without_results_leaves_its_variable_without_errors(self):
+        parts = self.parts([10.0], None, [10.0], [10.5], [10.75])
+        self.assertIn("cells: no results with 2", parts[0].warning)
+        row = self.rows(parts)[1, ONSET]
+        self.assertAlmostEqual(parts[1].estimates[1, ONSET].error, 1.0)
+        self.assertTrue(np.isnan(row.error) and np.isnan(row.limit))
+
+    def test_events_that_do_not_count_are_left_out(self):
+        parts = self.parts(*[[10.0, 30.0]] * 5, widths=[5.0, 50.0],
+                           selection=Selection(smallest_width=20.0))
+        self.assertEqual(parts[0].values[0, COUNT], [1.0, 1.0, 1.0])
+        self.assertEqual(parts[0].values[1, ONSET], [30.0, 30.0, 30.0])
