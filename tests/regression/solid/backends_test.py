@@ -1,7 +1,6 @@
-"""The solver with MueLu's factories for threads and devices, run on the backend of this build.
+"""What other backends take by default, run on the backend of this build: MueLu's factories for
+threads and devices ("use kokkos refactor"), and sweeps by colours.
 
-MueLu would take them on parallel node types ("use kokkos refactor"); here a deck has to ask for
-them.
 Fields must be those of the defaults to the tolerance of the solver, for about as many V-cycles.
 "aggregation: drop tol", which was a default in space, made these factories throw.
 """
@@ -14,14 +13,13 @@ import runs
 import wedge_runs
 from comparisons import largest_errors
 
-MUELU = "TNNMG/MueLu Correction/MueLu"
+CORRECTION = "TNNMG/MueLu Correction"
 RUN = [*wedge_runs.RUPTURE, *wedge_runs.PERIODIC,
        *wedge_runs.settings("Time Stepping/Final Time=0.03", "TNNMG/Linear Correction=MueLu")]
-PARALLEL = {"use kokkos refactor": "true"}
 
 
 def run(name, parameters, ranks=1):
-    changes = wedge_runs.settings({f"{MUELU}/{key}": text for key, text in parameters.items()})
+    changes = wedge_runs.settings({f"{CORRECTION}/{key}": text for key, text in parameters.items()})
     return wedge_runs.run_deck(f"{name}_{ranks}", *RUN, *changes, ranks=ranks)
 
 
@@ -43,7 +41,12 @@ class Backends(unittest.TestCase):
     def test_factories_of_threads_and_devices(self):
         for ranks in (1, 2):
             with self.subTest(ranks=ranks):
-                self.check("parallel", PARALLEL, 1.1, ranks)
+                self.check("parallel", {"MueLu/use kokkos refactor": "true"}, 1.1, ranks)
+
+    def test_sweeps_by_colours(self):
+        for ranks in (1, 2):
+            with self.subTest(ranks=ranks):
+                self.check("colours", {"Row Order": "Colours"}, 1.25, ranks)
 
 
 class Environment(unittest.TestCase):
