@@ -110,9 +110,9 @@ private:
 };
 
 // What a pass over all blocks reads, without vectors.
-double bytesOfBlocks(multigrid::NodeGraph const& graph)
+double bytesOfBlocks(multigrid::DeviceGraph const& graph)
 {
-  return index * static_cast<double>(graph.first.extent(0) + graph.columns.extent(0)) +
+  return index * static_cast<double>(graph.num_rows + graph.numCouplings()) +
          single * graph.numCouplings() * graph.blockSize();
 }
 
@@ -121,7 +121,7 @@ double bytesOfBlocks(multigrid::NodeGraph const& graph)
 double bytesOfSweep(multigrid::Level const& level)
 {
   auto const& graph = level.graph;
-  return bytesOfBlocks(graph) + 2 * index * graph.num_rows +
+  return bytesOfBlocks(graph) + index * graph.num_rows +
          4 * single * static_cast<double>(graph.rows());
 }
 

@@ -90,7 +90,8 @@ HessianView collected(std::vector<double> const& blocks, int T)
 }
 } // namespace
 
-AddedBlocks::AddedBlocks(HostAddedBlocks const& host, HostGraph const& level)
+AddedBlocks::AddedBlocks(HostAddedBlocks const& host, HostGraph const& level,
+                         std::vector<int> const& order)
     : tangents_(host.graph.row_size)
     , motions_(host.graph.column_size)
     , Q_(onDevice(host.Q))
@@ -101,7 +102,7 @@ AddedBlocks::AddedBlocks(HostAddedBlocks const& host, HostGraph const& level)
   for (int row : host.rows) {
     for (int k = level.first[row]; k < level.first[row + 1]; ++k) {
       place[k] = static_cast<int>(couplings.size());
-      couplings.push_back(k);
+      couplings.push_back(order[k]);
     }
   }
   // Calls work(node, J, K, place) for each product.

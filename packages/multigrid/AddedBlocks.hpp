@@ -29,8 +29,8 @@ class AddedBlocks
 {
 public:
   AddedBlocks() = default; // none
-  // level: of the level's matrix.
-  AddedBlocks(HostAddedBlocks const& host, HostGraph const& level);
+  // level: of the level's matrix; order: the places of its couplings where kernels run.
+  AddedBlocks(HostAddedBlocks const& host, HostGraph const& level, std::vector<int> const& order);
 
   IndexView const& rows() const { return rows_; }
   // A += Q^T H Q, for the blocks H (num nodes, T, T) of this rank's nodes. Collective.

@@ -10,7 +10,7 @@ CoarsestSolver::CoarsestSolver(CoarsestRows rows, std::vector<char> free)
 {
 }
 
-std::unique_ptr<CoarsestSolver> CoarsestSolver::make(NodeGraph const& graph, CoarsestRows rows,
+std::unique_ptr<CoarsestSolver> CoarsestSolver::make(MatrixGraph const& graph, CoarsestRows rows,
                                                      NodeBlocks const& A, std::vector<char> free)
 {
   std::unique_ptr<CoarsestSolver> solver(new CoarsestSolver(std::move(rows), std::move(free)));
@@ -28,23 +28,20 @@ void CoarsestSolver::sumIfShared(double* values, Eigen::Index count) const
   }
 }
 
-bool CoarsestSolver::factorise(NodeGraph const& graph, NodeBlocks const& A)
+bool CoarsestSolver::factorise(MatrixGraph const& graph, NodeBlocks const& A)
 {
   const int size = graph.row_size;
-  const auto first = onHost(graph.first), columns = onHost(graph.columns);
   const auto blocks = onHost(A);
   auto const& place = rows_.places;
   Eigen::MatrixXd matrix = Eigen::MatrixXd::Zero(rows_.num_rows, rows_.num_rows);
-  for (int row = 0; row < graph.num_rows; ++row) {
-    for (int k = first(row); k < first(row + 1); ++k) {
-      for (int r = 0; r < size; ++r) {
-        for (int c = 0; c < size; ++c) {
-          matrix(place[row * size + r], place[columns(k) * size + c]) =
-            blocks((static_cast<std::size_t>(k) * size + r) * size + c);
-        }
+  graph.forEachCoupling([&](int row, int column, int k) {
+    for (int r = 0; r < size; ++r) {
+      for (int c = 0; c < size; ++c) {
+        matrix(place[row * size + r], place[column * size + c]) =
+          blocks((static_cast<std::size_t>(k) * size + r) * size + c);
       }
     }
-  }
+  });
   Eigen::VectorXd is_free = Eigen::VectorXd::Zero(rows_.num_rows);
   for (std::size_t i = 0; i < free_.size(); ++i) {
     is_free(place[i]) = free_[i];

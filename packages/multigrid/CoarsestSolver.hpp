@@ -17,7 +17,7 @@ public:
   // Components that are not free (free(owned dofs), 1 or 0) are left out. A millionth is added to
   // the diagonal, to allow for the rounding of A to single precision. Null on every rank if A is
   // not positive definite. Collective.
-  static std::unique_ptr<CoarsestSolver> make(NodeGraph const& graph, CoarsestRows rows,
+  static std::unique_ptr<CoarsestSolver> make(MatrixGraph const& graph, CoarsestRows rows,
                                               NodeBlocks const& A, std::vector<char> free);
 
   // x = A^-1 b for the owned dofs. Collective.
@@ -25,7 +25,7 @@ public:
 
 private:
   CoarsestSolver(CoarsestRows rows, std::vector<char> free);
-  bool factorise(NodeGraph const& graph, NodeBlocks const& A);
+  bool factorise(MatrixGraph const& graph, NodeBlocks const& A);
   void sumIfShared(double* values, Eigen::Index count) const;
 
   CoarsestRows rows_;

@@ -91,7 +91,13 @@ Cycle::~Cycle() = default;
 SumTermsRow Cycle::sumOfTerms(std::size_t l) const
 {
   auto const& level = hierarchy_->levels()[l];
-  SumTermsRow result = {{}, level.graph.first.data(), level.graph.blockSize(), data_[l].A.data()};
+  auto const& graph = level.graph;
+  SumTermsRow result = {{},
+                        graph.lower.data(),
+                        graph.diagonal.data(),
+                        graph.upper.data(),
+                        graph.blockSize(),
+                        data_[l].A.data()};
   result.of.count = static_cast<int>(weights_.size());
   for (std::size_t k = 0; k < weights_.size(); ++k) {
     result.of.terms[k] = level.terms[k].data();
@@ -104,7 +110,7 @@ template <int N>
 InvertRow<N> Cycle::inversion(std::size_t l) const
 {
   auto const& level = hierarchy_->levels()[l];
-  return {level.before.data(), level.after.data(), data_[l].A.data(), data_[l].inverse.data()};
+  return {level.graph.diagonal.data(), data_[l].A.data(), data_[l].inverse.data()};
 }
 
 bool Cycle::setup(HessianView const& H, ConstFlagView const& removed)
@@ -128,7 +134,7 @@ bool Cycle::setup(HessianView const& H, ConstFlagView const& removed)
 template <int N>
 InvertFinest<N> Cycle::finestInversion() const
 {
-  return {finest().before.data(), data_[0].A.data(), held_.data(), data_[0].inverse.data()};
+  return {finest().graph.diagonal.data(), data_[0].A.data(), held_.data(), data_[0].inverse.data()};
 }
 
 // A: the matrix of the coarsest level.

@@ -100,18 +100,25 @@ struct WeightedTerms
 struct SumTermsRow
 {
   WeightedTerms of;
-  int const* first;
+  int const *lower, *diagonal, *upper; // of MatrixGraph
   int size;
   float* A;
   KOKKOS_FUNCTION void operator()(int row, int, int) const
   {
-    const auto end = static_cast<std::size_t>(first[row + 1]) * size;
-    for (auto i = static_cast<std::size_t>(first[row]) * size; i < end; ++i) {
-      double sum = 0;
+    sum(lower[row], lower[row + 1]);
+    sum(diagonal[row], diagonal[row] < 0 ? -1 : diagonal[row] + 1);
+    sum(upper[row], upper[row + 1]);
+  }
+  // Of the couplings from <= k < to.
+  KOKKOS_FUNCTION void sum(int from, int to) const
+  {
+    const auto end = static_cast<std::ptrdiff_t>(to) * size;
+    for (auto i = static_cast<std::ptrdiff_t>(from) * size; i < end; ++i) {
+      double result = 0;
       for (int k = 0; k < of.count; ++k) {
-        sum += of.weights[k] * of.terms[k][i];
+        result += of.weights[k] * of.terms[k][i];
       }
-      A[i] = static_cast<float>(sum);
+      A[i] = static_cast<float>(result);
     }
   }
 };
@@ -125,14 +132,14 @@ struct AllFree
 template <int N>
 struct InvertRow
 {
-  int const *before, *after; // of Level
+  int const* diagonal; // of MatrixGraph
   float const* A;
   float* inverse;
   KOKKOS_FUNCTION void operator()(int row, int, int) const
   {
     double block[N][N] = {};
-    for (int i = 0; after[row] > before[row] && i < N * N; ++i) {
-      block[i / N][i % N] = A[static_cast<std::size_t>(before[row]) * N * N + i];
+    for (int i = 0; diagonal[row] >= 0 && i < N * N; ++i) {
+      block[i / N][i % N] = A[static_cast<std::size_t>(diagonal[row]) * N * N + i];
     }
     invertFree(block, AllFree(), inverse + static_cast<std::size_t>(row) * N * N);
   }
@@ -151,7 +158,7 @@ struct FreeComponents
 template <int N>
 struct InvertFinest
 {
-  int const* before; // of Level
+  int const* diagonal; // of MatrixGraph; every row has one
   float const* A;
   int const* held;
   float* inverse;
@@ -165,7 +172,7 @@ struct InvertFinest
   {
     for (int i = 0; i < N * N; ++i) {
       block[i / N][i % N] =
-        A[static_cast<std::size_t>(before[row]) * N * N + i] + block[i / N][i % N];
+        A[static_cast<std::size_t>(diagonal[row]) * N * N + i] + block[i / N][i % N];
     }
     invertFree(block, free, inverse + static_cast<std::size_t>(row) * N * N);
   }
@@ -193,7 +200,7 @@ struct InvertAdded
       }
     }
     for (int i = 0; with_added != nullptr && i < N * N; ++i) {
-      with_added[static_cast<std::size_t>(finest.before[row]) * N * N + i] +=
+      with_added[static_cast<std::size_t>(finest.diagonal[row]) * N * N + i] +=
         static_cast<float>(block[i / N][i % N]);
     }
     finest.invert(row, block, free);

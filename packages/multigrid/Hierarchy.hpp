@@ -24,10 +24,8 @@ struct HostLevel
 
 struct Level
 {
-  NodeGraph graph;
+  MatrixGraph graph;
   std::vector<NodeBlocks> terms;
-  IndexView before, after; // (num_rows) the end and the beginning of a row's couplings with nodes
-                           // before and after its own
   NodeGraph prolongation;
   NodeBlocks P;
   TransposedProduct restriction;
@@ -65,13 +63,13 @@ public:
   // The nodes of the finest level are renumbered if rows have colours: (num_rows) the row of each
   // node; empty if it is the node's own number.
   IndexView const& rowOfNode() const { return row_of_node_; }
-  // The blocks of a finest matrix, given in the order of the nodes.
+  // The blocks of a finest matrix, given in the order of the host's graph.
   NodeBlocks inOrder(HostBlocks const& finest) const;
 
 private:
   std::vector<Level> levels_;
   CoarsestRows coarsest_;
   IndexView row_of_node_;
-  std::vector<int> coupling_of_given_; // of the finest matrix, where it is renumbered
+  std::vector<int> coupling_of_given_; // of the finest matrix
 };
 } // namespace asperity::multigrid

@@ -95,10 +95,9 @@ void Ghosts::gather(NodeVector const& x) const
   overList(owners_, AddToOwners{owners_, first_place_, places_, sent_values_, x});
 }
 
-NodeGraph::NodeGraph(HostGraph const& host)
+DeviceGraph::DeviceGraph(HostGraph const& host, std::vector<int> const& columns_in_order)
     : GraphSizes(host)
-    , first(onDevice(host.first))
-    , columns(onDevice(host.columns))
+    , columns(onDevice(columns_in_order))
 {
   if (host.ghosts.share) {
     ghosts = std::make_shared<const Ghosts>(host.ghosts, static_cast<std::size_t>(host.num_owned) *
@@ -106,14 +105,84 @@ NodeGraph::NodeGraph(HostGraph const& host)
   }
 }
 
-void NodeGraph::share(NodeVector const& x) const
+NodeGraph::NodeGraph(HostGraph const& host)
+    : DeviceGraph(host, host.columns)
+    , first(onDevice(host.first))
+{
+}
+
+namespace
+{
+// Where the three parts of a matrix have the couplings of each row.
+struct Parts
+{
+  std::vector<int> lower = {0}, upper, diagonal;
+
+  explicit Parts(HostGraph const& host)
+  {
+    int num_diagonal = 0;
+    for (int row = 0; row < host.num_rows; ++row) {
+      const auto begin = host.columns.begin() + host.first[row];
+      const auto end = host.columns.begin() + host.first[row + 1];
+      const auto own = std::lower_bound(begin, end, row);
+      const bool has_own = own != end && *own == row;
+      lower.push_back(lower.back() + static_cast<int>(own - begin));
+      diagonal.push_back(has_own ? num_diagonal++ : -1);
+    }
+    for (int& own : diagonal) {
+      own += own >= 0 ? lower.back() : 0;
+    }
+    upper = {lower.back() + num_diagonal};
+    for (int row = 0; row < host.num_rows; ++row) {
+      const int count = host.first[row + 1] - host.first[row];
+      const int before = lower[row + 1] - lower[row] + (diagonal[row] >= 0 ? 1 : 0);
+      upper.push_back(upper.back() + count - before);
+    }
+  }
+};
+} // namespace
+
+std::vector<int> MatrixGraph::order(HostGraph const& host)
+{
+  const Parts parts(host);
+  std::vector<int> result;
+  result.reserve(host.columns.size());
+  for (int row = 0; row < host.num_rows; ++row) {
+    for (int k = parts.lower[row]; k < parts.lower[row + 1]; ++k) {
+      result.push_back(k);
+    }
+    if (parts.diagonal[row] >= 0) {
+      result.push_back(parts.diagonal[row]);
+    }
+    for (int k = parts.upper[row]; k < parts.upper[row + 1]; ++k) {
+      result.push_back(k);
+    }
+  }
+  return result;
+}
+
+MatrixGraph::MatrixGraph(HostGraph const& host)
+{
+  const auto places = order(host);
+  std::vector<int> in_order(host.columns.size());
+  for (std::size_t k = 0; k < places.size(); ++k) {
+    in_order[places[k]] = host.columns[k];
+  }
+  static_cast<DeviceGraph&>(*this) = DeviceGraph(host, in_order);
+  const Parts parts(host);
+  lower = onDevice(parts.lower);
+  upper = onDevice(parts.upper);
+  diagonal = onDevice(parts.diagonal);
+}
+
+void DeviceGraph::share(NodeVector const& x) const
 {
   if (ghosts) {
     ghosts->share(x);
   }
 }
 
-void NodeGraph::gather(NodeVector const& x) const
+void DeviceGraph::gather(NodeVector const& x) const
 {
   if (ghosts) {
     ghosts->gather(x);

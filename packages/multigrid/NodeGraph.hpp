@@ -71,17 +71,62 @@ private:
 };
 
 // The same where kernels run.
-struct NodeGraph : GraphSizes
+struct DeviceGraph : GraphSizes
 {
-  NodeGraph() = default;
-  explicit NodeGraph(HostGraph const& host);
-
-  IndexView first, columns;
+  IndexView columns;                    // (num couplings)
   std::shared_ptr<const Ghosts> ghosts; // null on one rank
+
+  DeviceGraph() = default;
+  DeviceGraph(HostGraph const& host, std::vector<int> const& columns_in_order);
 
   int numCouplings() const { return columns.extent_int(0); }
   // Both for vectors on the columns. Collective.
   void share(NodeVector const& x) const;
   void gather(NodeVector const& x) const;
+};
+
+// With the couplings row by row.
+struct NodeGraph : DeviceGraph
+{
+  IndexView first;
+
+  NodeGraph() = default;
+  explicit NodeGraph(HostGraph const& host);
+};
+
+// Of a square matrix, as sweeps read it: first all couplings with earlier nodes, row by row, then
+// those of nodes with themselves, then those with later nodes and ghosts. Half a sweep needs one
+// part of these, and reads it from end to end; rows whose halves lie side by side would be fetched
+// whole by a processor, twice.
+struct MatrixGraph : DeviceGraph
+{
+  IndexView lower,
+    upper;            // (num_rows + 1) where a row's couplings with earlier and later nodes begin
+  IndexView diagonal; // (num_rows) the coupling with itself, or -1
+
+  MatrixGraph() = default;
+  explicit MatrixGraph(HostGraph const& host);
+
+  // (num couplings): the place of each of the host's couplings.
+  static std::vector<int> order(HostGraph const& host);
+
+  // Calls work(row, column, coupling) for all couplings. The graph is copied to the host.
+  template <class Work>
+  void forEachCoupling(Work const& work) const
+  {
+    const auto lower_ends = onHost(lower), upper_ends = onHost(upper), own = onHost(diagonal);
+    const auto column = onHost(columns);
+    for (int row = 0; row < num_rows; ++row) {
+      for (int k = lower_ends(row); k < lower_ends(row + 1); ++k) {
+        work(row, column(k), k);
+      }
+      if (own(row) >= 0) {
+        work(row, row, own(row));
+      }
+      for (int k = upper_ends(row); k < upper_ends(row + 1); ++k) {
+        work(row, column(k), k);
+      }
+    }
+  }
 };
 } // namespace asperity::multigrid

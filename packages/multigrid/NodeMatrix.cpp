@@ -27,6 +27,30 @@ struct AddRow
   }
 };
 
+template <int N>
+struct AddMatrixRow
+{
+  int const *lower, *diagonal, *upper, *columns;
+  float const *A, *x;
+  float* y;
+  KOKKOS_FUNCTION void operator()(int row, int, int) const
+  {
+    RowSums<N, N> sum;
+    add(sum, lower[row], lower[row + 1]);
+    add(sum, diagonal[row], diagonal[row] < 0 ? -1 : diagonal[row] + 1);
+    add(sum, upper[row], upper[row + 1]);
+    for (int c = 0; c < N; ++c) {
+      y[row * N + c] += sum[c];
+    }
+  }
+  KOKKOS_FUNCTION void add(RowSums<N, N>& sum, int from, int to) const
+  {
+    for (int k = from; k < to; ++k) {
+      sum.add(A + static_cast<std::size_t>(k) * N * N, x + columns[k] * N);
+    }
+  }
+};
+
 // A column of a matrix.
 template <int R, int C>
 struct GatherColumn
@@ -46,6 +70,16 @@ struct GatherColumn
   }
 };
 } // namespace
+
+void multiplyAdd(MatrixGraph const& graph, Schedule const& schedule, NodeBlocks const& A,
+                 NodeVector const& x, NodeVector const& y)
+{
+  withBlockSizes(graph.row_size, graph.column_size, [&](auto rows, auto) {
+    constexpr int N = decltype(rows)::value;
+    schedule.forEach(AddMatrixRow<N>{graph.lower.data(), graph.diagonal.data(), graph.upper.data(),
+                                     graph.columns.data(), A.data(), x.data(), y.data()});
+  });
+}
 
 void multiplyAdd(NodeGraph const& graph, Schedule const& schedule, NodeBlocks const& A,
                  NodeVector const& x, NodeVector const& y)

@@ -9,6 +9,8 @@
 namespace asperity::multigrid
 {
 // y += A x
+void multiplyAdd(MatrixGraph const& graph, Schedule const& schedule, NodeBlocks const& A,
+                 NodeVector const& x, NodeVector const& y);
 void multiplyAdd(NodeGraph const& graph, Schedule const& schedule, NodeBlocks const& A,
                  NodeVector const& x, NodeVector const& y);
 

@@ -11,21 +11,20 @@ namespace asperity::multigrid
 template <int N>
 struct BlockRows
 {
-  int const *first, *columns, *before, *after; // of Level
-  float const *A, *inverse; // inverse of the diagonal blocks, zero where not free
+  int const *lower, *upper, *columns; // of MatrixGraph
+  float const *A, *inverse;           // inverse of the diagonal blocks, zero where not free
 
   BlockRows(Level const& level, NodeBlocks const& blocks, NodeBlocks const& inverses)
-      : first(level.graph.first.data())
+      : lower(level.graph.lower.data())
+      , upper(level.graph.upper.data())
       , columns(level.graph.columns.data())
-      , before(level.before.data())
-      , after(level.after.data())
       , A(blocks.data())
       , inverse(inverses.data())
   {
   }
 
-  // The blocks of a row are fetched into the cache this number of rows before they are used. A
-  // sweep skips half of each row or goes backward, which a processor does not predict.
+  // The blocks of a row are fetched into the cache this number of rows before they are used: rows
+  // are too short for a processor to do it by itself.
   static constexpr int rows_ahead = 8;
 
   // Fetches the blocks from <= k < to into the cache of the host.
@@ -42,8 +41,8 @@ struct BlockRows
   // The first coupling of L.
   KOKKOS_FUNCTION int firstWithin(int begin, int row) const
   {
-    int k = first[row];
-    while (k < before[row] && columns[k] < begin) {
+    int k = lower[row];
+    while (k < lower[row + 1] && columns[k] < begin) {
       ++k;
     }
     return k;
@@ -68,10 +67,10 @@ struct ForwardRow
   KOKKOS_FORCEINLINE_FUNCTION void operator()(int row, int begin, int end) const
   {
     if (const int next = row + of.rows_ahead; next < end) {
-      of.fetch(of.first[next], of.before[next]);
+      of.fetch(of.lower[next], of.lower[next + 1]);
     }
     RowSums<N, N> before;
-    for (int k = of.firstWithin(begin, row); k < of.before[row]; ++k) {
+    for (int k = of.firstWithin(begin, row); k < of.lower[row + 1]; ++k) {
       of.add(before, k, x);
     }
     float rest[N];
@@ -92,13 +91,13 @@ struct ResidualRow
   KOKKOS_FORCEINLINE_FUNCTION void operator()(int row, int begin, int end) const
   {
     if (const int next = row + of.rows_ahead; next < end) {
-      of.fetch(of.after[next], of.first[next + 1]);
+      of.fetch(of.upper[next], of.upper[next + 1]);
     }
     RowSums<N, N> rest;
-    for (int k = of.first[row]; k < of.firstWithin(begin, row); ++k) {
+    for (int k = of.lower[row]; k < of.firstWithin(begin, row); ++k) {
       of.add(rest, k, x);
     }
-    for (int k = of.after[row]; k < of.first[row + 1]; ++k) {
+    for (int k = of.upper[row]; k < of.upper[row + 1]; ++k) {
       of.add(rest, k, x);
     }
     for (int c = 0; c < N; ++c) {
@@ -118,17 +117,18 @@ struct BackwardRow
   KOKKOS_FORCEINLINE_FUNCTION void operator()(int row, int begin, int end) const
   {
     if (const int next = row - of.rows_ahead; next >= begin) {
-      of.fetch(of.first[next], of.first[next + 1]);
+      of.fetch(of.lower[next], of.lower[next + 1]);
+      of.fetch(of.upper[next], of.upper[next + 1]);
     }
     RowSums<N, N> old, updated;
-    for (int k = of.first[row]; k < of.before[row]; ++k) {
+    for (int k = of.lower[row]; k < of.lower[row + 1]; ++k) {
       of.add(old, k, x_before);
     }
-    int k = of.after[row];
-    for (; k < of.first[row + 1] && of.columns[k] < end; ++k) {
+    int k = of.upper[row];
+    for (; k < of.upper[row + 1] && of.columns[k] < end; ++k) {
       of.add(updated, k, x);
     }
-    for (; k < of.first[row + 1]; ++k) {
+    for (; k < of.upper[row + 1]; ++k) {
       of.add(old, k, x_before);
     }
     float rest[N];
@@ -151,13 +151,13 @@ struct ImageRow
   KOKKOS_FORCEINLINE_FUNCTION void operator()(int row, int, int end) const
   {
     if (const int next = row + of.rows_ahead; next < end) {
-      of.fetch(of.first[next], of.before[next]);
+      of.fetch(of.lower[next], of.lower[next + 1]);
     }
     RowSums<N, N> sum;
-    for (int k = of.first[row]; k < of.before[row]; ++k) {
+    for (int k = of.lower[row]; k < of.lower[row + 1]; ++k) {
       of.add(sum, k, x);
     }
-    for (int k = of.first[row + 1]; k > of.after[row] && of.columns[k - 1] >= end; --k) {
+    for (int k = of.upper[row + 1]; k > of.upper[row] && of.columns[k - 1] >= end; --k) {
       of.add(sum, k - 1, x);
     }
     for (int c = 0; c < N; ++c) {

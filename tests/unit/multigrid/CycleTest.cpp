@@ -2,6 +2,7 @@
 
 #include "multigrid/CoarsestSolver.hpp"
 #include "multigrid/FloatConjugateGradients.hpp"
+#include "multigrid/Renumbering.hpp"
 
 #include <Eigen/Dense>
 #include <gtest/gtest.h>
@@ -259,6 +260,25 @@ TEST(Schedule, HasAChunkForEachThreadUnlessItIsSmall)
   EXPECT_EQ(hierarchy->levels()[1].schedule.numParts(), 1);
 }
 
+TEST(MatrixGraph, HasBothHalvesOneAfterTheOther)
+{
+  HostGraph graph;
+  graph.row_size = graph.column_size = 1;
+  graph.num_rows = graph.num_owned = 3;
+  graph.num_columns = 4;      // node 3 is a ghost
+  graph.first = {0, 3, 5, 8}; // node 1 has no coupling with itself
+  graph.columns = {0, 1, 2, 0, 3, 0, 1, 2};
+  EXPECT_EQ(MatrixGraph::order(graph), std::vector<int>({3, 5, 6, 0, 7, 1, 2, 4}));
+  const MatrixGraph ordered(graph);
+  std::vector<int> rows(8), columns(8);
+  ordered.forEachCoupling([&](int row, int column, int k) {
+    rows[k] = row;
+    columns[k] = column;
+  });
+  EXPECT_EQ(rows, std::vector<int>({1, 2, 2, 0, 2, 0, 0, 1}));
+  EXPECT_EQ(columns, std::vector<int>({0, 0, 1, 0, 2, 1, 2, 3}));
+}
+
 // In a chain that is cut before the held node: even nodes and that one, then odd ones.
 TEST(Schedule, HasRowsOfOneColourThatAreNotCoupled)
 {
@@ -270,13 +290,10 @@ TEST(Schedule, HasRowsOfOneColourThatAreNotCoupled)
   for (int node = 0; node < last; ++node) {
     EXPECT_EQ(row_of_node(node), node / 2 + (node % 2 == 0 ? 0 : num_even));
   }
-  const auto first = onHost(level.graph.first), columns = onHost(level.graph.columns);
-  for (int row = 0; row < num_nodes; ++row) {
-    for (int k = first(row); k < first(row + 1); ++k) {
-      const bool is_even = row < num_even, other_is_even = columns(k) < num_even;
-      EXPECT_TRUE(columns(k) == row || is_even != other_is_even);
-    }
-  }
+  level.graph.forEachCoupling([](int row, int column, int) {
+    const bool is_even = row < num_even, other_is_even = column < num_even;
+    EXPECT_TRUE(column == row || is_even != other_is_even);
+  });
 }
 
 // The order changes the sweep, but not what the iteration reaches.
@@ -345,13 +362,9 @@ TEST(AddedBlocks, AreAGalerkinProduct)
       fine(node, node) += Chain::blockAt(node);
     }
     const Eigen::MatrixXd expected = prolongator().transpose() * fine * prolongator();
-    const auto first = onHost(level.graph.first), columns = onHost(level.graph.columns);
     const auto sum = onHost(A);
-    for (int row = 0; row < level.graph.num_rows; ++row) {
-      for (int k = first(row); k < first(row + 1); ++k) {
-        EXPECT_NEAR(sum(k), expected(row, columns(k)), 1e-6);
-      }
-    }
+    level.graph.forEachCoupling(
+      [&](int row, int column, int k) { EXPECT_NEAR(sum(k), expected(row, column), 1e-6); });
   }
 }
 
@@ -361,7 +374,8 @@ TEST(CoarsestSolver, LeavesOutWhatIsNotFree)
   std::vector<char> free(num_nodes, 1);
   free[5] = free[20] = 0;
   const auto solver =
-    CoarsestSolver::make(NodeGraph(A.graph), allRows(num_nodes), onDevice(A.blocks), free);
+    CoarsestSolver::make(MatrixGraph(A.graph), allRows(num_nodes),
+                         onDevice(renumbered(A.blocks, MatrixGraph::order(A.graph), 1)), free);
   ASSERT_TRUE(solver);
   Eigen::MatrixXd part = chain();
   Eigen::VectorXd b = Eigen::VectorXd::LinSpaced(num_nodes, 1, 2);

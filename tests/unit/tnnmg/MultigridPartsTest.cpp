@@ -1,6 +1,7 @@
 #include "FaultState.hpp"
 #include "base/parallel/Reductions.hpp"
 #include "multigrid/CoarsestSolver.hpp"
+#include "multigrid/Renumbering.hpp"
 #include "portability/Renamed.hpp"
 #include "tnnmg/hierarchy/CoarseFault.hpp"
 #include "tnnmg/multigrid/MultigridPreconditioner.hpp"
@@ -375,8 +376,10 @@ std::unique_ptr<multigrid::CoarsestSolver> solverFor(RCP<const CrsMatrix> const&
 {
   auto const [graph, maps] = detail::makeNodeGraph({matrix}, size, size);
   return multigrid::CoarsestSolver::make(
-    multigrid::NodeGraph(graph), detail::coarsestRows(maps),
-    multigrid::onDevice(detail::blocksOf(graph, maps, *matrix)),
+    multigrid::MatrixGraph(graph), detail::coarsestRows(maps),
+    multigrid::onDevice(multigrid::renumbered(detail::blocksOf(graph, maps, *matrix),
+                                              multigrid::MatrixGraph::order(graph),
+                                              graph.blockSize())),
     std::vector<char>(numLocalRows(*matrix), 1));
 }
 } // namespace
