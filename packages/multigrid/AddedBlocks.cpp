@@ -9,12 +9,12 @@ namespace
 {
 using Products = Kokkos::View<int* [3], Kokkos::LayoutRight, MemorySpace>;
 
-// A coupling. Of Q_J^T H Q_K and its transpose the first one in the order of Q is computed and the
-// other one copied: so the sum stays symmetric.
+// A coupling and its mirror image, whose sum is the transpose: so the matrix stays symmetric. Of
+// Q_J^T H Q_K and its transpose the first one in the order of Q is computed, on every rank.
 template <int T, int N>
 struct AddProducts
 {
-  IndexView couplings, first;
+  IndexView couplings, mirrored, first;
   Kokkos::View<const int* [3], Kokkos::LayoutRight, MemorySpace> products;
   float const* Q;
   double const* H;
@@ -23,15 +23,24 @@ struct AddProducts
   KOKKOS_FUNCTION void operator()(int i) const
   {
     float* to = A + static_cast<std::size_t>(couplings(i)) * N * N;
+    float* mirror = mirrored(i) < 0 ? nullptr : A + static_cast<std::size_t>(mirrored(i)) * N * N;
     for (int p = first(i); p < first(i + 1); ++p) {
+      double const* h = H + static_cast<std::size_t>(products(p, 0)) * T * T;
+      bool is_zero = true;
+      for (int t = 0; t < T * T; ++t) {
+        is_zero = is_zero && h[t] == 0;
+      }
       const int J = products(p, 1), K = products(p, 2);
-      add(H + static_cast<std::size_t>(products(p, 0)) * T * T, J < K ? J : K, J < K ? K : J, J > K,
-          to);
+      if (!is_zero && J <= K) {
+        add(h, J, K, to, mirror);
+      } else if (!is_zero) {
+        add(h, K, J, mirror, to);
+      }
     }
   }
 
-  // to += Q_J^T h Q_K, or its transpose.
-  KOKKOS_FUNCTION void add(double const* h, int J, int K, bool is_transposed, float* to) const
+  // to += Q_J^T h Q_K, and to the mirror its transpose; both may be null.
+  KOKKOS_FUNCTION void add(double const* h, int J, int K, float* to, float* mirror) const
   {
     float const* QJ = Q + static_cast<std::size_t>(J) * T * N;
     float const* QK = Q + static_cast<std::size_t>(K) * T * N;
@@ -50,7 +59,12 @@ struct AddProducts
         for (int s = 0; s < T; ++s) {
           sum += hQ[s][r] * QK[s * N + c];
         }
-        to[is_transposed ? c * N + r : r * N + c] += static_cast<float>(sum);
+        if (to != nullptr) {
+          to[r * N + c] += static_cast<float>(sum);
+        }
+        if (mirror != nullptr) {
+          mirror[c * N + r] += static_cast<float>(sum);
+        }
       }
     }
   }
@@ -98,11 +112,16 @@ AddedBlocks::AddedBlocks(HostAddedBlocks const& host, HostGraph const& level,
     , rows_(onDevice(host.rows))
     , collect_(host.collect)
 {
-  std::vector<int> place(level.numCouplings(), -1), couplings;
+  std::vector<int> place(level.numCouplings(), -1), couplings, mirrored;
   for (int row : host.rows) {
     for (int k = level.first[row]; k < level.first[row + 1]; ++k) {
-      place[k] = static_cast<int>(couplings.size());
-      couplings.push_back(order[k]);
+      const int column = level.columns[k];
+      const int mirror = column < level.num_rows && column != row ? level.find(column, row) : -1;
+      if (mirror < 0 || row < column) {
+        place[k] = static_cast<int>(couplings.size());
+        couplings.push_back(order[k]);
+        mirrored.push_back(mirror < 0 ? -1 : order[mirror]);
+      }
     }
   }
   // Calls work(node, J, K, place) for each product.
@@ -110,7 +129,8 @@ AddedBlocks::AddedBlocks(HostAddedBlocks const& host, HostGraph const& level,
     for (int node = 0; node < host.graph.num_rows; ++node) {
       const int begin = host.graph.first[node], count = host.graph.first[node + 1] - begin;
       for (int pair = 0; pair < count * count; ++pair) {
-        if (const int k = host.couplings[host.first[node] + pair]; k >= 0) {
+        const int k = host.couplings[host.first[node] + pair];
+        if (k >= 0 && place[k] >= 0) {
           work(node, begin + pair / count, begin + pair % count, place[k]);
         }
       }
@@ -133,6 +153,7 @@ AddedBlocks::AddedBlocks(HostAddedBlocks const& host, HostGraph const& level,
   Kokkos::deep_copy(products, on_host);
   products_ = products;
   couplings_ = onDevice(couplings);
+  mirrored_ = onDevice(mirrored);
   first_product_ = onDevice(first);
 }
 
@@ -148,9 +169,10 @@ void AddedBlocks::addTo(NodeBlocks const& A, HessianView const& H) const
   }
   withSizes(tangents_, motions_, [&](auto tangents, auto motions) {
     constexpr int T = decltype(tangents)::value, N = decltype(motions)::value;
-    Kokkos::parallel_for(
-      "asperity::multigrid::addProducts", RangePolicy(0, couplings_.extent_int(0)),
-      AddProducts<T, N>{couplings_, first_product_, products_, Q_.data(), all.data(), A.data()});
+    Kokkos::parallel_for("asperity::multigrid::addProducts",
+                         RangePolicy(0, couplings_.extent_int(0)),
+                         AddProducts<T, N>{couplings_, mirrored_, first_product_, products_,
+                                           Q_.data(), all.data(), A.data()});
   });
 }
 } // namespace asperity::multigrid

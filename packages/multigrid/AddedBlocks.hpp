@@ -40,7 +40,8 @@ private:
   int tangents_ = 0, motions_ = 0; // T, and the columns of a block of Q
   NodeBlocks Q_;
   IndexView rows_;
-  IndexView couplings_;     // those of these rows
+  IndexView couplings_;     // those of these rows, of each pair the first one
+  IndexView mirrored_;      // the other one of the pair, or -1: itself, or another rank's
   IndexView first_product_; // (num couplings + 1)
   // Of each product its node, and the blocks of Q of the coupling's row and column.
   Kokkos::View<const int* [3], Kokkos::LayoutRight, MemorySpace> products_;
