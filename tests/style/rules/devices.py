@@ -16,6 +16,7 @@ HOST = {
     "packages/multigrid/CoarsestSolver.cpp": "Eigen's dense factor, of the coarsest level",
     "packages/multigrid/Cycle.cpp": "which components of the coarsest level are free",
     "packages/multigrid/NodeGraph.cpp": "MPI sends ghosts from the host",
+    "packages/multigrid/NodeGraph.hpp": "couplings of the coarsest level",
     "packages/tnnmg/DenseRateMatrix.cpp": "set-up; Eigen's product with a dense matrix",
     "packages/tnnmg/DenseRateMatrix.hpp": "Eigen's product with a dense matrix",
     "packages/tnnmg/FaultColumns.cpp": "MPI sends some hundred numbers of the fault from the host",
