@@ -63,7 +63,6 @@ def reaches(bound: float) -> Rule:
 
 TIME = Column("t", ("s",), 0.0, 1e15)
 PEAK_RATE = Column("max_slip_rate", ("log10 m/s",), -100.0, 3.0, (is_logarithm,))
-ARRIVAL = Column("t", ("s",), 0.0, 1e9)  # 1e9: a rupture that never arrives
 
 
 def slip(name: str, *rules: Rule) -> Column:

@@ -2,7 +2,7 @@
 
 from typing import Tuple
 
-from .columns import (ARRIVAL, TIME, Column, displacement, is_positive, log_state, place, pressure,
+from .columns import (TIME, Column, displacement, is_positive, log_state, place, pressure,
                       rate, slip, starts_above, stress, velocity)
 from .problem import PLACES, FileKind, Problem
 
@@ -18,6 +18,7 @@ PSI = Column("psi", ("dimensionless",), -5.0, 5.0)
 HOT = (Column("temperature", ("K", "Kelvin", "degrees Kelvin"), 200.0, 5000.0),
        pressure("pressure"))
 
+ARRIVAL = Column("t", ("s",), 0.0, 1e9)  # 1e9: a rupture that never arrives
 CONTOURS = FileKind("rupture times", "cplot", (place("j"), place("k"), ARRIVAL), RUN, PLACES)
 STRIKE, DEPTH = r"st-?\d{3}", r"dp\d{3}"
 

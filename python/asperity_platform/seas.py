@@ -3,7 +3,7 @@
 from dataclasses import replace
 from typing import Tuple
 
-from .columns import (ARRIVAL, PEAK_RATE, TIME, Column, displacement, is_positive, log_rate,
+from .columns import (PEAK_RATE, TIME, Column, displacement, is_positive, log_rate,
                       log_state, moment_rate, place, pressure, slip, starts_above, stress, velocity)
 from .problem import PLACES, PROFILE, FileKind, Problem
 
@@ -34,7 +34,7 @@ def _depths(*tenths_of_km: int) -> Tuple[Tuple[str, ...], ...]:
 
 SLIP = FileKind("slip along the fault", r"slip\.dat",
                 (TIME, PEAK_RATE, Column("slip", ("m",), -1e3, 1e3)), STEPS, PROFILE)
-RUPTURE = FileKind("rupture times", r"rupture\.dat", (place("x2"), place("x3"), ARRIVAL), RUN,
+RUPTURE = FileKind("rupture times", r"rupture\.dat", (place("x2"), place("x3"), TIME), RUN,
                    PLACES)
 RUPTURE_IN_PLANE = replace(RUPTURE, is_needed=False)
 DOWN_DIP = r"fltst_dp\d{3}"

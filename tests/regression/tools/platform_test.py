@@ -68,6 +68,13 @@ class Accepted(unittest.TestCase):
         self.assertNotIn("line", told)
 
 
+    def test_a_rupture_may_come_after_centuries(self):
+        folder = run("bp1_qd")
+        platform_damages.rows("rupture.dat", platform_damages.word(0, 2, "6.18E+09"))(folder)
+        code, told, _ = platform("check", folder)
+        self.assertEqual(code, 0, told)
+
+
 class Refused(unittest.TestCase):
     def check(self, good, damages):
         code, before, _ = platform("check", good)
