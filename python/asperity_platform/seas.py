@@ -3,13 +3,12 @@
 from dataclasses import replace
 from typing import Tuple
 
-from .columns import (PEAK_RATE, TIME, Column, displacement, is_positive, log_rate,
-                      log_state, moment_rate, place, pressure, slip, starts_above, stress, velocity)
+from .columns import (PEAK_RATE, TIME, Column, displacement, is_positive, log_rate, log_state,
+                      moment_rate, place, pressure, slip, starts_above, stress, velocity)
 from .problem import PLACES, PROFILE, FileKind, Problem
 
 RUN = ("problem", "author|modeler", "date", "code", "element_size")
-STEPS = (*RUN, "minimum_time_step", "maximum_time_step", "num_time_steps")
-STATION = (*STEPS, "location")
+STATION = (*RUN, "location")
 SHEAR = (is_positive, starts_above(5.0))
 
 
@@ -17,9 +16,9 @@ def _stations(what: str, name: str, *columns: Column, is_needed: bool = True) ->
     return FileKind(what, name, (TIME, *columns), STATION, is_needed=is_needed, is_station=True)
 
 
-def _global(*units: str) -> FileKind:
+def _global(*units: str, is_needed: bool = True) -> FileKind:
     return FileKind("global quantities", r"global\.dat", (TIME, PEAK_RATE, moment_rate(*units)),
-                    STEPS)
+                    RUN, is_needed=is_needed)
 
 
 def _on_fault(name: str, *between: Column) -> FileKind:
@@ -33,7 +32,7 @@ def _depths(*tenths_of_km: int) -> Tuple[Tuple[str, ...], ...]:
 
 
 SLIP = FileKind("slip along the fault", r"slip\.dat",
-                (TIME, PEAK_RATE, Column("slip", ("m",), -1e3, 1e3)), STEPS, PROFILE)
+                (TIME, PEAK_RATE, Column("slip", ("m",), -1e3, 1e3)), RUN, PROFILE)
 RUPTURE = FileKind("rupture times", r"rupture\.dat", (place("x2"), place("x3"), TIME), RUN,
                    PLACES)
 RUPTURE_IN_PLANE = replace(RUPTURE, is_needed=False)
@@ -43,7 +42,8 @@ BODY = _stations("station in the body", r"blkst_\S+", displacement("disp"), velo
 SURFACE = _stations("station at the surface", r"srfst_fn[+-]\d{2}", displacement("disp_1"),
                     displacement("disp_2"), velocity("vel_1"), velocity("vel_2"))
 NORMAL = stress("normal_stress", *SHEAR)
-ANTIPLANE = (_on_fault(DOWN_DIP), BODY, _global("N/s"), SLIP, RUPTURE_IN_PLANE)
+FIRST_GLOBAL = _global("N/s", is_needed=False)  # the first problems do without
+ANTIPLANE = (_on_fault(DOWN_DIP), BODY, FIRST_GLOBAL, SLIP, RUPTURE_IN_PLANE)
 BP1 = _depths(0, 25, 50, 75, 100, 125, 150, 175, 200, 250, 300, 350)
 BP3 = BP1 + tuple((f"srfst_fn{x}",) for x in ("-32", "-16", "-08", "-00", "+00", "+08", "+16",
                                                "+32"))
@@ -70,7 +70,7 @@ PROBLEMS = (
     Problem(("BP1-QD", "BP1-FD"), "SEAS", ANTIPLANE, BP1),
     Problem(("BP2-QD",), "SEAS", ANTIPLANE),
     Problem(("BP3-QD",), "SEAS",
-            (_on_fault(DOWN_DIP, NORMAL), SURFACE, _global("N/s"), SLIP, RUPTURE_IN_PLANE), BP3),
+            (_on_fault(DOWN_DIP, NORMAL), SURFACE, FIRST_GLOBAL, SLIP, RUPTURE_IN_PLANE), BP3),
     Problem(("BP5-QD", "BP5-FD"), "SEAS",
             (ALONG_STRIKE, BODY_IN_SPACE, _global("N m/s", "N-m/s"), RUPTURE), BP5),
     Problem(("BP6-QD-A", "BP6-QD-S", "BP6-A", "BP6-S"), "SEAS",
