@@ -15,6 +15,14 @@ namespace asperity::dynamics
 {
 class FaultUnknown;
 
+// What a process computes from its fields for outputs: values(state) gives (num_nodes, components).
+struct ObservedField
+{
+  FieldInfo info;
+  int components = 1;
+  std::function<std::vector<double>(State const&)> values; // collective
+};
+
 // A process on the fault beside friction, its state and the normal stress, such as a fluid pressure
 // or a second state variable: it adds fields to the state of a run and unknowns to the fixed point
 // of a step, and changes what friction depends on.
@@ -31,6 +39,8 @@ public:
   // Changes alpha and sigma_n(num_nodes), those of the state or what other processes have made of
   // them, to what friction takes. sigma_n stays >= 0.
   virtual void act(State const& state, NodeView const& alpha, NodeView const& sigma_n) const = 0;
+
+  virtual std::vector<ObservedField> observed() const { return {}; }
 
   // What alpha is for this process (friction/LawProperties.hpp); null: it works with any.
   virtual char const* stateVariable() const { return nullptr; }

@@ -105,6 +105,22 @@ double gradientProduct(FaultFacet const& facet, int num_corners, int i, int j)
   return mesh::dot<3>(a, b) / (4 * facet.measure);
 }
 
+// The gradient of the basis function of corner i: of a triangle n x e_i / (2 A), with the unit
+// normal n and the edge e_i opposite to the corner.
+Point3 basisGradient(FaultFacet const& facet, int num_corners, int i)
+{
+  auto const& c = facet.corners;
+  auto const scaled = [](Point3 const& a, double factor) {
+    return Point3{factor * a[0], factor * a[1], factor * a[2]};
+  };
+  if (num_corners == 2) {
+    return scaled(mesh::difference<3>(c[i], c[1 - i]), 1 / (facet.measure * facet.measure));
+  }
+  auto const normal = mesh::cross(mesh::difference<3>(c[1], c[0]), mesh::difference<3>(c[2], c[0]));
+  auto const edge = mesh::difference<3>(c[(i + 2) % 3], c[(i + 1) % 3]);
+  return scaled(mesh::cross(normal, edge), 1 / (4 * facet.measure * facet.measure));
+}
+
 RCP<const Map> mapOf(std::vector<GlobalOrdinal> const& ids,
                      RCP<const Communicator> const& communicator)
 {
@@ -172,6 +188,35 @@ RCP<const CrsMatrix> FaultMesh::stiffness(std::vector<double> const& c) const
   }
   K->fillComplete(owned_, owned_);
   return K;
+}
+
+std::vector<double> FaultMesh::gradient(std::vector<double> const& p) const
+{
+  auto const values = withGhosts(p);
+  std::vector<double> result(3 * p.size(), 0.), measures(p.size(), 0.);
+  const auto num_nodes = static_cast<int>(p.size());
+  for (auto const& facet : facets_) {
+    Point3 gradient{};
+    for (int i = 0; i < num_corners_; ++i) {
+      auto const of_basis = basisGradient(facet, num_corners_, i);
+      for (int k = 0; k < 3; ++k) {
+        gradient[k] += values[facet.nodes[i]] * of_basis[k];
+      }
+    }
+    for (int i = 0; i < num_corners_; ++i) {
+      const int node = facet.nodes[i];
+      for (int k = 0; node < num_nodes && k < 3; ++k) {
+        result[3 * node + k] += facet.measure * gradient[k];
+      }
+      if (node < num_nodes) {
+        measures[node] += facet.measure;
+      }
+    }
+  }
+  for (std::size_t i = 0; i < result.size(); ++i) {
+    result[i] /= measures[i / 3];
+  }
+  return result;
 }
 
 // Which facet of this rank is the one that all ranks choose at the least distance, if it has that:

@@ -35,6 +35,10 @@ public:
   // c linear between its values at the nodes: c(num_nodes). Its rows sum to zero. Collective.
   RCP<const CrsMatrix> stiffness(std::vector<double> const& c) const;
 
+  // (num_nodes, 3) gradient along the fault of p(num_nodes), linear on each facet: the mean over
+  // the facets at a node, weighted by their measures. Collective.
+  std::vector<double> gradient(std::vector<double> const& p) const;
+
   // The point of the fault that is nearest to a place.
   struct Nearest
   {

@@ -3,6 +3,7 @@
 #include "base/parallel/Reductions.hpp"
 #include "catalogue/stress/CoulombPlanes.hpp"
 #include "catalogue/stress/StressFields.hpp"
+#include "dynamics/FaultProcess.hpp"
 #include "fem/inelastic/InelasticCells.hpp"
 #include "scenario/setup/FaultNodes.hpp"
 #include "scenario/setup/friction/LawSetup.hpp"
@@ -49,10 +50,10 @@ void registerFaultFields(io::FieldRegistry& registry, RunView const& view)
   }
 }
 
-// The fields that processes on the fault have added to the state, and the normal stress that they
-// leave to friction.
+// The fields that processes on the fault have added to the state or compute from it, and the normal
+// stress that they leave to friction.
 void registerAddedFields(io::FieldRegistry& registry, dynamics::State const& initial,
-                         RunView const& view)
+                         dynamics::Fault const& fault, RunView const& view)
 {
   for (auto const& field : initial.added) {
     auto const info = field.info;
@@ -61,6 +62,15 @@ void registerAddedFields(io::FieldRegistry& registry, dynamics::State const& ini
                                    auto const host = toHost(view.state->at(name));
                                    values.assign(host.data(), host.data() + host.extent(0));
                                  }});
+  }
+  for (auto const& process : fault.laws().processes) {
+    for (auto const& field : process->observed()) {
+      auto const& info = field.info;
+      auto const axes = field.components > 1 ? ", along the axes." : ".";
+      registry.add(io::OutputField{
+        info.name, info.unit, "The " + info.quantity + axes, "fault", field.components,
+        [&view, process, get = field.values](Values& values) { values = get(*view.state); }});
+    }
   }
   if (!initial.added.empty()) {
     registry.add(
@@ -302,7 +312,7 @@ void registerFields(io::FieldRegistry& registry, Problem<Dim> const& problem, Ru
 {
   registerFaultFields(registry, view);
   registerState(registry, problem, view, friction);
-  registerAddedFields(registry, problem.initial, view);
+  registerAddedFields(registry, problem.initial, problem.fault, view);
   registerFaultConstants(registry, problem);
   for (auto const& [name, domain] : domains) {
     registerMotion(registry, problem, view, domain);

@@ -2,6 +2,7 @@
 //
 //   S w p_t = div(k w / eta grad p) + q,    sigma_eff = max(0, sigma - p)
 //
+// and flows with Darcy's velocity -k / eta grad p,
 // with the storage S (compressibility times porosity), the width w, the permeability k, the
 // viscosity eta and the rates q of wells, on the surface of the fault.
 #include "base/Errors.hpp"
@@ -72,6 +73,7 @@ public:
   PorePressure(Teuchos::ParameterList const& parameters, FaultProcessContext const& context)
       : communicator_(context.surface.communicator())
       , inflow_(std::make_unique<Inflow>(parameters, context))
+      , mesh_(context.mesh)
   {
     requireGiven(parameters, context.path);
     NodalValues storage, mobility;
@@ -85,7 +87,9 @@ public:
       auto const fixed = context.values("Fixed Where");
       for (std::size_t i = 0; i < storage.size(); ++i) {
         storage[i] *= width[i] * context.surface[static_cast<int>(i)].weight;
-        mobility[i] *= width[i] / viscosity[i];
+        mobility[i] /= viscosity[i];
+        mobility_.push_back(mobility[i]);
+        mobility[i] *= width[i];
         is_fixed.push_back(fixed[i] > 0);
       }
     });
@@ -115,6 +119,14 @@ public:
     diffusion_->advance(tau, from.at(field_name), q, to.at(field_name));
   }
 
+  std::vector<ObservedField> observed() const override
+  {
+    return {
+      {{"darcy_velocity", "volume of fluid that flows along the fault per time and area", "m/s"},
+       mesh_->numCorners(),
+       [this](State const& state) { return darcyVelocity(state.at(field_name)); }}};
+  }
+
   void act(State const& state, NodeView const&, NodeView const& sigma_n) const override
   {
     relieve(sigma_n, state.at(field_name));
@@ -130,9 +142,25 @@ private:
     }
   }
 
+  // (num_nodes, dimension) along the axes.
+  NodalValues darcyVelocity(ConstNodeView const& p) const
+  {
+    auto const host = toHost(p);
+    auto const gradient = mesh_->gradient({host.data(), host.data() + host.extent(0)});
+    NodalValues velocity;
+    for (std::size_t i = 0; i < gradient.size(); ++i) {
+      if (static_cast<int>(i % 3) < mesh_->numCorners()) {
+        velocity.push_back(-mobility_[i / 3] * gradient[i]);
+      }
+    }
+    return velocity;
+  }
+
   RCP<const Communicator> communicator_;
   NodalValues start_;
   std::unique_ptr<Inflow> inflow_;
+  std::shared_ptr<const fem::FaultMesh> mesh_;
+  NodalValues mobility_; // (num_nodes) k / eta [m^2/(Pa s)]
   std::unique_ptr<DiffusionStep> diffusion_;
 };
 

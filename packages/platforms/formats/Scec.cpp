@@ -8,6 +8,9 @@ namespace asperity::platforms
 {
 namespace
 {
+// Thermal pressurisation, the only process of this platform that changes the normal stress.
+bool isHot(io::FieldRegistry const& fields) { return fields.hasField("fault", "fluid_pressure"); }
+
 // theta where the state law has it, psi where friction depends on that, else no state.
 void addState(Columns& columns, io::FieldRegistry const& fields)
 {
@@ -17,6 +20,16 @@ void addState(Columns& columns, io::FieldRegistry const& fields)
   } else if (fields.hasField("fault", "psi")) {
     columns.push_back(
       {"state variable psi (dimensionless)", "psi", "psi", first_component, unchanged});
+  }
+}
+
+void addHeat(Columns& columns, io::FieldRegistry const& fields)
+{
+  if (isHot(fields)) {
+    columns.push_back(
+      {"temperature (K)", "temperature", "temperature", first_component, unchanged});
+    columns.push_back(
+      {"pore pressure (MPa)", "pressure", "fluid_pressure", first_component, megapascal});
   }
 }
 
@@ -36,8 +49,10 @@ Columns scecFault(ModelView const& view, io::FieldRegistry const& fields)
     {"vertical slip (m)", "v-slip", down("slip"), v, unchanged},
     {"vertical slip rate (m/s)", "v-slip-rate", down(rate), v, unchanged},
     {"vertical shear stress (MPa)", "v-shear-stress", down("traction"), v, megapascal},
-    {"normal stress (MPa)", "n-stress", "normal_stress", first_component, megapascal}};
+    {isHot(fields) ? "effective normal stress (MPa)" : "normal stress (MPa)", "n-stress",
+     isHot(fields) ? "effective_normal_stress" : "normal_stress", first_component, megapascal}};
   addState(columns, fields);
+  addHeat(columns, fields);
   return columns;
 }
 

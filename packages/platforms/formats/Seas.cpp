@@ -8,23 +8,38 @@ namespace asperity::platforms
 {
 namespace
 {
-Columns seasFaultInSpace(catalogue::FaultPlane const& plane)
+bool hasFluid(io::FieldRegistry const& fields) { return fields.hasField("fault", "pore_pressure"); }
+
+constexpr char const* of_darcy = "darcy_velocity";
+const Column pressure_column{"Pore pressure (MPa)", "pore_pressure", "pore_pressure",
+                             first_component, megapascal};
+const Column state_column{"State (log10 s)", "state", "theta", first_component, decimalLogarithm};
+
+Columns seasFaultInSpace(catalogue::FaultPlane const& plane, io::FieldRegistry const& fields)
 {
-  return {
+  Columns columns{
     {"Slip along strike (m)", "slip_2", "slip", plane.strike, unchanged},
     {"Slip down dip (m)", "slip_3", "slip", plane.dip, unchanged},
     {"Slip rate along strike (log10 m/s)", "slip_rate_2", "slip_velocity", plane.strike,
      logarithmOfSize},
     {"Slip rate down dip (log10 m/s)", "slip_rate_3", "slip_velocity", plane.dip, logarithmOfSize},
     {"Shear stress along strike (MPa)", "shear_stress_2", "traction", plane.strike, megapascal},
-    {"Shear stress down dip (MPa)", "shear_stress_3", "traction", plane.dip, megapascal},
-    {"State (log10 s)", "state", "theta", first_component, decimalLogarithm}};
+    {"Shear stress down dip (MPa)", "shear_stress_3", "traction", plane.dip, megapascal}};
+  if (hasFluid(fields)) {
+    columns.insert(
+      columns.end(),
+      {pressure_column,
+       {"Darcy velocity along strike (m/s)", "darcy_vel_2", of_darcy, plane.strike, unchanged},
+       {"Darcy velocity down dip (m/s)", "darcy_vel_3", of_darcy, plane.dip, unchanged}});
+  }
+  columns.push_back(state_column);
+  return columns;
 }
 
-Columns seasFault(ModelView const& view)
+Columns seasFault(ModelView const& view, io::FieldRegistry const& fields)
 {
   if (view.plane) {
-    return seasFaultInSpace(*view.plane);
+    return seasFaultInSpace(*view.plane, fields);
   }
   const Direction slip{view.thrust_sign, 0, 0};
   Columns columns{
@@ -35,7 +50,12 @@ Columns seasFault(ModelView const& view)
     columns.push_back(
       {"Normal stress (MPa)", "normal_stress", "normal_stress", first_component, megapascal});
   }
-  columns.push_back({"State (log10 s)", "state", "theta", first_component, decimalLogarithm});
+  if (view.antiplane && hasFluid(fields)) {
+    columns.insert(
+      columns.end(),
+      {pressure_column, {"Darcy velocity down (m/s)", "darcy_vel", of_darcy, down, unchanged}});
+  }
+  columns.push_back(state_column);
   return columns;
 }
 
@@ -102,8 +122,8 @@ public:
     if (auto const* receivers = offers.find<catalogue::Receivers>()) {
       addStations(
         *files, platform, context, *receivers,
-        [](ModelView const& view) {
-          return Stations::Kind{"fltst_", "on fault", seasFault(view)};
+        [&context](ModelView const& view) {
+          return Stations::Kind{"fltst_", "on fault", seasFault(view, context.fields)};
         },
         [](ModelView const& view) {
           return Stations::Kind{seasBodyPrefix(view), "off fault", seasBody(view)};

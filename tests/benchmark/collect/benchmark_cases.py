@@ -130,11 +130,11 @@ THRUST = (
 )
 
 # Of square_core.py with elements of 500 m: arrival [s], peak rate [m/s], slip after 60 s [m].
-PLACES = {"strk+00dp10": ("(0, 10 km)", 26.28, 0.874, 6.96),
-          "strk+16dp10": ("(16 km, 10 km)", 33.77, 0.985, 6.19),
-          "strk+00dp00": ("(0, 0)", 40.17, 0.663, 4.58),
-          "strk+16dp00": ("(16 km, 0)", 45.72, 0.511, 3.52),
-          "strk-24dp00": ("(-24 km, 0)", 47.48, 0.256, 2.07)}
+PLACES = {"strk+00dp+10": ("(0, 10 km)", 26.28, 0.874, 6.96),
+          "strk+16dp+10": ("(16 km, 10 km)", 33.77, 0.985, 6.19),
+          "strk+00dp+00": ("(0, 0)", 40.17, 0.663, 4.58),
+          "strk+16dp+00": ("(16 km, 0)", 45.72, 0.511, 3.52),
+          "strk-24dp+00": ("(-24 km, 0)", 47.48, 0.256, 2.07)}
 BP5 = (
     *(Quantity(f"1 cm/s reached at {place}", "s", of.first_fast(name), arrival, ".1f")
       for name, (place, arrival, _, _) in PLACES.items()),

@@ -13,11 +13,11 @@ LENGTH, DEPTH = 100e3, 40e3  # of the fault with friction [m]
 END = 90  # s
 # Receiver: where it is, along strike and down [m]; with cells of 500 m when it slips at 1 cm/s [s],
 # its peak rate [m/s], its slip after 60 s [m]. Limits chosen when these had been found.
-PLACES = {"strk+00dp10": ((0, 10e3), (26.28, 0.874, 6.96)),
-          "strk+16dp10": ((16e3, 10e3), (33.77, 0.985, 6.19)),
-          "strk+00dp00": ((0, 0), (40.17, 0.663, 4.58)),
-          "strk+16dp00": ((16e3, 0), (45.72, 0.511, 3.52)),
-          "strk-24dp00": ((-24e3, 0), (47.48, 0.256, 2.07))}
+PLACES = {"strk+00dp+10": ((0, 10e3), (26.28, 0.874, 6.96)),
+          "strk+16dp+10": ((16e3, 10e3), (33.77, 0.985, 6.19)),
+          "strk+00dp+00": ((0, 0), (40.17, 0.663, 4.58)),
+          "strk+16dp+00": ((16e3, 0), (45.72, 0.511, 3.52)),
+          "strk-24dp+00": ((-24e3, 0), (47.48, 0.256, 2.07))}
 LIMIT = 0.01
 
 

@@ -9,8 +9,8 @@ import numpy
 from sequence import check
 
 # Receiver: when it slips at 1 cm/s [s], its peak rate [m/s], its slip after 60 s [m].
-PLACES = {"strk+00dp10": (26.28, 0.874, 6.96), "strk+16dp10": (33.77, 0.985, 6.19),
-          "strk+00dp00": (40.17, 0.663, 4.58), "strk+16dp00": (45.72, 0.511, 3.52)}
+PLACES = {"strk+00dp+10": (26.28, 0.874, 6.96), "strk+16dp+10": (33.77, 0.985, 6.19),
+          "strk+00dp+00": (40.17, 0.663, 4.58), "strk+16dp+00": (45.72, 0.511, 3.52)}
 ARRIVED = 0.01  # m/s
 
 

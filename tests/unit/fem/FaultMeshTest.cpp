@@ -141,6 +141,34 @@ TEST(FaultMesh, InsideTheBodyHasItsTips)
   EXPECT_NEAR(sumOf(p, inside.product(*K, p)), 2 * 1, 1e-12);
 }
 
+TEST(FaultMesh, OfALinearFunctionHasItsGradientAtEveryNode)
+{
+  const auto expect = [](std::vector<double> const& gradient, Place const& all_over) {
+    for (std::size_t i = 0; i < gradient.size(); ++i) {
+      EXPECT_NEAR(gradient[i], all_over[i % 3], 1e-12);
+    }
+  };
+  const Meshed<2> line(rectangle(0.3), "bottom", OtherSide::rigid_foundation);
+  auto const c = std::cos(0.3), s = std::sin(0.3);
+  expect(line.mesh->gradient(line.at([&](Place const& x) { return 5 * (c * x[0] + s * x[1]); })),
+         {5 * c, 5 * s, 0});
+  const Meshed<3> square(uniformCube(4), "top", OtherSide::rigid_foundation);
+  expect(
+    square.mesh->gradient(square.at([](Place const& x) { return 3 * x[0] - 4 * x[1] + 2 * x[2]; })),
+    {3, -4, 0});
+}
+
+TEST(FaultMesh, AtAKinkHasTheMeanOfTheGradientsBesideIt)
+{
+  const Meshed<2> line(rectangle(0), "bottom", OtherSide::rigid_foundation);
+  auto const p = line.at([](Place const& x) { return std::abs(x[0] - 1); });
+  auto const gradient = line.mesh->gradient(p);
+  for (int node = 0; node < line.surface->numNodes(); ++node) {
+    const double x = (*line.surface)[node].place[0];
+    EXPECT_NEAR(gradient[3 * node], std::abs(x - 1) < 1e-9 ? 0 : (x < 1 ? -1 : 1), 1e-12) << x;
+  }
+}
+
 TEST(FaultMesh, SharesAPointAmongTheNodesOfItsFacet)
 {
   const Meshed<3> square(uniformCube(4), "top", OtherSide::rigid_foundation);

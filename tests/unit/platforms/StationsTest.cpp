@@ -75,6 +75,46 @@ TEST(Stations, FilesForSeas)
   });
 }
 
+TEST(Stations, WaterInTheFaultAddsItsPressureAndFlowForSeas)
+{
+  test::TemporaryDirectory directory;
+  Fault fault(1); // antiplane
+  fault.add("fault", "pore_pressure", 1, [](double const* x, int) { return 1e6 + 1e7 * x[0]; });
+  fault.add("fault", "darcy_velocity", 2, [](double const*, int c) { return c == 0 ? 9 : -2e-7; });
+  OutputSet outputs(deck("SEAS"), fault.context(directory.path()));
+  run(fault, outputs);
+  test::onRankZero([&] {
+    const auto lines = test::dataLines(directory / "seas/fltst_dp003");
+    EXPECT_EQ(lines[0], "t slip slip_rate shear_stress pore_pressure darcy_vel state");
+    EXPECT_EQ(lines[1], " 0.00000000000000E+00   0.000000E+00  -5.228787E-01   3.000000E-01"
+                        "   4.000000E+00   2.000000E-07   8.000000E+00");
+    test::expectParts(test::contents(directory / "seas/fltst_dp003"),
+                      {"# Column #5 = Pore pressure (MPa)\n"
+                       "# Column #6 = Darcy velocity down (m/s)\n"
+                       "# Column #7 = State (log10 s)\n"});
+  });
+}
+
+TEST(Stations, ThermalPressurisationAddsTemperatureAndPressureForScec)
+{
+  test::TemporaryDirectory directory;
+  Fault fault;
+  fault.add("fault", "temperature", 1, [](double const* x, int) { return 500 + 10 * x[0]; });
+  fault.add("fault", "fluid_pressure", 1, [](double const*, int) { return 8e7; });
+  fault.add("fault", "effective_normal_stress", 1, [](double const*, int) { return 4.5e7; });
+  OutputSet outputs(deck("SCEC"), fault.context(directory.path()));
+  run(fault, outputs);
+  test::onRankZero([&] {
+    const auto lines = test::dataLines(directory / "scec/faultdp003");
+    EXPECT_EQ(lines[0], "t h-slip h-slip-rate h-shear-stress v-slip v-slip-rate v-shear-stress "
+                        "n-stress log-theta temperature pressure");
+    test::expectParts(lines[1], {"   4.500000E+01   8.000000E+00   5.030000E+02   8.000000E+01"});
+    test::expectParts(test::contents(directory / "scec/faultdp003"),
+                      {"# Column #8 = effective normal stress (MPa)\n",
+                       "# Column #10 = temperature (K)\n# Column #11 = pore pressure (MPa)\n"});
+  });
+}
+
 TEST(Stations, InPlaneStrainSeasTakesNormalStressAndTwoComponents)
 {
   test::TemporaryDirectory directory;

@@ -7,9 +7,14 @@ using test::position;
 
 namespace
 {
-void run(std::filesystem::path const& directory, std::string const& platform)
+void run(std::filesystem::path const& directory, std::string const& platform,
+         bool has_water = false)
 {
   test::VerticalFault fault;
+  if (has_water) {
+    fault.add("fault", "pore_pressure", 1, [](double const*, int) { return 3e6; });
+    fault.add("fault", "darcy_velocity", 3, [](double const*, int c) { return 1e-7 * (c + 1); });
+  }
   auto list = test::deckWith("Receivers", platform);
   auto& receivers = list.sublist("Receivers");
   receivers.sublist("On Fault").set("st12dp07", position({0., -0.7, 1.2}));
@@ -36,6 +41,20 @@ TEST(SurfaceStations, FilesForSeas)
     EXPECT_EQ(body[0], "t disp_1 disp_2 disp_3 vel_1 vel_2 vel_3");
     EXPECT_EQ(body[1], " 0.00000000000000E+00   3.000000E-01   4.000000E-01   2.100000E+00"
                        "   1.000000E+00   3.000000E+00  -2.000000E+00");
+  });
+}
+
+TEST(SurfaceStations, WaterFlowsAlongStrikeAndDownDip)
+{
+  test::TemporaryDirectory directory;
+  constexpr bool has_water = true;
+  run(directory.path(), "SEAS", has_water);
+  test::onRankZero([&] {
+    const auto on_fault = test::dataLines(directory / "seas/fltst_st12dp07");
+    EXPECT_EQ(on_fault[0], "t slip_2 slip_3 slip_rate_2 slip_rate_3 shear_stress_2 shear_stress_3 "
+                           "pore_pressure darcy_vel_2 darcy_vel_3 state");
+    test::expectParts(on_fault[1],
+                      {"  -2.200000E+00   3.000000E+00   3.000000E-07  -2.000000E-07   8.000000"});
   });
 }
 

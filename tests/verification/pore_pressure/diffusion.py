@@ -1,5 +1,5 @@
-"""The pressure that line.xml gives along a fault, against that of a line source; what ranks and
-restarts change in it; fixed pressure; the volume in a surface; what is refused or asked."""
+"""The pressure and the flow that line.xml gives along a fault, against those of a line source; what
+ranks and restarts change; fixed pressure; the volume in a surface; what is refused or asked."""
 
 import math
 import pathlib
@@ -13,7 +13,7 @@ DECK = pathlib.Path(__file__).with_name("line.xml")
 DAY = 86400.0
 SHUT_IN = 100 * DAY
 DIFFUSIVITY, STORAGE, RATE = 0.1, 1e-9, 1.25e-6  # m^2/s, 1/Pa, m/s
-LINE_SOURCE = 0.005  # of 6.555 MPa, with cells of 100 m
+LINE_SOURCE = 0.005  # of 6.555 MPa, and of half the rate, with cells of 100 m
 ON_RANKS = 1e-9      # of the largest pressure
 VOLUME = 1e-6        # of what is pumped in; pressures are written with 7 digits
 PORE = "Friction/Pore Pressure"
@@ -26,6 +26,11 @@ def pressure_since(t, z):
     x = abs(z) / math.sqrt(4 * DIFFUSIVITY * t)
     growth = math.exp(-x**2) / math.sqrt(math.pi) - x * math.erfc(x)
     return RATE / STORAGE * math.sqrt(t / DIFFUSIVITY) * growth
+
+
+def flow_since(t, z):
+    """Half the rate of the source goes to each side."""
+    return RATE / 2 * math.erfc(z / math.sqrt(4 * DIFFUSIVITY * t)) if t > 0 else 0.0
 
 
 def exact(t, z):
@@ -55,7 +60,16 @@ def line_source():
     late = times > 20 * DAY
     expected = numpy.array([[exact(t, 0), exact(t, 500)] for t in times[late]])
     error = numpy.abs(found[late, :2] - expected).max() / 6.555e6
-    return found, [verdict("line source", error, LINE_SOURCE)]
+    return found, [verdict("line source", error, LINE_SOURCE), flow(late)]
+
+
+def flow(late):
+    """At 500 m, where it goes along x."""
+    history = asperity_run.series(pathlib.Path("whole") / "receivers.h5")
+    found = history["on_fault/fields/darcy_velocity"][late, 1]
+    expected = [flow_since(t, 500) - flow_since(t - SHUT_IN, 500) for t in history["time"][late]]
+    return verdict("flow from a line source", numpy.abs(found[:, 0] - expected).max() / (RATE / 2)
+                   + numpy.abs(found[:, 1]).max(), LINE_SOURCE)
 
 
 def ranks_and_restarts(whole):
@@ -78,9 +92,13 @@ def fixed():
                              f"{PORE}/Wells/W1/Rate": 0, f"{PORE}/Permeability": 1e-8,
                              f"{PORE}/Initial Pressure": 3e5})
     mobility = 2 * 1e-8 / 1e-3
+    rate = asperity_run.series(pathlib.Path("fixed") / "receivers.h5")[
+        "on_fault/fields/darcy_velocity"][-1, :2, 0]
     expected = [3e5 + 1e-7 / mobility * (2e4 * x - x**2 / 2) for x in (1e4, 1.05e4, 0)]
+    flow_to_left = [1e-7 / 2 * (1e4 - x) for x in (0, 500)]  # of what flows in beyond, 2 m wide
     return [verdict("drained at one end",
-                    numpy.abs(found[-1] - expected).max() / max(expected), 1e-9)]
+                    numpy.abs(found[-1] - expected).max() / max(expected), 1e-9),
+            verdict("flow to it", numpy.abs(rate / flow_to_left + 1).max(), 1e-6)]
 
 
 def volume_on_a_surface():
