@@ -1,9 +1,7 @@
 // Bodies whose rock yields, without a deck.
 
-#include "dynamics/observables/EnergyBalance.hpp"
 #include "fem/inelastic/InelasticCells.hpp"
-#include "unit/dynamics/QuasiDynamicModel.hpp"
-#include "unit/dynamics/SlidingBlock.hpp"
+#include "unit/dynamics/ShearedLayer.hpp"
 
 #include <gtest/gtest.h>
 
@@ -15,23 +13,14 @@ using namespace testing;
 
 namespace
 {
-constexpr double height = 0.3, width = 0.4;       // m
 constexpr double there = 8, rate = 1e-3;          // s; m/s, of the top: there, then back
 constexpr double strength = 300, hardening = 2e3; // Pa
 
-// Antiplane, on a base that does not slip.
-ModelOptions shearedLayer()
+ModelOptions yieldingLayer()
 {
-  ModelOptions options;
-  options.components = 1;
-  options.mesh = fem::testing::uniformRectangle(4, 3, width, height);
-  fem::testing::distort(options.mesh, 0.02);
-  options.material = {900, 0.05e6, 0.023e6, 0, 0};
-  options.sigma_n = 1e9;
+  auto options = ShearedLayer::options([](double t) { return t <= there ? rate : -rate; });
   options.yield = "Von Mises";
   options.strength = {strength, hardening, 0};
-  auto const drive = [](auto const&, double t) { return t <= there ? rate : -rate; };
-  options.conditions = {{"Drive", "top", fem::PrescribedVelocity<2>{{1}, drive}}};
   return options;
 }
 
@@ -51,47 +40,27 @@ double sheared(double change, double G, double& stress, double& gamma)
 // Loading, unloading and yielding in the other direction; the energy goes where the stress says.
 TEST(Yield, GivesTheStressOfAShearedLayer)
 {
-  auto const options = shearedLayer();
+  auto const options = yieldingLayer();
   const double G = options.material.shear_modulus;
-  const testing::Model model(options, fem::testing::selfCommunicator());
-  auto const body = quasiDynamic(model);
-  const DyadicTime clock(4, 4);
-  CoupledStep step(body.body, body.fault, RateUpdate::backwardEuler(), clock, tightCoupling(),
-                   tightSettings(), 1u << 30);
-  EnergyBalance balance(body.body, body.fault, clock);
-  auto state = body.initial.clone();
-  Tpetra::deep_copy(*state.u, *body.body.vector());
-  balance.start(state);
-  SolveCount count;
-  auto forces = body.body.noForces();
+  ShearedLayer layer(options);
   double stress = 0, gamma = 0, work = 0;
   for (int level : {1, 2, 3, 4, 4, 1, 1, 0, 0, 2, 1, 0, 0}) {
-    auto next = state.clone();
-    ASSERT_TRUE(step.solve(state, level, next, count).solved());
-    state = next;
-    balance.advance(state);
-
-    const double tau = clock.stepSize(level);
-    const bool is_forth = clock.seconds(state.time) <= there;
+    const double t = layer.advance(level), tau = layer.clock.stepSize(level);
     const double before = stress, gamma_before = gamma;
-    sheared((is_forth ? rate : -rate) * tau / height, G, stress, gamma);
-    work += width * height * (gamma - gamma_before) * std::abs(before + stress) / 2;
-    body.body.computeForces(state.motion(), forces);
-    double pull = 0; // of the top, N/m
-    for (int dof : body.body.held.owned()) {
-      pull += denseOf(*forces.elastic)[dof];
-    }
-    EXPECT_NEAR(pull / width, stress, 1e-10 * strength) << clock.seconds(state.time);
-    auto const shear = toHost(state.inelastic->shear);
+    sheared((t <= there ? rate : -rate) * tau / ShearedLayer::height, G, stress, gamma);
+    work += ShearedLayer::width * ShearedLayer::height * (gamma - gamma_before) *
+            std::abs(before + stress) / 2;
+    EXPECT_NEAR(layer.stressAtTop(), stress, 1e-10 * strength) << t;
+    auto const shear = toHost(layer.state.inelastic->shear);
     for (int cell = 0; cell < shear.extent_int(0); ++cell) {
       EXPECT_NEAR(shear(cell, 0), gamma, 1e-10 * strength / G);
     }
   }
   ASSERT_GT(gamma, 0.03);
-  auto const& energy = balance.energy();
+  auto const& energy = layer.balance.energy();
   EXPECT_NEAR(energy.inelastic_work, work, 1e-9 * work);
   EXPECT_NEAR(energy.defect, 0, 1e-9 * work);
-  EXPECT_EQ(count.rises, 0);
+  EXPECT_EQ(layer.count.rises, 0);
 }
 
 // With inertia, friction, viscosity and gravity beside it, whatever the steps, in all dimensions.
@@ -125,7 +94,7 @@ TEST(Yield, TakesTheEnergyThatLeavesABlockInSpace)
 // A block that yields does not bear the stress of a static start.
 TEST(Yield, NamesTheCellThatCannotBearItsStress)
 {
-  auto options = shearedLayer();
+  auto options = yieldingLayer();
   options.initial_stress = {0, 250};
   const testing::Model model(options, fem::testing::selfCommunicator());
   auto const u = model.body.vector();
