@@ -116,8 +116,9 @@ class Orders(FolderCase):
         self.assertEqual(order.of_counts([8, 6, 5], 2.0).error, 3.0)
 
     def test_equal_and_missing_values(self):
-        self.assertEqual(order.estimate([5.0] * 3, 2.0),
-                         order.Estimate(limit=5.0, error=0.0, note=order.EQUAL))
+        found = order.estimate([5.0] * 3, 2.0)
+        self.assertEqual((found.limit, found.error, found.note), (5.0, 0.0, order.EQUAL))
+        self.assertTrue(np.isnan(found.order))
         found = order.estimate([5.0, np.nan, 4.0], 2.0)
         self.assertEqual(found.note, order.MISSING)
         self.assertTrue(np.isnan(found.error))
