@@ -34,8 +34,8 @@ kokkos=$work/kokkos
 # A state of apt of its own, so that the system's lists stay as they are.
 download()
 {
-  # shellcheck disable=SC2016 # apt's own names
   local archive
+  # shellcheck disable=SC2016 # apt's own names
   archive=$(apt-get indextargets --format '$(REPO_URI) $(COMPONENT)' 2> /dev/null |
     awk '$2 == "main" && $1 ~ /debian\/?$/ { print $1; exit }')
   [ -n "$archive" ] || skip "apt names no archive of Debian"
@@ -96,5 +96,6 @@ if [ ! -d "$kokkos" ]; then
 fi
 export -f compile
 export nvcc arch work kokkos top
+# shellcheck disable=SC2016 # expanded by the inner shell
 find "$top/packages/friction" "$top/packages/multigrid" -name '*.cpp' -print0 | sort -z |
   xargs -0 -n 1 -P "$jobs" bash -c 'compile "$1"' _ || exit 1
