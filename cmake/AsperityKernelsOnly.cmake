@@ -1,6 +1,6 @@
 # ASPERITY_KERNELS_ONLY: packages/friction and multigrid, the package that they include, and their
-# tests, with Kokkos 3.4 or newer. Neither Trilinos nor MPI is looked for,
-# and nothing is installed.
+# tests, with Kokkos 3.4 or newer and Eigen. Neither Trilinos nor MPI is looked for, and nothing is
+# installed.
 set(ASPERITY_ENABLE_INSTALL OFF)
 set(ASPERITY_PRECOMPILED_HEADERS OFF)
 include(AsperityKokkos)

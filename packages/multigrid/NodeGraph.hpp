@@ -100,8 +100,8 @@ struct NodeGraph : DeviceGraph
 // whole by a processor, twice.
 struct MatrixGraph : DeviceGraph
 {
-  IndexView lower,
-    upper;            // (num_rows + 1) where a row's couplings with earlier and later nodes begin
+  IndexView lower;    // (num_rows + 1) where a row's couplings with earlier nodes begin
+  IndexView upper;    // (num_rows + 1) where those with later nodes and ghosts begin
   IndexView diagonal; // (num_rows) the coupling with itself, or -1
 
   MatrixGraph() = default;

@@ -36,8 +36,9 @@ struct RowOfColour
 };
 } // namespace detail
 
-// In which order, and how many at once, the rows of a level are worked on. With chunks what is done
-// depends on their number alone, with colours on nothing: runs on equally many threads are equal.
+// In which order, and how many at once, the rows of a level are worked on. With chunks a sweep
+// depends on their number, and so on the number of threads; with colours it does not, but sums may
+// differ in their last bits.
 //
 // A row is a function object, to be called on the device, row(r, begin, end): r takes the rows from
 // `begin` to `end` in a sweep's order. What it takes from other rows is from before the sweep.

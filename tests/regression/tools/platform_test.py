@@ -67,7 +67,6 @@ class Accepted(unittest.TestCase):
         self.assertIn("faultst180dp075: is missing.", told)
         self.assertNotIn("line", told)
 
-
     def test_a_rupture_may_come_after_centuries(self):
         folder = run("bp1_qd")
         platform_damages.rows("rupture.dat", platform_damages.word(0, 2, "6.18E+09"))(folder)
