@@ -1,6 +1,7 @@
 #include "multigrid/AddedBlocks.hpp"
 
-#include <stdexcept>
+#include "multigrid/NodeKernels.hpp"
+
 #include <type_traits>
 
 namespace asperity::multigrid
@@ -76,14 +77,7 @@ template <class Work>
 void withSizes(int T, int N, Work const& work)
 {
   const auto withTangents = [&](auto tangents) {
-    switch (N) {
-    case 1: return work(tangents, std::integral_constant<int, 1>());
-    case 2: return work(tangents, std::integral_constant<int, 2>());
-    case 3: return work(tangents, std::integral_constant<int, 3>());
-    case 4: return work(tangents, std::integral_constant<int, 4>());
-    case 6: return work(tangents, std::integral_constant<int, 6>());
-    default: throw std::logic_error("multigrid: no kernels for this number of rigid motions");
-    }
+    withBlockSizes(N, N, [&](auto motions, auto) { work(tangents, motions); });
   };
   switch (T) {
   case 1: return withTangents(std::integral_constant<int, 1>());
@@ -109,7 +103,7 @@ AddedBlocks::AddedBlocks(HostAddedBlocks const& host, HostGraph const& level,
     : tangents_(host.graph.row_size)
     , motions_(host.graph.column_size)
     , Q_(onDevice(host.Q))
-    , rows_(onDevice(host.rows))
+    , rows_(indices(host.rows))
     , collect_(host.collect)
 {
   std::vector<int> place(level.numCouplings(), -1), couplings, mirrored;
@@ -152,16 +146,16 @@ AddedBlocks::AddedBlocks(HostAddedBlocks const& host, HostGraph const& level,
   });
   Kokkos::deep_copy(products, on_host);
   products_ = products;
-  couplings_ = onDevice(couplings);
-  mirrored_ = onDevice(mirrored);
-  first_product_ = onDevice(first);
+  couplings_ = indices(couplings);
+  mirrored_ = indices(mirrored);
+  first_product_ = indices(first);
 }
 
 void AddedBlocks::addTo(NodeBlocks const& A, HessianView const& H) const
 {
   auto all = H;
   if (collect_) {
-    const auto mine = onHost(H);
+    const auto mine = toHost(H);
     all = collected(collect_({mine.data(), mine.data() + mine.size()}), tangents_);
   }
   if (couplings_.extent(0) == 0) {

@@ -29,6 +29,11 @@ View makeNumbers(std::size_t size)
   return Kokkos::subview(all, std::make_pair(std::size_t(0), size));
 }
 
+inline IndexView indices(std::vector<int> const& host)
+{
+  return toDevice(host, "asperity::multigrid::indices");
+}
+
 // The same numbers where kernels run; no copy if that is the host.
 template <class Space = MemorySpace>
 FloatView<Space> onDevice(HostBlocks const& host)
@@ -40,21 +45,5 @@ FloatView<Space> onDevice(HostBlocks const& host)
     Kokkos::deep_copy(device, host);
     return device;
   }
-}
-
-inline IndexView onDevice(std::vector<int> const& host)
-{
-  const Kokkos::View<int*, MemorySpace> device("asperity::multigrid::indices", host.size());
-  const Kokkos::View<const int*, Kokkos::HostSpace, Kokkos::MemoryUnmanaged> from(host.data(),
-                                                                                  host.size());
-  Kokkos::deep_copy(device, from);
-  return device;
-}
-
-// A copy that the host can read.
-template <class View>
-auto onHost(View const& view)
-{
-  return Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace(), view);
 }
 } // namespace asperity::multigrid

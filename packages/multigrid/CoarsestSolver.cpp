@@ -31,7 +31,7 @@ void CoarsestSolver::sumIfShared(double* values, Eigen::Index count) const
 bool CoarsestSolver::factorise(MatrixGraph const& graph, NodeBlocks const& A)
 {
   const int size = graph.row_size;
-  const auto blocks = onHost(A);
+  const auto blocks = toHost(A);
   auto const& place = rows_.places;
   Eigen::MatrixXd matrix = Eigen::MatrixXd::Zero(rows_.num_rows, rows_.num_rows);
   graph.forEachCoupling([&](int row, int column, int k) {
@@ -65,7 +65,7 @@ void CoarsestSolver::solve(NodeVector const& b, NodeVector const& x) const
   if (factor_.rows() == 0) {
     return; // another rank has all rows
   }
-  const auto given = onHost(b);
+  const auto given = toHost(b);
   Eigen::VectorXd all = Eigen::VectorXd::Zero(factor_.rows());
   for (std::size_t i = 0; i < free_.size(); ++i) {
     all(rows_.places[i]) = free_[i] ? given(i) : 0;

@@ -59,7 +59,7 @@ Cycle::Cycle(std::shared_ptr<const Hierarchy> hierarchy, std::vector<double> con
     data_.emplace_back(level);
   }
   const int size = rowSize();
-  const IndexView given = onDevice(std::vector<int>(held.begin(), held.end()));
+  const IndexView given = indices({held.begin(), held.end()});
   const Kokkos::View<int**, Kokkos::LayoutRight, MemorySpace> rows(
     "asperity::multigrid::added", added.extent(0), added.extent(1));
   withNumbers(hierarchy_->rowOfNode(), size, [&](auto numbers) {
@@ -141,7 +141,7 @@ InvertFinest<N> Cycle::finestInversion() const
 bool Cycle::factorise(NodeBlocks const& A)
 {
   auto const& graph = hierarchy_->levels().back().graph;
-  const auto inverse = onHost(data_.back().inverse);
+  const auto inverse = toHost(data_.back().inverse);
   std::vector<char> free;
   for (std::size_t i = 0; i < graph.rows(); ++i) {
     const std::size_t row = i / graph.row_size, c = i % graph.row_size;

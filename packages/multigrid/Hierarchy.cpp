@@ -69,7 +69,7 @@ Hierarchy::Hierarchy(std::vector<HostLevel> levels, CoarsestRows coarsest, RowOr
       schedules.push_back(Schedule::inColours(colourRows(level, row_of_node[l], couplings[l])));
     }
   }
-  row_of_node_ = onDevice(row_of_node.front());
+  row_of_node_ = indices(row_of_node.front());
   levels_.reserve(levels.size());
   for (std::size_t l = 0; l < levels.size(); ++l) {
     auto level = std::exchange(levels[l], HostLevel());

@@ -55,8 +55,8 @@ int HostGraph::find(int row, int column) const
 Ghosts::Ghosts(GhostMessages const& messages, std::size_t first)
     : messages_{{}, {}, messages.share, messages.gather}
     , first_(first)
-    , sent_(onDevice(messages.sent))
-    , received_(onDevice(messages.received))
+    , sent_(indices(messages.sent))
+    , received_(indices(messages.received))
     , sent_values_(makeNumbers(messages.sent.size()))
     , received_values_(makeNumbers(messages.received.size()))
     , sent_on_host_(Kokkos::create_mirror_view(Kokkos::HostSpace(), sent_values_))
@@ -72,9 +72,9 @@ Ghosts::Ghosts(GhostMessages const& messages, std::size_t first)
     all.insert(all.end(), of_owner.begin(), of_owner.end());
     begins.push_back(static_cast<int>(all.size()));
   }
-  owners_ = onDevice(owners);
-  first_place_ = onDevice(begins);
-  places_ = onDevice(all);
+  owners_ = indices(owners);
+  first_place_ = indices(begins);
+  places_ = indices(all);
 }
 
 void Ghosts::share(NodeVector const& x) const
@@ -97,7 +97,7 @@ void Ghosts::gather(NodeVector const& x) const
 
 DeviceGraph::DeviceGraph(HostGraph const& host, std::vector<int> const& columns_in_order)
     : GraphSizes(host)
-    , columns(onDevice(columns_in_order))
+    , columns(indices(columns_in_order))
 {
   if (host.ghosts.share) {
     ghosts = std::make_shared<const Ghosts>(host.ghosts, static_cast<std::size_t>(host.num_owned) *
@@ -107,7 +107,7 @@ DeviceGraph::DeviceGraph(HostGraph const& host, std::vector<int> const& columns_
 
 NodeGraph::NodeGraph(HostGraph const& host)
     : DeviceGraph(host, host.columns)
-    , first(onDevice(host.first))
+    , first(indices(host.first))
 {
 }
 
@@ -139,40 +139,41 @@ struct Parts
       upper.push_back(upper.back() + count - before);
     }
   }
+
+  // (num couplings): the place of each of the host's couplings.
+  std::vector<int> order() const
+  {
+    std::vector<int> result;
+    result.reserve(upper.back());
+    const auto append = [&result](int begin, int end) {
+      for (int k = begin; k < end; ++k) {
+        result.push_back(k);
+      }
+    };
+    for (std::size_t row = 0; row < diagonal.size(); ++row) {
+      append(lower[row], lower[row + 1]);
+      append(diagonal[row], diagonal[row] >= 0 ? diagonal[row] + 1 : diagonal[row]);
+      append(upper[row], upper[row + 1]);
+    }
+    return result;
+  }
 };
 } // namespace
 
-std::vector<int> MatrixGraph::order(HostGraph const& host)
-{
-  const Parts parts(host);
-  std::vector<int> result;
-  result.reserve(host.columns.size());
-  for (int row = 0; row < host.num_rows; ++row) {
-    for (int k = parts.lower[row]; k < parts.lower[row + 1]; ++k) {
-      result.push_back(k);
-    }
-    if (parts.diagonal[row] >= 0) {
-      result.push_back(parts.diagonal[row]);
-    }
-    for (int k = parts.upper[row]; k < parts.upper[row + 1]; ++k) {
-      result.push_back(k);
-    }
-  }
-  return result;
-}
+std::vector<int> MatrixGraph::order(HostGraph const& host) { return Parts(host).order(); }
 
 MatrixGraph::MatrixGraph(HostGraph const& host)
 {
-  const auto places = order(host);
+  const Parts parts(host);
+  const auto places = parts.order();
   std::vector<int> in_order(host.columns.size());
   for (std::size_t k = 0; k < places.size(); ++k) {
     in_order[places[k]] = host.columns[k];
   }
   static_cast<DeviceGraph&>(*this) = DeviceGraph(host, in_order);
-  const Parts parts(host);
-  lower = onDevice(parts.lower);
-  upper = onDevice(parts.upper);
-  diagonal = onDevice(parts.diagonal);
+  lower = indices(parts.lower);
+  upper = indices(parts.upper);
+  diagonal = indices(parts.diagonal);
 }
 
 void DeviceGraph::share(NodeVector const& x) const

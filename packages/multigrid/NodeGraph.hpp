@@ -114,8 +114,8 @@ struct MatrixGraph : DeviceGraph
   template <class Work>
   void forEachCoupling(Work const& work) const
   {
-    const auto lower_ends = onHost(lower), upper_ends = onHost(upper), own = onHost(diagonal);
-    const auto column = onHost(columns);
+    const auto lower_ends = toHost(lower), upper_ends = toHost(upper), own = toHost(diagonal);
+    const auto column = toHost(columns);
     for (int row = 0; row < num_rows; ++row) {
       for (int k = lower_ends(row); k < lower_ends(row + 1); ++k) {
         work(row, column(k), k);

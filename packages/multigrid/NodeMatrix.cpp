@@ -112,9 +112,9 @@ TransposedProduct::TransposedProduct(HostGraph const& graph, Schedule const& sch
       couplings[place] = k;
     }
   }
-  first_ = onDevice(first);
-  rows_ = onDevice(rows);
-  couplings_ = onDevice(couplings);
+  first_ = indices(first);
+  rows_ = indices(rows);
+  couplings_ = indices(couplings);
 }
 
 void TransposedProduct::multiply(NodeGraph const& graph, Schedule const& schedule,

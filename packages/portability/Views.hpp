@@ -4,7 +4,11 @@
 
 #include <Kokkos_Core.hpp>
 
-// Views of what is known at the nodes of a fault, each indexed by the node's local number.
+#include <string>
+#include <vector>
+
+// Views of what is known at the nodes of a fault, each indexed by the node's local number, and the
+// ways of views to and from the host.
 namespace asperity
 {
 using NodeView = Kokkos::View<double*, MemorySpace>; // (num_nodes)
@@ -30,4 +34,32 @@ struct CoupledNodes
   ConstFlagView held;      // (num_nodes T): 1 where the force does not count
   ConstNodeView curvature; // (num_nodes), > 0, N s/m
 };
+
+// A copy where kernels run. Labels have the form "asperity::package::name".
+template <class T>
+Kokkos::View<T*, MemorySpace> toDevice(std::vector<T> const& values, std::string const& label)
+{
+  const Kokkos::View<const T*, Kokkos::HostSpace, Kokkos::MemoryUnmanaged> host(values.data(),
+                                                                                values.size());
+  const Kokkos::View<T*, MemorySpace> view(label, values.size());
+  Kokkos::deep_copy(view, host);
+  return view;
+}
+
+// A copy that the host can read; where kernels run on the host, the view itself.
+template <class View>
+auto toHost(View const& view)
+{
+  return Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace(), view);
+}
+
+// The numbers of a view (n).
+template <class View>
+auto toVector(View const& view)
+{
+  static_assert(View::rank == 1, "A vector holds the numbers of one dimension");
+  auto const host = toHost(view);
+  return std::vector<typename View::non_const_value_type>(host.data(),
+                                                          host.data() + host.extent(0));
+}
 } // namespace asperity

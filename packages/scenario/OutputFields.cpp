@@ -57,11 +57,9 @@ void registerAddedFields(io::FieldRegistry& registry, dynamics::State const& ini
 {
   for (auto const& field : initial.added) {
     auto const info = field.info;
-    registry.add(io::OutputField{info->name, info->unit, "The " + info->quantity + ".", "fault", 1,
-                                 [&view, name = info->name](Values& values) {
-                                   auto const host = toHost(view.state->at(name));
-                                   values.assign(host.data(), host.data() + host.extent(0));
-                                 }});
+    registry.add(io::OutputField{
+      info->name, info->unit, "The " + info->quantity + ".", "fault", 1,
+      [&view, name = info->name](Values& values) { values = toVector(view.state->at(name)); }});
   }
   for (auto const& process : fault.laws().processes) {
     for (auto const& field : process->observed()) {

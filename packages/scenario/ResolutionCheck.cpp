@@ -116,8 +116,7 @@ std::optional<dynamics::FaultResolution> faultResolution(Problem<Dim> const& pro
     }
   }
   of_nodes.L = *slip_distance;
-  auto const sigma_n = toHost(problem.fault.given(problem.initial).sigma_n);
-  of_nodes.sigma_n.assign(sigma_n.data(), sigma_n.data() + sigma_n.extent(0));
+  of_nodes.sigma_n = toVector(problem.fault.given(problem.initial).sigma_n);
   return dynamics::faultResolution(problem.mesh, *problem.surface, problem.components,
                                    problem.fault_materials, of_nodes);
 }

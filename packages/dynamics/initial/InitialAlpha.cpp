@@ -64,8 +64,7 @@ NodeView initialAlpha(Fault const& fault, AlphaAtStart kind, FaultAtStart const&
   const int num_nodes = surface.numNodes();
   const NodeView rates("asperity::dynamics::V", num_nodes);
   slipRate(surface, start.w, rates);
-  auto const on_host = toHost(rates);
-  const std::vector<double> V(on_host.data(), on_host.data() + num_nodes);
+  auto const V = toVector(rates);
   for (int node = 0; node < num_nodes; ++node) {
     ASPERITY_REQUIRE(V[node] > 0 || !surface.slides(node),
                      where(node) << " the initial slip rate is zero, for which there is no such "

@@ -17,12 +17,6 @@ Value const& once(std::optional<Value>& known, Compute const& compute)
   return *known;
 }
 
-FaultSample::Values onHost(ConstNodeView const& x)
-{
-  auto const host = toHost(x);
-  return {host.data(), host.data() + host.extent(0)};
-}
-
 BlockView blocksOf(fem::FaultSurface const& surface)
 {
   return BlockView("asperity::dynamics::blocks", surface.numNodes(), surface.numTangents());
@@ -79,7 +73,7 @@ FaultSample::Values FaultSample::written(ConstBlockView const& blocks, Factor co
 
 FaultSample::Values const& FaultSample::slipRate() const
 {
-  return once(known_.slip_rate, [this] { return onHost(rates()); });
+  return once(known_.slip_rate, [this] { return toVector(rates()); });
 }
 
 double FaultSample::peakSlipRate() const
@@ -89,18 +83,18 @@ double FaultSample::peakSlipRate() const
 
 FaultSample::Values const& FaultSample::alpha() const
 {
-  return once(known_.alpha, [this] { return onHost(state_->alpha); });
+  return once(known_.alpha, [this] { return toVector(state_->alpha); });
 }
 
 FaultSample::Values const& FaultSample::normalStress() const
 {
-  return once(known_.normal_stress, [this] { return onHost(state_->sigma_n); });
+  return once(known_.normal_stress, [this] { return toVector(state_->sigma_n); });
 }
 
 FaultSample::Values const& FaultSample::effectiveStress() const
 {
   return once(known_.effective_stress,
-              [this] { return onHost(balance_->fault().given(*state_).sigma_n); });
+              [this] { return toVector(balance_->fault().given(*state_).sigma_n); });
 }
 
 FaultSample::Values const& FaultSample::slip() const

@@ -145,8 +145,7 @@ private:
   // (num_nodes, dimension) along the axes.
   NodalValues darcyVelocity(ConstNodeView const& p) const
   {
-    auto const host = toHost(p);
-    auto const gradient = mesh_->gradient({host.data(), host.data() + host.extent(0)});
+    auto const gradient = mesh_->gradient(toVector(p));
     NodalValues velocity;
     for (std::size_t i = 0; i < gradient.size(); ++i) {
       if (static_cast<int>(i % 3) < mesh_->numCorners()) {

@@ -90,12 +90,6 @@ Values unknowns(Problem<Dim> const& problem, std::vector<int> const& vertices,
   return fem::unknownsOf(problem.constraints->frames(), std::move(vectors));
 }
 
-Values onHost(ConstNodeView const& x)
-{
-  auto const view = toHost(x);
-  return Values(view.data(), view.data() + view.size());
-}
-
 Values reordered(Values const& values, std::vector<std::size_t> const& order)
 {
   Values result;
@@ -197,7 +191,7 @@ void carryBody(Problem<Dim> const& other, State const& state, io::OutputDomain c
     [&](FieldInfo const& info, RCP<Vector> const& start) {
       auto const values = unknowns(problem, to.vertices, *carried++);
       archive.set("state/" + info.name, info.counts_from_start
-                                          ? sum(values, 1, onHost(dynamics::valuesOf(start)))
+                                          ? sum(values, 1, toVector(dynamics::valuesOf(start)))
                                           : values);
     },
     problem.initial);
@@ -225,14 +219,14 @@ void carryFault(Problem<Dim> const& other, State const& state, io::OutputDomain 
     [&](FieldInfo const& info, NodeView const& field, NodeView const& start,
         NodeView const& start_here) {
       auto const there =
-        info.counts_from_start ? sum(onHost(field), -1, onHost(start)) : onHost(field);
+        info.counts_from_start ? sum(toVector(field), -1, toVector(start)) : toVector(field);
       auto const values = along_fault({reordered(there, order_there)}, 1).front();
       Values here(order.size());
       for (std::size_t node = 0; node < values.size(); ++node) {
         here[order[node]] = values[node];
       }
       archive.set("state/" + info.name,
-                  info.counts_from_start ? sum(onHost(start_here), 1, here) : here);
+                  info.counts_from_start ? sum(toVector(start_here), 1, here) : here);
     },
     state, other.initial, problem.initial);
 }

@@ -12,7 +12,6 @@ FOLDERS = ["packages", "drivers", "tests", "examples"]
 COMPUTING = ["packages/multigrid", "packages/tnnmg", "packages/dynamics"]
 HOST = {
     "packages/multigrid/AddedBlocks.cpp": "set-up; MPI sends blocks of the fault from the host",
-    "packages/multigrid/Arrays.hpp": "the function onHost itself",
     "packages/multigrid/CoarsestSolver.cpp": "Eigen's dense factor, of the coarsest level",
     "packages/multigrid/Cycle.cpp": "which components of the coarsest level are free",
     "packages/multigrid/NodeGraph.cpp": "MPI sends ghosts from the host",
@@ -44,8 +43,8 @@ HOST = {
     "packages/dynamics/processes/PorePressure.cpp": "the nodes of the fault, for outputs",
     "packages/dynamics/coupling/RateSolver.cpp": "the direct solver, on Eigen's factors",
 }
-_TO_HOST = re.compile(r"\b(?:getLocalViewHost|getLocalMatrixHost|create_mirror_view\w*|toHost"
-                      r"|onHost)\b")
+_TO_HOST = re.compile(r"\b(?:getLocalViewHost|getLocalMatrixHost|create_mirror_view\w*|toHost)\b"
+                      r"|(?<!\.)\btoVector\b")
 _LAMBDA = re.compile(r"\bKOKKOS_(?:CLASS_)?LAMBDA\b")
 _SCOPE = re.compile(r"\b(?:class|struct)\s+(\w+)[^;()]*$")
 _FUNCTION = re.compile(r"(?:(\w+)::)?(~?\w+)\s*\($")

@@ -21,8 +21,7 @@ Values flow(std::string const& law, Values const& V, double dt, Values const& al
   const auto kernels = makeStateKernels(law, parametersOf(parameters));
   const NodeView result("result", V.size());
   EXPECT_EQ(kernels->flow(toDevice(V), dt, toDevice(alpha), result), 0);
-  const auto host = toHost(result);
-  return Values(host.data(), host.data() + host.extent(0));
+  return toVector(result);
 }
 
 Real referenceFlow(std::string const& law, Real V, Real dt, Real alpha)
@@ -94,8 +93,7 @@ TEST(Flow, SteadyStateIsFixedAndEverythingRunsThere)
   for (auto const& law : both_laws) {
     const NodeView view("steady", V.size());
     makeStateKernels(law, parametersOf(parameters))->steadyState(toDevice(V), view);
-    const auto host = toHost(view);
-    const Values steady(host.data(), host.data() + V.size());
+    const Values steady = toVector(view);
     for (std::size_t i = 0; i < V.size(); ++i) {
       EXPECT_NEAR(steady[i], std::log(reference_rate) - std::log(V[i]), 1e-13);
     }

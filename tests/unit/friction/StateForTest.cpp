@@ -13,8 +13,7 @@ Values stateFor(Fault const& fault, Values const& V, Values const& mu, int num_f
 {
   const auto alpha = toDevice(Values(V.size(), -777));
   EXPECT_EQ(fault.kernels->stateFor(toDevice(V), toDevice(mu), alpha), num_failed);
-  const auto host = toHost(alpha);
-  return {host.data(), host.data() + host.extent(0)};
+  return toVector(alpha);
 }
 
 TEST(StateFor, InvertsTheLawFromRestToFastSlip)

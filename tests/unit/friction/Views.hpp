@@ -2,6 +2,7 @@
 
 #include "friction/Types.hpp"
 
+#include <numeric>
 #include <vector>
 
 // Between vectors on the host and views on the device.
@@ -9,16 +10,7 @@ namespace asperity::friction::test
 {
 using Values = std::vector<double>;
 
-inline NodeView toDevice(Values const& values)
-{
-  const NodeView view("values", values.size());
-  const auto host = Kokkos::create_mirror_view(view);
-  for (std::size_t i = 0; i < values.size(); ++i) {
-    host(i) = values[i];
-  }
-  Kokkos::deep_copy(view, host);
-  return view;
-}
+inline NodeView toDevice(Values const& values) { return asperity::toDevice(values, "values"); }
 
 // One row of T values for each node.
 inline BlockView toDevice(std::vector<Values> const& rows)
@@ -48,20 +40,10 @@ inline ParameterView parametersOf(std::vector<Values> const& nodes)
   return view;
 }
 
-template <class View>
-auto toHost(View const& view)
-{
-  return Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace(), view);
-}
-
 inline IndexView allNodes(int num_nodes)
 {
-  const Kokkos::View<int*, MemorySpace> nodes("nodes", num_nodes);
-  const auto host = Kokkos::create_mirror_view(nodes);
-  for (int i = 0; i < num_nodes; ++i) {
-    host(i) = i;
-  }
-  Kokkos::deep_copy(nodes, host);
-  return nodes;
+  std::vector<int> nodes(num_nodes);
+  std::iota(nodes.begin(), nodes.end(), 0);
+  return asperity::toDevice(nodes, "nodes");
 }
 } // namespace asperity::friction::test

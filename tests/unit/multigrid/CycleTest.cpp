@@ -78,7 +78,7 @@ NodeVector numbers(Eigen::VectorXd const& values)
 
 Eigen::VectorXd valuesOf(NodeVector const& x)
 {
-  const auto host = onHost(x);
+  const auto host = toHost(x);
   return Eigen::Map<const Eigen::VectorXf>(host.data(), num_nodes).cast<double>();
 }
 
@@ -164,7 +164,7 @@ struct Chain
     Kokkos::deep_copy(removed, removed_on_host);
     std::vector<char> held(num_nodes, 0);
     held[last] = 1;
-    const auto dofs_on_device = onDevice(dofs);
+    const auto dofs_on_device = indices(dofs);
     cycle =
       std::make_unique<Cycle>(hierarchy, std::vector<double>{1}, Matrix(chain(diagonal)).blocks,
                               held, Cycle::Dofs(dofs_on_device.data(), num_nodes, 1));
@@ -223,7 +223,7 @@ struct Chain
   }
   static Eigen::VectorXd ofNodes(NodeView const& view)
   {
-    const auto host = onHost(view);
+    const auto host = toHost(view);
     return Eigen::Map<const Eigen::VectorXd>(host.data(), num_nodes);
   }
 
@@ -285,7 +285,7 @@ TEST(Schedule, HasRowsOfOneColourThatAreNotCoupled)
   const auto hierarchy = twoLevels(2.01, {RowOrder::colours, 1});
   auto const& level = hierarchy->levels()[0];
   EXPECT_EQ(level.schedule.numParts(), 2);
-  const auto row_of_node = onHost(hierarchy->rowOfNode());
+  const auto row_of_node = toHost(hierarchy->rowOfNode());
   constexpr int num_even = num_nodes / 2 + 1;
   for (int node = 0; node < last; ++node) {
     EXPECT_EQ(row_of_node(node), node / 2 + (node % 2 == 0 ? 0 : num_even));
@@ -362,7 +362,7 @@ TEST(AddedBlocks, AreAGalerkinProduct)
       fine(node, node) += Chain::blockAt(node);
     }
     const Eigen::MatrixXd expected = prolongator().transpose() * fine * prolongator();
-    const auto sum = onHost(A);
+    const auto sum = toHost(A);
     level.graph.forEachCoupling(
       [&](int row, int column, int k) { EXPECT_NEAR(sum(k), expected(row, column), 1e-6); });
   }

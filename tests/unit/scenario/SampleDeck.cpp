@@ -71,11 +71,7 @@ double steadyStress(double V)
   return 1e4 * a * std::asinh(V / (2 * reference_rate) * std::exp(state / a));
 }
 
-std::vector<double> valuesOf(ConstNodeView const& view)
-{
-  const auto host = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace(), view);
-  return {host.data(), host.data() + host.extent(0)};
-}
+std::vector<double> valuesOf(ConstNodeView const& view) { return toVector(view); }
 
 std::vector<double> valuesOf(Vector const& x)
 {

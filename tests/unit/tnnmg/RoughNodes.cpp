@@ -10,12 +10,6 @@ namespace asperity::tnnmg::testing
 {
 namespace
 {
-template <class View>
-auto onHost(View const& view)
-{
-  return Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace(), view);
-}
-
 using Block = std::vector<double>;
 
 template <class View>
@@ -99,10 +93,10 @@ template long double Roughness::minimiser(long double, long double) const;
 int RoughNodes::minimise(IndexView const& nodes, ConstNodeView const& curvature,
                          ConstBlockView const& r, BlockView const& v) const
 {
-  auto const which = onHost(nodes);
-  auto const c = onHost(curvature);
-  auto const forces = onHost(r);
-  auto const result = onHost(v);
+  auto const which = toHost(nodes);
+  auto const c = toHost(curvature);
+  auto const forces = toHost(r);
+  auto const result = toHost(v);
   for (std::size_t i = 0; i < which.extent(0); ++i) {
     const int node = which(i);
     auto const force = blockAt(forces, node);
@@ -118,12 +112,12 @@ int RoughNodes::minimise(IndexView const& nodes, ConstNodeView const& curvature,
 
 int RoughNodes::sweep(IndexView const& nodes, CoupledNodes const& system, BlockView const& v) const
 {
-  auto const which = onHost(nodes);
-  auto const Z = onHost(system.Z);
-  auto const r = onHost(system.r);
-  auto const held = onHost(system.held);
-  auto const c = onHost(system.curvature);
-  auto const result = onHost(v);
+  auto const which = toHost(nodes);
+  auto const Z = toHost(system.Z);
+  auto const r = toHost(system.r);
+  auto const held = toHost(system.held);
+  auto const c = toHost(system.curvature);
+  auto const result = toHost(v);
   const std::size_t T = v.extent(1);
   for (std::size_t i = 0; i < which.extent(0); ++i) {
     const int node = which(i);
@@ -149,10 +143,10 @@ int RoughNodes::sweep(IndexView const& nodes, CoupledNodes const& system, BlockV
 void RoughNodes::linearise(ConstBlockView const& v, BlockView const& gradient,
                            HessianView const& hessian, FlagView const& kinked) const
 {
-  auto const at = onHost(v);
-  auto const g = onHost(gradient);
-  auto const H = onHost(hessian);
-  auto const flag = onHost(kinked);
+  auto const at = toHost(v);
+  auto const g = toHost(gradient);
+  auto const H = toHost(hessian);
+  auto const flag = toHost(kinked);
   for (std::size_t node = 0; node < nodes_.size(); ++node) {
     auto const& rough = nodes_[node];
     auto const block = blockAt(at, node);
@@ -175,8 +169,8 @@ void RoughNodes::linearise(ConstBlockView const& v, BlockView const& gradient,
 
 double RoughNodes::slope(ConstBlockView const& v, ConstBlockView const& d, double t) const
 {
-  auto const start = onHost(v);
-  auto const direction = onHost(d);
+  auto const start = toHost(v);
+  auto const direction = toHost(d);
   double sum = 0;
   for (std::size_t node = 0; node < nodes_.size(); ++node) {
     auto const step = blockAt(direction, node);
@@ -190,8 +184,8 @@ double RoughNodes::slope(ConstBlockView const& v, ConstBlockView const& d, doubl
 
 EnergyChange RoughNodes::difference(ConstBlockView const& v, ConstBlockView const& d) const
 {
-  auto const start = onHost(v);
-  auto const direction = onHost(d);
+  auto const start = toHost(v);
+  auto const direction = toHost(d);
   EnergyChange result;
   for (std::size_t node = 0; node < nodes_.size(); ++node) {
     auto const& rough = nodes_[node];
