@@ -99,7 +99,7 @@ template <int Dim>
 std::optional<dynamics::FaultResolution> faultResolution(Problem<Dim> const& problem,
                                                          ParameterList const& friction)
 {
-  auto const nodes = faultNodes(problem.mesh, *problem.surface, friction);
+  auto const nodes = faultNodes(problem.mesh, *problem.surface);
   auto const sensitivity = sensitivities(friction, nodes);
   auto const drop = strengthDrops(friction, nodes);
   auto const slip_distance = slipDistances(friction, nodes);
@@ -158,14 +158,15 @@ std::vector<std::string> describe(dynamics::FaultResolution const& resolution,
           "state law '" +
           state_law + "'."};
   if (r.cells_per_zone < cells_of_any_shape && r.cell_height > high_cell) {
-    lines.push_back(
-      "Cells beside the fault are up to " + rounded(r.cell_height) +
-      " times as high as they are long. Lower cells resolve ruptures better with the "
-      "same nodes on the fault: 0.58 times as high as long in antiplane models, "
-      "about half as high as long in others." +
-      (mesh_type == "Rectangle" || mesh_type == "Box"
-         ? " The first cells of a " + mesh_type + " give all its cells their proportions."
-         : ""));
+    lines.push_back("Cells beside the fault are up to " + rounded(r.cell_height) +
+                    " times as high as they are long. Lower cells resolve ruptures better with the "
+                    "same nodes on the fault: 0.58 times as high as long in antiplane models, "
+                    "about half as high as long in others." +
+                    (mesh_type == "Rectangle"
+                       ? " The first cells of a Rectangle give all its cells their "
+                         "proportions."
+                     : mesh_type == "Box" ? " 'Flat Cells at' makes them in a Box."
+                                          : ""));
   }
   return lines;
 }

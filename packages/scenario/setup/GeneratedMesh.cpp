@@ -2,6 +2,7 @@
 
 #include "mesh/generation/Bisection.hpp"
 #include "mesh/generation/BoxMesh.hpp"
+#include "mesh/generation/FlatLayers.hpp"
 #include "mesh/generation/PeriodicMesh.hpp"
 #include "mesh/generation/RectangleMesh.hpp"
 #include "mesh/generation/WedgeMesh.hpp"
@@ -117,10 +118,44 @@ mesh::WedgeShape wedgeShape(ParameterList const& list, mesh::VertexLimit const& 
   return shape;
 }
 
+std::string flatCellsAt(int axis) { return std::string("Flat Cells at ") + "xyz"[axis]; }
+
+Declare& declareFlatCells(Declare& declare, int dimension)
+{
+  for (int axis = 0; axis < dimension; ++axis) {
+    declare.realArray(flatCellsAt(axis), optional, "m", Range::any(),
+                      std::string("Cells beside the planes at these ") + "xyz"[axis] +
+                        " are flat, as faults want them; see 'Flat Cell Height'.");
+  }
+  return declare.real(
+    "Flat Cell Height", 0.3, "-", Range::openClosed(0, 1),
+    "Layers of cells beside the planes of 'Flat Cells at' are this times as high as without that "
+    "entry, the next layers 1.5 times as much each, until they reach their own height. 'Cell Size' "
+    "sees the positions before.");
+}
+
+// list: of a mesh of this type
+template <int Dim>
+void flattenCells(ParameterList const& list, std::string const& type, GlobalMesh<Dim>& mesh)
+{
+  for (int axis = 0; axis < Dim; ++axis) {
+    auto const name = flatCellsAt(axis);
+    if (isGiven(list, name)) {
+      auto const where = joinPath(joinPath(mesh_path, type), name);
+      ASPERITY_REQUIRE(mesh.period[axis] == 0,
+                       where << " needs a mesh that is not periodic along this axis.");
+      mesh::flattenLayers(mesh,
+                          {axis, list.get<Teuchos::Array<double>>(name).toVector(),
+                           list.get<double>("Flat Cell Height")},
+                          where);
+    }
+  }
+}
+
 RCP<const ParameterList> rectangleParameters()
 {
-  return Declare()
-    .real("Width", 1., "m", Range::positive(), "The rectangle has this extent along x.")
+  Declare declare;
+  declare.real("Width", 1., "m", Range::positive(), "The rectangle has this extent along x.")
     .real("Height", 1., "m", Range::positive(), "The rectangle has this extent along y.")
     .integer("Cells X", 1, Range::atLeast(1),
              "The rectangle is divided into this number of columns, whose rectangles have two "
@@ -137,8 +172,8 @@ RCP<const ParameterList> rectangleParameters()
            "times this size, the result has exactly this size. Without this entry no cell is "
            "bisected.")
     .real("Cell Size Factor", 1., "-", Range::positive(),
-          "This factor multiplies the cell size: 2 makes the whole mesh coarser.")
-    .list();
+          "This factor multiplies the cell size: 2 makes the whole mesh coarser.");
+  return declareFlatCells(declare, 2).list();
 }
 
 mesh::RectangleShape rectangleShape(ParameterList const& list, mesh::VertexLimit const& limit)
@@ -158,7 +193,8 @@ mesh::RectangleShape rectangleShape(ParameterList const& list, mesh::VertexLimit
 
 RCP<const ParameterList> boxParameters()
 {
-  return Declare()
+  Declare declare;
+  declare
     .realArray("Size", std::vector<double>{1., 1., 1.}, "m", Range::positive(),
                "The box has these extents along x, y and z.")
     .realArray("Lowest Corner", std::vector<double>{0., 0., 0.}, "m", Range::any(),
@@ -176,9 +212,8 @@ RCP<const ParameterList> boxParameters()
            "2^k times this size, the result has exactly this size. Without this entry no cell is "
            "bisected.")
     .real("Cell Size Factor", 1., "-", Range::positive(),
-          "This factor multiplies the cell size: 2 makes the whole mesh coarser.")
-    .boolean("Periodic Along z", false, periodic_meaning)
-    .list();
+          "This factor multiplies the cell size: 2 makes the whole mesh coarser.");
+  return declareFlatCells(declare, 3).boolean("Periodic Along z", false, periodic_meaning).list();
 }
 
 Point<3> threeNumbers(ParameterList const& list, std::string const& name)
@@ -212,11 +247,13 @@ std::function<double(Point<Dim> const&)> cellSize(ParameterList const& list,
 GlobalMesh<2> makeRectangle(ParameterList const& list, mesh::VertexLimit const& limit)
 {
   auto const shape = rectangleShape(list, limit);
-  auto coarse = mesh::rectangleMesh(shape);
+  auto rectangle = mesh::rectangleMesh(shape);
   const Point<2> brick = {shape.width / shape.cells_x, shape.height / shape.cells_y};
-  return isGiven(list, "Cell Size")
-           ? mesh::bisectBricks<2>(coarse, brick, cellSize<2>(list, "Rectangle"), limit)
-           : coarse;
+  if (isGiven(list, "Cell Size")) {
+    rectangle = mesh::bisectBricks<2>(rectangle, brick, cellSize<2>(list, "Rectangle"), limit);
+  }
+  flattenCells(list, "Rectangle", rectangle);
+  return rectangle;
 }
 
 GlobalMesh<3> makeBox(ParameterList const& list, mesh::VertexLimit const& limit)
@@ -230,9 +267,11 @@ GlobalMesh<3> makeBox(ParameterList const& list, mesh::VertexLimit const& limit)
   for (int axis = 0; axis < 3; ++axis) {
     brick[axis] = shape.size[axis] / shape.num_cells[axis];
   }
-  return isGiven(list, "Cell Size")
-           ? mesh::bisectBricks<3>(box, brick, cellSize<3>(list, "Box"), limit)
-           : box;
+  if (isGiven(list, "Cell Size")) {
+    box = mesh::bisectBricks<3>(box, brick, cellSize<3>(list, "Box"), limit);
+  }
+  flattenCells(list, "Box", box);
+  return box;
 }
 
 GlobalMesh<3> makeDeepWedge(ParameterList const& list, mesh::VertexLimit const& limit)

@@ -160,7 +160,8 @@ TEST(ResolutionCheck, AdvisesLowCellsWhereThereAreFew)
     }
     return std::string();
   };
-  expectParts(advice(4, 1, "Box"), {"The first cells of a Box give"});
+  expectParts(advice(4, 1, "Box"), {"'Flat Cells at' makes them in a Box"});
+  expectParts(advice(4, 1, "Rectangle"), {"The first cells of a Rectangle give"});
   const auto of_file = advice(4, 1, "File");
   EXPECT_FALSE(of_file.empty());
   EXPECT_EQ(of_file.find("first cells"), std::string::npos) << of_file;
