@@ -106,7 +106,7 @@ template <int Dim>
 void registerState(io::FieldRegistry& registry, Problem<Dim> const& problem, RunView const& view,
                    ParameterList const& friction)
 {
-  auto const nodes = faultNodes(problem.mesh, *problem.surface, friction);
+  auto const nodes = faultNodes(problem.mesh, *problem.surface);
   auto const reference = referenceFriction(friction, nodes);
   auto const effects = sensitivities(friction, nodes);
   if (reference && effects) {

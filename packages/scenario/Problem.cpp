@@ -325,7 +325,7 @@ Problem<Dim> makeProblem(ParameterList const& deck, RCP<const Communicator> cons
     fem::assembleBody<Dim>(of.mesh, *of.dofs, of.frames(), of.rock.materials, of.rock.branches);
   auto const surface = makeSurface(of, matrices);
   auto const fault_materials = fem::materialsAtNodes(of.mesh, *surface, of.rock.materials);
-  auto const nodes = faultNodes(of.mesh, *surface, friction);
+  auto const nodes = faultNodes(of.mesh, *surface);
   auto const eta = radiationDamping(bulk, nodes, surface->otherSide(), fault_materials);
   matrices.viscosity = dampedViscosity(of, matrices.viscosity, bulk, *surface, eta);
   if (quasiDynamic(bulk)) {

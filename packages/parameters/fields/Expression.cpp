@@ -15,7 +15,15 @@ namespace asperity
 {
 struct Expression::Parser
 {
+  // mean(formula), of which muParser sees a variable.
+  struct Mean
+  {
+    Expression formula;
+    double value = 0;
+  };
+
   mu::Parser parser;
+  std::vector<std::unique_ptr<Mean>> means;
   double x = 0.0, y = 0.0, z = 0.0, t = 0.0;
   bool uses_space = false, uses_time = false;
 
@@ -31,11 +39,15 @@ struct Expression::Parser
     parser.DefineFun("ceil", static_cast<double (*)(double)>(std::ceil));
     parser.DefineFun("erf", static_cast<double (*)(double)>(std::erf));
     parser.DefineFun("erfc", static_cast<double (*)(double)>(std::erfc));
+    parser.DefineFun("mean", [](double f) { return f; }); // for lists of functions
     parser.DefineFun("if", [](double c, double a, double b) { return c != 0.0 ? a : b; });
   }
 
   // The values at the origin at t = 0, one for each formula of the text.
   std::vector<double> read(std::string const& text, std::string const& path);
+
+  // The text with variables in the places of means, which have their lengths.
+  std::string withoutMeans(std::string text, std::string const& path);
 };
 
 namespace
@@ -71,14 +83,51 @@ void refuseAssignment(std::string const& text, std::string const& path)
 }
 } // namespace
 
+std::string Expression::Parser::withoutMeans(std::string text, std::string const& path)
+{
+  std::size_t place = 0, behind_mean = 0;
+  for (auto const& part : formulaParts(std::string(text))) {
+    const std::size_t begin = place, after_name = place + part.text.size();
+    place = after_name;
+    const std::size_t open = text.find_first_not_of(' ', after_name);
+    if (begin < behind_mean || part.text != "mean" || open == std::string::npos ||
+        text[open] != '(') {
+      continue;
+    }
+    int depth = 0;
+    const auto closing =
+      std::find_if(text.begin() + static_cast<std::ptrdiff_t>(open), text.end(), [&depth](char c) {
+        depth += c == '(' ? 1 : c == ')' ? -1 : 0;
+        return depth == 0;
+      });
+    if (closing == text.end()) {
+      break; // muParser names the parenthesis that is missing
+    }
+    const auto end = static_cast<std::size_t>(closing - text.begin());
+    means.push_back(
+      std::unique_ptr<Mean>(new Mean{Expression(text.substr(open + 1, end - open - 1), path)}));
+    auto name = "_" + std::to_string(means.size());
+    parser.DefineVar(name, &means.back()->value);
+    behind_mean = end + 1;
+    name.resize(behind_mean - begin, ' ');
+    text.replace(begin, name.size(), name);
+  }
+  return text;
+}
+
 std::vector<double> Expression::Parser::read(std::string const& text, std::string const& path)
 {
   refuseAssignment(text, path);
   try {
-    parser.SetExpr(text);
+    parser.SetExpr(withoutMeans(text, path));
     parser.Eval(); // GetUsedVar alone accepts unknown names
     for (auto const& variable : parser.GetUsedVar()) {
-      (variable.first == "t" ? uses_time : uses_space) = true;
+      uses_time = uses_time || variable.first == "t";
+      uses_space = uses_space || (variable.first.size() == 1 && variable.first != "t");
+    }
+    for (auto const& mean : means) {
+      uses_time = uses_time || mean->formula.dependsOnTime();
+      uses_space = uses_space || mean->formula.dependsOnSpace();
     }
     int count = 0;
     double const* values = parser.Eval(count);
@@ -129,12 +178,28 @@ std::vector<std::string> Expression::reservedNames()
 
 double Expression::operator()(std::array<double, 3> const& x, double t) const
 {
+  const double all = 1;
+  return (*this)(x, t, {&x, &all, 1});
+}
+
+double Expression::operator()(std::array<double, 3> const& x, double t, Patch const& patch) const
+{
+  for (auto const& mean : parser_->means) {
+    // Relative to the first value, so that the mean of a constant is the constant.
+    const double first = mean->formula(patch.places[0], t);
+    mean->value = first;
+    for (std::size_t k = 1; k < patch.size; ++k) {
+      mean->value += patch.weights[k] * (mean->formula(patch.places[k], t) - first);
+    }
+  }
   parser_->x = x[0];
   parser_->y = x[1];
   parser_->z = x[2];
   parser_->t = t;
   return parser_->parser.Eval();
 }
+
+bool Expression::takesMeans() const { return !parser_->means.empty(); }
 
 bool Expression::dependsOnSpace() const { return parser_->uses_space; }
 

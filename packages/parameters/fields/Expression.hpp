@@ -1,6 +1,7 @@
 #pragma once
 
 #include <array>
+#include <cstddef>
 #include <memory>
 #include <optional>
 #include <string>
@@ -10,18 +11,28 @@ namespace asperity
 {
 // A formula in x, y, z [m] and t [s], evaluated by muParser: + - * / ^, comparisons, && ||, c ? a :
 // b, pi, e, muParser's functions (sin, tanh, exp, ln, min, max, ...) and floor, ceil, erf, erfc,
-// if(c, a, b). One host thread at a time.
+// if(c, a, b), and mean(f). One host thread at a time.
 class Expression
 {
 public:
+  // Points around a place, and their weights, which sum to 1.
+  struct Patch
+  {
+    std::array<double, 3> const* places; // (size) [m]
+    double const* weights;               // (size)
+    std::size_t size;
+  };
+
   // InputError with `path`, muParser's message and the position of the mistake.
   Expression(std::string const& text, std::string const& path);
   ~Expression();
   Expression(Expression const&) = delete;
   Expression& operator=(Expression const&) = delete;
 
-  // The result is not checked; it may be infinite or NaN.
+  // The result is not checked; it may be infinite or NaN. mean(f) is the mean of f over the patch,
+  // without one f itself.
   double operator()(std::array<double, 3> const& x, double t) const;
+  double operator()(std::array<double, 3> const& x, double t, Patch const& patch) const;
 
   // The values of formulas with commas between them, "2 * 3600, -max(1, 2)"; nullopt if one of them
   // depends on x, y, z or t. InputError as in the constructor.
@@ -33,6 +44,7 @@ public:
   // Functions, coordinates and constants: names that have a meaning here.
   static std::vector<std::string> reservedNames();
 
+  bool takesMeans() const;
   bool dependsOnSpace() const;
   bool dependsOnTime() const;
   std::string const& text() const { return text_; }

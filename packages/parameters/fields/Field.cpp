@@ -4,7 +4,6 @@
 #include "base/Text.hpp"
 #include "parameters/ParameterInfo.hpp"
 #include "parameters/ParameterValue.hpp"
-#include "parameters/fields/Expression.hpp"
 #include "parameters/fields/VertexDataset.hpp"
 
 #include <algorithm>
@@ -56,7 +55,9 @@ Field::Part Field::makePart(Teuchos::ParameterEntry const& entry, std::string co
   if (holds<std::string>(entry)) {
     part.expression = std::make_shared<Expression>(get<std::string>(entry), path);
     if (!part.expression->dependsOnSpace() && !part.expression->dependsOnTime()) {
-      part.value = evaluate(part, {0.0, 0.0, 0.0}, 0.0);
+      const std::array<double, 3> origin{};
+      const double all = 1;
+      part.value = evaluate(part, origin, 0, {&origin, &all, 1});
       part.expression.reset();
     }
     return part;
@@ -109,9 +110,10 @@ void Field::refuseDataset() const
                            "expression, or one of them per region.");
 }
 
-double Field::evaluate(Part const& part, std::array<double, 3> const& x, double t) const
+double Field::evaluate(Part const& part, std::array<double, 3> const& x, double t,
+                       Expression::Patch const& patch) const
 {
-  const double value = (*part.expression)(x, t);
+  const double value = (*part.expression)(x, t, patch);
   ASPERITY_REQUIRE(range_.contains(value),
                    part.path << " = '" << excerpt(part.expression->text()) << "' is "
                              << formatNumber(value) << " at " << positionText(x, t) << ", outside "
@@ -131,6 +133,13 @@ std::vector<double> Field::values(std::vector<long long> const& global_ids,
                            << nextSentence(hint_));
   }
   return values;
+}
+
+bool Field::takesMeans() const
+{
+  return std::any_of(parts_.begin(), parts_.end(), [](Part const& part) {
+    return part.expression && part.expression->takesMeans();
+  });
 }
 
 bool Field::dependsOnTime() const

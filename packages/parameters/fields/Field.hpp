@@ -1,6 +1,7 @@
 #pragma once
 
 #include "parameters/Parameters.hpp"
+#include "parameters/fields/Expression.hpp"
 
 #include <array>
 #include <cstddef>
@@ -10,7 +11,6 @@
 
 namespace asperity
 {
-class Expression;
 class VertexDataset;
 
 // A quantity in space and time as decks give it: a number, an expression in x, y, z, t (muParser),
@@ -34,11 +34,18 @@ public:
   // declared range, and for datasets.
   double operator()(std::array<double, 3> const& x, double t, int region) const
   {
+    const double all = 1;
+    return (*this)(x, t, region, {&x, &all, 1});
+  }
+  // With means over the patch.
+  double operator()(std::array<double, 3> const& x, double t, int region,
+                    Expression::Patch const& patch) const
+  {
     if (parts_.empty()) {
       refuseDataset();
     }
     Part const& part = parts_[parts_.size() == 1 ? 0 : static_cast<std::size_t>(region)];
-    return part.expression ? evaluate(part, x, t) : part.value;
+    return part.expression ? evaluate(part, x, t, patch) : part.value;
   }
 
   // The values of the vertices with these global ids. Only for datasets. Each rank reads its own
@@ -48,6 +55,7 @@ public:
 
   bool isDataset() const { return dataset_ != nullptr; }
 
+  bool takesMeans() const;
   bool dependsOnTime() const;
 
 private:
@@ -63,7 +71,8 @@ private:
   Part makePart(Teuchos::ParameterEntry const& entry, std::string const& path) const;
   void readRegions(ParameterList const& regions, std::vector<std::string> const& region_names,
                    std::vector<bool> const& used);
-  double evaluate(Part const& part, std::array<double, 3> const& x, double t) const;
+  double evaluate(Part const& part, std::array<double, 3> const& x, double t,
+                  Expression::Patch const& patch) const;
   [[noreturn]] void refuseDataset() const;
 
   std::string path_;

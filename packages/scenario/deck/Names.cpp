@@ -222,7 +222,10 @@ std::string meaningOfNames()
          "use. Instead of a number, a parameter may have a text with an expression of names and "
          "numbers, such as \"slope * 3600\" or \"{slope, -1}\"; parameters.xml has the values in "
          "their places. Expressions may use x, y, z, t, pi, e, " +
-         Expression::operations() + " (log is the natural logarithm).";
+         Expression::operations() +
+         " (log is the natural logarithm; mean(f) is the mean of f over the facets around a node "
+         "of a "
+         "fault, in other fields f).";
 }
 
 void resolveNames(ParameterList& deck, ParameterList const& valid,

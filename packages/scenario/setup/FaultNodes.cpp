@@ -1,16 +1,12 @@
 #include "scenario/setup/FaultNodes.hpp"
 
-#include "base/Errors.hpp"
 #include "mesh/MeshQuality.hpp"
 #include "mesh/SimplexGeometry.hpp"
-#include "scenario/setup/DeckPaths.hpp"
 
 namespace asperity::scenario
 {
 namespace
 {
-constexpr char const* entry_name = "Averaged Fields";
-
 // Barycentric coordinates of the centres of equal parts of a facet.
 template <int Dim>
 std::vector<std::array<double, Dim>> centresOfParts()
@@ -83,32 +79,20 @@ std::shared_ptr<const FieldSamples> samplesAround(Mesh<Dim> const& mesh,
 }
 } // namespace
 
-void declareAveragedFields(Declare& declare)
-{
-  declare.textArray(entry_name, std::vector<std::string>{},
-                    "Nodes of the fault take the means of these fields of this list over the "
-                    "facets around them, weighted with their basis functions, in place of the "
-                    "values at the nodes. For fields that jump: a jump is then where the deck has "
-                    "it, and not up to half a cell off.");
-}
-
 template <int Dim>
-FieldNodes faultNodes(Mesh<Dim> const& mesh, fem::FaultSurface const& surface,
-                      ParameterList const& friction)
+FieldNodes faultNodes(Mesh<Dim> const& mesh, fem::FaultSurface const& surface)
 {
   FieldNodes nodes(mesh, surface.vertices());
-  nodes.averaged = friction.get<Teuchos::Array<std::string>>(entry_name).toVector();
-  for (auto const& name : nodes.averaged) {
-    ASPERITY_REQUIRE(isGiven(friction, name), joinPath(friction_path, entry_name)
-                                                << " names " << name << ", but " << friction_path
-                                                << " has no such field.");
-  }
-  if (!nodes.averaged.empty()) {
-    nodes.samples = samplesAround(mesh, surface);
-  }
+  auto const made = std::make_shared<std::shared_ptr<const FieldSamples>>();
+  nodes.samples = [made, &mesh, &surface] {
+    if (*made == nullptr) {
+      *made = samplesAround(mesh, surface);
+    }
+    return *made;
+  };
   return nodes;
 }
 
-template FieldNodes faultNodes(Mesh<2> const&, fem::FaultSurface const&, ParameterList const&);
-template FieldNodes faultNodes(Mesh<3> const&, fem::FaultSurface const&, ParameterList const&);
+template FieldNodes faultNodes(Mesh<2> const&, fem::FaultSurface const&);
+template FieldNodes faultNodes(Mesh<3> const&, fem::FaultSurface const&);
 } // namespace asperity::scenario

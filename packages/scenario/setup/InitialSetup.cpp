@@ -128,7 +128,7 @@ makeInitialState(ParameterList const& deck, Mesh<Dim> const& mesh, fem::NodalFra
   const int num_nodes = fault.surface().numNodes();
   std::vector<int> owned(mesh.num_owned);
   std::iota(owned.begin(), owned.end(), 0);
-  auto const at_fault = faultNodes(mesh, fault.surface(), deck.sublist("Friction"));
+  auto const at_fault = faultNodes(mesh, fault.surface());
   dynamics::State state;
   state.u = start.displacement;
   state.v = initialVelocity(list, FieldNodes(mesh, owned), body, frames);

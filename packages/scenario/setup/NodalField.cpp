@@ -2,7 +2,6 @@
 
 #include "mesh/PointText.hpp"
 
-#include <algorithm>
 #include <utility>
 
 namespace asperity::scenario
@@ -69,17 +68,21 @@ std::string FieldNodes::text(std::size_t node) const
   return dimension == 2 ? mesh::text(Point<2>{x[0], x[1]}) : mesh::text(x);
 }
 
-NodalField::NodalField(Field field, std::string const& name, FieldNodes const& nodes)
-    : field_(std::move(field))
+Expression::Patch FieldSamples::around(std::size_t node) const
+{
+  const std::size_t begin = node == 0 ? 0 : end[node - 1];
+  return {&places[begin], &weights[begin], end[node] - begin};
+}
+
+NodalField::NodalField(Field field, FieldNodes const& nodes) : field_(std::move(field))
 {
   if (field_.isDataset()) {
     values_ = field_.values(nodes.ids, nodes.num_global_vertices);
   } else {
     places_ = nodes.places;
     regions_ = nodes.regions;
-    auto const& averaged = nodes.averaged;
-    if (std::find(averaged.begin(), averaged.end(), name) != averaged.end()) {
-      samples_ = nodes.samples;
+    if (nodes.samples && field_.takesMeans()) {
+      samples_ = nodes.samples();
     }
   }
 }
@@ -91,26 +94,15 @@ std::vector<double> NodalField::at(double t) const
   }
   std::vector<double> values;
   for (std::size_t i = 0; i < places_.size(); ++i) {
-    values.push_back(samples_ ? mean(i, t) : field_(places_[i], t, regions_[i]));
+    values.push_back(samples_ ? field_(places_[i], t, regions_[i], samples_->around(i))
+                              : field_(places_[i], t, regions_[i]));
   }
   return values;
-}
-
-// Relative to the first value, so that the mean of a constant is the constant.
-double NodalField::mean(std::size_t node, double t) const
-{
-  const std::size_t begin = node == 0 ? 0 : samples_->end[node - 1];
-  const double first = field_(samples_->places[begin], t, regions_[node]);
-  double sum = 0;
-  for (std::size_t k = begin + 1; k < samples_->end[node]; ++k) {
-    sum += samples_->weights[k] * (field_(samples_->places[k], t, regions_[node]) - first);
-  }
-  return first + sum;
 }
 
 std::vector<double> nodalValues(ParameterList const& list, std::string const& name,
                                 std::string const& path, FieldNodes const& nodes)
 {
-  return NodalField(steadyField(list, name, path, nodes.region_names), name, nodes).at(0);
+  return NodalField(steadyField(list, name, path, nodes.region_names), nodes).at(0);
 }
 } // namespace asperity::scenario

@@ -5,18 +5,21 @@
 #include "parameters/fields/Field.hpp"
 
 #include <array>
+#include <functional>
 #include <memory>
 #include <string>
 #include <vector>
 
 namespace asperity::scenario
 {
-// Points around nodes, over which fields are averaged.
+// Points around nodes, over which mean(f) goes.
 struct FieldSamples
 {
   std::vector<std::array<double, 3>> places; // [m], those of one node side by side
   std::vector<double> weights;               // of the points; those of a node sum to 1
   std::vector<std::size_t> end;              // (num_nodes) behind the last point of the node
+
+  Expression::Patch around(std::size_t node) const;
 };
 
 // Some local vertices of a mesh, at which fields of a deck are evaluated.
@@ -33,29 +36,25 @@ struct FieldNodes
   std::vector<std::array<double, 3>> places; // (num_nodes) [m] as expressions see them
   std::vector<int> regions;                  // (num_nodes) of the first cell that has the vertex
   std::vector<long long> ids;                // (num_nodes) global ones
-  // Fields of these names that are no datasets have their means over the samples around the nodes.
-  std::vector<std::string> averaged = {};
-  std::shared_ptr<const FieldSamples> samples = {};
+  // Makes the points for mean(f) in expressions; without it that is f at the nodes.
+  std::function<std::shared_ptr<const FieldSamples>()> samples = {};
 };
 
 // The values of a field at nodes.
 class NodalField
 {
 public:
-  // name: the deck's entry
-  NodalField(Field field, std::string const& name, FieldNodes const& nodes);
+  NodalField(Field field, FieldNodes const& nodes);
 
   bool dependsOnTime() const { return field_.dependsOnTime(); }
   // (num_nodes) values at the time t [s]. InputError outside the declared range.
   std::vector<double> at(double t) const;
 
 private:
-  double mean(std::size_t node, double t) const;
-
   Field field_;
   std::vector<std::array<double, 3>> places_;
   std::vector<int> regions_;
-  std::shared_ptr<const FieldSamples> samples_; // null: at the nodes
+  std::shared_ptr<const FieldSamples> samples_; // null: no means
   std::vector<double> values_;                  // of a dataset
 };
 

@@ -51,6 +51,36 @@ TEST(Field, RefusesAnAssignmentInAnExpression)
   EXPECT_EQ(expression("x == 0 && y <= 1 && y >= -1 && z != 1 ? 5 : 4")(origin, 0.0, 0), 5.0);
 }
 
+// mean(f) is the mean of f over the patch, everything around it is that of the point.
+TEST(Field, TakesMeansOverAPatch)
+{
+  const std::array<std::array<double, 3>, 3> places = {{{0, 0, 0}, {1, 0, 0}, {3, 0, 0}}};
+  const std::array<double, 3> weights = {0.5, 0.25, 0.25};
+  const Expression::Patch patch = {places.data(), weights.data(), 3};
+  const auto at = [&patch](std::string const& text) {
+    return expression(text)({2, 5, 0}, 10, 0, patch);
+  };
+  EXPECT_DOUBLE_EQ(at("mean(x)"), 1);
+  EXPECT_DOUBLE_EQ(at("x + y * mean ( x^2 ) - mean((x > 0.5) * t)"), 2 + 5 * 2.5 - 5);
+  EXPECT_DOUBLE_EQ(at("mean(max(x, mean(x)))"), 1); // within a mean, a mean is the value
+  EXPECT_EQ(at("mean(0.1)"), 0.1);
+  EXPECT_DOUBLE_EQ(at("mean(x)+mean(x)+mean(x)+mean(x)+mean(x)+mean(x)+mean(x)+mean(x)+mean(x)"
+                      "+mean(x)+mean(2*x)"),
+                   12);
+  EXPECT_TRUE(expression("mean(x)").takesMeans());
+  EXPECT_FALSE(expression("x").takesMeans());
+  EXPECT_TRUE(expression("mean(t)").dependsOnTime());
+  EXPECT_EQ(expression("mean(x) + x")({2, 0, 0}, 0, 0), 4); // without a patch
+}
+
+TEST(Field, NamesTheMistakeInAMean)
+{
+  expectRefusal([] { expression("1 + mean(x"); }, {"Friction / a = '1 + mean(x'"});
+  expectRefusal([] { expression("mean(x + depth)"); }, {"Friction / a", "depth"});
+  expectRefusal([] { expression("2 * mean(x, y)"); }, {"Friction / a", "2 values"});
+  expectRefusal([] { expression("mean(x) + depth"); }, {"character 11"});
+}
+
 TEST(Field, Number)
 {
   const Field field = fieldOf(2.5);

@@ -49,9 +49,7 @@ TEST(FaultLoads, AreMeansWhereTheDeckSaysSo)
 {
   auto const problem =
     makeProblem<2>(strip([](auto& deck) {
-                     deck.sublist("Friction")
-                       .set("Averaged Fields", array<std::string>({"Shear Traction"}))
-                       .set("Shear Traction", "x < 1.25 ? 100 : 0");
+                     deck.sublist("Friction").set("Shear Traction", "100 * mean(x < 1.25)");
                    }),
                    world());
   expectNear(tractionAt(problem, 0), {100, 71.875, 6.25});

@@ -74,13 +74,12 @@ std::vector<double> onFault(Problem<3> const& problem, ParameterList const& deck
 
 TEST(Solid, MeansOnTheFaultKeepTheIntegralOfAField)
 {
-  auto const problem =
-    makeProblem<3>(halfSpace([](auto& deck) {
-                     deck.sublist("Friction")
-                       .set("Averaged Fields", array<std::string>({"Cohesion", "Normal Stress"}))
-                       .set("Cohesion", "1e3 * (1 + x + 2 * z)");
-                   }),
-                   world());
+  auto const problem = makeProblem<3>(halfSpace([](auto& deck) {
+                                        deck.sublist("Friction")
+                                          .set("Normal Stress", "mean(1e4)")
+                                          .set("Cohesion", "1e3 * mean(1 + x + 2 * z)");
+                                      }),
+                                      world());
   auto const cohesion = valuesOf(problem.fault.laws().cohesion);
   auto const weights = weightsOf(*problem.surface);
   EXPECT_NEAR(std::inner_product(weights.begin(), weights.end(), cohesion.begin(), 0.), 16e3, 1e-9);

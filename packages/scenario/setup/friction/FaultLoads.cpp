@@ -45,8 +45,7 @@ std::vector<double> slipDirection(ParameterList const& friction)
 
 ShearTraction::ShearTraction(ParameterList const& friction, FieldNodes const& nodes,
                              fem::FaultSurface const& surface, fem::NodalFrames const& frames)
-    : size_(Field(friction, "Shear Traction", friction_path, nodes.region_names), "Shear Traction",
-            nodes)
+    : size_(Field(friction, "Shear Traction", friction_path, nodes.region_names), nodes)
 {
   if (nodes.dimension == 2) {
     direction_.assign(surface.numNodes(), 1.);
@@ -110,7 +109,7 @@ NormalStressOfDeck makeNormalStress(ParameterList const& friction, FieldNodes co
     return {constant(pressure), remarks};
   }
   const NodalField given(Field(friction, "Normal Stress", friction_path, nodes.region_names),
-                         "Normal Stress", nodes);
+                         nodes);
   auto const at_start = givenStress(given, nodes);
   if (!given.dependsOnTime()) {
     return {constant(at_start), {}};

@@ -2,7 +2,6 @@
 
 #include "base/parallel/Agreement.hpp"
 #include "scenario/setup/DeckPaths.hpp"
-#include "scenario/setup/FaultNodes.hpp"
 #include "scenario/setup/friction/LawSetup.hpp"
 
 namespace asperity::scenario
@@ -11,7 +10,6 @@ RCP<const ParameterList> frictionParameters()
 {
   Declare declare;
   declareLaws(declare);
-  declareAveragedFields(declare);
   declare
     .field("Cohesion", 0., "Pa", Range::atLeast(0),
            "The fault bears this shear stress even without normal stress.")
@@ -99,7 +97,7 @@ enabledProcesses(ParameterList const& list, FieldNodes const& nodes,
         return nodalValues(parameters, entry, path, nodes);
       };
       const auto in_time = [&](std::string const& entry) {
-        return functionOf({Field(parameters, entry, path, nodes.region_names), entry, nodes});
+        return functionOf({Field(parameters, entry, path, nodes.region_names), nodes});
       };
       result.push_back(
         processes.at(name).make(parameters, {surface, mesh, nodes.places, values, in_time, path}));
