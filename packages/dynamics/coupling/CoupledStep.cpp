@@ -236,8 +236,10 @@ void PendingStep::complete(State& to) &&
 
 void CoupledStep::complete(State const& from, int level, State& to)
 {
-  solvers_.at(level).velocity(*to.v);
-  to.v->update(1, *prescribed_, 1);
+  if (!inelastic_) { // where rock may yield, solveAtFault() has set all of v
+    solvers_.at(level).velocity(*to.v);
+    to.v->update(1, *prescribed_, 1);
+  }
   const double tau = clock_.stepSize(level);
   update_.complete(from, *u_hat_, *a_hat_, tau, to);
   RateUpdate::relax(body_.matrices, from, tau, *to.u, to.branches);
@@ -253,13 +255,11 @@ void CoupledStep::meanSlipRate(RateSolver& solver)
   slipRate(surface(), mean_, V_);
 }
 
-// How far the inelastic strain is from what follows from the velocity; 0 in a body without.
+// How far the inelastic strain is from what follows from the velocity of the body, with which it
+// leaves guess_.
 double CoupledStep::inelasticChange(State const& from, double tau, RateSolver const& solver,
                                     State const& to)
 {
-  if (!inelastic_) {
-    return 0;
-  }
   solver.velocity(*guess_);
   work_v_->update(1, *guess_, 1, *prescribed_, 0);
   update_.withVelocity(*work_v_, *u_hat_, *a_hat_, tau, *work_u_, *work_a_);
@@ -267,20 +267,18 @@ double CoupledStep::inelasticChange(State const& from, double tau, RateSolver co
   return inelastic_->change(to, settings_.norm);
 }
 
-// Sets the next iterates; a new inelastic strain changes the right side of the rate problem.
-void CoupledStep::advance(RateSolver& solver, State& to)
+// Sets the next iterate of the inelastic strain, which changes the right side of the rate problem.
+void CoupledStep::advanceInelastic(RateSolver& solver, State& to)
 {
-  unknowns_.advance(to);
-  if (inelastic_) {
-    inelastic_->advance(to);
-    setRightSide(to);
-    solver.begin(*b_, *guess_);
-  }
+  inelastic_->advance(to);
+  setRightSide(to);
+  solver.begin(*b_, *guess_);
 }
 
 // Alternates one iteration of TNNMG and one update of the state: both reduce the error by similar
 // factors, and more iterations for a state that still changes would be wasted. When the state has
-// converged, the rate problem is solved with it.
+// converged, the rate problem is solved with it. The response of rock that yields takes the whole
+// body: it waits until the fault is at rest, or changes less than the rock did when last asked.
 CoupledResult CoupledStep::iterate(State const& from, double tau, RateSolver& solver, State& to,
                                    SolveCount& count)
 {
@@ -302,7 +300,9 @@ CoupledResult CoupledStep::iterate(State const& from, double tau, RateSolver& so
     meanSlipRate(solver);
     const bool responded = unknowns_.respond({from, tau, mean_, V_, solver, problem, to});
     const double of_fault = unknowns_.change(settings_.norm);
-    const double of_rock = inelasticChange(from, tau, solver, to);
+    const bool fault_rests = rate.converged && of_fault <= settings_.tolerance;
+    const bool asks_rock = inelastic_ && (fault_rests || of_fault <= inelastic_->lastChange());
+    const double of_rock = asks_rock ? inelasticChange(from, tau, solver, to) : 0;
     const double change = std::max(of_fault, of_rock);
     if (!responded || !std::isfinite(of_fault) || !std::isfinite(of_rock)) {
       unknowns_.copyImages(to); // a value that is not finite can be found there
@@ -322,14 +322,14 @@ CoupledResult CoupledStep::iterate(State const& from, double tau, RateSolver& so
       return result;
     }
     if (!at_rest) {
-      if (change > last_change) { // the remembered iterates point away from the fixed point
+      if (of_fault > last_change) { // the remembered iterates point away from the fixed point
         unknowns_.restart();
-        if (inelastic_) {
-          inelastic_->restart();
-        }
       }
-      advance(solver, to);
-      last_change = change;
+      unknowns_.advance(to);
+      if (asks_rock) {
+        advanceInelastic(solver, to);
+      }
+      last_change = of_fault;
     }
   }
   result.status = StepStatus::fixed_point_failed;

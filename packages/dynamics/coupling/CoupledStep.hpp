@@ -146,7 +146,7 @@ private:
                         SolveCount& count);
   void meanSlipRate(RateSolver& solver);
   double inelasticChange(State const& from, double tau, RateSolver const& solver, State const& to);
-  void advance(RateSolver& solver, State& to);
+  void advanceInelastic(RateSolver& solver, State& to);
   void complete(State const& from, int level, State& to);
 
   Body const& body_;

@@ -14,7 +14,8 @@ InelasticUpdate::InelasticUpdate(fem::InelasticCells const& cells, int depth)
 
 void InelasticUpdate::begin(Vector const& b)
 {
-  restart();
+  acceleration_.reset();
+  last_change_ = 0;
   if (b_.is_null()) {
     b_ = rcp(new Vector(b.getMap()));
   }
@@ -32,9 +33,14 @@ void InelasticUpdate::respond(Vector const& u, double tau, State const& from)
   cells_.respond(u, tau, *from.inelastic, image_);
 }
 
-double InelasticUpdate::change(State const& to, Norm norm) const
+double InelasticUpdate::change(State const& to, Norm norm)
 {
-  return cells_.distance(image_.strain, to.inelastic->strain, norm == Norm::maximum);
+  const double now = cells_.distance(image_.strain, to.inelastic->strain, norm == Norm::maximum);
+  if (now > last_change_) {
+    acceleration_.reset();
+  }
+  last_change_ = now;
+  return now;
 }
 
 void InelasticUpdate::advance(State& to)

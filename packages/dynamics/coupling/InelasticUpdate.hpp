@@ -25,10 +25,12 @@ public:
   // Computes the image: the strain after the step [s] from `from` if it ends with the displacement
   // u. Collective.
   void respond(Vector const& u, double tau, State const& from);
-  // How far the image is from the iterate in `to`, see fem::InelasticCells::distance. Collective.
-  double change(State const& to, Norm norm) const;
-  // Forgets the iterates of the step before, or those that point away from the fixed point.
-  void restart() { acceleration_.reset(); }
+  // How far the image is from the iterate in `to`, see fem::InelasticCells::distance. Where this is
+  // more than before, the remembered iterates point away from the fixed point and are forgotten.
+  // Collective.
+  double change(State const& to, Norm norm);
+  // The last change in this step; 0 before.
+  double lastChange() const { return last_change_; }
   // The next iterate in `to`. Collective.
   void advance(State& to);
   // The image in `to`, with which the step ends.
@@ -39,5 +41,6 @@ private:
   AndersonAcceleration acceleration_;
   RCP<Vector> b_; // without inelastic strain
   fem::InelasticStrain image_;
+  double last_change_ = 0;
 };
 } // namespace asperity::dynamics

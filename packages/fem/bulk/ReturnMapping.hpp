@@ -21,7 +21,7 @@ struct Trial
   double mean_stress;   // a third of the trace [Pa], positive in tension; 0 antiplane
   double shear;         // gamma0 [-]
   double shear_modulus; // G [Pa]
-  double step;          // its length [s]
+  double step;          // its length [s]; infinity: t1 is what the rock bears at the start
 };
 
 // The cells of one law in a step; all views but `cells` and `parameters` are of all cells that may

@@ -68,6 +68,7 @@ InelasticCells::InelasticCells(Mesh<Dim> const& mesh, std::shared_ptr<const DofM
     , dofs_(std::move(dofs))
     , num_components_(numTensorComponents(dofs_->components()))
     , strains_(makeCellStrains(mesh, frames, materials, sharing_.cells()))
+    , strain_("asperity::fem::strain", sharing_.cells().size(), num_components_)
     , shear_stress_("asperity::fem::shearStress", sharing_.cells().size())
     , u_(rcp(new Vector(dofs_->overlap())))
 {
@@ -114,12 +115,11 @@ InelasticStrain InelasticCells::none() const
           TensorView("asperity::fem::inelasticShear", numCells(), 1)};
 }
 
-TensorView InelasticCells::strainOf(Vector const& u) const
+ConstTensorView InelasticCells::strainOf(Vector const& u) const
 {
   u_->doImport(u, *dofs_->ghostImport(), Tpetra::INSERT);
-  const TensorView strain("asperity::fem::strain", numCells(), num_components_);
-  strains_->strain(*u_, strain);
-  return strain;
+  strains_->strain(*u_, strain_);
+  return strain_;
 }
 
 void InelasticCells::yield(ConstTensorView const& strain, double step,

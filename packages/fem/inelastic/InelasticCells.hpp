@@ -78,7 +78,7 @@ private:
     ConstTensorView parameters;
   };
 
-  TensorView strainOf(Vector const& u) const;
+  ConstTensorView strainOf(Vector const& u) const;
   void yield(ConstTensorView const& strain, double step, InelasticStrain const& before,
              InelasticStrain const& after) const;
 
@@ -91,7 +91,8 @@ private:
   ConstNodeView shear_modulus_, bulk_modulus_, initial_mean_, weights_;
   ConstNodeView own_measure_; // 0 in cells that another rank owns
   ConstTensorView initial_stress_;
-  NodeView shear_stress_; // t of the trial in the last response
+  TensorView strain_;     // the whole one, in the last response
+  NodeView shear_stress_; // t of the trial there
   RCP<Vector> u_;         // with ghosts
 };
 } // namespace asperity::fem

@@ -79,9 +79,9 @@ RCP<const ParameterList> bulkParameters()
   declareLaw(declare,
              "Selects the law of the rock: how it creeps or flows. Kelvin-Voigt: it damps "
              "waves; without viscosity it is elastic. Maxwell: its shear stress relaxes. "
-             "Burgers: it has a transient part of the strain, too. Von Mises: it yields at a "
-             "shear stress. Drucker-Prager: it yields at a shear stress that grows with "
-             "pressure.");
+             "Burgers: it has a transient part of the strain, too. Power Law: it flows faster than "
+             "in proportion to stress. Von Mises: it yields at a shear stress. Drucker-Prager: it "
+             "yields at a shear stress that grows with pressure.");
   declare.openSublist(in_regions, lawsOfRegions(),
                       "Each entry is a region of the mesh whose rock has a law of its own, with "
                       "its parameters; the law above holds in the others.");

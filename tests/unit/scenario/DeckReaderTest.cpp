@@ -87,8 +87,8 @@ TEST(Registries, HoldWhatThePackagesBring)
                    "Slip Weakening", "Slow Ageing", "Strong Rate Weakening"}));
   EXPECT_EQ(dynamics::FaultProcessRegistry::instance().names(),
             (Names{"Forced Rupture", "Pore Pressure", "Thermal Pressurisation"}));
-  EXPECT_EQ(fem::bulkLaws().names(),
-            (Names{"Burgers", "Drucker-Prager", "Kelvin-Voigt", "Maxwell", "Von Mises"}));
+  EXPECT_EQ(fem::bulkLaws().names(), (Names{"Burgers", "Drucker-Prager", "Kelvin-Voigt", "Maxwell",
+                                            "Power Law", "Von Mises"}));
   EXPECT_EQ(dynamics::StepControlRegistry::instance().names(),
             (Names{"Prescribed", "Richardson", "Step Doubling"}));
   EXPECT_EQ(io::OutputRegistry::instance().names(),
