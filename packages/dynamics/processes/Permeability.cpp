@@ -116,14 +116,14 @@ void Permeability::declare(Declare& process)
     .field("Permeability Reference Stress", 0., "Pa", Range::any(),
            "At this effective normal stress the factor is 1.")
     .field(of_distance, optional, "m", Range::positive(),
-           "If given, slip raises Permeability towards Largest Permeability over this distance.")
+           "If given, slip moves permeability towards Largest Permeability over this distance.")
     .field(of_largest, optional, "m^2", Range::positive(),
-           "Slip raises permeability towards this one. Required with Permeability Slip Distance.")
+           "Permeability grows with slip towards this one, which Permeability Slip Distance needs.")
     .field(of_healing, optional, "s", Range::positive(),
            "If given beside Permeability Slip Distance, permeability falls towards Least "
            "Permeability within this time.")
     .field(of_least, optional, "m^2", Range::positive(),
-           "Permeability heals towards this one. Required with Permeability Healing Time.");
+           "Permeability falls in time towards this one, which Permeability Healing Time needs.");
 }
 
 Permeability::Permeability(Teuchos::ParameterList const& parameters,
