@@ -43,6 +43,8 @@ struct StateLawProperties
   std::function<double(double const* values)> stress_sensitivity = {};
   // Whether steady friction falls more at high slip rates than a and b say.
   bool weakens_at_high_rates = false;
+  // Whether it takes steady friction from a table, of log10 V [m/s].
+  bool has_table = false;
   char const* state_variable = logarithm_of_theta;
 };
 } // namespace asperity::friction

@@ -96,9 +96,10 @@ struct RegisteredStateLaw : StateLaw
     theta_scale = thetaScaleOf<Law>(0);
     stress_sensitivity = stressSensitivityOf<Law>(0);
     weakens_at_high_rates = weakensAtHighRatesOf<Law>(0);
+    has_table = HasTable<Law>::value;
     state_variable = stateVariableOf<Law>(0);
-    make_kernels = [](ParameterView const& values) {
-      return std::make_unique<LawStateKernels<Law>>(values);
+    make_kernels = [](ParameterView const& values, TableView const& table) {
+      return std::make_unique<LawStateKernels<Law>>(values, table);
     };
   }
 };

@@ -1,5 +1,6 @@
 #include "friction/Registry.hpp"
 
+#include <stdexcept>
 #include <utility>
 
 namespace asperity::friction
@@ -13,8 +14,13 @@ std::unique_ptr<FrictionKernels> makeFrictionKernels(std::string const& law, Fau
   return frictionLaws().at(law).make_kernels(fault);
 }
 
-std::unique_ptr<StateKernels> makeStateKernels(std::string const& law, ParameterView parameters)
+std::unique_ptr<StateKernels> makeStateKernels(std::string const& law, ParameterView parameters,
+                                               TableView table)
 {
-  return stateLaws().at(law).make_kernels(std::move(parameters));
+  auto const& chosen = stateLaws().at(law);
+  if (chosen.has_table && table.extent(0) == 0) {
+    throw std::invalid_argument("asperity::friction: " + law + " needs a table.");
+  }
+  return chosen.make_kernels(std::move(parameters), std::move(table));
 }
 } // namespace asperity::friction

@@ -3,6 +3,7 @@
 #include "friction/FrictionKernels.hpp"
 #include "friction/LawProperties.hpp"
 #include "friction/StateKernels.hpp"
+#include "friction/Table.hpp"
 #include "portability/Registry.hpp"
 
 #include <functional>
@@ -23,7 +24,7 @@ using FrictionLawRegistry = Registry<FrictionLaw>;
 struct StateLaw : StateLawProperties
 {
   static constexpr char const* registered_as = "state law";
-  std::function<std::unique_ptr<StateKernels>(ParameterView)> make_kernels;
+  std::function<std::unique_ptr<StateKernels>(ParameterView, TableView)> make_kernels;
 };
 using StateLawRegistry = Registry<StateLaw>;
 
@@ -36,6 +37,8 @@ std::unique_ptr<FrictionKernels> makeFrictionKernels(std::string const& law,
                                                      FaultView const& fault);
 
 // parameters(num_parameters, num_nodes) has its rows in the order of the law's table and is read
-// once. Throws std::invalid_argument if it does not have that number of rows.
-std::unique_ptr<StateKernels> makeStateKernels(std::string const& law, ParameterView parameters);
+// once; the table is for a law that has one. Throws std::invalid_argument if it does not have that
+// number of rows, or the table is missing.
+std::unique_ptr<StateKernels> makeStateKernels(std::string const& law, ParameterView parameters,
+                                               TableView table = {});
 } // namespace asperity::friction

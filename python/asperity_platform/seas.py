@@ -48,31 +48,54 @@ BP1 = _depths(0, 25, 50, 75, 100, 125, 150, 175, 200, 250, 300, 350)
 BP3 = BP1 + tuple((f"srfst_fn{x}",) for x in ("-32", "-16", "-08", "-00", "+00", "+08", "+16",
                                                "+32"))
 
-ALONG_STRIKE = _stations(
-    "station on the fault", r"fltst_strk[+-]\d{2}dp[+-]\d{2}", slip("slip_2", is_positive),
-    slip("slip_3"), log_rate("slip_rate_2"), log_rate("slip_rate_3"),
-    stress("shear_stress_2", *SHEAR), stress("shear_stress_3"), log_state("state"))
+
+def _in_space(digits: int, *between: Column) -> FileKind:
+    return _stations(
+        "station on the fault", rf"fltst_strk[+-]\d{{{digits}}}dp[+-]\d{{{digits}}}",
+        slip("slip_2", is_positive), slip("slip_3"), log_rate("slip_rate_2"),
+        log_rate("slip_rate_3"), stress("shear_stress_2", *SHEAR), stress("shear_stress_3"),
+        *between, log_state("state"))
+
+
 BODY_IN_SPACE = _stations(
     "station in the body", r"blkst_strk[+-]\d{2}fn[+-]\d{2}dp[+-]\d{2}",
     *(displacement(f"disp_{i}") for i in (1, 2, 3)), *(velocity(f"vel_{i}") for i in (1, 2, 3)),
     is_needed=False)
+SPACE = (BODY_IN_SPACE, _global("N m/s", "N-m/s"), RUPTURE)
 BP5 = tuple((f"fltst_strk{strike}dp{dip}",) for strike, dip in (
     ("-36", "+00"), ("-16", "+00"), ("+00", "+00"), ("+16", "+00"), ("+36", "+00"),
     ("-24", "+10"), ("-16", "+10"), ("+00", "+10"), ("+16", "+10"), ("+00", "+22")))
 
+
+def _around_the_middle(*metres: int) -> Tuple[Tuple[str, ...], ...]:
+    return tuple((f"fltst_strk{strike:+04d}dp{dip:+04d}",) for strike in metres for dip in metres)
+
+
+BP7 = _around_the_middle(0, 100, -100) + tuple((f"fltst_{name}",) for name in (
+    "strk+300dp+000", "strk-300dp+000", "strk+000dp+300", "strk+000dp-300"))
+BP8 = _around_the_middle(0, 200, -200)
+
 # The well lies in a plane of symmetry.
 BP6 = tuple((f"fltst_strk{z}",) for z in ("+00", "+05", "+10", "+25", "+35", "+50", "+75")) + (
     ("fltst_strk+15", "fltst_strk-15"),)
-WITH_WATER = _on_fault(r"fltst_strk[+-]\d{2}", pressure("pore_pressure"),
-                       Column("darcy_vel", ("m/s",), -1.0, 1.0))
+
+
+def _darcy(name: str) -> Column:
+    return Column(name, ("m/s",), -1.0, 1.0)
+
+
+WATER = pressure("pore_pressure")
+WITH_WATER = _on_fault(r"fltst_strk[+-]\d{2}", WATER, _darcy("darcy_vel"))
 
 PROBLEMS = (
     Problem(("BP1-QD", "BP1-FD"), "SEAS", ANTIPLANE, BP1),
     Problem(("BP2-QD",), "SEAS", ANTIPLANE),
     Problem(("BP3-QD",), "SEAS",
             (_on_fault(DOWN_DIP, NORMAL), SURFACE, FIRST_GLOBAL, SLIP, RUPTURE_IN_PLANE), BP3),
-    Problem(("BP5-QD", "BP5-FD"), "SEAS",
-            (ALONG_STRIKE, BODY_IN_SPACE, _global("N m/s", "N-m/s"), RUPTURE), BP5),
+    Problem(("BP5-QD", "BP5-FD"), "SEAS", (_in_space(2), *SPACE), BP5),
     Problem(("BP6-QD-A", "BP6-QD-S", "BP6-A", "BP6-S"), "SEAS",
             (WITH_WATER, _global("N/s"), SLIP, RUPTURE_IN_PLANE), BP6),
+    Problem(("BP7-QD-A", "BP7-QD-S", "BP7-FD-A"), "SEAS", (_in_space(3), *SPACE), BP7),
+    Problem(("BP8-QD-GS",), "SEAS",
+            (_in_space(3, WATER, _darcy("darcy_vel_2"), _darcy("darcy_vel_3")), *SPACE), BP8),
 )

@@ -10,7 +10,7 @@ Fault::Fault(std::shared_ptr<const fem::FaultSurface> surface, FaultLaws laws,
     , laws_(std::move(laws))
     , normal_stress_(std::move(normal_stress))
     , friction_(frictionWith(laws_.cohesion))
-    , state_(friction::makeStateKernels(laws_.state, laws_.state_parameters))
+    , state_(friction::makeStateKernels(laws_.state, laws_.state_parameters, laws_.state_table))
 {
 }
 

@@ -5,6 +5,7 @@
 #include "fem/FaultSurface.hpp"
 #include "friction/FrictionKernels.hpp"
 #include "friction/StateKernels.hpp"
+#include "friction/Table.hpp"
 
 #include <memory>
 #include <string>
@@ -26,6 +27,7 @@ struct FaultLaws
   // a view without entries means none.
   ConstNodeView stress_sensitivity = {};
   std::vector<std::shared_ptr<const FaultProcess>> processes = {};
+  friction::TableView state_table = {}; // if the state law has one
 };
 
 // What acts on a fault: friction, the evolution of its state, and the normal stress, at the nodes

@@ -4,15 +4,19 @@
 //
 // and flows with Darcy's velocity -k / eta grad p,
 // with the storage S (compressibility times porosity), the width w, the permeability k, the
-// viscosity eta and the rates q of wells, on the surface of the fault.
+// viscosity eta and the rates q of wells, on the surface of the fault. Where k changes
+// (Permeability.hpp), each step has that of its middle: steps stay of second order.
 #include "base/Errors.hpp"
 #include "base/parallel/Agreement.hpp"
 #include "base/program/WorkTimers.hpp"
 #include "dynamics/FaultProcess.hpp"
 #include "dynamics/processes/DiffusionStep.hpp"
 #include "dynamics/processes/EffectiveStress.hpp"
+#include "dynamics/processes/Permeability.hpp"
 #include "dynamics/processes/Wells.hpp"
 #include "parameters/Parameters.hpp"
+
+#include <optional>
 
 namespace asperity::dynamics
 {
@@ -76,25 +80,23 @@ public:
       , mesh_(context.mesh)
   {
     requireGiven(parameters, context.path);
-    NodalValues storage, mobility;
-    std::vector<bool> is_fixed;
+    NodalValues permeability;
     onEveryRank(*communicator_, [&] {
+      permeability = context.values("Permeability");
+      permeability_.emplace(parameters, context, permeability);
       start_ = context.values("Initial Pressure");
-      storage = context.values("Storage");
-      mobility = context.values("Permeability");
-      auto const width = context.values("Width");
-      auto const viscosity = context.values("Fluid Viscosity");
+      storage_ = context.values("Storage");
+      width_ = context.values("Width");
+      viscosity_ = context.values("Fluid Viscosity");
       auto const fixed = context.values("Fixed Where");
-      for (std::size_t i = 0; i < storage.size(); ++i) {
-        storage[i] *= width[i] * context.surface[static_cast<int>(i)].weight;
-        mobility[i] /= viscosity[i];
-        mobility_.push_back(mobility[i]);
-        mobility[i] *= width[i];
-        is_fixed.push_back(fixed[i] > 0);
+      for (std::size_t i = 0; i < storage_.size(); ++i) {
+        storage_[i] *= width_[i] * context.surface[static_cast<int>(i)].weight;
+        is_fixed_.push_back(fixed[i] > 0);
       }
     });
-    diffusion_ =
-      std::make_unique<DiffusionStep>(context.mesh->stiffness(mobility), storage, is_fixed);
+    if (!permeability_->changes()) {
+      diffusion_ = with(permeability);
+    }
   }
 
   std::vector<State::Added> fields(State const&) const override
@@ -102,12 +104,17 @@ public:
     constexpr bool is_guessed = true; // a step has found it before it is completed
     const NodeView p("asperity::dynamics::porePressure", start_.size());
     Kokkos::deep_copy(p, toDevice(start_, "asperity::dynamics::initialPressure"));
-    return {
-      {std::make_shared<FieldInfo>(FieldInfo{field_name, "pore pressure", "Pa", is_guessed}), p}};
+    auto all = permeability_->fields();
+    all.push_back(
+      {std::make_shared<FieldInfo>(FieldInfo{field_name, "pore pressure", "Pa", is_guessed}), p});
+    return all;
   }
 
-  // The pressure does not depend on slip: a step has it from its beginning.
-  std::vector<std::shared_ptr<FaultUnknown>> unknowns() const override { return {}; }
+  // The pressure does not depend on the slip of the step, which has it from its beginning.
+  std::vector<std::shared_ptr<FaultUnknown>> unknowns() const override
+  {
+    return permeability_->unknowns();
+  }
 
   void begin(State const& from, double t, double tau, State const& to) const override
   {
@@ -116,7 +123,9 @@ public:
     for (int k = 0; k < DiffusionStep::num_times; ++k) {
       q[k] = inflow_->at(t + DiffusionStep::timeIn(k) * tau);
     }
-    diffusion_->advance(tau, from.at(field_name), q, to.at(field_name));
+    auto const& p = from.at(field_name);
+    auto const diffusion = diffusion_ ? diffusion_ : inTheMiddle(from, tau, q, to.at(field_name));
+    diffusion->advance(tau, p, q, to.at(field_name));
   }
 
   std::vector<ObservedField> observed() const override
@@ -124,7 +133,10 @@ public:
     return {
       {{"darcy_velocity", "volume of fluid that flows along the fault per time and area", "m/s"},
        mesh_->numCorners(),
-       [this](State const& state) { return darcyVelocity(state.at(field_name)); }}};
+       [this](State const& state) { return darcyVelocity(state); }},
+      {{"permeability", "permeability along the fault", "m^2"}, 1, [this](State const& state) {
+         return permeabilityOf(state);
+       }}};
   }
 
   void act(State const& state, NodeView const&, NodeView const& sigma_n) const override
@@ -142,31 +154,60 @@ private:
     }
   }
 
-  // (num_nodes, dimension) along the axes.
-  NodalValues darcyVelocity(ConstNodeView const& p) const
+  std::shared_ptr<DiffusionStep> with(NodalValues c) const // the permeability
   {
-    auto const gradient = mesh_->gradient(toVector(p));
+    for (std::size_t i = 0; i < c.size(); ++i) {
+      c[i] *= width_[i] / viscosity_[i];
+    }
+    return std::make_shared<DiffusionStep>(mesh_->stiffness(c), storage_, is_fixed_);
+  }
+
+  // With the permeability in the middle of the step. The pressure there, if it counts, is that of
+  // half a step with the permeability of the beginning; p is overwritten.
+  std::shared_ptr<DiffusionStep> inTheMiddle(State const& from, double tau,
+                                             DiffusionStep::Sources const& q,
+                                             NodeView const& p) const
+  {
+    auto const& before = from.at(field_name);
+    if (!permeability_->dependsOnStress()) {
+      return with(permeability_->after(from, tau / 2, before));
+    }
+    with(permeability_->after(from, 0, before))->advance(tau / 2, before, q, p);
+    return with(permeability_->after(from, tau / 2, p));
+  }
+
+  NodalValues permeabilityOf(State const& state) const
+  {
+    return permeability_->after(state, 0, state.at(field_name));
+  }
+
+  // (num_nodes, dimension) along the axes.
+  NodalValues darcyVelocity(State const& state) const
+  {
+    auto const gradient = mesh_->gradient(toVector(state.at(field_name)));
+    auto const permeability = permeabilityOf(state);
     NodalValues velocity;
     for (std::size_t i = 0; i < gradient.size(); ++i) {
       if (static_cast<int>(i % 3) < mesh_->numCorners()) {
-        velocity.push_back(-mobility_[i / 3] * gradient[i]);
+        velocity.push_back(-permeability[i / 3] / viscosity_[i / 3] * gradient[i]);
       }
     }
     return velocity;
   }
 
   RCP<const Communicator> communicator_;
-  NodalValues start_;
+  NodalValues start_, storage_, width_, viscosity_; // (num_nodes), S w times the weight [m^3/Pa]
+  std::vector<bool> is_fixed_;
   std::unique_ptr<Inflow> inflow_;
   std::shared_ptr<const fem::FaultMesh> mesh_;
-  NodalValues mobility_; // (num_nodes) k / eta [m^2/(Pa s)]
-  std::unique_ptr<DiffusionStep> diffusion_;
+  std::optional<Permeability> permeability_;
+  std::shared_ptr<DiffusionStep> diffusion_; // where the permeability does not change
 };
 
 Teuchos::RCP<const Teuchos::ParameterList> PorePressure::validParameters()
 {
-  return Declare()
-    .boolean("Enabled", false, "If true, there is a fluid in the fault.")
+  Declare declare;
+  declare.boolean("Enabled", false, "If true, there is a fluid in the fault.")
     .field("Initial Pressure", 0., "Pa", Range::any(),
            "The fluid starts with this pressure. Where the normal stress of the deck is effective, "
            "it is 0, and pressures are those above the undisturbed one.")
@@ -187,8 +228,9 @@ Teuchos::RCP<const Teuchos::ParameterList> PorePressure::validParameters()
            "This volume flows into the fault per time and area, out of it if negative. It may "
            "depend on t.")
     .openSublist("Wells", Wells::validParameters(),
-                 "Each list in here, of any name, is a well that meets the fault at a point.")
-    .list();
+                 "Each list in here, of any name, is a well that meets the fault at a point.");
+  Permeability::declare(declare);
+  return declare.list();
 }
 } // namespace
 

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "friction/StateKernels.hpp"
+#include "friction/Table.hpp"
 #include "friction/detail/BackwardEuler.hpp"
 #include "friction/detail/NodePotentials.hpp"
 
@@ -20,6 +21,36 @@ struct HasFlow<Law, std::void_t<decltype(std::declval<Law const&>().flow(0.0, 0.
     : std::true_type
 {
 };
+
+template <class Law, class = void>
+struct HasTable : std::false_type
+{
+};
+
+template <class Law>
+struct HasTable<Law, std::void_t<decltype(std::declval<Law const&>().table)>> : std::true_type
+{
+};
+
+// The laws with the table, if they have one.
+template <class Law>
+LawView<Law> withTable(LawView<Law> const& laws, [[maybe_unused]] TableView const& table)
+{
+  if constexpr (HasTable<Law>::value) {
+    const Kokkos::View<Law*, MemorySpace> result(
+      Kokkos::view_alloc("asperity::friction::laws", Kokkos::WithoutInitializing), laws.extent(0));
+    const Table of_law{table.data(), table.extent_int(0)};
+    Kokkos::parallel_for(
+      "asperity::friction::withTable", RangePolicy(0, laws.extent(0)), KOKKOS_LAMBDA(int node) {
+        result(node) = laws(node);
+        result(node).table = of_law;
+      });
+    ExecutionSpace().fence();
+    return result;
+  } else {
+    return laws;
+  }
+}
 
 template <class Law>
 struct StateFlow
@@ -61,7 +92,11 @@ template <class Law>
 class LawStateKernels : public StateKernels
 {
 public:
-  explicit LawStateKernels(ParameterView const& parameters) : laws_(loadLaws<Law>(parameters)) {}
+  explicit LawStateKernels(ParameterView const& parameters, TableView const& table = {})
+      : table_(table)
+      , laws_(withTable<Law>(loadLaws<Law>(parameters), table))
+  {
+  }
 
   int flow(ConstNodeView const& V, double dt, ConstNodeView const& alpha0,
            NodeView const& alpha1) const override
@@ -80,6 +115,7 @@ public:
   }
 
 private:
+  TableView table_; // to which the laws point
   LawView<Law> laws_;
 };
 } // namespace asperity::friction::detail

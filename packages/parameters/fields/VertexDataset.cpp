@@ -107,6 +107,19 @@ std::vector<double> VertexDataset::read(std::vector<long long> const& global_ids
   return values;
 }
 
+std::vector<double> VertexDataset::readAll(std::string const& unit) const
+{
+  std::vector<double> values;
+  orRefuse(path_, name_, [&] {
+    const h5::Dataset dataset = open();
+    const auto given = dataset.hasAttribute("unit") ? dataset.textAttribute("unit") : unit;
+    ASPERITY_REQUIRE(given == unit,
+                     path_ << " = '" << name_ << "' is in " << given << ", not in " << unit << ".");
+    values = dataset.read<double>();
+  });
+  return values;
+}
+
 std::uint64_t VertexDataset::checksum() const
 {
   Checksum checksum;

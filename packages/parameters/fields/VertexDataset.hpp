@@ -23,6 +23,9 @@ public:
   // num_vertices: the dataset then belongs to another mesh.
   std::vector<double> read(std::vector<long long> const& global_ids, long long num_vertices) const;
 
+  // All values, without a mesh. InputError if the dataset has an attribute `unit` that is another.
+  std::vector<double> readAll(std::string const& unit) const;
+
   // The checksum of all values, which are read in blocks.
   std::uint64_t checksum() const;
 

@@ -10,7 +10,7 @@ Range rangeOf(Parameter const& of)
 }
 } // namespace
 
-RCP<const ParameterList> declareTable(ParameterTable const& table)
+Declare declareTable(ParameterTable const& table)
 {
   Declare declare;
   for (auto const& parameter : table) {
@@ -24,6 +24,6 @@ RCP<const ParameterList> declareTable(ParameterTable const& table)
       declareWith(parameter.default_value);
     }
   }
-  return declare.list();
+  return declare;
 }
 } // namespace asperity::scenario

@@ -14,17 +14,27 @@ namespace asperity::scenario
 using ParameterTable = std::vector<Parameter>;
 
 // A field for each row of the table.
-RCP<const ParameterList> declareTable(ParameterTable const& table);
+Declare declareTable(ParameterTable const& table);
 
-// The entry `name`, which chooses a law of the registry, and for every law its table.
-template <class Law>
+// The entry `name`, which chooses a law of the registry, and for every law its table and what
+// more(law, declare) adds.
+template <class Law, class More>
 void declareChoice(Declare& declare, std::string const& name, std::string const& usual,
-                   Registry<Law> const& laws, std::string const& meaning)
+                   Registry<Law> const& laws, std::string const& meaning, More const& more)
 {
   declare.choice(name, usual, laws.names(), meaning)
     .hint("Laws of your own need --plugin LIBRARY.");
   for (auto const& law : laws.names()) {
-    declare.entriesWith(name, law, declareTable(laws.at(law).parameters));
+    auto entries = declareTable(laws.at(law).parameters);
+    more(laws.at(law), entries);
+    declare.entriesWith(name, law, entries.list());
   }
+}
+
+template <class Law>
+void declareChoice(Declare& declare, std::string const& name, std::string const& usual,
+                   Registry<Law> const& laws, std::string const& meaning)
+{
+  declareChoice(declare, name, usual, laws, meaning, [](Law const&, Declare&) {});
 }
 } // namespace asperity::scenario

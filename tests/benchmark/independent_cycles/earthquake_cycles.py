@@ -27,6 +27,10 @@ class Problem:
     plate_rate: float = 1e-9
     length: float = 40e3  # of the fault, down dip [m]
 
+    def imposed(self, time):
+        """Shear stress and compression that come with time [Pa]."""
+        return 0., 0.
+
     @property
     def damping(self):
         return self.shear_modulus / (2 * self.shear_speed)
@@ -61,7 +65,7 @@ class Cycles:
         self.slip = numpy.zeros(count)
         self.psi = problem.initial_state(operator.positions)
         self._log_rate = numpy.full(count, numpy.log(problem.plate_rate))
-        self._slope = self._slopes(self.slip, self.psi)
+        self._slope = self._slopes(0., self.slip, self.psi)
 
     @property
     def rates(self):
@@ -86,11 +90,12 @@ class Cycles:
                 break
         return log_rate
 
-    def _slopes(self, slip, psi):
+    def _slopes(self, time, slip, psi):
         p = self.problem
         shear, compression = self.operator.stress_of(slip)
-        self._log_rate = self._balance(p.initial_stress() + shear, p.normal_stress + compression,
-                                       psi)
+        imposed = p.imposed(time)
+        self._log_rate = self._balance(p.initial_stress() + shear + imposed[0],
+                                       p.normal_stress + compression + imposed[1], psi)
         rate = self.rates
         ageing = (p.b * p.reference_rate / p.critical_slip
                   * (numpy.exp((p.reference_friction - psi) / p.b) - rate / p.reference_rate))
@@ -104,10 +109,10 @@ class Cycles:
         start = numpy.array([self.slip, self.psi])
         while True:
             dt, k1, before = self.step, self._slope, self._log_rate
-            k2 = self._slopes(*(start + dt / 2 * k1))
-            k3 = self._slopes(*(start + dt * 3 / 4 * k2))
+            k2 = self._slopes(self.time + dt / 2, *(start + dt / 2 * k1))
+            k3 = self._slopes(self.time + dt * 3 / 4, *(start + dt * 3 / 4 * k2))
             end = start + dt * (2 / 9 * k1 + 1 / 3 * k2 + 4 / 9 * k3)
-            k4 = self._slopes(*end)
+            k4 = self._slopes(self.time + dt, *end)
             error = dt * (-5 / 72 * k1 + 1 / 12 * k2 + 1 / 9 * k3 - 1 / 8 * k4)
             error = numpy.abs(error / scale).max()
             self.step = dt * (min(4., max(0.2, 0.9 * error ** (-1 / 3)))

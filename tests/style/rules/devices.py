@@ -40,6 +40,7 @@ HOST = {
     "packages/dynamics/condensation/VertexMotion.cpp": "the rows of a few points, on one rank",
     "packages/dynamics/control/NotFinite.cpp": "the place of a number that ends the run",
     "packages/dynamics/processes/DiffusionStep.cpp": "Eigen's factor, of the nodes of the fault",
+    "packages/dynamics/processes/Permeability.cpp": "the nodes of the fault, for its stiffness",
     "packages/dynamics/processes/PorePressure.cpp": "the nodes of the fault, for outputs",
     "packages/dynamics/coupling/RateSolver.cpp": "the direct solver, on Eigen's factors",
 }

@@ -35,8 +35,8 @@ TEST(Registry, HoldsTheLawsOfThisPackage)
 {
   EXPECT_EQ(frictionLaws().names(),
             (Names{"Cut-Off", "Regularised", "Slip Weakening", "Truncated"}));
-  EXPECT_EQ(stateLaws().names(),
-            (Names{"Ageing", "Flash Heating", "Slip", "Slip Weakening", "Strong Rate Weakening"}));
+  EXPECT_EQ(stateLaws().names(), (Names{"Ageing", "Flash Heating", "Slip", "Slip Weakening",
+                                        "Strong Rate Weakening", "Tabulated"}));
 }
 
 TEST(Registry, HasATableOfParametersForEachLaw)
@@ -105,7 +105,7 @@ TEST(Registry, NamesTheKnownLawsWhereOneIsUnknown)
   for (auto const& message : {messageOfOutOfRange([] { stateLaws().at("Aging").parameters; }),
                               messageOfOutOfRange([&none] { makeStateKernels("Aging", none); })}) {
     EXPECT_EQ(message, "'Aging' is not a known state law. Choose one of 'Ageing', 'Flash Heating', "
-                       "'Slip', 'Slip Weakening', 'Strong Rate Weakening'.");
+                       "'Slip', 'Slip Weakening', 'Strong Rate Weakening', 'Tabulated'.");
   }
 }
 

@@ -84,7 +84,7 @@ TEST(Registries, HoldWhatThePackagesBring)
             (Names{"Cut-Off", "Regularised", "Slip Weakening", "Truncated"}));
   EXPECT_EQ(friction::stateLaws().names(),
             (Names{"Ageing", "Flash Heating", "Foreign Ageing", "Narrow Ageing", "Slip",
-                   "Slip Weakening", "Slow Ageing", "Strong Rate Weakening"}));
+                   "Slip Weakening", "Slow Ageing", "Strong Rate Weakening", "Tabulated"}));
   EXPECT_EQ(dynamics::FaultProcessRegistry::instance().names(),
             (Names{"Forced Rupture", "Pore Pressure", "Thermal Pressurisation"}));
   EXPECT_EQ(fem::bulkLaws().names(), (Names{"Burgers", "Drucker-Prager", "Kelvin-Voigt", "Maxwell",

@@ -119,7 +119,9 @@ dynamics::Fault makeFault(ParameterList const& list, FieldNodes const& nodes,
   requireSameState(list);
   auto const stress = normal_stress.following(normalStressChange(list), normalStressFloor(list));
   std::vector<double> c_over_b;
+  friction::TableView table;
   onEveryRank(*surface->communicator(), [&] {
+    table = stateTable(list);
     c_over_b = stressSensitivities(list, nodes);
     requirePressure(list, nodes, c_over_b, stress);
   });
@@ -129,7 +131,7 @@ dynamics::Fault makeFault(ParameterList const& list, FieldNodes const& nodes,
      toDevice(nodalValues(list, "Cohesion", friction_path, nodes), "asperity::scenario::cohesion"),
      list.get<std::string>("State Evolution"), stateLawValues(list, nodes), radiation_damping,
      toDevice(c_over_b, "asperity::scenario::stressSensitivity"),
-     enabledProcesses(list, nodes, *surface, mesh)},
+     enabledProcesses(list, nodes, *surface, mesh), table},
     stress};
 }
 } // namespace asperity::scenario

@@ -5,6 +5,7 @@
 #include "friction/laws/RegularisedLaw.hpp"
 #include "scenario/setup/DeckPaths.hpp"
 #include "scenario/setup/ParameterTable.hpp"
+#include "scenario/setup/friction/SteadyFriction.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -77,7 +78,12 @@ void declareLaws(Declare& declare)
   declareChoice(declare, friction_choice, friction::RegularisedLaw::name, friction::frictionLaws(),
                 "Selects the law that gives the friction coefficient from slip rate and state.");
   declareChoice(declare, state_choice, friction::AgeingLaw::name, friction::stateLaws(),
-                "Selects the law by which the state evolves.");
+                "Selects the law by which the state evolves.",
+                [](friction::StateLaw const& law, Declare& entries) {
+                  if (law.has_table) {
+                    declareSteadyFriction(entries);
+                  }
+                });
 }
 
 void requireSameState(ParameterList const& list)
@@ -118,6 +124,11 @@ friction::ParameterView frictionLawValues(ParameterList const& list, FieldNodes 
 friction::ParameterView stateLawValues(ParameterList const& list, FieldNodes const& nodes)
 {
   return valuesOnDevice(chosenStateLaw(list).parameters, list, nodes);
+}
+
+friction::TableView stateTable(ParameterList const& list)
+{
+  return chosenStateLaw(list).has_table ? steadyFriction(list) : friction::TableView();
 }
 
 std::optional<std::vector<friction::Sensitivity>> sensitivities(ParameterList const& list,

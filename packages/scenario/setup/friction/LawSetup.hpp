@@ -1,7 +1,7 @@
 #pragma once
 
 #include "friction/LawProperties.hpp"
-#include "friction/Types.hpp"
+#include "friction/Table.hpp"
 #include "scenario/setup/NodalField.hpp"
 
 #include <optional>
@@ -22,6 +22,7 @@ void requireState(ParameterList const& list, std::string const& needed, std::str
 // Values of the chosen law's parameters at fault nodes (num_parameters, num_nodes), on the device.
 friction::ParameterView frictionLawValues(ParameterList const& list, FieldNodes const& nodes);
 friction::ParameterView stateLawValues(ParameterList const& list, FieldNodes const& nodes);
+friction::TableView stateTable(ParameterList const& list); // empty if the state law has none
 
 // Properties of the chosen laws at the nodes, see friction/LawProperties.hpp; empty if a law does
 // not declare the property.

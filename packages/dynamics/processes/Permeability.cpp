@@ -1,0 +1,205 @@
+#include "dynamics/processes/Permeability.hpp"
+
+#include "base/Errors.hpp"
+#include "base/Views.hpp"
+#include "dynamics/coupling/FaultUnknown.hpp"
+#include "dynamics/fault/FaultMotion.hpp"
+#include "portability/Renamed.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace asperity::dynamics
+{
+namespace
+{
+char const* const of_start = "Permeability";
+char const* const of_stress = "Permeability Stress Scale";
+char const* const of_largest = "Largest Permeability";
+char const* const of_least = "Least Permeability";
+char const* const of_distance = "Permeability Slip Distance";
+char const* const of_healing = "Permeability Healing Time";
+char const* const evolved_name = "opened_permeability";
+
+bool isGiven(Teuchos::ParameterList const& parameters, char const* name)
+{
+  return parameters.isParameter(name) || parameters.isSublist(name);
+}
+
+// The state k' tends to the mean of k_max and k_min, weighted by their rates.
+struct PermeabilityFlow
+{
+  ConstNodeView largest, least, distance,
+    healing_rate; // k_max, k_min [m^2], L_k [m], 1 / T_k [1/s]
+
+  KOKKOS_INLINE_FUNCTION double operator()(int node, double k, double V, double tau) const
+  {
+    const double opening = V / distance(node), closing = healing_rate(node);
+    const double rate = opening + closing;
+    if (!(rate > 0)) {
+      return k;
+    }
+    const double share = opening / rate; // both sums below are convex: no bound is passed
+    const double limit = share * largest(node) + (1 - share) * least(node);
+    const double left = math::exp(-rate * tau);
+    return left * k + (1 - left) * limit;
+  }
+};
+
+void flow(PermeabilityFlow const& law, ConstNodeView const& k0, ConstNodeView const& V, double tau,
+          NodeView const& k1)
+{
+  Kokkos::parallel_for(
+    "asperity::dynamics::permeabilityFlow", RangePolicy(0, k1.extent_int(0)),
+    KOKKOS_LAMBDA(int node) { k1(node) = law(node, k0(node), V(node), tau); });
+}
+} // namespace
+
+// k' as an unknown of each step: friction of the step does not depend on it, but it has to follow
+// the slip of that step.
+class Permeability::Evolution : public FaultUnknown
+{
+public:
+  Evolution(FaultProcessContext const& context, std::vector<double> const& least,
+            std::vector<double> const& largest, std::vector<double> const& distance,
+            std::vector<double> const& healing_rate)
+      : surface_(context.surface)
+      , law_{toDevice(largest, "asperity::dynamics::largestPermeability"),
+             toDevice(least, "asperity::dynamics::leastPermeability"),
+             toDevice(distance, "asperity::dynamics::distanceOfPermeability"),
+             toDevice(healing_rate, "asperity::dynamics::healingRate")}
+      , velocity_("asperity::dynamics::w", surface_.numNodes(), surface_.numTangents())
+      , V_("asperity::dynamics::V", surface_.numNodes())
+      , ahead_("asperity::dynamics::permeability", surface_.numNodes())
+  {
+    std::vector<double> scale;
+    for (double k : largest) {
+      scale.push_back(1 / k);
+    }
+    scale_ = toDevice(scale, "asperity::dynamics::perPermeability");
+  }
+
+  NodeView const& of(State const& state) const override { return state.at(evolved_name); }
+  int respond(FaultResponse const& to, NodeView const& image) override
+  {
+    flow(law_, of(to.from), to.slip_rate, to.tau, image);
+    return 0;
+  }
+  ConstNodeView scale() const override { return scale_; }
+  bool endsWithImage() const override { return true; }
+  bool controlsSteps() const override { return true; }
+
+  // k' after a time tau at the slip rate of the state.
+  NodeView const& ahead(State const& state, double tau) const
+  {
+    gatherSlip(surface_, *state.v, velocity_);
+    slipRate(surface_, velocity_, V_);
+    flow(law_, of(state), V_, tau, ahead_);
+    return ahead_;
+  }
+
+private:
+  fem::FaultSurface const& surface_;
+  PermeabilityFlow law_;
+  BlockView velocity_;
+  NodeView V_, ahead_, scale_;
+};
+
+void Permeability::declare(Declare& process)
+{
+  process
+    .field(
+      of_stress, optional, "Pa", Range::positive(),
+      "If given, permeability is smaller by a factor e for each such increase of the effective "
+      "normal stress above Permeability Reference Stress.")
+    .hint("Laboratories find 5 to 40 MPa.")
+    .field("Permeability Reference Stress", 0., "Pa", Range::any(),
+           "At this effective normal stress the factor is 1.")
+    .field(of_distance, optional, "m", Range::positive(),
+           "If given, slip moves permeability towards Largest Permeability over this distance.")
+    .field(of_largest, optional, "m^2", Range::positive(),
+           "Permeability grows with slip towards this one, which Permeability Slip Distance needs.")
+    .field(of_healing, optional, "s", Range::positive(),
+           "If given beside Permeability Slip Distance, permeability falls towards Least "
+           "Permeability within this time.")
+    .field(of_least, optional, "m^2", Range::positive(),
+           "Permeability falls in time towards this one, which Permeability Healing Time needs.");
+}
+
+Permeability::Permeability(Teuchos::ParameterList const& parameters,
+                           FaultProcessContext const& context, std::vector<double> start)
+    : start_(std::move(start))
+{
+  const auto needs = [&](char const* name, char const* other) {
+    ASPERITY_REQUIRE(!isGiven(parameters, name) || isGiven(parameters, other),
+                     joinPath(context.path, other) << " is missing: " << name << " needs it.");
+  };
+  needs(of_distance, of_largest);
+  needs(of_largest, of_distance);
+  needs(of_healing, of_least);
+  needs(of_healing, of_distance);
+  needs(of_least, of_healing);
+  if (isGiven(parameters, of_stress)) {
+    stress_scale_ = context.values(of_stress);
+    reference_stress_ = context.values("Permeability Reference Stress");
+  }
+  if (!isGiven(parameters, of_distance)) {
+    return;
+  }
+  auto const largest = context.values(of_largest);
+  auto least = start_;
+  std::vector<double> healing_rate(start_.size(), 0);
+  if (isGiven(parameters, of_healing)) {
+    least = context.values(of_least);
+    auto const time = context.values(of_healing);
+    std::transform(time.begin(), time.end(), healing_rate.begin(), [](double t) { return 1 / t; });
+  }
+  for (std::size_t i = 0; i < start_.size(); ++i) {
+    ASPERITY_REQUIRE(least[i] <= start_[i] && start_[i] <= largest[i],
+                     joinPath(context.path, of_start)
+                       << " = " << start_[i] << " at x = " << context.places[i][0]
+                       << ", y = " << context.places[i][1] << " is outside [" << least[i] << ", "
+                       << largest[i] << "], Least to Largest Permeability.");
+  }
+  evolution_ =
+    std::make_shared<Evolution>(context, least, largest, context.values(of_distance), healing_rate);
+}
+
+std::vector<State::Added> Permeability::fields() const
+{
+  if (!evolution_) {
+    return {};
+  }
+  constexpr bool is_guessed = true;
+  const NodeView k("asperity::dynamics::openedPermeability", start_.size());
+  Kokkos::deep_copy(k, toDevice(start_, "asperity::dynamics::startOfPermeability"));
+  return {{std::make_shared<FieldInfo>(FieldInfo{
+             evolved_name, "permeability but for the effective normal stress", "m^2", is_guessed}),
+           k}};
+}
+
+std::vector<std::shared_ptr<FaultUnknown>> Permeability::unknowns() const
+{
+  return evolution_ ? std::vector<std::shared_ptr<FaultUnknown>>{evolution_}
+                    : std::vector<std::shared_ptr<FaultUnknown>>{};
+}
+
+std::vector<double> Permeability::after(State const& state, double tau,
+                                        ConstNodeView const& p) const
+{
+  auto k = start_;
+  if (evolution_) {
+    auto const evolved = toHost(evolution_->ahead(state, tau));
+    std::copy_n(evolved.data(), k.size(), k.begin());
+  }
+  if (dependsOnStress()) {
+    auto const sigma_n = toHost(state.sigma_n);
+    auto const pressure = toHost(p);
+    for (std::size_t i = 0; i < k.size(); ++i) {
+      const double effective = std::max(0., sigma_n(i) - pressure(i));
+      k[i] *= std::exp(-(effective - reference_stress_[i]) / stress_scale_[i]);
+    }
+  }
+  return k;
+}
+} // namespace asperity::dynamics

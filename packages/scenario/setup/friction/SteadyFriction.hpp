@@ -1,0 +1,14 @@
+#pragma once
+
+#include "friction/Table.hpp"
+#include "scenario/setup/ParameterTable.hpp"
+
+// The table that a state law with `has_table` takes steady friction from: two datasets of HDF5.
+namespace asperity::scenario
+{
+void declareSteadyFriction(Declare& declare);
+
+// Of the deck's list `Friction`. InputError if a dataset cannot be read, the slip rates do not
+// increase, a number is not above zero, or there are not as many of both.
+friction::TableView steadyFriction(ParameterList const& list);
+} // namespace asperity::scenario
