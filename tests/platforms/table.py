@@ -26,10 +26,13 @@ def version_row(text):
 
 
 def test_row(text):
-    """What ctest's summary says: numbers of tests, and {name: how} of those that did not pass."""
-    total = re.search(r"(\d+) tests? failed out of (\d+)", text)
-    if not total:
+    """What ctest's summary, the last in the text, says: numbers of tests, and {name: how} of those
+    that did not pass. A test that runs ctest itself has printed its summary before, if it failed.
+    """
+    totals = list(re.finditer(r"(\d+) tests? failed out of (\d+)", text))
+    if not totals:
         return {"passed": 0, "of": 0, "others": {}}
+    total = totals[-1]
     others = dict(re.findall(r"^\s+\d+ - (\S+) \(([^()]+)\)", text[total.end():], re.MULTILINE))
     skipped = sum(how == "Skipped" for how in others.values())
     return {"passed": int(total.group(2)) - int(total.group(1)) - skipped,

@@ -60,6 +60,10 @@ class Table(unittest.TestCase):
                          "Open MPI 5.0.7 | 1.14.5 | 216 of 218 | `style.format` (disabled), "
                          "`unit.io.Xdmf` (skipped), `unit.x_MPI_2` (failed) | 300 | 900 |")
 
+    def test_the_last_summary_counts(self):
+        inner = TESTS.replace("out of 218", "out of 11").replace("unit.x_MPI_2", "unit.y_MPI_1")
+        self.assertEqual(table.test_row(inner + TESTS), table.test_row(TESTS))
+
     def test_a_tree_that_does_not_know_its_commit(self):
         row = self.row(version=VERSION.replace("an archive, ", ""))
         self.assertEqual(row["compiler"], "GNU 14.2.0")
