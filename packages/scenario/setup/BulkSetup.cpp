@@ -85,11 +85,12 @@ RCP<const ParameterList> bulkParameters()
   declare.openSublist(in_regions, lawsOfRegions(),
                       "Each entry is a region of the mesh whose rock has a law of its own, with "
                       "its parameters; the law above holds in the others.");
-  declare.sublist(StressAtStart::list_name, StressAtStart::validParameters(),
-                  "Rock that yields has this stress at the start, positive in tension, beside that "
-                  "of its displacement. It has to be in equilibrium by itself, with the initial "
-                  "tractions on the fault. An antiplane model takes XZ, YZ and the mean of XX, YY "
-                  "and ZZ; it has no effect on rock that does not yield.");
+  declare.sublist(
+    StressAtStart::list_name, StressAtStart::validParameters(),
+    "Rock that yields or has a power law has this stress at the start, positive in "
+    "tension, beside that of its displacement. It has to be in equilibrium by itself, "
+    "with the initial tractions on the fault. An antiplane model takes XZ, YZ and "
+    "the mean of XX, YY and ZZ; it has no effect on other rock.");
   return declare.list();
 }
 
