@@ -5,7 +5,8 @@
 // and flows with Darcy's velocity -k / eta grad p,
 // with the storage S (compressibility times porosity), the width w, the permeability k, the
 // viscosity eta and the rates q of wells, on the surface of the fault. Where k changes
-// (Permeability.hpp), each step has that of its middle: steps stay of second order.
+// (Permeability.hpp), each step has that of its middle: steps stay of second order, but for changes
+// of sigma, which count from the step after.
 #include "base/Errors.hpp"
 #include "base/parallel/Agreement.hpp"
 #include "base/program/WorkTimers.hpp"

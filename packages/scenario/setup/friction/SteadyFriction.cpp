@@ -10,8 +10,8 @@ namespace asperity::scenario
 {
 namespace
 {
-char const* const of_rates = "Table Slip Rate";
-char const* const of_friction = "Table Friction";
+char const* const rates_entry = "Table Slip Rate";
+char const* const friction_entry = "Table Friction";
 
 std::string described(ParameterList const& list, char const* entry)
 {
@@ -19,7 +19,7 @@ std::string described(ParameterList const& list, char const* entry)
 }
 
 // The numbers of a dataset, which are finite and above zero.
-std::vector<double> positive(ParameterList const& list, char const* entry, char const* unit)
+std::vector<double> positiveNumbers(ParameterList const& list, char const* entry, char const* unit)
 {
   auto const& name = list.get<std::string>(entry);
   ASPERITY_REQUIRE(VertexDataset::isName(name), described(list, entry)
@@ -38,25 +38,25 @@ std::vector<double> positive(ParameterList const& list, char const* entry, char 
 void declareSteadyFriction(Declare& declare)
 {
   declare
-    .text(of_rates, required,
+    .text(rates_entry, required,
           "This HDF5 dataset, \"file.h5:/dataset\", has slip rates [m/s], from the lowest to the "
           "highest. Steady friction beyond them is that of the nearest.")
-    .text(of_friction, required,
+    .text(friction_entry, required,
           "This one has the friction coefficient of steady sliding at each of them; between them "
           "it is a monotone cubic in the logarithm of the slip rate.");
 }
 
 friction::TableView steadyFriction(ParameterList const& list)
 {
-  auto rates = positive(list, of_rates, "m/s");
-  auto const friction = positive(list, of_friction, "-");
+  auto rates = positiveNumbers(list, rates_entry, "m/s");
+  auto const friction = positiveNumbers(list, friction_entry, "-");
   ASPERITY_REQUIRE(rates.size() == friction.size() && rates.size() >= 2,
-                   described(list, of_rates)
-                     << " has " << rates.size() << " numbers, " << described(list, of_friction)
+                   described(list, rates_entry)
+                     << " has " << rates.size() << " numbers, " << described(list, friction_entry)
                      << " has " << friction.size() << ". Two or more are wanted, and as many.");
   for (std::size_t i = 0; i < rates.size(); ++i) {
     rates[i] = std::log10(rates[i]);
-    ASPERITY_REQUIRE(i == 0 || rates[i - 1] < rates[i], described(list, of_rates)
+    ASPERITY_REQUIRE(i == 0 || rates[i - 1] < rates[i], described(list, rates_entry)
                                                           << " does not increase from row " << i - 1
                                                           << " to row " << i << ".");
   }
