@@ -11,8 +11,8 @@ class Steps(unittest.TestCase):
     @classmethod
     def setUpClass(cls):
         folder = asperity_run.run_to_end(
-            "steps", DECK, "--set", "Mesh/Box/Cell Size Factor=4",
-            "--set", "TNNMG/Linear Correction=MueLu", "--set", "Time Stepping/Final Time=5")
+            "steps", DECK, "--set", "Mesh/Box/Cell Size Factor=2",
+            "--set", "TNNMG/Linear Correction=MueLu", "--set", "Time Stepping/Final Time=60")
         cls.rows = asperity_run.table(folder / "steps.csv")
 
     def total(self, name):
@@ -23,9 +23,9 @@ class Steps(unittest.TestCase):
         self.assertLess(self.total("tnnmg_iterations"), 2 * self.total("rate_problems"))
         self.assertEqual(self.total("energy_rises"), 0)
 
-    def test_a_coupled_step_takes_few_v_cycles(self):
-        # Solved one by one they take 19 here, and 68 on the deck's own cells.
-        self.assertLess(self.total("v_cycles"), 10 * self.total("coupled_steps"))
+    def test_a_correction_takes_few_v_cycles(self):
+        # To a tenth of the residual; they take 3.1. The limit was chosen after that.
+        self.assertLess(self.total("v_cycles"), 4 * self.total("tnnmg_iterations"))
         self.assertGreater(self.total("v_cycles"), 0)
 
     def test_steps_are_compared_in_pairs(self):
