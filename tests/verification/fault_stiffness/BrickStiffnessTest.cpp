@@ -99,8 +99,8 @@ TEST(BrickStiffness, HasAThirdOfTheErrorOfCubesForSlipAlongTheWave)
   EXPECT_LE(errorOf(Slip::along_wave, 0.5, 32), 0.3 * cubes);
 }
 
-// By a sketch in Python, cubes have errors of 9.9 and 2.0 % with 12 cells for a wavelength, and with
-// layers of 0.3, 0.45, 0.686, 1.174, 1.174 ... of their height, as twelve of them become,
+// By a sketch in Python, cubes have errors of 9.9 and 2.0 % with 12 cells for a wavelength. With
+// layers of 0.3, 0.45, 0.686, 1.174, 1.174 ... of their height, as twelve of them become, it is
 // 3.46 and 0.32 %. In a deep box, whose other layers keep their height, it would be 3.0 and 0.0 %.
 TEST(BrickStiffness, HasAThirdOfTheErrorOfCubesWithFlatLayers)
 {
