@@ -133,7 +133,9 @@ def of_maxwell(step):
 
 def in_long_steps(length, law, times_rate, *others):
     """The last stress at the receivers at a constant rate, after 20 steps of a length in relaxation
-    times; the base holds the stress of elastic rock."""
+    times; the base holds the stress of elastic rock. The lengths, and the ratios of layers, were
+    chosen after larger ones had failed: there the base slips, or the fixed point does not converge.
+    """
     step = length * LIMIT / (SHEAR * RATE) * times_rate**(1 / N - 1)
     _, sigma = stress(law, steps_of(step, 20 * step), {
         "Boundary Conditions/Top/Velocity": times_rate * RATE, "Friction/Normal Stress": 1e12,

@@ -1,7 +1,7 @@
 """Where rock yields beside a rupture, in xml/off_fault_2d.xml with coarse cells: on the side that
 slip pulls where the largest compression is at 45 degrees to the fault, and on the other where it is
 at 20 degrees (Poliakov et al. 2002, Templeton and Rice 2008). Half a turn about the hypocentre
-changes nothing.
+changes nothing. The final time is 3 s since 95.9 % had been found at 2.5 s, near the limit of 95 %.
 """
 
 import sys
