@@ -191,4 +191,9 @@ std::string joinPath(std::string const& path, std::string const& name)
 {
   return path.empty() ? name : path + " / " + name;
 }
+
+bool isGiven(ParameterList const& list, std::string const& name)
+{
+  return list.isParameter(name) || list.isSublist(name);
+}
 } // namespace asperity

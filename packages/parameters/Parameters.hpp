@@ -117,4 +117,7 @@ void completeAndValidate(ParameterList& list, ParameterList const& valid, std::s
 
 // "Asperity / Friction" + "a" = "Asperity / Friction / a"
 std::string joinPath(std::string const& path, std::string const& name);
+
+// Whether the list has the entry, as a parameter or as a list of values per region.
+bool isGiven(ParameterList const& list, std::string const& name);
 } // namespace asperity

@@ -21,11 +21,6 @@ char const* const of_distance = "Permeability Slip Distance";
 char const* const of_healing = "Permeability Healing Time";
 char const* const evolved_name = "opened_permeability";
 
-bool isGiven(Teuchos::ParameterList const& parameters, char const* name)
-{
-  return parameters.isParameter(name) || parameters.isSublist(name);
-}
-
 // The state k' tends to the mean of k_max and k_min, weighted by their rates.
 struct PermeabilityFlow
 {

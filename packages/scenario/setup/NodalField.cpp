@@ -30,11 +30,6 @@ std::vector<int> vertexRegions(Mesh<Dim> const& mesh)
 }
 } // namespace
 
-bool isGiven(ParameterList const& list, std::string const& name)
-{
-  return list.isParameter(name) || list.isSublist(name);
-}
-
 Field steadyField(ParameterList const& list, std::string const& name, std::string const& path,
                   std::vector<std::string> const& region_names, std::vector<bool> const& used)
 {

@@ -74,7 +74,4 @@ std::array<double, 3> inSpace(Point<Dim> const& x)
 {
   return {x[0], x[1], Dim == 3 ? x[Dim - 1] : 0};
 }
-
-// Whether the deck gives the entry, as a parameter or as a list of values per region.
-bool isGiven(ParameterList const& list, std::string const& name);
 } // namespace asperity::scenario

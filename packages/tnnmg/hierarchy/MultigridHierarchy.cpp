@@ -67,6 +67,7 @@ Teuchos::ParameterList MultigridHierarchy::defaults(int components)
   list.set("verbosity", "none");
   list.set("number of equations", components);
   list.set("multigrid algorithm", "sa");
+  list.set("max levels", 10);
   list.set("coarse: max size", 200);
   list.set("coarse: type", "none"); // the cycle has a solver and smoothers of its own
   list.set("smoother: pre or post", "none");
@@ -109,6 +110,9 @@ MultigridHierarchy::MultigridHierarchy(std::vector<MatrixSource> const& terms, i
       level.added = makeCoarseFault(Q, fault.extent_int(1), graph, maps);
     }
     if (l < coarse.size()) {
+      if (aggregation.keeps_prolongators) {
+        prolongators_.push_back(coarse[l].P);
+      }
       auto prolongation = makeNodeGraph({coarse[l].P}, size, motions);
       level.P = blocksOf(prolongation.graph, prolongation.maps, *coarse[l].P);
       level.prolongation = std::move(prolongation.graph);

@@ -22,6 +22,7 @@ struct Aggregation
   // A coarse level with fewer rows per rank on average moves to fewer ranks; 0: levels stay.
   int rows_per_rank = 0;
   multigrid::RowOrder row_order = multigrid::defaultRowOrder(); // of sweeps
+  bool keeps_prolongators = false;                              // as sparse matrices, too
 };
 
 // The levels of all matrices sum_k w_k A_k with the same terms A_k, for a cycle of any weights,
@@ -44,6 +45,8 @@ public:
 
   std::vector<multigrid::Level> const& levels() const { return hierarchy_->levels(); }
   std::shared_ptr<const multigrid::Hierarchy> const& shared() const { return hierarchy_; }
+  // From that of level 1 on; none unless they are kept.
+  std::vector<RCP<const CrsMatrix>> const& prolongators() const { return prolongators_; }
   // The blocks of a matrix with couplings of the terms on the finest level, as its rows have them.
   multigrid::HostBlocks finestBlocks(CrsMatrix const& Z) const;
 
@@ -51,5 +54,6 @@ private:
   std::shared_ptr<const multigrid::Hierarchy> hierarchy_;
   multigrid::HostGraph finest_graph_;
   NodeMaps finest_maps_;
+  std::vector<RCP<const CrsMatrix>> prolongators_;
 };
 } // namespace asperity::tnnmg::detail

@@ -1,6 +1,7 @@
 #include "tnnmg/multigrid/MultigridCorrection.hpp"
 
 #include "tnnmg/multigrid/BelosConjugateGradients.hpp"
+#include "tnnmg/multigrid/MueLuPreconditioner.hpp"
 #include "tnnmg/multigrid/MultigridParameters.hpp"
 #include "tnnmg/multigrid/MultigridPreconditioner.hpp"
 #include "tnnmg/multigrid/MultigridSymmetry.hpp"
@@ -68,7 +69,13 @@ struct MultigridCorrection::Implementation
       , A(rcp(new detail::MultigridOperator(problem.Z, nodes)))
       , residual(problem.Z->getRowMap())
   {
-    preconditioner = rcp(new detail::MultigridPreconditioner(hierarchy, weights, problem.Z, nodes));
+    if (parameters.cycle_by == Parameters::CycleBy::us) {
+      ours = rcp(new detail::MultigridPreconditioner(hierarchy, weights, problem.Z, nodes));
+      preconditioner = ours;
+    } else {
+      preconditioner = rcp(new detail::MueLuPreconditioner(
+        hierarchy.prolongators(), parameters.muelu_cycle, problem.Z, nodes));
+    }
     // The asymmetry is relative to the energy of pseudorandom vectors. Since this energy is small
     // compared with their squares, by the square root of Z's condition number, rounding to single
     // precision shows. A defect, for example of a direct solver, gives an asymmetry of order one.
@@ -91,9 +98,8 @@ struct MultigridCorrection::Implementation
     if (parameters.method == Parameters::Method::v_cycles) {
       return descend(*A, *preconditioner, residual, relative_tolerance, parameters.v_cycles, c);
     }
-    if (relative_tolerance >= multigrid::FloatConjugateGradients::certain) {
-      return preconditioner->solveLoosely(residual, relative_tolerance, parameters.max_iterations,
-                                          c);
+    if (!ours.is_null() && relative_tolerance >= multigrid::FloatConjugateGradients::certain) {
+      return ours->solveLoosely(residual, relative_tolerance, parameters.max_iterations, c);
     }
     return detail::conjugateGradients(A, preconditioner, residual, relative_tolerance,
                                       parameters.max_iterations, parameters.belos, c);
@@ -102,7 +108,8 @@ struct MultigridCorrection::Implementation
   Parameters parameters;
   std::shared_ptr<detail::MultigridNodes> nodes;
   RCP<const detail::MultigridOperator> A;
-  RCP<detail::MultigridPreconditioner> preconditioner;
+  RCP<detail::Preconditioner> preconditioner;
+  RCP<detail::MultigridPreconditioner> ours; // the same, unless the cycle is MueLu's
   Vector residual;
   int rebuilds = 0;
 };

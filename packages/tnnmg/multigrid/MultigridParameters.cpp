@@ -9,21 +9,53 @@ namespace asperity::tnnmg::detail
 {
 namespace
 {
-bool isAboutSmoothers(std::string const& name) { return name.rfind("smoother:", 0) == 0; }
-
-// MueLu's complete list.
-ParameterList completeMueLu(ParameterList const& given, int components, std::string const& path)
+// Of MueLu's cycle, which only MueLu's own cycle takes.
+bool isAboutCycle(std::string const& name)
 {
-  for (auto const& entry : given) {
+  return name.rfind("smoother:", 0) == 0 || name == "coarse: type" || name == "coarse: params";
+}
+
+// Throws InputError where an entry would change what is decided elsewhere.
+void check(ParameterList const& muelu, bool cycle_is_ours)
+{
+  for (auto const& entry : muelu) {
     auto const& name = entry.first;
-    ASPERITY_REQUIRE(
-      !isAboutSmoothers(name) && name != "coarse: type" && name != "repartition: enable" &&
-        name != "reuse: type" && name != "number of equations",
-      path << " / " << name
-           << " cannot be chosen: of MueLu only the prolongators are used, and the V-cycle has "
-           << "smoothers and a coarse solver of its own. Remove it.");
+    const std::string path = "Asperity / TNNMG / MueLu Correction / MueLu / " + name;
+    ASPERITY_REQUIRE(name != "repartition: enable" && name != "reuse: type" &&
+                       name != "number of equations",
+                     path << " cannot be chosen: Asperity sets it. Remove it.");
+    ASPERITY_REQUIRE(!cycle_is_ours || !isAboutCycle(name),
+                     path << " cannot be chosen: of MueLu only the prolongators are used, and the "
+                          << "V-cycle has smoothers and a coarse solver of its own. Remove it, or "
+                          << "set 'MueLu Correction / Cycle' = MueLu.");
   }
+}
+
+// MueLu's complete list for the prolongators.
+ParameterList forAggregation(ParameterList const& given, int components)
+{
   auto list = MultigridHierarchy::defaults(components);
+  for (auto const& entry : given) {
+    if (!isAboutCycle(entry.first)) {
+      list.setEntry(entry.first, entry.second);
+    }
+  }
+  return list;
+}
+
+// MueLu's complete list for its cycle. The coarsest level lies on one rank, which factorises it
+// with all fill: KLU2, MueLu's default, is wrong on several ranks in Trilinos 13.2, and a dense
+// factor of no rows, on the others, ends the program.
+ParameterList forCycle(ParameterList const& given, int components)
+{
+  auto list = MultigridHierarchy::defaults(components);
+  list.remove("reuse: type");
+  list.remove("smoother: pre or post");
+  constexpr double all_fill = 1e4; // of the entries of the matrix
+  list.set("coarse: type", "ILUT");
+  list.sublist("coarse: params")
+    .set("fact: ilut level-of-fill", all_fill)
+    .set("fact: drop tolerance", 0.0);
   list.setParameters(given);
   return list;
 }
@@ -35,6 +67,10 @@ Teuchos::RCP<const ParameterList> MultigridParameters::valid()
     .choice("Method", "CG", {"CG", "V-Cycles"},
             "Selects how the correction is solved. CG: conjugate gradients use a V-cycle as "
             "preconditioner. V-Cycles: a few V-cycles are made, each with an optimal step length.")
+    .choice("Cycle", "Own", {"Own", "MueLu"},
+            "Selects whose V-cycle it is. Own: Asperity's, in single precision. MueLu: that of "
+            "Trilinos on the same prolongators, in double precision, with the smoothers and the "
+            "coarse solver of the list MueLu; a reference, which costs more.")
     .integer("Maximum Iterations", 200, Range::atLeast(1),
              "Conjugate gradients make at most this number of iterations in one correction.")
     .integer("V-Cycles", 1, Range::atLeast(1),
@@ -57,7 +93,7 @@ Teuchos::RCP<const ParameterList> MultigridParameters::valid()
             "time. Default: Colours on a device, else Chunks.")
     .foreignSublist("MueLu", ParameterList("MueLu"),
                     "MueLu reads these entries, in its own spelling, when it makes the "
-                    "prolongators. Each replaces one default.")
+                    "prolongators, and its cycle. Each replaces one default.")
     .foreignSublist(
       "Belos", ParameterList("Belos"),
       "Belos reads these entries, in its own spelling, for its pseudo-block conjugate gradients, "
@@ -74,8 +110,14 @@ MultigridParameters::MultigridParameters(ParameterList const& given, int compone
   v_cycles = list.get<int>("V-Cycles");
   rebuilds = list.get<std::string>("Hierarchy") == "Rebuild";
   outdated_share = list.get<double>("Outdated Share");
-  aggregation.muelu =
-    completeMueLu(list.sublist("MueLu"), components, "Asperity / TNNMG / MueLu Correction / MueLu");
+  cycle_by = list.get<std::string>("Cycle") == "Own" ? CycleBy::us : CycleBy::muelu;
+  auto const& muelu = list.sublist("MueLu");
+  check(muelu, cycle_by == CycleBy::us);
+  aggregation.muelu = forAggregation(muelu, components);
+  aggregation.keeps_prolongators = cycle_by == CycleBy::muelu;
+  if (cycle_by == CycleBy::muelu) {
+    muelu_cycle = forCycle(muelu, components);
+  }
   aggregation.rows_per_rank = list.get<int>("Rows per Rank");
   if (auto const order = list.get<std::string>("Row Order"); order != "Default") {
     aggregation.row_order =

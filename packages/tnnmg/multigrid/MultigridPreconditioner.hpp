@@ -2,7 +2,8 @@
 
 #include "multigrid/FloatConjugateGradients.hpp"
 #include "tnnmg/hierarchy/MultigridHierarchy.hpp"
-#include "tnnmg/multigrid/MultigridOperator.hpp"
+#include "tnnmg/multigrid/CoarseHessians.hpp"
+#include "tnnmg/multigrid/Preconditioner.hpp"
 
 #include <Tpetra_CrsMatrix.hpp>
 
@@ -11,34 +12,23 @@
 
 namespace asperity::tnnmg::detail
 {
-// A symmetric approximation of (Z + H)^-1 on the dofs that are neither removed nor held: a V-cycle
-// whose fine level has the Hessians and removed nodes of the solve, while those of the coarse
-// levels are brought up to date on demand, with a limit for those much larger than Z.
-class MultigridPreconditioner : public Operator
+// The V-cycle of package multigrid, in single precision.
+class MultigridPreconditioner final : public Preconditioner
 {
 public:
   // Z is the sum of the hierarchy's terms times weights.
   MultigridPreconditioner(MultigridHierarchy const& hierarchy, std::vector<double> const& weights,
                           RCP<const CrsMatrix> Z, std::shared_ptr<const MultigridNodes> nodes);
 
-  // Adapts the fine level; has to be called after the blocks of the nodes have changed. Throws
-  // SolveError if a matrix is not positive definite.
-  void setup();
-
-  // The share of the nonlinear nodes, over all ranks, whose Hessian on the coarse levels differs
-  // from the current one by more than a factor. Smooth errors are then corrected by too much or too
-  // little, the more so the finer the mesh is. Collective.
-  double outdatedShare() const;
-
-  // Brings the current Hessians into the coarse levels.
-  void rebuild();
-  // The next set-up takes the Hessians out of the coarse levels, unless rebuild() comes first.
-  void forgetHessians();
+  void setup() override;
+  double outdatedShare() const override;
+  void rebuild() override;
+  void forgetHessians() override { coarse_.forget(); }
+  int numCycles() const override { return num_cycles_; }
+  std::size_t bytes() const override { return cycle_.bytes(); }
 
   RCP<const Map> getDomainMap() const override { return Z_->getDomainMap(); }
   RCP<const Map> getRangeMap() const override { return Z_->getRangeMap(); }
-
-  // Computes z = B r for r = P r; only alpha = 1 and beta = 0 are allowed.
   void apply(MultiVector const& r, MultiVector& z, Teuchos::ETransp mode = Teuchos::NO_TRANS,
              double alpha = 1, double beta = 0) const override;
 
@@ -47,19 +37,12 @@ public:
   multigrid::IterationResult solveLoosely(Vector const& r, double relative_tolerance,
                                           int max_iterations, Vector& c) const;
 
-  // The number of V-cycles so far.
-  int numCycles() const { return num_cycles_; }
-  std::size_t bytes() const { return cycle_.bytes(); } // of this rank, without the hierarchy
-
 private:
   RCP<const CrsMatrix> Z_;
   std::shared_ptr<const MultigridNodes> nodes_;
   mutable multigrid::Cycle cycle_;
   mutable multigrid::FloatConjugateGradients gradients_;
-  bool has_coarse_hessians_ = false;
-  bool forgets_ = false; // the coarse Hessians, at the next set-up
-
-  HessianView coarse_;      // the Hessians on the coarse levels
+  CoarseHessians coarse_;
   multigrid::NodeVector r_; // what apply() gives to the cycle
   mutable int num_cycles_ = 0;
 };

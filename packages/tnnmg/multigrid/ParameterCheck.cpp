@@ -69,7 +69,7 @@ private:
   RCP<Teuchos::FancyOStream> stream_;
 };
 
-bool isGiven(Teuchos::ParameterList const& parameters, std::string const& name)
+bool hasEntries(Teuchos::ParameterList const& parameters, std::string const& name)
 {
   return parameters.isSublist(name) && parameters.sublist(name).numParams() > 0;
 }
@@ -77,8 +77,8 @@ bool isGiven(Teuchos::ParameterList const& parameters, std::string const& name)
 
 void MultigridCorrection::requireAccepted(Teuchos::ParameterList const& parameters)
 {
-  const bool muelu = isGiven(parameters, "MueLu");
-  if (!muelu && !isGiven(parameters, "Belos")) {
+  const bool muelu = hasEntries(parameters, "MueLu");
+  if (!muelu && !hasEntries(parameters, "Belos")) {
     return;
   }
   Teuchos::ParameterList list(parameters);

@@ -1,5 +1,5 @@
 """What other backends take by default, run on the backend of this build: MueLu's factories for
-threads and devices ("use kokkos refactor"), and sweeps by colours.
+threads and devices ("use kokkos refactor"), and sweeps by colours. And MueLu's own cycle.
 
 Fields must be those of the defaults to the tolerance of the solver, for about as many V-cycles.
 "aggregation: drop tol", which was a default in space, made these factories throw.
@@ -48,6 +48,13 @@ class Backends(unittest.TestCase):
         for ranks in (1, 2):
             with self.subTest(ranks=ranks):
                 self.check("colours", {"Row Order": "Colours"}, 1.25, ranks)
+
+    def test_cycle_of_muelu(self):
+        # Its smoother is not ours, so that V-cycles tell little; twice as many were allowed before
+        # the test first ran.
+        for ranks in (1, 2):
+            with self.subTest(ranks=ranks):
+                self.check("muelu", {"Cycle": "MueLu"}, 2, ranks)
 
 
 class Environment(unittest.TestCase):

@@ -1,0 +1,32 @@
+#pragma once
+
+#include "tnnmg/multigrid/MultigridOperator.hpp"
+
+#include <cstddef>
+
+namespace asperity::tnnmg::detail
+{
+// A symmetric approximation of (Z + H)^-1 on the dofs that are neither removed nor held, by one
+// cycle of multigrid: the fine level follows the blocks of the nodes in every solve, coarse levels
+// are brought up to date on demand. Only alpha = 1 and beta = 0 are allowed in apply, and r = P r.
+class Preconditioner : public Operator
+{
+public:
+  // Adapts the fine level; has to be called after the blocks of the nodes have changed. Throws
+  // SolveError if a matrix is not positive definite.
+  virtual void setup() = 0;
+
+  // The share of the nonlinear nodes, over all ranks, whose Hessian on the coarse levels differs
+  // from the current one by more than a factor. Smooth errors are then corrected by too much or too
+  // little, the more so the finer the mesh is. Collective.
+  virtual double outdatedShare() const = 0;
+
+  // Brings the current Hessians into the coarse levels.
+  virtual void rebuild() = 0;
+  // The next set-up takes the Hessians out of the coarse levels, unless rebuild() comes first.
+  virtual void forgetHessians() = 0;
+
+  virtual int numCycles() const = 0;     // so far
+  virtual std::size_t bytes() const = 0; // of this rank, without what corrections share
+};
+} // namespace asperity::tnnmg::detail
