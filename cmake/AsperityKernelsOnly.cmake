@@ -4,6 +4,10 @@
 set(ASPERITY_ENABLE_INSTALL OFF)
 set(ASPERITY_PRECOMPILED_HEADERS OFF)
 include(AsperityKokkos)
+if(ASPERITY_SEPARATE_MEMORY) # kernels have memory that the host must not touch
+  add_compile_options(-DASPERITY_MEMORY_SPACE=asperity::test::SeparateMemory
+    "SHELL:-include ${PROJECT_SOURCE_DIR}/tests/support/SeparateMemory.hpp")
+endif()
 include(AsperityPrecompiled)
 include(AsperityInstall)
 include(AsperityTargets)

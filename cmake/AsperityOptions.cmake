@@ -19,6 +19,8 @@ set(ASPERITY_TEST_TIME_FACTOR 1 CACHE STRING
 # Without Trilinos and MPI (docs/cost/backends.md).
 option(ASPERITY_KERNELS_ONLY
   "Build packages/friction and multigrid alone, with Kokkos 3.4 or newer" OFF)
+option(ASPERITY_SEPARATE_MEMORY
+  "Their kernels have memory that the host must not touch, as on a device (Kokkos 3, Serial)" OFF)
 set(ASPERITY_BACKEND "" CACHE STRING
   "The execution space that Kokkos must have: Serial, OpenMP, Cuda; empty accepts any")
 set_property(CACHE ASPERITY_BACKEND PROPERTY STRINGS "" Serial OpenMP Cuda)

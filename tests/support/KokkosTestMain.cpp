@@ -9,6 +9,9 @@
 int main(int argc, char** argv)
 {
   Kokkos::ScopeGuard kokkos(argc, argv);
+#ifdef ASPERITY_MEMORY_SPACE
+  asperity::test::watchKernels();
+#endif
   std::cout << "Kokkos " << asperity::kokkosVersion() << ", " << asperity::describeBackend()
             << '\n';
   ::testing::InitGoogleTest(&argc, argv);
