@@ -95,8 +95,11 @@ std::vector<std::string> describeSize(Problem<Dim> const& problem)
 template std::vector<std::string> describeSize(Problem<2> const&);
 template std::vector<std::string> describeSize(Problem<3> const&);
 
+namespace
+{
+// Empty if the laws do not declare a, b and L.
 template <int Dim>
-std::optional<dynamics::FaultResolution> faultResolution(Problem<Dim> const& problem,
+std::optional<dynamics::FrictionOfNodes> frictionOfNodes(Problem<Dim> const& problem,
                                                          ParameterList const& friction)
 {
   auto const nodes = faultNodes(problem.mesh, *problem.surface);
@@ -117,14 +120,44 @@ std::optional<dynamics::FaultResolution> faultResolution(Problem<Dim> const& pro
   }
   of_nodes.L = *slip_distance;
   of_nodes.sigma_n = toVector(problem.fault.given(problem.initial).sigma_n);
-  return dynamics::faultResolution(problem.mesh, *problem.surface, problem.components,
-                                   problem.fault_materials, of_nodes);
+  return of_nodes;
+}
+} // namespace
+
+template <int Dim>
+std::optional<dynamics::FaultResolution> faultResolution(Problem<Dim> const& problem,
+                                                         ParameterList const& friction)
+{
+  auto const of_nodes = frictionOfNodes(problem, friction);
+  return of_nodes ? dynamics::faultResolution(problem.mesh, *problem.surface, problem.components,
+                                              problem.fault_materials, *of_nodes)
+                  : std::nullopt;
+}
+
+template <int Dim>
+GrowthScales growthScales(Problem<Dim> const& problem, ParameterList const& friction)
+{
+  GrowthScales scales;
+  auto const of_nodes = frictionOfNodes(problem, friction);
+  auto const resolution = faultResolution(problem, friction);
+  if (!resolution) {
+    return scales;
+  }
+  scales.slip_distance = resolution->slip_distance;
+  if (!dynamics::isTooShort(*resolution, resolution->unstable_wavelength)) {
+    scales.weakening = dynamics::rateWeakeningDistances(*of_nodes);
+    constexpr double slow = 0.1; // of a seismic slip rate
+    scales.slow_rate = slow * resolution->slip_distance / resolution->seismic_time;
+  }
+  return scales;
 }
 
 template std::optional<dynamics::FaultResolution> faultResolution(Problem<2> const&,
                                                                   ParameterList const&);
 template std::optional<dynamics::FaultResolution> faultResolution(Problem<3> const&,
                                                                   ParameterList const&);
+template GrowthScales growthScales(Problem<2> const&, ParameterList const&);
+template GrowthScales growthScales(Problem<3> const&, ParameterList const&);
 
 std::vector<std::string> describe(dynamics::FaultResolution const& resolution,
                                   std::string const& state_law, std::string const& mesh_type)
@@ -184,11 +217,8 @@ std::vector<Warning> warnOfResolution(dynamics::FaultResolution const& resolutio
   const bool has_formula =
     state_law == friction::AgeingLaw::name || state_law == friction::SlipWeakeningState::name;
   const double needed = has_formula ? resolution.nucleation_length : resolution.unstable_wavelength;
-  // The length is that of an endless fault. A part of length l that ends at a free surface acts as
-  // one of length 2 l, hence the factor.
   const bool creeps_if_short = !friction::stateLaws().at(state_law).weakens_at_high_rates;
-  if (creeps_if_short && !resolution.weakens_everywhere &&
-      needed > 2 * resolution.weakening_length) {
+  if (creeps_if_short && dynamics::isTooShort(resolution, needed)) {
     warnings.push_back(
       {"nucleation length",
        std::string(has_formula ? "the nucleation length" : "the shortest length that is unstable") +

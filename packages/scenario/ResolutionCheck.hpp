@@ -16,6 +16,16 @@ template <int Dim>
 std::optional<dynamics::FaultResolution> faultResolution(Problem<Dim> const& problem,
                                                          ParameterList const& friction);
 
+// What tells that steps hide the growth of a slip rate: dynamics::GrowthWatch and SlowSlip.
+struct GrowthScales
+{
+  double slip_distance = 0;      // the smallest L of the fault [m]; 0 if unknown
+  std::vector<double> weakening; // L at nodes where friction weakens [m]; empty: nothing to watch
+  double slow_rate = 0;          // a tenth of a seismic slip rate [m/s]
+};
+template <int Dim>
+GrowthScales growthScales(Problem<Dim> const& problem, ParameterList const& friction); // collective
+
 // Lines about size: cells, vertices and unknowns; the diameters of cells as they are; the memory of
 // the model as built, and an estimate of that of the solver. Collective.
 template <int Dim>

@@ -26,9 +26,15 @@ def _state(now: Facts) -> str:
         why = (now.message or "the log says why").rstrip(".")
         if _has_lost_earthquakes(now):
             return f"failed: {why}"
+        if not now.has_checkpoint:
+            return f"failed: {why}; {on}"
+        from_here = f"`--restart-from {now.directory}/checkpoint.h5`"
+        if now.kind == "input":  # what --restart does not let change
+            return f"failed: {why}; correct the deck and begin again, from here with {from_here}"
         again = "once the disk has space" if now.exit_status == 5 else (
-            "only from the same state; change settings before")
-        return f"failed: {why}; {on}" + (f", {again}" * now.has_checkpoint)
+            "from the same state: change settings of steps or solvers before; "
+            f"for other changes {from_here}")
+        return f"failed: {why}; {on}, {again}"
     if now.state == "killed":
         return f"killed: its process is gone; {on}"
     if now.state == "silent":

@@ -125,6 +125,21 @@ std::optional<Weakening> weakeningAt(int node, FrictionOfNodes const& friction, 
 }
 } // namespace
 
+std::vector<double> rateWeakeningDistances(FrictionOfNodes const& friction)
+{
+  std::vector<double> distances(friction.L.size(), 0);
+  for (std::size_t node = 0; friction.drop.empty() && node < distances.size(); ++node) {
+    const bool weakens = friction.sigma_n[node] > 0 && friction.b[node] > friction.a[node];
+    distances[node] = weakens ? friction.L[node] : 0;
+  }
+  return distances;
+}
+
+bool isTooShort(FaultResolution const& resolution, double needed)
+{
+  return !resolution.weakens_everywhere && needed > 2 * resolution.weakening_length;
+}
+
 double seismicStep(FaultResolution const& resolution, bool has_mass)
 {
   const double of_slip = 0.01 * resolution.seismic_time;

@@ -47,6 +47,10 @@ struct FrictionOfNodes
   std::vector<double> drop = {};
 };
 
+// L [m] where friction weakens with the slip rate, 0 elsewhere (num_nodes); with slip weakening 0
+// everywhere.
+std::vector<double> rateWeakeningDistances(FrictionOfNodes const& friction);
+
 // Extremes over the nodes of all ranks where friction weakens (b > a, or mu_s > mu_d) and the
 // normal stress is positive; lengths in m. Slip weakening has no shortest wavelength that grows:
 // there it is the nucleation length.
@@ -72,6 +76,11 @@ struct FaultResolution
   double weakening_length = 0;
   bool weakens_everywhere = false;
 };
+
+// Whether the part that weakens is so short that it is likely to creep without earthquakes: less
+// than half of `needed`, the length [m] at which slip becomes unstable on an endless fault. A part
+// of length l that ends at a free surface acts as one of length 2 l.
+bool isTooShort(FaultResolution const& resolution, double needed);
 
 // The size of a step [s] that follows an earthquake: a hundredth of seismic_time and, in a body
 // with mass, at most a tenth of crossing_time.

@@ -14,7 +14,8 @@ namespace asperity::dynamics
 //   has a prescribed size. V is compared with the smallest rate in the present sequence of forced
 //   steps, from the beginning of the first of them.
 // - V dt > L in a step that meets the tolerance, which then is too loose.
-// The two kinds are counted apart.
+// The two kinds are counted apart. So are steps that slip by more than 2 L where friction weakens
+// and slip is slow (SlowSlip), in which a growth that is damped cannot show; they never end a run.
 class GrowthWatch
 {
 public:
@@ -36,6 +37,7 @@ public:
     double step_size = 0;   // [s]
     double rate_before = 0; // peak slip rate [m/s]
     double rate = 0;        // the same at its end
+    double slow_slip = 0;   // SlowSlip::of [-]
   };
   // Returns a warning for the 1st, 10th, 100th, ... step that hides growth, and for number `most`.
   std::optional<Warning> note(Step const& step);
@@ -48,6 +50,7 @@ public:
     double least = -1; // rate since forced steps began; negative after a step that is not forced
     std::int64_t forced = 0; // steps that hid growth
     std::int64_t others = 0;
+    std::int64_t damped = 0; // steps that slipped by more than 2 L
   };
   Memory const& memory() const { return memory_; }
   void restore(Memory const& memory) { memory_ = memory; }
@@ -56,6 +59,7 @@ private:
   bool isForced(Step const& step) const { return step.is_forced || is_prescribed_; }
   bool hidesGrowth(Step const& step);
   std::string describe(Step const& step, std::int64_t count) const;
+  std::optional<Warning> noteSlowSlip(Step const& step);
 
   double slip_distance_;
   std::int64_t most_;

@@ -43,7 +43,7 @@ int FaultSample::numComponents() const
   return surface_.numTangents() == 1 ? 1 : surface_.numTangents() + 1;
 }
 
-ConstNodeView FaultSample::rates() const
+ConstNodeView FaultSample::slipRates() const
 {
   return once(known_.V, [this] {
     const NodeView V("asperity::dynamics::slipRate", surface_.numNodes());
@@ -73,12 +73,12 @@ FaultSample::Values FaultSample::written(ConstBlockView const& blocks, Factor co
 
 FaultSample::Values const& FaultSample::slipRate() const
 {
-  return once(known_.slip_rate, [this] { return toVector(rates()); });
+  return once(known_.slip_rate, [this] { return toVector(slipRates()); });
 }
 
 double FaultSample::peakSlipRate() const
 {
-  return once(known_.peak, [this] { return dynamics::peakSlipRate(surface_, rates()); });
+  return once(known_.peak, [this] { return dynamics::peakSlipRate(surface_, slipRates()); });
 }
 
 FaultSample::Values const& FaultSample::alpha() const

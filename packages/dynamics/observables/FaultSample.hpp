@@ -26,6 +26,7 @@ public:
 
   int numComponents() const;
   Values const& slipRate() const;        // (num_nodes) [m/s]
+  ConstNodeView slipRates() const;       // the same where kernels run
   double peakSlipRate() const;           // [m/s], peakSlipRate of FaultMotion; collective
   Values const& alpha() const;           // (num_nodes)
   Values const& normalStress() const;    // (num_nodes) [Pa], positive in compression
@@ -42,7 +43,6 @@ private:
     std::optional<NodeView> V;
     std::optional<double> peak;
   };
-  ConstNodeView rates() const;
   template <class Factor>
   Values written(ConstBlockView const& blocks, Factor const& factor) const;
 

@@ -20,14 +20,6 @@ namespace asperity::scenario
 {
 namespace
 {
-// L [m], the smallest where friction weakens; 0 if unknown.
-template <int Dim>
-double slipDistance(Problem<Dim> const& problem, ParameterList const& friction)
-{
-  const auto resolution = faultResolution(problem, friction);
-  return resolution ? resolution->slip_distance : 0;
-}
-
 double toleranceOf(ParameterList const& time_stepping)
 {
   auto const& control = time_stepping.sublist(time_stepping.get<std::string>("Control"));
@@ -65,7 +57,9 @@ Evolution<Dim>::Evolution(ParameterList const& deck, RCP<const Communicator> con
   control_ = makeStepControl(deck.sublist("Time Stepping"),
                              io::OutputSet::times(deck.sublist("Output")), *coupled_step_);
   control_->setPlaces([this](int vertex) { return placeOf(vertex); });
-  growth_watch_.emplace(slipDistance(problem_, deck.sublist("Friction")),
+  auto const scales = growthScales(problem_, deck.sublist("Friction"));
+  slow_slip_.emplace(scales.weakening, scales.slow_rate);
+  growth_watch_.emplace(scales.slip_distance,
                         deck.sublist("Time Stepping").get<int>("Most Hiding Steps"),
                         !control_->adapts());
   view_.state = &state_;
@@ -153,6 +147,7 @@ void Evolution<Dim>::saveWatches(io::Archive& checkpoint) const
   checkpoint.set(of_growth + "least", growth_watch_->memory().least);
   checkpoint.set(of_growth + "forced", growth_watch_->memory().forced);
   checkpoint.set(of_growth + "others", growth_watch_->memory().others);
+  checkpoint.set(of_growth + "damped", growth_watch_->memory().damped);
   checkpoint.set(of_growth + "tolerance", tolerance_);
   checkpoint.set(of_stall + "smallest", stall_watch_.memory().smallest);
   checkpoint.set(of_stall + "forced", stall_watch_.memory().forced);
@@ -170,8 +165,10 @@ void Evolution<Dim>::restoreWatches(io::Archive const& checkpoint)
   const bool has_smaller_steps = checkpoint.getInteger("finest_level") < clock_.finestLevel();
   dynamics::GrowthWatch::Memory growth;
   growth.others = checkpoint.getInteger(of_growth + "others");
+  growth.damped =
+    checkpoint.has(of_growth + "damped") ? checkpoint.getInteger(of_growth + "damped") : 0;
   if (tolerance_ < checkpoint.getDouble(of_growth + "tolerance")) {
-    growth.others = 0;
+    growth.others = growth.damped = 0;
   }
   dynamics::StallWatch::Memory stall;
   if (!has_smaller_steps) {
@@ -240,7 +237,8 @@ void Evolution<Dim>::watchGrowth()
 {
   auto const info = stepInfo();
   const auto warning = growth_watch_->note(
-    {!view_.step.within_tolerance, info.time, info.step_size, rate_before_, info.peak_slip_rate});
+    {!view_.step.within_tolerance, info.time, info.step_size, rate_before_, info.peak_slip_rate,
+     slow_slip_->of(sample_.slipRates(), info.step_size, *communicator_)});
   if (warning) {
     warnings_.push_back(*warning);
   }

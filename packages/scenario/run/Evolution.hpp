@@ -2,6 +2,7 @@
 
 #include "base/Warning.hpp"
 #include "dynamics/control/GrowthWatch.hpp"
+#include "dynamics/control/SlowSlip.hpp"
 #include "dynamics/control/StallWatch.hpp"
 #include "dynamics/coupling/CoupledStep.hpp"
 #include "io/Output.hpp"
@@ -94,6 +95,7 @@ private:
   std::vector<Warning> warnings_;
   std::int64_t rises_to_tell_ = 1; // number of rises of J at which the next warning comes
   std::optional<dynamics::GrowthWatch> growth_watch_;
+  std::optional<dynamics::SlowSlip> slow_slip_;
   dynamics::StallWatch stall_watch_;
   double tolerance_;       // of the step control; 0 if it has none
   double rate_before_ = 0; // peak slip rate before the last step [m/s]

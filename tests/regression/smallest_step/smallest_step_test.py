@@ -13,6 +13,7 @@ from asperity_report import sections  # noqa: E402
 from asperity_status.facts import facts  # noqa: E402
 
 DECK = asperity_run.SOURCE / "xml" / "spring_slider.xml"
+WEDGE = asperity_run.SOURCE / "xml" / "wedge_2d.xml"
 EVENTS, DONE, SOLVE = 2, 0, 3  # events in FINAL, as with the deck's own step
 FINAL = "Time Stepping/Final Time=2500"
 
@@ -59,6 +60,20 @@ class SmallestStep(unittest.TestCase):
         self.assertLess(num_events(folder), EVENTS)
         self.assertTrue(self.warned(folder))
         self.assertIn("Choose a smaller 'Tolerance'", (folder / "run.log").read_text())
+
+    def test_a_tolerance_that_damps_earthquakes_is_told(self):
+        """The base of the wedge creeps at the plate rate; no rate doubles in steps of seconds."""
+        for tolerance, most in ((0.02, 27), (0.1, 0)):
+            with self.subTest(tolerance=tolerance):
+                folder = pathlib.Path(f"damped_{tolerance:g}")
+                shutil.rmtree(folder, ignore_errors=True)
+                result = asperity_run.run(WEDGE, *settings(
+                    f"Time Stepping/Step Doubling/Tolerance={tolerance}"),
+                    "--output", folder, timeout=250)
+                self.assertEqual((result.returncode, result.stderr), (0, ""))
+                self.assertLessEqual(num_events(folder), most)  # of 28
+                self.assertTrue(self.warned(folder))
+                self.assertIn("damp what would grow", (folder / "run.log").read_text())
 
     def test_prescribed_steps_that_lose_earthquakes_are_told(self):
         folder, result = run("prescribed", *settings(

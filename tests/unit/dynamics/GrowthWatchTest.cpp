@@ -1,8 +1,12 @@
 #include "dynamics/control/GrowthWatch.hpp"
 
+#include "dynamics/control/SlowSlip.hpp"
 #include "unit/base/Refusal.hpp"
 
+#include <Teuchos_DefaultMpiComm.hpp>
 #include <gtest/gtest.h>
+
+#include <vector>
 
 namespace asperity::dynamics
 {
@@ -114,5 +118,32 @@ TEST(GrowthWatch, KnowsNoSlipDistance)
   EXPECT_TRUE(GrowthWatch(0, 0).note(step(true, 1e-7, 1e-9, 1)));
   EXPECT_FALSE(GrowthWatch(0, 0).note(step(false, 1e4, 1e-9, 1)));
   EXPECT_FALSE(GrowthWatch(0, 0, true).note(step(false, 1e4, 1e-9, 1)));
+}
+
+// Four nodes of each rank: one does not weaken, one slips fast.
+TEST(SlowSlip, IsTheLargestOfWeakeningNodesWhoseSlipIsSlow)
+{
+  const auto world = Teuchos::rcp(new Teuchos::MpiComm<int>(MPI_COMM_WORLD));
+  const double last = world->getRank() + 1 == world->getSize() ? 1 : 0.5;
+  const SlowSlip slip({L, 0, 2 * L, L}, 1e-3);
+  const auto V =
+    toDevice(std::vector<double>{1e-9, 1e-4, last * 1e-8, 0.5}, "asperity::test::rates");
+  EXPECT_DOUBLE_EQ(slip.of(V, 1e4, *world), 1e-8 * 1e4 / (2 * L));
+  EXPECT_EQ(SlowSlip({}, 0).of(V, 1e4, *world), 0);
+}
+
+TEST(GrowthWatch, TellsOfSlowSlipOfMoreThanTwoL)
+{
+  GrowthWatch watch(L, 1);
+  auto creep = step(false, 4, 5e-5, 5e-5);
+  creep.slow_slip = 1.9;
+  EXPECT_FALSE(watch.note(creep));
+  creep.slow_slip = 8;
+  const auto warning = watch.note(creep);
+  ASSERT_TRUE(warning);
+  EXPECT_EQ(warning->topic, "hidden growth");
+  test::expectParts(warning->text, {"1 step", "4 s", "(8 L)", "Choose a smaller 'Tolerance'"});
+  EXPECT_FALSE(watch.note(creep)) << "the 10th is the next";
+  EXPECT_NO_THROW(watch.requireFew());
 }
 } // namespace asperity::dynamics

@@ -103,18 +103,21 @@ class Journal(Folder):
         status, out, _ = self.status()
         self.assertEqual(status, 3)
         self.assertIn("failed: Step 7 failed. Try other steps", out)
-        self.assertIn("continues it, only from the same state; change settings before", out)
+        self.assertIn("continues it, from the same state: change settings of steps or solvers", out)
+        self.assertIn("--restart-from", out)
         facts = self.facts()
         self.assertEqual((facts["state"], facts["exit_status"]), ("failed", 3))
         self.assertEqual(facts["message"], "Step 7 failed. Try other steps.")
 
     def test_the_kind_of_a_failure_tells_whether_a_restart_makes_sense(self):
         advice = "Choose a smaller one, or begin a new run."
-        for kind, restarts in (("lost_earthquakes", False), ("input", True), ("solve", True)):
+        for kind, restarts in (("lost_earthquakes", False), ("input", False), ("solve", True)):
             for message in (advice, "Step 7 failed."):
                 self.write({"event": "begin"}, self.end("failed", 3, message, kind=kind))
                 (self.folder / "checkpoint.h5").touch()
-                self.assertEqual("continues it" in self.status()[1], restarts, (kind, message))
+                out = self.status()[1]
+                self.assertEqual("continues it" in out, restarts, (kind, message))
+                self.assertEqual("--restart-from" in out, kind != "lost_earthquakes")
                 self.assertEqual(self.facts()["kind"], kind)
 
     def test_earlier_versions_advise_a_new_run_without_a_kind(self):
