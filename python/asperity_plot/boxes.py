@@ -112,5 +112,5 @@ def _box(axes, label: str, values: np.ndarray, name: str) -> None:
     axes.plot(shown, np.full(shown.size, -0.52), "|", color=style.GREY, markersize=6, alpha=0.6)
     axes.grid(axis="x")
     axes.set_axisbelow(True)
-    axes.set_title(f"median {unit(float(np.median(values))):.3g}", loc="right",
+    axes.set_title(f"median {unit(float(np.median(values))):.3g} {unit.name}", loc="right",
                    fontsize=8.5, color=style.ORANGE, pad=1)

@@ -2,6 +2,8 @@
 
 #include "base/parallel/Reductions.hpp"
 
+#include <algorithm>
+
 namespace asperity::dynamics
 {
 SlowSlip::SlowSlip(std::vector<double> const& L, double rate)
@@ -23,6 +25,6 @@ double SlowSlip::of(ConstNodeView const& V, double step_size,
       most = slip > most ? slip : most;
     },
     Kokkos::Max<double>(largest));
-  return maxOverRanks(largest, communicator);
+  return maxOverRanks(std::max(largest, 0.), communicator); // a rank may have no node
 }
 } // namespace asperity::dynamics
