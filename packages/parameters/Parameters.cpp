@@ -116,7 +116,7 @@ Declare& Declare::entriesWith(std::string const& choice, std::string const& word
                               RCP<const ParameterList> const& entries)
 {
   const auto choice_info = parameterInfo(*list_, choice);
-  ASPERITY_ASSERT(!choice_info.is_null() && choice_info->presence == Presence::has_default);
+  ASPERITY_ASSERT(!choice_info.is_null() && choice_info->presence != Presence::is_optional);
   auto info = makeInfo(ParameterKind::alternative);
   info->chosen_by = choice;
   info->words = {word};

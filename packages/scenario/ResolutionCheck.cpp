@@ -243,10 +243,9 @@ double defaultStep(dynamics::FaultResolution const& resolution, ParameterList co
   return std::max({std::min(seismic, largest / 2), std::ldexp(largest, -60),
                    2 * (finalTime(time) + largest) / 9e18});
 }
-} // namespace
 
 template <int Dim>
-double smallestStep(Problem<Dim> const& problem, ParameterList const& deck)
+double stepOfDeckOrDefault(Problem<Dim> const& problem, ParameterList const& deck)
 {
   auto const& time = deck.sublist("Time Stepping");
   if (time.isParameter(step_name)) {
@@ -258,6 +257,25 @@ double smallestStep(Problem<Dim> const& problem, ParameterList const& deck)
                                             "weakens somewhere and its laws declare a, b and L. "
                                             "Give a step that resolves the fastest slip.");
   return defaultStep(*resolution, deck);
+}
+
+// Such rock is a fluid in any step, and its shear modulus a number without effect.
+constexpr double far_below = 1e-3; // relaxation time over the smallest step
+} // namespace
+
+template <int Dim>
+double smallestStep(Problem<Dim> const& problem, ParameterList const& deck)
+{
+  const double step = stepOfDeckOrDefault(problem, deck);
+  for (auto const& branch : problem.branches) {
+    ASPERITY_REQUIRE(branch.time >= far_below * step,
+                     bulk_path << ": a relaxation time, " << branch.time
+                               << " s, is less than a thousandth of the smallest step, " << step
+                               << " s. Check the viscosity, whose unit is Pa s, and the shear "
+                                  "modulus; or choose a smaller '"
+                               << step_name << "'.");
+  }
+  return step;
 }
 
 namespace

@@ -43,7 +43,8 @@ std::vector<Warning> warnOfResolution(dynamics::FaultResolution const& resolutio
 
 // `Time Stepping / Smallest Step` [s]; where the deck leaves it out, dynamics::seismicStep, such
 // that ticks can count to the end of the run.
-// Throws InputError where a default is needed and friction weakens nowhere. Collective.
+// Throws InputError where a default is needed and friction weakens nowhere, and where rock relaxes
+// in less than a thousandth of the step. Collective.
 template <int Dim>
 double smallestStep(Problem<Dim> const& problem, ParameterList const& deck);
 

@@ -1,4 +1,5 @@
-"""Displacement of the free surface in the years before an event and in the event.
+"""Displacement of the free surface in the years before an event, in the event, and in the plane
+after it where the run has no other.
 
 Where a fault cuts the surface there is one node on each side of it, and the lines break. Under back
 slip it is the displacement of the bodies, without the steady motion of the plates.
@@ -32,10 +33,13 @@ def draw(run: Run, view: View):
     if plane.is_surface(run.surface):
         return deformation_maps.draw(run, spans, titles)
     directions = _directions(run)
+    if len(run.complete_events["onset"]) == 1:
+        spans.append((spans[1][1], run.surface.time[-1]))
+        titles.append(f"In the {units.text(spans[2][1] - spans[2][0], 's')} after it")
     changes = [[_change(run, span, direction) for _, direction, _ in directions] for span in spans]
     changes, titles = deformation_maps.moving(changes, titles)
     where, unit = along.axis(run, run.surface, "surface"), units.length(np.array(changes))
-    size = 11.0 if len(titles) > 1 else 6.5, 4.2
+    size = [6.5, 11.0, 13.0][len(titles) - 1], 4.2
     figure, axes = style.panels(1, len(titles), size, sharex=True)
     for panel, lines in zip(axes[0], changes):
         for (name, _, colour), line in zip(directions, lines):
@@ -52,15 +56,15 @@ def draw(run: Run, view: View):
     return figure
 
 
-def _spans(run: Run, view: View) -> Tuple[Window, Window]:
+def _spans(run: Run, view: View) -> List[Window]:
     """From the event before, or the run's start, to the onset; and the event with its waves."""
     events = run.complete_events
     onsets, durations = events["onset"], events["duration"]
     later = np.append(onsets[1:], run.surface.time[-1])
     settled = np.minimum(onsets + (1.0 + SETTLING) * durations, later)
     before = settled[onsets < view.onset]
-    return ((before[-1] if before.size else run.span[0], view.onset),
-            (view.onset, settled[onsets == view.onset][0]))
+    return [(before[-1] if before.size else run.span[0], view.onset),
+            (view.onset, settled[onsets == view.onset][0])]
 
 
 def _directions(run: Run) -> List[Tuple[str, np.ndarray, str]]:

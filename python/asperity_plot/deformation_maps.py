@@ -21,7 +21,7 @@ NOTHING = 1e-6  # of the largest displacement: a panel of this would be empty
 SHOWN = 0.01    # places that move less than this share of the largest are left out
 
 
-def draw(run: Run, spans: Tuple[Window, Window], titles: List[str]):
+def draw(run: Run, spans: List[Window], titles: List[str]):
     """One panel for each span of time [s]."""
     nodes = run.surface.array("geometry/coordinates")
     triangles = run.surface.array("geometry/connectivity").astype(int)

@@ -6,7 +6,7 @@ namespace asperity::fem
 namespace
 {
 // Elastic up to a shear stress t = sqrt(s : s / 2) that may grow with the inelastic shear:
-//   t <= k + H gamma
+//   t <= k + H gamma, where k may fall with gamma
 struct VonMises
 {
   static constexpr char const* name = "Von Mises";
@@ -14,11 +14,14 @@ struct VonMises
     {"Shear Strength", "Pa", no_default, 0, infinity, false, false,
      "The rock yields at this shear stress, sqrt(s : s / 2) of its deviatoric part s."},
     hardening,
-    yield_relaxation};
+    yield_relaxation,
+    residual_share,
+    softening_shear};
 
   KOKKOS_FUNCTION static double shearStress(double const* values, Trial const& trial)
   {
-    return yielded(values[0], values[1], values[2], trial);
+    const double k = values[0] * softened(values[3], values[4], trial);
+    return yielded(k, values[1], values[2], trial);
   }
 };
 } // namespace

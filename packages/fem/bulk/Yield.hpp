@@ -11,6 +11,26 @@ inline constexpr Parameter hardening = {
   0,           0,
   infinity,    true,
   false,       "The yield stress grows by this value for each unit of inelastic shear strain."};
+inline constexpr Parameter residual_share = {
+  "Residual Share",
+  "-",
+  1,
+  0,
+  1,
+  false,
+  true,
+  "The cohesion (of Von Mises the shear strength) falls to this share of itself with inelastic "
+  "shear; 1: it stays."};
+inline constexpr Parameter softening_shear = {
+  "Softening Shear",
+  "-",
+  0.01,
+  0,
+  infinity,
+  false,
+  false,
+  "The cohesion falls to that share in proportion to the inelastic shear strain, "
+  "over this one."};
 inline constexpr Parameter yield_relaxation = {
   "Yield Relaxation Time",
   "s",
@@ -20,6 +40,14 @@ inline constexpr Parameter yield_relaxation = {
   true,
   false,
   "Stress above the yield stress falls to 1/e within this time (Duvaut and Lions); 0: at once."};
+
+// The share of a cohesion that the inelastic shear of the steps before has left. It stays during a
+// step: if it fell within one, so would t1(t), and J would not be convex.
+KOKKOS_INLINE_FUNCTION double softened(double residual, double softening, Trial const& trial)
+{
+  const double way = trial.shear < softening ? trial.shear / softening : 1;
+  return 1 - (1 - residual) * way;
+}
 
 // t1 where the yield stress is `strength` [Pa] without inelastic shear and has a slope H [Pa], and
 // what lies above it relaxes with the time [s]:

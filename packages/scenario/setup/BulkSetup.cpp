@@ -27,15 +27,11 @@ constexpr char const* radiation_damping = "Radiation Damping";
 constexpr char const* law_choice = "Law";
 constexpr char const* in_regions = "Regions";
 
-void declareLaw(Declare& declare, std::string const& meaning)
-{
-  declareChoice(declare, law_choice, "Kelvin-Voigt", fem::bulkLaws(), meaning);
-}
-
 RCP<const ParameterList> lawsOfRegions()
 {
   Declare one;
-  declareLaw(one, "Selects the law of the rock in the region.");
+  declareChoice(one, law_choice, required, fem::bulkLaws(),
+                "Selects the law of the rock in the region.");
   return Declare()
     .sublist("<region>", one.list(), "Names a region of the mesh and gives the law of its rock.")
     .list();
@@ -76,12 +72,13 @@ RCP<const ParameterList> bulkParameters()
     .realArray("Gravity Direction", std::vector<double>{0., -1.}, "-", Range::any(),
                "Gravity points in the direction of this vector in x, y and, in three dimensions, z "
                "(0 if left out). Its length has no effect.");
-  declareLaw(declare,
-             "Selects the law of the rock: how it creeps or flows. Kelvin-Voigt: it damps "
-             "waves; without viscosity it is elastic. Maxwell: its shear stress relaxes. "
-             "Burgers: it has a transient part of the strain, too. Power Law: it flows faster than "
-             "in proportion to stress. Von Mises: it yields at a shear stress. Drucker-Prager: it "
-             "yields at a shear stress that grows with pressure.");
+  declareChoice(
+    declare, law_choice, "Kelvin-Voigt", fem::bulkLaws(),
+    "Selects the law of the rock: how it creeps or flows. Kelvin-Voigt: it damps "
+    "waves; without viscosity it is elastic. Maxwell: its shear stress relaxes. "
+    "Burgers: it has a transient part of the strain, too. Power Law: it flows faster than "
+    "in proportion to stress. Von Mises: it yields at a shear stress. Drucker-Prager: it "
+    "yields at a shear stress that grows with pressure.");
   declare.openSublist(in_regions, lawsOfRegions(),
                       "Each entry is a region of the mesh whose rock has a law of its own, with "
                       "its parameters; the law above holds in the others.");

@@ -19,7 +19,7 @@ Declare declareTable(ParameterTable const& table);
 // The entry `name`, which chooses a law of the registry, and for every law its table and what
 // more(law, declare) adds.
 template <class Law, class More>
-void declareChoice(Declare& declare, std::string const& name, std::string const& usual,
+void declareChoice(Declare& declare, std::string const& name, DefaultOr<std::string> const& usual,
                    Registry<Law> const& laws, std::string const& meaning, More const& more)
 {
   declare.choice(name, usual, laws.names(), meaning)
@@ -32,7 +32,7 @@ void declareChoice(Declare& declare, std::string const& name, std::string const&
 }
 
 template <class Law>
-void declareChoice(Declare& declare, std::string const& name, std::string const& usual,
+void declareChoice(Declare& declare, std::string const& name, DefaultOr<std::string> const& usual,
                    Registry<Law> const& laws, std::string const& meaning)
 {
   declareChoice(declare, name, usual, laws, meaning, [](Law const&, Declare&) {});

@@ -130,6 +130,17 @@ def _slowest(run):
     return run.fault["slip_rate"].reshape(run.fault.time.size, -1).min(axis=1)
 
 
+def surface_motion(place, first, last, number=1):
+    """Along x, of the surface at x = `place`, between two times since the onset of an event [s]."""
+    def read(run):
+        node = numpy.abs(run.surface.coordinates[:, 0] - place).argmin()
+        start = onset(number, 1)(run)
+        before, after = (run.surface.at("displacement", start + time)[node, 0]
+                         for time in (first, last))
+        return after - before
+    return read
+
+
 def mean_slip(chosen, number):
     """In an event, over the nodes where `chosen` of the coordinates holds, by their shares of the
     fault."""

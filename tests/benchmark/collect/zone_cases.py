@@ -67,6 +67,38 @@ def splay(name, title, b=None):
                 settings=changed, in_index=() if b else IN_INDEX)
 
 
+SETTLED, COAST, INLAND = 400, 150e3, 300e3  # s after an onset, m from the trench
+
+
+def after_an_earthquake(name, title, settings=()):
+    motions = tuple(
+        number(f"motion {where} {when}", "m", of.surface_motion(place, first, last), ".2f")
+        for where, place in (("of the coast", COAST), ("300 km from the trench", INLAND))
+        for when, first, last in (("in the event", 0, SETTLED),
+                                  ("in 20 years after it", SETTLED, 20 * of.YEAR),
+                                  ("in the next 80 years", 20 * of.YEAR, 100 * of.YEAR)))
+    return Case(name, title, "subduction", 1, (
+        number("onset of event 1", "yr", of.onset(1)),
+        number("peak slip of event 1", "m", of.of_event("peak_slip", 1), ".2f"),
+        *motions, BALANCE), SOURCE, deck="postseismic_2d", settings=settings,
+                in_index=() if settings else IN_INDEX)
+
+
+def cycles(name, title, settings=()):
+    return Case(name, title, "subduction", 5, of_last(5, range(1, 5)), SOURCE,
+                deck="subduction_cycle_2d", settings=settings,
+                in_index=() if settings else IN_INDEX)
+
+
+STIFF = "Bulk/Regions/mantle/Viscosity=1e30"
+MANTLE = (
+    after_an_earthquake("postseismic_2d", "A century after an earthquake"),
+    after_an_earthquake("postseismic_2d_elastic", "The same, elastic mantle", (STIFF,)),
+    cycles("subduction_cycle_2d", "Cycles over a mantle that flows"),
+    cycles("subduction_cycle_2d_elastic", "The same, elastic mantle",
+           (STIFF, "Bulk/Regions/mantle/Transient Viscosity=1e30")),
+)
+
 FIXED = "Friction/Normal Stress Change=Fixed"
 SUBDUCTION = (
     Case("subduction_2d", "Subduction zone in the plane", "subduction", 9,
@@ -85,4 +117,4 @@ SUBDUCTION = (
          settings=(FIXED, MOST + "1")),
 )
 
-CASES = MEGATHRUST + SUBDUCTION
+CASES = MEGATHRUST + SUBDUCTION + MANTLE

@@ -4,14 +4,15 @@ deck or the given time [s], and where their energy goes."""
 import sys
 
 import asperity_run
+from deck_meshes import make_meshes
 from sequence import YEAR, catalogue
 
 
 def main():
-    deck, least = sys.argv[1], int(sys.argv[2])
+    deck, least = asperity_run.SOURCE / "xml" / f"{sys.argv[1]}.xml", int(sys.argv[2])
+    make_meshes(deck, "--set", "h=500")
     end = ("--set", f"Time Stepping/Final Time={sys.argv[3]}") if len(sys.argv) > 3 else ()
-    folder = asperity_run.run_to_end("out", asperity_run.SOURCE / "xml" / f"{deck}.xml", *end,
-                                     timeout=14000)
+    folder = asperity_run.run_to_end("out", deck, *end, timeout=14000)
     events = catalogue(folder)
     worst = 0
     for row in events:

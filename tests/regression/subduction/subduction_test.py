@@ -8,6 +8,7 @@ import numpy
 import asperity_run
 from mesh_files import mesh_tool
 
+YEAR = 31557600.0  # s
 OVERLAY = pathlib.Path(__file__).parent / "short_subduction.xml"
 SPLAY = "y + 12e3 > 0.4 * abs(x - 65752)"  # of splay_2d.xml
 
@@ -17,9 +18,9 @@ def on_splay(place):
 
 
 class Subduction(unittest.TestCase):
-    def run_deck(self, deck, *settings):
+    def run_deck(self, deck, *settings, geometry=""):
         """The folder of a run."""
-        geometry = asperity_run.SOURCE / f"xml/meshes/{deck}.geo"
+        geometry = asperity_run.SOURCE / f"xml/meshes/{geometry or deck}.geo"
         mesh_tool("convert", geometry, "coarse.h5", "--set", "h=1000", "--overwrite")
         folder = asperity_run.run_to_end(
             "out", asperity_run.SOURCE / f"xml/{deck}.xml", "--overlay", OVERLAY,
@@ -30,9 +31,9 @@ class Subduction(unittest.TestCase):
         self.place = self.fault["geometry/coordinates"]
         return folder
 
-    def run_event(self, deck, *settings):
+    def run_event(self, deck, *settings, **more):
         """A run with one large event, from whose onset to end `change` counts."""
-        folder = self.run_deck(deck, *settings)
+        folder = self.run_deck(deck, *settings, **more)
         self.event, = [row for row in asperity_run.table(folder / "events.csv")
                        if row["peak_slip"] > 1]
         self.surface = asperity_run.series(folder / "surface.h5")
@@ -73,6 +74,21 @@ class Subduction(unittest.TestCase):
                 self.assertEqual(change, 0)
             else:
                 self.assertGreater(change, 1e5)
+
+    def test_inland_moves_on_towards_the_trench_where_the_mantle_flows(self):
+        """In the ten years after the event; on an elastic mantle it is pushed back."""
+        motions = {}
+        for viscosity in (1e19, 1e30):
+            self.run_event("postseismic_2d", f"Bulk/Regions/mantle/Viscosity={viscosity}",
+                           "Time Stepping/Final Time=5e9", geometry="subduction_2d")
+            time, place = self.surface["time"], self.surface["geometry/coordinates"][:, 0]
+            inland = numpy.abs(place - 200e3).argmin()
+            motion = self.surface["fields/displacement"][:, inland, 0]
+            settled = self.event["onset"] + 400
+            before, after = numpy.interp([settled, settled + 10 * YEAR], time, motion)
+            motions[viscosity] = after - before
+        self.assertLess(motions[1e19], -0.1)
+        self.assertGreater(motions[1e30], 0)
 
     def test_splay_that_weakens_breaks_and_one_that_strengthens_hardly(self):
         slips = {}

@@ -69,7 +69,7 @@ struct Sample
       if (yields(cell)) {
         auto& part = result.parts.front();
         part.cells.push_back(cell);
-        part.parameters.insert(part.parameters.end(), {strength, 0., 0.});
+        part.parameters.insert(part.parameters.end(), {strength, 0., 0., 1., 1.});
       }
     }
     result.initial_stress.resize(mesh.cells.size() * numTensorComponents(components));

@@ -71,6 +71,23 @@ class Deformation(FolderCase):
         y = before["up"].get_ydata()
         self.assertAlmostEqual(y[4], onset * RATES[3, 1], delta=1e-6 * onset)
 
+    def test_what_follows_the_only_event_of_a_run(self):
+        synthetic_run.write_run(self.folder, 1, nodes=20, wedge=False)
+        events = Run(self.folder).complete_events
+        onset, duration = events["onset"][0], events["duration"][0]
+        settled, final = onset + 6.0 * duration, onset + 100.0 * duration
+        displacement = np.stack([0.0 * WALL, 0.0 * WALL, WALL, 3.0 * WALL])
+        synthetic_run.write_history(self.folder / "surface.h5",
+                                    np.array([0.0, onset, settled, final]),
+                                    np.stack((X, 0.0 * X), axis=1), {"displacement": displacement})
+        run = Run(self.folder)
+        axes = deformation.draw(run, windows.choose(run, None)).axes
+        self.assertEqual(len(axes), 2)
+        for panel, words, factor in zip(axes, ("from the onset of event 1", "after it"), (1, 2)):
+            self.assertTrue(panel.get_title().endswith(words), panel.get_title())
+            y = panel.lines[1].get_ydata()
+            np.testing.assert_allclose(y[~np.isnan(y)], factor * WALL[:, 1], atol=1e-9)
+
     def test_the_last_event_ends_with_the_run_at_the_latest(self):
         run = self.write()
         events = run.complete_events

@@ -5,6 +5,7 @@ With the shear stress t = sqrt(s : s / 2), t_el if the rock were elastic, and th
     t = t_el until t_y, then t_y + (t_el - t_y) H / (G + H)  with hardening H
     t_y = c cos(phi) - mean stress sin(phi), at least 0      of Drucker and Prager
     t1 = t_y + (t - t_y) exp(-tau / T) in a step tau         with relaxation
+    c = c0 (1 - (1 - share) min(gamma / gamma_s, 1))         with softening; gamma of the past step
 """
 
 import math
@@ -19,6 +20,9 @@ SHEAR, POISSON = 1e6, 0.25
 BULK = 2 * SHEAR * (1 + POISSON) / (3 * (1 - 2 * POISSON))
 RATE, STOP = 1e-3, 8.0  # 1/s until then, s
 TOLERANCE = 1e-10       # of the largest stress
+ORDER = 0.9, 1.1        # of softening in the length of steps
+# All vertices of two cells are held or driven: in more of them the strain would not stay the same.
+TWO_CELLS = {"Mesh/Rectangle/Cells X": 1, "Mesh/Rectangle/Cells Y": 1}
 UNIAXIAL = {"Bulk/Model": "Plane Strain", "Bulk/Poisson's Ratio": POISSON,
             "Boundary Conditions/Top/Direction": "{0, 1}",
             **{f"Boundary Conditions/{side}/{key}": value for side in ("left", "right")
@@ -93,6 +97,51 @@ def under_pressure():
                    numpy.minimum(SHEAR * strain(t), bound))
 
 
+def softening(what, law, of_rock, yield_stress):
+    """yield_stress(gamma)"""
+    t, sigma = stress(law, of_rock, TWO_CELLS)
+    expected, gamma = [0.0], 0.0
+    for elastic in SHEAR * strain(t[1:]):
+        trial = elastic - SHEAR * gamma
+        expected.append(min(trial, yield_stress(gamma)))
+        gamma += (trial - expected[-1]) / SHEAR
+    return verdict(what, sigma[:, 1], numpy.array(expected))
+
+
+def softened(cohesion, share, shear):
+    """The entries, and what is left of the cohesion after the inelastic shear gamma."""
+    return ({"Residual Share": share, "Softening Shear": shear},
+            lambda gamma: cohesion * (1 - (1 - share) * min(gamma / shear, 1)))
+
+
+def softened_cohesion():
+    cohesion, degrees, pressure = 5e3, 20, 3e3
+    phi = math.radians(degrees)
+    entries, left = softened(cohesion, 0.8, 1.5e-3)
+    return softening(
+        "Drucker-Prager, softening", "Drucker-Prager",
+        {"Cohesion": cohesion, "Friction Angle": degrees, **entries,
+         **{f"Initial Stress/{name}": -pressure for name in ("XX", "YY", "ZZ")}},
+        lambda gamma: left(gamma) * math.cos(phi) + pressure * math.sin(phi))
+
+
+def order_of_softening():
+    """On the way the stress is k - S gamma = G (strain - gamma), with the slope S."""
+    k, share, shear = 3e3, 0.2, 8e-3
+    slope = k * (1 - share) / shear
+    exact = k - slope * (SHEAR * strain(STOP) - k) / (SHEAR - slope)
+    errors = []
+    for step in (0.25, 0.125, 0.0625):
+        _, sigma = stress("Von Mises", {"Shear Strength": k, **softened(k, share, shear)[0]}, {
+            **TWO_CELLS, "Time Stepping/Largest Step": step, "Time Stepping/Smallest Step": step,
+            "Time Stepping/Prescribed/Levels": "{0}", "Time Stepping/Final Time": STOP})
+        errors.append(sigma[-1, 1] - exact)
+    orders = numpy.log2(numpy.abs(errors[:-1]) / numpy.abs(errors[1:]))
+    fine = ORDER[0] < orders.min() and orders.max() < ORDER[1]
+    print(f"Softening, order {orders[0]:.2f}, {orders[1]:.2f}{'' if fine else ' NO'}")
+    return fine
+
+
 def refused():
     """Rock that yields before anything moves, or that has no strength."""
     weak = {"Bulk/Law": "Von Mises", "Bulk/Shear Strength": 5e3}
@@ -104,7 +153,11 @@ def refused():
 
 def main():
     passed = [
-        *refused(), sheared(), relaxing(), under_pressure(),
+        *refused(), sheared(), relaxing(), under_pressure(), softened_cohesion(),
+        softening("Von Mises, softening", "Von Mises",
+                  {"Shear Strength": 5e3, **softened(5e3, 0.6, 4e-3)[0]},
+                  softened(5e3, 0.6, 4e-3)[1]),
+        order_of_softening(),
         uniaxial("Von Mises, uniaxial", "Von Mises", {"Shear Strength": 4e3, "Hardening": 1e5},
                  lambda elastic, mean: hardened(elastic, 4e3, 1e5)),
         uniaxial("Drucker-Prager, uniaxial", "Drucker-Prager",
