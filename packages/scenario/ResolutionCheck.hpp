@@ -16,6 +16,10 @@ template <int Dim>
 std::optional<dynamics::FaultResolution> faultResolution(Problem<Dim> const& problem,
                                                          ParameterList const& friction);
 
+// dynamics::WaveScale::slip_rate [m/s]; 0 where there is no resolution. Collective.
+template <int Dim>
+double waveRate(Problem<Dim> const& problem, ParameterList const& friction);
+
 // Lines about size: cells, vertices and unknowns; the diameters of cells as they are; the memory of
 // the model as built, and an estimate of that of the solver. Collective.
 template <int Dim>

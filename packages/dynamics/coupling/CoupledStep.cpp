@@ -135,6 +135,13 @@ CoupledStep::CoupledStep(Body const& body, Fault const& fault, RateUpdate const&
   }
 }
 
+double CoupledStep::distance(State const& a, State const& b, Norm norm) const
+{
+  const double of_fault = unknowns_.distance(a, b, norm);
+  const double of_rock = inelastic_ ? inelastic_->distance(a, b, norm) : 0;
+  return std::isfinite(of_rock) ? std::max(of_fault, of_rock) : of_rock;
+}
+
 // Evaluates the expressions of the deck at the time t1. One of them may be nan on one rank alone;
 // the error is thrown on all ranks.
 void CoupledStep::evaluateLoads(double t0, double t1)

@@ -176,11 +176,12 @@ dynamics::RateUpdate makeRateUpdate(ParameterList const& list, bool has_mass)
 
 std::unique_ptr<dynamics::StepControl> makeStepControl(ParameterList const& list,
                                                        std::vector<double> const& output_times,
-                                                       dynamics::CoupledStep& step)
+                                                       dynamics::CoupledStep& step,
+                                                       double wave_rate)
 {
   auto const name = list.get<std::string>("Control");
   auto control = dynamics::StepControlRegistry::instance().at(name).make(
-    list.sublist(name), {step, makeRateUpdate(list).order, time_path});
+    list.sublist(name), {step, step.update().order, time_path, wave_rate});
   control->setInstants(instants(list, output_times, step.clock()));
   return control;
 }
