@@ -39,7 +39,9 @@ Teuchos::RCP<const Teuchos::ParameterList> RichardsonControl::validParameters()
                "A pair of steps is accepted if its estimated error is at most this: in alpha, and "
                "in all else on a scale on which it matters as much. The estimate follows from the "
                "difference to one step of twice the size, and for waves from accelerations.");
-  declareNorm(declare, "Selects the norm in which the error is measured over the fault.");
+  declareNorm(declare, Norm::maximum,
+              "Selects the norm in which the error is measured over the fault. A mean dilutes the "
+              "error of a nucleation much smaller than the fault.");
   return declareWaves(declare)
     .real("First Step", 0., "s", Range::atLeast(0),
           "The first steps have this size, which is at most half of the largest one; 0 means the "

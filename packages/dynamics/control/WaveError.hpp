@@ -20,9 +20,9 @@ struct WaveScale
 //   e = c tau (a1 - a0) (p = 1),   e = c tau^2 (j1 - j0) (p = 2)
 //
 // What counts is its largest component anywhere, c_s |e| / S with the slip factor c_s and
-// S = b sigma_n / Z + V for the peak slip rate V. A wave of velocity e that arrives changes friction
-// by about Z e. So where the fault is slow this is the change of alpha that would do the same, and
-// where it is fast the relative error of V.
+// S = b sigma_n / Z + V for the peak slip rate V. A wave of velocity e that arrives changes
+// friction by about Z e. So where the fault is slow this is the change of alpha that would do the
+// same, and where it is fast the relative error of V.
 class WaveError
 {
 public:

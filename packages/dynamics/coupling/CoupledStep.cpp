@@ -39,7 +39,7 @@ Teuchos::RCP<Teuchos::ParameterList> CouplingSettings::validParameters()
   declare.real("Tolerance", defaults.tolerance, "-", Range::open(0, 1),
                "The fixed-point iteration of rate and state ends when alpha changes by at most "
                "this between two iterates, in the norm chosen.");
-  declareNorm(declare,
+  declareNorm(declare, defaults.norm,
               "Selects how that change is measured over the fault. Maximum also responds to a "
               "nucleation much smaller than the fault, which has little weight in a mean.");
   return declare

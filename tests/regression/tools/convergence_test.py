@@ -126,7 +126,8 @@ class Convergence(unittest.TestCase):
         self.assertEqual(len(list(pathlib.Path("layer/runs").iterdir())), 5)
 
     def test_a_deck_alone_is_refined_in_cells_and_steps(self):
-        changes = [word for path, value in SETTINGS.items() for word in ("--set", f"{path}={value}")]
+        changes = [word for path, value in SETTINGS.items()
+                   for word in ("--set", f"{path}={value}")]
         _, rows = results("deck", "--convergence", LAYER / "layer.xml", *changes)
         onset = rows["1", "onset"]
         for name in ("cells", "step"):

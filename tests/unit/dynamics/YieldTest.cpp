@@ -101,9 +101,7 @@ TEST(Yield, CountsWhereStatesAreCompared)
   layer.advance(0);
   auto const other = layer.state.clone();
   EXPECT_EQ(layer.step.distance(layer.state, other, Norm::maximum), 0);
-  auto const strain = overwritten(other.inelastic->strain);
-  Kokkos::parallel_for(
-    "scale", RangePolicy(0, strain.extent(0)), KOKKOS_LAMBDA(int i) { strain(i) *= 1.5; });
+  Kokkos::deep_copy(other.inelastic->strain, 0.);
   const double found = layer.step.distance(layer.state, other, Norm::maximum);
   EXPECT_GT(found, 0.01);
   EXPECT_EQ(found, layer.body.body.cells->distance(layer.state.inelastic->strain,

@@ -59,7 +59,8 @@ class OfDecks(FolderCase):
         for path, value in values.items():
             *lists, last = path.split("/")
             entries += "".join(f'<ParameterList name="{each}">' for each in lists)
-            entries += f'<Parameter name="{last}" value="{value}"/>' + "</ParameterList>" * len(lists)
+            entries += f'<Parameter name="{last}" value="{value}"/>'
+            entries += "</ParameterList>" * len(lists)
         path = self.folder / name
         path.write_text(f'<ParameterList name="Asperity">{entries}</ParameterList>')
         return path
