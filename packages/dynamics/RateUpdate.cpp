@@ -40,6 +40,7 @@ RateUpdate RateUpdate::backwardEuler()
   update.mass_weight = 1;
   update.stiffness_weight = 1;
   update.velocity_in_acceleration = 1;
+  update.velocity_error = 0.5;
   return update;
 }
 
@@ -57,6 +58,7 @@ RateUpdate RateUpdate::generalisedAlpha(double spectral_radius)
   update.velocity_in_acceleration = (1 - lag) / gamma;
   update.acceleration_in_acceleration = (1 - lag) * (1 - gamma) / gamma - lag;
   update.lag = lag;
+  update.velocity_error = lag < 0 ? 1. / 12 - lag / 2 : 0;
   return update;
 }
 

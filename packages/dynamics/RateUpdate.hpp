@@ -35,6 +35,9 @@ struct RateUpdate
   double velocity_in_displacement = 0, acceleration_in_displacement = 0; // c_v, c_a
   double velocity_in_acceleration = 0, acceleration_in_acceleration = 0; // d_v, d_a
   double lag = 0;                                                        // alpha_M <= 0
+  // c, where a step from a smooth motion ends with v1 wrong by c tau^(p+1) d^(p+1)v/dt^(p+1) for
+  // the order p; 0 where a scheme damps nothing, so that v has what no step has ever resolved.
+  double velocity_error = 0;
 
   // Second order; unconditionally stable for beta in [1/4, 1/2].
   static RateUpdate newmark(double beta);

@@ -159,6 +159,17 @@ template std::optional<dynamics::FaultResolution> faultResolution(Problem<3> con
 template GrowthScales growthScales(Problem<2> const&, ParameterList const&);
 template GrowthScales growthScales(Problem<3> const&, ParameterList const&);
 
+template <int Dim>
+double waveRate(Problem<Dim> const& problem, ParameterList const& friction)
+{
+  auto const found = faultResolution(problem, friction);
+  // seismic_time is that of a slip rate of 20 b sigma_n / Z
+  return found ? found->slip_distance / (20 * found->seismic_time) : 0;
+}
+
+template double waveRate(Problem<2> const&, ParameterList const&);
+template double waveRate(Problem<3> const&, ParameterList const&);
+
 std::vector<std::string> describe(dynamics::FaultResolution const& resolution,
                                   std::string const& state_law, std::string const& mesh_type)
 {

@@ -26,6 +26,10 @@ struct GrowthScales
 template <int Dim>
 GrowthScales growthScales(Problem<Dim> const& problem, ParameterList const& friction); // collective
 
+// dynamics::WaveScale::slip_rate [m/s]; 0 where there is no resolution. Collective.
+template <int Dim>
+double waveRate(Problem<Dim> const& problem, ParameterList const& friction);
+
 // Lines about size: cells, vertices and unknowns; the diameters of cells as they are; the memory of
 // the model as built, and an estimate of that of the solver. Collective.
 template <int Dim>

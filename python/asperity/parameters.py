@@ -4,7 +4,7 @@ import difflib
 import re
 import xml.etree.ElementTree as ElementTree
 from pathlib import Path
-from typing import Dict, List, Optional, Set
+from typing import Dict, List, Optional, Set, Union
 
 from .errors import InputError
 
@@ -24,9 +24,18 @@ class Parameters:
         if not path.exists():
             return cls({})
         try:
-            root = ElementTree.parse(path).getroot()
-        except (ElementTree.ParseError, OSError, UnicodeDecodeError) as error:
-            raise InputError(f"{path} cannot be read as XML ({error}). "
+            text = path.read_bytes()
+        except OSError as error:
+            raise InputError(f"{path} cannot be read ({error.strerror}).") from error
+        return cls.of_text(text, f"{path}")
+
+    @classmethod
+    def of_text(cls, text: Union[str, bytes], name: str) -> "Parameters":
+        """InputError with the name if the text is damaged."""
+        try:
+            root = ElementTree.fromstring(text)
+        except (ElementTree.ParseError, UnicodeDecodeError) as error:
+            raise InputError(f"{name} cannot be read as XML ({error}). "
                              "Is it the parameters.xml that the run wrote?") from error
         values: Dict[str, str] = {}
         defaults: Set[str] = set()

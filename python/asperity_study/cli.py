@@ -21,8 +21,12 @@ ENDS = """exit status:
 @program("asperity-study")
 def main(arguments: Optional[List[str]] = None) -> int:
     options = _parse(arguments)
-    from . import study  # here, since modules may be missing
-    what = study.read(options.study)
+    from . import of_deck, runner, study  # here, since modules may be missing
+    if options.convergence:
+        what = of_deck.convergence(options.convergence, runner.find_program(options.program),
+                                   options.changes, options.coarser)
+    else:
+        what = study.read(options.study)
     values = what.runs()
     if options.list:
         for number, each in enumerate(values, start=1):
@@ -37,7 +41,8 @@ def main(arguments: Optional[List[str]] = None) -> int:
 def _run(what, values, options: argparse.Namespace) -> int:
     """Of the study `what`, whose runs have the `values` of its variables."""
     from . import convergence, figure, results, runner, study
-    folder = options.output or Path("results") / options.study.stem
+    name = f"{options.convergence.stem}_convergence" if options.convergence else options.study.stem
+    folder = options.output or Path("results") / name
     chosen = selection.chosen(options)
     results.require_other_names(what)
     jobs = _jobs(what, values, folder)
@@ -100,7 +105,15 @@ def _parse(arguments: Optional[List[str]]) -> argparse.Namespace:
         description="Runs a deck with many values side by side, continues what was killed, and "
                     "writes one table and one figure. The same command goes on where it was "
                     "stopped.")
-    parser.add_argument("study", metavar="STUDY.xml", type=Path)
+    parser.add_argument("study", metavar="STUDY.xml", type=Path, nargs="?")
+    parser.add_argument("--convergence", metavar="DECK.xml", type=Path,
+                        help="instead of a study: halves cells, steps by their tolerances, and the "
+                             "largest step of this deck, twice each, and tells the errors of its "
+                             "events and of arrivals at its receivers")
+    parser.add_argument("--coarser", action="store_true",
+                        help="with --convergence: doubles them, so that the deck is the finest")
+    parser.add_argument("--set", metavar="PATH=VALUE", dest="changes", action="append", default=[],
+                        help="with --convergence: replaces a parameter in all runs; repeatable")
     parser.add_argument("--output", metavar="DIR", type=Path,
                         help="where runs and results go (default: results/<name of the study>)")
     parser.add_argument("--cores", metavar="N", type=_count, default=len(os.sched_getaffinity(0)),
@@ -111,7 +124,12 @@ def _parse(arguments: Optional[List[str]]) -> argparse.Namespace:
                              "mpirun)")
     selection.add_options(parser)
     parser.add_argument("--list", action="store_true", help="only list the runs, start none")
-    return parser.parse_args(arguments)
+    options = parser.parse_args(arguments)
+    if bool(options.study) == bool(options.convergence):
+        parser.error("either STUDY.xml or --convergence DECK.xml is wanted")
+    if options.study and (options.coarser or options.changes):
+        parser.error("--coarser and --set go with --convergence; a study has Settings")
+    return options
 
 
 def _count(text: str) -> int:

@@ -28,7 +28,7 @@ AdaptiveSettings settingsOf(Teuchos::ParameterList const& parameters, ControlCon
                                               << " s has to be at most half of the largest one: "
                                                  "a pair is compared with one step of twice the "
                                                  "size.");
-  return AdaptiveSettings::from(parameters, clock);
+  return AdaptiveSettings::from(parameters, clock, context.wave_rate);
 }
 } // namespace
 
@@ -36,10 +36,13 @@ Teuchos::RCP<const Teuchos::ParameterList> RichardsonControl::validParameters()
 {
   Declare declare;
   declare.real("Tolerance", 1e-5, "-", Range::open(0, 1),
-               "A pair of steps is accepted if the estimated error of alpha after it is at most "
-               "this. The estimate follows from the difference to one step of twice the size.");
-  declareNorm(declare, "Selects the norm in which the error of alpha is measured over the fault.");
-  return declare
+               "A pair of steps is accepted if its estimated error is at most this: in alpha, and "
+               "in all else on a scale on which it matters as much. The estimate follows from the "
+               "difference to one step of twice the size, and for waves from accelerations.");
+  declareNorm(declare, Norm::maximum,
+              "Selects the norm in which the error is measured over the fault. A mean dilutes the "
+              "error of a nucleation much smaller than the fault.");
+  return declareWaves(declare)
     .real("First Step", 0., "s", Range::atLeast(0),
           "The first steps have this size, which is at most half of the largest one; 0 means the "
           "smallest step.")
@@ -63,6 +66,7 @@ RichardsonControl::RichardsonControl(CoupledStep& step, int order, AdaptiveSetti
     , settings_(settings)
     , extrapolation_(std::ldexp(1., order) - 1)
     , error_ratio_(std::ldexp(1., order + 1))
+    , waves_(step.body(), step.surface(), step.update(), settings.waves)
 {
   // A pair is compared with a step of twice the size.
   ASPERITY_ASSERT(settings.finest_level > settings.coarsest_level);
@@ -153,7 +157,7 @@ std::optional<State> RichardsonControl::wholeStep(State const& current, SolveCou
 bool RichardsonControl::isNearStraightLine(State const& current, State const& end) const
 {
   auto const expected = blend(straightOn(current, 2));
-  return distance(end, expected, Norm::root_mean_square) <= near;
+  return dynamics::distance(surface(), end.alpha, expected.alpha) <= near;
 }
 
 RichardsonControl::Pair RichardsonControl::pairOf(State const& current,
@@ -171,7 +175,9 @@ RichardsonControl::Pair RichardsonControl::pairOf(State const& current,
       attempt(middle, memory_.level, end ? straightFrom(*end) : Guess{2, middle, current}, count);
   }
   if (whole && pair.second) {
-    pair.error = distance(*whole, pair.second->state, settings_.norm) / extrapolation_;
+    State const& last = pair.second->state;
+    pair.error = std::max(distance(*whole, last, settings_.norm) / extrapolation_,
+                          waves_.of(current, last, clock().stepSize(memory_.level)));
   }
   return pair;
 }

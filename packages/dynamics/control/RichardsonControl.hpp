@@ -10,8 +10,9 @@ namespace asperity::dynamics
 //
 //   |alpha(one step) - alpha(two steps)| / (2^p - 1)
 //
-// (Richardson's extrapolation; Hairer, Norsett and Wanner 1993, II.4) and has to meet the
-// tolerance. Twice the step size means 2^(p+1) times the error. So the size of the next pair is
+// (Richardson's extrapolation; Hairer, Norsett and Wanner 1993, II.4). The largest error of alpha
+// and the other unknowns of a step (CoupledStep::distance) and of waves has to meet the tolerance.
+// Twice the step size means 2^(p+1) times the error. So the size of the next pair is
 // predicted from the last error and its trend, instead of being found by trial.
 //
 // The first guess of the pair comes from the step of twice the size, unless that is far from the
@@ -54,5 +55,6 @@ private:
   AdaptiveSettings settings_;
   double extrapolation_; // 2^p - 1
   double error_ratio_;   // 2^(p+1), from one level to the next
+  WaveError waves_;
 };
 } // namespace asperity::dynamics

@@ -41,7 +41,7 @@ struct AcceptedStep
 {
   int level = 0;
   int iterations = 0;           // of the fixed point, in the step that was accepted
-  double error = 0;             // of alpha, estimated, in the norm of the control
+  double error = 0;             // estimated, in the norm of the control
   bool within_tolerance = true; // false: even the smallest step did not meet it
 };
 

@@ -13,6 +13,7 @@ struct ControlContext
   CoupledStep& step;
   int order;        // of convergence of the scheme
   std::string path; // of the deck's list `Time Stepping`, for messages
+  double wave_rate; // WaveScale::slip_rate
 };
 
 // Registered under the name of its list in the deck's list `Time Stepping`, at the bottom of the

@@ -8,10 +8,12 @@ namespace asperity::dynamics
 {
 Teuchos::RCP<const Teuchos::ParameterList> StepDoubling::validParameters()
 {
-  return Declare()
-    .real("Tolerance", 1e-5, "-", Range::open(0, 1),
-          "A step is accepted if alpha differs by at most this between one step and two of half "
-          "its size, as root mean square over the fault.")
+  Declare declare;
+  declare.real(
+    "Tolerance", 1e-5, "-", Range::open(0, 1),
+    "A step is accepted if alpha, and all else on a scale on which it matters as much, differs by "
+    "at most this between one step and two of half its size, as root mean square over the fault.");
+  return declareWaves(declare)
     .real("First Step", 0., "s", Range::atLeast(0),
           "The first trial step has this size; 0 means the smallest step.")
     .list();
@@ -23,13 +25,15 @@ std::string StepDoubling::meaning()
 }
 
 StepDoubling::StepDoubling(Teuchos::ParameterList const& parameters, ControlContext const& context)
-    : StepDoubling(context.step, AdaptiveSettings::from(parameters, context.step.clock()))
+    : StepDoubling(context.step,
+                   AdaptiveSettings::from(parameters, context.step.clock(), context.wave_rate))
 {
 }
 
 StepDoubling::StepDoubling(CoupledStep& step, AdaptiveSettings const& settings)
     : StepControl(step)
     , settings_(settings)
+    , waves_(step.body(), step.surface(), step.update(), settings.waves)
 {
   memory_.level = settings.first_level;
 }
@@ -92,7 +96,9 @@ bool StepDoubling::coarsen(State const& current, std::optional<Trial>& next, dou
     if (!doubled) {
       break;
     }
-    const double difference = distance(doubled->state, next->state, settings_.norm);
+    const double difference =
+      std::max(distance(doubled->state, next->state, settings_.norm),
+               waves_.of(current, next->state, clock().stepSize(memory_.level - 1)));
     if (!(difference <= settings_.tolerance)) {
       break;
     }
@@ -116,7 +122,8 @@ bool StepDoubling::refine(State const& current, std::optional<Trial>& next, doub
     auto second = first ? attemptAtFault(first->state, memory_.level + 1, straightFrom(end), count)
                         : std::nullopt;
     if (second) {
-      error = distance(memory_.trial->state, second->state, settings_.norm);
+      error = std::max(distance(end, second->state, settings_.norm),
+                       waves_.of(current, end, clock().stepSize(memory_.level)));
       if (error <= settings_.tolerance) {
         return true;
       }

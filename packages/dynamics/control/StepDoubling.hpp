@@ -24,5 +24,6 @@ private:
   bool refine(State const& current, std::optional<Trial>& next, double& error, SolveCount& count);
 
   AdaptiveSettings settings_;
+  WaveError waves_;
 };
 } // namespace asperity::dynamics

@@ -39,7 +39,7 @@ Teuchos::RCP<Teuchos::ParameterList> CouplingSettings::validParameters()
   declare.real("Tolerance", defaults.tolerance, "-", Range::open(0, 1),
                "The fixed-point iteration of rate and state ends when alpha changes by at most "
                "this between two iterates, in the norm chosen.");
-  declareNorm(declare,
+  declareNorm(declare, defaults.norm,
               "Selects how that change is measured over the fault. Maximum also responds to a "
               "nucleation much smaller than the fault, which has little weight in a mean.");
   return declare
@@ -133,6 +133,13 @@ CoupledStep::CoupledStep(Body const& body, Fault const& fault, RateUpdate const&
       unknowns_.add(unknown);
     }
   }
+}
+
+double CoupledStep::distance(State const& a, State const& b, Norm norm) const
+{
+  const double of_fault = unknowns_.distance(a, b, norm);
+  const double of_rock = inelastic_ ? inelastic_->distance(a, b, norm) : 0;
+  return std::isfinite(of_rock) ? std::max(of_fault, of_rock) : of_rock;
 }
 
 // Evaluates the expressions of the deck at the time t1. One of them may be nan on one rank alone;

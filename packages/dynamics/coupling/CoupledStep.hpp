@@ -115,6 +115,7 @@ public:
   DyadicTime const& clock() const { return clock_; }
   fem::FaultSurface const& surface() const { return fault_.surface(); }
   Body const& body() const { return body_; }
+  RateUpdate const& update() const { return update_; }
   StepSolvers const& solvers() const { return solvers_; }
   // The right side of the last rate problem: loads, and terms from the past and from prescribed
   // velocities.
@@ -130,11 +131,9 @@ public:
   // of the elimination with the direct correction.
   CoupledResult solveAtFault(State const& from, int level, State& to, SolveCount& count);
 
-  // The error of a step that ends in a, if b is its exact end. Collective.
-  double distance(State const& a, State const& b, Norm norm) const
-  {
-    return unknowns_.distance(a, b, norm);
-  }
+  // The error of a step that ends in a, if b is its exact end, between steps: in the unknowns of
+  // the fault and, if the body has cells that may yield, their inelastic strain. Collective.
+  double distance(State const& a, State const& b, Norm norm) const;
 
 private:
   friend class PendingStep;

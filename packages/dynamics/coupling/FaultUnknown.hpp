@@ -42,15 +42,13 @@ public:
   virtual int respond(FaultResponse const& to, NodeView const& image) = 0;
   // Moves values that the acceleration has extrapolated to where the model has a meaning.
   virtual void limit(NodeView const&) const {}
-  // (num_nodes): the factor that makes a change of it count like the same change of alpha in the
-  // tolerance and in the acceleration; a view without entries means 1.
+  // (num_nodes): the factor that makes a change of it count like the same change of alpha in
+  // tolerances and in the acceleration; a view without entries means 1.
   virtual ConstNodeView scale() const { return {}; }
   // Whether the state at the end of the step has the last image, or the value with which the rate
   // problem was solved. An unknown that follows from its own value at the beginning of the step
   // needs its image: a change below the tolerance would be lost in every step.
   virtual bool endsWithImage() const { return false; }
-  // Whether step controls measure the error of a step in it.
-  virtual bool controlsSteps() const { return false; }
   // Sets fields of `to` that follow from the unknowns, at the end of the step of tau [s] that has
   // begun and responded last. Steps that are only compared with others end without it.
   virtual void complete(State const& /*from*/, double /*tau*/, State const& /*to*/) {}

@@ -120,11 +120,12 @@ void FaultUnknowns::copyImages(State& to) const
 double FaultUnknowns::distance(State const& a, State const& b, Norm norm) const
 {
   double largest = 0;
-  for (auto const& [unknown, image] : entries_) {
-    if (unknown->controlsSteps()) {
-      largest = largerOrNotFinite(
-        dynamics::distance(surface_, unknown->of(a), unknown->of(b), norm), largest);
-    }
+  for (std::size_t i = 0; i < entries_.size(); ++i) {
+    auto const& unknown = *entries_[i].unknown;
+    multiply(unknown.of(a), unknown.scale(), part(x_, i));
+    multiply(unknown.of(b), unknown.scale(), part(image_, i));
+    largest =
+      largerOrNotFinite(dynamics::distance(surface_, part(x_, i), part(image_, i), norm), largest);
   }
   return largest;
 }

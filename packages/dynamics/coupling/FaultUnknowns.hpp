@@ -35,8 +35,8 @@ public:
   // All images in `to`.
   void copyImages(State& to) const;
 
-  // The error of a step that ends in a, if b is its exact end: the largest of the unknowns that
-  // control steps. Collective.
+  // The error of a step that ends in a, if b is its exact end: the largest of the unknowns, each
+  // times its scale in the last step. Between steps. Collective.
   double distance(State const& a, State const& b, Norm norm) const;
 
 private:

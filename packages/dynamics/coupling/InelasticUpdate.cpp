@@ -43,6 +43,11 @@ double InelasticUpdate::change(State const& to, Norm norm)
   return now;
 }
 
+double InelasticUpdate::distance(State const& a, State const& b, Norm norm) const
+{
+  return cells_.distance(a.inelastic->strain, b.inelastic->strain, norm == Norm::maximum);
+}
+
 void InelasticUpdate::advance(State& to)
 {
   acceleration_.advance(overwritten(to.inelastic->strain), valuesOf(image_.strain));

@@ -29,6 +29,8 @@ public:
   // more than before, the remembered iterates point away from the fixed point and are forgotten.
   // Collective.
   double change(State const& to, Norm norm);
+  // The same from the strain in one state to that in another.
+  double distance(State const& a, State const& b, Norm norm) const;
   // The last change in this step; 0 before.
   double lastChange() const { return last_change_; }
   // The next iterate in `to`. Collective.

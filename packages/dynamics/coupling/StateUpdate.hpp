@@ -16,7 +16,6 @@ public:
   NodeView const& of(State const& state) const override { return state.alpha; }
   int respond(FaultResponse const& to, NodeView const& image) override;
   bool endsWithImage() const override { return true; }
-  bool controlsSteps() const override { return true; }
 
 private:
   Fault const& fault_;

@@ -5,11 +5,13 @@ namespace asperity::dynamics
 namespace
 {
 constexpr char const* maximum_norm = "Maximum";
+constexpr char const* root_mean_square_norm = "Root Mean Square";
 } // namespace
 
-Declare& declareNorm(Declare& list, std::string const& meaning)
+Declare& declareNorm(Declare& list, Norm usual, std::string const& meaning)
 {
-  return list.choice("Norm", "Root Mean Square", {"Root Mean Square", maximum_norm}, meaning);
+  return list.choice("Norm", usual == Norm::maximum ? maximum_norm : root_mean_square_norm,
+                     {root_mean_square_norm, maximum_norm}, meaning);
 }
 
 Norm normOf(ParameterList const& parameters)

@@ -13,7 +13,7 @@ enum class Norm
   maximum
 };
 
-// The parameter `Norm` of a list; `meaning` says what it measures.
-Declare& declareNorm(Declare& list, std::string const& meaning);
+// The parameter `Norm` of a list with its default; `meaning` says what it measures.
+Declare& declareNorm(Declare& list, Norm usual, std::string const& meaning);
 Norm normOf(ParameterList const& parameters);
 } // namespace asperity::dynamics

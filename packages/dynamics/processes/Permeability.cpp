@@ -82,7 +82,6 @@ public:
   }
   ConstNodeView scale() const override { return scale_; }
   bool endsWithImage() const override { return true; }
-  bool controlsSteps() const override { return true; }
 
   // k' after a time tau at the slip rate of the state.
   NodeView const& ahead(State const& state, double tau) const

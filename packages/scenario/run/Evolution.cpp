@@ -54,8 +54,9 @@ Evolution<Dim>::Evolution(ParameterList const& deck, RCP<const Communicator> con
     model_.body, model_.fault, update, clock_,
     dynamics::CouplingSettings::from(deck.sublist("Coupling")), problem_.solver,
     memoryBudget(deck.sublist("TNNMG")), model_.reaction);
-  control_ = makeStepControl(deck.sublist("Time Stepping"),
-                             io::OutputSet::times(deck.sublist("Output")), *coupled_step_);
+  control_ =
+    makeStepControl(deck.sublist("Time Stepping"), io::OutputSet::times(deck.sublist("Output")),
+                    *coupled_step_, waveRate(problem_, deck.sublist("Friction")));
   control_->setPlaces([this](int vertex) { return placeOf(vertex); });
   auto const scales = growthScales(problem_, deck.sublist("Friction"));
   slow_slip_.emplace(scales.weakening, scales.slow_rate);

@@ -8,9 +8,11 @@
 #include "scenario/setup/DeckPaths.hpp"
 #include "scenario/setup/FaultNodes.hpp"
 #include "scenario/setup/NodalField.hpp"
+#include "scenario/setup/TimeSetup.hpp"
 
 #include <Tpetra_Vector.hpp>
 
+#include <algorithm>
 #include <map>
 #include <numeric>
 
@@ -154,7 +156,8 @@ makeInitialState(ParameterList const& deck, Mesh<Dim> const& mesh, fem::NodalFra
   auto const given = fault.given(state);
   Kokkos::deep_copy(state.alpha_of_rate, given.alpha);
   if (list.get<std::string>("Acceleration") == "Balanced" && !quasiDynamic(deck.sublist("Bulk"))) {
-    const double dt = deck.sublist("Time Stepping").get<double>("Largest Step") * 1e-6;
+    auto const& time = deck.sublist("Time Stepping");
+    const double dt = std::min(time.get<double>("Largest Step"), finalTime(time)) * 1e-6;
     auto const load = body.vector();
     body.load(0, *load);
     state.a = dynamics::prescribedAcceleration(body, dt);

@@ -11,13 +11,15 @@ namespace asperity::scenario
 {
 namespace
 {
+constexpr char const* largest_step = "Largest Step";
+
 dynamics::RateUpdate newmark(ParameterList const& list)
 {
   auto const& newmark = list.sublist("Newmark");
   const double beta = newmark.get<double>("beta");
   if (beta < 0.25) {
     const double limit = newmark.get<double>("Stability Limit");
-    const double largest = list.get<double>("Largest Step");
+    const double largest = list.get<double>(largest_step);
     ASPERITY_REQUIRE(
       limit > 0,
       time_path << " / Newmark / beta = " << beta
@@ -89,8 +91,9 @@ RCP<const ParameterList> timeParameters()
              "size, by more than L if it meets it. The two kinds are counted apart, and a restart "
              "continues the counts: the first begins again with a smaller Smallest Step, the "
              "second with a smaller Tolerance. 0 means no limit, but a warning.")
-    .real("Largest Step", required, "s", Range::positive(),
-          "The size of every step is this one divided by a power of two.")
+    .real(largest_step, 33554432., "s", Range::positive(),
+          "The size of every step is this one divided by a power of two. The default is 2^25 s, "
+          "about a year; where steps are prescribed, give it.")
     .real(
       "Smallest Step", optional, "s", Range::positive(),
       "No step is smaller than this, rounded down to the largest step divided by a power of two. "
@@ -134,7 +137,7 @@ dynamics::DyadicTime makeClock(ParameterList const& list)
 
 dynamics::DyadicTime makeClock(ParameterList const& list, double smallest)
 {
-  const double largest = list.get<double>("Largest Step");
+  const double largest = list.get<double>(largest_step);
   ASPERITY_REQUIRE(smallest <= largest, time_path << " / Smallest Step = " << smallest
                                                   << " s is larger than the largest step, "
                                                   << largest << " s.");
@@ -176,11 +179,14 @@ dynamics::RateUpdate makeRateUpdate(ParameterList const& list, bool has_mass)
 
 std::unique_ptr<dynamics::StepControl> makeStepControl(ParameterList const& list,
                                                        std::vector<double> const& output_times,
-                                                       dynamics::CoupledStep& step)
+                                                       dynamics::CoupledStep& step,
+                                                       double wave_rate)
 {
   auto const name = list.get<std::string>("Control");
   auto control = dynamics::StepControlRegistry::instance().at(name).make(
-    list.sublist(name), {step, makeRateUpdate(list).order, time_path});
+    list.sublist(name), {step, step.update().order, time_path, wave_rate});
+  ASPERITY_REQUIRE(control->adapts() || !list.getEntry(largest_step).isDefault(),
+                   time_path << " / " << largest_step << " is missing: prescribed steps need it.");
   control->setInstants(instants(list, output_times, step.clock()));
   return control;
 }

@@ -24,8 +24,10 @@ dynamics::DyadicTime makeClock(ParameterList const& list, double smallest);
 // Without mass throws InputError for a scheme that damps nothing (Newmark, or generalised alpha
 // with spectral radius 1): its velocity would have the amplification factor -1.
 dynamics::RateUpdate makeRateUpdate(ParameterList const& list, bool has_mass = true);
-// No step passes the end of the run, an instant of the list, or an output time [s].
+// No step passes the end of the run, an instant of the list, or an output time [s]. wave_rate:
+// dynamics::WaveScale::slip_rate [m/s].
 std::unique_ptr<dynamics::StepControl> makeStepControl(ParameterList const& list,
                                                        std::vector<double> const& output_times,
-                                                       dynamics::CoupledStep& step);
+                                                       dynamics::CoupledStep& step,
+                                                       double wave_rate = 0);
 } // namespace asperity::scenario

@@ -451,6 +451,8 @@ class Physics(Case):
         self.assert_setting_refused("Time Stepping/Newmark/beta=0.2",
                                     "Asperity / Time Stepping / Newmark / beta = 0.2",
                                     "Stability Limit")
+        self.assert_refused([DECK, "--remove", "Time Stepping/Largest Step"],
+                            "Asperity / Time Stepping / Largest Step is missing")
         self.assert_setting_refused("Time Stepping/Smallest Step=1",
                                     "Asperity / Time Stepping / Smallest Step = 1")
         self.assert_setting_refused("Time Stepping/Prescribed/Levels={0, 40}",

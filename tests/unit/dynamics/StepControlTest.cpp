@@ -1,12 +1,15 @@
 #include "dynamics/control/PrescribedSteps.hpp"
 #include "dynamics/control/StepDoubling.hpp"
+#include "dynamics/coupling/StateUpdate.hpp"
 #include "unit/base/Refusal.hpp"
 #include "unit/dynamics/ControlTest.hpp"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
+#include <memory>
 
 namespace asperity::dynamics
 {
@@ -17,7 +20,40 @@ namespace
 class StepControlTest : public ControlTest
 {
 };
+
+// The normal stress as an unknown of a step, of which 1 Pa counts as 0.01 of alpha.
+class StressOfTest : public FaultUnknown
+{
+public:
+  explicit StressOfTest(int num_nodes) : scale_("scale", num_nodes)
+  {
+    Kokkos::deep_copy(scale_, 0.01);
+  }
+  NodeView const& of(State const& state) const override { return state.sigma_n; }
+  int respond(FaultResponse const&, NodeView const&) override { return 0; }
+  ConstNodeView scale() const override { return scale_; }
+
+private:
+  NodeView scale_;
+};
 } // namespace
+
+TEST_F(StepControlTest, MeasuresEachUnknownOnItsScale)
+{
+  FaultUnknowns unknowns(*model.surface, 2);
+  unknowns.add(std::make_shared<StateUpdate>(model.fault));
+  unknowns.add(std::make_shared<StressOfTest>(model.surface->numNodes()));
+  auto other = state.clone();
+  other.alpha = model.nodeView([](Point<2> const& x) { return -1.25 + std::sin(9 * x[0]); });
+  for (Norm norm : {Norm::root_mean_square, Norm::maximum}) {
+    EXPECT_NEAR(unknowns.distance(state, other, norm), 0.25, 1e-12);
+  }
+  other.sigma_n = model.nodeView([](Point<2> const&) { return 1040; });
+  state.sigma_n = model.nodeView([](Point<2> const&) { return 1000; });
+  for (Norm norm : {Norm::root_mean_square, Norm::maximum}) {
+    EXPECT_NEAR(unknowns.distance(state, other, norm), 0.4, 1e-12);
+  }
+}
 
 TEST_F(StepControlTest, DoublingAcceptsTheCoarsestStepThatIsFineEnough)
 {

@@ -94,6 +94,21 @@ TEST(Yield, TakesTheEnergyThatLeavesABlockInSpace)
   expectClosedBalance(slidingBlockInSpace({4, 2, 2}, turn), begin, "Von Mises", {0.5, 0, 0, 1, 1});
 }
 
+// The strain of cells is in the error that step controls see.
+TEST(Yield, CountsWhereStatesAreCompared)
+{
+  ShearedLayer layer(yieldingLayer());
+  layer.advance(0);
+  layer.advance(0);
+  auto const other = layer.state.clone();
+  EXPECT_EQ(layer.step.distance(layer.state, other, Norm::maximum), 0);
+  Kokkos::deep_copy(other.inelastic->strain, 0.);
+  const double found = layer.step.distance(layer.state, other, Norm::maximum);
+  EXPECT_GT(found, 0.01);
+  EXPECT_EQ(found, layer.body.body.cells->distance(layer.state.inelastic->strain,
+                                                   other.inelastic->strain, true));
+}
+
 // A block that yields does not bear the stress of a static start.
 TEST(Yield, NamesTheCellThatCannotBearItsStress)
 {

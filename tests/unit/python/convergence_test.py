@@ -9,7 +9,7 @@ import numpy as np
 from asperity.errors import InputError
 from asperity.run import Run
 from asperity.selection import Selection
-from asperity_study import convergence, convergence_text, order, quantities, study
+from asperity_study import convergence, convergence_text, of_deck, order, quantities, study
 from asperity_study.quantities import Quantity
 from asperity_study.runner import Job
 from folders import FolderCase
@@ -44,6 +44,72 @@ class Studies(FolderCase):
     def refuse(self, words: str, *arguments, **options):
         with self.assertRaisesRegex(InputError, words):
             study.read(self.write(*arguments, **options)).runs()
+
+
+class OfDecks(FolderCase):
+    """asperity-study --convergence; a program that prints defaults stands for asperity."""
+
+    DEFAULTS = {"Mesh/Type": "Wedge", "Mesh/Refinements": "0", "Mesh/Wedge/Cell Size": "0.002",
+                "Mesh/Box/Cell Size Factor": "1", "Time Stepping/Control": "Step Doubling",
+                "Time Stepping/Step Doubling/Tolerance": "1e-5",
+                "Time Stepping/Largest Step": "", "Coupling/Tolerance": "1e-5"}
+
+    def write(self, values, name) -> Path:
+        entries = ""
+        for path, value in values.items():
+            *lists, last = path.split("/")
+            entries += "".join(f'<ParameterList name="{each}">' for each in lists)
+            entries += f'<Parameter name="{last}" value="{value}"/>'
+            entries += "</ParameterList>" * len(lists)
+        path = self.folder / name
+        path.write_text(f'<ParameterList name="Asperity">{entries}</ParameterList>')
+        return path
+
+    def variables(self, deck, changes=(), coarser=False):
+        """Of each variable the overrides of its three levels, the others as in the deck."""
+        program = self.folder / "asperity"
+        program.write_text(f"#!/bin/sh\ncat {self.write(self.DEFAULTS, 'defaults.xml')}\n")
+        program.chmod(0o755)
+        what = of_deck.convergence(self.write(deck, "deck.xml"), program, list(changes), coarser)
+        self.assertEqual(len(what.runs()), 1 + 2 * len(what.variables))
+        return {each.name: [each.settings(value) for value in each.values]
+                for each in what.variables}, what
+
+    def test_halves_cells_and_steps_by_what_the_deck_gives_or_its_defaults(self):
+        deck = {"Time Stepping/Largest Step": "4", "Output/Receivers/On Fault/st05": "{5, 0}"}
+        found, what = self.variables(deck, ["Coupling/Tolerance=8e-8"])
+        step, coupling = "Time Stepping/Step Doubling/Tolerance", "Coupling/Tolerance"
+        self.assertEqual(found["cells"], [{"Mesh/Wedge/Cell Size": value}
+                                          for value in ("0.002", "0.001", "0.0005")])
+        self.assertEqual(found["tolerance"],
+                         [{step: "1e-5", coupling: "8e-8"},
+                          {step: repr(1e-5 / 8), coupling: repr(8e-8 / 8)},
+                          {step: repr(1e-5 / 64), coupling: repr(8e-8 / 64)}])
+        self.assertEqual(found["largest step"], [{"Time Stepping/Largest Step": value}
+                                                 for value in ("4", "2", "1")])
+        self.assertEqual(what.receivers, ("st05",))
+
+    def test_doubles_where_the_deck_is_to_be_the_finest(self):
+        deck = {"Mesh/Type": "Box", "Mesh/Box/Cell Size": "100 + x",
+                "Time Stepping/Largest Step": "4"}
+        found, _ = self.variables(deck, coarser=True)
+        self.assertEqual(found["cells"], [{"Mesh/Box/Cell Size Factor": value}
+                                          for value in ("1", "2", "4")])
+        self.assertEqual(found["largest step"][2], {"Time Stepping/Largest Step": "16"})
+
+    def test_refines_meshes_without_a_size_and_steps_without_a_tolerance(self):
+        deck = {"Mesh/Type": "File", "Time Stepping/Control": "Prescribed",
+                "Time Stepping/Largest Step": "4", "Time Stepping/Smallest Step": "0.5"}
+        found, _ = self.variables(deck)
+        self.assertEqual(found["cells"], [{"Mesh/Refinements": value} for value in "012"])
+        self.assertEqual(found["step"][1], {"Time Stepping/Largest Step": "2",
+                                            "Time Stepping/Smallest Step": "0.25"})
+
+    def test_what_cannot_be_refined_is_refused(self):
+        with self.assertRaisesRegex(InputError, "largest step .--set may give a number.*no number"):
+            self.variables({"Time Stepping/Largest Step": "32 * day"})
+        with self.assertRaisesRegex(InputError, "--set 4: 'Path/To/Parameter=value' is wanted"):
+            self.variables({"Time Stepping/Largest Step": "4"}, ["4"])
 
 
 class Runs(Studies):
