@@ -14,6 +14,13 @@ namespace
 {
 constexpr std::size_t num_coarsest = num_nodes / width; // rows of the coarsest level
 
+// x = 0, 1, 2, ...
+void fill(NodeView const& x)
+{
+  Kokkos::parallel_for(
+    "asperity::test::fill", RangePolicy(0, x.extent_int(0)), KOKKOS_LAMBDA(int i) { x(i) = i; });
+}
+
 std::size_t largestCopy()
 {
   auto const& bytes = test::copies();
@@ -25,8 +32,7 @@ TEST(SeparateMemory, IsNotForTheHost)
 {
   const NodeView x("x", 3);
   EXPECT_DEATH(x(0) = 1, "outside a kernel");
-  Kokkos::parallel_for(
-    "asperity::test::fill", RangePolicy(0, 3), KOKKOS_LAMBDA(int i) { x(i) = i; });
+  fill(x);
   test::copies().clear();
   EXPECT_EQ(toVector(x), std::vector<double>({0, 1, 2}));
   EXPECT_EQ(test::copies(), std::vector<std::size_t>{3 * sizeof(double)});
