@@ -50,7 +50,7 @@ Teuchos::RCP<const Teuchos::ParameterList> Receivers::validParameters()
       .realArray("<receiver>", required, "m", Range::any(),
                  meaning +
                    " On a fault in two dimensions a single number is the distance along it from "
-                   "its upper end, or along +x where the fault is level.")
+                   "its upper end, or from the end of smaller x where the fault is level.")
       .list();
   Declare parameters;
   parameters

@@ -110,7 +110,11 @@ std::string StepControl::failure(State const& from, int level, std::string const
   std::ostringstream message;
   message << "Step " << memory_.num_steps + 1 << ", from t = " << clock().seconds(from.time)
           << " s: a step of " << clock().stepSize(level) << " s, " << why
-          << ", failed: " << reason(last_status_) << lost << ". Try " << cure
+          << ", failed: " << reason(last_status_) << lost
+          << (lost.empty() ? ". Try "
+                           : ". If a load or a parameter of the deck is wrong there, correct it: "
+                             "--restart-from begins with it. Otherwise try ")
+          << cure
           << ", or a looser tolerance or more iterations of Coupling and TNNMG: --restart goes on "
              "with them.";
   return message.str();

@@ -314,7 +314,7 @@ void Evolution<Dim>::requireFinite() const
     std::ostringstream message;
     message << "Step " << numSteps() << ", t = " << formatShort(time()) << " s: " << found->field
             << " is " << found->value << " at " << placeOf(vertex);
-    message << ". Check loads, moduli and friction there. The checkpoint is of an earlier step.";
+    message << ". Check loads, moduli and friction there. Checkpoints are of earlier steps.";
     throw SolveError(message.str());
   });
 }

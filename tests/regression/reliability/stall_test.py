@@ -102,7 +102,7 @@ class LostNumbers(unittest.TestCase):
                 folder, result = self.run_with(ranks, change)
                 runs.assert_one_message(self, result, runs.SOLVE, "Step ", "t = ",
                                         "a rate problem did not converge", " became ", value,
-                                        " at node ")
+                                        " at node ", "correct it: --restart-from")
                 runs.assert_finite_checkpoint(self, folder)
 
     def test_fields_that_do_not_change_in_time(self):
