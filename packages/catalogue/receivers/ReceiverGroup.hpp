@@ -42,7 +42,8 @@ public:
   io::OutputDomain const& domain() const { return domain_; }
   std::size_t size() const { return places_.size(); }
   std::string const& name(std::size_t receiver) const { return places_[receiver].name; }
-  std::string placeText(std::size_t receiver) const; // "(0, -12.5)", on the domain [m]
+  // "(0, -12.5) m", on the domain; on a fault that is a curve also how far from its upper end.
+  std::string placeText(std::size_t receiver) const;
 
   // Names and places. On rank 0.
   void describe(h5::File& file, std::string const& group) const;

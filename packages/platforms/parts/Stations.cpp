@@ -11,7 +11,7 @@ FileContent contentOf(Stations::Kind const& kind, catalogue::ReceiverGroup const
 {
   FileContent content;
   content.name = kind.prefix + group.name(station);
-  content.place = kind.where + ", " + group.placeText(station) + " m";
+  content.place = kind.where + ", " + group.placeText(station);
   std::vector<std::string> descriptions{"Time (s)"};
   content.fields = "t";
   for (auto const& column : kind.columns) {

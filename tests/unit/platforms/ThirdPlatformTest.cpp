@@ -66,7 +66,7 @@ TEST(ThirdPlatform, IsAWordOfTheDeckAndWritesItsFiles)
               "# code=Asperity\n"
               "# code_version=1.2\n"
               "# element_size=50 m\n"
-              "# location=on fault, (0.3, 0) m\n"
+              "# location=on fault, (0.3, 0) m, 0.3 m from the upper end (level: of smaller x)\n"
               "# num_time_steps=1           \n"
               "# Column #1 = Time (s)\n"
               "# Column #2 = Slip (m)\n"
