@@ -145,9 +145,10 @@ std::vector<double> ReceiverGroup::sample(io::OutputField const& field) const
 std::string ReceiverGroup::placeText(std::size_t receiver) const
 {
   auto const first = coordinates_.begin() + static_cast<long>(receiver * domain_.dimension);
-  const std::string along = positions_.empty() ? ""
-                                               : ", " + formatShort(positions_[receiver]) +
-                                                   " m from the upper end (level: of smaller x)";
+  const std::string along = positions_.empty()
+                              ? ""
+                              : ", " + formatShort(positions_[receiver]) +
+                                  " m from the upper end (of a level fault: of smaller x)";
   return pointText({first, first + domain_.dimension}) + " m" + along;
 }
 

@@ -81,7 +81,7 @@ STRIKE_SLIP = (
          (*(dataclasses.replace(quantity, reference=None) for quantity in BP1), BALANCE),
          "`bp1_qd`", against="bp1_qd",
          in_index=("interval 4", "slip at 5 km depth in event 5")),
-    Case("bp1_fd", "SEAS BP1-FD", "bp1", 9, (
+    Case("bp1_fd", "SEAS BP1-FD", "bp1", 10, (
         Quantity("onset of event 1", "yr", of.onset(1), 196.4),
         *several("interval {}", "yr", of.interval, (None, 115, 115, 115)),
         *several("slip at 5 km depth in event {}", "m", lambda n: of.slip_in_event("dp050", n),

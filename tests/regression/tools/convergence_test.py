@@ -52,7 +52,7 @@ CONTROLLED = {
     "Time Stepping/Scheme": "Generalised Alpha",
     "Time Stepping/Control": "Richardson",
     # chosen after a run with 1e-4, in which waves limit some steps of the first level alone
-    "Time Stepping/Richardson/Tolerance": 1e-5,
+    "Time Stepping/Richardson/Tolerance": 1e-5,  # chosen after a run: 1e-4 is too large
     "Time Stepping/Largest Step": 0.02,
     "Time Stepping/Smallest Step": 1e-6,
     "Coupling/Tolerance": 1e-9,
