@@ -2,6 +2,7 @@
 
 #include "base/Errors.hpp"
 #include "base/NearestName.hpp"
+#include "base/Text.hpp"
 #include "base/parallel/Directory.hpp"
 #include "base/parallel/Gather.hpp"
 #include "base/parallel/Reductions.hpp"
@@ -10,6 +11,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <map>
 
 namespace asperity::io
@@ -182,9 +184,29 @@ CurveStart startOf(OutputDomain const& curve)
 
 std::string startText(OutputDomain const& curve)
 {
-  return startOf(curve) == CurveStart::upper_end
-           ? "its upper end (greater y; of ends equally high the one with smaller x)"
-           : "the end with smaller x (of equal x, with smaller y)";
+  const std::string start =
+    startOf(curve) == CurveStart::upper_end
+      ? "its upper end (greater y; of ends equally high the one with smaller x)"
+      : "the end with smaller x (of equal x, with smaller y)";
+  return start + (curve.parts.empty() ? "" : "; " + partsText(curve));
+}
+
+std::string partsText(OutputDomain const& curve)
+{
+  std::string text;
+  for (auto const& part : curve.parts) {
+    text += (text.empty() ? "" : ", ") + part.name + ": " + formatShort(part.begin) + " to " +
+            formatShort(part.end) + " m";
+  }
+  return text;
+}
+
+std::string partAt(OutputDomain const& curve, double position)
+{
+  auto const& parts = curve.parts;
+  const auto found = std::find_if(parts.begin(), parts.end(),
+                                  [&](auto const& part) { return position <= part.end; });
+  return found == parts.end() ? "" : found->name;
 }
 
 template <int Dim>
@@ -217,6 +239,34 @@ OutputDomain boundaryDomain(std::string const& name, Mesh<Dim> const& mesh,
 }
 
 template <int Dim>
+void nameParts(OutputDomain& curve, Mesh<Dim> const& mesh,
+               std::vector<std::string> const& boundaries)
+{
+  if (!curve.isCurve() || boundaries.size() < 2) {
+    return;
+  }
+  std::map<int, double> position_of;
+  for (std::size_t i = 0; i < curve.numOwned(); ++i) {
+    position_of[curve.vertices[i]] = curve.positions[i];
+  }
+  for (auto const& name : boundaries) {
+    double begin = std::numeric_limits<double>::infinity(), end = -begin;
+    for (auto const& facet : mesh.boundaries.at(name)) {
+      for (const int vertex : facet) {
+        const auto found = position_of.find(vertex);
+        if (found != position_of.end()) {
+          begin = std::min(begin, found->second);
+          end = std::max(end, found->second);
+        }
+      }
+    }
+    curve.parts.push_back({name, minOverRanks(begin, *curve.comm), maxOverRanks(end, *curve.comm)});
+  }
+  std::sort(curve.parts.begin(), curve.parts.end(),
+            [](auto const& left, auto const& right) { return left.begin < right.begin; });
+}
+
+template <int Dim>
 OutputDomain volumeDomain(Mesh<Dim> const& mesh, RCP<const Communicator> const& comm)
 {
   OutputDomain domain = ownedNodes("volume", mesh, mesh.cells, comm);
@@ -230,6 +280,8 @@ template OutputDomain boundaryDomain(std::string const&, Mesh<2> const&, std::st
                                      RCP<const Communicator> const&);
 template OutputDomain boundaryDomain(std::string const&, Mesh<3> const&, std::string const&,
                                      RCP<const Communicator> const&);
+template void nameParts(OutputDomain&, Mesh<2> const&, std::vector<std::string> const&);
+template void nameParts(OutputDomain&, Mesh<3> const&, std::vector<std::string> const&);
 template OutputDomain volumeDomain(Mesh<2> const&, RCP<const Communicator> const&);
 template OutputDomain volumeDomain(Mesh<3> const&, RCP<const Communicator> const&);
 } // namespace asperity::io

@@ -17,6 +17,9 @@ enum class CurveStart
   smaller_x
 };
 
+// Ends of a curve that differ less in height than this share of its extent are equally high.
+constexpr double equally_high = 1e-6;
+
 // Where fields live: a boundary or the volume, as this rank sees it.
 //
 // Nodes are this rank's owned vertices that belong to the domain, in the order of the mesh. Every
@@ -37,6 +40,13 @@ struct OutputDomain
   std::vector<double> coordinates;         // (num_owned, dimension) [m]
   std::vector<double> weights;             // (num_owned) lumped measure [m], [m^2] or [m^3]
   std::vector<double> positions;           // (num_owned) arc length [m]; empty unless a curve
+  // A boundary of the mesh that a curve is made of: the range of its positions [m].
+  struct Part
+  {
+    std::string name;
+    double begin, end;
+  };
+  std::vector<Part> parts;                 // by position; empty if the curve is a single boundary
   std::vector<GlobalOrdinal> connectivity; // (num_owned_elements, nodes_per_element), by number
   std::vector<double> corners;             // (num_owned_elements, nodes_per_element, dimension) [m]
 
@@ -55,9 +65,14 @@ struct OutputDomain
   bool isCurve() const { return dimension == 2 && nodes_per_element == 2; }
 };
 
-// Where the positions of a curve are 0; in words for descriptions of files, "its upper end (...)".
+// Where the positions of a curve are 0; in words for descriptions of files, "its upper end (...)",
+// with the names and positions of its parts.
 CurveStart startOf(OutputDomain const& curve);
 std::string startText(OutputDomain const& curve);
+// "main: 0 to 20000 m, splay: 20000 to 24000 m", or nothing.
+std::string partsText(OutputDomain const& curve);
+// The name of the part at a position [m]; of two that meet there the first; "" without parts.
+std::string partAt(OutputDomain const& curve, double position);
 
 // The domain `name` made of the mesh's boundary `boundary` (num_owned may be 0 on a rank).
 //
@@ -69,6 +84,12 @@ std::string startText(OutputDomain const& curve);
 template <int Dim>
 OutputDomain boundaryDomain(std::string const& name, Mesh<Dim> const& mesh,
                             std::string const& boundary, RCP<const Communicator> const& comm);
+
+// Fills the parts of a curve that is made of these boundaries. Does nothing in three dimensions.
+// Collective.
+template <int Dim>
+void nameParts(OutputDomain& curve, Mesh<Dim> const& mesh,
+               std::vector<std::string> const& boundaries);
 
 // All vertices and cells, under the name "volume".
 template <int Dim>

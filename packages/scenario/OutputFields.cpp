@@ -288,6 +288,7 @@ std::map<std::string, io::OutputDomain> makeDomains(Problem<Dim> const& problem)
   std::map<std::string, io::OutputDomain> domains;
   auto fault =
     io::boundaryDomain("fault", problem.mesh, problem.surface->name(), problem.communicator);
+  io::nameParts(fault, problem.mesh, problem.boundary.faults);
   double rise = 0; // of the normals, out of the plus side
   for (auto const& node : *problem.surface) {
     rise += node.weight * node.normal[1];

@@ -354,6 +354,8 @@ Problem<Dim> makeProblem(ParameterList const& deck, RCP<const Communicator> cons
   auto warnings = fem::warnOfPieces(of.mesh, communicator);
   auto const beside = valuesBeside(fault_materials, eta, initial, components, *communicator);
   stress.remarks.push_back(dynamics::describeSpeeds(beside));
+  auto scales = faultScales(of.mesh, *surface, components, fault_materials, friction, nodes,
+                            fault.given(initial).sigma_n);
   auto const questions = dynamics::questionValues(beside);
   warnings.insert(warnings.end(), questions.begin(), questions.end());
   return {{std::move(body), std::move(fault), std::move(initial), std::move(reaction)},
@@ -369,7 +371,8 @@ Problem<Dim> makeProblem(ParameterList const& deck, RCP<const Communicator> cons
           solver,
           std::move(stress.remarks),
           std::move(warnings),
-          dynamics::largestSlipRate(beside)};
+          dynamics::largestSlipRate(beside),
+          std::move(scales)};
 }
 
 template Problem<2> makeProblem(ParameterList const&, RCP<const Communicator> const&);

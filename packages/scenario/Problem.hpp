@@ -7,6 +7,7 @@
 #include "fem/constraints/Constraints.hpp"
 #include "parameters/Parameters.hpp"
 #include "scenario/setup/conditions/BoundarySetup.hpp"
+#include "scenario/setup/friction/FaultScales.hpp"
 
 #include <memory>
 #include <string>
@@ -31,6 +32,7 @@ struct Problem : dynamics::Model
   std::vector<std::string> remarks; // for the user, in the log
   std::vector<Warning> warnings;    // found while the problem was made
   double largest_slip_rate;         // [m/s] dynamics::largestSlipRate
+  FaultScales scales;
 };
 
 // `deck` must be complete. Collective.

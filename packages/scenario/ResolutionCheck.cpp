@@ -9,9 +9,7 @@
 #include "mesh/MeshQuality.hpp"
 #include "scenario/setup/BulkSetup.hpp"
 #include "scenario/setup/DeckPaths.hpp"
-#include "scenario/setup/FaultNodes.hpp"
 #include "scenario/setup/TimeSetup.hpp"
-#include "scenario/setup/friction/LawSetup.hpp"
 #include "tnnmg/multigrid/MultigridCorrection.hpp"
 
 #include <sys/resource.h>
@@ -94,81 +92,6 @@ std::vector<std::string> describeSize(Problem<Dim> const& problem)
 
 template std::vector<std::string> describeSize(Problem<2> const&);
 template std::vector<std::string> describeSize(Problem<3> const&);
-
-namespace
-{
-// Empty if the laws do not declare a, b and L.
-template <int Dim>
-std::optional<dynamics::FrictionOfNodes> frictionOfNodes(Problem<Dim> const& problem,
-                                                         ParameterList const& friction)
-{
-  auto const nodes = faultNodes(problem.mesh, *problem.surface);
-  auto const sensitivity = sensitivities(friction, nodes);
-  auto const drop = strengthDrops(friction, nodes);
-  auto const slip_distance = slipDistances(friction, nodes);
-  if ((!sensitivity && !drop) || !slip_distance) {
-    return std::nullopt;
-  }
-  dynamics::FrictionOfNodes of_nodes;
-  if (drop) {
-    of_nodes.drop = *drop;
-  } else {
-    for (auto const& [a, b] : *sensitivity) {
-      of_nodes.a.push_back(a);
-      of_nodes.b.push_back(b);
-    }
-  }
-  of_nodes.L = *slip_distance;
-  of_nodes.sigma_n = toVector(problem.fault.given(problem.initial).sigma_n);
-  return of_nodes;
-}
-} // namespace
-
-template <int Dim>
-std::optional<dynamics::FaultResolution> faultResolution(Problem<Dim> const& problem,
-                                                         ParameterList const& friction)
-{
-  auto const of_nodes = frictionOfNodes(problem, friction);
-  return of_nodes ? dynamics::faultResolution(problem.mesh, *problem.surface, problem.components,
-                                              problem.fault_materials, *of_nodes)
-                  : std::nullopt;
-}
-
-template <int Dim>
-GrowthScales growthScales(Problem<Dim> const& problem, ParameterList const& friction)
-{
-  GrowthScales scales;
-  auto const of_nodes = frictionOfNodes(problem, friction);
-  auto const resolution = faultResolution(problem, friction);
-  if (!resolution) {
-    return scales;
-  }
-  scales.slip_distance = resolution->slip_distance;
-  if (!dynamics::isTooShort(*resolution, resolution->unstable_wavelength)) {
-    scales.weakening = dynamics::rateWeakeningDistances(*of_nodes);
-    constexpr double slow = 0.1; // of a seismic slip rate
-    scales.slow_rate = slow * resolution->slip_distance / resolution->seismic_time;
-  }
-  return scales;
-}
-
-template std::optional<dynamics::FaultResolution> faultResolution(Problem<2> const&,
-                                                                  ParameterList const&);
-template std::optional<dynamics::FaultResolution> faultResolution(Problem<3> const&,
-                                                                  ParameterList const&);
-template GrowthScales growthScales(Problem<2> const&, ParameterList const&);
-template GrowthScales growthScales(Problem<3> const&, ParameterList const&);
-
-template <int Dim>
-double waveRate(Problem<Dim> const& problem, ParameterList const& friction)
-{
-  auto const found = faultResolution(problem, friction);
-  // seismic_time is that of a slip rate of 20 b sigma_n / Z
-  return found ? found->slip_distance / (20 * found->seismic_time) : 0;
-}
-
-template double waveRate(Problem<2> const&, ParameterList const&);
-template double waveRate(Problem<3> const&, ParameterList const&);
 
 std::vector<std::string> describe(dynamics::FaultResolution const& resolution,
                                   std::string const& state_law, std::string const& mesh_type)
@@ -262,12 +185,12 @@ double stepOfDeckOrDefault(Problem<Dim> const& problem, ParameterList const& dec
   if (time.isParameter(step_name)) {
     return time.get<double>(step_name);
   }
-  const auto resolution = faultResolution(problem, deck.sublist("Friction"));
-  ASPERITY_REQUIRE(resolution, time_path << " / " << step_name
-                                         << " is missing. It has a default only if friction "
-                                            "weakens somewhere and its laws declare a, b and L. "
-                                            "Give a step that resolves the fastest slip.");
-  return defaultStep(*resolution, deck);
+  ASPERITY_REQUIRE(problem.scales.resolution,
+                   time_path << " / " << step_name
+                             << " is missing. It has a default only if friction "
+                                "weakens somewhere and its laws declare a, b and L. "
+                                "Give a step that resolves the fastest slip.");
+  return defaultStep(*problem.scales.resolution, deck);
 }
 
 // Such rock is a fluid in any step, and its shear modulus a number without effect.
@@ -304,7 +227,7 @@ void describeSmallestStep(Problem<Dim> const& problem, ParameterList const& deck
                           Description& description)
 {
   auto const& time = deck.sublist("Time Stepping");
-  const auto resolution = faultResolution(problem, deck.sublist("Friction"));
+  auto const& resolution = problem.scales.resolution;
   if (!resolution) {
     return;
   }

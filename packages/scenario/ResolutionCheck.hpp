@@ -4,32 +4,11 @@
 #include "scenario/Problem.hpp"
 #include "scenario/RunReport.hpp"
 
-#include <optional>
 #include <string>
 #include <vector>
 
 namespace asperity::scenario
 {
-// How well the mesh resolves ruptures, with the initial normal stress. Empty if friction weakens
-// nowhere, or if the laws do not declare a, b and L. Collective.
-template <int Dim>
-std::optional<dynamics::FaultResolution> faultResolution(Problem<Dim> const& problem,
-                                                         ParameterList const& friction);
-
-// What tells that steps hide the growth of a slip rate: dynamics::GrowthWatch and SlowSlip.
-struct GrowthScales
-{
-  double slip_distance = 0;      // the smallest L of the fault [m]; 0 if unknown
-  std::vector<double> weakening; // L at nodes where friction weakens [m]; empty: nothing to watch
-  double slow_rate = 0;          // a tenth of a seismic slip rate [m/s]
-};
-template <int Dim>
-GrowthScales growthScales(Problem<Dim> const& problem, ParameterList const& friction); // collective
-
-// dynamics::WaveScale::slip_rate [m/s]; 0 where there is no resolution. Collective.
-template <int Dim>
-double waveRate(Problem<Dim> const& problem, ParameterList const& friction);
-
 // Lines about size: cells, vertices and unknowns; the diameters of cells as they are; the memory of
 // the model as built, and an estimate of that of the solver. Collective.
 template <int Dim>
@@ -48,12 +27,12 @@ std::vector<Warning> warnOfResolution(dynamics::FaultResolution const& resolutio
 // `Time Stepping / Smallest Step` [s]; where the deck leaves it out, dynamics::seismicStep, such
 // that ticks can count to the end of the run.
 // Throws InputError where a default is needed and friction weakens nowhere, and where rock relaxes
-// in less than a thousandth of the step. Collective.
+// in less than a thousandth of the step.
 template <int Dim>
 double smallestStep(Problem<Dim> const& problem, ParameterList const& deck);
 
 // A line about the default, where it is used, or a warning where the step of the deck is longer
-// than an earthquake takes to slip by L. Collective.
+// than an earthquake takes to slip by L.
 template <int Dim>
 void describeSmallestStep(Problem<Dim> const& problem, ParameterList const& deck,
                           Description& description);

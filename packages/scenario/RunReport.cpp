@@ -74,7 +74,7 @@ Description describe(Problem<Dim> const& problem, ParameterList const& deck)
   const auto sense = describeSense(problem, deck);
   lines.insert(lines.end(), sense.begin(), sense.end());
   lines.insert(lines.end(), problem.remarks.begin(), problem.remarks.end());
-  if (auto const resolution = faultResolution(problem, friction)) {
+  if (auto const& resolution = problem.scales.resolution) {
     auto const state_law = friction.get<std::string>("State Evolution");
     auto const of_fault =
       describe(*resolution, state_law, deck.sublist("Mesh").get<std::string>("Type"));

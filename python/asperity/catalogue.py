@@ -12,7 +12,7 @@ from .tables import Table
 LARGEST = {"width", "length", "area", "peak_slip", "peak_slip_rate"}
 SUMS = {"moment", "moment_per_length"}
 LAST = {"end"}
-LEVEL = 1e-9  # of the length of a fault: ends that differ less in height are equally high
+LEVEL = 1e-6  # of the length of a fault: ends that differ less in height are equally high
 NUCLEATION, FROM_UPPER_END = "nucleation", "nucleation_from_upper_end"
 
 

@@ -5,7 +5,7 @@ from typing import Tuple
 
 import numpy as np
 
-from asperity.catalogue import begins_at_upper_end
+from asperity.catalogue import LEVEL, begins_at_upper_end
 from asperity.h5file import H5File
 from asperity.history import positions
 from asperity.run import Run
@@ -26,6 +26,7 @@ class Axis:
     sign: float                  # -1 if it decreases along the curve
     limits: Tuple[float, float]  # positions [m] of what is worth showing
     is_downwards: bool = False   # counted from the upper end, so that figures have it vertical
+    parts: Tuple[Tuple[str, float], ...] = ()  # of several faults the name and the first position
 
     def __call__(self, where):
         return self.unit(self.metres(where))
@@ -51,7 +52,8 @@ class Axis:
 
     @property
     def label(self) -> str:
-        return f"{self.name} [{self.unit.name}]"
+        further = ", ".join(f"{name} from {self(begin):.3g}" for name, begin in self.parts[1:])
+        return f"{self.name} [{self.unit.name}]" + (f"\n({further})" if further else "")
 
 
 def axis(run: Run, file: H5File, place: str) -> Axis:
@@ -76,7 +78,14 @@ def axis(run: Run, file: H5File, place: str) -> Axis:
             origin = nodes[0, 0]
     limits = _limits(file, where)
     shown = units.length(origin + sign * np.array(limits))
-    return Axis(name, shown, origin, sign, limits, is_downwards)
+    return Axis(name, shown, origin, sign, limits, is_downwards, _parts(file))
+
+
+def _parts(file: H5File) -> Tuple[Tuple[str, float], ...]:
+    if not file.has("geometry/part_names"):
+        return ()
+    return tuple(zip(file.strings("geometry/part_names"),
+                     file.array("geometry/part_ends")[:, 0].tolist()))
 
 
 def _name(run: Run, nodes: np.ndarray, where: np.ndarray, is_level: bool) -> str:
@@ -86,7 +95,7 @@ def _name(run: Run, nodes: np.ndarray, where: np.ndarray, is_level: bool) -> str
 
 
 def _is_constant(coordinate: np.ndarray, where: np.ndarray) -> bool:
-    return float(np.ptp(coordinate)) <= 1e-9 * (where[-1] - where[0])
+    return float(np.ptp(coordinate)) <= LEVEL * (where[-1] - where[0])
 
 
 def _is_depth(run: Run, nodes: np.ndarray, where: np.ndarray) -> bool:

@@ -66,6 +66,13 @@ Row titles(bool on_surface)
           "nucleation from upper end [m]"};
 }
 
+std::string placeOf(Event const& event)
+{
+  return event.isOnSurface()
+           ? formatPoint(event.hypocentre)
+           : formatShort(event.nucleation) + (event.fault.empty() ? "" : " (" + event.fault + ')');
+}
+
 Row describe(Event const& event)
 {
   Row row{std::to_string(event.number), formatShort(event.onset), formatShort(event.duration())};
@@ -74,10 +81,8 @@ Row describe(Event const& event)
   } else {
     row.push_back(formatShort(event.width));
   }
-  row.insert(row.end(),
-             {formatShort(event.peak_slip), formatShort(event.peak_slip_rate),
-              event.isOnSurface() ? formatPoint(event.hypocentre) : formatShort(event.nucleation),
-              event.complete ? "" : "in progress"});
+  row.insert(row.end(), {formatShort(event.peak_slip), formatShort(event.peak_slip_rate),
+                         placeOf(event), event.complete ? "" : "in progress"});
   return row;
 }
 

@@ -2,6 +2,7 @@
 
 #include <cstdint>
 #include <iosfwd>
+#include <string>
 #include <vector>
 
 namespace asperity::catalogue
@@ -20,6 +21,7 @@ struct Event
   double moment = 0;         // [N m], or [N m/m]
   double nucleation = 0;     // [m] position of the first node above the threshold, on a curve:
                              // from its upper end
+  std::string fault;         // where it began, if a curve has several; not stored
   bool complete = true;      // false if it was in progress when the run ended
 
   // The number of its first part among all events of the run, from 1, as in rupture.h5.

@@ -249,7 +249,11 @@ std::optional<std::int64_t> EventCatalogue::numEvents() const
 std::string EventCatalogue::report() const
 {
   std::ostringstream text;
-  printEvents(text, events_);
+  auto events = events_;
+  for (auto& event : events) {
+    event.fault = io::partAt(fault(), event.nucleation);
+  }
+  printEvents(text, events);
   text << '\n';
   printSummary(text, summary());
   if (num_small_ > 0) {

@@ -27,9 +27,9 @@ FaultAxis faultAxis(io::OutputDomain const& fault)
   }
   ends = sumOverRanks(ends, *fault.comm); // others have zeros
   FaultAxis axis{{ends[0], ends[1]}, {ends[2], ends[3]}, ends[4]};
-  axis.is_level = std::abs(axis.upper[1] - axis.lower[1]) <= 1e-9 * axis.length;
   const double run = axis.upper[0] - axis.lower[0], rise = axis.upper[1] - axis.lower[1];
   const double extent = std::hypot(run, rise);
+  axis.is_level = std::abs(rise) <= io::equally_high * extent;
   axis.tangent_rises = !axis.is_level && fem::tangentInPlane(-rise / extent, run / extent)[1] > 0;
   return axis;
 }

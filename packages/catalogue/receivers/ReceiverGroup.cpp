@@ -105,6 +105,10 @@ ReceiverGroup::ReceiverGroup(std::string const& path, std::vector<NamedPlace> co
   of_elements_ = std::make_unique<Sampling>(domain, located, io::Centring::elements);
   if (domain.isCurve()) {
     positions_ = (*sampling_)(domain.positions, 1);
+    const bool is_level =
+      io::startOf(domain) == io::CurveStart::smaller_x || faultAxis(domain).is_level;
+    along_ = std::string(" m from the ") + (is_level ? "end of smaller x" : "upper end") +
+             (domain.parts.empty() ? "" : " (" + io::partsText(domain) + ')');
   }
 }
 
@@ -145,10 +149,8 @@ std::vector<double> ReceiverGroup::sample(io::OutputField const& field) const
 std::string ReceiverGroup::placeText(std::size_t receiver) const
 {
   auto const first = coordinates_.begin() + static_cast<long>(receiver * domain_.dimension);
-  const std::string along = positions_.empty()
-                              ? ""
-                              : ", " + formatShort(positions_[receiver]) +
-                                  " m from the upper end (of a level fault: of smaller x)";
+  const std::string along =
+    positions_.empty() ? "" : ", " + formatShort(positions_[receiver]) + along_;
   return pointText({first, first + domain_.dimension}) + " m" + along;
 }
 

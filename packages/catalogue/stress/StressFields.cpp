@@ -1,5 +1,6 @@
 #include "catalogue/stress/StressFields.hpp"
 
+#include "base/Errors.hpp"
 #include "base/parallel/Reductions.hpp"
 #include "fem/BoundaryCells.hpp"
 #include "fem/stress/CellStress.hpp"
@@ -179,6 +180,12 @@ void registerStressFields(io::FieldRegistry& registry, io::OutputDomain const& d
         stress, [](ObservedStress<Dim> const& of) { return of.yielded().shear; });
   }
   for (auto const& [name, plane] : planes) {
+    ASPERITY_REQUIRE(plane.isLoaded(components),
+                     "Asperity / Output / Coulomb Planes / "
+                       << name
+                       << ": no stress of this model acts along its rake, so that the Coulomb "
+                          "stress change would be zero. In antiplane models take a rake of 90 or "
+                          "-90; in plane strain one of 0 or 180, or a friction above 0.");
     add(registry,
         {"coulomb_stress_change_" + name,
          "Pa",

@@ -4,6 +4,7 @@
 #include "fem/stress/CellStress.hpp"
 #include "mesh/SimplexGeometry.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 namespace asperity::fem
@@ -51,8 +52,7 @@ CoulombPlane CoulombPlane::inSpace(double strike, double dip, double rake, doubl
           friction};
 }
 
-std::vector<double> CoulombPlane::stress(std::vector<double> const& tensors,
-                                         int displacement_components) const
+std::vector<double> CoulombPlane::factors(int displacement_components) const
 {
   auto const& names = tensorComponents(displacement_components);
   std::vector<double> factors;
@@ -62,6 +62,20 @@ std::vector<double> CoulombPlane::stress(std::vector<double> const& tensors,
     const double transposed = slip[k] * normal[i] + friction * normal[i] * normal[k];
     factors.push_back(i == k ? entry : entry + transposed);
   }
+  return factors;
+}
+
+bool CoulombPlane::isLoaded(int displacement_components) const
+{
+  constexpr double rounding = 1e-12; // of sines and cosines
+  auto const all = factors(displacement_components);
+  return std::any_of(all.begin(), all.end(), [](double f) { return std::abs(f) > rounding; });
+}
+
+std::vector<double> CoulombPlane::stress(std::vector<double> const& tensors,
+                                         int displacement_components) const
+{
+  auto const factors = this->factors(displacement_components);
   std::vector<double> result(tensors.size() / factors.size(), 0.);
   for (std::size_t cell = 0; cell < result.size(); ++cell) {
     for (std::size_t c = 0; c < factors.size(); ++c) {

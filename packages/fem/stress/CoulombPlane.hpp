@@ -30,5 +30,12 @@ struct CoulombPlane
   // (num_cells) the Coulomb stress [Pa] of stress tensors (num_cells, tensor components [Pa]) in
   // the order of tensorComponents(displacement_components).
   std::vector<double> stress(std::vector<double> const& tensors, int displacement_components) const;
+
+  // Whether any such tensor has a Coulomb stress on this plane. In antiplane models it has none
+  // along a rake of 0 or 180 degrees.
+  bool isLoaded(int displacement_components) const;
+
+private:
+  std::vector<double> factors(int displacement_components) const; // of the tensor's components
 };
 } // namespace asperity::fem

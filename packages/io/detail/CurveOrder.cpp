@@ -32,25 +32,26 @@ Neighbours neighboursAlong(std::vector<Segment> const& segments,
   return neighbours;
 }
 
-constexpr double rounding = 1e-9; // of the curve's extent: such heights are equal
-
-// Of each vertex how many greater heights there are; 0 for all if height does not matter.
-std::map<GlobalOrdinal, int> ranksByHeight(std::map<GlobalOrdinal, PlanePoint> const& coordinates,
+// Of each of the vertices how many greater heights they have; 0 for all if height does not matter.
+std::map<GlobalOrdinal, int> ranksByHeight(std::vector<GlobalOrdinal> const& vertices,
+                                           std::map<GlobalOrdinal, PlanePoint> const& coordinates,
                                            CurveStart start)
 {
   std::vector<std::pair<double, GlobalOrdinal>> heights;
   PlanePoint least = coordinates.begin()->second, largest = least;
   for (auto const& [vertex, point] : coordinates) {
-    heights.emplace_back(point[1], vertex);
     for (int d = 0; d < 2; ++d) {
       least[d] = std::min(least[d], point[d]);
       largest[d] = std::max(largest[d], point[d]);
     }
   }
+  for (const GlobalOrdinal vertex : vertices) {
+    heights.emplace_back(coordinates.at(vertex)[1], vertex);
+  }
   std::sort(heights.rbegin(), heights.rend());
-  const double equal = rounding * std::hypot(largest[0] - least[0], largest[1] - least[1]);
+  const double equal = equally_high * std::hypot(largest[0] - least[0], largest[1] - least[1]);
   std::map<GlobalOrdinal, int> ranks;
-  double before = heights.front().first;
+  double before = heights.empty() ? 0 : heights.front().first;
   int rank = 0;
   for (auto const& [height, vertex] : heights) {
     rank += start == CurveStart::upper_end && before - height > equal ? 1 : 0;
@@ -66,17 +67,19 @@ std::vector<GlobalOrdinal> possibleStarts(Neighbours const& neighbours,
                                           std::map<GlobalOrdinal, PlanePoint> const& coordinates,
                                           CurveStart start)
 {
-  const auto ranks = ranksByHeight(coordinates, start);
-  std::vector<GlobalOrdinal> starts;
-  for (auto const& entry : neighbours) {
-    starts.push_back(entry.first);
+  std::vector<GlobalOrdinal> ends, inner;
+  for (auto const& [vertex, others] : neighbours) {
+    (others.size() == 2 ? inner : ends).push_back(vertex);
   }
-  const auto isInner = [&](GlobalOrdinal vertex) { return neighbours.at(vertex).size() == 2; };
-  std::sort(starts.begin(), starts.end(), [&](GlobalOrdinal left, GlobalOrdinal right) {
-    return std::make_tuple(isInner(left), ranks.at(left), coordinates.at(left), left) <
-           std::make_tuple(isInner(right), ranks.at(right), coordinates.at(right), right);
-  });
-  return starts;
+  for (auto* const starts : {&ends, &inner}) {
+    const auto ranks = ranksByHeight(*starts, coordinates, start);
+    std::sort(starts->begin(), starts->end(), [&](GlobalOrdinal left, GlobalOrdinal right) {
+      return std::make_tuple(ranks.at(left), coordinates.at(left), left) <
+             std::make_tuple(ranks.at(right), coordinates.at(right), right);
+    });
+  }
+  ends.insert(ends.end(), inner.begin(), inner.end());
+  return ends;
 }
 } // namespace
 

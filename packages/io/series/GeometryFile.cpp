@@ -5,7 +5,7 @@
 #include "hdf5/File.hpp"
 #include "io/files/DurableFile.hpp"
 #include "io/parallel/ElementBlocks.hpp"
-#include "io/series/SegmentedTable.hpp"
+#include "io/series/SeriesLayout.hpp"
 
 #include <algorithm>
 #include <variant>
@@ -33,6 +33,23 @@ Integers integers(std::vector<GlobalOrdinal> const& values)
 std::string positionMeaning(OutputDomain const& domain)
 {
   return "Distance along the " + domain.name + " from " + startText(domain) + ".";
+}
+
+// On rank 0.
+void writeParts(h5::File& file, OutputDomain const& domain)
+{
+  std::vector<std::string> names;
+  std::vector<double> ends;
+  for (auto const& part : domain.parts) {
+    names.push_back(part.name);
+    ends.insert(ends.end(), {part.begin, part.end});
+  }
+  if (!names.empty()) {
+    describe(file.createTexts("geometry/part_names", names), "-",
+             "Boundaries of the mesh that the curve is made of.");
+    writeDataset(file, "geometry/part_ends", ends, {names.size(), 2}, "m",
+                 "Positions of the two ends of each part.");
+  }
 }
 
 std::vector<Piece> nodePieces(OutputDomain const& domain, NodeBlocks const& blocks)
@@ -81,7 +98,8 @@ Piece elementPiece(std::string const& name, std::string const& description,
           {static_cast<hsize_t>(first), static_cast<hsize_t>(count)}};
 }
 
-void create(std::filesystem::path const& path, std::vector<Piece> const& pieces)
+void create(std::filesystem::path const& path, std::vector<Piece> const& pieces,
+            OutputDomain const& domain)
 {
   makeFolderOf(path);
   h5::File file = h5::File::create(path);
@@ -91,6 +109,7 @@ void create(std::filesystem::path const& path, std::vector<Piece> const& pieces)
                          piece.shape),
              piece.unit, piece.description);
   }
+  writeParts(file, domain);
   file.close();
 }
 
@@ -121,7 +140,7 @@ GeometryFile writeGeometry(std::filesystem::path const& directory, std::string c
                                   elements, elements.numWhole(), domain.nodes_per_element));
   }
   const auto path = directory / result.name;
-  onRoot(comm, [&] { create(temporaryName(path), pieces); });
+  onRoot(comm, [&] { create(temporaryName(path), pieces, domain); });
   std::optional<h5::File> file;
   onEveryRank(comm,
               [&] { file = h5::File::openShared(temporaryName(path), rawCommunicator(comm)); });

@@ -56,11 +56,10 @@ Evolution<Dim>::Evolution(ParameterList const& deck, RCP<const Communicator> con
     memoryBudget(deck.sublist("TNNMG")), model_.reaction);
   control_ =
     makeStepControl(deck.sublist("Time Stepping"), io::OutputSet::times(deck.sublist("Output")),
-                    *coupled_step_, waveRate(problem_, deck.sublist("Friction")));
+                    *coupled_step_, problem_.scales.waveRate());
   control_->setPlaces([this](int vertex) { return placeOf(vertex); });
-  auto const scales = growthScales(problem_, deck.sublist("Friction"));
-  slow_slip_.emplace(scales.weakening, scales.slow_rate);
-  growth_watch_.emplace(scales.slip_distance,
+  slow_slip_.emplace(problem_.scales.weakening, problem_.scales.slowRate());
+  growth_watch_.emplace(problem_.scales.slipDistance(),
                         deck.sublist("Time Stepping").get<int>("Most Hiding Steps"),
                         !control_->adapts());
   view_.state = &state_;

@@ -14,25 +14,37 @@ namespace asperity::tnnmg::detail
 {
 namespace
 {
-KOKKOS_INLINE_FUNCTION bool isStiff(NodeBlock const& hessian, NodeBlock const& diagonal)
+// What kernels read of the nodes.
+struct NodeViews
 {
-  return hessian.trace() > diagonal.trace();
-}
+  explicit NodeViews(MultigridNodes const& nodes)
+      : dofs(nodes.view.dofs)
+      , diagonal(nodes.diagonal)
+      , hessian(nodes.hessian)
+      , removed(nodes.removed)
+  {
+  }
+
+  KOKKOS_INLINE_FUNCTION NodeBlock B(int node) const { return {diagonal, node}; }
+  KOKKOS_INLINE_FUNCTION NodeBlock H(int node) const { return {hessian, node}; }
+  KOKKOS_INLINE_FUNCTION bool isRemoved(int node) const { return removed(node) != 0; }
+  KOKKOS_INLINE_FUNCTION bool isStiff(int node) const { return H(node).trace() > B(node).trace(); }
+
+  NodeDofView dofs;
+  HessianView diagonal, hessian;
+  FlagView removed;
+};
 
 // Zero at the dofs of nodes that are removed or stiff.
 void leaveOut(MultigridNodes const& nodes, MultiVector& x)
 {
   const auto values = x.getLocalViewDevice(Tpetra::Access::ReadWrite);
-  const auto dofs = nodes.view.dofs;
-  const auto diagonal = nodes.diagonal;
-  const auto hessian = nodes.hessian;
-  const auto removed = nodes.removed;
+  const NodeViews of(nodes);
   Kokkos::parallel_for(
     "asperity::tnnmg::leaveOut", RangePolicy(0, nodes.size()), KOKKOS_LAMBDA(int node) {
-      const bool leave =
-        removed(node) || isStiff(NodeBlock(hessian, node), NodeBlock(diagonal, node));
-      for (int t = 0; leave && t < dofs.extent_int(1); ++t) {
-        values(dofs(node, t), 0) = 0;
+      const bool leave = of.isRemoved(node) || of.isStiff(node);
+      for (int t = 0; leave && t < of.dofs.extent_int(1); ++t) {
+        values(of.dofs(node, t), 0) = 0;
       }
     });
 }
@@ -42,25 +54,21 @@ void solveStiff(MultigridNodes const& nodes, MultiVector const& r, MultiVector& 
 {
   const auto from = r.getLocalViewDevice(Tpetra::Access::ReadOnly);
   const auto to = z.getLocalViewDevice(Tpetra::Access::ReadWrite);
-  const auto dofs = nodes.view.dofs;
-  const auto diagonal = nodes.diagonal;
-  const auto hessian = nodes.hessian;
-  const auto removed = nodes.removed;
+  const NodeViews of(nodes);
   Kokkos::parallel_for(
     "asperity::tnnmg::solveStiff", RangePolicy(0, nodes.size()), KOKKOS_LAMBDA(int node) {
-      NodeBlock sum(hessian, node);
-      const NodeBlock B(diagonal, node);
-      if (removed(node) || !isStiff(sum, B)) {
+      if (of.isRemoved(node) || !of.isStiff(node)) {
         return;
       }
-      sum += B;
+      NodeBlock sum = of.H(node);
+      sum += of.B(node);
       const NodeBlock inverted = inverse(sum);
       for (int s = 0; s < inverted.size; ++s) {
         double value = 0;
         for (int t = 0; t < inverted.size; ++t) {
-          value += inverted.entry[s][t] * from(dofs(node, t), 0);
+          value += inverted.entry[s][t] * from(of.dofs(node, t), 0);
         }
-        to(dofs(node, s), 0) = value;
+        to(of.dofs(node, s), 0) = value;
       }
     });
 }
@@ -70,18 +78,14 @@ void solveStiff(MultigridNodes const& nodes, MultiVector const& r, MultiVector& 
 void addBlocks(MultigridNodes const& nodes, CrsMatrix& A)
 {
   const auto matrix = A.getLocalMatrixDevice();
-  const auto dofs = nodes.view.dofs;
-  const auto diagonal = nodes.diagonal;
-  const auto hessian = nodes.hessian;
-  const auto removed = nodes.removed;
+  const NodeViews of(nodes);
   Kokkos::parallel_for(
     "asperity::tnnmg::addBlocks", RangePolicy(0, nodes.size()), KOKKOS_LAMBDA(int node) {
-      const NodeBlock H(hessian, node), B(diagonal, node);
-      const NodeBlock& added = removed(node) || isStiff(H, B) ? B : H;
+      const NodeBlock added = of.isRemoved(node) || of.isStiff(node) ? of.B(node) : of.H(node);
       for (int s = 0; s < added.size; ++s) {
         for (int t = 0; t < added.size; ++t) {
-          const LocalOrdinal column = dofs(node, t);
-          matrix.sumIntoValues(dofs(node, s), &column, 1, &added.entry[s][t]);
+          const LocalOrdinal column = of.dofs(node, t);
+          matrix.sumIntoValues(of.dofs(node, s), &column, 1, &added.entry[s][t]);
         }
       }
     });
@@ -91,11 +95,9 @@ void addBlocks(MultigridNodes const& nodes, CrsMatrix& A)
 MueLuPreconditioner::MueLuPreconditioner(std::vector<RCP<const CrsMatrix>> P,
                                          Teuchos::ParameterList muelu, RCP<const CrsMatrix> Z,
                                          std::shared_ptr<const MultigridNodes> nodes)
-    : P_(std::move(P))
+    : Preconditioner(std::move(Z), std::move(nodes))
+    , P_(std::move(P))
     , muelu_(std::move(muelu))
-    , Z_(std::move(Z))
-    , nodes_(std::move(nodes))
-    , coarse_(nodes_)
     , cycle_(Z_, P_, muelu_)
 {
 }
@@ -118,8 +120,6 @@ void MueLuPreconditioner::setup()
     cycle_ = MueLuHierarchy(Z_, P_, muelu_);
   }
 }
-
-double MueLuPreconditioner::outdatedShare() const { return coarse_.outdatedShare(*Z_->getComm()); }
 
 void MueLuPreconditioner::rebuild()
 {

@@ -1,18 +1,16 @@
 #pragma once
 
 #include "tnnmg/hierarchy/MueLuHierarchy.hpp"
-#include "tnnmg/multigrid/CoarseHessians.hpp"
 #include "tnnmg/multigrid/Preconditioner.hpp"
 
 #include <Teuchos_ParameterList.hpp>
-#include <Tpetra_CrsMatrix.hpp>
 
 #include <memory>
 #include <vector>
 
 namespace asperity::tnnmg::detail
 {
-// MueLu's own cycle, in double precision: the reference for MultigridPreconditioner. Its matrix is
+// MueLu's own cycle, in double precision: the reference for OwnPreconditioner. Its matrix is
 // that of the last set-up, Z + H without the couplings of nodes that are removed or stiff, that is,
 // whose friction exceeds their block B of Z. A node that is stiff now has (B + H)^-1 instead of the
 // cycle, so that no stiff node holds a coarse function.
@@ -24,14 +22,9 @@ public:
                       RCP<const CrsMatrix> Z, std::shared_ptr<const MultigridNodes> nodes);
 
   void setup() override;
-  double outdatedShare() const override;
   void rebuild() override;
-  void forgetHessians() override { coarse_.forget(); }
-  int numCycles() const override { return num_cycles_; }
   std::size_t bytes() const override;
 
-  RCP<const Map> getDomainMap() const override { return Z_->getDomainMap(); }
-  RCP<const Map> getRangeMap() const override { return Z_->getRangeMap(); }
   void apply(MultiVector const& r, MultiVector& z, Teuchos::ETransp mode = Teuchos::NO_TRANS,
              double alpha = 1, double beta = 0) const override;
 
@@ -40,10 +33,6 @@ private:
 
   std::vector<RCP<const CrsMatrix>> P_;
   Teuchos::ParameterList muelu_;
-  RCP<const CrsMatrix> Z_;
-  std::shared_ptr<const MultigridNodes> nodes_;
-  CoarseHessians coarse_;
   MueLuHierarchy cycle_;
-  mutable int num_cycles_ = 0;
 };
 } // namespace asperity::tnnmg::detail

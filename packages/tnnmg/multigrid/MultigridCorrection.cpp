@@ -3,8 +3,8 @@
 #include "tnnmg/multigrid/BelosConjugateGradients.hpp"
 #include "tnnmg/multigrid/MueLuPreconditioner.hpp"
 #include "tnnmg/multigrid/MultigridParameters.hpp"
-#include "tnnmg/multigrid/MultigridPreconditioner.hpp"
 #include "tnnmg/multigrid/MultigridSymmetry.hpp"
+#include "tnnmg/multigrid/OwnPreconditioner.hpp"
 
 #include <Tpetra_CrsMatrix.hpp>
 #include <Tpetra_Map.hpp>
@@ -70,7 +70,7 @@ struct MultigridCorrection::Implementation
       , residual(problem.Z->getRowMap())
   {
     if (parameters.cycle_by == Parameters::CycleBy::us) {
-      ours = rcp(new detail::MultigridPreconditioner(hierarchy, weights, problem.Z, nodes));
+      ours = rcp(new detail::OwnPreconditioner(hierarchy, weights, problem.Z, nodes));
       preconditioner = ours;
     } else {
       preconditioner = rcp(new detail::MueLuPreconditioner(
@@ -109,7 +109,7 @@ struct MultigridCorrection::Implementation
   std::shared_ptr<detail::MultigridNodes> nodes;
   RCP<const detail::MultigridOperator> A;
   RCP<detail::Preconditioner> preconditioner;
-  RCP<detail::MultigridPreconditioner> ours; // the same, unless the cycle is MueLu's
+  RCP<detail::OwnPreconditioner> ours; // the same, unless the cycle is MueLu's
   Vector residual;
   int rebuilds = 0;
 };

@@ -1,8 +1,13 @@
 #pragma once
 
+#include "tnnmg/multigrid/CoarseHessians.hpp"
 #include "tnnmg/multigrid/MultigridOperator.hpp"
 
+#include <Tpetra_CrsMatrix.hpp>
+
 #include <cstddef>
+#include <memory>
+#include <utility>
 
 namespace asperity::tnnmg::detail
 {
@@ -12,6 +17,13 @@ namespace asperity::tnnmg::detail
 class Preconditioner : public Operator
 {
 public:
+  Preconditioner(RCP<const CrsMatrix> Z, std::shared_ptr<const MultigridNodes> nodes)
+      : Z_(std::move(Z))
+      , nodes_(std::move(nodes))
+      , coarse_(nodes_)
+  {
+  }
+
   // Adapts the fine level; has to be called after the blocks of the nodes have changed. Throws
   // SolveError if a matrix is not positive definite.
   virtual void setup() = 0;
@@ -19,14 +31,23 @@ public:
   // The share of the nonlinear nodes, over all ranks, whose Hessian on the coarse levels differs
   // from the current one by more than a factor. Smooth errors are then corrected by too much or too
   // little, the more so the finer the mesh is. Collective.
-  virtual double outdatedShare() const = 0;
+  double outdatedShare() const { return coarse_.outdatedShare(*Z_->getComm()); }
 
   // Brings the current Hessians into the coarse levels.
   virtual void rebuild() = 0;
   // The next set-up takes the Hessians out of the coarse levels, unless rebuild() comes first.
-  virtual void forgetHessians() = 0;
+  void forgetHessians() { coarse_.forget(); }
 
-  virtual int numCycles() const = 0;     // so far
-  virtual std::size_t bytes() const = 0; // of this rank, without what corrections share
+  int numCycles() const { return num_cycles_; } // so far
+  virtual std::size_t bytes() const = 0;        // of this rank, without what corrections share
+
+  RCP<const Map> getDomainMap() const override { return Z_->getDomainMap(); }
+  RCP<const Map> getRangeMap() const override { return Z_->getRangeMap(); }
+
+protected:
+  RCP<const CrsMatrix> Z_;
+  std::shared_ptr<const MultigridNodes> nodes_;
+  CoarseHessians coarse_;
+  mutable int num_cycles_ = 0;
 };
 } // namespace asperity::tnnmg::detail

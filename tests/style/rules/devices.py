@@ -27,7 +27,7 @@ HOST = {
     "packages/tnnmg/hierarchy/CoarseFault.cpp": "set-up; blocks of the fault, which MPI sends",
     "packages/tnnmg/hierarchy/FewerRanks.cpp": "set-up of coarse levels",
     "packages/tnnmg/hierarchy/NodeGraphs.cpp": "set-up",
-    "packages/tnnmg/multigrid/MultigridPreconditioner.cpp": "set-up",
+    "packages/tnnmg/multigrid/OwnPreconditioner.cpp": "set-up",
     "packages/tnnmg/multigrid/MultigridSymmetry.cpp": "set-up: the trial of the preconditioner",
     "packages/dynamics/fault/FaultMotion.cpp": "the message of a refusal",
     "packages/dynamics/observables/FaultSample.cpp": "the nodes of the fault, for outputs",

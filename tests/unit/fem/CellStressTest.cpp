@@ -210,6 +210,17 @@ TEST(CoulombPlane, StrikeCountsFromNorthTowardsEast)
 }
 
 // sigma_xy > 0 drags what lies above along +x: a left lateral plane along x is unloaded.
+TEST(CoulombPlane, KnowsWhereNoStressActs)
+{
+  for (double angle : {0., 30., 90.}) {
+    EXPECT_FALSE(CoulombPlane::inPlane(angle, 180, 0.4).isLoaded(1)) << "antiplane";
+    EXPECT_TRUE(CoulombPlane::inPlane(angle, -90, 0.4).isLoaded(1));
+    EXPECT_TRUE(CoulombPlane::inPlane(angle, 0, 0).isLoaded(2)) << "plane strain";
+    EXPECT_TRUE(CoulombPlane::inPlane(angle, 90, 0.4).isLoaded(2));
+    EXPECT_FALSE(CoulombPlane::inPlane(angle, 90, 0).isLoaded(2));
+  }
+}
+
 TEST(CoulombPlane, OfTwoDimensionsSlipsOnItsRight)
 {
   const double tau = 3e5;

@@ -208,6 +208,51 @@ TEST(CurveOrder, FaultsBeginAtTheirUpperEnd)
   EXPECT_EQ(first({0, 0}, {300, -100}), 0) << "dips to the right";
   EXPECT_EQ(first({5, 2}, {-5, 2}), 1) << "level";
   EXPECT_EQ(first({4e4, 1e-12}, {0, 0}), 1) << "level but for rounding";
+  EXPECT_EQ(first({25600, 1e-3}, {0, 0}), 1) << "level but for a millimetre in 25.6 km";
+  EXPECT_EQ(first({25600, 1}, {0, 0}), 0) << "rises by a metre";
+}
+
+// A fault that is gently inclined is not level, however many vertices it has.
+TEST(CurveOrder, ManySmallStepsAreARise)
+{
+  constexpr int count = 20000;
+  std::vector<io::detail::Segment> segments;
+  std::map<GlobalOrdinal, io::detail::PlanePoint> coordinates;
+  for (int i = 0; i < count; ++i) {
+    coordinates[i] = {1.0 * i, 1e-4 * i};
+    if (i > 0) {
+      segments.push_back({i - 1, i});
+    }
+  }
+  EXPECT_EQ(
+    io::detail::orderCurve(segments, coordinates, io::CurveStart::upper_end).vertex_ids.front(),
+    count - 1);
+}
+
+TEST(OutputDomain, KnowsTheBoundariesOfACurve)
+{
+  auto mesh = test::stripMesh(num_base);
+  const double middle = test::stripPosition(2, num_base);
+  mesh.boundaries.insert({{"early", {}}, {"late", {}}}); // on every rank
+  for (auto const& facet : mesh.boundaries.at("base")) {
+    const double x = (mesh.vertices[facet[0]][0] + mesh.vertices[facet[1]][0]) / 2;
+    mesh.boundaries[x < middle ? "early" : "late"].push_back(facet);
+  }
+  OutputDomain fault = boundaryDomain("fault", mesh, "base", world());
+  nameParts(fault, mesh, {"base"});
+  EXPECT_TRUE(fault.parts.empty());
+  EXPECT_EQ(partsText(fault), "");
+  nameParts(fault, mesh, {"late", "early"});
+  ASSERT_EQ(fault.parts.size(), 2u);
+  EXPECT_EQ(fault.parts[0].name, "early");
+  EXPECT_EQ(fault.parts[0].begin, 0);
+  EXPECT_NEAR(fault.parts[0].end, middle, 1e-15);
+  EXPECT_EQ(fault.parts[1].name, "late");
+  EXPECT_NEAR(fault.parts[1].begin, middle, 1e-15);
+  EXPECT_NEAR(fault.parts[1].end, test::stripPosition(num_base - 1, num_base), 1e-15);
+  EXPECT_EQ(partAt(fault, middle / 2), "early");
+  EXPECT_EQ(partAt(fault, (1 + middle) / 2), "late");
+  test::expectParts(startText(fault), {"its upper end", "; early: 0 to ", ", late: ", " m"});
 }
 
 TEST(CurveOrder, BranchesAreRefused)

@@ -53,7 +53,7 @@ TEST(Stations, FilesForSeas)
       "# code=Asperity\n"
       "# code_version=1.2\n"
       "# element_size=50 m\n"
-      "# location=on fault, (0.3, 0) m, 0.3 m from the upper end (of a level fault: of smaller x)\n"
+      "# location=on fault, (0.3, 0) m, 0.3 m from the end of smaller x\n"
       "# minimum_time_step=4.000000E-01\n"
       "# maximum_time_step=4.000000E-01\n"
       "# num_time_steps=4           \n"

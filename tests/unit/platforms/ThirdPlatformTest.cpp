@@ -58,22 +58,21 @@ TEST(ThirdPlatform, IsAWordOfTheDeckAndWritesItsFiles)
   outputs.write(stage.at(1, 2, true));
   outputs.closeSegment();
   test::onRankZero([&] {
-    EXPECT_EQ(
-      test::contents(directory / "benchmark/station_a"),
-      "# This is the file header:\n"
-      "# problem=BP1-QD\n"
-      "# author=A. Modeller\n"
-      "# date=2024/05/31\n"
-      "# code=Asperity\n"
-      "# code_version=1.2\n"
-      "# element_size=50 m\n"
-      "# location=on fault, (0.3, 0) m, 0.3 m from the upper end (of a level fault: of smaller x)\n"
-      "# num_time_steps=1           \n"
-      "# Column #1 = Time (s)\n"
-      "# Column #2 = Slip (m)\n"
-      "# The line below lists the names of the data fields:\n"
-      "t slip\n"
-      " 0.00000000000000E+00   0.000000E+00\n"
-      " 2.00000000000000E+00   6.000000E-01\n");
+    EXPECT_EQ(test::contents(directory / "benchmark/station_a"),
+              "# This is the file header:\n"
+              "# problem=BP1-QD\n"
+              "# author=A. Modeller\n"
+              "# date=2024/05/31\n"
+              "# code=Asperity\n"
+              "# code_version=1.2\n"
+              "# element_size=50 m\n"
+              "# location=on fault, (0.3, 0) m, 0.3 m from the end of smaller x\n"
+              "# num_time_steps=1           \n"
+              "# Column #1 = Time (s)\n"
+              "# Column #2 = Slip (m)\n"
+              "# The line below lists the names of the data fields:\n"
+              "t slip\n"
+              " 0.00000000000000E+00   0.000000E+00\n"
+              " 2.00000000000000E+00   6.000000E-01\n");
   });
 }

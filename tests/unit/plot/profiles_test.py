@@ -5,6 +5,7 @@ import unittest
 from dataclasses import replace
 from pathlib import Path
 
+import h5py
 import numpy as np
 from matplotlib import pyplot
 from matplotlib.colors import to_hex
@@ -153,15 +154,26 @@ class Profiles(SharedFolderCase):
 
 
 class Axes(unittest.TestCase):
-    def axis(self, coordinates, deck: str = "", fields=None, place: str = "fault") -> along.Axis:
+    def axis(self, coordinates, deck: str = "", fields=None, place: str = "fault",
+             parts=None) -> along.Axis:
         with tempfile.TemporaryDirectory() as name:
             folder = Path(name)
             synthetic_run.write_history(folder / "fault.h5", np.array([0.0, 1.0]),
                                         np.array(coordinates, dtype=float), fields or {})
+            if parts:
+                with h5py.File(folder / "fault.h5", "a") as file:
+                    file["geometry/part_names"] = list(parts)
+                    file["geometry/part_ends"] = list(parts.values())
             if deck:
                 (folder / "parameters.xml").write_text(deck)
             run = Run(folder)
             return along.axis(run, run.fault, place)
+
+    def test_several_faults_on_one_axis(self):
+        axis = self.axis([(0.0, 0.0), (20e3, -5e3), (24e3, -1e3)],
+                         parts={"main": (0.0, 20616.0), "splay": (20616.0, 26273.0)})
+        self.assertEqual(axis.label,
+                         "Distance from the upper end of the fault [km]\n(splay from 20.6)")
 
     def test_depth_on_a_vertical_fault(self):
         """Of an older run, whose nodes begin at the lower end."""

@@ -54,7 +54,7 @@ TEST(ResolutionCheck, LooksAtThePartThatWeakens)
     friction.set("a", "x < 1.5 ? 0.01 : 0.02").set("L", "x < 1.5 ? 0.6 + x : 1e-3");
   });
   auto const problem = makeProblem<2>(deck, world());
-  const auto resolution = faultResolution(problem, deck.sublist("Friction"));
+  const auto resolution = problem.scales.resolution;
   ASSERT_TRUE(resolution);
   EXPECT_NEAR(resolution->smallest_cell, 1, 1e-12);
   EXPECT_NEAR(resolution->largest_cell, 1, 1e-12);
@@ -130,7 +130,7 @@ TEST(ResolutionCheck, KnowsTheLengthsOfSlipWeakening)
     given.sublist("Initial State").set("State", "Given");
   });
   auto const problem = makeProblem<2>(deck, world());
-  const auto resolution = faultResolution(problem, deck.sublist("Friction"));
+  const auto resolution = problem.scales.resolution;
   ASSERT_TRUE(resolution);
   EXPECT_NEAR(resolution->cohesive_zone, 9 * M_PI / 32 * 450, 1e-9);
   EXPECT_NEAR(resolution->nucleation_length, 1.158 * 450, 1e-9);
@@ -143,7 +143,7 @@ TEST(ResolutionCheck, MeasuresThePartThatWeakens)
   // Nodes at x = 0, 1, 2 of a strip; the last one does not weaken.
   const auto resolution = [](char const* a) {
     const auto deck = strip([&](ParameterList& given) { given.sublist("Friction").set("a", a); });
-    return faultResolution(makeProblem<2>(deck, world()), deck.sublist("Friction"));
+    return makeProblem<2>(deck, world()).scales.resolution;
   };
   EXPECT_NEAR(resolution("x < 1.5 ? 0.01 : 0.02")->weakening_length, 1.5, 1e-12);
   EXPECT_FALSE(resolution("x < 1.5 ? 0.01 : 0.02")->weakens_everywhere);
@@ -173,7 +173,7 @@ TEST(ResolutionCheck, SaysNothingWhereFrictionDoesNotWeaken)
 {
   const auto deck = strip([](ParameterList& given) { given.sublist("Friction").set("b", 0.01); });
   auto const problem = makeProblem<2>(deck, world());
-  EXPECT_FALSE(faultResolution(problem, deck.sublist("Friction")));
+  EXPECT_FALSE(problem.scales.resolution);
   for (auto const& line : describe(problem, deck).lines) {
     EXPECT_EQ(line.find("Resolution"), std::string::npos) << line;
   }

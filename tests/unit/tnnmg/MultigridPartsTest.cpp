@@ -4,8 +4,8 @@
 #include "multigrid/Renumbering.hpp"
 #include "portability/Renamed.hpp"
 #include "tnnmg/hierarchy/CoarseFault.hpp"
-#include "tnnmg/multigrid/MultigridPreconditioner.hpp"
 #include "tnnmg/multigrid/MultigridSymmetry.hpp"
+#include "tnnmg/multigrid/OwnPreconditioner.hpp"
 #include "unit/base/Refusal.hpp"
 
 #include <Eigen/SparseCholesky>
@@ -80,12 +80,12 @@ std::vector<multigrid::RowOrder> rowOrders()
   return {multigrid::RowOrder::colours};
 }
 
-RCP<detail::MultigridPreconditioner>
+RCP<detail::OwnPreconditioner>
 makePreconditioner(ElasticModel const& model, Parts const& parts, int rows_per_rank,
                    multigrid::RowOrder order = multigrid::defaultRowOrder())
 {
-  return rcp(new detail::MultigridPreconditioner(*hierarchyOf(model, rows_per_rank, order), {1},
-                                                 model.Z, parts.nodes));
+  return rcp(new detail::OwnPreconditioner(*hierarchyOf(model, rows_per_rank, order), {1}, model.Z,
+                                           parts.nodes));
 }
 
 // The only column of a vector.
@@ -142,7 +142,7 @@ ElasticModel modelWith(double tau, int tangents)
 }
 } // namespace
 
-TEST(MultigridPreconditioner, IsSymmetricAfterEveryKindOfSetup)
+TEST(OwnPreconditioner, IsSymmetricAfterEveryKindOfSetup)
 {
   for (auto order : rowOrders()) {
     for (double tau : {1e-6, 1e3}) {

@@ -1,4 +1,4 @@
-#include "tnnmg/multigrid/MultigridPreconditioner.hpp"
+#include "tnnmg/multigrid/OwnPreconditioner.hpp"
 
 #include "base/Errors.hpp"
 #include "portability/Renamed.hpp"
@@ -33,22 +33,19 @@ auto numbersOf(View const& view)
 }
 } // namespace
 
-MultigridPreconditioner::MultigridPreconditioner(MultigridHierarchy const& hierarchy,
-                                                 std::vector<double> const& weights,
-                                                 RCP<const CrsMatrix> Z,
-                                                 std::shared_ptr<const MultigridNodes> nodes)
-    : Z_(std::move(Z))
-    , nodes_(std::move(nodes))
+OwnPreconditioner::OwnPreconditioner(MultigridHierarchy const& hierarchy,
+                                     std::vector<double> const& weights, RCP<const CrsMatrix> Z,
+                                     std::shared_ptr<const MultigridNodes> nodes)
+    : Preconditioner(std::move(Z), std::move(nodes))
     , cycle_(hierarchy.shared(), weights, hierarchy.finestBlocks(*Z_),
              flagsOf(nodes_->held_rows, numLocalRows(*Z_)), nodes_->view.dofs)
     , gradients_(cycle_, sumOver(Z_->getComm()))
-    , coarse_(nodes_)
     , r_(multigrid::makeNumbers(cycle_.rows()))
 {
   setup();
 }
 
-void MultigridPreconditioner::setup()
+void OwnPreconditioner::setup()
 {
   if (coarse_.forgotten()) {
     cycle_.setCoarseBlocks(coarse_.values());
@@ -60,20 +57,15 @@ void MultigridPreconditioner::setup()
   }
 }
 
-double MultigridPreconditioner::outdatedShare() const
-{
-  return coarse_.outdatedShare(*Z_->getComm());
-}
-
-void MultigridPreconditioner::rebuild()
+void OwnPreconditioner::rebuild()
 {
   coarse_.takeCurrent();
   cycle_.setCoarseBlocks(coarse_.values());
   setup();
 }
 
-void MultigridPreconditioner::apply(MultiVector const& r, MultiVector& z, Teuchos::ETransp,
-                                    double alpha, double beta) const
+void OwnPreconditioner::apply(MultiVector const& r, MultiVector& z, Teuchos::ETransp, double alpha,
+                              double beta) const
 {
   ASPERITY_ASSERT(alpha == 1 && beta == 0);
   const double norm = r.getVector(0)->norm2();
@@ -87,10 +79,9 @@ void MultigridPreconditioner::apply(MultiVector const& r, MultiVector& z, Teucho
   cycle_.fromRows(result.z, norm, numbersOf(z.getLocalViewDevice(Tpetra::Access::OverwriteAll)));
 }
 
-multigrid::IterationResult MultigridPreconditioner::solveLoosely(Vector const& r,
-                                                                 double relative_tolerance,
-                                                                 int max_iterations,
-                                                                 Vector& c) const
+multigrid::IterationResult OwnPreconditioner::solveLoosely(Vector const& r,
+                                                           double relative_tolerance,
+                                                           int max_iterations, Vector& c) const
 {
   const double norm = r.norm2();
   const auto result = gradients_.solve(
