@@ -1,14 +1,11 @@
 #pragma once
 
-#include "friction/laws/DirectEffect.hpp"
-#include "friction/laws/SlipRelaxation.hpp"
+#include "friction/laws/SteadyFriction.hpp"
 
 namespace asperity::friction
 {
-// The slip law with a steady friction that falls steeply at coseismic slip rates (Noda, Dunham &
-// Rice 2009), for the regularised law with psi = mu* + b alpha:
+// Steady friction that falls steeply at coseismic slip rates (Noda, Dunham & Rice 2009):
 //
-//   d(psi)/dt = -(V / L) (psi - psi_ss),  psi_ss = a log[2 (V* / V) sinh(f_ss / a)],
 //   f_ss = f_w + (f_LV - f_w) share(V / V_w),
 //   f_LV = a asinh[(V / V*)^(1 - b/a) exp(mu* / a) / 2] = mu* - (b - a) log(V / V*)
 //
@@ -17,15 +14,13 @@ namespace asperity::friction
 //
 // Law gives `name` and share(log(V / V_w)) in (0, 1], which does not increase.
 template <class Law>
-struct RateWeakening
+struct RateWeakening : SteadyFriction<Law>
 {
+  using Base = SteadyFriction<Law>;
   static constexpr Parameter parameters[7] = {
     DirectEffect::table[0],
-    {"b", "-", no_default, 0, infinity, false, false,
-     "This is the weight of the state: mu grows by this value when the state theta grows by a "
-     "factor e."},
-    {"L", "m", no_default, 0, infinity, false, false,
-     "This is the characteristic slip distance, over which the state adapts to a new slip rate."},
+    Base::b_parameter,
+    Base::L_parameter,
     reference_slip_rate,
     DirectEffect::table[3],
     {"Weakened Friction Coefficient", "-", 0.2, 0, infinity, true, false,
@@ -34,46 +29,28 @@ struct RateWeakening
     {"Weakening Slip Rate", "m/s", 0.1, 0, infinity, false, false,
      "Steady friction falls at slip rates above this one, V_w."},
   };
-  static double slipDistance(double const* values) { return values[2]; }
-  static constexpr bool weakens_at_high_rates = true;
 
-  double a;
-  double b;
-  double slip_distance;           // L, m
-  double log_reference_slip_rate; // log(V* s/m)
-  double reference_friction;      // mu*
-  double weakened_friction;       // f_w
-  double log_weakening_rate;      // log(V_w s/m)
+  double weakened_friction;  // f_w
+  double log_weakening_rate; // log(V_w s/m)
 
   // Reads column `node` of values(num_parameters, num_nodes), rows in the order of the table.
   KOKKOS_INLINE_FUNCTION static Law load(ParameterView const& values, int node)
   {
-    return {{values(0, node), values(1, node), values(2, node), math::log(values(3, node)),
-             values(4, node), values(5, node), math::log(values(6, node))}};
-  }
-
-  KOKKOS_INLINE_FUNCTION double rate(double V, double alpha) const
-  {
-    return detail::relaxationRate(V, slip_distance, alpha, steadyState(V));
-  }
-
-  KOKKOS_INLINE_FUNCTION double flow(double V, double dt, double alpha0) const
-  {
-    return detail::relaxed(V, dt, slip_distance, alpha0, steadyState(V));
+    return {{Base::load(values, node), values(5, node), math::log(values(6, node))}};
   }
 
   KOKKOS_INLINE_FUNCTION double steadyState(double V) const
   {
+    const double a = this->a;
     const double log_V = math::log(V);
-    const double x = log_V - log_reference_slip_rate;
+    const double x = log_V - this->log_reference_slip_rate;
     const double share = Law::share(log_V - log_weakening_rate);
     if (share == 1) {
       return -x;
     }
-    const double slow = a * detail::asinhHalfExp((reference_friction + (a - b) * x) / a);
-    const double y = (weakened_friction + (slow - weakened_friction) * share) / a;
-    const double log_two_sinh = y + math::log(-math::expm1(-2 * y));
-    return (a * (log_two_sinh - x) - reference_friction) / b;
+    const double slow =
+      a * detail::asinhHalfExp((this->reference_friction + (a - this->b) * x) / a);
+    return this->stateOf((weakened_friction + (slow - weakened_friction) * share) / a, x);
   }
 };
 

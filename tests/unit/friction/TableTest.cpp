@@ -1,4 +1,5 @@
 #include "friction/Registry.hpp"
+#include "friction/laws/RateWeakening.hpp"
 #include "friction/laws/RegularisedLaw.hpp"
 #include "friction/laws/TabulatedLaw.hpp"
 #include "unit/friction/Reference.hpp"
@@ -84,7 +85,7 @@ TEST(Table, RefusesWhatIsNoFunction)
 
 // SCEC's TPV103.
 constexpr double a = 0.01, b = 0.014, L = 0.4, V_ref = 1e-6, mu_ref = 0.6;
-const StrongRateWeakeningLaw weakening{{a, b, L, std::log(V_ref), mu_ref, 0.2, std::log(0.1)}};
+const StrongRateWeakeningLaw weakening{{{a, b, L, std::log(V_ref), mu_ref}, 0.2, std::log(0.1)}};
 const RegularisedLaw friction_law{{a, b, std::log(V_ref), mu_ref}};
 
 // Its steady friction in steps of h in log10 V, as a table.
