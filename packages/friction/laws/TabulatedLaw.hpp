@@ -5,8 +5,8 @@
 
 namespace asperity::friction
 {
-// Steady friction from a table, f_ss > 0 by log10(V s/m). Friction still increases with V at a given
-// state, whatever the table. Host and device; V >= 0 in m/s.
+// Steady friction from a table, f_ss > 0 by log10(V s/m). Friction still increases with V at a
+// given state, whatever the table. Host and device; V >= 0 in m/s.
 struct TabulatedLaw : SteadyFriction<TabulatedLaw>
 {
   static constexpr char const* name = "Tabulated";
