@@ -78,7 +78,7 @@ public:
 
   // Defaults for a kind of output, which a class replaces by static functions of the same names:
   // the domain without which the output is left out ("" means it is never left out), and its files,
-  // relative to the folder of the run. A file name may end in '*' for any ending; segments need not
+  // relative to the folder of the run. A file name may have one '*' for any text; segments need not
   // be named.
   static std::string neededDomain() { return ""; }
   static std::vector<std::string> files() { return {}; }

@@ -238,13 +238,12 @@ OutputDomain boundaryDomain(std::string const& name, Mesh<Dim> const& mesh,
   return domain;
 }
 
-template <int Dim>
-void nameParts(OutputDomain& curve, Mesh<Dim> const& mesh,
-               std::vector<std::string> const& boundaries)
+namespace
 {
-  if (!curve.isCurve() || boundaries.size() < 2) {
-    return;
-  }
+template <int Dim>
+void addParts(OutputDomain& curve, Mesh<Dim> const& mesh,
+              std::vector<std::string> const& boundaries)
+{
   std::map<int, double> position_of;
   for (std::size_t i = 0; i < curve.numOwned(); ++i) {
     position_of[curve.vertices[i]] = curve.positions[i];
@@ -264,6 +263,38 @@ void nameParts(OutputDomain& curve, Mesh<Dim> const& mesh,
   }
   std::sort(curve.parts.begin(), curve.parts.end(),
             [](auto const& left, auto const& right) { return left.begin < right.begin; });
+}
+} // namespace
+
+template <int Dim>
+void nameParts(OutputDomain& domain, Mesh<Dim> const& mesh,
+               std::vector<std::string> const& boundaries)
+{
+  if (boundaries.size() < 2) {
+    return;
+  }
+  domain.boundaries = boundaries;
+  std::map<int, int> first_of_vertex;
+  std::vector<int> ends; // of the facets of each boundary among all
+  for (std::size_t b = 0; b < boundaries.size(); ++b) {
+    auto const& facets = mesh.boundaries.at(boundaries[b]);
+    ends.push_back((ends.empty() ? 0 : ends.back()) + static_cast<int>(facets.size()));
+    for (auto const& facet : facets) {
+      for (const int vertex : facet) {
+        first_of_vertex.emplace(vertex, static_cast<int>(b));
+      }
+    }
+  }
+  for (const int vertex : domain.vertices) {
+    domain.node_boundaries.push_back(first_of_vertex.at(vertex));
+  }
+  for (const int facet : domain.numbers_in_mesh) {
+    const auto end = std::upper_bound(ends.begin(), ends.end(), facet);
+    domain.element_boundaries.push_back(static_cast<int>(end - ends.begin()));
+  }
+  if (domain.isCurve()) {
+    addParts(domain, mesh, boundaries);
+  }
 }
 
 template <int Dim>

@@ -46,7 +46,13 @@ struct OutputDomain
     std::string name;
     double begin, end;
   };
-  std::vector<Part> parts;                 // by position; empty if the curve is a single boundary
+  std::vector<Part> parts; // by position; empty if the curve is a single boundary
+  // The boundaries of the mesh that the domain is made of, in the order of the deck, and the first
+  // of them that has a node, or the one that has an element; empty if it is a single boundary.
+  std::vector<std::string> boundaries;
+  std::vector<int> node_boundaries;    // (num_owned)
+  std::vector<int> element_boundaries; // (num_owned_elements)
+
   std::vector<GlobalOrdinal> connectivity; // (num_owned_elements, nodes_per_element), by number
   std::vector<double> corners;             // (num_owned_elements, nodes_per_element, dimension) [m]
 
@@ -85,10 +91,10 @@ template <int Dim>
 OutputDomain boundaryDomain(std::string const& name, Mesh<Dim> const& mesh,
                             std::string const& boundary, RCP<const Communicator> const& comm);
 
-// Fills the parts of a curve that is made of these boundaries. Does nothing in three dimensions.
-// Collective.
+// Fills the boundaries and, of a curve, the parts of a domain whose boundary joinBoundaries made of
+// these. Does nothing if it is a single one. Collective.
 template <int Dim>
-void nameParts(OutputDomain& curve, Mesh<Dim> const& mesh,
+void nameParts(OutputDomain& domain, Mesh<Dim> const& mesh,
                std::vector<std::string> const& boundaries);
 
 // All vertices and cells, under the name "volume".

@@ -24,7 +24,8 @@ struct Event
   std::string fault;         // where it began, if a curve has several; not stored
   bool complete = true;      // false if it was in progress when the run ended
 
-  // The number of its first part among all events of the run, from 1, as in rupture.h5.
+  // The number of its first part among all events of the run, from 1, as in rupture.h5; of one of
+  // several faults that of the event in which it takes part.
   std::int64_t number = 0;
 
   double area = 0;                // [m^2] of the nodes that reached the threshold

@@ -56,6 +56,9 @@ Teuchos::RCP<const Teuchos::ParameterList> EventCatalogue::validParameters()
       "Most Events", 0, Range::atLeast(0),
       "The run ends before its final time when the table has this number of events; 0 means no "
       "limit. With a larger number --restart continues a run that ended so.")
+    .boolean("Each Fault", false,
+             "If true, each of several faults also has a table, events_<boundary>.csv, of the "
+             "times in which some node of this fault is seismic.")
     .list();
 }
 
@@ -66,10 +69,29 @@ std::string EventCatalogue::meaning()
 
 EventCatalogue::EventCatalogue(Teuchos::ParameterList const& parameters,
                                io::OutputContext const& context)
-    : EventFollower(context, parameters.get<double>("Threshold"))
+    : EventCatalogue(parameters, context, nullptr, {}, "events.csv")
+{
+  if (!parameters.get<bool>("Each Fault")) {
+    return;
+  }
+  const auto files = eventFiles(fault().boundaries);
+  ASPERITY_REQUIRE(!files.empty(), "Asperity / Output / Event Catalogue / Each Fault is true, but "
+                                   "there is friction on one boundary alone, whose events are in "
+                                   "events.csv. Leave it out.");
+  for (std::size_t i = 0; i < files.size(); ++i) {
+    faults_.emplace_back(
+      new EventCatalogue(parameters, context, this, static_cast<int>(i), files[i]));
+  }
+}
+
+EventCatalogue::EventCatalogue(Teuchos::ParameterList const& parameters,
+                               io::OutputContext const& context, EventCatalogue const* whole,
+                               std::optional<int> boundary, std::string const& file)
+    : EventFollower(context, parameters.get<double>("Threshold"), boundary)
+    , whole_(whole)
     , slip_(context.fields.field("fault", "slip"))
-    , energies_(context.fields)
-    , file_(context.directory / "events.csv", eventColumns(!fault().isCurve()) + energies_.header(),
+    , energies_(whole ? EventEnergies() : EventEnergies(context.fields))
+    , file_(context.directory / file, eventColumns(!fault().isCurve()) + energies_.header(),
             context.comm)
     , merging_time_(parameters.get<double>("Merging Time"))
     , smallest_width_(parameters.get<double>("Smallest Width"))
@@ -84,7 +106,7 @@ EventCatalogue::EventCatalogue(Teuchos::ParameterList const& parameters,
       << ": in two dimensions an event has a moment per length and no magnitude. Give "
          "a Smallest Width instead.");
   if (!fault().isCurve()) {
-    plane_ = faultPlane(fault(), context.up);
+    plane_ = faultPlane(fault(), context.up, boundary);
   }
 }
 
@@ -97,6 +119,9 @@ void EventCatalogue::write(io::StepInfo const& step)
     recordLast();
   }
   std::swap(before_, now_);
+  for (auto const& each : faults_) {
+    each->write(step);
+  }
 }
 
 void EventCatalogue::begin(Sample const& now)
@@ -113,7 +138,8 @@ void EventCatalogue::begin(Sample const& now)
   }
   open_ = Event();
   open_.onset = onset;
-  open_.number = ++num_events_;
+  ++num_events_;
+  open_.number = whole_ ? whole_->open_.number : num_events_;
   // If the very first sample is seismic, the fastest node counts as the first one.
   std::vector<double> lateness(fault().numOwned(), infinity);
   for (std::size_t i = 0; i < lateness.size(); ++i) {
@@ -224,7 +250,13 @@ void EventCatalogue::recordLast()
   file_.flush(); // events are rare, and users wait for them
 }
 
-void EventCatalogue::closeSegment(int) { file_.flush(); }
+void EventCatalogue::closeSegment(int index)
+{
+  file_.flush();
+  for (auto const& each : faults_) {
+    each->closeSegment(index);
+  }
+}
 
 void EventCatalogue::finish()
 {
@@ -238,6 +270,9 @@ void EventCatalogue::finish()
     recordLast();
   }
   file_.flush();
+  for (auto const& each : faults_) {
+    each->finish();
+  }
 }
 
 std::optional<std::int64_t> EventCatalogue::numEvents() const
@@ -291,16 +326,21 @@ void EventCatalogue::save(io::Archive& archive) const
   archive.setAtNodes("earlier/rates", earlier_.rates, fault().name);
   archive.setAtNodes("before/slip", before_.slip, fault().name);
   archive.set("before/energies", before_.energies);
+  for (std::size_t i = 0; i < faults_.size(); ++i) {
+    archive.insert("faults/" + std::to_string(i), *faults_[i]);
+  }
 }
 
 void EventCatalogue::restore(io::Archive const& archive)
 {
   using Numbers = std::vector<double>;
   EventFollower::restore(archive.child("follower"));
-  ASPERITY_REQUIRE(archive.get<Numbers>("choice") == choice(),
-                   "Asperity / Output / Event Catalogue: the checkpoint continues a table with "
-                   "another Merging Time, Smallest Width or Smallest Magnitude. Restart with those "
-                   "of the earlier run; asperity-plot and asperity-report can leave out more.");
+  ASPERITY_REQUIRE(
+    archive.get<Numbers>("choice") == choice(),
+    "Asperity / Output / Event Catalogue: the checkpoint continues a table with "
+    "another Merging Time, Smallest Width, Smallest Magnitude or Each Fault. Restart "
+    "with those of the earlier run; asperity-plot and asperity-report can leave out "
+    "more.");
   file_.restore(archive.child("file"));
   const std::size_t dimension = fault().dimension;
   auto const& numbers = archive.get<Numbers>("events");
@@ -321,6 +361,9 @@ void EventCatalogue::restore(io::Archive const& archive)
   earlier_.rates = archive.get<Numbers>("earlier/rates");
   before_.slip = archive.get<Numbers>("before/slip");
   before_.energies = archive.get<Numbers>("before/energies");
+  for (std::size_t i = 0; i < faults_.size(); ++i) {
+    faults_[i]->restore(archive.child("faults/" + std::to_string(i)));
+  }
 }
 
 ASPERITY_REGISTER(io::OutputRegistry, "Event Catalogue", io::OutputKindOf<EventCatalogue>)

@@ -8,6 +8,7 @@
 #include "io/files/TextTable.hpp"
 
 #include <cstdint>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -24,15 +25,22 @@ namespace asperity::catalogue
 // and down dip of the fault's mean plane; on a curve a width and a moment per length. Events that
 // follow one another within `Merging Time` are one, from the first onset to the last end; smaller
 // ones than the deck asks for have no row.
+//
+// `Each Fault` adds DIR/events_<boundary>.csv for each boundary that the fault is made of: the same
+// of its nodes alone and without energies. A row has the number of the event of events.csv that
+// this fault takes part in; there may be several. On a surface extents are in its own mean plane.
 class EventCatalogue : public EventFollower
 {
 public:
   static Teuchos::RCP<const Teuchos::ParameterList> validParameters();
   static std::string meaning();
   static std::string neededDomain() { return "fault"; }
-  static std::vector<std::string> files() { return {"events.csv"}; }
+  static std::vector<std::string> files() { return {"events.csv", "events_*.csv"}; }
 
+  // InputError if `Each Fault` is true and there is a single one.
   EventCatalogue(Teuchos::ParameterList const& parameters, io::OutputContext const& context);
+  EventCatalogue(EventCatalogue const&) = delete; // those of its faults refer to this object
+  EventCatalogue& operator=(EventCatalogue const&) = delete;
 
   void write(io::StepInfo const& step) override;
   void closeSegment(int index) override;
@@ -55,6 +63,10 @@ protected:
   void end(Sample const& now) override;
 
 private:
+  // Of one boundary of the fault `whole`, if that is not null.
+  EventCatalogue(Teuchos::ParameterList const& parameters, io::OutputContext const& context,
+                 EventCatalogue const* whole, std::optional<int> boundary, std::string const& file);
+
   // What a sample has besides the rates; set before EventFollower::write.
   struct More
   {
@@ -71,10 +83,13 @@ private:
   void recordLast(); // when no further event can be part of it
   std::vector<double> choice() const
   {
-    return {merging_time_, smallest_width_, smallest_magnitude_};
+    return {merging_time_, smallest_width_, smallest_magnitude_,
+            static_cast<double>(faults_.size())};
   }
   double peakSince(Sample const& now) const; // [m/s] around the previous sample, of all nodes
 
+  EventCatalogue const* whole_;
+  std::vector<std::unique_ptr<EventCatalogue>> faults_; // written after this one
   io::OutputField const& slip_;
   EventEnergies energies_;
   std::optional<FaultPlane> plane_;   // of a surface

@@ -13,6 +13,7 @@ namespace asperity::catalogue
 class EventEnergies
 {
 public:
+  EventEnergies() = default; // none
   explicit EventEnergies(io::FieldRegistry const& registry);
 
   // ",kinetic_energy [J/m],..."

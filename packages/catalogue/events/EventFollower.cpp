@@ -7,12 +7,17 @@
 
 namespace asperity::catalogue
 {
-EventFollower::EventFollower(io::OutputContext const& context, double threshold)
+EventFollower::EventFollower(io::OutputContext const& context, double threshold,
+                             std::optional<int> boundary)
     : fault_(context.domain("fault"))
     , slip_rate_(context.fields.field("fault", "slip_rate"))
-    , free_(freeNodes(context))
+    , counts_(freeNodes(context))
     , threshold_(threshold)
+    , is_of_boundary_(boundary.has_value())
 {
+  for (std::size_t i = 0; boundary && i < counts_.size(); ++i) {
+    counts_[i] *= fault_.node_boundaries[i] == *boundary ? 1 : 0;
+  }
 }
 
 void EventFollower::write(io::StepInfo const& step)
@@ -20,7 +25,11 @@ void EventFollower::write(io::StepInfo const& step)
   Sample now{step.time, step.peak_slip_rate, {}};
   slip_rate_.values(now.rates);
   for (std::size_t i = 0; i < now.rates.size(); ++i) {
-    now.rates[i] *= free_[i];
+    now.rates[i] *= counts_[i];
+  }
+  if (is_of_boundary_) {
+    now.peak = now.rates.empty() ? 0 : *std::max_element(now.rates.begin(), now.rates.end());
+    now.peak = maxOverRanks(now.peak, *fault_.comm);
   }
   const bool is_seismic = now.peak >= threshold_;
   if (is_seismic && !in_progress_) {

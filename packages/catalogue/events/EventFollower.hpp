@@ -4,6 +4,7 @@
 #include "io/Output.hpp"
 
 #include <limits>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -22,13 +23,15 @@ public:
   bool eventInProgress() const { return in_progress_; }
 
 protected:
-  EventFollower(io::OutputContext const& context, double threshold);
+  // boundary: of several that the fault is made of, the one whose nodes alone count.
+  EventFollower(io::OutputContext const& context, double threshold,
+                std::optional<int> boundary = {});
 
   struct Sample
   {
     double time = 0;           // [s]
     double peak = 0;           // [m/s] of all ranks
-    std::vector<double> rates; // (num_owned) [m/s], 0 where the slip rate is prescribed
+    std::vector<double> rates; // (num_owned) [m/s], 0 of nodes that do not count
   };
 
   // The sample `now` is, for begin, the first one of an event; for follow, each one of the event
@@ -53,8 +56,9 @@ protected:
 private:
   io::OutputDomain const& fault_;
   io::OutputField const& slip_rate_;
-  std::vector<double> free_; // (num_owned) freeNodes
-  double threshold_;         // [m/s]
+  std::vector<double> counts_; // (num_owned) freeNodes, of the boundary alone
+  double threshold_;           // [m/s]
+  bool is_of_boundary_;
   bool in_progress_ = false;
   bool has_previous_ = false;
   Sample previous_;

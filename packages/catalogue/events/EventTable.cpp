@@ -3,6 +3,7 @@
 #include "io/files/TextTable.hpp"
 
 #include <algorithm>
+#include <cctype>
 
 namespace asperity::catalogue
 {
@@ -21,6 +22,24 @@ std::string eventColumns(bool on_surface)
   }
   return times + "width [m],peak_slip [m],peak_slip_rate [m/s],moment_per_length [N],"
                  "nucleation_from_upper_end [m],complete";
+}
+
+std::vector<std::string> eventFiles(std::vector<std::string> const& boundaries)
+{
+  std::vector<std::string> files;
+  for (std::string name : boundaries) {
+    for (char& letter : name) {
+      const bool is_safe =
+        std::isalnum(static_cast<unsigned char>(letter)) != 0 || letter == '.' || letter == '-';
+      letter = is_safe ? letter : '_';
+    }
+    std::string file = "events_" + name;
+    while (std::find(files.begin(), files.end(), file + ".csv") != files.end()) {
+      file += '_';
+    }
+    files.push_back(file + ".csv");
+  }
+  return files;
 }
 
 std::string eventRow(Event const& event)

@@ -39,13 +39,16 @@ int largestComponent(Direction const& v)
 }
 
 // The sum over the facets of area times unit normal.
-Direction areaNormal(io::OutputDomain const& fault)
+Direction areaNormal(io::OutputDomain const& fault, std::optional<int> boundary)
 {
   Direction mine{}, sum{};
-  for (std::size_t first = 0; first < fault.corners.size(); first += 9) {
+  for (std::size_t e = 0; e < fault.numOwnedElements(); ++e) {
+    if (boundary && fault.element_boundaries[e] != *boundary) {
+      continue;
+    }
     std::array<Point<3>, 3> corners;
     for (int k = 0; k < 9; ++k) {
-      corners[k / 3][k % 3] = fault.corners[first + k];
+      corners[k / 3][k % 3] = fault.corners[9 * e + k];
     }
     const auto normal = mesh::areaNormal(corners);
     for (int d = 0; d < 3; ++d) {
@@ -58,12 +61,14 @@ Direction areaNormal(io::OutputDomain const& fault)
   return sum;
 }
 
-double smallest(io::OutputDomain const& fault, Direction const& along)
+double smallest(io::OutputDomain const& fault, std::optional<int> boundary, Direction const& along)
 {
   double least = std::numeric_limits<double>::infinity();
   for (std::size_t i = 0; i < fault.numOwned(); ++i) {
-    double const* x = &fault.coordinates[3 * i];
-    least = std::min(least, mesh::dot<3>(along, {x[0], x[1], x[2]}));
+    if (!boundary || fault.node_boundaries[i] == *boundary) {
+      double const* x = &fault.coordinates[3 * i];
+      least = std::min(least, mesh::dot<3>(along, {x[0], x[1], x[2]}));
+    }
   }
   return minOverRanks(least, *fault.comm);
 }
@@ -79,12 +84,13 @@ double FaultPlane::downDip(double const* x) const
   return mesh::dot<3>(dip, {x[0], x[1], x[2]}) - top;
 }
 
-FaultPlane faultPlane(io::OutputDomain const& fault, Direction const& up)
+FaultPlane faultPlane(io::OutputDomain const& fault, Direction const& up,
+                      std::optional<int> boundary)
 {
   ASPERITY_ASSERT(fault.dimension == 3 && fault.nodes_per_element == 3);
   constexpr double level = 1e-6; // sine of a dip that is rounding
   FaultPlane plane;
-  const auto area = areaNormal(fault);
+  const auto area = areaNormal(fault, boundary);
   ASPERITY_REQUIRE(length(area) > 0, "The facets of the fault cancel each other: it has no mean "
                                      "plane. Is it a closed surface?");
   plane.normal = unit(area);
@@ -105,7 +111,7 @@ FaultPlane faultPlane(io::OutputDomain const& fault, Direction const& up)
   if (mesh::dot<3>(plane.inward, plane.normal) > 0) {
     plane.inward = scaled(plane.inward, -1);
   }
-  plane.top = smallest(fault, plane.dip);
+  plane.top = smallest(fault, boundary, plane.dip);
   return plane;
 }
 } // namespace asperity::catalogue

@@ -3,6 +3,7 @@
 #include "io/OutputDomain.hpp"
 
 #include <array>
+#include <optional>
 
 namespace asperity::catalogue
 {
@@ -24,6 +25,8 @@ struct FaultPlane
 };
 
 // `up` points up and need not have length one. A level fault has no dip: there the strike is the
-// axis after that which is nearest to `up` (z for y). Collective.
-FaultPlane faultPlane(io::OutputDomain const& fault, Direction const& up);
+// axis after that which is nearest to `up` (z for y). `boundary`: of several that the fault is made
+// of, the plane is that of this one alone. Collective.
+FaultPlane faultPlane(io::OutputDomain const& fault, Direction const& up,
+                      std::optional<int> boundary = {});
 } // namespace asperity::catalogue

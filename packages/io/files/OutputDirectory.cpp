@@ -18,7 +18,7 @@ namespace
 {
 namespace fs = std::filesystem;
 
-// Files of the outputs and of every run, relative to its folder; '*' at the end is any ending.
+// Files of the outputs and of every run, relative to its folder; '*' is any text.
 std::vector<std::string> namesOfFiles()
 {
   std::vector<std::string> names{"parameters.xml", "run.log", "run.jsonl", "checkpoint.h5"};
@@ -52,12 +52,15 @@ bool isSegment(fs::path file)
                      [](unsigned char letter) { return std::isdigit(letter); });
 }
 
-// "fltst_*" or "events.csv", of a file or of its temporary form.
+// "fltst_*", "events_*.csv" or, also in its temporary form, "events.csv".
 bool hasName(fs::path const& file, std::string const& pattern)
 {
   const std::string name = file.filename().string();
-  if (!pattern.empty() && pattern.back() == '*') {
-    return name.compare(0, pattern.size() - 1, pattern, 0, pattern.size() - 1) == 0;
+  const auto star = pattern.find('*');
+  if (star != std::string::npos) {
+    const auto ending = pattern.substr(star + 1);
+    return name.size() >= star + ending.size() && name.compare(0, star, pattern, 0, star) == 0 &&
+           name.compare(name.size() - ending.size(), ending.size(), ending) == 0;
   }
   return name == pattern || name == detail::temporaryName(pattern).string();
 }

@@ -32,11 +32,12 @@ class Subduction(unittest.TestCase):
         return folder
 
     def run_event(self, deck, *settings, **more):
-        """A run with one large event, from whose onset to end `change` counts."""
+        """The folder of a run with one large event, from whose onset to end `change` counts."""
         folder = self.run_deck(deck, *settings, **more)
         self.event, = [row for row in asperity_run.table(folder / "events.csv")
                        if row["peak_slip"] > 1]
         self.surface = asperity_run.series(folder / "surface.h5")
+        return folder
 
     def change(self, history, field):
         """By how much a field changed in the event, at each node."""
@@ -96,7 +97,11 @@ class Subduction(unittest.TestCase):
     def test_splay_that_weakens_breaks_and_one_that_strengthens_hardly(self):
         slips = {}
         for b in ("0.015", "0.005"):
-            self.run_event("splay_2d", f"Friction/b={SPLAY} ? {b} : 0.015")
+            folder = self.run_event("splay_2d", f"Friction/b={SPLAY} ? {b} : 0.015")
+            whole, *faults = (
+                sum(row["moment_per_length"] for row in asperity_run.table(folder / file))
+                for file in ("events.csv", "events_megathrust.csv", "events_splay.csv"))
+            self.assertAlmostEqual(sum(faults) / whole, 1, delta=1e-7)  # 8 digits
             slip = -self.change(self.fault, "slip")
             splay = on_splay(self.place)
             self.assertGreater(splay.sum(), 15)

@@ -420,7 +420,7 @@ TEST(EventCatalogue, RefusesAnotherChoiceOnRestartAndMagnitudesInThePlane)
   run.catalogue->save(archive);
   Observed other(directory.path(), {}, choice(3, 0));
   test::expectRefusal([&] { other.catalogue->restore(archive); },
-                      {"another Merging Time, Smallest Width or Smallest Magnitude"});
+                      {"another Merging Time, Smallest Width, Smallest Magnitude or Each Fault"});
   ParameterList magnitude;
   magnitude.set("Smallest Magnitude", 5.0);
   test::expectRefusal([&] { Observed(directory.path(), {}, magnitude); },

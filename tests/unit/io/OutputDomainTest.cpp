@@ -4,6 +4,8 @@
 #include "io/detail/CurveOrder.hpp"
 #include "io/parallel/BlocksInOrder.hpp"
 #include "io/parallel/NodeBlocks.hpp"
+#include "mesh/Boundaries.hpp"
+#include "mesh/SimplexGeometry.hpp"
 #include "unit/io/BlockMesh.hpp"
 #include "unit/io/Support.hpp"
 
@@ -238,11 +240,17 @@ TEST(OutputDomain, KnowsTheBoundariesOfACurve)
     const double x = (mesh.vertices[facet[0]][0] + mesh.vertices[facet[1]][0]) / 2;
     mesh.boundaries[x < middle ? "early" : "late"].push_back(facet);
   }
-  OutputDomain fault = boundaryDomain("fault", mesh, "base", world());
+  const std::vector<std::string> names{"late", "early"};
+  OutputDomain fault = boundaryDomain("fault", mesh, mesh::joinBoundaries(mesh, names), world());
   nameParts(fault, mesh, {"base"});
-  EXPECT_TRUE(fault.parts.empty());
+  EXPECT_TRUE(fault.parts.empty() && fault.boundaries.empty());
   EXPECT_EQ(partsText(fault), "");
-  nameParts(fault, mesh, {"late", "early"});
+  nameParts(fault, mesh, names);
+  EXPECT_EQ(fault.boundaries, names);
+  ASSERT_EQ(fault.node_boundaries.size(), fault.numOwned());
+  for (std::size_t i = 0; i < fault.numOwned(); ++i) { // the node between them is of `late`
+    EXPECT_EQ(fault.node_boundaries[i], fault.positions[i] < middle - 1e-9 ? 1 : 0);
+  }
   ASSERT_EQ(fault.parts.size(), 2u);
   EXPECT_EQ(fault.parts[0].name, "early");
   EXPECT_EQ(fault.parts[0].begin, 0);
@@ -253,6 +261,30 @@ TEST(OutputDomain, KnowsTheBoundariesOfACurve)
   EXPECT_EQ(partAt(fault, middle / 2), "early");
   EXPECT_EQ(partAt(fault, (1 + middle) / 2), "late");
   test::expectParts(startText(fault), {"its upper end", "; early: 0 to ", ", late: ", " m"});
+}
+
+TEST(OutputDomain, KnowsTheBoundariesOfASurface)
+{
+  auto mesh = test::blockMesh();
+  const std::vector<std::string> names{"far", "near"};
+  mesh.boundaries.insert({{"far", {}}, {"near", {}}});
+  for (auto const& facet : mesh.boundaries.at("base")) {
+    const bool is_near = mesh::centroid(mesh::corners(mesh, facet))[0] < 1;
+    mesh.boundaries[is_near ? "near" : "far"].push_back(facet);
+  }
+  OutputDomain fault = boundaryDomain("fault", mesh, mesh::joinBoundaries(mesh, names), world());
+  nameParts(fault, mesh, names);
+  EXPECT_TRUE(fault.parts.empty());
+  ASSERT_EQ(fault.node_boundaries.size(), fault.numOwned());
+  for (std::size_t i = 0; i < fault.numOwned(); ++i) {
+    EXPECT_EQ(fault.node_boundaries[i], fault.coordinates[3 * i] < 0.5 ? 1 : 0);
+  }
+  ASSERT_EQ(fault.element_boundaries.size(), fault.numOwnedElements());
+  for (std::size_t e = 0; e < fault.numOwnedElements(); ++e) {
+    const auto first = fault.corners.begin() + 9 * e;
+    const double x = (first[0] + first[3] + first[6]) / 3;
+    EXPECT_EQ(fault.element_boundaries[e], x < 1 ? 1 : 0);
+  }
 }
 
 TEST(CurveOrder, BranchesAreRefused)

@@ -217,8 +217,9 @@ TEST(OutputDirectory, OverwriteRemovesTheFilesOfPlatforms)
     fs::create_directory(directory / "seas");
     fs::create_directory(directory / "scec");
   });
-  for (char const* name : {"seas/fltst_dp075", "seas/slip.dat", "scec/cplot", "receivers.h5",
-                           "events.csv", "seas/tandem.txt"}) {
+  for (char const* name :
+       {"seas/fltst_dp075", "seas/slip.dat", "scec/cplot", "receivers.h5", "events.csv",
+        "events_splay.csv", "events_notes.txt", "seas/tandem.txt"}) {
     test::write(directory / name, "x");
   }
   prepareOutputDirectory(directory.path(), ExistingResult::overwrite, *world());
@@ -228,6 +229,6 @@ TEST(OutputDirectory, OverwriteRemovesTheFilesOfPlatforms)
       left.push_back(fs::relative(entry.path(), directory.path()).string());
     }
     std::sort(left.begin(), left.end());
-    EXPECT_EQ(left, (std::vector<std::string>{"seas", "seas/tandem.txt"}));
+    EXPECT_EQ(left, (std::vector<std::string>{"events_notes.txt", "seas", "seas/tandem.txt"}));
   });
 }
