@@ -299,6 +299,15 @@ std::string EventCatalogue::report() const
   return text.str();
 }
 
+std::vector<double> EventCatalogue::choice() const
+{
+  std::vector<double> numbers{merging_time_, smallest_width_, smallest_magnitude_};
+  if (!faults_.empty()) { // so that checkpoints of earlier versions are as good
+    numbers.push_back(static_cast<double>(faults_.size()));
+  }
+  return numbers;
+}
+
 void EventCatalogue::save(io::Archive& archive) const
 {
   io::Archive follower;

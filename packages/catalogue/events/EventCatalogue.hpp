@@ -80,12 +80,8 @@ private:
   double const* place(std::size_t i) const { return &fault().coordinates[3 * i]; }
   bool isSmall(Event const& event) const;
   std::int64_t numComplete() const { return static_cast<std::int64_t>(events_.size()); }
-  void recordLast(); // when no further event can be part of it
-  std::vector<double> choice() const
-  {
-    return {merging_time_, smallest_width_, smallest_magnitude_,
-            static_cast<double>(faults_.size())};
-  }
+  void recordLast();                         // when no further event can be part of it
+  std::vector<double> choice() const;        // what a restart has to find unchanged
   double peakSince(Sample const& now) const; // [m/s] around the previous sample, of all nodes
 
   EventCatalogue const* whole_;
