@@ -6,6 +6,7 @@
 #include "scenario/FaultSense.hpp"
 #include "scenario/ResolutionCheck.hpp"
 #include "scenario/setup/BulkSetup.hpp"
+#include "scenario/setup/TimeSetup.hpp"
 
 #include <cmath>
 #include <sstream>
@@ -38,6 +39,20 @@ void describeWedge(ParameterList const& deck, Description& description)
        "Gravity Direction = {" + formatShort(down[0]) + ", " + formatShort(down[1]) +
          "} is not perpendicular to the surface of the wedge. With Height / Length = " +
          formatShort(slope) + " it would be {" + formatShort(slope) + ", -1}."});
+  }
+}
+
+void warnOfTolerance(ParameterList const& time_stepping, Description& description)
+{
+  constexpr double loose = 0.02; // twice what decks in space have
+  const double tolerance = stepTolerance(time_stepping);
+  if (tolerance > loose) {
+    description.warnings.push_back(
+      {"loose tolerance",
+       "Time Stepping / " + time_stepping.get<std::string>("Control") +
+         " / Tolerance = " + formatShort(tolerance) + " is looser than " + formatShort(loose) +
+         ": numbers and times of earthquakes may be wrong. Decks have 1e-5 to 1e-2; asperity-study "
+         "--convergence tells what a tolerance does."});
   }
 }
 } // namespace
@@ -83,6 +98,7 @@ Description describe(Problem<Dim> const& problem, ParameterList const& deck)
     description.warnings.insert(description.warnings.end(), warnings.begin(), warnings.end());
   }
   describeSmallestStep(problem, deck, description);
+  warnOfTolerance(deck.sublist("Time Stepping"), description);
   return description;
 }
 

@@ -89,7 +89,10 @@ std::optional<Warning> GrowthWatch::noteSlowSlip(Step const& step)
       formatShort(most_slow_slip) + " L (" + formatShort(step.slow_slip) +
       " L) where friction weakens and slip is slow: steps of this size damp what would "
       "grow to an earthquake. Choose " +
-      (is_prescribed_ ? "smaller steps" : smaller_tolerance) + "."};
+      (is_prescribed_   ? "smaller steps"
+       : step.is_forced ? smaller_step
+                        : smaller_tolerance) +
+      "."};
 }
 
 void GrowthWatch::requireFew() const

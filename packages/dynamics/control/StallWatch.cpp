@@ -18,7 +18,8 @@ bool isWorthALine(std::int64_t count)
   return count == first_warning;
 }
 
-constexpr char const* advice = "Try a smaller 'Smallest Step' or a looser tolerance, and check "
+constexpr char const* advice = "Try a smaller 'Smallest Step', a looser tolerance if it is below "
+                               "1e-6, and check "
                                "the slip rates, lengths and stresses of the friction law.";
 } // namespace
 

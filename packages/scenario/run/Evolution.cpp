@@ -20,13 +20,6 @@ namespace asperity::scenario
 {
 namespace
 {
-double toleranceOf(ParameterList const& time_stepping)
-{
-  auto const& control = time_stepping.sublist(time_stepping.get<std::string>("Control"));
-  constexpr char const* name = "Tolerance";
-  return control.isType<double>(name) ? control.get<double>(name) : 0;
-}
-
 const std::string of_growth = "growth_watch/", of_stall = "stall_watch/"; // in a checkpoint
 } // namespace
 
@@ -44,7 +37,7 @@ Evolution<Dim>::Evolution(ParameterList const& deck, RCP<const Communicator> con
     , format_(problem_, condensation_.get(), clock_)
     , floor_count_(model_.fault)
     , stall_watch_(deck.sublist("Time Stepping").get<int>("Most Forced Steps"))
-    , tolerance_(toleranceOf(deck.sublist("Time Stepping")))
+    , tolerance_(stepTolerance(deck.sublist("Time Stepping")))
     , rate_to_tell_(problem_.largest_slip_rate)
     , pressure_watch_(model_.fault)
 {
@@ -236,11 +229,13 @@ template <int Dim>
 void Evolution<Dim>::watchGrowth()
 {
   auto const info = stepInfo();
-  const auto warning = growth_watch_->note(
+  const auto of_growth_watch = growth_watch_->note(
     {!view_.step.within_tolerance, info.time, info.step_size, rate_before_, info.peak_slip_rate,
      slow_slip_->of(sample_.slipRates(), info.step_size, *communicator_)});
-  if (warning) {
-    warnings_.push_back(*warning);
+  for (auto const& warning : {of_growth_watch, ring_watch_.note(info.time, info.peak_slip_rate)}) {
+    if (warning) {
+      warnings_.push_back(*warning);
+    }
   }
 }
 

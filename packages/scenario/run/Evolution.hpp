@@ -3,6 +3,7 @@
 #include "base/Warning.hpp"
 #include "dynamics/control/GrowthWatch.hpp"
 #include "dynamics/control/SlowSlip.hpp"
+#include "dynamics/control/RingWatch.hpp"
 #include "dynamics/control/StallWatch.hpp"
 #include "dynamics/coupling/CoupledStep.hpp"
 #include "io/Output.hpp"
@@ -55,7 +56,7 @@ public:
   double finalTime() const { return clock_.seconds(end_); }   // [s]
   std::int64_t numSteps() const { return control_->memory().num_steps; }
   io::StepInfo stepInfo() const; // of the last step
-  // Warns if that step hides a growing slip rate.
+  // Warns if that step hides a growing slip rate, or if slip rates ring.
   void watchGrowth();
   // Warns if the slip rate after that step is beyond what the model describes.
   void watchRate();
@@ -96,6 +97,7 @@ private:
   std::int64_t rises_to_tell_ = 1; // number of rises of J at which the next warning comes
   std::optional<dynamics::GrowthWatch> growth_watch_;
   std::optional<dynamics::SlowSlip> slow_slip_;
+  dynamics::RingWatch ring_watch_;
   dynamics::StallWatch stall_watch_;
   double tolerance_;       // of the step control; 0 if it has none
   double rate_before_ = 0; // peak slip rate before the last step [m/s]

@@ -128,6 +128,13 @@ std::vector<dynamics::DyadicTime::Ticks> instants(ParameterList const& list,
 
 double finalTime(ParameterList const& list) { return list.get<double>("Final Time"); }
 
+double stepTolerance(ParameterList const& list)
+{
+  auto const& control = list.sublist(list.get<std::string>("Control"));
+  constexpr char const* name = "Tolerance";
+  return control.isType<double>(name) ? control.get<double>(name) : 0;
+}
+
 dynamics::DyadicTime makeClock(ParameterList const& list)
 {
   ASPERITY_REQUIRE(list.isParameter("Smallest Step"),

@@ -12,6 +12,8 @@ RCP<const ParameterList> timeParameters();
 constexpr char const* massless_scheme = "Generalised Alpha";
 
 double finalTime(ParameterList const& list);
+// `Tolerance` of the control that the list chooses; 0 if that has none.
+double stepTolerance(ParameterList const& list);
 // `Final Time`, `Instants` of the list and those of the output times [s] that are in the run, in
 // ticks, ascending.
 std::vector<dynamics::DyadicTime::Ticks> instants(ParameterList const& list,

@@ -169,6 +169,22 @@ TEST(ResolutionCheck, AdvisesLowCellsWhereThereAreFew)
   EXPECT_EQ(advice(20, 1, "Box"), "");
 }
 
+TEST(RunReport, WarnsOfALooseTolerance)
+{
+  const auto warned = [](double tolerance) {
+    const auto deck = strip([&](ParameterList& given) {
+      auto& time = given.sublist("Time Stepping");
+      time.set("Control", "Richardson");
+      time.sublist("Richardson").set("Tolerance", tolerance);
+    });
+    auto const warnings = describe(makeProblem<2>(deck, world()), deck).warnings;
+    return std::any_of(warnings.begin(), warnings.end(),
+                       [](Warning const& each) { return each.topic == "loose tolerance"; });
+  };
+  EXPECT_FALSE(warned(0.02));
+  EXPECT_TRUE(warned(0.03));
+}
+
 TEST(ResolutionCheck, SaysNothingWhereFrictionDoesNotWeaken)
 {
   const auto deck = strip([](ParameterList& given) { given.sublist("Friction").set("b", 0.01); });

@@ -1,0 +1,34 @@
+#include "dynamics/control/RingWatch.hpp"
+
+#include "base/Text.hpp"
+
+#include <string>
+
+namespace asperity::dynamics
+{
+namespace
+{
+// Both it and the first number that is told were chosen between known runs: sound ones turn at most
+// 3 times in a row, ringing ones hundreds of times (spring_slider.xml with Newmark, 1e-2 to 1e-5).
+constexpr double turn = 1.5; // the factor by which the rate changes
+} // namespace
+
+std::optional<Warning> RingWatch::note(double time, double rate)
+{
+  const bool is_first = rate_ < 0;
+  const int direction = is_first ? 0 : rate > turn * rate_ ? 1 : turn * rate < rate_ ? -1 : 0;
+  turns_ = direction == 0 ? 0 : direction == -direction_ ? turns_ + 1 : 1;
+  rate_ = rate;
+  direction_ = direction;
+  if (turns_ < to_tell_) {
+    return std::nullopt;
+  }
+  to_tell_ *= 10;
+  return Warning{"ringing",
+                 "The slip rate rings: in " + std::to_string(turns_) +
+                   " steps in a row, the last one to t = " + formatShort(time) +
+                   " s, its peak went up and down by more than a factor of " + formatShort(turn) +
+                   ". An event may count several times, and cycles may be too short. Choose Scheme "
+                   "= Generalised Alpha, which damps this, or a much smaller 'Tolerance'."};
+}
+} // namespace asperity::dynamics
