@@ -37,6 +37,7 @@ struct OutputContext
   FieldRegistry const& fields;
   std::map<std::string, OutputDomain> const& domains; // by name
   std::array<double, 3> up{0, 1, 0}; // direction, in three dimensions; OutputSet sets it
+  double final_time = 0;             // of the run [s]; 0 if unknown
 
   // Throws InputError, which says what to change in the deck, if there is no such domain.
   OutputDomain const& domain(std::string const& name) const;

@@ -56,6 +56,15 @@ std::array<double, 3> upIn(Teuchos::ParameterList const& output)
                    "example {0, 1, 0}.");
   return {up[0], up[1], up[2]};
 }
+
+bool hasGivenEntry(ParameterList const& list)
+{
+  return std::any_of(list.begin(), list.end(), [](auto const& item) {
+    Teuchos::ParameterEntry const& entry = item.second;
+    return entry.isList() ? hasGivenEntry(Teuchos::getValue<ParameterList>(entry))
+                          : !entry.isDefault();
+  });
+}
 } // namespace
 
 void OutputSet::declare(Teuchos::ParameterList& list)
@@ -102,9 +111,13 @@ void OutputSet::makeOutputs(Teuchos::ParameterList const& parameters, OutputCont
     auto const& kind = OutputRegistry::instance().at(name);
     auto const& list = parameters.sublist(name);
     const auto domain = kind.neededDomain();
-    const bool is_possible = domain.empty() || context.domains.count(domain) > 0;
-    if (is_possible && list.get<bool>("Enabled")) {
+    if (!list.get<bool>("Enabled")) {
+      continue;
+    }
+    if (domain.empty() || context.domains.count(domain) > 0) {
       entries_.push_back({name, kind.make(list, context)});
+    } else if (hasGivenEntry(list)) {
+      left_out_.push_back({name, domain});
     }
   }
 }

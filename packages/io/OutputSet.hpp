@@ -41,6 +41,13 @@ public:
 
   bool endsRun() const; // whether one of the outputs does
 
+  // An output of which the deck gives an entry, and the domain that it lacks.
+  struct LeftOut
+  {
+    std::string name, domain;
+  };
+  std::vector<LeftOut> const& leftOut() const { return left_out_; }
+
   // As the functions of Output: of the first output that counts events, and of all.
   std::optional<std::int64_t> numEvents() const;
   std::string report() const;
@@ -55,6 +62,7 @@ private:
   void makeTexts(Teuchos::ParameterList const& parameters, OutputContext const& context);
 
   std::vector<Entry> entries_; // the output of the text format is the last one
+  std::vector<LeftOut> left_out_;
   int num_closed_segments_ = 0;
   std::string text_format_; // "None", "SEAS"
 };

@@ -43,9 +43,10 @@ void requireNumbers(std::string const& name, std::vector<double> const& numbers,
                                                  << numbers.size() << " numbers; in " << dimension
                                                  << " dimensions it needs " << count << ": "
                                                  << meaning << '.');
-  ASPERITY_REQUIRE(numbers.back() >= 0, path << planes_list << " / " << name << ": the friction "
-                                             << formatShort(numbers.back())
-                                             << " is negative. Rock has 0.2 to 0.8.");
+  ASPERITY_REQUIRE(numbers.back() >= 0 && numbers.back() <= 1,
+                   path << planes_list << " / " << name << ": the friction "
+                        << formatShort(numbers.back())
+                        << " is outside [0, 1]. Rock has 0.2 to 0.8.");
   ASPERITY_REQUIRE(dimension == 2 || (numbers[1] >= 0 && numbers[1] <= 90),
                    path << planes_list << " / " << name << ": the dip " << formatShort(numbers[1])
                         << " is outside [0, 90] degrees. A plane that dips to the left of its "

@@ -1,8 +1,11 @@
+#include "base/Errors.hpp"
+#include "base/Text.hpp"
 #include "io/TextFormat.hpp"
 #include "platforms/parts/RuptureTimes.hpp"
 #include "platforms/parts/Stations.hpp"
 
 #include <array>
+#include <cmath>
 
 namespace asperity::platforms
 {
@@ -87,6 +90,19 @@ Columns scecBody(ModelView const& view)
           column("normal velocity (m/s)", "n-vel", "velocity", n)};
 }
 
+// A run over cycles would fill any disk.
+void requireFewRows(double final_time, double time_step)
+{
+  constexpr double most = 1e7; // more than a day of the platform's time step
+  ASPERITY_REQUIRE(final_time <= most * time_step,
+                   "Asperity / Output / SCEC / Time Step = "
+                     << formatShort(time_step) << " s gives each receiver "
+                     << formatShort(std::floor(final_time / time_step))
+                     << " rows until Final Time = " << formatShort(final_time)
+                     << " s. These files are for single ruptures, with at most 1e7 rows. Choose "
+                        "another Text Format, such as SEAS, or a larger Time Step.");
+}
+
 // The platform of the codes for spontaneous rupture.
 class Scec : public io::TextFormat
 {
@@ -109,6 +125,7 @@ public:
                                    io::Offers const& offers) const override
   {
     const double time_step = parameters.get<double>("Time Step");
+    requireFewRows(context.final_time, time_step);
     const auto step_lines = [time_step](StepFacts const& facts) {
       return std::vector<std::string>{stepSizeLine("time_step", time_step), countLine(facts.count)};
     };

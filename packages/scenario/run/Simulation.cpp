@@ -103,7 +103,9 @@ SimulationOf<Dim>::SimulationOf(RCP<ParameterList> const& deck, CommandLine cons
   registerStress(registry_, evolution_.problem(), evolution_.view(), domains_,
                  deck->sublist("Output"));
   outputs_ = std::make_unique<io::OutputSet>(
-    deck->sublist("Output"), io::OutputContext{directory_, communicator, registry_, domains_});
+    deck->sublist("Output"),
+    io::OutputContext{
+      directory_, communicator, registry_, domains_, {0, 1, 0}, evolution_.finalTime()});
   if (!restart_from_.empty()) {
     start_ = stateOfOtherRun(restart_from_, evolution_.problem(), domains_, *deck,
                              evolution_.clock(), finalTime(deck->sublist("Time Stepping")));
@@ -137,6 +139,10 @@ int SimulationOf<Dim>::run()
   }
   for (auto const& warning : of_start.warnings) {
     record_->warn(warning);
+  }
+  for (auto const& [name, domain] : outputs_->leftOut()) {
+    record_->message("Output / " + name + " is left out: the model has no " + domain +
+                     (domain == "surface" ? ". Give a boundary the Type Free Surface." : "."));
   }
   if (const int eliminated = evolution_.numEliminated()) {
     record_->message("The body is in equilibrium at all times. It is condensed to its fault, which "

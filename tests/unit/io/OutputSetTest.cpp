@@ -122,5 +122,12 @@ TEST(OutputSet, AKindWhoseDomainTheRunHasNotIsLeftOut)
   test::finish(outputs, directory.path());
   EXPECT_TRUE(fs::exists(directory / "fault.h5"));
   EXPECT_FALSE(fs::exists(directory / "surface.h5"));
+  EXPECT_TRUE(outputs.leftOut().empty()) << "the deck does not ask for it";
+  ParameterList asks = given;
+  asks.sublist("Surface History").set("Every n Steps", 3);
+  const OutputSet without(asks, {directory.path(), world(), body.fields, body.domains});
+  ASSERT_EQ(without.leftOut().size(), 1u);
+  EXPECT_EQ(without.leftOut()[0].name, "Surface History");
+  EXPECT_EQ(without.leftOut()[0].domain, "surface");
   EXPECT_TRUE(Teuchos::haveSameValues(list, given));
 }

@@ -116,6 +116,19 @@ TEST(OutputSet, AndTheSameFilesForThePlatforms)
   expectRestartsExactly("SCEC", {"scec/faultdp001", "scec/bodyinside", "scec/cplot"});
 }
 
+TEST(OutputSet, ALongRunHasTooManyRowsOfEqualTimes)
+{
+  test::TemporaryDirectory directory;
+  Body body;
+  const auto make = [&](double final_time) {
+    const OutputContext context{directory.path(), world(),   body.fields,
+                                body.domains,     {0, 1, 0}, final_time};
+    const OutputSet outputs(deck("SCEC"), context);
+  };
+  make(1e5); // 0.01 s apart
+  test::expectRefusal([&] { make(1.001e5); }, {"SCEC / Time Step", "10010000 rows", "SEAS"});
+}
+
 TEST(OutputSet, ARestartForAnotherPlatformIsRefused)
 {
   test::TemporaryDirectory directory;
