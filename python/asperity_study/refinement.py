@@ -1,6 +1,7 @@
 """How the parameters of a variable change from level to level of a study of convergence."""
 
 import math
+import re
 from dataclasses import dataclass
 from typing import Dict, Tuple
 
@@ -31,11 +32,26 @@ class Refinement:
         level, text = self.factors().index(factor), self.first[path]
         if level == 0:
             return text
+        if Parameters(self.first).number(path) is None:
+            return _formula(text, self.change, self.ratio, level)
         number = {"Divide": lambda first: first / self.ratio**level,
                   "Multiply": lambda first: first * self.ratio**level,
                   "Add": lambda first: first + level * math.log2(self.ratio)
                   }[self.change](float(text))
         return str(int(number)) if text.isdigit() and number.is_integer() else repr(number)
+
+
+def _formula(text: str, change: str, ratio: float, level: int) -> str:
+    if change == "Add":
+        return f"({text}) + {level * math.log2(ratio):g}"
+    return f"({text}) {'/' if change == 'Divide' else '*'} {ratio**level!r}"
+
+
+def _is_formula(text: str, given: Dict[str, str]) -> bool:
+    """Of names and numbers; one with x, y, z or t is a field."""
+    words = set(re.findall(r"[A-Za-z_]\w*", text))
+    return "{" not in text and not words & {"x", "y", "z", "t"} and (
+        re.search(r"[-+*/^(]", text) is not None or f"Names/{text.strip()}" in given)
 
 
 def checked(paths: Tuple[str, ...], given: Dict[str, str], ratio: float, levels: int, change: str,
@@ -52,7 +68,7 @@ def checked(paths: Tuple[str, ...], given: Dict[str, str], ratio: float, levels:
         if texts.text(path) is None:
             raise InputError(f"{where}: neither the deck nor Settings gives '{path}'. Give the "
                              "value of the first level in Settings, for example the default.")
-        if texts.number(path) is None:
+        if texts.number(path) is None and not _is_formula(texts.text(path), given):
             raise InputError(f"{where}: '{path}' = '{' '.join(given[path].split())}' is no number. "
                              "Refine a parameter that is one, such as a factor or a name in it.")
     return Refinement({path: given[path].strip() for path in paths}, ratio, levels, change)

@@ -105,9 +105,20 @@ class OfDecks(FolderCase):
         self.assertEqual(found["step"][1], {"Time Stepping/Largest Step": "2",
                                             "Time Stepping/Smallest Step": "0.25"})
 
+    def test_a_formula_of_names_is_divided(self):
+        deck = {"Names/longest": "4", "Time Stepping/Largest Step": "longest"}
+        found, _ = self.variables(deck)
+        self.assertEqual([each["Time Stepping/Largest Step"] for each in found["largest step"]],
+                         ["longest", "(longest) / 2.0", "(longest) / 4.0"])
+        found, _ = self.variables({"Time Stepping/Largest Step": "32 * day"})
+        self.assertEqual(found["largest step"][1], {"Time Stepping/Largest Step":
+                                                    "(32 * day) / 2.0"})
+
     def test_what_cannot_be_refined_is_refused(self):
-        with self.assertRaisesRegex(InputError, "largest step .--set may give a number.*no number"):
-            self.variables({"Time Stepping/Largest Step": "32 * day"})
+        for field in ("32 * x", "{4, 2}", "Richardson"):
+            with self.assertRaisesRegex(InputError,
+                                        "largest step .--set may give a number.*no number"):
+                self.variables({"Time Stepping/Largest Step": field})
         with self.assertRaisesRegex(InputError, "--set 4: 'Path/To/Parameter=value' is wanted"):
             self.variables({"Time Stepping/Largest Step": "4"}, ["4"])
 
