@@ -2,8 +2,8 @@
 
 #include "base/Warning.hpp"
 #include "dynamics/control/GrowthWatch.hpp"
-#include "dynamics/control/SlowSlip.hpp"
 #include "dynamics/control/RingWatch.hpp"
+#include "dynamics/control/SlowSlip.hpp"
 #include "dynamics/control/StallWatch.hpp"
 #include "dynamics/coupling/CoupledStep.hpp"
 #include "io/Output.hpp"
