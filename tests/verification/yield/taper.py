@@ -66,15 +66,14 @@ def slip_of_toe(share, rock=None):
     """In the last step, over that of the wall; of a wedge with this share of the critical taper."""
     alpha = share * critical_taper()
     write_mesh(alpha)
-    stress = WEIGHT * stress_at_failure(alpha)
+    (xx, xy), (_, yy) = (WEIGHT * stress_at_failure(alpha)).tolist()  # texts below are of floats
     depth = f"({math.sin(alpha)!r} * x - {math.cos(alpha)!r} * y)"
-    at_start = {"XX": stress[0, 0], "YY": stress[1, 1], "XY": stress[0, 1],
-                "ZZ": (stress[0, 0] + stress[1, 1]) / 2}
+    at_start = {"XX": xx, "YY": yy, "XY": xy, "ZZ": (xx + yy) / 2}
     folder = asperity_run.run_to_end("out", DECK, *asperity_run.settings(
         {f"Bulk/Initial Stress/{name}": f"-{value!r} * {depth}"
          for name, value in at_start.items()},
-        {"Friction/Normal Stress": f"{stress[1, 1] * math.sin(alpha)!r} * x",
-         "Friction/Shear Traction": f"-{stress[0, 1] * math.sin(alpha)!r} * x",
+        {"Friction/Normal Stress": f"{yy * math.sin(alpha)!r} * x",
+         "Friction/Shear Traction": f"-{xy * math.sin(alpha)!r} * x",
          "Friction/Reference Friction Coefficient": math.tan(PHI_B)}, rock or {}))
     history = asperity_run.series(folder / "fault.h5")
     slip, time = -history["fields/slip"], history["time"]
