@@ -228,7 +228,9 @@ class Refusals(unittest.TestCase):
         self.assertIn("4: strike, dip, rake", self.refused(BOX, planes + "thrust={0, 30, 90}"))
         self.assertIn("3: angle, rake", self.refused(STRIP, planes + "upright={0, 30, 90, 0.4}"))
         self.assertIn("outside [0, 90]", self.refused(BOX, planes + "thrust={0, 120, 90, 0.4}"))
-        self.assertIn("negative", self.refused(BOX, planes + "thrust={0, 30, 90, -0.4}"))
+        for friction in (-0.4, 40):
+            self.assertIn("outside [0, 1]",
+                          self.refused(BOX, planes + f"thrust={{0, 30, 90, {friction}}}"))
         self.assertIn("East is parallel to Up", self.refused(BOX, "Output/East={0, 2, 0}"))
         self.assertIn("coulomb_stress_change_thrust", self.refused(
             BOX, "Output/Volume Snapshots/Fields={coulomb_stress_change_trust}"))
