@@ -3,6 +3,7 @@
 import atexit
 import fcntl
 import pathlib
+import re
 import shutil
 import signal
 import subprocess
@@ -100,9 +101,10 @@ def wait_for_lock(folder, seconds=20):
 
 
 def assert_one_message(test, result, status, *pieces):
-    """One line on stderr with these pieces, which is returned, and the status."""
+    """One message on stderr with these pieces, which is returned, and the status."""
     test.assertEqual(result.returncode, status, result.stdout + result.stderr)
-    lines = [line for line in result.stderr.splitlines() if line.startswith("asperity: ")]
+    # mpirun may write words of its own before it into the same line.
+    lines = re.findall(r"\basperity: .*", result.stderr)
     test.assertEqual(len(lines), 1, result.stderr)
     for piece in pieces:
         test.assertIn(piece, lines[0])

@@ -17,6 +17,8 @@ template <class Law>
 struct RateWeakening : SteadyFriction<Law>
 {
   using Base = SteadyFriction<Law>;
+  using Base::a;
+  using Base::b;
   static constexpr Parameter parameters[7] = {
     DirectEffect::table[0],
     Base::b_parameter,
@@ -41,15 +43,13 @@ struct RateWeakening : SteadyFriction<Law>
 
   KOKKOS_INLINE_FUNCTION double steadyState(double V) const
   {
-    const double a = this->a;
     const double log_V = math::log(V);
     const double x = log_V - this->log_reference_slip_rate;
     const double share = Law::share(log_V - log_weakening_rate);
     if (share == 1) {
       return -x;
     }
-    const double slow =
-      a * detail::asinhHalfExp((this->reference_friction + (a - this->b) * x) / a);
+    const double slow = a * detail::asinhHalfExp((this->reference_friction + (a - b) * x) / a);
     return this->stateOf((weakened_friction + (slow - weakened_friction) * share) / a, x);
   }
 };
