@@ -9,8 +9,12 @@ struct EnergyChange
 {
   double change = 0;
   double magnitude = 0;
-  // 1 if the change is positive by more than rounding explains, else 0.
-  int rises() const { return change > 10 * 2.220446049250313e-16 * magnitude ? 1 : 0; }
+  // 1 if the change is positive by more than rounding explains, that of each term and that of a sum
+  // of num_terms terms one after the other (Higham 2002, (4.4)), else 0.
+  int rises(double num_terms) const
+  {
+    return change > (10 + num_terms / 2) * 2.220446049250313e-16 * magnitude ? 1 : 0;
+  }
 };
 
 // The nonlinearity psi_i, convex, of this rank's nonlinear nodes i. A host object, whose members

@@ -166,7 +166,7 @@ bool Tnnmg::searchAlong(NodalProblem const& problem, TnnmgResult& result)
     ++result.lost_corrections;
     return false;
   }
-  result.rises += change.rises();
+  result.rises += change.rises(static_cast<double>(Z_->rows()->getGlobalNumElements()));
   vectors_.move(step);
   gather(Z_->nodes().dofs, *vectors_.v, blocks_.v);
   return true;

@@ -131,9 +131,10 @@ int TnnmgVectors::risesInSweeps(RateMatrix const& Z, TnnmgBlocks const& blocks,
     },
     linear, terms);
   auto const sums =
-    sumOverRanks(std::array<double, 2>{linear + nonlinear.change, terms + nonlinear.magnitude},
+    sumOverRanks(std::array<double, 3>{linear + nonlinear.change, terms + nonlinear.magnitude,
+                                       1. * size * Z.nodes().numNodes()},
                  *Z.rows()->getComm());
-  return EnergyChange{sums[0], sums[1]}.rises();
+  return EnergyChange{sums[0], sums[1]}.rises(sums[2]);
 }
 
 void TnnmgVectors::newtonResidual(NonlinearNodes const& nodes, ConstBlockView const& gradient)

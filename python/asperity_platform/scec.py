@@ -48,20 +48,26 @@ def _faults(*places: str) -> Tuple[Tuple[str, ...], ...]:
 TPV101 = (("faultst000dp075",), ("faultst090dp075", "faultst-090dp075"),
           ("faultst000dp120", "faultst000dp030"),
           ("faultst120dp120", "faultst-120dp120", "faultst120dp030", "faultst-120dp030"))
-SHALLOW_AND_DEEP = _faults("-120dp030", "000dp030", "120dp030", "-090dp075", "000dp075", "090dp075",
-                           "-120dp120", "000dp120", "120dp120")
-BODY = tuple((f"body{off}st{along}dp000",) for off, along in (
-    ("-060", "-120"), ("-090", "000"), ("-060", "120"), ("060", "-120"), ("090", "000"),
-    ("060", "120")))
-TPV105 = SHALLOW_AND_DEEP + _faults("-180dp075", "-150dp075", "150dp075", "180dp075") + BODY
+TPV205 = _faults(*(f"{along}dp{depth}" for depth in ("000", "075") for along in (
+    "-120", "-075", "-045", "000", "045", "075", "120")), "000dp030", "000dp120")
+# Both sides of the fault move alike, the other way.
+BODY = tuple((f"body{off}st{along}dp000", f"body-{off}st{along}dp000")
+             for off, along in (("060", "-120"), ("090", "000"), ("060", "120")))
+# The half space is symmetric about the hypocentre, along strike.
+TPV104 = (*_faults("000dp030", "000dp075", "000dp120"),
+          ("faultst120dp030", "faultst-120dp030"), ("faultst090dp075", "faultst-090dp075"),
+          ("faultst120dp120", "faultst-120dp120"), BODY[1], BODY[0] + BODY[2])
+TPV105 = _faults("-120dp030", "000dp030", "120dp030", "-180dp075", "-150dp075", "-090dp075",
+                 "000dp075", "090dp075", "150dp075", "180dp075", "-120dp120", "000dp120",
+                 "120dp120") + BODY
 
 PROBLEMS = (
-    _problem(("TPV5",)),
+    _problem(("TPV5", "TPV205"), stations=TPV205),
     _plane("TPV5"),
     _problem(("TPV101",), log_state("log-theta"), stations=TPV101),
     _plane("TPV101", log_state("log-theta")),
     _problem(("TPV103",), PSI),
     _plane("TPV103", PSI),
-    _problem(("TPV104",), PSI, stations=SHALLOW_AND_DEEP + BODY),
+    _problem(("TPV104",), PSI, stations=TPV104),
     _problem(("TPV105", "TPV105-3D"), PSI, *HOT, stations=TPV105),
 )

@@ -177,6 +177,40 @@ TPV5 = of_rupture({-12000: 2.802, -7500: 1.836, -4500: 1.533, 4500: 1.533, 7500:
                    12000: 4.365},
                   {"st-120": 4.103, "st-075": 6.778, "st-045": 7.002, "st045": 6.110,
                    "st075": 4.797, "st120": 3.532}, seconds=8)
+# Of tests/benchmark/time_scales/tpv103_antiplane.py with nodes 50 m apart.
+TPV103_ANTIPLANE = of_rupture({0: 0.571, 2500: 1.559, 5000: 2.360, 7500: 3.139, 9000: 3.598,
+                               12000: 4.504},
+                              {"st000": 22.56, "st050": 15.84, "st090": 12.66})
+ANTIPLANE = {"deck": "tpv103_2d",
+             "removed": ("Boundary Conditions/Symmetry", "Initial State/Velocity X"),
+             "settings": ("Bulk/Model=Antiplane", "Initial State/Velocity Z=0.5e-16")}
+
+
+def in_space(rate, seconds, places):
+    """places: {(along strike, depth) [km]: when `rate` [m/s] is reached [s], slip [m]}"""
+    def name(x, depth):
+        return f"st{'-' if x < 0 else ''}{round(abs(x) * 10):03d}dp{round(depth * 10):03d}"
+    label = f"{rate:g} m/s" if rate >= 0.01 else f"{rate * 1e3:g} mm/s"
+    return (*(Quantity(f"{label} reached at ({place[0]:g}, {place[1]:g}) km", "s",
+                       of.reached(name(*place), rate), references[0], ".3f")
+              for place, references in places.items()),
+            *(Quantity(f"slip after {seconds} s at ({place[0]:g}, {place[1]:g}) km", "m",
+                       of.slip_after(name(*place), seconds), references[1], ".3f")
+              for place, references in places.items()))
+
+
+# Of EqSim, finite elements, from time series with a row every 0.05 s.
+TPV205 = in_space(0.5, 8, {
+    (0, 0): (3.463, 5.206), (0, 3): (2.178, 5.087), (0, 12): (2.177, 3.180),
+    (4.5, 7.5): (1.728, 4.221), (7.5, 7.5): (3.924, 3.227), (12, 7.5): (5.271, 2.661),
+    (-7.5, 7.5): (2.655, 4.617), (-12, 7.5): (4.055, 2.860), (12, 0): (5.103, 2.976),
+    (-12, 0): (5.103, 3.139)})
+NONE = (None, None)
+TPV104 = in_space(1e-3, 6, dict.fromkeys(
+    ((0, 7.5), (4.5, 7.5), (9, 7.5), (0, 3), (0, 12)), NONE))
+TPV105 = in_space(1e-3, 6, dict.fromkeys(
+    ((-4, 7.5), (0, 7.5), (9, 7.5), (-9, 7.5), (0, 3), (0, 12)), NONE))
+
 TPV101 = of_rupture({0: 0.569, 2500: 1.657, 5000: 2.615, 7500: 3.474, 9000: 3.978, 12000: 4.974},
                    {"st000": 10.16, "st050": 7.25, "st090": 5.62})
 RUPTURES = (
@@ -201,6 +235,13 @@ RUPTURES = (
     Case("tpv5_2d_50m", "TPV5 in plane strain, cells of 50 m", "weakening", 7, (*TPV5, BALANCE),
          "boundary integrals", deck="tpv5_2d", settings=("Mesh/Rectangle/Cell Size Factor=0.5",),
          in_index=("arrival at 12 km", "slip after 8 s at 7.5 km")),
+    Case("tpv103_antiplane", "TPV103 in antiplane shear, cells of 100 m", "weakening", 0.3,
+         (*TPV103_ANTIPLANE, BALANCE), "boundary integrals", **ANTIPLANE,
+         in_index=("arrival at 9 km", "slip after 6 s at 5 km")),
+    Case("tpv205_3d", "TPV205 in space, cells of 400 m", "weakening", 4, (*TPV205, BALANCE),
+         "EqSim", in_index=("0.5 m/s reached at (12, 7.5) km", "slip after 8 s at (0, 0) km")),
+    Case("tpv104_3d", "TPV104 in space, cells of 400 m", "weakening", 6, (*TPV104, BALANCE)),
+    Case("tpv105_3d", "TPV105 in space, cells of 400 m", "weakening", 9, (*TPV105, BALANCE)),
     Case("tpv101_3d", "TPV101 in space, cells of 400 m", "tpv101", 7, (
         *(Quantity(f"arrival at {place / 1e3:g} km along strike", "s", of.arrival(place, 7500),
                    reference) for place, reference in ((4500, 2.77), (9000, 4.80))), BALANCE),

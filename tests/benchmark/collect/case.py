@@ -30,6 +30,7 @@ class Case:
     source: str = ""               # of the references, in few words
     deck: str = ""                 # xml/<deck>.xml, by default of its name
     settings: Tuple[str, ...] = ()
+    removed: Tuple[str, ...] = ()  # paths of entries of the deck
     mesh: str = ""                 # the command that makes the mesh file
     against: str = ""
     has_table: bool = True         # False: its values stand in the table of another case alone
@@ -41,7 +42,8 @@ class Case:
 
     def commands(self, results: str = "results") -> str:
         """What makes the run, as in a shell at the top of the source tree."""
-        words = [f'--set "{setting}"' for setting in self.settings]
+        words = [f'--remove "{path}"' for path in self.removed]
+        words += [f'--set "{setting}"' for setting in self.settings]
         words.append(f"--output {results}/{self.name}")
         lines = [f"asperity xml/{self.deck_name}.xml"]
         for word in words:

@@ -69,11 +69,14 @@ def value_of(quantity, run):
 
 def first_difference(case, run):
     """Between the run and the deck with the settings of the case, '' if there is none. Numbers
-    alone are compared, and settings; a mesh may have any name."""
+    alone are compared, settings, and what is the name of a setting; a mesh may have any name."""
     expected = Parameters.read(SOURCE / "xml" / f"{case.deck_name}.xml")
     settings = dict(setting.split("=", 1) for setting in case.settings)
-    wanted = {path: expected.text(path) for path in expected.paths()
-              if expected.number(path) is not None and not path.startswith("Names/")}
+    names = {path[len("Names/"):]: settings.pop(path)
+             for path in list(settings) if path.startswith("Names/")}
+    wanted = {path: names.get(expected.text(path), expected.text(path))
+              for path in expected.paths() if not path.startswith(("Names/", *case.removed))
+              and (expected.number(path) is not None or expected.text(path) in names)}
     wanted.update(settings)
     for path, text in wanted.items():
         found = run.parameters.text(path)

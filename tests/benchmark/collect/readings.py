@@ -105,6 +105,15 @@ def first_fast(receiver):
     return read
 
 
+def reached(receiver, rate):
+    """When the receiver first slips at `rate` [m/s], between steps by interpolation."""
+    def read(run):
+        time, rates = run.receivers.time, _scalar(run.receivers[receiver]["slip_rate"])
+        after = numpy.flatnonzero(rates > rate)[0]
+        return numpy.interp(rate, rates[after - 1:after + 1], time[after - 1:after + 1])
+    return read
+
+
 def peak_rate(receiver):
     return lambda run: run.receivers[receiver]["slip_rate"].max()
 

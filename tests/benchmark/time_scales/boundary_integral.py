@@ -1,14 +1,16 @@
-"""A rupture under slip weakening in plane strain by another method: the spectral boundary integral
-of Geubelle & Rice (1995) for slip along a line in the whole space, in explicit steps.
+"""A rupture by another method: the spectral boundary integral of Geubelle & Rice (1995) for slip
+along a line in the whole space, in explicit steps.
 
     tau = tau_0 + f - G / (2 c_s) V
     f_k(t) = -G |k| / 2 int_0^t C(|k| c_s s) D_k(t - s) |k| c_s ds
     C(T) = J_1(T) / T + 4 T [W(r T) - W(T)] - 4 / r J_0(r T) + 3 J_0(T),   r = c_p / c_s,
     W(T) = 1 - int_0^T J_1(x) / x dx
-with the slip D, its rate V, and their Fourier components along the line, which is periodic: longer
-than waves travel. The slip rate follows from tau = mu(D) sigma_n where that is exceeded at V = 0.
+in plane strain, C(T) = J_1(T) / T in antiplane shear, with the slip D, its rate V, and their
+Fourier components along the line, which is periodic: longer than waves travel. The slip rate
+follows from the friction that equals tau.
 """
 
+import copy
 import math
 
 import numpy
@@ -32,10 +34,12 @@ def bessel(order, x):
 
 
 def kernel(largest, ratio, spacing=0.01):
-    """Values of T up to `largest` and C there."""
-    x = numpy.arange(0, ratio * largest + 2 * spacing, spacing)
+    """Values of T up to `largest` and C there; in antiplane shear `ratio` is None."""
+    x = numpy.arange(0, (ratio or 1) * largest + 2 * spacing, spacing)
     j1 = bessel(1, x)
     over_x = numpy.concatenate([[0.5], j1[1:] / x[1:]])
+    if ratio is None:
+        return x, over_x
     w = 1 - numpy.concatenate([[0], numpy.cumsum((over_x[1:] + over_x[:-1]) / 2 * spacing)])
     t = x[x <= largest + spacing]
     at = ratio * t
@@ -43,24 +47,62 @@ def kernel(largest, ratio, spacing=0.01):
                - 4 / ratio * bessel(0, at) + 3 * bessel(0, t))
 
 
+class SlipWeakening:
+    """The fault rests below strength(slip) [Pa], which is infinite where it is locked."""
+
+    def __init__(self, strength):
+        self.strength = strength
+
+    def rate(self, traction, impedance, slip):
+        """Where traction - impedance V is the friction at V."""
+        return numpy.maximum(traction - self.strength(slip), 0) / impedance
+
+    def advance(self, rate, step):
+        """Strength depends on slip alone."""
+
+
+class RateAndState:
+    """tau = sigma a asinh[V / (2 V0) exp(psi / a)], psi' = -(V / L) (psi - psi_ss(V))."""
+
+    def __init__(self, a, normal_stress, reference_rate, distance, steady, psi):
+        self.a, self.normal_stress, self.reference_rate = a, normal_stress, reference_rate
+        self.distance, self.steady, self.psi = distance, steady, psi
+
+    def rate(self, traction, impedance, slip):
+        """By bisection of log V: friction grows with V."""
+        del slip
+        low, high = numpy.full(len(self.a), -90.0), numpy.log(traction / impedance)
+        for _ in range(55):
+            middle = (low + high) / 2
+            z = middle - math.log(2 * self.reference_rate) + self.psi / self.a
+            friction = self.normal_stress * self.a * numpy.arcsinh(numpy.exp(z))
+            too_fast = friction + impedance * numpy.exp(middle) > traction
+            low, high = numpy.where(too_fast, low, middle), numpy.where(too_fast, middle, high)
+        return numpy.exp((low + high) / 2)
+
+    def advance(self, rate, step):
+        """Exact at this rate."""
+        steady = self.steady(rate)
+        self.psi = steady + (self.psi - steady) * numpy.exp(-rate * step / self.distance)
+
+
 class Rupture:
     """x [m], the slip `slip` [m] and the first time `arrival` [s] at which its rate is 1 mm/s."""
 
-    def __init__(self, length, num_nodes, rock, stress, strength):
-        """rock: (G [Pa], c_s, c_p [m/s]); stress(x) at the start and strength(slip) [Pa], the
-        latter infinite where the fault is locked."""
+    def __init__(self, length, num_nodes, rock, stress, friction=None):
+        """rock: (G [Pa], c_s, c_p [m/s]), in antiplane shear without c_p; stress(x, t) [Pa] that
+        loads the fault."""
         self.x = (numpy.arange(num_nodes) - num_nodes // 2) * length / num_nodes
-        self.modulus, self.shear_speed, pressure_speed = rock
-        self.ratio = pressure_speed / self.shear_speed
-        self.stress, self.strength = stress(self.x), strength
+        self.modulus, self.shear_speed = rock[:2]
+        self.ratio = rock[2] / self.shear_speed if len(rock) > 2 else None
+        self.stress, self.friction = stress, friction
         self.slip = numpy.zeros(num_nodes)
         self.arrival = numpy.full(num_nodes, math.inf)
         self.wavenumbers = 2 * math.pi * numpy.fft.rfftfreq(num_nodes, length / num_nodes)
 
-    def rate(self, functional):
-        impedance = self.modulus / (2 * self.shear_speed)
-        excess = self.stress + functional - self.strength(self.slip)
-        return numpy.maximum(excess, 0) / impedance
+    def rate(self, functional, time):
+        return self.friction.rate(self.stress(self.x, time) + functional,
+                                  self.modulus / (2 * self.shear_speed), self.slip)
 
     def run(self, final_time, courant=0.3):
         num_nodes = len(self.x)
@@ -80,14 +122,18 @@ class Rupture:
             return past, lambda: numpy.fft.irfft(
                 past + weights[0] * numpy.fft.rfft(self.slip), num_nodes)
 
-        before = self.rate(functional(0)[1]())
+        before = self.rate(functional(0)[1](), 0)
         for n in range(1, num_steps + 1):
             _, with_slip = functional(n)
-            start = self.slip
+            start, friction = self.slip, self.friction
+            self.friction = copy.copy(friction)
             self.slip = start + step * before
-            predicted = self.rate(with_slip())
-            self.slip = start + step * (before + predicted) / 2
-            after = self.rate(with_slip())
+            self.friction.advance(before, step)
+            mean = (before + self.rate(with_slip(), n * step)) / 2
+            self.friction = friction
+            self.slip = start + step * mean
+            self.friction.advance(mean, step)
+            after = self.rate(with_slip(), n * step)
             history[n] = numpy.fft.rfft(self.slip)
             reached = (after >= 1e-3) & ~numpy.isfinite(self.arrival)
             share = (1e-3 - before) / numpy.where(after > before, after - before, 1)

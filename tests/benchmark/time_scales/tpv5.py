@@ -20,14 +20,14 @@ PLACES = (-12000, -7500, -4500, 4500, 7500, 12000)  # m
 
 
 def reference(final_time):
-    def stress(x):
+    def stress(x, _):
         return 70e6 + sum(numpy.clip(0.5 + (1500 - abs(x - centre)) / CELL, 0, 1) * size
                           for centre, size in PATCHES.items())
 
-    rupture = boundary_integral.Rupture(102.4e3, 2048, ROCK, stress, None)
+    rupture = boundary_integral.Rupture(102.4e3, 2048, ROCK, stress)
     locked = numpy.where(abs(rupture.x) > LOCKED + CELL / 2, math.inf, 0)
-    rupture.strength = lambda slip: locked + SIGMA * (
-        STATIC - (STATIC - DYNAMIC) * numpy.minimum(slip / DISTANCE, 1))
+    rupture.friction = boundary_integral.SlipWeakening(lambda slip: locked + SIGMA * (
+        STATIC - (STATIC - DYNAMIC) * numpy.minimum(slip / DISTANCE, 1)))
     return rupture.run(final_time)
 
 

@@ -22,6 +22,7 @@ CASES = {
     "bp5_fd": (IN_SPACE, 1.0), "bp6": (COARSE, 1e6), "bp7": (IN_SPACE, 2.0),
     "bp8": (IN_SPACE, 3600.0), "tpv101_2d": (COARSE, 0.5),
     "tpv101_3d": (IN_SPACE, 0.2), "tpv101_two_sided": (COARSE, 0.5), "tpv103_2d": (COARSE, 0.5),
+    "tpv104_3d": (IN_SPACE, 0.2), "tpv105_3d": (IN_SPACE, 0.2), "tpv205_3d": (IN_SPACE, 0.2),
     "tpv5_2d": (COARSE, 0.5)}
 
 
