@@ -12,7 +12,7 @@ from matplotlib import pyplot
 import synthetic_run
 import synthetic_surface as surface
 from asperity_plot import (deformation, fault_history, fault_maps, moment_rate, plane,
-                           rupture_patterns, style, windows)
+                           rupture_patterns, style, units, windows)
 from asperity_plot.cli import main
 from asperity.errors import NothingToShow
 from asperity.run import Run
@@ -40,6 +40,26 @@ class SurfaceFaults(FolderCase):
         strike, dip = plane.directions(corners, np.array([0.0, 1, 0]))
         np.testing.assert_allclose(strike, [0, 0, 1], atol=1e-15)
         np.testing.assert_allclose(np.abs(dip), [1, 0, 0], atol=1e-15)
+
+    def test_faults_that_cover_each_other_lie_side_by_side(self):
+        x, y = (values.ravel() for values in np.meshgrid(np.arange(4.0), [0.0, 1.0]))
+        strip = np.array([[i, i + 1, i + 5] for i in range(3)] +
+                         [[i, i + 5, i + 4] for i in range(3)])
+        triangles = np.concatenate((strip, strip + 8))
+        for shift, down, moves in ((2.0, 0.0, True), (3.0, 0.0, False), (0.0, 1.0, False)):
+            along = np.concatenate((x, x + shift))
+            moved = plane.side_by_side(along, np.concatenate((y, y + down)), triangles)
+            np.testing.assert_array_equal(moved[:8], 0.0)
+            self.assertEqual(np.ptp(moved[8:]), 0.0)
+            self.assertEqual(moved[8] > 0.0, moves)
+        # the second fault lies 5 m behind the first one
+        nodes = np.stack((np.concatenate((x, x + 2)), -np.concatenate((y, y)),
+                          np.repeat([0.0, 5.0], 8)), axis=1)
+        moved = plane.side_by_side(nodes[:, 0], -nodes[:, 1], triangles)
+        where = plane.Plane(nodes[:, 0] + moved, -nodes[:, 1], triangles, units.Unit("m", 1.0),
+                            np.array([[1.0, 0, 0], [0, -1, 0]]), 0.0, nodes, moved)
+        self.assertEqual(where.place(nodes[3]), (3.0, 0.0))
+        self.assertGreater(where.place(nodes[8])[0], 3.0)
 
     def write_surface(self, factors):
         """Displacements at the start, the onset, five durations after the end, and the run's end,
