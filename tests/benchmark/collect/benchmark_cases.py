@@ -239,7 +239,11 @@ RUPTURES = (
          (*TPV103_ANTIPLANE, BALANCE), "boundary integrals", **ANTIPLANE,
          in_index=("arrival at 9 km", "slip after 6 s at 5 km")),
     Case("tpv205_3d", "TPV205 in space, cells of 400 m", "weakening", 4, (*TPV205, BALANCE),
-         "EqSim", in_index=("0.5 m/s reached at (12, 7.5) km", "slip after 8 s at (0, 0) km")),
+         "EqSim"),
+    Case("tpv205_3d_200m", "TPV205 in space, cells of 200 m", "weakening", 20,
+         (*TPV205, BALANCE), "EqSim", deck="tpv205_3d", settings=("Names/cell=200",),
+         in_index=("0.5 m/s reached at (12, 7.5) km", "slip after 8 s at (0, 0) km",
+                   "slip after 8 s at (12, 7.5) km")),
     Case("tpv104_3d", "TPV104 in space, cells of 400 m", "weakening", 6, (*TPV104, BALANCE)),
     Case("tpv105_3d", "TPV105 in space, cells of 400 m", "weakening", 9, (*TPV105, BALANCE)),
     Case("tpv101_3d", "TPV101 in space, cells of 400 m", "tpv101", 7, (
