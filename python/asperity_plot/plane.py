@@ -62,8 +62,8 @@ def plane(run: Run, file: H5File) -> Plane:
 
 
 def side_by_side(along: np.ndarray, down: np.ndarray, triangles: np.ndarray) -> np.ndarray:
-    """(nodes) how far each fault has to move along strike so that it covers no other one; faults
-    are the connected parts of the triangles, and parts that lie apart rest."""
+    """(nodes) how far [m] each fault has to move along strike so that it covers no other one: 0
+    where it covers none. Faults are the connected parts of the triangles."""
     parts = _connected(along.size, triangles)
     moved = np.zeros(along.size)
     gap = 0.05 * np.ptp(along)

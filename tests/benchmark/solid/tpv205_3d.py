@@ -1,5 +1,6 @@
 """TPV205 in space on cells of 400 m against EqSim, explicit finite elements: when the slip rate
-passes 0.5 m/s, and the slip after 8 s. EqSim's time series have a row every 0.05 s."""
+passes 0.5 m/s, and the slip after 8 s. EqSim's time series have a row every 0.05 s; the numbers
+below are from a copy of them in the sources of another code, FARMS."""
 
 import sys
 

@@ -13,7 +13,9 @@ follows from the friction that equals tau.
 import copy
 import math
 
+import asperity_run
 import numpy
+from sequence import check
 
 
 def bessel(order, x):
@@ -140,3 +142,20 @@ class Rupture:
             self.arrival[reached] = (n - 1 + numpy.clip(share[reached], 0, 1)) * step
             before = after
         return self
+
+
+def meets(expected, folder, places, of_arrivals, of_slip):
+    """Whether a run has the arrivals and the last slips of a Rupture at the places [m]."""
+    rupture = asperity_run.series(folder / "rupture.h5")
+    receivers = asperity_run.series(folder / "receivers.h5")
+    x, slip = receivers["on_fault/coordinates"][:, 0], receivers["on_fault/fields/slip"][-1]
+    fine = True
+    for place in places:
+        at = numpy.flatnonzero(expected.x == place)[0]
+        arrival = numpy.interp(place, rupture["geometry/coordinates"][:, 0],
+                               rupture["first_rupture_time"])
+        fine = check(f"arrival at {place / 1e3} km [s]", arrival, expected.arrival[at],
+                     of_arrivals) and fine
+        found = abs(slip[numpy.flatnonzero(x == place)[0]].ravel()[0])
+        fine = check(f"slip at {place / 1e3} km [m]", found, expected.slip[at], of_slip) and fine
+    return fine
