@@ -2,6 +2,7 @@
 
 #include "base/Errors.hpp"
 #include "base/parallel/Reductions.hpp"
+#include "catalogue/stress/CoulombPlanes.hpp"
 #include "fem/BoundaryCells.hpp"
 #include "fem/stress/CellStress.hpp"
 
@@ -26,7 +27,7 @@ public:
       , yielded_(body.yielded)
   {
     for (const int cell : cells) {
-      shear_moduli_.push_back(body.materials[cell].shear_modulus);
+      materials_.push_back(body.materials[cell]);
     }
   }
 
@@ -54,11 +55,7 @@ private:
   {
     auto stress = stress_.stress(motion.displacement, motion.velocity, motion.branches);
     if (yielded_) {
-      auto const strain = yielded_(cells_).strain;
-      const std::size_t size = shear_moduli_.empty() ? 1 : strain.size() / shear_moduli_.size();
-      for (std::size_t i = 0; i < strain.size(); ++i) {
-        stress[i] -= 2 * shear_moduli_[i / size] * strain[i];
-      }
+      fem::subtractStress(materials_, yielded_(cells_).strain, stress);
     }
     return stress;
   }
@@ -75,7 +72,7 @@ private:
   VertexMotions motions_;
   bool is_viscous_; // on any rank: evaluating velocities is collective
   std::function<YieldedStrain(std::vector<int> const&)> yielded_;
-  std::vector<double> shear_moduli_; // (cells), where something yields
+  std::vector<fem::Material> materials_; // (cells)
 };
 
 // The stress in the elements of a domain; that of all elements is made when it is wanted.
@@ -187,7 +184,7 @@ void registerStressFields(io::FieldRegistry& registry, io::OutputDomain const& d
                           "stress change would be zero. In antiplane models take a rake of 90 or "
                           "-90; in plane strain one of 0 or 180, or a friction above 0.");
     add(registry,
-        {"coulomb_stress_change_" + name,
+        {coulombField(name),
          "Pa",
          "Change of the Coulomb stress since the start of the run on the plane " + name +
            ", in each element; positive is nearer to failure.",

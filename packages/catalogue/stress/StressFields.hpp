@@ -30,7 +30,7 @@ struct VertexMotions
 // What some cells have yielded, (cells, tensor components) and (cells).
 struct YieldedStrain
 {
-  std::vector<double> strain; // [-], deviatoric
+  std::vector<double> strain; // [-]
   std::vector<double> shear;  // [-], accumulated
 };
 

@@ -26,8 +26,8 @@
 //
 // complete() sets the viscosities of a material that has density and elastic moduli; relaxation()
 // tells which shares of its shear modulus relax (MaxwellBranch); shearStress() is t1 of rock that
-// yields, or creeps faster than stress grows (ReturnMapping.hpp). A law has at least one of them,
-// and not the last two together.
+// yields, or creeps faster than stress grows (ReturnMapping.hpp); where it also dilates, a function
+// meanStress() beside it is p1. A law has at least one of the three, and not the last two together.
 namespace asperity::fem
 {
 // A share in [0, 1] of the shear modulus and its relaxation time [s]; the shares of a cell sum to

@@ -1,4 +1,7 @@
+#include "base/Errors.hpp"
+#include "base/Text.hpp"
 #include "fem/bulk/BulkLaw.hpp"
+#include "fem/bulk/Viscosity.hpp"
 #include "fem/bulk/Yield.hpp"
 
 namespace asperity::fem
@@ -9,6 +12,8 @@ namespace
 //   t <= max(0, c cos(phi) - mean stress sin(phi)) + H gamma, where c may fall with gamma
 // In plane strain this is Mohr and Coulomb's law with cohesion c and friction angle phi where the
 // stress across the plane is the mean of the other two.
+// With a dilation angle psi the volume grows by sin(psi) for each unit of inelastic shear strain,
+// and by more at the apex of the cone, where rock opens. psi = phi is associated flow.
 struct DruckerPrager
 {
   static constexpr char const* name = "Drucker-Prager";
@@ -22,14 +27,65 @@ struct DruckerPrager
     hardening,
     yield_relaxation,
     residual_share,
-    softening_shear};
+    softening_shear,
+    {"Dilation Angle", "deg", 0, 0, 90, true, false,
+     "The volume of rock that yields grows by the sine of this angle for each unit of inelastic "
+     "shear strain, and it opens where tension exceeds what the cone bears. With the friction "
+     "angle the flow is associated; it cannot be larger. It has no effect in antiplane models."},
+    shear_viscosity,
+    bulk_viscosity};
+
+  static void complete(double const* values, Material& material)
+  {
+    ASPERITY_REQUIRE(values[6] <= values[1],
+                     "Asperity / Bulk / Dilation Angle = "
+                       << formatShort(values[6])
+                       << " degrees is larger than Friction Angle = " << formatShort(values[1])
+                       << " degrees: rock that yields would gain energy.");
+    setViscosity(values[7], values[8], material);
+  }
 
   KOKKOS_FUNCTION static double shearStress(double const* values, Trial const& trial)
   {
-    const double phi = values[1] * 3.14159265358979323846 / 180;
+    return returned(values, trial).shear;
+  }
+
+  KOKKOS_FUNCTION static double meanStress(double const* values, Trial const& trial)
+  {
+    return returned(values, trial).mean;
+  }
+
+private:
+  struct Stress
+  {
+    double shear, mean; // [Pa]
+  };
+
+  KOKKOS_FUNCTION static Stress returned(double const* values, Trial const& trial)
+  {
+    constexpr double degree = 3.14159265358979323846 / 180;
+    const double phi = values[1] * degree, psi = values[6] * degree;
+    const double H = values[2], time = values[3];
     const double c = values[0] * softened(values[4], values[5], trial);
     const double strength = c * math::cos(phi) - trial.mean_stress * math::sin(phi);
-    return yielded(strength, values[2], values[3], trial);
+    if (psi == 0) {
+      return {yielded(strength, H, time, trial), trial.mean_stress};
+    }
+    const double over = trial.shear_stress - strength - H * trial.shear;
+    if (over <= 0) {
+      return {trial.shear_stress, trial.mean_stress};
+    }
+    const double G = trial.shear_modulus, K = trial.bulk_modulus;
+    const double change = over / (G + H + K * math::sin(phi) * math::sin(psi)); // of gamma
+    Stress at_last = {trial.shear_stress - G * change,
+                      trial.mean_stress - K * math::sin(psi) * change};
+    if (at_last.shear < 0) { // the apex, which moves with gamma
+      const double gamma = trial.shear + trial.shear_stress / G;
+      at_last = {0, (c * math::cos(phi) + H * gamma) / math::sin(phi)};
+    }
+    const double kept = time > 0 ? math::exp(-trial.step / time) : 0;
+    return {at_last.shear + kept * (trial.shear_stress - at_last.shear),
+            at_last.mean + kept * (trial.mean_stress - at_last.mean)};
   }
 };
 } // namespace

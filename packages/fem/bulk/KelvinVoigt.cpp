@@ -1,4 +1,5 @@
 #include "fem/bulk/BulkLaw.hpp"
+#include "fem/bulk/Viscosity.hpp"
 
 namespace asperity::fem
 {
@@ -9,16 +10,11 @@ namespace
 struct KelvinVoigt
 {
   static constexpr char const* name = "Kelvin-Voigt";
-  static constexpr Parameter parameters[] = {
-    {"Shear Viscosity", "Pa s", 0, 0, infinity, true, false,
-     "This viscosity resists changes of shape (Kelvin-Voigt)."},
-    {"Bulk Viscosity", "Pa s", 0, 0, infinity, true, false,
-     "This viscosity resists changes of volume (Kelvin-Voigt)."}};
+  static constexpr Parameter parameters[] = {shear_viscosity, bulk_viscosity};
 
   static void complete(double const* values, Material& material)
   {
-    material.shear_viscosity = values[0];
-    material.bulk_viscosity = values[1];
+    setViscosity(values[0], values[1], material);
   }
 };
 } // namespace

@@ -5,13 +5,15 @@
 #include "fem/bulk/TensorKernels.hpp"
 #include "portability/Renamed.hpp"
 
-// How rock yields within a step. The flow is isochoric: it leaves the mean stress and shortens the
-// deviatoric stress. Let s be that of a cell at the end of the step if its strain were elastic (the
-// trial), and t = sqrt(s : s / 2). Then
-//   s1 = t1 / t s,   e1 = e0 + (s - s1) / 2G,   gamma1 = gamma0 + (t - t1) / G
-// with the inelastic strain e and its accumulated shear gamma. A law gives t1(t), 0 <= t1 <= t,
-// with a slope from 0 to 1: then s1 is the gradient of a convex potential of the strain, whose
-// second derivative nowhere exceeds that of elastic rock.
+#include <type_traits>
+
+// How rock yields within a step. Let s be the deviatoric stress of a cell at the end of the step if
+// its strain were elastic (the trial), t = sqrt(s : s / 2), and p the mean stress. Then
+//   s1 = t1 / t s,   e1 = e0 + (s - s1) / 2G + (p - p1) / 3K I,   gamma1 = gamma0 + (t - t1) / G
+// with the inelastic strain e and its accumulated shear gamma. A law gives t1, 0 <= t1 <= t, and,
+// where rock dilates, p1 <= p; else p1 = p and the flow is isochoric. The stress is the gradient of
+// a convex potential of the strain, whose second derivative nowhere exceeds that of elastic rock,
+// where t1 is a function of t with a slope from 0 to 1, and in associated flow.
 namespace asperity::fem
 {
 // What a law knows of a cell in a step.
@@ -21,6 +23,7 @@ struct Trial
   double mean_stress;   // a third of the trace [Pa], positive in tension; 0 antiplane
   double shear;         // gamma0 [-]
   double shear_modulus; // G [Pa]
+  double bulk_modulus;  // K [Pa]; 0 antiplane
   double step;          // its length [s]; infinity: t1 is what the rock bears at the start
 };
 
@@ -57,11 +60,10 @@ struct TrialStress
     double trace = 0;
     mean = of.initial_mean(cell);
     for (int k = 0; k < size; ++k) {
-      deviator[k] =
-        of.initial_stress(cell, k) +
-        2 * of.shear_modulus(cell) * (of.strain(cell, k) - of.inelastic_before(cell, k));
+      const double elastic = of.strain(cell, k) - of.inelastic_before(cell, k);
+      deviator[k] = of.initial_stress(cell, k) + 2 * of.shear_modulus(cell) * elastic;
       trace += isOnDiagonal(size, k) ? deviator[k] : 0;
-      mean += isOnDiagonal(size, k) ? of.bulk_modulus(cell) * of.strain(cell, k) : 0;
+      mean += isOnDiagonal(size, k) ? of.bulk_modulus(cell) * elastic : 0;
     }
     double square = 0;
     for (int k = 0; k < size; ++k) {
@@ -72,7 +74,16 @@ struct TrialStress
   }
 };
 
-// Law::shearStress(parameters, Trial) is t1.
+template <class Law, class = void>
+struct Dilates : std::false_type
+{
+};
+template <class Law>
+struct Dilates<Law, std::void_t<decltype(&Law::meanStress)>> : std::true_type
+{
+};
+
+// Law::shearStress(parameters, Trial) is t1, and Law::meanStress, where there is one, p1.
 template <class Law>
 struct ReturnMapping
 {
@@ -83,12 +94,19 @@ struct ReturnMapping
     const int cell = of.cells(i);
     const double G = of.shear_modulus(cell);
     const TrialStress trial(of, cell);
+    const double K = of.bulk_modulus(cell);
     const double t = trial.shear_stress;
-    const double t1 =
-      Law::shearStress(&of.parameters(i, 0), {t, trial.mean, of.shear_before(cell, 0), G, of.step});
+    const Trial of_cell = {t, trial.mean, of.shear_before(cell, 0), G, K, of.step};
+    const double t1 = Law::shearStress(&of.parameters(i, 0), of_cell);
     const double lost = t > 0 ? (t - t1) / t : 0;
-    for (int k = 0; k < of.inelastic.extent_int(1); ++k) {
-      of.inelastic(cell, k) = of.inelastic_before(cell, k) + lost * trial.deviator[k] / (2 * G);
+    double opened = 0;
+    if constexpr (Dilates<Law>::value) {
+      opened = K > 0 ? (trial.mean - Law::meanStress(&of.parameters(i, 0), of_cell)) / (3 * K) : 0;
+    }
+    const int size = of.inelastic.extent_int(1);
+    for (int k = 0; k < size; ++k) {
+      of.inelastic(cell, k) = of.inelastic_before(cell, k) + lost * trial.deviator[k] / (2 * G) +
+                              (isOnDiagonal(size, k) ? opened : 0);
     }
     of.shear(cell, 0) = of.shear_before(cell, 0) + (t - t1) / G;
     of.shear_stress(cell) = t;

@@ -29,6 +29,18 @@ KOKKOS_INLINE_FUNCTION constexpr double multiplicity(int size, int k)
   return isOnDiagonal(size, k) ? 1 : 2;
 }
 
+// The trace of the tensor in a row; 0 antiplane.
+template <class Tensors>
+KOKKOS_INLINE_FUNCTION double traceOf(Tensors const& tensors, int row)
+{
+  double trace = 0;
+  const int size = tensors.extent_int(1);
+  for (int k = 0; k < size; ++k) {
+    trace += isOnDiagonal(size, k) ? tensors(row, k) : 0;
+  }
+  return trace;
+}
+
 // The gradient of a displacement or velocity with `Components` components. strain() and add() add
 // to `tensor` the strain, and the stress with the Lame constants first and second.
 template <int Dim, int Components>

@@ -1,4 +1,5 @@
 #include "fem/bulk/BulkLaw.hpp"
+#include "fem/bulk/Viscosity.hpp"
 #include "fem/bulk/Yield.hpp"
 
 namespace asperity::fem
@@ -16,7 +17,14 @@ struct VonMises
     hardening,
     yield_relaxation,
     residual_share,
-    softening_shear};
+    softening_shear,
+    shear_viscosity,
+    bulk_viscosity};
+
+  static void complete(double const* values, Material& material)
+  {
+    setViscosity(values[5], values[6], material);
+  }
 
   KOKKOS_FUNCTION static double shearStress(double const* values, Trial const& trial)
   {

@@ -74,12 +74,18 @@ struct ForceKernel
       if (row < 0) {
         continue;
       }
-      const double factor =
-        2 * mesh.materials(corner.cell).shear_modulus * corner.factor * mesh.measure(corner.cell);
+      auto const& material = mesh.materials(corner.cell);
+      const double weight = corner.factor * mesh.measure(corner.cell);
+      const double factor = 2 * material.shear_modulus * weight;
+      const double of_volume =
+        (material.bulk_modulus - 2. / 3 * material.shear_modulus) * weight * traceOf(e, row);
       for (int a = 0; a < Components; ++a) {
         for (int k = 0; k < Dim; ++k) {
           along_axes[a] +=
             factor * entry(row, a, k) * mesh.gradients(corner.cell, corner.corner, k);
+        }
+        if constexpr (Components == Dim) {
+          along_axes[a] += of_volume * mesh.gradients(corner.cell, corner.corner, a);
         }
       }
     }

@@ -18,8 +18,8 @@ public:
   virtual ~CellStrains() = default;
   // strain(num_cells, tensor components) of a displacement x(owned and ghost dofs) in nodal frames.
   virtual void strain(Vector const& x, TensorView const& strain) const = 0;
-  // f(owned dofs) += the integral of 2 G e : strain of the basis functions, with the shear moduli
-  // of the cells and e(num_cells, tensor components).
+  // f(owned dofs) += the integral of C e : strain of the basis functions, with the stiffness C of
+  // the cells and e(num_cells, tensor components).
   virtual void addForces(ConstTensorView const& e, Vector& f) const = 0;
   virtual ConstNodeView measures() const = 0; // (num_cells) m^Dim
 };

@@ -33,28 +33,39 @@ TensorView table(std::vector<double> const& values, std::size_t width, std::stri
   return view;
 }
 
-// (2 G)^2 d : d / 2 of the difference d of two inelastic strains in a cell.
-KOKKOS_FUNCTION double squareOfChange(int cell, double shear_modulus, ConstTensorView const& e,
+// What the kernels of a sum know of the cells.
+struct Moduli
+{
+  ConstNodeView shear, bulk; // [Pa]; bulk is 0 antiplane
+
+  KOKKOS_FUNCTION double firstLame(int cell) const { return bulk(cell) - 2. / 3 * shear(cell); }
+};
+
+// s : s / 2 of the stress s = C (e - other) in a cell.
+KOKKOS_FUNCTION double squareOfChange(int cell, Moduli const& moduli, ConstTensorView const& e,
                                       ConstTensorView const& other)
 {
+  const double of_volume = moduli.firstLame(cell) * (traceOf(e, cell) - traceOf(other, cell));
   double square = 0;
   const int size = e.extent_int(1);
   for (int k = 0; k < size; ++k) {
-    const double stress = 2 * shear_modulus * (e(cell, k) - other(cell, k));
+    const double stress = 2 * moduli.shear(cell) * (e(cell, k) - other(cell, k)) +
+                          (isOnDiagonal(size, k) ? of_volume : 0);
     square += multiplicity(size, k) * stress * stress / 2;
   }
   return square;
 }
 
-// G e : e - initial stress : e, per volume.
-KOKKOS_FUNCTION double energyIn(int cell, double shear_modulus,
+// C e : e / 2 - initial stress : e, per volume.
+KOKKOS_FUNCTION double energyIn(int cell, Moduli const& moduli,
                                 ConstTensorView const& initial_stress, ConstTensorView const& e)
 {
-  double energy = 0;
+  const double trace = traceOf(e, cell);
+  double energy = moduli.firstLame(cell) / 2 * trace * trace;
   const int size = e.extent_int(1);
   for (int k = 0; k < size; ++k) {
-    energy +=
-      multiplicity(size, k) * (shear_modulus * e(cell, k) - initial_stress(cell, k)) * e(cell, k);
+    energy += multiplicity(size, k) * (moduli.shear(cell) * e(cell, k) - initial_stress(cell, k)) *
+              e(cell, k);
   }
   return energy;
 }
@@ -142,12 +153,13 @@ void InelasticCells::respond(Vector const& u, double step, InelasticStrain const
 double InelasticCells::energy(ConstTensorView const& e) const
 {
   double mine = 0;
-  auto const measure = own_measure_, shear_modulus = shear_modulus_;
+  auto const measure = own_measure_;
+  const Moduli moduli{shear_modulus_, bulk_modulus_};
   auto const initial_stress = initial_stress_;
   Kokkos::parallel_reduce(
     "asperity::fem::energyOfCells", RangePolicy(0, numCells()),
     KOKKOS_LAMBDA(int cell, double& sum) {
-      sum += measure(cell) * energyIn(cell, shear_modulus(cell), initial_stress, e);
+      sum += measure(cell) * energyIn(cell, moduli, initial_stress, e);
     },
     mine);
   return sumOverRanks(mine, *sharing_.communicator());
@@ -156,7 +168,8 @@ double InelasticCells::energy(ConstTensorView const& e) const
 double InelasticCells::distance(ConstTensorView const& e, ConstTensorView const& other,
                                 bool as_maximum) const
 {
-  auto const measure = own_measure_, shear_modulus = shear_modulus_;
+  auto const measure = own_measure_;
+  const Moduli moduli{shear_modulus_, bulk_modulus_};
   auto const shear_stress = ConstNodeView(shear_stress_);
   const RangePolicy cells(0, numCells());
   double change = 0, stress = 0; // squares
@@ -164,7 +177,7 @@ double InelasticCells::distance(ConstTensorView const& e, ConstTensorView const&
     Kokkos::parallel_reduce(
       "asperity::fem::largestInCells", cells,
       KOKKOS_LAMBDA(int cell, double& most, double& most_stress) {
-        const double square = squareOfChange(cell, shear_modulus(cell), e, other);
+        const double square = squareOfChange(cell, moduli, e, other);
         const double of_stress = shear_stress(cell) * shear_stress(cell);
         most = square > most ? square : most;
         most_stress = of_stress > most_stress ? of_stress : most_stress;
@@ -174,7 +187,7 @@ double InelasticCells::distance(ConstTensorView const& e, ConstTensorView const&
     Kokkos::parallel_reduce(
       "asperity::fem::sumsOverCells", cells,
       KOKKOS_LAMBDA(int cell, double& sum, double& sum_of_stress) {
-        sum += measure(cell) * squareOfChange(cell, shear_modulus(cell), e, other);
+        sum += measure(cell) * squareOfChange(cell, moduli, e, other);
         sum_of_stress += measure(cell) * shear_stress(cell) * shear_stress(cell);
       },
       change, stress);

@@ -29,7 +29,8 @@ struct YieldingRock
 };
 
 // The cells of a body that may yield. Strain is constant in a cell, and so is the inelastic strain
-// e, whose stress -2 G e adds to that of the whole strain. Each rank has all cells of its vertices.
+// e, whose stress -C e, with the stiffness C = 2 G e + (K - 2/3 G) tr e, adds to that of the whole
+// strain. Each rank has all cells of its vertices.
 class InelasticCells
 {
 public:
@@ -48,10 +49,10 @@ public:
   // ends with the displacement u. Collective.
   void respond(Vector const& u, double step, InelasticStrain const& before,
                InelasticStrain const& after) const;
-  // f += the forces of e: the integral of 2 G e : strain of the basis functions [N].
+  // f += the forces of e: the integral of C e : strain of the basis functions [N].
   void addForces(ConstTensorView const& e, Vector& f) const { strains_->addForces(e, f); }
-  // The integral of G e : e - initial stress : e over all cells [J], the elastic energy of e where
-  // the whole strain is zero. Collective.
+  // The integral of C e : e / 2 - initial stress : e over all cells [J], the elastic energy of e
+  // where the whole strain is zero. Collective.
   double energy(ConstTensorView const& e) const;
 
   // How much the stresses of e and of `other` differ, as a share of this and the trial's shear

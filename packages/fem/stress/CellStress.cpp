@@ -178,6 +178,28 @@ std::vector<double> CellStress<Dim>::stress(std::vector<double> const& u,
   return result;
 }
 
+void subtractStress(std::vector<Material> const& materials, std::vector<double> const& strain,
+                    std::vector<double>& stress)
+{
+  if (materials.empty()) {
+    return;
+  }
+  const auto size = static_cast<int>(strain.size() / materials.size());
+  for (std::size_t cell = 0; cell < materials.size(); ++cell) {
+    auto const& m = materials[cell];
+    double const* const of_cell = &strain[cell * size];
+    double trace = 0;
+    for (int k = 0; k < size; ++k) {
+      trace += isOnDiagonal(size, k) ? of_cell[k] : 0;
+    }
+    const double of_volume = (m.bulk_modulus - 2. / 3 * m.shear_modulus) * trace;
+    for (int k = 0; k < size; ++k) {
+      stress[cell * size + k] -=
+        2 * m.shear_modulus * of_cell[k] + (isOnDiagonal(size, k) ? of_volume : 0);
+    }
+  }
+}
+
 template class CellStress<2>;
 template class CellStress<3>;
 } // namespace asperity::fem

@@ -45,4 +45,9 @@ private:
   Kokkos::View<const Material*, MemorySpace> materials_;               // without branches
   std::vector<Kokkos::View<const Material*, MemorySpace>> branches_;   // their shear moduli alone
 };
+
+// Takes the stress of an inelastic strain [-] in cells of these materials from `stress` [Pa]; both
+// (cells, tensor components).
+void subtractStress(std::vector<Material> const& materials, std::vector<double> const& strain,
+                    std::vector<double>& stress);
 } // namespace asperity::fem

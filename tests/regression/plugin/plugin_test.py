@@ -170,7 +170,7 @@ class Parameters(unittest.TestCase):
         self.assert_refused([*deck, "Bulk/Relaxation Time=1+x", "--set",
                              "Mesh/Rectangle/Cells X=20"], "relaxation times", "at most 8")
         self.assert_refused([*deck, "Bulk/Shear Viscosity=1"], "Bulk / Shear Viscosity is unknown",
-                            "parameter of Law = Kelvin-Voigt")
+                            "or Law = Kelvin-Voigt")
         self.assert_refused([*deck, "Time Stepping/Growing Steps/Steps of a Size=0"],
                             "Steps of a Size = 0 is outside [1, inf)")
         self.assert_refused([*deck, "Output/Mean Slip/Evry n Steps=1"], "'Every n Steps'")

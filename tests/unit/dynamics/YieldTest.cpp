@@ -20,7 +20,7 @@ ModelOptions yieldingLayer()
 {
   auto options = ShearedLayer::options([](double t) { return t <= there ? rate : -rate; });
   options.yield = "Von Mises";
-  options.strength = {strength, hardening, 0, 1, 1};
+  options.strength = {strength, hardening, 0, 1, 1, 0, 0};
   return options;
 }
 
@@ -80,10 +80,12 @@ void expectClosedBalance(Options options, Begin const& begin, std::string const&
 TEST(Yield, TakesTheEnergyThatLeavesTheBody)
 {
   const auto begin = [](auto const& model) { return slidingState(model); };
-  expectClosedBalance(slidingBlock(1), begin, "Von Mises", {0.3, 0, 0, 1, 1});
-  expectClosedBalance(slidingBlock(2), begin, "Von Mises", {0.5, 50, 1e-3, 1, 1});
-  expectClosedBalance(slidingBlock(2), begin, "Drucker-Prager", {0.5, 20, 0, 0, 1, 1});
-  expectClosedBalance(slidingBlock(2), begin, "Drucker-Prager", {0.5, 20, 0, 0, 0.5, 1e-3});
+  expectClosedBalance(slidingBlock(1), begin, "Von Mises", {0.3, 0, 0, 1, 1, 0, 0});
+  expectClosedBalance(slidingBlock(2), begin, "Von Mises", {0.5, 50, 1e-3, 1, 1, 0, 0});
+  expectClosedBalance(slidingBlock(2), begin, "Drucker-Prager", {0.5, 20, 0, 0, 1, 1, 0, 0, 0});
+  expectClosedBalance(slidingBlock(2), begin, "Drucker-Prager",
+                      {0.5, 20, 0, 0, 0.5, 1e-3, 0, 0, 0});
+  expectClosedBalance(slidingBlock(2), begin, "Drucker-Prager", {0.5, 20, 0, 0, 1, 1, 20, 0, 0});
   expectClosedBalance(slidingBlock(2), begin, "Power Law", {1e-3, 3});
 }
 
@@ -91,7 +93,10 @@ TEST(Yield, TakesTheEnergyThatLeavesABlockInSpace)
 {
   auto const turn = fem::testing::rotationAbout({1, 2, 3}, 0.7);
   const auto begin = [&](auto const& model) { return slidingState(model, turn); };
-  expectClosedBalance(slidingBlockInSpace({4, 2, 2}, turn), begin, "Von Mises", {0.5, 0, 0, 1, 1});
+  expectClosedBalance(slidingBlockInSpace({4, 2, 2}, turn), begin, "Von Mises",
+                      {0.5, 0, 0, 1, 1, 0, 0});
+  expectClosedBalance(slidingBlockInSpace({4, 2, 2}, turn), begin, "Drucker-Prager",
+                      {0.5, 20, 0, 0, 1, 1, 20, 0, 0});
 }
 
 // The strain of cells is in the error that step controls see.

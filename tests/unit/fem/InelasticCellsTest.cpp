@@ -31,17 +31,26 @@ GlobalMesh<Dim> wholeMesh()
   }
 }
 
+struct Law
+{
+  char const* name;
+  std::vector<double> parameters;
+  double initial_mean; // stress [Pa]
+};
+
+Law vonMises(double strength) { return {"Von Mises", {strength, 0, 0, 1, 1, 0, 0}, 0}; }
+
 // Every other cell of a mesh may yield.
 template <int Dim>
 struct Sample
 {
-  explicit Sample(int components, double strength = 1)
+  Sample(int components, Law const& law)
       : mesh(distributed())
       , dofs(std::make_shared<DofMap>(mesh.global_ids, mesh.num_owned, components,
                                       worldCommunicator()))
       , frames(static_cast<int>(mesh.vertices.size()), components)
       , cells(mesh, dofs, frames, std::vector<Material>(mesh.cells.size(), material),
-              rock(components, strength))
+              rock(components, law))
   {
   }
 
@@ -61,19 +70,19 @@ struct Sample
     return sum % 2 == 0;
   }
 
-  YieldingRock rock(int components, double strength) const
+  YieldingRock rock(int components, Law const& law) const
   {
     YieldingRock result;
-    result.parts.push_back({bulkLaws().at("Von Mises"), {}, {}});
+    result.parts.push_back({bulkLaws().at(law.name), {}, {}});
     for (int cell = 0; cell < static_cast<int>(mesh.cells.size()); ++cell) {
       if (yields(cell)) {
         auto& part = result.parts.front();
         part.cells.push_back(cell);
-        part.parameters.insert(part.parameters.end(), {strength, 0., 0., 1., 1.});
+        part.parameters.insert(part.parameters.end(), law.parameters.begin(), law.parameters.end());
       }
     }
     result.initial_stress.resize(mesh.cells.size() * numTensorComponents(components));
-    result.initial_mean.resize(mesh.cells.size());
+    result.initial_mean.resize(mesh.cells.size(), law.initial_mean);
     return result;
   }
 
@@ -100,7 +109,7 @@ struct Sample
 template <int Dim>
 void expectSharedOnce(int components)
 {
-  const Sample<Dim> sample(components);
+  const Sample<Dim> sample(components, vonMises(1));
   auto const& sharing = sample.cells.sharing();
   auto numbers = gatherToAll(
     std::vector<double>(sharing.numbers().begin(), sharing.numbers().end()), *worldCommunicator());
@@ -146,28 +155,50 @@ TEST(InelasticCells, AreSharedByRanks)
   expectSharedOnce<3>(3);
 }
 
-// The whole deviatoric strain of all cells without strength is inelastic; the work of its forces in
-// the same motion is twice the energy, and both are those of the deviatoric stiffness.
-template <int Dim>
-void expectForcesOfStiffness(int components)
+TensorView differenceOf(ConstTensorView const& a, ConstTensorView const& b)
 {
-  Sample<Dim> sample(components, 1e-200);
-  auto const u = sample.motion(2), f = rcp(new Vector(sample.dofs->owned()));
-  auto const before = sample.cells.none(), after = sample.cells.none();
-  sample.cells.respond(*u, 1, before, after);
-  sample.cells.addForces(after.strain, *f);
+  const TensorView result("difference", a.extent(0), a.extent(1));
+  auto const host = Kokkos::create_mirror_view(result);
+  auto const of_a = toHost(a), of_b = toHost(b);
+  for (int row = 0; row < a.extent_int(0); ++row) {
+    for (int k = 0; k < a.extent_int(1); ++k) {
+      host(row, k) = of_a(row, k) - of_b(row, k);
+    }
+  }
+  Kokkos::deep_copy(result, host);
+  return result;
+}
 
-  // K of what yields: its shear modulus alone.
+// Where the stress of cells does not depend on the motion, half the difference of the inelastic
+// strains in two opposite motions is the strain. The work of its forces in the motion is twice the
+// energy, and both are those of the stiffness.
+template <int Dim>
+void expectForcesOfStiffness(int components, Law const& law, double bulk_modulus)
+{
+  Sample<Dim> sample(components, law);
+  auto const u = sample.motion(2), opposite = sample.motion(2),
+             f = rcp(new Vector(sample.dofs->owned()));
+  opposite->scale(-1);
+  auto const before = sample.cells.none(), after = sample.cells.none(), other = sample.cells.none();
+  sample.cells.respond(*u, 1, before, after);
+  sample.cells.respond(*opposite, 1, before, other);
+  auto const twice = differenceOf(after.strain, other.strain);
+  sample.cells.addForces(twice, *f);
+  f->scale(0.5);
+
+  // K of what yields: these moduli alone.
   std::vector<Material> materials(sample.mesh.cells.size());
   for (std::size_t cell = 0; cell < materials.size(); ++cell) {
-    materials[cell].shear_modulus =
-      sample.yields(static_cast<int>(cell)) ? material.shear_modulus : 0;
+    if (sample.yields(static_cast<int>(cell))) {
+      materials[cell].shear_modulus = material.shear_modulus;
+      materials[cell].bulk_modulus = bulk_modulus;
+    }
   }
   auto const K = assembleBody<Dim>(sample.mesh, *sample.dofs, sample.frames, materials).stiffness;
   Vector expected(sample.dofs->owned());
   K->apply(*u, expected);
   const double size = expected.norm2();
-  EXPECT_NEAR(sample.cells.energy(after.strain), u->dot(*f) / 2, 1e-12 * size);
+  EXPECT_NEAR(sample.cells.energy(twice) / 4, u->dot(*f) / 2, 1e-12 * size);
   expected.update(-1, *f, 1);
   EXPECT_LE(expected.norm2(), 1e-12 * size);
   EXPECT_GT(size, 0.1);
@@ -175,8 +206,39 @@ void expectForcesOfStiffness(int components)
 
 TEST(InelasticCells, HaveTheForcesOfTheDeviatoricStiffness)
 {
-  expectForcesOfStiffness<2>(1);
-  expectForcesOfStiffness<2>(2);
-  expectForcesOfStiffness<3>(3);
+  // no strength
+  expectForcesOfStiffness<2>(1, vonMises(1e-200), 0);
+  expectForcesOfStiffness<2>(2, vonMises(1e-200), 0);
+  expectForcesOfStiffness<3>(3, vonMises(1e-200), 0);
+}
+
+TEST(InelasticCells, HaveTheForcesOfTheStiffnessWhereTheyOpen)
+{
+  // far beyond the apex
+  const Law opening{"Drucker-Prager", {0, 90, 0, 0, 1, 1, 90, 0, 0}, 1e4};
+  expectForcesOfStiffness<2>(2, opening, material.bulk_modulus);
+  expectForcesOfStiffness<3>(3, opening, material.bulk_modulus);
+}
+
+// The stress of associated flow is the gradient of a convex potential whose second derivative
+// nowhere exceeds that of elastic rock: for two motions with the strains x, the inelastic strains
+// e and their differences d,
+//   dx : C de >= de : C de
+TEST(InelasticCells, HaveAConvexPotentialInAssociatedFlow)
+{
+  const Sample<3> sample(3, {"Drucker-Prager", {10, 30, 0, 0, 1, 1, 30, 0, 0}, -20});
+  auto const before = sample.cells.none(), one = sample.cells.none(), two = sample.cells.none();
+  for (int sequence = 0; sequence < 20; ++sequence) {
+    auto const u = sample.motion(2 * sequence), v = sample.motion(2 * sequence + 1),
+               f = rcp(new Vector(sample.dofs->owned()));
+    sample.cells.respond(*u, 1, before, one);
+    sample.cells.respond(*v, 1, before, two);
+    auto const e = differenceOf(one.strain, two.strain);
+    sample.cells.addForces(e, *f);
+    u->update(-1, *v, 1);
+    const double work = u->dot(*f), twice_energy = 2 * sample.cells.energy(e);
+    EXPECT_GE(work, twice_energy);
+    EXPECT_GT(twice_energy, 0.01 * work);
+  }
 }
 } // namespace asperity::fem

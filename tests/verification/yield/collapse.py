@@ -6,8 +6,13 @@ the volume: the cylinder bears more, and what the footing bears has no limit.
 The pressure p in a cylinder from a to b that has yielded to c, and the displacement of its outside
 (Hill 1950, for Poisson's ratio 1/2; at 0.45 and c = b its t is 0.17 % above p's k):
     p = k (2 ln(c / a) + 1 - (c / b)^2),   u(b) = (1 - nu) k c^2 / (G b)
-It bears 2 k ln(b / a). A strip footing bears (2 + pi) k (Prandtl 1920); in a mesh it is wider by
-half a cell, so that the error is of first order.
+It bears 2 k ln(b / a). Rock of Mohr and Coulomb with cohesion c and friction angle phi bears, with
+N = (1 + sin(phi)) / (1 - sin(phi)),
+    p = c cot(phi) ((b / a)^(1 - 1 / N) - 1)
+and so does Drucker and Prager's law in associated flow in plane strain, where (1952)
+    sin(phi') = 3 tan(phi) / sqrt(9 + 12 tan(phi)^2),   c' cos(phi') = 3 c / sqrt(9 + 12 tan(phi)^2)
+A strip footing bears (2 + pi) k (Prandtl 1920); in a mesh it is wider by half a cell, so that the
+error is of first order.
 """
 
 import math
@@ -60,11 +65,12 @@ def at_rest(name, boundary, kind):
             f"Boundary Conditions/{name}/Type": kind}
 
 
-def pushed(receiver, *changes):
+def pushed(receiver, *changes, removed=()):
     """The work at the boundary in each step [J/m], the displacement of a place along x [m] in the
     middle of it; prints what steps cost."""
     folder = asperity_run.run_to_end("out", DECK, *asperity_run.settings(
-        {"Output/Receivers/Off Fault/place": receiver}, *changes), timeout=300)
+        {"Output/Receivers/Off Fault/place": receiver}, *changes),
+        *(word for entry in removed for word in ("--remove", entry)), timeout=300)
     rows = asperity_run.table(folder / "steps.csv")
     problems, steps = (sum(row[name] for row in rows)
                        for name in ("rate_problems", "coupled_steps"))
@@ -74,8 +80,8 @@ def pushed(receiver, *changes):
     return numpy.diff(work), (u[1:] + u[:-1]) / 2
 
 
-def cylinder(cells, crossed, rate=1e-4):
-    """The largest error of p(c), and that of the pressure that it bears at last."""
+def pressures(cells, crossed, *changes, removed=(), rate=1e-4):
+    """In a cylinder that is pushed apart, and the displacement of its outside."""
     vertices, triangles, at = grid(numpy.linspace(A, B, cells + 1),
                                    numpy.linspace(0, math.pi / 2, 3 * cells // 2 + 1), crossed)
     radius, angle = vertices.T
@@ -85,14 +91,34 @@ def cylinder(cells, crossed, rate=1e-4):
     work, u_outside = pushed(
         f"{{{B}, 0}}", at_rest("Side", "side", "Sliding Wall"),
         moving("x", "inside", "x", f"{rate} * x / {A}"),
-        moving("y", "inside", "y", f"{rate} * y / {A}"))
-    pressure = work / (rate * math.pi / 2 * A)
+        moving("y", "inside", "y", f"{rate} * y / {A}"), *changes, removed=removed)
+    return work / (rate * math.pi / 2 * A), u_outside
+
+
+def cylinder(cells, crossed):
+    """The largest error of p(c), and that of the pressure that it bears at last."""
+    pressure, u_outside = pressures(cells, crossed)
     c = numpy.sqrt(u_outside * G * B / ((1 - POISSON) * K))
     partly = (c > A) & (c < B)
     expected = K * (2 * numpy.log(c / A) + 1 - (c / B)**2)
     assert partly.sum() > 10 and c[-1] > B
     return (numpy.abs(pressure / expected - 1)[partly].max(),
             pressure[-1] / (2 * K * math.log(B / A)) - 1)
+
+
+def cylinder_in_associated_flow(cells, degrees=20):
+    """By how much it bears more, and how much this still grew in the last step."""
+    phi = math.radians(degrees)
+    size = math.sqrt(9 + 12 * math.tan(phi)**2)
+    of_cone = math.asin(3 * math.tan(phi) / size)
+    angle = f"{math.degrees(of_cone):.15g}"
+    pressure, _ = pressures(cells, True, {
+        "Bulk/Law": "Drucker-Prager", "Bulk/Cohesion": 3 * K / size / math.cos(of_cone),
+        "Bulk/Friction Angle": angle, "Bulk/Dilation Angle": angle},
+        removed=["Bulk/Shear Strength"])
+    N = (1 + math.sin(phi)) / (1 - math.sin(phi))
+    borne = pressure / (K / math.tan(phi) * ((B / A)**(1 - 1 / N) - 1))
+    return borne[-1] - 1, borne[-1] - borne[-2]
 
 
 def footing(*changes, rate=1e-3):
@@ -133,10 +159,13 @@ def cylinders():
     on_the_way, at_last = cylinder(8, True)
     cut = [cylinder(cells, False)[1] for cells in (8, 16)]
     order = math.log2(cut[0] / cut[1])
+    associated, growth = cylinder_in_associated_flow(8)
     return [verdict(f"cylinder: {on_the_way:.2%} of p(c), {at_last:.2%} at last",
                     max(on_the_way, abs(at_last)) < LIMIT),
             verdict(f"of squares cut in two: {cut[0]:.2%}, {cut[1]:.2%}, order {order:.2f}",
-                    order > CUT_ORDER)]
+                    order > CUT_ORDER),
+            verdict(f"in associated flow: {associated:.2%}, in the last step {growth:.3%}",
+                    abs(associated) < LIMIT and growth < 1e-3)]
 
 
 def footings():
