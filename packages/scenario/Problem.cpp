@@ -5,7 +5,7 @@
 #include "dynamics/checks/PlausibleValues.hpp"
 #include "dynamics/fault/FaultMotion.hpp"
 #include "dynamics/initial/FoundationPressure.hpp"
-#include "dynamics/initial/InitialState.hpp"
+#include "dynamics/initial/StaticSolver.hpp"
 #include "fem/BodyPieces.hpp"
 #include "fem/BoundaryCells.hpp"
 #include "fem/BoundaryMeasure.hpp"
@@ -193,7 +193,7 @@ StaticStart staticStart(ParameterList const& deck, Discretisation<Dim> const& of
   }
   requireNoFreeMotion(of, body, nullptr,
                       "its static displacement, for which the fault slides without friction,");
-  auto const u = dynamics::staticDisplacement(body, solver, gravity);
+  auto const u = dynamics::StaticSolver(body, solver).solve(gravity);
   if (!stress_given) {
     auto const support = fem::supportWeights(of.mesh, surface, of.boundary.velocities);
     start.pressure = dynamics::foundationPressure(body, of.frames(), surface, support, gravity, *u);

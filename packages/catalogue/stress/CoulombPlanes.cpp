@@ -63,6 +63,21 @@ fem::CoulombPlane inSpace(ParameterList const& output, std::vector<double> const
                    path << "East is parallel to Up. Strikes need a horizontal direction.");
   return fem::CoulombPlane::inSpace(numbers[0], numbers[1], numbers[2], numbers[3], up, east);
 }
+// Whether an array of texts in the list, or in one below it, has this one.
+bool names(ParameterList const& list, std::string const& text)
+{
+  return std::any_of(list.begin(), list.end(), [&](auto const& item) {
+    auto const& entry = item.second;
+    if (entry.isList()) {
+      return names(list.sublist(item.first), text);
+    }
+    if (!entry.template isType<Teuchos::Array<std::string>>()) {
+      return false;
+    }
+    auto const& texts = Teuchos::getValue<Teuchos::Array<std::string>>(entry);
+    return std::find(texts.begin(), texts.end(), text) != texts.end();
+  });
+}
 } // namespace
 
 void declareCoulombPlanes(Declare& output)
@@ -101,5 +116,16 @@ std::map<std::string, fem::CoulombPlane> coulombPlanes(ParameterList const& outp
                                   : fem::CoulombPlane::inPlane(numbers[0], numbers[1], numbers[2]);
   }
   return planes;
+}
+
+std::vector<std::string> unwrittenPlanes(ParameterList const& output)
+{
+  std::vector<std::string> result;
+  for (auto const& entry : output.sublist(planes_list)) {
+    if (!names(output, coulombField(entry.first))) {
+      result.push_back(entry.first);
+    }
+  }
+  return result;
 }
 } // namespace asperity::catalogue

@@ -5,9 +5,16 @@
 
 #include <map>
 #include <string>
+#include <vector>
 
 namespace asperity::catalogue
 {
+// The name of the field of a plane.
+inline std::string coulombField(std::string const& plane)
+{
+  return "coulomb_stress_change_" + plane;
+}
+
 // Adds the planes on which outputs may ask for the Coulomb stress change to the deck's list
 // `Output`, and the direction east from which strikes count.
 void declareCoulombPlanes(Declare& output);
@@ -15,4 +22,7 @@ void declareCoulombPlanes(Declare& output);
 // By name. `output` is the completed list; dimension: of space. Throws InputError for planes whose
 // numbers do not fit, and for names that no field can have.
 std::map<std::string, fem::CoulombPlane> coulombPlanes(ParameterList const& output, int dimension);
+
+// The planes whose field no output of the completed list selects.
+std::vector<std::string> unwrittenPlanes(ParameterList const& output);
 } // namespace asperity::catalogue

@@ -1,9 +1,7 @@
 #include "dynamics/initial/InitialState.hpp"
 
 #include "base/Errors.hpp"
-#include "dynamics/coupling/SharedMultigrid.hpp"
 #include "dynamics/fault/FaultMotion.hpp"
-#include "tnnmg/direct/SchurComplement.hpp"
 
 #include <Tpetra_CrsMatrix.hpp>
 
@@ -12,61 +10,6 @@
 
 namespace asperity::dynamics
 {
-namespace
-{
-// With rounding even a singular matrix may have a factor; then u is not a solution.
-void requireSolution(CrsMatrix const& K, Vector const& b, Vector const& u)
-{
-  Vector rest(b, Teuchos::Copy);
-  K.apply(u, rest, Teuchos::NO_TRANS, -1, 1);
-  if (!(rest.norm2() <= 1e-6 * b.norm2())) {
-    throw SolveError("The static problem has no solution: some part of the body can move without "
-                     "resistance, or its numbers are too large to compute with. Check that the "
-                     "boundary conditions hold it, that the moduli, viscosities and density in "
-                     "Bulk are in SI units, and that Poisson's Ratio is not close to 0.5.");
-  }
-}
-
-// K u = b until the residual is at most 1e-12 |b|.
-void solveByMultigrid(RCP<const CrsMatrix> const& K, Body const& body,
-                      Teuchos::ParameterList const& parameters, Vector const& b, Vector& u)
-{
-  const Kokkos::View<LocalOrdinal**, Kokkos::LayoutRight, MemorySpace> none(
-    "asperity::dynamics::none", 0, 1);
-  Teuchos::ParameterList list(parameters);
-  list.set("Method", "CG");      // a few cycles would not meet the tolerance
-  list.set("Hierarchy", "Keep"); // without friction there are no Hessians
-  tnnmg::MultigridCorrection multigrid(
-    multigridProblem(K, body, {none, body.held.flagsOnDevice(), {}}), list);
-  auto const result = multigrid.solve({}, b, 1e-12, u);
-  if (!result.converged) {
-    std::ostringstream message;
-    message << "The static problem was not solved: conjugate gradients stopped after "
-            << result.iterations
-            << " iterations. Check that the boundary conditions hold the body, "
-            << "and raise the iteration limit in TNNMG / MueLu Correction.";
-    throw SolveError(message.str());
-  }
-}
-} // namespace
-
-RCP<Vector> staticDisplacement(Body const& body, RateSolverSettings const& settings,
-                               Vector const& load)
-{
-  Vector b(load, Teuchos::Copy);
-  body.clearHeld(b);
-  auto const K = fem::combine(body.matrices, fem::ofElasticity(body.matrices), body.held);
-  auto u = body.vector();
-  if (settings.correction == Correction::direct) {
-    const tnnmg::SchurComplement factor(*K, {});
-    factor.condense(b).expand(Vector(factor.map()), *u);
-    requireSolution(*K, b, *u);
-  } else {
-    solveByMultigrid(K, body, settings.multigrid, b, *u);
-  }
-  return u;
-}
-
 RCP<Vector> prescribedAcceleration(Body const& body, double dt)
 {
   auto result = body.vector();

@@ -5,12 +5,6 @@
 
 namespace asperity::dynamics
 {
-// Returns u with K u = load at the free dofs and u = 0 at the held ones (Pipping 2014, §5.2), where
-// K has the stiffness of all Maxwell branches: the fault slides without friction along its
-// tangents. Throws SolveError if the body is not held.
-RCP<Vector> staticDisplacement(Body const& body, RateSolverSettings const& settings,
-                               Vector const& load);
-
 // The prescribed acceleration at t = 0, as a difference quotient over dt [s], which is small beside
 // all steps; zero at dofs that are not held.
 RCP<Vector> prescribedAcceleration(Body const& body, double dt);

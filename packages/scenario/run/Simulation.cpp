@@ -7,12 +7,14 @@
 #include "base/program/MpiScope.hpp"
 #include "base/program/Signals.hpp"
 #include "base/program/WorkTimers.hpp"
+#include "catalogue/stress/CoulombPlanes.hpp"
 #include "io/Archive.hpp"
 #include "io/OutputSet.hpp"
 #include "io/files/OutputDirectory.hpp"
 #include "io/files/RunRecord.hpp"
 #include "scenario/DeckReader.hpp"
 #include "scenario/Fingerprint.hpp"
+#include "scenario/LockedFields.hpp"
 #include "scenario/OutputFields.hpp"
 #include "scenario/RunReport.hpp"
 #include "scenario/run/Checkpoints.hpp"
@@ -100,6 +102,7 @@ SimulationOf<Dim>::SimulationOf(RCP<ParameterList> const& deck, CommandLine cons
 {
   registerFields(registry_, evolution_.problem(), evolution_.view(), domains_,
                  deck->sublist("Friction"));
+  registerLockedResponse(registry_, evolution_.problem(), evolution_.view(), domains_);
   registerStress(registry_, evolution_.problem(), evolution_.view(), domains_,
                  deck->sublist("Output"));
   outputs_ = std::make_unique<io::OutputSet>(
@@ -143,6 +146,10 @@ int SimulationOf<Dim>::run()
   for (auto const& [name, domain] : outputs_->leftOut()) {
     record_->message("Output / " + name + " is left out: the model has no " + domain +
                      (domain == "surface" ? ". Give a boundary the Type Free Surface." : "."));
+  }
+  for (auto const& plane : catalogue::unwrittenPlanes(deck_->sublist("Output"))) {
+    record_->message("Output / Coulomb Planes / " + plane + " is not written: no Fields name " +
+                     catalogue::coulombField(plane) + '.');
   }
   if (const int eliminated = evolution_.numEliminated()) {
     record_->message("The body is in equilibrium at all times. It is condensed to its fault, which "

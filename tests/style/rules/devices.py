@@ -34,6 +34,7 @@ HOST = {
     "packages/dynamics/initial/FoundationPressure.cpp": "set-up",
     "packages/dynamics/initial/InitialAlpha.cpp": "set-up",
     "packages/dynamics/initial/InitialState.cpp": "set-up",
+    "packages/dynamics/observables/LockedResponse.cpp": "set-up",
     "packages/dynamics/fault/NormalReaction.cpp": "the nodes of the fault alone",
     "packages/dynamics/condensation/CondensedModel.cpp": "set-up of the condensed model",
     "packages/dynamics/condensation/StaticCondensation.cpp": "direct solver; checkpoints",

@@ -1,6 +1,7 @@
 #include "dynamics/observables/EnergyBalance.hpp"
 
 #include "dynamics/initial/InitialState.hpp"
+#include "dynamics/initial/StaticSolver.hpp"
 #include "unit/dynamics/QuasiDynamicModel.hpp"
 #include "unit/dynamics/SlidingBlock.hpp"
 
@@ -118,7 +119,7 @@ TEST(EnergyBalance, SplitsTheWorkOfFrictionAndOfThePushedBoundary)
   for (int i = 0; i < model.surface->numNodes(); ++i) {
     force.replaceLocalValue((*model.surface)[i].dofs[0], rest * (*model.surface)[i].weight);
   }
-  state.u = staticDisplacement(model.body, tightSettings(), force);
+  state.u = StaticSolver(model.body, tightSettings()).solve(force);
   Stepper stepper(model, RateUpdate::newmark(0.25), milliseconds);
   EnergyBalance balance(model.body, model.fault, milliseconds);
   balance.start(state);

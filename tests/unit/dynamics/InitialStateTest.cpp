@@ -1,5 +1,6 @@
 #include "dynamics/initial/InitialState.hpp"
 #include "dynamics/initial/InitialAlpha.hpp"
+#include "dynamics/initial/StaticSolver.hpp"
 
 #include "unit/base/Refusal.hpp"
 #include "unit/dynamics/SlidingBlock.hpp"
@@ -56,7 +57,7 @@ TEST(InitialState, StaticDisplacementBalancesTheLoadWithAFaultWithoutFriction)
     for (auto correction : {Correction::direct, Correction::multigrid}) {
       const Model model(slidingBlock(components), alone());
       auto const load = loadOf(model);
-      auto const u = denseOf(*staticDisplacement(model.body, tightSettings(correction), *load));
+      auto const u = denseOf(*StaticSolver(model.body, tightSettings(correction)).solve(*load));
       const Eigen::VectorXd rest = denseOf(*model.body.matrices.stiffness) * u - denseOf(*load);
       EXPECT_GT(u.norm(), 0);
       EXPECT_LE(rest(freeDofs(model)).norm(), 1e-11 * denseOf(*load).norm());
@@ -75,8 +76,8 @@ TEST(InitialState, StaticDisplacementDoesNotDependOnHowCorrectionsAreFound)
   auto cycles = tightSettings(Correction::multigrid);
   cycles.multigrid.set("Method", "V-Cycles");
   cycles.multigrid.sublist("MueLu").set("coarse: max size", 20); // several levels
-  auto const expected = denseOf(*staticDisplacement(model.body, tightSettings(), *load));
-  auto const u = denseOf(*staticDisplacement(model.body, cycles, *load));
+  auto const expected = denseOf(*StaticSolver(model.body, tightSettings()).solve(*load));
+  auto const u = denseOf(*StaticSolver(model.body, cycles).solve(*load));
   EXPECT_LE((u - expected).norm(), 1e-9 * expected.norm());
 }
 
@@ -158,7 +159,7 @@ TEST(InitialState, ABodyInBalanceStaysAtRest)
   const Model model(options, alone());
   auto state = model.restingState();
   state.v->putScalar(0);
-  state.u = staticDisplacement(model.body, tightSettings(), *loadOf(model));
+  state.u = StaticSolver(model.body, tightSettings()).solve(*loadOf(model));
   auto const a = accelerationOf(model, state, *model.body.vector());
   EXPECT_EQ(a.norm(), 0);
 }
@@ -169,7 +170,7 @@ TEST(InitialState, ABodyThatNothingHoldsHasNoStaticDisplacement)
   options.conditions = {}; // free to move along its base
   const Model model(options, alone());
   for (auto correction : {Correction::direct, Correction::multigrid}) {
-    EXPECT_THROW(staticDisplacement(model.body, tightSettings(correction), *loadOf(model)),
+    EXPECT_THROW(StaticSolver(model.body, tightSettings(correction)).solve(*loadOf(model)),
                  SolveError);
   }
 }

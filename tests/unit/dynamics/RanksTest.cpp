@@ -1,5 +1,6 @@
 #include "dynamics/control/PrescribedSteps.hpp"
 #include "dynamics/initial/InitialState.hpp"
+#include "dynamics/initial/StaticSolver.hpp"
 #include "dynamics/observables/EnergyBalance.hpp"
 #include "unit/dynamics/FaultNodesOfTests.hpp"
 #include "unit/dynamics/SlidingBlock.hpp"
@@ -189,7 +190,7 @@ TEST(Ranks, FindTheSameInitialState)
   auto const displacement = [](Model const& model, Correction correction) {
     auto load = model.body.vector();
     model.body.load(0, *load);
-    return staticDisplacement(model.body, tightSettings(correction), *load);
+    return StaticSolver(model.body, tightSettings(correction)).solve(*load);
   };
   auto const acceleration = [](Model const& model, Correction correction) {
     auto load = model.body.vector();

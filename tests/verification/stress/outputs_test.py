@@ -217,6 +217,17 @@ class Condensed(unittest.TestCase):
                 numpy.testing.assert_array_equal(theirs[dataset][rows], ours[dataset], dataset)
 
 
+class Planes(unittest.TestCase):
+    def test_one_that_no_output_writes_is_told(self):
+        changes = asperity_run.settings(
+            {"Output/Volume Snapshots/Fields": "{stress}",
+             "Output/Receivers/Body Fields": "{stress}", "Time Stepping/Final Time": 0.1})
+        result = asperity_run.run(STRIP, "--output", "unwritten", "--overwrite", *changes)
+        self.assertEqual(result.returncode, 0, result.stderr)
+        self.assertIn("Coulomb Planes / upright is not written: no Fields name "
+                      "coulomb_stress_change_upright.", result.stdout)
+
+
 class Refusals(unittest.TestCase):
     def refused(self, deck, *changes):
         result = asperity_run.run(deck, "--validate", *asperity_run.settings(*changes))
