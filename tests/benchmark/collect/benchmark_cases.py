@@ -31,6 +31,15 @@ IN_LAYERS = (
     *several("peak slip rate of event {}", "mm/s",
              lambda n: of.of_event("peak_slip_rate", n, 1e-3, 0), (None,) * 3))
 
+
+def sandbox(name, title, settings=(), quantities=wedge_events()):
+    return Case(name, title, "wedge", 6, (
+        *quantities, Quantity("work of yielding / friction work", "",
+                              of.share_of_friction_work("inelastic_work"), form=".3f")),
+                "balance of energy", deck="sandbox_2d", settings=settings,
+                in_index=() if settings else (BALANCE.name,))
+
+
 WEDGE = (
     Case("wedge_2d_thesis", "Laboratory wedge, ageing law", "wedge", 10, wedge_events(102),
          "Pipping (2014)", in_index=("number of events",)),
@@ -47,6 +56,10 @@ WEDGE = (
         Quantity("smallest slip rate at the end", "mm/s", of.final_slowest(1e-3), 0.05, ".6f"),
         BALANCE), "another program", in_index=(
             "time at which the slowest node passes half the plate rate",)),
+    sandbox("sandbox_2d", "Laboratory wedge that yields"),
+    sandbox("sandbox_2d_elastic", "The same, elastic rock", ("Bulk/Cohesion=1e9",)),
+    sandbox("sandbox_2d_weak", "The same, a third of the cohesion", ("Bulk/Cohesion=1e3",),
+            (Quantity("number of events", "", of.number_of_events(0)), BALANCE)),
     Case("wedge_2d_layers", "", "wedge", 1, IN_LAYERS, deck="wedge_2d", has_table=False, settings=(
         *LAYERS, "Time Stepping/Scheme=Generalised Alpha", "Time Stepping/Control=Richardson",
         "Time Stepping/Richardson/Tolerance=1e-4", "Time Stepping/Richardson/First Step=1e-3",

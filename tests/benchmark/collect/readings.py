@@ -61,6 +61,11 @@ def energy_defect(run):
     return abs(run.steps["energy_defect"][-1]) / run.steps["friction_work"][-1]
 
 
+def share_of_friction_work(column):
+    """Of steps.csv, at the end."""
+    return lambda run: run.steps[column][-1] / run.steps["friction_work"][-1]
+
+
 def _ends(run, number):
     return [of_event(end, number)(run) for end in ("onset", "end")]
 
@@ -139,14 +144,22 @@ def _slowest(run):
     return run.fault["slip_rate"].reshape(run.fault.time.size, -1).min(axis=1)
 
 
-def surface_motion(place, first, last, number=1):
+def surface_motion(place, first, last, field="displacement", number=1):
     """Along x, of the surface at x = `place`, between two times since the onset of an event [s]."""
     def read(run):
         node = numpy.abs(run.surface.coordinates[:, 0] - place).argmin()
         start = onset(number, 1)(run)
-        before, after = (run.surface.at("displacement", start + time)[node, 0]
+        before, after = (run.surface.at(field, start + time)[node, 0]
                          for time in (first, last))
         return after - before
+    return read
+
+
+def final_surface(place, field):
+    """Antiplane, of the surface at x = `place`."""
+    def read(run):
+        node = numpy.abs(run.surface.coordinates[:, 0] - place).argmin()
+        return _scalar(run.surface[field][-1])[node]
     return read
 
 

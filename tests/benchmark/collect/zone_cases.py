@@ -1,4 +1,4 @@
-"""Subduction zones over centuries: there is no answer to compare with but the balance of energy."""
+"""Faults over centuries: there is no answer to compare with but the balance of energy."""
 
 import readings as of
 from case import Case, Quantity, several
@@ -77,10 +77,14 @@ def after_an_earthquake(name, title, settings=()):
         for when, first, last in (("in the event", 0, SETTLED),
                                   ("in 20 years after it", SETTLED, 20 * of.YEAR),
                                   ("in the next 80 years", 20 * of.YEAR, 100 * of.YEAR)))
+    by_flow = tuple(
+        number(f"by flow alone, {where} in 20 years after it", "m",
+               of.surface_motion(place, SETTLED, 20 * of.YEAR, "viscous_displacement"), ".2f")
+        for where, place in (("of the coast", COAST), ("300 km from the trench", INLAND)))
     return Case(name, title, "subduction", 1, (
         number("onset of event 1", "yr", of.onset(1)),
         number("peak slip of event 1", "m", of.of_event("peak_slip", 1), ".2f"),
-        *motions, BALANCE), SOURCE, deck="postseismic_2d", settings=settings,
+        *motions, *by_flow, BALANCE), SOURCE, deck="postseismic_2d", settings=settings,
                 in_index=() if settings else IN_INDEX)
 
 
@@ -97,6 +101,31 @@ MANTLE = (
     cycles("subduction_cycle_2d", "Cycles over a mantle that flows"),
     cycles("subduction_cycle_2d_elastic", "The same, elastic mantle",
            (STIFF, "Bulk/Regions/mantle/Transient Viscosity=1e30")),
+)
+
+
+def in_rock_that_yields(name, title, settings=(), minutes=8):
+    return Case(name, title, "yielding", minutes, (
+        number("number of events", "", of.number_of_events()),
+        number("onset of event 1", "yr", of.onset(1)),
+        *several("interval {}", "yr", of.interval, (None, None)),
+        *(number(f"slip at {depth} km depth in event {event}", "m",
+                 of.slip_at_depth(depth * 1e3, event), ".2f")
+          for event in (1, 3) for depth in (0, 2, 8)),
+        number("peak slip rate of event 1", "m/s", of.of_event("peak_slip_rate", 1), ".2f"),
+        *(number(f"by inelastic strain, motion {place} m from the fault at the end", "m",
+                 of.final_surface(place, "inelastic_displacement"), ".3f")
+          for place in (500, 2000)),
+        BALANCE), SOURCE, deck="off_fault_cycle_2d", settings=settings,
+                in_index=() if settings else IN_INDEX)
+
+
+YIELDING = (
+    in_rock_that_yields("off_fault_cycle_2d", "Cycles in rock that yields"),
+    in_rock_that_yields("off_fault_cycle_2d_weak", "The same, half the cohesion",
+                        ("Bulk/Cohesion=10e6",), 12),
+    in_rock_that_yields("off_fault_cycle_2d_elastic", "The same, elastic rock",
+                        ("Bulk/Cohesion=1e9",)),
 )
 
 FIXED = "Friction/Normal Stress Change=Fixed"
@@ -117,4 +146,4 @@ SUBDUCTION = (
          settings=(FIXED, MOST + "1")),
 )
 
-CASES = MEGATHRUST + SUBDUCTION + MANTLE
+CASES = MEGATHRUST + SUBDUCTION + MANTLE + YIELDING
