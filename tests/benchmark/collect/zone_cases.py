@@ -104,7 +104,7 @@ MANTLE = (
 )
 
 
-def in_rock_that_yields(name, title, settings=(), minutes=8):
+def in_rock_that_yields(name, title, settings=(), minutes=2):
     return Case(name, title, "yielding", minutes, (
         number("number of events", "", of.number_of_events()),
         number("onset of event 1", "yr", of.onset(1)),
@@ -123,7 +123,7 @@ def in_rock_that_yields(name, title, settings=(), minutes=8):
 YIELDING = (
     in_rock_that_yields("off_fault_cycle_2d", "Cycles in rock that yields"),
     in_rock_that_yields("off_fault_cycle_2d_weak", "The same, half the cohesion",
-                        ("Bulk/Cohesion=10e6",), 12),
+                        ("Bulk/Cohesion=10e6",), 3),
     in_rock_that_yields("off_fault_cycle_2d_elastic", "The same, elastic rock",
                         ("Bulk/Cohesion=1e9",)),
 )
