@@ -33,7 +33,7 @@ IN_LAYERS = (
 
 
 def sandbox(name, title, settings=(), quantities=wedge_events()):
-    return Case(name, title, "wedge", 6, (
+    return Case(name, title, "wedge", 3, (
         *quantities, Quantity("work of yielding / friction work", "",
                               of.share_of_friction_work("inelastic_work"), form=".3f")),
                 "balance of energy", deck="sandbox_2d", settings=settings,
