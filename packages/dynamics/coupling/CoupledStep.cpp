@@ -285,7 +285,8 @@ void CoupledStep::advanceInelastic(RateSolver& solver, State& to)
 // Alternates one iteration of TNNMG and one update of the state: both reduce the error by similar
 // factors, and more iterations for a state that still changes would be wasted. When the state has
 // converged, the rate problem is solved with it. The response of rock that yields takes the whole
-// body: it waits until the fault is at rest, or changes less than the rock did when last asked.
+// body: it waits until the fault is at rest, or changes less than the rock did when last asked and
+// the rock is expected to change further.
 CoupledResult CoupledStep::iterate(State const& from, double tau, RateSolver& solver, State& to,
                                    SolveCount& count)
 {
@@ -308,7 +309,9 @@ CoupledResult CoupledStep::iterate(State const& from, double tau, RateSolver& so
     const bool responded = unknowns_.respond({from, tau, mean_, V_, solver, problem, to});
     const double of_fault = unknowns_.change(settings_.norm);
     const bool fault_rests = rate.converged && of_fault <= settings_.tolerance;
-    const bool asks_rock = inelastic_ && (fault_rests || of_fault <= inelastic_->lastChange());
+    const bool asks_rock =
+      inelastic_ && (fault_rests || (of_fault <= inelastic_->lastChange() &&
+                                     inelastic_->expectedChange() > settings_.tolerance));
     const double of_rock = asks_rock ? inelasticChange(from, tau, solver, to) : 0;
     const double change = std::max(of_fault, of_rock);
     if (!responded || !std::isfinite(of_fault) || !std::isfinite(of_rock)) {

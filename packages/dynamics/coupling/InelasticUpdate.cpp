@@ -15,7 +15,7 @@ InelasticUpdate::InelasticUpdate(fem::InelasticCells const& cells, int depth)
 void InelasticUpdate::begin(Vector const& b)
 {
   acceleration_.reset();
-  last_change_ = 0;
+  last_change_ = ratio_ = 0;
   if (b_.is_null()) {
     b_ = rcp(new Vector(b.getMap()));
   }
@@ -39,6 +39,7 @@ double InelasticUpdate::change(State const& to, Norm norm)
   if (now > last_change_) {
     acceleration_.reset();
   }
+  ratio_ = last_change_ > 0 ? now / last_change_ : 0;
   last_change_ = now;
   return now;
 }

@@ -33,6 +33,9 @@ public:
   double distance(State const& a, State const& b, Norm norm) const;
   // The last change in this step; 0 before.
   double lastChange() const { return last_change_; }
+  // The change to expect next: as much smaller as the last one was than that before it. 0 until
+  // there are two.
+  double expectedChange() const { return last_change_ * ratio_; }
   // The next iterate in `to`. Collective.
   void advance(State& to);
   // The image in `to`, with which the step ends.
@@ -43,6 +46,6 @@ private:
   AndersonAcceleration acceleration_;
   RCP<Vector> b_; // without inelastic strain
   fem::InelasticStrain image_;
-  double last_change_ = 0;
+  double last_change_ = 0, ratio_ = 0;
 };
 } // namespace asperity::dynamics

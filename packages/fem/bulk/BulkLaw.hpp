@@ -18,16 +18,17 @@
 //   {
 //     static constexpr char const* name = "Kelvin-Voigt";
 //     static constexpr Parameter parameters[] = {{"Shear Viscosity", "Pa s", ...}, ...};
-//     static void complete(double const* values, Material& material);
+//     static void complete(double* values, Material& material);
 //     static std::vector<RelaxingShare> relaxation(double const* values, Material const& material);
 //     KOKKOS_FUNCTION static double shearStress(double const* values, Trial const& trial);
 //   };
 //   ASPERITY_REGISTER_BULK_LAW(KelvinVoigt) // the end of its .cpp
 //
-// complete() sets the viscosities of a material that has density and elastic moduli; relaxation()
-// tells which shares of its shear modulus relax (MaxwellBranch); shearStress() is t1 of rock that
-// yields, or creeps faster than stress grows (ReturnMapping.hpp); where it also dilates, a function
-// meanStress() beside it is p1. A law has at least one of the three, and not the last two together.
+// complete() sets the viscosities of a material that has density and elastic moduli, and may replace
+// values by what the other functions take, as an angle by its sine; relaxation() tells which shares
+// of its shear modulus relax (MaxwellBranch); shearStress() is t1 of rock that yields, or creeps
+// faster than stress grows (ReturnMapping.hpp); where it also dilates, a function meanStress()
+// beside it is p1. A law has at least one of the three, and not the last two together.
 namespace asperity::fem
 {
 // A share in [0, 1] of the shear modulus and its relaxation time [s]; the shares of a cell sum to
@@ -41,7 +42,7 @@ struct BulkLaw
 {
   static constexpr char const* registered_as = "bulk law";
   std::vector<Parameter> parameters;
-  std::function<void(double const* values, Material& material)> complete;
+  std::function<void(double* values, Material& material)> complete;
   std::function<std::vector<RelaxingShare>(double const* values, Material const& material)>
     relaxation;
   // Makes a step of the cells of this law; empty: they do not yield.
@@ -90,7 +91,7 @@ struct RegisteredBulkLaw : BulkLaw
     static_assert(!(Relaxes<Law>::value && Yields<Law>::value),
                   "A law of bulk has relaxation() or shearStress(), not both");
     parameters.assign(std::begin(Law::parameters), std::end(Law::parameters));
-    complete = [](double const*, Material&) {};
+    complete = [](double*, Material&) {};
     relaxation = [](double const*, Material const&) { return std::vector<RelaxingShare>(); };
     if constexpr (Completes<Law>::value) {
       complete = &Law::complete;

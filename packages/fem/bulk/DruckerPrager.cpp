@@ -4,6 +4,8 @@
 #include "fem/bulk/Viscosity.hpp"
 #include "fem/bulk/Yield.hpp"
 
+#include <cmath>
+
 namespace asperity::fem
 {
 namespace
@@ -35,7 +37,8 @@ struct DruckerPrager
     shear_viscosity,
     bulk_viscosity};
 
-  static void complete(double const* values, Material& material)
+  // Replaces the cohesion by c cos(phi) and the angles by their sines.
+  static void complete(double* values, Material& material)
   {
     ASPERITY_REQUIRE(values[6] <= values[1],
                      "Asperity / Bulk / Dilation Angle = "
@@ -43,6 +46,10 @@ struct DruckerPrager
                        << " degrees is larger than Friction Angle = " << formatShort(values[1])
                        << " degrees: rock that yields would gain energy.");
     setViscosity(values[7], values[8], material);
+    constexpr double degree = 3.14159265358979323846 / 180;
+    values[0] *= std::cos(values[1] * degree);
+    values[1] = std::sin(values[1] * degree);
+    values[6] = std::sin(values[6] * degree);
   }
 
   KOKKOS_FUNCTION static double shearStress(double const* values, Trial const& trial)
@@ -63,12 +70,10 @@ private:
 
   KOKKOS_FUNCTION static Stress returned(double const* values, Trial const& trial)
   {
-    constexpr double degree = 3.14159265358979323846 / 180;
-    const double phi = values[1] * degree, psi = values[6] * degree;
-    const double H = values[2], time = values[3];
-    const double c = values[0] * softened(values[4], values[5], trial);
-    const double strength = c * math::cos(phi) - trial.mean_stress * math::sin(phi);
-    if (psi == 0) {
+    const double sin_phi = values[1], sin_psi = values[6], H = values[2], time = values[3];
+    const double without_stress = values[0] * softened(values[4], values[5], trial);
+    const double strength = without_stress - trial.mean_stress * sin_phi;
+    if (sin_psi == 0) {
       return {yielded(strength, H, time, trial), trial.mean_stress};
     }
     const double over = trial.shear_stress - strength - H * trial.shear;
@@ -76,12 +81,11 @@ private:
       return {trial.shear_stress, trial.mean_stress};
     }
     const double G = trial.shear_modulus, K = trial.bulk_modulus;
-    const double change = over / (G + H + K * math::sin(phi) * math::sin(psi)); // of gamma
-    Stress at_last = {trial.shear_stress - G * change,
-                      trial.mean_stress - K * math::sin(psi) * change};
+    const double change = over / (G + H + K * sin_phi * sin_psi); // of gamma
+    Stress at_last = {trial.shear_stress - G * change, trial.mean_stress - K * sin_psi * change};
     if (at_last.shear < 0) { // the apex, which moves with gamma
       const double gamma = trial.shear + trial.shear_stress / G;
-      at_last = {0, (c * math::cos(phi) + H * gamma) / math::sin(phi)};
+      at_last = {0, (without_stress + H * gamma) / sin_phi};
     }
     const double kept = time > 0 ? math::exp(-trial.step / time) : 0;
     return {at_last.shear + kept * (trial.shear_stress - at_last.shear),

@@ -41,6 +41,30 @@ KOKKOS_INLINE_FUNCTION double traceOf(Tensors const& tensors, int row)
   return trace;
 }
 
+// Whether the tensors in a row of both are equal; nan is not.
+template <class Tensors, class OtherTensors>
+KOKKOS_INLINE_FUNCTION bool areEqual(Tensors const& tensors, OtherTensors const& others, int row)
+{
+  bool are_equal = true;
+  const int size = tensors.extent_int(1);
+  for (int k = 0; k < size; ++k) {
+    are_equal = are_equal && tensors(row, k) == others(row, k);
+  }
+  return are_equal;
+}
+
+// Whether the tensor in a row is zero.
+template <class Tensors>
+KOKKOS_INLINE_FUNCTION bool isZero(Tensors const& tensors, int row)
+{
+  bool is_zero = true;
+  const int size = tensors.extent_int(1);
+  for (int k = 0; k < size; ++k) {
+    is_zero = is_zero && tensors(row, k) == 0;
+  }
+  return is_zero;
+}
+
 // The gradient of a displacement or velocity with `Components` components. strain() and add() add
 // to `tensor` the strain, and the stress with the Lame constants first and second.
 template <int Dim, int Components>

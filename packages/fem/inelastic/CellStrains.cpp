@@ -47,10 +47,34 @@ struct StrainKernel
   }
 };
 
+// Marks the nodes on which a cell's inelastic strain may act.
+template <int Dim>
+struct TouchKernel
+{
+  detail::CellViews<Dim> mesh;
+  IndexView cells;
+  ConstTensorView e;
+  Kokkos::View<int*, MemorySpace> touched; // (num_nodes)
+
+  KOKKOS_FUNCTION void operator()(int i) const
+  {
+    if (isZero(e, i)) { // most of the rock does not yield
+      return;
+    }
+    for (int corner = 0; corner <= Dim; ++corner) {
+      const int vertex = mesh.vertices(cells(i), corner);
+      for (int t = mesh.terms_begin(vertex); t < mesh.terms_begin(vertex + 1); ++t) {
+        Kokkos::atomic_exchange(&touched(mesh.terms(t).node), 1);
+      }
+    }
+  }
+};
+
 template <int Dim, int Components>
 struct ForceKernel
 {
   detail::CellViews<Dim> mesh;
+  IndexView touched;
   IndexView places; // (num cells of the mesh): the row of the cell, or -1
   ConstTensorView e;
   NodeView force;
@@ -67,6 +91,9 @@ struct ForceKernel
 
   KOKKOS_FUNCTION void operator()(int node) const
   {
+    if (touched(node) == 0) {
+      return;
+    }
     double along_axes[Components] = {};
     for (int c = mesh.corners_begin(node); c < mesh.corners_begin(node + 1); ++c) {
       auto const& corner = mesh.corners(c);
@@ -105,6 +132,7 @@ public:
                 std::vector<Material> const& materials, std::vector<int> const& cells)
       : mesh_(detail::makeCellViews(mesh, frames, materials))
       , cells_(toDevice(cells, "asperity::fem::yieldingCells"))
+      , touched_("asperity::fem::touchedNodes", frames.numNodes())
       , num_owned_nodes_(mesh.num_owned)
   {
     std::vector<int> places(mesh.cells.size(), -1);
@@ -128,10 +156,13 @@ public:
 
   void addForces(ConstTensorView const& e, Vector& f) const override
   {
+    Kokkos::deep_copy(touched_, 0);
+    Kokkos::parallel_for("asperity::fem::touchNodes", RangePolicy(0, cells_.extent_int(0)),
+                         TouchKernel<Dim>{mesh_, cells_, e, touched_});
     auto const view = f.getLocalViewDevice(Tpetra::Access::ReadWrite);
-    Kokkos::parallel_for(
-      "asperity::fem::forcesOfCells", RangePolicy(0, num_owned_nodes_),
-      ForceKernel<Dim, Components>{mesh_, places_, e, NodeView(view.data(), view.extent(0))});
+    Kokkos::parallel_for("asperity::fem::forcesOfCells", RangePolicy(0, num_owned_nodes_),
+                         ForceKernel<Dim, Components>{mesh_, touched_, places_, e,
+                                                      NodeView(view.data(), view.extent(0))});
   }
 
   ConstNodeView measures() const override { return measures_; }
@@ -139,6 +170,7 @@ public:
 private:
   detail::CellViews<Dim> mesh_;
   IndexView cells_, places_;
+  Kokkos::View<int*, MemorySpace> touched_; // (num_nodes)
   ConstNodeView measures_;
   int num_owned_nodes_;
 };

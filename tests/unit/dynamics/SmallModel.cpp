@@ -60,10 +60,13 @@ cellsOf(OptionsIn<Dim> const& options, Mesh<Dim> const& mesh,
     options.initial_stress.empty() ? std::vector<double>(size, 0.) : options.initial_stress;
   fem::YieldingRock rock;
   rock.parts.push_back({fem::bulkLaws().at(options.yield), {}, {}});
+  auto values = options.strength;
+  auto material = options.material;
+  rock.parts.front().law.complete(values.data(), material);
   for (std::size_t cell = 0; cell < mesh.cells.size(); ++cell) {
     auto& part = rock.parts.front();
     part.cells.push_back(static_cast<int>(cell));
-    part.parameters.insert(part.parameters.end(), options.strength.begin(), options.strength.end());
+    part.parameters.insert(part.parameters.end(), values.begin(), values.end());
     rock.initial_stress.insert(rock.initial_stress.end(), stress.begin(), stress.end());
     rock.initial_mean.push_back(0);
   }

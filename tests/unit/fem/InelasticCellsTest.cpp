@@ -74,11 +74,14 @@ struct Sample
   {
     YieldingRock result;
     result.parts.push_back({bulkLaws().at(law.name), {}, {}});
+    auto values = law.parameters;
+    auto completed = material;
+    result.parts.front().law.complete(values.data(), completed);
     for (int cell = 0; cell < static_cast<int>(mesh.cells.size()); ++cell) {
       if (yields(cell)) {
         auto& part = result.parts.front();
         part.cells.push_back(cell);
-        part.parameters.insert(part.parameters.end(), law.parameters.begin(), law.parameters.end());
+        part.parameters.insert(part.parameters.end(), values.begin(), values.end());
       }
     }
     result.initial_stress.resize(mesh.cells.size() * numTensorComponents(components));
