@@ -24,8 +24,8 @@
 //   };
 //   ASPERITY_REGISTER_BULK_LAW(KelvinVoigt) // the end of its .cpp
 //
-// complete() sets the viscosities of a material that has density and elastic moduli, and may replace
-// values by what the other functions take, as an angle by its sine; relaxation() tells which shares
+// complete() sets the viscosities of a material that has density and elastic moduli; it may replace
+// values by what the other functions take, as an angle by its sine. relaxation() tells which shares
 // of its shear modulus relax (MaxwellBranch); shearStress() is t1 of rock that yields, or creeps
 // faster than stress grows (ReturnMapping.hpp); where it also dilates, a function meanStress()
 // beside it is p1. A law has at least one of the three, and not the last two together.
