@@ -32,8 +32,8 @@ def _state(now: Facts) -> str:
         if now.kind == "input":  # what --restart does not let change
             return f"failed: {why}; correct the deck and begin again, from here with {from_here}"
         again = "once the disk has space" if now.exit_status == 5 else (
-            "from the same state; before, `TNNMG`, `Coupling` and in `Time Stepping` the tolerance "
-            "and the smallest step may change; "
+            "but as it is, it fails there again: change what the message names; `TNNMG`, "
+            "`Coupling` and in `Time Stepping` the tolerance and the smallest step may change; "
             f"for other changes {from_here}")
         return f"failed: {why}; {on}, {again}"
     if now.state == "killed":

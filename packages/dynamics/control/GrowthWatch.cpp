@@ -29,7 +29,7 @@ bool isPowerOfTen(std::int64_t count)
 }
 
 constexpr char const* smaller_step = "a smaller 'Smallest Step'";
-constexpr char const* smaller_tolerance = "a smaller 'Tolerance'";
+constexpr char const* smaller_tolerance = "a smaller 'Tolerance' of the step control";
 } // namespace
 
 bool GrowthWatch::hidesGrowth(Step const& step)

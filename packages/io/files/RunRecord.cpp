@@ -79,9 +79,19 @@ void RunRecord::restore(Archive const& archive)
   earlier_wall_time_ = archive.getDouble("wall_time");
   time_left_.restore(archive.child("time_left"));
   journal_.restart();
+  repeat(archive, "The run before this restart");
+}
+
+void RunRecord::inherit(Archive const& archive)
+{
+  repeat(archive, "The run whose state this one begins with");
+}
+
+void RunRecord::repeat(Archive const& archive, std::string const& whose)
+{
   const auto warnings = journal_.repeat(archive.child("warnings"));
   if (!warnings.empty()) {
-    log_.message("The run before this restart has warned:");
+    log_.message(whose + " has warned:");
   }
   for (auto const& warning : warnings) {
     log_.message("WARNING: " + warning.text);

@@ -41,8 +41,12 @@ public:
   // of its results holds for those that follow from them.
   void save(Archive& archive) const;
   void restore(Archive const& archive);
+  // Repeats the warnings of another run, whose state this one begins with.
+  void inherit(Archive const& archive);
 
 private:
+  void repeat(Archive const& archive, std::string const& whose);
+
   bool active_; // rank 0
   RunLog log_;
   RunJournal journal_;

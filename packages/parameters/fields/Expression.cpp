@@ -229,4 +229,55 @@ std::vector<FormulaPart> formulaParts(std::string const& text)
   }
   return parts;
 }
+
+namespace
+{
+// The operand of a comparison that has no operators of lower rank: from the part `begin` on, in
+// steps of 1 or -1.
+std::string operandFrom(std::vector<FormulaPart> const& parts, std::ptrdiff_t begin, int step)
+{
+  const std::string opening = step > 0 ? "(" : ")", closing = step > 0 ? ")" : "(";
+  std::string operand;
+  int depth = 0;
+  for (auto i = begin; i >= 0 && i < static_cast<std::ptrdiff_t>(parts.size()); i += step) {
+    auto const& text = parts[static_cast<std::size_t>(i)].text;
+    depth += text == opening ? 1 : text == closing ? -1 : 0;
+    if (depth < 0 || (depth == 0 && std::string("&|?:,<>=!").find(text) != std::string::npos)) {
+      break;
+    }
+    operand = step > 0 ? operand + text : text + operand;
+  }
+  return operand;
+}
+} // namespace
+
+std::vector<double> timesComparedIn(std::string const& formula)
+{
+  auto parts = formulaParts(formula);
+  parts.erase(std::remove_if(parts.begin(), parts.end(),
+                             [](FormulaPart const& part) {
+                               return part.text.find_first_not_of(" \t\n\r") == std::string::npos;
+                             }),
+              parts.end());
+  std::vector<double> times;
+  const auto size = static_cast<std::ptrdiff_t>(parts.size());
+  for (std::ptrdiff_t i = 0; i < size; ++i) {
+    const bool is_order = parts[i].text == "<" || parts[i].text == ">";
+    if (!is_order) {
+      continue;
+    }
+    const auto right = i + 1 < size && parts[i + 1].text == "=" ? i + 2 : i + 1;
+    const std::string sides[] = {operandFrom(parts, i - 1, -1), operandFrom(parts, right, 1)};
+    for (const int side : {0, 1}) {
+      auto const& other = sides[1 - side];
+      auto const value = sides[side] == "t" && !other.empty()
+                           ? Expression::constants(other, "a time")
+                           : std::nullopt;
+      if (value) {
+        times.push_back(value->front());
+      }
+    }
+  }
+  return times;
+}
 } // namespace asperity

@@ -9,11 +9,6 @@
 
 namespace asperity::platforms
 {
-namespace
-{
-constexpr double never = 1e9; // [s] what the platforms agreed on
-} // namespace
-
 RuptureTimes::RuptureTimes(Platform const& platform, io::OutputContext const& context,
                            std::string name, std::string fields, catalogue::Rupture const& rupture)
     : platform_(platform)
@@ -23,6 +18,7 @@ RuptureTimes::RuptureTimes(Platform const& platform, io::OutputContext const& co
     , comm_(context.comm)
     , rupture_(rupture)
     , is_curve_(context.domain("fault").isCurve())
+    , final_time_(context.final_time)
     , places_(catalogue::faultPlaces(context.domain("fault"), context.up))
     , blocks_(context.domain("fault"))
 {
@@ -35,7 +31,7 @@ void RuptureTimes::flush(StepFacts const&)
   for (std::size_t i = 0; i < times.size(); ++i) {
     rows.insert(rows.end(),
                 {places_.along_strike[i], platform_.run.depth_of_upper_end + places_.down_dip[i],
-                 std::isnan(times[i]) ? never : times[i]});
+                 std::isnan(times[i]) ? never() : times[i]});
   }
   std::optional<io::ReplacingText> file; // of rank 0
   onRoot(*comm_, [&] {
@@ -51,6 +47,16 @@ void RuptureTimes::flush(StepFacts const&)
   onRoot(*comm_, [&] { file->finish(); });
 }
 
+// 1e9 s is what the platforms agreed on. In longer runs it is a time like others.
+double RuptureTimes::never() const
+{
+  double time = 1e9;
+  while (time <= final_time_) {
+    time *= 10;
+  }
+  return time;
+}
+
 std::string RuptureTimes::header() const
 {
   FileContent content;
@@ -62,7 +68,8 @@ std::string RuptureTimes::header() const
                         " at the upper end of the fault";
   content.remarks = columnRemarks({along_strike, down_dip,
                                    "Time (s) at which the slip rate first reached " +
-                                     io::shortNumber(rupture_.threshold()) + " m/s; 1E+09: never"});
+                                     io::shortNumber(rupture_.threshold()) + " m/s; " +
+                                     timeText(never()) + ": never"});
   content.fields = fields_;
   return fileHeader(platform_, content, nullptr);
 }

@@ -24,13 +24,15 @@ public:
 
 private:
   std::string header() const;
+  double never() const; // the time [s] of nodes that the rupture has not reached
 
   Platform platform_;
   std::string name_, fields_;
   std::filesystem::path directory_;
   RCP<const Communicator> comm_;
   catalogue::Rupture const& rupture_;
-  bool is_curve_; // the fault, in two dimensions
+  bool is_curve_;     // the fault, in two dimensions
+  double final_time_; // of the run [s]
   catalogue::FaultPlaces places_;
   io::NodeBlocks blocks_;
 };

@@ -6,13 +6,14 @@ namespace asperity::platforms
 {
 namespace
 {
-// z: of all nodes by number, on rank 0.
-FileContent contentFor(std::vector<double> const& z)
+// z: of all nodes by number, on rank 0; parts: of a fault of several, or nothing.
+FileContent contentFor(std::vector<double> const& z, std::string const& parts)
 {
   FileContent content;
   content.name = "slip.dat";
   content.remarks = {
-    "Row #1 = Distance along the fault from its upper end (m) with two zeros first",
+    "Row #1 = Distance along the fault from its upper end (m) with two zeros first" +
+      (parts.empty() ? "" : "; " + parts),
     "Column #1 = Time (s)", "Column #2 = Max slip rate (log10 m/s)",
     "Column #3-" + std::to_string(z.size() + 2) + " = Slip (m)"};
   content.fields = "z\nt\nmax_slip_rate\nslip\n" + timeText(0) + ' ' + numberText(0);
@@ -30,7 +31,9 @@ SlipProfiles::SlipProfiles(Platform const& platform, io::OutputContext const& co
     , blocks_(fault_)
     , slip_(context.fields.field("fault", "slip"))
     , sign_(ModelView::of(context).thrust_sign)
-    , file_(platform, contentFor(io::joinedInOrder(fault_, blocks_(fault_.positions, 1, 1))),
+    , file_(platform,
+            contentFor(io::joinedInOrder(fault_, blocks_(fault_.positions, 1, 1)),
+                       io::partsText(fault_)),
             context)
 {
 }

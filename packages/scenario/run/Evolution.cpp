@@ -40,6 +40,7 @@ Evolution<Dim>::Evolution(ParameterList const& deck, RCP<const Communicator> con
     , tolerance_(stepTolerance(deck.sublist("Time Stepping")))
     , rate_to_tell_(problem_.largest_slip_rate)
     , pressure_watch_(model_.fault)
+    , skipped_times_(deck)
 {
   auto const update =
     makeRateUpdate(deck.sublist("Time Stepping"), !quasiDynamic(deck.sublist("Bulk")));
@@ -232,7 +233,8 @@ void Evolution<Dim>::watchGrowth()
   const auto of_growth_watch = growth_watch_->note(
     {!view_.step.within_tolerance, info.time, info.step_size, rate_before_, info.peak_slip_rate,
      slow_slip_->of(sample_.slipRates(), info.step_size, *communicator_)});
-  for (auto const& warning : {of_growth_watch, ring_watch_.note(info.time, info.peak_slip_rate)}) {
+  for (auto const& warning : {of_growth_watch, ring_watch_.note(info.time, info.peak_slip_rate),
+                              skipped_times_.note(info.time - info.step_size, info.time)}) {
     if (warning) {
       warnings_.push_back(*warning);
     }

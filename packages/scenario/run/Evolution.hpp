@@ -14,6 +14,7 @@
 #include "scenario/RunArchive.hpp"
 #include "scenario/RunReport.hpp"
 #include "scenario/run/PressureWatch.hpp"
+#include "scenario/run/SkippedTimes.hpp"
 
 #include <memory>
 #include <optional>
@@ -56,7 +57,7 @@ public:
   double finalTime() const { return clock_.seconds(end_); }   // [s]
   std::int64_t numSteps() const { return control_->memory().num_steps; }
   io::StepInfo stepInfo() const; // of the last step
-  // Warns if that step hides a growing slip rate, or if slip rates ring.
+  // Warns if that step hides a growing slip rate or passes what loads do, or if slip rates ring.
   void watchGrowth();
   // Warns if the slip rate after that step is beyond what the model describes.
   void watchRate();
@@ -103,6 +104,7 @@ private:
   double rate_before_ = 0; // peak slip rate before the last step [m/s]
   double rate_to_tell_;    // peak slip rate at which the next warning comes [m/s]
   PressureWatch pressure_watch_;
+  SkippedTimes skipped_times_;
   RunView view_;
 };
 } // namespace asperity::scenario

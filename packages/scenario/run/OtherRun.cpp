@@ -140,14 +140,11 @@ void requireSameKind(Problem<Dim> const& here, ParameterList const& deck, Proble
 }
 
 template <int Dim>
-dynamics::State loaded(std::filesystem::path const& checkpoint, Problem<Dim> const& problem,
-                       Domains const& domains, ParameterList const& deck,
-                       dynamics::DyadicTime const& clock)
+io::Archive checkpointOf(std::filesystem::path const& file, Problem<Dim> const& problem,
+                         Domains const& domains, ParameterList const& deck)
 {
-  auto const archive =
-    io::readCheckpoint(checkpoint, fingerprint(deck, problem.mesh, *problem.communicator),
-                       *problem.communicator, nodeSets(problem, domains));
-  return StateFormat(problem, nullptr, clock).load(archive, "state");
+  return io::readCheckpoint(file, fingerprint(deck, problem.mesh, *problem.communicator),
+                            *problem.communicator, nodeSets(problem, domains));
 }
 
 RCP<ParameterList> deckOf(std::filesystem::path const& folder)
@@ -253,8 +250,9 @@ io::Archive stateOfOtherRun(std::filesystem::path const& run, Problem<Dim> const
   auto const other_domains = makeDomains(other);
   auto const other_clock =
     makeClock(other_deck->sublist("Time Stepping"), smallestStep(other, *other_deck));
-  auto const state =
-    loaded(is_folder ? run / "checkpoint.h5" : run, other, other_domains, *other_deck, other_clock);
+  auto const checkpoint =
+    checkpointOf(is_folder ? run / "checkpoint.h5" : run, other, other_domains, *other_deck);
+  auto const state = StateFormat(other, nullptr, other_clock).load(checkpoint, "state");
   const double time = other_clock.seconds(state.time);
   ASPERITY_REQUIRE(time < end, "Asperity / Time Stepping / Final Time = "
                                  << end << " s is not after the state of --restart-from "
@@ -262,6 +260,7 @@ io::Archive stateOfOtherRun(std::filesystem::path const& run, Problem<Dim> const
                                  << " s. Choose a later one.");
 
   io::Archive archive;
+  archive.insert("warnings", checkpoint.child("warnings"));
   archive.set("state/time", clock.reaching(time));
   carryBody(other, state, other_domains.at("volume"), problem, domains.at("volume"), run, archive);
   carryFault(other, state, other_domains.at("fault"), problem, domains.at("fault"), run, archive);

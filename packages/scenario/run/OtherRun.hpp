@@ -11,7 +11,8 @@
 
 namespace asperity::scenario
 {
-// The state of another run for a new one, as StateFormat reads it from "state": `run` is the
+// The state of another run for a new one, as StateFormat reads it from "state", and its warnings,
+// for RunRecord::inherit: `run` is the
 // directory of a run of this program, or a checkpoint in it. The other run's mesh and fields may
 // differ: displacement since the start and the rates are interpolated linearly in the other run's
 // cells, the state variable and the change of the normal stress along its fault. The initial

@@ -260,6 +260,7 @@ void SimulationOf<Dim>::begin()
     if (!restart_from_.empty()) {
       evolution_.startFrom(start_);
       record_->message("A new run from the state of " + restart_from_ + at());
+      record_->inherit(start_);
     } else {
       evolution_.start();
     }

@@ -9,6 +9,7 @@
 #include <Tpetra_CrsMatrix.hpp>
 #include <Tpetra_Map.hpp>
 #include <Tpetra_MultiVector.hpp>
+#include <Tpetra_RowMatrixTransposer.hpp>
 
 #include <utility>
 
@@ -23,13 +24,15 @@ RCP<const CrsMatrix> multiply(CrsMatrix const& A, CrsMatrix const& B, Map const&
   return result;
 }
 
-// P^T A P
+// P^T A P, with P^T as a matrix whose rows are sorted: where several threads make the transpose
+// within a product, its rows have another order each time, and so have the sums of the product.
 RCP<const CrsMatrix> project(CrsMatrix const& A, CrsMatrix const& P)
 {
   const auto AP = multiply(A, P, *A.getRowMap());
-  const auto result = rcp(new CrsMatrix(P.getDomainMap(), 0));
-  Tpetra::MatrixMatrix::Multiply(P, true, *AP, false, *result);
-  return result;
+  const auto transpose =
+    Tpetra::RowMatrixTransposer<double, LocalOrdinal, GlobalOrdinal>(Teuchos::rcpFromRef(P))
+      .createTranspose();
+  return multiply(*transpose, *AP, *P.getDomainMap());
 }
 
 // The coarse levels, and on each of them all terms. These have to be there together, since products
@@ -71,8 +74,9 @@ Teuchos::ParameterList MultigridHierarchy::defaults(int components)
   list.set("coarse: max size", 200);
   list.set("coarse: type", "none"); // the cycle has a solver and smoothers of its own
   list.set("smoother: pre or post", "none");
-  list.set("reuse: type", "RP");             // keeps the prolongators
-  list.set("transpose: use implicit", true); // makes no restrictions
+  list.set("reuse: type", "RP"); // keeps the prolongators
+  // Without restrictions where that keeps the order of sums, see project().
+  list.set("transpose: use implicit", ExecutionSpace().concurrency() == 1);
   list.set("rap: fix zero diagonals",
            true); // where an aggregate loses a near null vector to constraints
   // The same prolongators on every backend. MueLu's factories for threads and devices, its default

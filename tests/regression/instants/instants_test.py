@@ -50,8 +50,12 @@ class Instants(unittest.TestCase):
                     self.assertGreaterEqual(time, expected - 1e-9)
                     self.assertLess(time - expected, TICK)
 
+    def warned(self, name):
+        return "'Time Stepping / Instants'" in pathlib.Path(name, "run.log").read_text()
+
     def test_a_short_pulse_is_seen(self):
-        """The fault is pushed for a millisecond, which steps of 0.15 s pass without a trace."""
+        """The fault is pushed for a millisecond, which steps of 0.15 s pass: a run without Instants
+        does not see it, and warns, as does a run that begins with its state."""
         pulse = "Friction/Shear Traction=t > 0.2 && t < 0.202 ? 9000 : 0"
         quiet = max(row["peak_slip_rate"] for row in self.run_deck("quiet", control="Prescribed"))
         passed = max(row["peak_slip_rate"]
@@ -60,6 +64,11 @@ class Instants(unittest.TestCase):
         seen = self.run_deck("seen", pulse, "Time Stepping/Instants={0.2, 0.201, 0.202}",
                              control="Prescribed")
         self.assertGreater(max(row["peak_slip_rate"] for row in seen), 10 * quiet)
+        asperity_run.run_to_end("child", DECK, *settings(
+            "Time Stepping/Largest Step=0.15", "Time Stepping/Control=Prescribed", pulse,
+            "Time Stepping/Final Time=0.6"), "--restart-from", "passed")
+        self.assertEqual([self.warned(name) for name in ("quiet", "passed", "seen", "child")],
+                         [False, True, False, True])
 
 
 if __name__ == "__main__":

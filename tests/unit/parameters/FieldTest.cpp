@@ -223,6 +223,17 @@ void writeDataset(std::string const& file_name, std::string const& name,
   H5Fclose(file);
 }
 
+TEST(Expression, TellsTheTimesWithWhichItComparesT)
+{
+  using Times = std::vector<double>;
+  EXPECT_EQ(timesComparedIn("t > 3000 && t < 3010 ? 4e-4 : 1e-9"), (Times{3000, 3010}));
+  EXPECT_EQ(timesComparedIn("(2 * (3 + 4) <= t) * x"), (Times{14}));
+  EXPECT_EQ(timesComparedIn("if(t>=1e3, max(t < -5, 0), y < 7 || t < pi * x)"), (Times{1e3, -5}));
+  EXPECT_EQ(timesComparedIn("2 * t > 6 || t - 3 > 0 || t == 4 || (t) < 2"), Times{});
+  EXPECT_EQ(timesComparedIn("3"), Times{});
+  EXPECT_EQ(timesComparedIn("t < "), Times{});
+}
+
 TEST(FieldDataset, ValuesByGlobalId)
 {
   const TemporaryDirectory directory;

@@ -103,8 +103,9 @@ class Journal(Folder):
         status, out, _ = self.status()
         self.assertEqual(status, 3)
         self.assertIn("failed: Step 7 failed. Try other steps", out)
-        self.assertIn("continues it, from the same state; before, `TNNMG`, `Coupling` and in "
-                      "`Time Stepping` the tolerance and the smallest step may change", out)
+        self.assertIn("continues it, but as it is, it fails there again: change what the message "
+                      "names; `TNNMG`, `Coupling` and in `Time Stepping` the tolerance and the "
+                      "smallest step may change", out)
         self.assertIn("--restart-from", out)
         facts = self.facts()
         self.assertEqual((facts["state"], facts["exit_status"]), ("failed", 3))
