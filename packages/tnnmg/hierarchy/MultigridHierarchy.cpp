@@ -75,8 +75,7 @@ Teuchos::ParameterList MultigridHierarchy::defaults(int components)
   list.set("coarse: type", "none"); // the cycle has a solver and smoothers of its own
   list.set("smoother: pre or post", "none");
   list.set("reuse: type", "RP"); // keeps the prolongators
-  // Without restrictions where that keeps the order of sums, see project().
-  list.set("transpose: use implicit", ExecutionSpace().concurrency() == 1);
+  list.set("transpose: use implicit", true); // makes no restrictions
   list.set("rap: fix zero diagonals",
            true); // where an aggregate loses a near null vector to constraints
   // The same prolongators on every backend. MueLu's factories for threads and devices, its default
