@@ -8,15 +8,11 @@ namespace asperity::multigrid
 {
 namespace
 {
-// Renumbers a level's rows colour by colour. Sets the row of each node, and for each coupling the
-// place of the given one; returns where each colour begins.
-std::vector<int> colourRows(HostLevel& level, std::vector<int>& row_of_node,
-                            std::vector<int>& coupling_of_given)
+// Renumbers a level's rows; returns for each coupling the place of the given one.
+std::vector<int> renumberRows(HostLevel& level, std::vector<int> const& row_of_node)
 {
-  auto colours = colour(level.graph);
-  row_of_node = std::move(colours.row_of_node);
   auto matrix = renumbered(level.graph, row_of_node, row_of_node);
-  coupling_of_given = std::move(matrix.coupling_of_given);
+  auto const& coupling_of_given = matrix.coupling_of_given;
   for (auto& term : level.terms) {
     term = renumbered(term, coupling_of_given, level.graph.blockSize());
   }
@@ -27,7 +23,7 @@ std::vector<int> colourRows(HostLevel& level, std::vector<int>& row_of_node,
     row = row_of_node[row];
   }
   level.graph = std::move(matrix.graph);
-  return std::move(colours.begins);
+  return std::move(matrix.coupling_of_given);
 }
 
 // order: of MatrixGraph. Releases what it copies.
@@ -56,24 +52,27 @@ Hierarchy::Hierarchy(std::vector<HostLevel> levels, CoarsestRows coarsest, RowOr
                      int num_threads)
     : coarsest_(std::move(coarsest))
 {
-  const bool has_colours = order == RowOrder::colours;
   std::vector<std::vector<int>> row_of_node(levels.size()), couplings(levels.size());
   std::vector<Schedule> schedules;
   for (std::size_t l = 0; l < levels.size(); ++l) {
-    auto& level = levels[l];
-    if (!has_colours) {
-      schedules.push_back(Schedule::inChunks(level.graph.first, num_threads));
-    } else if (l + 1 == levels.size()) { // has no sweeps
-      schedules.push_back(Schedule::inColours({0, level.graph.num_rows}));
-    } else {
-      schedules.push_back(Schedule::inColours(colourRows(level, row_of_node[l], couplings[l])));
+    auto& graph = levels[l].graph;
+    const bool has_sweeps = l + 1 < levels.size();
+    auto parts = !has_sweeps                 ? RowParts{{}, {0, graph.num_rows}}
+                 : order == RowOrder::chunks ? regions(graph, num_threads)
+                                             : colours(graph);
+    if (!parts.row_of_node.empty()) {
+      couplings[l] = renumberRows(levels[l], parts.row_of_node);
     }
+    row_of_node[l] = std::move(parts.row_of_node);
+    schedules.emplace_back(order, std::move(parts.begins));
   }
   row_of_node_ = indices(row_of_node.front());
   levels_.reserve(levels.size());
   for (std::size_t l = 0; l < levels.size(); ++l) {
     auto level = std::exchange(levels[l], HostLevel());
-    if (has_colours && l + 1 < levels.size()) {
+    const bool is_renumbered =
+      l + 1 < levels.size() && !(row_of_node[l].empty() && row_of_node[l + 1].empty());
+    if (is_renumbered) {
       auto P = renumbered(level.prolongation, row_of_node[l], row_of_node[l + 1]);
       level.P = renumbered(level.P, P.coupling_of_given, level.prolongation.blockSize());
       level.prolongation = std::move(P.graph);

@@ -60,8 +60,8 @@ public:
   std::vector<Level> const& levels() const { return levels_; }
   CoarsestRows const& coarsest() const { return coarsest_; }
 
-  // The nodes of the finest level are renumbered if rows have colours: (num_rows) the row of each
-  // node; empty if it is the node's own number.
+  // The nodes of the finest level are renumbered by their parts: (num_rows) the row of each node;
+  // empty if it is the node's own number.
   IndexView const& rowOfNode() const { return row_of_node_; }
   // The blocks of a finest matrix, given in the order of the host's graph.
   NodeBlocks inOrder(HostBlocks const& finest) const;

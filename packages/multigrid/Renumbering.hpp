@@ -6,15 +6,19 @@
 
 namespace asperity::multigrid
 {
-// Numbers the nodes of a graph so that those of one colour, of which no two are coupled, follow one
-// another.
-struct Colours
+// Numbers of nodes such that those of one part follow one another.
+struct RowParts
 {
-  std::vector<int> row_of_node; // (num_rows)
-  std::vector<int> begins;      // (num colours + 1) the first row of each colour
+  std::vector<int> row_of_node; // (num_rows), or empty: each node has its own number
+  std::vector<int> begins;      // (num parts + 1) the first row of each part
 };
-// Each node takes the first colour that no node before it has to which it is coupled.
-Colours colour(HostGraph const& graph);
+// Colours, of which no two nodes are coupled: each node takes the first one that no node before it
+// has to which it is coupled.
+RowParts colours(HostGraph const& graph);
+// Regions that lie together and have about equally many couplings, at most `most`. A region is
+// halved, again and again, at a distance from one of its ends, counted in couplings. Within a
+// region nodes keep their order.
+RowParts regions(HostGraph const& graph, int most);
 
 // A graph with other numbers of its nodes.
 struct Renumbered

@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <array>
+#include <utility>
 #include <vector>
 
 namespace asperity::multigrid
@@ -14,7 +15,7 @@ namespace asperity::multigrid
 // How a sweep takes the rows of a level.
 enum class RowOrder
 {
-  chunks, // for the threads of the host: each takes rows that follow one another, in their order
+  chunks, // for the threads of the host: each takes the rows of a region, in their order
   colours // for devices: rows of one colour, which are not coupled, at the same time
 };
 
@@ -45,14 +46,13 @@ struct RowOfColour
 class Schedule
 {
 public:
-  // A chunk of fewer rows costs more to start than it saves.
-  static constexpr int least_rows = 256;
-
   Schedule() = default;
-  // first(num_rows + 1): where the couplings of each row begin; chunks have about equally many.
-  static Schedule inChunks(std::vector<int> const& first, int most);
-  // Rows are numbered colour by colour; begins(num_colours + 1): where each colour begins.
-  static Schedule inColours(std::vector<int> begins);
+  // begins(num_parts + 1): where each chunk, or colour, begins.
+  Schedule(RowOrder order, std::vector<int> begins)
+      : begins_(std::move(begins))
+      , is_coloured_(order == RowOrder::colours)
+  {
+  }
   static int numThreads(); // of the host
 
   int numParts() const { return static_cast<int>(begins_.size()) - 1; } // chunks or colours

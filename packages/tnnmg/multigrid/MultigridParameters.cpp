@@ -89,7 +89,7 @@ Teuchos::RCP<const ParameterList> MultigridParameters::valid()
              "ranks.")
     .choice("Row Order", "Default", {"Default", "Chunks", "Colours"},
             "Selects the order of the rows in sweeps. Chunks: each thread of the host takes rows "
-            "that follow one another. Colours: rows that are not coupled are taken at the same "
+            "of nodes that lie together. Colours: rows that are not coupled are taken at the same "
             "time. Default: Colours on a device, else Chunks.")
     .foreignSublist("MueLu", ParameterList("MueLu"),
                     "MueLu reads these entries, in its own spelling, when it makes the "

@@ -7,6 +7,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <utility>
 #include <vector>
 
 namespace asperity::multigrid
@@ -37,6 +38,54 @@ TEST(Schedule, HasAChunkForEachThreadUnlessItIsSmall)
   const auto hierarchy = twoLevels(2.01, {RowOrder::chunks, 3});
   EXPECT_EQ(hierarchy->levels()[0].schedule.numParts(), 3);
   EXPECT_EQ(hierarchy->levels()[1].schedule.numParts(), 1);
+}
+
+// A grid of 64 by 48 nodes that are numbered at random, each coupled with its neighbours. Two cuts
+// across the grid would cut 2 * 48 of some 6,000 couplings, rows as they are numbered two thirds.
+TEST(Renumbering, RegionsLieTogether)
+{
+  constexpr int width = 64, height = 48, num_rows = width * height;
+  const auto number = [](int x, int y) { return (x + width * y) * 1193 % num_rows; }; // a bijection
+  std::vector<std::vector<int>> coupled(num_rows);
+  for (int x = 0; x < width; ++x) {
+    for (int y = 0; y < height; ++y) {
+      auto& of_node = coupled[number(x, y)];
+      of_node.push_back(number(x, y));
+      for (auto [i, k] : {std::pair(x - 1, y), {x + 1, y}, {x, y - 1}, {x, y + 1}}) {
+        if (i >= 0 && i < width && k >= 0 && k < height) {
+          of_node.push_back(number(i, k));
+        }
+      }
+      std::sort(of_node.begin(), of_node.end());
+    }
+  }
+  HostGraph graph;
+  graph.num_rows = graph.num_owned = graph.num_columns = num_rows;
+  graph.first = {0};
+  for (auto const& of_node : coupled) {
+    graph.columns.insert(graph.columns.end(), of_node.begin(), of_node.end());
+    graph.first.push_back(static_cast<int>(graph.columns.size()));
+  }
+  const auto parts = regions(graph, 3);
+  ASSERT_EQ(parts.begins.size(), 4u);
+  EXPECT_EQ(parts.begins.back(), num_rows);
+  std::vector<int> region(num_rows), last_row(3, -1);
+  for (int node = 0; node < num_rows; ++node) {
+    const int row = parts.row_of_node[node];
+    region[node] = row < parts.begins[1] ? 0 : row < parts.begins[2] ? 1 : 2;
+    EXPECT_GT(row, last_row[region[node]]) << "nodes of a region keep their order";
+    last_row[region[node]] = row;
+  }
+  int cut = 0; // couplings, each of which two nodes have
+  for (int node = 0; node < num_rows; ++node) {
+    cut += static_cast<int>(std::count_if(coupled[node].begin(), coupled[node].end(),
+                                          [&](int k) { return region[k] != region[node]; }));
+  }
+  EXPECT_LE(cut / 2, 4 * height);
+  for (int part = 0; part < 3; ++part) {
+    EXPECT_NEAR(parts.begins[part + 1] - parts.begins[part], num_rows / 3, num_rows / 30);
+  }
+  EXPECT_TRUE(regions(graph, 1).row_of_node.empty());
 }
 
 TEST(MatrixGraph, HasBothHalvesOneAfterTheOther)
