@@ -37,7 +37,8 @@ struct Cost
   int num_steps = 0;                // accepted
   double smallest = 0, largest = 0; // step size tau [s]
   dynamics::SolveCount count;       // with the steps that were tried on the way
-  double seconds = 0;               // CPU time of this rank, without set-up
+  double seconds = 0;               // CPU time of all threads of this rank, without set-up
+  double wall_seconds = 0;          // likewise
   int setups = 0;                   // of step sizes
   double setup_seconds = 0;         // likewise
   double product_seconds = 0;       // of a product with K: CPU time, the mean over the steps
@@ -86,12 +87,11 @@ Cost costOf(ParameterList const& deck, int num_steps, RCP<const Communicator> co
   cost.num_ranks = communicator->getSize();
   cost.num_unknowns = static_cast<double>(problem.mesh.num_global_vertices) * problem.components;
   ProductMeter product(problem.body);
-  double wall = 0;
   for (; cost.num_steps < num_steps && !evolution.atEnd(); ++cost.num_steps) {
     const double start = cpuSeconds(), wall_start = wallSeconds();
     evolution.advance();
     cost.seconds += cpuSeconds() - start;
-    wall += wallSeconds() - wall_start;
+    cost.wall_seconds += wallSeconds() - wall_start;
     const double tau = evolution.clock().stepSize(evolution.view().step.level);
     cost.smallest = cost.num_steps == 0 ? tau : std::min(cost.smallest, tau);
     cost.largest = std::max(cost.largest, tau);
@@ -100,8 +100,10 @@ Cost costOf(ParameterList const& deck, int num_steps, RCP<const Communicator> co
   auto const summary = evolution.summary();
   cost.count = summary.count;
   cost.setups = summary.setups;
-  cost.setup_seconds = summary.setup_seconds * cost.seconds / wall; // from wall to CPU time
+  // from wall to CPU time
+  cost.setup_seconds = summary.setup_seconds * cost.seconds / cost.wall_seconds;
   cost.seconds -= cost.setup_seconds;
+  cost.wall_seconds -= summary.setup_seconds;
   cost.product_seconds = product.mean();
   cost.peak_bytes = sumOverRanks(peakBytes(), *communicator);
   return cost;
@@ -119,7 +121,10 @@ std::string tableOf(Cost const& cost)
       << " set-ups of step sizes; peak memory " << cost.peak_bytes / 1e6 << " MB, "
       << cost.peak_bytes / cost.num_unknowns / 1e3
       << " kB per unknown\n\n"
-         "For each coupled step, without set-up; times in products with K.\n\n"
+         "A coupled step takes "
+      << 1e3 * cost.wall_seconds / each
+      << " ms of wall time, without set-up. For each of them, CPU times of all threads in products "
+         "with K:\n\n"
          "| tau [s] | accepted | coupled | rate problems | TNNMG | V-cycles | time | set-up, all | "
          "rises |\n|---|---|---|---|---|---|---|---|---|\n| "
       << cost.smallest << " to " << cost.largest << " | " << cost.num_steps << " | "
@@ -138,8 +143,8 @@ std::string jsonOf(Cost const& cost)
   for (auto const& member : dynamics::SolveCount::members()) {
     out << ", \"" << member.name << "\": " << cost.count.*member.value;
   }
-  out << ", \"seconds\": " << cost.seconds << ", \"setups\": " << cost.setups
-      << ", \"setup_seconds\": " << cost.setup_seconds
+  out << ", \"seconds\": " << cost.seconds << ", \"wall_seconds\": " << cost.wall_seconds
+      << ", \"setups\": " << cost.setups << ", \"setup_seconds\": " << cost.setup_seconds
       << ", \"product_seconds\": " << cost.product_seconds
       << ", \"peak_bytes\": " << cost.peak_bytes << "}\n";
   return out.str();

@@ -311,9 +311,9 @@ TEST(MultigridCorrection, TakesAPatchThatSlidesAlongAWall)
   }
 }
 
-// To the last bit, whether the next solve has coarse levels of its Hessians or of Z alone. On several
-// threads MueLu's cycle is equal up to rounding: its transposes have another order each time. The
-// share of the correction that it may differ by was chosen after the result.
+// To the last bit, whether the next solve has coarse levels of its Hessians or of Z alone. On
+// several threads MueLu's cycle is equal up to rounding: its transposes have another order each
+// time. The share of the correction that it may differ by was chosen after the result.
 TEST(MultigridCorrection, ResetForgetsEarlierSolves)
 {
   for (bool coupled : {true, false}) {
