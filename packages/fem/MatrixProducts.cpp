@@ -6,8 +6,6 @@
 #include <Tpetra_CrsMatrix.hpp>
 #include <Tpetra_Vector.hpp>
 
-#include <algorithm>
-
 namespace asperity::fem
 {
 namespace
@@ -16,14 +14,11 @@ using Graph = CrsMatrix::local_matrix_device_type::StaticCrsGraphType;
 
 Graph graphOf(CrsMatrix const& A) { return A.getLocalMatrixDevice().graph; }
 
-bool areOnOneLocalGraph(std::vector<MatrixProduct> const& products)
+bool areOnOneLocalGraph(CrsMatrix const& A, CrsMatrix const& B)
 {
-  auto const* const entries = graphOf(products.front().A).entries.data();
-  return std::all_of(products.begin(), products.end(), [entries](MatrixProduct const& product) {
-    auto const graph = product.A.getCrsGraph();
-    return graph->getImporter().is_null() && graph->getExporter().is_null() &&
-           graphOf(product.A).entries.data() == entries;
-  });
+  auto const graph = A.getCrsGraph();
+  return graph->getImporter().is_null() && graph->getExporter().is_null() &&
+         graphOf(A).entries.data() == graphOf(B).entries.data();
 }
 
 template <int N>
@@ -64,16 +59,21 @@ void multiplyInOnePass(std::vector<MatrixProduct> const& products)
 
 void multiply(std::vector<MatrixProduct> const& products)
 {
-  if (products.size() > 1 && areOnOneLocalGraph(products)) {
-    switch (products.size()) {
-    case 2: return multiplyInOnePass<2>(products);
-    case 3: return multiplyInOnePass<3>(products);
-    case 4: return multiplyInOnePass<4>(products);
-    default: ASPERITY_ASSERT(false);
+  std::vector<MatrixProduct> together;
+  for (auto const& product : products) {
+    if (areOnOneLocalGraph(product.A, products.front().A)) {
+      together.push_back(product);
+    } else {
+      product.A.apply(product.x, product.y);
     }
   }
-  for (auto const& [A, x, y] : products) {
-    A.apply(x, y);
+  switch (together.size()) {
+  case 0: break;
+  case 1: return multiplyInOnePass<1>(together);
+  case 2: return multiplyInOnePass<2>(together);
+  case 3: return multiplyInOnePass<3>(together);
+  case 4: return multiplyInOnePass<4>(together);
+  default: ASPERITY_ASSERT(false);
   }
 }
 } // namespace asperity::fem

@@ -1,5 +1,6 @@
 #include "fem/NodalDamping.hpp"
 
+#include "base/parallel/Reductions.hpp"
 #include "fem/BoundaryCells.hpp"
 #include "mesh/SimplexGeometry.hpp"
 
@@ -136,6 +137,36 @@ RCP<const CrsMatrix> zeroLike(CrsMatrix const& matrix)
   auto result = rcp(new CrsMatrix(matrix.getCrsGraph()));
   result->setAllToScalar(0);
   result->fillComplete(matrix.getDomainMap(), matrix.getRangeMap());
+  return result;
+}
+
+RCP<const CrsMatrix> withoutZeros(RCP<const CrsMatrix> const& matrix)
+{
+  auto const local = matrix->getLocalMatrixHost();
+  std::vector<std::size_t> in_row(local.numRows(), 0);
+  const auto forEachEntry = [&](int row, auto const& work) {
+    for (auto k = local.graph.row_map(row); k < local.graph.row_map(row + 1); ++k) {
+      if (local.values(k) != 0) {
+        work(local.graph.entries(k), local.values(k));
+      }
+    }
+  };
+  double num_entries = 0;
+  for (int row = 0; row < local.numRows(); ++row) {
+    forEachEntry(row, [&](int, double) { ++in_row[row]; });
+    num_entries += static_cast<double>(in_row[row]);
+  }
+  num_entries = sumOverRanks(num_entries, *matrix->getComm());
+  if (num_entries > 0.5 * static_cast<double>(matrix->getGlobalNumEntries())) {
+    return matrix;
+  }
+  auto result = rcp(new CrsMatrix(matrix->getRowMap(), matrix->getColMap(),
+                                  Teuchos::ArrayView<const std::size_t>(in_row)));
+  for (int row = 0; row < local.numRows(); ++row) {
+    forEachEntry(
+      row, [&](int column, double value) { result->insertLocalValues(row, 1, &value, &column); });
+  }
+  result->fillComplete(matrix->getDomainMap(), matrix->getRangeMap());
   return result;
 }
 

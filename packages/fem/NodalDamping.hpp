@@ -42,4 +42,7 @@ RCP<const CrsMatrix> withDampers(CrsMatrix const& viscosity, DofMap const& dofs,
 
 // A matrix of zeros on the same graph.
 RCP<const CrsMatrix> zeroLike(CrsMatrix const& matrix);
+// A copy with the same maps and the entries that are not zero; the matrix itself if these are more
+// than half of those stored. Collective.
+RCP<const CrsMatrix> withoutZeros(RCP<const CrsMatrix> const& matrix);
 } // namespace asperity::fem

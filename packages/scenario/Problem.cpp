@@ -327,9 +327,10 @@ Problem<Dim> makeProblem(ParameterList const& deck, RCP<const Communicator> cons
   auto const fault_materials = fem::materialsAtNodes(of.mesh, *surface, of.rock.materials);
   auto const nodes = faultNodes(of.mesh, *surface);
   auto const eta = radiationDamping(bulk, nodes, surface->otherSide(), fault_materials);
-  matrices.viscosity = dampedViscosity(of, matrices.viscosity, bulk, *surface, eta);
+  matrices.viscosity =
+    fem::withoutZeros(dampedViscosity(of, matrices.viscosity, bulk, *surface, eta));
   if (quasiDynamic(bulk)) {
-    matrices.mass = fem::zeroLike(*matrices.mass);
+    matrices.mass = fem::withoutZeros(fem::zeroLike(*matrices.mass));
     matrices.is_massless = true;
   }
 

@@ -45,6 +45,8 @@ double lossOf(Constrained<2> const& body, std::string const& boundary,
   auto const damped = withDampers(*matrices.viscosity, body.dofs,
                                   absorbingBoundary<2>(body.mesh, boundary, frames, materials));
   EXPECT_EQ(zeroLike(*damped)->getFrobeniusNorm(), 0);
+  EXPECT_EQ(withoutZeros(zeroLike(*damped))->getGlobalNumEntries(), 0u);
+  EXPECT_EQ(withoutZeros(matrices.stiffness), matrices.stiffness);
   Vector v(body.dofs.owned()), force(body.dofs.owned());
   {
     auto const values = v.getLocalViewHost(Tpetra::Access::OverwriteAll);
@@ -57,6 +59,11 @@ double lossOf(Constrained<2> const& body, std::string const& boundary,
     }
   }
   damped->apply(v, force);
+  Vector of_few(body.dofs.owned());
+  withoutZeros(damped)->apply(v, of_few);
+  of_few.update(-1, force, 1);
+  EXPECT_EQ(of_few.normInf(), 0);
+  EXPECT_LT(2 * withoutZeros(damped)->getGlobalNumEntries(), damped->getGlobalNumEntries());
   return v.dot(force);
 }
 } // namespace
