@@ -1,7 +1,7 @@
 #pragma once
 
-#include "base/Types.hpp"
 #include "base/Warning.hpp"
+#include "parameters/Parameters.hpp"
 
 #include <optional>
 #include <vector>
