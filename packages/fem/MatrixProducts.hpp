@@ -14,8 +14,8 @@ struct MatrixProduct
   Vector& y;
 };
 
-// Computes all the products. Matrices on the graph of the first one are multiplied in one pass if it
-// has no ghost columns: its column indices, a third of the data of a matrix, are read once. At most
-// four matrices on that graph. Collective.
+// Computes all the products. Matrices on the graph of the first one are multiplied in one pass if
+// it has no ghost columns: its column indices, a third of the data of a matrix, are read once. At
+// most four matrices on that graph. Collective.
 void multiply(std::vector<MatrixProduct> const& products);
 } // namespace asperity::fem

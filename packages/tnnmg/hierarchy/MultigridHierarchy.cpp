@@ -74,7 +74,7 @@ Teuchos::ParameterList MultigridHierarchy::defaults(int components)
   list.set("coarse: max size", 200);
   list.set("coarse: type", "none"); // the cycle has a solver and smoothers of its own
   list.set("smoother: pre or post", "none");
-  list.set("reuse: type", "RP"); // keeps the prolongators
+  list.set("reuse: type", "RP");             // keeps the prolongators
   list.set("transpose: use implicit", true); // makes no restrictions
   list.set("rap: fix zero diagonals",
            true); // where an aggregate loses a near null vector to constraints
