@@ -14,11 +14,10 @@ using Graph = CrsMatrix::local_matrix_device_type::StaticCrsGraphType;
 
 Graph graphOf(CrsMatrix const& A) { return A.getLocalMatrixDevice().graph; }
 
-bool areOnOneLocalGraph(CrsMatrix const& A, CrsMatrix const& B)
+bool hasNoGhosts(CrsMatrix const& A)
 {
   auto const graph = A.getCrsGraph();
-  return graph->getImporter().is_null() && graph->getExporter().is_null() &&
-         graphOf(A).entries.data() == graphOf(B).entries.data();
+  return graph->getImporter().is_null() && graph->getExporter().is_null();
 }
 
 template <int N>
@@ -59,12 +58,15 @@ void multiplyInOnePass(std::vector<MatrixProduct> const& products)
 
 void multiply(std::vector<MatrixProduct> const& products)
 {
+  auto const* const entries = graphOf(products.front().A).entries.data();
   std::vector<MatrixProduct> together;
   for (auto const& product : products) {
-    if (areOnOneLocalGraph(product.A, products.front().A)) {
+    if (!hasNoGhosts(product.A)) {
+      product.A.apply(product.x, product.y);
+    } else if (graphOf(product.A).entries.data() == entries) {
       together.push_back(product);
     } else {
-      product.A.apply(product.x, product.y);
+      multiplyInOnePass<1>({product});
     }
   }
   switch (together.size()) {

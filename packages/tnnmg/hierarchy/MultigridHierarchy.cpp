@@ -9,7 +9,6 @@
 #include <Tpetra_CrsMatrix.hpp>
 #include <Tpetra_Map.hpp>
 #include <Tpetra_MultiVector.hpp>
-#include <Tpetra_RowMatrixTransposer.hpp>
 
 #include <utility>
 
@@ -24,15 +23,13 @@ RCP<const CrsMatrix> multiply(CrsMatrix const& A, CrsMatrix const& B, Map const&
   return result;
 }
 
-// P^T A P, with P^T as a matrix whose rows are sorted: where several threads make the transpose
-// within a product, its rows have another order each time, and so have the sums of the product.
+// P^T A P
 RCP<const CrsMatrix> project(CrsMatrix const& A, CrsMatrix const& P)
 {
   const auto AP = multiply(A, P, *A.getRowMap());
-  const auto transpose =
-    Tpetra::RowMatrixTransposer<double, LocalOrdinal, GlobalOrdinal>(Teuchos::rcpFromRef(P))
-      .createTranspose();
-  return multiply(*transpose, *AP, *P.getDomainMap());
+  const auto result = rcp(new CrsMatrix(P.getDomainMap(), 0));
+  Tpetra::MatrixMatrix::Multiply(P, true, *AP, false, *result);
+  return result;
 }
 
 // The coarse levels, and on each of them all terms. These have to be there together, since products
