@@ -50,7 +50,7 @@ private:
   // Splits the region `first`, which has the nodes, into `count` regions from `first` on.
   void split(std::vector<int> const& nodes, int first, int count)
   {
-    if (count == 1) {
+    if (count == 1 || nodes.empty()) {
       return;
     }
     const auto near = byDistanceFrom(byDistanceFrom(nodes.front(), nodes).back(), nodes);
