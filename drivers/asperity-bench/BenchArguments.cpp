@@ -67,9 +67,10 @@ void printBenchHelp(std::ostream& out)
        "    How fast products, sweeps, transfers, V-cycles and friction's kernels run on the\n"
        "    matrices of a deck, in bytes that they have to move, beside a STREAM triad.\n\n"
        "  asperity-bench stiffness DECK.xml\n"
-       "    How slip stresses the fault of a deck in the plane on its mesh: the error of the\n"
-       "    traction of waves of slip, and with --output FILE.txt the condensed matrix, for\n"
-       "    numpy.loadtxt: position, weight, a row of traction [Pa/m] and one of compression.\n"
+       "    How slip stresses the fault of a deck on its mesh: the error of waves of slip against a\n"
+       "    homogeneous half space. In the plane, --output FILE.txt has the condensed matrix, for\n"
+       "    numpy.loadtxt: position, weight, a row of traction [Pa/m] and one of compression. In\n"
+       "    space the fault has to be plane, a boundary of the body, and 27 cells wide or more.\n"
     << options.help()
     << "\nExit status: 0 done, 2 the input is at fault; others as for asperity.\n";
 }

@@ -4,7 +4,6 @@
 #include "dynamics/fault/NormalReaction.hpp"
 #include "fem/BodyMatrices.hpp"
 #include "scenario/Problem.hpp"
-#include "scenario/setup/MeshSetup.hpp"
 #include "tnnmg/direct/SchurComplement.hpp"
 
 #include <Tpetra_CrsMatrix.hpp>
@@ -72,9 +71,6 @@ std::vector<double> compressionOf(Problem const& problem, std::vector<int> const
 FaultStiffness stiffnessOfFault(ParameterList const& deck,
                                 RCP<const Communicator> const& communicator)
 {
-  ASPERITY_REQUIRE(communicator->getSize() == 1, "asperity-bench stiffness runs on one rank.");
-  ASPERITY_REQUIRE(scenario::meshDimension(deck.sublist("Mesh"), *communicator) == 2,
-                   "asperity-bench stiffness needs a two-dimensional deck.");
   auto const problem = scenario::makeProblem<2>(deck, communicator);
   auto const& surface = *problem.surface;
   ASPERITY_REQUIRE(surface.otherSide().deforming_sides == 2,

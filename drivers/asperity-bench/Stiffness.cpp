@@ -1,6 +1,10 @@
 #include "Stiffness.hpp"
 
 #include "FaultStiffness.hpp"
+#include "WavesOnPlane.hpp"
+
+#include "base/Errors.hpp"
+#include "scenario/setup/MeshSetup.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -87,11 +91,34 @@ std::string rowsOf(FaultStiffness const& stiffness)
   }
   return out.str();
 }
+// In space, as text for numpy.loadtxt after a line of names.
+Report reportOf(PlaneStiffness const& stiffness)
+{
+  ASPERITY_REQUIRE(!stiffness.waves.empty(),
+                   "asperity-bench stiffness: waves of 8 cells of "
+                     << stiffness.cell << " m, 13 cells to each side, do not fit into the fault, "
+                     << "which ends " << stiffness.extent << " m from its middle.");
+  std::ostringstream table, file;
+  table << "\nCells of " << stiffness.cell
+        << " m at the middle of the fault. Slip cos(kx) under a Gaussian of width 3/k there:\n"
+           "the energy's error against a half space.\n\n"
+           "| cells in a wave | slip along the wave | across it |\n|---|---|---|\n";
+  file << "# cells in a wave, error of slip along the wave, across it\n";
+  for (auto const& wave : stiffness.waves) {
+    table << "| " << wave.cells << " | " << wave.along << " | " << wave.across << " |\n";
+    file << wave.cells << ' ' << wave.along << ' ' << wave.across << '\n';
+  }
+  return {table.str(), file.str()};
+}
 } // namespace
 
 Report measureStiffness(asperity::ParameterList const& deck,
                         asperity::RCP<const asperity::Communicator> const& communicator)
 {
+  ASPERITY_REQUIRE(communicator->getSize() == 1, "asperity-bench stiffness runs on one rank.");
+  if (asperity::scenario::meshDimension(deck.sublist("Mesh"), *communicator) == 3) {
+    return reportOf(stiffnessOfPlane(deck, communicator));
+  }
   auto const stiffness = stiffnessOfFault(deck, communicator);
   return {tableOf(stiffness), rowsOf(stiffness)};
 }

@@ -4,7 +4,8 @@
 #include "base/Types.hpp"
 #include "parameters/Parameters.hpp"
 
-// How slip stresses the fault of a deck in the plane on its mesh, see FaultStiffness. The table has
+// How slip stresses the fault of a deck on its mesh. In space see PlaneStiffness; the file has a row
+// for each number of cells in a wave. In the plane see FaultStiffness: the table has
 // the errors of waves of 12, 24, 48, ... cells that fit between the fault's ends. The file, for
 // numpy.loadtxt, has a row for each node: its position, its weight, its row of the traction and, if
 // there is one, that of the compression.

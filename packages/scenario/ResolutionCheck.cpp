@@ -133,7 +133,7 @@ std::vector<std::string> describe(dynamics::FaultResolution const& resolution,
                        ? " The first cells of a Rectangle give all its cells their "
                          "proportions."
                      : mesh_type == "Box" ? " 'Flat Cells at' makes them in a Box."
-                                          : ""));
+                                          : " 'Mesh / Flat Cells Beside' makes them."));
   }
   return lines;
 }

@@ -3,7 +3,7 @@
 #include "base/Errors.hpp"
 #include "base/parallel/Gather.hpp"
 #include "base/parallel/Reductions.hpp"
-#include "catalogue/receivers/NearestPoint.hpp"
+#include "mesh/NearestPoint.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -15,6 +15,9 @@ namespace asperity::catalogue
 {
 namespace
 {
+using mesh::NearestPoint;
+using mesh::Simplex;
+
 constexpr double rounding = 1e-9; // of the size of an element
 
 // Whether `left` is to be preferred. Distances within rounding count as zero.

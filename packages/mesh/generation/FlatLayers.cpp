@@ -1,6 +1,7 @@
 #include "mesh/generation/FlatLayers.hpp"
 
 #include "base/Errors.hpp"
+#include "mesh/generation/LayerHeights.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -11,34 +12,26 @@ namespace asperity::mesh
 {
 namespace
 {
-constexpr double growth = 1.5; // of a layer's height over that of the one before
-
 // Where a vertex goes that has this distance from a plane.
 class Squeeze
 {
 public:
-  // layer: height of a layer before [m]; length: from the plane to where nothing moves [m]
-  Squeeze(double layer, double height, double length)
-      : layer_(layer)
-      , height_(height)
-      , end_(layer * std::log(1 / height) / std::log(growth))
-      , rest_((length - flat(end_)) / (length - end_))
+  // length: from the plane to where nothing moves [m]
+  Squeeze(LayerHeights const& layers, double length)
+      : layers_(layers)
+      , rest_((length - layers.flat(layers.end())) / (length - layers.end()))
   {
   }
 
-  double end() const { return end_; } // of the layers that lose height [m]
   double operator()(double distance) const
   {
-    return distance < end_ ? flat(distance) : flat(end_) + rest_ * (distance - end_);
+    const double end = layers_.end();
+    return distance < end ? layers_.flat(distance) : layers_.flat(end) + rest_ * (distance - end);
   }
 
 private:
-  double layer_, height_, end_, rest_;
-
-  double flat(double distance) const
-  {
-    return layer_ * height_ * (std::pow(growth, distance / layer_) - 1) / (growth - 1);
-  }
+  LayerHeights layers_;
+  double rest_;
 };
 
 // The smallest extent along the axis of cells with a facet in the plane; 0 without such a cell.
@@ -90,10 +83,11 @@ void flattenLayers(GlobalMesh<Dim>& mesh, FlatLayers const& layers, std::string 
       if (length < close) {
         continue;
       }
-      const Squeeze squeeze(layer, layers.height, length);
-      ASPERITY_REQUIRE(squeeze.end() + layer <= length,
+      const LayerHeights heights(layer, layers.height);
+      ASPERITY_REQUIRE(heights.end() + layer <= length,
                        where << " needs more layers of cells beside " << plane << " m: one is "
                              << layer << " m high, and there are " << length << " m.");
+      const Squeeze squeeze(heights, length);
       for (std::size_t vertex = 0; vertex < moved.size(); ++vertex) {
         const double distance = side * (mesh.vertices[vertex][axis] - plane);
         if (distance > close && distance < length - close) {

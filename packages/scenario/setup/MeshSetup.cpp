@@ -8,6 +8,7 @@
 #include "mesh/faults/SplitFaults.hpp"
 #include "mesh/file/MeshFile.hpp"
 #include "mesh/file/PartitionedFile.hpp"
+#include "mesh/generation/FlatCells.hpp"
 #include "mesh/parallel/Partition.hpp"
 #include "parameters/fields/Field.hpp"
 #include "refinement/UniformRefinement.hpp"
@@ -21,6 +22,8 @@ namespace asperity::scenario
 {
 namespace
 {
+constexpr char const* flat_cells = "Flat Cells Beside";
+
 // The entries of the list `name`, one condition each.
 template <int Dim>
 std::vector<mesh::NamedCondition<Dim>> conditionsIn(ParameterList const& mesh,
@@ -64,6 +67,9 @@ Mesh<Dim> coarsePart(ParameterList const& list, std::string const& fault,
   auto const file_name =
     type == "File" ? list.sublist(type).get<std::string>("File Name") : std::string();
   if (type == "File" && ofMeshFile([&] { return mesh::isPartitioned(file_name, *communicator); })) {
+    ASPERITY_REQUIRE(!isGiven(list, flat_cells), joinPath(mesh_path, flat_cells)
+                                                   << " needs a whole mesh, but mesh file '"
+                                                   << file_name << "' is partitioned.");
     ASPERITY_REQUIRE(faults.empty(),
                      where_faults << " / " << faults.front().name << ": mesh file '" << file_name
                                   << "' is partitioned, and was split along its faults before. "
@@ -79,6 +85,10 @@ Mesh<Dim> coarsePart(ParameterList const& list, std::string const& fault,
   mesh::overrideRegions(whole, regions, where_regions);
   mesh::overrideBoundaries(whole, boundaries, where_boundaries);
   mesh::addFaults(whole, faults, where_faults);
+  if (isGiven(list, flat_cells)) {
+    mesh::flattenBeside(whole, list.get<Teuchos::Array<std::string>>(flat_cells).toVector(),
+                        list.get<double>("Flat Cell Height"), joinPath(mesh_path, flat_cells));
+  }
   if (type == "File" || !faults.empty()) { // generators make none
     mesh::splitFaults(whole, mesh_path);
   }
@@ -115,6 +125,15 @@ RCP<const ParameterList> meshParameters()
              "on all ranks at once, with its region, boundaries and faults. The body keeps the "
              "shape of the coarse mesh, for which the conditions in 'Regions', 'Boundaries' and "
              "'Faults' are evaluated.")
+    .textArray(flat_cells, optional,
+               "Cells beside these boundaries or faults become flat: their vertices move towards "
+               "them, and no cell is added. Linear cells make a fault stiffer than rock, the less "
+               "the flatter they are ('asperity-bench stiffness'). The conditions in 'Regions', "
+               "'Boundaries' and 'Faults' see the positions before. In a Box or a Rectangle "
+               "'Flat Cells at' does the same for whole planes.")
+    .real("Flat Cell Height", 0.3, "-", Range::openClosed(0, 1),
+          "With 'Flat Cells Beside', the first layer of cells is this times as high as without it, "
+          "the next layers 1.5 times as much each, until they reach their own height.")
     .openSublist(
       "Regions",
       Declare()

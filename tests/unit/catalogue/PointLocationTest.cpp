@@ -1,7 +1,7 @@
 #include "catalogue/receivers/PointLocation.hpp"
 
 #include "base/parallel/Reductions.hpp"
-#include "catalogue/receivers/NearestPoint.hpp"
+#include "mesh/NearestPoint.hpp"
 #include "mesh/generation/RectangleMesh.hpp"
 #include "mesh/parallel/Partition.hpp"
 #include "unit/io/BlockMesh.hpp"
@@ -129,11 +129,11 @@ TEST(PointLocation, TheNearestOfAllElements)
   for (std::size_t i = 0; i < located.size(); ++i) {
     double nearest = 1e30;
     for (std::size_t element = 0; element < volume.numOwnedElements(); ++element) {
-      Simplex simplex{{}, 2};
+      mesh::Simplex simplex{{}, 2};
       for (int corner = 0; corner < 3; ++corner) {
         simplex.corners.push_back(&volume.corners[(3 * element + corner) * 2]);
       }
-      nearest = std::min(nearest, nearestPoint(simplex, &points[2 * i]).distance);
+      nearest = std::min(nearest, mesh::nearestPoint(simplex, &points[2 * i]).distance);
     }
     EXPECT_EQ(located[i].distance, minOverRanks(nearest, *world())) << i;
   }

@@ -107,8 +107,8 @@ class Refusals(unittest.TestCase):
         self.assertEqual(result.returncode, 2, result.stdout + result.stderr)
         self.assertIn(word, result.stderr)
 
-    def test_space(self):
-        self.refuses("two-dimensional", DECKS / "bp5_qd.xml",
+    def test_a_fault_too_small_for_waves(self):
+        self.refuses("do not fit", DECKS / "bp5_qd.xml",
                      "--set", "Mesh/Box/Cell Size Factor=8")
 
     def test_a_rigid_foundation(self):

@@ -1,11 +1,11 @@
-#include "catalogue/receivers/NearestPoint.hpp"
+#include "mesh/NearestPoint.hpp"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <limits>
 
-namespace asperity::catalogue
+namespace asperity::mesh
 {
 double Simplex::dot(int i, int j) const
 {
@@ -113,4 +113,4 @@ NearestPoint nearestPoint(Simplex const& simplex, double const* point)
   nearest.distance = distance(place.data(), point, simplex.dimension);
   return nearest;
 }
-} // namespace asperity::catalogue
+} // namespace asperity::mesh

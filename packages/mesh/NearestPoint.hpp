@@ -2,7 +2,7 @@
 
 #include <vector>
 
-namespace asperity::catalogue
+namespace asperity::mesh
 {
 // Some corners of an element; all of them, or those of a face.
 struct Simplex
@@ -25,4 +25,4 @@ struct NearestPoint
   double distance;             // [m]
 };
 NearestPoint nearestPoint(Simplex const& simplex, double const* point);
-} // namespace asperity::catalogue
+} // namespace asperity::mesh
