@@ -34,6 +34,8 @@ std::string rounded(double value)
   return formatShort(std::round(value / unit) * unit);
 }
 
+std::string percent(double value) { return rounded(100 * value) + " %"; }
+
 // Peak memory of this rank so far.
 double peakBytes()
 {
@@ -126,9 +128,12 @@ std::vector<std::string> describe(dynamics::FaultResolution const& resolution,
           state_law + "'."};
   if (r.cells_per_zone < cells_of_any_shape && r.cell_height > high_cell) {
     lines.push_back("Cells beside the fault are up to " + rounded(r.cell_height) +
-                    " times as high as they are long. Lower cells resolve ruptures better with the "
-                    "same nodes on the fault: 0.58 times as high as long in antiplane models, "
-                    "about half as high as long in others." +
+                    " times as high as they are long. Such bricks make it too stiff by about " +
+                    (r.error_along > 0 ? percent(r.error_along) + " for slip along and " : "") +
+                    percent(r.error_across) +
+                    " for slip across waves of four cohesive zones, cells without order by more. "
+                    "Lower cells do better with the same nodes on the fault: 0.58 times as high as "
+                    "long in antiplane models, about half as high as long in others." +
                     (mesh_type == "Rectangle"
                        ? " The first cells of a Rectangle give all its cells their "
                          "proportions."

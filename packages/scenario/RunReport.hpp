@@ -7,6 +7,7 @@
 #include "scenario/Problem.hpp"
 
 #include <iosfwd>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -39,6 +40,8 @@ struct RunSummary
 };
 
 Warning warnOfRises(std::int64_t rises); // sweeps and corrections in which J grew
+// If the defect of the balance of energy exceeds a thousandth of the largest of its terms.
+std::optional<Warning> warnOfDefect(dynamics::Energy const& energy);
 
 // The closing paragraphs: the report of the outputs, the effort and the energy.
 std::string summarise(RunSummary const& summary, std::string const& of_outputs);

@@ -135,6 +135,15 @@ std::vector<double> rateWeakeningDistances(FrictionOfNodes const& friction)
   return distances;
 }
 
+StiffnessError stiffnessError(int components, double height, double cells)
+{
+  const double kh = 2 * M_PI / cells, square = height * height;
+  const double along = components == 3   ? 0.02 + 0.34 * square
+                       : components == 2 ? 0.04 + 0.47 * square
+                                         : 0;
+  return {kh * kh * along, kh * kh * (square / 8 - 1 / 24.)};
+}
+
 bool isTooShort(FaultResolution const& resolution, double needed)
 {
   return !resolution.weakens_everywhere && needed > 2 * resolution.weakening_length;
@@ -186,6 +195,7 @@ faultResolution(Mesh<Dim> const& mesh, fem::FaultSurface const& surface, int com
   }
   auto const& comm = *surface.communicator();
   const double measure = sumOverRanks(weakening, comm);
+  auto const too_stiff = stiffnessError(components, -all[6], 4 * all[5]);
   return FaultResolution{all[0],
                          -all[1],
                          all[2],
@@ -193,6 +203,8 @@ faultResolution(Mesh<Dim> const& mesh, fem::FaultSurface const& surface, int com
                          all[4],
                          all[5],
                          -all[6],
+                         too_stiff.along,
+                         too_stiff.across,
                          all[7],
                          all[8],
                          all[9],

@@ -65,6 +65,9 @@ struct FaultResolution
   // Height of the cells beside the fault over the length of their facets, largest: 1 for squares
   // and cubes. Lower cells make the fault's stiffness more accurate (verification.fault_stiffness).
   double cell_height;
+  // By how much bricks of this height make the fault too stiff for waves of four cohesive zones, at
+  // most (StiffnessError).
+  double error_along = 0, error_across = 0;
   double slip_distance = 0; // L, smallest
   // L / V_s, smallest [s], with a seismic slip rate V_s = 20 b sigma_n / Z. The stress drop, about
   // b sigma_n times ln(V_s / plate rate), of about 20, equals the resistance Z V_s of waves or
@@ -76,6 +79,16 @@ struct FaultResolution
   double weakening_length = 0;
   bool weakens_everywhere = false;
 };
+
+// The relative error of a fault's stiffness beside bricks cut into linear cells, H times as high as
+// they are long, for slip along and across a wave of `cells` cells. Across, it is (k h)^2 (H^2 / 8
+// - 1 / 24); along, a fit of (k h)^2 (c + d H^2) to the errors of verification.fault_stiffness,
+// good to a fifth, and 0 antiplane, where there is no such slip.
+struct StiffnessError
+{
+  double along, across;
+};
+StiffnessError stiffnessError(int components, double height, double cells);
 
 // Whether the part that weakens is so short that it is likely to creep without earthquakes: less
 // than half of `needed`, the length [m] at which slip becomes unstable on an endless fault. A part

@@ -10,6 +10,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace asperity::dynamics
 {
@@ -68,6 +69,30 @@ void addPlates(fem::FaultSurface const& surface, double time, BlockView const& b
       }
     });
 }
+// w = 0 at nodes where nothing but rounding is left of the sum of v_t and the motion of the plates.
+void dropRounding(fem::FaultSurface const& surface, BlockView const& w)
+{
+  if (!surface.hasPlateRate()) {
+    return;
+  }
+  constexpr double lost = 8 * std::numeric_limits<double>::epsilon();
+  auto const rates = surface.plateRates();
+  const double factor = surface.slipFactor();
+  const int size = surface.numTangents();
+  Kokkos::parallel_for(
+    "asperity::dynamics::dropRounding", RangePolicy(0, surface.numNodes()),
+    KOKKOS_LAMBDA(int node) {
+      double of_plates = 0, left = 0;
+      for (int k = 0; k < size; ++k) {
+        const double rate = math::fabs(rates(node * size + k)) / factor;
+        of_plates = rate > of_plates ? rate : of_plates;
+        left = math::fabs(w(node, k)) > left ? math::fabs(w(node, k)) : left;
+      }
+      for (int k = 0; k < size && left <= lost * of_plates; ++k) {
+        w(node, k) = 0;
+      }
+    });
+}
 } // namespace
 
 void requireRestBesideSliding(fem::FaultSurface const& surface, Vector const& prescribed_velocity,
@@ -98,6 +123,7 @@ void gatherSlip(fem::FaultSurface const& surface, Vector const& v, BlockView con
 {
   gather(surface, v, blocks);
   addPlates(surface, 1, blocks);
+  dropRounding(surface, blocks);
 }
 
 void gatherSlipSince(fem::FaultSurface const& surface, ConstBlockView const& start, Vector const& u,

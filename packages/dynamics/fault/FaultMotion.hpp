@@ -13,7 +13,8 @@ namespace asperity::dynamics
 void gather(fem::FaultSurface const& surface, Vector const& v, BlockView const& blocks);
 
 // The velocity w = v_t + Vp / slip factor that friction depends on, with the plate rate Vp of back
-// slip: blocks(num_nodes, T). The slip rate as a vector is slip factor times w.
+// slip: blocks(num_nodes, T). The slip rate as a vector is slip factor times w. A locked fault slips
+// at rates that get lost in the rounding of v: such a w is zero.
 void gatherSlip(fem::FaultSurface const& surface, Vector const& v, BlockView const& blocks);
 // The same of the displacement u(owned dofs) after `time` [s] in which the plates have moved, from
 // that of the start(num_nodes, T): slip factor times the blocks(num_nodes, T) is slip as a vector.

@@ -344,6 +344,9 @@ void SimulationOf<Dim>::report(bool finished)
   summary.finished = finished;
   summary.directory = directory_.string();
   record_->message(summarise(summary, outputs_->report()));
+  if (auto const warning = warnOfDefect(summary.energy)) {
+    record_->warn(*warning);
+  }
   if (auto const topics = record_->topics(); !topics.empty()) {
     record_->message(
       "\nThe results may be wrong. There are warnings, above and in asperity-status, about " +

@@ -156,6 +156,27 @@ BP5 = (
     *(Quantity(f"slip after 60 s at {place}", "m", of.slip_after(name, 60), slip, ".2f")
       for name, (place, _, _, slip) in PLACES.items()), BALANCE)
 FIRST_EVENT = "Time Stepping/Final Time=128"
+# Of what TriBIE (D. Li, boundary elements of 1 km) and tandem (C. Uphoff, elements of 4 km of higher
+# order) have submitted to the platform: times at (16 km, 10 km) and (0, 10 km) from the state
+# variable, which counts the time since an event, and slips. A pair: TriBIE, tandem.
+BP5_SEQUENCE = (
+    Quantity("number of events", "", of.number_of_events(), 8),
+    Quantity("onset of event 2", "yr", of.onset(2), 238.86),
+    Quantity("onset of event 8", "yr", of.onset(8), (1668.6, 1678.0)),
+    Quantity("mean interval from event 2 to 8", "yr", of.mean_interval(range(2, 8)),
+             (238.3, 239.6)),
+    Quantity("slip a cycle at (16 km, 10 km), event 2 to 8", "m",
+             of.slip_per_event("strk+16dp+10", 2, 8), 7.514, ".3f"),
+    Quantity("slip a cycle at (0, 10 km), event 2 to 8", "m",
+             of.slip_per_event("strk+00dp+10", 2, 8), 7.543, ".3f"),
+    *several("magnitude of event {}", "", lambda n: of.of_event("magnitude", n), (None,) * 2,
+             (2, 8)),
+    *several("peak slip of event {}", "m", lambda n: of.of_event("peak_slip", n), (None,) * 2,
+             (2, 8)),
+    *several("peak slip rate of event {}", "m/s", lambda n: of.of_event("peak_slip_rate", n),
+             (None,) * 2, (2, 8)),
+    BALANCE)
+WHOLE = "Time Stepping/Final Time=5.68e10"
 
 VERTICAL_IN_SPACE = (
     Case("bp5_qd", "SEAS BP5-QD, cells of 2 km", "bp5", 2, BP5, "boundary elements of 500 m",
@@ -164,13 +185,19 @@ VERTICAL_IN_SPACE = (
          deck="bp5_qd", settings=(FIRST_EVENT, "Mesh/Box/Cell Size Factor=0.5"),
          in_index=("1 cm/s reached at (0, 0)", "peak slip rate at (0, 0)",
                    "slip after 60 s at (0, 10 km)", "slip after 60 s at (0, 0)")),
-    Case("bp5_fd", "BP5 with inertia", "bp5", 30, (
-        Quantity("onset of event 2", "yr", of.onset(2)),
-        *several("duration of event {}", "s", lambda n: of.of_event("duration", n), (None,) * 2),
-        *several("magnitude of event {}", "", lambda n: of.of_event("magnitude", n), (None,) * 2),
-        *several("peak slip of event {}", "m", lambda n: of.of_event("peak_slip", n), (None,) * 2),
+    Case("bp5_qd_sequence", "SEAS BP5-QD, 1,800 years, cells of 1 km", "bp5", 110, BP5_SEQUENCE,
+         "TriBIE and tandem", deck="bp5_qd", settings=(WHOLE, "Mesh/Box/Cell Size Factor=0.5"),
+         in_index=("mean interval from event 2 to 8",)),
+    Case("bp5_qd_sequence_2km", "SEAS BP5-QD, 1,800 years, cells of 2 km", "bp5", 12,
+         BP5_SEQUENCE, "TriBIE and tandem", deck="bp5_qd", settings=(WHOLE,)),
+    Case("bp5_fd", "BP5 with inertia", "bp5", 35, (
+        Quantity("number of events", "", of.number_of_events()),
+        *several("interval {}", "yr", of.interval, (None,) * 4),
+        *several("duration of event {}", "s", lambda n: of.of_event("duration", n), (None,) * 5),
+        *several("magnitude of event {}", "", lambda n: of.of_event("magnitude", n), (None,) * 5),
+        *several("peak slip of event {}", "m", lambda n: of.of_event("peak_slip", n), (None,) * 5),
         *several("peak slip rate of event {}", "m/s",
-                 lambda n: of.of_event("peak_slip_rate", n), (None,) * 2),
+                 lambda n: of.of_event("peak_slip_rate", n), (None,) * 5),
         dataclasses.replace(BALANCE, reference=None))),
 )
 

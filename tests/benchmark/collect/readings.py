@@ -131,6 +131,16 @@ def slip_after(receiver, time):
     return read
 
 
+def slip_per_event(receiver, first, last):
+    """Of the length of the slip vector, from a year after one event to a year after another."""
+    def read(run):
+        slip = numpy.linalg.norm(run.receivers[receiver]["slip"], axis=1)
+        before, after = (numpy.interp(of_event("end", number)(run) + YEAR, run.receivers.time, slip)
+                         for number in (first, last))
+        return (after - before) / (last - first)
+    return read
+
+
 def unlocked(rate):
     """When the slowest node of the fault first slips at `rate` [m/s]."""
     return lambda run: run.fault.time[numpy.flatnonzero(_slowest(run) > rate)[0]]

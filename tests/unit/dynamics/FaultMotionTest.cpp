@@ -146,6 +146,27 @@ TEST(FaultMotion, PlatesAddToTheSlipOfBodies)
   EXPECT_DOUBLE_EQ(testing::peakSlipRateAt(*fault, v), 5);
 }
 
+// Of a slip rate of 1e-30 m/s nothing is left beside a plate rate of 3 m/s; a tenth of a unit in the
+// last place is not slip, 1e-12 m/s is.
+TEST(FaultMotion, ALockedFaultDoesNotSlipByRounding)
+{
+  const RCP<const Map> map = rcp(new Map(6 * world()->getSize(), 6, 0, world()));
+  Vector v(map);
+  auto const fault =
+    makeFault(2, OtherSide::mirror_image, {0, 0, 0, 0, 0, 0}).withPlateRate({3, 4, 3, 4, 0, 0});
+  v.replaceLocalValue(0, -1.5 * (1 + 4e-16));
+  v.replaceLocalValue(1, -2);
+  v.replaceLocalValue(2, -1.5 + 1e-12);
+  v.replaceLocalValue(3, -2);
+  v.replaceLocalValue(5, 1e-30); // no plate moves there
+  const BlockView w("asperity::test::w", 3, 2);
+  gatherSlip(*fault, v, w);
+  EXPECT_EQ(w(0, 0), 0);
+  EXPECT_EQ(w(0, 1), 0);
+  EXPECT_NEAR(w(1, 0), 1e-12, 1e-15);
+  EXPECT_EQ(w(2, 1), 1e-30);
+}
+
 // Slip = 2 (u - start) + Vp t beside a mirror image.
 TEST(FaultMotion, SlipIsThatOfBodiesSinceTheStartAndThatOfPlates)
 {
