@@ -64,6 +64,27 @@ def check(name, speed, axis, settings, ranks=1):
     return fine
 
 
+def locked():
+    """A fault whose slip rate, about 1e-50 m/s, is lost beside the plate rate: what it bears is the
+    force that strain needs, and no work is done but by what drives it."""
+    settings = {**SOLID, "Boundary Conditions/Fault/Type": "Bilateral Contact",
+                "Bulk/Dynamics": "Inertial", "Friction/a": 0.004, "Initial State/State": "Given",
+                "Initial State/alpha": 30}
+    outside = run("locked_outside", driven_from_outside(VP, "X", settings))
+    back = run("locked_back", by_back_slip(settings))
+    one, other = (asperity_run.series(folder / "fault.h5")["fields/traction"]
+                  for folder in (back, outside))
+    difference = comparisons.largest_difference(one, other)
+    defect = max(abs(last["energy_defect"]) / last["load_work" if folder == back else
+                                                   "boundary_work"]
+                 for folder in (back, outside)
+                 for last in [asperity_run.table(folder / "steps.csv")[-1]])
+    fine = difference < TOLERANCE and defect < 1e-9
+    print(f"locked: tractions differ by {difference:.1e}; energy defect {defect:.1e} of the work"
+          f"{'' if fine else ' NO'}", flush=True)
+    return fine
+
+
 def restarted():
     """Stopped half way and continued: the bytes of a run that was not."""
     settings = by_back_slip({"Output/Checkpoint Every n Steps": 100})
@@ -107,7 +128,7 @@ def main():
         check("solid, quasi-dynamic, contact, 2 ranks", VP, "X", {**SOLID, **contact}, ranks=2),
         check("solid, inertia, contact", VP, "X",
               {**SOLID, **contact, "Bulk/Dynamics": "Inertial"}),
-        *refused()]
+        locked(), *refused()]
     restarted()
     return passed.count(False)
 
