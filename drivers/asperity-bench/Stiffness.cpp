@@ -97,7 +97,8 @@ Report reportOf(PlaneStiffness const& stiffness)
   ASPERITY_REQUIRE(!stiffness.waves.empty(),
                    "asperity-bench stiffness: waves of 8 cells of "
                      << stiffness.cell << " m, 13 cells to each side, do not fit into the fault, "
-                     << "which ends " << stiffness.extent << " m from its middle.");
+                     << "which ends " << stiffness.extent
+                     << " m from its middle. Use smaller cells.");
   std::ostringstream table, file;
   table << "\nCells of " << stiffness.cell
         << " m at the middle of the fault. Slip cos(kx) under a Gaussian of width 3/k there:\n"

@@ -9,8 +9,8 @@
 #include <Eigen/IterativeLinearSolvers>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
-#include <limits>
 
 using namespace asperity;
 
@@ -79,6 +79,8 @@ Plane planeOf(fem::FaultSurface const& surface)
       std::abs(mesh::dot<3>(mesh::difference<3>(node.place, middle.place), middle.normal)));
   }
   plane.extent = std::min({-low[0], -low[1], high[0], high[1]});
+  ASPERITY_REQUIRE(plane.extent > 0, "asperity-bench stiffness: the fault is one cell wide. Use "
+                                     "smaller cells.");
   ASPERITY_REQUIRE(off_plane <= 1e-6 * plane.extent,
                    "asperity-bench stiffness needs a plane fault in space; this deck's leaves the "
                    "plane of its middle by "
@@ -102,7 +104,7 @@ struct WaveOnPlane
 };
 
 // The energy of a half space [J] that moves by `wave` (in m) along its surface, by the midpoint
-// rule in wavenumbers; with an analytic integrand that rule errs by less than 1e-6.
+// rule in wavenumbers: the integrand is smooth but at zero, where next to nothing of it lies.
 double energyOfHalfSpace(WaveOnPlane const& wave, double shear_modulus, double along)
 {
   const double w = wave.width();

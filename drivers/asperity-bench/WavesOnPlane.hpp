@@ -27,6 +27,6 @@ struct PlaneStiffness
 };
 
 // `deck` must be complete, in space, with one plane fault that is a boundary of the body; one rank.
-// The rock is that of the middle.
+// The rock is that of the middle; the body should be a few waves thick.
 PlaneStiffness stiffnessOfPlane(asperity::ParameterList const& deck,
                                 asperity::RCP<const asperity::Communicator> const& communicator);

@@ -34,7 +34,27 @@ std::string rounded(double value)
   return formatShort(std::round(value / unit) * unit);
 }
 
-std::string percent(double value) { return rounded(100 * value) + " %"; }
+// Two digits, as the estimate is good to a fifth.
+std::string percent(double share)
+{
+  const double value = 100 * share;
+  const double unit = std::pow(10, std::floor(std::log10(std::abs(value))) - 1);
+  return formatShort(std::round(value / unit) * unit) + " %";
+}
+
+// By how much the fault is too stiff, as a sentence; empty for so few cells that nobody knows.
+std::string tooStiff(dynamics::FaultResolution const& resolution)
+{
+  constexpr double fewest_cells = 2; // per cohesive zone
+  auto const& [along, across] = resolution.too_stiff;
+  if (resolution.cells_per_zone < fewest_cells || !(along || across)) {
+    return "";
+  }
+  return " Such bricks make it too stiff by about " +
+         (along ? percent(*along) + " for slip along" : "") + (along && across ? " and " : "") +
+         (across ? percent(*across) + " for slip across" : "") +
+         " waves of four cohesive zones, cells without order by more.";
+}
 
 // Peak memory of this rank so far.
 double peakBytes()
@@ -127,18 +147,16 @@ std::vector<std::string> describe(dynamics::FaultResolution const& resolution,
           "state law '" +
           state_law + "'."};
   if (r.cells_per_zone < cells_of_any_shape && r.cell_height > high_cell) {
-    lines.push_back("Cells beside the fault are up to " + rounded(r.cell_height) +
-                    " times as high as they are long. Such bricks make it too stiff by about " +
-                    (r.error_along > 0 ? percent(r.error_along) + " for slip along and " : "") +
-                    percent(r.error_across) +
-                    " for slip across waves of four cohesive zones, cells without order by more. "
-                    "Lower cells do better with the same nodes on the fault: 0.58 times as high as "
-                    "long in antiplane models, about half as high as long in others." +
-                    (mesh_type == "Rectangle"
-                       ? " The first cells of a Rectangle give all its cells their "
-                         "proportions."
-                     : mesh_type == "Box" ? " 'Flat Cells at' makes them in a Box."
-                                          : " 'Mesh / Flat Cells Beside' makes them."));
+    lines.push_back(
+      "Cells beside the fault are up to " + rounded(r.cell_height) +
+      " times as high as they are long." + tooStiff(r) +
+      " Lower cells do better with the same nodes on the fault: 0.58 times as high as "
+      "long in antiplane models, about half as high as long in others." +
+      (mesh_type == "Rectangle" ? " The first cells of a Rectangle give all its cells their "
+                                  "proportions."
+       : mesh_type == "Box"     ? " 'Flat Cells at' makes them in a Box."
+                                : " 'Mesh / Flat Cells Beside' makes them in meshes that are not "
+                                  "periodic."));
   }
   return lines;
 }

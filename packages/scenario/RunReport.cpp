@@ -146,18 +146,19 @@ std::optional<Warning> warnOfDefect(dynamics::Energy const& energy)
 {
   const double largest = std::max({std::abs(energy.boundary_work), std::abs(energy.load_work),
                                    std::abs(energy.friction_work), std::abs(energy.viscous_work),
-                                   std::abs(energy.inelastic_work), energy.kinetic});
+                                   std::abs(energy.inelastic_work),
+                                   std::abs(energy.numerical_dissipation), energy.kinetic});
   const double defect = std::abs(energy.defect);
   const bool is_rounding = defect <= 1e-9 * (energy.kinetic + std::abs(energy.elastic));
-  if (is_rounding || !(defect > 1e-3 * largest)) {
+  if (is_rounding || defect <= 1e-3 * largest) { // not if it is nan
     return std::nullopt;
   }
   return Warning{
     "balance of energy",
     "The balance of energy does not close: it is off by " + formatShort(defect / largest) +
       " of its largest term (energy_defect in steps.csv). Results may be wrong. Check "
-      "the start, and smaller tolerances of TNNMG and Coupling; if that does not help, "
-      "please report this with the deck."};
+      "the state at the start, and try smaller tolerances of TNNMG and Coupling; if that does not "
+      "help, please report this with the deck."};
 }
 
 Warning warnOfRises(std::int64_t rises)

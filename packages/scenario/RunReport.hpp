@@ -40,7 +40,8 @@ struct RunSummary
 };
 
 Warning warnOfRises(std::int64_t rises); // sweeps and corrections in which J grew
-// If the defect of the balance of energy exceeds a thousandth of the largest of its terms.
+// If the defect of the balance of energy exceeds a thousandth of the largest work or of the kinetic
+// energy, and rounding, 1e-9 of kinetic and elastic energy.
 std::optional<Warning> warnOfDefect(dynamics::Energy const& energy);
 
 // The closing paragraphs: the report of the outputs, the effort and the energy.

@@ -138,10 +138,14 @@ std::vector<double> rateWeakeningDistances(FrictionOfNodes const& friction)
 StiffnessError stiffnessError(int components, double height, double cells)
 {
   const double kh = 2 * M_PI / cells, square = height * height;
-  const double along = components == 3   ? 0.02 + 0.34 * square
-                       : components == 2 ? 0.04 + 0.47 * square
-                                         : 0;
-  return {kh * kh * along, kh * kh * (square / 8 - 1 / 24.)};
+  StiffnessError error;
+  if (components > 1) {
+    error.along = kh * kh * (components == 3 ? 0.02 + 0.34 * square : 0.04 + 0.47 * square);
+  }
+  if (components != 2) {
+    error.across = kh * kh * (square / 8 - 1 / 24.);
+  }
+  return error;
 }
 
 bool isTooShort(FaultResolution const& resolution, double needed)
@@ -195,7 +199,6 @@ faultResolution(Mesh<Dim> const& mesh, fem::FaultSurface const& surface, int com
   }
   auto const& comm = *surface.communicator();
   const double measure = sumOverRanks(weakening, comm);
-  auto const too_stiff = stiffnessError(components, -all[6], 4 * all[5]);
   return FaultResolution{all[0],
                          -all[1],
                          all[2],
@@ -203,8 +206,7 @@ faultResolution(Mesh<Dim> const& mesh, fem::FaultSurface const& surface, int com
                          all[4],
                          all[5],
                          -all[6],
-                         too_stiff.along,
-                         too_stiff.across,
+                         stiffnessError(components, -all[6], 4 * all[5]),
                          all[7],
                          all[8],
                          all[9],

@@ -51,6 +51,16 @@ struct FrictionOfNodes
 // everywhere.
 std::vector<double> rateWeakeningDistances(FrictionOfNodes const& friction);
 
+// The relative error of a fault's stiffness beside bricks cut into linear cells, H times as high as
+// they are long, for slip along and across a wave of `cells` cells; antiplane slip is across it, that
+// of plane strain along it. Across, it is (k h)^2 (H^2 / 8 - 1 / 24); along, a fit of (k h)^2 (c + d
+// H^2) to the errors of verification.fault_stiffness for waves of 8 cells and more, good to a fifth.
+struct StiffnessError
+{
+  std::optional<double> along, across;
+};
+StiffnessError stiffnessError(int components, double height, double cells);
+
 // Extremes over the nodes of all ranks where friction weakens (b > a, or mu_s > mu_d) and the
 // normal stress is positive; lengths in m. Slip weakening has no shortest wavelength that grows:
 // there it is the nucleation length.
@@ -65,10 +75,8 @@ struct FaultResolution
   // Height of the cells beside the fault over the length of their facets, largest: 1 for squares
   // and cubes. Lower cells make the fault's stiffness more accurate (verification.fault_stiffness).
   double cell_height;
-  // By how much bricks of this height make the fault too stiff for waves of four cohesive zones, at
-  // most (StiffnessError).
-  double error_along = 0, error_across = 0;
-  double slip_distance = 0; // L, smallest
+  StiffnessError too_stiff = {}; // of bricks of this height, for waves of four cohesive zones
+  double slip_distance = 0;      // L, smallest
   // L / V_s, smallest [s], with a seismic slip rate V_s = 20 b sigma_n / Z. The stress drop, about
   // b sigma_n times ln(V_s / plate rate), of about 20, equals the resistance Z V_s of waves or
   // radiation damping. Z is the shear impedance over the number of sides that deform. With slip
@@ -79,16 +87,6 @@ struct FaultResolution
   double weakening_length = 0;
   bool weakens_everywhere = false;
 };
-
-// The relative error of a fault's stiffness beside bricks cut into linear cells, H times as high as
-// they are long, for slip along and across a wave of `cells` cells. Across, it is (k h)^2 (H^2 / 8
-// - 1 / 24); along, a fit of (k h)^2 (c + d H^2) to the errors of verification.fault_stiffness,
-// good to a fifth, and 0 antiplane, where there is no such slip.
-struct StiffnessError
-{
-  double along, across;
-};
-StiffnessError stiffnessError(int components, double height, double cells);
 
 // Whether the part that weakens is so short that it is likely to creep without earthquakes: less
 // than half of `needed`, the length [m] at which slip becomes unstable on an endless fault. A part

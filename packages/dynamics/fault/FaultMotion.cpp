@@ -69,6 +69,7 @@ void addPlates(fem::FaultSurface const& surface, double time, BlockView const& b
       }
     });
 }
+
 // w = 0 at nodes where nothing but rounding is left of the sum of v_t and the motion of the plates.
 void dropRounding(fem::FaultSurface const& surface, BlockView const& w)
 {
@@ -82,10 +83,9 @@ void dropRounding(fem::FaultSurface const& surface, BlockView const& w)
   Kokkos::parallel_for(
     "asperity::dynamics::dropRounding", RangePolicy(0, surface.numNodes()),
     KOKKOS_LAMBDA(int node) {
-      double of_plates = 0, left = 0;
+      const double of_plates = motionOfPlates(rates, node, size, factor);
+      double left = 0;
       for (int k = 0; k < size; ++k) {
-        const double rate = math::fabs(rates(node * size + k)) / factor;
-        of_plates = rate > of_plates ? rate : of_plates;
         left = math::fabs(w(node, k)) > left ? math::fabs(w(node, k)) : left;
       }
       for (int k = 0; k < size && left <= lost * of_plates; ++k) {

@@ -3,6 +3,7 @@
 #include "base/Types.hpp"
 #include "dynamics/fault/Norm.hpp"
 #include "fem/FaultSurface.hpp"
+#include "portability/Renamed.hpp"
 #include "portability/Views.hpp"
 
 #include <vector>
@@ -12,9 +13,22 @@ namespace asperity::dynamics
 // Tangential components of v (owned dofs) at the nodes: blocks(num_nodes, T).
 void gather(fem::FaultSurface const& surface, Vector const& v, BlockView const& blocks);
 
+// The largest component of Vp / slip factor at a node, from the plate rates(num_nodes T) [m/s].
+KOKKOS_INLINE_FUNCTION double motionOfPlates(ConstNodeView const& rates, int node, int size,
+                                             double factor)
+{
+  double largest = 0;
+  for (int k = 0; k < size; ++k) {
+    const double rate = math::fabs(rates(node * size + k)) / factor;
+    largest = rate > largest ? rate : largest;
+  }
+  return largest;
+}
+
 // The velocity w = v_t + Vp / slip factor that friction depends on, with the plate rate Vp of back
 // slip: blocks(num_nodes, T). The slip rate as a vector is slip factor times w. A locked fault slips
-// at rates that get lost in the rounding of v: such a w is zero.
+// at rates that get lost in the rounding of v: w is zero where it is less than 8 units of rounding
+// of the motion of the plates.
 void gatherSlip(fem::FaultSurface const& surface, Vector const& v, BlockView const& blocks);
 // The same of the displacement u(owned dofs) after `time` [s] in which the plates have moved, from
 // that of the start(num_nodes, T): slip factor times the blocks(num_nodes, T) is slip as a vector.

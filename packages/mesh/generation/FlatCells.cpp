@@ -9,10 +9,12 @@
 #include "mesh/generation/LayerHeights.hpp"
 
 #include <algorithm>
+#include <cmath>
+#include <functional>
 #include <limits>
-#include <numeric>
 #include <queue>
 #include <set>
+#include <utility>
 
 namespace asperity::mesh
 {
@@ -250,7 +252,8 @@ void flattenBeside(GlobalMesh<Dim>& mesh, std::vector<std::string> const& names,
                            << quotedNames(boundaryNames(mesh)) << '.');
   }
   for (int axis = 0; axis < Dim; ++axis) {
-    ASPERITY_REQUIRE(mesh.period[axis] == 0, where << " needs a mesh that is not periodic.");
+    ASPERITY_REQUIRE(mesh.period[axis] == 0,
+                     where << " needs a mesh that is not periodic. Leave it out.");
   }
   const detail::FacetTable<Dim> table(mesh.cells);
   auto const surface = surfaceOf(mesh, names, table);

@@ -67,9 +67,10 @@ Mesh<Dim> coarsePart(ParameterList const& list, std::string const& fault,
   auto const file_name =
     type == "File" ? list.sublist(type).get<std::string>("File Name") : std::string();
   if (type == "File" && ofMeshFile([&] { return mesh::isPartitioned(file_name, *communicator); })) {
-    ASPERITY_REQUIRE(!isGiven(list, flat_cells), joinPath(mesh_path, flat_cells)
-                                                   << " needs a whole mesh, but mesh file '"
-                                                   << file_name << "' is partitioned.");
+    ASPERITY_REQUIRE(!isGiven(list, flat_cells),
+                     joinPath(mesh_path, flat_cells)
+                       << " needs a whole mesh, but mesh file '" << file_name
+                       << "' is partitioned. Run on the whole mesh, or leave this entry out.");
     ASPERITY_REQUIRE(faults.empty(),
                      where_faults << " / " << faults.front().name << ": mesh file '" << file_name
                                   << "' is partitioned, and was split along its faults before. "
@@ -127,7 +128,8 @@ RCP<const ParameterList> meshParameters()
              "'Faults' are evaluated.")
     .textArray(flat_cells, optional,
                "Cells beside these boundaries or faults become flat: their vertices move towards "
-               "them, and no cell is added. Linear cells make a fault stiffer than rock, the less "
+               "them, and no cell is added; other faults that they reach move along. Linear cells "
+               "make a fault stiffer than rock, the less "
                "the flatter they are ('asperity-bench stiffness'). The conditions in 'Regions', "
                "'Boundaries' and 'Faults' see the positions before. In a Box or a Rectangle "
                "'Flat Cells at' does the same for whole planes.")

@@ -54,9 +54,9 @@ class Case:
             line.strip() for line in lines)])
 
 
-def several(name, unit, read, references, numbers=None):
+def several(name, unit, read, references, numbers=None, form=""):
     """The same quantity of several events; `name` has {} for the number, `read` is a function of
     it."""
     numbers = numbers or range(1, len(references) + 1)
-    return tuple(Quantity(name.format(number), unit, read(number), reference)
+    return tuple(Quantity(name.format(number), unit, read(number), reference, form)
                  for number, reference in zip(numbers, references))

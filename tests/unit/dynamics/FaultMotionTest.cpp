@@ -146,8 +146,7 @@ TEST(FaultMotion, PlatesAddToTheSlipOfBodies)
   EXPECT_DOUBLE_EQ(testing::peakSlipRateAt(*fault, v), 5);
 }
 
-// Of a slip rate of 1e-30 m/s nothing is left beside a plate rate of 3 m/s; a tenth of a unit in the
-// last place is not slip, 1e-12 m/s is.
+// Three units in the last place are not slip; 1e-12 m/s is, and 1e-30 m/s where no plate moves.
 TEST(FaultMotion, ALockedFaultDoesNotSlipByRounding)
 {
   const RCP<const Map> map = rcp(new Map(6 * world()->getSize(), 6, 0, world()));

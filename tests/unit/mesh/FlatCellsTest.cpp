@@ -5,6 +5,8 @@
 #include "mesh/faults/Faults.hpp"
 #include "mesh/generation/BoxMesh.hpp"
 #include "mesh/generation/FlatCells.hpp"
+#include "mesh/generation/PeriodicMesh.hpp"
+#include "mesh/generation/RectangleMesh.hpp"
 #include "mesh/generation/WedgeMesh.hpp"
 
 using namespace asperity;
@@ -23,7 +25,7 @@ GlobalMesh<3> boxWithFault()
 }
 } // namespace
 
-// 0.3, 0.45, 0.675 m above and below; where the fault does not reach, vertices hardly move.
+// 0.3, 0.45, 0.675 m above and below; what is far does not move.
 TEST(FlatCells, LieOnBothSidesOfAFaultInside)
 {
   auto const before = boxWithFault();
@@ -81,4 +83,23 @@ TEST(FlatCells, RefuseAnUnknownName)
     EXPECT_NE(message.find("'falut'"), std::string::npos);
     EXPECT_NE(message.find("'fault'"), std::string::npos);
   }
+}
+
+TEST(FlatCells, LieBesideABoundaryInThePlane)
+{
+  auto mesh = rectangleMesh({4, 16, 4, 16});
+  flattenBeside(mesh, {"bottom"}, 0.5, "Mesh");
+  expectConforming(mesh);
+  double lowest = 16;
+  for (auto const& x : mesh.vertices) {
+    lowest = x[1] > 0 ? std::min(lowest, x[1]) : lowest;
+  }
+  EXPECT_NEAR(lowest, 0.5, 1e-12);
+}
+
+TEST(FlatCells, RefuseAPeriodicMesh)
+{
+  auto mesh = boxMesh({{2, 2, 4}, {2, 2, 4}, {}});
+  makePeriodic(mesh, 2, "front", "back");
+  EXPECT_THROW(flattenBeside(mesh, {"bottom"}, 0.3, "Mesh"), InputError);
 }
