@@ -51,10 +51,11 @@ struct FrictionOfNodes
 // everywhere.
 std::vector<double> rateWeakeningDistances(FrictionOfNodes const& friction);
 
-// The relative error of a fault's stiffness beside bricks cut into linear cells, H times as high as
-// they are long, for slip along and across a wave of `cells` cells; antiplane slip is across it, that
-// of plane strain along it. Across, it is (k h)^2 (H^2 / 8 - 1 / 24); along, a fit of (k h)^2 (c + d
-// H^2) to the errors of verification.fault_stiffness for waves of 8 cells and more, good to a fifth.
+// The relative error of a fault's stiffness beside bricks cut into linear cells, H times as high
+// as they are long, for slip along and across a wave of `cells` cells; antiplane slip is across it,
+// that of plane strain along it. Across, it is (k h)^2 (H^2 / 8 - 1 / 24); along, a fit of (k h)^2
+// (c + d H^2) to the errors of verification.fault_stiffness for waves of 8 cells and more, good to
+// a fifth.
 struct StiffnessError
 {
   std::optional<double> along, across;

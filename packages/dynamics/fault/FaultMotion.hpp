@@ -26,9 +26,9 @@ KOKKOS_INLINE_FUNCTION double motionOfPlates(ConstNodeView const& rates, int nod
 }
 
 // The velocity w = v_t + Vp / slip factor that friction depends on, with the plate rate Vp of back
-// slip: blocks(num_nodes, T). The slip rate as a vector is slip factor times w. A locked fault slips
-// at rates that get lost in the rounding of v: w is zero where it is less than 8 units of rounding
-// of the motion of the plates.
+// slip: blocks(num_nodes, T). The slip rate as a vector is slip factor times w. A locked fault
+// slips at rates that get lost in the rounding of v: w is zero where it is less than 8 units of
+// rounding of the motion of the plates.
 void gatherSlip(fem::FaultSurface const& surface, Vector const& v, BlockView const& blocks);
 // The same of the displacement u(owned dofs) after `time` [s] in which the plates have moved, from
 // that of the start(num_nodes, T): slip factor times the blocks(num_nodes, T) is slip as a vector.

@@ -19,7 +19,7 @@ IN_SPACE = {"Mesh/Box/Cell Size Factor": 4}
 CASES = {
     "bp1_qd": (COARSE, 1e6), "bp1_fd": (COARSE, 1e6), "bp1_qd_two_sided": (COARSE, 1e6),
     "bp2_qd": (COARSE, 1e6), "bp3_qd": ({}, 1e5), "bp5_qd": (IN_SPACE, 1.0),
-    "bp5_fd": (IN_SPACE, 1.0), "bp6": (COARSE, 1e6), "bp7": (IN_SPACE, 2.0),
+    "bp5_fd": (IN_SPACE, 16.0), "bp6": (COARSE, 1e6), "bp7": (IN_SPACE, 2.0),
     "bp8": (IN_SPACE, 3600.0), "tpv101_2d": (COARSE, 0.5),
     "tpv101_3d": (IN_SPACE, 0.2), "tpv101_two_sided": (COARSE, 0.5), "tpv103_2d": (COARSE, 0.5),
     "tpv104_3d": (IN_SPACE, 0.2), "tpv105_3d": (IN_SPACE, 0.2), "tpv205_3d": (IN_SPACE, 0.2),
