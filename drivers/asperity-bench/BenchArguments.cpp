@@ -67,11 +67,11 @@ void printBenchHelp(std::ostream& out)
        "    How fast products, sweeps, transfers, V-cycles and friction's kernels run on the\n"
        "    matrices of a deck, in bytes that they have to move, beside a STREAM triad.\n\n"
        "  asperity-bench stiffness DECK.xml\n"
-       "    How slip stresses the fault of a deck on its mesh: the error of waves of slip against "
-       "a\n"
-       "    homogeneous half space. In the plane, --output FILE.txt has the condensed matrix, for\n"
-       "    numpy.loadtxt: position, weight, a row of traction [Pa/m] and one of compression. In\n"
-       "    space the fault has to be plane, a boundary of the body, and 27 cells wide or more.\n"
+       "    How slip stresses the fault of a deck on its mesh: the error of waves of slip\n"
+       "    against a homogeneous half space. In the plane, --output FILE.txt has the\n"
+       "    condensed matrix, for numpy.loadtxt: position, weight, a row of traction [Pa/m] and\n"
+       "    one of compression. In space the fault has to be plane, a boundary of the body, and\n"
+       "    27 cells wide or more.\n"
     << options.help()
     << "\nExit status: 0 done, 2 the input is at fault; others as for asperity.\n";
 }

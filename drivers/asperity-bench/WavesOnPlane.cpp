@@ -135,28 +135,13 @@ class Equilibrium
 public:
   explicit Equilibrium(ProblemInSpace const& problem)
       : surface_(*problem.surface)
-      , K_(tnnmg::detail::toEigen(
-          *fem::combine(problem.body.matrices, fem::ofElasticity(problem.body.matrices)),
-          tnnmg::detail::StoredZeros::drop))
-      , is_given_(K_.rows(), 0)
+      , given_(givenDofs(problem))
   {
-    for (int dof = 0; dof < K_.rows(); ++dof) {
-      is_given_[dof] = problem.body.held[dof] ? 1 : 0;
-    }
-    for (auto const& node : surface_) {
-      for (int dof : node.dofs) {
-        is_given_[dof] = 1;
-      }
-    }
-    A_ = K_;
-    for (int column = 0; column < A_.outerSize(); ++column) {
-      for (Eigen::SparseMatrix<double>::InnerIterator entry(A_, column); entry; ++entry) {
-        if (is_given_[entry.row()] || is_given_[entry.col()]) {
-          entry.valueRef() = entry.row() == entry.col() ? 1 : 0;
-        }
-      }
-    }
-    A_.prune(0.);
+    auto const& matrices = problem.body.matrices;
+    auto const elasticity = fem::ofElasticity(matrices);
+    const auto drop = tnnmg::detail::StoredZeros::drop;
+    K_ = tnnmg::detail::toEigen(*fem::combine(matrices, elasticity), drop);
+    A_ = tnnmg::detail::toEigen(*fem::combine(matrices, elasticity, given_), drop);
     solver_.setTolerance(1e-8);
     solver_.compute(A_);
   }
@@ -172,8 +157,8 @@ public:
       }
     }
     Eigen::VectorXd right_side = -(K_ * u);
-    for (int dof = 0; dof < K_.rows(); ++dof) {
-      right_side[dof] = is_given_[dof] ? 0 : right_side[dof];
+    for (int dof : given_.owned()) {
+      right_side[dof] = 0;
     }
     u += solver_.solve(right_side);
     ASPERITY_REQUIRE(solver_.info() == Eigen::Success,
@@ -183,9 +168,21 @@ public:
   }
 
 private:
+  // Dofs that boundary conditions hold, and those of the fault.
+  static fem::HeldDofs givenDofs(ProblemInSpace const& problem)
+  {
+    auto flags = problem.body.held.flags();
+    for (auto const& node : *problem.surface) {
+      for (int dof : node.dofs) {
+        flags[dof] = 1;
+      }
+    }
+    return {flags, static_cast<int>(flags.size())}; // one rank owns all
+  }
+
   fem::FaultSurface const& surface_;
+  const fem::HeldDofs given_;
   Eigen::SparseMatrix<double> K_, A_;
-  std::vector<char> is_given_;
   Eigen::ConjugateGradient<Eigen::SparseMatrix<double>, Eigen::Lower | Eigen::Upper,
                            Eigen::IncompleteCholesky<double>>
     solver_;

@@ -156,9 +156,9 @@ BP5 = (
     *(Quantity(f"slip after 60 s at {place}", "m", of.slip_after(name, 60), slip, ".2f")
       for name, (place, _, _, slip) in PLACES.items()), BALANCE)
 FIRST_EVENT = "Time Stepping/Final Time=128"
-# Of what TriBIE (D. Li, boundary elements of 1 km) and tandem (C. Uphoff, elements of 4 km of
-# higher order) have submitted to the platform: times at (16 km, 10 km) and (0, 10 km) from the
-# state variable, which counts the time since an event, and slips. A pair: TriBIE, tandem.
+# Of what TriBIE (D. Li, boundary elements of 1 km) and tandem (C. Uphoff, elements of 4 km) have
+# submitted to the platform: times at (16 km, 10 km) and (0, 10 km) from the state variable, which
+# counts the time since an event, and slips. A pair: TriBIE, tandem (its interval: event 3 to 8).
 BP5_SEQUENCE = (
     Quantity("number of events", "", of.number_of_events(), 8),
     Quantity("onset of event 2", "yr", of.onset(2), 238.86),

@@ -3,8 +3,8 @@ waves of 8 cells.
 
 An independent computation of cubes cut as Mesh / Box cuts them has errors of 21.3 % (slip along the
 wave) and 4.1 % (across it); under the Gaussian window, whose waves are 11 % shorter in the mean
-square and have parts of both kinds, 23 and 6 %. The other values are our own: they say what to
-expect of a kind of mesh."""
+square and have parts of both kinds, 23 and 6 %. The other values are those of a first run of this
+program: no other computation confirms them. They say what to expect of a kind of mesh."""
 
 import pathlib
 import subprocess
