@@ -23,52 +23,48 @@ struct AddProducts
 
   KOKKOS_FUNCTION void operator()(int i) const
   {
-    float* to = A + static_cast<std::size_t>(couplings(i)) * N * N;
-    float* mirror = mirrored(i) < 0 ? nullptr : A + static_cast<std::size_t>(mirrored(i)) * N * N;
+    Block in_order, transposed;
     for (int p = first(i); p < first(i + 1); ++p) {
       double const* h = H + static_cast<std::size_t>(products(p, 0)) * T * T;
-      bool is_zero = true;
-      for (int t = 0; t < T * T; ++t) {
-        is_zero = is_zero && h[t] == 0;
-      }
       const int J = products(p, 1), K = products(p, 2);
-      if (!is_zero && J <= K) {
-        add(h, J, K, to, mirror);
-      } else if (!is_zero) {
-        add(h, K, J, mirror, to);
+      if (J <= K) {
+        in_order.add(h, Q + static_cast<std::size_t>(J) * T * N,
+                     Q + static_cast<std::size_t>(K) * T * N);
+      } else {
+        transposed.add(h, Q + static_cast<std::size_t>(K) * T * N,
+                       Q + static_cast<std::size_t>(J) * T * N);
+      }
+    }
+    float* to = A + static_cast<std::size_t>(couplings(i)) * N * N;
+    float* mirror = mirrored(i) < 0 ? to : A + static_cast<std::size_t>(mirrored(i)) * N * N;
+    for (int r = 0; r < N; ++r) {
+      for (int c = 0; c < N; ++c) {
+        const float sum = in_order.sum[r * N + c] + transposed.sum[c * N + r];
+        to[r * N + c] += sum;
+        if (mirror != to) {
+          mirror[c * N + r] += sum;
+        }
       }
     }
   }
 
-  // to += Q_J^T h Q_K, and to the mirror its transpose; both may be null.
-  KOKKOS_FUNCTION void add(double const* h, int J, int K, float* to, float* mirror) const
+  struct Block
   {
-    float const* QJ = Q + static_cast<std::size_t>(J) * T * N;
-    float const* QK = Q + static_cast<std::size_t>(K) * T * N;
-    double hQ[T][N]; // h Q_J
-    for (int s = 0; s < T; ++s) {
-      for (int c = 0; c < N; ++c) {
-        hQ[s][c] = 0;
-        for (int t = 0; t < T; ++t) {
-          hQ[s][c] += h[s * T + t] * QJ[t * N + c];
-        }
-      }
-    }
-    for (int r = 0; r < N; ++r) {
-      for (int c = 0; c < N; ++c) {
-        double sum = 0;
+    float sum[N * N + 4] = {}; // for loads of four
+    // += Q_J^T h Q_K
+    KOKKOS_FUNCTION void add(double const* h, float const* QJ, float const* QK)
+    {
+      for (int r = 0; r < N; ++r) {
+        float column[T] = {}; // of h Q_J
         for (int s = 0; s < T; ++s) {
-          sum += hQ[s][r] * QK[s * N + c];
+          for (int t = 0; t < T; ++t) {
+            column[s] += static_cast<float>(h[s * T + t]) * QJ[t * N + r];
+          }
         }
-        if (to != nullptr) {
-          to[r * N + c] += static_cast<float>(sum);
-        }
-        if (mirror != nullptr) {
-          mirror[c * N + r] += static_cast<float>(sum);
-        }
+        addTransposed<T, N>(QK, column, sum + r * N);
       }
     }
-  }
+  };
 };
 
 // Calls work(T, N) with compile-time constants: 1 to 3 tangents, and the numbers of rigid body

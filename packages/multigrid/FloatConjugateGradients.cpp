@@ -1,6 +1,7 @@
 #include "multigrid/FloatConjugateGradients.hpp"
 
 #include "multigrid/FlushDenormals.hpp"
+#include "multigrid/NodeKernels.hpp"
 
 #include <utility>
 
@@ -8,7 +9,7 @@ namespace asperity::multigrid
 {
 namespace
 {
-// Adds to the products rr, rz, zw, rw, ww, ws, rs, ss of r, z, w = (Z + H) z and the last s.
+// The products rr, rz, zw, rw, ww, ws, rs, ss of r, z, w = (Z + H) z and the last s.
 struct InnerProducts
 {
   using value_type = double[]; // NOLINT(modernize-avoid-c-arrays): as Kokkos wants it
@@ -18,7 +19,29 @@ struct InnerProducts
   float const *r, *z, *w, *s;
   KOKKOS_FUNCTION void operator()(int i, double* sums) const
   {
-    const double ri = r[i], zi = z[i], wi = w[i], si = s[i];
+    add<double>(r[i], z[i], w[i], s[i], sums);
+  }
+  // All from `begin` to `end`, on the host: in single precision as long as few are added.
+  void addRange(int begin, int end, double* sums) const
+  {
+    constexpr int few = 64;
+    int i = begin;
+    while (i + num_lanes <= end) {
+      Lanes parts[num_products] = {};
+      for (int k = 0; k < few && i + num_lanes <= end; ++k, i += num_lanes) {
+        add(load(r + i), load(z + i), load(w + i), load(s + i), parts);
+      }
+      for (int n = 0; n < num_products; ++n) {
+        sums[n] += total(parts[n]);
+      }
+    }
+    for (; i < end; ++i) {
+      (*this)(i, sums);
+    }
+  }
+  template <class Number>
+  static KOKKOS_FUNCTION void add(Number ri, Number zi, Number wi, Number si, Number* sums)
+  {
     sums[0] += ri * ri;
     sums[1] += ri * zi;
     sums[2] += zi * wi;

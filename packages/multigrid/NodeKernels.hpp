@@ -37,6 +37,11 @@ void withBlockSizes(int rows, int columns, Work const& work)
 // once, and compilers do not do so with blocks of three. Each thread of a device takes one.
 #if defined(__CUDA_ARCH__) || defined(__HIP_DEVICE_COMPILE__) || defined(__SYCL_DEVICE_ONLY__)
 
+using Lanes = float;
+constexpr int num_lanes = 1;
+KOKKOS_INLINE_FUNCTION Lanes load(float const* from) { return *from; }
+KOKKOS_INLINE_FUNCTION float total(Lanes lane) { return lane; }
+
 // Sums of products of a block's R rows with a vector of C numbers.
 template <int R, int C>
 class RowSums
@@ -84,6 +89,7 @@ KOKKOS_INLINE_FUNCTION void addTransposed(float const* a, float const* x, float*
 #else
 
 using Lanes = float __attribute__((vector_size(16)));
+constexpr int num_lanes = 4;
 
 // Loads four numbers: a block's row and what follows it, after the last row the padding of
 // makeNumbers().
@@ -93,6 +99,8 @@ inline Lanes load(float const* from)
   std::memcpy(&lanes, from, sizeof(lanes));
   return lanes;
 }
+
+inline float total(Lanes lanes) { return lanes[0] + lanes[1] + lanes[2] + lanes[3]; }
 
 // The last Count numbers of a block's row. The other lanes are zero but where Count is 3: to make
 // the fourth zero would take longer than the rest.
@@ -127,8 +135,8 @@ struct Packed
   }
   void store(float* to) const
   {
-    for (int i = 0; i < N; ++i) {
-      to[i] = part[i / 4][i % 4];
+    for (int k = 0; k < num_parts; ++k) {
+      std::memcpy(to + 4 * k, &part[k], sizeof(float) * (k + 1 < num_parts ? 4 : last));
     }
   }
 };

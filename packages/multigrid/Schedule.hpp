@@ -138,8 +138,8 @@ public:
       }
     });
   }
-  // The N sums to which number(i, sums) adds. Number::value_type is double[], and its value_count
-  // is N, as Kokkos wants it.
+  // The N sums to which number(i, sums) adds; number.addRange(begin, end, sums) adds a whole range,
+  // on the host. Number::value_type is double[], and its value_count is N, as Kokkos wants it.
   template <int N, class Number>
   std::array<double, N> sum(int size, Number const& number) const
   {
@@ -154,11 +154,8 @@ public:
     }
     std::vector<std::array<double, N>> parts(numParts());
     forEachChunk([&](int chunk, int begin, int end) {
-      const Number own = number;
       double sums[N] = {};
-      for (int i = begin * size; i < end * size; ++i) {
-        own(i, sums);
-      }
+      number.addRange(begin * size, end * size, sums);
       std::copy_n(sums, N, parts[chunk].begin());
     });
     total = parts.front();
