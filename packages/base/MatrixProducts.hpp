@@ -4,9 +4,10 @@
 
 #include <vector>
 
-namespace asperity::fem
+namespace asperity
 {
-// y = A x, all on the owned dofs. y must not be the x of any product in the same call.
+// y = A x on the owned dofs; x may also be on A's columns, with its ghosts. y must not be the x of
+// any product in the same call.
 struct MatrixProduct
 {
   CrsMatrix const& A;
@@ -15,7 +16,7 @@ struct MatrixProduct
 };
 
 // Computes all the products. Matrices on the graph of the first one are multiplied in one pass if
-// it has no ghost columns: its column indices, a third of the data of a matrix, are read once. At
-// most four matrices on that graph. Collective.
+// their vectors do not lack ghosts: column indices, a third of the data of a matrix, are read once.
+// At most four matrices on that graph. Collective.
 void multiply(std::vector<MatrixProduct> const& products);
-} // namespace asperity::fem
+} // namespace asperity

@@ -1,6 +1,6 @@
 #include "dynamics/Body.hpp"
 
-#include "fem/MatrixProducts.hpp"
+#include "base/MatrixProducts.hpp"
 #include "fem/inelastic/InelasticCells.hpp"
 
 #include <Tpetra_CrsMatrix.hpp>
@@ -50,8 +50,8 @@ BodyForces Body::noForces() const
 
 void Body::computeForces(Motion const& motion, BodyForces& forces, Vector* momentum) const
 {
-  std::vector<fem::MatrixProduct> products = {{*matrices.stiffness, motion.u, *forces.elastic},
-                                              {*matrices.viscosity, motion.v, *forces.viscous}};
+  std::vector<MatrixProduct> products = {{*matrices.stiffness, motion.u, *forces.elastic},
+                                         {*matrices.viscosity, motion.v, *forces.viscous}};
   const auto addMassTimes = [&](Vector const& x, Vector& y) {
     if (matrices.is_massless) {
       y.putScalar(0);
@@ -63,7 +63,7 @@ void Body::computeForces(Motion const& motion, BodyForces& forces, Vector* momen
   if (momentum) {
     addMassTimes(motion.v, *momentum);
   }
-  fem::multiply(products);
+  multiply(products);
   for (std::size_t k = 0; k < matrices.branches.size(); ++k) {
     matrices.branches[k].stiffness->apply(*motion.d[k], *forces.of_branches[k]);
     forces.elastic->update(1, *forces.of_branches[k], 1);

@@ -1,5 +1,6 @@
 #include "tnnmg/SparseRateMatrix.hpp"
 
+#include "base/MatrixProducts.hpp"
 #include "base/parallel/Reductions.hpp"
 #include "tnnmg/OrderedSums.hpp"
 
@@ -99,11 +100,20 @@ SparseRateMatrix::SparseRateMatrix(RCP<const CrsMatrix> Z, NonlinearNodes const&
                  diagonalBlocks(*Z, nodes))
     , Z_(std::move(Z))
     , exchange_(*Z_, nodes)
+    , work_(rcp(new Vector(columns())))
 {
   const int mine = nodes.numNodes() * nodes.blockSize();
-  if (8. * sumOverRanks(mine, *Z_->getComm()) < static_cast<double>(Z_->getGlobalNumRows())) {
-    work_ = rcp(new Vector(columns()));
+  has_few_nodes_ =
+    8. * sumOverRanks(mine, *Z_->getComm()) < static_cast<double>(Z_->getGlobalNumRows());
+}
+
+void SparseRateMatrix::apply(Vector const& x, Vector& y) const
+{
+  auto const importer = Z_->getCrsGraph()->getImporter();
+  if (!importer.is_null()) {
+    work_->doImport(x, *importer, Tpetra::INSERT);
   }
+  multiply({{*Z_, importer.is_null() ? x : *work_, y}});
 }
 
 int SparseRateMatrix::sweep(NodalProblem const& problem, Vector const& b, Vector& v_columns,
@@ -130,7 +140,7 @@ int SparseRateMatrix::sweep(NodalProblem const& problem, Vector const& b, Vector
 void SparseRateMatrix::finishSweeps(ConstBlockView const& d, Vector const& b, Vector const& v,
                                     Vector& r) const
 {
-  if (work_.is_null()) {
+  if (!has_few_nodes_) {
     residual(b, v, r);
     return;
   }

@@ -15,7 +15,7 @@ public:
   // the domain map. Collective.
   SparseRateMatrix(RCP<const CrsMatrix> Z, NonlinearNodes const& nodes);
 
-  void apply(Vector const& x, Vector& y) const override { Z_->apply(x, y); }
+  void apply(Vector const& x, Vector& y) const override;
   int sweep(NodalProblem const& problem, Vector const& b, Vector& v_columns, Vector& r,
             BlockView const& blocks, BlockView const& residual) const override;
   void finishSweeps(ConstBlockView const& d, Vector const& b, Vector const& v,
@@ -24,7 +24,8 @@ public:
 private:
   RCP<const CrsMatrix> Z_;
   FaultColumns exchange_;
-  RCP<Vector> work_; // on columns(), if the nonlinear nodes have few of the dofs of all ranks
+  RCP<Vector> work_;           // on columns()
+  bool has_few_nodes_ = false; // the nonlinear ones, with few of the dofs of all ranks
 };
 
 // (num_nodes, T, T): the blocks of Z at the nodes. Z's column map starts with the owned rows.

@@ -1,6 +1,5 @@
 #include "fem/BodyMatrices.hpp"
 
-#include "fem/MatrixProducts.hpp"
 #include "mesh/SimplexGeometry.hpp"
 #include "portability/Renamed.hpp"
 #include "unit/fem/SampleMeshes.hpp"
@@ -387,44 +386,6 @@ TYPED_TEST(BodyMatricesTest, EntriesAreSumsOverTheCells)
     EXPECT_LE((stored - expected[k].topRows(rows.numRows())).cwiseAbs().maxCoeff(),
               1e-13 * expected[k].cwiseAbs().maxCoeff());
     ++k;
-  }
-}
-
-// In one pass (one rank) and one by one (more ranks, or graphs of their own).
-TYPED_TEST(BodyMatricesTest, ProductsTakenTogetherAreThoseTakenAlone)
-{
-  auto const& body = this->varied_body;
-  auto const matrices = assemble(body, body.axes());
-  const CrsMatrix on_its_own_graph(*matrices.viscosity, Teuchos::Copy);
-  const auto expectProduct = [](MatrixProduct const& product) {
-    Vector expected(product.y.getMap());
-    product.A.apply(product.x, expected);
-    const double size = expected.normInf();
-    expected.update(-1, product.y, 1);
-    EXPECT_LE(expected.normInf(), 1e-14 * size);
-    EXPECT_GT(size, 0);
-  };
-  for (auto const* viscosity : {matrices.viscosity.get(), &on_its_own_graph}) {
-    const Vector u = body.random(body.axes(), 0), v = body.random(body.axes(), 1);
-    const Vector a = body.random(body.axes(), 2);
-    std::vector<Vector> y; // a copy of a vector is another view of it
-    y.reserve(4);
-    for (int k = 0; k < 4; ++k) {
-      y.emplace_back(u.getMap());
-    }
-    const std::vector<MatrixProduct> products = {{*matrices.stiffness, u, y[0]},
-                                                 {*viscosity, v, y[1]},
-                                                 {*matrices.mass, a, y[2]},
-                                                 {*matrices.mass, v, y[3]}};
-    for (std::size_t count = 1; count <= products.size(); ++count) {
-      for (std::size_t k = 0; k < count; ++k) {
-        y[k].putScalar(std::nan(""));
-      }
-      multiply({products.begin(), products.begin() + count});
-      for (std::size_t k = 0; k < count; ++k) {
-        expectProduct(products[k]);
-      }
-    }
   }
 }
 
