@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <array>
+#include <limits>
 #include <utility>
 
 namespace asperity::tnnmg
@@ -22,9 +23,21 @@ Tnnmg::Tnnmg(std::shared_ptr<const RateMatrix> Z, std::shared_ptr<LinearCorrecti
 {
 }
 
-double Tnnmg::smallChange(double norm) const
+double Tnnmg::smallError(double norm) const
 {
   return std::max(settings_.absolute_tolerance, settings_.relative_tolerance * norm);
+}
+
+// Changes of v fall as the error does: the slower of their last two falls counts, since nodes that
+// begin to move or to rest make one slow. A loose correction leaves that share of the error even
+// where changes fall faster, as where the problem has changed between two iterations.
+double Tnnmg::errorAfter(double change)
+{
+  const double fall = change / last_change_, fall_before = std::exchange(last_fall_, fall);
+  last_change_ = change;
+  const double factor = std::max({settings_.correction_tolerance, fall, fall_before});
+  constexpr double slow = 0.5;
+  return factor < slow ? factor / (1 - factor) * change : change;
 }
 
 void Tnnmg::begin(Vector const& b, Vector const& guess)
@@ -32,6 +45,8 @@ void Tnnmg::begin(Vector const& b, Vector const& guess)
   vectors_.begin(b, guess);
   gather(Z_->nodes().dofs, *vectors_.v, blocks_.v);
   knows_residual_ = false;
+  last_change_ = 0;
+  last_fall_ = std::numeric_limits<double>::infinity();
 }
 
 void Tnnmg::computeResidual()
@@ -66,10 +81,11 @@ TnnmgResult Tnnmg::iterate(NodalProblem const& problem, int max_iterations)
     const bool corrected = findCorrection(problem, result) && searchAlong(problem, result);
     auto const norms = vectors_.norms(failed_here);
     result.last_change = norms.change;
+    result.error = errorAfter(norms.change);
     result.failed_nodes = norms.failed_nodes;
     // Without a correction, the last change says nothing about the dofs that Gauss-Seidel does not
     // visit.
-    result.converged = corrected && result.last_change <= smallChange(norms.v);
+    result.converged = corrected && result.error <= smallError(norms.v);
   }
   result.converged = result.converged && !result.failed();
   return result;
@@ -162,7 +178,7 @@ bool Tnnmg::searchAlong(NodalProblem const& problem, TnnmgResult& result)
     step = findSignChange(slope, start, 0.);
     change = changeAlong(step);
   }
-  if (!(step > 0) && !(std::sqrt(along.curvature) <= smallChange(vectors_.norms(0).v))) {
+  if (!(step > 0) && !(std::sqrt(along.curvature) <= smallError(vectors_.norms(0).v))) {
     ++result.lost_corrections;
     return false;
   }

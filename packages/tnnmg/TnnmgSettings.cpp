@@ -8,10 +8,11 @@ Teuchos::RCP<Teuchos::ParameterList> TnnmgSettings::validParameters()
 {
   const TnnmgSettings defaults;
   return Declare()
-    .real("Absolute Tolerance", defaults.absolute_tolerance, "W^(1/2) m^(-1/2) in 2D",
-          Range::atLeast(0),
-          "A rate problem counts as solved when the last change of the velocity, in the energy "
-          "norm of Z, is at most this.")
+    .real(
+      "Absolute Tolerance", defaults.absolute_tolerance, "W^(1/2) m^(-1/2) in 2D",
+      Range::atLeast(0),
+      "A rate problem counts as solved when the error of the velocity, in the energy norm of Z, "
+      "is at most this. The last changes of the velocity tell it.")
     .real("Relative Tolerance", defaults.relative_tolerance, "-", Range::closedOpen(0, 1),
           "This tolerance is relative to the energy norm of the velocity; the larger of it and the "
           "absolute tolerance counts.")

@@ -9,8 +9,8 @@ namespace asperity::tnnmg
 // `TNNMG`.
 struct TnnmgSettings
 {
-  double absolute_tolerance = 1e-8;  // of the last change, in Z's norm [W^(1/2) m^(-1/2) in 2D]
-  double relative_tolerance = 1e-10; // of the last change, relative to the norm of v
+  double absolute_tolerance = 1e-8;  // of the error, in Z's norm [W^(1/2) m^(-1/2) in 2D]
+  double relative_tolerance = 1e-10; // of the error, relative to the norm of v
   int max_iterations = 50;
   int sweeps = 1; // of Gauss-Seidel in each iteration
   // Relative residual of the linear correction. A smaller one costs V-cycles but saves no

@@ -1,11 +1,9 @@
 #include "tnnmg/Tnnmg.hpp"
 
-#include "RateProblem.hpp"
+#include "FullSolve.hpp"
 #include "tnnmg/DenseRateMatrix.hpp"
-#include "tnnmg/SparseRateMatrix.hpp"
 #include "tnnmg/direct/DenseCorrection.hpp"
 #include "tnnmg/direct/SchurComplement.hpp"
-#include "tnnmg/multigrid/MultigridCorrection.hpp"
 
 #include <Teuchos_DefaultMpiComm.hpp>
 #include <Tpetra_CrsMatrix.hpp>
@@ -19,40 +17,6 @@ namespace asperity::tnnmg
 using namespace testing;
 namespace
 {
-TnnmgSettings tight()
-{
-  TnnmgSettings settings;
-  settings.absolute_tolerance = 0;
-  settings.relative_tolerance = 1e-13;
-  return settings;
-}
-
-Teuchos::ParameterList multigridParameters()
-{
-  Teuchos::ParameterList list("MueLu Correction");
-  list.sublist("MueLu").set("coarse: max size", 40); // two levels at least in a small model
-  return list;
-}
-
-// TNNMG on all dofs of all ranks, with multigrid unless another correction is given.
-TnnmgResult solveFull(RateProblem const& problem, NodalProblem const& nodes,
-                      TnnmgSettings const& settings, Eigen::VectorXd& v,
-                      std::map<int, double> const& held = {},
-                      std::shared_ptr<LinearCorrection> correction = nullptr)
-{
-  auto const& model = problem.model;
-  if (!correction) {
-    correction = std::make_shared<MultigridCorrection>(model.problem(), multigridParameters());
-  }
-  Tnnmg tnnmg(
-    std::make_shared<SparseRateMatrix>(model.Z, model.nodesWith(problem.heldOnRank(held))),
-    correction, settings);
-  tnnmg.begin(model.scatter(problem.b), model.scatter(v));
-  const auto result = tnnmg.solve(nodes);
-  v = model.gather(tnnmg.v());
-  return result;
-}
-
 std::vector<int> flat(std::vector<std::vector<int>> const& blocks)
 {
   std::vector<int> values;
@@ -86,11 +50,6 @@ TnnmgResult solveCondensed(RateProblem const& problem, TnnmgSettings const& sett
   b.expand(tnnmg.v(), all);
   v = model.gather(all);
   return result;
-}
-
-Eigen::VectorXd atRest(RateProblem const& problem)
-{
-  return Eigen::VectorXd::Zero(problem.model.global.rows());
 }
 
 bool isAtRest(RateProblem const& problem, Eigen::VectorXd const& v, std::size_t node)
@@ -296,143 +255,6 @@ TEST(Tnnmg, SlidesAlongWalls)
       v = atRest(problem);
       checkSolution(problem, solveCondensed(problem, tight(), v), v, reference);
     }
-  }
-}
-
-TEST(Tnnmg, SaysThatItHasNotConverged)
-{
-  const RateProblem problem({1., 2, 1, Kind::both});
-  auto settings = tight();
-  settings.max_iterations = 2;
-  auto v = atRest(problem);
-  const auto result = solveFull(problem, problem.nodesOfRank(), settings, v);
-  EXPECT_FALSE(result.converged);
-  EXPECT_EQ(result.iterations, 2);
-  EXPECT_GT(result.last_change, 1e-13 * problem.energyNorm(v));
-}
-
-TEST(Tnnmg, StopsAtTheToleranceThatIsReachedFirst)
-{
-  const RateProblem problem({1., 2, 1, Kind::both});
-  const auto reference = problem.reference();
-  auto coarse = tight();
-  coarse.absolute_tolerance = 1e-2 * problem.energyNorm(reference);
-  auto v = atRest(problem);
-  const auto early = solveFull(problem, problem.nodesOfRank(), coarse, v);
-  EXPECT_TRUE(early.converged);
-  EXPECT_LE(early.last_change, coarse.absolute_tolerance);
-  v = atRest(problem);
-  const auto late = solveFull(problem, problem.nodesOfRank(), tight(), v);
-  EXPECT_LT(early.iterations, late.iterations);
-  EXPECT_LE(late.last_change, 1e-13 * problem.energyNorm(v));
-}
-
-namespace
-{
-// Its last rank's first node cannot be solved.
-class FailingNodes : public RoughNodes
-{
-public:
-  FailingNodes(RoughNodes const& nodes, bool fails) : RoughNodes(nodes), fails_(fails) {}
-  int minimise(IndexView const& nodes, ConstNodeView const& curvature, ConstBlockView const& r,
-               BlockView const& v) const override
-  {
-    int failures = RoughNodes::minimise(nodes, curvature, r, v);
-    const auto which = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace(), nodes);
-    for (std::size_t i = 0; i < which.extent(0); ++i) {
-      failures += fails_ && which(i) == 0 ? 1 : 0;
-    }
-    return failures;
-  }
-
-private:
-  bool fails_;
-};
-} // namespace
-
-TEST(Tnnmg, DoesNotConvergeWhereANodeFailsOnAnyRank)
-{
-  const RateProblem problem({1e-3, 2, 1, Kind::both});
-  auto const comm = problem.model.map->getComm();
-  const FailingNodes nodes(problem.nodesOfRank(), comm->getRank() == comm->getSize() - 1);
-  auto v = atRest(problem);
-  const auto result = solveFull(problem, nodes, tight(), v);
-  EXPECT_FALSE(result.converged);
-  EXPECT_EQ(result.failed_nodes, result.iterations);
-}
-
-namespace
-{
-// Breaks down before its first iteration.
-class LostCorrection : public LinearCorrection
-{
-public:
-  explicit LostCorrection(double value) : value_(value) {}
-  CorrectionResult solve(NonlinearBlocks const&, Vector const&, double, Vector& c) override
-  {
-    c.putScalar(value_);
-    return {};
-  }
-
-private:
-  double value_;
-};
-
-// Claims to have converged, with a correction that points uphill.
-class UphillCorrection : public LinearCorrection
-{
-public:
-  UphillCorrection(std::shared_ptr<LinearCorrection> right, double factor)
-      : right_(std::move(right))
-      , factor_(factor)
-  {
-  }
-  CorrectionResult solve(NonlinearBlocks const& blocks, Vector const& r, double tolerance,
-                         Vector& c) override
-  {
-    const auto result = right_->solve(blocks, r, tolerance, c);
-    c.scale(factor_);
-    return result;
-  }
-
-private:
-  std::shared_ptr<LinearCorrection> right_;
-  double factor_;
-};
-} // namespace
-
-TEST(Tnnmg, DoesNotConvergeWhereNoCorrectionIsADescent)
-{
-  const RateProblem problem({1., 2, 1, Kind::logarithm});
-  const auto solve = [&](double factor) {
-    const auto right =
-      std::make_shared<MultigridCorrection>(problem.model.problem(), multigridParameters());
-    auto v = atRest(problem);
-    return solveFull(problem, problem.nodesOfRank(), TnnmgSettings(), v, {},
-                     std::make_shared<UphillCorrection>(right, factor));
-  };
-  const auto uphill = solve(-1);
-  EXPECT_FALSE(uphill.converged);
-  EXPECT_EQ(uphill.lost_corrections, uphill.iterations);
-  EXPECT_LE(uphill.last_change, 1e-8) << "which would pass for convergence";
-  const auto downhill = solve(1);
-  EXPECT_TRUE(downhill.converged);
-  EXPECT_EQ(downhill.lost_corrections, 0);
-}
-
-// Gauss-Seidel on the fault comes to rest against a body that nothing has moved.
-TEST(Tnnmg, DoesNotConvergeWithoutCorrections)
-{
-  const RateProblem problem({1., 2, 1, Kind::logarithm});
-  for (double value : {0., std::nan("")}) {
-    auto v = atRest(problem);
-    const auto result = solveFull(problem, problem.nodesOfRank(), TnnmgSettings(), v, {},
-                                  std::make_shared<LostCorrection>(value));
-    EXPECT_FALSE(result.converged);
-    EXPECT_EQ(result.iterations, TnnmgSettings().max_iterations);
-    EXPECT_EQ(result.lost_corrections, result.iterations);
-    EXPECT_LE(result.last_change, 1e-8) << "which would pass for convergence";
-    EXPECT_TRUE(v.allFinite());
   }
 }
 

@@ -1,0 +1,22 @@
+#pragma once
+
+#include "RateProblem.hpp"
+
+#include <Teuchos_ParameterList.hpp>
+
+#include <map>
+#include <memory>
+
+namespace asperity::tnnmg::testing
+{
+TnnmgSettings tight();
+Teuchos::ParameterList multigridParameters();
+Eigen::VectorXd atRest(RateProblem const& problem);
+
+// TNNMG on all dofs of all ranks from v, where it leaves the result, with multigrid unless another
+// correction is given.
+TnnmgResult solveFull(RateProblem const& problem, NodalProblem const& nodes,
+                      TnnmgSettings const& settings, Eigen::VectorXd& v,
+                      std::map<int, double> const& held = {},
+                      std::shared_ptr<LinearCorrection> correction = nullptr);
+} // namespace asperity::tnnmg::testing
