@@ -46,11 +46,14 @@ FaultSurface::FaultSurface(std::string name, std::vector<FaultNode> nodes, int n
     return a.copies.front() < b.copies.front();
   }));
   std::vector<double> weights;
+  std::vector<int> sliding;
   double mine = 0;
-  for (auto const& node : nodes_) {
-    weights.push_back(node.weight);
-    mine += node.weight;
+  for (int node = 0; node < numNodes(); ++node) {
+    weights.push_back(nodes_[node].weight);
+    sliding.push_back(slides(node) ? 1 : 0);
+    mine += nodes_[node].weight;
   }
+  sliding_ = toDevice(sliding, "asperity::fem::slidingNodes");
   weights_ = toDevice(weights, "asperity::fem::faultWeights");
   slip_factors_ =
     toDevice(std::vector<double>(nodes_.size(), slipFactor()), "asperity::fem::slipFactors");

@@ -70,6 +70,7 @@ public:
   NodeDofView dofs() const { return dofs_; }                         // (num_nodes, T)
   ConstFlagView heldDofs() const { return held_.flagsOnDevice(); }   // (num local dofs)
   std::vector<IndexView> const& colours() const { return colours_; } // of nodes that slide
+  ConstFlagView slidingNodes() const { return sliding_; }            // (num_nodes): see slides()
   ConstNodeView weights() const { return weights_; }
   ConstNodeView plateRates() const // (num_nodes T), empty without one
   {
@@ -90,6 +91,7 @@ private:
   GlobalOrdinal num_global_nodes_ = 0;
   double total_weight_ = 0;
   NodeDofView dofs_;
+  ConstFlagView sliding_;
   ConstNodeView weights_, slip_factors_;
   ConstNodeView plate_rates_; // (num_nodes T), empty without one
 };

@@ -23,22 +23,26 @@ bool FloorCount::matters() const
   return stress.change() != dynamics::NormalStressChange::fixed || stress.floor() > 0;
 }
 
-void FloorCount::add(dynamics::FaultSample const& now)
+void FloorCount::add(dynamics::State const& now)
 {
   if (!matters()) {
     return;
   }
   auto const& surface = fault_.surface();
-  auto const& sigma_n = now.normalStress();
   const double floor = fault_.normalStress().floor();
+  const ConstNodeView sigma_n = now.sigma_n, weights = surface.weights();
+  auto const slides = surface.slidingNodes();
   double weight = 0;
   std::int64_t nodes = 0;
-  for (int node = 0; node < surface.numNodes(); ++node) {
-    if (surface.slides(node) && sigma_n[node] <= floor) {
-      weight += surface[node].weight;
-      ++nodes;
-    }
-  }
+  Kokkos::parallel_reduce(
+    "asperity::scenario::onFloor", RangePolicy(0, surface.numNodes()),
+    KOKKOS_LAMBDA(int node, double& measure, std::int64_t& count) {
+      if (slides(node) && sigma_n(node) <= floor) {
+        measure += weights(node);
+        ++count;
+      }
+    },
+    weight, nodes);
   auto const& communicator = *surface.communicator();
   node_steps_ += sumOverRanks(nodes, communicator);
   const double on_floor = sumOverRanks(weight, communicator);

@@ -1,6 +1,7 @@
 #pragma once
 
-#include "dynamics/observables/FaultSample.hpp"
+#include "dynamics/State.hpp"
+#include "dynamics/fault/Fault.hpp"
 #include "io/Archive.hpp"
 
 #include <string>
@@ -18,7 +19,7 @@ public:
   // Whether the normal stress can reach its floor: it follows the body, or the floor is not zero.
   bool matters() const;
   // Counts the nodes on the floor at the end of a step. Collective.
-  void add(dynamics::FaultSample const& now);
+  void add(dynamics::State const& now);
   // The share [-], by measure, of the sliding part of the fault that was on the floor at the end of
   // the last step.
   double share() const { return share_; }

@@ -35,6 +35,13 @@ void setScale(ConstNodeView const& sigma_n, double least, NodeView const& scale)
       scale(node) = friction_over_b / (sigma_n(node) > least ? sigma_n(node) : least);
     });
 }
+
+void subtract(ConstNodeView const& b, NodeView const& r)
+{
+  Kokkos::parallel_for(
+    "asperity::dynamics::reactionAcross", RangePolicy(0, r.extent(0)),
+    KOKKOS_LAMBDA(int node) { r(node) -= b(node); });
+}
 } // namespace
 
 NormalStressUpdate::NormalStressUpdate(Body const& body, Fault const& fault,
@@ -49,6 +56,7 @@ NormalStressUpdate::NormalStressUpdate(Body const& body, Fault const& fault,
     ASPERITY_ASSERT(since_start_.reaction);
     load_ = body.vector();
     R_ = NodeView("asperity::dynamics::compression", sigma_0_.extent(0));
+    right_side_ = NodeView("asperity::dynamics::rightSideAcross", sigma_0_.extent(0));
     scale_ = NodeView("asperity::dynamics::perPascal", sigma_0_.extent(0));
   }
 }
@@ -90,11 +98,9 @@ void NormalStressUpdate::setRightSide(Vector const& b)
 int NormalStressUpdate::respond(FaultResponse const& to, NodeView const& image)
 {
   ASPERITY_TIME_WORK("normal stress");
-  auto r = to.solver.reactions();
-  for (std::size_t i = 0; i < r.size(); ++i) {
-    r[i] -= right_side_[i];
-  }
-  since_start_.reaction->compression(r, R_);
+  to.solver.reactions(R_);
+  subtract(right_side_, R_);
+  since_start_.reaction->compression(R_, R_);
   fault_.normalStress().add(sigma_0_, R_, since_start_.at_start, image);
   return 0;
 }

@@ -43,7 +43,6 @@ private:
   NormalStressChange change_;
   ReactionSinceStart since_start_;
   RCP<Vector> load_; // at the beginning, if it lags
-  std::vector<double> right_side_;
-  NodeView sigma_0_, R_, scale_;
+  NodeView sigma_0_, right_side_, R_, scale_;
 };
 } // namespace asperity::dynamics

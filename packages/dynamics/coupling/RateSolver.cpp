@@ -74,10 +74,12 @@ public:
     N_->apply(at_rest_, constant_);
   }
 
-  std::vector<double> operator()(Vector const& w_kept) const
+  void apply(Vector const& w_kept, NodeView const& r) const
   {
-    const Eigen::VectorXd result = values(constant_) + matrix_ * values(w_kept);
-    return {result.data(), result.data() + result.size()};
+    auto const host = Kokkos::create_mirror_view(r);
+    Eigen::Map<Eigen::VectorXd>(host.data(), host.extent_int(0)) =
+      values(constant_) + matrix_ * values(w_kept);
+    Kokkos::deep_copy(r, host);
   }
 
   std::size_t bytes() const { return sizeof(double) * static_cast<std::size_t>(matrix_.size()); }
@@ -181,10 +183,7 @@ public:
       to(rows_[i], 0) = from(i, 0);
     }
   }
-  std::vector<double> reactions() const override
-  {
-    return reactions_ ? (*reactions_)(w()) : std::vector<double>();
-  }
+  void reactions(NodeView const& r) const override { reactions_->apply(w(), r); }
   std::size_t bytes() const override
   {
     return schur_.bytes() + correction_->bytes() + (reactions_ ? reactions_->bytes() : 0);
@@ -215,15 +214,12 @@ public:
   void begin(Vector const& b, Vector const& guess) override { start(b, guess); }
   void velocity(Vector& w_all) const override { Tpetra::deep_copy(w_all, w()); }
   void knownVelocity(Vector& w_all) const override { velocity(w_all); }
-  std::vector<double> reactions() const override
+  void reactions(NodeView const& r) const override
   {
-    if (reactions_.is_null()) {
-      return {};
-    }
     Vector result(reactions_->getRangeMap());
     reactions_->apply(w(), result);
-    auto const values = result.getLocalViewHost(Tpetra::Access::ReadOnly);
-    return {values.data(), values.data() + values.extent(0)};
+    auto const values = result.getLocalViewDevice(Tpetra::Access::ReadOnly);
+    Kokkos::deep_copy(r, Kokkos::subview(values, Kokkos::ALL, 0));
   }
   // Z's values, the preconditioner, and some twenty vectors.
   std::size_t bytes() const override

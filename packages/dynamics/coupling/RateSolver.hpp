@@ -48,9 +48,8 @@ public:
   virtual void velocity(Vector& w) const = 0;
   // The same at those dofs alone where it is known without further work, the fault's at least.
   virtual void knownVelocity(Vector& w) const = 0;
-  // N w of the last answer, for this rank's rows of the N that the solver was made with; empty if
-  // it was made without.
-  virtual std::vector<double> reactions() const = 0;
+  // r = N w of the last answer, for this rank's rows of the N that the solver was made with.
+  virtual void reactions(NodeView const& r) const = 0;
   virtual std::size_t bytes() const = 0; // estimated memory on this rank
 };
 

@@ -203,18 +203,12 @@ void slipRate(fem::FaultSurface const& surface, ConstBlockView const& v, NodeVie
 
 double peakSlipRate(fem::FaultSurface const& surface, ConstNodeView const& V)
 {
-  const int size = surface.numTangents();
-  auto const dofs = surface.dofs();
-  auto const held = surface.heldDofs();
+  auto const slides = surface.slidingNodes();
   double mine = 0;
   Kokkos::parallel_reduce(
     "asperity::dynamics::peakSlipRate", RangePolicy(0, surface.numNodes()),
     KOKKOS_LAMBDA(int node, double& largest) {
-      bool slides = false;
-      for (int k = 0; k < size; ++k) {
-        slides = slides || !held(dofs(node, k));
-      }
-      largest = slides && V(node) > largest ? V(node) : largest;
+      largest = slides(node) && V(node) > largest ? V(node) : largest;
     },
     Kokkos::Max<double>(mine));
   return maxOverRanks(std::max(mine, 0.), *surface.communicator()); // a rank may have no nodes

@@ -34,6 +34,7 @@ NormalReaction::NormalReaction(Body const& body, fem::FaultSurface const& surfac
 {
   const int components = body.dofs->components();
   ASPERITY_ASSERT(components > 1);
+  std::vector<double> per_force;
   for (int i = 0; i < surface.numNodes(); ++i) {
     const int vertex = surface.vertex(i);
     const int component = componentAcross(surface[i], body.dofs->dof(vertex, 0), components);
@@ -44,8 +45,10 @@ NormalReaction::NormalReaction(Body const& body, fem::FaultSurface const& surfac
     }
     ASPERITY_ASSERT(!surface.slides(i) || body.held[dofs_.back()]);
     const double sign = outward > 0 ? 1 : -1;
-    per_force_.push_back(surface.slides(i) ? -sign / support[i] : 0);
+    per_force.push_back(surface.slides(i) ? -sign / support[i] : 0);
   }
+  dofs_on_device_ = toDevice(dofs_, "asperity::dynamics::dofsAcross");
+  per_force_ = toDevice(per_force, "asperity::dynamics::compressionPerForce");
 }
 
 NormalReaction::NormalReaction(NormalReaction const& other, Body const& body,
@@ -55,18 +58,16 @@ NormalReaction::NormalReaction(NormalReaction const& other, Body const& body,
   ASPERITY_ASSERT(dofs.size() == dofs_.size());
   body_ = body;
   dofs_ = dofs;
+  dofs_on_device_ = toDevice(dofs_, "asperity::dynamics::dofsAcross");
 }
 
 void NormalReaction::compression(Vector const& l, Motion const& motion, NodeView const& R) const
 {
   Vector rest(body_.dofs->owned());
   body_.residual(l, motion, rest);
-  std::vector<double> r;
-  gather(rest, r);
-  for (double& force : r) {
-    force = -force;
-  }
-  compression(r, R);
+  rest.scale(-1);
+  gather(rest, R);
+  compression(R, R);
 }
 
 RCP<const CrsMatrix> NormalReaction::rows(fem::Weights const& weights) const
@@ -94,22 +95,21 @@ RCP<const CrsMatrix> NormalReaction::rows(fem::Weights const& weights) const
   return result;
 }
 
-void NormalReaction::gather(Vector const& x, std::vector<double>& entries) const
+void NormalReaction::gather(Vector const& x, NodeView const& r) const
 {
-  auto const values = x.getLocalViewHost(Tpetra::Access::ReadOnly);
-  entries.clear();
-  for (int dof : dofs_) {
-    entries.push_back(values(dof, 0));
-  }
+  auto const values = x.getLocalViewDevice(Tpetra::Access::ReadOnly);
+  auto const dofs = dofs_on_device_;
+  Kokkos::parallel_for(
+    "asperity::dynamics::gatherAcross", RangePolicy(0, dofs.extent_int(0)),
+    KOKKOS_LAMBDA(int node) { r(node) = values(dofs(node), 0); });
 }
 
-void NormalReaction::compression(std::vector<double> const& r, NodeView const& R) const
+void NormalReaction::compression(ConstNodeView const& r, NodeView const& R) const
 {
-  auto const host = Kokkos::create_mirror_view(R);
-  for (std::size_t i = 0; i < r.size(); ++i) {
-    host(i) = per_force_[i] * r[i];
-  }
-  Kokkos::deep_copy(R, host);
+  auto const per_force = per_force_;
+  Kokkos::parallel_for(
+    "asperity::dynamics::compression", RangePolicy(0, per_force.extent_int(0)),
+    KOKKOS_LAMBDA(int node) { R(node) = per_force(node) * r(node); });
 }
 
 ReactionSinceStart reactionSince(Motion const& start, Body const& body,

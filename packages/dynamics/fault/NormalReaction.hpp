@@ -34,16 +34,17 @@ public:
   // The rows of a sum of the body's matrices at the components across the fault, without the
   // columns of held dofs: (num_nodes, owned dofs). Collective.
   RCP<const CrsMatrix> rows(fem::Weights const& weights) const;
-  // The entries of x(owned dofs) at the components across the fault: (num_nodes).
-  void gather(Vector const& x, std::vector<double>& entries) const;
-  // R(num_nodes) of the reactions r(num_nodes).
-  void compression(std::vector<double> const& r, NodeView const& R) const;
+  // r(num_nodes): the entries of x(owned dofs) at the components across the fault.
+  void gather(Vector const& x, NodeView const& r) const;
+  // R(num_nodes) of the reactions r(num_nodes), which may be the same view.
+  void compression(ConstNodeView const& r, NodeView const& R) const;
 
 private:
   Body body_;
   RCP<const Map> map_; // of the rows
   std::vector<int> dofs_;
-  std::vector<double> per_force_; // R_i / r_i
+  IndexView dofs_on_device_;
+  ConstNodeView per_force_; // R_i / r_i
 };
 
 // The reaction across the fault of a run, and R at the start of the run; both are empty if the

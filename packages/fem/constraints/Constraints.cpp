@@ -69,16 +69,13 @@ void chooseTurns(Mesh<Dim> const& mesh, Communicator const& communicator,
   }
 }
 
-// x(dofs) := values. Copies only these values to the device, and not the whole vector to the host
-// and back.
-void set(Vector& x, std::vector<int> const& dofs, std::vector<double> const& values)
+// x(dofs) := values
+void set(Vector& x, IndexView const& dofs, ConstNodeView const& values)
 {
   auto const target = x.getLocalViewDevice(Tpetra::Access::ReadWrite);
-  auto const rows = toDevice(dofs, "asperity::fem::prescribedRows");
-  auto const given = toDevice(values, "asperity::fem::prescribedValues");
   Kokkos::parallel_for(
-    "asperity::fem::prescribe", RangePolicy(0, rows.extent_int(0)),
-    KOKKOS_LAMBDA(int k) { target(rows(k), 0) = given(k); });
+    "asperity::fem::prescribe", RangePolicy(0, dofs.extent_int(0)),
+    KOKKOS_LAMBDA(int k) { target(dofs(k), 0) = values(k); });
 }
 } // namespace
 
@@ -102,6 +99,7 @@ Constraints<Dim>::Constraints(Mesh<Dim> const& mesh, DofMap const& dofs,
     for (auto const& [node, of_node] : detail::meansAndJumps(at_vertices, mesh, conditions_)) {
       constrain(dofs, node, of_node);
     }
+    moveToDevice();
   });
   holdTips(mesh, dofs);
   shareWithGhosts(dofs);
@@ -291,18 +289,48 @@ void Constraints<Dim>::requireAgreement(int node, int condition, Terms const& te
 template <int Dim>
 void Constraints<Dim>::prescribedVelocity(double t, Vector& v) const
 {
-  std::vector<int> dofs;
   std::vector<double> values;
   for (auto const& row : rows_) {
-    double sum = 0;
-    for (auto const& [condition, coefficient] : row.terms) {
-      sum += coefficient * conditions_[condition].velocity(owned_vertices_[row.node], t);
-    }
-    dofs.push_back(row.dof);
-    values.push_back(sum);
+    values.push_back(velocity(row, t));
   }
   v.putScalar(0);
-  set(v, dofs, values);
+  set(v, constant_dofs_, constant_velocities_);
+  set(v, dofs_of_rows_, toDevice(values, "asperity::fem::prescribedValues"));
+}
+
+template <int Dim>
+bool Constraints<Dim>::dependsOnTime(FixedRow const& row) const
+{
+  return std::any_of(row.terms.begin(), row.terms.end(),
+                     [&](auto const& term) { return conditions_[term.first].dependsOnTime(); });
+}
+
+template <int Dim>
+double Constraints<Dim>::velocity(FixedRow const& row, double t) const
+{
+  double sum = 0;
+  for (auto const& [condition, coefficient] : row.terms) {
+    sum += coefficient * conditions_[condition].velocity(owned_vertices_[row.node], t);
+  }
+  return sum;
+}
+
+// Keeps the velocities that do not depend on time there, so that a step copies the others alone.
+template <int Dim>
+void Constraints<Dim>::moveToDevice()
+{
+  auto const first_constant = std::stable_partition(
+    rows_.begin(), rows_.end(), [&](FixedRow const& row) { return dependsOnTime(row); });
+  std::vector<int> dofs;
+  std::vector<double> velocities;
+  for (auto row = first_constant; row != rows_.end(); ++row) {
+    dofs.push_back(row->dof);
+    velocities.push_back(velocity(*row, 0));
+  }
+  constant_dofs_ = toDevice(dofs, "asperity::fem::constantDofs");
+  constant_velocities_ = toDevice(velocities, "asperity::fem::constantVelocities");
+  rows_.erase(first_constant, rows_.end());
+  dofs_of_rows_ = toDevice(dofsThatVary(), "asperity::fem::dofsThatVary");
 }
 
 template <int Dim>
@@ -310,10 +338,7 @@ std::vector<int> Constraints<Dim>::dofsThatVary() const
 {
   std::vector<int> result;
   for (auto const& row : rows_) {
-    if (std::any_of(row.terms.begin(), row.terms.end(),
-                    [&](auto const& term) { return conditions_[term.first].dependsOnTime(); })) {
-      result.push_back(row.dof);
-    }
+    result.push_back(row.dof);
   }
   return result;
 }

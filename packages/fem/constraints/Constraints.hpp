@@ -66,6 +66,9 @@ private:
   int obliqueCondition(std::vector<Direction> const& directions,
                        std::vector<std::vector<double>> const& to) const;
   void requireAgreement(int node, int condition, detail::Terms const& terms) const;
+  bool dependsOnTime(FixedRow const& row) const;
+  double velocity(FixedRow const& row, double t) const;
+  void moveToDevice();
   void shareWithGhosts(DofMap const& dofs);
 
   std::vector<VelocityCondition<Dim>> conditions_;
@@ -73,7 +76,9 @@ private:
   NodalFrames frames_;
   std::vector<int> held_flags_; // while the conditions are collected
   std::optional<HeldDofs> held_;
-  std::vector<FixedRow> rows_;
+  std::vector<FixedRow> rows_; // whose velocity depends on time; all while they are collected
+  IndexView dofs_of_rows_, constant_dofs_;
+  ConstNodeView constant_velocities_; // at constant_dofs_
   std::vector<Point<Dim>> owned_vertices_;
   std::vector<double> largest_; // largest velocity of each condition at the sample times
 };

@@ -198,7 +198,7 @@ void Evolution<Dim>::account()
     balance_.advance(state_);
   }
   sample_.begin(state_, time(), balance_);
-  floor_count_.add(sample_);
+  floor_count_.add(state_);
 }
 
 template <int Dim>
@@ -254,7 +254,7 @@ void Evolution<Dim>::watchRate()
 template <int Dim>
 void Evolution<Dim>::watchPressure()
 {
-  if (auto const warning = pressure_watch_.note(sample_, time())) {
+  if (auto const warning = pressure_watch_.note(state_, time())) {
     warnings_.push_back(*warning);
   }
 }

@@ -8,18 +8,21 @@
 
 namespace asperity::scenario
 {
-std::optional<Warning> PressureWatch::note(dynamics::FaultSample const& now, double time)
+std::optional<Warning> PressureWatch::note(dynamics::State const& now, double time)
 {
   if (has_warned_ || fault_.laws().processes.empty()) {
     return std::nullopt;
   }
   auto const& surface = fault_.surface();
-  auto const &sigma_n = now.normalStress(), &left = now.effectiveStress();
-  int node = 0;
-  while (node < surface.numNodes() &&
-         !(surface.slides(node) && sigma_n[node] > 0 && left[node] <= 0)) {
-    ++node;
-  }
+  const ConstNodeView sigma_n = now.sigma_n, left = fault_.given(now).sigma_n;
+  auto const slides = surface.slidingNodes();
+  int node = surface.numNodes(); // the first one, if there is one
+  Kokkos::parallel_reduce(
+    "asperity::scenario::firstWithoutStress", RangePolicy(0, surface.numNodes()),
+    KOKKOS_LAMBDA(int i, int& first) {
+      first = slides(i) && sigma_n(i) > 0 && left(i) <= 0 && i < first ? i : first;
+    },
+    Kokkos::Min<int>(node));
   const bool is_here = node < surface.numNodes();
   auto const& communicator = *surface.communicator();
   const int rank = communicator.getRank(), none = communicator.getSize();

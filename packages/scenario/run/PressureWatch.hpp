@@ -1,7 +1,8 @@
 #pragma once
 
 #include "base/Warning.hpp"
-#include "dynamics/observables/FaultSample.hpp"
+#include "dynamics/State.hpp"
+#include "dynamics/fault/Fault.hpp"
 
 #include <optional>
 
@@ -17,7 +18,7 @@ public:
 
   // Looks at the end of a step, at `time` [s]; a warning the first time that a node which slides
   // has lost its normal stress. The same on all ranks. Collective.
-  std::optional<Warning> note(dynamics::FaultSample const& now, double time);
+  std::optional<Warning> note(dynamics::State const& now, double time);
 
 private:
   dynamics::Fault const& fault_;

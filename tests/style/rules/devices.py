@@ -35,7 +35,7 @@ HOST = {
     "packages/dynamics/initial/InitialAlpha.cpp": "set-up",
     "packages/dynamics/initial/InitialState.cpp": "set-up",
     "packages/dynamics/observables/LockedResponse.cpp": "set-up",
-    "packages/dynamics/fault/NormalReaction.cpp": "the nodes of the fault alone",
+    "packages/dynamics/fault/NormalReaction.cpp": "set-up: rows of the matrices",
     "packages/dynamics/condensation/CondensedModel.cpp": "set-up of the condensed model",
     "packages/dynamics/condensation/StaticCondensation.cpp": "direct solver; checkpoints",
     "packages/dynamics/condensation/VertexMotion.cpp": "the rows of a few points, on one rank",
