@@ -143,6 +143,7 @@ void TransposedProduct::multiply(NodeGraph const& graph, Schedule const& schedul
         }
       }
     });
+    const detail::KernelRegion region;
     for (auto const& part : parts) {
       std::transform(y.data(), y.data() + y.extent(0), part.data(), y.data(), std::plus<float>());
     }

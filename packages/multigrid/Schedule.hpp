@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <array>
+#include <string>
 #include <utility>
 #include <vector>
 
@@ -34,6 +35,19 @@ struct RowOfColour
   Row row;
   int num_rows;
   KOKKOS_FUNCTION void operator()(int r) const { row(r, 0, num_rows); }
+};
+
+// Work of the host in place of a kernel, which Kokkos's tools see as a region of this name.
+struct KernelRegion
+{
+  KernelRegion()
+  {
+    static const std::string name = "asperity::multigrid::chunks";
+    Kokkos::Profiling::pushRegion(name);
+  }
+  ~KernelRegion() { Kokkos::Profiling::popRegion(); }
+  KernelRegion(KernelRegion const&) = delete;
+  KernelRegion& operator=(KernelRegion const&) = delete;
 };
 } // namespace detail
 
@@ -108,7 +122,8 @@ public:
   template <class Work>
   void forEachChunk(Work const& work) const
   {
-    if (numParts() == 1) {
+    if (numParts() == 1) { // the cost of a kernel would show on coarse levels
+      const detail::KernelRegion region;
       work(0, begins_[0], begins_[1]);
       return;
     }
