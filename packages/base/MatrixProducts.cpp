@@ -2,7 +2,6 @@
 
 #include "base/Errors.hpp"
 #include "base/Views.hpp"
-#include "portability/Renamed.hpp"
 
 #include <Tpetra_CrsMatrix.hpp>
 #include <Tpetra_Vector.hpp>
@@ -15,12 +14,12 @@ using Graph = CrsMatrix::local_matrix_device_type::StaticCrsGraphType;
 
 Graph graphOf(CrsMatrix const& A) { return A.getLocalMatrixDevice().graph; }
 
+// The same on all ranks, also on those that have no ghosts.
 bool lacksGhosts(MatrixProduct const& product)
 {
   auto const graph = product.A.getCrsGraph();
   return !graph->getExporter().is_null() ||
-         (!graph->getImporter().is_null() &&
-          product.x.getLocalLength() < numLocalElements(*graph->getColMap()));
+         (!graph->getImporter().is_null() && product.x.getMap() != graph->getColMap());
 }
 
 template <int N>
