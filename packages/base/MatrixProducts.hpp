@@ -6,8 +6,8 @@
 
 namespace asperity
 {
-// y = A x on the owned dofs; x may also be on A's own column map, with its ghosts. y must not be the
-// x of any product in the same call.
+// y = A x on the owned dofs; x may also be on A's own column map, with its ghosts. y must not be
+// the x of any product in the same call.
 struct MatrixProduct
 {
   CrsMatrix const& A;

@@ -10,8 +10,9 @@ namespace
 {
 using Products = Kokkos::View<int* [3], Kokkos::LayoutRight, MemorySpace>;
 
-// A coupling and its mirror image, whose sum is the transpose: so the matrix stays symmetric. Of
-// Q_J^T H Q_K and its transpose the first one in the order of Q is computed, on every rank.
+// A coupling and its mirror image, whose sum is the transpose, so that couplings of different nodes
+// stay mirror images to the last bit. Of Q_J^T H Q_K and its transpose the first one in the order
+// of Q is computed, on every rank.
 template <int T, int N>
 struct AddProducts
 {

@@ -29,13 +29,13 @@ double Tnnmg::smallError(double norm) const
 }
 
 // Changes of v fall as the error does: the slower of their last two falls counts, since nodes that
-// begin to move or to rest make one slow. A loose correction leaves that share of the error even
-// where changes fall faster, as where the problem has changed between two iterations.
-double Tnnmg::errorAfter(double change)
+// begin to move or to rest make one slow. What the correction has left counts also where changes
+// fall faster, as where the problem has changed between two iterations.
+double Tnnmg::errorAfter(double change, double left)
 {
   const double fall = change / last_change_, fall_before = std::exchange(last_fall_, fall);
   last_change_ = change;
-  const double factor = std::max({settings_.correction_tolerance, fall, fall_before});
+  const double factor = std::max({left, fall, fall_before});
   constexpr double slow = 0.5;
   return factor < slow ? factor / (1 - factor) * change : change;
 }
@@ -78,10 +78,11 @@ TnnmgResult Tnnmg::iterate(NodalProblem const& problem, int max_iterations)
     ++result.iterations;
     vectors_.beginIteration();
     failed_here += smooth(problem, result);
+    left_ = 1;
     const bool corrected = findCorrection(problem, result) && searchAlong(problem, result);
     auto const norms = vectors_.norms(failed_here);
     result.last_change = norms.change;
-    result.error = errorAfter(norms.change);
+    result.error = errorAfter(norms.change, left_);
     result.failed_nodes = norms.failed_nodes;
     // Without a correction, the last change says nothing about the dofs that Gauss-Seidel does not
     // visit.
@@ -118,6 +119,7 @@ bool Tnnmg::findCorrection(NodalProblem const& problem, TnnmgResult& result)
   auto const solved =
     correction_->solve({blocks_.hessian, blocks_.truncated}, vectors_.newton_residual,
                        settings_.correction_tolerance, vectors_.c);
+  left_ = solved.converged ? settings_.correction_tolerance : 1;
   ++result.corrections;
   result.correction_iterations += solved.iterations;
   result.v_cycles += solved.v_cycles;
@@ -183,6 +185,7 @@ bool Tnnmg::searchAlong(NodalProblem const& problem, TnnmgResult& result)
     return false;
   }
   result.rises += change.rises(static_cast<double>(Z_->rows()->getGlobalNumElements()));
+  left_ = std::max(left_, std::fabs(1 - step));
   vectors_.move(step);
   gather(Z_->nodes().dofs, *vectors_.v, blocks_.v);
   return true;

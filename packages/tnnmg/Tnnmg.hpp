@@ -20,7 +20,7 @@ struct TnnmgResult
   int rises = 0;            // sweeps and corrections in which J grew by more than rounding
   int lost_corrections = 0; // corrections that were zero, or along which J did not fall
   double last_change = 0;   // of v, in the energy norm
-  double error = 0;         // what is left of it, as the last changes tell, in the same norm
+  double error = 0;         // estimate of the distance to the minimiser, in the same norm
   int failed_nodes = 0;     // on any rank
 
   // True if more iterations would not help: a node failed, or a value is not finite.
@@ -57,15 +57,18 @@ private:
   EnergyChange nonlinearChange(NodalProblem const& problem, double step) const;
   // The largest error that counts as none, in the energy norm; norm: that of v.
   double smallError(double norm) const;
-  // An estimate of the error of v after an iteration that changed it by this.
-  double errorAfter(double change);
+  // An estimate of the error of v after an iteration that changed it by this. left: the share of
+  // the error that its correction leaves.
+  double errorAfter(double change, double left);
 
   std::shared_ptr<const RateMatrix> Z_;
   std::shared_ptr<LinearCorrection> correction_;
   TnnmgSettings settings_;
   detail::TnnmgVectors vectors_;
   detail::TnnmgBlocks blocks_;
-  bool knows_residual_ = false;            // of the present v
-  double last_change_ = 0, last_fall_ = 0; // of v, and of its changes from one to the next
+  bool knows_residual_ = false; // of the present v
+  double last_change_ = 0;      // of v
+  double last_fall_ = 0;        // the last change relative to the one before it
+  double left_ = 1;             // of the error, by the last correction
 };
 } // namespace asperity::tnnmg

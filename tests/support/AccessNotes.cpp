@@ -58,6 +58,8 @@ void AccessNotes::add(char const* view, std::size_t bytes, bool is_copy, int own
     ++same->count;
   } else if (size_ < notes_.size()) {
     notes_[size_++] = note;
+  } else {
+    std::abort(); // rather than to lose one
   }
 }
 

@@ -41,7 +41,7 @@ private:
   };
   static HostAccess readable(Note const& note);
 
-  std::array<Note, 512> notes_; // no more places are noted
+  std::array<Note, 512> notes_; // more places end the program
   std::size_t size_ = 0;
 };
 } // namespace asperity::test

@@ -11,7 +11,9 @@
 // outside is noted first. So it sees libraries, too, as they are. For Linux, and for one thread
 // outside kernels.
 // Not seen: an access to what of a view is less than a page at its ends; a kernel of the host's own
-// execution space, which looks like any other.
+// execution space, which looks like any other; a second access to a view before the next kernel; an
+// access to a new view before the first kernel after it; a copy to a view of the host that is not
+// named a mirror; what stands in the regions of standsForKernel; and a system call with a view.
 namespace asperity::test
 {
 // Notes all views from now on. To be called once, after Kokkos has begun, before views are made.

@@ -1,5 +1,6 @@
 #include "dynamics/coupling/RateSolver.hpp"
 
+#include "base/Errors.hpp"
 #include "base/program/WorkTimers.hpp"
 #include "dynamics/coupling/SharedMultigrid.hpp"
 #include "portability/Renamed.hpp"
@@ -183,7 +184,11 @@ public:
       to(rows_[i], 0) = from(i, 0);
     }
   }
-  void reactions(NodeView const& r) const override { reactions_->apply(w(), r); }
+  void reactions(NodeView const& r) const override
+  {
+    ASPERITY_ASSERT(reactions_);
+    reactions_->apply(w(), r);
+  }
   std::size_t bytes() const override
   {
     return schur_.bytes() + correction_->bytes() + (reactions_ ? reactions_->bytes() : 0);
@@ -216,6 +221,7 @@ public:
   void knownVelocity(Vector& w_all) const override { velocity(w_all); }
   void reactions(NodeView const& r) const override
   {
+    ASPERITY_ASSERT(!reactions_.is_null());
     Vector result(reactions_->getRangeMap());
     reactions_->apply(w(), result);
     auto const values = result.getLocalViewDevice(Tpetra::Access::ReadOnly);

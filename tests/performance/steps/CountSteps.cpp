@@ -2,7 +2,7 @@
 //
 // Makes the first accepted steps of a deck in space and prints, as JSON, what they took: the counts
 // of the solver; and for some kinds of work (asperity::currentWork), and for all but the set-up of
-// step sizes, what ranks sent and their products of sparse matrices with vectors, each number that
+// step sizes, what ranks sent and their passes over sparse matrices in products, each number that
 // of the rank where it is largest.
 #include "base/parallel/Reductions.hpp"
 #include "base/program/MpiScope.hpp"

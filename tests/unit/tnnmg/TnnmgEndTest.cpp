@@ -1,5 +1,6 @@
 // When the iteration of TNNMG ends, and when it counts as converged.
 #include "FullSolve.hpp"
+#include "tnnmg/SparseRateMatrix.hpp"
 #include "tnnmg/multigrid/MultigridCorrection.hpp"
 
 #include <Tpetra_Map.hpp>
@@ -172,5 +173,60 @@ TEST(Tnnmg, DoesNotConvergeWithoutCorrections)
     EXPECT_LE(result.last_change, 1e-8) << "which would pass for convergence";
     EXPECT_TRUE(v.allFinite());
   }
+}
+
+namespace
+{
+// Says that it has not converged.
+class UnfinishedCorrection : public LinearCorrection
+{
+public:
+  explicit UnfinishedCorrection(std::shared_ptr<LinearCorrection> right) : right_(std::move(right))
+  {
+  }
+  CorrectionResult solve(NonlinearBlocks const& blocks, Vector const& r, double tolerance,
+                         Vector& c) override
+  {
+    auto result = right_->solve(blocks, r, tolerance, c);
+    result.converged = false;
+    return result;
+  }
+
+private:
+  std::shared_ptr<LinearCorrection> right_;
+};
+} // namespace
+
+// Changes may then be small although the error is not.
+TEST(Tnnmg, EstimatesNothingFromCorrectionsThatHaveNotConverged)
+{
+  const RateProblem problem({1., 2, 1, Kind::logarithm});
+  auto settings = tight();
+  settings.max_iterations = 3;
+  auto v = atRest(problem);
+  const auto result =
+    solveFull(problem, problem.nodesOfRank(), settings, v, {},
+              std::make_shared<UnfinishedCorrection>(std::make_shared<MultigridCorrection>(
+                problem.model.problem(), multigridParameters())));
+  EXPECT_EQ(result.error, result.last_change);
+}
+
+// The first change says nothing about the error after it, however large changes were before.
+TEST(Tnnmg, ForgetsTheChangesOfTheProblemBefore)
+{
+  const RateProblem problem({1., 2, 1, Kind::both});
+  auto const& model = problem.model;
+  auto settings = tight();
+  settings.max_iterations = 3;
+  Tnnmg tnnmg(std::make_shared<SparseRateMatrix>(model.Z, model.nodesWith(problem.heldOnRank({}))),
+              std::make_shared<MultigridCorrection>(model.problem(), multigridParameters()),
+              settings);
+  tnnmg.begin(model.scatter(problem.b), model.scatter(atRest(problem)));
+  const auto before = tnnmg.solve(problem.nodesOfRank());
+  EXPECT_LT(before.error, before.last_change);
+  tnnmg.begin(model.scatter(problem.b), Vector(tnnmg.v(), Teuchos::Copy));
+  const auto result = tnnmg.improve(problem.nodesOfRank());
+  EXPECT_LT(result.last_change, 0.5 * before.last_change);
+  EXPECT_EQ(result.error, result.last_change);
 }
 } // namespace asperity::tnnmg
