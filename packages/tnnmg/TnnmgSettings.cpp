@@ -12,7 +12,7 @@ Teuchos::RCP<Teuchos::ParameterList> TnnmgSettings::validParameters()
       "Absolute Tolerance", defaults.absolute_tolerance, "W^(1/2) m^(-1/2) in 2D",
       Range::atLeast(0),
       "A rate problem counts as solved when the error of the velocity, in the energy norm of Z, "
-      "is at most this. The last changes of the velocity tell it.")
+      "is at most this. It is estimated from the last changes of the velocity.")
     .real("Relative Tolerance", defaults.relative_tolerance, "-", Range::closedOpen(0, 1),
           "This tolerance is relative to the energy norm of the velocity; the larger of it and the "
           "absolute tolerance counts.")

@@ -1,5 +1,7 @@
 #include "support/HostTrap.hpp"
 
+#include "support/AroundKernels.hpp"
+
 #include <Kokkos_Core.hpp>
 #include <sys/mman.h>
 #include <unistd.h>
@@ -170,14 +172,8 @@ void popRegion()
 void watchViews()
 {
   namespace tools = Kokkos::Tools::Experimental;
-  const auto begin_kernel = [](char const*, std::uint32_t, std::uint64_t*) { begin(); };
-  const auto end_kernel = [](std::uint64_t) { end(); };
-  tools::set_begin_parallel_for_callback(begin_kernel);
-  tools::set_end_parallel_for_callback(end_kernel);
-  tools::set_begin_parallel_reduce_callback(begin_kernel);
-  tools::set_end_parallel_reduce_callback(end_kernel);
-  tools::set_begin_parallel_scan_callback(begin_kernel);
-  tools::set_end_parallel_scan_callback(end_kernel);
+  callAroundKernels([](char const*, std::uint32_t, std::uint64_t*) { begin(); },
+                    [](std::uint64_t) { end(); });
   tools::set_begin_deep_copy_callback(beginCopy);
   tools::set_end_deep_copy_callback(end);
   tools::set_push_region_callback(pushRegion);

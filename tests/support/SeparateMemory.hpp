@@ -1,5 +1,7 @@
 #pragma once
 
+#include "AroundKernels.hpp" // programs that take this have no path to support
+
 #include <Kokkos_Core.hpp>
 
 #include <cstdint>
@@ -49,14 +51,8 @@ struct CopyBytes
 inline void watchKernels()
 {
   namespace tools = Kokkos::Tools::Experimental;
-  const auto begin = [](char const*, std::uint32_t, std::uint64_t*) { ++kernelsInFlight(); };
-  const auto end = [](std::uint64_t) { --kernelsInFlight(); };
-  tools::set_begin_parallel_for_callback(begin);
-  tools::set_end_parallel_for_callback(end);
-  tools::set_begin_parallel_reduce_callback(begin);
-  tools::set_end_parallel_reduce_callback(end);
-  tools::set_begin_parallel_scan_callback(begin);
-  tools::set_end_parallel_scan_callback(end);
+  callAroundKernels([](char const*, std::uint32_t, std::uint64_t*) { ++kernelsInFlight(); },
+                    [](std::uint64_t) { --kernelsInFlight(); });
   tools::set_begin_deep_copy_callback([](Kokkos::Profiling::SpaceHandle to, char const*,
                                          void const*, Kokkos::Profiling::SpaceHandle from,
                                          char const* label, void const*, std::uint64_t size) {

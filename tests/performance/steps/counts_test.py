@@ -25,7 +25,8 @@ def counts(deck, steps, ranks=1):
 
 
 class Ranks(unittest.TestCase):
-    """The first steps on 1 to 16 ranks. A rank may send to all others."""
+    """The first steps on 1 to 16 ranks. A rank may send to all others. 24 steps were chosen when it
+    was known that the counts of 8 differ by 13 % on 16 ranks."""
 
     @classmethod
     def setUpClass(cls):
