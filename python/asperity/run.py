@@ -3,7 +3,7 @@
 import math
 from functools import cached_property
 from pathlib import Path
-from typing import Any, Callable, List, Optional, Tuple, Union
+from typing import Any, Callable, Dict, List, Optional, Tuple, Union
 
 import numpy as np
 
@@ -14,9 +14,12 @@ from .history import History
 from .parameters import Parameters
 from .receivers import Receivers
 from .selection import Selection
-from .tables import Table, read_table
+from .tables import Table, has_header, read_table
 
 FILES = ("fault.h5", "surface.h5", "events.csv", "steps.csv", "run.log")
+READ_AS = {"fault.h5": "fault", "surface.h5": "surface", "volume.h5": "volume",
+           "receivers.h5": "receivers", "rupture.h5": "ruptures", "global.csv": "totals",
+           "steps.csv": "steps", "events.csv": "_all_events"}  # the property that reads a file
 
 
 def _opened(name: str, open_as: Callable, *more: str) -> Any:
@@ -46,6 +49,7 @@ class Run:
                              "is in it.")
         self.directory = directory
         self.selection = selection
+        self._unread: Dict[str, InputError] = {}  # by file, see `sound`
 
     def again(self) -> "Run":
         """The same directory as it is now."""
@@ -59,11 +63,55 @@ class Run:
         return Run(self.directory, Selection(smallest_width, smallest_magnitude, merging_time,
                                              start))
 
+    def sound(self, *names: str) -> "Run":
+        """The same run without those of the files (all of READ_AS) that cannot be read, for who
+        shows what there is: a full disk or a crash leaves empty and cut files. `wrong` tells what
+        is wrong with them."""
+        run = self.again()
+        for name in names or READ_AS:
+            try:
+                if run.has(name):
+                    getattr(run, READ_AS[name])
+            except InputError as error:
+                run._unread[name] = error
+        try:
+            run.parameters
+        except InputError as error:
+            run._unread["parameters.xml"] = error
+            run.parameters = Parameters({})
+        return run
+
+    @property
+    def wrong(self) -> Dict[str, str]:
+        """What is wrong with the files that `sound` has left out, by file."""
+        return {name: str(error) for name, error in self._unread.items()
+                if not isinstance(error, NoStepYet)}
+
     def has(self, name: str) -> bool:
-        return (self.directory / name).exists()
+        """Whether there is something in a file."""
+        return name not in self._unread and not self._nothing_in(name)
+
+    def lack(self, name: str) -> str:
+        """Why `has` is false, or ''; InputError if the file is damaged."""
+        error = self._unread.get(name)
+        if error and not isinstance(error, NoStepYet):
+            raise error
+        return str(error or self._nothing_in(name)).rstrip(".")
+
+    def _nothing_in(self, name: str) -> str:
+        path = self.directory / name
+        if not path.exists():
+            return f"the run has no {name}"
+        if not path.stat().st_size:
+            return f"{name} is empty"
+        if path.suffix == ".csv" and not has_header(path):
+            return f"{name} has no complete line"
+        return ""
 
     def _path(self, name: str) -> Path:
-        if not self.has(name):
+        if name in self._unread:
+            raise self._unread[name]
+        if not (self.directory / name).exists():
             raise InputError(f"{self.directory / name} does not exist. Is this output enabled in "
                              "the deck's list 'Output', and has the run come to its first "
                              "checkpoint?")
@@ -81,10 +129,12 @@ class Run:
     totals = _opened("global.csv", read_table, "time")  # sums over the fault for each step
     steps = _opened("steps.csv", read_table, "time", "step_size")
 
+    _all_events = _opened("events.csv", read_table, "onset", "duration")
+
     @cached_property
     def events(self) -> Table:
         """The events that count, in the order of time; `nucleation` is from the upper end."""
-        table = read_table(self._path("events.csv"), "onset", "duration")
+        table = self._all_events
         geometry = next((name for name in ("fault.h5", "rupture.h5") if self.has(name)), None)
         table = catalogue.with_origin(table, H5File(self.directory / geometry)
                                       if geometry and catalogue.NUCLEATION in table else None)

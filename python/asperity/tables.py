@@ -62,6 +62,16 @@ def read_table(path: Path, *required: str) -> Table:
     return table
 
 
+def has_header(path: Path) -> bool:
+    """Whether the line with the names of the columns is complete."""
+    try:
+        with open(path, "rb") as file:
+            line = file.readline()
+    except OSError:
+        return True  # who reads it says why that fails
+    return line.endswith(b"\n") and bool(line.strip())
+
+
 def _split_header(header: str):
     names, units = [], []
     for entry in header.split(","):
@@ -78,7 +88,8 @@ def _values(path: Path, lines: List[str], width: int) -> np.ndarray:
     try:
         values = np.loadtxt(lines, delimiter=",", ndmin=2, comments=None)
     except ValueError as error:
-        raise InputError(f"{path} is damaged: {error} (the first row below the header "
+        reason = str(error).partition(";")[0]  # what follows is advice on calls of NumPy
+        raise InputError(f"{path} is damaged: {reason} (the first row below the header "
                          "counts as 1).") from error
     if values.shape[1] != width:
         raise InputError(f"{path} is damaged: its header names {width} columns, its rows have "

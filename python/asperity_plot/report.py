@@ -6,6 +6,7 @@ from typing import List
 
 from asperity import selection
 from asperity.errors import InputError, NothingToShow, OtherDimension
+from asperity.journal import Journal
 from asperity.program import fail
 from asperity.run import Run
 
@@ -15,17 +16,35 @@ from .windows import Options
 
 def report(program: str, options: Namespace) -> int:
     """Exit status: 0, or 2 if the input is at fault; the other figures are drawn nevertheless."""
-    run = Run(options.directory, selection.chosen(options))
+    run = Run(options.directory, selection.chosen(options)).sound()
+    _print_failure(run)
     view = windows.choose(run, options.window, _options(options))
     if options.events:
         print(event_table.text(run, view))
     if options.events and not options.figures:
         return 0
     folder = _make_folder(options.output or options.directory / "figures")
-    errors = _draw_all(run, view, folder, options)
+    errors = _wrong_files(run, options) + _draw_all(run, view, folder, options)
     if not options.events:
         _print_summary(run)
     return fail(program, *errors)
+
+
+def _print_failure(run: Run) -> None:
+    """Figures of a failed run end early, and files may be incomplete: why it failed comes first."""
+    try:
+        journal = Journal.read(run.directory)
+    except InputError:
+        return
+    if journal.how == "failed":
+        print(f"The run has failed: {journal.message or 'run.log says why.'}")
+
+
+def _wrong_files(run: Run, options: Namespace) -> List[str]:
+    """What is wrong with those that the figures need; events and parameters choose the view."""
+    needed = {figures.FIGURES[name][1] for name in options.figures or figures.FIGURES}
+    return [text for name, text in run.wrong.items()
+            if name in needed | {"events.csv", "parameters.xml"}]
 
 
 def _options(given: Namespace) -> Options:

@@ -19,9 +19,9 @@ DPI = 110
 
 def report(directory: Path, selection: Selection = Selection()) -> Tuple[str, List[str]]:
     """The page, and what is wrong with single files; InputError if there is no run."""
-    run = Run(directory, selection)
+    run = Run(directory, selection).sound()
     log = RunLog.read(directory / "run.log")
-    wrong: List[str] = []
+    wrong = list(run.wrong.values())
     parts = [("state", "State", sections.summary(facts(directory, SILENT_AFTER))),
              ("parameters", "Parameters that differ from the defaults", sections.parameters(run))]
     try:

@@ -7,7 +7,7 @@ from typing import Any, Dict, List, Optional
 
 import numpy as np
 
-from asperity.errors import NoStepYet
+from asperity.errors import InputError
 from asperity.journal import Journal, Progress
 from asperity.lock import owner_is_gone
 from asperity.run import Run
@@ -16,6 +16,7 @@ from asperity.tables import Table
 FINISHED, KILLED, SILENT, RUNNING = "finished", "killed", "silent", "running"
 RECENT = 120.0  # [s] of wall time, over which a speed is taken
 WORKS = ("boundary_work", "load_work", "friction_work", "viscous_work", "inelastic_work")
+PLACE = ("step", "time", "peak_slip_rate")
 WORST = ("fixed_point_iterations", "tnnmg_iterations", "step_size", "time")
 
 
@@ -46,11 +47,15 @@ class Facts:
     exit_status: Optional[int]  # of the program, where it has ended by itself
     has_checkpoint: bool
     warnings: List[Dict[str, Any]]  # topic, text, step, time
+    damaged: List[str]          # what is wrong with files that add to the journal
 
 
 def facts(directory: Path, silent_after: float) -> Facts:
-    """InputError if `directory` has no log of a run, or what is there cannot be read."""
-    journal, run = Journal.read(directory), Run(directory)
+    """InputError if `directory` has no log of a run. The journal decides, tables add: one that is
+    damaged is told in `damaged`."""
+    journal, run = Journal.read(directory), Run(directory).sound("steps.csv", "events.csv")
+    damaged = list(run.wrong.values())
+    steps = _table(run, damaged)
     age = max(clock.time() - (directory / "run.log").stat().st_mtime, 0.0)
     state = journal.how or _without_end(directory, age, silent_after)
     since = age if state == RUNNING else 0.0  # the last line of the log
@@ -58,12 +63,12 @@ def facts(directory: Path, silent_after: float) -> Facts:
                  final_time=run.parameters.number("Time Stepping/Final Time"),
                  processes=journal.log.processes,
                  wall=None if journal.wall_time is None else journal.wall_time + since,
-                 **_place(run, journal), **_speed(journal.progress), **_steps(run),
+                 **_place(run, journal, steps), **_speed(journal.progress), **_steps(steps),
                  **_left(journal.progress if state != FINISHED else [], since),
                  message=journal.message or None, kind=journal.kind or None,
                  exit_status=journal.exit_status,
-                 has_checkpoint=run.has("checkpoint.h5"),
-                 warnings=[asdict(each) for each in journal.warnings])
+                 has_checkpoint=(directory / "checkpoint.h5").exists(),
+                 warnings=[asdict(each) for each in journal.warnings], damaged=damaged)
 
 
 def _without_end(directory: Path, age: float, silent_after: float) -> str:
@@ -73,13 +78,12 @@ def _without_end(directory: Path, age: float, silent_after: float) -> str:
     return SILENT if age > silent_after else RUNNING
 
 
-def _place(run: Run, journal: Journal) -> Dict[str, Any]:
+def _place(run: Run, journal: Journal, steps: Optional[Table]) -> Dict[str, Any]:
     """From run.jsonl or from steps.csv, whichever is further."""
     place: Dict[str, Any] = dict.fromkeys(("time", "step", "events", "peak_slip_rate"))
     if journal.progress:
         last = asdict(journal.progress[-1])
         place = {name: last[name] for name in place}
-    steps = _table(run)
     if steps and steps["step"][-1] >= (place["step"] or 0):
         place.update(time=float(steps["time"][-1]), step=int(steps["step"][-1]),
                      peak_slip_rate=float(steps["peak_slip_rate"][-1]))
@@ -88,12 +92,17 @@ def _place(run: Run, journal: Journal) -> Dict[str, Any]:
     return place
 
 
-def _table(run: Run) -> Optional[Table]:
-    """steps.csv, if it has a row."""
-    try:
-        return run.steps if run.has("steps.csv") and len(run.steps) else None
-    except NoStepYet:
+def _table(run: Run, damaged: List[str]) -> Optional[Table]:
+    """steps.csv, if it has a row and tells where the run is."""
+    if not run.has("steps.csv") or not len(run.steps):
         return None
+    try:
+        for name in PLACE:
+            run.steps[name]
+    except InputError as error:
+        damaged.append(str(error))
+        return None
+    return run.steps
 
 
 def _speed(progress: List[Progress]) -> Dict[str, Any]:
@@ -118,11 +127,10 @@ def _left(progress: List[Progress], since: float) -> Dict[str, Any]:
             "knows_cycles": progress[-1].knows_cycles}
 
 
-def _steps(run: Run) -> Dict[str, Any]:
+def _steps(table: Optional[Table]) -> Dict[str, Any]:
     """The energy balance, and the step with the most iterations, from steps.csv."""
     found: Dict[str, Any] = dict.fromkeys(
         ("relative_energy_defect", "failed_steps", "energy_rises", "worst_step"))
-    table = _table(run)
     if not table:
         return found
     largest = max((abs(table[name][-1]) for name in WORKS if name in table), default=0.0)

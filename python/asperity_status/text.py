@@ -10,7 +10,7 @@ def describe(now: Facts) -> str:
     """Several lines; what the files do not tell is left out."""
     lines = [f"{now.directory}: {_state(now)}.", _place(now), _speed(now), _left(now),
              _balance(now), _worst(now),
-             *(f"WARNING: {each['text']}" for each in now.warnings)]
+             *now.damaged, *(f"WARNING: {each['text']}" for each in now.warnings)]
     return "\n".join(line for line in lines if line)
 
 

@@ -114,6 +114,26 @@ class BadInput(SharedFolderCase):
         (self.folder / "steps.csv").write_text(text.replace("fixed_point_iterations", "sweeps"))
         self.expect("no column 'fixed_point_iterations'", figures="iterations")
 
+    def test_empty_and_cut_files_of_a_full_disk(self):
+        """What there is is drawn, and why the run failed is said."""
+        (self.folder / "run.log").write_text("The run has ended: no space. Is the disk full?\n")
+        (self.folder / "events.csv").write_text("")
+        (self.folder / "surface.h5").write_bytes(b"")
+        (self.folder / "steps.csv").write_text("step,time [s],step_si")
+        status, out, err = self.plot(str(self.folder))
+        self.assertEqual((status, err), (0, ""))
+        self.assertIn("The run has failed: no space. Is the disk full?", out)
+        for words in ("'events': events.csv is empty", "'surface': surface.h5 is empty",
+                      "'energy': steps.csv has no complete line"):
+            self.assertIn(words, out)
+        self.assertTrue((self.folder / "figures" / "slip_rate.png").exists())
+
+    def test_damaged_events_spare_the_figures_that_need_none(self):
+        with open(self.folder / "events.csv", "a", encoding="utf-8") as file:
+            file.write("17,not a number\n")
+        self.expect("events.csv is damaged", figures="slip_rate")
+        self.assertTrue((self.folder / "figures" / "slip_rate.png").exists())
+
     def test_damaged_parameters(self):
         (self.folder / "parameters.xml").write_text("<ParameterList")
         self.expect("parameters.xml cannot be read as XML", figures="slip_rate")

@@ -1,5 +1,6 @@
 """asperity-report: one page that has everything and fetches nothing."""
 
+import json
 import re
 import shutil
 import subprocess
@@ -190,6 +191,27 @@ class Report(SharedFolderCase):
         self.assertEqual((status, err.count("surface.h5")), (2, 1), err)
         page = Page((folder / "report.html").read_text())
         self.assertIn("slip_rate", {image["id"] for image in page.images})
+
+    def test_of_a_full_disk(self):
+        """The journal decides, and what is left of tables and histories adds to it."""
+        folder = self.folder / "full"
+        shutil.copytree(self.run_folder, folder)
+        message = "full/steps.csv cannot be written. Is the disk full?"
+        (folder / "run.jsonl").write_text(json.dumps(
+            {"event": "end", "step": 9, "time": 1.0, "how": "failed", "exit_status": 5,
+             "message": message, "wall_time": 9.0, "kind": "output"}) + "\n")
+        for name in ("events.csv", "surface.h5"):
+            (folder / name).write_bytes(b"")
+        steps = (folder / "steps.csv").read_text()
+        (folder / "steps.csv").write_text(steps + "17,not a number\n")
+        status, _, err = self.report(folder)
+        self.assertEqual((status, err.count("\n")), (2, 1), err)
+        self.assertIn("steps.csv is damaged", err)
+        html = (folder / "report.html").read_text(encoding="utf-8")
+        self.assertIn("failed: " + message, html)
+        self.assertIn("events: events.csv is empty", html)
+        self.assertIn("surface.h5 is empty", html)
+        self.assertIn("slip_rate", {image["id"] for image in Page(html).images})
 
     def test_no_run(self):
         status, out, err = self.report(self.folder / "nothing")

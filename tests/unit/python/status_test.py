@@ -197,6 +197,62 @@ class Journal(Folder):
         self.assertAlmostEqual(facts["steps_per_minute"], 36.0)
 
 
+class Damaged(Folder):
+    """After a full disk tables are empty or cut: the journal decides, tables add."""
+
+    MESSAGE = "run/steps.csv cannot be written: No space left on device. Is the disk full?"
+
+    def setUp(self):
+        super().setUp()
+        synthetic_log.write(self.folder, 2 * STEPS + 30, 5)
+        end = {"event": "end", "step": 630, "time": 209.0, "how": "failed", "exit_status": 5,
+               "message": self.MESSAGE, "wall_time": 9.0, "kind": "output"}
+        with open(self.folder / "run.jsonl", "a", encoding="utf-8") as journal:
+            journal.write(json.dumps(end) + "\n")
+
+    def damage(self, name, text):
+        path = self.folder / name
+        path.write_text(text(path.read_text()))
+
+    def assert_failed(self, damaged="", events=2):
+        status, out, err = self.status()
+        self.assertEqual((status, err), (3, ""))
+        self.assertIn("failed: " + self.MESSAGE.rstrip("."), out)
+        facts = self.facts()
+        self.assertEqual((facts["step"], facts["exit_status"], facts["events"]), (630, 5, events))
+        self.assertEqual(len(facts["damaged"]), 1 if damaged else 0)
+        for text in facts["damaged"]:
+            self.assertIn(damaged, text)
+            self.assertIn(text, out)
+
+    def test_an_empty_table(self):
+        for name in ("events.csv", "steps.csv"):
+            self.damage(name, lambda text: "")
+            self.assert_failed()
+
+    def test_names_without_their_end(self):
+        for name in ("events.csv", "steps.csv"):
+            self.damage(name, lambda text: text[:9])
+            self.assert_failed()
+
+    def test_half_a_last_line(self):
+        for name in ("events.csv", "steps.csv"):
+            self.damage(name, lambda text: text[:-7])
+        self.assert_failed()
+
+    def test_a_row_of_nothing(self):
+        self.damage("events.csv", lambda text: text + "\0\0\0,\n")
+        self.assert_failed("events.csv is damaged")
+
+    def test_a_missing_column(self):
+        self.damage("steps.csv", lambda text: text.replace("peak_slip_rate", "peak"))
+        self.assert_failed("no column 'peak_slip_rate'")
+
+    def test_parameters_cut_off(self):
+        self.damage("parameters.xml", lambda text: text[:40])
+        self.assert_failed("parameters.xml cannot be read as XML")
+
+
 class Lock(Folder):
     """The lock that a process leaves behind if it is killed."""
 
