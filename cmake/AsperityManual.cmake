@@ -19,8 +19,15 @@ if(ASPERITY_PYTHON)
 endif()
 string(REPLACE ";" ", " ASPERITY_MANUAL_LACKS "${ASPERITY_MANUAL_LACKS}")
 if(ASPERITY_MANUAL_LACKS)
-  message(STATUS "The manual cannot be built: ${ASPERITY_MANUAL_LACKS} not found. On Debian: "
-    "apt-get install python3-sphinx python3-myst-parser python3-breathe furo doxygen")
+  set(lack "The manual cannot be built: ${ASPERITY_MANUAL_LACKS} not found. On Debian: apt-get \
+install python3-sphinx python3-myst-parser python3-breathe furo doxygen")
+  message(STATUS "${lack}")
+  # The target says so, too: else `make: no rule` is all that a user sees.
+  add_custom_target(manual
+    COMMAND "${CMAKE_COMMAND}" -E echo "${lack}"
+    COMMAND "${CMAKE_COMMAND}" -E echo
+      "Then let CMake look for them: ${CMAKE_COMMAND} ${PROJECT_BINARY_DIR}"
+    COMMAND "${CMAKE_COMMAND}" -E false VERBATIM)
   return()
 endif()
 

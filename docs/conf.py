@@ -6,6 +6,7 @@ Breathe, where CMake says that it has both.
 
 import inspect
 import os
+import re
 
 from docutils import nodes
 from docutils.utils.math import latex2mathml
@@ -37,8 +38,19 @@ html_math_renderer = "mathml"
 def mathml(tex, is_inline):
     """The element <math> of a formula; other versions of docutils call the argument otherwise."""
     if "inline" in inspect.signature(latex2mathml.tex2mathml).parameters:
-        return latex2mathml.tex2mathml(tex, inline=is_inline)
-    return latex2mathml.tex2mathml(tex, as_block=not is_inline)
+        return with_bold_letters(latex2mathml.tex2mathml(tex, inline=is_inline))
+    return with_bold_letters(latex2mathml.tex2mathml(tex, as_block=not is_inline))
+
+
+def with_bold_letters(formula):
+    """Bold letters of Unicode where MathML has an attribute, which browsers follow no more."""
+    def bold(letter):
+        for first, last, place in (("A", "Z", 0x1D400), ("a", "z", 0x1D41A), ("0", "9", 0x1D7CE)):
+            if first <= letter <= last:
+                return chr(place + ord(letter) - ord(first))
+        return letter
+    return re.sub(r'<(m[ino]) mathvariant="bold">([^<]*)<',
+                  lambda found: f"<{found[1]}>{''.join(map(bold, found[2]))}<", formula)
 
 
 def visit_math(translator, node):

@@ -8,6 +8,9 @@ from typing import List
 from .errors import InputError
 
 _BEGIN = re.compile(r"Asperity \S+ on .*\.$")
+# Of the mesh, the time steps and how well the fault is resolved; told once, before the first step.
+_MODEL = ("Mesh: ", "Resolution ", "Nucleation length", "Disturbances of steady slip",
+          "Cells beside the fault", "Memory: ")
 _MACHINE = ("Kokkos ", "Built from ", "Machine: ")
 _ENDS = {"Finished at t = ": "finished", "Stopped at t = ": "stopped"}
 _FAILED, _WARNING = "The run has ended: ", "WARNING: "
@@ -19,6 +22,7 @@ class RunLog:
 
     processes: int = 0
     environment: List[str] = field(default_factory=list)  # of the last process
+    model: List[str] = field(default_factory=list)        # size and resolution, of the last process
     how: str = ""
     message: str = ""                                     # why the last process has failed
     report: List[str] = field(default_factory=list)       # the lines from its end on
@@ -48,8 +52,11 @@ class RunLog:
         if _BEGIN.fullmatch(line):
             self.processes += 1
             self.environment, self.how, self.message, self.report = [line], "", "", []
+            self.model = []
         elif self.processes and line.startswith(_MACHINE):
             self.environment.append(line)
+        elif not self.how and line.startswith(_MODEL):
+            self.model.append(line)
         elif line.startswith(_FAILED):
             self.how, self.message = "failed", line[len(_FAILED):]
         elif line.startswith(_WARNING):

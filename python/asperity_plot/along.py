@@ -1,7 +1,7 @@
 """The positions of the nodes of a fault or surface, as an axis with name and unit."""
 
-from dataclasses import dataclass
-from typing import Tuple
+from dataclasses import dataclass, field, replace
+from typing import List, Tuple
 
 import numpy as np
 
@@ -13,6 +13,7 @@ from asperity.run import Run
 from . import units
 
 PRESCRIBED = "fields/prescribed"
+MOST_FAULTS = 6  # with a panel of their own
 FROM_UPPER_END = "Distance from the upper end of the fault"  # as in files and of receivers
 
 
@@ -27,6 +28,8 @@ class Axis:
     limits: Tuple[float, float]  # positions [m] of what is worth showing
     is_downwards: bool = False   # counted from the upper end, so that figures have it vertical
     parts: Tuple[Tuple[str, float], ...] = ()  # of several faults the name and the first position
+    nodes: slice = field(default_factory=lambda: slice(None))  # those on the curve
+    title: str = ""              # of one of several faults
 
     def __call__(self, where):
         return self.unit(self.metres(where))
@@ -40,8 +43,12 @@ class Axis:
         return (np.asarray(metres, dtype=float) - self.origin) * self.sign
 
     def line(self, axes, where, values, **look):
-        """Draws `values` over the positions `where` [m], or across where these grow downwards."""
-        x, y = (values, self(where)) if self.is_downwards else (self(where), values)
+        """Draws `values` over the positions `where` [m] of all nodes, or across where these grow
+        downwards. The line breaks where two nodes are at one position."""
+        where, values = where[self.nodes], values[self.nodes]
+        gaps = np.flatnonzero(np.diff(where) == 0.0) + 1
+        along, values = np.insert(self(where), gaps, np.nan), np.insert(values, gaps, np.nan)
+        x, y = (values, along) if self.is_downwards else (along, values)
         return axes.plot(x, y, **look)
 
     @property
@@ -57,28 +64,61 @@ class Axis:
 
 
 def axis(run: Run, file: H5File, place: str) -> Axis:
-    """The axis of the 'fault' or 'surface' whose nodes `file` lists.
+    """The axis of the 'fault' or 'surface' whose nodes `file` lists, as of a single curve.
 
     Of a fault the distance from its upper end, which is the depth if it is vertical and begins at
     y = 0, and on a level one is the end with the smaller x. Of a surface x if it is level, else the
     distance from its start.
     """
+    return _axis(run, file, place, slice(0, positions(file).size), _parts(file), 0.0)
+
+
+def faults(run: Run, file: H5File) -> List[Axis]:
+    """An axis for each fault, from its own upper end: of the pieces of the curve that do not touch,
+    without those whose slip rate is prescribed as a whole. Of very many pieces a single axis."""
     where = positions(file)
-    name, origin, sign, is_downwards = f"Position along the {place}", 0.0, 1.0, False
+    starts = [0, *(np.flatnonzero(np.diff(where) == 0.0) + 1), where.size]
+    pieces = [slice(int(first), int(last)) for first, last in zip(starts, starts[1:])]
+    free = [piece for piece in pieces if _is_free(file, where)[piece].any()] or pieces
+    if len(pieces) == 1 or len(free) > MOST_FAULTS:
+        return [axis(run, file, "fault")]
+    found = [_axis(run, file, "fault", piece, (), where[piece.start]) for piece in free]
+    shown = units.length([each.metres(each.limits) for each in found])
+    return [replace(each, unit=shown, title=title)
+            for each, title in zip(found, _titles(file, where, free))]
+
+
+def _titles(file: H5File, where: np.ndarray, pieces: List[slice]) -> List[str]:
+    """The boundaries that each piece is made of, as the deck names them."""
+    if not file.has("geometry/part_names"):
+        return [f"Fault {number}" for number in range(1, len(pieces) + 1)]
+    names, ends = file.strings("geometry/part_names"), file.array("geometry/part_ends")
+    titles = []
+    for piece in pieces:
+        middle = 0.5 * (where[piece][1:] + where[piece][:-1])
+        titles.append(", ".join(name for name, (low, high) in zip(names, ends)
+                                if ((middle > low) & (middle < high)).any()))
+    return titles
+
+
+def _axis(run: Run, file: H5File, place: str, curve: slice, parts, begin: float) -> Axis:
+    """Of the nodes `curve`, the first of which is at the position `begin` [m]."""
+    where = positions(file)[curve]
+    name, origin, sign, is_downwards = f"Position along the {place}", -begin, 1.0, False
     if run.is_wedge:
         name = f"Distance from the trench along the {'base' if place == 'fault' else 'surface'}"
     elif file.has("geometry/coordinates"):
-        nodes = file.array("geometry/coordinates")
+        nodes = file.array("geometry/coordinates")[curve]
         is_level = _is_constant(nodes[:, 1], where)
         if place == "fault":
-            name, is_downwards = _name(run, nodes, where, is_level), not is_level
-            if not begins_at_upper_end(nodes, where):
+            name, is_downwards = _name(run, nodes, where - begin, is_level), not is_level
+            if not begins_at_upper_end(nodes, where - begin):
                 origin, sign = where[-1], -1.0
         elif is_level:
-            origin = nodes[0, 0]
-    limits = _limits(file, where)
+            name, origin = "x", nodes[0, 0]
+    limits = _limits(file, positions(file), curve)
     shown = units.length(origin + sign * np.array(limits))
-    return Axis(name, shown, origin, sign, limits, is_downwards, _parts(file))
+    return Axis(name, shown, origin, sign, limits, is_downwards, parts, curve)
 
 
 def _parts(file: H5File) -> Tuple[Tuple[str, float], ...]:
@@ -104,10 +144,16 @@ def _is_depth(run: Run, nodes: np.ndarray, where: np.ndarray) -> bool:
     return at_top and _is_constant(nodes[:, 0], where) and run.upwards(2)[1] > 1.0 - 1e-9
 
 
-def _limits(file: H5File, where: np.ndarray) -> Tuple[float, float]:
+def _is_free(file: H5File, where: np.ndarray) -> np.ndarray:
+    """(nodes) whether the deck does not prescribe the slip rate."""
+    if not file.has(PRESCRIBED):
+        return np.ones(where.size, dtype=bool)
+    return file.array(PRESCRIBED, slice(0, 1))[0] == 0.0
+
+
+def _limits(file: H5File, where: np.ndarray, curve: slice) -> Tuple[float, float]:
     """The whole curve, or without its ends on which the deck prescribes the slip rate."""
-    if file.has(PRESCRIBED):
-        free = where[file.array(PRESCRIBED, slice(0, 1))[0] == 0.0]
-        if free.size > 1:
-            return float(free[0]), float(free[-1])
-    return float(where[0]), float(where[-1])
+    free = where[curve][_is_free(file, where)[curve]]
+    if free.size > 1:
+        return float(free[0]), float(free[-1])
+    return float(where[curve][0]), float(where[curve][-1])

@@ -14,6 +14,8 @@ from .windows import View
 QUANTITIES = (("Recurrence time", "recurrence", "s"), ("Rupture width", "width", "m"),
               ("Peak slip", "peak_slip", "m"), ("Duration", "duration", "s"),
               ("Peak slip rate", "peak_slip_rate", "m/s"))
+FEWEST = 5    # events of a box
+WIDE = 100.0  # from the least to the largest: the axis is logarithmic
 HORIZONTAL = {"orientation": "horizontal"} if matplotlib.__version_info__ >= (3, 10) \
     else {"vert": False}  # of boxplot; the old name is deprecated
 SIZES = (("Moment per length", "moment_per_length", "N"), ("Moment", "moment", "N m"),
@@ -46,14 +48,17 @@ def summary(run: Run) -> List[Tuple[str, int, str, str, str]]:
         values = values_of[name]
         if values.size:
             quartiles = np.percentile(values, [25, 50, 75])
-            rows.append((label, values.size, *(_text(q, unit) for q in quartiles)))
+            rows.append((label, values.size, *_texts(quartiles, unit)))
     return rows
 
 
-def _text(value: float, unit: str) -> str:
-    """Moments have no prefix; a magnitude is a number alone."""
-    return units.text(value, unit) if unit not in ("N", "N m", "") \
-        else f"{value:.3g} {unit}" if unit else f"{value:.2f}"
+def _texts(values: np.ndarray, unit: str) -> List[str]:
+    """In one unit, so that they can be compared. Moments have no prefix; a magnitude is a number
+    alone."""
+    if unit in ("N", "N m", ""):
+        return [f"{value:.3g} {unit}" if unit else f"{value:.2f}" for value in values]
+    shown = unit_of(values, unit)
+    return [f"{units.rounded(float(value), 3)} {shown.name}" for value in shown(values)]
 
 
 def draw(run: Run, view: View):
@@ -68,8 +73,9 @@ def draw(run: Run, view: View):
         _box(panel, label, values[name], unit)
     count = style.counted(len(run.complete_events), "event")
     style.title(figure, f"Recurrence, size and speed of {count}")
-    style.note(figure, "box: quartiles and median; whiskers: extremes; ticks: single events"
-               + _note(run))
+    boxed = any(values[name].size >= FEWEST for _, name, _ in shown)
+    style.note(figure, ("box: quartiles and median; whiskers: extremes; ticks: single events"
+                        if boxed else "circles: single events") + _note(run))
     return figure
 
 
@@ -92,7 +98,8 @@ def unit_of(values: np.ndarray, name: str) -> units.Unit:
 
 
 def _box(axes, label: str, values: np.ndarray, name: str) -> None:
-    """Whiskers reach to the extremes; every event is a faint point below the box."""
+    """Whiskers reach to the extremes; every event is a faint point below the box. Fewer than FEWEST
+    events are circles: a box of them would show a distribution that nobody knows."""
     axes.set_ylim(-0.75, 0.6)
     unit = unit_of(values, name)
     axes.set_yticks([0.0], [f"{label} [{unit.name}]" if name else label])
@@ -104,13 +111,20 @@ def _box(axes, label: str, values: np.ndarray, name: str) -> None:
                   color=style.GREY)
         return
     shown = unit(values)
+    if shown.min() > 0.0 and shown.max() > WIDE * shown.min():
+        axes.set_xscale("log")
+    axes.grid(axis="x")
+    axes.set_axisbelow(True)
+    if values.size < FEWEST:
+        axes.plot(shown, np.zeros(shown.size), "o", color=style.BLUE, markersize=6, alpha=0.7)
+        axes.set_title(", ".join(_texts(np.sort(values), name)), loc="right", fontsize=8.5,
+                       color=style.ORANGE, pad=1)
+        return
     axes.boxplot(shown, **HORIZONTAL, positions=[0.0], widths=0.55, whis=(0, 100),
                  manage_ticks=False, patch_artist=True,
                  boxprops={"facecolor": "#d5e0ea", "edgecolor": style.BLUE},
                  medianprops={"color": style.ORANGE, "linewidth": 1.8},
                  whiskerprops={"color": style.BLUE}, capprops={"color": style.BLUE})
     axes.plot(shown, np.full(shown.size, -0.52), "|", color=style.GREY, markersize=6, alpha=0.6)
-    axes.grid(axis="x")
-    axes.set_axisbelow(True)
     axes.set_title(f"median {unit(float(np.median(values))):.3g} {unit.name}", loc="right",
                    fontsize=8.5, color=style.ORANGE, pad=1)

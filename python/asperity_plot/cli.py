@@ -12,6 +12,7 @@ from asperity.program import program, time, words
 from .figures import FIGURES
 
 PROGRAM = "asperity-plot"
+FORMATS = ("png", "pdf", "svg")
 
 
 @program(PROGRAM)
@@ -30,7 +31,7 @@ def _parse(arguments: Optional[List[str]]) -> argparse.Namespace:
     listing = "\n".join(_line(name, *of) for name, of in FIGURES.items())
     parser = argparse.ArgumentParser(
         prog=PROGRAM, formatter_class=argparse.RawDescriptionHelpFormatter,
-        description="Draws figures of a run of asperity as PNG.",
+        description="Draws figures of a run of asperity as PNG, PDF or SVG.",
         epilog="figures, and the file of the run that each needs:\n" + listing)
     parser.add_argument("directory", metavar="DIR", type=Path, help="the run's output directory")
     parser.add_argument("--output", metavar="DIR", type=Path,
@@ -57,6 +58,9 @@ def _parse(arguments: Optional[List[str]]) -> argparse.Namespace:
                              "the fault from its upper end, or from its end with the smaller x if "
                              "it is level (default: the receivers)")
     selection.add_options(parser)
+    parser.add_argument("--format", choices=FORMATS, default=FORMATS[0],
+                        help="of the files: png, or pdf or svg, whose lines and texts stay sharp at "
+                             "any size, for papers (default: png)")
     parser.add_argument("--dpi", type=int, default=200, help="dots per inch (default: 200)")
     return parser.parse_args(arguments)
 

@@ -85,5 +85,5 @@ def _arrows(panel, places: np.ndarray, flat: np.ndarray, limits: np.ndarray) -> 
         return
     arrows = panel.quiver(*places[chosen].T, *flat[chosen].T, angles="xy", scale_units="xy",
                           scale=longest / (2 * spacing), width=0.003, color=style.DARK)
-    panel.quiverkey(arrows, 0.82, 0.04, longest, units.text(longest, "m"), labelpos="E",
-                    coordinates="axes")
+    panel.quiverkey(arrows, 0.75, -0.09, longest, units.text(longest, "m"), labelpos="E",
+                    coordinates="axes")  # beside the label of the axis, on no other arrow

@@ -11,6 +11,7 @@ from asperity.tables import Table
 from . import style, units
 from .windows import View
 
+SMALL = 1e-3   # of the largest: such a line would lie on zero
 POINTS = 4000  # of a line; a reader cannot tell more of them apart
 COLOURS = (style.BLUE, style.ORANGE, "#4d8b57", "#7a5195", style.GREY, "#a8893a", "#c06c9b",
            "#3b9aa0")
@@ -30,7 +31,7 @@ def draw(run: Run, view: View):
                                 gridspec_kw={"height_ratios": [1.5, 1.0]})
     clock = units.duration(units.largest(steps["time"]))
     _energies(axes[0, 0], steps, imbalance, clock)
-    relative = _relative(steps[imbalance], steps[work])
+    relative = _relative(steps[imbalance], _largest_work(steps))
     _closure(axes[1, 0], clock(steps["time"]), relative)
     axes[1, 0].set_xlabel(f"Time [{clock.name}]")
     axes[1, 0].set_xlim(clock(run.span))
@@ -44,9 +45,15 @@ def _column(steps: Table, *words: str) -> Optional[str]:
     return next((name for name in steps.columns if any(word in name for word in words)), None)
 
 
-def _relative(imbalance: np.ndarray, work: np.ndarray) -> np.ndarray:
-    """|imbalance| over the work of friction so far; nan before there is any."""
-    size = np.abs(work)
+def _largest_work(steps: Table) -> np.ndarray:
+    """Of each step the largest of the works so far, as asperity-status has it: that of friction
+    alone is 0 while a fault is locked."""
+    works = [np.abs(steps[name]) for name in steps.columns if name.endswith("_work")]
+    return np.maximum.accumulate(np.max(works, axis=0))
+
+
+def _relative(imbalance: np.ndarray, size: np.ndarray) -> np.ndarray:
+    """|imbalance| over the largest work so far; nan before there is any."""
     return np.divide(np.abs(imbalance), size, out=np.full(size.shape, np.nan), where=size > 0.0)
 
 
@@ -65,7 +72,14 @@ def _energies(axes, steps: Table, imbalance: str, clock: units.Unit) -> None:
             else:
                 lines[f"Change of {label}"] = steps[name][rows] - steps[name][0]
     unit = units.prefixed(np.concatenate(list(lines.values())), steps.units[imbalance] or "J")
-    for (label, values), colour in zip(lines.items(), COLOURS):
+    largest = max(units.largest(values) for values in lines.values())
+    small = [label for label, values in lines.items() if units.largest(values) < SMALL * largest]
+    shown = {label: values for label, values in lines.items() if label not in small}
+    if small:
+        axes.set_title(style.wrapped(f"Not drawn, below {100 * SMALL:g} % of the largest: "
+                                     f"{', '.join(small).lower()}", 95),
+                       fontsize=8.5, loc="left")
+    for (label, values), colour in zip(shown.items(), COLOURS):
         axes.plot(clock(steps["time"][rows]), unit(values), color=colour, label=label)
     axes.set_ylabel(f"Energy [{unit.name}]")
     axes.grid(axis="y")
@@ -77,7 +91,7 @@ def _closure(axes, time: np.ndarray, relative: np.ndarray) -> None:
     positive = np.flatnonzero(relative > 0.0)
     last = relative[np.isfinite(relative)]
     final = f"{last[-1]:.1e}" if last.size else "unknown"
-    axes.set_title(f"Imbalance relative to the work of friction: {final} at the end")
+    axes.set_title(f"Imbalance relative to the largest work so far: {final} at the end")
     axes.set_ylabel("Relative imbalance")
     axes.grid(axis="y")
     if positive.size:

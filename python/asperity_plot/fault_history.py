@@ -7,7 +7,7 @@ from matplotlib.ticker import MaxNLocator
 
 from asperity.run import Run
 
-from . import plane, raster, style, units
+from . import plane, raster, style, units, windows
 from .windows import View
 
 POINTS = 300   # of the line
@@ -18,9 +18,9 @@ DECADES = 12   # below the largest slip rate
 def draw(run: Run, view: View):
     """The figure; NothingToShow in two dimensions."""
     where = plane.plane(run, run.fault)
-    depth = line_depth(run, where)
+    depth, reason = line_depth(run, where)
     along, weights = line(where, depth)
-    times, peak, logarithms = rates(run, view.cycles, weights)
+    times, peak, logarithms = rates(run, view.cycles, where, weights)
     clock = units.duration(view.cycles[1])
     figure, axes = style.panels(2, 1, (9.0, 6.5), sharex=True)
     axes[0, 0].plot(clock(times), 10.0**peak, color=style.BLUE)
@@ -36,8 +36,9 @@ def draw(run: Run, view: View):
     figure.colorbar(picture, ax=axes[:, 0], pad=0.02, ticks=MaxNLocator(8, integer=True)) \
         .set_label("log10 of the slip rate [m/s]")
     axes[1, 0].set(xlabel=f"Time [{clock.name}]", ylabel=f"Along strike [{where.unit.name}]")
-    style.title(figure, "Slip rate along strike "
-                        f"{units.plain(depth, 'm')} down dip, and the largest anywhere")
+    style.title(figure, "Largest slip rate anywhere, and slip rate along strike")
+    axes[0, 0].set_title("Anywhere on the fault")
+    axes[1, 0].set_title(f"{units.text(depth, 'm')} down dip, at {reason}")
     return figure
 
 
@@ -50,20 +51,22 @@ def maxima(times: np.ndarray, values: np.ndarray, limits: np.ndarray) -> np.ndar
                      for i, j in zip(first, last)])
 
 
-def line_depth(run: Run, where: plane.Plane) -> float:
-    """Down dip [m] of the hypocentre of the largest event, or of the middle of the fault."""
-    middle = 0.5 * float(where.dip.max())
+def line_depth(run: Run, where: plane.Plane) -> Tuple[float, str]:
+    """Down dip [m] of the hypocentre of the largest event, or of the middle of the fault; and which
+    of the two it is."""
+    middle = 0.5 * float(where.dip.max()), "the middle of the fault"
     if not run.has("events.csv") or not len(run.events) or "hypocentre_x" not in run.events:
         return middle
     row = int(np.argmax(run.events["peak_slip"]))
     place = [run.events[f"hypocentre_{axis}"][row] for axis in "xyz"]
-    nodes = run.fault.array("geometry/coordinates")
-    return float(where.dip[np.argmin(np.linalg.norm(nodes - place, axis=1))])
+    number = windows.numbers(run.events)[row]
+    return (float(where.dip[np.argmin(np.linalg.norm(where.nodes - place, axis=1))]),
+            f"the hypocentre of the largest event, {number}")
 
 
 def line(where: plane.Plane, depth: float) -> Tuple[np.ndarray, np.ndarray]:
     """Distances along strike [m] of the points of the line within the fault, and the matrix
-    (points, nodes) of linear interpolation there."""
+    (points, drawn nodes) of linear interpolation there."""
     mesh = plane.Triangulation(where.strike, where.dip, where.triangles)
     inset = 1e-6 * np.ptp(where.strike)
     points = np.linspace(where.strike.min() + inset, where.strike.max() - inset, POINTS)
@@ -77,12 +80,12 @@ def line(where: plane.Plane, depth: float) -> Tuple[np.ndarray, np.ndarray]:
     return points, weights
 
 
-def rates(run: Run, window, weights: np.ndarray):
+def rates(run: Run, window, where: plane.Plane, weights: np.ndarray):
     """Times [s] in the window, log10 of the peak slip rate and of that at the points."""
     rows = run.fault.rows(window)
     time, peak, along = run.fault.time[rows], [], []
     for row in range(rows.start, rows.stop):
         rate = run.fault.array("fields/slip_rate", slice(row, row + 1))[0]
         peak.append(rate.max())
-        along.append(weights @ rate)
+        along.append(weights @ rate[where.source])
     return time, raster.log10(np.array(peak)), raster.log10(np.array(along))

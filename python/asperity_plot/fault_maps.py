@@ -3,6 +3,7 @@
 from typing import Optional, Tuple
 
 import numpy as np
+from matplotlib.tri import Triangulation
 
 from asperity.errors import NothingToShow
 from asperity.run import Run
@@ -29,7 +30,8 @@ def draw(run: Run, view: View):
         _front(panels[1], where, front)
     for panel in panels:
         where.label(panel)
-        _hypocentre(panel, run, row, where)
+        hypocentre(panel, run, row, where)
+        _legend(panel)
     number = windows.numbers(run.events)[row]
     size = f", Mw {run.events['magnitude'][row]:.2f}" if "magnitude" in run.events else ""
     style.title(figure, f"Event {number} at {units.text(onset, 's', 5)}, lasting "
@@ -37,13 +39,17 @@ def draw(run: Run, view: View):
     return figure
 
 
-def _hypocentre(panel, run: Run, row: int, where: plane.Plane) -> None:
+def hypocentre(panel, run: Run, row: int, where: plane.Plane) -> None:
     """A star where the first node passed the threshold, if the catalogue says where."""
     names = [f"hypocentre_{axis}" for axis in "xyz"]
     if all(name in run.events for name in names):
         place = where.place([run.events[name][row] for name in names])
         panel.plot(*place, "*", color="white", markeredgecolor="black", markersize=12,
                    label="hypocentre", clip_on=False, zorder=5)
+
+
+def _legend(panel) -> None:
+    if panel.get_legend_handles_labels()[0]:
         panel.legend(loc="lower right", fontsize=8, frameon=True, facecolor="white", framealpha=0.9)
 
 
@@ -95,13 +101,40 @@ def arrivals(run: Run, row: int) -> Optional[np.ndarray]:
 
 
 def _colours(axes, where: plane.Plane, values, unit: units.Unit, name: str) -> None:
-    shown = unit(values)
+    shown = unit(values[where.source])
     picture = axes.tripcolor(where.triangulation, shown, shading="gouraud", rasterized=True,
                              cmap=style.SEQUENCE_COLOURS)
     if np.ptp(shown) > 0.0:
         axes.tricontour(where.triangulation, shown, levels=LINES // 2, colors="white",
                         linewidths=0.6)
     style.bar_beside(axes, picture).set_label(f"{name} [{unit.name}]")
+
+
+def reached_part(where: plane.Plane, front: np.ndarray):
+    """A triangulation of what the front reached, and its arrivals there; None and nan without a
+    whole triangle. Edges are cut in the middle between a node that it reached and one that it did
+    not, so that the border is no stair."""
+    mesh = where.triangulation
+    count = np.isfinite(front)[mesh.triangles].sum(axis=1)
+    whole = mesh.triangles[count == 3]
+    if not whole.size:
+        return None, np.nan
+    nodes = [np.stack((mesh.x, mesh.y), axis=1)]
+    values, triangles, first = [np.nan_to_num(front)], [whole], mesh.x.size
+    for corners, new in ((2, ((0, 1, 3), (0, 3, 4))), (1, ((0, 3, 4),))):
+        part = mesh.triangles[count == corners]
+        order = np.argsort(~np.isfinite(front)[part], axis=1, kind="stable")
+        part = np.take_along_axis(part, order, axis=1)  # those reached first
+        near = part[:, [1, 0]] if corners == 2 else part[:, [0, 0]]
+        far = part[:, [2, 2]] if corners == 2 else part[:, [1, 2]]
+        nodes.append(0.5 * (nodes[0][near] + nodes[0][far]).reshape(-1, 2))
+        values.append(front[near].ravel())
+        added = first + np.arange(2 * len(part)).reshape(-1, 2)
+        triangles += [np.concatenate((part, added), axis=1)[:, list(each)] for each in new]
+        first += 2 * len(part)
+    places = np.concatenate(nodes)
+    return Triangulation(places[:, 0], places[:, 1], np.concatenate(triangles)), \
+        np.concatenate(values)
 
 
 def interval(front: np.ndarray) -> float:
@@ -111,14 +144,12 @@ def interval(front: np.ndarray) -> float:
 
 def contours(axes, where: plane.Plane, front: np.ndarray, unit: units.Unit, step: float,
              last: float, labels: bool = True):
-    """Colours of the arrival from 0 to `last` [s] and a line every `step` [s]; triangles that the
-    front did not reach as a whole are blank. The colours, for a colour bar; None without any."""
-    reached = np.isfinite(front)
-    mesh = where.triangulation
-    mesh.set_mask(~reached[mesh.triangles].all(axis=1))
-    if mesh.mask.all():
+    """Colours of the arrival from 0 to `last` [s] and a line every `step` [s], of `reached_part`.
+    The colours, for a colour bar; None without any triangle."""
+    mesh, values = reached_part(where, front[where.source])
+    if mesh is None:
         return None
-    shown = unit(np.where(reached, front, 0.0))
+    shown = unit(values)
     picture = axes.tripcolor(mesh, shown, shading="gouraud", cmap="cividis", rasterized=True,
                              vmin=0.0, vmax=float(unit(last)))
     levels = unit(np.arange(np.ceil(np.nanmin(front) / step), np.nanmax(front) / step + 1.0) * step)

@@ -1,6 +1,6 @@
 """What the maps over position and time share: the two panels, their axes and titles."""
 
-from typing import List, Optional, Tuple
+from typing import List, Optional, Sequence, Tuple
 
 import numpy as np
 from matplotlib.axes import Axes
@@ -16,16 +16,18 @@ COLUMNS = 500    # of the picture of several cycles: two pixels each, to be visi
 POSITIONS = 500  # its rows
 
 
-def panels(view: View) -> Tuple[Figure, List[Axes]]:
-    """One panel for the cycles and, if the view has one, a second for the rupture."""
-    count = 1 if view.zoom is None else 2
-    widths = [1.0] if count == 1 else [1.25, 1.0]
-    figure, axes = style.panels(1, count, (11.0, 4.6), sharey=True,
-                                gridspec_kw={"width_ratios": widths})
-    for panel in axes[0]:
+def panels(view: View, heights: Sequence[float] = (1.0,)) -> Tuple[Figure, np.ndarray]:
+    """(heights, 1 or 2) one panel for the cycles and, if the view has one, a second for the
+    rupture, in a row of each of the relative `heights`."""
+    widths = [1.0] if view.zoom is None else [1.25, 1.0]
+    lines = len(heights)
+    size = 11.0, 4.6 if lines == 1 else 2.0 + 3.0 * lines
+    figure, axes = style.panels(lines, len(widths), size, sharey="row", gridspec_kw={
+        "width_ratios": widths, "height_ratios": np.maximum(heights, 0.4 * max(heights))})
+    for panel in axes.flat:
         for spine in panel.spines.values():
             spine.set_visible(True)
-    return figure, list(axes[0])
+    return figure, axes
 
 
 def colours(axes: Axes, times: np.ndarray, history: History, values: np.ndarray, along: Axis,
@@ -34,16 +36,19 @@ def colours(axes: Axes, times: np.ndarray, history: History, values: np.ndarray,
     are `smooth`, linear in time between rows at `times`."""
     limits = raster.edges(along.limits, POSITIONS)
     places = raster.centres(limits)
-    picture = raster.along(history.position, values, places)
+    picture = raster.along(history.position[along.nodes], values[:, along.nodes], places)
     return axes.pcolormesh(times, along(places if smooth else limits), picture.T, rasterized=True,
                            shading="gouraud" if smooth else "flat", **options)
 
 
-def time_axes(axes: List[Axes], view: View) -> None:
-    """Titles and labels of the time axes; the zoom counts from the event's onset."""
-    label_cycles(axes[0], view)
+def time_axes(axes: np.ndarray, view: View) -> None:
+    """Titles of the upper panels and labels of the lower ones; the zoom counts from the event's
+    onset."""
+    label_cycles(axes[0, 0], view, axes[-1, 0])
     if view.zoom is not None:
-        label_zoom(axes[1], view)
+        label_zoom(axes[0, 1], view, axes[-1, 1])
+    for panel in axes[1:].flat:
+        panel.set_xlim(axes[0, 0 if panel in axes[:, 0] else 1].get_xlim())
 
 
 def label_cycles(axes: Axes, view: View, below: Optional[Axes] = None) -> None:
@@ -85,7 +90,8 @@ def zoom_unit(view: View) -> units.Unit:
     return units.duration(max(abs(view.zoom[0] - view.onset), view.zoom[1] - view.onset))
 
 
-def position_axis(axes: List[Axes], along: Axis) -> None:
+def position_axis(axes: Sequence[Axes], along: Axis) -> None:
     """Labels the shared axis of positions; depth grows downwards."""
-    axes[0].set_ylabel(along.label)
+    axes[0].set_ylabel(along.label if not along.title else
+                       f"{along.title}\n{style.wrapped(along.label)}")
     axes[0].set_ylim(along.range)

@@ -1,6 +1,6 @@
 """Moment rate and moment of each event over the time since its onset."""
 
-from typing import Iterator, Tuple
+from typing import Dict, Iterator, Tuple
 
 import numpy as np
 
@@ -28,7 +28,18 @@ def draw(run: Run, view: View):
     colours = style.event_colours(axes[0, 1], np.array([number for number, *_ in events]))
     for number, time, rate, moment in events:
         axes[0, 0].plot(clock(time), rate_unit(rate), color=colours(number))
-        axes[0, 1].plot(clock(time), moment_unit(moment), color=colours(number))
+        since = time >= 0.0
+        axes[0, 1].plot(clock(time[since]), moment_unit(moment[since]), color=colours(number))
+    fast = of_catalogue(run)
+    if fast:
+        for number, time, _, moment in events:
+            if number in fast:
+                axes[0, 1].plot(clock(min(fast[number][0], (1.0 + MARGIN) * last)),
+                                moment_unit(fast[number][1]), "o", color=colours(number),
+                                markerfacecolor="white", markersize=5.0, zorder=4)
+        axes[0, 1].plot([], [], "o", color=style.DARK, markerfacecolor="white", markersize=5.0,
+                        label="events.csv: while V ≥ threshold")
+        _add_legend(axes[0, 1])
     axes[0, 0].set(ylabel=f"Moment rate{per_length} [{rate_unit.name}]", title="Moment rate")
     axes[0, 1].set(ylabel=f"Moment{per_length} [{moment_unit.name}]",
                    title="Moment since the onset")
@@ -36,10 +47,29 @@ def draw(run: Run, view: View):
         panel.set_xlabel(f"Time since the onset of the event [{clock.name}]")
         panel.set_xlim(clock(-MARGIN * last), clock((1.0 + MARGIN) * last))
         panel.grid(True)
-    style.note(figure, "all slip of the fault from onset to end, also below the threshold of "
-                       "events.csv, whose moments are smaller")
+    style.note(figure, "Lines: all slip of the fault since the onset. Circles, at the end of the "
+                       "event: the moment in events.csv, to which a node\nadds only while it is at "
+                       "least as fast as the threshold."
+               if fast else "all slip of the fault since the onset")
     style.title(figure, "Moment of the events" + (" per length of the fault" if per_length else ""))
     return figure
+
+
+def of_catalogue(run: Run) -> Dict[int, Tuple[float, float]]:
+    """Duration [s] and moment in events.csv of each complete event by its number."""
+    table, name = run.complete_events, "moment_per_length" if on_curve(run) else "moment"
+    if name not in table:
+        return {}
+    return {int(number): (float(duration), float(moment)) for number, duration, moment in
+            zip(windows.numbers(table), table["duration"], table[name]) if np.isfinite(moment)}
+
+
+def _add_legend(axes) -> None:
+    """Within the panel, beside that of the events."""
+    events = axes.get_legend()
+    axes.legend(loc="upper left", fontsize=8, handletextpad=0.2)
+    if events is not None:
+        axes.add_artist(events)
 
 
 def pulse_end(time: np.ndarray, rate: np.ndarray) -> float:

@@ -59,9 +59,11 @@ def _draw_all(run: Run, view: windows.View, folder: Path, options: Namespace) ->
     for name in options.figures or figures.FIGURES:
         try:
             figure = figures.draw(name, run, view, bool(options.figures))
-            print(style.save(figure, folder / f"{name}.png", options.dpi))
+            print(style.save(figure, folder / f"{name}.{options.format}", options.dpi,
+                             options.format))
         except NothingToShow as reason:
-            (folder / f"{name}.png").unlink(missing_ok=True)  # that of a call with other options
+            # that of a call with other options
+            (folder / f"{name}.{options.format}").unlink(missing_ok=True)
             if options.figures or not isinstance(reason, OtherDimension):
                 print(f"No figure '{name}': {reason}.")
         except InputError as error:

@@ -1,6 +1,7 @@
 """When the rupture of each event reached each place on the fault."""
 
-from typing import Tuple
+from dataclasses import replace
+from typing import Optional, Tuple
 
 import numpy as np
 
@@ -16,23 +17,32 @@ def draw(run: Run, view: View):
     numbers, arrivals = after_onset(run, view)
     if not numbers.size:
         raise NothingToShow("rupture.h5 has no event in the time shown")
-    where = along.axis(run, run.ruptures, "fault")
+    faults = [where for where in (_reached(each, arrivals)
+                                  for each in along.faults(run, run.ruptures)) if where is not None]
     clock = units.duration(units.largest(arrivals))
-    figure, axes = style.panels(1, 1, (7.5, 5.0))
-    colours = style.event_colours(axes[0, 0], numbers)
-    # Nodes that no event reached at the ends of the fault would only widen the axis.
-    reached = np.flatnonzero(np.isfinite(arrivals).any(axis=0))
-    reached = slice(reached[0], reached[-1] + 1)
-    shown = run.ruptures.array("geometry/positions")[reached]
-    for number, times in zip(numbers, clock(arrivals)[:, reached]):
-        where.line(axes[0, 0], shown, times, color=colours(number), marker=".", markersize=2.0,
-                   linewidth=0.9)
-    style.frame(axes[0, 0], run, where, f"Time since the onset of the event [{clock.name}]")
-    if where.is_downwards:
-        axes[0, 0].invert_yaxis()
+    figure, axes = style.fault_panels(faults, (7.5, 5.0))
+    colours = style.event_colours(axes[-1], numbers)
+    positions = run.ruptures.array("geometry/positions")
+    for panel, where in zip(axes, faults):
+        for number, times in zip(numbers, clock(arrivals)):
+            where.line(panel, positions, times, color=colours(number), marker=".", markersize=2.0,
+                       linewidth=0.9)
+        style.frame(panel, run, where, f"Time since the onset of the event [{clock.name}]")
+        if where.is_downwards:
+            panel.invert_yaxis()
     threshold = float(run.ruptures.array("threshold")[0])
     style.title(figure, f"First time with V ≥ {units.plain(threshold, 'm/s')}")
     return figure
+
+
+def _reached(where: along.Axis, arrivals: np.ndarray) -> Optional[along.Axis]:
+    """The axis without the nodes at its ends that no event reached; None of a fault that none
+    reached."""
+    reached = np.flatnonzero(np.isfinite(arrivals[:, where.nodes]).any(axis=0))
+    if not reached.size:
+        return None
+    first = where.nodes.start or 0
+    return replace(where, nodes=slice(first + int(reached[0]), first + int(reached[-1]) + 1))
 
 
 def after_onset(run: Run, view: View) -> Tuple[np.ndarray, np.ndarray]:

@@ -1,5 +1,6 @@
 """Profiles of cumulative slip after every event."""
 
+from dataclasses import replace
 from typing import Tuple
 
 import numpy as np
@@ -18,21 +19,32 @@ def draw(run: Run, view: View):
     run.fault.require_two_times()
     times, heading = _times(run)
     slip = profiles.sign(run.fault) * raster.interpolated(run.fault, profiles.FIELD, times)
-    where, unit = along.axis(run, run.fault, "fault"), units.length(slip)
+    faults, unit = along.faults(run, run.fault), units.length(slip)
     clock = units.duration(run.span[1])
-    colours = style.colour_map(style.SEQUENCE_COLOURS, Normalize(*clock(run.span)))
-    figure, axes = style.panels(1, 1, (8.0, 4.8))
-    for time, profile in zip(times, slip):
-        axes[0, 0].plot(where(run.fault.position), unit(profile), linewidth=0.8,
-                        color=colours.to_rgba(clock(time)))
+    colours = style.colour_map(style.SEQUENCE_COLOURS, _norm(clock(times)))
+    figure, axes = style.panels(len(faults), 1, (8.0, 1.8 + 3.0 * len(faults)))
+    for panel, where in zip(axes[:, 0], faults):
+        for time, profile in zip(times, unit(slip)):
+            along_axis = replace(where, is_downwards=False)
+            along_axis.line(panel, run.fault.position, profile, linewidth=0.8,
+                            color=colours.to_rgba(clock(time)))
+        panel.set(xlabel=where.label, ylabel=profiles.label(run, unit))
+        panel.set_title(where.title, loc="right", fontweight="bold", color=style.DARK)
+        panel.set_xlim(sorted(where(where.limits)))
+        panel.margins(y=0.08)
+        panel.grid(True)
+        style.shade_zone(panel, run, where)
+    axes[0, 0].set_title(heading, loc="left" if len(faults) > 1 else "center")
     figure.colorbar(colours, ax=axes, pad=0.02, aspect=32).set_label(f"Time [{clock.name}]")
-    axes[0, 0].set(title=heading, xlabel=where.label, ylabel=profiles.label(run, unit))
-    axes[0, 0].set_xlim(sorted(where(where.limits)))
-    axes[0, 0].margins(y=0.08)
-    axes[0, 0].grid(True)
-    style.shade_zone(axes[0, 0], run, where)
     style.title(figure, profiles.title(run))
     return figure
+
+
+def _norm(times: np.ndarray) -> Normalize:
+    """From the first profile to the last, so that their colours differ also where all events come
+    late in the run."""
+    first, last = float(times.min()), float(times.max())
+    return Normalize(first, last) if last > first else Normalize(0.0, last or 1.0)
 
 
 def _times(run: Run) -> Tuple[np.ndarray, str]:

@@ -12,24 +12,37 @@ from asperity.run import Run
 from . import along, profiles, style, units
 from .windows import View
 
+MOST = 12  # events in one figure
 ADVICE = "let Fault History write more rows"
 
 
 def draw(run: Run, view: View):
     """The figure; NothingToShow if the history has a single row."""
     run.fault.require_two_times()
+    view = _with_few_events(run, view)
     families = lines(run, view)
-    where = along.axis(run, run.fault, "fault")
-    figure, axes = style.panels(1, 1, (7.5, 5.0) if where.is_downwards else (9.0, 5.0))
-    _draw(axes[0, 0], run, families, where)
+    faults = along.faults(run, run.fault)
+    figure, axes = style.fault_panels(
+        faults, (7.5, 5.0) if faults[0].is_downwards else (9.0, 5.0))
+    unit = units.length([units.largest(each.slip) for each in families])
+    for panel, where in zip(axes, faults):
+        _draw(panel, run, families, where, unit)
+    _legend(axes[-1])
     clock = units.duration(view.sequence[1])
     first, last = (units.rounded(time, 4) for time in clock(view.sequence))
-    axes[0, 0].set_title(f"From {first} to {last} {clock.name}", loc="left")
+    axes[0].set_title(f"From {first} to {last} {clock.name}", loc="left")
     remark = doubts(families)
     if remark:
         style.note(figure, textwrap.fill(remark, 110))
     style.title(figure, profiles.title(run))
     return figure
+
+
+def _with_few_events(run: Run, view: View) -> View:
+    """The lines of more than MOST events would be one block: some cycles instead."""
+    events = profiles.events_within(run, view.sequence)
+    many = events is not None and len(events) > MOST and not view.chosen
+    return replace(view, sequence=view.cycles) if many else view
 
 
 def lines(run: Run, view: View) -> List[profiles.Family]:
@@ -60,9 +73,9 @@ def doubts(families: List[profiles.Family]) -> str:
     return f"{' and '.join(remarks)}: {ADVICE}" if remarks else ""
 
 
-def _draw(axes: Axes, run: Run, families: List[profiles.Family], where: along.Axis) -> None:
+def _draw(axes: Axes, run: Run, families: List[profiles.Family], where: along.Axis,
+          unit: units.Unit) -> None:
     """Slip across and depth downwards, or slip upwards over the position."""
-    unit = units.length([units.largest(each.slip) for each in families])
     for each, colour in zip(families, (style.BLUE, style.ORANGE)):
         for number, slip in enumerate(unit(each.slip)):
             label = f"every {units.plain(each.interval, 's')}" if number == 0 else None
@@ -73,7 +86,11 @@ def _draw(axes: Axes, run: Run, families: List[profiles.Family], where: along.Ax
         axes.set_xlim(where.range)
         axes.margins(y=0.08)
     style.frame(axes, run, where, profiles.label(run, unit))
-    legend = axes.legend(loc="lower right", bbox_to_anchor=(1.0, 1.0), ncol=2, fontsize=8.5,
+
+
+def _legend(axes: Axes) -> None:
+    """Above the panel."""
+    legend = axes.legend(loc="lower right", bbox_to_anchor=(1.0, 1.06), ncol=2, fontsize=8.5,
                          borderaxespad=0.2)
     for line in legend.get_lines():
         line.set_linewidth(1.5)

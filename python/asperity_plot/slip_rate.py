@@ -21,15 +21,18 @@ def draw(run: Run, view: View):
     run.fault.require_two_times()
     cycles = raster.maxima(run.fault, FIELD, view.cycles, maps.COLUMNS)
     norm = _norm(cycles)
-    figure, axes = maps.panels(view)
-    where = along.axis(run, run.fault, "fault")
-    maps.position_axis(axes, where)
+    faults = along.faults(run, run.fault)
+    figure, axes = maps.panels(view, [np.ptp(each.limits) for each in faults])
     times = maps.cycles_unit(view)(raster.edges(view.cycles, maps.COLUMNS))
-    mesh = maps.colours(axes[0], times, run.fault, cycles, where, norm=norm,
-                        cmap=style.RATE_COLOURS)
-    lines = _zoom(run, view, axes[1], where, norm) if view.zoom is not None else None
-    for panel in axes:
-        style.mark_zone(panel, run, where, "white", label=panel is axes[-1])
+    lines = None
+    for row, where in zip(axes, faults):
+        maps.position_axis(row, where)
+        mesh = maps.colours(row[0], times, run.fault, cycles, where, norm=norm,
+                            cmap=style.RATE_COLOURS)
+        if view.zoom is not None:
+            lines = _zoom(run, view, row[1], where, norm)
+        for panel in row:
+            style.mark_zone(panel, run, where, "white", label=panel is row[-1])
     maps.time_axes(axes, view)
     bar = figure.colorbar(mesh, ax=axes, pad=0.03, aspect=28, extend="min",
                           format=FuncFormatter(lambda exponent, _: f"$10^{{{exponent:.0f}}}$"),
@@ -56,8 +59,8 @@ def _zoom(run: Run, view: View, axes: Axes, where: along.Axis, norm: Normalize) 
     maps.colours(axes, shown, run.fault, logarithms, where, smooth=True, norm=norm,
                  cmap=style.RATE_COLOURS)
     decades = np.arange(np.ceil(norm.vmin + 0.25), np.floor(norm.vmax) + 1.0)
-    axes.contour(shown, where(run.fault.position), logarithms.T, levels=decades, colors="white",
-                 linewidths=0.7, linestyles="solid")
+    axes.contour(shown, where(run.fault.position[where.nodes]), logarithms[:, where.nodes].T,
+                 levels=decades, colors="white", linewidths=0.7, linestyles="solid")
     return decades
 
 

@@ -1,7 +1,7 @@
 """One look for all figures: fonts, colours, and what several figures draw alike."""
 
 import re
-from typing import Callable, List
+from typing import Callable, List, Sequence
 
 import matplotlib
 
@@ -63,6 +63,20 @@ def panels(rows: int, columns: int, size, **options):
     return plt.subplots(rows, columns, figsize=size, squeeze=False, **options)
 
 
+def fault_panels(faults: Sequence[Axis], size):
+    """A figure and a panel of `size` [inches] for each fault: side by side where positions grow
+    downwards, else one below the other; the panels of several faults have their names."""
+    count = len(faults)
+    downwards = all(where.is_downwards for where in faults)
+    lines, columns = (1, count) if downwards else (count, 1)
+    share = 1.0 if count == 1 else 0.75
+    figure, axes = panels(lines, columns, (size[0] * (1 + share * (columns - 1)),
+                                           size[1] * (1 + share * (lines - 1))))
+    for panel, where in zip(axes.flat, faults):
+        panel.set_title(where.title, loc="right", fontweight="bold", color=DARK)
+    return figure, list(axes.flat)
+
+
 def title(figure: Figure, text: str) -> None:
     figure.suptitle(text, fontweight="bold", color=DARK)
 
@@ -72,10 +86,11 @@ def note(figure: Figure, text: str) -> None:
     figure.supxlabel(text, fontsize=8.5, color=DARK)
 
 
-def save(figure: Figure, path, dpi: int):
-    """Writes a PNG to a path or a buffer, and returns that."""
+def save(figure: Figure, path, dpi: int, file_format: str = "png"):
+    """Writes a PNG, PDF or SVG to a path or a buffer, and returns that. In PDF and SVG lines and
+    texts can be scaled; pictures of many cells have `dpi` there, too."""
     try:
-        figure.savefig(path, format="png", dpi=dpi, facecolor="white")
+        figure.savefig(path, format=file_format, dpi=dpi, facecolor="white")
     except OSError as error:
         raise InputError(f"{path} cannot be written ({error}). Choose another place with "
                          "--output.") from error

@@ -30,12 +30,12 @@ def draw(run: Run, view: View):
     colours = {"norm": _norm(unit(cycles)), "cmap": style.SURFACE_COLOURS}
     figure, axes = maps.panels(view)
     where = along.axis(run, surface, "surface")
-    maps.position_axis(axes, where)
-    mesh = maps.colours(axes[0], maps.cycles_unit(view)(limits), surface, unit(cycles), where,
+    maps.position_axis(axes[0], where)
+    mesh = maps.colours(axes[0, 0], maps.cycles_unit(view)(limits), surface, unit(cycles), where,
                         **colours)
     if view.zoom is not None:
         limits, times, values = _columns(run, view.zoom, maps.COLUMNS // 2)
-        maps.colours(axes[1], maps.zoom_unit(view)(limits - view.onset), surface,
+        maps.colours(axes[0, 1], maps.zoom_unit(view)(limits - view.onset), surface,
                      unit(values - trend(times)), where, **colours)
     maps.time_axes(axes, view)
     bar = figure.colorbar(mesh, ax=axes, pad=0.02, aspect=28, extend="both")

@@ -23,7 +23,7 @@ def report(directory: Path, selection: Selection = Selection()) -> Tuple[str, Li
     log = RunLog.read(directory / "run.log")
     wrong = list(run.wrong.values())
     parts = [("state", "State", sections.summary(facts(directory, SILENT_AFTER))),
-             ("parameters", "Parameters that differ from the defaults", sections.parameters(run))]
+             ("model", "Size and resolution", sections.model(log))]
     try:
         view = windows.choose(run, None)
     except NoStepYet as reason:
@@ -31,10 +31,11 @@ def report(directory: Path, selection: Selection = Selection()) -> Tuple[str, Li
     except InputError as error:
         wrong.append(str(error))
     else:
+        parts.append(("figures", "Figures", _figures(run, view, wrong)))
         if run.has("events.csv"):
             parts.append(("events", "Events", sections.events(run, view, wrong)))
-        parts.append(("figures", "Figures", _figures(run, view, wrong)))
-    parts += [("solver", "Solver, and where time went", sections.solver(run, log)),
+    parts += [("parameters", "Parameters that differ from the defaults", sections.parameters(run)),
+              ("solver", "Solver, and where time went", sections.solver(run, log)),
               ("provenance", "Provenance", provenance.section(run, log, wrong))]
     wrong = list(dict.fromkeys(wrong))
     if wrong:

@@ -1,11 +1,15 @@
 """The sections of the page, each from what the run left for it."""
 
+import ast
+import operator
+import re
 from typing import List
 
 import numpy as np
 
 from asperity.errors import InputError, NothingToShow
 from asperity.log import RunLog
+from asperity.parameters import NUMBER
 from asperity.run import Run
 from asperity_plot import boxes, event_table
 from asperity_plot.markdown import Column
@@ -26,13 +30,52 @@ def summary(facts: Facts) -> str:
                      for line in describe(facts).splitlines())
 
 
+def model(log: RunLog) -> str:
+    """Unknowns, cells, and how well they resolve the fault, as the run tells them."""
+    return "\n".join(page.paragraph(line) for line in log.model) \
+        or page.paragraph("The log does not tell them.")
+
+
 def parameters(run: Run) -> str:
     changed = run.parameters.changed()
     if not changed:
         return page.paragraph("The run left no parameters.xml, or all values are the defaults.")
     note = "" if len(changed) < len(run.parameters.paths()) else page.paragraph(
         "parameters.xml does not say which values are the defaults: these are all.", "note")
-    return note + page.table(["parameter", "value"], list(changed.items()), True)
+    if any(text != plain(text) for text in changed.values()):
+        note += page.paragraph("The run has put its values in the place of the deck's names; "
+                               "formulas of numbers have their result beside them.", "note")
+    return note + page.table(["parameter", "value"],
+                             [(path, plain(text)) for path, text in changed.items()], True)
+
+
+def plain(text: str) -> str:
+    """A formula without the brackets that replaced names leave around numbers, and with its value
+    if it is made of numbers alone: '(1e-09) / 2' is '1e-09 / 2 = 5e-10'."""
+    short = re.sub(rf"(?<![A-Za-z0-9_])\(({NUMBER})\)(?!\s*\^)",
+                   lambda found: found[0] if found[1].startswith("-") else found[1], text)
+    if short == text or re.search(r"[^-+*/^() .0-9eE]", short):
+        return short
+    try:
+        value = _value(ast.parse(short.strip().replace("^", "**"), mode="eval").body)
+    except (SyntaxError, ValueError, ArithmeticError):
+        return short
+    return short if re.fullmatch(NUMBER, short.strip()) else f"{short} = {value:.6g}"
+
+
+_OPERATIONS = {ast.Add: operator.add, ast.Sub: operator.sub, ast.Mult: operator.mul,
+               ast.Div: operator.truediv, ast.Pow: operator.pow}
+
+
+def _value(node: ast.AST) -> float:
+    """ValueError for anything but numbers and the four operations and powers of them."""
+    if isinstance(node, ast.Constant) and isinstance(node.value, (int, float)):
+        return float(node.value)
+    if isinstance(node, ast.UnaryOp) and isinstance(node.op, ast.USub):
+        return -_value(node.operand)
+    if isinstance(node, ast.BinOp) and type(node.op) in _OPERATIONS:
+        return _OPERATIONS[type(node.op)](_value(node.left), _value(node.right))
+    raise ValueError("not arithmetic")
 
 
 def _columns(columns: List[Column]) -> str:

@@ -56,6 +56,9 @@ def _place(now: Facts) -> str:
         return "There is no step yet."
     of_final = f" of {simulated(now.final_time)} ({100 * now.time / now.final_time:.1f} %)" \
         if now.final_time else ""
+    if now.state == "finished" and of_final and now.time < now.final_time * (1.0 - 1e-9):
+        of_final = (f", before the final time {simulated(now.final_time)}: it has as many events "
+                    "as 'Event Catalogue / Most Events' allows")
     events = "" if now.events is None else f", {now.events} event{'' if now.events == 1 else 's'}"
     return (f"t = {simulated(now.time)}{of_final}, step {now.step}{events}, "
             f"peak slip rate {now.peak_slip_rate:.1e} m/s.")

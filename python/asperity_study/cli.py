@@ -29,6 +29,8 @@ def main(arguments: Optional[List[str]] = None) -> int:
         what = study.read(options.study)
     values = what.runs()
     if options.list:
+        if expectation(what, values):
+            print(expectation(what, values))
         for number, each in enumerate(values, start=1):
             print(number, *(f"{name}={value}" for name, value in each.items()))
         return DONE
@@ -50,6 +52,8 @@ def _run(what, values, options: argparse.Namespace) -> int:
                          max(1, options.cores // what.ranks),
                          runner.launcher(what.ranks, options.mpirun),
                          tell=lambda text: print(text, flush=True))
+    if expectation(what, values):
+        print(expectation(what, values), flush=True)
     team.validate([job for job in jobs if job.state == "waiting"])
     with runner.alone(folder):
         runner.mark_finished(jobs)
@@ -65,6 +69,23 @@ def _run(what, values, options: argparse.Namespace) -> int:
     if not complete:
         return STOPPED
     return SOME_FAILED if any(job.state == "failed" for job in jobs) else DONE
+
+
+def expectation(what, values) -> str:
+    """What a study of convergence costs, as far as theory tells: '' where it does not."""
+    costs = []
+    for each in values:
+        factor = 1.0
+        for variable in what.variables:
+            how = variable.refinement
+            if how is None or how.cost is None:
+                return ""
+            factor *= float(each[variable.name]) ** how.cost
+        costs.append(factor)
+    return (f"{len(costs)} runs, which together cost about {sum(costs):.3g} times what the deck "
+            f"itself does, the dearest {max(costs):.3g} times: cells count by their number, "
+            "tolerances and largest steps as if they alone set the steps. Steps that follow the "
+            "cells, and solvers that need more of them, cost more.")
 
 
 def _tell_errors(parts, folder: Path) -> None:

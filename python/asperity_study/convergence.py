@@ -40,6 +40,7 @@ class Row:
     value: float
     limit: float
     error: float
+    is_doubtful: bool = False  # the order of some part is far from theory
 
 
 def parts(study: Study, jobs: List[Job], values: List[Dict[str, str]],
@@ -87,7 +88,8 @@ def _part(variable: Variable, runs: List[Optional[Run]], receivers) -> Part:
         for quantity in measured[0]:
             on_levels = [float(each[quantity][event]) for each in measured]
             if not np.isnan(on_levels).all():
-                _add(part, (event + 1, quantity), on_levels, order.estimate(on_levels, ratio))
+                _add(part, (event + 1, quantity), on_levels,
+                     order.estimate(on_levels, ratio, variable.refinement.order))
     return part
 
 
@@ -101,7 +103,8 @@ def _listed(items) -> str:
 
 def total(found: List[Part]) -> List[Row]:
     """The rows of all parts. The error is the sum of those of the parts, so that they do not cancel
-    each other; the limit is corrected by all of them."""
+    each other; the limit is corrected by all of them. A row is marked where the order of some
+    part is far from theory."""
     rows = []
     for event, quantity in dict.fromkeys(row for part in found for row in part.values):
         key = event, quantity
@@ -109,5 +112,6 @@ def total(found: List[Part]) -> List[Row]:
         value = next(part.values[key][0] for part in found if key in part.values)
         rows.append(Row(event, quantity, value,
                         value + sum(each.limit - value for each in estimates),
-                        sum(each.error for each in estimates)))
+                        sum(each.error for each in estimates),
+                        any(each.note and np.isfinite(each.order) for each in estimates)))
     return sorted(rows, key=lambda row: row.event)

@@ -15,8 +15,10 @@ from .convergence import Part, Row, total
 from .results import replace
 
 NOTE = ("The limit follows from the three finest levels. The error is that of the first level, "
-        "the deck; without an order it is the spread of the values. That of the total is the sum "
-        "over the variables.")
+        "the deck; without an order it is the spread of the values, and so it is where the order "
+        "is more than twice or less than half that of theory: such rows are marked with *, their "
+        "levels are too coarse or their changes too small to tell a limit. That of the total is "
+        "the sum over the variables.")
 
 
 def write(folder: Path, found: List[Part]) -> List[Path]:
@@ -31,8 +33,13 @@ def text_of(found: List[Part]) -> str:
     rows = total(found)
     pieces = [f"WARNING: {part.warning}" for part in found if part.warning]
     for part in found:
-        pieces += [f"### {part.variable.name}", _table(part, rows)]
+        pieces += [f"### {part.variable.name}{_theory(part)}", _table(part, rows)]
     return "\n\n".join(pieces + ["### Total", _total(rows), NOTE])
+
+
+def _theory(part: Part) -> str:
+    order = part.variable.refinement.order
+    return f": order {order:.2g} in theory" if order else ""
 
 
 def _table(part: Part, rows: List[Row]) -> str:
@@ -44,10 +51,19 @@ def _table(part: Part, rows: List[Row]) -> str:
             continue
         estimate = part.estimates[key]
         shown = _Shown(row, part.values[key], estimate.error)
+        far = " *" if estimate.note and math.isfinite(estimate.order) else ""
         lines.append([*shown.names(), *map(shown.value, part.values[key]),
-                      estimate.note or f"{estimate.order:.2f}", shown.value(estimate.limit),
-                      shown.error(estimate.error)])
-    return _markdown(["event", "quantity", *part.variable.values, "order", "limit", "error"], lines)
+                      f"{estimate.order:.2f}{far}" if far else estimate.note or
+                      f"{estimate.order:.2f}", shown.value(estimate.limit),
+                      f"{shown.error(estimate.error)}{far}"])
+    return _markdown(["event", "quantity", *levels(part), "order", "limit", "error"], lines)
+
+
+def levels(part: Part) -> List[str]:
+    """'deck', '2 x finer', '4 x finer'; by how much sizes and tolerances differ from the deck's."""
+    factors = [float(value) for value in part.variable.values]
+    return ["deck" if factor == 1.0 else f"{factor:g} x finer" if factor > 1.0
+            else f"{1.0 / factor:g} x coarser" for factor in factors]
 
 
 def _total(rows: List[Row]) -> str:
@@ -55,7 +71,8 @@ def _total(rows: List[Row]) -> str:
     for row in rows:
         shown = _Shown(row, [row.value], row.error)
         lines.append([*shown.names(), shown.value(row.value), shown.value(row.limit),
-                      shown.error(row.error), shown.error(100.0 * relative(row), 1.0)])
+                      shown.error(row.error) + (" *" if row.is_doubtful else ""),
+                      shown.error(100.0 * relative(row), 1.0)])
     return _markdown(["event", "quantity", "deck", "limit", "error", "%"], lines)
 
 

@@ -2,7 +2,7 @@
 
 import subprocess
 from pathlib import Path
-from typing import Dict, List
+from typing import Dict, List, Tuple
 
 from asperity.errors import InputError
 from asperity.parameters import Parameters
@@ -14,6 +14,7 @@ STEPPING = "Time Stepping"
 LARGEST, SMALLEST = f"{STEPPING}/Largest Step", f"{STEPPING}/Smallest Step"
 # With a scheme of second order the error of a step is of third order: an eighth halves the steps.
 RATIO, OF_TOLERANCES = 2.0, 8.0
+FIRST_ORDER = "Backward Euler"
 
 
 def convergence(deck: Path, program: Path, changes: List[str], coarser: bool) -> Study:
@@ -63,8 +64,21 @@ def _refined(named: Dict[str, str], given: Dict[str, str]):
     yield "largest step", (LARGEST,), RATIO, "Divide"
 
 
+def _theory(name: str, given: Dict[str, str]) -> Tuple[float, float]:
+    """The order of the error, and the power with which the cost grows, in the factor by which
+    a variable is refined. Linear elements have second order. With a scheme of order p the error of
+    a step is of order p + 1: p / (p + 1) in a tolerance, whose factor^(1 / (p + 1)) cuts steps."""
+    scheme = 1.0 if given.get(f"{STEPPING}/Scheme") == FIRST_ORDER else 2.0
+    if name == "cells":
+        return 2.0, 3.0 if given.get("Bulk/Model") == "Solid" else 2.0
+    if name == "tolerance":
+        return scheme / (scheme + 1.0), 1.0 / (scheme + 1.0)
+    return scheme, 1.0
+
+
 def _variable(name: str, paths, given: Dict[str, str], ratio: float, change: str,
               coarser: bool) -> Variable:
     how = refinement.checked(paths, given, 1.0 / ratio if coarser else ratio, refinement.FEWEST,
-                             change, f"--convergence: {name} (--set may give a number)")
+                             change, f"--convergence: {name} (--set may give a number)",
+                             *_theory(name, given))
     return Variable(name, tuple(paths), values=how.factors(), refinement=how)

@@ -3,7 +3,7 @@
 import math
 import re
 from dataclasses import dataclass
-from typing import Dict, Tuple
+from typing import Dict, Optional, Tuple
 
 from asperity.errors import InputError
 from asperity.parameters import Parameters
@@ -16,12 +16,16 @@ CHANGES = ("Divide", "Multiply", "Add")
 class Refinement:
     """Level 0 is the deck, with the texts `first` of the parameters; level n is finer by the factor
     ratio^n, or coarser with a ratio below 1. `change` is one of CHANGES: a size is divided by the
-    factor, a number of cells multiplied; to a number of halvings its binary logarithm is added."""
+    factor, a number of cells multiplied; to a number of halvings its binary logarithm is added.
+    `order` of the error in the factor is what theory expects, `cost` the power of the factor with
+    which the cost of a run grows, if they are known."""
 
     first: Dict[str, str]
     ratio: float
     levels: int
     change: str
+    order: Optional[float] = None
+    cost: Optional[float] = None
 
     def factors(self) -> Tuple[str, ...]:
         """By which each level is finer than the deck; '1' first."""
@@ -55,7 +59,7 @@ def _is_formula(text: str, given: Dict[str, str]) -> bool:
 
 
 def checked(paths: Tuple[str, ...], given: Dict[str, str], ratio: float, levels: int, change: str,
-            where: str) -> Refinement:
+            where: str, order: Optional[float] = None, cost: Optional[float] = None) -> Refinement:
     """Of the parameters `paths`, whose values on level 0 are in `given`; InputError with `where`
     for what cannot be refined in this way."""
     if ratio <= 0.0 or ratio == 1.0:
@@ -71,4 +75,7 @@ def checked(paths: Tuple[str, ...], given: Dict[str, str], ratio: float, levels:
         if texts.number(path) is None and not _is_formula(texts.text(path), given):
             raise InputError(f"{where}: '{path}' = '{' '.join(given[path].split())}' is no number. "
                              "Refine a parameter that is one, such as a factor or a name in it.")
-    return Refinement({path: given[path].strip() for path in paths}, ratio, levels, change)
+    if order is not None and not order > 0.0:
+        raise InputError(f"{where}: Order = {order:g}; a number above 0 is wanted.")
+    return Refinement({path: given[path].strip() for path in paths}, ratio, levels, change, order,
+                      cost)

@@ -19,7 +19,7 @@ CONVERGENCE = "Convergence"
 ROOT, SAMPLINGS = "Asperity Study", ("Grid", "List", "Random", CONVERGENCE)
 TOP = {"Deck", "Sampling", "Samples", "Seed", "Ranks", "Receivers", "Settings", "Variables"}
 OF_VARIABLE = {"Parameters", "Unit", "Values", "Lowest", "Highest", "Distribution"}
-OF_REFINED = {"Parameters", "Ratio", "Levels", "Change"}
+OF_REFINED = {"Parameters", "Ratio", "Levels", "Change", "Order"}
 RECEIVERS = "Output/Receivers/On Fault/"
 DISTRIBUTIONS = ("Uniform", "Logarithmic")
 
@@ -152,18 +152,26 @@ def _receivers(entries: "Entries", given: Dict[str, str]) -> Tuple[str, ...]:
 def _check(study: Study, path: Path) -> None:
     if not study.variables:
         raise InputError(f"{path}: Variables has no list: nothing varies. Run the deck itself.")
-    names = [each.name for each in study.variables]
-    paths = [each for variable in study.variables for each in variable.parameters]
-    settings = [] if study.sampling == CONVERGENCE else list(study.settings)  # of its first level
-    for what, given in (("variable", names), ("parameter", paths + settings)):
-        twice = [each for each in given if given.count(each) > 1]
-        if twice:
-            raise InputError(f"{path}: the {what} '{twice[0]}' is given twice.")
+    _refuse_twice([(each.name, "Variables") for each in study.variables], "variable", path)
+    places = [(each, f"Variables / {variable.name}") for variable in study.variables
+              for each in variable.parameters]
+    if study.sampling != CONVERGENCE:  # there Settings give the values of the first level
+        places += [(each, "Settings") for each in study.settings]
+    _refuse_twice(places, "parameter", path)
     if study.sampling == "List":
         lengths = {each.name: len(each.values) for each in study.variables}
         if len(set(lengths.values())) > 1:
             raise InputError(f"{path}: with Sampling = List all variables need the same number of "
                              f"values; there are {lengths}.")
+
+
+def _refuse_twice(places: List[Tuple[str, str]], what: str, path: Path) -> None:
+    """`places` are names with the lists that give them."""
+    for name in dict.fromkeys(name for name, _ in places):
+        where = [place for each, place in places if each == name]
+        if len(where) > 1:
+            raise InputError(f"{path}: the {what} '{name}' is given twice, in "
+                             f"{' and in '.join(dict.fromkeys(where))}. Keep one.")
 
 
 def _variable(node: ElementTree.Element, where: str, is_random: bool) -> Variable:
@@ -192,7 +200,8 @@ def _refined(node: ElementTree.Element, where: str, given: Dict[str, str]) -> Va
         raise InputError(f"{where}: Parameters needs at least one entry.")
     how = refinement.checked(parameters, given, entries.number("Ratio", "2"),
                              entries.count("Levels", refinement.FEWEST, refinement.FEWEST),
-                             entries.choice("Change", refinement.CHANGES, "Divide"), where)
+                             entries.choice("Change", refinement.CHANGES, "Divide"), where,
+                             entries.number("Order") if "Order" in entries.values else None)
     return Variable(node.get("name"), parameters, values=how.factors(), refinement=how)
 
 

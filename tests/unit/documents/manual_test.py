@@ -64,6 +64,10 @@ class Manual(unittest.TestCase):
 
     @unittest.skipUnless(BROWSER, "there is no chromium")
     def test_search_finds_a_word(self):
+        for word in ("topography", "GNSS"):
+            page = shown((SITE / "search.html").as_uri() + f"?q={word}")
+            results = re.search(r'<div id="search-results">.*', page, re.DOTALL)[0]
+            self.assertRegex(results, r'<li[^>]*>\s*<a href="', word)
         page = shown((SITE / "search.html").as_uri() + "?q=nucleation")
         results = re.search(r'<div id="search-results">.*', page, re.DOTALL)[0]
         self.assertRegex(text_of(results), r"finished.*page.* matching")
@@ -85,6 +89,16 @@ class Manual(unittest.TestCase):
     def test_equations_are_drawn(self):
         page = shown((SITE / "model.html").as_uri())
         self.assertGreater(page.count("<math"), 10)
+        self.assertNotIn('mathvariant="bold"', page)  # browsers draw no bold letter for it
+        self.assertIn("<mi>\U0001d42e</mi>", page)  # the bold u
+
+    def test_the_first_page_has_a_figure_a_table_and_a_command(self):
+        page = (SITE / "index.html").read_text(encoding="utf-8")
+        self.assertIn("wedge_2d_slip_rate.png", page)
+        self.assertIn("bash cmake/quickstart.sh run", page)
+        self.assertGreater(page.count("<tr"), 6)
+        for name in ("reference/studies.html", "reference/figures.html", "limits.html"):
+            self.assertTrue((SITE / name).exists(), name)
 
 
 if __name__ == "__main__":

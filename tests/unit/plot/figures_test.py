@@ -10,7 +10,7 @@ from matplotlib.image import imread
 import synthetic_cycle
 import synthetic_run
 from asperity_plot import boxes, cli, energy, iterations, maps, raster, slip, slip_rate, style
-from asperity_plot import surface, windows
+from asperity_plot import slip_profiles, surface, windows
 from asperity.run import Run
 from folders import SharedFolderCase, told
 
@@ -62,6 +62,43 @@ class Figures(SharedFolderCase):
         path = self.folder / run / "figures" / f"{name}.png"
         self.assertIn(str(path), out)
         self.assertGreater(imread(path)[..., :3].std(), 0.03, name)
+
+    def test_figures_for_papers(self):
+        for name, begin in (("pdf", b"%PDF"), ("svg", b"<?xml")):
+            status, out, _ = self.plot("many", "--figures", "events", "--format", name)
+            path = self.folder / "many" / "figures" / f"events.{name}"
+            self.assertEqual(status, 0)
+            self.assertIn(str(path), out)
+            self.assertTrue(path.read_bytes().startswith(begin))
+
+    def test_of_few_events_there_are_no_boxes(self):
+        run, view = self.view("one")
+        axes = boxes.draw(run, view).axes
+        self.assertEqual([len(panel.patches) for panel in axes], [0] * len(axes))
+        slips = axes[2]
+        self.assertEqual(slips.lines[0].get_marker(), "o")
+        np.testing.assert_allclose(slips.lines[0].get_xdata(),
+                                   boxes.unit_of(run.events["peak_slip"], "m")(
+                                       run.events["peak_slip"]))
+        many = boxes.draw(*self.view("many")).axes[0]
+        self.assertEqual(len(many.patches), 1)
+
+    def test_quartiles_are_in_one_unit(self):
+        self.assertEqual(boxes._texts(np.array([2.16e5, 2.1e9]), "s"), ["0.00684 yr", "66.5 yr"])
+
+    def test_slip_has_colours_from_the_first_event_to_the_last(self):
+        """Also where all events come late: here after 12 of 126 s."""
+        run, view = self.view("many")
+        bar = slip.draw(run, view).axes[1]
+        np.testing.assert_allclose(bar.get_ylim(),
+                                   run.complete_events["end"][[0, -1]], rtol=1e-6)
+
+    def test_many_events_are_no_block_of_profiles(self):
+        run, view = self.view("many")
+        with mock.patch.object(slip_profiles, "MOST", 6):
+            cut = slip_profiles.draw(run, view).axes[0]
+        first, last = (f"{number:.4g}" for number in view.cycles)
+        self.assertEqual(cut.get_title(loc="left"), f"From {float(first):.2f} to {last} s")
 
     def test_says_why_a_figure_that_was_named_is_missing(self):
         status, out, err = self.plot("many", "--figures", "fault_maps")
@@ -209,6 +246,23 @@ class Figures(SharedFolderCase):
         run, view = self.view("many")
         relative = energy.draw(run, view).axes[1].lines[0].get_ydata()
         self.assertAlmostEqual(relative.max(), 1e-9, delta=1e-11)
+
+    def test_lines_on_zero_are_named_and_not_drawn_and_the_imbalance_is_of_the_largest_work(self):
+        text = (self.folder / "many" / "steps.csv").read_text().splitlines()
+        columns = text[0].split(",")
+        work, defect = columns.index("friction_work [J/m]"), columns.index("energy_defect [J/m]")
+        rows = [row.split(",") for row in text[1:]]
+        for row in rows:  # a locked fault
+            row[work], row[defect] = "0", "1e-9"
+        folder = self.folder / "locked"
+        folder.mkdir()
+        (folder / "steps.csv").write_text("\n".join([text[0], *map(",".join, rows), ""]))
+        upper, lower = energy.draw(Run(folder), self.view("many")[1]).axes
+        labels = [line.get_label() for line in upper.lines]
+        self.assertIn("Boundary work", labels)
+        self.assertNotIn("Friction work", labels)
+        self.assertIn("friction work", " ".join(upper.get_title(loc="left").split()))
+        self.assertLess(lower.lines[0].get_ydata()[-1], 1e-6)
 
     def test_energy_counts_works_and_dissipation_from_the_start(self):
         lines, view = {}, self.view("many")[1]

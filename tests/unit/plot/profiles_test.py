@@ -12,7 +12,7 @@ from matplotlib.colors import to_hex
 
 import synthetic_cycle as cycle
 import synthetic_run
-from asperity_plot import along, profiles, slip_profiles, style, windows
+from asperity_plot import along, profiles, slip, slip_profiles, slip_rate, style, windows
 from asperity.history import History
 from asperity_plot.windows import Options
 from asperity.run import Run
@@ -175,6 +175,31 @@ class Axes(unittest.TestCase):
         self.assertEqual(axis.label,
                          "Distance from the upper end of the fault [km]\n(splay from 20.6)")
 
+    def test_each_of_several_faults_counts_from_its_own_upper_end(self):
+        """A main fault and a splay, whose upper end is at the surface."""
+        main, splay = [(0.0, 0.0), (3e3, -4e3), (6e3, -8e3)], [(2e3, 0.0), (2.6e3, -0.8e3)]
+        with tempfile.TemporaryDirectory() as name:
+            path = Path(name) / "fault.h5"
+            rows = np.arange(5.0)[None] * np.ones((2, 1))
+            synthetic_run.write_history(path, np.array([0.0, 1.0]), np.array(main + splay),
+                                        {"slip": rows, "slip_rate": rows + 1e-9})
+            with h5py.File(path, "a") as file:
+                file["geometry/positions"][:] = [0.0, 5e3, 10e3, 10e3, 11e3]
+                file["geometry/part_names"] = ["main", "splay"]
+                file["geometry/part_ends"] = [[0.0, 10e3], [10e3, 11e3]]
+            run = Run(Path(name))
+            faults = along.faults(run, run.fault)
+            panels = slip.draw(run, windows.choose(run, None)).axes[:2]
+            maps_of = slip_rate.draw(run, windows.choose(run, None)).axes[:2]
+        self.assertEqual([axis.title for axis in faults], ["main", "splay"])
+        self.assertEqual([axis.range for axis in faults], [(10.0, 0.0), (1.0, 0.0)])
+        self.assertEqual(faults[1].label, "Distance from the upper end of the fault [km]")
+        for panel, last in zip(panels, (10.0, 1.0)):  # no line from one fault to the other
+            np.testing.assert_allclose(panel.lines[-1].get_xdata()[[0, -1]], [0.0, last])
+        self.assertEqual([panel.get_ylim() for panel in maps_of], [(10.0, 0.0), (1.0, 0.0)])
+        self.assertEqual([panel.get_ylabel().partition("\n")[0] for panel in maps_of],
+                         ["main", "splay"])
+
     def test_depth_on_a_vertical_fault(self):
         """Of an older run, whose nodes begin at the lower end."""
         axis = self.axis([(5.0, -40e3), (5.0, -10e3), (5.0, 0.0)])
@@ -223,7 +248,7 @@ class Axes(unittest.TestCase):
 
     def test_x_on_a_level_surface(self):
         axis = self.axis([(-3e3, 0.0), (9e3, 0.0)], place="surface")
-        self.assertEqual(axis.label, "Position along the surface [km]")
+        self.assertEqual(axis.label, "x [km]")
         np.testing.assert_allclose(axis([0.0, 12e3]), [-3.0, 9.0])
 
     def test_distance_from_the_trench_on_the_wedge(self):

@@ -8,11 +8,12 @@ from unittest import mock
 import h5py
 import numpy as np
 from matplotlib import pyplot
+from matplotlib.quiver import QuiverKey
 
 import synthetic_run
 import synthetic_surface as surface
 from asperity_plot import (deformation, fault_history, fault_maps, moment_rate, plane,
-                           rupture_patterns, style, units, windows)
+                           rupture_patterns, style, windows)
 from asperity_plot.cli import main
 from asperity.errors import NothingToShow
 from asperity.run import Run
@@ -45,21 +46,37 @@ class SurfaceFaults(FolderCase):
         x, y = (values.ravel() for values in np.meshgrid(np.arange(4.0), [0.0, 1.0]))
         strip = np.array([[i, i + 1, i + 5] for i in range(3)] +
                          [[i, i + 5, i + 4] for i in range(3)])
-        triangles = np.concatenate((strip, strip + 8))
+        triangles, fault_of = np.concatenate((strip, strip + 8)), np.repeat([0, 1], 8)
         for shift, down, moves in ((2.0, 0.0, True), (3.0, 0.0, False), (0.0, 1.0, False)):
             along = np.concatenate((x, x + shift))
-            moved = plane.side_by_side(along, np.concatenate((y, y + down)), triangles)
-            np.testing.assert_array_equal(moved[:8], 0.0)
-            self.assertEqual(np.ptp(moved[8:]), 0.0)
-            self.assertEqual(moved[8] > 0.0, moves)
+            moved = plane.side_by_side(along, np.concatenate((y, y + down)), fault_of)
+            self.assertEqual((moved[0], moved[1] > 0.0), (0.0, moves))
         # the second fault lies 5 m behind the first one
         nodes = np.stack((np.concatenate((x, x + 2)), -np.concatenate((y, y)),
                           np.repeat([0.0, 5.0], 8)), axis=1)
-        moved = plane.side_by_side(nodes[:, 0], -nodes[:, 1], triangles)
-        where = plane.Plane(nodes[:, 0] + moved, -nodes[:, 1], triangles, units.Unit("m", 1.0),
-                            np.array([[1.0, 0, 0], [0, -1, 0]]), 0.0, nodes, moved)
-        self.assertEqual(where.place(nodes[3]), (3.0, 0.0))
+        where = plane.unrolled(nodes, triangles, ["front", "back"], np.repeat([0, 1], 6),
+                               np.array([0.0, 1.0, 0.0]))
+        self.assertEqual(float(where.unit.factor), 1.0)
+        np.testing.assert_allclose(where.place(nodes[3]), (3.0, 0.0), atol=1e-12)
         self.assertGreater(where.place(nodes[8])[0], 3.0)
+
+    def test_a_splay_begins_at_its_own_upper_end(self):
+        """It shares its lower edge with the main fault, and its upper edge is at the surface."""
+        nodes = np.array([[0.0, 0, 0], [0, 0, 2e3], [3e3, -4e3, 0], [3e3, -4e3, 2e3],
+                          [6e3, -8e3, 0], [6e3, -8e3, 2e3],  # main, down to 8 km
+                          [6e3, 0, 0], [6e3, 0, 2e3]])       # of the splay, which joins it at 4 km
+        triangles = np.array([[0, 1, 3], [0, 3, 2], [2, 3, 5], [2, 5, 4], [6, 7, 3], [6, 3, 2]])
+        where = plane.unrolled(nodes, triangles, ["main", "splay"], np.array([0, 0, 0, 0, 1, 1]),
+                               np.array([0.0, 1.0, 0.0]))
+        splay = where.fault_of == 1
+        np.testing.assert_allclose(where.dip[~splay], [0, 0, 5e3, 5e3, 10e3, 10e3], atol=1e-9)
+        np.testing.assert_allclose(where.dip[splay], [5e3, 5e3, 0, 0], atol=1e-9)  # 2, 3, 6, 7
+        np.testing.assert_array_equal(where.source[splay], [2, 3, 6, 7])
+        self.assertGreater(where.strike[splay].min(), where.strike[~splay].max())
+        np.testing.assert_allclose(nodes[where.source], where.nodes)
+        _, axes = style.panels(1, 1, (5.0, 4.0))
+        where.label(axes[0, 0])
+        self.assertEqual([text.get_text() for text in axes[0, 0].texts], ["main", "splay"])
 
     def write_surface(self, factors):
         """Displacements at the start, the onset, five durations after the end, and the run's end,
@@ -132,6 +149,40 @@ class SurfaceFaults(FolderCase):
         self.assertNotIn("Mw", figure._suptitle.get_text())
         self.assertEqual([line for panel in figure.axes for line in panel.lines], [])
 
+    def test_the_border_of_a_front_lies_between_nodes_that_it_reached_and_others(self):
+        """A square of two triangles: of the one with two such nodes 3/4 are shown, of the one with
+        one such node 1/4; a whole one beside them."""
+        nodes = np.array([[0.0, 0, 0], [1, 0, 0], [1, -1, 0], [0, -1, 0], [-1, 0, 0], [-1, -1, 0]])
+        triangles = np.array([[0, 1, 2], [0, 2, 3], [0, 3, 4], [3, 4, 5]])
+        where = plane.unrolled(nodes, triangles, ["fault"], np.zeros(4, int), np.array([0.0, 1, 0]))
+        front = np.array([1.0, np.nan, np.nan, 2.0, 3.0, np.nan])[where.source]
+        mesh, values = fault_maps.reached_part(where, front)
+        x, y = mesh.x[mesh.triangles], mesh.y[mesh.triangles]
+        areas = 0.5 * np.abs((x[:, 1] - x[:, 0]) * (y[:, 2] - y[:, 0]) -
+                             (x[:, 2] - x[:, 0]) * (y[:, 1] - y[:, 0]))
+        # one corner of the first, two of the second and of the fourth, all of the third
+        unit = where.unit.factor**2
+        self.assertAlmostEqual(areas.sum() * unit, 0.5 * (0.25 + 0.75 + 1.0 + 0.75))
+        shown = values[mesh.triangles]
+        self.assertEqual((shown.min(), shown.max()), (1.0, 3.0))
+        none, _ = fault_maps.reached_part(where, np.full(6, np.nan))
+        self.assertIsNone(none)
+
+    def test_patterns_have_hypocentres_and_long_faults_few_columns(self):
+        figure = rupture_patterns.draw(self.run_, self.view)
+        self.assertIn("hypocentre", [line.get_label() for line in figure.axes[0].lines])
+        for height, columns in ((10.0, 1), (40.0, 2), (90.0, rupture_patterns.COLUMNS)):
+            limits = np.array([0.0, 100.0]), np.array([0.0, height])
+            self.assertEqual(rupture_patterns.columns_for(limits), columns)
+
+    def test_the_key_of_the_arrows_lies_below_the_map(self):
+        self.write_surface([0.0, surface.ONSET, -10.0, 0.0])
+        figure = deformation.draw(Run(self.folder), self.view)
+        figure.canvas.draw()
+        for panel in figure.axes[:2]:
+            key = next(each for each in panel.get_children() if isinstance(each, QuiverKey))
+            self.assertLess(key.text.get_window_extent().y1, panel.get_window_extent().y0)
+
     def test_an_event_after_the_end_of_the_history_is_not_drawn(self):
         rows = (self.folder / "events.csv").read_text().splitlines()
         late = rows[1].split(",")
@@ -191,12 +242,13 @@ class SurfaceFaults(FolderCase):
 
     def test_values_along_the_line(self):
         where = plane.plane(self.run_, self.run_.fault)
-        depth = fault_history.line_depth(self.run_, where)
+        depth, reason = fault_history.line_depth(self.run_, where)
+        self.assertEqual(reason, "the hypocentre of the largest event, 1")
         self.assertAlmostEqual(depth, surface.HYPOCENTRE[1])
         points, weights = fault_history.line(where, depth)
         np.testing.assert_allclose(weights @ (where.strike + 3.0 * where.dip),
                                    points + 3.0 * depth, rtol=1e-9)
-        times, peak, along = fault_history.rates(self.run_, self.view.cycles, weights)
+        times, peak, along = fault_history.rates(self.run_, self.view.cycles, where, weights)
         self.assertEqual(along.shape, (times.size, points.size))
         rate = self.run_.fault.array("fields/slip_rate")
         np.testing.assert_allclose(10.0**peak, rate.max(axis=1))

@@ -9,7 +9,7 @@ import numpy as np
 from asperity.errors import InputError
 from asperity.run import Run
 from asperity.selection import Selection
-from asperity_study import convergence, convergence_text, of_deck, order, quantities, study
+from asperity_study import cli, convergence, convergence_text, of_deck, order, quantities, study
 from asperity_study.quantities import Quantity
 from asperity_study.runner import Job
 from folders import FolderCase
@@ -88,6 +88,19 @@ class OfDecks(FolderCase):
         self.assertEqual(found["largest step"], [{"Time Stepping/Largest Step": value}
                                                  for value in ("4", "2", "1")])
         self.assertEqual(what.receivers, ("st05",))
+
+    def test_theory_and_expected_cost(self):
+        deck = {"Time Stepping/Largest Step": "4", "Bulk/Model": "Solid"}
+        _, what = self.variables(deck)
+        self.assertEqual([each.refinement.order for each in what.variables], [2.0, 2.0 / 3.0, 2.0])
+        # the deck; cells 2^3 and 4^3; tolerances and largest steps each 2 and 4
+        self.assertIn("7 runs, which together cost about 85 times what the deck itself does, the "
+                      "dearest 64 times", cli.expectation(what, what.runs()))
+        _, what = self.variables({**deck, "Time Stepping/Scheme": "Backward Euler"})
+        self.assertEqual([each.refinement.order for each in what.variables], [2.0, 0.5, 1.0])
+        _, what = self.variables({"Time Stepping/Largest Step": "4"}, coarser=True)
+        self.assertIn("7 runs, which together cost about 2.81 times",  # 1 + 1/4 + 1/16 + 2 * 3/4
+                      cli.expectation(what, what.runs()))
 
     def test_doubles_where_the_deck_is_to_be_the_finest(self):
         deck = {"Mesh/Type": "Box", "Mesh/Box/Cell Size": "100 + x",
@@ -192,6 +205,20 @@ class Orders(FolderCase):
         self.assertEqual(order.of_counts([8, 6, 5], 2.0).note, order.COUNT)
         self.assertEqual(order.of_counts([8, 6, 5], 2.0).error, 3.0)
 
+    def test_an_order_far_from_theory_tells_no_limit(self):
+        """Changes of 1 and 1/218, as of order 2.59 with a ratio of 8, of 1 and 0.86 as of 0.07."""
+        for ratio, fine, found in ((8.0, 8.0**-2.59, 2.59), (8.0, 8.0**-0.07, 0.07),
+                                   (0.125, 8.0**-2.59, 2.59)):
+            values = np.cumsum([0.0, 1.0, fine])[::1 if ratio > 1.0 else -1]
+            estimate = order.estimate(values, ratio, 2.0 / 3.0)
+            self.assertAlmostEqual(estimate.order, found, delta=1e-8)
+            self.assertAlmostEqual(estimate.error, 1.0 + fine, delta=1e-12)
+            self.assertTrue(np.isnan(estimate.limit))
+            self.assertEqual(estimate.note, f"{found:.2f} is far from 0.67 of theory")
+        near = order.estimate([0.0, 1.0, 1.0 + 8.0**-0.5], 8.0, 2.0 / 3.0)
+        self.assertEqual(near.note, "")
+        self.assertAlmostEqual(near.order, 0.5, delta=1e-12)
+
     def test_equal_and_missing_values(self):
         found = order.estimate([5.0] * 3, 2.0)
         self.assertEqual((found.limit, found.error, found.note), (5.0, 0.0, order.EQUAL))
@@ -286,6 +313,27 @@ class Tables(Studies, Events):
         text = (self.folder / "convergence.md").read_text()
         self.assertIn("| 1 | onset [s] | 100.5 | 99.9 | 99.75 | 2.00 | 99.7 | 0.8 |", text)
         self.assertNotIn("WARNING", text)
+
+    def test_rows_whose_order_is_far_from_theory_are_marked(self):
+        order_one = '<Parameter name="Order" value="1"/>'
+        what = study.read(self.write(CELLS + order_one))
+        self.assertEqual([each.refinement.order for each in what.variables], [1.0, None])
+        jobs = []
+        for number, onset in enumerate((100.5, 99.5, 99.498, 100.5, 100.5), start=1):
+            self.run_of([onset], f"{number}")
+            jobs.append(Job(number, self.folder / f"{number}", [], "finished"))
+        parts = convergence.parts(what, jobs, what.runs())
+        text = convergence_text.text_of(parts)
+        self.assertIn("### cells: order 1 in theory", text)
+        self.assertIn("| event | quantity | deck | 2 x finer | 4 x finer | order | limit | error |",
+                      text)
+        self.assertIn("| 1 | onset [s] | 100.5 | 99.5 | 99.498 | 8.97 * |  | 1 * |", text)
+        self.assertTrue(self.rows(parts)[1, ONSET].is_doubtful)
+        self.refuse("cells: Order = -1; a number above 0 is wanted",
+                    CELLS + '<Parameter name="Order" value="-1"/>')
+        coarser = study.read(self.write(CELLS + '<Parameter name="Ratio" value="0.5"/>'))
+        part = convergence.Part(coarser.variables[0])
+        self.assertEqual(convergence_text.levels(part), ["deck", "2 x coarser", "4 x coarser"])
 
     def test_other_numbers_of_events_are_warned_of_and_unmatched_events_have_no_numbers(self):
         two, three = [10.0, 30.0], [10.0, 30.0, 50.0]

@@ -23,6 +23,10 @@ from page_checks import Page
 LOG = """Asperity 0.1.0 on Serial, 2 ranks.
 Kokkos 3.4.1, Trilinos 13.2, Open MPI v4.1.4.
 Built from commit 0123456789ab, GNU 12.2.0, Release, HDF5 1.10.8.
+Mesh: 1200 triangles, 700 vertices, 1400 unknowns; cells have diameters of 0.003 to 0.05 m.
+Resolution where friction weakens: cells of 0.004 m; cohesive zone G' L / (b sigma_n) >= 0.03 m, \
+at least 7.5 cells.
+Nucleation length >= 0.09 m (ageing law on an endless fault, Rubin & Ampuero 2005).
 Machine: node17, 16 cores of Some CPU, Linux 6.1.0 x86_64.
 t = 80 s of 100 s (80 %), step 900, dt 0.25 s, V 1.0e-09 m/s, 2 iterations, 3 events, wall 40 s
 Finished at t = 100 s after 1000 steps.
@@ -106,6 +110,24 @@ class Report(SharedFolderCase):
         links = [each[1:] for each in self.page.references if str(each).startswith("#")]
         self.assertGreater(len(links), 3)
         self.assertEqual([each for each in links if each not in self.page.ids], [])
+
+    def test_size_and_resolution(self):
+        for words in ("700 vertices, 1400 unknowns", "cells of 0.004 m", "at least 7.5 cells",
+                      "Nucleation length &gt;= 0.09 m"):
+            self.assertIn(words, self.html)
+
+    def test_figures_come_before_tables(self):
+        places = [self.html.index(f'<h2 id="{name}">') for name in
+                  ("state", "model", "figures", "events", "parameters", "solver", "provenance")]
+        self.assertEqual(places, sorted(places))
+        self.assertLess(self.html.index("<img"), self.html.index("<table"))
+
+    def test_formulas_of_replaced_names(self):
+        for text, shown in (("(1e-09) / 2", "1e-09 / 2 = 5e-10"), ("2 * (500)", "2 * 500 = 1000"),
+                            ("x < (0.35) * sqrt(1 + (0.27)^2)", "x < 0.35 * sqrt(1 + (0.27)^2)"),
+                            ("max(0.5)", "max(0.5)"), ("3 - (-2)", "3 - (-2)"),
+                            ("(7)", "7"), ("{1, 2}", "{1, 2}"), ("Newmark", "Newmark")):
+            self.assertEqual(sections.plain(text), shown)
 
     def test_only_parameters_that_differ(self):
         rows = {row[0]: row[1:] for row in self.page.rows if row}

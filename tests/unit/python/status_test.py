@@ -41,6 +41,15 @@ class State(Folder):
         self.assertIn("finished", out)
         self.assertNotIn("left", out)
 
+    def test_finished_before_the_final_time(self):
+        """By the number of its events, as run.log says."""
+        synthetic_log.write(self.folder, 3 * STEPS, 5, FINISHED)
+        status, out, _ = self.status()
+        self.assertEqual(status, 0)
+        self.assertIn("before the final time", out)
+        self.assertIn("'Event Catalogue / Most Events' allows", out)
+        self.assertNotIn("%", out.splitlines()[1])
+
     def test_stopped(self):
         synthetic_log.write(self.folder, 2 * STEPS + 30, 5, STOPPED)
         status, out, _ = self.status()

@@ -108,7 +108,11 @@ class BadStudies(Studies):
         self.refuse("'Values' is missing", one.replace('<Parameter name="Values" value="{1, 2}"/>',
                                                        ""))
         self.refuse("variable 'a' is given twice", one + one)
-        self.refuse("parameter 'F/a' is given twice", one + one.replace('"a"', '"c"'))
+        self.refuse("parameter 'F/a' is given twice, in Variables / a and in Variables / c",
+                    one + one.replace('"a"', '"c"'))
+        self.refuse("parameter 'F/a' is given twice, in Variables / a and in Settings",
+                    one, '<ParameterList name="Settings"><Parameter name="F/a" value="1"/>'
+                         '</ParameterList>')
         self.refuse("same number of values", one + self.listed("b", "F/b", "1, 2, 3"),
                     sampling="List")
         self.refuse("nothing varies", "")
@@ -191,9 +195,10 @@ class Tables(Studies):
         self.assertGreater((self.folder / "study.png").stat().st_size, 10000)
 
     def drawn(self, path: Path):
-        """The study, its table and the axes of its figure, for two runs."""
+        """The table of the study and the axes of its figure."""
         what = study.read(path)
-        jobs = [Job(number, self.folder / str(number), [], "finished") for number in (1, 2)]
+        jobs = [Job(number, self.folder / str(number), [], "finished")
+                for number in range(1, len(what.runs()) + 1)]
         for job in jobs:
             synthetic_run.write_run(job.folder, 3, nodes=20)
             (job.folder / "run.log").write_text("Asperity 0.1.0 on Serial, 1 rank.\n")
@@ -215,10 +220,27 @@ class Tables(Studies):
                          ["Events", "Recurrence time\n[s]", "Rupture width\n[cm]",
                           "Peak slip\n[mm]", "Duration\n[ms]", "Peak slip rate\n[mm/s]", "Steps",
                           "Wall time\n[h]"])
-        self.assertEqual(axes[-1].get_xlabel(), "height [mm], law")
+        self.assertEqual(axes[-1].get_xlabel(), "height [mm]")
         np.testing.assert_allclose(axes[2].lines[0].get_ydata(),
                                    100.0 * np.array(data["width_median"]))
         np.testing.assert_allclose(axes[-1].lines[0].get_ydata(), [2.0, 4.0])
+
+    def test_a_grid_is_drawn_over_its_numbers_with_a_line_for_each_other_value(self):
+        grid = self.listed("height", "M/h", "4, 1, 2") + self.listed("law", "F/Law", "A, B")
+        data, axes = self.drawn(self.write(grid))
+        lines = axes[-1].lines
+        self.assertEqual([line.get_label() for line in lines], ["law A", "law B"])
+        wall = np.array(data["run"]) * 2.0  # [h]
+        for line, law in zip(lines, "AB"):
+            mine = np.array(data["law"]) == law
+            np.testing.assert_array_equal(line.get_xdata(), [1.0, 2.0, 4.0])
+            order = np.argsort(np.array(data["height"])[mine])
+            np.testing.assert_allclose(line.get_ydata(), wall[mine][order])
+        words = self.listed("law", "F/Law", "A, B") + self.listed("kind", "F/S", "C, D")
+        _, axes = self.drawn(self.write(words))  # without a number they are categories
+        self.assertEqual(axes[-1].get_xlabel(), "law, kind")
+        self.assertEqual([text.get_text() for text in axes[-1].get_xticklabels()],
+                         ["A, C", "A, D", "B, C", "B, D"])
 
     def test_labels_over_samples_have_units(self):
         unit = '<Parameter name="Unit" value="Pa"/><Parameter name="Lowest"'
