@@ -1,13 +1,39 @@
 #include "Commands.hpp"
 #include "GmshFile.hpp"
+#include "GmshGeometry.hpp"
 #include "Meshes.hpp"
+#include "TemporaryFolder.hpp"
+
+#include "base/Text.hpp"
+#include "base/WriteFailure.hpp"
+#include "mesh/TouchingFacets.hpp"
+
+#include <algorithm>
+#include <optional>
 
 namespace
 {
 template <int Dim>
+std::string extents(asperity::GlobalMesh<Dim> const& mesh)
+{
+  std::string text;
+  for (int d = 0; d < Dim; ++d) {
+    const auto [low, high] =
+      std::minmax_element(mesh.vertices.begin(), mesh.vertices.end(),
+                          [d](auto const& a, auto const& b) { return a[d] < b[d]; });
+    text += (d == 0 ? "" : ", ") + std::string(1, "xyz"[d]) + " from " +
+            asperity::formatShort((*low)[d]) + " to " + asperity::formatShort((*high)[d]) + " m";
+  }
+  return text;
+}
+
+template <int Dim>
 void convertMesh(GmshFile const& source, std::string const& where, std::string const& file_name)
 {
   const auto mesh = source.mesh<Dim>();
+  if (const auto touching = asperity::mesh::touchingFacets(mesh)) {
+    warn(where + ": " + asperity::mesh::sentence(*touching));
+  }
   auto split = mesh; // to find faults that cannot be split here, and not when the mesh is used
   asperity::mesh::splitFaults(split, where);
   const std::size_t regions = mesh.region_names.size(), faults = split.faults.size();
@@ -15,19 +41,61 @@ void convertMesh(GmshFile const& source, std::string const& where, std::string c
                  ", " + std::to_string(regions) + " regions, " +
                    std::to_string(mesh.boundaries.size() - faults) + " boundaries, " +
                    std::to_string(faults) + " faults");
+  std::cout << extents(mesh) << '\n';
+}
+
+void convertFile(GmshFile const& source, std::string const& where, std::string const& file_name)
+{
+  (source.dimension() == 2 ? convertMesh<2> : convertMesh<3>)(source, where, file_name);
+}
+
+// Before the mesh is made.
+void requireFolder(std::string const& file_name)
+{
+  const auto folder = std::filesystem::path(file_name).parent_path();
+  const int error = asperity::errorOfOpening(folder.empty() ? "." : folder, O_TMPFILE);
+  ASPERITY_REQUIRE(error == 0 || error == EOPNOTSUPP, // not every file system has unnamed files
+                   "'" << file_name
+                       << "' cannot be written. The system says: " << std::strerror(error)
+                       << ". Does the folder exist, and may you write there?");
 }
 } // namespace
 
 void convert(Arguments& arguments)
 {
-  std::vector<std::string> settings;
-  arguments.values("--set", settings, "NAME=VALUE", "replace a number of DefineConstant in a .geo");
+  std::vector<std::string> settings, names, region_names, without;
+  double scale = 1;
+  arguments.values("--set", settings, "NAME=VALUE", "replace a number of DefineConstant in a .geo")
+    .values("--names", names, "NUMBER=NAME,...",
+            "names of boundaries and faults by the numbers of their physical groups, as "
+            "\"1=free,3=fault,5=far\"; without a name they are called boundary_1, boundary_3")
+    .values("--region-names", region_names, "NUMBER=NAME,...", "the same for regions")
+    .values("--without", without, "NAME,...", "leave out these boundaries or faults");
+  arguments.number("--scale", scale, "factor of all coordinates: 1000 for a mesh in km");
   arguments.overwrite();
   if (!arguments.read({"IN.msh or IN.geo", "OUT.h5"})) {
     return;
   }
-  arguments.requireNew(arguments.file(1));
-  const GmshFile source(arguments.file(0), settings);
-  (source.dimension() == 2 ? convertMesh<2> : convertMesh<3>)(source, "'" + arguments.file(0) + "'",
-                                                              arguments.file(1));
+  auto const& from = arguments.file(0);
+  auto const& to = arguments.file(1);
+  ASPERITY_REQUIRE(scale > 0,
+                   "Option --scale = " << asperity::formatNumber(scale) << " is outside (0, inf).");
+  const GroupNames group_names(names, region_names, without);
+  arguments.requireNew(to);
+  const std::string where = "'" + from + "'";
+  if (isGeometry(from)) {
+    requireFolder(to);
+    std::optional<TemporaryFolder> folder; // made when it is needed: meshing may be interrupted
+    const auto target = [&] { return folder.emplace(to).file("mesh.msh"); };
+    convertFile({meshGeometry(from, settings, group_names, target), "Gmsh geometry " + where,
+                 group_names, scale},
+                where, to);
+  } else {
+    ASPERITY_REQUIRE(settings.empty(), "Option --set " << settings.front() << ": mesh file "
+                                                       << where
+                                                       << " is no geometry (.geo), but a mesh.");
+    const GmshFile source(from, "Mesh file " + where, group_names, scale);
+    tell(source.groups());
+    convertFile(source, where, to);
+  }
 }

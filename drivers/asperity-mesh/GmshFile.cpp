@@ -1,6 +1,6 @@
 #include "GmshFile.hpp"
 
-#include "GmshGeometry.hpp"
+#include "GmshSession.hpp"
 
 #include "base/Errors.hpp"
 #include "base/Text.hpp"
@@ -9,7 +9,9 @@
 #include <gmsh.h>
 
 #include <fstream>
+#include <iostream>
 #include <set>
+#include <sstream>
 #include <unordered_map>
 
 using asperity::GlobalMesh;
@@ -21,13 +23,6 @@ namespace
 {
 using Tag = std::size_t;
 
-// The names are those of Gmsh's own interface.
-char const* entityName(int dimension)
-{
-  constexpr char const* names[] = {"Point", "Curve", "Surface", "Volume"};
-  return names[dimension];
-}
-
 // Gmsh reads any other text as a script and would run it.
 void requireMeshFormat(std::string const& file_name, std::string const& where)
 {
@@ -37,34 +32,6 @@ void requireMeshFormat(std::string const& file_name, std::string const& where)
   std::getline(file, line);
   ASPERITY_REQUIRE(line.rfind("$MeshFormat", 0) == 0,
                    where << " is not a mesh of Gmsh: it does not begin with $MeshFormat.");
-}
-
-struct Group
-{
-  std::string name;
-  std::vector<int> entities;
-};
-
-std::vector<Group> physicalGroups(int dimension, std::string const& where)
-{
-  gmsh::vectorpair tags;
-  model::getPhysicalGroups(tags, dimension);
-  std::vector<Group> groups;
-  for (auto const& [dim, tag] : tags) {
-    Group group;
-    model::getPhysicalName(dim, tag, group.name);
-    model::getEntitiesForPhysicalGroup(dim, tag, group.entities);
-    ASPERITY_REQUIRE(!group.name.empty(), where << ": physical " << entityName(dim) << " " << tag
-                                                << " has no name. In Gmsh's script: Physical "
-                                                << entityName(dim) << "(\"name\", " << tag
-                                                << ") = {...};");
-    groups.push_back(group);
-  }
-  ASPERITY_REQUIRE(!groups.empty(), where << " has no physical " << entityName(dimension)
-                                          << ". Regions and boundaries get their names from them: "
-                                          << "Physical " << entityName(dimension)
-                                          << "(\"name\") = {...};");
-  return groups;
 }
 
 // Vertices of the simplices of an entity, (num_simplices) x (dimension + 1).
@@ -95,7 +62,12 @@ template <int Dim>
 class Import
 {
 public:
-  explicit Import(std::string const& where) : where_(where) {}
+  Import(PhysicalGroups const& groups, double scale, std::string const& where)
+      : groups_(groups)
+      , scale_(scale)
+      , where_(where)
+  {
+  }
 
   GlobalMesh<Dim> run()
   {
@@ -112,15 +84,10 @@ private:
   void readCells()
   {
     std::map<int, std::string> region_of_entity;
-    for (auto const& group : physicalGroups(Dim, where_)) {
+    for (auto const& group : groups_.regions) {
       const int region = regionNumber(group.name);
       for (int entity : group.entities) {
-        const auto [known, is_new] = region_of_entity.emplace(entity, group.name);
-        ASPERITY_REQUIRE(is_new || known->second == group.name,
-                         where_ << ": " << entityName(Dim) << " " << entity
-                                << " is in two regions, '" << known->second << "' and '"
-                                << group.name << "'.");
-        if (is_new) {
+        if (region_of_entity.emplace(entity, group.name).second) {
           const auto vertices = simplices(Dim, entity, where_);
           cell_vertices_.insert(cell_vertices_.end(), vertices.begin(), vertices.end());
           mesh_.cell_regions.insert(mesh_.cell_regions.end(), vertices.size() / (Dim + 1), region);
@@ -170,7 +137,8 @@ private:
       ASPERITY_REQUIRE(found != coordinates.end(),
                        where_ << ": a cell has node " << tag << ", which has no coordinates.");
       number_[tag] = static_cast<int>(mesh_.vertices.size());
-      std::copy_n(found->second, Dim, mesh_.vertices.emplace_back().begin());
+      std::transform(found->second, found->second + Dim, mesh_.vertices.emplace_back().begin(),
+                     [this](double x) { return scale_ * x; });
       size = std::max(size,
                       asperity::mesh::distance<Dim>(mesh_.vertices.back(), mesh_.vertices.front()));
     }
@@ -178,7 +146,7 @@ private:
       mesh_.cells.push_back(simplex<Dim + 1>(&cell_vertices_[i]));
     }
     for (Tag tag : used) {
-      const double z = Dim == 2 ? coordinates.at(tag)[2] : 0;
+      const double z = Dim == 2 ? scale_ * coordinates.at(tag)[2] : 0;
       ASPERITY_REQUIRE(std::abs(z) <= 1e-9 * size,
                        where_ << ": node " << tag << " has z = " << z
                               << ". A two-dimensional mesh lies in the plane z = 0.");
@@ -195,7 +163,7 @@ private:
 
   void readBoundaries()
   {
-    for (auto const& group : physicalGroups(Dim - 1, where_)) {
+    for (auto const& group : groups_.boundaries) {
       auto& facets = mesh_.boundaries[group.name];
       for (int entity : group.entities) {
         const auto vertices = simplices(Dim - 1, entity, where_);
@@ -211,46 +179,90 @@ private:
     }
   }
 
+  PhysicalGroups const& groups_;
+  double scale_;
   std::string const& where_;
   GlobalMesh<Dim> mesh_;
   std::vector<Tag> cell_vertices_;      // (num_cells) x (Dim + 1), Gmsh's tags
   std::unordered_map<Tag, int> number_; // of the vertex with this tag
 };
-} // namespace
 
-GmshFile::GmshFile(std::string const& file_name, std::vector<std::string> const& settings)
-    : where_((isGeometry(file_name) ? "Gmsh geometry '" : "Mesh file '") + file_name + "'")
+// The number of parts that the file says a partitioned mesh has; 0 if it does not say it.
+std::size_t declaredParts(std::string const& file_name)
 {
-  std::vector<std::string> arguments = {"gmsh"};
-  if (isGeometry(file_name)) {
-    for (auto const& [name, value] : readConstants(file_name, settings)) {
-      arguments.insert(arguments.end(), {"-setnumber", name, asperity::formatNumber(value)});
+  std::ifstream file(file_name, std::ios::binary);
+  std::string line, format;
+  std::getline(file, line);
+  std::getline(file, format); // version, 1 if binary, size of a number
+  while (std::getline(file, line) && line.rfind("$Nodes", 0) != 0) {
+    if (line.rfind("$PartitionedEntities", 0) == 0) {
+      std::size_t parts = 0;
+      std::istringstream words(format);
+      std::string version, is_binary;
+      words >> version >> is_binary;
+      is_binary == "1" ? file.read(reinterpret_cast<char*>(&parts), sizeof parts) : file >> parts;
+      return parts;
     }
-  } else {
-    requireMeshFormat(file_name, where_);
-    ASPERITY_REQUIRE(settings.empty(), "Option --set " << settings.front() << ": " << where_
-                                                       << " is no geometry (.geo), but a mesh.");
   }
-  std::vector<char*> words;
-  for (auto& argument : arguments) {
-    words.push_back(argument.data());
-  }
-  constexpr bool read_configuration = false;
-  gmsh::initialize(static_cast<int>(words.size()), words.data(), read_configuration);
-  gmsh::option::setNumber("General.Terminal", 0);
-  try {
-    const auto error = errorOfGmsh([&] { gmsh::open(file_name); });
-    ASPERITY_REQUIRE(error.empty(), where_ << " cannot be read by Gmsh: " << error << ".");
-    if (isGeometry(file_name)) {
-      meshGeometry(where_);
-    }
-  } catch (...) {
-    gmsh::finalize();
-    throw;
-  }
+  return 0;
 }
 
-GmshFile::~GmshFile() { gmsh::finalize(); }
+// Puts the parts of a mesh that Gmsh has partitioned together again: pieces of a region or a
+// boundary are entities without a name of their own.
+void joinParts(std::string const& file_name, std::string const& where)
+{
+  gmsh::vectorpair entities;
+  model::getEntities(entities);
+  std::set<int> parts;
+  for (auto const& [dim, entity] : entities) {
+    std::vector<int> of_entity;
+    model::getPartitions(dim, entity, of_entity);
+    if (of_entity.size() == 1) { // with more it lies between parts
+      parts.insert(of_entity.front());
+    }
+  }
+  if (parts.empty()) {
+    return;
+  }
+  const auto declared = declaredParts(file_name);
+  const auto number = declared > 0 ? declared : static_cast<std::size_t>(*parts.rbegin());
+  ASPERITY_REQUIRE(
+    parts.size() == number && (declared > 0 || number > 1),
+    where << " is a part of a mesh that Gmsh has partitioned, and the others are not "
+             "in this file. Save the mesh whole, with Mesh.PartitionSplitMeshFiles "
+             "= 0 or before it is partitioned.");
+  model::mesh::unpartition();
+  std::cout << where << " is partitioned by Gmsh; its " << number
+            << " parts are put together. asperity-mesh partition divides a mesh for ranks.\n";
+}
+
+// Prints Gmsh's warnings, without the start of its own.
+void passWarningsOn(std::string const& where)
+{
+  std::vector<std::string> lines;
+  gmsh::logger::get(lines);
+  const std::string start = "Warning: ";
+  for (auto const& line : lines) {
+    if (line.rfind(start, 0) == 0) {
+      warn(where + ": Gmsh says: " + line.substr(start.size()));
+    }
+  }
+}
+} // namespace
+
+GmshFile::GmshFile(std::string const& file_name, std::string where, GroupNames const& names,
+                   double scale)
+    : where_(std::move(where))
+    , scale_(scale)
+    , session_(false)
+{
+  requireMeshFormat(file_name, where_);
+  gmsh::logger::start();
+  session_.open(file_name, where_);
+  passWarningsOn(where_);
+  joinParts(file_name, where_);
+  groups_ = physicalGroups(dimension(), names, where_);
+}
 
 int GmshFile::dimension() const
 {
@@ -262,7 +274,7 @@ int GmshFile::dimension() const
 template <int Dim>
 GlobalMesh<Dim> GmshFile::mesh() const
 {
-  return Import<Dim>(where_).run();
+  return Import<Dim>(groups_, scale_, where_).run();
 }
 
 template GlobalMesh<2> GmshFile::mesh() const;

@@ -1,14 +1,20 @@
 #include "GmshGeometry.hpp"
 
+#include "GmshSession.hpp"
+
 #include "base/Errors.hpp"
 #include "base/NearestName.hpp"
 #include "base/Text.hpp"
+#include "base/WriteFailure.hpp"
 
 #include <gmsh.h>
 
 #include <filesystem>
 #include <fstream>
+#include <iostream>
+#include <map>
 #include <regex>
+#include <set>
 #include <sstream>
 
 namespace
@@ -81,19 +87,33 @@ std::vector<std::string> constantsOf(std::string const& script)
   }
   return names;
 }
-} // namespace
 
-bool isGeometry(std::string const& file_name)
+// A MathEval field that names another one: Gmsh 4.8 locks itself out when it evaluates the second.
+void warnOfFieldsThatWait(std::string const& script, std::string const& where)
 {
-  return std::filesystem::path(file_name).extension() == ".geo";
+  std::set<std::string> formulas; // numbers of fields
+  const std::regex of_type("Field\\s*\\[\\s*(\\d+)\\s*\\]\\s*=\\s*MathEval\\b"),
+    formula("Field\\s*\\[\\s*(\\d+)\\s*\\]\\s*\\.\\s*F\\s*=([^;]*);"), name("\\bF(\\d+)\\b");
+  for (std::sregex_iterator one(script.begin(), script.end(), of_type), none; one != none; ++one) {
+    formulas.insert((*one)[1]);
+  }
+  for (std::sregex_iterator one(script.begin(), script.end(), formula), none; one != none; ++one) {
+    const std::string text = (*one)[2];
+    for (std::sregex_iterator other(text.begin(), text.end(), name); other != none; ++other) {
+      if (formulas.count((*one)[1]) > 0 && formulas.count((*other)[1]) > 0) {
+        warn(where + ": Field[" + (*one)[1].str() + "] and Field[" + (*other)[1].str() +
+             "] are MathEval, and the first has F" + (*other)[1].str() +
+             " in its formula. Gmsh 4.8 waits for ever there, without work. If nothing goes on, "
+             "stop it, and write the second formula into the first.");
+      }
+    }
+  }
 }
 
-std::map<std::string, double> readConstants(std::string const& file_name,
-                                            std::vector<std::string> const& settings)
+std::map<std::string, double> readConstants(std::string const& script,
+                                            std::vector<std::string> const& settings,
+                                            std::string const& where)
 {
-  const auto script = readScript(file_name);
-  ASPERITY_REQUIRE(script.find("SystemCall") == std::string::npos,
-                   whereIs(file_name) << " runs other programs (SystemCall). Remove that.");
   const auto known = constantsOf(script);
   std::map<std::string, double> constants;
   for (auto const& setting : settings) {
@@ -104,34 +124,53 @@ std::map<std::string, double> readConstants(std::string const& file_name,
     const auto value = asperity::readNumber(asperity::trimmed(setting.substr(equals + 1)));
     ASPERITY_REQUIRE(value, "Option --set " << setting << ": what follows '=' is not a number.");
     ASPERITY_REQUIRE(std::find(known.begin(), known.end(), name) != known.end(),
-                     "Option --set " << setting << ": " << whereIs(file_name)
-                                     << " defines no constant '" << name << "', only "
-                                     << asperity::quotedNames(known) << " (DefineConstant)."
-                                     << asperity::didYouMean(name, known));
+                     "Option --set " << setting << ": " << where << " defines no constant '" << name
+                                     << "', only " << asperity::quotedNames(known)
+                                     << " (DefineConstant)." << asperity::didYouMean(name, known));
     ASPERITY_REQUIRE(constants.emplace(name, *value).second,
                      "Option --set gives '" << name << "' twice.");
   }
   return constants;
 }
 
-std::string errorOfGmsh(std::function<void()> const& call)
+double option(char const* name)
 {
-  try {
-    call();
-  } catch (std::string const& reason) {
-    return reason;
-  } catch (std::exception const& error) {
-    return error.what();
+  double value = 0;
+  gmsh::option::getNumber(name, value);
+  return value;
+}
+
+// Gmsh saves cells of physical groups alone, unless it is to save all.
+void warnOfCellsNotSaved(PhysicalGroups const& groups, int dimension, std::string const& where)
+{
+  std::set<int> named;
+  for (auto const& region : groups.regions) {
+    named.insert(region.entities.begin(), region.entities.end());
   }
-  return "";
+  gmsh::vectorpair entities;
+  gmsh::model::getEntities(entities, dimension);
+  for (auto const& [dim, entity] : entities) {
+    if (named.count(entity) == 0 && option("Mesh.SaveAll") == 0) {
+      warn(where + ": " + entityName(dim) + " " + std::to_string(entity) + " is in no physical " +
+           entityName(dim) + ". Gmsh does not save its cells: the body ends there.");
+    }
+  }
+}
+
+void requireLinearSimplices(int dimension, std::string const& where)
+{
+  const double order = option("Mesh.ElementOrder");
+  ASPERITY_REQUIRE(order == 1, where << ": Mesh.ElementOrder = " << order
+                                     << ", and only cells of first order can be read. Remove it.");
+  ASPERITY_REQUIRE(dimension == 3 || option("Mesh.RecombineAll") == 0,
+                   where << ": Mesh.RecombineAll makes quadrangles, and only triangles can be read "
+                            "in the plane. Remove it.");
 }
 
 // Gmsh throws some errors in threads of its own, where they cannot be caught. Therefore it is told
 // to stop and note an error, and the error is read afterwards.
-void meshGeometry(std::string const& where)
+void generate(int dimension, std::string const& where)
 {
-  const int dimension = gmsh::model::getDimension();
-  ASPERITY_REQUIRE(dimension >= 2, where << " has neither a surface nor a volume to be meshed.");
   gmsh::option::setNumber("General.AbortOnError", 1); // stop meshing, throw nothing
   const auto thrown = errorOfGmsh([&] { gmsh::model::mesh::generate(dimension); });
   std::string last;
@@ -139,4 +178,75 @@ void meshGeometry(std::string const& where)
   last = asperity::trimmed(last);
   ASPERITY_REQUIRE(thrown.empty() && last.empty(),
                    where << " cannot be meshed by Gmsh: " << (last.empty() ? thrown : last) << '.');
+}
+
+// Gmsh does not say whether it could write all. A section that is complete ends with $End....
+bool isComplete(std::string const& mesh)
+{
+  constexpr int longest = 100; // of the last line
+  std::ifstream file(mesh, std::ios::binary | std::ios::ate);
+  if (!file) {
+    return false;
+  }
+  const auto size = static_cast<std::streamoff>(file.tellg());
+  file.seekg(std::max<std::streamoff>(0, size - longest));
+  std::string end(std::istreambuf_iterator<char>(file), {});
+  const auto last = end.rfind("\n$End");
+  return last != std::string::npos && end.back() == '\n' &&
+         end.find('\n', last + 1) == end.size() - 1;
+}
+
+void write(std::string const& target)
+{
+  const bool is_text = option("Mesh.MshFileVersion") == 4.0;  // Gmsh writes this one as text alone
+  gmsh::option::setNumber("Mesh.Binary", is_text ? 0 : 1);    // binary: all digits
+  gmsh::option::setNumber("Mesh.PartitionSplitMeshFiles", 0); // one file
+  const auto error = errorOfGmsh([&] { gmsh::write(target); });
+  if (!error.empty() || !isComplete(target)) {
+    throw asperity::OutputError("'" + target + "' cannot be written by Gmsh. " + error +
+                                asperity::whyNotWritten(target));
+  }
+}
+} // namespace
+
+bool isGeometry(std::string const& file_name)
+{
+  return std::filesystem::path(file_name).extension() == ".geo";
+}
+
+std::string meshGeometry(std::string const& file_name, std::vector<std::string> const& settings,
+                         GroupNames const& names, std::function<std::string()> const& target)
+{
+  const auto where = whereIs(file_name);
+  const auto script = readScript(file_name);
+  ASPERITY_REQUIRE(script.find("SystemCall") == std::string::npos,
+                   where << " runs other programs (SystemCall). Remove that.");
+  std::vector<std::string> arguments;
+  for (auto const& [name, value] : readConstants(script, settings, where)) {
+    arguments.insert(arguments.end(), {"-setnumber", name, asperity::formatNumber(value)});
+  }
+  const GmshSession session(true, arguments);
+  session.open(file_name, where);
+  const int dimension = gmsh::model::getDimension();
+  ASPERITY_REQUIRE(dimension >= 2, where << " has neither a surface nor a volume to be meshed.");
+  requireLinearSimplices(dimension, where);
+  const auto groups = physicalGroups(dimension, names, where);
+  tell(groups);
+  warnOfCellsNotSaved(groups, dimension, where);
+  warnOfFieldsThatWait(script, where);
+  generate(dimension, where);
+  const auto mesh = target();
+  write(mesh);
+  return mesh;
+}
+
+void tell(PhysicalGroups const& groups)
+{
+  for (auto const& remark : groups.remarks) {
+    std::cout << remark << '\n';
+  }
+  std::cout.flush();
+  for (auto const& warning : groups.warnings) {
+    warn(warning);
+  }
 }

@@ -1,24 +1,27 @@
 #pragma once
 
+#include "GmshGroups.hpp"
+
 #include <functional>
-#include <map>
 #include <string>
 #include <vector>
 
-// A geometry of Gmsh, a script whose file name ends in .geo, which is meshed before it is read.
-
+// Whether the name is that of a geometry, a script of Gmsh that it runs and meshes.
 bool isGeometry(std::string const& file_name);
 
-// The constants, by their names, from "NAME=VALUE" each: numbers that replace those of the script's
-// DefineConstant[name = value, name = {value, ...}, ...]. InputError, with the nearest name, if the
-// script does not define one of them, if a value is no number, or if a name is given twice; and if
-// the file cannot be read, or it or a script that it includes runs programs (SystemCall).
-std::map<std::string, double> readConstants(std::string const& file_name,
-                                            std::vector<std::string> const& settings);
+// Meshes a geometry in its own dimension, 2 or 3, and has Gmsh write the mesh to the file target(),
+// which is called when the mesh is there, and is returned. The mesh is what Gmsh's own program
+// would save: what the script asks for then, such as Mesh.ScalingFactor and Mesh.SaveAll, holds.
+// Gmsh's progress goes to the terminal. `settings` are NAME=VALUE each, for the script's
+// DefineConstant[name = value, name = {value, ...}, ...].
+//
+// InputError, before the mesh is made, if the script does not define one of the constants (with the
+// nearest name), a value is no number, a name is given twice, the file cannot be read, it or a
+// script that it includes runs programs (SystemCall), its physical groups are wrong
+// (GmshGroups.hpp) or it asks for cells that are no linear simplices; after that, if Gmsh cannot
+// mesh it. OutputError if the target cannot be written.
+std::string meshGeometry(std::string const& file_name, std::vector<std::string> const& settings,
+                         GroupNames const& names, std::function<std::string()> const& target);
 
-// Meshes the geometry that Gmsh's library has opened, in its own dimension, 2 or 3. InputError,
-// which starts with `where` and has Gmsh's last error, if that fails.
-void meshGeometry(std::string const& where);
-
-// What Gmsh's library throws, which before version 4.9 is strings; "" if that is nothing.
-std::string errorOfGmsh(std::function<void()> const& call);
+// Prints the remarks and the warnings.
+void tell(PhysicalGroups const& groups);

@@ -2,6 +2,7 @@
 
 #include "base/parallel/Reductions.hpp"
 #include "mesh/PointText.hpp"
+#include "mesh/TouchingFacets.hpp"
 
 #include <Tpetra_Import.hpp>
 #include <Tpetra_Map.hpp>
@@ -291,9 +292,11 @@ std::vector<Warning> warnOfPieces(Mesh<Dim> const& mesh,
                           " m. Nothing but the vertex holds the body together. Check the mesh."});
   }
   if (pieces.num_pieces > 1) {
+    const auto touching = mesh::touchingFacets(mesh, *communicator);
     warnings.push_back({"pieces", "the body consists of " + std::to_string(pieces.num_pieces) +
                                     " pieces that share no " + (Dim == 2 ? "edge" : "face") +
-                                    " and no fault. Each moves by itself. Check the mesh."});
+                                    " and no fault. Each moves by itself. " +
+                                    (touching ? mesh::sentence(*touching) : "Check the mesh.")});
   }
   return warnings;
 }

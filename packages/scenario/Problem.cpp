@@ -73,7 +73,7 @@ Discretisation<Dim> discretise(ParameterList const& deck,
   auto mesh = makeMesh<Dim>(deck.sublist("Mesh"), boundary.faults.front(), communicator);
   requireGlobalIds(mesh, components);
   requireBoundaries(conditions, mesh);
-  requireFaults(conditions, mesh);
+  requireFaults(conditions, mesh, *communicator);
   requireFreeFault(boundary, mesh, components, *communicator);
   if (!boundary.surface.empty()) {
     fem::boundaryMeasure(mesh, boundary.surface, *communicator); // refuses one without facets

@@ -3,6 +3,7 @@
 Every case runs in a folder of its own, of which each file is compared afterwards.
 """
 
+import pathlib
 import unittest
 
 import numpy
@@ -54,6 +55,23 @@ class Conditions(FaultCase):
         self.refuse({**TWO_SIDED, **condition("Deep", "right", "Prescribed Slip Rate",
                                               **{"Slip Rate": 1e-6})},
                     f"{CONDITIONS} / Deep / Boundary = 'right' is no fault inside the body")
+
+    def test_on_bodies_that_touch(self):
+        """The square in two halves, above and below y = 0.5, each with vertices of its own."""
+        vertices = [(x, y) for y in (0, 0.5) for x in (0, 0.5, 1)]
+        cells = [(0, 1, 4), (0, 4, 3), (1, 2, 5), (1, 5, 4)]
+        vertices += [(x, y + 0.5) for x, y in vertices]
+        upper = [tuple(vertex + 6 for vertex in cell) for cell in cells]
+        mesh_files.write("touch.h5", vertices, cells + upper,
+                         {"bottom": [(0, 1), (1, 2)], "left": [(3, 0), (9, 6)],
+                          "right": [(2, 5), (8, 11)], "top": [(11, 10), (10, 9)],
+                          "main": [(5, 4), (4, 3)]},
+                         region_of_cells=[0] * 4 + [1] * 4, regions=(b"below", b"above"))
+        changes = {**without("Mesh/Faults/main", TWO_SIDED), "Mesh/Type": "File",
+                   "Mesh/File/File Name": str(pathlib.Path("touch.h5").absolute())}
+        self.refuse(changes, "Fault / Boundary = 'main' is no fault inside the body",
+                    "2 facets of region 'below' lie on facets of region 'above' without sharing "
+                    "vertices", "on boundary 'main'")
 
     def test_no_condition_on_a_fault(self):
         self.refuse({"Mesh/Faults/main": LEVEL}, CONDITIONS,

@@ -179,7 +179,7 @@ TEST(SplitFaults, RefusesFaultsThatCross)
   expectRefused(faultedRectangle({{"west", [](auto& p) { return isOnXAxis(p) && p[0] <= 2.0; }},
                                   {"east", [](auto& p) { return isOnXAxis(p) && p[0] >= 2.0; }},
                                   {"up", isUpwardAtTwo}}),
-                {"faults 'east', 'up' and 'west' cross at (2, 0)", "3 parts"});
+                {"faults 'east', 'up' and 'west' meet at (2, 0)", "where each of them ends"});
   // A node of the surface with three copies.
   expectRefused(faultedRectangle({{"main", [](auto& p) { return isOnXAxis(p); }},
                                   {"other", [](auto& p) { return p[0] == p[1]; }}}),
@@ -204,14 +204,6 @@ TEST(SplitFaults, RefusesAFaultWithoutANodeThatSlips)
   expectRefused(
     faultedRectangle({{"short", [](auto& p) { return isOnXAxis(p) && p[0] >= 1 && p[0] <= 2; }}}),
     {"Here: fault 'short' has no node that could slip; refine the mesh"});
-}
-
-TEST(SplitFaults, RefusesAClosedFault)
-{
-  expectRefused(
-    faultedRectangle(
-      {{"ring", [](auto& p) { return std::max(std::abs(p[0] - 2.0), std::abs(p[1])) == 1.0; }}}),
-    {"Here: fault 'ring' cannot be oriented: it is closed"});
 }
 
 TEST(SplitFaults, RefusesBoundariesThatAreNoFaults)

@@ -158,8 +158,11 @@ class Convert(mesh_tool.Case):
             self.assertEqual(list(file["boundaries"]), ["fault"])
             f = x[file["boundaries/fault/facets"][0]]
             numpy.testing.assert_array_equal(numpy.cross(f[1] - f[0], f[2] - f[0]), [0, -1, 0])
-        self.assert_not_converted(text.replace('3 9 "above"\n', "").replace("Names\n3", "Names\n2"),
-                                  "physical Volume 9 has no name")
+        pathlib.Path("two.msh").write_text(
+            text.replace('3 9 "above"\n', "").replace("Names\n3", "Names\n2"))
+        self.assert_done("convert", "two.msh", "two.h5", "--overwrite")
+        with h5py.File("two.h5") as file:
+            self.assertEqual(set(file["region_names"].asstr()), {"below", "region_9"})
 
     def test_a_fault_between_two_volumes(self):
         pathlib.Path("two.msh").write_text(TWO_VOLUMES.format(surface=7, triangle="1 2 3"))
@@ -167,10 +170,13 @@ class Convert(mesh_tool.Case):
         self.assertIn("fault: 1 facets, 3 vertices, 0 tips", self.assert_done("info", "two.h5"))
 
     def test_missing_names(self):
-        self.assert_not_converted(msh(names=NAMES.replace('1 2 "sides"\n', "")),
-                                  "physical Curve 2 has no name", 'Physical Curve("name", 2)')
-        self.assert_not_converted(msh(names=NAMES.replace('2 4 "upper"\n', "")),
-                                  "physical Surface 4 has no name")
+        pathlib.Path("square.msh").write_text(
+            msh(names=NAMES.replace('1 2 "sides"\n', "").replace('2 4 "upper"\n', "")))
+        said = self.assert_done("convert", "square.msh", "square.h5")
+        self.assertIn("physical Curve 2 has no name and is called 'boundary_2'", said)
+        with h5py.File("square.h5") as file:
+            self.assertEqual(set(file["boundaries"]), {"base", "boundary_2"})
+            self.assertEqual(set(file["region_names"].asstr()), {"lower", "region_4"})
 
     def test_missing_groups(self):
         no_curves = [e.replace(" 1 2 1 ", " 1 2 0 ").replace(" 1 2 2 ", " 1 2 0 ")

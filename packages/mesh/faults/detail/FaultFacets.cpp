@@ -29,16 +29,22 @@ std::vector<FaultFacet<Dim>> collect(GlobalMesh<Dim> const& mesh, FacetTable<Dim
   }
   std::sort(all.begin(), all.end(), [](auto const& a, auto const& b) { return a.key < b.key; });
   for (std::size_t f = 1; f < all.size(); ++f) {
-    ASPERITY_REQUIRE(all[f].key != all[f - 1].key,
-                     where << ": the facet at " << text(centroid(corners(mesh, all[f].key)))
-                           << " is in fault '" << names[all[f - 1].fault] << "' and in fault '"
-                           << names[all[f].fault] << "'. Remove it from one of them.");
+    if (all[f].key == all[f - 1].key) {
+      auto const& first = names[all[f - 1].fault];
+      auto const& second = names[all[f].fault];
+      auto const size = [&](std::string const& name) { return mesh.boundaries.at(name).size(); };
+      throw InputError(where + ": the facet at " + text(centroid(corners(mesh, all[f].key))) +
+                       " is in fault '" + first + "' and in fault '" + second +
+                       "'. Remove it from one of them; 'asperity-mesh convert --without " +
+                       (size(first) < size(second) ? first : second) +
+                       "' leaves out the smaller one.");
+    }
   }
   return all;
 }
 
-// Gives all facets of a connected set the same orientation, with normals that point downwards, out
-// of the body on the plus side.
+// Gives all facets of a connected set the same orientation, with normals that point out of the body
+// on the plus side: downwards or, of a set that encloses something, inwards.
 template <int Dim>
 class Orientation
 {
@@ -59,7 +65,7 @@ public:
     std::vector<bool> is_done(facets_.size(), false);
     for (std::size_t f = 0; f < facets_.size(); ++f) {
       if (!is_done[f]) {
-        makePlusTheUpperSide(orientConnected(static_cast<int>(f), is_done));
+        choosePlus(orientConnected(static_cast<int>(f), is_done));
       }
     }
   }
@@ -171,31 +177,60 @@ private:
     return connected;
   }
 
-  void makePlusTheUpperSide(std::vector<int> const& connected)
+  // Plus is the upper side or, of a set that encloses something, the outside.
+  void choosePlus(std::vector<int> const& connected)
   {
-    Point<Dim> up{}; // from minus to plus, times the area
+    Point<Dim> up{}, centre{}; // from minus to plus, times the area
     double area = 0.0;
     for (int facet : connected) {
-      const auto normal = areaNormal(corners(mesh_, facets_[facet].outward));
-      area += std::sqrt(dot<Dim>(normal, normal));
+      const auto points = corners(mesh_, facets_[facet].outward);
+      const auto normal = areaNormal(points);
+      const auto middle = centroid(points);
+      const double size = facetMeasure(points);
+      area += size;
       for (int d = 0; d < Dim; ++d) {
         up[d] -= normal[d];
+        centre[d] += size * middle[d];
       }
     }
-    const double length = std::sqrt(dot<Dim>(up, up));
-    ASPERITY_REQUIRE(length > 1e-10 * area,
-                     where_ << ": fault '" << names_[facets_[connected.front()].fault]
-                            << "' cannot be oriented: it is closed, and neither of its sides is "
-                               "the upper one.");
-    const int last = Dim - 1; // z in space, x in the plane
-    const int axis = std::abs(up[1]) >= 1e-6 * length   ? 1
-                     : std::abs(up[0]) >= 1e-6 * length ? 0
-                                                        : last;
-    if (up[axis] < 0.0) {
+    for (double& coordinate : centre) {
+      coordinate /= area;
+    }
+    if (isTurned(connected, centre, up, area)) {
       for (int facet : connected) {
         turn(facets_[facet]);
       }
     }
+  }
+
+  // Whether plus has to become minus.
+  bool isTurned(std::vector<int> const& connected, Point<Dim> const& centre, Point<Dim> const& up,
+                double area) const
+  {
+    constexpr double facing = 0.05;   // of a mean normal: below, parts of the set face each other
+    constexpr double enclosing = 0.1; // of the mean part of x - centre across the set, over |x|
+    const double length = std::sqrt(dot<Dim>(up, up));
+    if (length < facing * area) {
+      double outwards = 0.0, extent = 0.0; // from the centre towards plus
+      for (int facet : connected) {
+        const auto points = corners(mesh_, facets_[facet].outward);
+        const auto place = difference<Dim>(centroid(points), centre);
+        outwards -= dot<Dim>(place, areaNormal(points));
+        extent += facetMeasure(points) * std::sqrt(dot<Dim>(place, place));
+      }
+      if (std::abs(outwards) > enclosing * extent) {
+        return outwards < 0.0;
+      }
+    }
+    ASPERITY_REQUIRE(length > 1e-10 * area,
+                     where_ << ": fault '" << names_[facets_[connected.front()].fault]
+                            << "' cannot be oriented: neither of its sides is the upper one or the "
+                               "outer one. Give its parts different names, and separate them.");
+    const int last = Dim - 1; // z in space, x in the plane
+    const int axis = std::abs(up[1]) >= 1e-6 * length   ? 1
+                     : std::abs(up[0]) >= 1e-6 * length ? 0
+                                                        : last;
+    return up[axis] < 0.0;
   }
 
   GlobalMesh<Dim> const& mesh_;

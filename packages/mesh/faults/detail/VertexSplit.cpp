@@ -81,6 +81,19 @@ private:
       "other or before it.");
   }
 
+  // Each of three faults ends here, and any two of them could be the one that goes on.
+  [[noreturn]] void refuseMeeting() const
+  {
+    throw InputError(
+      where_ + ": " + list(faults_, names_) + " meet at " + text(vertex_.place) +
+      ", where each of them ends. One fault has to go on there, and another one to end at it as a "
+      "branch, without slip at this node. Give the two that are to be one fault the same name: one "
+      "physical group, one condition in Mesh / Faults, or one name by 'asperity-mesh convert "
+      "--names 3=main,4=main' for groups 3 and 4. Or let one of the three end before it reaches "
+      "the "
+      "others.");
+  }
+
   int setOf(Sets const& sets, int cell) const
   {
     auto const& cells = star_.cells();
@@ -115,6 +128,9 @@ private:
       if (others.count == 2 && alone.count == 1) {
         branches.insert(fault);
       }
+    }
+    if (branches.size() == 3) {
+      refuseMeeting();
     }
     if (branches.size() != 1) {
       refuseCrossing(3);

@@ -2,6 +2,7 @@
 
 #include "base/NearestName.hpp"
 #include "base/Text.hpp"
+#include "mesh/TouchingFacets.hpp"
 #include "scenario/setup/NodalField.hpp"
 #include "scenario/setup/conditions/ConditionTypes.hpp"
 #include "scenario/setup/conditions/FaultKind.hpp"
@@ -92,7 +93,8 @@ void requireBoundaries(ParameterList const& list, Mesh<Dim> const& mesh)
 }
 
 template <int Dim>
-void requireFaults(ParameterList const& list, Mesh<Dim> const& mesh)
+void requireFaults(ParameterList const& list, Mesh<Dim> const& mesh,
+                   Communicator const& communicator)
 {
   auto const conditions = readConditions(list);
   const auto is_inside = [&mesh](std::string const& boundary) {
@@ -109,11 +111,13 @@ void requireFaults(ParameterList const& list, Mesh<Dim> const& mesh)
                                     << "' is a fault inside the body, where the Type '" << type
                                     << "' does not apply. Choose " << kinds
                                     << ", or 'Prescribed Slip Rate' where it continues one.");
-    ASPERITY_REQUIRE(is_inside(condition.boundary) || !two_sided || !condition.liesAlongFault(),
-                     condition.name << " / Boundary = '" << condition.boundary
-                                    << "' is no fault inside the body, which the Type '" << type
-                                    << "' needs here. Give it in Mesh / Faults, or mark facets "
-                                       "inside the mesh.");
+    if (!is_inside(condition.boundary) && two_sided && condition.liesAlongFault()) {
+      const auto touching = mesh::touchingFacets(mesh, communicator);
+      throw InputError(condition.name + " / Boundary = '" + condition.boundary +
+                       "' is no fault inside the body, which the Type '" + type + "' needs here. " +
+                       (touching ? mesh::sentence(*touching)
+                                 : "Give it in Mesh / Faults, or mark facets inside the mesh."));
+    }
   }
   for (auto const& fault : mesh.faults) {
     ASPERITY_REQUIRE(std::any_of(conditions.begin(), conditions.end(),
@@ -126,8 +130,8 @@ void requireFaults(ParameterList const& list, Mesh<Dim> const& mesh)
   }
 }
 
-template void requireFaults(ParameterList const&, Mesh<2> const&);
-template void requireFaults(ParameterList const&, Mesh<3> const&);
+template void requireFaults(ParameterList const&, Mesh<2> const&, Communicator const&);
+template void requireFaults(ParameterList const&, Mesh<3> const&, Communicator const&);
 template void requireBoundaries(ParameterList const&, Mesh<2> const&);
 template void requireBoundaries(ParameterList const&, Mesh<3> const&);
 } // namespace asperity::scenario

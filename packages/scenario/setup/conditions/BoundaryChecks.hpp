@@ -26,7 +26,9 @@ void requireBoundaries(ParameterList const& list, Mesh<Dim> const& mesh);
 
 // Throws InputError unless every fault inside the body has a condition, these conditions are of
 // two-sided faults or of their continuations, and all such conditions are on faults inside the body
-// if the deck has a two-sided fault. Call after requireBoundaries.
+// if the deck has a two-sided fault. Names parts of the body that touch there without common
+// vertices. Call after requireBoundaries. Collective.
 template <int Dim>
-void requireFaults(ParameterList const& list, Mesh<Dim> const& mesh);
+void requireFaults(ParameterList const& list, Mesh<Dim> const& mesh,
+                   Communicator const& communicator);
 } // namespace asperity::scenario

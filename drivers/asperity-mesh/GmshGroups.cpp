@@ -1,0 +1,204 @@
+#include "GmshGroups.hpp"
+
+#include "GmshSession.hpp"
+
+#include "base/Errors.hpp"
+#include "base/NearestName.hpp"
+#include "base/Text.hpp"
+
+#include <gmsh.h>
+
+#include <algorithm>
+
+namespace model = gmsh::model;
+
+namespace
+{
+constexpr char const* names_option = "--names";
+constexpr char const* regions_option = "--region-names";
+
+std::map<int, std::string> numberedNames(std::string const& option,
+                                         std::vector<std::string> const& texts)
+{
+  std::map<int, std::string> names;
+  for (auto const& text : texts) {
+    for (auto const& piece : asperity::split(text, ',')) {
+      const auto equals = piece.find('=');
+      const auto number = asperity::readInteger(asperity::trimmed(piece.substr(0, equals)));
+      const std::string name =
+        equals == std::string::npos ? "" : asperity::trimmed(piece.substr(equals + 1));
+      ASPERITY_REQUIRE(number && !name.empty(), "Option "
+                                                  << option << ": '" << piece
+                                                  << "' is not of the form NUMBER=NAME. Write as "
+                                                  << option << " 1=free,3=fault,5=far.");
+      ASPERITY_REQUIRE(names.emplace(*number, name).second,
+                       "Option " << option << " gives a name to " << *number << " twice.");
+    }
+  }
+  return names;
+}
+
+std::string list(std::vector<std::string> const& words)
+{
+  std::string text;
+  for (auto const& word : words) {
+    text += (text.empty() ? "" : ", ") + word;
+  }
+  return text.empty() ? "none" : text;
+}
+
+// The groups of one dimension under their names.
+class Naming
+{
+public:
+  Naming(int dimension, bool of_cells, std::map<int, std::string> const& given,
+         PhysicalGroups& result, std::string const& where)
+      : dimension_(dimension)
+      , of_cells_(of_cells)
+      , given_(given)
+      , result_(result)
+      , where_(where)
+  {
+  }
+
+  std::vector<Group> run()
+  {
+    gmsh::vectorpair tags;
+    model::getPhysicalGroups(tags, dimension_);
+    ASPERITY_REQUIRE(!tags.empty(), where_ << " has no physical " << entityName(dimension_)
+                                           << ", from which "
+                                           << (of_cells_ ? "regions" : "boundaries and faults")
+                                           << " come: Physical " << entityName(dimension_)
+                                           << "(\"name\") = {...};");
+    std::vector<Group> groups;
+    for (auto const& [dim, tag] : tags) {
+      groups.push_back({nameOf(tag), {}});
+      model::getEntitiesForPhysicalGroup(dim, tag, groups.back().entities);
+      numbers_.push_back(std::to_string(tag));
+    }
+    requireNamesThatDiffer(groups);
+    warnOfUnused();
+    return groups;
+  }
+
+private:
+  std::string nameOf(int tag)
+  {
+    const auto given = given_.find(tag);
+    std::string name;
+    model::getPhysicalName(dimension_, tag, name);
+    if (given != given_.end()) {
+      name = given->second;
+    } else if (asperity::trimmed(name).empty()) {
+      name = (of_cells_ ? "region_" : "boundary_") + std::to_string(tag);
+      made_.insert(name);
+      result_.remarks.push_back("physical " + std::string(entityName(dimension_)) + " " +
+                                std::to_string(tag) + " has no name and is called '" + name +
+                                "'; " + option() + " " + std::to_string(tag) +
+                                "=NAME gives another one");
+    }
+    ASPERITY_REQUIRE(of_cells_ || (name != "." && name.find('/') == std::string::npos),
+                     where_ << ": '" << name << "' cannot be the name of a boundary, which is not "
+                            << "'.' and contains no '/'. Give another one: " << option() << " "
+                            << tag << "=NAME.");
+    return name;
+  }
+
+  // Two groups may be given one name, and are one boundary then. A name made here is of one group.
+  void requireNamesThatDiffer(std::vector<Group> const& groups) const
+  {
+    std::set<std::string> known;
+    for (auto const& group : groups) {
+      ASPERITY_REQUIRE(known.insert(group.name).second || made_.count(group.name) == 0,
+                       where_ << ": one physical " << entityName(dimension_) << " is called '"
+                              << group.name << "', and another one without a name would be. Give "
+                              << "it one: " << option() << " NUMBER=NAME.");
+    }
+  }
+
+  void warnOfUnused() const
+  {
+    for (auto const& [tag, name] : given_) {
+      const auto number = std::to_string(tag);
+      if (std::find(numbers_.begin(), numbers_.end(), number) == numbers_.end()) {
+        result_.warnings.push_back("Option " + std::string(option()) + " " + number + "=" + name +
+                                   " names nothing: " + where_ + " has no physical " +
+                                   entityName(dimension_) + " " + number + ", only " +
+                                   list(numbers_) + ".");
+      }
+    }
+  }
+
+  char const* option() const { return of_cells_ ? regions_option : names_option; }
+
+  int dimension_;
+  bool of_cells_;
+  std::map<int, std::string> const& given_;
+  PhysicalGroups& result_;
+  std::string const& where_;
+  std::vector<std::string> numbers_;
+  std::set<std::string> made_; // names
+};
+
+void requireOneRegion(std::vector<Group> const& regions, int dimension, std::string const& where)
+{
+  std::map<int, std::string> region_of_entity;
+  for (auto const& group : regions) {
+    for (int entity : group.entities) {
+      const auto known = region_of_entity.emplace(entity, group.name).first;
+      ASPERITY_REQUIRE(known->second == group.name, where << ": " << entityName(dimension) << " "
+                                                          << entity << " is in two regions, '"
+                                                          << known->second << "' and '"
+                                                          << group.name << "'.");
+    }
+  }
+}
+
+void leaveOut(std::set<std::string> const& without, PhysicalGroups& groups,
+              std::string const& where)
+{
+  std::vector<std::string> names;
+  for (auto const& group : groups.boundaries) {
+    names.push_back(group.name);
+  }
+  for (auto const& name : without) {
+    const bool is_region = std::any_of(groups.regions.begin(), groups.regions.end(),
+                                       [&](Group const& region) { return region.name == name; });
+    const bool is_known = std::find(names.begin(), names.end(), name) != names.end();
+    ASPERITY_REQUIRE(is_known || !is_region, "Option --without "
+                                               << name << ": this is a region of " << where
+                                               << ". Only boundaries and faults can be left out.");
+    ASPERITY_REQUIRE(is_known, "Option --without " << name << ": " << where
+                                                   << " has no such boundary or fault."
+                                                   << asperity::didYouMean(name, names));
+  }
+  auto& kept = groups.boundaries;
+  kept.erase(std::remove_if(kept.begin(), kept.end(),
+                            [&](Group const& group) { return without.count(group.name) > 0; }),
+             kept.end());
+}
+} // namespace
+
+GroupNames::GroupNames(std::vector<std::string> const& boundary_names,
+                       std::vector<std::string> const& region_names,
+                       std::vector<std::string> const& without_names)
+    : boundaries(numberedNames(names_option, boundary_names))
+    , regions(numberedNames(regions_option, region_names))
+{
+  for (auto const& text : without_names) {
+    for (auto const& name : asperity::split(text, ',')) {
+      ASPERITY_REQUIRE(!name.empty(), "Option --without " << text << ": a name is missing.");
+      without.insert(name);
+    }
+  }
+}
+
+PhysicalGroups physicalGroups(int dimension, GroupNames const& names, std::string const& where)
+{
+  PhysicalGroups groups;
+  groups.regions = Naming(dimension, true, names.regions, groups, where).run();
+  groups.boundaries = Naming(dimension - 1, false, names.boundaries, groups, where).run();
+  requireOneRegion(groups.regions, dimension, where);
+  leaveOut(names.without, groups, where);
+  return groups;
+}

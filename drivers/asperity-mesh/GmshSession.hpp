@@ -1,0 +1,30 @@
+#pragma once
+
+#include <functional>
+#include <string>
+#include <vector>
+
+// Gmsh's library between its start and its end, with its own defaults and no file of the user's
+// options. Only one object may exist at a time, because the library has global data; what one
+// object sets, the next does not see.
+class GmshSession
+{
+public:
+  // `arguments` as those of Gmsh's program. What Gmsh tells goes to the terminal if `is_loud`.
+  explicit GmshSession(bool is_loud, std::vector<std::string> const& arguments = {});
+  ~GmshSession();
+  GmshSession(GmshSession const&) = delete;
+  GmshSession& operator=(GmshSession const&) = delete;
+
+  // InputError, which starts with `where`, if Gmsh cannot read the file.
+  void open(std::string const& file_name, std::string const& where) const;
+};
+
+// What Gmsh's library throws, which before version 4.9 is strings; "" if that is nothing.
+std::string errorOfGmsh(std::function<void()> const& call);
+
+// "Point", "Curve", "Surface", "Volume", as Gmsh's own interface calls entities.
+char const* entityName(int dimension);
+
+// Prints "asperity-mesh: WARNING: text" on standard error.
+void warn(std::string const& text);
