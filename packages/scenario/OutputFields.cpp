@@ -51,7 +51,7 @@ void registerFaultFields(io::FieldRegistry& registry, RunView const& view)
 }
 
 // The fields that processes on the fault have added to the state or compute from it, and the normal
-// stress that they leave to friction.
+// stress less the pressure of fluids.
 void registerAddedFields(io::FieldRegistry& registry, dynamics::State const& initial,
                          dynamics::Fault const& fault, RunView const& view)
 {
@@ -61,7 +61,7 @@ void registerAddedFields(io::FieldRegistry& registry, dynamics::State const& ini
       info->name, info->unit, "The " + info->quantity + ".", "fault", 1,
       [&view, name = info->name](Values& values) { values = toVector(view.state->at(name)); }});
   }
-  for (auto const& process : fault.laws().processes) {
+  for (auto const& process : fault.processes()) {
     for (auto const& field : process->observed()) {
       auto const& info = field.info;
       auto const axes = field.components > 1 ? ", along the axes." : ".";
@@ -71,10 +71,9 @@ void registerAddedFields(io::FieldRegistry& registry, dynamics::State const& ini
     }
   }
   if (!initial.added.empty()) {
-    registry.add(
-      io::OutputField{"effective_normal_stress", "Pa",
-                      "Normal stress that friction takes, without the pressure of fluids.", "fault",
-                      1, [&view](Values& values) { values = view.fault->effectiveStress(); }});
+    registry.add(io::OutputField{
+      "effective_normal_stress", "Pa", "Normal stress less the pressure of fluids.", "fault", 1,
+      [&view](Values& values) { values = view.fault->effectiveStress(); }});
   }
 }
 

@@ -2,6 +2,7 @@
 
 #include "base/parallel/Agreement.hpp"
 #include "base/parallel/Reductions.hpp"
+#include "dynamics/checks/MaterialContrast.hpp"
 #include "dynamics/checks/PlausibleValues.hpp"
 #include "dynamics/fault/FaultMotion.hpp"
 #include "dynamics/initial/FoundationPressure.hpp"
@@ -172,7 +173,7 @@ StaticStart staticStart(ParameterList const& deck, Discretisation<Dim> const& of
   ASPERITY_REQUIRE(stress_given || !surface.otherSide().is_mirrored,
                    "Asperity / Friction / Normal Stress is missing: on an antisymmetric fault it "
                    "does not follow from the static solution. Give that of the undisturbed state.");
-  const bool follows = normalStressChange(friction) != dynamics::NormalStressChange::fixed;
+  const bool follows = followsAtOnce(friction); // Prakash-Clifton also follows pressure and time
   ASPERITY_REQUIRE(!follows || of.dofs->components() == Dim,
                    "Asperity / Friction / Normal Stress Change = "
                      << friction.get<std::string>("Normal Stress Change")
@@ -252,6 +253,28 @@ dynamics::BesideFault valuesBeside(std::vector<fem::Material> const& materials,
           extremesOf(eta, communicator),
           extremesOf({sigma_n.data(), sigma_n.data() + sigma_n.extent(0)}, communicator),
           components == 1};
+}
+
+// A warning where unlike rocks, inertia, and friction that follows the normal stress at once meet.
+template <int Dim>
+std::optional<Warning> warnOfContrast(ParameterList const& deck, Mesh<Dim> const& mesh,
+                                      fem::FaultSurface const& surface)
+{
+  auto const& bulk = deck.sublist("Bulk");
+  auto const& friction = deck.sublist("Friction");
+  if (!surface.otherSide().is_inside || quasiDynamic(bulk) || !followsAtOnce(friction)) {
+    return std::nullopt;
+  }
+  auto const plus = dynamics::placesBeside(mesh, surface, fem::Side::plus);
+  auto const minus = dynamics::placesBeside(mesh, surface, fem::Side::minus);
+  std::vector<fem::Material> above, below;
+  onEveryRank(*surface.communicator(), [&] {
+    above = elasticRockAt(bulk, mesh, plus.cells, plus.places);
+    below = elasticRockAt(bulk, mesh, minus.cells, minus.places);
+  });
+  return dynamics::warnOfContrast(
+    dynamics::materialContrast(plus.places, above, below, *surface.communicator()),
+    friction.get<std::string>("Normal Stress Change"));
 }
 
 // Empty unless the normal stress follows the body.
@@ -346,8 +369,9 @@ Problem<Dim> makeProblem(ParameterList const& deck, RCP<const Communicator> cons
   }
   auto const start = staticStart(deck, of, body, solver, *surface, *gravity);
   auto stress = makeNormalStress(friction, nodes, start.pressure, *communicator);
-  auto fault = makeFault(friction, nodes, surface, fem::makeFaultMesh(of.mesh, *surface),
-                         stress.normal_stress, eta);
+  auto fault =
+    makeFault(friction, nodes, surface, fem::makeFaultMesh(of.mesh, *surface), stress.normal_stress,
+              components == Dim && !surface->otherSide().is_mirrored, eta);
   auto initial = makeInitialState(deck, of.mesh, of.frames(), body, fault, solver,
                                   {start.displacement, traction.at(0), traction.direction()});
   requireBearable(of, body, *initial.u);
@@ -359,6 +383,9 @@ Problem<Dim> makeProblem(ParameterList const& deck, RCP<const Communicator> cons
                             fault.given(initial).sigma_n);
   auto const questions = dynamics::questionValues(beside);
   warnings.insert(warnings.end(), questions.begin(), questions.end());
+  if (auto const warning = warnOfContrast(deck, of.mesh, *surface)) {
+    warnings.push_back(*warning);
+  }
   return {{std::move(body), std::move(fault), std::move(initial), std::move(reaction)},
           communicator,
           components,

@@ -128,7 +128,7 @@ CoupledStep::CoupledStep(Body const& body, Fault const& fault, RateUpdate const&
   if (stress_->coupled()) {
     unknowns_.add(stress_);
   }
-  for (auto const& process : fault.laws().processes) {
+  for (auto const& process : fault.processes()) {
     for (auto const& unknown : process->unknowns()) {
       unknowns_.add(unknown);
     }
@@ -202,7 +202,7 @@ CoupledResult CoupledStep::solveAtFault(State const& from, int level, State& to,
   to.time = from.time + clock_.ticks(level);
   evaluateLoads(clock_.seconds(from.time), clock_.seconds(to.time));
   rightSide(from, tau, to);
-  for (auto const& process : fault_.laws().processes) {
+  for (auto const& process : fault_.processes()) {
     process->begin(from, clock_.seconds(from.time), tau, to);
   }
 

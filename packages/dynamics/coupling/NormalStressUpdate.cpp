@@ -1,41 +1,13 @@
 #include "dynamics/coupling/NormalStressUpdate.hpp"
 
 #include "base/Errors.hpp"
-#include "base/parallel/Reductions.hpp"
 #include "base/program/WorkTimers.hpp"
-
-#include <algorithm>
+#include "dynamics/coupling/StressScale.hpp"
 
 namespace asperity::dynamics
 {
 namespace
 {
-constexpr double friction_over_b = 50;
-// See scale(): relative changes of a normal stress near zero do not matter.
-constexpr double small_share = 1e-2;
-
-double largest(ConstNodeView const& values)
-{
-  double result = 0;
-  Kokkos::parallel_reduce(
-    "asperity::dynamics::largestNormalStress", RangePolicy(0, values.extent(0)),
-    KOKKOS_LAMBDA(int node, double& maximum) {
-      maximum = maximum < values(node) ? values(node) : maximum;
-    },
-    Kokkos::Max<double>(result));
-  return std::max(result, 0.); // a rank without nodes has no maximum
-}
-
-// scale := friction_over_b / sigma_n, where a smaller sigma_n counts as `least`.
-void setScale(ConstNodeView const& sigma_n, double least, NodeView const& scale)
-{
-  Kokkos::parallel_for(
-    "asperity::dynamics::scaleOfNormalStress", RangePolicy(0, scale.extent(0)),
-    KOKKOS_LAMBDA(int node) {
-      scale(node) = friction_over_b / (sigma_n(node) > least ? sigma_n(node) : least);
-    });
-}
-
 void subtract(ConstNodeView const& b, NodeView const& r)
 {
   Kokkos::parallel_for(
@@ -81,8 +53,7 @@ void NormalStressUpdate::begin(State const& from, State& to)
     fault_.normalStress().add(sigma_0_, R_, since_start_.at_start, to.sigma_n);
     break;
   case NormalStressChange::coupled:
-    const double most = maxOverRanks(largest(from.sigma_n), *fault_.surface().communicator());
-    setScale(from.sigma_n, most > 0 ? small_share * most : 1, scale_);
+    setScaleOfStress(from.sigma_n, fault_.surface(), scale_);
     limit(to.sigma_n);
     break;
   }

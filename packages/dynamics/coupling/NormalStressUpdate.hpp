@@ -32,9 +32,7 @@ public:
   NodeView const& of(State const& state) const override { return state.sigma_n; }
   int respond(FaultResponse const& to, NodeView const& image) override;
   void limit(NodeView const& sigma_n) const override;
-  // A relative change eps of sigma_n changes the strength f sigma_n of the fault as much as a
-  // change f / b eps of alpha, and f / b is about 50. So it is 50 / sigma_n at the beginning of the
-  // step [1/Pa]; a sigma_n below 1 % of the largest counts as that 1 %.
+  // That of StressScale.hpp, of sigma_n at the beginning of the step.
   ConstNodeView scale() const override { return scale_; }
 
 private:

@@ -4,29 +4,42 @@
 
 namespace asperity::dynamics
 {
-Fault::Fault(std::shared_ptr<const fem::FaultSurface> surface, FaultLaws laws,
-             NormalStress normal_stress)
-    : surface_(std::move(surface))
-    , laws_(std::move(laws))
-    , normal_stress_(std::move(normal_stress))
-    , friction_(frictionWith(laws_.cohesion))
-    , state_(friction::makeStateKernels(laws_.state, laws_.state_parameters, laws_.state_table))
+namespace
 {
+FaultProcesses allOf(FaultLaws const& laws)
+{
+  auto all = laws.processes;
+  if (laws.regularisation) {
+    all.push_back(laws.regularisation);
+  }
+  return all;
 }
+} // namespace
 
-friction::StateAndStress Fault::given(State const& state) const
+friction::StateAndStress under(FaultProcesses const& processes, State const& state)
 {
-  if (laws_.processes.empty()) {
+  if (processes.empty()) {
     return {state.alpha, state.sigma_n};
   }
   const NodeView alpha("asperity::dynamics::givenAlpha", state.alpha.extent(0));
   const NodeView sigma_n("asperity::dynamics::givenStress", state.sigma_n.extent(0));
   Kokkos::deep_copy(alpha, state.alpha);
   Kokkos::deep_copy(sigma_n, state.sigma_n);
-  for (auto const& process : laws_.processes) {
+  for (auto const& process : processes) {
     process->act(state, alpha, sigma_n);
   }
   return {alpha, sigma_n};
+}
+
+Fault::Fault(std::shared_ptr<const fem::FaultSurface> surface, FaultLaws laws,
+             NormalStress normal_stress)
+    : surface_(std::move(surface))
+    , laws_(std::move(laws))
+    , normal_stress_(std::move(normal_stress))
+    , processes_(allOf(laws_))
+    , friction_(frictionWith(laws_.cohesion))
+    , state_(friction::makeStateKernels(laws_.state, laws_.state_parameters, laws_.state_table))
+{
 }
 
 std::unique_ptr<friction::FrictionKernels> Fault::frictionWith(ConstNodeView const& cohesion) const

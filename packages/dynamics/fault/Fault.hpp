@@ -13,6 +13,8 @@
 
 namespace asperity::dynamics
 {
+using FaultProcesses = std::vector<std::shared_ptr<const FaultProcess>>;
+
 // The laws at the nodes of a fault, with their parameters in the order of the laws' tables.
 struct FaultLaws
 {
@@ -26,9 +28,15 @@ struct FaultLaws
   // c / b of Linker and Dieterich's term, d(alpha) = -(c / b) d(ln sigma_n): (num_nodes) [-];
   // a view without entries means none.
   ConstNodeView stress_sensitivity = {};
-  std::vector<std::shared_ptr<const FaultProcess>> processes = {};
+  FaultProcesses processes = {};
   friction::TableView state_table = {}; // if the state law has one
+  // What gives friction a normal stress that follows the one which the processes leave, as
+  // RegularisedStress.hpp does; null if friction takes that one at once.
+  std::shared_ptr<const FaultProcess> regularisation = {};
 };
+
+// alpha and sigma_n of a state, or what the processes make of them, one after the other.
+friction::StateAndStress under(FaultProcesses const& processes, State const& state);
 
 // What acts on a fault: friction, the evolution of its state, and the normal stress, at the nodes
 // of its surface. Nothing in it changes during a run.
@@ -45,8 +53,16 @@ public:
   friction::FrictionKernels const& friction() const { return *friction_; }
   friction::StateKernels const& state() const { return *state_; }
 
-  // What friction depends on in a state: its alpha and sigma_n, or what the processes make of them.
-  friction::StateAndStress given(State const& state) const;
+  // All processes in the order in which they act: those of the laws, then the regularisation.
+  FaultProcesses const& processes() const { return processes_; }
+
+  // What friction depends on in a state: its alpha and sigma_n, or what all processes make of them.
+  friction::StateAndStress given(State const& state) const { return under(processes_, state); }
+  // The normal stress (num_nodes) [Pa] less the pressure of fluids, before it is regularised.
+  ConstNodeView effectiveStress(State const& state) const
+  {
+    return under(laws_.processes, state).sigma_n;
+  }
 
   // Friction kernels of the same law with another cohesion(num_nodes) [Pa].
   std::unique_ptr<friction::FrictionKernels> frictionWith(ConstNodeView const& cohesion) const;
@@ -55,6 +71,7 @@ private:
   std::shared_ptr<const fem::FaultSurface> surface_;
   FaultLaws laws_;
   NormalStress normal_stress_;
+  FaultProcesses processes_;
   std::unique_ptr<friction::FrictionKernels> friction_;
   std::unique_ptr<friction::StateKernels> state_;
 };

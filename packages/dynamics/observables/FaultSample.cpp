@@ -94,7 +94,7 @@ FaultSample::Values const& FaultSample::normalStress() const
 FaultSample::Values const& FaultSample::effectiveStress() const
 {
   return once(known_.effective_stress,
-              [this] { return toVector(balance_->fault().given(*state_).sigma_n); });
+              [this] { return toVector(balance_->fault().effectiveStress(*state_)); });
 }
 
 FaultSample::Values const& FaultSample::slip() const

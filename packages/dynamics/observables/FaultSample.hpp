@@ -30,7 +30,7 @@ public:
   double peakSlipRate() const;           // [m/s], peakSlipRate of FaultMotion; collective
   Values const& alpha() const;           // (num_nodes)
   Values const& normalStress() const;    // (num_nodes) [Pa], positive in compression
-  Values const& effectiveStress() const; // (num_nodes) [Pa], what processes leave of it to friction
+  Values const& effectiveStress() const; // (num_nodes) [Pa], Fault::effectiveStress
   Values const& slip() const;            // (num_nodes, numComponents()) [m], with that of plates
   Values const& slipVelocity() const;    // (num_nodes, numComponents()) [m/s], with that of plates
   Values const& traction() const;        // (num_nodes, numComponents()) [Pa], which friction bears

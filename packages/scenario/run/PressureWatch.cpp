@@ -14,7 +14,7 @@ std::optional<Warning> PressureWatch::note(dynamics::State const& now, double ti
     return std::nullopt;
   }
   auto const& surface = fault_.surface();
-  const ConstNodeView sigma_n = now.sigma_n, left = fault_.given(now).sigma_n;
+  const ConstNodeView sigma_n = now.sigma_n, left = fault_.effectiveStress(now);
   auto const slides = surface.slidingNodes();
   int node = surface.numNodes(); // the first one, if there is one
   Kokkos::parallel_reduce(

@@ -357,8 +357,27 @@ Rock makeRock(ParameterList const& list, Mesh<Dim> const& mesh, Communicator con
   return {std::move(materials), std::move(branches), std::move(yielding)};
 }
 
+template <int Dim>
+std::vector<fem::Material> elasticRockAt(ParameterList const& list, Mesh<Dim> const& mesh,
+                                         std::vector<int> const& cells,
+                                         std::vector<std::array<double, 3>> const& places)
+{
+  const Elasticity elasticity(list, mesh.region_names);
+  auto const density = steadyField(list, "Density", bulk_path, mesh.region_names);
+  std::vector<fem::Material> materials(cells.size());
+  for (std::size_t i = 0; i < cells.size(); ++i) {
+    const int region = mesh.cell_regions[cells[i]];
+    materials[i].density = density(places[i], 0, region);
+    elasticity.set(materials[i], places[i], region);
+  }
+  return materials;
+}
+
 #define ASPERITY_INSTANTIATE(Dim)                                                                  \
   template Rock makeRock(ParameterList const&, Mesh<Dim> const&, Communicator const&);             \
+  template std::vector<fem::Material> elasticRockAt(ParameterList const&, Mesh<Dim> const&,        \
+                                                    std::vector<int> const&,                       \
+                                                    std::vector<std::array<double, 3>> const&);    \
   template std::array<double, Dim> gravity<Dim>(ParameterList const&);
 
 ASPERITY_INSTANTIATE(2)

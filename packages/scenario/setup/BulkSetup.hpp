@@ -43,6 +43,12 @@ struct Rock
 template <int Dim>
 Rock makeRock(ParameterList const& list, Mesh<Dim> const& mesh, Communicator const& communicator);
 
+// Density and elastic moduli of the rock at places in cells of the mesh (num_places).
+template <int Dim>
+std::vector<fem::Material> elasticRockAt(ParameterList const& list, Mesh<Dim> const& mesh,
+                                         std::vector<int> const& cells,
+                                         std::vector<std::array<double, 3>> const& places);
+
 // The gravitational acceleration along the axes [m/s^2]; zero without gravity.
 template <int Dim>
 std::array<double, Dim> gravity(ParameterList const& list);

@@ -148,7 +148,7 @@ makeInitialState(ParameterList const& deck, Mesh<Dim> const& mesh, fem::NodalFra
   fault.normalStress().raiseToFloor(state.sigma_n);
   state.alpha = NodeView("asperity::scenario::alpha", num_nodes);
   state.alpha_of_rate = NodeView("asperity::scenario::alphaOfRate", num_nodes);
-  for (auto const& process : fault.laws().processes) {
+  for (auto const& process : fault.processes()) {
     auto const fields = process->fields(state);
     state.added.insert(state.added.end(), fields.begin(), fields.end());
   }

@@ -1,5 +1,6 @@
 #include "unit/dynamics/SmallModel.hpp"
 
+#include "dynamics/processes/RegularisedStress.hpp"
 #include "fem/RigidBodyMotions.hpp"
 #include "fem/inelastic/InelasticCells.hpp"
 #include "fem/stress/CellStress.hpp"
@@ -119,6 +120,12 @@ Fault ModelIn<Dim>::makeFault() const
                         nodeView([&](Point<Dim> const& x) { return options.normal_stress(x, t); }));
     })
                     : NormalStress(nodeView([&](auto const&) { return options.sigma_n; }));
+  std::shared_ptr<const FaultProcess> regularisation;
+  if (o.regularisation) {
+    const auto [slip, time] = *o.regularisation;
+    regularisation = makeRegularisedStress(
+      *surface, {std::vector<double>(size, slip), std::vector<double>(size, time)}, {});
+  }
   return {surface,
           {o.law,
            table({o.a, o.b, o.reference_rate, o.reference_friction}, size),
@@ -127,7 +134,10 @@ Fault ModelIn<Dim>::makeFault() const
            table({o.L, o.reference_rate, 0.}, size),
            {},
            o.stress_sensitivity == 0 ? ConstNodeView()
-                                     : nodeView([&](auto const&) { return o.stress_sensitivity; })},
+                                     : nodeView([&](auto const&) { return o.stress_sensitivity; }),
+           {},
+           {},
+           regularisation},
           normal_stress};
 }
 
@@ -168,6 +178,10 @@ State ModelIn<Dim>::restingState() const
   state.alpha_of_rate = nodeView([](auto const&) { return 0.; });
   state.sigma_n = nodeView([](auto const&) { return 0.; });
   fault.normalStress().at(0, state.sigma_n);
+  for (auto const& process : fault.processes()) {
+    auto const fields = process->fields(state);
+    state.added.insert(state.added.end(), fields.begin(), fields.end());
+  }
   return state;
 }
 

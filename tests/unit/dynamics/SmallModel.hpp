@@ -9,7 +9,9 @@
 #include <Eigen/Dense>
 #include <Tpetra_CrsMatrix.hpp>
 
+#include <array>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -40,6 +42,8 @@ struct OptionsIn
   double cohesion = 0; // Pa
   double a = 0.01, b = 0.015, L = 25e-6, reference_rate = 50e-6, reference_friction = 0.7;
   double stress_sensitivity = 0; // c / b of Linker and Dieterich's term
+  // L_pc [m] and T_pc [s] of a regularised normal stress.
+  std::optional<std::array<double, 2>> regularisation = {};
   fem::OtherSide other_side = fem::OtherSide::rigid_foundation;
   std::string law = "Regularised", state_law = "Ageing";
 };

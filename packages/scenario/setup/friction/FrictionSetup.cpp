@@ -1,11 +1,35 @@
 #include "scenario/setup/friction/FrictionSetup.hpp"
 
 #include "base/parallel/Agreement.hpp"
+#include "dynamics/processes/RegularisedStress.hpp"
 #include "scenario/setup/DeckPaths.hpp"
 #include "scenario/setup/friction/LawSetup.hpp"
 
+#include <limits>
+
 namespace asperity::scenario
 {
+namespace
+{
+char const* const change_choice = "Normal Stress Change";
+char const* const regularised = "Prakash-Clifton";
+char const* const slip_entry = "Slip Distance";
+char const* const time_entry = "Time";
+
+RCP<const ParameterList> regularisationParameters()
+{
+  return Declare()
+    .field(slip_entry, optional, "m", Range::positive(),
+           "Friction comes nearer to the effective normal stress by a factor e within this slip. "
+           "If it is left out, slip has no such effect.")
+    .field(time_entry, optional, "s", Range::positive(),
+           "It does so within this time, too, whether the fault slips or not. If it is left out, "
+           "time has no such effect. One of the two has to be given.")
+    .hint("A rate V_ref beside the slip rate is a time of Slip Distance / V_ref.")
+    .list();
+}
+} // namespace
+
 RCP<const ParameterList> frictionParameters()
 {
   Declare declare;
@@ -19,11 +43,17 @@ RCP<const ParameterList> frictionParameters()
            "start count as zero.")
     .real("Normal Stress Factor", 1., "-", Range::atLeast(0),
           "This factor multiplies the normal stress.")
-    .choice("Normal Stress Change", "Fixed", {"Fixed", "Lagged", "Coupled"},
-            "Selects whether the change of the compression across the fault since the start of the "
-            "run is added to the normal stress. Fixed: it is not. Lagged: the change up to the "
-            "beginning of each step is added, with an error of first order in the step size. "
-            "Coupled: the change up to its end, solved together with the state of the fault.")
+    .choiceOfLists(
+      change_choice, "Fixed",
+      {{"Fixed", Declare().list()},
+       {"Lagged", Declare().list()},
+       {"Coupled", Declare().list()},
+       {regularised, regularisationParameters()}},
+      "Selects whether the change of the compression across the fault since the start of the run "
+      "is added to the normal stress. Fixed: it is not. Lagged: the change up to the beginning of "
+      "each step is added, with an error of first order in the step size. Coupled: the change up "
+      "to its end, solved together with the state of the fault. Prakash-Clifton: as Coupled, and "
+      "friction follows the effective normal stress with slip and time in place of at once.")
     .real("Normal Stress Floor", 0., "Pa", Range::atLeast(0),
           "The normal stress takes this value where it would fall below.")
     .field("Shear Traction", 0., "Pa", Range::any(),
@@ -42,7 +72,7 @@ RCP<const ParameterList> frictionParameters()
 
 dynamics::NormalStressChange normalStressChange(ParameterList const& list)
 {
-  auto const chosen = list.get<std::string>("Normal Stress Change");
+  auto const chosen = list.get<std::string>(change_choice);
   return chosen == "Fixed"    ? dynamics::NormalStressChange::fixed
          : chosen == "Lagged" ? dynamics::NormalStressChange::lagged
                               : dynamics::NormalStressChange::coupled;
@@ -51,6 +81,12 @@ dynamics::NormalStressChange normalStressChange(ParameterList const& list)
 double normalStressFloor(ParameterList const& list)
 {
   return list.get<double>("Normal Stress Floor");
+}
+
+bool followsAtOnce(ParameterList const& list)
+{
+  return normalStressChange(list) != dynamics::NormalStressChange::fixed &&
+         list.get<std::string>(change_choice) != regularised;
 }
 
 namespace
@@ -82,12 +118,11 @@ dynamics::NodalFunction functionOf(NodalField const& field)
   return {field.dependsOnTime(), [field](double t) { return field.at(t); }};
 }
 
-std::vector<std::shared_ptr<const dynamics::FaultProcess>>
-enabledProcesses(ParameterList const& list, FieldNodes const& nodes,
-                 fem::FaultSurface const& surface,
-                 std::shared_ptr<const fem::FaultMesh> const& mesh)
+dynamics::FaultProcesses enabledProcesses(ParameterList const& list, FieldNodes const& nodes,
+                                          fem::FaultSurface const& surface,
+                                          std::shared_ptr<const fem::FaultMesh> const& mesh)
 {
-  std::vector<std::shared_ptr<const dynamics::FaultProcess>> result;
+  dynamics::FaultProcesses result;
   auto const& processes = dynamics::FaultProcessRegistry::instance();
   for (auto const& name : processes.names()) {
     auto const& parameters = list.sublist(name);
@@ -108,16 +143,42 @@ enabledProcesses(ParameterList const& list, FieldNodes const& nodes,
   }
   return result;
 }
+
+// Null if friction takes the effective normal stress at once.
+std::shared_ptr<const dynamics::FaultProcess> regularisation(ParameterList const& list,
+                                                             FieldNodes const& nodes,
+                                                             fem::FaultSurface const& surface,
+                                                             dynamics::FaultProcesses const& before)
+{
+  if (list.get<std::string>(change_choice) != regularised) {
+    return nullptr;
+  }
+  auto const& own = list.sublist(regularised);
+  auto const path = joinPath(friction_path, regularised);
+  ASPERITY_REQUIRE(isGiven(own, slip_entry) || isGiven(own, time_entry),
+                   path << ": neither " << slip_entry << " nor " << time_entry
+                        << " is given, so that friction would never follow the normal stress. Give "
+                           "one of them or both; with Normal Stress Change = Fixed it does not.");
+  constexpr double never = std::numeric_limits<double>::infinity();
+  const auto scale = [&](char const* entry) {
+    return isGiven(own, entry) ? nodalValues(own, entry, path, nodes)
+                               : std::vector<double>(nodes.ids.size(), never);
+  };
+  dynamics::RegularisationScales scales;
+  onEveryRank(*surface.communicator(), [&] { scales = {scale(slip_entry), scale(time_entry)}; });
+  return dynamics::makeRegularisedStress(surface, scales, before);
+}
 } // namespace
 
 dynamics::Fault makeFault(ParameterList const& list, FieldNodes const& nodes,
                           std::shared_ptr<const fem::FaultSurface> const& surface,
                           std::shared_ptr<const fem::FaultMesh> const& mesh,
-                          dynamics::NormalStress const& normal_stress,
+                          dynamics::NormalStress const& normal_stress, bool body_presses,
                           std::vector<double> const& radiation_damping)
 {
   requireSameState(list);
-  auto const stress = normal_stress.following(normalStressChange(list), normalStressFloor(list));
+  auto const change = body_presses ? normalStressChange(list) : dynamics::NormalStressChange::fixed;
+  auto const stress = normal_stress.following(change, normalStressFloor(list));
   std::vector<double> c_over_b;
   friction::TableView table;
   onEveryRank(*surface->communicator(), [&] {
@@ -125,13 +186,14 @@ dynamics::Fault makeFault(ParameterList const& list, FieldNodes const& nodes,
     c_over_b = stressSensitivities(list, nodes);
     requirePressure(list, nodes, c_over_b, stress);
   });
+  auto const processes = enabledProcesses(list, nodes, *surface, mesh);
   return {
     surface,
     {list.get<std::string>("Law"), frictionLawValues(list, nodes),
      toDevice(nodalValues(list, "Cohesion", friction_path, nodes), "asperity::scenario::cohesion"),
      list.get<std::string>("State Evolution"), stateLawValues(list, nodes), radiation_damping,
-     toDevice(c_over_b, "asperity::scenario::stressSensitivity"),
-     enabledProcesses(list, nodes, *surface, mesh), table},
+     toDevice(c_over_b, "asperity::scenario::stressSensitivity"), processes, table,
+     regularisation(list, nodes, *surface, processes)},
     stress};
 }
 } // namespace asperity::scenario

@@ -12,14 +12,18 @@ RCP<const ParameterList> frictionParameters();
 // How the normal stress follows the body, and the floor that it does not fall below [Pa].
 dynamics::NormalStressChange normalStressChange(ParameterList const& list);
 double normalStressFloor(ParameterList const& list);
+// Whether friction follows the compression that the body exerts without a delay of its own.
+bool followsAtOnce(ParameterList const& list);
 
 // Makes the fault: the laws of the list with their parameters at the nodes, which are those of the
 // surface and of its mesh, and the normal stress with the list's Normal Stress Change and Floor.
-// radiation_damping(num_nodes) [Pa s/m], or empty. Throws InputError where the term of Linker and
-// Dieterich (c > 0) is used with a normal stress that is or may become zero.
+// body_presses: whether motion of the body presses across the fault; where it cannot, the normal
+// stress does not follow it. radiation_damping(num_nodes) [Pa s/m], or empty. Throws InputError
+// where the term of Linker and Dieterich (c > 0) is used with a normal stress that is or may become
+// zero.
 dynamics::Fault makeFault(ParameterList const& list, FieldNodes const& nodes,
                           std::shared_ptr<const fem::FaultSurface> const& surface,
                           std::shared_ptr<const fem::FaultMesh> const& mesh,
-                          dynamics::NormalStress const& normal_stress,
+                          dynamics::NormalStress const& normal_stress, bool body_presses,
                           std::vector<double> const& radiation_damping = {});
 } // namespace asperity::scenario
