@@ -16,12 +16,16 @@ def mesh_tool(*arguments):
                    timeout=time_limits.seconds(60))
 
 
-def write(name, vertices, cells, boundaries, region_of_cells=None, regions=(b"body",)):
+def write(name, vertices, cells, boundaries, region_of_cells=None, regions=(b"body",),
+          period=None):
     """The file of a mesh: vertices (num_vertices, dimension) [m], cells (num_cells, dimension + 1),
-    {name of a boundary or fault: facets (num_facets, dimension)}, and of each cell its region."""
+    {name of a boundary or fault: facets (num_facets, dimension)}, of each cell its region, and
+    where it is periodic its period (dimension) [m], 0 along other axes."""
     with h5py.File(name, "w") as file:
         file.attrs.update({"format": "asperity-mesh", "version": 1,
                            "dimension": numpy.shape(vertices)[1]})
+        if period is not None:
+            file.attrs["period"] = numpy.array(period, dtype=float)
         file["vertices"] = vertices
         file["cells"] = cells
         file["cell_regions"] = (numpy.zeros(len(cells), dtype=int) if region_of_cells is None

@@ -38,7 +38,7 @@ class PlaneStrain:
     free_normal: bool = True
 
     def stiffness(self, s):
-        through = exponential(self.height * self._system(s))  # of (U, W, T, N), fault to top
+        through = exponential(self.height * self.system(s))  # of (U, W, T, N), fault to top
         other = 1 if self.free_normal else 3  # W or N on the fault, the one that is not zero
 
         def minor(first, second):
@@ -48,7 +48,7 @@ class PlaneStrain:
 
         return minor(0, other) / minor(2, other)  # -T / U
 
-    def _system(self, s):
+    def system(self, s):
         """The matrix of d/dy (U, W, T, N), from Hooke's law and the balance of momentum."""
         G, nu, q = self.shear_modulus, self.poissons_ratio, self.q
         lame = 2 * G * nu / (1 - 2 * nu)

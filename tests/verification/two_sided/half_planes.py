@@ -37,9 +37,3 @@ def per_slip(upper, lower, k):
     """(fall of the shear traction, rise of the compression) per unit slip, in Pa/m."""
     T = numpy.linalg.solve(-(upper.compliance(k) + lower.compliance(-k)), [1, 0])
     return -T[0], -T[1]
-
-
-def stiffness(upper, lower, k, friction):
-    """The same for the shear traction less friction, which follows the compression."""
-    shear, compression = per_slip(upper, lower, k)
-    return shear + friction * compression
