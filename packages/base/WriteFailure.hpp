@@ -8,6 +8,7 @@
 #include <filesystem>
 #include <ostream>
 #include <string>
+#include <sys/resource.h>
 #include <unistd.h>
 
 namespace asperity
@@ -24,10 +25,20 @@ inline int errorOfOpening(std::filesystem::path const& path, int flags = 0)
   return 0;
 }
 
+// "Is the disk full?", with the limit of the size of files where this process has one.
+inline std::string whetherFull()
+{
+  rlimit limit{};
+  const bool limited = ::getrlimit(RLIMIT_FSIZE, &limit) == 0 && limit.rlim_cur != RLIM_INFINITY;
+  return limited ? "Is the disk full, or has the file reached the limit of " +
+                     std::to_string(limit.rlim_cur) + " bytes for one file (ulimit -f)?"
+                 : "Is the disk full?";
+}
+
 // A sentence for the end of a message: why a file could not be written. Streams and MPI do not
 // report the system's error, so the file is opened once more or, if it does not exist, an unnamed
 // file in its folder: "The system says: Read-only file system." If that succeeds, a full disk is
-// the most likely cause: "Is the disk full?". No file is changed.
+// the most likely cause, or a limit of the size of files. No file is changed.
 inline std::string whyNotWritten(std::filesystem::path const& file)
 {
   int error = errorOfOpening(file);
@@ -37,7 +48,7 @@ inline std::string whyNotWritten(std::filesystem::path const& file)
   }
   // Not every file system supports unnamed files.
   return error == 0 || error == EOPNOTSUPP
-           ? "Is the disk full?"
+           ? whetherFull()
            : std::string("The system says: ") + std::strerror(error) + ".";
 }
 

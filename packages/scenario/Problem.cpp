@@ -379,8 +379,8 @@ Problem<Dim> makeProblem(ParameterList const& deck, RCP<const Communicator> cons
   auto warnings = fem::warnOfPieces(of.mesh, communicator);
   auto const beside = valuesBeside(fault_materials, eta, initial, components, *communicator);
   stress.remarks.push_back(dynamics::describeSpeeds(beside));
-  auto scales = faultScales(of.mesh, *surface, components, fault_materials, friction, nodes,
-                            fault.given(initial).sigma_n);
+  auto scales = faultScales(of.mesh, components, fault_materials, friction, nodes, fault, initial,
+                            traction.largest(of.samples));
   auto const questions = dynamics::questionValues(beside);
   warnings.insert(warnings.end(), questions.begin(), questions.end());
   if (auto const warning = warnOfContrast(deck, of.mesh, *surface)) {

@@ -189,6 +189,40 @@ std::vector<Warning> warnOfResolution(dynamics::FaultResolution const& resolutio
 
 namespace
 {
+std::string describeFront(ExpectedFront const& front)
+{
+  return "At a front that slips at " + rounded(front.rate) + " m/s friction falls over a zone of " +
+         rounded(front.length) + " m, " + rounded(front.cells) +
+         " cells: G' / W, where W is the fall of friction with slip, by the state at the start.";
+}
+} // namespace
+
+std::vector<std::string> describeScales(FaultScales const& scales)
+{
+  std::vector<std::string> lines;
+  if (scales.barrier > 0) {
+    lines.push_back("Estimates leave out " + rounded(100 * scales.barrier) +
+                    " % of the fault, which cannot slip: friction there bears more than the loads "
+                    "by over five times the largest stress on the fault.");
+  }
+  if (scales.front) {
+    lines.push_back(describeFront(*scales.front));
+  }
+  return lines;
+}
+
+Warning warnOfFront(double cells, std::string const& where)
+{
+  return {"front of slip",
+          "The zone over which friction falls behind a front of slip has " + rounded(cells) +
+            " cells " + where + "; it needs " + formatShort(fewest_cells_of_front) +
+            " or more. Otherwise cells slip one by one, and slip rates depend on the mesh; refine "
+            "the fault by a factor of " +
+            rounded(fewest_cells_of_front / cells) + "."};
+}
+
+namespace
+{
 constexpr char const* step_name = "Smallest Step";
 
 double defaultStep(dynamics::FaultResolution const& resolution, ParameterList const& deck)
@@ -196,9 +230,7 @@ double defaultStep(dynamics::FaultResolution const& resolution, ParameterList co
   auto const& time = deck.sublist("Time Stepping");
   const double largest = time.get<double>("Largest Step");
   const double seismic = dynamics::seismicStep(resolution, !quasiDynamic(deck.sublist("Bulk")));
-  // Ticks count to 9e18, and sizes are the largest one divided by at most 2^60.
-  return std::max({std::min(seismic, largest / 2), std::ldexp(largest, -60),
-                   2 * (finalTime(time) + largest) / 9e18});
+  return std::min(seismic, largest / 2);
 }
 
 template <int Dim>
@@ -210,8 +242,8 @@ double stepOfDeckOrDefault(Problem<Dim> const& problem, ParameterList const& dec
   }
   ASPERITY_REQUIRE(problem.scales.resolution,
                    time_path << " / " << step_name
-                             << " is missing. It has a default only if friction "
-                                "weakens somewhere and its laws declare a, b and L. "
+                             << " is missing. It has a default only if friction weakens "
+                                "somewhere that can slip and its laws declare a, b and L. "
                                 "Give a step that resolves the fastest slip.");
   return defaultStep(*problem.scales.resolution, deck);
 }

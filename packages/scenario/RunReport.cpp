@@ -144,6 +144,13 @@ Description describe(Problem<Dim> const& problem, ParameterList const& deck)
   }
   auto const of_size = warnOfSize(bodySize(problem, deck), problem.scales.resolution);
   description.warnings.insert(description.warnings.end(), of_size.begin(), of_size.end());
+  auto const of_scales = describeScales(problem.scales);
+  lines.insert(lines.end(), of_scales.begin(), of_scales.end());
+  auto const& front = problem.scales.front;
+  if (problem.scales.zone && front && front->cells < fewest_cells_of_front) {
+    description.warnings.push_back(warnOfFront(front->cells, "at " + formatShort(front->rate) +
+                                                               " m/s, as expected at the start"));
+  }
   describeSmallestStep(problem, deck, description);
   warnOfFlatCells(problem, deck, description);
   warnOfTolerance(deck.sublist("Time Stepping"), description);
@@ -232,7 +239,7 @@ std::string summarise(RunSummary const& summary, std::string const& of_outputs)
     text << summary.forced_steps
          << " steps of the smallest size were accepted above the tolerance.\n";
   }
-  text << summary.of_floor;
+  text << summary.of_floor << summary.of_front;
   writeBalance(text, summary.energy, summary.dimension == 2 ? "J/m" : "J");
   text << "\nResults in " << summary.directory;
   return text.str();

@@ -33,6 +33,7 @@ struct RunSummary
   std::int64_t forced_steps = 0; // accepted although the smallest step did not meet the tolerance
   dynamics::SolveCount count;
   std::string of_floor; // the line of FloorCount::report, or nothing
+  std::string of_front; // the line of FrontWatch::report, or nothing
   dynamics::Energy energy;
   int setups = 0;
   double setup_seconds = 0;

@@ -18,6 +18,8 @@ from asperity.journal import Journal
 
 DONE, STOPPED = 0, 4       # exit status of the program
 REFUSALS = {1, 2, 3, 5}    # exit status: another attempt would end the same way
+SIGNALS = (signal.SIGINT, signal.SIGTERM, signal.SIGHUP,
+           signal.SIGUSR1, signal.SIGUSR2, signal.SIGXCPU)  # of users and queues
 PAUSE = 0.05               # [s] between looks at the processes
 
 
@@ -57,10 +59,10 @@ class Runner:
                 raise InputError(f"Run {job.number} is refused: {lines[0]}")
 
     def run(self, jobs: List[Job]) -> bool:
-        """Whether all were run; False if SIGINT or SIGTERM stopped them, with checkpoints."""
+        """Whether all were run; False if one of SIGNALS stopped them, with checkpoints."""
         stopped: List[int] = []
         before = {each: signal.signal(each, lambda number, _: stopped.append(number))
-                  for each in (signal.SIGINT, signal.SIGTERM)}
+                  for each in SIGNALS if signal.getsignal(each) != signal.SIG_IGN}
         try:
             while True:
                 running = [job for job in jobs if job.state == "running"]

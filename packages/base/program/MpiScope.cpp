@@ -7,6 +7,7 @@
 #include <Tpetra_Map.hpp>
 #include <mpi.h>
 
+#include <csignal>
 #include <cstring>
 #include <type_traits>
 #include <vector>
@@ -50,6 +51,9 @@ std::vector<char*> takeKokkosArguments(int& argc, char** argv)
 
 MpiScope::MpiScope(int& argc, char**& argv)
 {
+  // A write beyond the limit of a file's size (ulimit -f, a queue) fails, as on a full disk. By
+  // default it would end the process without a word.
+  std::signal(SIGXFSZ, SIG_IGN);
   int is_initialized = 0;
   MPI_Initialized(&is_initialized);
   if (!is_initialized) {

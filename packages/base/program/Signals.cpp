@@ -85,6 +85,8 @@ std::string signalName(int number)
   case SIGINT: return "SIGINT";
   case SIGHUP: return "SIGHUP";
   case SIGUSR1: return "SIGUSR1";
+  case SIGUSR2: return "SIGUSR2";
+  case SIGXCPU: return "SIGXCPU";
   case SIGPIPE: return "SIGPIPE";
   default: return "signal " + std::to_string(number);
   }

@@ -8,9 +8,11 @@
 
 namespace asperity
 {
-// While it lives, SIGTERM, SIGINT, SIGHUP (the user logs out), SIGUSR1 (a queue's warning, which
-// mpirun passes on) and SIGPIPE (nobody reads the output) set a flag instead of ending the process,
-// so that a run can write a last checkpoint. A second SIGINT ends the process at once. SIGHUP and
+// While it lives, SIGTERM, SIGINT, SIGHUP (the user logs out), SIGUSR1 and SIGUSR2 (a queue's
+// warnings, which mpirun passes on), SIGXCPU (the soft limit of CPU time) and SIGPIPE (nobody reads
+// the output) set a flag instead of ending the process, so that a run can write a last checkpoint.
+// Some queues use SIGXCPU for the limit of memory or wall time. A second SIGINT ends the process at
+// once; SIGXCPU comes again every second of CPU time until the hard limit kills. SIGHUP and
 // SIGPIPE stay ignored if they are ignored now, as under nohup, or were ignored when
 // noteIgnoredSignals was called. Only one object may exist at a time; its destructor restores the
 // earlier handlers.
@@ -36,7 +38,8 @@ public:
   Agreed agreed(bool wish, Communicator const& communicator) const;
 
 private:
-  static constexpr std::array<int, 5> watched = {SIGTERM, SIGINT, SIGHUP, SIGUSR1, SIGPIPE};
+  static constexpr std::array<int, 7> watched = {SIGTERM, SIGINT,  SIGHUP, SIGUSR1,
+                                                 SIGUSR2, SIGXCPU, SIGPIPE};
   std::array<struct sigaction, watched.size()> previous_;
 };
 

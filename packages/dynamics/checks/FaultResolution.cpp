@@ -108,9 +108,10 @@ struct Weakening
 // At a node; empty where friction does not weaken.
 std::optional<Weakening> weakeningAt(int node, FrictionOfNodes const& friction, double modulus)
 {
-  auto const& [a, b, L, sigma_n, drop] = friction;
+  auto const& [a, b, L, sigma_n, drop, can_slip] = friction;
   const double sigma = sigma_n[node], distance = L[node];
-  if (!(sigma > 0) || !(drop.empty() ? b[node] > a[node] : drop[node] > 0)) {
+  if (!friction.canSlip(node) || !(sigma > 0) ||
+      !(drop.empty() ? b[node] > a[node] : drop[node] > 0)) {
     return std::nullopt;
   }
   if (drop.empty()) {
@@ -125,11 +126,38 @@ std::optional<Weakening> weakeningAt(int node, FrictionOfNodes const& friction, 
 }
 } // namespace
 
+std::vector<bool> canSlip(std::vector<double> const& strength, std::vector<double> const& driving,
+                          std::vector<double> const& sigma_n, Communicator const& communicator)
+{
+  constexpr double beyond_reach = 5; // times the largest stress
+  double largest = 0;
+  for (std::size_t node = 0; node < strength.size(); ++node) {
+    largest = std::max({largest, driving[node], sigma_n[node]});
+  }
+  largest = maxOverRanks(largest, communicator);
+  std::vector<bool> result(strength.size());
+  for (std::size_t node = 0; node < strength.size(); ++node) {
+    result[node] = !(strength[node] - driving[node] > beyond_reach * largest);
+  }
+  return result;
+}
+
+template <int Dim>
+std::vector<double> largerCells(Mesh<Dim> const& mesh, fem::FaultSurface const& surface)
+{
+  std::vector<double> result;
+  for (auto const& sizes : cellSizes(mesh, surface)) {
+    result.push_back(sizes.largest);
+  }
+  return result;
+}
+
 std::vector<double> rateWeakeningDistances(FrictionOfNodes const& friction)
 {
   std::vector<double> distances(friction.L.size(), 0);
   for (std::size_t node = 0; friction.drop.empty() && node < distances.size(); ++node) {
-    const bool weakens = friction.sigma_n[node] > 0 && friction.b[node] > friction.a[node];
+    const bool weakens = friction.canSlip(static_cast<int>(node)) && friction.sigma_n[node] > 0 &&
+                         friction.b[node] > friction.a[node];
     distances[node] = weakens ? friction.L[node] : 0;
   }
   return distances;
@@ -215,6 +243,7 @@ faultResolution(Mesh<Dim> const& mesh, fem::FaultSurface const& surface, int com
 }
 
 #define ASPERITY_INSTANTIATE(DIM)                                                                  \
+  template std::vector<double> largerCells(Mesh<DIM> const&, fem::FaultSurface const&);            \
   template std::optional<FaultResolution> faultResolution(                                         \
     Mesh<DIM> const&, fem::FaultSurface const&, int, std::vector<fem::Material> const&,            \
     FrictionOfNodes const&);

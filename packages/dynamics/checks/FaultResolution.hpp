@@ -40,15 +40,34 @@ double slipWeakeningLength(double slip_modulus, double drop, double distance, do
 // The parameters of friction and the normal stress at the nodes of a fault, (num_nodes) each.
 struct FrictionOfNodes
 {
-  std::vector<double> a, b;    // direct and evolution effect
+  // Direct and evolution effect. Where the state law has a steady state of its own, a is such that
+  // b - a is the largest fall of steady friction with log V at any slip rate.
+  std::vector<double> a, b;
   std::vector<double> L;       // characteristic slip distance, or d_c [m]
   std::vector<double> sigma_n; // [Pa]
   // mu_s - mu_d where friction falls with slip; then a and b are empty.
   std::vector<double> drop = {};
+  // Whether the node can slip under the loads of the run; empty where all can.
+  std::vector<bool> can_slip = {};
+
+  bool canSlip(int node) const { return can_slip.empty() || can_slip[node]; }
 };
 
-// L [m] where friction weakens with the slip rate, 0 elsewhere (num_nodes); with slip weakening 0
-// everywhere.
+// (num_nodes): whether a node can slip. A place is a barrier if the shear stress that its friction
+// bears, strength, exceeds the shear stress that loads put there, driving, by more than five times
+// the largest shear or normal stress on the fault. Neither a rupture front, which concentrates
+// about a tenth of the normal stress, nor friction that falls with slip brings as much. All [Pa].
+// Collective.
+std::vector<bool> canSlip(std::vector<double> const& strength, std::vector<double> const& driving,
+                          std::vector<double> const& sigma_n, Communicator const& communicator);
+
+// (num_nodes) the length of the larger facet beside each node [m]; in 3D the leg of a right triangle
+// of the same area.
+template <int Dim>
+std::vector<double> largerCells(Mesh<Dim> const& mesh, fem::FaultSurface const& surface);
+
+// L [m] where friction weakens with the slip rate and the node can slip, 0 elsewhere (num_nodes);
+// with slip weakening 0 everywhere.
 std::vector<double> rateWeakeningDistances(FrictionOfNodes const& friction);
 
 // The relative error of a fault's stiffness beside bricks cut into linear cells, H times as high
@@ -62,8 +81,8 @@ struct StiffnessError
 };
 StiffnessError stiffnessError(int components, double height, double cells);
 
-// Extremes over the nodes of all ranks where friction weakens (b > a, or mu_s > mu_d) and the
-// normal stress is positive; lengths in m. Slip weakening has no shortest wavelength that grows:
+// Extremes over the nodes of all ranks that can slip, where friction weakens (b > a, or mu_s > mu_d)
+// and the normal stress is positive; lengths in m. Slip weakening has no shortest wavelength that grows:
 // there it is the nucleation length.
 struct FaultResolution
 {

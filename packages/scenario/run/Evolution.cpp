@@ -20,7 +20,8 @@ namespace asperity::scenario
 {
 namespace
 {
-const std::string of_growth = "growth_watch/", of_stall = "stall_watch/"; // in a checkpoint
+const std::string of_growth = "growth_watch/", of_stall = "stall_watch/",
+                  of_front = "front_watch/"; // in a checkpoint
 } // namespace
 
 template <int Dim>
@@ -40,6 +41,7 @@ Evolution<Dim>::Evolution(ParameterList const& deck, RCP<const Communicator> con
     , tolerance_(stepTolerance(deck.sublist("Time Stepping")))
     , rate_to_tell_(problem_.largest_slip_rate)
     , pressure_watch_(model_.fault)
+    , front_watch_(problem_.scales.zone, model_.fault)
     , skipped_times_(deck)
 {
   auto const update =
@@ -145,6 +147,7 @@ void Evolution<Dim>::saveWatches(io::Archive& checkpoint) const
   checkpoint.set(of_growth + "tolerance", tolerance_);
   checkpoint.set(of_stall + "smallest", stall_watch_.memory().smallest);
   checkpoint.set(of_stall + "forced", stall_watch_.memory().forced);
+  front_watch_.save(checkpoint, of_front);
 }
 
 // Counts go on, so that restarts do not escape the limits. What has been cured is counted anew:
@@ -173,6 +176,7 @@ void Evolution<Dim>::restoreWatches(io::Archive const& checkpoint)
   }
   growth_watch_->restore(growth);
   stall_watch_.restore(stall);
+  front_watch_.restore(checkpoint, of_front);
 }
 
 template <int Dim>
@@ -260,6 +264,14 @@ void Evolution<Dim>::watchPressure()
 }
 
 template <int Dim>
+void Evolution<Dim>::watchFront()
+{
+  if (auto const warning = front_watch_.note(state_, sample_, time())) {
+    warnings_.push_back(*warning);
+  }
+}
+
+template <int Dim>
 RunSummary Evolution<Dim>::summary() const
 {
   RunSummary summary;
@@ -269,6 +281,7 @@ RunSummary Evolution<Dim>::summary() const
   summary.forced_steps = forced_steps_;
   summary.count = count_;
   summary.of_floor = floor_count_.report();
+  summary.of_front = front_watch_.report();
   summary.energy = balance_.energy();
   summary.setups = coupled_step_->solvers().setups();
   summary.setup_seconds = coupled_step_->solvers().setupSeconds();

@@ -13,6 +13,7 @@
 #include "scenario/Problem.hpp"
 #include "scenario/RunArchive.hpp"
 #include "scenario/RunReport.hpp"
+#include "scenario/run/FrontWatch.hpp"
 #include "scenario/run/PressureWatch.hpp"
 #include "scenario/run/SkippedTimes.hpp"
 
@@ -63,6 +64,8 @@ public:
   void watchRate();
   // Warns if a pressure takes all normal stress of the fault somewhere. Collective.
   void watchPressure();
+  // Warns if cells do not resolve a front of slip. Collective.
+  void watchFront();
   // Throws LostEarthquakes after too many such steps, those before a restart among them.
   void requireLittleGrowth() const { growth_watch_->requireFew(); }
   // What the log should say of steps of the smallest size, or "". Throws SolveError after too many
@@ -104,6 +107,7 @@ private:
   double rate_before_ = 0; // peak slip rate before the last step [m/s]
   double rate_to_tell_;    // peak slip rate at which the next warning comes [m/s]
   PressureWatch pressure_watch_;
+  FrontWatch front_watch_;
   SkippedTimes skipped_times_;
   RunView view_;
 };

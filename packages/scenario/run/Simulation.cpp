@@ -295,6 +295,7 @@ void SimulationOf<Dim>::advance()
   evolution_.watchGrowth();
   evolution_.watchRate();
   evolution_.watchPressure();
+  evolution_.watchFront();
   warnOfEvolution();
   evolution_.requireLittleGrowth();
   tellProgress(info);

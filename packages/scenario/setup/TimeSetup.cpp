@@ -5,13 +5,19 @@
 
 #include <algorithm>
 #include <cmath>
-#include <iterator>
 
 namespace asperity::scenario
 {
 namespace
 {
 constexpr char const* largest_step = "Largest Step";
+
+// To three digits; value > 0.
+double roundedDown(double value)
+{
+  const double unit = std::pow(10, std::floor(std::log10(value)) - 2);
+  return std::floor(value / unit) * unit;
+}
 
 dynamics::RateUpdate newmark(ParameterList const& list)
 {
@@ -111,16 +117,12 @@ std::vector<dynamics::DyadicTime::Ticks> instants(ParameterList const& list,
                                                   dynamics::DyadicTime const& clock)
 {
   auto times = list.get<Teuchos::Array<double>>("Instants").toVector();
-  std::copy_if(output_times.begin(), output_times.end(), std::back_inserter(times),
-               [&](double t) { return t > 0 && t < finalTime(list); });
-  times.push_back(finalTime(list));
-  std::vector<dynamics::DyadicTime::Ticks> result;
-  for (double t : times) {
-    ASPERITY_REQUIRE(clock.reaches(t + clock.stepSize(0)),
-                     time_path << " / Instants: " << t
-                               << " s is more than 9e18 smallest steps. Remove "
-                               << "it, or choose a larger 'Smallest Step'.");
-    result.push_back(clock.reaching(t));
+  times.insert(times.end(), output_times.begin(), output_times.end());
+  std::vector<dynamics::DyadicTime::Ticks> result = {clock.reaching(finalTime(list))};
+  for (const double t : times) {
+    if (t > 0 && t < finalTime(list)) {
+      result.push_back(clock.reaching(t));
+    }
   }
   std::sort(result.begin(), result.end());
   return result;
@@ -150,14 +152,27 @@ dynamics::DyadicTime makeClock(ParameterList const& list, double smallest)
                                                   << largest << " s.");
   // As a difference, which does not overflow.
   const double levels = std::ceil(std::log2(largest) - std::log2(smallest) - 1e-9);
-  ASPERITY_REQUIRE(levels <= 60, time_path << " / Smallest Step = " << smallest
-                                           << " s is less than the largest one, " << largest
-                                           << " s, divided by 2^60.");
+  const bool is_given = list.isParameter("Smallest Step");
+  ASPERITY_REQUIRE(levels <= 60 || !is_given,
+                   time_path << " / Smallest Step = " << smallest
+                             << " s is less than the largest one, " << largest
+                             << " s, divided by 2^60. Choose a larger 'Smallest Step' or a smaller "
+                                "'Largest Step'.");
+  ASPERITY_REQUIRE(levels <= 60, time_path << " / Largest Step = " << largest
+                                           << " s is more than 2^60 times the smallest step that "
+                                              "an earthquake needs, "
+                                           << smallest << " s. Choose a smaller one.");
   const dynamics::DyadicTime clock(largest, static_cast<int>(levels));
-  ASPERITY_REQUIRE(clock.reaches(finalTime(list) + largest),
+  // Sums of two times must not overflow.
+  constexpr double most_ticks = 4.5e18;
+  const double tick = clock.stepSize(clock.finestLevel());
+  ASPERITY_REQUIRE(clock.reaches(2 * (finalTime(list) + largest)),
                    time_path << " / Final Time = " << finalTime(list)
-                             << " s is more than 9e18 smallest steps. "
-                             << "Choose a larger 'Smallest Step'.");
+                             << " s is too long: time is counted in smallest steps, here of "
+                             << tick << " s, to " << most_ticks << " of them. Choose at most "
+                             << roundedDown(most_ticks * tick - largest) << " s"
+                             << (is_given ? ", or a larger 'Smallest Step'." : ".")
+                             << " 'Output / Event Catalogue / Most Events' ends a run earlier.");
   return clock;
 }
 

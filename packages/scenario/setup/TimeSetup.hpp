@@ -14,13 +14,14 @@ constexpr char const* massless_scheme = "Generalised Alpha";
 double finalTime(ParameterList const& list);
 // `Tolerance` of the control that the list chooses; 0 if that has none.
 double stepTolerance(ParameterList const& list);
-// `Final Time`, `Instants` of the list and those of the output times [s] that are in the run, in
-// ticks, ascending.
+// `Final Time`, and those of `Instants` and of the output times [s] that are in the run, in ticks,
+// ascending.
 std::vector<dynamics::DyadicTime::Ticks> instants(ParameterList const& list,
                                                   std::vector<double> const& output_times,
                                                   dynamics::DyadicTime const& clock);
-// With the smallest step [s] of the list, or another one. Throws InputError where it is missing, or
-// where ticks of it cannot count to the end of the run.
+// With the smallest step [s] of the list, or another one. Throws InputError where it is missing,
+// where the largest step is more than 2^60 times as large, or where the run is longer than 4.5e18
+// of them.
 dynamics::DyadicTime makeClock(ParameterList const& list);
 dynamics::DyadicTime makeClock(ParameterList const& list, double smallest);
 // Without mass throws InputError for a scheme that damps nothing (Newmark, or generalised alpha

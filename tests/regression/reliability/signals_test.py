@@ -4,6 +4,7 @@ import os
 import pathlib
 import pty
 import re
+import resource
 import signal
 import subprocess
 import unittest
@@ -26,7 +27,7 @@ class Signals(unittest.TestCase):
 
     def test_each(self):
         for number in (signal.SIGTERM, signal.SIGINT, signal.SIGHUP, signal.SIGUSR1,
-                       signal.SIGPIPE):
+                       signal.SIGUSR2, signal.SIGXCPU, signal.SIGPIPE):
             with self.subTest(number.name):
                 folder = runs.fresh(f"by_{number.name}")
                 runs.stop(self, runs.begin(folder, *runs.RUN), number)
@@ -52,10 +53,41 @@ class Signals(unittest.TestCase):
         self.assertEqual((process.returncode, errors), (0, ""))
         assert_same_results(self.whole, folder)
 
-    def test_mpirun_passes_the_warning_of_a_queue_on(self):
-        folder = runs.fresh("mpirun")
-        runs.stop(self, runs.begin(folder, *runs.ENDLESS, ranks=2), signal.SIGUSR1)
-        self.assertIn("Stopped by SIGUSR1", (folder / "run.log").read_text())
+    def test_mpirun_passes_the_warnings_of_queues_on(self):
+        for number in (signal.SIGUSR1, signal.SIGUSR2):
+            folder = runs.fresh(f"mpirun_{number.name}")
+            runs.stop(self, runs.begin(folder, *runs.ENDLESS, ranks=2), number)
+            self.assertIn(f"Stopped by {number.name}", (folder / "run.log").read_text())
+
+
+class Limits(unittest.TestCase):
+    """Of a queue or of `ulimit`, in the process itself."""
+
+    def test_cpu_time_of_a_run(self):
+        """At the soft limit; the kernel kills at the hard one."""
+        folder = runs.fresh("cpu")
+        process = runs.start(*runs.ENDLESS, "--output", folder, preexec_fn=lambda: (
+            resource.setrlimit(resource.RLIMIT_CPU, (3, time_limits.seconds(60)))))
+        _, errors = process.communicate(timeout=time_limits.seconds(120))
+        self.assertEqual((process.returncode, errors), (runs.STOPPED, ""))
+        self.assertIn("Stopped by SIGXCPU", (folder / "run.log").read_text())
+        self.assertTrue((folder / "checkpoint.h5").exists())
+
+    def test_size_of_a_file_is_as_a_full_disk(self):
+        """Status 5 and a message, which run.log has too; the run goes on from its checkpoint."""
+        short = asperity_run.run_to_end("short", *runs.RUN)
+        limit = 2 * (short / "checkpoint.h5").stat().st_size  # steps.csv grows beyond it
+        folder = runs.fresh("size")
+        process = runs.start(*runs.ENDLESS, "--output", folder, preexec_fn=lambda: (
+            resource.setrlimit(resource.RLIMIT_FSIZE, (limit, limit))))
+        _, errors = process.communicate(timeout=time_limits.seconds(120))
+        self.assertEqual(process.returncode, runs.OUTPUT, errors)
+        message = errors.removeprefix("asperity: ").strip()
+        self.assertEqual(message.count("\n"), 0, errors)
+        self.assertRegex(message, f"File too large|the limit of {limit} bytes for one file")
+        self.assertIn(message, (folder / "run.log").read_text())
+        again = runs.begin(folder, *runs.ENDLESS, "--restart", folder / "checkpoint.h5")
+        runs.stop(self, again)
 
 
 class Terminal(unittest.TestCase):

@@ -124,18 +124,20 @@ class Study(unittest.TestCase):
 
     def test_stopped_and_gone_on_with(self):
         expected = self.reference()
-        study = write("stopped")
-        process = self.begin(study, "stopped")
-        self.wait_for(pathlib.Path("stopped/runs/0001/steps.csv"), 200, process)
-        process.send_signal(signal.SIGTERM)
-        process.communicate(timeout=PATIENCE)
-        self.assertEqual(process.returncode, 4)
-        self.assertIn("waiting", [row["state"] for row in rows("stopped")])
-        result = call(study, "stopped")
-        self.assertEqual(result.returncode, 0, result.stdout + result.stderr)
-        self.assertIn("continued", result.stdout)
-        for name, content in expected.items():
-            self.assertEqual(asperity_run.content(f"stopped/runs/{name}"), content, name)
+        for number in (signal.SIGTERM, signal.SIGUSR2):  # of a user, of a queue
+            name = f"stopped_{number.name}"
+            study = write(name)
+            process = self.begin(study, name)
+            self.wait_for(pathlib.Path(f"{name}/runs/0001/steps.csv"), 200, process)
+            process.send_signal(number)
+            process.communicate(timeout=PATIENCE)
+            self.assertEqual(process.returncode, 4)
+            self.assertIn("waiting", [row["state"] for row in rows(name)])
+            result = call(study, name)
+            self.assertEqual(result.returncode, 0, result.stdout + result.stderr)
+            self.assertIn("continued", result.stdout)
+            for file, content in expected.items():
+                self.assertEqual(asperity_run.content(f"{name}/runs/{file}"), content, file)
 
     def assert_refused(self, result, *words):
         self.assertEqual((result.returncode, result.stderr.count("\n")), (2, 1), result.stderr)

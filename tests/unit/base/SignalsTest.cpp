@@ -28,6 +28,17 @@ TEST(Signals, AllRanksLearnOfASignalToOne)
   EXPECT_EQ(signals.agreed(true, communicator).signal, SIGTERM);
 }
 
+TEST(Signals, WarningsOfQueuesAreNoted)
+{
+  StopSignals signals;
+  for (const int number : {SIGUSR1, SIGUSR2, SIGXCPU}) {
+    std::raise(number);
+    EXPECT_EQ(signals.received(), number);
+  }
+  EXPECT_EQ(signalName(SIGUSR2), "SIGUSR2");
+  EXPECT_EQ(signalName(SIGXCPU), "SIGXCPU");
+}
+
 TEST(Signals, InterruptIsNotedOnceAndEndsTheProcessTheSecondTime)
 {
   StopSignals signals;

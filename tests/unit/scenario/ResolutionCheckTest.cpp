@@ -14,6 +14,23 @@ namespace
 {
 const fem::Material crust = {2670, 50e9, 30e9, 0, 0}; // Poisson's ratio 1/4
 
+// A strip with d_c = 0.9 m, mu_s = 0.7 and mu_d = 0.5 after the change.
+ParameterList slipWeakening(std::function<void(ParameterList&)> const& change)
+{
+  return strip([&](ParameterList& given) {
+    auto& friction = given.sublist("Friction");
+    for (auto const* unused :
+         {"a", "b", "L", "Reference Slip Rate", "Reference Friction Coefficient"}) {
+      friction.remove(unused, false);
+    }
+    friction.set("Law", "Slip Weakening").set("State Evolution", "Slip Weakening");
+    friction.set("Static Friction Coefficient", 0.7).set("Dynamic Friction Coefficient", 0.5);
+    friction.set("Slip-Weakening Distance", 0.9);
+    given.sublist("Initial State").set("State", "Given");
+    change(friction);
+  });
+}
+
 bool warns(Description const& description, std::string const& topic = "cohesive zone")
 {
   auto const& warnings = description.warnings;
@@ -116,19 +133,11 @@ TEST(ResolutionCheck, WarnsOfAPartTooShortToNucleate)
   EXPECT_TRUE(warnOfResolution(r, "Ageing").empty());
 }
 
-// With d_c = 0.9 m, mu_s - mu_d = 0.2 where x < 1.5, sigma_n = 1e4 Pa and G' = 1e6 Pa.
+// mu_s - mu_d = 0.2 where x < 1.5, sigma_n = 1e4 Pa and G' = 1e6 Pa.
 TEST(ResolutionCheck, KnowsTheLengthsOfSlipWeakening)
 {
-  const auto deck = strip([](ParameterList& given) {
-    auto& friction = given.sublist("Friction");
-    for (auto const* unused :
-         {"a", "b", "L", "Reference Slip Rate", "Reference Friction Coefficient"}) {
-      friction.remove(unused, false);
-    }
-    friction.set("Law", "Slip Weakening").set("State Evolution", "Slip Weakening");
-    friction.set("Static Friction Coefficient", 0.7).set("Slip-Weakening Distance", 0.9);
+  const auto deck = slipWeakening([](ParameterList& friction) {
     friction.set("Dynamic Friction Coefficient", "x < 1.5 ? 0.5 : 0.7");
-    given.sublist("Initial State").set("State", "Given");
   });
   auto const problem = makeProblem<2>(deck, world());
   const auto resolution = problem.scales.resolution;
@@ -137,6 +146,89 @@ TEST(ResolutionCheck, KnowsTheLengthsOfSlipWeakening)
   EXPECT_NEAR(resolution->nucleation_length, 1.158 * 450, 1e-9);
   EXPECT_EQ(resolution->slip_distance, 0.9);
   EXPECT_NEAR(resolution->weakening_length, 1.5, 1e-12);
+}
+
+// SCEC's barrier, mu_s = 10,000, and one by cohesion, where x > 1.5.
+TEST(ResolutionCheck, LeavesOutWhatCannotSlip)
+{
+  for (auto const* barrier : {"Static Friction Coefficient", "Cohesion"}) {
+    const auto deck = slipWeakening([&](ParameterList& friction) {
+      friction.set("Dynamic Friction Coefficient", 0.5);
+      friction.set(barrier, std::string(barrier) == "Cohesion" ? "x < 1.5 ? 0 : 1e9"
+                                                               : "x < 1.5 ? 0.7 : 1e4");
+    });
+    auto const problem = makeProblem<2>(deck, world());
+    ASSERT_TRUE(problem.scales.resolution) << barrier;
+    EXPECT_NEAR(problem.scales.resolution->cohesive_zone, 9 * M_PI / 32 * 450, 1e-9) << barrier;
+    EXPECT_NEAR(problem.scales.resolution->weakening_length, 1.5, 1e-12) << barrier;
+    EXPECT_NEAR(problem.scales.barrier, 0.25, 1e-12) << barrier;
+    EXPECT_FALSE(warns(describe(problem, deck))) << barrier;
+  }
+  // The same stress is in reach where loads bring it.
+  const auto loaded = slipWeakening([](ParameterList& friction) {
+    friction.set("Static Friction Coefficient", "x < 1.5 ? 0.7 : 1e4");
+    friction.set("Shear Traction", "1e7 * t");
+  });
+  EXPECT_EQ(makeProblem<2>(loaded, world()).scales.barrier, 0);
+}
+
+// Steady friction of strong rate weakening falls at high slip rates where a > b: from about 0.57 to
+// f_w = 0.2, d(mu_ss) / d(ln V) is largest near V_w, as the closed form says.
+TEST(ResolutionCheck, TakesTheLawsOwnSteadyFriction)
+{
+  const auto scales = [](char const* law, double weakened) {
+    const auto deck = strip([&](ParameterList& given) {
+      auto& friction = given.sublist("Friction");
+      friction.set("a", 0.02).set("b", 0.014).set("State Evolution", law);
+      if (weakened > 0) {
+        friction.set("Weakened Friction Coefficient", weakened).set("Weakening Slip Rate", 0.1);
+      }
+    });
+    return makeProblem<2>(deck, world()).scales;
+  };
+  EXPECT_FALSE(scales("Slip", 0).resolution);
+  EXPECT_FALSE(scales("Strong Rate Weakening", 5).resolution); // friction rises
+  auto const found = scales("Strong Rate Weakening", 0.2);
+  ASSERT_TRUE(found.resolution);
+  double fall = 0; // of f_w + (f_LV - f_w) / (1 + (V / V_w)^8)^(1/8)
+  const auto steady = [](double log_V) {
+    const double slow = 0.6 + 0.006 * (log_V - std::log(1e-6));
+    return 0.2 + (slow - 0.2) / std::pow(1 + std::exp(8 * (log_V - std::log(0.1))), 0.125);
+  };
+  for (double x = std::log(1e-3); x < std::log(10.); x += 1e-3) {
+    fall = std::max(fall, (steady(x) - steady(x + 1e-3)) / 1e-3);
+  }
+  // Over steps of an eighth of a decade.
+  EXPECT_NEAR(found.resolution->unstable_wavelength, M_PI * 1e6 * 1e-5 / (fall * 1e4),
+              0.05 * M_PI * 1e6 * 1e-5 / (fall * 1e4));
+  EXPECT_EQ(found.weakening, std::vector<double>(3, 1e-5));
+}
+
+// A fault that strengthens, a > b, at V = 1e-9 m/s with the traction of 0.66 sigma_n: alpha =
+// (0.66 - 0.6 - 0.02 ln(1e-3)) / 0.01. At 1e-6 m/s, the reference, ln(V theta / L) = alpha.
+TEST(ResolutionCheck, KnowsTheZoneBehindAFrontWhereFrictionStrengthens)
+{
+  const auto deckOf = [](char const* law, double L) {
+    return strip([&](ParameterList& given) {
+      auto& friction = given.sublist("Friction");
+      friction.set("a", 0.02).set("b", 0.01).set("State Evolution", law).set("L", L);
+      friction.set("Shear Traction", 6600.);
+      given.sublist("Initial State").set("Slip Rate", 1e-9).set("State", "Stress Balance");
+    });
+  };
+  const double omega = (0.06 - 0.02 * std::log(1e-3)) / 0.01; // 19.8
+  const auto zone = [](double L) { return 1e6 * L / (0.01 * 1e4); };
+  for (const double L : {1e-3, 4.2e-3}) { // of 10 and 42 cells of 1 m under the ageing law
+    const auto of_ageing = deckOf("Ageing", L), of_slip = deckOf("Slip", L);
+    auto const ageing = makeProblem<2>(of_ageing, world()), slip = makeProblem<2>(of_slip, world());
+    EXPECT_FALSE(slip.scales.resolution);
+    ASSERT_TRUE(ageing.scales.front && slip.scales.front);
+    EXPECT_NEAR(ageing.scales.front->cells, zone(L), 1e-3 * zone(L));
+    EXPECT_NEAR(slip.scales.front->cells, zone(L) / omega, 1e-3 * zone(L));
+    EXPECT_NEAR(slip.scales.front->length, zone(L) / omega, 1e-3 * zone(L));
+    EXPECT_FALSE(warns(describe(ageing, of_ageing), "front of slip"));
+    EXPECT_EQ(warns(describe(slip, of_slip), "front of slip"), zone(L) < 2 * omega);
+  }
 }
 
 TEST(ResolutionCheck, MeasuresThePartThatWeakens)

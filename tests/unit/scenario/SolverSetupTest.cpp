@@ -56,10 +56,41 @@ TEST(TimeSetup, RefusesStepsThatCannotBeCounted)
                 {"Asperity / Time Stepping / Smallest Step = 2", "larger than the largest"});
   expectRefusal([] { makeClock(steps(1, 1e-20)); }, {"Smallest Step = 1e-20", "2^60"});
   expectRefusal([] { makeClock(steps(1, 1e-12, 1e8)); },
-                {"Asperity / Time Stepping / Final Time = 1e+08", "'Smallest Step'"});
+                {"Asperity / Time Stepping / Final Time = 1e+08", "Choose at most 4.09e+06 s",
+                 "'Smallest Step'", "Most Events"});
   expectRefusal([] { steps(1, 0); }, {"Smallest Step = 0 is outside (0, inf)"});
   expectRefusal([] { steps(-1, 1); }, {"Largest Step = -1 is outside (0, inf)"});
   expectRefusal([] { steps(1, 1, 0); }, {"Final Time = 0 is outside (0, inf)"});
+}
+
+// The default of the smallest step does not follow from the length of the run, and what the deck
+// does not have is not what should change.
+TEST(TimeSetup, RefusesAFinalTimeByItsNameWhereTheSmallestStepIsADefault)
+{
+  const auto of_default = [](double largest, double end) {
+    return timeList([&](ParameterList& list) {
+      list.set("Largest Step", largest).set("Final Time", end).remove("Smallest Step");
+    });
+  };
+  const double tick = 0x1p-24;
+  for (const double end : {3e11, 1e15, 1e300}) {
+    auto const text = refusal([&] { makeClock(of_default(1, end), tick); });
+    expectParts(text, {"Final Time", "Choose at most 2.68e+11 s."});
+    EXPECT_EQ(text.find("'Smallest Step'"), std::string::npos) << text;
+  }
+  EXPECT_EQ(makeClock(of_default(1, 2.68e11), tick).finestLevel(), 24);
+  expectRefusal([&] { makeClock(of_default(1e300, 1), tick); },
+                {"Largest Step = 1e+300", "2^60", "Choose a smaller one."});
+}
+
+TEST(TimeSetup, LeavesOutInstantsAfterTheEnd)
+{
+  const auto list = timeList([](ParameterList& given) {
+    given.set("Largest Step", 1.).set("Smallest Step", 0.5).set("Final Time", 10.);
+    given.set("Instants", array<double>({1e300, 4., 10.}));
+  });
+  EXPECT_EQ(instants(list, {2, 11, 0}, makeClock(list)),
+            (std::vector<dynamics::DyadicTime::Ticks>{4, 8, 20}));
 }
 
 TEST(TimeSetup, ChoosesTheScheme)

@@ -1,6 +1,7 @@
 #include "mesh/file/detail/CompleteFile.hpp"
 
 #include "base/Errors.hpp"
+#include "base/WriteFailure.hpp"
 
 #include <filesystem>
 
@@ -31,7 +32,7 @@ void writeCompletely(std::string const& file_name, std::vector<std::string> cons
   }
   std::error_code ignored;
   if (std::filesystem::remove(unfinished, ignored)) {
-    throw OutputError(where + " cannot be written. " + reason + " Is the disk full?");
+    throw OutputError(where + " cannot be written. " + reason + ' ' + whetherFull());
   }
   throw InputError(where + " cannot be written. " + reason +
                    " Does the folder exist, may you write there, and is there space?");

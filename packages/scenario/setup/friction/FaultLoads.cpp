@@ -70,6 +70,18 @@ std::vector<double> ShearTraction::at(double t) const
   return result;
 }
 
+std::vector<double> ShearTraction::largest(std::vector<double> const& times) const
+{
+  std::vector<double> result;
+  for (const double t : times) {
+    auto const sizes = size_.at(t);
+    result.resize(sizes.size(), 0);
+    std::transform(sizes.begin(), sizes.end(), result.begin(), result.begin(),
+                   [](double size, double so_far) { return std::max(std::abs(size), so_far); });
+  }
+  return result;
+}
+
 std::function<void(double, Vector&)>
 loadWithTraction(ShearTraction const& traction,
                  std::shared_ptr<const fem::FaultSurface> const& surface,

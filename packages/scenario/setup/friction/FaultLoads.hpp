@@ -19,6 +19,8 @@ public:
   bool dependsOnTime() const { return size_.dependsOnTime(); }
   // The traction [Pa] at the time t [s] in components along the fault's tangents, (num_nodes, T).
   std::vector<double> at(double t) const;
+  // (num_nodes) the largest size at these times [Pa].
+  std::vector<double> largest(std::vector<double> const& times) const;
   // The direction of positive traction: unit vectors in the same components, (num_nodes, T).
   std::vector<double> const& direction() const { return direction_; }
 

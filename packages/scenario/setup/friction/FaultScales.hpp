@@ -1,6 +1,8 @@
 #pragma once
 
 #include "dynamics/checks/FaultResolution.hpp"
+#include "dynamics/checks/FrontZone.hpp"
+#include "dynamics/fault/Fault.hpp"
 #include "parameters/Parameters.hpp"
 #include "portability/Views.hpp"
 #include "scenario/setup/NodalField.hpp"
@@ -10,24 +12,37 @@
 
 namespace asperity::scenario
 {
+// The zone behind the front of slip that the state at the start lets expect.
+struct ExpectedFront
+{
+  double rate;          // [m/s] of the front
+  double cells, length; // FrontZone::Narrowest
+};
+
 // Lengths and slip rates that follow from friction, rock and normal stress at the start.
 struct FaultScales
 {
-  // How well the mesh resolves ruptures. Empty if friction weakens nowhere, or if the laws do not
-  // declare a, b and L; then the rates are 0 and `weakening` is empty.
+  // How well the mesh resolves ruptures. Empty if friction weakens nowhere that can slip, or if the
+  // laws do not declare a, b and L; then the rates are 0 and `weakening` is empty.
   std::optional<dynamics::FaultResolution> resolution;
   // (num fault nodes) L where friction weakens with the slip rate [m], 0 elsewhere; empty if the
   // part that weakens is so short that it creeps. For dynamics::SlowSlip.
   std::vector<double> weakening;
+  double barrier = 0; // the share of the fault that cannot slip under the loads, by its measure
+  // If the zone behind a front is far narrower than the cohesive zone, or there is none of that.
+  std::optional<dynamics::FrontZone> zone; // to watch; empty if seismic fronts alone are expected
+  std::optional<ExpectedFront> front;
 
   double slipDistance() const; // L, smallest [m]; 0 if unknown
   double slowRate() const;     // a tenth of a seismic slip rate [m/s]
   double waveRate() const;     // dynamics::WaveScale::slip_rate [m/s]
 };
 
-// materials: of the body beside the nodes. Collective.
+// materials: of the body beside the nodes; driving(num fault nodes): the largest shear traction of
+// the loads [Pa]. Collective.
 template <int Dim>
-FaultScales faultScales(Mesh<Dim> const& mesh, fem::FaultSurface const& surface, int components,
+FaultScales faultScales(Mesh<Dim> const& mesh, int components,
                         std::vector<fem::Material> const& materials, ParameterList const& friction,
-                        FieldNodes const& nodes, ConstNodeView const& sigma_n);
+                        FieldNodes const& nodes, dynamics::Fault const& fault,
+                        dynamics::State const& initial, std::vector<double> const& driving);
 } // namespace asperity::scenario
