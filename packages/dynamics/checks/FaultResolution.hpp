@@ -61,7 +61,7 @@ struct FrictionOfNodes
 std::vector<bool> canSlip(std::vector<double> const& strength, std::vector<double> const& driving,
                           std::vector<double> const& sigma_n, Communicator const& communicator);
 
-// (num_nodes) the length of the larger facet beside each node [m]; in 3D the leg of a right triangle
+// (num_nodes) length of the larger facet beside each node [m]; in 3D the leg of a right triangle
 // of the same area.
 template <int Dim>
 std::vector<double> largerCells(Mesh<Dim> const& mesh, fem::FaultSurface const& surface);
@@ -81,8 +81,8 @@ struct StiffnessError
 };
 StiffnessError stiffnessError(int components, double height, double cells);
 
-// Extremes over the nodes of all ranks that can slip, where friction weakens (b > a, or mu_s > mu_d)
-// and the normal stress is positive; lengths in m. Slip weakening has no shortest wavelength that grows:
+// Extremes over all ranks' nodes that can slip, where friction weakens (b > a, or mu_s > mu_d)
+// and the normal stress is positive; in m. Slip weakening has no shortest wavelength that grows:
 // there it is the nucleation length.
 struct FaultResolution
 {

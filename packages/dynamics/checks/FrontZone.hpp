@@ -9,7 +9,7 @@ namespace asperity::dynamics
 {
 // How the cells of a fault compare with the zone behind a front of slip in which friction falls.
 //
-// At a constant slip rate friction falls with slip s by W = -sigma_n b d(alpha)/ds. Slip that varies
+// At constant slip rate friction falls with slip s by W = -sigma_n b d(alpha)/ds. Slip that varies
 // over a length x meets a stiffness of about G' / x, so that the zone has the length G' / W
 // (Ampuero & Rubin 2008): with Lambda0 = G' L / (b sigma_n)
 //

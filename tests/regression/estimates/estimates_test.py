@@ -90,7 +90,8 @@ class Fronts(unittest.TestCase):
         of_run = facts(folder, 1800.0)
         log = (folder / "run.log").read_text()
         topics = [each["topic"] for each in of_run.warnings]
-        self.assertEqual("front of slip" in topics, "WARNING: The zone over which friction falls" in log)
+        self.assertEqual("front of slip" in topics,
+                         "WARNING: The zone over which friction falls" in log)
         return topics, number("Friction fell fastest .* m, ([0-9.e-]+) cells", log)
 
     def test_cells_that_do_not_resolve_a_front_are_told(self):

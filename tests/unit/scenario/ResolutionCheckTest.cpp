@@ -198,7 +198,7 @@ TEST(ResolutionCheck, TakesTheLawsOwnSteadyFriction)
   for (double x = std::log(1e-3); x < std::log(10.); x += 1e-3) {
     fall = std::max(fall, (steady(x) - steady(x + 1e-3)) / 1e-3);
   }
-  // Over steps of an eighth of a decade.
+  // Over steps of a sixteenth of a decade.
   EXPECT_NEAR(found.resolution->unstable_wavelength, M_PI * 1e6 * 1e-5 / (fall * 1e4),
               0.05 * M_PI * 1e6 * 1e-5 / (fall * 1e4));
   EXPECT_EQ(found.weakening, std::vector<double>(3, 1e-5));

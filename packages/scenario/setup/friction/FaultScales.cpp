@@ -16,7 +16,7 @@ constexpr double seismic_rates = 20.;  // b sigma_n / Z in one, see FaultResolut
 constexpr double creep_front = 1e-6;   // [m/s], of slip that no earthquake makes
 constexpr double slowest_rate = 1e-12; // [m/s], between which and
 constexpr double fastest_rate = 10;    // steady friction may weaken
-constexpr double rates_per_decade = 8;
+constexpr double rates_per_decade = 16;
 
 // mu(V, alpha) with the same slip rate [m/s] at all nodes.
 std::vector<double> coefficientAt(dynamics::Fault const& fault, double rate,
