@@ -18,7 +18,7 @@ namespace asperity
 // Kokkos gets only the arguments that start with --kokkos; those that it knows are removed from
 // argv. --help and what Kokkos does not know are left for the program, whose Options refuse it. If
 // MPI or Kokkos was running before, the scope leaves it running. A write beyond the limit of a
-// file's size fails as on a full disk: the scope ignores SIGXFSZ. Tpetra objects must die before the
+// file's size fails as on a full disk: it ignores SIGXFSZ. Tpetra objects must die before the
 // scope: keep them inside the guarded function.
 class MpiScope
 {
