@@ -21,6 +21,7 @@ are yours. "field" stands for a number, an expression in `x`, `y`, `z`, `t`, a d
 Laws and outputs of plugins add their own: `asperity --print-parameters --plugin libmine.so`.
 """
 FIELD = 'a number, an expression in x, y, z, t, "file.h5:/dataset" or a list of regions'
+HEADING, NOTHING = "\n## ", "There is nothing to set.\n"
 ENTRY = re.compile(
     r"(?P<allowed>.*?); (?:(?P<need>required|optional)|default (?P<default>.*?))\."
     r"(?: Unit: (?P<unit>.+?)\.(?= |$))?(?: (?P<text>.*))?")
@@ -33,8 +34,10 @@ def page(printed: str) -> str:
         if line.startswith("# "):
             remark = line[2:]
         elif line.startswith("Asperity /"):
+            if parts[-1].startswith(HEADING):
+                parts.append(NOTHING)
             path = line[len("Asperity / "):].split(", with ")
-            parts.append(f"\n## {path[0].replace('<', '&lt;')}"
+            parts.append(f"{HEADING}{path[0].replace('<', '&lt;')}"
                          + (f", with {path[1]}" if len(path) > 1 else "") + "\n")
             if remark:
                 parts.append(escaped(remark) + "\n")
@@ -44,6 +47,8 @@ def page(printed: str) -> str:
                 parts += ["| name | allowed | default | unit | meaning |", "|---|---|---|---|---|"]
                 table = True
             parts.append(row(line.strip(), next(lines).strip()))
+    if parts[-1].startswith(HEADING):
+        parts.append(NOTHING)
     return "\n".join(parts) + "\n"
 
 

@@ -10,6 +10,7 @@
 #include <Tpetra_Vector.hpp>
 
 #include <algorithm>
+#include <set>
 
 namespace asperity::fem
 {
@@ -46,19 +47,23 @@ FaultSurface::FaultSurface(std::string name, std::vector<FaultNode> nodes, int n
     return a.copies.front() < b.copies.front();
   }));
   std::vector<double> weights;
-  std::vector<int> sliding;
+  std::vector<int> sliding, counted;
   double mine = 0;
   for (int node = 0; node < numNodes(); ++node) {
     weights.push_back(nodes_[node].weight);
     sliding.push_back(slides(node) ? 1 : 0);
+    counted.push_back(counts(node) ? 1 : 0);
     mine += nodes_[node].weight;
   }
   sliding_ = toDevice(sliding, "asperity::fem::slidingNodes");
+  counted_ = toDevice(counted, "asperity::fem::countedNodes");
   weights_ = toDevice(weights, "asperity::fem::faultWeights");
   slip_factors_ =
     toDevice(std::vector<double>(nodes_.size(), slipFactor()), "asperity::fem::slipFactors");
   total_weight_ = sumOverRanks(mine, *communicator_);
   num_global_nodes_ = sumOverRanks(static_cast<std::int64_t>(nodes_.size()), *communicator_);
+  num_sliding_ = sumOverRanks(
+    static_cast<std::int64_t>(std::count(sliding.begin(), sliding.end(), 1)), *communicator_);
 }
 
 std::shared_ptr<const FaultSurface>
@@ -121,10 +126,21 @@ template <int Dim>
 std::shared_ptr<const FaultSurface>
 makeFaultSurface(Mesh<Dim> const& mesh, std::string const& boundary,
                  Constraints<Dim> const& constraints, DofMap const& dofs, CrsGraph const& graph,
-                 OtherSide const& other_side)
+                 OtherSide const& other_side, Boundaries const& given_slip)
 {
   constexpr int num_tangents = Dim - 1;
+  if (boundary.empty()) {
+    return std::make_shared<FaultSurface>(boundary, std::vector<FaultNode>(), num_tangents,
+                                          constraints.held(), std::vector<IndexView>(), other_side,
+                                          dofs.communicator());
+  }
   const mesh::FaultSides<Dim> sides(mesh.splits);
+  std::set<int> with_given_slip; // vertices
+  for (auto const& name : given_slip) {
+    for (auto const& facet : mesh.boundaries.at(name)) {
+      with_given_slip.insert(facet.begin(), facet.end());
+    }
+  }
   std::vector<FaultNode> nodes;
   for (auto const& measure : boundaryMeasure(mesh, boundary, *dofs.communicator())) {
     FaultNode node;
@@ -133,6 +149,7 @@ makeFaultSurface(Mesh<Dim> const& mesh, std::string const& boundary,
       node.copies.push_back(split->minus);
     }
     node.weight = measure.weight;
+    node.has_given_slip = with_given_slip.count(measure.node) > 0;
     for (int i = 0; i < Dim; ++i) {
       node.place[i] = mesh.vertices[measure.node][i];
       node.normal[i] = measure.normal[i];
@@ -153,7 +170,7 @@ makeFaultSurface(Mesh<Dim> const& mesh, std::string const& boundary,
 #define ASPERITY_INSTANTIATE(DIM)                                                                  \
   template std::shared_ptr<const FaultSurface> makeFaultSurface(                                   \
     Mesh<DIM> const&, std::string const&, Constraints<DIM> const&, DofMap const&, CrsGraph const&, \
-    OtherSide const&);
+    OtherSide const&, Boundaries const&);
 
 ASPERITY_INSTANTIATE(2)
 ASPERITY_INSTANTIATE(3)

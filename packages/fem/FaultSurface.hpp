@@ -22,6 +22,8 @@ struct FaultNode
   double weight = 0;              // integral of the node's basis function [m^(Dim-1)]
   std::vector<int> dofs;          // (T) local dofs of the tangential unknowns
   std::vector<std::array<double, 3>> tangents = {}; // (T) along the axes, unit vectors
+  // Whether it lies on a fault whose slip is prescribed.
+  bool has_given_slip = false;
 };
 
 // The one description of a fault's nodes: places, copies, weights, dofs, what is held, colours, and
@@ -65,12 +67,20 @@ public:
   bool held(int node, int k) const { return held_[nodes_[node].dofs[k]]; }
   // Whether at least one tangential velocity of the node is not prescribed, so that friction acts.
   bool slides(int node) const;
+  // How many nodes slide, over all ranks. Without any the slip of the fault is known, and each rate
+  // problem is linear.
+  GlobalOrdinal numSliding() const { return num_sliding_; }
+  // Whether the slip at the node counts as that of the fault, in its peak slip rate and moment: the
+  // node slides, or lies on a fault whose slip is prescribed. What is prescribed beside friction,
+  // where the fault ends at a wall or goes on at a given rate, does not count.
+  bool counts(int node) const { return slides(node) || nodes_[node].has_given_slip; }
 
   // On the device.
   NodeDofView dofs() const { return dofs_; }                         // (num_nodes, T)
   ConstFlagView heldDofs() const { return held_.flagsOnDevice(); }   // (num local dofs)
   std::vector<IndexView> const& colours() const { return colours_; } // of nodes that slide
   ConstFlagView slidingNodes() const { return sliding_; }            // (num_nodes): see slides()
+  ConstFlagView countedNodes() const { return counted_; }            // (num_nodes): see counts()
   ConstNodeView weights() const { return weights_; }
   ConstNodeView plateRates() const // (num_nodes T), empty without one
   {
@@ -88,10 +98,10 @@ private:
   bool has_plate_rate_ = false;
   std::vector<double> plate_rate_; // (num_nodes, T), empty without one
   RCP<const Communicator> communicator_;
-  GlobalOrdinal num_global_nodes_ = 0;
+  GlobalOrdinal num_global_nodes_ = 0, num_sliding_ = 0;
   double total_weight_ = 0;
   NodeDofView dofs_;
-  ConstFlagView sliding_;
+  ConstFlagView sliding_, counted_;
   ConstNodeView weights_, slip_factors_;
   ConstNodeView plate_rates_; // (num_nodes T), empty without one
 };
@@ -100,10 +110,11 @@ private:
 void addTraction(FaultSurface const& surface, std::vector<double> const& traction, Vector& load);
 
 // The fault on a boundary of the body, or on the plus side of a fault inside it. graph: of the
-// body's matrices, by which the nodes are coloured. Collective.
+// body's matrices, by which the nodes are coloured. given_slip: boundaries in it whose slip is
+// prescribed. A surface without a name has no nodes: that of a body without a fault. Collective.
 template <int Dim>
 std::shared_ptr<const FaultSurface>
 makeFaultSurface(Mesh<Dim> const& mesh, std::string const& boundary,
                  Constraints<Dim> const& constraints, DofMap const& dofs, CrsGraph const& graph,
-                 OtherSide const& other_side);
+                 OtherSide const& other_side, Boundaries const& given_slip = {});
 } // namespace asperity::fem

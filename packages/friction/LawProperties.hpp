@@ -11,6 +11,7 @@ namespace asperity::friction
 {
 // What alpha is. A friction law and a state law go together if they have the same alpha.
 inline constexpr char const* logarithm_of_theta = "ln(theta V* / L)";
+inline constexpr char const* no_state = "none";
 
 // How mu changes at large slip rates: its derivatives by log V and by alpha, both
 // dimensionless. These are a and b of mu = mu* + a log(V / V*) + b alpha.

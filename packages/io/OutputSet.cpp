@@ -2,6 +2,7 @@
 
 #include "base/Errors.hpp"
 #include "io/TextFormat.hpp"
+#include "parameters/ParameterValue.hpp"
 #include "parameters/Parameters.hpp"
 
 #include <Teuchos_Array.hpp>
@@ -55,15 +56,6 @@ std::array<double, 3> upIn(Teuchos::ParameterList const& output)
                    "Asperity / Output / Up has to be three numbers, not all of them zero. For "
                    "example {0, 1, 0}.");
   return {up[0], up[1], up[2]};
-}
-
-bool hasGivenEntry(ParameterList const& list)
-{
-  return std::any_of(list.begin(), list.end(), [](auto const& item) {
-    Teuchos::ParameterEntry const& entry = item.second;
-    return entry.isList() ? hasGivenEntry(Teuchos::getValue<ParameterList>(entry))
-                          : !entry.isDefault();
-  });
 }
 } // namespace
 

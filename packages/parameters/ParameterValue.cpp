@@ -4,6 +4,7 @@
 
 #include <Teuchos_Array.hpp>
 #include <Teuchos_ParameterEntryXMLConverterDB.hpp>
+#include <algorithm>
 
 namespace asperity
 {
@@ -22,6 +23,14 @@ std::string arrayText(Array<T> const& values, Format format)
   return text + "}";
 }
 } // namespace
+
+bool hasGivenEntry(Teuchos::ParameterList const& list)
+{
+  return std::any_of(list.begin(), list.end(), [](auto const& item) {
+    Teuchos::ParameterEntry const& entry = item.second;
+    return entry.isList() ? hasGivenEntry(get<Teuchos::ParameterList>(entry)) : !entry.isDefault();
+  });
+}
 
 std::vector<std::string> namesIn(Teuchos::ParameterList const& list)
 {

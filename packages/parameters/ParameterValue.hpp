@@ -33,6 +33,9 @@ void replaceValue(Teuchos::ParameterEntry& entry, T const& value)
   entry.getAny(false) = Teuchos::any(value);
 }
 
+// Whether an entry of the completed list, or of a list in it, is given and not a default.
+bool hasGivenEntry(Teuchos::ParameterList const& list);
+
 // The names of the entries, in the order of the list.
 std::vector<std::string> namesIn(Teuchos::ParameterList const& list);
 

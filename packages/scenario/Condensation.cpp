@@ -36,7 +36,8 @@ std::unique_ptr<dynamics::StaticCondensation> makeCondensation(Problem<Dim> cons
 {
   const bool is_wanted = deck.sublist("TNNMG").get<std::string>("Static Condensation") == "Auto" &&
                          problem.solver.correction == dynamics::Correction::direct;
-  if (!is_wanted || problem.body.cells || hasGravity<Dim>(deck.sublist("Bulk")) ||
+  if (!is_wanted || problem.surface->numGlobalNodes() == 0 || !problem.boundary.tractions.empty() ||
+      problem.body.cells || hasGravity<Dim>(deck.sublist("Bulk")) ||
       !boundariesMoveSteadily(problem)) {
     return nullptr;
   }

@@ -15,6 +15,7 @@
 #include "scenario/setup/TimeSetup.hpp"
 #include "scenario/setup/conditions/BoundarySetup.hpp"
 #include "scenario/setup/friction/FrictionSetup.hpp"
+#include "scenario/setup/friction/LawSetup.hpp"
 
 #include <algorithm>
 #include <vector>
@@ -94,6 +95,20 @@ RCP<const ParameterList> deckParameters()
   return list;
 }
 
+namespace
+{
+// What no fault has need not be in the deck: the defaults of the laws follow from the faults.
+void chooseLawsOf(ParameterList& deck)
+{
+  if (deck.isParameter("Friction") && !deck.isSublist("Friction")) {
+    return; // an error that is told later
+  }
+  auto const* conditions =
+    deck.isSublist("Boundary Conditions") ? &deck.sublist("Boundary Conditions") : nullptr;
+  chooseLaws(deck.sublist("Friction"), conditions != nullptr && haveFriction(*conditions));
+}
+} // namespace
+
 RCP<ParameterList> readCompleteDeck(CommandLine const& command_line)
 {
   auto const valid = deckParameters();
@@ -101,6 +116,7 @@ RCP<ParameterList> readCompleteDeck(CommandLine const& command_line)
   auto const deck = given.list;
   const bool names_scheme =
     deck->isSublist("Time Stepping") && deck->sublist("Time Stepping").isParameter("Scheme");
+  chooseLawsOf(*deck);
   assembleDeck(given, *valid);
   if (!names_scheme && quasiDynamic(deck->sublist("Bulk"))) {
     deck->sublist("Time Stepping")

@@ -135,7 +135,7 @@ std::vector<std::string> describeSense(Problem<Dim> const& problem, ParameterLis
   sums = sumOverRanks(sums, *problem.communicator);
   FaultSides sides{{sums[0], sums[1], sums[2]}, Dim, problem.components};
   const double size = std::sqrt(dot(sides.plus, sides.plus));
-  if (!(size > opposite * fault.totalWeight())) {
+  if (size == 0 || !(size > opposite * fault.totalWeight())) { // or there is no fault
     return {};
   }
   for (double& component : sides.plus) {

@@ -18,7 +18,14 @@ using Values = std::vector<double>;
 
 using dynamics::FaultSample;
 
-void registerFaultFields(io::FieldRegistry& registry, RunView const& view)
+// What decks say about friction, of which fields follow.
+struct GivenFriction
+{
+  bool has_state, has_normal_stress;
+};
+
+void registerFaultFields(io::FieldRegistry& registry, RunView const& view,
+                         GivenFriction const& given)
 {
   struct Quantity
   {
@@ -34,12 +41,16 @@ void registerFaultFields(io::FieldRegistry& registry, RunView const& view)
                                   components, &FaultSample::slipVelocity};
   std::vector<Quantity> quantities = {
     {"slip_rate", "m/s", "Magnitude of the slip rate.", 1, &FaultSample::slipRate},
-    {"alpha", "", "State ln(theta V* / L).", 1, &FaultSample::alpha},
-    {"normal_stress", "Pa", "Normal stress, positive in compression.", 1,
-     &FaultSample::normalStress},
     {"slip", "m", "Tangential slip since the start," + direction, components, &FaultSample::slip},
     {"traction", "Pa", "Shear traction that friction bears," + direction, components,
      &FaultSample::traction}};
+  if (given.has_state) {
+    quantities.push_back({"alpha", "", "State ln(theta V* / L).", 1, &FaultSample::alpha});
+  }
+  if (given.has_normal_stress) {
+    quantities.push_back({"normal_stress", "Pa", "Normal stress, positive in compression.", 1,
+                          &FaultSample::normalStress});
+  }
   if (components > 1) {
     quantities.push_back(slip_velocity);
   }
@@ -91,12 +102,17 @@ void registerFaultConstants(io::FieldRegistry& registry, Problem<Dim> const& pro
     shear_modulus.push_back(material.shear_modulus);
   }
   add("shear_modulus", "Pa", "Shear modulus of the body beside the fault.", shear_modulus);
-  Values prescribed;
+  Values prescribed, given;
   for (int node = 0; node < problem.surface->numNodes(); ++node) {
     prescribed.push_back(problem.surface->slides(node) ? 0 : 1);
+    given.push_back((*problem.surface)[node].has_given_slip ? 1 : 0);
   }
   add("prescribed", "", "1 where the slip rate is prescribed, 0 where friction decides on it.",
       prescribed);
+  if (!problem.boundary.given_slip.empty()) {
+    add("given_slip", "", "1 on faults whose slip is prescribed, 0 on faults with friction.",
+        given);
+  }
 }
 
 // theta, for state laws that declare how it follows from alpha, and psi, for friction laws that
@@ -205,7 +221,7 @@ void registerScalars(io::FieldRegistry& registry, RunView const& view, int dimen
   };
   add("fixed_point_iterations", "", "Fixed-point iterations of the accepted step.",
       [&view] { return static_cast<double>(view.step.iterations); });
-  add("error", "", "Estimated error of alpha over the fault, in the norm of the step control.",
+  add("error", "", "Estimated error of the step, in the norm of the step control.",
       [&view] { return view.step.error; });
   count("coupled_steps", "Steps solved to find the accepted one.",
         &dynamics::SolveCount::coupled_steps);
@@ -279,12 +295,10 @@ yieldedStrain(Problem<Dim> const& problem, RunView const& view)
     return result;
   };
 }
-} // namespace
 
 template <int Dim>
-std::map<std::string, io::OutputDomain> makeDomains(Problem<Dim> const& problem)
+io::OutputDomain faultDomain(Problem<Dim> const& problem)
 {
-  std::map<std::string, io::OutputDomain> domains;
   auto fault =
     io::boundaryDomain("fault", problem.mesh, problem.surface->name(), problem.communicator);
   io::nameParts(fault, problem.mesh, problem.boundary.faults);
@@ -294,7 +308,17 @@ std::map<std::string, io::OutputDomain> makeDomains(Problem<Dim> const& problem)
   }
   const double rounding = 1e-6 * problem.surface->totalWeight(); // of a vertical fault
   fault.is_foot_wall = Dim == 2 && sumOverRanks(rise, *problem.communicator) > rounding;
-  domains.emplace("fault", std::move(fault));
+  return fault;
+}
+} // namespace
+
+template <int Dim>
+std::map<std::string, io::OutputDomain> makeDomains(Problem<Dim> const& problem)
+{
+  std::map<std::string, io::OutputDomain> domains;
+  if (problem.surface->numGlobalNodes() > 0) {
+    domains.emplace("fault", faultDomain(problem));
+  }
   domains.emplace("volume", io::volumeDomain(problem.mesh, problem.communicator));
   if (!problem.boundary.surface.empty()) {
     domains.emplace("surface", io::boundaryDomain("surface", problem.mesh, problem.boundary.surface,
@@ -308,10 +332,14 @@ void registerFields(io::FieldRegistry& registry, Problem<Dim> const& problem, Ru
                     std::map<std::string, io::OutputDomain> const& domains,
                     ParameterList const& friction)
 {
-  registerFaultFields(registry, view);
-  registerState(registry, problem, view, friction);
-  registerAddedFields(registry, problem.initial, problem.fault, view);
-  registerFaultConstants(registry, problem);
+  if (domains.count("fault") > 0) {
+    registerFaultFields(
+      registry, view,
+      {hasState(friction), bearsFriction(friction) || isGiven(friction, "Normal Stress")});
+    registerState(registry, problem, view, friction);
+    registerAddedFields(registry, problem.initial, problem.fault, view);
+    registerFaultConstants(registry, problem);
+  }
   for (auto const& [name, domain] : domains) {
     registerMotion(registry, problem, view, domain);
   }

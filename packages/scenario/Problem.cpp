@@ -1,5 +1,6 @@
 #include "scenario/Problem.hpp"
 
+#include "base/Text.hpp"
 #include "base/parallel/Agreement.hpp"
 #include "base/parallel/Reductions.hpp"
 #include "dynamics/checks/MaterialContrast.hpp"
@@ -18,6 +19,7 @@
 #include "fem/SupportWeights.hpp"
 #include "mesh/Boundaries.hpp"
 #include "mesh/PointText.hpp"
+#include "parameters/ParameterValue.hpp"
 #include "scenario/setup/BulkSetup.hpp"
 #include "scenario/setup/FaultNodes.hpp"
 #include "scenario/setup/InitialSetup.hpp"
@@ -25,9 +27,11 @@
 #include "scenario/setup/SolverSetup.hpp"
 #include "scenario/setup/TimeSetup.hpp"
 #include "scenario/setup/conditions/BoundaryChecks.hpp"
+#include "scenario/setup/conditions/FaultKind.hpp"
 #include "scenario/setup/conditions/FreeFault.hpp"
 #include "scenario/setup/friction/FaultLoads.hpp"
 #include "scenario/setup/friction/FrictionSetup.hpp"
+#include "scenario/setup/friction/LawSetup.hpp"
 
 #include <Tpetra_CrsMatrix.hpp>
 
@@ -71,7 +75,14 @@ Discretisation<Dim> discretise(ParameterList const& deck,
   auto const& conditions = deck.sublist("Boundary Conditions");
   const int components = displacementComponents(deck.sublist("Bulk"), Dim);
   auto boundary = makeBoundaryConditions<Dim>(conditions, components);
-  auto mesh = makeMesh<Dim>(deck.sublist("Mesh"), boundary.faults.front(), communicator);
+  ASPERITY_REQUIRE(!boundary.faults.empty() || !hasGivenEntry(deck.sublist("Friction")),
+                   "Asperity / Friction has no effect: Asperity / Boundary Conditions has no "
+                   "condition of Type "
+                     << quotedAlternatives(faultKinds())
+                     << " or 'Prescribed Slip Rate'. Name the boundary that is the fault, or "
+                        "remove the list.");
+  auto mesh = makeMesh<Dim>(deck.sublist("Mesh"),
+                            boundary.faults.empty() ? "" : boundary.faults.front(), communicator);
   requireGlobalIds(mesh, components);
   requireBoundaries(conditions, mesh);
   requireFaults(conditions, mesh, *communicator);
@@ -128,9 +139,11 @@ RCP<const Vector> withRadiationOfPlates(RCP<const Vector> const& load,
 
 // Without inertia every rigid motion of the body needs something that stops or resists it: a
 // condition, or friction and radiation damping along the fault that is given, unless it is null.
+// `why` says what does not exist otherwise, `cure` what else helps.
 template <int Dim>
 void requireNoFreeMotion(Discretisation<Dim> const& of, dynamics::Body const& body,
-                         fem::FaultSurface const* resisting_fault, std::string const& why)
+                         fem::FaultSurface const* resisting_fault, std::string const& why,
+                         std::string const& cure = "")
 {
   std::vector<int> resisting(body.numOwnedDofs(), 0);
   for (const int dof : body.held.owned()) {
@@ -150,23 +163,27 @@ void requireNoFreeMotion(Discretisation<Dim> const& of, dynamics::Body const& bo
                     << free.front() << ", and " << why
                     << " does not exist or is not unique. Add a condition on a boundary that "
                        "stops this motion: Fixed, Sliding Wall, or Prescribed Velocity in that "
-                       "direction, with a Velocity of 0 if it is to rest.");
+                       "direction, with a Velocity of 0 if it is to rest"
+                    << cure << ".");
 }
 
 // The displacement at the start, and the pressure of the foundation in it.
 struct StaticStart
 {
   RCP<Vector> displacement;
-  std::vector<double> pressure; // (num fault nodes) [Pa]; empty if the deck gives it
+  // (num fault nodes) [Pa]; zero if the deck gives it, or friction does not ask for it
+  std::vector<double> pressure;
 };
 
 template <int Dim>
 StaticStart staticStart(ParameterList const& deck, Discretisation<Dim> const& of,
                         dynamics::Body const& body, dynamics::RateSolverSettings const& solver,
-                        fem::FaultSurface const& surface, Vector const& gravity)
+                        fem::FaultSurface const& surface, Vector const& load)
 {
   auto const& friction = deck.sublist("Friction");
-  const bool stress_given = isGiven(friction, "Normal Stress");
+  // Where friction does not ask for the normal stress, it need not follow from the static solution.
+  const bool stress_given =
+    isGiven(friction, "Normal Stress") || !bearsFriction(friction) || surface.numGlobalNodes() == 0;
   ASPERITY_REQUIRE(stress_given || of.dofs->components() == Dim,
                    "Asperity / Friction / Normal Stress is missing: an antiplane model has no "
                    "normal stress of its own. Give it.");
@@ -184,20 +201,24 @@ StaticStart staticStart(ParameterList const& deck, Discretisation<Dim> const& of
                      << ", but by symmetry the normal stress of an Antisymmetric Fault does not "
                         "change. Choose Fixed.");
   const bool start_static = startsStatic(deck.sublist("Initial State"));
-  const bool has_gravity = gravity.normInf() > 0;
-  ASPERITY_REQUIRE(stress_given || has_gravity,
-                   "Asperity / Friction / Normal Stress is missing, and without gravity it cannot "
-                   "follow from the static solution. Give one of the two.");
-  StaticStart start{body.vector(), {}};
-  if (!has_gravity || (stress_given && !start_static)) {
+  const bool has_load = load.normInf() > 0;
+  ASPERITY_REQUIRE(stress_given || has_load,
+                   "Asperity / Friction / Normal Stress is missing, and without gravity or a "
+                   "Prescribed Traction it cannot follow from the static solution. Give one of "
+                   "them.");
+  StaticStart start{body.vector(), std::vector<double>(surface.numNodes(), 0.)};
+  if (!has_load || (stress_given && !start_static)) {
     return start;
   }
   requireNoFreeMotion(of, body, nullptr,
-                      "its static displacement, for which the fault slides without friction,");
-  auto const u = dynamics::StaticSolver(body, solver).solve(gravity);
+                      "its static displacement, for which the fault slides without friction,",
+                      stress_given ? "; or choose Initial State / Displacement = Zero, if the load "
+                                     "is to set the body in motion"
+                                   : "");
+  auto const u = dynamics::StaticSolver(body, solver).solve(load);
   if (!stress_given) {
     auto const support = fem::supportWeights(of.mesh, surface, of.boundary.velocities);
-    start.pressure = dynamics::foundationPressure(body, of.frames(), surface, support, gravity, *u);
+    start.pressure = dynamics::foundationPressure(body, of.frames(), surface, support, load, *u);
   }
   if (start_static) {
     start.displacement = u;
@@ -299,9 +320,9 @@ std::shared_ptr<const fem::FaultSurface> makeSurface(Discretisation<Dim>& of,
                                                      fem::BodyMatrices const& matrices)
 {
   auto const name = mesh::joinBoundaries(of.mesh, of.boundary.faults);
-  auto const surface =
-    fem::makeFaultSurface(of.mesh, name, *of.constraints, *of.dofs,
-                          *matrices.stiffness->getCrsGraph(), of.boundary.other_side);
+  auto const surface = fem::makeFaultSurface(of.mesh, name, *of.constraints, *of.dofs,
+                                             *matrices.stiffness->getCrsGraph(),
+                                             of.boundary.other_side, of.boundary.given_slip);
   return of.boundary.plate_rates.empty()
            ? surface
            : surface->withPlateRate(
@@ -360,13 +381,17 @@ Problem<Dim> makeProblem(ParameterList const& deck, RCP<const Communicator> cons
   auto const gravity = fem::assembleGravity<Dim>(of.mesh, *of.dofs, of.frames(), of.rock.materials,
                                                  scenario::gravity<Dim>(bulk));
   const ShearTraction traction(friction, nodes, *surface, of.frames());
-  auto body =
-    makeBody(of, matrices, *surface,
-             loadWithTraction(traction, surface, withRadiationOfPlates(gravity, *surface, eta)));
+  auto const on_boundaries =
+    std::make_shared<fem::BoundaryLoad>(of.mesh, *of.dofs, of.frames(), of.boundary.tractions);
+  auto body = makeBody(of, matrices, *surface,
+                       loadWithTraction(traction, surface, on_boundaries,
+                                        withRadiationOfPlates(gravity, *surface, eta)));
   if (of.rock.yielding) {
     body.cells = std::make_shared<fem::InelasticCells>(of.mesh, of.dofs, of.frames(),
                                                        of.rock.materials, *of.rock.yielding);
   }
+  on_boundaries->addSteady(*gravity);
+  on_boundaries->addVarying(0, *gravity);
   auto const start = staticStart(deck, of, body, solver, *surface, *gravity);
   auto stress = makeNormalStress(friction, nodes, start.pressure, *communicator);
   auto fault =
@@ -377,10 +402,15 @@ Problem<Dim> makeProblem(ParameterList const& deck, RCP<const Communicator> cons
   requireBearable(of, body, *initial.u);
   auto reaction = reactionSinceStart(of, body, fault, initial);
   auto warnings = fem::warnOfPieces(of.mesh, communicator);
-  auto const beside = valuesBeside(fault_materials, eta, initial, components, *communicator);
+  const bool has_fault = surface->numGlobalNodes() > 0;
+  auto beside = valuesBeside(has_fault ? fault_materials : of.rock.materials, eta, initial,
+                             components, *communicator);
+  beside.has_fault = has_fault;
   stress.remarks.push_back(dynamics::describeSpeeds(beside));
-  auto scales = faultScales(of.mesh, components, fault_materials, friction, nodes, fault, initial,
-                            traction.largest(of.samples));
+  auto scales = fault.stateDecides()
+                  ? faultScales(of.mesh, components, fault_materials, friction, nodes, fault,
+                                initial, traction.largest(of.samples))
+                  : FaultScales();
   auto const questions = dynamics::questionValues(beside);
   warnings.insert(warnings.end(), questions.begin(), questions.end());
   if (auto const warning = warnOfContrast(deck, of.mesh, *surface)) {

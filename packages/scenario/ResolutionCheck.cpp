@@ -227,10 +227,36 @@ constexpr char const* step_name = "Smallest Step";
 
 double defaultStep(dynamics::FaultResolution const& resolution, ParameterList const& deck)
 {
-  auto const& time = deck.sublist("Time Stepping");
-  const double largest = time.get<double>("Largest Step");
+  const double largest = deck.sublist("Time Stepping").get<double>("Largest Step");
   const double seismic = dynamics::seismicStep(resolution, !quasiDynamic(deck.sublist("Bulk")));
   return std::min(seismic, largest / 2);
+}
+
+// The time that a shear wave takes through the smallest cell [s].
+template <int Dim>
+double crossingTime(Problem<Dim> const& problem)
+{
+  auto const diameters = mesh::cellDiameters(problem.mesh);
+  double shortest = std::numeric_limits<double>::infinity();
+  for (std::size_t cell = 0; cell < diameters.size(); ++cell) {
+    auto const& material = problem.materials[cell];
+    shortest = std::min(shortest, diameters[cell] * material.density / material.shearImpedance());
+  }
+  return minOverRanks(shortest, *problem.communicator);
+}
+
+// Where no state of the fault decides on steps (Fault::stateDecides), and no earthquake can be
+// lost: the time at which slip or a load begins is met to a millionth of the run.
+template <int Dim>
+double defaultWithoutState(Problem<Dim> const& problem, ParameterList const& deck)
+{
+  constexpr double share_of_run = 1e-6, share_of_crossing = 0.1;
+  auto const& time = deck.sublist("Time Stepping");
+  const double largest = time.get<double>("Largest Step");
+  const double of_run = share_of_run * std::min(finalTime(time), largest);
+  return quasiDynamic(deck.sublist("Bulk"))
+           ? of_run
+           : std::min({of_run, share_of_crossing * crossingTime(problem), largest / 2});
 }
 
 template <int Dim>
@@ -239,6 +265,9 @@ double stepOfDeckOrDefault(Problem<Dim> const& problem, ParameterList const& dec
   auto const& time = deck.sublist("Time Stepping");
   if (time.isParameter(step_name)) {
     return time.get<double>(step_name);
+  }
+  if (!problem.fault.stateDecides()) {
+    return defaultWithoutState(problem, deck);
   }
   ASPERITY_REQUIRE(problem.scales.resolution,
                    time_path << " / " << step_name
@@ -283,6 +312,10 @@ void describeSmallestStep(Problem<Dim> const& problem, ParameterList const& deck
 {
   auto const& time = deck.sublist("Time Stepping");
   auto const& resolution = problem.scales.resolution;
+  if (!problem.fault.stateDecides() && !time.isParameter(step_name)) {
+    description.lines.push_back(step_name + (" = " + formatShort(smallestStep(problem, deck))) +
+                                " s by default, since no state of the fault decides on steps.");
+  }
   if (!resolution) {
     return;
   }

@@ -35,7 +35,9 @@ constexpr double fewest_cells_of_front = 2;
 Warning warnOfFront(double cells, std::string const& where);
 
 // `Time Stepping / Smallest Step` [s]; where the deck leaves it out, dynamics::seismicStep, or half
-// of the largest step if that is smaller.
+// of the largest step if that is smaller. Where no state of the fault decides on steps it is a
+// millionth of the run, and with inertia at most a tenth of what a shear wave takes through the
+// smallest cell.
 // Throws InputError where a default is needed and friction weakens nowhere that can slip, and where
 // rock relaxes in less than a thousandth of the step.
 template <int Dim>

@@ -115,6 +115,8 @@ void StateFormat::save(io::Archive& archive, std::string const& path,
   archive.set(path + "/level_before", memory.level_before);
   archive.set(path + "/error", memory.error);
   archive.set(path + "/previous_error", memory.previous_error);
+  archive.set(path + "/largest_displacement", memory.largest_displacement);
+  archive.set(path + "/largest_velocity", memory.largest_velocity);
   if (memory.trial) {
     archive.set(path + "/trial/iterations", memory.trial->iterations);
     save(archive, path + "/trial/state", memory.trial->state);
@@ -134,6 +136,10 @@ dynamics::ControlMemory StateFormat::loadControl(io::Archive const& archive,
   memory.level_before = static_cast<int>(archive.getInteger(path + "/level_before"));
   memory.error = archive.getDouble(path + "/error");
   memory.previous_error = archive.getDouble(path + "/previous_error");
+  if (archive.has(path + "/largest_displacement")) {
+    memory.largest_displacement = archive.getDouble(path + "/largest_displacement");
+    memory.largest_velocity = archive.getDouble(path + "/largest_velocity");
+  }
   if (archive.has(path + "/trial/iterations")) {
     memory.trial =
       dynamics::Trial{load(archive, path + "/trial/state"),

@@ -10,6 +10,7 @@
 #include "scenario/setup/BulkSetup.hpp"
 #include "scenario/setup/TimeSetup.hpp"
 #include "scenario/setup/conditions/BoundaryChecks.hpp"
+#include "scenario/setup/friction/LawSetup.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -111,16 +112,25 @@ Description describe(Problem<Dim> const& problem, ParameterList const& deck)
   auto const& bulk = deck.sublist("Bulk");
   first << bulk.get<std::string>("Model") << ", "
         << (quasiDynamic(bulk) ? "quasi-dynamic, " : "inertial, ")
-        << problem.mesh.num_global_vertices << " vertices, " << problem.surface->numGlobalNodes()
-        << " of them on the fault '" << problem.surface->name() << "'.";
+        << problem.mesh.num_global_vertices << " vertices, "
+        << (problem.surface->numGlobalNodes() > 0
+              ? std::to_string(problem.surface->numGlobalNodes()) + " of them on the fault '" +
+                  problem.surface->name() + "'."
+              : "no fault.");
   lines.push_back(first.str());
   auto const& friction = deck.sublist("Friction");
   lines.push_back(
-    friction.get<std::string>("Law") +
-    " friction, state evolution: " + friction.get<std::string>("State Evolution") +
+    (bearsFriction(friction) ? friction.get<std::string>("Law") + " friction, state evolution: " +
+                                 friction.get<std::string>("State Evolution")
+                             : std::string("No friction")) +
     ". Time stepping: " + deck.sublist("Time Stepping").get<std::string>("Scheme") + ", " +
     deck.sublist("Time Stepping").get<std::string>("Control") + ". Linear correction: " +
     (problem.solver.correction == dynamics::Correction::direct ? "Direct." : "MueLu."));
+  if (!problem.boundary.given_slip.empty()) {
+    lines.push_back(
+      "The slip rate is prescribed on " + quotedNames(problem.boundary.given_slip) +
+      (problem.surface->numSliding() > 0 ? "." : ", hence everywhere: friction decides nowhere."));
+  }
   if (!problem.branches.empty()) {
     std::string times;
     for (auto const& branch : problem.branches) {

@@ -12,7 +12,7 @@ from asperity.run import Run
 
 from . import units
 
-PRESCRIBED = "fields/prescribed"
+PRESCRIBED, GIVEN_SLIP = "fields/prescribed", "fields/given_slip"
 MOST_FAULTS = 6  # with a panel of their own
 FROM_UPPER_END = "Distance from the upper end of the fault"  # as in files and of receivers
 
@@ -145,10 +145,13 @@ def _is_depth(run: Run, nodes: np.ndarray, where: np.ndarray) -> bool:
 
 
 def _is_free(file: H5File, where: np.ndarray) -> np.ndarray:
-    """(nodes) whether the deck does not prescribe the slip rate."""
-    if not file.has(PRESCRIBED):
-        return np.ones(where.size, dtype=bool)
-    return file.array(PRESCRIBED, slice(0, 1))[0] == 0.0
+    """(nodes) whether the deck leaves the slip rate free, or the fault is one of known slip."""
+    free = np.ones(where.size, dtype=bool)
+    if file.has(PRESCRIBED):
+        free = file.array(PRESCRIBED, slice(0, 1))[0] == 0.0
+    if file.has(GIVEN_SLIP):
+        free |= file.array(GIVEN_SLIP, slice(0, 1))[0] != 0.0
+    return free
 
 
 def _limits(file: H5File, where: np.ndarray, curve: slice) -> Tuple[float, float]:

@@ -1,5 +1,5 @@
 """Displacement of the free surface in the years before an event, in the event, and in the plane
-after it where the run has no other.
+after it where the run has no other; of a run without events over the whole time shown.
 
 Where a fault cuts the surface there is one node on each side of it, and the lines break. Under back
 slip it is the displacement of the bodies, without the steady motion of the plates.
@@ -22,18 +22,20 @@ SETTLING = 5.0  # durations of an event in which its waves leave
 
 
 def draw(run: Run, view: View):
-    """The figure; NothingToShow without an event or in a history with a single row."""
+    """The figure; NothingToShow if the time shown has none of the events of the run, in a history
+    with a single row, or if nothing moves."""
     run.surface.require_two_times()
-    if not view.number:
+    if not view.number and run.has("events.csv") and len(run.complete_events):
         raise NothingToShow("no event ended in the time shown")
-    spans = _spans(run, view)
+    spans = _spans(run, view) if view.number else [view.cycles]
     lengths = [units.text(last - first, "s") for first, last in spans]
     titles = [f"In the {lengths[0]} before event {view.number}",
-              f"In the {lengths[1]} from the onset of event {view.number}"]
+              f"In the {lengths[1]} from the onset of event {view.number}"
+              ] if view.number else [f"In {lengths[0]}"]
     if plane.is_surface(run.surface):
         return deformation_maps.draw(run, spans, titles)
     directions = _directions(run)
-    if len(run.complete_events["onset"]) == 1:
+    if view.number and len(run.complete_events["onset"]) == 1:
         spans.append((spans[1][1], run.surface.time[-1]))
         titles.append(f"In the {units.text(spans[2][1] - spans[2][0], 's')} after it")
     changes = [[_change(run, span, direction) for _, direction, _ in directions] for span in spans]

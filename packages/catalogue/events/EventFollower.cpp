@@ -11,7 +11,7 @@ EventFollower::EventFollower(io::OutputContext const& context, double threshold,
                              std::optional<int> boundary)
     : fault_(context.domain("fault"))
     , slip_rate_(context.fields.field("fault", "slip_rate"))
-    , counts_(freeNodes(context))
+    , counts_(countedNodes(context))
     , threshold_(threshold)
     , is_of_boundary_(boundary.has_value())
 {

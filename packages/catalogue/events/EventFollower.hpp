@@ -56,7 +56,7 @@ protected:
 private:
   io::OutputDomain const& fault_;
   io::OutputField const& slip_rate_;
-  std::vector<double> counts_; // (num_owned) freeNodes, of the boundary alone
+  std::vector<double> counts_; // (num_owned) countedNodes, of the boundary alone
   double threshold_;           // [m/s]
   bool is_of_boundary_;
   bool in_progress_ = false;

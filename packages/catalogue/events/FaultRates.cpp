@@ -30,15 +30,22 @@ double peakRate(std::array<double, 3> const& times, std::array<double, 3> const&
   return highest * std::exp(slope * slope / (4 * curvature));
 }
 
-std::vector<double> freeNodes(io::OutputContext const& context)
+std::vector<double> countedNodes(io::OutputContext const& context)
 {
-  std::vector<double> free(context.domain("fault").numOwned(), 1);
+  std::vector<double> counted(context.domain("fault").numOwned(), 1);
   if (context.fields.hasField("fault", "prescribed")) {
-    context.fields.field("fault", "prescribed").values(free);
-    for (double& value : free) {
+    context.fields.field("fault", "prescribed").values(counted);
+    for (double& value : counted) {
       value = value != 0 ? 0 : 1;
     }
   }
-  return free;
+  if (context.fields.hasField("fault", "given_slip")) {
+    std::vector<double> given;
+    context.fields.field("fault", "given_slip").values(given);
+    for (std::size_t i = 0; i < counted.size(); ++i) {
+      counted[i] = given[i] != 0 ? 1 : counted[i];
+    }
+  }
+  return counted;
 }
 } // namespace asperity::catalogue

@@ -15,7 +15,8 @@ double crossing(double before, double after, double threshold);
 // the others: such samples do not resolve a peak.
 double peakRate(std::array<double, 3> const& times, std::array<double, 3> const& rates);
 
-// 1 where friction decides on the slip rate, 0 where it is prescribed (field `prescribed`, if there
-// is one): such nodes are no part of an earthquake. (num_owned)
-std::vector<double> freeNodes(io::OutputContext const& context);
+// 1 where friction decides on the slip rate, and on faults whose slip is prescribed (field
+// `given_slip`, if there is one); 0 where it is prescribed beside friction (field `prescribed`, if
+// there is one): such nodes are no part of an earthquake. (num_owned)
+std::vector<double> countedNodes(io::OutputContext const& context);
 } // namespace asperity::catalogue

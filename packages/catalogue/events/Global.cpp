@@ -39,7 +39,7 @@ Global::Global(Teuchos::ParameterList const& parameters, io::OutputContext const
     , file_(context.directory / "global.csv", columns(fault_.isCurve()), context.comm)
 {
   context.fields.field("fault", "shear_modulus").values(rigidity_);
-  const auto free = freeNodes(context);
+  const auto free = countedNodes(context);
   for (std::size_t i = 0; i < rigidity_.size(); ++i) {
     rigidity_[i] *= fault_.weights[i] * free[i];
   }

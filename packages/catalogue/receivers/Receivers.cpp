@@ -61,7 +61,8 @@ Teuchos::RCP<const Teuchos::ParameterList> Receivers::validParameters()
     .textArray("Fault Fields", optional,
                "The fields of these names are written for receivers on the fault. If it is left "
                "out, these are slip, slip_rate, traction, normal_stress, and the state as theta, "
-               "or as psi or alpha where the laws do not define theta.")
+               "or as psi or alpha where the laws do not define theta; a fault without friction "
+               "has no normal stress and no state.")
     .textArray("Body Fields", std::vector<std::string>{"displacement", "velocity"},
                "The fields of these names are written for receivers in the body.");
   io::WriteRule::declare(parameters, 1, 0);
@@ -81,7 +82,10 @@ std::vector<std::string> faultFields(Teuchos::ParameterList const& parameters,
   if (parameters.isParameter("Fault Fields")) {
     return parameters.get<Teuchos::Array<std::string>>("Fault Fields").toVector();
   }
-  std::vector<std::string> fields{"slip", "slip_rate", "traction", "normal_stress"};
+  std::vector<std::string> fields{"slip", "slip_rate", "traction"};
+  if (registry.hasField("fault", "normal_stress")) {
+    fields.emplace_back("normal_stress");
+  }
   for (auto const* state : {"theta", "psi", "alpha"}) {
     if (registry.hasField("fault", state)) {
       fields.emplace_back(state);

@@ -38,6 +38,11 @@ std::string interval(Extremes const& values)
   return from == to ? from : from + " to " + to;
 }
 
+std::string where(BesideFault const& values)
+{
+  return values.has_fault ? "beside the fault" : "in the body";
+}
+
 bool isOutside(Extremes const& values, Bounds const& bounds)
 {
   return values.smallest < bounds.from || values.largest > bounds.to;
@@ -53,25 +58,25 @@ void questionMaterial(BesideFault const& values, std::vector<Warning>& questions
 {
   auto const& cs = values.shear_speed;
   if (isOutside(values.density, densities)) {
-    questions.push_back({"density", "Bulk / Density is " + interval(values.density) +
-                                      " kg/m^3 beside the fault" + outside(densities, "kg/m^3") +
+    questions.push_back({"density", "Bulk / Density is " + interval(values.density) + " kg/m^3 " +
+                                      where(values) + outside(densities, "kg/m^3") +
                                       " Is it in g/cm^3?"});
   }
   if (isOutside(values.shear_modulus, shear_moduli)) {
     questions.push_back({"shear modulus", "The shear modulus is " + interval(values.shear_modulus) +
-                                            " Pa beside the fault" + outside(shear_moduli, "Pa") +
+                                            " Pa " + where(values) + outside(shear_moduli, "Pa") +
                                             " Is it in MPa or GPa?"});
   }
   if (isOutside(cs, shear_speeds)) {
     questions.push_back(
-      {"speed of shear waves", "Shear waves travel at " + interval(cs) + " m/s beside the fault" +
+      {"speed of shear waves", "Shear waves travel at " + interval(cs) + " m/s " + where(values) +
                                  outside(shear_speeds, "m/s") +
                                  " Check the units of Bulk / Density and of the moduli."});
   } else if (values.density.largest > density_of_sediment && cs.smallest < speed_of_sediment) {
     questions.push_back(
       {"speed of shear waves",
-       "Shear waves travel at " + interval(cs) + " m/s beside the fault, where the density is " +
-         interval(values.density) +
+       "Shear waves travel at " + interval(cs) + " m/s " + where(values) +
+         ", where the density is " + interval(values.density) +
          " kg/m^3: rocks and sediments of that density have 10 to 7000 m/s. Check the units of "
          "Bulk / Density and of the moduli."});
   }
@@ -92,22 +97,25 @@ Warning warnOfSlipRate(double slip_rate, double largest)
 
 std::string describeSpeeds(BesideFault const& values)
 {
-  std::string text =
-    "Beside the fault shear waves travel at c_s = " + interval(values.shear_speed) + " m/s";
+  std::string text = std::string(values.has_fault ? "Beside the fault" : "In the body") +
+                     " shear waves travel at c_s = " + interval(values.shear_speed) + " m/s";
   if (!values.is_antiplane) {
     text += ", pressure waves at c_p = " + interval(values.pressure_speed) + " m/s";
   }
   if (values.radiation_damping.largest > 0) {
     text += "; radiation damping eta = " + interval(values.radiation_damping) + " Pa s/m";
   }
-  return text + ". Normal stress at the start: " + interval(values.normal_stress) + " Pa.";
+  return text + (values.normal_stress.largest > 0
+                   ? ". Normal stress at the start: " + interval(values.normal_stress) + " Pa."
+                   : ".");
 }
 
 std::vector<Warning> questionValues(BesideFault const& values)
 {
   std::vector<Warning> questions;
   questionMaterial(values, questions);
-  const double stress = values.normal_stress.largest; // the largest: near the surface it may be 0
+  // The largest: near the surface it may be 0. Without a fault there is none.
+  const double stress = values.normal_stress.largest;
   const double ratio = stress / values.shear_modulus.largest;
   if (stress > 0 && (ratio < stress_ratios.from || ratio > stress_ratios.to)) {
     questions.push_back({"normal stress", "The largest normal stress at the start, " +

@@ -13,7 +13,8 @@ struct Extremes
 {
   double smallest = 0, largest = 0;
 };
-// What a deck says about the body beside its fault and about the stress on the fault.
+// What a deck says about the body beside its fault and about the stress on the fault; without a
+// fault, about the whole body alone.
 struct BesideFault
 {
   Extremes density;           // [kg/m^3]
@@ -23,6 +24,7 @@ struct BesideFault
   Extremes radiation_damping; // eta [Pa s/m]; zero if waves are computed
   Extremes normal_stress;     // [Pa] at the start
   bool is_antiplane = false;
+  bool has_fault = true;
 };
 
 // The slip rate [m/s] above which strains are not small any more: V sends out a shear wave with the

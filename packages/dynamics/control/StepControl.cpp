@@ -3,7 +3,10 @@
 #include "base/Errors.hpp"
 #include "base/parallel/Agreement.hpp"
 
+#include <Tpetra_Vector.hpp>
+
 #include <algorithm>
+#include <cmath>
 #include <limits>
 #include <sstream>
 
@@ -46,6 +49,39 @@ State blend(Guess const& guess)
 
 StepControl::StepControl(CoupledStep& step) : step_(step) {}
 
+namespace
+{
+// |a - b| / largest, where `largest` grows to |b - start|; 0 / 0 = 0. Norms are maxima.
+double relativeDistance(Vector const& a, Vector const& b, Vector const* start, double& largest)
+{
+  Vector difference(b, Teuchos::Copy);
+  if (start != nullptr) {
+    difference.update(-1, *start, 1);
+  }
+  largest = std::max(largest, difference.normInf());
+  difference.update(1, a, -1, b, 0);
+  const double error = difference.normInf();
+  return error == 0 ? 0 : error / largest;
+}
+} // namespace
+
+double StepControl::distance(State const& a, State const& b, Norm norm)
+{
+  const double of_fault = step_.distance(a, b, norm);
+  const double of_body = step_.fault().stateDecides() ? 0 : distanceInBody(a, b);
+  return std::isfinite(of_body) ? std::max(of_fault, of_body) : of_body;
+}
+
+double StepControl::distanceInBody(State const& a, State const& b)
+{
+  const double of_u = relativeDistance(*a.u, *b.u, start_.get(), memory_.largest_displacement);
+  if (step_.body().matrices.is_massless) {
+    return of_u;
+  }
+  const double of_v = relativeDistance(*a.v, *b.v, nullptr, memory_.largest_velocity);
+  return std::isfinite(of_v) ? std::max(of_u, of_v) : of_v;
+}
+
 std::optional<Trial> StepControl::attempt(State const& from, int level, Guess const& guess,
                                           SolveCount& count)
 {
@@ -61,7 +97,12 @@ std::optional<FaultTrial> StepControl::attemptAtFault(State const& from, int lev
   last_status_ = result.status;
   not_finite_.reset();
   if (result.solved()) {
-    return FaultTrial{std::move(state), result.iterations, *result.rest};
+    FaultTrial trial{std::move(state), result.iterations, std::move(result.rest)};
+    if (!step_.fault().stateDecides()) {
+      std::move(*trial.rest).complete(trial.state);
+      trial.rest.reset();
+    }
+    return trial;
   }
   not_finite_ = firstNotFiniteAtFault(state);
   not_finite_ =
@@ -71,7 +112,9 @@ std::optional<FaultTrial> StepControl::attemptAtFault(State const& from, int lev
 
 Trial StepControl::complete(FaultTrial&& trial)
 {
-  std::move(trial.rest).complete(trial.state);
+  if (trial.rest) {
+    std::move(*trial.rest).complete(trial.state);
+  }
   return {std::move(trial.state), trial.iterations};
 }
 

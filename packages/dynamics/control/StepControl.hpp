@@ -29,12 +29,13 @@ struct Trial
   int iterations = 0; // of the fixed point
 };
 
-// A step that is solved at the fault alone: enough to be compared with others.
+// A step that is solved at the fault alone: enough to be compared with others, unless the whole
+// body is compared (Fault::stateDecides).
 struct FaultTrial
 {
-  State state; // at its end; off the fault v is a guess, and the rest of the body is not set
+  State state; // at its end; until it is complete, v off the fault is a guess, and the rest not set
   int iterations = 0;
-  PendingStep rest;
+  std::optional<PendingStep> rest; // none: it is complete
 };
 
 struct AcceptedStep
@@ -59,6 +60,9 @@ struct ControlMemory
   // The level to go on with after the instant ahead, if steps are cut short to meet it, or `none`.
   static constexpr int none = -1;
   int level_after = none;
+  // The largest displacement since the start [m] and velocity [m/s] anywhere in the body so far, at
+  // least those of setStart, on which errors are measured where the whole body is compared.
+  double largest_displacement = 0, largest_velocity = 0;
 };
 
 // Chooses step sizes. Throws SolveError if even the smallest step cannot be solved.
@@ -75,6 +79,14 @@ public:
   // Sets what messages say about the place of a local vertex, "node 17, (0, 1)"; else nothing.
   using PlaceOf = std::function<std::string(int)>;
   void setPlaces(PlaceOf place_of) { place_of_ = std::move(place_of); }
+  // Sets the displacement of the start of the run, else it is zero; and the motion [m, m/s] below
+  // which no error matters (see distance).
+  void setStart(RCP<const Vector> displacement, double least_displacement, double least_velocity)
+  {
+    start_ = std::move(displacement);
+    memory_.largest_displacement = least_displacement;
+    memory_.largest_velocity = least_velocity;
+  }
   virtual ~StepControl() = default;
   // Replaces `current` by the state after the next accepted step.
   virtual AcceptedStep advance(State& current, SolveCount& count) = 0;
@@ -97,11 +109,10 @@ protected:
   // Replaces `current` by the end of a step of the level, or of a smaller one that passes no
   // instant; gives up if it is not solved. For controls without an estimate of the error.
   AcceptedStep makeStep(State& current, int level, SolveCount& count);
-  // The error of a step that ends in a, if b is its exact end.
-  double distance(State const& a, State const& b, Norm norm) const
-  {
-    return step_.distance(a, b, norm);
-  }
+  // The error of a step that ends in a, if b is its exact end. Where no state of the fault decides
+  // on steps, it includes the largest error of displacement and, with inertia, of velocity anywhere
+  // in the body, each divided by the largest such value so far. Collective.
+  double distance(State const& a, State const& b, Norm norm);
   DyadicTime const& clock() const { return step_.clock(); }
   fem::FaultSurface const& surface() const { return step_.surface(); }
   [[noreturn]] void giveUp(State const& from, int level) const;
@@ -129,6 +140,7 @@ protected:
   };
 
 private:
+  double distanceInBody(State const& a, State const& b);
   std::string failure(State const& from, int level, std::string const& lost) const;
   virtual SizeOfLastStep sizeOfLastStep() const
   {
@@ -138,6 +150,7 @@ private:
   CoupledStep& step_;
   std::vector<DyadicTime::Ticks> instants_;
   PlaceOf place_of_;
+  RCP<const Vector> start_; // null: zero
   StepStatus last_status_ = StepStatus::solved;
   std::optional<NotFinite> not_finite_; // on this rank, in the last attempt that failed
 };

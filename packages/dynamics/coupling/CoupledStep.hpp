@@ -115,6 +115,7 @@ public:
   DyadicTime const& clock() const { return clock_; }
   fem::FaultSurface const& surface() const { return fault_.surface(); }
   Body const& body() const { return body_; }
+  Fault const& fault() const { return fault_; }
   RateUpdate const& update() const { return update_; }
   StepSolvers const& solvers() const { return solvers_; }
   // The right side of the last rate problem: loads, and terms from the past and from prescribed

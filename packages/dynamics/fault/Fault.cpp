@@ -42,6 +42,12 @@ Fault::Fault(std::shared_ptr<const fem::FaultSurface> surface, FaultLaws laws,
 {
 }
 
+bool Fault::stateDecides() const
+{
+  const std::string variable = friction::frictionLaws().at(laws_.friction).state_variable;
+  return surface_->numSliding() > 0 && variable != friction::no_state;
+}
+
 std::unique_ptr<friction::FrictionKernels> Fault::frictionWith(ConstNodeView const& cohesion) const
 {
   return friction::makeFrictionKernels(

@@ -53,6 +53,10 @@ public:
   friction::FrictionKernels const& friction() const { return *friction_; }
   friction::StateKernels const& state() const { return *state_; }
 
+  // Whether some node slides under friction that depends on a state. Then the error of that state
+  // measures the error of a step; otherwise the motion of the body has to.
+  bool stateDecides() const;
+
   // All processes in the order in which they act: those of the laws, then the regularisation.
   FaultProcesses const& processes() const { return processes_; }
 

@@ -203,12 +203,12 @@ void slipRate(fem::FaultSurface const& surface, ConstBlockView const& v, NodeVie
 
 double peakSlipRate(fem::FaultSurface const& surface, ConstNodeView const& V)
 {
-  auto const slides = surface.slidingNodes();
+  auto const counts = surface.countedNodes();
   double mine = 0;
   Kokkos::parallel_reduce(
     "asperity::dynamics::peakSlipRate", RangePolicy(0, surface.numNodes()),
     KOKKOS_LAMBDA(int node, double& largest) {
-      largest = slides(node) && V(node) > largest ? V(node) : largest;
+      largest = counts(node) && V(node) > largest ? V(node) : largest;
     },
     Kokkos::Max<double>(mine));
   return maxOverRanks(std::max(mine, 0.), *surface.communicator()); // a rank may have no nodes
@@ -242,6 +242,7 @@ double distance(fem::FaultSurface const& surface, ConstNodeView const& a, ConstN
   if (largest) { // a rank without nodes has no maximum
     return maxOverRanks(std::max(mine, 0.), *surface.communicator());
   }
-  return std::sqrt(sumOverRanks(mine, *surface.communicator()) / surface.totalWeight());
+  const double sum = sumOverRanks(mine, *surface.communicator());
+  return surface.numGlobalNodes() == 0 ? 0 : std::sqrt(sum / surface.totalWeight());
 }
 } // namespace asperity::dynamics

@@ -47,8 +47,8 @@ void stickToPlates(fem::FaultSurface const& surface, Vector& v);
 // on the device.
 void slipRate(fem::FaultSurface const& surface, ConstBlockView const& v, NodeView const& V);
 
-// The largest of the slip rates V(num_nodes) [m/s] over all ranks, at nodes where friction decides
-// on the velocity. Collective.
+// The largest of the slip rates V(num_nodes) [m/s] over all ranks, at nodes that count
+// (fem::FaultSurface::counts). Collective.
 double peakSlipRate(fem::FaultSurface const& surface, ConstNodeView const& V);
 
 // The norm of a - b over the nodes of all ranks; not finite if one of the values is not finite.

@@ -2,6 +2,8 @@
 
 #include <Teuchos_Array.hpp>
 
+#include <algorithm>
+
 namespace asperity::io
 {
 namespace
@@ -10,8 +12,14 @@ std::vector<OutputField const*> chosenFields(std::string const& domain,
                                              Teuchos::ParameterList const& parameters,
                                              OutputContext const& context)
 {
-  return context.fields.fields(domain,
-                               parameters.get<Teuchos::Array<std::string>>("Fields").toVector(),
+  auto names = parameters.get<Teuchos::Array<std::string>>("Fields").toVector();
+  if (parameters.getEntry("Fields").isDefault()) { // not every model has a state, say
+    const auto is_missing = [&](auto const& name) {
+      return !context.fields.hasField(domain, name);
+    };
+    names.erase(std::remove_if(names.begin(), names.end(), is_missing), names.end());
+  }
+  return context.fields.fields(domain, names,
                                "Asperity / Output: the list `Fields` for the " + domain);
 }
 } // namespace

@@ -14,6 +14,8 @@
 #include "scenario/setup/SolverSetup.hpp"
 #include "scenario/setup/TimeSetup.hpp"
 
+#include <algorithm>
+#include <limits>
 #include <sstream>
 
 namespace asperity::scenario
@@ -22,6 +24,23 @@ namespace
 {
 const std::string of_growth = "growth_watch/", of_stall = "stall_watch/",
                   of_front = "front_watch/"; // in a checkpoint
+
+// The longest side of the body along an axis [m].
+template <int Dim>
+double extentOf(Problem<Dim> const& problem)
+{
+  double longest = 0;
+  for (int d = 0; d < Dim; ++d) {
+    double low = std::numeric_limits<double>::max(), high = -low;
+    for (auto const& vertex : problem.mesh.vertices) {
+      low = std::min(low, vertex[d]);
+      high = std::max(high, vertex[d]);
+    }
+    longest = std::max(longest, maxOverRanks(high, *problem.communicator) -
+                                  minOverRanks(low, *problem.communicator));
+  }
+  return longest;
+}
 } // namespace
 
 template <int Dim>
@@ -53,6 +72,11 @@ Evolution<Dim>::Evolution(ParameterList const& deck, RCP<const Communicator> con
   control_ =
     makeStepControl(deck.sublist("Time Stepping"), io::OutputSet::times(deck.sublist("Output")),
                     *coupled_step_, problem_.scales.waveRate());
+  // Strainmeters resolve a hundred times that; a velocity over c_s, ten times the largest slip rate
+  // that is plausible, is a strain, too.
+  constexpr double least_strain = 1e-12;
+  control_->setStart(model_.initial.u, least_strain * extentOf(problem_),
+                     least_strain * 10 * problem_.largest_slip_rate);
   control_->setPlaces([this](int vertex) { return placeOf(vertex); });
   slow_slip_.emplace(problem_.scales.weakening, problem_.scales.slowRate());
   growth_watch_.emplace(problem_.scales.slipDistance(),
@@ -234,11 +258,15 @@ template <int Dim>
 void Evolution<Dim>::watchGrowth()
 {
   auto const info = stepInfo();
-  const auto of_growth_watch = growth_watch_->note(
-    {!view_.step.within_tolerance, info.time, info.step_size, rate_before_, info.peak_slip_rate,
-     slow_slip_->of(sample_.slipRates(), info.step_size, *communicator_)});
-  for (auto const& warning : {of_growth_watch, ring_watch_.note(info.time, info.peak_slip_rate),
-                              skipped_times_.note(info.time - info.step_size, info.time)}) {
+  std::optional<Warning> of_growth, of_ringing;
+  if (model_.fault.stateDecides()) { // other slip rates grow and ring as a deck prescribes
+    of_growth = growth_watch_->note(
+      {!view_.step.within_tolerance, info.time, info.step_size, rate_before_, info.peak_slip_rate,
+       slow_slip_->of(sample_.slipRates(), info.step_size, *communicator_)});
+    of_ringing = ring_watch_.note(info.time, info.peak_slip_rate);
+  }
+  for (auto const& warning :
+       {of_growth, of_ringing, skipped_times_.note(info.time - info.step_size, info.time)}) {
     if (warning) {
       warnings_.push_back(*warning);
     }

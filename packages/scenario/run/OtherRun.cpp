@@ -135,8 +135,11 @@ void requireSameKind(Problem<Dim> const& here, ParameterList const& deck, Proble
                      << run
                      << ": a state with rock that yields goes to no other run (Asperity / Bulk / "
                         "Law). Continue the run itself with --restart.");
-  requireSame("The kind of the fault (Asperity / Boundary Conditions)",
-              faultKindOf(here.surface->otherSide()), faultKindOf(there.surface->otherSide()), run);
+  const auto kindOf = [](Problem<Dim> const& problem) {
+    return problem.boundary.faults.empty() ? "no fault" : faultKindOf(problem.surface->otherSide());
+  };
+  requireSame("The kind of the fault (Asperity / Boundary Conditions)", kindOf(here), kindOf(there),
+              run);
 }
 
 template <int Dim>
@@ -263,7 +266,9 @@ io::Archive stateOfOtherRun(std::filesystem::path const& run, Problem<Dim> const
   archive.insert("warnings", checkpoint.child("warnings"));
   archive.set("state/time", clock.reaching(time));
   carryBody(other, state, other_domains.at("volume"), problem, domains.at("volume"), run, archive);
-  carryFault(other, state, other_domains.at("fault"), problem, domains.at("fault"), run, archive);
+  if (domains.count("fault") > 0) {
+    carryFault(other, state, other_domains.at("fault"), problem, domains.at("fault"), run, archive);
+  }
   return archive;
 }
 

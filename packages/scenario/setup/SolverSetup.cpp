@@ -21,11 +21,11 @@ RCP<const ParameterList> solverParameters()
             "of Z is made once for each step size and leaves a Schur complement on the fault; it "
             "works on one rank. MueLu: algebraic multigrid is used. Auto: this is Direct for small "
             "problems on one rank, and MueLu otherwise.")
-    .choice(
-      "Static Condensation", "Auto", {"Auto", "Off"},
-      "Auto: with the direct correction, a quasi-dynamic body without gravity, viscosity or "
-      "relaxation, whose boundaries move at constant velocities, is condensed to its fault "
-      "once for all steps, which changes only rounding errors. Off: every step has all unknowns.")
+    .choice("Static Condensation", "Auto", {"Auto", "Off"},
+            "Auto: with the direct correction, a quasi-dynamic body without gravity, tractions on "
+            "boundaries, viscosity or relaxation, whose boundaries move at constant velocities, is "
+            "condensed to its fault once for all steps, which changes only rounding errors. Off: "
+            "every step has all unknowns.")
     .real("Memory Budget", 2000., "MB", Range::positive(),
           "Each rank keeps solvers of different step sizes up to this amount of memory. The least "
           "recently used ones are removed first.")

@@ -96,10 +96,10 @@ class Conditions(FaultCase):
                                               **{"Slip Rate": 1e-6})},
                     f"{CONDITIONS} / Deep", "contradicts", f"{CONDITIONS} / Fault", "'main'")
 
-    def test_slip_prescribed_and_no_friction_anywhere(self):
-        changes = {"Mesh/Faults/main": LEVEL, **condition(
-            "Fault", "main", "Prescribed Slip Rate", **{"Slip Rate": 1e-6})}
-        self.refuse(changes, CONDITIONS, "'Two-Sided Fault'")
+    def test_slip_prescribed_alone_on_the_outer_boundary(self):
+        changes = condition("Fault", "bottom", "Prescribed Slip Rate", **{"Slip Rate": 1e-6})
+        self.refuse(changes, f"{CONDITIONS} / Fault", "is no fault inside the body",
+                    "'Two-Sided Fault'")
 
     def test_beside_friction_on_the_surface(self):
         for other in ("Antisymmetric Fault", "Bilateral Contact"):

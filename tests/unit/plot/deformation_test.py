@@ -104,6 +104,18 @@ class Deformation(FolderCase):
         with self.assertRaisesRegex(NothingToShow, "no event ended"):
             self.panels(run, (0.0, 0.5 * onset))
 
+    def test_a_run_without_events_shows_all_its_time(self):
+        self.write()
+        (self.folder / "events.csv").unlink()
+        run = Run(self.folder)
+        view, (lines,) = self.panels(run)
+        self.assertEqual(view.number, 0)
+        first, last = run.surface.at("displacement", view.cycles[0]), run.surface.at(
+            "displacement", view.cycles[1])
+        x, y = lines["up"].get_data()
+        in_cm = 100.0 * (last - first)[:, 1]
+        np.testing.assert_allclose(y[~np.isnan(x)], in_cm, rtol=1e-6, atol=1e-9)
+
     def test_the_map_of_the_surface_jumps_at_the_fault(self):
         run = self.write()
         self.assertIsNotNone(surface.draw(run, windows.choose(run, None)))

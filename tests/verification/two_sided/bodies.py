@@ -29,10 +29,12 @@ def array(numbers):
     return "{" + ", ".join(map(repr, map(float, numbers))) + "}"
 
 
-def run(folder, mesh, settings, ranks=1):
+def run(folder, mesh, settings, ranks=1, removed=()):
+    """`removed`: paths of entries that the deck then lacks."""
     mesh.write(f"{folder}.h5")
+    removals = [word for path in removed for word in ("--remove", path)]
     changes = asperity_run.settings(f"Mesh/File/File Name={folder}.h5", settings)
-    return asperity_run.run_to_end(folder, DECK, *changes, ranks=ranks, timeout=240)
+    return asperity_run.run_to_end(folder, DECK, *removals, *changes, ranks=ranks, timeout=240)
 
 
 def fields_by_place(folder, names, place=lambda x: x):

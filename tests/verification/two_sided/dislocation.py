@@ -2,7 +2,8 @@
 
 Slip is 1 from the trace down and falls to 0 linearly along the lower part of the fault, in space
 towards its ends along strike, too: edge dislocations, or Okada's rectangles one on the other, all
-of the same share. The fault goes on below without slip, which friction holds.
+of the same share. The fault goes on below without slip, which friction holds; or there is no other
+fault than that whose slip is known, and no friction.
 """
 
 import math
@@ -21,7 +22,7 @@ NEAR = 0.5  # distance from the trace up to which displacements are compared
 SHARES = (numpy.arange(64) + 0.5) / 64
 
 
-def mesh(dip, cells, far, space):
+def mesh(dip, cells, far, space, friction):
     """Sectors around the trace; `cells` along the width of the fault, and beyond it up to the
     distance `far` cells as long as wide, or in space, where strike is z, longer ones. Up is y."""
     sectors = max(5, round(cells * dip / 2))
@@ -47,14 +48,15 @@ def mesh(dip, cells, far, space):
         angle = x[:, 1] - dip
         return numpy.stack((x[:, 0] * numpy.cos(angle), x[:, 0] * numpy.sin(angle), *x.T[2:]), 1)
 
-    boundaries = {"slipping": between(0, WIDTH), "fault": between(WIDTH, WIDTH + 2 * step),
-                  "surface": on_top}
+    boundaries = {"slipping": between(0, WIDTH), "surface": on_top}
+    if friction:
+        boundaries["fault"] = between(WIDTH, WIDTH + 2 * step)
     names = ((None, "far"), (None, None), ("middle", "end"))
     cells = meshes.collapsed(*meshes.grid(*axes))
     return meshes.with_sides(*cells, boundaries, names).mapped(place)
 
 
-def settings(dip, space):
+def settings(dip, space, friction):
     """For a second at 1 m/s; stresses are far below the strength of what is held."""
     rate = f"max(0, min(1, ({WIDTH} - sqrt(x^2 + y^2)) / {TAPER}))"
     if space:
@@ -62,22 +64,27 @@ def settings(dip, space):
     slip = {"Type": "Prescribed Slip Rate", "Slip Rate": rate if space else f"-{rate}"}
     given = {"Bulk/Model": "Solid" if space else "Plane Strain", "Bulk/Dynamics": "Quasi-dynamic",
              "Bulk/Shear Modulus": 1, "Bulk/Density": 1, "Bulk/Poisson's Ratio": POISSON,
-             "Friction/Normal Stress": 1e9, "Friction/Shear Traction": 0,
-             "Initial State/alpha": 0, "Initial State/Slip Rate": 0,
              "Time Stepping/Largest Step": 0.5, "Time Stepping/Smallest Step": 0.5,
              "Output/Surface History/Precision": "Double",
              "Output/Surface History/Every n Steps": 1}
+    if friction:
+        given.update({"Friction/Normal Stress": 1e9, "Friction/Shear Traction": 0,
+                      "Initial State/alpha": 0, "Initial State/Slip Rate": 0})
+    else:
+        given["Output/Fault History/Fields"] = "{slip}"
     sides = {"far": {"Type": "Fixed"}}
     if space:
         up_dip = bodies.array((-math.cos(dip), math.sin(dip), 0))
         slip["Direction"] = up_dip
-        given["Friction/Slip Direction"] = up_dip
+        if friction:
+            given["Friction/Slip Direction"] = up_dip
         # displacements to a thousandth will do
         given.update({"TNNMG/Relative Tolerance": 1e-6, "Time Stepping/Largest Step": 1,
                       "Time Stepping/Smallest Step": 1, "Coupling/Tolerance": 1e-6})
         sides.update(middle={"Type": "Sliding Wall"}, end={"Type": "Fixed"})
-    return {**given, **bodies.conditions(fault={"Type": "Two-Sided Fault"}, slipping=slip,
-                                       surface={"Type": "Free Surface"}, **sides)}
+    if friction:
+        sides["fault"] = {"Type": "Two-Sided Fault"}
+    return {**given, **bodies.conditions(slipping=slip, surface={"Type": "Free Surface"}, **sides)}
 
 
 def expected(x, strike, dip, space):
@@ -94,9 +101,11 @@ def expected(x, strike, dip, space):
     return total.T
 
 
-def check(degrees, cells, far, space=False):
+def check(degrees, cells, far, space=False, friction=True):
     dip = math.radians(degrees)
-    folder = bodies.run("slip", mesh(dip, cells, far, space), settings(dip, space))
+    removed = () if friction else ("Friction", "Initial State/alpha")
+    folder = bodies.run("slip", mesh(dip, cells, far, space, friction),
+                        settings(dip, space, friction), removed=removed)
     surface = asperity_run.series(folder / "surface.h5")
     where, moved = surface["geometry/coordinates"], surface["fields/displacement"][-1]
     near = numpy.abs(where[:, 0]) < NEAR
@@ -112,7 +121,8 @@ def check(degrees, cells, far, space=False):
     at_trace = (numpy.abs(where[:, 0]) < meshes.CLOSE) & (strike < LENGTH / 2 - TAPER)
     error, local = errors.max() / sizes.max(), (errors / sizes)[at_trace].max()
     fine = max(error, local) < TOLERANCE
-    print(f"{'3D' if space else '2D'}, dip {degrees}, {cells} cells down dip, far sides at {far:g} "
+    kind = ("3D" if space else "2D") + ("" if friction else ", no friction")
+    print(f"{kind}, dip {degrees}, {cells} cells down dip, far sides at {far:g} "
           f"widths: {error:.2%} of the largest displacement at {near.sum()} points, {local:.2%} of "
           f"the local one at the trace{'' if fine else ' NO'}", flush=True)
     return fine
@@ -136,7 +146,8 @@ def reference():
 
 
 def main():
-    passed = [reference(), check(30, 32, 100), check(60, 32, 100), check(30, 14, 8, space=True)]
+    passed = [reference(), check(30, 32, 100), check(60, 32, 100), check(30, 14, 8, space=True),
+              check(30, 32, 100, friction=False), check(30, 14, 8, space=True, friction=False)]
     return passed.count(False)
 
 

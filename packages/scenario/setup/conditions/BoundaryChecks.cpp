@@ -100,9 +100,13 @@ void requireFaults(ParameterList const& list, Mesh<Dim> const& mesh,
   const auto is_inside = [&mesh](std::string const& boundary) {
     return std::find(mesh.faults.begin(), mesh.faults.end(), boundary) != mesh.faults.end();
   };
+  const auto isFault = [](BoundaryCondition const& condition) {
+    return condition.type->place == ConditionPlace::fault;
+  };
+  const bool known_alone = std::none_of(conditions.begin(), conditions.end(), isFault);
   const bool two_sided =
-    std::any_of(conditions.begin(), conditions.end(),
-                [](BoundaryCondition const& condition) { return condition.isFaultInside(); });
+    known_alone || std::any_of(conditions.begin(), conditions.end(),
+                               [](auto const& condition) { return condition.isFaultInside(); });
   auto const kinds = quotedAlternatives(faultKindsInside());
   for (auto const& condition : conditions) {
     auto const& type = condition.type->name;
@@ -113,10 +117,16 @@ void requireFaults(ParameterList const& list, Mesh<Dim> const& mesh,
                                     << ", or 'Prescribed Slip Rate' where it continues one.");
     if (!is_inside(condition.boundary) && two_sided && condition.liesAlongFault()) {
       const auto touching = mesh::touchingFacets(mesh, communicator);
+      const std::string way_out =
+        known_alone ? " A fault on the outer boundary needs a Type that says what lies on its "
+                      "other side, " +
+                        quotedAlternatives(faultKinds()) + ", with the same Slip Rate."
+                    : "";
       throw InputError(condition.name + " / Boundary = '" + condition.boundary +
                        "' is no fault inside the body, which the Type '" + type + "' needs here. " +
-                       (touching ? mesh::sentence(*touching)
-                                 : "Give it in Mesh / Faults, or mark facets inside the mesh."));
+                       (touching
+                          ? mesh::sentence(*touching)
+                          : "Give it in Mesh / Faults, or mark facets inside the mesh." + way_out));
     }
   }
   for (auto const& fault : mesh.faults) {

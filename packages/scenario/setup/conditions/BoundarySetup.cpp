@@ -3,6 +3,9 @@
 #include "base/Text.hpp"
 #include "scenario/setup/conditions/BoundaryChecks.hpp"
 #include "scenario/setup/conditions/FaultKind.hpp"
+#include "scenario/setup/conditions/TractionCondition.hpp"
+
+#include <algorithm>
 
 namespace asperity::scenario
 {
@@ -59,6 +62,19 @@ void layAlongFault(Conditions const& conditions, ConditionContext const& setting
   }
 }
 
+// Without a fault of another Type, boundaries of the Type Prescribed Slip Rate are the faults.
+template <int Dim>
+void takeContinuationsAsFaults(Conditions const& conditions, BoundaryConditions<Dim>& result)
+{
+  result.other_side = fem::OtherSide::body;
+  for (auto const& condition : conditions) {
+    if (condition.liesAlongFault()) {
+      result.faults.push_back(condition.boundary);
+      result.given_slip.push_back(condition.boundary);
+    }
+  }
+}
+
 template <int Dim>
 void make(BoundaryCondition const& condition, ConditionContext const& setting,
           BoundaryConditions<Dim>& result)
@@ -69,35 +85,51 @@ void make(BoundaryCondition const& condition, ConditionContext const& setting,
 
 RCP<const ParameterList> boundaryParameters()
 {
-  auto const one =
-    Declare()
-      .text("Boundary", required, "Names the boundary of the mesh on which the condition holds.")
-      .choice("Type", required, typeNames(), meaningOfType())
-      .realArray(
-        "Direction", optional, "-", Range::any(),
-        "Prescribed Velocity: components along the axes that say where the velocity points, of any "
-        "length; it points along +x if they are left out, and an antiplane body moves along z "
-        "alone. Prescribed Slip Rate, and faults with a Plate Rate, in three dimensions: the slip "
-        "points along the projection of this vector onto the boundary.")
-      .field(
-        "Velocity", optional, "m/s", Range::any(),
-        "Prescribed Velocity: says how fast the boundary moves in that direction; it is at rest if "
-        "this is left out.")
-      .real("Ramp Duration", optional, "s", Range::atLeast(0),
-            "Prescribed Velocity: sets the time over which the velocity grows smoothly from zero; "
-            "without this entry there is no ramp.")
-      .field("Plate Rate", optional, "m/s", Range::any(),
-             "Faults: says how fast the plates slide past each other along the fault (back slip). "
-             "Friction and all outputs of slip include this rate in addition to the motion of the "
-             "bodies, whose far boundaries are then at rest. It points along the tangent of the "
-             "fault's frame, in three dimensions along Direction, and is constant in time.")
-      .field("Slip Rate", optional, "m/s", Range::any(),
-             "Prescribed Slip Rate: says how fast the boundary slips; in two dimensions along the "
-             "tangent of the fault's frame, which points along +x on a fault below the body.")
-      .list();
+  Declare one_condition;
+  one_condition
+    .text("Boundary", required, "Names the boundary of the mesh on which the condition holds.")
+    .choice("Type", required, typeNames(), meaningOfType())
+    .realArray(
+      "Direction", optional, "-", Range::any(),
+      "Prescribed Velocity: components along the axes that say where the velocity points, of any "
+      "length; it points along +x if they are left out, and an antiplane body moves along z "
+      "alone. Prescribed Slip Rate, and faults with a Slip Rate or a Plate Rate, in three "
+      "dimensions: the slip points along the projection of this vector onto the boundary.")
+    .field(
+      "Velocity", optional, "m/s", Range::any(),
+      "Prescribed Velocity: says how fast the boundary moves in that direction; it is at rest if "
+      "this is left out.")
+    .real("Ramp Duration", optional, "s", Range::atLeast(0),
+          "Prescribed Velocity: sets the time over which the velocity grows smoothly from zero; "
+          "without this entry there is no ramp.")
+    .field("Plate Rate", optional, "m/s", Range::any(),
+           "Faults: says how fast the plates slide past each other along the fault (back slip). "
+           "Friction and all outputs of slip include this rate in addition to the motion of the "
+           "bodies, whose far boundaries are then at rest. It points along the tangent of the "
+           "fault's frame, in three dimensions along Direction, and is constant in time.")
+    .field("Slip Rate", optional, "m/s", Range::any(),
+           "Prescribed Slip Rate, and faults whose slip is known: says how fast the boundary "
+           "slips; in two dimensions along the tangent of the fault's frame, which points along "
+           "+x on a fault below the body. A fault with a slip rate has no friction.");
+  declareTraction(one_condition);
+  auto const one = one_condition.list();
   return Declare()
     .sublist("<condition>", one, "Describes one boundary condition; choose any name.")
     .list();
+}
+
+bool haveFriction(ParameterList const& conditions)
+{
+  auto const kinds = faultKinds();
+  return std::any_of(conditions.begin(), conditions.end(), [&](auto const& entry) {
+    if (!conditions.isSublist(entry.first)) {
+      return false;
+    }
+    auto const& condition = conditions.sublist(entry.first);
+    return condition.template isType<std::string>("Type") && !isGiven(condition, "Slip Rate") &&
+           std::find(kinds.begin(), kinds.end(), condition.template get<std::string>("Type")) !=
+             kinds.end();
+  });
 }
 
 template <int Dim>
@@ -113,17 +145,21 @@ BoundaryConditions<Dim> makeBoundaryConditions(ParameterList const& list, int co
       make(condition, setting, result);
     }
   }
-  ASPERITY_REQUIRE(!result.faults.empty(),
-                   "Asperity / Boundary Conditions has no condition of Type "
-                     << quotedAlternatives(faultKinds())
-                     << ". Name the boundary that is the fault.");
+  if (result.faults.empty()) {
+    takeContinuationsAsFaults(conditions, result);
+  }
   if (components > 1) {
     layAlongFault(conditions, setting, result);
   }
   for (auto const& condition : conditions) {
     if (condition.type->place != ConditionPlace::fault) {
       make(condition, setting, result);
+    } else if (isGiven(condition.list, "Slip Rate")) {
+      prescribeSlipRate(condition, setting, result);
     }
+  }
+  if (result.surface.empty() && !result.tractions.empty()) {
+    result.surface = result.tractions.front().boundary;
   }
   return result;
 }

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "fem/BoundaryLoad.hpp"
 #include "fem/FaultSurface.hpp"
 #include "fem/constraints/Constraints.hpp"
 #include "parameters/Parameters.hpp"
@@ -16,18 +17,28 @@ RCP<const ParameterList> boundaryParameters();
 template <int Dim>
 struct BoundaryConditions
 {
-  // Boundaries with friction: one, or several if the faults lie between two bodies. Several faults
-  // form one surface.
+  // The faults: none, one, or several if they lie between two bodies. Several faults form one
+  // surface.
   fem::Boundaries faults;
+  fem::Boundaries given_slip; // those of them whose slip is prescribed; all others have friction
   // The other side of all faults.
   fem::OtherSide other_side;
   std::vector<PlateRate> plate_rates; // of the faults that have one
-  std::string surface;                // the first free surface; empty if there is none
+  std::string surface;                // the first free surface, or else the first boundary with a
+                                      // traction; empty if there is none
   std::vector<std::string> absorbing; // boundaries with dashpots
   std::vector<fem::VelocityCondition<Dim>> velocities;
+  std::vector<fem::BoundaryTraction> tractions;
   double ramp_end = 0; // end of the last loading ramp [s]
 };
 
+// Whether a condition in the list, which need not be complete, is of a fault with friction: of a
+// Type that is a kind of fault, without a slip rate.
+bool haveFriction(ParameterList const& conditions);
+
+// A deck without a Type that is a kind of fault may have conditions of the Type Prescribed Slip
+// Rate: these are its faults, between two bodies.
+//
 // components: of the displacement, Dim or, in antiplane models, 1. Throws InputError on
 // contradictions that can be found without the mesh.
 template <int Dim>

@@ -5,6 +5,7 @@
 #include "parameters/fields/Field.hpp"
 #include "scenario/setup/NodalField.hpp"
 #include "scenario/setup/conditions/FaultKind.hpp"
+#include "scenario/setup/conditions/TractionCondition.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -87,12 +88,15 @@ void fault(BoundaryCondition const& condition, ConditionContext const& setting,
            BoundaryConditions<Dim>& result)
 {
   auto const& other_side = condition.type->other_side;
-  ASPERITY_REQUIRE(
-    result.faults.empty() || (result.other_side.is_inside && other_side.is_inside),
-    condition.name << ": there is already friction on the boundary '" << result.faults.front()
-                   << "'. Several boundaries can have it only if all are of the Type "
-                   << quotedAlternatives(faultKindsInside()) << ".");
+  ASPERITY_REQUIRE(result.faults.empty() || (result.other_side.is_inside && other_side.is_inside),
+                   condition.name << ": there is already a fault, the boundary '"
+                                  << result.faults.front()
+                                  << "'. There can be several only if all are of the Type "
+                                  << quotedAlternatives(faultKindsInside()) << ".");
   result.faults.push_back(condition.boundary);
+  if (isGiven(condition.list, "Slip Rate")) {
+    result.given_slip.push_back(condition.boundary);
+  }
   result.other_side = other_side;
   auto const plate = plateRateOf(condition, setting.components);
   if (plate) {
@@ -140,36 +144,6 @@ void requireDirectionOfPlates(BoundaryCondition const& condition,
                      << " is not that of " << plate.name
                      << ", which has a Plate Rate: its continuation slips in the same direction. "
                         "Give both the same.");
-}
-
-// v_t = (slip rate - Vp) / slip factor: along the tangent of the frames, in three dimensions along
-// the projection of the direction onto the boundary, and none at right angles to it.
-template <int Dim>
-void prescribedSlipRate(BoundaryCondition const& condition, ConditionContext const& setting,
-                        BoundaryConditions<Dim>& result)
-{
-  ASPERITY_REQUIRE(isGiven(condition.list, "Slip Rate"),
-                   joinPath(condition.name, "Slip Rate")
-                     << " is missing: the rate at which the continuation of "
-                        "the fault slips, 0 if it is locked.");
-  auto const rate = fieldOf(condition, "Slip Rate");
-  auto const velocity = withoutPlates(rate, result);
-  if (setting.components < 3) {
-    refuseDirection(condition, "in two dimensions a fault slips along its tangent");
-  }
-  const auto add = [&](typename fem::VelocityCondition<Dim>::Kind const& kind) {
-    result.velocities.push_back({condition.name, condition.boundary, kind});
-  };
-  if (setting.components == 1) {
-    add(fem::PrescribedVelocity<Dim>{{1.}, velocity});
-  } else if (setting.components == 2) {
-    add(fem::SlipAlongTangent<Dim>{velocity, setting.along_fault});
-  } else {
-    auto const direction = directionOf(condition, setting.components);
-    requireDirectionOfPlates(condition, direction, result);
-    add(fem::SlipTowards<Dim>{direction, velocity, setting.along_fault});
-    add(fem::NoSlipSideways{direction, setting.along_fault});
-  }
 }
 
 // Where a driven boundary meets the fault in three dimensions, slip at right angles to its
@@ -232,6 +206,44 @@ void freeSurface(BoundaryCondition const& condition, ConditionContext const&,
     result.surface = condition.boundary;
   }
 }
+} // namespace
+
+// v_t = (slip rate - Vp) / slip factor: along the tangent of the frames, in three dimensions along
+// the projection of the direction onto the boundary, and none at right angles to it.
+template <int Dim>
+void prescribeSlipRate(BoundaryCondition const& condition, ConditionContext const& setting,
+                       BoundaryConditions<Dim>& result)
+{
+  ASPERITY_REQUIRE(isGiven(condition.list, "Slip Rate"),
+                   joinPath(condition.name, "Slip Rate")
+                     << " is missing: the rate at which the boundary slips, 0 if it is locked.");
+  auto const rate = fieldOf(condition, "Slip Rate");
+  auto const velocity = withoutPlates(rate, result);
+  if (setting.components < 3) {
+    refuseDirection(condition, "in two dimensions a fault slips along its tangent");
+  }
+  const auto add = [&](typename fem::VelocityCondition<Dim>::Kind const& kind) {
+    result.velocities.push_back({condition.name, condition.boundary, kind});
+  };
+  if (setting.components == 1) {
+    add(fem::PrescribedVelocity<Dim>{{1.}, velocity});
+  } else if (setting.components == 2) {
+    add(fem::SlipAlongTangent<Dim>{velocity, setting.along_fault});
+  } else {
+    auto const direction = directionOf(condition, setting.components);
+    requireDirectionOfPlates(condition, direction, result);
+    add(fem::SlipTowards<Dim>{direction, velocity, setting.along_fault});
+    add(fem::NoSlipSideways{direction, setting.along_fault});
+  }
+}
+
+template void prescribeSlipRate(BoundaryCondition const&, ConditionContext const&,
+                                BoundaryConditions<2>&);
+template void prescribeSlipRate(BoundaryCondition const&, ConditionContext const&,
+                                BoundaryConditions<3>&);
+
+namespace
+{
 // A type for each kind of fault, then the types for other boundaries.
 std::vector<ConditionType> makeTypes()
 {
@@ -240,7 +252,7 @@ std::vector<ConditionType> makeTypes()
     auto const& kind = FaultKindRegistry::instance().at(name);
     types.push_back({name,
                      kind.meaning,
-                     {"Direction", "Plate Rate"},
+                     {"Direction", "Plate Rate", "Slip Rate"},
                      ConditionPlace::fault,
                      DecidesOn::traction,
                      {fault<2>, fault<3>},
@@ -248,11 +260,12 @@ std::vector<ConditionType> makeTypes()
   }
   const std::vector<ConditionType> others = {
     {"Prescribed Slip Rate",
-     "the boundary continues the fault and slips at that rate.",
+     "the boundary continues the fault and slips at that rate; where no boundary is a fault of "
+     "another Type, it is a fault itself, inside the mesh.",
      {"Direction", "Slip Rate"},
      ConditionPlace::continuation,
      DecidesOn::traction,
-     {prescribedSlipRate<2>, prescribedSlipRate<3>}},
+     {prescribeSlipRate<2>, prescribeSlipRate<3>}},
     {"Prescribed Velocity",
      "the velocity in one direction is prescribed, and free at right angles to it.",
      {"Direction", "Velocity", "Ramp Duration"},
@@ -285,6 +298,7 @@ std::vector<ConditionType> makeTypes()
      DecidesOn::everything,
      {freeSurface<2>, freeSurface<3>}}};
   types.insert(types.end(), others.begin(), others.end());
+  types.push_back(tractionType());
   return types;
 }
 } // namespace

@@ -55,6 +55,12 @@ struct ConditionType
 std::vector<ConditionType> const& conditionTypes();
 ConditionType const& conditionType(std::string const& name);
 
+// Adds the condition on the velocity of a fault, or of its continuation, that the entries
+// `Slip Rate` and `Direction` describe; `result` has the faults.
+template <int Dim>
+void prescribeSlipRate(BoundaryCondition const& condition, ConditionContext const& setting,
+                       BoundaryConditions<Dim>& result);
+
 // One completed sublist of the deck's list `Boundary Conditions`.
 struct BoundaryCondition
 {

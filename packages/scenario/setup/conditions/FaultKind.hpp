@@ -8,9 +8,9 @@
 
 namespace asperity::scenario
 {
-// A kind of fault: a value of the entry `Type` of a boundary condition. All kinds read `Direction`
-// and `Plate Rate`; they differ in what lies on their other side. A new one, in FaultKind.cpp or in
-// a library of your own, is
+// A kind of fault: a value of the entry `Type` of a boundary condition. All kinds read `Direction`,
+// `Plate Rate` and `Slip Rate`; they differ in what lies on their other side. A new one, in
+// FaultKind.cpp or in a library of your own, is
 //
 //   struct BilateralContact : FaultKind
 //   {

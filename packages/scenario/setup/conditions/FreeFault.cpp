@@ -114,6 +114,10 @@ void requireFreeFault(BoundaryConditions<Dim> const& boundary, Mesh<Dim> const& 
 {
   onEveryRank(communicator, [&] {
     for (auto const& fault : boundary.faults) {
+      auto const& given = boundary.given_slip;
+      if (std::find(given.begin(), given.end(), fault) != given.end()) {
+        continue;
+      }
       FacetsOfFault<Dim> facets(fault, mesh, components);
       for (auto const& condition : boundary.velocities) {
         if (holdsOnFacets(condition)) {

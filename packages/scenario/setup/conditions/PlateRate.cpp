@@ -16,8 +16,9 @@ PlateRate plateRateOf(BoundaryCondition const& condition, int components)
   result.boundary = condition.boundary;
   const bool has_direction = isGiven(condition.list, "Direction");
   if (!isGiven(condition.list, "Plate Rate")) {
-    ASPERITY_REQUIRE(!has_direction, joinPath(condition.name, "Direction")
-                                       << " has no effect without a Plate Rate. Remove it.");
+    ASPERITY_REQUIRE(!has_direction || isGiven(condition.list, "Slip Rate"),
+                     joinPath(condition.name, "Direction")
+                       << " has no effect without a Plate Rate or a Slip Rate. Remove it.");
     return result;
   }
   result.rate =

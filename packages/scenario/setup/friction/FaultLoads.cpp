@@ -51,6 +51,11 @@ ShearTraction::ShearTraction(ParameterList const& friction, FieldNodes const& no
     direction_.assign(surface.numNodes(), 1.);
     return;
   }
+  if (surface.numSliding() == 0 && friction.getEntry("Shear Traction").isDefault()) {
+    // No one asks for the direction, and the default need not lie along the fault.
+    direction_.assign(static_cast<std::size_t>(surface.numNodes()) * surface.numTangents(), 0.);
+    return;
+  }
   auto const towards = slipDirection(friction);
   for (auto const& node : surface) {
     auto const projected =
@@ -82,19 +87,22 @@ std::vector<double> ShearTraction::largest(std::vector<double> const& times) con
   return result;
 }
 
-std::function<void(double, Vector&)>
-loadWithTraction(ShearTraction const& traction,
-                 std::shared_ptr<const fem::FaultSurface> const& surface,
-                 RCP<const Vector> const& constant)
+std::function<void(double, Vector&)> loadWithTraction(
+  ShearTraction const& traction, std::shared_ptr<const fem::FaultSurface> const& surface,
+  std::shared_ptr<const fem::BoundaryLoad> const& boundaries, RCP<const Vector> const& constant)
 {
-  if (!traction.dependsOnTime()) {
-    auto const load = rcp(new Vector(*constant, Teuchos::Copy));
-    fem::addTraction(*surface, traction.at(0), *load);
-    return [load](double, Vector& l) { Tpetra::deep_copy(l, *load); };
+  auto const steady = rcp(new Vector(*constant, Teuchos::Copy));
+  boundaries->addSteady(*steady);
+  const bool shear_varies = traction.dependsOnTime();
+  if (!shear_varies) {
+    fem::addTraction(*surface, traction.at(0), *steady);
   }
-  return [traction, surface, constant](double t, Vector& l) {
-    Tpetra::deep_copy(l, *constant);
-    fem::addTraction(*surface, traction.at(t), l);
+  return [traction, surface, boundaries, steady, shear_varies](double t, Vector& l) {
+    Tpetra::deep_copy(l, *steady);
+    if (shear_varies) {
+      fem::addTraction(*surface, traction.at(t), l);
+    }
+    boundaries->addVarying(t, l);
   };
 }
 

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "dynamics/fault/NormalStress.hpp"
+#include "fem/BoundaryLoad.hpp"
 #include "fem/FaultSurface.hpp"
 #include "fem/constraints/NodalFrames.hpp"
 #include "parameters/Parameters.hpp"
@@ -26,17 +27,17 @@ public:
 
 private:
   NodalField size_;
-  // The tangent; in three dimensions the projection of the deck's `Slip Direction` onto the fault.
+  // The tangent; in three dimensions the projection of the deck's `Slip Direction` onto the fault,
+  // or zero where neither a traction nor friction needs it.
   // InputError where that direction is normal to the fault.
   std::vector<double> direction_;
 };
 
-// Returns the load of the body as a function of time: a constant load and the deck's `Shear
-// Traction` on the fault. If the traction does not depend on t, it is evaluated only once.
-std::function<void(double, Vector&)>
-loadWithTraction(ShearTraction const& traction,
-                 std::shared_ptr<const fem::FaultSurface> const& surface,
-                 RCP<const Vector> const& constant);
+// Returns the load of the body as a function of time: a constant load, the deck's `Shear Traction`
+// on the fault and the tractions on boundaries. What does not depend on t is evaluated only once.
+std::function<void(double, Vector&)> loadWithTraction(
+  ShearTraction const& traction, std::shared_ptr<const fem::FaultSurface> const& surface,
+  std::shared_ptr<const fem::BoundaryLoad> const& boundaries, RCP<const Vector> const& constant);
 
 struct NormalStressOfDeck
 {

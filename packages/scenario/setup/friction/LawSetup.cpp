@@ -2,6 +2,7 @@
 
 #include "friction/Registry.hpp"
 #include "friction/laws/AgeingLaw.hpp"
+#include "friction/laws/NoFriction.hpp"
 #include "friction/laws/RegularisedLaw.hpp"
 #include "scenario/setup/DeckPaths.hpp"
 #include "scenario/setup/ParameterTable.hpp"
@@ -75,8 +76,10 @@ std::optional<std::vector<Value>> ofNodes(std::function<Value(double const*)> co
 
 void declareLaws(Declare& declare)
 {
-  declareChoice(declare, friction_choice, friction::RegularisedLaw::name, friction::frictionLaws(),
-                "Selects the law that gives the friction coefficient from slip rate and state.");
+  declareChoice(
+    declare, friction_choice, friction::RegularisedLaw::name, friction::frictionLaws(),
+    "Selects the law that gives the friction coefficient from slip rate and state. None, "
+    "the default where no fault has friction: the fault bears its cohesion alone.");
   declareChoice(declare, state_choice, friction::AgeingLaw::name, friction::stateLaws(),
                 "Selects the law by which the state evolves.",
                 [](friction::StateLaw const& law, Declare& entries) {
@@ -84,6 +87,30 @@ void declareLaws(Declare& declare)
                     declareSteadyFriction(entries);
                   }
                 });
+}
+
+void chooseLaws(ParameterList& friction, bool is_needed)
+{
+  const auto chooseNone = [&friction](std::string const& entry, char const* none) {
+    friction.setEntry(entry, Teuchos::ParameterEntry(std::string(none), true));
+  };
+  if (!is_needed && !friction.isParameter(friction_choice) && !friction.isParameter(state_choice)) {
+    chooseNone(friction_choice, friction::NoFriction::name);
+  }
+  if (!friction.isParameter(state_choice) && friction.isType<std::string>(friction_choice) &&
+      friction.get<std::string>(friction_choice) == friction::NoFriction::name) {
+    chooseNone(state_choice, friction::NoState::name);
+  }
+}
+
+bool bearsFriction(ParameterList const& list)
+{
+  return list.get<std::string>(friction_choice) != friction::NoFriction::name;
+}
+
+bool hasState(ParameterList const& list)
+{
+  return std::string(chosenFrictionLaw(list).state_variable) != friction::no_state;
 }
 
 void requireSameState(ParameterList const& list)

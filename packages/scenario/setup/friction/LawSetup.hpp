@@ -14,6 +14,14 @@ namespace asperity::scenario
 // Declares the choices of the two laws, and for every law the parameters of its table.
 void declareLaws(Declare& declare);
 
+// In a list that need not be complete: chooses no friction and no state where no fault has friction
+// and the list chooses no law, and no state where it chooses no friction.
+void chooseLaws(ParameterList& friction, bool is_needed);
+
+// Whether the law is one of friction, and whether it depends on a state.
+bool bearsFriction(ParameterList const& list);
+bool hasState(ParameterList const& list);
+
 // Throws InputError if the friction law does not depend on the state of the state law, or not on
 // that which `what` needs.
 void requireSameState(ParameterList const& list);
